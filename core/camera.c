@@ -1,0 +1,301 @@
+#include "camera.h"
+
+#include <string.h>
+
+#include "trig.h"
+
+/* An axis is v / length, kept apart so that what must cancel can. */
+struct axis {
+	ex v[3];
+	ex length;
+};
+
+static ex dot(ex a[3], ex b[3])
+{
+	ex s = ex_mul(a[0], b[0]);
+
+	return ex_add(ex_add(s, ex_mul(a[1], b[1])), ex_mul(a[2], b[2]));
+}
+
+static void cross(ex a[3], ex b[3], ex r[3])
+{
+	for (int i = 0; i < 3; i++) {
+		int j = (i + 1) % 3, k = (i + 2) % 3;
+
+		r[i] = ex_sub(ex_mul(a[j], b[k]), ex_mul(a[k], b[j]));
+	}
+}
+
+/* a scaled by a power of two so that its largest part lies near 2^100;
+ * false where it is 0. */
+static bool scaled(const ex *a, int n, ex *r)
+{
+	double largest = 0;
+	int e;
+
+	for (int i = 0; i < n; i++)
+		largest = fmax(largest, fabs(ex_round(a[i]).hi));
+	if (largest == 0)
+		return false;
+	frexp(largest, &e);
+	/* in two steps: 2^(100 - e) alone could overflow */
+	for (int i = 0; i < n; i++)
+		r[i] = ex_scale(ex_scale(a[i], ldexp(1, -(e / 2))),
+		    ldexp(1, 100 - (e - e / 2)));
+	return true;
+}
+
+/* x = up x z and y = z x x before any is normalised: the exact polynomials,
+ * and lengths |up x z|, |z| |up x z|. */
+static const char *look(const struct camera *c, bool right_handed,
+    struct axis axis[3])
+{
+	ex gaze[3], up[3];
+	struct axis *x = &axis[0], *y = &axis[1], *z = &axis[2];
+	bool at = c->by == CAMERA_AT;
+
+	for (int i = 0; i < 3; i++) {
+		gaze[i] = at ? ex_diff(c->at[i], c->eye[i]) : ex_of(c->at[i]);
+		if (right_handed)
+			gaze[i] = ex_sub(ex_of(0), gaze[i]);
+		up[i] = ex_of(c->up[i]);
+	}
+	if (!scaled(gaze, 3, z->v))
+		return at ? "/camera/at: equal to the eye; "
+			    "choose another point to look at" :
+			    "/camera/gaze: has no direction; "
+			    "at least one element must not be 0";
+	if (!scaled(up, 3, up))
+		return "/camera/up: has no direction; "
+		       "at least one element must not be 0";
+	cross(up, z->v, x->v);
+	cross(z->v, x->v, y->v);
+	ex xx = dot(x->v, x->v), zz = dot(z->v, z->v);
+	/* 2^-50 radians */
+	ex bound = ex_scale(ex_mul(dot(up, up), zz), 0x1p-100);
+
+	if (ex_round(ex_sub(xx, bound)).hi < 0)
+		return "/camera/up: parallel to the gaze; "
+		       "choose another up vector";
+	x->length = ex_sqrt(xx);
+	z->length = ex_sqrt(zz);
+	y->length = ex_mul(x->length, z->length);
+	return NULL;
+}
+
+/* The columns of the rotation matrix of a quaternion, times its norm. */
+static void turn(ex q[4], struct axis axis[3])
+{
+	ex p[4][4];
+
+	for (int i = 0; i < 4; i++)
+		for (int j = 0; j < 4; j++)
+			p[i][j] = ex_mul(q[i], q[j]);
+	ex norm = ex_add(ex_add(p[0][0], p[1][1]), ex_add(p[2][2], p[3][3]));
+
+	for (int i = 0; i < 3; i++) {
+		int j = (i + 1) % 3, k = (i + 2) % 3;
+		ex along = ex_add(p[3][3], p[i][i]);
+
+		axis[i].length = norm;
+		axis[i].v[i] = ex_sub(along, ex_add(p[j][j], p[k][k]));
+		axis[i].v[j] = ex_scale(ex_add(p[i][j], p[k][3]), 2);
+		axis[i].v[k] = ex_scale(ex_sub(p[i][k], p[j][3]), 2);
+	}
+}
+
+static const char *orient(const struct camera *c, struct axis axis[3])
+{
+	ex q[4];
+
+	for (int i = 0; i < 4; i++)
+		q[i] = ex_of(c->orientation[i]);
+	if (!scaled(q, 4, q))
+		return "/camera/orientation: is zero; "
+		       "no turn is [0, 0, 0, 1]";
+	turn(q, axis);
+	return NULL;
+}
+
+/* The symmetric matrix K with q K q = trace(Q' M) for the rotation Q of the
+ * unit quaternion q: the nearest rotation to M belongs to the eigenvector of
+ * its largest eigenvalue (Horn, "Closed-form solution of absolute orientation
+ * using unit quaternions", 1987). */
+static void horn(ex m[3][3], ex k[4][4])
+{
+	ex trace = ex_add(ex_add(m[0][0], m[1][1]), m[2][2]);
+
+	k[3][3] = trace;
+	for (int i = 0; i < 3; i++) {
+		int j = (i + 1) % 3, l = (i + 2) % 3;
+
+		k[i][i] = ex_sub(ex_scale(m[i][i], 2), trace);
+		k[i][j] = k[j][i] = ex_add(m[i][j], m[j][i]);
+		k[i][3] = k[3][i] = ex_sub(m[l][j], m[j][l]);
+	}
+}
+
+/* The largest root of x^4 - 2 s x^2 - 8 d x + k, the characteristic polynomial
+ * of K with s = |M|^2, d = det M, k = det K. From above, at sqrt(3 s), Newton's
+ * steps descend to it; each has an exact residual, so they go on until they no
+ * longer count at 2^-150. */
+static ex largest_root(ex s, ex d, ex k)
+{
+	double s1 = ex_round(s).hi, d1 = ex_round(d).hi;
+	ex x = ex_of(sqrt(3 * s1));
+
+	for (int i = 0; i < 200; i++) {
+		double x1 = ex_round(x).hi;
+		double slope = 4 * (x1 * (x1 * x1 - s1) - 2 * d1);
+		ex p = ex_sub(ex_mul(x, x), ex_scale(s, 2));
+
+		p = ex_sub(ex_mul(ex_mul(p, x), x), ex_scale(ex_mul(d, x), 8));
+		double step = ex_round(ex_add(p, k)).hi / slope;
+
+		if (!(fabs(step) > 0x1p-150 * x1))
+			break;
+		x = ex_first(ex_sub(x, ex_of(step)), 4);
+	}
+	return x;
+}
+
+/* The nearest rotation to the upper 3x3. q is the largest column of the
+ * adjugate of K - x, which is a multiple of q q'. */
+static const char *orthonormal(const struct camera *c, struct axis axis[3])
+{
+	ex m[9], k[4][4], s = { 0 }, q[4];
+	int best = 0;
+	double most = 0;
+
+	for (int i = 0; i < 9; i++)
+		m[i] = ex_of(c->matrix[i / 3][i % 3]);
+	scaled(m, 9, m);
+	for (int i = 0; i < 9; i++) {
+		m[i] = ex_scale(m[i], 0x1p-80);
+		s = ex_add(s, ex_mul(m[i], m[i]));
+		k[i / 3][i % 3] = m[i];
+	}
+	ex det = ex_minor(3, k, 8, 8);
+
+	if (ex_round(det).hi <= 0)
+		return "/camera/matrix: its determinant is not positive; "
+		       "a rotation's is 1";
+	horn((ex(*)[3])m, k);
+	ex x = largest_root(s, det, ex_minor(4, k, 0, 0));
+
+	for (int i = 0; i < 4; i++)
+		k[i][i] = ex_sub(k[i][i], x);
+	for (int i = 0; i < 4; i++) {
+		double d = fabs(ex_round(ex_minor(3, k, 1u << i, 1u << i)).hi);
+
+		if (d > most) {
+			most = d;
+			best = i;
+		}
+	}
+	for (int i = 0; i < 4; i++) {
+		q[i] = ex_minor(3, k, 1u << best, 1u << i);
+		q[i] = ex_first(ex_scale(q[i], (best + i) % 2 ? -1 : 1), 4);
+	}
+	scaled(q, 4, q);
+	turn(q, axis);
+	return NULL;
+}
+
+/* The axes as columns, world to view, or as rows, view to world. */
+static struct map rotation(struct axis axis[3], bool inverse)
+{
+	dd m[4][4] = { [3][3] = { 1, 0 } };
+
+	for (int i = 0; i < 3; i++)
+		for (int k = 0; k < 3; k++)
+			m[inverse ? i : k][inverse ? k : i] =
+			    ex_div(axis[i].v[k], axis[i].length);
+	return map_of(m);
+}
+
+/* From the eye's side: (p - eye) axes, or v axes' + eye. The printed last row
+ * -axis . eye is an exact polynomial, divided once: seen from (1,2,3) towards
+ * the origin, x . eye is 0 and not the rounded axes' -4.9e-32. */
+static struct map stand(const struct camera *c, struct axis axis[3],
+    bool inverse)
+{
+	struct map r = rotation(axis, inverse);
+	ex eye[3];
+
+	if (inverse) {
+		map_add(&r, c->eye);
+		return r;
+	}
+	map_about(&r, c->eye);
+	for (int k = 0; k < 3; k++)
+		eye[k] = ex_of(c->eye[k]);
+	for (int i = 0; i < 3; i++) {
+		dd t = ex_div(dot(axis[i].v, eye), axis[i].length);
+
+		r.m[AT_ZERO][i] = dd_neg(t);
+		r.sum[AT_ZERO][i] = fabs(t.hi);
+	}
+	return r;
+}
+
+static struct map roll_map(double angle)
+{
+	dd s = sin_deg(angle), c = cos_deg(angle);
+	dd m[4][4] = {
+		{ c, s },
+		{ dd_neg(s), c },
+		{ [2] = { 1, 0 } },
+		{ [3] = { 1, 0 } },
+	};
+
+	return map_of(m);
+}
+
+/* The matrix as it is given, or its nearest rotation above its last row. */
+static const char *bare(const struct camera *c, bool inverse, struct map *r)
+{
+	double m[4][4];
+	struct axis axis[3];
+
+	memcpy(m, c->matrix, sizeof m);
+	*r = map_of_doubles(m);
+	if (!map_is_affine(r))
+		return "/camera/matrix: its last column is not 0 0 0 1; "
+		       "write the rows as \"vectors\" says";
+	if (!c->orthonormalize)
+		return !inverse || map_inverse(m, r) ? NULL :
+		    "/camera/matrix: singular; it can't be inverted";
+	const char *why = orthonormal(c, axis);
+
+	if (why != NULL)
+		return why;
+	*r = rotation(axis, inverse);
+	/* the eigenvector is known to 2^-100: what is less is 0 */
+	for (int i = 0; i < 9; i++)
+		if (fabs(r->m[i / 3][i % 3].hi) < 0x1p-100)
+			r->m[i / 3][i % 3] = (dd){ 0, 0 };
+	(inverse ? map_about : map_add)(r, c->matrix[3]);
+	return NULL;
+}
+
+const char *camera_map(const struct camera *c, bool right_handed, bool inverse,
+    struct map *r)
+{
+	struct axis axis[3];
+
+	if (c->by == CAMERA_MATRIX)
+		return bare(c, inverse, r);
+	const char *why = c->by == CAMERA_ORIENTATION ?
+	    orient(c, axis) : look(c, right_handed, axis);
+
+	if (why != NULL)
+		return why;
+	*r = stand(c, axis, inverse);
+	if (c->roll == 0)
+		return NULL;
+	struct map roll = roll_map(inverse ? -c->roll : c->roll);
+
+	*r = inverse ? map_then(&roll, r) : map_then(r, &roll);
+	return NULL;
+}

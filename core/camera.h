@@ -1,0 +1,27 @@
+/* The camera: world to view and back. */
+#ifndef CAMERA_H
+#define CAMERA_H
+
+#include "mat.h"
+
+struct camera {
+	enum { CAMERA_AT, CAMERA_GAZE, CAMERA_ORIENTATION, CAMERA_MATRIX } by;
+	double eye[3];
+	double at[3]; /* or the gaze, a direction of any length */
+	double up[3];
+	double orientation[4]; /* x y z w, view axes to world axes, any norm */
+	double roll;           /* degrees, image counterclockwise */
+	double matrix[4][4];   /* world to view, row vectors, affine */
+	bool orthonormalize;
+};
+
+/* Left-handed: z = unit(gaze), x = unit(up x z), y = z x x; right-handed: z
+ * = unit(-gaze); then roll. Every element is the exact value for the given
+ * doubles within 3 u^2 (with roll 2 TRIG_BOUND + 3 of its products), however
+ * near up is to the gaze and the eye to what it looks at. Maps have the eye as
+ * origin. Returns NULL, or why there is no such view: the member and the
+ * reason. */
+const char *camera_map(const struct camera *, bool right_handed, bool inverse,
+    struct map *);
+
+#endif

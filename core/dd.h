@@ -1,0 +1,80 @@
+/* Double-double arithmetic: a value is the unevaluated sum hi + lo with
+ * hi = RN(hi + lo), about 106 bits. Bounds are relative, in units of
+ * u^2 = 2^-106, and hold while nothing overflows and no low part falls below
+ * 2^-1022. Proofs: Joldes, Muller, Popescu, "Tight and rigorous error bounds
+ * for basic building blocks of double-word arithmetic", ACM TOMS 44 (2017);
+ * Muller, Rideau, "Formalization of double-word arithmetic", ACM TOMS 48
+ * (2022). Compile with -ffp-contract=off: each operation below is one
+ * rounding, and fma appears only where it is written. */
+#ifndef DD_H
+#define DD_H
+
+#include <math.h>
+
+typedef struct {
+	double hi, lo;
+} dd;
+
+/* a + b = hi + lo exactly (Knuth, Moeller). */
+static inline dd two_sum(double a, double b)
+{
+	double s = a + b, t = s - a;
+
+	return (dd){ s, (a - (s - t)) + (b - t) };
+}
+
+/* The same for |a| >= |b| or a = 0 (Dekker). */
+static inline dd fast_two_sum(double a, double b)
+{
+	double s = a + b;
+
+	return (dd){ s, b - (s - a) };
+}
+
+/* a b = hi + lo exactly, while |a b| > 2^-969. */
+static inline dd two_prod(double a, double b)
+{
+	double p = a * b;
+
+	return (dd){ p, fma(a, b, -p) };
+}
+
+static inline dd dd_neg(dd a)
+{
+	return (dd){ -a.hi, -a.lo };
+}
+
+static inline dd dd_scale(dd a, double power_of_two)
+{
+	return (dd){ a.hi * power_of_two, a.lo * power_of_two };
+}
+
+/* 3 u^2 (AccurateDWPlusDW); of the result, so also where terms cancel. */
+static inline dd dd_add(dd a, dd b)
+{
+	dd s = two_sum(a.hi, b.hi), t = two_sum(a.lo, b.lo);
+
+	s = fast_two_sum(s.hi, s.lo + t.hi);
+	return fast_two_sum(s.hi, s.lo + t.lo);
+}
+
+/* 4 u^2 (DWTimesDW3). */
+static inline dd dd_mul(dd a, dd b)
+{
+	dd p = two_prod(a.hi, b.hi);
+	double t = fma(a.lo, b.hi, fma(a.hi, b.lo, a.lo * b.lo));
+
+	return fast_two_sum(p.hi, p.lo + t);
+}
+
+/* 9.8 u^2 (DWDivDW3 without its second correction: DWDivDW2). */
+static inline dd dd_div(dd a, dd b)
+{
+	double q = a.hi / b.hi;
+	dd p = two_prod(q, b.hi);
+	double r = ((a.hi - p.hi) - p.lo) + fma(-q, b.lo, a.lo);
+
+	return fast_two_sum(q, r / b.hi);
+}
+
+#endif

@@ -1,0 +1,42 @@
+/* The inner loops: one body a precision, compiled once for each kind of
+ * processor with the same bits from each. */
+#ifndef KERNEL_H
+#define KERNEL_H
+
+#include <stddef.h>
+
+/* What the matrix's structure makes of the loop. */
+enum body {
+	BODY_CAREFUL, /* none of these: point by point */
+	BODY_FLAT, /* two coordinates, no division */
+	BODY_AFFINE, /* no division */
+	BODY_DEPTH, /* x and y divided by w, depth = a + b / w */
+	BODY_PROJECTIVE, /* x, y, z divided by w */
+	BODIES,
+};
+
+/* A map as the loop wants it. Below doubt, which is 2^-45 of what a sum can
+ * be at most, the loop gives up a point and answers nan. */
+struct lanes {
+	double origin[3];
+	double hi[4][4], lo[4][4];
+	int image; /* whether hi[3] counts */
+	double doubt[4], doubt_image[4]; /* times |x|+|y|+|z|, plus */
+	double a_hi, a_lo, b_hi, b_lo, doubt_depth, doubt_a;
+};
+
+/* Columns have room for a whole number of vectors: n rounded up to 8. */
+typedef void kernel(const struct lanes *, const double *const in[3],
+    double *const out[3], size_t n);
+
+struct kernels {
+	kernel *exact[BODIES];
+};
+
+extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512;
+
+/* The copy for this processor, or the named one (baseline, avx2, avx512);
+ * NULL where the processor cannot run it or there is none of that name. */
+const struct kernels *kernels_find(const char *name);
+
+#endif

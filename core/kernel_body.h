@@ -1,0 +1,159 @@
+/* The inner loops, written once for vectors of any width. A file that includes
+ * this defines COPY, the copy's name; V, the vector; WIDTH, its doubles; LOAD,
+ * STORE, ALL (of one double), FMA, ABS, MIN (a < b ? a : b) and POSITIVE (a >
+ * 0 ? b : nan). Every operation is one rounding of IEEE 754, so all copies
+ * give the same bits. */
+#include "kernel.h"
+
+typedef struct {
+	V hi, lo;
+} vdd;
+
+/* dd.h's, lane by lane. */
+static inline vdd v_two_sum(V a, V b)
+{
+	V s = a + b, t = s - a;
+
+	return (vdd){ s, (a - (s - t)) + (b - t) };
+}
+
+static inline vdd v_fast_two_sum(V a, V b)
+{
+	V s = a + b;
+
+	return (vdd){ s, b - (s - a) };
+}
+
+/* A coordinate's product in hi, its error and low parts in lo: |lo| <= 3 u
+ * |hi|, within 6 u^2 |hi|. */
+static inline vdd product(const struct lanes *m, int i, int j, vdd p)
+{
+	V a = ALL(m->hi[i][j]), b = ALL(m->lo[i][j]);
+	V h = p.hi * a;
+
+	return (vdd){ h, FMA(p.lo, a, FMA(p.hi, b, FMA(p.hi, a, -h))) };
+}
+
+/* Column j of the map: hi + lo with |lo| <= 5 u S, S the sum of the products'
+ * sizes. The products lose 6 u^2 S, the sums of errors and low parts 3 + 2 + 5
+ * + 5 u^2 S: 21 in all. */
+static inline vdd column(const struct lanes *m, int j, const vdd p[3],
+    int terms, int image)
+{
+	vdd x = product(m, 0, j, p[0]), y = product(m, 1, j, p[1]);
+	vdd s = v_two_sum(x.hi, y.hi);
+	V lo = x.lo + y.lo;
+
+	if (terms == 3) {
+		vdd z = product(m, 2, j, p[2]);
+		vdd t = v_two_sum(s.hi, z.hi);
+
+		lo += z.lo + (s.lo + t.lo);
+		s.hi = t.hi;
+	} else {
+		lo += s.lo;
+	}
+	if (image) {
+		vdd t = v_two_sum(s.hi, ALL(m->hi[3][j]));
+
+		lo += t.lo + ALL(m->lo[3][j]);
+		s.hi = t.hi;
+	}
+	return (vdd){ s.hi, lo };
+}
+
+/* n / w, corrected by its residual. */
+static inline V quotient(vdd n, vdd w, V reciprocal)
+{
+	V q = n.hi * reciprocal;
+	V r = FMA(-q, w.hi, n.hi) + FMA(-q, w.lo, n.lo);
+
+	return FMA(r, reciprocal, q);
+}
+
+/* a + b / w. */
+static inline V depth(const struct lanes *m, vdd w, V reciprocal, V *sure)
+{
+	V q = ALL(m->b_hi) * reciprocal;
+	V r = FMA(-q, w.hi, ALL(m->b_hi)) + FMA(-q, w.lo, ALL(m->b_lo));
+	vdd s = v_two_sum(ALL(m->a_hi), q);
+	V z = s.hi + (s.lo + FMA(r, reciprocal, ALL(m->a_lo)));
+
+	*sure = MIN(*sure, ABS(z) - FMA(ALL(m->doubt_depth), ABS(q),
+	    ALL(m->doubt_a)));
+	return z;
+}
+
+/* How far a sum is from being lost in its error. */
+static inline V surely(const struct lanes *m, int j, V value, V size)
+{
+	return value - FMA(ALL(m->doubt[j]), size, ALL(m->doubt_image[j]));
+}
+
+static inline __attribute__((always_inline)) void exact(const struct lanes *m,
+    const double *const in[3], double *const out[3], size_t n, enum body body,
+    int image)
+{
+	int terms = body == BODY_FLAT ? 2 : 3;
+	int divide = body == BODY_DEPTH || body == BODY_PROJECTIVE;
+
+	for (size_t i = 0; i < n; i += WIDTH) {
+		vdd p[3], c[3], w = { ALL(1), ALL(0) };
+		V size = ALL(0), q[3], sure, r = ALL(1);
+
+		for (int k = 0; k < terms; k++) {
+			p[k] = v_two_sum(LOAD(in[k] + i),
+			    ALL(-m->origin[k]));
+			size += ABS(p[k].hi);
+		}
+		if (divide) {
+			w = column(m, 3, p, terms, image);
+			sure = surely(m, 3, w.hi, size);
+			w = v_fast_two_sum(w.hi, w.lo);
+			r = ALL(1) / w.hi;
+		}
+		for (int k = 0; k < terms; k++) {
+			if (k == 2 && body == BODY_DEPTH) {
+				q[k] = depth(m, w, r, &sure);
+				continue;
+			}
+			c[k] = column(m, k, p, terms, image);
+			V s = surely(m, k, ABS(c[k].hi), size);
+
+			sure = k == 0 && !divide ? s : MIN(sure, s);
+			if (divide)
+				q[k] = quotient(c[k], w, r);
+			else
+				q[k] = c[k].hi + c[k].lo;
+		}
+		/* nan also where an operand is, or beyond the range */
+		STORE(out[0] + i, POSITIVE(sure, q[0]));
+		for (int k = 1; k < terms; k++)
+			STORE(out[k] + i, q[k]);
+	}
+}
+
+/* Without an image of the origin, as about the eye, four sums are saved. */
+#define LOOP(BODY, name) \
+	static void name(const struct lanes *m, const double *const in[3], \
+	    double *const out[3], size_t n) \
+	{ \
+		if (m->image) \
+			exact(m, in, out, n, BODY, 1); \
+		else \
+			exact(m, in, out, n, BODY, 0); \
+	}
+
+LOOP(BODY_FLAT, flat)
+LOOP(BODY_AFFINE, affine)
+LOOP(BODY_DEPTH, depth_divided)
+LOOP(BODY_PROJECTIVE, projective)
+
+const struct kernels COPY = {
+	.exact = {
+		[BODY_FLAT] = flat,
+		[BODY_AFFINE] = affine,
+		[BODY_DEPTH] = depth_divided,
+		[BODY_PROJECTIVE] = projective,
+	},
+};

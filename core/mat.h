@@ -1,0 +1,67 @@
+/* Homogeneous maps of row vectors between spaces, in double-double. */
+#ifndef MAT_H
+#define MAT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "dd.h"
+#include "expansion.h"
+
+/* What the conventions differ in; all false is d3d. */
+struct convention {
+	bool right_handed;
+	bool minus_one; /* ndc depth runs from -1, not 0, to 1 */
+	bool column;    /* matrices print transposed: p' = M p */
+	bool ndc_y_down;
+	bool bottom_left; /* device origin */
+};
+
+/* q = (p - origin, 1) m[0..3], or (p, 1) m with its last row replaced by
+ * m[AT_ZERO]: the matrix that is printed. Points are taken relative to the
+ * origin (the eye, a window's centre), and the difference is exact, so that
+ * distance from the world's origin costs nothing.
+ *
+ * sum[i][j] is the sum of |products| of which m[i][j] is the sum, when the
+ * stages are multiplied out; each element is within MAP_BOUND u^2 sum[i][j]
+ * of its exact value, and 0 where it would not exceed that. */
+enum { AT_ORIGIN = 3, AT_ZERO = 4 };
+
+struct map {
+	double origin[3];
+	dd m[5][4];
+	double sum[5][4];
+};
+
+/* Of a rolled view 1 + TRIG_BOUND + 1, of a projection's cotangent and sine
+ * 3 TRIG_BOUND + 4, of an inverse as much again less one, and 1 for each
+ * composition's rounding. */
+#define MAP_BOUND 20
+
+extern const struct map map_identity;
+
+/* A map whose elements are exact or rounded once: sets sum; AT_ORIGIN and
+ * AT_ZERO rows are m[3], the origin 0. */
+struct map map_of(dd m[4][4]);
+struct map map_of_doubles(double m[4][4]);
+
+/* Gives a map without origin or offset one of them: (p - origin) a, p a +
+ * offset. */
+void map_about(struct map *a, const double origin[3]);
+void map_add(struct map *a, const double offset[3]);
+
+/* First a, then b. The products are summed exactly and rounded once. */
+struct map map_then(const struct map *a, const struct map *b);
+
+/* The inverse of a bare matrix, each element an exact quotient of minors
+ * rounded once. Returns false where it is singular. An affine one (last
+ * column 0 0 0 1) gets its last row as origin, negated. */
+bool map_inverse(double m[4][4], struct map *inverse);
+
+/* Determinant of the n rows and columns of m that are not struck out. */
+ex ex_minor(int n, ex m[4][4], unsigned rows, unsigned columns);
+
+bool map_is_affine(const struct map *);
+bool map_is_finite(const struct map *);
+
+#endif

@@ -1,0 +1,220 @@
+#include "points.h"
+
+#include <math.h>
+
+/* Clip points have their own w, and no origin to be relative to. */
+static void about_zero(struct map *m)
+{
+	for (int j = 0; j < 3; j++)
+		m->origin[j] = 0;
+	for (int j = 0; j < 4; j++) {
+		m->m[AT_ORIGIN][j] = m->m[AT_ZERO][j];
+		m->sum[AT_ORIGIN][j] = m->sum[AT_ZERO][j];
+	}
+}
+
+/* Kernels take three coordinates to three; a sum below 2^-45 of what it could
+ * be is left to point_exact, as its error is not small any more. */
+static void set_lanes(struct transform *t)
+{
+	struct lanes *l = &t->lanes;
+	const struct map *m = &t->map;
+
+	for (int i = 0; i < 3; i++)
+		l->origin[i] = m->origin[i];
+	for (int j = 0; j < 4; j++) {
+		double most = 0;
+
+		for (int i = 0; i < 4; i++) {
+			l->hi[i][j] = m->m[i][j].hi;
+			l->lo[i][j] = m->m[i][j].lo;
+			if (i < 3)
+				most = fmax(most, m->sum[i][j]);
+		}
+		l->image |= l->hi[3][j] != 0 && (j < t->out || t->divide);
+		l->doubt[j] = 0x1p-45 * most;
+		l->doubt_image[j] = 0x1p-45 * m->sum[AT_ORIGIN][j];
+	}
+}
+
+struct transform transform_of(const struct map *map, enum space from,
+    enum space to, bool homogeneous)
+{
+	struct transform t = { .map = *map, .in = 3, .out = 3 };
+	bool onto_screen = to == SPACE_NDC || to == SPACE_DEVICE;
+
+	t.reciprocal = homogeneous && from == SPACE_DEVICE;
+	if (from == SPACE_CLIP || t.reciprocal)
+		t.in = 4;
+	if (to == SPACE_CLIP || (homogeneous && !t.reciprocal))
+		t.out = 4;
+	if (from == SPACE_CLIP)
+		about_zero(&t.map);
+	t.divide = t.reciprocal || (t.out == 3 &&
+	    (from == SPACE_CLIP || !map_is_affine(map)));
+	t.front = !t.reciprocal && (from != SPACE_CLIP || onto_screen);
+	t.body = t.in != 3 || t.out != 3 ? BODY_CAREFUL :
+	    t.divide ? BODY_PROJECTIVE : BODY_AFFINE;
+	set_lanes(&t);
+	return t;
+}
+
+/* Where view's z alone makes w and depth, depth = a + b / w. */
+static void find_depth(const struct map *projection, struct transform *t)
+{
+	const struct map *p = projection;
+	struct lanes *l = &t->lanes;
+
+	for (int i = 0; i < 4; i++)
+		if (i != 2 && (p->m[i][3].hi != 0 ||
+		    (i != 3 && p->m[i][2].hi != 0)))
+			return;
+	dd a = ex_div(ex_dd(p->m[2][2]), ex_dd(p->m[2][3]));
+
+	l->a_hi = a.hi;
+	l->a_lo = a.lo;
+	l->b_hi = p->m[3][2].hi;
+	l->b_lo = p->m[3][2].lo;
+	l->doubt_depth = 0x1p-45;
+	l->doubt_a = 0x1p-45 * fabs(a.hi);
+	t->body = BODY_DEPTH;
+	l->image = l->hi[3][0] != 0 || l->hi[3][1] != 0 || l->hi[3][3] != 0;
+}
+
+const char *scene_transform(const struct scene *s, enum space from,
+    enum space to, bool homogeneous, struct transform *t)
+{
+	struct map map, projection;
+	const char *why = scene_map(s, from, to, &map);
+
+	if (why != NULL)
+		return why;
+	*t = transform_of(&map, from, to, homogeneous);
+	if (t->body == BODY_PROJECTIVE && from <= SPACE_VIEW &&
+	    (why = scene_map(s, SPACE_VIEW, to, &projection)) == NULL)
+		find_depth(&projection, t);
+	return why;
+}
+
+const char *flat_transform(const struct scene *s, enum flat from,
+    enum flat to, struct transform *t)
+{
+	*t = (struct transform){ .in = 2, .out = 2, .body = BODY_FLAT };
+	const char *why = scene_flat_map(s, from, to, &t->map);
+
+	if (why == NULL)
+		set_lanes(t);
+	return why;
+}
+
+/* A coordinate before the division, and the sum of its products' sizes. */
+struct sum {
+	dd value;
+	double size;
+};
+
+/* Four products and sums in double-double, 13 u^2 of size; what is not larger
+ * than its error bound is 0. */
+static struct sum column(const struct map *m, int j, const dd p[4])
+{
+	struct sum s = { { 0, 0 }, 0 };
+
+	for (int i = 0; i < 4; i++) {
+		s.value = dd_add(s.value, dd_mul(p[i], m->m[i][j]));
+		s.size += fabs(p[i].hi) * m->sum[i][j];
+	}
+	if (fabs(s.value.hi) <= (MAP_BOUND + 13) * 0x1p-106 * s.size)
+		s.value = (dd){ 0, 0 };
+	return s;
+}
+
+static double kappa_of(struct sum s)
+{
+	return s.value.hi == 0 ? 1 : s.size / fabs(s.value.hi);
+}
+
+/* Relative to the map's origin and scaled to about 1, so that no product
+ * overflows whose quotient does not. Returns the scale. */
+static double relative(const struct transform *t, const double in[4],
+    dd p[4])
+{
+	double largest = 1;
+	int e;
+
+	for (int i = 0; i < 3; i++) {
+		p[i] = i < t->in ? two_sum(in[i], -t->map.origin[i]) :
+				   (dd){ 0, 0 };
+		largest = fmax(largest, fabs(p[i].hi));
+	}
+	p[3] = (dd){ t->in == 4 && !t->reciprocal ? in[3] : 1, 0 };
+	largest = fmax(largest, fabs(p[3].hi));
+	frexp(largest, &e);
+	for (int i = 0; i < 4; i++)
+		p[i] = dd_scale(p[i], ldexp(1, -e));
+	return ldexp(1, e);
+}
+
+static bool has_nan(const struct transform *t, const double in[4])
+{
+	for (int i = 0; i < t->in; i++)
+		if (isnan(in[i]))
+			return true;
+	return false;
+}
+
+void point_exact(const struct transform *t, const double in[4], double out[4],
+    double *kappa)
+{
+	dd p[4];
+	double scale = relative(t, in, p);
+	struct sum w = { { 1 / scale, 0 }, 1 / scale };
+	bool image = !has_nan(t, in);
+
+	if (t->divide) {
+		w = t->reciprocal && t->out == 4 ?
+		    (struct sum){ { in[3] / scale, 0 }, fabs(in[3]) / scale } :
+		    column(&t->map, 3, p);
+		image &= t->front ? w.value.hi > 0 : w.value.hi != 0;
+	}
+	*kappa = 1;
+	for (int j = 0; j < t->out; j++) {
+		struct sum s = column(&t->map, j, p);
+		double q = s.value.hi;
+
+		if (t->divide)
+			q = dd_div(s.value, w.value).hi;
+		else
+			q *= scale;
+		out[j] = image && isfinite(q) ? q : (double)NAN;
+		if (image)
+			*kappa = fmax(*kappa, kappa_of(s) * kappa_of(w));
+	}
+}
+
+static const struct kernels *kernels;
+
+bool points_choose(const char *name)
+{
+	kernels = kernels_find(name);
+	return kernels != NULL;
+}
+
+void points_exact(const struct transform *t, const double *const in[4],
+    double *const out[4], size_t n)
+{
+	kernel *fast = kernels != NULL ? kernels->exact[t->body] : NULL;
+
+	if (fast != NULL)
+		fast(&t->lanes, in, out, n);
+	for (size_t i = 0; i < n; i++) {
+		double p[4], q[4], kappa;
+
+		if (fast != NULL && !isnan(out[0][i]))
+			continue;
+		for (int j = 0; j < t->in; j++)
+			p[j] = in[j][i];
+		point_exact(t, p, q, &kappa);
+		for (int j = 0; j < t->out; j++)
+			out[j][i] = q[j];
+	}
+}

@@ -1,0 +1,57 @@
+/* Points through a composed map, block by block. */
+#ifndef POINTS_H
+#define POINTS_H
+
+#include <stddef.h>
+
+#include "kernel.h"
+#include "scene.h"
+
+/* What is done with a point: (p - origin, 1) m, then x/w, y/w, z/w where it
+ * divides. */
+struct transform {
+	struct map map;
+	int in, out; /* coordinates: 2, 3, or 4 for clip and homogeneous ones */
+	bool divide;
+	/* Only w > 0 has an image, as seen from the eye; else all but 0. */
+	bool front;
+	/* The fourth number read is 1/w, of a device point. */
+	bool reciprocal;
+	enum body body;
+	struct lanes lanes; /* unless the body is BODY_CAREFUL */
+};
+
+/* The transform between two spaces; homogeneous keeps x y z w undivided or,
+ * from the device, reads 1/w after x y z. Returns NULL, or the member and the
+ * reason. */
+const char *scene_transform(const struct scene *, enum space from,
+    enum space to, bool homogeneous, struct transform *);
+const char *flat_transform(const struct scene *, enum flat from, enum flat to,
+    struct transform *);
+
+/* The same for a map of one's own that leads from one to another. */
+struct transform transform_of(const struct map *, enum space from,
+    enum space to, bool homogeneous);
+
+/* Chooses the kernels: the best for this processor, or those named. False
+ * where it cannot run them. */
+bool points_choose(const char *name);
+
+enum { POINTS_BLOCK = 1024 };
+
+/* A coordinate is wrong by at most 1/2 + POINTS_BOUND kappa units in its last
+ * place. */
+#define POINTS_BOUND 0x1p-47
+
+/* Images of n <= POINTS_BLOCK points, a column each for x, y, z, w. What has
+ * no image, or one beyond the range of doubles, is nan. */
+void points_exact(const struct transform *, const double *const in[4],
+    double *const out[4], size_t n);
+
+/* One point with care, where the kernels give up: what cancels to nothing, lies
+ * in the eye plane, or overflows on the way. Also tells the worst kappa of its
+ * coordinates. */
+void point_exact(const struct transform *, const double in[4], double out[4],
+    double *kappa);
+
+#endif

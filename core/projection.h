@@ -1,0 +1,59 @@
+/* Projections: view to clip and back. */
+#ifndef PROJECTION_H
+#define PROJECTION_H
+
+#include "mat.h"
+
+/* The cross-section of persp (on the near plane), ortho and oblique. */
+enum extent {
+	EXTENT_FOVY,       /* angle, aspect */
+	EXTENT_FOVX,
+	EXTENT_VIEW_ANGLE, /* of the smaller side */
+	EXTENT_FIELD,      /* half the larger side at unit distance, aspect */
+	EXTENT_SIZE,       /* width, height */
+	EXTENT_HEIGHT,     /* height, aspect */
+	EXTENT_EDGES,
+};
+
+struct projection {
+	enum {
+		PROJECTION_NONE, /* identity */
+		PROJECTION_PERSP,
+		PROJECTION_ORTHO,
+		PROJECTION_OBLIQUE,
+		PROJECTION_VOLUME,
+		PROJECTION_MATRIX,
+	} type;
+
+	enum extent extent;
+	double angle;     /* degrees, or the field */
+	double aspect[2]; /* width over height as a quotient; [1] 0: none */
+	double width, height;
+	double left, right, bottom, top;
+	double near, far; /* far may be INFINITY in persp */
+	bool reverse_z;
+	double near_ratio; /* for fit */
+
+	/* oblique */
+	enum { OBLIQUE_ANGLE, OBLIQUE_CAVALIER, OBLIQUE_CABINET } kind;
+	double projector; /* degrees between projectors and plane */
+	double direction; /* degrees from +x in which receding lines run */
+	double plane;     /* depth that stays unsheared */
+
+	/* volume */
+	double half_width, half_height, z_near, z_far;
+	double inverse_eye_z, tan_skew[2];
+	bool has_eye;
+	double eye[3]; /* in view space, instead of the last two */
+
+	double matrix[4][4];
+};
+
+/* The matrices of INTERFACE.md section 4 and their inverses, from formulas in
+ * the parameters: every element is its exact value for the given doubles
+ * within 2 TRIG_BOUND + 3 u^2 of the products that it sums. Returns NULL, or
+ * the member and the reason. */
+const char *projection_map(const struct projection *,
+    const struct convention *, bool inverse, struct map *);
+
+#endif

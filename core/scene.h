@@ -1,0 +1,43 @@
+/* A scene and the maps between its spaces. */
+#ifndef SCENE_H
+#define SCENE_H
+
+#include "camera.h"
+#include "projection.h"
+#include "window.h"
+
+enum space {
+	SPACE_MODEL,
+	SPACE_WORLD,
+	SPACE_VIEW,
+	SPACE_CLIP, /* four coordinates; the others have three */
+	SPACE_NDC,
+	SPACE_DEVICE,
+};
+
+/* The spaces of the 2D window commands, two coordinates each. */
+enum flat { FLAT_WINDOW, FLAT_NDC, FLAT_DEVICE };
+
+/* A document, as it was read; members that were not there have has_... false
+ * or their default. */
+struct scene {
+	struct convention convention;
+	bool has_world, has_camera, has_viewport, has_window, has_device;
+	double world[4][4]; /* model to world, row vectors, affine */
+	struct camera camera;
+	struct projection projection; /* type NONE where there is none */
+	struct viewport viewport;
+	struct window window;
+	struct device device;
+};
+
+/* The composed map between any two spaces: the stages in double-double, from
+ * their parameters in either direction, multiplied out with one rounding a
+ * stage. Points come out homogeneous; see points.h for the division. Returns
+ * NULL, or the member (a JSON pointer) and the reason. */
+const char *scene_map(const struct scene *, enum space from, enum space to,
+    struct map *);
+const char *scene_flat_map(const struct scene *, enum flat from, enum flat to,
+    struct map *);
+
+#endif
