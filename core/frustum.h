@@ -24,6 +24,11 @@ const char *frustum_of(const struct scene *, enum space from,
 /* 0 where the point is inside or on a plane; behind comes alone. */
 unsigned frustum_out(const struct frustum *, const double in[4]);
 
+/* Model space to the distance along the gaze from the near plane, within 1/2 +
+ * kappa 2^-47 units in the last place. */
+const char *depth_transform(const struct scene *, struct transform *);
+double depth_of(const struct transform *, const double in[4]);
+
 struct ray_maker {
 	struct map to_view;  /* from the device */
 	struct map to_world; /* from view */

@@ -15,22 +15,34 @@ enum body {
 	BODIES,
 };
 
+enum precision { PRECISION_EXACT, PRECISION_DOUBLE, PRECISION_SINGLE };
+
 /* A map as the loop wants it. Below doubt, which is 2^-45 of what a sum can
  * be at most, the loop gives up a point and answers nan. */
 struct lanes {
 	double origin[3];
 	double hi[4][4], lo[4][4];
 	int image; /* whether hi[3] counts */
-	double doubt[4], doubt_image[4]; /* times |x|+|y|+|z|, plus */
-	double a_hi, a_lo, b_hi, b_lo, doubt_depth, doubt_a;
+	double a_hi, a_lo, b_hi, b_lo;
+	/* A column's products are at most most (|x|+|y|+|z|) + sum_image. */
+	double most[4], sum_image[4];
+	double doubt[4], doubt_image[4], doubt_depth, doubt_a;
 };
 
 /* Columns have room for a whole number of vectors: n rounded up to 8. */
-typedef void kernel(const struct lanes *, const double *const in[3],
+typedef void exact_kernel(const struct lanes *, const double *const in[3],
     double *const out[3], size_t n);
 
+/* With a tolerance above 0 the first coordinate is nan where the error could
+ * be larger in any of them. */
+typedef void plain_kernel(const struct lanes *, const double *const in[3],
+    double *const out[3], size_t n, double tolerance);
+
+#define PLAIN_BOUND 10
+
 struct kernels {
-	kernel *exact[BODIES];
+	exact_kernel *exact[BODIES];
+	plain_kernel *plain[3][BODIES]; /* by precision */
 };
 
 extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512;

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #define COPY kernels_baseline
+
 #define V double
 #define WIDTH 1
 #define LOAD(p) (*(p))
@@ -11,6 +12,17 @@
 #define FMA(a, b, c) fma(a, b, c)
 #define ABS(a) fabs(a)
 #define MIN(a, b) ((a) < (b) ? (a) : (b))
+#define MAX(a, b) ((a) > (b) ? (a) : (b))
 #define POSITIVE(a, b) ((a) > 0 ? (b) : (double)NAN)
 
-#include "kernel_body.h"
+#define F float
+#define F_WIDTH 1
+#define F_NEAR(p, o) ((float)(*(p) - (o)))
+#define F_STORE(p, a) (*(p) = (double)(a))
+#define F_ALL(a) ((float)(a))
+#define F_FMA(a, b, c) fmaf(a, b, c)
+#define F_ABS(a) fabsf(a)
+#define F_MAX(a, b) ((a) > (b) ? (a) : (b))
+#define F_POSITIVE(a, b) ((a) > 0 ? (b) : NAN)
+
+#include "kernel_copy.h"

@@ -43,10 +43,19 @@ enum { POINTS_BLOCK = 1024 };
  * place. */
 #define POINTS_BOUND 0x1p-47
 
-/* Images of n <= POINTS_BLOCK points, a column each for x, y, z, w. What has
- * no image, or one beyond the range of doubles, is nan. */
-void points_exact(const struct transform *, const double *const in[4],
-    double *const out[4], size_t n);
+/* What points are computed in. With a tolerance above 0, for each point from
+ * that point alone, the cheapest precision whose proven bound is at most that
+ * in every coordinate. */
+struct effort {
+	enum precision precision;
+	double tolerance;
+};
+
+/* Images of n <= POINTS_BLOCK points, a column of POINTS_BLOCK each for x, y,
+ * z, w. What has no image, or one beyond the range of doubles, is nan.
+ * single[i] says that the numbers of point i are floats. */
+void points_carry(const struct transform *, const struct effort *,
+    const double *const in[4], double *const out[4], bool *single, size_t n);
 
 /* One point with care, where the kernels give up: what cancels to nothing, lies
  * in the eye plane, or overflows on the way. Also tells the worst kappa of its

@@ -1,8 +1,6 @@
-/* The inner loops, written once for vectors of any width. A file that includes
- * this defines COPY, the copy's name; V, the vector; WIDTH, its doubles; LOAD,
- * STORE, ALL (of one double), FMA, ABS, MIN (a < b ? a : b) and POSITIVE (a >
- * 0 ? b : nan). Every operation is one rounding of IEEE 754, so all copies
- * give the same bits. */
+/* The inner loop of exact, written once for vectors of any width: see
+ * kernels_avx2.c for what a file that includes this defines. Every operation
+ * is one rounding of IEEE 754, so all copies give the same bits. */
 #include "kernel.h"
 
 typedef struct {
@@ -72,7 +70,7 @@ static inline V quotient(vdd n, vdd w, V reciprocal)
 }
 
 /* a + b / w. */
-static inline V depth(const struct lanes *m, vdd w, V reciprocal, V *sure)
+static inline V exact_third(const struct lanes *m, vdd w, V reciprocal, V *sure)
 {
 	V q = ALL(m->b_hi) * reciprocal;
 	V r = FMA(-q, w.hi, ALL(m->b_hi)) + FMA(-q, w.lo, ALL(m->b_lo));
@@ -114,7 +112,7 @@ static inline __attribute__((always_inline)) void exact(const struct lanes *m,
 		}
 		for (int k = 0; k < terms; k++) {
 			if (k == 2 && body == BODY_DEPTH) {
-				q[k] = depth(m, w, r, &sure);
+				q[k] = exact_third(m, w, r, &sure);
 				continue;
 			}
 			c[k] = column(m, k, p, terms, image);
@@ -144,16 +142,8 @@ static inline __attribute__((always_inline)) void exact(const struct lanes *m,
 			exact(m, in, out, n, BODY, 0); \
 	}
 
-LOOP(BODY_FLAT, flat)
-LOOP(BODY_AFFINE, affine)
-LOOP(BODY_DEPTH, depth_divided)
-LOOP(BODY_PROJECTIVE, projective)
-
-const struct kernels COPY = {
-	.exact = {
-		[BODY_FLAT] = flat,
-		[BODY_AFFINE] = affine,
-		[BODY_DEPTH] = depth_divided,
-		[BODY_PROJECTIVE] = projective,
-	},
-};
+LOOP(BODY_FLAT, exact_flat)
+LOOP(BODY_AFFINE, exact_affine)
+LOOP(BODY_DEPTH, exact_depth)
+LOOP(BODY_PROJECTIVE, exact_projective)
+#undef LOOP
