@@ -26,22 +26,11 @@ static void cross(ex a[3], ex b[3], ex r[3])
 	}
 }
 
-/* a scaled by a power of two so that its largest part lies near 2^100;
- * false where it is 0. */
-static bool scaled(const ex *a, int n, ex *r)
+static bool is_zero(ex a[], int n)
 {
-	double largest = 0;
-	int e;
-
 	for (int i = 0; i < n; i++)
-		largest = fmax(largest, fabs(ex_round(a[i]).hi));
-	if (largest == 0)
-		return false;
-	frexp(largest, &e);
-	/* in two steps: 2^(100 - e) alone could overflow */
-	for (int i = 0; i < n; i++)
-		r[i] = ex_scale(ex_scale(a[i], ldexp(1, -(e / 2))),
-		    ldexp(1, 100 - (e - e / 2)));
+		if (ex_sign(a[i]) != 0)
+			return false;
 	return true;
 }
 
@@ -50,31 +39,31 @@ static bool scaled(const ex *a, int n, ex *r)
 static const char *look(const struct camera *c, bool right_handed,
     struct axis axis[3])
 {
-	ex gaze[3], up[3];
+	ex up[3];
 	struct axis *x = &axis[0], *y = &axis[1], *z = &axis[2];
 	bool at = c->by == CAMERA_AT;
 
 	for (int i = 0; i < 3; i++) {
-		gaze[i] = at ? ex_diff(c->at[i], c->eye[i]) : ex_of(c->at[i]);
+		z->v[i] = at ? ex_diff(c->at[i], c->eye[i]) : ex_of(c->at[i]);
 		if (right_handed)
-			gaze[i] = ex_sub(ex_of(0), gaze[i]);
+			z->v[i] = ex_neg(z->v[i]);
 		up[i] = ex_of(c->up[i]);
 	}
-	if (!scaled(gaze, 3, z->v))
+	if (is_zero(z->v, 3))
 		return at ? "/camera/at: equal to the eye; "
 			    "choose another point to look at" :
 			    "/camera/gaze: has no direction; "
 			    "at least one element must not be 0";
-	if (!scaled(up, 3, up))
+	if (is_zero(up, 3))
 		return "/camera/up: has no direction; "
 		       "at least one element must not be 0";
 	cross(up, z->v, x->v);
 	cross(z->v, x->v, y->v);
 	ex xx = dot(x->v, x->v), zz = dot(z->v, z->v);
 	/* 2^-50 radians */
-	ex bound = ex_scale(ex_mul(dot(up, up), zz), 0x1p-100);
+	ex bound = ex_shift(ex_mul(dot(up, up), zz), -100);
 
-	if (ex_round(ex_sub(xx, bound)).hi < 0)
+	if (ex_sign(ex_sub(xx, bound)) < 0)
 		return "/camera/up: parallel to the gaze; "
 		       "choose another up vector";
 	x->length = ex_sqrt(xx);
@@ -99,8 +88,8 @@ static void turn(ex q[4], struct axis axis[3])
 
 		axis[i].length = norm;
 		axis[i].v[i] = ex_sub(along, ex_add(p[j][j], p[k][k]));
-		axis[i].v[j] = ex_scale(ex_add(p[i][j], p[k][3]), 2);
-		axis[i].v[k] = ex_scale(ex_sub(p[i][k], p[j][3]), 2);
+		axis[i].v[j] = ex_shift(ex_add(p[i][j], p[k][3]), 1);
+		axis[i].v[k] = ex_shift(ex_sub(p[i][k], p[j][3]), 1);
 	}
 }
 
@@ -110,7 +99,7 @@ static const char *orient(const struct camera *c, struct axis axis[3])
 
 	for (int i = 0; i < 4; i++)
 		q[i] = ex_of(c->orientation[i]);
-	if (!scaled(q, 4, q))
+	if (is_zero(q, 4))
 		return "/camera/orientation: is zero; "
 		       "no turn is [0, 0, 0, 1]";
 	turn(q, axis);
@@ -129,7 +118,7 @@ static void horn(ex m[3][3], ex k[4][4])
 	for (int i = 0; i < 3; i++) {
 		int j = (i + 1) % 3, l = (i + 2) % 3;
 
-		k[i][i] = ex_sub(ex_scale(m[i][i], 2), trace);
+		k[i][i] = ex_sub(ex_shift(m[i][i], 1), trace);
 		k[i][j] = k[j][i] = ex_add(m[i][j], m[j][i]);
 		k[i][3] = k[3][i] = ex_sub(m[l][j], m[j][l]);
 	}
@@ -137,54 +126,38 @@ static void horn(ex m[3][3], ex k[4][4])
 
 /* The largest root of x^4 - 2 s x^2 - 8 d x + k, the characteristic polynomial
  * of K with s = |M|^2, d = det M, k = det K. From above, at sqrt(3 s), Newton's
- * steps descend to it; each has an exact residual, so they go on until they no
- * longer count at 2^-150. */
-static ex largest_root(ex s, ex d, ex k)
+ * steps descend to it, halving the distance until that is less than the gap to
+ * the next root, then squaring it. The slope is the product of the distances to
+ * the other roots, gap * 4 x^2 within a factor of 3; the last step leaves an
+ * error below 2^-200 gap. False where the gap is below 2^-400 x. */
+static bool largest_root(ex s, ex d, ex k, ex *x)
 {
-	double s1 = ex_round(s).hi, d1 = ex_round(d).hi;
-	ex x = ex_of(sqrt(3 * s1));
+	double step, slope, x1;
 
-	for (int i = 0; i < 200; i++) {
-		double x1 = ex_round(x).hi;
-		double slope = 4 * (x1 * (x1 * x1 - s1) - 2 * d1);
-		ex p = ex_sub(ex_mul(x, x), ex_scale(s, 2));
+	*x = ex_of(sqrt(3 * ex_round(s).hi));
+	do {
+		ex x2 = ex_mul(*x, *x);
+		ex p = ex_mul(ex_sub(x2, ex_shift(s, 1)), *x);
+		ex q = ex_mul(ex_sub(x2, s), *x);
 
-		p = ex_sub(ex_mul(ex_mul(p, x), x), ex_scale(ex_mul(d, x), 8));
-		double step = ex_round(ex_add(p, k)).hi / slope;
-
-		if (!(fabs(step) > 0x1p-150 * x1))
-			break;
-		x = ex_first(ex_sub(x, ex_of(step)), 4);
-	}
-	return x;
+		p = ex_add(ex_mul(ex_sub(p, ex_shift(d, 3)), *x), k);
+		q = ex_shift(ex_sub(q, ex_shift(d, 1)), 2);
+		slope = ex_round(q).hi;
+		step = ex_div(p, q).hi;
+		x1 = ex_round(*x).hi;
+		if (!(slope > 0x1p-398 * x1 * x1 * x1))
+			return false;
+		*x = ex_first(ex_sub(*x, ex_of(step)), 12);
+	} while (fabs(step) > 0x1p-154 * slope / (x1 * x1));
+	return true;
 }
 
-/* The nearest rotation to the upper 3x3. q is the largest column of the
- * adjugate of K - x, which is a multiple of q q'. */
-static const char *orthonormal(const struct camera *c, struct axis axis[3])
+/* The largest column of the adjugate of K - x, which is a multiple of q q'. */
+static void eigenvector(ex k[4][4], ex q[4])
 {
-	ex m[9], k[4][4], s = { 0 }, q[4];
-	int best = 0;
 	double most = 0;
+	int best = 0;
 
-	for (int i = 0; i < 9; i++)
-		m[i] = ex_of(c->matrix[i / 3][i % 3]);
-	scaled(m, 9, m);
-	for (int i = 0; i < 9; i++) {
-		m[i] = ex_scale(m[i], 0x1p-80);
-		s = ex_add(s, ex_mul(m[i], m[i]));
-		k[i / 3][i % 3] = m[i];
-	}
-	ex det = ex_minor(3, k, 8, 8);
-
-	if (ex_round(det).hi <= 0)
-		return "/camera/matrix: its determinant is not positive; "
-		       "a rotation's is 1";
-	horn((ex(*)[3])m, k);
-	ex x = largest_root(s, det, ex_minor(4, k, 0, 0));
-
-	for (int i = 0; i < 4; i++)
-		k[i][i] = ex_sub(k[i][i], x);
 	for (int i = 0; i < 4; i++) {
 		double d = fabs(ex_round(ex_minor(3, k, 1u << i, 1u << i)).hi);
 
@@ -194,11 +167,48 @@ static const char *orthonormal(const struct camera *c, struct axis axis[3])
 		}
 	}
 	for (int i = 0; i < 4; i++) {
-		q[i] = ex_minor(3, k, 1u << best, 1u << i);
-		q[i] = ex_first(ex_scale(q[i], (best + i) % 2 ? -1 : 1), 4);
+		ex c = ex_minor(3, k, 1u << best, 1u << i);
+
+		q[i] = ex_first((best + i) % 2 ? ex_neg(c) : c, 6);
 	}
-	scaled(q, 4, q);
+}
+
+/* The nearest rotation to the upper 3x3. q is within 2^-200, and what is not
+ * larger than that makes of an element is 0. */
+static const char *orthonormal(const struct camera *c, struct axis axis[3])
+{
+	ex m[3][3], k[4][4], s = ex_of(0), q[4], x;
+	double largest = 0;
+	int e;
+
+	for (int i = 0; i < 9; i++)
+		largest = fmax(largest, fabs(c->matrix[i / 3][i % 3]));
+	frexp(largest, &e);
+	for (int i = 0; i < 9; i++) {
+		ex a = ex_shift(ex_of(c->matrix[i / 3][i % 3]), -e);
+
+		m[i / 3][i % 3] = k[i / 3][i % 3] = a;
+		s = ex_add(s, ex_mul(a, a));
+	}
+	ex det = ex_minor(3, k, 8, 8);
+
+	if (ex_sign(det) <= 0)
+		return "/camera/matrix: its determinant is not positive; "
+		       "a rotation's is 1";
+	horn(m, k);
+	if (!largest_root(s, det, ex_minor(4, k, 0, 0), &x))
+		return "/camera/matrix: two directions have all but vanished; "
+		       "no rotation is the nearest";
+	for (int i = 0; i < 4; i++)
+		k[i][i] = ex_sub(k[i][i], x);
+	eigenvector(k, q);
 	turn(q, axis);
+	for (int i = 0; i < 9; i++) {
+		struct axis *a = &axis[i / 3];
+
+		if (fabs(ex_div(a->v[i % 3], a->length).hi) < 0x1p-190)
+			a->v[i % 3] = ex_of(0);
+	}
 	return NULL;
 }
 
@@ -214,6 +224,19 @@ static struct map rotation(struct axis axis[3], bool inverse)
 	return map_of(m);
 }
 
+static struct map roll_map(double angle)
+{
+	dd s = sin_deg(angle), c = cos_deg(angle);
+	dd m[4][4] = {
+		{ c, s },
+		{ dd_neg(s), c },
+		{ [2] = { 1, 0 } },
+		{ [3] = { 1, 0 } },
+	};
+
+	return map_of(m);
+}
+
 /* From the eye's side: (p - eye) axes, or v axes' + eye. The printed last row
  * -axis . eye is an exact polynomial, divided once: seen from (1,2,3) towards
  * the origin, x . eye is 0 and not the rounded axes' -4.9e-32. */
@@ -221,9 +244,11 @@ static struct map stand(const struct camera *c, struct axis axis[3],
     bool inverse)
 {
 	struct map r = rotation(axis, inverse);
+	struct map roll = roll_map(inverse ? -c->roll : c->roll);
 	ex eye[3];
 
 	if (inverse) {
+		r = map_then(&roll, &r);
 		map_add(&r, c->eye);
 		return r;
 	}
@@ -236,20 +261,7 @@ static struct map stand(const struct camera *c, struct axis axis[3],
 		r.m[AT_ZERO][i] = dd_neg(t);
 		r.sum[AT_ZERO][i] = fabs(t.hi);
 	}
-	return r;
-}
-
-static struct map roll_map(double angle)
-{
-	dd s = sin_deg(angle), c = cos_deg(angle);
-	dd m[4][4] = {
-		{ c, s },
-		{ dd_neg(s), c },
-		{ [2] = { 1, 0 } },
-		{ [3] = { 1, 0 } },
-	};
-
-	return map_of(m);
+	return map_then(&r, &roll);
 }
 
 /* The matrix as it is given, or its nearest rotation above its last row. */
@@ -292,10 +304,5 @@ const char *camera_map(const struct camera *c, bool right_handed, bool inverse,
 	if (why != NULL)
 		return why;
 	*r = stand(c, axis, inverse);
-	if (c->roll == 0)
-		return NULL;
-	struct map roll = roll_map(inverse ? -c->roll : c->roll);
-
-	*r = inverse ? map_then(&roll, r) : map_then(r, &roll);
 	return NULL;
 }

@@ -49,6 +49,11 @@ static inline dd dd_scale(dd a, double power_of_two)
 	return (dd){ a.hi * power_of_two, a.lo * power_of_two };
 }
 
+static inline dd dd_shift(dd a, int e)
+{
+	return (dd){ ldexp(a.hi, e), ldexp(a.lo, e) };
+}
+
 /* 3 u^2 (AccurateDWPlusDW); of the result, so also where terms cancel. */
 static inline dd dd_add(dd a, dd b)
 {

@@ -1,5 +1,34 @@
 #include "expansion.h"
 
+/* Operands have their largest term in [2^(TOP-1), 2^TOP): two of them multiply
+ * without overflow and leave the most room below. */
+enum { TOP = 300 };
+
+/* The same value with terms 2^e times as large. */
+static void shift(ex *a, int e)
+{
+	int n = 0;
+
+	for (int i = 0; i < a->n; i++) {
+		double t = ldexp(a->t[i], e);
+
+		if (t != 0)
+			a->t[n++] = t;
+	}
+	a->n = n;
+	a->e -= e;
+}
+
+static void normalise(ex *a)
+{
+	int e = TOP;
+
+	if (a->n > 0)
+		frexp(a->t[a->n - 1], &e);
+	if (e != TOP)
+		shift(a, TOP - e);
+}
+
 /* Makes each term carry 53 bits again, which bounds their number (Shewchuk,
  * section 2.8). */
 static void compress(ex *a)
@@ -49,61 +78,88 @@ static void grow(ex *a, double b)
 
 ex ex_of(double a)
 {
-	return (ex){ .n = a != 0, .t = { a } };
+	ex r = { .n = a != 0, .t = { a } };
+
+	normalise(&r);
+	return r;
 }
 
 ex ex_dd(dd a)
 {
-	ex r = ex_of(a.lo);
-
-	grow(&r, a.hi);
-	return r;
+	return ex_add(ex_of(a.hi), ex_of(a.lo));
 }
 
 ex ex_diff(double a, double b)
 {
-	return ex_dd(two_sum(a, -b));
+	return ex_sub(ex_of(a), ex_of(b));
 }
 
 ex ex_add(ex a, ex b)
 {
+	if (a.n == 0)
+		return b;
+	if (b.n == 0)
+		return a;
+	normalise(&a);
+	normalise(&b);
+	if (a.e < b.e)
+		shift(&a, a.e - b.e);
+	else
+		shift(&b, b.e - a.e);
 	for (int i = 0; i < b.n; i++)
 		grow(&a, b.t[i]);
 	return a;
 }
 
-ex ex_scale(ex a, double b)
+ex ex_neg(ex a)
 {
-	ex r = { 0 };
-
-	for (int i = 0; i < a.n; i++) {
-		dd p = two_prod(a.t[i], b);
-
-		grow(&r, p.lo);
-		grow(&r, p.hi);
-	}
-	return r;
+	for (int i = 0; i < a.n; i++)
+		a.t[i] = -a.t[i];
+	return a;
 }
 
 ex ex_sub(ex a, ex b)
 {
-	for (int i = 0; i < b.n; i++)
-		grow(&a, -b.t[i]);
-	return a;
+	return ex_add(a, ex_neg(b));
 }
 
 ex ex_mul(ex a, ex b)
 {
 	ex r = { 0 };
 
+	normalise(&a);
+	normalise(&b);
 	for (int i = 0; i < b.n; i++)
-		r = ex_add(r, ex_scale(a, b.t[i]));
+		for (int j = 0; j < a.n; j++) {
+			dd p = two_prod(a.t[j], b.t[i]);
+
+			grow(&r, p.lo);
+			grow(&r, p.hi);
+		}
+	r.e = a.e + b.e;
+	normalise(&r);
 	return r;
+}
+
+ex ex_scale(ex a, double b)
+{
+	return ex_mul(a, ex_of(b));
+}
+
+ex ex_shift(ex a, int e)
+{
+	a.e += e;
+	return a;
+}
+
+int ex_sign(ex a)
+{
+	return a.n == 0 ? 0 : a.t[a.n - 1] > 0 ? 1 : -1;
 }
 
 ex ex_first(ex a, int n)
 {
-	ex r = { 0 };
+	ex r = { .e = a.e };
 
 	if (a.n > n)
 		compress(&a);
@@ -120,15 +176,21 @@ dd ex_round(ex a)
 
 	if (a.n == 0)
 		return (dd){ 0, 0 };
+	normalise(&a);
 	compress(&a);
 	for (int i = 0; i < a.n - 1; i++)
 		rest += a.t[i];
-	return fast_two_sum(a.t[a.n - 1], rest);
+	return dd_shift(fast_two_sum(a.t[a.n - 1], rest), a.e);
 }
 
 /* Long division: three digits of 53 bits, each with its exact remainder. */
-dd ex_div(ex a, ex b)
+ex ex_quotient(ex a, ex b)
 {
+	normalise(&a);
+	normalise(&b);
+	int e = a.e - b.e;
+
+	a.e = b.e = 0;
 	double by = ex_round(b).hi, q[3];
 
 	for (int i = 0; i < 3; i++) {
@@ -137,16 +199,30 @@ dd ex_div(ex a, ex b)
 	}
 	dd s = fast_two_sum(q[0], q[1]);
 
-	return fast_two_sum(s.hi, s.lo + q[2]);
+	return ex_shift(ex_dd(fast_two_sum(s.hi, s.lo + q[2])), e);
+}
+
+dd ex_div(ex a, ex b)
+{
+	return ex_round(ex_quotient(a, b));
 }
 
 /* Newton from the rounded root, each step with its exact residual. */
 ex ex_sqrt(ex a)
 {
+	normalise(&a);
+	if (a.e % 2 != 0)
+		shift(&a, 1);
+	int e = a.e / 2;
+
+	a.e = 0;
 	double s = sqrt(ex_round(a).hi);
 	ex r = ex_of(s);
 
-	for (int i = 0; i < 2 && s > 0; i++)
-		grow(&r, ex_round(ex_sub(a, ex_mul(r, r))).hi / (2 * s));
-	return r;
+	for (int i = 0; i < 2 && s > 0; i++) {
+		ex rest = ex_sub(a, ex_mul(r, r));
+
+		r = ex_add(r, ex_of(ex_round(rest).hi / (2 * s)));
+	}
+	return ex_shift(r, e);
 }

@@ -24,12 +24,15 @@ struct map map_of(dd m[4][4])
 
 struct map map_of_doubles(double m[4][4])
 {
+	struct map r;
 	dd d[4][4];
 
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
 			d[i][j] = (dd){ m[i][j], 0 };
-	return map_of(d);
+	r = map_of(d);
+	r.exact = map_is_affine(&r);
+	return r;
 }
 
 bool map_is_affine(const struct map *a)
@@ -44,7 +47,8 @@ bool map_is_finite(const struct map *a)
 {
 	for (int i = 0; i < 5; i++)
 		for (int j = 0; j < 4; j++)
-			if (!isfinite(a->m[i][j].hi))
+			if (!isfinite(a->m[i][j].hi) ||
+			    !isfinite(a->sum[i][j]))
 				return false;
 	return true;
 }
@@ -65,32 +69,34 @@ static void product(struct map *r, int i, int j, const dd row[4],
 		r->sum[i][j] += sum[k] * b->sum[l][j];
 	}
 	r->m[i][j] = ex_round(s);
-	if (fabs(r->m[i][j].hi) <= MAP_BOUND * 0x1p-106 * r->sum[i][j])
+	if (isfinite(r->sum[i][j]) &&
+	    fabs(r->m[i][j].hi) <= MAP_BOUND * 0x1p-106 * r->sum[i][j])
 		r->m[i][j] = (dd){ 0, 0 };
 }
 
-/* The image under a of its origin or of zero, as b wants it: relative to b's
- * origin, which is exact, where a is affine. */
-static void image(struct map *r, int i, const struct map *a, const struct map *b)
+/* The image under a of its origin or of zero, as b wants it: an offset that is
+ * exact as what it is relative to b's origin, which is exact too. */
+static void image(struct map *r, int i, const struct map *a,
+    const struct map *b)
 {
 	dd row[4];
 	double sum[4];
-	bool zero = true, affine = map_is_affine(a);
+	bool zero = true;
 
 	for (int k = 0; k < 3; k++)
 		zero &= a->m[i][k].hi == 0;
+	bool about = a->exact && !zero;
+
 	for (int k = 0; k < 4; k++) {
 		row[k] = a->m[i][k];
 		sum[k] = a->sum[i][k];
-		if (k < 3 && affine && !zero && b->origin[k] != 0) {
-			row[k] = ex_round(ex_sub(ex_dd(row[k]),
-			    ex_of(b->origin[k])));
+		if (k < 3 && about && b->origin[k] != 0) {
+			row[k] = two_sum(row[k].hi, -b->origin[k]);
 			sum[k] = fabs(row[k].hi);
 		}
 	}
 	for (int j = 0; j < 4; j++)
-		product(r, i, j, row, sum, b,
-		    affine && !zero ? AT_ORIGIN : AT_ZERO);
+		product(r, i, j, row, sum, b, about ? AT_ORIGIN : AT_ZERO);
 }
 
 void map_about(struct map *a, const double origin[3])
@@ -114,11 +120,17 @@ void map_add(struct map *a, const double offset[3])
 			a->m[i][k] = (dd){ offset[k], 0 };
 			a->sum[i][k] = fabs(offset[k]);
 		}
+	a->exact = true;
 }
 
 static bool is_identity(const struct map *a)
 {
-	return memcmp(a, &map_identity, sizeof *a) == 0;
+	for (int i = 0; i < 5; i++)
+		for (int j = 0; j < 4; j++)
+			if (a->m[i][j].hi != map_identity.m[i][j].hi ||
+			    a->m[i][j].lo != 0)
+				return false;
+	return true;
 }
 
 struct map map_then(const struct map *a, const struct map *b)
@@ -150,7 +162,7 @@ ex ex_minor(int n, ex m[4][4], unsigned rows, unsigned columns)
 	for (int j = 0; j < 4; j++) {
 		if (columns >> j & 1)
 			continue;
-		if (m[i][j].n > 0) {
+		if (ex_sign(m[i][j]) != 0) {
 			ex p = ex_mul(m[i][j], ex_minor(n - 1, m, rows | 1u << i,
 			    columns | 1u << j));
 
@@ -161,47 +173,40 @@ ex ex_minor(int n, ex m[4][4], unsigned rows, unsigned columns)
 	return s;
 }
 
-/* The power of two that brings the largest element near 2^100: products of
- * four stay below 2^500. */
-static double scale_of(double m[4][4], int n)
-{
-	double largest = 0;
-	int e = 0;
-
-	for (int i = 0; i < n; i++)
-		for (int j = 0; j < n; j++)
-			largest = fmax(largest, fabs(m[i][j]));
-	frexp(largest, &e);
-	return ldexp(1, 100 - e);
-}
-
 bool map_inverse(double m[4][4], struct map *inverse)
 {
 	struct map a = map_of_doubles(m);
-	bool affine = map_is_affine(&a);
-	int n = affine ? 3 : 4;
-	double scale = scale_of(m, n);
-	dd r[4][4] = { [3][3] = ONE };
+	dd r[4][4];
 	ex s[4][4];
 
-	for (int i = 0; i < 4; i++)
-		for (int j = 0; j < 4; j++)
-			s[i][j] = ex_of(m[i][j] * scale);
-	unsigned out = affine ? 8 : 0;
-	ex det = ex_minor(n, s, out, out);
+	for (int i = 0; i < 16; i++)
+		s[i / 4][i % 4] = ex_of(m[i / 4][i % 4]);
+	ex det = ex_minor(4, s, 0, 0);
 
-	if (det.n == 0)
+	if (ex_sign(det) == 0)
 		return false;
-	for (int i = 0; i < n; i++)
-		for (int j = 0; j < n; j++) {
-			ex c = ex_minor(n - 1, s, out | 1u << j, out | 1u << i);
+	for (int i = 0; i < 4; i++)
+		for (int j = 0; j < 4; j++) {
+			ex c = ex_minor(3, s, 1u << j, 1u << i);
+			dd q = ex_div(c, det);
 
-			r[i][j] = dd_scale(ex_div(c, det),
-			    (i + j) % 2 ? -scale : scale);
+			r[i][j] = (i + j) % 2 ? dd_neg(q) : q;
 		}
 	*inverse = map_of(r);
-	if (!affine)
-		return true;
-	map_about(inverse, m[3]);
+	for (int j = 0; j < 3 && a.exact; j++) {
+		inverse->origin[j] = m[3][j];
+		inverse->m[AT_ORIGIN][j] = (dd){ 0, 0 };
+		inverse->sum[AT_ORIGIN][j] = 0;
+	}
 	return true;
+}
+
+void map_about_zero(struct map *a)
+{
+	for (int j = 0; j < 4; j++) {
+		a->m[AT_ORIGIN][j] = a->m[AT_ZERO][j];
+		a->sum[AT_ORIGIN][j] = a->sum[AT_ZERO][j];
+	}
+	for (int j = 0; j < 3; j++)
+		a->origin[j] = 0;
 }

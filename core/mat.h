@@ -31,6 +31,7 @@ struct map {
 	double origin[3];
 	dd m[5][4];
 	double sum[5][4];
+	bool exact; /* affine, with last rows as they were given */
 };
 
 /* Of a rolled view 1 + TRIG_BOUND + 1, of a projection's cotangent and sine
@@ -50,12 +51,15 @@ struct map map_of_doubles(double m[4][4]);
 void map_about(struct map *a, const double origin[3]);
 void map_add(struct map *a, const double offset[3]);
 
+/* Takes the origin off, as clip points need it: their w is not 1. */
+void map_about_zero(struct map *a);
+
 /* First a, then b. The products are summed exactly and rounded once. */
 struct map map_then(const struct map *a, const struct map *b);
 
 /* The inverse of a bare matrix, each element an exact quotient of minors
  * rounded once. Returns false where it is singular. An affine one (last
- * column 0 0 0 1) gets its last row as origin, negated. */
+ * column 0 0 0 1) gets its last row as origin. */
 bool map_inverse(double m[4][4], struct map *inverse);
 
 /* Determinant of the n rows and columns of m that are not struck out. */

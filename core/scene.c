@@ -2,6 +2,15 @@
 
 #include <string.h>
 
+/* A stage whose product with the others is too large, by the space below. */
+#define BEYOND ": the scene's composed matrix has elements beyond the range " \
+	"of doubles; bring sizes and distances nearer to one another"
+
+static const char *const beyond[] = {
+	"/world" BEYOND, "/camera" BEYOND, "/projection" BEYOND,
+	"/projection" BEYOND, "/viewport" BEYOND,
+};
+
 static const char *world_map(const struct scene *s, bool inverse,
     struct map *r)
 {
@@ -45,29 +54,31 @@ static const char *stage_map(const struct scene *s, enum space below,
 	}
 }
 
-static const char *add(struct map *r, const struct map *stage, const char *why)
+/* Backwards the stages are put together from the far end, so that world and
+ * eye, exact differences, meet before anything is rounded. */
+static void then(struct map *r, const struct map *stage, bool back)
 {
-	if (why != NULL)
-		return why;
-	*r = map_then(r, stage);
-	return map_is_finite(r) ? NULL :
-	    "/projection: the scene's composed matrix has elements beyond the "
-	    "range of doubles; bring sizes and distances nearer to one another";
+	*r = back ? map_then(stage, r) : map_then(r, stage);
 }
 
 const char *scene_map(const struct scene *s, enum space from, enum space to,
     struct map *r)
 {
-	const char *why = NULL;
-	struct map stage;
+	bool back = from > to;
+	int low = (int)(back ? to : from), high = (int)(back ? from : to);
 
 	*r = map_identity;
-	for (int i = (int)from; i < (int)to && why == NULL; i++)
-		why = add(r, &stage, stage_map(s, (enum space)i, false, &stage));
-	for (int i = (int)from; i > (int)to && why == NULL; i--)
-		why = add(r, &stage,
-		    stage_map(s, (enum space)(i - 1), true, &stage));
-	return why;
+	for (int i = low; i < high; i++) {
+		struct map stage;
+		const char *why = stage_map(s, (enum space)i, back, &stage);
+
+		if (why != NULL)
+			return why;
+		then(r, &stage, back);
+		if (!map_is_finite(r))
+			return beyond[i];
+	}
+	return NULL;
 }
 
 const char *scene_flat_map(const struct scene *s, enum flat from, enum flat to,
@@ -76,15 +87,17 @@ const char *scene_flat_map(const struct scene *s, enum flat from, enum flat to,
 	const struct device *d = s->has_device ? &s->device : NULL;
 	bool back = from > to;
 	enum flat low = back ? to : from, high = back ? from : to;
-	struct map w = map_identity, n = map_identity;
+	struct map stage;
 	const char *why = NULL;
 
-	if (low == FLAT_WINDOW)
-		why = window_map(&s->window, d, back, &w);
-	if (why == NULL && high == FLAT_DEVICE)
-		why = device_map(&s->device, back, &n);
 	*r = map_identity;
-	if (why == NULL)
-		why = add(r, back ? &n : &w, NULL);
-	return add(r, back ? &w : &n, why);
+	if (low == FLAT_WINDOW && high != low)
+		why = window_map(&s->window, d, back, r);
+	if (why != NULL || high != FLAT_DEVICE || high == low)
+		return why;
+	why = device_map(&s->device, back, &stage);
+	then(r, &stage, back);
+	return why != NULL || map_is_finite(r) ? why :
+	    "/device: the composed matrix has elements beyond the range of "
+	    "doubles; bring the sizes nearer to one another";
 }

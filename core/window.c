@@ -10,45 +10,49 @@ static struct quotient whole(ex a)
 	return (struct quotient){ a, ex_of(1) };
 }
 
-static dd rounded(struct quotient q)
+static dd times(struct quotient a, struct quotient b)
 {
-	return ex_div(q.n, q.d);
+	return ex_div(ex_mul(a.n, b.n), ex_mul(a.d, b.d));
 }
 
-/* Sets an element to a - b c. */
-static void set(struct map *r, int row, int i, dd a, dd b, dd c)
-{
-	ex p = ex_mul(ex_dd(b), ex_dd(c));
-
-	r->m[row][i] = ex_round(ex_sub(ex_dd(a), p));
-	r->sum[row][i] = fabs(a.hi) + fabs(b.hi * c.hi);
-}
-
-/* One axis, x' = (x - from) s + to, or with from and to exchanged its inverse.
- * The origin is from, rounded; its exact remainder goes into the origin's
- * image, so that a narrow window far from zero keeps its digits. */
-static void put(struct map *r, int i, struct quotient from, dd s,
+/* One axis, x' = (x - from) s + to, where from or to is 0. The origin is from,
+ * rounded; its exact remainder goes into the origin's image, so that a narrow
+ * window far from zero keeps its digits. */
+static void put(struct map *r, int i, struct quotient from, struct quotient s,
     struct quotient to)
 {
-	double origin = rounded(from).hi;
+	double origin = ex_div(from.n, from.d).hi;
 	struct quotient rest = from;
 
 	rest.n = ex_sub(from.n, ex_scale(from.d, origin));
 	r->origin[i] = origin;
-	r->m[i][i] = s;
-	r->sum[i][i] = fabs(s.hi);
-	set(r, AT_ORIGIN, i, rounded(to), rounded(rest), s);
-	set(r, AT_ZERO, i, rounded(to), rounded(from), s);
+	r->m[i][i] = ex_div(s.n, s.d);
+	r->m[AT_ORIGIN][i] = r->m[AT_ZERO][i] = ex_div(to.n, to.d);
+	if (ex_sign(to.n) == 0) {
+		r->m[AT_ORIGIN][i] = dd_neg(times(rest, s));
+		r->m[AT_ZERO][i] = dd_neg(times(from, s));
+	}
+	r->sum[i][i] = fabs(r->m[i][i].hi);
+	for (int l = AT_ORIGIN; l <= AT_ZERO; l++)
+		r->sum[l][i] = fabs(r->m[l][i].hi);
 }
 
-/* scale / over forth, over / scale back. */
-static void axis(struct map *r, int i, struct quotient center, ex scale,
-    ex over, struct quotient offset, bool inverse)
+/* x' = (x - center) s + offset, or back. */
+static void axis(struct map *r, int i, struct quotient center,
+    struct quotient s, struct quotient offset, bool inverse)
 {
 	if (inverse)
-		put(r, i, offset, ex_div(over, scale), center);
+		put(r, i, offset, (struct quotient){ s.d, s.n }, center);
 	else
-		put(r, i, center, ex_div(scale, over), offset);
+		put(r, i, center, s, offset);
+}
+
+/* From ndc: x n / d + offset. */
+static void from_ndc(struct map *r, int i, ex n, double d, ex offset,
+    bool inverse)
+{
+	axis(r, i, whole(ex_of(0)), (struct quotient){ n, ex_of(d) },
+	    whole(offset), inverse);
 }
 
 /* Two sides and the centre, panned, as exact sums. */
@@ -85,11 +89,9 @@ static void adapt(const struct window *w, const struct device *d,
 {
 	ex wide = ex_scale(size[0].n, d->height);
 	ex high = ex_scale(size[1].n, d->width);
-	int sign = (ex_round(ex_sub(high, wide)).hi > 0) ? 1 : -1;
-	/* the device is wider than the window: grow takes x, shrink y */
-	bool x = (w->adapt == ADAPT_GROW) == (sign > 0);
+	bool wider = ex_sign(ex_sub(high, wide)) > 0;
 
-	if (x)
+	if (wider == (w->adapt == ADAPT_GROW))
 		size[0] = (struct quotient){ high, ex_of(d->height) };
 	else
 		size[1] = (struct quotient){ wide, ex_of(d->width) };
@@ -116,10 +118,11 @@ const char *window_map(const struct window *w, const struct device *d,
 		/* about + (c - about) / zoom */
 		struct quotient c = { center[i], ex_of(w->zoom) };
 		ex about = w->has_about ? ex_of(w->about[i]) : center[i];
+		struct quotient s = { ex_scale(size[i].d, 2 * w->zoom),
+			size[i].n };
 
 		c.n = ex_add(ex_sub(c.n, about), ex_scale(about, w->zoom));
-		axis(r, i, c, ex_scale(size[i].d, 2 * w->zoom), size[i].n,
-		    whole(ex_of(0)), inverse);
+		axis(r, i, c, s, whole(ex_of(0)), inverse);
 	}
 	return map_is_finite(r) ? NULL :
 	    "/window: its matrix has elements beyond the range of doubles; "
@@ -128,13 +131,12 @@ const char *window_map(const struct window *w, const struct device *d,
 
 const char *device_map(const struct device *d, bool inverse, struct map *r)
 {
-	double sign = d->top_left ? -1 : 1;
+	ex high = ex_of(d->top_left ? -d->height : d->height);
 
 	*r = map_identity;
-	axis(r, 0, whole(ex_of(0)), ex_of(d->width), ex_of(2),
-	    whole(ex_diff(d->x, -d->width / 2)), inverse);
-	axis(r, 1, whole(ex_of(0)), ex_of(sign * d->height), ex_of(2),
-	    whole(ex_diff(d->y, -d->height / 2)), inverse);
+	from_ndc(r, 0, ex_of(d->width), 2, ex_diff(d->x, -d->width / 2),
+	    inverse);
+	from_ndc(r, 1, high, 2, ex_diff(d->y, -d->height / 2), inverse);
 	return NULL;
 }
 
@@ -166,20 +168,17 @@ const char *viewport_map(const struct viewport *v, const struct convention *c,
 	ex depth = ex_diff(v->max_z, v->min_z), min = ex_of(v->min_z);
 	double s[2];
 
-	if (inverse && depth.n == 0)
+	if (inverse && ex_sign(depth) == 0)
 		return "/viewport/max_z: equal to min_z; "
 		       "such a depth can't be taken back";
 	scales(v, s);
 	if (c->ndc_y_down == c->bottom_left)
 		s[1] = -s[1];
-	*r = map_identity;
-	axis(r, 0, whole(ex_of(0)), ex_of(s[0]), ex_of(1),
-	    whole(ex_diff(v->x, -v->width / 2)), inverse);
-	axis(r, 1, whole(ex_of(0)), ex_of(s[1]), ex_of(1),
-	    whole(ex_diff(v->y, -v->height / 2)), inverse);
 	if (c->minus_one)
 		min = ex_scale(ex_diff(v->min_z, -v->max_z), 0.5);
-	axis(r, 2, whole(ex_of(0)), depth, ex_of(c->minus_one ? 2 : 1),
-	    whole(min), inverse);
+	*r = map_identity;
+	from_ndc(r, 0, ex_of(s[0]), 1, ex_diff(v->x, -v->width / 2), inverse);
+	from_ndc(r, 1, ex_of(s[1]), 1, ex_diff(v->y, -v->height / 2), inverse);
+	from_ndc(r, 2, depth, c->minus_one ? 2 : 1, min, inverse);
 	return NULL;
 }
