@@ -1,0 +1,152 @@
+# make builds build/projcalc; make help lists the rest. GNU make.
+
+PREFIX = /usr/local
+BINDIR = $(PREFIX)/bin
+MANDIR = $(PREFIX)/share/man
+DESTDIR =
+
+# Everything that is made goes here.
+BUILD = build
+
+CFLAGS = -O2 -g
+CXXFLAGS = $(CFLAGS)
+LDFLAGS =
+
+# The same bytes from every compiler: no fused multiply-add that isn't written.
+FLAGS = -ffp-contract=off -pthread -MMD -MP -Wall -Wextra -Wshadow -Wconversion \
+	-Wdouble-promotion -Wvla $(if $(WERROR),-Werror)
+C_FLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L -Wstrict-prototypes
+# Debian keeps dragonbox in a directory that is named after its version.
+CXX_FLAGS = -std=c++17 -fno-exceptions -fno-rtti \
+	$(addprefix -isystem,$(wildcard /usr/include/dragonbox-*))
+# The C++ uses headers alone: the C compiler links.
+LINK = $(CC) -pthread $(LDFLAGS)
+LIBS = -lcjson -lm
+
+# What only tests link.
+TRUTHS = $(wildcard core/truth*.c core/real.c core/sample.c)
+SOURCES = $(filter-out %_test.c %_bench.c %_bench.cc %_fuzz.c $(TRUTHS),\
+	$(wildcard core/*.c cmd/*.c cmd/*.cc))
+OBJECTS = $(addprefix $(BUILD)/,$(addsuffix .o,$(basename $(SOURCES))))
+CORE = $(filter $(BUILD)/core/%,$(OBJECTS))
+TRUTH = $(patsubst %.c,$(BUILD)/%.o,$(TRUTHS))
+CORE_TESTS = $(patsubst %.c,$(BUILD)/%,$(wildcard core/*_test.c))
+CMD_TESTS = $(patsubst %.c,$(BUILD)/%,$(wildcard cmd/*_test.c))
+TESTS = $(CORE_TESTS) $(CMD_TESTS)
+SCRIPTS = $(wildcard cmd/*.sh cmd/*.awk)
+
+JOBS = $(shell nproc 2>/dev/null || echo 2)
+# As many jobs as there are cores, unless the caller has said how many.
+PARALLEL = $(MAKE) --no-print-directory $(if $(findstring j,$(filter-out \
+	--%,$(MAKEFLAGS))),,-j$(JOBS))
+
+# In `make deps demo` nothing is built before what it needs is installed.
+FIRST = $(filter deps,$(MAKECMDGOALS))
+
+all: $(BUILD)/projcalc
+
+$(BUILD)/projcalc: $(OBJECTS)
+	$(LINK) -o $@ $^ $(LIBS)
+
+$(BUILD)/%.o: %.c | $(FIRST)
+	@mkdir -p $(@D)
+	$(CC) $(C_FLAGS) $(CFLAGS) $(TARGET) $(FLAGS) $(CPPFLAGS) -c -o $@ $<
+
+$(BUILD)/%.o: %.cc | $(FIRST)
+	@mkdir -p $(@D)
+	$(CXX) $(CXX_FLAGS) $(CXXFLAGS) $(FLAGS) $(CPPFLAGS) -c -o $@ $<
+
+# The copies of the inner loops for each x86-64, chosen when the program runs.
+ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine)),)
+$(BUILD)/core/kernels_avx2.o: TARGET = -mavx2 -mfma
+$(BUILD)/core/kernels_avx512.o: TARGET = -mavx512f -mfma
+endif
+$(filter %/points.o $(BUILD)/core/kernels_%,$(OBJECTS)): TARGET += -O3
+
+$(CORE_TESTS): $(BUILD)/%: $(BUILD)/%.o $(CORE) $(TRUTH)
+	$(LINK) -o $@ $^ -lcmocka -lmpfr -lgmp -lm
+
+$(CMD_TESTS): $(BUILD)/%: $(BUILD)/%.o $(OBJECTS) $(TRUTH)
+	$(LINK) -o $@ $(filter-out %/cmd/main.o,$^) -lcmocka -lmpfr -lgmp \
+	    $(LIBS)
+
+# The program and its tests, for cmd/compilers_test.t too.
+programs: $(BUILD)/projcalc $(TESTS)
+
+demo: | $(FIRST)
+	@$(PARALLEL) -s all
+	@sh cmd/demo.sh $(BUILD)
+
+test: | $(FIRST)
+	@$(PARALLEL) -s programs
+	@perl cmd/run_tests.pl $(JOBS) $(TESTS) $(sort $(wildcard cmd/*_test.t))
+
+# Rewrites what the golden cases expect; read the diff before you commit it.
+golden: all
+	perl cmd/golden_test.t -w
+
+lint:
+	mandoc -T lint -W warning man/*.1
+	clang-format --dry-run -Werror $(wildcard core/*.[ch] cmd/*.[ch] cmd/*.cc)
+	shellcheck .ci/run $(wildcard cmd/*.sh)
+	cppcheck --quiet --error-exitcode=1 --std=c11 --inline-suppr \
+	    --enable=warning,performance,portability core cmd
+
+install: all
+	install -d $(DESTDIR)$(BINDIR) $(DESTDIR)$(MANDIR)/man1
+	install -m 755 $(BUILD)/projcalc $(DESTDIR)$(BINDIR)
+	install -m 644 man/projcalc.1 $(DESTDIR)$(MANDIR)/man1
+
+uninstall:
+	rm -f $(DESTDIR)$(BINDIR)/projcalc $(DESTDIR)$(MANDIR)/man1/projcalc.1
+
+clean:
+	rm -rf $(BUILD)
+
+# Debian packages: what the program is made of, what its tests want beside it,
+# what `make lint` runs.
+DEPS = g++ make libc6-dev libcjson-dev libfast-float-dev libdragonbox-dev \
+	clang libcmocka-dev libgmp-dev libmpfr-dev mandoc perl \
+	clang-format cppcheck shellcheck
+
+# Installs the packages that are missing, and only then touches the network.
+deps:
+	@if ! command -v dpkg-query >/dev/null; then \
+		echo 'make deps: this is not Debian; what is needed, by its' \
+		    'Debian names: $(DEPS)'; \
+		exit; \
+	fi; \
+	missing=; \
+	for package in $(DEPS); do \
+		dpkg-query -W -f '$${Status}' "$$package" 2>/dev/null | \
+		    grep -q ' installed$$' || missing="$$missing $$package"; \
+	done; \
+	if [ -z "$$missing" ]; then \
+		echo 'make deps: nothing is missing'; \
+		exit; \
+	fi; \
+	echo "make deps: apt-get installs$$missing"; \
+	sudo=; \
+	[ "$$(id -u)" = 0 ] || sudo=sudo; \
+	$$sudo apt-get -qq update && \
+	DEBIAN_FRONTEND=noninteractive $$sudo apt-get -qq -y \
+	    --no-install-recommends install $$missing
+
+help:
+	@echo 'make             build $(BUILD)/projcalc'
+	@echo 'make deps        install what is missing, with apt-get'
+	@echo 'make demo        the Stanford bunny, seen in a terminal'
+	@echo 'make test        all tests'
+	@echo 'make golden      rewrite the golden cases'
+	@echo 'make lint        the manual page, the style, the scripts, the C'
+	@echo 'make install     to PREFIX=$(PREFIX), below DESTDIR'
+	@echo 'make uninstall'
+	@echo 'make clean'
+
+.PHONY: all programs demo test golden lint install uninstall clean deps help
+# Objects of test programs are kept.
+.SECONDARY:
+# A file that a failed command has half written must not look made.
+.DELETE_ON_ERROR:
+
+-include $(wildcard $(BUILD)/*/*.d)
