@@ -1,0 +1,337 @@
+/* HEAD */
+#include "number.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include <dragonbox/dragonbox.h>
+#include <fast_float/fast_float.h>
+
+/* Digits that a buffer holds on the fast paths; no shortest text has more. */
+enum { DIGITS = 17 };
+
+static const uint64_t power[] = {
+	1ull, 10ull, 100ull, 1000ull, 10000ull, 100000ull, 1000000ull,
+	10000000ull, 100000000ull, 1000000000ull, 10000000000ull,
+	100000000000ull, 1000000000000ull, 10000000000000ull,
+	100000000000000ull, 1000000000000000ull, 10000000000000000ull,
+	100000000000000000ull, 1000000000000000000ull,
+	10000000000000000000ull,
+};
+
+/* Powers of ten that carry the sign, so that no branch has to guess it. */
+static const double signed_power[2][8] = {
+	{ 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7 },
+	{ -1e0, -1e1, -1e2, -1e3, -1e4, -1e5, -1e6, -1e7 },
+};
+
+/* Eight characters, each with '0' taken away; the first is the lowest byte. */
+static uint64_t load(const char *s)
+{
+	uint64_t w;
+
+	memcpy(&w, s, 8);
+	return w ^ 0x3030303030303030;
+}
+
+/* The top bit of each byte that is no digit. A carry out of a byte can spoil
+ * only the bytes after one that is no digit itself. */
+static uint64_t not_digits(uint64_t w)
+{
+	return (w | (w + 0x7676767676767676)) & 0x8080808080808080;
+}
+
+/* The first n < 8 of eight loaded digits as a number: pairs, then fours, then
+ * all, in three multiplications. */
+static uint64_t first_digits(uint64_t w, size_t n)
+{
+	const uint64_t pairs = 0x000000ff000000ff;
+
+	w = w << 8 << (56 - 8 * n);
+	w = w * 10 + (w >> 8);
+	return uint32_t(((w & pairs) * (100 + (1000000ull << 32)) +
+	    ((w >> 16) & pairs) * (1 + (10000ull << 32))) >> 32);
+}
+
+/* Reads [-] up to 7 digits [. up to 7 digits] where 17 characters are there to
+ * look at, or returns NULL. Below 10^14 and by one division of two exact
+ * doubles: correctly rounded. */
+static inline const char *read_short(const char *s, double *v)
+{
+	size_t minus = *s == '-', whole, decimals = 0;
+
+	s += minus;
+	uint64_t w = load(s), stop = not_digits(w);
+	if (stop == 0)
+		return NULL;
+	whole = size_t(__builtin_ctzll(stop)) / 8;
+	uint64_t digits = first_digits(w, whole);
+	s += whole;
+	if (*s == '.') {
+		w = load(++s);
+		stop = not_digits(w);
+		if (stop == 0)
+			return NULL;
+		decimals = size_t(__builtin_ctzll(stop)) / 8;
+		digits = digits * power[decimals] + first_digits(w, decimals);
+		s += decimals;
+	}
+	if (whole + decimals == 0 || (*s | 0x20) == 'e')
+		return NULL;
+	*v = double(int64_t(digits)) / signed_power[minus][decimals];
+	return s;
+}
+
+static const char *read_any(const char *s, const char *end, double *v)
+{
+	bool plus = s != end && *s == '+';
+
+	s += plus;
+	if (s == end || (plus && *s == '-'))
+		return NULL;
+	fast_float::from_chars_result r = fast_float::from_chars(s, end, *v);
+	if (r.ec == std::errc::invalid_argument)
+		return NULL;
+	/* The library would go on to take in the (...) of a nan(...). */
+	return std::isnan(*v) ? s + (*s == '-') + 3 : r.ptr;
+}
+
+const char *number_read(const char *s, const char *end, double *v)
+{
+	const char *p;
+
+	if (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ && end - s >= 17) {
+		p = read_short(s, v);
+		if (p)
+			return p;
+	}
+	return read_any(s, end, v);
+}
+
+static const char two_digits[] =
+	"0001020304050607080910111213141516171819"
+	"2021222324252627282930313233343536373839"
+	"4041424344454647484950515253545556575859"
+	"6061626364656667686970717273747576777879"
+	"8081828384858687888990919293949596979899";
+
+/* Two digits before the point of p, which has 32 bits behind it; returns what
+ * is behind it a hundredfold. */
+static inline uint64_t write_two(char *s, uint64_t p)
+{
+	memcpy(s, two_digits + (p >> 32) * 2, 2);
+	return (p & 0xffffffff) * 100;
+}
+
+/* Eight digits of x < 10^8. The point is put after the first two; p is too big
+ * by at most 2^-32, so that the three steps to the last two make that at most
+ * 10^6 / 2^32 < 1. */
+static inline void write_eight(char *s, uint32_t x)
+{
+	uint64_t p = (uint64_t(x) << 32) / 1000000 + 1;
+
+	p = write_two(s, p);
+	p = write_two(s + 2, p);
+	p = write_two(s + 4, p);
+	write_two(s + 6, p);
+}
+
+/* The 17 digits of x < 10^17, and zeros for plain() to copy along. */
+static inline void write_digits(char d[64], uint64_t x)
+{
+	uint32_t tail = uint32_t(x % 1000000000);
+
+	write_eight(d, uint32_t(x / 1000000000));
+	write_eight(d + 8, tail / 10);
+	d[16] = char('0' + tail % 10);
+	memset(d + DIGITS, '0', 64 - DIGITS);
+}
+
+/* The n digits at d with the point after the first `point` of them, 0 < point.
+ * Copies of a constant size are fast; what they write too much is within
+ * NUMBER_MAX and is not part of the text. */
+template <int room>
+static inline char *plain(char *s, const char *d, int n, int point)
+{
+	memcpy(s, d, room);
+	if (n <= point)
+		return s + point;
+	s[point] = '.';
+	memcpy(s + point + 1, d + point, room);
+	return s + n + 1;
+}
+
+static char *exponential(char *s, const char *d, int n, int exponent)
+{
+	int e = abs(exponent);
+
+	*s++ = d[0];
+	if (n > 1) {
+		*s++ = '.';
+		memcpy(s, d + 1, size_t(n - 1));
+		s += n - 1;
+	}
+	*s++ = 'e';
+	*s++ = exponent < 0 ? '-' : '+';
+	if (e >= 100)
+		*s++ = char('0' + e / 100);
+	if (e >= 10)
+		*s++ = char('0' + e / 10 % 10);
+	*s++ = char('0' + e % 10);
+	return s;
+}
+
+/* 0.ddd * 10^point as JavaScript lays it out, without trailing zeros. */
+template <int room>
+static inline char *layout(char *s, const char *d, int n, int point)
+{
+	while (d[n - 1] == '0')
+		n--;
+	if (0 < point && point <= 21)
+		return plain<room>(s, d, n, point);
+	if (point <= -6 || point > 0)
+		return exponential(s, d, n, point - 1);
+	memcpy(s, "0.000000", 8);
+	memcpy(s + 2 - point, d, room);
+	return s + 2 - point + n;
+}
+
+/* Loops that end where dragonbox took its own turn: a branch well predicted,
+ * where counting the digits would have to wait for them. */
+static inline char *shortest(char *s, uint64_t digits, int exponent)
+{
+	char d[64];
+
+	for (; digits < power[DIGITS - 1]; digits *= 10)
+		exponent--;
+	write_digits(d, digits);
+	return layout<24>(s, d, DIGITS, DIGITS + exponent);
+}
+
+static uint64_t bits_of(double v)
+{
+	uint64_t bits;
+
+	memcpy(&bits, &v, 8);
+	return bits;
+}
+
+/* v * 10^p rounded to an integer, ties to even, for 0 <= v < 10^15 and p <= 19,
+ * with v * 10^p below 2^63. As v = m / 2^k with m < 2^53 and k > 0, m * 10^p is
+ * below 2^117, and beyond k = 117 less than a half is left of it. Zeros and
+ * subnormals need no care, for they are among those. */
+static uint64_t scaled(double v, int p)
+{
+	uint64_t bits = bits_of(v);
+	int k = 1075 - int(bits >> 52);
+	if (k > 117)
+		return 0;
+	uint64_t m = (bits & ((1ull << 52) - 1)) | 1ull << 52;
+	unsigned __int128 product = (unsigned __int128)m * power[p];
+	unsigned __int128 half = (unsigned __int128)1 << (k - 1);
+	return uint64_t((product + half - 1 + (product >> k & 1)) >> k);
+}
+
+static int count_digits(uint64_t x)
+{
+	int n = (64 - __builtin_clzll(x | 1)) * 1233 >> 12;
+
+	return n + (x >= power[n]);
+}
+
+static char *print_decimals(char *s, double v, int n)
+{
+	int size = snprintf(s, NUMBER_MAX, "%.*f", n, v);
+
+	if (*s == '-' && !strpbrk(s, "123456789"))
+		memmove(s, s + 1, size_t(--size));
+	return s + size;
+}
+
+static char *write_decimals(char *s, double v, int n)
+{
+	double size = std::fabs(v);
+	char d[64];
+
+	if (n > 15 || size >= double(power[15 - n]))
+		return print_decimals(s, v, n);
+	uint64_t q = scaled(size, n);
+	*s = '-';
+	s += v < 0 && q != 0;
+	write_digits(d, q);
+	int count = q == 0 ? 1 : count_digits(q);
+	if (count <= n)
+		count = n + 1;
+	return plain<24>(s, d + DIGITS - count, count, count - n);
+}
+
+static char *print_significant(char *s, double v, int n)
+{
+	char text[128], d[256];
+
+	snprintf(text, sizeof text, "%.*e", n - 1, v);
+	memset(d, '0', sizeof d);
+	d[0] = text[0];
+	memcpy(d + 1, text + 2, size_t(n - 1));
+	return layout<104>(s, d, n, 1 + atoi(strchr(text, 'e') + 1));
+}
+
+/* The exponent of ten of the power of two below v is that of v or one less.
+ * If less, there is a digit too many: scale again, for the first rounding must
+ * not count; if v rounds up to a power of ten, that is right as well. */
+static char *write_significant(char *s, double v, int n)
+{
+	char d[64];
+	int log2 = int(bits_of(v) >> 52) - 1023;
+	int exponent = log2 * 78913 >> 18, p = n - 1 - exponent;
+
+	if (n > DIGITS || v >= 1e15 || p < 1 || p > 19)
+		return print_significant(s, v, n);
+	uint64_t q = scaled(v, p);
+	if (q >= power[n]) {
+		q = scaled(v, p - 1);
+		exponent++;
+	}
+	write_digits(d, q);
+	return layout<24>(s, d + DIGITS - n, n, exponent + 1);
+}
+
+char *number_write(char *s, double v, struct number_style style)
+{
+	using namespace jkj::dragonbox;
+
+	if (!std::isfinite(v)) {
+		memcpy(s, "nan", 3);
+		return s + 3;
+	}
+	if (style.kind == number_style::NUMBER_DECIMALS)
+		return write_decimals(s, v, style.n);
+	if (v == 0) {
+		*s = '0';
+		return s + 1;
+	}
+	*s = '-';
+	s += v < 0;
+	if (style.kind == number_style::NUMBER_DIGITS)
+		return write_significant(s, std::fabs(v), style.n);
+	auto r = to_decimal(v, policy::sign::ignore,
+	    policy::trailing_zero::ignore);
+	return shortest(s, r.significand, r.exponent);
+}
+
+char *number_write_float(char *s, float v, struct number_style style)
+{
+	using namespace jkj::dragonbox;
+
+	if (!std::isfinite(v) || v == 0 ||
+	    style.kind != number_style::NUMBER_SHORTEST)
+		return number_write(s, double(v), style);
+	*s = '-';
+	s += v < 0;
+	auto r = to_decimal(v, policy::sign::ignore,
+	    policy::trailing_zero::ignore);
+	return shortest(s, r.significand * power[8], r.exponent - 8);
+}

@@ -1,0 +1,38 @@
+/* Decimal text to double and back, for machines and people who both count
+ * digits: reading rounds to nearest, writing is the shortest text that reads
+ * back the same, or rounds the double's exact value. */
+#ifndef NUMBER_H
+#define NUMBER_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* The longest text that a number takes: sign, 309 digits, point, 100 more. */
+enum { NUMBER_MAX = 416 };
+
+struct number_style {
+	enum { NUMBER_SHORTEST, NUMBER_DECIMALS, NUMBER_DIGITS } kind;
+	int n; /* decimals 0..100, or significant digits 1..100 */
+};
+
+/* Reads the number that begins at s: [+-] digits [. digits] [e [+-] digits],
+ * a digit before or after the point, as awk reads it: no hex; or nan, inf,
+ * infinity in any case. Returns where it ends, NULL if none begins at s.
+ * What is beyond the range of doubles is read as inf, what is below as 0. */
+const char *number_read(const char *s, const char *end, double *v);
+
+/* Write v at s, not terminated, and return where the text ends. Plain from
+ * 1e-6 to below 1e21, else with an exponent, as JavaScript prints; with
+ * NUMBER_DECIMALS always plain; never -0; nan and inf are "nan". */
+char *number_write(char *s, double v, struct number_style style);
+
+/* The same for a float: shortest means the shortest that reads back as the
+ * same float. */
+char *number_write_float(char *s, float v, struct number_style style);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
