@@ -1,0 +1,158 @@
+#include "members.h"
+
+static const char *const origins[] = { "bottom-left", "top-left", NULL };
+static const char *const scales[] = { "fill", "uniform", NULL };
+static const char *const adapts[] = { "stretch", "grow", "shrink", NULL };
+
+#define MEMBER(type, member) offsetof(struct type, member)
+
+#define NUMBERS(label, type, m, count, other)                               \
+	{                                                                   \
+		.name = label, .read = read_numbers, .at = MEMBER(type, m), \
+		.n = count, .aliases = other                                \
+	}
+#define FLAG(m, type)                                                \
+	{                                                            \
+		.name = #m, .read = read_flag, .at = MEMBER(type, m) \
+	}
+
+const struct field camera_fields[] = {
+	NUMBERS("eye", camera, eye, 3, "position pos from origin"),
+	NUMBERS("at", camera, at, 3, "target center centre lookat"),
+	NUMBERS("gaze", camera, at, 3, "direction dir forward"),
+	NUMBERS("orientation", camera, orientation, 4, "rotation quaternion"),
+	{ .name = "matrix",
+	    .read = read_matrix,
+	    .at = MEMBER(camera, matrix),
+	    .aliases = "view" },
+	NUMBERS("up", camera, up, 3, NULL),
+	NUMBERS("roll", camera, roll, 0, NULL),
+	FLAG(orthonormalize, camera),
+	{ .name = NULL },
+};
+
+/* In the order of camera.by. */
+static const struct ways camera_ways = {
+	"give \"eye\" and one of \"at\", \"gaze\" and \"orientation\", or "
+	"\"matrix\" alone",
+	{ "eye at up? roll?", "eye gaze up? roll?", "eye orientation roll?",
+	    "matrix orthonormalize?" },
+};
+
+#define SIZE(label, type, m)                                                \
+	{                                                                   \
+		.name = label, .read = read_numbers, .at = MEMBER(type, m), \
+		.range = &range_positive                                    \
+	}
+
+#define RECTANGLE(type)                                                    \
+	NUMBERS("x", type, x, 0, "left"), NUMBERS("y", type, y, 0, "top"), \
+	    SIZE("width", type, width), SIZE("height", type, height)
+
+static void read_scale(const struct value *v, const struct field *f, void *to)
+{
+	struct viewport *viewport = to;
+
+	(void)f;
+	viewport->scale = SCALE_GIVEN;
+	if (value_is_array(v))
+		value_numbers(v, &range_positive, 2, viewport->scales);
+	else if (value_string(v) == NULL)
+		value_wrong(v, "\"fill\", \"uniform\" or 2 numbers");
+	else if (value_word(v, scales) == 0)
+		viewport->scale = SCALE_FILL;
+	else
+		viewport->scale = SCALE_UNIFORM;
+}
+
+const struct field viewport_fields[] = {
+	RECTANGLE(viewport),
+	NUMBERS("min_z", viewport, min_z, 0, "near mindepth zmin minz"),
+	NUMBERS("max_z", viewport, max_z, 0, "far maxdepth zmax maxz"),
+	{ .name = "scale", .read = read_scale },
+	{ .name = NULL },
+};
+
+const struct field device_fields[] = {
+	RECTANGLE(device),
+	{ .name = "origin",
+	    .read = read_second,
+	    .words = origins,
+	    .at = MEMBER(device, top_left) },
+	{ .name = NULL },
+};
+
+static const struct ways rectangle_ways = {
+	"give \"width\" and \"height\"",
+	{ "width height" },
+};
+
+const struct field window_fields[] = {
+	NUMBERS("center", window, center, 2, "centre x y position"),
+	SIZE("width", window, width),
+	SIZE("height", window, height),
+	NUMBERS("left", window, left, 0, NULL),
+	NUMBERS("right", window, right, 0, NULL),
+	NUMBERS("bottom", window, bottom, 0, NULL),
+	NUMBERS("top", window, top, 0, NULL),
+	NUMBERS("pan", window, pan, 2, NULL),
+	SIZE("zoom", window, zoom),
+	NUMBERS("about", window, about, 2, NULL),
+	{ .name = "adapt",
+	    .read = read_word,
+	    .at = MEMBER(window, adapt),
+	    .words = adapts },
+	{ .name = NULL },
+};
+
+static const struct ways window_ways = {
+	"give \"center\", \"width\" and \"height\", or \"left\", \"right\", "
+	"\"bottom\" and \"top\"",
+	{ "center width height", "left right bottom top" },
+};
+
+const struct field pick_fields[] = {
+	NUMBERS("at", pick, at, 2, "position center"),
+	SIZE("radius", pick, radius),
+	{ .name = NULL },
+};
+
+void read_camera(const struct value *v, struct camera *c)
+{
+	*c = (struct camera){ .up = { 0, 1, 0 } };
+	unsigned seen = fields_read(v, camera_fields, 0, c);
+
+	c->by = (unsigned)fields_way(v, camera_fields, 0, seen, &camera_ways);
+}
+
+void read_viewport(const struct value *v, struct viewport *w)
+{
+	*w = (struct viewport){ .max_z = 1 };
+	unsigned seen = fields_read(v, viewport_fields, 0, w);
+
+	fields_way(v, viewport_fields, 0, seen, &rectangle_ways);
+}
+
+void read_device(const struct value *v, struct device *d)
+{
+	*d = (struct device){ 0 };
+	unsigned seen = fields_read(v, device_fields, 0, d);
+
+	fields_way(v, device_fields, 0, seen, &rectangle_ways);
+}
+
+void read_window(const struct value *v, struct window *w)
+{
+	*w = (struct window){ .zoom = 1 };
+	unsigned seen = fields_read(v, window_fields, 0, w);
+
+	w->by_edges = fields_way(v, window_fields, 0, seen, &window_ways) == 1;
+	w->has_about = (seen & field_bit(window_fields, 0, "about")) != 0;
+}
+
+void read_pick(const struct value *v, struct pick *p)
+{
+	unsigned seen = fields_read(v, pick_fields, 0, p);
+
+	p->has_at = (seen & field_bit(pick_fields, 0, "at")) != 0;
+}

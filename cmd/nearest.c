@@ -1,0 +1,74 @@
+#include "nearest.h"
+
+#include <ctype.h>
+#include <stdbool.h>
+#include <string.h>
+#include <strings.h>
+
+enum { WORD_MAX = 32 };
+
+/* What three letters or more abbreviate, or have been appended to. */
+static bool begins(const char *word, const char *other)
+{
+	size_t length = strlen(word), n = strlen(other);
+
+	if (n < length)
+		length = n;
+	return length > 2 && strncasecmp(word, other, length) == 0;
+}
+
+/* Edits from a to b: letters changed, added, left out, neighbours exchanged.
+ * Each row of the table needs the two before it. */
+static size_t distance(const char *a, const char *b)
+{
+	size_t row[3][WORD_MAX + 1];
+	size_t la = strlen(a), lb = strlen(b);
+
+	for (size_t j = 0; j <= lb; j++)
+		row[0][j] = j;
+	for (size_t i = 1; i <= la; i++) {
+		size_t *r = row[i % 3], *up = row[(i + 2) % 3];
+		size_t *up2 = row[(i + 1) % 3];
+
+		r[0] = i;
+		for (size_t j = 1; j <= lb; j++) {
+			int p = tolower((unsigned char)a[i - 1]);
+			int q = tolower((unsigned char)b[j - 1]);
+			size_t best = up[j - 1] + (p != q);
+
+			if (up[j] + 1 < best)
+				best = up[j] + 1;
+			if (r[j - 1] + 1 < best)
+				best = r[j - 1] + 1;
+			if (i > 1 && j > 1 && up2[j - 2] + 1 < best &&
+			    p == tolower((unsigned char)b[j - 2]) &&
+			    q == tolower((unsigned char)a[i - 2]))
+				best = up2[j - 2] + 1;
+			r[j] = best;
+		}
+	}
+	return row[la % 3][lb];
+}
+
+const char *nearest(const char *word, const char *const *words)
+{
+	const char *best = NULL;
+	size_t length = strlen(word);
+	/* one letter of a short word, but not half of "x" */
+	size_t least = (length < 2 ? 0 : length < 6 ? 1 : length / 3) + 1;
+
+	if (length > WORD_MAX)
+		return NULL;
+	for (; *words != NULL; words++) {
+		size_t d = strlen(*words) > WORD_MAX ? least :
+						       distance(word, *words);
+
+		if (d < least) {
+			least = d;
+			best = *words;
+		} else if (best == NULL && begins(word, *words)) {
+			best = *words;
+		}
+	}
+	return best;
+}

@@ -1,0 +1,96 @@
+#include "readers.h"
+
+void read_value(const struct value *v, const struct field *f, void *out)
+{
+	(void)f;
+	*(struct value *)out = *v;
+}
+
+void read_numbers(const struct value *v, const struct field *f, void *out)
+{
+	const struct range *range = f->range != NULL ? f->range : &range_any;
+
+	if (f->n == 0)
+		*(double *)out = value_number(v, range);
+	else
+		value_numbers(v, range, f->n, out);
+}
+
+void read_flag(const struct value *v, const struct field *f, void *out)
+{
+	(void)f;
+	*(bool *)out = value_flag(v);
+}
+
+void read_word(const struct value *v, const struct field *f, void *out)
+{
+	*(unsigned *)out = (unsigned)value_word(v, f->words);
+}
+
+void read_second(const struct value *v, const struct field *f, void *out)
+{
+	*(bool *)out = value_word(v, f->words) == 1;
+}
+
+static const char *const vectors[] = { "row", "column", NULL };
+
+/* As -o json prints it. */
+struct printed {
+	struct value matrix;
+	bool column;
+};
+
+static const struct field printed_fields[] = {
+	{ .name = "matrix",
+	    .read = read_value,
+	    .at = offsetof(struct printed, matrix) },
+	{ .name = "vectors",
+	    .read = read_second,
+	    .words = vectors,
+	    .at = offsetof(struct printed, column) },
+	{ .name = NULL },
+};
+
+#define FORM "16 numbers or 4 rows of 4"
+
+static const struct ways printed_ways = {
+	"give \"matrix\", " FORM,
+	{ "matrix vectors?" },
+};
+
+static void read_rows(const struct value *v, bool column, double m[4][4])
+{
+	struct value row = value_child(v);
+	double e[4];
+
+	for (int i = 0; row.item != NULL; i++, value_next(&row)) {
+		value_numbers(&row, &range_any, 4, e);
+		for (int j = 0; j < 4; j++)
+			m[column ? j : i][column ? i : j] = e[j];
+	}
+}
+
+/* The 16 numbers in memory order are the same for row vectors in rows and
+ * column vectors in columns, so that only nested rows depend on vectors. */
+void read_matrix(const struct value *v, const struct field *f, void *out)
+{
+	struct printed p = { *v, v->source->column };
+
+	(void)f;
+	if (value_is_object(v)) {
+		unsigned seen = fields_read(v, printed_fields, 0, &p);
+
+		fields_way(v, printed_fields, 0, seen, &printed_ways);
+	}
+	if (!value_is_array(&p.matrix))
+		value_wrong(&p.matrix, "an array of " FORM);
+	size_t n = value_count(&p.matrix);
+
+	if (n == 4)
+		read_rows(&p.matrix, p.column, out);
+	else if (n == 16)
+		value_numbers(&p.matrix, &range_any, 16, out);
+	else
+		value_refuse(&p.matrix, "has %zu elements; " FORM " are wanted",
+		    n);
+}

@@ -1,0 +1,63 @@
+/* For tests of what prints an error and exits. */
+#ifndef REFUSAL_TEST_H
+#define REFUSAL_TEST_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+/* What run writes to standard error and output, in a process of its own, and
+ * in *status how it exits: 0 where it returns. */
+static inline const char *output_of(void (*run)(const void *),
+    const void *argument, int *status)
+{
+	static char text[4096];
+	size_t n = 0;
+	ssize_t got;
+	int ends[2];
+
+	fflush(NULL);
+	assert_int_equal(pipe(ends), 0);
+	pid_t child = fork();
+
+	assert_true(child >= 0);
+	if (child == 0) {
+		dup2(ends[1], STDOUT_FILENO);
+		dup2(ends[1], STDERR_FILENO);
+		run(argument);
+		fflush(NULL);
+		_exit(0);
+	}
+	close(ends[1]);
+	while ((got = read(ends[0], text + n, sizeof text - 1 - n)) > 0)
+		n += (size_t)got;
+	close(ends[0]);
+	text[n] = '\0';
+	assert_int_equal(waitpid(child, status, 0), child);
+	assert_true(WIFEXITED(*status));
+	*status = WEXITSTATUS(*status);
+	return text;
+}
+
+/* Refused with exactly this line, after "projcalc: ". */
+static inline void assert_refused(void (*run)(const void *),
+    const void *argument, const char *line)
+{
+	char wanted[4096];
+	int status;
+	const char *got = output_of(run, argument, &status);
+
+	snprintf(wanted, sizeof wanted, "projcalc: %s\n", line);
+	assert_string_equal(got, wanted);
+	assert_int_equal(status, 1);
+}
+
+#endif
