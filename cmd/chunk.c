@@ -1,0 +1,272 @@
+#include "chunk.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "talk.h"
+
+struct chunk *chunk_new(void)
+{
+	struct chunk *c = need(NULL, sizeof *c);
+
+	memset(c, 0, sizeof *c);
+	return c;
+}
+
+void chunk_free(struct chunk *c)
+{
+	free(c->out);
+	free(c->messages);
+	free(c);
+}
+
+bool is_binary(enum format f)
+{
+	return f == FORMAT_F64 || f == FORMAT_F32;
+}
+
+size_t point_size(const struct layout *l, enum format f)
+{
+	return (size_t)l->reads * (f == FORMAT_F64 ? 8 : 4);
+}
+
+char *chunk_reserve(struct chunk *c, size_t more)
+{
+	if (c->size + more > c->room) {
+		c->room = c->room / 2 * 3 + more;
+		c->out = need(c->out, c->room);
+	}
+	return c->out + c->size;
+}
+
+static void complain(struct chunk *c, const char *reason)
+{
+	size_t room = strlen(c->name) + strlen(reason) + 64;
+
+	c->messages = need(c->messages, c->messages_size + room);
+	c->messages_size += (size_t)snprintf(c->messages + c->messages_size,
+	    room, "projcalc: %s:%zu: %s\n", c->name, c->line, reason);
+}
+
+/* Reads up to a block of lines, their points into columns. A bad line ends
+ * the chunk unless the job keeps going. Returns how many lines. */
+static size_t read_lines(struct job *j, struct chunk *c, size_t *points)
+{
+	char reason[REASON_MAX];
+	size_t n = 0;
+	double v[4];
+
+	for (*points = 0; n < POINTS_BLOCK && c->text < c->end; c->line++) {
+		const char *newline = memchr(c->text, '\n',
+		    (size_t)(c->end - c->text));
+		struct record *r = &c->records[n];
+		struct span line = { c->text, newline != NULL ? newline :
+			c->end };
+
+		record_read(&j->layout, line, &c->header, r, v, reason);
+		r->newline = newline != NULL;
+		c->text = newline != NULL ? newline + 1 : c->end;
+		if (r->kind == RECORD_BAD) {
+			complain(c, reason);
+			if (!j->keep_going) {
+				c->text = c->end;
+				break;
+			}
+		}
+		if (r->kind == RECORD_POINT) {
+			for (int i = 0; i < j->layout.reads; i++)
+				c->in[i][*points] = v[i];
+			++*points;
+		}
+		n++;
+	}
+	return n;
+}
+
+/* The same for binary points; the machine is little-endian, as they are. */
+static size_t read_binary(struct job *j, struct chunk *c, size_t *points)
+{
+	size_t size = point_size(&j->layout, j->layout.in), n = 0;
+	bool wide = j->layout.in == FORMAT_F64;
+
+	for (; n < POINTS_BLOCK && c->text < c->end; n++, c->text += size)
+		for (int i = 0; i < j->layout.reads; i++) {
+			float narrow;
+
+			if (wide) {
+				memcpy(&c->in[i][n], c->text + 8 * i, 8);
+				continue;
+			}
+			memcpy(&narrow, c->text + 4 * i, 4);
+			c->in[i][n] = (double)narrow;
+		}
+	*points = n;
+	c->line += n;
+	return n;
+}
+
+static void cast_rays(const struct job *j, struct chunk *c, size_t n)
+{
+	for (size_t i = 0; i < n; i++) {
+		double at[2] = { c->in[0][i], c->in[1][i] }, ray[2][3];
+
+		ray_exact(&j->ray, at, ray[0], ray[1]);
+		for (int k = 0; k < 6; k++)
+			c->image[k][i] = ray[k / 3][k % 3];
+	}
+}
+
+static void carry(const struct job *j, struct chunk *c, size_t n)
+{
+	const double *const in[4] = { c->in[0], c->in[1], c->in[2], c->in[3] };
+	double *const out[4] = { c->image[0], c->image[1], c->image[2],
+		c->image[3] };
+
+	if (j->rays)
+		cast_rays(j, c, n);
+	else
+		points_carry(&j->transform, &j->effort, in, out, c->single, n);
+}
+
+enum { WORD_MAX = 48 };
+
+/* "in", or the planes that the point is outside of, and "ill". */
+static const char *flag_word(unsigned out, bool ill, char word[WORD_MAX])
+{
+	static const char *const names[] = { "left", "right", "bottom", "top",
+		"near", "far", "behind", "nan" };
+	char *at = word;
+
+	for (int k = 0; k < 8; k++)
+		if (out >> k & 1)
+			at += sprintf(at, at > word ? "+%s" : "%s", names[k]);
+	if (out == 0)
+		at = stpcpy(at, "in");
+	if (ill && out < OUT_BEHIND)
+		stpcpy(at, "+ill");
+	return word;
+}
+
+/* Past this, cancellation may have cost more than 1/128 of a last place. */
+#define ILL 0x1p40
+
+/* The word after point p, or NULL; *hidden where it is not to be printed. */
+static const char *judge(const struct job *j, const struct chunk *c, size_t p,
+    char word[WORD_MAX], bool *hidden)
+{
+	double in[4], image[4], kappa = 1;
+
+	*hidden = false;
+	if (!j->flags && !j->visible)
+		return NULL;
+	for (int i = 0; i < 4; i++)
+		in[i] = c->in[i][p];
+	unsigned out = frustum_out(&j->frustum, in);
+
+	*hidden = j->visible && out != 0;
+	if (!j->flags)
+		return NULL;
+	point_exact(&j->transform, in, image, &kappa);
+	return flag_word(out, kappa > ILL, word);
+}
+
+static void write_binary(const struct job *j, struct chunk *c,
+    const double *v)
+{
+	char *at = chunk_reserve(c, sizeof(double) * COORDINATES_MAX);
+
+	for (int k = 0; k < j->layout.writes; k++) {
+		float narrow = (float)v[k];
+
+		if (j->layout.out == FORMAT_F64)
+			memcpy(at + 8 * k, &v[k], 8);
+		else
+			memcpy(at + 4 * k, &narrow, 4);
+	}
+	c->size += (size_t)j->layout.writes *
+	    (j->layout.out == FORMAT_F64 ? 8 : 4);
+}
+
+/* Point p, which stood in r. */
+static void write_point(const struct job *j, struct chunk *c,
+    const struct record *r, size_t p, size_t line)
+{
+	double v[COORDINATES_MAX];
+	char word[WORD_MAX];
+	bool hidden, nan = false;
+	const char *flags = judge(j, c, p, word, &hidden);
+
+	for (int k = 0; k < j->layout.writes; k++) {
+		v[k] = c->image[k][p];
+		if (!isfinite(v[k]))
+			v[k] = (double)NAN;
+		nan |= isnan(v[k]);
+	}
+	if (nan && c->imageless++ == 0)
+		c->first_imageless = line;
+	if (hidden)
+		return;
+	if (is_binary(j->layout.out)) {
+		write_binary(j, c, v);
+		return;
+	}
+	char *at = chunk_reserve(c, record_room(&j->layout, r));
+
+	struct layout layout = j->layout;
+
+	layout.single = c->single[p];
+	c->size += (size_t)(record_write(&layout, r, v, flags, at) - at);
+}
+
+/* A line that is no point: a comment, or a bad one as a row of nan. */
+static void write_other(const struct job *j, struct chunk *c,
+    const struct record *r)
+{
+	const double nan = (double)NAN;
+	const double v[COORDINATES_MAX] = { nan, nan, nan, nan, nan, nan };
+	bool bad = r->kind == RECORD_BAD;
+
+	if (j->take != NULL || (bad && j->visible))
+		return;
+	if (is_binary(j->layout.out)) {
+		if (bad)
+			write_binary(j, c, v);
+		return;
+	}
+	char *at = chunk_reserve(c, record_room(&j->layout, r));
+
+	c->size += (size_t)(record_write(&j->layout, r, v,
+	    bad && j->flags ? "nan" : NULL, at) - at);
+}
+
+void chunk_do(struct job *j, struct chunk *c)
+{
+	struct record binary = { .kind = RECORD_POINT, .newline = true };
+	size_t size = point_size(&j->layout, j->layout.in);
+	bool lines = !is_binary(j->layout.in);
+
+	c->size = c->messages_size = c->imageless = 0;
+	while (c->text < c->end) {
+		size_t points, p = 0, first = c->line;
+		const char *text = c->text;
+		size_t n = lines ? read_lines(j, c, &points) :
+				   read_binary(j, c, &points);
+
+		carry(j, c, points);
+		for (size_t i = 0; i < n; i++) {
+			const struct record *r = lines ? &c->records[i] :
+							 &binary;
+
+			binary.line.s = text + i * size;
+			binary.line.end = binary.line.s + size;
+			if (r->kind != RECORD_POINT)
+				write_other(j, c, r);
+			else if (j->take != NULL)
+				j->take(j, c, r, p++, first + i);
+			else
+				write_point(j, c, r, p++, first + i);
+		}
+	}
+}

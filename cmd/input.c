@@ -1,0 +1,196 @@
+#include <ctype.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "command.h"
+#include "talk.h"
+
+enum { DOCUMENT_MAX = 1 << 28 };
+
+static char first_of(const char *s)
+{
+	while (isspace((unsigned char)*s))
+		s++;
+	return *s;
+}
+
+static bool is_stdin(const char *operand)
+{
+	return strcmp(operand, "-") == 0;
+}
+
+static int open_input(const char *name)
+{
+	struct stat st;
+	int fd = is_stdin(name) ? STDIN_FILENO : open(name, O_RDONLY);
+
+	if (fd < 0)
+		die(EXIT_USAGE, "%s: %s", name, strerror(errno));
+	if (fstat(fd, &st) == 0 && S_ISDIR(st.st_mode))
+		die(EXIT_USAGE, "%s: is a directory", name);
+	return fd;
+}
+
+static char *read_whole(const char *name, size_t *size)
+{
+	int fd = open_input(name);
+	size_t room = 1 << 16;
+	char *text = need(NULL, room);
+
+	*size = 0;
+	for (;;) {
+		ssize_t n = read(fd, text + *size, room - *size);
+
+		if (n < 0 && errno == EINTR)
+			continue;
+		if (n < 0)
+			die(EXIT_SYSTEM, "%s: %s", name, strerror(errno));
+		if (n == 0)
+			break;
+		*size += (size_t)n;
+		if (*size > DOCUMENT_MAX)
+			die(EXIT_INPUT, "%s: a document of more than 256 MiB; "
+			    "points may stand in a file of their own", name);
+		if (*size == room)
+			text = need(text, room *= 2);
+	}
+	if (fd != STDIN_FILENO)
+		close(fd);
+	return text;
+}
+
+void read_document(const struct command *c, const struct options *o,
+    int coordinates, struct document *d)
+{
+	struct json_wants wants = {
+		.bare = c->bare,
+		.needed = c->needed,
+		.projection = c->projection,
+		.convention = o->convention,
+		.coordinates = coordinates,
+	};
+	const char *name = o->params;
+	char *text;
+	size_t size;
+
+	if (first_of(o->params) == '{') {
+		name = "PARAMS";
+		size = strlen(o->params);
+		text = need(NULL, size + 1);
+		memcpy(text, o->params, size);
+	} else {
+		text = read_whole(name, &size);
+	}
+	json_read(d, name, text, size, &wants);
+	free(text);
+}
+
+bool has_points(const struct options *o, const struct document *d)
+{
+	return o->n_points > 0 || d->points != NULL;
+}
+
+/* Every operand can be opened before anything is printed. */
+static void check_operands(const struct options *o)
+{
+	int from_stdin = is_stdin(o->params);
+
+	for (int i = 0; i < o->n_points; i++) {
+		const char *name = o->points[i];
+
+		if (is_stdin(name) && from_stdin++)
+			die(EXIT_USAGE, is_stdin(o->params) ?
+			    "PARAMS and POINTS are both standard input; "
+			    "name a file for one of them" :
+			    "standard input is named twice");
+		if (is_stdin(name) || first_of(name) == '[' ||
+		    access(name, R_OK) == 0)
+			continue;
+		double v;
+		const char *end = name + strlen(name);
+
+		if (number_read(name, end, &v) == end && end != name)
+			die(EXIT_USAGE, "%s: %s; POINTS are a file, - or "
+			    "'[0,0,0]'", name, strerror(errno));
+		die(EXIT_USAGE, "%s: %s", name, strerror(errno));
+	}
+}
+
+void stream_options(struct job *j, const struct options *o)
+{
+	j->layout = (struct layout){
+		.in = o->in,
+		.out = o->out_given ? o->out : o->in,
+		.columns = o->columns,
+		.reads = j->transform.in,
+		.writes = j->transform.out,
+		.style = o->style,
+	};
+	j->effort = o->effort;
+	j->keep_going = o->keep_going;
+	j->threads = o->jobs > 0 ? o->jobs :
+	    (int)sysconf(_SC_NPROCESSORS_ONLN);
+	const char *cpu = getenv("PROJCALC_CPU");
+
+	if (!points_choose(cpu))
+		die(EXIT_USAGE, "PROJCALC_CPU=%s: not a processor that this is; "
+		    "it is one of baseline, avx2 and avx512", cpu);
+	if (o->columns.n > 0 && o->columns.n != j->layout.reads)
+		die(EXIT_USAGE, "--columns: %d fields; %d coordinates are "
+		    "read here", o->columns.n, j->layout.reads);
+}
+
+static void stream_json(struct job *j, const char *name, const char *text,
+    size_t size)
+{
+	enum format in = j->layout.in;
+	struct columns columns = j->layout.columns;
+
+	j->layout.in = FORMAT_JSON;
+	j->layout.columns = (struct columns){ 0 };
+	stream_text(j, name, text, size);
+	j->layout.in = in;
+	j->layout.columns = columns;
+}
+
+static void stream_operand(struct job *j, const char *operand)
+{
+	if (first_of(operand) != '[') {
+		int fd = open_input(operand);
+
+		stream_file(j, operand, fd);
+		if (fd != STDIN_FILENO)
+			close(fd);
+		return;
+	}
+	size_t size = strlen(operand), points_size;
+	char *text = need(NULL, size + 1), *points;
+
+	memcpy(text, operand, size + 1);
+	json_points("POINTS", text, size, j->layout.reads, &points,
+	    &points_size);
+	stream_json(j, "POINTS", points, points_size);
+	free(points);
+	free(text);
+}
+
+void stream_points(const struct options *o, const struct document *d,
+    struct job *j)
+{
+	if (o->n_points == 0 && d->points == NULL && is_stdin(o->params))
+		die(EXIT_USAGE, "PARAMS and POINTS are both standard input, "
+		    "and the document has no points; name a file for one of "
+		    "them");
+	if (o->n_points == 0 && d->points != NULL)
+		stream_json(j, d->name, d->points, d->points_size);
+	else if (o->n_points == 0)
+		stream_operand(j, "-");
+	else
+		check_operands(o);
+	for (int i = 0; i < o->n_points; i++)
+		stream_operand(j, o->points[i]);
+}

@@ -1,0 +1,192 @@
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "command.h"
+#include "talk.h"
+
+/* A line that was hit, and where its text stands in the list's. */
+struct hit {
+	double distance, device[3], point[3];
+	size_t line, text, size;
+};
+
+struct hits {
+	const struct options *o;
+	struct transform depth;
+	double at[2], radius;
+	struct hit *hit;
+	size_t n, room;
+	char *text;
+	size_t size, text_room;
+};
+
+/* The device position is the correctly rounded one that project prints; its
+ * distance is compared exactly up to 2^-100. */
+static bool within(const struct hits *h, const double device[3])
+{
+	dd d2 = { 0, 0 }, r = { h->radius, 0 };
+
+	for (int i = 0; i < 2; i++) {
+		dd d = two_sum(device[i], -h->at[i]);
+
+		d2 = dd_add(d2, dd_mul(d, d));
+	}
+	r = dd_mul(r, r);
+	return dd_add(d2, dd_neg(r)).hi <= 0;
+}
+
+static void take(const struct job *j, struct chunk *c, const struct record *r,
+    size_t p, size_t line)
+{
+	const struct hits *h = j->with;
+	double in[4] = { c->in[0][p], c->in[1][p], c->in[2][p], 1 };
+	struct hit hit = { .line = line };
+
+	for (int i = 0; i < 3; i++) {
+		hit.device[i] = c->image[i][p];
+		hit.point[i] = in[i];
+	}
+	if (isnan(hit.device[0]) || isnan(hit.device[1]) ||
+	    !within(h, hit.device) || frustum_out(&j->frustum, in) != 0)
+		return;
+	hit.distance = depth_of(&h->depth, in);
+	hit.size = (size_t)(r->line.end - r->line.s);
+	char *at = chunk_reserve(c, sizeof hit + hit.size);
+
+	memcpy(at, &hit, sizeof hit);
+	memcpy(at + sizeof hit, r->line.s, hit.size);
+	c->size += sizeof hit + hit.size;
+}
+
+static void collect(const struct job *j, const struct chunk *c)
+{
+	struct hits *h = j->with;
+
+	for (size_t i = 0; i < c->size;) {
+		struct hit hit;
+
+		memcpy(&hit, c->out + i, sizeof hit);
+		hit.text = h->size;
+		if (h->n == h->room) {
+			h->room = 2 * h->room + 64;
+			h->hit = need(h->hit, h->room * sizeof hit);
+		}
+		if (h->size + hit.size > h->text_room) {
+			h->text_room = 2 * (h->size + hit.size);
+			h->text = need(h->text, h->text_room);
+		}
+		memcpy(h->text + h->size, c->out + i + sizeof hit, hit.size);
+		h->size += hit.size;
+		h->hit[h->n++] = hit;
+		i += sizeof hit + hit.size;
+	}
+}
+
+/* Nearest first, then as they came. */
+static int compare(const void *a, const void *b)
+{
+	const struct hit *p = a, *q = b;
+
+	if (p->distance != q->distance)
+		return p->distance < q->distance ? -1 : 1;
+	return p->text < q->text ? -1 : p->text > q->text;
+}
+
+static char *put_text(char *at, const char *s)
+{
+	size_t n = strlen(s);
+
+	memcpy(at, s, n);
+	return at + n;
+}
+
+static char *put_numbers(char *at, const char *name, const double v[3],
+    struct number_style style)
+{
+	at = put_text(at, name);
+	for (int i = 0; i < 3; i++) {
+		*at++ = i == 0 ? '[' : ',';
+		at = number_write(at, v[i], style);
+	}
+	*at++ = ']';
+	return at;
+}
+
+static void print_json(const struct hit *h, struct number_style style)
+{
+	char text[8 * NUMBER_MAX + 128], *at = put_text(text, "{\"line\":");
+
+	at = number_write(at, (double)h->line,
+	    (struct number_style){ NUMBER_SHORTEST, 0 });
+	at = put_text(at, ",\"distance\":");
+	at = number_write(at, h->distance, style);
+	at = put_numbers(at, ",\"device\":", h->device, style);
+	at = put_numbers(at, ",\"point\":", h->point, style);
+	at = put_text(at, "}\n");
+	put_all(text, (size_t)(at - text));
+}
+
+/* At the end, or before a bad line ends the program. */
+static void print_hits(const struct job *j)
+{
+	struct hits *h = j->with;
+	const struct options *o = h->o;
+
+	qsort(h->hit, h->n, sizeof *h->hit, compare);
+	for (size_t i = 0; i < h->n; i++) {
+		const struct hit *hit = &h->hit[i];
+
+		if (o->out_given && o->out == FORMAT_JSON) {
+			print_json(hit, o->style);
+			continue;
+		}
+		put_all(h->text + hit->text, hit->size);
+		if (!is_binary(o->in))
+			put_all("\n", 1);
+	}
+}
+
+static void check(const struct document *d, const char *why)
+{
+	if (why != NULL)
+		json_refuse(d, why);
+}
+
+/* The options win over the member. */
+static void aim(const struct document *d, const struct options *o,
+    struct hits *h)
+{
+	const struct pick *p = &d->pick;
+
+	if (!o->has_at && !p->has_at)
+		json_refuse(d, "/pick/at: missing; say where on the device "
+		    "with \"at\": [x, y] or --at X,Y");
+	if (!(o->radius > 0) && !(p->radius > 0))
+		json_refuse(d, "/pick/radius: missing; say how far around "
+		    "with \"radius\" or --radius R");
+	for (int i = 0; i < 2; i++)
+		h->at[i] = o->has_at ? o->at[i] : p->at[i];
+	h->radius = o->radius > 0 ? o->radius : p->radius;
+}
+
+int run_pick(const struct command *c, const struct options *o)
+{
+	struct document d;
+	struct hits hits = { .o = o };
+	struct job j = { .take = take, .collect = collect,
+		.flush = print_hits, .with = &hits };
+
+	read_document(c, o, 3, &d);
+	aim(&d, o, &hits);
+	check(&d, scene_transform(&d.scene, SPACE_MODEL, SPACE_DEVICE, false,
+	    &j.transform));
+	check(&d, frustum_of(&d.scene, SPACE_MODEL, false, &j.frustum));
+	check(&d, depth_transform(&d.scene, &hits.depth));
+	if (o->out_given && o->out != FORMAT_JSON && o->out != o->in)
+		die(EXIT_USAGE, "pick prints lines as they were read, or "
+		    "-o json");
+	stream_options(&j, o);
+	stream_points(o, &d, &j);
+	return stream_end(&j);
+}

@@ -1,0 +1,274 @@
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "record.h"
+
+#define MAGNITUDE_MAX 1e150
+
+/* What number_read takes and JSON does not: +1, 01, 1., .5, nan. */
+static bool is_json_number(struct span f)
+{
+	const char *s = f.s, *point;
+
+	s += s < f.end && *s == '-';
+	if (s == f.end || *s < '0' || *s > '9')
+		return false;
+	if (*s == '0' && s + 1 < f.end && s[1] >= '0' && s[1] <= '9')
+		return false;
+	point = memchr(s, '.', (size_t)(f.end - s));
+	return point == NULL ||
+	    (point + 1 < f.end && point[1] >= '0' && point[1] <= '9');
+}
+
+/* The number that a field holds; quotes around it and blanks may stand in
+ * csv, and null in JSON. */
+static bool field_number(enum format format, struct span *f, double *v)
+{
+	struct span n = *f;
+
+	if (format == FORMAT_CSV) {
+		n.s = skip_blanks(n.s, n.end);
+		while (n.end > n.s && is_blank(n.end[-1]))
+			n.end--;
+		if (n.end - n.s >= 2 && *n.s == '"' && n.end[-1] == '"') {
+			n.s++;
+			n.end--;
+		}
+	}
+	if (format == FORMAT_JSON) {
+		if (n.end - n.s == 4 && memcmp(n.s, "null", 4) == 0) {
+			*v = (double)NAN;
+			return true;
+		}
+		if (!is_json_number(n))
+			return false;
+	}
+	if (n.s == n.end || number_read(n.s, n.end, v) != n.end)
+		return false;
+	*f = n;
+	return true;
+}
+
+static const char *order(int i)
+{
+	static const char *const words[] = { "x", "y", "z", "w" };
+
+	return words[i];
+}
+
+static void bad_field(const struct layout *l, int i, struct span f,
+    char reason[REASON_MAX])
+{
+	int n = f.end - f.s > 40 ? 40 : (int)(f.end - f.s);
+	double v;
+	const char *end = number_read(f.s, f.end, &v);
+
+	if (l->in == FORMAT_TEXT && n > 0 && (*f.s == '[' || *f.s == '{'))
+		snprintf(reason, REASON_MAX, "looks like JSON; say -i json, "
+		    "with one array a line: jq -c '.points[]'");
+	else if (l->in == FORMAT_JSON && n > 0 && (*f.s == '[' || *f.s == '{'))
+		snprintf(reason, REASON_MAX, "%s is not a number; "
+		    "one array a line: jq -c '.points[]'", order(i));
+	else if (n == 0)
+		snprintf(reason, REASON_MAX, "%s is missing; "
+		    "%d numbers are wanted", order(i), l->reads);
+	else
+		snprintf(reason, REASON_MAX, "%s is '%.*s'; a number is "
+		    "wanted%s", order(i), n, f.s, end == NULL ? "" :
+		    l->in == FORMAT_JSON ? ", as JSON writes it" :
+		    ", with a blank or comma behind it");
+	for (char *c = reason; *c != '\0'; c++)
+		if ((unsigned char)*c < ' ' || *c == 0x7f)
+			*c = '?';
+}
+
+static bool in_range(int i, double v, char reason[REASON_MAX])
+{
+	if (!(fabs(v) > MAGNITUDE_MAX))
+		return true;
+	snprintf(reason, REASON_MAX, "%s is beyond 1e150 in magnitude; "
+	    "choose another unit", order(i));
+	return false;
+}
+
+/* Default columns: the first fields, each read where it stands. */
+static bool read_first(const struct layout *l, const char *s, const char *end,
+    struct record *r, double v[4], char reason[REASON_MAX])
+{
+	for (int i = 0; i < l->reads; i++) {
+		struct span f;
+
+		if (l->in == FORMAT_TEXT) {
+			const char *stop = number_read(s, end, &v[i]);
+
+			f = stop != NULL && ends_field(stop, end) ?
+			    (struct span){ s, stop } : split_field(FORMAT_TEXT, s, end);
+			if (f.end != stop) {
+				bad_field(l, i, f, reason);
+				return false;
+			}
+		} else {
+			f = split_field(l->in, s, end);
+			struct span whole = f;
+
+			if (!field_number(l->in, &f, &v[i])) {
+				bad_field(l, i, whole, reason);
+				return false;
+			}
+			s = whole.end;
+		}
+		if (!in_range(i, v[i], reason))
+			return false;
+		r->at[i] = f;
+		s = split_next(l->in, l->in == FORMAT_TEXT ? f.end : s, end);
+		if (s == NULL)
+			s = end;
+	}
+	return true;
+}
+
+static bool read_columns(const struct layout *l, const char *s,
+    const char *end, struct record *r, double v[4], char reason[REASON_MAX])
+{
+	for (int i = 0; i < l->reads; i++) {
+		int k = l->columns.field[i];
+		struct span f;
+
+		if (!split_find(l->in, s, end, k, &f)) {
+			snprintf(reason, REASON_MAX, "%s is missing: there is "
+			    "no field %d", order(i), k + 1);
+			return false;
+		}
+		if (!field_number(l->in, &f, &v[i])) {
+			bad_field(l, i, f, reason);
+			return false;
+		}
+		if (!in_range(i, v[i], reason))
+			return false;
+		r->at[i] = f;
+	}
+	return true;
+}
+
+static bool is_name(struct span f, const char *name)
+{
+	size_t n = strlen(name);
+
+	if (f.end - f.s >= 2 && *f.s == '"' && f.end[-1] == '"') {
+		f.s++;
+		f.end--;
+	}
+	f.s = skip_blanks(f.s, f.end);
+	while (f.end > f.s && is_blank(f.end[-1]))
+		f.end--;
+	return (size_t)(f.end - f.s) == n && memcmp(f.s, name, n) == 0;
+}
+
+/* Turns the names of --columns into field numbers. */
+static bool resolve(struct layout *l, struct span line,
+    char reason[REASON_MAX])
+{
+	for (int i = 0; i < l->columns.n; i++) {
+		const char *name = l->columns.name[i];
+		struct span f = line;
+
+		if (name == NULL)
+			continue;
+		for (int k = 0;; k++) {
+			if (!split_find(l->in, line.s, line.end, k, &f) &&
+			    f.end == line.end) {
+				snprintf(reason, REASON_MAX, "the header has "
+				    "no column '%.60s'", name);
+				return false;
+			}
+			if (is_name(f, name)) {
+				l->columns.field[i] = k;
+				break;
+			}
+		}
+	}
+	return true;
+}
+
+static bool named(const struct columns *c)
+{
+	for (int i = 0; i < c->n; i++)
+		if (c->name[i] != NULL)
+			return true;
+	return false;
+}
+
+/* A csv source's first line is a header where its coordinates are no numbers,
+ * all of them; what is half a number line is a mistake. */
+static bool is_header(struct layout *l, struct span line)
+{
+	for (int i = 0; i < l->reads; i++) {
+		int k = l->columns.n > 0 ? l->columns.field[i] : i;
+		struct span f;
+		double v;
+
+		if (split_find(FORMAT_CSV, line.s, line.end, k, &f) &&
+		    field_number(FORMAT_CSV, &f, &v))
+			return false;
+	}
+	return true;
+}
+
+/* False where the first line is one of points already. */
+static bool take_header(struct layout *l, struct span line, struct record *r,
+    char reason[REASON_MAX])
+{
+	bool wanted = named(&l->columns);
+
+	if (wanted && !resolve(l, line, reason))
+		r->kind = RECORD_BAD;
+	return wanted || is_header(l, line);
+}
+
+/* Whether the array that begins at s is closed and nothing follows. */
+static bool json_closed(const char *s, const char *end)
+{
+	struct span f = { s, s };
+
+	for (; s != NULL; s = split_next(FORMAT_JSON, f.end, end))
+		f = split_field(FORMAT_JSON, s, end);
+	s = skip_blanks(f.end, end);
+	return s < end && *s == ']' && skip_blanks(s + 1, end) == end;
+}
+
+void record_read(struct layout *l, struct span line, bool *header,
+    struct record *r, double v[4], char reason[REASON_MAX])
+{
+	const char *s = skip_blanks(line.s, line.end);
+	bool ok;
+
+	*r = (struct record){ .kind = RECORD_COPY, .line = line };
+	if (s == line.end || *s == '#')
+		return;
+	if (l->in == FORMAT_CSV) {
+		s = line.s;
+		bool taken = *header && take_header(l, line, r, reason);
+
+		*header = false;
+		if (taken)
+			return;
+	}
+	if (l->in == FORMAT_JSON) {
+		if (*s != '[') {
+			snprintf(reason, REASON_MAX, "is not a JSON array; one "
+			    "array a line: jq -c '.points[]'");
+			r->kind = RECORD_BAD;
+			return;
+		}
+		s++;
+	}
+	ok = l->columns.n > 0 ? read_columns(l, s, line.end, r, v, reason) :
+				read_first(l, s, line.end, r, v, reason);
+	if (ok && l->in == FORMAT_JSON && !json_closed(s, line.end)) {
+		snprintf(reason, REASON_MAX, "the array does not end with the "
+		    "line; one array a line: jq -c '.points[]'");
+		ok = false;
+	}
+	r->kind = ok ? RECORD_POINT : RECORD_BAD;
+}

@@ -1,0 +1,210 @@
+#include <math.h>
+#include <string.h>
+
+#include "record.h"
+
+size_t record_room(const struct layout *l, const struct record *r)
+{
+	size_t line = (size_t)(r->line.end - r->line.s);
+
+	/* quoting a foreign field may double it */
+	return 2 * line + (size_t)l->writes * (NUMBER_MAX + 8) + 128;
+}
+
+static char *put(char *out, const char *s, const char *end)
+{
+	size_t n = (size_t)(end - s);
+
+	memcpy(out, s, n);
+	return out + n;
+}
+
+static char *put_number(const struct layout *l, double v, char *out)
+{
+	if (l->out == FORMAT_JSON && isnan(v))
+		return put(out, "null", &"null"[4]);
+	return l->single ? number_write_float(out, (float)v, l->style) :
+			   number_write(out, v, l->style);
+}
+
+static const char *separator_of(enum format format)
+{
+	return format == FORMAT_TEXT ? " " : ",";
+}
+
+/* Coordinates from the k-th on and the flags, each after a separator. */
+static char *put_more(const struct layout *l, int k, const double v[],
+    const char *flags, struct span separator, char *out)
+{
+	for (; k < l->writes; k++) {
+		out = put(out, separator.s, separator.end);
+		out = put_number(l, v[k], out);
+	}
+	if (flags != NULL) {
+		out = put(out, separator.s, separator.end);
+		if (l->out == FORMAT_JSON)
+			*out++ = '"';
+		out = put(out, flags, flags + strlen(flags));
+		if (l->out == FORMAT_JSON)
+			*out++ = '"';
+	}
+	return out;
+}
+
+/* What stands between the last two coordinates, where that is no field. */
+static struct span separator(const struct layout *l, const struct record *r)
+{
+	const char *usual = separator_of(l->in);
+	struct span s = { usual, usual + 1 };
+
+	if (l->in == FORMAT_TEXT && l->reads > 1) {
+		struct span between = { r->at[l->reads - 2].end,
+			r->at[l->reads - 1].s };
+
+		if (between.s < between.end &&
+		    text_next(between.s, between.end) == between.end)
+			s = between;
+	}
+	return s;
+}
+
+/* The same format out as in: coordinates are replaced where they stand. One
+ * that is not written goes with the separator before it. */
+static char *splice(const struct layout *l, const struct record *r,
+    const double v[], const char *flags, char *out)
+{
+	int sorted[4], n = l->reads, last = n - 1;
+	const char *s = r->line.s;
+
+	for (int i = 0; i < n; i++) {
+		int k = i;
+
+		for (; k > 0 && r->at[sorted[k - 1]].s > r->at[i].s; k--)
+			sorted[k] = sorted[k - 1];
+		sorted[k] = i;
+	}
+	for (int k = 0; k < n; k++) {
+		int i = sorted[k];
+		struct span at = r->at[i];
+
+		if (i >= l->writes) {
+			while (at.s > s && (is_blank(at.s[-1]) ||
+			    at.s[-1] == ','))
+				at.s--;
+			out = put(out, s, at.s);
+		} else {
+			out = put(out, s, at.s);
+			out = put_number(l, v[i], out);
+		}
+		s = at.end;
+		if (l->in == FORMAT_CSV && s < r->line.end && *s == '"' &&
+		    i == last)
+			*out++ = *s++;
+		if (i == last)
+			out = put_more(l, n, v, flags, separator(l, r), out);
+	}
+	return put(out, s, r->line.end);
+}
+
+/* A field of another format: plain where it can be, else quoted. */
+static char *put_foreign(const struct layout *l, struct span f, char *out)
+{
+	double v;
+	bool number = f.s < f.end && number_read(f.s, f.end, &v) == f.end &&
+	    isfinite(v) && *f.s != '+' && *f.s != '.';
+	bool quoted = f.end - f.s >= 2 && *f.s == '"' && f.end[-1] == '"';
+
+	if (l->out == FORMAT_TEXT && quoted)
+		return put(out, f.s + 1, f.end - 1);
+	if (l->out != FORMAT_JSON || quoted || number || l->in == FORMAT_JSON)
+		return put(out, f.s, f.end);
+	*out++ = '"';
+	for (; f.s < f.end; f.s++) {
+		if (*f.s == '"' || *f.s == '\\')
+			*out++ = '\\';
+		*out++ = (unsigned char)*f.s < ' ' ? ' ' : *f.s;
+	}
+	*out++ = '"';
+	return out;
+}
+
+static bool is_coordinate(const struct layout *l, const struct record *r,
+    struct span f)
+{
+	for (int i = 0; i < l->reads; i++)
+		if (r->at[i].s >= f.s && r->at[i].end <= f.end)
+			return true;
+	return false;
+}
+
+/* Another format out: the coordinates first, then the other fields. */
+static char *convert(const struct layout *l, const struct record *r,
+    const double v[], const char *flags, char *out)
+{
+	const char *usual = separator_of(l->out), *s = r->line.s;
+	struct span sep = { usual, usual + 1 };
+
+	if (l->out == FORMAT_JSON)
+		*out++ = '[';
+	out = put_number(l, v[0], out);
+	out = put_more(l, 1, v, flags, sep, out);
+	s = skip_blanks(s, r->line.end);
+	if (l->in == FORMAT_JSON)
+		s++;
+	while (r->kind == RECORD_POINT && s != NULL) {
+		struct span f = split_field(l->in, s, r->line.end);
+
+		if (f.s < f.end && !is_coordinate(l, r, f)) {
+			out = put(out, sep.s, sep.end);
+			out = put_foreign(l, f, out);
+		}
+		s = split_next(l->in, f.end, r->line.end);
+	}
+	if (l->out == FORMAT_JSON)
+		*out++ = ']';
+	return out;
+}
+
+/* A csv header gets the names of what is added; a comment means nothing in
+ * JSON. */
+static char *copy(const struct layout *l, const struct record *r, char *out)
+{
+	const char *end = r->line.end;
+	const char *s = skip_blanks(r->line.s, end);
+
+	if (l->in == FORMAT_JSON || l->out == FORMAT_JSON)
+		return out;
+	if (l->in == FORMAT_CSV && s < end && *s != '#' && l->out == l->in) {
+		struct span f = { s, s };
+		int last = l->columns.n > 0 ?
+		    l->columns.field[l->reads - 1] : l->reads - 1;
+		bool cr = end[-1] == '\r';
+
+		if (!split_find(l->in, r->line.s, end, last, &f))
+			f.end = cr ? end - 1 : end;
+		out = put(out, r->line.s, f.end);
+		if (l->flags)
+			out = put(out, ",flags", &",flags"[6]);
+		return put(out, f.end, end);
+	}
+	return put(out, r->line.s, end);
+}
+
+char *record_write(const struct layout *l, const struct record *r,
+    const double v[COORDINATES_MAX], const char *flags, char *out)
+{
+	char *begin = out;
+
+	if (r->kind == RECORD_COPY)
+		out = copy(l, r, out);
+	else if (r->kind == RECORD_BAD || l->in != l->out)
+		out = convert(l, r, v, flags, out);
+	else
+		out = splice(l, r, v, flags, out);
+	if (r->kind == RECORD_COPY && out == begin &&
+	    (l->in == FORMAT_JSON || l->out == FORMAT_JSON))
+		return out;
+	if (r->newline)
+		*out++ = '\n';
+	return out;
+}

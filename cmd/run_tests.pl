@@ -1,0 +1,25 @@
+#!/usr/bin/perl
+# Runs test programs, cmocka's and perl's, and sums them up in one line.
+# usage: run_tests.pl JOBS PROGRAM...
+use strict;
+use warnings;
+use TAP::Harness;
+
+my $jobs = shift;
+$ENV{CMOCKA_MESSAGE_OUTPUT} = 'TAP';
+my $harness = TAP::Harness->new({
+	jobs => $jobs,
+	exec => sub {
+		my ($harness, $file) = @_;
+		return $file =~ /\.t$/ ? [$^X, $file] : ["./$file"];
+	},
+});
+my $sum = $harness->runtests(@ARGV);
+
+# A program that crashed or stopped early failed, whatever its tests said.
+my $failed = $sum->failed;
+for my $program ($sum->parsers) {
+	$failed++ if $program->has_problems && !$program->failed;
+}
+printf "%d passed, %d failed\n", scalar $sum->passed, $failed;
+exit($failed > 0);

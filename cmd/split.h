@@ -1,0 +1,33 @@
+/* A line's fields, format by format. */
+#ifndef SPLIT_H
+#define SPLIT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum format { FORMAT_TEXT, FORMAT_CSV, FORMAT_JSON, FORMAT_F64, FORMAT_F32 };
+
+struct span {
+	const char *s, *end;
+};
+
+bool is_blank(char c);
+const char *skip_blanks(const char *s, const char *end);
+
+/* Whether a number of text may end at s. */
+bool ends_field(const char *s, const char *end);
+
+/* Past the separator of text at s: blanks with at most one comma. */
+const char *text_next(const char *s, const char *end);
+
+/* The field that begins at s; with its quotes in csv and JSON. */
+struct span split_field(enum format, const char *s, const char *end);
+
+/* Where the field after the one that ends at s begins, or NULL. */
+const char *split_next(enum format, const char *s, const char *end);
+
+/* The k-th field from s, from 0; false where there is none, or it is empty. */
+bool split_find(enum format, const char *s, const char *end, int k,
+    struct span *);
+
+#endif

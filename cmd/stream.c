@@ -1,0 +1,309 @@
+#include "stream.h"
+
+#include <errno.h>
+#include <poll.h>
+#include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "talk.h"
+
+/* Large enough that handing over costs nothing, small enough for caches. */
+enum { CHUNK_TEXT = 1 << 17, THREADS_MAX = 256 };
+
+/* One longer line than this is no line of points. */
+#define LINE_MAX_BYTES ((size_t)1 << 26)
+
+/* A chunk with text of its own. */
+struct slot {
+	struct chunk *chunk;
+	char *text;
+	size_t room, have;
+};
+
+/* Slots are filled, done and written in turn: slot k % n is the k-th chunk's.
+ * The reader fills, threads do, whoever has done the next one writes it, so
+ * that no answer waits for the reader. */
+static struct {
+	pthread_mutex_t lock;
+	pthread_cond_t filled, written;
+	struct slot *slots;
+	size_t n;
+	size_t fill, take, write; /* counts of chunks */
+	struct job *job;
+	int threads; /* running */
+} ring = {
+	.lock = PTHREAD_MUTEX_INITIALIZER,
+	.filled = PTHREAD_COND_INITIALIZER,
+	.written = PTHREAD_COND_INITIALIZER,
+};
+
+/* Told at the end. */
+static size_t imageless;
+static char first_imageless[300];
+static bool bad;
+
+/* Results first, then what was wrong with the line after them. */
+static void finish(const struct job *j, const struct chunk *c)
+{
+	if (j->collect != NULL)
+		j->collect(j, c);
+	else
+		put_all(c->out, c->size);
+	if (j->count_imageless && c->imageless > 0) {
+		if (imageless == 0)
+			snprintf(first_imageless, sizeof first_imageless,
+			    "%.250s:%zu", c->name, c->first_imageless);
+		imageless += c->imageless;
+	}
+	if (c->messages_size == 0)
+		return;
+	bad = true;
+	if (!j->keep_going && j->flush != NULL)
+		j->flush(j);
+	fwrite(c->messages, 1, c->messages_size, stderr);
+	if (!j->keep_going) {
+		close_output();
+		_exit(EXIT_INPUT);
+	}
+}
+
+static void *work(void *unused)
+{
+	pthread_mutex_lock(&ring.lock);
+	for (;;) {
+		while (ring.take == ring.fill)
+			pthread_cond_wait(&ring.filled, &ring.lock);
+		size_t k = ring.take++;
+		struct chunk *c = ring.slots[k % ring.n].chunk;
+
+		pthread_mutex_unlock(&ring.lock);
+		chunk_do(ring.job, c);
+		pthread_mutex_lock(&ring.lock);
+		while (ring.write != k)
+			pthread_cond_wait(&ring.written, &ring.lock);
+		pthread_mutex_unlock(&ring.lock);
+		finish(ring.job, c);
+		pthread_mutex_lock(&ring.lock);
+		ring.write++;
+		pthread_cond_broadcast(&ring.written);
+	}
+	return unused;
+}
+
+/* Waits until at most n chunks are on their way. */
+static void wait_for(size_t n)
+{
+	pthread_mutex_lock(&ring.lock);
+	while (ring.fill - ring.write > n)
+		pthread_cond_wait(&ring.written, &ring.lock);
+	pthread_mutex_unlock(&ring.lock);
+}
+
+static void start_threads(struct job *j)
+{
+	pthread_t t;
+
+	ring.job = j;
+	for (; ring.threads < j->threads; ring.threads++) {
+		if (pthread_create(&t, NULL, work, NULL) != 0)
+			break;
+		pthread_detach(t);
+	}
+}
+
+static void make_ring(const struct job *j)
+{
+	if (ring.slots != NULL)
+		return;
+	ring.n = (size_t)j->threads + 2;
+	ring.slots = need(NULL, ring.n * sizeof *ring.slots);
+	memset(ring.slots, 0, ring.n * sizeof *ring.slots);
+}
+
+static struct slot *slot_of(size_t k)
+{
+	struct slot *s = &ring.slots[k % ring.n];
+
+	if (s->chunk == NULL) {
+		s->chunk = chunk_new();
+		s->room = CHUNK_TEXT;
+		s->text = need(NULL, s->room);
+	}
+	return s;
+}
+
+static size_t read_some(const char *name, int fd, char *at, size_t room)
+{
+	ssize_t n;
+
+	do
+		n = read(fd, at, room);
+	while (n < 0 && errno == EINTR);
+	if (n < 0) {
+		wait_for(0);
+		die(EXIT_SYSTEM, "%s: %s", name, strerror(errno));
+	}
+	return (size_t)n;
+}
+
+/* Whether a read would wait. */
+static bool would_wait(int fd)
+{
+	struct pollfd p = { .fd = fd, .events = POLLIN };
+
+	return poll(&p, 1, 0) == 0;
+}
+
+/* The end of the last whole line, or of the last whole binary point. */
+static const char *whole(const struct job *j, const struct slot *s)
+{
+	const char *end = s->text + s->have;
+
+	if (is_binary(j->layout.in))
+		return end - s->have % point_size(&j->layout, j->layout.in);
+	while (end > s->text && end[-1] != '\n')
+		end--;
+	return end;
+}
+
+/* Fills the slot until it holds a whole line and is full, or the next read
+ * would wait, or the source ends, which it returns. */
+static bool fill(const struct job *j, const char *name, int fd,
+    struct slot *s)
+{
+	for (;;) {
+		if (s->have == s->room) {
+			if (whole(j, s) > s->text)
+				return false;
+			if (s->room >= LINE_MAX_BYTES) {
+				wait_for(0);
+				die(EXIT_INPUT, "%s:%zu: a line of more than "
+				    "64 MiB", name, s->chunk->line);
+			}
+			s->text = need(s->text, s->room *= 2);
+		}
+		size_t n = read_some(name, fd, s->text + s->have,
+		    s->room - s->have);
+
+		if (n == 0)
+			return true;
+		s->have += n;
+		if (whole(j, s) > s->text && would_wait(fd))
+			return false;
+	}
+}
+
+static size_t count_lines(const struct job *j, const char *s, const char *end)
+{
+	size_t n = 0;
+
+	if (is_binary(j->layout.in))
+		return (size_t)(end - s) / point_size(&j->layout,
+		    j->layout.in);
+	for (; s < end; s++)
+		n += *s == '\n';
+	return n;
+}
+
+/* The first chunk of a source is done here: it may hold a header, and may be
+ * all there is. */
+static void hand_over(struct job *j, struct chunk *c, bool first)
+{
+	bool here = first || j->threads < 2;
+
+	if (here) {
+		chunk_do(j, c);
+		finish(j, c);
+	} else {
+		start_threads(j);
+	}
+	pthread_mutex_lock(&ring.lock);
+	ring.fill++;
+	if (here) {
+		ring.take++;
+		ring.write++;
+	} else {
+		pthread_cond_signal(&ring.filled);
+	}
+	pthread_mutex_unlock(&ring.lock);
+}
+
+/* The slot after s, free, with what s holds behind end. */
+static struct slot *next_slot(const struct slot *s, const char *end)
+{
+	size_t rest = (size_t)(s->text + s->have - end);
+
+	wait_for(ring.n - 2);
+	struct slot *next = slot_of(ring.fill + 1);
+
+	if (next->room < rest) {
+		next->room = s->room;
+		next->text = need(next->text, next->room);
+	}
+	memcpy(next->text, end, rest);
+	next->have = rest;
+	return next;
+}
+
+void stream_file(struct job *j, const char *name, int fd)
+{
+	bool ended = false, header = true;
+	size_t line = 1;
+
+	make_ring(j);
+	struct slot *s = slot_of(ring.fill), *next;
+
+	for (s->have = 0; !ended; s = next) {
+		struct chunk *c = s->chunk;
+		bool first = line == 1;
+
+		c->name = name;
+		c->line = line;
+		c->header = header;
+		ended = fill(j, name, fd, s);
+		c->text = s->text;
+		c->end = whole(j, s);
+		if (ended && !is_binary(j->layout.in))
+			c->end = s->text + s->have;
+		next = next_slot(s, c->end);
+		line += count_lines(j, c->text, c->end);
+		hand_over(j, c, first);
+		header = c->header && first;
+	}
+	wait_for(0);
+	if (s->have > 0)
+		die(EXIT_INPUT, "%s: ends within point %zu; a point is %zu "
+		    "bytes", name, line, point_size(&j->layout,
+		    j->layout.in));
+}
+
+void stream_text(struct job *j, const char *name, const char *text,
+    size_t size)
+{
+	struct chunk *c = chunk_new();
+
+	c->name = name;
+	c->text = text;
+	c->end = text + size;
+	c->line = 1;
+	chunk_do(j, c);
+	finish(j, c);
+	chunk_free(c);
+}
+
+int stream_end(const struct job *j)
+{
+	if (j->flush != NULL)
+		j->flush(j);
+	if (imageless == 1)
+		fprintf(stderr, "projcalc: 1 point has no image: %s\n",
+		    first_imageless);
+	else if (imageless > 1)
+		fprintf(stderr, "projcalc: %zu points have no image, the "
+		    "first in %s\n", imageless, first_imageless);
+	close_output();
+	return bad ? EXIT_INPUT : EXIT_OK;
+}

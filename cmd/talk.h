@@ -1,0 +1,23 @@
+/* Messages, exits and what every command needs of the system. */
+#ifndef TALK_H
+#define TALK_H
+
+#include <stddef.h>
+
+/* What the exit status means. */
+enum { EXIT_OK, EXIT_INPUT, EXIT_USAGE, EXIT_SYSTEM };
+
+/* Print "projcalc: " and one line, and exit. */
+_Noreturn void die(int status, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* Memory or exit 3. */
+void *need(void *old, size_t size);
+
+/* Writes all of it to standard output, or exits with 3. */
+void put_all(const char *s, size_t size);
+
+/* Output is done when it is closed without error. */
+void close_output(void);
+
+#endif
