@@ -18,7 +18,7 @@ struct chunk *chunk_new(void)
 void chunk_free(struct chunk *c)
 {
 	free(c->out);
-	free(c->messages);
+	free(c->complaints);
 	free(c);
 }
 
@@ -43,11 +43,14 @@ char *chunk_reserve(struct chunk *c, size_t more)
 
 static void complain(struct chunk *c, const char *reason)
 {
-	size_t room = strlen(c->name) + strlen(reason) + 64;
+	size_t n = c->n_complaints++;
 
-	c->messages = need(c->messages, c->messages_size + room);
-	c->messages_size += (size_t)snprintf(c->messages + c->messages_size,
-	    room, "projcalc: %s:%zu: %s\n", c->name, c->line, reason);
+	/* grown at powers of two */
+	if ((n & (n - 1)) == 0)
+		c->complaints = need(c->complaints,
+		    (2 * n + 1) * sizeof *c->complaints);
+	c->complaints[n].line = c->lines;
+	snprintf(c->complaints[n].reason, REASON_MAX, "%s", reason);
 }
 
 /* Reads up to a block of lines, their points into columns. A bad line ends
@@ -58,7 +61,7 @@ static size_t read_lines(struct job *j, struct chunk *c, size_t *points)
 	size_t n = 0;
 	double v[4];
 
-	for (*points = 0; n < POINTS_BLOCK && c->text < c->end; c->line++) {
+	for (*points = 0; n < POINTS_BLOCK && c->text < c->end; c->lines++) {
 		const char *newline = memchr(c->text, '\n',
 		    (size_t)(c->end - c->text));
 		struct record *r = &c->records[n];
@@ -103,7 +106,7 @@ static size_t read_binary(struct job *j, struct chunk *c, size_t *points)
 			c->in[i][n] = (double)narrow;
 		}
 	*points = n;
-	c->line += n;
+	c->lines += n;
 	return n;
 }
 
@@ -247,9 +250,9 @@ void chunk_do(struct job *j, struct chunk *c)
 	size_t size = point_size(&j->layout, j->layout.in);
 	bool lines = !is_binary(j->layout.in);
 
-	c->size = c->messages_size = c->imageless = 0;
+	c->size = c->n_complaints = c->imageless = c->lines = 0;
 	while (c->text < c->end) {
-		size_t points, p = 0, first = c->line;
+		size_t points, p = 0, first = c->lines;
 		const char *text = c->text;
 		size_t n = lines ? read_lines(j, c, &points) :
 				   read_binary(j, c, &points);

@@ -1,5 +1,6 @@
 /* A piece of a source and what becomes of it. Chunks depend on nothing but
- * themselves, so that threads can share them out. */
+ * themselves, so that threads can share them out; lines are counted from 0 in
+ * each. */
 #ifndef CHUNK_H
 #define CHUNK_H
 
@@ -26,21 +27,29 @@ struct job {
 	 * flush prints what there is, before a bad line ends the program too. */
 	void (*take)(const struct job *, struct chunk *, const struct record *,
 	    size_t p, size_t line);
-	void (*collect)(const struct job *, const struct chunk *);
+	void (*collect)(const struct job *, const struct chunk *,
+	    size_t first_line);
 	void (*flush)(const struct job *);
 	void *with; /* what they share */
+};
+
+/* A bad line, counted from 0 in its chunk. */
+struct complaint {
+	size_t line;
+	char reason[REASON_MAX];
 };
 
 struct chunk {
 	const char *name; /* of the source */
 	const char *text, *end;
-	size_t line;       /* number of the first line or point, from 1 */
+	size_t lines;      /* read so far; points where they are binary */
+	bool first;        /* of its source */
 	bool header;       /* a csv header may still come */
 
 	char *out;
 	size_t size, room;
-	char *messages; /* of bad lines */
-	size_t messages_size;
+	struct complaint *complaints;
+	size_t n_complaints;
 	size_t imageless, first_imageless;
 
 	struct record records[POINTS_BLOCK];

@@ -1,6 +1,11 @@
 /* HEAD */
 #include "number.h"
 
+/* The libraries' assertions are for their own tests; each number would pay. */
+#ifndef NDEBUG
+#define NDEBUG
+#endif
+
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -111,42 +116,44 @@ const char *number_read(const char *s, const char *end, double *v)
 	return read_any(s, end, v);
 }
 
-static const char two_digits[] =
-	"0001020304050607080910111213141516171819"
-	"2021222324252627282930313233343536373839"
-	"4041424344454647484950515253545556575859"
-	"6061626364656667686970717273747576777879"
-	"8081828384858687888990919293949596979899";
+struct triples {
+	char text[1000][4];
 
-/* Two digits before the point of p, which has 32 bits behind it; returns what
- * is behind it a hundredfold. */
-static inline uint64_t write_two(char *s, uint64_t p)
+	constexpr triples() : text()
+	{
+		for (int i = 0; i < 1000; i++) {
+			text[i][0] = char('0' + i / 100);
+			text[i][1] = char('0' + i / 10 % 10);
+			text[i][2] = char('0' + i % 10);
+		}
+	}
+};
+
+static constexpr triples triple;
+
+/* The three digits next behind the point of p, which has 54 bits there. */
+static inline uint64_t write_three(char *s, uint64_t p)
 {
-	memcpy(s, two_digits + (p >> 32) * 2, 2);
-	return (p & 0xffffffff) * 100;
+	p = (p & ((1ull << 54) - 1)) * 1000;
+	memcpy(s, triple.text[p >> 54], 4);
+	return p;
 }
 
-/* Eight digits of x < 10^8. The point is put after the first two; p is too big
- * by at most 2^-32, so that the three steps to the last two make that at most
- * 10^6 / 2^32 < 1. */
-static inline void write_eight(char *s, uint32_t x)
-{
-	uint64_t p = (uint64_t(x) << 32) / 1000000 + 1;
-
-	p = write_two(s, p);
-	p = write_two(s + 2, p);
-	p = write_two(s + 4, p);
-	write_two(s + 6, p);
-}
-
-/* The 17 digits of x < 10^17, and zeros for plain() to copy along. */
+/* The 17 digits of x < 10^17, and zeros for plain() to copy along. p is
+ * x / 10^15 by way of 2^113 / 10^15, rounded up: 54 bits behind the point and
+ * less than 1.2 * 2^-54 too big, so that the five steps to the last digit make
+ * that less than 1.2 * 10^15 / 2^54 < 1. */
 static inline void write_digits(char d[64], uint64_t x)
 {
-	uint32_t tail = uint32_t(x % 1000000000);
+	const uint64_t reciprocal = 10384593717069655258u;
+	uint64_t p = uint64_t((unsigned __int128)x * reciprocal >> 59) + 1;
 
-	write_eight(d, uint32_t(x / 1000000000));
-	write_eight(d + 8, tail / 10);
-	d[16] = char('0' + tail % 10);
+	memcpy(d, triple.text[p >> 54] + 1, 2);
+	p = write_three(d + 2, p);
+	p = write_three(d + 5, p);
+	p = write_three(d + 8, p);
+	p = write_three(d + 11, p);
+	write_three(d + 14, p);
 	memset(d + DIGITS, '0', 64 - DIGITS);
 }
 
@@ -199,16 +206,22 @@ static inline char *layout(char *s, const char *d, int n, int point)
 	return s + 2 - point + n;
 }
 
-/* Loops that end where dragonbox took its own turn: a branch well predicted,
- * where counting the digits would have to wait for them. */
-static inline char *shortest(char *s, uint64_t digits, int exponent)
+/* Brings the digits to 17 in a loop, for it ends as dragonbox branched just
+ * before, which is well predicted; to count them would be to wait for them. */
+template <class Float>
+[[gnu::flatten]] static char *write_shortest(char *s, Float v)
 {
+	using namespace jkj::dragonbox;
+	auto r = to_decimal(v, policy::sign::ignore,
+	    policy::trailing_zero::ignore);
+	uint64_t digits = r.significand;
+	int point = DIGITS + r.exponent;
 	char d[64];
 
 	for (; digits < power[DIGITS - 1]; digits *= 10)
-		exponent--;
+		point--;
 	write_digits(d, digits);
-	return layout<24>(s, d, DIGITS, DIGITS + exponent);
+	return layout<24>(s, d, DIGITS, point);
 }
 
 static uint64_t bits_of(double v)
@@ -299,16 +312,15 @@ static char *write_significant(char *s, double v, int n)
 	return layout<24>(s, d + DIGITS - n, n, exponent + 1);
 }
 
-char *number_write(char *s, double v, struct number_style style)
+template <class Float>
+static inline char *write_number(char *s, Float v, struct number_style style)
 {
-	using namespace jkj::dragonbox;
-
 	if (!std::isfinite(v)) {
 		memcpy(s, "nan", 3);
 		return s + 3;
 	}
 	if (style.kind == number_style::NUMBER_DECIMALS)
-		return write_decimals(s, v, style.n);
+		return write_decimals(s, double(v), style.n);
 	if (v == 0) {
 		*s = '0';
 		return s + 1;
@@ -316,22 +328,16 @@ char *number_write(char *s, double v, struct number_style style)
 	*s = '-';
 	s += v < 0;
 	if (style.kind == number_style::NUMBER_DIGITS)
-		return write_significant(s, std::fabs(v), style.n);
-	auto r = to_decimal(v, policy::sign::ignore,
-	    policy::trailing_zero::ignore);
-	return shortest(s, r.significand, r.exponent);
+		return write_significant(s, std::fabs(double(v)), style.n);
+	return write_shortest(s, v);
+}
+
+char *number_write(char *s, double v, struct number_style style)
+{
+	return write_number(s, v, style);
 }
 
 char *number_write_float(char *s, float v, struct number_style style)
 {
-	using namespace jkj::dragonbox;
-
-	if (!std::isfinite(v) || v == 0 ||
-	    style.kind != number_style::NUMBER_SHORTEST)
-		return number_write(s, double(v), style);
-	*s = '-';
-	s += v < 0;
-	auto r = to_decimal(v, policy::sign::ignore,
-	    policy::trailing_zero::ignore);
-	return shortest(s, r.significand * power[8], r.exponent - 8);
+	return write_number(s, v, style);
 }

@@ -59,7 +59,7 @@ static void take(const struct job *j, struct chunk *c, const struct record *r,
 	c->size += sizeof hit + hit.size;
 }
 
-static void collect(const struct job *j, const struct chunk *c)
+static void collect(const struct job *j, const struct chunk *c, size_t line)
 {
 	struct hits *h = j->with;
 
@@ -68,6 +68,7 @@ static void collect(const struct job *j, const struct chunk *c)
 
 		memcpy(&hit, c->out + i, sizeof hit);
 		hit.text = h->size;
+		hit.line += line;
 		if (h->n == h->room) {
 			h->room = 2 * h->room + 64;
 			h->hit = need(h->hit, h->room * sizeof hit);

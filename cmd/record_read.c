@@ -92,36 +92,40 @@ static bool in_range(int i, double v, char reason[REASON_MAX])
 	return false;
 }
 
-/* Default columns: the first fields, each read where it stands. */
+/* The first fields of text, each read where it stands. */
+static bool read_text(const struct layout *l, const char *s, const char *end,
+    struct record *r, double v[4], char reason[REASON_MAX])
+{
+	for (int i = 0; i < l->reads; i++) {
+		const char *stop = number_read(s, end, &v[i]);
+
+		if (stop == NULL || !ends_field(stop, end)) {
+			bad_field(l, i, split_field(l->in, s, end), reason);
+			return false;
+		}
+		if (!in_range(i, v[i], reason))
+			return false;
+		r->at[i] = (struct span){ s, stop };
+		s = text_next(stop, end);
+	}
+	return true;
+}
+
+/* The first fields of csv or JSON. */
 static bool read_first(const struct layout *l, const char *s, const char *end,
     struct record *r, double v[4], char reason[REASON_MAX])
 {
 	for (int i = 0; i < l->reads; i++) {
-		struct span f;
+		struct span whole = split_field(l->in, s, end);
 
-		if (l->in == FORMAT_TEXT) {
-			const char *stop = number_read(s, end, &v[i]);
-
-			f = stop != NULL && ends_field(stop, end) ?
-			    (struct span){ s, stop } : split_field(FORMAT_TEXT, s, end);
-			if (f.end != stop) {
-				bad_field(l, i, f, reason);
-				return false;
-			}
-		} else {
-			f = split_field(l->in, s, end);
-			struct span whole = f;
-
-			if (!field_number(l->in, &f, &v[i])) {
-				bad_field(l, i, whole, reason);
-				return false;
-			}
-			s = whole.end;
+		r->at[i] = whole;
+		if (!field_number(l->in, &r->at[i], &v[i])) {
+			bad_field(l, i, whole, reason);
+			return false;
 		}
 		if (!in_range(i, v[i], reason))
 			return false;
-		r->at[i] = f;
-		s = split_next(l->in, l->in == FORMAT_TEXT ? f.end : s, end);
+		s = split_next(l->in, whole.end, end);
 		if (s == NULL)
 			s = end;
 	}
@@ -243,7 +247,8 @@ void record_read(struct layout *l, struct span line, bool *header,
 	const char *s = skip_blanks(line.s, line.end);
 	bool ok;
 
-	*r = (struct record){ .kind = RECORD_COPY, .line = line };
+	r->kind = RECORD_COPY;
+	r->line = line;
 	if (s == line.end || *s == '#')
 		return;
 	if (l->in == FORMAT_CSV) {
@@ -263,8 +268,12 @@ void record_read(struct layout *l, struct span line, bool *header,
 		}
 		s++;
 	}
-	ok = l->columns.n > 0 ? read_columns(l, s, line.end, r, v, reason) :
-				read_first(l, s, line.end, r, v, reason);
+	if (l->columns.n > 0)
+		ok = read_columns(l, s, line.end, r, v, reason);
+	else if (l->in == FORMAT_TEXT)
+		ok = read_text(l, s, line.end, r, v, reason);
+	else
+		ok = read_first(l, s, line.end, r, v, reason);
 	if (ok && l->in == FORMAT_JSON && !json_closed(s, line.end)) {
 		snprintf(reason, REASON_MAX, "the array does not end with the "
 		    "line; one array a line: jq -c '.points[]'");

@@ -15,7 +15,10 @@ static char *put(char *out, const char *s, const char *end)
 {
 	size_t n = (size_t)(end - s);
 
-	memcpy(out, s, n);
+	if (n == 1) /* the usual separator */
+		*out = *s;
+	else
+		memcpy(out, s, n);
 	return out + n;
 }
 
@@ -68,14 +71,9 @@ static struct span separator(const struct layout *l, const struct record *r)
 	return s;
 }
 
-/* The same format out as in: coordinates are replaced where they stand. One
- * that is not written goes with the separator before it. */
-static char *splice(const struct layout *l, const struct record *r,
-    const double v[], const char *flags, char *out)
+/* The coordinates in the order in which they stand in the line. */
+static void sort(const struct record *r, int n, int sorted[4])
 {
-	int sorted[4], n = l->reads, last = n - 1;
-	const char *s = r->line.s;
-
 	for (int i = 0; i < n; i++) {
 		int k = i;
 
@@ -83,25 +81,34 @@ static char *splice(const struct layout *l, const struct record *r,
 			sorted[k] = sorted[k - 1];
 		sorted[k] = i;
 	}
+}
+
+/* The same format out as in: coordinates are replaced where they stand. One
+ * that is not written goes with the separator before it. */
+static char *splice(const struct layout *l, const struct record *r,
+    const double v[], const char *flags, char *out)
+{
+	int sorted[4] = { 0, 1, 2, 3 }, n = l->reads, last = n - 1;
+	const char *s = r->line.s;
+
+	if (l->columns.n > 0)
+		sort(r, n, sorted);
 	for (int k = 0; k < n; k++) {
 		int i = sorted[k];
-		struct span at = r->at[i];
+		const char *at = r->at[i].s;
 
-		if (i >= l->writes) {
-			while (at.s > s && (is_blank(at.s[-1]) ||
-			    at.s[-1] == ','))
-				at.s--;
-			out = put(out, s, at.s);
-		} else {
-			out = put(out, s, at.s);
+		while (i >= l->writes && at > s &&
+		    (is_blank(at[-1]) || at[-1] == ','))
+			at--;
+		out = put(out, s, at);
+		if (i < l->writes)
 			out = put_number(l, v[i], out);
-		}
-		s = at.end;
-		if (l->in == FORMAT_CSV && s < r->line.end && *s == '"' &&
-		    i == last)
+		s = r->at[i].end;
+		if (i != last || (l->writes <= n && flags == NULL))
+			continue;
+		if (l->in == FORMAT_CSV && s < r->line.end && *s == '"')
 			*out++ = *s++;
-		if (i == last)
-			out = put_more(l, n, v, flags, separator(l, r), out);
+		out = put_more(l, n, v, flags, separator(l, r), out);
 	}
 	return put(out, s, r->line.end);
 }

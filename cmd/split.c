@@ -1,22 +1,5 @@
 #include "split.h"
 
-bool is_blank(char c)
-{
-	return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
-}
-
-const char *skip_blanks(const char *s, const char *end)
-{
-	while (s < end && is_blank(*s))
-		s++;
-	return s;
-}
-
-bool ends_field(const char *s, const char *end)
-{
-	return s == end || is_blank(*s) || *s == ',';
-}
-
 /* A field of text: up to a blank or comma. */
 static struct span text_field(const char *s, const char *end)
 {
@@ -25,15 +8,6 @@ static struct span text_field(const char *s, const char *end)
 	while (!ends_field(f.end, end))
 		f.end++;
 	return f;
-}
-
-/* Past the separator: blanks with at most one comma. */
-const char *text_next(const char *s, const char *end)
-{
-	s = skip_blanks(s, end);
-	if (s < end && *s == ',')
-		s = skip_blanks(s + 1, end);
-	return s;
 }
 
 /* A field of csv: quotes hide commas; "" is a quote. */

@@ -11,14 +11,32 @@ struct span {
 	const char *s, *end;
 };
 
-bool is_blank(char c);
-const char *skip_blanks(const char *s, const char *end);
+static inline bool is_blank(char c)
+{
+	return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n');
+}
+
+static inline const char *skip_blanks(const char *s, const char *end)
+{
+	while (s < end && is_blank(*s))
+		s++;
+	return s;
+}
 
 /* Whether a number of text may end at s. */
-bool ends_field(const char *s, const char *end);
+static inline bool ends_field(const char *s, const char *end)
+{
+	return s == end || is_blank(*s) || *s == ',';
+}
 
 /* Past the separator of text at s: blanks with at most one comma. */
-const char *text_next(const char *s, const char *end);
+static inline const char *text_next(const char *s, const char *end)
+{
+	s = skip_blanks(s, end);
+	if (s < end && *s == ',')
+		s = skip_blanks(s + 1, end);
+	return s;
+}
 
 /* The field that begins at s; with its quotes in csv and JSON. */
 struct span split_field(enum format, const char *s, const char *end);

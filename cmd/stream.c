@@ -45,29 +45,37 @@ static size_t imageless;
 static char first_imageless[300];
 static bool bad;
 
-/* Results first, then what was wrong with the line after them. */
+/* Results first, then what was wrong with the line after them. Chunks come
+ * here in order, and their lines are counted on. */
 static void finish(const struct job *j, const struct chunk *c)
 {
+	static size_t line;
+
+	if (c->first)
+		line = 1;
 	if (j->collect != NULL)
-		j->collect(j, c);
+		j->collect(j, c, line);
 	else
 		put_all(c->out, c->size);
 	if (j->count_imageless && c->imageless > 0) {
 		if (imageless == 0)
 			snprintf(first_imageless, sizeof first_imageless,
-			    "%.250s:%zu", c->name, c->first_imageless);
+			    "%.250s:%zu", c->name, line + c->first_imageless);
 		imageless += c->imageless;
 	}
-	if (c->messages_size == 0)
-		return;
-	bad = true;
-	if (!j->keep_going && j->flush != NULL)
+	bool stop = c->n_complaints > 0 && !j->keep_going;
+
+	if (stop && j->flush != NULL)
 		j->flush(j);
-	fwrite(c->messages, 1, c->messages_size, stderr);
-	if (!j->keep_going) {
+	for (size_t i = 0; i < c->n_complaints; i++)
+		fprintf(stderr, "projcalc: %s:%zu: %s\n", c->name,
+		    line + c->complaints[i].line, c->complaints[i].reason);
+	bad |= c->n_complaints > 0;
+	if (stop) {
 		close_output();
 		_exit(EXIT_INPUT);
 	}
+	line += c->lines;
 }
 
 static void *work(void *unused)
@@ -180,8 +188,8 @@ static bool fill(const struct job *j, const char *name, int fd,
 				return false;
 			if (s->room >= LINE_MAX_BYTES) {
 				wait_for(0);
-				die(EXIT_INPUT, "%s:%zu: a line of more than "
-				    "64 MiB", name, s->chunk->line);
+				die(EXIT_INPUT, "%s: a line of more than 64 "
+				    "MiB", name);
 			}
 			s->text = need(s->text, s->room *= 2);
 		}
@@ -196,23 +204,11 @@ static bool fill(const struct job *j, const char *name, int fd,
 	}
 }
 
-static size_t count_lines(const struct job *j, const char *s, const char *end)
-{
-	size_t n = 0;
-
-	if (is_binary(j->layout.in))
-		return (size_t)(end - s) / point_size(&j->layout,
-		    j->layout.in);
-	for (; s < end; s++)
-		n += *s == '\n';
-	return n;
-}
-
 /* The first chunk of a source is done here: it may hold a header, and may be
  * all there is. */
-static void hand_over(struct job *j, struct chunk *c, bool first)
+static void hand_over(struct job *j, struct chunk *c)
 {
-	bool here = first || j->threads < 2;
+	bool here = c->first || j->threads < 2;
 
 	if (here) {
 		chunk_do(j, c);
@@ -250,18 +246,16 @@ static struct slot *next_slot(const struct slot *s, const char *end)
 
 void stream_file(struct job *j, const char *name, int fd)
 {
-	bool ended = false, header = true;
-	size_t line = 1;
+	bool ended = false, header = true, first = true;
 
 	make_ring(j);
 	struct slot *s = slot_of(ring.fill), *next;
 
 	for (s->have = 0; !ended; s = next) {
 		struct chunk *c = s->chunk;
-		bool first = line == 1;
 
 		c->name = name;
-		c->line = line;
+		c->first = first;
 		c->header = header;
 		ended = fill(j, name, fd, s);
 		c->text = s->text;
@@ -269,15 +263,14 @@ void stream_file(struct job *j, const char *name, int fd)
 		if (ended && !is_binary(j->layout.in))
 			c->end = s->text + s->have;
 		next = next_slot(s, c->end);
-		line += count_lines(j, c->text, c->end);
-		hand_over(j, c, first);
-		header = c->header && first;
+		hand_over(j, c);
+		header = first && c->header;
+		first = false;
 	}
 	wait_for(0);
 	if (s->have > 0)
-		die(EXIT_INPUT, "%s: ends within point %zu; a point is %zu "
-		    "bytes", name, line, point_size(&j->layout,
-		    j->layout.in));
+		die(EXIT_INPUT, "%s: ends within a point; a point is %zu "
+		    "bytes", name, point_size(&j->layout, j->layout.in));
 }
 
 void stream_text(struct job *j, const char *name, const char *text,
@@ -286,9 +279,9 @@ void stream_text(struct job *j, const char *name, const char *text,
 	struct chunk *c = chunk_new();
 
 	c->name = name;
+	c->first = true;
 	c->text = text;
 	c->end = text + size;
-	c->line = 1;
 	chunk_do(j, c);
 	finish(j, c);
 	chunk_free(c);
