@@ -13,8 +13,8 @@ CXXFLAGS = $(CFLAGS)
 LDFLAGS =
 
 # The same bytes from every compiler: no fused multiply-add that isn't written.
-FLAGS = -ffp-contract=off -pthread -MMD -MP -Wall -Wextra -Wshadow -Wconversion \
-	-Wdouble-promotion -Wvla $(if $(WERROR),-Werror)
+FLAGS = -ffp-contract=off -pthread -MMD -MP -Wall -Wextra -Wshadow \
+	-Wconversion -Wdouble-promotion -Wvla $(if $(WERROR),-Werror)
 C_FLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L -Wstrict-prototypes
 # Debian keeps dragonbox in a directory that is named after its version.
 CXX_FLAGS = -std=c++17 -fno-exceptions -fno-rtti \
@@ -33,7 +33,6 @@ TRUTH = $(patsubst %.c,$(BUILD)/%.o,$(TRUTHS))
 CORE_TESTS = $(patsubst %.c,$(BUILD)/%,$(wildcard core/*_test.c))
 CMD_TESTS = $(patsubst %.c,$(BUILD)/%,$(wildcard cmd/*_test.c))
 TESTS = $(CORE_TESTS) $(CMD_TESTS)
-SCRIPTS = $(wildcard cmd/*.sh cmd/*.awk)
 
 JOBS = $(shell nproc 2>/dev/null || echo 2)
 # As many jobs as there are cores, unless the caller has said how many.
@@ -57,7 +56,7 @@ $(BUILD)/%.o: %.cc | $(FIRST)
 	$(CXX) $(CXX_FLAGS) $(CXXFLAGS) $(FLAGS) $(CPPFLAGS) -c -o $@ $<
 
 # The copies of the inner loops for each x86-64, chosen when the program runs.
-ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine)),)
+ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),)
 $(BUILD)/core/kernels_avx2.o: TARGET = -mavx2 -mfma
 $(BUILD)/core/kernels_avx512.o: TARGET = -mavx512f -mfma
 endif
@@ -85,12 +84,14 @@ test: | $(FIRST)
 golden: all
 	perl cmd/golden_test.t -w
 
+# What is uninitialized the compilers know better than cppcheck.
 lint:
 	mandoc -T lint -W warning man/*.1
 	clang-format --dry-run -Werror $(wildcard core/*.[ch] cmd/*.[ch] cmd/*.cc)
 	shellcheck .ci/run $(wildcard cmd/*.sh)
 	cppcheck --quiet --error-exitcode=1 --std=c11 --inline-suppr \
-	    --enable=warning,performance,portability core cmd
+	    --enable=warning,performance,portability --suppress=uninitvar \
+	    core cmd
 
 install: all
 	install -d $(DESTDIR)$(BINDIR) $(DESTDIR)$(MANDIR)/man1
@@ -106,7 +107,7 @@ clean:
 # Debian packages: what the program is made of, what its tests want beside it,
 # what `make lint` runs.
 DEPS = g++ make libc6-dev libcjson-dev libfast-float-dev libdragonbox-dev \
-	clang libcmocka-dev libgmp-dev libmpfr-dev mandoc perl \
+	clang jq libcmocka-dev libgmp-dev libmpfr-dev mandoc perl \
 	clang-format cppcheck shellcheck
 
 # Installs the packages that are missing, and only then touches the network.
@@ -129,7 +130,7 @@ deps:
 	sudo=; \
 	[ "$$(id -u)" = 0 ] || sudo=sudo; \
 	$$sudo apt-get -qq update && \
-	DEBIAN_FRONTEND=noninteractive $$sudo apt-get -qq -y \
+	$$sudo env DEBIAN_FRONTEND=noninteractive apt-get -qq -y \
 	    --no-install-recommends install $$missing
 
 help:

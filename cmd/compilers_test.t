@@ -28,5 +28,5 @@ for my $cc (sort keys %compilers) {
 	my $said = `make -sj2 programs BUILD=$build CC=$cc CXX=$cxx WERROR=1 2>&1`;
 	check($? == 0, "build with $cc", $said);
 	$said = `$^X cmd/golden_test.t $build 2>&1`;
-	check($? == 0, "golden cases with $cc", $said);
+	check($? == 0, "golden cases with $cc", $said =~ s/^ok .*\n//mgr);
 }

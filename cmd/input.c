@@ -63,43 +63,12 @@ static char *read_whole(const char *name, size_t *size)
 	return text;
 }
 
-void read_document(const struct command *c, const struct options *o,
-    int coordinates, struct document *d)
-{
-	struct json_wants wants = {
-		.bare = c->bare,
-		.needed = c->needed,
-		.projection = c->projection,
-		.convention = o->convention,
-		.coordinates = coordinates,
-	};
-	const char *name = o->params;
-	char *text;
-	size_t size;
-
-	if (first_of(o->params) == '{') {
-		name = "PARAMS";
-		size = strlen(o->params);
-		text = need(NULL, size + 1);
-		memcpy(text, o->params, size);
-	} else {
-		text = read_whole(name, &size);
-	}
-	json_read(d, name, text, size, &wants);
-	free(text);
-}
-
-bool has_points(const struct options *o, const struct document *d)
-{
-	return o->n_points > 0 || d->points != NULL;
-}
-
 /* Every operand can be opened before anything is printed. */
 static void check_operands(const struct options *o)
 {
 	int from_stdin = is_stdin(o->params);
 
-	for (int i = 0; i < o->n_points; i++) {
+	for (int i = 0; i < o->n_points && !o->matrix; i++) {
 		const char *name = o->points[i];
 
 		if (is_stdin(name) && from_stdin++)
@@ -118,6 +87,39 @@ static void check_operands(const struct options *o)
 			    "'[0,0,0]'", name, strerror(errno));
 		die(EXIT_USAGE, "%s: %s", name, strerror(errno));
 	}
+}
+
+void read_document(const struct command *c, const struct options *o,
+    int coordinates, struct document *d)
+{
+	struct json_wants wants = {
+		.bare = c->bare,
+		.needed = c->needed,
+		.projection = c->projection,
+		.convention = o->convention,
+		/* operands replace the member */
+		.coordinates = o->matrix || o->n_points > 0 ? 0 : coordinates,
+	};
+	const char *name = o->params;
+	char *text;
+	size_t size;
+
+	check_operands(o);
+	if (first_of(o->params) == '{') {
+		name = "PARAMS";
+		size = strlen(o->params);
+		text = need(NULL, size + 1);
+		memcpy(text, o->params, size);
+	} else {
+		text = read_whole(name, &size);
+	}
+	json_read(d, name, text, size, &wants);
+	free(text);
+}
+
+bool has_points(const struct options *o, const struct document *d)
+{
+	return o->n_points > 0 || d->points != NULL;
 }
 
 void stream_options(struct job *j, const struct options *o)
@@ -139,6 +141,11 @@ void stream_options(struct job *j, const struct options *o)
 	if (!points_choose(cpu))
 		die(EXIT_USAGE, "PROJCALC_CPU=%s: not a processor that this is; "
 		    "it is one of baseline, avx2 and avx512", cpu);
+	for (int i = 0; i < o->columns.n; i++)
+		if (o->columns.name[i] != NULL && o->in != FORMAT_CSV)
+			die(EXIT_USAGE, "--columns: '%s' is a name, and names "
+			    "are for -i csv; write numbers: 2,3,4",
+			    o->columns.name[i]);
 	if (o->columns.n > 0 && o->columns.n != j->layout.reads)
 		die(EXIT_USAGE, "--columns: %d fields; %d coordinates are "
 		    "read here", o->columns.n, j->layout.reads);
@@ -189,8 +196,6 @@ void stream_points(const struct options *o, const struct document *d,
 		stream_json(j, d->name, d->points, d->points_size);
 	else if (o->n_points == 0)
 		stream_operand(j, "-");
-	else
-		check_operands(o);
 	for (int i = 0; i < o->n_points; i++)
 		stream_operand(j, o->points[i]);
 }

@@ -251,6 +251,11 @@ static struct columns read_columns(char *list)
 			    1000000) - 1;
 		else
 			c.name[c.n] = word;
+		for (int i = 0; i < c.n; i++)
+			if (c.name[i] == NULL && c.name[c.n] == NULL &&
+			    c.field[i] == c.field[c.n])
+				die(EXIT_USAGE, "--columns: field %d stands "
+				    "twice", c.field[i] + 1);
 		word = comma;
 	}
 	return c;

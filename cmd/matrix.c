@@ -17,7 +17,9 @@ static void put_text(struct printer *p, const char *s)
 
 static void put_element(struct printer *p, double v)
 {
-	p->at = number_write(p->at, v, p->o->style);
+	p->at = p->o->effort.precision == PRECISION_SINGLE ?
+	    number_write_float(p->at, (float)v, p->o->style) :
+	    number_write(p->at, v, p->o->style);
 }
 
 /* Rows as the convention prints them. */
@@ -38,6 +40,20 @@ static void print_rows(struct printer *p, double m[4][4], int n)
 	}
 }
 
+/* Row vectors row by row or column vectors column by column: the same. */
+static void print_binary(const struct printer *p, double m[4][4], int n)
+{
+	for (int i = 0; i < n * n; i++) {
+		double v = m[i / n][i % n];
+		float narrow = (float)v;
+
+		if (p->o->out == FORMAT_F64)
+			put_all((const char *)&v, sizeof v);
+		else
+			put_all((const char *)&narrow, sizeof narrow);
+	}
+}
+
 void print_matrix(const struct options *o, const struct convention *c,
     const struct map *map, bool flat)
 {
@@ -51,9 +67,15 @@ void print_matrix(const struct options *o, const struct convention *c,
 		for (int j = 0; j < n; j++) {
 			int row = pick[i] == 3 ? AT_ZERO : pick[i];
 
-			m[c->column ? j : i][c->column ? i : j] =
+			bool turned = c->column && !is_binary(o->out);
+
+			m[turned ? j : i][turned ? i : j] =
 			    map->m[row][pick[j]].hi;
 		}
+	if (is_binary(o->out)) {
+		print_binary(&p, m, n);
+		return;
+	}
 	if (o->out == FORMAT_JSON)
 		put_text(&p, "{\"matrix\":");
 	print_rows(&p, m, n);
@@ -70,6 +92,7 @@ int run_matrix(const struct command *c, const struct options *o)
 	struct transform *t = &j.transform;
 
 	read_document(c, o, c->flat ? 2 : 3, &d);
+
 	bool points = !o->matrix && has_points(o, &d);
 	int to = points ? c->points_to : c->to;
 	const char *why = c->flat ?

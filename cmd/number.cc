@@ -18,14 +18,11 @@
 /* Digits that a buffer holds on the fast paths; no shortest text has more. */
 enum { DIGITS = 17 };
 
-static const uint64_t power[] = {
-	1ull, 10ull, 100ull, 1000ull, 10000ull, 100000ull, 1000000ull,
-	10000000ull, 100000000ull, 1000000000ull, 10000000000ull,
-	100000000000ull, 1000000000000ull, 10000000000000ull,
-	100000000000000ull, 1000000000000000ull, 10000000000000000ull,
-	100000000000000000ull, 1000000000000000000ull,
-	10000000000000000000ull,
-};
+static const uint64_t power[] = { 1, 10, 100, 1000, 10000, 100000, 1000000,
+	10000000, 100000000, 1000000000, 10000000000, 100000000000,
+	1000000000000, 10000000000000, 100000000000000, 1000000000000000,
+	10000000000000000, 100000000000000000, 1000000000000000000,
+	10000000000000000000u };
 
 /* Powers of ten that carry the sign, so that no branch has to guess it. */
 static const double signed_power[2][8] = {
@@ -106,13 +103,9 @@ static const char *read_any(const char *s, const char *end, double *v)
 
 const char *number_read(const char *s, const char *end, double *v)
 {
-	const char *p;
-
-	if (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ && end - s >= 17) {
-		p = read_short(s, v);
-		if (p)
+	if (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ && end - s >= 17)
+		if (const char *p = read_short(s, v))
 			return p;
-	}
 	return read_any(s, end, v);
 }
 
@@ -218,6 +211,10 @@ template <class Float>
 	int point = DIGITS + r.exponent;
 	char d[64];
 
+	if (sizeof v == sizeof(float)) { /* never more than 9 digits */
+		digits *= power[8];
+		point -= 8;
+	}
 	for (; digits < power[DIGITS - 1]; digits *= 10)
 		point--;
 	write_digits(d, digits);

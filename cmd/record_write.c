@@ -158,7 +158,11 @@ static char *convert(const struct layout *l, const struct record *r,
 	s = skip_blanks(s, r->line.end);
 	if (l->in == FORMAT_JSON)
 		s++;
-	while (r->kind == RECORD_POINT && s != NULL) {
+	/* what a bad line or a binary point holds is not fields */
+	if (r->kind == RECORD_BAD || l->in == FORMAT_F64 ||
+	    l->in == FORMAT_F32)
+		s = NULL;
+	while (s != NULL) {
 		struct span f = split_field(l->in, s, r->line.end);
 
 		if (f.s < f.end && !is_coordinate(l, r, f)) {

@@ -50,9 +50,16 @@ static bool bad;
 static void finish(const struct job *j, const struct chunk *c)
 {
 	static size_t line;
+	static bool unended; /* a last line without its newline */
 
 	if (c->first)
 		line = 1;
+	if (c->size > 0 && j->collect == NULL) {
+		if (c->first && unended)
+			put_all("\n", 1);
+		unended = !is_binary(j->layout.out) &&
+		    c->out[c->size - 1] != '\n';
+	}
 	if (j->collect != NULL)
 		j->collect(j, c, line);
 	else

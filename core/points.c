@@ -125,13 +125,13 @@ static double kappa_of(struct sum s)
 	return s.value.hi == 0 ? 1 : s.size / fabs(s.value.hi);
 }
 
-/* Relative to the map's origin and scaled to about 1, so that no product
- * overflows whose quotient does not. Returns the scale. */
+/* Relative to the map's origin, and scaled down where it is large, so that no
+ * product overflows whose quotient does not. Returns the scale. */
 static double relative(const struct transform *t, const double in[4],
     dd p[4])
 {
 	double largest = 1;
-	int e;
+	int e = 0;
 
 	for (int i = 0; i < 3; i++) {
 		p[i] = i < t->in ? two_sum(in[i], -t->map.origin[i]) :
@@ -140,8 +140,9 @@ static double relative(const struct transform *t, const double in[4],
 	}
 	p[3] = (dd){ t->in == 4 && !t->reciprocal ? in[3] : 1, 0 };
 	largest = fmax(largest, fabs(p[3].hi));
-	frexp(largest, &e);
-	for (int i = 0; i < 4; i++)
+	if (largest > 0x1p400)
+		frexp(largest, &e);
+	for (int i = 0; i < 4 && e > 0; i++)
 		p[i] = dd_scale(p[i], ldexp(1, -e));
 	return ldexp(1, e);
 }
