@@ -60,7 +60,7 @@ ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),)
 $(BUILD)/core/kernels_avx2.o: TARGET = -mavx2 -mfma
 $(BUILD)/core/kernels_avx512.o: TARGET = -mavx512f -mfma
 endif
-$(filter %/points.o $(BUILD)/core/kernels_%,$(OBJECTS)): TARGET += -O3
+$(filter %/chunk.o %/points.o $(BUILD)/core/kernels_%,$(OBJECTS)): TARGET += -O3
 
 $(CORE_TESTS): $(BUILD)/%: $(BUILD)/%.o $(CORE) $(TRUTH)
 	$(LINK) -o $@ $^ -lcmocka -lmpfr -lgmp -lm

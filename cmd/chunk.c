@@ -1,5 +1,6 @@
 #include "chunk.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -88,25 +89,42 @@ static size_t read_lines(struct job *j, struct chunk *c, size_t *points)
 	return n;
 }
 
-/* The same for binary points; the machine is little-endian, as they are. */
-static size_t read_binary(struct job *j, struct chunk *c, size_t *points)
+/* The machine is little-endian, as the numbers are. */
+static inline void unpack(struct chunk *c, size_t n, size_t reads, bool wide)
 {
-	size_t size = point_size(&j->layout, j->layout.in), n = 0;
-	bool wide = j->layout.in == FORMAT_F64;
+	const char *restrict text = c->text;
 
-	for (; n < POINTS_BLOCK && c->text < c->end; n++, c->text += size)
-		for (int i = 0; i < j->layout.reads; i++) {
+	for (size_t i = 0; i < n; i++)
+		for (size_t k = 0; k < reads; k++) {
 			float narrow;
 
 			if (wide) {
-				memcpy(&c->in[i][n], c->text + 8 * i, 8);
+				memcpy(&c->in[k][i],
+				    text + 8 * (reads * i + k), 8);
 				continue;
 			}
-			memcpy(&narrow, c->text + 4 * i, 4);
-			c->in[i][n] = (double)narrow;
+			memcpy(&narrow, text + 4 * (reads * i + k), 4);
+			c->in[k][i] = (double)narrow;
 		}
-	*points = n;
+}
+
+/* The same for binary points. */
+static size_t read_binary(struct job *j, struct chunk *c, size_t *points)
+{
+	size_t size = point_size(&j->layout, j->layout.in);
+	size_t n = (size_t)(c->end - c->text) / size;
+	size_t reads = (size_t)j->layout.reads;
+	bool wide = j->layout.in == FORMAT_F64;
+
+	if (n > POINTS_BLOCK)
+		n = POINTS_BLOCK;
+	if (wide && reads == 3) /* unrolled */
+		unpack(c, n, 3, true);
+	else
+		unpack(c, n, reads, wide);
+	c->text += n * size;
 	c->lines += n;
+	*points = n;
 	return n;
 }
 
@@ -192,23 +210,68 @@ static void write_binary(const struct job *j, struct chunk *c,
 	    (j->layout.out == FORMAT_F64 ? 8 : 4);
 }
 
+/* What has no image is nan throughout, also where it is infinite. */
+static void mark_imageless(const struct job *j, struct chunk *c, size_t p,
+    size_t line)
+{
+	bool nan = false;
+
+	for (int k = 0; k < j->layout.writes; k++)
+		if (!isfinite(c->image[k][p])) {
+			c->image[k][p] = (double)NAN;
+			nan = true;
+		}
+	if (nan && c->imageless++ == 0)
+		c->first_imageless = line;
+}
+
+static inline void pack(const struct chunk *c, char *restrict at, size_t n,
+    size_t writes)
+{
+	for (size_t i = 0; i < n; i++)
+		for (size_t k = 0; k < writes; k++)
+			memcpy(at + 8 * (writes * i + k), &c->image[k][i], 8);
+}
+
+static bool all_finite(const struct chunk *c, size_t n, size_t writes)
+{
+	int bad = 0;
+
+	for (size_t k = 0; k < writes; k++)
+		for (size_t i = 0; i < n; i++)
+			bad |= !(fabs(c->image[k][i]) <= DBL_MAX);
+	return !bad;
+}
+
+/* A whole block, where each point of it is written and nothing else is. */
+static void write_block(const struct job *j, struct chunk *c, size_t n,
+    size_t first)
+{
+	size_t writes = (size_t)j->layout.writes;
+	char *at = chunk_reserve(c, 8 * writes * n);
+
+	if (!all_finite(c, n, writes))
+		for (size_t i = 0; i < n; i++)
+			mark_imageless(j, c, i, first + i);
+	if (writes == 3) /* unrolled */
+		pack(c, at, n, 3);
+	else
+		pack(c, at, n, writes);
+	c->size += 8 * writes * n;
+}
+
 /* Point p, which stood in r. */
 static void write_point(const struct job *j, struct chunk *c,
     const struct record *r, size_t p, size_t line)
 {
 	double v[COORDINATES_MAX];
 	char word[WORD_MAX];
-	bool hidden, nan = false;
+	bool hidden;
 	const char *flags = judge(j, c, p, word, &hidden);
 
-	for (int k = 0; k < j->layout.writes; k++) {
+	mark_imageless(j, c, p, line);
+	for (int k = 0; k < j->layout.writes; k++)
 		v[k] = c->image[k][p];
-		if (!isfinite(v[k]))
-			v[k] = (double)NAN;
-		nan |= isnan(v[k]);
-	}
-	if (nan && c->imageless++ == 0)
-		c->first_imageless = line;
 	if (hidden)
 		return;
 	if (is_binary(j->layout.out)) {
@@ -249,6 +312,8 @@ void chunk_do(struct job *j, struct chunk *c)
 	struct record binary = { .kind = RECORD_POINT, .newline = true };
 	size_t size = point_size(&j->layout, j->layout.in);
 	bool lines = !is_binary(j->layout.in);
+	bool blocks = !lines && j->layout.out == FORMAT_F64 &&
+	    j->take == NULL && !j->visible;
 
 	c->size = c->n_complaints = c->imageless = c->lines = 0;
 	while (c->text < c->end) {
@@ -258,6 +323,10 @@ void chunk_do(struct job *j, struct chunk *c)
 				   read_binary(j, c, &points);
 
 		carry(j, c, points);
+		if (blocks) {
+			write_block(j, c, n, first);
+			continue;
+		}
 		for (size_t i = 0; i < n; i++) {
 			const struct record *r = lines ? &c->records[i] :
 							 &binary;
