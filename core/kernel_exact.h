@@ -23,7 +23,8 @@ static inline vdd v_fast_two_sum(V a, V b)
 }
 
 /* A coordinate's product in hi, its error and low parts in lo: |lo| <= 3 u
- * |hi|, within 6 u^2 |hi|. */
+ * |hi|. The chain rounds 2 u |hi| and 3 u |hi|, and p.lo b is left out: within
+ * 6 u^2 |hi|. */
 static inline vdd product(const struct lanes *m, int i, int j, vdd p)
 {
 	V a = ALL(m->hi[i][j]), b = ALL(m->lo[i][j]);
@@ -33,8 +34,9 @@ static inline vdd product(const struct lanes *m, int i, int j, vdd p)
 }
 
 /* Column j of the map: hi + lo with |lo| <= 5 u S, S the sum of the products'
- * sizes. The products lose 6 u^2 S, the sums of errors and low parts 3 + 2 + 5
- * + 5 u^2 S: 21 in all. */
+ * sizes. Let x and y have the part a of S. The products lose 6 u^2 S; x.lo +
+ * y.lo, s.lo + t.lo, z.lo to that, and both together round sums of at most 3
+ * a, 1 + a, 4 - 2 a and 4 + a u S. In all 15 + 3 a <= 18 u^2 S. */
 static inline vdd column(const struct lanes *m, int j, const vdd p[3],
     int terms, int image)
 {
@@ -60,16 +62,21 @@ static inline vdd column(const struct lanes *m, int j, const vdd p[3],
 	return (vdd){ s.hi, lo };
 }
 
-/* n / w, corrected by its residual. */
+/* n / w, corrected by its residual. Normalised, n.lo and w.lo are below u |n|
+ * and u |w|, the reciprocal and q carry u each. The residual's parts are below
+ * 2 u and 2 u |n| and lose 2 u^2 each, their sum 4 u^2, the reciprocal's error
+ * on that 4 u^2: the value that is rounded last is within 12 u^2. */
 static inline V quotient(vdd n, vdd w, V reciprocal)
 {
+	n = v_fast_two_sum(n.hi, n.lo);
 	V q = n.hi * reciprocal;
 	V r = FMA(-q, w.hi, n.hi) + FMA(-q, w.lo, n.lo);
 
 	return FMA(r, reciprocal, q);
 }
 
-/* a + b / w. */
+/* a + b / w: the quotient is within 12 u^2 as above, the sums of low parts
+ * round at most 5 u and 6 u (|a| + |b / w|): within 23 u^2 of that. */
 static inline V exact_third(const struct lanes *m, vdd w, V reciprocal, V *sure)
 {
 	V q = ALL(m->b_hi) * reciprocal;
@@ -82,7 +89,8 @@ static inline V exact_third(const struct lanes *m, vdd w, V reciprocal, V *sure)
 	return z;
 }
 
-/* How far a sum is from being lost in its error. */
+/* How far a sum is from being lost in its error, and hi from being less than
+ * lo. */
 static inline V surely(const struct lanes *m, int j, V value, V size)
 {
 	return value - FMA(ALL(m->doubt[j]), size, ALL(m->doubt_image[j]));
