@@ -325,6 +325,62 @@ static void whole_numbers_have_no_ghosts(void **state)
 	}
 }
 
+/* From model space to the device in one step, or in five with full digits in
+ * between: each step's rounding is one u of every product that it feeds, so
+ * the ways differ by at most 10 u kappa. The eye is at the origin, so that a
+ * world coordinate's rounding is one of its distance from the eye too. */
+static void ways_agree(void **state)
+{
+	static struct block one, five;
+	struct effort exact = { PRECISION_EXACT, 0 };
+	size_t compared = 0;
+
+	(void)state;
+	points_choose(NULL);
+	sample_seed(7);
+	for (int k = 0; k < 400; k++) {
+		struct scene s;
+		struct transform t, step;
+		int mark = real_mark();
+		struct truth truth = { 0 };
+
+		sample_scene(&s, 0);
+		s.has_viewport = true;
+		memset(s.camera.eye, 0, sizeof s.camera.eye);
+		if (scene_transform(&s, SPACE_MODEL, SPACE_DEVICE, false, &t))
+			continue;
+		sample_points(&s, SPACE_VIEW, &one, POINTS);
+		memcpy(&five, &one, sizeof five);
+		carry(&t, exact, &one, POINTS);
+		for (int from = SPACE_MODEL; from < SPACE_DEVICE; from++) {
+			assert_null(scene_transform(&s, (enum space)from,
+			    (enum space)(from + 1), false, &step));
+			carry(&step, exact, &five, POINTS);
+			memcpy(five.in, five.out, sizeof five.in);
+		}
+		truth_scene(&s, SPACE_MODEL, SPACE_DEVICE, &truth);
+		for (size_t i = 0; i < POINTS; i++) {
+			int point = real_mark();
+			real q[4], sum[4];
+			bool image = exact_image(&truth, &t, &one, i, q, sum);
+
+			for (int j = 0; image && j < 3; j++) {
+				double a = one.out[j][i], b = five.out[j][i];
+				double kappa = truth_kappa(q, sum, j, t.divide);
+
+				if (!(kappa < 0x1p40))
+					continue;
+				compared++;
+				assert_true(fabs(a - b) <=
+				    10 * 0x1p-53 * kappa * fabs(a));
+			}
+			real_release(point);
+		}
+		real_release(mark);
+	}
+	assert_true(compared > 5000);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -333,6 +389,7 @@ int main(void)
 		cmocka_unit_test(points_depend_on_nothing_else),
 		cmocka_unit_test(tolerance_is_kept),
 		cmocka_unit_test(whole_numbers_have_no_ghosts),
+		cmocka_unit_test(ways_agree),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
