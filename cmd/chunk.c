@@ -210,17 +210,21 @@ static void write_binary(const struct job *j, struct chunk *c,
 	    (j->layout.out == FORMAT_F64 ? 8 : 4);
 }
 
-/* What has no image is nan throughout, also where it is infinite. */
+/* What has no image is nan throughout, also where it is infinite, if only as
+ * the float that it is written as. */
 static void mark_imageless(const struct job *j, struct chunk *c, size_t p,
     size_t line)
 {
-	bool nan = false;
+	bool nan = false, narrow = j->layout.out == FORMAT_F32;
 
-	for (int k = 0; k < j->layout.writes; k++)
-		if (!isfinite(c->image[k][p])) {
+	for (int k = 0; k < j->layout.writes; k++) {
+		double v = c->image[k][p];
+
+		if (!isfinite(v) || (narrow && !isfinite((float)v))) {
 			c->image[k][p] = (double)NAN;
 			nan = true;
 		}
+	}
 	if (nan && c->imageless++ == 0)
 		c->first_imageless = line;
 }
@@ -307,6 +311,20 @@ static void write_other(const struct job *j, struct chunk *c,
 	    bad && j->flags ? "nan" : NULL, at) - at);
 }
 
+/* The source ends within a binary point. */
+static void cut_short(const struct job *j, struct chunk *c)
+{
+	struct record r = { .kind = RECORD_BAD, .newline = true };
+	char reason[REASON_MAX];
+
+	snprintf(reason, sizeof reason, "ends within a point; a point is %zu "
+	    "bytes", point_size(&j->layout, j->layout.in));
+	complain(c, reason);
+	r.line.s = r.line.end = c->text = c->end;
+	if (j->keep_going)
+		write_other(j, c, &r);
+}
+
 void chunk_do(struct job *j, struct chunk *c)
 {
 	struct record binary = { .kind = RECORD_POINT, .newline = true };
@@ -319,6 +337,11 @@ void chunk_do(struct job *j, struct chunk *c)
 	while (c->text < c->end) {
 		size_t points, p = 0, first = c->lines;
 		const char *text = c->text;
+
+		if (!lines && (size_t)(c->end - text) < size) {
+			cut_short(j, c);
+			break;
+		}
 		size_t n = lines ? read_lines(j, c, &points) :
 				   read_binary(j, c, &points);
 

@@ -23,14 +23,26 @@ static bool is_stdin(const char *operand)
 	return strcmp(operand, "-") == 0;
 }
 
+/* Not as a standard stream that is closed, and must stay so. */
+static int open_file(const char *name)
+{
+	int fd = open(name, O_RDONLY), low = fd;
+
+	if (fd < 0 || fd > STDERR_FILENO)
+		return fd;
+	fd = fcntl(low, F_DUPFD, STDERR_FILENO + 1);
+	close(low);
+	return fd;
+}
+
 static int open_input(const char *name)
 {
 	struct stat st;
-	int fd = is_stdin(name) ? STDIN_FILENO : open(name, O_RDONLY);
+	int fd = is_stdin(name) ? STDIN_FILENO : open_file(name);
 
-	if (fd < 0)
+	if (fd < 0 || fstat(fd, &st) != 0)
 		die(EXIT_USAGE, "%s: %s", name, strerror(errno));
-	if (fstat(fd, &st) == 0 && S_ISDIR(st.st_mode))
+	if (S_ISDIR(st.st_mode))
 		die(EXIT_USAGE, "%s: is a directory", name);
 	return fd;
 }
@@ -76,8 +88,13 @@ static void check_operands(const struct options *o)
 			    "PARAMS and POINTS are both standard input; "
 			    "name a file for one of them" :
 			    "standard input is named twice");
-		if (is_stdin(name) || first_of(name) == '[' ||
-		    access(name, R_OK) == 0)
+		if (is_stdin(name) || first_of(name) == '[')
+			continue;
+		struct stat st;
+
+		if (stat(name, &st) == 0 && S_ISDIR(st.st_mode))
+			die(EXIT_USAGE, "%s: is a directory", name);
+		if (access(name, R_OK) == 0)
 			continue;
 		double v;
 		const char *end = name + strlen(name);
@@ -146,6 +163,8 @@ void stream_options(struct job *j, const struct options *o)
 			die(EXIT_USAGE, "--columns: '%s' is a name, and names "
 			    "are for -i csv; write numbers: 2,3,4",
 			    o->columns.name[i]);
+	if (o->columns.n > 0 && is_binary(o->in))
+		die(EXIT_USAGE, "--columns: binary points have no fields");
 	if (o->columns.n > 0 && o->columns.n != j->layout.reads)
 		die(EXIT_USAGE, "--columns: %d fields; %d coordinates are "
 		    "read here", o->columns.n, j->layout.reads);
@@ -164,25 +183,34 @@ static void stream_json(struct job *j, const char *name, const char *text,
 	j->layout.columns = columns;
 }
 
+/* Points typed as an operand, to be freed. */
+static char *typed_points(const struct job *j, const char *operand,
+    size_t *size)
+{
+	size_t n = strlen(operand);
+	char *text = need(NULL, n + 1), *points;
+
+	memcpy(text, operand, n + 1);
+	json_points("POINTS", text, n, j->layout.reads, &points, size);
+	free(text);
+	return points;
+}
+
 static void stream_operand(struct job *j, const char *operand)
 {
-	if (first_of(operand) != '[') {
-		int fd = open_input(operand);
+	if (first_of(operand) == '[') {
+		size_t size;
+		char *points = typed_points(j, operand, &size);
 
-		stream_file(j, operand, fd);
-		if (fd != STDIN_FILENO)
-			close(fd);
+		stream_json(j, "POINTS", points, size);
+		free(points);
 		return;
 	}
-	size_t size = strlen(operand), points_size;
-	char *text = need(NULL, size + 1), *points;
+	int fd = open_input(operand);
 
-	memcpy(text, operand, size + 1);
-	json_points("POINTS", text, size, j->layout.reads, &points,
-	    &points_size);
-	stream_json(j, "POINTS", points, points_size);
-	free(points);
-	free(text);
+	stream_file(j, operand, fd);
+	if (fd != STDIN_FILENO)
+		close(fd);
 }
 
 void stream_points(const struct options *o, const struct document *d,
@@ -196,6 +224,13 @@ void stream_points(const struct options *o, const struct document *d,
 		stream_json(j, d->name, d->points, d->points_size);
 	else if (o->n_points == 0)
 		stream_operand(j, "-");
+	/* what is typed wrong is refused before anything is printed */
+	for (int i = 1; i < o->n_points; i++)
+		if (first_of(o->points[i]) == '[') {
+			size_t size;
+
+			free(typed_points(j, o->points[i], &size));
+		}
 	for (int i = 0; i < o->n_points; i++)
 		stream_operand(j, o->points[i]);
 }

@@ -52,6 +52,9 @@ static const struct command commands[] = {
 	{ "pick", run_pick, "cioCdDjKAQ",
 	    "points within a radius of a device position, nearest first",
 	    .projection = -1 },
+	{ "inspect", run_inspect, "cdDt",
+	    "what the projection is, its angles, corners and error bounds",
+	    .projection = -1 },
 };
 
 enum { COMMANDS = sizeof commands / sizeof *commands };

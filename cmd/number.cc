@@ -1,4 +1,10 @@
-/* HEAD */
+/* Nanoseconds a number, %.6f coordinates / 17 digits (number_bench.cc, gcc 12,
+ * AMD Zen 4). Read: strtod 65 / 86, charconv 17 / 21, fast_float 14.5 / 19,
+ * here 10 / 23. Write: printf %.17g 280 / 182, charconv 48 / 40, dragonbox but
+ * no digits 13.5 / 7.4, here 22.5 / 20; 3 decimals: charconv 51, here 15. Hence
+ * fast_float, behind a path for short numbers that saves a quarter, and half of
+ * charconv's time by dragonbox. Both are headers only: with printf for what is
+ * rare, no C++ library is loaded, which would double the 0.6 ms of a start. */
 #include "number.h"
 
 /* The libraries' assertions are for their own tests; each number would pay. */
@@ -64,26 +70,28 @@ static uint64_t first_digits(uint64_t w, size_t n)
 static inline const char *read_short(const char *s, double *v)
 {
 	size_t minus = *s == '-', whole, decimals = 0;
+	uint64_t w, fraction = 0, stop;
 
 	s += minus;
-	uint64_t w = load(s), stop = not_digits(w);
+	w = load(s);
+	stop = not_digits(w);
 	if (stop == 0)
 		return NULL;
 	whole = size_t(__builtin_ctzll(stop)) / 8;
-	uint64_t digits = first_digits(w, whole);
 	s += whole;
 	if (*s == '.') {
-		w = load(++s);
-		stop = not_digits(w);
+		fraction = load(++s);
+		stop = not_digits(fraction);
 		if (stop == 0)
 			return NULL;
 		decimals = size_t(__builtin_ctzll(stop)) / 8;
-		digits = digits * power[decimals] + first_digits(w, decimals);
 		s += decimals;
 	}
 	if (whole + decimals == 0 || (*s | 0x20) == 'e')
 		return NULL;
-	*v = double(int64_t(digits)) / signed_power[minus][decimals];
+	w = first_digits(w, whole) * power[decimals] +
+	    first_digits(fraction, decimals);
+	*v = double(int64_t(w)) / signed_power[minus][decimals];
 	return s;
 }
 
@@ -109,6 +117,7 @@ const char *number_read(const char *s, const char *end, double *v)
 	return read_any(s, end, v);
 }
 
+/* Three digits at a time take a seventh less than two. */
 struct triples {
 	char text[1000][4];
 
@@ -252,6 +261,7 @@ static int count_digits(uint64_t x)
 	return n + (x >= power[n]);
 }
 
+/* The point is a point as long as nobody calls setlocale. */
 static char *print_decimals(char *s, double v, int n)
 {
 	int size = snprintf(s, NUMBER_MAX, "%.*f", n, v);

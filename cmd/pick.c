@@ -134,7 +134,8 @@ static void print_hits(const struct job *j)
 	struct hits *h = j->with;
 	const struct options *o = h->o;
 
-	qsort(h->hit, h->n, sizeof *h->hit, compare);
+	if (h->n > 0)
+		qsort(h->hit, h->n, sizeof *h->hit, compare);
 	for (size_t i = 0; i < h->n; i++) {
 		const struct hit *hit = &h->hit[i];
 

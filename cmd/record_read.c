@@ -2,24 +2,11 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "json_line.h"
 #include "record.h"
+#include "show.h"
 
 #define MAGNITUDE_MAX 1e150
-
-/* What number_read takes and JSON does not: +1, 01, 1., .5, nan. */
-static bool is_json_number(struct span f)
-{
-	const char *s = f.s, *point;
-
-	s += s < f.end && *s == '-';
-	if (s == f.end || *s < '0' || *s > '9')
-		return false;
-	if (*s == '0' && s + 1 < f.end && s[1] >= '0' && s[1] <= '9')
-		return false;
-	point = memchr(s, '.', (size_t)(f.end - s));
-	return point == NULL ||
-	    (point + 1 < f.end && point[1] >= '0' && point[1] <= '9');
-}
 
 /* The number that a field holds; quotes around it and blanks may stand in
  * csv, and null in JSON. */
@@ -60,7 +47,8 @@ static const char *order(int i)
 static void bad_field(const struct layout *l, int i, struct span f,
     char reason[REASON_MAX])
 {
-	int n = f.end - f.s > 40 ? 40 : (int)(f.end - f.s);
+	size_t n = (size_t)(f.end - f.s);
+	char word[SHOWN];
 	double v;
 	const char *end = number_read(f.s, f.end, &v);
 
@@ -74,13 +62,10 @@ static void bad_field(const struct layout *l, int i, struct span f,
 		snprintf(reason, REASON_MAX, "%s is missing; "
 		    "%d numbers are wanted", order(i), l->reads);
 	else
-		snprintf(reason, REASON_MAX, "%s is '%.*s'; a number is "
-		    "wanted%s", order(i), n, f.s, end == NULL ? "" :
-		    l->in == FORMAT_JSON ? ", as JSON writes it" :
+		snprintf(reason, REASON_MAX, "%s is '%s'; a number is "
+		    "wanted%s", order(i), show(word, f.s, n), end == NULL ?
+		    "" : l->in == FORMAT_JSON ? ", as JSON writes it" :
 		    ", with a blank or comma behind it");
-	for (char *c = reason; *c != '\0'; c++)
-		if ((unsigned char)*c < ' ' || *c == 0x7f)
-			*c = '?';
 }
 
 static bool in_range(int i, double v, char reason[REASON_MAX])
@@ -241,6 +226,30 @@ static bool json_closed(const char *s, const char *end)
 	return s < end && *s == ']' && skip_blanks(s + 1, end) == end;
 }
 
+/* Whether the rest is JSON, too; the coordinates, up to done, are. */
+static bool check_array(struct span line, const char *done,
+    char reason[REASON_MAX])
+{
+	const char *s = skip_blanks(done, line.end), *wrong;
+	char word[SHOWN];
+
+	if (s < line.end && *s == ']' && skip_blanks(s + 1, line.end) ==
+	    line.end)
+		return true;
+	s = skip_blanks(line.s, line.end);
+	if (!json_closed(s + 1, line.end)) {
+		snprintf(reason, REASON_MAX, "the array does not end with the "
+		    "line; one array a line: jq -c '.points[]'");
+		return false;
+	}
+	wrong = json_wrong(s, line.end);
+	if (wrong == NULL)
+		return true;
+	snprintf(reason, REASON_MAX, "no JSON from '%s' on", show(word, wrong,
+	    (size_t)(line.end - wrong)));
+	return false;
+}
+
 void record_read(struct layout *l, struct span line, bool *header,
     struct record *r, double v[4], char reason[REASON_MAX])
 {
@@ -274,10 +283,8 @@ void record_read(struct layout *l, struct span line, bool *header,
 		ok = read_text(l, s, line.end, r, v, reason);
 	else
 		ok = read_first(l, s, line.end, r, v, reason);
-	if (ok && l->in == FORMAT_JSON && !json_closed(s, line.end)) {
-		snprintf(reason, REASON_MAX, "the array does not end with the "
-		    "line; one array a line: jq -c '.points[]'");
-		ok = false;
-	}
+	if (ok && l->in == FORMAT_JSON)
+		ok = check_array(line, l->columns.n > 0 ? s :
+		    r->at[l->reads - 1].end, reason);
 	r->kind = ok ? RECORD_POINT : RECORD_BAD;
 }

@@ -1,14 +1,16 @@
 #include <math.h>
 #include <string.h>
 
+#include "foreign.h"
 #include "record.h"
 
 size_t record_room(const struct layout *l, const struct record *r)
 {
 	size_t line = (size_t)(r->line.end - r->line.s);
 
-	/* quoting a foreign field may double it */
-	return 2 * line + (size_t)l->writes * (NUMBER_MAX + 8) + 128;
+	/* a foreign field of one character becomes ,"\\" */
+	return (l->in == l->out ? line : 3 * line) +
+	    (size_t)l->writes * (NUMBER_MAX + 8) + 128;
 }
 
 static char *put(char *out, const char *s, const char *end)
@@ -83,27 +85,46 @@ static void sort(const struct record *r, int n, int sorted[4])
 	}
 }
 
-/* The same format out as in: coordinates are replaced where they stand. One
- * that is not written goes with the separator before it. */
+/* A coordinate that is not written goes with the separator before it; where it
+ * is the first field, with the one behind it. */
+static struct span whole_field(const struct layout *l, const struct record *r,
+    struct span f)
+{
+	const char *s = r->line.s, *next;
+
+	if (l->in == FORMAT_CSV && f.s > s && f.s[-1] == '"') {
+		f.s--;
+		f.end++;
+	}
+	const char *before = f.s;
+
+	while (before > s && (is_blank(before[-1]) || before[-1] == ','))
+		before--;
+	if (before > s && (l->in != FORMAT_JSON || before[-1] != '['))
+		return (struct span){ before, f.end };
+	next = split_next(l->in, f.end, r->line.end);
+	return (struct span){ f.s, next != NULL ? next : f.end };
+}
+
+/* The same format out as in: coordinates are replaced where they stand. */
 static char *splice(const struct layout *l, const struct record *r,
     const double v[], const char *flags, char *out)
 {
-	int sorted[4] = { 0, 1, 2, 3 }, n = l->reads, last = n - 1;
+	int sorted[4] = { 0, 1, 2, 3 }, n = l->reads;
+	int last = (n < l->writes ? n : l->writes) - 1;
 	const char *s = r->line.s;
 
 	if (l->columns.n > 0)
 		sort(r, n, sorted);
 	for (int k = 0; k < n; k++) {
 		int i = sorted[k];
-		const char *at = r->at[i].s;
+		struct span f = i < l->writes ? r->at[i] :
+		    whole_field(l, r, r->at[i]);
 
-		while (i >= l->writes && at > s &&
-		    (is_blank(at[-1]) || at[-1] == ','))
-			at--;
-		out = put(out, s, at);
+		out = put(out, s, f.s);
 		if (i < l->writes)
 			out = put_number(l, v[i], out);
-		s = r->at[i].end;
+		s = f.end;
 		if (i != last || (l->writes <= n && flags == NULL))
 			continue;
 		if (l->in == FORMAT_CSV && s < r->line.end && *s == '"')
@@ -111,28 +132,6 @@ static char *splice(const struct layout *l, const struct record *r,
 		out = put_more(l, n, v, flags, separator(l, r), out);
 	}
 	return put(out, s, r->line.end);
-}
-
-/* A field of another format: plain where it can be, else quoted. */
-static char *put_foreign(const struct layout *l, struct span f, char *out)
-{
-	double v;
-	bool number = f.s < f.end && number_read(f.s, f.end, &v) == f.end &&
-	    isfinite(v) && *f.s != '+' && *f.s != '.';
-	bool quoted = f.end - f.s >= 2 && *f.s == '"' && f.end[-1] == '"';
-
-	if (l->out == FORMAT_TEXT && quoted)
-		return put(out, f.s + 1, f.end - 1);
-	if (l->out != FORMAT_JSON || quoted || number || l->in == FORMAT_JSON)
-		return put(out, f.s, f.end);
-	*out++ = '"';
-	for (; f.s < f.end; f.s++) {
-		if (*f.s == '"' || *f.s == '\\')
-			*out++ = '\\';
-		*out++ = (unsigned char)*f.s < ' ' ? ' ' : *f.s;
-	}
-	*out++ = '"';
-	return out;
 }
 
 static bool is_coordinate(const struct layout *l, const struct record *r,
@@ -165,9 +164,11 @@ static char *convert(const struct layout *l, const struct record *r,
 	while (s != NULL) {
 		struct span f = split_field(l->in, s, r->line.end);
 
-		if (f.s < f.end && !is_coordinate(l, r, f)) {
+		/* in JSON an empty field of csv holds the others' places */
+		if ((f.s < f.end || (l->in == FORMAT_CSV &&
+		    l->out == FORMAT_JSON)) && !is_coordinate(l, r, f)) {
 			out = put(out, sep.s, sep.end);
-			out = put_foreign(l, f, out);
+			out = foreign_write(l->in, l->out, f, out);
 		}
 		s = split_next(l->in, f.end, r->line.end);
 	}

@@ -24,6 +24,7 @@ struct slot {
 	struct chunk *chunk;
 	char *text;
 	size_t room, have;
+	size_t whole; /* up to where its last whole line or point ends */
 };
 
 /* Slots are filled, done and written in turn: slot k % n is the k-th chunk's.
@@ -48,15 +49,15 @@ static size_t imageless;
 static char first_imageless[300];
 static bool bad;
 
+/* Where the next chunk of the source begins, counted from 1. */
+static size_t next_line;
+
 /* Results first, then what was wrong with the line after them. Chunks come
  * here in order, and their lines are counted on. */
 static void finish(const struct job *j, const struct chunk *c)
 {
-	static size_t line;
 	static bool unended; /* a last line without its newline */
 
-	if (c->first)
-		line = 1;
 	if (c->size > 0 && j->collect == NULL) {
 		if (c->first && unended)
 			put_all("\n", 1);
@@ -64,13 +65,14 @@ static void finish(const struct job *j, const struct chunk *c)
 		    c->out[c->size - 1] != '\n';
 	}
 	if (j->collect != NULL)
-		j->collect(j, c, line);
+		j->collect(j, c, next_line);
 	else
 		put_all(c->out, c->size);
 	if (j->count_imageless && c->imageless > 0) {
 		if (imageless == 0)
 			snprintf(first_imageless, sizeof first_imageless,
-			    "%.250s:%zu", c->name, line + c->first_imageless);
+			    "%.250s:%zu", c->name,
+			    next_line + c->first_imageless);
 		imageless += c->imageless;
 	}
 	bool stop = c->n_complaints > 0 && !j->keep_going;
@@ -78,14 +80,14 @@ static void finish(const struct job *j, const struct chunk *c)
 	if (stop && j->flush != NULL)
 		j->flush(j);
 	for (size_t i = 0; i < c->n_complaints; i++)
-		fprintf(stderr, "projcalc: %s:%zu: %s\n", c->name,
-		    line + c->complaints[i].line, c->complaints[i].reason);
+		say("%s:%zu: %s", c->name, next_line + c->complaints[i].line,
+		    c->complaints[i].reason);
 	bad |= c->n_complaints > 0;
 	if (stop) {
 		close_output();
 		_exit(EXIT_INPUT);
 	}
-	line += c->lines;
+	next_line += c->lines;
 }
 
 static void *work(void *unused)
@@ -120,11 +122,11 @@ static void wait_for(size_t n)
 	pthread_mutex_unlock(&ring.lock);
 }
 
-static void start_threads(struct job *j)
+/* As many as there can be, perhaps none. */
+static void start_threads(const struct job *j)
 {
 	pthread_t t;
 
-	ring.job = j;
 	for (; ring.threads < j->threads; ring.threads++) {
 		if (pthread_create(&t, NULL, work, NULL) != 0)
 			break;
@@ -132,10 +134,11 @@ static void start_threads(struct job *j)
 	}
 }
 
-static void make_ring(const struct job *j)
+static void make_ring(struct job *j)
 {
 	if (ring.slots != NULL)
 		return;
+	ring.job = j;
 	ring.n = (size_t)j->threads + 2;
 	ring.slots = need(NULL, ring.n * sizeof *ring.slots);
 	memset(ring.slots, 0, ring.n * sizeof *ring.slots);
@@ -153,7 +156,16 @@ static struct slot *slot_of(size_t k)
 	return s;
 }
 
-static size_t read_some(const char *name, int fd, char *at, size_t room)
+/* Results come before what is wrong with the source. */
+static void settle(const struct job *j)
+{
+	wait_for(0);
+	if (j->flush != NULL)
+		j->flush(j);
+}
+
+static size_t read_some(const struct job *j, const char *name, int fd,
+    char *at, size_t room)
 {
 	ssize_t n;
 
@@ -161,30 +173,38 @@ static size_t read_some(const char *name, int fd, char *at, size_t room)
 		n = read(fd, at, room);
 	while (n < 0 && errno == EINTR);
 	if (n < 0) {
-		wait_for(0);
-		die(EXIT_SYSTEM, "%s: %s", name, strerror(errno));
+		int error = errno;
+
+		settle(j);
+		die(EXIT_SYSTEM, "%s: %s", name, strerror(error));
 	}
 	return (size_t)n;
 }
 
-/* Whether a read would wait. */
+/* Whether a read would wait, or that can't be told. */
 static bool would_wait(int fd)
 {
 	struct pollfd p = { .fd = fd, .events = POLLIN };
 
-	return poll(&p, 1, 0) == 0;
+	return poll(&p, 1, 0) <= 0;
 }
 
-/* The end of the last whole line, or of the last whole binary point. */
-static const char *whole(const struct job *j, const struct slot *s)
+/* Takes in n more bytes. Only those are searched, or a long line that comes
+ * in small pieces would take the square of its time. */
+static void take_in(const struct job *j, struct slot *s, size_t n)
 {
-	const char *end = s->text + s->have;
+	size_t end = s->have + n;
 
-	if (is_binary(j->layout.in))
-		return end - s->have % point_size(&j->layout, j->layout.in);
-	while (end > s->text && end[-1] != '\n')
+	if (is_binary(j->layout.in)) {
+		s->have = end;
+		s->whole = end - end % point_size(&j->layout, j->layout.in);
+		return;
+	}
+	while (end > s->have && s->text[end - 1] != '\n')
 		end--;
-	return end;
+	if (end > s->have)
+		s->whole = end;
+	s->have += n;
 }
 
 /* Fills the slot until it holds a whole line and is full, or the next read
@@ -194,37 +214,38 @@ static bool fill(const struct job *j, const char *name, int fd,
 {
 	for (;;) {
 		if (s->have == s->room) {
-			if (whole(j, s) > s->text)
+			if (s->whole > 0)
 				return false;
 			if (s->room >= LINE_MAX_BYTES) {
-				wait_for(0);
-				die(EXIT_INPUT, "%s: a line of more than 64 "
-				    "MiB", name);
+				settle(j);
+				die(EXIT_INPUT, "%s:%zu: a line of more than "
+				    "64 MiB", name, next_line);
 			}
 			s->text = need(s->text, s->room *= 2);
 		}
-		size_t n = read_some(name, fd, s->text + s->have,
+		size_t n = read_some(j, name, fd, s->text + s->have,
 		    s->room - s->have);
 
 		if (n == 0)
 			return true;
-		s->have += n;
-		if (whole(j, s) > s->text && would_wait(fd))
+		take_in(j, s, n);
+		if (s->whole > 0 && would_wait(fd))
 			return false;
 	}
 }
 
-/* The first chunk of a source is done here: it may hold a header, and may be
- * all there is. */
+/* The first chunk of a source is done here, as it may be all there is, and all
+ * are up to the header, from which the others have their columns. */
 static void hand_over(struct job *j, struct chunk *c)
 {
-	bool here = c->first || j->threads < 2;
+	bool here = c->first || c->header || j->threads < 2;
 
+	if (!here)
+		start_threads(j);
+	here |= ring.threads == 0;
 	if (here) {
 		chunk_do(j, c);
 		finish(j, c);
-	} else {
-		start_threads(j);
 	}
 	pthread_mutex_lock(&ring.lock);
 	ring.fill++;
@@ -251,12 +272,14 @@ static struct slot *next_slot(const struct slot *s, const char *end)
 	}
 	memcpy(next->text, end, rest);
 	next->have = rest;
+	next->whole = 0;
 	return next;
 }
 
 void stream_file(struct job *j, const char *name, int fd)
 {
-	bool ended = false, header = true, first = true;
+	bool ended = false, first = true;
+	bool header = j->layout.in == FORMAT_CSV;
 
 #ifdef F_SETPIPE_SZ
 	/* fewer and larger reads; where it is refused, all is as it was */
@@ -265,7 +288,9 @@ void stream_file(struct job *j, const char *name, int fd)
 	make_ring(j);
 	struct slot *s = slot_of(ring.fill), *next;
 
-	for (s->have = 0; !ended; s = next) {
+	next_line = 1;
+	s->have = s->whole = 0;
+	for (; !ended; s = next) {
 		struct chunk *c = s->chunk;
 
 		c->name = name;
@@ -273,18 +298,13 @@ void stream_file(struct job *j, const char *name, int fd)
 		c->header = header;
 		ended = fill(j, name, fd, s);
 		c->text = s->text;
-		c->end = whole(j, s);
-		if (ended && !is_binary(j->layout.in))
-			c->end = s->text + s->have;
+		c->end = s->text + (ended ? s->have : s->whole);
 		next = next_slot(s, c->end);
 		hand_over(j, c);
-		header = first && c->header;
+		header = header && c->header;
 		first = false;
 	}
 	wait_for(0);
-	if (s->have > 0)
-		die(EXIT_INPUT, "%s: ends within a point; a point is %zu "
-		    "bytes", name, point_size(&j->layout, j->layout.in));
 }
 
 void stream_text(struct job *j, const char *name, const char *text,
@@ -292,6 +312,7 @@ void stream_text(struct job *j, const char *name, const char *text,
 {
 	struct chunk *c = chunk_new();
 
+	next_line = 1;
 	c->name = name;
 	c->first = true;
 	c->text = text;
@@ -306,11 +327,10 @@ int stream_end(const struct job *j)
 	if (j->flush != NULL)
 		j->flush(j);
 	if (imageless == 1)
-		fprintf(stderr, "projcalc: 1 point has no image: %s\n",
-		    first_imageless);
+		say("1 point has no image: %s", first_imageless);
 	else if (imageless > 1)
-		fprintf(stderr, "projcalc: %zu points have no image, the "
-		    "first in %s\n", imageless, first_imageless);
+		say("%zu points have no image, the first in %s", imageless,
+		    first_imageless);
 	close_output();
 	return bad ? EXIT_INPUT : EXIT_OK;
 }

@@ -2,20 +2,44 @@
 
 #include <errno.h>
 #include <stdarg.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-void die(int status, const char *format, ...)
+/* One line in one write, whatever a file's name holds. */
+static void print_line(const char *format, va_list args)
+{
+	char text[8192];
+
+	vsnprintf(text, sizeof text, format, args);
+	for (char *c = text; *c != '\0'; c++)
+		if ((unsigned char)*c < ' ' || *c == 0x7f)
+			*c = '?';
+	fprintf(stderr, "projcalc: %s\n", text);
+}
+
+void say(const char *format, ...)
 {
 	va_list args;
 
-	fputs("projcalc: ", stderr);
 	va_start(args, format);
-	vfprintf(stderr, format, args);
+	print_line(format, args);
 	va_end(args);
-	fputc('\n', stderr);
+}
+
+void die(int status, const char *format, ...)
+{
+	static atomic_flag dying = ATOMIC_FLAG_INIT;
+	va_list args;
+
+	/* of threads that fail together, one speaks */
+	while (atomic_flag_test_and_set(&dying))
+		pause();
+	va_start(args, format);
+	print_line(format, args);
+	va_end(args);
 	exit(status);
 }
 

@@ -7,7 +7,10 @@
 /* What the exit status means. */
 enum { EXIT_OK, EXIT_INPUT, EXIT_USAGE, EXIT_SYSTEM };
 
-/* Print "projcalc: " and one line, and exit. */
+/* Prints "projcalc: " and one line, without control characters. */
+void say(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/* The same, and exits. */
 _Noreturn void die(int status, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 

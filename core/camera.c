@@ -212,56 +212,80 @@ static const char *orthonormal(const struct camera *c, struct axis axis[3])
 	return NULL;
 }
 
-/* The axes as columns, world to view, or as rows, view to world. */
-static struct map rotation(struct axis axis[3], bool inverse)
+/* The axes as columns, and minus their products with at as a fourth row: an
+ * exact polynomial, divided once. Seen from (1,2,3) towards the origin, x . eye
+ * is 0 and not the rounded axes' -4.9e-32. */
+static void elements(struct axis axis[3], const double at[3], ex e[4][3])
 {
-	dd m[4][4] = { [3][3] = { 1, 0 } };
+	ex p[3] = { ex_of(-at[0]), ex_of(-at[1]), ex_of(-at[2]) };
 
-	for (int i = 0; i < 3; i++)
-		for (int k = 0; k < 3; k++)
-			m[inverse ? i : k][inverse ? k : i] =
-			    ex_div(axis[i].v[k], axis[i].length);
-	return map_of(m);
+	for (int i = 0; i < 3; i++) {
+		ex image = dot(axis[i].v, p);
+
+		for (int k = 0; k < 4; k++)
+			e[k][i] = ex_quotient(k < 3 ? axis[i].v[k] : image,
+			    axis[i].length);
+	}
 }
 
-static struct map roll_map(double angle)
+/* Times [cos sin; -sin cos]; size gets the sums of |products|. */
+static void turn_image(double roll, ex e[4][3], ex size[4][3])
 {
-	dd s = sin_deg(angle), c = cos_deg(angle);
-	dd m[4][4] = {
-		{ c, s },
-		{ dd_neg(s), c },
-		{ [2] = { 1, 0 } },
-		{ [3] = { 1, 0 } },
-	};
+	ex s = sin_deg(roll), c = cos_deg(roll);
 
-	return map_of(m);
+	for (int k = 0; k < 4; k++) {
+		ex xc = ex_mul(e[k][0], c), yc = ex_mul(e[k][1], c);
+		ex xs = ex_mul(e[k][0], s), ys = ex_mul(e[k][1], s);
+
+		size[k][0] = ex_add(ex_abs(xc), ex_abs(ys));
+		size[k][1] = ex_add(ex_abs(yc), ex_abs(xs));
+		size[k][2] = ex_abs(e[k][2]);
+		e[k][0] = ex_settled(ex_sub(xc, ys), size[k][0]);
+		e[k][1] = ex_settled(ex_add(yc, xs), size[k][1]);
+	}
 }
 
-/* From the eye's side: (p - eye) axes, or v axes' + eye. The printed last row
- * -axis . eye is an exact polynomial, divided once: seen from (1,2,3) towards
- * the origin, x . eye is 0 and not the rounded axes' -4.9e-32. */
-static struct map stand(const struct camera *c, struct axis axis[3],
+static void put(struct map *r, int i, int j, ex e, ex size)
+{
+	r->m[i][j] = ex_round(e);
+	r->sum[i][j] = ex_round(size).hi;
+}
+
+/* (p - at) axes, or p axes' + at. */
+static struct map stand(struct axis axis[3], double roll, const double at[3],
     bool inverse)
 {
-	struct map r = rotation(axis, inverse);
-	struct map roll = roll_map(inverse ? -c->roll : c->roll);
-	ex eye[3];
+	struct map r = map_identity;
+	ex e[4][3], size[4][3];
 
-	if (inverse) {
-		r = map_then(&roll, &r);
-		map_add(&r, c->eye);
-		return r;
-	}
-	map_about(&r, c->eye);
-	for (int k = 0; k < 3; k++)
-		eye[k] = ex_of(c->eye[k]);
-	for (int i = 0; i < 3; i++) {
-		dd t = ex_div(dot(axis[i].v, eye), axis[i].length);
+	elements(axis, at, e);
+	turn_image(roll, e, size);
+	for (int i = 0; i < 3; i++)
+		for (int k = 0; k < 3; k++)
+			put(&r, inverse ? i : k, inverse ? k : i, e[k][i],
+			    size[k][i]);
+	for (int i = 0; i < 3; i++)
+		if (inverse) {
+			put(&r, AT_ORIGIN, i, ex_of(at[i]), ex_of(fabs(at[i])));
+			put(&r, AT_ZERO, i, ex_of(at[i]), ex_of(fabs(at[i])));
+		} else {
+			put(&r, AT_ZERO, i, e[3][i], size[3][i]);
+		}
+	r.exact = inverse;
+	if (!inverse)
+		map_about(&r, at);
+	return r;
+}
 
-		r.m[AT_ZERO][i] = dd_neg(t);
-		r.sum[AT_ZERO][i] = fabs(t.hi);
-	}
-	return map_then(&r, &roll);
+static void transpose(struct axis axis[3])
+{
+	for (int i = 0; i < 3; i++)
+		for (int k = 0; k < i; k++) {
+			ex t = axis[i].v[k];
+
+			axis[i].v[k] = axis[k].v[i];
+			axis[k].v[i] = t;
+		}
 }
 
 /* The matrix as it is given, or its nearest rotation above its last row. */
@@ -282,12 +306,8 @@ static const char *bare(const struct camera *c, bool inverse, struct map *r)
 
 	if (why != NULL)
 		return why;
-	*r = rotation(axis, inverse);
-	/* the eigenvector is known to 2^-100: what is less is 0 */
-	for (int i = 0; i < 9; i++)
-		if (fabs(r->m[i / 3][i % 3].hi) < 0x1p-100)
-			r->m[i / 3][i % 3] = (dd){ 0, 0 };
-	(inverse ? map_about : map_add)(r, c->matrix[3]);
+	transpose(axis);
+	*r = stand(axis, 0, c->matrix[3], !inverse);
 	return NULL;
 }
 
@@ -303,6 +323,6 @@ const char *camera_map(const struct camera *c, bool right_handed, bool inverse,
 
 	if (why != NULL)
 		return why;
-	*r = stand(c, axis, inverse);
+	*r = stand(axis, c->roll, c->eye, inverse);
 	return NULL;
 }

@@ -72,7 +72,9 @@ static inline dd dd_mul(dd a, dd b)
 	return fast_two_sum(p.hi, p.lo + t);
 }
 
-/* 9.8 u^2 (DWDivDW3 without its second correction: DWDivDW2). */
+/* 9 u^2, worst with a.hi and b.hi just above powers of two: the first remainder
+ * is exact, a.lo - q b.lo and r are rounded by 2 u^2 each, b.hi instead of b
+ * makes 3 u^2, and the last quotient 2 u^2. */
 static inline dd dd_div(dd a, dd b)
 {
 	double q = a.hi / b.hi;

@@ -118,6 +118,11 @@ ex ex_neg(ex a)
 	return a;
 }
 
+ex ex_abs(ex a)
+{
+	return ex_sign(a) < 0 ? ex_neg(a) : a;
+}
+
 ex ex_sub(ex a, ex b)
 {
 	return ex_add(a, ex_neg(b));
@@ -168,8 +173,8 @@ ex ex_first(ex a, int n)
 	return r;
 }
 
-/* Compressed, the largest term is within half its last place of the sum, and
- * the rest is rounded once at its own size: u^2. */
+/* Compressed, the largest term is within half its last place of the sum, u of
+ * it at most, and the rest is rounded once at its own size: u^2 / 2. */
 dd ex_round(ex a)
 {
 	double rest = 0;
@@ -183,23 +188,25 @@ dd ex_round(ex a)
 	return dd_shift(fast_two_sum(a.t[a.n - 1], rest), a.e);
 }
 
-/* Long division: three digits of 53 bits, each with its exact remainder. */
+/* Long division: four digits of 53 bits, each with its exact remainder. */
 ex ex_quotient(ex a, ex b)
 {
+	ex r = ex_of(0);
+
 	normalise(&a);
 	normalise(&b);
 	int e = a.e - b.e;
 
 	a.e = b.e = 0;
-	double by = ex_round(b).hi, q[3];
+	double by = ex_round(b).hi;
 
-	for (int i = 0; i < 3; i++) {
-		q[i] = ex_round(a).hi / by;
-		a = ex_sub(a, ex_scale(b, q[i]));
+	for (int i = 0; i < 4; i++) {
+		ex q = ex_of(ex_round(a).hi / by);
+
+		a = ex_sub(a, ex_mul(b, q));
+		r = ex_add(r, q);
 	}
-	dd s = fast_two_sum(q[0], q[1]);
-
-	return ex_shift(ex_dd(fast_two_sum(s.hi, s.lo + q[2])), e);
+	return ex_shift(r, e);
 }
 
 dd ex_div(ex a, ex b)
@@ -219,10 +226,16 @@ ex ex_sqrt(ex a)
 	double s = sqrt(ex_round(a).hi);
 	ex r = ex_of(s);
 
-	for (int i = 0; i < 2 && s > 0; i++) {
+	for (int i = 0; i < 3 && s > 0; i++) {
 		ex rest = ex_sub(a, ex_mul(r, r));
 
 		r = ex_add(r, ex_of(ex_round(rest).hi / (2 * s)));
 	}
 	return ex_shift(r, e);
+}
+
+ex ex_settled(ex a, ex size)
+{
+	return ex_sign(ex_sub(ex_abs(a), ex_shift(size, -190))) > 0 ? a :
+	    ex_of(0);
 }

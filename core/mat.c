@@ -69,58 +69,54 @@ static void product(struct map *r, int i, int j, const dd row[4],
 		r->sum[i][j] += sum[k] * b->sum[l][j];
 	}
 	r->m[i][j] = ex_round(s);
-	if (isfinite(r->sum[i][j]) &&
-	    fabs(r->m[i][j].hi) <= MAP_BOUND * 0x1p-106 * r->sum[i][j])
-		r->m[i][j] = (dd){ 0, 0 };
 }
 
-/* The image under a of its origin or of zero, as b wants it: an offset that is
- * exact as what it is relative to b's origin, which is exact too. */
+/* The image under a of its origin or of zero, taken to b: where it is known
+ * exactly, by its difference from b's origin, which is exact too. */
 static void image(struct map *r, int i, const struct map *a,
     const struct map *b)
 {
 	dd row[4];
 	double sum[4];
-	bool zero = true;
-
-	for (int k = 0; k < 3; k++)
-		zero &= a->m[i][k].hi == 0;
-	bool about = a->exact && !zero;
 
 	for (int k = 0; k < 4; k++) {
 		row[k] = a->m[i][k];
 		sum[k] = a->sum[i][k];
-		if (k < 3 && about && b->origin[k] != 0) {
+		if (k < 3 && a->exact) {
 			row[k] = two_sum(row[k].hi, -b->origin[k]);
 			sum[k] = fabs(row[k].hi);
 		}
 	}
 	for (int j = 0; j < 4; j++)
-		product(r, i, j, row, sum, b, about ? AT_ORIGIN : AT_ZERO);
+		product(r, i, j, row, sum, b, a->exact ? AT_ORIGIN : AT_ZERO);
 }
 
 void map_about(struct map *a, const double origin[3])
 {
-	dd row[4] = { [3] = ONE };
-	double sum[4] = { [3] = 1 };
-
 	for (int k = 0; k < 3; k++) {
 		a->origin[k] = origin[k];
-		row[k] = (dd){ -origin[k], 0 };
-		sum[k] = fabs(origin[k]);
+		a->m[AT_ORIGIN][k] = (dd){ 0, 0 };
+		a->sum[AT_ORIGIN][k] = 0;
 	}
-	for (int j = 0; j < 4; j++)
-		product(a, AT_ZERO, j, row, sum, a, AT_ORIGIN);
 }
 
-void map_add(struct map *a, const double offset[3])
+void map_about_zero(struct map *a)
 {
+	for (int j = 0; j < 4; j++) {
+		a->m[AT_ORIGIN][j] = a->m[AT_ZERO][j];
+		a->sum[AT_ORIGIN][j] = a->sum[AT_ZERO][j];
+	}
 	for (int k = 0; k < 3; k++)
-		for (int i = AT_ORIGIN; i <= AT_ZERO; i++) {
-			a->m[i][k] = (dd){ offset[k], 0 };
-			a->sum[i][k] = fabs(offset[k]);
-		}
-	a->exact = true;
+		a->origin[k] = 0;
+}
+
+void map_settle(struct map *a)
+{
+	for (int i = 0; i < 5; i++)
+		for (int j = 0; j < 4; j++)
+			if (fabs(a->m[i][j].hi) <=
+			    MAP_BOUND / 2 * 0x1p-106 * a->sum[i][j])
+				a->m[i][j] = (dd){ 0, 0 };
 }
 
 static bool is_identity(const struct map *a)
@@ -193,20 +189,7 @@ bool map_inverse(double m[4][4], struct map *inverse)
 			r[i][j] = (i + j) % 2 ? dd_neg(q) : q;
 		}
 	*inverse = map_of(r);
-	for (int j = 0; j < 3 && a.exact; j++) {
-		inverse->origin[j] = m[3][j];
-		inverse->m[AT_ORIGIN][j] = (dd){ 0, 0 };
-		inverse->sum[AT_ORIGIN][j] = 0;
-	}
+	if (a.exact)
+		map_about(inverse, m[3]);
 	return true;
-}
-
-void map_about_zero(struct map *a)
-{
-	for (int j = 0; j < 4; j++) {
-		a->m[AT_ORIGIN][j] = a->m[AT_ZERO][j];
-		a->sum[AT_ORIGIN][j] = a->sum[AT_ZERO][j];
-	}
-	for (int j = 0; j < 3; j++)
-		a->origin[j] = 0;
 }

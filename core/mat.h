@@ -24,7 +24,8 @@ struct convention {
  *
  * sum[i][j] is the sum of |products| of which m[i][j] is the sum, when the
  * stages are multiplied out; each element is within MAP_BOUND u^2 sum[i][j]
- * of its exact value, and 0 where it would not exceed that. */
+ * of its exact value, while none falls below 2^-968, and 0 where half that
+ * leaves nothing of it. */
 enum { AT_ORIGIN = 3, AT_ZERO = 4 };
 
 struct map {
@@ -34,10 +35,9 @@ struct map {
 	bool exact; /* affine, with last rows as they were given */
 };
 
-/* Of a rolled view 1 + TRIG_BOUND + 1, of a projection's cotangent and sine
- * 3 TRIG_BOUND + 4, of an inverse as much again less one, and 1 for each
- * composition's rounding. */
-#define MAP_BOUND 20
+/* Elements of four stages and of their three compositions are rounded once
+ * each, and may be as wrong again where they are taken for 0. */
+#define MAP_BOUND (14 * EX_BOUND)
 
 extern const struct map map_identity;
 
@@ -46,16 +46,16 @@ extern const struct map map_identity;
 struct map map_of(dd m[4][4]);
 struct map map_of_doubles(double m[4][4]);
 
-/* Gives a map without origin or offset one of them: (p - origin) a, p a +
- * offset. */
+/* Takes points relative to an origin whose image is 0, or to zero again, as clip
+ * points need it: their w is not 1. */
 void map_about(struct map *a, const double origin[3]);
-void map_add(struct map *a, const double offset[3]);
-
-/* Takes the origin off, as clip points need it: their w is not 1. */
 void map_about_zero(struct map *a);
 
 /* First a, then b. The products are summed exactly and rounded once. */
 struct map map_then(const struct map *a, const struct map *b);
+
+/* Sets to 0 what may be nothing but rounding errors. */
+void map_settle(struct map *a);
 
 /* The inverse of a bare matrix, each element an exact quotient of minors
  * rounded once. Returns false where it is singular. An affine one (last

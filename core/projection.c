@@ -11,16 +11,23 @@
  *	 zx  zy  zz  zw
  *	 tx  ty  tz  tw
  *
- * det = zz tw - zw tz comes from the parameters too, as a product. Each is an
- * exact quotient rounded once, but not yet to the range of doubles. Oblique is
- * a shear, then ortho. */
+ * det = zz tw - zw tz comes from the parameters too, as a product; tx and ty are
+ * sums of products of these sizes, only oblique's of more than one. */
 struct form {
 	ex x, y, zx, zy, zz, zw, tx, ty, tz, tw, det;
+	ex tx_size, ty_size;
 };
 
 static ex negated_if(bool yes, ex a)
 {
 	return yes ? ex_neg(a) : a;
+}
+
+/* a + b; what size says of a is brought up to date. */
+static ex sum(ex a, ex b, ex *size)
+{
+	*size = ex_add(ex_abs(*size), ex_abs(b));
+	return ex_settled(ex_add(a, b), *size);
 }
 
 /* The elements of one axis: 2 d / (b - a), and (a + b) / (b - a), which says
@@ -59,7 +66,7 @@ static const char *cross_section(const struct projection *p, double d,
 
 	off[0] = off[1] = ex_of(0);
 	if (p->extent <= EXTENT_VIEW_ANGLE)
-		cot = ex_dd(cot_half_deg(p->angle));
+		cot = cot_half_deg(p->angle);
 	switch (p->extent) {
 	case EXTENT_FOVY:
 		by_aspect(p->aspect, false, cot, ex_of(1), f);
@@ -147,31 +154,32 @@ static const char *ortho(const struct projection *p,
 	f->zz = ex_quotient(ex_of(c->minus_one ? 2 : 1), size);
 	f->tz = ex_quotient(c->minus_one ? ex_diff(-a, b) : ex_of(-a), size);
 	f->zz = negated_if(c->right_handed, f->zz);
-	f->tx = ex_neg(off[0]);
-	f->ty = ex_neg(off[1]);
+	f->tx = f->tx_size = ex_neg(off[0]);
+	f->ty = f->ty_size = ex_neg(off[1]);
 	f->tw = ex_of(1);
 	f->det = f->zz;
 	return NULL;
 }
 
-/* x' = x + cot cos(direction) (depth - plane), y' likewise; or back. */
-static struct map shear(const struct projection *p, bool right_handed,
-    bool inverse)
+/* ortho after x' = x + cot cos(direction) (depth - plane), y' likewise. */
+static const char *oblique(const struct projection *p,
+    const struct convention *c, struct form *f)
 {
-	dd along[2] = { cos_deg(p->direction), sin_deg(p->direction) };
-	dd cot = { p->kind == OBLIQUE_CABINET ? 0.5 : 1, 0 };
-	struct map unit = map_identity;
+	const char *why = ortho(p, c, f);
+	ex cot = ex_of(p->kind == OBLIQUE_CABINET ? 0.5 : 1);
 
+	if (why != NULL)
+		return why;
 	if (p->kind == OBLIQUE_ANGLE)
 		cot = cot_deg(p->projector);
-	for (int i = 0; i < 2; i++) {
-		ex c = ex_mul(ex_dd(cot), ex_dd(along[i]));
-		ex t = ex_scale(c, p->plane);
+	ex zx = ex_mul(ex_mul(cot, cos_deg(p->direction)), f->x);
+	ex zy = ex_mul(ex_mul(cot, sin_deg(p->direction)), f->y);
 
-		unit.m[2][i] = ex_round(negated_if(right_handed != inverse, c));
-		unit.m[AT_ORIGIN][i] = ex_round(negated_if(!inverse, t));
-	}
-	return map_of(unit.m);
+	f->tx = sum(f->tx, ex_scale(zx, -p->plane), &f->tx_size);
+	f->ty = sum(f->ty, ex_scale(zy, -p->plane), &f->ty_size);
+	f->zx = negated_if(c->right_handed, zx);
+	f->zy = negated_if(c->right_handed, zy);
+	return NULL;
 }
 
 /* With q = qn / qd the inverse of the eye's z, an / qd = 1 - zf q and bn / qd =
@@ -251,17 +259,26 @@ static struct map map_of_form(const struct form *f)
 		{ ex_round(f->tx), ex_round(f->ty), ex_round(f->tz),
 		    ex_round(f->tw) },
 	};
+	struct map r = map_of(m);
 
-	return map_of(m);
+	for (int i = AT_ORIGIN; i <= AT_ZERO; i++) {
+		r.sum[i][0] = fabs(ex_round(f->tx_size).hi);
+		r.sum[i][1] = fabs(ex_round(f->ty_size).hi);
+	}
+	return r;
 }
 
-/* diag(1/x, 1/y), the lower right block's inverse, and the lower left one: of
- * the products that it sums, zw tx is always 0, and either zx or tx. */
+/* diag(1/x, 1/y), the lower right block's inverse, and the lower left one, in
+ * which zw tx is always 0. */
 static struct form inverse_of(const struct form *f)
 {
 	ex one = ex_of(1), dx = ex_mul(f->det, f->x), dy = ex_mul(f->det, f->y);
-	ex tx = ex_sub(ex_mul(f->tz, f->zx), ex_mul(f->zz, f->tx));
-	ex ty = ex_sub(ex_mul(f->tz, f->zy), ex_mul(f->zz, f->ty));
+	ex tx_size = ex_mul(f->zz, f->tx_size);
+	ex ty_size = ex_mul(f->zz, f->ty_size);
+	ex tx = sum(ex_neg(ex_mul(f->zz, f->tx)), ex_mul(f->tz, f->zx),
+	    &tx_size);
+	ex ty = sum(ex_neg(ex_mul(f->zz, f->ty)), ex_mul(f->tz, f->zy),
+	    &ty_size);
 
 	return (struct form){
 		.x = ex_quotient(one, f->x),
@@ -274,6 +291,8 @@ static struct form inverse_of(const struct form *f)
 		.ty = ex_quotient(ty, dy),
 		.tz = ex_neg(ex_quotient(f->tz, f->det)),
 		.tw = ex_quotient(f->zz, f->det),
+		.tx_size = ex_quotient(tx_size, dx),
+		.ty_size = ex_quotient(ty_size, dy),
 	};
 }
 
@@ -306,8 +325,10 @@ const char *projection_map(const struct projection *p,
 		why = persp(p, c, &f);
 		break;
 	case PROJECTION_ORTHO:
-	case PROJECTION_OBLIQUE:
 		why = ortho(p, c, &f);
+		break;
+	case PROJECTION_OBLIQUE:
+		why = oblique(p, c, &f);
 		break;
 	case PROJECTION_VOLUME:
 		why = volume(p, c, &f);
@@ -323,11 +344,6 @@ const char *projection_map(const struct projection *p,
 	if (inverse)
 		f = inverse_of(&f);
 	*r = map_of_form(&f);
-	if (p->type == PROJECTION_OBLIQUE) {
-		struct map s = shear(p, c->right_handed, inverse);
-
-		*r = inverse ? map_then(r, &s) : map_then(&s, r);
-	}
 	return map_is_finite(r) ? NULL :
 	    "/projection: its matrix has elements beyond the range of "
 	    "doubles; bring the sizes and distances nearer to one another";

@@ -50,9 +50,9 @@ struct projection {
 };
 
 /* The matrices of INTERFACE.md section 4 and their inverses, from formulas in
- * the parameters: every element is its exact value for the given doubles
- * within 2 TRIG_BOUND + 3 u^2 of the products that it sums. Returns NULL, or
- * the member and the reason. */
+ * the parameters: every element is the exact value for the given doubles
+ * rounded once, within EX_BOUND u^2 of the products that it sums. Returns NULL,
+ * or the member and the reason. */
 const char *projection_map(const struct projection *,
     const struct convention *, bool inverse, struct map *);
 

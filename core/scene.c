@@ -78,6 +78,7 @@ const char *scene_map(const struct scene *s, enum space from, enum space to,
 		if (!map_is_finite(r))
 			return beyond[i];
 	}
+	map_settle(r);
 	return NULL;
 }
 
@@ -91,12 +92,15 @@ const char *scene_flat_map(const struct scene *s, enum flat from, enum flat to,
 	const char *why = NULL;
 
 	*r = map_identity;
-	if (low == FLAT_WINDOW && high != low)
+	if (low == high)
+		return NULL;
+	if (low == FLAT_WINDOW)
 		why = window_map(&s->window, d, back, r);
-	if (why != NULL || high != FLAT_DEVICE || high == low)
+	if (why != NULL || high != FLAT_DEVICE)
 		return why;
 	why = device_map(&s->device, back, &stage);
 	then(r, &stage, back);
+	map_settle(r);
 	return why != NULL || map_is_finite(r) ? why :
 	    "/device: the composed matrix has elements beyond the range of "
 	    "doubles; bring the sizes nearer to one another";

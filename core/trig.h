@@ -1,20 +1,21 @@
-/* Sine, cosine and cotangent of degrees, in double-double. Exact where the
- * result is rational: the arguments are reduced exactly, in degrees. */
+/* Sine, cosine and cotangent of degrees, with more digits than a double-double
+ * keeps, so that what is made of them is rounded once. Exact where the result
+ * is rational: the arguments are reduced exactly, in degrees. */
 #ifndef TRIG_H
 #define TRIG_H
 
-#include "dd.h"
+#include "expansion.h"
 
-/* Any finite angle. Within TRIG_BOUND u^2, relative. */
-enum { TRIG_BOUND = 2 };
+/* Relative. */
+#define TRIG_BOUND 0x1p-200
 
-dd sin_deg(double angle);
-dd cos_deg(double angle);
+/* Any finite angle. */
+ex sin_deg(double angle);
+ex cos_deg(double angle);
 
-/* Cotangent of angle in (0, 90]; of half an angle in (0, 180). Within 2
- * TRIG_BOUND + 1 u^2. 180 - angle is exact where it matters, so nothing is lost
- * as the angle nears 180. */
-dd cot_deg(double angle);
-dd cot_half_deg(double angle);
+/* Cotangent of angle in (0, 90]; of half an angle in (0, 180). 180 - angle is
+ * exact where it matters, so nothing is lost as the angle nears 180. */
+ex cot_deg(double angle);
+ex cot_half_deg(double angle);
 
 #endif

@@ -27,8 +27,11 @@ struct viewport {
 	double scales[2];
 };
 
-/* Window to NDC (10.10) after pan, zoom and adapt, within 2 u^2; device may be
- * NULL where adapt is ADAPT_STRETCH. */
+/* Every element of these maps is the exact value rounded once, within EX_BOUND
+ * u^2.
+ *
+ * Window to NDC (10.10) after pan, zoom and adapt; device may be NULL where
+ * adapt is ADAPT_STRETCH. */
 const char *window_map(const struct window *, const struct device *,
     bool inverse, struct map *);
 

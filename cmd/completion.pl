@@ -1,0 +1,168 @@
+#!/usr/bin/perl
+# Prints what completes the command line in a shell. All of it the program says
+# of itself: its commands and options in its help, the words that an option
+# takes when it is given another.
+# usage: completion.pl PROJCALC bash|zsh|fish
+use strict;
+use warnings;
+
+my ($program, $shell) = @ARGV;
+
+sub said {
+	open my $out, '-|', 'sh', '-c', 'exec "$@" 2>&1 </dev/null', 'sh',
+	    $program, @_ or die "$program: $!\n";
+	return <$out>;
+}
+
+my (@commands, %about, @options, %option);
+
+for (said('help')) {
+	next unless /^  ([a-z]\w*) +(.+)/;
+	push @commands, $1;
+	$about{$1} = $2;
+}
+for my $command (@commands) {
+	for (said('help', $command)) {
+		next unless /^  (?:-(\w), |    )--([\w-]+) (\S*) +(.+)/;
+		push @options, $2 unless $option{$2};
+		$option{$2} //= {letter => $1, name => $2, argument => $3,
+			about => $4, words => ''};
+		push @{$option{$2}{commands}}, $command;
+	}
+}
+die "$program: no commands\n" unless @commands;
+for my $o (grep { $_->{argument} ne '' } values %option) {
+	my ($words) = map { /it is one of (.+)/ ? $1 : () }
+	    said($o->{commands}[0], "--$o->{name}=?");
+	$o->{words} = join ' ', split /, | or /, $words if defined $words;
+}
+
+sub options_of {
+	my ($command) = @_;
+	return grep {
+		grep { $_ eq $command } @{$_->{commands}}
+	} map { $option{$_} } @options;
+}
+
+# In single quotes; zsh takes brackets and colons for its own.
+sub quote {
+	my ($text, $special) = @_;
+	$text =~ s/([$special])/\\$1/g if $special;
+	return "'" . $text =~ s/'/'\\''/gr . "'";
+}
+
+sub names {
+	my ($o, $between) = @_;
+	return join $between, $o->{letter} ? "-$o->{letter}" : (),
+	    "--$o->{name}";
+}
+
+sub bash {
+	my $all = join ' ', @commands, 'help';
+	my %cases;
+	for my $o (grep { $_->{argument} ne '' } map { $option{$_} } @options) {
+		push @{$cases{$o->{words}}}, names($o, ' | ');
+	}
+	print <<"	END" =~ s/^\t//mgr;
+	# projcalc(1) in bash
+	_projcalc()
+	{
+		local cur=\${COMP_WORDS[COMP_CWORD]}
+		local prev=\${COMP_WORDS[COMP_CWORD-1]} words
+
+		COMPREPLY=()
+		# bash takes --to=device for three words
+		if [ "\$cur" = = ]; then
+			cur=
+		elif [ "\$prev" = = ]; then
+			prev=\${COMP_WORDS[COMP_CWORD-2]}
+		fi
+		if [ "\$COMP_CWORD" -eq 1 ]; then
+			words='$all --help --version'
+		else
+			case \$prev in
+			help) words='@commands' ;;
+	END
+	for my $words (sort keys %cases) {
+		my $names = join ' | ', @{$cases{$words}};
+		my $then = $words eq '' ? 'compopt +o default; return' :
+		    "words='$words'";
+		print "\t\t$names) $then ;;\n";
+	}
+	print "\t\t*) case \${COMP_WORDS[1]} in\n";
+	my %alike;
+	for my $command (@commands) {
+		push @{$alike{join ' ', map { names($_, ' ') }
+		    options_of($command)}}, $command;
+	}
+	for my $words (sort keys %alike) {
+		my $names = join ' | ', @{$alike{$words}};
+		print "\t\t\t$names) words='$words' ;;\n";
+	}
+	print <<"	END" =~ s/^\t//mgr;
+				esac
+				# what is no option is a file
+				[ "\${cur#-}" = "\$cur" ] && words= ;;
+			esac
+		fi
+		while read -r cur; do
+			COMPREPLY+=("\$cur")
+		done < <(compgen -W "\$words" -- "\$cur")
+	}
+	complete -o default -F _projcalc projcalc
+	END
+}
+
+sub zsh {
+	print "#compdef projcalc\n",
+	    "local curcontext=\$curcontext state line\n",
+	    "local -a commands=(\n";
+	print "\t", quote("$_:$about{$_}"), "\n" for @commands;
+	print <<"	END" =~ s/^\t//mgr;
+		'help:what a command does'
+	)
+	_arguments -C '1:command:->command' '*::operand:->operand'
+	if [[ \$state = command ]]; then
+		_describe command commands
+		return
+	fi
+	case \$words[1] in
+	END
+	for my $command (@commands) {
+		print "$command) _arguments \\\n";
+		for my $o (options_of($command)) {
+			my $about = quote("[$o->{about}]" .
+			    ($o->{argument} eq '' ? '' :
+			    ":$o->{argument}:($o->{words})"));
+			my $long = "--$o->{name}" .
+			    ($o->{argument} eq '' ? '' : '=');
+			print "\t", $o->{letter} ? "'(" . names($o, ' ') .
+			    ")'{-$o->{letter},$long}" : $long, $about,
+			    " \\\n";
+		}
+		print "\t'1:PARAMS:_files' '*:POINTS:_files' ;;\n";
+	}
+	print "help) _describe command commands ;;\nesac\n";
+}
+
+sub fish {
+	print "# projcalc(1) in fish\n";
+	print "complete -c projcalc -f -n __fish_use_subcommand -a $_ -d ",
+	    quote($about{$_}), "\n" for @commands;
+	print "complete -c projcalc -f -n __fish_use_subcommand -a help\n",
+	    "complete -c projcalc -f -n '__fish_seen_subcommand_from help' ",
+	    "-a '@commands'\n";
+	for my $o (map { $option{$_} } @options) {
+		print 'complete -c projcalc -n ',
+		    "'__fish_seen_subcommand_from @{$o->{commands}}'",
+		    $o->{letter} ? " -s $o->{letter}" : '', " -l $o->{name}",
+		    $o->{argument} ne '' ? ' -x' : '',
+		    $o->{words} ne '' ? " -a '$o->{words}'" : '',
+		    ' -d ', quote($o->{about}), "\n";
+	}
+}
+
+my %print = (bash => \&bash, zsh => \&zsh, fish => \&fish);
+
+($print{$shell // ''} or die "usage: completion.pl PROJCALC bash|zsh|fish\n")
+    ->();

@@ -1,0 +1,34 @@
+/* Time for the benchmarks: of many runs, the minimum is the machine at its
+ * best and the median what it gives. */
+#ifndef CLOCK_BENCH_H
+#define CLOCK_BENCH_H
+
+#include <stdlib.h>
+#include <time.h>
+
+struct timing {
+	double min, median;
+};
+
+static inline double clock_ns(void)
+{
+	struct timespec t;
+
+	clock_gettime(CLOCK_MONOTONIC, &t);
+	return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
+}
+
+static inline int clock_compare(const void *a, const void *b)
+{
+	double x = *(const double *)a, y = *(const double *)b;
+
+	return (x > y) - (x < y);
+}
+
+static inline struct timing timing_of(double *times, size_t n)
+{
+	qsort(times, n, sizeof *times, clock_compare);
+	return (struct timing){ times[0], times[n / 2] };
+}
+
+#endif

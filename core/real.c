@@ -1,0 +1,261 @@
+#include "real.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { STORE = 1 << 15 };
+
+/* What low parts below 2^-1074 can cost an element. */
+#define LOST 0x1p-1068
+
+static mpfr_t store[STORE];
+static int made, used;
+
+static real fresh(void)
+{
+	if (used == STORE)
+		abort();
+	if (used == made)
+		mpfr_init2(store[made++], REAL_BITS);
+	return store[used++];
+}
+
+int real_mark(void)
+{
+	return used;
+}
+
+void real_release(int mark)
+{
+	used = mark;
+}
+
+#define UNARY(name, type, operation) \
+	real name(type a) \
+	{ \
+		real r = fresh(); \
+		operation(r, a, MPFR_RNDN); \
+		return r; \
+	}
+#define BINARY(name, operation) \
+	real name(real a, real b) \
+	{ \
+		real r = fresh(); \
+		operation(r, a, b, MPFR_RNDN); \
+		return r; \
+	}
+
+UNARY(number, double, mpfr_set_d)
+UNARY(negative, real, mpfr_neg)
+UNARY(magnitude, real, mpfr_abs)
+UNARY(root, real, mpfr_sqrt)
+BINARY(add, mpfr_add)
+BINARY(sub, mpfr_sub)
+BINARY(mul, mpfr_mul)
+BINARY(over, mpfr_div)
+
+static UNARY(cube_root, real, mpfr_cbrt)
+static UNARY(sine_of, real, mpfr_sin)
+static UNARY(cosine_of, real, mpfr_cos)
+static UNARY(cotangent_of, real, mpfr_cot)
+
+real number_ex(ex a)
+{
+	real r = number(0);
+
+	for (int i = 0; i < a.n; i++)
+		r = add(r, number(a.t[i]));
+	mpfr_mul_2si(r, r, a.e, MPFR_RNDN);
+	return r;
+}
+
+real number_dd(dd a)
+{
+	return add(number(a.hi), number(a.lo));
+}
+
+static real radians(double angle, int part)
+{
+	real pi = fresh();
+
+	mpfr_const_pi(pi, MPFR_RNDN);
+	return over(mul(number(angle), pi), number(180.0 * part));
+}
+
+real sine(double angle)
+{
+	return sine_of(radians(angle, 1));
+}
+
+real cosine(double angle)
+{
+	return cosine_of(radians(angle, 1));
+}
+
+real cotangent(double angle, int part)
+{
+	return cotangent_of(radians(angle, part));
+}
+
+void set(real r[], int n, const double a[])
+{
+	for (int i = 0; i < n; i++)
+		r[i] = number(a == NULL ? 0 : a[i]);
+}
+
+void set_matrix(real r[4][4], double m[4][4])
+{
+	for (int i = 0; i < 4; i++)
+		set(r[i], 4, m[i]);
+}
+
+void set_unit(real r[4][4])
+{
+	for (int i = 0; i < 4; i++)
+		for (int j = 0; j < 4; j++)
+			r[i][j] = number(i == j);
+}
+
+static void swap(real a[4], real b[4])
+{
+	real t[4];
+
+	memcpy(t, a, sizeof t);
+	memmove(a, b, sizeof t);
+	memcpy(b, t, sizeof t);
+}
+
+/* a - f b */
+static void eliminate(real a[4], real f, real b[4])
+{
+	for (int j = 0; j < 4; j++)
+		a[j] = sub(a[j], mul(f, b[j]));
+}
+
+/* Gauss and Jordan, with pivots. */
+void set_inverse(real r[4][4], real m[4][4])
+{
+	real a[4][4];
+
+	memcpy(a, m, sizeof a);
+	set_unit(r);
+	for (int k = 0; k < 4; k++) {
+		int p = k;
+
+		for (int i = k + 1; i < 4; i++)
+			if (mpfr_cmpabs(a[i][k], a[p][k]) > 0)
+				p = i;
+		swap(a[k], a[p]);
+		swap(r[k], r[p]);
+		real pivot = a[k][k];
+
+		for (int j = 0; j < 4; j++) {
+			a[k][j] = over(a[k][j], pivot);
+			r[k][j] = over(r[k][j], pivot);
+		}
+		for (int i = 0; i < 4; i++)
+			if (i != k) {
+				real f = a[i][k];
+
+				eliminate(a[i], f, a[k]);
+				eliminate(r[i], f, r[k]);
+			}
+	}
+}
+
+real dot(real a[], real b[], int n)
+{
+	real s = number(0);
+
+	for (int i = 0; i < n; i++)
+		s = add(s, mul(a[i], b[i]));
+	return s;
+}
+
+void cross(real a[3], real b[3], real r[3])
+{
+	r[0] = sub(mul(a[1], b[2]), mul(a[2], b[1]));
+	r[1] = sub(mul(a[2], b[0]), mul(a[0], b[2]));
+	r[2] = sub(mul(a[0], b[1]), mul(a[1], b[0]));
+}
+
+void normalise(real a[], int n)
+{
+	real length = root(dot(a, a, n));
+
+	for (int i = 0; i < n; i++)
+		a[i] = over(a[i], length);
+}
+
+/* X = (c X + inv(X)' / c) / 2 with c = |det X|^(-1/3) until it stands still
+ * (Higham, "Computing the polar decomposition - with applications", 1986).
+ * Returns how far X moved. */
+static real polar_step(real x[4][4])
+{
+	real inverse[4][4], yz[3], change = number(0);
+
+	set_inverse(inverse, x);
+	cross(x[1], x[2], yz);
+	real c = cube_root(magnitude(dot(x[0], yz, 3)));
+
+	for (int i = 0; i < 3; i++)
+		for (int j = 0; j < 3; j++) {
+			real next = over(add(over(x[i][j], c),
+			    mul(inverse[j][i], c)), number(2));
+
+			change = add(change, magnitude(sub(next, x[i][j])));
+			mpfr_set(x[i][j], next, MPFR_RNDN);
+		}
+	return change;
+}
+
+void orthonormalise(real m[4][4])
+{
+	bool moves = true;
+
+	while (moves) {
+		int mark = real_mark();
+
+		moves = mpfr_cmp_d(polar_step(m), 0x1p-1000) > 0;
+		real_release(mark);
+	}
+}
+
+/* Half the bits, though so much cancels nowhere. */
+bool is_zero(real a, real size)
+{
+	int mark = real_mark();
+	real least = fresh();
+
+	mpfr_mul_2si(least, size, -REAL_BITS / 2, MPFR_RNDN);
+	bool zero = mpfr_cmpabs(a, least) <= 0;
+
+	real_release(mark);
+	return zero;
+}
+
+double ulps(double printed, real exact)
+{
+	int mark = real_mark();
+	real off = magnitude(sub(number(printed), exact));
+	long e = mpfr_zero_p(exact) ? -1074 : mpfr_get_exp(exact) - 53;
+
+	mpfr_mul_2si(off, off, e > -1074 ? -e : 1074, MPFR_RNDN);
+	double r = mpfr_get_d(off, MPFR_RNDN);
+
+	real_release(mark);
+	return r;
+}
+
+double u2_error(dd got, real exact, double size)
+{
+	int mark = real_mark();
+	real off = magnitude(sub(number_dd(got), exact));
+	double r = 0;
+
+	if (mpfr_cmp_d(off, LOST) > 0)
+		r = mpfr_get_d(over(off, mul(number(0x1p-106),
+		    number(size))), MPFR_RNDN);
+	real_release(mark);
+	return r;
+}

@@ -1,0 +1,335 @@
+#include "sample.h"
+
+#include <math.h>
+
+#include <stdint.h>
+#include <string.h>
+
+/* splitmix64 */
+static uint64_t state;
+
+static uint64_t next(void)
+{
+	uint64_t z = state += 0x9e3779b97f4a7c15;
+
+	z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
+	z = (z ^ z >> 27) * 0x94d049bb133111eb;
+	return z ^ z >> 31;
+}
+
+void sample_seed(unsigned seed)
+{
+	state = seed;
+}
+
+unsigned sample_below(unsigned n)
+{
+	return (unsigned)(next() % n);
+}
+
+double sample_unit(void)
+{
+	return (double)(next() >> 11) * 0x1p-53;
+}
+
+double sample_between(double a, double b)
+{
+	return a + (b - a) * sample_unit();
+}
+
+double sample_size(int e)
+{
+	return pow(10, sample_between(-e, e));
+}
+
+double sample_number(int e)
+{
+	double a = sample_size(e);
+
+	switch (sample_below(8)) {
+	case 0:
+		return 0;
+	case 1:
+	case 2:
+	case 3:
+		return -a;
+	default:
+		return a;
+	}
+}
+
+static double whole(unsigned most)
+{
+	return (double)sample_below(2 * most + 1) - most;
+}
+
+static double ordinary(void)
+{
+	return sample_below(2) ? whole(5) : sample_between(-10, 10);
+}
+
+static void vector(double v[3], int e)
+{
+	for (int i = 0; i < 3; i++)
+		v[i] = e > 0 ? sample_number(e) : ordinary();
+}
+
+void sample_convention(struct convention *c)
+{
+	static const struct convention known[4] = {
+		{ 0 },
+		{ true, true, true, false, true },
+		{ true, false, true, true, false },
+		{ true, false, true, false, false },
+	};
+
+	*c = known[sample_below(4)];
+	if (sample_below(4) == 0) {
+		c->right_handed = sample_below(2);
+		c->minus_one = sample_below(2);
+		c->ndc_y_down = sample_below(2);
+		c->bottom_left = sample_below(2);
+	}
+}
+
+/* Far from the origin and looking at something near. */
+static void stand_far(struct camera *c)
+{
+	double far = sample_below(2) ? 1e9 : 1e15;
+
+	for (int i = 0; i < 3; i++) {
+		c->eye[i] = far * sample_between(-1, 1);
+		c->at[i] = c->eye[i] + sample_between(-20, 20);
+	}
+}
+
+/* up within 1e-12 to 1e-15 of the gaze. */
+static void look_along(struct camera *c)
+{
+	double near = pow(10, sample_between(-15, -12));
+
+	for (int i = 0; i < 3; i++) {
+		double gaze = c->at[i];
+
+		if (c->by == CAMERA_AT)
+			gaze -= c->eye[i];
+		c->up[i] = gaze * (1 + near * sample_between(-1, 1));
+	}
+}
+
+void sample_camera(struct camera *c, int e)
+{
+
+	memset(c, 0, sizeof *c);
+	c->by = sample_below(4);
+	vector(c->eye, e);
+	vector(c->at, e);
+	vector(c->up, e);
+	if (sample_below(2))
+		memcpy(c->up, (double[]){ 0, 1, 0 }, sizeof c->up);
+	for (int i = 0; i < 4; i++)
+		c->orientation[i] = e > 0 ? sample_number(e) : ordinary();
+	sample_affine(c->matrix, e);
+	if (e > 0 && c->by == CAMERA_AT && sample_below(2))
+		stand_far(c);
+	if (e > 0 && c->by < CAMERA_ORIENTATION && sample_below(2))
+		look_along(c);
+	if (sample_below(3) == 0)
+		c->roll = 15 * whole(24);
+	else if (sample_below(2))
+		c->roll = e > 0 ? sample_number(150) :
+				    sample_between(-180, 180);
+}
+
+/* A rotation that has drifted; hostile: one that is hardly a rotation, down to
+ * singular values 10^-14 times the largest. The determinant is positive but
+ * for rounding errors. */
+void sample_orthonormalize(struct camera *c, int e)
+{
+	double q[4], norm = 0, stretch[3];
+	double size = e > 0 ? sample_size(140) : 1;
+	double drift = sample_below(2) ? 1e-7 : 0.5;
+
+	memset(c, 0, sizeof *c);
+	c->by = CAMERA_MATRIX;
+	c->orthonormalize = true;
+	for (int i = 0; i < 4; i++) {
+		q[i] = sample_between(-1, 1);
+		norm += q[i] * q[i];
+	}
+	for (int k = 0; k < 3; k++)
+		stretch[k] = e > 0 ? pow(10, sample_between(-14, 0)) :
+				       sample_between(0.5, 2);
+	for (int i = 0; i < 3; i++) {
+		int j = (i + 1) % 3, k = (i + 2) % 3;
+
+		c->matrix[i][i] = norm - 2 * (q[j] * q[j] + q[k] * q[k]);
+		c->matrix[j][i] = 2 * (q[i] * q[j] + q[3] * q[k]);
+		c->matrix[k][i] = 2 * (q[i] * q[k] - q[3] * q[j]);
+	}
+	for (int i = 0; i < 9; i++) {
+		double *m = &c->matrix[i / 3][i % 3];
+
+		*m *= size / norm * (e > 0 ? stretch[i % 3] :
+		    1 + drift * sample_between(-1, 1));
+	}
+	vector(c->matrix[3], e > 0 ? 20 : 0);
+	c->matrix[3][3] = 1;
+}
+
+void sample_affine(double m[4][4], int e)
+{
+	memset(m, 0, 16 * sizeof m[0][0]);
+	for (int i = 0; i < 4; i++)
+		vector(m[i], e);
+	m[3][3] = 1;
+}
+
+static double angle(int e)
+{
+	if (e == 0)
+		return sample_below(2) ? 15 * (1 + sample_below(11)) :
+					 sample_between(1, 179);
+	switch (sample_below(3)) {
+	case 0:
+		return pow(10, -e);
+	case 1:
+		return 180 - pow(2, sample_between(-45, 0));
+	default:
+		return pow(10, sample_between(-e, 2));
+	}
+}
+
+static void sides(struct projection *p, int e)
+{
+	p->left = e > 0 ? sample_number(e) : ordinary();
+	p->bottom = e > 0 ? sample_number(e) : ordinary();
+	p->right = e > 0 ? sample_number(e) : ordinary() + 20;
+	p->top = e > 0 ? sample_number(e) : ordinary() + 20;
+	if (sample_below(3) == 0) {
+		p->right = -p->left;
+		p->top = -p->bottom;
+	}
+}
+
+static void planes(struct projection *p, int e)
+{
+	p->near = e > 0 ? sample_size(e) : 1 + sample_below(9);
+	p->far = e > 0 ? p->near + sample_size(e) :
+			   p->near * sample_between(1, 1000);
+	switch (sample_below(e > 0 ? 3 : 6)) {
+	case 0:
+		p->far = p->near * (1 + pow(10, sample_between(-15, 0)));
+		break;
+	case 1:
+		p->far = p->type == PROJECTION_PERSP ? (double)INFINITY :
+						       -p->near;
+		break;
+	}
+	if (p->type != PROJECTION_PERSP && sample_below(2))
+		p->near = -p->near / 2;
+	p->plane = sample_below(2) ? p->near : ordinary();
+	p->reverse_z = sample_below(2);
+}
+
+static void seven(struct projection *p, int e)
+{
+	p->half_width = e > 0 ? sample_size(e) : 1 + sample_below(9);
+	p->half_height = e > 0 ? sample_size(e) : 1 + sample_below(9);
+	p->z_near = e > 0 ? sample_number(e) : ordinary();
+	p->z_far = e > 0 ? sample_number(e) : ordinary();
+	p->inverse_eye_z = e > 0 ? sample_number(e) :
+				     sample_between(-0.1, 0.1);
+	if (sample_below(4) == 0)
+		p->inverse_eye_z = 0;
+	vector(p->eye, e);
+	memcpy(p->tan_skew, p->eye, sizeof p->tan_skew);
+	p->eye[2] *= e > 0 ? 1 : 10;
+	p->has_eye = sample_below(2);
+}
+
+void sample_projection(struct projection *p, int e)
+{
+
+	memset(p, 0, sizeof *p);
+	p->type = 1 + sample_below(5);
+	p->extent = sample_below(7);
+	if (p->type == PROJECTION_PERSP && p->extent == EXTENT_HEIGHT)
+		p->extent = EXTENT_SIZE;
+	if (p->type != PROJECTION_PERSP && p->extent < EXTENT_SIZE)
+		p->extent = EXTENT_EDGES;
+	p->angle = p->extent == EXTENT_FIELD ? sample_size(e > 0 ? e : 1) :
+					       angle(e);
+	p->aspect[0] = e > 0 ? sample_size(e) : 640;
+	p->aspect[1] = e > 0 ? sample_size(e) : 480;
+	p->width = e > 0 ? sample_size(e) : 1 + sample_below(20);
+	p->height = e > 0 ? sample_size(e) : 1 + sample_below(20);
+	sides(p, e);
+	planes(p, e);
+	seven(p, e);
+	p->kind = sample_below(3);
+	p->projector = angle(e) / 2;
+	p->direction = 15 * whole(24);
+	for (int i = 0; i < 4; i++) {
+		vector(p->matrix[i], e);
+		p->matrix[i][3] = sample_below(2) ? i == 3 : ordinary();
+	}
+}
+
+void sample_viewport(struct viewport *v, int e)
+{
+
+	v->x = e > 0 ? sample_number(e) : whole(100);
+	v->y = e > 0 ? sample_number(e) : whole(100);
+	v->width = e > 0 ? sample_size(e) : 1 + sample_below(4000);
+	v->height = e > 0 ? sample_size(e) : 1 + sample_below(4000);
+	v->min_z = sample_below(2) ? 0 : sample_unit();
+	v->max_z = sample_below(2) ? 1 : sample_unit();
+	v->scale = sample_below(3);
+	v->scales[0] = e > 0 ? sample_size(e) : 1 + sample_below(4000);
+	v->scales[1] = e > 0 ? sample_size(e) : 1 + sample_below(4000);
+}
+
+void sample_flat(struct window *w, struct device *d, int e)
+{
+
+	memset(w, 0, sizeof *w);
+	w->by_edges = sample_below(2);
+	for (int i = 0; i < 2; i++) {
+		w->center[i] = e > 0 ? sample_number(e) : ordinary();
+		w->pan[i] = e > 0 ? sample_number(e) : ordinary();
+		w->about[i] = e > 0 ? sample_number(e) : ordinary();
+	}
+	w->width = e > 0 ? sample_size(e) : 1 + sample_below(20);
+	w->height = e > 0 ? sample_size(e) : 1 + sample_below(20);
+	w->left = w->center[0];
+	w->right = w->left + w->width;
+	w->bottom = w->center[1];
+	w->top = w->bottom + w->height;
+	w->zoom = sample_below(2) ? 1 : e > 0 ? sample_size(e) :
+						  sample_between(0.1, 10);
+	w->has_about = sample_below(2);
+	w->adapt = sample_below(3);
+	d->x = e > 0 ? sample_number(e) : whole(100);
+	d->y = e > 0 ? sample_number(e) : whole(100);
+	d->width = e > 0 ? sample_size(e) : 1 + sample_below(4000);
+	d->height = e > 0 ? sample_size(e) : 1 + sample_below(4000);
+	d->top_left = sample_below(2);
+}
+
+void sample_scene(struct scene *s, int e)
+{
+	memset(s, 0, sizeof *s);
+	sample_convention(&s->convention);
+	s->has_world = sample_below(2);
+	s->has_camera = s->has_viewport = true;
+	s->has_window = s->has_device = true;
+	sample_affine(s->world, e);
+	if (e > 0 && sample_below(2))
+		for (int j = 0; j < 3; j++)
+			s->world[3][j] *= 1e12;
+	sample_camera(&s->camera, e);
+	sample_projection(&s->projection, e);
+	sample_viewport(&s->viewport, e);
+	sample_flat(&s->window, &s->device, e);
+}

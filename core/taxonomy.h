@@ -1,0 +1,55 @@
+/* What a scene's projection is: its place in the taxonomy of planar
+ * projections, and what of it can be seen from the world. */
+#ifndef TAXONOMY_H
+#define TAXONOMY_H
+
+#include "scene.h"
+
+enum taxon {
+	TAXON_ORTHOGRAPHIC,
+	TAXON_OBLIQUE,
+	TAXON_PERSPECTIVE,
+	TAXON_REVERSE, /* the eye lies beyond far */
+};
+
+enum kind {
+	KIND_MULTIVIEW,
+	KIND_ISOMETRIC,
+	KIND_DIMETRIC,
+	KIND_TRIMETRIC,
+	KIND_CAVALIER,
+	KIND_CABINET,
+	KIND_GENERAL,
+	KIND_ONE_POINT,
+	KIND_TWO_POINT,
+	KIND_THREE_POINT,
+};
+
+/* What there is none of is nan. Numbers are within 1/2 + kappa 2^-47 units in
+ * the last place, kappa being what cancellation costs; angles within 1/2 +
+ * 2^-40. */
+struct taxonomy {
+	enum taxon taxon;
+	enum kind kind;
+	bool reversed; /* the near plane has the larger depth */
+	/* lengths of the world's unit axes' images in the projection plane, in
+	 * view units, of a parallel projection */
+	double foreshortening[3];
+	/* of the world's axes, in device or else ndc units */
+	double vanishing_point[3][2];
+	double fov[2];       /* degrees across x and y */
+	double eye[3];       /* in world space */
+	double gaze[3];      /* unit normal of the projection plane */
+	double corner[8][3]; /* in world space, see view_corner */
+};
+
+/* Returns NULL, or the member and the reason. */
+const char *taxonomy_of(const struct scene *, struct taxonomy *);
+
+/* Corner 0..7 of the view volume under the inverse of a map to clip space,
+ * homogeneous, with clip w = 1: near, then far, each left-bottom, right-bottom,
+ * right-top, left-top. size is the sum of the |products| of each. */
+void view_corner(const struct scene *, const struct map *from_clip,
+    bool reversed, int corner, ex h[4], double size[4]);
+
+#endif

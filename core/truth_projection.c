@@ -1,0 +1,182 @@
+#include <math.h>
+
+#include "truth.h"
+
+#define ONE number(1)
+#define TWO number(2)
+
+/* The scales s of x and y and how far off the centre is, (a + b) / (b - a);
+ * n is the near distance of persp, 1 for the parallel ones. */
+static void edges(const struct projection *p, real n, real s[2], real off[2])
+{
+	real a[2], b[2];
+
+	set(a, 2, (double[]){ p->left, p->bottom });
+	set(b, 2, (double[]){ p->right, p->top });
+	for (int i = 0; i < 2; i++) {
+		s[i] = over(mul(TWO, n), sub(b[i], a[i]));
+		off[i] = over(add(a[i], b[i]), sub(b[i], a[i]));
+	}
+}
+
+static void by_aspect(const struct projection *p, bool x_given, real given,
+    real s[2])
+{
+	real aspect = over(number(p->aspect[0]), number(p->aspect[1]));
+
+	s[0] = x_given ? given : over(given, aspect);
+	s[1] = x_given ? mul(given, aspect) : given;
+}
+
+static void cross_section(const struct projection *p, real n, real s[2],
+    real off[2])
+{
+	bool wide = p->aspect[0] >= p->aspect[1];
+
+	set(off, 2, NULL);
+	switch (p->extent) {
+	case EXTENT_FOVY:
+		by_aspect(p, false, cotangent(p->angle, 2), s);
+		break;
+	case EXTENT_FOVX:
+		by_aspect(p, true, cotangent(p->angle, 2), s);
+		break;
+	case EXTENT_VIEW_ANGLE:
+		by_aspect(p, !wide, cotangent(p->angle, 2), s);
+		break;
+	case EXTENT_FIELD:
+		by_aspect(p, wide, over(ONE, number(p->angle)), s);
+		break;
+	case EXTENT_HEIGHT:
+		by_aspect(p, false, over(TWO, number(p->height)), s);
+		break;
+	case EXTENT_SIZE:
+		s[0] = over(mul(TWO, n), number(p->width));
+		s[1] = over(mul(TWO, n), number(p->height));
+		break;
+	case EXTENT_EDGES:
+		edges(p, n, s, off);
+		break;
+	}
+}
+
+/* f / (f - n) and -n f / (f - n); to -1..1 (f + n) / (f - n) and twice the
+ * other; far infinite is the limit. Reversed, near and far change places. */
+static void depth(const struct projection *p, bool minus_one, real *a, real *b)
+{
+	real n = number(p->reverse_z ? p->far : p->near);
+	real f = number(p->reverse_z ? p->near : p->far);
+	real k = number(minus_one ? 2 : 1);
+
+	if (isinf(p->far)) {
+		*a = p->reverse_z ? sub(ONE, k) : ONE;
+		*b = mul(k, p->reverse_z ? f : negative(n));
+		return;
+	}
+	*a = over(minus_one ? add(f, n) : f, sub(f, n));
+	*b = negative(over(mul(k, mul(n, f)), sub(f, n)));
+}
+
+static void persp(const struct projection *p, const struct convention *c,
+    real m[4][4])
+{
+	real s[2], off[2];
+
+	cross_section(p, number(p->near), s, off);
+	m[0][0] = s[0];
+	m[1][1] = s[1];
+	m[2][0] = negative(off[0]);
+	m[2][1] = negative(off[1]);
+	depth(p, c->minus_one, &m[2][2], &m[3][2]);
+	m[2][3] = ONE;
+	m[3][3] = number(0);
+	for (int j = 0; j < 4; j++)
+		if (c->right_handed)
+			m[2][j] = negative(m[2][j]);
+}
+
+static void ortho(const struct projection *p, const struct convention *c,
+    real m[4][4])
+{
+	real n = number(p->reverse_z ? p->far : p->near);
+	real f = number(p->reverse_z ? p->near : p->far);
+	real s[2], off[2];
+
+	cross_section(p, ONE, s, off);
+	m[0][0] = s[0];
+	m[1][1] = s[1];
+	m[2][2] = over(c->minus_one ? TWO : ONE, sub(f, n));
+	m[3][0] = negative(off[0]);
+	m[3][1] = negative(off[1]);
+	m[3][2] = negative(over(c->minus_one ? add(f, n) : n, sub(f, n)));
+	if (c->right_handed)
+		m[2][2] = negative(m[2][2]);
+}
+
+/* x' = x + cot(angle) cos(direction) (d - plane), y' likewise with sin, for d
+ * along the gaze. */
+static void shear(const struct projection *p, bool right_handed, real m[4][4])
+{
+	real cot = p->kind == OBLIQUE_CAVALIER ? ONE :
+	    p->kind == OBLIQUE_CABINET ? number(0.5) :
+	    cotangent(p->projector, 1);
+
+	m[2][0] = mul(cot, cosine(p->direction));
+	m[2][1] = mul(cot, sine(p->direction));
+	for (int j = 0; j < 2; j++) {
+		m[3][j] = negative(mul(m[2][j], number(p->plane)));
+		if (right_handed)
+			m[2][j] = negative(m[2][j]);
+	}
+}
+
+static void volume(const struct projection *p, bool minus_one, real m[4][4])
+{
+	real zn = number(p->z_near), zf = number(p->z_far);
+	real hw = number(p->half_width), hh = number(p->half_height);
+	real q = number(p->inverse_eye_z);
+	real tx = number(p->tan_skew[0]), ty = number(p->tan_skew[1]);
+
+	if (p->has_eye) {
+		q = over(ONE, number(p->eye[2]));
+		tx = mul(number(p->eye[0]), q);
+		ty = mul(number(p->eye[1]), q);
+	}
+	m[0][0] = over(ONE, hw);
+	m[1][1] = over(ONE, hh);
+	m[2][0] = negative(over(tx, hw));
+	m[2][1] = negative(over(ty, hh));
+	m[2][2] = minus_one ? sub(mul(add(zn, zf), q), TWO) :
+	    sub(mul(zf, q), ONE);
+	m[3][2] = minus_one ?
+	    sub(add(zn, zf), mul(TWO, mul(zn, mul(zf, q)))) :
+	    mul(zn, sub(ONE, mul(zf, q)));
+	m[2][2] = over(m[2][2], sub(zn, zf));
+	m[3][2] = over(m[3][2], sub(zn, zf));
+	m[2][3] = negative(q);
+	bool behind = mpfr_cmp(mul(zn, q), ONE) > 0;
+
+	for (int i = 0; i < 16 && behind; i++)
+		m[i / 4][i % 4] = negative(m[i / 4][i % 4]);
+}
+
+void truth_projection(struct truth *t, const struct projection *p,
+    const struct convention *c)
+{
+	if (p->type == PROJECTION_OBLIQUE)
+		shear(p, c->right_handed, truth_stage(t)->m);
+	struct truth_stage *s = truth_stage(t);
+
+	if (p->type == PROJECTION_MATRIX)
+		for (int i = 0; i < 4; i++)
+			set(s->m[i], 4, p->matrix[i]);
+	if (p->type == PROJECTION_PERSP)
+		persp(p, c, s->m);
+	if (p->type == PROJECTION_ORTHO || p->type == PROJECTION_OBLIQUE)
+		ortho(p, c, s->m);
+	if (p->type == PROJECTION_VOLUME)
+		volume(p, c->minus_one, s->m);
+	for (int i = 0; i < 4 && c->ndc_y_down; i++)
+		if (p->type != PROJECTION_MATRIX && p->type != PROJECTION_NONE)
+			s->m[i][1] = negative(s->m[i][1]);
+}
