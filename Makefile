@@ -25,14 +25,16 @@ LIBS = -lcjson -lm
 
 # What only tests link.
 TRUTHS = $(wildcard core/truth*.c core/real.c core/sample.c)
-SOURCES = $(filter-out %_test.c %_bench.c %_bench.cc %_fuzz.c $(TRUTHS),\
+STABILITY = core/stability.c core/ways.c core/regimes.c core/naive.c
+SOURCES = $(filter-out %_test.c %_bench.c %_bench.cc %_fuzz.c $(TRUTHS) \
+	$(STABILITY),\
 	$(wildcard core/*.c cmd/*.c cmd/*.cc))
 OBJECTS = $(addprefix $(BUILD)/,$(addsuffix .o,$(basename $(SOURCES))))
 CORE = $(filter $(BUILD)/core/%,$(OBJECTS))
 TRUTH = $(patsubst %.c,$(BUILD)/%.o,$(TRUTHS))
 CORE_TESTS = $(patsubst %.c,$(BUILD)/%,$(wildcard core/*_test.c))
 CMD_TESTS = $(patsubst %.c,$(BUILD)/%,$(wildcard cmd/*_test.c))
-TESTS = $(CORE_TESTS) $(CMD_TESTS)
+TESTS = $(CORE_TESTS) $(CMD_TESTS) $(BUILD)/core/stability
 
 JOBS = $(shell nproc 2>/dev/null || echo 2)
 # As many jobs as there are cores, unless the caller has said how many.
@@ -69,12 +71,29 @@ $(CMD_TESTS): $(BUILD)/%: $(BUILD)/%.o $(OBJECTS) $(TRUTH)
 	$(LINK) -o $@ $(filter-out %/cmd/main.o,$^) -lcmocka -lmpfr -lgmp \
 	    $(LIBS)
 
+$(BUILD)/core/stability: $(patsubst %.c,$(BUILD)/%.o,$(STABILITY)) $(CORE) \
+    $(TRUTH)
+	$(LINK) -o $@ $^ -lmpfr -lgmp -lm
+
+# Where double breaks and exact does not.
+stability: $(BUILD)/core/stability
+	@$< table
+
+chart: $(BUILD)/core/stability
+	$< data > $(BUILD)/core/stability.dat
+	gnuplot -e "data='$(BUILD)/core/stability.dat'" core/stability.gp \
+	    > testdata/charts/stability.svg
+
 # The program and its tests, for cmd/compilers_test.t too.
 programs: $(BUILD)/projcalc $(TESTS)
 
 demo: | $(FIRST)
 	@$(PARALLEL) -s all
 	@sh cmd/demo.sh $(BUILD)
+
+# The bunny in four views, as an SVG.
+views: all
+	sh cmd/views.sh $(BUILD) testdata/charts/views.svg
 
 test: | $(FIRST)
 	@$(PARALLEL) -s programs
@@ -108,7 +127,7 @@ clean:
 # what `make lint` runs.
 DEPS = g++ make libc6-dev libcjson-dev libfast-float-dev libdragonbox-dev \
 	clang jq libcmocka-dev libgmp-dev libmpfr-dev mandoc perl \
-	clang-format cppcheck shellcheck
+	clang-format cppcheck shellcheck gnuplot-nox
 
 # Installs the packages that are missing, and only then touches the network.
 deps:
@@ -144,7 +163,7 @@ help:
 	@echo 'make uninstall'
 	@echo 'make clean'
 
-.PHONY: all programs demo test golden lint install uninstall clean deps help
+.PHONY: stability chart views all programs demo test golden lint install uninstall clean deps help
 # Objects of test programs are kept.
 .SECONDARY:
 # A file that a failed command has half written must not look made.

@@ -154,28 +154,42 @@ static bool is_name(struct span f, const char *name)
 	return (size_t)(f.end - f.s) == n && memcmp(f.s, name, n) == 0;
 }
 
+/* The number of the field of that name, or -1. */
+static int find_name(struct span line, const char *name)
+{
+	const char *s = line.s;
+
+	for (int k = 0; s != NULL; k++) {
+		struct span f = split_field(FORMAT_CSV, s, line.end);
+
+		if (is_name(f, name))
+			return k;
+		s = split_next(FORMAT_CSV, f.end, line.end);
+	}
+	return -1;
+}
+
 /* Turns the names of --columns into field numbers. */
 static bool resolve(struct layout *l, struct span line,
     char reason[REASON_MAX])
 {
 	for (int i = 0; i < l->columns.n; i++) {
 		const char *name = l->columns.name[i];
-		struct span f = line;
+		int *field = &l->columns.field[i];
 
-		if (name == NULL)
-			continue;
-		for (int k = 0;; k++) {
-			if (!split_find(l->in, line.s, line.end, k, &f) &&
-			    f.end == line.end) {
-				snprintf(reason, REASON_MAX, "the header has "
-				    "no column '%.60s'", name);
+		if (name != NULL)
+			*field = find_name(line, name);
+		if (*field < 0) {
+			snprintf(reason, REASON_MAX, "the header has no column "
+			    "'%.60s'", name);
+			return false;
+		}
+		for (int k = 0; k < i; k++)
+			if (l->columns.field[k] == *field) {
+				snprintf(reason, REASON_MAX, "two coordinates "
+				    "are column %d", *field + 1);
 				return false;
 			}
-			if (is_name(f, name)) {
-				l->columns.field[i] = k;
-				break;
-			}
-		}
 	}
 	return true;
 }

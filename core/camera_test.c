@@ -205,7 +205,8 @@ static void no_nearest_ghosts(void **state)
 
 		set_diagonal(&c, 1, 1, 1);
 		for (int k = 0; k < 3; k++)
-			memcpy(c.matrix[k], drifted[i][k], sizeof drifted[i][k]);
+			memcpy(c.matrix[k], drifted[i][k],
+			    sizeof drifted[i][k]);
 		assert_true(compare(&c, false, &w));
 	}
 	claim_maps("a rotation with one 0", &w, EX_BOUND);

@@ -159,9 +159,10 @@ ex ex_minor(int n, ex m[4][4], unsigned rows, unsigned columns)
 		if (columns >> j & 1)
 			continue;
 		if (ex_sign(m[i][j]) != 0) {
-			ex p = ex_mul(m[i][j], ex_minor(n - 1, m, rows | 1u << i,
-			    columns | 1u << j));
+			ex p = ex_minor(n - 1, m, rows | 1u << i,
+			    columns | 1u << j);
 
+			p = ex_mul(m[i][j], p);
 			s = sign > 0 ? ex_add(s, p) : ex_sub(s, p);
 		}
 		sign = -sign;

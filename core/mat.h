@@ -46,8 +46,8 @@ extern const struct map map_identity;
 struct map map_of(dd m[4][4]);
 struct map map_of_doubles(double m[4][4]);
 
-/* Takes points relative to an origin whose image is 0, or to zero again, as clip
- * points need it: their w is not 1. */
+/* Takes points relative to an origin whose image is 0, or to zero again, as
+ * clip points need it: their w is not 1. */
 void map_about(struct map *a, const double origin[3]);
 void map_about_zero(struct map *a);
 

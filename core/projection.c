@@ -11,8 +11,8 @@
  *	 zx  zy  zz  zw
  *	 tx  ty  tz  tw
  *
- * det = zz tw - zw tz comes from the parameters too, as a product; tx and ty are
- * sums of products of these sizes, only oblique's of more than one. */
+ * det = zz tw - zw tz comes from the parameters too, as a product; tx and ty
+ * are sums of products of these sizes, only oblique's of more than one. */
 struct form {
 	ex x, y, zx, zy, zz, zw, tx, ty, tz, tw, det;
 	ex tx_size, ty_size;

@@ -8,8 +8,8 @@
 
 #include "expansion.h"
 
-/* Magnitudes from 1e-150 to 1e150 differ by 1000 bits, products of two such sums
- * by twice as many. */
+/* Magnitudes from 1e-150 to 1e150 differ by 1000 bits, products of two such
+ * sums by twice as many. */
 enum { REAL_BITS = 3000 };
 
 typedef mpfr_ptr real;

@@ -104,7 +104,8 @@ static void viewport(struct truth *t, const struct viewport *v,
     const struct convention *c)
 {
 	struct truth_stage *s = truth_stage(t);
-	real sx = over(number(v->width), TWO), sy = over(number(v->height), TWO);
+	real sx = over(number(v->width), TWO);
+	real sy = over(number(v->height), TWO);
 	real min = number(v->min_z), max = number(v->max_z);
 
 	if (v->scale == SCALE_UNIFORM)
@@ -128,7 +129,8 @@ static void viewport(struct truth *t, const struct viewport *v,
 static void device(struct truth *t, const struct device *d)
 {
 	struct truth_stage *s = truth_stage(t);
-	real sx = over(number(d->width), TWO), sy = over(number(d->height), TWO);
+	real sx = over(number(d->width), TWO);
+	real sy = over(number(d->height), TWO);
 
 	to_device(s, 0, d->x, d->width, sx);
 	to_device(s, 1, d->y, d->height, d->top_left ? negative(sy) : sy);

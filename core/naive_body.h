@@ -1,0 +1,305 @@
+/* One precision of the classical methods: naive.c includes this for float and
+ * for double. Matrices are those of row vectors, which in memory are GLM's and
+ * cglm's. */
+typedef struct {
+	REAL m[4][4];
+} NAME(matrix);
+
+#define MATRIX NAME(matrix)
+
+static MATRIX NAME(unit)(void)
+{
+	return (MATRIX){ { { 1 }, { 0, 1 }, { 0, 0, 1 }, { 0, 0, 0, 1 } } };
+}
+
+static MATRIX NAME(times)(MATRIX a, MATRIX b)
+{
+	MATRIX r;
+
+	for (int i = 0; i < 4; i++)
+		for (int j = 0; j < 4; j++)
+			r.m[i][j] = a.m[i][0] * b.m[0][j] +
+			    a.m[i][1] * b.m[1][j] + a.m[i][2] * b.m[2][j] +
+			    a.m[i][3] * b.m[3][j];
+	return r;
+}
+
+/* The adjugate over the determinant. */
+static MATRIX NAME(inverse)(MATRIX a)
+{
+	MATRIX r;
+	REAL det = 0;
+
+	for (int i = 0; i < 4; i++)
+		for (int j = 0; j < 4; j++) {
+			const REAL *p = a.m[(i + 1) % 4];
+			const REAL *q = a.m[(i + 2) % 4];
+			const REAL *s = a.m[(i + 3) % 4];
+			int k = (j + 1) % 4, l = (j + 2) % 4, n = (j + 3) % 4;
+			REAL minor = p[k] * (q[l] * s[n] - q[n] * s[l]) +
+			    p[l] * (q[n] * s[k] - q[k] * s[n]) +
+			    p[n] * (q[k] * s[l] - q[l] * s[k]);
+
+			r.m[j][i] = (i + j) % 2 ? -minor : minor;
+		}
+	for (int j = 0; j < 4; j++)
+		det += a.m[0][j] * r.m[j][0];
+	for (int i = 0; i < 16; i++)
+		r.m[i / 4][i % 4] *= 1 / det;
+	return r;
+}
+
+static REAL NAME(dot)(const REAL a[3], const REAL b[3])
+{
+	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void NAME(normalize)(REAL a[3])
+{
+	REAL length = SQRT(NAME(dot)(a, a));
+
+	for (int i = 0; i < 3; i++)
+		a[i] /= length;
+}
+
+static void NAME(cross)(const REAL a[3], const REAL b[3], REAL r[3])
+{
+	for (int i = 0; i < 3; i++) {
+		int j = (i + 1) % 3, k = (i + 2) % 3;
+
+		r[i] = a[j] * b[k] - a[k] * b[j];
+	}
+}
+
+static REAL NAME(radians)(double degrees)
+{
+	return (REAL)degrees * (REAL)0.017453292519943295769;
+}
+
+/* glm::lookAtRH */
+static MATRIX NAME(look)(const struct camera *c)
+{
+	MATRIX r = NAME(unit)();
+	REAL eye[3], up[3], f[3], s[3], u[3];
+
+	for (int i = 0; i < 3; i++) {
+		eye[i] = (REAL)c->eye[i];
+		up[i] = (REAL)c->up[i];
+		f[i] = (REAL)c->at[i] - eye[i];
+	}
+	NAME(normalize)(f);
+	NAME(cross)(f, up, s);
+	NAME(normalize)(s);
+	NAME(cross)(s, f, u);
+	for (int i = 0; i < 3; i++) {
+		r.m[i][0] = s[i];
+		r.m[i][1] = u[i];
+		r.m[i][2] = -f[i];
+	}
+	r.m[3][0] = -NAME(dot)(s, eye);
+	r.m[3][1] = -NAME(dot)(u, eye);
+	r.m[3][2] = NAME(dot)(f, eye);
+	return r;
+}
+
+/* Turned step by step. */
+static MATRIX NAME(turned)(MATRIX view, const struct camera *c)
+{
+	MATRIX turn = NAME(unit)();
+	REAL angle = NAME(radians)(TURN);
+	double m[4][4];
+
+	turn.m[0][0] = turn.m[1][1] = COS(angle);
+	turn.m[0][1] = SIN(angle);
+	turn.m[1][0] = -turn.m[0][1];
+	for (double roll = 0; roll < c->roll; roll += TURN)
+		view = NAME(times)(view, turn);
+	if (!c->orthonormalize)
+		return view;
+	for (int i = 0; i < 16; i++)
+		m[i / 4][i % 4] = (double)view.m[i / 4][i % 4];
+	nearest_rotation(m);
+	for (int i = 0; i < 16; i++)
+		view.m[i / 4][i % 4] = (REAL)m[i / 4][i % 4];
+	return view;
+}
+
+/* glm::perspectiveRH_NO; libraries have another function where far is infinite,
+ * for which this one makes nan. */
+static MATRIX NAME(perspective)(const struct projection *p)
+{
+	MATRIX r = { 0 };
+	REAL t = TAN(NAME(radians)(p->angle) / 2);
+	REAL n = (REAL)p->near, f = (REAL)p->far;
+
+	r.m[0][0] = 1 / ((REAL)(p->aspect[0] / p->aspect[1]) * t);
+	r.m[1][1] = 1 / t;
+	r.m[2][2] = -(f + n) / (f - n);
+	r.m[2][3] = -1;
+	r.m[3][2] = -(2 * f * n) / (f - n);
+	return r;
+}
+
+/* Hilton's threshold. */
+static bool NAME(is_parallel)(const struct projection *p)
+{
+	return fabs(p->inverse_eye_z) < 1e-6;
+}
+
+/* The seven numbers, without skew, as one of two matrices: parallel, or a
+ * perspective whose origin is the eye. */
+static MATRIX NAME(volume)(const struct projection *p)
+{
+	MATRIX r = { 0 };
+	REAL zn = (REAL)p->z_near, zf = (REAL)p->z_far, scale = 1;
+
+	if (NAME(is_parallel)(p)) {
+		r.m[2][2] = -2 / (zn - zf);
+		r.m[3][2] = (zn + zf) / (zn - zf);
+		r.m[3][3] = 1;
+	} else {
+		REAL ez = scale = 1 / (REAL)p->inverse_eye_z;
+
+		r.m[2][2] = (zn + zf - 2 * ez) / (zn - zf);
+		r.m[2][3] = -1;
+		r.m[3][2] = -2 * (ez - zn) * (ez - zf) / (zn - zf);
+	}
+	r.m[0][0] = scale / (REAL)p->half_width;
+	r.m[1][1] = scale / (REAL)p->half_height;
+	return r;
+}
+
+static MATRIX NAME(project)(const struct projection *p)
+{
+	return p->type == PROJECTION_VOLUME ? NAME(volume)(p) :
+					      NAME(perspective)(p);
+}
+
+/* Also tells the point that becomes the origin. */
+static MATRIX NAME(view)(const struct scene *s, REAL origin[3])
+{
+	const struct projection *p = &s->projection;
+	MATRIX r = NAME(unit)();
+
+	if (s->has_camera) {
+		for (int i = 0; i < 3; i++)
+			origin[i] = (REAL)s->camera.eye[i];
+		return NAME(turned)(NAME(look)(&s->camera), &s->camera);
+	}
+	if (p->type == PROJECTION_VOLUME && !NAME(is_parallel)(p)) {
+		origin[2] = 1 / (REAL)p->inverse_eye_z;
+		r.m[3][2] = -origin[2];
+	}
+	return r;
+}
+
+/* T(-cx, -cy) S(2/W, 2/H) of the zoomed window. */
+static MATRIX NAME(window)(const struct window *w, REAL center[3])
+{
+	MATRIX r = NAME(unit)();
+	const double size[2] = { w->width, w->height };
+	REAL zoom = (REAL)w->zoom;
+
+	for (int i = 0; i < 2; i++) {
+		REAL about = (REAL)w->about[i];
+
+		center[i] = about + ((REAL)w->center[i] - about) / zoom;
+		r.m[i][i] = 2 / ((REAL)size[i] / zoom);
+		r.m[3][i] = -center[i] * r.m[i][i];
+	}
+	return r;
+}
+
+static MATRIX NAME(viewport)(const struct viewport *v)
+{
+	MATRIX r = NAME(unit)();
+	REAL w = (REAL)v->width / 2, h = (REAL)v->height / 2;
+	REAL min = (REAL)v->min_z, max = (REAL)v->max_z;
+
+	r.m[0][0] = w;
+	r.m[1][1] = h;
+	r.m[2][2] = (max - min) / 2;
+	r.m[3][0] = (REAL)v->x + w;
+	r.m[3][1] = (REAL)v->y + h;
+	r.m[3][2] = (max + min) / 2;
+	return r;
+}
+
+/* Something may be taken off a point before the first stage, or put on after
+ * the last. */
+typedef struct {
+	int n;
+	MATRIX stage[3];
+	REAL before[3], after[3];
+} NAME(path);
+
+#define PATH NAME(path)
+
+static void NAME(turn_back)(PATH *p)
+{
+	MATRIX first = p->stage[0];
+
+	p->stage[0] = p->stage[p->n - 1];
+	p->stage[p->n - 1] = first;
+	for (int i = 0; i < p->n; i++)
+		p->stage[i] = NAME(inverse)(p->stage[i]);
+	memcpy(p->after, p->before, sizeof p->after);
+	memset(p->before, 0, sizeof p->before);
+}
+
+static PATH NAME(path_of)(const struct scene *s, enum way way, bool back)
+{
+	PATH r = { .n = 3 };
+	REAL origin[3] = { 0 };
+
+	if (s->has_window) {
+		r.stage[0] = NAME(window)(&s->window, origin);
+		r.stage[1] = NAME(unit)();
+	} else {
+		r.stage[0] = NAME(view)(s, origin);
+		r.stage[1] = NAME(project)(&s->projection);
+	}
+	r.stage[2] = NAME(viewport)(&s->viewport);
+	if (way == RELATIVE) {
+		memcpy(r.before, origin, sizeof origin);
+		memset(r.stage[0].m[3], 0, sizeof origin);
+	}
+	if (way == SINGLE || way == COMPOSED) {
+		MATRIX clip = NAME(times)(r.stage[0], r.stage[1]);
+
+		r.stage[0] = NAME(times)(clip, r.stage[2]);
+		r.n = 1;
+	}
+	if (back)
+		NAME(turn_back)(&r);
+	return r;
+}
+
+static void NAME(carry)(const struct scene *s, enum way way, bool back,
+    double (*in)[3], double (*out)[4], size_t n)
+{
+	PATH path = NAME(path_of)(s, way, back);
+
+	for (size_t k = 0; k < n; k++) {
+		REAL p[4] = { [3] = 1 }, w = 1;
+
+		for (int i = 0; i < 3; i++)
+			p[i] = (REAL)in[k][i] - path.before[i];
+		for (int l = 0; l < path.n; l++) {
+			REAL q[4] = { 0 };
+
+			for (int j = 0; j < 4; j++)
+				for (int i = 0; i < 4; i++)
+					q[j] += p[i] * path.stage[l].m[i][j];
+			for (int j = 0; j < 4; j++)
+				p[j] = q[j] / q[3];
+			w *= q[3];
+		}
+		for (int j = 0; j < 3; j++)
+			out[k][j] = (double)(p[j] + path.after[j]);
+		out[k][3] = (double)w;
+	}
+}
+
+#undef MATRIX
+#undef PATH
