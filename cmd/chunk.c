@@ -69,7 +69,8 @@ static size_t read_lines(struct job *j, struct chunk *c, size_t *points)
 		struct span line = { c->text, newline != NULL ? newline :
 			c->end };
 
-		record_read(&j->layout, line, &c->header, r, v, reason);
+		record_read(&j->layout, line, c->end, &c->header, r, v,
+		    reason);
 		r->newline = newline != NULL;
 		c->text = newline != NULL ? newline + 1 : c->end;
 		if (r->kind == RECORD_BAD) {
@@ -133,6 +134,7 @@ static void cast_rays(const struct job *j, struct chunk *c, size_t n)
 	for (size_t i = 0; i < n; i++) {
 		double at[2] = { c->in[0][i], c->in[1][i] }, ray[2][3];
 
+		c->single[i] = false;
 		ray_exact(&j->ray, at, ray[0], ray[1]);
 		for (int k = 0; k < 6; k++)
 			c->image[k][i] = ray[k / 3][k % 3];
@@ -266,7 +268,7 @@ static void write_block(const struct job *j, struct chunk *c, size_t n,
 
 /* Point p, which stood in r. */
 static void write_point(const struct job *j, struct chunk *c,
-    const struct record *r, size_t p, size_t line)
+    struct record *r, size_t p, size_t line)
 {
 	double v[COORDINATES_MAX];
 	char word[WORD_MAX];
@@ -284,10 +286,8 @@ static void write_point(const struct job *j, struct chunk *c,
 	}
 	char *at = chunk_reserve(c, record_room(&j->layout, r));
 
-	struct layout layout = j->layout;
-
-	layout.single = c->single[p];
-	c->size += (size_t)(record_write(&layout, r, v, flags, at) - at);
+	r->single = c->single[p];
+	c->size += (size_t)(record_write(&j->layout, r, v, flags, at) - at);
 }
 
 /* A line that is no point: a comment, or a bad one as a row of nan. */
@@ -351,8 +351,7 @@ void chunk_do(struct job *j, struct chunk *c)
 			continue;
 		}
 		for (size_t i = 0; i < n; i++) {
-			const struct record *r = lines ? &c->records[i] :
-							 &binary;
+			struct record *r = lines ? &c->records[i] : &binary;
 
 			binary.line.s = text + i * size;
 			binary.line.end = binary.line.s + size;

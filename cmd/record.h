@@ -23,7 +23,6 @@ struct layout {
 	int reads, writes; /* coordinates */
 	bool flags;        /* a word after them */
 	struct number_style style;
-	bool single; /* numbers are floats */
 };
 
 /* What a line turned out to be. */
@@ -38,15 +37,16 @@ struct record {
 	struct span line;  /* without its newline */
 	struct span at[4]; /* the coordinates, in their own order */
 	bool newline;
+	bool single; /* the numbers written are floats */
 };
 
 enum { REASON_MAX = 200 };
 
 /* Reads one line. RECORD_BAD writes what is wrong and what would be right to
  * reason. *header says that a csv header may still come, and then resolves
- * the names of columns. */
-void record_read(struct layout *, struct span line, bool *header,
-    struct record *, double v[4], char reason[REASON_MAX]);
+ * the names of columns. Bytes up to readable may be looked at. */
+void record_read(struct layout *, struct span line, const char *readable,
+    bool *header, struct record *, double v[4], char reason[REASON_MAX]);
 
 /* The most bytes that a record's line can become. */
 size_t record_room(const struct layout *, const struct record *);

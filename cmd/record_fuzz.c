@@ -42,7 +42,7 @@ static void check_back(const struct layout *l, const double v[],
 	back.reads = l->writes < 4 ? l->writes : 4;
 	if (l->in != l->out)
 		back.columns.n = 0;
-	record_read(&back, line, &header, &r, read, reason);
+	record_read(&back, line, line.end, &header, &r, read, reason);
 	want(r.kind == RECORD_POINT);
 	for (int i = 0; i < back.reads; i++)
 		want(l->style.kind != NUMBER_SHORTEST || same(read[i], v[i]));
@@ -99,7 +99,7 @@ static void check_line(struct layout *l, struct span line, bool newline,
 	struct record r;
 	double v[4];
 
-	record_read(l, line, header, &r, v, reason);
+	record_read(l, line, line.end, header, &r, v, reason);
 	r.newline = newline;
 	if (r.kind == RECORD_POINT)
 		check_spans(l, &r, line);

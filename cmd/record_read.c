@@ -77,12 +77,14 @@ static bool in_range(int i, double v, char reason[REASON_MAX])
 	return false;
 }
 
-/* The first fields of text, each read where it stands. */
+/* The first fields of text, each read where it stands. No number goes on past
+ * the line's end, so that the reader need not stop there to look. */
 static bool read_text(const struct layout *l, const char *s, const char *end,
-    struct record *r, double v[4], char reason[REASON_MAX])
+    const char *readable, struct record *r, double v[4], char reason[REASON_MAX])
 {
 	for (int i = 0; i < l->reads; i++) {
-		const char *stop = number_read(s, end, &v[i]);
+		const char *stop = s == end ? NULL :
+		    number_read(s, readable, &v[i]);
 
 		if (stop == NULL || !ends_field(stop, end)) {
 			bad_field(l, i, split_field(l->in, s, end), reason);
@@ -124,6 +126,11 @@ static bool read_columns(const struct layout *l, const char *s,
 		int k = l->columns.field[i];
 		struct span f;
 
+		if (k < 0) {
+			snprintf(reason, REASON_MAX, "%s is missing: the "
+			    "header has no such column", order(i));
+			return false;
+		}
 		if (!split_find(l->in, s, end, k, &f)) {
 			snprintf(reason, REASON_MAX, "%s is missing: there is "
 			    "no field %d", order(i), k + 1);
@@ -264,8 +271,8 @@ static bool check_array(struct span line, const char *done,
 	return false;
 }
 
-void record_read(struct layout *l, struct span line, bool *header,
-    struct record *r, double v[4], char reason[REASON_MAX])
+void record_read(struct layout *l, struct span line, const char *readable,
+    bool *header, struct record *r, double v[4], char reason[REASON_MAX])
 {
 	const char *s = skip_blanks(line.s, line.end);
 	bool ok;
@@ -294,7 +301,7 @@ void record_read(struct layout *l, struct span line, bool *header,
 	if (l->columns.n > 0)
 		ok = read_columns(l, s, line.end, r, v, reason);
 	else if (l->in == FORMAT_TEXT)
-		ok = read_text(l, s, line.end, r, v, reason);
+		ok = read_text(l, s, line.end, readable, r, v, reason);
 	else
 		ok = read_first(l, s, line.end, r, v, reason);
 	if (ok && l->in == FORMAT_JSON)

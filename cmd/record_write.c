@@ -24,12 +24,13 @@ static char *put(char *out, const char *s, const char *end)
 	return out + n;
 }
 
-static char *put_number(const struct layout *l, double v, char *out)
+static char *put_number(const struct layout *l, bool single, double v,
+    char *out)
 {
 	if (l->out == FORMAT_JSON && isnan(v))
 		return put(out, "null", &"null"[4]);
-	return l->single ? number_write_float(out, (float)v, l->style) :
-			   number_write(out, v, l->style);
+	return single ? number_write_float(out, (float)v, l->style) :
+			number_write(out, v, l->style);
 }
 
 static const char *separator_of(enum format format)
@@ -38,12 +39,12 @@ static const char *separator_of(enum format format)
 }
 
 /* Coordinates from the k-th on and the flags, each after a separator. */
-static char *put_more(const struct layout *l, int k, const double v[],
-    const char *flags, struct span separator, char *out)
+static char *put_more(const struct layout *l, bool single, int k,
+    const double v[], const char *flags, struct span separator, char *out)
 {
 	for (; k < l->writes; k++) {
 		out = put(out, separator.s, separator.end);
-		out = put_number(l, v[k], out);
+		out = put_number(l, single, v[k], out);
 	}
 	if (flags != NULL) {
 		out = put(out, separator.s, separator.end);
@@ -123,13 +124,14 @@ static char *splice(const struct layout *l, const struct record *r,
 
 		out = put(out, s, f.s);
 		if (i < l->writes)
-			out = put_number(l, v[i], out);
+			out = put_number(l, r->single, v[i], out);
 		s = f.end;
 		if (i != last || (l->writes <= n && flags == NULL))
 			continue;
 		if (l->in == FORMAT_CSV && s < r->line.end && *s == '"')
 			*out++ = *s++;
-		out = put_more(l, n, v, flags, separator(l, r), out);
+		out = put_more(l, r->single, n, v, flags, separator(l, r),
+		    out);
 	}
 	return put(out, s, r->line.end);
 }
@@ -152,8 +154,8 @@ static char *convert(const struct layout *l, const struct record *r,
 
 	if (l->out == FORMAT_JSON)
 		*out++ = '[';
-	out = put_number(l, v[0], out);
-	out = put_more(l, 1, v, flags, sep, out);
+	out = put_number(l, r->single, v[0], out);
+	out = put_more(l, r->single, 1, v, flags, sep, out);
 	s = skip_blanks(s, r->line.end);
 	if (l->in == FORMAT_JSON)
 		s++;

@@ -59,7 +59,7 @@ static void finish(const struct job *j, const struct chunk *c)
 	static bool unended; /* a last line without its newline */
 
 	if (c->size > 0 && j->collect == NULL) {
-		if (c->first && unended)
+		if (unended)
 			put_all("\n", 1);
 		unended = !is_binary(j->layout.out) &&
 		    c->out[c->size - 1] != '\n';

@@ -74,7 +74,8 @@ static void add(struct buffer *b, const char *s, size_t n)
 		b->room = 2 * (b->n + n);
 		b->s = realloc(b->s, b->room);
 	}
-	memcpy(b->s + b->n, s, n);
+	if (n > 0)
+		memcpy(b->s + b->n, s, n);
 	b->n += n;
 }
 
@@ -147,9 +148,11 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 	j->effort.tolerance = b & 64 ? 0.5 : 0;
 }
 
-/* As stream.c counts and says it. */
+/* As stream.c counts and says it; a line that the source before has not ended
+ * is ended before the next. */
 static void do_at_once(struct job *j, const char *text, size_t size)
 {
+	static bool unended;
 	struct chunk *c = chunk_new();
 
 	c->first = true;
@@ -157,6 +160,11 @@ static void do_at_once(struct job *j, const char *text, size_t size)
 	c->text = text;
 	c->end = text + size;
 	chunk_do(j, c);
+	if (c->size > 0) {
+		add(&printed, "\n", unended);
+		unended = !is_binary(j->layout.out) &&
+		    c->out[c->size - 1] != '\n';
+	}
 	add(&printed, c->out, c->size);
 	for (size_t i = 0; i < c->n_complaints; i++)
 		say("a:%zu: %s", 1 + c->complaints[i].line,
