@@ -26,11 +26,15 @@ LIBS = -lcjson -lm
 # What only tests link.
 TRUTHS = $(wildcard core/truth*.c core/real.c core/sample.c)
 STABILITY = core/stability.c core/ways.c core/regimes.c core/naive.c
-SOURCES = $(filter-out %_test.c %_bench.c %_bench.cc %_fuzz.c $(TRUTHS) \
+SOURCES = $(filter-out %_test.c %_bench.c %_bench.cc %_fuzz.c %_shim.c $(TRUTHS) \
 	$(STABILITY),\
 	$(wildcard core/*.c cmd/*.c cmd/*.cc))
 OBJECTS = $(addprefix $(BUILD)/,$(addsuffix .o,$(basename $(SOURCES))))
 CORE = $(filter $(BUILD)/core/%,$(OBJECTS))
+# Others' programs beside ours in the benchmarks.
+PEERS = $(addprefix $(BUILD)/,$(addsuffix .o,$(basename \
+	$(wildcard cmd/peer_*_bench.c cmd/peer_*_bench.cc))))
+BENCHES = $(BUILD)/core/points_bench $(BUILD)/cmd/peers_bench
 TRUTH = $(patsubst %.c,$(BUILD)/%.o,$(TRUTHS))
 CORE_TESTS = $(patsubst %.c,$(BUILD)/%,$(wildcard core/*_test.c))
 CMD_TESTS = $(patsubst %.c,$(BUILD)/%,$(wildcard cmd/*_test.c))
@@ -62,6 +66,8 @@ ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),)
 $(BUILD)/core/kernels_avx2.o: TARGET = -mavx2 -mfma
 $(BUILD)/core/kernels_avx512.o: TARGET = -mavx512f -mfma
 endif
+# gcc would store the halves of a span and reload them as one, which stalls.
+$(BUILD)/cmd/record_read.o: TARGET = -fno-tree-slp-vectorize
 $(filter %/chunk.o %/points.o $(BUILD)/core/kernels_%,$(OBJECTS)): TARGET += -O3
 
 $(CORE_TESTS): $(BUILD)/%: $(BUILD)/%.o $(CORE) $(TRUTH)
@@ -75,14 +81,30 @@ $(BUILD)/core/stability: $(patsubst %.c,$(BUILD)/%.o,$(STABILITY)) $(CORE) \
     $(TRUTH)
 	$(LINK) -o $@ $^ -lmpfr -lgmp -lm
 
+# Others' libraries at their best, for this very processor.
+$(PEERS): FLAGS += -O3 -march=native -ffp-contract=fast
+
+$(BUILD)/core/points_bench: %: %.o $(BUILD)/core/sample.o $(CORE)
+	$(LINK) -o $@ $^ -lm
+
+$(BUILD)/cmd/peers_bench: %: %.o $(PEERS) $(CORE) $(TRUTH)
+	$(CXX) -pthread $(LDFLAGS) -o $@ $^ -lmpfr -lgmp -lm
+
+# Measured here and now, beside what others use; what is missing is left out.
+bench: $(BUILD)/projcalc $(BENCHES)
+	@sh cmd/bench.sh $(BUILD)
+
 # Where double breaks and exact does not.
 stability: $(BUILD)/core/stability
 	@$< table
 
-chart: $(BUILD)/core/stability
+chart: $(BUILD)/core/stability $(BUILD)/projcalc $(BENCHES)
 	$< data > $(BUILD)/core/stability.dat
 	gnuplot -e "data='$(BUILD)/core/stability.dat'" core/stability.gp \
 	    > testdata/charts/stability.svg
+	sh cmd/bench.sh $(BUILD) > $(BUILD)/bench.md
+	gnuplot -c cmd/bench.gp $(BUILD)/bench testdata/charts
+	mv $(BUILD)/bench.md testdata/charts/bench.md
 
 # The program and its tests, for cmd/compilers_test.t too.
 programs: $(BUILD)/projcalc $(TESTS)
@@ -163,7 +185,7 @@ help:
 	@echo 'make uninstall'
 	@echo 'make clean'
 
-.PHONY: stability chart views all programs demo test golden lint install uninstall clean deps help
+.PHONY: stability bench chart views all programs demo test golden lint install uninstall clean deps help
 # Objects of test programs are kept.
 .SECONDARY:
 # A file that a failed command has half written must not look made.

@@ -43,6 +43,7 @@ struct command {
 int run_matrix(const struct command *, const struct options *);
 int run_project(const struct command *, const struct options *);
 int run_pick(const struct command *, const struct options *);
+int run_fit(const struct command *, const struct options *);
 int run_inspect(const struct command *, const struct options *);
 
 /* Reads PARAMS. The text stays allocated with the document. */

@@ -1,14 +1,16 @@
 #!/usr/bin/perl
-# The examples of the manual page, run in testdata, and of README.md, run at the
-# top: what follows a line "$ command", to the next or to the end of the
+# The examples of the manual pages, run in testdata, and of README.md, run at
+# the top: what follows a line "$ command", to the next or to the end of the
 # example, is what the command prints.
+# usage: examples_test.t [BIN]; the directory of projcalc, or build
 use strict;
 use warnings;
 use Cwd 'abs_path';
 use File::Basename;
 
 my $top = abs_path(dirname($0) . '/..');
-$ENV{PATH} = "$top/build:$ENV{PATH}";
+my $bin = abs_path(shift // "$top/build");
+$ENV{PATH} = "$bin:$ENV{PATH}";
 $ENV{LC_ALL} = 'C';
 # An example that calls make calls it as a reader would.
 delete @ENV{qw(MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES)};
@@ -18,13 +20,10 @@ sub lines {
 	return <$file>;
 }
 
-# The literal displays of the manual's EXAMPLES, as a reader sees them.
+# The literal displays of a manual page, as a reader sees them.
 sub manual {
 	my ($in, @examples) = (0);
-	my @lines = lines('man/projcalc.1');
-	shift @lines while @lines && $lines[0] !~ /^\.Sh EXAMPLES/;
-	for my $line (@lines) {
-		last if $line =~ /^\.Sh/ && $line !~ /EXAMPLES/;
+	for my $line (lines($_[0])) {
 		$in = 1, push @examples, '' if $line =~ /^\.Bd -literal/;
 		$in = 0 if $line =~ /^\.Ed/;
 		next if !$in || $line =~ /^\./;
@@ -50,7 +49,8 @@ sub readme {
 	return @examples;
 }
 
-# A command goes on after a backslash at the end of its line and within quotes.
+# A command goes on after a backslash or a bar at the end of its line, and
+# within quotes.
 sub commands {
 	my ($dir, @examples) = @_;
 	my @commands;
@@ -59,23 +59,37 @@ sub commands {
 		for my $part (@parts) {
 			my ($command, @rest) = split /^/, $part;
 			$command .= shift @rest while @rest &&
-			    ($command =~ /\\\n\z/ || $command =~ tr/'// % 2);
+			    ($command =~ /[\\|]\n\z/ || $command =~ tr/'// % 2);
 			push @commands, [$dir, $command, join '', @rest];
 		}
 	}
 	return @commands;
 }
 
-my @commands = (commands("$top/testdata", manual()), commands($top, readme()));
+# A tool that the command names and that isn't there.
+sub lacks {
+	my ($command) = @_;
+	for my $tool (qw(parallel jq python3 bash)) {
+		return $tool if $command =~ /\b$tool\b/ &&
+		    system("command -v $tool >/dev/null") != 0;
+	}
+}
+
+my @commands = ((map { commands("$top/testdata", manual($_)) }
+    'man/projcalc.1', 'man/projcalc-scene.5'), commands($top, readme()));
 my $failed = 0;
 printf "1..%d\n", scalar @commands;
 for my $i (0 .. $#commands) {
 	my ($dir, $command, $want) = @{$commands[$i]};
+	my $name = $command =~ s/#/\\#/gr =~ s/\n/ /gr;
+	if (my $tool = lacks($command)) {
+		printf "ok %d - %s# SKIP no %s\n", $i + 1, $name, $tool;
+		next;
+	}
 	chdir $dir or die "$dir: $!\n";
 	my $said = `{ $command} 2>&1 </dev/null`;
 	my $ok = $said eq $want;
-	printf "%s %d - %s\n", $ok ? 'ok' : 'not ok', $i + 1,
-	    $command =~ s/#/\\#/gr =~ s/\n/ /gr;
+	printf "%s %d - %s\n", $ok ? 'ok' : 'not ok', $i + 1, $name;
 	next if $ok;
 	$failed++;
 	print map { s/^/# /mgr } "expected:\n$want", "said:\n$said";

@@ -250,7 +250,7 @@ int fields_way(const struct value *v, const struct field *table, int kind,
 		all = way_bits(table, kind, w->way[i], &must);
 		if ((must & ~seen) == 0 && (seen & ~all) == 0)
 			return i;
-		if ((must & ~seen) == 0 && extra == 0) {
+		if ((must & ~seen) == 0 && (all & seen) != 0 && extra == 0) {
 			taken = seen & all;
 			extra = seen & ~all;
 		}

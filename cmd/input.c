@@ -116,6 +116,7 @@ void read_document(const struct command *c, const struct options *o,
 		.convention = o->convention,
 		/* operands replace the member */
 		.coordinates = o->matrix || o->n_points > 0 ? 0 : coordinates,
+		.fit = c->run == run_fit,
 	};
 	const char *name = o->params;
 	char *text;

@@ -96,7 +96,7 @@ static const struct field scene_fields[SCENE_MEMBERS + 1] = {
 	MEMBER(DEVICE, "device", device_fields, NULL,
 	    "{\"width\": 640, \"height\": 480}"),
 	MEMBER(POINTS, "points", NULL, NULL, "[[0,0,0], [1,1,1]]"),
-	MEMBER(POINTS + 1, "bounds", NULL, NULL, NULL),
+	MEMBER(POINTS + 1, "bounds", bounds_fields, NULL, NULL),
 	MEMBER(POINTS + 2, "pick", pick_fields, NULL, NULL),
 };
 
@@ -219,9 +219,11 @@ static void check_needed(const struct value *root, unsigned missing)
 	}
 }
 
-static void read_scene(struct scene *s, struct value m[SCENE_MEMBERS],
+static void read_scene(struct document *d, struct value m[SCENE_MEMBERS],
     unsigned seen, int type)
 {
+	struct scene *s = &d->scene;
+
 	s->has_world = seen & MEMBER_WORLD;
 	s->has_camera = seen & MEMBER_CAMERA;
 	s->has_viewport = seen & MEMBER_VIEWPORT;
@@ -230,7 +232,7 @@ static void read_scene(struct scene *s, struct value m[SCENE_MEMBERS],
 	if (s->has_world)
 		read_matrix(&m[WORLD], &scene_fields[WORLD], s->world);
 	if (s->has_camera)
-		read_camera(&m[CAMERA], &s->camera);
+		d->has_eye = read_camera(&m[CAMERA], &s->camera);
 	if (s->has_viewport)
 		read_viewport(&m[VIEWPORT], &s->viewport);
 	if (seen & MEMBER_PROJECTION)
@@ -253,6 +255,7 @@ void json_read(struct document *d, const char *name, char *text, size_t size,
 	struct value m[SCENE_MEMBERS];
 	struct convention option = { 0 };
 
+	source.fit = w->fit;
 	*d = (struct document){ .name = name };
 	unsigned seen = read_members(d, &root, w, m);
 
@@ -263,7 +266,10 @@ void json_read(struct document *d, const char *name, char *text, size_t size,
 		read_convention(&m[CONVENTION], &d->scene.convention);
 	source.column = d->scene.convention.column;
 	check_needed(&root, w->needed & ~seen);
-	read_scene(&d->scene, m, seen, w->projection);
+	read_scene(d, m, seen, w->projection);
+	d->has_bounds = seen >> (POINTS + 1) & 1;
+	if (d->has_bounds)
+		read_bounds(&m[POINTS + 1], &d->bounds);
 	if (seen >> (POINTS + 2) & 1)
 		read_pick(&m[POINTS + 2], &d->pick);
 	if (seen & MEMBER_POINTS && w->coordinates > 0)

@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-#include "../core/scene.h"
+#include "../core/bounds.h"
 
 /* A member of a scene, as a bit, to say what a command needs. */
 enum member {
@@ -28,6 +28,8 @@ struct pick {
 struct document {
 	struct scene scene;
 	struct pick pick;
+	bool has_bounds, has_eye; /* for fit; a camera's matrix has an eye */
+	struct bounds bounds;
 	const char *name; /* for messages: the file, "-" or "PARAMS" */
 	/* The member as which an object with none of a scene's members was
 	 * read, whose pointers then have no first part; or NULL. */
@@ -49,6 +51,9 @@ struct json_wants {
 	const char *convention;
 	/* Of each point; 0 where the command reads none. */
 	int coordinates;
+	/* What fit finds need not be there: the camera's eye, near, far, and
+	 * the sizes of a parallel projection. */
+	bool fit;
 };
 
 /* Reads text[0..size), which it may change, into *d. */

@@ -39,6 +39,13 @@ static const struct ways camera_ways = {
 	    "matrix orthonormalize?" },
 };
 
+static const struct ways fit_camera_ways = {
+	"give \"gaze\" or \"orientation\", with an \"eye\" or without, or "
+	"\"eye\" and \"at\", or \"matrix\" alone",
+	{ "eye at up? roll?", "eye? gaze up? roll?", "eye? orientation roll?",
+	    "matrix orthonormalize?" },
+};
+
 #define SIZE(label, type, m)                                                \
 	{                                                                   \
 		.name = label, .read = read_numbers, .at = MEMBER(type, m), \
@@ -111,18 +118,34 @@ static const struct ways window_ways = {
 	{ "center width height", "left right bottom top" },
 };
 
+const struct field bounds_fields[] = {
+	NUMBERS("center", bounds, center, 3, "centre position"),
+	SIZE("radius", bounds, radius),
+	NUMBERS("min", bounds, min, 3, "lower from"),
+	NUMBERS("max", bounds, max, 3, "upper to"),
+	{ .name = NULL },
+};
+
+static const struct ways bounds_ways = {
+	"give \"min\" and \"max\", or \"center\" and \"radius\"",
+	{ "min max", "center radius" },
+};
+
 const struct field pick_fields[] = {
 	NUMBERS("at", pick, at, 2, "position center"),
 	SIZE("radius", pick, radius),
 	{ .name = NULL },
 };
 
-void read_camera(const struct value *v, struct camera *c)
+bool read_camera(const struct value *v, struct camera *c)
 {
 	*c = (struct camera){ .up = { 0, 1, 0 } };
 	unsigned seen = fields_read(v, camera_fields, 0, c);
 
-	c->by = (unsigned)fields_way(v, camera_fields, 0, seen, &camera_ways);
+	c->by = (unsigned)fields_way(v, camera_fields, 0, seen,
+	    v->source->fit ? &fit_camera_ways : &camera_ways);
+	return c->by == CAMERA_MATRIX ||
+	    (seen & field_bit(camera_fields, 0, "eye")) != 0;
 }
 
 void read_viewport(const struct value *v, struct viewport *w)
@@ -148,6 +171,13 @@ void read_window(const struct value *v, struct window *w)
 
 	w->by_edges = fields_way(v, window_fields, 0, seen, &window_ways) == 1;
 	w->has_about = (seen & field_bit(window_fields, 0, "about")) != 0;
+}
+
+void read_bounds(const struct value *v, struct bounds *b)
+{
+	unsigned seen = fields_read(v, bounds_fields, 0, b);
+
+	b->sphere = fields_way(v, bounds_fields, 0, seen, &bounds_ways) == 1;
 }
 
 void read_pick(const struct value *v, struct pick *p)

@@ -6,12 +6,15 @@
 #include "readers.h"
 
 extern const struct field camera_fields[], projection_fields[],
-    viewport_fields[], window_fields[], device_fields[], pick_fields[];
+    viewport_fields[], window_fields[], device_fields[], bounds_fields[],
+    pick_fields[];
 
-void read_camera(const struct value *, struct camera *);
+/* Returns whether there is an eye. */
+bool read_camera(const struct value *, struct camera *);
 void read_viewport(const struct value *, struct viewport *);
 void read_window(const struct value *, struct window *);
 void read_device(const struct value *, struct device *);
+void read_bounds(const struct value *, struct bounds *);
 void read_pick(const struct value *, struct pick *);
 
 /* implied is the type that the command implies and demands, or -1; viewport,

@@ -1,9 +1,9 @@
 #include "document_test.h"
 
 static const struct json_wants lookat = { MEMBER_CAMERA, MEMBER_CAMERA, -1,
-	NULL, 3 };
+	NULL, 3, false };
 static const struct json_wants w2n = { MEMBER_WINDOW, MEMBER_WINDOW, -1, NULL,
-	2 };
+	2, false };
 static const struct json_wants project = { .projection = -1, .coordinates = 3 };
 
 #define CAMERA_HINT                                                         \
@@ -130,7 +130,7 @@ static void test_flat(void **state)
 	struct scene s = scene_of(
 	    "{\"viewport\":{\"width\":4,\"height\":3},\"device\":{\"x\":1,"
 	    "\"y\":2,\"width\":3,\"height\":4},\"window\":{\"left\":1,"
-	    "\"right\":2,\"bottom\":3,\"top\":4},\"bounds\":{\"x\":1},"
+	    "\"right\":2,\"bottom\":3,\"top\":4},\"bounds\":{\"min\":[0,0,0],\"max\":[1,1,1]},"
 	    "\"pick\":{}}");
 
 	(void)state;

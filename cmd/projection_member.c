@@ -128,9 +128,21 @@ static const struct ways parallel_ways = {
 	{ "width height", "height aspect?", "left right bottom top" },
 };
 
+/* What fit does without; of an aspect it makes width and height. */
+static const struct ways fit_parallel_ways = {
+	"give \"aspect\" with \"height\" or without, " SECTION_HINT ", or "
+	"nothing",
+	{ "width? height?", "height? aspect?", "left right bottom top" },
+};
+
 static const struct ways depth_ways = {
 	"give \"near\" and \"far\"",
 	{ "near far" },
+};
+
+static const struct ways near_ways = {
+	"give it: width and height, or the edges, are on the near plane",
+	{ "near far?" },
 };
 
 static const struct ways shear_ways = {
@@ -158,22 +170,32 @@ static enum extent section(const struct value *v, int type, unsigned seen)
 	static const enum extent parallel[] = { EXTENT_SIZE, EXTENT_HEIGHT,
 		EXTENT_EDGES };
 	bool is_persp = type == PROJECTION_PERSP;
+	bool fit = v->source->fit;
+	const struct ways *ways = fit ? &fit_parallel_ways : &parallel_ways;
 	int way = fields_way(v, projection_fields, type - 1, seen,
-	    is_persp ? &persp_ways : &parallel_ways);
+	    is_persp ? &persp_ways : ways);
 
-	fields_way(v, projection_fields, type - 1, seen, &depth_ways);
+	/* the slopes are at the near plane */
+	if (!fit)
+		fields_way(v, projection_fields, type - 1, seen, &depth_ways);
+	else if (is_persp && persp[way] >= EXTENT_SIZE)
+		fields_way(v, projection_fields, type - 1, seen, &near_ways);
 	if (type == PROJECTION_OBLIQUE)
 		fields_way(v, projection_fields, type - 1, seen, &shear_ways);
 	return is_persp ? persp[way] : parallel[way];
 }
 
-/* The aspect that was given, or else the viewport's. */
+/* The aspect that was given, or else the viewport's; aspect[1] stays 0 where
+ * fit is free of one. */
 static void find_aspect(const struct value *v, const struct viewport *viewport,
     struct projection *p)
 {
 	struct value missing = value_missing(v, "aspect");
+	bool widens = v->source->fit && p->type != PROJECTION_PERSP;
 
-	if (p->extent == EXTENT_SIZE || p->extent == EXTENT_EDGES)
+	if (!widens && (p->extent == EXTENT_SIZE || p->extent == EXTENT_EDGES))
+		return;
+	if (widens && viewport == NULL && p->aspect[0] == 0)
 		return;
 	p->aspect[1] = 1;
 	if (p->aspect[0] > 0)
@@ -228,6 +250,9 @@ void read_projection(const struct value *v, int implied,
 	int kind = (int)p->type - 1; /* as in types */
 	unsigned seen = fields_read(v, projection_fields, kind, p);
 
+	/* fit refuses volume and matrix, whatever they have */
+	if (v->source->fit && p->type > PROJECTION_OBLIQUE)
+		return;
 	if (p->type == PROJECTION_VOLUME) {
 		fields_way(v, projection_fields, kind, seen, &volume_ways);
 		p->has_eye = fields_way(v, projection_fields, kind, seen,

@@ -33,7 +33,7 @@ static void check_back(const struct layout *l, const double v[],
     struct span line)
 {
 	struct layout back = *l;
-	struct record r;
+	struct record r = { 0 };
 	double read[4];
 	char reason[REASON_MAX];
 	bool header = false;
@@ -92,15 +92,15 @@ static void check_spans(const struct layout *l, const struct record *r,
 	}
 }
 
-static void check_line(struct layout *l, struct span line, bool newline,
+static void check_line(struct layout *l, struct span line, const char *end,
     bool *header)
 {
 	char reason[REASON_MAX] = "";
-	struct record r;
+	struct record r = { 0 };
 	double v[4];
 
-	record_read(l, line, line.end, header, &r, v, reason);
-	r.newline = newline;
+	record_read(l, line, end, header, &r, v, reason);
+	r.newline = line.end < end;
 	if (r.kind == RECORD_POINT)
 		check_spans(l, &r, line);
 	if (r.kind == RECORD_BAD)
@@ -133,7 +133,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	for (const char *s = text; s < end;) {
 		struct span line = { s, line_end(s, end) };
 
-		check_line(&l, line, line.end < end, &header);
+		check_line(&l, line, end, &header);
 		s = line.end + (line.end < end);
 	}
 	free(text);

@@ -39,7 +39,7 @@ ssize_t __wrap_read(int fd, void *to, size_t n)
 {
 	if (fd != SOURCE)
 		return __real_read(fd, to, n);
-	size_t some = 1 + next_random() % (next_random() % 8 != 0 ? 16 : 4096);
+	size_t some = 1 + next_random() % (next_random() % 8 != 0 ? 64 : 4096);
 
 	if (some % 16 == 7) {
 		errno = EINTR;

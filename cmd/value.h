@@ -8,6 +8,7 @@
 struct source {
 	const char *name;          /* of the file, for messages */
 	bool column;               /* how nested rows of a matrix are read */
+	bool fit;                  /* what fit finds may be missing */
 	const struct field *scene; /* all there is in a document */
 };
 

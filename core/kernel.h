@@ -3,6 +3,7 @@
 #ifndef KERNEL_H
 #define KERNEL_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* What the matrix's structure makes of the loop. */
@@ -29,8 +30,9 @@ struct lanes {
 	double doubt[4], doubt_image[4], doubt_depth, doubt_a;
 };
 
-/* Columns have room for a whole number of vectors: n rounded up to 8. */
-typedef void exact_kernel(const struct lanes *, const double *const in[3],
+/* Columns have room for a whole number of vectors: n rounded up to 8. Returns
+ * whether all were done: else the first coordinate of some is nan. */
+typedef bool exact_kernel(const struct lanes *, const double *const in[3],
     double *const out[3], size_t n);
 
 /* With a tolerance above 0 the first coordinate is nan where the error could

@@ -96,12 +96,14 @@ static inline V surely(const struct lanes *m, int j, V value, V size)
 	return value - FMA(ALL(m->doubt[j]), size, ALL(m->doubt_image[j]));
 }
 
-static inline __attribute__((always_inline)) void exact(const struct lanes *m,
+static inline __attribute__((always_inline)) bool exact(const struct lanes *m,
     const double *const in[3], double *const out[3], size_t n, enum body body,
     int image)
 {
 	int terms = body == BODY_FLAT ? 2 : 3;
 	int divide = body == BODY_DEPTH || body == BODY_PROJECTIVE;
+	V done = ALL(0);
+	double all[WIDTH], sum = 0;
 
 	for (size_t i = 0; i < n; i += WIDTH) {
 		vdd p[3], c[3], w = { ALL(1), ALL(0) };
@@ -136,18 +138,22 @@ static inline __attribute__((always_inline)) void exact(const struct lanes *m,
 		STORE(out[0] + i, POSITIVE(sure, q[0]));
 		for (int k = 1; k < terms; k++)
 			STORE(out[k] + i, q[k]);
+		done += POSITIVE(sure, ALL(0));
 	}
+	STORE(all, done);
+	for (int i = 0; i < WIDTH; i++)
+		sum += all[i];
+	return sum == 0;
 }
 
 /* Without an image of the origin, as about the eye, four sums are saved. */
 #define LOOP(BODY, name) \
-	static void name(const struct lanes *m, const double *const in[3], \
+	static bool name(const struct lanes *m, const double *const in[3], \
 	    double *const out[3], size_t n) \
 	{ \
 		if (m->image) \
-			exact(m, in, out, n, BODY, 1); \
-		else \
-			exact(m, in, out, n, BODY, 0); \
+			return exact(m, in, out, n, BODY, 1); \
+		return exact(m, in, out, n, BODY, 0); \
 	}
 
 LOOP(BODY_FLAT, exact_flat)

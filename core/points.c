@@ -45,6 +45,7 @@ struct transform transform_of(const struct map *map, enum space from,
 	t.divide = t.reciprocal || (t.out == 3 &&
 	    (from == SPACE_CLIP || !map_is_affine(map)));
 	t.front = !t.reciprocal && (from != SPACE_CLIP || onto_screen);
+	t.on_screen = onto_screen && t.out == 3;
 	t.body = t.in != 3 || t.out != 3 ? BODY_CAREFUL :
 	    t.divide ? BODY_PROJECTIVE : BODY_AFFINE;
 	set_lanes(&t);
@@ -120,9 +121,12 @@ static struct sum column(const struct map *m, int j, const dd p[4])
 	return s;
 }
 
-static double kappa_of(struct sum s)
+/* What cancellation costs; a value less than least counts as that. */
+static double kappa_of(struct sum s, double least)
 {
-	return s.value.hi == 0 ? 1 : s.size / fabs(s.value.hi);
+	double value = fmax(fabs(s.value.hi), least);
+
+	return value == 0 ? 1 : s.size / value;
 }
 
 /* Relative to the map's origin, and scaled down where it is large, so that no
@@ -180,7 +184,8 @@ void point_exact(const struct transform *t, const double in[4], double out[4],
 			q *= scale;
 		out[j] = image && isfinite(q) ? q : (double)NAN;
 		if (image)
-			*kappa = fmax(*kappa, kappa_of(s) * kappa_of(w));
+			*kappa = fmax(*kappa, kappa_of(w, 0) * kappa_of(s,
+			    t->on_screen ? fabs(w.value.hi) : 0));
 	}
 }
 
@@ -200,8 +205,8 @@ static void carry_exact(const struct transform *t, const double *const in[4],
 {
 	exact_kernel *fast = kernels->exact[t->body];
 
-	if (fast != NULL)
-		fast(&t->lanes, in, out, n);
+	if (fast != NULL && fast(&t->lanes, in, out, n))
+		return;
 	for (size_t i = 0; i < n; i++) {
 		double p[4], q[4], kappa;
 

@@ -17,6 +17,9 @@ struct transform {
 	bool front;
 	/* The fourth number read is 1/w, of a device point. */
 	bool reciprocal;
+	/* To ndc or the device, where a coordinate near 0 is no worse than one
+	 * of a unit: a point on an edge of the view is not ill. */
+	bool on_screen;
 	enum body body;
 	struct lanes lanes; /* unless the body is BODY_CAREFUL */
 };
@@ -63,7 +66,7 @@ void points_carry(const struct transform *, const struct effort *,
 
 /* One point with care, where the kernels give up: what cancels to nothing, lies
  * in the eye plane, or overflows on the way. Also tells the worst kappa of its
- * coordinates. */
+ * coordinates, on the screen those of less than a unit counted as a unit. */
 void point_exact(const struct transform *, const double in[4], double out[4],
     double *kappa);
 

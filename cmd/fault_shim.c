@@ -1,0 +1,160 @@
+/* Preloaded by fault_test.t, between the program and the C library.
+ *   FAULT="CALL N ERROR"  the N-th CALL fails with that error number;
+ *       of malloc (with realloc and calloc), read, open, thread, write and
+ *       close, the last two of standard output
+ *   FAULT="short"  reads and writes take a few bytes, or are interrupted, and
+ *       poll often says that nothing is there
+ *   FAULT="cut N FILE"  the N-th read finds FILE truncated
+ * That test compiles it with FAULT_SHIM defined; elsewhere it is empty. */
+#ifdef FAULT_SHIM
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <pthread.h>
+#include <stdarg.h>
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+extern void *__libc_malloc(size_t), *__libc_calloc(size_t, size_t),
+    *__libc_realloc(void *, size_t);
+
+static char call[16], file[256];
+static int at, error;
+static atomic_int calls;
+
+__attribute__((constructor)) static void set_up(void)
+{
+	const char *fault = getenv("FAULT");
+
+	if (fault == NULL)
+		return;
+	sscanf(fault, "%15s %d %d", call, &at, &error);
+	sscanf(fault, "cut %*d %255s", file);
+	unsetenv("FAULT"); /* not for what the program may start */
+}
+
+static bool is(const char *name)
+{
+	return strcmp(call, name) == 0;
+}
+
+/* Whether this is the call that fails. */
+static bool fails(const char *name)
+{
+	if (!is(name) || atomic_fetch_add(&calls, 1) + 1 != at)
+		return false;
+	errno = error;
+	return true;
+}
+
+void *malloc(size_t n)
+{
+	return fails("malloc") ? NULL : __libc_malloc(n);
+}
+
+void *calloc(size_t n, size_t size)
+{
+	return fails("malloc") ? NULL : __libc_calloc(n, size);
+}
+
+void *realloc(void *p, size_t n)
+{
+	return fails("malloc") ? NULL : __libc_realloc(p, n);
+}
+
+/* 1 to 7 bytes, or 0 where it is to be interrupted. */
+static size_t few(size_t n)
+{
+	static atomic_uint turn;
+	unsigned k = atomic_fetch_add(&turn, 1) * 2654435761u >> 16;
+
+	if (k % 8 == 0)
+		errno = EINTR;
+	return k % 8 < n ? k % 8 : n;
+}
+
+ssize_t read(int fd, void *to, size_t n)
+{
+	static ssize_t (*real)(int, void *, size_t);
+
+	if (real == NULL)
+		real = (ssize_t (*)(int, void *, size_t))dlsym(RTLD_NEXT,
+		    "read");
+	if (fails("read"))
+		return -1;
+	if (is("cut") && atomic_fetch_add(&calls, 1) + 1 == at &&
+	    truncate(file, 100) != 0)
+		return -1;
+	if (is("short") && n > 0 && (n = few(n)) == 0)
+		return -1;
+	return real(fd, to, n);
+}
+
+ssize_t write(int fd, const void *from, size_t n)
+{
+	static ssize_t (*real)(int, const void *, size_t);
+
+	if (real == NULL)
+		real = (ssize_t (*)(int, const void *, size_t))dlsym(RTLD_NEXT,
+		    "write");
+	if (fd == STDOUT_FILENO && fails("write"))
+		return -1;
+	if (is("short") && n > 0 && (n = few(n)) == 0)
+		return -1;
+	return real(fd, from, n);
+}
+
+int poll(struct pollfd *p, nfds_t n, int wait)
+{
+	static int (*real)(struct pollfd *, nfds_t, int);
+
+	if (real == NULL)
+		real = (int (*)(struct pollfd *, nfds_t, int))dlsym(RTLD_NEXT,
+		    "poll");
+	if (is("short") && few(7) < 3)
+		return errno == EINTR ? -1 : 0;
+	return real(p, n, wait);
+}
+
+int open(const char *name, int flags, ...)
+{
+	static int (*real)(const char *, int, ...);
+
+	if (real == NULL)
+		real = (int (*)(const char *, int, ...))dlsym(RTLD_NEXT,
+		    "open");
+	return fails("open") ? -1 : real(name, flags);
+}
+
+int close(int fd)
+{
+	static int (*real)(int);
+
+	if (real == NULL)
+		real = (int (*)(int))dlsym(RTLD_NEXT, "close");
+	if (fd == STDOUT_FILENO && fails("close"))
+		return -1;
+	return real(fd);
+}
+
+int pthread_create(pthread_t *t, const pthread_attr_t *a, void *(*f)(void *),
+    void *with)
+{
+	static int (*real)(pthread_t *, const pthread_attr_t *,
+	    void *(*)(void *), void *);
+
+	if (real == NULL)
+		real = (int (*)(pthread_t *, const pthread_attr_t *,
+		    void *(*)(void *), void *))dlsym(RTLD_NEXT,
+		    "pthread_create");
+	/* and from then on, as where there is no room for more */
+	return is("thread") && atomic_fetch_add(&calls, 1) + 1 >= at ? error :
+	    real(t, a, f, with);
+}
+#endif

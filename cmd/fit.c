@@ -1,0 +1,86 @@
+#include <math.h>
+#include <string.h>
+
+#include "../core/fit.h"
+#include "command.h"
+#include "print_scene.h"
+#include "talk.h"
+
+static const struct bounds nothing = {
+	.min = { HUGE_VAL, HUGE_VAL, HUGE_VAL },
+	.max = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL },
+};
+
+static void widen(struct bounds *box, const double min[3], const double max[3])
+{
+	for (int i = 0; i < 3; i++) {
+		box->min[i] = fmin(box->min[i], min[i]);
+		box->max[i] = fmax(box->max[i], max[i]);
+	}
+}
+
+/* A chunk's output is the box of its points. */
+static void take(const struct job *j, struct chunk *c, const struct record *r,
+    size_t p, size_t line)
+{
+	double at[3] = { c->in[0][p], c->in[1][p], c->in[2][p] };
+
+	(void)j;
+	(void)r;
+	(void)line;
+	if (c->size == 0)
+		memcpy(chunk_reserve(c, sizeof nothing), &nothing,
+		    sizeof nothing);
+	c->size = sizeof nothing;
+	if (!isnan(at[0]) && !isnan(at[1]) && !isnan(at[2]))
+		widen((void *)c->out, at, at);
+}
+
+static void collect(const struct job *j, const struct chunk *c, size_t line)
+{
+	const struct bounds *box = (const void *)c->out;
+
+	(void)line;
+	if (c->size > 0)
+		widen(j->with, box->min, box->max);
+}
+
+static void read_box(const struct options *o, const struct document *d,
+    struct job *j)
+{
+	struct bounds *box = j->with;
+
+	*box = nothing;
+	j->transform = transform_of(&map_identity, SPACE_MODEL, SPACE_WORLD,
+	    false);
+	stream_options(j, o);
+	stream_points(o, d, j);
+	if (!(box->min[0] <= box->max[0]))
+		json_refuse(d,
+		    "/bounds: missing, and there are no points to "
+		    "take them from");
+}
+
+int run_fit(const struct command *c, const struct options *o)
+{
+	struct document d;
+	struct job j = { .take = take, .collect = collect, .with = &d.bounds };
+
+	read_document(c, o, 3, &d);
+	if (d.has_bounds && o->n_points > 0)
+		json_refuse(&d,
+		    "/bounds: not together with POINTS; fit holds "
+		    "the one or the other");
+	if (!d.has_bounds && !has_points(o, &d))
+		json_refuse(&d,
+		    "/bounds: missing; add \"bounds\": "
+		    "{\"min\": [-1,-1,-1], \"max\": [1,1,1]}, or points");
+	if (!d.has_bounds)
+		read_box(o, &d, &j);
+	const char *why = fit_scene(&d.scene, d.has_eye, &d.bounds);
+
+	if (why != NULL)
+		json_refuse(&d, why);
+	print_scene(&d);
+	return stream_end(&j);
+}

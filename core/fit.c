@@ -1,0 +1,327 @@
+#include "fit.h"
+
+#include <math.h>
+
+#include "frustum.h"
+#include "gaze.h"
+
+#define SIZE_MIN 1e-150
+
+#define BEYOND                                                              \
+	"/bounds: what holds them has numbers beyond 1e150 or sizes below " \
+	"1e-150; choose another unit"
+
+static bool less(dd a, dd b)
+{
+	return dd_add(a, dd_neg(b)).hi < 0;
+}
+
+/* How far the eye may go along the gaze while near - t is at least near_ratio
+ * (far - t). */
+static struct estimate reach_near(const struct extents *r, double ratio)
+{
+	dd far = dd_mul(r->high[2].value, (dd){ ratio, 0 });
+	dd near = dd_add(r->low[2].value, dd_neg(far));
+	dd rest = two_sum(1, -ratio);
+	double error = r->low[2].error + r->high[2].error;
+
+	return (struct estimate){ dd_div(near, rest), error / rest.hi };
+}
+
+/* Also up to the first of the side planes that touches, each of which lets go
+ * of the bounds by its slope in depth. */
+static const char *reach(const struct scene *s, const struct bounds *b,
+    struct estimate *t)
+{
+	struct frustum model, view;
+	struct extents r;
+	const char *why = bounds_extents(b, s, &r);
+
+	if (why == NULL)
+		why = frustum_of(s, SPACE_MODEL, false, &model);
+	if (why == NULL)
+		why = frustum_of(s, SPACE_VIEW, false, &view);
+	if (why != NULL)
+		return why;
+	*t = reach_near(&r, s->projection.near_ratio);
+	for (int k = 0; k < 4; k++) {
+		dd slope = dd_scale(view.sides.map.m[2][k],
+		    s->convention.right_handed ? -1 : 1);
+		struct estimate low = bounds_lowest(b, &model.sides.map, k, 1);
+
+		if (!(slope.hi > 0))
+			return "/projection: the gaze does not run between "
+			       "the side planes; let the edges stand on both "
+			       "sides of 0";
+		dd most = dd_div(low.value, slope);
+
+		if (less(most, t->value)) {
+			t->value = most;
+			t->error = low.error / slope.hi +
+			    SUM_BOUND * fabs(most.hi);
+		}
+	}
+	return fabs(t->value.hi) <= MAGNITUDE_MAX ? NULL : BEYOND;
+}
+
+/* a to / from, rounded away from 0. */
+static double rescaled(double a, double to, double from)
+{
+	dd q = ex_div(ex_mul(ex_of(a), ex_of(to)), ex_of(from));
+	bool beyond = q.lo != 0 && (q.lo > 0) == (q.hi > 0);
+
+	return beyond ? nextafter(q.hi, q.hi > 0 ? HUGE_VAL : -HUGE_VAL) : q.hi;
+}
+
+static void keep_slopes(struct projection *p, double near)
+{
+	double *const sizes[] = { &p->width, &p->height, &p->left, &p->right,
+		&p->bottom, &p->top };
+
+	for (int i = 0; i < 6; i++)
+		*sizes[i] = rescaled(*sizes[i], p->near, near);
+}
+
+/* near >= near_ratio far, exactly. */
+static bool far_off(const struct projection *p)
+{
+	return !less((dd){ p->near, 0 }, two_prod(p->near_ratio, p->far));
+}
+
+/* Closes near and far where the eye stands now; *held says whether the bounds
+ * are inside then, and near far enough off the eye. */
+static const char *close_persp(struct scene *s, const struct bounds *b,
+    bool *held)
+{
+	struct projection *p = &s->projection;
+	double near = p->near;
+	struct extents r;
+	unsigned out;
+	const char *why = bounds_extents(b, s, &r);
+
+	*held = why == NULL && r.low[2].value.hi > 0;
+	if (!*held)
+		return why;
+	why = bounds_close_depth(b, s);
+	if (why != NULL)
+		return why;
+	keep_slopes(p, near);
+	why = bounds_out(b, s, &out);
+	*held = out == 0 && far_off(p);
+	return why;
+}
+
+/* Tries the eye where it would touch; then farther back by 2^-53 of its largest
+ * coordinate, whose rounding is to be made up for, by twice that, and so on. */
+static const char *step_back(struct scene *s, const struct bounds *b,
+    const struct map *back, struct estimate t)
+{
+	const struct projection given = s->projection;
+	struct estimate step[3] = { [2].error = t.error };
+	const double *eye = s->camera.eye;
+	double off = 0;
+
+	for (int tries = 0; tries < 100; tries++) {
+		dd by = dd_add(t.value, (dd){ -off, 0 });
+		bool held;
+
+		step[2].value = s->convention.right_handed ? dd_neg(by) : by;
+		s->projection = given;
+		eye_move(back, step, s->camera.eye);
+		const char *why = close_persp(s, b, &held);
+
+		if (why != NULL || held)
+			return why;
+		for (int k = 0; k < 3 && tries == 0; k++)
+			off = fmax(off, 0x1p-54 * fabs(eye[k]));
+		off = off > 0 ? 2 * off : 0x1p-53 * fabs(t.value.hi);
+	}
+	return BEYOND;
+}
+
+static const char *fit_persp(struct scene *s, const struct bounds *b)
+{
+	struct projection *p = &s->projection;
+	struct estimate t;
+	struct map back;
+
+	if (p->extent < EXTENT_SIZE)
+		p->near = 1;
+	p->far = 2 * p->near;
+	const char *why = reach(s, b, &t);
+
+	if (why == NULL)
+		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &back);
+	return why != NULL ? why : step_back(s, b, &back, t);
+}
+
+/* To the axis through the middle, as it is projected; without an eye also one
+ * depth extent before it. */
+static const char *center(struct scene *s, bool has_eye, const struct bounds *b)
+{
+	bool right = s->convention.right_handed;
+	struct estimate step[3] = { 0 };
+	struct map back, clip;
+	struct extents r;
+	const char *why = bounds_extents(b, s, &r);
+
+	if (why == NULL)
+		why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip);
+	if (why == NULL)
+		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &back);
+	if (why != NULL)
+		return why;
+	for (int j = 0; j < 3; j++)
+		step[j] = extents_middle(&r, j);
+	if (has_eye)
+		step[2] = (struct estimate){ 0 };
+	else
+		step[2].value = dd_add(step[2].value,
+		    dd_add(r.low[2].value, dd_neg(r.high[2].value)));
+	if (right)
+		step[2].value = dd_neg(step[2].value);
+	for (int j = 0; j < 2; j++) {
+		double y = j == 1 && s->convention.ndc_y_down ? -1 : 1;
+		dd sheared = dd_mul(step[2].value, clip.m[2][j]);
+
+		step[j].value = dd_add(step[j].value, dd_scale(sheared, -y));
+		step[j].error += SUM_BOUND * fabs(sheared.hi);
+	}
+	eye_move(&back, step, s->camera.eye);
+	return NULL;
+}
+
+/* Widens the shorter side, where the projection has an aspect. */
+static void widen(struct projection *p)
+{
+	if (p->aspect[1] == 0)
+		return;
+	ex w = ex_of(p->aspect[0]), h = ex_of(p->aspect[1]);
+	double wide = ex_div(ex_mul(ex_of(p->height), w), h).hi;
+	double high = ex_div(ex_mul(ex_of(p->width), h), w).hi;
+
+	if (wide > p->width)
+		p->width = wide;
+	else
+		p->height = fmax(p->height, high);
+}
+
+static const char *close_sides(struct scene *s, const struct bounds *b)
+{
+	struct projection *p = &s->projection;
+	double *const size[2] = { &p->width, &p->height };
+	dd limit[2] = { { 1, 0 }, { 1, 0 } };
+	struct extents r;
+	const char *why = bounds_extents(b, s, &r);
+
+	if (why != NULL)
+		return why;
+	if (s->has_viewport)
+		viewport_limits(&s->viewport, limit);
+	for (int j = 0; j < 2; j++) {
+		dd left = dd_neg(r.low[j].value), right = r.high[j].value;
+		dd most = less(left, right) ? right : left;
+
+		*size[j] = 2 * dd_div(most, limit[j]).hi;
+	}
+	why = bounds_close(b, s, &p->width, HUGE_VAL, OUT_LEFT | OUT_RIGHT);
+	if (why == NULL)
+		why = bounds_close(b, s, &p->height, HUGE_VAL,
+		    OUT_BOTTOM | OUT_TOP);
+	widen(p);
+	return why;
+}
+
+/* Edges come out as edges, in the order that they had. */
+static void to_edges(struct projection *p, const struct projection *given)
+{
+	double x = given->left > given->right ? -p->width : p->width;
+	double y = given->bottom > given->top ? -p->height : p->height;
+
+	p->extent = EXTENT_EDGES;
+	p->left = -x / 2;
+	p->right = x / 2;
+	p->bottom = -y / 2;
+	p->top = y / 2;
+}
+
+static const char *fit_parallel(struct scene *s, bool has_eye,
+    const struct bounds *b)
+{
+	struct projection *p = &s->projection, given = *p;
+
+	p->extent = EXTENT_SIZE;
+	p->width = p->height = 2;
+	p->near = 0;
+	p->far = 1;
+	const char *why = center(s, has_eye, b);
+
+	if (why == NULL)
+		why = bounds_close_depth(b, s);
+	if (why == NULL)
+		why = close_sides(s, b);
+	if (given.extent == EXTENT_EDGES)
+		to_edges(p, &given);
+	return why;
+}
+
+static const char *check(const struct scene *s, const struct bounds *b)
+{
+	static const char *const less_than_min[3] = {
+		"/bounds/max/0: less than min's; give the lower corner as min",
+		"/bounds/max/1: less than min's; give the lower corner as min",
+		"/bounds/max/2: less than min's; give the lower corner as min",
+	};
+
+	for (int k = 0; k < 3 && !b->sphere; k++)
+		if (b->max[k] < b->min[k])
+			return less_than_min[k];
+	switch (s->projection.type) {
+	case PROJECTION_PERSP:
+	case PROJECTION_ORTHO:
+	case PROJECTION_OBLIQUE:
+		return NULL;
+	default:
+		return "/projection/type: has nothing that can be fitted; "
+		       "\"persp\", \"ortho\" or \"oblique\" is wanted";
+	}
+}
+
+static bool is_size(double v)
+{
+	return v >= SIZE_MIN && v <= MAGNITUDE_MAX;
+}
+
+/* Whether what a document may hold is enough. */
+static bool in_range(const struct scene *s)
+{
+	const struct projection *p = &s->projection;
+	bool good = fabs(p->near) <= MAGNITUDE_MAX &&
+	    fabs(p->far) <= MAGNITUDE_MAX;
+
+	for (int k = 0; k < 3; k++)
+		good &= fabs(s->camera.eye[k]) <= MAGNITUDE_MAX;
+	if (p->type == PROJECTION_PERSP)
+		good &= is_size(p->near);
+	if (p->extent == EXTENT_SIZE)
+		good &= is_size(p->width) && is_size(p->height);
+	if (p->extent == EXTENT_EDGES)
+		good &= is_size(fabs(p->right)) && is_size(fabs(p->top)) &&
+		    is_size(fabs(p->left)) && is_size(fabs(p->bottom));
+	return good;
+}
+
+const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
+{
+	const char *why = check(s, b);
+
+	if (why == NULL)
+		why = gaze_of(s);
+	if (why == NULL && !has_eye)
+		why = bounds_center(b, s, s->camera.eye);
+	if (why == NULL && s->projection.type == PROJECTION_PERSP)
+		why = fit_persp(s, b);
+	else if (why == NULL)
+		why = fit_parallel(s, has_eye, b);
+	return why != NULL || in_range(s) ? why : BEYOND;
+}

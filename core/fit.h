@@ -1,0 +1,25 @@
+/* The tightest camera and view volume that hold given bounds. */
+#ifndef FIT_H
+#define FIT_H
+
+#include "bounds.h"
+
+/* Completes a scene of type persp, ortho or oblique, whose near and far, and
+ * width and height of a parallel one, need not be set; without an eye (has_eye)
+ * camera.eye does not count. The axes of view stay; the camera is brought to
+ * CAMERA_GAZE.
+ *
+ * persp keeps its slopes and moves the eye along the gaze until the side planes
+ * hold the bounds and one of them touches, or near is near_ratio times far.
+ * Parallel ones are centred on the bounds; their width and height close round
+ * them, the shorter one widened to the aspect where that is set (aspect[1] is
+ * not 0). near and far close round the bounds.
+ *
+ * The eye is rounded to doubles, in persp with a step back by the least power
+ * of two that makes up for it. There every corner is in, as frustum_out says,
+ * and near, far and the sizes of a parallel projection are the tightest doubles
+ * for which that is so, unless the bounds lie so far from the eye that they are
+ * not known to the last bit. Returns NULL, or the member and the reason. */
+const char *fit_scene(struct scene *, bool has_eye, const struct bounds *);
+
+#endif
