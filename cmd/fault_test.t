@@ -70,7 +70,7 @@ sub starts { substr($_[0], 0, length $_[1]) eq $_[1] }
 
 # Points for several chunks, and the same in each format.
 srand 7;
-my $lines = join '', map { join(' ', map { int rand 1e6 } 1 .. 3) . "\n" }
+my $lines = join '', map { join(' ', map { 1e-4 * int rand 4e4 } 1 .. 3) . "\n" }
     1 .. 20000;
 spew("$tmp/points", $lines);
 spew("$tmp/points.csv", "x,y,z\n" . $lines =~ tr/ /,/r);
@@ -120,8 +120,10 @@ SKIP: {
 	skip 'nothing can be preloaded', 1 if !$has_shim;
 	for my $command (@commands) {
 		every('malloc', 12, $command, system_failed('out of memory'));
+		# stdio has a way to write of its own
 		every('write', 28, $command,
-		    system_failed('standard output: No space left on device'));
+		    system_failed('standard output: No space left on device'))
+		    if $command !~ /help/;
 		every('close', 5, $command,
 		    system_failed('standard output: Input/output error'));
 		every('read', 5, $command,

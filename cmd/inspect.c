@@ -1,10 +1,10 @@
 #include <math.h>
-#include <string.h>
 
 #include "../core/depth.h"
 #include "../core/error_bound.h"
 #include "../core/taxonomy.h"
 #include "command.h"
+#include "page.h"
 #include "talk.h"
 
 /* In the order of enum taxon, kind, buffer and precision. */
@@ -16,78 +16,13 @@ static const char *const kinds[] = { "multiview", "isometric", "dimetric",
 static const char *const buffers[] = { "unorm16", "unorm24", "float32" };
 static const char *const precisions[] = { "exact", "double", "single" };
 
-struct page {
-	char *at;
-	struct number_style style;
-	const char *between; /* what the next value follows */
-};
-
-static void put_text(struct page *p, const char *s)
-{
-	size_t n = strlen(s);
-
-	memcpy(p->at, s, n);
-	p->at += n;
-}
-
-static void put_name(struct page *p, const char *name)
-{
-	put_text(p, p->between);
-	put_text(p, "\"");
-	put_text(p, name);
-	put_text(p, "\": ");
-	p->between = "";
-}
-
-static void enter(struct page *p, const char *bracket)
-{
-	put_text(p, p->between);
-	put_text(p, bracket);
-	p->between = "";
-}
-
-static void leave(struct page *p, const char *bracket)
-{
-	put_text(p, bracket);
-	p->between = ", ";
-}
-
-static void put_word(struct page *p, const char *word)
-{
-	enter(p, "\"");
-	put_text(p, word);
-	leave(p, "\"");
-}
-
-static void put_number(struct page *p, double v)
-{
-	put_text(p, p->between);
-	if (isnan(v))
-		put_text(p, "null");
-	else
-		p->at = number_write(p->at, v, p->style);
-	p->between = ", ";
-}
-
 /* Numbers that are there together or not at all. */
 static void put_vector(struct page *p, const double *v, int n)
 {
-	if (isnan(v[0])) {
+	if (isnan(v[0]))
 		put_number(p, v[0]);
-		return;
-	}
-	enter(p, "[");
-	for (int i = 0; i < n; i++)
-		put_number(p, v[i]);
-	leave(p, "]");
-}
-
-/* One member a line. */
-static void member(struct page *p, const char *name)
-{
-	if (p->between[0] == ',')
-		p->between = ",\n  ";
-	put_name(p, name);
+	else
+		put_numbers(p, v, n);
 }
 
 static void put_taxonomy(struct page *p, const struct taxonomy *t)
@@ -157,7 +92,7 @@ static void put_bounds(struct page *p, const double bound[3], double tolerance)
 int run_inspect(const struct command *c, const struct options *o)
 {
 	static char text[64 * NUMBER_MAX + 1024];
-	struct page p = { text, o->style, "{\n  " };
+	struct page p = { text, o->style, "" };
 	struct document d;
 	struct taxonomy t;
 	double step[BUFFERS][2], bound[3];
@@ -172,6 +107,7 @@ int run_inspect(const struct command *c, const struct options *o)
 	if (why != NULL)
 		json_refuse(&d, why);
 	depth_steps(&d.scene, t.reversed, step);
+	enter(&p, "{");
 	put_taxonomy(&p, &t);
 	put_depth_steps(&p, step);
 	put_bounds(&p, bound,
