@@ -195,13 +195,28 @@ static const char *judge(const struct job *j, const struct chunk *c, size_t p,
 	return flag_word(out, kappa > ILL, word);
 }
 
-static void write_binary(const struct job *j, struct chunk *c,
+/* Coordinate k of point p as a float; exact ones are rounded once. */
+static float narrowed(const struct job *j, const struct chunk *c, size_t p,
+    int k, double v)
+{
+	double in[4];
+
+	if (j->rays || j->effort.precision != PRECISION_EXACT ||
+	    j->effort.tolerance > 0)
+		return (float)v;
+	for (int i = 0; i < 4; i++)
+		in[i] = c->in[i][p];
+	return point_single(&j->transform, in, k, v);
+}
+
+static void write_binary(const struct job *j, struct chunk *c, size_t p,
     const double *v)
 {
 	char *at = chunk_reserve(c, sizeof(double) * COORDINATES_MAX);
 
 	for (int k = 0; k < j->layout.writes; k++) {
-		float narrow = (float)v[k];
+		float narrow = j->layout.out == FORMAT_F32 && !isnan(v[k]) ?
+		    narrowed(j, c, p, k, v[k]) : (float)v[k];
 
 		if (j->layout.out == FORMAT_F64)
 			memcpy(at + 8 * k, &v[k], 8);
@@ -281,7 +296,7 @@ static void write_point(const struct job *j, struct chunk *c,
 	if (hidden)
 		return;
 	if (is_binary(j->layout.out)) {
-		write_binary(j, c, v);
+		write_binary(j, c, p, v);
 		return;
 	}
 	char *at = chunk_reserve(c, record_room(&j->layout, r));
@@ -302,7 +317,7 @@ static void write_other(const struct job *j, struct chunk *c,
 		return;
 	if (is_binary(j->layout.out)) {
 		if (bad)
-			write_binary(j, c, v);
+			write_binary(j, c, 0, v);
 		return;
 	}
 	char *at = chunk_reserve(c, record_room(&j->layout, r));

@@ -1,7 +1,6 @@
 #include "points.h"
 
 #include <math.h>
-#include <string.h>
 
 /* Kernels take three coordinates to three; a sum below 2^-45 of what it could
  * be is left to point_exact, as its error is not small any more. */
@@ -159,8 +158,8 @@ static bool has_nan(const struct transform *t, const double in[4])
 	return false;
 }
 
-void point_exact(const struct transform *t, const double in[4], double out[4],
-    double *kappa)
+static void point_image(const struct transform *t, const double in[4],
+    dd out[4], double *kappa)
 {
 	dd p[4];
 	double scale = relative(t, in, p);
@@ -176,164 +175,39 @@ void point_exact(const struct transform *t, const double in[4], double out[4],
 	*kappa = 1;
 	for (int j = 0; j < t->out; j++) {
 		struct sum s = column(&t->map, j, p);
-		double q = s.value.hi;
+		dd q = t->divide ? dd_div(s.value, w.value) :
+				   dd_scale(s.value, scale);
 
-		if (t->divide)
-			q = dd_div(s.value, w.value).hi;
-		else
-			q *= scale;
-		out[j] = image && isfinite(q) ? q : (double)NAN;
+		out[j] = image && isfinite(q.hi) ? q : (dd){ (double)NAN, 0 };
 		if (image)
 			*kappa = fmax(*kappa, kappa_of(w, 0) * kappa_of(s,
 			    t->on_screen ? fabs(w.value.hi) : 0));
 	}
 }
 
-static const struct kernels *kernels = &kernels_baseline;
-
-bool points_choose(const char *name)
+void point_exact(const struct transform *t, const double in[4], double out[4],
+    double *kappa)
 {
-	const struct kernels *found = kernels_find(name);
+	dd image[4];
 
-	if (found != NULL)
-		kernels = found;
-	return found != NULL;
-}
-
-static void carry_exact(const struct transform *t, const double *const in[4],
-    double *const out[4], size_t n)
-{
-	exact_kernel *fast = kernels->exact[t->body];
-
-	if (fast != NULL && fast(&t->lanes, in, out, n))
-		return;
-	for (size_t i = 0; i < n; i++) {
-		double p[4], q[4], kappa;
-
-		if (fast != NULL && !isnan(out[0][i]))
-			continue;
-		for (int j = 0; j < t->in; j++)
-			p[j] = in[j][i];
-		point_exact(t, p, q, &kappa);
-		for (int j = 0; j < t->out; j++)
-			out[j][i] = q[j];
-	}
-}
-
-/* Where no kernel fits: a point with four coordinates in or out, in double or,
- * rounding each operation to float, in single. */
-static double rounded(double a, bool single)
-{
-	return single ? (double)(float)a : a;
-}
-
-static void point_plain(const struct transform *t, bool single,
-    const double in[4], double out[4])
-{
-	double p[4] = { 0, 0, 0, 1 }, q[4], w = 1;
-
-	for (int i = 0; i < t->in && i < 3; i++)
-		p[i] = rounded(in[i] - t->map.origin[i], single);
-	if (t->in == 4 && !t->reciprocal)
-		p[3] = rounded(in[3], single);
-	for (int j = 0; j < 4; j++) {
-		q[j] = 0;
-		for (int i = 3; i >= 0; i--) {
-			double a = rounded(t->map.m[i][j].hi, single);
-
-			q[j] = rounded(q[j] + rounded(p[i] * a, single),
-			    single);
-		}
-	}
-	if (t->divide)
-		w = t->reciprocal && t->out == 4 ? rounded(in[3], single) :
-						   q[3];
-	bool image = t->front ? w > 0 : w != 0;
-
+	point_image(t, in, image, kappa);
 	for (int j = 0; j < t->out; j++)
-		out[j] = image ? rounded(q[j] / w, single) : (double)NAN;
+		out[j] = image[j].hi;
 }
 
-static void carry_plain(const struct transform *t, enum precision precision,
-    const double *const in[4], double *const out[4], size_t n)
+/* Only where the double lies midway between two floats, does rounding it again
+ * not give the nearest float; what it was rounded from says which is. */
+float point_single(const struct transform *t, const double in[4], int j,
+    double image)
 {
-	plain_kernel *fast = kernels->plain[precision][t->body];
+	float a = (float)image;
+	float b = nextafterf(a, (double)a < image ? INFINITY : -INFINITY);
+	dd exact[4];
+	double kappa;
 
-	if (fast != NULL) {
-		fast(&t->lanes, in, out, n, 0);
-		return;
-	}
-	for (size_t i = 0; i < n; i++) {
-		double p[4], q[4];
-
-		for (int j = 0; j < t->in; j++)
-			p[j] = in[j][i];
-		point_plain(t, precision == PRECISION_SINGLE, p, q);
-		for (int j = 0; j < t->out; j++)
-			out[j][i] = q[j];
-	}
-}
-
-/* Points that a precision could not be trusted with, gathered for the next. */
-struct rest {
-	size_t n, which[POINTS_BLOCK];
-	double in[3][POINTS_BLOCK], out[3][POINTS_BLOCK];
-};
-
-static void gather(const struct transform *t, const double *const in[4],
-    double *const out[4], size_t n, struct rest *r)
-{
-	r->n = 0;
-	for (size_t i = 0; i < n; i++) {
-		if (!isnan(out[0][i]))
-			continue;
-		r->which[r->n] = i;
-		for (int j = 0; j < t->in; j++)
-			r->in[j][r->n] = in[j][i];
-		r->n++;
-	}
-}
-
-static void carry_within(const struct transform *t, double tolerance,
-    enum precision precision, const double *const in[4],
-    double *const out[4], bool *single, size_t n)
-{
-	plain_kernel *fast = kernels->plain[precision][t->body];
-	struct rest r;
-
-	if (fast == NULL || precision == PRECISION_EXACT) {
-		carry_exact(t, in, out, n);
-		memset(single, 0, n);
-		return;
-	}
-	fast(&t->lanes, in, out, n, tolerance);
-	memset(single, precision == PRECISION_SINGLE, n);
-	gather(t, in, out, n, &r);
-	if (r.n == 0)
-		return;
-	const double *const in2[4] = { r.in[0], r.in[1], r.in[2] };
-	double *const out2[4] = { r.out[0], r.out[1], r.out[2] };
-	bool single2[POINTS_BLOCK];
-
-	carry_within(t, tolerance, precision - 1, in2, out2, single2, r.n);
-	for (size_t k = 0; k < r.n; k++) {
-		for (int j = 0; j < t->out; j++)
-			out[j][r.which[k]] = r.out[j][k];
-		single[r.which[k]] = single2[k];
-	}
-}
-
-void points_carry(const struct transform *t, const struct effort *e,
-    const double *const in[4], double *const out[4], bool *single, size_t n)
-{
-	if (e->tolerance > 0) {
-		carry_within(t, e->tolerance, PRECISION_SINGLE, in, out,
-		    single, n);
-		return;
-	}
-	memset(single, e->precision == PRECISION_SINGLE, n);
-	if (e->precision == PRECISION_EXACT)
-		carry_exact(t, in, out, n);
-	else
-		carry_plain(t, e->precision, in, out, n);
+	if ((double)a / 2 + (double)b / 2 != image)
+		return a;
+	point_image(t, in, exact, &kappa);
+	return exact[j].lo == 0 ? a :
+	    (float)nextafter(image, exact[j].lo > 0 ? HUGE_VAL : -HUGE_VAL);
 }

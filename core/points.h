@@ -70,4 +70,9 @@ void points_carry(const struct transform *, const struct effort *,
 void point_exact(const struct transform *, const double in[4], double out[4],
     double *kappa);
 
+/* Coordinate j of its image, which points_carry gave as a double, as a float:
+ * rounded once. */
+float point_single(const struct transform *, const double in[4], int j,
+    double image);
+
 #endif
