@@ -2,7 +2,11 @@
 
 PREFIX = /usr/local
 BINDIR = $(PREFIX)/bin
-MANDIR = $(PREFIX)/share/man
+DATADIR = $(PREFIX)/share
+MANDIR = $(DATADIR)/man
+BASHDIR = $(DATADIR)/bash-completion/completions
+ZSHDIR = $(DATADIR)/zsh/site-functions
+FISHDIR = $(DATADIR)/fish/vendor_completions.d
 DESTDIR =
 
 # Everything that is made goes here.
@@ -68,7 +72,7 @@ $(BUILD)/core/kernels_avx512.o: TARGET = -mavx512f -mfma
 endif
 # gcc would store the halves of a span and reload them as one, which stalls.
 $(BUILD)/cmd/record_read.o: TARGET = -fno-tree-slp-vectorize
-$(filter %/chunk.o %/points.o $(BUILD)/core/kernels_%,$(OBJECTS)): TARGET += -O3
+$(filter %/binary.o %/points.o %/carry.o $(BUILD)/core/kernels_%,$(OBJECTS)): TARGET += -O3
 
 $(CORE_TESTS): $(BUILD)/%: $(BUILD)/%.o $(CORE) $(TRUTH)
 	$(LINK) -o $@ $^ -lcmocka -lmpfr -lgmp -lm
@@ -127,20 +131,87 @@ golden: all
 
 # What is uninitialized the compilers know better than cppcheck.
 lint:
-	mandoc -T lint -W warning man/*.1
+	mandoc -T lint -W warning man/*.[15]
 	clang-format --dry-run -Werror $(wildcard core/*.[ch] cmd/*.[ch] cmd/*.cc)
-	shellcheck .ci/run $(wildcard cmd/*.sh)
+	shellcheck .ci/run .debian/build $(wildcard cmd/*.sh)
 	cppcheck --quiet --error-exitcode=1 --std=c11 --inline-suppr \
 	    --enable=warning,performance,portability --suppress=uninitvar \
 	    core cmd
 
-install: all
-	install -d $(DESTDIR)$(BINDIR) $(DESTDIR)$(MANDIR)/man1
+# Floors, rings, the length of functions and files.
+layers:
+	@perl cmd/layers_test.t
+
+# What the program is made of, for cmd/layers_test.t.
+sources:
+	@echo $(SOURCES)
+
+$(BUILD)/completion/%: $(BUILD)/projcalc cmd/completion.pl
+	@mkdir -p $(@D)
+	perl cmd/completion.pl $< $* >$@
+
+INSTALLED = $(BINDIR)/projcalc $(MANDIR)/man1/projcalc.1 \
+	$(MANDIR)/man5/projcalc-scene.5 \
+	$(DATADIR)/projcalc/projcalc.schema.json $(BASHDIR)/projcalc \
+	$(ZSHDIR)/_projcalc $(FISHDIR)/projcalc.fish
+
+install: all $(addprefix $(BUILD)/completion/,bash zsh fish)
+	install -d $(addprefix $(DESTDIR),$(dir $(INSTALLED)))
 	install -m 755 $(BUILD)/projcalc $(DESTDIR)$(BINDIR)
 	install -m 644 man/projcalc.1 $(DESTDIR)$(MANDIR)/man1
+	install -m 644 man/projcalc-scene.5 $(DESTDIR)$(MANDIR)/man5
+	sed -i 's|/usr/local/share|$(DATADIR)|' $(addprefix \
+	    $(DESTDIR)$(MANDIR)/,man1/projcalc.1 man5/projcalc-scene.5)
+	install -m 644 man/projcalc.schema.json $(DESTDIR)$(DATADIR)/projcalc
+	install -m 644 $(BUILD)/completion/bash $(DESTDIR)$(BASHDIR)/projcalc
+	install -m 644 $(BUILD)/completion/zsh $(DESTDIR)$(ZSHDIR)/_projcalc
+	install -m 644 $(BUILD)/completion/fish \
+	    $(DESTDIR)$(FISHDIR)/projcalc.fish
 
 uninstall:
-	rm -f $(DESTDIR)$(BINDIR)/projcalc $(DESTDIR)$(MANDIR)/man1/projcalc.1
+	rm -f $(addprefix $(DESTDIR),$(INSTALLED))
+	-rmdir $(DESTDIR)$(DATADIR)/projcalc
+
+VERSION = $(shell sed -n 's/^\#define VERSION "\(.*\)"/\1/p' cmd/*.c)
+# That of the release, by the first heading of NEWS.md.
+DATE = $(shell sed -n 's/^\#\# $(VERSION), //p' NEWS.md)
+DIST = projcalc-$(VERSION)
+DIST_FILES = .ci .clang-format .debian .github LICENSE Makefile NEWS.md \
+	README.md cmd core man testdata
+
+# The same bytes from the same files, whoever packs them, and when.
+dist:
+	@test -n '$(DATE)' || \
+	    { echo 'NEWS.md has no date for $(VERSION)' >&2; exit 1; }
+	@mkdir -p $(BUILD)
+	tar -czf $(BUILD)/$(DIST).tar.gz --sort=name --owner=0 --group=0 \
+	    --numeric-owner --mode=u+w,go-w --mtime='$(DATE) UTC' \
+	    --exclude='*~' --exclude='.*.sw?' --transform='s|^|$(DIST)/|' \
+	    $(DIST_FILES)
+
+# The tarball builds, tests, installs, uninstalls and packs itself.
+CHECK = $(abspath $(BUILD))/distcheck
+distcheck: dist
+	rm -rf $(CHECK)
+	mkdir -p $(CHECK)
+	tar -xzf $(BUILD)/$(DIST).tar.gz -C $(CHECK)
+	$(MAKE) -C $(CHECK)/$(DIST) BUILD=build test
+	$(MAKE) -C $(CHECK)/$(DIST) BUILD=build DESTDIR=$(CHECK)/root install
+	cd $(CHECK)/$(DIST) && \
+	    perl cmd/examples_test.t $(CHECK)/root$(BINDIR) | grep -v '^ok'
+	$(MAKE) -C $(CHECK)/$(DIST) BUILD=build DESTDIR=$(CHECK)/root uninstall
+	test -z "$$(find $(CHECK)/root -type f)"
+	$(MAKE) -C $(CHECK)/$(DIST) BUILD=build dist
+	cmp $(BUILD)/$(DIST).tar.gz $(CHECK)/$(DIST)/build/$(DIST).tar.gz
+	rm -rf $(CHECK)
+
+# A Debian package, with its examples run from it.
+deb:
+	@sh .debian/build $(BUILD) $(VERSION) $(DATE)
+
+# All that there is to a release but its tag.
+release: lint distcheck deb
+	cd $(BUILD) && sha256sum $(DIST).tar.gz projcalc_$(VERSION)_*.deb
 
 clean:
 	rm -rf $(BUILD)
@@ -149,7 +220,8 @@ clean:
 # what `make lint` runs.
 DEPS = g++ make libc6-dev libcjson-dev libfast-float-dev libdragonbox-dev \
 	clang jq libcmocka-dev libgmp-dev libmpfr-dev mandoc perl \
-	clang-format cppcheck shellcheck gnuplot-nox
+	clang-format cppcheck shellcheck gnuplot-nox python3-jsonschema \
+	parallel
 
 # Installs the packages that are missing, and only then touches the network.
 deps:
@@ -181,11 +253,16 @@ help:
 	@echo 'make test        all tests'
 	@echo 'make golden      rewrite the golden cases'
 	@echo 'make lint        the manual page, the style, the scripts, the C'
+	@echo 'make layers      floors of the house, lengths of its functions'
 	@echo 'make install     to PREFIX=$(PREFIX), below DESTDIR'
 	@echo 'make uninstall'
+	@echo 'make dist        a tarball; make distcheck tests it'
+	@echo 'make deb         a Debian package'
+	@echo 'make release     lint, distcheck, deb'
 	@echo 'make clean'
 
-.PHONY: stability bench chart views all programs demo test golden lint install uninstall clean deps help
+.PHONY: stability bench chart views all programs demo test golden lint install uninstall \
+	layers sources dist distcheck deb release clean deps help
 # Objects of test programs are kept.
 .SECONDARY:
 # A file that a failed command has half written must not look made.

@@ -1,11 +1,11 @@
 #include "chunk.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "binary.h"
 #include "talk.h"
 
 struct chunk *chunk_new(void)
@@ -21,16 +21,6 @@ void chunk_free(struct chunk *c)
 	free(c->out);
 	free(c->complaints);
 	free(c);
-}
-
-bool is_binary(enum format f)
-{
-	return f == FORMAT_F64 || f == FORMAT_F32;
-}
-
-size_t point_size(const struct layout *l, enum format f)
-{
-	return (size_t)l->reads * (f == FORMAT_F64 ? 8 : 4);
 }
 
 char *chunk_reserve(struct chunk *c, size_t more)
@@ -87,45 +77,6 @@ static size_t read_lines(struct job *j, struct chunk *c, size_t *points)
 		}
 		n++;
 	}
-	return n;
-}
-
-/* The machine is little-endian, as the numbers are. */
-static inline void unpack(struct chunk *c, size_t n, size_t reads, bool wide)
-{
-	const char *restrict text = c->text;
-
-	for (size_t i = 0; i < n; i++)
-		for (size_t k = 0; k < reads; k++) {
-			float narrow;
-
-			if (wide) {
-				memcpy(&c->in[k][i],
-				    text + 8 * (reads * i + k), 8);
-				continue;
-			}
-			memcpy(&narrow, text + 4 * (reads * i + k), 4);
-			c->in[k][i] = (double)narrow;
-		}
-}
-
-/* The same for binary points. */
-static size_t read_binary(struct job *j, struct chunk *c, size_t *points)
-{
-	size_t size = point_size(&j->layout, j->layout.in);
-	size_t n = (size_t)(c->end - c->text) / size;
-	size_t reads = (size_t)j->layout.reads;
-	bool wide = j->layout.in == FORMAT_F64;
-
-	if (n > POINTS_BLOCK)
-		n = POINTS_BLOCK;
-	if (wide && reads == 3) /* unrolled */
-		unpack(c, n, 3, true);
-	else
-		unpack(c, n, reads, wide);
-	c->text += n * size;
-	c->lines += n;
-	*points = n;
 	return n;
 }
 
@@ -195,41 +146,9 @@ static const char *judge(const struct job *j, const struct chunk *c, size_t p,
 	return flag_word(out, kappa > ILL, word);
 }
 
-/* Coordinate k of point p as a float; exact ones are rounded once. */
-static float narrowed(const struct job *j, const struct chunk *c, size_t p,
-    int k, double v)
-{
-	double in[4];
-
-	if (j->rays || j->effort.precision != PRECISION_EXACT ||
-	    j->effort.tolerance > 0)
-		return (float)v;
-	for (int i = 0; i < 4; i++)
-		in[i] = c->in[i][p];
-	return point_single(&j->transform, in, k, v);
-}
-
-static void write_binary(const struct job *j, struct chunk *c, size_t p,
-    const double *v)
-{
-	char *at = chunk_reserve(c, sizeof(double) * COORDINATES_MAX);
-
-	for (int k = 0; k < j->layout.writes; k++) {
-		float narrow = j->layout.out == FORMAT_F32 && !isnan(v[k]) ?
-		    narrowed(j, c, p, k, v[k]) : (float)v[k];
-
-		if (j->layout.out == FORMAT_F64)
-			memcpy(at + 8 * k, &v[k], 8);
-		else
-			memcpy(at + 4 * k, &narrow, 4);
-	}
-	c->size += (size_t)j->layout.writes *
-	    (j->layout.out == FORMAT_F64 ? 8 : 4);
-}
-
 /* What has no image is nan throughout, also where it is infinite, if only as
  * the float that it is written as. */
-static void mark_imageless(const struct job *j, struct chunk *c, size_t p,
+void chunk_mark(const struct job *j, struct chunk *c, size_t p,
     size_t line)
 {
 	bool nan = false, narrow = j->layout.out == FORMAT_F32;
@@ -246,41 +165,6 @@ static void mark_imageless(const struct job *j, struct chunk *c, size_t p,
 		c->first_imageless = line;
 }
 
-static inline void pack(const struct chunk *c, char *restrict at, size_t n,
-    size_t writes)
-{
-	for (size_t i = 0; i < n; i++)
-		for (size_t k = 0; k < writes; k++)
-			memcpy(at + 8 * (writes * i + k), &c->image[k][i], 8);
-}
-
-static bool all_finite(const struct chunk *c, size_t n, size_t writes)
-{
-	int bad = 0;
-
-	for (size_t k = 0; k < writes; k++)
-		for (size_t i = 0; i < n; i++)
-			bad |= !(fabs(c->image[k][i]) <= DBL_MAX);
-	return !bad;
-}
-
-/* A whole block, where each point of it is written and nothing else is. */
-static void write_block(const struct job *j, struct chunk *c, size_t n,
-    size_t first)
-{
-	size_t writes = (size_t)j->layout.writes;
-	char *at = chunk_reserve(c, 8 * writes * n);
-
-	if (!all_finite(c, n, writes))
-		for (size_t i = 0; i < n; i++)
-			mark_imageless(j, c, i, first + i);
-	if (writes == 3) /* unrolled */
-		pack(c, at, n, 3);
-	else
-		pack(c, at, n, writes);
-	c->size += 8 * writes * n;
-}
-
 /* Point p, which stood in r. */
 static void write_point(const struct job *j, struct chunk *c,
     struct record *r, size_t p, size_t line)
@@ -290,13 +174,13 @@ static void write_point(const struct job *j, struct chunk *c,
 	bool hidden;
 	const char *flags = judge(j, c, p, word, &hidden);
 
-	mark_imageless(j, c, p, line);
+	chunk_mark(j, c, p, line);
 	for (int k = 0; k < j->layout.writes; k++)
 		v[k] = c->image[k][p];
 	if (hidden)
 		return;
 	if (is_binary(j->layout.out)) {
-		write_binary(j, c, p, v);
+		binary_write(j, c, p, v);
 		return;
 	}
 	char *at = chunk_reserve(c, record_room(&j->layout, r));
@@ -317,7 +201,7 @@ static void write_other(const struct job *j, struct chunk *c,
 		return;
 	if (is_binary(j->layout.out)) {
 		if (bad)
-			write_binary(j, c, 0, v);
+			binary_write(j, c, 0, v);
 		return;
 	}
 	char *at = chunk_reserve(c, record_room(&j->layout, r));
@@ -358,11 +242,11 @@ void chunk_do(struct job *j, struct chunk *c)
 			break;
 		}
 		size_t n = lines ? read_lines(j, c, &points) :
-				   read_binary(j, c, &points);
+				   binary_read(j, c, &points);
 
 		carry(j, c, points);
 		if (blocks) {
-			write_block(j, c, n, first);
+			binary_write_block(j, c, n, first);
 			continue;
 		}
 		for (size_t i = 0; i < n; i++) {

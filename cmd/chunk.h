@@ -65,6 +65,9 @@ void chunk_free(struct chunk *);
  * first bad line where the job does not keep going. */
 void chunk_do(struct job *, struct chunk *);
 
+/* Counts point p, of a line, where it has no image. */
+void chunk_mark(const struct job *, struct chunk *, size_t p, size_t line);
+
 /* Room for more bytes of output behind out + size. */
 char *chunk_reserve(struct chunk *, size_t more);
 

@@ -164,6 +164,27 @@ static struct columns read_columns(char *list)
 	return c;
 }
 
+/* Options without an argument. */
+static bool *switch_of(struct options *o, int letter)
+{
+	switch (letter) {
+	case 'H':
+		return &o->homogeneous;
+	case 'm':
+		return &o->matrix;
+	case 'R':
+		return &o->ray;
+	case 'G':
+		return &o->flags;
+	case 'I':
+		return &o->visible;
+	case 'K':
+		return &o->keep_going;
+	default:
+		return NULL;
+	}
+}
+
 static void set_option(struct options *o, int letter, char *word)
 {
 	struct convention convention;
@@ -209,12 +230,6 @@ static void set_option(struct options *o, int letter, char *word)
 		o->has_to = true;
 		o->to = (enum space)choose(space_names, "space", word);
 		break;
-	case 'H':
-		o->homogeneous = true;
-		break;
-	case 'm':
-		o->matrix = true;
-		break;
 	case 'A':
 		read_at(word, o->at);
 		o->has_at = true;
@@ -222,20 +237,8 @@ static void set_option(struct options *o, int letter, char *word)
 	case 'Q':
 		o->radius = positive_number("radius", word);
 		break;
-	case 'R':
-		o->ray = true;
-		break;
-	case 'G':
-		o->flags = true;
-		break;
-	case 'I':
-		o->visible = true;
-		break;
 	case 'j':
 		o->jobs = whole_number("jobs", word, 1, 256);
-		break;
-	case 'K':
-		o->keep_going = true;
 		break;
 	}
 }
@@ -303,7 +306,12 @@ int options_read(const struct command *c, int argc, char **argv,
 			die(EXIT_USAGE, "%s: --%s is not for this command; "
 			    "'projcalc help %s' lists what is", c->name,
 			    name_of(got), c->name);
-		set_option(o, got, optarg);
+		bool *on = switch_of(o, got);
+
+		if (on != NULL)
+			*on = true;
+		else
+			set_option(o, got, optarg);
 	}
 	if (o->effort_given && o->effort.tolerance > 0)
 		die(EXIT_USAGE, "%s: -p and -t exclude each other; -t chooses "

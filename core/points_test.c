@@ -8,48 +8,9 @@
 
 #include <cmocka.h>
 
-#include "points.h"
-#include "sample.h"
-#include "truth.h"
-
-enum { POINTS = 24 };
+#include "block.h"
 
 static const char *const copies[] = { "baseline", "avx2", "avx512" };
-
-/* A block of points with its images. */
-struct block {
-	double in[4][POINTS_BLOCK], out[4][POINTS_BLOCK];
-	bool single[POINTS_BLOCK];
-};
-
-static void carry(const struct transform *t, struct effort e, struct block *b,
-    size_t n)
-{
-	const double *const in[4] = { b->in[0], b->in[1], b->in[2], b->in[3] };
-	double *const out[4] = { b->out[0], b->out[1], b->out[2], b->out[3] };
-
-	points_carry(t, &e, in, out, b->single, n);
-}
-
-/* Points about what the camera looks at, some of them far, in its plane, or
- * equal to the eye. */
-static void sample_points(const struct scene *s, enum space from,
-    struct block *b, size_t n)
-{
-	for (size_t i = 0; i < n; i++)
-		for (int j = 0; j < 4; j++) {
-			double near = from <= SPACE_WORLD && s->has_camera &&
-			    s->camera.by != CAMERA_MATRIX && j < 3 ?
-			    s->camera.eye[j] : 0;
-			double d = sample_number(sample_below(4) == 0 ? 6 : 1);
-
-			if (from >= SPACE_NDC)
-				d = sample_between(-1, 2);
-			if (sample_below(6) == 0)
-				d = rint(d);
-			b->in[j][i] = near + d;
-		}
-}
 
 /* A scene with all that project needs, or false where it is degenerate. */
 static bool sample_transform(struct scene *s, int e, enum space *from,
@@ -60,22 +21,6 @@ static bool sample_transform(struct scene *s, int e, enum space *from,
 	*from = (enum space)sample_below(6);
 	*to = (enum space)sample_below(6);
 	return scene_transform(s, *from, *to, false, t) == NULL;
-}
-
-/* The exact image of point i, divided where it is. Returns false where there
- * is none: w is not positive, or lost in its bound. */
-static bool exact_image(const struct truth *truth, const struct transform *t,
-    const struct block *b, size_t i, real q[4], real sum[4])
-{
-	double p[4] = { b->in[0][i], b->in[1][i], b->in[2][i],
-		t->in == 4 ? b->in[3][i] : 1 };
-
-	truth_image(truth, p, q, sum);
-	if (!t->divide)
-		return true;
-	double w = mpfr_get_d(over(q[3], sum[3]), MPFR_RNDN);
-
-	return t->front ? w > 0x1p-90 : fabs(w) > 0x1p-90;
 }
 
 /* Counts coordinates, and those that are not the nearest double. */
@@ -277,110 +222,6 @@ static void tolerance_is_kept(void **state)
 	assert_true(cheap > all / 8);
 }
 
-/* Cameras at small whole numbers looking at one another: the eye plane is
- * behind, and what is 0 prints as 0. */
-static void whole_numbers_have_no_ghosts(void **state)
-{
-	static struct block b;
-	struct scene s = { .has_camera = true };
-	struct transform t;
-
-	(void)state;
-	points_choose(NULL);
-	s.projection = (struct projection){ .type = PROJECTION_PERSP,
-		.extent = EXTENT_FOVY, .angle = 90, .aspect = { 1, 1 },
-		.near = 1, .far = 10 };
-	for (int k = 0; k < 125 * 125; k += 7) {
-		struct camera *c = &s.camera;
-		int mark = real_mark();
-		struct truth truth = { 0 };
-
-		for (int i = 0, a = k; i < 6; i++, a /= 5)
-			(i < 3 ? c->eye : c->at)[i % 3] = a % 5 - 2;
-		c->up[0] = k % 2;
-		c->up[1] = 1;
-		if (scene_transform(&s, SPACE_WORLD, SPACE_NDC, false, &t))
-			continue;
-		for (size_t i = 0; i < 27; i++) {
-			b.in[0][i] = (double)(i % 3) - 1;
-			b.in[1][i] = (double)(i / 3 % 3) - 1;
-			b.in[2][i] = (double)(i / 9) - 1;
-		}
-		carry(&t, (struct effort){ PRECISION_EXACT, 0 }, &b, 27);
-		truth_scene(&s, SPACE_WORLD, SPACE_NDC, &truth);
-		for (size_t i = 0; i < 27; i++) {
-			double p[4] = { b.in[0][i], b.in[1][i], b.in[2][i], 1 };
-			real q[4], sum[4];
-
-			truth_image(&truth, p, q, sum);
-			bool front = mpfr_sgn(q[3]) > 0 &&
-			    !is_zero(q[3], sum[3]);
-
-			assert_true(isnan(b.out[0][i]) == !front);
-			for (int j = 0; front && j < 3; j++)
-				assert_true((b.out[j][i] == 0) ==
-				    is_zero(q[j], sum[j]));
-		}
-		real_release(mark);
-	}
-}
-
-/* From model space to the device in one step, or in five with full digits in
- * between: each step's rounding is one u of every product that it feeds, so
- * the ways differ by at most 10 u kappa. The eye is at the origin, so that a
- * world coordinate's rounding is one of its distance from the eye too. */
-static void ways_agree(void **state)
-{
-	static struct block one, five;
-	struct effort exact = { PRECISION_EXACT, 0 };
-	size_t compared = 0;
-
-	(void)state;
-	points_choose(NULL);
-	sample_seed(7);
-	for (int k = 0; k < 400; k++) {
-		struct scene s;
-		struct transform t, step;
-		int mark = real_mark();
-		struct truth truth = { 0 };
-
-		sample_scene(&s, 0);
-		s.has_viewport = true;
-		memset(s.camera.eye, 0, sizeof s.camera.eye);
-		if (scene_transform(&s, SPACE_MODEL, SPACE_DEVICE, false, &t))
-			continue;
-		sample_points(&s, SPACE_VIEW, &one, POINTS);
-		memcpy(&five, &one, sizeof five);
-		carry(&t, exact, &one, POINTS);
-		for (int from = SPACE_MODEL; from < SPACE_DEVICE; from++) {
-			assert_null(scene_transform(&s, (enum space)from,
-			    (enum space)(from + 1), false, &step));
-			carry(&step, exact, &five, POINTS);
-			memcpy(five.in, five.out, sizeof five.in);
-		}
-		truth_scene(&s, SPACE_MODEL, SPACE_DEVICE, &truth);
-		for (size_t i = 0; i < POINTS; i++) {
-			int point = real_mark();
-			real q[4], sum[4];
-			bool image = exact_image(&truth, &t, &one, i, q, sum);
-
-			for (int j = 0; image && j < 3; j++) {
-				double a = one.out[j][i], b = five.out[j][i];
-				double kappa = truth_kappa(q, sum, j, t.divide);
-
-				if (!(kappa < 0x1p40))
-					continue;
-				compared++;
-				assert_true(fabs(a - b) <=
-				    10 * 0x1p-53 * kappa * fabs(a));
-			}
-			real_release(point);
-		}
-		real_release(mark);
-	}
-	assert_true(compared > 5000);
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -388,8 +229,6 @@ int main(void)
 		cmocka_unit_test(copies_give_the_same_bits),
 		cmocka_unit_test(points_depend_on_nothing_else),
 		cmocka_unit_test(tolerance_is_kept),
-		cmocka_unit_test(whole_numbers_have_no_ghosts),
-		cmocka_unit_test(ways_agree),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,0 +1,119 @@
+#include "binary.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+bool is_binary(enum format f)
+{
+	return f == FORMAT_F64 || f == FORMAT_F32;
+}
+
+size_t point_size(const struct layout *l, enum format f)
+{
+	return (size_t)l->reads * (f == FORMAT_F64 ? 8 : 4);
+}
+
+/* The machine is little-endian, as the numbers are. */
+static inline void unpack(struct chunk *c, size_t n, size_t reads, bool wide)
+{
+	const char *restrict text = c->text;
+
+	for (size_t i = 0; i < n; i++)
+		for (size_t k = 0; k < reads; k++) {
+			float narrow;
+
+			if (wide) {
+				memcpy(&c->in[k][i],
+				    text + 8 * (reads * i + k), 8);
+				continue;
+			}
+			memcpy(&narrow, text + 4 * (reads * i + k), 4);
+			c->in[k][i] = (double)narrow;
+		}
+}
+
+size_t binary_read(const struct job *j, struct chunk *c, size_t *points)
+{
+	size_t size = point_size(&j->layout, j->layout.in);
+	size_t n = (size_t)(c->end - c->text) / size;
+	size_t reads = (size_t)j->layout.reads;
+	bool wide = j->layout.in == FORMAT_F64;
+
+	if (n > POINTS_BLOCK)
+		n = POINTS_BLOCK;
+	if (wide && reads == 3) /* unrolled */
+		unpack(c, n, 3, true);
+	else
+		unpack(c, n, reads, wide);
+	c->text += n * size;
+	c->lines += n;
+	*points = n;
+	return n;
+}
+
+/* Coordinate k of point p as a float; exact ones are rounded once. */
+static float narrowed(const struct job *j, const struct chunk *c, size_t p,
+    int k, double v)
+{
+	double in[4];
+
+	if (j->rays || j->effort.precision != PRECISION_EXACT ||
+	    j->effort.tolerance > 0)
+		return (float)v;
+	for (int i = 0; i < 4; i++)
+		in[i] = c->in[i][p];
+	return point_single(&j->transform, in, k, v);
+}
+
+void binary_write(const struct job *j, struct chunk *c, size_t p,
+    const double *v)
+{
+	char *at = chunk_reserve(c, sizeof(double) * COORDINATES_MAX);
+
+	for (int k = 0; k < j->layout.writes; k++) {
+		float narrow = j->layout.out == FORMAT_F32 && !isnan(v[k]) ?
+		    narrowed(j, c, p, k, v[k]) : (float)v[k];
+
+		if (j->layout.out == FORMAT_F64)
+			memcpy(at + 8 * k, &v[k], 8);
+		else
+			memcpy(at + 4 * k, &narrow, 4);
+	}
+	c->size += (size_t)j->layout.writes *
+	    (j->layout.out == FORMAT_F64 ? 8 : 4);
+}
+
+static inline void pack(const struct chunk *c, char *restrict at, size_t n,
+    size_t writes)
+{
+	for (size_t i = 0; i < n; i++)
+		for (size_t k = 0; k < writes; k++)
+			memcpy(at + 8 * (writes * i + k), &c->image[k][i], 8);
+}
+
+static bool all_finite(const struct chunk *c, size_t n, size_t writes)
+{
+	int bad = 0;
+
+	for (size_t k = 0; k < writes; k++)
+		for (size_t i = 0; i < n; i++)
+			bad |= !(fabs(c->image[k][i]) <= DBL_MAX);
+	return !bad;
+}
+
+void binary_write_block(const struct job *j, struct chunk *c, size_t n,
+    size_t first)
+{
+	size_t writes = (size_t)j->layout.writes;
+	char *at = chunk_reserve(c, 8 * writes * n);
+
+	if (!all_finite(c, n, writes))
+		for (size_t i = 0; i < n; i++)
+			chunk_mark(j, c, i, first + i);
+	if (writes == 3) /* unrolled */
+		pack(c, at, n, 3);
+	else
+		pack(c, at, n, writes);
+	c->size += 8 * writes * n;
+}
