@@ -198,7 +198,8 @@ distcheck: dist
 	$(MAKE) -C $(CHECK)/$(DIST) BUILD=build test
 	$(MAKE) -C $(CHECK)/$(DIST) BUILD=build DESTDIR=$(CHECK)/root install
 	cd $(CHECK)/$(DIST) && \
-	    perl cmd/examples_test.t $(CHECK)/root$(BINDIR) | grep -v '^ok'
+	    perl cmd/examples_test.t $(CHECK)/root$(BINDIR) >../examples || \
+	    { grep -v '^ok' ../examples; exit 1; }
 	$(MAKE) -C $(CHECK)/$(DIST) BUILD=build DESTDIR=$(CHECK)/root uninstall
 	test -z "$$(find $(CHECK)/root -type f)"
 	$(MAKE) -C $(CHECK)/$(DIST) BUILD=build dist

@@ -8,7 +8,7 @@ use File::Basename;
 use File::Temp 'tempdir';
 
 my $top = abs_path(dirname($0) . '/..');
-my $program = "$top/build/projcalc";
+my $program = abs_path($ENV{BUILD} // "$top/build") . '/projcalc';
 my $dir = tempdir(CLEANUP => 1);
 my $n = 0;
 my $failed = 0;

@@ -9,7 +9,7 @@ use Cwd 'abs_path';
 use File::Basename;
 
 my $top = abs_path(dirname($0) . '/..');
-my $bin = abs_path(shift // "$top/build");
+my $bin = abs_path(shift // $ENV{BUILD} // "$top/build");
 $ENV{PATH} = "$bin:$ENV{PATH}";
 $ENV{LC_ALL} = 'C';
 # An example that calls make calls it as a reader would.

@@ -4,9 +4,7 @@
  *       close, the last two of standard output
  *   FAULT="short"  reads and writes take a few bytes, or are interrupted, and
  *       poll often says that nothing is there
- *   FAULT="cut N FILE"  the N-th read finds FILE truncated
- * That test compiles it with FAULT_SHIM defined; elsewhere it is empty. */
-#ifdef FAULT_SHIM
+ *   FAULT="cut N FILE"  the N-th read finds FILE truncated */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -157,4 +155,3 @@ int pthread_create(pthread_t *t, const pthread_attr_t *a, void *(*f)(void *),
 	return is("thread") && atomic_fetch_add(&calls, 1) + 1 >= at ? error :
 	    real(t, a, f, with);
 }
-#endif

@@ -13,7 +13,7 @@ use Test::More;
 use Time::HiRes 'sleep';
 
 my $top = abs_path(dirname($0) . '/..');
-my $build = abs_path($ENV{BUILD} ? "$top/$ENV{BUILD}" : "$top/build");
+my $build = abs_path(shift // $ENV{BUILD} // "$top/build");
 my $tmp = tempdir(CLEANUP => 1);
 my $shim = "$tmp/shim.so";
 
@@ -23,7 +23,7 @@ chdir "$top/testdata" or die "$top/testdata: $!\n";
 
 # A sanitizer has an allocator of its own, and no use for a limit of memory.
 my $plain = system("grep -q __asan_init $build/projcalc") != 0;
-my $has_shim = $plain && system("cc -DFAULT_SHIM -O1 -shared -fPIC -o $shim " .
+my $has_shim = $plain && system("cc -O1 -shared -fPIC -o $shim " .
     "$top/cmd/fault_shim.c 2>$tmp/err") == 0;
 
 sub slurp {
@@ -72,14 +72,15 @@ sub starts { substr($_[0], 0, length $_[1]) eq $_[1] }
 srand 7;
 my $lines = join '', map { join(' ', map { 1e-4 * int rand 4e4 } 1 .. 3) . "\n" }
     1 .. 20000;
+my $few = join '', (split /^/, $lines)[0 .. 1999];
 spew("$tmp/points", $lines);
 spew("$tmp/points.csv", "x,y,z\n" . $lines =~ tr/ /,/r);
-spew("$tmp/points.json", $lines =~ tr/ /,/r =~ s/^(.*)$/[$1]/mgr);
-spew("$tmp/points.f64", pack 'd<*', split ' ', $lines);
-spew("$tmp/bad", "$lines# no point\n1 2\n$lines");
-my $project = 'projcalc project scene.json';
-my $few = join '', (split /^/, $lines)[0 .. 999];
 spew("$tmp/few", $few);
+spew("$tmp/few.csv", "x,y,z\n" . $few =~ tr/ /,/r);
+spew("$tmp/few.json", $few =~ tr/ /,/r =~ s/^(.*)$/[$1]/mgr);
+spew("$tmp/few.f64", pack 'd<*', split ' ', $few);
+spew("$tmp/bad", "$few# no point\n1 2\n$few");
+my $project = 'projcalc project scene.json';
 
 my @commands = (
 	'projcalc lookat scene.json', 'projcalc help',
@@ -140,10 +141,9 @@ SKIP: {
 		is_deeply(\@said, [0, $whole, ''], "without thread $n");
 	}
 	for my $j (1, 2) {
-		for my $args ("$tmp/points", "-i csv $tmp/points.csv",
-		    "-i json --flags $tmp/points.json",
-		    "-i f64 $tmp/points.f64", "--keep-going $tmp/bad",
-		    "$tmp/bad") {
+		for my $args ("$tmp/few", "-i csv $tmp/few.csv",
+		    "-i json --flags $tmp/few.json", "-i f64 $tmp/few.f64",
+		    "--keep-going $tmp/bad", "$tmp/bad") {
 			my @whole = run("$project -j$j $args");
 			my @said = run("$project -j$j $args", 'short');
 			is_deeply(\@said, \@whole, "short calls: -j$j $args");
@@ -186,7 +186,7 @@ for my $j (1, 2) {
 # An answer to each line before the next is sent.
 sub answers {
 	my ($args, $ask, $answer) = @_;
-	my $pid = open2(my $from, my $to, "$project $args");
+	my $pid = open2(my $from, my $to, "exec $project $args 2>/dev/null");
 	binmode $_ for $from, $to;
 	my $said = '';
 	local $SIG{ALRM} = sub { kill 'KILL', $pid };

@@ -12,7 +12,7 @@ use File::Temp 'tempdir';
 
 my $write = @ARGV && $ARGV[0] eq '-w' && shift;
 my $top = abs_path(dirname($0) . '/..');
-my $build = abs_path(shift // "$top/build");
+my $build = abs_path(shift // $ENV{BUILD} // "$top/build");
 my $tmp = tempdir(CLEANUP => 1);
 
 $ENV{PATH} = "$build:$ENV{PATH}";

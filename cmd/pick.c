@@ -114,7 +114,28 @@ static char *put_numbers(char *at, const char *name, const double v[3],
 	return at;
 }
 
-static void print_json(const struct hit *h, struct number_style style)
+/* What is printed, in writes of some size. */
+struct output {
+	size_t n;
+	char text[1 << 16];
+};
+
+static void put(struct output *out, const char *s, size_t n)
+{
+	if (n > sizeof out->text - out->n) {
+		put_all(out->text, out->n);
+		out->n = 0;
+	}
+	if (n > sizeof out->text) {
+		put_all(s, n);
+		return;
+	}
+	memcpy(out->text + out->n, s, n);
+	out->n += n;
+}
+
+static void print_json(struct output *out, const struct hit *h,
+    struct number_style style)
 {
 	char text[8 * NUMBER_MAX + 128], *at = put_text(text, "{\"line\":");
 
@@ -125,12 +146,13 @@ static void print_json(const struct hit *h, struct number_style style)
 	at = put_numbers(at, ",\"device\":", h->device, style);
 	at = put_numbers(at, ",\"point\":", h->point, style);
 	at = put_text(at, "}\n");
-	put_all(text, (size_t)(at - text));
+	put(out, text, (size_t)(at - text));
 }
 
 /* At the end, or before a bad line ends the program. */
 static void print_hits(const struct job *j)
 {
+	static struct output out;
 	struct hits *h = j->with;
 	const struct options *o = h->o;
 
@@ -140,13 +162,14 @@ static void print_hits(const struct job *j)
 		const struct hit *hit = &h->hit[i];
 
 		if (o->out_given && o->out == FORMAT_JSON) {
-			print_json(hit, o->style);
+			print_json(&out, hit, o->style);
 			continue;
 		}
-		put_all(h->text + hit->text, hit->size);
+		put(&out, h->text + hit->text, hit->size);
 		if (!is_binary(o->in))
-			put_all("\n", 1);
+			put(&out, "\n", 1);
 	}
+	put_all(out.text, out.n);
 }
 
 static void check(const struct document *d, const char *why)

@@ -9,7 +9,7 @@ use JSON::PP;
 use POSIX 'strtod';
 
 my $top = abs_path(dirname($0) . '/..');
-$ENV{PATH} = "$top/build:$ENV{PATH}";
+$ENV{PATH} = abs_path($ENV{BUILD} // "$top/build") . ":$ENV{PATH}";
 chdir "$top/testdata" or die "$top/testdata: $!\n";
 
 sub slurp {

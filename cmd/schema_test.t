@@ -35,7 +35,7 @@ END
 my $beyond = qr{
 	equal\ to | not\ less\ than | not\ greater\ than | greater\ than\ max |
 	less\ than\ min | single\ point | parallel\ to | does\ not\ run |
-	what\ holds\ them |
+	what\ holds\ them | no\ points\ to | crosses\ the\ volume |
 	repeated; |
 	singular | determinant | last\ column | beyond\ the\ range\ of\ doubles
 	    (?!;\ numbers) |

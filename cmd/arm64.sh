@@ -1,0 +1,21 @@
+#!/bin/sh
+# Builds for arm64 and runs that under qemu: the golden cases and the digests
+# of testdata/bits.sha256. Wants gcc-aarch64-linux-gnu, g++-aarch64-linux-gnu,
+# qemu-user-static and, after dpkg --add-architecture arm64 and apt-get update,
+# libcjson-dev:arm64.
+# usage: arm64.sh [BUILD]
+set -eu
+cd "$(dirname "$0")/.."
+build=${1:-build/arm64}
+unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
+
+make -s "BUILD=$build" CC=aarch64-linux-gnu-gcc CXX=aarch64-linux-gnu-g++ \
+    "$build/projcalc"
+mkdir -p "$build/emulated"
+program=$(cd "$build" && pwd)/projcalc
+cat >"$build/emulated/projcalc" <<END
+#!/bin/sh
+exec qemu-aarch64-static '$program' "\$@"
+END
+chmod +x "$build/emulated/projcalc"
+exec prove cmd/golden_test.t cmd/bits_test.t :: "$build/emulated"
