@@ -222,7 +222,7 @@ clean:
 DEPS = g++ make libc6-dev libcjson-dev libfast-float-dev libdragonbox-dev \
 	clang jq libcmocka-dev libgmp-dev libmpfr-dev mandoc perl \
 	clang-format cppcheck shellcheck gnuplot-nox python3-jsonschema \
-	parallel
+	parallel dpkg-dev
 
 # Installs the packages that are missing, and only then touches the network.
 deps:

@@ -33,6 +33,37 @@ static inline void unpack(struct chunk *c, size_t n, size_t reads, bool wide)
 		}
 }
 
+static bool all_within(const struct chunk *c, size_t n, size_t reads)
+{
+	int beyond = 0;
+
+	for (size_t k = 0; k < reads; k++)
+		for (size_t i = 0; i < n; i++)
+			beyond |= fabs(c->in[k][i]) > MAGNITUDE_MAX;
+	return !beyond;
+}
+
+/* Complains of points beyond the range; the first ends the chunk, unless the
+ * job keeps going. Returns how many are left. */
+static size_t refuse_beyond(const struct job *j, struct chunk *c, size_t n,
+    size_t reads)
+{
+	for (size_t i = 0; i < n; i++)
+		for (size_t k = 0; k < reads; k++) {
+			if (!(fabs(c->in[k][i]) > MAGNITUDE_MAX))
+				continue;
+			chunk_complain(c, c->lines + i, "a coordinate is "
+			    "beyond 1e150 in magnitude; choose another unit");
+			if (!j->keep_going) {
+				c->text = c->end;
+				return i;
+			}
+			c->in[k][i] = (double)NAN;
+			break;
+		}
+	return n;
+}
+
 size_t binary_read(const struct job *j, struct chunk *c, size_t *points)
 {
 	size_t size = point_size(&j->layout, j->layout.in);
@@ -47,6 +78,8 @@ size_t binary_read(const struct job *j, struct chunk *c, size_t *points)
 	else
 		unpack(c, n, reads, wide);
 	c->text += n * size;
+	if (!all_within(c, n, reads))
+		n = refuse_beyond(j, c, n, reads);
 	c->lines += n;
 	*points = n;
 	return n;

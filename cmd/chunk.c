@@ -32,7 +32,7 @@ char *chunk_reserve(struct chunk *c, size_t more)
 	return c->out + c->size;
 }
 
-static void complain(struct chunk *c, const char *reason)
+void chunk_complain(struct chunk *c, size_t line, const char *reason)
 {
 	size_t n = c->n_complaints++;
 
@@ -40,7 +40,7 @@ static void complain(struct chunk *c, const char *reason)
 	if ((n & (n - 1)) == 0)
 		c->complaints = need(c->complaints,
 		    (2 * n + 1) * sizeof *c->complaints);
-	c->complaints[n].line = c->lines;
+	c->complaints[n].line = line;
 	snprintf(c->complaints[n].reason, REASON_MAX, "%s", reason);
 }
 
@@ -64,7 +64,7 @@ static size_t read_lines(struct job *j, struct chunk *c, size_t *points)
 		r->newline = newline != NULL;
 		c->text = newline != NULL ? newline + 1 : c->end;
 		if (r->kind == RECORD_BAD) {
-			complain(c, reason);
+			chunk_complain(c, c->lines, reason);
 			if (!j->keep_going) {
 				c->text = c->end;
 				break;
@@ -218,7 +218,7 @@ static void cut_short(const struct job *j, struct chunk *c)
 
 	snprintf(reason, sizeof reason, "ends within a point; a point is %zu "
 	    "bytes", point_size(&j->layout, j->layout.in));
-	complain(c, reason);
+	chunk_complain(c, c->lines, reason);
 	r.line.s = r.line.end = c->text = c->end;
 	if (j->keep_going)
 		write_other(j, c, &r);

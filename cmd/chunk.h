@@ -42,6 +42,7 @@ struct complaint {
 struct chunk {
 	const char *name; /* of the source */
 	const char *text, *end;
+	size_t bytes;      /* of both, for the progress */
 	size_t lines;      /* read so far; points where they are binary */
 	bool first;        /* of its source */
 	bool header;       /* a csv header may still come */
@@ -64,6 +65,9 @@ void chunk_free(struct chunk *);
 /* Does the job on whole lines, or whole binary points: fills out, up to the
  * first bad line where the job does not keep going. */
 void chunk_do(struct job *, struct chunk *);
+
+/* Notes what is wrong with a line. */
+void chunk_complain(struct chunk *, size_t line, const char *reason);
 
 /* Counts point p, of a line, where it has no image. */
 void chunk_mark(const struct job *, struct chunk *, size_t p, size_t line);

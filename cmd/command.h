@@ -18,6 +18,7 @@ struct options {
 	bool has_from, has_to;
 	enum space from, to;
 	bool homogeneous, matrix, ray, flags, visible, keep_going;
+	bool progress;
 	int jobs; /* 0: as many as there are cores */
 	bool has_at;
 	double at[2], radius; /* of pick */

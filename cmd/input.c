@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "command.h"
+#include "progress.h"
 #include "talk.h"
 
 enum { DOCUMENT_MAX = 1 << 28 };
@@ -152,6 +153,7 @@ void stream_options(struct job *j, const struct options *o)
 	};
 	j->effort = o->effort;
 	j->keep_going = o->keep_going;
+	progress_start(o->progress);
 	j->threads = o->jobs > 0 ? o->jobs :
 	    (int)sysconf(_SC_NPROCESSORS_ONLN);
 	const char *cpu = getenv("PROJCALC_CPU");

@@ -20,6 +20,7 @@ my @floors = (
 	[qw(cmd/syntax cmd/value cmd/fields cmd/readers cmd/members
 	    cmd/projection_member cmd/json cmd/json_line cmd/foreign
 	    cmd/record cmd/record_read cmd/record_write)],
+	[qw(cmd/progress)],
 	[qw(cmd/chunk cmd/binary cmd/stream)],
 	[qw(cmd/command cmd/input cmd/print_scene cmd/options)],
 	[qw(cmd/matrix cmd/project cmd/pick cmd/fit cmd/inspect)],

@@ -10,7 +10,7 @@
 
 #define VERSION "0.1.0"
 
-#define MATRIX_OPTIONS "ciodDCptmKj"
+#define MATRIX_OPTIONS "ciodDCptmKjP"
 
 /* from and to are the spaces of the matrix; points go to points_to. */
 static const struct command commands[] = {
@@ -47,10 +47,10 @@ static const struct command commands[] = {
 	    MEMBER_PROJECTION, MEMBER_PROJECTION, PROJECTION_VOLUME },
 	{ "project", run_project, MATRIX_OPTIONS "FTHRGI",
 	    "points from any space to any other", .projection = -1 },
-	{ "pick", run_pick, "cioCdDjKAQ",
+	{ "pick", run_pick, "cioCdDjKAQP",
 	    "points within a radius of a device position, nearest first",
 	    .projection = -1 },
-	{ "fit", run_fit, "ciCKj",
+	{ "fit", run_fit, "ciCKjP",
 	    "a scene completed to hold bounds or points and no more",
 	    .needed = MEMBER_PROJECTION, .projection = -1 },
 	{ "inspect", run_inspect, "cdDt",

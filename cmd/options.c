@@ -37,6 +37,7 @@ static const struct {
 	{ 'I', "visible", NULL, "print only points in the view volume" },
 	{ 'K', "keep-going", NULL, "print nan for a bad line and go on" },
 	{ 'j', "jobs", "N", "threads; default all cores" },
+	{ 'P', "progress", NULL, "tell how far it is, also in a file or pipe" },
 	{ 'h', "help", NULL, "this help" },
 	{ 'V', "version", NULL, "the version" },
 };
@@ -180,6 +181,8 @@ static bool *switch_of(struct options *o, int letter)
 		return &o->visible;
 	case 'K':
 		return &o->keep_going;
+	case 'P':
+		return &o->progress;
 	default:
 		return NULL;
 	}

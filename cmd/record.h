@@ -8,6 +8,9 @@
 #include "number.h"
 #include "split.h"
 
+/* Of a coordinate. */
+#define MAGNITUDE_MAX 1e150
+
 enum { COORDINATES_MAX = 6 }; /* four in; a ray's point and direction out */
 
 /* From --columns: field numbers from 0, or names to be found in a header. */

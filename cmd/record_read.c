@@ -6,8 +6,6 @@
 #include "record.h"
 #include "show.h"
 
-#define MAGNITUDE_MAX 1e150
-
 /* The number that a field holds; quotes around it and blanks may stand in
  * csv, and null in JSON. */
 static bool field_number(enum format format, struct span *f, double *v)

@@ -10,15 +10,19 @@ static struct span text_field(const char *s, const char *end)
 	return f;
 }
 
-/* A field of csv: quotes hide commas; "" is a quote. */
+/* A field of csv: quotes around it hide commas, and "" is one between them; in
+ * 5" pipe it stands for itself. */
 static struct span csv_field(const char *s, const char *end)
 {
+	const char *p = skip_blanks(s, end);
 	struct span f = { s, s };
-	bool quoted = false;
+	bool quoted = p < end && *p == '"';
 
-	for (; f.end < end && (quoted || *f.end != ','); f.end++)
-		if (*f.end == '"')
-			quoted = !quoted;
+	for (f.end = p + quoted; quoted && f.end < end; f.end++)
+		if (*f.end == '"' && (f.end + 1 == end || *++f.end != '"'))
+			break;
+	while (f.end < end && *f.end != ',')
+		f.end++;
 	if (f.end == end && f.end > s && f.end[-1] == '\r')
 		f.end--;
 	return f;

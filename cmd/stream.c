@@ -9,8 +9,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include "progress.h"
 #include "talk.h"
 
 /* Large enough that handing over costs nothing, small enough for caches. */
@@ -79,6 +81,8 @@ static void finish(const struct job *j, const struct chunk *c)
 
 	if (stop && j->flush != NULL)
 		j->flush(j);
+	if (c->n_complaints > 0)
+		progress_clear();
 	for (size_t i = 0; i < c->n_complaints; i++)
 		say("%s:%zu: %s", c->name, next_line + c->complaints[i].line,
 		    c->complaints[i].reason);
@@ -88,6 +92,7 @@ static void finish(const struct job *j, const struct chunk *c)
 		_exit(EXIT_INPUT);
 	}
 	next_line += c->lines;
+	progress_add(c->lines, c->bytes);
 }
 
 static void *work(void *unused)
@@ -285,6 +290,10 @@ void stream_file(struct job *j, const char *name, int fd)
 	/* fewer and larger reads; where it is refused, all is as it was */
 	fcntl(fd, F_SETPIPE_SZ, 1 << 20);
 #endif
+	struct stat st;
+
+	progress_source(fstat(fd, &st) == 0 && S_ISREG(st.st_mode) ?
+	    (size_t)st.st_size : 0);
 	make_ring(j);
 	struct slot *s = slot_of(ring.fill), *next;
 
@@ -299,6 +308,7 @@ void stream_file(struct job *j, const char *name, int fd)
 		ended = fill(j, name, fd, s);
 		c->text = s->text;
 		c->end = s->text + (ended ? s->have : s->whole);
+		c->bytes = (size_t)(c->end - c->text);
 		next = next_slot(s, c->end);
 		hand_over(j, c);
 		header = header && c->header;
@@ -324,6 +334,7 @@ void stream_text(struct job *j, const char *name, const char *text,
 
 int stream_end(const struct job *j)
 {
+	progress_end();
 	if (j->flush != NULL)
 		j->flush(j);
 	if (imageless == 1)

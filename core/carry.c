@@ -17,7 +17,7 @@ bool points_choose(const char *name)
 static void carry_exact(const struct transform *t, const double *const in[4],
     double *const out[4], size_t n)
 {
-	exact_kernel *fast = kernels->exact[t->body];
+	exact_kernel fast = kernels->exact[t->body];
 
 	if (fast != NULL && fast(&t->lanes, in, out, n))
 		return;
@@ -71,7 +71,7 @@ static void point_plain(const struct transform *t, bool single,
 static void carry_plain(const struct transform *t, enum precision precision,
     const double *const in[4], double *const out[4], size_t n)
 {
-	plain_kernel *fast = kernels->plain[precision][t->body];
+	plain_kernel fast = kernels->plain[precision][t->body];
 
 	if (fast != NULL) {
 		fast(&t->lanes, in, out, n, 0);
@@ -112,7 +112,7 @@ static void carry_within(const struct transform *t, double tolerance,
     enum precision precision, const double *const in[4],
     double *const out[4], bool *single, size_t n)
 {
-	plain_kernel *fast = kernels->plain[precision][t->body];
+	plain_kernel fast = kernels->plain[precision][t->body];
 	struct rest r;
 
 	if (fast == NULL || precision == PRECISION_EXACT) {

@@ -3,7 +3,6 @@
 #ifndef KERNEL_H
 #define KERNEL_H
 
-#include <stdbool.h>
 #include <stddef.h>
 
 /* What the matrix's structure makes of the loop. */
@@ -32,19 +31,19 @@ struct lanes {
 
 /* Columns have room for a whole number of vectors: n rounded up to 8. Returns
  * whether all were done: else the first coordinate of some is nan. */
-typedef bool exact_kernel(const struct lanes *, const double *const in[3],
+typedef int (*exact_kernel)(const struct lanes *, const double *const in[3],
     double *const out[3], size_t n);
 
 /* With a tolerance above 0 the first coordinate is nan where the error could
  * be larger in any of them. */
-typedef void plain_kernel(const struct lanes *, const double *const in[3],
+typedef void (*plain_kernel)(const struct lanes *, const double *const in[3],
     double *const out[3], size_t n, double tolerance);
 
 #define PLAIN_BOUND 10
 
 struct kernels {
-	exact_kernel *exact[BODIES];
-	plain_kernel *plain[3][BODIES]; /* by precision */
+	exact_kernel exact[BODIES];
+	plain_kernel plain[3][BODIES]; /* by precision */
 };
 
 extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512;

@@ -96,7 +96,7 @@ static inline V surely(const struct lanes *m, int j, V value, V size)
 	return value - FMA(ALL(m->doubt[j]), size, ALL(m->doubt_image[j]));
 }
 
-static inline __attribute__((always_inline)) bool exact(const struct lanes *m,
+static inline __attribute__((always_inline)) int exact(const struct lanes *m,
     const double *const in[3], double *const out[3], size_t n, enum body body,
     int image)
 {
@@ -148,7 +148,7 @@ static inline __attribute__((always_inline)) bool exact(const struct lanes *m,
 
 /* Without an image of the origin, as about the eye, four sums are saved. */
 #define LOOP(BODY, name) \
-	static bool name(const struct lanes *m, const double *const in[3], \
+	static int name(const struct lanes *m, const double *const in[3], \
 	    double *const out[3], size_t n) \
 	{ \
 		if (m->image) \
