@@ -24,8 +24,8 @@ static inline void unpack(struct chunk *c, size_t n, size_t reads, bool wide)
 			float narrow;
 
 			if (wide) {
-				memcpy(&c->in[k][i],
-				    text + 8 * (reads * i + k), 8);
+				memcpy(&c->in[k][i], text + 8 * (reads * i + k),
+				    8);
 				continue;
 			}
 			memcpy(&narrow, text + 4 * (reads * i + k), 4);
@@ -52,7 +52,8 @@ static size_t refuse_beyond(const struct job *j, struct chunk *c, size_t n,
 		for (size_t k = 0; k < reads; k++) {
 			if (!(fabs(c->in[k][i]) > MAGNITUDE_MAX))
 				continue;
-			chunk_complain(c, c->lines + i, "a coordinate is "
+			chunk_complain(c, c->lines + i,
+			    "a coordinate is "
 			    "beyond 1e150 in magnitude; choose another unit");
 			if (!j->keep_going) {
 				c->text = c->end;
@@ -106,7 +107,8 @@ void binary_write(const struct job *j, struct chunk *c, size_t p,
 
 	for (int k = 0; k < j->layout.writes; k++) {
 		float narrow = j->layout.out == FORMAT_F32 && !isnan(v[k]) ?
-		    narrowed(j, c, p, k, v[k]) : (float)v[k];
+		    narrowed(j, c, p, k, v[k]) :
+		    (float)v[k];
 
 		if (j->layout.out == FORMAT_F64)
 			memcpy(at + 8 * k, &v[k], 8);

@@ -144,9 +144,14 @@ sub points {
 	    1 .. $size) . "\n" } 1 .. $n;
 }
 
-# Any bits at all.
+# Any bits at all, as doubles from 1e-150 to 1e150 but for one in so many.
 sub any_bits {
-	return pack 'v*', map { below(65536) } 1 .. $_[0] / 2;
+	my ($n, $wild) = @_;
+	return pack 'v*', map {
+		my $range = below(2) << 15 | (525 + below(996)) << 4;
+		(map { below(65536) } 1 .. 3), $wild && below($wild) == 0 ?
+		    below(65536) : $range | below(16)
+	} 1 .. $n;
 }
 
 # Commands by group, made once.
@@ -167,11 +172,11 @@ sub make_files {
 		    s/^(.*)$/[$1,"a"]/r =~ s/(?<=[\[,])(-?)\./${1}0./gr }
 		    @points);
 		spew("$size.f64", pack 'd<*', map { split } @points);
-		spew("$size.f32", any_bits(4 * 3 * $size * 50));
+		spew("$size.f32", any_bits($size * 60));
 	}
-	spew('any.f64', any_bits(8 * 3 * 600));
+	spew('any.f64', any_bits(3 * 600, 50));
 	spew('many', join '', points(20000, 3));
-	spew('many.f64', any_bits(8 * 3 * 40000));
+	spew('many.f64', any_bits(3 * 20000));
 }
 
 sub make_matrices {
@@ -204,7 +209,8 @@ sub make_points {
 sub make_options {
 	my @formats = qw(text csv json f64 f32);
 	for my $in (@formats) {
-		my @c = ('project', '-i', $in, scene('persp'), "$tmp/3.$in");
+		my @c = ('project', '-i', $in, '--keep-going', scene('persp'),
+		    "$tmp/3.$in");
 		add('formats', @c, '-o', $_) for @formats;
 		add('formats', @c, '--flags', '-o', 'text');
 		add('formats', @c, '--visible', '-o', 'json');
@@ -220,8 +226,8 @@ sub make_options {
 		add('inspect', 'inspect', '-c', $_, $scene) for @conventions;
 		add('fit', 'fit', '-c', $_, $scene, '[[1,2,3],[4,6,8]]')
 		    for @conventions;
-		add('any bits', 'project', '-i', 'f64', $scene, "$tmp/any.f64",
-		    @$_) for [], ['-p', 'double'], ['-p', 'single'],
+		add('any bits', 'project', '-i', 'f64', '--keep-going', $scene,
+		    "$tmp/any.f64", @$_) for [], ['-p', 'double'], ['-p', 'single'],
 		    ['-t', 1e-6], ['-o', 'f32'], ['--flags', '-o', 'text'];
 	}
 }

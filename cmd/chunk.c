@@ -56,11 +56,10 @@ static size_t read_lines(struct job *j, struct chunk *c, size_t *points)
 		const char *newline = memchr(c->text, '\n',
 		    (size_t)(c->end - c->text));
 		struct record *r = &c->records[n];
-		struct span line = { c->text, newline != NULL ? newline :
-			c->end };
+		struct span line = { c->text,
+			newline != NULL ? newline : c->end };
 
-		record_read(&j->layout, line, c->end, &c->header, r, v,
-		    reason);
+		record_read(&j->layout, line, c->end, &c->header, r, v, reason);
 		r->newline = newline != NULL;
 		c->text = newline != NULL ? newline + 1 : c->end;
 		if (r->kind == RECORD_BAD) {
@@ -148,8 +147,7 @@ static const char *judge(const struct job *j, const struct chunk *c, size_t p,
 
 /* What has no image is nan throughout, also where it is infinite, if only as
  * the float that it is written as. */
-void chunk_mark(const struct job *j, struct chunk *c, size_t p,
-    size_t line)
+void chunk_mark(const struct job *j, struct chunk *c, size_t p, size_t line)
 {
 	bool nan = false, narrow = j->layout.out == FORMAT_F32;
 
@@ -166,8 +164,8 @@ void chunk_mark(const struct job *j, struct chunk *c, size_t p,
 }
 
 /* Point p, which stood in r. */
-static void write_point(const struct job *j, struct chunk *c,
-    struct record *r, size_t p, size_t line)
+static void write_point(const struct job *j, struct chunk *c, struct record *r,
+    size_t p, size_t line)
 {
 	double v[COORDINATES_MAX];
 	char word[WORD_MAX];
@@ -207,7 +205,8 @@ static void write_other(const struct job *j, struct chunk *c,
 	char *at = chunk_reserve(c, record_room(&j->layout, r));
 
 	c->size += (size_t)(record_write(&j->layout, r, v,
-	    bad && j->flags ? "nan" : NULL, at) - at);
+				bad && j->flags ? "nan" : NULL, at) -
+	    at);
 }
 
 /* The source ends within a binary point. */
@@ -216,8 +215,10 @@ static void cut_short(const struct job *j, struct chunk *c)
 	struct record r = { .kind = RECORD_BAD, .newline = true };
 	char reason[REASON_MAX];
 
-	snprintf(reason, sizeof reason, "ends within a point; a point is %zu "
-	    "bytes", point_size(&j->layout, j->layout.in));
+	snprintf(reason, sizeof reason,
+	    "ends within a point; a point is %zu "
+	    "bytes",
+	    point_size(&j->layout, j->layout.in));
 	chunk_complain(c, c->lines, reason);
 	r.line.s = r.line.end = c->text = c->end;
 	if (j->keep_going)

@@ -42,10 +42,10 @@ struct complaint {
 struct chunk {
 	const char *name; /* of the source */
 	const char *text, *end;
-	size_t bytes;      /* of both, for the progress */
-	size_t lines;      /* read so far; points where they are binary */
-	bool first;        /* of its source */
-	bool header;       /* a csv header may still come */
+	size_t bytes; /* of both, for the progress */
+	size_t lines; /* read so far; points where they are binary */
+	bool first;   /* of its source */
+	bool header;  /* a csv header may still come */
 
 	char *out;
 	size_t size, room;

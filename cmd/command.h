@@ -22,7 +22,7 @@ struct options {
 	int jobs; /* 0: as many as there are cores */
 	bool has_at;
 	double at[2], radius; /* of pick */
-	const char *params; /* operand, "-" by default */
+	const char *params;   /* operand, "-" by default */
 	int n_points;
 	char **points; /* operands */
 };
@@ -34,7 +34,7 @@ struct command {
 	const char *about;   /* one line of help */
 	/* for the commands that print a matrix */
 	bool flat;
-	int from, to; /* spaces of the matrix */
+	int from, to;  /* spaces of the matrix */
 	int points_to; /* where points go instead */
 	enum member bare;
 	unsigned needed;

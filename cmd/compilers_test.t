@@ -17,16 +17,19 @@ sub check {
 	print $report =~ s/^/# /mgr if !$ok;
 }
 
-print '1..', 2 * keys %compilers, "\n";
+print '1..', 3 * keys %compilers, "\n";
 for my $cc (sort keys %compilers) {
 	my $build = "build/$cc";
 	my $cxx = $compilers{$cc};
 	if (system("command -v $cc $cxx >/dev/null") != 0) {
-		print "ok - $_ # SKIP no $cc\n" for "build with $cc", 'golden';
+		print "ok - $_ # SKIP no $cc\n" for "build with $cc",
+		    'golden cases', 'the same bits';
 		next;
 	}
 	my $said = `make -sj2 programs BUILD=$build CC=$cc CXX=$cxx WERROR=1 2>&1`;
 	check($? == 0, "build with $cc", $said);
 	$said = `$^X cmd/golden_test.t $build 2>&1`;
 	check($? == 0, "golden cases with $cc", $said =~ s/^ok .*\n//mgr);
+	$said = `$^X cmd/bits_test.t $build 2>&1`;
+	check($? == 0, "the same bits with $cc", $said =~ s/^ok .*\n//mgr);
 }

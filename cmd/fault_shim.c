@@ -82,7 +82,7 @@ ssize_t read(int fd, void *to, size_t n)
 	static ssize_t (*real)(int, void *, size_t);
 
 	if (real == NULL)
-		real = (ssize_t (*)(int, void *, size_t))dlsym(RTLD_NEXT,
+		real = (ssize_t(*)(int, void *, size_t))dlsym(RTLD_NEXT,
 		    "read");
 	if (fails("read"))
 		return -1;
@@ -99,7 +99,7 @@ ssize_t write(int fd, const void *from, size_t n)
 	static ssize_t (*real)(int, const void *, size_t);
 
 	if (real == NULL)
-		real = (ssize_t (*)(int, const void *, size_t))dlsym(RTLD_NEXT,
+		real = (ssize_t(*)(int, const void *, size_t))dlsym(RTLD_NEXT,
 		    "write");
 	if (fd == STDOUT_FILENO && fails("write"))
 		return -1;
@@ -152,6 +152,7 @@ int pthread_create(pthread_t *t, const pthread_attr_t *a, void *(*f)(void *),
 		    void *(*)(void *), void *))dlsym(RTLD_NEXT,
 		    "pthread_create");
 	/* and from then on, as where there is no room for more */
-	return is("thread") && atomic_fetch_add(&calls, 1) + 1 >= at ? error :
+	return is("thread") && atomic_fetch_add(&calls, 1) + 1 >= at ?
+	    error :
 	    real(t, a, f, with);
 }

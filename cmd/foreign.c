@@ -73,8 +73,10 @@ static int next(struct reader *r)
 	if (r->format == FORMAT_JSON && *r->s == '\\' && r->end - r->s > 1)
 		return escape(r);
 	r->piece[0] = *r->s;
-	r->s += r->format == FORMAT_CSV && *r->s == '"' &&
-	    r->end - r->s > 1 && r->s[1] == '"' ? 2 : 1;
+	r->s += r->format == FORMAT_CSV && *r->s == '"' && r->end - r->s > 1 &&
+		r->s[1] == '"' ?
+	    2 :
+	    1;
 	return 1;
 }
 

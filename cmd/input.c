@@ -66,8 +66,10 @@ static char *read_whole(const char *name, size_t *size)
 			break;
 		*size += (size_t)n;
 		if (*size > DOCUMENT_MAX)
-			die(EXIT_INPUT, "%s: a document of more than 256 MiB; "
-			    "points may stand in a file of their own", name);
+			die(EXIT_INPUT,
+			    "%s: a document of more than 256 MiB; "
+			    "points may stand in a file of their own",
+			    name);
 		if (*size == room)
 			text = need(text, room *= 2);
 	}
@@ -85,10 +87,11 @@ static void check_operands(const struct options *o)
 		const char *name = o->points[i];
 
 		if (is_stdin(name) && from_stdin++)
-			die(EXIT_USAGE, is_stdin(o->params) ?
-			    "PARAMS and POINTS are both standard input; "
-			    "name a file for one of them" :
-			    "standard input is named twice");
+			die(EXIT_USAGE,
+			    is_stdin(o->params) ?
+				"PARAMS and POINTS are both standard input; "
+				"name a file for one of them" :
+				"standard input is named twice");
 		if (is_stdin(name) || first_of(name) == '[')
 			continue;
 		struct stat st;
@@ -101,8 +104,10 @@ static void check_operands(const struct options *o)
 		const char *end = name + strlen(name);
 
 		if (number_read(name, end, &v) == end && end != name)
-			die(EXIT_USAGE, "%s: %s; POINTS are a file, - or "
-			    "'[0,0,0]'", name, strerror(errno));
+			die(EXIT_USAGE,
+			    "%s: %s; POINTS are a file, - or "
+			    "'[0,0,0]'",
+			    name, strerror(errno));
 		die(EXIT_USAGE, "%s: %s", name, strerror(errno));
 	}
 }
@@ -154,23 +159,27 @@ void stream_options(struct job *j, const struct options *o)
 	j->effort = o->effort;
 	j->keep_going = o->keep_going;
 	progress_start(o->progress);
-	j->threads = o->jobs > 0 ? o->jobs :
-	    (int)sysconf(_SC_NPROCESSORS_ONLN);
+	j->threads = o->jobs > 0 ? o->jobs : (int)sysconf(_SC_NPROCESSORS_ONLN);
 	const char *cpu = getenv("PROJCALC_CPU");
 
 	if (!points_choose(cpu))
-		die(EXIT_USAGE, "PROJCALC_CPU=%s: not a processor that this is; "
-		    "it is one of baseline, avx2 and avx512", cpu);
+		die(EXIT_USAGE,
+		    "PROJCALC_CPU=%s: not a processor that this is; "
+		    "it is one of baseline, avx2 and avx512",
+		    cpu);
 	for (int i = 0; i < o->columns.n; i++)
 		if (o->columns.name[i] != NULL && o->in != FORMAT_CSV)
-			die(EXIT_USAGE, "--columns: '%s' is a name, and names "
+			die(EXIT_USAGE,
+			    "--columns: '%s' is a name, and names "
 			    "are for -i csv; write numbers: 2,3,4",
 			    o->columns.name[i]);
 	if (o->columns.n > 0 && is_binary(o->in))
 		die(EXIT_USAGE, "--columns: binary points have no fields");
 	if (o->columns.n > 0 && o->columns.n != j->layout.reads)
-		die(EXIT_USAGE, "--columns: %d fields; %d coordinates are "
-		    "read here", o->columns.n, j->layout.reads);
+		die(EXIT_USAGE,
+		    "--columns: %d fields; %d coordinates are "
+		    "read here",
+		    o->columns.n, j->layout.reads);
 }
 
 static void stream_json(struct job *j, const char *name, const char *text,
@@ -220,7 +229,8 @@ void stream_points(const struct options *o, const struct document *d,
     struct job *j)
 {
 	if (o->n_points == 0 && d->points == NULL && is_stdin(o->params))
-		die(EXIT_USAGE, "PARAMS and POINTS are both standard input, "
+		die(EXIT_USAGE,
+		    "PARAMS and POINTS are both standard input, "
 		    "and the document has no points; name a file for one of "
 		    "them");
 	if (o->n_points == 0 && d->points != NULL)

@@ -118,8 +118,7 @@ static bool list(struct scan *s, char close)
 	if (take(s, close))
 		return true;
 	do
-		if ((close == '}' && !(string(s) && take(s, ':'))) ||
-		    !value(s))
+		if ((close == '}' && !(string(s) && take(s, ':'))) || !value(s))
 			return false;
 	while (take(s, ','));
 	return take(s, close);
@@ -130,8 +129,7 @@ static bool value(struct scan *s)
 	bool array = take(s, '[');
 
 	if (array || take(s, '{')) {
-		bool ok = ++s->depth <= DEPTH_MAX &&
-		    list(s, array ? ']' : '}');
+		bool ok = ++s->depth <= DEPTH_MAX && list(s, array ? ']' : '}');
 
 		s->depth--;
 		return ok;

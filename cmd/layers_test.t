@@ -129,7 +129,7 @@ check('no function is over 60 lines',
     map { "$_->[1]: $_->[0] lines" } grep { $_->[0] > 60 } @functions);
 check('no file is over 350 lines', map {
 	my $lines = $text{$_} =~ tr/\n//;
-	$lines > 350 ? "$_: $lines lines" : ();
+	$lines > (/_test\.c$/ ? 400 : 350) ? "$_: $lines lines" : ();
 } @files);
 print "1..$n\n";
 exit($failed > 0);

@@ -12,6 +12,7 @@
 
 #define MATRIX_OPTIONS "ciodDCptmKjP"
 
+/* clang-format off */
 /* from and to are the spaces of the matrix; points go to points_to. */
 static const struct command commands[] = {
 	{ "lookat", run_matrix, MATRIX_OPTIONS, "world to view matrix",
@@ -57,6 +58,7 @@ static const struct command commands[] = {
 	    "what the projection is, its angles, corners and error bounds",
 	    .projection = -1 },
 };
+/* clang-format on */
 
 enum { COMMANDS = sizeof commands / sizeof *commands };
 
@@ -77,7 +79,8 @@ static _Noreturn void version(void)
 static _Noreturn void help_command(const struct command *c)
 {
 	printf("usage: projcalc %s [OPTION...] [PARAMS [POINTS...]]\n"
-	    "%s\n\n", c->name, c->about);
+	       "%s\n\n",
+	    c->name, c->about);
 	options_print(c);
 	finish_help();
 }
@@ -88,8 +91,8 @@ static _Noreturn void help(void)
 	for (int i = 0; i < COMMANDS; i++)
 		printf("  %-10s %s\n", commands[i].name, commands[i].about);
 	printf("\nPARAMS is a JSON file, - for standard input (default), or "
-	    "'{...}'.\nPOINTS are files, -, or '[0,0,0]'.\n"
-	    "See projcalc help COMMAND and man projcalc.\n");
+	       "'{...}'.\nPOINTS are files, -, or '[0,0,0]'.\n"
+	       "See projcalc help COMMAND and man projcalc.\n");
 	finish_help();
 }
 

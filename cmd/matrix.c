@@ -80,8 +80,9 @@ void print_matrix(const struct options *o, const struct convention *c,
 		put_text(&p, "{\"matrix\":");
 	print_rows(&p, m, n);
 	if (o->out == FORMAT_JSON)
-		put_text(&p, c->column ? ",\"vectors\":\"column\"}\n" :
-					 ",\"vectors\":\"row\"}\n");
+		put_text(&p,
+		    c->column ? ",\"vectors\":\"column\"}\n" :
+				",\"vectors\":\"row\"}\n");
 	put_all(text, (size_t)(p.at - text));
 }
 

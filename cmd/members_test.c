@@ -130,7 +130,8 @@ static void test_flat(void **state)
 	struct scene s = scene_of(
 	    "{\"viewport\":{\"width\":4,\"height\":3},\"device\":{\"x\":1,"
 	    "\"y\":2,\"width\":3,\"height\":4},\"window\":{\"left\":1,"
-	    "\"right\":2,\"bottom\":3,\"top\":4},\"bounds\":{\"min\":[0,0,0],\"max\":[1,1,1]},"
+	    "\"right\":2,\"bottom\":3,\"top\":4},\"bounds\":{\"min\":[0,0,0],"
+	    "\"max\":[1,1,1]},"
 	    "\"pick\":{}}");
 
 	(void)state;

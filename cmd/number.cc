@@ -8,9 +8,8 @@
 #include "number.h"
 
 /* The libraries' assertions are for their own tests; each number would pay. */
-#ifndef NDEBUG
+#undef NDEBUG
 #define NDEBUG
-#endif
 
 #include <cmath>
 #include <cstdint>
@@ -61,7 +60,8 @@ static uint64_t first_digits(uint64_t w, size_t n)
 	w = w << 8 << (56 - 8 * n);
 	w = w * 10 + (w >> 8);
 	return uint32_t(((w & pairs) * (100 + (1000000ull << 32)) +
-	    ((w >> 16) & pairs) * (1 + (10000ull << 32))) >> 32);
+			    ((w >> 16) & pairs) * (1 + (10000ull << 32))) >>
+	    32);
 }
 
 /* Reads [-] up to 7 digits [. up to 7 digits] where 17 characters are there to

@@ -55,8 +55,7 @@ static void project(void)
 		values[i] /= 1000 + values[i - i % 3] / 7;
 }
 
-template <class Run>
-static void measure(const char *name, int numbers, Run run)
+template <class Run> static void measure(const char *name, int numbers, Run run)
 {
 	double time[RUNS];
 
@@ -71,8 +70,7 @@ static void measure(const char *name, int numbers, Run run)
 	printf("  %-28s %6.1f\n", name, time[RUNS / 2]);
 }
 
-template <class Read>
-static void measure_read(const char *name, Read read)
+template <class Read> static void measure_read(const char *name, Read read)
 {
 	measure(name, COUNT, [&] {
 		double sum = 0, v = 0;
@@ -85,8 +83,7 @@ static void measure_read(const char *name, Read read)
 	});
 }
 
-template <class Write>
-static void measure_write(const char *name, Write write)
+template <class Write> static void measure_write(const char *name, Write write)
 {
 	measure(name, COUNT, [&] {
 		char *s = output;
@@ -120,21 +117,18 @@ static void write_all(void)
 {
 	const number_style style = { number_style::NUMBER_SHORTEST, 0 };
 
-	measure_write("printf %.17g", [](char *s, double v) {
-		return s + snprintf(s, 32, "%.17g", v);
-	});
-	measure_write("to_chars, charconv", [](char *s, double v) {
-		return std::to_chars(s, s + 32, v).ptr;
-	});
+	measure_write("printf %.17g",
+	    [](char *s, double v) { return s + snprintf(s, 32, "%.17g", v); });
+	measure_write("to_chars, charconv",
+	    [](char *s, double v) { return std::to_chars(s, s + 32, v).ptr; });
 	measure_write("to_decimal, dragonbox *", [](char *s, double v) {
 		auto r = jkj::dragonbox::to_decimal(v);
 
 		memcpy(s, &r.significand, 8);
 		return s + 8 + (r.exponent & 7);
 	});
-	measure_write("number_write", [=](char *s, double v) {
-		return number_write(s, v, style);
-	});
+	measure_write("number_write",
+	    [=](char *s, double v) { return number_write(s, v, style); });
 }
 
 static void write_rounded(void)
@@ -142,26 +136,23 @@ static void write_rounded(void)
 	const number_style decimals = { number_style::NUMBER_DECIMALS, 3 };
 	const number_style digits = { number_style::NUMBER_DIGITS, 12 };
 
-	measure_write("printf %.3f", [](char *s, double v) {
-		return s + snprintf(s, 32, "%.3f", v);
-	});
+	measure_write("printf %.3f",
+	    [](char *s, double v) { return s + snprintf(s, 32, "%.3f", v); });
 	measure_write("to_chars, 3 decimals", [](char *s, double v) {
-		return std::to_chars(s, s + 32, v, std::chars_format::fixed,
-		    3).ptr;
+		return std::to_chars(s, s + 32, v, std::chars_format::fixed, 3)
+		    .ptr;
 	});
-	measure_write("number_write, 3 decimals", [=](char *s, double v) {
-		return number_write(s, v, decimals);
-	});
-	measure_write("printf %.11e", [](char *s, double v) {
-		return s + snprintf(s, 32, "%.11e", v);
-	});
+	measure_write("number_write, 3 decimals",
+	    [=](char *s, double v) { return number_write(s, v, decimals); });
+	measure_write("printf %.11e",
+	    [](char *s, double v) { return s + snprintf(s, 32, "%.11e", v); });
 	measure_write("to_chars, 12 digits", [](char *s, double v) {
 		return std::to_chars(s, s + 32, v,
-		    std::chars_format::scientific, 11).ptr;
+		    std::chars_format::scientific, 11)
+		    .ptr;
 	});
-	measure_write("number_write, 12 digits", [=](char *s, double v) {
-		return number_write(s, v, digits);
-	});
+	measure_write("number_write, 12 digits",
+	    [=](char *s, double v) { return number_write(s, v, digits); });
 }
 
 /* Three numbers read and three written, a division between them. */

@@ -21,8 +21,7 @@ static void want(bool so)
 
 static bool same(double a, double b)
 {
-	return (isnan(a) && isnan(b)) ||
-	    (a == b && signbit(a) == signbit(b));
+	return (isnan(a) && isnan(b)) || (a == b && signbit(a) == signbit(b));
 }
 
 static size_t digits(const char *s)

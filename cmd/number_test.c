@@ -167,7 +167,8 @@ static void reads_halves(void **unused)
 	for (int i = 0; i < 2000; i++) {
 		double v = fabs(random_double());
 		long double half = ((long double)v +
-		    (long double)nextafter(v, HUGE_VAL)) / 2;
+				       (long double)nextafter(v, HUGE_VAL)) /
+		    2;
 		int size = snprintf(text, sizeof text, "%.1080Lf1", half);
 
 		check_read(text);
@@ -219,17 +220,18 @@ static const char *written(double v, unsigned kind, int n)
 static void lays_out_as_javascript(void **unused)
 {
 	static const char *const texts[] = { "0", "1", "-1", "0.1", "123.456",
-		"100", "4294967296", "100000000000000000000", "1e+21",
-		"-1e+21", "1.5e+22", "123456789012345680000",
-		"999999999999999900000", "1.2345678901234568e+21", "0.000001",
-		"0.0000012", "0.0000012345678901234567", "1e-7", "-1.5e-7",
+		"100", "4294967296", "100000000000000000000", "1e+21", "-1e+21",
+		"1.5e+22", "123456789012345680000", "999999999999999900000",
+		"1.2345678901234568e+21", "0.000001", "0.0000012",
+		"0.0000012345678901234567", "1e-7", "-1.5e-7",
 		"9.999999999999997e-7", "5e-324", "1.7976931348623157e+308",
 		"1e+23", "1e+100", "1e-10", "0.30000000000000004", "nan" };
 
 	(void)unused;
 	for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
 		assert_string_equal(written(strtod(texts[i], NULL),
-		    NUMBER_SHORTEST, 0), texts[i]);
+					NUMBER_SHORTEST, 0),
+		    texts[i]);
 	assert_string_equal(written(-0.0, NUMBER_SHORTEST, 0), "0");
 	assert_string_equal(written(-HUGE_VAL, NUMBER_SHORTEST, 0), "nan");
 }
@@ -260,7 +262,7 @@ static void writes_the_shortest(void **unused)
 static void writes_floats(void **unused)
 {
 	const struct number_style shortest = { NUMBER_SHORTEST, 0 },
-	    two = { NUMBER_DECIMALS, 2 };
+				  two = { NUMBER_DECIMALS, 2 };
 	char text[NUMBER_MAX + 1], c[NUMBER_MAX], expected[64];
 
 	(void)unused;
@@ -300,15 +302,17 @@ static void rounds_what_the_double_is(void **unused)
 		{ 1.23456e-6, 3, "0.000", "0.00000123" },
 		{ 9.9999e20, 3, "999990000000000065536.000", "1e+21" },
 		{ 0.1, 20, "0.10000000000000000555", "0.10000000000000000555" },
-		{ (double)NAN, 3, "nan", "nan" }, { HUGE_VAL, 3, "nan", "nan" }
-	};
+		{ (double)NAN, 3, "nan", "nan" },
+		{ HUGE_VAL, 3, "nan", "nan" } };
 
 	(void)unused;
 	for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
 		assert_string_equal(written(cases[i].v, NUMBER_DECIMALS,
-		    cases[i].n), cases[i].decimals);
+					cases[i].n),
+		    cases[i].decimals);
 		assert_string_equal(written(cases[i].v, NUMBER_DIGITS,
-		    cases[i].n), cases[i].digits);
+					cases[i].n),
+		    cases[i].digits);
 	}
 }
 
@@ -322,8 +326,9 @@ static void rounds_as_printf(void **unused)
 		double v = random_double();
 
 		snprintf(text, sizeof text, "%.*f", n, v);
-		assert_string_equal(written(v, NUMBER_DECIMALS, n), text +
-		    (*text == '-' && strspn(text, "-0.") == strlen(text)));
+		assert_string_equal(written(v, NUMBER_DECIMALS, n),
+		    text +
+			(*text == '-' && strspn(text, "-0.") == strlen(text)));
 		if (n == 0 || v == 0)
 			continue;
 		snprintf(text, sizeof text, "%.*e", n - 1, v);

@@ -16,7 +16,8 @@ static const struct {
 	const char *name, *argument, *about;
 } options[] = {
 	{ 'c', "convention", "NAME", "d3d (default), gl, vulkan or webgpu" },
-	{ 'i', "input", "FORMAT", "of points: text (default), csv, json, f64, f32" },
+	{ 'i', "input", "FORMAT",
+	    "of points: text (default), csv, json, f64, f32" },
 	{ 'o', "output", "FORMAT", "the same; default the input's" },
 	{ 'C', "columns", "LIST",
 	    "the coordinates' fields: 2,3,4, or names in csv" },
@@ -44,8 +45,8 @@ static const struct {
 
 enum { OPTIONS = sizeof options / sizeof *options };
 
-static const char *const format_names[] = { "text", "csv", "json", "f64",
-	"f32", NULL };
+static const char *const format_names[] = { "text", "csv", "json", "f64", "f32",
+	NULL };
 static const char *const precision_names[] = { "exact", "double", "single",
 	NULL };
 static const char *const space_names[] = { "model", "world", "view", "clip",
@@ -72,14 +73,13 @@ void options_print(const struct command *c)
 		letter[1] = (char)options[i].letter;
 		snprintf(left, sizeof left, "%s--%s %s",
 		    has_letter(options[i].letter) ? letter : "    ",
-		    options[i].name, options[i].argument != NULL ?
-		    options[i].argument : "");
+		    options[i].name,
+		    options[i].argument != NULL ? options[i].argument : "");
 		printf("  %-24s %s\n", left, options[i].about);
 	}
 }
 
-static int choose(const char *const *names, const char *what,
-    const char *word)
+static int choose(const char *const *names, const char *what, const char *word)
 {
 	char all[80] = "";
 
@@ -96,20 +96,23 @@ static int choose(const char *const *names, const char *what,
 static enum format choose_format(const char *word, bool output)
 {
 	if (output && strpbrk(word, "./") != NULL)
-		die(EXIT_USAGE, "unknown format '%s'; to write a file use "
-		    "> %s", word, word);
+		die(EXIT_USAGE,
+		    "unknown format '%s'; to write a file use "
+		    "> %s",
+		    word, word);
 	return (enum format)choose(format_names, "format", word);
 }
 
-static int whole_number(const char *option, const char *word, int min,
-    int max)
+static int whole_number(const char *option, const char *word, int min, int max)
 {
 	char *end;
 	long n = strtol(word, &end, 10);
 
 	if (end == word || *end != '\0' || n < min || n > max)
-		die(EXIT_USAGE, "--%s: '%s' is not a whole number from %d to "
-		    "%d", option, word, min, max);
+		die(EXIT_USAGE,
+		    "--%s: '%s' is not a whole number from %d to "
+		    "%d",
+		    option, word, min, max);
 	return (int)n;
 }
 
@@ -148,18 +151,22 @@ static struct columns read_columns(char *list)
 		if (c.n == 4)
 			die(EXIT_USAGE, "--columns: more than four fields");
 		if (*word == '\0')
-			die(EXIT_USAGE, "--columns: an empty field; write "
+			die(EXIT_USAGE,
+			    "--columns: an empty field; write "
 			    "2,3,4");
 		if (strspn(word, "0123456789") == strlen(word))
 			c.field[c.n] = whole_number("columns", word, 1,
-			    1000000) - 1;
+					   1000000) -
+			    1;
 		else
 			c.name[c.n] = word;
 		for (int i = 0; i < c.n; i++)
 			if (c.name[i] == NULL && c.name[c.n] == NULL &&
 			    c.field[i] == c.field[c.n])
-				die(EXIT_USAGE, "--columns: field %d stands "
-				    "twice", c.field[i] + 1);
+				die(EXIT_USAGE,
+				    "--columns: field %d stands "
+				    "twice",
+				    c.field[i] + 1);
 		word = comma;
 	}
 	return c;
@@ -195,8 +202,10 @@ static void set_option(struct options *o, int letter, char *word)
 	switch (letter) {
 	case 'c':
 		if (!convention_find(word, &convention))
-			die(EXIT_USAGE, "unknown convention '%s'; it is one "
-			    "of d3d, gl, vulkan or webgpu", word);
+			die(EXIT_USAGE,
+			    "unknown convention '%s'; it is one "
+			    "of d3d, gl, vulkan or webgpu",
+			    word);
 		o->convention = word;
 		break;
 	case 'i':
@@ -267,13 +276,16 @@ static _Noreturn void bad_option(const struct command *c, int got,
 		if (uses(c, options[i].letter))
 			names[n++] = options[i].name;
 	const char *near = strncmp(word, "--", 2) == 0 ?
-	    nearest(word + 2, names) : NULL;
+	    nearest(word + 2, names) :
+	    NULL;
 
 	if (near != NULL)
 		die(EXIT_USAGE, "%s: unknown option %s; did you mean --%s?",
 		    c->name, word, near);
-	die(EXIT_USAGE, "%s: unknown option %s; 'projcalc help %s' lists "
-	    "them", c->name, word, c->name);
+	die(EXIT_USAGE,
+	    "%s: unknown option %s; 'projcalc help %s' lists "
+	    "them",
+	    c->name, word, c->name);
 }
 
 /* Options may stand among the operands, which getopt moves behind them. */
@@ -302,13 +314,14 @@ int options_read(const struct command *c, int argc, char **argv,
 		if (got == '?' || got == ':') {
 			char letter[] = { '-', (char)optopt, '\0' };
 
-			bad_option(c, got, has_letter(optopt) ? letter :
-			    argv[optind - 1]);
+			bad_option(c, got,
+			    has_letter(optopt) ? letter : argv[optind - 1]);
 		}
 		if (!uses(c, got))
-			die(EXIT_USAGE, "%s: --%s is not for this command; "
-			    "'projcalc help %s' lists what is", c->name,
-			    name_of(got), c->name);
+			die(EXIT_USAGE,
+			    "%s: --%s is not for this command; "
+			    "'projcalc help %s' lists what is",
+			    c->name, name_of(got), c->name);
 		bool *on = switch_of(o, got);
 
 		if (on != NULL)
@@ -317,8 +330,10 @@ int options_read(const struct command *c, int argc, char **argv,
 			set_option(o, got, optarg);
 	}
 	if (o->effort_given && o->effort.tolerance > 0)
-		die(EXIT_USAGE, "%s: -p and -t exclude each other; -t chooses "
-		    "the precision", c->name);
+		die(EXIT_USAGE,
+		    "%s: -p and -t exclude each other; -t chooses "
+		    "the precision",
+		    c->name);
 	char **operands = argv + optind;
 
 	if (*operands != NULL)

@@ -185,10 +185,12 @@ static void aim(const struct document *d, const struct options *o,
 	const struct pick *p = &d->pick;
 
 	if (!o->has_at && !p->has_at)
-		json_refuse(d, "/pick/at: missing; say where on the device "
+		json_refuse(d,
+		    "/pick/at: missing; say where on the device "
 		    "with \"at\": [x, y] or --at X,Y");
 	if (!(o->radius > 0) && !(p->radius > 0))
-		json_refuse(d, "/pick/radius: missing; say how far around "
+		json_refuse(d,
+		    "/pick/radius: missing; say how far around "
 		    "with \"radius\" or --radius R");
 	for (int i = 0; i < 2; i++)
 		h->at[i] = o->has_at ? o->at[i] : p->at[i];
@@ -199,17 +201,21 @@ int run_pick(const struct command *c, const struct options *o)
 {
 	struct document d;
 	struct hits hits = { .o = o };
-	struct job j = { .take = take, .collect = collect,
-		.flush = print_hits, .with = &hits };
+	struct job j = { .take = take,
+		.collect = collect,
+		.flush = print_hits,
+		.with = &hits };
 
 	read_document(c, o, 3, &d);
 	aim(&d, o, &hits);
-	check(&d, scene_transform(&d.scene, SPACE_MODEL, SPACE_DEVICE, false,
-	    &j.transform));
+	check(&d,
+	    scene_transform(&d.scene, SPACE_MODEL, SPACE_DEVICE, false,
+		&j.transform));
 	check(&d, frustum_of(&d.scene, SPACE_MODEL, false, &j.frustum));
 	check(&d, depth_transform(&d.scene, &hits.depth));
 	if (o->out_given && o->out != FORMAT_JSON && o->out != o->in)
-		die(EXIT_USAGE, "pick prints lines as they were read, or "
+		die(EXIT_USAGE,
+		    "pick prints lines as they were read, or "
 		    "-o json");
 	stream_options(&j, o);
 	stream_points(o, &d, &j);

@@ -26,8 +26,7 @@ void progress_start(bool asked)
 {
 	progress.asked = asked;
 	progress.terminal = isatty(STDERR_FILENO);
-	progress.on = asked ||
-	    (progress.terminal && !isatty(STDOUT_FILENO));
+	progress.on = asked || (progress.terminal && !isatty(STDOUT_FILENO));
 	progress.start = progress.last = now();
 }
 

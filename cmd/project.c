@@ -5,8 +5,9 @@ static int coordinates(const struct options *o, enum space from)
 {
 	if (o->ray)
 		return 2;
-	return from == SPACE_CLIP ||
-	    (from == SPACE_DEVICE && o->homogeneous) ? 4 : 3;
+	return from == SPACE_CLIP || (from == SPACE_DEVICE && o->homogeneous) ?
+	    4 :
+	    3;
 }
 
 static void check(const struct document *d, const char *why)
@@ -21,20 +22,22 @@ static void check_ray(const struct options *o)
 	    (o->has_to && o->to != SPACE_WORLD))
 		die(EXIT_USAGE, "--ray goes from device to world");
 	if (o->homogeneous || o->flags || o->visible || o->matrix)
-		die(EXIT_USAGE, "--ray stands alone: no -H, -m, --flags or "
+		die(EXIT_USAGE,
+		    "--ray stands alone: no -H, -m, --flags or "
 		    "--visible");
 }
 
 static void set_transform(const struct document *d, const struct options *o,
     enum space from, enum space to, struct job *j)
 {
-	check(d, scene_transform(&d->scene, from, to, o->homogeneous,
-	    &j->transform));
+	check(d,
+	    scene_transform(&d->scene, from, to, o->homogeneous,
+		&j->transform));
 	j->flags = o->flags;
 	j->visible = o->visible;
 	if (o->flags || o->visible)
-		check(d, frustum_of(&d->scene, from, o->homogeneous,
-		    &j->frustum));
+		check(d,
+		    frustum_of(&d->scene, from, o->homogeneous, &j->frustum));
 	j->count_imageless = !o->flags && !o->visible && !o->homogeneous &&
 	    to != SPACE_CLIP;
 	if (!o->matrix)
@@ -48,7 +51,9 @@ int run_project(const struct command *c, const struct options *o)
 	struct document d;
 	struct job j = { .rays = o->ray, .count_imageless = true };
 	enum space from = o->has_from ? o->from :
-	    o->ray ? SPACE_DEVICE : SPACE_MODEL, to = o->to;
+	    o->ray                    ? SPACE_DEVICE :
+					SPACE_MODEL,
+		   to = o->to;
 
 	if (o->ray)
 		check_ray(o);

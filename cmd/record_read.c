@@ -51,38 +51,50 @@ static void bad_field(const struct layout *l, int i, struct span f,
 	const char *end = number_read(f.s, f.end, &v);
 
 	if (l->in == FORMAT_TEXT && n > 0 && (*f.s == '[' || *f.s == '{'))
-		snprintf(reason, REASON_MAX, "looks like JSON; say -i json, "
+		snprintf(reason, REASON_MAX,
+		    "looks like JSON; say -i json, "
 		    "with one array a line: jq -c '.points[]'");
 	else if (l->in == FORMAT_JSON && n > 0 && (*f.s == '[' || *f.s == '{'))
-		snprintf(reason, REASON_MAX, "%s is not a number; "
-		    "one array a line: jq -c '.points[]'", order(i));
+		snprintf(reason, REASON_MAX,
+		    "%s is not a number; "
+		    "one array a line: jq -c '.points[]'",
+		    order(i));
 	else if (n == 0)
-		snprintf(reason, REASON_MAX, "%s is missing; "
-		    "%d numbers are wanted", order(i), l->reads);
+		snprintf(reason, REASON_MAX,
+		    "%s is missing; "
+		    "%d numbers are wanted",
+		    order(i), l->reads);
 	else
-		snprintf(reason, REASON_MAX, "%s is '%s'; a number is "
-		    "wanted%s", order(i), show(word, f.s, n), end == NULL ?
-		    "" : l->in == FORMAT_JSON ? ", as JSON writes it" :
-		    ", with a blank or comma behind it");
+		snprintf(reason, REASON_MAX,
+		    "%s is '%s'; a number is "
+		    "wanted%s",
+		    order(i), show(word, f.s, n),
+		    end == NULL ? "" :
+			l->in == FORMAT_JSON ?
+				  ", as JSON writes it" :
+				  ", with a blank or comma behind it");
 }
 
 static bool in_range(int i, double v, char reason[REASON_MAX])
 {
 	if (!(fabs(v) > MAGNITUDE_MAX))
 		return true;
-	snprintf(reason, REASON_MAX, "%s is beyond 1e150 in magnitude; "
-	    "choose another unit", order(i));
+	snprintf(reason, REASON_MAX,
+	    "%s is beyond 1e150 in magnitude; "
+	    "choose another unit",
+	    order(i));
 	return false;
 }
 
 /* The first fields of text, each read where it stands. No number goes on past
  * the line's end, so that the reader need not stop there to look. */
 static bool read_text(const struct layout *l, const char *s, const char *end,
-    const char *readable, struct record *r, double v[4], char reason[REASON_MAX])
+    const char *readable, struct record *r, double v[4],
+    char reason[REASON_MAX])
 {
 	for (int i = 0; i < l->reads; i++) {
 		const char *stop = s == end ? NULL :
-		    number_read(s, readable, &v[i]);
+					      number_read(s, readable, &v[i]);
 
 		if (stop == NULL || !ends_field(stop, end)) {
 			bad_field(l, i, split_field(l->in, s, end), reason);
@@ -117,21 +129,25 @@ static bool read_first(const struct layout *l, const char *s, const char *end,
 	return true;
 }
 
-static bool read_columns(const struct layout *l, const char *s,
-    const char *end, struct record *r, double v[4], char reason[REASON_MAX])
+static bool read_columns(const struct layout *l, const char *s, const char *end,
+    struct record *r, double v[4], char reason[REASON_MAX])
 {
 	for (int i = 0; i < l->reads; i++) {
 		int k = l->columns.field[i];
 		struct span f;
 
 		if (k < 0) {
-			snprintf(reason, REASON_MAX, "%s is missing: the "
-			    "header has no such column", order(i));
+			snprintf(reason, REASON_MAX,
+			    "%s is missing: the "
+			    "header has no such column",
+			    order(i));
 			return false;
 		}
 		if (!split_find(l->in, s, end, k, &f)) {
-			snprintf(reason, REASON_MAX, "%s is missing: there is "
-			    "no field %d", order(i), k + 1);
+			snprintf(reason, REASON_MAX,
+			    "%s is missing: there is "
+			    "no field %d",
+			    order(i), k + 1);
 			return false;
 		}
 		if (!field_number(l->in, &f, &v[i])) {
@@ -175,8 +191,7 @@ static int find_name(struct span line, const char *name)
 }
 
 /* Turns the names of --columns into field numbers. */
-static bool resolve(struct layout *l, struct span line,
-    char reason[REASON_MAX])
+static bool resolve(struct layout *l, struct span line, char reason[REASON_MAX])
 {
 	for (int i = 0; i < l->columns.n; i++) {
 		const char *name = l->columns.name[i];
@@ -185,14 +200,18 @@ static bool resolve(struct layout *l, struct span line,
 		if (name != NULL)
 			*field = find_name(line, name);
 		if (*field < 0) {
-			snprintf(reason, REASON_MAX, "the header has no column "
-			    "'%.60s'", name);
+			snprintf(reason, REASON_MAX,
+			    "the header has no column "
+			    "'%.60s'",
+			    name);
 			return false;
 		}
 		for (int k = 0; k < i; k++)
 			if (l->columns.field[k] == *field) {
-				snprintf(reason, REASON_MAX, "two coordinates "
-				    "are column %d", *field + 1);
+				snprintf(reason, REASON_MAX,
+				    "two coordinates "
+				    "are column %d",
+				    *field + 1);
 				return false;
 			}
 	}
@@ -252,20 +271,21 @@ static bool check_array(struct span line, const char *done,
 	const char *s = skip_blanks(done, line.end), *wrong;
 	char word[SHOWN];
 
-	if (s < line.end && *s == ']' && skip_blanks(s + 1, line.end) ==
-	    line.end)
+	if (s < line.end && *s == ']' &&
+	    skip_blanks(s + 1, line.end) == line.end)
 		return true;
 	s = skip_blanks(line.s, line.end);
 	if (!json_closed(s + 1, line.end)) {
-		snprintf(reason, REASON_MAX, "the array does not end with the "
+		snprintf(reason, REASON_MAX,
+		    "the array does not end with the "
 		    "line; one array a line: jq -c '.points[]'");
 		return false;
 	}
 	wrong = json_wrong(s, line.end);
 	if (wrong == NULL)
 		return true;
-	snprintf(reason, REASON_MAX, "no JSON from '%s' on", show(word, wrong,
-	    (size_t)(line.end - wrong)));
+	snprintf(reason, REASON_MAX, "no JSON from '%s' on",
+	    show(word, wrong, (size_t)(line.end - wrong)));
 	return false;
 }
 
@@ -289,7 +309,8 @@ void record_read(struct layout *l, struct span line, const char *readable,
 	}
 	if (l->in == FORMAT_JSON) {
 		if (*s != '[') {
-			snprintf(reason, REASON_MAX, "is not a JSON array; one "
+			snprintf(reason, REASON_MAX,
+			    "is not a JSON array; one "
 			    "array a line: jq -c '.points[]'");
 			r->kind = RECORD_BAD;
 			return;
@@ -303,7 +324,7 @@ void record_read(struct layout *l, struct span line, const char *readable,
 	else
 		ok = read_first(l, s, line.end, r, v, reason);
 	if (ok && l->in == FORMAT_JSON)
-		ok = check_array(line, l->columns.n > 0 ? s :
-		    r->at[l->reads - 1].end, reason);
+		ok = check_array(line,
+		    l->columns.n > 0 ? s : r->at[l->reads - 1].end, reason);
 	r->kind = ok ? RECORD_POINT : RECORD_BAD;
 }

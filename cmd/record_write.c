@@ -120,7 +120,7 @@ static char *splice(const struct layout *l, const struct record *r,
 	for (int k = 0; k < n; k++) {
 		int i = sorted[k];
 		struct span f = i < l->writes ? r->at[i] :
-		    whole_field(l, r, r->at[i]);
+						whole_field(l, r, r->at[i]);
 
 		out = put(out, s, f.s);
 		if (i < l->writes)
@@ -130,8 +130,7 @@ static char *splice(const struct layout *l, const struct record *r,
 			continue;
 		if (l->in == FORMAT_CSV && s < r->line.end && *s == '"')
 			*out++ = *s++;
-		out = put_more(l, r->single, n, v, flags, separator(l, r),
-		    out);
+		out = put_more(l, r->single, n, v, flags, separator(l, r), out);
 	}
 	return put(out, s, r->line.end);
 }
@@ -160,15 +159,15 @@ static char *convert(const struct layout *l, const struct record *r,
 	if (l->in == FORMAT_JSON)
 		s++;
 	/* what a bad line or a binary point holds is not fields */
-	if (r->kind == RECORD_BAD || l->in == FORMAT_F64 ||
-	    l->in == FORMAT_F32)
+	if (r->kind == RECORD_BAD || l->in == FORMAT_F64 || l->in == FORMAT_F32)
 		s = NULL;
 	while (s != NULL) {
 		struct span f = split_field(l->in, s, r->line.end);
 
 		/* in JSON an empty field of csv holds the others' places */
-		if ((f.s < f.end || (l->in == FORMAT_CSV &&
-		    l->out == FORMAT_JSON)) && !is_coordinate(l, r, f)) {
+		if ((f.s < f.end ||
+			(l->in == FORMAT_CSV && l->out == FORMAT_JSON)) &&
+		    !is_coordinate(l, r, f)) {
 			out = put(out, sep.s, sep.end);
 			out = foreign_write(l->in, l->out, f, out);
 		}
@@ -190,8 +189,8 @@ static char *copy(const struct layout *l, const struct record *r, char *out)
 		return out;
 	if (l->in == FORMAT_CSV && s < end && *s != '#' && l->out == l->in) {
 		struct span f = { s, s };
-		int last = l->columns.n > 0 ?
-		    l->columns.field[l->reads - 1] : l->reads - 1;
+		int last = l->columns.n > 0 ? l->columns.field[l->reads - 1] :
+					      l->reads - 1;
 		bool cr = end[-1] == '\r';
 
 		if (!split_find(l->in, r->line.s, end, last, &f))

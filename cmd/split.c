@@ -73,16 +73,16 @@ const char *split_next(enum format format, const char *s, const char *end)
 	if (format == FORMAT_TEXT) {
 		const char *after = text_next(s, end);
 
-		return after == end && (s == end || after[-1] != ',') ?
-		    NULL : after;
+		return after == end && (s == end || after[-1] != ',') ? NULL :
+									after;
 	}
 	s = skip_blanks(s, end);
 	return s < end && *s == ',' ? s + 1 : NULL;
 }
 
 /* The k-th field, from 0. */
-bool split_find(enum format format, const char *s, const char *end,
-    int k, struct span *f)
+bool split_find(enum format format, const char *s, const char *end, int k,
+    struct span *f)
 {
 	for (; s != NULL; s = split_next(format, f->end, end)) {
 		*f = split_field(format, s, end);

@@ -89,7 +89,7 @@ static void finish(const struct job *j, const struct chunk *c)
 	bad |= c->n_complaints > 0;
 	if (stop) {
 		close_output();
-		_exit(EXIT_INPUT);
+		quit(EXIT_INPUT);
 	}
 	next_line += c->lines;
 	progress_add(c->lines, c->bytes);

@@ -107,6 +107,12 @@ void die(int status, const char *format, ...)
 	abort();
 }
 
+void quit(int status)
+{
+	(void)status;
+	abort();
+}
+
 void *need(void *old, size_t size)
 {
 	return realloc(old, size);

@@ -29,17 +29,29 @@ void say(const char *format, ...)
 	va_end(args);
 }
 
+/* Of threads that fail together, one speaks and ends the program. */
+static void be_last(void)
+{
+	static atomic_flag ending = ATOMIC_FLAG_INIT;
+
+	while (atomic_flag_test_and_set(&ending))
+		pause();
+}
+
 void die(int status, const char *format, ...)
 {
-	static atomic_flag dying = ATOMIC_FLAG_INIT;
 	va_list args;
 
-	/* of threads that fail together, one speaks */
-	while (atomic_flag_test_and_set(&dying))
-		pause();
+	be_last();
 	va_start(args, format);
 	print_line(format, args);
 	va_end(args);
+	exit(status);
+}
+
+void quit(int status)
+{
+	be_last();
 	exit(status);
 }
 

@@ -14,6 +14,9 @@ void say(const char *format, ...) __attribute__((format(printf, 1, 2)));
 _Noreturn void die(int status, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
+/* Exits; any thread may. */
+_Noreturn void quit(int status);
+
 /* Memory or exit 3. */
 void *need(void *old, size_t size);
 

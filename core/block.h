@@ -16,8 +16,8 @@ struct block {
 	bool single[POINTS_BLOCK];
 };
 
-static inline void carry(const struct transform *t, struct effort e, struct block *b,
-    size_t n)
+static inline void carry(const struct transform *t, struct effort e,
+    struct block *b, size_t n)
 {
 	const double *const in[4] = { b->in[0], b->in[1], b->in[2], b->in[3] };
 	double *const out[4] = { b->out[0], b->out[1], b->out[2], b->out[3] };
@@ -33,8 +33,9 @@ static inline void sample_points(const struct scene *s, enum space from,
 	for (size_t i = 0; i < n; i++)
 		for (int j = 0; j < 4; j++) {
 			double near = from <= SPACE_WORLD && s->has_camera &&
-			    s->camera.by != CAMERA_MATRIX && j < 3 ?
-			    s->camera.eye[j] : 0;
+				s->camera.by != CAMERA_MATRIX && j < 3 ?
+			    s->camera.eye[j] :
+			    0;
 			double d = sample_number(sample_below(4) == 0 ? 6 : 1);
 
 			if (from >= SPACE_NDC)
@@ -47,8 +48,9 @@ static inline void sample_points(const struct scene *s, enum space from,
 
 /* The exact image of point i, divided where it is. Returns false where there
  * is none: w is not positive, or lost in its bound. */
-static inline bool exact_image(const struct truth *truth, const struct transform *t,
-    const struct block *b, size_t i, real q[4], real sum[4])
+static inline bool exact_image(const struct truth *truth,
+    const struct transform *t, const struct block *b, size_t i, real q[4],
+    real sum[4])
 {
 	double p[4] = { b->in[0][i], b->in[1][i], b->in[2][i],
 		t->in == 4 ? b->in[3][i] : 1 };

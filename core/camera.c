@@ -300,7 +300,8 @@ static const char *bare(const struct camera *c, bool inverse, struct map *r)
 		return "/camera/matrix: its last column is not 0 0 0 1; "
 		       "write the rows as \"vectors\" says";
 	if (!c->orthonormalize)
-		return !inverse || map_inverse(m, r) ? NULL :
+		return !inverse || map_inverse(m, r) ?
+		    NULL :
 		    "/camera/matrix: singular; it can't be inverted";
 	const char *why = orthonormal(c, axis);
 
@@ -319,7 +320,8 @@ const char *camera_map(const struct camera *c, bool right_handed, bool inverse,
 	if (c->by == CAMERA_MATRIX)
 		return bare(c, inverse, r);
 	const char *why = c->by == CAMERA_ORIENTATION ?
-	    orient(c, axis) : look(c, right_handed, axis);
+	    orient(c, axis) :
+	    look(c, right_handed, axis);
 
 	if (why != NULL)
 		return why;

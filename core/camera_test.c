@@ -99,8 +99,10 @@ static void nearest_exactly(void **state)
 
 			set_diagonal(&c, d[0], d[1], d[2]);
 			for (int k = 0; k < 9; k++)
-				c.matrix[k / 3][k % 3] =
-				    k % 3 == (k / 3 + turn) % 3 ? d[k / 3] : 0;
+				c.matrix[k / 3][k % 3] = k % 3 ==
+					(k / 3 + turn) % 3 ?
+				    d[k / 3] :
+				    0;
 			assert_null(camera_map(&c, false, false, &m));
 			for (int k = 0; k < 9; k++)
 				assert_true(m.m[k / 3][k % 3].hi ==
@@ -237,8 +239,10 @@ static double nearness(const struct camera *c)
 	set(g, 3, c->at);
 	set(u, 3, c->up);
 	cross(u, g, x);
-	return mpfr_get_d(mul(number(0x1p100), over(dot(x, x, 3),
-	    mul(dot(u, u, 3), dot(g, g, 3)))), MPFR_RNDN);
+	return mpfr_get_d(mul(number(0x1p100),
+			      over(dot(x, x, 3),
+				  mul(dot(u, u, 3), dot(g, g, 3)))),
+	    MPFR_RNDN);
 }
 
 static void parallel(void **state)
@@ -279,7 +283,8 @@ static void refused(struct camera c, bool inverse, const char *member)
 
 static void all_refused(void **state)
 {
-	struct camera c = { .eye = { 1, 2, 3 }, .at = { 1, 2, 3 },
+	struct camera c = { .eye = { 1, 2, 3 },
+		.at = { 1, 2, 3 },
 		.up = { 0, 1, 0 } };
 
 	(void)state;

@@ -109,8 +109,8 @@ static void gather(const struct transform *t, const double *const in[4],
 }
 
 static void carry_within(const struct transform *t, double tolerance,
-    enum precision precision, const double *const in[4],
-    double *const out[4], bool *single, size_t n)
+    enum precision precision, const double *const in[4], double *const out[4],
+    bool *single, size_t n)
 {
 	plain_kernel fast = kernels->plain[precision][t->body];
 	struct rest r;
@@ -141,8 +141,8 @@ void points_carry(const struct transform *t, const struct effort *e,
     const double *const in[4], double *const out[4], bool *single, size_t n)
 {
 	if (e->tolerance > 0) {
-		carry_within(t, e->tolerance, PRECISION_SINGLE, in, out,
-		    single, n);
+		carry_within(t, e->tolerance, PRECISION_SINGLE, in, out, single,
+		    n);
 		return;
 	}
 	memset(single, e->precision == PRECISION_SINGLE, n);

@@ -21,8 +21,11 @@ static void whole_numbers_have_no_ghosts(void **state)
 	(void)state;
 	points_choose(NULL);
 	s.projection = (struct projection){ .type = PROJECTION_PERSP,
-		.extent = EXTENT_FOVY, .angle = 90, .aspect = { 1, 1 },
-		.near = 1, .far = 10 };
+		.extent = EXTENT_FOVY,
+		.angle = 90,
+		.aspect = { 1, 1 },
+		.near = 1,
+		.far = 10 };
 	for (int k = 0; k < 125 * 125; k += 7) {
 		struct camera *c = &s.camera;
 		int mark = real_mark();

@@ -31,11 +31,11 @@ static void error_free(void **state)
 
 		assert_true(mpfr_equal_p(number_dd(two_sum(a, b)), sum));
 		sum = add(number(a), number(small));
-		assert_true(mpfr_equal_p(number_dd(fast_two_sum(a, small)),
-		    sum));
+		assert_true(
+		    mpfr_equal_p(number_dd(fast_two_sum(a, small)), sum));
 		if (fabs(a * b) > 0x1p-969)
-			assert_true(mpfr_equal_p(number_dd(two_prod(a, b)),
-			    product));
+			assert_true(
+			    mpfr_equal_p(number_dd(two_prod(a, b)), product));
 		real_release(mark);
 	}
 }
@@ -45,7 +45,8 @@ static double relative(dd got, real exact)
 	if (mpfr_zero_p(exact))
 		return got.hi == 0 ? 0 : (double)INFINITY;
 	return mpfr_get_d(over(sub(number_dd(got), exact),
-	    mul(magnitude(exact), number(0x1p-106))), MPFR_RNDN);
+			      mul(magnitude(exact), number(0x1p-106))),
+	    MPFR_RNDN);
 }
 
 static void bounds(void **state)
@@ -65,12 +66,12 @@ static void bounds(void **state)
 			near = dd_scale(b, 0x1p-40);
 		real x = number_dd(a), y = number_dd(b);
 
-		sum = fmax(sum, fabs(relative(dd_add(a, near),
-		    add(x, number_dd(near)))));
-		product = fmax(product, fabs(relative(dd_mul(a, b),
-		    mul(x, y))));
-		quotient = fmax(quotient, fabs(relative(dd_div(a, b),
-		    over(x, y))));
+		sum = fmax(sum,
+		    fabs(relative(dd_add(a, near), add(x, number_dd(near)))));
+		product = fmax(product,
+		    fabs(relative(dd_mul(a, b), mul(x, y))));
+		quotient = fmax(quotient,
+		    fabs(relative(dd_div(a, b), over(x, y))));
 		real_release(mark);
 	}
 	claim("dd_add", sum, 3);

@@ -237,5 +237,5 @@ ex ex_sqrt(ex a)
 ex ex_settled(ex a, ex size)
 {
 	return ex_sign(ex_sub(ex_abs(a), ex_shift(size, -190))) > 0 ? a :
-	    ex_of(0);
+								      ex_of(0);
 }

@@ -26,8 +26,8 @@ ex ex_abs(ex a);
 ex ex_add(ex a, ex b);
 ex ex_sub(ex a, ex b);
 ex ex_mul(ex a, ex b);
-ex ex_scale(ex a, double b); /* a b */
-ex ex_shift(ex a, int e); /* a 2^e */
+ex ex_scale(ex a, double b);    /* a b */
+ex ex_shift(ex a, int e);       /* a 2^e */
 ex ex_diff(double a, double b); /* a - b */
 
 /* Within 2^-200: four terms. b must not be 0. */
@@ -38,7 +38,7 @@ ex ex_sqrt(ex a);
  * within 2^-195. */
 ex ex_settled(ex a, ex size);
 
-int ex_sign(ex a); /* -1, 0, 1 */
+int ex_sign(ex a);        /* -1, 0, 1 */
 ex ex_first(ex a, int n); /* the n largest terms */
 
 /* Within EX_BOUND u^2; infinite where beyond the range of doubles. */

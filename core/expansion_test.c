@@ -24,8 +24,9 @@ static ex polynomial(int e, real *exact)
 			ex b = ex_mul(ex_diff(x, -y), ex_of(y));
 
 			a = ex_sub(ex_add(a, b), ex_neg(b));
-			r = add(r, mul(number(2), mul(number(y),
-			    add(number(x), number(y)))));
+			r = add(r,
+			    mul(number(2),
+				mul(number(y), add(number(x), number(y)))));
 		}
 	}
 	*exact = r;
@@ -98,8 +99,8 @@ static void wide(void **state)
 			real p = mul(mul(number(x), number(y)),
 			    sub(number(x), number(z)));
 
-			a = ex_add(a, ex_mul(ex_mul(ex_of(x), ex_of(y)),
-			    ex_diff(x, z)));
+			a = ex_add(a,
+			    ex_mul(ex_mul(ex_of(x), ex_of(y)), ex_diff(x, z)));
 			r = add(r, p);
 			size = add(size, magnitude(p));
 		}
@@ -126,10 +127,11 @@ static void rounded(void **state)
 		round = fmax(round, relative(number_dd(ex_round(a)), x));
 		first = fmax(first, relative(number_ex(ex_first(a, 3)), x));
 		if (ex_sign(b) != 0)
-			quotient = fmax(quotient, relative(
-			    number_ex(ex_quotient(a, b)), over(x, y)));
-		square = fmax(square, relative(number_ex(ex_sqrt(ex_abs(a))),
-		    root(magnitude(x))));
+			quotient = fmax(quotient,
+			    relative(number_ex(ex_quotient(a, b)), over(x, y)));
+		square = fmax(square,
+		    relative(number_ex(ex_sqrt(ex_abs(a))),
+			root(magnitude(x))));
 		real_release(mark);
 	}
 	claim("ex_round", round * 0x1p106, EX_BOUND);

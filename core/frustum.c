@@ -39,8 +39,8 @@ static void planes(const struct scene *s, const struct map *m,
 	combine(ends, reverse ? 0 : 1, m, dd_neg(one), 2, one);
 }
 
-const char *frustum_of(const struct scene *s, enum space from,
-    bool homogeneous, struct frustum *f)
+const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
+    struct frustum *f)
 {
 	struct map clip, view;
 	bool back = from == SPACE_NDC || from == SPACE_DEVICE;
@@ -97,11 +97,10 @@ const char *depth_transform(const struct scene *s, struct transform *t)
 		why = scene_map(s, SPACE_MODEL, SPACE_VIEW, &view);
 	if (why != NULL)
 		return why;
-	dd (*m)[4] = back.m;
+	dd(*m)[4] = back.m;
 	ex n = ex_add(ex_scale(ex_dd(m[2][2]), z), ex_dd(m[AT_ZERO][2]));
 	ex d = ex_add(ex_scale(ex_dd(m[2][3]), z), ex_dd(m[AT_ZERO][3]));
-	ex slope = ex_sub(ex_mul(ex_dd(m[2][2]), d),
-	    ex_mul(n, ex_dd(m[2][3])));
+	ex slope = ex_sub(ex_mul(ex_dd(m[2][2]), d), ex_mul(n, ex_dd(m[2][3])));
 	double sign = (ex_round(slope).hi > 0) == !reverse ? 1 : -1;
 	dd near = ex_div(n, d);
 
@@ -146,8 +145,8 @@ static ex affine(const struct map *m, int j, const ex p[3])
 
 /* Of N(z)/D(z) at the near depth, N/D and the direction N' D - N D', which has
  * the derivative's sign as D^2 > 0. Both go to world space, linearly. */
-void ray_exact(const struct ray_maker *r, const double at[2],
-    double point[3], double direction[3])
+void ray_exact(const struct ray_maker *r, const double at[2], double point[3],
+    double direction[3])
 {
 	const struct map *v = &r->to_view, *w = &r->to_world;
 	ex p[3], n[4], d[3], world[3], to[3], length = { 0 };

@@ -6,8 +6,14 @@
 #include "points.h"
 
 enum {
-	OUT_LEFT = 1, OUT_RIGHT = 2, OUT_BOTTOM = 4, OUT_TOP = 8,
-	OUT_NEAR = 16, OUT_FAR = 32, OUT_BEHIND = 64, OUT_NAN = 128,
+	OUT_LEFT = 1,
+	OUT_RIGHT = 2,
+	OUT_BOTTOM = 4,
+	OUT_TOP = 8,
+	OUT_NEAR = 16,
+	OUT_FAR = 32,
+	OUT_BEHIND = 64,
+	OUT_NAN = 128,
 };
 
 /* A point is inside where all columns of both are at least 0. */
@@ -18,8 +24,8 @@ struct frustum {
 
 /* The planes as seen from one space, with its viewport's limits. Returns NULL,
  * or the member and the reason. */
-const char *frustum_of(const struct scene *, enum space from,
-    bool homogeneous, struct frustum *);
+const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
+    struct frustum *);
 
 /* 0 where the point is inside or on a plane; behind comes alone. */
 unsigned frustum_out(const struct frustum *, const double in[4]);
@@ -41,7 +47,7 @@ const char *ray_maker_of(const struct scene *, struct ray_maker *);
 /* The point on the near plane under a device position, and the unit direction
  * in which depth increases, in world space; each coordinate within 1/2 +
  * kappa 2^-47 units in the last place. nan where there is none. */
-void ray_exact(const struct ray_maker *, const double at[2],
-    double point[3], double direction[3]);
+void ray_exact(const struct ray_maker *, const double at[2], double point[3],
+    double direction[3]);
 
 #endif

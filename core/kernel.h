@@ -7,10 +7,10 @@
 
 /* What the matrix's structure makes of the loop. */
 enum body {
-	BODY_CAREFUL, /* none of these: point by point */
-	BODY_FLAT, /* two coordinates, no division */
-	BODY_AFFINE, /* no division */
-	BODY_DEPTH, /* x and y divided by w, depth = a + b / w */
+	BODY_CAREFUL,    /* none of these: point by point */
+	BODY_FLAT,       /* two coordinates, no division */
+	BODY_AFFINE,     /* no division */
+	BODY_DEPTH,      /* x and y divided by w, depth = a + b / w */
 	BODY_PROJECTIVE, /* x, y, z divided by w */
 	BODIES,
 };

@@ -43,9 +43,12 @@
 #define NAME(x) single_##x
 #include "kernel_plain.h"
 
-#define BODIES_OF(prefix) { \
-	[BODY_FLAT] = prefix##_flat, [BODY_AFFINE] = prefix##_affine, \
-	[BODY_DEPTH] = prefix##_depth, [BODY_PROJECTIVE] = prefix##_projective }
+#define BODIES_OF(prefix)                                                     \
+	{                                                                     \
+		[BODY_FLAT] = prefix##_flat, [BODY_AFFINE] = prefix##_affine, \
+		[BODY_DEPTH] = prefix##_depth,                                \
+		[BODY_PROJECTIVE] = prefix##_projective                       \
+	}
 
 const struct kernels COPY = {
 	.exact = BODIES_OF(exact),

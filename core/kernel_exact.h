@@ -84,8 +84,8 @@ static inline V exact_third(const struct lanes *m, vdd w, V reciprocal, V *sure)
 	vdd s = v_two_sum(ALL(m->a_hi), q);
 	V z = s.hi + (s.lo + FMA(r, reciprocal, ALL(m->a_lo)));
 
-	*sure = MIN(*sure, ABS(z) - FMA(ALL(m->doubt_depth), ABS(q),
-	    ALL(m->doubt_a)));
+	*sure = MIN(*sure,
+	    ABS(z) - FMA(ALL(m->doubt_depth), ABS(q), ALL(m->doubt_a)));
 	return z;
 }
 
@@ -110,8 +110,7 @@ static inline __attribute__((always_inline)) int exact(const struct lanes *m,
 		V size = ALL(0), q[3], sure, r = ALL(1);
 
 		for (int k = 0; k < terms; k++) {
-			p[k] = v_two_sum(LOAD(in[k] + i),
-			    ALL(-m->origin[k]));
+			p[k] = v_two_sum(LOAD(in[k] + i), ALL(-m->origin[k]));
 			size += ABS(p[k].hi);
 		}
 		if (divide) {
@@ -147,13 +146,13 @@ static inline __attribute__((always_inline)) int exact(const struct lanes *m,
 }
 
 /* Without an image of the origin, as about the eye, four sums are saved. */
-#define LOOP(BODY, name) \
+#define LOOP(BODY, name)                                                  \
 	static int name(const struct lanes *m, const double *const in[3], \
-	    double *const out[3], size_t n) \
-	{ \
-		if (m->image) \
-			return exact(m, in, out, n, BODY, 1); \
-		return exact(m, in, out, n, BODY, 0); \
+	    double *const out[3], size_t n)                               \
+	{                                                                 \
+		if (m->image)                                             \
+			return exact(m, in, out, n, BODY, 1);             \
+		return exact(m, in, out, n, BODY, 0);                     \
 	}
 
 LOOP(BODY_FLAT, exact_flat)

@@ -9,9 +9,10 @@
  * / |w|, while that is below 1/16 for w itself; of a + b/w, below PLAIN_BOUND u
  * (|a| + |b/w| S_w/|w|). S is not summed but bounded, by the largest element
  * times |x| + |y| + |z|. */
-static inline __attribute__((always_inline)) void NAME(plain)(
-    const struct lanes *m, const double *const in[3], double *const out[3],
-    size_t n, double tolerance, enum body body, int bounded)
+static inline __attribute__((always_inline)) void NAME(
+    plain)(const struct lanes *m, const double *const in[3],
+    double *const out[3], size_t n, double tolerance, enum body body,
+    int bounded)
 {
 	const int terms = body == BODY_FLAT ? 2 : 3;
 	const int divide = body == BODY_DEPTH || body == BODY_PROJECTIVE;
@@ -26,8 +27,9 @@ static inline __attribute__((always_inline)) void NAME(plain)(
 			size += R_ABS(p[k]);
 		}
 		for (int k = 3; k >= 0; k--) {
-			if (k == 3 ? !divide : k >= terms ||
-			    (k == 2 && body == BODY_DEPTH))
+			if (k == 3 ?
+				!divide :
+				k >= terms || (k == 2 && body == BODY_DEPTH))
 				continue;
 			R c = R_ALL((REAL)m->hi[3][k]);
 
@@ -49,8 +51,7 @@ static inline __attribute__((always_inline)) void NAME(plain)(
 			if (divide)
 				s = R_FMA(R_ABS(q[k]), w_size, s * R_ABS(r));
 			s = cu * s * R_ALL((REAL)(1 / tolerance));
-			error = k == terms - 1 && !divide ? s :
-			    R_MAX(error, s);
+			error = k == terms - 1 && !divide ? s : R_MAX(error, s);
 		}
 		if (body == BODY_DEPTH) {
 			R b = R_ALL((REAL)m->b_hi) * r;
@@ -71,15 +72,15 @@ static inline __attribute__((always_inline)) void NAME(plain)(
 	}
 }
 
-#define LOOP(BODY, name) \
-	static void NAME(name)(const struct lanes *m, \
-	    const double *const in[3], double *const out[3], size_t n, \
-	    double tolerance) \
-	{ \
-		if (tolerance > 0) \
+#define LOOP(BODY, name)                                                \
+	static void NAME(name)(const struct lanes *m,                   \
+	    const double *const in[3], double *const out[3], size_t n,  \
+	    double tolerance)                                           \
+	{                                                               \
+		if (tolerance > 0)                                      \
 			NAME(plain)(m, in, out, n, tolerance, BODY, 1); \
-		else \
-			NAME(plain)(m, in, out, n, 1, BODY, 0); \
+		else                                                    \
+			NAME(plain)(m, in, out, n, 1, BODY, 0);         \
 	}
 
 LOOP(BODY_FLAT, flat)

@@ -3,10 +3,12 @@
 #include <stdbool.h>
 #include <string.h>
 
+/* The best first. */
 static const struct {
 	const char *name;
 	const struct kernels *copy;
-} copies[] = { /* the best first */
+} copies[] = {
+/* the best first */
 #ifdef __x86_64__
 	{ "avx512", &kernels_avx512 },
 	{ "avx2", &kernels_avx2 },

@@ -2,10 +2,16 @@
 
 #include <string.h>
 
-#define ONE { 1, 0 }
+#define ONE          \
+	{            \
+		1, 0 \
+	}
 
 const struct map map_identity = {
-	.m = { [0][0] = ONE, [1][1] = ONE, [2][2] = ONE, [3][3] = ONE,
+	.m = { [0][0] = ONE,
+	    [1][1] = ONE,
+	    [2][2] = ONE,
+	    [3][3] = ONE,
 	    [4][3] = ONE },
 	.sum = { [0][0] = 1, [1][1] = 1, [2][2] = 1, [3][3] = 1, [4][3] = 1 },
 };
@@ -47,8 +53,7 @@ bool map_is_finite(const struct map *a)
 {
 	for (int i = 0; i < 5; i++)
 		for (int j = 0; j < 4; j++)
-			if (!isfinite(a->m[i][j].hi) ||
-			    !isfinite(a->sum[i][j]))
+			if (!isfinite(a->m[i][j].hi) || !isfinite(a->sum[i][j]))
 				return false;
 	return true;
 }

@@ -15,8 +15,7 @@ static void any_matrix(struct projection *p, bool affine, int e)
 }
 
 /* Where all of them are in the range of doubles. */
-static void compare(const struct truth *t, const struct map *m,
-    struct worst *w)
+static void compare(const struct truth *t, const struct map *m, struct worst *w)
 {
 	if (map_is_finite(m))
 		truth_compare(t, m, w);

@@ -41,12 +41,13 @@ struct transform transform_of(const struct map *map, enum space from,
 		t.out = 4;
 	if (from == SPACE_CLIP)
 		map_about_zero(&t.map);
-	t.divide = t.reciprocal || (t.out == 3 &&
-	    (from == SPACE_CLIP || !map_is_affine(map)));
+	t.divide = t.reciprocal ||
+	    (t.out == 3 && (from == SPACE_CLIP || !map_is_affine(map)));
 	t.front = !t.reciprocal && (from != SPACE_CLIP || onto_screen);
 	t.on_screen = onto_screen && t.out == 3;
 	t.body = t.in != 3 || t.out != 3 ? BODY_CAREFUL :
-	    t.divide ? BODY_PROJECTIVE : BODY_AFFINE;
+	    t.divide                     ? BODY_PROJECTIVE :
+					   BODY_AFFINE;
 	set_lanes(&t);
 	return t;
 }
@@ -58,8 +59,8 @@ static void find_depth(const struct map *projection, struct transform *t)
 	struct lanes *l = &t->lanes;
 
 	for (int i = 0; i < 4; i++)
-		if (i != 2 && (p->m[i][3].hi != 0 ||
-		    (i != 3 && p->m[i][2].hi != 0)))
+		if (i != 2 &&
+		    (p->m[i][3].hi != 0 || (i != 3 && p->m[i][2].hi != 0)))
 			return;
 	dd a = ex_div(ex_dd(p->m[2][2]), ex_dd(p->m[2][3]));
 
@@ -88,8 +89,8 @@ const char *scene_transform(const struct scene *s, enum space from,
 	return why;
 }
 
-const char *flat_transform(const struct scene *s, enum flat from,
-    enum flat to, struct transform *t)
+const char *flat_transform(const struct scene *s, enum flat from, enum flat to,
+    struct transform *t)
 {
 	*t = (struct transform){ .in = 2, .out = 2, .body = BODY_FLAT };
 	const char *why = scene_flat_map(s, from, to, &t->map);
@@ -130,8 +131,7 @@ static double kappa_of(struct sum s, double least)
 
 /* Relative to the map's origin, and scaled down where it is large, so that no
  * product overflows whose quotient does not. Returns the scale. */
-static double relative(const struct transform *t, const double in[4],
-    dd p[4])
+static double relative(const struct transform *t, const double in[4], dd p[4])
 {
 	double largest = 1;
 	int e = 0;
@@ -180,8 +180,10 @@ static void point_image(const struct transform *t, const double in[4],
 
 		out[j] = image && isfinite(q.hi) ? q : (dd){ (double)NAN, 0 };
 		if (image)
-			*kappa = fmax(*kappa, kappa_of(w, 0) * kappa_of(s,
-			    t->on_screen ? fabs(w.value.hi) : 0));
+			*kappa = fmax(*kappa,
+			    kappa_of(w, 0) *
+				kappa_of(s,
+				    t->on_screen ? fabs(w.value.hi) : 0));
 	}
 }
 
@@ -208,6 +210,7 @@ float point_single(const struct transform *t, const double in[4], int j,
 	if ((double)a / 2 + (double)b / 2 != image)
 		return a;
 	point_image(t, in, exact, &kappa);
-	return exact[j].lo == 0 ? a :
+	return exact[j].lo == 0 ?
+	    a :
 	    (float)nextafter(image, exact[j].lo > 0 ? HUGE_VAL : -HUGE_VAL);
 }

@@ -52,8 +52,8 @@ static void check_exact(int e, unsigned seed, int scenes, size_t count[2])
 			for (int j = 0; j < t.out; j++) {
 				double kappa = truth_kappa(q, sum, j, t.divide);
 				real exact = t.divide ? over(q[j], q[3]) : q[j];
-				double magnitude = fabs(mpfr_get_d(exact,
-				    MPFR_RNDN));
+				double magnitude = fabs(
+				    mpfr_get_d(exact, MPFR_RNDN));
 				double lost = kappa * POINTS_BOUND;
 				double error = ulps(b.out[j][i], exact);
 
@@ -68,10 +68,12 @@ static void check_exact(int e, unsigned seed, int scenes, size_t count[2])
 				count[0]++;
 				count[1] += error > 0.5;
 				if (!(excess <= 1))
-					print_error("scene %d from %d to %d "
+					print_error(
+					    "scene %d from %d to %d "
 					    "coordinate %d: %.17g is %g ulp "
-					    "off, kappa %g\n", k, from, to, j,
-					    b.out[j][i], error, kappa);
+					    "off, kappa %g\n",
+					    k, from, to, j, b.out[j][i], error,
+					    kappa);
 				assert_true(excess <= 1);
 			}
 			real_release(point);
@@ -93,7 +95,8 @@ static void exact_keeps_its_bound(void **state)
 		check_exact(3, 2, 250, count);
 		check_exact(9, 3, 250, count);
 		print_message("%s: %zu coordinates, %zu not the nearest "
-		    "double\n", copies[c], count[0], count[1]);
+			      "double\n",
+		    copies[c], count[0], count[1]);
 		assert_true(count[0] > 10000);
 	}
 }
@@ -133,8 +136,8 @@ static void copies_give_the_same_bits(void **state)
 				if (!points_choose(copies[c]))
 					continue;
 				carry(&t, efforts[e], &b, POINTS + 5);
-				assert_true(same(&first, &b, t.out,
-				    POINTS + 5));
+				assert_true(
+				    same(&first, &b, t.out, POINTS + 5));
 			}
 		}
 	}
@@ -202,17 +205,19 @@ static void tolerance_is_kept(void **state)
 			cheap += b.single[i];
 			for (int j = 0; image && j < t.out; j++) {
 				real exact = t.divide ? over(q[j], q[3]) : q[j];
-				double error = mpfr_get_d(magnitude(sub(exact,
-				    number(b.out[j][i]))), MPFR_RNDU);
-				double value = fabs(mpfr_get_d(exact,
-				    MPFR_RNDN));
+				double error = mpfr_get_d(
+				    magnitude(sub(exact, number(b.out[j][i]))),
+				    MPFR_RNDU);
+				double value = fabs(
+				    mpfr_get_d(exact, MPFR_RNDN));
 				double kappa = truth_kappa(q, sum, j, t.divide);
 
 				if (isnan(b.out[j][i]))
 					continue;
 				/* what exact itself cannot do better */
-				assert_true(error <= tolerance || error <=
-				    value * 0x1p-53 * (1 + 0x1p-40 * kappa));
+				assert_true(error <= tolerance ||
+				    error <= value * 0x1p-53 *
+					    (1 + 0x1p-40 * kappa));
 			}
 			real_release(point);
 		}

@@ -5,12 +5,10 @@
 #include "trig.h"
 
 /* Every projection made of parameters has this form:
- *
  *	 x   0   0   0
  *	 0   y   0   0
  *	 zx  zy  zz  zw
  *	 tx  ty  tz  tw
- *
  * det = zz tw - zw tz comes from the parameters too, as a product; tx and ty
  * are sums of products of these sizes, only oblique's of more than one. */
 struct form {
@@ -90,12 +88,14 @@ static const char *cross_section(const struct projection *p, double d,
 	case EXTENT_EDGES:
 		why = edges(p->left, p->right, d,
 		    "/projection/right: equal to left; "
-		    "the edges must differ", &f->x, &off[0]);
+		    "the edges must differ",
+		    &f->x, &off[0]);
 		if (why != NULL)
 			return why;
 		return edges(p->bottom, p->top, d,
 		    "/projection/top: equal to bottom; "
-		    "the edges must differ", &f->y, &off[1]);
+		    "the edges must differ",
+		    &f->y, &off[1]);
 	}
 	return NULL;
 }
@@ -103,8 +103,8 @@ static const char *cross_section(const struct projection *p, double d,
 /* w = depth: depth' = A + B / w with A = f / (f - n), B = -n f / (f - n), or
  * to -1..1 A = (f + n) / (f - n), B = -2 n f / (f - n); an infinite far is the
  * limit; reversed, near and far trade places. det = -zw tz. */
-static const char *persp(const struct projection *p,
-    const struct convention *c, struct form *f)
+static const char *persp(const struct projection *p, const struct convention *c,
+    struct form *f)
 {
 	double k = c->minus_one ? 2 : 1, n = p->near;
 	bool right = c->right_handed;
@@ -137,8 +137,8 @@ static const char *persp(const struct projection *p,
 	return NULL;
 }
 
-static const char *ortho(const struct projection *p,
-    const struct convention *c, struct form *f)
+static const char *ortho(const struct projection *p, const struct convention *c,
+    struct form *f)
 {
 	double a = p->reverse_z ? p->far : p->near;
 	double b = p->reverse_z ? p->near : p->far;
@@ -296,8 +296,7 @@ static struct form inverse_of(const struct form *f)
 	};
 }
 
-static const char *bare(const struct projection *p, bool inverse,
-    struct map *r)
+static const char *bare(const struct projection *p, bool inverse, struct map *r)
 {
 	double m[4][4];
 
@@ -344,7 +343,8 @@ const char *projection_map(const struct projection *p,
 	if (inverse)
 		f = inverse_of(&f);
 	*r = map_of_form(&f);
-	return map_is_finite(r) ? NULL :
+	return map_is_finite(r) ?
+	    NULL :
 	    "/projection: its matrix has elements beyond the range of "
 	    "doubles; bring the sizes and distances nearer to one another";
 }

@@ -6,7 +6,7 @@
 
 /* The cross-section of persp (on the near plane), ortho and oblique. */
 enum extent {
-	EXTENT_FOVY,       /* angle, aspect */
+	EXTENT_FOVY, /* angle, aspect */
 	EXTENT_FOVX,
 	EXTENT_VIEW_ANGLE, /* of the smaller side */
 	EXTENT_FIELD,      /* half the larger side at unit distance, aspect */
@@ -53,7 +53,7 @@ struct projection {
  * the parameters: every element is the exact value for the given doubles
  * rounded once, within EX_BOUND u^2 of the products that it sums. Returns NULL,
  * or the member and the reason. */
-const char *projection_map(const struct projection *,
-    const struct convention *, bool inverse, struct map *);
+const char *projection_map(const struct projection *, const struct convention *,
+    bool inverse, struct map *);
 
 #endif

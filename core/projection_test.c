@@ -61,7 +61,10 @@ static void through_zero(void **state)
 	struct worst w = { 0 };
 	struct projection p = {
 		.type = PROJECTION_VOLUME,
-		.half_width = 3, .half_height = 2, .z_near = 7, .z_far = -11,
+		.half_width = 3,
+		.half_height = 2,
+		.z_near = 7,
+		.z_far = -11,
 		.tan_skew = { 0.1, 0.7 },
 	};
 
@@ -82,13 +85,14 @@ static void through_zero(void **state)
 static void angles(void **state)
 {
 	struct worst w = { 0 };
-	struct projection p = { .near = 1, .far = (double)INFINITY,
+	struct projection p = { .near = 1,
+		.far = (double)INFINITY,
 		.aspect = { 16, 9 } };
 
 	(void)state;
 	for (int k = 0; k < 45; k++)
 		for (p.extent = EXTENT_FOVY; p.extent <= EXTENT_VIEW_ANGLE;
-		    p.extent++) {
+		     p.extent++) {
 			p.type = PROJECTION_PERSP;
 			p.angle = 180 - ldexp(1, -k);
 			assert_null(compare(&p, &d3d, &w));
@@ -110,8 +114,11 @@ static struct map map_for(const struct projection *p)
 /* What is whole is whole, and digits from bc. */
 static void recorded(void **state)
 {
-	struct projection p = { .type = PROJECTION_PERSP, .angle = 90,
-		.aspect = { 2, 1 }, .near = 1, .far = (double)INFINITY };
+	struct projection p = { .type = PROJECTION_PERSP,
+		.angle = 90,
+		.aspect = { 2, 1 },
+		.near = 1,
+		.far = (double)INFINITY };
 	struct map m = map_for(&p);
 
 	(void)state;
@@ -124,9 +131,14 @@ static void recorded(void **state)
 	assert_true(m.m[0][0].hi == 0.8660254037844386467637231707529361835);
 
 	p = (struct projection){ .type = PROJECTION_OBLIQUE,
-		.kind = OBLIQUE_CABINET, .direction = 90, .plane = 1,
-		.extent = EXTENT_SIZE, .width = 2, .height = 2,
-		.near = 1, .far = 2 };
+		.kind = OBLIQUE_CABINET,
+		.direction = 90,
+		.plane = 1,
+		.extent = EXTENT_SIZE,
+		.width = 2,
+		.height = 2,
+		.near = 1,
+		.far = 2 };
 	m = map_for(&p);
 	assert_true(m.m[2][0].hi == 0 && m.m[3][0].hi == 0);
 	assert_true(m.m[2][1].hi == 0.5 && m.m[3][1].hi == -0.5);
@@ -148,9 +160,17 @@ static void refused(const struct projection *p, bool inverse,
 static void refusals(void **state)
 {
 	const struct projection good = {
-		.extent = EXTENT_EDGES, .near = 1, .far = 2, .left = -1,
-		.right = 1, .bottom = -1, .top = 1, .half_width = 1,
-		.half_height = 1, .z_near = 1, .z_far = -1,
+		.extent = EXTENT_EDGES,
+		.near = 1,
+		.far = 2,
+		.left = -1,
+		.right = 1,
+		.bottom = -1,
+		.top = 1,
+		.half_width = 1,
+		.half_height = 1,
+		.z_near = 1,
+		.z_far = -1,
 	};
 	struct projection p = good;
 

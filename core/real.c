@@ -30,19 +30,19 @@ void real_release(int mark)
 	used = mark;
 }
 
-#define UNARY(name, type, operation) \
-	real name(type a) \
-	{ \
-		real r = fresh(); \
+#define UNARY(name, type, operation)        \
+	real name(type a)                   \
+	{                                   \
+		real r = fresh();           \
 		operation(r, a, MPFR_RNDN); \
-		return r; \
+		return r;                   \
 	}
-#define BINARY(name, operation) \
-	real name(real a, real b) \
-	{ \
-		real r = fresh(); \
+#define BINARY(name, operation)                \
+	real name(real a, real b)              \
+	{                                      \
+		real r = fresh();              \
 		operation(r, a, b, MPFR_RNDN); \
-		return r; \
+		return r;                      \
 	}
 
 UNARY(number, double, mpfr_set_d)
@@ -54,12 +54,11 @@ BINARY(sub, mpfr_sub)
 BINARY(mul, mpfr_mul)
 BINARY(over, mpfr_div)
 
-static UNARY(cube_root, real, mpfr_cbrt)
-static UNARY(sine_of, real, mpfr_sin)
-static UNARY(cosine_of, real, mpfr_cos)
-static UNARY(cotangent_of, real, mpfr_cot)
+static UNARY(cube_root, real, mpfr_cbrt) static UNARY(sine_of, real,
+    mpfr_sin) static UNARY(cosine_of, real, mpfr_cos) static UNARY(cotangent_of,
+    real, mpfr_cot)
 
-real number_ex(ex a)
+    real number_ex(ex a)
 {
 	real r = number(0);
 
@@ -201,7 +200,8 @@ static real polar_step(real x[4][4])
 	for (int i = 0; i < 3; i++)
 		for (int j = 0; j < 3; j++) {
 			real next = over(add(over(x[i][j], c),
-			    mul(inverse[j][i], c)), number(2));
+					     mul(inverse[j][i], c)),
+			    number(2));
 
 			change = add(change, magnitude(sub(next, x[i][j])));
 			mpfr_set(x[i][j], next, MPFR_RNDN);
@@ -254,8 +254,8 @@ double u2_error(dd got, real exact, double size)
 	double r = 0;
 
 	if (mpfr_cmp_d(off, LOST) > 0)
-		r = mpfr_get_d(over(off, mul(number(0x1p-106),
-		    number(size))), MPFR_RNDN);
+		r = mpfr_get_d(over(off, mul(number(0x1p-106), number(size))),
+		    MPFR_RNDN);
 	real_release(mark);
 	return r;
 }

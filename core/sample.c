@@ -138,7 +138,7 @@ void sample_camera(struct camera *c, int e)
 		c->roll = 15 * whole(24);
 	else if (sample_below(2))
 		c->roll = e > 0 ? sample_number(150) :
-				    sample_between(-180, 180);
+				  sample_between(-180, 180);
 }
 
 /* A rotation that has drifted; hostile: one that is hardly a rotation, down to
@@ -159,7 +159,7 @@ void sample_orthonormalize(struct camera *c, int e)
 	}
 	for (int k = 0; k < 3; k++)
 		stretch[k] = e > 0 ? pow(10, sample_between(-14, 0)) :
-				       sample_between(0.5, 2);
+				     sample_between(0.5, 2);
 	for (int i = 0; i < 3; i++) {
 		int j = (i + 1) % 3, k = (i + 2) % 3;
 
@@ -170,8 +170,9 @@ void sample_orthonormalize(struct camera *c, int e)
 	for (int i = 0; i < 9; i++) {
 		double *m = &c->matrix[i / 3][i % 3];
 
-		*m *= size / norm * (e > 0 ? stretch[i % 3] :
-		    1 + drift * sample_between(-1, 1));
+		*m *= size / norm *
+		    (e > 0 ? stretch[i % 3] :
+			     1 + drift * sample_between(-1, 1));
 	}
 	vector(c->matrix[3], e > 0 ? 20 : 0);
 	c->matrix[3][3] = 1;
@@ -216,7 +217,7 @@ static void planes(struct projection *p, int e)
 {
 	p->near = e > 0 ? sample_size(e) : 1 + sample_below(9);
 	p->far = e > 0 ? p->near + sample_size(e) :
-			   p->near * sample_between(1, 1000);
+			 p->near * sample_between(1, 1000);
 	switch (sample_below(e > 0 ? 3 : 6)) {
 	case 0:
 		p->far = p->near * (1 + pow(10, sample_between(-15, 0)));
@@ -238,8 +239,7 @@ static void seven(struct projection *p, int e)
 	p->half_height = e > 0 ? sample_size(e) : 1 + sample_below(9);
 	p->z_near = e > 0 ? sample_number(e) : ordinary();
 	p->z_far = e > 0 ? sample_number(e) : ordinary();
-	p->inverse_eye_z = e > 0 ? sample_number(e) :
-				     sample_between(-0.1, 0.1);
+	p->inverse_eye_z = e > 0 ? sample_number(e) : sample_between(-0.1, 0.1);
 	if (sample_below(4) == 0)
 		p->inverse_eye_z = 0;
 	vector(p->eye, e);
@@ -306,8 +306,9 @@ void sample_flat(struct window *w, struct device *d, int e)
 	w->right = w->left + w->width;
 	w->bottom = w->center[1];
 	w->top = w->bottom + w->height;
-	w->zoom = sample_below(2) ? 1 : e > 0 ? sample_size(e) :
-						  sample_between(0.1, 10);
+	w->zoom = sample_below(2) ? 1 :
+	    e > 0                 ? sample_size(e) :
+				    sample_between(0.1, 10);
 	w->has_about = sample_below(2);
 	w->adapt = sample_below(3);
 	d->x = e > 0 ? sample_number(e) : whole(100);

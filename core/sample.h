@@ -9,10 +9,10 @@
 void sample_seed(unsigned seed);
 
 unsigned sample_below(unsigned n);
-double sample_unit(void);          /* in [0, 1) */
+double sample_unit(void); /* in [0, 1) */
 double sample_between(double a, double b);
-double sample_size(int e);         /* positive, from 10^-e to 10^e */
-double sample_number(int e);       /* of either sign, or 0 */
+double sample_size(int e);   /* positive, from 10^-e to 10^e */
+double sample_number(int e); /* of either sign, or 0 */
 
 void sample_convention(struct convention *);
 void sample_camera(struct camera *, int e);

@@ -3,16 +3,19 @@
 #include <string.h>
 
 /* A stage whose product with the others is too large, by the space below. */
-#define BEYOND ": the scene's composed matrix has elements beyond the range " \
+#define BEYOND                                                         \
+	": the scene's composed matrix has elements beyond the range " \
 	"of doubles; bring sizes and distances nearer to one another"
 
 static const char *const beyond[] = {
-	"/world" BEYOND, "/camera" BEYOND, "/projection" BEYOND,
-	"/projection" BEYOND, "/viewport" BEYOND,
+	"/world" BEYOND,
+	"/camera" BEYOND,
+	"/projection" BEYOND,
+	"/projection" BEYOND,
+	"/viewport" BEYOND,
 };
 
-static const char *world_map(const struct scene *s, bool inverse,
-    struct map *r)
+static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 {
 	double m[4][4];
 
@@ -40,8 +43,9 @@ static const char *stage_map(const struct scene *s, enum space below,
 	case SPACE_MODEL:
 		return world_map(s, inverse, r);
 	case SPACE_WORLD:
-		return s->has_camera ? camera_map(&s->camera,
-		    c->right_handed, inverse, r) : NULL;
+		return s->has_camera ?
+		    camera_map(&s->camera, c->right_handed, inverse, r) :
+		    NULL;
 	case SPACE_VIEW:
 		return projection_map(&s->projection, c, inverse, r);
 	case SPACE_NDC:
@@ -101,7 +105,8 @@ const char *scene_flat_map(const struct scene *s, enum flat from, enum flat to,
 	why = device_map(&s->device, back, &stage);
 	then(r, &stage, back);
 	map_settle(r);
-	return why != NULL || map_is_finite(r) ? why :
+	return why != NULL || map_is_finite(r) ?
+	    why :
 	    "/device: the composed matrix has elements beyond the range of "
 	    "doubles; bring the sizes nearer to one another";
 }

@@ -79,13 +79,13 @@ static void nowhere(void **state)
 	(void)state;
 	sample_scene(&s, 0);
 	for (int space = SPACE_MODEL; space <= SPACE_DEVICE; space++) {
-		assert_null(scene_map(&s, (enum space)space,
-		    (enum space)space, &m));
+		assert_null(
+		    scene_map(&s, (enum space)space, (enum space)space, &m));
 		assert_memory_equal(m.m, map_identity.m, sizeof m.m);
 	}
 	for (int space = FLAT_WINDOW; space <= FLAT_DEVICE; space++) {
-		assert_null(scene_flat_map(&s, (enum flat)space,
-		    (enum flat)space, &m));
+		assert_null(
+		    scene_flat_map(&s, (enum flat)space, (enum flat)space, &m));
 		assert_memory_equal(m.m, map_identity.m, sizeof m.m);
 	}
 	/* clip to ndc only divides */
@@ -109,7 +109,10 @@ static void refusals(void **state)
 		.world = { { 1 }, { 0, 1 }, { 0, 0, 1 }, { 0, 0, 0, 1 } },
 		.camera = { .at = { 0, 0, 1 }, .up = { 0, 1, 0 } },
 		.projection = { .type = PROJECTION_ORTHO,
-		    .extent = EXTENT_SIZE, .width = 1, .height = 1, .far = 1 },
+		    .extent = EXTENT_SIZE,
+		    .width = 1,
+		    .height = 1,
+		    .far = 1 },
 	};
 
 	(void)state;
@@ -124,7 +127,8 @@ static void refusals(void **state)
 	s.world[0][0] = 1e150;
 	s.projection.width = 1e-150;
 	s.has_viewport = true;
-	s.viewport = (struct viewport){ .width = 1e150, .height = 1,
+	s.viewport = (struct viewport){ .width = 1e150,
+		.height = 1,
 		.max_z = 1 };
 	refused(&s, SPACE_MODEL, SPACE_DEVICE, "/viewport");
 	s.projection.width = 1;

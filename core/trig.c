@@ -1,10 +1,8 @@
 #include "trig.h"
 
 /* pi / 180, within 2^-226 relative. */
-static const double RADIAN[4] = {
-	0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62, -0x1.1d937fa428858p-116,
-	0x1.b5e6b8e502a9bp-173
-};
+static const double RADIAN[4] = { 0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62,
+	-0x1.1d937fa428858p-116, 0x1.b5e6b8e502a9bp-173 };
 
 static ex radians(double a)
 {

@@ -21,8 +21,9 @@ static void check_turn(double angle)
 	if (fmod(angle, 90) != 0) {
 		check(sin_deg(angle), sine(angle));
 		check(cos_deg(angle), cosine(angle));
-		assert_int_equal(ex_sign(ex_add(sin_deg(angle),
-		    sin_deg(-angle))), 0);
+		assert_int_equal(ex_sign(
+				     ex_add(sin_deg(angle), sin_deg(-angle))),
+		    0);
 	}
 	real_release(mark);
 }

@@ -64,12 +64,10 @@ static void turn(const double orientation[4], real m[4][4])
 	for (int i = 0; i < 3; i++) {
 		int j = (i + 1) % 3, k = (i + 2) % 3;
 
-		m[i][i] = sub(ONE, mul(TWO,
-		    add(mul(q[j], q[j]), mul(q[k], q[k]))));
-		m[j][i] = mul(TWO,
-		    add(mul(q[i], q[j]), mul(q[3], q[k])));
-		m[k][i] = mul(TWO,
-		    sub(mul(q[i], q[k]), mul(q[3], q[j])));
+		m[i][i] = sub(ONE,
+		    mul(TWO, add(mul(q[j], q[j]), mul(q[k], q[k]))));
+		m[j][i] = mul(TWO, add(mul(q[i], q[j]), mul(q[3], q[k])));
+		m[k][i] = mul(TWO, sub(mul(q[i], q[k]), mul(q[3], q[j])));
 	}
 }
 
@@ -239,8 +237,7 @@ static void join(struct point *p)
 {
 	for (int k = 0; k < 3; k++) {
 		p->v[k] = add(p->v[k], mul(p->v[3], p->c[k]));
-		p->sum[k] = add(p->sum[k],
-		    mul(p->sum[3], magnitude(p->c[k])));
+		p->sum[k] = add(p->sum[k], mul(p->sum[3], magnitude(p->c[k])));
 		p->c[k] = number(0);
 	}
 }
@@ -303,8 +300,7 @@ double truth_kappa(real q[4], real sum[4], int j, bool divided)
 
 /* One element: how wrong it is, what it prints, and whether it is 0 where the
  * truth is. */
-static void compare(dd got, double size, real exact, real sum,
-    struct worst *w)
+static void compare(dd got, double size, real exact, real sum, struct worst *w)
 {
 	double kappa = mpfr_get_d(over(sum, magnitude(exact)), MPFR_RNDU);
 	double e = u2_error(got, exact, size);
@@ -324,8 +320,7 @@ static void compare(dd got, double size, real exact, real sum,
 		w->size = e;
 }
 
-void truth_compare(const struct truth *t, const struct map *r,
-    struct worst *w)
+void truth_compare(const struct truth *t, const struct map *r, struct worst *w)
 {
 	int mark = real_mark();
 	real m[4][4], sum[4][4], q[4], s[4];

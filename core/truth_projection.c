@@ -118,8 +118,8 @@ static void ortho(const struct projection *p, const struct convention *c,
 static void shear(const struct projection *p, bool right_handed, real m[4][4])
 {
 	real cot = p->kind == OBLIQUE_CAVALIER ? ONE :
-	    p->kind == OBLIQUE_CABINET ? number(0.5) :
-	    cotangent(p->projector, 1);
+	    p->kind == OBLIQUE_CABINET         ? number(0.5) :
+						 cotangent(p->projector, 1);
 
 	m[2][0] = mul(cot, cosine(p->direction));
 	m[2][1] = mul(cot, sine(p->direction));
@@ -147,10 +147,9 @@ static void volume(const struct projection *p, bool minus_one, real m[4][4])
 	m[2][0] = negative(over(tx, hw));
 	m[2][1] = negative(over(ty, hh));
 	m[2][2] = minus_one ? sub(mul(add(zn, zf), q), TWO) :
-	    sub(mul(zf, q), ONE);
-	m[3][2] = minus_one ?
-	    sub(add(zn, zf), mul(TWO, mul(zn, mul(zf, q)))) :
-	    mul(zn, sub(ONE, mul(zf, q)));
+			      sub(mul(zf, q), ONE);
+	m[3][2] = minus_one ? sub(add(zn, zf), mul(TWO, mul(zn, mul(zf, q)))) :
+			      mul(zn, sub(ONE, mul(zf, q)));
 	m[2][2] = over(m[2][2], sub(zn, zf));
 	m[3][2] = over(m[3][2], sub(zn, zf));
 	m[2][3] = negative(q);

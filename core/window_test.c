@@ -80,7 +80,9 @@ static void check_shown(const struct window *w, const struct device *d,
 
 static void shapes(void **state)
 {
-	struct window w = { .center = { 8, 0 }, .width = 4, .height = 4,
+	struct window w = { .center = { 8, 0 },
+		.width = 4,
+		.height = 4,
 		.zoom = 1 };
 	struct device d = { .width = 200, .height = 100 };
 
@@ -128,8 +130,12 @@ static void limits(void **state)
 
 static void refusals(void **state)
 {
-	struct window w = { .by_edges = true, .left = 1, .right = 1,
-		.bottom = 0, .top = 1, .zoom = 1 };
+	struct window w = { .by_edges = true,
+		.left = 1,
+		.right = 1,
+		.bottom = 0,
+		.top = 1,
+		.zoom = 1 };
 	struct viewport v = { .width = 1, .height = 1 };
 	const struct convention d3d = { 0 };
 	struct map m;
