@@ -71,8 +71,9 @@ sub starts { substr($_[0], 0, length $_[1]) eq $_[1] }
 
 # Points for several chunks, and the same in each format.
 srand 7;
-my $lines = join '', map { join(' ', map { 1e-4 * int rand 4e4 } 1 .. 3) . "\n" }
-    1 .. 20000;
+my $lines = join '', map {
+	join(' ', map { 1e-4 * int rand 4e4 } 1 .. 3) . "\n"
+} 1 .. 20000;
 my $few = join '', (split /^/, $lines)[0 .. 1999];
 spew("$tmp/points", $lines);
 spew("$tmp/points.csv", "x,y,z\n" . $lines =~ tr/ /,/r);

@@ -52,7 +52,7 @@ for my $path (@fuzzers) {
 	my $name = basename($path);
 	my $share = int($seconds / @fuzzers) || 1;
 	make_path("$build/corpus/$name");
-	my $said = `$path -max_total_time=$share -max_len=512 \\
+	my $said = `$path -max_total_time=$share -max_len=4096 \\
 	    -timeout=10 -dict=testdata/fuzz/projcalc.dict \\
 	    -artifact_prefix=$build/finding-$name- $build/corpus/$name 2>&1`;
 	my $ok = $? == 0;

@@ -25,8 +25,9 @@ static bool same(double a, double b)
 /* Not where coordinates come or go, and fields change their numbers. */
 static bool can_read_back(const struct layout *l)
 {
-	return l->out <= FORMAT_JSON && (l->columns.n == 0 || l->in != l->out ||
-	    (l->reads == l->writes && !l->flags));
+	return l->out <= FORMAT_JSON &&
+	    (l->columns.n == 0 || l->in != l->out ||
+		(l->reads == l->writes && !l->flags));
 }
 
 static void check_back(const struct layout *l, const double v[],
@@ -63,7 +64,8 @@ static void write_back(const struct layout *l, const struct record *r,
     const double read[])
 {
 	const char *flags = l->flags ? "left+near" : NULL;
-	double v[COORDINATES_MAX] = { (double)NAN, -1.25e-7, 1e150, 0, -7, 1e-320 };
+	double v[COORDINATES_MAX] = { (double)NAN, -1.25e-7, 1e150, 0, -7,
+		1e-320 };
 	size_t room = record_room(l, r);
 	char *out = malloc(room), *end;
 

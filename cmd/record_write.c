@@ -4,13 +4,16 @@
 #include "foreign.h"
 #include "record.h"
 
+/* Of more blanks than these, one is enough for what is added. */
+enum { SEPARATOR_MAX = 64 };
+
 size_t record_room(const struct layout *l, const struct record *r)
 {
 	size_t line = (size_t)(r->line.end - r->line.s);
 
 	/* a foreign field of one character becomes ,"\\" */
 	return (l->in == l->out ? line : 3 * line) +
-	    (size_t)l->writes * (NUMBER_MAX + 8) + 128;
+	    (size_t)l->writes * (NUMBER_MAX + SEPARATOR_MAX) + 192;
 }
 
 static char *put(char *out, const char *s, const char *end)
@@ -68,6 +71,7 @@ static struct span separator(const struct layout *l, const struct record *r)
 			r->at[l->reads - 1].s };
 
 		if (between.s < between.end &&
+		    between.end - between.s <= SEPARATOR_MAX &&
 		    text_next(between.s, between.end) == between.end)
 			s = between;
 	}

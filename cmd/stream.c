@@ -169,8 +169,8 @@ static void settle(const struct job *j)
 		j->flush(j);
 }
 
-static size_t read_some(const struct job *j, const char *name, int fd,
-    char *at, size_t room)
+static size_t read_some(const struct job *j, const char *name, int fd, char *at,
+    size_t room)
 {
 	ssize_t n;
 
@@ -214,8 +214,7 @@ static void take_in(const struct job *j, struct slot *s, size_t n)
 
 /* Fills the slot until it holds a whole line and is full, or the next read
  * would wait, or the source ends, which it returns. */
-static bool fill(const struct job *j, const char *name, int fd,
-    struct slot *s)
+static bool fill(const struct job *j, const char *name, int fd, struct slot *s)
 {
 	for (;;) {
 		if (s->have == s->room) {
@@ -223,8 +222,10 @@ static bool fill(const struct job *j, const char *name, int fd,
 				return false;
 			if (s->room >= LINE_MAX_BYTES) {
 				settle(j);
-				die(EXIT_INPUT, "%s:%zu: a line of more than "
-				    "64 MiB", name, next_line);
+				die(EXIT_INPUT,
+				    "%s:%zu: a line of more than "
+				    "64 MiB",
+				    name, next_line);
 			}
 			s->text = need(s->text, s->room *= 2);
 		}
@@ -293,7 +294,8 @@ void stream_file(struct job *j, const char *name, int fd)
 	struct stat st;
 
 	progress_source(fstat(fd, &st) == 0 && S_ISREG(st.st_mode) ?
-	    (size_t)st.st_size : 0);
+		(size_t)st.st_size :
+		0);
 	make_ring(j);
 	struct slot *s = slot_of(ring.fill), *next;
 
@@ -317,8 +319,7 @@ void stream_file(struct job *j, const char *name, int fd)
 	wait_for(0);
 }
 
-void stream_text(struct job *j, const char *name, const char *text,
-    size_t size)
+void stream_text(struct job *j, const char *name, const char *text, size_t size)
 {
 	struct chunk *c = chunk_new();
 

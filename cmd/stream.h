@@ -8,8 +8,7 @@
  * where that is not NULL. What is there is answered before more is waited
  * for. Errors are printed and end the program. */
 void stream_file(struct job *, const char *name, int fd);
-void stream_text(struct job *, const char *name, const char *text,
-    size_t size);
+void stream_text(struct job *, const char *name, const char *text, size_t size);
 
 /* After the last source: tells what had no image, and closes standard output.
  * Returns the exit status. */

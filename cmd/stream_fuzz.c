@@ -120,7 +120,8 @@ void *need(void *old, size_t size)
 
 static struct scene scene(void)
 {
-	static char text[] = "{\"camera\":{\"eye\":[1,2,-5],\"at\":[0,0,0]},"
+	static char text[] =
+	    "{\"camera\":{\"eye\":[1,2,-5],\"at\":[0,0,0]},"
 	    "\"projection\":{\"type\":\"persp\",\"fovy\":60,\"near\":1,"
 	    "\"far\":10},\"viewport\":{\"width\":640,\"height\":480},"
 	    "\"window\":{\"center\":[1,2],\"width\":3,\"height\":4},"
@@ -195,7 +196,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 		return 0;
 	if (!s.has_viewport)
 		s = scene();
-	j = (struct job){ .layout = layout_of(data), .keep_going = true,
+	j = (struct job){ .layout = layout_of(data),
+		.keep_going = true,
 		.threads = 3 };
 	set_job(&j, &s, data[3]);
 	struct layout layout = j.layout;
