@@ -125,6 +125,63 @@ test: | $(FIRST)
 	@$(PARALLEL) -s programs
 	@perl cmd/run_tests.pl $(JOBS) $(TESTS) $(sort $(wildcard cmd/*_test.t))
 
+# The instrumented program in the places of the plain one: all tests under
+# address and undefined, streams under thread, one of each command under
+# valgrind. What the program holds to its end is no leak.
+SANITIZE = -O1 -g -fno-sanitize-recover=all
+SCRIPTED = cmd/golden_test.t cmd/recorded_test.t cmd/bits_test.t
+asan:
+	@$(PARALLEL) -s programs BUILD=$(BUILD)/asan \
+	    CFLAGS='$(SANITIZE) -fsanitize=address,undefined' \
+	    LDFLAGS='-fsanitize=address,undefined'
+	@ASAN_OPTIONS=detect_leaks=0 BUILD=$(BUILD)/asan \
+	    perl cmd/run_tests.pl $(JOBS) \
+	    $(TESTS:$(BUILD)/%=$(BUILD)/asan/%) $(SCRIPTED)
+
+tsan:
+	@$(PARALLEL) -s all BUILD=$(BUILD)/tsan \
+	    CFLAGS='$(SANITIZE) -fsanitize=thread' LDFLAGS='-fsanitize=thread'
+	@sh cmd/threads.sh $(BUILD)/tsan
+
+valgrind: all
+	@sh cmd/valgrind.sh $(BUILD)
+
+# Which lines of core and cmd the tests run.
+coverage:
+	@$(PARALLEL) -s programs BUILD=$(BUILD)/coverage \
+	    CFLAGS='-O0 -g --coverage' LDFLAGS='--coverage'
+	@BUILD=$(BUILD)/coverage perl cmd/run_tests.pl 1 \
+	    $(TESTS:$(BUILD)/%=$(BUILD)/coverage/%) $(SCRIPTED)
+	@gcovr --root . --object-directory $(BUILD)/coverage \
+	    --exclude '.*_(test|fuzz|bench|shim)\..*' $(addprefix --exclude ,\
+	    $(TRUTHS) $(STABILITY)) core cmd $(BUILD)/coverage
+
+# The golden cases and the same bits on another processor, emulated.
+arm64:
+	@sh cmd/arm64.sh $(BUILD)/arm64
+
+# With clang's libFuzzer, FUZZ_SECONDS in all; a fuzzer has a talk.c of its own,
+# and of an archive only what is called is linked.
+FUZZ_SECONDS = 60
+FUZZERS = $(patsubst %.c,$(BUILD)/%,$(wildcard cmd/*_fuzz.c))
+$(BUILD)/parts.a: $(filter-out %/main.o %/talk.o,$(OBJECTS))
+	rm -f $@
+	$(AR) rcs $@ $^
+
+$(FUZZERS): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/parts.a
+	$(LINK) $(WRAP) -o $@ $^ $(LIBS)
+
+$(BUILD)/cmd/stream_fuzz: WRAP = -Wl,--wrap=read,--wrap=poll
+fuzzers: $(FUZZERS)
+
+FUZZED = -fno-sanitize=function -fno-sanitize-recover=all
+fuzz:
+	@$(PARALLEL) -s fuzzers BUILD=$(BUILD)/fuzz CC=clang CXX=clang++ \
+	    CFLAGS='-O1 -g -fsanitize=fuzzer-no-link,address,undefined \
+	    $(FUZZED)' LDFLAGS='-fsanitize=fuzzer,address,undefined'
+	@perl cmd/fuzz.pl $(BUILD)/fuzz $(FUZZ_SECONDS) \
+	    $(FUZZERS:$(BUILD)/%=$(BUILD)/fuzz/%)
+
 # Rewrites what the golden cases expect; read the diff before you commit it.
 golden: all
 	perl cmd/golden_test.t -w
@@ -221,8 +278,8 @@ clean:
 # what `make lint` runs.
 DEPS = g++ make libc6-dev libcjson-dev libfast-float-dev libdragonbox-dev \
 	clang jq libcmocka-dev libgmp-dev libmpfr-dev mandoc perl \
-	clang-format cppcheck shellcheck gnuplot-nox python3-jsonschema \
-	parallel dpkg-dev
+	clang-format cppcheck shellcheck gnuplot-nox libclang-rt-14-dev \
+	python3-jsonschema parallel dpkg-dev
 
 # Installs the packages that are missing, and only then touches the network.
 deps:
@@ -255,6 +312,9 @@ help:
 	@echo 'make golden      rewrite the golden cases'
 	@echo 'make lint        the manual page, the style, the scripts, the C'
 	@echo 'make layers      floors of the house, lengths of its functions'
+	@echo 'make asan        all tests under sanitizers; tsan, valgrind, coverage,'
+	@echo '                 arm64, fuzz (FUZZ_SECONDS=60): see the Makefile'
+	@echo 'make bench       measure, beside what others use; make chart draws it'
 	@echo 'make install     to PREFIX=$(PREFIX), below DESTDIR'
 	@echo 'make uninstall'
 	@echo 'make dist        a tarball; make distcheck tests it'
@@ -262,7 +322,7 @@ help:
 	@echo 'make release     lint, distcheck, deb'
 	@echo 'make clean'
 
-.PHONY: stability bench chart views all programs demo test golden lint install uninstall \
+.PHONY: asan tsan valgrind coverage arm64 fuzz fuzzers stability bench chart views all programs demo test golden lint install uninstall \
 	layers sources dist distcheck deb release clean deps help
 # Objects of test programs are kept.
 .SECONDARY:
