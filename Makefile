@@ -156,6 +156,10 @@ coverage:
 	    --exclude '.*_(test|fuzz|bench|shim)\..*' $(addprefix --exclude ,\
 	    $(TRUTHS) $(STABILITY)) core cmd $(BUILD)/coverage
 
+# After a change that is meant to change bits; the golden cases say which.
+bits: all
+	perl cmd/bits_test.t -w
+
 # The golden cases and the same bits on another processor, emulated.
 arm64:
 	@sh cmd/arm64.sh $(BUILD)/arm64
@@ -322,7 +326,7 @@ help:
 	@echo 'make release     lint, distcheck, deb'
 	@echo 'make clean'
 
-.PHONY: asan tsan valgrind coverage arm64 fuzz fuzzers stability bench chart views all programs demo test golden lint install uninstall \
+.PHONY: bits asan tsan valgrind coverage arm64 fuzz fuzzers stability bench chart views all programs demo test golden lint install uninstall \
 	layers sources dist distcheck deb release clean deps help
 # Objects of test programs are kept.
 .SECONDARY:

@@ -133,11 +133,16 @@ static inline __attribute__((always_inline)) int exact(const struct lanes *m,
 			else
 				q[k] = c[k].hi + c[k].lo;
 		}
-		/* nan also where an operand is, or beyond the range */
-		STORE(out[0] + i, POSITIVE(sure, q[0]));
-		for (int k = 1; k < terms; k++)
+		/* nan where any coordinate is nan or infinite: one that can
+		 * only be reached with care, or not at all */
+		V others = q[1];
+
+		if (terms == 3)
+			others += q[2];
+		q[0] = POSITIVE(sure, FMA(others, ALL(0), q[0]));
+		for (int k = 0; k < terms; k++)
 			STORE(out[k] + i, q[k]);
-		done += POSITIVE(sure, ALL(0));
+		done += q[0] * ALL(0);
 	}
 	STORE(all, done);
 	for (int i = 0; i < WIDTH; i++)

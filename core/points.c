@@ -15,6 +15,7 @@ static void set_lanes(struct transform *t)
 		double most = 0;
 
 		for (int i = 0; i < 4; i++) {
+			t->large |= m->sum[i][j] > 0x1p500;
 			l->hi[i][j] = m->m[i][j].hi;
 			l->lo[i][j] = m->m[i][j].lo;
 			if (i < 3)
@@ -143,7 +144,7 @@ static double relative(const struct transform *t, const double in[4], dd p[4])
 	}
 	p[3] = (dd){ t->in == 4 && !t->reciprocal ? in[3] : 1, 0 };
 	largest = fmax(largest, fabs(p[3].hi));
-	if (largest > 0x1p400)
+	if (largest > 0x1p400 || t->large)
 		frexp(largest, &e);
 	for (int i = 0; i < 4 && e > 0; i++)
 		p[i] = dd_scale(p[i], ldexp(1, -e));

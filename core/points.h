@@ -20,6 +20,7 @@ struct transform {
 	/* To ndc or the device, where a coordinate near 0 is no worse than one
 	 * of a unit: a point on an edge of the view is not ill. */
 	bool on_screen;
+	bool large; /* elements whose products with points may overflow */
 	enum body body;
 	struct lanes lanes; /* unless the body is BODY_CAREFUL */
 };
