@@ -49,7 +49,7 @@ struct projection {
 	double matrix[4][4];
 };
 
-/* The matrices of INTERFACE.md section 4 and their inverses, from formulas in
+/* The matrices of projcalc(1), FORMULAS, and their inverses, from formulas in
  * the parameters: every element is the exact value for the given doubles
  * rounded once, within EX_BOUND u^2 of the products that it sums. Returns NULL,
  * or the member and the reason. */

@@ -1,4 +1,4 @@
-/* The truth for tests: INTERFACE's formulas as a textbook writes them, with so
+/* The truth for tests: the manual's formulas as a textbook writes them, with so
  * many bits that what is lost does not count. Shares nothing with the code
  * under test but the structs of its parameters. */
 #ifndef TRUTH_H
