@@ -21,8 +21,8 @@ static inline void claim(const char *what, double worst, double bound)
 }
 
 /* Of the maps that were compared: the error claimed in units of u^2, the
- * promise of 1/2 + kappa/2^47 for what is printed, no sum larger than the truth's, and
- * zeros where the truth has zeros. */
+ * promise of 1/2 + kappa/2^47 for what is printed, no sum larger than the
+ * truth's, and zeros where the truth has zeros. */
 static inline void claim_maps(const char *what, const struct worst *w,
     double bound)
 {
