@@ -122,9 +122,6 @@ static const char *flag_word(unsigned out, bool ill, char word[WORD_MAX])
 	return word;
 }
 
-/* Past this, cancellation may have cost more than 1/128 of a last place. */
-#define ILL 0x1p40
-
 /* The word after point p, or NULL; *hidden where it is not to be printed. */
 static const char *judge(const struct job *j, const struct chunk *c, size_t p,
     char word[WORD_MAX], bool *hidden)
@@ -142,7 +139,7 @@ static const char *judge(const struct job *j, const struct chunk *c, size_t p,
 	if (!j->flags)
 		return NULL;
 	point_exact(&j->transform, in, image, &kappa);
-	return flag_word(out, kappa > ILL, word);
+	return flag_word(out, kappa > POINTS_ILL, word);
 }
 
 /* What has no image is nan throughout, also where it is infinite, if only as

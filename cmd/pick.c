@@ -21,21 +21,6 @@ struct hits {
 	size_t size, text_room;
 };
 
-/* The device position is the correctly rounded one that project prints; its
- * distance is compared exactly up to 2^-100. */
-static bool within(const struct hits *h, const double device[3])
-{
-	dd d2 = { 0, 0 }, r = { h->radius, 0 };
-
-	for (int i = 0; i < 2; i++) {
-		dd d = two_sum(device[i], -h->at[i]);
-
-		d2 = dd_add(d2, dd_mul(d, d));
-	}
-	r = dd_mul(r, r);
-	return dd_add(d2, dd_neg(r)).hi <= 0;
-}
-
 static void take(const struct job *j, struct chunk *c, const struct record *r,
     size_t p, size_t line)
 {
@@ -48,7 +33,8 @@ static void take(const struct job *j, struct chunk *c, const struct record *r,
 		hit.point[i] = in[i];
 	}
 	if (isnan(hit.device[0]) || isnan(hit.device[1]) ||
-	    !within(h, hit.device) || frustum_out(&j->frustum, in) != 0)
+	    !is_within(hit.device, h->at, h->radius) ||
+	    frustum_out(&j->frustum, in) != 0)
 		return;
 	hit.distance = depth_of(&h->depth, in);
 	hit.size = (size_t)(r->line.end - r->line.s);

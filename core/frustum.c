@@ -121,6 +121,18 @@ double depth_of(const struct transform *t, const double in[4])
 	return out[2];
 }
 
+bool is_within(const double device[2], const double at[2], double radius)
+{
+	dd r = two_prod(radius, radius), d2 = { 0, 0 };
+
+	for (int i = 0; i < 2; i++) {
+		dd d = two_sum(device[i], -at[i]);
+
+		d2 = dd_add(d2, dd_mul(d, d));
+	}
+	return dd_add(d2, dd_neg(r)).hi <= 0;
+}
+
 const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 {
 	const char *why = scene_map(s, SPACE_DEVICE, SPACE_VIEW, &r->to_view);

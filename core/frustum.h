@@ -35,6 +35,10 @@ unsigned frustum_out(const struct frustum *, const double in[4]);
 const char *depth_transform(const struct scene *, struct transform *);
 double depth_of(const struct transform *, const double in[4]);
 
+/* Whether a device position is no further than radius from at, exactly but for
+ * 2^-100. */
+bool is_within(const double device[2], const double at[2], double radius);
+
 struct ray_maker {
 	struct map to_view;  /* from the device */
 	struct map to_world; /* from view */

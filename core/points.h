@@ -51,6 +51,10 @@ enum { POINTS_BLOCK = 1024 };
  * + b/w is within 23 + 7.2 + 25.2 u^2 of |a| + |b/w|. */
 #define POINTS_BOUND 0x1p-47
 
+/* Past this kappa a point is ill: cancellation may have cost more than 1/128
+ * of a last place. */
+#define POINTS_ILL 0x1p40
+
 /* What points are computed in. With a tolerance above 0, for each point from
  * that point alone, the cheapest precision whose proven bound is at most that
  * in every coordinate. */
