@@ -164,6 +164,10 @@ bits: all
 arm64:
 	@sh cmd/arm64.sh $(BUILD)/arm64
 
+# GNU parallel and Slurm over hosts made of namespaces, some killed half-way.
+cluster: all
+	@sh cmd/cluster.sh $(BUILD)
+
 # With clang's libFuzzer, FUZZ_SECONDS in all; a fuzzer has a talk.c of its own,
 # and of an archive only what is called is linked.
 FUZZ_SECONDS = 60
@@ -284,6 +288,11 @@ DEPS = g++ make libc6-dev libcjson-dev libfast-float-dev libdragonbox-dev \
 	clang jq libcmocka-dev libgmp-dev libmpfr-dev mandoc perl \
 	clang-format cppcheck shellcheck gnuplot-nox libclang-rt-14-dev \
 	python3-jsonschema parallel dpkg-dev
+# What valgrind, coverage, arm64, cluster (servers among it) and bench want.
+MORE_DEPS = valgrind gcovr gcc-aarch64-linux-gnu g++-aarch64-linux-gnu \
+	qemu-user-static libcjson-dev:arm64 iproute2 openssh-client \
+	openssh-server rsync munge slurm-client slurmctld slurmd \
+	libglm-dev libcglm-dev libeigen3-dev mawk proj-bin python3-numpy
 
 # Installs the packages that are missing, and only then touches the network.
 deps:
@@ -308,6 +317,12 @@ deps:
 	$$sudo env DEBIAN_FRONTEND=noninteractive apt-get -qq -y \
 	    --no-install-recommends install $$missing
 
+deps-all:
+	@sudo=; \
+	[ "$$(id -u)" = 0 ] || sudo=sudo; \
+	$$sudo dpkg --add-architecture arm64
+	@$(MAKE) -s deps DEPS='$(DEPS) $(MORE_DEPS)'
+
 help:
 	@echo 'make             build $(BUILD)/projcalc'
 	@echo 'make deps        install what is missing, with apt-get'
@@ -317,7 +332,8 @@ help:
 	@echo 'make lint        the manual page, the style, the scripts, the C'
 	@echo 'make layers      floors of the house, lengths of its functions'
 	@echo 'make asan        all tests under sanitizers; tsan, valgrind, coverage,'
-	@echo '                 arm64, fuzz (FUZZ_SECONDS=60): see the Makefile'
+	@echo '                 arm64, fuzz (FUZZ_SECONDS=60), cluster: see the Makefile;'
+	@echo '                 make deps-all installs what they want'
 	@echo 'make bench       measure, beside what others use; make chart draws it'
 	@echo 'make install     to PREFIX=$(PREFIX), below DESTDIR'
 	@echo 'make uninstall'
@@ -326,8 +342,10 @@ help:
 	@echo 'make release     lint, distcheck, deb'
 	@echo 'make clean'
 
-.PHONY: bits asan tsan valgrind coverage arm64 fuzz fuzzers stability bench chart views all programs demo test golden lint install uninstall \
-	layers sources dist distcheck deb release clean deps help
+.PHONY: bits asan tsan valgrind coverage arm64 cluster fuzz fuzzers \
+	stability bench chart views all programs demo test golden lint \
+	install uninstall layers sources dist distcheck deb release clean deps \
+	deps-all help
 # Objects of test programs are kept.
 .SECONDARY:
 # A file that a failed command has half written must not look made.

@@ -1,8 +1,6 @@
 #!/bin/sh
 # Builds for arm64 and runs that under qemu: the golden cases and the digests
-# of testdata/bits.sha256. Wants gcc-aarch64-linux-gnu, g++-aarch64-linux-gnu,
-# qemu-user-static and, after dpkg --add-architecture arm64 and apt-get update,
-# libcjson-dev:arm64.
+# of testdata/bits.sha256. Wants what `make deps-all` installs.
 # usage: arm64.sh [BUILD]
 set -eu
 cd "$(dirname "$0")/.."

@@ -218,6 +218,40 @@ for my $j (1, 2) {
 	answers("-j$j --flags --keep-going -", "0 0\n", "nan nan nan nan\n");
 }
 
+# A writer that stalls in the middle of a line, a signal while it waits.
+for my $j (1, 2) {
+	my $pid = open2(my $from, my $to, "exec $project -j$j -");
+	alarm 10;
+	for my $part ("0 0", " 0\n1", " 1 1\n0 ") {
+		syswrite $to, $part;
+		sleep 0.05;
+	}
+	kill 'STOP', $pid;
+	kill 'CONT', $pid;
+	my $said = '';
+	while ($said =~ tr/\n// < 2) {
+		sysread($from, $said, 4096, length $said) or last;
+	}
+	kill 'INT', $pid;
+	waitpid $pid, 0;
+	alarm 0;
+	is(($? & 127) . " $said", "2 320 240 0.8888888888888888\n" .
+	    "389.2820323027551 170.71796769724492 0.9259259259259259\n",
+	    "a writer that stalls, SIGINT: -j$j");
+}
+
+# A reader that stops for a while.
+my (undef, $whole) = run("$project $tmp/points");
+for my $j (1, 2) {
+	my $pid = open2(my $from, my $to,
+	    "cat $tmp/points $tmp/points $tmp/points | $project -j$j -");
+	close $to;
+	sleep 0.3;
+	local $/;
+	is(<$from>, $whole x 3, "a reader that stops for a while: -j$j");
+	waitpid $pid, 0;
+}
+
 # Bounded memory, in kilobytes. The most that was ever resident is asked for
 # while it runs; the stream goes on long enough.
 sub peak {
@@ -250,10 +284,10 @@ SKIP: {
 	    "for 1 .. 1000' | $project -j2 -");
 	ok($status == 1 && $out eq '' && $err =~ $long,
 	    'a line of 100 MB from a pipe');
-	sparse("$tmp/zeros", 300 << 20);
+	sparse("$tmp/zeros", 1 << 30);
 	($status, $out, $err) = run("$limit $project -j2 $tmp/zeros");
 	ok($status == 1 && $out eq '' && $err =~ $long,
-	    'a line of 300 MB of zeros');
+	    'a line of 1 GB of zeros');
 	run("(printf '0 0 0 '; perl -e 'print q(a ) x 3e7'; echo) >$tmp/60M");
 	($status, $out, $err) = run("$limit $project -j2 $tmp/60M | wc -c");
 	is("$status $out$err", "0 60000028\n", 'a line of 60 MB is carried');
@@ -263,5 +297,8 @@ SKIP: {
 	sparse("$tmp/zeros", 504000000);
 	$peak = peak("$project -j2 -i f64 $tmp/zeros");
 	cmp_ok($peak, '<', 20000, '21 million binary points in 20 MB');
+	($status, $out, $err) = run("head -c 5000000016 /dev/zero | " .
+	    "(ulimit -v 200000; $project -j2 -i f64 -) >/dev/null");
+	is("$status $err", '0 ', '5 GB from a pipe, in 200 MB');
 }
 done_testing();
