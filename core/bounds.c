@@ -89,6 +89,7 @@ const char *bounds_extents(const struct bounds *b, const struct scene *s,
 	clip = view;
 	if (why == NULL && parallel)
 		why = scene_map(s, SPACE_MODEL, SPACE_CLIP, &clip);
+	/* not seen: where fit has found the centre, it has composed this */
 	if (why != NULL)
 		return why;
 	for (int j = 0; j < 3; j++) {
@@ -159,6 +160,7 @@ const char *bounds_close_depth(const struct bounds *b, struct scene *s)
 	struct extents r;
 	const char *why = bounds_extents(b, s, &r);
 
+	/* as above, or a single point, which the centre refused */
 	if (why != NULL)
 		return why;
 	double far = r.high[2].value.hi;

@@ -103,6 +103,8 @@ static const char *close_persp(struct scene *s, const struct bounds *b,
 	if (!*held)
 		return why;
 	why = bounds_close_depth(b, s);
+	/* not seen: a perspective that was composed above overflows when its
+	 * planes are closed */
 	if (why != NULL)
 		return why;
 	keep_slopes(p, near);
@@ -214,6 +216,7 @@ static const char *close_sides(struct scene *s, const struct bounds *b)
 	struct extents r;
 	const char *why = bounds_extents(b, s, &r);
 
+	/* never here: the same was composed to close depth */
 	if (why != NULL)
 		return why;
 	if (s->has_viewport)
@@ -223,6 +226,9 @@ static const char *close_sides(struct scene *s, const struct bounds *b)
 		dd most = less(left, right) ? right : left;
 
 		*size[j] = 2 * dd_div(most, limit[j]).hi;
+		if (!(*size[j] > 0))
+			return "/camera/eye: too far from the bounds to tell "
+			       "their size; leave it out, or move it nearer";
 	}
 	why = bounds_close(b, s, &p->width, HUGE_VAL, OUT_LEFT | OUT_RIGHT);
 	if (why == NULL)

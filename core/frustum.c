@@ -95,6 +95,7 @@ const char *depth_transform(const struct scene *s, struct transform *t)
 
 	if (why == NULL)
 		why = scene_map(s, SPACE_MODEL, SPACE_VIEW, &view);
+	/* not seen: pick composes and inverts the same before */
 	if (why != NULL)
 		return why;
 	dd(*m)[4] = back.m;
