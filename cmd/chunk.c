@@ -117,7 +117,7 @@ static const char *flag_word(unsigned out, bool ill, char word[WORD_MAX])
 			at += sprintf(at, at > word ? "+%s" : "%s", names[k]);
 	if (out == 0)
 		at = stpcpy(at, "in");
-	if (ill && out < OUT_BEHIND)
+	if (ill)
 		stpcpy(at, "+ill");
 	return word;
 }
@@ -126,7 +126,7 @@ static const char *flag_word(unsigned out, bool ill, char word[WORD_MAX])
 static const char *judge(const struct job *j, const struct chunk *c, size_t p,
     char word[WORD_MAX], bool *hidden)
 {
-	double in[4], image[4], kappa = 1;
+	double in[4];
 
 	*hidden = false;
 	if (!j->flags && !j->visible)
@@ -136,10 +136,10 @@ static const char *judge(const struct job *j, const struct chunk *c, size_t p,
 	unsigned out = frustum_out(&j->frustum, in);
 
 	*hidden = j->visible && out != 0;
-	if (!j->flags)
-		return NULL;
-	point_exact(&j->transform, in, image, &kappa);
-	return flag_word(out, kappa > POINTS_ILL, word);
+	return j->flags ?
+	    flag_word(out, out < OUT_BEHIND && point_is_ill(&j->transform, in),
+		word) :
+	    NULL;
 }
 
 /* What has no image is nan throughout, also where it is infinite, if only as

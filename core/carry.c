@@ -14,17 +14,48 @@ bool points_choose(const char *name)
 	return found != NULL;
 }
 
+/* x y z w, undivided, from two turns of the affine kernel: w's column stands
+ * for each of the others in the second. Returns whether all were done; else the
+ * first coordinate of some is nan. */
+static bool carry_four(const struct transform *t, const double *const in[4],
+    double *const out[4], size_t n)
+{
+	exact_kernel affine = kernels->exact[BODY_AFFINE];
+	struct lanes w = t->lanes;
+	double unused[2][POINTS_BLOCK];
+	double *const last[3] = { out[3], unused[0], unused[1] };
+
+	for (int j = 0; j < 3; j++) {
+		for (int i = 0; i < 4; i++) {
+			w.hi[i][j] = w.hi[i][3];
+			w.lo[i][j] = w.lo[i][3];
+		}
+		w.doubt[j] = w.doubt[3];
+		w.doubt_image[j] = w.doubt_image[3];
+	}
+	bool done = affine(&t->lanes, in, out, n);
+
+	if (affine(&w, in, last, n))
+		return done;
+	for (size_t i = 0; i < n; i++)
+		if (isnan(out[3][i]))
+			out[0][i] = (double)NAN;
+	return false;
+}
+
 static void carry_exact(const struct transform *t, const double *const in[4],
     double *const out[4], size_t n)
 {
 	exact_kernel fast = kernels->exact[t->body];
+	bool four = t->in == 3 && t->out == 4 && !t->divide;
 
-	if (fast != NULL && fast(&t->lanes, in, out, n))
+	if (fast != NULL ? fast(&t->lanes, in, out, n) :
+			   four && carry_four(t, in, out, n))
 		return;
 	for (size_t i = 0; i < n; i++) {
 		double p[4], q[4], kappa;
 
-		if (fast != NULL && !isnan(out[0][i]))
+		if ((fast != NULL || four) && !isnan(out[0][i]))
 			continue;
 		for (int j = 0; j < t->in; j++)
 			p[j] = in[j][i];

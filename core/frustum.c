@@ -67,11 +67,14 @@ const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
 
 unsigned frustum_out(const struct frustum *f, const double in[4])
 {
-	double side[4], end[4], kappa;
+	double side[4], end[4], size[4], kappa;
 	unsigned out = 0;
 
-	point_exact(&f->sides, in, side, &kappa);
-	point_exact(&f->ends, in, end, &kappa);
+	if (!point_estimate(&f->sides, in, 4, side, size) ||
+	    !point_estimate(&f->ends, in, 3, end, size)) {
+		point_exact(&f->sides, in, side, &kappa);
+		point_exact(&f->ends, in, end, &kappa);
+	}
 	for (int i = 0; i < f->sides.in; i++)
 		if (isnan(in[i]))
 			return OUT_NAN;

@@ -198,6 +198,48 @@ void point_exact(const struct transform *t, const double in[4], double out[4],
 		out[j] = image[j].hi;
 }
 
+/* Differences, elements and products are rounded, then three sums: 6 u of size,
+ * less than a 32nd of 2^-45 of it, while nothing overflows or underflows. */
+bool point_estimate(const struct transform *t, const double in[3], int n,
+    double value[4], double size[4])
+{
+	const struct lanes *l = &t->lanes;
+	double x = in[0] - l->origin[0], y = in[1] - l->origin[1];
+	double z = in[2] - l->origin[2], all = fabs(x) + fabs(y) + fabs(z);
+	bool sure = t->in == 3;
+
+	for (int j = 0; j < n; j++) {
+		value[j] = x * l->hi[0][j] + y * l->hi[1][j] + z * l->hi[2][j] +
+		    l->hi[3][j];
+		size[j] = l->most[j] * all + l->sum_image[j];
+		sure &= fabs(value[j]) > 0x1p-45 * size[j] &&
+		    size[j] > 0x1p-900 && size[j] < 0x1p1000;
+	}
+	return sure;
+}
+
+bool point_is_ill(const struct transform *t, const double in[4])
+{
+	double value[4], size[4], image[4], kappa = 0;
+
+	if (!point_estimate(t, in, 4, value, size)) {
+		point_exact(t, in, image, &kappa);
+		return kappa > POINTS_ILL;
+	}
+	double w = t->divide ? value[3] : 1;
+
+	for (int j = 0; j < t->out; j++)
+		kappa = fmax(kappa,
+		    kappa_of((struct sum){ { value[j], 0 }, size[j] },
+			t->on_screen ? fabs(w) : 0));
+	if (t->divide)
+		kappa *= size[3] / fabs(w);
+	if (kappa < POINTS_ILL / 2)
+		return false;
+	point_exact(t, in, image, &kappa);
+	return kappa > POINTS_ILL;
+}
+
 /* Only where the double lies midway between two floats, does rounding it again
  * not give the nearest float; what it was rounded from says which is. */
 float point_single(const struct transform *t, const double in[4], int j,

@@ -69,6 +69,15 @@ struct effort {
 void points_carry(const struct transform *, const struct effort *,
     const double *const in[4], double *const out[4], bool *single, size_t n);
 
+/* The first n columns of a map of three coordinates in plain double, for what
+ * only asks for signs and sizes: each within a 32nd of its value, and of no
+ * more products than size. False where that can't be had of them all. */
+bool point_estimate(const struct transform *, const double in[3], int n,
+    double value[4], double size[4]);
+
+/* Whether its kappa is past POINTS_ILL. */
+bool point_is_ill(const struct transform *, const double in[4]);
+
 /* One point with care, where the kernels give up: what cancels to nothing, lies
  * in the eye plane, or overflows on the way. Also tells the worst kappa of its
  * coordinates, on the screen those of less than a unit counted as a unit. */

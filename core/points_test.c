@@ -20,7 +20,8 @@ static bool sample_transform(struct scene *s, int e, enum space *from,
 	s->has_viewport = true;
 	*from = (enum space)sample_below(6);
 	*to = (enum space)sample_below(6);
-	return scene_transform(s, *from, *to, false, t) == NULL;
+	return scene_transform(s, *from, *to,
+		   *from != SPACE_DEVICE && sample_below(4) == 0, t) == NULL;
 }
 
 /* Counts coordinates, and those that are not the nearest double. */
