@@ -105,6 +105,18 @@ project -p $precision -j $jobs scene.json in.xyz"
 	    "cct -d 15 -t 0 +proj=affine $(affine) in.xyz"
 }
 
+# The same points shared out among as many processes as there are cores.
+add_split() {
+	project='projcalc project -j 1 scene.json -'
+	add split 'one process' "projcalc project scene.json in.xyz"
+	add_if parallel split 'parallel --pipe' "parallel --pipe --block 5M \
+-k -q $project <in.xyz"
+	add_if parallel split 'parallel --pipepart' "parallel --pipepart \
+-a in.xyz --block -1 -k -q $project"
+	add split 'split -n l/K/N, for each core' "for k in $(seq -s ' ' \
+"$(nproc)"); do split -n l/\$k/$(nproc) in.xyz | $project >image\$k & done; wait"
+}
+
 add_others() {
 	f=points.f64
 	for command in cat 'projcalc project -i f64 scene.json -' \
@@ -200,7 +212,7 @@ summarise() {
 
 # What bench.gp draws: million lines a second, the fastest first.
 throughput() {
-	awk -F '\t' -v lines="$lines" '$1 != "binary" && $1 != "start" {
+	awk -F '\t' -v lines="$lines" '$1 == "text" || $1 == "affine" {
 		if ($1 == "affine")
 			$2 = $2 ", affine map"
 		printf "%s\t%.3f\n", $2, lines / $4 * 1e3
@@ -264,6 +276,16 @@ binary_table() {
 	}' results.tsv
 }
 
+split_table() {
+	printf '| | seconds | median | more than one process |\n|---|--:|--:|--:|\n'
+	awk -F '\t' '$1 == "split" {
+		if (!base)
+			base = $4
+		printf "| %s | %.3f | %.3f | %.3f |\n", $2, $3 / 1e9, $4 / 1e9,
+		    ($4 - base) / 1e9
+	}' results.tsv
+}
+
 start_table() {
 	printf '| | ms | median |\n|---|--:|--:|\n'
 	awk -F '\t' '$1 == "start" {
@@ -274,6 +296,7 @@ start_table() {
 say "$lines lines, $rounds rounds"
 make_input
 add_text
+add_split
 add_others
 points_bench >kernels
 peers_bench >memory.tsv
@@ -296,6 +319,8 @@ printf '\nAn affine map alone:\n\n'
 text_table affine cct
 printf '\n## Binary: %s points of f64 through a pipe\n\n' "$((lines * 8))"
 binary_table
+printf '\n## Splitting: the same lines over %s processes\n\n' "$(nproc)"
+split_table
 printf '\n## Start-up\n\n'
 start_table
 if [ -s left_out ]; then
