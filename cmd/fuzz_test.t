@@ -11,7 +11,7 @@ if (system('echo "int LLVMFuzzerTestOneInput(void) { return 0; }" | ' .
 	print "1..0 # SKIP no clang with libFuzzer\n";
 	exit;
 }
-my $said = `make -s fuzz FUZZ_SECONDS=12 2>&1`;
+my $said = `make -s fuzz FUZZ_SECONDS=8 2>&1`;
 my $failed = $?;
 print $failed ? 'not ok' : 'ok', " 1 - make fuzz\n";
 print $said =~ s/^/# /mgr;
