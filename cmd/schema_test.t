@@ -37,7 +37,8 @@ my $beyond = qr{
 	less\ than\ min | single\ point | parallel\ to | does\ not\ run |
 	what\ holds\ them | no\ points\ to | crosses\ the\ volume |
 	repeated; |
-	singular | determinant | last\ column | too\ far | beyond\ the\ range\ of\ doubles
+	singular | determinant | last\ column | too\ far\ from |
+	beyond\ the\ range\ of\ doubles
 	    (?!;\ numbers) |
 	missing;\ (?:add|it\ is|device|say) |
 	but\ the\ command\ is | coordinates\ are\ wanted | not\ together\ with\ PO |
