@@ -1,7 +1,8 @@
 #!/usr/bin/perl
 # What the program says of itself is what its manual pages say: commands and
 # options are those of the synopsis, members of a scene those of its page and
-# of the schema; and the pages are without a fault that mandoc sees.
+# of the schema; README's figures are measured ones; and the pages are without a
+# fault that mandoc sees.
 use strict;
 use warnings;
 use Cwd 'abs_path';
@@ -132,5 +133,10 @@ for my $page (qw(projcalc.1 projcalc-scene.5)) {
 	check($page, scalar `mandoc -T lint -W warning $top/man/$page 2>&1`,
 	    '');
 }
+# Figures of README's table are those of the last measurement.
+my ($table) = slurp('README.md') =~ /^\| .*a second.*\n((?:\|.*\n)+)/m;
+my $measured = slurp('testdata/charts/bench.md');
+check('README\'s figures', join(' ', grep { $measured !~ /\Q| $_ |\E/ }
+    $table =~ /\| (\d+[.]\d\S*)/g), '');
 print "1..$n\n";
 exit($failed > 0);
