@@ -106,12 +106,13 @@ void binary_write(const struct job *j, struct chunk *c, size_t p,
 	char *at = chunk_reserve(c, sizeof(double) * COORDINATES_MAX);
 
 	for (int k = 0; k < j->layout.writes; k++) {
-		float narrow = j->layout.out == FORMAT_F32 && !isnan(v[k]) ?
-		    narrowed(j, c, p, k, v[k]) :
-		    (float)v[k];
+		double wide = v[k] + 0.0; /* -0 is 0 */
+		float narrow = j->layout.out == FORMAT_F32 && !isnan(wide) ?
+		    narrowed(j, c, p, k, wide) + 0.0f :
+		    (float)wide;
 
 		if (j->layout.out == FORMAT_F64)
-			memcpy(at + 8 * k, &v[k], 8);
+			memcpy(at + 8 * k, &wide, 8);
 		else
 			memcpy(at + 4 * k, &narrow, 4);
 	}
@@ -123,8 +124,11 @@ static inline void pack(const struct chunk *c, char *restrict at, size_t n,
     size_t writes)
 {
 	for (size_t i = 0; i < n; i++)
-		for (size_t k = 0; k < writes; k++)
-			memcpy(at + 8 * (writes * i + k), &c->image[k][i], 8);
+		for (size_t k = 0; k < writes; k++) {
+			double v = c->image[k][i] + 0.0; /* -0 is 0 */
+
+			memcpy(at + 8 * (writes * i + k), &v, 8);
+		}
 }
 
 static bool all_finite(const struct chunk *c, size_t n, size_t writes)

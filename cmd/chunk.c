@@ -79,15 +79,22 @@ static size_t read_lines(struct job *j, struct chunk *c, size_t *points)
 	return n;
 }
 
+/* Exactly, for any precision; single's numbers are floats. */
 static void cast_rays(const struct job *j, struct chunk *c, size_t n)
 {
+	bool single = j->effort.precision == PRECISION_SINGLE;
+
 	for (size_t i = 0; i < n; i++) {
 		double at[2] = { c->in[0][i], c->in[1][i] }, ray[2][3];
+		bool nan = isnan(at[0]) || isnan(at[1]);
 
-		c->single[i] = false;
+		c->single[i] = single;
 		ray_exact(&j->ray, at, ray[0], ray[1]);
-		for (int k = 0; k < 6; k++)
-			c->image[k][i] = ray[k / 3][k % 3];
+		for (int k = 0; k < 6; k++) {
+			double v = nan ? (double)NAN : ray[k / 3][k % 3];
+
+			c->image[k][i] = single ? (double)(float)v : v;
+		}
 	}
 }
 
@@ -142,6 +149,14 @@ static const char *judge(const struct job *j, const struct chunk *c, size_t p,
 	    NULL;
 }
 
+/* Whether it was complained of; lines are asked for in order. */
+static bool was_refused(struct chunk *c, size_t line)
+{
+	while (c->told < c->n_complaints && c->complaints[c->told].line < line)
+		c->told++;
+	return c->told < c->n_complaints && c->complaints[c->told].line == line;
+}
+
 /* What has no image is nan throughout, also where it is infinite, if only as
  * the float that it is written as. */
 void chunk_mark(const struct job *j, struct chunk *c, size_t p, size_t line)
@@ -156,7 +171,7 @@ void chunk_mark(const struct job *j, struct chunk *c, size_t p, size_t line)
 			nan = true;
 		}
 	}
-	if (nan && c->imageless++ == 0)
+	if (nan && !was_refused(c, line) && c->imageless++ == 0)
 		c->first_imageless = line;
 }
 
@@ -230,7 +245,7 @@ void chunk_do(struct job *j, struct chunk *c)
 	bool blocks = !lines && j->layout.out == FORMAT_F64 &&
 	    j->take == NULL && !j->visible;
 
-	c->size = c->n_complaints = c->imageless = c->lines = 0;
+	c->size = c->n_complaints = c->told = c->imageless = c->lines = 0;
 	while (c->text < c->end) {
 		size_t points, p = 0, first = c->lines;
 		const char *text = c->text;

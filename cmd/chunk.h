@@ -50,7 +50,7 @@ struct chunk {
 	char *out;
 	size_t size, room;
 	struct complaint *complaints;
-	size_t n_complaints;
+	size_t n_complaints, told; /* of which so many are before this line */
 	size_t imageless, first_imageless;
 
 	struct record records[POINTS_BLOCK];

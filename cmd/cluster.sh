@@ -27,6 +27,16 @@ PATH=$build:$PATH
 LC_ALL=C
 export PATH LC_ALL
 
+# Tries a command for half a minute.
+soon() {
+	tries=0
+	until "$@" >"$tmp/soon" 2>&1; do
+		tries=$((tries + 1))
+		[ $tries -lt 300 ] || die "$*: $(cat "$tmp/soon")"
+		sleep 0.1
+	done
+}
+
 # What sshd asks of a system: an account whose home is the cluster's, a key,
 # names for addresses. Nothing of the machine's own is read or changed.
 system() {
@@ -93,10 +103,8 @@ host() {
 	eval "host$1=$!"
 	ip link add "port$1" type veth peer name "wire$1"
 	ip link set "port$1" master switch up
-	until ip link set "wire$1" netns $! name eth0 2>"$tmp/wire"; do
-		sleep 0.05
-	done
-	until ssh "host$1" true 2>"$tmp/ssh"; do sleep 0.1; done
+	soon ip link set "wire$1" netns $! name eth0
+	soon ssh "host$1" true
 }
 
 # As when its plug is pulled: processes and network are gone, and no word.
@@ -173,6 +181,10 @@ slurm_conf() {
 	END
 }
 
+all_idle() {
+	[ "$(sinfo -h -t idle -o %D)" = 3 ]
+}
+
 start_slurm() {
 	slurm_conf >"$tmp/slurm.conf"
 	SLURM_CONF=$tmp/slurm.conf
@@ -187,12 +199,10 @@ start_slurm() {
 	for n in 1 2 3; do
 		outer=$(eval "echo \$host$n")
 		inner=$(tr -d ' ' <"/proc/$outer/task/$outer/children")
-		nsenter -t "$inner" -a slurmd -D -N "host$n" \
+		nsenter -t "$inner" -a --root slurmd -D -N "host$n" \
 		    >"$tmp/slurmd$n" 2>&1 &
 	done
-	until [ "$(sinfo -h -t idle -o %D 2>"$tmp/sinfo")" = 3 ]; do
-		sleep 0.2
-	done
+	soon all_idle
 }
 
 # Slurm gives the tasks of a dead host to others after two minutes, here at

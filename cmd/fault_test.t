@@ -7,6 +7,7 @@ use warnings;
 use Cwd 'abs_path';
 use File::Basename;
 use File::Temp 'tempdir';
+use IO::Handle;
 use IPC::Open2;
 use POSIX ':sys_wait_h';
 use Test::More;
@@ -250,6 +251,34 @@ for my $j (1, 2) {
 	local $/;
 	is(<$from>, $whole x 3, "a reader that stops for a while: -j$j");
 	waitpid $pid, 0;
+}
+
+# Pipes that another process has made not to wait.
+for my $j (1, 2) {
+	pipe my $in, my $to;
+	pipe my $from, my $out;
+	$_->blocking(0) for $in, $out;
+	my $pid = fork // die "fork: $!\n";
+	if ($pid == 0) {
+		open STDIN, '<&', $in;
+		open STDOUT, '>&', $out;
+		close $_ for $to, $from, $in, $out;
+		exec split ' ', "$project -j$j -";
+	}
+	close $_ for $in, $out;
+	if (fork == 0) {
+		close $from;
+		sleep 0.1;
+		print $to $lines;
+		close $to;
+		POSIX::_exit(0);
+	}
+	close $to;
+	sleep 0.3;
+	local $/;
+	is(<$from>, $whole, "pipes that do not wait: -j$j");
+	waitpid $pid, 0;
+	is($?, 0, 'its status');
 }
 
 # Bounded memory, in kilobytes. The most that was ever resident is asked for

@@ -61,6 +61,22 @@ static void read_box(const struct options *o, const struct document *d,
 		    "take them from");
 }
 
+/* What is wrong with bounds is wrong with the points that they are from. */
+static _Noreturn void refuse(const struct options *o, const struct document *d,
+    const char *why)
+{
+	const char bounds[] = "/bounds: ";
+	size_t n = strlen(bounds);
+
+	if (d->has_bounds || strncmp(why, bounds, n) != 0)
+		json_refuse(d, why);
+	if (o->n_points == 0)
+		die(EXIT_INPUT, "%s: /points: %s", d->name, why + n);
+	die(EXIT_INPUT, "%s: %s",
+	    o->n_points > 1 || *o->points[0] == '[' ? "POINTS" : o->points[0],
+	    why + n);
+}
+
 int run_fit(const struct command *c, const struct options *o)
 {
 	struct document d;
@@ -80,7 +96,7 @@ int run_fit(const struct command *c, const struct options *o)
 	const char *why = fit_scene(&d.scene, d.has_eye, &d.bounds);
 
 	if (why != NULL)
-		json_refuse(&d, why);
+		refuse(o, &d, why);
 	print_scene(&d);
 	return stream_end(&j);
 }

@@ -80,7 +80,29 @@ static int next(struct reader *r)
 	return 1;
 }
 
-/* A control character would break the line, or JSON: a blank stands for it. */
+static char *put_control(enum format out, char c, char *at)
+{
+	static const char from[] = "\b\f\n\r\t", to[] = "bfnrt";
+	static const char hex[] = "0123456789abcdef";
+	const char *simple = memchr(from, c, 5);
+
+	if (out != FORMAT_JSON) {
+		*at++ = ' ';
+		return at;
+	}
+	*at++ = '\\';
+	if (simple != NULL) {
+		*at++ = to[simple - from];
+		return at;
+	}
+	memcpy(at, "u00", 3);
+	at[3] = hex[c >> 4];
+	at[4] = hex[c & 15];
+	return at + 5;
+}
+
+/* A control character would break the line of text or csv: a blank stands for
+ * it there. */
 static char *put_quoted(enum format out, struct reader *r, char *at)
 {
 	bool quotes = out != FORMAT_TEXT;
@@ -95,8 +117,10 @@ static char *put_quoted(enum format out, struct reader *r, char *at)
 			*at++ = out == FORMAT_CSV ? '"' : '\\';
 		if (out == FORMAT_JSON && c == '\\')
 			*at++ = '\\';
-		if ((unsigned char)c < ' ')
-			r->piece[0] = ' ';
+		if ((unsigned char)c < ' ') {
+			at = put_control(out, c, at);
+			continue;
+		}
 		memcpy(at, r->piece, (size_t)n);
 		at += n;
 	}

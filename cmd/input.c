@@ -1,6 +1,7 @@
 #include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -58,7 +59,7 @@ static char *read_whole(const char *name, size_t *size)
 	for (;;) {
 		ssize_t n = read(fd, text + *size, room - *size);
 
-		if (n < 0 && errno == EINTR)
+		if (n < 0 && go_on(fd, POLLIN))
 			continue;
 		if (n < 0)
 			die(EXIT_SYSTEM, "%s: %s", name, strerror(errno));
@@ -173,6 +174,10 @@ void stream_options(struct job *j, const struct options *o)
 			    "--columns: '%s' is a name, and names "
 			    "are for -i csv; write numbers: 2,3,4",
 			    o->columns.name[i]);
+	if (o->flags && is_binary(j->layout.out))
+		die(EXIT_USAGE,
+		    "--flags: binary points have no room for words; say "
+		    "-o text");
 	if (o->columns.n > 0 && is_binary(o->in))
 		die(EXIT_USAGE, "--columns: binary points have no fields");
 	if (o->columns.n > 0 && o->columns.n != j->layout.reads)
@@ -186,13 +191,23 @@ static void stream_json(struct job *j, const char *name, const char *text,
     size_t size)
 {
 	enum format in = j->layout.in;
-	struct columns columns = j->layout.columns;
 
 	j->layout.in = FORMAT_JSON;
-	j->layout.columns = (struct columns){ 0 };
 	stream_text(j, name, text, size);
 	j->layout.in = in;
-	j->layout.columns = columns;
+}
+
+/* Columns are of files. */
+static void check_columns(const struct options *o, const struct document *d)
+{
+	bool typed = o->n_points == 0 && d->points != NULL;
+
+	for (int i = 0; i < o->n_points; i++)
+		typed |= first_of(o->points[i]) == '[';
+	if (typed && o->columns.n > 0)
+		die(EXIT_USAGE,
+		    "--columns: points that are typed, or in the document, "
+		    "begin with their coordinates; name a file");
 }
 
 /* Points typed as an operand, to be freed. */
@@ -233,6 +248,7 @@ void stream_points(const struct options *o, const struct document *d,
 		    "PARAMS and POINTS are both standard input, "
 		    "and the document has no points; name a file for one of "
 		    "them");
+	check_columns(o, d);
 	if (o->n_points == 0 && d->points != NULL)
 		stream_json(j, d->name, d->points, d->points_size);
 	else if (o->n_points == 0)

@@ -78,9 +78,9 @@ static _Noreturn void version(void)
 
 static _Noreturn void help_command(const struct command *c)
 {
-	printf("usage: projcalc %s [OPTION...] [PARAMS [POINTS...]]\n"
+	printf("usage: projcalc %s [OPTION...] [PARAMS%s]\n"
 	       "%s\n\n",
-	    c->name, c->about);
+	    c->name, c->run == run_inspect ? "" : " [POINTS...]", c->about);
 	options_print(c);
 	finish_help();
 }

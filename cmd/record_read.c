@@ -301,7 +301,11 @@ void record_read(struct layout *l, struct span line, const char *readable,
 		return;
 	if (l->in == FORMAT_CSV) {
 		s = line.s;
-		bool taken = *header && take_header(l, line, r, reason);
+		if (*header && line.end - s >= 3 &&
+		    memcmp(s, "\xef\xbb\xbf", 3) == 0)
+			s += 3; /* a byte order mark */
+		bool taken = *header &&
+		    take_header(l, (struct span){ s, line.end }, r, reason);
 
 		*header = false;
 		if (taken)

@@ -11,8 +11,8 @@ size_t record_room(const struct layout *l, const struct record *r)
 {
 	size_t line = (size_t)(r->line.end - r->line.s);
 
-	/* a foreign field of one character becomes ,"\\" */
-	return (l->in == l->out ? line : 3 * line) +
+	/* a foreign field of one character becomes ,"\u0001" */
+	return (l->in == l->out ? line : 9 * line) +
 	    (size_t)l->writes * (NUMBER_MAX + SEPARATOR_MAX) + 192;
 }
 
@@ -41,13 +41,20 @@ static const char *separator_of(enum format format)
 	return format == FORMAT_TEXT ? " " : ",";
 }
 
-/* Coordinates from the k-th on and the flags, each after a separator. */
+/* Coordinates from the k-th on, or in a header their names, and the flags, each
+ * after a separator. */
 static char *put_more(const struct layout *l, bool single, int k,
     const double v[], const char *flags, struct span separator, char *out)
 {
+	static const char *const names[] = { "x", "y", "z", "w" };
+	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };
+
 	for (; k < l->writes; k++) {
+		const char *name = l->writes > 4 ? ray[k] : names[k];
+
 		out = put(out, separator.s, separator.end);
-		out = put_number(l, single, v[k], out);
+		out = v != NULL ? put_number(l, single, v[k], out) :
+				  put(out, name, name + strlen(name));
 	}
 	if (flags != NULL) {
 		out = put(out, separator.s, separator.end);
@@ -60,22 +67,31 @@ static char *put_more(const struct layout *l, bool single, int k,
 	return out;
 }
 
-/* What stands between the last two coordinates, where that is no field. */
+static bool separates(char c)
+{
+	return is_blank(c) || c == ',';
+}
+
+/* What stands before the last coordinate; behind it where it begins the line. */
 static struct span separator(const struct layout *l, const struct record *r)
 {
 	const char *usual = separator_of(l->in);
-	struct span s = { usual, usual + 1 };
+	struct span s = { usual, usual + 1 }, last = r->at[l->reads - 1];
+	struct span found = { last.s, last.s };
 
-	if (l->in == FORMAT_TEXT && l->reads > 1) {
-		struct span between = { r->at[l->reads - 2].end,
-			r->at[l->reads - 1].s };
-
-		if (between.s < between.end &&
-		    between.end - between.s <= SEPARATOR_MAX &&
-		    text_next(between.s, between.end) == between.end)
-			s = between;
+	if (l->in != FORMAT_TEXT)
+		return s;
+	while (found.s > r->line.s && separates(found.s[-1]))
+		found.s--;
+	if (found.s == r->line.s) {
+		found.s = found.end = last.end;
+		while (found.end < r->line.end && separates(*found.end))
+			found.end++;
 	}
-	return s;
+	return found.s < found.end && found.end - found.s <= SEPARATOR_MAX &&
+		text_next(found.s, found.end) == found.end ?
+	    found :
+	    s;
 }
 
 /* The coordinates in the order in which they stand in the line. */
@@ -111,7 +127,8 @@ static struct span whole_field(const struct layout *l, const struct record *r,
 	return (struct span){ f.s, next != NULL ? next : f.end };
 }
 
-/* The same format out as in: coordinates are replaced where they stand. */
+/* The same format out as in: coordinates are replaced where they stand, the
+ * names in a header, where v is NULL, stay. */
 static char *splice(const struct layout *l, const struct record *r,
     const double v[], const char *flags, char *out)
 {
@@ -128,7 +145,8 @@ static char *splice(const struct layout *l, const struct record *r,
 
 		out = put(out, s, f.s);
 		if (i < l->writes)
-			out = put_number(l, r->single, v[i], out);
+			out = v != NULL ? put_number(l, r->single, v[i], out) :
+					  put(out, f.s, f.end);
 		s = f.end;
 		if (i != last || (l->writes <= n && flags == NULL))
 			continue;
@@ -182,8 +200,23 @@ static char *convert(const struct layout *l, const struct record *r,
 	return out;
 }
 
-/* A csv header gets the names of what is added; a comment means nothing in
- * JSON. */
+/* A header gets the names of what is added, and loses those of what is not
+ * written. */
+static char *copy_header(const struct layout *l, const struct record *r,
+    char *out)
+{
+	struct record named = *r;
+
+	for (int i = 0; i < l->reads; i++) {
+		int k = l->columns.n > 0 ? l->columns.field[i] : i;
+
+		if (!split_find(l->in, r->line.s, r->line.end, k, &named.at[i]))
+			return put(out, r->line.s, r->line.end);
+	}
+	return splice(l, &named, NULL, l->flags ? "flags" : NULL, out);
+}
+
+/* A comment means nothing in JSON. */
 static char *copy(const struct layout *l, const struct record *r, char *out)
 {
 	const char *end = r->line.end;
@@ -191,19 +224,8 @@ static char *copy(const struct layout *l, const struct record *r, char *out)
 
 	if (l->in == FORMAT_JSON || l->out == FORMAT_JSON)
 		return out;
-	if (l->in == FORMAT_CSV && s < end && *s != '#' && l->out == l->in) {
-		struct span f = { s, s };
-		int last = l->columns.n > 0 ? l->columns.field[l->reads - 1] :
-					      l->reads - 1;
-		bool cr = end[-1] == '\r';
-
-		if (!split_find(l->in, r->line.s, end, last, &f))
-			f.end = cr ? end - 1 : end;
-		out = put(out, r->line.s, f.end);
-		if (l->flags)
-			out = put(out, ",flags", &",flags"[6]);
-		return put(out, f.end, end);
-	}
+	if (l->in == FORMAT_CSV && s < end && *s != '#' && l->out == l->in)
+		return copy_header(l, r, out);
 	return put(out, r->line.s, end);
 }
 

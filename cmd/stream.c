@@ -176,7 +176,7 @@ static size_t read_some(const struct job *j, const char *name, int fd, char *at,
 
 	do
 		n = read(fd, at, room);
-	while (n < 0 && errno == EINTR);
+	while (n < 0 && go_on(fd, POLLIN));
 	if (n < 0) {
 		int error = errno;
 

@@ -1,6 +1,7 @@
 #include "talk.h"
 
 #include <errno.h>
+#include <poll.h>
 #include <stdarg.h>
 #include <stdatomic.h>
 #include <stdio.h>
@@ -69,12 +70,21 @@ static _Noreturn void no_output(void)
 	die(EXIT_SYSTEM, "standard output: %s", strerror(errno));
 }
 
+bool go_on(int fd, short events)
+{
+	struct pollfd p = { .fd = fd, .events = events };
+
+	if (errno != EAGAIN && errno != EWOULDBLOCK)
+		return errno == EINTR;
+	return poll(&p, 1, -1) >= 0 || errno == EINTR;
+}
+
 void put_all(const char *s, size_t size)
 {
 	while (size > 0) {
 		ssize_t n = write(STDOUT_FILENO, s, size);
 
-		if (n < 0 && errno == EINTR)
+		if (n < 0 && go_on(STDOUT_FILENO, POLLOUT))
 			continue;
 		if (n < 0)
 			no_output();

@@ -2,6 +2,7 @@
 #ifndef TALK_H
 #define TALK_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* What the exit status means. */
@@ -19,6 +20,11 @@ _Noreturn void quit(int status);
 
 /* Memory or exit 3. */
 void *need(void *old, size_t size);
+
+/* After a call that failed: whether it is to be made again, for it was
+ * interrupted, or would not wait (as another process can have it) and the
+ * events of poll have come since. */
+bool go_on(int fd, short events);
 
 /* Writes all of it to standard output, or exits with 3. */
 void put_all(const char *s, size_t size);
