@@ -11,8 +11,9 @@ size_t record_room(const struct layout *l, const struct record *r)
 {
 	size_t line = (size_t)(r->line.end - r->line.s);
 
-	/* a foreign field of one character becomes ,"\u0001" */
-	return (l->in == l->out ? line : 9 * line) +
+	/* n foreign characters, each \u0001, in quotes after a comma: 6 n + 3
+	 * for the n + 1 that they and their separator were */
+	return (l->in == l->out ? line : 6 * line) +
 	    (size_t)l->writes * (NUMBER_MAX + SEPARATOR_MAX) + 192;
 }
 
