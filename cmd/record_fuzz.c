@@ -37,8 +37,10 @@ static void check_back(const struct layout *l, const double v[],
 	struct record r = { 0 };
 	double read[4];
 	char reason[REASON_MAX];
-	bool header = false;
+	bool header = true; /* a byte order mark may stand before the first */
 
+	for (int i = 0; i < back.columns.n; i++)
+		back.columns.name[i] = NULL;
 	back.in = l->out;
 	back.reads = l->writes < 4 ? l->writes : 4;
 	if (l->in != l->out)
