@@ -2,17 +2,17 @@
 #include "document_test.h"
 
 static const struct json_wants lookat = { MEMBER_CAMERA, MEMBER_CAMERA, -1,
-	NULL, 3, false };
+	NULL, 3, false, 0 };
 static const struct json_wants persp = { MEMBER_PROJECTION, MEMBER_PROJECTION,
-	PROJECTION_PERSP, NULL, 3, false };
+	PROJECTION_PERSP, NULL, 3, false, 0 };
 static const struct json_wants ortho = { MEMBER_PROJECTION, MEMBER_PROJECTION,
-	PROJECTION_ORTHO, NULL, 3, false };
+	PROJECTION_ORTHO, NULL, 3, false, 0 };
 static const struct json_wants volume = { MEMBER_PROJECTION, MEMBER_PROJECTION,
-	PROJECTION_VOLUME, NULL, 3, false };
+	PROJECTION_VOLUME, NULL, 3, false, 0 };
 static const struct json_wants w2n = { MEMBER_WINDOW, MEMBER_WINDOW, -1, NULL,
-	2, false };
+	2, false, 0 };
 static const struct json_wants w2d = { 0, MEMBER_WINDOW | MEMBER_DEVICE, -1,
-	NULL, 2, false };
+	NULL, 2, false, 0 };
 static const struct json_wants project = { .projection = -1, .coordinates = 3 };
 
 #define AT "\"at\":[0,0,0]"

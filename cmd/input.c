@@ -113,6 +113,23 @@ static void check_operands(const struct options *o)
 	}
 }
 
+/* Of a projection the viewport may give the aspect; a window adapts to the
+ * device; fit and pick alone read bounds and pick. */
+static unsigned unused(const struct command *c)
+{
+	const unsigned flat = MEMBER_WINDOW | MEMBER_DEVICE;
+	unsigned used = ~(flat | MEMBER_BOUNDS | MEMBER_PICK);
+
+	if (c->run == run_matrix)
+		used = c->needed | (c->projection >= 0 ? MEMBER_VIEWPORT : 0) |
+		    (c->flat ? MEMBER_DEVICE : 0);
+	if (c->run == run_fit)
+		used |= MEMBER_BOUNDS;
+	if (c->run == run_pick)
+		used |= MEMBER_PICK;
+	return ~used;
+}
+
 void read_document(const struct command *c, const struct options *o,
     int coordinates, struct document *d)
 {
@@ -124,6 +141,7 @@ void read_document(const struct command *c, const struct options *o,
 		/* operands replace the member */
 		.coordinates = o->matrix || o->n_points > 0 ? 0 : coordinates,
 		.fit = c->run == run_fit,
+		.unused = unused(c),
 	};
 	const char *name = o->params;
 	char *text;

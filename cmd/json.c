@@ -16,7 +16,9 @@ enum {
 	WINDOW,
 	DEVICE,
 	POINTS,
-	SCENE_MEMBERS = POINTS + 3,
+	BOUNDS,
+	PICK,
+	SCENE_MEMBERS,
 };
 
 static const char *const hands[] = { "left", "right", NULL };
@@ -96,8 +98,8 @@ static const struct field scene_fields[SCENE_MEMBERS + 1] = {
 	MEMBER(DEVICE, "device", device_fields, NULL,
 	    "{\"width\": 640, \"height\": 480}"),
 	MEMBER(POINTS, "points", NULL, NULL, "[[0,0,0], [1,1,1]]"),
-	MEMBER(POINTS + 1, "bounds", bounds_fields, NULL, NULL),
-	MEMBER(POINTS + 2, "pick", pick_fields, NULL, NULL),
+	MEMBER(BOUNDS, "bounds", bounds_fields, NULL, NULL),
+	MEMBER(PICK, "pick", pick_fields, NULL, NULL),
 };
 
 static void check_point(const struct value *v, int coordinates)
@@ -219,32 +221,43 @@ static void check_needed(const struct value *root, unsigned missing)
 	}
 }
 
-static void read_scene(struct document *d, struct value m[SCENE_MEMBERS],
-    unsigned seen, int type)
+static const struct value *member(struct source *source, unsigned unused,
+    const struct value m[SCENE_MEMBERS], int row)
+{
+	source->form = unused >> row & 1;
+	return &m[row];
+}
+
+static void read_scene(struct document *d, struct source *source,
+    const struct json_wants *w, struct value m[SCENE_MEMBERS], unsigned seen)
 {
 	struct scene *s = &d->scene;
 
+#define READ(row) member(source, w->unused, m, row)
 	s->has_world = seen & MEMBER_WORLD;
 	s->has_camera = seen & MEMBER_CAMERA;
 	s->has_viewport = seen & MEMBER_VIEWPORT;
 	s->has_window = seen & MEMBER_WINDOW;
 	s->has_device = seen & MEMBER_DEVICE;
+	d->has_bounds = seen & MEMBER_BOUNDS;
 	if (s->has_world)
-		read_matrix(&m[WORLD], &scene_fields[WORLD], s->world);
+		read_matrix(READ(WORLD), &scene_fields[WORLD], s->world);
 	if (s->has_camera)
-		d->has_eye = read_camera(&m[CAMERA], &s->camera);
+		d->has_eye = read_camera(READ(CAMERA), &s->camera);
 	if (s->has_viewport)
-		read_viewport(&m[VIEWPORT], &s->viewport);
+		read_viewport(READ(VIEWPORT), &s->viewport);
 	if (seen & MEMBER_PROJECTION)
-		read_projection(&m[PROJECTION], type,
+		read_projection(READ(PROJECTION), w->projection,
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);
 	if (s->has_window)
-		read_window(&m[WINDOW], &s->window);
+		read_window(READ(WINDOW), &s->window);
 	if (s->has_device)
-		read_device(&m[DEVICE], &s->device);
-	for (int i = POINTS + 1; i < SCENE_MEMBERS; i++)
-		if (seen >> i & 1)
-			value_want_object(&m[i]);
+		read_device(READ(DEVICE), &s->device);
+	if (d->has_bounds)
+		read_bounds(READ(BOUNDS), &d->bounds);
+	if (seen & MEMBER_PICK)
+		read_pick(READ(PICK), &d->pick);
+#undef READ
 }
 
 void json_read(struct document *d, const char *name, char *text, size_t size,
@@ -266,12 +279,8 @@ void json_read(struct document *d, const char *name, char *text, size_t size,
 		read_convention(&m[CONVENTION], &d->scene.convention);
 	source.column = d->scene.convention.column;
 	check_needed(&root, w->needed & ~seen);
-	read_scene(d, m, seen, w->projection);
-	d->has_bounds = seen >> (POINTS + 1) & 1;
-	if (d->has_bounds)
-		read_bounds(&m[POINTS + 1], &d->bounds);
-	if (seen >> (POINTS + 2) & 1)
-		read_pick(&m[POINTS + 2], &d->pick);
+	read_scene(d, &source, w, m, seen);
+	source.form = false;
 	if (seen & MEMBER_POINTS && w->coordinates > 0)
 		take_points(&m[POINTS], w->coordinates, text, size, &d->points,
 		    &d->points_size);

@@ -17,6 +17,8 @@ enum member {
 	MEMBER_WINDOW = 32,
 	MEMBER_DEVICE = 64,
 	MEMBER_POINTS = 128,
+	MEMBER_BOUNDS = 256,
+	MEMBER_PICK = 512,
 };
 
 /* Where on the device, and how far around; 0 where it isn't said. */
@@ -54,6 +56,8 @@ struct json_wants {
 	/* What fit finds need not be there: the camera's eye, near, far, and
 	 * the sizes of a parallel projection. */
 	bool fit;
+	/* Members of which only the form is checked. */
+	unsigned unused;
 };
 
 /* Reads text[0..size), which it may change, into *d. */

@@ -1,7 +1,7 @@
 #include "document_test.h"
 
 static const struct json_wants w2d = { 0, MEMBER_WINDOW | MEMBER_DEVICE, -1,
-	NULL, 2, false };
+	NULL, 2, false, 0 };
 static const struct json_wants project = { .projection = -1, .coordinates = 3 };
 static const struct json_wants no_points = { .projection = -1 };
 

@@ -193,6 +193,8 @@ static void find_aspect(const struct value *v, const struct viewport *viewport,
 	struct value missing = value_missing(v, "aspect");
 	bool widens = v->source->fit && p->type != PROJECTION_PERSP;
 
+	if (v->source->form)
+		return;
 	if (!widens && (p->extent == EXTENT_SIZE || p->extent == EXTENT_EDGES))
 		return;
 	if (widens && viewport == NULL && p->aspect[0] == 0)

@@ -3,11 +3,11 @@
 #include <math.h>
 
 static const struct json_wants persp = { MEMBER_PROJECTION, MEMBER_PROJECTION,
-	PROJECTION_PERSP, NULL, 3, false };
+	PROJECTION_PERSP, NULL, 3, false, 0 };
 static const struct json_wants ortho = { MEMBER_PROJECTION, MEMBER_PROJECTION,
-	PROJECTION_ORTHO, NULL, 3, false };
+	PROJECTION_ORTHO, NULL, 3, false, 0 };
 static const struct json_wants volume = { MEMBER_PROJECTION, MEMBER_PROJECTION,
-	PROJECTION_VOLUME, NULL, 3, false };
+	PROJECTION_VOLUME, NULL, 3, false, 0 };
 static const struct json_wants project = { .projection = -1, .coordinates = 3 };
 
 #define SIDES "\"left\", \"right\", \"bottom\" and \"top\""

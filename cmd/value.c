@@ -168,7 +168,7 @@ double value_number(const struct value *v, const struct range *range)
 		value_refuse(v, "only \"far\" of \"persp\" can be infinite");
 	if (!cJSON_IsNumber(v->item))
 		value_wrong(v, "a number");
-	if (x >= range->min && x <= range->max)
+	if (v->source->form || (x >= range->min && x <= range->max))
 		return x;
 	if (isinf(x))
 		value_refuse(v, "is beyond the range of doubles; %s",

@@ -6,9 +6,10 @@
 #include <stddef.h>
 
 struct source {
-	const char *name;          /* of the file, for messages */
-	bool column;               /* how nested rows of a matrix are read */
-	bool fit;                  /* what fit finds may be missing */
+	const char *name; /* of the file, for messages */
+	bool column;      /* how nested rows of a matrix are read */
+	bool fit;         /* what fit finds may be missing */
+	bool form;        /* of what is not needed, form alone counts */
 	const struct field *scene; /* all there is in a document */
 };
 
