@@ -144,7 +144,8 @@ static char *splice(const struct layout *l, const struct record *r,
 		struct span f = i < l->writes ? r->at[i] :
 						whole_field(l, r, r->at[i]);
 
-		out = put(out, s, f.s);
+		if (f.s > s) /* not so behind a name that ends in blanks */
+			out = put(out, s, f.s);
 		if (i < l->writes)
 			out = v != NULL ? put_number(l, r->single, v[i], out) :
 					  put(out, f.s, f.end);
