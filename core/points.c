@@ -8,6 +8,7 @@ static void set_lanes(struct transform *t)
 {
 	struct lanes *l = &t->lanes;
 	const struct map *m = &t->map;
+	double largest = 0;
 
 	for (int i = 0; i < 3; i++)
 		l->origin[i] = m->origin[i];
@@ -15,7 +16,7 @@ static void set_lanes(struct transform *t)
 		double most = 0;
 
 		for (int i = 0; i < 4; i++) {
-			t->large |= m->sum[i][j] > 0x1p500;
+			largest = fmax(largest, m->sum[i][j]);
 			l->hi[i][j] = m->m[i][j].hi;
 			l->lo[i][j] = m->m[i][j].lo;
 			if (i < 3)
@@ -27,6 +28,7 @@ static void set_lanes(struct transform *t)
 		l->doubt[j] = 0x1p-45 * most;
 		l->doubt_image[j] = 0x1p-45 * m->sum[AT_ORIGIN][j];
 	}
+	frexp(largest, &t->exponent);
 }
 
 struct transform transform_of(const struct map *map, enum space from,
@@ -101,15 +103,7 @@ const char *flat_transform(const struct scene *s, enum flat from, enum flat to,
 	return why;
 }
 
-/* A coordinate before the division, and the sum of its products' sizes. */
-struct sum {
-	dd value;
-	double size;
-};
-
-/* Four products and sums in double-double, 13 u^2 of size; what is not larger
- * than its error bound is 0. */
-static struct sum column(const struct map *m, int j, const dd p[4])
+struct sum map_column(const struct map *m, int j, const dd p[4])
 {
 	struct sum s = { { 0, 0 }, 0 };
 
@@ -130,8 +124,9 @@ static double kappa_of(struct sum s, double least)
 	return value == 0 ? 1 : s.size / value;
 }
 
-/* Relative to the map's origin, and scaled down where it is large, so that no
- * product overflows whose quotient does not. Returns the scale. */
+/* Relative to the map's origin, and scaled down so far that no product overflows
+ * whose quotient does not, but no farther: what is small must not vanish.
+ * Returns the scale. */
 static double relative(const struct transform *t, const double in[4], dd p[4])
 {
 	double largest = 1;
@@ -144,9 +139,11 @@ static double relative(const struct transform *t, const double in[4], dd p[4])
 	}
 	p[3] = (dd){ t->in == 4 && !t->reciprocal ? in[3] : 1, 0 };
 	largest = fmax(largest, fabs(p[3].hi));
-	if (largest > 0x1p400 || t->large)
-		frexp(largest, &e);
-	for (int i = 0; i < 4 && e > 0; i++)
+	frexp(largest, &e);
+	e += t->exponent - 1000;
+	if (e <= 0)
+		return 1;
+	for (int i = 0; i < 4; i++)
 		p[i] = dd_scale(p[i], ldexp(1, -e));
 	return ldexp(1, e);
 }
@@ -170,12 +167,12 @@ static void point_image(const struct transform *t, const double in[4],
 	if (t->divide) {
 		w = t->reciprocal && t->out == 4 ?
 		    (struct sum){ { in[3] / scale, 0 }, fabs(in[3]) / scale } :
-		    column(&t->map, 3, p);
+		    map_column(&t->map, 3, p);
 		image &= t->front ? w.value.hi > 0 : w.value.hi != 0;
 	}
 	*kappa = 1;
 	for (int j = 0; j < t->out; j++) {
-		struct sum s = column(&t->map, j, p);
+		struct sum s = map_column(&t->map, j, p);
 		dd q = t->divide ? dd_div(s.value, w.value) :
 				   dd_scale(s.value, scale);
 

@@ -20,7 +20,7 @@ struct transform {
 	/* To ndc or the device, where a coordinate near 0 is no worse than one
 	 * of a unit: a point on an edge of the view is not ill. */
 	bool on_screen;
-	bool large; /* elements whose products with points may overflow */
+	int exponent; /* of two, that no element's sum of products reaches */
 	enum body body;
 	struct lanes lanes; /* unless the body is BODY_CAREFUL */
 };
@@ -77,6 +77,16 @@ bool point_estimate(const struct transform *, const double in[3], int n,
 
 /* Whether its kappa is past POINTS_ILL. */
 bool point_is_ill(const struct transform *, const double in[4]);
+
+/* A coordinate before the division, and the sum of its products' sizes. */
+struct sum {
+	dd value;
+	double size;
+};
+
+/* Column j of the image of p, relative to the origin, w: four products and sums
+ * in double-double, 13 u^2 of size; 0 where no larger than its error bound. */
+struct sum map_column(const struct map *, int j, const dd p[4]);
 
 /* One point with care, where the kernels give up: what cancels to nothing, lies
  * in the eye plane, or overflows on the way. Also tells the worst kappa of its
