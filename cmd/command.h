@@ -61,7 +61,7 @@ void stream_points(const struct options *, const struct document *,
 /* Fills in what the options and the transform say of the lines. */
 void stream_options(struct job *, const struct options *);
 
-void print_matrix(const struct options *, const struct convention *,
+void print_matrix(const struct options *, const struct document *,
     const struct map *, bool flat);
 
 #endif

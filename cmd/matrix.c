@@ -1,3 +1,5 @@
+#include <math.h>
+
 #include "command.h"
 #include "talk.h"
 
@@ -54,9 +56,12 @@ static void print_binary(const struct printer *p, double m[4][4], int n)
 	}
 }
 
-void print_matrix(const struct options *o, const struct convention *c,
+void print_matrix(const struct options *o, const struct document *d,
     const struct map *map, bool flat)
 {
+	const struct convention *c = &d->scene.convention;
+	bool floats = o->effort.precision == PRECISION_SINGLE ||
+	    o->out == FORMAT_F32;
 	static char text[16 * (NUMBER_MAX + 2) + 64];
 	struct printer p = { o, text };
 	const int *pick = flat ? FLAT : SPATIAL;
@@ -66,11 +71,14 @@ void print_matrix(const struct options *o, const struct convention *c,
 	for (int i = 0; i < n; i++)
 		for (int j = 0; j < n; j++) {
 			int row = pick[i] == 3 ? AT_ZERO : pick[i];
-
+			double v = map->m[row][pick[j]].hi;
 			bool turned = c->column && !is_binary(o->out);
 
-			m[turned ? j : i][turned ? i : j] =
-			    map->m[row][pick[j]].hi;
+			if (floats && !isfinite((float)v))
+				json_refuse(d,
+				    "the matrix has elements beyond the range "
+				    "of floats; print doubles");
+			m[turned ? j : i][turned ? i : j] = v;
 		}
 	if (is_binary(o->out)) {
 		print_binary(&p, m, n);
@@ -108,7 +116,7 @@ int run_matrix(const struct command *c, const struct options *o)
 		stream_points(o, &d, &j);
 		return stream_end(&j);
 	}
-	print_matrix(o, &d.scene.convention, &t->map, c->flat);
+	print_matrix(o, &d, &t->map, c->flat);
 	close_output();
 	return EXIT_OK;
 }

@@ -42,7 +42,7 @@ static void set_transform(const struct document *d, const struct options *o,
 	    to != SPACE_CLIP;
 	if (!o->matrix)
 		return;
-	print_matrix(o, &d->scene.convention, &j->transform.map, false);
+	print_matrix(o, d, &j->transform.map, false);
 	close_output();
 }
 
