@@ -29,7 +29,7 @@ struct lanes {
 	double doubt[4], doubt_image[4], doubt_depth, doubt_a;
 };
 
-/* Columns have room for a whole number of vectors: n rounded up to 8. Returns
+/* Columns have room for a whole number of vectors: n rounded up to 16. Returns
  * whether all were done: else the first coordinate of some is nan. */
 typedef int (*exact_kernel)(const struct lanes *, const double *const in[3],
     double *const out[3], size_t n);

@@ -18,19 +18,28 @@
 				 _CMP_GT_OQ),                           \
 	    _mm512_set1_pd((double)NAN), b)
 
-/* eight floats, as many as doubles */
-#define F __m256
-#define F_WIDTH 8
-#define F_NEAR(p, o) \
+#define F __m512
+#define F_WIDTH 16
+#define F_HALF(p, o) \
 	_mm512_cvtpd_ps(_mm512_sub_pd(_mm512_loadu_pd(p), _mm512_set1_pd(o)))
-#define F_STORE(p, a) _mm512_storeu_pd(p, _mm512_cvtps_pd(a))
-#define F_ALL(a) _mm256_set1_ps(a)
-#define F_FMA(a, b, c) _mm256_fmadd_ps(a, b, c)
-#define F_ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
-#define F_MAX(a, b) _mm256_max_ps(a, b)
-#define F_POSITIVE(a, b)                         \
-	_mm256_blendv_ps(_mm256_set1_ps(NAN), b, \
-	    _mm256_cmp_ps(a, _mm256_setzero_ps(), _CMP_GT_OQ))
+#define F_NEAR(p, o)                                                      \
+	_mm512_castpd_ps(                                                 \
+	    _mm512_insertf64x4(_mm512_castps_pd(                          \
+				   _mm512_castps256_ps512(F_HALF(p, o))), \
+		_mm256_castps_pd(F_HALF((p) + 8, o)), 1))
+#define F_STORE(p, a)                                                     \
+	(_mm512_storeu_pd(p, _mm512_cvtps_pd(_mm512_castps512_ps256(a))), \
+	    _mm512_storeu_pd((p) + 8,                                     \
+		_mm512_cvtps_pd(_mm256_castpd_ps(                         \
+		    _mm512_extractf64x4_pd(_mm512_castps_pd(a), 1)))))
+#define F_ALL(a) _mm512_set1_ps(a)
+#define F_FMA(a, b, c) _mm512_fmadd_ps(a, b, c)
+#define F_ABS(a) _mm512_abs_ps(a)
+#define F_MAX(a, b) _mm512_max_ps(a, b)
+#define F_POSITIVE(a, b)                                                \
+	_mm512_mask_blend_ps(_mm512_cmp_ps_mask(a, _mm512_setzero_ps(), \
+				 _CMP_GT_OQ),                           \
+	    _mm512_set1_ps(NAN), b)
 
 #include "kernel_copy.h"
 #endif
