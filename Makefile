@@ -160,6 +160,18 @@ coverage:
 bits: all
 	perl cmd/bits_test.t -w
 
+# The same bits from both compilers, whatever they are told to optimize.
+levels:
+	@for how in gcc,g++,1 gcc,g++,2 gcc,g++,3 \
+	    clang,clang++,1 clang,clang++,2 clang,clang++,3; do \
+		IFS=,; set -- $$how; unset IFS; \
+		echo "$$1 -O$$3"; \
+		$(PARALLEL) -s all BUILD=$(BUILD)/levels/$$1-$$3 CC=$$1 \
+		    CXX=$$2 CFLAGS="-O$$3 -g" && \
+		perl cmd/bits_test.t $(BUILD)/levels/$$1-$$3 >$(BUILD)/levels/said || \
+		    { grep -v '^ok' $(BUILD)/levels/said; exit 1; }; \
+	done
+
 # The golden cases and the same bits on another processor, emulated.
 arm64:
 	@sh cmd/arm64.sh $(BUILD)/arm64
@@ -332,8 +344,8 @@ help:
 	@echo 'make lint        the manual page, the style, the scripts, the C'
 	@echo 'make layers      floors of the house, lengths of its functions'
 	@echo 'make asan        all tests under sanitizers; tsan, valgrind, coverage,'
-	@echo '                 arm64, fuzz (FUZZ_SECONDS=60), cluster: see the Makefile;'
-	@echo '                 make deps-all installs what they want'
+	@echo '                 levels, arm64, fuzz (FUZZ_SECONDS=60), cluster: see the'
+	@echo '                 Makefile; make deps-all installs what they want'
 	@echo 'make bench       measure, beside what others use; make chart draws it'
 	@echo 'make install     to PREFIX=$(PREFIX), below DESTDIR'
 	@echo 'make uninstall'
@@ -342,7 +354,7 @@ help:
 	@echo 'make release     lint, distcheck, deb'
 	@echo 'make clean'
 
-.PHONY: bits asan tsan valgrind coverage arm64 cluster fuzz fuzzers \
+.PHONY: bits asan tsan valgrind coverage levels arm64 cluster fuzz fuzzers \
 	stability bench chart views all programs demo test golden lint \
 	install uninstall layers sources dist distcheck deb release clean deps \
 	deps-all help
