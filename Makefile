@@ -148,6 +148,7 @@ valgrind: all
 
 # Which lines of core and cmd the tests run.
 coverage:
+	@rm -f $(BUILD)/coverage/*/*.gcda
 	@$(PARALLEL) -s programs BUILD=$(BUILD)/coverage \
 	    CFLAGS='-O0 -g --coverage' LDFLAGS='--coverage'
 	@BUILD=$(BUILD)/coverage perl cmd/run_tests.pl 1 \

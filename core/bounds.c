@@ -120,6 +120,7 @@ const char *bounds_out(const struct bounds *b, const struct scene *s,
 	const char *why = frustum_of(s, SPACE_MODEL, false, &f);
 
 	*out = 0;
+	/* not seen: the sizes that fit closes are positive, and overflow none */
 	if (why != NULL)
 		return why;
 	for (int k = 0; k < 8 && !b->sphere; k++) {
