@@ -18,7 +18,7 @@ die() {
 if [ "${CLUSTER:-}" != inside ]; then
 	[ "$(id -u)" = 0 ] || die 'namespaces want root'
 	CLUSTER=inside exec unshare --net --mount --uts --pid --fork \
-	    --kill-child --mount-proc sh "$0" "$build"
+	    --kill-child --mount-proc sh cmd/cluster.sh "$build"
 fi
 
 tmp=$(mktemp -d)
