@@ -86,12 +86,11 @@ static void cast_rays(const struct job *j, struct chunk *c, size_t n)
 
 	for (size_t i = 0; i < n; i++) {
 		double at[2] = { c->in[0][i], c->in[1][i] }, ray[2][3];
-		bool nan = isnan(at[0]) || isnan(at[1]);
 
 		c->single[i] = single;
 		ray_exact(&j->ray, at, ray[0], ray[1]);
 		for (int k = 0; k < 6; k++) {
-			double v = nan ? (double)NAN : ray[k / 3][k % 3];
+			double v = ray[k / 3][k % 3];
 
 			c->image[k][i] = single ? (double)(float)v : v;
 		}

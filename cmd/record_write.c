@@ -208,12 +208,16 @@ static char *copy_header(const struct layout *l, const struct record *r,
     char *out)
 {
 	struct record named = *r;
+	const char *end = r->line.end - (r->line.end[-1] == '\r');
 
 	for (int i = 0; i < l->reads; i++) {
 		int k = l->columns.n > 0 ? l->columns.field[i] : i;
+		struct span *f = &named.at[i];
 
-		if (!split_find(l->in, r->line.s, r->line.end, k, &named.at[i]))
-			return put(out, r->line.s, r->line.end);
+		/* behind the last field where there are too few */
+		if (!split_find(l->in, r->line.s, r->line.end, k, f) &&
+		    f->s < f->end)
+			*f = (struct span){ end, end };
 	}
 	return splice(l, &named, NULL, l->flags ? "flags" : NULL, out);
 }

@@ -290,10 +290,12 @@ void ray_exact(const struct ray_maker *r, const double at[2], double point[3],
 
 	if (ray_quick(r, at, point, direction))
 		return;
-	for (int i = 0; i < 3; i++) {
+	for (int i = 0; i < 3; i++)
 		point[i] = direction[i] = (double)NAN;
+	if (isnan(at[0]) || isnan(at[1]))
+		return;
+	for (int i = 0; i < 3; i++)
 		p[i] = ex_diff(i < 2 ? at[i] : r->depth, v->origin[i]);
-	}
 	for (int j = 0; j < 4; j++) {
 		n[j] = affine(v, j, p);
 		n[j].value = ex_first(n[j].value, 4);

@@ -219,20 +219,18 @@ bool point_is_ill(const struct transform *t, const double in[4])
 {
 	double value[4], size[4], image[4], kappa = 0;
 
-	if (!point_estimate(t, in, 4, value, size)) {
-		point_exact(t, in, image, &kappa);
-		return kappa > POINTS_ILL;
-	}
-	double w = t->divide ? value[3] : 1;
+	if (point_estimate(t, in, 4, value, size)) {
+		double w = t->divide ? fabs(value[3]) : 1;
 
-	for (int j = 0; j < t->out; j++)
-		kappa = fmax(kappa,
-		    kappa_of((struct sum){ { value[j], 0 }, size[j] },
-			t->on_screen ? fabs(w) : 0));
-	if (t->divide)
-		kappa *= size[3] / fabs(w);
-	if (kappa < POINTS_ILL / 2)
-		return false;
+		for (int j = 0; j < t->out; j++)
+			kappa = fmax(kappa,
+			    size[j] /
+				fmax(fabs(value[j]), t->on_screen ? w : 0));
+		if (t->divide)
+			kappa *= size[3] / w;
+		if (kappa < POINTS_ILL / 2)
+			return false;
+	}
 	point_exact(t, in, image, &kappa);
 	return kappa > POINTS_ILL;
 }
