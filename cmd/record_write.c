@@ -114,7 +114,8 @@ static struct span whole_field(const struct layout *l, const struct record *r,
 {
 	const char *s = r->line.s, *next;
 
-	if (l->in == FORMAT_CSV && f.s > s && f.s[-1] == '"') {
+	if (l->in == FORMAT_CSV && f.s > s && f.s[-1] == '"' &&
+	    f.end < r->line.end && *f.end == '"') {
 		f.s--;
 		f.end++;
 	}
