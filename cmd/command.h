@@ -4,8 +4,8 @@
 
 #include <stdbool.h>
 
-#include "json.h"
-#include "stream.h"
+#include "scene/document.h"
+#include "points/stream.h"
 
 struct options {
 	const char *convention; /* NULL: the document's */

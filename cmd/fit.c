@@ -3,7 +3,7 @@
 
 #include "../core/fit.h"
 #include "command.h"
-#include "print_scene.h"
+#include "scene/print_scene.h"
 #include "talk.h"
 
 static const struct bounds nothing = {

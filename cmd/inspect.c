@@ -4,7 +4,7 @@
 #include "../core/error_bound.h"
 #include "../core/taxonomy.h"
 #include "command.h"
-#include "page.h"
+#include "json/print.h"
 #include "talk.h"
 
 /* In the order of enum taxon, kind, buffer and precision. */

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "frustum.h"
-#include "gaze.h"
+#include "fit_camera.h"
 
 #define SIZE_MIN 1e-150
 

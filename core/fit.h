@@ -2,7 +2,7 @@
 #ifndef FIT_H
 #define FIT_H
 
-#include "bounds.h"
+#include "fit_bounds.h"
 
 /* Completes a scene of type persp, ortho or oblique, whose near and far, and
  * width and height of a parallel one, need not be set; without an eye (has_eye)

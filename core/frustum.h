@@ -3,7 +3,7 @@
 #ifndef FRUSTUM_H
 #define FRUSTUM_H
 
-#include "points.h"
+#include "point.h"
 
 enum {
 	OUT_LEFT = 1,

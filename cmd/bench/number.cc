@@ -1,0 +1,204 @@
+/* Nanoseconds per number for each way to read and write that number.cc could
+ * stand over, on coordinates with six decimals and on full doubles. */
+#include "../number/number.h"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include <dragonbox/dragonbox.h>
+#include <fast_float/fast_float.h>
+
+enum { COUNT = 30000, RUNS = 21 };
+
+static double values[COUNT];
+static char input[COUNT * 32], output[COUNT * 32];
+static const char *input_end;
+
+/* What the loops come to must go somewhere, or they would be left out. */
+static volatile double sink;
+
+static uint64_t next_random(void)
+{
+	static uint64_t state = 88172645463325252;
+
+	state ^= state << 13;
+	state ^= state >> 7;
+	return state ^= state << 17;
+}
+
+/* Coordinates within +-1000, a line for every three. */
+static void fill(const char *format)
+{
+	char *s = input;
+
+	for (int i = 0; i < COUNT; i++) {
+		double unit = double(next_random() >> 11) / (1ull << 53);
+		int size = snprintf(s, 31, format, 2000 * unit - 1000);
+
+		values[i] = strtod(s, NULL);
+		s += size;
+		*s++ = i % 3 == 2 ? '\n' : ' ';
+	}
+	input_end = s;
+}
+
+/* What the program writes: the same, brought to within +-1. */
+static void project(void)
+{
+	for (int i = 0; i < COUNT; i++)
+		values[i] /= 1000 + values[i - i % 3] / 7;
+}
+
+template <class Run> static void measure(const char *name, int numbers, Run run)
+{
+	double time[RUNS];
+
+	for (double &t : time) {
+		auto start = std::chrono::steady_clock::now();
+		run();
+		std::chrono::duration<double, std::nano> used =
+		    std::chrono::steady_clock::now() - start;
+		t = used.count() / numbers;
+	}
+	std::sort(time, time + RUNS);
+	printf("  %-28s %6.1f\n", name, time[RUNS / 2]);
+}
+
+template <class Read> static void measure_read(const char *name, Read read)
+{
+	measure(name, COUNT, [&] {
+		double sum = 0, v = 0;
+
+		for (const char *s = input; s < input_end; s++) {
+			s = read(s, &v);
+			sum += v;
+		}
+		sink = sum;
+	});
+}
+
+template <class Write> static void measure_write(const char *name, Write write)
+{
+	measure(name, COUNT, [&] {
+		char *s = output;
+
+		for (double v : values)
+			s = write(s, v);
+		sink = double(s - output);
+	});
+}
+
+static void read_all(void)
+{
+	measure_read("strtod", [](const char *s, double *v) {
+		char *end;
+
+		*v = strtod(s, &end);
+		return (const char *)end;
+	});
+	measure_read("from_chars, charconv", [](const char *s, double *v) {
+		return std::from_chars(s, input_end, *v).ptr;
+	});
+	measure_read("from_chars, fast_float", [](const char *s, double *v) {
+		return fast_float::from_chars(s, input_end, *v).ptr;
+	});
+	measure_read("number_read", [](const char *s, double *v) {
+		return number_read(s, input_end, v);
+	});
+}
+
+static void write_all(void)
+{
+	const number_style style = { number_style::NUMBER_SHORTEST, 0 };
+
+	measure_write("printf %.17g",
+	    [](char *s, double v) { return s + snprintf(s, 32, "%.17g", v); });
+	measure_write("to_chars, charconv",
+	    [](char *s, double v) { return std::to_chars(s, s + 32, v).ptr; });
+	measure_write("to_decimal, dragonbox *", [](char *s, double v) {
+		auto r = jkj::dragonbox::to_decimal(v);
+
+		memcpy(s, &r.significand, 8);
+		return s + 8 + (r.exponent & 7);
+	});
+	measure_write("number_write",
+	    [=](char *s, double v) { return number_write(s, v, style); });
+}
+
+static void write_rounded(void)
+{
+	const number_style decimals = { number_style::NUMBER_DECIMALS, 3 };
+	const number_style digits = { number_style::NUMBER_DIGITS, 12 };
+
+	measure_write("printf %.3f",
+	    [](char *s, double v) { return s + snprintf(s, 32, "%.3f", v); });
+	measure_write("to_chars, 3 decimals", [](char *s, double v) {
+		return std::to_chars(s, s + 32, v, std::chars_format::fixed, 3)
+		    .ptr;
+	});
+	measure_write("number_write, 3 decimals",
+	    [=](char *s, double v) { return number_write(s, v, decimals); });
+	measure_write("printf %.11e",
+	    [](char *s, double v) { return s + snprintf(s, 32, "%.11e", v); });
+	measure_write("to_chars, 12 digits", [](char *s, double v) {
+		return std::to_chars(s, s + 32, v,
+		    std::chars_format::scientific, 11)
+		    .ptr;
+	});
+	measure_write("number_write, 12 digits",
+	    [=](char *s, double v) { return number_write(s, v, digits); });
+}
+
+/* Three numbers read and three written, a division between them. */
+static void point_by_point(void)
+{
+	const number_style style = { number_style::NUMBER_SHORTEST, 0 };
+
+	measure("three read, three written", COUNT / 3, [=] {
+		const char *in = input;
+		char *s = output;
+
+		while (in < input_end) {
+			double p[3];
+
+			for (double &v : p)
+				in = number_read(in, input_end, &v) + 1;
+			for (double &v : p) {
+				s = number_write(s, v / (1000 + p[0] / 7),
+				    style);
+				*s++ = ' ';
+			}
+			if (s > output + sizeof output - 3 * NUMBER_MAX)
+				s = output;
+		}
+		sink = double(s - output);
+	});
+}
+
+int main(void)
+{
+	fill("%.6f");
+	puts("reading %.6f:");
+	read_all();
+	puts("writing them, shortest (* digits not written out):");
+	write_all();
+	fill("%.17g");
+	puts("reading 17 digits:");
+	read_all();
+	project();
+	puts("writing 17 digits, shortest (* digits not written out):");
+	write_all();
+	fill("%.17g");
+	puts("writing rounded:");
+	write_rounded();
+	fill("%.6f");
+	puts("a point, %.6f to 17 digits:");
+	point_by_point();
+	return 0;
+}

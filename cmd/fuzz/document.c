@@ -1,0 +1,119 @@
+/* Any bytes as a document, for libFuzzer; linked without talk.c. The first
+ * byte says what is wanted of it. */
+#include <cjson/cJSON.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../scene/document.h"
+#include "../talk.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+static jmp_buf refused;
+
+/* Nothing but bad input may be said of an input. */
+void die(int status, const char *format, ...)
+{
+	(void)format;
+	if (status != EXIT_INPUT)
+		abort();
+	longjmp(refused, 1);
+}
+
+/* What a refusal leaves behind goes with the next input. */
+static struct block {
+	struct block *next;
+	_Alignas(max_align_t) char bytes[];
+} * blocks;
+
+static void *hold(size_t size)
+{
+	struct block *b = malloc(sizeof *b + size);
+
+	if (b == NULL)
+		abort();
+	b->next = blocks;
+	blocks = b;
+	return b->bytes;
+}
+
+static void keep(void *p)
+{
+	(void)p;
+}
+
+static void drop_all(void)
+{
+	while (blocks != NULL) {
+		struct block *b = blocks;
+
+		blocks = b->next;
+		free(b);
+	}
+}
+
+void *need(void *old, size_t size)
+{
+	if (old != NULL)
+		abort();
+	return hold(size);
+}
+
+static void check_point_lines(const char *points, size_t size)
+{
+	for (size_t i = 0; i < size; i++)
+		if ((points[i] == '[') != (i == 0 || points[i - 1] == '\n') &&
+		    (i == 0 || points[i - 1] == '\n'))
+			abort();
+	if (size > 0 && memcmp(points + size - 2, "]\n", 2) != 0)
+		abort();
+}
+
+static void check_camera(const struct camera *c)
+{
+	for (int i = 0; i < 3; i++)
+		if (!(fabs(c->eye[i]) <= 1e150 && fabs(c->at[i]) <= 1e150))
+			abort();
+}
+
+static void run(char *text, size_t size, int mode)
+{
+	static const enum member bare[] = { 0, MEMBER_CAMERA, MEMBER_PROJECTION,
+		MEMBER_WINDOW };
+	const struct json_wants wants = {
+		.bare = bare[mode & 3],
+		.needed = bare[mode & 3],
+		.projection = (mode & 3) == 2 ? 1 + (mode >> 2 & 3) : -1,
+		.convention = mode & 16 ? "gl" : NULL,
+		.coordinates = mode >> 5 & 3,
+	};
+	struct document d;
+
+	if (mode & 128) {
+		json_points("a", text, size, 2 + (mode & 1), &d.points,
+		    &d.points_size);
+		check_point_lines(d.points, d.points_size);
+		return;
+	}
+	json_read(&d, "a", text, size, &wants);
+	if (d.points != NULL)
+		check_point_lines(d.points, d.points_size);
+	check_camera(&d.scene.camera);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+	cJSON_InitHooks(&(cJSON_Hooks){ hold, keep });
+	if (size > 0 && setjmp(refused) == 0) {
+		/* exactly as long, so that a byte too far is seen */
+		char *text = hold(size - 1);
+
+		memcpy(text, data + 1, size - 1);
+		run(text, size - 1, data[0]);
+	}
+	drop_all();
+	return 0;
+}

@@ -1,0 +1,41 @@
+/* What the first bytes of a fuzzer's input say of its lines. */
+#ifndef LAYOUT_FUZZ_H
+#define LAYOUT_FUZZ_H
+
+#include <stdint.h>
+
+#include "../points/line.h"
+
+enum { HEADER = 4 };
+
+/* Of four bytes: formats, numbers, columns; the caller has the last one. */
+static inline struct layout layout_of(const uint8_t *b)
+{
+	static const int sizes[][2] = { { 3, 3 }, { 3, 4 }, { 4, 3 }, { 2, 2 },
+		{ 2, 6 }, { 4, 4 } };
+	static const int fields[][4] = { { 0, 1, 2, 3 }, { 3, 2, 1, 0 },
+		{ 1, 0, 2, 5 }, { 9, 4, 0, 2 } };
+	static const char *const names[] = { "x", "y", "z", "w" };
+	const int *size = sizes[b[1] % 6];
+	struct layout l = {
+		.in = (enum format)(b[0] % 5),
+		.out = (enum format)(b[0] / 5 % 5),
+		.reads = size[0],
+		.writes = size[1],
+		.flags = b[1] / 6 & 1,
+		.style = { b[2] % 3, b[2] / 3 % 3 == 1 ? 100 : 1 + b[2] % 17 },
+	};
+	int columns = b[1] / 12 % 6;
+
+	if (l.in > FORMAT_JSON || columns == 0)
+		return l;
+	l.columns.n = l.reads;
+	for (int i = 0; i < l.reads; i++) {
+		l.columns.field[i] = fields[columns & 3][i];
+		if (columns > 3 && l.in == FORMAT_CSV)
+			l.columns.name[i] = names[i];
+	}
+	return l;
+}
+
+#endif

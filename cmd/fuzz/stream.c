@@ -1,0 +1,224 @@
+/* Any bytes as a source of points that arrives in pieces, for libFuzzer, with
+ * the threads of stream.c and without talk.c: the same bytes and messages come
+ * out as if it came at once. Linked with --wrap=read and --wrap=poll. */
+#include <errno.h>
+#include <poll.h>
+#include <stdarg.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/types.h>
+
+#include "../scene/document.h"
+#include "layout.h"
+#include "../points/stream.h"
+#include "../talk.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+ssize_t __real_read(int fd, void *to, size_t n);
+ssize_t __wrap_read(int fd, void *to, size_t n);
+int __real_poll(struct pollfd *, nfds_t n, int wait);
+int __wrap_poll(struct pollfd *, nfds_t n, int wait);
+
+/* No file has this one. */
+enum { SOURCE = -77 };
+
+static const uint8_t *data_at;
+static size_t data_left;
+static uint32_t state; /* of the pseudo-random numbers */
+
+static uint32_t next_random(void)
+{
+	state ^= state << 13;
+	state ^= state >> 17;
+	return state ^= state << 5;
+}
+
+ssize_t __wrap_read(int fd, void *to, size_t n)
+{
+	if (fd != SOURCE)
+		return __real_read(fd, to, n);
+	size_t some = 1 + next_random() % (next_random() % 8 != 0 ? 64 : 4096);
+
+	if (some % 16 == 7) {
+		errno = EINTR;
+		return -1;
+	}
+	if (n > some)
+		n = some;
+	if (n > data_left)
+		n = data_left;
+	memcpy(to, data_at, n);
+	data_at += n;
+	data_left -= n;
+	return (ssize_t)n;
+}
+
+int __wrap_poll(struct pollfd *p, nfds_t n, int wait)
+{
+	if (p->fd != SOURCE)
+		return __real_poll(p, n, wait);
+	return next_random() % 4 != 0;
+}
+
+/* What was printed, and what was said. */
+static struct buffer {
+	char *s;
+	size_t n, room;
+} printed, said;
+
+static void add(struct buffer *b, const char *s, size_t n)
+{
+	if (b->n + n > b->room) {
+		b->room = 2 * (b->n + n);
+		b->s = realloc(b->s, b->room);
+	}
+	if (n > 0)
+		memcpy(b->s + b->n, s, n);
+	b->n += n;
+}
+
+bool go_on(int fd, short events)
+{
+	(void)fd;
+	(void)events;
+	return errno == EINTR;
+}
+
+void put_all(const char *s, size_t n)
+{
+	add(&printed, s, n);
+}
+
+void close_output(void)
+{
+	abort();
+}
+
+void say(const char *format, ...)
+{
+	char text[512];
+	va_list args;
+
+	va_start(args, format);
+	vsnprintf(text, sizeof text, format, args);
+	va_end(args);
+	add(&said, text, strlen(text) + 1);
+}
+
+void die(int status, const char *format, ...)
+{
+	(void)status;
+	(void)format;
+	abort();
+}
+
+void quit(int status)
+{
+	(void)status;
+	abort();
+}
+
+void *need(void *old, size_t size)
+{
+	return realloc(old, size);
+}
+
+static struct scene scene(void)
+{
+	static char text[] =
+	    "{\"camera\":{\"eye\":[1,2,-5],\"at\":[0,0,0]},"
+	    "\"projection\":{\"type\":\"persp\",\"fovy\":60,\"near\":1,"
+	    "\"far\":10},\"viewport\":{\"width\":640,\"height\":480},"
+	    "\"window\":{\"center\":[1,2],\"width\":3,\"height\":4},"
+	    "\"device\":{\"width\":5,\"height\":6}}";
+	struct json_wants wants = { .projection = -1 };
+	struct document d;
+
+	json_read(&d, "s", text, sizeof text - 1, &wants);
+	return d.scene;
+}
+
+/* Transforms for the sizes that layout_of has. */
+static void set_job(struct job *j, const struct scene *s, uint8_t b)
+{
+	enum space from = j->layout.reads == 4 ? SPACE_CLIP : SPACE_MODEL;
+	enum space to = j->layout.writes == 4 ? SPACE_CLIP : SPACE_DEVICE;
+
+	j->rays = j->layout.writes == 6;
+	if (j->layout.reads == 2)
+		flat_transform(s, FLAT_WINDOW, FLAT_DEVICE, &j->transform);
+	else
+		scene_transform(s, from, to, false, &j->transform);
+	ray_maker_of(s, &j->ray);
+	frustum_of(s, from, false, &j->frustum);
+	if (j->layout.reads == 2)
+		j->layout.flags = false;
+	j->flags = j->layout.flags;
+	j->visible = j->layout.reads > 2 && b & 1;
+	j->count_imageless = !j->flags && !j->visible;
+	j->effort.precision = (enum precision)(b / 2 % 3);
+	j->effort.tolerance = b & 64 ? 0.5 : 0;
+}
+
+/* As stream.c counts and says it; a line that the source before has not ended
+ * is ended before the next. */
+static void do_at_once(struct job *j, const char *text, size_t size)
+{
+	static bool unended;
+	struct chunk *c = chunk_new();
+
+	c->first = true;
+	c->header = j->layout.in == FORMAT_CSV;
+	c->text = text;
+	c->end = text + size;
+	chunk_do(j, c);
+	if (c->size > 0) {
+		add(&printed, "\n", unended);
+		unended = !is_binary(j->layout.out) &&
+		    c->out[c->size - 1] != '\n';
+	}
+	add(&printed, c->out, c->size);
+	for (size_t i = 0; i < c->n_complaints; i++)
+		say("a:%zu: %s", 1 + c->complaints[i].line,
+		    c->complaints[i].reason);
+	chunk_free(c);
+}
+
+static void compare(struct buffer *b, const struct buffer *was)
+{
+	if (b->n != was->n || (b->n > 0 && memcmp(b->s, was->s, b->n) != 0))
+		abort();
+	free(was->s);
+	b->n = 0;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+	static struct scene s;
+	static struct job j; /* the threads know it */
+
+	if (size < HEADER)
+		return 0;
+	if (!s.has_viewport)
+		s = scene();
+	j = (struct job){ .layout = layout_of(data),
+		.keep_going = true,
+		.threads = 3 };
+	set_job(&j, &s, data[3]);
+	struct layout layout = j.layout;
+
+	do_at_once(&j, (const char *)data + HEADER, size - HEADER);
+	struct buffer whole = printed, messages = said;
+
+	printed = said = (struct buffer){ 0 };
+	j.layout = layout;
+	state = 1 + data[3];
+	data_at = data + HEADER;
+	data_left = size - HEADER;
+	stream_file(&j, "a", SOURCE);
+	compare(&printed, &whole);
+	compare(&said, &messages);
+	return 0;
+}

@@ -1,0 +1,267 @@
+#include "object.h"
+
+#include <ctype.h>
+#include <string.h>
+
+#include "../nearest.h"
+#include "../escape.h"
+
+/* Members of one object, at most. */
+enum { FIELDS_MAX = 32 };
+
+static bool is_ignored(const char *name)
+{
+	return *name == '_' || strcmp(name, "$schema") == 0;
+}
+
+static bool is_of(const struct field *f, int kind)
+{
+	return f->kinds == 0 || (f->kinds >> kind & 1) != 0;
+}
+
+static const struct field *find(const struct field *f, int kind,
+    const char *name)
+{
+	for (; f->name != NULL; f++)
+		if (is_of(f, kind) && strcmp(f->name, name) == 0)
+			return f;
+	return NULL;
+}
+
+unsigned field_bit(const struct field *table, int kind, const char *name)
+{
+	const struct field *f = find(table, kind, name);
+
+	return f != NULL ? 1u << (f - table) : 0;
+}
+
+static const struct field *find_any(const struct field *f, const char *name)
+{
+	while (f->name != NULL && strcmp(f->name, name) != 0)
+		f++;
+	return f->name != NULL ? f : NULL;
+}
+
+/* A word of a list that is divided by blanks. */
+static bool listed(const char *list, const char *word)
+{
+	size_t n = strlen(word);
+
+	for (; list != NULL && *list != '\0'; list += strspn(list, " ")) {
+		size_t m = strcspn(list, " ");
+
+		if (m == n && memcmp(list, word, n) == 0)
+			return true;
+		list += m;
+	}
+	return false;
+}
+
+/* LookAt, look_at and look-at are lookat. */
+static const struct field *find_alias(const struct field *f, int kind,
+    const char *name)
+{
+	char plain[SHOWN];
+	size_t n = 0;
+
+	for (; *name != '\0' && n + 1 < sizeof plain; name++)
+		if (*name != '_' && *name != '-')
+			plain[n++] = (char)tolower((unsigned char)*name);
+	plain[n] = '\0';
+	for (; f->name != NULL; f++)
+		if (is_of(f, kind) && listed(f->aliases, plain))
+			return f;
+	return NULL;
+}
+
+static void names_of(const struct field *f, int kind,
+    const char *names[FIELDS_MAX + 1])
+{
+	int n = 0;
+
+	for (; f->name != NULL; f++)
+		if (is_of(f, kind))
+			names[n++] = f->name;
+	names[n] = NULL;
+}
+
+/* The name that was meant in this object, or NULL. */
+static const char *meant(const struct field *table, int kind, const char *name)
+{
+	const char *names[FIELDS_MAX + 1];
+	const struct field *f = find_alias(table, kind, name);
+
+	names_of(table, kind, names);
+	return f != NULL ? f->name : nearest(name, names);
+}
+
+static void refuse_other_kind(const struct value *v, const struct field *table,
+    int kind)
+{
+	const struct field *f = find_any(table, v->name);
+	int other = 0;
+
+	if (f == NULL)
+		return;
+	while ((f->kinds >> other & 1) == 0)
+		other++;
+	value_refuse(v, "not a member of \"%s\"; \"%s\" has it",
+	    table->words[kind], table->words[other]);
+}
+
+/* Refuses a member that other objects of the scene have: of their first kind,
+ * else of any, else by another name. */
+static void refuse_misplaced(const struct value *v, const struct field *table)
+{
+	const char *names[FIELDS_MAX + 1];
+	const struct field *scene = v->source->scene, *f, *s;
+	char all[LISTED];
+	int n = 0, how;
+
+	for (how = 0; how < 2 && n == 0; how++)
+		for (s = scene; s->name != NULL; s++)
+			if (s->fields != NULL && s->fields != table &&
+			    (how == 0 ? find(s->fields, 0, v->name) :
+					find_any(s->fields, v->name)) != NULL)
+				names[n++] = s->name;
+	names[n] = NULL;
+	if (n > 0)
+		value_refuse(v, "unknown member; it belongs into %s",
+		    list_words(all, names, " or "));
+	for (s = scene; s->name != NULL; s++) {
+		if (s->fields == NULL || s->fields == table)
+			continue;
+		f = find_alias(s->fields, 0, v->name);
+		if (f != NULL)
+			value_refuse(v, "unknown member; \"%s\" has \"%s\"",
+			    s->name, f->name);
+	}
+}
+
+static _Noreturn void unknown(const struct value *v, const struct field *table,
+    int kind)
+{
+	const struct field *scene = v->source->scene;
+	const char *names[FIELDS_MAX + 1], *name = NULL;
+	char all[LISTED];
+
+	/* a misspelt camera makes a document look like a bare object */
+	if (v->in->in == NULL && table != scene && value_is_object(v))
+		name = meant(scene, 0, v->name);
+	if (name == NULL && find_alias(table, kind, v->name) == NULL) {
+		refuse_other_kind(v, table, kind);
+		refuse_misplaced(v, table);
+	}
+	if (name == NULL)
+		name = meant(table, kind, v->name);
+	if (name != NULL)
+		value_refuse(v, "unknown member; did you mean \"%s\"?", name);
+	names_of(table, kind, names);
+	value_refuse(v, "unknown member; there are %s",
+	    list_words(all, names, " and "));
+}
+
+unsigned fields_read(const struct value *v, const struct field *table, int kind,
+    void *base)
+{
+	unsigned seen = 0;
+
+	value_want_object(v);
+	struct value m = value_child(v);
+
+	for (; m.item != NULL; value_next(&m)) {
+		if (is_ignored(m.name))
+			continue;
+		unsigned bit = field_bit(table, kind, m.name);
+
+		if (bit == 0)
+			unknown(&m, table, kind);
+		if (seen & bit)
+			value_refuse(&m, "repeated; give it once");
+		seen |= bit;
+		const struct field *f = find(table, kind, m.name);
+
+		f->read(&m, f, (char *)base + f->at);
+	}
+	return seen;
+}
+
+/* The members of a way as bits, and of them those that it can't lack. */
+static unsigned way_bits(const struct field *table, int kind, const char *way,
+    unsigned *must)
+{
+	unsigned all = 0;
+	char name[SHOWN];
+
+	for (*must = 0; *way != '\0'; way += strspn(way, " ?")) {
+		size_t n = strcspn(way, " ?");
+
+		memcpy(name, way, n);
+		name[n] = '\0';
+		way += n;
+		unsigned bit = field_bit(table, kind, name);
+
+		all |= bit;
+		if (*way != '?')
+			*must |= bit;
+	}
+	return all;
+}
+
+static const struct field *lowest(const struct field *table, unsigned bits)
+{
+	while ((bits & 1) == 0) {
+		bits >>= 1;
+		table++;
+	}
+	return table;
+}
+
+/* extra doesn't go with the way that was taken; of that way's members, names
+ * one that no way combines it with. */
+static _Noreturn void refuse_extra(const struct value *v,
+    const struct field *table, int kind, unsigned taken, unsigned extra,
+    const struct ways *w)
+{
+	unsigned must, rivals = taken;
+
+	extra &= ~extra + 1;
+	for (int i = 0; w->way[i] != NULL; i++) {
+		unsigned all = way_bits(table, kind, w->way[i], &must);
+
+		if (all & extra)
+			rivals &= ~all;
+	}
+	struct value m = value_missing(v, lowest(table, extra)->name);
+
+	value_refuse(&m, "not together with \"%s\"; %s",
+	    lowest(table, rivals != 0 ? rivals : taken)->name, w->hint);
+}
+
+int fields_way(const struct value *v, const struct field *table, int kind,
+    unsigned seen, const struct ways *w)
+{
+	unsigned taken = 0, extra = 0, lacking = 0, any = 0, must, all;
+
+	for (int i = 0; w->way[i] != NULL; i++)
+		any |= way_bits(table, kind, w->way[i], &must);
+	seen &= any;
+	for (int i = 0; w->way[i] != NULL; i++) {
+		all = way_bits(table, kind, w->way[i], &must);
+		if ((must & ~seen) == 0 && (seen & ~all) == 0)
+			return i;
+		if ((must & ~seen) == 0 && (all & seen) != 0 && extra == 0) {
+			taken = seen & all;
+			extra = seen & ~all;
+		}
+		if ((must & seen) != 0 && lacking == 0)
+			lacking = must & ~seen;
+	}
+	if (extra != 0)
+		refuse_extra(v, table, kind, taken, extra, w);
+	if (lacking == 0)
+		way_bits(table, kind, w->way[0], &lacking);
+	struct value m = value_missing(v, lowest(table, lacking)->name);
+
+	value_refuse(&m, "missing; %s", w->hint);
+}

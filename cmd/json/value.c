@@ -1,0 +1,239 @@
+#include "value.h"
+
+#include <cjson/cJSON.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "../nearest.h"
+#include "../number/number.h"
+#include "../escape.h"
+#include "scan.h"
+#include "../talk.h"
+
+const struct range range_any = { -1e150, 1e150, "numbers go up to 1e150" };
+const struct range range_positive = { 1e-150, 1e150,
+	"a number from 1e-150 to 1e150 is wanted" };
+
+/* What passes syntax_check, cJSON takes, or has no memory. */
+struct value value_parse(const struct source *source, char *text, size_t size)
+{
+	struct value v = { .source = source };
+
+	syntax_check(source->name, text, size);
+	v.item = cJSON_ParseWithLength(text, size);
+	if (v.item == NULL)
+		die(EXIT_SYSTEM, "out of memory");
+	return v;
+}
+
+void value_free(const struct value *v)
+{
+	cJSON_Delete((cJSON *)v->item);
+}
+
+struct value value_child(const struct value *v)
+{
+	const cJSON *item = v->item->child;
+
+	return (struct value){ v->source, v, item != NULL ? item->string : NULL,
+		0, item };
+}
+
+void value_next(struct value *v)
+{
+	v->item = v->item->next;
+	v->index++;
+	v->name = v->item != NULL ? v->item->string : NULL;
+}
+
+struct value value_missing(const struct value *in, const char *name)
+{
+	return (struct value){ in->source, in, name, 0, NULL };
+}
+
+bool value_is_object(const struct value *v)
+{
+	return cJSON_IsObject(v->item);
+}
+
+bool value_is_array(const struct value *v)
+{
+	return cJSON_IsArray(v->item);
+}
+
+bool value_is_null(const struct value *v)
+{
+	return cJSON_IsNull(v->item);
+}
+
+const char *value_string(const struct value *v)
+{
+	return cJSON_GetStringValue(v->item);
+}
+
+size_t value_count(const struct value *v)
+{
+	size_t n = 0;
+
+	for (const cJSON *item = v->item->child; item != NULL;
+	     item = item->next)
+		n++;
+	return n;
+}
+
+/* A step of a pointer: ~ is ~0, / is ~1 (RFC 6901). */
+static void step(char out[SHOWN], const char *name)
+{
+	char escaped[2 * SHOWN];
+	size_t n = 0;
+
+	for (; *name != '\0' && n + 2 <= sizeof escaped; name++) {
+		if (*name == '~' || *name == '/')
+			escaped[n++] = '~';
+		char c = *name;
+
+		escaped[n++] = c == '~' ? '0' : c == '/' ? '1' : c;
+	}
+	show(out, escaped, n);
+}
+
+/* Values are not looked at more than this deep: /camera/matrix/matrix/3/3. */
+enum { STEPS_MAX = 5 };
+
+/* Writes /camera/eye/0 and returns where it ends. */
+static char *pointer(const struct value *v, char *out)
+{
+	char name[SHOWN];
+
+	if (v->in == NULL)
+		return out;
+	out = pointer(v->in, out);
+	if (v->name != NULL)
+		step(name, v->name);
+	else
+		snprintf(name, sizeof name, "%zu", v->index);
+	return out + sprintf(out, "/%s", name);
+}
+
+void value_refuse(const struct value *v, const char *format, ...)
+{
+	char what[1024], way[STEPS_MAX * SHOWN + 1];
+	va_list args;
+
+	*pointer(v, way) = '\0';
+	va_start(args, format);
+	vsnprintf(what, sizeof what, format, args);
+	va_end(args);
+	die(EXIT_INPUT, "%s: %s%s%s", v->source->name, way,
+	    *way != '\0' ? ": " : "", what);
+}
+
+void value_wrong(const struct value *v, const char *wanted)
+{
+	static const struct {
+		int type;
+		const char *name;
+	} names[] = {
+		{ cJSON_False, "false" },
+		{ cJSON_True, "true" },
+		{ cJSON_NULL, "null" },
+		{ cJSON_Number, "a number" },
+		{ cJSON_String, "a string" },
+		{ cJSON_Array, "an array" },
+	};
+	const char *name = "an object";
+
+	for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+		if ((v->item->type & 0xff) == names[i].type)
+			name = names[i].name;
+	value_refuse(v, "is %s; %s is wanted", name, wanted);
+}
+
+void value_want_object(const struct value *v)
+{
+	if (!value_is_object(v))
+		value_wrong(v, "an object");
+}
+
+double value_number(const struct value *v, const struct range *range)
+{
+	const struct number_style shortest = { NUMBER_SHORTEST, 0 };
+	double x = v->item->valuedouble;
+	char text[NUMBER_MAX];
+
+	if (cJSON_IsString(v->item) &&
+	    strcmp(v->item->valuestring, "infinity") == 0)
+		value_refuse(v, "only \"far\" of \"persp\" can be infinite");
+	if (!cJSON_IsNumber(v->item))
+		value_wrong(v, "a number");
+	if (v->source->form || (x >= range->min && x <= range->max))
+		return x;
+	if (isinf(x))
+		value_refuse(v, "is beyond the range of doubles; %s",
+		    range->wanted);
+	*number_write(text, x, shortest) = '\0';
+	value_refuse(v, "%s is %s; %s", text,
+	    range->min > 0 && x <= 0 ? "not positive" : "out of range",
+	    range->wanted);
+}
+
+bool value_flag(const struct value *v)
+{
+	if (!cJSON_IsBool(v->item))
+		value_wrong(v, "true or false");
+	return cJSON_IsTrue(v->item);
+}
+
+void value_numbers(const struct value *v, const struct range *range, size_t n,
+    double *out)
+{
+	char wanted[40];
+
+	snprintf(wanted, sizeof wanted, "an array of %zu numbers", n);
+	if (!value_is_array(v))
+		value_wrong(v, wanted);
+	if (value_count(v) != n)
+		value_refuse(v, "has %zu elements; %s is wanted",
+		    value_count(v), wanted);
+	struct value e = value_child(v);
+
+	for (; e.item != NULL; value_next(&e))
+		*out++ = value_number(&e, range);
+}
+
+static const char *between(const char *const *rest, const char *last)
+{
+	return rest[0] == NULL ? "" : rest[1] == NULL ? last : ", ";
+}
+
+const char *list_words(char out[LISTED], const char *const *words,
+    const char *last)
+{
+	size_t at = 0;
+
+	*out = '\0';
+	for (int i = 0; words[i] != NULL && at < LISTED; i++)
+		at += (size_t)snprintf(out + at, LISTED - at, "\"%s\"%s",
+		    words[i], between(words + i + 1, last));
+	return out;
+}
+
+int value_word(const struct value *v, const char *const *words)
+{
+	const char *s = value_string(v), *near;
+	char all[LISTED], shown[SHOWN];
+
+	list_words(all, words, " or ");
+	if (s == NULL)
+		value_wrong(v, all);
+	for (int i = 0; words[i] != NULL; i++)
+		if (strcmp(s, words[i]) == 0)
+			return i;
+	near = nearest(s, words);
+	show(shown, s, strlen(s));
+	if (near != NULL)
+		value_refuse(v, "is \"%s\"; did you mean \"%s\"?", shown, near);
+	value_refuse(v, "is \"%s\"; %s is wanted", shown, all);
+}

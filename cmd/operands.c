@@ -1,0 +1,283 @@
+#include <ctype.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "command.h"
+#include "points/progress.h"
+#include "talk.h"
+
+enum { DOCUMENT_MAX = 1 << 28 };
+
+static char first_of(const char *s)
+{
+	while (isspace((unsigned char)*s))
+		s++;
+	return *s;
+}
+
+static bool is_stdin(const char *operand)
+{
+	return strcmp(operand, "-") == 0;
+}
+
+/* Not as a standard stream that is closed, and must stay so. */
+static int open_file(const char *name)
+{
+	int fd = open(name, O_RDONLY), low = fd;
+
+	if (fd < 0 || fd > STDERR_FILENO)
+		return fd;
+	fd = fcntl(low, F_DUPFD, STDERR_FILENO + 1);
+	close(low);
+	return fd;
+}
+
+static int open_input(const char *name)
+{
+	struct stat st;
+	int fd = is_stdin(name) ? STDIN_FILENO : open_file(name);
+
+	if (fd < 0 || fstat(fd, &st) != 0)
+		die(EXIT_USAGE, "%s: %s", name, strerror(errno));
+	if (S_ISDIR(st.st_mode))
+		die(EXIT_USAGE, "%s: is a directory", name);
+	return fd;
+}
+
+static char *read_whole(const char *name, size_t *size)
+{
+	int fd = open_input(name);
+	size_t room = 1 << 16;
+	char *text = need(NULL, room);
+
+	*size = 0;
+	for (;;) {
+		ssize_t n = read(fd, text + *size, room - *size);
+
+		if (n < 0 && go_on(fd, POLLIN))
+			continue;
+		if (n < 0)
+			die(EXIT_SYSTEM, "%s: %s", name, strerror(errno));
+		if (n == 0)
+			break;
+		*size += (size_t)n;
+		if (*size > DOCUMENT_MAX)
+			die(EXIT_INPUT,
+			    "%s: a document of more than 256 MiB; "
+			    "points may stand in a file of their own",
+			    name);
+		if (*size == room)
+			text = need(text, room *= 2);
+	}
+	if (fd != STDIN_FILENO)
+		close(fd);
+	return text;
+}
+
+/* Every operand can be opened before anything is printed. */
+static void check_operands(const struct options *o)
+{
+	int from_stdin = is_stdin(o->params);
+
+	for (int i = 0; i < o->n_points && !o->matrix; i++) {
+		const char *name = o->points[i];
+
+		if (is_stdin(name) && from_stdin++)
+			die(EXIT_USAGE,
+			    is_stdin(o->params) ?
+				"PARAMS and POINTS are both standard input; "
+				"name a file for one of them" :
+				"standard input is named twice");
+		if (is_stdin(name) || first_of(name) == '[')
+			continue;
+		struct stat st;
+
+		if (stat(name, &st) == 0 && S_ISDIR(st.st_mode))
+			die(EXIT_USAGE, "%s: is a directory", name);
+		if (access(name, R_OK) == 0)
+			continue;
+		double v;
+		const char *end = name + strlen(name);
+
+		if (number_read(name, end, &v) == end && end != name)
+			die(EXIT_USAGE,
+			    "%s: %s; POINTS are a file, - or "
+			    "'[0,0,0]'",
+			    name, strerror(errno));
+		die(EXIT_USAGE, "%s: %s", name, strerror(errno));
+	}
+}
+
+/* Of a projection the viewport may give the aspect; a window adapts to the
+ * device; fit and pick alone read bounds and pick. */
+static unsigned unused(const struct command *c)
+{
+	const unsigned flat = MEMBER_WINDOW | MEMBER_DEVICE;
+	unsigned used = ~(flat | MEMBER_BOUNDS | MEMBER_PICK);
+
+	if (c->run == run_matrix)
+		used = c->needed | (c->projection >= 0 ? MEMBER_VIEWPORT : 0) |
+		    (c->flat ? MEMBER_DEVICE : 0);
+	if (c->run == run_fit)
+		used |= MEMBER_BOUNDS;
+	if (c->run == run_pick)
+		used |= MEMBER_PICK;
+	return ~used;
+}
+
+void read_document(const struct command *c, const struct options *o,
+    int coordinates, struct document *d)
+{
+	struct json_wants wants = {
+		.bare = c->bare,
+		.needed = c->needed,
+		.projection = c->projection,
+		.convention = o->convention,
+		/* operands replace the member */
+		.coordinates = o->matrix || o->n_points > 0 ? 0 : coordinates,
+		.fit = c->run == run_fit,
+		.unused = unused(c),
+	};
+	const char *name = o->params;
+	char *text;
+	size_t size;
+
+	check_operands(o);
+	if (first_of(o->params) == '{') {
+		name = "PARAMS";
+		size = strlen(o->params);
+		text = need(NULL, size + 1);
+		memcpy(text, o->params, size);
+	} else {
+		text = read_whole(name, &size);
+	}
+	json_read(d, name, text, size, &wants);
+	free(text);
+}
+
+bool has_points(const struct options *o, const struct document *d)
+{
+	return o->n_points > 0 || d->points != NULL;
+}
+
+void stream_options(struct job *j, const struct options *o)
+{
+	j->layout = (struct layout){
+		.in = o->in,
+		.out = o->out_given ? o->out : o->in,
+		.columns = o->columns,
+		.reads = j->transform.in,
+		.writes = j->transform.out,
+		.style = o->style,
+	};
+	j->effort = o->effort;
+	j->keep_going = o->keep_going;
+	progress_start(o->progress);
+	j->threads = o->jobs > 0 ? o->jobs : (int)sysconf(_SC_NPROCESSORS_ONLN);
+	const char *cpu = getenv("PROJCALC_CPU");
+
+	if (!points_choose(cpu))
+		die(EXIT_USAGE,
+		    "PROJCALC_CPU=%s: not a processor that this is; "
+		    "it is one of baseline, avx2 and avx512",
+		    cpu);
+	for (int i = 0; i < o->columns.n; i++)
+		if (o->columns.name[i] != NULL && o->in != FORMAT_CSV)
+			die(EXIT_USAGE,
+			    "--columns: '%s' is a name, and names "
+			    "are for -i csv; write numbers: 2,3,4",
+			    o->columns.name[i]);
+	if (o->flags && is_binary(j->layout.out))
+		die(EXIT_USAGE,
+		    "--flags: binary points have no room for words; say "
+		    "-o text");
+	if (o->columns.n > 0 && is_binary(o->in))
+		die(EXIT_USAGE, "--columns: binary points have no fields");
+	if (o->columns.n > 0 && o->columns.n != j->layout.reads)
+		die(EXIT_USAGE,
+		    "--columns: %d fields; %d coordinates are "
+		    "read here",
+		    o->columns.n, j->layout.reads);
+}
+
+static void stream_json(struct job *j, const char *name, const char *text,
+    size_t size)
+{
+	enum format in = j->layout.in;
+
+	j->layout.in = FORMAT_JSON;
+	stream_text(j, name, text, size);
+	j->layout.in = in;
+}
+
+/* Columns are of files. */
+static void check_columns(const struct options *o, const struct document *d)
+{
+	bool typed = o->n_points == 0 && d->points != NULL;
+
+	for (int i = 0; i < o->n_points; i++)
+		typed |= first_of(o->points[i]) == '[';
+	if (typed && o->columns.n > 0)
+		die(EXIT_USAGE,
+		    "--columns: points that are typed, or in the document, "
+		    "begin with their coordinates; name a file");
+}
+
+/* Points typed as an operand, to be freed. */
+static char *typed_points(const struct job *j, const char *operand,
+    size_t *size)
+{
+	size_t n = strlen(operand);
+	char *text = need(NULL, n + 1), *points;
+
+	memcpy(text, operand, n + 1);
+	json_points("POINTS", text, n, j->layout.reads, &points, size);
+	free(text);
+	return points;
+}
+
+static void stream_operand(struct job *j, const char *operand)
+{
+	if (first_of(operand) == '[') {
+		size_t size;
+		char *points = typed_points(j, operand, &size);
+
+		stream_json(j, "POINTS", points, size);
+		free(points);
+		return;
+	}
+	int fd = open_input(operand);
+
+	stream_file(j, operand, fd);
+	if (fd != STDIN_FILENO)
+		close(fd);
+}
+
+void stream_points(const struct options *o, const struct document *d,
+    struct job *j)
+{
+	if (o->n_points == 0 && d->points == NULL && is_stdin(o->params))
+		die(EXIT_USAGE,
+		    "PARAMS and POINTS are both standard input, "
+		    "and the document has no points; name a file for one of "
+		    "them");
+	check_columns(o, d);
+	if (o->n_points == 0 && d->points != NULL)
+		stream_json(j, d->name, d->points, d->points_size);
+	else if (o->n_points == 0)
+		stream_operand(j, "-");
+	/* what is typed wrong is refused before anything is printed */
+	for (int i = 1; i < o->n_points; i++)
+		if (first_of(o->points[i]) == '[') {
+			size_t size;
+
+			free(typed_points(j, o->points[i], &size));
+		}
+	for (int i = 0; i < o->n_points; i++)
+		stream_operand(j, o->points[i]);
+}

@@ -1,0 +1,80 @@
+/* JSON documents to scenes: strict, with the place of what is wrong. Errors
+ * are printed here, as one line, and end in exit status 1. */
+#ifndef JSON_H
+#define JSON_H
+
+#include <stddef.h>
+
+#include "../../core/fit_bounds.h"
+
+/* A member of a scene, as a bit, to say what a command needs. */
+enum member {
+	MEMBER_CONVENTION = 1,
+	MEMBER_WORLD = 2,
+	MEMBER_CAMERA = 4,
+	MEMBER_PROJECTION = 8,
+	MEMBER_VIEWPORT = 16,
+	MEMBER_WINDOW = 32,
+	MEMBER_DEVICE = 64,
+	MEMBER_POINTS = 128,
+	MEMBER_BOUNDS = 256,
+	MEMBER_PICK = 512,
+};
+
+/* Where on the device, and how far around; 0 where it isn't said. */
+struct pick {
+	bool has_at;
+	double at[2], radius;
+};
+
+struct document {
+	struct scene scene;
+	struct pick pick;
+	bool has_bounds, has_eye; /* for fit; a camera's matrix has an eye */
+	struct bounds bounds;
+	const char *name; /* for messages: the file, "-" or "PARAMS" */
+	/* The member as which an object with none of a scene's members was
+	 * read, whose pointers then have no first part; or NULL. */
+	const char *bare;
+	/* The member points as json_points gives it, or NULL. */
+	char *points;
+	size_t points_size;
+};
+
+struct json_wants {
+	/* As what an object with none of a scene's members is read: a camera
+	 * for lookat, ...; 0 for none. */
+	enum member bare;
+	/* Members that must be there; 0 for none. */
+	unsigned needed;
+	/* The projection type that is implied and alone allowed, or -1. */
+	int projection;
+	/* The -c option, or NULL. */
+	const char *convention;
+	/* Of each point; 0 where the command reads none. */
+	int coordinates;
+	/* What fit finds need not be there: the camera's eye, near, far, and
+	 * the sizes of a parallel projection. */
+	bool fit;
+	/* Members of which only the form is checked. */
+	unsigned unused;
+};
+
+/* Reads text[0..size), which it may change, into *d. */
+void json_read(struct document *d, const char *name, char *text, size_t size,
+    const struct json_wants *wants);
+
+/* One point or a list of points, as lines: one JSON array a line, each with
+ * as many numbers or nulls as coordinates says before anything else; the
+ * text of each element is as it was. To be freed. */
+void json_points(const char *name, char *text, size_t size, int coordinates,
+    char **points, size_t *points_size);
+
+/* Returns false where no convention has the name. */
+bool convention_find(const char *name, struct convention *);
+
+/* Prints "projcalc: FILE: /pointer: reason" for a refusal of core/, whose
+ * reason begins with its pointer, and exits with 1. */
+_Noreturn void json_refuse(const struct document *d, const char *why);
+
+#endif

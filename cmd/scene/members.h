@@ -1,0 +1,25 @@
+/* The members of a scene: what each may be. */
+#ifndef MEMBERS_H
+#define MEMBERS_H
+
+#include "document.h"
+#include "readers.h"
+
+extern const struct field camera_fields[], projection_fields[],
+    viewport_fields[], window_fields[], device_fields[], bounds_fields[],
+    pick_fields[];
+
+/* Returns whether there is an eye. */
+bool read_camera(const struct value *, struct camera *);
+void read_viewport(const struct value *, struct viewport *);
+void read_window(const struct value *, struct window *);
+void read_device(const struct value *, struct device *);
+void read_bounds(const struct value *, struct bounds *);
+void read_pick(const struct value *, struct pick *);
+
+/* implied is the type that the command implies and demands, or -1; viewport,
+ * from which the aspect is taken, is NULL where there is none. */
+void read_projection(const struct value *, int implied,
+    const struct viewport *viewport, struct projection *);
+
+#endif

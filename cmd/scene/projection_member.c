@@ -1,0 +1,268 @@
+#include "members.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "../escape.h"
+
+/* The largest doubles below 180 and 1, which are out themselves. */
+#define BELOW_180 0x1.67fffffffffffp+7
+#define BELOW_1 0x1.fffffffffffffp-1
+
+static const struct range opening = { 1e-150, BELOW_180,
+	"an angle above 0 and below 180 degrees is wanted" };
+static const struct range slope = { 1e-150, 90,
+	"an angle above 0 and up to 90 degrees is wanted" };
+static const struct range fraction = { 1e-150, BELOW_1,
+	"a number above 0 and below 1 is wanted" };
+
+static const char *const types[] = { "persp", "ortho", "oblique", "volume",
+	"matrix", NULL };
+static const char *const kinds[] = { "cavalier", "cabinet", NULL };
+
+/* The types as bits. */
+enum { P = 1, O = 2, B = 4, V = 8, M = 16 };
+
+#define OF(of, label, m, count, within, other)                    \
+	{                                                         \
+		.name = label, .read = read_numbers,              \
+		.at = offsetof(struct projection, m), .n = count, \
+		.range = within, .kinds = of, .aliases = other    \
+	}
+
+static void read_type(const struct value *v, const struct field *f, void *to)
+{
+	struct projection *p = to;
+
+	p->type = PROJECTION_PERSP + (unsigned)value_word(v, f->words);
+}
+
+static void read_kind(const struct value *v, const struct field *f, void *to)
+{
+	struct projection *p = to;
+
+	p->kind = OBLIQUE_CAVALIER + (unsigned)value_word(v, f->words);
+}
+
+#define FAR "a number or \"infinity\""
+
+static void read_far(const struct value *v, const struct field *f, void *to)
+{
+	const char *s = value_string(v);
+	char shown[SHOWN];
+
+	if (s != NULL && strcmp(s, "infinity") == 0)
+		*(double *)to = HUGE_VAL;
+	else if (s != NULL)
+		value_refuse(v, "is \"%s\"; " FAR " is wanted",
+		    show(shown, s, strlen(s)));
+	else if (value_is_null(v))
+		value_wrong(v, FAR);
+	else
+		read_numbers(v, f, to);
+}
+
+const struct field projection_fields[] = {
+	{ .name = "type", .read = read_type, .words = types },
+	OF(P, "near", near, 0, &range_positive, "znear nearplane"),
+	OF(O | B, "near", near, 0, NULL, "znear nearplane"),
+	{ .name = "far",
+	    .read = read_far,
+	    .at = offsetof(struct projection, far),
+	    .range = &range_positive,
+	    .kinds = P,
+	    .aliases = "zfar farplane" },
+	OF(O | B, "far", far, 0, NULL, "zfar farplane"),
+	{ .name = "reverse_z",
+	    .read = read_flag,
+	    .kinds = P | O | B,
+	    .at = offsetof(struct projection, reverse_z),
+	    .aliases = "reversed" },
+	OF(P, "fovy", angle, 0, &opening, "fov yfov verticalfov fieldofview"),
+	OF(P, "fovx", angle, 0, &opening, "xfov horizontalfov hfov"),
+	OF(P, "view_angle", angle, 0, &opening, "angle"),
+	OF(P, "field", angle, 0, &range_positive, NULL),
+	OF(P | O | B, "aspect", aspect, 0, &range_positive,
+	    "ratio aspectratio"),
+	OF(P | O | B, "width", width, 0, &range_positive, NULL),
+	OF(P | O | B, "height", height, 0, &range_positive, NULL),
+	OF(P | O | B, "left", left, 0, NULL, NULL),
+	OF(P | O | B, "right", right, 0, NULL, NULL),
+	OF(P | O | B, "bottom", bottom, 0, NULL, NULL),
+	OF(P | O | B, "top", top, 0, NULL, NULL),
+	OF(P, "near_ratio", near_ratio, 0, &fraction, NULL),
+	{ .name = "kind", .read = read_kind, .words = kinds, .kinds = B },
+	OF(B, "angle", projector, 0, &slope, NULL),
+	OF(B, "direction", direction, 0, NULL, NULL),
+	OF(B, "plane", plane, 0, NULL, NULL),
+	OF(V, "half_width", half_width, 0, &range_positive, NULL),
+	OF(V, "half_height", half_height, 0, &range_positive, NULL),
+	OF(V, "z_near", z_near, 0, NULL, "near znear nearplane"),
+	OF(V, "z_far", z_far, 0, NULL, "far zfar farplane"),
+	OF(V, "inverse_eye_z", inverse_eye_z, 0, NULL, NULL),
+	OF(V, "tan_skew", tan_skew, 2, NULL, "skew"),
+	OF(V, "eye", eye, 3, NULL, NULL),
+	{ .name = "matrix",
+	    .read = read_matrix,
+	    .kinds = M,
+	    .at = offsetof(struct projection, matrix) },
+	{ .name = NULL },
+};
+
+_Static_assert(sizeof projection_fields / sizeof *projection_fields <= 33,
+    "members are bits of an unsigned");
+
+#define SECTION_HINT                                         \
+	"\"width\" and \"height\", or \"left\", \"right\", " \
+	"\"bottom\" and \"top\""
+
+static const struct ways persp_ways = {
+	"give one of \"fovy\", \"fovx\", \"view_angle\" and \"field\", "
+	"or " SECTION_HINT,
+	{ "fovy aspect?", "fovx aspect?", "view_angle aspect?", "field aspect?",
+	    "width height", "left right bottom top" },
+};
+
+static const struct ways parallel_ways = {
+	"give \"height\" and \"aspect\", " SECTION_HINT,
+	{ "width height", "height aspect?", "left right bottom top" },
+};
+
+/* What fit does without; of an aspect it makes width and height. */
+static const struct ways fit_parallel_ways = {
+	"give \"aspect\" with \"height\" or without, " SECTION_HINT ", or "
+	"nothing",
+	{ "width? height?", "height? aspect?", "left right bottom top" },
+};
+
+static const struct ways depth_ways = {
+	"give \"near\" and \"far\"",
+	{ "near far" },
+};
+
+static const struct ways near_ways = {
+	"give it: width and height, or the edges, are on the near plane",
+	{ "near far?" },
+};
+
+static const struct ways shear_ways = {
+	"give \"kind\" (\"cavalier\" or \"cabinet\") or \"angle\"",
+	{ "kind", "angle" },
+};
+
+static const struct ways volume_ways = {
+	"give \"half_width\", \"half_height\", \"z_near\" and \"z_far\"",
+	{ "half_width half_height z_near z_far" },
+};
+
+static const struct ways eye_ways = {
+	"give \"eye\", or \"inverse_eye_z\" and \"tan_skew\"",
+	{ "inverse_eye_z? tan_skew?", "eye" },
+};
+
+static const struct ways matrix_ways = { "give \"matrix\"", { "matrix" } };
+
+/* Checks what a projection has, and says how its section is given. */
+static enum extent section(const struct value *v, int type, unsigned seen)
+{
+	static const enum extent persp[] = { EXTENT_FOVY, EXTENT_FOVX,
+		EXTENT_VIEW_ANGLE, EXTENT_FIELD, EXTENT_SIZE, EXTENT_EDGES };
+	static const enum extent parallel[] = { EXTENT_SIZE, EXTENT_HEIGHT,
+		EXTENT_EDGES };
+	bool is_persp = type == PROJECTION_PERSP;
+	bool fit = v->source->fit;
+	const struct ways *ways = fit ? &fit_parallel_ways : &parallel_ways;
+	int way = fields_way(v, projection_fields, type - 1, seen,
+	    is_persp ? &persp_ways : ways);
+
+	/* the slopes are at the near plane */
+	if (!fit)
+		fields_way(v, projection_fields, type - 1, seen, &depth_ways);
+	else if (is_persp && persp[way] >= EXTENT_SIZE)
+		fields_way(v, projection_fields, type - 1, seen, &near_ways);
+	if (type == PROJECTION_OBLIQUE)
+		fields_way(v, projection_fields, type - 1, seen, &shear_ways);
+	return is_persp ? persp[way] : parallel[way];
+}
+
+/* The aspect that was given, or else the viewport's; aspect[1] stays 0 where
+ * fit is free of one. */
+static void find_aspect(const struct value *v, const struct viewport *viewport,
+    struct projection *p)
+{
+	struct value missing = value_missing(v, "aspect");
+	bool widens = v->source->fit && p->type != PROJECTION_PERSP;
+
+	if (v->source->form)
+		return;
+	if (!widens && (p->extent == EXTENT_SIZE || p->extent == EXTENT_EDGES))
+		return;
+	if (widens && viewport == NULL && p->aspect[0] == 0)
+		return;
+	p->aspect[1] = 1;
+	if (p->aspect[0] > 0)
+		return;
+	if (viewport == NULL) {
+		value_refuse(&missing, "missing; give it, or a \"viewport\"");
+	} else if (viewport->scale == SCALE_UNIFORM) {
+		p->aspect[0] = 1;
+	} else {
+		p->aspect[0] = viewport->width;
+		p->aspect[1] = viewport->height;
+	}
+}
+
+static _Noreturn void refuse_type(const struct value *v, const char *is,
+    const char *command)
+{
+	/* no command is called matrix */
+	const char *other = strcmp(is, "matrix") == 0 ? "project" : is;
+
+	value_refuse(v,
+	    "\"%s\", but the command is %s; use the command %s, or "
+	    "\"type\": \"%s\"",
+	    is, command, other, command);
+}
+
+/* The type decides which members there are, so it is looked for first. */
+static void find_type(const struct value *v, int implied, struct projection *p)
+{
+	struct value m = value_child(v), missing = value_missing(v, "type");
+	char all[LISTED];
+
+	while (m.item != NULL && strcmp(m.name, "type") != 0)
+		value_next(&m);
+	if (m.item != NULL)
+		read_type(&m, projection_fields, p);
+	else if (implied > 0)
+		p->type = (unsigned)implied;
+	else
+		value_refuse(&missing, "missing; it is %s",
+		    list_words(all, types, " or "));
+	if (implied > 0 && p->type != (unsigned)implied)
+		refuse_type(&m, types[p->type - 1], types[implied - 1]);
+}
+
+void read_projection(const struct value *v, int implied,
+    const struct viewport *viewport, struct projection *p)
+{
+	*p = (struct projection){ .near_ratio = 0.0005, .direction = 45 };
+	value_want_object(v);
+	find_type(v, implied, p);
+	int kind = (int)p->type - 1; /* as in types */
+	unsigned seen = fields_read(v, projection_fields, kind, p);
+
+	/* fit refuses volume and matrix, whatever they have */
+	if (v->source->fit && p->type > PROJECTION_OBLIQUE)
+		return;
+	if (p->type == PROJECTION_VOLUME) {
+		fields_way(v, projection_fields, kind, seen, &volume_ways);
+		p->has_eye = fields_way(v, projection_fields, kind, seen,
+				 &eye_ways) == 1;
+	} else if (p->type == PROJECTION_MATRIX) {
+		fields_way(v, projection_fields, kind, seen, &matrix_ways);
+	} else {
+		p->extent = section(v, (int)p->type, seen);
+		find_aspect(v, viewport, p);
+	}
+}

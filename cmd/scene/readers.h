@@ -1,0 +1,27 @@
+/* Readers of members, for the tables of fields.h. */
+#ifndef READERS_H
+#define READERS_H
+
+#include "../json/object.h"
+
+/* The value as it is, to be read later. */
+void read_value(const struct value *, const struct field *, void *);
+
+/* A number, or an array of n numbers; to double. */
+void read_numbers(const struct value *, const struct field *, void *);
+
+/* true or false, to bool. */
+void read_flag(const struct value *, const struct field *, void *);
+
+/* One of words, to an enum that counts them from 0. */
+void read_word(const struct value *, const struct field *, void *);
+
+/* One of two words, to bool: whether it is the second. */
+void read_second(const struct value *, const struct field *, void *);
+
+/* To double[4][4] of row vectors. Nested rows are of source->column vectors,
+ * unless the object that -o json prints says otherwise; a flat array is in
+ * memory order. */
+void read_matrix(const struct value *, const struct field *, void *);
+
+#endif

@@ -1,0 +1,19 @@
+#!/bin/sh
+# Builds for arm64 and runs that under qemu: the golden cases and the digests
+# of testdata/bits.sha256. Wants what `make deps-all` installs.
+# usage: arm64.sh [BUILD]
+set -eu
+cd "$(dirname "$0")/../.."
+build=${1:-build/arm64}
+unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
+
+make -s "BUILD=$build" CC=aarch64-linux-gnu-gcc CXX=aarch64-linux-gnu-g++ \
+    "$build/projcalc"
+mkdir -p "$build/emulated"
+program=$(cd "$build" && pwd)/projcalc
+cat >"$build/emulated/projcalc" <<END
+#!/bin/sh
+exec qemu-aarch64-static '$program' "\$@"
+END
+chmod +x "$build/emulated/projcalc"
+exec prove cmd/test/golden_test.t cmd/test/bits_test.t :: "$build/emulated"

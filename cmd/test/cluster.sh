@@ -1,0 +1,252 @@
+#!/bin/sh
+# A cluster on one machine: a head and three hosts, each a set of namespaces
+# with a network, a process table, a name and a home of its own, and sshd; one
+# directory they share. GNU parallel and Slurm spread points over them by the
+# manual's recipes; what comes back is compared with the output of one process,
+# and hosts are killed half-way. All of it goes when the script ends. Wants
+# root, and what `make deps-all` installs.
+# usage: cluster.sh BUILD
+set -eu
+build=$(cd "$1" && pwd)
+cd "$(dirname "$0")/../.."
+
+die() {
+	echo "cluster.sh: $*" >&2
+	exit 1
+}
+
+if [ "${CLUSTER:-}" != inside ]; then
+	[ "$(id -u)" = 0 ] || die 'namespaces want root'
+	CLUSTER=inside exec unshare --net --mount --uts --pid --fork \
+	    --kill-child --mount-proc sh cmd/test/cluster.sh "$build"
+fi
+
+tmp=$(mktemp -d)
+trap 'rm -rf "$tmp"' EXIT
+PATH=$build:$PATH
+LC_ALL=C
+export PATH LC_ALL
+
+# Tries a command for half a minute.
+soon() {
+	tries=0
+	until "$@" >"$tmp/soon" 2>&1; do
+		tries=$((tries + 1))
+		[ $tries -lt 300 ] || die "$*: $(cat "$tmp/soon")"
+		sleep 0.1
+	done
+}
+
+# What sshd asks of a system: an account whose home is the cluster's, a key,
+# names for addresses. Nothing of the machine's own is read or changed.
+system() {
+	HOME=$tmp/home
+	export HOME
+	mkdir "$HOME" "$HOME/.ssh" "$tmp/1" "$tmp/2" "$tmp/3" "$tmp/shared"
+	chmod 700 "$HOME/.ssh"
+	mount -t tmpfs tmpfs /run
+	mkdir /run/sshd
+	ssh-keygen -q -t ed25519 -N '' -f "$HOME/.ssh/id_ed25519"
+	cp "$HOME/.ssh/id_ed25519.pub" "$HOME/.ssh/authorized_keys"
+	# A host that is silent for two seconds is dead.
+	cat >"$HOME/.ssh/config" <<-END
+		Host *
+		StrictHostKeyChecking no
+		LogLevel ERROR
+		ServerAliveInterval 1
+		ServerAliveCountMax 2
+		ConnectTimeout 3
+	END
+	cat >"$tmp/passwd" <<-END
+		root:x:0:0::$HOME:/bin/sh
+		sshd:x:101:65534::/run/sshd:/usr/sbin/nologin
+	END
+	echo 'root:*:20000:0:99999:7:::' >"$tmp/shadow"
+	cat >"$tmp/hosts" <<-END
+		127.0.0.1 localhost
+		10.0.0.10 head
+		10.0.0.1 host1
+		10.0.0.2 host2
+		10.0.0.3 host3
+	END
+	for file in passwd shadow hosts; do
+		mount --bind "$tmp/$file" /etc/$file
+	done
+	cat >"$tmp/sshd_config" <<-END
+		HostKey $HOME/.ssh/id_ed25519
+		UsePAM no
+		PidFile none
+		StrictModes no
+		PermitRootLogin yes
+		SetEnv PATH=$PATH
+		MaxStartups 100
+	END
+	hostname head
+	ip link set lo up
+	ip link add switch type bridge
+	ip addr add 10.0.0.10/24 dev switch
+	ip link set switch up
+}
+
+# Starts host N; its processes are children of one that can be killed.
+host() {
+	cp -r "$HOME/.ssh" "$tmp/$1"
+	unshare --net --mount --uts --pid --fork --kill-child --mount-proc \
+	    sh -c "hostname host$1
+		mount --bind '$tmp/$1' '$HOME'
+		until ip link show eth0 >/dev/null 2>&1; do sleep 0.05; done
+		ip link set lo up
+		ip addr add 10.0.0.$1/24 dev eth0
+		ip link set eth0 up
+		exec /usr/sbin/sshd -D -e -f '$tmp/sshd_config'" \
+	    2>"$tmp/sshd$1" &
+	eval "host$1=$!"
+	ip link add "port$1" type veth peer name "wire$1"
+	ip link set "port$1" master switch up
+	soon ip link set "wire$1" netns $! name eth0
+	soon ssh "host$1" true
+}
+
+# As when its plug is pulled: processes and network are gone, and no word.
+kill_host() {
+	eval "kill -9 \$host$1"
+	echo "	host$1 is killed" >&3
+}
+
+# Until the image, or the images, of what runs have so many bytes.
+until_written() {
+	until [ "$(cat image* 2>/dev/null | wc -c)" -gt "$1" ]; do
+		kill -0 $! || die 'done before a host could be killed'
+		sleep 0.02
+	done
+}
+
+# usage: is_whole NAME: the image is that of one process, and says so.
+is_whole() {
+	cmp one image || die "$1: not the image of one process"
+	rm -f image*
+	echo "ok - $1" >&3
+}
+
+# A host that dies is no host for what comes after.
+parallel_runs() {
+	three=host1,host2,host3
+	parallel --pipe --block 1M -k -q -S $three --basefile scene.json \
+	    projcalc project -j1 scene.json - <points >image
+	is_whole 'parallel --pipe'
+	parallel --pipepart -a points --block 1M -k -q -S $three \
+	    --basefile scene.json projcalc project -j1 scene.json - >image
+	is_whole 'parallel --pipepart'
+	parallel --pipe --block 512k --retries 3 -k -q -S $three \
+	    --basefile scene.json --joblog joblog \
+	    projcalc project -j1 scene.json - <points >image &
+	until_written 5000000
+	kill_host 2
+	wait $!
+	cut -f 2 joblog | grep -q host2
+	is_whole 'parallel --pipe --retries 3, a host less'
+	host 2
+	seq 40 | parallel --retries 3 -k -S $three "cd '$PWD' &&
+	    split -n l/{}/40 points | projcalc project -j1 scene.json -" \
+	    >image &
+	until_written 5000000
+	kill_host 3
+	wait $!
+	is_whole 'parallel, each task with its own part, a host less'
+	host 3
+}
+
+slurm_conf() {
+	cat <<-END
+		ClusterName=projcalc
+		SlurmctldHost=head
+		SlurmUser=root
+		SlurmdUser=root
+		AuthType=auth/munge
+		AuthInfo=socket=$tmp/munge.socket
+		StateSaveLocation=$tmp
+		SlurmdSpoolDir=$tmp/spool-%n
+		SlurmctldPidFile=$tmp/slurmctld.pid
+		SlurmdPidFile=$tmp/slurmd-%n.pid
+		ProctrackType=proctrack/linuxproc
+		TaskPlugin=task/none
+		MpiDefault=none
+		SelectType=select/cons_tres
+		SelectTypeParameters=CR_CPU
+		SlurmdTimeout=5
+		TCPTimeout=1
+		MessageTimeout=2
+		NodeName=host[1-3] CPUs=2 State=UNKNOWN
+		PartitionName=all Nodes=ALL Default=YES
+	END
+}
+
+all_idle() {
+	[ "$(sinfo -h -t idle -o %D)" = 3 ]
+}
+
+start_slurm() {
+	slurm_conf >"$tmp/slurm.conf"
+	SLURM_CONF=$tmp/slurm.conf
+	export SLURM_CONF
+	chmod 755 "$tmp"
+	head -c 1024 /dev/urandom >"$tmp/munge.key"
+	chmod 400 "$tmp/munge.key"
+	munged --force --key-file="$tmp/munge.key" \
+	    --socket="$tmp/munge.socket" --pid-file="$tmp/munge.pid" \
+	    --log-file="$tmp/munge.log" --seed-file="$tmp/munge.seed"
+	slurmctld -D >"$tmp/slurmctld" 2>&1 &
+	for n in 1 2 3; do
+		outer=$(eval "echo \$host$n")
+		inner=$(tr -d ' ' <"/proc/$outer/task/$outer/children")
+		nsenter -t "$inner" -a --root slurmd -D -N "host$n" \
+		    >"$tmp/slurmd$n" 2>&1 &
+	done
+	soon all_idle
+}
+
+# Slurm gives the tasks of a dead host to others after two minutes, here at
+# once.
+slurm_run() {
+	# A second more for each task, in place of larger parts.
+	cat >job <<-'END'
+		#!/bin/sh
+		#SBATCH --array=1-20
+		#SBATCH --requeue
+		#SBATCH --output=/dev/null
+		split -n l/$SLURM_ARRAY_TASK_ID/20 points |
+		projcalc project -j1 scene.json - >image.$SLURM_ARRAY_TASK_ID
+		status=$?
+		sleep 1
+		exit $status
+	END
+	sbatch job >"$tmp/sbatch"
+	until_written 10000000
+	kill_host 2
+	while squeue -h -o %i >"$tmp/tasks" && [ -s "$tmp/tasks" ]; do
+		for task in $(squeue -h -t PD -o %i); do
+			scontrol update "JobId=$task" StartTime=now \
+			    2>"$tmp/scontrol" || :
+		done
+		sleep 1
+	done
+	grep -q 'due to failure of node host2' "$tmp/slurmctld"
+	for n in $(seq 20); do cat "image.$n"; done >image
+	is_whole 'a Slurm array, a host less'
+}
+
+exec 3>&1
+system
+for n in 1 2 3; do host $n; done
+yes testdata/bunny.xyz | head -n 300 | xargs cat |
+    awk '{ print $0, NR }' >"$tmp/shared/points"
+cp testdata/demo.json "$tmp/shared/scene.json"
+cd "$tmp/shared"
+projcalc project scene.json points >one
+parallel_runs
+if command -v slurmctld >/dev/null; then
+	start_slurm
+	slurm_run
+else
+	echo 'skip - no slurmctld' >&3
+fi

@@ -1,0 +1,25 @@
+#!/bin/sh
+# What the tarball of a release holds builds, tests, installs, uninstalls and
+# packs itself.
+# usage: dist.sh BUILD NAME
+set -eu
+tarball=$(cd "$1" && pwd)/$2.tar.gz
+check=$(cd "$1" && pwd)/distcheck
+source=$check/$2
+unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
+
+rm -rf "$check"
+mkdir -p "$check"
+tar -xzf "$tarball" -C "$check"
+cd "$source"
+make BUILD=build test
+make -s BUILD=build DESTDIR="$check/root" PREFIX=/usr install
+perl cmd/test/examples_test.t "$check/root/usr/bin" >"$check/examples" || {
+	grep -v '^ok' "$check/examples"
+	exit 1
+}
+make -s BUILD=build DESTDIR="$check/root" PREFIX=/usr uninstall
+test -z "$(find "$check/root" -type f)"
+make -s BUILD=build dist
+cmp "$tarball" "build/$2.tar.gz"
+rm -rf "$check"

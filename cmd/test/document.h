@@ -1,0 +1,76 @@
+/* For tests of documents. */
+#ifndef DOCUMENT_TEST_H
+#define DOCUMENT_TEST_H
+
+#include "../scene/document.h"
+#include "refusal.h"
+
+struct refusal {
+	const struct json_wants *wants; /* NULL: points */
+	const char *text;
+	const char *line; /* after "projcalc: s.json: " */
+};
+
+static inline void read_text(const void *argument)
+{
+	const struct refusal *r = argument;
+	struct document d;
+	size_t size = strlen(r->text), n;
+	char *text = malloc(size), *points;
+
+	memcpy(text, r->text, size);
+	if (r->wants == NULL)
+		json_points("s.json", text, size, 3, &points, &n);
+	else
+		json_read(&d, "s.json", text, size, r->wants);
+	free(text);
+}
+
+static inline void assert_all_refused(const struct refusal *r, size_t n)
+{
+	for (; n > 0; r++, n--) {
+		char line[1024];
+
+		snprintf(line, sizeof line, "s.json: %s", r->line);
+		assert_refused(read_text, r, line);
+	}
+}
+
+#define WANTS .projection = -1, .coordinates = 3
+
+static inline struct document read_as(const struct json_wants *wants,
+    const char *text)
+{
+	struct document d;
+	size_t size = strlen(text);
+	char *copy = malloc(size); /* its end is where a sanitizer looks */
+
+	memcpy(copy, text, size);
+	json_read(&d, "s.json", copy, size, wants);
+	free(copy);
+	return d;
+}
+
+static inline struct scene scene_of(const char *text)
+{
+	return read_as(&(struct json_wants){ WANTS }, text).scene;
+}
+
+static inline void assert_numbers(const double *got, int n, ...)
+{
+	va_list wanted;
+
+	va_start(wanted, n);
+	for (int i = 0; i < n; i++)
+		assert_true(got[i] == va_arg(wanted, double));
+	va_end(wanted);
+}
+
+#define REFUSES(table)                                                   \
+	static void test_##table(void **state)                           \
+	{                                                                \
+		(void)state;                                             \
+		assert_all_refused(table, sizeof table / sizeof *table); \
+	}
+
+#endif

@@ -1,0 +1,264 @@
+#include "document.h"
+
+static const struct json_wants w2d = { 0, MEMBER_WINDOW | MEMBER_DEVICE, -1,
+	NULL, 2, false, 0 };
+static const struct json_wants project = { .projection = -1, .coordinates = 3 };
+static const struct json_wants no_points = { .projection = -1 };
+
+static const struct refusal scenes[] = {
+	{ &project, "{\"convention\":\"vulcan\"}",
+	    "/convention: is \"vulcan\"; did you mean \"vulkan\"?" },
+	{ &project, "{\"convention\":\"opengl\"}",
+	    "/convention: is \"opengl\"; \"d3d\", \"gl\", \"vulkan\" or "
+	    "\"webgpu\" is wanted" },
+	{ &project, "{\"convention\":null}",
+	    "/convention: is null; \"d3d\", \"gl\", \"vulkan\" or \"webgpu\" "
+	    "is wanted" },
+	{ &project, "{\"convention\":{\"handedness\":\"rechts\"}}",
+	    "/convention/handedness: is \"rechts\"; \"left\" or \"right\" is "
+	    "wanted" },
+	{ &w2d, "{\"window\":{}}",
+	    "/device: missing; add \"device\": {\"width\": 640, \"height\": "
+	    "480}" },
+	{ &project, "{\"bounds\":1}",
+	    "/bounds: is a number; an object is wanted" },
+	{ &project, "{\"pick\":[]}",
+	    "/pick: is an array; an object is wanted" },
+	{ &project, "{\"points\":{}}",
+	    "/points: is an object; an array of points is wanted" },
+	{ &project, "{\"points\":[[0,0,0],[0,0]]}",
+	    "/points/1: has 2 elements; 3 coordinates are wanted" },
+	{ &project, "{\"points\":[[0,0,0],1]}",
+	    "/points/1: is a number; an array of coordinates is wanted" },
+	{ &project, "{\"points\":[[0,0,\"a\"]]}",
+	    "/points/0/2: is a string; a number is wanted" },
+	{ &project, "{\"points\":[[0,0,0,[]]]}",
+	    "/points/0/3: is an array; a number, a string or null is wanted" },
+	{ &project, "{\"points\":[[0,0,1e151]]}",
+	    "/points/0/2: 1e+151 is out of range; numbers go up to 1e150" },
+	{ &no_points, "{\"points\":[[0],1]}",
+	    "/points/1: is a number; an array of coordinates is wanted" },
+	{ NULL, "[[0,0,0],[1,true,1]]", "/1/1: is true; a number is wanted" },
+	{ NULL, "[1,2]", "has 2 elements; 3 coordinates are wanted" },
+	{ NULL, "{}", "is an object; an array of points is wanted" },
+	{ &project,
+	    "{\"projection\":{\"type\":\"persp\",\"near\":1,\"far\":2,"
+	    "\"fovy\":60},\"viewport\":{\"width\":4,\"height\":3},"
+	    "\"world\":[]}",
+	    "/world: has 0 elements; 16 numbers or 4 rows of 4 are wanted" },
+};
+
+REFUSES(scenes)
+
+static void test_bare(void **state)
+{
+	const struct json_wants lookat = { WANTS, .bare = MEMBER_CAMERA,
+		.needed = MEMBER_CAMERA };
+	struct document d = read_as(&lookat,
+	    "{\"$schema\":1,\"_a\":[{\"\":1e999}],\"_a\":2,\"eye\":[1,2,3],"
+	    "\"gaze\":[4,5,6]}");
+
+	(void)state;
+	assert_string_equal(d.bare, "camera");
+	assert_string_equal(d.name, "s.json");
+	assert_true(d.scene.has_camera);
+	assert_false(d.scene.has_world);
+	assert_null(d.points);
+	d = read_as(&lookat, "{\"camera\":{\"eye\":[1,2,3],\"at\":[4,5,6]}}");
+	assert_null(d.bare);
+	assert_true(d.scene.has_camera);
+	d = read_as(&(struct json_wants){ WANTS }, "{}");
+	assert_null(d.bare);
+	assert_false(d.scene.has_camera);
+	assert_int_equal(d.scene.projection.type, PROJECTION_NONE);
+}
+
+static void test_numbers(void **state)
+{
+	static const char *const texts[] = { "0.1", "-0.0", "1e-400",
+		"4.9406564584124654e-324", "123456789012345678901234567890",
+		"0.10000000000000000555111512312578270211815834045410156250000",
+		"1.00000000000000011102230246251565404236316680908203125",
+		"1.000000000000000111022302462515654042363166809082031250000000"
+		"00000000000000000000000000000000000001",
+		"90071992547409930000000000000000000000000000000000000000000000"
+		"0000000000000000000000e-70" };
+	char document[300];
+
+	(void)state;
+	for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+		strcpy(document,
+		    "{\"camera\":{\"eye\":[0,0,0],\"at\":[0,0,1],\"roll\":");
+		strcat(strcat(document, texts[i]), "}}");
+		assert_true(
+		    scene_of(document).camera.roll == strtod(texts[i], NULL));
+	}
+}
+
+static void assert_convention(const struct convention *c, const char *bits)
+{
+	assert_int_equal(c->right_handed, bits[0] == '1');
+	assert_int_equal(c->minus_one, bits[1] == '1');
+	assert_int_equal(c->column, bits[2] == '1');
+	assert_int_equal(c->ndc_y_down, bits[3] == '1');
+	assert_int_equal(c->bottom_left, bits[4] == '1');
+}
+
+/* Each convention as what it differs in from d3d. */
+static void test_convention(void **state)
+{
+	static const char *const table[][2] = { { "d3d", "00000" },
+		{ "gl", "11101" }, { "vulkan", "10110" },
+		{ "webgpu", "10100" } };
+	struct convention c;
+	char text[40];
+
+	(void)state;
+	for (int i = 0; i < 4; i++) {
+		assert_true(convention_find(table[i][0], &c));
+		assert_convention(&c, table[i][1]);
+		strcat(strcat(strcpy(text, "{\"convention\":\""), table[i][0]),
+		    "\"}");
+		c = scene_of(text).convention;
+		assert_convention(&c, table[i][1]);
+	}
+	assert_false(convention_find("GL", &c));
+	c = scene_of("{}").convention;
+	assert_convention(&c, "00000");
+	c = scene_of("{\"convention\":{\"handedness\":\"right\",\"depth\":"
+		     "\"minus_one_to_one\",\"vectors\":\"column\","
+		     "\"ndc_y\":\"down\",\"origin\":\"bottom-left\"}}")
+		.convention;
+	assert_convention(&c, "11111");
+	c = scene_of("{\"convention\":{\"origin\":\"top-left\",\"vectors\":"
+		     "\"column\"}}")
+		.convention;
+	assert_convention(&c, "00100");
+	c = read_as(&(struct json_wants){ WANTS, .convention = "webgpu" },
+	    "{\"convention\":\"gl\"}")
+		.scene.convention;
+	assert_convention(&c, "10100");
+}
+
+/* Which element of world the number 2 of the text becomes. */
+static void assert_world(const char *option, const char *convention,
+    const char *matrix, int i, int j)
+{
+	const struct json_wants wants = { WANTS, .convention = option };
+	char text[300] = "{\"world\":";
+
+	strcat(strcat(strcat(text, matrix), convention), "}");
+	struct scene s = read_as(&wants, text).scene;
+
+	assert_true(s.has_world);
+	assert_true(s.world[i][j] == 2);
+	assert_true(s.world[j][i] == 0);
+}
+
+static void test_matrix(void **state)
+{
+#define NESTED "[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,2,0,1]]"
+#define FLAT "[1,0,0,0,0,1,0,0,0,0,1,0,0,2,0,1]"
+#define GL ",\"convention\":\"gl\""
+
+	(void)state;
+	assert_world(NULL, "", NESTED, 3, 1);
+	assert_world(NULL, GL, NESTED, 1, 3);
+	assert_world(NULL, ",\"convention\":{\"vectors\":\"column\"}", NESTED,
+	    1, 3);
+	assert_world("gl", "", NESTED, 1, 3);
+	assert_world("gl", ",\"convention\":\"d3d\"", NESTED, 3, 1);
+	assert_world("d3d", GL, NESTED, 1, 3);
+	assert_world(NULL, "", FLAT, 3, 1);
+	assert_world(NULL, GL, FLAT, 3, 1);
+	assert_world(NULL, GL, "{\"matrix\":" NESTED "}", 1, 3);
+	assert_world(NULL, GL, "{\"matrix\":" NESTED ",\"vectors\":\"row\"}", 3,
+	    1);
+	assert_world(NULL, "", "{\"vectors\":\"column\",\"matrix\":" NESTED "}",
+	    1, 3);
+	assert_world(NULL, "", "{\"vectors\":\"column\",\"matrix\":" FLAT "}",
+	    3, 1);
+	assert_true(scene_of("{\"projection\":{\"type\":\"matrix\","
+			     "\"matrix\":" NESTED "}}")
+			.projection.matrix[3][1] == 2);
+}
+
+static void assert_points(const char *typed, const char *lines)
+{
+	const struct json_wants wants = { WANTS };
+	size_t size = strlen(typed), n;
+	char text[400], *points;
+
+	memcpy(text, typed, size);
+	json_points("POINTS", text, size, 3, &points, &n);
+	assert_int_equal(n, strlen(lines));
+	assert_memory_equal(points, lines, n);
+	free(points);
+	strcat(strcat(strcpy(text,
+			  "{\"_a\":{\"points\":[[7]]},\"_b\":\"[:\",\"points\" "
+			  ": "),
+		   typed),
+	    " ,\"_points\":[[8]]}");
+	struct document d = read_as(&wants, text);
+
+	assert_int_equal(d.points_size, strlen(lines));
+	assert_memory_equal(d.points, lines, d.points_size);
+	free(d.points);
+}
+
+static void test_points(void **state)
+{
+	(void)state;
+	assert_points("[]", "");
+	assert_points("[0,0,0]", "[0,0,0]\n");
+	assert_points("[ 1 , -2.50e0 ,\n3 ]", "[1,-2.50e0,3]\n");
+	assert_points("[[0,0,0]]", "[0,0,0]\n");
+	assert_points(" [ [1,2,3] ,\n\t[4,null,6] ] ", "[1,2,3]\n[4,null,6]\n");
+	assert_points("[[1,2,3,\"a \\\"b ,]\\\\\",true,\"\\u00e9 :\",1e999]]",
+	    "[1,2,3,\"a \\\"b ,]\\\\\",true,\"\\u00e9 :\",1e999]\n");
+	assert_null(read_as(&no_points, "{\"points\":[[0]]}").points);
+	assert_null(read_as(&no_points, "{}").points);
+}
+
+/* What core/ refuses loses the first part of its pointer in a bare document. */
+struct reason {
+	const char *bare, *why;
+};
+
+static void refuse(const void *argument)
+{
+	const struct reason *r = argument;
+	struct document d = { .name = "-", .bare = r->bare };
+
+	json_refuse(&d, r->why);
+}
+
+static void test_reasons(void **state)
+{
+	(void)state;
+	assert_refused(refuse, &(struct reason){ NULL, "/camera/up: no" },
+	    "-: /camera/up: no");
+	assert_refused(refuse, &(struct reason){ "camera", "/camera/up: no" },
+	    "-: /up: no");
+	assert_refused(refuse, &(struct reason){ "window", "/window: no" },
+	    "-: no");
+	assert_refused(refuse, &(struct reason){ "camera", "/cameras/up: no" },
+	    "-: /cameras/up: no");
+	assert_refused(refuse, &(struct reason){ "camera", "/projection: no" },
+	    "-: /projection: no");
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_scenes),
+		cmocka_unit_test(test_bare),
+		cmocka_unit_test(test_numbers),
+		cmocka_unit_test(test_convention),
+		cmocka_unit_test(test_matrix),
+		cmocka_unit_test(test_points),
+		cmocka_unit_test(test_reasons),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

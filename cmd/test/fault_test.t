@@ -1,0 +1,333 @@
+#!/usr/bin/perl
+# What the system does to a program: memory and disks that are full, reads and
+# writes that are short, interrupted or fail, pipes that close, a reader that
+# waits for its answer, input that is huge, cut or no file at all.
+use strict;
+use warnings;
+use Cwd 'abs_path';
+use File::Basename;
+use File::Temp 'tempdir';
+use IO::Handle;
+use IPC::Open2;
+use POSIX ':sys_wait_h';
+use Test::More;
+use Time::HiRes 'sleep';
+
+my $top = abs_path(dirname($0) . '/../..');
+my $build = abs_path(shift // $ENV{BUILD} // "$top/build");
+my $tmp = tempdir(CLEANUP => 1);
+my $shim = "$tmp/shim.so";
+
+$ENV{PATH} = "$build:$ENV{PATH}";
+$ENV{LC_ALL} = 'C';
+chdir "$top/testdata" or die "$top/testdata: $!\n";
+
+# A sanitizer has an allocator of its own, and no use for a limit of memory;
+# what counts coverage allocates, too.
+my $plain = system("grep -q '__asan_init\\|__gcov' $build/projcalc") != 0;
+my $has_shim = $plain && system("cc -O1 -shared -fPIC -o $shim " .
+    "$top/cmd/test/fault_shim.c 2>$tmp/err") == 0;
+
+sub slurp {
+	open my $file, '<:raw', $_[0] or die "$_[0]: $!\n";
+	local $/;
+	return <$file> // '';
+}
+
+sub spew {
+	my ($name, $text) = @_;
+	open my $file, '>:raw', $name or die "$name: $!\n";
+	print $file $text;
+	close $file or die "$name: $!\n";
+}
+
+# Status (128 and the signal, as the shell says it), output, errors.
+sub run {
+	my ($command, $fault) = @_;
+	my $pid = fork // die "fork: $!\n";
+	if ($pid == 0) {
+		open STDIN, '<', '/dev/null';
+		open STDOUT, '>', "$tmp/out";
+		open STDERR, '>', "$tmp/err";
+		$SIG{PIPE} = 'DEFAULT';
+		alarm 30;
+		# not the shell's calls
+		$command = "exec env LD_PRELOAD=$shim FAULT='$fault' $command"
+		    if $fault;
+		exec 'sh', '-c', $command;
+	}
+	waitpid $pid, 0;
+	my $status = $? & 127 ? 128 + ($? & 127) : $? >> 8;
+	return ($status, slurp("$tmp/out"), slurp("$tmp/err"));
+}
+
+sub is_run {
+	my ($command, $status, $out, $err, $name) = @_;
+	my @said = run($command);
+	is("@said[0, 2]", "$status $err", $name // $command);
+	is($said[1], $out, 'its output') if defined $out;
+}
+
+sub starts { substr($_[0], 0, length $_[1]) eq $_[1] }
+
+# Points for several chunks, and the same in each format.
+srand 7;
+my $lines = join '', map {
+	join(' ', map { 1e-4 * int rand 4e4 } 1 .. 3) . "\n"
+} 1 .. 20000;
+my $few = join '', (split /^/, $lines)[0 .. 1999];
+spew("$tmp/points", $lines);
+spew("$tmp/points.csv", "x,y,z\n" . $lines =~ tr/ /,/r);
+spew("$tmp/few", $few);
+spew("$tmp/few.csv", "x,y,z\n" . $few =~ tr/ /,/r);
+spew("$tmp/few.json", $few =~ tr/ /,/r =~ s/^(.*)$/[$1]/mgr);
+spew("$tmp/few.f64", pack 'd<*', split ' ', $few);
+spew("$tmp/bad", "$few# no point\n1 2\n$few");
+my $project = 'projcalc project scene.json';
+
+my @commands = (
+	'projcalc lookat scene.json', 'projcalc help',
+	'projcalc persp -o json \'{"type":"persp","fovy":60,"aspect":1,' .
+	    '"near":1,"far":10}\'',
+	$project, "$project -j1 $tmp/few", "$project -j2 $tmp/points",
+	"$project -j2 -i csv -o json --flags $tmp/points.csv",
+	"projcalc pick --at 320,240 --radius 1e5 scene.json $tmp/few",
+	'projcalc inspect scene.json',
+);
+
+# Each call in turn, until one is not made any more.
+sub every {
+	my ($call, $errno, $command, $check) = @_;
+	my ($status, $whole) = run($command);
+	my ($bad, $n) = ('', 0);
+	while ($bad eq '') {
+		my @said = run($command, "$call " . ++$n . " $errno");
+		last if $said[0] == $status && $said[1] eq $whole &&
+		    $said[2] eq '';
+		$bad = "$n: @said[0, 2]" if !$check->($whole, @said);
+	}
+	$bad = 'none' if $n == 1 && $call =~ /write|close/;
+	is($bad, '', "$call: $command");
+}
+
+# Exit 3 and one line; what stands in the output is its beginning.
+sub system_failed {
+	my ($reason) = @_;
+	return sub {
+		my ($whole, $status, $out, $err) = @_;
+		return $status == 3 && starts($whole, $out) &&
+		    $err =~ /\Aprojcalc: $reason\n\z/;
+	};
+}
+
+SKIP: {
+	skip 'nothing can be preloaded', 1 if !$has_shim;
+	for my $command (@commands) {
+		every('malloc', 12, $command, system_failed('out of memory'));
+		# stdio has a way to write of its own
+		every('write', 28, $command,
+		    system_failed('standard output: No space left on device'))
+		    if $command !~ /help/;
+		every('close', 5, $command,
+		    system_failed('standard output: Input/output error'));
+		every('read', 5, $command,
+		    system_failed('[^ ]*: Input/output error'));
+		every('open', 24, $command, sub {
+			my ($whole, $status, $out, $err) = @_;
+			return $status == 2 &&
+			    $err =~ /\Aprojcalc: .*: Too many open files\n\z/;
+		});
+	}
+	my ($status, $whole) = run("$project -j2 $tmp/points");
+	for my $n (1, 2) {
+		my @said = run("$project -j2 $tmp/points", "thread $n 11");
+		is_deeply(\@said, [0, $whole, ''], "without thread $n");
+	}
+	for my $j (1, 2) {
+		for my $args ("$tmp/few", "-i csv $tmp/few.csv",
+		    "-i json --flags $tmp/few.json", "-i f64 $tmp/few.f64",
+		    "--keep-going $tmp/bad", "$tmp/bad") {
+			my @whole = run("$project -j$j $args");
+			my @said = run("$project -j$j $args", 'short');
+			is_deeply(\@said, \@whole, "short calls: -j$j $args");
+		}
+	}
+	for my $n (1 .. 4) {
+		spew("$tmp/cut", $lines);
+		my ($status, $out) = run("$project -j2 $tmp/cut",
+		    "cut $n $tmp/cut");
+		ok(($status == 0 || $status == 1) && starts($whole,
+		    $out =~ s/[^\n]*\n?\z//r), "a file that is cut, $n");
+	}
+}
+
+# A full disk, and streams that are closed.
+for my $command (@commands) {
+	my ($status, $out, $err) = run("$command >/dev/full");
+	is("$status $err", "3 projcalc: standard output: No space left on " .
+	    "device\n", "full: $command");
+	($status, $out, $err) = run("$command >&-");
+	is("$status $err", "3 projcalc: standard output: Bad file " .
+	    "descriptor\n", "closed: $command");
+}
+is_run("$project - <&-", 2, '', "projcalc: -: Bad file descriptor\n");
+is_run("$project $tmp/bad 2>&-", 1, undef, '');
+is_run("projcalc lookat . ", 2, '', "projcalc: .: is a directory\n");
+is_run("$project $tmp/few .", 2, '', "projcalc: .: is a directory\n");
+is_run("$project - <.", 2, '', "projcalc: -: is a directory\n");
+is_run("$project $tmp/none", 2, '',
+    "projcalc: $tmp/none: No such file or directory\n");
+my (undef, $image) = run("$project $tmp/few");
+is_run("mkfifo $tmp/fifo; cat $tmp/few >$tmp/fifo & $project $tmp/fifo; wait",
+    0, $image, '', 'a FIFO');
+
+for my $j (1, 2) {
+	is_run("yes 0 0 0 | { $project -j$j -; echo \$? >&2; } | head -n 1",
+	    0, "320 240 0.8888888888888888\n", "141\n", "SIGPIPE -j$j");
+}
+
+# An answer to each line before the next is sent.
+sub answers {
+	my ($args, $ask, $answer) = @_;
+	my $pid = open2(my $from, my $to, "exec $project $args 2>/dev/null");
+	binmode $_ for $from, $to;
+	my $said = '';
+	local $SIG{ALRM} = sub { kill 'KILL', $pid };
+	alarm 10;
+	for (1 .. 3) {
+		syswrite $to, $ask;
+		my $got = '';
+		while (length $got < length $answer) {
+			sysread($from, $got, length($answer) - length $got,
+			    length $got) or last;
+		}
+		$said .= $got;
+	}
+	close $to;
+	waitpid $pid, 0;
+	alarm 0;
+	is($said, $answer x 3, "an answer at once: $args");
+}
+
+for my $j (1, 2) {
+	my $y = '240 0.8888888888888888';
+	answers("-j$j -", "0 0 0\n", "320 $y\n");
+	answers("-j$j -i csv -", "0,0,0\n", "320,$y\n" =~ tr/ /,/r);
+	answers("-j$j -i csv -", "# one\n", "# one\n");
+	answers("-j$j -i json -", "[0,0,0]\n", "[320,$y]\n" =~ tr/ /,/r);
+	answers("-j$j -i f64 -o text -", pack('d<3', 0, 0, 0), "320 $y\n");
+	answers("-j$j --flags --keep-going -", "0 0\n", "nan nan nan nan\n");
+}
+
+# A writer that stalls in the middle of a line, a signal while it waits.
+for my $j (1, 2) {
+	my $pid = open2(my $from, my $to, "exec $project -j$j -");
+	alarm 10;
+	for my $part ("0 0", " 0\n1", " 1 1\n0 ") {
+		syswrite $to, $part;
+		sleep 0.05;
+	}
+	kill 'STOP', $pid;
+	kill 'CONT', $pid;
+	my $said = '';
+	while ($said =~ tr/\n// < 2) {
+		sysread($from, $said, 4096, length $said) or last;
+	}
+	kill 'INT', $pid;
+	waitpid $pid, 0;
+	alarm 0;
+	is(($? & 127) . " $said", "2 320 240 0.8888888888888888\n" .
+	    "389.2820323027551 170.71796769724492 0.9259259259259259\n",
+	    "a writer that stalls, SIGINT: -j$j");
+}
+
+# A reader that stops for a while.
+my (undef, $whole) = run("$project $tmp/points");
+for my $j (1, 2) {
+	my $pid = open2(my $from, my $to,
+	    "cat $tmp/points $tmp/points $tmp/points | $project -j$j -");
+	close $to;
+	sleep 0.3;
+	local $/;
+	is(<$from>, $whole x 3, "a reader that stops for a while: -j$j");
+	waitpid $pid, 0;
+}
+
+# Pipes that another process has made not to wait.
+for my $j (1, 2) {
+	pipe my $in, my $to;
+	pipe my $from, my $out;
+	$_->blocking(0) for $in, $out;
+	my $pid = fork // die "fork: $!\n";
+	if ($pid == 0) {
+		open STDIN, '<&', $in;
+		open STDOUT, '>&', $out;
+		close $_ for $to, $from, $in, $out;
+		exec split ' ', "$project -j$j -";
+	}
+	close $_ for $in, $out;
+	if (fork == 0) {
+		close $from;
+		sleep 0.1;
+		print $to $lines;
+		close $to;
+		POSIX::_exit(0);
+	}
+	close $to;
+	sleep 0.3;
+	local $/;
+	is(<$from>, $whole, "pipes that do not wait: -j$j");
+	waitpid $pid, 0;
+	is($?, 0, 'its status');
+}
+
+# Bounded memory, in kilobytes. The most that was ever resident is asked for
+# while it runs; the stream goes on long enough.
+sub peak {
+	my ($command) = @_;
+	my ($peak, $pid) = (0, fork // die "fork: $!\n");
+	if ($pid == 0) {
+		open STDOUT, '>', '/dev/null';
+		exec split ' ', $command;
+	}
+	while (waitpid($pid, WNOHANG) == 0) {
+		if (open my $status, '<', "/proc/$pid/status") {
+			/^VmHWM:\s+(\d+)/ and $peak = $1 for <$status>;
+		}
+		sleep 0.002;
+	}
+	return $? == 0 ? $peak : 1e9;
+}
+
+sub sparse {
+	my ($name, $size) = @_;
+	spew($name, '');
+	truncate $name, $size or die "$name: $!\n";
+}
+
+SKIP: {
+	skip 'a sanitizer needs memory', 1 if !$plain;
+	my $limit = 'ulimit -v 600000;';
+	my $long = qr/:1: a line of more than 64 MiB\n\z/;
+	my ($status, $out, $err) = run("$limit perl -e 'print q(0) x 1e5 " .
+	    "for 1 .. 1000' | $project -j2 -");
+	ok($status == 1 && $out eq '' && $err =~ $long,
+	    'a line of 100 MB from a pipe');
+	sparse("$tmp/zeros", 1 << 30);
+	($status, $out, $err) = run("$limit $project -j2 $tmp/zeros");
+	ok($status == 1 && $out eq '' && $err =~ $long,
+	    'a line of 1 GB of zeros');
+	run("(printf '0 0 0 '; perl -e 'print q(a ) x 3e7'; echo) >$tmp/60M");
+	($status, $out, $err) = run("$limit $project -j2 $tmp/60M | wc -c");
+	is("$status $out$err", "0 60000028\n", 'a line of 60 MB is carried');
+	spew("$tmp/3M", "0 1 2\n" x 3000000);
+	my $peak = peak("$project -j2 $tmp/3M");
+	cmp_ok($peak, '<', 20000, '3 million lines in 20 MB');
+	sparse("$tmp/zeros", 504000000);
+	$peak = peak("$project -j2 -i f64 $tmp/zeros");
+	cmp_ok($peak, '<', 20000, '21 million binary points in 20 MB');
+	($status, $out, $err) = run("head -c 5000000016 /dev/zero | " .
+	    "(ulimit -v 200000; $project -j2 -i f64 -) >/dev/null");
+	is("$status $err", '0 ', '5 GB from a pipe, in 200 MB');
+}
+done_testing();

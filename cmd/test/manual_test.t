@@ -1,0 +1,142 @@
+#!/usr/bin/perl
+# What the program says of itself is what its manual pages say: commands and
+# options are those of the synopsis, members of a scene those of its page and
+# of the schema; README's figures are measured ones; and the pages are without a
+# fault that mandoc sees.
+use strict;
+use warnings;
+use Cwd 'abs_path';
+use File::Basename;
+use JSON::PP;
+
+my $top = abs_path(dirname($0) . '/../..');
+my $program = abs_path($ENV{BUILD} // "$top/build") . '/projcalc';
+my $n = 0;
+my $failed = 0;
+
+sub check {
+	my ($name, $got, $want) = @_;
+	my $ok = $got eq $want;
+	printf "%s %d - %s\n", $ok ? 'ok' : 'not ok', ++$n, $name;
+	return if $ok;
+	$failed++;
+	print "# expected: $want\n# got: $got\n";
+}
+
+sub slurp {
+	open my $file, '<', "$top/$_[0]" or die "$_[0]: $!\n";
+	local $/;
+	return <$file>;
+}
+
+sub sorted {
+	return join ' ', sort @_;
+}
+
+my $manual = slurp('man/projcalc.1');
+my $scene = slurp('man/projcalc-scene.5');
+my $schema = decode_json(slurp('man/projcalc.schema.json'));
+
+# Options by command, the short name where there is one.
+my %synopsis;
+my ($text) = $manual =~ /^\.Sh SYNOPSIS\n(.*?)^\.Sh/ms;
+for my $call (split /^\.Nm\n/m, $text) {
+	my ($commands) = $call =~ /^\.Cm (.*)/ or next;
+	my @options = $call =~ /\bFl (\S+)/g;
+	$synopsis{$_} = sorted(@options) for split / \| /, $commands;
+}
+delete $synopsis{help};
+
+my ($options) = $manual =~ /^\.Sh OPTIONS\n(.*?)^\.Sh/ms;
+my $help = `$program help`;
+my @commands = $help =~ /^  ([a-z]\w*) /mg;
+my %options;
+
+check('commands', sorted(keys %synopsis), sorted(@commands));
+for my $command (@commands) {
+	my $said = `$program help $command`;
+	my @names;
+	while ($said =~ /^  (?:-(\w), |    )--([\w-]+) (\S*)/mg) {
+		my ($letter, $long, $argument) = ($1, $2, $3);
+		my $item = ($letter ? "Fl $letter , " : '') . "Fl -$long" .
+		    ($argument ne '' ? ' Ar' : '');
+		$options{$letter // "-$long"} = $item;
+		push @names, $letter // "-$long"
+		    unless $long =~ /^(?:help|version)$/;
+	}
+	check("options of $command", $synopsis{$command} // '',
+	    sorted(@names));
+	check("-h of $command", scalar `$program $command -h`, $said);
+}
+for my $option (sort keys %options) {
+	check("option $option", $options =~ /^\.It .*\Q$options{$option}\E\b/m
+	    ? 'explained' : 'not explained', 'explained');
+}
+
+# The program lists the members of an object when it is given another.
+sub members {
+	my ($object) = @_;
+	my $said = `$program lookat '$object' 2>&1`;
+	my ($list) = $said =~ /unknown member; there are (.*)/;
+	return sorted(($list // $said) =~ /"(\w+)"/g);
+}
+
+# And the page has them in a section each, with a value.
+sub on_page {
+	my @sections = @_;
+	my @names;
+	for my $title (@sections) {
+		my ($section) = $scene =~ /^\.Ss \Q$title\E\n(.*?)^\.S[sh]/ms;
+		push @names, ($section // '') =~ /^\.It Cm (\w+) : No /mg;
+	}
+	return sorted(@names);
+}
+
+sub in_schema {
+	my ($object) = @_;
+	return sorted(keys %{$object->{properties}});
+}
+
+my $other = '"xyzzyxyzzy": 0';
+my $camera = '"camera": {"eye": [0,0,0], "at": [1,1,1]}, ';
+my $defs = $schema->{'$defs'};
+check('a scene in the schema', in_schema($schema),
+    members("{\"camera\": 0, $other}"));
+check('a scene on the page', sorted(map { s/ .*//r } $scene =~
+    /^\.Ss (\w+)$/mg), in_schema($schema));
+for my $name (qw(camera viewport window device bounds pick)) {
+	my $has = members('{' . ($name eq 'camera' ? '' : $camera) .
+	    "\"$name\": {$other}}");
+	check("$name in the schema", in_schema($defs->{$name}), $has);
+	check("$name on the page", on_page($name), $has);
+}
+check('convention in the schema', in_schema($defs->{convention}{then}),
+    members("{\"convention\": {$other}, \"camera\": 0}"));
+check('convention on the page', on_page('convention'),
+    sorted('convention', keys %{$defs->{convention}{then}{properties}}));
+for my $type (qw(persp ortho oblique volume matrix)) {
+	my $has = members(
+	    "{$camera \"projection\": {\"type\": \"$type\", $other}}");
+	my $shared = $type =~ /^(?:volume|matrix)$/ ? 'type' :
+	    on_page('projection');
+	check("$type in the schema",
+	    in_schema($defs->{$type eq 'matrix' ? 'any' : $type}), $has);
+	check("$type on the page", sorted(split / /, $shared . ' ' .
+	    on_page("projection of type $type")), $has);
+}
+
+for my $page (qw(projcalc.1 projcalc-scene.5)) {
+	if (system('command -v mandoc >/dev/null') != 0) {
+		printf "ok %d - %s # SKIP no mandoc\n", ++$n, $page;
+		next;
+	}
+	check($page, scalar `mandoc -T lint -W warning $top/man/$page 2>&1`,
+	    '');
+}
+# Figures of README's table are those of the last measurement.
+my ($table) = slurp('README.md') =~ /^\| .*a second.*\n((?:\|.*\n)+)/m;
+my $measured = slurp('testdata/charts/bench.md');
+check('README\'s figures', join(' ', grep { $measured !~ /\Q| $_ |\E/ }
+    $table =~ /\| (\d+[.]\d\S*)/g), '');
+print "1..$n\n";
+exit($failed > 0);

@@ -1,0 +1,175 @@
+#include "document.h"
+
+static const struct json_wants lookat = { MEMBER_CAMERA, MEMBER_CAMERA, -1,
+	NULL, 3, false, 0 };
+static const struct json_wants w2n = { MEMBER_WINDOW, MEMBER_WINDOW, -1, NULL,
+	2, false, 0 };
+static const struct json_wants project = { .projection = -1, .coordinates = 3 };
+
+#define CAMERA_HINT                                                         \
+	"give \"eye\" and one of \"at\", \"gaze\" and \"orientation\", or " \
+	"\"matrix\" alone"
+#define SIDES "\"left\", \"right\", \"bottom\" and \"top\""
+#define WINDOW_HINT "give \"center\", \"width\" and \"height\", or " SIDES
+#define POSITIVE "a number from 1e-150 to 1e150 is wanted"
+#define AT "\"at\":[0,0,0]"
+#define EYE "\"eye\":[0,0,1]"
+#define SIZE "\"width\":1,\"height\":1"
+#define M16 "[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]"
+
+static const struct refusal cameras[] = {
+	{ &lookat, "[]", "is an array; an object, {...}, is wanted" },
+	{ &lookat, "{}", "/eye: missing; " CAMERA_HINT },
+	{ &lookat, "{\"_note\":1}", "/eye: missing; " CAMERA_HINT },
+	{ &lookat, "{\"camera\":{}}", "/camera/eye: missing; " CAMERA_HINT },
+	{ &project, "{\"camera\":{}}", "/camera/eye: missing; " CAMERA_HINT },
+	{ &lookat, "{" EYE "}", "/at: missing; " CAMERA_HINT },
+	{ &lookat, "{" AT "}", "/eye: missing; " CAMERA_HINT },
+	{ &lookat, "{\"up\":[0,1,0],\"orientation\":[0,0,0,1]}",
+	    "/eye: missing; " CAMERA_HINT },
+	{ &lookat, "{" EYE "," AT ",\"gaze\":[0,0,1]}",
+	    "/gaze: not together with \"at\"; " CAMERA_HINT },
+	{ &lookat, "{" EYE ",\"orientation\":[0,0,0,1],\"up\":[0,1,0]}",
+	    "/up: not together with \"orientation\"; " CAMERA_HINT },
+	{ &lookat, "{\"matrix\":" M16 ",\"roll\":0}",
+	    "/roll: not together with \"matrix\"; " CAMERA_HINT },
+	{ &lookat, "{\"matrix\":" M16 "," EYE "}",
+	    "/eye: not together with \"matrix\"; " CAMERA_HINT },
+	{ &lookat, "{" EYE "," AT ",\"orthonormalize\":true}",
+	    "/orthonormalize: not together with \"eye\"; " CAMERA_HINT },
+	{ &lookat, "{\"matrix\":[1,2]}",
+	    "/matrix: has 2 elements; 16 numbers or 4 rows of 4 are wanted" },
+	{ &lookat, "{\"matrix\":[1,2,3,4]}",
+	    "/matrix/0: is a number; an array of 4 numbers is wanted" },
+	{ &lookat, "{\"matrix\":{\"matrix\":[[1,0,0,0],[0,1,0,0],[0,0,1]]}}",
+	    "/matrix/matrix: has 3 elements; 16 numbers or 4 rows of 4 are "
+	    "wanted" },
+	{ &lookat, "{\"matrix\":{\"matrix\":" M16 ",\"vectors\":\"rows\"}}",
+	    "/matrix/vectors: is \"rows\"; did you mean \"row\"?" },
+	{ &project, "{\"world\":1}",
+	    "/world: is a number; an array of 16 numbers or 4 rows of 4 is "
+	    "wanted" },
+	{ &project, "{\"world\":{}}",
+	    "/world/matrix: missing; give \"matrix\", 16 numbers or 4 rows of "
+	    "4" },
+	{ &project, "{\"world\":[[0,0,0,0],[0,0,0,\"a\"],[],[]]}",
+	    "/world/1/3: is a string; a number is wanted" },
+	{ &lookat, "{\"eye\":[0,0,true]," AT "}",
+	    "/eye/2: is true; a number is wanted" },
+	{ &lookat, "{\"eye\":[0,0]," AT "}",
+	    "/eye: has 2 elements; an array of 3 numbers is wanted" },
+	{ &lookat, "{\"eye\":null," AT "}",
+	    "/eye: is null; an array of 3 numbers is wanted" },
+	{ &lookat, "{\"eye\":[1.5e150,0,0]," AT "}",
+	    "/eye/0: 1.5e+150 is out of range; numbers go up to 1e150" },
+	{ &lookat, "{\"eye\":[-1e999,0,0]," AT "}",
+	    "/eye/0: is beyond the range of doubles; numbers go up to 1e150" },
+	{ &lookat, "{\"orthonormalize\":1}",
+	    "/orthonormalize: is a number; true or false is wanted" },
+	{ &lookat, "{\"camera\":[]}",
+	    "/camera: is an array; an object is wanted" },
+	{ &lookat, "{\"convention\":\"gl\"}",
+	    "/camera: missing; add \"camera\": {\"eye\": [0,0,-5], \"at\": [0,"
+	    "0,0]}" },
+};
+
+static const struct refusal others[] = {
+	{ &project, "{\"viewport\":{\"width\":1}}",
+	    "/viewport/height: missing; give \"width\" and \"height\"" },
+	{ &project, "{\"viewport\":{" SIZE ",\"scale\":\"fit\"}}",
+	    "/viewport/scale: is \"fit\"; \"fill\" or \"uniform\" is wanted" },
+	{ &project, "{\"viewport\":{" SIZE ",\"scale\":1}}",
+	    "/viewport/scale: is a number; \"fill\", \"uniform\" or 2 numbers "
+	    "is wanted" },
+	{ &project, "{\"viewport\":{" SIZE ",\"scale\":[1,-1]}}",
+	    "/viewport/scale/1: -1 is not positive; " POSITIVE },
+	{ &project, "{\"device\":{" SIZE ",\"origin\":\"top\"}}",
+	    "/device/origin: is \"top\"; did you mean \"top-left\"?" },
+	{ &w2n, "{}", "/center: missing; " WINDOW_HINT },
+	{ &w2n, "{\"left\":1,\"width\":1}", "/center: missing; " WINDOW_HINT },
+	{ &w2n, "{\"center\":[0,0]," SIZE ",\"top\":1}",
+	    "/top: not together with \"center\"; " WINDOW_HINT },
+	{ &w2n, "{\"zoom\":0}", "/zoom: 0 is not positive; " POSITIVE },
+	{ &project, "{\"camera\":{" EYE "," AT ",\"roll\":\"\"}}",
+	    "/camera/roll: is a string; a number is wanted" },
+};
+
+REFUSES(cameras)
+REFUSES(others)
+
+static void test_camera(void **state)
+{
+#define CAMERA(members) scene_of("{\"camera\":{" members "}}").camera
+	struct camera c = CAMERA("\"at\":[4,5,6],\"eye\":[1,2,-1e150]");
+
+	(void)state;
+	assert_int_equal(c.by, CAMERA_AT);
+	assert_numbers(c.eye, 3, 1.0, 2.0, -1e150);
+	assert_numbers(c.at, 3, 4.0, 5.0, 6.0);
+	assert_numbers(c.up, 3, 0.0, 1.0, 0.0);
+	assert_true(c.roll == 0);
+	c = CAMERA("\"eye\":[0,0,0],\"gaze\":[0,1,0],\"up\":[0,0,1],"
+		   "\"roll\":-30");
+	assert_int_equal(c.by, CAMERA_GAZE);
+	assert_numbers(c.at, 3, 0.0, 1.0, 0.0);
+	assert_numbers(c.up, 3, 0.0, 0.0, 1.0);
+	assert_true(c.roll == -30);
+	c = CAMERA("\"eye\":[0,0,0],\"orientation\":[1,2,3,4],\"roll\":1");
+	assert_int_equal(c.by, CAMERA_ORIENTATION);
+	assert_numbers(c.orientation, 4, 1.0, 2.0, 3.0, 4.0);
+	assert_true(c.roll == 1);
+	c = CAMERA("\"matrix\":[1,0,0,0,0,1,0,0,0,0,1,0,5,6,7,1],"
+		   "\"orthonormalize\":true");
+	assert_int_equal(c.by, CAMERA_MATRIX);
+	assert_numbers(c.matrix[3], 4, 5.0, 6.0, 7.0, 1.0);
+	assert_true(c.orthonormalize);
+}
+
+static void test_flat(void **state)
+{
+	struct scene s = scene_of(
+	    "{\"viewport\":{\"width\":4,\"height\":3},\"device\":{\"x\":1,"
+	    "\"y\":2,\"width\":3,\"height\":4},\"window\":{\"left\":1,"
+	    "\"right\":2,\"bottom\":3,\"top\":4},\"bounds\":{\"min\":[0,0,0],"
+	    "\"max\":[1,1,1]},"
+	    "\"pick\":{}}");
+
+	(void)state;
+	assert_numbers(&s.viewport.x, 6, 0.0, 0.0, 4.0, 3.0, 0.0, 1.0);
+	assert_int_equal(s.viewport.scale, SCALE_FILL);
+	assert_true(s.has_viewport && s.has_device && s.has_window);
+	assert_numbers(&s.device.x, 4, 1.0, 2.0, 3.0, 4.0);
+	assert_false(s.device.top_left);
+	assert_true(s.window.by_edges && !s.window.has_about);
+	assert_numbers(&s.window.left, 4, 1.0, 2.0, 3.0, 4.0);
+	assert_true(s.window.zoom == 1);
+	assert_int_equal(s.window.adapt, ADAPT_STRETCH);
+	s = scene_of("{\"viewport\":{\"x\":1,\"y\":2,\"width\":3,\"height\":4,"
+		     "\"min_z\":5,\"max_z\":6,\"scale\":[7,8]},"
+		     "\"window\":{\"center\":[1,2],\"width\":3,\"height\":4,"
+		     "\"pan\":[5,6],\"zoom\":7,\"about\":[8,9],"
+		     "\"adapt\":\"shrink\"},\"device\":{\"width\":1,"
+		     "\"height\":1,\"origin\":\"top-left\"}}");
+	assert_numbers(&s.viewport.x, 6, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0);
+	assert_int_equal(s.viewport.scale, SCALE_GIVEN);
+	assert_numbers(s.viewport.scales, 2, 7.0, 8.0);
+	assert_false(s.window.by_edges);
+	assert_numbers(s.window.center, 2, 1.0, 2.0);
+	assert_numbers(s.window.pan, 2, 5.0, 6.0);
+	assert_true(s.window.zoom == 7 && s.window.has_about);
+	assert_numbers(s.window.about, 2, 8.0, 9.0);
+	assert_int_equal(s.window.adapt, ADAPT_SHRINK);
+	assert_true(s.device.top_left);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_cameras),
+		cmocka_unit_test(test_others),
+		cmocka_unit_test(test_camera),
+		cmocka_unit_test(test_flat),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

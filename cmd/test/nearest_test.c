@@ -1,0 +1,73 @@
+#include "../nearest.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "../escape.h"
+
+static const char *const words[] = { "eye", "at", "up", "orientation",
+	"near_ratio", "reverse_z", "persp", "x", NULL };
+
+static void test_nearest(void **state)
+{
+	static const struct {
+		const char *word, *near;
+	} cases[] = {
+		{ "EYE", "eye" },
+		{ "ey", "eye" },
+		{ "eyes", "eye" },
+		{ "yee", "eye" },
+		{ "ta", "at" },
+		{ "orentaton", "orientation" },
+		{ "reverseZ", "reverse_z" },
+		{ "nearRatio", "near_ratio" },
+		{ "perspective", "persp" },
+		{ "orient", "orientation" },
+		{ "y", NULL }, /* not x */
+		{ "", NULL },
+		{ "bat", "at" },
+		{ "view", NULL },
+		{ "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", NULL },
+	};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+		const char *near = nearest(cases[i].word, words);
+
+		if (cases[i].near == NULL)
+			assert_null(near);
+		else
+			assert_string_equal(near, cases[i].near);
+	}
+}
+
+static void test_show(void **state)
+{
+	char out[SHOWN], text[200];
+
+	(void)state;
+	assert_string_equal(show(out, "a\x1b[m\x7f\xc2\x9b\xff\xc3\xa9", 10),
+	    "a\\u001b[m\\u007f\\u009b\\xff\xc3\xa9");
+	assert_string_equal(show(out, "abc", 0), "");
+	memset(text, 'a', sizeof text);
+	show(out, text, sizeof text);
+	assert_string_equal(out + strlen(out) - 4, "a...");
+	memset(text, 1, sizeof text);
+	show(out, text, sizeof text);
+	assert_string_equal(out + strlen(out) - 9, "\\u0001...");
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_nearest),
+		cmocka_unit_test(test_show),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

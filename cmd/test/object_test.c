@@ -1,0 +1,124 @@
+/* Members that have the wrong name or stand in the wrong place. */
+#include "document.h"
+
+static const struct json_wants lookat = { MEMBER_CAMERA, MEMBER_CAMERA, -1,
+	NULL, 3, false, 0 };
+static const struct json_wants persp = { MEMBER_PROJECTION, MEMBER_PROJECTION,
+	PROJECTION_PERSP, NULL, 3, false, 0 };
+static const struct json_wants ortho = { MEMBER_PROJECTION, MEMBER_PROJECTION,
+	PROJECTION_ORTHO, NULL, 3, false, 0 };
+static const struct json_wants volume = { MEMBER_PROJECTION, MEMBER_PROJECTION,
+	PROJECTION_VOLUME, NULL, 3, false, 0 };
+static const struct json_wants w2n = { MEMBER_WINDOW, MEMBER_WINDOW, -1, NULL,
+	2, false, 0 };
+static const struct json_wants w2d = { 0, MEMBER_WINDOW | MEMBER_DEVICE, -1,
+	NULL, 2, false, 0 };
+static const struct json_wants project = { .projection = -1, .coordinates = 3 };
+
+#define AT "\"at\":[0,0,0]"
+#define EYE "\"eye\":[0,0,1]"
+
+static const struct refusal names[] = {
+#define MEANT(name, right)                                                   \
+	{                                                                    \
+		&lookat, "{\"" name "\":1}",                                 \
+		    "/" name ": unknown member; did you mean \"" right "\"?" \
+	}
+	MEANT("target", "at"),
+	MEANT("center", "at"),
+	MEANT("centre", "at"),
+	MEANT("lookat", "at"),
+	MEANT("look_at", "at"),
+	MEANT("lookAt", "at"),
+	MEANT("position", "eye"),
+	MEANT("pos", "eye"),
+	MEANT("from", "eye"),
+	MEANT("origin", "eye"),
+	MEANT("Eye", "eye"),
+	MEANT("eyes", "eye"),
+	MEANT("direction", "gaze"),
+	MEANT("dir", "gaze"),
+	MEANT("forward", "gaze"),
+	MEANT("rotation", "orientation"),
+	MEANT("quaternion", "orientation"),
+	MEANT("view", "matrix"),
+#undef MEANT
+#define MEANT(name, right)                                                   \
+	{                                                                    \
+		&persp, "{\"" name "\":1}",                                  \
+		    "/" name ": unknown member; did you mean \"" right "\"?" \
+	}
+	MEANT("fov", "fovy"),
+	MEANT("fovY", "fovy"),
+	MEANT("fov_y", "fovy"),
+	MEANT("yfov", "fovy"),
+	MEANT("fov_x", "fovx"),
+	MEANT("aspectRatio", "aspect"),
+	MEANT("aspect_ratio", "aspect"),
+	MEANT("ratio", "aspect"),
+	MEANT("znear", "near"),
+	MEANT("zNear", "near"),
+	MEANT("near_plane", "near"),
+	MEANT("zfar", "far"),
+	MEANT("far_plane", "far"),
+	MEANT("reverseZ", "reverse_z"),
+#undef MEANT
+#define MEANT(name, right)                                                   \
+	{                                                                    \
+		&project, "{\"" name "\":{}}",                               \
+		    "/" name ": unknown member; did you mean \"" right "\"?" \
+	}
+	MEANT("view", "camera"),
+	MEANT("lens", "projection"),
+	MEANT("perspective", "projection"),
+	MEANT("model", "world"),
+	MEANT("screen", "viewport"),
+	MEANT("Camera", "camera"),
+	MEANT("point", "points"),
+	{ &lookat, "{\"camra\":{}}",
+	    "/camra: unknown member; did you mean \"camera\"?" },
+	{ &volume, "{\"near\":1}",
+	    "/near: unknown member; did you mean \"z_near\"?" },
+	{ &w2n, "{\"x\":1}", "/x: unknown member; did you mean \"center\"?" },
+	{ &lookat, "{\"convention\":\"gl\"," EYE "}",
+	    "/eye: unknown member; it belongs into \"camera\"" },
+	{ &project, "{\"target\":1}",
+	    "/target: unknown member; \"camera\" has \"at\"" },
+	{ &project, "{\"half_width\":1}",
+	    "/half_width: unknown member; it belongs into \"projection\"" },
+	{ &w2d, "{\"width\":1}",
+	    "/width: unknown member; it belongs into \"projection\", "
+	    "\"viewport\", \"window\" or \"device\"" },
+	{ &project, "{\"camera\":{\"near\":1}}",
+	    "/camera/near: unknown member; it belongs into \"projection\"" },
+	{ &lookat, "{\"q\":1}",
+	    "/q: unknown member; there are \"eye\", \"at\", \"gaze\", "
+	    "\"orientation\", \"matrix\", \"up\", \"roll\" and "
+	    "\"orthonormalize\"" },
+	{ &project, "{\"qqq\":1}",
+	    "/qqq: unknown member; there are \"convention\", \"world\", "
+	    "\"camera\", \"projection\", \"viewport\", \"window\", \"device\", "
+	    "\"points\", \"bounds\" and \"pick\"" },
+	{ &lookat, "{\"qq~/\\u001b\\u009b\\n\":1}",
+	    "/qq~0~1\\u001b\\u009b\\u000a: unknown member; there are \"eye\", "
+	    "\"at\", \"gaze\", \"orientation\", \"matrix\", \"up\", \"roll\" "
+	    "and \"orthonormalize\"" },
+	{ &lookat, "{" EYE "," AT "," EYE "}", "/eye: repeated; give it once" },
+	{ &project, "{\"camera\":{},\"camera\":{}}",
+	    "/camera: repeated; give it once" },
+	{ &ortho, "{\"fovy\":1}",
+	    "/fovy: not a member of \"ortho\"; \"persp\" has it" },
+	{ &persp, "{\"plane\":1}",
+	    "/plane: not a member of \"persp\"; \"oblique\" has it" },
+};
+
+REFUSES(names)
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_names),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,207 @@
+#include "document.h"
+
+#include <math.h>
+
+static const struct json_wants persp = { MEMBER_PROJECTION, MEMBER_PROJECTION,
+	PROJECTION_PERSP, NULL, 3, false, 0 };
+static const struct json_wants ortho = { MEMBER_PROJECTION, MEMBER_PROJECTION,
+	PROJECTION_ORTHO, NULL, 3, false, 0 };
+static const struct json_wants volume = { MEMBER_PROJECTION, MEMBER_PROJECTION,
+	PROJECTION_VOLUME, NULL, 3, false, 0 };
+static const struct json_wants project = { .projection = -1, .coordinates = 3 };
+
+#define SIDES "\"left\", \"right\", \"bottom\" and \"top\""
+#define PERSP_HINT                                                          \
+	"give one of \"fovy\", \"fovx\", \"view_angle\" and \"field\", or " \
+	"\"width\" and \"height\", or " SIDES
+#define ORTHO_HINT \
+	"give \"height\" and \"aspect\", \"width\" and \"height\", or " SIDES
+#define POSITIVE "a number from 1e-150 to 1e150 is wanted"
+#define PLANES "\"near\":1,\"far\":2"
+#define SIZE "\"width\":1,\"height\":1"
+
+static const struct refusal projections[] = {
+	{ &persp, "{\"viewport\":{}}",
+	    "/projection: missing; add \"projection\": {\"type\": \"persp\", "
+	    "\"fovy\": 60, \"aspect\": 1.5, \"near\": 1, \"far\": 10}" },
+	{ &persp, "{\"type\":\"ortho\"}",
+	    "/type: \"ortho\", but the command is persp; use the command ortho,"
+	    " or \"type\": \"persp\"" },
+	{ &persp, "{\"type\":\"matrix\"}",
+	    "/type: \"matrix\", but the command is persp; use the command "
+	    "project, or \"type\": \"persp\"" },
+	{ &project, "{\"projection\":{}}",
+	    "/projection/type: missing; it is \"persp\", \"ortho\", "
+	    "\"oblique\", \"volume\" or \"matrix\"" },
+	{ &project, "{\"projection\":{\"type\":\"perspective\"}}",
+	    "/projection/type: is \"perspective\"; did you mean \"persp\"?" },
+	{ &project, "{\"projection\":{\"type\":1}}",
+	    "/projection/type: is a number; \"persp\", \"ortho\", \"oblique\", "
+	    "\"volume\" or \"matrix\" is wanted" },
+	{ &persp, "{" PLANES "}", "/fovy: missing; " PERSP_HINT },
+	{ &persp, "{" PLANES ",\"fovy\":60}",
+	    "/aspect: missing; give it, or a \"viewport\"" },
+	{ &persp, "{" PLANES ",\"width\":1}", "/height: missing; " PERSP_HINT },
+	{ &persp, "{" PLANES ",\"height\":1,\"aspect\":1}",
+	    "/width: missing; " PERSP_HINT },
+	{ &persp, "{" PLANES ",\"left\":1,\"right\":2,\"top\":2}",
+	    "/bottom: missing; " PERSP_HINT },
+	{ &persp, "{" PLANES ",\"fovy\":60,\"fovx\":60}",
+	    "/fovx: not together with \"fovy\"; " PERSP_HINT },
+	{ &persp, "{" PLANES ",\"fovy\":60,\"height\":60}",
+	    "/height: not together with \"fovy\"; " PERSP_HINT },
+	{ &persp, "{" PLANES "," SIZE ",\"aspect\":1}",
+	    "/aspect: not together with \"width\"; " PERSP_HINT },
+	{ &persp, "{\"fovy\":180}",
+	    "/fovy: 180 is out of range; an angle above 0 and below 180 "
+	    "degrees is wanted" },
+	{ &persp, "{\"fovx\":0}",
+	    "/fovx: 0 is not positive; an angle above 0 and below 180 degrees "
+	    "is wanted" },
+	{ &persp, "{\"near\":-1}", "/near: -1 is not positive; " POSITIVE },
+	{ &persp, "{\"near\":1e-151}",
+	    "/near: 1e-151 is out of range; " POSITIVE },
+	{ &persp, "{\"aspect\":0}", "/aspect: 0 is not positive; " POSITIVE },
+	{ &persp, "{\"near_ratio\":1}",
+	    "/near_ratio: 1 is out of range; a number above 0 and below 1 is "
+	    "wanted" },
+	{ &persp, "{\"fovy\":60,\"far\":1}",
+	    "/near: missing; give \"near\" and \"far\"" },
+	{ &persp, "{\"near\":\"infinity\"}",
+	    "/near: only \"far\" of \"persp\" can be infinite" },
+	{ &persp, "{\"near\":\"1\"}",
+	    "/near: is a string; a number is wanted" },
+	{ &persp, "{\"far\":\"inf\"}",
+	    "/far: is \"inf\"; a number or \"infinity\" is wanted" },
+	{ &persp, "{\"far\":null}",
+	    "/far: is null; a number or \"infinity\" is wanted" },
+	{ &ortho, "{\"far\":\"infinity\"}",
+	    "/far: only \"far\" of \"persp\" can be infinite" },
+	{ &ortho, "{" PLANES "}", "/width: missing; " ORTHO_HINT },
+	{ &ortho, "{" PLANES ",\"height\":1}",
+	    "/aspect: missing; give it, or a \"viewport\"" },
+#define OBLIQUE(rest) \
+	"{\"projection\":{\"type\":\"oblique\"," PLANES "," SIZE rest "}}"
+#define SHEAR "give \"kind\" (\"cavalier\" or \"cabinet\") or \"angle\""
+	{ &project, OBLIQUE(), "/projection/kind: missing; " SHEAR },
+	{ &project, OBLIQUE(",\"kind\":\"cabinet\",\"angle\":45"),
+	    "/projection/angle: not together with \"kind\"; " SHEAR },
+	{ &project, OBLIQUE(",\"kind\":\"military\""),
+	    "/projection/kind: is \"military\"; \"cavalier\" or \"cabinet\" is "
+	    "wanted" },
+	{ &project, OBLIQUE(",\"angle\":90.5"),
+	    "/projection/angle: 90.5 is out of range; an angle above 0 and up "
+	    "to 90 degrees is wanted" },
+#define BOX "\"half_width\":1,\"half_height\":1,\"z_near\":1"
+	{ &volume, "{" BOX "}",
+	    "/z_far: missing; give \"half_width\", \"half_height\", \"z_near\" "
+	    "and \"z_far\"" },
+	{ &volume, "{" BOX ",\"z_far\":2,\"eye\":[0,0,1],\"tan_skew\":[0,0]}",
+	    "/eye: not together with \"tan_skew\"; give \"eye\", or "
+	    "\"inverse_eye_z\" and \"tan_skew\"" },
+	{ &project, "{\"projection\":{\"type\":\"matrix\"}}",
+	    "/projection/matrix: missing; give \"matrix\"" },
+};
+
+REFUSES(projections)
+
+static void test_section(void **state)
+{
+#define PERSP(members)                                                     \
+	scene_of(                                                          \
+	    "{\"projection\":{\"type\":\"persp\",\"near\":1,\"far\":"      \
+	    "9," members "},\"viewport\":{\"width\":640,\"height\":480}}") \
+	    .projection
+	struct projection p = PERSP("\"fovy\":60");
+
+	(void)state;
+	assert_int_equal(p.type, PROJECTION_PERSP);
+	assert_int_equal(p.extent, EXTENT_FOVY);
+	assert_true(p.angle == 60 && p.near == 1 && p.far == 9);
+	assert_true(!p.reverse_z && p.near_ratio == 0.0005);
+	assert_numbers(p.aspect, 2, 640.0, 480.0);
+	p = PERSP(
+	    "\"fovx\":179.99999999999997,\"aspect\":2,\"reverse_z\":true");
+	assert_int_equal(p.extent, EXTENT_FOVX);
+	assert_numbers(p.aspect, 2, 2.0, 1.0);
+	assert_true(p.reverse_z);
+	assert_int_equal(PERSP("\"view_angle\":1").extent, EXTENT_VIEW_ANGLE);
+	p = PERSP("\"field\":1e-150");
+	assert_int_equal(p.extent, EXTENT_FIELD);
+	assert_true(p.angle == 1e-150);
+	p = PERSP("\"width\":2,\"height\":3");
+	assert_int_equal(p.extent, EXTENT_SIZE);
+	assert_true(p.width == 2 && p.height == 3);
+	p = PERSP("\"left\":-1,\"right\":2,\"bottom\":-3,\"top\":4");
+	assert_int_equal(p.extent, EXTENT_EDGES);
+	assert_numbers(&p.left, 4, -1.0, 2.0, -3.0, 4.0);
+	p = scene_of("{\"viewport\":{\"width\":4,\"height\":3,\"scale\":"
+		     "\"uniform\"},\"projection\":{\"type\":\"persp\","
+		     "\"near\":1,\"far\":\"infinity\",\"fovy\":90}}")
+		.projection;
+	assert_numbers(p.aspect, 2, 1.0, 1.0);
+	assert_true(isinf(p.far));
+}
+
+static void test_parallel(void **state)
+{
+	struct json_wants wants = ortho;
+
+	(void)state;
+	struct document d = read_as(&wants,
+	    "{\"near\":-1,\"far\":-2,\"height\":2,\"aspect\":1.5}");
+
+	assert_int_equal(d.scene.projection.type, PROJECTION_ORTHO);
+	assert_int_equal(d.scene.projection.extent, EXTENT_HEIGHT);
+	assert_true(d.scene.projection.near == -1);
+	assert_numbers(d.scene.projection.aspect, 2, 1.5, 1.0);
+	wants.projection = PROJECTION_OBLIQUE;
+#define SHEARED(members)                                  \
+	read_as(&wants,                                   \
+	    "{\"type\":\"oblique\",\"near\":0,\"far\":1," \
+	    "\"width\":1,\"height\":1," members "}")      \
+	    .scene.projection
+	struct projection p = SHEARED("\"kind\":\"cavalier\"");
+
+	assert_int_equal(p.extent, EXTENT_SIZE);
+	assert_int_equal(p.kind, OBLIQUE_CAVALIER);
+	assert_true(p.direction == 45 && p.plane == 0);
+	p = SHEARED("\"kind\":\"cabinet\",\"direction\":-30,\"plane\":7");
+	assert_int_equal(p.kind, OBLIQUE_CABINET);
+	assert_true(p.direction == -30 && p.plane == 7);
+	p = SHEARED("\"angle\":90");
+	assert_int_equal(p.kind, OBLIQUE_ANGLE);
+	assert_true(p.projector == 90);
+}
+
+static void test_volume(void **state)
+{
+#define VOLUME(members)                                                      \
+	scene_of("{\"projection\":{\"type\":\"volume\",\"half_width\":1,"    \
+		 "\"half_height\":2,\"z_near\":-3,\"z_far\":4" members "}}") \
+	    .projection
+	struct projection p = VOLUME("");
+
+	(void)state;
+	assert_int_equal(p.type, PROJECTION_VOLUME);
+	assert_numbers(&p.half_width, 4, 1.0, 2.0, -3.0, 4.0);
+	assert_true(!p.has_eye && p.inverse_eye_z == 0);
+	p = VOLUME(",\"inverse_eye_z\":-0.1,\"tan_skew\":[5,6]");
+	assert_true(!p.has_eye && p.inverse_eye_z == -0.1);
+	assert_numbers(p.tan_skew, 2, 5.0, 6.0);
+	p = VOLUME(",\"eye\":[7,8,-9]");
+	assert_true(p.has_eye);
+	assert_numbers(p.eye, 3, 7.0, 8.0, -9.0);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_projections),
+		cmocka_unit_test(test_section),
+		cmocka_unit_test(test_parallel),
+		cmocka_unit_test(test_volume),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,165 @@
+#!/usr/bin/perl
+# The JSON Schema of a scene takes every scene of testdata and every value of
+# projcalc-scene(5), and refuses what the program refuses in the golden cases,
+# where a schema can. The validator is python3-jsonschema, which knows neither.
+use strict;
+use warnings;
+use Cwd 'abs_path';
+use File::Basename;
+use File::Temp 'tempfile';
+use JSON::PP;
+
+my $top = abs_path(dirname($0) . '/../..');
+chdir "$top/testdata" or die "$top/testdata: $!\n";
+
+# Reads a list of [text, pointer], prints a list of what is wrong with each:
+# null for nothing. The pointer is of the schema that holds.
+my $validate = <<'END';
+import json, sys
+from jsonschema import Draft202012Validator
+schema = json.load(open(sys.argv[1]))
+Draft202012Validator.check_schema(schema)
+def wrong(text, pointer):
+    try:
+        value = json.loads(text)
+    except ValueError:
+        return "not JSON"
+    part = {"$ref": pointer, "$defs": schema["$defs"]} if pointer else schema
+    for error in Draft202012Validator(part).iter_errors(value):
+        return error.json_path + ": " + error.message
+print(json.dumps([wrong(*case) for case in json.load(open(sys.argv[2]))]))
+END
+
+# Why a schema can't refuse: it compares no numbers, counts no members, inverts
+# no matrices, doesn't know the command, and sees no points but the member.
+my $beyond = qr{
+	equal\ to | not\ less\ than | not\ greater\ than | greater\ than\ max |
+	less\ than\ min | single\ point | parallel\ to | does\ not\ run |
+	what\ holds\ them | no\ points\ to | crosses\ the\ volume |
+	repeated; |
+	singular | determinant | last\ column | too\ far\ from |
+	beyond\ the\ range\ of\ doubles
+	    (?!;\ numbers) |
+	missing;\ (?:add|it\ is|device|say) |
+	but\ the\ command\ is | coordinates\ are\ wanted | not\ together\ with\ PO |
+	can't\ be\ taken\ back | nothing\ that\ can\ be\ fitted |
+	^projcalc:\ POINTS:
+}x;
+
+sub slurp {
+	open my $file, '<', $_[0] or return '';
+	local $/;
+	return <$file> // '';
+}
+
+# An object with none of a scene's members is one of them, as is its type.
+my %bare = (lookat => 'camera', w2n => 'window', n2d => 'device',
+	map { $_ => 'projection' } qw(persp ortho oblique volume));
+
+sub as_scene {
+	my ($command, $text) = @_;
+	# The points that fit holds may stand elsewhere.
+	$text =~ s/^\s*\{/{"bounds": {"center": [0,0,0], "radius": 1}, /
+	    if $command eq 'fit' && $text !~ /"bounds"/;
+	my $bare = $bare{$command} or return $text;
+	return $text if $text =~ /"(?:convention|world|camera|projection|viewport
+	    |window|device|bounds|pick|points)"\s*:/x;
+	my $type = $bare eq 'projection' && $text !~ /"type"/ ?
+	    "{\"type\": \"$command\"" .
+	    ($text =~ /^\s*\{\s*\}\s*$/ ? '' : ',') : '{';
+	return "{\"$bare\": " . $text =~ s/^\s*\{/$type/r . '}';
+}
+
+# The documents of a shell command: in quotes, named, or on standard input.
+sub documents {
+	my ($shell, $in) = @_;
+	my @found;
+	while ($shell =~ /projcalc (\w+)([^|]*)/g) {
+		my ($command, $rest) = ($1, $2);
+		push @found, map { as_scene($command, $_) }
+		    $rest =~ /'(\{[^']*\})'/g;
+		push @found, map { as_scene($command, slurp($_)) }
+		    grep { -e } $rest =~ m{(?<![\w<'])([\w/-]+\.json)\b}g;
+		push @found, as_scene($command, $in) if $in =~ /^\s*\{/;
+	}
+	return @found;
+}
+
+my @cases; # [name, text, pointer, message or '']
+
+sub add {
+	push @cases, [@_];
+}
+
+add($_, slurp($_), '', '') for glob '*.json views/*.json';
+for my $dir (glob 'golden/*') {
+	my $status = slurp("$dir/status") || 0;
+	next if $status > 1;
+	my $err = $status == 1 ? slurp("$dir/err") : '';
+	# A bad point or no JSON: nothing that concerns the document.
+	next if $status == 1 && $err !~ m{^projcalc: [^:]+: (?:/|is an? )};
+	add(basename($dir), $_, '', $err)
+	    for documents(slurp("$dir/cmd"), slurp("$dir/in"));
+}
+for my $line (split /^/, slurp('recorded/sources.tsv')) {
+	my (undef, $what, $command) = split /\t/, $line;
+	add($what, $_, '', '') for documents($command // '', '');
+}
+
+# The values of the manual page: .It Cm NAME : No VALUE
+my ($section, %where) = ('', projection => '#/$defs/ortho',
+	'projection of type matrix' => '#/$defs/any',
+	convention => '#/$defs/convention/then');
+for my $line (split /^/, slurp("$top/man/projcalc-scene.5")) {
+	$section = $1 if $line =~ /^\.Ss (.*)/;
+	my ($name, $value) = $line =~ /^\.It Cm (\w+) : No (.*)/ or next;
+	my $object = $where{$section} //
+	    '#/$defs/' . $section =~ s/.* of type //r;
+	$object = '#/$defs' if $name eq 'type' || $name eq $section;
+	$object = '#/$defs' if $section eq 'world';
+	add("$section $name", $value =~ s/\\\(dq/"/gr,
+	    $name eq 'type' ? '#/$defs/projection/properties/type' :
+	    $section eq 'world' ? '#/$defs/matrix' :
+	    $object eq '#/$defs' ? "$object/$name" :
+	    "$object/properties/$name", '');
+}
+
+my $python = '/usr/bin/python3';
+if (system("$python -c 'import jsonschema' 2>/dev/null") != 0) {
+	print "1..0 # SKIP no python3-jsonschema\n";
+	exit 0;
+}
+my ($script, $script_name) = tempfile(UNLINK => 1);
+my ($list, $list_name) = tempfile(UNLINK => 1);
+print $script $validate;
+print $list encode_json([map { [$_->[1], $_->[2]] } @cases]);
+close $_ for $script, $list;
+my $said = `$python $script_name $top/man/projcalc.schema.json $list_name`;
+die "the validator failed\n" if $? != 0;
+my $wrong = decode_json($said);
+
+my $failed = 0;
+my $refusals = 0;
+printf "1..%d\n", @cases + 1;
+for my $i (0 .. $#cases) {
+	my ($name, $text, undef, $message) = @{$cases[$i]};
+	my $error = $wrong->[$i];
+	my $ok = $message eq '' ? !defined $error : defined $error;
+	my $name_of_test = $name =~ s/#/\\#/gr;
+	# of what its command doesn't need the program checks the form alone
+	if (!$ok && ($message =~ $beyond || $name eq 'unneeded-member-range')) {
+		printf "ok %d - %s # SKIP no schema can tell\n", $i + 1,
+		    $name_of_test;
+		next;
+	}
+	$refusals += $ok && $message ne '';
+	printf "%s %d - %s\n", $ok ? 'ok' : 'not ok', $i + 1, $name_of_test;
+	next if $ok;
+	$failed++;
+	print map { s/^/# /mgr . "\n" } $text, $message eq '' ?
+	    "the schema says: $error" : "only the program says: $message";
+}
+# That a pattern above doesn't quietly let everything go.
+printf "%s %d - %d refusals of the program are the schema's\n",
+    $refusals >= 50 ? 'ok' : 'not ok', @cases + 1, $refusals;
+exit($failed > 0 || $refusals < 50);

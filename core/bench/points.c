@@ -1,0 +1,145 @@
+/* Nanoseconds a point of points_carry: every copy of the kernels that this
+ * processor runs, every precision, every body, on a block that lies in the
+ * cache. Prints a table in markdown. */
+#include <stdio.h>
+
+#include "clock.h"
+#include "../point.h"
+#include "../test/sample.h"
+
+enum { RUNS = 101, CALLS = 4, EFFORTS = 4, CASES = 4, COPIES = 3 };
+
+static const char *const copies[COPIES] = { "baseline", "avx2", "avx512" };
+
+static const struct effort efforts[EFFORTS] = {
+	{ PRECISION_EXACT, 0 },
+	{ PRECISION_DOUBLE, 0 },
+	{ PRECISION_SINGLE, 0 },
+	{ PRECISION_EXACT, 0.5 },
+};
+
+static const struct scene scene = {
+	.has_camera = true,
+	.camera = { .by = CAMERA_AT,
+	    .eye = { 1, 2, -5 },
+	    .at = { 0.1, 0.2, 0.3 },
+	    .up = { 0, 1, 0 } },
+	.projection = { .type = PROJECTION_PERSP,
+	    .extent = EXTENT_FOVY,
+	    .angle = 60,
+	    .aspect = { 640, 480 },
+	    .near = 1,
+	    .far = 10 },
+	.has_viewport = true,
+	.viewport = { .width = 640, .height = 480, .max_z = 1 },
+	.has_window = true,
+	.window = { .center = { 0.1, 0.2 },
+	    .width = 4,
+	    .height = 3,
+	    .zoom = 1 },
+	.has_device = true,
+	.device = { .width = 640, .height = 480, .top_left = true },
+};
+
+/* A transform and a block of points for it. */
+struct sample {
+	const char *name;
+	struct transform transform;
+	double in[3][POINTS_BLOCK];
+	double times[COPIES][EFFORTS][RUNS];
+};
+
+static struct sample cases[CASES];
+
+static void fill(struct sample *s, const double low[3], const double high[3])
+{
+	for (int i = 0; i < POINTS_BLOCK; i++)
+		for (int k = 0; k < 3; k++)
+			s->in[k][i] = sample_between(low[k], high[k]);
+}
+
+/* All points are in front of the eye; the kernels give up none. */
+static const char *make_cases(void)
+{
+	const double low[3] = { -2, -2, -2 }, high[3] = { 2, 2, 2 };
+	const double corner[3] = { 0, 0, 0 }, other[3] = { 640, 480, 1 };
+	const char *why[CASES] = {
+		scene_transform(&scene, SPACE_WORLD, SPACE_DEVICE, false,
+		    &cases[0].transform),
+		scene_transform(&scene, SPACE_DEVICE, SPACE_WORLD, false,
+		    &cases[1].transform),
+		scene_transform(&scene, SPACE_WORLD, SPACE_VIEW, false,
+		    &cases[2].transform),
+		flat_transform(&scene, FLAT_WINDOW, FLAT_DEVICE,
+		    &cases[3].transform),
+	};
+
+	cases[0].name = "perspective";
+	cases[1].name = "projective";
+	cases[2].name = "affine";
+	cases[3].name = "flat";
+	for (int c = 0; c < CASES; c++) {
+		if (why[c] != NULL)
+			return why[c];
+		fill(&cases[c], c == 1 ? corner : low, c == 1 ? other : high);
+	}
+	return NULL;
+}
+
+static double measure(const struct sample *s, const struct effort *e)
+{
+	static double image[4][POINTS_BLOCK];
+	static bool single[POINTS_BLOCK];
+	const double *const in[4] = { s->in[0], s->in[1], s->in[2] };
+	double *const out[4] = { image[0], image[1], image[2], image[3] };
+	double start = clock_ns();
+
+	for (int i = 0; i < CALLS; i++)
+		points_carry(&s->transform, e, in, out, single, POINTS_BLOCK);
+	return (clock_ns() - start) / (CALLS * POINTS_BLOCK);
+}
+
+/* Whatever slows the machine down for a while slows a run of each. */
+static void measure_all(int run)
+{
+	for (int copy = 0; copy < COPIES; copy++) {
+		if (!points_choose(copies[copy]))
+			continue;
+		for (int c = 0; c < CASES; c++)
+			for (int e = 0; e < EFFORTS; e++)
+				cases[c].times[copy][e][run] =
+				    measure(&cases[c], &efforts[e]);
+	}
+}
+
+static void print_row(struct sample *s, int copy)
+{
+	printf("| %s | %s |", s->name, copies[copy]);
+	for (int e = 0; e < EFFORTS; e++) {
+		struct timing t = timing_of(s->times[copy][e], RUNS);
+
+		printf(" %.2f (%.2f) |", t.min, t.median);
+	}
+	putchar('\n');
+}
+
+int main(void)
+{
+	sample_seed(1);
+	const char *why = make_cases();
+
+	if (why != NULL) {
+		fprintf(stderr, "points: %s\n", why);
+		return 1;
+	}
+	measure_all(0);
+	for (int run = 0; run < RUNS; run++)
+		measure_all(run);
+	printf("| body | copy | exact | double | single | -t 0.5 |\n"
+	       "|---|---|--:|--:|--:|--:|\n");
+	for (int c = 0; c < CASES; c++)
+		for (int copy = 0; copy < COPIES; copy++)
+			if (points_choose(copies[copy]))
+				print_row(&cases[c], copy);
+	return 0;
+}

@@ -1,0 +1,81 @@
+#include "fit_camera.h"
+
+#include <math.h>
+
+/* From the rows of view to world: of a matrix its own for the eye, and its
+ * nearest rotation's for the axes. */
+static const char *from_axes(struct camera *c, bool right_handed)
+{
+	double sign = right_handed ? -1 : 1;
+	struct camera turned = *c;
+	struct map back;
+	const char *why = camera_map(c, right_handed, true, &back);
+
+	if (why == NULL && c->by == CAMERA_MATRIX)
+		for (int k = 0; k < 3; k++)
+			c->eye[k] = back.m[AT_ZERO][k].hi;
+	turned.roll = 0;
+	turned.orthonormalize = true;
+	if (why == NULL)
+		why = camera_map(&turned, right_handed, true, &back);
+	for (int k = 0; k < 3 && why == NULL; k++) {
+		c->at[k] = sign * back.m[2][k].hi;
+		c->up[k] = back.m[1][k].hi;
+	}
+	if (c->by == CAMERA_MATRIX)
+		c->roll = 0;
+	return why;
+}
+
+/* at - eye, rounded, and halved where it would pass what a document may say. */
+static void from_at(struct camera *c)
+{
+	double largest = 0;
+
+	for (int k = 0; k < 3; k++) {
+		c->at[k] -= c->eye[k];
+		largest = fmax(largest, fabs(c->at[k]));
+	}
+	for (int k = 0; k < 3 && largest > MAGNITUDE_MAX; k++)
+		c->at[k] /= 2;
+}
+
+const char *gaze_of(struct scene *s)
+{
+	struct camera *c = &s->camera;
+	bool right = s->convention.right_handed;
+	struct map view;
+
+	if (!s->has_camera)
+		*c = (struct camera){ .by = CAMERA_GAZE,
+			.at = { 0, 0, right ? -1 : 1 },
+			.up = { 0, 1, 0 } };
+	s->has_camera = true;
+	const char *why = camera_map(c, right, false, &view);
+
+	if (why == NULL && c->by >= CAMERA_ORIENTATION)
+		why = from_axes(c, right);
+	else if (c->by == CAMERA_AT)
+		from_at(c);
+	c->by = CAMERA_GAZE;
+	return why;
+}
+
+void eye_move(const struct map *back, const struct estimate step[3],
+    double eye[3])
+{
+	for (int k = 0; k < 3; k++) {
+		ex sum = ex_dd(back->m[AT_ORIGIN][k]);
+		double error = 0;
+
+		for (int i = 0; i < 3; i++) {
+			double by = fabs(step[i].value.hi);
+
+			sum = ex_add(sum,
+			    ex_mul(ex_dd(step[i].value), ex_dd(back->m[i][k])));
+			error += (step[i].error + SUM_BOUND * by) *
+			    back->sum[i][k];
+		}
+		eye[k] = estimate_of(sum, error).value.hi;
+	}
+}

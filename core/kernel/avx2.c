@@ -1,0 +1,43 @@
+/* For x86-64 with AVX2 and FMA: compile with -mavx2 -mfma.
+ *
+ * A copy defines a vector of doubles: V; WIDTH, how many; LOAD and STORE; ALL,
+ * one double in each; FMA; ABS; MIN, a < b ? a : b; MAX, a > b ? a : b; and
+ * POSITIVE, a > 0 ? b : nan. The same for floats: F_NEAR reads doubles and
+ * takes their difference from o as floats, F_STORE writes doubles. */
+#ifdef __AVX2__
+#include <immintrin.h>
+
+#define COPY kernels_avx2
+
+#define V __m256d
+#define WIDTH 4
+#define LOAD(p) _mm256_loadu_pd(p)
+#define STORE(p, a) _mm256_storeu_pd(p, a)
+#define ALL(a) _mm256_set1_pd(a)
+#define FMA(a, b, c) _mm256_fmadd_pd(a, b, c)
+#define ABS(a) _mm256_andnot_pd(_mm256_set1_pd(-0.0), a)
+#define MIN(a, b) _mm256_min_pd(a, b)
+#define MAX(a, b) _mm256_max_pd(a, b)
+#define POSITIVE(a, b)                                   \
+	_mm256_blendv_pd(_mm256_set1_pd((double)NAN), b, \
+	    _mm256_cmp_pd(a, _mm256_setzero_pd(), _CMP_GT_OQ))
+
+#define F __m256
+#define F_WIDTH 8
+#define F_HALF(p, o) \
+	_mm256_cvtpd_ps(_mm256_sub_pd(_mm256_loadu_pd(p), _mm256_set1_pd(o)))
+#define F_NEAR(p, o) _mm256_set_m128(F_HALF((p) + 4, o), F_HALF(p, o))
+#define F_STORE(p, a)                                                     \
+	(_mm256_storeu_pd(p, _mm256_cvtps_pd(_mm256_castps256_ps128(a))), \
+	    _mm256_storeu_pd((p) + 4,                                     \
+		_mm256_cvtps_pd(_mm256_extractf128_ps(a, 1))))
+#define F_ALL(a) _mm256_set1_ps(a)
+#define F_FMA(a, b, c) _mm256_fmadd_ps(a, b, c)
+#define F_ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
+#define F_MAX(a, b) _mm256_max_ps(a, b)
+#define F_POSITIVE(a, b)                         \
+	_mm256_blendv_ps(_mm256_set1_ps(NAN), b, \
+	    _mm256_cmp_ps(a, _mm256_setzero_ps(), _CMP_GT_OQ))
+
+#include "copy.h"
+#endif

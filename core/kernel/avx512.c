@@ -1,0 +1,45 @@
+/* For x86-64 with AVX-512: compile with -mavx512f -mfma. */
+#ifdef __AVX512F__
+#include <immintrin.h>
+
+#define COPY kernels_avx512
+
+#define V __m512d
+#define WIDTH 8
+#define LOAD(p) _mm512_loadu_pd(p)
+#define STORE(p, a) _mm512_storeu_pd(p, a)
+#define ALL(a) _mm512_set1_pd(a)
+#define FMA(a, b, c) _mm512_fmadd_pd(a, b, c)
+#define ABS(a) _mm512_abs_pd(a)
+#define MIN(a, b) _mm512_min_pd(a, b)
+#define MAX(a, b) _mm512_max_pd(a, b)
+#define POSITIVE(a, b)                                                  \
+	_mm512_mask_blend_pd(_mm512_cmp_pd_mask(a, _mm512_setzero_pd(), \
+				 _CMP_GT_OQ),                           \
+	    _mm512_set1_pd((double)NAN), b)
+
+#define F __m512
+#define F_WIDTH 16
+#define F_HALF(p, o) \
+	_mm512_cvtpd_ps(_mm512_sub_pd(_mm512_loadu_pd(p), _mm512_set1_pd(o)))
+#define F_NEAR(p, o)                                                      \
+	_mm512_castpd_ps(                                                 \
+	    _mm512_insertf64x4(_mm512_castps_pd(                          \
+				   _mm512_castps256_ps512(F_HALF(p, o))), \
+		_mm256_castps_pd(F_HALF((p) + 8, o)), 1))
+#define F_STORE(p, a)                                                     \
+	(_mm512_storeu_pd(p, _mm512_cvtps_pd(_mm512_castps512_ps256(a))), \
+	    _mm512_storeu_pd((p) + 8,                                     \
+		_mm512_cvtps_pd(_mm256_castpd_ps(                         \
+		    _mm512_extractf64x4_pd(_mm512_castps_pd(a), 1)))))
+#define F_ALL(a) _mm512_set1_ps(a)
+#define F_FMA(a, b, c) _mm512_fmadd_ps(a, b, c)
+#define F_ABS(a) _mm512_abs_ps(a)
+#define F_MAX(a, b) _mm512_max_ps(a, b)
+#define F_POSITIVE(a, b)                                                \
+	_mm512_mask_blend_ps(_mm512_cmp_ps_mask(a, _mm512_setzero_ps(), \
+				 _CMP_GT_OQ),                           \
+	    _mm512_set1_ps(NAN), b)
+
+#include "copy.h"
+#endif

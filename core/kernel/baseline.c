@@ -1,0 +1,28 @@
+/* For any processor: fma is the C library's, exact everywhere and fast where
+ * there is an instruction for it. */
+#include <math.h>
+
+#define COPY kernels_baseline
+
+#define V double
+#define WIDTH 1
+#define LOAD(p) (*(p))
+#define STORE(p, a) (*(p) = (a))
+#define ALL(a) ((double)(a))
+#define FMA(a, b, c) fma(a, b, c)
+#define ABS(a) fabs(a)
+#define MIN(a, b) ((a) < (b) ? (a) : (b))
+#define MAX(a, b) ((a) > (b) ? (a) : (b))
+#define POSITIVE(a, b) ((a) > 0 ? (b) : (double)NAN)
+
+#define F float
+#define F_WIDTH 1
+#define F_NEAR(p, o) ((float)(*(p) - (o)))
+#define F_STORE(p, a) (*(p) = (double)(a))
+#define F_ALL(a) ((float)(a))
+#define F_FMA(a, b, c) fmaf(a, b, c)
+#define F_ABS(a) fabsf(a)
+#define F_MAX(a, b) ((a) > (b) ? (a) : (b))
+#define F_POSITIVE(a, b) ((a) > 0 ? (b) : NAN)
+
+#include "copy.h"

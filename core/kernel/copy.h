@@ -1,0 +1,59 @@
+/* A copy: includes the loops for the vectors that the file has defined. */
+#include <math.h>
+
+#include "exact.h"
+
+#define REAL double
+#define R V
+#define R_WIDTH WIDTH
+#define R_NEAR(p, o) (LOAD(p) - ALL(o))
+#define R_STORE(p, a) STORE(p, a)
+#define R_ALL(a) ALL(a)
+#define R_FMA(a, b, c) FMA(a, b, c)
+#define R_ABS(a) ABS(a)
+#define R_MAX(a, b) MAX(a, b)
+#define R_POSITIVE(a, b) POSITIVE(a, b)
+#define ROUNDOFF 0x1p-53
+#define NAME(x) double_##x
+#include "plain.h"
+#undef REAL
+#undef R
+#undef R_WIDTH
+#undef R_NEAR
+#undef R_STORE
+#undef R_ALL
+#undef R_FMA
+#undef R_ABS
+#undef R_MAX
+#undef R_POSITIVE
+#undef ROUNDOFF
+#undef NAME
+
+#define REAL float
+#define R F
+#define R_WIDTH F_WIDTH
+#define R_NEAR(p, o) F_NEAR(p, o)
+#define R_STORE(p, a) F_STORE(p, a)
+#define R_ALL(a) F_ALL(a)
+#define R_FMA(a, b, c) F_FMA(a, b, c)
+#define R_ABS(a) F_ABS(a)
+#define R_MAX(a, b) F_MAX(a, b)
+#define R_POSITIVE(a, b) F_POSITIVE(a, b)
+#define ROUNDOFF 0x1p-24f
+#define NAME(x) single_##x
+#include "plain.h"
+
+#define BODIES_OF(prefix)                                                     \
+	{                                                                     \
+		[BODY_FLAT] = prefix##_flat, [BODY_AFFINE] = prefix##_affine, \
+		[BODY_DEPTH] = prefix##_depth,                                \
+		[BODY_PROJECTIVE] = prefix##_projective                       \
+	}
+
+const struct kernels COPY = {
+	.exact = BODIES_OF(exact),
+	.plain = {
+		[PRECISION_DOUBLE] = BODIES_OF(double),
+		[PRECISION_SINGLE] = BODIES_OF(single),
+	},
+};

@@ -1,0 +1,242 @@
+#include "cases.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "../test/sample.h"
+
+/* A camera at hand in gl's conventions, on a screen of 640 x 480. */
+static const struct scene ordinary = {
+	.convention = { true, true, true, false, true },
+	.has_camera = true,
+	.has_viewport = true,
+	.camera = {
+		.eye = { 0.3, -0.2, 0.7 },
+		.at = { 6.4, 2.1, -2.5 },
+		.up = { 0, 1, 0 },
+	},
+	.projection = {
+		.type = PROJECTION_PERSP,
+		.extent = EXTENT_FOVY,
+		.angle = 50,
+		.aspect = { 640, 480 },
+		.near = 1,
+		.far = 100,
+	},
+	.viewport = { .width = 640, .height = 480, .max_z = 1 },
+};
+
+/* Eye and what it looks at move away together. */
+static void far_from_origin(struct scene *s, double distance)
+{
+	static const double direction[3] = { 0.6, -0.5, 0.625 };
+
+	for (int i = 0; i < 3; i++) {
+		double gaze = s->camera.at[i] - s->camera.eye[i];
+
+		s->camera.eye[i] += distance * direction[i];
+		s->camera.at[i] = s->camera.eye[i] + gaze;
+	}
+}
+
+/* Up is the gaze but for its smallest coordinate, the finest to set. */
+static void up_near_gaze(struct scene *s, double angle)
+{
+	double gaze[3];
+
+	for (int i = 0; i < 3; i++)
+		gaze[i] = s->camera.at[i] - s->camera.eye[i];
+	memcpy(s->camera.up, gaze, sizeof gaze);
+	s->camera.up[1] += 8 * angle;
+}
+
+static void eye_near_at(struct scene *s, double distance)
+{
+	static const double direction[3] = { 0.6, -0.5, 0.625 };
+
+	for (int i = 0; i < 3; i++) {
+		s->camera.eye[i] = 0;
+		s->camera.at[i] = distance * direction[i];
+	}
+}
+
+/* Near lies at z 0 of the world, so that points have room between near and
+ * far; depth is in steps of a buffer of 24 bits. */
+static void depth_range(struct scene *s, double extent)
+{
+	memcpy(s->camera.eye, (double[]){ 0, 0, 0.7 }, sizeof s->camera.eye);
+	memset(s->camera.at, 0, sizeof s->camera.at);
+	s->projection.near = 0.7;
+	s->projection.far = 0.7 * (1 + extent);
+	s->viewport.max_z = 0x1p24 - 1;
+}
+
+static void narrow(struct scene *s, double angle)
+{
+	s->projection.angle = angle;
+}
+
+static void wide(struct scene *s, double less_than_180)
+{
+	memset(s->camera.eye, 0, sizeof s->camera.eye);
+	memcpy(s->camera.at, (double[]){ 0, 0, -1 }, sizeof s->camera.at);
+	s->projection.angle = 180 - less_than_180;
+}
+
+static void nearly_parallel(struct scene *s, double inverse_eye_z)
+{
+	s->has_camera = false;
+	s->projection = (struct projection){
+		.type = PROJECTION_VOLUME,
+		.half_width = 400,
+		.half_height = 300,
+		.z_far = -20000,
+		.inverse_eye_z = inverse_eye_z,
+	};
+}
+
+/* The depth of the points, too. */
+static void eye_plane(struct scene *s, double depth)
+{
+	s->projection.near = depth;
+}
+
+static void whole_scene(struct scene *s, double size)
+{
+	struct projection *p = &s->projection;
+
+	for (int i = 0; i < 3; i++) {
+		s->camera.eye[i] *= size;
+		s->camera.at[i] *= size;
+	}
+	p->near *= size;
+	p->far = 8 * p->near;
+}
+
+/* About a place that is not the centre. */
+static void zoomed(struct scene *s, double extent)
+{
+	s->has_camera = s->has_viewport = false;
+	s->projection.type = PROJECTION_NONE;
+	s->has_window = s->has_device = true;
+	s->window = (struct window){
+		.center = { 1e9, 1.1e9 },
+		.width = 1e9,
+		.height = 0.75e9,
+		.zoom = 1 / extent,
+		.has_about = true,
+		.about = { 1234567891.2, 987654321.3 },
+	};
+	s->device = (struct device){ .width = 640, .height = 480 };
+}
+
+static void deep(struct scene *s, double ratio)
+{
+	s->projection.far = 1000;
+	s->projection.near = 1000 / ratio;
+}
+
+static void turned(struct scene *s, double turns)
+{
+	s->camera.roll = TURN * turns;
+}
+
+static void turned_and_squared(struct scene *s, double turns)
+{
+	turned(s, turns);
+	s->camera.orthonormalize = true;
+}
+
+/* On the screen, at such a z of view space. */
+static void on_screen(const struct map *clip, double z, double p[3])
+{
+	double w = z * clip->m[2][3].hi + clip->m[3][3].hi;
+
+	for (int i = 0; i < 2; i++)
+		p[i] = sample_between(-1, 1) * w / clip->m[i][i].hi;
+	p[2] = z;
+}
+
+static void in_frustum(const struct projection *v, const struct map *clip,
+    double p[3])
+{
+	double n = v->near, f = fmin(v->far, 1e6 * n);
+	double t = sample_unit();
+
+	on_screen(clip, -(f > 4 * n ? n * pow(f / n, t) : n + (f - n) * t), p);
+}
+
+/* A flat window is all at z 0. */
+static void in_volume(const struct projection *v, const struct map *clip,
+    double p[3])
+{
+	on_screen(clip, sample_between(v->z_far, v->z_near), p);
+}
+
+static void in_last_decade(const struct projection *v, const struct map *clip,
+    double p[3])
+{
+	on_screen(clip, -v->far * sample_between(0.1, 1), p);
+}
+
+static void beside_eye(const struct projection *v, const struct map *clip,
+    double p[3])
+{
+	on_screen(clip, -v->near * sample_between(1, 2), p);
+	for (int i = 0; i < 2; i++)
+		p[i] /= v->near;
+}
+
+#define ALL ((1 << EXACT) - 1)
+
+const struct regime regimes[REGIMES] = {
+	{ "distance", "Far from the origin", "distance", { 0, 15, 1, 0 },
+	    far_from_origin, in_frustum, false,
+	    1 << SINGLE | 1 << COMPOSED | 1 << STAGED, 10 },
+	{ "up", "Up close to the gaze", "angle between, radians",
+	    { 0, -15, -1, 0 }, up_near_gaze, in_frustum, false, ALL, 1 },
+	{ "wide", "Wide field of view", "180 - degrees", { 0, -10, -1, 0 },
+	    wide, in_frustum, false, ALL, 1e-3 },
+	{ "narrow", "Narrow field of view", "degrees", { -1, -9, -1, 0 },
+	    narrow, in_frustum, false, ALL, 1e-3 },
+	{ "depth", "Near and far close: depth", "far/near - 1",
+	    { 15, -15, -2, 400 }, depth_range, in_frustum, false, ALL, 1 },
+	{ "unproject", "From the screen to the world", "far/near",
+	    { 2, 12, 1, 0 }, deep, in_last_decade, true, ALL, 1e-3 },
+	{ "plane", "Points close to the eye plane", "depth of the points",
+	    { 0, -17, -1, 0 }, eye_plane, beside_eye, false, ALL, 1 },
+	{ "zoom", "Deep zoom in 2D", "part of the window in sight",
+	    { 0, -15, -1, 0 }, zoomed, in_volume, false, ALL, 1 },
+	{ "volume", "Almost parallel projection", "1 / eye z",
+	    { -3, -15, -1, -300 }, nearly_parallel, in_volume, false, ALL,
+	    1e-3 },
+	{ "turns", "Turned by small rotations", "number of turns",
+	    { 0, 6, 1, 0 }, turned, in_frustum, false, ALL, 1e-9 },
+	{ "squared", "Turned, then orthonormalized", "number of turns",
+	    { 0, 6, 1, 0 }, turned_and_squared, in_frustum, false,
+	    1 << SINGLE | 1 << COMPOSED | 1 << STAGED, 1e-9 },
+	{ "at", "Eye close to what it looks at", "distance",
+	    { 0, -150, -10, 0 }, eye_near_at, in_frustum, false, 1 << SINGLE,
+	    1 },
+	{ "size", "Size of the whole scene", "unit of length",
+	    { -150, 149, 13, 0 }, whole_scene, in_frustum, false, 1 << SINGLE,
+	    1 },
+};
+
+void regime_scene(const struct regime *r, double severity, struct scene *s)
+{
+	*s = ordinary;
+	r->scene(s, severity);
+}
+
+int regime_sweep(const struct regime *r, double severity[ROWS])
+{
+	const struct sweep *s = &r->sweep;
+	int n = 0, last = s->last * s->step;
+
+	for (int e = s->first; e * s->step <= last; e += s->step)
+		severity[n++] = pow(10, e);
+	if (s->beyond != 0)
+		severity[n++] = pow(10, s->beyond);
+	return n;
+}

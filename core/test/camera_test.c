@@ -1,0 +1,329 @@
+/* The view matrix and its inverse against MPFR, exact zeros, and refusals. */
+#include "claims.h"
+
+/* Both ways. Returns false where the camera is refused. */
+static bool compare(const struct camera *c, bool right_handed, struct worst *w)
+{
+	struct scene s = {
+		.has_camera = true,
+		.camera = *c,
+		.convention = { .right_handed = right_handed },
+	};
+	struct map m, back;
+	struct truth t;
+	int mark = real_mark();
+
+	if (camera_map(c, right_handed, false, &m) != NULL ||
+	    camera_map(c, right_handed, true, &back) != NULL)
+		return false;
+	truth_scene(&s, SPACE_WORLD, SPACE_VIEW, &t);
+	truth_compare(&t, &m, w);
+	truth_scene(&s, SPACE_VIEW, SPACE_WORLD, &t);
+	if (map_is_finite(&back))
+		truth_compare(&t, &back, w);
+	real_release(mark);
+	return true;
+}
+
+static void cameras(const char *what, int e, int tries)
+{
+	struct worst w = { 0 };
+	int refusals = 0;
+
+	sample_seed(1);
+	for (int i = 0; i < tries; i++) {
+		struct camera c;
+
+		sample_camera(&c, e);
+		refusals += !compare(&c, sample_below(2), &w);
+	}
+	claim_maps(what, &w, EX_BOUND);
+	/* up at 1e-15 of the gaze is often too near */
+	assert_true(refusals < tries / 2);
+}
+
+static void random_ones(void **state)
+{
+	(void)state;
+	cameras("ordinary", 0, 400);
+	cameras("hostile, to 1e2", 2, 300);
+	cameras("hostile, to 1e20", 20, 150);
+	cameras("hostile, to 1e150", 150, 150);
+}
+
+static void orthonormalized(const char *what, int e, int tries)
+{
+	struct worst w = { 0 };
+
+	for (int i = 0; i < tries; i++) {
+		struct camera c;
+
+		sample_orthonormalize(&c, e);
+		compare(&c, false, &w);
+	}
+	claim_maps(what, &w, EX_BOUND);
+}
+
+static void nearest_rotation(void **state)
+{
+	(void)state;
+	sample_seed(2);
+	orthonormalized("drifted", 0, 60);
+	orthonormalized("hardly a rotation", 20, 60);
+}
+
+static void set_diagonal(struct camera *c, double a, double b, double d)
+{
+	memset(c, 0, sizeof *c);
+	c->by = CAMERA_MATRIX;
+	c->orthonormalize = true;
+	c->matrix[0][0] = a;
+	c->matrix[1][1] = b;
+	c->matrix[2][2] = d;
+	c->matrix[3][3] = 1;
+}
+
+/* The same rotation, to 0 and 1, wherever it is what a matrix is nearest to. */
+static void nearest_exactly(void **state)
+{
+	static const double stretched[][3] = { { 1, 1, 1 }, { 3, 2, 1 },
+		{ 1e150, 1e150, 1e150 }, { 1e-150, 1e-150, 1e-150 },
+		{ 1, 1, 1e-150 }, { 1, 1e-80, 1e-100 }, { 0.1, 0.7, 1e9 } };
+	struct camera c;
+	struct map m;
+
+	(void)state;
+	for (size_t i = 0; i < sizeof stretched / sizeof *stretched; i++)
+		for (int turn = 0; turn < 3; turn++) {
+			const double *d = stretched[i];
+
+			set_diagonal(&c, d[0], d[1], d[2]);
+			for (int k = 0; k < 9; k++)
+				c.matrix[k / 3][k % 3] = k % 3 ==
+					(k / 3 + turn) % 3 ?
+				    d[k / 3] :
+				    0;
+			assert_null(camera_map(&c, false, false, &m));
+			for (int k = 0; k < 9; k++)
+				assert_true(m.m[k / 3][k % 3].hi ==
+				    (k % 3 == (k / 3 + turn) % 3));
+		}
+}
+
+/* An integer polynomial that is 0 makes an element that is 0. */
+static void check_zeros(const int eye[3], const int gaze[3], const int up[3],
+    const struct map *m)
+{
+	int axis[3][3];
+
+	for (int i = 0; i < 3; i++) {
+		int j = (i + 1) % 3, k = (i + 2) % 3;
+
+		axis[0][i] = up[j] * gaze[k] - up[k] * gaze[j];
+	}
+	for (int i = 0; i < 3; i++) {
+		int j = (i + 1) % 3, k = (i + 2) % 3;
+
+		axis[1][i] = gaze[j] * axis[0][k] - gaze[k] * axis[0][j];
+		axis[2][i] = gaze[i];
+	}
+	for (int i = 0; i < 3; i++) {
+		int image = 0;
+
+		for (int k = 0; k < 3; k++) {
+			image += axis[i][k] * eye[k];
+			assert_true((m->m[k][i].hi == 0) == (axis[i][k] == 0));
+		}
+		assert_true((m->m[AT_ZERO][i].hi == 0) == (image == 0));
+	}
+}
+
+static void whole_number(int eye_number, const int up[3], int *zeros)
+{
+	struct camera c = { .by = CAMERA_AT };
+	int eye[3], gaze[3];
+	struct map m;
+
+	for (int i = 0; i < 3; i++, eye_number /= 7) {
+		eye[i] = eye_number % 7 - 3;
+		gaze[i] = (int)sample_below(7) - 3 - eye[i];
+		c.eye[i] = eye[i];
+		c.at[i] = eye[i] + gaze[i];
+		c.up[i] = up[i];
+	}
+	if (camera_map(&c, false, false, &m) != NULL)
+		return;
+	check_zeros(eye, gaze, up, &m);
+	for (int i = 0; i < 3; i++)
+		*zeros += m.m[AT_ZERO][i].hi == 0;
+}
+
+static void no_ghosts(void **state)
+{
+	static const int ups[][3] = { { 0, 1, 0 }, { 0, 0, 1 }, { 1, 2, 3 },
+		{ -1, 1, 0 } };
+	int zeros = 0;
+
+	(void)state;
+	sample_seed(3);
+	for (int i = 0; i < 7 * 7 * 7 * 12; i++)
+		whole_number(i % 343, ups[i % 4], &zeros);
+	assert_true(zeros > 500);
+}
+
+/* Rolled by 30 degrees and more, irrational products cancel before isometric
+ * axes. */
+static void no_rolled_ghosts(void **state)
+{
+	struct camera c = { .up = { 0, 1, 0 } };
+	struct worst w = { 0 };
+
+	(void)state;
+	for (int i = 0; i < 8 * 24; i++) {
+		for (int k = 0; k < 3; k++) {
+			c.eye[k] = i % 3 ? k : 0;
+			c.at[k] = c.eye[k] + (i >> k & 1 ? 1 : -1);
+		}
+		c.roll = 15 * (i / 8);
+		assert_true(compare(&c, false, &w));
+	}
+	claim_maps("isometric and rolled", &w, EX_BOUND);
+}
+
+/* Whole numbers whose nearest rotation is irrational but for one 0. */
+static void no_nearest_ghosts(void **state)
+{
+	static const double drifted[][3][3] = {
+		{ { -2, 2, -1 }, { 3, 0, 2 }, { -1, -2, -2 } },
+		{ { 0, -2, -3 }, { 2, 0, -3 }, { 3, -3, -2 } },
+		{ { 3, 1, 3 }, { -1, 1, 0 }, { -3, -1, 3 } },
+		{ { 0, -2, -3 }, { 1, 3, -2 }, { 2, 3, -2 } },
+	};
+	struct worst w = { 0 };
+
+	(void)state;
+	for (int i = 0; i < 4; i++) {
+		struct camera c;
+
+		set_diagonal(&c, 1, 1, 1);
+		for (int k = 0; k < 3; k++)
+			memcpy(c.matrix[k], drifted[i][k],
+			    sizeof drifted[i][k]);
+		assert_true(compare(&c, false, &w));
+	}
+	claim_maps("a rotation with one 0", &w, EX_BOUND);
+}
+
+/* From eye (1,2,3) to the origin x . eye and y . eye are 0. */
+static void recorded(void **state)
+{
+	const struct camera c = { .eye = { 1, 2, 3 }, .up = { 0, 1, 0 } };
+	struct map m;
+
+	(void)state;
+	assert_null(camera_map(&c, false, false, &m));
+	assert_true(m.m[AT_ZERO][0].hi == 0);
+	assert_true(m.m[AT_ZERO][1].hi == 0);
+	/* sqrt(14), -3/sqrt(10), 5/sqrt(35), -1/sqrt(14) by bc */
+	assert_true(m.m[AT_ZERO][2].hi == 3.7416573867739413855837487323165);
+	assert_true(m.m[0][0].hi == -0.94868329805051379959966806332981);
+	assert_true(m.m[1][1].hi == 0.84515425472851657750961832736594);
+	assert_true(m.m[0][2].hi == -0.26726124191242438468455348087975);
+}
+
+/* sin^2 of the angle between up and the gaze, times 2^100. */
+static double nearness(const struct camera *c)
+{
+	real g[3], u[3], x[3];
+
+	set(g, 3, c->at);
+	set(u, 3, c->up);
+	cross(u, g, x);
+	return mpfr_get_d(mul(number(0x1p100),
+			      over(dot(x, x, 3),
+				  mul(dot(u, u, 3), dot(g, g, 3)))),
+	    MPFR_RNDN);
+}
+
+static void parallel(void **state)
+{
+	int refusals = 0;
+
+	(void)state;
+	sample_seed(4);
+	for (int i = 0; i < 500; i++) {
+		struct camera c = { .by = CAMERA_GAZE };
+		int mark = real_mark();
+		struct map m;
+
+		for (int k = 0; k < 3; k++) {
+			c.at[k] = sample_between(-10, 10);
+			c.up[k] = -2 * c.at[k];
+		}
+		c.up[0] *= 1 + ldexp(sample_below(16), -52);
+		double near = nearness(&c);
+		const char *why = camera_map(&c, false, false, &m);
+
+		if (near < 1)
+			claim_refused(why, "/camera/up");
+		else
+			assert_null(why);
+		refusals += near < 1;
+		real_release(mark);
+	}
+	assert_in_range(refusals, 100, 400);
+}
+
+static void refused(struct camera c, bool inverse, const char *member)
+{
+	struct map m;
+
+	claim_refused(camera_map(&c, false, inverse, &m), member);
+}
+
+static void all_refused(void **state)
+{
+	struct camera c = { .eye = { 1, 2, 3 },
+		.at = { 1, 2, 3 },
+		.up = { 0, 1, 0 } };
+
+	(void)state;
+	refused(c, false, "/camera/at");
+	memcpy(c.at, (double[]){ 1, 5, 3 }, sizeof c.at);
+	refused(c, true, "/camera/up");
+	memset(c.up, 0, sizeof c.up);
+	refused(c, false, "/camera/up");
+	c.by = CAMERA_GAZE;
+	memset(c.at, 0, sizeof c.at);
+	refused(c, false, "/camera/gaze");
+	c.by = CAMERA_ORIENTATION;
+	refused(c, false, "/camera/orientation");
+	set_diagonal(&c, 1, 1, -1);
+	refused(c, false, "/camera/matrix");
+	set_diagonal(&c, 1, 1, 0);
+	refused(c, false, "/camera/matrix");
+	c.orthonormalize = false;
+	refused(c, true, "/camera/matrix");
+	c.matrix[2][2] = 1;
+	c.matrix[0][3] = 1e-9;
+	refused(c, false, "/camera/matrix");
+	set_diagonal(&c, 1, 1e-140, 1e-150);
+	refused(c, false, "/camera/matrix");
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(random_ones),
+		cmocka_unit_test(nearest_rotation),
+		cmocka_unit_test(nearest_exactly),
+		cmocka_unit_test(no_ghosts),
+		cmocka_unit_test(no_rolled_ghosts),
+		cmocka_unit_test(no_nearest_ghosts),
+		cmocka_unit_test(recorded),
+		cmocka_unit_test(parallel),
+		cmocka_unit_test(all_refused),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

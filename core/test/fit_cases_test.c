@@ -1,0 +1,279 @@
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "../fit.h"
+
+static const struct bounds unit_ball = { .sphere = true, .radius = 1 };
+
+static struct bounds box(double x, double y, double z)
+{
+	return (struct bounds){ .min = { -x, -y, -z }, .max = { x, y, z } };
+}
+
+static struct scene persp(double fovy)
+{
+	return (struct scene){
+		.projection = { .type = PROJECTION_PERSP,
+		    .extent = EXTENT_FOVY,
+		    .angle = fovy,
+		    .aspect = { 1, 1 },
+		    .near_ratio = 0.0005 },
+	};
+}
+
+static struct scene parallel(unsigned type)
+{
+	return (struct scene){
+		.projection = { .type = type,
+		    .extent = EXTENT_SIZE,
+		    .kind = OBLIQUE_CAVALIER },
+	};
+}
+
+static void assert_fits(struct scene *s, bool has_eye, const struct bounds *b,
+    double x, double y, double z, double near, double far)
+{
+	assert_null(fit_scene(s, has_eye, b));
+	assert_int_equal(s->camera.by, CAMERA_GAZE);
+	assert_true(s->camera.eye[0] == x);
+	assert_true(s->camera.eye[1] == y);
+	assert_true(s->camera.eye[2] == z);
+	assert_true(s->projection.near == near);
+	assert_true(s->projection.far == far);
+}
+
+/* A sphere is touched by planes at half the angle, r / sin(30) off. */
+static void test_angle(void **state)
+{
+	struct bounds b = box(1, 1, 1), world_b = box(2, 2, 2);
+	struct scene s = persp(60);
+
+	(void)state;
+	assert_fits(&s, false, &unit_ball, 0, 0, -2, 1, 3);
+	s = persp(60);
+	s.convention.right_handed = s.projection.reverse_z = true;
+	assert_fits(&s, false, &unit_ball, 0, 0, 2, 1, 3);
+	s = persp(90);
+	assert_fits(&s, false, &b, 0, 0, -2, 1, 3);
+	s = persp(90);
+	s.has_world = true;
+	for (int k = 0; k < 4; k++)
+		s.world[k][k] = k < 3 ? 0.5 : 1;
+	assert_fits(&s, false, &world_b, 0, 0, -2, 1, 3);
+}
+
+/* Along the gaze through the eye, also forward. */
+static void test_eye(void **state)
+{
+	struct bounds b = box(1, 1, 1);
+	struct scene s = persp(90);
+
+	(void)state;
+	s.has_camera = true;
+	s.camera = (struct camera){ .by = CAMERA_AT,
+		.eye = { 3, 0, -100 },
+		.at = { 3, 0, 7 },
+		.up = { 0, 1, 0 } };
+	assert_fits(&s, true, &b, 3, 0, -5, 4, 6);
+	assert_true(s.camera.at[2] == 107);
+}
+
+static void test_near_ratio(void **state)
+{
+	struct scene s = persp(170);
+
+	(void)state;
+	s.projection.near_ratio = 0.25;
+	assert_null(fit_scene(&s, false, &unit_ball));
+	/* d - 1 = (d + 1) / 4 */
+	assert_true(fabs(s.camera.eye[2] + 5.0 / 3) < 0x1p-51);
+	assert_true(s.projection.near >= s.projection.far / 4);
+	assert_true(s.projection.near <= s.projection.far / 4 + 0x1p-51);
+}
+
+/* On the near plane, whose distance they follow. */
+static void test_slopes(void **state)
+{
+	struct bounds b = box(2, 2, 2);
+	struct scene s = persp(90);
+
+	(void)state;
+	s.projection.extent = EXTENT_SIZE;
+	s.projection.near = 4;
+	s.projection.width = 8;
+	s.projection.height = 16;
+	assert_fits(&s, false, &b, 0, 0, -4, 2, 6);
+	assert_true(s.projection.width == 4 && s.projection.height == 8);
+	s.projection.extent = EXTENT_EDGES;
+	s.projection.left = 2;
+	s.projection.right = -2;
+	s.projection.bottom = -1;
+	s.projection.top = 2;
+	assert_fits(&s, false, &b, 0, 0, -6, 4, 8);
+	assert_true(s.projection.left == 4 && s.projection.right == -4);
+	assert_true(s.projection.bottom == -2 && s.projection.top == 4);
+}
+
+static void test_ortho(void **state)
+{
+	struct bounds b = { .min = { 0, 0, 0 }, .max = { 4, 2, 6 } };
+	struct scene s = parallel(PROJECTION_ORTHO);
+
+	(void)state;
+	assert_fits(&s, false, &b, 2, 1, -3, 3, 9);
+	assert_true(s.projection.width == 4 && s.projection.height == 2);
+	s.camera.eye[0] = 9;
+	s.camera.eye[2] = 1;
+	s.projection.aspect[0] = s.projection.aspect[1] = 1;
+	assert_fits(&s, true, &b, 2, 1, 1, -1, 5);
+	assert_true(s.projection.width == 4 && s.projection.height == 4);
+	s.projection.extent = EXTENT_EDGES;
+	s.projection.left = 1;
+	assert_fits(&s, false, &b, 2, 1, -3, 3, 9);
+	assert_true(s.projection.left == 2 && s.projection.right == -2);
+	assert_true(s.projection.bottom == -2 && s.projection.top == 2);
+}
+
+/* Of a 640 x 480 viewport with one scale, 0.75 of the height is seen. */
+static void test_viewport(void **state)
+{
+	struct bounds b = box(1, 3, 1);
+	struct scene s = parallel(PROJECTION_ORTHO);
+
+	(void)state;
+	s.has_viewport = true;
+	s.viewport = (struct viewport){ .width = 640,
+		.height = 480,
+		.max_z = 1,
+		.scale = SCALE_UNIFORM };
+	assert_fits(&s, false, &b, 0, 0, -2, 1, 3);
+	assert_true(s.projection.width == 2 && s.projection.height == 8);
+	s = persp(90);
+	s.has_viewport = true;
+	s.viewport = (struct viewport){ .width = 640,
+		.height = 480,
+		.max_z = 1,
+		.scale = SCALE_UNIFORM };
+	assert_fits(&s, false, &b, 0, 0, -5, 4, 6);
+}
+
+/* At depths 1 to 3 the middle is moved by 2, or half of that. */
+static void test_oblique(void **state)
+{
+	struct bounds b = box(1, 1, 1);
+	struct scene s = parallel(PROJECTION_OBLIQUE);
+
+	(void)state;
+	assert_fits(&s, false, &b, 2, 0, -2, 1, 3);
+	assert_true(s.projection.width == 4 && s.projection.height == 2);
+	s = parallel(PROJECTION_OBLIQUE);
+	s.convention.right_handed = s.convention.ndc_y_down = true;
+	s.projection.kind = OBLIQUE_CABINET;
+	s.projection.direction = 90;
+	assert_fits(&s, false, &b, 0, 1, 2, 1, 3);
+	assert_true(s.projection.width == 2 && s.projection.height == 3);
+}
+
+static void test_flat(void **state)
+{
+	struct bounds b = box(1, 1, 0), line = box(0, 0, 1);
+	struct scene s = parallel(PROJECTION_ORTHO);
+
+	(void)state;
+	assert_fits(&s, false, &b, 0, 0, -0x1p-19, 0x1p-20, 3 * 0x1p-20);
+	assert_fits(&s, false, &line, 0, 0, -2, 1, 3);
+	assert_true(s.projection.width == 0x1p-19);
+	assert_true(s.projection.height == 0x1p-19);
+	s = persp(90);
+	assert_fits(&s, false, &b, 0, 0, -1, 1 - 0x1p-20, 1 + 0x1p-20);
+}
+
+static void assert_gaze(const struct camera *c, double x, double y, double z,
+    double up_x, double up_y, double up_z)
+{
+	assert_true(c->by == CAMERA_GAZE);
+	assert_true(c->at[0] == x && c->at[1] == y && c->at[2] == z);
+	assert_true(c->up[0] == up_x && c->up[1] == up_y && c->up[2] == up_z);
+}
+
+static void test_cameras(void **state)
+{
+	struct scene s = parallel(PROJECTION_ORTHO);
+
+	(void)state;
+	s.has_camera = true;
+	s.camera = (struct camera){ .by = CAMERA_ORIENTATION,
+		.orientation = { 0, 1, 0, 1 },
+		.roll = 30 };
+	assert_null(fit_scene(&s, false, &unit_ball));
+	assert_gaze(&s.camera, 1, 0, 0, 0, 1, 0);
+	assert_true(s.camera.roll == 30);
+	s.camera = (struct camera){ .by = CAMERA_MATRIX,
+		.matrix = { { 0, 0, 4 }, { 0, 4 }, { -4 }, { 0, 0, 20, 1 } } };
+	assert_null(fit_scene(&s, true, &unit_ball));
+	assert_gaze(&s.camera, 1, 0, 0, 0, 1, 0);
+	assert_true(s.camera.eye[0] == -5);
+	assert_true(s.projection.near == 4 && s.projection.width == 2);
+	s.camera = (struct camera){ .by = CAMERA_AT,
+		.eye = { -9e149, 0, 0 },
+		.at = { 9e149, 0, 0 },
+		.up = { 0, 1, 0 } };
+	assert_null(fit_scene(&s, true, &unit_ball));
+	assert_gaze(&s.camera, 9e149, 0, 0, 0, 1, 0);
+}
+
+static void assert_refused(struct scene s, const struct bounds *b,
+    const char *member)
+{
+	const char *why = fit_scene(&s, false, b);
+
+	assert_non_null(why);
+	assert_true(strncmp(why, member, strlen(member)) == 0);
+}
+
+static void test_refusals(void **state)
+{
+	struct bounds point = box(0, 0, 0), wrong = box(1, -1, 1);
+	struct bounds huge = box(1e150, 1e150, 1e150), b = box(1, 1, 1);
+	struct scene s = persp(60);
+
+	(void)state;
+	assert_refused(s, &point, "/bounds: a single point;");
+	assert_refused(s, &wrong, "/bounds/max/1: less than min's;");
+	assert_refused(s, &huge, "/bounds: what holds them");
+	s.projection.angle = 1e-150;
+	assert_refused(s, &huge, "/bounds: what holds them");
+	s.projection.extent = EXTENT_EDGES;
+	s.projection.near = s.projection.right = s.projection.top = 1;
+	s.projection.bottom = -1;
+	assert_refused(s, &b, "/projection: the gaze");
+	s.projection.type = PROJECTION_VOLUME;
+	assert_refused(s, &b, "/projection/type: has nothing");
+	s = parallel(PROJECTION_ORTHO);
+	s.has_camera = true;
+	assert_refused(s, &b, "/camera/at: equal to the eye;");
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_angle),
+		cmocka_unit_test(test_eye),
+		cmocka_unit_test(test_near_ratio),
+		cmocka_unit_test(test_slopes),
+		cmocka_unit_test(test_ortho),
+		cmocka_unit_test(test_viewport),
+		cmocka_unit_test(test_oblique),
+		cmocka_unit_test(test_flat),
+		cmocka_unit_test(test_cameras),
+		cmocka_unit_test(test_refusals),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

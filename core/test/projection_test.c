@@ -1,0 +1,224 @@
+/* The projections and their inverses against MPFR, and refusals. */
+#include "claims.h"
+
+static const struct convention d3d, gl = { true, true, true, false, true };
+
+/* Both ways. Returns why not, where it is refused. */
+static const char *compare(const struct projection *p,
+    const struct convention *c, struct worst *w)
+{
+	struct scene s = { .projection = *p, .convention = *c };
+	struct map m;
+	struct truth t;
+	int mark = real_mark();
+	const char *why = projection_map(p, c, false, &m);
+
+	if (why == NULL) {
+		truth_scene(&s, SPACE_VIEW, SPACE_CLIP, &t);
+		truth_compare(&t, &m, w);
+		why = projection_map(p, c, true, &m);
+	}
+	if (why == NULL && map_is_finite(&m)) {
+		truth_scene(&s, SPACE_CLIP, SPACE_VIEW, &t);
+		truth_compare(&t, &m, w);
+	}
+	real_release(mark);
+	return why;
+}
+
+static void projections(const char *what, int e, int tries)
+{
+	struct worst w = { 0 };
+	int refused = 0;
+
+	sample_seed(1);
+	for (int i = 0; i < tries; i++) {
+		struct projection p;
+		struct convention c;
+
+		sample_projection(&p, e);
+		sample_convention(&c);
+		refused += compare(&p, &c, &w) != NULL;
+	}
+	claim_maps(what, &w, EX_BOUND);
+	assert_true(refused < tries / 4);
+}
+
+static void random_ones(void **state)
+{
+	(void)state;
+	projections("ordinary", 0, 600);
+	projections("hostile, to 1e2", 2, 600);
+	projections("hostile, to 1e20", 20, 400);
+	projections("hostile, to 1e150", 150, 400);
+}
+
+/* Nothing happens as the eye passes through infinity, nor near 0, 90, 180
+ * degrees. */
+static void through_zero(void **state)
+{
+	static const double tiny[] = { 0, 1e-150, 1e-30, 1e-16, 1e-9, 0.01 };
+	struct worst w = { 0 };
+	struct projection p = {
+		.type = PROJECTION_VOLUME,
+		.half_width = 3,
+		.half_height = 2,
+		.z_near = 7,
+		.z_far = -11,
+		.tan_skew = { 0.1, 0.7 },
+	};
+
+	(void)state;
+	for (int i = 0; i < 24; i++) {
+		p.inverse_eye_z = i % 2 ? -tiny[i / 4] : tiny[i / 4];
+		assert_null(compare(&p, i & 2 ? &gl : &d3d, &w));
+	}
+	p.has_eye = true;
+	for (int i = 0; i < 20; i++) {
+		p.eye[0] = 5;
+		p.eye[2] = (i % 2 ? -1 : 1) * pow(10, 2 + 7 * i);
+		assert_null(compare(&p, i & 2 ? &gl : &d3d, &w));
+	}
+	claim_maps("volume through q = 0", &w, EX_BOUND);
+}
+
+static void angles(void **state)
+{
+	struct worst w = { 0 };
+	struct projection p = { .near = 1,
+		.far = (double)INFINITY,
+		.aspect = { 16, 9 } };
+
+	(void)state;
+	for (int k = 0; k < 45; k++)
+		for (p.extent = EXTENT_FOVY; p.extent <= EXTENT_VIEW_ANGLE;
+		     p.extent++) {
+			p.type = PROJECTION_PERSP;
+			p.angle = 180 - ldexp(1, -k);
+			assert_null(compare(&p, &d3d, &w));
+			p.angle = ldexp(1, -11 * k);
+			assert_null(compare(&p, &gl, &w));
+			p.far = 1 + pow(10, -k / 3);
+		}
+	claim_maps("narrow and wide angles", &w, EX_BOUND);
+}
+
+static struct map map_for(const struct projection *p)
+{
+	struct map m;
+
+	assert_null(projection_map(p, &d3d, false, &m));
+	return m;
+}
+
+/* What is whole is whole, and digits from bc. */
+static void recorded(void **state)
+{
+	struct projection p = { .type = PROJECTION_PERSP,
+		.angle = 90,
+		.aspect = { 2, 1 },
+		.near = 1,
+		.far = (double)INFINITY };
+	struct map m = map_for(&p);
+
+	(void)state;
+	assert_true(m.m[0][0].hi == 0.5 && m.m[1][1].hi == 1);
+	assert_true(m.m[2][2].hi == 1 && m.m[2][3].hi == 1);
+	assert_true(m.m[3][2].hi == -1 && m.m[3][3].hi == 0);
+	p.angle = 60;
+	m = map_for(&p);
+	assert_true(m.m[1][1].hi == 1.7320508075688772935274463415058723669);
+	assert_true(m.m[0][0].hi == 0.8660254037844386467637231707529361835);
+
+	p = (struct projection){ .type = PROJECTION_OBLIQUE,
+		.kind = OBLIQUE_CABINET,
+		.direction = 90,
+		.plane = 1,
+		.extent = EXTENT_SIZE,
+		.width = 2,
+		.height = 2,
+		.near = 1,
+		.far = 2 };
+	m = map_for(&p);
+	assert_true(m.m[2][0].hi == 0 && m.m[3][0].hi == 0);
+	assert_true(m.m[2][1].hi == 0.5 && m.m[3][1].hi == -0.5);
+	p.kind = OBLIQUE_CAVALIER;
+	p.direction = 45;
+	m = map_for(&p);
+	assert_true(m.m[2][0].hi == 0.7071067811865475244008443621048490393);
+}
+
+static void refused(const struct projection *p, bool inverse,
+    const char *member)
+{
+	struct map m;
+
+	claim_refused(projection_map(p, &d3d, inverse, &m), member);
+	claim_refused(projection_map(p, &gl, inverse, &m), member);
+}
+
+static void refusals(void **state)
+{
+	const struct projection good = {
+		.extent = EXTENT_EDGES,
+		.near = 1,
+		.far = 2,
+		.left = -1,
+		.right = 1,
+		.bottom = -1,
+		.top = 1,
+		.half_width = 1,
+		.half_height = 1,
+		.z_near = 1,
+		.z_far = -1,
+	};
+	struct projection p = good;
+
+	(void)state;
+	p.type = PROJECTION_PERSP;
+	p.near = 2;
+	refused(&p, false, "/projection/near");
+	p.type = PROJECTION_ORTHO;
+	refused(&p, false, "/projection/far");
+	p = good;
+	p.type = PROJECTION_PERSP;
+	p.left = 1;
+	refused(&p, false, "/projection/right");
+	p = good;
+	p.type = PROJECTION_OBLIQUE;
+	p.top = -1;
+	refused(&p, true, "/projection/top");
+	p.type = PROJECTION_VOLUME;
+	p.inverse_eye_z = 1;
+	refused(&p, false, "/projection/inverse_eye_z");
+	p.inverse_eye_z = nextafter(1, 0);
+	assert_null(compare(&p, &d3d, &(struct worst){ 0 }));
+	p.has_eye = true;
+	refused(&p, false, "/projection/eye");
+	p.eye[2] = 0.5;
+	refused(&p, true, "/projection/eye");
+	p.z_near = -1;
+	refused(&p, false, "/projection/z_far");
+	p.type = PROJECTION_MATRIX;
+	refused(&p, true, "/projection/matrix");
+	p = good;
+	p.type = PROJECTION_PERSP;
+	p.extent = EXTENT_FOVY;
+	p.angle = 1e-150;
+	p.aspect[0] = 1e-150;
+	p.aspect[1] = 1e150;
+	refused(&p, false, "/projection");
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(random_ones),
+		cmocka_unit_test(through_zero),
+		cmocka_unit_test(angles),
+		cmocka_unit_test(recorded),
+		cmocka_unit_test(refusals),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,26 @@
+/* Random parameters for tests, the same in every run. With e = 0 they are what
+ * people write, among them small whole numbers; else hostile: far from the
+ * origin, nearly degenerate, of mixed magnitudes from 10^-e to 10^e. */
+#ifndef SAMPLE_H
+#define SAMPLE_H
+
+#include "../scene.h"
+
+void sample_seed(unsigned seed);
+
+unsigned sample_below(unsigned n);
+double sample_unit(void); /* in [0, 1) */
+double sample_between(double a, double b);
+double sample_size(int e);   /* positive, from 10^-e to 10^e */
+double sample_number(int e); /* of either sign, or 0 */
+
+void sample_convention(struct convention *);
+void sample_camera(struct camera *, int e);
+void sample_orthonormalize(struct camera *, int e);
+void sample_affine(double m[4][4], int e);
+void sample_projection(struct projection *, int e);
+void sample_viewport(struct viewport *, int e);
+void sample_flat(struct window *, struct device *, int e);
+void sample_scene(struct scene *, int e);
+
+#endif

@@ -1,0 +1,164 @@
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "../taxonomy.h"
+
+static void kinds_have_their_names(void **state)
+{
+	static const double along[5][3] = { { 0, 0, 1 }, { 1, 1, 1 },
+		{ 1, 1, 3 }, { 1, 2, 3 }, { 1, 0, 3 } };
+	static const enum kind orthographic[] = { KIND_MULTIVIEW,
+		KIND_ISOMETRIC, KIND_DIMETRIC, KIND_TRIMETRIC, KIND_TRIMETRIC };
+	static const enum kind perspective[] = { KIND_ONE_POINT,
+		KIND_THREE_POINT, KIND_THREE_POINT, KIND_THREE_POINT,
+		KIND_TWO_POINT };
+	struct scene s = { .has_camera = true };
+	struct taxonomy t;
+
+	(void)state;
+	for (int i = 0; i < 5; i++) {
+		struct camera *c = &s.camera;
+		struct projection *p = &s.projection;
+
+		*c = (struct camera){ .by = CAMERA_GAZE, .up = { 0, 1, 0 } };
+		memcpy(c->at, along[i], sizeof c->at);
+		*p = (struct projection){ .type = PROJECTION_PERSP,
+			.extent = EXTENT_FOVY,
+			.angle = 50 + i,
+			.aspect = { 4, 3 },
+			.near = 1,
+			.far = HUGE_VAL };
+		assert_null(taxonomy_of(&s, &t));
+		assert_int_equal(t.taxon, TAXON_PERSPECTIVE);
+		assert_int_equal(t.kind, perspective[i]);
+		assert_true(t.fov[1] == 50 + i);
+
+		*p = (struct projection){ .type = PROJECTION_ORTHO,
+			.extent = EXTENT_SIZE,
+			.width = 3,
+			.height = 2,
+			.far = 5 };
+		assert_null(taxonomy_of(&s, &t));
+		assert_int_equal(t.taxon, TAXON_ORTHOGRAPHIC);
+		assert_int_equal(t.kind, orthographic[i]);
+	}
+}
+
+static void obliques_have_their_names(void **state)
+{
+	struct scene s = { .projection = { .type = PROJECTION_OBLIQUE,
+			       .extent = EXTENT_SIZE,
+			       .width = 3,
+			       .height = 2,
+			       .far = 5,
+			       .direction = 30 } };
+	struct projection *p = &s.projection;
+	struct taxonomy t;
+
+	(void)state;
+	for (int angle = 0; angle <= 90; angle += 15) {
+		p->kind = angle > 0 ? OBLIQUE_ANGLE : OBLIQUE_CABINET;
+		p->projector = angle;
+		assert_null(taxonomy_of(&s, &t));
+		assert_int_equal(t.taxon,
+		    angle == 90 ? TAXON_ORTHOGRAPHIC : TAXON_OBLIQUE);
+		assert_int_equal(t.kind,
+		    angle == 0      ? KIND_CABINET :
+			angle == 45 ? KIND_CAVALIER :
+			angle == 90 ? KIND_MULTIVIEW :
+				      KIND_GENERAL);
+		assert_true(t.foreshortening[0] == 1);
+		assert_true(angle > 0 || t.foreshortening[2] == 0.5);
+	}
+}
+
+/* One view volume, written in every convention, and again as a bare matrix. */
+static void eyes_are_on_their_side(void **state)
+{
+	struct scene s = { 0 };
+	struct projection *p = &s.projection;
+	struct taxonomy t;
+
+	(void)state;
+	for (int k = 0; k < 16; k++) {
+		bool reverse = k & 1, right = k & 2, bare = k & 4;
+		enum taxon taxon = reverse ? TAXON_REVERSE : TAXON_PERSPECTIVE;
+		double sign = right ? -1 : 1;
+		struct map m;
+
+		s.convention = (struct convention){ .right_handed = right,
+			.minus_one = k & 8,
+			.bottom_left = right };
+		*p = (struct projection){ .type = PROJECTION_VOLUME,
+			.half_width = 1,
+			.half_height = 1,
+			.z_near = sign,
+			.z_far = 2 * sign,
+			.inverse_eye_z = reverse ? 0.25 * sign : -sign };
+		assert_null(projection_map(p, &s.convention, false, &m));
+		for (int i = 0; i < 16; i++)
+			p->matrix[i / 4][i % 4] = m.m[i / 4][i % 4].hi;
+		if (bare)
+			p->type = PROJECTION_MATRIX;
+		assert_null(taxonomy_of(&s, &t));
+		assert_int_equal(t.taxon, taxon);
+		assert_true(t.eye[2] == (reverse ? 4 : -1) * sign);
+		assert_true(t.gaze[2] == sign);
+		assert_true(fabs(t.corner[0][2]) == 1);
+		assert_true(fabs(t.corner[7][2]) == 2);
+	}
+}
+
+/* Reversed depth is the same view, and so is its bare matrix. */
+static void depth_may_be_reversed(void **state)
+{
+	struct scene s = { .projection = { .type = PROJECTION_PERSP,
+			       .extent = EXTENT_SIZE,
+			       .width = 2,
+			       .height = 2,
+			       .near = 1,
+			       .reverse_z = true } };
+	struct projection *p = &s.projection;
+	struct taxonomy t;
+	struct map m;
+
+	(void)state;
+	for (int k = 0; k < 8; k++) {
+		s.convention = (struct convention){ .right_handed = k & 1 };
+		p->type = PROJECTION_PERSP;
+		p->far = k & 2 ? HUGE_VAL : 10;
+		p->reverse_z = true;
+		assert_null(projection_map(p, &s.convention, false, &m));
+		if (k & 4) {
+			p->type = PROJECTION_MATRIX;
+			p->reverse_z = false;
+			for (int i = 0; i < 16; i++)
+				p->matrix[i / 4][i % 4] = m.m[i / 4][i % 4].hi;
+		}
+		assert_null(taxonomy_of(&s, &t));
+		assert_true(t.reversed);
+		assert_int_equal(t.taxon, TAXON_PERSPECTIVE);
+		assert_true(t.gaze[2] == (k & 1 ? -1 : 1));
+		assert_true(t.corner[0][2] == t.gaze[2]);
+		assert_true(isnan(t.corner[4][0]) == ((k & 2) != 0));
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(kinds_have_their_names),
+		cmocka_unit_test(obliques_have_their_names),
+		cmocka_unit_test(eyes_are_on_their_side),
+		cmocka_unit_test(depth_may_be_reversed),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,58 @@
+/* The truth for tests: the manual's formulas as a textbook writes them, with so
+ * many bits that what is lost does not count. Shares nothing with the code
+ * under test but the structs of its parameters. */
+#ifndef TRUTH_H
+#define TRUTH_H
+
+#include "real.h"
+#include "../scene.h"
+
+/* Homogeneous points are rows: q = (p - w (before, 0)) m + w (after, 0). The
+ * difference from before, an eye or a translation, counts as one factor. */
+struct truth_stage {
+	real before[3];
+	real m[4][4];
+	real after[3];
+};
+
+struct truth {
+	int n;
+	struct truth_stage stage[6];
+};
+
+/* Adds a stage that does nothing yet. */
+struct truth_stage *truth_stage(struct truth *);
+void truth_projection(struct truth *, const struct projection *,
+    const struct convention *);
+
+/* The stages between two spaces of a scene that is not degenerate. */
+void truth_scene(const struct scene *, enum space from, enum space to,
+    struct truth *);
+void truth_flat(const struct scene *, enum flat from, enum flat to,
+    struct truth *);
+
+/* The image of the homogeneous point p, not divided, and the sums of |products|
+ * of which its coordinates are sums when the stages are multiplied out. */
+void truth_image(const struct truth *, const double p[4], real q[4],
+    real sum[4]);
+
+/* The composed matrix: the images of the unit points. */
+void truth_matrix(const struct truth *, real m[4][4], real sum[4][4]);
+
+/* What cancellation costs coordinate j: sum / |q|, times the same of w where
+ * the image is divided. */
+double truth_kappa(real q[4], real sum[4], int j, bool divided);
+
+/* The worst of many maps. */
+struct worst {
+	double error;   /* of an element, in units of u^2 times its sum */
+	double printed; /* beyond half a unit in the last place, in units of
+	                 * kappa 2^-47: at most 1 */
+	double size;    /* a map's sum over the truth's: at most 1 */
+	int ghosts;     /* elements that are not 0 and ought to be */
+};
+
+/* Every element of a map, the matrix's and the image of its origin. */
+void truth_compare(const struct truth *, const struct map *, struct worst *);
+
+#endif

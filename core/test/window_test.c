@@ -1,0 +1,173 @@
+/* Windows, devices and viewports against MPFR. */
+#include "claims.h"
+
+static void flat(const char *what, int e, int tries)
+{
+	struct worst one = { 0 }, two = { 0 };
+
+	sample_seed(1);
+	for (int i = 0; i < tries; i++) {
+		struct scene s = { .has_device = true };
+		enum flat from = sample_below(3), to = sample_below(3);
+		bool both = from != to && from != FLAT_NDC && to != FLAT_NDC;
+		struct map m;
+		struct truth t;
+		int mark = real_mark();
+
+		sample_flat(&s.window, &s.device, e);
+		if (scene_flat_map(&s, from, to, &m) == NULL) {
+			truth_flat(&s, from, to, &t);
+			truth_compare(&t, &m, both ? &two : &one);
+		}
+		real_release(mark);
+	}
+	claim_maps(what, &one, EX_BOUND);
+	claim_maps("window to device and back", &two, MAP_BOUND);
+}
+
+static void random_windows(void **state)
+{
+	(void)state;
+	flat("windows and devices", 0, 1000);
+	flat("hostile, to 1e2", 2, 1000);
+	flat("hostile, to 1e70", 70, 500);
+}
+
+static void viewports(const char *what, int e, int tries)
+{
+	struct worst w = { 0 };
+
+	sample_seed(2);
+	for (int i = 0; i < tries; i++) {
+		struct scene s = { .has_viewport = true };
+		bool back = sample_below(2);
+		struct map m;
+		struct truth t;
+		int mark = real_mark();
+
+		sample_convention(&s.convention);
+		sample_viewport(&s.viewport, e);
+		if (viewport_map(&s.viewport, &s.convention, back, &m) ==
+		    NULL) {
+			truth_scene(&s, back ? SPACE_DEVICE : SPACE_NDC,
+			    back ? SPACE_NDC : SPACE_DEVICE, &t);
+			truth_compare(&t, &m, &w);
+		}
+		real_release(mark);
+	}
+	claim_maps(what, &w, EX_BOUND);
+}
+
+static void random_viewports(void **state)
+{
+	(void)state;
+	viewports("viewports", 0, 1000);
+	viewports("hostile, to 1e2", 2, 1000);
+	viewports("hostile, to 1e150", 150, 1000);
+}
+
+/* What the window shows of the x axis, as its centre and half its width. */
+static void check_shown(const struct window *w, const struct device *d,
+    double center, double half)
+{
+	struct map m;
+
+	assert_null(window_map(w, d, false, &m));
+	assert_true(m.m[0][0].hi == 1 / half);
+	assert_true(m.origin[0] == center);
+	assert_true(m.m[AT_ZERO][0].hi == -center / half);
+}
+
+static void shapes(void **state)
+{
+	struct window w = { .center = { 8, 0 },
+		.width = 4,
+		.height = 4,
+		.zoom = 1 };
+	struct device d = { .width = 200, .height = 100 };
+
+	(void)state;
+	check_shown(&w, NULL, 8, 2);
+	w.zoom = 2;
+	check_shown(&w, NULL, 8, 1);
+	w.pan[0] = 2;
+	check_shown(&w, NULL, 10, 1);
+	w.has_about = true;
+	check_shown(&w, NULL, 5, 1);
+	w.adapt = ADAPT_GROW;
+	check_shown(&w, &d, 5, 2);
+	w.adapt = ADAPT_SHRINK;
+	check_shown(&w, &d, 5, 1);
+	d.height = 400;
+	check_shown(&w, &d, 5, 0.5);
+	w.adapt = ADAPT_GROW;
+	check_shown(&w, &d, 5, 1);
+}
+
+/* A uniform scale cuts the sides that do not fit. */
+static void limits(void **state)
+{
+	struct viewport v = { .width = 640, .height = 480 };
+	dd limit[2];
+
+	(void)state;
+	viewport_limits(&v, limit);
+	assert_true(limit[0].hi == 1 && limit[1].hi == 1);
+	v.scale = SCALE_UNIFORM;
+	viewport_limits(&v, limit);
+	assert_true(limit[0].hi == 1 && limit[1].hi == 0.75);
+	v.scale = SCALE_GIVEN;
+	v.scales[0] = 960;
+	v.scales[1] = 120;
+	viewport_limits(&v, limit);
+	int mark = real_mark();
+
+	assert_true(u2_error(limit[0], over(number(1), number(3)), 1.0 / 3) <=
+	    EX_BOUND);
+	assert_true(limit[1].hi == 2);
+	real_release(mark);
+}
+
+static void refusals(void **state)
+{
+	struct window w = { .by_edges = true,
+		.left = 1,
+		.right = 1,
+		.bottom = 0,
+		.top = 1,
+		.zoom = 1 };
+	struct viewport v = { .width = 1, .height = 1 };
+	const struct convention d3d = { 0 };
+	struct map m;
+
+	(void)state;
+	claim_refused(window_map(&w, NULL, false, &m), "/window/right");
+	w.right = 2;
+	w.top = -1;
+	claim_refused(window_map(&w, NULL, true, &m), "/window/top");
+	w.top = 1;
+	w.adapt = ADAPT_GROW;
+	claim_refused(window_map(&w, NULL, false, &m), "/window/adapt");
+	w.adapt = ADAPT_STRETCH;
+	w.by_edges = false;
+	w.width = w.height = 1e-150;
+	w.zoom = 1e150;
+	assert_null(window_map(&w, NULL, false, &m));
+	w.center[0] = 1e10;
+	claim_refused(window_map(&w, NULL, false, &m), "/window");
+	assert_null(viewport_map(&v, &d3d, false, &m));
+	claim_refused(viewport_map(&v, &d3d, true, &m), "/viewport/max_z");
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(random_windows),
+		cmocka_unit_test(random_viewports),
+		cmocka_unit_test(shapes),
+		cmocka_unit_test(limits),
+		cmocka_unit_test(refusals),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
