@@ -13,8 +13,8 @@ struct options {
 	bool out_given;
 	struct columns columns;
 	struct number_style style;
-	struct effort effort;
-	bool effort_given;
+	struct accuracy accuracy;
+	bool precision_given;
 	bool has_from, has_to;
 	enum space from, to;
 	bool homogeneous, matrix, ray, flags, visible, keep_going;
@@ -36,7 +36,7 @@ struct command {
 	bool flat;
 	int from, to;  /* spaces of the matrix */
 	int points_to; /* where points go instead */
-	enum member bare;
+	enum scene_member bare;
 	unsigned needed;
 	int projection;
 };

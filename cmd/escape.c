@@ -47,7 +47,7 @@ static int control(const char *s, int n)
 	return -1;
 }
 
-const char *show(char out[SHOWN], const char *s, size_t n)
+const char *escaped(char out[ESCAPED_MAX], const char *s, size_t n)
 {
 	const char *end = s + n;
 	size_t at = 0;
@@ -56,7 +56,7 @@ const char *show(char out[SHOWN], const char *s, size_t n)
 		int length = utf8_length(s, end), code = control(s, length);
 
 		/* the longest piece is "\u0000", the rest "..." and NUL */
-		if (at + 6 + 4 > SHOWN) {
+		if (at + 6 + 4 > ESCAPED_MAX) {
 			at += (size_t)sprintf(out + at, "...");
 			break;
 		}

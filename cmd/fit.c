@@ -20,7 +20,7 @@ static void widen(struct bounds *box, const double min[3], const double max[3])
 }
 
 /* A chunk's output is the box of its points. */
-static void take(const struct job *j, struct chunk *c, const struct record *r,
+static void take(const struct job *j, struct chunk *c, const struct line *r,
     size_t p, size_t line)
 {
 	double at[3] = { c->in[0][p], c->in[1][p], c->in[2][p] };

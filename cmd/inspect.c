@@ -17,7 +17,7 @@ static const char *const buffers[] = { "unorm16", "unorm24", "float32" };
 static const char *const precisions[] = { "exact", "double", "single" };
 
 /* Numbers that are there together or not at all. */
-static void put_vector(struct page *p, const double *v, int n)
+static void put_vector(struct printer *p, const double *v, int n)
 {
 	if (isnan(v[0]))
 		put_number(p, v[0]);
@@ -25,7 +25,7 @@ static void put_vector(struct page *p, const double *v, int n)
 		put_numbers(p, v, n);
 }
 
-static void put_taxonomy(struct page *p, const struct taxonomy *t)
+static void put_taxonomy(struct printer *p, const struct taxonomy *t)
 {
 	member(p, "projection");
 	put_word(p, taxa[t->taxon]);
@@ -57,7 +57,7 @@ static void put_taxonomy(struct page *p, const struct taxonomy *t)
 	leave(p, "]");
 }
 
-static void put_depth_steps(struct page *p, double step[BUFFERS][2])
+static void put_depth_steps(struct printer *p, double step[BUFFERS][2])
 {
 	member(p, "depth_step");
 	enter(p, "{");
@@ -72,7 +72,8 @@ static void put_depth_steps(struct page *p, double step[BUFFERS][2])
 }
 
 /* The cheapest first. */
-static void put_bounds(struct page *p, const double bound[3], double tolerance)
+static void put_bounds(struct printer *p, const double bound[3],
+    double tolerance)
 {
 	int precision = PRECISION_SINGLE;
 
@@ -92,7 +93,7 @@ static void put_bounds(struct page *p, const double bound[3], double tolerance)
 int run_inspect(const struct command *c, const struct options *o)
 {
 	static char text[64 * NUMBER_MAX + 1024];
-	struct page p = { text, o->style, "" };
+	struct printer p = { text, o->style, "" };
 	struct document d;
 	struct taxonomy t;
 	double step[BUFFERS][2], bound[3];
@@ -111,7 +112,7 @@ int run_inspect(const struct command *c, const struct options *o)
 	put_taxonomy(&p, &t);
 	put_depth_steps(&p, step);
 	put_bounds(&p, bound,
-	    o->effort.tolerance > 0 ? o->effort.tolerance : 0.5);
+	    o->accuracy.tolerance > 0 ? o->accuracy.tolerance : 0.5);
 	put_text(&p, "\n}\n");
 	put_all(text, (size_t)(p.at - text));
 	close_output();

@@ -19,7 +19,7 @@ static void put_text(struct printer *p, const char *s)
 
 static void put_element(struct printer *p, double v)
 {
-	p->at = p->o->effort.precision == PRECISION_SINGLE ?
+	p->at = p->o->accuracy.precision == PRECISION_SINGLE ?
 	    number_write_float(p->at, (float)v, p->o->style) :
 	    number_write(p->at, v, p->o->style);
 }
@@ -60,7 +60,7 @@ void print_matrix(const struct options *o, const struct document *d,
     const struct map *map, bool flat)
 {
 	const struct convention *c = &d->scene.convention;
-	bool floats = o->effort.precision == PRECISION_SINGLE ||
+	bool floats = o->accuracy.precision == PRECISION_SINGLE ||
 	    o->out == FORMAT_F32;
 	static char text[16 * (NUMBER_MAX + 2) + 64];
 	struct printer p = { o, text };

@@ -117,16 +117,16 @@ static void check_operands(const struct options *o)
  * device; fit and pick alone read bounds and pick. */
 static unsigned unused(const struct command *c)
 {
-	const unsigned flat = MEMBER_WINDOW | MEMBER_DEVICE;
-	unsigned used = ~(flat | MEMBER_BOUNDS | MEMBER_PICK);
+	const unsigned flat = SCENE_WINDOW | SCENE_DEVICE;
+	unsigned used = ~(flat | SCENE_BOUNDS | SCENE_PICK);
 
 	if (c->run == run_matrix)
-		used = c->needed | (c->projection >= 0 ? MEMBER_VIEWPORT : 0) |
-		    (c->flat ? MEMBER_DEVICE : 0);
+		used = c->needed | (c->projection >= 0 ? SCENE_VIEWPORT : 0) |
+		    (c->flat ? SCENE_DEVICE : 0);
 	if (c->run == run_fit)
-		used |= MEMBER_BOUNDS;
+		used |= SCENE_BOUNDS;
 	if (c->run == run_pick)
-		used |= MEMBER_PICK;
+		used |= SCENE_PICK;
 	return ~used;
 }
 
@@ -175,7 +175,7 @@ void stream_options(struct job *j, const struct options *o)
 		.writes = j->transform.out,
 		.style = o->style,
 	};
-	j->effort = o->effort;
+	j->accuracy = o->accuracy;
 	j->keep_going = o->keep_going;
 	progress_start(o->progress);
 	j->threads = o->jobs > 0 ? o->jobs : (int)sysconf(_SC_NPROCESSORS_ONLN);

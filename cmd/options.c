@@ -121,7 +121,8 @@ static double positive_number(const char *option, const char *word)
 	const char *end = word + strlen(word);
 	double v;
 
-	if (number_read(word, end, &v) != end || !(v >= 1e-150 && v <= 1e150))
+	if (number_read(word, end, &v) != end ||
+	    !(v >= SIZE_MIN && v <= MAGNITUDE_MAX))
 		die(EXIT_USAGE, "--%s: '%s' is not a positive number", option,
 		    word);
 	return v;
@@ -134,7 +135,7 @@ static void read_at(const char *word, double at[2])
 
 	if (comma == NULL || *comma != ',' ||
 	    number_read(comma + 1, end, &at[1]) != end ||
-	    !(fabs(at[0]) <= 1e150) || !(fabs(at[1]) <= 1e150))
+	    !(fabs(at[0]) <= MAGNITUDE_MAX) || !(fabs(at[1]) <= MAGNITUDE_MAX))
 		die(EXIT_USAGE, "--at: '%s' is not X,Y", word);
 }
 
@@ -227,12 +228,12 @@ static void set_option(struct options *o, int letter, char *word)
 		o->style.n = whole_number("digits", word, 1, 100);
 		break;
 	case 'p':
-		o->effort.precision = (enum precision)choose(precision_names,
+		o->accuracy.precision = (enum precision)choose(precision_names,
 		    "precision", word);
-		o->effort_given = true;
+		o->precision_given = true;
 		break;
 	case 't':
-		o->effort.tolerance = positive_number("tolerance", word);
+		o->accuracy.tolerance = positive_number("tolerance", word);
 		break;
 	case 'F':
 		o->has_from = true;
@@ -329,7 +330,7 @@ int options_read(const struct command *c, int argc, char **argv,
 		else
 			set_option(o, got, optarg);
 	}
-	if (o->effort_given && o->effort.tolerance > 0)
+	if (o->precision_given && o->accuracy.tolerance > 0)
 		die(EXIT_USAGE,
 		    "%s: -p and -t exclude each other; -t chooses "
 		    "the precision",

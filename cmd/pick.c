@@ -21,7 +21,7 @@ struct hits {
 	size_t size, text_room;
 };
 
-static void take(const struct job *j, struct chunk *c, const struct record *r,
+static void take(const struct job *j, struct chunk *c, const struct line *r,
     size_t p, size_t line)
 {
 	const struct hits *h = j->with;

@@ -13,8 +13,8 @@ static const struct arithmetic arithmetic[] = {
 	[PRECISION_SINGLE] = { 0x1p-24, 0x1p-126, 0x1p120 },
 };
 
-/* No point lies farther from the origin of a map than 1e150 + 1e150. */
-#define FARTHEST 2e150
+/* How far a point can lie from the origin of a map. */
+#define FARTHEST (2 * MAGNITUDE_MAX)
 
 /* The bounds below are computed in double. */
 #define ROUNDED_UP (1 + 0x1p-46)
@@ -102,7 +102,7 @@ static double largest_inverse(const struct volume *v)
 /* Whether nothing overflows on the way, nor 1/w underflows. */
 static bool fits(const struct volume *v, const struct arithmetic *a)
 {
-	const struct lanes *l = &v->t->lanes;
+	const struct kernel_map *l = &v->t->for_kernel;
 	const struct map *m = &v->t->map;
 	double far[3] = { 0 };
 
@@ -142,13 +142,14 @@ static double plain(const struct volume *v, const struct arithmetic *a)
 
 			if (t->divide)
 				s += v->size[j] * s3;
-			if (j < 2 || t->body != BODY_DEPTH)
+			if (j < 2 || t->kind != KERNEL_DEPTH)
 				worst = fmax(worst, s);
 		}
 	}
-	if (t->body == BODY_DEPTH)
+	if (t->kind == KERNEL_DEPTH)
 		worst = fmax(worst,
-		    fabs(t->lanes.a_hi) + fabs(t->lanes.b_hi) * inverse * w);
+		    fabs(t->for_kernel.a_hi) +
+			fabs(t->for_kernel.b_hi) * inverse * w);
 	if (!fits(v, a) || (t->divide && !(cu * w < 0x1p-4)))
 		return (double)NAN;
 	return (cu * worst + 2 * a->tiny) * ROUNDED_UP;

@@ -5,8 +5,6 @@
 #include "frustum.h"
 #include "fit_camera.h"
 
-#define SIZE_MIN 1e-150
-
 #define BEYOND                                                              \
 	"/bounds: what holds them has numbers beyond 1e150 or sizes below " \
 	"1e-150; choose another unit"

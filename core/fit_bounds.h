@@ -4,9 +4,6 @@
 
 #include "scene.h"
 
-/* What a document may hold. */
-#define MAGNITUDE_MAX 1e150
-
 /* In model space; the world matrix makes an ellipsoid of a sphere. */
 struct bounds {
 	bool sphere;

@@ -4,9 +4,9 @@
 
 /* Kernels take three coordinates to three; a sum below 2^-45 of what it could
  * be is left to point_exact, as its error is not small any more. */
-static void set_lanes(struct transform *t)
+static void set_kernel_map(struct transform *t)
 {
-	struct lanes *l = &t->lanes;
+	struct kernel_map *l = &t->for_kernel;
 	const struct map *m = &t->map;
 	double largest = 0;
 
@@ -48,10 +48,10 @@ struct transform transform_of(const struct map *map, enum space from,
 	    (t.out == 3 && (from == SPACE_CLIP || !map_is_affine(map)));
 	t.front = !t.reciprocal && (from != SPACE_CLIP || onto_screen);
 	t.on_screen = onto_screen && t.out == 3;
-	t.body = t.in != 3 || t.out != 3 ? BODY_CAREFUL :
-	    t.divide                     ? BODY_PROJECTIVE :
-					   BODY_AFFINE;
-	set_lanes(&t);
+	t.kind = t.in != 3 || t.out != 3 ? KERNEL_NONE :
+	    t.divide                     ? KERNEL_PROJECTIVE :
+					   KERNEL_AFFINE;
+	set_kernel_map(&t);
 	return t;
 }
 
@@ -59,7 +59,7 @@ struct transform transform_of(const struct map *map, enum space from,
 static void find_depth(const struct map *projection, struct transform *t)
 {
 	const struct map *p = projection;
-	struct lanes *l = &t->lanes;
+	struct kernel_map *l = &t->for_kernel;
 
 	for (int i = 0; i < 4; i++)
 		if (i != 2 &&
@@ -73,7 +73,7 @@ static void find_depth(const struct map *projection, struct transform *t)
 	l->b_lo = p->m[3][2].lo;
 	l->doubt_depth = 0x1p-45;
 	l->doubt_a = 0x1p-45 * fabs(a.hi);
-	t->body = BODY_DEPTH;
+	t->kind = KERNEL_DEPTH;
 	l->image = l->hi[3][0] != 0 || l->hi[3][1] != 0 || l->hi[3][3] != 0;
 }
 
@@ -86,7 +86,7 @@ const char *scene_transform(const struct scene *s, enum space from,
 	if (why != NULL)
 		return why;
 	*t = transform_of(&map, from, to, homogeneous);
-	if (t->body == BODY_PROJECTIVE && from <= SPACE_VIEW &&
+	if (t->kind == KERNEL_PROJECTIVE && from <= SPACE_VIEW &&
 	    (why = scene_map(s, SPACE_VIEW, to, &projection)) == NULL)
 		find_depth(&projection, t);
 	return why;
@@ -95,11 +95,11 @@ const char *scene_transform(const struct scene *s, enum space from,
 const char *flat_transform(const struct scene *s, enum flat from, enum flat to,
     struct transform *t)
 {
-	*t = (struct transform){ .in = 2, .out = 2, .body = BODY_FLAT };
+	*t = (struct transform){ .in = 2, .out = 2, .kind = KERNEL_FLAT };
 	const char *why = scene_flat_map(s, from, to, &t->map);
 
 	if (why == NULL)
-		set_lanes(t);
+		set_kernel_map(t);
 	return why;
 }
 
@@ -200,7 +200,7 @@ void point_exact(const struct transform *t, const double in[4], double out[4],
 bool point_estimate(const struct transform *t, const double in[3], int n,
     double value[4], double size[4])
 {
-	const struct lanes *l = &t->lanes;
+	const struct kernel_map *l = &t->for_kernel;
 	double x = in[0] - l->origin[0], y = in[1] - l->origin[1];
 	double z = in[2] - l->origin[2], all = fabs(x) + fabs(y) + fabs(z);
 	bool sure = t->in == 3;

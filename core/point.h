@@ -21,8 +21,8 @@ struct transform {
 	 * of a unit: a point on an edge of the view is not ill. */
 	bool on_screen;
 	int exponent; /* of two, that no element's sum of products reaches */
-	enum body body;
-	struct lanes lanes; /* unless the body is BODY_CAREFUL */
+	enum kernel_kind kind;
+	struct kernel_map for_kernel; /* unless the kind is KERNEL_NONE */
 };
 
 /* The transform between two spaces; homogeneous keeps x y z w undivided or,
@@ -58,7 +58,7 @@ enum { POINTS_BLOCK = 1024 };
 /* What points are computed in. With a tolerance above 0, for each point from
  * that point alone, the cheapest precision whose proven bound is at most that
  * in every coordinate. */
-struct effort {
+struct accuracy {
 	enum precision precision;
 	double tolerance;
 };
@@ -66,7 +66,7 @@ struct effort {
 /* Images of n <= POINTS_BLOCK points, a column of POINTS_BLOCK each for x, y,
  * z, w. What has no image, or one beyond the range of doubles, is nan.
  * single[i] says that the numbers of point i are floats. */
-void points_carry(const struct transform *, const struct effort *,
+void points_carry(const struct transform *, const struct accuracy *,
     const double *const in[4], double *const out[4], bool *single, size_t n);
 
 /* The first n columns of a map of three coordinates in plain double, for what

@@ -20,8 +20,8 @@ bool points_choose(const char *name)
 static bool carry_four(const struct transform *t, const double *const in[4],
     double *const out[4], size_t n)
 {
-	exact_kernel affine = kernels->exact[BODY_AFFINE];
-	struct lanes w = t->lanes;
+	exact_kernel affine = kernels->exact[KERNEL_AFFINE];
+	struct kernel_map w = t->for_kernel;
 	double unused[2][POINTS_BLOCK];
 	double *const last[3] = { out[3], unused[0], unused[1] };
 
@@ -33,7 +33,7 @@ static bool carry_four(const struct transform *t, const double *const in[4],
 		w.doubt[j] = w.doubt[3];
 		w.doubt_image[j] = w.doubt_image[3];
 	}
-	bool done = affine(&t->lanes, in, out, n);
+	bool done = affine(&t->for_kernel, in, out, n);
 
 	if (affine(&w, in, last, n))
 		return done;
@@ -46,10 +46,10 @@ static bool carry_four(const struct transform *t, const double *const in[4],
 static void carry_exact(const struct transform *t, const double *const in[4],
     double *const out[4], size_t n)
 {
-	exact_kernel fast = kernels->exact[t->body];
+	exact_kernel fast = kernels->exact[t->kind];
 	bool four = t->in == 3 && t->out == 4 && !t->divide;
 
-	if (fast != NULL ? fast(&t->lanes, in, out, n) :
+	if (fast != NULL ? fast(&t->for_kernel, in, out, n) :
 			   four && carry_four(t, in, out, n))
 		return;
 	for (size_t i = 0; i < n; i++) {
@@ -102,10 +102,10 @@ static void point_plain(const struct transform *t, bool single,
 static void carry_plain(const struct transform *t, enum precision precision,
     const double *const in[4], double *const out[4], size_t n)
 {
-	plain_kernel fast = kernels->plain[precision][t->body];
+	plain_kernel fast = kernels->plain[precision][t->kind];
 
 	if (fast != NULL) {
-		fast(&t->lanes, in, out, n, 0);
+		fast(&t->for_kernel, in, out, n, 0);
 		return;
 	}
 	for (size_t i = 0; i < n; i++) {
@@ -143,7 +143,7 @@ static void carry_within(const struct transform *t, double tolerance,
     enum precision precision, const double *const in[4], double *const out[4],
     bool *single, size_t n)
 {
-	plain_kernel fast = kernels->plain[precision][t->body];
+	plain_kernel fast = kernels->plain[precision][t->kind];
 	struct rest r;
 
 	if (fast == NULL || precision == PRECISION_EXACT) {
@@ -151,7 +151,7 @@ static void carry_within(const struct transform *t, double tolerance,
 		memset(single, 0, n);
 		return;
 	}
-	fast(&t->lanes, in, out, n, tolerance);
+	fast(&t->for_kernel, in, out, n, tolerance);
 	memset(single, precision == PRECISION_SINGLE, n);
 	gather(t, in, out, n, &r);
 	if (r.n == 0)
@@ -168,7 +168,7 @@ static void carry_within(const struct transform *t, double tolerance,
 	}
 }
 
-void points_carry(const struct transform *t, const struct effort *e,
+void points_carry(const struct transform *t, const struct accuracy *e,
     const double *const in[4], double *const out[4], bool *single, size_t n)
 {
 	if (e->tolerance > 0) {

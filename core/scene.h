@@ -6,6 +6,12 @@
 #include "projection.h"
 #include "window.h"
 
+/* Numbers of a document, and coordinates of points, are at most MAGNITUDE_MAX,
+ * sizes are at least SIZE_MIN: products of a few of them stay within
+ * the range of doubles. */
+#define MAGNITUDE_MAX 1e150
+#define SIZE_MIN 1e-150
+
 enum space {
 	SPACE_MODEL,
 	SPACE_WORLD,

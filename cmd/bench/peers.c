@@ -22,17 +22,17 @@ enum { ENTRIES_MAX = 16 };
 
 struct entry {
 	const char *name;
-	const struct peer *peer; /* NULL: ours, with this effort */
-	struct effort effort;
+	const struct peer *peer; /* NULL: ours, with this accuracy */
+	struct accuracy accuracy;
 	double times[RUNS];
 	double error[2]; /* ordinary, far */
 };
 
 static struct entry entries[ENTRIES_MAX] = {
-	{ .name = "projcalc exact", .effort = { PRECISION_EXACT, 0 } },
-	{ .name = "projcalc double", .effort = { PRECISION_DOUBLE, 0 } },
-	{ .name = "projcalc single", .effort = { PRECISION_SINGLE, 0 } },
-	{ .name = "projcalc -t 0.5", .effort = { PRECISION_EXACT, 0.5 } },
+	{ .name = "projcalc exact", .accuracy = { PRECISION_EXACT, 0 } },
+	{ .name = "projcalc double", .accuracy = { PRECISION_DOUBLE, 0 } },
+	{ .name = "projcalc single", .accuracy = { PRECISION_SINGLE, 0 } },
+	{ .name = "projcalc -t 0.5", .accuracy = { PRECISION_EXACT, 0.5 } },
 };
 static int n_entries = OURS;
 
@@ -107,7 +107,7 @@ static void carry(const struct entry *e, const struct transform *t, size_t n)
 	double *const to[4] = { out[0], out[1], out[2], out[3] };
 
 	if (e->peer == NULL)
-		points_carry(t, &e->effort, from, to, single, n);
+		points_carry(t, &e->accuracy, from, to, single, n);
 	else if (e->peer->single)
 		e->peer->carry(floats_in, floats_out, n);
 	else

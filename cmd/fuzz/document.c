@@ -75,14 +75,15 @@ static void check_point_lines(const char *points, size_t size)
 static void check_camera(const struct camera *c)
 {
 	for (int i = 0; i < 3; i++)
-		if (!(fabs(c->eye[i]) <= 1e150 && fabs(c->at[i]) <= 1e150))
+		if (!(fabs(c->eye[i]) <= MAGNITUDE_MAX &&
+			fabs(c->at[i]) <= MAGNITUDE_MAX))
 			abort();
 }
 
 static void run(char *text, size_t size, int mode)
 {
-	static const enum member bare[] = { 0, MEMBER_CAMERA, MEMBER_PROJECTION,
-		MEMBER_WINDOW };
+	static const enum scene_member bare[] = { 0, SCENE_CAMERA,
+		SCENE_PROJECTION, SCENE_WINDOW };
 	const struct json_wants wants = {
 		.bare = bare[mode & 3],
 		.needed = bare[mode & 3],

@@ -34,7 +34,7 @@ static void check_back(const struct layout *l, const double v[],
     struct span line)
 {
 	struct layout back = *l;
-	struct record r = { 0 };
+	struct line r = { 0 };
 	double read[4];
 	char reason[REASON_MAX];
 	bool header = true; /* a byte order mark may stand before the first */
@@ -45,8 +45,8 @@ static void check_back(const struct layout *l, const double v[],
 	back.reads = l->writes < 4 ? l->writes : 4;
 	if (l->in != l->out)
 		back.columns.n = 0;
-	record_read(&back, line, line.end, &header, &r, read, reason);
-	want(r.kind == RECORD_POINT);
+	line_read(&back, line, line.end, &header, &r, read, reason);
+	want(r.kind == LINE_POINT);
 	for (int i = 0; i < back.reads; i++)
 		want(l->style.kind != NUMBER_SHORTEST || same(read[i], v[i]));
 }
@@ -62,18 +62,18 @@ static void check_json(struct span line)
 	cJSON_Delete(array);
 }
 
-static void write_back(const struct layout *l, const struct record *r,
+static void write_back(const struct layout *l, const struct line *r,
     const double read[])
 {
 	const char *flags = l->flags ? "left+near" : NULL;
 	double v[COORDINATES_MAX] = { (double)NAN, -1.25e-7, 1e150, 0, -7,
 		1e-320 };
-	size_t room = record_room(l, r);
+	size_t room = line_room(l, r);
 	char *out = malloc(room), *end;
 
-	for (int i = 0; r->kind == RECORD_POINT && i < l->reads && i < 3; i++)
+	for (int i = 0; r->kind == LINE_POINT && i < l->reads && i < 3; i++)
 		v[i] = i == 1 ? -read[i] : read[i];
-	end = record_write(l, r, v, flags, out);
+	end = line_write(l, r, v, flags, out);
 	want((size_t)(end - out) <= room);
 	struct span line = { out, end };
 
@@ -82,12 +82,12 @@ static void write_back(const struct layout *l, const struct record *r,
 	want(memchr(line.s, '\n', (size_t)(line.end - line.s)) == NULL);
 	if (l->out == FORMAT_JSON && end > out)
 		check_json(line);
-	if (r->kind == RECORD_POINT && can_read_back(l))
+	if (r->kind == LINE_POINT && can_read_back(l))
 		check_back(l, v, line);
 	free(out);
 }
 
-static void check_spans(const struct layout *l, const struct record *r,
+static void check_spans(const struct layout *l, const struct line *r,
     struct span line)
 {
 	for (int i = 0; i < l->reads; i++) {
@@ -100,14 +100,14 @@ static void check_line(struct layout *l, struct span line, const char *end,
     bool *header)
 {
 	char reason[REASON_MAX] = "";
-	struct record r = { 0 };
+	struct line r = { 0 };
 	double v[4];
 
-	record_read(l, line, end, header, &r, v, reason);
+	line_read(l, line, end, header, &r, v, reason);
 	r.newline = line.end < end;
-	if (r.kind == RECORD_POINT)
+	if (r.kind == LINE_POINT)
 		check_spans(l, &r, line);
-	if (r.kind == RECORD_BAD)
+	if (r.kind == LINE_BAD)
 		want(*reason != '\0' && strchr(reason, '\n') == NULL);
 	write_back(l, &r, v);
 }

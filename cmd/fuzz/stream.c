@@ -158,8 +158,8 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 	j->flags = j->layout.flags;
 	j->visible = j->layout.reads > 2 && b & 1;
 	j->count_imageless = !j->flags && !j->visible;
-	j->effort.precision = (enum precision)(b / 2 % 3);
-	j->effort.tolerance = b & 64 ? 0.5 : 0;
+	j->accuracy.precision = (enum precision)(b / 2 % 3);
+	j->accuracy.tolerance = b & 64 ? 0.5 : 0;
 }
 
 /* As stream.c counts and says it; a line that the source before has not ended

@@ -7,19 +7,19 @@
 #include "../escape.h"
 
 /* Members of one object, at most. */
-enum { FIELDS_MAX = 32 };
+enum { MEMBERS_MAX = 32 };
 
 static bool is_ignored(const char *name)
 {
 	return *name == '_' || strcmp(name, "$schema") == 0;
 }
 
-static bool is_of(const struct field *f, int kind)
+static bool is_of(const struct member *f, int kind)
 {
 	return f->kinds == 0 || (f->kinds >> kind & 1) != 0;
 }
 
-static const struct field *find(const struct field *f, int kind,
+static const struct member *find(const struct member *f, int kind,
     const char *name)
 {
 	for (; f->name != NULL; f++)
@@ -28,14 +28,14 @@ static const struct field *find(const struct field *f, int kind,
 	return NULL;
 }
 
-unsigned field_bit(const struct field *table, int kind, const char *name)
+unsigned member_bit(const struct member *table, int kind, const char *name)
 {
-	const struct field *f = find(table, kind, name);
+	const struct member *f = find(table, kind, name);
 
 	return f != NULL ? 1u << (f - table) : 0;
 }
 
-static const struct field *find_any(const struct field *f, const char *name)
+static const struct member *find_any(const struct member *f, const char *name)
 {
 	while (f->name != NULL && strcmp(f->name, name) != 0)
 		f++;
@@ -58,10 +58,10 @@ static bool listed(const char *list, const char *word)
 }
 
 /* LookAt, look_at and look-at are lookat. */
-static const struct field *find_alias(const struct field *f, int kind,
+static const struct member *find_alias(const struct member *f, int kind,
     const char *name)
 {
-	char plain[SHOWN];
+	char plain[ESCAPED_MAX];
 	size_t n = 0;
 
 	for (; *name != '\0' && n + 1 < sizeof plain; name++)
@@ -74,8 +74,8 @@ static const struct field *find_alias(const struct field *f, int kind,
 	return NULL;
 }
 
-static void names_of(const struct field *f, int kind,
-    const char *names[FIELDS_MAX + 1])
+static void names_of(const struct member *f, int kind,
+    const char *names[MEMBERS_MAX + 1])
 {
 	int n = 0;
 
@@ -86,19 +86,19 @@ static void names_of(const struct field *f, int kind,
 }
 
 /* The name that was meant in this object, or NULL. */
-static const char *meant(const struct field *table, int kind, const char *name)
+static const char *meant(const struct member *table, int kind, const char *name)
 {
-	const char *names[FIELDS_MAX + 1];
-	const struct field *f = find_alias(table, kind, name);
+	const char *names[MEMBERS_MAX + 1];
+	const struct member *f = find_alias(table, kind, name);
 
 	names_of(table, kind, names);
 	return f != NULL ? f->name : nearest(name, names);
 }
 
-static void refuse_other_kind(const struct value *v, const struct field *table,
+static void refuse_other_kind(const struct value *v, const struct member *table,
     int kind)
 {
-	const struct field *f = find_any(table, v->name);
+	const struct member *f = find_any(table, v->name);
 	int other = 0;
 
 	if (f == NULL)
@@ -111,10 +111,10 @@ static void refuse_other_kind(const struct value *v, const struct field *table,
 
 /* Refuses a member that other objects of the scene have: of their first kind,
  * else of any, else by another name. */
-static void refuse_misplaced(const struct value *v, const struct field *table)
+static void refuse_misplaced(const struct value *v, const struct member *table)
 {
-	const char *names[FIELDS_MAX + 1];
-	const struct field *scene = v->source->scene, *f, *s;
+	const char *names[MEMBERS_MAX + 1];
+	const struct member *scene = v->source->scene, *f, *s;
 	char all[LISTED];
 	int n = 0, how;
 
@@ -138,11 +138,11 @@ static void refuse_misplaced(const struct value *v, const struct field *table)
 	}
 }
 
-static _Noreturn void unknown(const struct value *v, const struct field *table,
+static _Noreturn void unknown(const struct value *v, const struct member *table,
     int kind)
 {
-	const struct field *scene = v->source->scene;
-	const char *names[FIELDS_MAX + 1], *name = NULL;
+	const struct member *scene = v->source->scene;
+	const char *names[MEMBERS_MAX + 1], *name = NULL;
 	char all[LISTED];
 
 	/* a misspelt camera makes a document look like a bare object */
@@ -161,8 +161,8 @@ static _Noreturn void unknown(const struct value *v, const struct field *table,
 	    list_words(all, names, " and "));
 }
 
-unsigned fields_read(const struct value *v, const struct field *table, int kind,
-    void *base)
+unsigned object_read(const struct value *v, const struct member *table,
+    int kind, void *base)
 {
 	unsigned seen = 0;
 
@@ -172,14 +172,14 @@ unsigned fields_read(const struct value *v, const struct field *table, int kind,
 	for (; m.item != NULL; value_next(&m)) {
 		if (is_ignored(m.name))
 			continue;
-		unsigned bit = field_bit(table, kind, m.name);
+		unsigned bit = member_bit(table, kind, m.name);
 
 		if (bit == 0)
 			unknown(&m, table, kind);
 		if (seen & bit)
 			value_refuse(&m, "repeated; give it once");
 		seen |= bit;
-		const struct field *f = find(table, kind, m.name);
+		const struct member *f = find(table, kind, m.name);
 
 		f->read(&m, f, (char *)base + f->at);
 	}
@@ -187,11 +187,11 @@ unsigned fields_read(const struct value *v, const struct field *table, int kind,
 }
 
 /* The members of a way as bits, and of them those that it can't lack. */
-static unsigned way_bits(const struct field *table, int kind, const char *way,
+static unsigned way_bits(const struct member *table, int kind, const char *way,
     unsigned *must)
 {
 	unsigned all = 0;
-	char name[SHOWN];
+	char name[ESCAPED_MAX];
 
 	for (*must = 0; *way != '\0'; way += strspn(way, " ?")) {
 		size_t n = strcspn(way, " ?");
@@ -199,7 +199,7 @@ static unsigned way_bits(const struct field *table, int kind, const char *way,
 		memcpy(name, way, n);
 		name[n] = '\0';
 		way += n;
-		unsigned bit = field_bit(table, kind, name);
+		unsigned bit = member_bit(table, kind, name);
 
 		all |= bit;
 		if (*way != '?')
@@ -208,7 +208,7 @@ static unsigned way_bits(const struct field *table, int kind, const char *way,
 	return all;
 }
 
-static const struct field *lowest(const struct field *table, unsigned bits)
+static const struct member *lowest(const struct member *table, unsigned bits)
 {
 	while ((bits & 1) == 0) {
 		bits >>= 1;
@@ -220,7 +220,7 @@ static const struct field *lowest(const struct field *table, unsigned bits)
 /* extra doesn't go with the way that was taken; of that way's members, names
  * one that no way combines it with. */
 static _Noreturn void refuse_extra(const struct value *v,
-    const struct field *table, int kind, unsigned taken, unsigned extra,
+    const struct member *table, int kind, unsigned taken, unsigned extra,
     const struct ways *w)
 {
 	unsigned must, rivals = taken;
@@ -238,7 +238,7 @@ static _Noreturn void refuse_extra(const struct value *v,
 	    lowest(table, rivals != 0 ? rivals : taken)->name, w->hint);
 }
 
-int fields_way(const struct value *v, const struct field *table, int kind,
+int object_way(const struct value *v, const struct member *table, int kind,
     unsigned seen, const struct ways *w)
 {
 	unsigned taken = 0, extra = 0, lacking = 0, any = 0, must, all;

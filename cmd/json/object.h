@@ -1,13 +1,13 @@
 /* Objects of a document, each by the table of its members. */
-#ifndef FIELDS_H
-#define FIELDS_H
+#ifndef OBJECT_H
+#define OBJECT_H
 
 #include "value.h"
 
-struct field {
+struct member {
 	const char *name; /* NULL ends a table */
 	/* Reads the member, into where the table's struct has it. */
-	void (*read)(const struct value *, const struct field *, void *);
+	void (*read)(const struct value *, const struct member *, void *);
 	size_t at;                 /* of the struct, in bytes */
 	size_t n;                  /* numbers in an array; 0: one, bare */
 	const struct range *range; /* NULL: any */
@@ -18,7 +18,7 @@ struct field {
 	/* What else people call it: lower case, without _ and -. */
 	const char *aliases;
 	/* Of a member of the scene: its own members, and how it looks. */
-	const struct field *fields;
+	const struct member *fields;
 	const char *example;
 };
 
@@ -33,14 +33,14 @@ struct ways {
  * Returns the members that were there, as bits in the table's order. Members
  * that begin with _ and $schema are passed over; others that are unknown, or
  * of another kind, or repeated are refused. */
-unsigned fields_read(const struct value *, const struct field *, int kind,
+unsigned object_read(const struct value *, const struct member *, int kind,
     void *base);
 
 /* The bit of a member; 0 where there is none of that kind. */
-unsigned field_bit(const struct field *, int kind, const char *name);
+unsigned member_bit(const struct member *, int kind, const char *name);
 
 /* Which way was taken; refuses none, half of one, or two. */
-int fields_way(const struct value *, const struct field *, int kind,
+int object_way(const struct value *, const struct member *, int kind,
     unsigned seen, const struct ways *);
 
 #endif

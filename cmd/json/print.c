@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-void put_text(struct page *p, const char *s)
+void put_text(struct printer *p, const char *s)
 {
 	size_t n = strlen(s);
 
@@ -11,40 +11,40 @@ void put_text(struct page *p, const char *s)
 	p->at += n;
 }
 
-void enter(struct page *p, const char *bracket)
+void enter(struct printer *p, const char *bracket)
 {
 	put_text(p, p->between);
 	put_text(p, bracket);
 	p->between = "";
 }
 
-void leave(struct page *p, const char *bracket)
+void leave(struct printer *p, const char *bracket)
 {
 	put_text(p, bracket);
 	p->between = ", ";
 }
 
-void put_name(struct page *p, const char *name)
+void put_name(struct printer *p, const char *name)
 {
 	enter(p, "\"");
 	put_text(p, name);
 	put_text(p, "\": ");
 }
 
-void member(struct page *p, const char *name)
+void member(struct printer *p, const char *name)
 {
 	p->between = p->between[0] == ',' ? ",\n  " : "\n  ";
 	put_name(p, name);
 }
 
-void put_word(struct page *p, const char *word)
+void put_word(struct printer *p, const char *word)
 {
 	enter(p, "\"");
 	put_text(p, word);
 	leave(p, "\"");
 }
 
-void put_number(struct page *p, double v)
+void put_number(struct printer *p, double v)
 {
 	put_text(p, p->between);
 	if (isnan(v))
@@ -54,7 +54,7 @@ void put_number(struct page *p, double v)
 	p->between = ", ";
 }
 
-void put_numbers(struct page *p, const double *v, int n)
+void put_numbers(struct printer *p, const double *v, int n)
 {
 	enter(p, "[");
 	for (int i = 0; i < n; i++)

@@ -80,7 +80,7 @@ static char *token_end(const struct scan *s)
 /* What is wrong with anything that stands in the wrong place. */
 static _Noreturn void stray(const struct scan *s, const char *wanted)
 {
-	char what[SHOWN];
+	char what[ESCAPED_MAX];
 
 	if (s->p == s->end)
 		bad(s, "expected %s, but the text ends", wanted);
@@ -88,7 +88,7 @@ static _Noreturn void stray(const struct scan *s, const char *wanted)
 		bad(s, "comments are not JSON; use a member \"_comment\"");
 	if (*s->p == '\'')
 		bad(s, "'single quotes' are not JSON; use \"double\" ones");
-	show(what, s->p, (size_t)(token_end(s) - s->p));
+	escaped(what, s->p, (size_t)(token_end(s) - s->p));
 	bad(s, "expected %s, not '%s'", wanted, what);
 }
 
@@ -111,12 +111,12 @@ static int hex4(const struct scan *s, const char *p)
 /* At a backslash. */
 static void escape(struct scan *s)
 {
-	char what[SHOWN];
+	char what[ESCAPED_MAX];
 
 	s->p++;
 	if (s->p == s->end || strchr("\"\\/bfnrtu", *s->p) == NULL)
 		bad(s, "\\%s is no escape of JSON; a backslash is \\\\",
-		    show(what, s->p, s->p < s->end));
+		    escaped(what, s->p, s->p < s->end));
 	if (*s->p++ != 'u')
 		return;
 	int code = hex4(s, s->p);
@@ -198,10 +198,10 @@ static bool is_number(const char *p, const char *end)
 /* No number of JSON; but perhaps one of a programming language. */
 static _Noreturn void not_number(const struct scan *s, const char *end)
 {
-	char what[SHOWN], text[NUMBER_MAX];
+	char what[ESCAPED_MAX], text[NUMBER_MAX];
 	double v;
 
-	show(what, s->p, (size_t)(end - s->p));
+	escaped(what, s->p, (size_t)(end - s->p));
 	if (number_read(s->p, end, &v) != end)
 		bad(s, "'%s' is not a JSON number; write it like -1.5e-3",
 		    what);
@@ -239,11 +239,11 @@ static void word(struct scan *s)
 	static const char *const words[][2] = { { "true", "true" },
 		{ "false", "false" }, { "null", "null" }, { "none", "null" },
 		{ "undefined", "null" } };
-	char *end = token_end(s), what[SHOWN];
+	char *end = token_end(s), what[ESCAPED_MAX];
 	size_t n = (size_t)(end - s->p);
 	double v;
 
-	show(what, s->p, n);
+	escaped(what, s->p, n);
 	for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
 		if (strcasecmp(what, words[i][0]) != 0)
 			continue;
@@ -278,11 +278,11 @@ static void value(struct scan *s)
 /* A member's name and colon. */
 static void name(struct scan *s)
 {
-	char what[SHOWN];
+	char what[ESCAPED_MAX];
 	char c = s->p < s->end ? *s->p : '\0';
 
 	if (is_letter(c) || c == '_') {
-		show(what, s->p, (size_t)(token_end(s) - s->p));
+		escaped(what, s->p, (size_t)(token_end(s) - s->p));
 		bad(s, "the name %s has no quotes; write \"%s\"", what, what);
 	}
 	if (c != '"')

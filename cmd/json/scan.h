@@ -1,6 +1,6 @@
 /* The syntax of JSON (RFC 8259), strictly, with the line of what is wrong. */
-#ifndef SYNTAX_H
-#define SYNTAX_H
+#ifndef SCAN_H
+#define SCAN_H
 
 #include <stddef.h>
 

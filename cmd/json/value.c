@@ -6,14 +6,16 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "../../core/scene.h"
 #include "../nearest.h"
 #include "../number/number.h"
 #include "../escape.h"
 #include "scan.h"
 #include "../talk.h"
 
-const struct range range_any = { -1e150, 1e150, "numbers go up to 1e150" };
-const struct range range_positive = { 1e-150, 1e150,
+const struct range range_any = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
+	"numbers go up to 1e150" };
+const struct range range_positive = { SIZE_MIN, MAGNITUDE_MAX,
 	"a number from 1e-150 to 1e150 is wanted" };
 
 /* What passes syntax_check, cJSON takes, or has no memory. */
@@ -84,19 +86,19 @@ size_t value_count(const struct value *v)
 }
 
 /* A step of a pointer: ~ is ~0, / is ~1 (RFC 6901). */
-static void step(char out[SHOWN], const char *name)
+static void step(char out[ESCAPED_MAX], const char *name)
 {
-	char escaped[2 * SHOWN];
+	char way[2 * ESCAPED_MAX];
 	size_t n = 0;
 
-	for (; *name != '\0' && n + 2 <= sizeof escaped; name++) {
+	for (; *name != '\0' && n + 2 <= sizeof way; name++) {
 		if (*name == '~' || *name == '/')
-			escaped[n++] = '~';
+			way[n++] = '~';
 		char c = *name;
 
-		escaped[n++] = c == '~' ? '0' : c == '/' ? '1' : c;
+		way[n++] = c == '~' ? '0' : c == '/' ? '1' : c;
 	}
-	show(out, escaped, n);
+	escaped(out, way, n);
 }
 
 /* Values are not looked at more than this deep: /camera/matrix/matrix/3/3. */
@@ -105,7 +107,7 @@ enum { STEPS_MAX = 5 };
 /* Writes /camera/eye/0 and returns where it ends. */
 static char *pointer(const struct value *v, char *out)
 {
-	char name[SHOWN];
+	char name[ESCAPED_MAX];
 
 	if (v->in == NULL)
 		return out;
@@ -119,7 +121,7 @@ static char *pointer(const struct value *v, char *out)
 
 void value_refuse(const struct value *v, const char *format, ...)
 {
-	char what[1024], way[STEPS_MAX * SHOWN + 1];
+	char what[1024], way[STEPS_MAX * ESCAPED_MAX + 1];
 	va_list args;
 
 	*pointer(v, way) = '\0';
@@ -223,7 +225,7 @@ const char *list_words(char out[LISTED], const char *const *words,
 int value_word(const struct value *v, const char *const *words)
 {
 	const char *s = value_string(v), *near;
-	char all[LISTED], shown[SHOWN];
+	char all[LISTED], shown[ESCAPED_MAX];
 
 	list_words(all, words, " or ");
 	if (s == NULL)
@@ -232,7 +234,7 @@ int value_word(const struct value *v, const char *const *words)
 		if (strcmp(s, words[i]) == 0)
 			return i;
 	near = nearest(s, words);
-	show(shown, s, strlen(s));
+	escaped(shown, s, strlen(s));
 	if (near != NULL)
 		value_refuse(v, "is \"%s\"; did you mean \"%s\"?", shown, near);
 	value_refuse(v, "is \"%s\"; %s is wanted", shown, all);

@@ -10,7 +10,7 @@ struct source {
 	bool column;      /* how nested rows of a matrix are read */
 	bool fit;         /* what fit finds may be missing */
 	bool form;        /* of what is not needed, form alone counts */
-	const struct field *scene; /* all there is in a document */
+	const struct member *scene; /* all there is in a document */
 };
 
 struct value {

@@ -92,8 +92,8 @@ static float narrowed(const struct job *j, const struct chunk *c, size_t p,
 {
 	double in[4];
 
-	if (j->rays || j->effort.precision != PRECISION_EXACT ||
-	    j->effort.tolerance > 0)
+	if (j->rays || j->accuracy.precision != PRECISION_EXACT ||
+	    j->accuracy.tolerance > 0)
 		return (float)v;
 	for (int i = 0; i < 4; i++)
 		in[i] = c->in[i][p];

@@ -55,21 +55,21 @@ static size_t read_lines(struct job *j, struct chunk *c, size_t *points)
 	for (*points = 0; n < POINTS_BLOCK && c->text < c->end; c->lines++) {
 		const char *newline = memchr(c->text, '\n',
 		    (size_t)(c->end - c->text));
-		struct record *r = &c->records[n];
+		struct line *r = &c->records[n];
 		struct span line = { c->text,
 			newline != NULL ? newline : c->end };
 
-		record_read(&j->layout, line, c->end, &c->header, r, v, reason);
+		line_read(&j->layout, line, c->end, &c->header, r, v, reason);
 		r->newline = newline != NULL;
 		c->text = newline != NULL ? newline + 1 : c->end;
-		if (r->kind == RECORD_BAD) {
+		if (r->kind == LINE_BAD) {
 			chunk_complain(c, c->lines, reason);
 			if (!j->keep_going) {
 				c->text = c->end;
 				break;
 			}
 		}
-		if (r->kind == RECORD_POINT) {
+		if (r->kind == LINE_POINT) {
 			for (int i = 0; i < j->layout.reads; i++)
 				c->in[i][*points] = v[i];
 			++*points;
@@ -82,7 +82,7 @@ static size_t read_lines(struct job *j, struct chunk *c, size_t *points)
 /* Exactly, for any precision; single's numbers are floats. */
 static void cast_rays(const struct job *j, struct chunk *c, size_t n)
 {
-	bool single = j->effort.precision == PRECISION_SINGLE;
+	bool single = j->accuracy.precision == PRECISION_SINGLE;
 
 	for (size_t i = 0; i < n; i++) {
 		double at[2] = { c->in[0][i], c->in[1][i] }, ray[2][3];
@@ -106,7 +106,8 @@ static void carry(const struct job *j, struct chunk *c, size_t n)
 	if (j->rays)
 		cast_rays(j, c, n);
 	else
-		points_carry(&j->transform, &j->effort, in, out, c->single, n);
+		points_carry(&j->transform, &j->accuracy, in, out, c->single,
+		    n);
 }
 
 enum { WORD_MAX = 48 };
@@ -175,7 +176,7 @@ void chunk_mark(const struct job *j, struct chunk *c, size_t p, size_t line)
 }
 
 /* Point p, which stood in r. */
-static void write_point(const struct job *j, struct chunk *c, struct record *r,
+static void write_point(const struct job *j, struct chunk *c, struct line *r,
     size_t p, size_t line)
 {
 	double v[COORDINATES_MAX];
@@ -192,19 +193,19 @@ static void write_point(const struct job *j, struct chunk *c, struct record *r,
 		binary_write(j, c, p, v);
 		return;
 	}
-	char *at = chunk_reserve(c, record_room(&j->layout, r));
+	char *at = chunk_reserve(c, line_room(&j->layout, r));
 
 	r->single = c->single[p];
-	c->size += (size_t)(record_write(&j->layout, r, v, flags, at) - at);
+	c->size += (size_t)(line_write(&j->layout, r, v, flags, at) - at);
 }
 
 /* A line that is no point: a comment, or a bad one as a row of nan. */
 static void write_other(const struct job *j, struct chunk *c,
-    const struct record *r)
+    const struct line *r)
 {
 	const double nan = (double)NAN;
 	const double v[COORDINATES_MAX] = { nan, nan, nan, nan, nan, nan };
-	bool bad = r->kind == RECORD_BAD;
+	bool bad = r->kind == LINE_BAD;
 
 	if (j->take != NULL || (bad && j->visible))
 		return;
@@ -213,9 +214,9 @@ static void write_other(const struct job *j, struct chunk *c,
 			binary_write(j, c, 0, v);
 		return;
 	}
-	char *at = chunk_reserve(c, record_room(&j->layout, r));
+	char *at = chunk_reserve(c, line_room(&j->layout, r));
 
-	c->size += (size_t)(record_write(&j->layout, r, v,
+	c->size += (size_t)(line_write(&j->layout, r, v,
 				bad && j->flags ? "nan" : NULL, at) -
 	    at);
 }
@@ -223,7 +224,7 @@ static void write_other(const struct job *j, struct chunk *c,
 /* The source ends within a binary point. */
 static void cut_short(const struct job *j, struct chunk *c)
 {
-	struct record r = { .kind = RECORD_BAD, .newline = true };
+	struct line r = { .kind = LINE_BAD, .newline = true };
 	char reason[REASON_MAX];
 
 	snprintf(reason, sizeof reason,
@@ -238,7 +239,7 @@ static void cut_short(const struct job *j, struct chunk *c)
 
 void chunk_do(struct job *j, struct chunk *c)
 {
-	struct record binary = { .kind = RECORD_POINT, .newline = true };
+	struct line binary = { .kind = LINE_POINT, .newline = true };
 	size_t size = point_size(&j->layout, j->layout.in);
 	bool lines = !is_binary(j->layout.in);
 	bool blocks = !lines && j->layout.out == FORMAT_F64 &&
@@ -262,11 +263,11 @@ void chunk_do(struct job *j, struct chunk *c)
 			continue;
 		}
 		for (size_t i = 0; i < n; i++) {
-			struct record *r = lines ? &c->records[i] : &binary;
+			struct line *r = lines ? &c->records[i] : &binary;
 
 			binary.line.s = text + i * size;
 			binary.line.end = binary.line.s + size;
-			if (r->kind != RECORD_POINT)
+			if (r->kind != LINE_POINT)
 				write_other(j, c, r);
 			else if (j->take != NULL)
 				j->take(j, c, r, p++, first + i);

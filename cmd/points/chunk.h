@@ -12,7 +12,7 @@ struct chunk;
 /* What is done with every point. */
 struct job {
 	struct transform transform;
-	struct effort effort;
+	struct accuracy accuracy;
 	struct layout layout;
 	/* Where flags or visible ask for it, and for rays. */
 	struct frustum frustum;
@@ -25,7 +25,7 @@ struct job {
 	 * point, p in the columns and read from r, in any thread, and may
 	 * leave bytes in the chunk's out; collect gets the chunks in order;
 	 * flush prints what there is, before a bad line ends the program too. */
-	void (*take)(const struct job *, struct chunk *, const struct record *,
+	void (*take)(const struct job *, struct chunk *, const struct line *,
 	    size_t p, size_t line);
 	void (*collect)(const struct job *, const struct chunk *,
 	    size_t first_line);
@@ -53,7 +53,7 @@ struct chunk {
 	size_t n_complaints, told; /* of which so many are before this line */
 	size_t imageless, first_imageless;
 
-	struct record records[POINTS_BLOCK];
+	struct line records[POINTS_BLOCK];
 	double in[4][POINTS_BLOCK];
 	double image[COORDINATES_MAX][POINTS_BLOCK];
 	bool single[POINTS_BLOCK]; /* the image is of floats */

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "../json/line.h"
+#include "../../core/scene.h"
 #include "line.h"
 #include "../escape.h"
 
@@ -46,7 +47,7 @@ static void bad_field(const struct layout *l, int i, struct span f,
     char reason[REASON_MAX])
 {
 	size_t n = (size_t)(f.end - f.s);
-	char word[SHOWN];
+	char word[ESCAPED_MAX];
 	double v;
 	const char *end = number_read(f.s, f.end, &v);
 
@@ -68,7 +69,7 @@ static void bad_field(const struct layout *l, int i, struct span f,
 		snprintf(reason, REASON_MAX,
 		    "%s is '%s'; a number is "
 		    "wanted%s",
-		    order(i), show(word, f.s, n),
+		    order(i), escaped(word, f.s, n),
 		    end == NULL ? "" :
 			l->in == FORMAT_JSON ?
 				  ", as JSON writes it" :
@@ -89,8 +90,7 @@ static bool in_range(int i, double v, char reason[REASON_MAX])
 /* The first fields of text, each read where it stands. No number goes on past
  * the line's end, so that the reader need not stop there to look. */
 static bool read_text(const struct layout *l, const char *s, const char *end,
-    const char *readable, struct record *r, double v[4],
-    char reason[REASON_MAX])
+    const char *readable, struct line *r, double v[4], char reason[REASON_MAX])
 {
 	for (int i = 0; i < l->reads; i++) {
 		const char *stop = s == end ? NULL :
@@ -110,7 +110,7 @@ static bool read_text(const struct layout *l, const char *s, const char *end,
 
 /* The first fields of csv or JSON. */
 static bool read_first(const struct layout *l, const char *s, const char *end,
-    struct record *r, double v[4], char reason[REASON_MAX])
+    struct line *r, double v[4], char reason[REASON_MAX])
 {
 	for (int i = 0; i < l->reads; i++) {
 		struct span whole = split_field(l->in, s, end);
@@ -130,7 +130,7 @@ static bool read_first(const struct layout *l, const char *s, const char *end,
 }
 
 static bool read_columns(const struct layout *l, const char *s, const char *end,
-    struct record *r, double v[4], char reason[REASON_MAX])
+    struct line *r, double v[4], char reason[REASON_MAX])
 {
 	for (int i = 0; i < l->reads; i++) {
 		int k = l->columns.field[i];
@@ -243,13 +243,13 @@ static bool is_header(struct layout *l, struct span line)
 }
 
 /* False where the first line is one of points already. */
-static bool take_header(struct layout *l, struct span line, struct record *r,
+static bool take_header(struct layout *l, struct span line, struct line *r,
     char reason[REASON_MAX])
 {
 	bool wanted = named(&l->columns);
 
 	if (wanted && !resolve(l, line, reason))
-		r->kind = RECORD_BAD;
+		r->kind = LINE_BAD;
 	return wanted || is_header(l, line);
 }
 
@@ -269,7 +269,7 @@ static bool check_array(struct span line, const char *done,
     char reason[REASON_MAX])
 {
 	const char *s = skip_blanks(done, line.end), *wrong;
-	char word[SHOWN];
+	char word[ESCAPED_MAX];
 
 	if (s < line.end && *s == ']' &&
 	    skip_blanks(s + 1, line.end) == line.end)
@@ -285,17 +285,17 @@ static bool check_array(struct span line, const char *done,
 	if (wrong == NULL)
 		return true;
 	snprintf(reason, REASON_MAX, "no JSON from '%s' on",
-	    show(word, wrong, (size_t)(line.end - wrong)));
+	    escaped(word, wrong, (size_t)(line.end - wrong)));
 	return false;
 }
 
-void record_read(struct layout *l, struct span line, const char *readable,
-    bool *header, struct record *r, double v[4], char reason[REASON_MAX])
+void line_read(struct layout *l, struct span line, const char *readable,
+    bool *header, struct line *r, double v[4], char reason[REASON_MAX])
 {
 	const char *s = skip_blanks(line.s, line.end);
 	bool ok;
 
-	r->kind = RECORD_COPY;
+	r->kind = LINE_COPY;
 	r->line = line;
 	if (s == line.end || *s == '#')
 		return;
@@ -316,7 +316,7 @@ void record_read(struct layout *l, struct span line, const char *readable,
 			snprintf(reason, REASON_MAX,
 			    "is not a JSON array; one "
 			    "array a line: jq -c '.points[]'");
-			r->kind = RECORD_BAD;
+			r->kind = LINE_BAD;
 			return;
 		}
 		s++;
@@ -330,5 +330,5 @@ void record_read(struct layout *l, struct span line, const char *readable,
 	if (ok && l->in == FORMAT_JSON)
 		ok = check_array(line,
 		    l->columns.n > 0 ? s : r->at[l->reads - 1].end, reason);
-	r->kind = ok ? RECORD_POINT : RECORD_BAD;
+	r->kind = ok ? LINE_POINT : LINE_BAD;
 }

@@ -7,7 +7,7 @@
 /* Of more blanks than these, one is enough for what is added. */
 enum { SEPARATOR_MAX = 64 };
 
-size_t record_room(const struct layout *l, const struct record *r)
+size_t line_room(const struct layout *l, const struct line *r)
 {
 	size_t line = (size_t)(r->line.end - r->line.s);
 
@@ -74,7 +74,7 @@ static bool separates(char c)
 }
 
 /* What stands before the last coordinate; behind it where it begins the line. */
-static struct span separator(const struct layout *l, const struct record *r)
+static struct span separator(const struct layout *l, const struct line *r)
 {
 	const char *usual = separator_of(l->in);
 	struct span s = { usual, usual + 1 }, last = r->at[l->reads - 1];
@@ -96,7 +96,7 @@ static struct span separator(const struct layout *l, const struct record *r)
 }
 
 /* The coordinates in the order in which they stand in the line. */
-static void sort(const struct record *r, int n, int sorted[4])
+static void sort(const struct line *r, int n, int sorted[4])
 {
 	for (int i = 0; i < n; i++) {
 		int k = i;
@@ -109,7 +109,7 @@ static void sort(const struct record *r, int n, int sorted[4])
 
 /* A coordinate that is not written goes with the separator before it; where it
  * is the first field, with the one behind it. */
-static struct span whole_field(const struct layout *l, const struct record *r,
+static struct span whole_field(const struct layout *l, const struct line *r,
     struct span f)
 {
 	const char *s = r->line.s, *next;
@@ -131,7 +131,7 @@ static struct span whole_field(const struct layout *l, const struct record *r,
 
 /* The same format out as in: coordinates are replaced where they stand, the
  * names in a header, where v is NULL, stay. */
-static char *splice(const struct layout *l, const struct record *r,
+static char *splice(const struct layout *l, const struct line *r,
     const double v[], const char *flags, char *out)
 {
 	int sorted[4] = { 0, 1, 2, 3 }, n = l->reads;
@@ -160,7 +160,7 @@ static char *splice(const struct layout *l, const struct record *r,
 	return put(out, s, r->line.end);
 }
 
-static bool is_coordinate(const struct layout *l, const struct record *r,
+static bool is_coordinate(const struct layout *l, const struct line *r,
     struct span f)
 {
 	for (int i = 0; i < l->reads; i++)
@@ -170,7 +170,7 @@ static bool is_coordinate(const struct layout *l, const struct record *r,
 }
 
 /* Another format out: the coordinates first, then the other fields. */
-static char *convert(const struct layout *l, const struct record *r,
+static char *convert(const struct layout *l, const struct line *r,
     const double v[], const char *flags, char *out)
 {
 	const char *usual = separator_of(l->out), *s = r->line.s;
@@ -184,7 +184,7 @@ static char *convert(const struct layout *l, const struct record *r,
 	if (l->in == FORMAT_JSON)
 		s++;
 	/* what a bad line or a binary point holds is not fields */
-	if (r->kind == RECORD_BAD || l->in == FORMAT_F64 || l->in == FORMAT_F32)
+	if (r->kind == LINE_BAD || l->in == FORMAT_F64 || l->in == FORMAT_F32)
 		s = NULL;
 	while (s != NULL) {
 		struct span f = split_field(l->in, s, r->line.end);
@@ -205,10 +205,10 @@ static char *convert(const struct layout *l, const struct record *r,
 
 /* A header gets the names of what is added, and loses those of what is not
  * written. */
-static char *copy_header(const struct layout *l, const struct record *r,
+static char *copy_header(const struct layout *l, const struct line *r,
     char *out)
 {
-	struct record named = *r;
+	struct line named = *r;
 	const char *end = r->line.end - (r->line.end[-1] == '\r');
 
 	for (int i = 0; i < l->reads; i++) {
@@ -224,7 +224,7 @@ static char *copy_header(const struct layout *l, const struct record *r,
 }
 
 /* A comment means nothing in JSON. */
-static char *copy(const struct layout *l, const struct record *r, char *out)
+static char *copy(const struct layout *l, const struct line *r, char *out)
 {
 	const char *end = r->line.end;
 	const char *s = skip_blanks(r->line.s, end);
@@ -236,18 +236,18 @@ static char *copy(const struct layout *l, const struct record *r, char *out)
 	return put(out, r->line.s, end);
 }
 
-char *record_write(const struct layout *l, const struct record *r,
+char *line_write(const struct layout *l, const struct line *r,
     const double v[COORDINATES_MAX], const char *flags, char *out)
 {
 	char *begin = out;
 
-	if (r->kind == RECORD_COPY)
+	if (r->kind == LINE_COPY)
 		out = copy(l, r, out);
-	else if (r->kind == RECORD_BAD || l->in != l->out)
+	else if (r->kind == LINE_BAD || l->in != l->out)
 		out = convert(l, r, v, flags, out);
 	else
 		out = splice(l, r, v, flags, out);
-	if (r->kind == RECORD_COPY && out == begin &&
+	if (r->kind == LINE_COPY && out == begin &&
 	    (l->in == FORMAT_JSON || l->out == FORMAT_JSON))
 		return out;
 	if (r->newline)

@@ -6,7 +6,7 @@
 #include "members.h"
 #include "../talk.h"
 
-/* Rows of scene_fields; those of enum member are its bits. */
+/* Rows of scene_members; those of enum scene_member are its bits. */
 enum {
 	CONVENTION,
 	WORLD,
@@ -33,7 +33,7 @@ static const char *const origins[] = { "top-left", "bottom-left", NULL };
 		.at = offsetof(struct convention, m)               \
 	}
 
-static const struct field convention_fields[] = {
+static const struct member convention_members[] = {
 	SECOND("handedness", hands, right_handed),
 	SECOND("depth", depths, minus_one),
 	SECOND("vectors", vectors, column),
@@ -68,7 +68,7 @@ static void read_convention(const struct value *v, struct convention *c)
 {
 	*c = (struct convention){ 0 };
 	if (value_is_object(v))
-		fields_read(v, convention_fields, 0, c);
+		object_read(v, convention_members, 0, c);
 	else
 		*c = conventions[value_word(v, convention_names)];
 }
@@ -82,24 +82,24 @@ static void read_convention(const struct value *v, struct convention *c)
 		.aliases = other,                   \
 		.example = like }
 
-static const struct field scene_fields[SCENE_MEMBERS + 1] = {
-	MEMBER(CONVENTION, "convention", convention_fields, NULL, "\"d3d\""),
+static const struct member scene_members[SCENE_MEMBERS + 1] = {
+	MEMBER(CONVENTION, "convention", convention_members, NULL, "\"d3d\""),
 	MEMBER(WORLD, "world", NULL, "model",
 	    "[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]"),
-	MEMBER(CAMERA, "camera", camera_fields, "view",
+	MEMBER(CAMERA, "camera", camera_members, "view",
 	    "{\"eye\": [0,0,-5], \"at\": [0,0,0]}"),
-	MEMBER(PROJECTION, "projection", projection_fields, "lens perspective",
+	MEMBER(PROJECTION, "projection", projection_members, "lens perspective",
 	    "{\"type\": \"persp\", \"fovy\": 60, \"aspect\": 1.5, "
 	    "\"near\": 1, \"far\": 10}"),
-	MEMBER(VIEWPORT, "viewport", viewport_fields, "screen",
+	MEMBER(VIEWPORT, "viewport", viewport_members, "screen",
 	    "{\"width\": 640, \"height\": 480}"),
-	MEMBER(WINDOW, "window", window_fields, NULL,
+	MEMBER(WINDOW, "window", window_members, NULL,
 	    "{\"center\": [0,0], \"width\": 2, \"height\": 2}"),
-	MEMBER(DEVICE, "device", device_fields, NULL,
+	MEMBER(DEVICE, "device", device_members, NULL,
 	    "{\"width\": 640, \"height\": 480}"),
 	MEMBER(POINTS, "points", NULL, NULL, "[[0,0,0], [1,1,1]]"),
-	MEMBER(BOUNDS, "bounds", bounds_fields, NULL, NULL),
-	MEMBER(PICK, "pick", pick_fields, NULL, NULL),
+	MEMBER(BOUNDS, "bounds", bounds_members, NULL, NULL),
+	MEMBER(PICK, "pick", pick_members, NULL, NULL),
 };
 
 static void check_point(const struct value *v, int coordinates)
@@ -184,12 +184,12 @@ static void take_points(const struct value *v, int coordinates,
 }
 
 /* A document without any of a scene's members is the bare one. */
-static bool is_bare(const struct value *v, enum member bare)
+static bool is_bare(const struct value *v, enum scene_member bare)
 {
 	struct value m = value_child(v);
 
 	for (; m.item != NULL; value_next(&m))
-		if (field_bit(scene_fields, 0, m.name) != 0)
+		if (member_bit(scene_members, 0, m.name) != 0)
 			return false;
 	return bare != 0;
 }
@@ -200,10 +200,10 @@ static unsigned read_members(struct document *d, const struct value *root,
 	if (!value_is_object(root))
 		value_wrong(root, "an object, {...},");
 	if (!is_bare(root, w->bare))
-		return fields_read(root, scene_fields, 0, m);
+		return object_read(root, scene_members, 0, m);
 	for (int i = 0; i < SCENE_MEMBERS; i++)
 		if (w->bare == 1u << i) {
-			d->bare = scene_fields[i].name;
+			d->bare = scene_members[i].name;
 			m[i] = *root;
 		}
 	return w->bare;
@@ -212,7 +212,7 @@ static unsigned read_members(struct document *d, const struct value *root,
 static void check_needed(const struct value *root, unsigned missing)
 {
 	for (int i = 0; i <= POINTS; i++) {
-		const struct field *f = &scene_fields[i];
+		const struct member *f = &scene_members[i];
 		struct value v = value_missing(root, f->name);
 
 		if (missing >> i & 1)
@@ -234,19 +234,19 @@ static void read_scene(struct document *d, struct source *source,
 	struct scene *s = &d->scene;
 
 #define READ(row) member(source, w->unused, m, row)
-	s->has_world = seen & MEMBER_WORLD;
-	s->has_camera = seen & MEMBER_CAMERA;
-	s->has_viewport = seen & MEMBER_VIEWPORT;
-	s->has_window = seen & MEMBER_WINDOW;
-	s->has_device = seen & MEMBER_DEVICE;
-	d->has_bounds = seen & MEMBER_BOUNDS;
+	s->has_world = seen & SCENE_WORLD;
+	s->has_camera = seen & SCENE_CAMERA;
+	s->has_viewport = seen & SCENE_VIEWPORT;
+	s->has_window = seen & SCENE_WINDOW;
+	s->has_device = seen & SCENE_DEVICE;
+	d->has_bounds = seen & SCENE_BOUNDS;
 	if (s->has_world)
-		read_matrix(READ(WORLD), &scene_fields[WORLD], s->world);
+		read_matrix(READ(WORLD), &scene_members[WORLD], s->world);
 	if (s->has_camera)
 		d->has_eye = read_camera(READ(CAMERA), &s->camera);
 	if (s->has_viewport)
 		read_viewport(READ(VIEWPORT), &s->viewport);
-	if (seen & MEMBER_PROJECTION)
+	if (seen & SCENE_PROJECTION)
 		read_projection(READ(PROJECTION), w->projection,
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);
 	if (s->has_window)
@@ -255,7 +255,7 @@ static void read_scene(struct document *d, struct source *source,
 		read_device(READ(DEVICE), &s->device);
 	if (d->has_bounds)
 		read_bounds(READ(BOUNDS), &d->bounds);
-	if (seen & MEMBER_PICK)
+	if (seen & SCENE_PICK)
 		read_pick(READ(PICK), &d->pick);
 #undef READ
 }
@@ -263,7 +263,7 @@ static void read_scene(struct document *d, struct source *source,
 void json_read(struct document *d, const char *name, char *text, size_t size,
     const struct json_wants *w)
 {
-	struct source source = { .name = name, .scene = scene_fields };
+	struct source source = { .name = name, .scene = scene_members };
 	struct value root = value_parse(&source, text, size);
 	struct value m[SCENE_MEMBERS];
 	struct convention option = { 0 };
@@ -275,16 +275,16 @@ void json_read(struct document *d, const char *name, char *text, size_t size,
 	if (w->convention != NULL)
 		convention_find(w->convention, &option);
 	d->scene.convention = option;
-	if (seen & MEMBER_CONVENTION)
+	if (seen & SCENE_CONVENTION)
 		read_convention(&m[CONVENTION], &d->scene.convention);
 	source.column = d->scene.convention.column;
 	check_needed(&root, w->needed & ~seen);
 	read_scene(d, &source, w, m, seen);
 	source.form = false;
-	if (seen & MEMBER_POINTS && w->coordinates > 0)
+	if (seen & SCENE_POINTS && w->coordinates > 0)
 		take_points(&m[POINTS], w->coordinates, text, size, &d->points,
 		    &d->points_size);
-	else if (seen & MEMBER_POINTS)
+	else if (seen & SCENE_POINTS)
 		check_points(&m[POINTS], 0);
 	if (w->convention != NULL)
 		d->scene.convention = option;
@@ -294,7 +294,7 @@ void json_read(struct document *d, const char *name, char *text, size_t size,
 void json_points(const char *name, char *text, size_t size, int coordinates,
     char **points, size_t *points_size)
 {
-	struct source source = { .name = name, .scene = scene_fields };
+	struct source source = { .name = name, .scene = scene_members };
 	struct value root = value_parse(&source, text, size);
 
 	take_points(&root, coordinates, text, size, points, points_size);

@@ -8,17 +8,17 @@
 #include "../../core/fit_bounds.h"
 
 /* A member of a scene, as a bit, to say what a command needs. */
-enum member {
-	MEMBER_CONVENTION = 1,
-	MEMBER_WORLD = 2,
-	MEMBER_CAMERA = 4,
-	MEMBER_PROJECTION = 8,
-	MEMBER_VIEWPORT = 16,
-	MEMBER_WINDOW = 32,
-	MEMBER_DEVICE = 64,
-	MEMBER_POINTS = 128,
-	MEMBER_BOUNDS = 256,
-	MEMBER_PICK = 512,
+enum scene_member {
+	SCENE_CONVENTION = 1,
+	SCENE_WORLD = 2,
+	SCENE_CAMERA = 4,
+	SCENE_PROJECTION = 8,
+	SCENE_VIEWPORT = 16,
+	SCENE_WINDOW = 32,
+	SCENE_DEVICE = 64,
+	SCENE_POINTS = 128,
+	SCENE_BOUNDS = 256,
+	SCENE_PICK = 512,
 };
 
 /* Where on the device, and how far around; 0 where it isn't said. */
@@ -44,7 +44,7 @@ struct document {
 struct json_wants {
 	/* As what an object with none of a scene's members is read: a camera
 	 * for lookat, ...; 0 for none. */
-	enum member bare;
+	enum scene_member bare;
 	/* Members that must be there; 0 for none. */
 	unsigned needed;
 	/* The projection type that is implied and alone allowed, or -1. */

@@ -16,7 +16,7 @@ static const char *const adapts[] = { "stretch", "grow", "shrink", NULL };
 		.name = #m, .read = read_flag, .at = MEMBER(type, m) \
 	}
 
-const struct field camera_fields[] = {
+const struct member camera_members[] = {
 	NUMBERS("eye", camera, eye, 3, "position pos from origin"),
 	NUMBERS("at", camera, at, 3, "target center centre lookat"),
 	NUMBERS("gaze", camera, at, 3, "direction dir forward"),
@@ -56,7 +56,7 @@ static const struct ways fit_camera_ways = {
 	NUMBERS("x", type, x, 0, "left"), NUMBERS("y", type, y, 0, "top"), \
 	    SIZE("width", type, width), SIZE("height", type, height)
 
-static void read_scale(const struct value *v, const struct field *f, void *to)
+static void read_scale(const struct value *v, const struct member *f, void *to)
 {
 	struct viewport *viewport = to;
 
@@ -72,7 +72,7 @@ static void read_scale(const struct value *v, const struct field *f, void *to)
 		viewport->scale = SCALE_UNIFORM;
 }
 
-const struct field viewport_fields[] = {
+const struct member viewport_members[] = {
 	RECTANGLE(viewport),
 	NUMBERS("min_z", viewport, min_z, 0, "near mindepth zmin minz"),
 	NUMBERS("max_z", viewport, max_z, 0, "far maxdepth zmax maxz"),
@@ -80,7 +80,7 @@ const struct field viewport_fields[] = {
 	{ .name = NULL },
 };
 
-const struct field device_fields[] = {
+const struct member device_members[] = {
 	RECTANGLE(device),
 	{ .name = "origin",
 	    .read = read_second,
@@ -94,7 +94,7 @@ static const struct ways rectangle_ways = {
 	{ "width height" },
 };
 
-const struct field window_fields[] = {
+const struct member window_members[] = {
 	NUMBERS("center", window, center, 2, "centre x y position"),
 	SIZE("width", window, width),
 	SIZE("height", window, height),
@@ -118,7 +118,7 @@ static const struct ways window_ways = {
 	{ "center width height", "left right bottom top" },
 };
 
-const struct field bounds_fields[] = {
+const struct member bounds_members[] = {
 	NUMBERS("center", bounds, center, 3, "centre position"),
 	SIZE("radius", bounds, radius),
 	NUMBERS("min", bounds, min, 3, "lower from"),
@@ -131,7 +131,7 @@ static const struct ways bounds_ways = {
 	{ "min max", "center radius" },
 };
 
-const struct field pick_fields[] = {
+const struct member pick_members[] = {
 	NUMBERS("at", pick, at, 2, "position center"),
 	SIZE("radius", pick, radius),
 	{ .name = NULL },
@@ -140,49 +140,49 @@ const struct field pick_fields[] = {
 bool read_camera(const struct value *v, struct camera *c)
 {
 	*c = (struct camera){ .up = { 0, 1, 0 } };
-	unsigned seen = fields_read(v, camera_fields, 0, c);
+	unsigned seen = object_read(v, camera_members, 0, c);
 
-	c->by = (unsigned)fields_way(v, camera_fields, 0, seen,
+	c->by = (unsigned)object_way(v, camera_members, 0, seen,
 	    v->source->fit ? &fit_camera_ways : &camera_ways);
 	return c->by == CAMERA_MATRIX ||
-	    (seen & field_bit(camera_fields, 0, "eye")) != 0;
+	    (seen & member_bit(camera_members, 0, "eye")) != 0;
 }
 
 void read_viewport(const struct value *v, struct viewport *w)
 {
 	*w = (struct viewport){ .max_z = 1 };
-	unsigned seen = fields_read(v, viewport_fields, 0, w);
+	unsigned seen = object_read(v, viewport_members, 0, w);
 
-	fields_way(v, viewport_fields, 0, seen, &rectangle_ways);
+	object_way(v, viewport_members, 0, seen, &rectangle_ways);
 }
 
 void read_device(const struct value *v, struct device *d)
 {
 	*d = (struct device){ 0 };
-	unsigned seen = fields_read(v, device_fields, 0, d);
+	unsigned seen = object_read(v, device_members, 0, d);
 
-	fields_way(v, device_fields, 0, seen, &rectangle_ways);
+	object_way(v, device_members, 0, seen, &rectangle_ways);
 }
 
 void read_window(const struct value *v, struct window *w)
 {
 	*w = (struct window){ .zoom = 1 };
-	unsigned seen = fields_read(v, window_fields, 0, w);
+	unsigned seen = object_read(v, window_members, 0, w);
 
-	w->by_edges = fields_way(v, window_fields, 0, seen, &window_ways) == 1;
-	w->has_about = (seen & field_bit(window_fields, 0, "about")) != 0;
+	w->by_edges = object_way(v, window_members, 0, seen, &window_ways) == 1;
+	w->has_about = (seen & member_bit(window_members, 0, "about")) != 0;
 }
 
 void read_bounds(const struct value *v, struct bounds *b)
 {
-	unsigned seen = fields_read(v, bounds_fields, 0, b);
+	unsigned seen = object_read(v, bounds_members, 0, b);
 
-	b->sphere = fields_way(v, bounds_fields, 0, seen, &bounds_ways) == 1;
+	b->sphere = object_way(v, bounds_members, 0, seen, &bounds_ways) == 1;
 }
 
 void read_pick(const struct value *v, struct pick *p)
 {
-	unsigned seen = fields_read(v, pick_fields, 0, p);
+	unsigned seen = object_read(v, pick_members, 0, p);
 
-	p->has_at = (seen & field_bit(pick_fields, 0, "at")) != 0;
+	p->has_at = (seen & member_bit(pick_members, 0, "at")) != 0;
 }

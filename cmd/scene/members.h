@@ -5,9 +5,9 @@
 #include "document.h"
 #include "readers.h"
 
-extern const struct field camera_fields[], projection_fields[],
-    viewport_fields[], window_fields[], device_fields[], bounds_fields[],
-    pick_fields[];
+extern const struct member camera_members[], projection_members[],
+    viewport_members[], window_members[], device_members[], bounds_members[],
+    pick_members[];
 
 /* Returns whether there is an eye. */
 bool read_camera(const struct value *, struct camera *);

@@ -5,26 +5,28 @@
 #include "../json/print.h"
 #include "../talk.h"
 
-static void put_member(struct page *p, const char *name, double v)
+static void put_member(struct printer *p, const char *name, double v)
 {
 	put_name(p, name);
 	put_number(p, v);
 }
 
-static void put_vector(struct page *p, const char *name, const double *v, int n)
+static void put_vector(struct printer *p, const char *name, const double *v,
+    int n)
 {
 	put_name(p, name);
 	put_numbers(p, v, n);
 }
 
-static void put_choice(struct page *p, const char *name, const char *word)
+static void put_choice(struct printer *p, const char *name, const char *word)
 {
 	put_name(p, name);
 	put_word(p, word);
 }
 
 /* Left out where it is what is read when it isn't there. */
-static void put_unless(struct page *p, const char *name, double v, double usual)
+static void put_unless(struct printer *p, const char *name, double v,
+    double usual)
 {
 	if (v != usual)
 		put_member(p, name, v);
@@ -39,7 +41,7 @@ static bool same_convention(const struct convention *a,
 }
 
 /* By name, or by what differs from d3d. */
-static void put_convention(struct page *p, const struct convention *c)
+static void put_convention(struct printer *p, const struct convention *c)
 {
 	static const char *const names[] = { "d3d", "gl", "vulkan", "webgpu" };
 	struct convention known;
@@ -65,7 +67,7 @@ static void put_convention(struct page *p, const struct convention *c)
 	leave(p, "}");
 }
 
-static void put_world(struct page *p, const double m[4][4], bool column)
+static void put_world(struct printer *p, const double m[4][4], bool column)
 {
 	member(p, "world");
 	enter(p, "[");
@@ -79,7 +81,7 @@ static void put_world(struct page *p, const double m[4][4], bool column)
 	leave(p, "]");
 }
 
-static void put_camera(struct page *p, const struct camera *c)
+static void put_camera(struct printer *p, const struct camera *c)
 {
 	member(p, "camera");
 	enter(p, "{");
@@ -90,8 +92,8 @@ static void put_camera(struct page *p, const struct camera *c)
 	leave(p, "}");
 }
 
-static void put_edges(struct page *p, double left, double right, double bottom,
-    double top)
+static void put_edges(struct printer *p, double left, double right,
+    double bottom, double top)
 {
 	put_member(p, "left", left);
 	put_member(p, "right", right);
@@ -100,7 +102,7 @@ static void put_edges(struct page *p, double left, double right, double bottom,
 }
 
 /* The aspect is left out where the viewport says it. */
-static void put_section(struct page *p, const struct projection *q,
+static void put_section(struct printer *p, const struct projection *q,
     const struct viewport *v)
 {
 	static const char *const angles[] = { "fovy", "fovx", "view_angle",
@@ -118,7 +120,7 @@ static void put_section(struct page *p, const struct projection *q,
 	}
 }
 
-static void put_shear(struct page *p, const struct projection *q)
+static void put_shear(struct printer *p, const struct projection *q)
 {
 	if (q->kind == OBLIQUE_ANGLE)
 		put_member(p, "angle", q->projector);
@@ -129,7 +131,7 @@ static void put_shear(struct page *p, const struct projection *q)
 	put_unless(p, "plane", q->plane, 0);
 }
 
-static void put_projection(struct page *p, const struct projection *q,
+static void put_projection(struct printer *p, const struct projection *q,
     const struct viewport *v)
 {
 	member(p, "projection");
@@ -152,7 +154,7 @@ static void put_projection(struct page *p, const struct projection *q,
 	leave(p, "}");
 }
 
-static void put_rectangle(struct page *p, double x, double y, double width,
+static void put_rectangle(struct printer *p, double x, double y, double width,
     double height)
 {
 	enter(p, "{");
@@ -162,7 +164,7 @@ static void put_rectangle(struct page *p, double x, double y, double width,
 	put_member(p, "height", height);
 }
 
-static void put_viewport(struct page *p, const struct viewport *v)
+static void put_viewport(struct printer *p, const struct viewport *v)
 {
 	member(p, "viewport");
 	put_rectangle(p, v->x, v->y, v->width, v->height);
@@ -175,7 +177,7 @@ static void put_viewport(struct page *p, const struct viewport *v)
 	leave(p, "}");
 }
 
-static void put_window(struct page *p, const struct window *w)
+static void put_window(struct printer *p, const struct window *w)
 {
 	static const char *const adapts[] = { "stretch", "grow", "shrink" };
 
@@ -198,7 +200,7 @@ static void put_window(struct page *p, const struct window *w)
 	leave(p, "}");
 }
 
-static void put_device(struct page *p, const struct device *d)
+static void put_device(struct printer *p, const struct device *d)
 {
 	member(p, "device");
 	put_rectangle(p, d->x, d->y, d->width, d->height);
@@ -207,7 +209,7 @@ static void put_device(struct page *p, const struct device *d)
 	leave(p, "}");
 }
 
-static void put_pick(struct page *p, const struct pick *k)
+static void put_pick(struct printer *p, const struct pick *k)
 {
 	member(p, "pick");
 	enter(p, "{");
@@ -221,7 +223,7 @@ void print_scene(const struct document *d)
 {
 	static char text[1 << 16];
 	const struct number_style shortest = { NUMBER_SHORTEST, 0 };
-	struct page p = { text, shortest, "" };
+	struct printer p = { text, shortest, "" };
 	const struct scene *s = &d->scene;
 
 	enter(&p, "{");

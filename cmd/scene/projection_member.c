@@ -9,11 +9,11 @@
 #define BELOW_180 0x1.67fffffffffffp+7
 #define BELOW_1 0x1.fffffffffffffp-1
 
-static const struct range opening = { 1e-150, BELOW_180,
+static const struct range opening = { SIZE_MIN, BELOW_180,
 	"an angle above 0 and below 180 degrees is wanted" };
-static const struct range slope = { 1e-150, 90,
+static const struct range slope = { SIZE_MIN, 90,
 	"an angle above 0 and up to 90 degrees is wanted" };
-static const struct range fraction = { 1e-150, BELOW_1,
+static const struct range fraction = { SIZE_MIN, BELOW_1,
 	"a number above 0 and below 1 is wanted" };
 
 static const char *const types[] = { "persp", "ortho", "oblique", "volume",
@@ -30,14 +30,14 @@ enum { P = 1, O = 2, B = 4, V = 8, M = 16 };
 		.range = within, .kinds = of, .aliases = other    \
 	}
 
-static void read_type(const struct value *v, const struct field *f, void *to)
+static void read_type(const struct value *v, const struct member *f, void *to)
 {
 	struct projection *p = to;
 
 	p->type = PROJECTION_PERSP + (unsigned)value_word(v, f->words);
 }
 
-static void read_kind(const struct value *v, const struct field *f, void *to)
+static void read_kind(const struct value *v, const struct member *f, void *to)
 {
 	struct projection *p = to;
 
@@ -46,23 +46,23 @@ static void read_kind(const struct value *v, const struct field *f, void *to)
 
 #define FAR "a number or \"infinity\""
 
-static void read_far(const struct value *v, const struct field *f, void *to)
+static void read_far(const struct value *v, const struct member *f, void *to)
 {
 	const char *s = value_string(v);
-	char shown[SHOWN];
+	char shown[ESCAPED_MAX];
 
 	if (s != NULL && strcmp(s, "infinity") == 0)
 		*(double *)to = HUGE_VAL;
 	else if (s != NULL)
 		value_refuse(v, "is \"%s\"; " FAR " is wanted",
-		    show(shown, s, strlen(s)));
+		    escaped(shown, s, strlen(s)));
 	else if (value_is_null(v))
 		value_wrong(v, FAR);
 	else
 		read_numbers(v, f, to);
 }
 
-const struct field projection_fields[] = {
+const struct member projection_members[] = {
 	{ .name = "type", .read = read_type, .words = types },
 	OF(P, "near", near, 0, &range_positive, "znear nearplane"),
 	OF(O | B, "near", near, 0, NULL, "znear nearplane"),
@@ -109,7 +109,7 @@ const struct field projection_fields[] = {
 	{ .name = NULL },
 };
 
-_Static_assert(sizeof projection_fields / sizeof *projection_fields <= 33,
+_Static_assert(sizeof projection_members / sizeof *projection_members <= 33,
     "members are bits of an unsigned");
 
 #define SECTION_HINT                                         \
@@ -172,16 +172,16 @@ static enum extent section(const struct value *v, int type, unsigned seen)
 	bool is_persp = type == PROJECTION_PERSP;
 	bool fit = v->source->fit;
 	const struct ways *ways = fit ? &fit_parallel_ways : &parallel_ways;
-	int way = fields_way(v, projection_fields, type - 1, seen,
+	int way = object_way(v, projection_members, type - 1, seen,
 	    is_persp ? &persp_ways : ways);
 
 	/* the slopes are at the near plane */
 	if (!fit)
-		fields_way(v, projection_fields, type - 1, seen, &depth_ways);
+		object_way(v, projection_members, type - 1, seen, &depth_ways);
 	else if (is_persp && persp[way] >= EXTENT_SIZE)
-		fields_way(v, projection_fields, type - 1, seen, &near_ways);
+		object_way(v, projection_members, type - 1, seen, &near_ways);
 	if (type == PROJECTION_OBLIQUE)
-		fields_way(v, projection_fields, type - 1, seen, &shear_ways);
+		object_way(v, projection_members, type - 1, seen, &shear_ways);
 	return is_persp ? persp[way] : parallel[way];
 }
 
@@ -233,7 +233,7 @@ static void find_type(const struct value *v, int implied, struct projection *p)
 	while (m.item != NULL && strcmp(m.name, "type") != 0)
 		value_next(&m);
 	if (m.item != NULL)
-		read_type(&m, projection_fields, p);
+		read_type(&m, projection_members, p);
 	else if (implied > 0)
 		p->type = (unsigned)implied;
 	else
@@ -250,17 +250,17 @@ void read_projection(const struct value *v, int implied,
 	value_want_object(v);
 	find_type(v, implied, p);
 	int kind = (int)p->type - 1; /* as in types */
-	unsigned seen = fields_read(v, projection_fields, kind, p);
+	unsigned seen = object_read(v, projection_members, kind, p);
 
 	/* fit refuses volume and matrix, whatever they have */
 	if (v->source->fit && p->type > PROJECTION_OBLIQUE)
 		return;
 	if (p->type == PROJECTION_VOLUME) {
-		fields_way(v, projection_fields, kind, seen, &volume_ways);
-		p->has_eye = fields_way(v, projection_fields, kind, seen,
+		object_way(v, projection_members, kind, seen, &volume_ways);
+		p->has_eye = object_way(v, projection_members, kind, seen,
 				 &eye_ways) == 1;
 	} else if (p->type == PROJECTION_MATRIX) {
-		fields_way(v, projection_fields, kind, seen, &matrix_ways);
+		object_way(v, projection_members, kind, seen, &matrix_ways);
 	} else {
 		p->extent = section(v, (int)p->type, seen);
 		find_aspect(v, viewport, p);

@@ -1,12 +1,12 @@
 #include "readers.h"
 
-void read_value(const struct value *v, const struct field *f, void *out)
+void read_value(const struct value *v, const struct member *f, void *out)
 {
 	(void)f;
 	*(struct value *)out = *v;
 }
 
-void read_numbers(const struct value *v, const struct field *f, void *out)
+void read_numbers(const struct value *v, const struct member *f, void *out)
 {
 	const struct range *range = f->range != NULL ? f->range : &range_any;
 
@@ -16,18 +16,18 @@ void read_numbers(const struct value *v, const struct field *f, void *out)
 		value_numbers(v, range, f->n, out);
 }
 
-void read_flag(const struct value *v, const struct field *f, void *out)
+void read_flag(const struct value *v, const struct member *f, void *out)
 {
 	(void)f;
 	*(bool *)out = value_flag(v);
 }
 
-void read_word(const struct value *v, const struct field *f, void *out)
+void read_word(const struct value *v, const struct member *f, void *out)
 {
 	*(unsigned *)out = (unsigned)value_word(v, f->words);
 }
 
-void read_second(const struct value *v, const struct field *f, void *out)
+void read_second(const struct value *v, const struct member *f, void *out)
 {
 	*(bool *)out = value_word(v, f->words) == 1;
 }
@@ -40,7 +40,7 @@ struct printed {
 	bool column;
 };
 
-static const struct field printed_fields[] = {
+static const struct member printed_members[] = {
 	{ .name = "matrix",
 	    .read = read_value,
 	    .at = offsetof(struct printed, matrix) },
@@ -72,15 +72,15 @@ static void read_rows(const struct value *v, bool column, double m[4][4])
 
 /* The 16 numbers in memory order are the same for row vectors in rows and
  * column vectors in columns, so that only nested rows depend on vectors. */
-void read_matrix(const struct value *v, const struct field *f, void *out)
+void read_matrix(const struct value *v, const struct member *f, void *out)
 {
 	struct printed p = { *v, v->source->column };
 
 	(void)f;
 	if (value_is_object(v)) {
-		unsigned seen = fields_read(v, printed_fields, 0, &p);
+		unsigned seen = object_read(v, printed_members, 0, &p);
 
-		fields_way(v, printed_fields, 0, seen, &printed_ways);
+		object_way(v, printed_members, 0, seen, &printed_ways);
 	}
 	if (!value_is_array(&p.matrix))
 		value_wrong(&p.matrix, "an array of " FORM);

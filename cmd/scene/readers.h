@@ -5,23 +5,23 @@
 #include "../json/object.h"
 
 /* The value as it is, to be read later. */
-void read_value(const struct value *, const struct field *, void *);
+void read_value(const struct value *, const struct member *, void *);
 
 /* A number, or an array of n numbers; to double. */
-void read_numbers(const struct value *, const struct field *, void *);
+void read_numbers(const struct value *, const struct member *, void *);
 
 /* true or false, to bool. */
-void read_flag(const struct value *, const struct field *, void *);
+void read_flag(const struct value *, const struct member *, void *);
 
 /* One of words, to an enum that counts them from 0. */
-void read_word(const struct value *, const struct field *, void *);
+void read_word(const struct value *, const struct member *, void *);
 
 /* One of two words, to bool: whether it is the second. */
-void read_second(const struct value *, const struct field *, void *);
+void read_second(const struct value *, const struct member *, void *);
 
 /* To double[4][4] of row vectors. Nested rows are of source->column vectors,
  * unless the object that -o json prints says otherwise; a flat array is in
  * memory order. */
-void read_matrix(const struct value *, const struct field *, void *);
+void read_matrix(const struct value *, const struct member *, void *);
 
 #endif

@@ -1,7 +1,7 @@
 #include "document.h"
 
-static const struct json_wants w2d = { 0, MEMBER_WINDOW | MEMBER_DEVICE, -1,
-	NULL, 2, false, 0 };
+static const struct json_wants w2d = { 0, SCENE_WINDOW | SCENE_DEVICE, -1, NULL,
+	2, false, 0 };
 static const struct json_wants project = { .projection = -1, .coordinates = 3 };
 static const struct json_wants no_points = { .projection = -1 };
 
@@ -52,8 +52,8 @@ REFUSES(scenes)
 
 static void test_bare(void **state)
 {
-	const struct json_wants lookat = { WANTS, .bare = MEMBER_CAMERA,
-		.needed = MEMBER_CAMERA };
+	const struct json_wants lookat = { WANTS, .bare = SCENE_CAMERA,
+		.needed = SCENE_CAMERA };
 	struct document d = read_as(&lookat,
 	    "{\"$schema\":1,\"_a\":[{\"\":1e999}],\"_a\":2,\"eye\":[1,2,3],"
 	    "\"gaze\":[4,5,6]}");

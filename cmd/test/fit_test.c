@@ -2,7 +2,7 @@
 #include "document.h"
 #include "../scene/print_scene.h"
 
-static const struct json_wants fit = { WANTS, .needed = MEMBER_PROJECTION,
+static const struct json_wants fit = { WANTS, .needed = SCENE_PROJECTION,
 	.fit = true };
 static const struct json_wants project = { WANTS };
 

@@ -1,9 +1,9 @@
 #include "document.h"
 
-static const struct json_wants lookat = { MEMBER_CAMERA, MEMBER_CAMERA, -1,
-	NULL, 3, false, 0 };
-static const struct json_wants w2n = { MEMBER_WINDOW, MEMBER_WINDOW, -1, NULL,
-	2, false, 0 };
+static const struct json_wants lookat = { SCENE_CAMERA, SCENE_CAMERA, -1, NULL,
+	3, false, 0 };
+static const struct json_wants w2n = { SCENE_WINDOW, SCENE_WINDOW, -1, NULL, 2,
+	false, 0 };
 static const struct json_wants project = { .projection = -1, .coordinates = 3 };
 
 #define CAMERA_HINT                                                         \

@@ -48,17 +48,17 @@ static void test_nearest(void **state)
 
 static void test_show(void **state)
 {
-	char out[SHOWN], text[200];
+	char out[ESCAPED_MAX], text[200];
 
 	(void)state;
-	assert_string_equal(show(out, "a\x1b[m\x7f\xc2\x9b\xff\xc3\xa9", 10),
+	assert_string_equal(escaped(out, "a\x1b[m\x7f\xc2\x9b\xff\xc3\xa9", 10),
 	    "a\\u001b[m\\u007f\\u009b\\xff\xc3\xa9");
-	assert_string_equal(show(out, "abc", 0), "");
+	assert_string_equal(escaped(out, "abc", 0), "");
 	memset(text, 'a', sizeof text);
-	show(out, text, sizeof text);
+	escaped(out, text, sizeof text);
 	assert_string_equal(out + strlen(out) - 4, "a...");
 	memset(text, 1, sizeof text);
-	show(out, text, sizeof text);
+	escaped(out, text, sizeof text);
 	assert_string_equal(out + strlen(out) - 9, "\\u0001...");
 }
 

@@ -1,18 +1,18 @@
 /* Members that have the wrong name or stand in the wrong place. */
 #include "document.h"
 
-static const struct json_wants lookat = { MEMBER_CAMERA, MEMBER_CAMERA, -1,
-	NULL, 3, false, 0 };
-static const struct json_wants persp = { MEMBER_PROJECTION, MEMBER_PROJECTION,
+static const struct json_wants lookat = { SCENE_CAMERA, SCENE_CAMERA, -1, NULL,
+	3, false, 0 };
+static const struct json_wants persp = { SCENE_PROJECTION, SCENE_PROJECTION,
 	PROJECTION_PERSP, NULL, 3, false, 0 };
-static const struct json_wants ortho = { MEMBER_PROJECTION, MEMBER_PROJECTION,
+static const struct json_wants ortho = { SCENE_PROJECTION, SCENE_PROJECTION,
 	PROJECTION_ORTHO, NULL, 3, false, 0 };
-static const struct json_wants volume = { MEMBER_PROJECTION, MEMBER_PROJECTION,
+static const struct json_wants volume = { SCENE_PROJECTION, SCENE_PROJECTION,
 	PROJECTION_VOLUME, NULL, 3, false, 0 };
-static const struct json_wants w2n = { MEMBER_WINDOW, MEMBER_WINDOW, -1, NULL,
+static const struct json_wants w2n = { SCENE_WINDOW, SCENE_WINDOW, -1, NULL, 2,
+	false, 0 };
+static const struct json_wants w2d = { 0, SCENE_WINDOW | SCENE_DEVICE, -1, NULL,
 	2, false, 0 };
-static const struct json_wants w2d = { 0, MEMBER_WINDOW | MEMBER_DEVICE, -1,
-	NULL, 2, false, 0 };
 static const struct json_wants project = { .projection = -1, .coordinates = 3 };
 
 #define AT "\"at\":[0,0,0]"

@@ -2,11 +2,11 @@
 
 #include <math.h>
 
-static const struct json_wants persp = { MEMBER_PROJECTION, MEMBER_PROJECTION,
+static const struct json_wants persp = { SCENE_PROJECTION, SCENE_PROJECTION,
 	PROJECTION_PERSP, NULL, 3, false, 0 };
-static const struct json_wants ortho = { MEMBER_PROJECTION, MEMBER_PROJECTION,
+static const struct json_wants ortho = { SCENE_PROJECTION, SCENE_PROJECTION,
 	PROJECTION_ORTHO, NULL, 3, false, 0 };
-static const struct json_wants volume = { MEMBER_PROJECTION, MEMBER_PROJECTION,
+static const struct json_wants volume = { SCENE_PROJECTION, SCENE_PROJECTION,
 	PROJECTION_VOLUME, NULL, 3, false, 0 };
 static const struct json_wants project = { .projection = -1, .coordinates = 3 };
 

@@ -11,7 +11,7 @@ enum { RUNS = 101, CALLS = 4, EFFORTS = 4, CASES = 4, COPIES = 3 };
 
 static const char *const copies[COPIES] = { "baseline", "avx2", "avx512" };
 
-static const struct effort efforts[EFFORTS] = {
+static const struct accuracy efforts[EFFORTS] = {
 	{ PRECISION_EXACT, 0 },
 	{ PRECISION_DOUBLE, 0 },
 	{ PRECISION_SINGLE, 0 },
@@ -86,7 +86,7 @@ static const char *make_cases(void)
 	return NULL;
 }
 
-static double measure(const struct sample *s, const struct effort *e)
+static double measure(const struct sample *s, const struct accuracy *e)
 {
 	static double image[4][POINTS_BLOCK];
 	static bool single[POINTS_BLOCK];

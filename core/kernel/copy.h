@@ -43,17 +43,18 @@
 #define NAME(x) single_##x
 #include "plain.h"
 
-#define BODIES_OF(prefix)                                                     \
-	{                                                                     \
-		[BODY_FLAT] = prefix##_flat, [BODY_AFFINE] = prefix##_affine, \
-		[BODY_DEPTH] = prefix##_depth,                                \
-		[BODY_PROJECTIVE] = prefix##_projective                       \
+#define KERNELS_OF(prefix)                                \
+	{                                                 \
+		[KERNEL_FLAT] = prefix##_flat,            \
+		[KERNEL_AFFINE] = prefix##_affine,        \
+		[KERNEL_DEPTH] = prefix##_depth,          \
+		[KERNEL_PROJECTIVE] = prefix##_projective \
 	}
 
 const struct kernels COPY = {
-	.exact = BODIES_OF(exact),
+	.exact = KERNELS_OF(exact),
 	.plain = {
-		[PRECISION_DOUBLE] = BODIES_OF(double),
-		[PRECISION_SINGLE] = BODIES_OF(single),
+		[PRECISION_DOUBLE] = KERNELS_OF(double),
+		[PRECISION_SINGLE] = KERNELS_OF(single),
 	},
 };

@@ -25,7 +25,7 @@ static inline vdd v_fast_two_sum(V a, V b)
 /* A coordinate's product in hi, its error and low parts in lo: |lo| <= 3 u
  * |hi|. The chain rounds 2 u |hi| and 3 u |hi|, and p.lo b is left out: within
  * 6 u^2 |hi|. */
-static inline vdd product(const struct lanes *m, int i, int j, vdd p)
+static inline vdd product(const struct kernel_map *m, int i, int j, vdd p)
 {
 	V a = ALL(m->hi[i][j]), b = ALL(m->lo[i][j]);
 	V h = p.hi * a;
@@ -37,7 +37,7 @@ static inline vdd product(const struct lanes *m, int i, int j, vdd p)
  * sizes. Let x and y have the part a of S. The products lose 6 u^2 S; x.lo +
  * y.lo, s.lo + t.lo, z.lo to that, and both together round sums of at most 3
  * a, 1 + a, 4 - 2 a and 4 + a u S. In all 15 + 3 a <= 18 u^2 S. */
-static inline vdd column(const struct lanes *m, int j, const vdd p[3],
+static inline vdd column(const struct kernel_map *m, int j, const vdd p[3],
     int terms, int image)
 {
 	vdd x = product(m, 0, j, p[0]), y = product(m, 1, j, p[1]);
@@ -77,7 +77,8 @@ static inline V quotient(vdd n, vdd w, V reciprocal)
 
 /* a + b / w: the quotient is within 12 u^2 as above, the sums of low parts
  * round at most 5 u and 6 u (|a| + |b / w|): within 23 u^2 of that. */
-static inline V exact_third(const struct lanes *m, vdd w, V reciprocal, V *sure)
+static inline V exact_third(const struct kernel_map *m, vdd w, V reciprocal,
+    V *sure)
 {
 	V q = ALL(m->b_hi) * reciprocal;
 	V r = FMA(-q, w.hi, ALL(m->b_hi)) + FMA(-q, w.lo, ALL(m->b_lo));
@@ -91,17 +92,17 @@ static inline V exact_third(const struct lanes *m, vdd w, V reciprocal, V *sure)
 
 /* How far a sum is from being lost in its error, and hi from being less than
  * lo. */
-static inline V surely(const struct lanes *m, int j, V value, V size)
+static inline V surely(const struct kernel_map *m, int j, V value, V size)
 {
 	return value - FMA(ALL(m->doubt[j]), size, ALL(m->doubt_image[j]));
 }
 
-static inline __attribute__((always_inline)) int exact(const struct lanes *m,
-    const double *const in[3], double *const out[3], size_t n, enum body body,
-    int image)
+static inline __attribute__((always_inline)) int
+exact(const struct kernel_map *m, const double *const in[3],
+    double *const out[3], size_t n, enum kernel_kind kind, int image)
 {
-	int terms = body == BODY_FLAT ? 2 : 3;
-	int divide = body == BODY_DEPTH || body == BODY_PROJECTIVE;
+	int terms = kind == KERNEL_FLAT ? 2 : 3;
+	int divide = kind == KERNEL_DEPTH || kind == KERNEL_PROJECTIVE;
 	V done = ALL(0);
 	double all[WIDTH], sum = 0;
 
@@ -120,7 +121,7 @@ static inline __attribute__((always_inline)) int exact(const struct lanes *m,
 			r = ALL(1) / w.hi;
 		}
 		for (int k = 0; k < terms; k++) {
-			if (k == 2 && body == BODY_DEPTH) {
+			if (k == 2 && kind == KERNEL_DEPTH) {
 				q[k] = exact_third(m, w, r, &sure);
 				continue;
 			}
@@ -151,17 +152,17 @@ static inline __attribute__((always_inline)) int exact(const struct lanes *m,
 }
 
 /* Without an image of the origin, as about the eye, four sums are saved. */
-#define LOOP(BODY, name)                                                  \
-	static int name(const struct lanes *m, const double *const in[3], \
-	    double *const out[3], size_t n)                               \
-	{                                                                 \
-		if (m->image)                                             \
-			return exact(m, in, out, n, BODY, 1);             \
-		return exact(m, in, out, n, BODY, 0);                     \
+#define LOOP(KIND, name)                                                       \
+	static int name(const struct kernel_map *m, const double *const in[3], \
+	    double *const out[3], size_t n)                                    \
+	{                                                                      \
+		if (m->image)                                                  \
+			return exact(m, in, out, n, KIND, 1);                  \
+		return exact(m, in, out, n, KIND, 0);                          \
 	}
 
-LOOP(BODY_FLAT, exact_flat)
-LOOP(BODY_AFFINE, exact_affine)
-LOOP(BODY_DEPTH, exact_depth)
-LOOP(BODY_PROJECTIVE, exact_projective)
+LOOP(KERNEL_FLAT, exact_flat)
+LOOP(KERNEL_AFFINE, exact_affine)
+LOOP(KERNEL_DEPTH, exact_depth)
+LOOP(KERNEL_PROJECTIVE, exact_projective)
 #undef LOOP

@@ -6,20 +6,20 @@
 #include <stddef.h>
 
 /* What the matrix's structure makes of the loop. */
-enum body {
-	BODY_CAREFUL,    /* none of these: point by point */
-	BODY_FLAT,       /* two coordinates, no division */
-	BODY_AFFINE,     /* no division */
-	BODY_DEPTH,      /* x and y divided by w, depth = a + b / w */
-	BODY_PROJECTIVE, /* x, y, z divided by w */
-	BODIES,
+enum kernel_kind {
+	KERNEL_NONE,       /* none of these: point by point */
+	KERNEL_FLAT,       /* two coordinates, no division */
+	KERNEL_AFFINE,     /* no division */
+	KERNEL_DEPTH,      /* x and y divided by w, depth = a + b / w */
+	KERNEL_PROJECTIVE, /* x, y, z divided by w */
+	KERNELS,
 };
 
 enum precision { PRECISION_EXACT, PRECISION_DOUBLE, PRECISION_SINGLE };
 
 /* A map as the loop wants it. Below doubt, which is 2^-45 of what a sum can
  * be at most, the loop gives up a point and answers nan. */
-struct lanes {
+struct kernel_map {
 	double origin[3];
 	double hi[4][4], lo[4][4];
 	int image; /* whether hi[3] counts */
@@ -31,19 +31,20 @@ struct lanes {
 
 /* Columns have room for a whole number of vectors: n rounded up to 16. Returns
  * whether all were done: else the first coordinate of some is nan. */
-typedef int (*exact_kernel)(const struct lanes *, const double *const in[3],
-    double *const out[3], size_t n);
+typedef int (*exact_kernel)(const struct kernel_map *,
+    const double *const in[3], double *const out[3], size_t n);
 
 /* With a tolerance above 0 the first coordinate is nan where the error could
  * be larger in any of them. */
-typedef void (*plain_kernel)(const struct lanes *, const double *const in[3],
-    double *const out[3], size_t n, double tolerance);
+typedef void (*plain_kernel)(const struct kernel_map *,
+    const double *const in[3], double *const out[3], size_t n,
+    double tolerance);
 
 #define PLAIN_BOUND 10
 
 struct kernels {
-	exact_kernel exact[BODIES];
-	plain_kernel plain[3][BODIES]; /* by precision */
+	exact_kernel exact[KERNELS];
+	plain_kernel plain[3][KERNELS]; /* by precision */
 };
 
 extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512;

@@ -10,12 +10,12 @@
  * (|a| + |b/w| S_w/|w|). S is not summed but bounded, by the largest element
  * times |x| + |y| + |z|. */
 static inline __attribute__((always_inline)) void NAME(
-    plain)(const struct lanes *m, const double *const in[3],
-    double *const out[3], size_t n, double tolerance, enum body body,
+    plain)(const struct kernel_map *m, const double *const in[3],
+    double *const out[3], size_t n, double tolerance, enum kernel_kind kind,
     int bounded)
 {
-	const int terms = body == BODY_FLAT ? 2 : 3;
-	const int divide = body == BODY_DEPTH || body == BODY_PROJECTIVE;
+	const int terms = kind == KERNEL_FLAT ? 2 : 3;
+	const int divide = kind == KERNEL_DEPTH || kind == KERNEL_PROJECTIVE;
 	const R cu = R_ALL((REAL)PLAIN_BOUND * ROUNDOFF);
 
 	for (size_t i = 0; i < n; i += R_WIDTH) {
@@ -29,7 +29,7 @@ static inline __attribute__((always_inline)) void NAME(
 		for (int k = 3; k >= 0; k--) {
 			if (k == 3 ?
 				!divide :
-				k >= terms || (k == 2 && body == BODY_DEPTH))
+				k >= terms || (k == 2 && kind == KERNEL_DEPTH))
 				continue;
 			R c = R_ALL((REAL)m->hi[3][k]);
 
@@ -53,7 +53,7 @@ static inline __attribute__((always_inline)) void NAME(
 			s = cu * s * R_ALL((REAL)(1 / tolerance));
 			error = k == terms - 1 && !divide ? s : R_MAX(error, s);
 		}
-		if (body == BODY_DEPTH) {
+		if (kind == KERNEL_DEPTH) {
 			R b = R_ALL((REAL)m->b_hi) * r;
 			R s = R_FMA(R_ABS(b), w_size,
 			    R_ALL((REAL)fabs(m->a_hi)));
@@ -72,19 +72,19 @@ static inline __attribute__((always_inline)) void NAME(
 	}
 }
 
-#define LOOP(BODY, name)                                                \
-	static void NAME(name)(const struct lanes *m,                   \
+#define LOOP(KIND, name)                                                \
+	static void NAME(name)(const struct kernel_map *m,              \
 	    const double *const in[3], double *const out[3], size_t n,  \
 	    double tolerance)                                           \
 	{                                                               \
 		if (tolerance > 0)                                      \
-			NAME(plain)(m, in, out, n, tolerance, BODY, 1); \
+			NAME(plain)(m, in, out, n, tolerance, KIND, 1); \
 		else                                                    \
-			NAME(plain)(m, in, out, n, 1, BODY, 0);         \
+			NAME(plain)(m, in, out, n, 1, KIND, 0);         \
 	}
 
-LOOP(BODY_FLAT, flat)
-LOOP(BODY_AFFINE, affine)
-LOOP(BODY_DEPTH, depth)
-LOOP(BODY_PROJECTIVE, projective)
+LOOP(KERNEL_FLAT, flat)
+LOOP(KERNEL_AFFINE, affine)
+LOOP(KERNEL_DEPTH, depth)
+LOOP(KERNEL_PROJECTIVE, projective)
 #undef LOOP

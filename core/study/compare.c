@@ -41,7 +41,7 @@ static void carry(const struct transform *t, double (*in)[3], double (*out)[4])
 	double from[3][POINTS_BLOCK], to[3][POINTS_BLOCK] = { { 0 } };
 	const double *const x[4] = { from[0], from[1], from[2] };
 	double *const y[4] = { to[0], to[1], to[2] };
-	const struct effort exact = { .precision = PRECISION_EXACT };
+	const struct accuracy exact = { .precision = PRECISION_EXACT };
 	bool single[POINTS_BLOCK];
 
 	for (int i = 0; i < POINTS; i++)

@@ -23,7 +23,7 @@ struct block {
 static void carry(const struct transform *t, enum precision precision,
     struct block *b)
 {
-	const struct effort e = { precision, 0 };
+	const struct accuracy e = { precision, 0 };
 	const double *const in[4] = { b->in[0], b->in[1], b->in[2] };
 	double *const out[4] = { b->out[0], b->out[1], b->out[2] };
 

@@ -28,7 +28,7 @@ static void onto_planes(const struct scene *s, enum space from, struct block *b)
 			image.in[j][i] = sample_between(-1, 1);
 		image.in[sample_below(3)][i] = (double)sample_below(3) - 1;
 	}
-	carry(&t, (struct effort){ PRECISION_EXACT, 0 }, &image, POINTS);
+	carry(&t, (struct accuracy){ PRECISION_EXACT, 0 }, &image, POINTS);
 	for (size_t i = 0; i < POINTS; i += 2)
 		for (int j = 0; j < 3 && !isnan(image.out[0][i]); j++)
 			b->in[j][i] = image.out[j][i];

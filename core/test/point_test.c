@@ -40,7 +40,7 @@ static void check_exact(int e, unsigned seed, int scenes, size_t count[2])
 		if (!sample_transform(&s, e, &from, &to, &t))
 			continue;
 		sample_points(&s, from, &b, POINTS);
-		carry(&t, (struct effort){ PRECISION_EXACT, 0 }, &b, POINTS);
+		carry(&t, (struct accuracy){ PRECISION_EXACT, 0 }, &b, POINTS);
 		truth_scene(&s, from, to, &truth);
 		for (size_t i = 0; i < POINTS; i++) {
 			int point = real_mark();
@@ -116,7 +116,7 @@ static bool same(const struct block *a, const struct block *b, int out,
 static void copies_give_the_same_bits(void **state)
 {
 	static struct block first, b;
-	const struct effort efforts[] = { { PRECISION_EXACT, 0 },
+	const struct accuracy efforts[] = { { PRECISION_EXACT, 0 },
 		{ PRECISION_DOUBLE, 0 }, { PRECISION_SINGLE, 0 },
 		{ PRECISION_EXACT, 0.5 }, { PRECISION_EXACT, 1e-9 } };
 	struct scene s;
@@ -156,7 +156,7 @@ static void points_depend_on_nothing_else(void **state)
 	points_choose(NULL);
 	sample_seed(5);
 	for (int k = 0; k < 500; k++) {
-		struct effort e = { PRECISION_EXACT, k % 2 ? 1e-3 : 0 };
+		struct accuracy e = { PRECISION_EXACT, k % 2 ? 1e-3 : 0 };
 
 		if (!sample_transform(&s, k % 2 * 5, &from, &to, &t))
 			continue;
@@ -188,7 +188,7 @@ static void tolerance_is_kept(void **state)
 	sample_seed(6);
 	for (int k = 0; k < 1200; k++) {
 		double tolerance = pow(10, sample_between(-12, 1));
-		struct effort e = { PRECISION_EXACT, tolerance };
+		struct accuracy e = { PRECISION_EXACT, tolerance };
 		int mark = real_mark();
 		struct truth truth = { 0 };
 

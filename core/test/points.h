@@ -16,7 +16,7 @@ struct block {
 	bool single[POINTS_BLOCK];
 };
 
-static inline void carry(const struct transform *t, struct effort e,
+static inline void carry(const struct transform *t, struct accuracy e,
     struct block *b, size_t n)
 {
 	const double *const in[4] = { b->in[0], b->in[1], b->in[2], b->in[3] };

@@ -42,7 +42,7 @@ static void whole_numbers_have_no_ghosts(void **state)
 			b.in[1][i] = (double)(i / 3 % 3) - 1;
 			b.in[2][i] = (double)(i / 9) - 1;
 		}
-		carry(&t, (struct effort){ PRECISION_EXACT, 0 }, &b, 27);
+		carry(&t, (struct accuracy){ PRECISION_EXACT, 0 }, &b, 27);
 		truth_scene(&s, SPACE_WORLD, SPACE_NDC, &truth);
 		for (size_t i = 0; i < 27; i++) {
 			double p[4] = { b.in[0][i], b.in[1][i], b.in[2][i], 1 };
@@ -68,7 +68,7 @@ static void whole_numbers_have_no_ghosts(void **state)
 static void ways_agree(void **state)
 {
 	static struct block one, five;
-	struct effort exact = { PRECISION_EXACT, 0 };
+	struct accuracy exact = { PRECISION_EXACT, 0 };
 	size_t compared = 0;
 
 	(void)state;
