@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../core/pick.h"
 #include "command.h"
 #include "talk.h"
 

@@ -3,36 +3,13 @@
 #include <string.h>
 
 #include "trig.h"
+#include "vec3.h"
 
 /* An axis is v / length, kept apart so that what must cancel can. */
 struct axis {
 	ex v[3];
 	ex length;
 };
-
-static ex dot(ex a[3], ex b[3])
-{
-	ex s = ex_mul(a[0], b[0]);
-
-	return ex_add(ex_add(s, ex_mul(a[1], b[1])), ex_mul(a[2], b[2]));
-}
-
-static void cross(ex a[3], ex b[3], ex r[3])
-{
-	for (int i = 0; i < 3; i++) {
-		int j = (i + 1) % 3, k = (i + 2) % 3;
-
-		r[i] = ex_sub(ex_mul(a[j], b[k]), ex_mul(a[k], b[j]));
-	}
-}
-
-static bool is_zero(ex a[], int n)
-{
-	for (int i = 0; i < n; i++)
-		if (ex_sign(a[i]) != 0)
-			return false;
-	return true;
-}
 
 /* x = up x z and y = z x x before any is normalised: the exact polynomials,
  * and lengths |up x z|, |z| |up x z|. */
@@ -49,19 +26,19 @@ static const char *look(const struct camera *c, bool right_handed,
 			z->v[i] = ex_neg(z->v[i]);
 		up[i] = ex_of(c->up[i]);
 	}
-	if (is_zero(z->v, 3))
+	if (vec3_is_zero(z->v))
 		return at ? "/camera/at: equal to the eye; "
 			    "choose another point to look at" :
 			    "/camera/gaze: has no direction; "
 			    "at least one element must not be 0";
-	if (is_zero(up, 3))
+	if (vec3_is_zero(up))
 		return "/camera/up: has no direction; "
 		       "at least one element must not be 0";
-	cross(up, z->v, x->v);
-	cross(z->v, x->v, y->v);
-	ex xx = dot(x->v, x->v), zz = dot(z->v, z->v);
+	vec3_cross(up, z->v, x->v);
+	vec3_cross(z->v, x->v, y->v);
+	ex xx = vec3_dot(x->v, x->v), zz = vec3_dot(z->v, z->v);
 	/* 2^-50 radians */
-	ex bound = ex_shift(ex_mul(dot(up, up), zz), -100);
+	ex bound = ex_shift(ex_mul(vec3_dot(up, up), zz), -100);
 
 	if (ex_sign(ex_sub(xx, bound)) < 0)
 		return "/camera/up: parallel to the gaze; "
@@ -99,7 +76,7 @@ static const char *orient(const struct camera *c, struct axis axis[3])
 
 	for (int i = 0; i < 4; i++)
 		q[i] = ex_of(c->orientation[i]);
-	if (is_zero(q, 4))
+	if (vec3_is_zero(q) && ex_sign(q[3]) == 0)
 		return "/camera/orientation: is zero; "
 		       "no turn is [0, 0, 0, 1]";
 	turn(q, axis);
@@ -220,7 +197,7 @@ static void elements(struct axis axis[3], const double at[3], ex e[4][3])
 	ex p[3] = { ex_of(-at[0]), ex_of(-at[1]), ex_of(-at[2]) };
 
 	for (int i = 0; i < 3; i++) {
-		ex image = dot(axis[i].v, p);
+		ex image = vec3_dot(axis[i].v, p);
 
 		for (int k = 0; k < 4; k++)
 			e[k][i] = ex_quotient(k < 3 ? axis[i].v[k] : image,

@@ -13,11 +13,6 @@ struct slab {
 	ex span, under;
 };
 
-static ex absolute(ex a)
-{
-	return ex_sign(a) < 0 ? ex_neg(a) : a;
-}
-
 /* Cofactors of the inverse's last column: 1/w = (c2 z + c3) / det. It is
  * measured where the device's middle sees the planes. */
 static void matrix_slab(const double matrix[4][4], bool minus_one,
@@ -44,7 +39,7 @@ static void matrix_slab(const double matrix[4][4], bool minus_one,
 
 		s->inverse[k] = ex_sign(det) < 0 ? ex_neg(at) : at;
 	}
-	s->span = absolute(ex_mul(parallel ? c3 : c2, det));
+	s->span = ex_abs(ex_mul(parallel ? c3 : c2, det));
 	s->span = ex_scale(s->span, minus_one ? 2 : 1);
 	s->under = ex_sqrt(ex_add(ex_add(normal[0], normal[1]), normal[2]));
 }
@@ -69,10 +64,10 @@ static void volume_slab(const struct projection *p, struct slab *s)
 	ex q = ex_of(p->has_eye ? 1 : p->inverse_eye_z);
 	ex one = ex_of(p->has_eye ? p->eye[2] : 1);
 
-	s->inverse[0] = absolute(ex_sub(one, ex_scale(q, p->z_far)));
-	s->inverse[1] = absolute(ex_sub(one, ex_scale(q, p->z_near)));
+	s->inverse[0] = ex_abs(ex_sub(one, ex_scale(q, p->z_far)));
+	s->inverse[1] = ex_abs(ex_sub(one, ex_scale(q, p->z_near)));
 	s->span = ex_mul(ex_mul(s->inverse[0], s->inverse[1]),
-	    absolute(ex_diff(p->z_far, p->z_near)));
+	    ex_abs(ex_diff(p->z_far, p->z_near)));
 }
 
 static void slab_of(const struct scene *s, bool reversed, struct slab *r)
@@ -90,7 +85,7 @@ static void slab_of(const struct scene *s, bool reversed, struct slab *r)
 		break;
 	case PROJECTION_ORTHO:
 	case PROJECTION_OBLIQUE:
-		r->span = absolute(ex_diff(p->far, p->near));
+		r->span = ex_abs(ex_diff(p->far, p->near));
 		break;
 	case PROJECTION_VOLUME:
 		volume_slab(p, r);
@@ -178,8 +173,8 @@ void depth_steps(const struct scene *s, bool reversed, double step[BUFFERS][2])
 			step[b][k] = (double)NAN;
 			if (!any)
 				continue;
-			over = absolute(ex_sub(over, ex_scale(under, from)));
+			over = ex_abs(ex_sub(over, ex_scale(under, from)));
 			step[b][k] = distance(&slab, k, over,
-			    ex_mul(under, absolute(ex_diff(to, from))));
+			    ex_mul(under, ex_abs(ex_diff(to, from))));
 		}
 }

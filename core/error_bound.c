@@ -1,6 +1,6 @@
 #include "error_bound.h"
 
-#include "taxonomy.h"
+#include "frustum.h"
 
 /* Unit roundoff; the least number with all its digits; and what sums may come
  * to, a little below the largest. */
@@ -41,18 +41,20 @@ static void set_corners(const struct scene *s, const struct map *from_clip,
 
 	for (int i = 0; i < 8; i++) {
 		struct corner *c = &v->corner[i];
-		ex h[4];
-		double size[4];
+		struct ex_sum h[4];
 
-		view_corner(s, from_clip, false, i, h, size);
+		view_corner(s, from_clip, false, i, h);
+		double w = ex_round(h[3].value).hi, error = u2 * h[3].size;
+
 		for (int j = 0; j < 3; j++) {
-			ex p = ex_sub(h[j], ex_scale(h[3], origin[j]));
+			ex p = ex_scale(h[3].value, origin[j]);
 
+			p = ex_sub(h[j].value, p);
 			c->p[j] = fabs(ex_round(p).hi) +
-			    u2 * (size[j] + fabs(origin[j]) * size[3]);
+			    u2 * (h[j].size + fabs(origin[j]) * h[3].size);
 		}
-		c->inverse = ex_round(h[3]).hi + u2 * size[3];
-		c->least = ex_round(h[3]).hi - u2 * size[3];
+		c->inverse = w + error;
+		c->least = w - error;
 	}
 }
 

@@ -16,20 +16,21 @@ static bool less(dd a, dd b)
 
 /* How far the eye may go along the gaze while near - t is at least near_ratio
  * (far - t). */
-static struct estimate reach_near(const struct extents *r, double ratio)
+static struct sum reach_near(const struct extents *r, double ratio)
 {
 	dd far = dd_mul(r->high[2].value, (dd){ ratio, 0 });
 	dd near = dd_add(r->low[2].value, dd_neg(far));
 	dd rest = two_sum(1, -ratio);
-	double error = r->low[2].error + r->high[2].error;
+	double size = r->low[2].size + r->high[2].size;
 
-	return (struct estimate){ dd_div(near, rest), error / rest.hi };
+	return (struct sum){ dd_div(near, rest), size / rest.hi };
 }
 
-/* Also up to the first of the side planes that touches, each of which lets go
- * of the bounds by its slope in depth. */
+/* How far the eye may go along the gaze before a side plane touches the bounds,
+ * or near is too close: as the eye moves by t, the distance of a plane to the
+ * bounds shrinks by t times the plane's slope in depth. */
 static const char *reach(const struct scene *s, const struct bounds *b,
-    struct estimate *t)
+    struct sum *t)
 {
 	struct frustum model, view;
 	struct extents r;
@@ -45,7 +46,7 @@ static const char *reach(const struct scene *s, const struct bounds *b,
 	for (int k = 0; k < 4; k++) {
 		dd slope = dd_scale(view.sides.map.m[2][k],
 		    s->convention.right_handed ? -1 : 1);
-		struct estimate low = bounds_lowest(b, &model.sides.map, k, 1);
+		struct sum low = bounds_lowest(b, &model.sides.map, k, 1);
 
 		if (!(slope.hi > 0))
 			return "/projection: the gaze does not run between "
@@ -55,14 +56,13 @@ static const char *reach(const struct scene *s, const struct bounds *b,
 
 		if (less(most, t->value)) {
 			t->value = most;
-			t->error = low.error / slope.hi +
-			    SUM_BOUND * fabs(most.hi);
+			t->size = low.size / slope.hi + fabs(most.hi);
 		}
 	}
 	return fabs(t->value.hi) <= MAGNITUDE_MAX ? NULL : BEYOND;
 }
 
-/* a to / from, rounded away from 0. */
+/* a to / from, rounded away from 0 so that nothing is cut off. */
 static double rescaled(double a, double to, double from)
 {
 	dd q = ex_div(ex_mul(ex_of(a), ex_of(to)), ex_of(from));
@@ -86,8 +86,8 @@ static bool far_off(const struct projection *p)
 	return !less((dd){ p->near, 0 }, two_prod(p->near_ratio, p->far));
 }
 
-/* Closes near and far where the eye stands now; *held says whether the bounds
- * are inside then, and near far enough off the eye. */
+/* Closes near and far round the bounds, as seen from where the eye is. *held
+ * says whether the bounds then are inside and near is far enough off the eye. */
 static const char *close_persp(struct scene *s, const struct bounds *b,
     bool *held)
 {
@@ -101,8 +101,8 @@ static const char *close_persp(struct scene *s, const struct bounds *b,
 	if (!*held)
 		return why;
 	why = bounds_close_depth(b, s);
-	/* not seen: a perspective that was composed above overflows when its
-	 * planes are closed */
+	/* no test reaches this: reach() has composed the scene, and closing its
+	 * planes makes no element larger */
 	if (why != NULL)
 		return why;
 	keep_slopes(p, near);
@@ -111,13 +111,14 @@ static const char *close_persp(struct scene *s, const struct bounds *b,
 	return why;
 }
 
-/* Tries the eye where it would touch; then farther back by 2^-53 of its largest
- * coordinate, whose rounding is to be made up for, by twice that, and so on. */
+/* Tries the eye where a plane would touch the bounds. The eye's coordinates are
+ * rounded, which can put bounds outside: then it steps back by 2^-53 of its
+ * largest coordinate, by twice that, and so on. */
 static const char *step_back(struct scene *s, const struct bounds *b,
-    const struct map *back, struct estimate t)
+    const struct map *back, struct sum t)
 {
 	const struct projection given = s->projection;
-	struct estimate step[3] = { [2].error = t.error };
+	struct sum step[3] = { [2].size = t.size };
 	const double *eye = s->camera.eye;
 	double off = 0;
 
@@ -142,7 +143,7 @@ static const char *step_back(struct scene *s, const struct bounds *b,
 static const char *fit_persp(struct scene *s, const struct bounds *b)
 {
 	struct projection *p = &s->projection;
-	struct estimate t;
+	struct sum t;
 	struct map back;
 
 	if (p->extent < EXTENT_SIZE)
@@ -155,12 +156,14 @@ static const char *fit_persp(struct scene *s, const struct bounds *b)
 	return why != NULL ? why : step_back(s, b, &back, t);
 }
 
-/* To the axis through the middle, as it is projected; without an eye also one
- * depth extent before it. */
+/* Moves the eye so that the bounds are in the middle of the picture. Where no
+ * eye was given its depth is free, too: it stands before the middle of the
+ * bounds by as much as they are deep. Where depth shears the picture, a step in
+ * depth is made up for by one to the side. */
 static const char *center(struct scene *s, bool has_eye, const struct bounds *b)
 {
 	bool right = s->convention.right_handed;
-	struct estimate step[3] = { 0 };
+	struct sum step[3] = { 0 };
 	struct map back, clip;
 	struct extents r;
 	const char *why = bounds_extents(b, s, &r);
@@ -174,7 +177,7 @@ static const char *center(struct scene *s, bool has_eye, const struct bounds *b)
 	for (int j = 0; j < 3; j++)
 		step[j] = extents_middle(&r, j);
 	if (has_eye)
-		step[2] = (struct estimate){ 0 };
+		step[2] = (struct sum){ 0 };
 	else
 		step[2].value = dd_add(step[2].value,
 		    dd_add(r.low[2].value, dd_neg(r.high[2].value)));
@@ -185,7 +188,7 @@ static const char *center(struct scene *s, bool has_eye, const struct bounds *b)
 		dd sheared = dd_mul(step[2].value, clip.m[2][j]);
 
 		step[j].value = dd_add(step[j].value, dd_scale(sheared, -y));
-		step[j].error += SUM_BOUND * fabs(sheared.hi);
+		step[j].size += fabs(sheared.hi);
 	}
 	eye_move(&back, step, s->camera.eye);
 	return NULL;
@@ -214,7 +217,7 @@ static const char *close_sides(struct scene *s, const struct bounds *b)
 	struct extents r;
 	const char *why = bounds_extents(b, s, &r);
 
-	/* never here: the same was composed to close depth */
+	/* no test reaches this: bounds_close_depth has composed the same */
 	if (why != NULL)
 		return why;
 	if (s->has_viewport)
@@ -236,7 +239,7 @@ static const char *close_sides(struct scene *s, const struct bounds *b)
 	return why;
 }
 
-/* Edges come out as edges, in the order that they had. */
+/* Edges that were given as edges come out as such, mirrored where they were. */
 static void to_edges(struct projection *p, const struct projection *given)
 {
 	double x = given->left > given->right ? -p->width : p->width;
@@ -296,7 +299,7 @@ static bool is_size(double v)
 	return v >= SIZE_MIN && v <= MAGNITUDE_MAX;
 }
 
-/* Whether what a document may hold is enough. */
+/* Whether a document may hold these numbers. */
 static bool in_range(const struct scene *s)
 {
 	const struct projection *p = &s->projection;

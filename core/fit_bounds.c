@@ -4,17 +4,18 @@
 
 #include "frustum.h"
 
-struct estimate estimate_of(ex value, double error)
+struct sum sum_of(ex value, double size)
 {
-	struct estimate e = { ex_round(value), error };
+	struct sum s = { ex_round(value), size };
 
-	if (fabs(e.value.hi) <= error && isfinite(error))
-		e.value = (dd){ 0, 0 };
-	return e;
+	if (fabs(s.value.hi) <= SUM_BOUND * size && isfinite(size))
+		s.value = (dd){ 0, 0 };
+	return s;
 }
 
-/* At a box's corner, or at the centre less the radius times the slope. */
-struct estimate bounds_lowest(const struct bounds *b, const struct map *m,
+/* A box is lowest at a corner; a sphere by its radius times the length of the
+ * slope below its centre. */
+struct sum bounds_lowest(const struct bounds *b, const struct map *m,
     int j, double sign)
 {
 	ex sum = ex_scale(ex_dd(m->m[AT_ORIGIN][j]), sign), square = ex_of(0);
@@ -32,10 +33,10 @@ struct estimate bounds_lowest(const struct bounds *b, const struct map *m,
 		size += (fabs(ex_round(p).hi) + radius) * m->sum[i][j];
 	}
 	sum = ex_sub(sum, ex_scale(ex_sqrt(square), radius));
-	return estimate_of(sum, SUM_BOUND * size);
+	return sum_of(sum, size);
 }
 
-/* Highest less lowest: 0 just where the bounds have no extent that way. */
+/* Highest less lowest, roughly; 0 only where the bounds have no extent. */
 static double width(const struct bounds *b, const struct map *m, int j)
 {
 	double length = 0, sum = 0;
@@ -47,12 +48,11 @@ static double width(const struct bounds *b, const struct map *m, int j)
 	return b->sphere ? 2 * b->radius * length : sum;
 }
 
-struct estimate extents_middle(const struct extents *r, int j)
+struct sum extents_middle(const struct extents *r, int j)
 {
 	ex sum = ex_add(ex_dd(r->low[j].value), ex_dd(r->high[j].value));
 
-	return estimate_of(ex_scale(sum, 0.5),
-	    r->low[j].error + r->high[j].error);
+	return sum_of(ex_scale(sum, 0.5), r->low[j].size + r->high[j].size);
 }
 
 /* The lowest and highest of column j. */
@@ -89,7 +89,7 @@ const char *bounds_extents(const struct bounds *b, const struct scene *s,
 	clip = view;
 	if (why == NULL && parallel)
 		why = scene_map(s, SPACE_MODEL, SPACE_CLIP, &clip);
-	/* not seen: where fit has found the centre, it has composed this */
+	/* no test reaches this: finding the centre has composed the same */
 	if (why != NULL)
 		return why;
 	for (int j = 0; j < 3; j++) {
@@ -120,7 +120,7 @@ const char *bounds_out(const struct bounds *b, const struct scene *s,
 	const char *why = frustum_of(s, SPACE_MODEL, false, &f);
 
 	*out = 0;
-	/* not seen: the sizes that fit closes are positive, and overflow none */
+	/* no test reaches this: the sizes that fit closes are valid */
 	if (why != NULL)
 		return why;
 	for (int k = 0; k < 8 && !b->sphere; k++) {
@@ -161,7 +161,7 @@ const char *bounds_close_depth(const struct bounds *b, struct scene *s)
 	struct extents r;
 	const char *why = bounds_extents(b, s, &r);
 
-	/* as above, or a single point, which the centre refused */
+	/* no test reaches this: all that could fail has been done before */
 	if (why != NULL)
 		return why;
 	double far = r.high[2].value.hi;

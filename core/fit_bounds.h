@@ -11,37 +11,34 @@ struct bounds {
 	double min[3], max[3]; /* of a box */
 };
 
-/* The exact value is within error. */
-struct estimate {
-	dd value;
-	double error;
-};
-
-/* Of a sum of products with a map's elements, relative to the products. */
+/* The error of a struct sum here, relative to its size: a product has that of a
+ * map's element, MAP_BOUND u^2, and at most 13 u^2 come from what is done with
+ * sums afterwards in double-double. */
 #define SUM_BOUND ((MAP_BOUND + 13) * 0x1p-106)
 
-/* Rounds, and makes 0 of what is no larger than its error. */
-struct estimate estimate_of(ex value, double error);
+/* Rounds, and makes 0 of what may be nothing but its error. */
+struct sum sum_of(ex value, double size);
 
-/* The support function: the least of sign times column j of a map over the
- * bounds. Exact but for the map's elements, also for a sphere. */
-struct estimate bounds_lowest(const struct bounds *, const struct map *, int j,
+/* The support function: the least value of sign times column j of a map over
+ * the bounds. Exact but for the map's elements, also for a sphere. */
+struct sum bounds_lowest(const struct bounds *, const struct map *, int j,
     double sign);
 
-/* From the eye: x and y as a parallel projection that is 2 wide and high has
- * them in clip space, y upward, or as view space has them; and depth along the
- * gaze. A range of no width is widened to 2^-20 of the largest. Returns NULL,
- * or the member and the reason. */
+/* The ranges of x, y and depth of some bounds as seen from the eye: depth along
+ * the gaze; x and y of a perspective in view space, of a parallel projection in
+ * clip space, where it is taken to be 2 wide and high, y upward. */
 struct extents {
-	struct estimate low[3], high[3];
+	struct sum low[3], high[3];
 };
 
+/* A range of no width is widened to 2^-20 of the largest. Returns NULL, or the
+ * member and the reason. */
 const char *bounds_extents(const struct bounds *, const struct scene *,
     struct extents *);
 
-struct estimate extents_middle(const struct extents *, int j);
+struct sum extents_middle(const struct extents *, int j);
 
-/* In the world. */
+/* The middle of the bounds in the world, axis by axis. */
 const char *bounds_center(const struct bounds *, const struct scene *,
     double center[3]);
 
@@ -50,15 +47,16 @@ const char *bounds_center(const struct bounds *, const struct scene *,
 const char *bounds_out(const struct bounds *, const struct scene *,
     unsigned *out);
 
-/* Moves *v, a number of the scene's, outward from the double nearest to where
- * it closes on the bounds, which can be on the wrong side, until they are
- * inside of its planes: by one unit in the last place, but where the bounds are
- * known to less than that. Stops beyond 1e150. */
+/* Moves *v, a number of the scene that some planes depend on, outward until the
+ * bounds are inside of those planes. It starts at the double nearest to where
+ * it closes on the bounds, so that at most one unit in the last place is
+ * missing, unless the bounds are known to less than that. Stops beyond
+ * MAGNITUDE_MAX. */
 const char *bounds_close(const struct bounds *, const struct scene *, double *v,
     double outward, unsigned planes);
 
-/* Sets near and far to the greatest and the least double that hold the bounds;
- * they are some doubles of which near is less before. */
+/* Sets near to the greatest and far to the least double that hold the bounds.
+ * Before the call near and far must be valid: near less than far. */
 const char *bounds_close_depth(const struct bounds *, struct scene *);
 
 #endif

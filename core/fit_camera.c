@@ -2,8 +2,8 @@
 
 #include <math.h>
 
-/* From the rows of view to world: of a matrix its own for the eye, and its
- * nearest rotation's for the axes. */
+/* The rows of view to world are the axes and the eye. Of a matrix the eye is its
+ * own, the axes are those of the rotation nearest to it. */
 static const char *from_axes(struct camera *c, bool right_handed)
 {
 	double sign = right_handed ? -1 : 1;
@@ -27,7 +27,8 @@ static const char *from_axes(struct camera *c, bool right_handed)
 	return why;
 }
 
-/* at - eye, rounded, and halved where it would pass what a document may say. */
+/* at - eye, rounded; a direction may be halved, so that what a document must
+ * not say it does not say. */
 static void from_at(struct camera *c)
 {
 	double largest = 0;
@@ -61,21 +62,20 @@ const char *gaze_of(struct scene *s)
 	return why;
 }
 
-void eye_move(const struct map *back, const struct estimate step[3],
+void eye_move(const struct map *back, const struct sum step[3],
     double eye[3])
 {
 	for (int k = 0; k < 3; k++) {
 		ex sum = ex_dd(back->m[AT_ORIGIN][k]);
-		double error = 0;
+		double size = 0;
 
 		for (int i = 0; i < 3; i++) {
 			double by = fabs(step[i].value.hi);
 
 			sum = ex_add(sum,
 			    ex_mul(ex_dd(step[i].value), ex_dd(back->m[i][k])));
-			error += (step[i].error + SUM_BOUND * by) *
-			    back->sum[i][k];
+			size += (step[i].size + by) * back->sum[i][k];
 		}
-		eye[k] = estimate_of(sum, error).value.hi;
+		eye[k] = sum_of(sum, size).value.hi;
 	}
 }

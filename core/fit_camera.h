@@ -4,13 +4,15 @@
 
 #include "fit_bounds.h"
 
-/* Brings the camera to CAMERA_GAZE: a gaze keeps its numbers, at - eye is
- * rounded, and so are the axes of an orientation and of a matrix' nearest
- * rotation. Without a camera it stands at 0 and looks as view space does. */
+/* Makes the camera one of CAMERA_GAZE. A gaze keeps its numbers; at - eye is
+ * rounded, and so are the axes of an orientation and of the rotation nearest to
+ * a matrix. A scene without a camera gets one at 0 that looks along view space's
+ * own axis. */
 const char *gaze_of(struct scene *);
 
-/* The eye after a step in view space, from which back leads to the world. */
-void eye_move(const struct map *back, const struct estimate step[3],
+/* Where the eye is, in the world, after a step in view space; back leads from
+ * view to world. */
+void eye_move(const struct map *back, const struct sum step[3],
     double eye[3]);
 
 #endif

@@ -1,5 +1,5 @@
-/* The view volume: which of its planes a point is outside of, and the ray
- * under a pixel. */
+/* The view volume: its corners, and which of its planes a point is outside
+ * of. */
 #ifndef FRUSTUM_H
 #define FRUSTUM_H
 
@@ -30,28 +30,10 @@ const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
 /* 0 where the point is inside or on a plane; behind comes alone. */
 unsigned frustum_out(const struct frustum *, const double in[4]);
 
-/* Model space to the distance along the gaze from the near plane, within 1/2 +
- * kappa 2^-47 units in the last place. */
-const char *depth_transform(const struct scene *, struct transform *);
-double depth_of(const struct transform *, const double in[4]);
-
-/* Whether a device position is no further than radius from at, exactly but for
- * 2^-100. */
-bool is_within(const double device[2], const double at[2], double radius);
-
-struct ray_maker {
-	struct map to_view;  /* from the device */
-	struct map to_world; /* from view */
-	double depth;        /* the near plane's, on the device */
-	double sign;         /* of device depth away from the eye */
-};
-
-const char *ray_maker_of(const struct scene *, struct ray_maker *);
-
-/* The point on the near plane under a device position, and the unit direction
- * in which depth increases, in world space; each coordinate within 1/2 +
- * kappa 2^-47 units in the last place. nan where there is none. */
-void ray_exact(const struct ray_maker *, const double at[2], double point[3],
-    double direction[3]);
+/* Corner 0..7 of the view volume under the inverse of a map to clip space,
+ * homogeneous, with clip w = 1: near, then far, each left-bottom, right-bottom,
+ * right-top, left-top. */
+void view_corner(const struct scene *, const struct map *from_clip,
+    bool reversed, int corner, struct ex_sum h[4]);
 
 #endif

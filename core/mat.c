@@ -124,6 +124,19 @@ void map_settle(struct map *a)
 				a->m[i][j] = (dd){ 0, 0 };
 }
 
+struct sum map_column(const struct map *m, int j, const dd p[4])
+{
+	struct sum s = { { 0, 0 }, 0 };
+
+	for (int i = 0; i < 4; i++) {
+		s.value = dd_add(s.value, dd_mul(p[i], m->m[i][j]));
+		s.size += fabs(p[i].hi) * m->sum[i][j];
+	}
+	if (fabs(s.value.hi) <= (MAP_BOUND + 13) * 0x1p-106 * s.size)
+		s.value = (dd){ 0, 0 };
+	return s;
+}
+
 static bool is_identity(const struct map *a)
 {
 	for (int i = 0; i < 5; i++)

@@ -1,7 +1,7 @@
+#include "points.h"
+
 #include <math.h>
 #include <string.h>
-
-#include "point.h"
 
 static const struct kernels *kernels = &kernels_baseline;
 

@@ -2,6 +2,7 @@
 #ifndef PROJECTION_H
 #define PROJECTION_H
 
+#include "convention.h"
 #include "mat.h"
 
 /* The cross-section of persp (on the near plane), ortho and oblique. */

@@ -1,6 +1,8 @@
 #include "taxonomy.h"
 
+#include "frustum.h"
 #include "trig.h"
+#include "vec3.h"
 
 /* What is equal, zero or parallel, relative to what it is compared with. */
 #define ALIKE 0x1p-40
@@ -17,32 +19,6 @@ struct lens {
 	double w; /* where it is constant */
 	bool parallel;
 };
-
-static ex dot(const ex a[3], const ex b[3])
-{
-	ex s = ex_mul(a[0], b[0]);
-
-	return ex_add(ex_add(s, ex_mul(a[1], b[1])), ex_mul(a[2], b[2]));
-}
-
-static void cross(const ex a[3], const ex b[3], ex r[3])
-{
-	for (int i = 0; i < 3; i++) {
-		int j = (i + 1) % 3, k = (i + 2) % 3;
-
-		r[i] = ex_sub(ex_mul(a[j], b[k]), ex_mul(a[k], b[j]));
-	}
-}
-
-static ex length(const ex a[3])
-{
-	return ex_sqrt(dot(a, a));
-}
-
-static ex absolute(ex a)
-{
-	return ex_sign(a) < 0 ? ex_neg(a) : a;
-}
 
 static bool alike(double a, double b)
 {
@@ -120,24 +96,24 @@ static void name_parallel(const struct lens *l, struct taxonomy *t)
 	const ex *n = l->gradient[2];
 	ex d[3], across[3], a[3], v[3];
 
-	cross(l->gradient[0], l->gradient[1], d);
-	ex nd = dot(n, d), least = ex_mul(length(n), length(d));
+	vec3_cross(l->gradient[0], l->gradient[1], d);
+	ex nd = vec3_dot(n, d), least = ex_mul(vec3_length(n), vec3_length(d));
 
 	least = ex_shift(least, -96);
 	for (int i = 0; i < 3; i++) {
 		axis_of(l, i, a);
-		ex na = dot(n, a);
+		ex na = vec3_dot(n, a);
 
 		for (int k = 0; k < 3; k++)
 			v[k] = ex_sub(ex_mul(a[k], nd), ex_mul(d[k], na));
-		ex size = length(v), lost = ex_mul(least, length(a));
+		ex size = vec3_length(v), lost = ex_mul(least, vec3_length(a));
 
 		if (ex_sign(ex_sub(size, lost)) <= 0)
 			size = (ex){ 0 };
-		t->foreshortening[i] = or_nan(ex_div(size, absolute(nd)).hi);
+		t->foreshortening[i] = or_nan(ex_div(size, ex_abs(nd)).hi);
 	}
-	cross(d, n, across);
-	double cot = ex_div(length(across), absolute(nd)).hi;
+	vec3_cross(d, n, across);
+	double cot = ex_div(vec3_length(across), ex_abs(nd)).hi;
 
 	t->taxon = cot <= ALIKE ? TAXON_ORTHOGRAPHIC : TAXON_OBLIQUE;
 	t->kind = cot <= ALIKE ? axonometric(t->foreshortening) : oblique(cot);
@@ -152,8 +128,8 @@ static enum kind points(const struct lens *l)
 		ex a[3], most;
 
 		axis_of(l, i, a);
-		most = ex_mul(length(a), length(l->gradient[3]));
-		n += ex_div(absolute(ex_dd(l->clip.m[i][3])), most).hi > ALIKE;
+		most = ex_mul(vec3_length(a), vec3_length(l->gradient[3]));
+		n += ex_div(ex_abs(ex_dd(l->clip.m[i][3])), most).hi > ALIKE;
 	}
 	if (n < 2)
 		return KIND_ONE_POINT;
@@ -164,7 +140,7 @@ static enum kind points(const struct lens *l)
  * tangent of less than 2^-50 of it. */
 static double degrees(ex y, ex x)
 {
-	ex most = ex_sign(ex_sub(y, absolute(x))) > 0 ? y : absolute(x);
+	ex most = ex_sign(ex_sub(y, ex_abs(x))) > 0 ? y : ex_abs(x);
 	dd s = ex_div(y, most), c = ex_div(x, most);
 	double a = atan2(s.hi, c.hi) * DEGREE;
 	ex sa = sin_deg(a), ca = cos_deg(a);
@@ -187,11 +163,11 @@ static void set_fov(const struct lens *l, const struct scene *s, double fov[2])
 		const ex *a = l->gradient[k];
 		ex v[3], lim = ex_dd(limit[k]);
 
-		cross(a, g, v);
-		ex y = ex_scale(ex_mul(lim, length(v)), 2);
-		ex gg = ex_mul(ex_mul(lim, lim), dot(g, g));
+		vec3_cross(a, g, v);
+		ex y = ex_scale(ex_mul(lim, vec3_length(v)), 2);
+		ex gg = ex_mul(ex_mul(lim, lim), vec3_dot(g, g));
 
-		fov[k] = degrees(y, ex_sub(dot(a, a), gg));
+		fov[k] = degrees(y, ex_sub(vec3_dot(a, a), gg));
 	}
 }
 
@@ -238,21 +214,20 @@ static void set_gaze(const struct lens *l, const struct taxonomy *t,
 	for (int i = 0; i < 3; i++)
 		n[i] = ex_dd(l->clip.m[i][l->parallel ? 2 : 3]);
 	for (int i = 0; i < 3; i++)
-		gaze[i] = ex_div(against ? ex_neg(n[i]) : n[i], length(n)).hi;
+		gaze[i] = ex_div(against ? ex_neg(n[i]) : n[i], vec3_length(n)).hi;
 }
 
-/* A point from its homogeneous coordinates, sums of products of such sizes; nan
- * where w is not positive. */
-static void set_point(const ex h[4], const double size[4], double p[3])
+/* A point from its homogeneous coordinates; nan where w is not positive. */
+static void set_point(const struct ex_sum h[4], double p[3])
 {
 	double bound = MAP_BOUND * 0x1p-106;
 
 	for (int j = 0; j < 3; j++) {
 		p[j] = (double)NAN;
-		if (!(ex_round(h[3]).hi > bound * size[3]))
+		if (!(ex_round(h[3].value).hi > bound * h[3].size))
 			continue;
-		p[j] = or_nan(ex_div(h[j], h[3]).hi);
-		if (fabs(ex_round(h[j]).hi) <= bound * size[j])
+		p[j] = or_nan(ex_div(h[j].value, h[3].value).hi);
+		if (fabs(ex_round(h[j].value).hi) <= bound * h[j].size)
 			p[j] = 0;
 	}
 }
@@ -261,47 +236,14 @@ static void set_point(const ex h[4], const double size[4], double p[3])
 static void set_eye(const struct lens *l, double eye[3])
 {
 	const dd *m = l->back.m[2];
-	ex h[4];
+	struct ex_sum h[4];
 
 	for (int j = 0; j < 4; j++)
-		h[j] = ex_dd(m[3].hi < 0 ? dd_neg(m[j]) : m[j]);
-	set_point(h, l->back.sum[2], eye);
-}
-
-void view_corner(const struct scene *s, const struct map *from_clip,
-    bool reversed, int corner, ex h[4], double size[4])
-{
-	static const int right[4] = { -1, 1, 1, -1 }, up[4] = { -1, -1, 1, 1 };
-	const struct convention *c = &s->convention;
-	dd limit[2] = { { 1, 0 }, { 1, 0 } };
-	double side[2] = { right[corner % 4], up[corner % 4] };
-	double depth = c->minus_one ? -1 : 0;
-
-	if (c->ndc_y_down)
-		side[1] = -side[1];
-	if ((corner >= 4) != reversed)
-		depth = 1;
-	if (s->has_viewport)
-		viewport_limits(&s->viewport, limit);
-	ex clip[4] = {
-		ex_scale(ex_dd(limit[0]), side[0]),
-		ex_scale(ex_dd(limit[1]), side[1]),
-		ex_of(depth),
-		ex_of(1),
-	};
-
-	for (int j = 0; j < 4; j++) {
-		h[j] = (ex){ 0 };
-		size[j] = 0;
-		for (int i = 0; i < 4; i++) {
-			int row = i < 3 ? i : AT_ZERO;
-
-			h[j] = ex_add(h[j],
-			    ex_mul(clip[i], ex_dd(from_clip->m[row][j])));
-			size[j] += fabs(ex_round(clip[i]).hi) *
-			    from_clip->sum[row][j];
-		}
-	}
+		h[j] = (struct ex_sum){
+			ex_dd(m[3].hi < 0 ? dd_neg(m[j]) : m[j]),
+			l->back.sum[2][j],
+		};
+	set_point(h, eye);
 }
 
 const char *taxonomy_of(const struct scene *s, struct taxonomy *t)
@@ -326,11 +268,10 @@ const char *taxonomy_of(const struct scene *s, struct taxonomy *t)
 	set_gaze(&l, t, t->gaze);
 	set_eye(&l, t->eye);
 	for (int i = 0; i < 8; i++) {
-		ex h[4];
-		double size[4];
+		struct ex_sum h[4];
 
-		view_corner(s, &l.back, t->reversed, i, h, size);
-		set_point(h, size, t->corner[i]);
+		view_corner(s, &l.back, t->reversed, i, h);
+		set_point(h, t->corner[i]);
 	}
 	return NULL;
 }

@@ -46,10 +46,4 @@ struct taxonomy {
 /* Returns NULL, or the member and the reason. */
 const char *taxonomy_of(const struct scene *, struct taxonomy *);
 
-/* Corner 0..7 of the view volume under the inverse of a map to clip space,
- * homogeneous, with clip w = 1: near, then far, each left-bottom, right-bottom,
- * right-top, left-top. size is the sum of the |products| of each. */
-void view_corner(const struct scene *, const struct map *from_clip,
-    bool reversed, int corner, ex h[4], double size[4]);
-
 #endif

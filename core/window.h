@@ -3,6 +3,7 @@
 #ifndef WINDOW_H
 #define WINDOW_H
 
+#include "convention.h"
 #include "mat.h"
 
 struct window {

@@ -12,7 +12,7 @@
 #include <string.h>
 
 #include "../../core/bench/clock.h"
-#include "../../core/point.h"
+#include "../../core/points.h"
 #include "../../core/test/sample.h"
 #include "../../core/test/truth.h"
 #include "peer/peer.h"

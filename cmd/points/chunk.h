@@ -5,6 +5,8 @@
 #define CHUNK_H
 
 #include "../../core/frustum.h"
+#include "../../core/points.h"
+#include "../../core/ray.h"
 #include "line.h"
 
 struct chunk;

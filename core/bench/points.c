@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "clock.h"
-#include "../point.h"
+#include "../points.h"
 #include "../test/sample.h"
 
 enum { RUNS = 101, CALLS = 4, EFFORTS = 4, CASES = 4, COPIES = 3 };

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../point.h"
+#include "../points.h"
 #include "../test/sample.h"
 #include "../test/truth.h"
 

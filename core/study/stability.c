@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../point.h"
+#include "../points.h"
 #include "compare.h"
 
 static bool is_lost(const struct cell *c)

@@ -9,6 +9,7 @@
 #include <cmocka.h>
 
 #include "../error_bound.h"
+#include "../points.h"
 #include "sample.h"
 #include "../taxonomy.h"
 #include "truth.h"

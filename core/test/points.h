@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "../point.h"
+#include "../points.h"
 #include "sample.h"
 #include "truth.h"
 

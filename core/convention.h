@@ -1,0 +1,16 @@
+/* What the conventions of graphics systems differ in. */
+#ifndef CONVENTION_H
+#define CONVENTION_H
+
+#include <stdbool.h>
+
+/* All false is d3d. */
+struct convention {
+	bool right_handed;
+	bool minus_one; /* ndc depth runs from -1, not 0, to 1 */
+	bool column;    /* matrices print transposed: p' = M p */
+	bool ndc_y_down;
+	bool bottom_left; /* device origin */
+};
+
+#endif
