@@ -5,14 +5,15 @@
 #include "trig.h"
 #include "vec3.h"
 
-/* An axis is v / length, kept apart so that what must cancel can. */
+/* An axis is v / length. The two are kept apart, as v is an exact polynomial of
+ * the parameters, in sums of which terms cancel exactly. */
 struct axis {
 	ex v[3];
 	ex length;
 };
 
-/* x = up x z and y = z x x before any is normalised: the exact polynomials,
- * and lengths |up x z|, |z| |up x z|. */
+/* x = up x z and y = z x x before either is normalised: exact polynomials of
+ * lengths |up x z| and |z| |up x z|. */
 static const char *look(const struct camera *c, bool right_handed,
     struct axis axis[3])
 {
@@ -37,7 +38,7 @@ static const char *look(const struct camera *c, bool right_handed,
 	vec3_cross(up, z->v, x->v);
 	vec3_cross(z->v, x->v, y->v);
 	ex xx = vec3_dot(x->v, x->v), zz = vec3_dot(z->v, z->v);
-	/* 2^-50 radians */
+	/* |sin| of the angle between up and gaze is below 2^-50 */
 	ex bound = ex_shift(ex_mul(vec3_dot(up, up), zz), -100);
 
 	if (ex_sign(ex_sub(xx, bound)) < 0)
@@ -189,9 +190,10 @@ static const char *orthonormal(const struct camera *c, struct axis axis[3])
 	return NULL;
 }
 
-/* The axes as columns, and minus their products with at as a fourth row: an
- * exact polynomial, divided once. Seen from (1,2,3) towards the origin, x . eye
- * is 0 and not the rounded axes' -4.9e-32. */
+/* The matrix without roll: the axes as columns, and as its fourth row minus
+ * their products with the eye, at: an exact polynomial, divided once. So for an
+ * eye (1,2,3) that looks at the origin x . eye is 0, where rounded axes would
+ * give -4.9e-32. */
 static void elements(struct axis axis[3], const double at[3], ex e[4][3])
 {
 	ex p[3] = { ex_of(-at[0]), ex_of(-at[1]), ex_of(-at[2]) };
@@ -228,7 +230,7 @@ static void put(struct map *r, int i, int j, ex e, ex size)
 	r->sum[i][j] = ex_round(size).hi;
 }
 
-/* (p - at) axes, or p axes' + at. */
+/* Where a camera stands: to view (p - at) axes, or back p axes' + at. */
 static struct map stand(struct axis axis[3], double roll, const double at[3],
     bool inverse)
 {

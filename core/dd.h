@@ -54,7 +54,7 @@ static inline dd dd_shift(dd a, int e)
 	return (dd){ ldexp(a.hi, e), ldexp(a.lo, e) };
 }
 
-/* 3 u^2 (AccurateDWPlusDW); of the result, so also where terms cancel. */
+/* 3 u^2 (AccurateDWPlusDW) of the result, even where the terms cancel. */
 static inline dd dd_add(dd a, dd b)
 {
 	dd s = two_sum(a.hi, b.hi), t = two_sum(a.lo, b.lo);
@@ -72,9 +72,10 @@ static inline dd dd_mul(dd a, dd b)
 	return fast_two_sum(p.hi, p.lo + t);
 }
 
-/* 9 u^2, worst with a.hi and b.hi just above powers of two: the first remainder
- * is exact, a.lo - q b.lo and r are rounded by 2 u^2 each, b.hi instead of b
- * makes 3 u^2, and the last quotient 2 u^2. */
+/* 9 u^2 of the result, worst where a.hi and b.hi are just above powers of two:
+ * the remainder a.hi - q b.hi is exact; rounding a.lo - q b.lo costs 2 u^2, their
+ * sum r 2 u^2, dividing that by b.hi instead of b 3 u^2, and rounding the last
+ * quotient 2 u^2. */
 static inline dd dd_div(dd a, dd b)
 {
 	double q = a.hi / b.hi;

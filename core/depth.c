@@ -13,8 +13,8 @@ struct slab {
 	ex span, under;
 };
 
-/* Cofactors of the inverse's last column: 1/w = (c2 z + c3) / det. It is
- * measured where the device's middle sees the planes. */
+/* Of a bare matrix: c2 and c3 are cofactors of its inverse's last column, and
+ * 1/w = (c2 z + c3) / det for ndc z on the axis through the device's middle. */
 static void matrix_slab(const double matrix[4][4], bool minus_one,
     bool reversed, struct slab *s)
 {
@@ -58,7 +58,7 @@ static void persp_slab(double near, double far, struct slab *s)
 	s->span = ex_mul(ex_mul(n, ex_of(far)), ex_diff(far, near));
 }
 
-/* w = 1 - q z, up to a factor. */
+/* w is a multiple of 1 - q z. */
 static void volume_slab(const struct projection *p, struct slab *s)
 {
 	ex q = ex_of(p->has_eye ? 1 : p->inverse_eye_z);

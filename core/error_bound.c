@@ -70,8 +70,9 @@ static void set_size(const struct scene *s, double size[3])
 	size[2] = fmax(fabs(v->min_z), fabs(v->max_z));
 }
 
-/* Of column j's products over w. What falls below tiny loses at most tiny u: a
- * coordinate, an element, and each of four operations. */
+/* The sum of the magnitudes of column j's products, over w, in a corner. Results
+ * below tiny have an error of at most tiny u; they can be a coordinate, an
+ * element, and each of four operations. */
 static double sum(const struct volume *v, int corner, int j, double tiny)
 {
 	const struct corner *c = &v->corner[corner];
@@ -157,8 +158,8 @@ static double plain(const struct volume *v, const struct arithmetic *a)
 	return (cu * worst + 2 * a->tiny) * ROUNDED_UP;
 }
 
-/* kappa units in the last place of n / w are at most 2^-52 sum(n) sum(w) / w^2,
- * and half a unit is at most that of the largest. */
+/* kappa units in the last place of n / w are at most 2^-52 sum(n) sum(w) / w^2;
+ * half a unit is largest for the largest coordinate. */
 static double exact(const struct volume *v)
 {
 	double worst = 0, w = v->t->divide ? largest_sum(v, 3) : 1;
@@ -183,7 +184,7 @@ const char *error_bounds(const struct scene *s, double bound[3])
 
 	for (int i = 0; i < 3; i++)
 		bound[i] = (double)NAN;
-	/* a world that flattens has a volume without end */
+	/* where the world matrix is singular the volume has no end */
 	if (why != NULL ||
 	    scene_map(s, SPACE_CLIP, SPACE_MODEL, &from_clip) != NULL)
 		return why;

@@ -4,10 +4,10 @@
 
 #include "point.h"
 
-/* For each precision, what no coordinate of the image of a point of the view
- * volume exceeds in error, in device or else ndc units, points being given in
- * model space; by the analysis in kernel/plain.h and, for exact, points.h. nan
- * where a number on the way could be beyond the precision's range. Returns
+/* For each precision, an upper bound of the error of any coordinate, in device
+ * or else ndc units, for points of the view volume that are given in model
+ * space; from the analysis in kernel/plain.h and, for exact, point.h. nan where
+ * a number on the way could be beyond the precision's range. Returns
  * NULL, or the member and the reason. */
 const char *error_bounds(const struct scene *, double bound[3]);
 

@@ -34,8 +34,8 @@ ex ex_diff(double a, double b); /* a - b */
 ex ex_quotient(ex a, ex b);
 ex ex_sqrt(ex a);
 
-/* a, or 0 where it may be nothing but the errors of terms of that size, each
- * within 2^-195. */
+/* a; or 0 where it may be nothing but errors, for a sum of terms each within
+ * 2^-195 of itself, whose magnitudes sum to size. */
 ex ex_settled(ex a, ex size);
 
 int ex_sign(ex a);        /* -1, 0, 1 */

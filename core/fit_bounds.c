@@ -15,8 +15,8 @@ struct sum sum_of(ex value, double size)
 
 /* A box is lowest at a corner; a sphere by its radius times the length of the
  * slope below its centre. */
-struct sum bounds_lowest(const struct bounds *b, const struct map *m,
-    int j, double sign)
+struct sum bounds_lowest(const struct bounds *b, const struct map *m, int j,
+    double sign)
 {
 	ex sum = ex_scale(ex_dd(m->m[AT_ORIGIN][j]), sign), square = ex_of(0);
 	double size = m->sum[AT_ORIGIN][j], radius = b->sphere ? b->radius : 0;

@@ -62,8 +62,7 @@ const char *gaze_of(struct scene *s)
 	return why;
 }
 
-void eye_move(const struct map *back, const struct sum step[3],
-    double eye[3])
+void eye_move(const struct map *back, const struct sum step[3], double eye[3])
 {
 	for (int k = 0; k < 3; k++) {
 		ex sum = ex_dd(back->m[AT_ORIGIN][k]);

@@ -12,7 +12,6 @@ const char *gaze_of(struct scene *);
 
 /* Where the eye is, in the world, after a step in view space; back leads from
  * view to world. */
-void eye_move(const struct map *back, const struct sum step[3],
-    double eye[3]);
+void eye_move(const struct map *back, const struct sum step[3], double eye[3]);
 
 #endif

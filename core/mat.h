@@ -9,41 +9,41 @@
 #include "expansion.h"
 #include "sum.h"
 
-/* q = (p - origin, 1) m[0..3], or (p, 1) m with its last row replaced by
- * m[AT_ZERO]: the matrix that is printed. Points are taken relative to the
- * origin (the eye, a window's centre), and the difference is exact, so that
- * distance from the world's origin costs nothing.
+/* The image of a point p is (p - origin, 1) times rows 0 to 2 and AT_ORIGIN of
+ * m. The difference is exact, so that distance from the world's origin costs
+ * nothing; the origin is the eye, or a window's centre. The same map about zero,
+ * which is the matrix that is printed, has row AT_ZERO instead.
  *
- * sum[i][j] is the sum of |products| of which m[i][j] is the sum, when the
- * stages are multiplied out; each element is within MAP_BOUND u^2 sum[i][j]
- * of its exact value, while none falls below 2^-968, and 0 where half that
- * leaves nothing of it. */
+ * Multiplied out into the stages' parameters, m[i][j] is a sum of products, and
+ * sum[i][j] the sum of their magnitudes. Each element is within MAP_BOUND u^2
+ * sum[i][j] of its exact value, while none falls below 2^-968. One that may be
+ * nothing but rounding errors, at most half of that, is 0. */
 enum { AT_ORIGIN = 3, AT_ZERO = 4 };
 
 struct map {
 	double origin[3];
 	dd m[5][4];
 	double sum[5][4];
-	bool exact; /* affine, with last rows as they were given */
+	bool exact; /* affine, with AT_ORIGIN and AT_ZERO as they were given */
 };
 
-/* Elements of four stages and of their three compositions are rounded once
- * each, and may be as wrong again where they are taken for 0. */
+/* Four stages and the three products that compose them round an element once
+ * each, 7 EX_BOUND; taking it for 0 makes an error of at most as much again. */
 #define MAP_BOUND (14 * EX_BOUND)
 
 extern const struct map map_identity;
 
-/* A map whose elements are exact or rounded once: sets sum; AT_ORIGIN and
- * AT_ZERO rows are m[3], the origin 0. */
+/* The map about the origin 0 of a matrix for row vectors, whose elements are
+ * exact or rounded once. */
 struct map map_of(dd m[4][4]);
 struct map map_of_doubles(double m[4][4]);
 
-/* Takes points relative to an origin whose image is 0, or to zero again, as
- * clip points need it: their w is not 1. */
+/* map_about: the same map about an origin whose image is 0. map_about_zero: the
+ * same about 0, for points whose w need not be 1. */
 void map_about(struct map *a, const double origin[3]);
 void map_about_zero(struct map *a);
 
-/* First a, then b. The products are summed exactly and rounded once. */
+/* First a, then b. Products are summed exactly, each element rounded once. */
 struct map map_then(const struct map *a, const struct map *b);
 
 /* Sets to 0 what may be nothing but rounding errors. */

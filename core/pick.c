@@ -51,4 +51,3 @@ bool is_within(const double device[2], const double at[2], double radius)
 	}
 	return dd_add(d2, dd_neg(r)).hi <= 0;
 }
-

@@ -4,14 +4,15 @@
 
 #include "trig.h"
 
-/* Every projection made of parameters has this form:
+/* The matrix of every projection that is made of parameters:
  *	 x   0   0   0
  *	 0   y   0   0
  *	 zx  zy  zz  zw
  *	 tx  ty  tz  tw
- * det = zz tw - zw tz comes from the parameters too, as a product; tx and ty
- * are sums of products of these sizes, only oblique's of more than one. */
-struct form {
+ * det = zz tw - zw tz is known as a product of parameters, without
+ * cancellation. tx_size and ty_size are the sums of the magnitudes of tx's and
+ * ty's terms; only oblique's have more than one term. */
+struct elements {
 	ex x, y, zx, zy, zz, zw, tx, ty, tz, tw, det;
 	ex tx_size, ty_size;
 };
@@ -21,15 +22,16 @@ static ex negated_if(bool yes, ex a)
 	return yes ? ex_neg(a) : a;
 }
 
-/* a + b; what size says of a is brought up to date. */
+/* a + b. *size is the sum of the magnitudes of a's terms, and becomes that of
+ * the result's. */
 static ex sum(ex a, ex b, ex *size)
 {
 	*size = ex_add(ex_abs(*size), ex_abs(b));
 	return ex_settled(ex_add(a, b), *size);
 }
 
-/* The elements of one axis: 2 d / (b - a), and (a + b) / (b - a), which says
- * how far the section's centre is off. */
+/* The elements of one axis: 2 d / (b - a), and (a + b) / (b - a), by which the
+ * cross-section's centre is off the axis. */
 static const char *edges(double a, double b, double d, const char *equal,
     ex *scale, ex *off)
 {
@@ -42,9 +44,9 @@ static const char *edges(double a, double b, double d, const char *equal,
 	return NULL;
 }
 
-/* x = s h / (over w), given y = s / over, or y from x. */
+/* One of x and y is s / over; the other follows from the aspect w / h. */
 static void by_aspect(const double aspect[2], bool given_x, ex s, ex over,
-    struct form *f)
+    struct elements *f)
 {
 	ex w = ex_of(aspect[0]), h = ex_of(aspect[1]);
 	ex given = ex_quotient(s, over);
@@ -53,10 +55,10 @@ static void by_aspect(const double aspect[2], bool given_x, ex s, ex over,
 	f->y = given_x ? ex_quotient(ex_mul(s, w), ex_mul(over, h)) : given;
 }
 
-/* Sets x, y and how far off the centre is; d is the near distance for persp
- * and 1 for the parallel ones. */
+/* Sets x, y and by how much the centre is off; d is the distance of the plane
+ * in which width, height and edges are given: near for persp, 1 otherwise. */
 static const char *cross_section(const struct projection *p, double d,
-    struct form *f, ex off[2])
+    struct elements *f, ex off[2])
 {
 	bool wide = p->aspect[0] >= p->aspect[1];
 	ex cot = ex_of(0);
@@ -104,7 +106,7 @@ static const char *cross_section(const struct projection *p, double d,
  * to -1..1 A = (f + n) / (f - n), B = -2 n f / (f - n); an infinite far is the
  * limit; reversed, near and far trade places. det = -zw tz. */
 static const char *persp(const struct projection *p, const struct convention *c,
-    struct form *f)
+    struct elements *f)
 {
 	double k = c->minus_one ? 2 : 1, n = p->near;
 	bool right = c->right_handed;
@@ -138,7 +140,7 @@ static const char *persp(const struct projection *p, const struct convention *c,
 }
 
 static const char *ortho(const struct projection *p, const struct convention *c,
-    struct form *f)
+    struct elements *f)
 {
 	double a = p->reverse_z ? p->far : p->near;
 	double b = p->reverse_z ? p->near : p->far;
@@ -163,7 +165,7 @@ static const char *ortho(const struct projection *p, const struct convention *c,
 
 /* ortho after x' = x + cot cos(direction) (depth - plane), y' likewise. */
 static const char *oblique(const struct projection *p,
-    const struct convention *c, struct form *f)
+    const struct convention *c, struct elements *f)
 {
 	const char *why = ortho(p, c, f);
 	ex cot = ex_of(p->kind == OBLIQUE_CABINET ? 0.5 : 1);
@@ -209,10 +211,10 @@ static const char *eye_of(const struct projection *p, struct eye *e)
 			    "beyond z_far";
 }
 
-/* Each element is a quotient of exact polynomials, so nothing happens as q
- * passes 0. */
+/* Each element is a quotient of exact polynomials, so that a parallel projection,
+ * q = 0, is no special case. */
 static const char *volume(const struct projection *p,
-    const struct convention *c, struct form *f)
+    const struct convention *c, struct elements *f)
 {
 	ex size = ex_diff(p->z_near, p->z_far), one = ex_of(1);
 	struct eye e;
@@ -249,7 +251,7 @@ static const char *volume(const struct projection *p,
 	return NULL;
 }
 
-static struct map map_of_form(const struct form *f)
+static struct map map_of_elements(const struct elements *f)
 {
 	dd m[4][4] = {
 		{ ex_round(f->x) },
@@ -268,9 +270,9 @@ static struct map map_of_form(const struct form *f)
 	return r;
 }
 
-/* diag(1/x, 1/y), the lower right block's inverse, and the lower left one, in
- * which zw tx is always 0. */
-static struct form inverse_of(const struct form *f)
+/* Block by block: 1/x and 1/y; the inverse of zz zw, tz tw; and what makes the
+ * lower left one cancel, in which the term zw tx is 0 for every projection. */
+static struct elements inverse_elements(const struct elements *f)
 {
 	ex one = ex_of(1), dx = ex_mul(f->det, f->x), dy = ex_mul(f->det, f->y);
 	ex tx_size = ex_mul(f->zz, f->tx_size);
@@ -280,7 +282,7 @@ static struct form inverse_of(const struct form *f)
 	ex ty = sum(ex_neg(ex_mul(f->zz, f->ty)), ex_mul(f->tz, f->zy),
 	    &ty_size);
 
-	return (struct form){
+	return (struct elements){
 		.x = ex_quotient(one, f->x),
 		.y = ex_quotient(one, f->y),
 		.zx = ex_neg(ex_quotient(ex_mul(f->tw, f->zx), dx)),
@@ -311,7 +313,7 @@ static const char *bare(const struct projection *p, bool inverse, struct map *r)
 const char *projection_map(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {
-	struct form f = { 0 };
+	struct elements f = { 0 };
 	const char *why = NULL;
 
 	switch (p->type) {
@@ -341,8 +343,8 @@ const char *projection_map(const struct projection *p,
 		f.ty = ex_neg(f.ty);
 	}
 	if (inverse)
-		f = inverse_of(&f);
-	*r = map_of_form(&f);
+		f = inverse_elements(&f);
+	*r = map_of_elements(&f);
 	return map_is_finite(r) ?
 	    NULL :
 	    "/projection: its matrix has elements beyond the range of "

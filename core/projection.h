@@ -52,7 +52,7 @@ struct projection {
 
 /* The matrices of projcalc(1), FORMULAS, and their inverses, from formulas in
  * the parameters: every element is the exact value for the given doubles
- * rounded once, within EX_BOUND u^2 of the products that it sums. Returns NULL,
+ * rounded once, within EX_BOUND u^2 of the sum of its terms' magnitudes. NULL,
  * or the member and the reason. */
 const char *projection_map(const struct projection *, const struct convention *,
     bool inverse, struct map *);

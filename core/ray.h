@@ -8,7 +8,8 @@ struct ray_maker {
 	struct map to_view;  /* from the device */
 	struct map to_world; /* from view */
 	double depth;        /* the near plane's, on the device */
-	double sign;         /* +1 where device depth grows away from the eye, else -1 */
+	double
+	    sign; /* +1 where device depth grows away from the eye, else -1 */
 };
 
 /* Returns NULL, or the member and the reason. */

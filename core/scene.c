@@ -2,7 +2,8 @@
 
 #include <string.h>
 
-/* A stage whose product with the others is too large, by the space below. */
+/* Refusals of a stage whose product with the others is too large, indexed by the
+ * space that the stage leads from. */
 #define BEYOND                                                         \
 	": the scene's composed matrix has elements beyond the range " \
 	"of doubles; bring sizes and distances nearer to one another"
@@ -53,13 +54,14 @@ static const char *stage_map(const struct scene *s, enum space below,
 			return "/viewport: missing; device coordinates need "
 			       "one, or use the space ndc";
 		return viewport_map(&s->viewport, c, inverse, r);
-	default: /* clip to ndc divides */
+	default: /* clip to ndc: only the division */
 		return NULL;
 	}
 }
 
-/* Backwards the stages are put together from the far end, so that world and
- * eye, exact differences, meet before anything is rounded. */
+/* Backwards the stages are composed from the world's end, so that the eye and the
+ * world matrix's translation are subtracted exactly before anything is
+ * rounded. */
 static void then(struct map *r, const struct map *stage, bool back)
 {
 	*r = back ? map_then(stage, r) : map_then(r, stage);

@@ -214,7 +214,8 @@ static void set_gaze(const struct lens *l, const struct taxonomy *t,
 	for (int i = 0; i < 3; i++)
 		n[i] = ex_dd(l->clip.m[i][l->parallel ? 2 : 3]);
 	for (int i = 0; i < 3; i++)
-		gaze[i] = ex_div(against ? ex_neg(n[i]) : n[i], vec3_length(n)).hi;
+		gaze[i] =
+		    ex_div(against ? ex_neg(n[i]) : n[i], vec3_length(n)).hi;
 }
 
 /* A point from its homogeneous coordinates; nan where w is not positive. */

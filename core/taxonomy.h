@@ -25,7 +25,7 @@ enum kind {
 	KIND_THREE_POINT,
 };
 
-/* What there is none of is nan. Numbers are within 1/2 + kappa 2^-47 units in
+/* nan stands for what such a projection has not. Numbers are within 1/2 + kappa 2^-47 units in
  * the last place, kappa being what cancellation costs; angles within 1/2 +
  * 2^-40. */
 struct taxonomy {

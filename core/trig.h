@@ -13,8 +13,8 @@
 ex sin_deg(double angle);
 ex cos_deg(double angle);
 
-/* Cotangent of angle in (0, 90]; of half an angle in (0, 180). 180 - angle is
- * exact where it matters, so nothing is lost as the angle nears 180. */
+/* Cotangent of an angle in (0, 90]; of half an angle in (0, 180), with all its
+ * digits also near 180. */
 ex cot_deg(double angle);
 ex cot_half_deg(double angle);
 

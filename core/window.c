@@ -15,9 +15,9 @@ static dd times(struct quotient a, struct quotient b)
 	return ex_div(ex_mul(a.n, b.n), ex_mul(a.d, b.d));
 }
 
-/* One axis, x' = (x - from) s + to, where from or to is 0. The origin is from,
- * rounded; its exact remainder goes into the origin's image, so that a narrow
- * window far from zero keeps its digits. */
+/* One axis, x' = (x - from) s + to, where from or to is 0. The map's origin is
+ * from, rounded to a double; what that leaves goes into the origin's image, so
+ * that a narrow window far from zero keeps its digits. */
 static void put(struct map *r, int i, struct quotient from, struct quotient s,
     struct quotient to)
 {
@@ -47,7 +47,7 @@ static void axis(struct map *r, int i, struct quotient center,
 		put(r, i, center, s, offset);
 }
 
-/* From ndc: x n / d + offset. */
+/* From ndc, x' = x n / d + offset, or back. */
 static void from_ndc(struct map *r, int i, ex n, double d, ex offset,
     bool inverse)
 {

@@ -43,8 +43,8 @@ const char *device_map(const struct device *, bool inverse, struct map *);
 const char *viewport_map(const struct viewport *, const struct convention *,
     bool inverse, struct map *);
 
-/* What |x| and |y| may be in ndc: 1, or less than 1 where one side of a
- * uniform scale is cut, as an exact quotient. */
+/* What |x| and |y| may be in ndc for a point to be on the viewport: 1, or less
+ * where the scale makes a side of ndc's square larger than the viewport. */
 void viewport_limits(const struct viewport *, dd limit[2]);
 
 #endif

@@ -1,9 +1,4 @@
-/* For x86-64 with AVX2 and FMA: compile with -mavx2 -mfma.
- *
- * A copy defines a vector of doubles: V; WIDTH, how many; LOAD and STORE; ALL,
- * one double in each; FMA; ABS; MIN, a < b ? a : b; MAX, a > b ? a : b; and
- * POSITIVE, a > 0 ? b : nan. The same for floats: F_NEAR reads doubles and
- * takes their difference from o as floats, F_STORE writes doubles. */
+/* For x86-64 with AVX2 and FMA: compile with -mavx2 -mfma. */
 #ifdef __AVX2__
 #include <immintrin.h>
 

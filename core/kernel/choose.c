@@ -3,7 +3,6 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* The best first. */
 static const struct {
 	const char *name;
 	const struct kernels *copy;

@@ -1,4 +1,17 @@
-/* A copy: includes the loops for the vectors that the file has defined. */
+/* The loops for one kind of processor. A file that includes this defines:
+ *
+ *	COPY		the name of its struct kernels
+ *	V, WIDTH	a vector of doubles, and how many it holds
+ *	LOAD, STORE	from and to any address
+ *	ALL(a)		a in each lane
+ *	FMA(a, b, c)	a b + c, rounded once
+ *	ABS MIN MAX	MIN is a < b ? a : b, MAX a > b ? a : b, nan or not
+ *	POSITIVE(a, b)	a > 0 ? b : nan
+ *
+ * and the same for floats, F and F_..., but that F_NEAR(p, o) reads doubles and
+ * gives their difference from o rounded to floats, and F_STORE writes doubles.
+ * Vectors have +, -, * and /. Every operation is one rounding of IEEE 754 in each
+ * lane, so that all copies give the same bits. */
 #include <math.h>
 
 #include "exact.h"

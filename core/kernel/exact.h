@@ -1,6 +1,4 @@
-/* The inner loop of exact, written once for vectors of any width: see
- * kernels_avx2.c for what a file that includes this defines. Every operation
- * is one rounding of IEEE 754, so all copies give the same bits. */
+/* The inner loop of exact, written once for the vectors that copy.h describes. */
 #include "kernel.h"
 
 typedef struct {

@@ -17,8 +17,9 @@ enum kernel_kind {
 
 enum precision { PRECISION_EXACT, PRECISION_DOUBLE, PRECISION_SINGLE };
 
-/* A map as the loop wants it. Below doubt, which is 2^-45 of what a sum can
- * be at most, the loop gives up a point and answers nan. */
+/* A map as the loops take it. Where a sum is below doubt |...| + doubt_image,
+ * which is 2^-45 of what it can be at most, the loop gives up a point and
+ * answers nan. */
 struct kernel_map {
 	double origin[3];
 	double hi[4][4], lo[4][4];
@@ -40,6 +41,8 @@ typedef void (*plain_kernel)(const struct kernel_map *,
     const double *const in[3], double *const out[3], size_t n,
     double tolerance);
 
+/* The bound of the plain kernels' errors, in units of roundoff; derived and
+ * claimed in plain.h. */
 #define PLAIN_BOUND 10
 
 struct kernels {

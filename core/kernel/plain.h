@@ -1,14 +1,36 @@
-/* The inner loop of double and single, written once for both, relative to the
- * map's origin as exact is: included twice, see kernels_avx2.c.
+/* The inner loop of double and single, written once for both: copy.h includes it
+ * twice. As in exact.h a point is taken relative to the map's origin.
  *
- * With u the unit roundoff and S the sum of a column's products' sizes, a
- * point's difference from the origin and a matrix element carry u each and a
- * chain of three products and sums 3 u, so a column is within 5 u S; the
- * reciprocal of w and the quotient carry u each, and 1 u more is for printing
- * the shortest digits: |error| of n/w is below PLAIN_BOUND u (S_n + |n/w| S_w)
- * / |w|, while that is below 1/16 for w itself; of a + b/w, below PLAIN_BOUND u
- * (|a| + |b/w| S_w/|w|). S is not summed but bounded, by the largest element
- * times |x| + |y| + |z|. */
+ * With u the unit roundoff and S the sum of a column's products' magnitudes:
+ * a point's difference from the origin and a matrix element carry u each, a
+ * chain of three products and sums 3 u. So a column is within 5 u S. A quotient
+ * N / W carries that of both, and u each for the reciprocal and the product:
+ *
+ *	|error of N/W| <= PLAIN_BOUND u (S_N + |N/W| S_W) / |W|
+ *
+ * of which 5 is the columns', 2 the quotient's and 1 for printing the shortest
+ * digits of a float; where W is known to 1/16, as is asked for, dividing by what
+ * was computed makes that at most 16/15 as much: 8.6. In the same way depth
+ * a + b/w is within PLAIN_BOUND u (|a| + |b/W| S_W/|W|). S is not summed, but
+ * bounded by the column's largest element times |x| + |y| + |z|. */
+/* Column k of the map. */
+static inline R NAME(
+    column)(const struct kernel_map *m, int k, const R p[3], int terms)
+{
+	R c = R_ALL((REAL)m->hi[3][k]);
+
+	for (int l = 0; l < terms; l++)
+		c = R_FMA(p[l], R_ALL((REAL)m->hi[l][k]), c);
+	return c;
+}
+
+/* What its S is at most, for size = |x| + |y| + |z|. */
+static inline R NAME(most)(const struct kernel_map *m, int k, R size)
+{
+	return R_FMA(R_ALL((REAL)m->most[k]), size,
+	    R_ALL((REAL)m->sum_image[k]));
+}
+
 static inline __attribute__((always_inline)) void NAME(
     plain)(const struct kernel_map *m, const double *const in[3],
     double *const out[3], size_t n, double tolerance, enum kernel_kind kind,
@@ -16,7 +38,9 @@ static inline __attribute__((always_inline)) void NAME(
 {
 	const int terms = kind == KERNEL_FLAT ? 2 : 3;
 	const int divide = kind == KERNEL_DEPTH || kind == KERNEL_PROJECTIVE;
+	const int columns = kind == KERNEL_DEPTH ? 2 : terms;
 	const R cu = R_ALL((REAL)PLAIN_BOUND * ROUNDOFF);
+	const R within = R_ALL((REAL)(1 / tolerance));
 
 	for (size_t i = 0; i < n; i += R_WIDTH) {
 		R p[3], q[3], size = R_ALL(0), r = R_ALL(1), error = r;
@@ -26,31 +50,21 @@ static inline __attribute__((always_inline)) void NAME(
 			p[k] = R_NEAR(in[k] + i, m->origin[k]);
 			size += R_ABS(p[k]);
 		}
-		for (int k = 3; k >= 0; k--) {
-			if (k == 3 ?
-				!divide :
-				k >= terms || (k == 2 && kind == KERNEL_DEPTH))
-				continue;
-			R c = R_ALL((REAL)m->hi[3][k]);
+		if (divide) {
+			w = NAME(column)(m, 3, p, terms);
+			r = R_ALL(1) / w;
+			w_size = NAME(most)(m, 3, size) * R_ABS(r);
+			error = cu * w_size * R_ALL(16);
+		}
+		for (int k = columns - 1; k >= 0; k--) {
+			R s = NAME(most)(m, k, size);
 
-			for (int l = 0; l < terms; l++)
-				c = R_FMA(p[l], R_ALL((REAL)m->hi[l][k]), c);
-			R s = R_FMA(R_ALL((REAL)m->most[k]), size,
-			    R_ALL((REAL)m->sum_image[k]));
-
-			if (k == 3) {
-				w = c;
-				r = R_ALL(1) / w;
-				w_size = s * R_ABS(r);
-				error = cu * w_size * R_ALL(16);
-				continue;
-			}
-			q[k] = c;
-			if (divide)
-				q[k] = c * r;
-			if (divide)
+			q[k] = NAME(column)(m, k, p, terms);
+			if (divide) {
+				q[k] = q[k] * r;
 				s = R_FMA(R_ABS(q[k]), w_size, s * R_ABS(r));
-			s = cu * s * R_ALL((REAL)(1 / tolerance));
+			}
+			s = cu * s * within;
 			error = k == terms - 1 && !divide ? s : R_MAX(error, s);
 		}
 		if (kind == KERNEL_DEPTH) {
@@ -59,8 +73,7 @@ static inline __attribute__((always_inline)) void NAME(
 			    R_ALL((REAL)fabs(m->a_hi)));
 
 			q[2] = R_ALL((REAL)m->a_hi) + b;
-			s = cu * s * R_ALL((REAL)(1 / tolerance));
-			error = R_MAX(error, s);
+			error = R_MAX(error, cu * s * within);
 		}
 		for (int k = 0; k < terms; k++) {
 			if (divide)
