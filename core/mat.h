@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #include "dd.h"
-#include "expansion.h"
+#include "exact.h"
 #include "sum.h"
 
 /* The image of a point p is (p - origin, 1) times rows 0 to 2 and AT_ORIGIN of

@@ -4,7 +4,7 @@
 #define SUM_H
 
 #include "dd.h"
-#include "expansion.h"
+#include "exact.h"
 
 struct sum {
 	dd value;

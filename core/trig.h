@@ -4,7 +4,7 @@
 #ifndef TRIG_H
 #define TRIG_H
 
-#include "expansion.h"
+#include "exact.h"
 
 /* Relative. */
 #define TRIG_BOUND 0x1p-200

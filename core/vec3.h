@@ -4,7 +4,7 @@
 
 #include <stdbool.h>
 
-#include "expansion.h"
+#include "exact.h"
 
 /* Exact. */
 ex vec3_dot(const ex a[3], const ex b[3]);

@@ -62,10 +62,13 @@ static UNARY(cube_root, real, mpfr_cbrt) static UNARY(sine_of, real,
 {
 	real r = number(0);
 
-	for (int i = 0; i < a.n; i++)
-		r = add(r, number(a.t[i]));
-	mpfr_mul_2si(r, r, a.e, MPFR_RNDN);
-	return r;
+	for (int i = a.n - 1; i >= 0; i--) {
+		r = mul(r, number(0x1p64));
+		r = add(r, number(0x1p32 * (double)(a.word[i] >> 32)));
+		r = add(r, number((double)(uint32_t)a.word[i]));
+	}
+	mpfr_mul_2si(r, r, 64 * a.e, MPFR_RNDN);
+	return a.sign < 0 ? negative(r) : r;
 }
 
 real number_dd(dd a)

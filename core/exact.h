@@ -1,0 +1,66 @@
+/* Exact arithmetic for the few numbers that a scene is made of, and for the few
+ * points that double-double cannot decide: integers times a power of two. Sums
+ * and products are exact, so a polynomial of the parameters, its sign and its
+ * zeros are; quotients and roots are within EX_ERROR; what is made of them is
+ * rounded once.
+ *
+ * Integers and not sums of doubles that do not overlap, as these need a range of
+ * exponents and a rounding mode to be exact in, several times the time, and a
+ * proof that their terms are few. */
+#ifndef EXACT_H
+#define EXACT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "dd.h"
+
+/* What is 2^-4500 of the largest term of a sum or product is lost: 1e150 times
+ * itself three times and 1e-150 three times differ by 2^3987. */
+enum { EX_WORDS = 72 };
+
+/* sign times the sum of word[i] 2^(64 (e + i)); neither end is 0. */
+typedef struct {
+	int sign, n, e;
+	uint64_t word[EX_WORDS];
+} ex;
+
+ex ex_of(double a);
+ex ex_dd(dd a);
+ex ex_neg(ex a);
+ex ex_abs(ex a);
+ex ex_add(ex a, ex b);
+ex ex_sub(ex a, ex b);
+ex ex_mul(ex a, ex b);
+ex ex_scale(ex a, double b);    /* a b */
+ex ex_shift(ex a, int e);       /* a 2^e */
+ex ex_diff(double a, double b); /* a - b */
+
+/* Relative. What has five words or less is exact. A quotient by 0 is beyond the
+ * range of doubles. */
+#define EX_ERROR 0x1p-319
+
+ex ex_quotient(ex a, ex b);
+ex ex_sqrt(ex a);
+
+/* a; or 0 where it may be nothing but errors, for a sum of terms each within
+ * 2^-195 of itself, whose magnitudes sum to size. */
+ex ex_settled(ex a, ex size);
+
+int ex_sign(ex a);          /* -1, 0, 1 */
+int ex_compare(ex a, ex b); /* the sign of a - b */
+ex ex_first(ex a, int n);   /* the n first words, toward 0 */
+
+/* The nearest double or float, ties to even, also among the subnormal ones;
+ * infinite beyond. */
+double ex_double(ex a);
+float ex_float(ex a);
+
+/* The nearest double, and the double nearest to what that leaves: within
+ * EX_BOUND u^2 while that is no less than 2^-1022. */
+#define EX_BOUND 0.5
+
+dd ex_round(ex a);
+dd ex_div(ex a, ex b);
+
+#endif
