@@ -18,18 +18,21 @@ struct slab {
 static void matrix_slab(const double matrix[4][4], bool minus_one,
     bool reversed, struct slab *s)
 {
-	ex m[4][4], g[3], z[3];
+	struct map m;
+	ex g[3], z[3];
 	bool parallel = true;
 
-	for (int i = 0; i < 16; i++)
-		m[i / 4][i % 4] = ex_of(matrix[i / 4][i % 4]);
+	map_of_doubles(matrix, &m);
 	for (int i = 0; i < 3; i++) {
-		g[i] = ex_mul(m[i][3], m[i][3]);
-		z[i] = ex_mul(m[i][2], m[i][2]);
-		parallel &= ex_sign(m[i][3]) == 0;
+		ex a = m.m[i][3].value, b = m.m[i][2].value;
+
+		g[i] = ex_mul(a, a);
+		z[i] = ex_mul(b, b);
+		parallel &= ex_sign(a) == 0;
 	}
-	ex c2 = ex_neg(ex_minor(3, m, 8, 4)), c3 = ex_minor(3, m, 8, 8);
-	ex det = ex_minor(4, m, 0, 0);
+	ex c2 = ex_neg(map_minor(3, m.m, 8, 4).value);
+	ex c3 = map_minor(3, m.m, 8, 8).value;
+	ex det = map_minor(4, m.m, 0, 0).value;
 	ex *normal = parallel ? z : g;
 
 	for (int k = 0; k < 2; k++) {

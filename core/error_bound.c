@@ -1,9 +1,10 @@
 #include "error_bound.h"
 
+#include <math.h>
+
 #include "frustum.h"
 
-/* Unit roundoff; the least number with all its digits; and what sums may come
- * to, a little below the largest. */
+/* Unit roundoff; the least number with all its digits; and what 1/w may be. */
 struct arithmetic {
 	double u, tiny, most;
 };
@@ -13,9 +14,6 @@ static const struct arithmetic arithmetic[] = {
 	[PRECISION_SINGLE] = { 0x1p-24, 0x1p-126, 0x1p120 },
 };
 
-/* How far a point can lie from the origin of a map. */
-#define FARTHEST (2 * MAGNITUDE_MAX)
-
 /* The bounds below are computed in double. */
 #define ROUNDED_UP (1 + 0x1p-46)
 
@@ -23,9 +21,8 @@ static const struct arithmetic arithmetic[] = {
  * over w is a convex function of the position in ndc, and so is largest in a
  * corner, also in one that lies at infinity. */
 struct corner {
-	double p[3];    /* |p - origin| / w, at most */
-	double inverse; /* 1/w, at most */
-	double least;   /* 1/w, at least */
+	double p[3];    /* |p - origin| / w */
+	double inverse; /* 1/w */
 };
 
 struct volume {
@@ -37,24 +34,19 @@ struct volume {
 static void set_corners(const struct scene *s, const struct map *from_clip,
     struct volume *v)
 {
-	const double *origin = v->t->map.origin, u2 = MAP_BOUND * 0x1p-106;
+	const double *origin = v->t->for_kernel.origin;
 
 	for (int i = 0; i < 8; i++) {
 		struct corner *c = &v->corner[i];
-		struct ex_sum h[4];
+		struct sum h[4];
 
-		view_corner(s, from_clip, false, i, h);
-		double w = ex_round(h[3].value).hi, error = u2 * h[3].size;
-
+		view_corner(s, from_clip, i, h);
 		for (int j = 0; j < 3; j++) {
-			ex p = ex_scale(h[3].value, origin[j]);
+			struct sum o = sum_mul(h[3], sum_of_double(origin[j]));
 
-			p = ex_sub(h[j].value, p);
-			c->p[j] = fabs(ex_round(p).hi) +
-			    u2 * (h[j].size + fabs(origin[j]) * h[3].size);
+			c->p[j] = fabs(sum_double(sum_sub(h[j], o)));
 		}
-		c->inverse = w + error;
-		c->least = w - error;
+		c->inverse = sum_double(h[3]);
 	}
 }
 
@@ -70,26 +62,16 @@ static void set_size(const struct scene *s, double size[3])
 	size[2] = fmax(fabs(v->min_z), fabs(v->max_z));
 }
 
-/* The sum of the magnitudes of column j's products, over w, in a corner. Results
- * below tiny have an error of at most tiny u; they can be a coordinate, an
- * element, and each of four operations. */
+/* The sum of the magnitudes of column j's products, over w, in a corner, as
+ * kernel/plain.h counts it with what underflows. */
 static double sum(const struct volume *v, int corner, int j, double tiny)
 {
 	const struct corner *c = &v->corner[corner];
-	const struct map *m = &v->t->map;
-	double s = c->inverse * (m->sum[AT_ORIGIN][j] + 4 * tiny);
+	const struct kernel_map *k = &v->t->for_kernel;
+	double s = c->inverse * (k->image[j] + tiny * (4 + 3 * k->most[j]));
 
 	for (int i = 0; i < 3; i++)
-		s += (c->p[i] + tiny * c->inverse) * (m->sum[i][j] + tiny);
-	return s;
-}
-
-static double largest_sum(const struct volume *v, int j)
-{
-	double s = 0;
-
-	for (int i = 0; i < 8; i++)
-		s = fmax(s, sum(v, i, j, 0));
+		s += c->p[i] * (fabs(k->hi[i][j]) + tiny);
 	return s;
 }
 
@@ -102,37 +84,12 @@ static double largest_inverse(const struct volume *v)
 	return inverse;
 }
 
-/* Whether nothing overflows on the way, nor 1/w underflows. */
-static bool fits(const struct volume *v, const struct arithmetic *a)
-{
-	const struct kernel_map *l = &v->t->for_kernel;
-	const struct map *m = &v->t->map;
-	double far[3] = { 0 };
-
-	for (int i = 0; i < 24; i++) {
-		const struct corner *c = &v->corner[i / 3];
-		double p = c->least > 0 ? c->p[i % 3] / c->least : FARTHEST;
-
-		far[i % 3] = fmax(far[i % 3], fmin(p, FARTHEST));
-	}
-	for (int j = 0; j < 4; j++) {
-		double s = m->sum[AT_ORIGIN][j];
-
-		for (int i = 0; i < 3; i++) {
-			s += far[i] * m->sum[i][j];
-			if (!(m->sum[i][j] <= a->most) || !(far[i] <= a->most))
-				return false;
-		}
-		if (!(s <= a->most))
-			return false;
-	}
-	return largest_inverse(v) <= a->most && fabs(l->a_hi) <= a->most &&
-	    fabs(l->b_hi) <= a->most;
-}
-
+/* nan where w could be unknown or 1/w beyond the range; other sums that could be
+ * are computed exactly. */
 static double plain(const struct volume *v, const struct arithmetic *a)
 {
 	const struct transform *t = v->t;
+	const struct kernel_map *k = &t->for_kernel;
 	double cu = PLAIN_BOUND * a->u, worst = 0, w = 0;
 	double inverse = largest_inverse(v);
 
@@ -151,27 +108,25 @@ static double plain(const struct volume *v, const struct arithmetic *a)
 	}
 	if (t->kind == KERNEL_DEPTH)
 		worst = fmax(worst,
-		    fabs(t->for_kernel.a_hi) +
-			fabs(t->for_kernel.b_hi) * inverse * w);
-	if (!fits(v, a) || (t->divide && !(cu * w < 0x1p-4)))
+		    fabs(k->a_hi) + fabs(k->b_hi) * inverse * w);
+	if (!(inverse <= a->most) || !(fabs(k->a_hi) <= a->most) ||
+	    !(fabs(k->b_hi) <= a->most) || (t->divide && !(cu * w < 0x1p-4)))
 		return (double)NAN;
-	return (cu * worst + 2 * a->tiny) * ROUNDED_UP;
+	return (cu * worst + 4 * a->tiny * a->u) * ROUNDED_UP;
 }
 
-/* kappa units in the last place of n / w are at most 2^-52 sum(n) sum(w) / w^2;
- * half a unit is largest for the largest coordinate. */
+/* Half a unit in the last place of the largest coordinate. */
 static double exact(const struct volume *v)
 {
-	double worst = 0, w = v->t->divide ? largest_sum(v, 3) : 1;
+	double worst = 0;
 
 	for (int j = 0; j < 3; j++) {
-		double s = largest_sum(v, j) * w * 0x1p-52 * POINTS_BOUND;
 		int e;
 
 		frexp(v->size[j], &e);
-		worst = fmax(worst, (s + ldexp(1, e - 54)) * ROUNDED_UP);
+		worst = fmax(worst, ldexp(1, e - 54));
 	}
-	return isfinite(worst) ? worst : (double)NAN;
+	return worst;
 }
 
 const char *error_bounds(const struct scene *s, double bound[3])

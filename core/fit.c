@@ -9,21 +9,18 @@
 	"/bounds: what holds them has numbers beyond 1e150 or sizes below " \
 	"1e-150; choose another unit"
 
-static bool less(dd a, dd b)
+static bool less(struct sum a, struct sum b)
 {
-	return dd_add(a, dd_neg(b)).hi < 0;
+	return sum_sign(sum_sub(a, b)) < 0;
 }
 
 /* How far the eye may go along the gaze while near - t is at least near_ratio
  * (far - t). */
 static struct sum reach_near(const struct extents *r, double ratio)
 {
-	dd far = dd_mul(r->high[2].value, (dd){ ratio, 0 });
-	dd near = dd_add(r->low[2].value, dd_neg(far));
-	dd rest = two_sum(1, -ratio);
-	double size = r->low[2].size + r->high[2].size;
+	struct sum far = sum_mul(r->high[2], sum_of_double(ratio));
 
-	return (struct sum){ dd_div(near, rest), size / rest.hi };
+	return sum_quotient(sum_sub(r->low[2], far), sum_of(ex_diff(1, ratio)));
 }
 
 /* How far the eye may go along the gaze before a side plane touches the bounds,
@@ -44,22 +41,21 @@ static const char *reach(const struct scene *s, const struct bounds *b,
 		return why;
 	*t = reach_near(&r, s->projection.near_ratio);
 	for (int k = 0; k < 4; k++) {
-		dd slope = dd_scale(view.sides.map.m[2][k],
-		    s->convention.right_handed ? -1 : 1);
-		struct sum low = bounds_lowest(b, &model.sides.map, k, 1);
+		struct sum slope = view.sides.map.m[2][k];
+		struct sum low = bounds_lowest(b, &model.sides.map, k, false);
 
-		if (!(slope.hi > 0))
+		if (s->convention.right_handed)
+			slope = sum_neg(slope);
+		if (sum_sign(slope) <= 0)
 			return "/projection: the gaze does not run between "
 			       "the side planes; let the edges stand on both "
 			       "sides of 0";
-		dd most = dd_div(low.value, slope);
+		struct sum most = sum_quotient(low, slope);
 
-		if (less(most, t->value)) {
-			t->value = most;
-			t->size = low.size / slope.hi + fabs(most.hi);
-		}
+		if (less(most, *t))
+			*t = most;
 	}
-	return fabs(t->value.hi) <= MAGNITUDE_MAX ? NULL : BEYOND;
+	return fabs(sum_double(*t)) <= MAGNITUDE_MAX ? NULL : BEYOND;
 }
 
 /* a to / from, rounded away from 0 so that nothing is cut off. */
@@ -83,7 +79,10 @@ static void keep_slopes(struct projection *p, double near)
 /* near >= near_ratio far, exactly. */
 static bool far_off(const struct projection *p)
 {
-	return !less((dd){ p->near, 0 }, two_prod(p->near_ratio, p->far));
+	struct sum least = sum_mul(sum_of_double(p->near_ratio),
+	    sum_of_double(p->far));
+
+	return !less(sum_of_double(p->near), least);
 }
 
 /* Closes near and far round the bounds, as seen from where the eye is. *held
@@ -97,7 +96,7 @@ static const char *close_persp(struct scene *s, const struct bounds *b,
 	unsigned out;
 	const char *why = bounds_extents(b, s, &r);
 
-	*held = why == NULL && r.low[2].value.hi > 0;
+	*held = why == NULL && sum_sign(r.low[2]) > 0;
 	if (!*held)
 		return why;
 	why = bounds_close_depth(b, s);
@@ -118,15 +117,15 @@ static const char *step_back(struct scene *s, const struct bounds *b,
     const struct map *back, struct sum t)
 {
 	const struct projection given = s->projection;
-	struct sum step[3] = { [2].size = t.size };
+	struct sum step[3] = { 0 };
 	const double *eye = s->camera.eye;
 	double off = 0;
 
 	for (int tries = 0; tries < 100; tries++) {
-		dd by = dd_add(t.value, (dd){ -off, 0 });
+		struct sum by = sum_sub(t, sum_of_double(off));
 		bool held;
 
-		step[2].value = s->convention.right_handed ? dd_neg(by) : by;
+		step[2] = s->convention.right_handed ? sum_neg(by) : by;
 		s->projection = given;
 		eye_move(back, step, s->camera.eye);
 		const char *why = close_persp(s, b, &held);
@@ -135,7 +134,7 @@ static const char *step_back(struct scene *s, const struct bounds *b,
 			return why;
 		for (int k = 0; k < 3 && tries == 0; k++)
 			off = fmax(off, 0x1p-54 * fabs(eye[k]));
-		off = off > 0 ? 2 * off : 0x1p-53 * fabs(t.value.hi);
+		off = off > 0 ? 2 * off : 0x1p-53 * fabs(sum_double(t));
 	}
 	return BEYOND;
 }
@@ -177,18 +176,17 @@ static const char *center(struct scene *s, bool has_eye, const struct bounds *b)
 	for (int j = 0; j < 3; j++)
 		step[j] = extents_middle(&r, j);
 	if (has_eye)
-		step[2] = (struct sum){ 0 };
+		step[2] = sum_of_double(0);
 	else
-		step[2].value = dd_add(step[2].value,
-		    dd_add(r.low[2].value, dd_neg(r.high[2].value)));
+		step[2] = sum_add(step[2], sum_sub(r.low[2], r.high[2]));
 	if (right)
-		step[2].value = dd_neg(step[2].value);
+		step[2] = sum_neg(step[2]);
 	for (int j = 0; j < 2; j++) {
-		double y = j == 1 && s->convention.ndc_y_down ? -1 : 1;
-		dd sheared = dd_mul(step[2].value, clip.m[2][j]);
+		struct sum sheared = sum_mul(step[2], clip.m[2][j]);
 
-		step[j].value = dd_add(step[j].value, dd_scale(sheared, -y));
-		step[j].size += fabs(sheared.hi);
+		step[j] = j == 1 && s->convention.ndc_y_down ?
+		    sum_add(step[j], sheared) :
+		    sum_sub(step[j], sheared);
 	}
 	eye_move(&back, step, s->camera.eye);
 	return NULL;
@@ -213,7 +211,7 @@ static const char *close_sides(struct scene *s, const struct bounds *b)
 {
 	struct projection *p = &s->projection;
 	double *const size[2] = { &p->width, &p->height };
-	dd limit[2] = { { 1, 0 }, { 1, 0 } };
+	struct sum limit[2] = { sum_of_double(1), sum_of_double(1) };
 	struct extents r;
 	const char *why = bounds_extents(b, s, &r);
 
@@ -223,10 +221,10 @@ static const char *close_sides(struct scene *s, const struct bounds *b)
 	if (s->has_viewport)
 		viewport_limits(&s->viewport, limit);
 	for (int j = 0; j < 2; j++) {
-		dd left = dd_neg(r.low[j].value), right = r.high[j].value;
-		dd most = less(left, right) ? right : left;
+		struct sum left = sum_neg(r.low[j]), right = r.high[j];
 
-		*size[j] = 2 * dd_div(most, limit[j]).hi;
+		*size[j] = 2 *
+		    sum_over(less(left, right) ? right : left, limit[j]);
 		if (!(*size[j] > 0))
 			return "/camera/eye: too far from the bounds to tell "
 			       "their size; leave it out, or move it nearer";

@@ -3,37 +3,27 @@
 #include <math.h>
 
 #include "frustum.h"
-
-struct sum sum_of(ex value, double size)
-{
-	struct sum s = { ex_round(value), size };
-
-	if (fabs(s.value.hi) <= SUM_BOUND * size && isfinite(size))
-		s.value = (dd){ 0, 0 };
-	return s;
-}
+#include "vec3.h"
 
 /* A box is lowest at a corner; a sphere by its radius times the length of the
  * slope below its centre. */
 struct sum bounds_lowest(const struct bounds *b, const struct map *m, int j,
-    double sign)
+    bool minus)
 {
-	ex sum = ex_scale(ex_dd(m->m[AT_ORIGIN][j]), sign), square = ex_of(0);
-	double size = m->sum[AT_ORIGIN][j], radius = b->sphere ? b->radius : 0;
+	struct sum slope[3], sum = minus ? sum_neg(m->m[3][j]) : m->m[3][j];
 
 	for (int i = 0; i < 3; i++) {
-		ex slope = ex_scale(ex_dd(m->m[i][j]), sign);
-		double at = b->sphere  ? b->center[i] :
-		    ex_sign(slope) > 0 ? b->min[i] :
-					 b->max[i];
-		ex p = ex_diff(at, m->origin[i]);
+		slope[i] = minus ? sum_neg(m->m[i][j]) : m->m[i][j];
+		double at = b->sphere	 ? b->center[i] :
+		    sum_sign(slope[i]) > 0 ? b->min[i] :
+					     b->max[i];
 
-		sum = ex_add(sum, ex_mul(p, slope));
-		square = ex_add(square, ex_mul(slope, slope));
-		size += (fabs(ex_round(p).hi) + radius) * m->sum[i][j];
+		sum = sum_add(sum, sum_mul(slope[i], sum_of_double(at)));
 	}
-	sum = ex_sub(sum, ex_scale(ex_sqrt(square), radius));
-	return sum_of(sum, size);
+	if (b->sphere)
+		sum = sum_sub(sum,
+		    sum_mul(vec3_length(slope), sum_of_double(b->radius)));
+	return sum_settled(sum);
 }
 
 /* Highest less lowest, roughly; 0 only where the bounds have no extent. */
@@ -42,26 +32,25 @@ static double width(const struct bounds *b, const struct map *m, int j)
 	double length = 0, sum = 0;
 
 	for (int i = 0; i < 3; i++) {
-		length = hypot(length, m->m[i][j].hi);
-		sum += fabs(m->m[i][j].hi) * (b->max[i] - b->min[i]);
+		double slope = fabs(sum_double(m->m[i][j]));
+
+		length = hypot(length, slope);
+		sum += slope * (b->max[i] - b->min[i]);
 	}
 	return b->sphere ? 2 * b->radius * length : sum;
 }
 
 struct sum extents_middle(const struct extents *r, int j)
 {
-	ex sum = ex_add(ex_dd(r->low[j].value), ex_dd(r->high[j].value));
-
-	return sum_of(ex_scale(sum, 0.5), r->low[j].size + r->high[j].size);
+	return sum_mul(sum_add(r->low[j], r->high[j]), sum_of_double(0.5));
 }
 
 /* The lowest and highest of column j. */
 static void range(const struct bounds *b, const struct map *m, int j,
-    double sign, struct extents *r)
+    bool minus, struct extents *r)
 {
-	r->low[j] = bounds_lowest(b, m, j, sign);
-	r->high[j] = bounds_lowest(b, m, j, -sign);
-	r->high[j].value = dd_neg(r->high[j].value);
+	r->low[j] = bounds_lowest(b, m, j, minus);
+	r->high[j] = sum_neg(bounds_lowest(b, m, j, !minus));
 }
 
 const char *bounds_center(const struct bounds *b, const struct scene *s,
@@ -72,8 +61,8 @@ const char *bounds_center(const struct bounds *b, const struct scene *s,
 	const char *why = scene_map(s, SPACE_MODEL, SPACE_WORLD, &world);
 
 	for (int k = 0; k < 3 && why == NULL; k++) {
-		range(b, &world, k, 1, &r);
-		center[k] = extents_middle(&r, k).value.hi;
+		range(b, &world, k, false, &r);
+		center[k] = sum_double(extents_middle(&r, k));
 	}
 	return why;
 }
@@ -98,17 +87,18 @@ const char *bounds_extents(const struct bounds *b, const struct scene *s,
 		    s->convention.right_handed :
 		    j == 1 && parallel && s->convention.ndc_y_down;
 
-		range(b, m, j, turned ? -1 : 1, r);
+		range(b, m, j, turned, r);
 		widths[j] = width(b, m, j);
 		largest = fmax(largest, widths[j]);
 	}
 	if (largest == 0)
 		return "/bounds: a single point; what has an extent is wanted";
 	for (int j = 0; j < 3; j++) {
-		dd half = { widths[j] == 0 ? 0x1p-21 * largest : 0, 0 };
+		struct sum half = sum_of_double(
+		    widths[j] == 0 ? 0x1p-21 * largest : 0);
 
-		r->low[j].value = dd_add(r->low[j].value, dd_neg(half));
-		r->high[j].value = dd_add(r->high[j].value, half);
+		r->low[j] = sum_sub(r->low[j], half);
+		r->high[j] = sum_add(r->high[j], half);
 	}
 	return NULL;
 }
@@ -132,7 +122,7 @@ const char *bounds_out(const struct bounds *b, const struct scene *s,
 	}
 	for (int k = 0; k < 7 && b->sphere; k++) {
 		const struct map *m = k < 4 ? &f.sides.map : &f.ends.map;
-		double low = bounds_lowest(b, m, k % 4, 1).value.hi;
+		int low = sum_sign(bounds_lowest(b, m, k % 4, false));
 
 		if (low < 0 || (low == 0 && 1 << k == OUT_BEHIND))
 			*out |= 1u << k;
@@ -164,9 +154,9 @@ const char *bounds_close_depth(const struct bounds *b, struct scene *s)
 	/* no test reaches this: all that could fail has been done before */
 	if (why != NULL)
 		return why;
-	double far = r.high[2].value.hi;
+	double far = sum_double(r.high[2]);
 
-	p->near = r.low[2].value.hi;
+	p->near = sum_double(r.low[2]);
 	p->far = fmax(far, nextafter(p->near, HUGE_VAL));
 	why = bounds_close(b, s, &p->near, -HUGE_VAL, OUT_NEAR);
 	p->far = fmax(far, nextafter(p->near, HUGE_VAL));

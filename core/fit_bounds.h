@@ -11,18 +11,10 @@ struct bounds {
 	double min[3], max[3]; /* of a box */
 };
 
-/* The error of a struct sum here, relative to its size: a product has that of a
- * map's element, MAP_BOUND u^2, and at most 13 u^2 come from what is done with
- * sums afterwards in double-double. */
-#define SUM_BOUND ((MAP_BOUND + 13) * 0x1p-106)
-
-/* Rounds, and makes 0 of what may be nothing but its error. */
-struct sum sum_of(ex value, double size);
-
-/* The support function: the least value of sign times column j of a map over
- * the bounds. Exact but for the map's elements, also for a sphere. */
+/* The support function: the least value of column j of a map, or of minus that, over
+ * the bounds. */
 struct sum bounds_lowest(const struct bounds *, const struct map *, int j,
-    double sign);
+    bool minus);
 
 /* The ranges of x, y and depth of some bounds as seen from the eye: depth along
  * the gaze; x and y of a perspective in view space, of a parallel projection in

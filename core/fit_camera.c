@@ -13,14 +13,14 @@ static const char *from_axes(struct camera *c, bool right_handed)
 
 	if (why == NULL && c->by == CAMERA_MATRIX)
 		for (int k = 0; k < 3; k++)
-			c->eye[k] = back.m[AT_ZERO][k].hi;
+			c->eye[k] = sum_double(back.m[3][k]);
 	turned.roll = 0;
 	turned.orthonormalize = true;
 	if (why == NULL)
 		why = camera_map(&turned, right_handed, true, &back);
 	for (int k = 0; k < 3 && why == NULL; k++) {
-		c->at[k] = sign * back.m[2][k].hi;
-		c->up[k] = back.m[1][k].hi;
+		c->at[k] = sign * sum_double(back.m[2][k]);
+		c->up[k] = sum_double(back.m[1][k]);
 	}
 	if (c->by == CAMERA_MATRIX)
 		c->roll = 0;
@@ -65,16 +65,10 @@ const char *gaze_of(struct scene *s)
 void eye_move(const struct map *back, const struct sum step[3], double eye[3])
 {
 	for (int k = 0; k < 3; k++) {
-		ex sum = ex_dd(back->m[AT_ORIGIN][k]);
-		double size = 0;
+		struct sum sum = back->m[3][k];
 
-		for (int i = 0; i < 3; i++) {
-			double by = fabs(step[i].value.hi);
-
-			sum = ex_add(sum,
-			    ex_mul(ex_dd(step[i].value), ex_dd(back->m[i][k])));
-			size += (step[i].size + by) * back->sum[i][k];
-		}
-		eye[k] = sum_of(sum, size).value.hi;
+		for (int i = 0; i < 3; i++)
+			sum = sum_add(sum, sum_mul(step[i], back->m[i][k]));
+		eye[k] = sum_double(sum);
 	}
 }

@@ -2,17 +2,22 @@
 
 #include <math.h>
 
-/* Column j of r becomes a x + b w, of x = column k and w = column 3 of m. */
-static void combine(struct map *r, int j, const struct map *m, dd a, int k,
-    dd b)
+static void limits(const struct scene *s, struct sum limit[2])
 {
-	for (int i = 0; i < 5; i++) {
-		ex x = ex_mul(ex_dd(a), ex_dd(m->m[i][k]));
-		ex w = ex_mul(ex_dd(b), ex_dd(m->m[i][3]));
+	limit[0] = limit[1] = sum_of_double(1);
+	if (s->has_viewport)
+		viewport_limits(&s->viewport, limit);
+}
 
-		r->m[i][j] = ex_round(ex_add(x, w));
-		r->sum[i][j] = fabs(a.hi) * m->sum[i][k] +
-		    fabs(b.hi) * m->sum[i][3];
+/* Column j of r becomes sign x + b w, of x = column k and w = column 3 of m. */
+static void combine(struct map *r, int j, const struct map *m, bool minus,
+    int k, struct sum b)
+{
+	for (int i = 0; i < 4; i++) {
+		struct sum x = m->m[i][k];
+
+		r->m[i][j] = sum_settled(sum_add(minus ? sum_neg(x) : x,
+		    sum_mul(b, m->m[i][3])));
 	}
 }
 
@@ -22,62 +27,61 @@ static void planes(const struct scene *s, const struct map *m,
     struct map *sides, struct map *ends)
 {
 	const struct convention *c = &s->convention;
-	const dd one = { 1, 0 }, zero = { 0, 0 };
-	dd limit[2] = { one, one };
-	bool reverse = s->projection.reverse_z;
+	bool reversed = projection_is_reversed(&s->projection, c);
+	struct sum limit[2];
 
-	if (s->has_viewport)
-		viewport_limits(&s->viewport, limit);
+	limits(s, limit);
 	for (int k = 0; k < 4; k++) {
 		bool high = (k & 1) ^ (k >= 2 && c->ndc_y_down);
 
-		combine(sides, k, m, high ? dd_neg(one) : one, k / 2,
-		    limit[k / 2]);
+		combine(sides, k, m, high, k / 2, limit[k / 2]);
 	}
-	combine(ends, reverse ? 1 : 0, m, one, 2, c->minus_one ? one : zero);
-	combine(ends, reverse ? 0 : 1, m, dd_neg(one), 2, one);
+	combine(ends, reversed, m, false, 2, sum_of_double(c->minus_one));
+	combine(ends, !reversed, m, true, 2, sum_of_double(1));
 }
 
 const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
     struct frustum *f)
 {
-	struct map clip, view;
-	bool back = from == SPACE_NDC || from == SPACE_DEVICE;
+	struct map clip, sides, ends;
 	const char *why = scene_map(s, from, SPACE_CLIP, &clip);
 
 	if (why != NULL)
 		return why;
-	view = clip;
-	if (back)
-		why = scene_map(s, from, SPACE_VIEW, &view);
-	struct map sides = clip, ends = clip;
-
+	sides = ends = clip;
 	planes(s, &clip, &sides, &ends);
-	for (int i = 0; i < 5; i++) {
-		ends.m[i][2] = view.m[i][3];
-		ends.sum[i][2] = view.sum[i][3];
-	}
-	f->sides = transform_of(&sides, from, SPACE_CLIP, homogeneous);
-	f->ends = transform_of(&ends, from, SPACE_CLIP, homogeneous);
-	f->sides.divide = f->ends.divide = false;
-	f->ends.out = 3;
+	if (from == SPACE_NDC || from == SPACE_DEVICE)
+		why = scene_map(s, from, SPACE_VIEW, &clip);
+	for (int i = 0; i < 4; i++)
+		ends.m[i][2] = clip.m[i][3];
+	transform_of(&sides, from, SPACE_CLIP, homogeneous, &f->sides);
+	transform_of(&ends, from, SPACE_CLIP, homogeneous, &f->ends);
 	return why;
+}
+
+/* The signs of the first n columns. */
+static void signs(const struct transform *t, int n, const double in[4],
+    int sign[4])
+{
+	double value[4];
+	bool sure = point_estimate(t, in, n, value);
+
+	for (int j = 0; j < n; j++)
+		sign[j] = sure ? (value[j] > 0) - (value[j] < 0) :
+				 sum_sign(point_column(t, j, in));
 }
 
 unsigned frustum_out(const struct frustum *f, const double in[4])
 {
-	double side[4], end[4], size[4], kappa;
+	int side[4], end[4];
 	unsigned out = 0;
 
-	if (!point_estimate(&f->sides, in, 4, side, size) ||
-	    !point_estimate(&f->ends, in, 3, end, size)) {
-		point_exact(&f->sides, in, side, &kappa);
-		point_exact(&f->ends, in, end, &kappa);
-	}
 	for (int i = 0; i < f->sides.in; i++)
 		if (isnan(in[i]))
 			return OUT_NAN;
-	if (!(end[2] > 0) || (f->sides.reciprocal && !(in[3] > 0)))
+	signs(&f->sides, 4, in, side);
+	signs(&f->ends, 3, in, end);
+	if (end[2] <= 0 || (f->sides.reciprocal && !(in[3] > 0)))
 		return OUT_BEHIND;
 	for (int k = 0; k < 4; k++)
 		out |= side[k] < 0 ? 1u << k : 0;
@@ -87,38 +91,31 @@ unsigned frustum_out(const struct frustum *f, const double in[4])
 }
 
 /* In ndc, which is in clip space where w is 1. */
-static void ndc_corner(const struct scene *s, bool reversed, int corner,
-    ex clip[4])
+static void ndc_corner(const struct scene *s, int corner, struct sum clip[4])
 {
 	static const int right[4] = { -1, 1, 1, -1 }, up[4] = { -1, -1, 1, 1 };
 	const struct convention *c = &s->convention;
-	dd limit[2] = { { 1, 0 }, { 1, 0 } };
+	bool reversed = projection_is_reversed(&s->projection, c);
 	double y = c->ndc_y_down ? -up[corner % 4] : up[corner % 4];
 	double depth = (corner >= 4) != reversed ? 1 : c->minus_one ? -1 : 0;
 
-	if (s->has_viewport)
-		viewport_limits(&s->viewport, limit);
-	clip[0] = ex_scale(ex_dd(limit[0]), right[corner % 4]);
-	clip[1] = ex_scale(ex_dd(limit[1]), y);
-	clip[2] = ex_of(depth);
-	clip[3] = ex_of(1);
+	limits(s, clip);
+	clip[0] = sum_mul(clip[0], sum_of_double(right[corner % 4]));
+	clip[1] = sum_mul(clip[1], sum_of_double(y));
+	clip[2] = sum_of_double(depth);
+	clip[3] = sum_of_double(1);
 }
 
-void view_corner(const struct scene *s, const struct map *from_clip,
-    bool reversed, int corner, struct ex_sum h[4])
+void view_corner(const struct scene *s, const struct map *from_clip, int corner,
+    struct sum h[4])
 {
-	ex clip[4];
+	struct sum clip[4];
 
-	ndc_corner(s, reversed, corner, clip);
+	ndc_corner(s, corner, clip);
 	for (int j = 0; j < 4; j++) {
-		h[j] = (struct ex_sum){ 0 };
-		for (int i = 0; i < 4; i++) {
-			int row = i < 3 ? i : AT_ZERO;
-			ex m = ex_dd(from_clip->m[row][j]);
-
-			h[j].value = ex_add(h[j].value, ex_mul(clip[i], m));
-			h[j].size += fabs(ex_round(clip[i]).hi) *
-			    from_clip->sum[row][j];
-		}
+		h[j] = sum_of_double(0);
+		for (int i = 0; i < 4; i++)
+			h[j] = sum_add(h[j],
+			    sum_mul(clip[i], from_clip->m[i][j]));
 	}
 }

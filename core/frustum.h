@@ -27,13 +27,13 @@ struct frustum {
 const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
     struct frustum *);
 
-/* 0 where the point is inside or on a plane; behind comes alone. */
+/* 0 where the point is inside or on a plane, exactly; behind comes alone. */
 unsigned frustum_out(const struct frustum *, const double in[4]);
 
 /* Corner 0..7 of the view volume under the inverse of a map to clip space,
  * homogeneous, with clip w = 1: near, then far, each left-bottom, right-bottom,
  * right-top, left-top. */
 void view_corner(const struct scene *, const struct map *from_clip,
-    bool reversed, int corner, struct ex_sum h[4]);
+    int corner, struct sum h[4]);
 
 #endif

@@ -2,52 +2,108 @@
 
 #include <math.h>
 
-/* On the axis view z = N(z)/D(z) of ndc z; the gaze goes where that moves as z
- * leaves the near plane: N' D - N D', times -1 where depth is reversed. */
-const char *depth_transform(const struct scene *s, struct transform *t)
+/* Where the near plane is on the axis of view space, and whether the gaze goes
+ * toward larger z. */
+static const char *near_plane(const struct scene *s, struct sum *near,
+    bool *upward)
 {
-	struct map view, back;
-	bool reverse = s->projection.reverse_z;
-	double z = reverse ? 1 : s->convention.minus_one ? -1 : 0;
+	const struct projection *p = &s->projection;
+	const struct convention *c = &s->convention;
+	bool reversed = projection_is_reversed(p, c);
+	struct sum z = sum_of_double(reversed ? 1 : c->minus_one ? -1 : 0);
+	struct map back;
+
+	*upward = !c->right_handed;
+	*near = sum_of_double(c->right_handed ? -p->near : p->near);
+	switch (p->type) {
+	case PROJECTION_PERSP:
+	case PROJECTION_ORTHO:
+	case PROJECTION_OBLIQUE:
+		return NULL;
+	case PROJECTION_VOLUME:
+		*upward = p->z_far > p->z_near;
+		*near = sum_of_double(p->z_near);
+		return NULL;
+	default:
+		break;
+	}
+	/* On the axis view z = N(z)/D(z) of ndc z; as z leaves the near plane that
+	 * moves by N' D - N D' over something positive. */
 	const char *why = scene_map(s, SPACE_NDC, SPACE_VIEW, &back);
 
-	if (why == NULL)
-		why = scene_map(s, SPACE_MODEL, SPACE_VIEW, &view);
-	/* no test reaches this: pick has composed the same before */
 	if (why != NULL)
 		return why;
-	dd(*m)[4] = back.m;
-	ex n = ex_add(ex_scale(ex_dd(m[2][2]), z), ex_dd(m[AT_ZERO][2]));
-	ex d = ex_add(ex_scale(ex_dd(m[2][3]), z), ex_dd(m[AT_ZERO][3]));
-	ex slope = ex_sub(ex_mul(ex_dd(m[2][2]), d), ex_mul(n, ex_dd(m[2][3])));
-	double sign = (ex_round(slope).hi > 0) == !reverse ? 1 : -1;
-	dd near = ex_div(n, d);
+	const struct sum(*m)[4] = back.m;
+	struct sum n = sum_add(sum_mul(m[2][2], z), m[3][2]);
+	struct sum d = sum_add(sum_mul(m[2][3], z), m[3][3]);
 
-	for (int i = 0; i < 5; i++)
-		view.m[i][2] = dd_scale(view.m[i][2], sign);
-	view.m[AT_ORIGIN][2] = dd_add(view.m[AT_ORIGIN][2],
-	    dd_scale(near, -sign));
-	view.sum[AT_ORIGIN][2] += fabs(near.hi);
-	*t = transform_of(&view, SPACE_MODEL, SPACE_VIEW, false);
+	*near = sum_quotient(n, d);
+	*upward = (sum_sign(sum_sub(sum_mul(m[2][2], d), sum_mul(n, m[2][3]))) >
+		      0) == !reversed;
 	return NULL;
 }
 
-double depth_of(const struct transform *t, const double in[4])
+const char *picker_of(const struct scene *s, const double at[2], double radius,
+    struct picker *k)
 {
-	double out[4], kappa;
+	struct map view;
+	struct sum near;
+	bool upward;
+	const char *why = near_plane(s, &near, &upward);
 
-	point_exact(t, in, out, &kappa);
-	return out[2];
+	k->at[0] = at[0];
+	k->at[1] = at[1];
+	k->radius = radius;
+	if (why == NULL)
+		why = scene_transform(s, SPACE_MODEL, SPACE_DEVICE, false,
+		    &k->to_device);
+	if (why == NULL)
+		why = scene_map(s, SPACE_MODEL, SPACE_VIEW, &view);
+	if (why != NULL)
+		return why;
+	view.m[3][2] = sum_sub(view.m[3][2], near);
+	for (int i = 0; i < 4 && !upward; i++)
+		view.m[i][2] = sum_neg(view.m[i][2]);
+	transform_of(&view, SPACE_MODEL, SPACE_VIEW, false, &k->depth);
+	return NULL;
 }
 
-bool is_within(const double device[2], const double at[2], double radius)
+static struct sum square(struct sum a)
 {
-	dd r = two_prod(radius, radius), d2 = { 0, 0 };
+	return sum_mul(a, a);
+}
 
-	for (int i = 0; i < 2; i++) {
-		dd d = two_sum(device[i], -at[i]);
+/* The device position is N / w: (N - at w)^2 <= (r w)^2. Doubles decide unless
+ * they are within 2^-40 of equal, as each has lost a few u. */
+bool pick_holds(const struct picker *k, const double in[4],
+    const double device[2])
+{
+	const struct transform *t = &k->to_device;
+	double x = device[0] - k->at[0], y = device[1] - k->at[1];
+	double d2 = x * x + y * y, r2 = k->radius * k->radius;
+	double large = fmax(fabs(k->at[0]), fabs(k->at[1]));
 
-		d2 = dd_add(d2, dd_mul(d, d));
+	if (k->radius > 0x1p-40 * large && r2 > 0x1p-900 && r2 < 0x1p900 &&
+	    fabs(d2 - r2) > 0x1p-8 * r2)
+		return d2 < r2;
+	struct sum w = t->divide ? point_column(t, 3, in) : sum_of_double(1);
+	struct sum d = sum_neg(square(sum_mul(w, sum_of_double(k->radius))));
+
+	for (int j = 0; j < 2; j++) {
+		struct sum at = sum_mul(w, sum_of_double(k->at[j]));
+
+		d = sum_add(d, square(sum_sub(point_column(t, j, in), at)));
 	}
-	return dd_add(d2, dd_neg(r)).hi <= 0;
+	return sum_sign(d) <= 0;
+}
+
+double pick_distance(const struct picker *k, const double in[4])
+{
+	return sum_double(point_column(&k->depth, 2, in));
+}
+
+int pick_compare(const struct picker *k, const double p[4], const double q[4])
+{
+	return sum_sign(sum_sub(point_column(&k->depth, 2, p),
+	    point_column(&k->depth, 2, q)));
 }

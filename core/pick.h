@@ -4,14 +4,24 @@
 
 #include "point.h"
 
-/* Model space to the distance along the gaze from the near plane, within 1/2 +
- * kappa 2^-47 units in the last place. Returns NULL, or the member and the
- * reason. */
-const char *depth_transform(const struct scene *, struct transform *);
-double depth_of(const struct transform *, const double in[4]);
+/* From model space: to the device, and along the gaze from the near plane. */
+struct picker {
+	struct transform to_device;
+	struct transform depth; /* its z */
+	double at[2], radius;
+};
 
-/* Whether a device position is no further than radius from at, exactly but for
- * 2^-100. */
-bool is_within(const double device[2], const double at[2], double radius);
+/* Returns NULL, or the member and the reason. */
+const char *picker_of(const struct scene *, const double at[2], double radius,
+    struct picker *);
+
+/* Whether a point, whose image's nearest doubles are given, is no further than
+ * radius from at on the device, exactly. */
+bool pick_holds(const struct picker *, const double in[4],
+    const double device[2]);
+
+/* The distance's nearest double; and the sign of that of p less that of q. */
+double pick_distance(const struct picker *, const double in[4]);
+int pick_compare(const struct picker *, const double p[4], const double q[4]);
 
 #endif

@@ -15,8 +15,7 @@ bool points_choose(const char *name)
 }
 
 /* x y z w, undivided, from two turns of the affine kernel: w's column stands
- * for each of the others in the second. Returns whether all were done; else the
- * first coordinate of some is nan. */
+ * for each of the others in the second. */
 static bool carry_four(const struct transform *t, const double *const in[4],
     double *const out[4], size_t n)
 {
@@ -25,14 +24,11 @@ static bool carry_four(const struct transform *t, const double *const in[4],
 	double unused[2][POINTS_BLOCK];
 	double *const last[3] = { out[3], unused[0], unused[1] };
 
-	for (int j = 0; j < 3; j++) {
+	for (int j = 0; j < 3; j++)
 		for (int i = 0; i < 4; i++) {
 			w.hi[i][j] = w.hi[i][3];
 			w.lo[i][j] = w.lo[i][3];
 		}
-		w.doubt[j] = w.doubt[3];
-		w.doubt_image[j] = w.doubt_image[3];
-	}
 	bool done = affine(&t->for_kernel, in, out, n);
 
 	if (affine(&w, in, last, n))
@@ -43,26 +39,35 @@ static bool carry_four(const struct transform *t, const double *const in[4],
 	return false;
 }
 
+/* The accurate phase for point i. */
+static void carry_one(const struct transform *t, const double *const in[4],
+    double *const out[4], size_t i)
+{
+	double p[4], q[4];
+
+	for (int j = 0; j < t->in; j++)
+		p[j] = in[j][i];
+	point_exact(t, p, q);
+	for (int j = 0; j < t->out; j++)
+		out[j][i] = q[j];
+}
+
 static void carry_exact(const struct transform *t, const double *const in[4],
     double *const out[4], size_t n)
 {
 	exact_kernel fast = kernels->exact[t->kind];
 	bool four = t->in == 3 && t->out == 4 && !t->divide;
+	bool tried = fast != NULL || four;
 
 	if (fast != NULL ? fast(&t->for_kernel, in, out, n) :
 			   four && carry_four(t, in, out, n))
 		return;
-	for (size_t i = 0; i < n; i++) {
-		double p[4], q[4], kappa;
-
-		if ((fast != NULL || four) && !isnan(out[0][i]))
-			continue;
-		for (int j = 0; j < t->in; j++)
-			p[j] = in[j][i];
-		point_exact(t, p, q, &kappa);
-		for (int j = 0; j < t->out; j++)
-			out[j][i] = q[j];
-	}
+	for (size_t i = 0; i < n; i++)
+		if (!tried || isnan(out[0][i]))
+			carry_one(t, in, out, i);
+		else if (isinf(out[0][i]))
+			for (int j = 0; j < t->out; j++)
+				out[j][i] = (double)NAN;
 }
 
 /* Where no kernel fits: a point with four coordinates in or out, in double or,
@@ -78,13 +83,13 @@ static void point_plain(const struct transform *t, bool single,
 	double p[4] = { 0, 0, 0, 1 }, q[4], w = 1;
 
 	for (int i = 0; i < t->in && i < 3; i++)
-		p[i] = rounded(in[i] - t->map.origin[i], single);
+		p[i] = rounded(in[i] - t->for_kernel.origin[i], single);
 	if (t->in == 4 && !t->reciprocal)
 		p[3] = rounded(in[3], single);
 	for (int j = 0; j < 4; j++) {
 		q[j] = 0;
 		for (int i = 3; i >= 0; i--) {
-			double a = rounded(t->map.m[i][j].hi, single);
+			double a = rounded(t->for_kernel.hi[i][j], single);
 
 			q[j] = rounded(q[j] + rounded(p[i] * a, single),
 			    single);
@@ -104,12 +109,20 @@ static void carry_plain(const struct transform *t, enum precision precision,
 {
 	plain_kernel fast = kernels->plain[precision][t->kind];
 
-	if (fast != NULL) {
-		fast(&t->for_kernel, in, out, n, 0);
+	if (fast != NULL && fast(&t->for_kernel, in, out, n, 0))
 		return;
-	}
 	for (size_t i = 0; i < n; i++) {
 		double p[4], q[4];
+
+		if (fast != NULL && !isnan(out[0][i]))
+			continue;
+		if (fast != NULL) {
+			carry_one(t, in, out, i);
+			for (int j = 0; j < t->out; j++)
+				out[j][i] = rounded(out[j][i],
+				    precision == PRECISION_SINGLE);
+			continue;
+		}
 
 		for (int j = 0; j < t->in; j++)
 			p[j] = in[j][i];

@@ -10,82 +10,82 @@
  *	 zx  zy  zz  zw
  *	 tx  ty  tz  tw
  * det = zz tw - zw tz is known as a product of parameters, without
- * cancellation. tx_size and ty_size are the sums of the magnitudes of tx's and
- * ty's terms; only oblique's have more than one term. */
+ * cancellation. */
 struct elements {
-	ex x, y, zx, zy, zz, zw, tx, ty, tz, tw, det;
-	ex tx_size, ty_size;
+	struct sum x, y, zx, zy, zz, zw, tx, ty, tz, tw, det;
 };
 
-static ex negated_if(bool yes, ex a)
+static struct sum number(double a)
 {
-	return yes ? ex_neg(a) : a;
+	return sum_of_double(a);
 }
 
-/* a + b. *size is the sum of the magnitudes of a's terms, and becomes that of
- * the result's. */
-static ex sum(ex a, ex b, ex *size)
+static struct sum negated_if(bool yes, struct sum a)
 {
-	*size = ex_add(ex_abs(*size), ex_abs(b));
-	return ex_settled(ex_add(a, b), *size);
+	return yes ? sum_neg(a) : a;
+}
+
+static struct sum difference(double a, double b)
+{
+	return sum_of(ex_diff(a, b));
 }
 
 /* The elements of one axis: 2 d / (b - a), and (a + b) / (b - a), by which the
  * cross-section's centre is off the axis. */
 static const char *edges(double a, double b, double d, const char *equal,
-    ex *scale, ex *off)
+    struct sum *scale, struct sum *off)
 {
-	ex size = ex_diff(b, a);
+	struct sum size = difference(b, a);
 
-	if (ex_sign(size) == 0)
+	if (sum_sign(size) == 0)
 		return equal;
-	*scale = ex_quotient(ex_of(2 * d), size);
-	*off = ex_quotient(ex_diff(a, -b), size);
+	*scale = sum_quotient(number(2 * d), size);
+	*off = sum_quotient(difference(a, -b), size);
 	return NULL;
 }
 
 /* One of x and y is s / over; the other follows from the aspect w / h. */
-static void by_aspect(const double aspect[2], bool given_x, ex s, ex over,
-    struct elements *f)
+static void by_aspect(const double aspect[2], bool given_x, struct sum s,
+    struct sum over, struct elements *f)
 {
-	ex w = ex_of(aspect[0]), h = ex_of(aspect[1]);
-	ex given = ex_quotient(s, over);
+	struct sum w = number(aspect[0]), h = number(aspect[1]);
+	struct sum given = sum_quotient(s, over);
 
-	f->x = given_x ? given : ex_quotient(ex_mul(s, h), ex_mul(over, w));
-	f->y = given_x ? ex_quotient(ex_mul(s, w), ex_mul(over, h)) : given;
+	f->x = given_x ? given : sum_quotient(sum_mul(s, h), sum_mul(over, w));
+	f->y = given_x ? sum_quotient(sum_mul(s, w), sum_mul(over, h)) : given;
 }
 
 /* Sets x, y and by how much the centre is off; d is the distance of the plane
  * in which width, height and edges are given: near for persp, 1 otherwise. */
 static const char *cross_section(const struct projection *p, double d,
-    struct elements *f, ex off[2])
+    struct elements *f, struct sum off[2])
 {
 	bool wide = p->aspect[0] >= p->aspect[1];
-	ex cot = ex_of(0);
+	struct sum cot = number(0);
 	const char *why;
 
-	off[0] = off[1] = ex_of(0);
+	off[0] = off[1] = number(0);
 	if (p->extent <= EXTENT_VIEW_ANGLE)
 		cot = cot_half_deg(p->angle);
 	switch (p->extent) {
 	case EXTENT_FOVY:
-		by_aspect(p->aspect, false, cot, ex_of(1), f);
+		by_aspect(p->aspect, false, cot, number(1), f);
 		break;
 	case EXTENT_FOVX:
-		by_aspect(p->aspect, true, cot, ex_of(1), f);
+		by_aspect(p->aspect, true, cot, number(1), f);
 		break;
 	case EXTENT_VIEW_ANGLE:
-		by_aspect(p->aspect, !wide, cot, ex_of(1), f);
+		by_aspect(p->aspect, !wide, cot, number(1), f);
 		break;
 	case EXTENT_FIELD:
-		by_aspect(p->aspect, wide, ex_of(1), ex_of(p->angle), f);
+		by_aspect(p->aspect, wide, number(1), number(p->angle), f);
 		break;
 	case EXTENT_HEIGHT:
-		by_aspect(p->aspect, false, ex_of(2), ex_of(p->height), f);
+		by_aspect(p->aspect, false, number(2), number(p->height), f);
 		break;
 	case EXTENT_SIZE:
-		f->x = ex_quotient(ex_of(2 * d), ex_of(p->width));
-		f->y = ex_quotient(ex_of(2 * d), ex_of(p->height));
+		f->x = sum_quotient(number(2 * d), number(p->width));
+		f->y = sum_quotient(number(2 * d), number(p->height));
 		break;
 	case EXTENT_EDGES:
 		why = edges(p->left, p->right, d,
@@ -110,7 +110,7 @@ static const char *persp(const struct projection *p, const struct convention *c,
 {
 	double k = c->minus_one ? 2 : 1, n = p->near;
 	bool right = c->right_handed;
-	ex off[2];
+	struct sum off[2];
 	const char *why = cross_section(p, n, f, off);
 
 	if (why != NULL)
@@ -120,21 +120,21 @@ static const char *persp(const struct projection *p, const struct convention *c,
 		       "depth say \"reverse_z\": true";
 	if (isinf(p->far)) {
 		/* A = 1, reversed 1 - k; B = -k n, reversed k n */
-		f->zz = ex_of(p->reverse_z ? 1 - k : 1);
-		f->tz = ex_of(p->reverse_z ? k * n : -k * n);
+		f->zz = number(p->reverse_z ? 1 - k : 1);
+		f->tz = number(p->reverse_z ? k * n : -k * n);
 	} else {
 		double a = p->reverse_z ? p->far : n;
 		double b = p->reverse_z ? n : p->far;
-		ex size = ex_diff(b, a);
+		struct sum size = difference(b, a);
 
-		f->zz = ex_quotient(c->minus_one ? ex_diff(b, -a) : ex_of(b),
+		f->zz = sum_quotient(c->minus_one ? difference(b, -a) : number(b),
 		    size);
-		f->tz = ex_quotient(ex_scale(ex_of(-k * a), b), size);
+		f->tz = sum_quotient(sum_mul(number(-k * a), number(b)), size);
 	}
 	f->zx = negated_if(!right, off[0]);
 	f->zy = negated_if(!right, off[1]);
 	f->zz = negated_if(right, f->zz);
-	f->zw = negated_if(right, ex_of(1));
+	f->zw = negated_if(right, number(1));
 	f->det = negated_if(!right, f->tz);
 	return NULL;
 }
@@ -144,21 +144,21 @@ static const char *ortho(const struct projection *p, const struct convention *c,
 {
 	double a = p->reverse_z ? p->far : p->near;
 	double b = p->reverse_z ? p->near : p->far;
-	ex size = ex_diff(b, a);
-	ex off[2];
+	struct sum size = difference(b, a);
+	struct sum off[2];
 	const char *why = cross_section(p, 1, f, off);
 
 	if (why != NULL)
 		return why;
-	if (ex_sign(size) == 0)
+	if (sum_sign(size) == 0)
 		return "/projection/far: equal to near; "
 		       "the planes must differ";
-	f->zz = ex_quotient(ex_of(c->minus_one ? 2 : 1), size);
-	f->tz = ex_quotient(c->minus_one ? ex_diff(-a, b) : ex_of(-a), size);
+	f->zz = sum_quotient(number(c->minus_one ? 2 : 1), size);
+	f->tz = sum_quotient(c->minus_one ? difference(-a, b) : number(-a), size);
 	f->zz = negated_if(c->right_handed, f->zz);
-	f->tx = f->tx_size = ex_neg(off[0]);
-	f->ty = f->ty_size = ex_neg(off[1]);
-	f->tw = ex_of(1);
+	f->tx = sum_neg(off[0]);
+	f->ty = sum_neg(off[1]);
+	f->tw = number(1);
 	f->det = f->zz;
 	return NULL;
 }
@@ -168,17 +168,17 @@ static const char *oblique(const struct projection *p,
     const struct convention *c, struct elements *f)
 {
 	const char *why = ortho(p, c, f);
-	ex cot = ex_of(p->kind == OBLIQUE_CABINET ? 0.5 : 1);
+	struct sum cot = number(p->kind == OBLIQUE_CABINET ? 0.5 : 1);
 
 	if (why != NULL)
 		return why;
 	if (p->kind == OBLIQUE_ANGLE)
 		cot = cot_deg(p->projector);
-	ex zx = ex_mul(ex_mul(cot, cos_deg(p->direction)), f->x);
-	ex zy = ex_mul(ex_mul(cot, sin_deg(p->direction)), f->y);
+	struct sum zx = sum_mul(sum_mul(cot, cos_deg(p->direction)), f->x);
+	struct sum zy = sum_mul(sum_mul(cot, sin_deg(p->direction)), f->y);
 
-	f->tx = sum(f->tx, ex_scale(zx, -p->plane), &f->tx_size);
-	f->ty = sum(f->ty, ex_scale(zy, -p->plane), &f->ty_size);
+	f->tx = sum_sub(f->tx, sum_mul(zx, number(p->plane)));
+	f->ty = sum_sub(f->ty, sum_mul(zy, number(p->plane)));
 	f->zx = negated_if(c->right_handed, zx);
 	f->zy = negated_if(c->right_handed, zy);
 	return NULL;
@@ -188,7 +188,7 @@ static const char *oblique(const struct projection *p,
  * 1 - zn q are w on the far and the near plane: one sign, or the eye plane lies
  * inside. */
 struct eye {
-	ex qn, qd, an, bn;
+	struct sum qn, qd, an, bn;
 	double skew[2];
 };
 
@@ -197,12 +197,12 @@ static const char *eye_of(const struct projection *p, struct eye *e)
 	if (p->has_eye && p->eye[2] == 0)
 		return "/projection/eye: its z is 0, in the rectangle's "
 		       "plane; move the eye off it";
-	e->qn = ex_of(p->has_eye ? 1 : p->inverse_eye_z);
-	e->qd = ex_of(p->has_eye ? p->eye[2] : 1);
-	e->an = ex_sub(e->qd, ex_scale(e->qn, p->z_far));
-	e->bn = ex_sub(e->qd, ex_scale(e->qn, p->z_near));
+	e->qn = number(p->has_eye ? 1 : p->inverse_eye_z);
+	e->qd = number(p->has_eye ? p->eye[2] : 1);
+	e->an = sum_sub(e->qd, sum_mul(e->qn, number(p->z_far)));
+	e->bn = sum_sub(e->qd, sum_mul(e->qn, number(p->z_near)));
 	memcpy(e->skew, p->has_eye ? p->eye : p->tan_skew, sizeof e->skew);
-	if (ex_sign(e->an) * ex_sign(e->bn) > 0)
+	if (sum_sign(e->an) * sum_sign(e->bn) > 0)
 		return NULL;
 	return p->has_eye ? "/projection/eye: its plane crosses the volume; "
 			    "move it before z_near or beyond z_far" :
@@ -216,97 +216,86 @@ static const char *eye_of(const struct projection *p, struct eye *e)
 static const char *volume(const struct projection *p,
     const struct convention *c, struct elements *f)
 {
-	ex size = ex_diff(p->z_near, p->z_far), one = ex_of(1);
+	struct sum size = difference(p->z_near, p->z_far);
+	struct sum width = number(p->half_width);
+	struct sum height = number(p->half_height);
 	struct eye e;
 
-	if (ex_sign(size) == 0)
+	if (sum_sign(size) == 0)
 		return "/projection/z_far: equal to z_near; "
 		       "the planes must differ";
 	const char *why = eye_of(p, &e);
 
 	if (why != NULL)
 		return why;
-	ex depth = e.an, offset = ex_scale(e.an, p->z_near);
+	struct sum depth = e.an, offset = sum_mul(e.an, number(p->z_near));
+	struct sum over = sum_mul(e.qd, size), det = sum_mul(e.an, e.bn);
 
 	if (c->minus_one) {
-		depth = ex_add(depth, e.bn);
-		offset = ex_add(offset, ex_scale(e.bn, p->z_far));
+		depth = sum_add(depth, e.bn);
+		offset = sum_add(offset, sum_mul(e.bn, number(p->z_far)));
+		det = sum_mul(det, number(2));
 	}
-	ex over = ex_mul(e.qd, size);
-
-	f->x = ex_quotient(one, ex_of(p->half_width));
-	f->y = ex_quotient(one, ex_of(p->half_height));
-	f->zx = ex_quotient(ex_of(-e.skew[0]), ex_scale(e.qd, p->half_width));
-	f->zy = ex_quotient(ex_of(-e.skew[1]), ex_scale(e.qd, p->half_height));
-	f->zz = ex_neg(ex_quotient(depth, over));
-	f->zw = ex_neg(ex_quotient(e.qn, e.qd));
-	f->tz = ex_quotient(offset, over);
-	f->tw = one;
-	f->det = ex_quotient(ex_mul(e.an, ex_shift(e.bn, c->minus_one)),
-	    ex_neg(ex_mul(over, e.qd)));
-	if (ex_sign(e.an) == ex_sign(e.qd))
+	f->x = sum_quotient(number(1), width);
+	f->y = sum_quotient(number(1), height);
+	f->zx = sum_quotient(number(-e.skew[0]), sum_mul(e.qd, width));
+	f->zy = sum_quotient(number(-e.skew[1]), sum_mul(e.qd, height));
+	f->zz = sum_neg(sum_quotient(depth, over));
+	f->zw = sum_neg(sum_quotient(e.qn, e.qd));
+	f->tz = sum_quotient(offset, over);
+	f->tw = number(1);
+	f->det = sum_neg(sum_quotient(det, sum_mul(over, e.qd)));
+	if (sum_sign(e.an) == sum_sign(e.qd))
 		return NULL;
-	for (ex *m = &f->x; m <= &f->tw; m++)
-		*m = ex_neg(*m);
+	for (struct sum *m = &f->x; m <= &f->tw; m++)
+		*m = sum_neg(*m);
 	return NULL;
 }
 
-static struct map map_of_elements(const struct elements *f)
+static void map_of_elements(const struct elements *f, struct map *r)
 {
-	dd m[4][4] = {
-		{ ex_round(f->x) },
-		{ [1] = ex_round(f->y) },
-		{ ex_round(f->zx), ex_round(f->zy), ex_round(f->zz),
-		    ex_round(f->zw) },
-		{ ex_round(f->tx), ex_round(f->ty), ex_round(f->tz),
-		    ex_round(f->tw) },
+	const struct sum z = number(0);
+	const struct sum m[4][4] = {
+		{ f->x, z, z, z },
+		{ z, f->y, z, z },
+		{ f->zx, f->zy, f->zz, f->zw },
+		{ f->tx, f->ty, f->tz, f->tw },
 	};
-	struct map r = map_of(m);
 
-	for (int i = AT_ORIGIN; i <= AT_ZERO; i++) {
-		r.sum[i][0] = fabs(ex_round(f->tx_size).hi);
-		r.sum[i][1] = fabs(ex_round(f->ty_size).hi);
-	}
-	return r;
+	memset(r, 0, sizeof *r);
+	memcpy(r->m, m, sizeof m);
+	map_settle(r);
 }
 
 /* Block by block: 1/x and 1/y; the inverse of zz zw, tz tw; and what makes the
  * lower left one cancel, in which the term zw tx is 0 for every projection. */
 static struct elements inverse_elements(const struct elements *f)
 {
-	ex one = ex_of(1), dx = ex_mul(f->det, f->x), dy = ex_mul(f->det, f->y);
-	ex tx_size = ex_mul(f->zz, f->tx_size);
-	ex ty_size = ex_mul(f->zz, f->ty_size);
-	ex tx = sum(ex_neg(ex_mul(f->zz, f->tx)), ex_mul(f->tz, f->zx),
-	    &tx_size);
-	ex ty = sum(ex_neg(ex_mul(f->zz, f->ty)), ex_mul(f->tz, f->zy),
-	    &ty_size);
+	struct sum one = number(1);
+	struct sum dx = sum_mul(f->det, f->x), dy = sum_mul(f->det, f->y);
+	struct sum tx = sum_sub(sum_mul(f->tz, f->zx), sum_mul(f->zz, f->tx));
+	struct sum ty = sum_sub(sum_mul(f->tz, f->zy), sum_mul(f->zz, f->ty));
 
 	return (struct elements){
-		.x = ex_quotient(one, f->x),
-		.y = ex_quotient(one, f->y),
-		.zx = ex_neg(ex_quotient(ex_mul(f->tw, f->zx), dx)),
-		.zy = ex_neg(ex_quotient(ex_mul(f->tw, f->zy), dy)),
-		.zz = ex_quotient(f->tw, f->det),
-		.zw = ex_neg(ex_quotient(f->zw, f->det)),
-		.tx = ex_quotient(tx, dx),
-		.ty = ex_quotient(ty, dy),
-		.tz = ex_neg(ex_quotient(f->tz, f->det)),
-		.tw = ex_quotient(f->zz, f->det),
-		.tx_size = ex_quotient(tx_size, dx),
-		.ty_size = ex_quotient(ty_size, dy),
+		.x = sum_quotient(one, f->x),
+		.y = sum_quotient(one, f->y),
+		.zx = sum_neg(sum_quotient(sum_mul(f->tw, f->zx), dx)),
+		.zy = sum_neg(sum_quotient(sum_mul(f->tw, f->zy), dy)),
+		.zz = sum_quotient(f->tw, f->det),
+		.zw = sum_neg(sum_quotient(f->zw, f->det)),
+		.tx = sum_quotient(tx, dx),
+		.ty = sum_quotient(ty, dy),
+		.tz = sum_neg(sum_quotient(f->tz, f->det)),
+		.tw = sum_quotient(f->zz, f->det),
 	};
 }
 
 static const char *bare(const struct projection *p, bool inverse, struct map *r)
 {
-	double m[4][4];
-
-	memcpy(m, p->matrix, sizeof m);
-	*r = map_of_doubles(m);
-	if (inverse && !map_inverse(m, r))
+	map_of_doubles(p->matrix, r);
+	if (inverse && !map_inverse(p->matrix, r))
 		return "/projection/matrix: singular; it can't be inverted";
-	map_about_zero(r);
+	memset(r->origin, 0, sizeof r->origin);
 	return NULL;
 }
 
@@ -318,7 +307,7 @@ const char *projection_map(const struct projection *p,
 
 	switch (p->type) {
 	case PROJECTION_NONE:
-		*r = map_identity;
+		map_identity(r);
 		return NULL;
 	case PROJECTION_MATRIX:
 		return bare(p, inverse, r);
@@ -338,15 +327,29 @@ const char *projection_map(const struct projection *p,
 	if (why != NULL)
 		return why;
 	if (c->ndc_y_down) {
-		f.y = ex_neg(f.y);
-		f.zy = ex_neg(f.zy);
-		f.ty = ex_neg(f.ty);
+		f.y = sum_neg(f.y);
+		f.zy = sum_neg(f.zy);
+		f.ty = sum_neg(f.ty);
 	}
 	if (inverse)
 		f = inverse_elements(&f);
-	*r = map_of_elements(&f);
+	map_of_elements(&f, r);
 	return map_is_finite(r) ?
 	    NULL :
 	    "/projection: its matrix has elements beyond the range of "
 	    "doubles; bring the sizes and distances nearer to one another";
+}
+
+/* 1/w = z m[2][3] + m[3][3] on the axis, for m the inverse: it is larger nearby. */
+bool projection_is_reversed(const struct projection *p,
+    const struct convention *c)
+{
+	struct map back;
+
+	if (p->type != PROJECTION_MATRIX || !map_inverse(p->matrix, &back))
+		return p->reverse_z;
+	int grows = sum_sign(back.m[2][3]);
+	int along_z = sum_sign(back.m[2][2]) * sum_sign(back.m[3][3]);
+
+	return grows != 0 ? grows > 0 : along_z == (c->right_handed ? 1 : -1);
 }

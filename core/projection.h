@@ -51,10 +51,14 @@ struct projection {
 };
 
 /* The matrices of projcalc(1), FORMULAS, and their inverses, from formulas in
- * the parameters: every element is the exact value for the given doubles
- * rounded once, within EX_BOUND u^2 of the sum of its terms' magnitudes. NULL,
- * or the member and the reason. */
+ * the parameters. Returns NULL, or the member and the reason. */
 const char *projection_map(const struct projection *, const struct convention *,
     bool inverse, struct map *);
+
+/* Whether the near plane is that of ndc depth 1. A matrix doesn't say: its near
+ * plane is that of the smaller positive w or, where w is constant, the first along
+ * the convention's gaze. */
+bool projection_is_reversed(const struct projection *,
+    const struct convention *);
 
 #endif

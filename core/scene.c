@@ -18,17 +18,14 @@ static const char *const beyond[] = {
 
 static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 {
-	double m[4][4];
-
-	*r = map_identity;
+	map_identity(r);
 	if (!s->has_world)
 		return NULL;
-	memcpy(m, s->world, sizeof m);
-	*r = map_of_doubles(m);
+	map_of_doubles(s->world, r);
 	if (!map_is_affine(r))
 		return "/world: its last column is not 0 0 0 1; "
 		       "write the rows as \"vectors\" says";
-	if (inverse && !map_inverse(m, r))
+	if (inverse && !map_inverse(s->world, r))
 		return "/world: singular; it can't be inverted";
 	return NULL;
 }
@@ -39,7 +36,7 @@ static const char *stage_map(const struct scene *s, enum space below,
 {
 	const struct convention *c = &s->convention;
 
-	*r = map_identity;
+	map_identity(r);
 	switch (below) {
 	case SPACE_MODEL:
 		return world_map(s, inverse, r);
@@ -59,12 +56,11 @@ static const char *stage_map(const struct scene *s, enum space below,
 	}
 }
 
-/* Backwards the stages are composed from the world's end, so that the eye and the
- * world matrix's translation are subtracted exactly before anything is
- * rounded. */
 static void then(struct map *r, const struct map *stage, bool back)
 {
-	*r = back ? map_then(stage, r) : map_then(r, stage);
+	struct map before = *r;
+
+	map_then(back ? stage : &before, back ? &before : stage, r);
 }
 
 const char *scene_map(const struct scene *s, enum space from, enum space to,
@@ -72,20 +68,22 @@ const char *scene_map(const struct scene *s, enum space from, enum space to,
 {
 	bool back = from > to;
 	int low = (int)(back ? to : from), high = (int)(back ? from : to);
+	struct map stage;
 
-	*r = map_identity;
+	map_identity(r);
 	for (int i = low; i < high; i++) {
-		struct map stage;
 		const char *why = stage_map(s, (enum space)i, back, &stage);
 
 		if (why != NULL)
 			return why;
 		then(r, &stage, back);
-		if (!map_is_finite(r))
-			return beyond[i];
 	}
 	map_settle(r);
-	return NULL;
+	return map_is_finite(r) ?
+	    NULL :
+	    "/projection: the scene's composed matrix has elements beyond "
+	    "the range of doubles; bring sizes and distances nearer to one "
+	    "another";
 }
 
 const char *scene_flat_map(const struct scene *s, enum flat from, enum flat to,
@@ -97,7 +95,7 @@ const char *scene_flat_map(const struct scene *s, enum flat from, enum flat to,
 	struct map stage;
 	const char *why = NULL;
 
-	*r = map_identity;
+	map_identity(r);
 	if (low == high)
 		return NULL;
 	if (low == FLAT_WINDOW)

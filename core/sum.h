@@ -1,19 +1,59 @@
-/* A sum of products with the sum of their magnitudes, by which its rounding
- * errors are bounded. */
+/* A number that is a sum of products of a scene's parameters, exactly or all
+ * but exactly, and its rounding to what is printed. */
 #ifndef SUM_H
 #define SUM_H
 
-#include "dd.h"
 #include "exact.h"
 
-struct sum {
-	dd value;
-	double size;
+/* m 2^e with 1/2 <= m < 1, or 0: never too small or large for a double. */
+struct magnitude {
+	double m;
+	int e;
 };
 
-struct ex_sum {
+/* Where size is 0 the value is exact. Otherwise a quotient or an irrational
+ * number is in it; multiplied out into the parameters it is a sum of terms whose
+ * magnitudes sum to size, as far as they hold one. It is within 2^-250 size, and
+ * a difference of at most 2^-190 size from anything is taken for none: so what
+ * is 0 by its formula is 0, and what lies midway between two doubles is rounded
+ * to even, although a square root was on the way. */
+struct sum {
 	ex value;
-	double size;
+	struct magnitude size;
 };
+
+struct sum sum_of(ex exact);
+struct sum sum_of_double(double exact);
+
+/* Something within 2^-319 of itself. */
+struct sum sum_inexact(ex value);
+
+struct sum sum_neg(struct sum);
+struct sum sum_abs(struct sum);
+struct sum sum_add(struct sum, struct sum);
+struct sum sum_sub(struct sum, struct sum);
+struct sum sum_mul(struct sum, struct sum);
+struct sum sum_quotient(struct sum, struct sum);
+
+/* Of something not negative; exact where the root is short. */
+struct sum sum_sqrt(struct sum);
+
+/* -1, 0 or 1. */
+int sum_sign(struct sum);
+
+/* The same, or exactly 0 where that is its sign. */
+struct sum sum_settled(struct sum);
+
+/* The nearest double or float, ties to even; infinite beyond their range. */
+double sum_double(struct sum);
+float sum_float(struct sum);
+double sum_over(struct sum n, struct sum d);
+float sum_over_float(struct sum n, struct sum d);
+
+/* Within EX_BOUND u^2, as ex_round. */
+dd sum_dd(struct sum);
+
+/* An upper bound of |value| and size, in doubles. */
+double sum_most(struct sum);
 
 #endif

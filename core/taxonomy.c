@@ -15,8 +15,8 @@
 struct lens {
 	struct map view, clip, device; /* from the world */
 	struct map back;               /* from clip to world */
-	ex gradient[4][3];
-	double w; /* where it is constant */
+	struct sum gradient[4][3];
+	int w; /* its sign, where it is constant */
 	bool parallel;
 };
 
@@ -25,9 +25,12 @@ static bool alike(double a, double b)
 	return fabs(a - b) <= ALIKE * fmax(fabs(a), fabs(b));
 }
 
-static double or_nan(double a)
+/* Quotients and roots as they are printed. */
+static double over(struct sum n, struct sum d)
 {
-	return isfinite(a) ? a : (double)NAN;
+	double q = sum_over(n, d);
+
+	return isfinite(q) ? q : (double)NAN;
 }
 
 static const char *lens_of(const struct scene *s, struct lens *l)
@@ -49,20 +52,12 @@ static const char *lens_of(const struct scene *s, struct lens *l)
 		why = scene_map(s, wanted[i].from, wanted[i].to, wanted[i].map);
 	if (why != NULL)
 		return why;
-	l->parallel = true;
-	for (int i = 0; i < 3; i++) {
+	for (int i = 0; i < 3; i++)
 		for (int j = 0; j < 4; j++)
-			l->gradient[j][i] = ex_dd(clip.m[i][j]);
-		l->parallel &= clip.m[i][3].hi == 0;
-	}
-	l->w = clip.m[AT_ZERO][3].hi;
+			l->gradient[j][i] = clip.m[i][j];
+	l->parallel = vec3_is_zero(l->gradient[3]);
+	l->w = sum_sign(clip.m[3][3]);
 	return NULL;
-}
-
-static void axis_of(const struct lens *l, int i, ex axis[3])
-{
-	for (int k = 0; k < 3; k++)
-		axis[k] = ex_dd(l->view.m[i][k]);
 }
 
 static enum kind axonometric(const double f[3])
@@ -89,31 +84,30 @@ static enum kind oblique(double cot)
 }
 
 /* The image of an axis a along the projectors d in the plane with normal n is a
- * - d (n a) / (n d). Its error is below 2^-96 |a| |d| |n| / |n d|: the elements
- * are within MAP_BOUND u^2. */
+ * - d (n a) / (n d). */
 static void name_parallel(const struct lens *l, struct taxonomy *t)
 {
-	const ex *n = l->gradient[2];
-	ex d[3], across[3], a[3], v[3];
+	const struct sum *n = l->gradient[2];
+	struct sum d[3], across[3], v[3];
 
 	vec3_cross(l->gradient[0], l->gradient[1], d);
-	ex nd = vec3_dot(n, d), least = ex_mul(vec3_length(n), vec3_length(d));
+	struct sum nd = sum_abs(vec3_dot(n, d));
 
-	least = ex_shift(least, -96);
 	for (int i = 0; i < 3; i++) {
-		axis_of(l, i, a);
-		ex na = vec3_dot(n, a);
+		const struct sum *a = l->view.m[i];
+		struct sum na = vec3_dot(n, a);
 
+		if (sum_sign(vec3_dot(n, d)) < 0)
+			na = sum_neg(na);
 		for (int k = 0; k < 3; k++)
-			v[k] = ex_sub(ex_mul(a[k], nd), ex_mul(d[k], na));
-		ex size = vec3_length(v), lost = ex_mul(least, vec3_length(a));
-
-		if (ex_sign(ex_sub(size, lost)) <= 0)
-			size = (ex){ 0 };
-		t->foreshortening[i] = or_nan(ex_div(size, ex_abs(nd)).hi);
+			v[k] = sum_settled(sum_sub(sum_mul(a[k], nd),
+			    sum_mul(d[k], na)));
+		t->foreshortening[i] = over(vec3_length(v), nd);
 	}
 	vec3_cross(d, n, across);
-	double cot = ex_div(vec3_length(across), ex_abs(nd)).hi;
+	for (int k = 0; k < 3; k++)
+		across[k] = sum_settled(across[k]);
+	double cot = over(vec3_length(across), nd);
 
 	t->taxon = cot <= ALIKE ? TAXON_ORTHOGRAPHIC : TAXON_OBLIQUE;
 	t->kind = cot <= ALIKE ? axonometric(t->foreshortening) : oblique(cot);
@@ -122,52 +116,55 @@ static void name_parallel(const struct lens *l, struct taxonomy *t)
 /* As many points as axes meet the projection plane: at least one. */
 static enum kind points(const struct lens *l)
 {
+	struct sum gradient = vec3_length(l->gradient[3]);
 	int n = 0;
 
 	for (int i = 0; i < 3; i++) {
-		ex a[3], most;
+		struct sum most = sum_mul(vec3_length(l->view.m[i]), gradient);
 
-		axis_of(l, i, a);
-		most = ex_mul(vec3_length(a), vec3_length(l->gradient[3]));
-		n += ex_div(ex_abs(ex_dd(l->clip.m[i][3])), most).hi > ALIKE;
+		n += over(sum_abs(l->clip.m[i][3]), most) > ALIKE;
 	}
 	if (n < 2)
 		return KIND_ONE_POINT;
 	return n < 3 ? KIND_TWO_POINT : KIND_THREE_POINT;
 }
 
-/* The angle whose tangent is y / x, for y > 0. Corrected by the rest, the
- * tangent of less than 2^-50 of it. */
-static double degrees(ex y, ex x)
+/* The angle whose tangent is y / x, for y > 0: atan2's, and the arc tangent of
+ * what that leaves, which is below 2^-50, so that two terms of its series are
+ * within 2^-250. */
+static double degrees(struct sum y, struct sum x)
 {
-	ex most = ex_sign(ex_sub(y, ex_abs(x))) > 0 ? y : ex_abs(x);
-	dd s = ex_div(y, most), c = ex_div(x, most);
-	double a = atan2(s.hi, c.hi) * DEGREE;
-	ex sa = sin_deg(a), ca = cos_deg(a);
-	ex over = ex_sub(ex_mul(ex_dd(s), ca), ex_mul(ex_dd(c), sa));
-	ex under = ex_add(ex_mul(ex_dd(c), ca), ex_mul(ex_dd(s), sa));
+	struct sum size = sum_abs(x);
+	struct sum most = ex_compare(y.value, size.value) > 0 ? y : size;
+	double a = atan2(sum_over(y, most), sum_over(x, most)) * DEGREE;
+	struct sum s = sin_deg(a), c = cos_deg(a);
+	struct sum tan = sum_quotient(sum_sub(sum_mul(y, c), sum_mul(x, s)),
+	    sum_add(sum_mul(x, c), sum_mul(y, s)));
+	struct sum cube = sum_mul(sum_mul(tan, tan), tan);
 
-	return a + ex_div(over, under).hi * DEGREE;
+	cube = sum_quotient(cube, sum_of_double(3));
+	return sum_double(sum_add(sum_of_double(a),
+	    in_degrees(sum_sub(tan, cube))));
 }
 
 /* Between the planes x = -limit w and x = limit w, of gradients limit g + a and
  * limit g - a: their cross product over their scalar one, negated. */
 static void set_fov(const struct lens *l, const struct scene *s, double fov[2])
 {
-	const ex *g = l->gradient[3];
-	dd limit[2] = { { 1, 0 }, { 1, 0 } };
+	const struct sum *g = l->gradient[3], two = sum_of_double(2);
+	struct sum limit[2] = { sum_of_double(1), sum_of_double(1) };
 
 	if (s->has_viewport)
 		viewport_limits(&s->viewport, limit);
 	for (int k = 0; k < 2; k++) {
-		const ex *a = l->gradient[k];
-		ex v[3], lim = ex_dd(limit[k]);
+		const struct sum *a = l->gradient[k], lim = limit[k];
+		struct sum v[3];
 
 		vec3_cross(a, g, v);
-		ex y = ex_scale(ex_mul(lim, vec3_length(v)), 2);
-		ex gg = ex_mul(ex_mul(lim, lim), vec3_dot(g, g));
+		struct sum y = sum_mul(sum_mul(lim, vec3_length(v)), two);
+		struct sum gg = sum_mul(sum_mul(lim, lim), vec3_dot(g, g));
 
-		fov[k] = degrees(y, ex_sub(vec3_dot(a, a), gg));
+		fov[k] = degrees(y, sum_sub(vec3_dot(a, a), gg));
 	}
 }
 
@@ -175,28 +172,20 @@ static void set_fov(const struct lens *l, const struct scene *s, double fov[2])
 static void set_vanishing_points(const struct lens *l, double point[3][2])
 {
 	for (int i = 0; i < 3; i++)
-		for (int k = 0; k < 2; k++) {
-			dd x = l->device.m[i][k], w = l->device.m[i][3];
-
-			if (w.hi != 0)
-				point[i][k] = or_nan(
-				    ex_div(ex_dd(x), ex_dd(w)).hi);
-		}
+		for (int k = 0; k < 2; k++)
+			if (sum_sign(l->device.m[i][3]) != 0)
+				point[i][k] = over(l->device.m[i][k],
+				    l->device.m[i][3]);
 }
 
-/* Depth grows with w where clip z is negative at the eye. A matrix doesn't say
- * whether its depth is reversed: it is taken to be where w grows along the
- * convention's gaze and depth falls. */
+/* A perspective is reversed where w shrinks from near to far: the eye lies beyond
+ * far. */
 static void name_perspective(const struct lens *l, const struct scene *s,
     struct taxonomy *t)
 {
-	bool grows = l->back.m[2][3].hi <= 0;
-	int w_along_z = ex_sign(l->gradient[3][2]);
+	bool falls = sum_sign(l->back.m[2][3]) > 0;
 
-	if (s->projection.type == PROJECTION_MATRIX)
-		t->reversed = !grows &&
-		    w_along_z == (s->convention.right_handed ? -1 : 1);
-	t->taxon = grows == t->reversed ? TAXON_REVERSE : TAXON_PERSPECTIVE;
+	t->taxon = falls == t->reversed ? TAXON_PERSPECTIVE : TAXON_REVERSE;
 	t->kind = points(l);
 	set_fov(l, s, t->fov);
 	set_vanishing_points(l, t->vanishing_point);
@@ -209,41 +198,32 @@ static void set_gaze(const struct lens *l, const struct taxonomy *t,
 {
 	bool against = l->parallel ? (l->w < 0) != t->reversed :
 				     t->taxon == TAXON_REVERSE;
-	ex n[3];
+	struct sum n[3];
 
+	for (int i = 0; i < 3; i++) {
+		n[i] = l->clip.m[i][l->parallel ? 2 : 3];
+		if (against)
+			n[i] = sum_neg(n[i]);
+	}
 	for (int i = 0; i < 3; i++)
-		n[i] = ex_dd(l->clip.m[i][l->parallel ? 2 : 3]);
-	for (int i = 0; i < 3; i++)
-		gaze[i] =
-		    ex_div(against ? ex_neg(n[i]) : n[i], vec3_length(n)).hi;
+		gaze[i] = over(n[i], vec3_length(n));
 }
 
 /* A point from its homogeneous coordinates; nan where w is not positive. */
-static void set_point(const struct ex_sum h[4], double p[3])
+static void set_point(const struct sum h[4], double p[3])
 {
-	double bound = MAP_BOUND * 0x1p-106;
-
-	for (int j = 0; j < 3; j++) {
-		p[j] = (double)NAN;
-		if (!(ex_round(h[3].value).hi > bound * h[3].size))
-			continue;
-		p[j] = or_nan(ex_div(h[j].value, h[3].value).hi);
-		if (fabs(ex_round(h[j].value).hi) <= bound * h[j].size)
-			p[j] = 0;
-	}
+	for (int j = 0; j < 3; j++)
+		p[j] = sum_sign(h[3]) > 0 ? over(h[j], h[3]) : (double)NAN;
 }
 
 /* Where clip x, y and w are 0. */
 static void set_eye(const struct lens *l, double eye[3])
 {
-	const dd *m = l->back.m[2];
-	struct ex_sum h[4];
+	const struct sum *m = l->back.m[2];
+	struct sum h[4];
 
 	for (int j = 0; j < 4; j++)
-		h[j] = (struct ex_sum){
-			ex_dd(m[3].hi < 0 ? dd_neg(m[j]) : m[j]),
-			l->back.sum[2][j],
-		};
+		h[j] = sum_sign(m[3]) < 0 ? sum_neg(m[j]) : m[j];
 	set_point(h, eye);
 }
 
@@ -256,7 +236,8 @@ const char *taxonomy_of(const struct scene *s, struct taxonomy *t)
 	if (why != NULL)
 		return why;
 	*t = (struct taxonomy){
-		.reversed = s->projection.reverse_z,
+		.reversed = projection_is_reversed(&s->projection,
+		    &s->convention),
 		.foreshortening = { none, none, none },
 		.vanishing_point = { { none, none }, { none, none },
 		    { none, none } },
@@ -269,9 +250,9 @@ const char *taxonomy_of(const struct scene *s, struct taxonomy *t)
 	set_gaze(&l, t, t->gaze);
 	set_eye(&l, t->eye);
 	for (int i = 0; i < 8; i++) {
-		struct ex_sum h[4];
+		struct sum h[4];
 
-		view_corner(s, &l.back, t->reversed, i, h);
+		view_corner(s, &l.back, i, h);
 		set_point(h, t->corner[i]);
 	}
 	return NULL;

@@ -25,9 +25,8 @@ enum kind {
 	KIND_THREE_POINT,
 };
 
-/* nan stands for what such a projection has not. Numbers are within 1/2 + kappa 2^-47 units in
- * the last place, kappa being what cancellation costs; angles within 1/2 +
- * 2^-40. */
+/* nan stands for what such a projection has not. All are the
+ * nearest doubles. */
 struct taxonomy {
 	enum taxon taxon;
 	enum kind kind;

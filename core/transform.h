@@ -6,7 +6,7 @@
 #include "kernel/kernel.h"
 #include "scene.h"
 
-/* A point's image is (p - origin, 1) m, divided by its w where divide says. */
+/* A point's image is (p, 1) m, divided by its w where divide says. */
 struct transform {
 	struct map map;
 	int in, out; /* coordinates: 2, 3, or 4 for clip and homogeneous ones */
@@ -16,10 +16,6 @@ struct transform {
 	bool front;
 	/* The fourth number read is 1/w, of a device point. */
 	bool reciprocal;
-	/* To ndc or the device, where a coordinate near 0 is no worse than one
-	 * of a unit: a point on an edge of the view is not ill. */
-	bool on_screen;
-	int exponent; /* 2^exponent exceeds each element's sum of products */
 	enum kernel_kind kind;
 	struct kernel_map for_kernel; /* unless the kind is KERNEL_NONE */
 };
@@ -33,7 +29,7 @@ const char *flat_transform(const struct scene *, enum flat from, enum flat to,
     struct transform *);
 
 /* The same for any map that leads from one space to another. */
-struct transform transform_of(const struct map *, enum space from,
-    enum space to, bool homogeneous);
+void transform_of(const struct map *, enum space from, enum space to,
+    bool homogeneous, struct transform *);
 
 #endif

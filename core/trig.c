@@ -1,52 +1,54 @@
 #include "trig.h"
 
-/* pi / 180, within 2^-226 relative. */
-static const double RADIAN[4] = { 0x1.1df46a2529d39p-6, 0x1.5c1d8becdd291p-62,
-	-0x1.1d937fa428858p-116, 0x1.b5e6b8e502a9bp-173 };
+/* pi / 180, within 2^-378 relative. */
+static const ex RADIAN = { 1, 6, -6,
+	{ 0x38862864b4ea8a06, 0x95b7b08b3c0c88a4, 0xc728154da64a6428,
+	    0xc805bd77a80daf35, 0x70762fb374a42e26, 0x0477d1a894a74e45 } };
 
-static ex radians(double a)
-{
-	ex r = ex_of(0);
-
-	for (int i = 3; i >= 0; i--)
-		r = ex_add(r, ex_scale(ex_of(RADIAN[i]), a));
-	return r;
-}
+/* Words that the terms of a series keep. */
+enum { WORDS = 6 };
 
 /* 1 - x^2/((n+1)(n+2)) + x^4/((n+1)...(n+4)) - ..., for the sine (n = 1) or the
- * cosine (n = 0). Over the common denominator all coefficients are whole
- * numbers; the first term that is left out, x^48/48!, is below 2^-219, and what
- * five terms cut off is below 2^-250, 24 times. */
+ * cosine (n = 0) of |x| <= pi/4. Over the common denominator all coefficients are
+ * whole numbers. The first term that is left out, x^64/64!, is below 2^-317; what
+ * six words cut off is below 2^-319, 32 times. */
 static ex series(ex x, int n)
 {
-	ex x2 = ex_first(ex_mul(x, x), 5), c = ex_of(1), s = c;
+	ex x2 = ex_first(ex_mul(x, x), WORDS), c = ex_of(1), s = c;
 
-	for (int k = n + 46; k > n; k -= 2) {
+	for (int k = n + 62; k > n; k -= 2) {
 		c = ex_scale(c, (double)(k * (k - 1)));
-		s = ex_first(ex_sub(c, ex_mul(s, x2)), 5);
+		s = ex_first(ex_sub(c, ex_mul(s, x2)), WORDS);
 	}
 	return ex_quotient(s, c);
 }
 
 /* Both for |a| <= 45. */
-static ex sin_small(double a)
+static struct sum sin_small(double a)
 {
+	if (a == 0)
+		return sum_of_double(0);
 	if (fabs(a) == 30)
-		return ex_of(copysign(0.5, a));
+		return sum_of_double(copysign(0.5, a));
 	if (fabs(a) == 45)
-		return ex_scale(ex_sqrt(ex_of(0.5)), copysign(1, a));
-	ex x = radians(a);
+		return sum_inexact(
+		    ex_scale(ex_sqrt(ex_of(0.5)), copysign(1, a)));
+	ex x = ex_first(ex_scale(RADIAN, a), WORDS);
 
-	return ex_mul(x, series(x, 1));
+	return sum_inexact(ex_mul(x, series(x, 1)));
 }
 
-static ex cos_small(double a)
+static struct sum cos_small(double a)
 {
-	return fabs(a) == 45 ? sin_small(45) : series(radians(a), 0);
+	if (a == 0)
+		return sum_of_double(1);
+	if (fabs(a) == 45)
+		return sin_small(45);
+	return sum_inexact(series(ex_first(ex_scale(RADIAN, a), WORDS), 0));
 }
 
 /* sin(a + 90 turns): fmod is exact, and so is r - 90 q, by Sterbenz. */
-static ex sine(double a, int turns)
+static struct sum sine(double a, int turns)
 {
 	double r = fmod(a, 360), q = rint(r / 90);
 
@@ -59,33 +61,40 @@ static ex sine(double a, int turns)
 	case 2:
 		return sin_small(-r);
 	default:
-		return ex_neg(cos_small(r));
+		return sum_neg(cos_small(r));
 	}
 }
 
-ex sin_deg(double angle)
+struct sum sin_deg(double angle)
 {
 	return sine(angle, 0);
 }
 
-ex cos_deg(double angle)
+struct sum cos_deg(double angle)
 {
 	return sine(angle, 1);
 }
 
-ex cot_deg(double angle)
+/* 90 - angle is exact for angles of 45 and more, 180 - angle of 90 and more. */
+struct sum cot_deg(double angle)
 {
+	if (angle == 45)
+		return sum_of_double(1);
 	if (angle > 45)
-		return ex_quotient(sin_deg(90 - angle), cos_deg(90 - angle));
-	return ex_quotient(cos_deg(angle), sin_deg(angle));
+		return sum_quotient(sin_deg(90 - angle), cos_deg(90 - angle));
+	return sum_quotient(cos_deg(angle), sin_deg(angle));
 }
 
-/* 180 - angle is exact for angles of 90 and more. */
-ex cot_half_deg(double angle)
+struct sum cot_half_deg(double angle)
 {
 	if (angle <= 90)
 		return cot_deg(angle / 2);
 	double a = (180 - angle) / 2;
 
-	return ex_quotient(sin_deg(a), cos_deg(a));
+	return sum_quotient(sin_deg(a), cos_deg(a));
+}
+
+struct sum in_degrees(struct sum angle)
+{
+	return sum_quotient(angle, sum_inexact(RADIAN));
 }

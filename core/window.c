@@ -10,31 +10,20 @@ static struct quotient whole(ex a)
 	return (struct quotient){ a, ex_of(1) };
 }
 
-static dd times(struct quotient a, struct quotient b)
+static struct sum times(struct quotient a, struct quotient b)
 {
-	return ex_div(ex_mul(a.n, b.n), ex_mul(a.d, b.d));
+	return sum_quotient(sum_of(ex_mul(a.n, b.n)),
+	    sum_of(ex_mul(a.d, b.d)));
 }
 
-/* One axis, x' = (x - from) s + to, where from or to is 0. The map's origin is
- * from, rounded to a double; what that leaves goes into the origin's image, so
- * that a narrow window far from zero keeps its digits. */
+/* One axis, x' = (x - from) s + to, where from or to is 0. */
 static void put(struct map *r, int i, struct quotient from, struct quotient s,
     struct quotient to)
 {
-	double origin = ex_div(from.n, from.d).hi;
-	struct quotient rest = from;
-
-	rest.n = ex_sub(from.n, ex_scale(from.d, origin));
-	r->origin[i] = origin;
-	r->m[i][i] = ex_div(s.n, s.d);
-	r->m[AT_ORIGIN][i] = r->m[AT_ZERO][i] = ex_div(to.n, to.d);
-	if (ex_sign(to.n) == 0) {
-		r->m[AT_ORIGIN][i] = dd_neg(times(rest, s));
-		r->m[AT_ZERO][i] = dd_neg(times(from, s));
-	}
-	r->sum[i][i] = fabs(r->m[i][i].hi);
-	for (int l = AT_ORIGIN; l <= AT_ZERO; l++)
-		r->sum[l][i] = fabs(r->m[l][i].hi);
+	r->origin[i] = ex_double(ex_quotient(from.n, from.d));
+	r->m[i][i] = times(s, whole(ex_of(1)));
+	r->m[3][i] = ex_sign(to.n) != 0 ? times(to, whole(ex_of(1))) :
+					  sum_neg(times(from, s));
 }
 
 /* x' = (x - center) s + offset, or back. */
@@ -113,7 +102,7 @@ const char *window_map(const struct window *w, const struct device *d,
 			       "to; add \"device\"";
 		adapt(w, d, size);
 	}
-	*r = map_identity;
+	map_identity(r);
 	for (int i = 0; i < 2; i++) {
 		/* about + (c - about) / zoom */
 		struct quotient c = { center[i], ex_of(w->zoom) };
@@ -134,7 +123,7 @@ const char *device_map(const struct device *d, bool inverse, struct map *r)
 {
 	ex high = ex_of(d->top_left ? -d->height : d->height);
 
-	*r = map_identity;
+	map_identity(r);
 	from_ndc(r, 0, ex_of(d->width), 2, ex_diff(d->x, -d->width / 2),
 	    inverse);
 	from_ndc(r, 1, high, 2, ex_diff(d->y, -d->height / 2), inverse);
@@ -154,13 +143,15 @@ static void scales(const struct viewport *v, double s[2])
 	}
 }
 
-void viewport_limits(const struct viewport *v, dd limit[2])
+void viewport_limits(const struct viewport *v, struct sum limit[2])
 {
 	double s[2];
 
 	scales(v, s);
-	limit[0] = ex_div(ex_of(v->width / 2), ex_of(s[0]));
-	limit[1] = ex_div(ex_of(v->height / 2), ex_of(s[1]));
+	limit[0] = sum_quotient(sum_of_double(v->width / 2),
+	    sum_of_double(s[0]));
+	limit[1] = sum_quotient(sum_of_double(v->height / 2),
+	    sum_of_double(s[1]));
 }
 
 const char *viewport_map(const struct viewport *v, const struct convention *c,
@@ -177,7 +168,7 @@ const char *viewport_map(const struct viewport *v, const struct convention *c,
 		s[1] = -s[1];
 	if (c->minus_one)
 		min = ex_scale(ex_diff(v->min_z, -v->max_z), 0.5);
-	*r = map_identity;
+	map_identity(r);
 	from_ndc(r, 0, ex_of(s[0]), 1, ex_diff(v->x, -v->width / 2), inverse);
 	from_ndc(r, 1, ex_of(s[1]), 1, ex_diff(v->y, -v->height / 2), inverse);
 	from_ndc(r, 2, depth, c->minus_one ? 2 : 1, min, inverse);

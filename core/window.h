@@ -28,10 +28,7 @@ struct viewport {
 	double scales[2];
 };
 
-/* Every element of these maps is the exact value rounded once, within EX_BOUND
- * u^2.
- *
- * Window to NDC (10.10) after pan, zoom and adapt; device may be NULL where
+/* Window to NDC (10.10) after pan, zoom and adapt; device may be NULL where
  * adapt is ADAPT_STRETCH. */
 const char *window_map(const struct window *, const struct device *,
     bool inverse, struct map *);
@@ -45,6 +42,6 @@ const char *viewport_map(const struct viewport *, const struct convention *,
 
 /* What |x| and |y| may be in ndc for a point to be on the viewport: 1, or less
  * where the scale makes a side of ndc's square larger than the viewport. */
-void viewport_limits(const struct viewport *, dd limit[2]);
+void viewport_limits(const struct viewport *, struct sum limit[2]);
 
 #endif

@@ -13,8 +13,10 @@
 #define ABS(a) _mm256_andnot_pd(_mm256_set1_pd(-0.0), a)
 #define MIN(a, b) _mm256_min_pd(a, b)
 #define MAX(a, b) _mm256_max_pd(a, b)
-#define POSITIVE(a, b)                                   \
-	_mm256_blendv_pd(_mm256_set1_pd((double)NAN), b, \
+#define MADD FMA
+#define SAME(a, b, c) _mm256_and_pd(c, _mm256_cmp_pd(a, b, _CMP_EQ_OQ))
+#define CHOOSE(a, b, c)     \
+	_mm256_blendv_pd(c, b, \
 	    _mm256_cmp_pd(a, _mm256_setzero_pd(), _CMP_GT_OQ))
 
 #define F __m256

@@ -13,10 +13,13 @@
 #define ABS(a) _mm512_abs_pd(a)
 #define MIN(a, b) _mm512_min_pd(a, b)
 #define MAX(a, b) _mm512_max_pd(a, b)
-#define POSITIVE(a, b)                                                  \
+#define MADD FMA
+#define SAME(a, b, c) \
+	_mm512_maskz_mov_pd(_mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ), c)
+#define CHOOSE(a, b, c)                                                 \
 	_mm512_mask_blend_pd(_mm512_cmp_pd_mask(a, _mm512_setzero_pd(), \
 				 _CMP_GT_OQ),                           \
-	    _mm512_set1_pd((double)NAN), b)
+	    c, b)
 
 #define F __m512
 #define F_WIDTH 16

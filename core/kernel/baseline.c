@@ -13,7 +13,9 @@
 #define ABS(a) fabs(a)
 #define MIN(a, b) ((a) < (b) ? (a) : (b))
 #define MAX(a, b) ((a) > (b) ? (a) : (b))
-#define POSITIVE(a, b) ((a) > 0 ? (b) : (double)NAN)
+#define MADD(a, b, c) ((a) * (b) + (c))
+#define SAME(a, b, c) ((a) == (b) ? (c) : 0)
+#define CHOOSE(a, b, c) ((a) > 0 ? (b) : (c))
 
 #define F float
 #define F_WIDTH 1

@@ -5,16 +5,35 @@
  *	LOAD, STORE	from and to any address
  *	ALL(a)		a in each lane
  *	FMA(a, b, c)	a b + c, rounded once
+ *	MADD(a, b, c)	the same, or the product rounded before: what is faster
  *	ABS MIN MAX	MIN is a < b ? a : b, MAX a > b ? a : b, nan or not
- *	POSITIVE(a, b)	a > 0 ? b : nan
+ *	SAME(a, b, c)	a == b ? c : 0
+ *	CHOOSE(a, b, c)	a > 0 ? b : c
  *
- * and the same for floats, F and F_..., but that F_NEAR(p, o) reads doubles and
- * gives their difference from o rounded to floats, and F_STORE writes doubles.
- * Vectors have +, -, * and /. Every operation is one rounding of IEEE 754 in each
- * lane, so that all copies give the same bits. */
+ * and the same of FMA, ABS and MAX for floats, F and F_..., but that F_NEAR(p, o)
+ * reads doubles and gives their difference from o rounded to floats, F_STORE
+ * writes doubles, and F_POSITIVE(a, b) is a > 0 ? b : nan. Vectors have +, -, *
+ * and /. Every operation is one rounding of IEEE 754 in each lane. */
 #include <math.h>
 
 #include "exact.h"
+
+/* Below which |x| + |y| + |z| makes no sum of the map's larger than most. */
+static double size_limit(const struct kernel_map *m, enum kernel_kind kind,
+    double most)
+{
+	double limit = most;
+
+	for (int j = 0; j < 4; j++) {
+		if ((kind == KERNEL_FLAT && j > 1) ||
+		    (kind == KERNEL_AFFINE && j > 2) ||
+		    (kind == KERNEL_DEPTH && j == 2))
+			continue;
+		limit = fmin(limit,
+		    m->most[j] <= most ? (most - m->image[j]) / m->most[j] : 0);
+	}
+	return limit;
+}
 
 #define REAL double
 #define R V
@@ -25,8 +44,10 @@
 #define R_FMA(a, b, c) FMA(a, b, c)
 #define R_ABS(a) ABS(a)
 #define R_MAX(a, b) MAX(a, b)
-#define R_POSITIVE(a, b) POSITIVE(a, b)
+#define R_POSITIVE(a, b) CHOOSE(a, b, ALL((double)NAN))
 #define ROUNDOFF 0x1p-53
+#define TINY 0x1p-1022
+#define MOST 0x1p1000
 #define NAME(x) double_##x
 #include "plain.h"
 #undef REAL
@@ -40,6 +61,8 @@
 #undef R_MAX
 #undef R_POSITIVE
 #undef ROUNDOFF
+#undef TINY
+#undef MOST
 #undef NAME
 
 #define REAL float
@@ -53,6 +76,8 @@
 #define R_MAX(a, b) F_MAX(a, b)
 #define R_POSITIVE(a, b) F_POSITIVE(a, b)
 #define ROUNDOFF 0x1p-24f
+#define TINY 0x1p-126
+#define MOST 0x1p120
 #define NAME(x) single_##x
 #include "plain.h"
 

@@ -1,11 +1,104 @@
-/* The inner loop of exact, written once for the vectors that copy.h describes. */
+/* The fast phase of exact, written once for the vectors that copy.h describes:
+ * each coordinate as a sum hi + lo with a bound of its error, and a test whether
+ * all that lies within the bound rounds to the same double. If it doesn't, the
+ * point is left to point.c.
+ *
+ * High parts add without error: for a block of points |p - origin| < 2^e, and a
+ * column's elements, with its origin's image over 2^e, are below 2^f. Coordinates
+ * are cut to multiples of 2^(e-26), elements to multiples of 2^(f-25). Then three
+ * products and the image are whole multiples of 2^(e+f-51), their sums at most
+ * 2^53 of it. With B = 2^(e+f) and u = 2^-53, the rest is
+ *
+ *	lo = sum of (cut coordinate) (element's rest) + (coordinate's rest) element
+ *
+ * of three terms up to 2^-26 B and three up to 2^-27 B: partial sums of 1, 2, 3,
+ * 3.5, 4, 4.5 times 2^-26 B are rounded by u each, 18 u 2^-26 B in all, and
+ * products, where they are not fused, by 4.5 more; the rests themselves are
+ * rounded by u, 4.5 u 2^-26 B; and the element's low part is left out of the last
+ * three terms, 1.5 u 2^-26 B: together 28.5 u 2^-26 B < 2^-74.1 B. */
 #include "kernel.h"
+
+/* The bound that is used, in units of B. Where |hi| < |lo| normalise() costs up
+ * to 4.5 (2 u) 2^-26 B more: still below half of it. The other half is for what
+ * the quotient and the test itself round, 2^-100 of a coordinate. */
+#define COLUMN_BOUND 0x1p-72
+
+/* Exponents e and f for which nothing underflows or overflows. */
+enum { EXPONENT_MAX = 200 };
+
+/* A column's elements, cut for a block of points. */
+struct cut {
+	double high[4], rest[4], all[4];
+	double bound; /* of the error */
+};
+
+/* a to a multiple of unit, for |a| < 2^51 unit. */
+static double cut_to(double a, double unit)
+{
+	double s = 0x1.8p52 * unit;
+
+	return a + s - s;
+}
+
+static int is_moderate(int e)
+{
+	return e > -EXPONENT_MAX && e < EXPONENT_MAX;
+}
+
+/* False where that is beyond the range. */
+static int cut_column(const struct kernel_map *m, int j, int terms, int e,
+    struct cut *c)
+{
+	double most = 0;
+	int f = 0;
+
+	for (int i = 0; i < terms; i++)
+		most = fmax(most, fabs(m->hi[i][j]));
+	most = fmax(most, ldexp(fabs(m->hi[3][j]), -e));
+	frexp(most, &f);
+	for (int i = 0; i < 4; i++) {
+		double unit = ldexp(1, i < 3 ? f - 25 : e + f - 51);
+
+		c->high[i] = cut_to(m->hi[i][j], unit);
+		c->rest[i] = (m->hi[i][j] - c->high[i]) + m->lo[i][j];
+		c->all[i] = m->hi[i][j];
+	}
+	c->bound = most > 0 ? ldexp(COLUMN_BOUND, e + f) : 0;
+	return is_moderate(f);
+}
+
+static inline double least(V a)
+{
+	double all[WIDTH], r;
+
+	STORE(all, a);
+	r = all[0];
+	for (int i = 1; i < WIDTH; i++)
+		r = all[i] < r ? all[i] : r;
+	return r;
+}
+
+/* The exponent e of the block; 0 where all points are the origin. */
+static int exponent_of(const struct kernel_map *m, int terms,
+    const double *const in[3], size_t n)
+{
+	V most = ALL(0);
+	int e;
+
+	for (size_t i = 0; i < n; i += WIDTH)
+		for (int k = 0; k < terms; k++) {
+			V d = ABS(LOAD(in[k] + i) - ALL(m->origin[k]));
+
+			most = MAX(d, most);
+		}
+	frexp(-least(-most) * (1 + 0x1p-50), &e);
+	return e;
+}
 
 typedef struct {
 	V hi, lo;
 } vdd;
 
-/* dd.h's, lane by lane. */
 static inline vdd v_two_sum(V a, V b)
 {
 	V s = a + b, t = s - a;
@@ -13,150 +106,121 @@ static inline vdd v_two_sum(V a, V b)
 	return (vdd){ s, (a - (s - t)) + (b - t) };
 }
 
-static inline vdd v_fast_two_sum(V a, V b)
+static inline vdd normalise(V hi, V lo)
 {
-	V s = a + b;
+	V s = hi + lo;
 
-	return (vdd){ s, b - (s - a) };
+	return (vdd){ s, lo - (s - hi) };
 }
 
-/* A coordinate's product in hi, its error and low parts in lo: |lo| <= 3 u
- * |hi|. The chain rounds 2 u |hi| and 3 u |hi|, and p.lo b is left out: within
- * 6 u^2 |hi|. */
-static inline vdd product(const struct kernel_map *m, int i, int j, vdd p)
+static inline vdd column(const struct cut *c, const V cut[3], const V rest[3],
+    int terms)
 {
-	V a = ALL(m->hi[i][j]), b = ALL(m->lo[i][j]);
-	V h = p.hi * a;
+	V hi = ALL(c->high[3]), lo = ALL(c->rest[3]);
 
-	return (vdd){ h, FMA(p.lo, a, FMA(p.hi, b, FMA(p.hi, a, -h))) };
+	for (int k = 0; k < terms; k++)
+		hi = MADD(cut[k], ALL(c->high[k]), hi);
+	for (int k = 0; k < terms; k++)
+		lo = MADD(rest[k], ALL(c->all[k]), lo);
+	for (int k = 0; k < terms; k++)
+		lo = MADD(cut[k], ALL(c->rest[k]), lo);
+	return normalise(hi, lo);
 }
 
-/* Column j of the map: hi + lo with |lo| <= 5 u S, S the sum of the products'
- * sizes. Let x and y have the part a of S. The products lose 6 u^2 S; x.lo +
- * y.lo, s.lo + t.lo, z.lo to that, and both together round sums of at most 3
- * a, 1 + a, 4 - 2 a and 4 + a u S. In all 15 + 3 a <= 18 u^2 S. */
-static inline vdd column(const struct kernel_map *m, int j, const vdd p[3],
-    int terms, int image)
+/* Rounds hi + lo; both ways are the same where the error counts for nothing. */
+static inline V round_surely(V hi, V lo, V error, V *sure)
 {
-	vdd x = product(m, 0, j, p[0]), y = product(m, 1, j, p[1]);
-	vdd s = v_two_sum(x.hi, y.hi);
-	V lo = x.lo + y.lo;
+	V up = hi + (lo + error), down = hi + (lo - error);
 
-	if (terms == 3) {
-		vdd z = product(m, 2, j, p[2]);
-		vdd t = v_two_sum(s.hi, z.hi);
-
-		lo += z.lo + (s.lo + t.lo);
-		s.hi = t.hi;
-	} else {
-		lo += s.lo;
-	}
-	if (image) {
-		vdd t = v_two_sum(s.hi, ALL(m->hi[3][j]));
-
-		lo += t.lo + ALL(m->lo[3][j]);
-		s.hi = t.hi;
-	}
-	return (vdd){ s.hi, lo };
+	*sure = SAME(up, down, *sure);
+	return up;
 }
 
-/* n / w, corrected by its residual. Normalised, n.lo and w.lo are below u |n|
- * and u |w|, the reciprocal and q carry u each. The residual's parts are below
- * 2 u and 2 u |n| and lose 2 u^2 each, their sum 4 u^2, the reciprocal's error
- * on that 4 u^2: the value that is rounded last is within 12 u^2. */
-static inline V quotient(vdd n, vdd w, V reciprocal)
-{
-	n = v_fast_two_sum(n.hi, n.lo);
-	V q = n.hi * reciprocal;
-	V r = FMA(-q, w.hi, n.hi) + FMA(-q, w.lo, n.lo);
-
-	return FMA(r, reciprocal, q);
-}
-
-/* a + b / w: the quotient is within 12 u^2 as above, the sums of low parts
- * round at most 5 u and 6 u (|a| + |b / w|): within 23 u^2 of that. */
-static inline V exact_third(const struct kernel_map *m, vdd w, V reciprocal,
+/* n / w: q is within 2 u of its size, and so is the residual n - q w, of which
+ * 2^-105 n.hi are lost. */
+static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
     V *sure)
 {
-	V q = ALL(m->b_hi) * reciprocal;
-	V r = FMA(-q, w.hi, ALL(m->b_hi)) + FMA(-q, w.lo, ALL(m->b_lo));
+	V q = n.hi * reciprocal;
+	V rest = FMA(-q, w.hi, n.hi) + MADD(-q, w.lo, n.lo);
+	V error = reciprocal * MADD(ABS(q), w_bound, bound);
+
+	return round_surely(q, rest * reciprocal, error, sure);
+}
+
+/* a + b / w. */
+static inline V depth(const struct kernel_map *m, vdd w, V reciprocal,
+    V w_bound, V *sure)
+{
+	V b = ALL(m->b_hi), q = b * reciprocal;
+	V rest = FMA(-q, w.hi, b) + MADD(-q, w.lo, ALL(m->b_lo));
 	vdd s = v_two_sum(ALL(m->a_hi), q);
-	V z = s.hi + (s.lo + FMA(r, reciprocal, ALL(m->a_lo)));
+	V error = MADD(ABS(q), reciprocal * w_bound,
+	    ALL(0x1p-100 * fabs(m->a_hi)));
 
-	*sure = MIN(*sure,
-	    ABS(z) - FMA(ALL(m->doubt_depth), ABS(q), ALL(m->doubt_a)));
-	return z;
+	return round_surely(s.hi, s.lo + MADD(rest, reciprocal, ALL(m->a_lo)),
+	    error, sure);
 }
 
-/* How far a sum is from being lost in its error, and hi from being less than
- * lo. */
-static inline V surely(const struct kernel_map *m, int j, V value, V size)
+static inline __attribute__((always_inline)) int exact(
+    const struct kernel_map *m, const double *const in[3],
+    double *const out[3], size_t n, enum kernel_kind kind)
 {
-	return value - FMA(ALL(m->doubt[j]), size, ALL(m->doubt_image[j]));
-}
+	const int terms = kind == KERNEL_FLAT ? 2 : 3;
+	const int divide = kind == KERNEL_DEPTH || kind == KERNEL_PROJECTIVE;
+	const int columns = kind == KERNEL_DEPTH ? 2 : terms;
+	const int e = exponent_of(m, terms, in, n);
+	const V shift = ALL(ldexp(0x1.8p52, e - 26));
+	struct cut c[4];
+	int moderate = is_moderate(e);
+	V done = ALL(1);
 
-static inline __attribute__((always_inline)) int
-exact(const struct kernel_map *m, const double *const in[3],
-    double *const out[3], size_t n, enum kernel_kind kind, int image)
-{
-	int terms = kind == KERNEL_FLAT ? 2 : 3;
-	int divide = kind == KERNEL_DEPTH || kind == KERNEL_PROJECTIVE;
-	V done = ALL(0);
-	double all[WIDTH], sum = 0;
-
+	for (int j = 0; j < 4; j++)
+		if (j < columns || (j == 3 && divide))
+			moderate &= cut_column(m, j, terms, e, &c[j]);
 	for (size_t i = 0; i < n; i += WIDTH) {
-		vdd p[3], c[3], w = { ALL(1), ALL(0) };
-		V size = ALL(0), q[3], sure, r = ALL(1);
+		V cut[3], rest[3], q[3], r = ALL(1), sure = ALL(moderate);
+		V bound = ALL(0);
+		vdd w = { r, bound };
 
 		for (int k = 0; k < terms; k++) {
-			p[k] = v_two_sum(LOAD(in[k] + i), ALL(-m->origin[k]));
-			size += ABS(p[k].hi);
+			vdd p = v_two_sum(LOAD(in[k] + i), ALL(-m->origin[k]));
+
+			cut[k] = (p.hi + shift) - shift;
+			rest[k] = (p.hi - cut[k]) + p.lo;
 		}
 		if (divide) {
-			w = column(m, 3, p, terms, image);
-			sure = surely(m, 3, w.hi, size);
-			w = v_fast_two_sum(w.hi, w.lo);
+			w = column(&c[3], cut, rest, terms);
 			r = ALL(1) / w.hi;
+			bound = ALL(c[3].bound);
 		}
-		for (int k = 0; k < terms; k++) {
-			if (k == 2 && kind == KERNEL_DEPTH) {
-				q[k] = exact_third(m, w, r, &sure);
-				continue;
-			}
-			c[k] = column(m, k, p, terms, image);
-			V s = surely(m, k, ABS(c[k].hi), size);
+		for (int k = 0; k < columns; k++) {
+			vdd s = column(&c[k], cut, rest, terms);
 
-			sure = k == 0 && !divide ? s : MIN(sure, s);
-			if (divide)
-				q[k] = quotient(c[k], w, r);
-			else
-				q[k] = c[k].hi + c[k].lo;
+			q[k] = divide ? quotient(s, w, r, ALL(c[k].bound),
+					    bound, &sure) :
+					round_surely(s.hi, s.lo,
+					    ALL(c[k].bound), &sure);
 		}
-		/* nan where any coordinate is nan or infinite: one that can
-		 * only be reached with care, or not at all */
-		V others = q[1];
-
-		if (terms == 3)
-			others += q[2];
-		q[0] = POSITIVE(sure, FMA(others, ALL(0), q[0]));
+		if (kind == KERNEL_DEPTH)
+			q[2] = depth(m, w, r, bound, &sure);
+		if (divide)
+			sure = CHOOSE(w.hi, sure,
+			    CHOOSE(-(w.hi + bound), ALL(-1), ALL(0)));
+		q[0] = CHOOSE(sure, q[0],
+		    CHOOSE(-sure, ALL(INFINITY), ALL(NAN)));
+		done = MIN(done, sure);
 		for (int k = 0; k < terms; k++)
 			STORE(out[k] + i, q[k]);
-		done += q[0] * ALL(0);
 	}
-	STORE(all, done);
-	for (int i = 0; i < WIDTH; i++)
-		sum += all[i];
-	return sum == 0;
+	return least(done) > 0;
 }
 
-/* Without an image of the origin, as about the eye, four sums are saved. */
-#define LOOP(KIND, name)                                                       \
-	static int name(const struct kernel_map *m, const double *const in[3], \
-	    double *const out[3], size_t n)                                    \
-	{                                                                      \
-		if (m->image)                                                  \
-			return exact(m, in, out, n, KIND, 1);                  \
-		return exact(m, in, out, n, KIND, 0);                          \
+#define LOOP(KIND, name)                                                  \
+	static int name(const struct kernel_map *m,                       \
+	    const double *const in[3], double *const out[3], size_t n)    \
+	{                                                                 \
+		return exact(m, in, out, n, KIND);                        \
 	}
 
 LOOP(KERNEL_FLAT, exact_flat)

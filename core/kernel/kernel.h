@@ -17,27 +17,27 @@ enum kernel_kind {
 
 enum precision { PRECISION_EXACT, PRECISION_DOUBLE, PRECISION_SINGLE };
 
-/* A map as the loops take it. Where a sum is below doubt |...| + doubt_image,
- * which is 2^-45 of what it can be at most, the loop gives up a point and
- * answers nan. */
+/* A map as the loops take it: the image of p is (p - origin, 1) times hi + lo,
+ * whose elements are within u^2 / 2 of their exact values. */
 struct kernel_map {
 	double origin[3];
 	double hi[4][4], lo[4][4];
-	int image; /* whether hi[3] counts */
-	double a_hi, a_lo, b_hi, b_lo;
-	/* A column's products are at most most (|x|+|y|+|z|) + sum_image. */
-	double most[4], sum_image[4];
-	double doubt[4], doubt_image[4], doubt_depth, doubt_a;
+	double a_hi, a_lo, b_hi, b_lo; /* of KERNEL_DEPTH */
+	/* A column's products are at most most (|x|+|y|+|z|) + image. */
+	double most[4], image[4];
 };
 
-/* Columns have room for a whole number of vectors: n rounded up to 16. Returns
- * whether all were done: else the first coordinate of some is nan. */
+/* The nearest doubles to the exact image, where that is sure. Otherwise the first
+ * coordinate is nan; or infinite, where w is surely not positive and there is no
+ * image. Returns whether neither was. Columns have room for a whole number of
+ * vectors: n rounded up to 16. */
 typedef int (*exact_kernel)(const struct kernel_map *,
     const double *const in[3], double *const out[3], size_t n);
 
-/* With a tolerance above 0 the first coordinate is nan where the error could
- * be larger in any of them. */
-typedef void (*plain_kernel)(const struct kernel_map *,
+/* Without image the first coordinate is nan; with a tolerance above 0 it is so,
+ * too, where the error could be larger in any of them; and where something on the
+ * way could be beyond the precision's range. Returns whether that was nowhere. */
+typedef int (*plain_kernel)(const struct kernel_map *,
     const double *const in[3], double *const out[3], size_t n,
     double tolerance);
 

@@ -12,10 +12,12 @@
  * digits of a float; where W is known to 1/16, as is asked for, dividing by what
  * was computed makes that at most 16/15 as much: 8.6. In the same way depth
  * a + b/w is within PLAIN_BOUND u (|a| + |b/W| S_W/|W|). S is not summed, but
- * bounded by the column's largest element times |x| + |y| + |z|. */
+ * bounded by the column's largest element times |x| + |y| + |z|. What underflows
+ * is off by u TINY at most. */
+
 /* Column k of the map. */
-static inline R NAME(
-    column)(const struct kernel_map *m, int k, const R p[3], int terms)
+static inline R NAME(column)(const struct kernel_map *m, int k, const R p[3],
+    int terms)
 {
 	R c = R_ALL((REAL)m->hi[3][k]);
 
@@ -24,14 +26,17 @@ static inline R NAME(
 	return c;
 }
 
-/* What its S is at most, for size = |x| + |y| + |z|. */
+/* What its S is at most, for size = |x| + |y| + |z|; what underflows counts as
+ * so much more of an element, of the image, and of four operations. */
 static inline R NAME(most)(const struct kernel_map *m, int k, R size)
 {
-	return R_FMA(R_ALL((REAL)m->most[k]), size,
-	    R_ALL((REAL)m->sum_image[k]));
+	double most = m->most[k] + TINY;
+
+	return R_FMA(R_ALL((REAL)most), size,
+	    R_ALL((REAL)(m->image[k] + TINY * (4 + 3 * most))));
 }
 
-static inline __attribute__((always_inline)) void NAME(
+static inline __attribute__((always_inline)) int NAME(
     plain)(const struct kernel_map *m, const double *const in[3],
     double *const out[3], size_t n, double tolerance, enum kernel_kind kind,
     int bounded)
@@ -41,9 +46,13 @@ static inline __attribute__((always_inline)) void NAME(
 	const int columns = kind == KERNEL_DEPTH ? 2 : terms;
 	const R cu = R_ALL((REAL)PLAIN_BOUND * ROUNDOFF);
 	const R within = R_ALL((REAL)(1 / tolerance));
+	const R lost = R_ALL((REAL)(4 * TINY * (double)ROUNDOFF / tolerance));
+	const double limit = 1 / tolerance < MOST ? size_limit(m, kind, MOST) :
+						    0;
+	R largest = R_ALL(0);
 
 	for (size_t i = 0; i < n; i += R_WIDTH) {
-		R p[3], q[3], size = R_ALL(0), r = R_ALL(1), error = r;
+		R p[3], q[3], size = R_ALL(0), r = R_ALL(1), error = lost;
 		R w_size = r, w = r;
 
 		for (int k = 0; k < terms; k++) {
@@ -54,9 +63,9 @@ static inline __attribute__((always_inline)) void NAME(
 			w = NAME(column)(m, 3, p, terms);
 			r = R_ALL(1) / w;
 			w_size = NAME(most)(m, 3, size) * R_ABS(r);
-			error = cu * w_size * R_ALL(16);
+			error = R_MAX(error, cu * w_size * R_ALL(16));
 		}
-		for (int k = columns - 1; k >= 0; k--) {
+		for (int k = 0; k < columns; k++) {
 			R s = NAME(most)(m, k, size);
 
 			q[k] = NAME(column)(m, k, p, terms);
@@ -64,8 +73,7 @@ static inline __attribute__((always_inline)) void NAME(
 				q[k] = q[k] * r;
 				s = R_FMA(R_ABS(q[k]), w_size, s * R_ABS(r));
 			}
-			s = cu * s * within;
-			error = k == terms - 1 && !divide ? s : R_MAX(error, s);
+			error = R_MAX(error, cu * s * within + lost);
 		}
 		if (kind == KERNEL_DEPTH) {
 			R b = R_ALL((REAL)m->b_hi) * r;
@@ -73,27 +81,39 @@ static inline __attribute__((always_inline)) void NAME(
 			    R_ALL((REAL)fabs(m->a_hi)));
 
 			q[2] = R_ALL((REAL)m->a_hi) + b;
-			error = R_MAX(error, cu * s * within);
+			error = R_MAX(error, cu * s * within + lost);
 		}
+		R room = R_ALL((REAL)limit) - size;
+
+		largest = R_MAX(size, largest);
 		for (int k = 0; k < terms; k++) {
 			if (divide)
 				q[k] = R_POSITIVE(w, q[k]);
 			if (bounded && k == 0)
 				q[k] = R_POSITIVE(R_ALL(1) - error, q[k]);
+			if (k == 0)
+				q[k] = R_POSITIVE(room, q[k]);
 			R_STORE(out[k] + i, q[k]);
 		}
 	}
+	double all[R_WIDTH];
+	int done = 1;
+
+	R_STORE(all, largest);
+	for (int i = 0; i < R_WIDTH; i++)
+		done &= all[i] < limit;
+	return done;
 }
 
 #define LOOP(KIND, name)                                                \
-	static void NAME(name)(const struct kernel_map *m,              \
+	static int NAME(name)(const struct kernel_map *m,               \
 	    const double *const in[3], double *const out[3], size_t n,  \
 	    double tolerance)                                           \
 	{                                                               \
 		if (tolerance > 0)                                      \
-			NAME(plain)(m, in, out, n, tolerance, KIND, 1); \
-		else                                                    \
-			NAME(plain)(m, in, out, n, 1, KIND, 0);         \
+			return NAME(plain)(m, in, out, n, tolerance,    \
+			    KIND, 1);                                   \
+		return NAME(plain)(m, in, out, n, 1, KIND, 0);          \
 	}
 
 LOOP(KERNEL_FLAT, flat)

@@ -1,0 +1,236 @@
+#include "sum.h"
+
+#include <string.h>
+
+/* A value with an error does not need more words than its error leaves. */
+enum { WORDS = 7 };
+
+static struct magnitude normal(double m, int e)
+{
+	struct magnitude r = { 0, 0 };
+
+	r.m = frexp(m, &r.e);
+	if (m != 0)
+		r.e += e;
+	return r;
+}
+
+static struct magnitude times(struct magnitude a, struct magnitude b)
+{
+	return normal(a.m * b.m, a.e + b.e);
+}
+
+static struct magnitude plus(struct magnitude a, struct magnitude b)
+{
+	if (a.m == 0 || b.m == 0)
+		return a.m == 0 ? b : a;
+	int e = a.e > b.e ? a.e : b.e;
+
+	return normal(ldexp(a.m, a.e - e) + ldexp(b.m, b.e - e), e);
+}
+
+static struct magnitude over(struct magnitude a, struct magnitude b)
+{
+	return normal(a.m / b.m, a.e - b.e);
+}
+
+static struct magnitude of(ex a)
+{
+	int e = a.n > 0 ? 64 * (a.e + a.n) : 0;
+
+	a.e = -a.n;
+	return normal(fabs(ex_double(a)), e);
+}
+
+/* What the size of a product has of a factor. */
+static struct magnitude share(const struct sum *a)
+{
+	return a->size.m > 0 ? a->size : of(a->value);
+}
+
+struct sum sum_of(ex exact)
+{
+	return (struct sum){ exact, { 0, 0 } };
+}
+
+struct sum sum_of_double(double exact)
+{
+	return sum_of(ex_of(exact));
+}
+
+struct sum sum_inexact(ex value)
+{
+	return (struct sum){ value, of(value) };
+}
+
+struct sum sum_neg(struct sum a)
+{
+	a.value = ex_neg(a.value);
+	return a;
+}
+
+struct sum sum_abs(struct sum a)
+{
+	a.value = ex_abs(a.value);
+	return a;
+}
+
+static struct sum cut(ex value, struct magnitude size)
+{
+	return (struct sum){ size.m > 0 ? ex_first(value, WORDS) : value,
+		size };
+}
+
+struct sum sum_add(struct sum a, struct sum b)
+{
+	return cut(ex_add(a.value, b.value), plus(a.size, b.size));
+}
+
+struct sum sum_sub(struct sum a, struct sum b)
+{
+	return sum_add(a, sum_neg(b));
+}
+
+struct sum sum_mul(struct sum a, struct sum b)
+{
+	struct magnitude size = { 0, 0 };
+
+	if (a.size.m > 0 || b.size.m > 0)
+		size = times(share(&a), share(&b));
+	return cut(ex_mul(a.value, b.value), size);
+}
+
+struct sum sum_quotient(struct sum a, struct sum b)
+{
+	struct magnitude d = of(b.value), size = over(share(&a), d);
+	ex q = ex_quotient(a.value, b.value);
+
+	if (b.size.m > 0)
+		size = plus(size, over(times(of(q), b.size), d));
+	else if (a.size.m == 0 && ex_compare(ex_mul(q, b.value), a.value) == 0)
+		size.m = 0;
+	return (struct sum){ q, size };
+}
+
+struct sum sum_sqrt(struct sum a)
+{
+	ex r = ex_sqrt(a.value);
+
+	if (a.size.m > 0)
+		return (struct sum){ r, over(a.size, of(r)) };
+	return ex_compare(ex_mul(r, r), a.value) == 0 ? sum_of(r) :
+							sum_inexact(r);
+}
+
+/* Whether so much is no difference. */
+static bool is_none(ex difference, struct magnitude size)
+{
+	ex least = ex_shift(ex_of(size.m), size.e - 190);
+
+	return ex_compare(ex_abs(difference), least) <= 0;
+}
+
+int sum_sign(struct sum a)
+{
+	return a.value.sign == 0 || is_none(a.value, a.size) ? 0 :
+							       a.value.sign;
+}
+
+struct sum sum_settled(struct sum a)
+{
+	return sum_sign(a) == 0 ? sum_of_double(0) : a;
+}
+
+static double to_format(ex a, bool single)
+{
+	return single ? (double)ex_float(a) : ex_double(a);
+}
+
+/* The next double or float, from 0 away or toward it. */
+static double next(double a, bool away, bool single)
+{
+	double to = away ? copysign(HUGE_VAL, a) : 0;
+
+	return single ? (double)nextafterf((float)a, (float)to) :
+			nextafter(a, to);
+}
+
+static bool is_even(double a, bool single)
+{
+	float narrow = (float)a;
+	uint64_t bits = 0;
+
+	if (single)
+		memcpy(&bits, &narrow, sizeof narrow);
+	else
+		memcpy(&bits, &a, sizeof a);
+	return __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__ && single ?
+	    (bits >> 32 & 1) == 0 :
+	    (bits & 1) == 0;
+}
+
+/* n / d is within 2^-319 of q, which can be at or on the wrong side of the
+ * midpoint that is next to it; n tells from the midpoint times d. */
+static double nearest(const struct sum *n, const struct sum *d, bool single)
+{
+	if (sum_sign(*n) == 0)
+		return 0;
+	ex q = ex_quotient(n->value, d->value);
+	double near = to_format(q, single);
+	int side = ex_compare(ex_abs(q), ex_of(fabs(near)));
+
+	if (!isfinite(near) || side == 0)
+		return near;
+	double other = next(near == 0 ? q.sign * 0.0 : near, side > 0, single);
+	ex middle = ex_shift(ex_add(ex_of(near), ex_of(other)), -1);
+	ex rest = ex_sub(n->value, ex_mul(middle, d->value));
+	struct magnitude size = plus(n->size, times(of(middle), d->size));
+
+	if (!isfinite(other))
+		return near;
+	if (rest.sign == 0 || is_none(rest, size))
+		return is_even(near, single) ? near : other;
+	bool beyond = rest.sign * d->value.sign == q.sign;
+
+	return beyond == (side > 0) ? other : near;
+}
+
+double sum_over(struct sum n, struct sum d)
+{
+	return nearest(&n, &d, false);
+}
+
+float sum_over_float(struct sum n, struct sum d)
+{
+	return (float)nearest(&n, &d, true);
+}
+
+static double nearest_value(const struct sum *a, bool single)
+{
+	struct sum one = sum_of_double(1);
+
+	return a->size.m == 0 ? to_format(a->value, single) :
+				nearest(a, &one, single);
+}
+
+double sum_double(struct sum a)
+{
+	return nearest_value(&a, false);
+}
+
+float sum_float(struct sum a)
+{
+	return (float)nearest_value(&a, true);
+}
+
+dd sum_dd(struct sum a)
+{
+	return ex_round(sum_settled(a).value);
+}
+
+double sum_most(struct sum a)
+{
+	struct magnitude s = plus(of(a.value), a.size);
+
+	return ldexp(s.m, s.e) * (1 + 0x1p-50);
+}
