@@ -40,11 +40,12 @@ sub spew {
 	close $file or die "$name: $!\n";
 }
 
-# The first of these commands that this machine has not.
+# The first of these commands that is not installed, if any.
 sub missing {
 	for my $tool (@_) {
 		return $tool if system("command -v $tool >/dev/null") != 0;
 	}
+	return;
 }
 
 sub sorted { join ' ', sort @_ }

@@ -1,20 +1,32 @@
-# Sessions in a shell as files: testdata/transcripts/*.txt, the manual pages
-# and README.md. A transcript reads
+# Reads and runs sessions of the shell: testdata/transcripts/*.txt, and the
+# examples of the manual pages and README.md. A transcript reads
 #
-#	# What comes next, in a sentence or two.
+#	# A sentence or two on the cases below.
 #
-#	# name-of-the-case
-#	$ printf '1 1 1\n' | projcalc project scene.json - '[0,0]'
-#	what is printed
-#	! what standard error says
+#	# name-of-a-case
+#	$ projcalc project scene.json - <<'END'
+#	> 0 0 0
+#	> 0 0
+#	> END
+#	320 240 0.8888888888888888
+#	! projcalc: -:2: z is missing; 3 numbers are wanted
 #	? 1
 #
-# "$ " begins a command, "> " goes on with it; "? " is its status if that is
-# not 0. A case begins after an empty line, with lines of comment or at once
-# with its command. Any other line is output: also one that begins with "#", and
-# an empty one, unless another case begins behind it. What can't stand so begins
-# with "% " and has the escapes of printf(1): "% 1 1 1\r\n"; without the \n it
-# is a line that doesn't end. Standard input is empty.
+#	# name-of-the-next
+#	$ ...
+#
+# The marks are
+#
+#	#  a comment, after an empty line; the last one names the case
+#	$  a command, which is run in testdata with nothing on standard input
+#	>  its next line
+#	!  a line of standard error
+#	?  the status, if it is not 0
+#	%  a line of output with the escapes of printf(1), as in "% 1 1 1\r\n";
+#	   without \n at its end the line has no newline
+#
+# Everything else is output. An empty line is output too, but for the one above
+# the next comment or command.
 package Transcript;
 use strict;
 use warnings;
@@ -38,7 +50,8 @@ sub unescape {
 	    {defined $2 ? chr oct $2 : $escaped{$1} // $1}ger;
 }
 
-# Lines as they are, but for those that would be taken for something else.
+# Lines of output, escaped if they would be taken for something else or hold
+# more than printable ASCII, or blanks at their end.
 sub shown {
 	my ($text, $mark) = @_;
 	my ($shown, $above) = ('', '');
@@ -52,6 +65,7 @@ sub shown {
 	return $shown;
 }
 
+# The inverse for one line, without the mark of standard error.
 sub meant {
 	my ($line) = @_;
 	return $line =~ /\A% (.*)\n/ ? unescape($1) : $line;
