@@ -1,6 +1,5 @@
-# What every test here needs. It stands at the top of the project, finds the
-# program that it is to test first on PATH, and has a directory for what it
-# writes. Test::More comes with it.
+# What every test here needs. A test that uses it stands at the top of the
+# project, has a directory for what it writes, and Test::More.
 # usage of a test: x_test.t [-w] [BUILD] [FILE...]; BUILD, or else the variable
 # of that name, or else build, is the directory of projcalc. -w is for tests
 # that can rewrite what they expect.
@@ -21,7 +20,6 @@ our $tmp = tempdir(CLEANUP => 1);
 our @EXPORT = (qw($top $write $build $tmp slurp spew missing run sorted),
     @Test::More::EXPORT);
 
-$ENV{PATH} = "$build:$ENV{PATH}";
 $ENV{LC_ALL} = 'C';
 # A make that a test starts is a reader's own, not a part of `make test`.
 delete @ENV{qw(MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES)};
@@ -50,18 +48,20 @@ sub missing {
 
 sub sorted { join ' ', sort @_ }
 
-# Runs a command of the shell, here or in a directory, with nothing on standard
-# input. Returns its status (128 and the signal, as the shell says it), output
-# and errors.
+# Runs a command of the shell, here or in a directory, with the program that is
+# tested first on PATH and nothing on standard input. Returns the status (128 and
+# the signal, as the shell says it), output and errors.
 sub run {
 	my ($command, $dir) = @_;
 	my ($out, $err) = map { "$tmp/$_$$" } qw(out err);
+	die "$build has no projcalc\n" if !-x "$build/projcalc";
 	my $pid = fork // die "fork: $!\n";
 	if ($pid == 0) {
 		chdir($dir // '.') or die "$dir: $!\n";
 		open STDIN, '<', '/dev/null';
 		open STDOUT, '>', $out;
 		open STDERR, '>', $err;
+		$ENV{PATH} = "$build:$ENV{PATH}";
 		$SIG{PIPE} = 'DEFAULT';
 		alarm 300;
 		exec 'sh', '-c', $command;

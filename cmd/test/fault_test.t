@@ -13,6 +13,7 @@ use lib $FindBin::Bin;
 use Projcalc;
 
 my $shim = "$tmp/shim.so";
+$ENV{PATH} = "$build:$ENV{PATH}";
 chdir 'testdata' or die "testdata: $!\n";
 
 # A sanitizer has an allocator of its own, and no use for a limit of memory;
