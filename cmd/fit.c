@@ -3,6 +3,8 @@
 
 #include "../core/fit.h"
 #include "command.h"
+#include "points/answer.h"
+#include "points/chunk.h"
 #include "scene/print_scene.h"
 #include "talk.h"
 
@@ -98,5 +100,5 @@ int run_fit(const struct command *c, const struct options *o)
 	if (why != NULL)
 		refuse(o, &d, why);
 	print_scene(&d);
-	return stream_end(&j);
+	return answer_end(&j);
 }

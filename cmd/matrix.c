@@ -1,6 +1,7 @@
 #include <math.h>
 
 #include "command.h"
+#include "points/answer.h"
 #include "talk.h"
 
 /* The rows and columns that a 2D matrix has. */
@@ -114,7 +115,7 @@ int run_matrix(const struct command *c, const struct options *o)
 	if (points) {
 		stream_options(&j, o);
 		stream_points(o, &d, &j);
-		return stream_end(&j);
+		return answer_end(&j);
 	}
 	print_matrix(o, &d, &t->map, c->flat);
 	close_output();

@@ -3,6 +3,8 @@
 #include <string.h>
 
 #include "command.h"
+#include "points/answer.h"
+#include "points/chunk.h"
 #include "talk.h"
 
 /* A line that was hit, and where its text stands in the list's. */
@@ -37,11 +39,11 @@ static void take(const struct job *j, struct chunk *c, const struct line *r,
 	    frustum_out(&j->frustum, in) != 0)
 		return;
 	hit.distance = depth_of(&h->depth, in);
-	hit.size = (size_t)(r->line.end - r->line.s);
+	hit.size = (size_t)(r->text.end - r->text.s);
 	char *at = chunk_reserve(c, sizeof hit + hit.size);
 
 	memcpy(at, &hit, sizeof hit);
-	memcpy(at + sizeof hit, r->line.s, hit.size);
+	memcpy(at + sizeof hit, r->text.s, hit.size);
 	c->size += sizeof hit + hit.size;
 }
 
@@ -205,5 +207,5 @@ int run_pick(const struct command *c, const struct options *o)
 		    "-o json");
 	stream_options(&j, o);
 	stream_points(o, &d, &j);
-	return stream_end(&j);
+	return answer_end(&j);
 }

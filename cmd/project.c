@@ -1,4 +1,5 @@
 #include "command.h"
+#include "points/answer.h"
 #include "talk.h"
 
 static int coordinates(const struct options *o, enum space from)
@@ -72,5 +73,5 @@ int run_project(const struct command *c, const struct options *o)
 	stream_options(&j, o);
 	j.layout.flags = o->flags;
 	stream_points(o, &d, &j);
-	return stream_end(&j);
+	return answer_end(&j);
 }

@@ -12,6 +12,7 @@
 
 #include "../scene/document.h"
 #include "layout.h"
+#include "../points/chunk_do.h"
 #include "../points/stream.h"
 #include "../talk.h"
 

@@ -1,11 +1,8 @@
 /* A line's fields, format by format. */
-#ifndef SPLIT_H
-#define SPLIT_H
+#ifndef FIELD_H
+#define FIELD_H
 
-#include <stdbool.h>
-#include <stddef.h>
-
-enum format { FORMAT_TEXT, FORMAT_CSV, FORMAT_JSON, FORMAT_F64, FORMAT_F32 };
+#include "format.h"
 
 struct span {
 	const char *s, *end;

@@ -8,7 +8,8 @@
 #include "../number/number.h"
 #include "field.h"
 
-enum { COORDINATES_MAX = 6 }; /* four in; a ray's point and direction out */
+/* Those of a ray: a point and a direction. Of what is read, there are four. */
+enum { COORDINATES_MAX = 6 };
 
 /* From --columns: field numbers from 0, or names to be found in a header. */
 struct columns {
@@ -17,6 +18,7 @@ struct columns {
 	const char *name[4]; /* or NULL where field holds */
 };
 
+/* How lines, or binary points, are laid out. */
 struct layout {
 	enum format in, out;
 	struct columns columns;
@@ -34,10 +36,10 @@ enum line_kind {
 
 struct line {
 	enum line_kind kind;
-	struct span line;  /* without its newline */
-	struct span at[4]; /* the coordinates, in their own order */
-	bool newline;
-	bool single; /* the numbers written are floats */
+	struct span text;  /* without its newline */
+	struct span at[4]; /* of text: where x, y, z and w stand */
+	bool newline;      /* it ends in one */
+	bool single;       /* the numbers written are floats */
 };
 
 enum { REASON_MAX = 200 };
@@ -48,11 +50,12 @@ enum { REASON_MAX = 200 };
 void line_read(struct layout *, struct span line, const char *readable,
     bool *header, struct line *, double v[4], char reason[REASON_MAX]);
 
-/* The most bytes that a record's line can become. */
+/* The most bytes that line_write may write. */
 size_t line_room(const struct layout *, const struct line *);
 
-/* Write a record's line and return its end; v are the new coordinates, flags
- * the word after them or NULL. */
+/* Writes a line with the new coordinates v, and flags, the word after them, or
+ * NULL; returns the end. A bad line becomes v alone. Blank lines, comments and
+ * headers stay, but nothing is left of them from or to JSON. */
 char *line_write(const struct layout *, const struct line *,
     const double v[COORDINATES_MAX], const char *flags, char *out);
 

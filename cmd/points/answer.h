@@ -1,0 +1,24 @@
+/* What the user gets: done chunks are printed, counted and complained of, in
+ * the order of their source. */
+#ifndef ANSWER_H
+#define ANSWER_H
+
+#include "chunk.h"
+#include "job.h"
+
+/* A source begins: its lines are counted from 1. */
+void answer_source(void);
+
+/* The next chunk's output, then what was wrong with its lines. Ends the program
+ * where that is to end the job. One thread at a time; whoever comes next has
+ * seen to it that this one is through. */
+void answer_chunk(const struct job *, const struct chunk *);
+
+/* The number of the line behind the last chunk. */
+size_t answer_line(void);
+
+/* After the last source: tells what had no image, and closes standard output.
+ * Returns the exit status. */
+int answer_end(const struct job *);
+
+#endif
