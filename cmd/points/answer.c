@@ -5,7 +5,7 @@
 #include "progress.h"
 #include "../talk.h"
 
-/* Of all chunks so far. No lock: answers are given one after another. */
+/* Of all chunks so far. It needs no lock, as no two are answered at a time. */
 static struct {
 	size_t next_line; /* of the source, from 1 */
 	bool unended;     /* the last line printed has no newline yet */

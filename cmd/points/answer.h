@@ -9,9 +9,9 @@
 /* A source begins: its lines are counted from 1. */
 void answer_source(void);
 
-/* The next chunk's output, then what was wrong with its lines. Ends the program
- * where that is to end the job. One thread at a time; whoever comes next has
- * seen to it that this one is through. */
+/* The next chunk's output, then what was wrong with its lines, which ends the
+ * program unless the job keeps going. Any thread may call it, but not two at a
+ * time. */
 void answer_chunk(const struct job *, const struct chunk *);
 
 /* The number of the line behind the last chunk. */

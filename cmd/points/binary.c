@@ -76,8 +76,9 @@ size_t binary_read(const struct job *j, struct chunk *c)
 	return n;
 }
 
-/* Coordinate k of the image of point p as a float. An exact one is rounded to it
- * once: v is rounded to a double, from which a second step could go astray. */
+/* v, coordinate k of the image of point p, as a float. Where that is to be
+ * exact it is computed anew: rounded to a double and then to a float, it could
+ * miss the nearest. */
 static float narrowed(const struct job *j, const struct chunk *c, size_t p,
     int k, double v)
 {

@@ -8,6 +8,7 @@ struct span {
 	const char *s, *end;
 };
 
+/* White space within a line. */
 static inline bool is_blank(char c)
 {
 	return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n');
@@ -20,13 +21,13 @@ static inline const char *skip_blanks(const char *s, const char *end)
 	return s;
 }
 
-/* Whether a number of text may end at s. */
+/* Whether a field of text ends at s. */
 static inline bool ends_field(const char *s, const char *end)
 {
 	return s == end || is_blank(*s) || *s == ',';
 }
 
-/* Past the separator of text at s: blanks with at most one comma. */
+/* Where the separator at s ends: blanks with at most one comma, in text. */
 static inline const char *text_next(const char *s, const char *end)
 {
 	s = skip_blanks(s, end);

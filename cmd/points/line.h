@@ -1,5 +1,5 @@
-/* A line of points: where its coordinates stand, and the line that goes out.
- * Everything that is not a coordinate stays as it was. */
+/* A line with a point: where its coordinates stand, and the line with others in
+ * their place. Everything else on it stays as it was. */
 #ifndef LINE_H
 #define LINE_H
 
@@ -13,9 +13,9 @@ enum { COORDINATES_MAX = 6 };
 
 /* From --columns: field numbers from 0, or names to be found in a header. */
 struct columns {
-	int n; /* 0: the first ones */
+	int n; /* 0: the first fields are the coordinates */
 	int field[4];
-	const char *name[4]; /* or NULL where field holds */
+	const char *name[4]; /* NULL where the field has a number alone */
 };
 
 /* How lines, or binary points, are laid out. */
@@ -44,9 +44,10 @@ struct line {
 
 enum { REASON_MAX = 200 };
 
-/* Reads one line. LINE_BAD writes what is wrong and what would be right to
- * reason. *header says that a csv header may still come, and then resolves
- * the names of columns. Bytes up to readable may be looked at. */
+/* Reads one line. Of a bad one, reason says what is wrong and what would be
+ * right. Where *header, a csv header may still come; it turns the names of
+ * columns into numbers. Bytes behind the line may be looked at, up to
+ * readable. */
 void line_read(struct layout *, struct span line, const char *readable,
     bool *header, struct line *, double v[4], char reason[REASON_MAX]);
 

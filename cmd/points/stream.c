@@ -20,24 +20,26 @@ struct slot {
 	struct piece piece;
 };
 
-/* The k-th chunk of all sources goes through slot k % n: the reader, which is
- * the thread that calls stream_file, fills it, a thread does the job on it, and
- * the same thread answers, when those before are answered: so that no answer
- * waits for the reader. Each has the slot to itself until it counts the chunk
- * as filled, or answered. */
+/* The k-th chunk of all goes through slot k % n. The reader, which is the
+ * thread that calls stream_file, fills the slot; one of the threads takes the
+ * chunk, does the job on it and, once the chunk before is answered, answers it,
+ * so that no answer waits for the reader. Nobody else looks into a slot that is
+ * the reader's, until its chunk counts as filled, or a thread's, until the
+ * chunk counts as answered. */
 static struct {
-	/* Of these only the reader knows, */
-	int threads; /* running */
-	/* these it sets before the first thread starts, and changes what is in
-	 * the job only while no chunk is on its way, */
+	int threads; /* that run; the reader alone asks */
+
+	/* Set before the first thread starts. The job's contents change only
+	 * while no chunk is on its way. */
 	struct job *job;
 	struct slot *slots;
 	size_t n;
-	/* and these counts of chunks change under the lock: filled by the
-	 * reader, who may read it without, the others by whoever is so far. */
-	pthread_mutex_t lock;
+
+	/* Counts of chunks. They change under the lock; the reader, who alone
+	 * changes filled, may read that one without. */
 	size_t filled, taken, answered;
-	pthread_cond_t is_filled, is_answered; /* one more */
+	pthread_mutex_t lock;
+	pthread_cond_t is_filled, is_answered; /* the count has grown */
 } ring = {
 	.lock = PTHREAD_MUTEX_INITIALIZER,
 	.is_filled = PTHREAD_COND_INITIALIZER,
@@ -98,8 +100,8 @@ static void make_ring(struct job *j)
 	memset(ring.slots, 0, ring.n * sizeof *ring.slots);
 }
 
-/* The k-th chunk's slot, which must be free, with the bytes that are read but
- * not of the piece before. */
+/* The slot for the k-th chunk, which no other is in any more; what the piece
+ * before holds behind end is in it. */
 static struct slot *slot_of(size_t k, const struct piece *before,
     const char *end)
 {
@@ -111,8 +113,8 @@ static struct slot *slot_of(size_t k, const struct piece *before,
 	return s;
 }
 
-/* Fills the slot. Returns whether the source ends with it; results come before
- * what is wrong with the source. */
+/* Fills the slot; returns whether the source ends with it. What was read is
+ * answered before an error of the source ends the program. */
 static bool fill(const struct job *j, const char *name, int fd, struct slot *s)
 {
 	enum piece_state state = piece_fill(&s->piece, &j->layout, fd);
@@ -129,8 +131,9 @@ static bool fill(const struct job *j, const char *name, int fd, struct slot *s)
 	die(EXIT_SYSTEM, "%s: %s", name, strerror(error));
 }
 
-/* The first chunk of a source is done here, as it may be all there is, and all
- * are up to the header, from which the others have their columns. */
+/* The reader itself does the first chunk of a source, which may be all there
+ * is, and each up to the one with a csv header, as only that tells where in the
+ * lines of all others the columns are. */
 static void hand_over(struct job *j, struct chunk *c)
 {
 	bool here = c->first || c->header || j->threads < 2;
@@ -187,7 +190,7 @@ void stream_file(struct job *j, const char *name, int fd)
 		c->text = p->text;
 		c->end = p->text + (ended ? p->have : p->whole);
 		c->bytes = (size_t)(c->end - c->text);
-		wait_for(ring.n - 2); /* for the next slot */
+		wait_for(ring.n - 2); /* until the next slot is free */
 		next = slot_of(ring.filled + 1, p, c->end);
 		hand_over(j, c);
 		header = header && c->header;
