@@ -3,7 +3,6 @@
 
 #include "../core/fit.h"
 #include "command.h"
-#include "points/answer.h"
 #include "points/chunk.h"
 #include "scene/print_scene.h"
 #include "talk.h"
@@ -100,5 +99,5 @@ int run_fit(const struct command *c, const struct options *o)
 	if (why != NULL)
 		refuse(o, &d, why);
 	print_scene(&d);
-	return answer_end(&j);
+	return stream_end(&j);
 }

@@ -1,7 +1,6 @@
 #include <math.h>
 
 #include "command.h"
-#include "points/answer.h"
 #include "talk.h"
 
 /* The rows and columns that a 2D matrix has. */
@@ -115,7 +114,7 @@ int run_matrix(const struct command *c, const struct options *o)
 	if (points) {
 		stream_options(&j, o);
 		stream_points(o, &d, &j);
-		return answer_end(&j);
+		return stream_end(&j);
 	}
 	print_matrix(o, &d, &t->map, c->flat);
 	close_output();

@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "command.h"
-#include "points/answer.h"
 #include "points/chunk.h"
 #include "talk.h"
 
@@ -207,5 +206,5 @@ int run_pick(const struct command *c, const struct options *o)
 		    "-o json");
 	stream_options(&j, o);
 	stream_points(o, &d, &j);
-	return answer_end(&j);
+	return stream_end(&j);
 }

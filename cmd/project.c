@@ -1,5 +1,4 @@
 #include "command.h"
-#include "points/answer.h"
 #include "talk.h"
 
 static int coordinates(const struct options *o, enum space from)
@@ -73,5 +72,5 @@ int run_project(const struct command *c, const struct options *o)
 	stream_options(&j, o);
 	j.layout.flags = o->flags;
 	stream_points(o, &d, &j);
-	return answer_end(&j);
+	return stream_end(&j);
 }

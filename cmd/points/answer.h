@@ -17,8 +17,7 @@ void answer_chunk(const struct job *, const struct chunk *);
 /* The number of the line behind the last chunk. */
 size_t answer_line(void);
 
-/* After the last source: tells what had no image, and closes standard output.
- * Returns the exit status. */
+/* As stream_end. */
 int answer_end(const struct job *);
 
 #endif

@@ -212,3 +212,8 @@ void stream_text(struct job *j, const char *name, const char *text, size_t size)
 	answer_chunk(j, c);
 	chunk_free(c);
 }
+
+int stream_end(const struct job *j)
+{
+	return answer_end(j);
+}

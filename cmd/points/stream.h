@@ -6,8 +6,12 @@
 
 /* Does the job on the points of one source: what fd holds, or text. What is
  * there is answered before more is waited for. Errors are printed and end the
- * program. After the last source comes answer_end. */
+ * program. */
 void stream_file(struct job *, const char *name, int fd);
 void stream_text(struct job *, const char *name, const char *text, size_t size);
+
+/* After the last source: tells what had no image, and closes standard output.
+ * Returns the exit status. */
+int stream_end(const struct job *);
 
 #endif
