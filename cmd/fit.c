@@ -3,6 +3,7 @@
 
 #include "../core/fit.h"
 #include "command.h"
+#include "points/chunk.h"
 #include "scene/print_scene.h"
 #include "talk.h"
 

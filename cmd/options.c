@@ -45,8 +45,6 @@ static const struct {
 
 enum { OPTIONS = sizeof options / sizeof *options };
 
-static const char *const format_names[] = { "text", "csv", "json", "f64", "f32",
-	NULL };
 static const char *const precision_names[] = { "exact", "double", "single",
 	NULL };
 static const char *const space_names[] = { "model", "world", "view", "clip",

@@ -4,6 +4,7 @@
 
 #include "../core/pick.h"
 #include "command.h"
+#include "points/chunk.h"
 #include "talk.h"
 
 /* A line that was hit, and where its text stands in the list's. */
@@ -38,11 +39,11 @@ static void take(const struct job *j, struct chunk *c, const struct line *r,
 	    frustum_out(&j->frustum, in) != 0)
 		return;
 	hit.distance = depth_of(&h->depth, in);
-	hit.size = (size_t)(r->line.end - r->line.s);
+	hit.size = (size_t)(r->text.end - r->text.s);
 	char *at = chunk_reserve(c, sizeof hit + hit.size);
 
 	memcpy(at, &hit, sizeof hit);
-	memcpy(at + sizeof hit, r->line.s, hit.size);
+	memcpy(at + sizeof hit, r->text.s, hit.size);
 	c->size += sizeof hit + hit.size;
 }
 

@@ -22,7 +22,8 @@ static bool same(double a, double b)
 	return a == b || (isnan(a) && isnan(b));
 }
 
-/* Not where coordinates come or go, and fields change their numbers. */
+/* Where coordinates are added or left out, the fields behind them change their
+ * numbers, so that --columns would find others. */
 static bool can_read_back(const struct layout *l)
 {
 	return l->out <= FORMAT_JSON &&

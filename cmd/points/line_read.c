@@ -296,7 +296,7 @@ void line_read(struct layout *l, struct span line, const char *readable,
 	bool ok;
 
 	r->kind = LINE_COPY;
-	r->line = line;
+	r->text = line;
 	if (s == line.end || *s == '#')
 		return;
 	if (l->in == FORMAT_CSV) {

@@ -1,13 +1,11 @@
-/* Nanoseconds a number, %.6f coordinates / 17 digits (cmd/bench/number.cc, gcc 12,
- * AMD Zen 4). Read: strtod 65 / 86, charconv 17 / 21, fast_float 14.5 / 19,
- * here 10 / 23. Write: printf %.17g 280 / 182, charconv 48 / 40, dragonbox but
- * no digits 13.5 / 7.4, here 22.5 / 20; 3 decimals: charconv 51, here 15. Hence
- * fast_float, behind a path for short numbers that saves a quarter, and half of
- * charconv's time by dragonbox. Both are headers only: with printf for what is
- * rare, no C++ library is loaded, which would double the 0.6 ms of a start. */
+/* Nanoseconds a number, %.6f coordinates / 17 digits (cmd/bench/number.cc, gcc
+ * 12, AMD Zen 4): printf %.17g 280 / 182, charconv 48 / 40, dragonbox without
+ * its digits 13.5 / 7.4, here 22.5 / 20; 3 decimals: charconv 51, here 15. The
+ * library is headers only, and printf does what is rare: no C++ library is
+ * loaded, which would double the 0.6 ms of a start. */
 #include "number.h"
 
-/* The libraries' assertions are for their own tests; each number would pay. */
+/* The library's assertions are for its own tests, and cost time. */
 #undef NDEBUG
 #define NDEBUG
 
@@ -18,9 +16,9 @@
 #include <cstring>
 
 #include <dragonbox/dragonbox.h>
-#include <fast_float/fast_float.h>
 
-/* Digits that a buffer holds on the fast paths; no shortest text has more. */
+/* As many as the shortest text of a double can need. The fast paths write them
+ * all to a buffer, and copy from it those that belong to the number. */
 enum { DIGITS = 17 };
 
 static const uint64_t power[] = { 1, 10, 100, 1000, 10000, 100000, 1000000,
@@ -29,95 +27,8 @@ static const uint64_t power[] = { 1, 10, 100, 1000, 10000, 100000, 1000000,
 	10000000000000000, 100000000000000000, 1000000000000000000,
 	10000000000000000000u };
 
-/* Powers of ten that carry the sign, so that no branch has to guess it. */
-static const double signed_power[2][8] = {
-	{ 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7 },
-	{ -1e0, -1e1, -1e2, -1e3, -1e4, -1e5, -1e6, -1e7 },
-};
-
-/* Eight characters, each with '0' taken away; the first is the lowest byte. */
-static uint64_t load(const char *s)
-{
-	uint64_t w;
-
-	memcpy(&w, s, 8);
-	return w ^ 0x3030303030303030;
-}
-
-/* The top bit of each byte that is no digit. A carry out of a byte can spoil
- * only the bytes after one that is no digit itself. */
-static uint64_t not_digits(uint64_t w)
-{
-	return (w | (w + 0x7676767676767676)) & 0x8080808080808080;
-}
-
-/* The first n < 8 of eight loaded digits as a number: pairs, then fours, then
- * all, in three multiplications. */
-static uint64_t first_digits(uint64_t w, size_t n)
-{
-	const uint64_t pairs = 0x000000ff000000ff;
-
-	w = w << 8 << (56 - 8 * n);
-	w = w * 10 + (w >> 8);
-	return uint32_t(((w & pairs) * (100 + (1000000ull << 32)) +
-			    ((w >> 16) & pairs) * (1 + (10000ull << 32))) >>
-	    32);
-}
-
-/* Reads [-] up to 7 digits [. up to 7 digits] where 17 characters are there to
- * look at, or returns NULL. Below 10^14 and by one division of two exact
- * doubles: correctly rounded. */
-static inline const char *read_short(const char *s, double *v)
-{
-	size_t minus = *s == '-', whole, decimals = 0;
-	uint64_t w, fraction = 0, stop;
-
-	s += minus;
-	w = load(s);
-	stop = not_digits(w);
-	if (stop == 0)
-		return NULL;
-	whole = size_t(__builtin_ctzll(stop)) / 8;
-	s += whole;
-	if (*s == '.') {
-		fraction = load(++s);
-		stop = not_digits(fraction);
-		if (stop == 0)
-			return NULL;
-		decimals = size_t(__builtin_ctzll(stop)) / 8;
-		s += decimals;
-	}
-	if (whole + decimals == 0 || (*s | 0x20) == 'e')
-		return NULL;
-	w = first_digits(w, whole) * power[decimals] +
-	    first_digits(fraction, decimals);
-	*v = double(int64_t(w)) / signed_power[minus][decimals];
-	return s;
-}
-
-static const char *read_any(const char *s, const char *end, double *v)
-{
-	bool plus = s != end && *s == '+';
-
-	s += plus;
-	if (s == end || (plus && *s == '-'))
-		return NULL;
-	fast_float::from_chars_result r = fast_float::from_chars(s, end, *v);
-	if (r.ec == std::errc::invalid_argument)
-		return NULL;
-	/* The library would go on to take in the (...) of a nan(...). */
-	return std::isnan(*v) ? s + (*s == '-') + 3 : r.ptr;
-}
-
-const char *number_read(const char *s, const char *end, double *v)
-{
-	if (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ && end - s >= 17)
-		if (const char *p = read_short(s, v))
-			return p;
-	return read_any(s, end, v);
-}
-
-/* Three digits at a time take a seventh less than two. */
+/* The text of 0 to 999: to write three digits at a time takes a seventh less
+ * time than two. */
 struct triples {
 	char text[1000][4];
 
@@ -133,7 +44,8 @@ struct triples {
 
 static constexpr triples triple;
 
-/* The three digits next behind the point of p, which has 54 bits there. */
+/* Writes the first three decimals of p, a number with 54 bits behind its point,
+ * and returns it with the point moved behind them. */
 static inline uint64_t write_three(char *s, uint64_t p)
 {
 	p = (p & ((1ull << 54) - 1)) * 1000;
@@ -141,10 +53,10 @@ static inline uint64_t write_three(char *s, uint64_t p)
 	return p;
 }
 
-/* The 17 digits of x < 10^17, and zeros for plain() to copy along. p is
- * x / 10^15 by way of 2^113 / 10^15, rounded up: 54 bits behind the point and
- * less than 1.2 * 2^-54 too big, so that the five steps to the last digit make
- * that less than 1.2 * 10^15 / 2^54 < 1. */
+/* The 17 digits of x < 10^17, and zeros for plain() to copy along. p is x over
+ * 10^15 with 54 bits behind the point: by the reciprocal 2^113 / 10^15, and
+ * rounded up, it is less than 1.2 * 2^-54 too large. The five steps to the last
+ * digit make that 10^15 times as much, still less than 1. */
 static inline void write_digits(char d[64], uint64_t x)
 {
 	const uint64_t reciprocal = 10384593717069655258u;
@@ -160,8 +72,8 @@ static inline void write_digits(char d[64], uint64_t x)
 }
 
 /* The n digits at d with the point after the first `point` of them, 0 < point.
- * Copies of a constant size are fast; what they write too much is within
- * NUMBER_MAX and is not part of the text. */
+ * Copies of a constant size are fast; what they write behind the text is
+ * within NUMBER_MAX. */
 template <int room>
 static inline char *plain(char *s, const char *d, int n, int point)
 {
@@ -208,8 +120,9 @@ static inline char *layout(char *s, const char *d, int n, int point)
 	return s + 2 - point + n;
 }
 
-/* Brings the digits to 17 in a loop, for it ends as dragonbox branched just
- * before, which is well predicted; to count them would be to wait for them. */
+/* Zeros bring the digits to 17, in a loop: how many are needed follows from the
+ * branches that dragonbox took just before, so that the processor predicts it
+ * well and goes on; a formula would have to wait for dragonbox's result. */
 template <class Float>
 [[gnu::flatten]] static char *write_shortest(char *s, Float v)
 {
@@ -239,9 +152,9 @@ static uint64_t bits_of(double v)
 }
 
 /* v * 10^p rounded to an integer, ties to even, for 0 <= v < 10^15 and p <= 19,
- * with v * 10^p below 2^63. As v = m / 2^k with m < 2^53 and k > 0, m * 10^p is
- * below 2^117, and beyond k = 117 less than a half is left of it. Zeros and
- * subnormals need no care, for they are among those. */
+ * with v * 10^p below 2^63. v is m / 2^k with m < 2^53 and k > 0, and m * 10^p
+ * is below 2^117: where k > 117, the result is less than a half, 0. That holds
+ * for zero and subnormals, too. */
 static uint64_t scaled(double v, int p)
 {
 	uint64_t bits = bits_of(v);
@@ -254,6 +167,7 @@ static uint64_t scaled(double v, int p)
 	return uint64_t((product + half - 1 + (product >> k & 1)) >> k);
 }
 
+/* 1233 / 2^12 is log10(2): n is the number of digits or one less. */
 static int count_digits(uint64_t x)
 {
 	int n = (64 - __builtin_clzll(x | 1)) * 1233 >> 12;
@@ -261,7 +175,8 @@ static int count_digits(uint64_t x)
 	return n + (x >= power[n]);
 }
 
-/* The point is a point as long as nobody calls setlocale. */
+/* The point is a point as long as nobody calls setlocale. What is written with
+ * zeros alone loses its minus. */
 static char *print_decimals(char *s, double v, int n)
 {
 	int size = snprintf(s, NUMBER_MAX, "%.*f", n, v);
@@ -299,9 +214,10 @@ static char *print_significant(char *s, double v, int n)
 	return layout<104>(s, d, n, 1 + atoi(strchr(text, 'e') + 1));
 }
 
-/* The exponent of ten of the power of two below v is that of v or one less.
- * If less, there is a digit too many: scale again, for the first rounding must
- * not count; if v rounds up to a power of ten, that is right as well. */
+/* The exponent of ten is guessed from that of two, with 78913 / 2^18 for
+ * log10(2): it is right or one too small. If too small, q has a digit too many,
+ * and v is scaled anew, as q is rounded already. If q has that digit because v
+ * was rounded up to a power of ten, the result is right as well. */
 static char *write_significant(char *s, double v, int n)
 {
 	char d[64];
