@@ -39,8 +39,11 @@ struct value value_child(const struct value *v)
 {
 	const cJSON *item = v->item->child;
 
-	return (struct value){ v->source, v, item != NULL ? item->string : NULL,
-		0, item };
+	return (struct value){ .source = v->source,
+		.in = v,
+		.name = item != NULL ? item->string : NULL,
+		.unused = v->unused,
+		.item = item };
 }
 
 void value_next(struct value *v)
@@ -52,7 +55,7 @@ void value_next(struct value *v)
 
 struct value value_missing(const struct value *in, const char *name)
 {
-	return (struct value){ in->source, in, name, 0, NULL };
+	return (struct value){ .source = in->source, .in = in, .name = name };
 }
 
 bool value_is_object(const struct value *v)
@@ -170,7 +173,7 @@ double value_number(const struct value *v, const struct range *range)
 		value_refuse(v, "only \"far\" of \"persp\" can be infinite");
 	if (!cJSON_IsNumber(v->item))
 		value_wrong(v, "a number");
-	if (v->source->form || (x >= range->min && x <= range->max))
+	if (v->unused || (x >= range->min && x <= range->max))
 		return x;
 	if (isinf(x))
 		value_refuse(v, "is beyond the range of doubles; %s",

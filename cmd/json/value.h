@@ -6,10 +6,9 @@
 #include <stddef.h>
 
 struct source {
-	const char *name; /* of the file, for messages */
-	bool column;      /* how nested rows of a matrix are read */
-	bool fit;         /* what fit finds may be missing */
-	bool form;        /* of what is not needed, form alone counts */
+	const char *name;           /* of the file, for messages */
+	bool column;                /* how nested rows of a matrix are read */
+	bool fit;                   /* what fit finds may be missing */
 	const struct member *scene; /* all there is in a document */
 };
 
@@ -18,6 +17,9 @@ struct value {
 	const struct value *in; /* NULL: the document itself */
 	const char *name;       /* of a member, else NULL */
 	size_t index;           /* in what it is in */
+	/* It is in a member that the command doesn't use: its numbers may be
+	 * of any size. */
+	bool unused;
 	const struct cJSON *item;
 };
 

@@ -2,7 +2,7 @@
 
 static const char *const origins[] = { "bottom-left", "top-left", NULL };
 static const char *const scales[] = { "fill", "uniform", NULL };
-static const char *const adapts[] = { "stretch", "grow", "shrink", NULL };
+const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
 
 #define MEMBER(type, member) offsetof(struct type, member)
 
@@ -108,7 +108,7 @@ const struct member window_members[] = {
 	{ .name = "adapt",
 	    .read = read_word,
 	    .at = MEMBER(window, adapt),
-	    .words = adapts },
+	    .words = adapt_names },
 	{ .name = NULL },
 };
 

@@ -16,9 +16,9 @@ static const struct range slope = { SIZE_MIN, 90,
 static const struct range fraction = { SIZE_MIN, BELOW_1,
 	"a number above 0 and below 1 is wanted" };
 
-static const char *const types[] = { "persp", "ortho", "oblique", "volume",
+const char *const projection_types[] = { "persp", "ortho", "oblique", "volume",
 	"matrix", NULL };
-static const char *const kinds[] = { "cavalier", "cabinet", NULL };
+const char *const oblique_kinds[] = { "cavalier", "cabinet", NULL };
 
 /* The types as bits. */
 enum { P = 1, O = 2, B = 4, V = 8, M = 16 };
@@ -63,7 +63,7 @@ static void read_far(const struct value *v, const struct member *f, void *to)
 }
 
 const struct member projection_members[] = {
-	{ .name = "type", .read = read_type, .words = types },
+	{ .name = "type", .read = read_type, .words = projection_types },
 	OF(P, "near", near, 0, &range_positive, "znear nearplane"),
 	OF(O | B, "near", near, 0, NULL, "znear nearplane"),
 	{ .name = "far",
@@ -91,7 +91,10 @@ const struct member projection_members[] = {
 	OF(P | O | B, "bottom", bottom, 0, NULL, NULL),
 	OF(P | O | B, "top", top, 0, NULL, NULL),
 	OF(P, "near_ratio", near_ratio, 0, &fraction, NULL),
-	{ .name = "kind", .read = read_kind, .words = kinds, .kinds = B },
+	{ .name = "kind",
+	    .read = read_kind,
+	    .words = oblique_kinds,
+	    .kinds = B },
 	OF(B, "angle", projector, 0, &slope, NULL),
 	OF(B, "direction", direction, 0, NULL, NULL),
 	OF(B, "plane", plane, 0, NULL, NULL),
@@ -193,7 +196,7 @@ static void find_aspect(const struct value *v, const struct viewport *viewport,
 	struct value missing = value_missing(v, "aspect");
 	bool widens = v->source->fit && p->type != PROJECTION_PERSP;
 
-	if (v->source->form)
+	if (v->unused)
 		return;
 	if (!widens && (p->extent == EXTENT_SIZE || p->extent == EXTENT_EDGES))
 		return;
@@ -234,13 +237,14 @@ static void find_type(const struct value *v, int implied, struct projection *p)
 		value_next(&m);
 	if (m.item != NULL)
 		read_type(&m, projection_members, p);
-	else if (implied > 0)
+	else if (implied != PROJECTION_NONE)
 		p->type = (unsigned)implied;
 	else
 		value_refuse(&missing, "missing; it is %s",
-		    list_words(all, types, " or "));
-	if (implied > 0 && p->type != (unsigned)implied)
-		refuse_type(&m, types[p->type - 1], types[implied - 1]);
+		    list_words(all, projection_types, " or "));
+	if (implied != PROJECTION_NONE && p->type != (unsigned)implied)
+		refuse_type(&m, projection_types[p->type - 1],
+		    projection_types[implied - 1]);
 }
 
 void read_projection(const struct value *v, int implied,
@@ -249,7 +253,7 @@ void read_projection(const struct value *v, int implied,
 	*p = (struct projection){ .near_ratio = 0.0005, .direction = 45 };
 	value_want_object(v);
 	find_type(v, implied, p);
-	int kind = (int)p->type - 1; /* as in types */
+	int kind = (int)p->type - 1; /* as in projection_types */
 	unsigned seen = object_read(v, projection_members, kind, p);
 
 	/* fit refuses volume and matrix, whatever they have */

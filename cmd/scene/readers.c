@@ -32,7 +32,7 @@ void read_second(const struct value *v, const struct member *f, void *out)
 	*(bool *)out = value_word(v, f->words) == 1;
 }
 
-static const char *const vectors[] = { "row", "column", NULL };
+const char *const vector_names[] = { "row", "column", NULL };
 
 /* As -o json prints it. */
 struct printed {
@@ -46,7 +46,7 @@ static const struct member printed_members[] = {
 	    .at = offsetof(struct printed, matrix) },
 	{ .name = "vectors",
 	    .read = read_second,
-	    .words = vectors,
+	    .words = vector_names,
 	    .at = offsetof(struct printed, column) },
 	{ .name = NULL },
 };

@@ -1,4 +1,4 @@
-/* Readers of members, for the tables of fields.h. */
+/* Readers of members, for the tables of object.h. */
 #ifndef READERS_H
 #define READERS_H
 
@@ -18,6 +18,9 @@ void read_word(const struct value *, const struct member *, void *);
 
 /* One of two words, to bool: whether it is the second. */
 void read_second(const struct value *, const struct member *, void *);
+
+/* Which vectors a matrix is for: "row" or "column". */
+extern const char *const vector_names[];
 
 /* To double[4][4] of row vectors. Nested rows are of source->column vectors,
  * unless the object that -o json prints says otherwise; a flat array is in

@@ -1,0 +1,9 @@
+#include "names.h"
+
+#include <stddef.h>
+
+const char *const format_names[] = { "text", "csv", "json", "f64", "f32",
+	NULL };
+const char *const precision_names[] = { "exact", "double", "single", NULL };
+const char *const space_names[] = { "model", "world", "view", "clip", "ndc",
+	"device", NULL };

@@ -1,0 +1,9 @@
+/* The names, on the command line and in what is printed, of the formats,
+ * precisions and spaces: each list in the order of its enum, NULL at its end. */
+#ifndef NAMES_H
+#define NAMES_H
+
+extern const char *const format_names[], *const precision_names[],
+					     *const space_names[];
+
+#endif
