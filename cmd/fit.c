@@ -61,7 +61,8 @@ static void read_box(const struct options *o, const struct document *d,
 		    "take them from");
 }
 
-/* What is wrong with bounds is wrong with the points that they are from. */
+/* core/ says what is wrong with /bounds; where they were taken from points, it
+ * is said of those. */
 static _Noreturn void refuse(const struct options *o, const struct document *d,
     const char *why)
 {

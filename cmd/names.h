@@ -1,5 +1,5 @@
 /* The names, on the command line and in what is printed, of the formats,
- * precisions and spaces: each list in the order of its enum, NULL at its end. */
+ * precisions and spaces: each list in the order of its enum; NULL ends it. */
 #ifndef NAMES_H
 #define NAMES_H
 

@@ -97,7 +97,7 @@ static void check_file(const char *name)
 	die(EXIT_USAGE, "%s: %s", name, strerror(errno));
 }
 
-/* Every operand can be opened before anything is printed. */
+/* That every operand can be opened is known before anything is printed. */
 static void check_operands(const struct command *c, const struct options *o)
 {
 	int from_stdin = is_stdin(o->params);
@@ -268,8 +268,8 @@ void stream_points(const struct options *o, const struct document *d,
 		stream_json(j, d->name, d->points, d->points_size);
 	else if (o->n_points == 0)
 		stream_operand(j, "-");
-	/* What is typed wrong is refused before anything is printed; the first
-	 * operand is looked at before that anyway. */
+	/* what is typed wrong is refused before anything is printed; the first
+	 * operand's points are looked at before that anyway */
 	for (int i = 1; i < o->n_points; i++)
 		if (first_of(o->points[i]) == '[') {
 			size_t size;

@@ -8,7 +8,7 @@
 #include "arguments.h"
 #include "names.h"
 #include "nearest.h"
-#include "scene/convention.h"
+#include "scene/convention_member.h"
 #include "talk.h"
 
 static void set_convention(struct options *o, char *word)

@@ -6,7 +6,7 @@
 #include "operands.h"
 #include "talk.h"
 
-/* A line that was hit, and where its text stands in the list's. */
+/* A line whose point was hit; its text is size bytes in that of all hits. */
 struct hit {
 	double distance, device[3], point[3];
 	size_t line, text, size;
@@ -22,6 +22,7 @@ struct hits {
 	size_t size, text_room;
 };
 
+/* A chunk's output is each hit, followed by the text of its line. */
 static void take(const struct job *j, struct chunk *c, const struct line *r,
     size_t p, size_t line)
 {
@@ -81,7 +82,7 @@ static int compare(const void *a, const void *b)
 	return p->text < q->text ? -1 : p->text > q->text;
 }
 
-/* What is printed, in writes of some size. */
+/* What is to be printed, gathered so that there are few writes. */
 struct output {
 	size_t n;
 	char text[1 << 16];
@@ -144,7 +145,7 @@ static void print_hits(const struct job *j)
 	put_all(out.text, out.n);
 }
 
-/* The options win over the member. */
+/* Options win over the document's member "pick". */
 static void aim(const struct document *d, const struct options *o,
     struct hits *h)
 {

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../scene/convention.h"
+#include "../scene/convention_member.h"
 #include "../scene/document.h"
 #include "../talk.h"
 

@@ -18,7 +18,7 @@ const struct range range_any = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
 const struct range range_positive = { SIZE_MIN, MAGNITUDE_MAX,
 	"a number from 1e-150 to 1e150 is wanted" };
 
-/* What passes syntax_check, cJSON takes, or has no memory. */
+/* cJSON can parse what passes syntax_check; else it lacked memory. */
 struct value value_parse(const struct source *source, char *text, size_t size)
 {
 	struct value v = { .source = source };
@@ -104,10 +104,10 @@ static void step(char out[ESCAPED_MAX], const char *name)
 	escaped(out, way, n);
 }
 
-/* Values are not looked at more than this deep: /camera/matrix/matrix/3/3. */
+/* No value is looked at that is deeper than /camera/matrix/matrix/3/3. */
 enum { STEPS_MAX = 5 };
 
-/* Writes /camera/eye/0 and returns where it ends. */
+/* Writes the pointer to a value, as /camera/eye/0; returns where it ends. */
 static char *pointer(const struct value *v, char *out)
 {
 	char name[ESCAPED_MAX];

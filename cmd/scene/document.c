@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "convention.h"
+#include "convention_member.h"
 #include "members.h"
 #include "../talk.h"
 
@@ -28,7 +28,7 @@ enum {
 	[row] = { .name = label,                    \
 		.read = read_value,                 \
 		.at = (row) * sizeof(struct value), \
-		.fields = table,                    \
+		.members = table,                   \
 		.aliases = other,                   \
 		.example = like }
 
@@ -133,7 +133,7 @@ static void take_points(const struct value *v, int coordinates,
 	    depth, *points);
 }
 
-/* A document without any of a scene's members is the bare one. */
+/* Whether an object has none of a scene's members, and may stand for one. */
 static bool is_bare(const struct value *v, enum scene_member bare)
 {
 	struct value m = value_child(v);
@@ -168,12 +168,12 @@ static unsigned read_members(struct document *d, const struct value *root,
 static void check_needed(const struct value *root, unsigned missing)
 {
 	for (int i = 0; i <= POINTS; i++) {
-		const struct member *f = &scene_members[i];
-		struct value v = value_missing(root, f->name);
+		const struct member *row = &scene_members[i];
+		struct value v = value_missing(root, row->name);
 
 		if (missing >> i & 1)
-			value_refuse(&v, "missing; add \"%s\": %s", f->name,
-			    f->example);
+			value_refuse(&v, "missing; add \"%s\": %s", row->name,
+			    row->example);
 	}
 }
 

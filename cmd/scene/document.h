@@ -1,5 +1,5 @@
-/* JSON documents to scenes: strict, with the place of what is wrong. Errors
- * are printed here, as one line, and end in exit status 1. */
+/* JSON documents to scenes. What is wrong is printed in one line, with its
+ * place, and ends in exit status 1. */
 #ifndef DOCUMENT_H
 #define DOCUMENT_H
 
@@ -24,7 +24,7 @@ enum scene_member {
 	    SCENE_VIEWPORT,
 };
 
-/* Where on the device, and how far around; 0 where it isn't said. */
+/* Where on the device, and how far around: 0 where that isn't said. */
 struct pick {
 	bool has_at;
 	double at[2], radius;
@@ -33,11 +33,12 @@ struct pick {
 struct document {
 	struct scene scene;
 	struct pick pick;
-	bool has_bounds, has_eye; /* for fit; a camera's matrix has an eye */
+	/* for fit: whether there are bounds, and the camera's eye is given */
+	bool has_bounds, has_eye;
 	struct bounds bounds;
 	const char *name; /* for messages: the file, "-" or "PARAMS" */
 	/* The member as which an object with none of a scene's members was
-	 * read, whose pointers then have no first part; or NULL. */
+	 * read, or NULL. Messages leave it out of their pointers. */
 	const char *bare;
 	/* The member points as json_points gives it, or NULL. */
 	char *points;

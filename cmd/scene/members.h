@@ -14,7 +14,7 @@ extern const struct member camera_members[], projection_members[],
 extern const char *const projection_types[], *const oblique_kinds[],
 						 *const adapt_names[];
 
-/* Returns whether there is an eye. */
+/* Returns whether the camera says where its eye is, as a matrix does too. */
 bool read_camera(const struct value *, struct camera *);
 void read_viewport(const struct value *, struct viewport *);
 void read_window(const struct value *, struct window *);
@@ -23,7 +23,7 @@ void read_bounds(const struct value *, struct bounds *);
 void read_pick(const struct value *, struct pick *);
 
 /* implied is the type that the command implies and demands, or PROJECTION_NONE;
- * viewport, from which a missing aspect is taken, is NULL where there is none. */
+ * viewport, from which an aspect is taken, is NULL where there is none. */
 void read_projection(const struct value *, int implied,
     const struct viewport *viewport, struct projection *);
 

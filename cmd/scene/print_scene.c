@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "../json/print.h"
-#include "convention.h"
+#include "convention_member.h"
 #include "members.h"
 #include "../talk.h"
 

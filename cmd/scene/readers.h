@@ -22,9 +22,9 @@ void read_second(const struct value *, const struct member *, void *);
 /* Which vectors a matrix is for: "row" or "column". */
 extern const char *const vector_names[];
 
-/* To double[4][4] of row vectors. Nested rows are of source->column vectors,
- * unless the object that -o json prints says otherwise; a flat array is in
- * memory order. */
+/* A matrix, to double[4][4] for row vectors: 16 numbers in memory order, or 4
+ * rows, which source->column says to be for column vectors. The object that
+ * -o json prints around them says it itself. */
 void read_matrix(const struct value *, const struct member *, void *);
 
 #endif

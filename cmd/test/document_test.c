@@ -1,5 +1,5 @@
 #include "document.h"
-#include "../scene/convention.h"
+#include "../scene/convention_member.h"
 
 static const struct document_wants w2d = { .needed = SCENE_WINDOW |
 	    SCENE_DEVICE,

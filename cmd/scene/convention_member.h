@@ -1,8 +1,8 @@
 /* Conventions: those that have a name, and the member that gives one. */
-#ifndef CONVENTION_H
-#define CONVENTION_H
+#ifndef CONVENTION_MEMBER_H
+#define CONVENTION_MEMBER_H
 
-#include "../../core/mat.h"
+#include "../../core/scene.h"
 #include "../json/object.h"
 
 enum {

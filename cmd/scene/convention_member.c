@@ -1,4 +1,4 @@
-#include "convention.h"
+#include "convention_member.h"
 
 #include "readers.h"
 
