@@ -1,14 +1,15 @@
 #include "print.h"
 
 #include <math.h>
-#include <string.h>
 
 void put_text(struct printer *p, const char *s)
 {
-	size_t n = strlen(s);
+	/* not through p->at, which each char that is stored might change */
+	char *at = p->at;
 
-	memcpy(p->at, s, n);
-	p->at += n;
+	while (*s != '\0')
+		*at++ = *s++;
+	p->at = at;
 }
 
 /* After a whole value. */
