@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../scene/convention_member.h"
 #include "../scene/document.h"
 #include "../talk.h"
 
@@ -84,11 +85,13 @@ static void run(char *text, size_t size, int mode)
 {
 	static const enum scene_member bare[] = { 0, SCENE_CAMERA,
 		SCENE_PROJECTION, SCENE_WINDOW };
-	const struct json_wants wants = {
+	const struct document_wants wants = {
 		.bare = bare[mode & 3],
 		.needed = bare[mode & 3],
-		.projection = (mode & 3) == 2 ? 1 + (mode >> 2 & 3) : -1,
-		.convention = mode & 16 ? "gl" : NULL,
+		.used = ~0u,
+		.projection = (mode & 3) == 2 ? 1 + (mode >> 2 & 3) :
+						PROJECTION_NONE,
+		.convention = mode & 16 ? &conventions[CONVENTION_GL] : NULL,
 		.coordinates = mode >> 5 & 3,
 	};
 	struct document d;
@@ -99,7 +102,7 @@ static void run(char *text, size_t size, int mode)
 		check_point_lines(d.points, d.points_size);
 		return;
 	}
-	json_read(&d, "a", text, size, &wants);
+	document_read(&d, "a", text, size, &wants);
 	if (d.points != NULL)
 		check_point_lines(d.points, d.points_size);
 	check_camera(&d.scene.camera);

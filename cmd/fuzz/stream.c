@@ -135,10 +135,10 @@ static struct scene scene(void)
 	    "\"far\":10},\"viewport\":{\"width\":640,\"height\":480},"
 	    "\"window\":{\"center\":[1,2],\"width\":3,\"height\":4},"
 	    "\"device\":{\"width\":5,\"height\":6}}";
-	struct json_wants wants = { .projection = -1 };
+	struct document_wants wants = { .used = ~0u };
 	struct document d;
 
-	json_read(&d, "s", text, sizeof text - 1, &wants);
+	document_read(&d, "s", text, sizeof text - 1, &wants);
 	return d.scene;
 }
 

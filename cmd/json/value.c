@@ -18,7 +18,7 @@ const struct range range_any = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
 const struct range range_positive = { SIZE_MIN, MAGNITUDE_MAX,
 	"a number from 1e-150 to 1e150 is wanted" };
 
-/* What passes syntax_check, cJSON takes, or has no memory. */
+/* cJSON can parse what passes syntax_check; else it lacked memory. */
 struct value value_parse(const struct source *source, char *text, size_t size)
 {
 	struct value v = { .source = source };
@@ -39,8 +39,11 @@ struct value value_child(const struct value *v)
 {
 	const cJSON *item = v->item->child;
 
-	return (struct value){ v->source, v, item != NULL ? item->string : NULL,
-		0, item };
+	return (struct value){ .source = v->source,
+		.in = v,
+		.name = item != NULL ? item->string : NULL,
+		.unused = v->unused,
+		.item = item };
 }
 
 void value_next(struct value *v)
@@ -52,7 +55,7 @@ void value_next(struct value *v)
 
 struct value value_missing(const struct value *in, const char *name)
 {
-	return (struct value){ in->source, in, name, 0, NULL };
+	return (struct value){ .source = in->source, .in = in, .name = name };
 }
 
 bool value_is_object(const struct value *v)
@@ -101,10 +104,10 @@ static void step(char out[ESCAPED_MAX], const char *name)
 	escaped(out, way, n);
 }
 
-/* Values are not looked at more than this deep: /camera/matrix/matrix/3/3. */
+/* No value is looked at that is deeper than /camera/matrix/matrix/3/3. */
 enum { STEPS_MAX = 5 };
 
-/* Writes /camera/eye/0 and returns where it ends. */
+/* Writes the pointer to a value, as /camera/eye/0; returns where it ends. */
 static char *pointer(const struct value *v, char *out)
 {
 	char name[ESCAPED_MAX];
@@ -170,7 +173,7 @@ double value_number(const struct value *v, const struct range *range)
 		value_refuse(v, "only \"far\" of \"persp\" can be infinite");
 	if (!cJSON_IsNumber(v->item))
 		value_wrong(v, "a number");
-	if (v->source->form || (x >= range->min && x <= range->max))
+	if (v->unused || (x >= range->min && x <= range->max))
 		return x;
 	if (isinf(x))
 		value_refuse(v, "is beyond the range of doubles; %s",
