@@ -10,7 +10,4 @@ enum { ESCAPED_MAX = 64 };
  * not UTF-8 as escapes, a long text cut. Returns out. */
 const char *escaped(char out[ESCAPED_MAX], const char *s, size_t n);
 
-/* The length of the UTF-8 character at s; 0 where it is none. */
-int utf8_length(const char *s, const char *end);
-
 #endif

@@ -10,20 +10,58 @@
 #include "../nearest.h"
 #include "../number/number.h"
 #include "../escape.h"
-#include "scan.h"
 #include "../talk.h"
+#include "check.h"
+#include "scan.h"
 
 const struct range range_any = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
 	"numbers go up to 1e150" };
 const struct range range_positive = { SIZE_MIN, MAGNITUDE_MAX,
 	"a number from 1e-150 to 1e150 is wanted" };
 
-/* What passes syntax_check, cJSON takes, or has no memory. */
+static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
+
+/* What cJSON reads of a number; it cuts off the rest. */
+enum { CJSON_DIGITS_MAX = 63 };
+
+/* Puts the shortest equal in the place of a number, and blanks behind it. */
+static void shorten(char *number, size_t n)
+{
+	char text[NUMBER_MAX] = "1e999", *end = text + 5;
+	double v;
+
+	number_read(number, number + n, &v);
+	if (isfinite(v))
+		end = number_write(text, v, shortest);
+	memset(number, ' ', n);
+	memcpy(number, text, (size_t)(end - text));
+}
+
+/* Makes checked text fit for cJSON. */
+static void shorten_numbers(char *text, size_t size)
+{
+	const char *end = text + size, *next;
+
+	for (char *s = text; s < end; s += next - s) {
+		next = *s == '"' ? json_string(s, end) : json_number(s, end);
+		if (next == NULL)
+			next = s + 1;
+		else if (*s != '"' && next - s > CJSON_DIGITS_MAX)
+			shorten(s, (size_t)(next - s));
+	}
+}
+
+/* What passes the check, cJSON takes, or has no memory. */
 struct value value_parse(const struct source *source, char *text, size_t size)
 {
 	struct value v = { .source = source };
+	struct json_error e;
 
-	syntax_check(source->name, text, size);
+	if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
+		memset(text, ' ', 3); /* a byte order mark */
+	if (!json_check(JSON_DOCUMENT, text, text + size, &e))
+		die(EXIT_INPUT, "%s:%ld: %s", source->name, e.line, e.reason);
+	shorten_numbers(text, size);
 	v.item = cJSON_ParseWithLength(text, size);
 	if (v.item == NULL)
 		die(EXIT_SYSTEM, "out of memory");
@@ -161,7 +199,6 @@ void value_want_object(const struct value *v)
 
 double value_number(const struct value *v, const struct range *range)
 {
-	const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 	double x = v->item->valuedouble;
 	char text[NUMBER_MAX];
 

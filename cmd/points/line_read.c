@@ -2,7 +2,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../json/line.h"
+#include "../json/check.h"
+#include "../json/scan.h"
 #include "../../core/scene.h"
 #include "line.h"
 #include "../escape.h"
@@ -27,7 +28,7 @@ static bool field_number(enum format format, struct span *f, double *v)
 			*v = (double)NAN;
 			return true;
 		}
-		if (!is_json_number(n))
+		if (json_number(n.s, n.end) != n.end)
 			return false;
 	}
 	if (n.s == n.end || number_read(n.s, n.end, v) != n.end)
@@ -253,14 +254,13 @@ static bool take_header(struct layout *l, struct span line, struct line *r,
 	return wanted || is_header(l, line);
 }
 
-/* Whether the array that begins at s is closed and nothing follows. */
-static bool json_closed(const char *s, const char *end)
+/* Whether the array that the bracket before s opens is closed and nothing
+ * follows, whatever stands between its commas. */
+static bool is_closed(const char *s, const char *end)
 {
-	struct span f = { s, s };
-
-	for (; s != NULL; s = split_next(FORMAT_JSON, f.end, end))
-		f = split_field(FORMAT_JSON, s, end);
-	s = skip_blanks(f.end, end);
+	s = json_skip(s, end);
+	while (s < end && *s == ',')
+		s = json_skip(s + 1, end);
 	return s < end && *s == ']' && skip_blanks(s + 1, end) == end;
 }
 
@@ -268,24 +268,23 @@ static bool json_closed(const char *s, const char *end)
 static bool check_array(struct span line, const char *done,
     char reason[REASON_MAX])
 {
-	const char *s = skip_blanks(done, line.end), *wrong;
+	const char *s = skip_blanks(done, line.end);
+	struct json_error e;
 	char word[ESCAPED_MAX];
 
 	if (s < line.end && *s == ']' &&
 	    skip_blanks(s + 1, line.end) == line.end)
 		return true;
+	if (json_check(JSON_LINE, line.s, line.end, &e))
+		return true;
 	s = skip_blanks(line.s, line.end);
-	if (!json_closed(s + 1, line.end)) {
+	if (!is_closed(s + 1, line.end))
 		snprintf(reason, REASON_MAX,
 		    "the array does not end with the "
 		    "line; one array a line: jq -c '.points[]'");
-		return false;
-	}
-	wrong = json_wrong(s, line.end);
-	if (wrong == NULL)
-		return true;
-	snprintf(reason, REASON_MAX, "no JSON from '%s' on",
-	    escaped(word, wrong, (size_t)(line.end - wrong)));
+	else
+		snprintf(reason, REASON_MAX, "no JSON from '%s' on",
+		    escaped(word, e.at, (size_t)(line.end - e.at)));
 	return false;
 }
 
