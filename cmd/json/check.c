@@ -256,8 +256,9 @@ static bool scalar(struct check *s)
 {
 	const char *start = s->p;
 	bool word = is_letter(*start);
+	double v;
 	const char *e = word ? word_end(start, s->end) :
-			       json_number(start, s->end);
+			       json_number(start, s->end, &v);
 
 	if (e != NULL)
 		s->p = e;

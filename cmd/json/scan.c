@@ -3,6 +3,7 @@
 #include <stdbool.h>
 #include <string.h>
 
+#include "../number/number.h"
 #include "../utf8.h"
 
 static bool is_digit(char c)
@@ -10,34 +11,37 @@ static bool is_digit(char c)
 	return c >= '0' && c <= '9';
 }
 
-static bool digits(const char **s, const char *end)
+/* Whether JSON has a number, too, that number_read reads up to stop. */
+static bool is_narrow(const char *s, const char *stop)
 {
-	const char *start = *s;
-
-	while (*s < end && is_digit(**s))
-		++*s;
-	return *s > start;
-}
-
-const char *json_number(const char *s, const char *end)
-{
-	s += s < end && *s == '-';
+	s += *s == '-';
 	const char *first = s;
 
-	if (!digits(&s, end) || (*first == '0' && s > first + 1))
+	while (s < stop && is_digit(*s))
+		s++;
+	if (s == first || (*first == '0' && s > first + 1))
+		return false;
+	return s == stop || *s != '.' || (s + 1 < stop && is_digit(s[1]));
+}
+
+static bool has_exponent(const char *s, const char *stop)
+{
+	while (s < stop && *s != 'e' && *s != 'E')
+		s++;
+	return s < stop;
+}
+
+const char *json_number(const char *s, const char *end, double *v)
+{
+	const char *stop = number_read(s, end, v);
+
+	if (stop == NULL || !is_narrow(s, stop))
 		return NULL;
-	if (s < end && *s == '.') {
-		s++;
-		if (!digits(&s, end))
-			return NULL;
-	}
-	if (s < end && (*s == 'e' || *s == 'E')) {
-		s++;
-		s += s < end && (*s == '+' || *s == '-');
-		if (!digits(&s, end))
-			return NULL;
-	}
-	return s;
+	/* of 1e, number_read reads 1 */
+	if (stop < end && (*stop == 'e' || *stop == 'E') &&
+	    !has_exponent(s, stop))
+		return NULL;
+	return stop;
 }
 
 const char *json_string(const char *s, const char *end)

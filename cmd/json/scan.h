@@ -4,9 +4,10 @@
 #ifndef JSON_SCAN_H
 #define JSON_SCAN_H
 
-/* Past the number that begins at s, all of which number_read takes. NULL where
- * none begins, or one that JSON doesn't have: +1, 01, 1., .5, 1e. */
-const char *json_number(const char *s, const char *end);
+/* Reads the number that begins at s, as number_read does, and returns where it
+ * ends. NULL where none begins, or one that JSON doesn't have: +1, 01, 1., .5,
+ * 1e, inf. */
+const char *json_number(const char *s, const char *end, double *v);
 
 /* Past the string whose opening quote is at s; end where it isn't closed. */
 const char *json_string(const char *s, const char *end);

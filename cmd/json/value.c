@@ -24,13 +24,11 @@ static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 /* What cJSON reads of a number; it cuts off the rest. */
 enum { CJSON_DIGITS_MAX = 63 };
 
-/* Puts the shortest equal in the place of a number, and blanks behind it. */
-static void shorten(char *number, size_t n)
+/* Puts the shortest text of v in a number's place, and blanks behind it. */
+static void shorten(char *number, size_t n, double v)
 {
 	char text[NUMBER_MAX] = "1e999", *end = text + 5;
-	double v;
 
-	number_read(number, number + n, &v);
 	if (isfinite(v))
 		end = number_write(text, v, shortest);
 	memset(number, ' ', n);
@@ -41,13 +39,15 @@ static void shorten(char *number, size_t n)
 static void shorten_numbers(char *text, size_t size)
 {
 	const char *end = text + size, *next;
+	double v;
 
 	for (char *s = text; s < end; s += next - s) {
-		next = *s == '"' ? json_string(s, end) : json_number(s, end);
+		next = *s == '"' ? json_string(s, end) :
+				   json_number(s, end, &v);
 		if (next == NULL)
 			next = s + 1;
 		else if (*s != '"' && next - s > CJSON_DIGITS_MAX)
-			shorten(s, (size_t)(next - s));
+			shorten(s, (size_t)(next - s), v);
 	}
 }
 

@@ -93,8 +93,7 @@ static bool is_plain(enum format out, struct span f)
 
 	switch (out) {
 	case FORMAT_JSON:
-		return json_number(f.s, f.end) == f.end &&
-		    number_read(f.s, f.end, &v) == f.end && isfinite(v);
+		return json_number(f.s, f.end, &v) == f.end && isfinite(v);
 	case FORMAT_CSV:
 		return memchr(f.s, '"', n) == NULL &&
 		    memchr(f.s, ',', n) == NULL;
