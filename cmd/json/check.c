@@ -36,8 +36,10 @@ static long line_of(const struct check *s, const char *p)
 }
 
 /* Says what is wrong at s->p. Returns false. */
-__attribute__((format(printf, 2, 3))) static bool fail(const struct check *s,
-    const char *format, ...)
+static bool fail(const struct check *s, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+static bool fail(const struct check *s, const char *format, ...)
 {
 	struct json_error *e = s->error;
 	va_list args;
@@ -57,21 +59,17 @@ static bool at(const struct check *s, char c)
 
 static bool at_comment(const struct check *s)
 {
-	if (at(s, '#'))
-		return true;
-	return s->end - s->p > 1 && s->p[0] == '/' &&
-	    (s->p[1] == '/' || s->p[1] == '*');
-}
-
-static bool is_blank(enum json_kind kind, char c)
-{
-	return c == ' ' || c == '\t' || c == '\r' || c == '\n' ||
-	    (kind == JSON_LINE && (c == '\v' || c == '\f'));
+	return at(s, '#') ||
+	    (s->end - s->p > 1 && s->p[0] == '/' &&
+		(s->p[1] == '/' || s->p[1] == '*'));
 }
 
 static void blanks(struct check *s)
 {
-	while (s->p < s->end && is_blank(s->kind, *s->p))
+	size_t kinds = s->kind == JSON_LINE ? 6 : 4;
+
+	while (s->p < s->end && (unsigned char)*s->p <= ' ' &&
+	    memchr(" \t\r\n\v\f", *s->p, kinds) != NULL)
 		s->p++;
 }
 
@@ -81,22 +79,26 @@ static bool in_token(char c)
 	return (unsigned char)c > ' ' && strchr(",:[]{}\"'/#", c) == NULL;
 }
 
-/* Where the word, number or character at p ends. */
+/* Where the word or number at p ends. */
 static const char *token_end(const struct check *s, const char *p)
 {
-	const char *e = p;
-
-	while (e < s->end && in_token(*e))
-		e++;
-	if (e == p && e < s->end) {
-		int n = utf8_length(e, s->end);
-
-		e += n > 0 ? n : 1;
-	}
-	return e;
+	while (p < s->end && in_token(*p))
+		p++;
+	return p;
 }
 
-/* What is wrong with anything that stands in the wrong place. */
+/* The word, number or character at s->p, for a message. */
+static const char *token(const struct check *s, char out[ESCAPED_MAX])
+{
+	const char *e = token_end(s, s->p);
+	int n = utf8_length(s->p, s->end);
+
+	if (e == s->p)
+		e += n > 0 ? n : 1;
+	return escaped(out, s->p, (size_t)(e - s->p));
+}
+
+/* Something stands in the wrong place. */
 static bool stray(const struct check *s, const char *wanted)
 {
 	char what[ESCAPED_MAX];
@@ -109,8 +111,7 @@ static bool stray(const struct check *s, const char *wanted)
 	if (*s->p == '\'')
 		return fail(s,
 		    "'single quotes' are not JSON; use \"double\" ones");
-	escaped(what, s->p, (size_t)(token_end(s, s->p) - s->p));
-	return fail(s, "expected %s, not '%s'", wanted, what);
+	return fail(s, "expected %s, not '%s'", wanted, token(s, what));
 }
 
 /* The four digits behind \u. */
@@ -174,8 +175,8 @@ static bool character(struct check *s)
 	if (c < ' ')
 		return fail(s, "control character in a string; write \\u%04x",
 		    (unsigned)c);
-	int n = c < 0x80 || s->kind == JSON_LINE ? 1 :
-						   utf8_length(s->p, s->end);
+	bool any = c < 0x80 || s->kind == JSON_LINE;
+	int n = any ? 1 : utf8_length(s->p, s->end);
 
 	s->p += n;
 	return n > 0 ||
@@ -196,16 +197,27 @@ static bool string(struct check *s)
 	return true;
 }
 
-/* No number of JSON; but perhaps one of a programming language. */
-static bool not_number(const struct check *s, const char *start)
+/* A number or word is perhaps one of a programming language. */
+static bool not_scalar(const struct check *s, const char *start)
 {
+	static const char *const words[][2] = { { "true", "true" },
+		{ "false", "false" }, { "null", "null" }, { "none", "null" },
+		{ "undefined", "null" } };
 	const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 	const char *end = token_end(s, start);
 	char what[ESCAPED_MAX], text[NUMBER_MAX];
 	double v;
+	bool number = number_read(start, end, &v) == end;
 
 	escaped(what, start, (size_t)(end - start));
-	if (number_read(start, end, &v) != end)
+	for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+		if (strcasecmp(what, words[i][0]) == 0)
+			return fail(s, "'%s' is not JSON; write %s", what,
+			    words[i][1]);
+	if (!number && is_letter(*start))
+		return fail(s, "'%s' is not JSON; text needs \"double quotes\"",
+		    what);
+	if (!number)
 		return fail(s,
 		    "'%s' is not a JSON number; write it like -1.5e-3", what);
 	if (isnan(v))
@@ -216,25 +228,6 @@ static bool not_number(const struct check *s, const char *start)
 		    "'%s' is not JSON; only \"far\" can be \"infinity\"", what);
 	*number_write(text, v, shortest) = '\0';
 	return fail(s, "'%s' is not a JSON number; write %s", what, text);
-}
-
-static bool not_word(const struct check *s, const char *start)
-{
-	static const char *const meant[][2] = { { "true", "true" },
-		{ "false", "false" }, { "null", "null" }, { "none", "null" },
-		{ "undefined", "null" } };
-	const char *end = token_end(s, start);
-	char what[ESCAPED_MAX];
-	double v;
-
-	escaped(what, start, (size_t)(end - start));
-	for (size_t i = 0; i < sizeof meant / sizeof *meant; i++)
-		if (strcasecmp(what, meant[i][0]) == 0)
-			return fail(s, "'%s' is not JSON; write %s", what,
-			    meant[i][1]);
-	if (number_read(start, end, &v) == end)
-		return not_number(s, start);
-	return fail(s, "'%s' is not JSON; text needs \"double quotes\"", what);
 }
 
 /* Past true, false or null. */
@@ -255,16 +248,15 @@ static const char *word_end(const char *s, const char *end)
 static bool scalar(struct check *s)
 {
 	const char *start = s->p;
-	bool word = is_letter(*start);
 	double v;
-	const char *e = word ? word_end(start, s->end) :
-			       json_number(start, s->end, &v);
+	const char *e = is_letter(*start) ? word_end(start, s->end) :
+					    json_number(start, s->end, &v);
 
 	if (e != NULL)
 		s->p = e;
 	if (e != NULL && (e == s->end || !in_token(*e)))
 		return true;
-	return word ? not_word(s, start) : not_number(s, start);
+	return not_scalar(s, start);
 }
 
 static bool list(struct check *s);
@@ -285,11 +277,9 @@ static bool name(struct check *s)
 {
 	char what[ESCAPED_MAX];
 
-	if (s->p < s->end && (is_letter(*s->p) || *s->p == '_')) {
-		escaped(what, s->p, (size_t)(token_end(s, s->p) - s->p));
-		return fail(s, "the name %s has no quotes; write \"%s\"", what,
-		    what);
-	}
+	if (s->p < s->end && (is_letter(*s->p) || *s->p == '_'))
+		return fail(s, "the name %s has no quotes; write \"%s\"",
+		    token(s, what), what);
 	if (!at(s, '"'))
 		return stray(s, "a member's name in quotes");
 	if (!string(s))

@@ -21,8 +21,9 @@ const struct range range_positive = { SIZE_MIN, MAGNITUDE_MAX,
 
 static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 
-/* What cJSON reads of a number; it cuts off the rest. */
-enum { CJSON_DIGITS_MAX = 63 };
+/* cJSON reads so many characters of a number, and takes what follows them for
+ * something else. */
+enum { CJSON_NUMBER_MAX = 63 };
 
 /* Puts the shortest text of v in a number's place, and blanks behind it. */
 static void shorten(char *number, size_t n, double v)
@@ -46,12 +47,12 @@ static void shorten_numbers(char *text, size_t size)
 				   json_number(s, end, &v);
 		if (next == NULL)
 			next = s + 1;
-		else if (*s != '"' && next - s > CJSON_DIGITS_MAX)
+		else if (*s != '"' && next - s > CJSON_NUMBER_MAX)
 			shorten(s, (size_t)(next - s), v);
 	}
 }
 
-/* What passes the check, cJSON takes, or has no memory. */
+/* cJSON takes whatever passes the check; where it fails, memory is short. */
 struct value value_parse(const struct source *source, char *text, size_t size)
 {
 	struct value v = { .source = source };

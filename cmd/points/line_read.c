@@ -13,6 +13,7 @@
 static bool field_number(enum format format, struct span *f, double *v)
 {
 	struct span n = *f;
+	const char *stop;
 
 	if (format == FORMAT_CSV) {
 		n.s = skip_blanks(n.s, n.end);
@@ -28,10 +29,9 @@ static bool field_number(enum format format, struct span *f, double *v)
 		*v = (double)NAN;
 		return true;
 	}
-	if (n.s == n.end)
-		return false;
-	if ((format == FORMAT_JSON ? json_number(n.s, n.end, v) :
-				     number_read(n.s, n.end, v)) != n.end)
+	stop = format == FORMAT_JSON ? json_number(n.s, n.end, v) :
+				       number_read(n.s, n.end, v);
+	if (stop != n.end)
 		return false;
 	*f = n;
 	return true;
@@ -54,22 +54,17 @@ static void bad_field(const struct layout *l, int i, struct span f,
 
 	if (l->in == FORMAT_TEXT && n > 0 && (*f.s == '[' || *f.s == '{'))
 		snprintf(reason, REASON_MAX,
-		    "looks like JSON; say -i json, "
-		    "with one array a line: jq -c '.points[]'");
+		    "looks like JSON; say -i json, with one array a line: jq "
+		    "-c '.points[]'");
 	else if (l->in == FORMAT_JSON && n > 0 && (*f.s == '[' || *f.s == '{'))
 		snprintf(reason, REASON_MAX,
-		    "%s is not a number; "
-		    "one array a line: jq -c '.points[]'",
+		    "%s is not a number; one array a line: jq -c '.points[]'",
 		    order(i));
 	else if (n == 0)
 		snprintf(reason, REASON_MAX,
-		    "%s is missing; "
-		    "%d numbers are wanted",
-		    order(i), l->reads);
+		    "%s is missing; %d numbers are wanted", order(i), l->reads);
 	else
-		snprintf(reason, REASON_MAX,
-		    "%s is '%s'; a number is "
-		    "wanted%s",
+		snprintf(reason, REASON_MAX, "%s is '%s'; a number is wanted%s",
 		    order(i), escaped(word, f.s, n),
 		    end == NULL ? "" :
 			l->in == FORMAT_JSON ?
@@ -82,9 +77,7 @@ static bool in_range(int i, double v, char reason[REASON_MAX])
 	if (!(fabs(v) > MAGNITUDE_MAX))
 		return true;
 	snprintf(reason, REASON_MAX,
-	    "%s is beyond 1e150 in magnitude; "
-	    "choose another unit",
-	    order(i));
+	    "%s is beyond 1e150 in magnitude; choose another unit", order(i));
 	return false;
 }
 
@@ -109,8 +102,7 @@ static bool read_text(const struct layout *l, const char *s, const char *end,
 	return true;
 }
 
-/* A number that is all of an element of JSON; as nearly all are, that is faster
- * than to look for the element's end first. */
+/* Whether an element of JSON is a number and nothing else. */
 static bool element_number(const char *s, const char *end, const char *readable,
     struct span *f, double *v)
 {
@@ -122,26 +114,35 @@ static bool element_number(const char *s, const char *end, const char *readable,
 	    json_skip(f->end, end) == skip_blanks(f->end, end);
 }
 
+/* The field at s, of csv or JSON, and the number in it. Most elements of JSON
+ * are but a number; to try that first is faster than to look for their end. */
+static bool read_field(enum format format, const char *s, const char *end,
+    const char *readable, struct span *field, struct span *number, double *v)
+{
+	if (format == FORMAT_JSON &&
+	    element_number(s, end, readable, number, v)) {
+		*field = *number;
+		return true;
+	}
+	*field = *number = split_field(format, s, end);
+	return field_number(format, number, v);
+}
+
 /* The first fields of csv or JSON. */
 static bool read_first(const struct layout *l, const char *s, const char *end,
     const char *readable, struct line *r, double v[4], char reason[REASON_MAX])
 {
 	for (int i = 0; i < l->reads; i++) {
-		struct span *f = &r->at[i], whole;
+		struct span field;
 
-		if (l->in == FORMAT_JSON &&
-		    element_number(s, end, readable, f, &v[i])) {
-			whole = *f;
-		} else {
-			whole = *f = split_field(l->in, s, end);
-			if (!field_number(l->in, f, &v[i])) {
-				bad_field(l, i, whole, reason);
-				return false;
-			}
+		if (!read_field(l->in, s, end, readable, &field, &r->at[i],
+			&v[i])) {
+			bad_field(l, i, field, reason);
+			return false;
 		}
 		if (!in_range(i, v[i], reason))
 			return false;
-		s = split_next(l->in, whole.end, end);
+		s = split_next(l->in, field.end, end);
 		if (s == NULL)
 			s = end;
 	}
@@ -157,16 +158,14 @@ static bool read_columns(const struct layout *l, const char *s, const char *end,
 
 		if (k < 0) {
 			snprintf(reason, REASON_MAX,
-			    "%s is missing: the "
-			    "header has no such column",
+			    "%s is missing: the header has no such column",
 			    order(i));
 			return false;
 		}
 		if (!split_find(l->in, s, end, k, &f)) {
 			snprintf(reason, REASON_MAX,
-			    "%s is missing: there is "
-			    "no field %d",
-			    order(i), k + 1);
+			    "%s is missing: there is no field %d", order(i),
+			    k + 1);
 			return false;
 		}
 		if (!field_number(l->in, &f, &v[i])) {
@@ -220,16 +219,13 @@ static bool resolve(struct layout *l, struct span line, char reason[REASON_MAX])
 			*field = find_name(line, name);
 		if (*field < 0) {
 			snprintf(reason, REASON_MAX,
-			    "the header has no column "
-			    "'%.60s'",
-			    name);
+			    "the header has no column '%.60s'", name);
 			return false;
 		}
 		for (int k = 0; k < i; k++)
 			if (l->columns.field[k] == *field) {
 				snprintf(reason, REASON_MAX,
-				    "two coordinates "
-				    "are column %d",
+				    "two coordinates are column %d",
 				    *field + 1);
 				return false;
 			}
@@ -298,8 +294,8 @@ static bool check_array(struct span line, const char *done,
 	s = skip_blanks(line.s, line.end);
 	if (!is_closed(s + 1, line.end))
 		snprintf(reason, REASON_MAX,
-		    "the array does not end with the "
-		    "line; one array a line: jq -c '.points[]'");
+		    "the array does not end with the line; one array a line: "
+		    "jq -c '.points[]'");
 	else
 		snprintf(reason, REASON_MAX, "no JSON from '%s' on",
 		    escaped(word, e.at, (size_t)(line.end - e.at)));
@@ -331,8 +327,8 @@ void line_read(struct layout *l, struct span line, const char *readable,
 	if (l->in == FORMAT_JSON) {
 		if (*s != '[') {
 			snprintf(reason, REASON_MAX,
-			    "is not a JSON array; one "
-			    "array a line: jq -c '.points[]'");
+			    "is not a JSON array; one array a line: jq -c "
+			    "'.points[]'");
 			r->kind = LINE_BAD;
 			return;
 		}
