@@ -1,4 +1,4 @@
-/* Words of the user's in messages. */
+/* The user's words in messages. */
 #ifndef ESCAPE_H
 #define ESCAPE_H
 

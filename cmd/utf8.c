@@ -2,7 +2,7 @@
 
 /* RFC 3629, section 4: the first byte gives the length and the range of the
  * second, so that overlong forms, surrogates and what lies beyond U+10FFFF
- * are out. */
+ * are refused. */
 int utf8_length(const char *s, const char *end)
 {
 	const unsigned char *u = (const unsigned char *)s;

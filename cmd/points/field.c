@@ -12,8 +12,9 @@ static struct span text_field(const char *s, const char *end)
 	return f;
 }
 
-/* A field of csv: quotes around it hide commas, and "" is one between them; in
- * 5" pipe it stands for itself. */
+/* A field of csv. If it begins with a quote, commas up to the closing one are
+ * part of it, and "" is not the closing one; the quote of 5" pipe is like any
+ * other character. */
 static struct span csv_field(const char *s, const char *end)
 {
 	const char *p = skip_blanks(s, end);

@@ -8,7 +8,7 @@
 
 /* A field's characters, without what its format wraps them in. */
 struct reader {
-	enum format format; /* text where it isn't quoted */
+	enum format format; /* FORMAT_TEXT: not quoted */
 	const char *s, *end;
 	char piece[4]; /* a decoded character */
 };

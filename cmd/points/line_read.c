@@ -8,8 +8,8 @@
 #include "line.h"
 #include "../escape.h"
 
-/* The number that a field holds; quotes around it and blanks may stand in
- * csv, and null in JSON. */
+/* Reads the number that *f holds, and cuts *f to it: in csv, blanks and quotes
+ * may be around it; in JSON, null is an unknown one. */
 static bool field_number(enum format format, struct span *f, double *v)
 {
 	struct span n = *f;
@@ -81,8 +81,8 @@ static bool in_range(int i, double v, char reason[REASON_MAX])
 	return false;
 }
 
-/* The first fields of text, each read where it stands. No number goes on past
- * the line's end, so that the reader need not stop there to look. */
+/* The first fields of text. A number does not go on past a newline; so it is
+ * read with all that is readable behind it, which is faster. */
 static bool read_text(const struct layout *l, const char *s, const char *end,
     const char *readable, struct line *r, double v[4], char reason[REASON_MAX])
 {
@@ -241,8 +241,8 @@ static bool named(const struct columns *c)
 	return false;
 }
 
-/* A csv source's first line is a header where its coordinates are no numbers,
- * all of them; what is half a number line is a mistake. */
+/* The first line of csv is a header if none of its coordinates is a number; if
+ * only some are, it is a bad line of points. */
 static bool is_header(struct layout *l, struct span line)
 {
 	for (int i = 0; i < l->reads; i++) {
@@ -278,7 +278,8 @@ static bool is_closed(const char *s, const char *end)
 	return s < end && *s == ']' && skip_blanks(s + 1, end) == end;
 }
 
-/* Whether the rest is JSON, too; the coordinates, up to done, are. */
+/* Whether all of the line is one array. Where nothing but numbers stand before
+ * done, and nothing but the bracket behind it, no more need be looked at. */
 static bool check_array(struct span line, const char *done,
     char reason[REASON_MAX])
 {
