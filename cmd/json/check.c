@@ -166,7 +166,7 @@ static bool escape(struct check *s)
 /* At a character of a string. */
 static bool character(struct check *s)
 {
-	unsigned char c = (unsigned char)*s->p;
+	unsigned c = (unsigned char)*s->p;
 
 	if (c == '\\')
 		return escape(s);
@@ -174,14 +174,13 @@ static bool character(struct check *s)
 		return fail(s, "a string is not closed on its line; add '\"'");
 	if (c < ' ')
 		return fail(s, "control character in a string; write \\u%04x",
-		    (unsigned)c);
+		    c);
 	bool any = c < 0x80 || s->kind == JSON_LINE;
 	int n = any ? 1 : utf8_length(s->p, s->end);
 
 	s->p += n;
 	return n > 0 ||
-	    fail(s, "byte 0x%02x is not UTF-8; JSON is UTF-8 text",
-		(unsigned)c);
+	    fail(s, "byte 0x%02x is not UTF-8; JSON is UTF-8 text", c);
 }
 
 /* At a quotation mark. */
@@ -330,9 +329,10 @@ static bool list(struct check *s)
 bool json_check(enum json_kind kind, const char *text, const char *end,
     struct json_error *error)
 {
-	struct check s = { kind, text, text, end, 0, error };
+	struct check s = { kind, text, text, end, 0, NULL };
 	const char *nul = memchr(text, '\0', (size_t)(end - text));
 
+	s.error = error; /* cppcheck takes one above for a read */
 	if (kind == JSON_DOCUMENT && nul != NULL) {
 		s.p = nul;
 		return fail(&s, "a NUL byte; JSON is UTF-8 text");
