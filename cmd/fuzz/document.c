@@ -15,7 +15,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 static jmp_buf refused;
 
-/* Nothing but bad input may be said of an input. */
+/* Of an input, nothing may be said but that it is wrong. */
 void die(int status, const char *format, ...)
 {
 	(void)format;
@@ -24,7 +24,7 @@ void die(int status, const char *format, ...)
 	longjmp(refused, 1);
 }
 
-/* What a refusal leaves behind goes with the next input. */
+/* All that was allocated, for a refusal frees nothing. */
 static struct block {
 	struct block *next;
 	_Alignas(max_align_t) char bytes[];

@@ -52,7 +52,7 @@ static void check_back(const struct layout *l, const double v[],
 		want(l->style.kind != NUMBER_SHORTEST || same(read[i], v[i]));
 }
 
-/* cJSON refuses some of \u too, which point lines leave to their reader. */
+/* cJSON refuses half of a surrogate pair and \u0000; lines may hold them. */
 static void check_json(struct span line)
 {
 	size_t n = (size_t)(line.end - line.s);

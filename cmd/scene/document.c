@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../json/scan.h"
 #include "convention_member.h"
 #include "members.h"
 #include "../talk.h"
@@ -87,50 +88,50 @@ static bool check_points(const struct value *v, int coordinates)
 	return false;
 }
 
-/* Copies the points of a checked text, a line each, without blanks. They
- * stand in member number member of the document, or are the document where
- * that is -1; depth counts the brackets around a point. */
-static size_t copy_points(const char *text, size_t size, long member, int depth,
-    char *out)
+/* Copies a value of checked text without blanks, and a newline. */
+static char *copy_value(const char *s, const char *end, char *out)
 {
-	char *start = out;
-	long colons = -1;
-	int level = 0;
-	bool quoted = false;
+	while (s < end) {
+		const char *next = *s == '"' ? json_string(s, end) : s + 1;
 
-	for (const char *p = text; p < text + size; p++) {
-		bool escaped = quoted && *p == '\\';
-
-		quoted ^= *p == '"';
-		if (!quoted && *p == ':' && level == 1)
-			colons++;
-		if (!quoted && (*p == '[' || *p == '{'))
-			level++;
-		bool inside = level > depth && colons == member;
-
-		if (inside && (quoted || strchr(" \t\r\n", *p) == NULL))
-			*out++ = *p;
-		if (escaped) {
-			p++;
-			if (inside)
-				*out++ = *p;
+		if ((unsigned char)*s > ' ') {
+			memcpy(out, s, (size_t)(next - s));
+			out += next - s;
 		}
-		if (!quoted && (*p == ']' || *p == '}') &&
-		    level-- == depth + 1 && inside)
-			*out++ = '\n';
+		s = next;
 	}
-	return (size_t)(out - start);
+	*out++ = '\n';
+	return out;
+}
+
+/* Where in a checked document the points begin, which are all of it or a
+ * member. */
+static const char *find_points(const struct value *v, const char *text,
+    const char *end)
+{
+	const char *s = text, *at;
+
+	while ((unsigned char)*s <= ' ')
+		s++;
+	at = s;
+	for (size_t i = 0; v->in != NULL && i <= v->index; i++)
+		at = json_next(at, end, &s);
+	return s;
 }
 
 static void take_points(const struct value *v, int coordinates,
     const char *text, size_t size, char **points, size_t *points_size)
 {
-	bool member = v->in != NULL;
-	int depth = member + !check_points(v, coordinates);
+	bool one = check_points(v, coordinates);
+	const char *end = text + size, *s = find_points(v, text, end), *at = s;
+	char *out = *points = need(NULL, size + 1);
 
-	*points = need(NULL, size + 1);
-	*points_size = copy_points(text, size, member ? (long)v->index : -1,
-	    depth, *points);
+	if (one)
+		out = copy_value(s, json_skip(s, end), out);
+	else
+		while ((at = json_next(at, end, &s)) != NULL)
+			out = copy_value(s, at, out);
+	*points_size = (size_t)(out - *points);
 }
 
 /* Whether an object has none of a scene's members, and may stand for one. */
