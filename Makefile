@@ -142,7 +142,7 @@ test: | $(FIRST)
 # address and undefined, streams under thread, one of each command under
 # valgrind. Memory that the program keeps until it ends is not freed.
 SANITIZE = -O1 -g -fno-sanitize-recover=all
-SCRIPTED = $(patsubst %,cmd/test/%_test.t,golden recorded bits)
+SCRIPTED = $(patsubst %,cmd/test/%_test.t,transcripts recorded bits)
 asan:
 	@$(PARALLEL) -s programs BUILD=$(BUILD)/asan \
 	    CFLAGS='$(SANITIZE) -fsanitize=address,undefined' \
@@ -168,7 +168,7 @@ coverage:
 	@gcovr --root . --object-directory $(BUILD)/coverage \
 	    --exclude '.*/(test|study)/.*' core cmd $(BUILD)/coverage
 
-# After a change that is meant to change bits; the golden cases say which.
+# After a change that is meant to change bits; the transcripts say which.
 bits: all
 	perl cmd/test/bits_test.t -w
 
@@ -176,7 +176,7 @@ bits: all
 levels:
 	@sh cmd/test/levels.sh $(BUILD)/levels
 
-# The golden cases and the same bits on another processor, emulated.
+# The transcripts and the same bits on another processor, emulated.
 arm64:
 	@sh cmd/test/arm64.sh $(BUILD)/arm64
 
@@ -195,9 +195,9 @@ fuzz:
 	@perl cmd/fuzz/fuzz.pl $(BUILD)/fuzz $(FUZZ_SECONDS) \
 	    $(FUZZERS:$(BUILD)/%=$(BUILD)/fuzz/%)
 
-# Rewrites what the golden cases expect; read the diff before you commit it.
-golden: all
-	perl cmd/test/golden_test.t -w
+# Rewrites what the transcripts expect; read the diff before you commit it.
+transcripts: all
+	perl cmd/test/transcripts_test.t -w
 
 # What is uninitialized the compilers know better than cppcheck.
 lint:
@@ -278,7 +278,7 @@ help:
 	@echo 'make deps        install what is missing, with apt-get'
 	@echo 'make demo        the Stanford bunny, seen in a terminal'
 	@echo 'make test        all tests'
-	@echo 'make golden      rewrite the golden cases'
+	@echo 'make transcripts rewrite what the transcripts expect'
 	@echo 'make lint        the manual page, the style, the scripts, the C'
 	@echo 'make layers      floors of the house, lengths of its functions'
 	@echo 'make asan        all tests under sanitizers; tsan, valgrind, coverage,'
@@ -293,7 +293,7 @@ help:
 	@echo 'make clean'
 
 .PHONY: all demo views bench stability chart programs test asan tsan valgrind \
-	coverage bits levels arm64 cluster fuzzers fuzz golden lint layers \
+	coverage bits levels arm64 cluster fuzzers fuzz transcripts lint layers \
 	install uninstall dist distcheck deb release clean deps deps-all help
 # Objects of test programs are kept.
 .SECONDARY:

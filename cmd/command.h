@@ -1,44 +1,33 @@
-/* A command, its options, and what its source files share. */
+/* What a command is: a row of the table in main.c. */
 #ifndef COMMAND_H
 #define COMMAND_H
 
-#include <stdbool.h>
-
 #include "scene/document.h"
-#include "points/stream.h"
 
-struct options {
-	const char *convention; /* NULL: the document's */
-	enum format in, out;
-	bool out_given;
-	struct columns columns;
-	struct number_style style;
-	struct accuracy accuracy;
-	bool precision_given;
-	bool has_from, has_to;
-	enum space from, to;
-	bool homogeneous, matrix, ray, flags, visible, keep_going;
-	bool progress;
-	int jobs; /* 0: as many as there are cores */
-	bool has_at;
-	double at[2], radius; /* of pick */
-	const char *params;   /* operand, "-" by default */
-	int n_points;
-	char **points; /* operands */
+struct options;
+
+/* Commands of one kind take the same options. The kinds are bits, so that an
+ * option can say which of them take it. */
+enum command_kind {
+	MATRIX = 1, /* print a matrix of their own, or take points through it */
+	PROJECT = 2,
+	PICK = 4,
+	FIT = 8,
+	INSPECT = 16,
 };
 
 struct command {
 	const char *name;
+	const char *about; /* one line of help */
+	enum command_kind kind;
+	/* Returns the exit status. */
 	int (*run)(const struct command *, const struct options *);
-	const char *letters; /* of the options that it uses */
-	const char *about;   /* one line of help */
-	/* for the commands that print a matrix */
+	/* Its convention and coordinates are filled in from the options. */
+	struct document_wants wants;
+	/* Of the MATRIX commands: the spaces of the matrix (of enum flat where
+	 * flat, else of enum space), and to where points are taken instead. */
 	bool flat;
-	int from, to;  /* spaces of the matrix */
-	int points_to; /* where points go instead */
-	enum scene_member bare;
-	unsigned needed;
-	int projection;
+	int from, to, points_to;
 };
 
 int run_matrix(const struct command *, const struct options *);
@@ -47,21 +36,9 @@ int run_pick(const struct command *, const struct options *);
 int run_fit(const struct command *, const struct options *);
 int run_inspect(const struct command *, const struct options *);
 
-/* Reads PARAMS. The text stays allocated with the document. */
-void read_document(const struct command *, const struct options *,
-    int coordinates, struct document *);
-
-/* Whether there are points to carry, from operands or the member. */
-bool has_points(const struct options *, const struct document *);
-
-/* Sends all points: operands, else the member, else standard input. */
-void stream_points(const struct options *, const struct document *,
-    struct job *);
-
-/* Fills in what the options and the transform say of the lines. */
-void stream_options(struct job *, const struct options *);
-
-void print_matrix(const struct options *, const struct document *,
-    const struct map *, bool flat);
+static inline bool command_reads_points(const struct command *c)
+{
+	return (c->wants.used & SCENE_POINTS) != 0;
+}
 
 #endif

@@ -1,4 +1,4 @@
-/* Words of the user's in messages. */
+/* The user's words in messages. */
 #ifndef ESCAPE_H
 #define ESCAPE_H
 
@@ -9,8 +9,5 @@ enum { ESCAPED_MAX = 64 };
 /* Copies s[0..n) so that it can be printed: control characters and what is
  * not UTF-8 as escapes, a long text cut. Returns out. */
 const char *escaped(char out[ESCAPED_MAX], const char *s, size_t n);
-
-/* The length of the UTF-8 character at s; 0 where it is none. */
-int utf8_length(const char *s, const char *end);
 
 #endif

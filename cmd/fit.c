@@ -2,7 +2,8 @@
 #include <string.h>
 
 #include "../core/fit.h"
-#include "command.h"
+#include "operands.h"
+#include "points/chunk.h"
 #include "scene/print_scene.h"
 #include "talk.h"
 
@@ -56,12 +57,13 @@ static void read_box(const struct options *o, const struct document *d,
 	stream_options(j, o);
 	stream_points(o, d, j);
 	if (!(box->min[0] <= box->max[0]))
-		json_refuse(d,
+		document_refuse(d,
 		    "/bounds: missing, and there are no points to "
 		    "take them from");
 }
 
-/* What is wrong with bounds is wrong with the points that they are from. */
+/* core/ says what is wrong with /bounds; where they were taken from points, it
+ * is said of those. */
 static _Noreturn void refuse(const struct options *o, const struct document *d,
     const char *why)
 {
@@ -69,7 +71,7 @@ static _Noreturn void refuse(const struct options *o, const struct document *d,
 	size_t n = strlen(bounds);
 
 	if (d->has_bounds || strncmp(why, bounds, n) != 0)
-		json_refuse(d, why);
+		document_refuse(d, why);
 	if (o->n_points == 0)
 		die(EXIT_INPUT, "%s: /points: %s", d->name, why + n);
 	die(EXIT_INPUT, "%s: %s",
@@ -84,11 +86,11 @@ int run_fit(const struct command *c, const struct options *o)
 
 	read_document(c, o, 3, &d);
 	if (d.has_bounds && o->n_points > 0)
-		json_refuse(&d,
+		document_refuse(&d,
 		    "/bounds: not together with POINTS; fit holds "
 		    "the one or the other");
 	if (!d.has_bounds && !has_points(o, &d))
-		json_refuse(&d,
+		document_refuse(&d,
 		    "/bounds: missing; add \"bounds\": "
 		    "{\"min\": [-1,-1,-1], \"max\": [1,1,1]}, or points");
 	if (!d.has_bounds)

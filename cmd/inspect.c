@@ -3,20 +3,20 @@
 #include "../core/depth.h"
 #include "../core/error_bound.h"
 #include "../core/taxonomy.h"
-#include "command.h"
 #include "json/print.h"
+#include "names.h"
+#include "operands.h"
 #include "talk.h"
 
-/* In the order of enum taxon, kind, buffer and precision. */
+/* In the order of enum taxon, kind and buffer. */
 static const char *const taxa[] = { "orthographic", "oblique", "perspective",
 	"reverse perspective" };
 static const char *const kinds[] = { "multiview", "isometric", "dimetric",
 	"trimetric", "cavalier", "cabinet", "general", "one-point", "two-point",
 	"three-point" };
 static const char *const buffers[] = { "unorm16", "unorm24", "float32" };
-static const char *const precisions[] = { "exact", "double", "single" };
 
-/* Numbers that are there together or not at all. */
+/* Numbers that are there together or not at all: nan, or null. */
 static void put_vector(struct printer *p, const double *v, int n)
 {
 	if (isnan(v[0]))
@@ -27,88 +27,82 @@ static void put_vector(struct printer *p, const double *v, int n)
 
 static void put_taxonomy(struct printer *p, const struct taxonomy *t)
 {
-	member(p, "projection");
-	put_word(p, taxa[t->taxon]);
-	member(p, "kind");
-	put_word(p, kinds[t->kind]);
-	member(p, "foreshortening");
+	put_name_on_new_line(p, "projection");
+	put_string(p, taxa[t->taxon]);
+	put_name_on_new_line(p, "kind");
+	put_string(p, kinds[t->kind]);
+	put_name_on_new_line(p, "foreshortening");
 	put_vector(p, t->foreshortening, 3);
-	member(p, "vanishing_points");
+	put_name_on_new_line(p, "vanishing_points");
 	if (t->taxon <= TAXON_OBLIQUE) {
 		put_number(p, (double)NAN);
 	} else {
-		enter(p, "[");
+		put_open(p, "[");
 		for (int i = 0; i < 3; i++)
 			put_vector(p, t->vanishing_point[i], 2);
-		leave(p, "]");
+		put_close(p, "]");
 	}
-	member(p, "fovx");
+	put_name_on_new_line(p, "fovx");
 	put_number(p, t->fov[0]);
-	member(p, "fovy");
+	put_name_on_new_line(p, "fovy");
 	put_number(p, t->fov[1]);
-	member(p, "eye");
+	put_name_on_new_line(p, "eye");
 	put_vector(p, t->eye, 3);
-	member(p, "gaze");
+	put_name_on_new_line(p, "gaze");
 	put_vector(p, t->gaze, 3);
-	member(p, "frustum");
-	enter(p, "[");
+	put_name_on_new_line(p, "frustum");
+	put_open(p, "[");
 	for (int i = 0; i < 8; i++)
 		put_vector(p, t->corner[i], 3);
-	leave(p, "]");
+	put_close(p, "]");
 }
 
 static void put_depth_steps(struct printer *p, double step[BUFFERS][2])
 {
-	member(p, "depth_step");
-	enter(p, "{");
+	put_name_on_new_line(p, "depth_step");
+	put_open(p, "{");
 	for (int b = 0; b < BUFFERS; b++) {
 		put_name(p, buffers[b]);
-		enter(p, "[");
+		put_open(p, "[");
 		put_number(p, step[b][0]);
 		put_number(p, step[b][1]);
-		leave(p, "]");
+		put_close(p, "]");
 	}
-	leave(p, "}");
+	put_close(p, "}");
 }
 
-/* The cheapest first. */
+/* The cheapest precision first, and which is the cheapest within tolerance. */
 static void put_bounds(struct printer *p, const double bound[3],
     double tolerance)
 {
 	int precision = PRECISION_SINGLE;
 
-	member(p, "error_bound");
-	enter(p, "{");
+	put_name_on_new_line(p, "error_bound");
+	put_open(p, "{");
 	for (int i = PRECISION_SINGLE; i >= PRECISION_EXACT; i--) {
-		put_name(p, precisions[i]);
+		put_name(p, precision_names[i]);
 		put_number(p, bound[i]);
 	}
-	leave(p, "}");
+	put_close(p, "}");
 	while (precision > PRECISION_EXACT && !(bound[precision] <= tolerance))
 		precision--;
-	member(p, "precision");
-	put_word(p, precisions[precision]);
+	put_name_on_new_line(p, "precision");
+	put_string(p, precision_names[precision]);
 }
 
 int run_inspect(const struct command *c, const struct options *o)
 {
 	static char text[64 * NUMBER_MAX + 1024];
-	struct printer p = { text, o->style, "" };
+	struct printer p = { .at = text, .style = o->style, .between = "" };
 	struct document d;
 	struct taxonomy t;
 	double step[BUFFERS][2], bound[3];
 
-	if (o->n_points > 0)
-		die(EXIT_USAGE, "inspect reads no points; leave them out");
 	read_document(c, o, 0, &d);
-	const char *why = taxonomy_of(&d.scene, &t);
-
-	if (why == NULL)
-		why = error_bounds(&d.scene, bound);
-	if (why != NULL)
-		json_refuse(&d, why);
+	document_check(&d, taxonomy_of(&d.scene, &t));
+	document_check(&d, error_bounds(&d.scene, bound));
 	depth_steps(&d.scene, t.reversed, step);
-	enter(&p, "{");
+	put_open(&p, "{");
 	put_taxonomy(&p, &t);
 	put_depth_steps(&p, step);
 	put_bounds(&p, bound,

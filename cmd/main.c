@@ -10,53 +10,64 @@
 
 #define VERSION "0.1.0"
 
-#define MATRIX_OPTIONS "ciodDCptmKjP"
-
 /* clang-format off */
-/* from and to are the spaces of the matrix; points go to points_to. */
+
+/* With a projection of one type alone. A viewport may give it its aspect. */
+#define VIEW_TO_CLIP(type)                                                 \
+	MATRIX, run_matrix,                                                \
+	.wants = { .bare = SCENE_PROJECTION, .needed = SCENE_PROJECTION,   \
+	    .used = SCENE_PROJECTION | SCENE_VIEWPORT | SCENE_POINTS,      \
+	    .projection = type },                                          \
+	.from = SPACE_VIEW, .to = SPACE_CLIP, .points_to = SPACE_NDC
+
 static const struct command commands[] = {
-	{ "lookat", run_matrix, MATRIX_OPTIONS, "world to view matrix",
-	    false, SPACE_WORLD, SPACE_VIEW, SPACE_VIEW,
-	    SCENE_CAMERA, SCENE_CAMERA, -1 },
-	{ "persp", run_matrix, MATRIX_OPTIONS,
-	    "view to clip matrix of a perspective",
-	    false, SPACE_VIEW, SPACE_CLIP, SPACE_NDC,
-	    SCENE_PROJECTION, SCENE_PROJECTION, PROJECTION_PERSP },
-	{ "ortho", run_matrix, MATRIX_OPTIONS,
-	    "view to clip matrix of an orthographic projection",
-	    false, SPACE_VIEW, SPACE_CLIP, SPACE_NDC,
-	    SCENE_PROJECTION, SCENE_PROJECTION, PROJECTION_ORTHO },
-	{ "oblique", run_matrix, MATRIX_OPTIONS,
-	    "view to clip matrix of an oblique projection",
-	    false, SPACE_VIEW, SPACE_CLIP, SPACE_NDC,
-	    SCENE_PROJECTION, SCENE_PROJECTION, PROJECTION_OBLIQUE },
-	{ "w2n", run_matrix, MATRIX_OPTIONS, "2D window to NDC matrix",
-	    true, FLAT_WINDOW, FLAT_NDC, FLAT_NDC,
-	    SCENE_WINDOW, SCENE_WINDOW, -1 },
-	{ "n2d", run_matrix, MATRIX_OPTIONS, "2D NDC to device matrix",
-	    true, FLAT_NDC, FLAT_DEVICE, FLAT_DEVICE,
-	    SCENE_DEVICE, SCENE_DEVICE, -1 },
-	{ "w2d", run_matrix, MATRIX_OPTIONS, "2D window to device matrix",
-	    true, FLAT_WINDOW, FLAT_DEVICE, FLAT_DEVICE,
-	    0, SCENE_WINDOW | SCENE_DEVICE, -1 },
-	{ "d2w", run_matrix, MATRIX_OPTIONS, "2D device to window matrix",
-	    true, FLAT_DEVICE, FLAT_WINDOW, FLAT_WINDOW,
-	    0, SCENE_WINDOW | SCENE_DEVICE, -1 },
-	{ "volume", run_matrix, MATRIX_OPTIONS,
-	    "view to clip matrix of the seven-parameter view volume",
-	    false, SPACE_VIEW, SPACE_CLIP, SPACE_NDC,
-	    SCENE_PROJECTION, SCENE_PROJECTION, PROJECTION_VOLUME },
-	{ "project", run_project, MATRIX_OPTIONS "FTHRGI",
-	    "points from any space to any other", .projection = -1 },
-	{ "pick", run_pick, "cioCdDjKAQP",
-	    "points within a radius of a device position, nearest first",
-	    .projection = -1 },
-	{ "fit", run_fit, "ciCKjP",
-	    "a scene completed to hold bounds or points and no more",
-	    .needed = SCENE_PROJECTION, .projection = -1 },
-	{ "inspect", run_inspect, "cdDt",
+	{ "lookat", "world to view matrix", MATRIX, run_matrix,
+	    .wants = { .bare = SCENE_CAMERA, .needed = SCENE_CAMERA,
+		.used = SCENE_CAMERA | SCENE_POINTS },
+	    .from = SPACE_WORLD, .to = SPACE_VIEW, .points_to = SPACE_VIEW },
+	{ "persp", "view to clip matrix of a perspective",
+	    VIEW_TO_CLIP(PROJECTION_PERSP) },
+	{ "ortho", "view to clip matrix of an orthographic projection",
+	    VIEW_TO_CLIP(PROJECTION_ORTHO) },
+	{ "oblique", "view to clip matrix of an oblique projection",
+	    VIEW_TO_CLIP(PROJECTION_OBLIQUE) },
+	/* a window may adapt to the device, where there is one */
+	{ "w2n", "2D window to NDC matrix", MATRIX, run_matrix,
+	    .wants = { .bare = SCENE_WINDOW, .needed = SCENE_WINDOW,
+		.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS },
+	    .flat = true, .from = FLAT_WINDOW, .to = FLAT_NDC,
+	    .points_to = FLAT_NDC },
+	{ "n2d", "2D NDC to device matrix", MATRIX, run_matrix,
+	    .wants = { .bare = SCENE_DEVICE, .needed = SCENE_DEVICE,
+		.used = SCENE_DEVICE | SCENE_POINTS },
+	    .flat = true, .from = FLAT_NDC, .to = FLAT_DEVICE,
+	    .points_to = FLAT_DEVICE },
+	{ "w2d", "2D window to device matrix", MATRIX, run_matrix,
+	    .wants = { .needed = SCENE_WINDOW | SCENE_DEVICE,
+		.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS },
+	    .flat = true, .from = FLAT_WINDOW, .to = FLAT_DEVICE,
+	    .points_to = FLAT_DEVICE },
+	{ "d2w", "2D device to window matrix", MATRIX, run_matrix,
+	    .wants = { .needed = SCENE_WINDOW | SCENE_DEVICE,
+		.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS },
+	    .flat = true, .from = FLAT_DEVICE, .to = FLAT_WINDOW,
+	    .points_to = FLAT_WINDOW },
+	{ "volume", "view to clip matrix of the seven-parameter view volume",
+	    VIEW_TO_CLIP(PROJECTION_VOLUME) },
+	{ "project", "points from any space to any other",
+	    PROJECT, run_project,
+	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS } },
+	{ "pick", "points within a radius of a device position, nearest first",
+	    PICK, run_pick,
+	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS | SCENE_PICK } },
+	{ "fit", "a scene completed to hold bounds or points and no more",
+	    FIT, run_fit,
+	    .wants = { .needed = SCENE_PROJECTION, .fit = true,
+		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_BOUNDS } },
+	{ "inspect",
 	    "what the projection is, its angles, corners and error bounds",
-	    .projection = -1 },
+	    INSPECT, run_inspect,
+	    .wants = { .used = SCENE_SPATIAL } },
 };
 /* clang-format on */
 
@@ -80,7 +91,7 @@ static _Noreturn void help_command(const struct command *c)
 {
 	printf("usage: projcalc %s [OPTION...] [PARAMS%s]\n"
 	       "%s\n\n",
-	    c->name, c->run == run_inspect ? "" : " [POINTS...]", c->about);
+	    c->name, command_reads_points(c) ? " [POINTS...]" : "", c->about);
 	options_print(c);
 	finish_help();
 }
@@ -130,11 +141,10 @@ int main(int argc, char **argv)
 		help_command(find_command(argv[2]));
 	const struct command *c = find_command(name);
 
-	switch (options_read(c, argc - 1, argv + 1, &o)) {
-	case 'h':
+	options_read(c, argc - 1, argv + 1, &o);
+	if (o.help)
 		help_command(c);
-	case 'V':
+	if (o.version)
 		version();
-	}
 	return c->run(c, &o);
 }

@@ -1,3 +1,5 @@
+#include "operands.h"
+
 #include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -7,7 +9,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "command.h"
 #include "points/progress.h"
 #include "talk.h"
 
@@ -25,7 +26,8 @@ static bool is_stdin(const char *operand)
 	return strcmp(operand, "-") == 0;
 }
 
-/* Not as a standard stream that is closed, and must stay so. */
+/* A standard stream may be closed; a file that took its number would be read
+ * or written in its place. */
 static int open_file(const char *name)
 {
 	int fd = open(name, O_RDONLY), low = fd;
@@ -79,11 +81,29 @@ static char *read_whole(const char *name, size_t *size)
 	return text;
 }
 
-/* Every operand can be opened before anything is printed. */
-static void check_operands(const struct options *o)
+static void check_file(const char *name)
+{
+	const char *end = name + strlen(name);
+	struct stat st;
+	double v;
+
+	if (stat(name, &st) == 0 && S_ISDIR(st.st_mode))
+		die(EXIT_USAGE, "%s: is a directory", name);
+	if (access(name, R_OK) == 0)
+		return;
+	if (number_read(name, end, &v) == end && end != name)
+		die(EXIT_USAGE, "%s: %s; POINTS are a file, - or '[0,0,0]'",
+		    name, strerror(errno));
+	die(EXIT_USAGE, "%s: %s", name, strerror(errno));
+}
+
+/* That every operand can be opened is known before anything is printed. */
+static void check_operands(const struct command *c, const struct options *o)
 {
 	int from_stdin = is_stdin(o->params);
 
+	if (o->n_points > 0 && !command_reads_points(c))
+		die(EXIT_USAGE, "%s reads no points; leave them out", c->name);
 	for (int i = 0; i < o->n_points && !o->matrix; i++) {
 		const char *name = o->points[i];
 
@@ -93,61 +113,24 @@ static void check_operands(const struct options *o)
 				"PARAMS and POINTS are both standard input; "
 				"name a file for one of them" :
 				"standard input is named twice");
-		if (is_stdin(name) || first_of(name) == '[')
-			continue;
-		struct stat st;
-
-		if (stat(name, &st) == 0 && S_ISDIR(st.st_mode))
-			die(EXIT_USAGE, "%s: is a directory", name);
-		if (access(name, R_OK) == 0)
-			continue;
-		double v;
-		const char *end = name + strlen(name);
-
-		if (number_read(name, end, &v) == end && end != name)
-			die(EXIT_USAGE,
-			    "%s: %s; POINTS are a file, - or "
-			    "'[0,0,0]'",
-			    name, strerror(errno));
-		die(EXIT_USAGE, "%s: %s", name, strerror(errno));
+		if (!is_stdin(name) && first_of(name) != '[')
+			check_file(name);
 	}
-}
-
-/* Of a projection the viewport may give the aspect; a window adapts to the
- * device; fit and pick alone read bounds and pick. */
-static unsigned unused(const struct command *c)
-{
-	const unsigned flat = SCENE_WINDOW | SCENE_DEVICE;
-	unsigned used = ~(flat | SCENE_BOUNDS | SCENE_PICK);
-
-	if (c->run == run_matrix)
-		used = c->needed | (c->projection >= 0 ? SCENE_VIEWPORT : 0) |
-		    (c->flat ? SCENE_DEVICE : 0);
-	if (c->run == run_fit)
-		used |= SCENE_BOUNDS;
-	if (c->run == run_pick)
-		used |= SCENE_PICK;
-	return ~used;
 }
 
 void read_document(const struct command *c, const struct options *o,
     int coordinates, struct document *d)
 {
-	struct json_wants wants = {
-		.bare = c->bare,
-		.needed = c->needed,
-		.projection = c->projection,
-		.convention = o->convention,
-		/* operands replace the member */
-		.coordinates = o->matrix || o->n_points > 0 ? 0 : coordinates,
-		.fit = c->run == run_fit,
-		.unused = unused(c),
-	};
+	struct document_wants wants = c->wants;
 	const char *name = o->params;
 	char *text;
 	size_t size;
 
-	check_operands(o);
+	wants.convention = o->convention;
+	/* operands replace the document's points */
+	if (!o->matrix && o->n_points == 0)
+		wants.coordinates = coordinates;
+	check_operands(c, o);
 	if (first_of(o->params) == '{') {
 		name = "PARAMS";
 		size = strlen(o->params);
@@ -156,7 +139,7 @@ void read_document(const struct command *c, const struct options *o,
 	} else {
 		text = read_whole(name, &size);
 	}
-	json_read(d, name, text, size, &wants);
+	document_read(d, name, text, size, &wants);
 	free(text);
 }
 
@@ -165,20 +148,30 @@ bool has_points(const struct options *o, const struct document *d)
 	return o->n_points > 0 || d->points != NULL;
 }
 
-void stream_options(struct job *j, const struct options *o)
+static void check_layout(const struct options *o, const struct layout *l)
 {
-	j->layout = (struct layout){
-		.in = o->in,
-		.out = o->out_given ? o->out : o->in,
-		.columns = o->columns,
-		.reads = j->transform.in,
-		.writes = j->transform.out,
-		.style = o->style,
-	};
-	j->accuracy = o->accuracy;
-	j->keep_going = o->keep_going;
-	progress_start(o->progress);
-	j->threads = o->jobs > 0 ? o->jobs : (int)sysconf(_SC_NPROCESSORS_ONLN);
+	for (int i = 0; i < o->columns.n; i++)
+		if (o->columns.name[i] != NULL && o->in != FORMAT_CSV)
+			die(EXIT_USAGE,
+			    "--columns: '%s' is a name, and names "
+			    "are for -i csv; write numbers: 2,3,4",
+			    o->columns.name[i]);
+	if (o->flags && is_binary(l->out))
+		die(EXIT_USAGE,
+		    "--flags: binary points have no room for words; say "
+		    "-o text");
+	if (o->columns.n > 0 && is_binary(o->in))
+		die(EXIT_USAGE, "--columns: binary points have no fields");
+	if (o->columns.n > 0 && o->columns.n != l->reads)
+		die(EXIT_USAGE,
+		    "--columns: %d fields; %d coordinates are "
+		    "read here",
+		    o->columns.n, l->reads);
+}
+
+/* By the environment, for tests and measurements; else the best ones. */
+static void choose_kernels(void)
+{
 	const char *cpu = getenv("PROJCALC_CPU");
 
 	if (!points_choose(cpu))
@@ -186,23 +179,27 @@ void stream_options(struct job *j, const struct options *o)
 		    "PROJCALC_CPU=%s: not a processor that this is; "
 		    "it is one of baseline, avx2 and avx512",
 		    cpu);
-	for (int i = 0; i < o->columns.n; i++)
-		if (o->columns.name[i] != NULL && o->in != FORMAT_CSV)
-			die(EXIT_USAGE,
-			    "--columns: '%s' is a name, and names "
-			    "are for -i csv; write numbers: 2,3,4",
-			    o->columns.name[i]);
-	if (o->flags && is_binary(j->layout.out))
-		die(EXIT_USAGE,
-		    "--flags: binary points have no room for words; say "
-		    "-o text");
-	if (o->columns.n > 0 && is_binary(o->in))
-		die(EXIT_USAGE, "--columns: binary points have no fields");
-	if (o->columns.n > 0 && o->columns.n != j->layout.reads)
-		die(EXIT_USAGE,
-		    "--columns: %d fields; %d coordinates are "
-		    "read here",
-		    o->columns.n, j->layout.reads);
+}
+
+void stream_options(struct job *j, const struct options *o)
+{
+	/* a ray's position; its point and direction */
+	const int ray_reads = 2, ray_writes = 6;
+
+	j->layout = (struct layout){
+		.in = o->in,
+		.out = o->has_out ? o->out : o->in,
+		.columns = o->columns,
+		.reads = j->rays ? ray_reads : j->transform.in,
+		.writes = j->rays ? ray_writes : j->transform.out,
+		.style = o->style,
+	};
+	j->accuracy = o->accuracy;
+	j->keep_going = o->keep_going;
+	j->threads = o->jobs > 0 ? o->jobs : (int)sysconf(_SC_NPROCESSORS_ONLN);
+	progress_start(o->progress);
+	choose_kernels();
+	check_layout(o, &j->layout);
 }
 
 static void stream_json(struct job *j, const char *name, const char *text,
@@ -215,7 +212,7 @@ static void stream_json(struct job *j, const char *name, const char *text,
 	j->layout.in = in;
 }
 
-/* Columns are of files. */
+/* --columns says where the coordinates stand in the lines of a file. */
 static void check_columns(const struct options *o, const struct document *d)
 {
 	bool typed = o->n_points == 0 && d->points != NULL;
@@ -271,7 +268,8 @@ void stream_points(const struct options *o, const struct document *d,
 		stream_json(j, d->name, d->points, d->points_size);
 	else if (o->n_points == 0)
 		stream_operand(j, "-");
-	/* what is typed wrong is refused before anything is printed */
+	/* what is typed wrong is refused before anything is printed; the first
+	 * operand's points are looked at before that anyway */
 	for (int i = 1; i < o->n_points; i++)
 		if (first_of(o->points[i]) == '[') {
 			size_t size;

@@ -2,335 +2,287 @@
 
 #include <ctype.h>
 #include <getopt.h>
-#include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
+#include "arguments.h"
+#include "names.h"
 #include "nearest.h"
+#include "scene/convention_member.h"
 #include "talk.h"
 
-/* A letter that is upper case stands for an option without one, but for -H. */
-static const struct {
-	int letter;
-	const char *name, *argument, *about;
-} options[] = {
-	{ 'c', "convention", "NAME", "d3d (default), gl, vulkan or webgpu" },
-	{ 'i', "input", "FORMAT",
-	    "of points: text (default), csv, json, f64, f32" },
-	{ 'o', "output", "FORMAT", "the same; default the input's" },
-	{ 'C', "columns", "LIST",
-	    "the coordinates' fields: 2,3,4, or names in csv" },
-	{ 'd', "decimals", "N", "round to N decimals" },
-	{ 'D', "digits", "N", "round to N significant digits" },
-	{ 'p', "precision", "NAME", "exact (default), double or single" },
-	{ 't', "tolerance", "T", "the cheapest precision within T units" },
-	{ 'F', "from", "SPACE", "model, world, view, clip, ndc or device" },
-	{ 'T', "to", "SPACE", "the same; default device, else ndc" },
-	{ 'H', "homogeneous", NULL, "x y z w, not divided" },
-	{ 'm', "matrix", NULL, "print the matrix, read no points" },
-	{ 'A', "at", "X,Y", "the device position" },
-	{ 'Q', "radius", "R", "how far around it, in device units" },
-	{ 'R', "ray", NULL,
-	    "x y on the device: point on the near plane, direction" },
-	{ 'G', "flags", NULL,
-	    "add in, or the planes that the point is outside of" },
-	{ 'I', "visible", NULL, "print only points in the view volume" },
-	{ 'K', "keep-going", NULL, "print nan for a bad line and go on" },
-	{ 'j', "jobs", "N", "threads; default all cores" },
-	{ 'P', "progress", NULL, "tell how far it is, also in a file or pipe" },
-	{ 'h', "help", NULL, "this help" },
-	{ 'V', "version", NULL, "the version" },
-};
-
-enum { OPTIONS = sizeof options / sizeof *options };
-
-static const char *const format_names[] = { "text", "csv", "json", "f64", "f32",
-	NULL };
-static const char *const precision_names[] = { "exact", "double", "single",
-	NULL };
-static const char *const space_names[] = { "model", "world", "view", "clip",
-	"ndc", "device", NULL };
-
-static bool has_letter(int letter)
+static void set_convention(struct options *o, char *word)
 {
-	return islower(letter) || letter == 'H';
+	o->convention =
+	    &conventions[one_of(convention_names, "convention", word)];
 }
 
-static bool uses(const struct command *c, int letter)
+static void set_input(struct options *o, char *word)
 {
-	return strchr("hV", letter) != NULL ||
-	    strchr(c->letters, letter) != NULL;
+	o->in = (enum format)one_of(format_names, "format", word);
+}
+
+static void set_output(struct options *o, char *word)
+{
+	if (strpbrk(word, "./") != NULL)
+		die(EXIT_USAGE, "unknown format '%s'; to write a file use > %s",
+		    word, word);
+	o->out = (enum format)one_of(format_names, "format", word);
+	o->has_out = true;
+}
+
+static void set_columns(struct options *o, char *word)
+{
+	o->columns = columns_of("columns", word);
+}
+
+static void set_decimals(struct options *o, char *word)
+{
+	o->style.kind = NUMBER_DECIMALS;
+	o->style.n = whole_number("decimals", word, 0, 100);
+}
+
+static void set_digits(struct options *o, char *word)
+{
+	o->style.kind = NUMBER_DIGITS;
+	o->style.n = whole_number("digits", word, 1, 100);
+}
+
+static void set_precision(struct options *o, char *word)
+{
+	o->accuracy.precision = (enum precision)one_of(precision_names,
+	    "precision", word);
+	o->has_precision = true;
+}
+
+static void set_tolerance(struct options *o, char *word)
+{
+	o->accuracy.tolerance = positive_number("tolerance", word);
+}
+
+static void set_from(struct options *o, char *word)
+{
+	o->from = (enum space)one_of(space_names, "space", word);
+	o->has_from = true;
+}
+
+static void set_to(struct options *o, char *word)
+{
+	o->to = (enum space)one_of(space_names, "space", word);
+	o->has_to = true;
+}
+
+static void set_at(struct options *o, char *word)
+{
+	position("at", word, o->at);
+	o->has_at = true;
+}
+
+static void set_radius(struct options *o, char *word)
+{
+	o->radius = positive_number("radius", word);
+}
+
+static void set_jobs(struct options *o, char *word)
+{
+	o->jobs = whole_number("jobs", word, 1, 256);
+}
+
+/* The kinds of commands that take an option, where they are several. */
+enum {
+	POINTS = MATRIX | PROJECT | PICK | FIT, /* read points */
+	PRINTED = MATRIX | PROJECT | PICK,      /* print a line for a point */
+	NUMBERS = PRINTED | INSPECT, /* print numbers to be rounded */
+	ALL = POINTS | INSPECT,
+};
+
+#define ON(member) .on = offsetof(struct options, member)
+
+/* clang-format off */
+static const struct row {
+	const char *name;
+	char letter;       /* or 0 */
+	unsigned commands; /* kinds of them, as bits */
+	const char *about; /* one line of help */
+	/* With an argument: what the help calls it, and what takes it. */
+	const char *argument;
+	void (*set)(struct options *, char *word);
+	/* Without one: the bool of struct options that becomes true. */
+	size_t on;
+} rows[] = {
+	{ "convention", 'c', ALL, "d3d (default), gl, vulkan or webgpu",
+	    .argument = "NAME", .set = set_convention },
+	{ "input", 'i', POINTS,
+	    "of points: text (default), csv, json, f64, f32",
+	    .argument = "FORMAT", .set = set_input },
+	{ "output", 'o', PRINTED, "the same; default the input's",
+	    .argument = "FORMAT", .set = set_output },
+	{ "columns", 0, POINTS,
+	    "the coordinates' fields: 2,3,4, or names in csv",
+	    .argument = "LIST", .set = set_columns },
+	{ "decimals", 'd', NUMBERS, "round to N decimals",
+	    .argument = "N", .set = set_decimals },
+	{ "digits", 0, NUMBERS, "round to N significant digits",
+	    .argument = "N", .set = set_digits },
+	{ "precision", 'p', MATRIX | PROJECT,
+	    "exact (default), double or single",
+	    .argument = "NAME", .set = set_precision },
+	{ "tolerance", 't', MATRIX | PROJECT | INSPECT,
+	    "the cheapest precision within T units",
+	    .argument = "T", .set = set_tolerance },
+	{ "from", 0, PROJECT, "model, world, view, clip, ndc or device",
+	    .argument = "SPACE", .set = set_from },
+	{ "to", 0, PROJECT, "the same; default device, else ndc",
+	    .argument = "SPACE", .set = set_to },
+	{ "homogeneous", 'H', PROJECT, "x y z w, not divided",
+	    ON(homogeneous) },
+	{ "matrix", 'm', MATRIX | PROJECT, "print the matrix, read no points",
+	    ON(matrix) },
+	{ "at", 0, PICK, "the device position",
+	    .argument = "X,Y", .set = set_at },
+	{ "radius", 0, PICK, "how far around it, in device units",
+	    .argument = "R", .set = set_radius },
+	{ "ray", 0, PROJECT,
+	    "x y on the device: point on the near plane, direction",
+	    ON(ray) },
+	{ "flags", 0, PROJECT,
+	    "add in, or the planes that the point is outside of",
+	    ON(flags) },
+	{ "visible", 0, PROJECT, "print only points in the view volume",
+	    ON(visible) },
+	{ "keep-going", 0, POINTS, "print nan for a bad line and go on",
+	    ON(keep_going) },
+	{ "jobs", 'j', POINTS, "threads; default all cores",
+	    .argument = "N", .set = set_jobs },
+	{ "progress", 0, POINTS, "tell how far it is, also in a file or pipe",
+	    ON(progress) },
+	{ "help", 'h', ALL, "this help", ON(help) },
+	{ "version", 0, ALL, "the version", ON(version) },
+};
+/* clang-format on */
+
+enum { ROWS = sizeof rows / sizeof *rows };
+
+static bool takes(const struct command *c, const struct row *r)
+{
+	return (r->commands & c->kind) != 0;
 }
 
 void options_print(const struct command *c)
 {
-	for (int i = 0; i < OPTIONS; i++) {
-		char left[40], letter[] = "-x, ";
+	for (const struct row *r = rows; r < rows + ROWS; r++) {
+		const char letter[] = { '-', r->letter, ',', ' ', '\0' };
+		char left[40];
 
-		if (!uses(c, options[i].letter))
+		if (!takes(c, r))
 			continue;
-		letter[1] = (char)options[i].letter;
 		snprintf(left, sizeof left, "%s--%s %s",
-		    has_letter(options[i].letter) ? letter : "    ",
-		    options[i].name,
-		    options[i].argument != NULL ? options[i].argument : "");
-		printf("  %-24s %s\n", left, options[i].about);
+		    r->letter != 0 ? letter : "    ", r->name,
+		    r->argument != NULL ? r->argument : "");
+		printf("  %-24s %s\n", left, r->about);
 	}
 }
 
-static int choose(const char *const *names, const char *what, const char *word)
+static _Noreturn void refuse_unknown(const struct command *c, const char *word)
 {
-	char all[80] = "";
-
-	for (int i = 0; names[i] != NULL; i++) {
-		if (strcmp(names[i], word) == 0)
-			return i;
-		if (i > 0)
-			strcat(all, names[i + 1] == NULL ? " or " : ", ");
-		strcat(all, names[i]);
-	}
-	die(EXIT_USAGE, "unknown %s '%s'; it is one of %s", what, word, all);
-}
-
-static enum format choose_format(const char *word, bool output)
-{
-	if (output && strpbrk(word, "./") != NULL)
-		die(EXIT_USAGE,
-		    "unknown format '%s'; to write a file use "
-		    "> %s",
-		    word, word);
-	return (enum format)choose(format_names, "format", word);
-}
-
-static int whole_number(const char *option, const char *word, int min, int max)
-{
-	char *end;
-	long n = strtol(word, &end, 10);
-
-	if (end == word || *end != '\0' || n < min || n > max)
-		die(EXIT_USAGE,
-		    "--%s: '%s' is not a whole number from %d to "
-		    "%d",
-		    option, word, min, max);
-	return (int)n;
-}
-
-static double positive_number(const char *option, const char *word)
-{
-	const char *end = word + strlen(word);
-	double v;
-
-	if (number_read(word, end, &v) != end ||
-	    !(v >= SIZE_MIN && v <= MAGNITUDE_MAX))
-		die(EXIT_USAGE, "--%s: '%s' is not a positive number", option,
-		    word);
-	return v;
-}
-
-static void read_at(const char *word, double at[2])
-{
-	const char *end = word + strlen(word);
-	const char *comma = number_read(word, end, &at[0]);
-
-	if (comma == NULL || *comma != ',' ||
-	    number_read(comma + 1, end, &at[1]) != end ||
-	    !(fabs(at[0]) <= MAGNITUDE_MAX) || !(fabs(at[1]) <= MAGNITUDE_MAX))
-		die(EXIT_USAGE, "--at: '%s' is not X,Y", word);
-}
-
-/* "2,3,4" or names of a csv header, mixed as it comes. */
-static struct columns read_columns(char *list)
-{
-	struct columns c = { 0 };
-
-	for (char *word = list; word != NULL; c.n++) {
-		char *comma = strchr(word, ',');
-
-		if (comma != NULL)
-			*comma++ = '\0';
-		if (c.n == 4)
-			die(EXIT_USAGE, "--columns: more than four fields");
-		if (*word == '\0')
-			die(EXIT_USAGE,
-			    "--columns: an empty field; write "
-			    "2,3,4");
-		if (strspn(word, "0123456789") == strlen(word))
-			c.field[c.n] = whole_number("columns", word, 1,
-					   1000000) -
-			    1;
-		else
-			c.name[c.n] = word;
-		for (int i = 0; i < c.n; i++)
-			if (c.name[i] == NULL && c.name[c.n] == NULL &&
-			    c.field[i] == c.field[c.n])
-				die(EXIT_USAGE,
-				    "--columns: field %d stands "
-				    "twice",
-				    c.field[i] + 1);
-		word = comma;
-	}
-	return c;
-}
-
-/* Options without an argument. */
-static bool *switch_of(struct options *o, int letter)
-{
-	switch (letter) {
-	case 'H':
-		return &o->homogeneous;
-	case 'm':
-		return &o->matrix;
-	case 'R':
-		return &o->ray;
-	case 'G':
-		return &o->flags;
-	case 'I':
-		return &o->visible;
-	case 'K':
-		return &o->keep_going;
-	case 'P':
-		return &o->progress;
-	default:
-		return NULL;
-	}
-}
-
-static void set_option(struct options *o, int letter, char *word)
-{
-	struct convention convention;
-
-	switch (letter) {
-	case 'c':
-		if (!convention_find(word, &convention))
-			die(EXIT_USAGE,
-			    "unknown convention '%s'; it is one "
-			    "of d3d, gl, vulkan or webgpu",
-			    word);
-		o->convention = word;
-		break;
-	case 'i':
-		o->in = choose_format(word, false);
-		break;
-	case 'o':
-		o->out = choose_format(word, true);
-		o->out_given = true;
-		break;
-	case 'C':
-		o->columns = read_columns(word);
-		break;
-	case 'd':
-		o->style.kind = NUMBER_DECIMALS;
-		o->style.n = whole_number("decimals", word, 0, 100);
-		break;
-	case 'D':
-		o->style.kind = NUMBER_DIGITS;
-		o->style.n = whole_number("digits", word, 1, 100);
-		break;
-	case 'p':
-		o->accuracy.precision = (enum precision)choose(precision_names,
-		    "precision", word);
-		o->precision_given = true;
-		break;
-	case 't':
-		o->accuracy.tolerance = positive_number("tolerance", word);
-		break;
-	case 'F':
-		o->has_from = true;
-		o->from = (enum space)choose(space_names, "space", word);
-		break;
-	case 'T':
-		o->has_to = true;
-		o->to = (enum space)choose(space_names, "space", word);
-		break;
-	case 'A':
-		read_at(word, o->at);
-		o->has_at = true;
-		break;
-	case 'Q':
-		o->radius = positive_number("radius", word);
-		break;
-	case 'j':
-		o->jobs = whole_number("jobs", word, 1, 256);
-		break;
-	}
-}
-
-static const char *name_of(int letter)
-{
-	for (int i = 0; i < OPTIONS; i++)
-		if (options[i].letter == letter)
-			return options[i].name;
-	return "";
-}
-
-/* What getopt could not take. */
-static _Noreturn void bad_option(const struct command *c, int got,
-    const char *word)
-{
-	const char *names[OPTIONS + 1] = { NULL };
+	const char *names[ROWS + 1], *near = NULL;
 	int n = 0;
 
-	if (got == ':')
-		die(EXIT_USAGE, "%s: %s needs an argument", c->name, word);
-	for (int i = 0; i < OPTIONS; i++)
-		if (uses(c, options[i].letter))
-			names[n++] = options[i].name;
-	const char *near = strncmp(word, "--", 2) == 0 ?
-	    nearest(word + 2, names) :
-	    NULL;
-
+	for (const struct row *r = rows; r < rows + ROWS; r++)
+		if (takes(c, r))
+			names[n++] = r->name;
+	names[n] = NULL;
+	if (strncmp(word, "--", 2) == 0)
+		near = nearest(word + 2, names);
 	if (near != NULL)
 		die(EXIT_USAGE, "%s: unknown option %s; did you mean --%s?",
 		    c->name, word, near);
-	die(EXIT_USAGE,
-	    "%s: unknown option %s; 'projcalc help %s' lists "
-	    "them",
+	die(EXIT_USAGE, "%s: unknown option %s; 'projcalc help %s' lists them",
 	    c->name, word, c->name);
 }
 
-/* Options may stand among the operands, which getopt moves behind them. */
-int options_read(const struct command *c, int argc, char **argv,
+/* For getopt_long, which returns the letter of an option, or LONG and the
+ * number of its row where it was given by its name. */
+enum { LONG = 256 };
+
+static void getopt_tables(struct option longs[ROWS + 1],
+    char letters[2 * ROWS + 2])
+{
+	*letters++ = ':'; /* a missing argument is returned as ':' */
+	for (int i = 0; i < ROWS; i++) {
+		bool argument = rows[i].argument != NULL;
+
+		longs[i] = (struct option){ rows[i].name,
+			argument ? required_argument : no_argument, NULL,
+			LONG + i };
+		if (rows[i].letter != 0) {
+			*letters++ = rows[i].letter;
+			if (argument)
+				*letters++ = ':';
+		}
+	}
+	longs[ROWS] = (struct option){ 0 };
+	*letters = '\0';
+}
+
+/* Of what getopt_long returned; NULL where there is none. */
+static const struct row *row_of(int got)
+{
+	if (got >= LONG)
+		return &rows[got - LONG];
+	for (const struct row *r = rows; r < rows + ROWS; r++)
+		if (got != 0 && r->letter == got)
+			return r;
+	return NULL;
+}
+
+/* What getopt_long could not take: got is '?' or ':'. An option that has a
+ * letter is called by it, for it may stand among others: -mx. */
+static _Noreturn void refuse(const struct command *c, int got,
+    const char *last_word)
+{
+	const struct row *r = row_of(optopt);
+	int letter = r != NULL ? r->letter : islower(optopt) ? optopt : 0;
+	const char short_word[] = { '-', (char)letter, '\0' };
+	const char *word = letter != 0 ? short_word : last_word;
+
+	if (got == ':')
+		die(EXIT_USAGE, "%s: %s needs an argument", c->name, word);
+	refuse_unknown(c, word);
+}
+
+static void set(const struct command *c, const struct row *r, char *word,
     struct options *o)
 {
-	struct option longs[OPTIONS + 1] = { 0 };
-	char shorts[2 * OPTIONS + 2] = ":", *s = shorts + 1;
+	if (!takes(c, r))
+		die(EXIT_USAGE,
+		    "%s: --%s is not for this command; "
+		    "'projcalc help %s' lists what is",
+		    c->name, r->name, c->name);
+	if (r->set != NULL)
+		r->set(o, word);
+	else
+		*(bool *)((char *)o + r->on) = true;
+}
+
+/* Options may stand among the operands: getopt_long moves those to the end. */
+void options_read(const struct command *c, int argc, char **argv,
+    struct options *o)
+{
+	struct option longs[ROWS + 1];
+	char letters[2 * ROWS + 2];
 	int got;
 
-	for (int i = 0; i < OPTIONS; i++) {
-		bool argument = options[i].argument != NULL;
-
-		longs[i] = (struct option){ options[i].name,
-			argument ? required_argument : no_argument, NULL,
-			options[i].letter };
-		if (has_letter(options[i].letter))
-			*s++ = (char)options[i].letter;
-		if (has_letter(options[i].letter) && argument)
-			*s++ = ':';
-	}
+	getopt_tables(longs, letters);
 	opterr = 0;
-	while ((got = getopt_long(argc, argv, shorts, longs, NULL)) != -1) {
-		if (got == 'h' || got == 'V')
-			return got;
-		if (got == '?' || got == ':') {
-			char letter[] = { '-', (char)optopt, '\0' };
-
-			bad_option(c, got,
-			    has_letter(optopt) ? letter : argv[optind - 1]);
-		}
-		if (!uses(c, got))
-			die(EXIT_USAGE,
-			    "%s: --%s is not for this command; "
-			    "'projcalc help %s' lists what is",
-			    c->name, name_of(got), c->name);
-		bool *on = switch_of(o, got);
-
-		if (on != NULL)
-			*on = true;
-		else
-			set_option(o, got, optarg);
+	while ((got = getopt_long(argc, argv, letters, longs, NULL)) != -1) {
+		if (got == '?' || got == ':')
+			refuse(c, got, argv[optind - 1]);
+		set(c, row_of(got), optarg, o);
+		if (o->help || o->version)
+			return;
 	}
-	if (o->precision_given && o->accuracy.tolerance > 0)
+	if (o->has_precision && o->accuracy.tolerance > 0)
 		die(EXIT_USAGE,
 		    "%s: -p and -t exclude each other; -t chooses "
 		    "the precision",
@@ -342,5 +294,4 @@ int options_read(const struct command *c, int argc, char **argv,
 	o->points = operands;
 	while (operands[o->n_points] != NULL)
 		o->n_points++;
-	return 0;
 }

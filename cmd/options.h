@@ -1,15 +1,37 @@
-/* The options of all commands, in one table. */
+/* The options of all commands, and the operands after them. */
 #ifndef OPTIONS_H
 #define OPTIONS_H
 
+#include "../core/points.h"
 #include "command.h"
+#include "points/line.h"
 
-/* Reads a command's options and operands; argv[0] is its name. Returns 'h' or
- * 'V' where help or the version is asked for, else 0. */
-int options_read(const struct command *, int argc, char **argv,
+struct options {
+	bool help, version;
+	const struct convention *convention; /* NULL: the document's */
+	enum format in, out;
+	bool has_out; /* else out is the same as in, or text for a matrix */
+	struct columns columns;
+	struct number_style style;
+	struct accuracy accuracy;
+	bool has_precision;
+	bool has_from, has_to;
+	enum space from, to;
+	bool homogeneous, matrix, ray, flags, visible, keep_going, progress;
+	int jobs; /* 0: as many as there are cores */
+	bool has_at;
+	double at[2], radius; /* of pick; radius is 0 where it isn't said */
+	const char *params;   /* operand, "-" by default */
+	int n_points;
+	char **points; /* operands */
+};
+
+/* Reads a command's options and operands; argv[0] is its name. Stops where
+ * help or the version is asked for. */
+void options_read(const struct command *, int argc, char **argv,
     struct options *);
 
-/* A line of help for each option that the command uses. */
+/* A line of help for each option that the command takes. */
 void options_print(const struct command *);
 
 #endif

@@ -3,10 +3,12 @@
 #include <string.h>
 
 #include "../core/pick.h"
-#include "command.h"
+#include "json/print.h"
+#include "operands.h"
+#include "points/chunk.h"
 #include "talk.h"
 
-/* A line that was hit, and where its text stands in the list's. */
+/* A line whose point was hit; its text is size bytes in that of all hits. */
 struct hit {
 	double distance, device[3], point[3];
 	size_t line, text, size;
@@ -22,6 +24,7 @@ struct hits {
 	size_t size, text_room;
 };
 
+/* A chunk's output is each hit, followed by the text of its line. */
 static void take(const struct job *j, struct chunk *c, const struct line *r,
     size_t p, size_t line)
 {
@@ -38,11 +41,11 @@ static void take(const struct job *j, struct chunk *c, const struct line *r,
 	    frustum_out(&j->frustum, in) != 0)
 		return;
 	hit.distance = depth_of(&h->depth, in);
-	hit.size = (size_t)(r->line.end - r->line.s);
+	hit.size = (size_t)(r->text.end - r->text.s);
 	char *at = chunk_reserve(c, sizeof hit + hit.size);
 
 	memcpy(at, &hit, sizeof hit);
-	memcpy(at + sizeof hit, r->line.s, hit.size);
+	memcpy(at + sizeof hit, r->text.s, hit.size);
 	c->size += sizeof hit + hit.size;
 }
 
@@ -81,27 +84,7 @@ static int compare(const void *a, const void *b)
 	return p->text < q->text ? -1 : p->text > q->text;
 }
 
-static char *put_text(char *at, const char *s)
-{
-	size_t n = strlen(s);
-
-	memcpy(at, s, n);
-	return at + n;
-}
-
-static char *put_numbers(char *at, const char *name, const double v[3],
-    struct number_style style)
-{
-	at = put_text(at, name);
-	for (int i = 0; i < 3; i++) {
-		*at++ = i == 0 ? '[' : ',';
-		at = number_write(at, v[i], style);
-	}
-	*at++ = ']';
-	return at;
-}
-
-/* What is printed, in writes of some size. */
+/* What is to be printed, gathered so that there are few writes. */
 struct output {
 	size_t n;
 	char text[1 << 16];
@@ -124,16 +107,21 @@ static void put(struct output *out, const char *s, size_t n)
 static void print_json(struct output *out, const struct hit *h,
     struct number_style style)
 {
-	char text[8 * NUMBER_MAX + 128], *at = put_text(text, "{\"line\":");
+	char text[8 * NUMBER_MAX + 128];
+	struct printer p = { .at = text, .compact = true, .between = "" };
 
-	at = number_write(at, (double)h->line,
-	    (struct number_style){ NUMBER_SHORTEST, 0 });
-	at = put_text(at, ",\"distance\":");
-	at = number_write(at, h->distance, style);
-	at = put_numbers(at, ",\"device\":", h->device, style);
-	at = put_numbers(at, ",\"point\":", h->point, style);
-	at = put_text(at, "}\n");
-	put(out, text, (size_t)(at - text));
+	put_open(&p, "{");
+	put_name(&p, "line");
+	put_number(&p, (double)h->line);
+	p.style = style;
+	put_name(&p, "distance");
+	put_number(&p, h->distance);
+	put_name(&p, "device");
+	put_numbers(&p, h->device, 3);
+	put_name(&p, "point");
+	put_numbers(&p, h->point, 3);
+	put_close(&p, "}\n");
+	put(out, text, (size_t)(p.at - text));
 }
 
 /* At the end, or before a bad line ends the program. */
@@ -148,7 +136,7 @@ static void print_hits(const struct job *j)
 	for (size_t i = 0; i < h->n; i++) {
 		const struct hit *hit = &h->hit[i];
 
-		if (o->out_given && o->out == FORMAT_JSON) {
+		if (o->has_out && o->out == FORMAT_JSON) {
 			print_json(&out, hit, o->style);
 			continue;
 		}
@@ -159,24 +147,18 @@ static void print_hits(const struct job *j)
 	put_all(out.text, out.n);
 }
 
-static void check(const struct document *d, const char *why)
-{
-	if (why != NULL)
-		json_refuse(d, why);
-}
-
-/* The options win over the member. */
+/* Options win over the document's member "pick". */
 static void aim(const struct document *d, const struct options *o,
     struct hits *h)
 {
 	const struct pick *p = &d->pick;
 
 	if (!o->has_at && !p->has_at)
-		json_refuse(d,
+		document_refuse(d,
 		    "/pick/at: missing; say where on the device "
 		    "with \"at\": [x, y] or --at X,Y");
 	if (!(o->radius > 0) && !(p->radius > 0))
-		json_refuse(d,
+		document_refuse(d,
 		    "/pick/radius: missing; say how far around "
 		    "with \"radius\" or --radius R");
 	for (int i = 0; i < 2; i++)
@@ -195,12 +177,13 @@ int run_pick(const struct command *c, const struct options *o)
 
 	read_document(c, o, 3, &d);
 	aim(&d, o, &hits);
-	check(&d,
+	document_check(&d,
 	    scene_transform(&d.scene, SPACE_MODEL, SPACE_DEVICE, false,
 		&j.transform));
-	check(&d, frustum_of(&d.scene, SPACE_MODEL, false, &j.frustum));
-	check(&d, depth_transform(&d.scene, &hits.depth));
-	if (o->out_given && o->out != FORMAT_JSON && o->out != o->in)
+	document_check(&d,
+	    frustum_of(&d.scene, SPACE_MODEL, false, &j.frustum));
+	document_check(&d, depth_transform(&d.scene, &hits.depth));
+	if (o->has_out && o->out != FORMAT_JSON && o->out != o->in)
 		die(EXIT_USAGE,
 		    "pick prints lines as they were read, or "
 		    "-o json");

@@ -1,4 +1,5 @@
-#include "command.h"
+#include "operands.h"
+#include "print_matrix.h"
 #include "talk.h"
 
 static int coordinates(const struct options *o, enum space from)
@@ -8,12 +9,6 @@ static int coordinates(const struct options *o, enum space from)
 	return from == SPACE_CLIP || (from == SPACE_DEVICE && o->homogeneous) ?
 	    4 :
 	    3;
-}
-
-static void check(const struct document *d, const char *why)
-{
-	if (why != NULL)
-		json_refuse(d, why);
 }
 
 static void check_ray(const struct options *o)
@@ -27,48 +22,51 @@ static void check_ray(const struct options *o)
 		    "--visible");
 }
 
+static void set_rays(const struct document *d, struct job *j)
+{
+	j->rays = true;
+	j->count_imageless = true;
+	document_check(d, ray_maker_of(&d->scene, &j->ray));
+}
+
 static void set_transform(const struct document *d, const struct options *o,
     enum space from, enum space to, struct job *j)
 {
-	check(d,
+	document_check(d,
 	    scene_transform(&d->scene, from, to, o->homogeneous,
 		&j->transform));
 	j->flags = o->flags;
 	j->visible = o->visible;
 	if (o->flags || o->visible)
-		check(d,
+		document_check(d,
 		    frustum_of(&d->scene, from, o->homogeneous, &j->frustum));
 	j->count_imageless = !o->flags && !o->visible && !o->homogeneous &&
 	    to != SPACE_CLIP;
-	if (!o->matrix)
-		return;
-	print_matrix(o, d, &j->transform.map, false);
-	close_output();
 }
 
 int run_project(const struct command *c, const struct options *o)
 {
+	enum space from = o->has_from ? o->from : SPACE_MODEL;
 	struct document d;
-	struct job j = { .rays = o->ray, .count_imageless = true };
-	enum space from = o->has_from ? o->from :
-	    o->ray                    ? SPACE_DEVICE :
-					SPACE_MODEL,
-		   to = o->to;
+	struct job j = { 0 };
 
 	if (o->ray)
 		check_ray(o);
 	read_document(c, o, coordinates(o, from), &d);
-	if (!o->has_to)
-		to = d.scene.has_viewport ? SPACE_DEVICE : SPACE_NDC;
-	if (o->ray) {
-		check(&d, ray_maker_of(&d.scene, &j.ray));
-		j.transform.in = 2;
-		j.transform.out = 6;
-	} else {
+
+	enum space to = o->has_to ? o->to :
+	    d.scene.has_viewport  ? SPACE_DEVICE :
+				    SPACE_NDC;
+
+	if (o->ray)
+		set_rays(&d, &j);
+	else
 		set_transform(&d, o, from, to, &j);
-	}
-	if (o->matrix)
+	if (o->matrix) {
+		print_matrix(o, &d, &j.transform.map, false);
+		close_output();
 		return EXIT_OK;
+	}
 	stream_options(&j, o);
 	j.layout.flags = o->flags;
 	stream_points(o, &d, &j);

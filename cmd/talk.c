@@ -9,7 +9,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* One line in one write, whatever a file's name holds. */
+/* One line in one write, even where a file's name has newlines in it. */
 static void print_line(const char *format, va_list args)
 {
 	char text[8192];

@@ -18,18 +18,19 @@ _Noreturn void die(int status, const char *format, ...)
 /* Exits; any thread may. */
 _Noreturn void quit(int status);
 
-/* Memory or exit 3. */
+/* As realloc, but exits with 3 where there is no memory. */
 void *need(void *old, size_t size);
 
-/* After a call that failed: whether it is to be made again, for it was
- * interrupted, or would not wait (as another process can have it) and the
- * events of poll have come since. */
+/* After a read or write of fd that failed: whether to try again, since it was
+ * interrupted, or since fd doesn't block, as another process that shares it
+ * can have set it; then waits until poll tells of one of the events. */
 bool go_on(int fd, short events);
 
 /* Writes all of it to standard output, or exits with 3. */
 void put_all(const char *s, size_t size);
 
-/* Output is done when it is closed without error. */
+/* Closes standard output, where the error of a write can still come up: exits
+ * with 3 then. */
 void close_output(void);
 
 #endif

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../scene/convention_member.h"
 #include "../scene/document.h"
 #include "../talk.h"
 
@@ -14,7 +15,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 static jmp_buf refused;
 
-/* Nothing but bad input may be said of an input. */
+/* Of an input, nothing may be said but that it is wrong. */
 void die(int status, const char *format, ...)
 {
 	(void)format;
@@ -23,7 +24,7 @@ void die(int status, const char *format, ...)
 	longjmp(refused, 1);
 }
 
-/* What a refusal leaves behind goes with the next input. */
+/* All that was allocated, for a refusal frees nothing. */
 static struct block {
 	struct block *next;
 	_Alignas(max_align_t) char bytes[];
@@ -84,11 +85,13 @@ static void run(char *text, size_t size, int mode)
 {
 	static const enum scene_member bare[] = { 0, SCENE_CAMERA,
 		SCENE_PROJECTION, SCENE_WINDOW };
-	const struct json_wants wants = {
+	const struct document_wants wants = {
 		.bare = bare[mode & 3],
 		.needed = bare[mode & 3],
-		.projection = (mode & 3) == 2 ? 1 + (mode >> 2 & 3) : -1,
-		.convention = mode & 16 ? "gl" : NULL,
+		.used = ~0u,
+		.projection = (mode & 3) == 2 ? 1 + (mode >> 2 & 3) :
+						PROJECTION_NONE,
+		.convention = mode & 16 ? &conventions[CONVENTION_GL] : NULL,
 		.coordinates = mode >> 5 & 3,
 	};
 	struct document d;
@@ -99,7 +102,7 @@ static void run(char *text, size_t size, int mode)
 		check_point_lines(d.points, d.points_size);
 		return;
 	}
-	json_read(&d, "a", text, size, &wants);
+	document_read(&d, "a", text, size, &wants);
 	if (d.points != NULL)
 		check_point_lines(d.points, d.points_size);
 	check_camera(&d.scene.camera);

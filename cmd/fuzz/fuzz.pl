@@ -1,27 +1,23 @@
 #!/usr/bin/perl
 # Runs each fuzzer for its share of the time, from what testdata holds and what
 # earlier runs found worth keeping. What one finds stands in BUILD/finding-*:
-# make it a golden case.
+# make it a case of a transcript.
 # usage: fuzz.pl BUILD SECONDS FUZZER...
 use strict;
 use warnings;
 use File::Basename;
 use File::Path 'make_path';
+use FindBin;
+use lib "$FindBin::Bin/../test";
+use Projcalc;
+use Transcript;
 
-my ($build, $seconds, @fuzzers) = @ARGV;
-
-sub slurp {
-	open my $file, '<:raw', $_[0] or return '';
-	local $/;
-	return <$file> // '';
-}
+my ($seconds, @fuzzers) = @ARGV;
 
 sub seed {
 	my ($fuzzer, $name, $text) = @_;
 	make_path("$build/corpus/$fuzzer");
-	open my $file, '>:raw', "$build/corpus/$fuzzer/seed-$name"
-	    or die "$build/corpus/$fuzzer: $!\n";
-	print $file $text;
+	spew("$build/corpus/$fuzzer/seed-$name", $text);
 }
 
 # The first byte of layout.h: the same format in and out.
@@ -36,14 +32,13 @@ sub seed_lines {
 	}
 }
 
-for my $case (glob 'testdata/golden/*/') {
-	my ($name, $cmd) = (basename($case), slurp("$case/cmd"));
-	my $format = $cmd =~ /-i (\w+)/ && $formats{$1} || 0;
-	seed_lines($name, $format, slurp("$case/in")) if -s "$case/in";
-	seed_lines("$name-cmd", $format, $1 =~ s/\\n/\n/gr)
-	    if $cmd =~ /printf '([^']*)'/;
-	seed('document', $name, "\0$1") if $cmd =~ /'(\{.*?\})'/s;
-	seed('number', $name, $1) if $cmd =~ /(-?\d+\.?\d*(e\S\d+)?)/;
+for my $case (map { transcript($_) } glob 'testdata/transcripts/*.txt') {
+	my ($name, $command) = @$case{qw(name command)};
+	my $format = $command =~ /-i (\w+)/ && $formats{$1} || 0;
+	my $input = input($command);
+	seed_lines($name, $format, $input) if $input ne '';
+	seed('document', $name, "\0$1") if $command =~ /'(\{.*?\})'/s;
+	seed('number', $name, $1) if $command =~ /(-?\d+\.?\d*(e\S\d+)?)/;
 }
 seed('document', basename($_), "\0" . slurp($_)) for glob 'testdata/*.json';
 

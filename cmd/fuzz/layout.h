@@ -8,7 +8,8 @@
 
 enum { HEADER = 4 };
 
-/* Of four bytes: formats, numbers, columns; the caller has the last one. */
+/* Of HEADER bytes, three say formats, numbers and columns; the last is the
+ * caller's. */
 static inline struct layout layout_of(const uint8_t *b)
 {
 	static const int sizes[][2] = { { 3, 3 }, { 3, 4 }, { 4, 3 }, { 2, 2 },

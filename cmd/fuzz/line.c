@@ -22,7 +22,8 @@ static bool same(double a, double b)
 	return a == b || (isnan(a) && isnan(b));
 }
 
-/* Not where coordinates come or go, and fields change their numbers. */
+/* Where coordinates are added or left out, the fields behind them change their
+ * numbers, so that --columns would find others. */
 static bool can_read_back(const struct layout *l)
 {
 	return l->out <= FORMAT_JSON &&
@@ -51,7 +52,7 @@ static void check_back(const struct layout *l, const double v[],
 		want(l->style.kind != NUMBER_SHORTEST || same(read[i], v[i]));
 }
 
-/* cJSON refuses some of \u too, which point lines leave to their reader. */
+/* cJSON refuses half of a surrogate pair and \u0000; lines may hold them. */
 static void check_json(struct span line)
 {
 	size_t n = (size_t)(line.end - line.s);

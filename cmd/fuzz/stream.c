@@ -1,6 +1,7 @@
-/* Any bytes as a source of points that arrives in pieces, for libFuzzer, with
- * the threads of stream.c and without talk.c: the same bytes and messages come
- * out as if it came at once. Linked with --wrap=read and --wrap=poll. */
+/* Any bytes as a source of points that arrives bit by bit, for libFuzzer, with
+ * the threads of stream.c, and talk.c's functions replaced: the same bytes and
+ * messages come out as if it came at once. Linked with --wrap=read and
+ * --wrap=poll. */
 #include <errno.h>
 #include <poll.h>
 #include <stdarg.h>
@@ -12,6 +13,7 @@
 
 #include "../scene/document.h"
 #include "layout.h"
+#include "../points/chunk_do.h"
 #include "../points/stream.h"
 #include "../talk.h"
 
@@ -133,10 +135,10 @@ static struct scene scene(void)
 	    "\"far\":10},\"viewport\":{\"width\":640,\"height\":480},"
 	    "\"window\":{\"center\":[1,2],\"width\":3,\"height\":4},"
 	    "\"device\":{\"width\":5,\"height\":6}}";
-	struct json_wants wants = { .projection = -1 };
+	struct document_wants wants = { .used = ~0u };
 	struct document d;
 
-	json_read(&d, "s", text, sizeof text - 1, &wants);
+	document_read(&d, "s", text, sizeof text - 1, &wants);
 	return d.scene;
 }
 
@@ -162,8 +164,8 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 	j->accuracy.tolerance = b & 64 ? 0.5 : 0;
 }
 
-/* As stream.c counts and says it; a line that the source before has not ended
- * is ended before the next. */
+/* Prints and says what answer.c does; a line that the source before has not
+ * ended is ended before the next. */
 static void do_at_once(struct job *j, const char *text, size_t size)
 {
 	static bool unended;

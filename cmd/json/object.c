@@ -6,7 +6,7 @@
 #include "../nearest.h"
 #include "../escape.h"
 
-/* Members of one object, at most. */
+/* At most so many rows has a table: they are bits of an unsigned. */
 enum { MEMBERS_MAX = 32 };
 
 static bool is_ignored(const char *name)
@@ -14,35 +14,35 @@ static bool is_ignored(const char *name)
 	return *name == '_' || strcmp(name, "$schema") == 0;
 }
 
-static bool is_of(const struct member *f, int kind)
+static bool is_of(const struct member *row, int kind)
 {
-	return f->kinds == 0 || (f->kinds >> kind & 1) != 0;
+	return row->kinds == 0 || (row->kinds >> kind & 1) != 0;
 }
 
-static const struct member *find(const struct member *f, int kind,
+static const struct member *find(const struct member *row, int kind,
     const char *name)
 {
-	for (; f->name != NULL; f++)
-		if (is_of(f, kind) && strcmp(f->name, name) == 0)
-			return f;
+	for (; row->name != NULL; row++)
+		if (is_of(row, kind) && strcmp(row->name, name) == 0)
+			return row;
 	return NULL;
 }
 
 unsigned member_bit(const struct member *table, int kind, const char *name)
 {
-	const struct member *f = find(table, kind, name);
+	const struct member *row = find(table, kind, name);
 
-	return f != NULL ? 1u << (f - table) : 0;
+	return row != NULL ? 1u << (row - table) : 0;
 }
 
-static const struct member *find_any(const struct member *f, const char *name)
+static const struct member *find_any(const struct member *row, const char *name)
 {
-	while (f->name != NULL && strcmp(f->name, name) != 0)
-		f++;
-	return f->name != NULL ? f : NULL;
+	while (row->name != NULL && strcmp(row->name, name) != 0)
+		row++;
+	return row->name != NULL ? row : NULL;
 }
 
-/* A word of a list that is divided by blanks. */
+/* Whether a word is in a list that is divided by blanks. */
 static bool listed(const char *list, const char *word)
 {
 	size_t n = strlen(word);
@@ -57,8 +57,9 @@ static bool listed(const char *list, const char *word)
 	return false;
 }
 
-/* LookAt, look_at and look-at are lookat. */
-static const struct member *find_alias(const struct member *f, int kind,
+/* The member that has the name as an alias, in which case, _ and - don't count:
+ * LookAt, look_at and look-at are lookat. */
+static const struct member *find_alias(const struct member *row, int kind,
     const char *name)
 {
 	char plain[ESCAPED_MAX];
@@ -68,73 +69,74 @@ static const struct member *find_alias(const struct member *f, int kind,
 		if (*name != '_' && *name != '-')
 			plain[n++] = (char)tolower((unsigned char)*name);
 	plain[n] = '\0';
-	for (; f->name != NULL; f++)
-		if (is_of(f, kind) && listed(f->aliases, plain))
-			return f;
+	for (; row->name != NULL; row++)
+		if (is_of(row, kind) && listed(row->aliases, plain))
+			return row;
 	return NULL;
 }
 
-static void names_of(const struct member *f, int kind,
+static void names_of(const struct member *row, int kind,
     const char *names[MEMBERS_MAX + 1])
 {
 	int n = 0;
 
-	for (; f->name != NULL; f++)
-		if (is_of(f, kind))
-			names[n++] = f->name;
+	for (; row->name != NULL; row++)
+		if (is_of(row, kind))
+			names[n++] = row->name;
 	names[n] = NULL;
 }
 
-/* The name that was meant in this object, or NULL. */
+/* The member's name that was meant by a wrong one, or NULL. */
 static const char *meant(const struct member *table, int kind, const char *name)
 {
 	const char *names[MEMBERS_MAX + 1];
-	const struct member *f = find_alias(table, kind, name);
+	const struct member *row = find_alias(table, kind, name);
 
 	names_of(table, kind, names);
-	return f != NULL ? f->name : nearest(name, names);
+	return row != NULL ? row->name : nearest(name, names);
 }
 
 static void refuse_other_kind(const struct value *v, const struct member *table,
     int kind)
 {
-	const struct member *f = find_any(table, v->name);
+	const struct member *row = find_any(table, v->name);
 	int other = 0;
 
-	if (f == NULL)
+	if (row == NULL)
 		return;
-	while ((f->kinds >> other & 1) == 0)
+	while ((row->kinds >> other & 1) == 0)
 		other++;
 	value_refuse(v, "not a member of \"%s\"; \"%s\" has it",
 	    table->words[kind], table->words[other]);
 }
 
-/* Refuses a member that other objects of the scene have: of their first kind,
- * else of any, else by another name. */
+/* Refuses a member that belongs into other objects of the scene: into those
+ * whose first kind has it, else those of which any kind has it, else the first
+ * that has it by another name. */
 static void refuse_misplaced(const struct value *v, const struct member *table)
 {
 	const char *names[MEMBERS_MAX + 1];
-	const struct member *scene = v->source->scene, *f, *s;
+	const struct member *scene = v->source->scene, *row, *s;
 	char all[LISTED];
 	int n = 0, how;
 
 	for (how = 0; how < 2 && n == 0; how++)
 		for (s = scene; s->name != NULL; s++)
-			if (s->fields != NULL && s->fields != table &&
-			    (how == 0 ? find(s->fields, 0, v->name) :
-					find_any(s->fields, v->name)) != NULL)
+			if (s->members != NULL && s->members != table &&
+			    (how == 0 ? find(s->members, 0, v->name) :
+					find_any(s->members, v->name)) != NULL)
 				names[n++] = s->name;
 	names[n] = NULL;
 	if (n > 0)
 		value_refuse(v, "unknown member; it belongs into %s",
 		    list_words(all, names, " or "));
 	for (s = scene; s->name != NULL; s++) {
-		if (s->fields == NULL || s->fields == table)
+		if (s->members == NULL || s->members == table)
 			continue;
-		f = find_alias(s->fields, 0, v->name);
-		if (f != NULL)
+		row = find_alias(s->members, 0, v->name);
+		if (row != NULL)
 			value_refuse(v, "unknown member; \"%s\" has \"%s\"",
-			    s->name, f->name);
+			    s->name, row->name);
 	}
 }
 
@@ -179,14 +181,14 @@ unsigned object_read(const struct value *v, const struct member *table,
 		if (seen & bit)
 			value_refuse(&m, "repeated; give it once");
 		seen |= bit;
-		const struct member *f = find(table, kind, m.name);
+		const struct member *row = find(table, kind, m.name);
 
-		f->read(&m, f, (char *)base + f->at);
+		row->read(&m, row, (char *)base + row->at);
 	}
 	return seen;
 }
 
-/* The members of a way as bits, and of them those that it can't lack. */
+/* The members of a way as bits; *must has those that may not be missing. */
 static unsigned way_bits(const struct member *table, int kind, const char *way,
     unsigned *must)
 {
@@ -217,8 +219,9 @@ static const struct member *lowest(const struct member *table, unsigned bits)
 	return table;
 }
 
-/* extra doesn't go with the way that was taken; of that way's members, names
- * one that no way combines it with. */
+/* Refuses the first of the extra members, which the way that was taken doesn't
+ * have. The message sets against it a member of that way with which no way
+ * combines it, or any where there is none. */
 static _Noreturn void refuse_extra(const struct value *v,
     const struct member *table, int kind, unsigned taken, unsigned extra,
     const struct ways *w)

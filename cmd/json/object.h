@@ -1,4 +1,4 @@
-/* Objects of a document, each by the table of its members. */
+/* Objects of a document, each read by a table of its members into a struct. */
 #ifndef OBJECT_H
 #define OBJECT_H
 
@@ -6,26 +6,29 @@
 
 struct member {
 	const char *name; /* NULL ends a table */
-	/* Reads the member, into where the table's struct has it. */
+	/* Reads the member's value to where it stands in the struct. */
 	void (*read)(const struct value *, const struct member *, void *);
-	size_t at;                 /* of the struct, in bytes */
-	size_t n;                  /* numbers in an array; 0: one, bare */
-	const struct range *range; /* NULL: any */
-	const char *const *words;
-	/* Bits of the kinds of the object that have it, 0 for all. The words
-	 * of a table's first row name the kinds. */
+	size_t at;                 /* that is, its offset */
+	size_t n;                  /* of numbers in its array; 0: no array */
+	const struct range *range; /* NULL: range_any */
+	const char *const *words;  /* that it can be; NULL ends them */
+	/* Where objects are of several kinds, as projections are of types: the
+	 * kinds that have the member, as bits; 0 for all of them. The words of
+	 * the table's first row name the kinds. */
 	unsigned kinds;
-	/* What else people call it: lower case, without _ and -. */
+	/* What else people call it, divided by blanks: in lower case, without
+	 * _ and -. */
 	const char *aliases;
-	/* Of a member of the scene: its own members, and how it looks. */
-	const struct member *fields;
+	/* Of a member of a scene: its own members, and an example of it. */
+	const struct member *members;
 	const char *example;
 };
 
-/* What goes with what: each way is names of members, those with ? may be
- * left out. Exactly one way must be taken, in whole. */
+/* The ways in which the members of an object can be combined: each lists names,
+ * of which those with ? may be missing. An object takes one way, in whole, and
+ * has no member of another. */
 struct ways {
-	const char *hint;
+	const char *hint; /* says what the ways are */
 	const char *way[8];
 };
 
@@ -36,10 +39,11 @@ struct ways {
 unsigned object_read(const struct value *, const struct member *, int kind,
     void *base);
 
-/* The bit of a member; 0 where there is none of that kind. */
+/* The bit of a member; 0 where objects of that kind have none of this name. */
 unsigned member_bit(const struct member *, int kind, const char *name);
 
-/* Which way was taken; refuses none, half of one, or two. */
+/* Which way the members that were seen take; refuses what takes none, or not
+ * the whole of one, or more than one. */
 int object_way(const struct value *, const struct member *, int kind,
     unsigned seen, const struct ways *);
 

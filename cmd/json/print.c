@@ -1,47 +1,54 @@
 #include "print.h"
 
 #include <math.h>
-#include <string.h>
 
 void put_text(struct printer *p, const char *s)
 {
-	size_t n = strlen(s);
+	/* not through p->at, which each char that is stored might change */
+	char *at = p->at;
 
-	memcpy(p->at, s, n);
-	p->at += n;
+	while (*s != '\0')
+		*at++ = *s++;
+	p->at = at;
 }
 
-void enter(struct printer *p, const char *bracket)
+/* After a whole value. */
+static void put_comma_next(struct printer *p)
+{
+	p->between = p->compact ? "," : ", ";
+}
+
+void put_open(struct printer *p, const char *bracket)
 {
 	put_text(p, p->between);
 	put_text(p, bracket);
 	p->between = "";
 }
 
-void leave(struct printer *p, const char *bracket)
+void put_close(struct printer *p, const char *bracket)
 {
 	put_text(p, bracket);
-	p->between = ", ";
+	put_comma_next(p);
 }
 
 void put_name(struct printer *p, const char *name)
 {
-	enter(p, "\"");
-	put_text(p, name);
-	put_text(p, "\": ");
+	put_string(p, name);
+	put_text(p, p->compact ? ":" : ": ");
+	p->between = "";
 }
 
-void member(struct printer *p, const char *name)
+void put_name_on_new_line(struct printer *p, const char *name)
 {
-	p->between = p->between[0] == ',' ? ",\n  " : "\n  ";
+	p->between = *p->between == ',' ? ",\n  " : "\n  ";
 	put_name(p, name);
 }
 
-void put_word(struct printer *p, const char *word)
+void put_string(struct printer *p, const char *s)
 {
-	enter(p, "\"");
-	put_text(p, word);
-	leave(p, "\"");
+	put_open(p, "\"");
+	put_text(p, s);
+	put_close(p, "\"");
 }
 
 void put_number(struct printer *p, double v)
@@ -49,15 +56,17 @@ void put_number(struct printer *p, double v)
 	put_text(p, p->between);
 	if (isnan(v))
 		put_text(p, "null");
+	else if (p->single)
+		p->at = number_write_float(p->at, (float)v, p->style);
 	else
 		p->at = number_write(p->at, v, p->style);
-	p->between = ", ";
+	put_comma_next(p);
 }
 
 void put_numbers(struct printer *p, const double *v, int n)
 {
-	enter(p, "[");
+	put_open(p, "[");
 	for (int i = 0; i < n; i++)
 		put_number(p, v[i]);
-	leave(p, "]");
+	put_close(p, "]");
 }

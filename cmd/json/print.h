@@ -1,27 +1,34 @@
-/* A page of JSON, to be read by people too. */
+/* JSON out: a page for people to read, or in one line without blanks. */
 #ifndef PRINT_H
 #define PRINT_H
+
+#include <stdbool.h>
 
 #include "../number/number.h"
 
 struct printer {
 	char *at; /* where it goes on, in room enough */
 	struct number_style style;
-	const char *between; /* what the next value follows */
+	bool single;  /* numbers are floats */
+	bool compact; /* no blanks after commas and colons */
+	/* What is put before the next value: nothing for the first of an array
+	 * or object, else a comma. */
+	const char *between;
 };
 
+/* As it is, without what is between values. */
 void put_text(struct printer *, const char *);
 
-/* Brackets, with values between them. */
-void enter(struct printer *, const char *bracket);
-void leave(struct printer *, const char *bracket);
+/* The brackets around an array's values, or an object's members. */
+void put_open(struct printer *, const char *bracket);
+void put_close(struct printer *, const char *bracket);
 
-/* A member's name; member puts each on a line of its own. */
+/* A member's name, on this line or a new one; its value is put next. */
 void put_name(struct printer *, const char *name);
-void member(struct printer *, const char *name);
+void put_name_on_new_line(struct printer *, const char *name);
 
-void put_word(struct printer *, const char *word);
-void put_number(struct printer *, double v); /* null where it is nan */
+void put_string(struct printer *, const char *); /* needs no escapes */
+void put_number(struct printer *, double v);     /* null where it is nan */
 void put_numbers(struct printer *, const double *v, int n);
 
 #endif

@@ -10,20 +10,59 @@
 #include "../nearest.h"
 #include "../number/number.h"
 #include "../escape.h"
-#include "scan.h"
 #include "../talk.h"
+#include "check.h"
+#include "scan.h"
 
 const struct range range_any = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
 	"numbers go up to 1e150" };
 const struct range range_positive = { SIZE_MIN, MAGNITUDE_MAX,
 	"a number from 1e-150 to 1e150 is wanted" };
 
-/* What passes syntax_check, cJSON takes, or has no memory. */
+static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
+
+/* cJSON reads so many characters of a number, and takes what follows them for
+ * something else. */
+enum { CJSON_NUMBER_MAX = 63 };
+
+/* Puts the shortest text of v in a number's place, and blanks behind it. */
+static void shorten(char *number, size_t n, double v)
+{
+	char text[NUMBER_MAX] = "1e999", *end = text + 5;
+
+	if (isfinite(v))
+		end = number_write(text, v, shortest);
+	memset(number, ' ', n);
+	memcpy(number, text, (size_t)(end - text));
+}
+
+/* Makes checked text fit for cJSON. */
+static void shorten_numbers(char *text, size_t size)
+{
+	const char *end = text + size, *next;
+	double v;
+
+	for (char *s = text; s < end; s += next - s) {
+		next = *s == '"' ? json_string(s, end) :
+				   json_number(s, end, &v);
+		if (next == NULL)
+			next = s + 1;
+		else if (*s != '"' && next - s > CJSON_NUMBER_MAX)
+			shorten(s, (size_t)(next - s), v);
+	}
+}
+
+/* cJSON takes whatever passes the check; where it fails, memory is short. */
 struct value value_parse(const struct source *source, char *text, size_t size)
 {
 	struct value v = { .source = source };
+	struct json_error e;
 
-	syntax_check(source->name, text, size);
+	if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
+		memset(text, ' ', 3); /* a byte order mark */
+	if (!json_check(JSON_DOCUMENT, text, text + size, &e))
+		die(EXIT_INPUT, "%s:%ld: %s", source->name, e.line, e.reason);
+	shorten_numbers(text, size);
 	v.item = cJSON_ParseWithLength(text, size);
 	if (v.item == NULL)
 		die(EXIT_SYSTEM, "out of memory");
@@ -39,8 +78,11 @@ struct value value_child(const struct value *v)
 {
 	const cJSON *item = v->item->child;
 
-	return (struct value){ v->source, v, item != NULL ? item->string : NULL,
-		0, item };
+	return (struct value){ .source = v->source,
+		.in = v,
+		.name = item != NULL ? item->string : NULL,
+		.unused = v->unused,
+		.item = item };
 }
 
 void value_next(struct value *v)
@@ -52,7 +94,7 @@ void value_next(struct value *v)
 
 struct value value_missing(const struct value *in, const char *name)
 {
-	return (struct value){ in->source, in, name, 0, NULL };
+	return (struct value){ .source = in->source, .in = in, .name = name };
 }
 
 bool value_is_object(const struct value *v)
@@ -101,10 +143,10 @@ static void step(char out[ESCAPED_MAX], const char *name)
 	escaped(out, way, n);
 }
 
-/* Values are not looked at more than this deep: /camera/matrix/matrix/3/3. */
+/* No value is looked at that is deeper than /camera/matrix/matrix/3/3. */
 enum { STEPS_MAX = 5 };
 
-/* Writes /camera/eye/0 and returns where it ends. */
+/* Writes the pointer to a value, as /camera/eye/0; returns where it ends. */
 static char *pointer(const struct value *v, char *out)
 {
 	char name[ESCAPED_MAX];
@@ -161,7 +203,6 @@ void value_want_object(const struct value *v)
 
 double value_number(const struct value *v, const struct range *range)
 {
-	const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 	double x = v->item->valuedouble;
 	char text[NUMBER_MAX];
 
@@ -170,7 +211,7 @@ double value_number(const struct value *v, const struct range *range)
 		value_refuse(v, "only \"far\" of \"persp\" can be infinite");
 	if (!cJSON_IsNumber(v->item))
 		value_wrong(v, "a number");
-	if (v->source->form || (x >= range->min && x <= range->max))
+	if (v->unused || (x >= range->min && x <= range->max))
 		return x;
 	if (isinf(x))
 		value_refuse(v, "is beyond the range of doubles; %s",

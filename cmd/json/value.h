@@ -1,4 +1,4 @@
-/* Values of a JSON document, the way to each, and what is wrong with it. */
+/* Values of a JSON document, and messages that say where in it they stand. */
 #ifndef VALUE_H
 #define VALUE_H
 
@@ -7,10 +7,9 @@
 
 struct source {
 	const char *name; /* of the file, for messages */
-	bool column;      /* how nested rows of a matrix are read */
-	bool fit;         /* what fit finds may be missing */
-	bool form;        /* of what is not needed, form alone counts */
-	const struct member *scene; /* all there is in a document */
+	bool column;      /* nested rows of a matrix: for column vectors */
+	bool fit;         /* what the command fit finds may be missing */
+	const struct member *scene; /* a scene's members, to suggest one */
 };
 
 struct value {
@@ -18,6 +17,9 @@ struct value {
 	const struct value *in; /* NULL: the document itself */
 	const char *name;       /* of a member, else NULL */
 	size_t index;           /* in what it is in */
+	/* It is in a member that the command doesn't use: its numbers may be
+	 * of any size. */
+	bool unused;
 	const struct cJSON *item;
 };
 
@@ -26,10 +28,10 @@ struct range {
 	const char *wanted;
 };
 
-/* Magnitudes up to 1e150; and sizes, which are at least 1e-150. */
+/* Numbers up to 1e150 in magnitude; sizes, from 1e-150 to 1e150. */
 extern const struct range range_any, range_positive;
 
-/* The document; refuses what is no JSON. */
+/* Parses a document; refuses what is no JSON. */
 struct value value_parse(const struct source *, char *text, size_t size);
 void value_free(const struct value *document);
 
@@ -37,13 +39,13 @@ void value_free(const struct value *document);
 struct value value_child(const struct value *);
 void value_next(struct value *);
 
-/* Something in an object that isn't there, to be refused. */
+/* A member that an object lacks, to be refused with its pointer. */
 struct value value_missing(const struct value *in, const char *name);
 
 bool value_is_object(const struct value *);
 bool value_is_array(const struct value *);
 bool value_is_null(const struct value *);
-const char *value_string(const struct value *); /* NULL: is none */
+const char *value_string(const struct value *); /* or NULL */
 size_t value_count(const struct value *);
 
 /* Prints "projcalc: NAME: /pointer: ..." and exits. */
@@ -61,10 +63,11 @@ bool value_flag(const struct value *);
 void value_numbers(const struct value *, const struct range *, size_t n,
     double *);
 
-/* Which of words (their end is NULL) a string is. */
+/* Which of words (NULL ends them) a string is; refuses another. */
 int value_word(const struct value *, const char *const *words);
 
-/* Words in quotes, in a row. */
+/* Writes "a", "b" or "c": words (NULL ends them) in quotes, with last, such as
+ * " or ", before the last one. */
 enum { LISTED = 512 };
 const char *list_words(char out[LISTED], const char *const *words,
     const char *last);

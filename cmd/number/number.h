@@ -1,6 +1,6 @@
-/* Decimal text to double and back, for machines and people who both count
- * digits: reading rounds to nearest, writing is the shortest text that reads
- * back the same, or rounds the double's exact value. */
+/* Decimal text to double and back: reading rounds to nearest; writing gives the
+ * shortest text that reads back the same, or rounds the double's exact value to
+ * so many digits. */
 #ifndef NUMBER_H
 #define NUMBER_H
 

@@ -4,17 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-bool is_binary(enum format f)
-{
-	return f == FORMAT_F64 || f == FORMAT_F32;
-}
-
-size_t point_size(const struct layout *l, enum format f)
-{
-	return (size_t)l->reads * (f == FORMAT_F64 ? 8 : 4);
-}
-
-/* The machine is little-endian, as the numbers are. */
+/* The usual kind of point gets a copy of these loops with constant bounds,
+ * hence inline. The machine is little-endian, as the numbers are. */
 static inline void unpack(struct chunk *c, size_t n, size_t reads, bool wide)
 {
 	const char *restrict text = c->text;
@@ -52,9 +43,9 @@ static size_t refuse_beyond(const struct job *j, struct chunk *c, size_t n,
 		for (size_t k = 0; k < reads; k++) {
 			if (!(fabs(c->in[k][i]) > MAGNITUDE_MAX))
 				continue;
-			chunk_complain(c, c->lines + i,
-			    "a coordinate is "
-			    "beyond 1e150 in magnitude; choose another unit");
+			chunk_complain(c, c->n_lines + i,
+			    "a coordinate is beyond 1e150 in magnitude; "
+			    "choose another unit");
 			if (!j->keep_going) {
 				c->text = c->end;
 				return i;
@@ -65,28 +56,29 @@ static size_t refuse_beyond(const struct job *j, struct chunk *c, size_t n,
 	return n;
 }
 
-size_t binary_read(const struct job *j, struct chunk *c, size_t *points)
+size_t binary_read(const struct job *j, struct chunk *c)
 {
-	size_t size = point_size(&j->layout, j->layout.in);
+	size_t size = point_size(j->layout.in, j->layout.reads);
 	size_t n = (size_t)(c->end - c->text) / size;
 	size_t reads = (size_t)j->layout.reads;
 	bool wide = j->layout.in == FORMAT_F64;
 
 	if (n > POINTS_BLOCK)
 		n = POINTS_BLOCK;
-	if (wide && reads == 3) /* unrolled */
+	if (wide && reads == 3)
 		unpack(c, n, 3, true);
 	else
 		unpack(c, n, reads, wide);
 	c->text += n * size;
 	if (!all_within(c, n, reads))
 		n = refuse_beyond(j, c, n, reads);
-	c->lines += n;
-	*points = n;
+	c->n_lines += n;
 	return n;
 }
 
-/* Coordinate k of point p as a float; exact ones are rounded once. */
+/* v, coordinate k of the image of point p, as a float. Where that is to be
+ * exact it is computed anew: rounded to a double and then to a float, it could
+ * miss the nearest. */
 static float narrowed(const struct job *j, const struct chunk *c, size_t p,
     int k, double v)
 {
@@ -103,7 +95,8 @@ static float narrowed(const struct job *j, const struct chunk *c, size_t p,
 void binary_write(const struct job *j, struct chunk *c, size_t p,
     const double *v)
 {
-	char *at = chunk_reserve(c, sizeof(double) * COORDINATES_MAX);
+	size_t size = point_size(j->layout.out, j->layout.writes);
+	char *at = chunk_reserve(c, size);
 
 	for (int k = 0; k < j->layout.writes; k++) {
 		double wide = v[k] + 0.0; /* -0 is 0 */
@@ -116,8 +109,7 @@ void binary_write(const struct job *j, struct chunk *c, size_t p,
 		else
 			memcpy(at + 4 * k, &narrow, 4);
 	}
-	c->size += (size_t)j->layout.writes *
-	    (j->layout.out == FORMAT_F64 ? 8 : 4);
+	c->size += size;
 }
 
 static inline void pack(const struct chunk *c, char *restrict at, size_t n,
@@ -145,14 +137,15 @@ void binary_write_block(const struct job *j, struct chunk *c, size_t n,
     size_t first)
 {
 	size_t writes = (size_t)j->layout.writes;
-	char *at = chunk_reserve(c, 8 * writes * n);
+	size_t size = n * point_size(FORMAT_F64, j->layout.writes);
+	char *at = chunk_reserve(c, size);
 
 	if (!all_finite(c, n, writes))
 		for (size_t i = 0; i < n; i++)
-			chunk_mark(j, c, i, first + i);
-	if (writes == 3) /* unrolled */
+			chunk_mark(c, &j->layout, i, first + i);
+	if (writes == 3)
 		pack(c, at, n, 3);
 	else
 		pack(c, at, n, writes);
-	c->size += 8 * writes * n;
+	c->size += size;
 }

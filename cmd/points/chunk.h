@@ -1,61 +1,36 @@
 /* A piece of a source and what becomes of it. Chunks depend on nothing but
- * themselves, so that threads can share them out; lines are counted from 0 in
- * each. */
+ * themselves, so that threads can share them out. */
 #ifndef CHUNK_H
 #define CHUNK_H
 
-#include "../../core/frustum.h"
 #include "../../core/points.h"
-#include "../../core/ray.h"
 #include "line.h"
 
-struct chunk;
-
-/* What is done with every point. */
-struct job {
-	struct transform transform;
-	struct accuracy accuracy;
-	struct layout layout;
-	/* Where flags or visible ask for it, and for rays. */
-	struct frustum frustum;
-	struct ray_maker ray;
-	bool flags, visible, rays;
-	bool keep_going;
-	bool count_imageless; /* points without image are told of at the end */
-	int threads;
-	/* For the commands that don't print a line a point: take gets every
-	 * point, p in the columns and read from r, in any thread, and may
-	 * leave bytes in the chunk's out; collect gets the chunks in order;
-	 * flush prints what there is, before a bad line ends the program too. */
-	void (*take)(const struct job *, struct chunk *, const struct line *,
-	    size_t p, size_t line);
-	void (*collect)(const struct job *, const struct chunk *,
-	    size_t first_line);
-	void (*flush)(const struct job *);
-	void *with; /* what they share */
-};
-
-/* A bad line, counted from 0 in its chunk. */
+/* A bad line. */
 struct complaint {
 	size_t line;
 	char reason[REASON_MAX];
 };
 
+/* Lines are counted from 0 in each chunk, and where points are binary, one is a
+ * line. */
 struct chunk {
-	const char *name; /* of the source */
-	const char *text, *end;
-	size_t bytes; /* of both, for the progress */
-	size_t lines; /* read so far; points where they are binary */
-	bool first;   /* of its source */
-	bool header;  /* a csv header may still come */
+	const char *name;       /* of the source */
+	const char *text, *end; /* what is left to read */
+	size_t bytes;           /* of text at first, for the progress */
+	size_t n_lines;         /* read so far */
+	bool first;             /* of its source */
+	bool header;            /* a csv header may still come */
 
 	char *out;
-	size_t size, room;
-	struct complaint *complaints;
-	size_t n_complaints, told; /* of which so many are before this line */
+	size_t size, room;            /* of out: used, allocated */
+	struct complaint *complaints; /* in the order of their lines */
+	size_t n_complaints;
+	size_t n_passed; /* of complaints, by chunk_mark */
 	size_t imageless, first_imageless;
 
-	struct line records[POINTS_BLOCK];
+	/* The block in hand: lines of text, columns of their points. */
+	struct line line[POINTS_BLOCK];
 	double in[4][POINTS_BLOCK];
 	double image[COORDINATES_MAX][POINTS_BLOCK];
 	bool single[POINTS_BLOCK]; /* the image is of floats */
@@ -64,22 +39,18 @@ struct chunk {
 struct chunk *chunk_new(void);
 void chunk_free(struct chunk *);
 
-/* Does the job on whole lines, or whole binary points: fills out, up to the
- * first bad line where the job does not keep going. */
-void chunk_do(struct job *, struct chunk *);
-
-/* Notes what is wrong with a line. */
-void chunk_complain(struct chunk *, size_t line, const char *reason);
-
-/* Counts point p, of a line, where it has no image. */
-void chunk_mark(const struct job *, struct chunk *, size_t p, size_t line);
+/* Forgets what became of another piece. */
+void chunk_clear(struct chunk *);
 
 /* Room for more bytes of output behind out + size. */
 char *chunk_reserve(struct chunk *, size_t more);
 
-bool is_binary(enum format);
+/* Notes what is wrong with a line. */
+void chunk_complain(struct chunk *, size_t line, const char *reason);
 
-/* Bytes of one binary point. */
-size_t point_size(const struct layout *, enum format);
+/* A coordinate of the image of point p that is not finite, if only as the float
+ * that it is written as, becomes nan; the point is counted as one without
+ * image, unless its line was complained of. Lines come in order. */
+void chunk_mark(struct chunk *, const struct layout *, size_t p, size_t line);
 
 #endif

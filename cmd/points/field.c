@@ -1,5 +1,7 @@
 #include "field.h"
 
+#include "../json/scan.h"
+
 /* A field of text: up to a blank or comma. */
 static struct span text_field(const char *s, const char *end)
 {
@@ -10,8 +12,9 @@ static struct span text_field(const char *s, const char *end)
 	return f;
 }
 
-/* A field of csv: quotes around it hide commas, and "" is one between them; in
- * 5" pipe it stands for itself. */
+/* A field of csv. If it begins with a quote, commas up to the closing one are
+ * part of it, and "" is not the closing one; the quote of 5" pipe is like any
+ * other character. */
 static struct span csv_field(const char *s, const char *end)
 {
 	const char *p = skip_blanks(s, end);
@@ -28,28 +31,13 @@ static struct span csv_field(const char *s, const char *end)
 	return f;
 }
 
-/* An element of a JSON array: strings and brackets hide commas. */
+/* An element of a JSON array. */
 static struct span json_field(const char *s, const char *end)
 {
 	struct span f;
-	int depth = 0;
 
-	s = skip_blanks(s, end);
-	for (f.s = f.end = s; f.end < end; f.end++) {
-		char c = *f.end;
-
-		if (c == '"') {
-			for (f.end++; f.end < end && *f.end != '"'; f.end++)
-				f.end += *f.end == '\\' && f.end + 1 < end;
-			if (f.end == end)
-				break;
-		} else if (c == '[' || c == '{') {
-			depth++;
-		} else if ((c == ',' && depth == 0) ||
-		    ((c == ']' || c == '}') && depth-- == 0)) {
-			break;
-		}
-	}
+	f.s = skip_blanks(s, end);
+	f.end = json_skip(f.s, end);
 	while (f.end > f.s && is_blank(f.end[-1]))
 		f.end--;
 	return f;

@@ -1,16 +1,14 @@
 /* A line's fields, format by format. */
-#ifndef SPLIT_H
-#define SPLIT_H
+#ifndef FIELD_H
+#define FIELD_H
 
-#include <stdbool.h>
-#include <stddef.h>
-
-enum format { FORMAT_TEXT, FORMAT_CSV, FORMAT_JSON, FORMAT_F64, FORMAT_F32 };
+#include "format.h"
 
 struct span {
 	const char *s, *end;
 };
 
+/* White space within a line. */
 static inline bool is_blank(char c)
 {
 	return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n');
@@ -23,13 +21,13 @@ static inline const char *skip_blanks(const char *s, const char *end)
 	return s;
 }
 
-/* Whether a number of text may end at s. */
+/* Whether a field of text ends at s. */
 static inline bool ends_field(const char *s, const char *end)
 {
 	return s == end || is_blank(*s) || *s == ',';
 }
 
-/* Past the separator of text at s: blanks with at most one comma. */
+/* Where the separator at s ends: blanks with at most one comma, in text. */
 static inline const char *text_next(const char *s, const char *end)
 {
 	s = skip_blanks(s, end);

@@ -4,8 +4,8 @@
 
 #include "field.h"
 
-/* Writes field f and returns the end: plain where it can be, else quoted. At
- * most three times as long as f, and a separator, allow. */
+/* Writes field f, as it stands where that means the same, else in quotes, and
+ * returns the end: at most six bytes for one of f, \u0001, and the quotes. */
 char *foreign_write(enum format in, enum format out, struct span f, char *at);
 
 #endif

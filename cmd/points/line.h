@@ -1,5 +1,5 @@
-/* A line of points: where its coordinates stand, and the line that goes out.
- * Everything that is not a coordinate stays as it was. */
+/* A line with a point: where its coordinates stand, and the line with others in
+ * their place. Everything else on it stays as it was. */
 #ifndef LINE_H
 #define LINE_H
 
@@ -8,15 +8,17 @@
 #include "../number/number.h"
 #include "field.h"
 
-enum { COORDINATES_MAX = 6 }; /* four in; a ray's point and direction out */
+/* Those of a ray: a point and a direction. Of what is read, there are four. */
+enum { COORDINATES_MAX = 6 };
 
 /* From --columns: field numbers from 0, or names to be found in a header. */
 struct columns {
-	int n; /* 0: the first ones */
+	int n; /* 0: the first fields are the coordinates */
 	int field[4];
-	const char *name[4]; /* or NULL where field holds */
+	const char *name[4]; /* NULL where the field has a number alone */
 };
 
+/* How lines, or binary points, are laid out. */
 struct layout {
 	enum format in, out;
 	struct columns columns;
@@ -34,25 +36,27 @@ enum line_kind {
 
 struct line {
 	enum line_kind kind;
-	struct span line;  /* without its newline */
-	struct span at[4]; /* the coordinates, in their own order */
-	bool newline;
-	bool single; /* the numbers written are floats */
+	struct span text;  /* without its newline */
+	struct span at[4]; /* of text: where x, y, z and w stand */
+	bool newline;      /* it ends in one */
+	bool single;       /* the numbers written are floats */
 };
 
 enum { REASON_MAX = 200 };
 
-/* Reads one line. LINE_BAD writes what is wrong and what would be right to
- * reason. *header says that a csv header may still come, and then resolves
- * the names of columns. Bytes up to readable may be looked at. */
+/* Reads one line. Of a bad one, reason says what is wrong and what would be
+ * right. Where *header, a csv header may still come; it turns the names of
+ * columns into numbers. Bytes behind the line may be looked at, up to
+ * readable. */
 void line_read(struct layout *, struct span line, const char *readable,
     bool *header, struct line *, double v[4], char reason[REASON_MAX]);
 
-/* The most bytes that a record's line can become. */
+/* The most bytes that line_write may write. */
 size_t line_room(const struct layout *, const struct line *);
 
-/* Write a record's line and return its end; v are the new coordinates, flags
- * the word after them or NULL. */
+/* Writes a line with the new coordinates v, and flags, the word after them, or
+ * NULL; returns the end. A bad line becomes v alone. Blank lines, comments and
+ * headers stay, but nothing is left of them from or to JSON. */
 char *line_write(const struct layout *, const struct line *,
     const double v[COORDINATES_MAX], const char *flags, char *out);
 

@@ -2,16 +2,18 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../json/line.h"
+#include "../json/check.h"
+#include "../json/scan.h"
 #include "../../core/scene.h"
 #include "line.h"
 #include "../escape.h"
 
-/* The number that a field holds; quotes around it and blanks may stand in
- * csv, and null in JSON. */
+/* Reads the number that *f holds, and cuts *f to it: in csv, blanks and quotes
+ * may be around it; in JSON, null is an unknown one. */
 static bool field_number(enum format format, struct span *f, double *v)
 {
 	struct span n = *f;
+	const char *stop;
 
 	if (format == FORMAT_CSV) {
 		n.s = skip_blanks(n.s, n.end);
@@ -22,15 +24,14 @@ static bool field_number(enum format format, struct span *f, double *v)
 			n.end--;
 		}
 	}
-	if (format == FORMAT_JSON) {
-		if (n.end - n.s == 4 && memcmp(n.s, "null", 4) == 0) {
-			*v = (double)NAN;
-			return true;
-		}
-		if (!is_json_number(n))
-			return false;
+	if (format == FORMAT_JSON && n.end - n.s == 4 &&
+	    memcmp(n.s, "null", 4) == 0) {
+		*v = (double)NAN;
+		return true;
 	}
-	if (n.s == n.end || number_read(n.s, n.end, v) != n.end)
+	stop = format == FORMAT_JSON ? json_number(n.s, n.end, v) :
+				       number_read(n.s, n.end, v);
+	if (stop != n.end)
 		return false;
 	*f = n;
 	return true;
@@ -53,22 +54,17 @@ static void bad_field(const struct layout *l, int i, struct span f,
 
 	if (l->in == FORMAT_TEXT && n > 0 && (*f.s == '[' || *f.s == '{'))
 		snprintf(reason, REASON_MAX,
-		    "looks like JSON; say -i json, "
-		    "with one array a line: jq -c '.points[]'");
+		    "looks like JSON; say -i json, with one array a line: jq "
+		    "-c '.points[]'");
 	else if (l->in == FORMAT_JSON && n > 0 && (*f.s == '[' || *f.s == '{'))
 		snprintf(reason, REASON_MAX,
-		    "%s is not a number; "
-		    "one array a line: jq -c '.points[]'",
+		    "%s is not a number; one array a line: jq -c '.points[]'",
 		    order(i));
 	else if (n == 0)
 		snprintf(reason, REASON_MAX,
-		    "%s is missing; "
-		    "%d numbers are wanted",
-		    order(i), l->reads);
+		    "%s is missing; %d numbers are wanted", order(i), l->reads);
 	else
-		snprintf(reason, REASON_MAX,
-		    "%s is '%s'; a number is "
-		    "wanted%s",
+		snprintf(reason, REASON_MAX, "%s is '%s'; a number is wanted%s",
 		    order(i), escaped(word, f.s, n),
 		    end == NULL ? "" :
 			l->in == FORMAT_JSON ?
@@ -81,14 +77,12 @@ static bool in_range(int i, double v, char reason[REASON_MAX])
 	if (!(fabs(v) > MAGNITUDE_MAX))
 		return true;
 	snprintf(reason, REASON_MAX,
-	    "%s is beyond 1e150 in magnitude; "
-	    "choose another unit",
-	    order(i));
+	    "%s is beyond 1e150 in magnitude; choose another unit", order(i));
 	return false;
 }
 
-/* The first fields of text, each read where it stands. No number goes on past
- * the line's end, so that the reader need not stop there to look. */
+/* The first fields of text. A number does not go on past a newline; so it is
+ * read with all that is readable behind it, which is faster. */
 static bool read_text(const struct layout *l, const char *s, const char *end,
     const char *readable, struct line *r, double v[4], char reason[REASON_MAX])
 {
@@ -108,21 +102,47 @@ static bool read_text(const struct layout *l, const char *s, const char *end,
 	return true;
 }
 
+/* Whether an element of JSON is a number and nothing else. */
+static bool element_number(const char *s, const char *end, const char *readable,
+    struct span *f, double *v)
+{
+	f->s = skip_blanks(s, end);
+	if (f->s == end)
+		return false;
+	f->end = json_number(f->s, readable, v);
+	return f->end != NULL &&
+	    json_skip(f->end, end) == skip_blanks(f->end, end);
+}
+
+/* The field at s, of csv or JSON, and the number in it. Most elements of JSON
+ * are but a number; to try that first is faster than to look for their end. */
+static bool read_field(enum format format, const char *s, const char *end,
+    const char *readable, struct span *field, struct span *number, double *v)
+{
+	if (format == FORMAT_JSON &&
+	    element_number(s, end, readable, number, v)) {
+		*field = *number;
+		return true;
+	}
+	*field = *number = split_field(format, s, end);
+	return field_number(format, number, v);
+}
+
 /* The first fields of csv or JSON. */
 static bool read_first(const struct layout *l, const char *s, const char *end,
-    struct line *r, double v[4], char reason[REASON_MAX])
+    const char *readable, struct line *r, double v[4], char reason[REASON_MAX])
 {
 	for (int i = 0; i < l->reads; i++) {
-		struct span whole = split_field(l->in, s, end);
+		struct span field;
 
-		r->at[i] = whole;
-		if (!field_number(l->in, &r->at[i], &v[i])) {
-			bad_field(l, i, whole, reason);
+		if (!read_field(l->in, s, end, readable, &field, &r->at[i],
+			&v[i])) {
+			bad_field(l, i, field, reason);
 			return false;
 		}
 		if (!in_range(i, v[i], reason))
 			return false;
-		s = split_next(l->in, whole.end, end);
+		s = split_next(l->in, field.end, end);
 		if (s == NULL)
 			s = end;
 	}
@@ -138,16 +158,14 @@ static bool read_columns(const struct layout *l, const char *s, const char *end,
 
 		if (k < 0) {
 			snprintf(reason, REASON_MAX,
-			    "%s is missing: the "
-			    "header has no such column",
+			    "%s is missing: the header has no such column",
 			    order(i));
 			return false;
 		}
 		if (!split_find(l->in, s, end, k, &f)) {
 			snprintf(reason, REASON_MAX,
-			    "%s is missing: there is "
-			    "no field %d",
-			    order(i), k + 1);
+			    "%s is missing: there is no field %d", order(i),
+			    k + 1);
 			return false;
 		}
 		if (!field_number(l->in, &f, &v[i])) {
@@ -201,16 +219,13 @@ static bool resolve(struct layout *l, struct span line, char reason[REASON_MAX])
 			*field = find_name(line, name);
 		if (*field < 0) {
 			snprintf(reason, REASON_MAX,
-			    "the header has no column "
-			    "'%.60s'",
-			    name);
+			    "the header has no column '%.60s'", name);
 			return false;
 		}
 		for (int k = 0; k < i; k++)
 			if (l->columns.field[k] == *field) {
 				snprintf(reason, REASON_MAX,
-				    "two coordinates "
-				    "are column %d",
+				    "two coordinates are column %d",
 				    *field + 1);
 				return false;
 			}
@@ -226,8 +241,8 @@ static bool named(const struct columns *c)
 	return false;
 }
 
-/* A csv source's first line is a header where its coordinates are no numbers,
- * all of them; what is half a number line is a mistake. */
+/* The first line of csv is a header if none of its coordinates is a number; if
+ * only some are, it is a bad line of points. */
 static bool is_header(struct layout *l, struct span line)
 {
 	for (int i = 0; i < l->reads; i++) {
@@ -253,39 +268,38 @@ static bool take_header(struct layout *l, struct span line, struct line *r,
 	return wanted || is_header(l, line);
 }
 
-/* Whether the array that begins at s is closed and nothing follows. */
-static bool json_closed(const char *s, const char *end)
+/* Whether the array that the bracket before s opens is closed and nothing
+ * follows, whatever stands between its commas. */
+static bool is_closed(const char *s, const char *end)
 {
-	struct span f = { s, s };
-
-	for (; s != NULL; s = split_next(FORMAT_JSON, f.end, end))
-		f = split_field(FORMAT_JSON, s, end);
-	s = skip_blanks(f.end, end);
+	s = json_skip(s, end);
+	while (s < end && *s == ',')
+		s = json_skip(s + 1, end);
 	return s < end && *s == ']' && skip_blanks(s + 1, end) == end;
 }
 
-/* Whether the rest is JSON, too; the coordinates, up to done, are. */
+/* Whether all of the line is one array. Where nothing but numbers stand before
+ * done, and nothing but the bracket behind it, no more need be looked at. */
 static bool check_array(struct span line, const char *done,
     char reason[REASON_MAX])
 {
-	const char *s = skip_blanks(done, line.end), *wrong;
+	const char *s = skip_blanks(done, line.end);
+	struct json_error e;
 	char word[ESCAPED_MAX];
 
 	if (s < line.end && *s == ']' &&
 	    skip_blanks(s + 1, line.end) == line.end)
 		return true;
-	s = skip_blanks(line.s, line.end);
-	if (!json_closed(s + 1, line.end)) {
-		snprintf(reason, REASON_MAX,
-		    "the array does not end with the "
-		    "line; one array a line: jq -c '.points[]'");
-		return false;
-	}
-	wrong = json_wrong(s, line.end);
-	if (wrong == NULL)
+	if (json_check(JSON_LINE, line.s, line.end, &e))
 		return true;
-	snprintf(reason, REASON_MAX, "no JSON from '%s' on",
-	    escaped(word, wrong, (size_t)(line.end - wrong)));
+	s = skip_blanks(line.s, line.end);
+	if (!is_closed(s + 1, line.end))
+		snprintf(reason, REASON_MAX,
+		    "the array does not end with the line; one array a line: "
+		    "jq -c '.points[]'");
+	else
+		snprintf(reason, REASON_MAX, "no JSON from '%s' on",
+		    escaped(word, e.at, (size_t)(line.end - e.at)));
 	return false;
 }
 
@@ -296,7 +310,7 @@ void line_read(struct layout *l, struct span line, const char *readable,
 	bool ok;
 
 	r->kind = LINE_COPY;
-	r->line = line;
+	r->text = line;
 	if (s == line.end || *s == '#')
 		return;
 	if (l->in == FORMAT_CSV) {
@@ -314,8 +328,8 @@ void line_read(struct layout *l, struct span line, const char *readable,
 	if (l->in == FORMAT_JSON) {
 		if (*s != '[') {
 			snprintf(reason, REASON_MAX,
-			    "is not a JSON array; one "
-			    "array a line: jq -c '.points[]'");
+			    "is not a JSON array; one array a line: jq -c "
+			    "'.points[]'");
 			r->kind = LINE_BAD;
 			return;
 		}
@@ -326,7 +340,7 @@ void line_read(struct layout *l, struct span line, const char *readable,
 	else if (l->in == FORMAT_TEXT)
 		ok = read_text(l, s, line.end, readable, r, v, reason);
 	else
-		ok = read_first(l, s, line.end, r, v, reason);
+		ok = read_first(l, s, line.end, readable, r, v, reason);
 	if (ok && l->in == FORMAT_JSON)
 		ok = check_array(line,
 		    l->columns.n > 0 ? s : r->at[l->reads - 1].end, reason);

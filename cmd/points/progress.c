@@ -4,14 +4,18 @@
 #include <time.h>
 #include <unistd.h>
 
-/* Seconds until it begins, and between two times. */
+/* Seconds until it is shown first, and from one time to the next. */
 #define PATIENCE 0.5
 #define PAUSE 0.2
 
+/* It needs no lock, as no two chunks are answered at a time. */
 static struct {
-	bool on, asked, terminal, shown;
-	double start, last;
-	size_t lines, bytes, of;
+	bool on, asked;
+	bool terminal;      /* standard error is one */
+	bool shown;         /* the line stands in the terminal */
+	double start, last; /* seconds: the beginning, when it was shown */
+	size_t lines;       /* of all sources */
+	size_t bytes, size; /* of this one: done, and in all or 0 */
 } progress;
 
 static double now(void)
@@ -30,10 +34,10 @@ void progress_start(bool asked)
 	progress.start = progress.last = now();
 }
 
-void progress_source(size_t bytes)
+void progress_source(size_t size)
 {
 	progress.bytes = 0;
-	progress.of = bytes;
+	progress.size = size;
 }
 
 static void show(double time)
@@ -41,9 +45,9 @@ static void show(double time)
 	double rate = (double)progress.lines / (time - progress.start);
 	char share[16] = "";
 
-	if (progress.of > 0)
+	if (progress.size > 0)
 		snprintf(share, sizeof share, ", %.0f %%",
-		    100 * (double)progress.bytes / (double)progress.of);
+		    100 * (double)progress.bytes / (double)progress.size);
 	fprintf(stderr, "%sprojcalc: %zu lines, %.3g a second%s%s",
 	    progress.terminal ? "\r\033[K" : "", progress.lines, rate, share,
 	    progress.terminal ? "" : "\n");

@@ -8,13 +8,16 @@
 
 void progress_start(bool asked);
 
-/* The next source; bytes is its size, 0 where that isn't known. */
-void progress_source(size_t bytes);
+/* The next source; its size is 0 where that isn't known. */
+void progress_source(size_t size);
 
+/* So many more are done. */
 void progress_add(size_t lines, size_t bytes);
 
-/* Takes the line away, before anything else is said, or at the end. */
+/* Takes the line off the terminal, before anything else is said. */
 void progress_clear(void);
+
+/* The same after the last source, but where it was asked for it stays. */
 void progress_end(void);
 
 #endif

@@ -4,116 +4,67 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <poll.h>
 #include <pthread.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
+#include "answer.h"
+#include "chunk_do.h"
+#include "piece.h"
 #include "progress.h"
 #include "../talk.h"
 
-/* Large enough that handing over costs nothing, small enough for caches. */
-enum { CHUNK_TEXT = 1 << 17, THREADS_MAX = 256 };
-
-/* One longer line than this is no line of points. */
-#define LINE_MAX_BYTES ((size_t)1 << 26)
-
-/* A chunk with text of its own. */
+/* A chunk, and the text that it is of. */
 struct slot {
 	struct chunk *chunk;
-	char *text;
-	size_t room, have;
-	size_t whole; /* up to where its last whole line or point ends */
+	struct piece piece;
 };
 
-/* Slots are filled, done and written in turn: slot k % n is the k-th chunk's.
- * The reader fills, threads do, whoever has done the next one writes it, so
- * that no answer waits for the reader. */
+/* The k-th chunk of all goes through slot k % n. The reader, which is the
+ * thread that calls stream_file, fills the slot; one of the threads takes the
+ * chunk, does the job on it and, once the chunk before is answered, answers it,
+ * so that no answer waits for the reader. Nobody else looks into a slot that is
+ * the reader's, until its chunk counts as filled, or a thread's, until the
+ * chunk counts as answered. */
 static struct {
-	pthread_mutex_t lock;
-	pthread_cond_t filled, written;
+	int threads; /* that run; the reader alone asks */
+
+	/* Set before the first thread starts. The job's contents change only
+	 * while no chunk is on its way. */
+	struct job *job;
 	struct slot *slots;
 	size_t n;
-	size_t fill, take, write; /* counts of chunks */
-	struct job *job;
-	int threads; /* running */
+
+	/* Counts of chunks. They change under the lock; the reader, who alone
+	 * changes filled, may read that one without. */
+	size_t filled, taken, answered;
+	pthread_mutex_t lock;
+	pthread_cond_t is_filled, is_answered; /* the count has grown */
 } ring = {
 	.lock = PTHREAD_MUTEX_INITIALIZER,
-	.filled = PTHREAD_COND_INITIALIZER,
-	.written = PTHREAD_COND_INITIALIZER,
+	.is_filled = PTHREAD_COND_INITIALIZER,
+	.is_answered = PTHREAD_COND_INITIALIZER,
 };
-
-/* Told at the end. */
-static size_t imageless;
-static char first_imageless[300];
-static bool bad;
-
-/* Where the next chunk of the source begins, counted from 1. */
-static size_t next_line;
-
-/* Results first, then what was wrong with the line after them. Chunks come
- * here in order, and their lines are counted on. */
-static void finish(const struct job *j, const struct chunk *c)
-{
-	static bool unended; /* a last line without its newline */
-
-	if (c->size > 0 && j->collect == NULL) {
-		if (unended)
-			put_all("\n", 1);
-		unended = !is_binary(j->layout.out) &&
-		    c->out[c->size - 1] != '\n';
-	}
-	if (j->collect != NULL)
-		j->collect(j, c, next_line);
-	else
-		put_all(c->out, c->size);
-	if (j->count_imageless && c->imageless > 0) {
-		if (imageless == 0)
-			snprintf(first_imageless, sizeof first_imageless,
-			    "%.250s:%zu", c->name,
-			    next_line + c->first_imageless);
-		imageless += c->imageless;
-	}
-	bool stop = c->n_complaints > 0 && !j->keep_going;
-
-	if (stop && j->flush != NULL)
-		j->flush(j);
-	if (c->n_complaints > 0)
-		progress_clear();
-	for (size_t i = 0; i < c->n_complaints; i++)
-		say("%s:%zu: %s", c->name, next_line + c->complaints[i].line,
-		    c->complaints[i].reason);
-	bad |= c->n_complaints > 0;
-	if (stop) {
-		close_output();
-		quit(EXIT_INPUT);
-	}
-	next_line += c->lines;
-	progress_add(c->lines, c->bytes);
-}
 
 static void *work(void *unused)
 {
 	pthread_mutex_lock(&ring.lock);
 	for (;;) {
-		while (ring.take == ring.fill)
-			pthread_cond_wait(&ring.filled, &ring.lock);
-		size_t k = ring.take++;
+		while (ring.taken == ring.filled)
+			pthread_cond_wait(&ring.is_filled, &ring.lock);
+		size_t k = ring.taken++;
 		struct chunk *c = ring.slots[k % ring.n].chunk;
 
 		pthread_mutex_unlock(&ring.lock);
 		chunk_do(ring.job, c);
 		pthread_mutex_lock(&ring.lock);
-		while (ring.write != k)
-			pthread_cond_wait(&ring.written, &ring.lock);
+		while (ring.answered != k)
+			pthread_cond_wait(&ring.is_answered, &ring.lock);
 		pthread_mutex_unlock(&ring.lock);
-		finish(ring.job, c);
+		answer_chunk(ring.job, c);
 		pthread_mutex_lock(&ring.lock);
-		ring.write++;
-		pthread_cond_broadcast(&ring.written);
+		ring.answered++;
+		pthread_cond_broadcast(&ring.is_answered);
 	}
 	return unused;
 }
@@ -122,8 +73,8 @@ static void *work(void *unused)
 static void wait_for(size_t n)
 {
 	pthread_mutex_lock(&ring.lock);
-	while (ring.fill - ring.write > n)
-		pthread_cond_wait(&ring.written, &ring.lock);
+	while (ring.filled - ring.answered > n)
+		pthread_cond_wait(&ring.is_answered, &ring.lock);
 	pthread_mutex_unlock(&ring.lock);
 }
 
@@ -149,99 +100,40 @@ static void make_ring(struct job *j)
 	memset(ring.slots, 0, ring.n * sizeof *ring.slots);
 }
 
-static struct slot *slot_of(size_t k)
+/* The slot for the k-th chunk, which no other is in any more; what the piece
+ * before holds behind end is in it. */
+static struct slot *slot_of(size_t k, const struct piece *before,
+    const char *end)
 {
 	struct slot *s = &ring.slots[k % ring.n];
 
-	if (s->chunk == NULL) {
+	if (s->chunk == NULL)
 		s->chunk = chunk_new();
-		s->room = CHUNK_TEXT;
-		s->text = need(NULL, s->room);
-	}
+	piece_begin(&s->piece, before, end);
 	return s;
 }
 
-/* Results come before what is wrong with the source. */
-static void settle(const struct job *j)
+/* Fills the slot; returns whether the source ends with it. What was read is
+ * answered before an error of the source ends the program. */
+static bool fill(const struct job *j, const char *name, int fd, struct slot *s)
 {
+	enum piece_state state = piece_fill(&s->piece, &j->layout, fd);
+	int error = errno;
+
+	if (state == PIECE_FULL || state == PIECE_LAST)
+		return state == PIECE_LAST;
 	wait_for(0);
 	if (j->flush != NULL)
 		j->flush(j);
+	if (state == PIECE_TOO_LONG)
+		die(EXIT_INPUT, "%s:%zu: a line of more than 64 MiB", name,
+		    answer_line());
+	die(EXIT_SYSTEM, "%s: %s", name, strerror(error));
 }
 
-static size_t read_some(const struct job *j, const char *name, int fd, char *at,
-    size_t room)
-{
-	ssize_t n;
-
-	do
-		n = read(fd, at, room);
-	while (n < 0 && go_on(fd, POLLIN));
-	if (n < 0) {
-		int error = errno;
-
-		settle(j);
-		die(EXIT_SYSTEM, "%s: %s", name, strerror(error));
-	}
-	return (size_t)n;
-}
-
-/* Whether a read would wait, or that can't be told. */
-static bool would_wait(int fd)
-{
-	struct pollfd p = { .fd = fd, .events = POLLIN };
-
-	return poll(&p, 1, 0) <= 0;
-}
-
-/* Takes in n more bytes. Only those are searched, or a long line that comes
- * in small pieces would take the square of its time. */
-static void take_in(const struct job *j, struct slot *s, size_t n)
-{
-	size_t end = s->have + n;
-
-	if (is_binary(j->layout.in)) {
-		s->have = end;
-		s->whole = end - end % point_size(&j->layout, j->layout.in);
-		return;
-	}
-	while (end > s->have && s->text[end - 1] != '\n')
-		end--;
-	if (end > s->have)
-		s->whole = end;
-	s->have += n;
-}
-
-/* Fills the slot until it holds a whole line and is full, or the next read
- * would wait, or the source ends, which it returns. */
-static bool fill(const struct job *j, const char *name, int fd, struct slot *s)
-{
-	for (;;) {
-		if (s->have == s->room) {
-			if (s->whole > 0)
-				return false;
-			if (s->room >= LINE_MAX_BYTES) {
-				settle(j);
-				die(EXIT_INPUT,
-				    "%s:%zu: a line of more than "
-				    "64 MiB",
-				    name, next_line);
-			}
-			s->text = need(s->text, s->room *= 2);
-		}
-		size_t n = read_some(j, name, fd, s->text + s->have,
-		    s->room - s->have);
-
-		if (n == 0)
-			return true;
-		take_in(j, s, n);
-		if (s->whole > 0 && would_wait(fd))
-			return false;
-	}
-}
-
-/* The first chunk of a source is done here, as it may be all there is, and all
- * are up to the header, from which the others have their columns. */
+/* The reader itself does the first chunk of a source, which may be all there
+ * is, and each up to the one with a csv header, as only that tells where in the
+ * lines of all others the columns are. */
 static void hand_over(struct job *j, struct chunk *c)
 {
 	bool here = c->first || c->header || j->threads < 2;
@@ -251,35 +143,26 @@ static void hand_over(struct job *j, struct chunk *c)
 	here |= ring.threads == 0;
 	if (here) {
 		chunk_do(j, c);
-		finish(j, c);
+		answer_chunk(j, c);
 	}
 	pthread_mutex_lock(&ring.lock);
-	ring.fill++;
+	ring.filled++;
 	if (here) {
-		ring.take++;
-		ring.write++;
+		ring.taken++;
+		ring.answered++;
 	} else {
-		pthread_cond_signal(&ring.filled);
+		pthread_cond_signal(&ring.is_filled);
 	}
 	pthread_mutex_unlock(&ring.lock);
 }
 
-/* The slot after s, free, with what s holds behind end. */
-static struct slot *next_slot(const struct slot *s, const char *end)
+/* The size of a file; 0 of what is none. */
+static size_t size_of(int fd)
 {
-	size_t rest = (size_t)(s->text + s->have - end);
+	struct stat st;
 
-	wait_for(ring.n - 2);
-	struct slot *next = slot_of(ring.fill + 1);
-
-	if (next->room < rest) {
-		next->room = s->room;
-		next->text = need(next->text, next->room);
-	}
-	memcpy(next->text, end, rest);
-	next->have = rest;
-	next->whole = 0;
-	return next;
+	return fstat(fd, &st) == 0 && S_ISREG(st.st_mode) ? (size_t)st.st_size :
+							    0;
 }
 
 void stream_file(struct job *j, const char *name, int fd)
@@ -291,27 +174,24 @@ void stream_file(struct job *j, const char *name, int fd)
 	/* fewer and larger reads; where it is refused, all is as it was */
 	fcntl(fd, F_SETPIPE_SZ, 1 << 20);
 #endif
-	struct stat st;
-
-	progress_source(fstat(fd, &st) == 0 && S_ISREG(st.st_mode) ?
-		(size_t)st.st_size :
-		0);
+	progress_source(size_of(fd));
+	answer_source();
 	make_ring(j);
-	struct slot *s = slot_of(ring.fill), *next;
+	struct slot *s = slot_of(ring.filled, NULL, NULL), *next;
 
-	next_line = 1;
-	s->have = s->whole = 0;
 	for (; !ended; s = next) {
 		struct chunk *c = s->chunk;
+		const struct piece *p = &s->piece;
 
 		c->name = name;
 		c->first = first;
 		c->header = header;
 		ended = fill(j, name, fd, s);
-		c->text = s->text;
-		c->end = s->text + (ended ? s->have : s->whole);
+		c->text = p->text;
+		c->end = p->text + (ended ? p->have : p->whole);
 		c->bytes = (size_t)(c->end - c->text);
-		next = next_slot(s, c->end);
+		wait_for(ring.n - 2); /* until the next slot is free */
+		next = slot_of(ring.filled + 1, p, c->end);
 		hand_over(j, c);
 		header = header && c->header;
 		first = false;
@@ -323,26 +203,17 @@ void stream_text(struct job *j, const char *name, const char *text, size_t size)
 {
 	struct chunk *c = chunk_new();
 
-	next_line = 1;
+	answer_source();
 	c->name = name;
 	c->first = true;
 	c->text = text;
 	c->end = text + size;
 	chunk_do(j, c);
-	finish(j, c);
+	answer_chunk(j, c);
 	chunk_free(c);
 }
 
 int stream_end(const struct job *j)
 {
-	progress_end();
-	if (j->flush != NULL)
-		j->flush(j);
-	if (imageless == 1)
-		say("1 point has no image: %s", first_imageless);
-	else if (imageless > 1)
-		say("%zu points have no image, the first in %s", imageless,
-		    first_imageless);
-	close_output();
-	return bad ? EXIT_INPUT : EXIT_OK;
+	return answer_end(j);
 }

@@ -1,12 +1,12 @@
-/* Points in, points out: reading, threads and writing, in order. */
+/* Points in, points out: reading, threads and answers, in order. */
 #ifndef STREAM_H
 #define STREAM_H
 
-#include "chunk.h"
+#include "job.h"
 
-/* Sends the points of one source to standard output: what fd holds, or text
- * where that is not NULL. What is there is answered before more is waited
- * for. Errors are printed and end the program. */
+/* Does the job on the points of one source: what fd holds, or text. What is
+ * there is answered before more is waited for. Errors are printed and end the
+ * program. */
 void stream_file(struct job *, const char *name, int fd);
 void stream_text(struct job *, const char *name, const char *text, size_t size);
 

@@ -3,10 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../json/scan.h"
+#include "convention_member.h"
 #include "members.h"
 #include "../talk.h"
 
-/* Rows of scene_members; those of enum scene_member are its bits. */
+/* The rows of scene_members, in the order of the bits of enum scene_member. */
 enum {
 	CONVENTION,
 	WORLD,
@@ -21,64 +23,13 @@ enum {
 	SCENE_MEMBERS,
 };
 
-static const char *const hands[] = { "left", "right", NULL };
-static const char *const depths[] = { "zero_to_one", "minus_one_to_one", NULL };
-static const char *const vectors[] = { "row", "column", NULL };
-static const char *const ys[] = { "up", "down", NULL };
-static const char *const origins[] = { "top-left", "bottom-left", NULL };
-
-#define SECOND(label, list, m)                                     \
-	{                                                          \
-		.name = label, .read = read_second, .words = list, \
-		.at = offsetof(struct convention, m)               \
-	}
-
-static const struct member convention_members[] = {
-	SECOND("handedness", hands, right_handed),
-	SECOND("depth", depths, minus_one),
-	SECOND("vectors", vectors, column),
-	SECOND("ndc_y", ys, ndc_y_down),
-	SECOND("origin", origins, bottom_left),
-	{ .name = NULL },
-};
-
-static const char *const convention_names[] = { "d3d", "gl", "vulkan", "webgpu",
-	NULL };
-static const struct convention conventions[] = {
-	{ 0 },
-	{ .right_handed = true,
-	    .minus_one = true,
-	    .column = true,
-	    .bottom_left = true },
-	{ .right_handed = true, .column = true, .ndc_y_down = true },
-	{ .right_handed = true, .column = true },
-};
-
-bool convention_find(const char *name, struct convention *c)
-{
-	for (int i = 0; convention_names[i] != NULL; i++)
-		if (strcmp(name, convention_names[i]) == 0) {
-			*c = conventions[i];
-			return true;
-		}
-	return false;
-}
-
-static void read_convention(const struct value *v, struct convention *c)
-{
-	*c = (struct convention){ 0 };
-	if (value_is_object(v))
-		object_read(v, convention_members, 0, c);
-	else
-		*c = conventions[value_word(v, convention_names)];
-}
-
-/* Each is kept, to be read in the order in which they need one another. */
+/* The members stand in any order, but read_scene wants them in one of its own:
+ * each value is kept for it. */
 #define MEMBER(row, label, table, other, like)      \
 	[row] = { .name = label,                    \
 		.read = read_value,                 \
 		.at = (row) * sizeof(struct value), \
-		.fields = table,                    \
+		.members = table,                   \
 		.aliases = other,                   \
 		.example = like }
 
@@ -137,53 +88,53 @@ static bool check_points(const struct value *v, int coordinates)
 	return false;
 }
 
-/* Copies the points of a checked text, a line each, without blanks. They
- * stand in member number member of the document, or are the document where
- * that is -1; depth counts the brackets around a point. */
-static size_t copy_points(const char *text, size_t size, long member, int depth,
-    char *out)
+/* Copies a value of checked text without blanks, and a newline. */
+static char *copy_value(const char *s, const char *end, char *out)
 {
-	char *start = out;
-	long colons = -1;
-	int level = 0;
-	bool quoted = false;
+	while (s < end) {
+		const char *next = *s == '"' ? json_string(s, end) : s + 1;
 
-	for (const char *p = text; p < text + size; p++) {
-		bool escaped = quoted && *p == '\\';
-
-		quoted ^= *p == '"';
-		if (!quoted && *p == ':' && level == 1)
-			colons++;
-		if (!quoted && (*p == '[' || *p == '{'))
-			level++;
-		bool inside = level > depth && colons == member;
-
-		if (inside && (quoted || strchr(" \t\r\n", *p) == NULL))
-			*out++ = *p;
-		if (escaped) {
-			p++;
-			if (inside)
-				*out++ = *p;
+		if ((unsigned char)*s > ' ') {
+			memcpy(out, s, (size_t)(next - s));
+			out += next - s;
 		}
-		if (!quoted && (*p == ']' || *p == '}') &&
-		    level-- == depth + 1 && inside)
-			*out++ = '\n';
+		s = next;
 	}
-	return (size_t)(out - start);
+	*out++ = '\n';
+	return out;
+}
+
+/* Where in a checked document the points begin, which are all of it or a
+ * member. */
+static const char *find_points(const struct value *v, const char *text,
+    const char *end)
+{
+	const char *s = text, *at;
+
+	while ((unsigned char)*s <= ' ')
+		s++;
+	at = s;
+	for (size_t i = 0; v->in != NULL && i <= v->index; i++)
+		at = json_next(at, end, &s);
+	return s;
 }
 
 static void take_points(const struct value *v, int coordinates,
     const char *text, size_t size, char **points, size_t *points_size)
 {
-	bool member = v->in != NULL;
-	int depth = member + !check_points(v, coordinates);
+	bool one = check_points(v, coordinates);
+	const char *end = text + size, *s = find_points(v, text, end), *at = s;
+	char *out = *points = need(NULL, size + 1);
 
-	*points = need(NULL, size + 1);
-	*points_size = copy_points(text, size, member ? (long)v->index : -1,
-	    depth, *points);
+	if (one)
+		out = copy_value(s, json_skip(s, end), out);
+	else
+		while ((at = json_next(at, end, &s)) != NULL)
+			out = copy_value(s, at, out);
+	*points_size = (size_t)(out - *points);
 }
 
-/* A document without any of a scene's members is the bare one. */
+/* Whether an object has none of a scene's members, and may stand for one. */
 static bool is_bare(const struct value *v, enum scene_member bare)
 {
 	struct value m = value_child(v);
@@ -194,46 +145,44 @@ static bool is_bare(const struct value *v, enum scene_member bare)
 	return bare != 0;
 }
 
+/* Returns the members that there are, as bits. */
 static unsigned read_members(struct document *d, const struct value *root,
-    const struct json_wants *w, struct value m[SCENE_MEMBERS])
+    const struct document_wants *w, struct value m[SCENE_MEMBERS])
 {
+	unsigned seen = w->bare;
+
 	if (!value_is_object(root))
 		value_wrong(root, "an object, {...},");
 	if (!is_bare(root, w->bare))
-		return object_read(root, scene_members, 0, m);
+		seen = object_read(root, scene_members, 0, m);
+	else
+		for (int i = 0; i < SCENE_MEMBERS; i++)
+			if (w->bare == 1u << i) {
+				d->bare = scene_members[i].name;
+				m[i] = *root;
+			}
 	for (int i = 0; i < SCENE_MEMBERS; i++)
-		if (w->bare == 1u << i) {
-			d->bare = scene_members[i].name;
-			m[i] = *root;
-		}
-	return w->bare;
+		m[i].unused = (w->used >> i & 1) == 0;
+	return seen;
 }
 
 static void check_needed(const struct value *root, unsigned missing)
 {
 	for (int i = 0; i <= POINTS; i++) {
-		const struct member *f = &scene_members[i];
-		struct value v = value_missing(root, f->name);
+		const struct member *row = &scene_members[i];
+		struct value v = value_missing(root, row->name);
 
 		if (missing >> i & 1)
-			value_refuse(&v, "missing; add \"%s\": %s", f->name,
-			    f->example);
+			value_refuse(&v, "missing; add \"%s\": %s", row->name,
+			    row->example);
 	}
 }
 
-static const struct value *member(struct source *source, unsigned unused,
-    const struct value m[SCENE_MEMBERS], int row)
-{
-	source->form = unused >> row & 1;
-	return &m[row];
-}
-
-static void read_scene(struct document *d, struct source *source,
-    const struct json_wants *w, struct value m[SCENE_MEMBERS], unsigned seen)
+static void read_scene(struct document *d, const struct document_wants *w,
+    const struct value m[SCENE_MEMBERS], unsigned seen)
 {
 	struct scene *s = &d->scene;
 
-#define READ(row) member(source, w->unused, m, row)
 	s->has_world = seen & SCENE_WORLD;
 	s->has_camera = seen & SCENE_CAMERA;
 	s->has_viewport = seen & SCENE_VIEWPORT;
@@ -241,53 +190,50 @@ static void read_scene(struct document *d, struct source *source,
 	s->has_device = seen & SCENE_DEVICE;
 	d->has_bounds = seen & SCENE_BOUNDS;
 	if (s->has_world)
-		read_matrix(READ(WORLD), &scene_members[WORLD], s->world);
+		read_matrix(&m[WORLD], &scene_members[WORLD], s->world);
 	if (s->has_camera)
-		d->has_eye = read_camera(READ(CAMERA), &s->camera);
+		d->has_eye = read_camera(&m[CAMERA], &s->camera);
 	if (s->has_viewport)
-		read_viewport(READ(VIEWPORT), &s->viewport);
+		read_viewport(&m[VIEWPORT], &s->viewport);
 	if (seen & SCENE_PROJECTION)
-		read_projection(READ(PROJECTION), w->projection,
+		read_projection(&m[PROJECTION], w->projection,
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);
 	if (s->has_window)
-		read_window(READ(WINDOW), &s->window);
+		read_window(&m[WINDOW], &s->window);
 	if (s->has_device)
-		read_device(READ(DEVICE), &s->device);
+		read_device(&m[DEVICE], &s->device);
 	if (d->has_bounds)
-		read_bounds(READ(BOUNDS), &d->bounds);
+		read_bounds(&m[BOUNDS], &d->bounds);
 	if (seen & SCENE_PICK)
-		read_pick(READ(PICK), &d->pick);
-#undef READ
+		read_pick(&m[PICK], &d->pick);
 }
 
-void json_read(struct document *d, const char *name, char *text, size_t size,
-    const struct json_wants *w)
+void document_read(struct document *d, const char *name, char *text,
+    size_t size, const struct document_wants *w)
 {
 	struct source source = { .name = name, .scene = scene_members };
 	struct value root = value_parse(&source, text, size);
 	struct value m[SCENE_MEMBERS];
-	struct convention option = { 0 };
 
 	source.fit = w->fit;
 	*d = (struct document){ .name = name };
 	unsigned seen = read_members(d, &root, w, m);
 
-	if (w->convention != NULL)
-		convention_find(w->convention, &option);
-	d->scene.convention = option;
+	d->scene.convention = w->convention != NULL ?
+	    *w->convention :
+	    conventions[CONVENTION_D3D];
 	if (seen & SCENE_CONVENTION)
 		read_convention(&m[CONVENTION], &d->scene.convention);
 	source.column = d->scene.convention.column;
 	check_needed(&root, w->needed & ~seen);
-	read_scene(d, &source, w, m, seen);
-	source.form = false;
+	read_scene(d, w, m, seen);
 	if (seen & SCENE_POINTS && w->coordinates > 0)
 		take_points(&m[POINTS], w->coordinates, text, size, &d->points,
 		    &d->points_size);
 	else if (seen & SCENE_POINTS)
 		check_points(&m[POINTS], 0);
 	if (w->convention != NULL)
-		d->scene.convention = option;
+		d->scene.convention = *w->convention;
 	value_free(&root);
 }
 
@@ -301,7 +247,7 @@ void json_points(const char *name, char *text, size_t size, int coordinates,
 	value_free(&root);
 }
 
-void json_refuse(const struct document *d, const char *why)
+void document_refuse(const struct document *d, const char *why)
 {
 	size_t n = d->bare != NULL ? strlen(d->bare) : 0;
 
@@ -310,4 +256,10 @@ void json_refuse(const struct document *d, const char *why)
 	    (why[n + 1] == '/' || why[n + 1] == ':'))
 		why += n + 1 + (why[n + 1] == ':' ? 2 : 0);
 	die(EXIT_INPUT, "%s: %s", d->name, why);
+}
+
+void document_check(const struct document *d, const char *why)
+{
+	if (why != NULL)
+		document_refuse(d, why);
 }

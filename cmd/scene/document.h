@@ -1,13 +1,13 @@
-/* JSON documents to scenes: strict, with the place of what is wrong. Errors
- * are printed here, as one line, and end in exit status 1. */
-#ifndef JSON_H
-#define JSON_H
+/* JSON documents to scenes. What is wrong is printed in one line, with its
+ * place, and ends in exit status 1. */
+#ifndef DOCUMENT_H
+#define DOCUMENT_H
 
 #include <stddef.h>
 
 #include "../../core/fit_bounds.h"
 
-/* A member of a scene, as a bit, to say what a command needs. */
+/* A member of a scene, as a bit, to say what a command uses. */
 enum scene_member {
 	SCENE_CONVENTION = 1,
 	SCENE_WORLD = 2,
@@ -19,9 +19,12 @@ enum scene_member {
 	SCENE_POINTS = 128,
 	SCENE_BOUNDS = 256,
 	SCENE_PICK = 512,
+	/* what leads from model space to the device */
+	SCENE_SPATIAL = SCENE_WORLD | SCENE_CAMERA | SCENE_PROJECTION |
+	    SCENE_VIEWPORT,
 };
 
-/* Where on the device, and how far around; 0 where it isn't said. */
+/* Where on the device, and how far around: 0 where that isn't said. */
 struct pick {
 	bool has_at;
 	double at[2], radius;
@@ -30,39 +33,43 @@ struct pick {
 struct document {
 	struct scene scene;
 	struct pick pick;
-	bool has_bounds, has_eye; /* for fit; a camera's matrix has an eye */
+	/* for fit: whether there are bounds, and the camera's eye is given */
+	bool has_bounds, has_eye;
 	struct bounds bounds;
 	const char *name; /* for messages: the file, "-" or "PARAMS" */
 	/* The member as which an object with none of a scene's members was
-	 * read, whose pointers then have no first part; or NULL. */
+	 * read, or NULL. Messages leave it out of their pointers. */
 	const char *bare;
 	/* The member points as json_points gives it, or NULL. */
 	char *points;
 	size_t points_size;
 };
 
-struct json_wants {
-	/* As what an object with none of a scene's members is read: a camera
-	 * for lookat, ...; 0 for none. */
+/* What a command wants of a document. */
+struct document_wants {
+	/* The member as which an object with none of a scene's members is
+	 * read: the camera for lookat, ...; 0 where it stays a scene. */
 	enum scene_member bare;
-	/* Members that must be there; 0 for none. */
+	/* Members that must be there, as bits. */
 	unsigned needed;
-	/* The projection type that is implied and alone allowed, or -1. */
+	/* Members that the command uses, as bits. The others' numbers may be
+	 * of any size, and a projection among them may lack its aspect. */
+	unsigned used;
+	/* The type that a projection has without a member "type", and may have
+	 * alone; PROJECTION_NONE where it must say its type. */
 	int projection;
-	/* The -c option, or NULL. */
-	const char *convention;
-	/* Of each point; 0 where the command reads none. */
-	int coordinates;
 	/* What fit finds need not be there: the camera's eye, near, far, and
 	 * the sizes of a parallel projection. */
 	bool fit;
-	/* Members of which only the form is checked. */
-	unsigned unused;
+	/* Read instead of the document's, if not NULL. */
+	const struct convention *convention;
+	/* Of each point; 0 where the command reads none of the document. */
+	int coordinates;
 };
 
 /* Reads text[0..size), which it may change, into *d. */
-void json_read(struct document *d, const char *name, char *text, size_t size,
-    const struct json_wants *wants);
+void document_read(struct document *d, const char *name, char *text,
+    size_t size, const struct document_wants *wants);
 
 /* One point or a list of points, as lines: one JSON array a line, each with
  * as many numbers or nulls as coordinates says before anything else; the
@@ -70,11 +77,11 @@ void json_read(struct document *d, const char *name, char *text, size_t size,
 void json_points(const char *name, char *text, size_t size, int coordinates,
     char **points, size_t *points_size);
 
-/* Returns false where no convention has the name. */
-bool convention_find(const char *name, struct convention *);
-
 /* Prints "projcalc: FILE: /pointer: reason" for a refusal of core/, whose
  * reason begins with its pointer, and exits with 1. */
-_Noreturn void json_refuse(const struct document *d, const char *why);
+_Noreturn void document_refuse(const struct document *d, const char *why);
+
+/* The same where why is not NULL. */
+void document_check(const struct document *d, const char *why);
 
 #endif

@@ -2,7 +2,7 @@
 
 static const char *const origins[] = { "bottom-left", "top-left", NULL };
 static const char *const scales[] = { "fill", "uniform", NULL };
-static const char *const adapts[] = { "stretch", "grow", "shrink", NULL };
+const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
 
 #define MEMBER(type, member) offsetof(struct type, member)
 
@@ -31,7 +31,7 @@ const struct member camera_members[] = {
 	{ .name = NULL },
 };
 
-/* In the order of camera.by. */
+/* In the order in which struct camera's by counts them. */
 static const struct ways camera_ways = {
 	"give \"eye\" and one of \"at\", \"gaze\" and \"orientation\", or "
 	"\"matrix\" alone",
@@ -56,11 +56,12 @@ static const struct ways fit_camera_ways = {
 	NUMBERS("x", type, x, 0, "left"), NUMBERS("y", type, y, 0, "top"), \
 	    SIZE("width", type, width), SIZE("height", type, height)
 
-static void read_scale(const struct value *v, const struct member *f, void *to)
+static void read_scale(const struct value *v, const struct member *row,
+    void *to)
 {
 	struct viewport *viewport = to;
 
-	(void)f;
+	(void)row;
 	viewport->scale = SCALE_GIVEN;
 	if (value_is_array(v))
 		value_numbers(v, &range_positive, 2, viewport->scales);
@@ -108,7 +109,7 @@ const struct member window_members[] = {
 	{ .name = "adapt",
 	    .read = read_word,
 	    .at = MEMBER(window, adapt),
-	    .words = adapts },
+	    .words = adapt_names },
 	{ .name = NULL },
 };
 

@@ -3,74 +3,72 @@
 #include <string.h>
 
 #include "../json/print.h"
+#include "convention_member.h"
+#include "members.h"
 #include "../talk.h"
 
-static void put_member(struct printer *p, const char *name, double v)
+static void put_number_member(struct printer *p, const char *name, double v)
 {
 	put_name(p, name);
 	put_number(p, v);
 }
 
-static void put_vector(struct printer *p, const char *name, const double *v,
-    int n)
+static void put_numbers_member(struct printer *p, const char *name,
+    const double *v, int n)
 {
 	put_name(p, name);
 	put_numbers(p, v, n);
 }
 
-static void put_choice(struct printer *p, const char *name, const char *word)
+static void put_string_member(struct printer *p, const char *name,
+    const char *word)
 {
 	put_name(p, name);
-	put_word(p, word);
+	put_string(p, word);
 }
 
-/* Left out where it is what is read when it isn't there. */
+/* Left out where it is usual: what is read where it is missing. */
 static void put_unless(struct printer *p, const char *name, double v,
     double usual)
 {
 	if (v != usual)
-		put_member(p, name, v);
+		put_number_member(p, name, v);
+}
+
+static bool convention_has(const struct convention *c, const struct member *m)
+{
+	return *(const bool *)((const char *)c + m->at);
 }
 
 static bool same_convention(const struct convention *a,
     const struct convention *b)
 {
-	return a->right_handed == b->right_handed &&
-	    a->minus_one == b->minus_one && a->column == b->column &&
-	    a->ndc_y_down == b->ndc_y_down && a->bottom_left == b->bottom_left;
+	for (const struct member *m = convention_members; m->name != NULL; m++)
+		if (convention_has(a, m) != convention_has(b, m))
+			return false;
+	return true;
 }
 
 /* By name, or by what differs from d3d. */
 static void put_convention(struct printer *p, const struct convention *c)
 {
-	static const char *const names[] = { "d3d", "gl", "vulkan", "webgpu" };
-	struct convention known;
-
-	member(p, "convention");
-	for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-		if (convention_find(names[i], &known) &&
-		    same_convention(c, &known)) {
-			put_word(p, names[i]);
+	put_name_on_new_line(p, "convention");
+	for (int i = 0; i < CONVENTIONS; i++)
+		if (same_convention(c, &conventions[i])) {
+			put_string(p, convention_names[i]);
 			return;
 		}
-	enter(p, "{");
-	if (c->right_handed)
-		put_choice(p, "handedness", "right");
-	if (c->minus_one)
-		put_choice(p, "depth", "minus_one_to_one");
-	if (c->column)
-		put_choice(p, "vectors", "column");
-	if (c->ndc_y_down)
-		put_choice(p, "ndc_y", "down");
-	if (c->bottom_left)
-		put_choice(p, "origin", "bottom-left");
-	leave(p, "}");
+	put_open(p, "{");
+	for (const struct member *m = convention_members; m->name != NULL; m++)
+		if (convention_has(c, m))
+			put_string_member(p, m->name, m->words[1]);
+	put_close(p, "}");
 }
 
 static void put_world(struct printer *p, const double m[4][4], bool column)
 {
-	member(p, "world");
-	enter(p, "[");
+	put_name_on_new_line(p, "world");
+	put_open(p, "[");
 	for (int i = 0; i < 4; i++) {
 		double row[4];
 
@@ -78,27 +76,27 @@ static void put_world(struct printer *p, const double m[4][4], bool column)
 			row[j] = column ? m[j][i] : m[i][j];
 		put_numbers(p, row, 4);
 	}
-	leave(p, "]");
+	put_close(p, "]");
 }
 
 static void put_camera(struct printer *p, const struct camera *c)
 {
-	member(p, "camera");
-	enter(p, "{");
-	put_vector(p, "eye", c->eye, 3);
-	put_vector(p, "gaze", c->at, 3);
-	put_vector(p, "up", c->up, 3);
+	put_name_on_new_line(p, "camera");
+	put_open(p, "{");
+	put_numbers_member(p, "eye", c->eye, 3);
+	put_numbers_member(p, "gaze", c->at, 3);
+	put_numbers_member(p, "up", c->up, 3);
 	put_unless(p, "roll", c->roll, 0);
-	leave(p, "}");
+	put_close(p, "}");
 }
 
 static void put_edges(struct printer *p, double left, double right,
     double bottom, double top)
 {
-	put_member(p, "left", left);
-	put_member(p, "right", right);
-	put_member(p, "bottom", bottom);
-	put_member(p, "top", top);
+	put_number_member(p, "left", left);
+	put_number_member(p, "right", right);
+	put_number_member(p, "bottom", bottom);
+	put_number_member(p, "top", top);
 }
 
 /* The aspect is left out where the viewport says it. */
@@ -111,22 +109,22 @@ static void put_section(struct printer *p, const struct projection *q,
 	if (q->extent == EXTENT_EDGES) {
 		put_edges(p, q->left, q->right, q->bottom, q->top);
 	} else if (q->extent == EXTENT_SIZE) {
-		put_member(p, "width", q->width);
-		put_member(p, "height", q->height);
+		put_number_member(p, "width", q->width);
+		put_number_member(p, "height", q->height);
 	} else {
-		put_member(p, angles[q->extent], q->angle);
+		put_number_member(p, angles[q->extent], q->angle);
 		if (v == NULL || q->aspect[1] == 1)
-			put_member(p, "aspect", q->aspect[0]);
+			put_number_member(p, "aspect", q->aspect[0]);
 	}
 }
 
 static void put_shear(struct printer *p, const struct projection *q)
 {
 	if (q->kind == OBLIQUE_ANGLE)
-		put_member(p, "angle", q->projector);
+		put_number_member(p, "angle", q->projector);
 	else
-		put_choice(p, "kind",
-		    q->kind == OBLIQUE_CABINET ? "cabinet" : "cavalier");
+		put_string_member(p, "kind",
+		    oblique_kinds[q->kind - OBLIQUE_CAVALIER]);
 	put_unless(p, "direction", q->direction, 45);
 	put_unless(p, "plane", q->plane, 0);
 }
@@ -134,99 +132,94 @@ static void put_shear(struct printer *p, const struct projection *q)
 static void put_projection(struct printer *p, const struct projection *q,
     const struct viewport *v)
 {
-	member(p, "projection");
-	enter(p, "{");
-	put_choice(p, "type",
-	    q->type == PROJECTION_PERSP     ? "persp" :
-		q->type == PROJECTION_ORTHO ? "ortho" :
-					      "oblique");
+	put_name_on_new_line(p, "projection");
+	put_open(p, "{");
+	put_string_member(p, "type",
+	    projection_types[q->type - PROJECTION_PERSP]);
 	if (q->type == PROJECTION_OBLIQUE)
 		put_shear(p, q);
 	put_section(p, q, v);
-	put_member(p, "near", q->near);
-	put_member(p, "far", q->far);
+	put_number_member(p, "near", q->near);
+	put_number_member(p, "far", q->far);
 	if (q->type == PROJECTION_PERSP)
 		put_unless(p, "near_ratio", q->near_ratio, 0.0005);
 	if (q->reverse_z) {
 		put_name(p, "reverse_z");
 		put_text(p, "true");
 	}
-	leave(p, "}");
+	put_close(p, "}");
 }
 
 static void put_rectangle(struct printer *p, double x, double y, double width,
     double height)
 {
-	enter(p, "{");
-	put_member(p, "x", x);
-	put_member(p, "y", y);
-	put_member(p, "width", width);
-	put_member(p, "height", height);
+	put_open(p, "{");
+	put_number_member(p, "x", x);
+	put_number_member(p, "y", y);
+	put_number_member(p, "width", width);
+	put_number_member(p, "height", height);
 }
 
 static void put_viewport(struct printer *p, const struct viewport *v)
 {
-	member(p, "viewport");
+	put_name_on_new_line(p, "viewport");
 	put_rectangle(p, v->x, v->y, v->width, v->height);
 	put_unless(p, "min_z", v->min_z, 0);
 	put_unless(p, "max_z", v->max_z, 1);
 	if (v->scale == SCALE_UNIFORM)
-		put_choice(p, "scale", "uniform");
+		put_string_member(p, "scale", "uniform");
 	if (v->scale == SCALE_GIVEN)
-		put_vector(p, "scale", v->scales, 2);
-	leave(p, "}");
+		put_numbers_member(p, "scale", v->scales, 2);
+	put_close(p, "}");
 }
 
 static void put_window(struct printer *p, const struct window *w)
 {
-	static const char *const adapts[] = { "stretch", "grow", "shrink" };
-
-	member(p, "window");
-	enter(p, "{");
+	put_name_on_new_line(p, "window");
+	put_open(p, "{");
 	if (w->by_edges) {
 		put_edges(p, w->left, w->right, w->bottom, w->top);
 	} else {
-		put_vector(p, "center", w->center, 2);
-		put_member(p, "width", w->width);
-		put_member(p, "height", w->height);
+		put_numbers_member(p, "center", w->center, 2);
+		put_number_member(p, "width", w->width);
+		put_number_member(p, "height", w->height);
 	}
 	if (w->pan[0] != 0 || w->pan[1] != 0)
-		put_vector(p, "pan", w->pan, 2);
+		put_numbers_member(p, "pan", w->pan, 2);
 	put_unless(p, "zoom", w->zoom, 1);
 	if (w->has_about)
-		put_vector(p, "about", w->about, 2);
+		put_numbers_member(p, "about", w->about, 2);
 	if (w->adapt != ADAPT_STRETCH)
-		put_choice(p, "adapt", adapts[w->adapt]);
-	leave(p, "}");
+		put_string_member(p, "adapt", adapt_names[w->adapt]);
+	put_close(p, "}");
 }
 
 static void put_device(struct printer *p, const struct device *d)
 {
-	member(p, "device");
+	put_name_on_new_line(p, "device");
 	put_rectangle(p, d->x, d->y, d->width, d->height);
 	if (d->top_left)
-		put_choice(p, "origin", "top-left");
-	leave(p, "}");
+		put_string_member(p, "origin", "top-left");
+	put_close(p, "}");
 }
 
 static void put_pick(struct printer *p, const struct pick *k)
 {
-	member(p, "pick");
-	enter(p, "{");
+	put_name_on_new_line(p, "pick");
+	put_open(p, "{");
 	if (k->has_at)
-		put_vector(p, "at", k->at, 2);
+		put_numbers_member(p, "at", k->at, 2);
 	put_unless(p, "radius", k->radius, 0);
-	leave(p, "}");
+	put_close(p, "}");
 }
 
 void print_scene(const struct document *d)
 {
 	static char text[1 << 16];
-	const struct number_style shortest = { NUMBER_SHORTEST, 0 };
-	struct printer p = { text, shortest, "" };
+	struct printer p = { .at = text, .between = "" };
 	const struct scene *s = &d->scene;
 
-	enter(&p, "{");
+	put_open(&p, "{");
 	put_convention(&p, &s->convention);
 	if (s->has_world)
 		put_world(&p, s->world, s->convention.column);

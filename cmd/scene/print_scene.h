@@ -5,8 +5,9 @@
 #include "document.h"
 
 /* Prints a document that reads back as the same scene, window, device and
- * pick, a member a line, without what has its default. The camera is by gaze,
- * the projection persp, ortho or oblique, not by height and aspect. */
+ * pick, a member a line, without what has its default. Camera and projection
+ * are as fit leaves them: the camera by its gaze; the projection persp, ortho
+ * or oblique, and its cross-section not by height and aspect. */
 void print_scene(const struct document *);
 
 #endif

@@ -5,7 +5,7 @@
 
 #include "../escape.h"
 
-/* The largest doubles below 180 and 1, which are out themselves. */
+/* The largest doubles below 180 and 1, as ranges include their limits. */
 #define BELOW_180 0x1.67fffffffffffp+7
 #define BELOW_1 0x1.fffffffffffffp-1
 
@@ -16,12 +16,20 @@ static const struct range slope = { SIZE_MIN, 90,
 static const struct range fraction = { SIZE_MIN, BELOW_1,
 	"a number above 0 and below 1 is wanted" };
 
-static const char *const types[] = { "persp", "ortho", "oblique", "volume",
+const char *const projection_types[] = { "persp", "ortho", "oblique", "volume",
 	"matrix", NULL };
-static const char *const kinds[] = { "cavalier", "cabinet", NULL };
+const char *const oblique_kinds[] = { "cavalier", "cabinet", NULL };
 
-/* The types as bits. */
-enum { P = 1, O = 2, B = 4, V = 8, M = 16 };
+/* Types as bits, in the order of projection_types. */
+enum {
+	PERSP = 1,
+	ORTHO = 2,
+	OBLIQUE = 4,
+	VOLUME = 8,
+	MATRIX = 16,
+	PARALLEL = ORTHO | OBLIQUE,
+	SECTIONED = PERSP | PARALLEL, /* have a cross-section */
+};
 
 #define OF(of, label, m, count, within, other)                    \
 	{                                                         \
@@ -30,23 +38,23 @@ enum { P = 1, O = 2, B = 4, V = 8, M = 16 };
 		.range = within, .kinds = of, .aliases = other    \
 	}
 
-static void read_type(const struct value *v, const struct member *f, void *to)
+static void read_type(const struct value *v, const struct member *row, void *to)
 {
 	struct projection *p = to;
 
-	p->type = PROJECTION_PERSP + (unsigned)value_word(v, f->words);
+	p->type = PROJECTION_PERSP + (unsigned)value_word(v, row->words);
 }
 
-static void read_kind(const struct value *v, const struct member *f, void *to)
+static void read_kind(const struct value *v, const struct member *row, void *to)
 {
 	struct projection *p = to;
 
-	p->kind = OBLIQUE_CAVALIER + (unsigned)value_word(v, f->words);
+	p->kind = OBLIQUE_CAVALIER + (unsigned)value_word(v, row->words);
 }
 
 #define FAR "a number or \"infinity\""
 
-static void read_far(const struct value *v, const struct member *f, void *to)
+static void read_far(const struct value *v, const struct member *row, void *to)
 {
 	const char *s = value_string(v);
 	char shown[ESCAPED_MAX];
@@ -59,52 +67,56 @@ static void read_far(const struct value *v, const struct member *f, void *to)
 	else if (value_is_null(v))
 		value_wrong(v, FAR);
 	else
-		read_numbers(v, f, to);
+		read_numbers(v, row, to);
 }
 
 const struct member projection_members[] = {
-	{ .name = "type", .read = read_type, .words = types },
-	OF(P, "near", near, 0, &range_positive, "znear nearplane"),
-	OF(O | B, "near", near, 0, NULL, "znear nearplane"),
+	{ .name = "type", .read = read_type, .words = projection_types },
+	OF(PERSP, "near", near, 0, &range_positive, "znear nearplane"),
+	OF(PARALLEL, "near", near, 0, NULL, "znear nearplane"),
 	{ .name = "far",
 	    .read = read_far,
 	    .at = offsetof(struct projection, far),
 	    .range = &range_positive,
-	    .kinds = P,
+	    .kinds = PERSP,
 	    .aliases = "zfar farplane" },
-	OF(O | B, "far", far, 0, NULL, "zfar farplane"),
+	OF(PARALLEL, "far", far, 0, NULL, "zfar farplane"),
 	{ .name = "reverse_z",
 	    .read = read_flag,
-	    .kinds = P | O | B,
+	    .kinds = SECTIONED,
 	    .at = offsetof(struct projection, reverse_z),
 	    .aliases = "reversed" },
-	OF(P, "fovy", angle, 0, &opening, "fov yfov verticalfov fieldofview"),
-	OF(P, "fovx", angle, 0, &opening, "xfov horizontalfov hfov"),
-	OF(P, "view_angle", angle, 0, &opening, "angle"),
-	OF(P, "field", angle, 0, &range_positive, NULL),
-	OF(P | O | B, "aspect", aspect, 0, &range_positive,
+	OF(PERSP, "fovy", angle, 0, &opening,
+	    "fov yfov verticalfov fieldofview"),
+	OF(PERSP, "fovx", angle, 0, &opening, "xfov horizontalfov hfov"),
+	OF(PERSP, "view_angle", angle, 0, &opening, "angle"),
+	OF(PERSP, "field", angle, 0, &range_positive, NULL),
+	OF(SECTIONED, "aspect", aspect, 0, &range_positive,
 	    "ratio aspectratio"),
-	OF(P | O | B, "width", width, 0, &range_positive, NULL),
-	OF(P | O | B, "height", height, 0, &range_positive, NULL),
-	OF(P | O | B, "left", left, 0, NULL, NULL),
-	OF(P | O | B, "right", right, 0, NULL, NULL),
-	OF(P | O | B, "bottom", bottom, 0, NULL, NULL),
-	OF(P | O | B, "top", top, 0, NULL, NULL),
-	OF(P, "near_ratio", near_ratio, 0, &fraction, NULL),
-	{ .name = "kind", .read = read_kind, .words = kinds, .kinds = B },
-	OF(B, "angle", projector, 0, &slope, NULL),
-	OF(B, "direction", direction, 0, NULL, NULL),
-	OF(B, "plane", plane, 0, NULL, NULL),
-	OF(V, "half_width", half_width, 0, &range_positive, NULL),
-	OF(V, "half_height", half_height, 0, &range_positive, NULL),
-	OF(V, "z_near", z_near, 0, NULL, "near znear nearplane"),
-	OF(V, "z_far", z_far, 0, NULL, "far zfar farplane"),
-	OF(V, "inverse_eye_z", inverse_eye_z, 0, NULL, NULL),
-	OF(V, "tan_skew", tan_skew, 2, NULL, "skew"),
-	OF(V, "eye", eye, 3, NULL, NULL),
+	OF(SECTIONED, "width", width, 0, &range_positive, NULL),
+	OF(SECTIONED, "height", height, 0, &range_positive, NULL),
+	OF(SECTIONED, "left", left, 0, NULL, NULL),
+	OF(SECTIONED, "right", right, 0, NULL, NULL),
+	OF(SECTIONED, "bottom", bottom, 0, NULL, NULL),
+	OF(SECTIONED, "top", top, 0, NULL, NULL),
+	OF(PERSP, "near_ratio", near_ratio, 0, &fraction, NULL),
+	{ .name = "kind",
+	    .read = read_kind,
+	    .words = oblique_kinds,
+	    .kinds = OBLIQUE },
+	OF(OBLIQUE, "angle", projector, 0, &slope, NULL),
+	OF(OBLIQUE, "direction", direction, 0, NULL, NULL),
+	OF(OBLIQUE, "plane", plane, 0, NULL, NULL),
+	OF(VOLUME, "half_width", half_width, 0, &range_positive, NULL),
+	OF(VOLUME, "half_height", half_height, 0, &range_positive, NULL),
+	OF(VOLUME, "z_near", z_near, 0, NULL, "near znear nearplane"),
+	OF(VOLUME, "z_far", z_far, 0, NULL, "far zfar farplane"),
+	OF(VOLUME, "inverse_eye_z", inverse_eye_z, 0, NULL, NULL),
+	OF(VOLUME, "tan_skew", tan_skew, 2, NULL, "skew"),
+	OF(VOLUME, "eye", eye, 3, NULL, NULL),
 	{ .name = "matrix",
 	    .read = read_matrix,
-	    .kinds = M,
+	    .kinds = MATRIX,
 	    .at = offsetof(struct projection, matrix) },
 	{ .name = NULL },
 };
@@ -128,7 +140,7 @@ static const struct ways parallel_ways = {
 	{ "width height", "height aspect?", "left right bottom top" },
 };
 
-/* What fit does without; of an aspect it makes width and height. */
+/* fit finds the width and height, of the aspect that is given, if one is. */
 static const struct ways fit_parallel_ways = {
 	"give \"aspect\" with \"height\" or without, " SECTION_HINT ", or "
 	"nothing",
@@ -162,7 +174,7 @@ static const struct ways eye_ways = {
 
 static const struct ways matrix_ways = { "give \"matrix\"", { "matrix" } };
 
-/* Checks what a projection has, and says how its section is given. */
+/* Checks which members there are; returns how the cross-section is given. */
 static enum extent section(const struct value *v, int type, unsigned seen)
 {
 	static const enum extent persp[] = { EXTENT_FOVY, EXTENT_FOVX,
@@ -175,7 +187,7 @@ static enum extent section(const struct value *v, int type, unsigned seen)
 	int way = object_way(v, projection_members, type - 1, seen,
 	    is_persp ? &persp_ways : ways);
 
-	/* the slopes are at the near plane */
+	/* where width, height and the edges are measured */
 	if (!fit)
 		object_way(v, projection_members, type - 1, seen, &depth_ways);
 	else if (is_persp && persp[way] >= EXTENT_SIZE)
@@ -185,15 +197,15 @@ static enum extent section(const struct value *v, int type, unsigned seen)
 	return is_persp ? persp[way] : parallel[way];
 }
 
-/* The aspect that was given, or else the viewport's; aspect[1] stays 0 where
- * fit is free of one. */
+/* Completes the aspect: the given one, else the viewport's. aspect[1] stays 0
+ * where fit may choose one. */
 static void find_aspect(const struct value *v, const struct viewport *viewport,
     struct projection *p)
 {
 	struct value missing = value_missing(v, "aspect");
 	bool widens = v->source->fit && p->type != PROJECTION_PERSP;
 
-	if (v->source->form)
+	if (v->unused)
 		return;
 	if (!widens && (p->extent == EXTENT_SIZE || p->extent == EXTENT_EDGES))
 		return;
@@ -234,13 +246,14 @@ static void find_type(const struct value *v, int implied, struct projection *p)
 		value_next(&m);
 	if (m.item != NULL)
 		read_type(&m, projection_members, p);
-	else if (implied > 0)
+	else if (implied != PROJECTION_NONE)
 		p->type = (unsigned)implied;
 	else
 		value_refuse(&missing, "missing; it is %s",
-		    list_words(all, types, " or "));
-	if (implied > 0 && p->type != (unsigned)implied)
-		refuse_type(&m, types[p->type - 1], types[implied - 1]);
+		    list_words(all, projection_types, " or "));
+	if (implied != PROJECTION_NONE && p->type != (unsigned)implied)
+		refuse_type(&m, projection_types[p->type - 1],
+		    projection_types[implied - 1]);
 }
 
 void read_projection(const struct value *v, int implied,
@@ -249,7 +262,7 @@ void read_projection(const struct value *v, int implied,
 	*p = (struct projection){ .near_ratio = 0.0005, .direction = 45 };
 	value_want_object(v);
 	find_type(v, implied, p);
-	int kind = (int)p->type - 1; /* as in types */
+	int kind = (int)p->type - 1; /* as in projection_types */
 	unsigned seen = object_read(v, projection_members, kind, p);
 
 	/* fit refuses volume and matrix, whatever they have */

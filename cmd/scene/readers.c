@@ -1,40 +1,41 @@
 #include "readers.h"
 
-void read_value(const struct value *v, const struct member *f, void *out)
+void read_value(const struct value *v, const struct member *row, void *out)
 {
-	(void)f;
+	(void)row;
 	*(struct value *)out = *v;
 }
 
-void read_numbers(const struct value *v, const struct member *f, void *out)
+void read_numbers(const struct value *v, const struct member *row, void *out)
 {
-	const struct range *range = f->range != NULL ? f->range : &range_any;
+	const struct range *range = row->range != NULL ? row->range :
+							 &range_any;
 
-	if (f->n == 0)
+	if (row->n == 0)
 		*(double *)out = value_number(v, range);
 	else
-		value_numbers(v, range, f->n, out);
+		value_numbers(v, range, row->n, out);
 }
 
-void read_flag(const struct value *v, const struct member *f, void *out)
+void read_flag(const struct value *v, const struct member *row, void *out)
 {
-	(void)f;
+	(void)row;
 	*(bool *)out = value_flag(v);
 }
 
-void read_word(const struct value *v, const struct member *f, void *out)
+void read_word(const struct value *v, const struct member *row, void *out)
 {
-	*(unsigned *)out = (unsigned)value_word(v, f->words);
+	*(unsigned *)out = (unsigned)value_word(v, row->words);
 }
 
-void read_second(const struct value *v, const struct member *f, void *out)
+void read_second(const struct value *v, const struct member *row, void *out)
 {
-	*(bool *)out = value_word(v, f->words) == 1;
+	*(bool *)out = value_word(v, row->words) == 1;
 }
 
-static const char *const vectors[] = { "row", "column", NULL };
+const char *const vector_names[] = { "row", "column", NULL };
 
-/* As -o json prints it. */
+/* A matrix in the object that -o json prints. */
 struct printed {
 	struct value matrix;
 	bool column;
@@ -46,7 +47,7 @@ static const struct member printed_members[] = {
 	    .at = offsetof(struct printed, matrix) },
 	{ .name = "vectors",
 	    .read = read_second,
-	    .words = vectors,
+	    .words = vector_names,
 	    .at = offsetof(struct printed, column) },
 	{ .name = NULL },
 };
@@ -70,13 +71,14 @@ static void read_rows(const struct value *v, bool column, double m[4][4])
 	}
 }
 
-/* The 16 numbers in memory order are the same for row vectors in rows and
- * column vectors in columns, so that only nested rows depend on vectors. */
-void read_matrix(const struct value *v, const struct member *f, void *out)
+/* A matrix for row vectors, stored row by row, and its transpose for column
+ * vectors, stored column by column, are the same 16 numbers in a row: only
+ * nested rows depend on which vectors it is for. */
+void read_matrix(const struct value *v, const struct member *row, void *out)
 {
 	struct printed p = { *v, v->source->column };
 
-	(void)f;
+	(void)row;
 	if (value_is_object(v)) {
 		unsigned seen = object_read(v, printed_members, 0, &p);
 

@@ -1,4 +1,4 @@
-/* Readers of members, for the tables of fields.h. */
+/* Readers of members, for the tables of object.h. */
 #ifndef READERS_H
 #define READERS_H
 
@@ -19,9 +19,12 @@ void read_word(const struct value *, const struct member *, void *);
 /* One of two words, to bool: whether it is the second. */
 void read_second(const struct value *, const struct member *, void *);
 
-/* To double[4][4] of row vectors. Nested rows are of source->column vectors,
- * unless the object that -o json prints says otherwise; a flat array is in
- * memory order. */
+/* Which vectors a matrix is for: "row" or "column". */
+extern const char *const vector_names[];
+
+/* A matrix, to double[4][4] for row vectors: 16 numbers in memory order, or 4
+ * rows, which source->column says to be for column vectors. The object that
+ * -o json prints around them says it itself. */
 void read_matrix(const struct value *, const struct member *, void *);
 
 #endif

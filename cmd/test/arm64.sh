@@ -1,6 +1,6 @@
 #!/bin/sh
-# Builds for arm64 and runs that under qemu: the golden cases and the digests
-# of testdata/bits.sha256. Wants what `make deps-all` installs.
+# Builds for arm64 and runs that under qemu: the transcripts and the digests of
+# testdata/bits.sha256. Wants what `make deps-all` installs.
 # usage: arm64.sh [BUILD]
 set -eu
 cd "$(dirname "$0")/../.."
@@ -16,4 +16,4 @@ cat >"$build/emulated/projcalc" <<END
 exec qemu-aarch64-static '$program' "\$@"
 END
 chmod +x "$build/emulated/projcalc"
-exec prove cmd/test/golden_test.t cmd/test/bits_test.t :: "$build/emulated"
+exec prove cmd/test/transcripts_test.t cmd/test/bits_test.t :: "$build/emulated"

@@ -4,22 +4,15 @@
 # with the loops of each processor that this one can run, and with any number
 # of threads.
 # usage: bits_test.t [-w] [BUILD]; -w rewrites the digests: read the diff of
-# the golden cases first.
+# the transcripts first.
 use strict;
 use warnings;
-use Cwd 'abs_path';
 use Digest::SHA;
-use File::Basename;
-use File::Temp 'tempdir';
-use Test::More;
+use FindBin;
+use lib $FindBin::Bin;
+use Projcalc;
 
-my $write = @ARGV && $ARGV[0] eq '-w' && shift;
-my $top = abs_path(dirname($0) . '/../..');
-my $build = abs_path(shift // $ENV{BUILD} // "$top/build");
-my $tmp = tempdir(CLEANUP => 1);
-my $digests = "$top/testdata/bits.sha256";
-
-$ENV{LC_ALL} = 'C';
+my $digests = 'testdata/bits.sha256';
 
 # Park and Miller's, so that any perl makes the same numbers.
 my $state = 1;
@@ -130,13 +123,6 @@ sub flat {
 	    ',"x":' . near() . pick('', ',"origin":"top-left"') . '}}';
 }
 
-sub spew {
-	my ($name, $text) = @_;
-	open my $file, '>:raw', "$tmp/$name" or die "$tmp/$name: $!\n";
-	print $file $text;
-	close $file or die "$tmp/$name: $!\n";
-}
-
 # n points of a size, a few of them anywhere.
 sub points {
 	my ($n, $size) = @_;
@@ -166,17 +152,17 @@ sub add {
 sub make_files {
 	for my $size (2 .. 4) {
 		my @points = points(150, $size);
-		spew("$size.text", join '', @points);
-		spew("$size.csv", join '', map { tr/ /,/r } @points);
-		spew("$size.json", join '', map { tr/ /,/r =~
+		spew("$tmp/$size.text", join '', @points);
+		spew("$tmp/$size.csv", join '', map { tr/ /,/r } @points);
+		spew("$tmp/$size.json", join '', map { tr/ /,/r =~
 		    s/^(.*)$/[$1,"a"]/r =~ s/(?<=[\[,])(-?)\./${1}0./gr }
 		    @points);
-		spew("$size.f64", pack 'd<*', map { split } @points);
-		spew("$size.f32", any_bits($size * 60));
+		spew("$tmp/$size.f64", pack 'd<*', map { split } @points);
+		spew("$tmp/$size.f32", any_bits($size * 60));
 	}
-	spew('any.f64', any_bits(3 * 600, 50));
-	spew('many', join '', points(20000, 3));
-	spew('many.f64', any_bits(3 * 20000));
+	spew("$tmp/any.f64", any_bits(3 * 600, 50));
+	spew("$tmp/many", join '', points(20000, 3));
+	spew("$tmp/many.f64", any_bits(3 * 20000));
 }
 
 sub make_matrices {
@@ -261,14 +247,11 @@ make_streams();
 open STDERR, '>', '/dev/null' if !$ENV{SHOW};
 
 if ($write) {
-	open my $file, '>', $digests or die "$digests: $!\n";
-	print $file digest($_), "  $_\n" for @groups;
+	spew($digests, join '', map { digest($_) . "  $_\n" } @groups);
 	exit;
 }
 
-my %want;
-open my $file, '<', $digests or die "$digests: $!\n";
-/^(\S+)  (.*)/ and $want{$2} = $1 for <$file>;
+my %want = reverse slurp($digests) =~ /^(\S+)  (.*)/mg;
 
 for my $cpu (qw(baseline avx2 avx512)) {
 	local $ENV{PROJCALC_CPU} = $cpu;

@@ -6,7 +6,7 @@
 #include "refusal.h"
 
 struct refusal {
-	const struct json_wants *wants; /* NULL: points */
+	const struct document_wants *wants; /* NULL: points */
 	const char *text;
 	const char *line; /* after "projcalc: s.json: " */
 };
@@ -22,7 +22,7 @@ static inline void read_text(const void *argument)
 	if (r->wants == NULL)
 		json_points("s.json", text, size, 3, &points, &n);
 	else
-		json_read(&d, "s.json", text, size, r->wants);
+		document_read(&d, "s.json", text, size, r->wants);
 	free(text);
 }
 
@@ -36,9 +36,9 @@ static inline void assert_all_refused(const struct refusal *r, size_t n)
 	}
 }
 
-#define WANTS .projection = -1, .coordinates = 3
+#define WANTS .used = ~0u, .coordinates = 3
 
-static inline struct document read_as(const struct json_wants *wants,
+static inline struct document read_as(const struct document_wants *wants,
     const char *text)
 {
 	struct document d;
@@ -46,14 +46,14 @@ static inline struct document read_as(const struct json_wants *wants,
 	char *copy = malloc(size); /* its end is where a sanitizer looks */
 
 	memcpy(copy, text, size);
-	json_read(&d, "s.json", copy, size, wants);
+	document_read(&d, "s.json", copy, size, wants);
 	free(copy);
 	return d;
 }
 
 static inline struct scene scene_of(const char *text)
 {
-	return read_as(&(struct json_wants){ WANTS }, text).scene;
+	return read_as(&(struct document_wants){ WANTS }, text).scene;
 }
 
 static inline void assert_numbers(const double *got, int n, ...)

@@ -1,9 +1,12 @@
 #include "document.h"
+#include "../scene/convention_member.h"
 
-static const struct json_wants w2d = { 0, SCENE_WINDOW | SCENE_DEVICE, -1, NULL,
-	2, false, 0 };
-static const struct json_wants project = { .projection = -1, .coordinates = 3 };
-static const struct json_wants no_points = { .projection = -1 };
+static const struct document_wants w2d = { .needed = SCENE_WINDOW |
+	    SCENE_DEVICE,
+	.used = ~0u,
+	.coordinates = 2 };
+static const struct document_wants project = { WANTS };
+static const struct document_wants no_points = { .used = ~0u };
 
 static const struct refusal scenes[] = {
 	{ &project, "{\"convention\":\"vulcan\"}",
@@ -52,7 +55,7 @@ REFUSES(scenes)
 
 static void test_bare(void **state)
 {
-	const struct json_wants lookat = { WANTS, .bare = SCENE_CAMERA,
+	const struct document_wants lookat = { WANTS, .bare = SCENE_CAMERA,
 		.needed = SCENE_CAMERA };
 	struct document d = read_as(&lookat,
 	    "{\"$schema\":1,\"_a\":[{\"\":1e999}],\"_a\":2,\"eye\":[1,2,3],"
@@ -67,7 +70,7 @@ static void test_bare(void **state)
 	d = read_as(&lookat, "{\"camera\":{\"eye\":[1,2,3],\"at\":[4,5,6]}}");
 	assert_null(d.bare);
 	assert_true(d.scene.has_camera);
-	d = read_as(&(struct json_wants){ WANTS }, "{}");
+	d = read_as(&(struct document_wants){ WANTS }, "{}");
 	assert_null(d.bare);
 	assert_false(d.scene.has_camera);
 	assert_int_equal(d.scene.projection.type, PROJECTION_NONE);
@@ -114,15 +117,14 @@ static void test_convention(void **state)
 	char text[40];
 
 	(void)state;
-	for (int i = 0; i < 4; i++) {
-		assert_true(convention_find(table[i][0], &c));
-		assert_convention(&c, table[i][1]);
+	for (int i = 0; i < CONVENTIONS; i++) {
+		assert_string_equal(convention_names[i], table[i][0]);
+		assert_convention(&conventions[i], table[i][1]);
 		strcat(strcat(strcpy(text, "{\"convention\":\""), table[i][0]),
 		    "\"}");
 		c = scene_of(text).convention;
 		assert_convention(&c, table[i][1]);
 	}
-	assert_false(convention_find("GL", &c));
 	c = scene_of("{}").convention;
 	assert_convention(&c, "00000");
 	c = scene_of("{\"convention\":{\"handedness\":\"right\",\"depth\":"
@@ -134,17 +136,18 @@ static void test_convention(void **state)
 		     "\"column\"}}")
 		.convention;
 	assert_convention(&c, "00100");
-	c = read_as(&(struct json_wants){ WANTS, .convention = "webgpu" },
+	c = read_as(&(struct document_wants){ WANTS,
+			.convention = &conventions[CONVENTION_WEBGPU] },
 	    "{\"convention\":\"gl\"}")
 		.scene.convention;
 	assert_convention(&c, "10100");
 }
 
 /* Which element of world the number 2 of the text becomes. */
-static void assert_world(const char *option, const char *convention,
-    const char *matrix, int i, int j)
+static void assert_world(const struct convention *option,
+    const char *convention, const char *matrix, int i, int j)
 {
-	const struct json_wants wants = { WANTS, .convention = option };
+	const struct document_wants wants = { WANTS, .convention = option };
 	char text[300] = "{\"world\":";
 
 	strcat(strcat(strcat(text, matrix), convention), "}");
@@ -160,15 +163,17 @@ static void test_matrix(void **state)
 #define NESTED "[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,2,0,1]]"
 #define FLAT "[1,0,0,0,0,1,0,0,0,0,1,0,0,2,0,1]"
 #define GL ",\"convention\":\"gl\""
+	const struct convention *d3d = &conventions[CONVENTION_D3D];
+	const struct convention *gl = &conventions[CONVENTION_GL];
 
 	(void)state;
 	assert_world(NULL, "", NESTED, 3, 1);
 	assert_world(NULL, GL, NESTED, 1, 3);
 	assert_world(NULL, ",\"convention\":{\"vectors\":\"column\"}", NESTED,
 	    1, 3);
-	assert_world("gl", "", NESTED, 1, 3);
-	assert_world("gl", ",\"convention\":\"d3d\"", NESTED, 3, 1);
-	assert_world("d3d", GL, NESTED, 1, 3);
+	assert_world(gl, "", NESTED, 1, 3);
+	assert_world(gl, ",\"convention\":\"d3d\"", NESTED, 3, 1);
+	assert_world(d3d, GL, NESTED, 1, 3);
 	assert_world(NULL, "", FLAT, 3, 1);
 	assert_world(NULL, GL, FLAT, 3, 1);
 	assert_world(NULL, GL, "{\"matrix\":" NESTED "}", 1, 3);
@@ -185,7 +190,7 @@ static void test_matrix(void **state)
 
 static void assert_points(const char *typed, const char *lines)
 {
-	const struct json_wants wants = { WANTS };
+	const struct document_wants wants = { WANTS };
 	size_t size = strlen(typed), n;
 	char text[400], *points;
 
@@ -230,7 +235,7 @@ static void refuse(const void *argument)
 	const struct reason *r = argument;
 	struct document d = { .name = "-", .bare = r->bare };
 
-	json_refuse(&d, r->why);
+	document_refuse(&d, r->why);
 }
 
 static void test_reasons(void **state)

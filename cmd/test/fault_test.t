@@ -4,23 +4,17 @@
 # waits for its answer, input that is huge, cut or no file at all.
 use strict;
 use warnings;
-use Cwd 'abs_path';
-use File::Basename;
-use File::Temp 'tempdir';
+use FindBin;
 use IO::Handle;
 use IPC::Open2;
 use POSIX ':sys_wait_h';
-use Test::More;
 use Time::HiRes 'sleep';
+use lib $FindBin::Bin;
+use Projcalc;
 
-my $top = abs_path(dirname($0) . '/../..');
-my $build = abs_path(shift // $ENV{BUILD} // "$top/build");
-my $tmp = tempdir(CLEANUP => 1);
 my $shim = "$tmp/shim.so";
-
 $ENV{PATH} = "$build:$ENV{PATH}";
-$ENV{LC_ALL} = 'C';
-chdir "$top/testdata" or die "$top/testdata: $!\n";
+chdir 'testdata' or die "testdata: $!\n";
 
 # A sanitizer has an allocator of its own, and no use for a limit of memory;
 # what counts coverage allocates, too.
@@ -28,37 +22,10 @@ my $plain = system("grep -q '__asan_init\\|__gcov' $build/projcalc") != 0;
 my $has_shim = $plain && system("cc -O1 -shared -fPIC -o $shim " .
     "$top/cmd/test/fault_shim.c 2>$tmp/err") == 0;
 
-sub slurp {
-	open my $file, '<:raw', $_[0] or die "$_[0]: $!\n";
-	local $/;
-	return <$file> // '';
-}
-
-sub spew {
-	my ($name, $text) = @_;
-	open my $file, '>:raw', $name or die "$name: $!\n";
-	print $file $text;
-	close $file or die "$name: $!\n";
-}
-
-# Status (128 and the signal, as the shell says it), output, errors.
-sub run {
+# With a fault, of the command's own calls and not of the shell's.
+sub faulty {
 	my ($command, $fault) = @_;
-	my $pid = fork // die "fork: $!\n";
-	if ($pid == 0) {
-		open STDIN, '<', '/dev/null';
-		open STDOUT, '>', "$tmp/out";
-		open STDERR, '>', "$tmp/err";
-		$SIG{PIPE} = 'DEFAULT';
-		alarm 30;
-		# not the shell's calls
-		$command = "exec env LD_PRELOAD=$shim FAULT='$fault' $command"
-		    if $fault;
-		exec 'sh', '-c', $command;
-	}
-	waitpid $pid, 0;
-	my $status = $? & 127 ? 128 + ($? & 127) : $? >> 8;
-	return ($status, slurp("$tmp/out"), slurp("$tmp/err"));
+	return run("exec env LD_PRELOAD=$shim FAULT='$fault' $command");
 }
 
 sub is_run {
@@ -101,7 +68,7 @@ sub every {
 	my ($status, $whole) = run($command);
 	my ($bad, $n) = ('', 0);
 	while ($bad eq '') {
-		my @said = run($command, "$call " . ++$n . " $errno");
+		my @said = faulty($command, "$call " . ++$n . " $errno");
 		last if $said[0] == $status && $said[1] eq $whole &&
 		    $said[2] eq '';
 		$bad = "$n: @said[0, 2]" if !$check->($whole, @said);
@@ -140,7 +107,7 @@ SKIP: {
 	}
 	my ($status, $whole) = run("$project -j2 $tmp/points");
 	for my $n (1, 2) {
-		my @said = run("$project -j2 $tmp/points", "thread $n 11");
+		my @said = faulty("$project -j2 $tmp/points", "thread $n 11");
 		is_deeply(\@said, [0, $whole, ''], "without thread $n");
 	}
 	for my $j (1, 2) {
@@ -148,13 +115,13 @@ SKIP: {
 		    "-i json --flags $tmp/few.json", "-i f64 $tmp/few.f64",
 		    "--keep-going $tmp/bad", "$tmp/bad") {
 			my @whole = run("$project -j$j $args");
-			my @said = run("$project -j$j $args", 'short');
+			my @said = faulty("$project -j$j $args", 'short');
 			is_deeply(\@said, \@whole, "short calls: -j$j $args");
 		}
 	}
 	for my $n (1 .. 4) {
 		spew("$tmp/cut", $lines);
-		my ($status, $out) = run("$project -j2 $tmp/cut",
+		my ($status, $out) = faulty("$project -j2 $tmp/cut",
 		    "cut $n $tmp/cut");
 		ok(($status == 0 || $status == 1) && starts($whole,
 		    $out =~ s/[^\n]*\n?\z//r), "a file that is cut, $n");

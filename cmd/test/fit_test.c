@@ -2,9 +2,9 @@
 #include "document.h"
 #include "../scene/print_scene.h"
 
-static const struct json_wants fit = { WANTS, .needed = SCENE_PROJECTION,
+static const struct document_wants fit = { WANTS, .needed = SCENE_PROJECTION,
 	.fit = true };
-static const struct json_wants project = { WANTS };
+static const struct document_wants project = { WANTS };
 
 #define BOX "\"bounds\":{\"min\":[0,0,0],\"max\":[1,2,3]}"
 #define BOUNDS_HINT "give \"min\" and \"max\", or \"center\" and \"radius\""

@@ -5,34 +5,12 @@
 # fault that mandoc sees.
 use strict;
 use warnings;
-use Cwd 'abs_path';
-use File::Basename;
+use FindBin;
 use JSON::PP;
+use lib $FindBin::Bin;
+use Projcalc;
 
-my $top = abs_path(dirname($0) . '/../..');
-my $program = abs_path($ENV{BUILD} // "$top/build") . '/projcalc';
-my $n = 0;
-my $failed = 0;
-
-sub check {
-	my ($name, $got, $want) = @_;
-	my $ok = $got eq $want;
-	printf "%s %d - %s\n", $ok ? 'ok' : 'not ok', ++$n, $name;
-	return if $ok;
-	$failed++;
-	print "# expected: $want\n# got: $got\n";
-}
-
-sub slurp {
-	open my $file, '<', "$top/$_[0]" or die "$_[0]: $!\n";
-	local $/;
-	return <$file>;
-}
-
-sub sorted {
-	return join ' ', sort @_;
-}
-
+my $program = "$build/projcalc";
 my $manual = slurp('man/projcalc.1');
 my $scene = slurp('man/projcalc-scene.5');
 my $schema = decode_json(slurp('man/projcalc.schema.json'));
@@ -52,7 +30,7 @@ my $help = `$program help`;
 my @commands = $help =~ /^  ([a-z]\w*) /mg;
 my %options;
 
-check('commands', sorted(keys %synopsis), sorted(@commands));
+is(sorted(keys %synopsis), sorted(@commands), 'commands');
 for my $command (@commands) {
 	my $said = `$program help $command`;
 	my @names;
@@ -64,13 +42,12 @@ for my $command (@commands) {
 		push @names, $letter // "-$long"
 		    unless $long =~ /^(?:help|version)$/;
 	}
-	check("options of $command", $synopsis{$command} // '',
-	    sorted(@names));
-	check("-h of $command", scalar `$program $command -h`, $said);
+	is($synopsis{$command}, sorted(@names), "options of $command");
+	is(`$program $command -h`, $said, "-h of $command");
 }
 for my $option (sort keys %options) {
-	check("option $option", $options =~ /^\.It .*\Q$options{$option}\E\b/m
-	    ? 'explained' : 'not explained', 'explained');
+	like($options, qr/^\.It .*\Q$options{$option}\E\b/m,
+	    "option $option is explained");
 }
 
 # The program lists the members of an object when it is given another.
@@ -100,43 +77,42 @@ sub in_schema {
 my $other = '"xyzzyxyzzy": 0';
 my $camera = '"camera": {"eye": [0,0,0], "at": [1,1,1]}, ';
 my $defs = $schema->{'$defs'};
-check('a scene in the schema', in_schema($schema),
-    members("{\"camera\": 0, $other}"));
-check('a scene on the page', sorted(map { s/ .*//r } $scene =~
-    /^\.Ss (\w+)$/mg), in_schema($schema));
+is(in_schema($schema), members("{\"camera\": 0, $other}"),
+    'a scene in the schema');
+is(sorted(map { s/ .*//r } $scene =~ /^\.Ss (\w+)$/mg), in_schema($schema),
+    'a scene on the page');
 for my $name (qw(camera viewport window device bounds pick)) {
 	my $has = members('{' . ($name eq 'camera' ? '' : $camera) .
 	    "\"$name\": {$other}}");
-	check("$name in the schema", in_schema($defs->{$name}), $has);
-	check("$name on the page", on_page($name), $has);
+	is(in_schema($defs->{$name}), $has, "$name in the schema");
+	is(on_page($name), $has, "$name on the page");
 }
-check('convention in the schema', in_schema($defs->{convention}{then}),
-    members("{\"convention\": {$other}, \"camera\": 0}"));
-check('convention on the page', on_page('convention'),
-    sorted('convention', keys %{$defs->{convention}{then}{properties}}));
+is(in_schema($defs->{convention}{then}),
+    members("{\"convention\": {$other}, \"camera\": 0}"),
+    'convention in the schema');
+is(on_page('convention'),
+    sorted('convention', keys %{$defs->{convention}{then}{properties}}),
+    'convention on the page');
 for my $type (qw(persp ortho oblique volume matrix)) {
 	my $has = members(
 	    "{$camera \"projection\": {\"type\": \"$type\", $other}}");
 	my $shared = $type =~ /^(?:volume|matrix)$/ ? 'type' :
 	    on_page('projection');
-	check("$type in the schema",
-	    in_schema($defs->{$type eq 'matrix' ? 'any' : $type}), $has);
-	check("$type on the page", sorted(split / /, $shared . ' ' .
-	    on_page("projection of type $type")), $has);
+	is(in_schema($defs->{$type eq 'matrix' ? 'any' : $type}), $has,
+	    "$type in the schema");
+	is(sorted(split / /, "$shared " . on_page("projection of type $type")),
+	    $has, "$type on the page");
 }
 
 for my $page (qw(projcalc.1 projcalc-scene.5)) {
-	if (system('command -v mandoc >/dev/null') != 0) {
-		printf "ok %d - %s # SKIP no mandoc\n", ++$n, $page;
-		next;
+	SKIP: {
+		skip 'no mandoc', 1 if missing('mandoc');
+		is(`mandoc -T lint -W warning man/$page 2>&1`, '', $page);
 	}
-	check($page, scalar `mandoc -T lint -W warning $top/man/$page 2>&1`,
-	    '');
 }
 # Figures of README's table are those of the last measurement.
 my ($table) = slurp('README.md') =~ /^\| .*a second.*\n((?:\|.*\n)+)/m;
 my $measured = slurp('testdata/charts/bench.md');
-check('README\'s figures', join(' ', grep { $measured !~ /\Q| $_ |\E/ }
-    $table =~ /\| (\d+[.]\d\S*)/g), '');
-print "1..$n\n";
-exit($failed > 0);
+is(join(' ', grep { $measured !~ /\Q| $_ |\E/ } $table =~ /\| (\d+[.]\d\S*)/g),
+    '', 'README\'s figures');
+done_testing();

@@ -1,10 +1,13 @@
 #include "document.h"
 
-static const struct json_wants lookat = { SCENE_CAMERA, SCENE_CAMERA, -1, NULL,
-	3, false, 0 };
-static const struct json_wants w2n = { SCENE_WINDOW, SCENE_WINDOW, -1, NULL, 2,
-	false, 0 };
-static const struct json_wants project = { .projection = -1, .coordinates = 3 };
+static const struct document_wants lookat = { .bare = SCENE_CAMERA,
+	.needed = SCENE_CAMERA,
+	WANTS };
+static const struct document_wants w2n = { .bare = SCENE_WINDOW,
+	.needed = SCENE_WINDOW,
+	.used = ~0u,
+	.coordinates = 2 };
+static const struct document_wants project = { WANTS };
 
 #define CAMERA_HINT                                                         \
 	"give \"eye\" and one of \"at\", \"gaze\" and \"orientation\", or " \

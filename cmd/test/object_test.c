@@ -1,19 +1,30 @@
 /* Members that have the wrong name or stand in the wrong place. */
 #include "document.h"
 
-static const struct json_wants lookat = { SCENE_CAMERA, SCENE_CAMERA, -1, NULL,
-	3, false, 0 };
-static const struct json_wants persp = { SCENE_PROJECTION, SCENE_PROJECTION,
-	PROJECTION_PERSP, NULL, 3, false, 0 };
-static const struct json_wants ortho = { SCENE_PROJECTION, SCENE_PROJECTION,
-	PROJECTION_ORTHO, NULL, 3, false, 0 };
-static const struct json_wants volume = { SCENE_PROJECTION, SCENE_PROJECTION,
-	PROJECTION_VOLUME, NULL, 3, false, 0 };
-static const struct json_wants w2n = { SCENE_WINDOW, SCENE_WINDOW, -1, NULL, 2,
-	false, 0 };
-static const struct json_wants w2d = { 0, SCENE_WINDOW | SCENE_DEVICE, -1, NULL,
-	2, false, 0 };
-static const struct json_wants project = { .projection = -1, .coordinates = 3 };
+static const struct document_wants lookat = { .bare = SCENE_CAMERA,
+	.needed = SCENE_CAMERA,
+	WANTS };
+static const struct document_wants persp = { .bare = SCENE_PROJECTION,
+	.needed = SCENE_PROJECTION,
+	WANTS,
+	.projection = PROJECTION_PERSP };
+static const struct document_wants ortho = { .bare = SCENE_PROJECTION,
+	.needed = SCENE_PROJECTION,
+	WANTS,
+	.projection = PROJECTION_ORTHO };
+static const struct document_wants volume = { .bare = SCENE_PROJECTION,
+	.needed = SCENE_PROJECTION,
+	WANTS,
+	.projection = PROJECTION_VOLUME };
+static const struct document_wants w2n = { .bare = SCENE_WINDOW,
+	.needed = SCENE_WINDOW,
+	.used = ~0u,
+	.coordinates = 2 };
+static const struct document_wants w2d = { .needed = SCENE_WINDOW |
+	    SCENE_DEVICE,
+	.used = ~0u,
+	.coordinates = 2 };
+static const struct document_wants project = { WANTS };
 
 #define AT "\"at\":[0,0,0]"
 #define EYE "\"eye\":[0,0,1]"

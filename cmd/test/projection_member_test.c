@@ -2,13 +2,19 @@
 
 #include <math.h>
 
-static const struct json_wants persp = { SCENE_PROJECTION, SCENE_PROJECTION,
-	PROJECTION_PERSP, NULL, 3, false, 0 };
-static const struct json_wants ortho = { SCENE_PROJECTION, SCENE_PROJECTION,
-	PROJECTION_ORTHO, NULL, 3, false, 0 };
-static const struct json_wants volume = { SCENE_PROJECTION, SCENE_PROJECTION,
-	PROJECTION_VOLUME, NULL, 3, false, 0 };
-static const struct json_wants project = { .projection = -1, .coordinates = 3 };
+static const struct document_wants persp = { .bare = SCENE_PROJECTION,
+	.needed = SCENE_PROJECTION,
+	WANTS,
+	.projection = PROJECTION_PERSP };
+static const struct document_wants ortho = { .bare = SCENE_PROJECTION,
+	.needed = SCENE_PROJECTION,
+	WANTS,
+	.projection = PROJECTION_ORTHO };
+static const struct document_wants volume = { .bare = SCENE_PROJECTION,
+	.needed = SCENE_PROJECTION,
+	WANTS,
+	.projection = PROJECTION_VOLUME };
+static const struct document_wants project = { WANTS };
 
 #define SIDES "\"left\", \"right\", \"bottom\" and \"top\""
 #define PERSP_HINT                                                          \
@@ -145,7 +151,7 @@ static void test_section(void **state)
 
 static void test_parallel(void **state)
 {
-	struct json_wants wants = ortho;
+	struct document_wants wants = ortho;
 
 	(void)state;
 	struct document d = read_as(&wants,

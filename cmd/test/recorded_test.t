@@ -3,20 +3,13 @@
 # were worked out without it, and come from elsewhere.
 use strict;
 use warnings;
-use Cwd 'abs_path';
-use File::Basename;
+use FindBin;
 use JSON::PP;
 use POSIX 'strtod';
+use lib $FindBin::Bin;
+use Projcalc;
 
-my $top = abs_path(dirname($0) . '/../..');
-$ENV{PATH} = abs_path($ENV{BUILD} // "$top/build") . ":$ENV{PATH}";
-chdir "$top/testdata" or die "$top/testdata: $!\n";
-
-sub slurp {
-	open my $file, '<', $_[0] or die "$_[0]: $!\n";
-	local $/;
-	return <$file>;
-}
+chdir 'testdata' or die "testdata: $!\n";
 
 # A case of others.json as a document and the arguments that print its matrix.
 my %projection = (persp => 'persp', frustum => 'persp', ortho => 'ortho');
@@ -105,20 +98,14 @@ sub near {
 	return abs($said - $expected) <= $case->{tol} * $size;
 }
 
-my @cases = (others(), sources());
-my $failed = 0;
-printf "1..%d\n", scalar @cases;
-for my $i (0 .. $#cases) {
-	my $case = $cases[$i];
+for my $case (others(), sources()) {
 	my @true = @{$case->{true}};
-	my $text = `$case->{command} 2>&1`;
-	my @said = grep { $_ ne '' } split /[\s,\[\]]+/, $text;
-	my $ok = $? == 0 && @said == @true && !grep {
+	my ($status, $out, $err) = run($case->{command});
+	my @said = grep { $_ ne '' } split /[\s,\[\]]+/, $out;
+	my $ok = $status == 0 && @said == @true && !grep {
 		!same($said[$_], $true[$_]) || !near($case, $_, $said[$_])
 	} 0 .. $#true;
-	printf "%s %d - %s\n", $ok ? 'ok' : 'not ok', $i + 1, $case->{name};
-	next if $ok;
-	$failed++;
-	print "# $case->{command}\n# true: @true\n", $text =~ s/^/# /mgr;
+	ok($ok, $case->{name}) or
+	    diag("$case->{command}\ntrue: @true\nsaid:\n$out$err");
 }
-exit($failed > 0);
+done_testing();

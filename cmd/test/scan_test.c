@@ -1,5 +1,8 @@
 #include "../json/scan.h"
 
+#include "../json/check.h"
+#include "../json/value.h"
+
 #include "refusal.h"
 
 struct text {
@@ -13,13 +16,21 @@ struct text {
 		s, sizeof(s) - 1, line \
 	}
 
+static void parse(char *text, size_t size)
+{
+	const struct source source = { .name = "s.json" };
+	struct value v = value_parse(&source, text, size);
+
+	value_free(&v);
+}
+
 static void check(const void *argument)
 {
 	const struct text *t = argument;
 	char *copy = malloc(t->size + 1);
 
 	memcpy(copy, t->s, t->size);
-	syntax_check("s.json", copy, t->size);
+	parse(copy, t->size);
 	free(copy);
 }
 
@@ -179,19 +190,190 @@ static void test_long_numbers(void **state)
 	char tiny[] = "[-1" NINES20 NINES20 NINES20 "99e-999]";
 
 	(void)state;
-	syntax_check("s.json", kept, sizeof kept - 1);
+	parse(kept, sizeof kept - 1);
 	assert_string_equal(kept, "[0." NINES20 NINES20 NINES20 "9]");
-	syntax_check("s.json", cut, sizeof cut - 1);
+	parse(cut, sizeof cut - 1);
 	assert_int_equal(strlen(cut), sizeof cut - 1);
 	assert_memory_equal(cut, "[1  ", 4);
 	assert_int_equal(strspn(cut + 2, " "), sizeof cut - 4);
-	syntax_check("s.json", tenth, sizeof tenth - 1);
+	parse(tenth, sizeof tenth - 1);
 	assert_memory_equal(tenth, "[-0.1 ", 6);
 	assert_string_equal(strchr(tenth, ','), ", 2]");
-	syntax_check("s.json", huge, sizeof huge - 1);
+	parse(huge, sizeof huge - 1);
 	assert_memory_equal(huge, "[1e999 ", 7);
-	syntax_check("s.json", tiny, sizeof tiny - 1);
+	parse(tiny, sizeof tiny - 1);
 	assert_memory_equal(tiny, "[0 ", 3);
+}
+
+/* A text, and what is left of it or becomes of it; NULL says that it is right
+ * or begins with no number. */
+struct pair {
+	const char *text, *left;
+};
+
+static void test_lines(void **state)
+{
+	static const struct pair lines[] = {
+		{ "[1,2,3]", NULL },
+		{ "\v[ 1\f,\r{\"a\"\v: [null, true]}\t] ", NULL },
+		{ "[\"\xff\x80\x7f\",\"\\u0000\\ud800\\uDC00x\"]", NULL },
+		{ "[-0, 0.10, 1E+5, 1e999]", NULL },
+		{ "[1,]", "]" },
+		{ "[1,,2]", ",2]" },
+		{ "[1 2]", "2]" },
+		{ "[1,+2]", "+2]" },
+		{ "[1,01]", "01]" },
+		{ "[1,2.]", "2.]" },
+		{ "[1,2.e5]", "2.e5]" },
+		{ "[1,.5]", ".5]" },
+		{ "[1,-]", "-]" },
+		{ "[1,2e]", "2e]" },
+		{ "[1,2e+]", "2e+]" },
+		{ "[1,2e5e]", "e]" },
+		{ "[1,2.5.3]", ".3]" },
+		{ "[1,2x]", "x]" },
+		{ "[1,truer]", "r]" },
+		{ "[1,True]", "True]" },
+		{ "[1,nan]", "nan]" },
+		{ "[1,'a']", "'a']" },
+		{ "[1] 2", "2" },
+		{ "[{a:1}]", "a:1}]" },
+		{ "[{\"a\" 1}]", "1}]" },
+		{ "[{\"a\":1,}]", "}]" },
+		{ "[\"a\tb\"]", "\tb\"]" },
+		{ "[\"a\\xb\"]", "\\xb\"]" },
+		{ "[\"\\u12g4\"]", "2g4\"]" },
+		{ "[\"\\ug\"]", "ug\"]" },
+		{ "[1}", "}" },
+		{ "[1", "" },
+		{ "[\"a", "" },
+	};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+		const char *s = lines[i].text, *end = s + strlen(s);
+		struct json_error e = { NULL, 0, "" };
+		bool ok = json_check(JSON_LINE, s, end, &e);
+
+		assert_int_equal(ok, lines[i].left == NULL);
+		if (!ok)
+			assert_string_equal(e.at, lines[i].left);
+	}
+}
+
+static void test_number(void **state)
+{
+	static const struct pair numbers[] = {
+		{ "-1.5e+3,", "," },
+		{ "0", "" },
+		{ "10x", "x" },
+		{ "1e5e5", "e5" },
+		{ "", NULL },
+		{ "-", NULL },
+		{ "01", NULL },
+		{ "-00", NULL },
+		{ "1.", NULL },
+		{ "1.e1", NULL },
+		{ "1E", NULL },
+		{ "1e-", NULL },
+		{ ".5", NULL },
+		{ "+1", NULL },
+		{ "inf", NULL },
+		{ "-nan", NULL },
+	};
+	double v;
+
+	(void)state;
+	for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++) {
+		const char *s = numbers[i].text;
+		const char *e = json_number(s, s + strlen(s), &v);
+
+		if (numbers[i].left == NULL)
+			assert_null(e);
+		else
+			assert_string_equal(e, numbers[i].left);
+	}
+	json_number("-1.5e+3", &"-1.5e+3"[7], &v);
+	assert_true(v == -1500);
+}
+
+/* Quotes and brackets hide commas, in what is no JSON, too. */
+static void test_skip(void **state)
+{
+	static const struct pair values[] = {
+		{ "1 ,2", ",2" },
+		{ "1]", "]" },
+		{ "a'b:c}", "}" },
+		{ "[1,{\"]\":2}] ,3", ",3" },
+		{ "[1,2}]", "]" },
+		{ "\"a\\\",\\\\\",3", ",3" },
+		{ "\"a,", "" },
+		{ "\"a\\", "" },
+		{ "[1,2", "" },
+		{ "", "" },
+	};
+
+	(void)state;
+	for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
+		const char *s = values[i].text;
+
+		assert_string_equal(json_skip(s, s + strlen(s)),
+		    values[i].left);
+	}
+}
+
+/* What is in an array or object, each value with the blanks behind it. */
+static void assert_values(const char *text, const char *wanted)
+{
+	const char *end = text + strlen(text), *s, *next = text;
+	char got[100], *at = got;
+
+	while ((next = json_next(next, end, &s)) != NULL)
+		at += sprintf(at, "<%.*s>", (int)(next - s), s);
+	*at = '\0';
+	assert_string_equal(got, wanted);
+}
+
+static void test_next(void **state)
+{
+	(void)state;
+	assert_values("[]", "");
+	assert_values("{ \n}", "");
+	assert_values("[1]", "<1>");
+	assert_values("[ \"a:,\" , [2, {}],\n\t{\"b\":3} ]",
+	    "<\"a:,\" ><[2, {}]><{\"b\":3} >");
+	assert_values("{\"a\":1, \"\\\"}\" : [2], \"c\":\"d\"}",
+	    "<1><[2]><\"d\">");
+}
+
+static void test_unescape(void **state)
+{
+	static const struct pair escapes[] = {
+		{ "\\n", "\n" },
+		{ "\\\"", "\"" },
+		{ "\\/", "/" },
+		{ "\\b", "\b" },
+		{ "\\u0041", "A" },
+		{ "\\u00E9", "\xc3\xa9" },
+		{ "\\u20ac", "\xe2\x82\xac" },
+		{ "\\uD83d\\uDe00", "\xf0\x9f\x98\x80" },
+		{ "\\ud83d", "\xef\xbf\xbd" },
+		{ "\\udc00", "\xef\xbf\xbd" },
+	};
+	static const char halves[] = "\\ud800\\ud800";
+	char out[4];
+	int n;
+
+	(void)state;
+	for (size_t i = 0; i < sizeof escapes / sizeof *escapes; i++) {
+		const char *s = escapes[i].text, *end = s + strlen(s);
+
+		assert_ptr_equal(json_unescape(s, end, out, &n), end);
+		assert_int_equal(n, strlen(escapes[i].left));
+		assert_memory_equal(out, escapes[i].left, (size_t)n);
+	}
+	assert_ptr_equal(json_unescape(halves, halves + 12, out, &n),
+	    halves + 6);
 }
 
 int main(void)
@@ -201,6 +383,11 @@ int main(void)
 		cmocka_unit_test(test_accepted),
 		cmocka_unit_test(test_depth),
 		cmocka_unit_test(test_long_numbers),
+		cmocka_unit_test(test_lines),
+		cmocka_unit_test(test_number),
+		cmocka_unit_test(test_skip),
+		cmocka_unit_test(test_next),
+		cmocka_unit_test(test_unescape),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

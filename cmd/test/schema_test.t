@@ -1,16 +1,18 @@
 #!/usr/bin/perl
 # The JSON Schema of a scene takes every scene of testdata and every value of
-# projcalc-scene(5), and refuses what the program refuses in the golden cases,
+# projcalc-scene(5), and refuses what the program refuses in the transcripts,
 # where a schema can. The validator is python3-jsonschema, which knows neither.
 use strict;
 use warnings;
-use Cwd 'abs_path';
-use File::Basename;
-use File::Temp 'tempfile';
+use FindBin;
 use JSON::PP;
+use lib $FindBin::Bin;
+use Projcalc;
+use Transcript;
 
-my $top = abs_path(dirname($0) . '/../..');
-chdir "$top/testdata" or die "$top/testdata: $!\n";
+my $python = '/usr/bin/python3';
+plan skip_all => 'no python3-jsonschema'
+    if system("$python -c 'import jsonschema' 2>/dev/null") != 0;
 
 # Reads a list of [text, pointer], prints a list of what is wrong with each:
 # null for nothing. The pointer is of the schema that holds.
@@ -46,12 +48,6 @@ my $beyond = qr{
 	^projcalc:\ POINTS:
 }x;
 
-sub slurp {
-	open my $file, '<', $_[0] or return '';
-	local $/;
-	return <$file> // '';
-}
-
 # An object with none of a scene's members is one of them, as is its type.
 my %bare = (lookat => 'camera', w2n => 'window', n2d => 'device',
 	map { $_ => 'projection' } qw(persp ortho oblique volume));
@@ -72,14 +68,14 @@ sub as_scene {
 
 # The documents of a shell command: in quotes, named, or on standard input.
 sub documents {
-	my ($shell, $in) = @_;
-	my @found;
+	my ($shell) = @_;
+	my ($in, @found) = input($shell);
 	while ($shell =~ /projcalc (\w+)([^|]*)/g) {
 		my ($command, $rest) = ($1, $2);
 		push @found, map { as_scene($command, $_) }
 		    $rest =~ /'(\{[^']*\})'/g;
 		push @found, map { as_scene($command, slurp($_)) }
-		    grep { -e } $rest =~ m{(?<![\w<'])([\w/-]+\.json)\b}g;
+		    grep { -e } map { "testdata/$_" } $rest =~ m{(?<![\w<'])([\w/-]+\.json)\b}g;
 		push @found, as_scene($command, $in) if $in =~ /^\s*\{/;
 	}
 	return @found;
@@ -91,26 +87,24 @@ sub add {
 	push @cases, [@_];
 }
 
-add($_, slurp($_), '', '') for glob '*.json views/*.json';
-for my $dir (glob 'golden/*') {
-	my $status = slurp("$dir/status") || 0;
-	next if $status > 1;
-	my $err = $status == 1 ? slurp("$dir/err") : '';
+add($_, slurp($_), '', '') for glob 'testdata/*.json testdata/views/*.json';
+for my $case (map { transcript($_) } glob 'testdata/transcripts/*.txt') {
+	next if $case->{status} > 1;
+	my $err = $case->{status} == 1 ? $case->{err} : '';
 	# A bad point or no JSON: nothing that concerns the document.
-	next if $status == 1 && $err !~ m{^projcalc: [^:]+: (?:/|is an? )};
-	add(basename($dir), $_, '', $err)
-	    for documents(slurp("$dir/cmd"), slurp("$dir/in"));
+	next if $err ne '' && $err !~ m{^projcalc: [^:]+: (?:/|is an? )};
+	add($case->{name}, $_, '', $err) for documents($case->{command});
 }
-for my $line (split /^/, slurp('recorded/sources.tsv')) {
+for my $line (split /^/, slurp('testdata/recorded/sources.tsv')) {
 	my (undef, $what, $command) = split /\t/, $line;
-	add($what, $_, '', '') for documents($command // '', '');
+	add($what, $_, '', '') for documents($command // '');
 }
 
 # The values of the manual page: .It Cm NAME : No VALUE
 my ($section, %where) = ('', projection => '#/$defs/ortho',
 	'projection of type matrix' => '#/$defs/any',
 	convention => '#/$defs/convention/then');
-for my $line (split /^/, slurp("$top/man/projcalc-scene.5")) {
+for my $line (split /^/, slurp('man/projcalc-scene.5')) {
 	$section = $1 if $line =~ /^\.Ss (.*)/;
 	my ($name, $value) = $line =~ /^\.It Cm (\w+) : No (.*)/ or next;
 	my $object = $where{$section} //
@@ -124,42 +118,27 @@ for my $line (split /^/, slurp("$top/man/projcalc-scene.5")) {
 	    "$object/properties/$name", '');
 }
 
-my $python = '/usr/bin/python3';
-if (system("$python -c 'import jsonschema' 2>/dev/null") != 0) {
-	print "1..0 # SKIP no python3-jsonschema\n";
-	exit 0;
-}
-my ($script, $script_name) = tempfile(UNLINK => 1);
-my ($list, $list_name) = tempfile(UNLINK => 1);
-print $script $validate;
-print $list encode_json([map { [$_->[1], $_->[2]] } @cases]);
-close $_ for $script, $list;
-my $said = `$python $script_name $top/man/projcalc.schema.json $list_name`;
+spew("$tmp/validate", $validate);
+spew("$tmp/list", encode_json([map { [$_->[1], $_->[2]] } @cases]));
+my $said = `$python $tmp/validate man/projcalc.schema.json $tmp/list`;
 die "the validator failed\n" if $? != 0;
 my $wrong = decode_json($said);
 
-my $failed = 0;
 my $refusals = 0;
-printf "1..%d\n", @cases + 1;
 for my $i (0 .. $#cases) {
 	my ($name, $text, undef, $message) = @{$cases[$i]};
 	my $error = $wrong->[$i];
-	my $ok = $message eq '' ? !defined $error : defined $error;
-	my $name_of_test = $name =~ s/#/\\#/gr;
-	# of what its command doesn't need the program checks the form alone
-	if (!$ok && ($message =~ $beyond || $name eq 'unneeded-member-range')) {
-		printf "ok %d - %s # SKIP no schema can tell\n", $i + 1,
-		    $name_of_test;
-		next;
+	my $agree = defined $error == ($message ne '');
+	SKIP: {
+		# Of what a command doesn't need the program checks the form.
+		skip "no schema can tell: $name", 1 if !$agree &&
+		    ($message =~ $beyond || $name eq 'unneeded-member-range');
+		ok($agree, $name) or
+		    diag("$text
+", $error // 'only the program refuses it');
+		$refusals++ if $agree && $message ne '';
 	}
-	$refusals += $ok && $message ne '';
-	printf "%s %d - %s\n", $ok ? 'ok' : 'not ok', $i + 1, $name_of_test;
-	next if $ok;
-	$failed++;
-	print map { s/^/# /mgr . "\n" } $text, $message eq '' ?
-	    "the schema says: $error" : "only the program says: $message";
 }
 # That a pattern above doesn't quietly let everything go.
-printf "%s %d - %d refusals of the program are the schema's\n",
-    $refusals >= 50 ? 'ok' : 'not ok', @cases + 1, $refusals;
-exit($failed > 0 || $refusals < 50);
+cmp_ok($refusals, '>=', 50, 'refusals of the program are the schema\'s');
+done_testing();

@@ -1,0 +1,95 @@
+#include "arguments.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../core/scene.h"
+#include "talk.h"
+
+int one_of(const char *const *names, const char *what, const char *word)
+{
+	char all[80] = "";
+
+	for (int i = 0; names[i] != NULL; i++) {
+		if (strcmp(names[i], word) == 0)
+			return i;
+		if (i > 0)
+			strcat(all, names[i + 1] == NULL ? " or " : ", ");
+		strcat(all, names[i]);
+	}
+	die(EXIT_USAGE, "unknown %s '%s'; it is one of %s", what, word, all);
+}
+
+int whole_number(const char *option, const char *word, int min, int max)
+{
+	char *end;
+	long n = strtol(word, &end, 10);
+
+	if (end == word || *end != '\0' || n < min || n > max)
+		die(EXIT_USAGE,
+		    "--%s: '%s' is not a whole number from %d to "
+		    "%d",
+		    option, word, min, max);
+	return (int)n;
+}
+
+double positive_number(const char *option, const char *word)
+{
+	const char *end = word + strlen(word);
+	double v;
+
+	if (number_read(word, end, &v) != end ||
+	    !(v >= SIZE_MIN && v <= MAGNITUDE_MAX))
+		die(EXIT_USAGE, "--%s: '%s' is not a positive number", option,
+		    word);
+	return v;
+}
+
+void position(const char *option, const char *word, double xy[2])
+{
+	const char *end = word + strlen(word);
+	const char *comma = number_read(word, end, &xy[0]);
+
+	if (comma == NULL || *comma != ',' ||
+	    number_read(comma + 1, end, &xy[1]) != end ||
+	    !(fabs(xy[0]) <= MAGNITUDE_MAX) || !(fabs(xy[1]) <= MAGNITUDE_MAX))
+		die(EXIT_USAGE, "--%s: '%s' is not X,Y", option, word);
+}
+
+static void refuse_twice(const char *option, const struct columns *c)
+{
+	const int last = c->n - 1;
+
+	for (int i = 0; i < last; i++)
+		if (c->name[i] == NULL && c->name[last] == NULL &&
+		    c->field[i] == c->field[last])
+			die(EXIT_USAGE, "--%s: field %d stands twice", option,
+			    c->field[i] + 1);
+}
+
+struct columns columns_of(const char *option, char *list)
+{
+	const int fields_max = 1000000;
+	struct columns c = { 0 };
+
+	for (char *word = list, *rest; word != NULL; word = rest) {
+		rest = strchr(word, ',');
+		if (rest != NULL)
+			*rest++ = '\0';
+		if (c.n == 4)
+			die(EXIT_USAGE, "--%s: more than four fields", option);
+		if (*word == '\0')
+			die(EXIT_USAGE, "--%s: an empty field; write 2,3,4",
+			    option);
+		if (strspn(word, "0123456789") == strlen(word))
+			c.field[c.n] = whole_number(option, word, 1,
+					   fields_max) -
+			    1;
+		else
+			c.name[c.n] = word;
+		c.n++;
+		refuse_twice(option, &c);
+	}
+	return c;
+}

@@ -1,0 +1,87 @@
+#include "answer.h"
+
+#include <stdio.h>
+
+#include "progress.h"
+#include "../talk.h"
+
+/* Of all chunks so far. It needs no lock, as no two are answered at a time. */
+static struct {
+	size_t next_line; /* of the source, from 1 */
+	bool unended;     /* the last line printed has no newline yet */
+	bool bad;         /* there was a complaint */
+	size_t imageless; /* points */
+	char where[300];  /* the first of them: source:line */
+} answer;
+
+void answer_source(void)
+{
+	answer.next_line = 1;
+}
+
+size_t answer_line(void)
+{
+	return answer.next_line;
+}
+
+static void print(const struct job *j, const struct chunk *c)
+{
+	if (c->size > 0 && answer.unended)
+		put_all("\n", 1);
+	if (c->size > 0)
+		answer.unended = !is_binary(j->layout.out) &&
+		    c->out[c->size - 1] != '\n';
+	put_all(c->out, c->size);
+}
+
+static void count_imageless(const struct chunk *c)
+{
+	if (c->imageless > 0 && answer.imageless == 0)
+		snprintf(answer.where, sizeof answer.where, "%.250s:%zu",
+		    c->name, answer.next_line + c->first_imageless);
+	answer.imageless += c->imageless;
+}
+
+static void complain(const struct job *j, const struct chunk *c)
+{
+	if (!j->keep_going && j->flush != NULL)
+		j->flush(j);
+	progress_clear();
+	for (size_t i = 0; i < c->n_complaints; i++)
+		say("%s:%zu: %s", c->name,
+		    answer.next_line + c->complaints[i].line,
+		    c->complaints[i].reason);
+	answer.bad = true;
+	if (!j->keep_going) {
+		close_output();
+		quit(EXIT_INPUT);
+	}
+}
+
+void answer_chunk(const struct job *j, const struct chunk *c)
+{
+	if (j->collect != NULL)
+		j->collect(j, c, answer.next_line);
+	else
+		print(j, c);
+	if (j->count_imageless)
+		count_imageless(c);
+	if (c->n_complaints > 0)
+		complain(j, c);
+	answer.next_line += c->n_lines;
+	progress_add(c->n_lines, c->bytes);
+}
+
+int answer_end(const struct job *j)
+{
+	progress_end();
+	if (j->flush != NULL)
+		j->flush(j);
+	if (answer.imageless == 1)
+		say("1 point has no image: %s", answer.where);
+	else if (answer.imageless > 1)
+		say("%zu points have no image, the first in %s",
+		    answer.imageless, answer.where);
+	close_output();
+	return answer.bad ? EXIT_INPUT : EXIT_OK;
+}

@@ -1,0 +1,103 @@
+#include "print_matrix.h"
+
+#include <math.h>
+
+#include "json/print.h"
+#include "points/chunk.h"
+#include "scene/readers.h"
+#include "talk.h"
+
+/* The rows and columns of a map that its matrix has. */
+static const int SPATIAL[4] = { 0, 1, 2, 3 }, FLAT[3] = { 0, 1, 3 };
+
+static void refuse_wide(const struct document *d, double m[4][4], int n)
+{
+	for (int i = 0; i < n * n; i++)
+		if (!isfinite((float)m[i / n][i % n]))
+			document_refuse(d,
+			    "the matrix has elements beyond the range of "
+			    "floats; print doubles");
+}
+
+/* Row by row for row vectors, column by column for column vectors: that is the
+ * same order, and the one in which m, which is for row vectors, has them. */
+static void print_binary(double m[4][4], int n, bool wide)
+{
+	for (int i = 0; i < n * n; i++) {
+		double v = m[i / n][i % n];
+		float narrow = (float)v;
+
+		if (wide)
+			put_all((const char *)&v, sizeof v);
+		else
+			put_all((const char *)&narrow, sizeof narrow);
+	}
+}
+
+static void put_lines(struct printer *p, double m[4][4], int n,
+    const char *separator)
+{
+	for (int i = 0; i < n; i++) {
+		for (int j = 0; j < n; j++) {
+			p->between = j == 0 ? "" : separator;
+			put_number(p, m[i][j]);
+		}
+		put_text(p, "\n");
+	}
+}
+
+static void put_json(struct printer *p, double m[4][4], int n, bool column)
+{
+	put_open(p, "{");
+	put_name(p, "matrix");
+	put_open(p, "[");
+	for (int i = 0; i < n; i++)
+		put_numbers(p, m[i], n);
+	put_close(p, "]");
+	put_name(p, "vectors");
+	put_string(p, vector_names[column]);
+	put_close(p, "}\n");
+}
+
+static void transpose(double m[4][4], int n)
+{
+	for (int i = 0; i < n; i++)
+		for (int j = 0; j < i; j++) {
+			double v = m[i][j];
+
+			m[i][j] = m[j][i];
+			m[j][i] = v;
+		}
+}
+
+void print_matrix(const struct options *o, const struct document *d,
+    const struct map *map, bool flat)
+{
+	static char text[16 * (NUMBER_MAX + 2) + 64];
+	bool single = o->accuracy.precision == PRECISION_SINGLE;
+	bool column = d->scene.convention.column;
+	struct printer p = { text, o->style, single, true, "" };
+	const int *pick = flat ? FLAT : SPATIAL;
+	int n = flat ? 3 : 4;
+	double m[4][4];
+
+	for (int i = 0; i < n; i++)
+		for (int j = 0; j < n; j++) {
+			int row = pick[i] == 3 ? AT_ZERO : pick[i];
+
+			m[i][j] = map->m[row][pick[j]].hi;
+		}
+	if (single || o->out == FORMAT_F32)
+		refuse_wide(d, m, n);
+	if (is_binary(o->out)) {
+		print_binary(m, n, o->out == FORMAT_F64);
+		return;
+	}
+	if (column)
+		transpose(m, n);
+	if (o->out == FORMAT_JSON)
+		put_json(&p, m, n, column);
+	else
+		put_lines(&p, m, n, o->out == FORMAT_CSV ? "," : " ");
+	put_all(text, (size_t)(p.at - text));
+}

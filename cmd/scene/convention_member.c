@@ -1,0 +1,52 @@
+#include "convention_member.h"
+
+#include "readers.h"
+
+const char *const convention_names[] = {
+	[CONVENTION_D3D] = "d3d",
+	[CONVENTION_GL] = "gl",
+	[CONVENTION_VULKAN] = "vulkan",
+	[CONVENTION_WEBGPU] = "webgpu",
+	[CONVENTIONS] = NULL,
+};
+
+const struct convention conventions[] = {
+	[CONVENTION_D3D] = { 0 },
+	[CONVENTION_GL] = { .right_handed = true,
+	    .minus_one = true,
+	    .column = true,
+	    .bottom_left = true },
+	[CONVENTION_VULKAN] = { .right_handed = true,
+	    .column = true,
+	    .ndc_y_down = true },
+	[CONVENTION_WEBGPU] = { .right_handed = true, .column = true },
+};
+
+static const char *const hands[] = { "left", "right", NULL };
+static const char *const depths[] = { "zero_to_one", "minus_one_to_one", NULL };
+static const char *const ys[] = { "up", "down", NULL };
+static const char *const origins[] = { "top-left", "bottom-left", NULL };
+
+#define SECOND(label, list, m)                                     \
+	{                                                          \
+		.name = label, .read = read_second, .words = list, \
+		.at = offsetof(struct convention, m)               \
+	}
+
+const struct member convention_members[] = {
+	SECOND("handedness", hands, right_handed),
+	SECOND("depth", depths, minus_one),
+	SECOND("vectors", vector_names, column),
+	SECOND("ndc_y", ys, ndc_y_down),
+	SECOND("origin", origins, bottom_left),
+	{ .name = NULL },
+};
+
+void read_convention(const struct value *v, struct convention *c)
+{
+	*c = conventions[CONVENTION_D3D];
+	if (value_is_object(v))
+		object_read(v, convention_members, 0, c);
+	else
+		*c = conventions[value_word(v, convention_names)];
+}

@@ -1,0 +1,74 @@
+# What every test here needs. A test that uses it stands at the top of the
+# project, has a directory for what it writes, and Test::More.
+# usage of a test: x_test.t [-w] [BUILD] [FILE...]; BUILD, or else the variable
+# of that name, or else build, is the directory of projcalc. -w is for tests
+# that can rewrite what they expect.
+package Projcalc;
+use strict;
+use warnings;
+use Cwd 'abs_path';
+use Exporter 'import';
+use File::Basename;
+use File::Temp 'tempdir';
+use Test::More;
+
+our $top = abs_path(dirname(__FILE__) . '/../..');
+our $write = @ARGV && $ARGV[0] eq '-w' && shift @ARGV;
+our $build = abs_path(@ARGV && -d $ARGV[0] ? shift @ARGV :
+    $ENV{BUILD} // "$top/build");
+our $tmp = tempdir(CLEANUP => 1);
+our @EXPORT = (qw($top $write $build $tmp slurp spew missing run sorted),
+    @Test::More::EXPORT);
+
+$ENV{LC_ALL} = 'C';
+# A make that a test starts is a reader's own, not a part of `make test`.
+delete @ENV{qw(MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES)};
+chdir $top or die "$top: $!\n";
+
+sub slurp {
+	open my $file, '<:raw', $_[0] or die "$_[0]: $!\n";
+	local $/;
+	return <$file> // '';
+}
+
+sub spew {
+	my ($name, $text) = @_;
+	open my $file, '>:raw', $name or die "$name: $!\n";
+	print $file $text;
+	close $file or die "$name: $!\n";
+}
+
+# The first of these commands that is not installed, if any.
+sub missing {
+	for my $tool (@_) {
+		return $tool if system("command -v $tool >/dev/null") != 0;
+	}
+	return;
+}
+
+sub sorted { join ' ', sort @_ }
+
+# Runs a command of the shell, here or in a directory, with the program that is
+# tested first on PATH and nothing on standard input. Returns the status (128 and
+# the signal, as the shell says it), output and errors.
+sub run {
+	my ($command, $dir) = @_;
+	my ($out, $err) = map { "$tmp/$_$$" } qw(out err);
+	die "$build has no projcalc\n" if !-x "$build/projcalc";
+	my $pid = fork // die "fork: $!\n";
+	if ($pid == 0) {
+		chdir($dir // '.') or die "$dir: $!\n";
+		open STDIN, '<', '/dev/null';
+		open STDOUT, '>', $out;
+		open STDERR, '>', $err;
+		$ENV{PATH} = "$build:$ENV{PATH}";
+		$SIG{PIPE} = 'DEFAULT';
+		alarm 300;
+		exec 'sh', '-c', $command;
+	}
+	waitpid $pid, 0;
+	my $status = $? & 127 ? 128 + ($? & 127) : $? >> 8;
+	return ($status, slurp($out), slurp($err));
+}
+
+1;

@@ -1,0 +1,48 @@
+#!/usr/bin/perl
+# Does what stands in testdata/transcripts, and compares what is said.
+# usage: transcripts_test.t [-w] [BUILD] [FILE...]; -w rewrites what is
+# expected.
+use strict;
+use warnings;
+use FindBin;
+use lib $FindBin::Bin;
+use Projcalc;
+use Transcript;
+
+my @files = @ARGV ? @ARGV : sort glob 'testdata/transcripts/*.txt';
+my $jobs = `getconf _NPROCESSORS_ONLN`;
+
+# A process for each file, which prints the transcript as it is said now.
+sub start {
+	my ($file) = @_;
+	my $pid = open(my $from, '-|') // die "fork: $!\n";
+	return $from if $pid != 0;
+	print transcript_text(map { said($_) } transcript($file));
+	exit 0;
+}
+
+sub compare {
+	my ($case, $said) = @_;
+	my ($want, $now) = map { transcript_text($_) } $case, $said;
+	ok($want eq $now, "$case->{file}:$case->{line}: $case->{name}") and return;
+	# With the file's own numbers of lines.
+	my $above = "\n" x ($case->{line} - 1);
+	spew("$tmp/want", $above . $want);
+	spew("$tmp/now", $above . $now);
+	diag(`diff -u --label $case->{file} --label said $tmp/want $tmp/now`);
+}
+
+my @running;
+for my $i (0 .. $#files) {
+	push @running, start($files[@running])
+	    while @running < @files && @running < $i + $jobs;
+	my $text = do { local $/; readline $running[$i] };
+	close $running[$i] or die "$files[$i]: not done\n";
+	spew($files[$i], $text) if $write;
+	my @said = transcript($files[$i], $text);
+	for my $case (transcript($files[$i])) {
+		my $said = shift @said;
+		compare($case, $said) if $case->{command} ne '';
+	}
+}
+done_testing();
