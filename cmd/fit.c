@@ -51,9 +51,11 @@ static void read_box(const struct options *o, const struct document *d,
 {
 	struct bounds *box = j->with;
 
+	struct map same;
+
 	*box = nothing;
-	j->transform = transform_of(&map_identity, SPACE_MODEL, SPACE_WORLD,
-	    false);
+	map_identity(&same);
+	transform_of(&same, SPACE_MODEL, SPACE_WORLD, false, &j->transform);
 	stream_options(j, o);
 	stream_points(o, d, j);
 	if (!(box->min[0] <= box->max[0]))

@@ -10,14 +10,13 @@
 
 /* A line whose point was hit; its text is size bytes in that of all hits. */
 struct hit {
-	double distance, device[3], point[3];
+	double distance, device[3], point[4];
 	size_t line, text, size;
 };
 
 struct hits {
 	const struct options *o;
-	struct transform depth;
-	double at[2], radius;
+	struct picker picker;
 	struct hit *hit;
 	size_t n, room;
 	char *text;
@@ -30,17 +29,17 @@ static void take(const struct job *j, struct chunk *c, const struct line *r,
 {
 	const struct hits *h = j->with;
 	double in[4] = { c->in[0][p], c->in[1][p], c->in[2][p], 1 };
-	struct hit hit = { .line = line };
+	struct hit hit = { .line = line, .point = { [3] = 1 } };
 
 	for (int i = 0; i < 3; i++) {
 		hit.device[i] = c->image[i][p];
 		hit.point[i] = in[i];
 	}
 	if (isnan(hit.device[0]) || isnan(hit.device[1]) ||
-	    !is_within(hit.device, h->at, h->radius) ||
+	    !pick_holds(&h->picker, in, hit.device) ||
 	    frustum_out(&j->frustum, in) != 0)
 		return;
-	hit.distance = depth_of(&h->depth, in);
+	hit.distance = pick_distance(&h->picker, in);
 	hit.size = (size_t)(r->text.end - r->text.s);
 	char *at = chunk_reserve(c, sizeof hit + hit.size);
 
@@ -74,14 +73,19 @@ static void collect(const struct job *j, const struct chunk *c, size_t line)
 	}
 }
 
-/* Nearest first, then as they came. */
+/* For qsort, which hands nothing on. */
+static const struct picker *comparing;
+
+/* Nearest first, then as they came; distances that are printed alike can
+ * differ. */
 static int compare(const void *a, const void *b)
 {
 	const struct hit *p = a, *q = b;
+	int order = (p->distance > q->distance) - (p->distance < q->distance);
 
-	if (p->distance != q->distance)
-		return p->distance < q->distance ? -1 : 1;
-	return p->text < q->text ? -1 : p->text > q->text;
+	if (order == 0)
+		order = pick_compare(comparing, p->point, q->point);
+	return order != 0 ? order : p->text < q->text ? -1 : p->text > q->text;
 }
 
 /* What is to be printed, gathered so that there are few writes. */
@@ -131,8 +135,10 @@ static void print_hits(const struct job *j)
 	struct hits *h = j->with;
 	const struct options *o = h->o;
 
-	if (h->n > 0)
+	if (h->n > 0) {
+		comparing = &h->picker;
 		qsort(h->hit, h->n, sizeof *h->hit, compare);
+	}
 	for (size_t i = 0; i < h->n; i++) {
 		const struct hit *hit = &h->hit[i];
 
@@ -162,8 +168,8 @@ static void aim(const struct document *d, const struct options *o,
 		    "/pick/radius: missing; say how far around "
 		    "with \"radius\" or --radius R");
 	for (int i = 0; i < 2; i++)
-		h->at[i] = o->has_at ? o->at[i] : p->at[i];
-	h->radius = o->radius > 0 ? o->radius : p->radius;
+		h->picker.at[i] = o->has_at ? o->at[i] : p->at[i];
+	h->picker.radius = o->radius > 0 ? o->radius : p->radius;
 }
 
 int run_pick(const struct command *c, const struct options *o)
@@ -182,7 +188,7 @@ int run_pick(const struct command *c, const struct options *o)
 		&j.transform));
 	document_check(&d,
 	    frustum_of(&d.scene, SPACE_MODEL, false, &j.frustum));
-	document_check(&d, depth_transform(&d.scene, &hits.depth));
+	document_check(&d, picker_of(&d.scene, &j.transform, &hits.picker));
 	if (o->has_out && o->out != FORMAT_JSON && o->out != o->in)
 		die(EXIT_USAGE,
 		    "pick prints lines as they were read, or "

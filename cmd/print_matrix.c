@@ -75,6 +75,7 @@ void print_matrix(const struct options *o, const struct document *d,
 {
 	static char text[16 * (NUMBER_MAX + 2) + 64];
 	bool single = o->accuracy.precision == PRECISION_SINGLE;
+	bool floats = single || o->out == FORMAT_F32;
 	bool column = d->scene.convention.column;
 	struct printer p = { text, o->style, single, true, "" };
 	const int *pick = flat ? FLAT : SPATIAL;
@@ -83,11 +84,11 @@ void print_matrix(const struct options *o, const struct document *d,
 
 	for (int i = 0; i < n; i++)
 		for (int j = 0; j < n; j++) {
-			int row = pick[i] == 3 ? AT_ZERO : pick[i];
+			struct sum e = map->m[pick[i]][pick[j]];
 
-			m[i][j] = map->m[row][pick[j]].hi;
+			m[i][j] = floats ? (double)sum_float(e) : sum_double(e);
 		}
-	if (single || o->out == FORMAT_F32)
+	if (floats)
 		refuse_wide(d, m, n);
 	if (is_binary(o->out)) {
 		print_binary(m, n, o->out == FORMAT_F64);

@@ -22,8 +22,8 @@ static const char *look(const struct camera *c, bool right_handed,
 	bool at = c->by == CAMERA_AT;
 
 	for (int i = 0; i < 3; i++) {
-		z->v[i] = sum_of(at ? ex_diff(c->at[i], c->eye[i]) :
-				      ex_of(c->at[i]));
+		z->v[i] = sum_of(
+		    at ? ex_diff(c->at[i], c->eye[i]) : ex_of(c->at[i]));
 		if (right_handed)
 			z->v[i] = sum_neg(z->v[i]);
 		up[i] = sum_of_double(c->up[i]);

@@ -14,7 +14,7 @@ struct sum bounds_lowest(const struct bounds *b, const struct map *m, int j,
 
 	for (int i = 0; i < 3; i++) {
 		slope[i] = minus ? sum_neg(m->m[i][j]) : m->m[i][j];
-		double at = b->sphere	 ? b->center[i] :
+		double at = b->sphere      ? b->center[i] :
 		    sum_sign(slope[i]) > 0 ? b->min[i] :
 					     b->max[i];
 

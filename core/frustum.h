@@ -33,7 +33,7 @@ unsigned frustum_out(const struct frustum *, const double in[4]);
 /* Corner 0..7 of the view volume under the inverse of a map to clip space,
  * homogeneous, with clip w = 1: near, then far, each left-bottom, right-bottom,
  * right-top, left-top. */
-void view_corner(const struct scene *, const struct map *from_clip,
-    int corner, struct sum h[4]);
+void view_corner(const struct scene *, const struct map *from_clip, int corner,
+    struct sum h[4]);
 
 #endif

@@ -43,7 +43,7 @@ static const char *near_plane(const struct scene *s, struct sum *near,
 	return NULL;
 }
 
-const char *picker_of(const struct scene *s, const double at[2], double radius,
+const char *picker_of(const struct scene *s, const struct transform *to_device,
     struct picker *k)
 {
 	struct map view;
@@ -51,12 +51,7 @@ const char *picker_of(const struct scene *s, const double at[2], double radius,
 	bool upward;
 	const char *why = near_plane(s, &near, &upward);
 
-	k->at[0] = at[0];
-	k->at[1] = at[1];
-	k->radius = radius;
-	if (why == NULL)
-		why = scene_transform(s, SPACE_MODEL, SPACE_DEVICE, false,
-		    &k->to_device);
+	k->to_device = to_device;
 	if (why == NULL)
 		why = scene_map(s, SPACE_MODEL, SPACE_VIEW, &view);
 	if (why != NULL)
@@ -78,7 +73,7 @@ static struct sum square(struct sum a)
 bool pick_holds(const struct picker *k, const double in[4],
     const double device[2])
 {
-	const struct transform *t = &k->to_device;
+	const struct transform *t = k->to_device;
 	double x = device[0] - k->at[0], y = device[1] - k->at[1];
 	double d2 = x * x + y * y, r2 = k->radius * k->radius;
 	double large = fmax(fabs(k->at[0]), fabs(k->at[1]));

@@ -4,15 +4,16 @@
 
 #include "point.h"
 
-/* From model space: to the device, and along the gaze from the near plane. */
+/* From model space: to the device, and along the gaze from the near plane; and
+ * where on the device, within which radius. */
 struct picker {
-	struct transform to_device;
+	const struct transform *to_device;
 	struct transform depth; /* its z */
 	double at[2], radius;
 };
 
 /* Returns NULL, or the member and the reason. */
-const char *picker_of(const struct scene *, const double at[2], double radius,
+const char *picker_of(const struct scene *, const struct transform *to_device,
     struct picker *);
 
 /* Whether a point, whose image's nearest doubles are given, is no further than

@@ -127,7 +127,8 @@ static const char *persp(const struct projection *p, const struct convention *c,
 		double b = p->reverse_z ? n : p->far;
 		struct sum size = difference(b, a);
 
-		f->zz = sum_quotient(c->minus_one ? difference(b, -a) : number(b),
+		f->zz = sum_quotient(c->minus_one ? difference(b, -a) :
+						    number(b),
 		    size);
 		f->tz = sum_quotient(sum_mul(number(-k * a), number(b)), size);
 	}
@@ -154,7 +155,8 @@ static const char *ortho(const struct projection *p, const struct convention *c,
 		return "/projection/far: equal to near; "
 		       "the planes must differ";
 	f->zz = sum_quotient(number(c->minus_one ? 2 : 1), size);
-	f->tz = sum_quotient(c->minus_one ? difference(-a, b) : number(-a), size);
+	f->tz = sum_quotient(c->minus_one ? difference(-a, b) : number(-a),
+	    size);
 	f->zz = negated_if(c->right_handed, f->zz);
 	f->tx = sum_neg(off[0]);
 	f->ty = sum_neg(off[1]);

@@ -128,8 +128,8 @@ void ray_exact(const struct ray_maker *r, const double at[2], bool single,
 	if (sum_sign(n[3]) <= 0)
 		return;
 	for (int j = 0; j < 3; j++) {
-		to[j] = sum_settled(sum_sub(sum_mul(m[j], n[3]),
-		    sum_mul(n[j], m[3])));
+		to[j] = sum_settled(
+		    sum_sub(sum_mul(m[j], n[3]), sum_mul(n[j], m[3])));
 		if (r->against)
 			to[j] = sum_neg(to[j]);
 	}

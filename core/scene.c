@@ -2,20 +2,6 @@
 
 #include <string.h>
 
-/* Refusals of a stage whose product with the others is too large, indexed by the
- * space that the stage leads from. */
-#define BEYOND                                                         \
-	": the scene's composed matrix has elements beyond the range " \
-	"of doubles; bring sizes and distances nearer to one another"
-
-static const char *const beyond[] = {
-	"/world" BEYOND,
-	"/camera" BEYOND,
-	"/projection" BEYOND,
-	"/projection" BEYOND,
-	"/viewport" BEYOND,
-};
-
 static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 {
 	map_identity(r);

@@ -77,8 +77,8 @@ struct sum sum_abs(struct sum a)
 
 static struct sum cut(ex value, struct magnitude size)
 {
-	return (struct sum){ size.m > 0 ? ex_first(value, WORDS) : value,
-		size };
+	return (
+	    struct sum){ size.m > 0 ? ex_first(value, WORDS) : value, size };
 }
 
 struct sum sum_add(struct sum a, struct sum b)
@@ -132,8 +132,7 @@ static bool is_none(ex difference, struct magnitude size)
 
 int sum_sign(struct sum a)
 {
-	return a.value.sign == 0 || is_none(a.value, a.size) ? 0 :
-							       a.value.sign;
+	return a.value.sign == 0 || is_none(a.value, a.size) ? 0 : a.value.sign;
 }
 
 struct sum sum_settled(struct sum a)

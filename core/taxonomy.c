@@ -100,8 +100,8 @@ static void name_parallel(const struct lens *l, struct taxonomy *t)
 		if (sum_sign(vec3_dot(n, d)) < 0)
 			na = sum_neg(na);
 		for (int k = 0; k < 3; k++)
-			v[k] = sum_settled(sum_sub(sum_mul(a[k], nd),
-			    sum_mul(d[k], na)));
+			v[k] = sum_settled(
+			    sum_sub(sum_mul(a[k], nd), sum_mul(d[k], na)));
 		t->foreshortening[i] = over(vec3_length(v), nd);
 	}
 	vec3_cross(d, n, across);
@@ -143,8 +143,8 @@ static double degrees(struct sum y, struct sum x)
 	struct sum cube = sum_mul(sum_mul(tan, tan), tan);
 
 	cube = sum_quotient(cube, sum_of_double(3));
-	return sum_double(sum_add(sum_of_double(a),
-	    in_degrees(sum_sub(tan, cube))));
+	return sum_double(
+	    sum_add(sum_of_double(a), in_degrees(sum_sub(tan, cube))));
 }
 
 /* Between the planes x = -limit w and x = limit w, of gradients limit g + a and

@@ -12,8 +12,7 @@ static struct quotient whole(ex a)
 
 static struct sum times(struct quotient a, struct quotient b)
 {
-	return sum_quotient(sum_of(ex_mul(a.n, b.n)),
-	    sum_of(ex_mul(a.d, b.d)));
+	return sum_quotient(sum_of(ex_mul(a.n, b.n)), sum_of(ex_mul(a.d, b.d)));
 }
 
 /* One axis, x' = (x - from) s + to, where from or to is 0. */

@@ -45,18 +45,16 @@ static size_t read_lines(struct job *j, struct chunk *c, size_t *points)
 /* Exactly, for any precision; single's numbers are floats. */
 static void cast_rays(const struct job *j, struct chunk *c, size_t n)
 {
-	bool single = j->accuracy.precision == PRECISION_SINGLE;
+	bool single = j->accuracy.precision == PRECISION_SINGLE ||
+	    j->layout.out == FORMAT_F32;
 
 	for (size_t i = 0; i < n; i++) {
 		double at[2] = { c->in[0][i], c->in[1][i] }, ray[2][3];
 
 		c->single[i] = single;
-		ray_exact(&j->ray, at, ray[0], ray[1]);
-		for (int k = 0; k < 6; k++) {
-			double v = ray[k / 3][k % 3];
-
-			c->image[k][i] = single ? (double)(float)v : v;
-		}
+		ray_exact(&j->ray, at, single, ray[0], ray[1]);
+		for (int k = 0; k < 6; k++)
+			c->image[k][i] = ray[k / 3][k % 3];
 	}
 }
 
@@ -75,9 +73,8 @@ static void carry(const struct job *j, struct chunk *c, size_t n)
 
 enum { WORD_MAX = 48 };
 
-/* "in", or the planes that the point is outside of, as left+near; then +ill
- * where it is. */
-static const char *flag_word(unsigned out, bool ill, char word[WORD_MAX])
+/* "in", or the planes that the point is outside of, as left+near. */
+static const char *flag_word(unsigned out, char word[WORD_MAX])
 {
 	static const char *const names[] = { "left", "right", "bottom", "top",
 		"near", "far", "behind", "nan" };
@@ -87,9 +84,7 @@ static const char *flag_word(unsigned out, bool ill, char word[WORD_MAX])
 		if (out >> k & 1)
 			at += sprintf(at, at > word ? "+%s" : "%s", names[k]);
 	if (out == 0)
-		at = stpcpy(at, "in");
-	if (ill)
-		stpcpy(at, "+ill");
+		strcpy(at, "in");
 	return word;
 }
 
@@ -107,8 +102,7 @@ static bool judge(const struct job *j, const struct chunk *c, size_t p,
 	unsigned out = frustum_out(&j->frustum, in);
 
 	if (j->flags)
-		*flags = flag_word(out,
-		    out < OUT_BEHIND && point_is_ill(&j->transform, in), word);
+		*flags = flag_word(out, word);
 	return !j->visible || out == 0;
 }
 

@@ -15,7 +15,7 @@
 #define MAX(a, b) _mm256_max_pd(a, b)
 #define MADD FMA
 #define SAME(a, b, c) _mm256_and_pd(c, _mm256_cmp_pd(a, b, _CMP_EQ_OQ))
-#define CHOOSE(a, b, c)     \
+#define CHOOSE(a, b, c)        \
 	_mm256_blendv_pd(c, b, \
 	    _mm256_cmp_pd(a, _mm256_setzero_pd(), _CMP_GT_OQ))
 

@@ -162,8 +162,8 @@ static inline V depth(const struct kernel_map *m, vdd w, V reciprocal,
 	    error, sure);
 }
 
-static inline __attribute__((always_inline)) int exact(
-    const struct kernel_map *m, const double *const in[3],
+static inline __attribute__((always_inline)) int
+exact(const struct kernel_map *m, const double *const in[3],
     double *const out[3], size_t n, enum kernel_kind kind)
 {
 	const int terms = kind == KERNEL_FLAT ? 2 : 3;
@@ -197,10 +197,9 @@ static inline __attribute__((always_inline)) int exact(
 		for (int k = 0; k < columns; k++) {
 			vdd s = column(&c[k], cut, rest, terms);
 
-			q[k] = divide ? quotient(s, w, r, ALL(c[k].bound),
-					    bound, &sure) :
-					round_surely(s.hi, s.lo,
-					    ALL(c[k].bound), &sure);
+			q[k] = divide ?
+			    quotient(s, w, r, ALL(c[k].bound), bound, &sure) :
+			    round_surely(s.hi, s.lo, ALL(c[k].bound), &sure);
 		}
 		if (kind == KERNEL_DEPTH)
 			q[2] = depth(m, w, r, bound, &sure);
@@ -216,11 +215,11 @@ static inline __attribute__((always_inline)) int exact(
 	return least(done) > 0;
 }
 
-#define LOOP(KIND, name)                                                  \
-	static int name(const struct kernel_map *m,                       \
-	    const double *const in[3], double *const out[3], size_t n)    \
-	{                                                                 \
-		return exact(m, in, out, n, KIND);                        \
+#define LOOP(KIND, name)                                                       \
+	static int name(const struct kernel_map *m, const double *const in[3], \
+	    double *const out[3], size_t n)                                    \
+	{                                                                      \
+		return exact(m, in, out, n, KIND);                             \
 	}
 
 LOOP(KERNEL_FLAT, exact_flat)

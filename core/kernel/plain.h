@@ -16,8 +16,8 @@
  * is off by u TINY at most. */
 
 /* Column k of the map. */
-static inline R NAME(column)(const struct kernel_map *m, int k, const R p[3],
-    int terms)
+static inline R NAME(
+    column)(const struct kernel_map *m, int k, const R p[3], int terms)
 {
 	R c = R_ALL((REAL)m->hi[3][k]);
 
@@ -105,15 +105,14 @@ static inline __attribute__((always_inline)) int NAME(
 	return done;
 }
 
-#define LOOP(KIND, name)                                                \
-	static int NAME(name)(const struct kernel_map *m,               \
-	    const double *const in[3], double *const out[3], size_t n,  \
-	    double tolerance)                                           \
-	{                                                               \
-		if (tolerance > 0)                                      \
-			return NAME(plain)(m, in, out, n, tolerance,    \
-			    KIND, 1);                                   \
-		return NAME(plain)(m, in, out, n, 1, KIND, 0);          \
+#define LOOP(KIND, name)                                                       \
+	static int NAME(name)(const struct kernel_map *m,                      \
+	    const double *const in[3], double *const out[3], size_t n,         \
+	    double tolerance)                                                  \
+	{                                                                      \
+		if (tolerance > 0)                                             \
+			return NAME(plain)(m, in, out, n, tolerance, KIND, 1); \
+		return NAME(plain)(m, in, out, n, 1, KIND, 0);                 \
 	}
 
 LOOP(KERNEL_FLAT, flat)
