@@ -133,7 +133,7 @@ bits: all ## rewrite the digests of what tests compute
 	perl cmd/test/bits_test.t -w
 
 # Rewrites what the transcripts expect; read the diff before you commit it.
-transcripts: all ## rewrite what they expect
+transcripts: all ## rewrite what testdata/transcripts expect
 	perl cmd/test/transcripts_test.t -w
 
 layers: programs ## what includes and calls what; how long functions are
