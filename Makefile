@@ -91,7 +91,7 @@ $(BENCHES): $(BUILD)/%: $(BUILD)/%.o $(PEERS) $(TRUTH) $(BUT_MAIN)
 	$(CXX) -pthread $(LDFLAGS) -o $@ $^ $(TRUTH_LIBS) $(LIBS)
 
 # A fuzzer has its own functions in place of talk.c's, and of the read and poll
-# that stream.c calls. Of an archive only what is called is linked.
+# that piece.c calls. Of an archive only what is called is linked.
 $(BUILD)/program.a: $(filter-out %/talk.o,$(BUT_MAIN))
 	rm -f $@
 	$(AR) rcs $@ $^
