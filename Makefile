@@ -1,4 +1,5 @@
-# make builds build/projcalc; make help lists the rest. GNU make.
+# make builds build/projcalc. make help lists what else there is: the targets
+# below with ## behind them. GNU make.
 
 PREFIX = /usr/local
 BINDIR = $(PREFIX)/bin
@@ -11,30 +12,32 @@ DESTDIR =
 
 # Everything that is made goes here.
 BUILD = build
-
 CFLAGS = -O2 -g
 CXXFLAGS = $(CFLAGS)
 LDFLAGS =
 
-# The same bytes from every compiler: no fused multiply-add that isn't written.
+# What is always wanted stands apart from CFLAGS and LDFLAGS, as those of the
+# command line would replace it. The same bytes come from every compiler: no
+# multiply-add is fused unless it is written so.
 FLAGS = -ffp-contract=off -pthread -MMD -MP -Wall -Wextra -Wshadow \
 	-Wconversion -Wdouble-promotion -Wvla $(if $(WERROR),-Werror)
 C_FLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L -Wstrict-prototypes
 # Debian keeps dragonbox in a directory that is named after its version.
 CXX_FLAGS = -std=c++17 -fno-exceptions -fno-rtti \
 	$(addprefix -isystem,$(wildcard /usr/include/dragonbox-*))
-# The C++ uses headers alone: the C compiler links.
+# The C++ is of headers alone, so the C compiler links.
 LINK = $(CC) -pthread $(LDFLAGS)
 LIBS = -lcjson -lm
 TRUTH_LIBS = -lcmocka -lmpfr -lgmp
 
-# The program is all there is in these folders; the others hold what tests,
-# studies, measures and shows it.
+# The program is all there is in the folders of CORE and PROGRAM. The other
+# folders test, study, measure and show it.
 objects = $(addprefix $(BUILD)/,$(addsuffix .o,$(basename \
 	$(wildcard $(foreach folder,$1,$(folder)/*.c $(folder)/*.cc)))))
 programs = $(basename $(call objects,$1))
 CORE = $(call objects,core core/kernel)
 PROGRAM = $(CORE) $(call objects,cmd cmd/json cmd/scene cmd/points cmd/number)
+BUT_MAIN = $(filter-out %/main.o,$(PROGRAM))
 TRUTH = $(filter-out %_test.o,$(call objects,core/test))
 PEERS = $(call objects,cmd/bench/peer)
 CORE_TESTS = $(filter %_test,$(call programs,core/test))
@@ -45,16 +48,15 @@ BENCHES = $(call programs,core/bench cmd/bench)
 FUZZERS = $(call programs,cmd/fuzz)
 COMPLETIONS = $(addprefix $(BUILD)/completion/,bash zsh fish)
 
-JOBS = $(shell nproc 2>/dev/null || echo 2)
 # As many jobs as there are cores, unless the caller has said how many.
-PARALLEL = $(MAKE) --no-print-directory $(if $(findstring j,$(filter-out \
-	--%,$(MAKEFLAGS))),,-j$(JOBS))
+JOBS = $(shell nproc 2>/dev/null || echo 2)
+PARALLEL = $(MAKE) -s --no-print-directory \
+	$(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 
 # In `make deps demo` nothing is built before what it needs is installed.
 FIRST = $(filter deps,$(MAKECMDGOALS))
 
-all: $(BUILD)/projcalc
-
+all: $(BUILD)/projcalc ## the program, build/projcalc
 $(BUILD)/projcalc: $(PROGRAM)
 	$(LINK) -o $@ $^ $(LIBS)
 
@@ -66,10 +68,9 @@ $(BUILD)/%.o: %.cc | $(FIRST)
 	@mkdir -p $(@D)
 	$(CXX) $(CXX_FLAGS) $(CXXFLAGS) $(FLAGS) $(CPPFLAGS) -c -o $@ $<
 
-# The inner loops, and their copies for each x86-64, of which one is chosen
-# when the program runs.
-$(BUILD)/core/point.o $(BUILD)/core/points.o $(BUILD)/cmd/points/binary.o \
-    $(call objects,core/kernel): FLAGS += -O3
+# The inner loops: binary points take a fifth less time than at -O2. Those for
+# AVX2 and AVX-512 are chosen when the program runs.
+$(BUILD)/cmd/points/binary.o $(call objects,core/kernel): FLAGS += -O3
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),)
 $(BUILD)/core/kernel/avx2.o: FLAGS += -mavx2 -mfma
 $(BUILD)/core/kernel/avx512.o: FLAGS += -mavx512f -mfma
@@ -79,50 +80,41 @@ $(BUILD)/cmd/points/line_read.o: FLAGS += -fno-tree-slp-vectorize
 # Others' libraries at their best, for this very processor.
 $(PEERS): FLAGS += -O3 -march=native -ffp-contract=fast
 
-$(CORE_TESTS): $(BUILD)/%: $(BUILD)/%.o $(TRUTH) $(CORE)
+$(STABILITY): $(call objects,core/study)
+$(CORE_TESTS) $(STABILITY): $(BUILD)/%: $(BUILD)/%.o $(TRUTH) $(CORE)
 	$(LINK) -o $@ $^ $(TRUTH_LIBS) -lm
 
-$(CMD_TESTS): $(BUILD)/%: $(BUILD)/%.o $(TRUTH) $(filter-out %/main.o,$(PROGRAM))
+$(CMD_TESTS): $(BUILD)/%: $(BUILD)/%.o $(TRUTH) $(BUT_MAIN)
 	$(LINK) -o $@ $^ $(TRUTH_LIBS) $(LIBS)
 
-$(STABILITY): $(call objects,core/study) $(TRUTH) $(CORE)
-	$(LINK) -o $@ $^ $(TRUTH_LIBS) -lm
-
-$(BENCHES): $(BUILD)/%: $(BUILD)/%.o $(PEERS) $(TRUTH) \
-    $(filter-out %/main.o,$(PROGRAM))
+$(BENCHES): $(BUILD)/%: $(BUILD)/%.o $(PEERS) $(TRUTH) $(BUT_MAIN)
 	$(CXX) -pthread $(LDFLAGS) -o $@ $^ $(TRUTH_LIBS) $(LIBS)
 
-# A fuzzer has functions of talk.c of its own, and stream's reads and waits;
-# of an archive only what is called is linked.
-$(BUILD)/program.a: $(filter-out %/main.o %/talk.o,$(PROGRAM))
+# A fuzzer has its own functions in place of talk.c's, and of the read and poll
+# that piece.c calls. Of an archive only what is called is linked.
+$(BUILD)/program.a: $(filter-out %/talk.o,$(BUT_MAIN))
 	rm -f $@
 	$(AR) rcs $@ $^
 
 $(BUILD)/cmd/fuzz/stream: LINK += -Wl,--wrap=read,--wrap=poll
 $(FUZZERS): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/program.a
-	$(LINK) -o $@ $^ $(LIBS)
+	$(LINK) -fsanitize=fuzzer -o $@ $^ $(LIBS)
 
 $(COMPLETIONS): $(BUILD)/completion/%: $(BUILD)/projcalc man/completion.pl
 	@mkdir -p $(@D)
 	perl man/completion.pl $< $* >$@
 
-demo: | $(FIRST)
-	@$(PARALLEL) -s all
+demo: | $(FIRST) ## the Stanford bunny, seen in a terminal
+	@+$(PARALLEL) all
 	@sh cmd/demo/demo.sh $(BUILD)
-
-# The bunny in four views, as an SVG.
-views: all
+views: all ## the bunny in four views, as an SVG
 	sh cmd/demo/views.sh $(BUILD) testdata/charts/views.svg
 
-# Measured here and now, beside what others use; what is missing is left out.
-bench: $(BUILD)/projcalc $(BENCHES)
+bench: $(BUILD)/projcalc $(BENCHES) ## speed and errors, beside other programs
 	@sh cmd/bench/bench.sh $(BUILD)
-
-# Where double breaks and exact does not.
-stability: $(STABILITY)
+stability: $(STABILITY) ## where double breaks and exact does not
 	@$< table
-
-chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES)
+chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures
 	$< data > $<.dat
 	gnuplot -e "data='$<.dat'" core/study/stability.gp \
 	    > testdata/charts/stability.svg
@@ -130,98 +122,76 @@ chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES)
 	gnuplot -c cmd/bench/bench.gp $(BUILD)/bench testdata/charts
 	mv $(BUILD)/bench.md testdata/charts/bench.md
 
-# The program and its tests, for cmd/test/compilers_test.t too.
-programs: $(BUILD)/projcalc $(TESTS)
-
-RUN_TESTS = perl cmd/test/run_tests.pl
-test: | $(FIRST)
-	@$(PARALLEL) -s programs
-	@$(RUN_TESTS) $(JOBS) $(TESTS) $(sort $(wildcard cmd/test/*_test.t))
-
-# The instrumented program in the place of the plain one: all tests under
-# address and undefined, streams under thread, one of each command under
-# valgrind. Memory that the program keeps until it ends is not freed.
-SANITIZE = -O1 -g -fno-sanitize-recover=all
-SCRIPTED = $(patsubst %,cmd/test/%_test.t,transcripts recorded bits)
-asan:
-	@$(PARALLEL) -s programs BUILD=$(BUILD)/asan \
-	    CFLAGS='$(SANITIZE) -fsanitize=address,undefined' \
-	    LDFLAGS='-fsanitize=address,undefined'
-	@ASAN_OPTIONS=detect_leaks=0 BUILD=$(BUILD)/asan $(RUN_TESTS) $(JOBS) \
-	    $(TESTS:$(BUILD)/%=$(BUILD)/asan/%) $(SCRIPTED)
-
-tsan:
-	@$(PARALLEL) -s all BUILD=$(BUILD)/tsan \
-	    CFLAGS='$(SANITIZE) -fsanitize=thread' LDFLAGS='-fsanitize=thread'
-	@sh cmd/test/threads.sh $(BUILD)/tsan
-
-valgrind: all
-	@sh cmd/test/valgrind.sh $(BUILD)
-
-# Which lines of the program the tests run.
-coverage:
-	@find $(BUILD)/coverage -name '*.gcda' -delete 2>/dev/null || true
-	@$(PARALLEL) -s programs BUILD=$(BUILD)/coverage \
-	    CFLAGS='-O0 -g --coverage' LDFLAGS='--coverage'
-	@BUILD=$(BUILD)/coverage $(RUN_TESTS) 1 \
-	    $(TESTS:$(BUILD)/%=$(BUILD)/coverage/%) $(SCRIPTED)
-	@gcovr --root . --object-directory $(BUILD)/coverage \
-	    --exclude '.*/(test|study)/.*' core cmd $(BUILD)/coverage
+programs: $(BUILD)/projcalc $(TESTS) ## the program and its tests
+SCRIPTS = $(sort $(wildcard cmd/test/*_test.t))
+test: | $(FIRST) ## all tests
+	@+$(PARALLEL) programs
+	@BUILD=$(BUILD) perl cmd/test/run_tests.pl $(JOBS) $(TESTS) $(SCRIPTS)
 
 # After a change that is meant to change bits; the transcripts say which.
-bits: all
+bits: all ## rewrite the digests of what tests compute
 	perl cmd/test/bits_test.t -w
 
-# The same bits from both compilers, whatever they are told to optimize.
-levels:
-	@sh cmd/test/levels.sh $(BUILD)/levels
-
-# The transcripts and the same bits on another processor, emulated.
-arm64:
-	@sh cmd/test/arm64.sh $(BUILD)/arm64
-
-# GNU parallel and Slurm over hosts made of namespaces, some killed half-way.
-cluster: all
-	@sh cmd/test/cluster.sh $(BUILD)
-
-# With clang's libFuzzer, FUZZ_SECONDS in all.
-FUZZ_SECONDS = 60
-FUZZED = -fno-sanitize=function -fno-sanitize-recover=all
-fuzzers: $(FUZZERS)
-fuzz:
-	@$(PARALLEL) -s fuzzers BUILD=$(BUILD)/fuzz CC=clang CXX=clang++ \
-	    CFLAGS='-O1 -g -fsanitize=fuzzer-no-link,address,undefined \
-	    $(FUZZED)' LDFLAGS='-fsanitize=fuzzer,address,undefined'
-	@perl cmd/fuzz/fuzz.pl $(BUILD)/fuzz $(FUZZ_SECONDS) \
-	    $(FUZZERS:$(BUILD)/%=$(BUILD)/fuzz/%)
-
 # Rewrites what the transcripts expect; read the diff before you commit it.
-transcripts: all
+transcripts: all ## rewrite what testdata/transcripts expect
 	perl cmd/test/transcripts_test.t -w
 
-# What is uninitialized the compilers know better than cppcheck.
-lint:
+layers: programs ## what includes and calls what; how long functions are
+	@perl cmd/test/layers_test.t $(BUILD)
+
+# Of variables without a value the compilers know more than cppcheck does.
+lint: ## the manual, the style, the scripts, the C
 	mandoc -T lint -W warning man/*.[15]
 	clang-format --dry-run -Werror $(foreach room,core core/* cmd cmd/*, \
 	    $(wildcard $(room)/*.[ch] $(room)/*.cc))
 	shellcheck .ci/run .debian/build .debian/deps $(wildcard cmd/*/*.sh)
-	cppcheck --quiet --error-exitcode=1 --std=c11 --inline-suppr \
-	    --enable=warning,performance,portability --suppress=uninitvar \
-	    core cmd
+	cppcheck --quiet --error-exitcode=1 --std=c11 --inline-suppr core cmd \
+	    --enable=warning,performance,portability --suppress=uninitvar
 
-# Floors, rings, the length of functions.
-layers: all
-	@perl cmd/test/layers_test.t $(BUILD)
+# make with the flags $1, in a folder named after the target. Of the scripts it
+# runs those that test the program of that folder.
+rebuilt = $(PARALLEL) BUILD=$(BUILD)/$@ CFLAGS='$1' LDFLAGS='$1' \
+	SCRIPTS='$(patsubst %,cmd/test/%_test.t,transcripts recorded bits)'
+THREAD = -O1 -g -fno-sanitize-recover=all -fsanitize=thread
+ADDRESS = -O1 -g -fno-sanitize-recover=all -fsanitize=address,undefined
+FUZZ_SECONDS = 60
 
+# Memory that the program needs to its end is never freed: no leak is reported.
+asan: ## the tests under the address and undefined behaviour sanitizers
+	@+ASAN_OPTIONS=detect_leaks=0 $(call rebuilt,$(ADDRESS)) test
+tsan: ## streams of points under the thread sanitizer
+	@+$(call rebuilt,$(THREAD)) all
+	@sh cmd/test/threads.sh $(BUILD)/tsan
+coverage: ## which lines of the program the tests run
+	@find $(BUILD)/coverage -name '*.gcda' -delete 2>/dev/null || true
+	@+$(call rebuilt,-O0 -g --coverage) test
+	@gcovr --root . --object-directory $(BUILD)/coverage \
+	    --exclude '.*/(test|study)/.*' core cmd $(BUILD)/coverage
+fuzzers: $(FUZZERS)
+fuzz: ## clang's libFuzzer, FUZZ_SECONDS=60 in all
+	@+$(call rebuilt,$(ADDRESS) -fsanitize=fuzzer-no-link) \
+	    CC=clang CXX=clang++ fuzzers
+	@perl cmd/fuzz/fuzz.pl $(BUILD)/fuzz $(FUZZ_SECONDS) \
+	    $(FUZZERS:$(BUILD)/%=$(BUILD)/fuzz/%)
+valgrind: all ## one call of each command under valgrind
+	@sh cmd/test/valgrind.sh $(BUILD)
+levels: ## the same bits from both compilers at each level of optimization
+	@sh cmd/test/levels.sh $(BUILD)/levels
+arm64: ## the same bits from another processor, emulated
+	@sh cmd/test/arm64.sh $(BUILD)/arm64
+cluster: all ## GNU parallel and Slurm, over hosts that are killed half-way
+	@sh cmd/test/cluster.sh $(BUILD)
+
+# What is installed, and where.
+MADE = $(BUILD)/projcalc man/projcalc.1 man/projcalc-scene.5 \
+	man/projcalc.schema.json $(COMPLETIONS)
 INSTALLED = $(BINDIR)/projcalc $(MANDIR)/man1/projcalc.1 \
 	$(MANDIR)/man5/projcalc-scene.5 \
 	$(DATADIR)/projcalc/projcalc.schema.json $(BASHDIR)/projcalc \
 	$(ZSHDIR)/_projcalc $(FISHDIR)/projcalc.fish
-MADE = $(BUILD)/projcalc man/projcalc.1 man/projcalc-scene.5 \
-	man/projcalc.schema.json $(COMPLETIONS)
 
-# Each to its place; the manual says where the schema is.
-install: $(MADE)
+# The manual says where the schema is.
+install: $(MADE) ## to PREFIX=/usr/local, below DESTDIR
 	@set -e; set -- $(addprefix $(DESTDIR),$(INSTALLED)); \
 	for file in $(MADE); do \
 		mode=644; [ $$file != $(BUILD)/projcalc ] || mode=755; \
@@ -232,17 +202,17 @@ install: $(MADE)
 	sed -i 's|/usr/local/share|$(DATADIR)|' \
 	    $(addprefix $(DESTDIR)$(MANDIR)/,man1/projcalc.1 man5/projcalc-scene.5)
 
-uninstall:
+uninstall: ## take it away
 	rm -f $(addprefix $(DESTDIR),$(INSTALLED))
 	-rmdir $(DESTDIR)$(DATADIR)/projcalc
 
+# A release has the date of its heading in NEWS.md.
 VERSION = $(shell sed -n 's/^\#define VERSION "\(.*\)"/\1/p' cmd/*.c)
-# That of the release, by the first heading of NEWS.md.
 DATE = $(shell sed -n 's/^\#\# $(VERSION), //p' NEWS.md)
 DIST = projcalc-$(VERSION)
 
 # The same bytes from the same files, whoever packs them, and when.
-dist:
+dist: ## a tarball
 	@test -n '$(DATE)' || \
 	    { echo 'NEWS.md has no date for $(VERSION)' >&2; exit 1; }
 	@mkdir -p $(BUILD)
@@ -251,46 +221,22 @@ dist:
 	    --exclude='*~' --exclude='.*.sw?' --transform='s|^|$(DIST)/|' \
 	    .ci .clang-format .debian .github LICENSE Makefile NEWS.md \
 	    README.md cmd core man testdata
-
-# The tarball builds, tests, installs, uninstalls and packs itself.
-distcheck: dist
+distcheck: dist ## build, test, install, uninstall and pack from the tarball
 	@sh cmd/test/dist.sh $(BUILD) $(DIST)
-
-# A Debian package, with its examples run from it.
-deb:
+deb: ## a Debian package, and the manual's examples run from it
 	@sh .debian/build $(BUILD) $(VERSION) $(DATE)
-
-# All that there is to a release but its tag.
-release: lint distcheck deb
+release: lint distcheck deb ## all of it, with sums
 	cd $(BUILD) && sha256sum $(DIST).tar.gz projcalc_$(VERSION)_*.deb
 
-clean:
+clean: ## remove what was made
 	rm -rf $(BUILD)
-
-deps:
+deps: ## install what is missing for these, with apt-get
 	@sh .debian/deps
-
-deps-all:
+deps-all: ## and for asan to fuzz, bench and chart
 	@sh .debian/deps all
-
-help:
-	@echo 'make             build $(BUILD)/projcalc'
-	@echo 'make deps        install what is missing, with apt-get'
-	@echo 'make demo        the Stanford bunny, seen in a terminal'
-	@echo 'make test        all tests'
-	@echo 'make transcripts rewrite what the transcripts expect'
-	@echo 'make lint        the manual page, the style, the scripts, the C'
-	@echo 'make layers      floors of the house, lengths of its functions'
-	@echo 'make asan        all tests under sanitizers; tsan, valgrind, coverage,'
-	@echo '                 levels, arm64, fuzz (FUZZ_SECONDS=60), cluster: see the'
-	@echo '                 Makefile; make deps-all installs what they want'
-	@echo 'make bench       measure, beside what others use; make chart draws it'
-	@echo 'make install     to PREFIX=$(PREFIX), below DESTDIR'
-	@echo 'make uninstall'
-	@echo 'make dist        a tarball; make distcheck tests it'
-	@echo 'make deb         a Debian package'
-	@echo 'make release     lint, distcheck, deb'
-	@echo 'make clean'
+help: ## this
+	@sed -n 's/^\([a-z0-9-]*\):.* ## /make \1	/p' $(firstword $(MAKEFILE_LIST)) | \
+	    expand -t 18
 
 .PHONY: all demo views bench stability chart programs test asan tsan valgrind \
 	coverage bits levels arm64 cluster fuzzers fuzz transcripts lint layers \

@@ -18,12 +18,12 @@ say() {
 	echo "bench: $*" >&2
 }
 
-# add GROUP NAME COMMAND: of text, one that reads in.xyz.
+# usage: add GROUP NAME COMMAND. A program of text reads in.xyz.
 add() {
 	printf '%s\t%s\t%s\n' "$1" "$2" "$3" >>commands
 }
 
-# add_if TOOL GROUP NAME COMMAND
+# usage: add_if TOOL GROUP NAME COMMAND: adds it if there is such a tool.
 add_if() {
 	if command -v "$1" >/dev/null; then
 		shift
@@ -60,7 +60,7 @@ make_input() {
 	    points.xyz >points.f64
 }
 
-# The view matrix as PROJ writes it.
+# The view matrix as parameters of PROJ.
 affine() {
 	projcalc project --matrix --to view scene.json | awk '{
 		for (i = 1; i <= 3; i++)
@@ -105,7 +105,7 @@ project -p $precision -j $jobs scene.json in.xyz"
 	    "cct -d 15 -t 0 +proj=affine $(affine) in.xyz"
 }
 
-# The same points shared out among as many processes as there are cores.
+# The same points, spread over as many processes as there are cores.
 add_split() {
 	project='projcalc project -j 1 scene.json -'
 	add split 'one process' "projcalc project scene.json in.xyz"
@@ -161,7 +161,7 @@ measure() {
 	done
 }
 
-# Every text program's numbers against the first one's of its group.
+# Compares the numbers of each text program with those of its group's first.
 check() {
 	ln -sf few.xyz in.xyz
 	last=

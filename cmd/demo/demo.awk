@@ -1,7 +1,9 @@
-# Draws triangles in a terminal. The files are points in view space, the same
-# in a device of 160 x 96, and triangles by vertex numbers from 0. A character
-# is 2 x 4 dots; more of them are lit where a triangle faces the lamp.
+# Draws triangles in a terminal. The first file has points in view space, the
+# second the same points in a device of 160 x 96 dots, the third triangles, by
+# the numbers of their points from 0. A character is 2 x 4 dots; more of them
+# are lit where a triangle faces the lamp.
 
+# Sets low and high to the least and largest of three, in whole dots from 0.
 function span(a, b, c)
 {
 	low = a < b ? (a < c ? a : c) : (b < c ? b : c)
@@ -28,7 +30,7 @@ function cross(a, b, x, y)
 	return (X[b] - X[a]) * (y - Y[a]) - (Y[b] - Y[a]) * (x - X[a])
 }
 
-# The dots of a triangle that lie before what was drawn there.
+# Draws those dots of a triangle that are nearer than what was drawn there.
 function fill(a, b, c, shade,    area, x, y, x1, y1, u, v, z)
 {
 	if ((area = cross(a, b, X[c], Y[c])) == 0)

@@ -1,10 +1,10 @@
 #!/bin/sh
-# A cluster on one machine: a head and three hosts, each a set of namespaces
-# with a network, a process table, a name and a home of its own, and sshd; one
-# directory they share. GNU parallel and Slurm spread points over them by the
-# manual's recipes; what comes back is compared with the output of one process,
-# and hosts are killed half-way. All of it goes when the script ends. Wants
-# root, and what `make deps-all` installs.
+# A cluster on one machine: a head and three hosts. Each host is a set of
+# namespaces, with a network, a process table, a name and a home of its own, and
+# runs sshd; one directory is shared. GNU parallel and Slurm spread points over
+# the hosts as the manual's SCALE section says, and hosts are killed half-way.
+# What comes back must be what one process prints. Nothing is left when the
+# script ends. Wants root, and what `make deps-all` installs.
 # usage: cluster.sh BUILD
 set -eu
 build=$(cd "$1" && pwd)
@@ -37,8 +37,8 @@ soon() {
 	done
 }
 
-# What sshd asks of a system: an account whose home is the cluster's, a key,
-# names for addresses. Nothing of the machine's own is read or changed.
+# What sshd needs: an account whose home is the cluster's, a key, names for
+# addresses. Nothing of the machine's own is read or changed.
 system() {
 	HOME=$tmp/home
 	export HOME
@@ -88,7 +88,8 @@ system() {
 	ip link set switch up
 }
 
-# Starts host N; its processes are children of one that can be killed.
+# usage: host N: starts it. All its processes are children of one, which
+# kill_host kills.
 host() {
 	cp -r "$HOME/.ssh" "$tmp/$1"
 	unshare --net --mount --uts --pid --fork --kill-child --mount-proc \
@@ -107,13 +108,14 @@ host() {
 	soon ssh "host$1" true
 }
 
-# As when its plug is pulled: processes and network are gone, and no word.
+# As when its plug is pulled: processes and network go, and nobody is told.
 kill_host() {
 	eval "kill -9 \$host$1"
 	echo "	host$1 is killed" >&3
 }
 
-# Until the image, or the images, of what runs have so many bytes.
+# usage: until_written BYTES: waits until the image, or all images together, of
+# the job in the background have as many.
 until_written() {
 	until [ "$(cat image* 2>/dev/null | wc -c)" -gt "$1" ]; do
 		kill -0 $! || die 'done before a host could be killed'
@@ -128,7 +130,7 @@ is_whole() {
 	echo "ok - $1" >&3
 }
 
-# A host that dies is no host for what comes after.
+# A host that was killed is started again where the next run needs it.
 parallel_runs() {
 	three=host1,host2,host3
 	parallel --pipe --block 1M -k -q -S $three --basefile scene.json \
@@ -205,10 +207,10 @@ start_slurm() {
 	soon all_idle
 }
 
-# Slurm gives the tasks of a dead host to others after two minutes, here at
-# once.
+# Slurm waits for two minutes before it gives the tasks of a dead host to
+# others; here scontrol tells it to start them at once.
 slurm_run() {
-	# A second more for each task, in place of larger parts.
+	# sleep makes tasks long enough for a host to be killed during one.
 	cat >job <<-'END'
 		#!/bin/sh
 		#SBATCH --array=1-20

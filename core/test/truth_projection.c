@@ -5,8 +5,9 @@
 #define ONE number(1)
 #define TWO number(2)
 
-/* The scales s of x and y and how far off the centre is, (a + b) / (b - a);
- * n is the near distance of persp, 1 for the parallel ones. */
+/* From edges a and b, the scales 2n / (b - a) of x and y and how far the centre
+ * is off the axis, (a + b) / (b - a). n is the near distance of a perspective,
+ * else 1. */
 static void edges(const struct projection *p, real n, real s[2], real off[2])
 {
 	real a[2], b[2];
@@ -60,8 +61,9 @@ static void cross_section(const struct projection *p, real n, real s[2],
 	}
 }
 
-/* f / (f - n) and -n f / (f - n); to -1..1 (f + n) / (f - n) and twice the
- * other; far infinite is the limit. Reversed, near and far change places. */
+/* For depths 0 to 1, a = f / (f - n) and b = -n f / (f - n); for -1 to 1,
+ * a = (f + n) / (f - n) and b is twice as large. An infinite far gives the
+ * limits of these. With reverse_z near and far change places. */
 static void depth(const struct projection *p, bool minus_one, real *a, real *b)
 {
 	real n = number(p->reverse_z ? p->far : p->near);

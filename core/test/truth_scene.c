@@ -1,0 +1,218 @@
+#include "truth.h"
+
+#include <string.h>
+
+#define ONE number(1)
+#define TWO number(2)
+
+/* p' = p A + t */
+static void affine(struct truth *t, const double m[4][4], bool orthonormal)
+{
+	struct truth_stage *s = truth_stage(t);
+
+	for (int i = 0; i < 3; i++)
+		set(s->m[i], 3, m[i]);
+	set(s->after, 3, m[3]);
+	if (orthonormal)
+		orthonormalise(s->m);
+}
+
+/* z = unit(at - eye), right-handed unit(eye - at); x = unit(up x z); y = z x x;
+ * they are the columns. */
+static void look(const struct camera *c, bool right_handed, real m[4][4])
+{
+	real x[3], y[3], z[3], up[3], eye[3];
+
+	set(up, 3, c->up);
+	set(eye, 3, c->eye);
+	set(z, 3, c->at);
+	for (int i = 0; i < 3; i++) {
+		if (c->by == CAMERA_AT)
+			z[i] = sub(z[i], eye[i]);
+		if (right_handed)
+			z[i] = negative(z[i]);
+	}
+	normalise(z, 3);
+	cross(up, z, x);
+	normalise(x, 3);
+	cross(z, x, y);
+	for (int i = 0; i < 3; i++) {
+		m[i][0] = x[i];
+		m[i][1] = y[i];
+		m[i][2] = z[i];
+	}
+}
+
+/* The rotation matrix of a quaternion, x y z w; its columns are the camera's
+ * axes. */
+static void turn(const double orientation[4], real m[4][4])
+{
+	real q[4];
+
+	set(q, 4, orientation);
+	normalise(q, 4);
+	for (int i = 0; i < 3; i++) {
+		int j = (i + 1) % 3, k = (i + 2) % 3;
+
+		m[i][i] = sub(ONE,
+		    mul(TWO, add(mul(q[j], q[j]), mul(q[k], q[k]))));
+		m[j][i] = mul(TWO, add(mul(q[i], q[j]), mul(q[3], q[k])));
+		m[k][i] = mul(TWO, sub(mul(q[i], q[k]), mul(q[3], q[j])));
+	}
+}
+
+static void camera(struct truth *t, const struct camera *c, bool right_handed)
+{
+	if (c->by == CAMERA_MATRIX) {
+		affine(t, c->matrix, c->orthonormalize);
+		return;
+	}
+	struct truth_stage *view = truth_stage(t), *roll = truth_stage(t);
+
+	set(view->before, 3, c->eye);
+	if (c->by == CAMERA_ORIENTATION)
+		turn(c->orientation, view->m);
+	else
+		look(c, right_handed, view->m);
+	/* Rz = [cos sin; -sin cos] */
+	roll->m[0][0] = roll->m[1][1] = cosine(c->roll);
+	roll->m[0][1] = sine(c->roll);
+	roll->m[1][0] = negative(sine(c->roll));
+}
+
+/* For one axis, x' = x + side/2 + scale X. */
+static void to_device(struct truth_stage *s, int i, double x, double side,
+    real scale)
+{
+	s->m[i][i] = scale;
+	s->after[i] = add(number(x), over(number(side), TWO));
+}
+
+static void viewport(struct truth *t, const struct viewport *v,
+    const struct convention *c)
+{
+	struct truth_stage *s = truth_stage(t);
+	real sx = over(number(v->width), TWO);
+	real sy = over(number(v->height), TWO);
+	real min = number(v->min_z), max = number(v->max_z);
+
+	if (v->scale == SCALE_UNIFORM)
+		sx = sy = v->width > v->height ? sx : sy;
+	if (v->scale == SCALE_GIVEN) {
+		sx = number(v->scales[0]);
+		sy = number(v->scales[1]);
+	}
+	to_device(s, 0, v->x, v->width, sx);
+	to_device(s, 1, v->y, v->height,
+	    c->ndc_y_down == c->bottom_left ? negative(sy) : sy);
+	/* Where Z runs from -1 to 1, (Z + 1) / 2 takes the place of Z. */
+	s->m[2][2] = sub(max, min);
+	s->after[2] = min;
+	if (c->minus_one) {
+		s->m[2][2] = over(sub(max, min), TWO);
+		s->after[2] = over(add(max, min), TWO);
+	}
+}
+
+static void device(struct truth *t, const struct device *d)
+{
+	struct truth_stage *s = truth_stage(t);
+	real sx = over(number(d->width), TWO);
+	real sy = over(number(d->height), TWO);
+
+	to_device(s, 0, d->x, d->width, sx);
+	to_device(s, 1, d->y, d->height, d->top_left ? negative(sy) : sy);
+}
+
+/* Lengthens or shortens one side until the window has the device's shape. */
+static void adapt(const struct window *w, const struct device *d, real size[2])
+{
+	real shape = over(number(d->width), number(d->height));
+	bool wider = mpfr_cmp(shape, over(size[0], size[1])) > 0;
+
+	if (w->adapt == ADAPT_STRETCH)
+		return;
+	if (wider == (w->adapt == ADAPT_GROW))
+		size[0] = mul(size[1], shape);
+	else
+		size[1] = over(size[0], shape);
+}
+
+/* T(-cx, -cy) S(2/W, 2/H) */
+static void window(struct truth *t, const struct window *w,
+    const struct device *d)
+{
+	struct truth_stage *s = truth_stage(t);
+	real c[2], size[2], from[2], to[2], about[2], zoom = number(w->zoom);
+
+	set(c, 2, w->center);
+	set(size, 2, (double[]){ w->width, w->height });
+	set(from, 2, (double[]){ w->left, w->bottom });
+	set(to, 2, (double[]){ w->right, w->top });
+	set(about, 2, w->about);
+	for (int i = 0; i < 2; i++) {
+		if (w->by_edges) {
+			c[i] = over(add(from[i], to[i]), TWO);
+			size[i] = sub(to[i], from[i]);
+		}
+		c[i] = add(c[i], number(w->pan[i]));
+		if (w->has_about)
+			c[i] = add(about[i], over(sub(c[i], about[i]), zoom));
+		size[i] = over(size[i], zoom);
+	}
+	adapt(w, d, size);
+	for (int i = 0; i < 2; i++) {
+		s->before[i] = c[i];
+		s->m[i][i] = over(TWO, size[i]);
+	}
+}
+
+/* The inverse: the stages' inverses, last first. */
+static void reverse(struct truth *t)
+{
+	struct truth r = { .n = t->n };
+
+	for (int i = 0; i < t->n; i++) {
+		struct truth_stage *s = &t->stage[t->n - 1 - i];
+
+		memcpy(r.stage[i].before, s->after, sizeof s->after);
+		memcpy(r.stage[i].after, s->before, sizeof s->before);
+		set_inverse(r.stage[i].m, s->m);
+	}
+	*t = r;
+}
+
+static bool crosses(enum space a, enum space b, enum space below)
+{
+	return (a <= below) != (b <= below);
+}
+
+void truth_scene(const struct scene *s, enum space from, enum space to,
+    struct truth *t)
+{
+	const struct convention *c = &s->convention;
+
+	t->n = 0;
+	if (s->has_world && crosses(from, to, SPACE_MODEL))
+		affine(t, s->world, false);
+	if (s->has_camera && crosses(from, to, SPACE_WORLD))
+		camera(t, &s->camera, c->right_handed);
+	if (crosses(from, to, SPACE_VIEW))
+		truth_projection(t, &s->projection, c);
+	if (crosses(from, to, SPACE_NDC))
+		viewport(t, &s->viewport, c);
+	if (from > to)
+		reverse(t);
+}
+
+void truth_flat(const struct scene *s, enum flat from, enum flat to,
+    struct truth *t)
+{
+	t->n = 0;
+	if ((from == FLAT_WINDOW) != (to == FLAT_WINDOW))
+		window(t, &s->window, &s->device);
+	if ((from == FLAT_DEVICE) != (to == FLAT_DEVICE))
+		device(t, &s->device);
+	if (from > to)
+		reverse(t);
+}
