@@ -1,15 +1,13 @@
 #include "exact.h"
 
-#include <string.h>
+#include <limits.h>
 
 typedef unsigned __int128 wide;
 
-/* Takes zeros off both ends of w[0..n), which stand for 2^(64 e), and keeps what
- * there is room for. */
-static ex trimmed(int sign, const uint64_t *w, int n, int e)
+/* Sets *r to sign w[0..n) 2^(64 e), with no zeros at either end, as far as there
+ * is room. */
+static void set(ex *r, int sign, const uint64_t *w, int n, int e)
 {
-	ex r;
-
 	while (n > 0 && w[n - 1] == 0)
 		n--;
 	if (n > EX_WORDS) {
@@ -22,28 +20,44 @@ static ex trimmed(int sign, const uint64_t *w, int n, int e)
 		e++;
 		n--;
 	}
-	r.sign = n > 0 ? sign : 0;
-	r.n = n;
-	r.e = n > 0 ? e : 0;
-	memcpy(r.word, w, (size_t)n * sizeof *w);
-	return r;
+	r->sign = n > 0 ? sign : 0;
+	r->n = n;
+	r->e = n > 0 ? e : 0;
+	for (int i = 0; i < n; i++)
+		r->word[i] = w[i];
 }
 
-/* m 2^e */
-static ex whole(int sign, uint64_t m, int e)
+/* sign m 2^e */
+static void set_whole(ex *r, int sign, uint64_t m, int e)
 {
 	int words = e >= 0 ? e / 64 : -((63 - e) / 64), bits = e - 64 * words;
 	uint64_t w[2] = { m << bits, bits > 0 ? m >> (64 - bits) : 0 };
 
-	return trimmed(sign, w, 2, words);
+	set(r, sign, w, 2, words);
 }
 
-ex ex_of(double a)
+static ex whole(int sign, uint64_t m, int e)
+{
+	ex r;
+
+	set_whole(&r, sign, m, e);
+	return r;
+}
+
+void ex_set(ex *r, double a)
 {
 	int e;
 	double m = frexp(fabs(a), &e);
 
-	return whole(a < 0 ? -1 : 1, (uint64_t)ldexp(m, 53), e - 53);
+	set_whole(r, a < 0 ? -1 : 1, (uint64_t)ldexp(m, 53), e - 53);
+}
+
+ex ex_of(double a)
+{
+	ex r;
+
+	ex_set(&r, a);
+	return r;
 }
 
 /* The word of 2^(64 at). */
@@ -73,7 +87,7 @@ static int compare_magnitudes(const ex *a, const ex *b)
 }
 
 /* a + b for b of a's sign; a - b, for |a| >= |b|, otherwise. */
-static ex combine(const ex *a, const ex *b)
+static void combine(ex *r, const ex *a, const ex *b)
 {
 	uint64_t w[EX_WORDS + 1], carry = 0;
 	int low = a->e < b->e ? a->e : b->e;
@@ -90,17 +104,25 @@ static ex combine(const ex *a, const ex *b)
 		carry = (uint64_t)(s >> 64) & 1;
 	}
 	w[high - low] = minus ? 0 : carry;
-	return trimmed(a->sign, w, high - low + 1, low);
+	set(r, a->sign, w, high - low + 1, low);
+}
+
+static void add(ex *r, const ex *a, const ex *b)
+{
+	if (a->n == 0 || b->n == 0)
+		*r = a->n == 0 ? *b : *a;
+	else if (compare_magnitudes(a, b) >= 0)
+		combine(r, a, b);
+	else
+		combine(r, b, a);
 }
 
 ex ex_add(ex a, ex b)
 {
-	if (a.n == 0)
-		return b;
-	if (b.n == 0)
-		return a;
-	return compare_magnitudes(&a, &b) >= 0 ? combine(&a, &b) :
-						 combine(&b, &a);
+	ex r;
+
+	add(&r, &a, &b);
+	return r;
 }
 
 ex ex_neg(ex a)
@@ -117,27 +139,102 @@ ex ex_abs(ex a)
 
 ex ex_sub(ex a, ex b)
 {
+	ex r;
+
 	b.sign = -b.sign;
-	return ex_add(a, b);
+	add(&r, &a, &b);
+	return r;
 }
 
-ex ex_mul(ex a, ex b)
+/* |a| |b| into w[0..a->n + b->n). */
+static void multiply(uint64_t *w, const ex *a, const ex *b)
 {
-	uint64_t w[2 * EX_WORDS];
-
-	memset(w, 0, (size_t)(a.n + b.n) * sizeof *w);
-	for (int i = 0; i < a.n; i++) {
+	for (int i = 0; i < a->n + b->n; i++)
+		w[i] = 0;
+	for (int i = 0; i < a->n; i++) {
 		uint64_t carry = 0;
 
-		for (int j = 0; j < b.n; j++) {
-			wide p = (wide)a.word[i] * b.word[j] + w[i + j] + carry;
+		for (int j = 0; j < b->n; j++) {
+			wide p = (wide)a->word[i] * b->word[j] + w[i + j] +
+			    carry;
 
 			w[i + j] = (uint64_t)p;
 			carry = (uint64_t)(p >> 64);
 		}
-		w[i + b.n] = carry;
+		w[i + b->n] = carry;
 	}
-	return trimmed(a.sign * b.sign, w, a.n + b.n, a.e + b.e);
+}
+
+static void mul(ex *r, const ex *a, const ex *b)
+{
+	uint64_t w[2 * EX_WORDS];
+
+	multiply(w, a, b);
+	set(r, a->sign * b->sign, w, a->n + b->n, a->e + b->e);
+}
+
+ex ex_mul(ex a, ex b)
+{
+	ex r;
+
+	mul(&r, &a, &b);
+	return r;
+}
+
+/* Adds sign w[0..n) 2^(64 e), or what of it is not below low, to a number in two's
+ * complement from low to high. */
+static void accumulate(uint64_t *sum, int low, int high, int sign,
+    const uint64_t *w, int n, int e)
+{
+	uint64_t carry = sign < 0, flip = sign < 0 ? UINT64_MAX : 0;
+
+	for (int i = low < e ? e : low; i < high; i++) {
+		uint64_t x = i - e < n ? w[i - e] : 0;
+		wide s = (wide)sum[i - low] + (x ^ flip) + carry;
+
+		sum[i - low] = (uint64_t)s;
+		carry = (uint64_t)(s >> 64);
+		if (i - e >= n && carry == (sign < 0))
+			break;
+	}
+}
+
+ex ex_dot(int n, const ex *const a[], const ex *const b[])
+{
+	uint64_t sum[2 * EX_WORDS + 1], w[2 * EX_WORDS];
+	int low = INT_MAX, high = INT_MIN;
+	ex r = { 0 };
+
+	for (int k = 0; k < n; k++) {
+		int e = a[k]->e + b[k]->e, end = e + a[k]->n + b[k]->n;
+
+		if (a[k]->n == 0 || b[k]->n == 0)
+			continue;
+		low = e < low ? e : low;
+		high = end + 1 > high ? end + 1 : high;
+	}
+	if (low > high)
+		return r;
+	if (high - low > 2 * EX_WORDS)
+		low = high - 2 * EX_WORDS;
+	for (int i = 0; i < high - low; i++)
+		sum[i] = 0;
+	for (int k = 0; k < n; k++) {
+		if (a[k]->n == 0 || b[k]->n == 0)
+			continue;
+		multiply(w, a[k], b[k]);
+		accumulate(sum, low, high, a[k]->sign * b[k]->sign, w,
+		    a[k]->n + b[k]->n, a[k]->e + b[k]->e);
+	}
+	bool minus = sum[high - low - 1] >> 63;
+	uint64_t carry = minus;
+
+	for (int i = 0; i < high - low && minus; i++) {
+		sum[i] = ~sum[i] + carry;
+		carry &= sum[i] == 0;
+	}
+	set(&r, minus ? -1 : 1, sum, high - low, low);
+	return r;
 }
 
 ex ex_scale(ex a, double b)
@@ -145,9 +242,20 @@ ex ex_scale(ex a, double b)
 	return ex_mul(a, ex_of(b));
 }
 
+static void shift(ex *r, const ex *a, int e)
+{
+	ex power;
+
+	set_whole(&power, 1, 1, e);
+	mul(r, a, &power);
+}
+
 ex ex_shift(ex a, int e)
 {
-	return ex_mul(a, whole(1, 1, e));
+	ex r;
+
+	shift(&r, &a, e);
+	return r;
 }
 
 ex ex_dd(dd a)
@@ -175,8 +283,10 @@ int ex_compare(ex a, ex b)
 ex ex_first(ex a, int n)
 {
 	int rest = a.n > n ? a.n - n : 0;
+	ex r;
 
-	return trimmed(a.sign, a.word + rest, a.n - rest, a.e + rest);
+	set(&r, a.sign, a.word + rest, a.n - rest, a.e + rest);
+	return r;
 }
 
 /* One word of the long division of u[0..n] by d[0..n), whose top bit is set:
@@ -225,25 +335,32 @@ enum { QUOTIENT = 6 };
 /* An exponent that no quotient of numbers that a scene is made of has. */
 enum { BEYOND = 1 << 20 };
 
-ex ex_quotient(ex a, ex b)
+static void divide(ex *r, const ex *dividend, const ex *divisor)
 {
 	uint64_t u[EX_WORDS + QUOTIENT + 1], q[QUOTIENT + 1];
-	int sign = a.sign * b.sign, n;
+	ex a, b;
 
-	if (b.n == 0)
-		return whole(1, 1, BEYOND);
-	if (a.n == 0)
-		return a;
+	if (divisor->n == 0 || dividend->n == 0) {
+		set_whole(r, 1, divisor->n == 0, BEYOND);
+		return;
+	}
 	/* so that b's top bit is set, as the division wants it */
-	a = ex_shift(a, leading_zeros(&b));
-	b = ex_shift(b, leading_zeros(&b));
-	n = b.n;
-	u[n + QUOTIENT] = 0;
-	for (int i = 0; i < n + QUOTIENT; i++)
-		u[i] = word_at(&a, top(&a) - n - QUOTIENT + i);
+	shift(&a, dividend, leading_zeros(divisor));
+	shift(&b, divisor, leading_zeros(divisor));
+	for (int i = 0; i < b.n + QUOTIENT; i++)
+		u[i] = word_at(&a, top(&a) - b.n - QUOTIENT + i);
+	u[b.n + QUOTIENT] = 0;
 	for (int i = QUOTIENT; i >= 0; i--)
-		q[i] = divide_word(u + i, b.word, n);
-	return trimmed(sign, q, QUOTIENT + 1, top(&a) - QUOTIENT - top(&b));
+		q[i] = divide_word(u + i, b.word, b.n);
+	set(r, a.sign * b.sign, q, QUOTIENT + 1, top(&a) - QUOTIENT - top(&b));
+}
+
+ex ex_quotient(ex a, ex b)
+{
+	ex r;
+
+	divide(&r, &a, &b);
+	return r;
 }
 
 /* Newton's iteration doubles the 50 digits of a double's root until there are
@@ -296,6 +413,11 @@ static double rounded(const ex *a, int bits, int least)
 
 	m += half & ((m & 1) | (lowest < last - 1));
 	return a->sign * ldexp((double)m, last);
+}
+
+uint64_t ex_behind(const ex *a, int bits)
+{
+	return bits_from(a, 64 * top(a) - leading_zeros(a) - bits - 64);
 }
 
 double ex_double(ex a)

@@ -26,12 +26,14 @@ typedef struct {
 } ex;
 
 ex ex_of(double a);
+void ex_set(ex *, double a);
 ex ex_dd(dd a);
 ex ex_neg(ex a);
 ex ex_abs(ex a);
 ex ex_add(ex a, ex b);
 ex ex_sub(ex a, ex b);
 ex ex_mul(ex a, ex b);
+ex ex_dot(int n, const ex *const a[], const ex *const b[]);
 ex ex_scale(ex a, double b);    /* a b */
 ex ex_shift(ex a, int e);       /* a 2^e */
 ex ex_diff(double a, double b); /* a - b */
@@ -55,6 +57,9 @@ ex ex_first(ex a, int n);   /* the n first words, toward 0 */
  * infinite beyond. */
 double ex_double(ex a);
 float ex_float(ex a);
+
+/* The 64 bits behind the first so many. */
+uint64_t ex_behind(const ex *a, int bits);
 
 /* The nearest double, and the double nearest to what that leaves: within
  * EX_BOUND u^2 while that is no less than 2^-1022. */

@@ -59,12 +59,13 @@ void map_settle(struct map *a)
 static struct sum element(const struct map *a, int i, const struct map *b,
     int j)
 {
-	struct sum s = sum_of_double(0);
+	const struct sum *x[4], *y[4];
 
-	for (int k = 0; k < 4; k++)
-		if (a->m[i][k].value.sign != 0 && b->m[k][j].value.sign != 0)
-			s = sum_add(s, sum_mul(a->m[i][k], b->m[k][j]));
-	return s;
+	for (int k = 0; k < 4; k++) {
+		x[k] = &a->m[i][k];
+		y[k] = &b->m[k][j];
+	}
+	return sum_dot(4, x, y);
 }
 
 void map_then(const struct map *a, const struct map *b, struct map *r)
@@ -81,15 +82,16 @@ void map_then(const struct map *a, const struct map *b, struct map *r)
 
 struct sum map_column(const struct map *m, int j, const double p[3], double w)
 {
-	struct sum s = sum_of_double(0);
+	const struct sum *x[4], *y[4];
+	struct sum given[4];
 
 	for (int i = 0; i < 4; i++) {
-		double x = i < 3 ? p[i] : w;
-
-		if (x != 0 && m->m[i][j].value.sign != 0)
-			s = sum_add(s, sum_mul(m->m[i][j], sum_of_double(x)));
+		ex_set(&given[i].value, i < 3 ? p[i] : w);
+		given[i].size = (struct magnitude){ 0, 0 };
+		x[i] = &given[i];
+		y[i] = &m->m[i][j];
 	}
-	return s;
+	return sum_dot(4, x, y);
 }
 
 struct sum map_minor(int n, const struct sum m[4][4], unsigned rows,

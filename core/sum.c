@@ -34,18 +34,20 @@ static struct magnitude over(struct magnitude a, struct magnitude b)
 	return normal(a.m / b.m, a.e - b.e);
 }
 
-static struct magnitude of(ex a)
+static struct magnitude of(const ex *a)
 {
-	int e = a.n > 0 ? 64 * (a.e + a.n) : 0;
+	const uint64_t *w = a->word + a->n;
 
-	a.e = -a.n;
-	return normal(fabs(ex_double(a)), e);
+	if (a->n == 0)
+		return (struct magnitude){ 0, 0 };
+	return normal((double)w[-1] + (a->n > 1 ? 0x1p-64 * (double)w[-2] : 0),
+	    64 * (a->e + a->n - 1));
 }
 
 /* What the size of a product has of a factor. */
 static struct magnitude share(const struct sum *a)
 {
-	return a->size.m > 0 ? a->size : of(a->value);
+	return a->size.m > 0 ? a->size : of(&a->value);
 }
 
 struct sum sum_of(ex exact)
@@ -60,7 +62,7 @@ struct sum sum_of_double(double exact)
 
 struct sum sum_inexact(ex value)
 {
-	return (struct sum){ value, of(value) };
+	return (struct sum){ value, of(&value) };
 }
 
 struct sum sum_neg(struct sum a)
@@ -100,13 +102,29 @@ struct sum sum_mul(struct sum a, struct sum b)
 	return cut(ex_mul(a.value, b.value), size);
 }
 
+struct sum sum_dot(int n, const struct sum *const a[],
+    const struct sum *const b[])
+{
+	const ex *x[4], *y[4];
+	struct magnitude size = { 0, 0 };
+
+	for (int k = 0; k < n; k++) {
+		x[k] = &a[k]->value;
+		y[k] = &b[k]->value;
+		if (x[k]->n > 0 && y[k]->n > 0 &&
+		    (a[k]->size.m > 0 || b[k]->size.m > 0))
+			size = plus(size, times(share(a[k]), share(b[k])));
+	}
+	return cut(ex_dot(n, x, y), size);
+}
+
 struct sum sum_quotient(struct sum a, struct sum b)
 {
-	struct magnitude d = of(b.value), size = over(share(&a), d);
+	struct magnitude d = of(&b.value), size = over(share(&a), d);
 	ex q = ex_quotient(a.value, b.value);
 
 	if (b.size.m > 0)
-		size = plus(size, over(times(of(q), b.size), d));
+		size = plus(size, over(times(of(&q), b.size), d));
 	else if (a.size.m == 0 && ex_compare(ex_mul(q, b.value), a.value) == 0)
 		size.m = 0;
 	return (struct sum){ q, size };
@@ -117,22 +135,25 @@ struct sum sum_sqrt(struct sum a)
 	ex r = ex_sqrt(a.value);
 
 	if (a.size.m > 0)
-		return (struct sum){ r, over(a.size, of(r)) };
+		return (struct sum){ r, over(a.size, of(&r)) };
 	return ex_compare(ex_mul(r, r), a.value) == 0 ? sum_of(r) :
 							sum_inexact(r);
 }
 
 /* Whether so much is no difference. */
-static bool is_none(ex difference, struct magnitude size)
+static bool is_none(const ex *difference, struct magnitude size)
 {
-	ex least = ex_shift(ex_of(size.m), size.e - 190);
+	struct magnitude d = of(difference);
 
-	return ex_compare(ex_abs(difference), least) <= 0;
+	/* m 2^e <= M 2^(E - 190), of which the exponents decide most */
+	return difference->n == 0 ||
+	    (size.m > 0 &&
+		(d.e != size.e - 190 ? d.e < size.e - 190 : d.m <= size.m));
 }
 
 int sum_sign(struct sum a)
 {
-	return a.value.sign == 0 || is_none(a.value, a.size) ? 0 : a.value.sign;
+	return is_none(&a.value, a.size) ? 0 : a.value.sign;
 }
 
 struct sum sum_settled(struct sum a)
@@ -168,30 +189,58 @@ static bool is_even(double a, bool single)
 	    (bits & 1) == 0;
 }
 
+/* Whether q, which is a value but for 2^-120 of it, is surely rounded as that: it
+ * is a normal number, and the 64 bits behind those that are kept are not those
+ * on either side of a midpoint. */
+static bool is_clear(const ex *q, bool single)
+{
+	const uint64_t half = (uint64_t)1 << 63;
+	uint64_t behind = ex_behind(q, single ? 24 : 53);
+
+	return of(q).e > (single ? -126 : -1022) && behind != half &&
+	    behind != half - 1;
+}
+
+/* Whether its size tells it to 2^-125. */
+static bool is_well_known(const struct sum *a)
+{
+	return a->size.m == 0 || a->size.e - of(&a->value).e < 60;
+}
+
 /* n / d is within 2^-319 of q, which can be at or on the wrong side of the
  * midpoint that is next to it; n tells from the midpoint times d. */
-static double nearest(const struct sum *n, const struct sum *d, bool single)
+static double decide(const struct sum *n, const struct sum *d, const ex *q,
+    bool single)
 {
-	if (sum_sign(*n) == 0)
-		return 0;
-	ex q = ex_quotient(n->value, d->value);
-	double near = to_format(q, single);
-	int side = ex_compare(ex_abs(q), ex_of(fabs(near)));
+	double near = to_format(*q, single);
+	int side = ex_compare(ex_abs(*q), ex_of(fabs(near)));
 
 	if (!isfinite(near) || side == 0)
 		return near;
-	double other = next(near == 0 ? q.sign * 0.0 : near, side > 0, single);
+	double other = next(near == 0 ? copysign(0, q->sign) : near, side > 0,
+	    single);
 	ex middle = ex_shift(ex_add(ex_of(near), ex_of(other)), -1);
 	ex rest = ex_sub(n->value, ex_mul(middle, d->value));
-	struct magnitude size = plus(n->size, times(of(middle), d->size));
+	struct magnitude size = plus(n->size, times(of(&middle), d->size));
 
 	if (!isfinite(other))
 		return near;
-	if (rest.sign == 0 || is_none(rest, size))
+	if (is_none(&rest, size))
 		return is_even(near, single) ? near : other;
-	bool beyond = rest.sign * d->value.sign == q.sign;
+	bool beyond = rest.sign * d->value.sign == q->sign;
 
 	return beyond == (side > 0) ? other : near;
+}
+
+static double nearest(const struct sum *n, const struct sum *d, bool single)
+{
+	if (is_none(&n->value, n->size))
+		return 0;
+	ex q = ex_quotient(n->value, d->value);
+
+	if (is_clear(&q, single) && is_well_known(n) && is_well_known(d))
+		return to_format(q, single);
+	return decide(n, d, &q, single);
 }
 
 double sum_over(struct sum n, struct sum d)
@@ -229,7 +278,7 @@ dd sum_dd(struct sum a)
 
 double sum_most(struct sum a)
 {
-	struct magnitude s = plus(of(a.value), a.size);
+	struct magnitude s = plus(of(&a.value), a.size);
 
 	return ldexp(s.m, s.e) * (1 + 0x1p-50);
 }

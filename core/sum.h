@@ -35,6 +35,10 @@ struct sum sum_sub(struct sum, struct sum);
 struct sum sum_mul(struct sum, struct sum);
 struct sum sum_quotient(struct sum, struct sum);
 
+/* The sum of n <= 4 products. */
+struct sum sum_dot(int n, const struct sum *const a[],
+    const struct sum *const b[]);
+
 /* Of something not negative; exact where the root is short. */
 struct sum sum_sqrt(struct sum);
 

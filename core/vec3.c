@@ -2,10 +2,10 @@
 
 struct sum vec3_dot(const struct sum a[3], const struct sum b[3])
 {
-	struct sum s = sum_mul(a[0], b[0]);
+	const struct sum *const x[3] = { &a[0], &a[1], &a[2] };
+	const struct sum *const y[3] = { &b[0], &b[1], &b[2] };
 
-	s = sum_add(s, sum_mul(a[1], b[1]));
-	return sum_add(s, sum_mul(a[2], b[2]));
+	return sum_dot(3, x, y);
 }
 
 void vec3_cross(const struct sum a[3], const struct sum b[3], struct sum r[3])
