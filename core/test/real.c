@@ -224,13 +224,14 @@ void orthonormalise(real m[4][4])
 	}
 }
 
-/* Half the bits, though so much cancels nowhere. */
+/* Two thirds of the bits: terms of 1e150 cubed and of 1e-150 cubed differ by
+ * half of them. */
 bool is_zero(real a, real size)
 {
 	int mark = real_mark();
 	real least = fresh();
 
-	mpfr_mul_2si(least, size, -REAL_BITS / 2, MPFR_RNDN);
+	mpfr_mul_2si(least, size, -REAL_BITS / 3 * 2, MPFR_RNDN);
 	bool zero = mpfr_cmpabs(a, least) <= 0;
 
 	real_release(mark);

@@ -104,7 +104,7 @@ static void eyes_are_on_their_side(void **state)
 			.inverse_eye_z = reverse ? 0.25 * sign : -sign };
 		assert_null(projection_map(p, &s.convention, false, &m));
 		for (int i = 0; i < 16; i++)
-			p->matrix[i / 4][i % 4] = m.m[i / 4][i % 4].hi;
+			p->matrix[i / 4][i % 4] = element(&m, i / 4, i % 4);
 		if (bare)
 			p->type = PROJECTION_MATRIX;
 		assert_null(taxonomy_of(&s, &t));
@@ -140,7 +140,8 @@ static void depth_may_be_reversed(void **state)
 			p->type = PROJECTION_MATRIX;
 			p->reverse_z = false;
 			for (int i = 0; i < 16; i++)
-				p->matrix[i / 4][i % 4] = m.m[i / 4][i % 4].hi;
+				p->matrix[i / 4][i % 4] = element(&m, i / 4,
+				    i % 4);
 		}
 		assert_null(taxonomy_of(&s, &t));
 		assert_true(t.reversed);
