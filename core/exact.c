@@ -1,6 +1,7 @@
 #include "exact.h"
 
 #include <limits.h>
+#include <string.h>
 
 typedef unsigned __int128 wide;
 
@@ -46,10 +47,15 @@ static ex whole(int sign, uint64_t m, int e)
 
 void ex_set(ex *r, double a)
 {
-	int e;
-	double m = frexp(fabs(a), &e);
+	uint64_t bits, one = (uint64_t)1 << 52;
 
-	set_whole(r, a < 0 ? -1 : 1, (uint64_t)ldexp(m, 53), e - 53);
+	memcpy(&bits, &a, sizeof bits);
+	int e = (int)(bits >> 52 & 0x7ff);
+	uint64_t m = bits & (one - 1);
+
+	/* a subnormal number has the exponent 1, too, but no leading one */
+	set_whole(r, bits >> 63 ? -1 : 1, e > 0 ? m | one : m,
+	    (e > 0 ? e : 1) - 1075);
 }
 
 ex ex_of(double a)
@@ -213,7 +219,7 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int words, ex *r)
 		high = end + 1 > high ? end + 1 : high;
 	}
 	if (low > high) {
-		set(r, 0, sum, 0, 0);
+		r->sign = r->n = r->e = 0;
 		return;
 	}
 	if (high - low > 2 * EX_WORDS)

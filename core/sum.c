@@ -5,14 +5,19 @@
 /* A value with an error does not need more words than its error leaves. */
 enum { WORDS = 7 };
 
+/* m 2^e, where m is a product or quotient of two such, or a sum of some words: no
+ * subnormal number. */
 static struct magnitude normal(double m, int e)
 {
-	struct magnitude r = { 0, 0 };
+	uint64_t bits;
 
-	r.m = frexp(m, &r.e);
-	if (m != 0)
-		r.e += e;
-	return r;
+	if (m == 0)
+		return (struct magnitude){ 0, 0 };
+	memcpy(&bits, &m, sizeof bits);
+	e += (int)(bits >> 52) - 1022;
+	bits = (bits & 0xfffffffffffff) | (uint64_t)1022 << 52;
+	memcpy(&m, &bits, sizeof m);
+	return (struct magnitude){ m, e };
 }
 
 static struct magnitude times(struct magnitude a, struct magnitude b)
@@ -24,9 +29,9 @@ static struct magnitude plus(struct magnitude a, struct magnitude b)
 {
 	if (a.m == 0 || b.m == 0)
 		return a.m == 0 ? b : a;
-	int e = a.e > b.e ? a.e : b.e;
-
-	return normal(ldexp(a.m, a.e - e) + ldexp(b.m, b.e - e), e);
+	if (a.e < b.e)
+		return plus(b, a);
+	return normal(a.m + (a.e - b.e < 60 ? ldexp(b.m, b.e - a.e) : 0), a.e);
 }
 
 static struct magnitude over(struct magnitude a, struct magnitude b)
