@@ -32,27 +32,6 @@ static void count_accurate(const struct transform *t, const char *copy,
 		c->accurate += isnan(b->out[0][i]) != 0;
 }
 
-/* As floats. */
-static void judge_singles(const struct truth *truth, const struct transform *t,
-    struct block *b, struct tally *tally)
-{
-	for (size_t i = 0; i < POINTS; i++) {
-		int mark = real_mark();
-		struct image image;
-		double p[4], got[4];
-
-		point_of(b, i, p);
-		for (int j = 0; j < t->out; j++) {
-			got[j] = b->out[j][i];
-			if (!isnan(got[j]))
-				got[j] = (double)point_single(t, p, j, got[j]);
-		}
-		image_of(truth, t, p, &image);
-		judge_image(&image, t->out, got, true, tally);
-		real_release(mark);
-	}
-}
-
 static void try_scene(int e, struct count *c)
 {
 	static struct transform t;
@@ -69,9 +48,9 @@ static void try_scene(int e, struct count *c)
 				continue;
 			count_accurate(&t, copies[i], &b, c);
 			carry_all(&t, &b, POINTS);
-			judge_block(&truth, &t, &b, POINTS, &c->tally);
+			judge_block(&truth, &t, &b, POINTS, false, &c->tally);
 		}
-		judge_singles(&truth, &t, &b, &c->tally);
+		judge_block(&truth, &t, &b, POINTS, true, &c->tally);
 	}
 	real_release(mark);
 }

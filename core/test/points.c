@@ -113,25 +113,48 @@ void judge_image(const struct image *image, int coordinates, const double *got,
 						  WRONG]++;
 }
 
+static bool is_exact(const struct transform *t)
+{
+	for (int k = 0; k < 16; k++)
+		if (t->map.m[k / 4][k % 4].size.m > 0)
+			return false;
+	return true;
+}
+
+static void judge_point(const struct truth *truth, const struct transform *t,
+    const double p[4], const double got[4], bool single, struct tally *tally)
+{
+	struct tally here = { 0 };
+	struct image image;
+
+	image_of(truth, t, p, &image);
+	judge_image(&image, t->out, got, single, &here);
+	/* of given numbers alone nothing is too small to count */
+	if (here.n[WRONG] > 0 || (here.n[RULED] > 0 && is_exact(t))) {
+		fprintf(stderr, "%a %a %a %a, kind %d: %a %a %a %a is wrong\n",
+		    p[0], p[1], p[2], p[3], (int)t->kind, got[0], got[1],
+		    got[2], got[3]);
+		here.n[WRONG] += here.n[RULED];
+		here.n[RULED] = 0;
+	}
+	for (int v = 0; v < VERDICTS; v++)
+		tally->n[v] += here.n[v];
+}
+
 void judge_block(const struct truth *truth, const struct transform *t,
-    const struct block *b, size_t n, struct tally *tally)
+    const struct block *b, size_t n, bool single, struct tally *tally)
 {
 	for (size_t i = 0; i < n; i++) {
-		size_t wrong = tally->n[WRONG];
 		int mark = real_mark();
-		struct image image;
-		double p[4], got[4];
+		double p[4], got[4] = { 0 };
 
 		point_of(b, i, p);
-		for (int j = 0; j < 4; j++)
+		for (int j = 0; j < t->out; j++) {
 			got[j] = b->out[j][i];
-		image_of(truth, t, p, &image);
-		judge_image(&image, t->out, got, false, tally);
-		if (tally->n[WRONG] > wrong)
-			fprintf(stderr,
-			    "%a %a %a %a, kind %d: %a %a %a %a is wrong\n",
-			    p[0], p[1], p[2], p[3], (int)t->kind, got[0],
-			    got[1], got[2], got[3]);
+			if (single && !isnan(got[j]))
+				got[j] = (double)point_single(t, p, j, got[j]);
+		}
+		judge_point(truth, t, p, got, single, tally);
 		real_release(mark);
 	}
 }

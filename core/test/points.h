@@ -54,8 +54,9 @@ struct tally {
 void judge_image(const struct image *, int coordinates, const double *got,
     bool single, struct tally *);
 
-/* Blocks of a transform, and says which points are wrong. */
+/* The images of a block, or the floats that they are printed as; says which
+ * points are wrong. */
 void judge_block(const struct truth *, const struct transform *,
-    const struct block *, size_t n, struct tally *);
+    const struct block *, size_t n, bool single, struct tally *);
 
 #endif

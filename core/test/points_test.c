@@ -37,7 +37,7 @@ static void whole_numbers_have_no_ghosts(void **state)
 		}
 		carry_all(&t, &b, 27);
 		truth_scene(&s, SPACE_WORLD, SPACE_NDC, &truth);
-		judge_block(&truth, &t, &b, 27, &tally);
+		judge_block(&truth, &t, &b, 27, false, &tally);
 		real_release(mark);
 	}
 	assert_int_equal(tally.n[RULED] + tally.n[WRONG], 0);
