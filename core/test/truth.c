@@ -64,11 +64,21 @@ struct form form_mul(struct form a, struct form b)
 	return (struct form){ mul(a.value, b.value), mul(a.size, b.size) };
 }
 
-struct form form_root(struct form a)
+struct form form_dot(const struct form a[3], const struct form b[3])
 {
-	real r = root(a.value);
+	struct form s = form_of(0);
 
-	return (struct form){ r, mpfr_zero_p(r) ? r : over(a.size, r) };
+	for (int i = 0; i < 3; i++)
+		s = form_add(s, form_mul(a[i], b[i]));
+	return s;
+}
+
+struct form form_length(const struct form v[3])
+{
+	real r = root(form_dot(v, v).value);
+
+	return (struct form){ r,
+		add(add(r, v[0].size), add(v[1].size, v[2].size)) };
 }
 
 struct form truth_column(const struct truth *t, int j, const double p[4])

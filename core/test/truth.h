@@ -46,7 +46,10 @@ struct form form_of(double);
 struct form form_add(struct form, struct form);
 struct form form_sub(struct form, struct form);
 struct form form_mul(struct form, struct form);
-struct form form_root(struct form);
+struct form form_dot(const struct form a[3], const struct form b[3]);
+
+/* As far as v is off, its length is at most. */
+struct form form_length(const struct form v[3]);
 
 /* Column j of the image of (p[0], p[1], p[2], p[3]). */
 struct form truth_column(const struct truth *, int j, const double p[4]);
