@@ -34,6 +34,10 @@ void truth_scene(const struct scene *, enum space from, enum space to,
 void truth_flat(const struct scene *, enum flat from, enum flat to,
     struct truth *);
 
+/* The matrix alone. */
+void truth_matrix(const struct scene *, enum space from, enum space to,
+    real m[4][4]);
+
 /* What |x| and |y| may be on the viewport, in ndc. */
 void truth_limits(const struct scene *, real limit[2]);
 

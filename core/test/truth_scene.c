@@ -229,6 +229,15 @@ void truth_scene(const struct scene *s, enum space from, enum space to,
 	truth_compose(t);
 }
 
+void truth_matrix(const struct scene *s, enum space from, enum space to,
+    real m[4][4])
+{
+	struct truth t;
+
+	truth_scene(s, from, to, &t);
+	memcpy(m, t.all.m, sizeof t.all.m);
+}
+
 void truth_flat(const struct scene *s, enum flat from, enum flat to,
     struct truth *t)
 {
