@@ -4,7 +4,6 @@
 #include "../core/error_bound.h"
 #include "../core/taxonomy.h"
 #include "json/print.h"
-#include "names.h"
 #include "operands.h"
 #include "talk.h"
 

@@ -26,6 +26,9 @@ struct options {
 	char **points; /* operands */
 };
 
+/* In the order of enum precision; NULL ends them. */
+extern const char *const precision_names[];
+
 /* Reads a command's options and operands; argv[0] is its name. Stops where
  * help or the version is asked for. */
 void options_read(const struct command *, int argc, char **argv,
