@@ -1,4 +1,5 @@
 #include "operands.h"
+#include "points/answer.h"
 #include "print_matrix.h"
 #include "talk.h"
 
@@ -21,7 +22,7 @@ int run_matrix(const struct command *c, const struct options *o)
 	if (points) {
 		stream_options(&j, o);
 		stream_points(o, &d, &j);
-		return stream_end(&j);
+		return answer_end(&j);
 	}
 	print_matrix(o, &d, &t->map, c->flat);
 	close_output();

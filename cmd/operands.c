@@ -233,7 +233,7 @@ static char *typed_points(const struct job *j, const char *operand,
 	char *text = need(NULL, n + 1), *points;
 
 	memcpy(text, operand, n + 1);
-	json_points("POINTS", text, n, j->layout.reads, &points, size);
+	document_points("POINTS", text, n, j->layout.reads, &points, size);
 	free(text);
 	return points;
 }

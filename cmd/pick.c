@@ -5,7 +5,7 @@
 #include "../core/pick.h"
 #include "json/print.h"
 #include "operands.h"
-#include "points/chunk.h"
+#include "points/answer.h"
 #include "talk.h"
 
 /* A line whose point was hit; its text is size bytes in that of all hits. */
@@ -25,12 +25,12 @@ struct hits {
 };
 
 /* A chunk's output is each hit, followed by the text of its line. */
-static void take(const struct job *j, struct chunk *c, const struct line *r,
-    size_t p, size_t line)
+static void take(const struct job *j, struct chunk *c, const struct line *line,
+    size_t p, size_t number)
 {
 	const struct hits *h = j->with;
 	double in[4] = { c->in[0][p], c->in[1][p], c->in[2][p], 1 };
-	struct hit hit = { .line = line };
+	struct hit hit = { .line = number };
 
 	for (int i = 0; i < 3; i++) {
 		hit.device[i] = c->image[i][p];
@@ -41,15 +41,16 @@ static void take(const struct job *j, struct chunk *c, const struct line *r,
 	    frustum_out(&j->frustum, in) != 0)
 		return;
 	hit.distance = depth_of(&h->depth, in);
-	hit.size = (size_t)(r->text.end - r->text.s);
+	hit.size = (size_t)(line->text.end - line->text.s);
 	char *at = chunk_reserve(c, sizeof hit + hit.size);
 
 	memcpy(at, &hit, sizeof hit);
-	memcpy(at + sizeof hit, r->text.s, hit.size);
+	memcpy(at + sizeof hit, line->text.s, hit.size);
 	c->size += sizeof hit + hit.size;
 }
 
-static void collect(const struct job *j, const struct chunk *c, size_t line)
+static void collect(const struct job *j, const struct chunk *c,
+    size_t first_line)
 {
 	struct hits *h = j->with;
 
@@ -58,7 +59,7 @@ static void collect(const struct job *j, const struct chunk *c, size_t line)
 
 		memcpy(&hit, c->out + i, sizeof hit);
 		hit.text = h->size;
-		hit.line += line;
+		hit.line += first_line;
 		if (h->n == h->room) {
 			h->room = 2 * h->room + 64;
 			h->hit = need(h->hit, h->room * sizeof hit);
@@ -189,5 +190,5 @@ int run_pick(const struct command *c, const struct options *o)
 		    "-o json");
 	stream_options(&j, o);
 	stream_points(o, &d, &j);
-	return stream_end(&j);
+	return answer_end(&j);
 }

@@ -1,4 +1,5 @@
 #include "operands.h"
+#include "points/answer.h"
 #include "print_matrix.h"
 #include "talk.h"
 
@@ -70,5 +71,5 @@ int run_project(const struct command *c, const struct options *o)
 	stream_options(&j, o);
 	j.layout.flags = o->flags;
 	stream_points(o, &d, &j);
-	return stream_end(&j);
+	return answer_end(&j);
 }

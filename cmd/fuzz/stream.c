@@ -13,7 +13,7 @@
 
 #include "../scene/document.h"
 #include "layout.h"
-#include "../points/chunk_do.h"
+#include "../points/job.h"
 #include "../points/stream.h"
 #include "../talk.h"
 
@@ -175,7 +175,7 @@ static void do_at_once(struct job *j, const char *text, size_t size)
 	c->header = j->layout.in == FORMAT_CSV;
 	c->text = text;
 	c->end = text + size;
-	chunk_do(j, c);
+	job_do(j, c);
 	if (c->size > 0) {
 		add(&printed, "\n", unended);
 		unended = !is_binary(j->layout.out) &&

@@ -9,12 +9,11 @@
 #include <sys/stat.h>
 
 #include "answer.h"
-#include "chunk_do.h"
 #include "piece.h"
 #include "progress.h"
 #include "../talk.h"
 
-/* A chunk, and the text that it is of. */
+/* A chunk, and the piece of the source that its text is in. */
 struct slot {
 	struct chunk *chunk;
 	struct piece piece;
@@ -56,7 +55,7 @@ static void *work(void *unused)
 		struct chunk *c = ring.slots[k % ring.n].chunk;
 
 		pthread_mutex_unlock(&ring.lock);
-		chunk_do(ring.job, c);
+		job_do(ring.job, c);
 		pthread_mutex_lock(&ring.lock);
 		while (ring.answered != k)
 			pthread_cond_wait(&ring.is_answered, &ring.lock);
@@ -142,7 +141,7 @@ static void hand_over(struct job *j, struct chunk *c)
 		start_threads(j);
 	here |= ring.threads == 0;
 	if (here) {
-		chunk_do(j, c);
+		job_do(j, c);
 		answer_chunk(j, c);
 	}
 	pthread_mutex_lock(&ring.lock);
@@ -208,12 +207,7 @@ void stream_text(struct job *j, const char *name, const char *text, size_t size)
 	c->first = true;
 	c->text = text;
 	c->end = text + size;
-	chunk_do(j, c);
+	job_do(j, c);
 	answer_chunk(j, c);
 	chunk_free(c);
-}
-
-int stream_end(const struct job *j)
-{
-	return answer_end(j);
 }

@@ -237,7 +237,7 @@ void document_read(struct document *d, const char *name, char *text,
 	value_free(&root);
 }
 
-void json_points(const char *name, char *text, size_t size, int coordinates,
+void document_points(const char *name, char *text, size_t size, int coordinates,
     char **points, size_t *points_size)
 {
 	struct source source = { .name = name, .scene = scene_members };

@@ -40,7 +40,7 @@ struct document {
 	/* The member as which an object with none of a scene's members was
 	 * read, or NULL. Messages leave it out of their pointers. */
 	const char *bare;
-	/* The member points as json_points gives it, or NULL. */
+	/* The member points as document_points gives it, or NULL. */
 	char *points;
 	size_t points_size;
 };
@@ -74,7 +74,7 @@ void document_read(struct document *d, const char *name, char *text,
 /* One point or a list of points, as lines: one JSON array a line, each with
  * as many numbers or nulls as coordinates says before anything else; the
  * text of each element is as it was. To be freed. */
-void json_points(const char *name, char *text, size_t size, int coordinates,
+void document_points(const char *name, char *text, size_t size, int coordinates,
     char **points, size_t *points_size);
 
 /* Prints "projcalc: FILE: /pointer: reason" for a refusal of core/, whose
