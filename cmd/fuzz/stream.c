@@ -1,5 +1,5 @@
 /* Any bytes as a source of points that arrives bit by bit, for libFuzzer, with
- * the threads of stream.c, and talk.c's functions replaced: the same bytes and
+ * the threads of threads.c, and talk.c's functions replaced: the same bytes and
  * messages come out as if it came at once. Linked with --wrap=read and
  * --wrap=poll. */
 #include <errno.h>

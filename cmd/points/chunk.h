@@ -4,7 +4,7 @@
 #define CHUNK_H
 
 #include "../../core/points.h"
-#include "line.h"
+#include "piece.h"
 
 /* What is wrong with a line. */
 struct complaint {
@@ -15,6 +15,7 @@ struct complaint {
 /* Lines are counted from 0 in each chunk. A binary point counts as a line. */
 struct chunk {
 	const char *name;       /* of the source */
+	struct piece piece;     /* what was read, if the source is a file */
 	const char *text, *end; /* what is left to read */
 	size_t bytes;           /* of text at the beginning, for the progress */
 	size_t n_lines;         /* read so far */
