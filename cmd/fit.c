@@ -20,7 +20,7 @@ static void widen(struct bounds *box, const double min[3], const double max[3])
 	}
 }
 
-/* A chunk's output is the box of its points. */
+/* Widens the box that is the chunk's output by a point. */
 static void take(const struct job *j, struct chunk *c, const struct line *line,
     size_t p, size_t number)
 {
@@ -63,8 +63,8 @@ static void read_box(const struct options *o, const struct document *d,
 		    "take them from");
 }
 
-/* core/ says what is wrong with /bounds; where they were taken from points, it
- * is said of those. */
+/* why is of core/, and may be about /bounds. If those were taken from points,
+ * the message is about the points. */
 static _Noreturn void refuse(const struct options *o, const struct document *d,
     const char *why)
 {

@@ -26,8 +26,8 @@ static bool is_stdin(const char *operand)
 	return strcmp(operand, "-") == 0;
 }
 
-/* A standard stream may be closed; a file that took its number would be read
- * or written in its place. */
+/* If a standard stream is closed, open returns its number, and the file would
+ * be read or written in its place: it gets another number. */
 static int open_file(const char *name)
 {
 	int fd = open(name, O_RDONLY), low = fd;
@@ -97,7 +97,7 @@ static void check_file(const char *name)
 	die(EXIT_USAGE, "%s: %s", name, strerror(errno));
 }
 
-/* That every operand can be opened is known before anything is printed. */
+/* Before anything is printed, an operand that can't be opened is refused. */
 static void check_operands(const struct command *c, const struct options *o)
 {
 	int from_stdin = is_stdin(o->params);
@@ -127,7 +127,7 @@ void read_document(const struct command *c, const struct options *o,
 	size_t size;
 
 	wants.convention = o->convention;
-	/* operands replace the document's points */
+	/* the document's points are not read if points are operands */
 	if (!o->matrix && o->n_points == 0)
 		wants.coordinates = coordinates;
 	check_operands(c, o);
@@ -169,7 +169,8 @@ static void check_layout(const struct options *o, const struct layout *l)
 		    o->columns.n, l->reads);
 }
 
-/* By the environment, for tests and measurements; else the best ones. */
+/* Tests and measurements choose the kernels by PROJCALC_CPU; else they are the
+ * best that this processor can run. */
 static void choose_kernels(void)
 {
 	const char *cpu = getenv("PROJCALC_CPU");
@@ -202,6 +203,8 @@ void stream_options(struct job *j, const struct options *o)
 	check_layout(o, &j->layout);
 }
 
+/* Points as document_points and document_read give them are lines of JSON,
+ * whatever format the options say of files. */
 static void stream_json(struct job *j, const char *name, const char *text,
     size_t size)
 {
@@ -212,7 +215,7 @@ static void stream_json(struct job *j, const char *name, const char *text,
 	j->layout.in = in;
 }
 
-/* --columns says where the coordinates stand in the lines of a file. */
+/* Refuses --columns for points that are typed: it is of lines of a file. */
 static void check_columns(const struct options *o, const struct document *d)
 {
 	bool typed = o->n_points == 0 && d->points != NULL;
@@ -225,7 +228,7 @@ static void check_columns(const struct options *o, const struct document *d)
 		    "begin with their coordinates; name a file");
 }
 
-/* Points typed as an operand, to be freed. */
+/* Points typed as an operand, as lines of JSON, to be freed. */
 static char *typed_points(const struct job *j, const char *operand,
     size_t *size)
 {
@@ -268,8 +271,8 @@ void stream_points(const struct options *o, const struct document *d,
 		stream_json(j, d->name, d->points, d->points_size);
 	else if (o->n_points == 0)
 		stream_operand(j, "-");
-	/* what is typed wrong is refused before anything is printed; the first
-	 * operand's points are looked at before that anyway */
+	/* points that are typed wrong are refused before those of the first
+	 * operand are printed */
 	for (int i = 1; i < o->n_points; i++)
 		if (first_of(o->points[i]) == '[') {
 			size_t size;

@@ -241,10 +241,10 @@ static const struct row *row_of(int got)
 	return NULL;
 }
 
-/* Refuses what getopt_long could not take: got is '?' for an unknown option, ':'
- * for a missing argument. optopt is the option's letter, or 0 for an unknown
- * name, which is last_word. A letter is called by itself, as it may be one of
- * several in a word: -mx. */
+/* Refuses what getopt_long could not take: got is '?' for an unknown option,
+ * ':' for a missing argument. optopt is the option's letter, or 0 for an
+ * unknown name, which is last_word. A letter is called by itself, as it may be
+ * one of several in a word: -mx. */
 static _Noreturn void refuse(const struct command *c, int got,
     const char *last_word)
 {

@@ -8,7 +8,8 @@
 #include "points/answer.h"
 #include "talk.h"
 
-/* A line whose point was hit; its text is size bytes in that of all hits. */
+/* A point that was hit: its line, and where the text of that line begins in
+ * hits.text, and its size. */
 struct hit {
 	double distance, device[3], point[3];
 	size_t line, text, size;
@@ -24,7 +25,8 @@ struct hits {
 	size_t size, text_room;
 };
 
-/* A chunk's output is each hit, followed by the text of its line. */
+/* Appends a point that is hit to the chunk's output: a struct hit, then the
+ * text of its line. */
 static void take(const struct job *j, struct chunk *c, const struct line *line,
     size_t p, size_t number)
 {
@@ -85,7 +87,7 @@ static int compare(const void *a, const void *b)
 	return p->text < q->text ? -1 : p->text > q->text;
 }
 
-/* What is to be printed, gathered so that there are few writes. */
+/* Gathers what is to be printed, so that there are few writes. */
 struct output {
 	size_t n;
 	char text[1 << 16];
@@ -125,7 +127,6 @@ static void print_json(struct output *out, const struct hit *h,
 	put(out, text, (size_t)(p.at - text));
 }
 
-/* At the end, or before a bad line ends the program. */
 static void print_hits(const struct job *j)
 {
 	static struct output out;

@@ -7,7 +7,7 @@
 #include "scene/readers.h"
 #include "talk.h"
 
-/* The rows and columns of a map that its matrix has. */
+/* The rows and columns of a map that are printed: in 2D z is left out. */
 static const int SPATIAL[4] = { 0, 1, 2, 3 }, FLAT[3] = { 0, 1, 3 };
 
 static void refuse_wide(const struct document *d, double m[4][4], int n)
@@ -19,8 +19,8 @@ static void refuse_wide(const struct document *d, double m[4][4], int n)
 			    "floats; print doubles");
 }
 
-/* Row by row for row vectors, column by column for column vectors: that is the
- * same order, and the one in which m, which is for row vectors, has them. */
+/* In memory order, which for row vectors goes row by row and for column vectors
+ * column by column: those are the same numbers, and m's. */
 static void print_binary(double m[4][4], int n, bool wide)
 {
 	for (int i = 0; i < n * n; i++) {

@@ -8,9 +8,9 @@
 /* A new source begins: lines are counted from 1 again. */
 void answer_source(void);
 
-/* Prints the next chunk's output, then says what was wrong with its lines, which
- * ends the program unless the job keeps going. Any thread may call it, but not
- * two at a time. */
+/* Prints the next chunk's output, then says what was wrong with its lines,
+ * which ends the program unless the job keeps going. Any thread may call it,
+ * but not two at a time. */
 void answer_chunk(const struct job *, const struct chunk *);
 
 /* The number of the line after the last chunk answered. */

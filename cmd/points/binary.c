@@ -35,8 +35,9 @@ static bool all_within(const struct chunk *c, size_t n, size_t reads)
 	return !beyond;
 }
 
-/* Complains of points beyond the range. The first of them ends the chunk, unless
- * the job keeps going. Returns how many points there are to go on with. */
+/* Complains of points beyond the range. The first of them ends the chunk,
+ * unless the job keeps going. Returns how many points are left to go on with.
+ * */
 static size_t refuse_beyond(const struct job *j, struct chunk *c, size_t n,
     size_t reads)
 {

@@ -4,7 +4,8 @@
 
 #include "job.h"
 
-/* Reads up to POINTS_BLOCK points into the chunk's columns; returns how many. */
+/* Reads points, up to POINTS_BLOCK, into the chunk's columns. Returns how
+ * many. */
 size_t binary_read(const struct job *, struct chunk *);
 
 /* Writes v, the image of point p of the block. Where v is nan, p does not

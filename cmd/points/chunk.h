@@ -51,10 +51,10 @@ char *chunk_reserve(struct chunk *, size_t more);
 /* Notes what is wrong with a line. */
 void chunk_complain(struct chunk *, size_t line, const char *reason);
 
-/* Makes nan of each coordinate of the image of point p that is not finite, or is
- * written as a float and not finite as one. If there is any, counts the point as
- * one without image, unless its line was complained of. To be called in the
- * order of lines. */
+/* Makes nan of each coordinate of the image of point p that is not finite, or
+ * is written as a float and not finite as one. If there is any, counts the
+ * point as one without image, unless its line was complained of. To be called
+ * in the order of lines. */
 void chunk_mark(struct chunk *, const struct layout *, size_t p, size_t line);
 
 #endif

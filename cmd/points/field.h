@@ -28,7 +28,7 @@ static inline bool ends_field(const char *s, const char *end)
 	return s == end || is_blank(*s) || *s == ',';
 }
 
-/* Past the separator of text that begins at s: blanks with at most one comma. */
+/* Past the separator of text that begins at s: blanks, at most one comma. */
 static inline const char *skip_separator(const char *s, const char *end)
 {
 	s = skip_blanks(s, end);

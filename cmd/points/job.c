@@ -43,8 +43,8 @@ static size_t read_lines(struct job *j, struct chunk *c, size_t *points)
 	return n;
 }
 
-/* Rays are computed exactly, whatever the precision; for single they are rounded
- * to floats. */
+/* Rays are computed exactly, whatever the precision; for single they are
+ * rounded to floats. */
 static void cast_rays(const struct job *j, struct chunk *c, size_t n)
 {
 	bool single = j->accuracy.precision == PRECISION_SINGLE;
@@ -175,8 +175,8 @@ static void cut_short(const struct job *j, struct chunk *c, size_t size)
 }
 
 /* Does the rest of the job line by line on a block of n, whose images have been
- * computed. number is that of the first line; where points are binary, the first
- * begins at text. */
+ * computed. number is that of the first line; where points are binary, the
+ * first begins at text. */
 static void do_lines(const struct job *j, struct chunk *c, size_t n,
     size_t number, const char *text)
 {

@@ -1,5 +1,5 @@
-/* A line with a point: finding its coordinates, and writing the line with others
- * in their place. Everything else on it stays as it was. */
+/* A line with a point: finding its coordinates, and writing the line with
+ * others in their place. Everything else on it stays as it was. */
 #ifndef LINE_H
 #define LINE_H
 
@@ -8,8 +8,8 @@
 #include "../number/number.h"
 #include "field.h"
 
-/* The most that are written, a ray's: a point and a direction. No more than four
- * are read. */
+/* The most that are written, a ray's: a point and a direction. No more than
+ * four are read. */
 enum { COORDINATES_MAX = 6 };
 
 /* From --columns: field numbers from 0, or names to be found in a header. */
@@ -55,10 +55,10 @@ void line_read(struct layout *, struct span text, const char *readable,
 /* The most bytes that line_write may write. */
 size_t line_room(const struct layout *, const struct line *);
 
-/* Writes the line with coordinates v in the place of those it was read with, and
- * the word flags after them unless that is NULL; returns where it ends. A bad
- * line becomes v alone. Blank lines, comments and headers stay as they are, but
- * are left out from JSON and to JSON. */
+/* Writes the line with coordinates v in the place of those it was read with,
+ * and the word flags after them unless that is NULL; returns where it ends. A
+ * bad line becomes v alone. Blank lines, comments and headers stay as they are,
+ * but are left out from JSON and to JSON. */
 char *line_write(const struct layout *, const struct line *,
     const double v[COORDINATES_MAX], const char *flags, char *out);
 

@@ -8,9 +8,9 @@
 #include "line.h"
 #include "../escape.h"
 
-/* Reads the number in *f, and cuts *f to it: in csv, blanks and quotes may stand
- * around it; in JSON, null is an unknown number. Returns false if *f holds
- * anything else. */
+/* Reads the number in *f, and cuts *f to it: in csv, blanks and quotes may
+ * stand around it; in JSON, null is an unknown number. Returns false if *f
+ * holds anything else. */
 static bool field_number(enum format format, struct span *f, double *v)
 {
 	struct span n = *f;
@@ -84,8 +84,9 @@ static bool in_range(int i, double v, char reason[REASON_MAX])
 	return false;
 }
 
-/* Reads the first fields of a line of text. As no number goes on past a newline,
- * number_read may look at all that is readable after it, which is faster. */
+/* Reads the first fields of a line of text. As no number goes on past a
+ * newline, number_read may look at all that is readable after it, which is
+ * faster. */
 static bool read_text(const struct layout *l, const char *s, const char *end,
     const char *readable, struct line *line, double v[4],
     char reason[REASON_MAX])

@@ -78,8 +78,8 @@ static bool separates(char c)
 	return is_blank(c) || c == ',';
 }
 
-/* The separator to write before numbers that are added to the line. In text it is
- * the one that stands before the last coordinate, or after it if that is the
+/* The separator to write before numbers that are added to the line. In text it
+ * is the one that stands before the last coordinate, or after it if that is the
  * first field; but the usual one if what stands there has several commas or is
  * too long. Other formats have one separator only. */
 static struct span separator_in(const struct layout *l, const struct line *line)
@@ -115,8 +115,8 @@ static void sort(const struct line *line, int n, int sorted[4])
 	}
 }
 
-/* What has to go if the coordinate at f is not written: also its quotes, and the
- * separator before it, or after it if it is the first field. */
+/* What has to go if the coordinate at f is not written: also its quotes, and
+ * the separator before it, or after it if it is the first field. */
 static struct span whole_field(const struct layout *l, const struct line *line,
     struct span f)
 {

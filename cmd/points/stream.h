@@ -4,9 +4,9 @@
 
 #include "job.h"
 
-/* Does the job on the points of one source, which is a file or a text in memory.
- * All that has been read is answered before more is waited for. Errors are
- * printed and end the program. */
+/* Does the job on the points of one source, which is a file or a text in
+ * memory. All that has been read is answered before more is waited for. Errors
+ * are printed and end the program. */
 void stream_file(struct job *, const char *name, int fd);
 void stream_text(struct job *, const char *name, const char *text, size_t size);
 
