@@ -55,8 +55,8 @@ static void read_box(const struct options *o, const struct document *d,
 	*box = nothing;
 	j->transform = transform_of(&map_identity, SPACE_MODEL, SPACE_WORLD,
 	    false);
-	stream_options(j, o);
-	stream_points(o, d, j);
+	prepare_job(j, o);
+	do_points(o, d, j);
 	if (!(box->min[0] <= box->max[0]))
 		document_refuse(d,
 		    "/bounds: missing, and there are no points to "

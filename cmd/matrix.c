@@ -20,8 +20,8 @@ int run_matrix(const struct command *c, const struct options *o)
 		scene_transform(&d.scene, (enum space)c->from, (enum space)to,
 		    false, t));
 	if (points) {
-		stream_options(&j, o);
-		stream_points(o, &d, &j);
+		prepare_job(&j, o);
+		do_points(o, &d, &j);
 		return answer_end(&j);
 	}
 	print_matrix(o, &d, &t->map, c->flat);

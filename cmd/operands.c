@@ -14,7 +14,7 @@
 
 enum { DOCUMENT_MAX = 1 << 28 };
 
-static char first_of(const char *s)
+static char first_char(const char *s)
 {
 	while (isspace((unsigned char)*s))
 		s++;
@@ -113,7 +113,7 @@ static void check_operands(const struct command *c, const struct options *o)
 				"PARAMS and POINTS are both standard input; "
 				"name a file for one of them" :
 				"standard input is named twice");
-		if (!is_stdin(name) && first_of(name) != '[')
+		if (!is_stdin(name) && first_char(name) != '[')
 			check_file(name);
 	}
 }
@@ -131,7 +131,7 @@ void read_document(const struct command *c, const struct options *o,
 	if (!o->matrix && o->n_points == 0)
 		wants.coordinates = coordinates;
 	check_operands(c, o);
-	if (first_of(o->params) == '{') {
+	if (first_char(o->params) == '{') {
 		name = "PARAMS";
 		size = strlen(o->params);
 		text = need(NULL, size + 1);
@@ -182,7 +182,7 @@ static void choose_kernels(void)
 		    cpu);
 }
 
-void stream_options(struct job *j, const struct options *o)
+void prepare_job(struct job *j, const struct options *o)
 {
 	/* a ray's position; its point and direction */
 	const int ray_reads = 2, ray_writes = 6;
@@ -205,7 +205,7 @@ void stream_options(struct job *j, const struct options *o)
 
 /* Points as document_points and document_read give them are lines of JSON,
  * whatever format the options say of files. */
-static void stream_json(struct job *j, const char *name, const char *text,
+static void do_json(struct job *j, const char *name, const char *text,
     size_t size)
 {
 	enum format in = j->layout.in;
@@ -221,7 +221,7 @@ static void check_columns(const struct options *o, const struct document *d)
 	bool typed = o->n_points == 0 && d->points != NULL;
 
 	for (int i = 0; i < o->n_points; i++)
-		typed |= first_of(o->points[i]) == '[';
+		typed |= first_char(o->points[i]) == '[';
 	if (typed && o->columns.n > 0)
 		die(EXIT_USAGE,
 		    "--columns: points that are typed, or in the document, "
@@ -241,13 +241,13 @@ static char *typed_points(const struct job *j, const char *operand,
 	return points;
 }
 
-static void stream_operand(struct job *j, const char *operand)
+static void do_operand(struct job *j, const char *operand)
 {
-	if (first_of(operand) == '[') {
+	if (first_char(operand) == '[') {
 		size_t size;
 		char *points = typed_points(j, operand, &size);
 
-		stream_json(j, "POINTS", points, size);
+		do_json(j, "POINTS", points, size);
 		free(points);
 		return;
 	}
@@ -258,8 +258,7 @@ static void stream_operand(struct job *j, const char *operand)
 		close(fd);
 }
 
-void stream_points(const struct options *o, const struct document *d,
-    struct job *j)
+void do_points(const struct options *o, const struct document *d, struct job *j)
 {
 	if (o->n_points == 0 && d->points == NULL && is_stdin(o->params))
 		die(EXIT_USAGE,
@@ -268,17 +267,17 @@ void stream_points(const struct options *o, const struct document *d,
 		    "them");
 	check_columns(o, d);
 	if (o->n_points == 0 && d->points != NULL)
-		stream_json(j, d->name, d->points, d->points_size);
+		do_json(j, d->name, d->points, d->points_size);
 	else if (o->n_points == 0)
-		stream_operand(j, "-");
+		do_operand(j, "-");
 	/* points that are typed wrong are refused before those of the first
 	 * operand are printed */
 	for (int i = 1; i < o->n_points; i++)
-		if (first_of(o->points[i]) == '[') {
+		if (first_char(o->points[i]) == '[') {
 			size_t size;
 
 			free(typed_points(j, o->points[i], &size));
 		}
 	for (int i = 0; i < o->n_points; i++)
-		stream_operand(j, o->points[i]);
+		do_operand(j, o->points[i]);
 }

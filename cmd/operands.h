@@ -15,11 +15,10 @@ bool has_points(const struct options *, const struct document *);
 
 /* Fills in what the options say of a job whose transform or ray maker is set,
  * and prepares progress and kernels for it. */
-void stream_options(struct job *, const struct options *);
+void prepare_job(struct job *, const struct options *);
 
 /* Does the job on all points: the operands, else the document's, else those of
  * standard input. */
-void stream_points(const struct options *, const struct document *,
-    struct job *);
+void do_points(const struct options *, const struct document *, struct job *);
 
 #endif

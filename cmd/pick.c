@@ -189,7 +189,7 @@ int run_pick(const struct command *c, const struct options *o)
 		die(EXIT_USAGE,
 		    "pick prints lines as they were read, or "
 		    "-o json");
-	stream_options(&j, o);
-	stream_points(o, &d, &j);
+	prepare_job(&j, o);
+	do_points(o, &d, &j);
 	return answer_end(&j);
 }

@@ -3,7 +3,6 @@
 #include <math.h>
 
 #include "json/print.h"
-#include "points/chunk.h"
 #include "scene/readers.h"
 #include "talk.h"
 
@@ -76,7 +75,11 @@ void print_matrix(const struct options *o, const struct document *d,
 	static char text[16 * (NUMBER_MAX + 2) + 64];
 	bool single = o->accuracy.precision == PRECISION_SINGLE;
 	bool column = d->scene.convention.column;
-	struct printer p = { text, o->style, single, true, "" };
+	struct printer p = { .at = text,
+		.style = o->style,
+		.single = single,
+		.compact = true,
+		.between = "" };
 	const int *pick = flat ? FLAT : SPATIAL;
 	int n = flat ? 3 : 4;
 	double m[4][4];

@@ -38,8 +38,7 @@ extern const struct range range_any, range_positive;
 struct value value_parse(const struct source *, char *text, size_t size);
 void value_free(const struct value *document);
 
-/* The first element or member, and the next one; item is NULL if there is none.
- * */
+/* The first element or member, and the next; item is NULL if there is none. */
 struct value value_child(const struct value *);
 void value_next(struct value *);
 

@@ -36,8 +36,7 @@ static bool all_within(const struct chunk *c, size_t n, size_t reads)
 }
 
 /* Complains of points beyond the range. The first of them ends the chunk,
- * unless the job keeps going. Returns how many points are left to go on with.
- * */
+ * unless the job keeps going. Returns how many points it goes on with. */
 static size_t refuse_beyond(const struct job *j, struct chunk *c, size_t n,
     size_t reads)
 {
