@@ -15,7 +15,6 @@ struct complaint {
 /* Lines are counted from 0 in each chunk. A binary point counts as a line. */
 struct chunk {
 	const char *name;       /* of the source */
-	struct piece piece;     /* what was read, if the source is a file */
 	const char *text, *end; /* what is left to read */
 	size_t bytes;           /* of text at the beginning, for the progress */
 	size_t n_lines;         /* read so far */
@@ -36,6 +35,8 @@ struct chunk {
 	double in[4][POINTS_BLOCK];
 	double image[COORDINATES_MAX][POINTS_BLOCK];
 	bool single[POINTS_BLOCK]; /* the image is of floats */
+
+	struct piece piece; /* what was read, if the source is a file */
 };
 
 struct chunk *chunk_new(void);
