@@ -22,7 +22,7 @@ static bool same(double a, double b)
 	return a == b || (isnan(a) && isnan(b));
 }
 
-/* Where coordinates are added or left out, the fields behind them change their
+/* Where coordinates are added or left out, the fields after them change their
  * numbers, so that --columns would find others. */
 static bool can_read_back(const struct layout *l)
 {

@@ -17,7 +17,7 @@ struct json_error {
 };
 
 /* Whether the text is one JSON value of at most 100 levels; if not, says why.
- * Bytes at end and behind it are not read. */
+ * Bytes at end and after it are not read. */
 bool json_check(enum json_kind, const char *text, const char *end,
     struct json_error *);
 

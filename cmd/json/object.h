@@ -25,9 +25,9 @@ struct member {
 	const char *example;
 };
 
-/* The ways in which the members of an object can be combined: each lists names,
- * of which those with ? may be missing. An object takes one way, in whole, and
- * has no member of another. */
+/* The ways in which members of an object can be combined. A way lists names
+ * with blanks between them; those with ? may be missing. An object takes one
+ * way, in whole, and has no member that is only in another. */
 struct ways {
 	const char *hint; /* says what the ways are */
 	const char *way[8];

@@ -9,10 +9,10 @@
  * 1e, inf. */
 const char *json_number(const char *s, const char *end, double *v);
 
-/* Past the string whose opening quote is at s; end where it isn't closed. */
+/* Past the string whose opening quote is at s; end if it isn't closed. */
 const char *json_string(const char *s, const char *end);
 
-/* Where the value or member that begins at s ends: at the comma behind it or
+/* Where the value or member that begins at s ends: at the comma after it or
  * at the bracket, of either kind, that closes what it is in, else at end. In
  * unchecked text, quotes and brackets alone say what belongs together. */
 const char *json_skip(const char *s, const char *end);

@@ -135,7 +135,7 @@ static bool all_finite(const struct chunk *c, size_t n, size_t writes)
 }
 
 void binary_write_block(const struct job *j, struct chunk *c, size_t n,
-    size_t first)
+    size_t first_line)
 {
 	size_t writes = (size_t)j->layout.writes;
 	size_t size = n * point_size(FORMAT_F64, j->layout.writes);
@@ -143,7 +143,7 @@ void binary_write_block(const struct job *j, struct chunk *c, size_t n,
 
 	if (!all_finite(c, n, writes))
 		for (size_t i = 0; i < n; i++)
-			chunk_mark(c, &j->layout, i, first + i);
+			chunk_mark(c, &j->layout, i, first_line + i);
 	if (writes == 3)
 		pack(c, at, n, 3);
 	else

@@ -14,8 +14,8 @@ void binary_write(const struct job *, struct chunk *, size_t p,
     const double *v);
 
 /* Writes the images of the block's n points as f64, after chunk_mark of those
- * that have none; line is the number of the first. */
+ * that have none; first_line is the number of the first. */
 void binary_write_block(const struct job *, struct chunk *, size_t n,
-    size_t line);
+    size_t first_line);
 
 #endif

@@ -16,7 +16,7 @@ enum { COORDINATES_MAX = 6 };
 struct columns {
 	int n; /* 0: the first fields are the coordinates */
 	int field[4];
-	const char *name[4]; /* NULL where the field has a number alone */
+	const char *name[4]; /* NULL if a field is given by its number */
 };
 
 /* How lines, or binary points, are laid out. */

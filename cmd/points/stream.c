@@ -30,7 +30,7 @@ static bool fill(const struct job *j, struct chunk *c, int fd)
 	die(EXIT_SYSTEM, "%s: %s", c->name, strerror(error));
 }
 
-/* The size of a file; 0 of what is none. */
+/* The size of a file; 0 if fd is none. */
 static size_t size_of(int fd)
 {
 	struct stat st;
@@ -46,7 +46,7 @@ void stream_file(struct job *j, const char *name, int fd)
 	struct chunk *c, *next;
 
 #ifdef F_SETPIPE_SZ
-	/* fewer and larger reads; where it is refused, all is as it was */
+	/* fewer and larger reads; if the system refuses, it is just slower */
 	fcntl(fd, F_SETPIPE_SZ, 1 << 20);
 #endif
 	progress_source(size_of(fd));

@@ -6,11 +6,12 @@
 #include "../talk.h"
 #include "answer.h"
 
-/* The k-th chunk of all sources is kept in chunks[k % n]. The reader fills it;
- * one of the threads takes it, does the job on it and, once the chunk before is
- * answered, answers it, so that no answer waits for the reader. Nobody else
- * looks at a chunk that is the reader's, until it counts as filled, or a
- * thread's, until it counts as answered. */
+/* The k-th chunk of all sources is kept in chunks[k % n]. The reader, the
+ * thread that calls the functions of threads.h, fills it; one of the threads
+ * takes it, does the job on it and, once the chunk before is answered, answers
+ * it, so that no answer waits for the reader. Nobody else looks at a chunk that
+ * is the reader's, until it counts as filled, or a thread's, until it counts as
+ * answered. */
 static struct {
 	int threads; /* that run; the reader alone asks */
 

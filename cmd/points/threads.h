@@ -1,5 +1,7 @@
-/* Threads that do a job on chunks, and answer these in their order. One thread
- * more, the reader, fills the chunks: it alone calls these functions. */
+/* Threads that do a job on chunks, and answer these in their order. The thread
+ * that reads a source fills the chunks, and it alone calls these functions: for
+ * each source threads_first; for each chunk, when it is filled, threads_next and
+ * threads_hand_over; threads_wait at the end. */
 #ifndef THREADS_H
 #define THREADS_H
 

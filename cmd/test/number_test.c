@@ -57,7 +57,7 @@ static double random_double(void)
 		return isfinite(v) ? v : 0;
 	case 1: /* so many decimals, ten at most */
 		return floor(v * 1e10) / pow(10, below(16));
-	case 2: /* integers, and such as are ties when rounded */
+	case 2: /* integers, and ties when they are rounded */
 		return floor(v * pow(2, below(70))) / pow(2, below(30));
 	case 3: /* powers of two, with half as wide a gap below */
 		return ldexp(v < 0 ? -1 : 1, below(2098) - 1074);

@@ -76,7 +76,7 @@ static void test_skip(void **state)
 	}
 }
 
-/* What is in an array or object, each value with the blanks behind it. */
+/* The values of an array or object, each with the blanks after it. */
 static void assert_values(const char *text, const char *wanted)
 {
 	const char *end = text + strlen(text), *s, *next = text;
