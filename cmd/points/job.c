@@ -75,14 +75,8 @@ static void carry(const struct job *j, struct chunk *c, size_t n)
 
 enum { WORD_MAX = 48 };
 
-<<<<<<< HEAD:cmd/points/chunk_do.c
 /* "in", or the planes that the point is outside of, as left+near. */
 static const char *flag_word(unsigned out, char word[WORD_MAX])
-=======
-/* "in", or the planes that the point is outside of, as "left+near"; then "+ill"
- * where it is ill-conditioned. */
-static const char *flag_word(unsigned out, bool ill, char word[WORD_MAX])
->>>>>>> main:cmd/points/job.c
 {
 	static const char *const names[] = { "left", "right", "bottom", "top",
 		"near", "far", "behind", "nan" };
