@@ -39,7 +39,8 @@ static bool carry_four(const struct transform *t, const double *const in[4],
 	return false;
 }
 
-/* Point i, with the care that it takes. */
+/* Point i, with the care that it takes. What is not divided and has not been
+ * decided by a kernel lies midway, as a rule, which double-double can't tell. */
 static void carry_one(const struct transform *t, const double *const in[4],
     double *const out[4], size_t i)
 {
@@ -47,7 +48,7 @@ static void carry_one(const struct transform *t, const double *const in[4],
 
 	for (int j = 0; j < t->in; j++)
 		p[j] = in[j][i];
-	if (!point_quick(t, p, q))
+	if (!t->divide || !point_quick(t, p, q))
 		point_exact(t, p, q);
 	for (int j = 0; j < t->out; j++)
 		out[j][i] = q[j];
