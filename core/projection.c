@@ -336,10 +336,7 @@ const char *projection_map(const struct projection *p,
 	if (inverse)
 		f = inverse_elements(&f);
 	map_of_elements(&f, r);
-	return map_is_finite(r) ?
-	    NULL :
-	    "/projection: its matrix has elements beyond the range of "
-	    "doubles; bring the sizes and distances nearer to one another";
+	return NULL;
 }
 
 /* 1/w = z m[2][3] + m[3][3] on the axis, for m the inverse: it is larger nearby. */
