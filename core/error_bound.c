@@ -31,23 +31,26 @@ struct volume {
 	double size[3]; /* of the coordinates that come out */
 };
 
-static void set_corners(const struct scene *s, const struct map *from_clip,
-    struct volume *v)
+static const char *set_corners(const struct scene *s,
+    const struct map *from_view, struct volume *v)
 {
 	const double *origin = v->t->for_kernel.origin;
+	const char *why = NULL;
 
-	for (int i = 0; i < 8; i++) {
+	for (int i = 0; i < 8 && why == NULL; i++) {
 		struct corner *c = &v->corner[i];
 		struct sum h[4];
 
-		view_corner(s, from_clip, i, h);
-		for (int j = 0; j < 3; j++) {
+		why = view_corner(s, from_view, i, h);
+		for (int j = 0; j < 3 && why == NULL; j++) {
 			struct sum o = sum_mul(h[3], sum_of_double(origin[j]));
 
 			c->p[j] = fabs(sum_double(sum_sub(h[j], o)));
 		}
-		c->inverse = sum_double(h[3]);
+		if (why == NULL)
+			c->inverse = sum_double(h[3]);
 	}
+	return why;
 }
 
 static void set_size(const struct scene *s, double size[3])
@@ -133,7 +136,7 @@ const char *error_bounds(const struct scene *s, double bound[3])
 {
 	enum space to = s->has_viewport ? SPACE_DEVICE : SPACE_NDC;
 	struct transform t;
-	struct map from_clip;
+	struct map from_view;
 	struct volume v = { .t = &t };
 	const char *why = scene_transform(s, SPACE_MODEL, to, false, &t);
 
@@ -141,9 +144,9 @@ const char *error_bounds(const struct scene *s, double bound[3])
 		bound[i] = (double)NAN;
 	/* where the world matrix is singular the volume has no end */
 	if (why != NULL ||
-	    scene_map(s, SPACE_CLIP, SPACE_MODEL, &from_clip) != NULL)
+	    scene_map(s, SPACE_VIEW, SPACE_MODEL, &from_view) != NULL ||
+	    set_corners(s, &from_view, &v) != NULL)
 		return why;
-	set_corners(s, &from_clip, &v);
 	set_size(s, v.size);
 	bound[PRECISION_EXACT] = exact(&v);
 	bound[PRECISION_DOUBLE] = plain(&v, &arithmetic[PRECISION_DOUBLE]);

@@ -1,6 +1,7 @@
 #include "exact.h"
 
 #include <limits.h>
+#include <string.h>
 
 typedef unsigned __int128 wide;
 
@@ -46,10 +47,15 @@ static ex whole(int sign, uint64_t m, int e)
 
 void ex_set(ex *r, double a)
 {
-	int e;
-	double m = frexp(fabs(a), &e);
+	uint64_t bits, one = (uint64_t)1 << 52;
 
-	set_whole(r, a < 0 ? -1 : 1, (uint64_t)ldexp(m, 53), e - 53);
+	memcpy(&bits, &a, sizeof bits);
+	int e = (int)(bits >> 52 & 0x7ff);
+	uint64_t m = bits & (one - 1);
+
+	/* a subnormal number has the exponent 1, too, but no leading one */
+	set_whole(r, bits >> 63 ? -1 : 1, e > 0 ? m | one : m,
+	    (e > 0 ? e : 1) - 1075);
 }
 
 ex ex_of(double a)
@@ -199,11 +205,10 @@ static void accumulate(uint64_t *sum, int low, int high, int sign,
 	}
 }
 
-ex ex_dot(int n, const ex *const a[], const ex *const b[])
+void ex_dot(int n, const ex *const a[], const ex *const b[], int words, ex *r)
 {
 	uint64_t sum[2 * EX_WORDS + 1], w[2 * EX_WORDS];
 	int low = INT_MAX, high = INT_MIN;
-	ex r = { 0 };
 
 	for (int k = 0; k < n; k++) {
 		int e = a[k]->e + b[k]->e, end = e + a[k]->n + b[k]->n;
@@ -213,8 +218,10 @@ ex ex_dot(int n, const ex *const a[], const ex *const b[])
 		low = e < low ? e : low;
 		high = end + 1 > high ? end + 1 : high;
 	}
-	if (low > high)
-		return r;
+	if (low > high) {
+		r->sign = r->n = r->e = 0;
+		return;
+	}
 	if (high - low > 2 * EX_WORDS)
 		low = high - 2 * EX_WORDS;
 	for (int i = 0; i < high - low; i++)
@@ -233,8 +240,13 @@ ex ex_dot(int n, const ex *const a[], const ex *const b[])
 		sum[i] = ~sum[i] + carry;
 		carry &= sum[i] == 0;
 	}
-	set(&r, minus ? -1 : 1, sum, high - low, low);
-	return r;
+	int n_words = high - low, rest = 0;
+
+	while (n_words > 0 && sum[n_words - 1] == 0)
+		n_words--;
+	if (words > 0 && n_words > words)
+		rest = n_words - words;
+	set(r, minus ? -1 : 1, sum + rest, n_words - rest, low + rest);
 }
 
 ex ex_scale(ex a, double b)
@@ -335,7 +347,7 @@ enum { QUOTIENT = 6 };
 /* An exponent that no quotient of numbers that a scene is made of has. */
 enum { BEYOND = 1 << 20 };
 
-static void divide(ex *r, const ex *dividend, const ex *divisor)
+void ex_divide(const ex *dividend, const ex *divisor, ex *r)
 {
 	uint64_t u[EX_WORDS + QUOTIENT + 1], q[QUOTIENT + 1];
 	ex a, b;
@@ -359,7 +371,7 @@ ex ex_quotient(ex a, ex b)
 {
 	ex r;
 
-	divide(&r, &a, &b);
+	ex_divide(&a, &b, &r);
 	return r;
 }
 
@@ -420,14 +432,20 @@ uint64_t ex_behind(const ex *a, int bits)
 	return bits_from(a, 64 * top(a) - leading_zeros(a) - bits - 64);
 }
 
+double ex_nearest(const ex *a, bool single)
+{
+	return single ? (double)(float)rounded(a, 24, -149) :
+			rounded(a, 53, -1074);
+}
+
 double ex_double(ex a)
 {
-	return rounded(&a, 53, -1074);
+	return ex_nearest(&a, false);
 }
 
 float ex_float(ex a)
 {
-	return (float)rounded(&a, 24, -149);
+	return (float)ex_nearest(&a, true);
 }
 
 dd ex_round(ex a)

@@ -33,7 +33,6 @@ ex ex_abs(ex a);
 ex ex_add(ex a, ex b);
 ex ex_sub(ex a, ex b);
 ex ex_mul(ex a, ex b);
-ex ex_dot(int n, const ex *const a[], const ex *const b[]);
 ex ex_scale(ex a, double b);    /* a b */
 ex ex_shift(ex a, int e);       /* a 2^e */
 ex ex_diff(double a, double b); /* a - b */
@@ -57,6 +56,12 @@ ex ex_first(ex a, int n);   /* the n first words, toward 0 */
  * infinite beyond. */
 double ex_double(ex a);
 float ex_float(ex a);
+
+/* The same for the many: sums of products, cut to so many words where words is not
+ * 0; a quotient; the nearest double or float. */
+void ex_dot(int n, const ex *const a[], const ex *const b[], int words, ex *);
+void ex_divide(const ex *a, const ex *b, ex *);
+double ex_nearest(const ex *, bool single);
 
 /* The 64 bits behind the first so many. */
 uint64_t ex_behind(const ex *a, int bits);

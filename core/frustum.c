@@ -90,32 +90,22 @@ unsigned frustum_out(const struct frustum *f, const double in[4])
 	return out;
 }
 
-/* In ndc, which is in clip space where w is 1. */
-static void ndc_corner(const struct scene *s, int corner, struct sum clip[4])
+const char *view_corner(const struct scene *s, const struct map *from_view,
+    int corner, struct sum h[4])
 {
 	static const int right[4] = { -1, 1, 1, -1 }, up[4] = { -1, -1, 1, 1 };
-	const struct convention *c = &s->convention;
-	bool reversed = projection_is_reversed(&s->projection, c);
-	double y = c->ndc_y_down ? -up[corner % 4] : up[corner % 4];
-	double depth = (corner >= 4) != reversed ? 1 : c->minus_one ? -1 : 0;
+	struct sum side[2], v[4];
 
-	limits(s, clip);
-	clip[0] = sum_mul(clip[0], sum_of_double(right[corner % 4]));
-	clip[1] = sum_mul(clip[1], sum_of_double(y));
-	clip[2] = sum_of_double(depth);
-	clip[3] = sum_of_double(1);
-}
+	limits(s, side);
+	side[0] = sum_mul(side[0], sum_of_double(right[corner % 4]));
+	side[1] = sum_mul(side[1], sum_of_double(up[corner % 4]));
+	const char *why = projection_corner(&s->projection, &s->convention,
+	    side, corner >= 4, v);
 
-void view_corner(const struct scene *s, const struct map *from_clip, int corner,
-    struct sum h[4])
-{
-	struct sum clip[4];
-
-	ndc_corner(s, corner, clip);
-	for (int j = 0; j < 4; j++) {
+	for (int j = 0; j < 4 && why == NULL; j++) {
 		h[j] = sum_of_double(0);
 		for (int i = 0; i < 4; i++)
-			h[j] = sum_add(h[j],
-			    sum_mul(clip[i], from_clip->m[i][j]));
+			h[j] = sum_add(h[j], sum_mul(v[i], from_view->m[i][j]));
 	}
+	return why;
 }

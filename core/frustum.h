@@ -30,10 +30,10 @@ const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
 /* 0 where the point is inside or on a plane, exactly; behind comes alone. */
 unsigned frustum_out(const struct frustum *, const double in[4]);
 
-/* Corner 0..7 of the view volume under the inverse of a map to clip space,
- * homogeneous, with clip w = 1: near, then far, each left-bottom, right-bottom,
- * right-top, left-top. */
-void view_corner(const struct scene *, const struct map *from_clip, int corner,
-    struct sum h[4]);
+/* Corner 0..7 of the view volume, near, then far, each left-bottom, right-bottom,
+ * right-top, left-top, through a map from view space: homogeneous, with clip w =
+ * 1. Returns NULL, or the member and the reason. */
+const char *view_corner(const struct scene *, const struct map *from_view,
+    int corner, struct sum h[4]);
 
 #endif

@@ -56,8 +56,8 @@ void map_settle(struct map *a)
 			a->m[i][j] = sum_settled(a->m[i][j]);
 }
 
-static struct sum element(const struct map *a, int i, const struct map *b,
-    int j)
+static void set_element(struct map *r, int i, int j, const struct map *a,
+    const struct map *b)
 {
 	const struct sum *x[4], *y[4];
 
@@ -65,7 +65,7 @@ static struct sum element(const struct map *a, int i, const struct map *b,
 		x[k] = &a->m[i][k];
 		y[k] = &b->m[k][j];
 	}
-	return sum_dot(4, x, y);
+	sum_dot(4, x, y, &r->m[i][j]);
 }
 
 void map_then(const struct map *a, const struct map *b, struct map *r)
@@ -77,10 +77,11 @@ void map_then(const struct map *a, const struct map *b, struct map *r)
 	memcpy(r->origin, a->origin, sizeof r->origin);
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
-			r->m[i][j] = element(a, i, b, j);
+			set_element(r, i, j, a, b);
 }
 
-struct sum map_column(const struct map *m, int j, const double p[3], double w)
+void map_column(const struct map *m, int j, const double p[3], double w,
+    struct sum *r)
 {
 	const struct sum *x[4], *y[4];
 	struct sum given[4];
@@ -91,7 +92,7 @@ struct sum map_column(const struct map *m, int j, const double p[3], double w)
 		x[i] = &given[i];
 		y[i] = &m->m[i][j];
 	}
-	return sum_dot(4, x, y);
+	sum_dot(4, x, y, r);
 }
 
 struct sum map_minor(int n, const struct sum m[4][4], unsigned rows,

@@ -36,7 +36,8 @@ struct sum map_minor(int n, const struct sum m[4][4], unsigned rows,
     unsigned columns);
 
 /* Column j of the image of (p, w). */
-struct sum map_column(const struct map *, int j, const double p[3], double w);
+void map_column(const struct map *, int j, const double p[3], double w,
+    struct sum *);
 
 /* Whether the last column is 0 0 0 1. */
 bool map_is_affine(const struct map *);

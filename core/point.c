@@ -2,12 +2,22 @@
 
 #include <math.h>
 
+#include "quick.h"
+
+static void set_column(const struct transform *t, int j, const double in[4],
+    struct sum *r)
+{
+	const double p[3] = { in[0], in[1], t->in > 2 ? in[2] : 0 };
+
+	map_column(&t->map, j, p, t->in == 4 && !t->reciprocal ? in[3] : 1, r);
+}
+
 struct sum point_column(const struct transform *t, int j, const double in[4])
 {
-	double z = t->in > 2 ? in[2] : 0;
+	struct sum r;
 
-	return map_column(&t->map, j, (const double[3]){ in[0], in[1], z },
-	    t->in == 4 && !t->reciprocal ? in[3] : 1);
+	set_column(t, j, in, &r);
+	return r;
 }
 
 static bool has_nan(const struct transform *t, const double in[4])
@@ -21,30 +31,57 @@ static bool has_nan(const struct transform *t, const double in[4])
 /* What the image is divided by. False where there is no image. */
 static bool find_w(const struct transform *t, const double in[4], struct sum *w)
 {
-	*w = sum_of_double(1);
 	if (has_nan(t, in))
 		return false;
 	if (!t->divide)
 		return true;
-	*w = t->reciprocal && t->out == 4 ? sum_of_double(in[3]) :
-					    point_column(t, 3, in);
-	return t->front ? sum_sign(*w) > 0 : sum_sign(*w) != 0;
+	if (t->reciprocal && t->out == 4)
+		*w = sum_of_double(in[3]);
+	else
+		set_column(t, 3, in, w);
+	int sign = sum_sign(*w);
+
+	return t->front ? sign > 0 : sign != 0;
 }
 
 void point_exact(const struct transform *t, const double in[4], double out[4])
 {
-	struct sum w;
+	struct sum q, w;
 	bool image = find_w(t, in, &w);
 
 	for (int j = 0; j < t->out; j++) {
 		out[j] = (double)NAN;
 		if (!image)
 			continue;
-		struct sum q = point_column(t, j, in);
-		double v = t->divide ? sum_over(q, w) : sum_double(q);
+		set_column(t, j, in, &q);
+		double v = sum_nearest(&q, t->divide ? &w : NULL, false);
 
 		out[j] = isfinite(v) ? v : (double)NAN;
 	}
+}
+
+bool point_quick(const struct transform *t, const double in[4], double out[4])
+{
+	const struct kernel_map *k = &t->for_kernel;
+	struct quick w = QUICK_ONE;
+	dd p[4] = { [3] = { t->in == 4 ? in[3] : 1, 0 } };
+
+	if (t->reciprocal || has_nan(t, in))
+		return false;
+	for (int i = 0; i < t->in && i < 3; i++)
+		p[i] = two_sum(in[i], -k->origin[i]);
+	if (t->divide) {
+		w = quick_column(k, 3, p);
+		if (!(fabs(w.value.hi) > QUICK_BOUND * w.size))
+			return false;
+	}
+	for (int j = 0; j < t->out; j++) {
+		if (t->front && w.value.hi < 0)
+			out[j] = (double)NAN;
+		else if (!quick_over(quick_column(k, j, p), w, &out[j]))
+			return false;
+	}
+	return true;
 }
 
 /* Only where the double lies midway between two floats does rounding it again not
@@ -54,13 +91,12 @@ float point_single(const struct transform *t, const double in[4], int j,
 {
 	float a = (float)image;
 	float b = nextafterf(a, (double)a < image ? INFINITY : -INFINITY);
-	struct sum w;
+	struct sum q, w;
 
 	if ((double)a / 2 + (double)b / 2 != image || !find_w(t, in, &w))
 		return a;
-	struct sum q = point_column(t, j, in);
-
-	return t->divide ? sum_over_float(q, w) : sum_float(q);
+	set_column(t, j, in, &q);
+	return (float)sum_nearest(&q, t->divide ? &w : NULL, true);
 }
 
 /* Differences, elements and products are rounded, then three sums: 6 u of their

@@ -39,7 +39,7 @@ static bool carry_four(const struct transform *t, const double *const in[4],
 	return false;
 }
 
-/* The accurate phase for point i. */
+/* Point i, with the care that it takes. */
 static void carry_one(const struct transform *t, const double *const in[4],
     double *const out[4], size_t i)
 {
@@ -47,7 +47,8 @@ static void carry_one(const struct transform *t, const double *const in[4],
 
 	for (int j = 0; j < t->in; j++)
 		p[j] = in[j][i];
-	point_exact(t, p, q);
+	if (!point_quick(t, p, q))
+		point_exact(t, p, q);
 	for (int j = 0; j < t->out; j++)
 		out[j][i] = q[j];
 }

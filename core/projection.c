@@ -301,31 +301,39 @@ static const char *bare(const struct projection *p, bool inverse, struct map *r)
 	return NULL;
 }
 
+static const char *find_elements(const struct projection *p,
+    const struct convention *c, struct elements *f)
+{
+	switch (p->type) {
+	case PROJECTION_PERSP:
+		return persp(p, c, f);
+	case PROJECTION_ORTHO:
+		return ortho(p, c, f);
+	case PROJECTION_OBLIQUE:
+		return oblique(p, c, f);
+	default:
+		return volume(p, c, f);
+	}
+}
+
+static bool has_elements(const struct projection *p)
+{
+	return p->type != PROJECTION_NONE && p->type != PROJECTION_MATRIX;
+}
+
 const char *projection_map(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {
 	struct elements f = { 0 };
-	const char *why = NULL;
 
-	switch (p->type) {
-	case PROJECTION_NONE:
+	if (p->type == PROJECTION_NONE)
 		map_identity(r);
-		return NULL;
-	case PROJECTION_MATRIX:
+	if (p->type == PROJECTION_MATRIX)
 		return bare(p, inverse, r);
-	case PROJECTION_PERSP:
-		why = persp(p, c, &f);
-		break;
-	case PROJECTION_ORTHO:
-		why = ortho(p, c, &f);
-		break;
-	case PROJECTION_OBLIQUE:
-		why = oblique(p, c, &f);
-		break;
-	case PROJECTION_VOLUME:
-		why = volume(p, c, &f);
-		break;
-	}
+	if (!has_elements(p))
+		return NULL;
+	const char *why = find_elements(p, c, &f);
+
 	if (why != NULL)
 		return why;
 	if (c->ndc_y_down) {
@@ -336,6 +344,66 @@ const char *projection_map(const struct projection *p,
 	if (inverse)
 		f = inverse_elements(&f);
 	map_of_elements(&f, r);
+	return NULL;
+}
+
+/* As ndc has it, through the inverse. */
+static const char *bare_corner(const struct projection *p,
+    const struct convention *c, const struct sum side[2], bool far,
+    struct sum v[4])
+{
+	bool one = far != projection_is_reversed(p, c);
+	struct sum clip[4] = { side[0],
+		c->ndc_y_down ? sum_neg(side[1]) : side[1],
+		number(one           ? 1 :
+			c->minus_one ? -1 :
+				       0),
+		number(1) };
+	struct map back;
+	const char *why = projection_map(p, c, true, &back);
+
+	for (int j = 0; j < 4 && why == NULL; j++) {
+		v[j] = number(0);
+		for (int i = 0; i < 4; i++)
+			v[j] = sum_add(v[j], sum_mul(clip[i], back.m[i][j]));
+	}
+	return why;
+}
+
+/* With view z and clip w of the plane: x from side w = x X + zx z + tx. Over w,
+ * as an infinite far plane has no other place. */
+const char *projection_corner(const struct projection *p,
+    const struct convention *c, const struct sum side[2], bool far,
+    struct sum v[4])
+{
+	struct elements f = { 0 };
+	double z = far ? p->far : p->near;
+
+	if (!has_elements(p))
+		return bare_corner(p, c, side, far, v);
+	const char *why = find_elements(p, c, &f);
+
+	if (why != NULL)
+		return why;
+	if (p->type == PROJECTION_VOLUME)
+		z = far ? p->z_far : p->z_near;
+	else if (c->right_handed)
+		z = -z;
+	if (isinf(z)) {
+		v[2] = sum_quotient(number(1), f.zw);
+		v[3] = number(0);
+	} else {
+		struct sum w = sum_add(sum_mul(f.zw, number(z)), f.tw);
+
+		v[2] = sum_quotient(number(z), w);
+		v[3] = sum_quotient(number(1), w);
+	}
+	v[0] = sum_sub(side[0],
+	    sum_add(sum_mul(f.zx, v[2]), sum_mul(f.tx, v[3])));
+	v[1] = sum_sub(side[1],
+	    sum_add(sum_mul(f.zy, v[2]), sum_mul(f.ty, v[3])));
+	v[0] = sum_quotient(v[0], f.x);
+	v[1] = sum_quotient(v[1], f.y);
 	return NULL;
 }
 

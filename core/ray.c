@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "quick.h"
 #include "vec3.h"
 
 const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
@@ -15,35 +16,9 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 }
 
 /* The world is N(z) / D(z) at device depth z, and the direction the derivative's
- * numerator N' D - N D', as D^2 > 0. Both are computed twice, alike: here in
- * double-double, below exactly, where that may have rounded to the wrong side.
- *
- * In units of u^2 of the sum of the products' magnitudes, size: an element is
- * within 1/2, a product 4, a sum 3, so that N and D are within 13.5, the direction
- * within 2 times 13.5 + 0.5 + 4 and 3: 31 at most. A quotient has the relative
- * errors of both and 9 of its own, a length the mean of its elements' and 16 of
- * its own: all is within 128 (size/|n| + size/|d|), each of which is at least
- * 1. */
-#define RAY_BOUND 0x1p-99
-
-/* A sum of products, and of their magnitudes. */
-struct dd_sum {
-	dd value;
-	double size;
-};
-
-static void add(struct dd_sum *s, dd a, double size, dd b)
-{
-	s->value = dd_add(s->value, dd_mul(a, b));
-	s->size += size * fabs(b.hi);
-}
-
-static dd element(const struct kernel_map *k, int i, int j)
-{
-	return (dd){ k->hi[i][j], k->lo[i][j] };
-}
-
-static struct dd_sum length_of(const struct dd_sum to[3])
+ * numerator N' D - N D', as D^2 > 0. Both are computed twice, alike: in
+ * double-double, and exactly where that may have rounded to the wrong side. */
+static struct quick length_of(const struct quick to[3])
 {
 	dd square = { 0, 0 };
 	double size = 0;
@@ -55,51 +30,37 @@ static struct dd_sum length_of(const struct dd_sum to[3])
 	double s = sqrt(square.hi);
 	dd rest = dd_add(square, dd_neg(two_prod(s, s)));
 
-	return (struct dd_sum){ fast_two_sum(s, rest.hi / (2 * s)), size / s };
-}
-
-/* Rounds n / d; false where its error may turn the rounding, or anything comes
- * near the end of the range. */
-static bool round_quick(struct dd_sum n, struct dd_sum d, double *q)
-{
-	double size = fabs(n.value.hi), divisor = fabs(d.value.hi);
-	dd v = dd_div(n.value, d.value);
-	double error = RAY_BOUND * (n.size + fabs(v.hi) * d.size) / divisor;
-
-	*q = v.hi;
-	if (n.size == 0)
-		return true;
-	return size > 0x1p-450 && size < 0x1p450 && divisor > 0x1p-450 &&
-	    divisor < 0x1p450 && fabs(v.hi) > 0x1p-450 &&
-	    v.hi + (v.lo - error) == v.hi && v.hi + (v.lo + error) == v.hi;
+	return (struct quick){ fast_two_sum(s, rest.hi / (2 * s)), size / s,
+		false };
 }
 
 static bool ray_quick(const struct ray_maker *r, const double at[2],
     double point[3], double direction[3])
 {
 	const struct kernel_map *k = &r->back.for_kernel;
-	struct dd_sum n[4] = { 0 }, to[3] = { 0 };
+	struct quick n[4], to[3] = { QUICK_ZERO, QUICK_ZERO, QUICK_ZERO };
 	dd p[4] = { [3] = { 1, 0 } };
 	bool sure = true;
 
 	for (int i = 0; i < 3; i++)
 		p[i] = two_sum(i < 2 ? at[i] : r->depth, -k->origin[i]);
 	for (int j = 0; j < 4; j++)
-		for (int i = 0; i < 4; i++)
-			add(&n[j], p[i], fabs(p[i].hi), element(k, i, j));
-	if (!(n[3].value.hi > 0))
+		n[j] = quick_column(k, j, p);
+	if (!(n[3].value.hi > QUICK_BOUND * n[3].size))
 		return false;
 	for (int j = 0; j < 3; j++) {
-		add(&to[j], n[3].value, n[3].size, element(k, 2, j));
-		add(&to[j], dd_neg(n[j].value), n[j].size, element(k, 2, 3));
+		quick_add(&to[j], n[3].value, n[3].size, quick_element(k, 2, j),
+		    false);
+		quick_add(&to[j], dd_neg(n[j].value), n[j].size,
+		    quick_element(k, 2, 3), false);
 		if (r->against)
 			to[j].value = dd_neg(to[j].value);
 	}
-	struct dd_sum length = length_of(to);
+	struct quick length = length_of(to);
 
 	for (int j = 0; j < 3; j++)
-		sure = sure && round_quick(n[j], n[3], &point[j]) &&
-		    round_quick(to[j], length, &direction[j]);
+		sure = sure && quick_over(n[j], n[3], &point[j]) &&
+		    quick_over(to[j], length, &direction[j]);
 	return sure;
 }
 

@@ -5,14 +5,19 @@
 /* A value with an error does not need more words than its error leaves. */
 enum { WORDS = 7 };
 
+/* m 2^e, where m is a product or quotient of two such, or a sum of some words: no
+ * subnormal number. */
 static struct magnitude normal(double m, int e)
 {
-	struct magnitude r = { 0, 0 };
+	uint64_t bits;
 
-	r.m = frexp(m, &r.e);
-	if (m != 0)
-		r.e += e;
-	return r;
+	if (m == 0)
+		return (struct magnitude){ 0, 0 };
+	memcpy(&bits, &m, sizeof bits);
+	e += (int)(bits >> 52) - 1022;
+	bits = (bits & 0xfffffffffffff) | (uint64_t)1022 << 52;
+	memcpy(&m, &bits, sizeof m);
+	return (struct magnitude){ m, e };
 }
 
 static struct magnitude times(struct magnitude a, struct magnitude b)
@@ -24,9 +29,9 @@ static struct magnitude plus(struct magnitude a, struct magnitude b)
 {
 	if (a.m == 0 || b.m == 0)
 		return a.m == 0 ? b : a;
-	int e = a.e > b.e ? a.e : b.e;
-
-	return normal(ldexp(a.m, a.e - e) + ldexp(b.m, b.e - e), e);
+	if (a.e < b.e)
+		return plus(b, a);
+	return normal(a.m + (a.e - b.e < 60 ? ldexp(b.m, b.e - a.e) : 0), a.e);
 }
 
 static struct magnitude over(struct magnitude a, struct magnitude b)
@@ -102,8 +107,8 @@ struct sum sum_mul(struct sum a, struct sum b)
 	return cut(ex_mul(a.value, b.value), size);
 }
 
-struct sum sum_dot(int n, const struct sum *const a[],
-    const struct sum *const b[])
+void sum_dot(int n, const struct sum *const a[], const struct sum *const b[],
+    struct sum *r)
 {
 	const ex *x[4], *y[4];
 	struct magnitude size = { 0, 0 };
@@ -115,7 +120,8 @@ struct sum sum_dot(int n, const struct sum *const a[],
 		    (a[k]->size.m > 0 || b[k]->size.m > 0))
 			size = plus(size, times(share(a[k]), share(b[k])));
 	}
-	return cut(ex_dot(n, x, y), size);
+	ex_dot(n, x, y, size.m > 0 ? WORDS : 0, &r->value);
+	r->size = size;
 }
 
 struct sum sum_quotient(struct sum a, struct sum b)
@@ -159,11 +165,6 @@ int sum_sign(struct sum a)
 struct sum sum_settled(struct sum a)
 {
 	return sum_sign(a) == 0 ? sum_of_double(0) : a;
-}
-
-static double to_format(ex a, bool single)
-{
-	return single ? (double)ex_float(a) : ex_double(a);
 }
 
 /* The next double or float, from 0 away or toward it. */
@@ -212,7 +213,7 @@ static bool is_well_known(const struct sum *a)
 static double decide(const struct sum *n, const struct sum *d, const ex *q,
     bool single)
 {
-	double near = to_format(*q, single);
+	double near = ex_nearest(q, single);
 	int side = ex_compare(ex_abs(*q), ex_of(fabs(near)));
 
 	if (!isfinite(near) || side == 0)
@@ -232,43 +233,44 @@ static double decide(const struct sum *n, const struct sum *d, const ex *q,
 	return beyond == (side > 0) ? other : near;
 }
 
-static double nearest(const struct sum *n, const struct sum *d, bool single)
+double sum_nearest(const struct sum *n, const struct sum *d, bool single)
 {
+	static const struct sum one = { { 1, 1, 0, { 1 } }, { 0, 0 } };
+	ex quotient;
+	const ex *q = &quotient;
+
 	if (is_none(&n->value, n->size))
 		return 0;
-	ex q = ex_quotient(n->value, d->value);
-
-	if (is_clear(&q, single) && is_well_known(n) && is_well_known(d))
-		return to_format(q, single);
-	return decide(n, d, &q, single);
+	if (d == NULL)
+		q = &n->value;
+	else
+		ex_divide(&n->value, &d->value, &quotient);
+	if (d == NULL && n->size.m == 0)
+		return ex_nearest(q, single);
+	if (is_clear(q, single) && is_well_known(n) &&
+	    (d == NULL || is_well_known(d)))
+		return ex_nearest(q, single);
+	return decide(n, d != NULL ? d : &one, q, single);
 }
 
 double sum_over(struct sum n, struct sum d)
 {
-	return nearest(&n, &d, false);
+	return sum_nearest(&n, &d, false);
 }
 
 float sum_over_float(struct sum n, struct sum d)
 {
-	return (float)nearest(&n, &d, true);
-}
-
-static double nearest_value(const struct sum *a, bool single)
-{
-	struct sum one = sum_of_double(1);
-
-	return a->size.m == 0 ? to_format(a->value, single) :
-				nearest(a, &one, single);
+	return (float)sum_nearest(&n, &d, true);
 }
 
 double sum_double(struct sum a)
 {
-	return nearest_value(&a, false);
+	return sum_nearest(&a, NULL, false);
 }
 
 float sum_float(struct sum a)
 {
-	return (float)nearest_value(&a, true);
+	return (float)sum_nearest(&a, NULL, true);
 }
 
 dd sum_dd(struct sum a)

@@ -36,8 +36,8 @@ struct sum sum_mul(struct sum, struct sum);
 struct sum sum_quotient(struct sum, struct sum);
 
 /* The sum of n <= 4 products. */
-struct sum sum_dot(int n, const struct sum *const a[],
-    const struct sum *const b[]);
+void sum_dot(int n, const struct sum *const a[], const struct sum *const b[],
+    struct sum *);
 
 /* Of something not negative; exact where the root is short. */
 struct sum sum_sqrt(struct sum);
@@ -48,9 +48,11 @@ int sum_sign(struct sum);
 /* The same, or exactly 0 where that is its sign. */
 struct sum sum_settled(struct sum);
 
-/* The nearest double or float, ties to even; infinite beyond their range. */
+/* The nearest double or float, ties to even; infinite beyond their range: of n / d,
+ * of n where d is NULL, and so on. */
 double sum_double(struct sum);
 float sum_float(struct sum);
+double sum_nearest(const struct sum *n, const struct sum *d, bool single);
 double sum_over(struct sum n, struct sum d);
 float sum_over_float(struct sum n, struct sum d);
 

@@ -14,7 +14,7 @@
  * that of w or, where w is constant, of z. */
 struct lens {
 	struct map view, clip, device; /* from the world */
-	struct map back;               /* from clip to world */
+	struct map back, from_view;    /* from clip and view to the world */
 	struct sum gradient[4][3];
 	int w; /* its sign, where it is constant */
 	bool parallel;
@@ -42,13 +42,14 @@ static const char *lens_of(const struct scene *s, struct lens *l)
 		{ SPACE_WORLD, SPACE_VIEW, &l->view },
 		{ SPACE_WORLD, SPACE_CLIP, &l->clip },
 		{ SPACE_CLIP, SPACE_WORLD, &l->back },
+		{ SPACE_VIEW, SPACE_WORLD, &l->from_view },
 		{ SPACE_WORLD, s->has_viewport ? SPACE_DEVICE : SPACE_NDC,
 		    &l->device },
 	};
 	struct map clip;
 	const char *why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip);
 
-	for (int i = 0; i < 4 && why == NULL; i++)
+	for (int i = 0; i < 5 && why == NULL; i++)
 		why = scene_map(s, wanted[i].from, wanted[i].to, wanted[i].map);
 	if (why != NULL)
 		return why;
@@ -249,11 +250,12 @@ const char *taxonomy_of(const struct scene *s, struct taxonomy *t)
 		name_perspective(&l, s, t);
 	set_gaze(&l, t, t->gaze);
 	set_eye(&l, t->eye);
-	for (int i = 0; i < 8; i++) {
+	for (int i = 0; i < 8 && why == NULL; i++) {
 		struct sum h[4];
 
-		view_corner(s, &l.back, i, h);
-		set_point(h, t->corner[i]);
+		why = view_corner(s, &l.from_view, i, h);
+		if (why == NULL)
+			set_point(h, t->corner[i]);
 	}
-	return NULL;
+	return why;
 }

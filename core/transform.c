@@ -14,9 +14,14 @@ static void set_kernel_map(struct transform *t)
 	for (int j = 0; j < 4; j++) {
 		k->most[j] = 0;
 		for (int i = 0; i < 4; i++) {
-			dd e = sum_dd(i < 3 ? m->m[i][j] :
-					      map_column(m, j, m->origin, 1));
+			struct sum image = m->m[i][j];
 
+			if (i == 3)
+				map_column(m, j, m->origin, 1, &image);
+			dd e = sum_dd(image);
+
+			k->exact[i][j] = image.size.m == 0 && e.lo == 0 &&
+			    ex_compare(image.value, ex_of(e.hi)) == 0;
 			k->hi[i][j] = e.hi;
 			k->lo[i][j] = e.lo;
 			if (i < 3)

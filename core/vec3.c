@@ -5,7 +5,10 @@ struct sum vec3_dot(const struct sum a[3], const struct sum b[3])
 	const struct sum *const x[3] = { &a[0], &a[1], &a[2] };
 	const struct sum *const y[3] = { &b[0], &b[1], &b[2] };
 
-	return sum_dot(3, x, y);
+	struct sum r;
+
+	sum_dot(3, x, y, &r);
+	return r;
 }
 
 void vec3_cross(const struct sum a[3], const struct sum b[3], struct sum r[3])

@@ -4,23 +4,24 @@
  * point is left to point.c.
  *
  * High parts add without error: for a block of points |p - origin| < 2^e, and a
- * column's elements, with its origin's image over 2^e, are below 2^f. Coordinates
- * are cut to multiples of 2^(e-26), elements to multiples of 2^(f-25). Then three
- * products and the image are whole multiples of 2^(e+f-51), their sums at most
- * 2^53 of it. With B = 2^(e+f) and u = 2^-53, the rest is
+ * column's elements, with its origin's image over 2^e, are below 2^f. Points and
+ * the origin are cut to multiples of 2^(e-26), elements to multiples of 2^(f-24).
+ * Then three products and the image are multiples of 2^(e+f-50), their sum at most
+ * 2^52 + 2^27 of it.
  *
- *	lo = sum of (cut coordinate) (element's rest) + (coordinate's rest) element
+ * The rest is, with B = 2^(e+f) and u = 2^-53,
  *
- * of three terms up to 2^-26 B and three up to 2^-27 B: partial sums of 1, 2, 3,
- * 3.5, 4, 4.5 times 2^-26 B are rounded by u each, 18 u 2^-26 B in all, and
- * products, where they are not fused, by 4.5 more; the rests themselves are
- * rounded by u, 4.5 u 2^-26 B; and the element's low part is left out of the last
- * three terms, 1.5 u 2^-26 B: together 28.5 u 2^-26 B < 2^-74.1 B. */
+ *	lo = sum of (coordinate's rest) element + (cut coordinate) (element's rest)
+ *
+ * of three terms up to 2^-26 B, then three up to 2^-25 B. In units of u 2^-26 B,
+ * the partial sums of 1, 2, 3, 5, 7, 9 lose 27 to rounding, products that are not
+ * fused 9, the coordinates' rests 3, the elements' 6, and their low parts, left
+ * out of the first three terms, 3. Where |hi| < |lo| normalise() loses up to 18:
+ * together 66 u 2^-26 B < 2^-72.9 B. */
 #include "kernel.h"
 
-/* The bound that is used, in units of B. Where |hi| < |lo| normalise() costs up
- * to 4.5 (2 u) 2^-26 B more: still below half of it. The other half is for what
- * the quotient and the test itself round, 2^-100 of a coordinate. */
+/* The bound that is used, in units of B. Almost half of it is left for what the
+ * quotient and the test itself round, 2^-100 of a coordinate. */
 #define COLUMN_BOUND 0x1p-72
 
 /* Exponents e and f for which nothing underflows or overflows. */
@@ -57,7 +58,7 @@ static int cut_column(const struct kernel_map *m, int j, int terms, int e,
 	most = fmax(most, ldexp(fabs(m->hi[3][j]), -e));
 	frexp(most, &f);
 	for (int i = 0; i < 4; i++) {
-		double unit = ldexp(1, i < 3 ? f - 25 : e + f - 51);
+		double unit = ldexp(1, i < 3 ? f - 24 : e + f - 50);
 
 		c->high[i] = cut_to(m->hi[i][j], unit);
 		c->rest[i] = (m->hi[i][j] - c->high[i]) + m->lo[i][j];
@@ -93,6 +94,28 @@ static int exponent_of(const struct kernel_map *m, int terms,
 		}
 	frexp(-least(-most) * (1 + 0x1p-50), &e);
 	return e;
+}
+
+/* The origin, to be taken off in two ways. Where it is less than 2^24 times as
+ * large as the block, points are cut like it, and the parts subtracted; else
+ * points lie so near to each other and to it that the whole difference is exact. */
+struct cut_origin {
+	double near[3], high[3], rest[3];
+};
+
+static struct cut_origin cut_origin(const struct kernel_map *m, int terms,
+    int e)
+{
+	struct cut_origin o = { { 0 }, { 0 }, { 0 } };
+
+	for (int k = 0; k < terms; k++)
+		if (fabs(m->origin[k]) < ldexp(1, e + 23)) {
+			o.high[k] = cut_to(m->origin[k], ldexp(1, e - 26));
+			o.rest[k] = m->origin[k] - o.high[k];
+		} else {
+			o.near[k] = m->origin[k];
+		}
+	return o;
 }
 
 typedef struct {
@@ -171,6 +194,7 @@ exact(const struct kernel_map *m, const double *const in[3],
 	const int columns = kind == KERNEL_DEPTH ? 2 : terms;
 	const int e = exponent_of(m, terms, in, n);
 	const V shift = ALL(ldexp(0x1.8p52, e - 26));
+	const struct cut_origin o = cut_origin(m, terms, e);
 	struct cut c[4];
 	int moderate = is_moderate(e);
 	V done = ALL(1);
@@ -184,10 +208,11 @@ exact(const struct kernel_map *m, const double *const in[3],
 		vdd w = { r, bound };
 
 		for (int k = 0; k < terms; k++) {
-			vdd p = v_two_sum(LOAD(in[k] + i), ALL(-m->origin[k]));
+			V x = LOAD(in[k] + i) - ALL(o.near[k]);
+			V high = (x + shift) - shift;
 
-			cut[k] = (p.hi + shift) - shift;
-			rest[k] = (p.hi - cut[k]) + p.lo;
+			cut[k] = high - ALL(o.high[k]);
+			rest[k] = (x - high) - ALL(o.rest[k]);
 		}
 		if (divide) {
 			w = column(&c[3], cut, rest, terms);

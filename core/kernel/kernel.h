@@ -3,6 +3,7 @@
 #ifndef KERNEL_H
 #define KERNEL_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* What the matrix's structure makes of the loop. */
@@ -22,6 +23,7 @@ enum precision { PRECISION_EXACT, PRECISION_DOUBLE, PRECISION_SINGLE };
 struct kernel_map {
 	double origin[3];
 	double hi[4][4], lo[4][4];
+	bool exact[4][4];              /* the element is hi */
 	double a_hi, a_lo, b_hi, b_lo; /* of KERNEL_DEPTH */
 	/* A column's products are at most most (|x|+|y|+|z|) + image. */
 	double most[4], image[4];
