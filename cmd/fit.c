@@ -51,11 +51,9 @@ static void read_box(const struct options *o, const struct document *d,
 {
 	struct bounds *box = j->with;
 
-	struct map same;
-
 	*box = nothing;
-	map_identity(&same);
-	transform_of(&same, SPACE_MODEL, SPACE_WORLD, false, &j->transform);
+	map_identity(&j->transform.map);
+	transform_init(&j->transform, SPACE_MODEL, SPACE_WORLD, false);
 	stream_options(j, o);
 	stream_points(o, d, j);
 	if (!(box->min[0] <= box->max[0]))
@@ -84,8 +82,9 @@ static _Noreturn void refuse(const struct options *o, const struct document *d,
 int run_fit(const struct command *c, const struct options *o)
 {
 	struct document d;
-	struct job j = { .take = take, .collect = collect, .with = &d.bounds };
+	static struct job j = { .take = take, .collect = collect };
 
+	j.with = &d.bounds;
 	read_document(c, o, 3, &d);
 	if (d.has_bounds && o->n_points > 0)
 		document_refuse(&d,

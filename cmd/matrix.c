@@ -5,7 +5,7 @@
 int run_matrix(const struct command *c, const struct options *o)
 {
 	struct document d;
-	struct job j = { .count_imageless = true };
+	static struct job j = { .count_imageless = true };
 	struct transform *t = &j.transform;
 
 	read_document(c, o, c->flat ? 2 : 3, &d);

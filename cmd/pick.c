@@ -175,12 +175,13 @@ static void aim(const struct document *d, const struct options *o,
 int run_pick(const struct command *c, const struct options *o)
 {
 	struct document d;
-	struct hits hits = { .o = o };
-	struct job j = { .take = take,
+	static struct hits hits;
+	static struct job j = { .take = take,
 		.collect = collect,
 		.flush = print_hits,
 		.with = &hits };
 
+	hits.o = o;
 	read_document(c, o, 3, &d);
 	aim(&d, o, &hits);
 	document_check(&d,

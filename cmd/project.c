@@ -48,7 +48,7 @@ int run_project(const struct command *c, const struct options *o)
 {
 	enum space from = o->has_from ? o->from : SPACE_MODEL;
 	struct document d;
-	struct job j = { 0 };
+	static struct job j;
 
 	if (o->ray)
 		check_ray(o);

@@ -15,9 +15,9 @@
 
 #include "dd.h"
 
-/* What is 2^-4500 of the largest term of a sum or product is lost: 1e150 times
- * itself three times and 1e-150 three times differ by 2^3987. */
-enum { EX_WORDS = 72 };
+/* What is 2^-3100 of the largest term of a sum or product is lost: 1e150 times
+ * itself three times is 2^1993, and nothing below 2^-1075 is printed. */
+enum { EX_WORDS = 50 };
 
 /* sign times the sum of word[i] 2^(64 (e + i)); neither end is 0. */
 typedef struct {

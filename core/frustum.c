@@ -43,19 +43,19 @@ static void planes(const struct scene *s, const struct map *m,
 const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
     struct frustum *f)
 {
-	struct map clip, sides, ends;
-	const char *why = scene_map(s, from, SPACE_CLIP, &clip);
+	struct map m;
+	const char *why = scene_map(s, from, SPACE_CLIP, &m);
 
 	if (why != NULL)
 		return why;
-	sides = ends = clip;
-	planes(s, &clip, &sides, &ends);
+	f->sides.map = f->ends.map = m;
+	planes(s, &m, &f->sides.map, &f->ends.map);
 	if (from == SPACE_NDC || from == SPACE_DEVICE)
-		why = scene_map(s, from, SPACE_VIEW, &clip);
+		why = scene_map(s, from, SPACE_VIEW, &m);
 	for (int i = 0; i < 4; i++)
-		ends.m[i][2] = clip.m[i][3];
-	transform_of(&sides, from, SPACE_CLIP, homogeneous, &f->sides);
-	transform_of(&ends, from, SPACE_CLIP, homogeneous, &f->ends);
+		f->ends.map.m[i][2] = m.m[i][3];
+	transform_init(&f->sides, from, SPACE_CLIP, homogeneous);
+	transform_init(&f->ends, from, SPACE_CLIP, homogeneous);
 	return why;
 }
 

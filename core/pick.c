@@ -46,20 +46,20 @@ static const char *near_plane(const struct scene *s, struct sum *near,
 const char *picker_of(const struct scene *s, const struct transform *to_device,
     struct picker *k)
 {
-	struct map view;
+	struct map *view = &k->depth.map;
 	struct sum near;
 	bool upward;
 	const char *why = near_plane(s, &near, &upward);
 
 	k->to_device = to_device;
 	if (why == NULL)
-		why = scene_map(s, SPACE_MODEL, SPACE_VIEW, &view);
+		why = scene_map(s, SPACE_MODEL, SPACE_VIEW, view);
 	if (why != NULL)
 		return why;
-	view.m[3][2] = sum_sub(view.m[3][2], near);
+	view->m[3][2] = sum_sub(view->m[3][2], near);
 	for (int i = 0; i < 4 && !upward; i++)
-		view.m[i][2] = sum_neg(view.m[i][2]);
-	transform_of(&view, SPACE_MODEL, SPACE_VIEW, false, &k->depth);
+		view->m[i][2] = sum_neg(view->m[i][2]);
+	transform_init(&k->depth, SPACE_MODEL, SPACE_VIEW, false);
 	return NULL;
 }
 

@@ -1,5 +1,7 @@
 #include "taxonomy.h"
 
+#include <string.h>
+
 #include "frustum.h"
 #include "trig.h"
 #include "vec3.h"
@@ -13,11 +15,14 @@
  * the projectors run across those of x and y; the projection plane is across
  * that of w or, where w is constant, of z. */
 struct lens {
-	struct map view, clip, device; /* from the world */
-	struct map back, from_view;    /* from clip and view to the world */
 	struct sum gradient[4][3];
 	int w; /* its sign, where it is constant */
 	bool parallel;
+	struct sum axis[3][3];  /* the world's, in view space */
+	struct sum depth[2][3]; /* clip z and w along them */
+	struct sum image[3]
+			[3]; /* x, y and w on the device of their directions */
+	struct sum eye[4];   /* in the world, homogeneous */
 };
 
 static bool alike(double a, double b)
@@ -35,29 +40,32 @@ static double over(struct sum n, struct sum d)
 
 static const char *lens_of(const struct scene *s, struct lens *l)
 {
-	const struct {
-		enum space from, to;
-		struct map *map;
-	} wanted[] = {
-		{ SPACE_WORLD, SPACE_VIEW, &l->view },
-		{ SPACE_WORLD, SPACE_CLIP, &l->clip },
-		{ SPACE_CLIP, SPACE_WORLD, &l->back },
-		{ SPACE_VIEW, SPACE_WORLD, &l->from_view },
-		{ SPACE_WORLD, s->has_viewport ? SPACE_DEVICE : SPACE_NDC,
-		    &l->device },
-	};
-	struct map clip;
-	const char *why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip);
+	enum space screen = s->has_viewport ? SPACE_DEVICE : SPACE_NDC;
+	static const int columns[3] = { 0, 1, 3 };
+	struct map m;
+	const char *why;
 
-	for (int i = 0; i < 5 && why == NULL; i++)
-		why = scene_map(s, wanted[i].from, wanted[i].to, wanted[i].map);
-	if (why != NULL)
+	if ((why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &m)) != NULL)
 		return why;
-	for (int i = 0; i < 3; i++)
-		for (int j = 0; j < 4; j++)
-			l->gradient[j][i] = clip.m[i][j];
+	for (int i = 0; i < 12; i++)
+		l->gradient[i % 4][i / 4] = m.m[i / 4][i % 4];
 	l->parallel = vec3_is_zero(l->gradient[3]);
-	l->w = sum_sign(clip.m[3][3]);
+	l->w = sum_sign(m.m[3][3]);
+	if ((why = scene_map(s, SPACE_WORLD, SPACE_VIEW, &m)) != NULL)
+		return why;
+	for (int i = 0; i < 9; i++)
+		l->axis[i / 3][i % 3] = m.m[i / 3][i % 3];
+	if ((why = scene_map(s, SPACE_WORLD, SPACE_CLIP, &m)) != NULL)
+		return why;
+	for (int i = 0; i < 6; i++)
+		l->depth[i % 2][i / 2] = m.m[i / 2][2 + i % 2];
+	if ((why = scene_map(s, SPACE_CLIP, SPACE_WORLD, &m)) != NULL)
+		return why;
+	memcpy(l->eye, m.m[2], sizeof l->eye);
+	if ((why = scene_map(s, SPACE_WORLD, screen, &m)) != NULL)
+		return why;
+	for (int i = 0; i < 9; i++)
+		l->image[i / 3][i % 3] = m.m[i / 3][columns[i % 3]];
 	return NULL;
 }
 
@@ -95,7 +103,7 @@ static void name_parallel(const struct lens *l, struct taxonomy *t)
 	struct sum nd = sum_abs(vec3_dot(n, d));
 
 	for (int i = 0; i < 3; i++) {
-		const struct sum *a = l->view.m[i];
+		const struct sum *a = l->axis[i];
 		struct sum na = vec3_dot(n, a);
 
 		if (sum_sign(vec3_dot(n, d)) < 0)
@@ -121,9 +129,9 @@ static enum kind points(const struct lens *l)
 	int n = 0;
 
 	for (int i = 0; i < 3; i++) {
-		struct sum most = sum_mul(vec3_length(l->view.m[i]), gradient);
+		struct sum most = sum_mul(vec3_length(l->axis[i]), gradient);
 
-		n += over(sum_abs(l->clip.m[i][3]), most) > ALIKE;
+		n += over(sum_abs(l->depth[1][i]), most) > ALIKE;
 	}
 	if (n < 2)
 		return KIND_ONE_POINT;
@@ -174,9 +182,9 @@ static void set_vanishing_points(const struct lens *l, double point[3][2])
 {
 	for (int i = 0; i < 3; i++)
 		for (int k = 0; k < 2; k++)
-			if (sum_sign(l->device.m[i][3]) != 0)
-				point[i][k] = over(l->device.m[i][k],
-				    l->device.m[i][3]);
+			if (sum_sign(l->image[i][2]) != 0)
+				point[i][k] = over(l->image[i][k],
+				    l->image[i][2]);
 }
 
 /* A perspective is reversed where w shrinks from near to far: the eye lies beyond
@@ -184,7 +192,7 @@ static void set_vanishing_points(const struct lens *l, double point[3][2])
 static void name_perspective(const struct lens *l, const struct scene *s,
     struct taxonomy *t)
 {
-	bool falls = sum_sign(l->back.m[2][3]) > 0;
+	bool falls = sum_sign(l->eye[3]) > 0;
 
 	t->taxon = falls == t->reversed ? TAXON_PERSPECTIVE : TAXON_REVERSE;
 	t->kind = points(l);
@@ -202,7 +210,7 @@ static void set_gaze(const struct lens *l, const struct taxonomy *t,
 	struct sum n[3];
 
 	for (int i = 0; i < 3; i++) {
-		n[i] = l->clip.m[i][l->parallel ? 2 : 3];
+		n[i] = l->depth[l->parallel ? 0 : 1][i];
 		if (against)
 			n[i] = sum_neg(n[i]);
 	}
@@ -220,12 +228,26 @@ static void set_point(const struct sum h[4], double p[3])
 /* Where clip x, y and w are 0. */
 static void set_eye(const struct lens *l, double eye[3])
 {
-	const struct sum *m = l->back.m[2];
 	struct sum h[4];
 
 	for (int j = 0; j < 4; j++)
-		h[j] = sum_sign(m[3]) < 0 ? sum_neg(m[j]) : m[j];
+		h[j] = sum_sign(l->eye[3]) < 0 ? sum_neg(l->eye[j]) : l->eye[j];
 	set_point(h, eye);
+}
+
+static const char *set_corners(const struct scene *s, struct taxonomy *t)
+{
+	struct map from_view;
+	const char *why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &from_view);
+
+	for (int i = 0; i < 8 && why == NULL; i++) {
+		struct sum h[4];
+
+		why = view_corner(s, &from_view, i, h);
+		if (why == NULL)
+			set_point(h, t->corner[i]);
+	}
+	return why;
 }
 
 const char *taxonomy_of(const struct scene *s, struct taxonomy *t)
@@ -250,12 +272,5 @@ const char *taxonomy_of(const struct scene *s, struct taxonomy *t)
 		name_perspective(&l, s, t);
 	set_gaze(&l, t, t->gaze);
 	set_eye(&l, t->eye);
-	for (int i = 0; i < 8 && why == NULL; i++) {
-		struct sum h[4];
-
-		why = view_corner(s, &l.from_view, i, h);
-		if (why == NULL)
-			set_point(h, t->corner[i]);
-	}
-	return why;
+	return set_corners(s, t);
 }

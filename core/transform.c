@@ -31,19 +31,19 @@ static void set_kernel_map(struct transform *t)
 	}
 }
 
-void transform_of(const struct map *map, enum space from, enum space to,
-    bool homogeneous, struct transform *t)
+void transform_init(struct transform *t, enum space from, enum space to,
+    bool homogeneous)
 {
-	*t = (struct transform){ .map = *map, .in = 3, .out = 3 };
+	t->in = t->out = 3;
 	t->reciprocal = homogeneous && from == SPACE_DEVICE;
-	if (from == SPACE_CLIP) /* whose w is not 1 */
-		memset(t->map.origin, 0, sizeof t->map.origin);
 	if (from == SPACE_CLIP || t->reciprocal)
 		t->in = 4;
+	if (from == SPACE_CLIP) /* whose w is not 1 */
+		memset(t->map.origin, 0, sizeof t->map.origin);
 	if (to == SPACE_CLIP || (homogeneous && !t->reciprocal))
 		t->out = 4;
 	t->divide = t->reciprocal ||
-	    (t->out == 3 && (from == SPACE_CLIP || !map_is_affine(map)));
+	    (t->out == 3 && (from == SPACE_CLIP || !map_is_affine(&t->map)));
 	t->front = !t->reciprocal &&
 	    (from != SPACE_CLIP || to == SPACE_NDC || to == SPACE_DEVICE);
 	t->kind = t->in != 3 || t->out != 3 ? KERNEL_NONE :
@@ -75,24 +75,26 @@ static void find_depth(const struct map *projection, struct transform *t)
 const char *scene_transform(const struct scene *s, enum space from,
     enum space to, bool homogeneous, struct transform *t)
 {
-	struct map map;
-	const char *why = scene_map(s, from, to, &map);
+	struct map projection;
+	const char *why = scene_map(s, from, to, &t->map);
 
 	if (why != NULL)
 		return why;
-	transform_of(&map, from, to, homogeneous, t);
+	transform_init(t, from, to, homogeneous);
 	if (t->kind == KERNEL_PROJECTIVE && from <= SPACE_VIEW &&
-	    scene_map(s, SPACE_VIEW, to, &map) == NULL)
-		find_depth(&map, t);
+	    scene_map(s, SPACE_VIEW, to, &projection) == NULL)
+		find_depth(&projection, t);
 	return NULL;
 }
 
 const char *flat_transform(const struct scene *s, enum flat from, enum flat to,
     struct transform *t)
 {
-	*t = (struct transform){ .in = 2, .out = 2, .kind = KERNEL_FLAT };
 	const char *why = scene_flat_map(s, from, to, &t->map);
 
+	t->in = t->out = 2;
+	t->divide = t->front = t->reciprocal = false;
+	t->kind = KERNEL_FLAT;
 	if (why == NULL)
 		set_kernel_map(t);
 	return why;

@@ -28,8 +28,9 @@ const char *scene_transform(const struct scene *, enum space from,
 const char *flat_transform(const struct scene *, enum flat from, enum flat to,
     struct transform *);
 
-/* The same for any map that leads from one space to another. */
-void transform_of(const struct map *, enum space from, enum space to,
-    bool homogeneous, struct transform *);
+/* The same for the map that the transform holds, whatever leads from one space to
+ * another. */
+void transform_init(struct transform *, enum space from, enum space to,
+    bool homogeneous);
 
 #endif
