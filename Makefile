@@ -1,5 +1,5 @@
 # make builds build/projcalc. make help lists what else there is: the targets
-# below with ## behind them. GNU make.
+# below with ## after them. GNU make.
 
 PREFIX = /usr/local
 BINDIR = $(PREFIX)/bin

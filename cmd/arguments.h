@@ -1,23 +1,25 @@
-/* The arguments of options, each to what it means. What is wrong is printed,
- * with the option's name, and ends in exit status 2. */
+/* The arguments of options, from words to what they mean. A word that is wrong
+ * is refused with the option's name and exit status 2. */
 #ifndef ARGUMENTS_H
 #define ARGUMENTS_H
 
 #include "points/line.h"
 
-/* Which of names (their end is NULL) a word is; what says what they name. */
+/* The index of word in names, which NULL ends. what says, for the message, what
+ * they are names of: "format", ... */
 int one_of(const char *const *names, const char *what, const char *word);
 
+/* From min to max. */
 int whole_number(const char *option, const char *word, int min, int max);
 
-/* Within the range of sizes, from 1e-150 to 1e150. */
+/* From 1e-150 to 1e150, the range of sizes. */
 double positive_number(const char *option, const char *word);
 
-/* "X,Y" */
+/* "X,Y", up to 1e150 in magnitude. */
 void position(const char *option, const char *word, double xy[2]);
 
-/* Fields by number, from 1, or by name in a csv header, in any mixture: "2,z".
- * Cuts the list up; the names stay in it. */
+/* Fields by their number, from 1, or by their name in a csv header: "2,z". Cuts
+ * the list at its commas; the names in the result stand in it. */
 struct columns columns_of(const char *option, char *list);
 
 #endif

@@ -6,8 +6,8 @@
 
 struct options;
 
-/* Commands of one kind take the same options. The kinds are bits, so that an
- * option can say which of them take it. */
+/* Commands of one kind take the same options. Kinds are bits, so that an option
+ * can list the kinds that take it. */
 enum command_kind {
 	MATRIX = 1, /* print a matrix of their own, or take points through it */
 	PROJECT = 2,
@@ -22,10 +22,11 @@ struct command {
 	enum command_kind kind;
 	/* Returns the exit status. */
 	int (*run)(const struct command *, const struct options *);
-	/* Its convention and coordinates are filled in from the options. */
+	/* All but convention and coordinates, which come from the options. */
 	struct document_wants wants;
-	/* Of the MATRIX commands: the spaces of the matrix (of enum flat where
-	 * flat, else of enum space), and to where points are taken instead. */
+	/* For the MATRIX commands: the spaces that the matrix leads from and
+	 * to, and the space to which points are taken, which may be another.
+	 * They are of enum flat if flat, else of enum space. */
 	bool flat;
 	int from, to, points_to;
 };

@@ -3,7 +3,7 @@
 
 #include "../core/fit.h"
 #include "operands.h"
-#include "points/chunk.h"
+#include "points/answer.h"
 #include "scene/print_scene.h"
 #include "talk.h"
 
@@ -20,15 +20,15 @@ static void widen(struct bounds *box, const double min[3], const double max[3])
 	}
 }
 
-/* A chunk's output is the box of its points. */
-static void take(const struct job *j, struct chunk *c, const struct line *r,
-    size_t p, size_t line)
+/* Widens the box that is the chunk's output by a point. */
+static void take(const struct job *j, struct chunk *c, const struct line *line,
+    size_t p, size_t number)
 {
 	double at[3] = { c->in[0][p], c->in[1][p], c->in[2][p] };
 
 	(void)j;
-	(void)r;
 	(void)line;
+	(void)number;
 	if (c->size == 0)
 		memcpy(chunk_reserve(c, sizeof nothing), &nothing,
 		    sizeof nothing);
@@ -37,11 +37,12 @@ static void take(const struct job *j, struct chunk *c, const struct line *r,
 		widen((void *)c->out, at, at);
 }
 
-static void collect(const struct job *j, const struct chunk *c, size_t line)
+static void collect(const struct job *j, const struct chunk *c,
+    size_t first_line)
 {
 	const struct bounds *box = (const void *)c->out;
 
-	(void)line;
+	(void)first_line;
 	if (c->size > 0)
 		widen(j->with, box->min, box->max);
 }
@@ -54,16 +55,16 @@ static void read_box(const struct options *o, const struct document *d,
 	*box = nothing;
 	map_identity(&j->transform.map);
 	transform_init(&j->transform, SPACE_MODEL, SPACE_WORLD, false);
-	stream_options(j, o);
-	stream_points(o, d, j);
+	prepare_job(j, o);
+	do_points(o, d, j);
 	if (!(box->min[0] <= box->max[0]))
 		document_refuse(d,
 		    "/bounds: missing, and there are no points to "
 		    "take them from");
 }
 
-/* core/ says what is wrong with /bounds; where they were taken from points, it
- * is said of those. */
+/* why is of core/, and may be about /bounds. If those were taken from points,
+ * the message is about the points. */
 static _Noreturn void refuse(const struct options *o, const struct document *d,
     const char *why)
 {
@@ -101,5 +102,5 @@ int run_fit(const struct command *c, const struct options *o)
 	if (why != NULL)
 		refuse(o, &d, why);
 	print_scene(&d);
-	return stream_end(&j);
+	return answer_end(&j);
 }

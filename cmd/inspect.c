@@ -4,7 +4,6 @@
 #include "../core/error_bound.h"
 #include "../core/taxonomy.h"
 #include "json/print.h"
-#include "names.h"
 #include "operands.h"
 #include "talk.h"
 
@@ -16,7 +15,7 @@ static const char *const kinds[] = { "multiview", "isometric", "dimetric",
 	"three-point" };
 static const char *const buffers[] = { "unorm16", "unorm24", "float32" };
 
-/* Numbers that are there together or not at all: nan, or null. */
+/* A vector. Where there is none, its first element is nan: prints null. */
 static void put_vector(struct printer *p, const double *v, int n)
 {
 	if (isnan(v[0]))
@@ -71,7 +70,8 @@ static void put_depth_steps(struct printer *p, double step[BUFFERS][2])
 	put_close(p, "}");
 }
 
-/* The cheapest precision first, and which is the cheapest within tolerance. */
+/* The error bounds, the cheapest precision's first; then the name of the
+ * cheapest precision whose bound is within tolerance. */
 static void put_bounds(struct printer *p, const double bound[3],
     double tolerance)
 {

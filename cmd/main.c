@@ -12,7 +12,7 @@
 
 /* clang-format off */
 
-/* With a projection of one type alone. A viewport may give it its aspect. */
+/* A command for one type of projection. A viewport may give the aspect. */
 #define VIEW_TO_CLIP(type)                                                 \
 	MATRIX, run_matrix,                                                \
 	.wants = { .bare = SCENE_PROJECTION, .needed = SCENE_PROJECTION,   \

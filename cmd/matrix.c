@@ -1,4 +1,5 @@
 #include "operands.h"
+#include "points/answer.h"
 #include "print_matrix.h"
 #include "talk.h"
 
@@ -19,9 +20,9 @@ int run_matrix(const struct command *c, const struct options *o)
 		scene_transform(&d.scene, (enum space)c->from, (enum space)to,
 		    false, t));
 	if (points) {
-		stream_options(&j, o);
-		stream_points(o, &d, &j);
-		return stream_end(&j);
+		prepare_job(&j, o);
+		do_points(o, &d, &j);
+		return answer_end(&j);
 	}
 	print_matrix(o, &d, &t->map, c->flat);
 	close_output();

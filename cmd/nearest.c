@@ -7,7 +7,7 @@
 
 enum { WORD_MAX = 32 };
 
-/* Whether one is the beginning of the other, in three letters at least. */
+/* Whether one is the beginning of the other, and has three letters at least. */
 static bool begins(const char *word, const char *other)
 {
 	size_t length = strlen(word), n = strlen(other);
@@ -17,9 +17,10 @@ static bool begins(const char *word, const char *other)
 	return length > 2 && strncasecmp(word, other, length) == 0;
 }
 
-/* Edits from a to b (the Damerau-Levenshtein distance in which no letter is
- * edited twice). Row i of the table is for the first i letters of a; it needs
- * the two rows before it. */
+/* How many edits lead from a to b: the Damerau-Levenshtein distance in which no
+ * letter is edited twice. Row i of the table is for the first i letters of a,
+ * column j for the first j of b; a row needs the two before it, and no others
+ * are kept. */
 static size_t distance(const char *a, const char *b)
 {
 	size_t row[3][WORD_MAX + 1];
@@ -55,7 +56,7 @@ const char *nearest(const char *word, const char *const *words)
 {
 	const char *best = NULL;
 	size_t length = strlen(word);
-	/* one more than is allowed; nothing but case in a single letter */
+	/* one more than may be edited: nothing in a single letter */
 	size_t least = (length < 2 ? 0 : length < 6 ? 1 : length / 3) + 1;
 
 	if (length > WORD_MAX)

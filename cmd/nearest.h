@@ -2,11 +2,11 @@
 #ifndef NEAREST_H
 #define NEAREST_H
 
-/* Of words (NULL ends them) the one that is the fewest edits from word: letters
- * changed, added, left out or exchanged with the next. One edit is allowed for
- * two to five letters, and as many as a third of them for more. Where all are
- * further away, the first that is the beginning of word, or begins with it, in
- * three letters at least. Case doesn't count. NULL where there is none. */
+/* Of words, which NULL ends, that with the fewest edits from word: letters
+ * changed, added, left out or exchanged with the next. A word of two to five
+ * letters may have one edit, a longer one as many as a third of its letters. If
+ * none is so near, the first that is the beginning of word or begins with it,
+ * in three letters at least; else NULL. Upper case counts as lower case. */
 const char *nearest(const char *word, const char *const *words);
 
 #endif

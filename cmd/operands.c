@@ -14,7 +14,7 @@
 
 enum { DOCUMENT_MAX = 1 << 28 };
 
-static char first_of(const char *s)
+static char first_char(const char *s)
 {
 	while (isspace((unsigned char)*s))
 		s++;
@@ -26,8 +26,8 @@ static bool is_stdin(const char *operand)
 	return strcmp(operand, "-") == 0;
 }
 
-/* A standard stream may be closed; a file that took its number would be read
- * or written in its place. */
+/* If a standard stream is closed, open returns its number, and the file would
+ * be read or written in its place: it gets another number. */
 static int open_file(const char *name)
 {
 	int fd = open(name, O_RDONLY), low = fd;
@@ -97,7 +97,7 @@ static void check_file(const char *name)
 	die(EXIT_USAGE, "%s: %s", name, strerror(errno));
 }
 
-/* That every operand can be opened is known before anything is printed. */
+/* Before anything is printed, an operand that can't be opened is refused. */
 static void check_operands(const struct command *c, const struct options *o)
 {
 	int from_stdin = is_stdin(o->params);
@@ -113,7 +113,7 @@ static void check_operands(const struct command *c, const struct options *o)
 				"PARAMS and POINTS are both standard input; "
 				"name a file for one of them" :
 				"standard input is named twice");
-		if (!is_stdin(name) && first_of(name) != '[')
+		if (!is_stdin(name) && first_char(name) != '[')
 			check_file(name);
 	}
 }
@@ -127,11 +127,11 @@ void read_document(const struct command *c, const struct options *o,
 	size_t size;
 
 	wants.convention = o->convention;
-	/* operands replace the document's points */
+	/* the document's points are not read if points are operands */
 	if (!o->matrix && o->n_points == 0)
 		wants.coordinates = coordinates;
 	check_operands(c, o);
-	if (first_of(o->params) == '{') {
+	if (first_char(o->params) == '{') {
 		name = "PARAMS";
 		size = strlen(o->params);
 		text = need(NULL, size + 1);
@@ -169,7 +169,8 @@ static void check_layout(const struct options *o, const struct layout *l)
 		    o->columns.n, l->reads);
 }
 
-/* By the environment, for tests and measurements; else the best ones. */
+/* Tests and measurements choose the kernels by PROJCALC_CPU; else they are the
+ * best that this processor can run. */
 static void choose_kernels(void)
 {
 	const char *cpu = getenv("PROJCALC_CPU");
@@ -181,7 +182,7 @@ static void choose_kernels(void)
 		    cpu);
 }
 
-void stream_options(struct job *j, const struct options *o)
+void prepare_job(struct job *j, const struct options *o)
 {
 	/* a ray's position; its point and direction */
 	const int ray_reads = 2, ray_writes = 6;
@@ -202,7 +203,9 @@ void stream_options(struct job *j, const struct options *o)
 	check_layout(o, &j->layout);
 }
 
-static void stream_json(struct job *j, const char *name, const char *text,
+/* Points as document_points and document_read give them are lines of JSON,
+ * whatever format the options say of files. */
+static void do_json(struct job *j, const char *name, const char *text,
     size_t size)
 {
 	enum format in = j->layout.in;
@@ -212,20 +215,20 @@ static void stream_json(struct job *j, const char *name, const char *text,
 	j->layout.in = in;
 }
 
-/* --columns says where the coordinates stand in the lines of a file. */
+/* Refuses --columns for points that are typed: it is of lines of a file. */
 static void check_columns(const struct options *o, const struct document *d)
 {
 	bool typed = o->n_points == 0 && d->points != NULL;
 
 	for (int i = 0; i < o->n_points; i++)
-		typed |= first_of(o->points[i]) == '[';
+		typed |= first_char(o->points[i]) == '[';
 	if (typed && o->columns.n > 0)
 		die(EXIT_USAGE,
 		    "--columns: points that are typed, or in the document, "
 		    "begin with their coordinates; name a file");
 }
 
-/* Points typed as an operand, to be freed. */
+/* Points typed as an operand, as lines of JSON, to be freed. */
 static char *typed_points(const struct job *j, const char *operand,
     size_t *size)
 {
@@ -233,18 +236,18 @@ static char *typed_points(const struct job *j, const char *operand,
 	char *text = need(NULL, n + 1), *points;
 
 	memcpy(text, operand, n + 1);
-	json_points("POINTS", text, n, j->layout.reads, &points, size);
+	document_points("POINTS", text, n, j->layout.reads, &points, size);
 	free(text);
 	return points;
 }
 
-static void stream_operand(struct job *j, const char *operand)
+static void do_operand(struct job *j, const char *operand)
 {
-	if (first_of(operand) == '[') {
+	if (first_char(operand) == '[') {
 		size_t size;
 		char *points = typed_points(j, operand, &size);
 
-		stream_json(j, "POINTS", points, size);
+		do_json(j, "POINTS", points, size);
 		free(points);
 		return;
 	}
@@ -255,8 +258,7 @@ static void stream_operand(struct job *j, const char *operand)
 		close(fd);
 }
 
-void stream_points(const struct options *o, const struct document *d,
-    struct job *j)
+void do_points(const struct options *o, const struct document *d, struct job *j)
 {
 	if (o->n_points == 0 && d->points == NULL && is_stdin(o->params))
 		die(EXIT_USAGE,
@@ -265,17 +267,17 @@ void stream_points(const struct options *o, const struct document *d,
 		    "them");
 	check_columns(o, d);
 	if (o->n_points == 0 && d->points != NULL)
-		stream_json(j, d->name, d->points, d->points_size);
+		do_json(j, d->name, d->points, d->points_size);
 	else if (o->n_points == 0)
-		stream_operand(j, "-");
-	/* what is typed wrong is refused before anything is printed; the first
-	 * operand's points are looked at before that anyway */
+		do_operand(j, "-");
+	/* points that are typed wrong are refused before those of the first
+	 * operand are printed */
 	for (int i = 1; i < o->n_points; i++)
-		if (first_of(o->points[i]) == '[') {
+		if (first_char(o->points[i]) == '[') {
 			size_t size;
 
 			free(typed_points(j, o->points[i], &size));
 		}
 	for (int i = 0; i < o->n_points; i++)
-		stream_operand(j, o->points[i]);
+		do_operand(j, o->points[i]);
 }

@@ -5,19 +5,20 @@
 #include "options.h"
 #include "points/stream.h"
 
-/* Reads PARAMS; points of it have so many coordinates. */
+/* Checks that all operands can be opened, and reads PARAMS, whose points have
+ * so many coordinates. */
 void read_document(const struct command *, const struct options *,
     int coordinates, struct document *);
 
 /* Whether points are given: as operands or in the document. */
 bool has_points(const struct options *, const struct document *);
 
-/* Fills in what the options say of a job that has its transform or ray maker,
- * and makes ready for it. */
-void stream_options(struct job *, const struct options *);
+/* Fills in what the options say of a job whose transform or ray maker is set,
+ * and prepares progress and kernels for it. */
+void prepare_job(struct job *, const struct options *);
 
-/* Sends all points: operands, else the document's, else standard input. */
-void stream_points(const struct options *, const struct document *,
-    struct job *);
+/* Does the job on all points: the operands, else the document's, else those of
+ * standard input. */
+void do_points(const struct options *, const struct document *, struct job *);
 
 #endif

@@ -1,15 +1,20 @@
 #include "options.h"
 
-#include <ctype.h>
 #include <getopt.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "arguments.h"
-#include "names.h"
+#include "escape.h"
 #include "nearest.h"
 #include "scene/convention_member.h"
 #include "talk.h"
+
+const char *const precision_names[] = { "exact", "double", "single", NULL };
+
+/* In the order of enum space. */
+static const char *const space_names[] = { "model", "world", "view", "clip",
+	"ndc", "device", NULL };
 
 static void set_convention(struct options *o, char *word)
 {
@@ -88,7 +93,7 @@ static void set_jobs(struct options *o, char *word)
 	o->jobs = whole_number("jobs", word, 1, 256);
 }
 
-/* The kinds of commands that take an option, where they are several. */
+/* Kinds of commands that share options, as unions of enum command_kind. */
 enum {
 	POINTS = MATRIX | PROJECT | PICK | FIT, /* read points */
 	PRINTED = MATRIX | PROJECT | PICK,      /* print a line for a point */
@@ -102,9 +107,9 @@ enum {
 static const struct row {
 	const char *name;
 	char letter;       /* or 0 */
-	unsigned commands; /* kinds of them, as bits */
+	unsigned commands; /* the kinds that take it, as bits */
 	const char *about; /* one line of help */
-	/* With an argument: what the help calls it, and what takes it. */
+	/* With an argument: what the help calls that, and what reads it. */
 	const char *argument;
 	void (*set)(struct options *, char *word);
 	/* Without one: the bool of struct options that becomes true. */
@@ -201,8 +206,8 @@ static _Noreturn void refuse_unknown(const struct command *c, const char *word)
 	    c->name, word, c->name);
 }
 
-/* For getopt_long, which returns the letter of an option, or LONG and the
- * number of its row where it was given by its name. */
+/* getopt_long returns an option's letter, or LONG + the number of its row if it
+ * was given by its name. */
 enum { LONG = 256 };
 
 static void getopt_tables(struct option longs[ROWS + 1],
@@ -225,7 +230,7 @@ static void getopt_tables(struct option longs[ROWS + 1],
 	*letters = '\0';
 }
 
-/* Of what getopt_long returned; NULL where there is none. */
+/* The row of what getopt_long returned, or NULL. */
 static const struct row *row_of(int got)
 {
 	if (got >= LONG)
@@ -236,15 +241,20 @@ static const struct row *row_of(int got)
 	return NULL;
 }
 
-/* What getopt_long could not take: got is '?' or ':'. An option that has a
- * letter is called by it, for it may stand among others: -mx. */
+/* Refuses what getopt_long could not take: got is '?' for an unknown option,
+ * ':' for a missing argument. optopt is the option's letter, or 0 for an
+ * unknown name, which is last_word. A letter is called by itself, as it may be
+ * one of several in a word: -mx. */
 static _Noreturn void refuse(const struct command *c, int got,
     const char *last_word)
 {
 	const struct row *r = row_of(optopt);
-	int letter = r != NULL ? r->letter : islower(optopt) ? optopt : 0;
-	const char short_word[] = { '-', (char)letter, '\0' };
-	const char *word = letter != 0 ? short_word : last_word;
+	const char letter = r != NULL ? r->letter : (char)optopt;
+	char shown[ESCAPED_MAX], short_word[ESCAPED_MAX + 1];
+	const char *word = letter != '\0' ? short_word : last_word;
+
+	snprintf(short_word, sizeof short_word, "-%s",
+	    escaped(shown, &letter, 1));
 
 	if (got == ':')
 		die(EXIT_USAGE, "%s: %s needs an argument", c->name, word);

@@ -11,7 +11,7 @@ struct options {
 	const struct convention *convention; /* NULL: the document's */
 	enum format in, out;
 	bool has_out; /* else out is the same as in, or text for a matrix */
-	struct columns columns;
+	struct columns columns; /* of POINTS, by --columns */
 	struct number_style style;
 	struct accuracy accuracy;
 	bool has_precision;
@@ -26,8 +26,11 @@ struct options {
 	char **points; /* operands */
 };
 
-/* Reads a command's options and operands; argv[0] is its name. Stops where
- * help or the version is asked for. */
+/* In the order of enum precision; NULL ends them. */
+extern const char *const precision_names[];
+
+/* Reads a command's options and operands; argv[0] is its name. Stops as soon as
+ * the help or the version is asked for. */
 void options_read(const struct command *, int argc, char **argv,
     struct options *);
 

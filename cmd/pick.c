@@ -5,10 +5,11 @@
 #include "../core/pick.h"
 #include "json/print.h"
 #include "operands.h"
-#include "points/chunk.h"
+#include "points/answer.h"
 #include "talk.h"
 
-/* A line whose point was hit; its text is size bytes in that of all hits. */
+/* A point that was hit: its line, and where the text of that line begins in
+ * hits.text, and its size. */
 struct hit {
 	double distance, device[3], point[4];
 	size_t line, text, size;
@@ -23,13 +24,14 @@ struct hits {
 	size_t size, text_room;
 };
 
-/* A chunk's output is each hit, followed by the text of its line. */
-static void take(const struct job *j, struct chunk *c, const struct line *r,
-    size_t p, size_t line)
+/* Appends a point that is hit to the chunk's output: a struct hit, then the
+ * text of its line. */
+static void take(const struct job *j, struct chunk *c, const struct line *line,
+    size_t p, size_t number)
 {
 	const struct hits *h = j->with;
 	double in[4] = { c->in[0][p], c->in[1][p], c->in[2][p], 1 };
-	struct hit hit = { .line = line, .point = { [3] = 1 } };
+	struct hit hit = { .line = number, .point = { [3] = 1 } };
 
 	for (int i = 0; i < 3; i++) {
 		hit.device[i] = c->image[i][p];
@@ -40,15 +42,16 @@ static void take(const struct job *j, struct chunk *c, const struct line *r,
 	    frustum_out(&j->frustum, in) != 0)
 		return;
 	hit.distance = pick_distance(&h->picker, in);
-	hit.size = (size_t)(r->text.end - r->text.s);
+	hit.size = (size_t)(line->text.end - line->text.s);
 	char *at = chunk_reserve(c, sizeof hit + hit.size);
 
 	memcpy(at, &hit, sizeof hit);
-	memcpy(at + sizeof hit, r->text.s, hit.size);
+	memcpy(at + sizeof hit, line->text.s, hit.size);
 	c->size += sizeof hit + hit.size;
 }
 
-static void collect(const struct job *j, const struct chunk *c, size_t line)
+static void collect(const struct job *j, const struct chunk *c,
+    size_t first_line)
 {
 	struct hits *h = j->with;
 
@@ -57,7 +60,7 @@ static void collect(const struct job *j, const struct chunk *c, size_t line)
 
 		memcpy(&hit, c->out + i, sizeof hit);
 		hit.text = h->size;
-		hit.line += line;
+		hit.line += first_line;
 		if (h->n == h->room) {
 			h->room = 2 * h->room + 64;
 			h->hit = need(h->hit, h->room * sizeof hit);
@@ -88,7 +91,7 @@ static int compare(const void *a, const void *b)
 	return order != 0 ? order : p->text < q->text ? -1 : p->text > q->text;
 }
 
-/* What is to be printed, gathered so that there are few writes. */
+/* Gathers what is to be printed, so that there are few writes. */
 struct output {
 	size_t n;
 	char text[1 << 16];
@@ -128,7 +131,6 @@ static void print_json(struct output *out, const struct hit *h,
 	put(out, text, (size_t)(p.at - text));
 }
 
-/* At the end, or before a bad line ends the program. */
 static void print_hits(const struct job *j)
 {
 	static struct output out;
@@ -194,7 +196,7 @@ int run_pick(const struct command *c, const struct options *o)
 		die(EXIT_USAGE,
 		    "pick prints lines as they were read, or "
 		    "-o json");
-	stream_options(&j, o);
-	stream_points(o, &d, &j);
-	return stream_end(&j);
+	prepare_job(&j, o);
+	do_points(o, &d, &j);
+	return answer_end(&j);
 }

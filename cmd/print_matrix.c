@@ -3,11 +3,10 @@
 #include <math.h>
 
 #include "json/print.h"
-#include "points/chunk.h"
 #include "scene/readers.h"
 #include "talk.h"
 
-/* The rows and columns of a map that its matrix has. */
+/* The rows and columns of a map that are printed: in 2D z is left out. */
 static const int SPATIAL[4] = { 0, 1, 2, 3 }, FLAT[3] = { 0, 1, 3 };
 
 static void refuse_wide(const struct document *d, double m[4][4], int n)
@@ -19,8 +18,8 @@ static void refuse_wide(const struct document *d, double m[4][4], int n)
 			    "floats; print doubles");
 }
 
-/* Row by row for row vectors, column by column for column vectors: that is the
- * same order, and the one in which m, which is for row vectors, has them. */
+/* In memory order, which for row vectors goes row by row and for column vectors
+ * column by column: those are the same numbers, and m's. */
 static void print_binary(double m[4][4], int n, bool wide)
 {
 	for (int i = 0; i < n * n; i++) {
@@ -77,7 +76,11 @@ void print_matrix(const struct options *o, const struct document *d,
 	bool single = o->accuracy.precision == PRECISION_SINGLE;
 	bool floats = single || o->out == FORMAT_F32;
 	bool column = d->scene.convention.column;
-	struct printer p = { text, o->style, single, true, "" };
+	struct printer p = { .at = text,
+		.style = o->style,
+		.single = single,
+		.compact = true,
+		.between = "" };
 	const int *pick = flat ? FLAT : SPATIAL;
 	int n = flat ? 3 : 4;
 	double m[4][4];

@@ -4,8 +4,9 @@
 
 #include "options.h"
 
-/* Prints the matrix of a map as the document's convention has it, a 2D one
- * where flat. */
+/* Prints the matrix of a map, 4x4 or, if flat, 3x3, for row or column vectors
+ * as the document's convention says, in the format and precision of the
+ * options. */
 void print_matrix(const struct options *, const struct document *,
     const struct map *, bool flat);
 

@@ -1,4 +1,5 @@
 #include "operands.h"
+#include "points/answer.h"
 #include "print_matrix.h"
 #include "talk.h"
 
@@ -67,8 +68,8 @@ int run_project(const struct command *c, const struct options *o)
 		close_output();
 		return EXIT_OK;
 	}
-	stream_options(&j, o);
+	prepare_job(&j, o);
 	j.layout.flags = o->flags;
-	stream_points(o, &d, &j);
-	return stream_end(&j);
+	do_points(o, &d, &j);
+	return answer_end(&j);
 }

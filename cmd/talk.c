@@ -30,7 +30,8 @@ void say(const char *format, ...)
 	va_end(args);
 }
 
-/* Of threads that fail together, one speaks and ends the program. */
+/* Returns to the first thread that calls it, which ends the program: of several
+ * threads that fail together only one prints why. */
 static void be_last(void)
 {
 	static atomic_flag ending = ATOMIC_FLAG_INIT;

@@ -11,19 +11,19 @@ enum { EXIT_OK, EXIT_INPUT, EXIT_USAGE, EXIT_SYSTEM };
 /* Prints "projcalc: " and one line, without control characters. */
 void say(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* The same, and exits. */
+/* The same, and exits with that status. Any thread may call it. */
 _Noreturn void die(int status, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Exits; any thread may. */
+/* Exits. Any thread may call it. */
 _Noreturn void quit(int status);
 
 /* As realloc, but exits with 3 where there is no memory. */
 void *need(void *old, size_t size);
 
-/* After a read or write of fd that failed: whether to try again, since it was
- * interrupted, or since fd doesn't block, as another process that shares it
- * can have set it; then waits until poll tells of one of the events. */
+/* Whether to try again a read or write of fd that failed: because it was
+ * interrupted; or because fd doesn't block, as another process that shares it
+ * can have set it. Then waits until poll tells of one of the events. */
 bool go_on(int fd, short events);
 
 /* Writes all of it to standard output, or exits with 3. */

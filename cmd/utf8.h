@@ -2,11 +2,11 @@
 #ifndef UTF8_H
 #define UTF8_H
 
-/* The length of the character at s; 0 where it is none. */
+/* The length in bytes of the character at s; 0 if what stands there is none. */
 int utf8_length(const char *s, const char *end);
 
-/* Writes the character of that code, which is none of a surrogate pair, and
- * returns its length. */
+/* Writes the character with that code, which is not half of a surrogate pair,
+ * and returns its length in bytes. */
 int utf8_write(unsigned code, char out[4]);
 
 #endif

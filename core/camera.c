@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "rotation.h"
 #include "trig.h"
 #include "vec3.h"
 
@@ -91,107 +92,15 @@ static const char *orient(const struct camera *c, struct axis axis[3])
 	return NULL;
 }
 
-/* The symmetric matrix K with q K q = trace(Q' M) for the rotation Q of the
- * unit quaternion q: the nearest rotation to M belongs to the eigenvector of
- * its largest eigenvalue (Horn, "Closed-form solution of absolute orientation
- * using unit quaternions", 1987). */
-static void horn(const struct sum m[4][4], struct sum k[4][4])
-{
-	struct sum trace = sum_add(sum_add(m[0][0], m[1][1]), m[2][2]);
-
-	k[3][3] = trace;
-	for (int i = 0; i < 3; i++) {
-		int j = (i + 1) % 3, l = (i + 2) % 3;
-
-		k[i][i] = sum_sub(twice(m[i][i]), trace);
-		k[i][j] = k[j][i] = sum_add(m[i][j], m[j][i]);
-		k[i][3] = k[3][i] = sum_sub(m[l][j], m[j][l]);
-	}
-}
-
-/* The largest root of x^4 - 2 s x^2 - 8 d x + k, the characteristic polynomial
- * of K with s = |M|^2, d = det M, k = det K. From above, at sqrt(3 s), Newton's
- * steps descend to it, halving the distance until that is less than the gap to
- * the next root, then squaring it. The slope is the product of the distances to
- * the other roots, gap * 4 x^2 within a factor of 3; the last step leaves an
- * error below 2^-260 gap. False where the gap is below 2^-400 x. */
-static bool largest_root(ex s, ex d, ex k, ex *x)
-{
-	double step, slope, x1;
-
-	*x = ex_of(sqrt(3 * ex_double(s)));
-	do {
-		ex x2 = ex_mul(*x, *x);
-		ex p = ex_mul(ex_sub(x2, ex_shift(s, 1)), *x);
-		ex q = ex_mul(ex_sub(x2, s), *x);
-
-		p = ex_add(ex_mul(ex_sub(p, ex_shift(d, 3)), *x), k);
-		q = ex_shift(ex_sub(q, ex_shift(d, 1)), 2);
-		slope = ex_double(q);
-		ex whole = ex_quotient(p, q);
-
-		step = ex_double(whole);
-		x1 = ex_double(*x);
-		if (!(slope > 0x1p-398 * x1 * x1 * x1))
-			return false;
-		*x = ex_first(ex_sub(*x, whole), 16);
-	} while (fabs(step) > 0x1p-154 * slope / (x1 * x1));
-	return true;
-}
-
-/* The largest column of the adjugate of K - x, which is a multiple of q q'. */
-static void eigenvector(const struct sum k[4][4], struct sum q[4])
-{
-	double most = 0;
-	int best = 0;
-
-	for (int i = 0; i < 4; i++) {
-		struct sum c = map_minor(3, k, 1u << i, 1u << i);
-		double d = fabs(ex_double(c.value));
-
-		if (d > most) {
-			most = d;
-			best = i;
-		}
-	}
-	for (int i = 0; i < 4; i++) {
-		struct sum c = map_minor(3, k, 1u << best, 1u << i);
-
-		q[i] = sum_inexact(
-		    ex_first((best + i) % 2 ? ex_neg(c.value) : c.value, 8));
-	}
-}
-
-/* The nearest rotation to the upper 3x3. q is within 2^-250 of its length, and
- * what is not larger than that makes of an element is 0. */
+/* The nearest rotation to the upper 3x3, of which nothing is left that may be no
+ * more than the error of its quaternion. */
 static const char *orthonormal(const struct camera *c, struct axis axis[3])
 {
-	struct sum m[4][4], k[4][4], s = sum_of_double(0), q[4];
-	double largest = 0;
-	ex x;
-	int e;
+	struct sum q[4];
+	const char *why = nearest_rotation(c->matrix, q);
 
-	for (int i = 0; i < 9; i++)
-		largest = fmax(largest, fabs(c->matrix[i / 3][i % 3]));
-	frexp(largest, &e);
-	for (int i = 0; i < 9; i++) {
-		struct sum *a = &m[i / 3][i % 3];
-
-		*a = sum_of(ex_shift(ex_of(c->matrix[i / 3][i % 3]), -e));
-		s = sum_add(s, sum_mul(*a, *a));
-	}
-	struct sum det = map_minor(3, m, 8, 8);
-
-	if (sum_sign(det) <= 0)
-		return "/camera/matrix: its determinant is not positive; "
-		       "a rotation's is 1";
-	horn(m, k);
-	if (!largest_root(s.value, det.value, map_minor(4, k, 0, 0).value, &x))
-		return "/camera/matrix: two directions have all but vanished; "
-		       "no rotation is the nearest";
-	for (int i = 0; i < 4; i++)
-		k[i][i] = sum_sub(k[i][i], sum_of(x));
-	eigenvector(k, q);
+	if (why != NULL)
+		return why;
 	turn(q, axis);
 	for (int i = 0; i < 9; i++) {
 		struct sum *v = &axis[i / 3].v[i % 3];

@@ -23,34 +23,47 @@ static struct sum reach_near(const struct extents *r, double ratio)
 	return sum_quotient(sum_sub(r->low[2], far), sum_of(ex_diff(1, ratio)));
 }
 
+/* By how much the side planes let go of the bounds as the eye moves along the
+ * gaze. */
+static const char *find_slopes(const struct scene *s, struct sum slope[4])
+{
+	struct frustum view;
+	const char *why = frustum_of(s, SPACE_VIEW, false, &view);
+
+	for (int k = 0; k < 4 && why == NULL; k++) {
+		slope[k] = view.sides.map.m[2][k];
+		if (s->convention.right_handed)
+			slope[k] = sum_neg(slope[k]);
+		if (sum_sign(slope[k]) <= 0)
+			why = "/projection: the gaze does not run between "
+			      "the side planes; let the edges stand on both "
+			      "sides of 0";
+	}
+	return why;
+}
+
 /* How far the eye may go along the gaze before a side plane touches the bounds,
  * or near is too close: as the eye moves by t, the distance of a plane to the
  * bounds shrinks by t times the plane's slope in depth. */
 static const char *reach(const struct scene *s, const struct bounds *b,
     struct sum *t)
 {
-	struct frustum model, view;
+	struct frustum model;
+	struct sum slope[4];
 	struct extents r;
 	const char *why = bounds_extents(b, s, &r);
 
 	if (why == NULL)
-		why = frustum_of(s, SPACE_MODEL, false, &model);
+		why = find_slopes(s, slope);
 	if (why == NULL)
-		why = frustum_of(s, SPACE_VIEW, false, &view);
+		why = frustum_of(s, SPACE_MODEL, false, &model);
 	if (why != NULL)
 		return why;
 	*t = reach_near(&r, s->projection.near_ratio);
 	for (int k = 0; k < 4; k++) {
-		struct sum slope = view.sides.map.m[2][k];
-		struct sum low = bounds_lowest(b, &model.sides.map, k, false);
-
-		if (s->convention.right_handed)
-			slope = sum_neg(slope);
-		if (sum_sign(slope) <= 0)
-			return "/projection: the gaze does not run between "
-			       "the side planes; let the edges stand on both "
-			       "sides of 0";
-		struct sum most = sum_quotient(low, slope);
+		struct sum most = sum_quotient(bounds_lowest(b,
+						   &model.sides.map, k, false),
+		    slope[k]);
 
 		if (less(most, *t))
 			*t = most;

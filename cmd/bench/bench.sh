@@ -1,7 +1,7 @@
 #!/bin/sh
-# How fast, how exact, against what people use instead: a page in markdown.
-# Whole programs run in turn, so that whatever slows the machine down for a
-# while slows a run of each.
+# Prints a page in markdown: how fast and how exact the program is, beside what
+# people use instead. Whole programs take turns, so that what slows the machine
+# down for a while slows a run of each.
 # usage: [BENCH_LINES=N] bench.sh BUILD
 set -eu
 export LC_ALL=C

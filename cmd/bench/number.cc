@@ -1,6 +1,6 @@
 /* Nanoseconds per number for each way to read and write that number_read.cc and
- * number_write.cc could stand over, on coordinates with six decimals and on full
- * doubles. */
+ * number_write.cc could stand over, on coordinates with six decimals and on
+ * full doubles. */
 #include "../number/number.h"
 
 #include <algorithm>

@@ -1,12 +1,12 @@
 /* Our precisions beside other people's libraries, on points in memory:
  * nanoseconds a point, and the worst error in device units against MPFR.
  *
- * usage: peers              a row each, fields separated by tabs: name,
- *                                 minimum and median ns a point, worst error
- *                                 in ordinary scenes, the same 1e9 away
- *        peers versions     of the peers that it was built with
- *        peers filter NAME  text in, text out; fails where NAME was not
- *                                 there to be built with */
+ * usage: peers              a row each, with tabs between its fields: name,
+ *                           least and median ns a point, worst error in
+ *                           ordinary scenes, the same in scenes 1e9 away
+ *        peers versions     the versions of the libraries it was built with
+ *        peers filter NAME  text in, text out; fails if NAME was not there
+ *                           when it was built */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -78,7 +78,8 @@ static struct scene scene_of(const struct view *v)
 	return s;
 }
 
-/* Points in the view volume, from the device back into the world. */
+/* Fills the block with points of the view volume: device points, taken back
+ * into the world. */
 static bool fill(const struct scene *s, const struct view *v, size_t n)
 {
 	struct transform t;
@@ -121,8 +122,8 @@ static double image(const struct entry *e, size_t i, int k)
 	return e->peer->single ? (double)floats_out[i][k] : doubles_out[i][k];
 }
 
-/* What an entry has made of the block, against its exact image. What is no
- * number counts as infinitely wrong. */
+/* The worst error of the images that an entry has computed, against the truth.
+ * What is no number counts as infinitely wrong. */
 static double worst_error(const struct entry *e, const struct truth *truth,
     size_t n)
 {
@@ -151,7 +152,8 @@ static double worst_error(const struct entry *e, const struct truth *truth,
 	return worst;
 }
 
-/* Cameras a few units from what they look at, and all of it so far away. */
+/* A camera a few units from what it looks at, and both as far from the origin
+ * as far_away. */
 static struct view random_view(double far_away)
 {
 	struct view v = bench_view;
@@ -201,7 +203,8 @@ static bool measure_errors(int which, double far_away)
 	return true;
 }
 
-/* Whatever slows the machine down for a while slows a run of each. */
+/* The entries take turns, so that what slows the machine down for a while slows
+ * a run of each. */
 static bool measure_times(void)
 {
 	struct scene s = scene_of(&bench_view);

@@ -15,7 +15,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 static jmp_buf refused;
 
-/* Of an input, nothing may be said but that it is wrong. */
+/* No input may end the program but by being refused. */
 void die(int status, const char *format, ...)
 {
 	(void)format;
@@ -24,7 +24,7 @@ void die(int status, const char *format, ...)
 	longjmp(refused, 1);
 }
 
-/* All that was allocated, for a refusal frees nothing. */
+/* All that was allocated, to be freed here: a refusal frees nothing. */
 static struct block {
 	struct block *next;
 	_Alignas(max_align_t) char bytes[];
@@ -97,7 +97,7 @@ static void run(char *text, size_t size, int mode)
 	struct document d;
 
 	if (mode & 128) {
-		json_points("a", text, size, 2 + (mode & 1), &d.points,
+		document_points("a", text, size, 2 + (mode & 1), &d.points,
 		    &d.points_size);
 		check_point_lines(d.points, d.points_size);
 		return;

@@ -1,4 +1,4 @@
-/* What the first bytes of a fuzzer's input say of its lines. */
+/* The layout of lines that the first bytes of a fuzzer's input choose. */
 #ifndef LAYOUT_FUZZ_H
 #define LAYOUT_FUZZ_H
 
@@ -8,8 +8,8 @@
 
 enum { HEADER = 4 };
 
-/* Of HEADER bytes, three say formats, numbers and columns; the last is the
- * caller's. */
+/* Of the HEADER bytes at b the first three choose formats, counts, style and
+ * columns; the last is for the caller. */
 static inline struct layout layout_of(const uint8_t *b)
 {
 	static const int sizes[][2] = { { 3, 3 }, { 3, 4 }, { 4, 3 }, { 2, 2 },

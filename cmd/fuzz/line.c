@@ -22,7 +22,7 @@ static bool same(double a, double b)
 	return a == b || (isnan(a) && isnan(b));
 }
 
-/* Where coordinates are added or left out, the fields behind them change their
+/* Where coordinates are added or left out, the fields after them change their
  * numbers, so that --columns would find others. */
 static bool can_read_back(const struct layout *l)
 {
@@ -32,10 +32,10 @@ static bool can_read_back(const struct layout *l)
 }
 
 static void check_back(const struct layout *l, const double v[],
-    struct span line)
+    struct span text)
 {
 	struct layout back = *l;
-	struct line r = { 0 };
+	struct line line = { 0 };
 	double read[4];
 	char reason[REASON_MAX];
 	bool header = true; /* a byte order mark may stand before the first */
@@ -46,74 +46,75 @@ static void check_back(const struct layout *l, const double v[],
 	back.reads = l->writes < 4 ? l->writes : 4;
 	if (l->in != l->out)
 		back.columns.n = 0;
-	line_read(&back, line, line.end, &header, &r, read, reason);
-	want(r.kind == LINE_POINT);
+	line_read(&back, text, text.end, &header, &line, read, reason);
+	want(line.kind == LINE_POINT);
 	for (int i = 0; i < back.reads; i++)
 		want(l->style.kind != NUMBER_SHORTEST || same(read[i], v[i]));
 }
 
 /* cJSON refuses half of a surrogate pair and \u0000; lines may hold them. */
-static void check_json(struct span line)
+static void check_json(struct span text)
 {
-	size_t n = (size_t)(line.end - line.s);
-	cJSON *array = cJSON_ParseWithLength(line.s, n);
+	size_t n = (size_t)(text.end - text.s);
+	cJSON *array = cJSON_ParseWithLength(text.s, n);
 
-	want(array != NULL || memmem(line.s, n, "\\u", 2) != NULL);
+	want(array != NULL || memmem(text.s, n, "\\u", 2) != NULL);
 	want(array == NULL || cJSON_IsArray(array));
 	cJSON_Delete(array);
 }
 
-static void write_back(const struct layout *l, const struct line *r,
+static void write_back(const struct layout *l, const struct line *line,
     const double read[])
 {
 	const char *flags = l->flags ? "left+near" : NULL;
 	double v[COORDINATES_MAX] = { (double)NAN, -1.25e-7, 1e150, 0, -7,
 		1e-320 };
-	size_t room = line_room(l, r);
+	size_t room = line_room(l, line);
 	char *out = malloc(room), *end;
 
-	for (int i = 0; r->kind == LINE_POINT && i < l->reads && i < 3; i++)
+	for (int i = 0; line->kind == LINE_POINT && i < l->reads && i < 3; i++)
 		v[i] = i == 1 ? -read[i] : read[i];
-	end = line_write(l, r, v, flags, out);
+	end = line_write(l, line, v, flags, out);
 	want((size_t)(end - out) <= room);
-	struct span line = { out, end };
+	struct span text = { out, end };
 
-	if (r->newline && end > out)
-		line.end--;
-	want(memchr(line.s, '\n', (size_t)(line.end - line.s)) == NULL);
+	if (line->newline && end > out)
+		text.end--;
+	want(memchr(text.s, '\n', (size_t)(text.end - text.s)) == NULL);
 	if (l->out == FORMAT_JSON && end > out)
-		check_json(line);
-	if (r->kind == LINE_POINT && can_read_back(l))
-		check_back(l, v, line);
+		check_json(text);
+	if (line->kind == LINE_POINT && can_read_back(l))
+		check_back(l, v, text);
 	free(out);
 }
 
-static void check_spans(const struct layout *l, const struct line *r,
-    struct span line)
+static void check_spans(const struct layout *l, const struct line *line,
+    struct span text)
 {
 	for (int i = 0; i < l->reads; i++) {
-		want(line.s <= r->at[i].s && r->at[i].s <= r->at[i].end);
-		want(r->at[i].end <= line.end);
+		want(text.s <= line->at[i].s &&
+		    line->at[i].s <= line->at[i].end);
+		want(line->at[i].end <= text.end);
 	}
 }
 
-static void check_line(struct layout *l, struct span line, const char *end,
+static void check_line(struct layout *l, struct span text, const char *end,
     bool *header)
 {
 	char reason[REASON_MAX] = "";
-	struct line r = { 0 };
+	struct line line = { 0 };
 	double v[4];
 
-	line_read(l, line, end, header, &r, v, reason);
-	r.newline = line.end < end;
-	if (r.kind == LINE_POINT)
-		check_spans(l, &r, line);
-	if (r.kind == LINE_BAD)
+	line_read(l, text, end, header, &line, v, reason);
+	line.newline = text.end < end;
+	if (line.kind == LINE_POINT)
+		check_spans(l, &line, text);
+	if (line.kind == LINE_BAD)
 		want(*reason != '\0' && strchr(reason, '\n') == NULL);
-	write_back(l, &r, v);
+	write_back(l, &line, v);
 }
 
-/* The end of a line, or of what is there. */
+/* Where the line at s ends: at its newline, or at end. */
 static const char *line_end(const char *s, const char *end)
 {
 	const char *newline = memchr(s, '\n', (size_t)(end - s));

@@ -1,5 +1,5 @@
 /* Any bytes as a source of points that arrives bit by bit, for libFuzzer, with
- * the threads of stream.c, and talk.c's functions replaced: the same bytes and
+ * the threads of threads.c, and talk.c's functions replaced: the same bytes and
  * messages come out as if it came at once. Linked with --wrap=read and
  * --wrap=poll. */
 #include <errno.h>
@@ -13,7 +13,7 @@
 
 #include "../scene/document.h"
 #include "layout.h"
-#include "../points/chunk_do.h"
+#include "../points/job.h"
 #include "../points/stream.h"
 #include "../talk.h"
 
@@ -23,7 +23,7 @@ ssize_t __wrap_read(int fd, void *to, size_t n);
 int __real_poll(struct pollfd *, nfds_t n, int wait);
 int __wrap_poll(struct pollfd *, nfds_t n, int wait);
 
-/* No file has this one. */
+/* A descriptor that no file has. */
 enum { SOURCE = -77 };
 
 static const uint8_t *data_at;
@@ -64,7 +64,7 @@ int __wrap_poll(struct pollfd *p, nfds_t n, int wait)
 	return next_random() % 4 != 0;
 }
 
-/* What was printed, and what was said. */
+/* What came to standard output, and the messages. */
 static struct buffer {
 	char *s;
 	size_t n, room;
@@ -142,7 +142,7 @@ static struct scene scene(void)
 	return d.scene;
 }
 
-/* Transforms for the sizes that layout_of has. */
+/* A transform for as many coordinates as layout_of chose. */
 static void set_job(struct job *j, const struct scene *s, uint8_t b)
 {
 	enum space from = j->layout.reads == 4 ? SPACE_CLIP : SPACE_MODEL;
@@ -164,8 +164,8 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 	j->accuracy.tolerance = b & 64 ? 0.5 : 0;
 }
 
-/* Prints and says what answer.c does; a line that the source before has not
- * ended is ended before the next. */
+/* Does what stream_file and answer.c do, on a single chunk. As there, a newline
+ * comes before the output if the last line of the source before had none. */
 static void do_at_once(struct job *j, const char *text, size_t size)
 {
 	static bool unended;
@@ -175,7 +175,7 @@ static void do_at_once(struct job *j, const char *text, size_t size)
 	c->header = j->layout.in == FORMAT_CSV;
 	c->text = text;
 	c->end = text + size;
-	chunk_do(j, c);
+	job_do(j, c);
 	if (c->size > 0) {
 		add(&printed, "\n", unended);
 		unended = !is_binary(j->layout.out) &&

@@ -13,7 +13,9 @@
 
 enum { LEVELS_MAX = 100 };
 
-/* A text that is right up to p. */
+/* A text that is right up to p. The functions below check what stands at p,
+ * move p past it and return true; or set *error, leave p where the text goes
+ * wrong and return false. */
 struct check {
 	enum json_kind kind;
 	const char *text, *p, *end;
@@ -73,7 +75,7 @@ static void blanks(struct check *s)
 		s->p++;
 }
 
-/* Whether a word or number before c goes on with it. */
+/* Whether c can be part of a word or number. */
 static bool in_token(char c)
 {
 	return (unsigned char)c > ' ' && strchr(",:[]{}\"'/#", c) == NULL;
@@ -98,7 +100,7 @@ static const char *token(const struct check *s, char out[ESCAPED_MAX])
 	return escaped(out, s->p, (size_t)(e - s->p));
 }
 
-/* Something stands in the wrong place. */
+/* Says that something else is wanted at s->p. */
 static bool stray(const struct check *s, const char *wanted)
 {
 	char what[ESCAPED_MAX];
@@ -114,7 +116,7 @@ static bool stray(const struct check *s, const char *wanted)
 	return fail(s, "expected %s, not '%s'", wanted, token(s, what));
 }
 
-/* The four digits behind \u. */
+/* The four digits after \u. */
 static bool unicode_digits(struct check *s, unsigned *code)
 {
 	const char *start = s->p;
@@ -126,7 +128,7 @@ static bool unicode_digits(struct check *s, unsigned *code)
 	return fail(s, "\\u in a string needs four hexadecimal digits");
 }
 
-/* Behind \u. */
+/* After \u. */
 static bool unicode(struct check *s)
 {
 	unsigned code, second = 0;
@@ -196,7 +198,8 @@ static bool string(struct check *s)
 	return true;
 }
 
-/* A number or word is perhaps one of a programming language. */
+/* Refuses the number or word at start. If it is one of a programming language,
+ * says how JSON writes it. */
 static bool not_scalar(const struct check *s, const char *start)
 {
 	static const char *const words[][2] = { { "true", "true" },
@@ -229,7 +232,7 @@ static bool not_scalar(const struct check *s, const char *start)
 	return fail(s, "'%s' is not a JSON number; write %s", what, text);
 }
 
-/* Past true, false or null. */
+/* Where true, false or null at s ends; NULL if none of them stands there. */
 static const char *word_end(const char *s, const char *end)
 {
 	static const char *const words[] = { "true", "false", "null" };
@@ -291,7 +294,7 @@ static bool name(struct check *s)
 	return true;
 }
 
-/* Behind a value, up to the next one or the bracket that closes the list. */
+/* After a value: up to the next one, or to the bracket that closes the list. */
 static bool comma(struct check *s, const char *open, char close)
 {
 	blanks(s);
@@ -308,7 +311,7 @@ static bool comma(struct check *s, const char *open, char close)
 	    fail(s, "trailing comma before '%c'; remove it", close);
 }
 
-/* At an opening bracket or brace. */
+/* An array or object, at its opening bracket or brace. */
 static bool list(struct check *s)
 {
 	const char *open = s->p++;

@@ -4,20 +4,20 @@
 
 #include <stdbool.h>
 
-/* Two kinds of text are taken. A document is UTF-8, and its strings hold
- * neither \u0000 nor half of a surrogate pair. A line of points has no newline;
- * \v and \f are blanks in it, and its strings may hold any bytes but control
- * characters, and any \u, for they are copied and not read. */
+/* Two kinds of text are checked. A document is UTF-8, and its strings hold
+ * neither \u0000 nor half of a surrogate pair. A line of points has no newline,
+ * and \v and \f are blanks in it. As its strings are copied and not read, they
+ * may hold any bytes but control characters, and any \u. */
 enum json_kind { JSON_DOCUMENT, JSON_LINE };
 
 struct json_error {
 	const char *at; /* where the text goes wrong */
-	long line;      /* the line of that, from 1 */
+	long line;      /* on which line that is, from 1 */
 	char reason[256];
 };
 
 /* Whether the text is one JSON value of at most 100 levels; if not, says why.
- * Bytes at end and behind it are not read. */
+ * Bytes at end and after it are not read. */
 bool json_check(enum json_kind, const char *text, const char *end,
     struct json_error *);
 

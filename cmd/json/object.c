@@ -6,7 +6,7 @@
 #include "../nearest.h"
 #include "../escape.h"
 
-/* At most so many rows has a table: they are bits of an unsigned. */
+/* The most rows of a table: members are bits of an unsigned. */
 enum { MEMBERS_MAX = 32 };
 
 static bool is_ignored(const char *name)
@@ -42,7 +42,7 @@ static const struct member *find_any(const struct member *row, const char *name)
 	return row->name != NULL ? row : NULL;
 }
 
-/* Whether a word is in a list that is divided by blanks. */
+/* Whether a word is in a list of words with blanks between them. */
 static bool listed(const char *list, const char *word)
 {
 	size_t n = strlen(word);
@@ -57,8 +57,8 @@ static bool listed(const char *list, const char *word)
 	return false;
 }
 
-/* The member that has the name as an alias, in which case, _ and - don't count:
- * LookAt, look_at and look-at are lookat. */
+/* The member with that alias, or NULL. The name's case and its _ and - don't
+ * count: LookAt, look_at and look-at are lookat. */
 static const struct member *find_alias(const struct member *row, int kind,
     const char *name)
 {
@@ -86,7 +86,7 @@ static void names_of(const struct member *row, int kind,
 	names[n] = NULL;
 }
 
-/* The member's name that was meant by a wrong one, or NULL. */
+/* The name of the member that was probably meant by a wrong one, or NULL. */
 static const char *meant(const struct member *table, int kind, const char *name)
 {
 	const char *names[MEMBERS_MAX + 1];
@@ -110,9 +110,9 @@ static void refuse_other_kind(const struct value *v, const struct member *table,
 	    table->words[kind], table->words[other]);
 }
 
-/* Refuses a member that belongs into other objects of the scene: into those
- * whose first kind has it, else those of which any kind has it, else the first
- * that has it by another name. */
+/* Refuses a member that other objects of the scene have, and names those whose
+ * first kind has it; if there are none, those of which any kind has it; if
+ * there are none either, the first that has it as an alias. */
 static void refuse_misplaced(const struct value *v, const struct member *table)
 {
 	const char *names[MEMBERS_MAX + 1];
@@ -147,7 +147,8 @@ static _Noreturn void unknown(const struct value *v, const struct member *table,
 	const char *names[MEMBERS_MAX + 1], *name = NULL;
 	char all[LISTED];
 
-	/* a misspelt camera makes a document look like a bare object */
+	/* In a document for lookat, a misspelt "camera" looks like a member of
+	 * a camera. */
 	if (v->in->in == NULL && table != scene && value_is_object(v))
 		name = meant(scene, 0, v->name);
 	if (name == NULL && find_alias(table, kind, v->name) == NULL) {
@@ -188,7 +189,7 @@ unsigned object_read(const struct value *v, const struct member *table,
 	return seen;
 }
 
-/* The members of a way as bits; *must has those that may not be missing. */
+/* The members of a way, as bits; in *must those that may not be missing. */
 static unsigned way_bits(const struct member *table, int kind, const char *way,
     unsigned *must)
 {
@@ -210,6 +211,7 @@ static unsigned way_bits(const struct member *table, int kind, const char *way,
 	return all;
 }
 
+/* The first member of bits. */
 static const struct member *lowest(const struct member *table, unsigned bits)
 {
 	while ((bits & 1) == 0) {
@@ -219,9 +221,9 @@ static const struct member *lowest(const struct member *table, unsigned bits)
 	return table;
 }
 
-/* Refuses the first of the extra members, which the way that was taken doesn't
- * have. The message sets against it a member of that way with which no way
- * combines it, or any where there is none. */
+/* Refuses the first of the extra members, which are not of the way taken: "not
+ * together with" a member taken that stands in no way with it, if there is one,
+ * else with the first member taken. */
 static _Noreturn void refuse_extra(const struct value *v,
     const struct member *table, int kind, unsigned taken, unsigned extra,
     const struct ways *w)

@@ -1,4 +1,5 @@
-/* Objects of a document, each read by a table of its members into a struct. */
+/* Objects of a document. A table of an object's members says what each may be
+ * and where in a struct it is read to. */
 #ifndef OBJECT_H
 #define OBJECT_H
 
@@ -8,10 +9,10 @@ struct member {
 	const char *name; /* NULL ends a table */
 	/* Reads the member's value to where it stands in the struct. */
 	void (*read)(const struct value *, const struct member *, void *);
-	size_t at;                 /* that is, its offset */
-	size_t n;                  /* of numbers in its array; 0: no array */
-	const struct range *range; /* NULL: range_any */
-	const char *const *words;  /* that it can be; NULL ends them */
+	size_t at;                 /* the offset of that */
+	size_t n;                  /* of numbers in an array; 0: one number */
+	const struct range *range; /* of numbers; NULL: range_any */
+	const char *const *words;  /* of a string; NULL ends them */
 	/* Where objects are of several kinds, as projections are of types: the
 	 * kinds that have the member, as bits; 0 for all of them. The words of
 	 * the table's first row name the kinds. */
@@ -24,26 +25,26 @@ struct member {
 	const char *example;
 };
 
-/* The ways in which the members of an object can be combined: each lists names,
- * of which those with ? may be missing. An object takes one way, in whole, and
- * has no member of another. */
+/* The ways in which members of an object can be combined. A way lists names
+ * with blanks between them; those with ? may be missing. An object takes one
+ * way, in whole, and has no member that is only in another. */
 struct ways {
 	const char *hint; /* says what the ways are */
 	const char *way[8];
 };
 
-/* Reads an object of a kind (0 where there are none) into the struct at base.
- * Returns the members that were there, as bits in the table's order. Members
- * that begin with _ and $schema are passed over; others that are unknown, or
- * of another kind, or repeated are refused. */
+/* Reads an object of that kind, 0 where there are no kinds, into the struct at
+ * base. Returns the members it has, as bits in the order of the table. Members
+ * that begin with _, and $schema, are passed over; any other that is unknown,
+ * of another kind, or repeated is refused. */
 unsigned object_read(const struct value *, const struct member *, int kind,
     void *base);
 
-/* The bit of a member; 0 where objects of that kind have none of this name. */
+/* The bit of the member of that name; 0 if objects of that kind have none. */
 unsigned member_bit(const struct member *, int kind, const char *name);
 
-/* Which way the members that were seen take; refuses what takes none, or not
- * the whole of one, or more than one. */
+/* The index of the way that the members seen, as bits, take. Refuses an object
+ * that takes none in whole, or has members of another as well. */
 int object_way(const struct value *, const struct member *, int kind,
     unsigned seen, const struct ways *);
 

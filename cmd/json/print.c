@@ -4,7 +4,7 @@
 
 void put_text(struct printer *p, const char *s)
 {
-	/* not through p->at, which each char that is stored might change */
+	/* a copy, as for the compiler any char stored could change p->at */
 	char *at = p->at;
 
 	while (*s != '\0')

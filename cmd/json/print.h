@@ -1,4 +1,4 @@
-/* JSON out: a page for people to read, or in one line without blanks. */
+/* Writing JSON: lines for people to read, or one line without blanks. */
 #ifndef PRINT_H
 #define PRINT_H
 
@@ -7,23 +7,23 @@
 #include "../number/number.h"
 
 struct printer {
-	char *at; /* where it goes on, in room enough */
+	char *at; /* where to write next; there must be room enough */
 	struct number_style style;
 	bool single;  /* numbers are floats */
 	bool compact; /* no blanks after commas and colons */
-	/* What is put before the next value: nothing for the first of an array
-	 * or object, else a comma. */
+	/* What stands before the next value: "" before the first of an array
+	 * or object and at the beginning, else a comma. */
 	const char *between;
 };
 
-/* As it is, without what is between values. */
+/* Puts text as it is, without a comma before it. */
 void put_text(struct printer *, const char *);
 
 /* The brackets around an array's values, or an object's members. */
 void put_open(struct printer *, const char *bracket);
 void put_close(struct printer *, const char *bracket);
 
-/* A member's name, on this line or a new one; its value is put next. */
+/* A member's name, on this line or a new one; its value is to be put next. */
 void put_name(struct printer *, const char *name);
 void put_name_on_new_line(struct printer *, const char *name);
 

@@ -11,7 +11,8 @@ static bool is_digit(char c)
 	return c >= '0' && c <= '9';
 }
 
-/* Whether JSON has a number, too, that number_read reads up to stop. */
+/* Whether the number that number_read reads from s to stop is one of JSON,
+ * apart from its exponent. */
 static bool is_narrow(const char *s, const char *stop)
 {
 	s += *s == '-';
@@ -37,7 +38,7 @@ const char *json_number(const char *s, const char *end, double *v)
 
 	if (stop == NULL || !is_narrow(s, stop))
 		return NULL;
-	/* of 1e, number_read reads 1 */
+	/* where 1e stands, number_read reads the 1 alone */
 	if (stop < end && (*stop == 'e' || *stop == 'E') &&
 	    !has_exponent(s, stop))
 		return NULL;
@@ -78,8 +79,8 @@ const char *json_skip(const char *s, const char *end)
 	return end;
 }
 
-/* Past the blanks of a checked text, in which no other character up to ' '
- * stands between tokens. */
+/* Past the blanks at s. Between the tokens of checked text no other character
+ * up to ' ' can stand. */
 static const char *skip_space(const char *s, const char *end)
 {
 	while (s < end && (unsigned char)*s <= ' ')
@@ -120,7 +121,7 @@ const char *json_hex4(const char *s, const char *end, unsigned *code)
 	return s;
 }
 
-/* Behind \u. */
+/* Past the digits after \u, and past a second half if they are a first one. */
 static const char *unicode(const char *s, const char *end, unsigned *code)
 {
 	const char *after;

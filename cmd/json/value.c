@@ -21,11 +21,12 @@ const struct range range_positive = { SIZE_MIN, MAGNITUDE_MAX,
 
 static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 
-/* cJSON reads so many characters of a number, and takes what follows them for
+/* cJSON takes no more characters than these for a number, and what follows for
  * something else. */
 enum { CJSON_NUMBER_MAX = 63 };
 
-/* Puts the shortest text of v in a number's place, and blanks behind it. */
+/* Puts the shortest text of v in the place of a number of n characters, and
+ * blanks after it. */
 static void shorten(char *number, size_t n, double v)
 {
 	char text[NUMBER_MAX] = "1e999", *end = text + 5;
@@ -36,7 +37,7 @@ static void shorten(char *number, size_t n, double v)
 	memcpy(number, text, (size_t)(end - text));
 }
 
-/* Makes checked text fit for cJSON. */
+/* Makes checked text such that cJSON reads every number in it. */
 static void shorten_numbers(char *text, size_t size)
 {
 	const char *end = text + size, *next;

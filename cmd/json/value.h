@@ -1,10 +1,12 @@
-/* Values of a JSON document, and messages that say where in it they stand. */
+/* Values of a JSON document, and messages that say with a pointer, such as
+ * /camera/eye/0, where in it they stand. No other file knows cJSON. */
 #ifndef VALUE_H
 #define VALUE_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
+/* Where values come from, and what their readers have to know. */
 struct source {
 	const char *name; /* of the file, for messages */
 	bool column;      /* nested rows of a matrix: for column vectors */
@@ -16,30 +18,31 @@ struct value {
 	const struct source *source;
 	const struct value *in; /* NULL: the document itself */
 	const char *name;       /* of a member, else NULL */
-	size_t index;           /* in what it is in */
-	/* It is in a member that the command doesn't use: its numbers may be
-	 * of any size. */
+	size_t index;           /* its place in the array or object, from 0 */
+	/* It stands in a member that the command doesn't use: its numbers may
+	 * be out of range. */
 	bool unused;
 	const struct cJSON *item;
 };
 
+/* What a number may be. */
 struct range {
-	double min, max;
-	const char *wanted;
+	double min, max;    /* both included */
+	const char *wanted; /* says so in messages */
 };
 
 /* Numbers up to 1e150 in magnitude; sizes, from 1e-150 to 1e150. */
 extern const struct range range_any, range_positive;
 
-/* Parses a document; refuses what is no JSON. */
+/* Parses a document, and changes the text; refuses what is no JSON. */
 struct value value_parse(const struct source *, char *text, size_t size);
 void value_free(const struct value *document);
 
-/* The first element or member and those after it; ends with item NULL. */
+/* The first element or member, and the next; item is NULL if there is none. */
 struct value value_child(const struct value *);
 void value_next(struct value *);
 
-/* A member that an object lacks, to be refused with its pointer. */
+/* A member that an object lacks, for a message with its pointer. */
 struct value value_missing(const struct value *in, const char *name);
 
 bool value_is_object(const struct value *);
@@ -48,13 +51,14 @@ bool value_is_null(const struct value *);
 const char *value_string(const struct value *); /* or NULL */
 size_t value_count(const struct value *);
 
-/* Prints "projcalc: NAME: /pointer: ..." and exits. */
+/* Prints "projcalc: NAME: /pointer: ..." and exits with 1. */
 _Noreturn void value_refuse(const struct value *, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* "is a string; a number is wanted" */
+/* Refuses a value of the wrong type: "is a string; a number is wanted". */
 _Noreturn void value_wrong(const struct value *, const char *wanted);
 
+/* What is not of that type, or out of range, is refused. */
 void value_want_object(const struct value *);
 double value_number(const struct value *, const struct range *);
 bool value_flag(const struct value *);
@@ -63,11 +67,11 @@ bool value_flag(const struct value *);
 void value_numbers(const struct value *, const struct range *, size_t n,
     double *);
 
-/* Which of words (NULL ends them) a string is; refuses another. */
+/* The index of a string in words, which NULL ends; another is refused. */
 int value_word(const struct value *, const char *const *words);
 
-/* Writes "a", "b" or "c": words (NULL ends them) in quotes, with last, such as
- * " or ", before the last one. */
+/* Writes words, which NULL ends, in quotes, as "a", "b" or "c" where last,
+ * which stands before the last one, is " or ". Returns out. */
 enum { LISTED = 512 };
 const char *list_words(char out[LISTED], const char *const *words,
     const char *last);

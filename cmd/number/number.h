@@ -1,6 +1,6 @@
-/* Decimal text to double and back: reading rounds to nearest; writing gives the
- * shortest text that reads back the same, or rounds the double's exact value to
- * so many digits. */
+/* Decimal text to double and back. Reading rounds to the nearest double.
+ * Writing gives the shortest text that reads back as the same, or rounds the
+ * double's exact value to a number of digits. */
 #ifndef NUMBER_H
 #define NUMBER_H
 
@@ -8,7 +8,7 @@
 extern "C" {
 #endif
 
-/* The longest text that a number takes: sign, 309 digits, point, 100 more. */
+/* Room for the longest text of a number: sign, 309 digits, point, 100 more. */
 enum { NUMBER_MAX = 416 };
 
 struct number_style {

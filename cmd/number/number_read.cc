@@ -17,7 +17,8 @@
 static const uint64_t power[8] = { 1, 10, 100, 1000, 10000, 100000, 1000000,
 	10000000 };
 
-/* Powers of ten that carry the sign, so that no branch has to guess it. */
+/* Powers of ten with either sign: to look the sign up is faster than a branch,
+ * which the processor would have to guess. */
 static const double signed_power[2][8] = {
 	{ 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7 },
 	{ -1e0, -1e1, -1e2, -1e3, -1e4, -1e5, -1e6, -1e7 },
@@ -33,7 +34,8 @@ static uint64_t load(const char *s)
 }
 
 /* Sets the top bit of each byte that is no digit. Only such a byte can carry
- * into the next ones and spoil theirs: the first that is set is right. */
+ * into the next, and make that wrong: the lowest byte whose bit is set is
+ * right. */
 static uint64_t not_digits(uint64_t w)
 {
 	return (w | (w + 0x7676767676767676)) & 0x8080808080808080;

@@ -17,8 +17,8 @@
 
 #include <dragonbox/dragonbox.h>
 
-/* As many as the shortest text of a double can need. The fast paths write them
- * all to a buffer, and copy from it those that belong to the number. */
+/* The most that the shortest text of a double needs. The fast ways write as
+ * many to a buffer, and copy from it those that belong to the number. */
 enum { DIGITS = 17 };
 
 static const uint64_t power[] = { 1, 10, 100, 1000, 10000, 100000, 1000000,
@@ -27,8 +27,8 @@ static const uint64_t power[] = { 1, 10, 100, 1000, 10000, 100000, 1000000,
 	10000000000000000, 100000000000000000, 1000000000000000000,
 	10000000000000000000u };
 
-/* The text of 0 to 999: to write three digits at a time takes a seventh less
- * time than two. */
+/* The text of 0 to 999: three digits at a time take a seventh less time than
+ * two. */
 struct triples {
 	char text[1000][4];
 
@@ -44,8 +44,8 @@ struct triples {
 
 static constexpr triples triple;
 
-/* Writes the first three decimals of p, a number with 54 bits behind its point,
- * and returns it with the point moved behind them. */
+/* Writes the first three decimals of p, a number with 54 bits after its point.
+ * Returns p times 1000, without the digits before those. */
 static inline uint64_t write_three(char *s, uint64_t p)
 {
 	p = (p & ((1ull << 54) - 1)) * 1000;
@@ -53,10 +53,10 @@ static inline uint64_t write_three(char *s, uint64_t p)
 	return p;
 }
 
-/* The 17 digits of x < 10^17, and zeros for plain() to copy along. p is x over
- * 10^15 with 54 bits behind the point: by the reciprocal 2^113 / 10^15, and
- * rounded up, it is less than 1.2 * 2^-54 too large. The five steps to the last
- * digit make that 10^15 times as much, still less than 1. */
+/* Writes the 17 digits of x < 10^17, and after them zeros for plain() to copy.
+ * p is x / 10^15 with 54 bits after the point: computed with the reciprocal
+ * 2^113 / 10^15 and rounded up, it is less than 1.2 * 2^-54 too large. The five
+ * steps to the last digit multiply that by 10^15, to less than 1. */
 static inline void write_digits(char d[64], uint64_t x)
 {
 	const uint64_t reciprocal = 10384593717069655258u;
@@ -71,9 +71,9 @@ static inline void write_digits(char d[64], uint64_t x)
 	memset(d + DIGITS, '0', 64 - DIGITS);
 }
 
-/* The n digits at d with the point after the first `point` of them, 0 < point.
- * Copies of a constant size are fast; what they write behind the text is
- * within NUMBER_MAX. */
+/* Writes the n digits at d, with the decimal point after as many of them as
+ * point says, at least one. Copies of a constant size are fast; what they write
+ * after the text stays within NUMBER_MAX. */
 template <int room>
 static inline char *plain(char *s, const char *d, int n, int point)
 {
@@ -105,7 +105,8 @@ static char *exponential(char *s, const char *d, int n, int exponent)
 	return s;
 }
 
-/* 0.ddd * 10^point as JavaScript lays it out, without trailing zeros. */
+/* Writes 0.ddd * 10^point, with the n digits ddd at d, as JavaScript lays it
+ * out, without trailing zeros. */
 template <int room>
 static inline char *layout(char *s, const char *d, int n, int point)
 {
@@ -175,7 +176,7 @@ static int count_digits(uint64_t x)
 	return n + (x >= power[n]);
 }
 
-/* The point is a point as long as nobody calls setlocale. What is written with
+/* printf writes a point, and not a comma, as nobody calls setlocale. A text of
  * zeros alone loses its minus. */
 static char *print_decimals(char *s, double v, int n)
 {

@@ -1,23 +1,23 @@
-/* What the user gets: done chunks are printed, counted and complained of, in
- * the order of their source. */
+/* What the user gets: chunks whose job is done are printed, counted and
+ * complained of, in the order of their source. */
 #ifndef ANSWER_H
 #define ANSWER_H
 
-#include "chunk.h"
 #include "job.h"
 
-/* A source begins: its lines are counted from 1. */
+/* A new source begins: lines are counted from 1 again. */
 void answer_source(void);
 
-/* The next chunk's output, then what was wrong with its lines, which ends the
- * program unless the job keeps going. Any thread may call it, but not two at a
- * time. */
+/* Prints the next chunk's output, then says what was wrong with its lines,
+ * which ends the program unless the job keeps going. Any thread may call it,
+ * but not two at a time. */
 void answer_chunk(const struct job *, const struct chunk *);
 
-/* The number of the line behind the last chunk. */
+/* The number of the line after the last chunk answered. */
 size_t answer_line(void);
 
-/* As stream_end. */
+/* After the last source: says how many points had no image, and closes standard
+ * output. Returns the exit status. */
 int answer_end(const struct job *);
 
 #endif

@@ -4,8 +4,9 @@
 #include <math.h>
 #include <string.h>
 
-/* The usual kind of point gets a copy of these loops with constant bounds,
- * hence inline. The machine is little-endian, as the numbers are. */
+/* Inline, so that the compiler makes a copy with constant bounds for the usual
+ * kind of point, three doubles. The machine is little-endian, as the numbers
+ * are. */
 static inline void unpack(struct chunk *c, size_t n, size_t reads, bool wide)
 {
 	const char *restrict text = c->text;
@@ -34,8 +35,8 @@ static bool all_within(const struct chunk *c, size_t n, size_t reads)
 	return !beyond;
 }
 
-/* Complains of points beyond the range; the first ends the chunk, unless the
- * job keeps going. Returns how many are left. */
+/* Complains of points beyond the range. The first of them ends the chunk,
+ * unless the job keeps going. Returns how many points it goes on with. */
 static size_t refuse_beyond(const struct job *j, struct chunk *c, size_t n,
     size_t reads)
 {
@@ -76,9 +77,9 @@ size_t binary_read(const struct job *j, struct chunk *c)
 	return n;
 }
 
-/* v, coordinate k of the image of point p, as a float. Where that is to be
- * exact it is computed anew: rounded to a double and then to a float, it could
- * miss the nearest. */
+/* v, coordinate k of the image of point p, as a float. With precision exact it
+ * is computed anew: what is rounded to a double and then to a float may not be
+ * the nearest float. */
 static float narrowed(const struct job *j, const struct chunk *c, size_t p,
     int k, double v)
 {
@@ -134,7 +135,7 @@ static bool all_finite(const struct chunk *c, size_t n, size_t writes)
 }
 
 void binary_write_block(const struct job *j, struct chunk *c, size_t n,
-    size_t first)
+    size_t first_line)
 {
 	size_t writes = (size_t)j->layout.writes;
 	size_t size = n * point_size(FORMAT_F64, j->layout.writes);
@@ -142,7 +143,7 @@ void binary_write_block(const struct job *j, struct chunk *c, size_t n,
 
 	if (!all_finite(c, n, writes))
 		for (size_t i = 0; i < n; i++)
-			chunk_mark(c, &j->layout, i, first + i);
+			chunk_mark(c, &j->layout, i, first_line + i);
 	if (writes == 3)
 		pack(c, at, n, 3);
 	else

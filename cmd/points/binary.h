@@ -1,20 +1,21 @@
-/* Points as numbers without separators. */
+/* Points as binary numbers in a row. */
 #ifndef BINARY_H
 #define BINARY_H
 
-#include "chunk.h"
 #include "job.h"
 
-/* Reads up to a block of points into columns; returns how many. */
+/* Reads points, up to POINTS_BLOCK, into the chunk's columns. Returns how
+ * many. */
 size_t binary_read(const struct job *, struct chunk *);
 
-/* Writes v, the image of point p; where v is nan, p may be any. */
+/* Writes v, the image of point p of the block. Where v is nan, p does not
+ * matter. */
 void binary_write(const struct job *, struct chunk *, size_t p,
     const double *v);
 
-/* Writes the images of a block of n points as f64, and marks those that have
- * none; line is the number of the first. */
+/* Writes the images of the block's n points as f64, after chunk_mark of those
+ * that have none; first_line is the number of the first. */
 void binary_write_block(const struct job *, struct chunk *, size_t n,
-    size_t line);
+    size_t first_line);
 
 #endif

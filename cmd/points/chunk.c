@@ -17,6 +17,7 @@ struct chunk *chunk_new(void)
 
 void chunk_free(struct chunk *c)
 {
+	free(c->piece.text);
 	free(c->out);
 	free(c->complaints);
 	free(c);

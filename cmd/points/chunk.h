@@ -1,56 +1,61 @@
-/* A piece of a source and what becomes of it. Chunks depend on nothing but
- * themselves, so that threads can share them out. */
+/* A piece of a source and what becomes of it. No chunk depends on another, so
+ * that each can be done by another thread. */
 #ifndef CHUNK_H
 #define CHUNK_H
 
 #include "../../core/points.h"
-#include "line.h"
+#include "piece.h"
 
-/* A bad line. */
+/* What is wrong with a line. */
 struct complaint {
 	size_t line;
 	char reason[REASON_MAX];
 };
 
-/* Lines are counted from 0 in each chunk, and where points are binary, one is a
- * line. */
+/* Lines are counted from 0 in each chunk. A binary point counts as a line. */
 struct chunk {
 	const char *name;       /* of the source */
 	const char *text, *end; /* what is left to read */
-	size_t bytes;           /* of text at first, for the progress */
+	size_t bytes;           /* of text at the beginning, for the progress */
 	size_t n_lines;         /* read so far */
-	bool first;             /* of its source */
+	bool first;             /* the first of its source */
 	bool header;            /* a csv header may still come */
 
 	char *out;
 	size_t size, room;            /* of out: used, allocated */
 	struct complaint *complaints; /* in the order of their lines */
 	size_t n_complaints;
-	size_t n_passed; /* of complaints, by chunk_mark */
-	size_t imageless, first_imageless;
+	size_t n_passed;  /* complaints of lines before chunk_mark's last */
+	size_t imageless; /* points without image */
+	size_t first_imageless; /* the line of the first of them */
 
-	/* The block in hand: lines of text, columns of their points. */
+	/* The block in hand: its lines of text, and its points, a column for
+	 * each coordinate. */
 	struct line line[POINTS_BLOCK];
 	double in[4][POINTS_BLOCK];
 	double image[COORDINATES_MAX][POINTS_BLOCK];
 	bool single[POINTS_BLOCK]; /* the image is of floats */
+
+	struct piece piece; /* what was read, if the source is a file */
 };
 
 struct chunk *chunk_new(void);
 void chunk_free(struct chunk *);
 
-/* Forgets what became of another piece. */
+/* Forgets what became of the last piece, to be used for another. */
 void chunk_clear(struct chunk *);
 
-/* Room for more bytes of output behind out + size. */
+/* Makes room for so many more bytes of output; returns out + size, where they
+ * go. The caller adds to size what it writes. */
 char *chunk_reserve(struct chunk *, size_t more);
 
 /* Notes what is wrong with a line. */
 void chunk_complain(struct chunk *, size_t line, const char *reason);
 
-/* A coordinate of the image of point p that is not finite, if only as the float
- * that it is written as, becomes nan; the point is counted as one without
- * image, unless its line was complained of. Lines come in order. */
+/* Makes nan of each coordinate of the image of point p that is not finite, or
+ * is written as a float and not finite as one. If there is any, counts the
+ * point as one without image, unless its line was complained of. To be called
+ * in the order of lines. */
 void chunk_mark(struct chunk *, const struct layout *, size_t p, size_t line);
 
 #endif

@@ -12,9 +12,9 @@ static struct span text_field(const char *s, const char *end)
 	return f;
 }
 
-/* A field of csv. If it begins with a quote, commas up to the closing one are
- * part of it, and "" is not the closing one; the quote of 5" pipe is like any
- * other character. */
+/* A field of csv. If it begins with a quote, commas up to the closing quote are
+ * part of it; "" stands for a quote and doesn't close it. In a field that does
+ * not begin with one, as in 5" pipe, a quote is like any other character. */
 static struct span csv_field(const char *s, const char *end)
 {
 	const char *p = skip_blanks(s, end);
@@ -43,7 +43,7 @@ static struct span json_field(const char *s, const char *end)
 	return f;
 }
 
-struct span split_field(enum format format, const char *s, const char *end)
+struct span field_at(enum format format, const char *s, const char *end)
 {
 	switch (format) {
 	case FORMAT_CSV:
@@ -55,11 +55,10 @@ struct span split_field(enum format format, const char *s, const char *end)
 	}
 }
 
-/* Where the field after the one that ends at s begins, or NULL. */
-const char *split_next(enum format format, const char *s, const char *end)
+const char *field_next(enum format format, const char *s, const char *end)
 {
 	if (format == FORMAT_TEXT) {
-		const char *after = text_next(s, end);
+		const char *after = skip_separator(s, end);
 
 		return after == end && (s == end || after[-1] != ',') ? NULL :
 									after;
@@ -68,12 +67,11 @@ const char *split_next(enum format format, const char *s, const char *end)
 	return s < end && *s == ',' ? s + 1 : NULL;
 }
 
-/* The k-th field, from 0. */
-bool split_find(enum format format, const char *s, const char *end, int k,
+bool field_find(enum format format, const char *s, const char *end, int k,
     struct span *f)
 {
-	for (; s != NULL; s = split_next(format, f->end, end)) {
-		*f = split_field(format, s, end);
+	for (; s != NULL; s = field_next(format, f->end, end)) {
+		*f = field_at(format, s, end);
 		if (k-- == 0)
 			return f->s < f->end;
 	}

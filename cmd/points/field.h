@@ -1,9 +1,10 @@
-/* A line's fields, format by format. */
+/* The fields of a line, in each format of lines. */
 #ifndef FIELD_H
 #define FIELD_H
 
 #include "format.h"
 
+/* The characters from s to before end. */
 struct span {
 	const char *s, *end;
 };
@@ -27,8 +28,8 @@ static inline bool ends_field(const char *s, const char *end)
 	return s == end || is_blank(*s) || *s == ',';
 }
 
-/* Where the separator at s ends: blanks with at most one comma, in text. */
-static inline const char *text_next(const char *s, const char *end)
+/* Past the separator of text that begins at s: blanks, at most one comma. */
+static inline const char *skip_separator(const char *s, const char *end)
 {
 	s = skip_blanks(s, end);
 	if (s < end && *s == ',')
@@ -36,14 +37,15 @@ static inline const char *text_next(const char *s, const char *end)
 	return s;
 }
 
-/* The field that begins at s; with its quotes in csv and JSON. */
-struct span split_field(enum format, const char *s, const char *end);
+/* The field that begins at s, with its quotes in csv and JSON. */
+struct span field_at(enum format, const char *s, const char *end);
 
-/* Where the field after the one that ends at s begins, or NULL. */
-const char *split_next(enum format, const char *s, const char *end);
+/* Where the field begins that comes after the one that ends at s, or NULL. */
+const char *field_next(enum format, const char *s, const char *end);
 
-/* The k-th field from s, from 0; false where there is none, or it is empty. */
-bool split_find(enum format, const char *s, const char *end, int k,
+/* The k-th field from s on, counted from 0. Returns false where there is none,
+ * or where it is empty. */
+bool field_find(enum format, const char *s, const char *end, int k,
     struct span *);
 
 #endif

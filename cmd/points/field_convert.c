@@ -6,11 +6,12 @@
 #include "../json/scan.h"
 #include "../number/number.h"
 
-/* A field's characters, without what its format wraps them in. */
-struct reader {
-	enum format format; /* FORMAT_TEXT: not quoted */
+/* Goes through a field's characters, without the quotes and escapes of its
+ * format. */
+struct decoder {
+	enum format format; /* FORMAT_TEXT where the field has no quotes */
 	const char *s, *end;
-	char piece[4]; /* a decoded character */
+	char character[4]; /* the last one, in UTF-8 */
 };
 
 static bool is_quoted(enum format format, struct span f)
@@ -19,18 +20,18 @@ static bool is_quoted(enum format format, struct span f)
 	    f.end[-1] == '"';
 }
 
-/* Takes the next character into piece and returns its length. */
-static int next(struct reader *r)
+/* Takes the next character and returns its length in bytes. */
+static int decode(struct decoder *d)
 {
 	int n;
 
-	if (r->format == FORMAT_JSON && *r->s == '\\') {
-		r->s = json_unescape(r->s, r->end, r->piece, &n);
+	if (d->format == FORMAT_JSON && *d->s == '\\') {
+		d->s = json_unescape(d->s, d->end, d->character, &n);
 		return n;
 	}
-	r->piece[0] = *r->s;
-	r->s += r->format == FORMAT_CSV && *r->s == '"' && r->end - r->s > 1 &&
-		r->s[1] == '"' ?
+	d->character[0] = *d->s;
+	d->s += d->format == FORMAT_CSV && *d->s == '"' && d->end - d->s > 1 &&
+		d->s[1] == '"' ?
 	    2 :
 	    1;
 	return 1;
@@ -59,15 +60,15 @@ static char *put_control(enum format out, char c, char *at)
 
 /* A control character would break the line of text or csv: a blank stands for
  * it there. */
-static char *put_quoted(enum format out, struct reader *r, char *at)
+static char *put_quoted(enum format out, struct decoder *d, char *at)
 {
 	bool quotes = out != FORMAT_TEXT;
 
 	if (quotes)
 		*at++ = '"';
-	while (r->s < r->end) {
-		int n = next(r);
-		char c = r->piece[0];
+	while (d->s < d->end) {
+		int n = decode(d);
+		char c = d->character[0];
 
 		if (quotes && c == '"')
 			*at++ = out == FORMAT_CSV ? '"' : '\\';
@@ -77,7 +78,7 @@ static char *put_quoted(enum format out, struct reader *r, char *at)
 			at = put_control(out, c, at);
 			continue;
 		}
-		memcpy(at, r->piece, (size_t)n);
+		memcpy(at, d->character, (size_t)n);
 		at += n;
 	}
 	if (quotes)
@@ -102,14 +103,14 @@ static bool is_plain(enum format out, struct span f)
 	}
 }
 
-char *foreign_write(enum format in, enum format out, struct span f, char *at)
+char *field_convert(enum format in, enum format out, struct span f, char *at)
 {
 	bool quoted = is_quoted(in, f);
-	struct reader r = { quoted ? in : FORMAT_TEXT, f.s + quoted,
+	struct decoder d = { quoted ? in : FORMAT_TEXT, f.s + quoted,
 		f.end - quoted, "" };
 
 	if (quoted || !is_plain(out, f))
-		return put_quoted(out, &r, at);
+		return put_quoted(out, &d, at);
 	memcpy(at, f.s, (size_t)(f.end - f.s));
 	return at + (f.end - f.s);
 }

@@ -1,11 +1,12 @@
-/* A field that is no coordinate, from one format to another. */
-#ifndef FOREIGN_H
-#define FOREIGN_H
+/* Fields that are no coordinates, from one format to another. */
+#ifndef FIELD_CONVERT_H
+#define FIELD_CONVERT_H
 
 #include "field.h"
 
-/* Writes field f, as it stands where that means the same, else in quotes, and
- * returns the end: at most six bytes for one of f, \u0001, and the quotes. */
-char *foreign_write(enum format in, enum format out, struct span f, char *at);
+/* Writes f, a field in format in, for format out: as it stands if that means
+ * the same there, else in quotes. Returns where it ends. Takes at most six
+ * bytes for each of f, as in \u0001, and two for the quotes. */
+char *field_convert(enum format in, enum format out, struct span f, char *at);
 
 #endif

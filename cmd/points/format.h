@@ -5,7 +5,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* The first three are lines; the others little-endian numbers in a row. */
+/* The first three are of lines; the others are binary, little-endian doubles or
+ * floats in a row. */
 enum format { FORMAT_TEXT, FORMAT_CSV, FORMAT_JSON, FORMAT_F64, FORMAT_F32 };
 
 /* In the order of the enum, with NULL at the end. */

@@ -1,13 +1,11 @@
-/* What is done with every point. */
+/* A job: what is done with every point, and the function that does it on a
+ * chunk of them. */
 #ifndef JOB_H
 #define JOB_H
 
 #include "../../core/frustum.h"
-#include "../../core/points.h"
 #include "../../core/ray.h"
-#include "line.h"
-
-struct chunk;
+#include "chunk.h"
 
 struct job {
 	struct transform transform;
@@ -15,22 +13,30 @@ struct job {
 	struct layout layout;
 	struct frustum frustum; /* for flags and visible alone */
 	struct ray_maker ray;   /* for rays alone */
-	/* A word after each point; no points but those in the view volume; rays
-	 * in the place of images. */
-	bool flags, visible, rays;
-	bool keep_going;      /* after bad lines */
-	bool count_imageless; /* tell of points without image at the end */
+	bool flags;             /* print a word after each point */
+	bool visible;           /* print only points in the view volume */
+	bool rays;              /* print rays in the place of images */
+	bool keep_going;        /* after bad lines */
+	bool count_imageless;   /* tell of points without image at the end */
 	int threads;
-	/* For the commands that print no line a point: take gets every point,
-	 * p in the chunk's columns and read from the line, in any thread, and
-	 * may leave bytes in the chunk's out; collect gets the chunks in order;
-	 * flush prints what there is, before a bad line ends the program too. */
+
+	/* For the commands that do not print a line for each point, else NULL.
+	 * take gets every point: the line that it stands on, that line's
+	 * number in the chunk, and p, its place in the chunk's columns; it may
+	 * append to the chunk's out, and runs in any thread. collect gets the
+	 * chunks in order, with the source's number of their first line. flush
+	 * prints what was collected, at the end or before a bad line ends the
+	 * program. */
 	void (*take)(const struct job *, struct chunk *, const struct line *,
-	    size_t p, size_t line);
+	    size_t p, size_t number);
 	void (*collect)(const struct job *, const struct chunk *,
 	    size_t first_line);
 	void (*flush)(const struct job *);
-	void *with; /* what they share */
+	void *with; /* what these three share */
 };
+
+/* Fills the chunk's out from its text, which is whole lines or whole binary
+ * points; stops at the first bad one unless the job keeps going. */
+void job_do(struct job *, struct chunk *);
 
 #endif

@@ -1,5 +1,5 @@
-/* A line with a point: where its coordinates stand, and the line with others in
- * their place. Everything else on it stays as it was. */
+/* A line with a point: finding its coordinates, and writing the line with
+ * others in their place. Everything else on it stays as it was. */
 #ifndef LINE_H
 #define LINE_H
 
@@ -8,22 +8,23 @@
 #include "../number/number.h"
 #include "field.h"
 
-/* Those of a ray: a point and a direction. Of what is read, there are four. */
+/* The most that are written, a ray's: a point and a direction. No more than
+ * four are read. */
 enum { COORDINATES_MAX = 6 };
 
 /* From --columns: field numbers from 0, or names to be found in a header. */
 struct columns {
 	int n; /* 0: the first fields are the coordinates */
 	int field[4];
-	const char *name[4]; /* NULL where the field has a number alone */
+	const char *name[4]; /* NULL if a field is given by its number */
 };
 
 /* How lines, or binary points, are laid out. */
 struct layout {
 	enum format in, out;
 	struct columns columns;
-	int reads, writes; /* coordinates */
-	bool flags;        /* a word after them */
+	int reads, writes; /* how many coordinates */
+	bool flags;        /* a word is written after them */
 	struct number_style style;
 };
 
@@ -39,24 +40,25 @@ struct line {
 	struct span text;  /* without its newline */
 	struct span at[4]; /* of text: where x, y, z and w stand */
 	bool newline;      /* it ends in one */
-	bool single;       /* the numbers written are floats */
+	bool single;       /* its image is of floats, to be written as such */
 };
 
 enum { REASON_MAX = 200 };
 
-/* Reads one line. Of a bad one, reason says what is wrong and what would be
- * right. Where *header, a csv header may still come; it turns the names of
- * columns into numbers. Bytes behind the line may be looked at, up to
- * readable. */
-void line_read(struct layout *, struct span line, const char *readable,
+/* Reads the coordinates v of the line that text is. For a bad line, reason says
+ * what is wrong and what would be right. While *header is true a csv header may
+ * still come; it turns the names of the layout's columns into numbers. Bytes
+ * after the line, up to readable, may be looked at, which is faster. */
+void line_read(struct layout *, struct span text, const char *readable,
     bool *header, struct line *, double v[4], char reason[REASON_MAX]);
 
 /* The most bytes that line_write may write. */
 size_t line_room(const struct layout *, const struct line *);
 
-/* Writes a line with the new coordinates v, and flags, the word after them, or
- * NULL; returns the end. A bad line becomes v alone. Blank lines, comments and
- * headers stay, but nothing is left of them from or to JSON. */
+/* Writes the line with coordinates v in the place of those it was read with,
+ * and the word flags after them unless that is NULL; returns where it ends. A
+ * bad line becomes v alone. Blank lines, comments and headers stay as they are,
+ * but are left out from JSON and to JSON. */
 char *line_write(const struct layout *, const struct line *,
     const double v[COORDINATES_MAX], const char *flags, char *out);
 

@@ -8,8 +8,9 @@
 #include "line.h"
 #include "../escape.h"
 
-/* Reads the number that *f holds, and cuts *f to it: in csv, blanks and quotes
- * may be around it; in JSON, null is an unknown one. */
+/* Reads the number in *f, and cuts *f to it: in csv, blanks and quotes may
+ * stand around it; in JSON, null is an unknown number. Returns false if *f
+ * holds anything else. */
 static bool field_number(enum format format, struct span *f, double *v)
 {
 	struct span n = *f;
@@ -37,13 +38,15 @@ static bool field_number(enum format format, struct span *f, double *v)
 	return true;
 }
 
-static const char *order(int i)
+/* The name of coordinate i. */
+static const char *axis(int i)
 {
 	static const char *const words[] = { "x", "y", "z", "w" };
 
 	return words[i];
 }
 
+/* Says why f is not coordinate i. */
 static void bad_field(const struct layout *l, int i, struct span f,
     char reason[REASON_MAX])
 {
@@ -59,13 +62,13 @@ static void bad_field(const struct layout *l, int i, struct span f,
 	else if (l->in == FORMAT_JSON && n > 0 && (*f.s == '[' || *f.s == '{'))
 		snprintf(reason, REASON_MAX,
 		    "%s is not a number; one array a line: jq -c '.points[]'",
-		    order(i));
+		    axis(i));
 	else if (n == 0)
 		snprintf(reason, REASON_MAX,
-		    "%s is missing; %d numbers are wanted", order(i), l->reads);
+		    "%s is missing; %d numbers are wanted", axis(i), l->reads);
 	else
 		snprintf(reason, REASON_MAX, "%s is '%s'; a number is wanted%s",
-		    order(i), escaped(word, f.s, n),
+		    axis(i), escaped(word, f.s, n),
 		    end == NULL ? "" :
 			l->in == FORMAT_JSON ?
 				  ", as JSON writes it" :
@@ -77,32 +80,34 @@ static bool in_range(int i, double v, char reason[REASON_MAX])
 	if (!(fabs(v) > MAGNITUDE_MAX))
 		return true;
 	snprintf(reason, REASON_MAX,
-	    "%s is beyond 1e150 in magnitude; choose another unit", order(i));
+	    "%s is beyond 1e150 in magnitude; choose another unit", axis(i));
 	return false;
 }
 
-/* The first fields of text. A number does not go on past a newline; so it is
- * read with all that is readable behind it, which is faster. */
+/* Reads the first fields of a line of text. As no number goes on past a
+ * newline, number_read may look at all that is readable after it, which is
+ * faster. */
 static bool read_text(const struct layout *l, const char *s, const char *end,
-    const char *readable, struct line *r, double v[4], char reason[REASON_MAX])
+    const char *readable, struct line *line, double v[4],
+    char reason[REASON_MAX])
 {
 	for (int i = 0; i < l->reads; i++) {
 		const char *stop = s == end ? NULL :
 					      number_read(s, readable, &v[i]);
 
 		if (stop == NULL || !ends_field(stop, end)) {
-			bad_field(l, i, split_field(l->in, s, end), reason);
+			bad_field(l, i, field_at(l->in, s, end), reason);
 			return false;
 		}
 		if (!in_range(i, v[i], reason))
 			return false;
-		r->at[i] = (struct span){ s, stop };
-		s = text_next(stop, end);
+		line->at[i] = (struct span){ s, stop };
+		s = skip_separator(stop, end);
 	}
 	return true;
 }
 
-/* Whether an element of JSON is a number and nothing else. */
+/* Reads the element of a JSON array at s if it is a number and nothing else. */
 static bool element_number(const char *s, const char *end, const char *readable,
     struct span *f, double *v)
 {
@@ -114,8 +119,9 @@ static bool element_number(const char *s, const char *end, const char *readable,
 	    json_skip(f->end, end) == skip_blanks(f->end, end);
 }
 
-/* The field at s, of csv or JSON, and the number in it. Most elements of JSON
- * are but a number; to try that first is faster than to look for their end. */
+/* Reads the field at s, of csv or JSON, and the number in it. Most elements of
+ * JSON arrays are numbers: to try that first is faster than to look for where
+ * the element ends. */
 static bool read_field(enum format format, const char *s, const char *end,
     const char *readable, struct span *field, struct span *number, double *v)
 {
@@ -124,33 +130,35 @@ static bool read_field(enum format format, const char *s, const char *end,
 		*field = *number;
 		return true;
 	}
-	*field = *number = split_field(format, s, end);
+	*field = *number = field_at(format, s, end);
 	return field_number(format, number, v);
 }
 
-/* The first fields of csv or JSON. */
+/* Reads the first fields of a line of csv or JSON. */
 static bool read_first(const struct layout *l, const char *s, const char *end,
-    const char *readable, struct line *r, double v[4], char reason[REASON_MAX])
+    const char *readable, struct line *line, double v[4],
+    char reason[REASON_MAX])
 {
 	for (int i = 0; i < l->reads; i++) {
 		struct span field;
 
-		if (!read_field(l->in, s, end, readable, &field, &r->at[i],
+		if (!read_field(l->in, s, end, readable, &field, &line->at[i],
 			&v[i])) {
 			bad_field(l, i, field, reason);
 			return false;
 		}
 		if (!in_range(i, v[i], reason))
 			return false;
-		s = split_next(l->in, field.end, end);
+		s = field_next(l->in, field.end, end);
 		if (s == NULL)
 			s = end;
 	}
 	return true;
 }
 
+/* Reads the fields that --columns names. */
 static bool read_columns(const struct layout *l, const char *s, const char *end,
-    struct line *r, double v[4], char reason[REASON_MAX])
+    struct line *line, double v[4], char reason[REASON_MAX])
 {
 	for (int i = 0; i < l->reads; i++) {
 		int k = l->columns.field[i];
@@ -159,12 +167,12 @@ static bool read_columns(const struct layout *l, const char *s, const char *end,
 		if (k < 0) {
 			snprintf(reason, REASON_MAX,
 			    "%s is missing: the header has no such column",
-			    order(i));
+			    axis(i));
 			return false;
 		}
-		if (!split_find(l->in, s, end, k, &f)) {
+		if (!field_find(l->in, s, end, k, &f)) {
 			snprintf(reason, REASON_MAX,
-			    "%s is missing: there is no field %d", order(i),
+			    "%s is missing: there is no field %d", axis(i),
 			    k + 1);
 			return false;
 		}
@@ -174,7 +182,7 @@ static bool read_columns(const struct layout *l, const char *s, const char *end,
 		}
 		if (!in_range(i, v[i], reason))
 			return false;
-		r->at[i] = f;
+		line->at[i] = f;
 	}
 	return true;
 }
@@ -194,29 +202,30 @@ static bool is_name(struct span f, const char *name)
 }
 
 /* The number of the field of that name, or -1. */
-static int find_name(struct span line, const char *name)
+static int find_name(struct span header, const char *name)
 {
-	const char *s = line.s;
+	const char *s = header.s;
 
 	for (int k = 0; s != NULL; k++) {
-		struct span f = split_field(FORMAT_CSV, s, line.end);
+		struct span f = field_at(FORMAT_CSV, s, header.end);
 
 		if (is_name(f, name))
 			return k;
-		s = split_next(FORMAT_CSV, f.end, line.end);
+		s = field_next(FORMAT_CSV, f.end, header.end);
 	}
 	return -1;
 }
 
 /* Turns the names of --columns into field numbers. */
-static bool resolve(struct layout *l, struct span line, char reason[REASON_MAX])
+static bool resolve(struct layout *l, struct span header,
+    char reason[REASON_MAX])
 {
 	for (int i = 0; i < l->columns.n; i++) {
 		const char *name = l->columns.name[i];
 		int *field = &l->columns.field[i];
 
 		if (name != NULL)
-			*field = find_name(line, name);
+			*field = find_name(header, name);
 		if (*field < 0) {
 			snprintf(reason, REASON_MAX,
 			    "the header has no column '%.60s'", name);
@@ -243,33 +252,33 @@ static bool named(const struct columns *c)
 
 /* The first line of csv is a header if none of its coordinates is a number; if
  * only some are, it is a bad line of points. */
-static bool is_header(struct layout *l, struct span line)
+static bool is_header(struct layout *l, struct span text)
 {
 	for (int i = 0; i < l->reads; i++) {
 		int k = l->columns.n > 0 ? l->columns.field[i] : i;
 		struct span f;
 		double v;
 
-		if (split_find(FORMAT_CSV, line.s, line.end, k, &f) &&
+		if (field_find(FORMAT_CSV, text.s, text.end, k, &f) &&
 		    field_number(FORMAT_CSV, &f, &v))
 			return false;
 	}
 	return true;
 }
 
-/* False where the first line is one of points already. */
-static bool take_header(struct layout *l, struct span line, struct line *r,
+/* Returns false if the first line of csv is one of points, and no header. */
+static bool take_header(struct layout *l, struct span text, struct line *line,
     char reason[REASON_MAX])
 {
 	bool wanted = named(&l->columns);
 
-	if (wanted && !resolve(l, line, reason))
-		r->kind = LINE_BAD;
-	return wanted || is_header(l, line);
+	if (wanted && !resolve(l, text, reason))
+		line->kind = LINE_BAD;
+	return wanted || is_header(l, text);
 }
 
-/* Whether the array that the bracket before s opens is closed and nothing
- * follows, whatever stands between its commas. */
+/* Whether the array whose opening bracket is before s is closed and nothing
+ * comes after it. Its elements need not be JSON. */
 static bool is_closed(const char *s, const char *end)
 {
 	s = json_skip(s, end);
@@ -278,48 +287,49 @@ static bool is_closed(const char *s, const char *end)
 	return s < end && *s == ']' && skip_blanks(s + 1, end) == end;
 }
 
-/* Whether all of the line is one array. Where nothing but numbers stand before
- * done, and nothing but the bracket behind it, no more need be looked at. */
-static bool check_array(struct span line, const char *done,
+/* Whether all of the line is one JSON array. Up to done it has been read; if
+ * those were numbers alone, and only the closing bracket comes after them, the
+ * line need not be looked at again. */
+static bool check_array(struct span text, const char *done,
     char reason[REASON_MAX])
 {
-	const char *s = skip_blanks(done, line.end);
+	const char *s = skip_blanks(done, text.end);
 	struct json_error e;
 	char word[ESCAPED_MAX];
 
-	if (s < line.end && *s == ']' &&
-	    skip_blanks(s + 1, line.end) == line.end)
+	if (s < text.end && *s == ']' &&
+	    skip_blanks(s + 1, text.end) == text.end)
 		return true;
-	if (json_check(JSON_LINE, line.s, line.end, &e))
+	if (json_check(JSON_LINE, text.s, text.end, &e))
 		return true;
-	s = skip_blanks(line.s, line.end);
-	if (!is_closed(s + 1, line.end))
+	s = skip_blanks(text.s, text.end);
+	if (!is_closed(s + 1, text.end))
 		snprintf(reason, REASON_MAX,
 		    "the array does not end with the line; one array a line: "
 		    "jq -c '.points[]'");
 	else
 		snprintf(reason, REASON_MAX, "no JSON from '%s' on",
-		    escaped(word, e.at, (size_t)(line.end - e.at)));
+		    escaped(word, e.at, (size_t)(text.end - e.at)));
 	return false;
 }
 
-void line_read(struct layout *l, struct span line, const char *readable,
-    bool *header, struct line *r, double v[4], char reason[REASON_MAX])
+void line_read(struct layout *l, struct span text, const char *readable,
+    bool *header, struct line *line, double v[4], char reason[REASON_MAX])
 {
-	const char *s = skip_blanks(line.s, line.end);
+	const char *s = skip_blanks(text.s, text.end);
 	bool ok;
 
-	r->kind = LINE_COPY;
-	r->text = line;
-	if (s == line.end || *s == '#')
+	line->kind = LINE_COPY;
+	line->text = text;
+	if (s == text.end || *s == '#')
 		return;
 	if (l->in == FORMAT_CSV) {
-		s = line.s;
-		if (*header && line.end - s >= 3 &&
+		s = text.s;
+		if (*header && text.end - s >= 3 &&
 		    memcmp(s, "\xef\xbb\xbf", 3) == 0)
 			s += 3; /* a byte order mark */
 		bool taken = *header &&
-		    take_header(l, (struct span){ s, line.end }, r, reason);
+		    take_header(l, (struct span){ s, text.end }, line, reason);
 
 		*header = false;
 		if (taken)
@@ -330,19 +340,19 @@ void line_read(struct layout *l, struct span line, const char *readable,
 			snprintf(reason, REASON_MAX,
 			    "is not a JSON array; one array a line: jq -c "
 			    "'.points[]'");
-			r->kind = LINE_BAD;
+			line->kind = LINE_BAD;
 			return;
 		}
 		s++;
 	}
 	if (l->columns.n > 0)
-		ok = read_columns(l, s, line.end, r, v, reason);
+		ok = read_columns(l, s, text.end, line, v, reason);
 	else if (l->in == FORMAT_TEXT)
-		ok = read_text(l, s, line.end, readable, r, v, reason);
+		ok = read_text(l, s, text.end, readable, line, v, reason);
 	else
-		ok = read_first(l, s, line.end, readable, r, v, reason);
+		ok = read_first(l, s, text.end, readable, line, v, reason);
 	if (ok && l->in == FORMAT_JSON)
-		ok = check_array(line,
-		    l->columns.n > 0 ? s : r->at[l->reads - 1].end, reason);
-	r->kind = ok ? LINE_POINT : LINE_BAD;
+		ok = check_array(text,
+		    l->columns.n > 0 ? s : line->at[l->reads - 1].end, reason);
+	line->kind = ok ? LINE_POINT : LINE_BAD;
 }

@@ -4,8 +4,8 @@
 #include "field_convert.h"
 #include "line.h"
 
-/* A separator of more bytes is not repeated before what is added to a line: one
- * blank is enough. */
+/* A separator that is longer, in bytes, is not repeated before coordinates that
+ * are added to the line; one blank does. */
 enum { SEPARATOR_MAX = 64 };
 
 /* Room for the flags with their separator, quotes, brackets and the newline. */
@@ -15,9 +15,9 @@ size_t line_room(const struct layout *l, const struct line *line)
 {
 	size_t n = (size_t)(line->text.end - line->text.s);
 
-	/* In another format a character may become six, as \u0001 in JSON; the
-	 * three of a comma and quotes around a field are not more than six for
-	 * the separator that it had. */
+	/* In another format a byte of a field may become six, as \u0001 in
+	 * JSON. Six for the separator after it are enough for a comma and two
+	 * quotes. */
 	return (l->in == l->out ? n : 6 * n) +
 	    (size_t)l->writes * (NUMBER_MAX + SEPARATOR_MAX) + FLAGS_ROOM;
 }
@@ -47,8 +47,8 @@ static const char *separator_of(enum format format)
 	return format == FORMAT_TEXT ? " " : ",";
 }
 
-/* Coordinates from the k-th on, or where v is NULL their names, as in a header;
- * then the flags unless they are NULL. A separator goes before each. */
+/* Writes the coordinates from the k-th on, or, for a header, where v is NULL,
+ * their names; then flags unless it is NULL. A separator goes before each. */
 static char *put_more(const struct layout *l, bool single, int k,
     const double v[], const char *flags, struct span separator, char *out)
 {
@@ -78,9 +78,9 @@ static bool separates(char c)
 	return is_blank(c) || c == ',';
 }
 
-/* What is to go before numbers that are added to a line of text: the blanks and
- * comma that stand before the last coordinate, or behind it where it is the
- * first field; the usual separator where those are not just one separator, or
+/* The separator to write before numbers that are added to the line. In text it
+ * is the one that stands before the last coordinate, or after it if that is the
+ * first field; but the usual one if what stands there has several commas or is
  * too long. Other formats have one separator only. */
 static struct span separator_in(const struct layout *l, const struct line *line)
 {
@@ -98,7 +98,7 @@ static struct span separator_in(const struct layout *l, const struct line *line)
 			found.end++;
 	}
 	return found.s < found.end && found.end - found.s <= SEPARATOR_MAX &&
-		text_next(found.s, found.end) == found.end ?
+		skip_separator(found.s, found.end) == found.end ?
 	    found :
 	    one;
 }
@@ -115,8 +115,8 @@ static void sort(const struct line *line, int n, int sorted[4])
 	}
 }
 
-/* What is left out where a coordinate at f is not written: its quotes and the
- * separator before it; where it is the first field, the one behind it. */
+/* What has to go if the coordinate at f is not written: also its quotes, and
+ * the separator before it, or after it if it is the first field. */
 static struct span whole_field(const struct layout *l, const struct line *line,
     struct span f)
 {
@@ -133,12 +133,12 @@ static struct span whole_field(const struct layout *l, const struct line *line,
 		before--;
 	if (before > s && (l->in != FORMAT_JSON || before[-1] != '['))
 		return (struct span){ before, f.end };
-	next = split_next(l->in, f.end, line->text.end);
+	next = field_next(l->in, f.end, line->text.end);
 	return (struct span){ f.s, next != NULL ? next : f.end };
 }
 
-/* The same format out as in: coordinates are replaced where they stand. Where v
- * is NULL the line is a header, whose names stay. */
+/* The format out is that in: coordinates are replaced where they stand. If v is
+ * NULL the line is a header, whose names stay. */
 static char *splice(const struct layout *l, const struct line *line,
     const double v[], const char *flags, char *out)
 {
@@ -154,8 +154,9 @@ static char *splice(const struct layout *l, const struct line *line,
 		    line->at[i] :
 		    whole_field(l, line, line->at[i]);
 
-		/* what is left out takes the blanks before it along, and
-		 * there a name of a header may end only behind them */
+		/* A coordinate that is left out begins with the blanks before
+		 * it. In a header they can belong to the name before, and are
+		 * written already: then f.s < s. */
 		if (f.s > s)
 			out = put(out, s, f.s);
 		if (i < l->writes)
@@ -182,7 +183,8 @@ static bool is_coordinate(const struct layout *l, const struct line *line,
 	return false;
 }
 
-/* Another format out: coordinates and flags first, then the other fields. */
+/* The format out is another: coordinates and flags go first, then all other
+ * fields. */
 static char *convert(const struct layout *l, const struct line *line,
     const double v[], const char *flags, char *out)
 {
@@ -196,21 +198,21 @@ static char *convert(const struct layout *l, const struct line *line,
 	s = skip_blanks(s, line->text.end);
 	if (l->in == FORMAT_JSON)
 		s++;
-	/* bad lines and binary points have no fields to go on with */
+	/* of bad lines no field is kept, and binary points have none */
 	if (line->kind == LINE_BAD || is_binary(l->in))
 		s = NULL;
 	while (s != NULL) {
-		struct span f = split_field(l->in, s, line->text.end);
+		struct span f = field_at(l->in, s, line->text.end);
 
-		/* csv's empty fields are "" in JSON, so that those behind them
-		 * keep their place in the array */
+		/* csv's empty fields become "" in JSON, so that the fields
+		 * after them keep their place in the array */
 		if ((f.s < f.end ||
 			(l->in == FORMAT_CSV && l->out == FORMAT_JSON)) &&
 		    !is_coordinate(l, line, f)) {
 			out = put(out, sep.s, sep.end);
-			out = foreign_write(l->in, l->out, f, out);
+			out = field_convert(l->in, l->out, f, out);
 		}
-		s = split_next(l->in, f.end, line->text.end);
+		s = field_next(l->in, f.end, line->text.end);
 	}
 	if (l->out == FORMAT_JSON)
 		*out++ = ']';
@@ -229,8 +231,8 @@ static char *copy_header(const struct layout *l, const struct line *line,
 		int k = l->columns.n > 0 ? l->columns.field[i] : i;
 		struct span *f = &named.at[i];
 
-		/* the place of a missing name is behind the last one */
-		if (!split_find(l->in, line->text.s, line->text.end, k, f) &&
+		/* a missing name's place is the end of the line */
+		if (!field_find(l->in, line->text.s, line->text.end, k, f) &&
 		    f->s < f->end)
 			*f = (struct span){ end, end };
 	}

@@ -28,7 +28,7 @@ void piece_begin(struct piece *p, const struct piece *before, const char *end)
 	p->whole = 0;
 }
 
-/* Whether a read would wait, or that can't be told. */
+/* Whether a read would wait; true, too, where that can't be told. */
 static bool would_wait(int fd)
 {
 	struct pollfd p = { .fd = fd, .events = POLLIN };
@@ -36,8 +36,8 @@ static bool would_wait(int fd)
 	return poll(&p, 1, 0) <= 0;
 }
 
-/* Takes in n more bytes. Only those are searched: a long line that comes in
- * small pieces would else take the square of its time. */
+/* Counts in n more bytes. Only those are searched for a newline: to search all
+ * of a long line for every few bytes that come would take quadratic time. */
 static void take_in(struct piece *p, const struct layout *l, size_t n)
 {
 	size_t end = p->have + n;

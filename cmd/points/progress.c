@@ -4,7 +4,7 @@
 #include <time.h>
 #include <unistd.h>
 
-/* Seconds until it is shown first, and from one time to the next. */
+/* Seconds until the line is shown first, and between two times. */
 #define PATIENCE 0.5
 #define PAUSE 0.2
 

@@ -1,4 +1,4 @@
-/* Conventions: those that have a name, and the member that gives one. */
+/* The member "convention", and the conventions that have a name. */
 #ifndef CONVENTION_MEMBER_H
 #define CONVENTION_MEMBER_H
 
@@ -16,11 +16,11 @@ enum {
 extern const struct convention conventions[CONVENTIONS];
 extern const char *const convention_names[CONVENTIONS + 1]; /* NULL ends */
 
-/* The members of a convention without a name: each a bool of struct convention
- * by two words, of which d3d has the first. */
+/* The members of a convention that is given as an object. Each is a bool of
+ * struct convention, with two words: d3d's, for false, and the other. */
 extern const struct member convention_members[];
 
-/* A name, or an object of what differs from d3d. */
+/* Reads a name, or an object of what differs from d3d. */
 void read_convention(const struct value *, struct convention *);
 
 #endif

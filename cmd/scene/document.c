@@ -8,7 +8,7 @@
 #include "members.h"
 #include "../talk.h"
 
-/* The rows of scene_members, in the order of the bits of enum scene_member. */
+/* The rows of scene_members: row i has bit i in enum scene_member. */
 enum {
 	CONVENTION,
 	WORLD,
@@ -23,8 +23,8 @@ enum {
 	SCENE_MEMBERS,
 };
 
-/* The members stand in any order, but read_scene wants them in one of its own:
- * each value is kept for it. */
+/* A document may have its members in any order, but read_scene needs some
+ * before others: each is first kept as a struct value. */
 #define MEMBER(row, label, table, other, like)      \
 	[row] = { .name = label,                    \
 		.read = read_value,                 \
@@ -71,7 +71,7 @@ static void check_point(const struct value *v, int coordinates)
 		    coordinates);
 }
 
-/* Returns whether it is one point and not a list of them. */
+/* Returns whether v is one point; else it is a list of them. */
 static bool check_points(const struct value *v, int coordinates)
 {
 	struct value e;
@@ -88,7 +88,8 @@ static bool check_points(const struct value *v, int coordinates)
 	return false;
 }
 
-/* Copies a value of checked text without blanks, and a newline. */
+/* Copies a value from checked text, without the blanks in it, and ends it with
+ * a newline. */
 static char *copy_value(const char *s, const char *end, char *out)
 {
 	while (s < end) {
@@ -104,8 +105,8 @@ static char *copy_value(const char *s, const char *end, char *out)
 	return out;
 }
 
-/* Where in a checked document the points begin, which are all of it or a
- * member. */
+/* Where in the document's checked text the value v begins: it is the document
+ * itself, or one of its members. */
 static const char *find_points(const struct value *v, const char *text,
     const char *end)
 {
@@ -134,7 +135,8 @@ static void take_points(const struct value *v, int coordinates,
 	*points_size = (size_t)(out - *points);
 }
 
-/* Whether an object has none of a scene's members, and may stand for one. */
+/* Whether an object is to be read as the member bare of a scene: if it has none
+ * of a scene's members itself. */
 static bool is_bare(const struct value *v, enum scene_member bare)
 {
 	struct value m = value_child(v);
@@ -145,7 +147,7 @@ static bool is_bare(const struct value *v, enum scene_member bare)
 	return bare != 0;
 }
 
-/* Returns the members that there are, as bits. */
+/* Keeps the members in m; returns those that there are, as bits. */
 static unsigned read_members(struct document *d, const struct value *root,
     const struct document_wants *w, struct value m[SCENE_MEMBERS])
 {
@@ -237,7 +239,7 @@ void document_read(struct document *d, const char *name, char *text,
 	value_free(&root);
 }
 
-void json_points(const char *name, char *text, size_t size, int coordinates,
+void document_points(const char *name, char *text, size_t size, int coordinates,
     char **points, size_t *points_size)
 {
 	struct source source = { .name = name, .scene = scene_members };

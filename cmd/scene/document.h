@@ -1,5 +1,5 @@
-/* JSON documents to scenes. What is wrong is printed in one line, with its
- * place, and ends in exit status 1. */
+/* Reading JSON documents as scenes. What is wrong is refused in one line with
+ * its place, and exit status 1. */
 #ifndef DOCUMENT_H
 #define DOCUMENT_H
 
@@ -7,7 +7,7 @@
 
 #include "../../core/fit_bounds.h"
 
-/* A member of a scene, as a bit, to say what a command uses. */
+/* The members of a scene, as bits, to say which of them a command uses. */
 enum scene_member {
 	SCENE_CONVENTION = 1,
 	SCENE_WORLD = 2,
@@ -24,7 +24,7 @@ enum scene_member {
 	    SCENE_VIEWPORT,
 };
 
-/* Where on the device, and how far around: 0 where that isn't said. */
+/* Where on the device to pick, and how far around: 0 if that isn't given. */
 struct pick {
 	bool has_at;
 	double at[2], radius;
@@ -33,14 +33,14 @@ struct pick {
 struct document {
 	struct scene scene;
 	struct pick pick;
-	/* for fit: whether there are bounds, and the camera's eye is given */
+	/* for fit: whether bounds are given, and whether the camera's eye is */
 	bool has_bounds, has_eye;
 	struct bounds bounds;
 	const char *name; /* for messages: the file, "-" or "PARAMS" */
 	/* The member as which an object with none of a scene's members was
 	 * read, or NULL. Messages leave it out of their pointers. */
 	const char *bare;
-	/* The member points as json_points gives it, or NULL. */
+	/* The member points as document_points would give it, or NULL. */
 	char *points;
 	size_t points_size;
 };
@@ -58,27 +58,29 @@ struct document_wants {
 	/* The type that a projection has without a member "type", and may have
 	 * alone; PROJECTION_NONE where it must say its type. */
 	int projection;
-	/* What fit finds need not be there: the camera's eye, near, far, and
-	 * the sizes of a parallel projection. */
+	/* For fit: what it finds may be missing, that is the camera's eye,
+	 * near, far, and the sizes of a parallel projection. */
 	bool fit;
-	/* Read instead of the document's, if not NULL. */
+	/* The convention to take instead of the document's, or NULL. */
 	const struct convention *convention;
-	/* Of each point; 0 where the command reads none of the document. */
+	/* How many each point has; 0 if the command doesn't read them from the
+	 * document. */
 	int coordinates;
 };
 
-/* Reads text[0..size), which it may change, into *d. */
+/* Reads text[0..size), which it may change, into *d. name is for messages. */
 void document_read(struct document *d, const char *name, char *text,
     size_t size, const struct document_wants *wants);
 
-/* One point or a list of points, as lines: one JSON array a line, each with
- * as many numbers or nulls as coordinates says before anything else; the
- * text of each element is as it was. To be freed. */
-void json_points(const char *name, char *text, size_t size, int coordinates,
+/* Reads text[0..size), which it may change, as a point or a list of points.
+ * *points, to be freed, gets them as lines, a JSON array each, which begins
+ * with as many numbers or nulls as coordinates says. The text of each element
+ * stays as it is. */
+void document_points(const char *name, char *text, size_t size, int coordinates,
     char **points, size_t *points_size);
 
-/* Prints "projcalc: FILE: /pointer: reason" for a refusal of core/, whose
- * reason begins with its pointer, and exits with 1. */
+/* Prints "projcalc: FILE: WHY" and exits with 1. why is a refusal of core/,
+ * which begins with a pointer: "/camera/up: ...". */
 _Noreturn void document_refuse(const struct document *d, const char *why);
 
 /* The same where why is not NULL. */

@@ -31,7 +31,7 @@ const struct member camera_members[] = {
 	{ .name = NULL },
 };
 
-/* In the order in which struct camera's by counts them. */
+/* In the order of the values of struct camera's by. */
 static const struct ways camera_ways = {
 	"give \"eye\" and one of \"at\", \"gaze\" and \"orientation\", or "
 	"\"matrix\" alone",

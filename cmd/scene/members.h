@@ -1,4 +1,4 @@
-/* The members of a scene: what each may be. */
+/* The members of a scene, and of the objects among them. */
 #ifndef MEMBERS_H
 #define MEMBERS_H
 
@@ -9,12 +9,13 @@ extern const struct member camera_members[], projection_members[],
     viewport_members[], window_members[], device_members[], bounds_members[],
     pick_members[];
 
-/* Words of these members, in the order of their enums; NULL ends each. Types
- * are counted from PROJECTION_PERSP, kinds from OBLIQUE_CAVALIER. */
+/* What some of these may be, in the order of their enums; NULL ends each. Types
+ * begin with PROJECTION_PERSP, kinds with OBLIQUE_CAVALIER. */
 extern const char *const projection_types[], *const oblique_kinds[],
 						 *const adapt_names[];
 
-/* Returns whether the camera says where its eye is, as a matrix does too. */
+/* Returns whether the camera says where its eye is, which a matrix does as
+ * well. Only fit may do without. */
 bool read_camera(const struct value *, struct camera *);
 void read_viewport(const struct value *, struct viewport *);
 void read_window(const struct value *, struct window *);
@@ -22,8 +23,9 @@ void read_device(const struct value *, struct device *);
 void read_bounds(const struct value *, struct bounds *);
 void read_pick(const struct value *, struct pick *);
 
-/* implied is the type that the command implies and demands, or PROJECTION_NONE;
- * viewport, from which an aspect is taken, is NULL where there is none. */
+/* implied is the only type that the command takes, which need not be given
+ * then, or PROJECTION_NONE. An aspect that is not given is the viewport's,
+ * unless that is NULL. */
 void read_projection(const struct value *, int implied,
     const struct viewport *viewport, struct projection *);
 

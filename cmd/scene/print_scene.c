@@ -27,7 +27,7 @@ static void put_string_member(struct printer *p, const char *name,
 	put_string(p, word);
 }
 
-/* Left out where it is usual: what is read where it is missing. */
+/* A number is left out if it is what a reader takes for a missing one. */
 static void put_unless(struct printer *p, const char *name, double v,
     double usual)
 {
@@ -99,7 +99,7 @@ static void put_edges(struct printer *p, double left, double right,
 	put_number_member(p, "top", top);
 }
 
-/* The aspect is left out where the viewport says it. */
+/* The cross-section. The aspect is left out if it is the viewport's. */
 static void put_section(struct printer *p, const struct projection *q,
     const struct viewport *v)
 {

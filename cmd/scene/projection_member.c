@@ -5,7 +5,7 @@
 
 #include "../escape.h"
 
-/* The largest doubles below 180 and 1, as ranges include their limits. */
+/* The largest doubles below 180 and below 1: ranges include their limits. */
 #define BELOW_180 0x1.67fffffffffffp+7
 #define BELOW_1 0x1.fffffffffffffp-1
 
@@ -28,7 +28,7 @@ enum {
 	VOLUME = 8,
 	MATRIX = 16,
 	PARALLEL = ORTHO | OBLIQUE,
-	SECTIONED = PERSP | PARALLEL, /* have a cross-section */
+	SECTIONED = PERSP | PARALLEL, /* those with a cross-section */
 };
 
 #define OF(of, label, m, count, within, other)                    \
@@ -140,7 +140,7 @@ static const struct ways parallel_ways = {
 	{ "width height", "height aspect?", "left right bottom top" },
 };
 
-/* fit finds the width and height, of the aspect that is given, if one is. */
+/* fit finds width and height; if an aspect is given, they keep to it. */
 static const struct ways fit_parallel_ways = {
 	"give \"aspect\" with \"height\" or without, " SECTION_HINT ", or "
 	"nothing",
@@ -187,7 +187,8 @@ static enum extent section(const struct value *v, int type, unsigned seen)
 	int way = object_way(v, projection_members, type - 1, seen,
 	    is_persp ? &persp_ways : ways);
 
-	/* where width, height and the edges are measured */
+	/* fit finds near and far, unless width, height or edges are measured
+	 * on the near plane */
 	if (!fit)
 		object_way(v, projection_members, type - 1, seen, &depth_ways);
 	else if (is_persp && persp[way] >= EXTENT_SIZE)
@@ -197,8 +198,8 @@ static enum extent section(const struct value *v, int type, unsigned seen)
 	return is_persp ? persp[way] : parallel[way];
 }
 
-/* Completes the aspect: the given one, else the viewport's. aspect[1] stays 0
- * where fit may choose one. */
+/* Completes the aspect, a quotient: that which is given, over 1, else the
+ * viewport's width over its height. aspect[1] stays 0 if fit may choose one. */
 static void find_aspect(const struct value *v, const struct viewport *viewport,
     struct projection *p)
 {

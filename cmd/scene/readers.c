@@ -35,7 +35,7 @@ void read_second(const struct value *v, const struct member *row, void *out)
 
 const char *const vector_names[] = { "row", "column", NULL };
 
-/* A matrix in the object that -o json prints. */
+/* The object that -o json prints a matrix in. */
 struct printed {
 	struct value matrix;
 	bool column;

@@ -4,27 +4,27 @@
 
 #include "../json/object.h"
 
-/* The value as it is, to be read later. */
+/* Keeps the value, to struct value, to be read later. */
 void read_value(const struct value *, const struct member *, void *);
 
-/* A number, or an array of n numbers; to double. */
+/* A number, or an array of n numbers, to double. */
 void read_numbers(const struct value *, const struct member *, void *);
 
 /* true or false, to bool. */
 void read_flag(const struct value *, const struct member *, void *);
 
-/* One of words, to an enum that counts them from 0. */
+/* One of words, to an enum in the same order from 0. */
 void read_word(const struct value *, const struct member *, void *);
 
 /* One of two words, to bool: whether it is the second. */
 void read_second(const struct value *, const struct member *, void *);
 
-/* Which vectors a matrix is for: "row" or "column". */
+/* Which vectors a matrix is for: "row" or "column"; NULL ends them. */
 extern const char *const vector_names[];
 
-/* A matrix, to double[4][4] for row vectors: 16 numbers in memory order, or 4
- * rows, which source->column says to be for column vectors. The object that
- * -o json prints around them says it itself. */
+/* A matrix, to double[4][4] for row vectors: 16 numbers in memory order; or 4
+ * rows, which are for column vectors if source->column; or the object that -o
+ * json prints, which says itself which vectors it is for. */
 void read_matrix(const struct value *, const struct member *, void *);
 
 #endif

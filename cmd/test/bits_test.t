@@ -130,7 +130,7 @@ sub points {
 	    1 .. $size) . "\n" } 1 .. $n;
 }
 
-# Any bits at all, as doubles from 1e-150 to 1e150 but for one in so many.
+# Random bits as doubles: from 1e-150 to 1e150, but any at all for one in $wild.
 sub any_bits {
 	my ($n, $wild) = @_;
 	return pack 'v*', map {

@@ -20,7 +20,7 @@ static inline void read_text(const void *argument)
 
 	memcpy(text, r->text, size);
 	if (r->wants == NULL)
-		json_points("s.json", text, size, 3, &points, &n);
+		document_points("s.json", text, size, 3, &points, &n);
 	else
 		document_read(&d, "s.json", text, size, r->wants);
 	free(text);

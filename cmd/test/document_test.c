@@ -195,7 +195,7 @@ static void assert_points(const char *typed, const char *lines)
 	char text[400], *points;
 
 	memcpy(text, typed, size);
-	json_points("POINTS", text, size, 3, &points, &n);
+	document_points("POINTS", text, size, 3, &points, &n);
 	assert_int_equal(n, strlen(lines));
 	assert_memory_equal(points, lines, n);
 	free(points);

@@ -96,7 +96,7 @@ for my $file (keys %needs) {
 	}
 }
 
-# One above the highest of what a file needs.
+# A file's floor is one above the highest floor of the files it needs.
 my %floor;
 
 sub floor {

@@ -8,8 +8,6 @@
 
 #include <cmocka.h>
 
-#include "../escape.h"
-
 static const char *const words[] = { "eye", "at", "up", "orientation",
 	"near_ratio", "reverse_z", "persp", "x", NULL };
 
@@ -46,27 +44,10 @@ static void test_nearest(void **state)
 	}
 }
 
-static void test_show(void **state)
-{
-	char out[ESCAPED_MAX], text[200];
-
-	(void)state;
-	assert_string_equal(escaped(out, "a\x1b[m\x7f\xc2\x9b\xff\xc3\xa9", 10),
-	    "a\\u001b[m\\u007f\\u009b\\xff\xc3\xa9");
-	assert_string_equal(escaped(out, "abc", 0), "");
-	memset(text, 'a', sizeof text);
-	escaped(out, text, sizeof text);
-	assert_string_equal(out + strlen(out) - 4, "a...");
-	memset(text, 1, sizeof text);
-	escaped(out, text, sizeof text);
-	assert_string_equal(out + strlen(out) - 9, "\\u0001...");
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_nearest),
-		cmocka_unit_test(test_show),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -45,7 +45,7 @@ static int below(int n)
 	return (int)(next_random() >> 33) % n;
 }
 
-/* Finite, of every kind that a calculator meets. */
+/* A finite double, of each kind that a calculator meets. */
 static double random_double(void)
 {
 	uint64_t bits = next_random();
@@ -57,9 +57,9 @@ static double random_double(void)
 		return isfinite(v) ? v : 0;
 	case 1: /* so many decimals, ten at most */
 		return floor(v * 1e10) / pow(10, below(16));
-	case 2: /* integers, and such as are ties when rounded */
+	case 2: /* integers, and ties when they are rounded */
 		return floor(v * pow(2, below(70))) / pow(2, below(30));
-	case 3: /* powers of two, with a gap below half of that above */
+	case 3: /* powers of two, with half as wide a gap below */
 		return ldexp(v < 0 ? -1 : 1, below(2098) - 1074);
 	default:
 		return v * pow(10, below(8));
@@ -134,7 +134,8 @@ static void reads_doubles(void **unused)
 		int size = snprintf(text, sizeof text, formats[below(8)],
 		    random_double());
 
-		/* What follows leaves or denies the room to read fast. */
+		/* Enough characters after the number for number_read's fast
+		 * way, or too few. */
 		sprintf(text + size, "%.*s", below(24),
 		    " 1.000000 2.000000 -3.000000");
 		check_read(text);
@@ -157,8 +158,8 @@ static void reads_digits(void **unused)
 	}
 }
 
-/* Half way between two doubles, where there are longer ones to print it, and
- * a digit far behind off it to both sides. */
+/* Numbers half way between two doubles, which a long double can print, and
+ * numbers off that by a late digit to either side. */
 static void reads_halves(void **unused)
 {
 	char text[TEXT_MAX];
@@ -181,7 +182,8 @@ static void reads_halves(void **unused)
 	}
 }
 
-/* What C writes as d.ddde+-dd, laid out as JavaScript does. */
+/* Writes at s the number of text, which printf wrote as d.ddde+-dd, as
+ * JavaScript lays it out. */
 static void as_javascript(char *s, const char *text)
 {
 	int n = 0, point = atoi(strchr(text, 'e') + 1) + 1;
@@ -236,8 +238,9 @@ static void lays_out_as_javascript(void **unused)
 	assert_string_equal(written(-HUGE_VAL, NUMBER_SHORTEST, 0), "nan");
 }
 
-/* Compares with the first precision at which printf's text reads back; past a
- * gap that is half as wide there can be a shorter text, not printf's. */
+/* The truth is printf's text at the first precision with which it reads back.
+ * Only next to a power of two, where doubles are nearer on one side, can there
+ * be a shorter one that printf doesn't find. */
 static void writes_the_shortest(void **unused)
 {
 	char c[64], expected[64];

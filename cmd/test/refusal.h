@@ -1,4 +1,4 @@
-/* For tests of what prints an error and exits. */
+/* For tests of functions that print an error and exit. */
 #ifndef REFUSAL_TEST_H
 #define REFUSAL_TEST_H
 

@@ -24,8 +24,11 @@
  * quotient and the test itself round, 2^-100 of a coordinate. */
 #define COLUMN_BOUND 0x1p-72
 
-/* Exponents e and f for which nothing underflows or overflows. */
-enum { EXPONENT_MAX = 200 };
+/* Coordinates and elements of which nothing underflows or overflows. */
+static int is_moderate(double largest)
+{
+	return largest == 0 || (largest > 0x1p-200 && largest < 0x1p200);
+}
 
 /* A column's elements, cut for a block of points. */
 struct cut {
@@ -39,11 +42,6 @@ static double cut_to(double a, double unit)
 	double s = 0x1.8p52 * unit;
 
 	return a + s - s;
-}
-
-static int is_moderate(int e)
-{
-	return e > -EXPONENT_MAX && e < EXPONENT_MAX;
 }
 
 /* False where that is beyond the range. */
@@ -65,7 +63,7 @@ static int cut_column(const struct kernel_map *m, int j, int terms, int e,
 		c->all[i] = m->hi[i][j];
 	}
 	c->bound = most > 0 ? ldexp(COLUMN_BOUND, e + f) : 0;
-	return is_moderate(f);
+	return is_moderate(most);
 }
 
 static inline double least(V a)
@@ -79,12 +77,11 @@ static inline double least(V a)
 	return r;
 }
 
-/* The exponent e of the block; 0 where all points are the origin. */
-static int exponent_of(const struct kernel_map *m, int terms,
+/* The largest difference from the origin in a block. */
+static double largest_of(const struct kernel_map *m, int terms,
     const double *const in[3], size_t n)
 {
 	V most = ALL(0);
-	int e;
 
 	for (size_t i = 0; i < n; i += WIDTH)
 		for (int k = 0; k < terms; k++) {
@@ -92,8 +89,7 @@ static int exponent_of(const struct kernel_map *m, int terms,
 
 			most = MAX(d, most);
 		}
-	frexp(-least(-most) * (1 + 0x1p-50), &e);
-	return e;
+	return -least(-most) * (1 + 0x1p-50);
 }
 
 /* The origin, to be taken off in two ways. Where it is less than 2^24 times as
@@ -192,11 +188,13 @@ exact(const struct kernel_map *m, const double *const in[3],
 	const int terms = kind == KERNEL_FLAT ? 2 : 3;
 	const int divide = kind == KERNEL_DEPTH || kind == KERNEL_PROJECTIVE;
 	const int columns = kind == KERNEL_DEPTH ? 2 : terms;
-	const int e = exponent_of(m, terms, in, n);
+	const double largest = largest_of(m, terms, in, n);
+	struct cut c[4];
+	int moderate = is_moderate(largest), e = 0;
+
+	frexp(largest, &e);
 	const V shift = ALL(ldexp(0x1.8p52, e - 26));
 	const struct cut_origin o = cut_origin(m, terms, e);
-	struct cut c[4];
-	int moderate = is_moderate(e);
 	V done = ALL(1);
 
 	for (int j = 0; j < 4; j++)

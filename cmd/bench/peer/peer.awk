@@ -1,5 +1,5 @@
 # Points through a 4x4 matrix for row vectors, divided.
-# usage: mawk -f peer_bench.awk MATRIX POINTS
+# usage: mawk -f peer.awk MATRIX POINTS
 NR == 1 { a1 = $1; a2 = $2; a3 = $3; a4 = $4; next }
 NR == 2 { b1 = $1; b2 = $2; b3 = $3; b4 = $4; next }
 NR == 3 { c1 = $1; c2 = $2; c3 = $3; c4 = $4; next }

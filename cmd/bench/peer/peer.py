@@ -1,5 +1,5 @@
 # Points through a 4x4 matrix for row vectors, divided.
-# usage: python3 peer_bench.py MATRIX POINTS
+# usage: python3 peer.py MATRIX POINTS
 import sys
 
 import numpy

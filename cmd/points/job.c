@@ -1,4 +1,4 @@
-#include "chunk_do.h"
+#include "job.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -6,8 +6,9 @@
 
 #include "binary.h"
 
-/* Reads up to a block of lines, the points among them into columns. A bad line
- * ends the chunk unless the job keeps going. Returns how many lines. */
+/* Reads up to POINTS_BLOCK lines, and the points among them into the chunk's
+ * columns. A bad line ends the chunk unless the job keeps going. Returns how
+ * many lines, and in *points how many of them are points. */
 static size_t read_lines(struct job *j, struct chunk *c, size_t *points)
 {
 	char reason[REASON_MAX];
@@ -42,7 +43,8 @@ static size_t read_lines(struct job *j, struct chunk *c, size_t *points)
 	return n;
 }
 
-/* Exactly, for any precision; single's numbers are floats. */
+/* Rays are computed exactly, whatever the precision; for single they are
+ * rounded to floats. */
 static void cast_rays(const struct job *j, struct chunk *c, size_t n)
 {
 	bool single = j->accuracy.precision == PRECISION_SINGLE ||
@@ -88,7 +90,7 @@ static const char *flag_word(unsigned out, char word[WORD_MAX])
 	return word;
 }
 
-/* Whether point p is to be written; *flags is the word after it, or NULL. */
+/* Whether point p is to be written; in *flags the word after it, or NULL. */
 static bool judge(const struct job *j, const struct chunk *c, size_t p,
     char word[WORD_MAX], const char **flags)
 {
@@ -133,7 +135,7 @@ static void write_point(const struct job *j, struct chunk *c, struct line *line,
 	put_line(j, c, line, v, flags);
 }
 
-/* A line that is no point: a comment or a header, or a bad one, which becomes
+/* Writes a line that is no point: a comment or a header as it is, a bad line as
  * nan in each coordinate. */
 static void write_other(const struct job *j, struct chunk *c,
     const struct line *line)
@@ -150,7 +152,7 @@ static void write_other(const struct job *j, struct chunk *c,
 		binary_write(j, c, 0, v);
 }
 
-/* The source ends within a binary point, which is bad like a line. */
+/* The source ends within a binary point: that counts as a bad line. */
 static void cut_short(const struct job *j, struct chunk *c, size_t size)
 {
 	struct line line = { .kind = LINE_BAD,
@@ -166,8 +168,9 @@ static void cut_short(const struct job *j, struct chunk *c, size_t size)
 		write_other(j, c, &line);
 }
 
-/* Does the rest of the job line by line, on the n of a block, whose points are
- * carried. number is that of the first; binary points begin at text. */
+/* Does the rest of the job line by line on a block of n, whose images have been
+ * computed. number is that of the first line; where points are binary, the
+ * first begins at text. */
 static void do_lines(const struct job *j, struct chunk *c, size_t n,
     size_t number, const char *text)
 {
@@ -192,11 +195,12 @@ static void do_lines(const struct job *j, struct chunk *c, size_t n,
 	}
 }
 
-void chunk_do(struct job *j, struct chunk *c)
+void job_do(struct job *j, struct chunk *c)
 {
 	bool binary = is_binary(j->layout.in);
 	size_t size = point_size(j->layout.in, j->layout.reads);
-	/* each point becomes so many bytes, whatever it is */
+	/* a block of images goes out as it is: every point becomes as many
+	 * bytes, and no command wants to see it */
 	bool whole = binary && j->layout.out == FORMAT_F64 && j->take == NULL &&
 	    !j->visible;
 
