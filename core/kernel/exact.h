@@ -3,13 +3,14 @@
  * all that lies within the bound rounds to the same double. If it doesn't, the
  * point is left to point.c.
  *
- * High parts add without error: for a block of points |p - origin| < 2^e, and a
- * column's elements, with its origin's image over 2^e, are below 2^f. Points and
- * the origin are cut to multiples of 2^(e-26), elements to multiples of 2^(f-24).
- * Then three products and the image are multiples of 2^(e+f-50), their sum at most
- * 2^52 + 2^27 of it.
+ * High parts add without error. In a block of points let a coordinate's difference
+ * from the origin be below 2^e, each with its own e, and for a column let its
+ * elements times 2^e, and the origin's image, be below B, a power of two. Points
+ * and the origin are cut to multiples of 2^(e-26), elements to multiples of
+ * 2^(-e-24) B. Then three products and the image are multiples of 2^-50 B, their
+ * sum at most 2^52 + 2^27 of it.
  *
- * The rest is, with B = 2^(e+f) and u = 2^-53,
+ * The rest is, with u = 2^-53,
  *
  *	lo = sum of (coordinate's rest) element + (cut coordinate) (element's rest)
  *
@@ -30,40 +31,12 @@ static int is_moderate(double largest)
 	return largest == 0 || (largest > 0x1p-200 && largest < 0x1p200);
 }
 
-/* A column's elements, cut for a block of points. */
-struct cut {
-	double high[4], rest[4], all[4];
-	double bound; /* of the error */
-};
-
 /* a to a multiple of unit, for |a| < 2^51 unit. */
 static double cut_to(double a, double unit)
 {
 	double s = 0x1.8p52 * unit;
 
 	return a + s - s;
-}
-
-/* False where that is beyond the range. */
-static int cut_column(const struct kernel_map *m, int j, int terms, int e,
-    struct cut *c)
-{
-	double most = 0;
-	int f = 0;
-
-	for (int i = 0; i < terms; i++)
-		most = fmax(most, fabs(m->hi[i][j]));
-	most = fmax(most, ldexp(fabs(m->hi[3][j]), -e));
-	frexp(most, &f);
-	for (int i = 0; i < 4; i++) {
-		double unit = ldexp(1, i < 3 ? f - 24 : e + f - 50);
-
-		c->high[i] = cut_to(m->hi[i][j], unit);
-		c->rest[i] = (m->hi[i][j] - c->high[i]) + m->lo[i][j];
-		c->all[i] = m->hi[i][j];
-	}
-	c->bound = most > 0 ? ldexp(COLUMN_BOUND, e + f) : 0;
-	return is_moderate(most);
 }
 
 static inline double least(V a)
@@ -77,41 +50,68 @@ static inline double least(V a)
 	return r;
 }
 
-/* The largest difference from the origin in a block. */
-static double largest_of(const struct kernel_map *m, int terms,
-    const double *const in[3], size_t n)
-{
-	V most = ALL(0);
-
-	for (size_t i = 0; i < n; i += WIDTH)
-		for (int k = 0; k < terms; k++) {
-			V d = ABS(LOAD(in[k] + i) - ALL(m->origin[k]));
-
-			most = MAX(d, most);
-		}
-	return -least(-most) * (1 + 0x1p-50);
-}
-
-/* The origin, to be taken off in two ways. Where it is less than 2^24 times as
- * large as the block, points are cut like it, and the parts subtracted; else
- * points lie so near to each other and to it that the whole difference is exact. */
-struct cut_origin {
-	double near[3], high[3], rest[3];
+/* What a block's coordinates have in common. Where the origin is less than 2^23
+ * times as large as the differences from it, points are cut like it, and the parts
+ * subtracted: high and rest. Else points lie so near to each other and to it that
+ * the whole difference is exact: near. */
+struct range {
+	double largest; /* of the differences, a little up */
+	int e;          /* below 2^e */
+	double near, high, rest;
 };
 
-static struct cut_origin cut_origin(const struct kernel_map *m, int terms,
-    int e)
+static struct range range_of(const double *in, double origin, size_t n)
 {
-	struct cut_origin o = { { 0 }, { 0 }, { 0 } };
+	struct range r = { 0, 0, 0, 0, 0 };
+	V most = ALL(0);
 
-	for (int k = 0; k < terms; k++)
-		if (fabs(m->origin[k]) < ldexp(1, e + 23)) {
-			o.high[k] = cut_to(m->origin[k], ldexp(1, e - 26));
-			o.rest[k] = m->origin[k] - o.high[k];
-		} else {
-			o.near[k] = m->origin[k];
-		}
-	return o;
+	for (size_t i = 0; i < n; i += WIDTH) {
+		V d = ABS(LOAD(in + i) - ALL(origin));
+
+		most = MAX(d, most);
+	}
+	r.largest = -least(-most) * (1 + 0x1p-50);
+	frexp(r.largest, &r.e);
+	if (!(fabs(origin) < ldexp(1, r.e + 23))) {
+		r.near = origin;
+		return r;
+	}
+	r.high = cut_to(origin, ldexp(1, r.e - 26));
+	r.rest = origin - r.high;
+	return r;
+}
+
+/* A column's elements, and its origin's image, cut for a block of points. */
+struct cut {
+	double high[4], rest[4], all[4];
+	double bound; /* of the error */
+};
+
+/* False where that is beyond the range. */
+static int cut_column(const struct kernel_map *m, int j, int terms,
+    const struct range *range, struct cut *c)
+{
+	double most = fabs(m->hi[3][j]);
+	int f = 0;
+
+	for (int i = 0; i < terms; i++)
+		if (range[i].largest > 0)
+			most = fmax(most, ldexp(fabs(m->hi[i][j]), range[i].e));
+	frexp(most, &f);
+	for (int i = 0; i < 4; i++) {
+		bool counts = i == 3 || (i < terms && range[i].largest > 0);
+		double unit = ldexp(1,
+		    i == 3     ? f - 50 :
+			counts ? f - 24 - range[i].e :
+				 0);
+
+		c->all[i] = counts ? m->hi[i][j] : 0;
+		c->high[i] = cut_to(c->all[i], unit);
+		c->rest[i] = counts ? (c->all[i] - c->high[i]) + m->lo[i][j] :
+				      0;
+	}
+	c->bound = most > 0 ? ldexp(COLUMN_BOUND, f) : 0;
+	return is_moderate(most);
 }
 
 typedef struct {
@@ -188,29 +188,30 @@ exact(const struct kernel_map *m, const double *const in[3],
 	const int terms = kind == KERNEL_FLAT ? 2 : 3;
 	const int divide = kind == KERNEL_DEPTH || kind == KERNEL_PROJECTIVE;
 	const int columns = kind == KERNEL_DEPTH ? 2 : terms;
-	const double largest = largest_of(m, terms, in, n);
+	struct range range[3];
 	struct cut c[4];
-	int moderate = is_moderate(largest), e = 0;
+	V shift[3], done = ALL(1);
+	int moderate = 1;
 
-	frexp(largest, &e);
-	const V shift = ALL(ldexp(0x1.8p52, e - 26));
-	const struct cut_origin o = cut_origin(m, terms, e);
-	V done = ALL(1);
-
+	for (int k = 0; k < terms; k++) {
+		range[k] = range_of(in[k], m->origin[k], n);
+		shift[k] = ALL(ldexp(0x1.8p52, range[k].e - 26));
+		moderate &= is_moderate(range[k].largest);
+	}
 	for (int j = 0; j < 4; j++)
 		if (j < columns || (j == 3 && divide))
-			moderate &= cut_column(m, j, terms, e, &c[j]);
+			moderate &= cut_column(m, j, terms, range, &c[j]);
 	for (size_t i = 0; i < n; i += WIDTH) {
 		V cut[3], rest[3], q[3], r = ALL(1), sure = ALL(moderate);
 		V bound = ALL(0);
 		vdd w = { r, bound };
 
 		for (int k = 0; k < terms; k++) {
-			V x = LOAD(in[k] + i) - ALL(o.near[k]);
-			V high = (x + shift) - shift;
+			V x = LOAD(in[k] + i) - ALL(range[k].near);
+			V high = (x + shift[k]) - shift[k];
 
-			cut[k] = high - ALL(o.high[k]);
-			rest[k] = (x - high) - ALL(o.rest[k]);
+			cut[k] = high - ALL(range[k].high);
+			rest[k] = (x - high) - ALL(range[k].rest);
 		}
 		if (divide) {
 			w = column(&c[3], cut, rest, terms);
