@@ -80,18 +80,13 @@ void map_then(const struct map *a, const struct map *b, struct map *r)
 			set_element(r, i, j, a, b);
 }
 
-void map_column(const struct map *m, int j, const double p[3], double w,
+void map_column(const struct map *m, int j, const struct sum p[4],
     struct sum *r)
 {
-	const struct sum *x[4], *y[4];
-	struct sum given[4];
+	const struct sum *const x[4] = { &p[0], &p[1], &p[2], &p[3] };
+	const struct sum *const y[4] = { &m->m[0][j], &m->m[1][j], &m->m[2][j],
+		&m->m[3][j] };
 
-	for (int i = 0; i < 4; i++) {
-		ex_set(&given[i].value, i < 3 ? p[i] : w);
-		given[i].size = (struct magnitude){ 0, 0 };
-		x[i] = &given[i];
-		y[i] = &m->m[i][j];
-	}
 	sum_dot(4, x, y, r);
 }
 

@@ -35,9 +35,8 @@ bool map_inverse(const double m[4][4], struct map *inverse);
 struct sum map_minor(int n, const struct sum m[4][4], unsigned rows,
     unsigned columns);
 
-/* Column j of the image of (p, w). */
-void map_column(const struct map *, int j, const double p[3], double w,
-    struct sum *);
+/* Column j of the image of a homogeneous point. */
+void map_column(const struct map *, int j, const struct sum p[4], struct sum *);
 
 /* Whether the last column is 0 0 0 1. */
 bool map_is_affine(const struct map *);

@@ -4,19 +4,25 @@
 
 #include "quick.h"
 
-static void set_column(const struct transform *t, int j, const double in[4],
-    struct sum *r)
+/* The point as the map takes it. */
+static void set_point(const struct transform *t, const double in[4],
+    struct sum p[4])
 {
-	const double p[3] = { in[0], in[1], t->in > 2 ? in[2] : 0 };
+	double w = t->in == 4 && !t->reciprocal ? in[3] : 1;
 
-	map_column(&t->map, j, p, t->in == 4 && !t->reciprocal ? in[3] : 1, r);
+	for (int i = 0; i < 4; i++) {
+		ex_set(&p[i].value, i == 3 ? w : i < t->in ? in[i] : 0);
+		p[i].size.m = 0;
+		p[i].size.e = 0;
+	}
 }
 
 struct sum point_column(const struct transform *t, int j, const double in[4])
 {
-	struct sum r;
+	struct sum p[4], r;
 
-	set_column(t, j, in, &r);
+	set_point(t, in, p);
+	map_column(&t->map, j, p, &r);
 	return r;
 }
 
@@ -28,17 +34,16 @@ static bool has_nan(const struct transform *t, const double in[4])
 	return false;
 }
 
-/* What the image is divided by. False where there is no image. */
-static bool find_w(const struct transform *t, const double in[4], struct sum *w)
+/* What the image of p is divided by. False where there is no image. */
+static bool find_w(const struct transform *t, const double in[4],
+    const struct sum p[4], struct sum *w)
 {
-	if (has_nan(t, in))
-		return false;
 	if (!t->divide)
 		return true;
 	if (t->reciprocal && t->out == 4)
 		*w = sum_of_double(in[3]);
 	else
-		set_column(t, 3, in, w);
+		map_column(&t->map, 3, p, w);
 	int sign = sum_sign(*w);
 
 	return t->front ? sign > 0 : sign != 0;
@@ -46,17 +51,21 @@ static bool find_w(const struct transform *t, const double in[4], struct sum *w)
 
 void point_exact(const struct transform *t, const double in[4], double out[4])
 {
-	struct sum q, w;
-	bool image = find_w(t, in, &w);
+	struct sum p[4], q, w;
 
-	for (int j = 0; j < t->out; j++) {
+	for (int j = 0; j < t->out; j++)
 		out[j] = (double)NAN;
-		if (!image)
-			continue;
-		set_column(t, j, in, &q);
+	if (has_nan(t, in))
+		return;
+	set_point(t, in, p);
+	if (!find_w(t, in, p, &w))
+		return;
+	for (int j = 0; j < t->out; j++) {
+		map_column(&t->map, j, p, &q);
 		double v = sum_nearest(&q, t->divide ? &w : NULL, false);
 
-		out[j] = isfinite(v) ? v : (double)NAN;
+		if (isfinite(v))
+			out[j] = v;
 	}
 }
 
@@ -91,11 +100,14 @@ float point_single(const struct transform *t, const double in[4], int j,
 {
 	float a = (float)image;
 	float b = nextafterf(a, (double)a < image ? INFINITY : -INFINITY);
-	struct sum q, w;
+	struct sum p[4], q, w;
 
-	if ((double)a / 2 + (double)b / 2 != image || !find_w(t, in, &w))
+	if ((double)a / 2 + (double)b / 2 != image)
 		return a;
-	set_column(t, j, in, &q);
+	set_point(t, in, p);
+	if (!find_w(t, in, p, &w))
+		return a;
+	map_column(&t->map, j, p, &q);
 	return (float)sum_nearest(&q, t->divide ? &w : NULL, true);
 }
 

@@ -39,15 +39,16 @@ static bool carry_four(const struct transform *t, const double *const in[4],
 	return false;
 }
 
-/* Point i, with the care that it takes. */
+/* Point i, in double-double where that has a chance: what is not divided and was
+ * left by a kernel lies midway between two doubles, as a rule. */
 static void carry_one(const struct transform *t, const double *const in[4],
-    double *const out[4], size_t i)
+    double *const out[4], size_t i, bool left)
 {
 	double p[4], q[4];
 
 	for (int j = 0; j < t->in; j++)
 		p[j] = in[j][i];
-	if (!point_quick(t, p, q))
+	if ((left && !t->divide) || !point_quick(t, p, q))
 		point_exact(t, p, q);
 	for (int j = 0; j < t->out; j++)
 		out[j][i] = q[j];
@@ -65,7 +66,7 @@ static void carry_exact(const struct transform *t, const double *const in[4],
 		return;
 	for (size_t i = 0; i < n; i++)
 		if (!tried || isnan(out[0][i]))
-			carry_one(t, in, out, i);
+			carry_one(t, in, out, i, tried);
 		else if (isinf(out[0][i]))
 			for (int j = 0; j < t->out; j++)
 				out[j][i] = (double)NAN;

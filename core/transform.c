@@ -8,16 +8,19 @@ static void set_kernel_map(struct transform *t)
 {
 	struct kernel_map *k = &t->for_kernel;
 	const struct map *m = &t->map;
+	struct sum origin[4] = { [3] = sum_of_double(1) };
 
-	for (int i = 0; i < 3; i++)
+	for (int i = 0; i < 3; i++) {
 		k->origin[i] = m->origin[i];
+		origin[i] = sum_of_double(m->origin[i]);
+	}
 	for (int j = 0; j < 4; j++) {
 		k->most[j] = 0;
 		for (int i = 0; i < 4; i++) {
 			struct sum image = m->m[i][j];
 
 			if (i == 3)
-				map_column(m, j, m->origin, 1, &image);
+				map_column(m, j, origin, &image);
 			dd e = sum_dd(image);
 
 			k->exact[i][j] = image.size.m == 0 && e.lo == 0 &&
