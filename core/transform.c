@@ -3,6 +3,15 @@
 #include <math.h>
 #include <string.h>
 
+/* What is below all doubles becomes the smallest, so that only what is 0 counts
+ * for nothing. */
+static dd rounded(struct sum s)
+{
+	dd e = sum_dd(s);
+
+	return e.hi == 0 ? (dd){ sum_sign(s) * 0x1p-1074, 0 } : e;
+}
+
 /* Rounds the map, seen from its origin. */
 static void set_kernel_map(struct transform *t)
 {
@@ -12,13 +21,15 @@ static void set_kernel_map(struct transform *t)
 	for (int i = 0; i < 3; i++)
 		k->origin[i] = m->origin[i];
 	for (int j = 0; j < 4; j++) {
-		k->most[j] = 0;
+		k->most[j] = k->none[j] = 0;
 		for (int i = 0; i < 4; i++) {
-			dd e = sum_dd(i < 3 ? m->m[i][j] :
-					      map_column(m, j, m->origin, 1));
+			struct sum s = i < 3 ? m->m[i][j] :
+					       map_column(m, j, m->origin, 1);
+			dd e = rounded(s);
 
 			k->hi[i][j] = e.hi;
 			k->lo[i][j] = e.lo;
+			k->none[j] += 0x1p-189 * sum_most(s);
 			if (i < 3)
 				k->most[j] = fmax(k->most[j], fabs(e.hi));
 		}

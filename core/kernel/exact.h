@@ -18,13 +18,17 @@
  * three terms, 1.5 u 2^-26 B: together 28.5 u 2^-26 B < 2^-74.1 B. */
 #include "kernel.h"
 
-/* The bound that is used, in units of B. Where |hi| < |lo| normalise() costs up
- * to 4.5 (2 u) 2^-26 B more: still below half of it. The other half is for what
- * the quotient and the test itself round, 2^-100 of a coordinate. */
-#define COLUMN_BOUND 0x1p-72
+/* The proofs compile this file for numbers of other digits, too: with theirs in
+ * the place of a double's. */
+#ifndef DIGITS
+#define DIGITS 53
+#define COLUMN_BOUND 0x1p-72 /* of B */
+#define DEPTH_BOUND 0x1p-100 /* of a */
+#define EXPONENT_MAX 200     /* of e and f: nothing underflows or overflows */
+#endif
 
-/* Exponents e and f for which nothing underflows or overflows. */
-enum { EXPONENT_MAX = 200 };
+/* Binary places that are left to coordinates and elements by their cuts. */
+enum { POINT_CUT = DIGITS / 2, ELEMENT_CUT = DIGITS - 2 - POINT_CUT };
 
 /* A column's elements, cut for a block of points. */
 struct cut {
@@ -32,12 +36,29 @@ struct cut {
 	double bound; /* of the error */
 };
 
-/* a to a multiple of unit, for |a| < 2^51 unit. */
+/* What rounds a to a multiple of unit, added and subtracted again, while
+ * |a| < 2^(DIGITS-2) unit. */
+static double rounder(double unit)
+{
+	return ldexp(1.5, DIGITS - 1) * unit;
+}
+
 static double cut_to(double a, double unit)
 {
-	double s = 0x1.8p52 * unit;
+	double s = rounder(unit);
 
 	return a + s - s;
+}
+
+/* e of the least 2^e above a >= 0; 0 for 0. */
+static int exponent(double a)
+{
+	int e = 0;
+
+	if (!(a < HUGE_VAL))
+		return EXPONENT_MAX;
+	frexp(a, &e);
+	return e;
 }
 
 static int is_moderate(int e)
@@ -45,26 +66,45 @@ static int is_moderate(int e)
 	return e > -EXPONENT_MAX && e < EXPONENT_MAX;
 }
 
+static double none_of(const struct kernel_map *m, int j, int e)
+{
+	return ldexp(m->none[j], e > 0 ? e : 0);
+}
+
 /* False where that is beyond the range. */
 static int cut_column(const struct kernel_map *m, int j, int terms, int e,
     struct cut *c)
 {
 	double most = 0;
-	int f = 0;
 
 	for (int i = 0; i < terms; i++)
 		most = fmax(most, fabs(m->hi[i][j]));
 	most = fmax(most, ldexp(fabs(m->hi[3][j]), -e));
-	frexp(most, &f);
+	int f = exponent(most);
+
 	for (int i = 0; i < 4; i++) {
-		double unit = ldexp(1, i < 3 ? f - 25 : e + f - 51);
+		double unit = ldexp(1,
+		    (i < 3 ? f : e + f - POINT_CUT) - ELEMENT_CUT);
 
 		c->high[i] = cut_to(m->hi[i][j], unit);
 		c->rest[i] = (m->hi[i][j] - c->high[i]) + m->lo[i][j];
 		c->all[i] = m->hi[i][j];
 	}
 	c->bound = most > 0 ? ldexp(COLUMN_BOUND, e + f) : 0;
+	c->bound += none_of(m, j, e);
 	return is_moderate(f);
+}
+
+/* As much of a w + b as the kernel map's sums hold for none. */
+static double depth_none(const struct kernel_map *m, int e)
+{
+	return none_of(m, 2, e) + fabs(m->a_hi) * none_of(m, 3, e);
+}
+
+static int is_depth_moderate(const struct kernel_map *m)
+{
+	return is_moderate(exponent(fabs(m->a_hi))) &&
+	    is_moderate(exponent(fabs(m->b_hi)));
 }
 
 static inline double least(V a)
@@ -83,7 +123,6 @@ static int exponent_of(const struct kernel_map *m, int terms,
     const double *const in[3], size_t n)
 {
 	V most = ALL(0);
-	int e;
 
 	for (size_t i = 0; i < n; i += WIDTH)
 		for (int k = 0; k < terms; k++) {
@@ -91,8 +130,7 @@ static int exponent_of(const struct kernel_map *m, int terms,
 
 			most = MAX(d, most);
 		}
-	frexp(-least(-most) * (1 + 0x1p-50), &e);
-	return e;
+	return exponent(-least(-most) * (1 + ldexp(1, 3 - DIGITS)));
 }
 
 typedef struct {
@@ -148,15 +186,15 @@ static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
 	return round_surely(q, rest * reciprocal, error, sure);
 }
 
-/* a + b / w. */
-static inline V depth(const struct kernel_map *m, vdd w, V reciprocal,
+/* a + b / w; at least none is lost of a w + b. */
+static inline V depth(const struct kernel_map *m, vdd w, V reciprocal, V none,
     V w_bound, V *sure)
 {
 	V b = ALL(m->b_hi), q = b * reciprocal;
 	V rest = FMA(-q, w.hi, b) + MADD(-q, w.lo, ALL(m->b_lo));
 	vdd s = v_two_sum(ALL(m->a_hi), q);
-	V error = MADD(ABS(q), reciprocal * w_bound,
-	    ALL(0x1p-100 * fabs(m->a_hi)));
+	V error = MADD(reciprocal, MADD(ABS(q), w_bound, none),
+	    ALL(DEPTH_BOUND * fabs(m->a_hi)));
 
 	return round_surely(s.hi, s.lo + MADD(rest, reciprocal, ALL(m->a_lo)),
 	    error, sure);
@@ -170,9 +208,11 @@ exact(const struct kernel_map *m, const double *const in[3],
 	const int divide = kind == KERNEL_DEPTH || kind == KERNEL_PROJECTIVE;
 	const int columns = kind == KERNEL_DEPTH ? 2 : terms;
 	const int e = exponent_of(m, terms, in, n);
-	const V shift = ALL(ldexp(0x1.8p52, e - 26));
+	const V none = ALL(depth_none(m, e));
+	const V shift = ALL(rounder(ldexp(1, e - POINT_CUT)));
 	struct cut c[4];
-	int moderate = is_moderate(e);
+	int moderate = is_moderate(e) &&
+	    (kind != KERNEL_DEPTH || is_depth_moderate(m));
 	V done = ALL(1);
 
 	for (int j = 0; j < 4; j++)
@@ -202,9 +242,9 @@ exact(const struct kernel_map *m, const double *const in[3],
 			    round_surely(s.hi, s.lo, ALL(c[k].bound), &sure);
 		}
 		if (kind == KERNEL_DEPTH)
-			q[2] = depth(m, w, r, bound, &sure);
+			q[2] = depth(m, w, r, none, bound, &sure);
 		if (divide)
-			sure = CHOOSE(w.hi, sure,
+			sure = CHOOSE(w.hi - bound, sure,
 			    CHOOSE(-(w.hi + bound), ALL(-1), ALL(0)));
 		q[0] = CHOOSE(sure, q[0],
 		    CHOOSE(-sure, ALL(INFINITY), ALL(NAN)));
