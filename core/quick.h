@@ -69,8 +69,9 @@ static inline struct quick quick_column(const struct kernel_map *k, int j,
 	for (int i = 0; i < 4; i++)
 		quick_add(&s, p[i], fabs(p[i].hi), quick_element(k, i, j),
 		    k->exact[i][j]);
-	s.size += k->none[j] / QUICK_BOUND *
-	    (fabs(p[0].hi) + fabs(p[1].hi) + fabs(p[2].hi) + 1);
+	if (s.size > 0)
+		s.size += k->none[j] / QUICK_BOUND *
+		    (fabs(p[0].hi) + fabs(p[1].hi) + fabs(p[2].hi) + 1);
 	return s;
 }
 
