@@ -24,11 +24,13 @@ static bool carry_four(const struct transform *t, const double *const in[4],
 	double unused[2][POINTS_BLOCK];
 	double *const last[3] = { out[3], unused[0], unused[1] };
 
-	for (int j = 0; j < 3; j++)
+	for (int j = 0; j < 3; j++) {
+		w.none[j] = w.none[3];
 		for (int i = 0; i < 4; i++) {
 			w.hi[i][j] = w.hi[i][3];
 			w.lo[i][j] = w.lo[i][3];
 		}
+	}
 	bool done = affine(&t->for_kernel, in, out, n);
 
 	if (affine(&w, in, last, n))

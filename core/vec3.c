@@ -20,9 +20,20 @@ void vec3_cross(const struct sum a[3], const struct sum b[3], struct sum r[3])
 	}
 }
 
+/* As far as a is off, its length is at most. So its size is the sum of the
+ * elements', and not of their squares. */
 struct sum vec3_length(const struct sum a[3])
 {
-	return sum_sqrt(vec3_dot(a, a));
+	struct sum r = sum_sqrt(vec3_dot(a, a));
+
+	if (r.size.m == 0)
+		return r;
+	struct sum size = sum_inexact(r.value);
+
+	for (int i = 0; i < 3; i++)
+		size = sum_add(size, (struct sum){ ex_of(0), a[i].size });
+	r.size = size.size;
+	return r;
 }
 
 bool vec3_is_zero(const struct sum a[3])

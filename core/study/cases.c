@@ -150,10 +150,10 @@ static void turned_and_squared(struct scene *s, double turns)
 /* On the screen, at such a z of view space. */
 static void on_screen(const struct map *clip, double z, double p[3])
 {
-	double w = z * clip->m[2][3].hi + clip->m[3][3].hi;
+	double w = z * element(clip, 2, 3) + element(clip, 3, 3);
 
 	for (int i = 0; i < 2; i++)
-		p[i] = sample_between(-1, 1) * w / clip->m[i][i].hi;
+		p[i] = sample_between(-1, 1) * w / element(clip, i, i);
 	p[2] = z;
 }
 

@@ -14,7 +14,7 @@ static void nearest_rotation(double m[4][4])
 	if (camera_map(&c, true, false, &r) != NULL)
 		return;
 	for (int i = 0; i < 9; i++)
-		m[i / 3][i % 3] = r.m[i / 3][i % 3].hi;
+		m[i / 3][i % 3] = element(&r, i / 3, i % 3);
 }
 
 #define REAL float

@@ -68,18 +68,14 @@ static bool projector_of(const struct scene *s, const struct taxonomy *t,
 	bool minus_one = s->convention.minus_one;
 	double low = minus_one ? -1 : 0;
 	bool deep = plane == 1 ? !t->reversed : t->reversed;
-	struct truth truth;
-	real inverse[4][4], sum[4][4], a[4], b[4], normal[3];
+	real inverse[4][4], a[4], b[4], normal[3];
 	bool parallel = t->taxon <= TAXON_OBLIQUE;
 
-	truth_scene(s, SPACE_CLIP, SPACE_VIEW, &truth);
-	truth_matrix(&truth, inverse, sum);
-	truth_scene(s, SPACE_VIEW, SPACE_CLIP, &truth);
-	truth_matrix(&truth, p->m, sum);
+	truth_matrix(s, SPACE_CLIP, SPACE_VIEW, inverse);
+	truth_matrix(s, SPACE_VIEW, SPACE_CLIP, p->m);
 	for (int i = 0; i < 3; i++)
 		normal[i] = p->m[i][parallel ? 2 : 3];
-	truth_scene(s, SPACE_VIEW, SPACE_DEVICE, &truth);
-	truth_matrix(&truth, p->m, sum);
+	truth_matrix(s, SPACE_VIEW, SPACE_DEVICE, p->m);
 	place(inverse, deep ? low : 1, b);
 	if (!place(inverse, deep ? 1 : low, a))
 		return false;

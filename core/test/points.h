@@ -2,8 +2,6 @@
 #ifndef BLOCK_H
 #define BLOCK_H
 
-#include <math.h>
-
 #include "../points.h"
 #include "sample.h"
 #include "truth.h"
@@ -16,51 +14,49 @@ struct block {
 	bool single[POINTS_BLOCK];
 };
 
-static inline void carry(const struct transform *t, struct accuracy e,
-    struct block *b, size_t n)
-{
-	const double *const in[4] = { b->in[0], b->in[1], b->in[2], b->in[3] };
-	double *const out[4] = { b->out[0], b->out[1], b->out[2], b->out[3] };
+static const char *const copies[] = { "baseline", "avx2", "avx512" };
 
-	points_carry(t, &e, in, out, b->single, n);
-}
+enum { COPIES = sizeof copies / sizeof *copies };
+
+void carry(const struct transform *, struct accuracy, struct block *, size_t n);
+
+/* Carries exactly. */
+void carry_all(const struct transform *, struct block *, size_t n);
+
+void point_of(const struct block *, size_t i, double p[4]);
 
 /* Points about what the camera looks at, some of them far, in its plane, or
  * equal to the eye. */
-static inline void sample_points(const struct scene *s, enum space from,
-    struct block *b, size_t n)
-{
-	for (size_t i = 0; i < n; i++)
-		for (int j = 0; j < 4; j++) {
-			double near = from <= SPACE_WORLD && s->has_camera &&
-				s->camera.by != CAMERA_MATRIX && j < 3 ?
-			    s->camera.eye[j] :
-			    0;
-			double d = sample_number(sample_below(4) == 0 ? 6 : 1);
+void sample_points(const struct scene *, enum space from, struct block *,
+    size_t n);
 
-			if (from >= SPACE_NDC)
-				d = sample_between(-1, 2);
-			if (sample_below(6) == 0)
-				d = rint(d);
-			b->in[j][i] = near + d;
-		}
-}
+/* A transform of a scene between any two spaces, of any format, flat ones too,
+ * and its truth. Returns false where it is refused. */
+bool sample_transform(int e, struct scene *, enum space *from,
+    struct transform *, struct truth *);
 
-/* The exact image of point i, divided where it is. Returns false where there
- * is none: w is not positive, or lost in its bound. */
-static inline bool exact_image(const struct truth *truth,
-    const struct transform *t, const struct block *b, size_t i, real q[4],
-    real sum[4])
-{
-	double p[4] = { b->in[0][i], b->in[1][i], b->in[2][i],
-		t->in == 4 ? b->in[3][i] : 1 };
+/* A point's image, before the division: n[j] / d. */
+struct image {
+	struct form n[4], d;
+	bool seen;     /* there is one */
+	bool doubtful; /* by the 2^-190 rule it may be the other way round */
+};
 
-	truth_image(truth, p, q, sum);
-	if (!t->divide)
-		return true;
-	double w = mpfr_get_d(over(q[3], sum[3]), MPFR_RNDN);
+void image_of(const struct truth *, const struct transform *, const double p[4],
+    struct image *);
 
-	return t->front ? w > 0x1p-90 : fabs(w) > 0x1p-90;
-}
+/* How coordinates came out. */
+struct tally {
+	size_t n[VERDICTS];
+};
+
+/* An image as it ought to be, nan where there is none. */
+void judge_image(const struct image *, int coordinates, const double *got,
+    bool single, struct tally *);
+
+/* The images of a block, or the floats that they are printed as; says which
+ * points are wrong. */
+void judge_block(const struct truth *, const struct transform *,
+    const struct block *, size_t n, bool single, struct tally *);
 
 #endif

@@ -118,51 +118,38 @@ void set_unit(real r[4][4])
 			r[i][j] = number(i == j);
 }
 
-static void swap(real a[4], real b[4])
+/* Of the matrix without row i and column j, with the sign of their place. What
+ * cancels but for rounding errors is 0. */
+static real cofactor(real m[4][4], int i, int j)
 {
-	real t[4];
+	real s = number(0), size = number(0);
 
-	memcpy(t, a, sizeof t);
-	memmove(a, b, sizeof t);
-	memcpy(b, t, sizeof t);
+	for (int k = 1; k < 4; k++)
+		for (int l = 1; l < 3; l++) {
+			int a = (j + k) % 4, b = (j + 1 + (k - 1 + l) % 3) % 4;
+			int c = (j + 1 + (k - 1 + 3 - l) % 3) % 4;
+			real p = mul(mul(m[(i + 1) % 4][a], m[(i + 2) % 4][b]),
+			    m[(i + 3) % 4][c]);
+
+			s = l == 1 ? add(s, p) : sub(s, p);
+			size = add(size, magnitude(p));
+		}
+	if (is_zero(s, size))
+		return number(0);
+	return (i + j) % 2 ? negative(s) : s;
 }
 
-/* a - f b */
-static void eliminate(real a[4], real f, real b[4])
-{
-	for (int j = 0; j < 4; j++)
-		a[j] = sub(a[j], mul(f, b[j]));
-}
-
-/* Gauss and Jordan, with pivots. */
 void set_inverse(real r[4][4], real m[4][4])
 {
-	real a[4][4];
+	real det = number(0), a[4][4];
 
-	memcpy(a, m, sizeof a);
-	set_unit(r);
-	for (int k = 0; k < 4; k++) {
-		int p = k;
-
-		for (int i = k + 1; i < 4; i++)
-			if (mpfr_cmpabs(a[i][k], a[p][k]) > 0)
-				p = i;
-		swap(a[k], a[p]);
-		swap(r[k], r[p]);
-		real pivot = a[k][k];
-
-		for (int j = 0; j < 4; j++) {
-			a[k][j] = over(a[k][j], pivot);
-			r[k][j] = over(r[k][j], pivot);
-		}
-		for (int i = 0; i < 4; i++)
-			if (i != k) {
-				real f = a[i][k];
-
-				eliminate(a[i], f, a[k]);
-				eliminate(r[i], f, r[k]);
-			}
-	}
+	for (int i = 0; i < 4; i++)
+		for (int j = 0; j < 4; j++)
+			a[j][i] = cofactor(m, i, j);
+	for (int j = 0; j < 4; j++)
+		det = add(det, mul(m[0][j], a[j][0]));
+	for (int i = 0; i < 16; i++)
+		r[i / 4][i % 4] = over(a[i / 4][i % 4], det);
 }
 
 real dot(real a[], real b[], int n)
@@ -224,13 +211,14 @@ void orthonormalise(real m[4][4])
 	}
 }
 
-/* Half the bits, though so much cancels nowhere. */
+/* Two thirds of the bits: terms of 1e150 cubed and of 1e-150 cubed differ by
+ * half of them. */
 bool is_zero(real a, real size)
 {
 	int mark = real_mark();
 	real least = fresh();
 
-	mpfr_mul_2si(least, size, -REAL_BITS / 2, MPFR_RNDN);
+	mpfr_mul_2si(least, size, -REAL_BITS / 3 * 2, MPFR_RNDN);
 	bool zero = mpfr_cmpabs(a, least) <= 0;
 
 	real_release(mark);

@@ -1,14 +1,7 @@
-#include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <string.h>
-
-#include <cmocka.h>
-
+/* The names of projections, and matrices whose near plane is found. */
 #include "../taxonomy.h"
+
+#include "claims.h"
 
 static void kinds_have_their_names(void **state)
 {
@@ -79,7 +72,8 @@ static void obliques_have_their_names(void **state)
 	}
 }
 
-/* One view volume, written in every convention, and again as a bare matrix. */
+/* One view volume, written in every convention, and again as a bare matrix, whose
+ * near plane is the one next to the eye. */
 static void eyes_are_on_their_side(void **state)
 {
 	struct scene s = { 0 };
@@ -89,7 +83,9 @@ static void eyes_are_on_their_side(void **state)
 	(void)state;
 	for (int k = 0; k < 16; k++) {
 		bool reverse = k & 1, right = k & 2, bare = k & 4;
-		enum taxon taxon = reverse ? TAXON_REVERSE : TAXON_PERSPECTIVE;
+		bool turned = reverse && bare;
+		enum taxon taxon = reverse && !bare ? TAXON_REVERSE :
+						      TAXON_PERSPECTIVE;
 		double sign = right ? -1 : 1;
 		struct map m;
 
@@ -104,15 +100,16 @@ static void eyes_are_on_their_side(void **state)
 			.inverse_eye_z = reverse ? 0.25 * sign : -sign };
 		assert_null(projection_map(p, &s.convention, false, &m));
 		for (int i = 0; i < 16; i++)
-			p->matrix[i / 4][i % 4] = m.m[i / 4][i % 4].hi;
+			p->matrix[i / 4][i % 4] = element(&m, i / 4, i % 4);
 		if (bare)
 			p->type = PROJECTION_MATRIX;
 		assert_null(taxonomy_of(&s, &t));
 		assert_int_equal(t.taxon, taxon);
 		assert_true(t.eye[2] == (reverse ? 4 : -1) * sign);
-		assert_true(t.gaze[2] == sign);
-		assert_true(fabs(t.corner[0][2]) == 1);
-		assert_true(fabs(t.corner[7][2]) == 2);
+		assert_int_equal(t.reversed, turned);
+		assert_true(t.gaze[2] == (turned ? -sign : sign));
+		assert_true(fabs(t.corner[0][2]) == (turned ? 2 : 1));
+		assert_true(fabs(t.corner[7][2]) == (turned ? 1 : 2));
 	}
 }
 
@@ -140,7 +137,8 @@ static void depth_may_be_reversed(void **state)
 			p->type = PROJECTION_MATRIX;
 			p->reverse_z = false;
 			for (int i = 0; i < 16; i++)
-				p->matrix[i / 4][i % 4] = m.m[i / 4][i % 4].hi;
+				p->matrix[i / 4][i % 4] = element(&m, i / 4,
+				    i % 4);
 		}
 		assert_null(taxonomy_of(&s, &t));
 		assert_true(t.reversed);

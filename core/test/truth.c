@@ -1,127 +1,211 @@
 #include "truth.h"
 
+#include <math.h>
 #include <string.h>
 
 struct truth_stage *truth_stage(struct truth *t)
 {
 	struct truth_stage *s = &t->stage[t->n++];
 
-	set(s->before, 3, NULL);
 	set_unit(s->m);
-	set(s->after, 3, NULL);
+	memset(s->size, 0, sizeof s->size);
 	return s;
 }
 
-/* A point under way: v + w c. A translation c isn't added to v until the next
- * stage's before has been taken from it, as their difference is one number. */
-struct point {
-	real v[4], sum[4], c[3];
-};
-
-static void join(struct point *p)
+static real size_of(const struct truth_stage *s, int i, int j)
 {
-	for (int k = 0; k < 3; k++) {
-		p->v[k] = add(p->v[k], mul(p->v[3], p->c[k]));
-		p->sum[k] = add(p->sum[k], mul(p->sum[3], magnitude(p->c[k])));
-		p->c[k] = number(0);
-	}
+	return s->size[i][j] != NULL ? s->size[i][j] : magnitude(s->m[i][j]);
 }
 
-static void pass(struct point *p, const struct truth_stage *s)
+static void then(struct truth_stage *r, const struct truth_stage *s)
 {
-	real v[4], sum[4];
+	struct truth_stage product;
 
-	for (int k = 0; k < 3; k++)
-		p->c[k] = sub(p->c[k], s->before[k]);
-	join(p);
-	set(v, 4, NULL);
-	set(sum, 4, NULL);
-	for (int k = 0; k < 4; k++)
+	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++) {
-			v[j] = add(v[j], mul(p->v[k], s->m[k][j]));
-			sum[j] = add(sum[j],
-			    mul(p->sum[k], magnitude(s->m[k][j])));
+			real v = number(0), size = number(0);
+
+			for (int k = 0; k < 4; k++) {
+				v = add(v, mul(r->m[i][k], s->m[k][j]));
+				size = add(size,
+				    mul(r->size[i][k], size_of(s, k, j)));
+			}
+			product.m[i][j] = v;
+			product.size[i][j] = size;
 		}
-	memcpy(p->v, v, sizeof v);
-	memcpy(p->sum, sum, sizeof sum);
-	memcpy(p->c, s->after, sizeof p->c);
+	*r = product;
 }
 
-void truth_image(const struct truth *t, const double at[4], real q[4],
-    real sum[4])
+void truth_compose(struct truth *t)
 {
-	struct point p;
-	bool place = at[3] == 1;
-
-	set(p.v, 4, place ? (double[]){ 0, 0, 0, 1 } : at);
-	set(p.c, 3, place ? at : NULL);
-	for (int k = 0; k < 4; k++)
-		p.sum[k] = magnitude(p.v[k]);
+	set_unit(t->all.m);
+	set_unit(t->all.size);
 	for (int i = 0; i < t->n; i++)
-		pass(&p, &t->stage[i]);
-	join(&p);
-	memcpy(q, p.v, sizeof p.v);
-	memcpy(sum, p.sum, sizeof p.sum);
+		then(&t->all, &t->stage[i]);
 }
 
-void truth_matrix(const struct truth *t, real m[4][4], real sum[4][4])
+struct form form_of(double a)
 {
-	for (int i = 0; i < 4; i++) {
-		double unit[4] = { 0 };
-
-		unit[i] = 1;
-		truth_image(t, unit, m[i], sum[i]);
-	}
+	return (struct form){ number(a), magnitude(number(a)) };
 }
 
-double truth_kappa(real q[4], real sum[4], int j, bool divided)
+struct form form_add(struct form a, struct form b)
 {
-	real kappa = over(sum[j], magnitude(q[j]));
-
-	if (divided)
-		kappa = mul(kappa, over(sum[3], magnitude(q[3])));
-	return mpfr_get_d(kappa, MPFR_RNDN);
+	return (struct form){ add(a.value, b.value), add(a.size, b.size) };
 }
 
-/* One element: how far it is off, how far what it prints, and whether it is 0
- * where the truth is. */
-static void compare(dd got, double size, real exact, real sum, struct worst *w)
+struct form form_sub(struct form a, struct form b)
 {
-	double kappa = mpfr_get_d(over(sum, magnitude(exact)), MPFR_RNDU);
-	double e = u2_error(got, exact, size);
+	return (struct form){ sub(a.value, b.value), add(a.size, b.size) };
+}
 
-	if (!(e <= w->error))
-		w->error = e;
-	if (is_zero(exact, sum)) {
-		w->ghosts += got.hi != 0 || got.lo != 0;
-		return;
-	}
-	/* Of doubles below 2^-968 the low part would be below the least double. */
-	e = (ulps(got.hi, exact) - 0.5) / kappa * 0x1p47;
-	if (!(e <= w->printed) && mpfr_cmpabs(exact, number(0x1p-968)) > 0)
-		w->printed = e;
-	e = size / mpfr_get_d(sum, MPFR_RNDU);
-	if (!(e <= w->size))
-		w->size = e;
+struct form form_mul(struct form a, struct form b)
+{
+	return (struct form){ mul(a.value, b.value), mul(a.size, b.size) };
+}
+
+struct form form_dot(const struct form a[3], const struct form b[3])
+{
+	struct form s = form_of(0);
+
+	for (int i = 0; i < 3; i++)
+		s = form_add(s, form_mul(a[i], b[i]));
+	return s;
+}
+
+struct form form_length(const struct form v[3])
+{
+	real r = root(form_dot(v, v).value);
+
+	return (struct form){ r,
+		add(add(r, v[0].size), add(v[1].size, v[2].size)) };
+}
+
+struct form truth_column(const struct truth *t, int j, const double p[4])
+{
+	struct form s = form_of(0);
+
+	for (int i = 0; i < 4; i++)
+		if (p[i] != 0)
+			s = form_add(s,
+			    form_mul(form_of(p[i]), truth_element(t, i, j)));
+	return s;
+}
+
+struct form truth_element(const struct truth *t, int i, int j)
+{
+	return (struct form){ t->all.m[i][j], t->all.size[i][j] };
+}
+
+/* Twice as much as sum.h takes for none: sizes are counted in other ways. */
+static real rule(real size)
+{
+	return mul(size, number(0x1p-189));
+}
+
+int truth_sign(struct form a, bool *doubtful)
+{
+	if (doubtful != NULL)
+		*doubtful = mpfr_cmpabs(a.value, rule(a.size)) <= 0;
+	return is_zero(a.value, a.size) ? 0 : mpfr_sgn(a.value);
+}
+
+static double rounded(real a, bool single)
+{
+	return single ? (double)mpfr_get_flt(a, MPFR_RNDN) :
+			mpfr_get_d(a, MPFR_RNDN);
+}
+
+static bool is_even(double a, bool single)
+{
+	float narrow = (float)a;
+	uint64_t bits;
+	uint32_t narrow_bits;
+
+	memcpy(&bits, &a, sizeof bits);
+	memcpy(&narrow_bits, &narrow, sizeof narrow_bits);
+	return ((single ? narrow_bits : bits) & 1) == 0;
+}
+
+/* Of two, when their midpoint is within so much of a, the even one. */
+static double nearest(real a, real within, bool single)
+{
+	double low = rounded(sub(a, within), single);
+	double high = rounded(add(a, within), single);
+
+	return is_even(low, single) ? low : high;
+}
+
+static enum verdict judge(double printed, struct form n, struct form d,
+    bool single)
+{
+	if (truth_sign(n, NULL) == 0)
+		return printed == 0 ? NEAREST : WRONG;
+	real v = over(n.value, d.value),
+	     within = magnitude(over(n.size, n.value));
+
+	within = add(within, magnitude(over(d.size, d.value)));
+	within = mul(within, magnitude(v));
+	real least = mul(within, number(0x1p-1000));
+	double best = nearest(v, mul(least, number(0x1p-900)), single);
+
+	if (printed == best || (isnan(printed) && isinf(best)))
+		return NEAREST;
+	real none = rule(within);
+
+	return printed >= rounded(sub(v, none), single) &&
+		printed <= rounded(add(v, none), single) ?
+	    RULED :
+	    WRONG;
+}
+
+enum verdict truth_verdict(double printed, struct form n, struct form d,
+    bool single)
+{
+	int mark = real_mark();
+	enum verdict r = judge(printed, n, d, single);
+
+	real_release(mark);
+	return r;
+}
+
+double element(const struct map *m, int i, int j)
+{
+	return sum_double(m->m[i][j]);
+}
+
+static void keep_worst(double *worst, double a)
+{
+	if (!(a <= *worst))
+		*worst = a;
+}
+
+static void compare(const struct sum *got, struct form exact, struct worst *w)
+{
+	struct form one = form_of(1);
+	dd pair = sum_dd(*got);
+	real size = number(got->size.m);
+
+	w->verdicts[truth_verdict(sum_double(*got), exact, one, false)]++;
+	w->verdicts[truth_verdict((double)sum_float(*got), exact, one, true)]++;
+	if (truth_sign(exact, NULL) == 0)
+		w->ghosts += sum_sign(*got) != 0 || got->value.sign != 0;
+	else if (truth_verdict(pair.hi, exact, one, false) == NEAREST)
+		keep_worst(&w->error,
+		    u2_error(pair, exact.value,
+			mpfr_get_d(magnitude(exact.value), MPFR_RNDN)));
+	mpfr_mul_2si(size, size, got->size.e, MPFR_RNDN);
+	if (!mpfr_zero_p(size))
+		keep_worst(&w->size,
+		    mpfr_get_d(over(size, exact.size), MPFR_RNDU));
 }
 
 void truth_compare(const struct truth *t, const struct map *r, struct worst *w)
 {
 	int mark = real_mark();
-	real m[4][4], sum[4][4], q[4], s[4];
-	double at[4] = { [3] = 1 };
 
-	memcpy(at, r->origin, sizeof r->origin);
-	truth_matrix(t, m, sum);
-	truth_image(t, at, q, s);
-	for (int j = 0; j < 4; j++) {
-		for (int i = 0; i < 3; i++)
-			compare(r->m[i][j], r->sum[i][j], m[i][j], sum[i][j],
-			    w);
-		compare(r->m[AT_ZERO][j], r->sum[AT_ZERO][j], m[3][j],
-		    sum[3][j], w);
-		compare(r->m[AT_ORIGIN][j], r->sum[AT_ORIGIN][j], q[j], s[j],
-		    w);
-	}
+	for (int i = 0; i < 4; i++)
+		for (int j = 0; j < 4; j++)
+			compare(&r->m[i][j], truth_element(t, i, j), w);
 	real_release(mark);
 }

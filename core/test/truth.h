@@ -1,62 +1,93 @@
 /* The truth for tests: the manual's formulas as a textbook writes them, with so
  * many bits that what is lost does not count. Shares nothing with the code
- * under test but the structs of its parameters. truth.c carries points through
- * stages and compares maps with them, truth_projection.c has the stages of a
- * projection, truth_scene.c those of a whole scene. */
+ * under test but the structs of its parameters. truth.c multiplies stages out
+ * and tells what is nearest, truth_projection.c has the stages of a projection,
+ * truth_scene.c those of a whole scene. */
 #ifndef TRUTH_H
 #define TRUTH_H
 
 #include "real.h"
 #include "../scene.h"
 
-/* One step of a map. A homogeneous point p is a row and becomes
- * (p - w (before, 0)) m + w (after, 0). An eye or a translation stays out of
- * m, so that a sum of sizes counts its difference from p as one number. */
+/* A matrix of row vectors, and the sizes of its elements: multiplied out into
+ * those of its stages they are sums, whose magnitudes sum to so much. */
 struct truth_stage {
-	real before[3];
-	real m[4][4];
-	real after[3];
+	real m[4][4], size[4][4];
 };
 
 struct truth {
 	int n;
-	struct truth_stage stage[6];
+	struct truth_stage stage[8];
+	struct truth_stage all; /* their product, see truth_compose */
 };
 
-/* Adds a stage that does nothing yet. */
+/* Adds a stage that does nothing yet. An element without a size (NULL) has its
+ * magnitude. */
 struct truth_stage *truth_stage(struct truth *);
 void truth_projection(struct truth *, const struct projection *,
     const struct convention *);
+void truth_compose(struct truth *);
 
-/* The stages between two spaces of a scene that is not degenerate. */
+/* The stages between two spaces of a scene that is not degenerate, composed. */
 void truth_scene(const struct scene *, enum space from, enum space to,
     struct truth *);
 void truth_flat(const struct scene *, enum flat from, enum flat to,
     struct truth *);
 
-/* The image q of the homogeneous point p, not divided by w. When the stages are
- * multiplied out each coordinate of q is a sum of products; sum has the same
- * with all products made positive. */
-void truth_image(const struct truth *, const double p[4], real q[4],
-    real sum[4]);
+/* The matrix alone. */
+void truth_matrix(const struct scene *, enum space from, enum space to,
+    real m[4][4]);
 
-/* The composed matrix: its rows are the images of the four unit points. */
-void truth_matrix(const struct truth *, real m[4][4], real sum[4][4]);
+/* What |x| and |y| may be on the viewport, in ndc. */
+void truth_limits(const struct scene *, real limit[2]);
 
-/* What cancellation costs coordinate j: sum / |q|, times the same of w where
- * the image is divided. */
-double truth_kappa(real q[4], real sum[4], int j, bool divided);
+/* A sum, and the sum of its terms' magnitudes. */
+struct form {
+	real value, size;
+};
+
+struct form form_of(double);
+struct form form_add(struct form, struct form);
+struct form form_sub(struct form, struct form);
+struct form form_mul(struct form, struct form);
+struct form form_dot(const struct form a[3], const struct form b[3]);
+
+/* As far as v is off, its length is at most. */
+struct form form_length(const struct form v[3]);
+
+/* Column j of the image of (p[0], p[1], p[2], p[3]). */
+struct form truth_column(const struct truth *, int j, const double p[4]);
+struct form truth_element(const struct truth *, int i, int j);
+
+/* -1, 0 or 1; 0 where all but rounding errors has cancelled. *doubtful, unless
+ * it is NULL: by the 2^-190 rule of sum.h it may be 0, too. */
+int truth_sign(struct form, bool *doubtful);
+
+/* How a number came out. */
+enum verdict {
+	NEAREST, /* ties to even */
+	RULED,   /* not, but what it is nearest to is no other number by the
+	          * 2^-190 rule of sum.h */
+	WRONG,
+	VERDICTS,
+};
+
+/* Of n / d, nan standing for what is beyond the range. */
+enum verdict truth_verdict(double printed, struct form n, struct form d,
+    bool single);
+
+/* The double nearest to an element. */
+double element(const struct map *, int i, int j);
 
 /* The worst of many maps. */
 struct worst {
-	double error;   /* of an element, in units of 2^-106 times its sum */
-	double printed; /* what is wrong beyond half a unit in the last place,
-	                 * in units of kappa 2^-47: at most 1 */
-	double size;    /* a map's sum over the truth's sum: at most 1 */
-	int ghosts;     /* elements that are not 0 and ought to be */
+	int verdicts[VERDICTS]; /* of elements as doubles and as floats */
+	double error;           /* of an element's dd, in units of 2^-106 */
+	double size;            /* a map's size over the truth's */
+	int ghosts;             /* elements not 0 that ought to be */
 };
 
-/* Compares every element of the matrix and of the image of the map's origin. */
+/* Compares every element of the matrix. */
 void truth_compare(const struct truth *, const struct map *, struct worst *);
 
 #endif

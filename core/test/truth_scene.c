@@ -1,20 +1,25 @@
 #include "truth.h"
 
+#include <math.h>
 #include <string.h>
 
 #define ONE number(1)
 #define TWO number(2)
 
-/* p' = p A + t */
+/* p' = p A + t. The elements of a nearest rotation are sums of products of a unit
+ * quaternion's, and divided by its square. */
 static void affine(struct truth *t, const double m[4][4], bool orthonormal)
 {
 	struct truth_stage *s = truth_stage(t);
 
 	for (int i = 0; i < 3; i++)
 		set(s->m[i], 3, m[i]);
-	set(s->after, 3, m[3]);
-	if (orthonormal)
+	if (orthonormal) {
 		orthonormalise(s->m);
+		for (int i = 0; i < 9; i++)
+			s->size[i / 3][i % 3] = TWO;
+	}
+	set(truth_stage(t)->m[3], 3, m[3]);
 }
 
 /* z = unit(at - eye), right-handed unit(eye - at); x = unit(up x z); y = z x x;
@@ -67,9 +72,11 @@ static void camera(struct truth *t, const struct camera *c, bool right_handed)
 		affine(t, c->matrix, c->orthonormalize);
 		return;
 	}
-	struct truth_stage *view = truth_stage(t), *roll = truth_stage(t);
+	struct truth_stage *eye = truth_stage(t), *view = truth_stage(t);
+	struct truth_stage *roll = truth_stage(t);
 
-	set(view->before, 3, c->eye);
+	for (int i = 0; i < 3; i++)
+		eye->m[3][i] = number(-c->eye[i]);
 	if (c->by == CAMERA_ORIENTATION)
 		turn(c->orientation, view->m);
 	else
@@ -85,7 +92,7 @@ static void to_device(struct truth_stage *s, int i, double x, double side,
     real scale)
 {
 	s->m[i][i] = scale;
-	s->after[i] = add(number(x), over(number(side), TWO));
+	s->m[3][i] = add(number(x), over(number(side), TWO));
 }
 
 static void viewport(struct truth *t, const struct viewport *v,
@@ -107,10 +114,10 @@ static void viewport(struct truth *t, const struct viewport *v,
 	    c->ndc_y_down == c->bottom_left ? negative(sy) : sy);
 	/* Where Z runs from -1 to 1, (Z + 1) / 2 takes the place of Z. */
 	s->m[2][2] = sub(max, min);
-	s->after[2] = min;
+	s->m[3][2] = min;
 	if (c->minus_one) {
 		s->m[2][2] = over(sub(max, min), TWO);
-		s->after[2] = over(add(max, min), TWO);
+		s->m[3][2] = over(add(max, min), TWO);
 	}
 }
 
@@ -162,12 +169,13 @@ static void window(struct truth *t, const struct window *w,
 	}
 	adapt(w, d, size);
 	for (int i = 0; i < 2; i++) {
-		s->before[i] = c[i];
 		s->m[i][i] = over(TWO, size[i]);
+		s->m[3][i] = negative(mul(c[i], s->m[i][i]));
 	}
 }
 
-/* The inverse: the stages' inverses, last first. */
+/* The inverse: the stages' inverses, last first. Only a rotation has sizes, all
+ * the same. */
 static void reverse(struct truth *t)
 {
 	struct truth r = { .n = t->n };
@@ -175,11 +183,26 @@ static void reverse(struct truth *t)
 	for (int i = 0; i < t->n; i++) {
 		struct truth_stage *s = &t->stage[t->n - 1 - i];
 
-		memcpy(r.stage[i].before, s->after, sizeof s->after);
-		memcpy(r.stage[i].after, s->before, sizeof s->before);
+		memcpy(r.stage[i].size, s->size, sizeof s->size);
 		set_inverse(r.stage[i].m, s->m);
 	}
 	*t = r;
+}
+
+void truth_limits(const struct scene *s, real limit[2])
+{
+	const struct viewport *v = &s->viewport;
+	const double side[2] = { v->width, v->height };
+
+	for (int k = 0; k < 2; k++) {
+		double scale = v->scale == SCALE_FILL ? side[k] / 2 :
+		    v->scale == SCALE_GIVEN           ? v->scales[k] :
+					      fmax(side[0], side[1]) / 2;
+
+		limit[k] = s->has_viewport ?
+		    over(number(side[k] / 2), number(scale)) :
+		    ONE;
+	}
 }
 
 static bool crosses(enum space a, enum space b, enum space below)
@@ -203,6 +226,16 @@ void truth_scene(const struct scene *s, enum space from, enum space to,
 		viewport(t, &s->viewport, c);
 	if (from > to)
 		reverse(t);
+	truth_compose(t);
+}
+
+void truth_matrix(const struct scene *s, enum space from, enum space to,
+    real m[4][4])
+{
+	struct truth t;
+
+	truth_scene(s, from, to, &t);
+	memcpy(m, t.all.m, sizeof t.all.m);
 }
 
 void truth_flat(const struct scene *s, enum flat from, enum flat to,
@@ -215,4 +248,5 @@ void truth_flat(const struct scene *s, enum flat from, enum flat to,
 		device(t, &s->device);
 	if (from > to)
 		reverse(t);
+	truth_compose(t);
 }

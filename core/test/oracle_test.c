@@ -1,0 +1,87 @@
+/* Random scenes, any two spaces, every format and every copy of the kernels:
+ * how many coordinates are not the double, or the float, nearest to the
+ * exact value?
+ *
+ *	oracle_test [COORDINATES [SEED]]
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "points.h"
+
+/* How coordinates came out; and of how many points that a kernel took, how many
+ * it left to the accurate phase. */
+struct count {
+	struct tally tally;
+	size_t points, accurate;
+};
+
+static void count_accurate(const struct transform *t, const char *copy,
+    struct block *b, struct count *c)
+{
+	const double *const in[3] = { b->in[0], b->in[1], b->in[2] };
+	double *const out[3] = { b->out[0], b->out[1], b->out[2] };
+	exact_kernel fast = kernels_find(copy)->exact[t->kind];
+
+	if (fast == NULL)
+		return;
+	c->points += POINTS;
+	fast(&t->for_kernel, in, out, POINTS);
+	for (int i = 0; i < POINTS; i++)
+		c->accurate += isnan(b->out[0][i]) != 0;
+}
+
+static void try_scene(int e, struct count *c)
+{
+	static struct transform t;
+	static struct block b;
+	struct truth truth = { 0 };
+	struct scene s;
+	enum space from;
+	int mark = real_mark();
+
+	if (sample_transform(e, &s, &from, &t, &truth)) {
+		sample_points(&s, from, &b, POINTS);
+		for (int i = 0; i < COPIES; i++) {
+			if (!points_choose(copies[i]))
+				continue;
+			count_accurate(&t, copies[i], &b, c);
+			carry_all(&t, &b, POINTS);
+			judge_block(&truth, &t, &b, POINTS, false, &c->tally);
+		}
+		judge_block(&truth, &t, &b, POINTS, true, &c->tally);
+	}
+	real_release(mark);
+}
+
+/* Of scenes with magnitudes of 10^-e to 10^e; returns how many are wrong. */
+static size_t try_scenes(int e, size_t coordinates)
+{
+	struct count c = { 0 };
+	const size_t *n = c.tally.n;
+
+	while (n[NEAREST] + n[RULED] + n[WRONG] < coordinates)
+		try_scene(e, &c);
+	printf("%s - 10^%d: of %zu coordinates %zu not the nearest, %zu "
+	       "by the 2^-190 rule; %.3g %% of the kernels' points took the "
+	       "accurate phase\n",
+	    n[WRONG] == 0 ? "ok" : "not ok", e,
+	    n[NEAREST] + n[RULED] + n[WRONG], n[WRONG], n[RULED],
+	    100.0 * (double)c.accurate / (double)c.points);
+	fflush(stdout);
+	return n[WRONG];
+}
+
+int main(int argc, char **argv)
+{
+	static const int magnitudes[] = { 0, 3, 9, 40 };
+	size_t coordinates = argc > 1 ? strtoul(argv[1], NULL, 10) : 20000;
+	size_t wrong = 0;
+
+	sample_seed(argc > 2 ? (unsigned)strtoul(argv[2], NULL, 10) : 1);
+	puts("1..4");
+	for (int i = 0; i < 4; i++)
+		wrong += try_scenes(magnitudes[i], coordinates / 4);
+	return wrong > 0;
+}

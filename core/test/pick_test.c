@@ -1,0 +1,228 @@
+/* What lies within a radius, how far and in which order: as MPFR has it. */
+#include "../pick.h"
+
+#include "claims.h"
+#include "points.h"
+
+/* Along the gaze from the near plane, of model points. */
+struct distance {
+	struct truth view;
+	struct form near;
+	bool upward;
+};
+
+/* Of a matrix, near is where MPFR has the point of the axis of the ndc plane that
+ * frustum_test knows; here there are none. */
+static void distance_of(const struct scene *s, struct distance *d)
+{
+	const struct projection *p = &s->projection;
+	bool volume = p->type == PROJECTION_VOLUME;
+	double gaze = s->convention.right_handed ? -1 : 1;
+
+	truth_scene(s, SPACE_MODEL, SPACE_VIEW, &d->view);
+	d->near = form_of(volume ? p->z_near : gaze * p->near);
+	d->upward = volume ? p->z_far > p->z_near : gaze > 0;
+}
+
+static struct form distance_at(const struct distance *d, const double p[4])
+{
+	struct form z = truth_column(&d->view, 2, p);
+
+	return d->upward ? form_sub(z, d->near) : form_sub(d->near, z);
+}
+
+static bool sample_picker(int e, struct scene *s, struct transform *t,
+    struct picker *k)
+{
+	sample_scene(s, e);
+	if (s->projection.type == PROJECTION_MATRIX ||
+	    scene_transform(s, SPACE_MODEL, SPACE_DEVICE, false, t) != NULL ||
+	    picker_of(s, t, k) != NULL)
+		return false;
+	return true;
+}
+
+static void check_distances(const struct picker *k, const struct distance *d,
+    const struct block *b, int verdicts[VERDICTS])
+{
+	for (size_t i = 0; i < POINTS; i++) {
+		double p[4] = { b->in[0][i], b->in[1][i], b->in[2][i], 1 };
+		double q[4] = { b->in[0][0], b->in[1][0], b->in[2][0], 1 };
+		int mark = real_mark();
+		struct form at = distance_at(d, p);
+		bool doubtful;
+		int order;
+
+		verdicts[truth_verdict(pick_distance(k, p), at, form_of(1),
+		    false)]++;
+		order = truth_sign(form_sub(at, distance_at(d, q)), &doubtful);
+		if (order == 0 || !doubtful)
+			assert_int_equal(pick_compare(k, p, q), order);
+		real_release(mark);
+	}
+}
+
+/* N / w is no further than the radius. */
+static bool is_within(const struct picker *k, const struct image *image,
+    bool *doubtful)
+{
+	struct form d = form_mul(form_of(k->radius), image->d);
+
+	d = form_mul(d, form_sub(form_of(0), d));
+	for (int j = 0; j < 2; j++) {
+		struct form off = form_sub(image->n[j],
+		    form_mul(form_of(k->at[j]), image->d));
+
+		d = form_add(d, form_mul(off, off));
+	}
+	return truth_sign(d, doubtful) <= 0;
+}
+
+/* Points about one that is on the edge. */
+static void check_radius(struct picker *k, const struct truth *truth,
+    struct block *b, size_t n[2])
+{
+	carry_all(k->to_device, b, POINTS);
+	k->at[0] = b->out[0][0];
+	k->at[1] = b->out[1][0];
+	k->radius = hypot(b->out[0][1] - k->at[0], b->out[1][1] - k->at[1]);
+	if (sample_below(2))
+		k->radius = nextafter(k->radius, 0);
+	if (sample_below(4) == 0)
+		k->radius = 0;
+	if (!(k->radius <= MAGNITUDE_MAX) || !isfinite(k->at[0]))
+		return;
+	for (size_t i = 0; i < POINTS; i++) {
+		int mark = real_mark();
+		struct image image;
+		double p[4], device[2] = { b->out[0][i], b->out[1][i] };
+		bool doubtful;
+
+		point_of(b, i, p);
+		image_of(truth, k->to_device, p, &image);
+		if (image.seen && !isnan(device[0])) {
+			bool within = is_within(k, &image, &doubtful);
+
+			n[within]++;
+			if (!doubtful)
+				assert_int_equal(pick_holds(k, p, device),
+				    within);
+		}
+		real_release(mark);
+	}
+}
+
+static void random_scenes(void **state)
+{
+	static struct block b;
+	static struct transform t;
+	static struct picker k;
+	struct scene s;
+	int verdicts[VERDICTS] = { 0 };
+	size_t n[2] = { 0, 0 };
+
+	(void)state;
+	points_choose(NULL);
+	sample_seed(1);
+	for (int i = 0; i < 500; i++) {
+		struct distance d = { 0 };
+		struct truth truth = { 0 };
+		int mark = real_mark();
+
+		if (!sample_picker(i % 3 * 4, &s, &t, &k))
+			continue;
+		distance_of(&s, &d);
+		truth_scene(&s, SPACE_MODEL, SPACE_DEVICE, &truth);
+		sample_points(&s, SPACE_MODEL, &b, POINTS);
+		check_distances(&k, &d, &b, verdicts);
+		check_radius(&k, &truth, &b, n);
+		real_release(mark);
+	}
+	print_message("%d distances, %d by the 2^-190 rule; %zu points within, "
+		      "%zu not\n",
+	    verdicts[NEAREST] + verdicts[RULED], verdicts[RULED], n[1], n[0]);
+	assert_int_equal(verdicts[WRONG], 0);
+	assert_true(verdicts[NEAREST] > 5000 && verdicts[RULED] < 10);
+	assert_true(n[0] > 1000 && n[1] > 300);
+}
+
+/* Device x is the model's, and its y; a circle through whole numbers. */
+static void the_least_distance_tells(void **state)
+{
+	struct scene s = { .has_viewport = true,
+		.convention = { .bottom_left = true },
+		.viewport = { .x = -1,
+		    .y = -1,
+		    .width = 2,
+		    .height = 2,
+		    .max_z = 1 } };
+	struct transform t;
+	struct picker k;
+
+	(void)state;
+	assert_null(scene_transform(&s, SPACE_MODEL, SPACE_DEVICE, false, &t));
+	assert_null(picker_of(&s, &t, &k));
+	k.at[0] = k.at[1] = 0;
+	for (int e = 1; e < 1000; e++) {
+		double tiny = ldexp(1, -e), over = 1 + tiny, y = tiny;
+		double p[4] = { 1, 0, 0, 1 }, device[2] = { 1, 0 };
+
+		k.radius = 1;
+		assert_true(pick_holds(&k, p, device));
+		p[1] = device[1] = y;
+		assert_false(pick_holds(&k, p, device));
+		p[0] = device[0] = over;
+		p[1] = device[1] = 0;
+		assert_int_equal(pick_holds(&k, p, device), over == 1);
+	}
+	k.radius = 5 * 0x1p40;
+	assert_true(pick_holds(&k, (double[]){ 3 * 0x1p40, 4 * 0x1p40, 0, 1 },
+	    (double[]){ 3 * 0x1p40, 4 * 0x1p40 }));
+	k.radius = nextafter(k.radius, 0);
+	assert_false(pick_holds(&k, (double[]){ 3 * 0x1p40, 4 * 0x1p40, 0, 1 },
+	    (double[]){ 3 * 0x1p40, 4 * 0x1p40 }));
+}
+
+/* 1 + 2^-60 on the device is not within 1 of 0, though its nearest double is. */
+static void what_rounds_onto_the_edge_is_outside(void **state)
+{
+	struct scene s = { .has_viewport = true,
+		.has_world = true,
+		.convention = { .bottom_left = true },
+		.world = { { 1 }, { 0x1p-60, 1 }, { 0, 0, 1 }, { 0, 0, 0, 1 } },
+		.viewport = { .x = -1,
+		    .y = -1,
+		    .width = 2,
+		    .height = 2,
+		    .max_z = 1 } };
+	struct transform t;
+	struct picker k;
+	const double p[4] = { 1, 1, 0, 1 };
+	double device[4];
+
+	(void)state;
+	assert_null(scene_transform(&s, SPACE_MODEL, SPACE_DEVICE, false, &t));
+	assert_null(picker_of(&s, &t, &k));
+	point_exact(&t, p, device);
+	assert_true(device[0] == 1 && device[1] == 1);
+	k.at[0] = 0;
+	k.at[1] = 1;
+	k.radius = 1;
+	assert_false(pick_holds(&k, p, device));
+	k.radius = nextafter(1, 2);
+	assert_true(pick_holds(&k, p, device));
+	k.at[0] = 1;
+	k.radius = 0;
+	assert_false(pick_holds(&k, p, device));
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(random_scenes),
+		cmocka_unit_test(the_least_distance_tells),
+		cmocka_unit_test(what_rounds_onto_the_edge_is_outside),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,160 @@
+#include "points.h"
+
+#include <math.h>
+#include <stdio.h>
+
+void carry(const struct transform *t, struct accuracy a, struct block *b,
+    size_t n)
+{
+	const double *const in[4] = { b->in[0], b->in[1], b->in[2], b->in[3] };
+	double *const out[4] = { b->out[0], b->out[1], b->out[2], b->out[3] };
+
+	points_carry(t, &a, in, out, b->single, n);
+}
+
+void carry_all(const struct transform *t, struct block *b, size_t n)
+{
+	carry(t, (struct accuracy){ PRECISION_EXACT, 0 }, b, n);
+}
+
+void point_of(const struct block *b, size_t i, double p[4])
+{
+	for (int j = 0; j < 4; j++)
+		p[j] = b->in[j][i];
+}
+
+static double coordinate(const struct scene *s, enum space from, int j)
+{
+	double d = sample_number(sample_below(4) == 0 ? 6 : 1);
+
+	if (from >= SPACE_NDC)
+		d = sample_between(-1, 2);
+	if (sample_below(6) == 0)
+		d = rint(d);
+	if (j < 3 && from <= SPACE_WORLD && s->has_camera &&
+	    s->camera.by != CAMERA_MATRIX)
+		d += s->camera.eye[j];
+	return d;
+}
+
+void sample_points(const struct scene *s, enum space from, struct block *b,
+    size_t n)
+{
+	for (size_t i = 0; i < n; i++)
+		for (int j = 0; j < 4; j++)
+			b->in[j][i] = coordinate(s, from, j);
+}
+
+static bool sample_flat_transform(struct scene *s, struct transform *t,
+    struct truth *truth)
+{
+	enum flat from = sample_below(3), to = sample_below(3);
+
+	if (flat_transform(s, from, to, t) != NULL)
+		return false;
+	truth_flat(s, from, to, truth);
+	return true;
+}
+
+bool sample_transform(int e, struct scene *s, enum space *from,
+    struct transform *t, struct truth *truth)
+{
+	enum space to = sample_below(6);
+	bool homogeneous = sample_below(4) == 0;
+
+	*from = sample_below(6);
+	sample_scene(s, e);
+	if (sample_below(8) == 0)
+		return sample_flat_transform(s, t, truth);
+	if (scene_transform(s, *from, to, homogeneous, t) != NULL)
+		return false;
+	truth_scene(s, *from, to, truth);
+	return true;
+}
+
+/* A device point's fourth number is its 1/w; a flat one's z and w are 0 and 1. */
+void image_of(const struct truth *truth, const struct transform *t,
+    const double p[4], struct image *r)
+{
+	bool given = t->in == 4 && !t->reciprocal;
+	double at[4] = { p[0], p[1], t->in > 2 ? p[2] : 0, given ? p[3] : 1 };
+	bool whole = true;
+
+	*r = (struct image){ .d = form_of(1) };
+	for (int i = 0; i < t->in; i++)
+		whole &= !isnan(p[i]);
+	if (!whole)
+		return;
+	for (int j = 0; j < t->out; j++)
+		r->n[j] = truth_column(truth, j, at);
+	if (t->divide)
+		r->d = t->reciprocal && t->out == 4 ?
+		    form_of(p[3]) :
+		    truth_column(truth, 3, at);
+	int sign = truth_sign(r->d, &r->doubtful);
+
+	r->seen = t->front ? sign > 0 : sign != 0;
+}
+
+void judge_image(const struct image *image, int coordinates, const double *got,
+    bool single, struct tally *tally)
+{
+	bool none = true;
+
+	for (int j = 0; j < coordinates; j++)
+		none &= isnan(got[j]);
+	for (int j = 0; j < coordinates; j++)
+		if (image->seen && !(image->doubtful && none))
+			tally->n[truth_verdict(got[j], image->n[j], image->d,
+			    single)]++;
+		else
+			tally->n[none           ? NEAREST :
+				image->doubtful ? RULED :
+						  WRONG]++;
+}
+
+static bool is_exact(const struct transform *t)
+{
+	for (int k = 0; k < 16; k++)
+		if (t->map.m[k / 4][k % 4].size.m > 0)
+			return false;
+	return true;
+}
+
+static void judge_point(const struct truth *truth, const struct transform *t,
+    const double p[4], const double got[4], bool single, struct tally *tally)
+{
+	struct tally here = { 0 };
+	struct image image;
+
+	image_of(truth, t, p, &image);
+	judge_image(&image, t->out, got, single, &here);
+	/* of given numbers alone nothing is too small to count */
+	if (here.n[WRONG] > 0 || (here.n[RULED] > 0 && is_exact(t))) {
+		fprintf(stderr, "%a %a %a %a, kind %d: %a %a %a %a is wrong\n",
+		    p[0], p[1], p[2], p[3], (int)t->kind, got[0], got[1],
+		    got[2], got[3]);
+		here.n[WRONG] += here.n[RULED];
+		here.n[RULED] = 0;
+	}
+	for (int v = 0; v < VERDICTS; v++)
+		tally->n[v] += here.n[v];
+}
+
+void judge_block(const struct truth *truth, const struct transform *t,
+    const struct block *b, size_t n, bool single, struct tally *tally)
+{
+	for (size_t i = 0; i < n; i++) {
+		int mark = real_mark();
+		double p[4], got[4] = { 0 };
+
+		point_of(b, i, p);
+		for (int j = 0; j < t->out; j++) {
+			got[j] = b->out[j][i];
+			if (single && !isnan(got[j]))
+				got[j] = (double)point_single(t, p, j, got[j]);
+		}
+		judge_point(truth, t, p, got, single, tally);
+		real_release(mark);
+	}
+}
