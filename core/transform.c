@@ -19,6 +19,7 @@ static void set_kernel_map(struct transform *t)
 	const struct map *m = &t->map;
 	struct sum origin[4] = { [3] = sum_of_double(1) };
 
+	k->a_hi = k->a_lo = k->b_hi = k->b_lo = 0;
 	for (int i = 0; i < 3; i++) {
 		k->origin[i] = m->origin[i];
 		origin[i] = sum_of_double(m->origin[i]);
