@@ -20,7 +20,6 @@ static void set_kernel_map(struct transform *t)
 	struct sum origin[4] = { [3] = sum_of_double(1) };
 
 	k->a_hi = k->a_lo = k->b_hi = k->b_lo = 0;
-	memset(k, 0, sizeof *k);
 	for (int i = 0; i < 3; i++) {
 		k->origin[i] = m->origin[i];
 		origin[i] = sum_of_double(m->origin[i]);
