@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "../test/sample.h"
+#include "../test/truth.h"
 
 /* A camera at hand in gl's conventions, on a screen of 640 x 480. */
 static const struct scene ordinary = {
@@ -37,6 +38,75 @@ static void far_from_origin(struct scene *s, double distance)
 		s->camera.eye[i] += distance * direction[i];
 		s->camera.at[i] = s->camera.eye[i] + gaze;
 	}
+}
+
+/* The model's place in the world, and the camera with it. */
+static void far_in_the_world(struct scene *s, double distance)
+{
+	s->has_world = true;
+	for (int i = 0; i < 4; i++)
+		s->world[i][i] = 1;
+	far_from_origin(s, distance);
+	for (int i = 0; i < 3; i++)
+		s->world[3][i] = s->camera.at[i];
+}
+
+static void look_ahead(struct scene *s)
+{
+	memset(s->camera.eye, 0, sizeof s->camera.eye);
+	memcpy(s->camera.at, (double[]){ 0, 0, -1 }, sizeof s->camera.at);
+}
+
+/* A part of a wall of screens, off the axis. */
+static void tile(struct scene *s, double size)
+{
+	struct projection *p = &s->projection;
+
+	look_ahead(s);
+	p->extent = EXTENT_EDGES;
+	p->left = 0.3;
+	p->right = p->left + size;
+	p->bottom = -0.2;
+	p->top = p->bottom + 0.75 * size;
+}
+
+/* The world's x is x + shear y, and what is in sight is where they cancel. */
+static void cancelling(struct scene *s, double shear)
+{
+	look_ahead(s);
+	s->has_world = true;
+	for (int i = 0; i < 4; i++)
+		s->world[i][i] = 1;
+	s->world[1][0] = shear;
+}
+
+/* A device whose size is no more than 1e-150, before a volume of such a size. */
+static void underflowing(struct scene *s, double size)
+{
+	s->has_camera = false;
+	s->projection = (struct projection){
+		.type = PROJECTION_VOLUME,
+		.half_width = size,
+		.half_height = size,
+		.z_far = -1,
+	};
+	s->viewport = (struct viewport){ .x = -0.5e-150,
+		.y = -0.5e-150,
+		.width = 1e-150,
+		.height = 1e-150,
+		.max_z = 1 };
+}
+
+/* Near is at ndc depth 1, and at -1 what is without end. */
+static void reversed_matrix(struct scene *s, double near)
+{
+	const double m[4][4] = { { 1.6 }, { 0, 2.1 }, { 0, 0, 1, -1 },
+		{ 0, 0, 2 * near, 0 } };
+
+	s->projection = (struct projection){ .type = PROJECTION_MATRIX,
+		.near = near };
+	memcpy(s->projection.matrix, m, sizeof m);
+	s->viewport.max_z = 0x1p24 - 1;
 }
 
 /* Up is the gaze but for its smallest coordinate, the finest to set. */
@@ -78,8 +148,7 @@ static void narrow(struct scene *s, double angle)
 
 static void wide(struct scene *s, double less_than_180)
 {
-	memset(s->camera.eye, 0, sizeof s->camera.eye);
-	memcpy(s->camera.at, (double[]){ 0, 0, -1 }, sizeof s->camera.at);
+	look_ahead(s);
 	s->projection.angle = 180 - less_than_180;
 }
 
@@ -179,6 +248,35 @@ static void in_last_decade(const struct projection *v, const struct map *clip,
 	on_screen(clip, -v->far * sample_between(0.1, 1), p);
 }
 
+/* Of an edges' section, whose centre is off the axis. */
+static void on_tile(const struct projection *v, const struct map *clip,
+    double p[3])
+{
+	double z = -sample_between(1, 4) * v->near, w = -z;
+
+	for (int i = 0; i < 2; i++)
+		p[i] = (sample_between(-1, 1) * w - z * element(clip, 2, i)) /
+		    element(clip, i, i);
+	p[2] = z;
+}
+
+/* From 1e-15 to 1. */
+static void tiny(const struct projection *v, const struct map *clip,
+    double p[3])
+{
+	(void)v;
+	(void)clip;
+	for (int i = 0; i < 3; i++)
+		p[i] = sample_number(15) * 1e-8;
+	p[2] = -sample_unit();
+}
+
+static void beyond_near(const struct projection *v, const struct map *clip,
+    double p[3])
+{
+	on_screen(clip, -v->near * pow(1e9, sample_unit()), p);
+}
+
 static void beside_eye(const struct projection *v, const struct map *clip,
     double p[3])
 {
@@ -221,6 +319,20 @@ const struct regime regimes[REGIMES] = {
 	{ "size", "Size of the whole scene", "unit of length",
 	    { -150, 149, 13, 0 }, whole_scene, in_frustum, false, 1 << SINGLE,
 	    1 },
+	{ "world", "A model far from the origin", "distance", { 0, 15, 1, 0 },
+	    far_in_the_world, in_frustum, false,
+	    1 << SINGLE | 1 << COMPOSED | 1 << STAGED, 10 },
+	{ "tiles", "Off-axis tiles of a wall", "size of a tile",
+	    { 0, -15, -1, 0 }, tile, on_tile, false, ALL, 1 },
+	{ "cancel", "Total cancellation", "shear", { 0, 40, 2, 0 }, cancelling,
+	    in_frustum, false, ALL, 1 },
+	{ "underflow", "Underflow on the way", "size of the volume",
+	    { 0, 150, 10, 0 }, underflowing, tiny, false, 1 << SINGLE, 0 },
+	{ "reversed", "Reversed depth from a matrix", "near", { 0, -15, -1, 0 },
+	    reversed_matrix, beyond_near, false, 1 << SINGLE, 1e-3 },
+	{ "back", "There and back, far from the origin", "distance",
+	    { 0, 15, 1, 0 }, far_from_origin, in_frustum, true,
+	    1 << SINGLE | 1 << COMPOSED, 10 },
 };
 
 void regime_scene(const struct regime *r, double severity, struct scene *s)

@@ -25,7 +25,7 @@ struct regime {
 	double units;
 };
 
-enum { REGIMES = 13 };
+enum { REGIMES = 19 };
 
 extern const struct regime regimes[REGIMES];
 

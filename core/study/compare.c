@@ -1,13 +1,13 @@
 #include "compare.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "../points.h"
-#include "../test/sample.h"
-#include "../test/truth.h"
+#include "../test/points.h"
 
-enum { POINTS = 256 };
+enum { MANY = 256 };
 
 /* A regime at one severity. */
 struct task {
@@ -22,8 +22,8 @@ static const char *task_of(const struct regime *r, double severity,
     struct task *t)
 {
 	const struct scene *s = &t->scene;
-	enum space from = r->back ? SPACE_DEVICE : SPACE_WORLD;
-	enum space to = r->back ? SPACE_WORLD : SPACE_DEVICE;
+	enum space from = r->back ? SPACE_DEVICE : SPACE_MODEL;
+	enum space to = r->back ? SPACE_MODEL : SPACE_DEVICE;
 
 	t->regime = r;
 	regime_scene(r, severity, &t->scene);
@@ -36,34 +36,61 @@ static const char *task_of(const struct regime *r, double severity,
 	return scene_transform(s, from, to, false, &t->exact);
 }
 
-static void carry(const struct transform *t, double (*in)[3], double (*out)[4])
+static void fill(struct block *b, double (*in)[3])
 {
-	double from[3][POINTS_BLOCK], to[3][POINTS_BLOCK] = { { 0 } };
-	const double *const x[4] = { from[0], from[1], from[2] };
-	double *const y[4] = { to[0], to[1], to[2] };
-	const struct accuracy exact = { .precision = PRECISION_EXACT };
-	bool single[POINTS_BLOCK];
+	for (int i = 0; i < MANY; i++)
+		for (int j = 0; j < 3; j++)
+			b->in[j][i] = in[i][j];
+}
 
-	for (int i = 0; i < POINTS; i++)
+static void carry_exactly(const struct transform *t, double (*in)[3],
+    double (*out)[4])
+{
+	static struct block b;
+
+	fill(&b, in);
+	memset(b.out, 0, sizeof b.out);
+	carry_all(t, &b, MANY);
+	for (int i = 0; i < MANY; i++)
 		for (int j = 0; j < 3; j++)
-			from[j][i] = in[i][j];
-	points_carry(t, &exact, x, y, single, POINTS);
-	for (int i = 0; i < POINTS; i++)
-		for (int j = 0; j < 3; j++)
-			out[i][j] = to[j][i];
+			out[i][j] = b.out[j][i];
+}
+
+/* The share of the points that the fast phase leaves undecided. */
+static double left_over(const struct transform *t, double (*in)[3])
+{
+	static struct block b;
+	const double *const from[3] = { b.in[0], b.in[1], b.in[2] };
+	double *const to[3] = { b.out[0], b.out[1], b.out[2] };
+	int n = 0;
+
+	fill(&b, in);
+	kernels_find(NULL)->exact[t->kind](&t->for_kernel, from, to, MANY);
+	for (int i = 0; i < MANY; i++)
+		n += isnan(b.out[0][i]) != 0;
+	return (double)n / MANY;
+}
+
+/* As points come: they have been printed, by something that keeps all digits. */
+static double printed(double a)
+{
+	char text[32];
+
+	snprintf(text, sizeof text, "%.17g", a);
+	return strtod(text, NULL);
 }
 
 /* Where points are read, which is not where the regime places them. */
 static const char *place(const struct task *t, double (*in)[3])
 {
 	const struct scene *s = &t->scene;
-	double out[POINTS][4];
+	double out[MANY][4];
 	struct transform to;
 	struct map clip;
 	const char *why = s->has_window ?
 	    flat_transform(s, FLAT_NDC, FLAT_WINDOW, &to) :
 	    scene_transform(s, SPACE_VIEW,
-		t->regime->back ? SPACE_DEVICE : SPACE_WORLD, false, &to);
+		t->regime->back ? SPACE_DEVICE : SPACE_MODEL, false, &to);
 
 	if (why == NULL)
 		why = projection_map(&s->projection, &s->convention, false,
@@ -71,33 +98,30 @@ static const char *place(const struct task *t, double (*in)[3])
 	if (why != NULL)
 		return why;
 	sample_seed(1);
-	for (int i = 0; i < POINTS; i++)
+	for (int i = 0; i < MANY; i++)
 		t->regime->place(&s->projection, &clip, in[i]);
-	carry(&to, in, out);
-	for (int i = 0; i < POINTS; i++)
-		memcpy(in[i], out[i], sizeof in[i]);
+	carry_exactly(&to, in, out);
+	for (int i = 0; i < MANY; i++)
+		for (int j = 0; j < 3; j++)
+			in[i][j] = printed(out[i][j]);
 	return NULL;
 }
 
 /* The truth about one point. */
-struct image {
+struct true_image {
+	struct image image;
 	int n;
-	real q[4], sum[4], at[3];
-	double kappa[3];
-	bool seen; /* not behind the eye */
+	real at[3];
 };
 
-static void image_of(const struct task *t, const double p[3], struct image *r)
+static void true_image_of(const struct task *t, const double p[3],
+    struct true_image *r)
 {
-	bool divide = t->exact.divide;
-
-	truth_image(&t->truth, (double[]){ p[0], p[1], p[2], 1 }, r->q, r->sum);
+	image_of(&t->truth, &t->exact, (double[4]){ p[0], p[1], p[2] },
+	    &r->image);
 	r->n = t->n;
-	r->seen = !divide || mpfr_sgn(r->q[3]) > 0;
-	for (int j = 0; j < r->n && r->seen; j++) {
-		r->at[j] = divide ? over(r->q[j], r->q[3]) : r->q[j];
-		r->kappa[j] = truth_kappa(r->q, r->sum, j, divide);
-	}
+	for (int j = 0; j < r->n && r->image.seen; j++)
+		r->at[j] = over(r->image.n[j].value, r->image.d.value);
 }
 
 static void widen(double *most, double a)
@@ -106,79 +130,64 @@ static void widen(double *most, double a)
 		*most = a;
 }
 
-static void tally(const struct image *truth, const double got[4],
+static void tally(const struct true_image *truth, const double got[4],
     struct cell *c)
 {
 	bool finite = isfinite(got[0]) && isfinite(got[1]) && isfinite(got[2]);
+	bool seen = truth->image.seen;
 
-	c->nan |= truth->seen && !finite;
-	c->sign |= finite && truth->seen != (got[3] > 0);
-	for (int j = 0; j < truth->n && truth->seen && finite; j++) {
+	c->nan |= seen && !finite;
+	c->sign |= finite && seen != (got[3] > 0);
+	for (int j = 0; j < truth->n && seen && finite; j++) {
 		real off = magnitude(sub(number(got[j]), truth->at[j]));
 
 		widen(&c->units, mpfr_get_d(off, MPFR_RNDU));
-		if (!is_zero(truth->q[j], truth->sum[j]))
+		if (truth_sign(truth->image.n[j], NULL) != 0)
 			widen(&c->ulps, ulps(got[j], truth->at[j]));
 	}
 }
 
 /* Has every point changed sides, from left to right or from top to bottom? */
-static void watch_sides(const struct image *truth, const double got[4],
+static void watch_sides(const struct true_image *truth, const double got[4],
     const struct viewport *v, bool mirrored[2])
 {
-	const double center[2] = { v->width / 2, v->height / 2 };
+	const double center[2] = { v->x + v->width / 2, v->y + v->height / 2 };
 
-	for (int j = 0; j < 2 && truth->seen; j++)
+	for (int j = 0; j < 2 && truth->image.seen; j++)
 		mirrored[j] &= (got[j] > center[j]) !=
 		    (mpfr_cmp_d(truth->at[j], center[j]) > 0);
 }
 
-/* The promise of exact, with no tolerance but its own. */
-static void check(const struct image *truth, const double got[4], struct row *r)
-{
-	for (int j = 0; j < truth->n; j++) {
-		double error;
-
-		if (isnan(got[j]) || !truth->seen) {
-			r->wrong += isnan(got[j]) != !truth->seen;
-			continue;
-		}
-		if (is_zero(truth->q[j], truth->sum[j])) {
-			r->wrong += got[j] != 0;
-			continue;
-		}
-		error = (ulps(got[j], truth->at[j]) - 0.5) / truth->kappa[j];
-		widen(&r->promise, error / POINTS_BOUND);
-		r->wrong += !(error <= POINTS_BOUND);
-	}
-}
-
-/* The loop for many points and the careful way for one. */
-static void check_exact(const struct task *t, const struct image *truth,
+/* The promise of exact: in the loop for many points and by the accurate phase
+ * for one, every number is the nearest double. */
+static void check_exact(const struct task *t, const struct true_image *truth,
     const double in[3], const double got[4], struct row *r)
 {
-	double p[4] = { in[0], in[1], in[2] }, q[4], kappa;
+	double p[4] = { in[0], in[1], in[2] }, q[4];
+	struct tally verdicts = { 0 };
 
-	check(truth, got, r);
-	point_exact(&t->exact, p, q, &kappa);
-	check(truth, q, r);
+	judge_image(&truth->image, t->n, got, false, &verdicts);
+	point_exact(&t->exact, p, q);
+	judge_image(&truth->image, t->n, q, false, &verdicts);
+	r->wrong += (int)verdicts.n[WRONG];
+	r->ruled += (int)verdicts.n[RULED];
 }
 
 static void compute(const struct task *t, double (*in)[3],
-    double out[WAYS][POINTS][4])
+    double out[WAYS][MANY][4])
 {
 	for (int way = 0; way < EXACT; way++)
 		naive_carry(&t->scene, (enum way)way, t->regime->back, in,
-		    out[way], POINTS);
-	carry(&t->exact, in, out[EXACT]);
-	for (int i = 0; i < POINTS; i++)
+		    out[way], MANY);
+	carry_exactly(&t->exact, in, out[EXACT]);
+	for (int i = 0; i < MANY; i++)
 		out[EXACT][i][3] = 1;
 }
 
 void ways_compare(const struct regime *regime, double severity, struct row *r)
 {
 	static struct task t;
-	static double in[POINTS][3], out[WAYS][POINTS][4];
+	static double in[MANY][3], out[WAYS][MANY][4];
 	bool mirrored[WAYS][2];
 	int mark = real_mark();
 
@@ -190,11 +199,12 @@ void ways_compare(const struct regime *regime, double severity, struct row *r)
 		return;
 	}
 	compute(&t, in, out);
-	for (int i = 0; i < POINTS; i++) {
+	r->accurate = left_over(&t.exact, in);
+	for (int i = 0; i < MANY; i++) {
 		int point = real_mark();
-		struct image truth;
+		struct true_image truth;
 
-		image_of(&t, in[i], &truth);
+		true_image_of(&t, in[i], &truth);
 		for (int way = 0; way < WAYS; way++) {
 			tally(&truth, out[way][i], &r->cell[way]);
 			watch_sides(&truth, out[way][i], &t.scene.viewport,

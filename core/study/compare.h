@@ -15,12 +15,13 @@ struct cell {
 
 struct row {
 	struct cell cell[WAYS];
-	/* The worst that exact is wrong by beyond half a unit in the last
-	 * place, in units of kappa 2^-47: at most 1. */
-	double promise;
-	/* How often it is more, nan or a number where the truth is the other,
-	 * not 0 where that is 0, or refused. */
+	/* How often exact is not the nearest double, nan or a number where the
+	 * truth is the other, or refused. */
 	int wrong;
+	/* How often it is that only by the 2^-190 rule of sum.h. */
+	int ruled;
+	/* The share of the points that its fast phase leaves undecided. */
+	double accurate;
 };
 
 /* Compares the ways with the truth, on the same points in every run. */

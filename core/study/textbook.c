@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "../test/truth.h"
+
 /* Replaces the upper 3x3 by its nearest rotation, as a camera that is told to
  * orthonormalize does. */
 static void nearest_rotation(double m[4][4])

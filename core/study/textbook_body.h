@@ -1,4 +1,4 @@
-/* One precision of the classical methods: naive.c includes this for float and
+/* One precision of the classical methods: textbook.c includes this for float and
  * for double. Matrices are those of row vectors, which in memory are GLM's and
  * cglm's. */
 typedef struct {
@@ -140,6 +140,33 @@ static MATRIX NAME(perspective)(const struct projection *p)
 	return r;
 }
 
+/* glm::frustumRH_NO */
+static MATRIX NAME(frustum)(const struct projection *p)
+{
+	MATRIX r = { 0 };
+	REAL n = (REAL)p->near, f = (REAL)p->far;
+	REAL x = (REAL)p->left, y = (REAL)p->bottom;
+	REAL width = (REAL)p->right - x, height = (REAL)p->top - y;
+
+	r.m[0][0] = 2 * n / width;
+	r.m[1][1] = 2 * n / height;
+	r.m[2][0] = ((REAL)p->right + x) / width;
+	r.m[2][1] = ((REAL)p->top + y) / height;
+	r.m[2][2] = -(f + n) / (f - n);
+	r.m[2][3] = -1;
+	r.m[3][2] = -(2 * f * n) / (f - n);
+	return r;
+}
+
+static MATRIX NAME(given)(const double m[4][4])
+{
+	MATRIX r;
+
+	for (int i = 0; i < 16; i++)
+		r.m[i / 4][i % 4] = (REAL)m[i / 4][i % 4];
+	return r;
+}
+
 /* Hilton's threshold. */
 static bool NAME(is_parallel)(const struct projection *p)
 {
@@ -171,8 +198,12 @@ static MATRIX NAME(volume)(const struct projection *p)
 
 static MATRIX NAME(project)(const struct projection *p)
 {
-	return p->type == PROJECTION_VOLUME ? NAME(volume)(p) :
-					      NAME(perspective)(p);
+	if (p->type == PROJECTION_VOLUME)
+		return NAME(volume)(p);
+	if (p->type == PROJECTION_MATRIX)
+		return NAME(given)(p->matrix);
+	return p->extent == EXTENT_EDGES ? NAME(frustum)(p) :
+					   NAME(perspective)(p);
 }
 
 /* Also tells the point that becomes the origin. */
@@ -225,11 +256,11 @@ static MATRIX NAME(viewport)(const struct viewport *v)
 	return r;
 }
 
-/* Something may be taken off a point before the first stage, or put on after
+/* Stages, before one of which something may be taken off a point, or put on after
  * the last. */
 typedef struct {
-	int n;
-	MATRIX stage[3];
+	int n, taken;
+	MATRIX stage[4];
 	REAL before[3], after[3];
 } NAME(path);
 
@@ -237,37 +268,36 @@ typedef struct {
 
 static void NAME(turn_back)(PATH *p)
 {
-	MATRIX first = p->stage[0];
+	PATH there = *p;
 
-	p->stage[0] = p->stage[p->n - 1];
-	p->stage[p->n - 1] = first;
 	for (int i = 0; i < p->n; i++)
-		p->stage[i] = NAME(inverse)(p->stage[i]);
+		p->stage[i] = NAME(inverse)(there.stage[p->n - 1 - i]);
 	memcpy(p->after, p->before, sizeof p->after);
 	memset(p->before, 0, sizeof p->before);
 }
 
 static PATH NAME(path_of)(const struct scene *s, enum way way, bool back)
 {
-	PATH r = { .n = 3 };
+	PATH r = { 0 };
 	REAL origin[3] = { 0 };
 
+	if (s->has_world)
+		r.stage[r.n++] = NAME(given)(s->world);
+	r.taken = r.n;
 	if (s->has_window) {
-		r.stage[0] = NAME(window)(&s->window, origin);
-		r.stage[1] = NAME(unit)();
+		r.stage[r.n++] = NAME(window)(&s->window, origin);
 	} else {
-		r.stage[0] = NAME(view)(s, origin);
-		r.stage[1] = NAME(project)(&s->projection);
+		r.stage[r.n++] = NAME(view)(s, origin);
+		r.stage[r.n++] = NAME(project)(&s->projection);
 	}
-	r.stage[2] = NAME(viewport)(&s->viewport);
+	r.stage[r.n++] = NAME(viewport)(&s->viewport);
 	if (way == RELATIVE) {
 		memcpy(r.before, origin, sizeof origin);
-		memset(r.stage[0].m[3], 0, sizeof origin);
+		memset(r.stage[r.taken].m[3], 0, sizeof origin);
 	}
 	if (way == SINGLE || way == COMPOSED) {
-		MATRIX clip = NAME(times)(r.stage[0], r.stage[1]);
-
-		r.stage[0] = NAME(times)(clip, r.stage[2]);
+		for (int i = 1; i < r.n; i++)
+			r.stage[0] = NAME(times)(r.stage[0], r.stage[i]);
 		r.n = 1;
 	}
 	if (back)
@@ -284,10 +314,12 @@ static void NAME(carry)(const struct scene *s, enum way way, bool back,
 		REAL p[4] = { [3] = 1 }, w = 1;
 
 		for (int i = 0; i < 3; i++)
-			p[i] = (REAL)in[k][i] - path.before[i];
+			p[i] = (REAL)in[k][i];
 		for (int l = 0; l < path.n; l++) {
 			REAL q[4] = { 0 };
 
+			for (int i = 0; i < 3 && l == path.taken; i++)
+				p[i] -= path.before[i];
 			for (int j = 0; j < 4; j++)
 				for (int i = 0; i < 4; i++)
 					q[j] += p[i] * path.stage[l].m[i][j];
