@@ -8,7 +8,7 @@
 #include "options.h"
 #include "talk.h"
 
-#define VERSION "0.1.0"
+#define VERSION "0.2.0"
 
 /* clang-format off */
 

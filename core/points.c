@@ -24,11 +24,13 @@ static bool carry_four(const struct transform *t, const double *const in[4],
 	double unused[2][POINTS_BLOCK];
 	double *const last[3] = { out[3], unused[0], unused[1] };
 
-	for (int j = 0; j < 3; j++)
+	for (int j = 0; j < 3; j++) {
+		w.none[j] = w.none[3];
 		for (int i = 0; i < 4; i++) {
 			w.hi[i][j] = w.hi[i][3];
 			w.lo[i][j] = w.lo[i][3];
 		}
+	}
 	bool done = affine(&t->for_kernel, in, out, n);
 
 	if (affine(&w, in, last, n))
@@ -106,34 +108,6 @@ static void point_plain(const struct transform *t, bool single,
 		out[j] = image ? rounded(q[j] / w, single) : (double)NAN;
 }
 
-static void carry_plain(const struct transform *t, enum precision precision,
-    const double *const in[4], double *const out[4], size_t n)
-{
-	plain_kernel fast = kernels->plain[precision][t->kind];
-
-	if (fast != NULL && fast(&t->for_kernel, in, out, n, 0))
-		return;
-	for (size_t i = 0; i < n; i++) {
-		double p[4], q[4];
-
-		if (fast != NULL && !isnan(out[0][i]))
-			continue;
-		if (fast != NULL) {
-			carry_one(t, in, out, i, true);
-			for (int j = 0; j < t->out; j++)
-				out[j][i] = rounded(out[j][i],
-				    precision == PRECISION_SINGLE);
-			continue;
-		}
-
-		for (int j = 0; j < t->in; j++)
-			p[j] = in[j][i];
-		point_plain(t, precision == PRECISION_SINGLE, p, q);
-		for (int j = 0; j < t->out; j++)
-			out[j][i] = q[j];
-	}
-}
-
 /* Points that a precision could not be trusted with, gathered for the next. */
 struct rest {
 	size_t n, which[POINTS_BLOCK];
@@ -145,13 +119,47 @@ static void gather(const struct transform *t, const double *const in[4],
 {
 	r->n = 0;
 	for (size_t i = 0; i < n; i++) {
-		if (!isnan(out[0][i]))
+		if (isfinite(out[0][i]) && isfinite(out[1][i]) &&
+		    (t->out == 2 || isfinite(out[2][i])))
 			continue;
 		r->which[r->n] = i;
 		for (int j = 0; j < t->in; j++)
 			r->in[j][r->n] = in[j][i];
 		r->n++;
 	}
+}
+
+/* A point that is behind the eye in a precision, or whose w has underflowed there,
+ * is computed exactly, which says whether it has an image. */
+static void carry_plain(const struct transform *t, enum precision precision,
+    const double *const in[4], double *const out[4], size_t n)
+{
+	plain_kernel fast = kernels->plain[precision][t->kind];
+	bool single = precision == PRECISION_SINGLE;
+	struct rest r;
+
+	for (size_t i = 0; i < n && fast == NULL; i++) {
+		double p[4], q[4];
+
+		for (int j = 0; j < t->in; j++)
+			p[j] = in[j][i];
+		point_plain(t, single, p, q);
+		for (int j = 0; j < t->out; j++)
+			out[j][i] = q[j];
+	}
+	if (fast == NULL)
+		return;
+	fast(&t->for_kernel, in, out, n, 0);
+	gather(t, in, out, n, &r);
+	if (r.n == 0)
+		return;
+	const double *const in2[4] = { r.in[0], r.in[1], r.in[2] };
+	double *const out2[4] = { r.out[0], r.out[1], r.out[2] };
+
+	carry_exact(t, in2, out2, r.n);
+	for (size_t k = 0; k < r.n; k++)
+		for (int j = 0; j < t->out; j++)
+			out[j][r.which[k]] = rounded(r.out[j][k], single);
 }
 
 static void carry_within(const struct transform *t, double tolerance,

@@ -59,7 +59,8 @@ static inline dd quick_element(const struct kernel_map *k, int i, int j)
 	return (dd){ k->hi[i][j], k->lo[i][j] };
 }
 
-/* Column j of the image of p, relative to the origin, w. */
+/* Column j of the image of p, relative to the origin, w. What is no difference
+ * there counts as much as an error. */
 static inline struct quick quick_column(const struct kernel_map *k, int j,
     const dd p[4])
 {
@@ -68,6 +69,9 @@ static inline struct quick quick_column(const struct kernel_map *k, int j,
 	for (int i = 0; i < 4; i++)
 		quick_add(&s, p[i], fabs(p[i].hi), quick_element(k, i, j),
 		    k->exact[i][j]);
+	if (s.size > 0)
+		s.size += k->none[j] / QUICK_BOUND *
+		    (fabs(p[0].hi) + fabs(p[1].hi) + fabs(p[2].hi) + 1);
 	return s;
 }
 

@@ -86,13 +86,13 @@ const char *scene_flat_map(const struct scene *s, enum flat from, enum flat to,
 		return NULL;
 	if (low == FLAT_WINDOW)
 		why = window_map(&s->window, d, back, r);
-	if (why != NULL || high != FLAT_DEVICE)
-		return why;
-	why = device_map(&s->device, back, &stage);
-	then(r, &stage, back);
-	map_settle(r);
+	if (why == NULL && high == FLAT_DEVICE) {
+		why = device_map(&s->device, back, &stage);
+		then(r, &stage, back);
+		map_settle(r);
+	}
 	return why != NULL || map_is_finite(r) ?
 	    why :
-	    "/device: the composed matrix has elements beyond the range of "
+	    "/window: the composed matrix has elements beyond the range of "
 	    "doubles; bring the sizes nearer to one another";
 }

@@ -124,9 +124,23 @@ void sum_dot(int n, const struct sum *const a[], const struct sum *const b[],
 	r->size = size;
 }
 
+/* By which anything is divided exactly, however many digits it has. */
+static bool is_power_of_two(const struct sum *a)
+{
+	return a->size.m == 0 && a->value.n == 1 &&
+	    (a->value.word[0] & (a->value.word[0] - 1)) == 0;
+}
+
 struct sum sum_quotient(struct sum a, struct sum b)
 {
 	struct magnitude d = of(&b.value), size = over(share(&a), d);
+
+	if (is_power_of_two(&b)) {
+		ex q = ex_shift(a.value, 1 - d.e);
+
+		return (struct sum){ b.value.sign < 0 ? ex_neg(q) : q,
+			over(a.size, d) };
+	}
 	ex q = ex_quotient(a.value, b.value);
 
 	if (b.size.m > 0)

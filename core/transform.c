@@ -3,6 +3,15 @@
 #include <math.h>
 #include <string.h>
 
+/* What is below all doubles becomes the smallest, so that only what is 0 counts
+ * for nothing. */
+static dd rounded(struct sum s)
+{
+	dd e = sum_dd(s);
+
+	return e.hi == 0 ? (dd){ sum_sign(s) * 0x1p-1074, 0 } : e;
+}
+
 /* Rounds the map, seen from its origin. */
 static void set_kernel_map(struct transform *t)
 {
@@ -10,23 +19,25 @@ static void set_kernel_map(struct transform *t)
 	const struct map *m = &t->map;
 	struct sum origin[4] = { [3] = sum_of_double(1) };
 
+	k->a_hi = k->a_lo = k->b_hi = k->b_lo = 0;
 	for (int i = 0; i < 3; i++) {
 		k->origin[i] = m->origin[i];
 		origin[i] = sum_of_double(m->origin[i]);
 	}
 	for (int j = 0; j < 4; j++) {
-		k->most[j] = 0;
+		k->most[j] = k->none[j] = 0;
 		for (int i = 0; i < 4; i++) {
 			struct sum image = m->m[i][j];
 
 			if (i == 3)
 				map_column(m, j, origin, &image);
-			dd e = sum_dd(image);
+			dd e = rounded(image);
 
 			k->exact[i][j] = image.size.m == 0 && e.lo == 0 &&
 			    ex_compare(image.value, ex_of(e.hi)) == 0;
 			k->hi[i][j] = e.hi;
 			k->lo[i][j] = e.lo;
+			k->none[j] += 0x1p-189 * sum_most(image);
 			if (i < 3)
 				k->most[j] = fmax(k->most[j], fabs(e.hi));
 		}

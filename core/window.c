@@ -112,10 +112,7 @@ const char *window_map(const struct window *w, const struct device *d,
 		c.n = ex_add(ex_sub(c.n, about), ex_scale(about, w->zoom));
 		axis(r, i, c, s, whole(ex_of(0)), inverse);
 	}
-	return map_is_finite(r) ?
-	    NULL :
-	    "/window: its matrix has elements beyond the range of doubles; "
-	    "bring the sizes nearer to one another";
+	return NULL;
 }
 
 const char *device_map(const struct device *d, bool inverse, struct map *r)

@@ -87,12 +87,13 @@ static bool fill(const struct scene *s, const struct view *v, size_t n)
 	if (scene_transform(s, SPACE_DEVICE, SPACE_WORLD, false, &t) != NULL)
 		return false;
 	for (size_t i = 0; i < n; i++) {
-		double w = sample_between(v->near, v->far), kappa;
-		double p[4] = { sample_between(0, v->width),
-			sample_between(0, v->height),
-			v->far * (w - v->near) / (w * (v->far - v->near)) };
+		double w = sample_between(v->near, v->far);
+		double p[4],
+		    at[4] = { sample_between(0, v->width),
+			    sample_between(0, v->height),
+			    v->far * (w - v->near) / (w * (v->far - v->near)) };
 
-		point_exact(&t, p, p, &kappa);
+		point_exact(&t, at, p);
 		for (int k = 0; k < 3; k++) {
 			in[k][i] = doubles_in[i][k] = p[k];
 			floats_in[i][k] = (float)p[k];

@@ -54,7 +54,7 @@ void put_string(struct printer *p, const char *s)
 void put_number(struct printer *p, double v)
 {
 	put_text(p, p->between);
-	if (isnan(v))
+	if (!isfinite(v))
 		put_text(p, "null");
 	else if (p->single)
 		p->at = number_write_float(p->at, (float)v, p->style);

@@ -28,7 +28,7 @@ void put_name(struct printer *, const char *name);
 void put_name_on_new_line(struct printer *, const char *name);
 
 void put_string(struct printer *, const char *); /* needs no escapes */
-void put_number(struct printer *, double v);     /* null where it is nan */
+void put_number(struct printer *, double v);     /* null where not finite */
 void put_numbers(struct printer *, const double *v, int n);
 
 #endif

@@ -23,18 +23,32 @@
 
 /* The bound that is used, in units of B. Almost half of it is left for what the
  * quotient and the test itself round, 2^-100 of a coordinate. */
+#ifndef DIGITS /* of another number, as the proofs have it */
+#define DIGITS 53
 #define COLUMN_BOUND 0x1p-72
+#define DEPTH_BOUND 0x1p-100 /* of a, where depth is a + b / w */
+#define MODERATE 0x1p200
+#endif
 
-/* Coordinates and elements of which nothing underflows or overflows. */
+/* Binary places that are left to coordinates and elements by their cuts. */
+enum { POINT_CUT = DIGITS / 2, ELEMENT_CUT = DIGITS - 3 - POINT_CUT };
+
+/* Coordinates and columns of which nothing underflows or overflows. */
 static int is_moderate(double largest)
 {
-	return largest == 0 || (largest > 0x1p-200 && largest < 0x1p200);
+	return largest == 0 || (largest > 1 / MODERATE && largest < MODERATE);
 }
 
-/* a to a multiple of unit, for |a| < 2^51 unit. */
+/* What rounds a to a multiple of unit, added and subtracted again, while |a| <
+ * 2^(DIGITS-2) unit. */
+static double rounder(double unit)
+{
+	return ldexp(1.5, DIGITS - 1) * unit;
+}
+
 static double cut_to(double a, double unit)
 {
-	double s = 0x1.8p52 * unit;
+	double s = rounder(unit);
 
 	return a + s - s;
 }
@@ -70,15 +84,26 @@ static struct range range_of(const double *in, double origin, size_t n)
 
 		most = MAX(d, most);
 	}
-	r.largest = -least(-most) * (1 + 0x1p-50);
+	r.largest = -least(-most) * (1 + ldexp(1, 3 - DIGITS));
 	frexp(r.largest, &r.e);
-	if (!(fabs(origin) < ldexp(1, r.e + 23))) {
+	if (!(fabs(origin) < ldexp(1, r.e + POINT_CUT - 3))) {
 		r.near = origin;
 		return r;
 	}
-	r.high = cut_to(origin, ldexp(1, r.e - 26));
+	r.high = cut_to(origin, ldexp(1, r.e - POINT_CUT));
 	r.rest = origin - r.high;
 	return r;
+}
+
+/* What is no difference between a column's images (see struct sum). */
+static double none_of(const struct kernel_map *m, int j, int terms,
+    const struct range *range)
+{
+	double largest = 1;
+
+	for (int k = 0; k < terms; k++)
+		largest = fmax(largest, range[k].largest);
+	return m->none[j] * largest;
 }
 
 /* A column's elements, and its origin's image, cut for a block of points. */
@@ -101,8 +126,8 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
 	for (int i = 0; i < 4; i++) {
 		bool counts = i == 3 || (i < terms && range[i].largest > 0);
 		double unit = ldexp(1,
-		    i == 3     ? f - 50 :
-			counts ? f - 24 - range[i].e :
+		    i == 3     ? f - ELEMENT_CUT - POINT_CUT :
+			counts ? f - ELEMENT_CUT - range[i].e :
 				 0);
 
 		c->all[i] = counts ? m->hi[i][j] : 0;
@@ -111,6 +136,7 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
 				      0;
 	}
 	c->bound = most > 0 ? ldexp(COLUMN_BOUND, f) : 0;
+	c->bound += none_of(m, j, terms, range);
 	return is_moderate(most);
 }
 
@@ -167,15 +193,15 @@ static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
 	return round_surely(q, rest * reciprocal, error, sure);
 }
 
-/* a + b / w. */
-static inline V depth(const struct kernel_map *m, vdd w, V reciprocal,
+/* a + b / w, where none is no difference between two a w + b. */
+static inline V depth(const struct kernel_map *m, vdd w, V reciprocal, V none,
     V w_bound, V *sure)
 {
 	V b = ALL(m->b_hi), q = b * reciprocal;
 	V rest = FMA(-q, w.hi, b) + MADD(-q, w.lo, ALL(m->b_lo));
 	vdd s = v_two_sum(ALL(m->a_hi), q);
-	V error = MADD(ABS(q), reciprocal * w_bound,
-	    ALL(0x1p-100 * fabs(m->a_hi)));
+	V error = MADD(reciprocal, MADD(ABS(q), w_bound, none),
+	    ALL(DEPTH_BOUND * fabs(m->a_hi)));
 
 	return round_surely(s.hi, s.lo + MADD(rest, reciprocal, ALL(m->a_lo)),
 	    error, sure);
@@ -195,12 +221,18 @@ exact(const struct kernel_map *m, const double *const in[3],
 
 	for (int k = 0; k < terms; k++) {
 		range[k] = range_of(in[k], m->origin[k], n);
-		shift[k] = ALL(ldexp(0x1.8p52, range[k].e - 26));
+		shift[k] = ALL(rounder(ldexp(1, range[k].e - POINT_CUT)));
 		moderate &= is_moderate(range[k].largest);
 	}
 	for (int j = 0; j < 4; j++)
 		if (j < columns || (j == 3 && divide))
 			moderate &= cut_column(m, j, terms, range, &c[j]);
+	if (kind == KERNEL_DEPTH)
+		moderate &= is_moderate(fabs(m->a_hi)) &
+		    is_moderate(fabs(m->b_hi));
+	const V none = ALL(none_of(m, 2, terms, range) +
+	    fabs(m->a_hi) * none_of(m, 3, terms, range));
+
 	for (size_t i = 0; i < n; i += WIDTH) {
 		V cut[3], rest[3], q[3], r = ALL(1), sure = ALL(moderate);
 		V bound = ALL(0);
@@ -226,9 +258,9 @@ exact(const struct kernel_map *m, const double *const in[3],
 			    round_surely(s.hi, s.lo, ALL(c[k].bound), &sure);
 		}
 		if (kind == KERNEL_DEPTH)
-			q[2] = depth(m, w, r, bound, &sure);
+			q[2] = depth(m, w, r, none, bound, &sure);
 		if (divide)
-			sure = CHOOSE(w.hi, sure,
+			sure = CHOOSE(w.hi - bound, sure,
 			    CHOOSE(-(w.hi + bound), ALL(-1), ALL(0)));
 		q[0] = CHOOSE(sure, q[0],
 		    CHOOSE(-sure, ALL(INFINITY), ALL(NAN)));

@@ -27,6 +27,9 @@ struct kernel_map {
 	double a_hi, a_lo, b_hi, b_lo; /* of KERNEL_DEPTH */
 	/* A column's products are at most most (|x|+|y|+|z|) + image. */
 	double most[4], image[4];
+	/* A difference of none (2^e + 1) between two images' columns is to be
+	 * taken for none, where |p - origin| < 2^e (see struct sum). */
+	double none[4];
 };
 
 /* The nearest doubles to the exact image, where that is sure. Otherwise the first

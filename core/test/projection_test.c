@@ -202,13 +202,6 @@ static void refusals(void **state)
 	refused(&p, false, "/projection/z_far");
 	p.type = PROJECTION_MATRIX;
 	refused(&p, true, "/projection/matrix");
-	p = good;
-	p.type = PROJECTION_PERSP;
-	p.extent = EXTENT_FOVY;
-	p.angle = 1e-150;
-	p.aspect[0] = 1e-150;
-	p.aspect[1] = 1e150;
-	refused(&p, false, "/projection");
 }
 
 int main(void)
