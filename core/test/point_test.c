@@ -189,6 +189,48 @@ static void ties_of_irrational_parts(void **state)
 	}
 }
 
+/* And turned by 45 degrees before a parallel projection: x = (z - y) / 2, of a
+ * sine times the root of 1/2. */
+static void ties_of_different_irrational_parts(void **state)
+{
+	struct scene s = { .has_camera = true,
+		.camera = { .by = CAMERA_GAZE,
+		    .at = { 0, 1, 1 },
+		    .up = { 0, 1, 0 },
+		    .roll = 45 },
+		.projection = { .type = PROJECTION_ORTHO,
+		    .extent = EXTENT_SIZE,
+		    .width = 2,
+		    .height = 2,
+		    .far = 1 },
+		.has_viewport = true,
+		.viewport = { .x = 0.5, .width = 1, .height = 1, .max_z = 1 } };
+	static struct block b;
+	static struct transform t;
+
+	(void)state;
+	assert_null(scene_transform(&s, SPACE_WORLD, SPACE_DEVICE, false, &t));
+	for (int c = 0; c < COPIES; c++) {
+		if (!points_choose(copies[c]))
+			continue;
+		for (int i = 0; i < 200; i++) {
+			b.in[0][i] = 0;
+			b.in[1][i] = (100 - i) * 0x1p-52;
+			b.in[2][i] = -b.in[1][i];
+		}
+		carry_all(&t, &b, 200);
+		for (int i = 0; i < 200; i++) {
+			int mark = real_mark();
+			real exact = sub(number(1),
+			    number((100 - i) * 0x1p-53));
+
+			assert_true(
+			    b.out[0][i] == mpfr_get_d(exact, MPFR_RNDN));
+			real_release(mark);
+		}
+	}
+}
+
 /* On the eye plane, behind it, and at nan there is no image. */
 static void no_image(void **state)
 {
@@ -237,6 +279,7 @@ int main(void)
 		cmocka_unit_test(sums_of_given_numbers),
 		cmocka_unit_test(underflow),
 		cmocka_unit_test(ties_of_irrational_parts),
+		cmocka_unit_test(ties_of_different_irrational_parts),
 		cmocka_unit_test(no_image),
 	};
 

@@ -138,6 +138,57 @@ static void check_within(double tolerance, double got, struct form n,
 	    truth_verdict(got, n, d, false) != WRONG);
 }
 
+/* Elements and coordinates of which some, or their products, are below the
+ * least float or double. */
+static void sample_tiny(int e, double m[4][4], struct block *b)
+{
+	sample_affine(m, 3);
+	for (int i = 0; i < 16; i++)
+		if (i % 4 != 3)
+			m[i / 4][i % 4] *= pow(10, sample_between(-1, 0) * e);
+	for (int i = 0; i < POINTS; i++)
+		for (int j = 0; j < 3; j++)
+			b->in[j][i] = sample_number(4) *
+			    pow(10, sample_between(-0.5, 0) * e);
+}
+
+static void tolerance_counts_underflow(void **state)
+{
+	static struct block b;
+	static struct transform t;
+	size_t cheap = 0;
+
+	(void)state;
+	sample_seed(7);
+	for (int k = 0; k < 500; k++) {
+		int mark = real_mark(), e = k % 2 ? 45 : 300;
+		struct accuracy a = { PRECISION_EXACT,
+			pow(10, sample_between(-1.2, 0) * e) };
+		struct truth truth = { 0 };
+		double m[4][4];
+
+		sample_tiny(e, m, &b);
+		map_of_doubles(m, &t.map);
+		transform_init(&t, SPACE_MODEL, SPACE_WORLD, false);
+		set_matrix(truth_stage(&truth)->m, m);
+		truth_compose(&truth);
+		carry(&t, a, &b, POINTS);
+		for (size_t i = 0; i < POINTS; i++) {
+			int point = real_mark();
+			double p[4] = { b.in[0][i], b.in[1][i], b.in[2][i], 1 };
+
+			for (int j = 0; j < 3; j++)
+				check_within(a.tolerance, b.out[j][i],
+				    truth_column(&truth, j, p), form_of(1));
+			cheap += b.single[i];
+			real_release(point);
+		}
+		real_release(mark);
+	}
+	print_message("%zu points were cheap\n", cheap);
+	assert_true(cheap > 500);
+}
+
 static void tolerance_is_kept(void **state)
 {
 	static struct block b;
@@ -196,6 +247,7 @@ int main(void)
 		cmocka_unit_test(copies_give_the_same_bits),
 		cmocka_unit_test(points_depend_on_nothing_else),
 		cmocka_unit_test(tolerance_is_kept),
+		cmocka_unit_test(tolerance_counts_underflow),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
