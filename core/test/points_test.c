@@ -138,18 +138,22 @@ static void check_within(double tolerance, double got, struct form n,
 	    truth_verdict(got, n, d, false) != WRONG);
 }
 
-/* Elements and coordinates of which some, or their products, are below the
- * least float or double. */
+static double power(double least, double most)
+{
+	return copysign(pow(10, sample_between(least, most)),
+	    sample_between(-1, 1));
+}
+
+/* Elements about the least float or double, 10^e, before coordinates that make
+ * their errors large. */
 static void sample_tiny(int e, double m[4][4], struct block *b)
 {
-	sample_affine(m, 3);
-	for (int i = 0; i < 16; i++)
-		if (i % 4 != 3)
-			m[i / 4][i % 4] *= pow(10, sample_between(-1, 0) * e);
+	sample_affine(m, 0);
+	for (int i = 0; i < 12; i++)
+		m[i / 3][i % 3] = power(e - 5, e + 4);
 	for (int i = 0; i < POINTS; i++)
 		for (int j = 0; j < 3; j++)
-			b->in[j][i] = sample_number(4) *
-			    pow(10, sample_between(-0.5, 0) * e);
+			b->in[j][i] = power(3 - e / 17, 18 - e / 17);
 }
 
 static void tolerance_counts_underflow(void **state)
@@ -161,9 +165,9 @@ static void tolerance_counts_underflow(void **state)
 	(void)state;
 	sample_seed(7);
 	for (int k = 0; k < 500; k++) {
-		int mark = real_mark(), e = k % 2 ? 45 : 300;
+		int mark = real_mark(), e = k % 2 ? -40 : -310;
 		struct accuracy a = { PRECISION_EXACT,
-			pow(10, sample_between(-1.2, 0) * e) };
+			pow(10, sample_between(e + 4, e + 16)) };
 		struct truth truth = { 0 };
 		double m[4][4];
 
