@@ -1,21 +1,27 @@
 /* The fast phase of exact, written once for the vectors that copy.h describes:
  * each coordinate as a sum hi + lo with a bound of its error, and a test whether
  * all that lies within the bound rounds to the same double. If it doesn't, the
- * point is left to point.c.
+ * point is left to point.c. `make prove` counts the errors of what stands here;
+ * the numbers below are what it finds.
  *
  * High parts add without error: for a block of points |p - origin| < 2^e, and a
  * column's elements, with its origin's image over 2^e, are below 2^f. Coordinates
  * are cut to multiples of 2^(e-26), elements to multiples of 2^(f-25). Then three
- * products and the image are whole multiples of 2^(e+f-51), their sums at most
- * 2^53 of it. With B = 2^(e+f) and u = 2^-53, the rest is
+ * products and the image are whole multiples of 2^(e+f-51), and with B = 2^(e+f)
+ * none is above B: their sums are at most 4 B, which is 2^53 of it. The rest is
  *
- *	lo = sum of (cut coordinate) (element's rest) + (coordinate's rest) element
+ *	lo = sum of (coordinate's rest) element + (cut coordinate) (element's rest)
  *
- * of three terms up to 2^-26 B and three up to 2^-27 B: partial sums of 1, 2, 3,
- * 3.5, 4, 4.5 times 2^-26 B are rounded by u each, 18 u 2^-26 B in all, and
- * products, where they are not fused, by 4.5 more; the rests themselves are
- * rounded by u, 4.5 u 2^-26 B; and the element's low part is left out of the last
- * three terms, 1.5 u 2^-26 B: together 28.5 u 2^-26 B < 2^-74.1 B. */
+ * of three terms up to B/2^27 and three up to B/2^26, summed in this order. In
+ * units of u 2^-26 B = 2^-79 B, where u = 2^-53:
+ *
+ *	10.5	rounding the sums of 0.5, 1, 1.5, 2.5, 3.5, 4.5 times 2^-26 B
+ *	4.5	rounding the products, where they are not fused with the sums
+ *	4.5	rounding the rests: three times 1/2 and three times 1
+ *	0.75	the elements' low parts, left out of the first three terms
+ *	4	normalise(), where |hi| < |lo|
+ *
+ * 24.25 in all, where products are fused 19.75; less than half of the bound. */
 #include "kernel.h"
 
 /* The proofs compile this file for numbers of other digits, too: with theirs in
@@ -165,7 +171,8 @@ static inline vdd column(const struct cut *c, const V cut[3], const V rest[3],
 	return normalise(hi, lo);
 }
 
-/* Rounds hi + lo; both ways are the same where the error counts for nothing. */
+/* Rounds hi + lo; both ways are the same where the error counts for nothing, as
+ * all that lies between rounds to what lies between. */
 static inline V round_surely(V hi, V lo, V error, V *sure)
 {
 	V up = hi + (lo + error), down = hi + (lo - error);
@@ -174,8 +181,11 @@ static inline V round_surely(V hi, V lo, V error, V *sure)
 	return up;
 }
 
-/* n / w: q is within 2 u of its size, and so is the residual n - q w, of which
- * 2^-105 n.hi are lost. */
+/* n / w: q is within 2 u of its size, and so is the residual n - q w, from which
+ * the rest follows within 80 u^2 of q, though low parts be 3 u. The bounds are
+ * above 2^-74 of n and w, and columns need half of them, so that the other half
+ * covers this a million times; and that w, which is above its own bound, may be
+ * a quarter less than it is divided by. */
 static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
     V *sure)
 {
@@ -186,7 +196,8 @@ static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
 	return round_surely(q, rest * reciprocal, error, sure);
 }
 
-/* a + b / w; at least none is lost of a w + b. */
+/* a + b / w, by the quotient's steps; what they lose of a is below 16 u^2 of it.
+ * A difference of none in a w + b is none. */
 static inline V depth(const struct kernel_map *m, vdd w, V reciprocal, V none,
     V w_bound, V *sure)
 {
@@ -245,7 +256,7 @@ exact(const struct kernel_map *m, const double *const in[3],
 			q[2] = depth(m, w, r, none, bound, &sure);
 		if (divide)
 			sure = CHOOSE(w.hi - bound, sure,
-			    CHOOSE(-(w.hi + bound), ALL(-1), ALL(0)));
+			    CHOOSE(-(w.hi + bound), ALL(-moderate), ALL(0)));
 		q[0] = CHOOSE(sure, q[0],
 		    CHOOSE(-sure, ALL(INFINITY), ALL(NAN)));
 		done = MIN(done, sure);
