@@ -9,11 +9,13 @@
  *	|error of N/W| <= PLAIN_BOUND u (S_N + |N/W| S_W) / |W|
  *
  * of which 5 is the columns', 2 the quotient's and 1 for printing the shortest
- * digits of a float; where W is known to 1/16, as is asked for, dividing by what
- * was computed makes that at most 16/15 as much: 8.6. In the same way depth
- * a + b/w is within PLAIN_BOUND u (|a| + |b/W| S_W/|W|). S is not summed, but
- * bounded by the column's largest element times |x| + |y| + |z|. What underflows
- * is off by u TINY at most. */
+ * digits of a float: 8. Depth a + b/w is within PLAIN_BOUND u (|a| + |b/W| S_W /
+ * |W|): b, the reciprocal, the fused product and sum, and printing carry u each,
+ * to which come w's 5 u S_W: 9. Both are so where S_W is |W|. Where it is more, w
+ * is known less, to 1/16 as is asked for: dividing by what was computed makes its
+ * 5 at most 32/31 as much, and the others weigh less. `make prove` counts all of
+ * these. S is not summed, but bounded by the column's largest element times |x| +
+ * |y| + |z|. What underflows is off by u TINY at most. */
 
 /* Column k of the map. */
 static inline R NAME(
@@ -80,7 +82,8 @@ static inline __attribute__((always_inline)) int NAME(
 			R s = R_FMA(R_ABS(b), w_size,
 			    R_ALL((REAL)fabs(m->a_hi)));
 
-			q[2] = R_ALL((REAL)m->a_hi) + b;
+			q[2] = R_FMA(R_ALL((REAL)m->b_hi), r,
+			    R_ALL((REAL)m->a_hi));
 			error = R_MAX(error, cu * s * within + lost);
 		}
 		R room = R_ALL((REAL)limit) - size;
