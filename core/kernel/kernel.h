@@ -16,6 +16,22 @@ enum kernel_kind {
 	KERNELS,
 };
 
+/* Coordinates in and out, columns among them, and whether they are divided. */
+static inline int kernel_terms(enum kernel_kind kind)
+{
+	return kind == KERNEL_FLAT ? 2 : 3;
+}
+
+static inline int kernel_columns(enum kernel_kind kind)
+{
+	return kind == KERNEL_DEPTH ? 2 : kernel_terms(kind);
+}
+
+static inline bool kernel_divides(enum kernel_kind kind)
+{
+	return kind == KERNEL_DEPTH || kind == KERNEL_PROJECTIVE;
+}
+
 enum precision { PRECISION_EXACT, PRECISION_DOUBLE, PRECISION_SINGLE };
 
 /* A map as the loops take it: the image of p is (p - origin, 1) times hi + lo,

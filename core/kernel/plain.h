@@ -38,14 +38,24 @@ static inline R NAME(most)(const struct kernel_map *m, int k, R size)
 	    R_ALL((REAL)(m->image[k] + TINY * (4 + 3 * most))));
 }
 
+static inline int NAME(all_below)(R a, double limit)
+{
+	double all[R_WIDTH];
+	int below = 1;
+
+	R_STORE(all, a);
+	for (int i = 0; i < R_WIDTH; i++)
+		below &= all[i] < limit;
+	return below;
+}
+
 static inline __attribute__((always_inline)) int NAME(
     plain)(const struct kernel_map *m, const double *const in[3],
     double *const out[3], size_t n, double tolerance, enum kernel_kind kind,
     int bounded)
 {
-	const int terms = kind == KERNEL_FLAT ? 2 : 3;
-	const int divide = kind == KERNEL_DEPTH || kind == KERNEL_PROJECTIVE;
-	const int columns = kind == KERNEL_DEPTH ? 2 : terms;
+	const int terms = kernel_terms(kind), columns = kernel_columns(kind);
+	const int divide = kernel_divides(kind);
 	const R cu = R_ALL((REAL)PLAIN_BOUND * ROUNDOFF);
 	const R within = R_ALL((REAL)(1 / tolerance));
 	const R lost = R_ALL((REAL)(4 * TINY * (double)ROUNDOFF / tolerance));
@@ -99,13 +109,7 @@ static inline __attribute__((always_inline)) int NAME(
 			R_STORE(out[k] + i, q[k]);
 		}
 	}
-	double all[R_WIDTH];
-	int done = 1;
-
-	R_STORE(all, largest);
-	for (int i = 0; i < R_WIDTH; i++)
-		done &= all[i] < limit;
-	return done;
+	return NAME(all_below)(largest, limit);
 }
 
 #define LOOP(KIND, name)                                                       \
