@@ -38,6 +38,15 @@ static inline R NAME(most)(const struct kernel_map *m, int k, R size)
 	    R_ALL((REAL)(m->image[k] + TINY * (4 + 3 * most))));
 }
 
+/* a + b / w, and the sum of their sizes. */
+static inline R NAME(depth)(const struct kernel_map *m, R r, R w_size, R *z)
+{
+	R a = R_ALL((REAL)m->a_hi), b = R_ALL((REAL)m->b_hi);
+
+	*z = R_FMA(b, r, a);
+	return R_FMA(R_ABS(b * r), w_size, R_ABS(a));
+}
+
 static inline int NAME(all_below)(R a, double limit)
 {
 	double all[R_WIDTH];
@@ -61,7 +70,7 @@ static inline __attribute__((always_inline)) int NAME(
 	const R lost = R_ALL((REAL)(4 * TINY * (double)ROUNDOFF / tolerance));
 	const double limit = 1 / tolerance < MOST ? size_limit(m, kind, MOST) :
 						    0;
-	R largest = R_ALL(0);
+	R largest = R_ALL(0), behind = R_ALL((REAL)-MOST);
 
 	for (size_t i = 0; i < n; i += R_WIDTH) {
 		R p[3], q[3], size = R_ALL(0), r = R_ALL(1), error = lost;
@@ -88,17 +97,14 @@ static inline __attribute__((always_inline)) int NAME(
 			error = R_MAX(error, cu * s * within + lost);
 		}
 		if (kind == KERNEL_DEPTH) {
-			R b = R_ALL((REAL)m->b_hi) * r;
-			R s = R_FMA(R_ABS(b), w_size,
-			    R_ALL((REAL)fabs(m->a_hi)));
+			R s = NAME(depth)(m, r, w_size, &q[2]);
 
-			q[2] = R_FMA(R_ALL((REAL)m->b_hi), r,
-			    R_ALL((REAL)m->a_hi));
 			error = R_MAX(error, cu * s * within + lost);
 		}
 		R room = R_ALL((REAL)limit) - size;
 
 		largest = R_MAX(size, largest);
+		behind = R_MAX(-w, behind);
 		for (int k = 0; k < terms; k++) {
 			if (divide)
 				q[k] = R_POSITIVE(w, q[k]);
@@ -109,7 +115,8 @@ static inline __attribute__((always_inline)) int NAME(
 			R_STORE(out[k] + i, q[k]);
 		}
 	}
-	return NAME(all_below)(largest, limit);
+	return NAME(all_below)(largest, limit) &&
+	    (!divide || NAME(all_below)(behind, -1 / MOST));
 }
 
 #define LOOP(KIND, name)                                                       \
