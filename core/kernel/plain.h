@@ -39,7 +39,7 @@ static inline R NAME(most)(const struct kernel_map *m, int k, R size)
 }
 
 /* a + b / w, and the sum of their sizes. */
-static inline R NAME(depth)(const struct kernel_map *m, R r, R w_size, R *z)
+static inline R NAME(depth_of)(const struct kernel_map *m, R r, R w_size, R *z)
 {
 	R a = R_ALL((REAL)m->a_hi), b = R_ALL((REAL)m->b_hi);
 
@@ -97,7 +97,7 @@ static inline __attribute__((always_inline)) int NAME(
 			error = R_MAX(error, cu * s * within + lost);
 		}
 		if (kind == KERNEL_DEPTH) {
-			R s = NAME(depth)(m, r, w_size, &q[2]);
+			R s = NAME(depth_of)(m, r, w_size, &q[2]);
 
 			error = R_MAX(error, cu * s * within + lost);
 		}
