@@ -1,6 +1,6 @@
 /* Nanoseconds a point of points_carry: every copy of the kernels that this
- * processor runs, every precision, every body, on a block that lies in the
- * cache. Prints a table in markdown. */
+ * processor runs, every precision, every kind of transform, on a block that lies
+ * in the cache. Prints a table in markdown. */
 #include <stdio.h>
 
 #include "clock.h"
@@ -135,7 +135,7 @@ int main(void)
 	measure_all(0);
 	for (int run = 0; run < RUNS; run++)
 		measure_all(run);
-	printf("| body | copy | exact | double | single | -t 0.5 |\n"
+	printf("| kind | copy | exact | double | single | -t 0.5 |\n"
 	       "|---|---|--:|--:|--:|--:|\n");
 	for (int c = 0; c < CASES; c++)
 		for (int copy = 0; copy < COPIES; copy++)

@@ -283,7 +283,7 @@ exact(const struct kernel_map *m, const double *const in[3],
 			sure = CHOOSE(w.hi - bound, sure,
 			    CHOOSE(-(w.hi + bound), ALL(-b.moderate), ALL(0)));
 		q[0] = CHOOSE(sure, q[0],
-		    CHOOSE(-sure, ALL(INFINITY), ALL(NAN)));
+		    CHOOSE(-sure, ALL((double)INFINITY), ALL((double)NAN)));
 		done = MIN(done, sure);
 		for (int k = 0; k < terms; k++)
 			STORE(out[k] + i, q[k]);

@@ -131,7 +131,6 @@ static void steps_are_the_first(void **state)
 		int mark = real_mark();
 
 		sample_scene(&s, k % 5 == 0 ? 2 : 0);
-		s.projection.reverse_z &= s.projection.type < PROJECTION_VOLUME;
 		if (taxonomy_of(&s, &t) != NULL)
 			continue;
 		depth_steps(&s, t.reversed, step);

@@ -69,13 +69,12 @@ static void random_points(void **state)
 static void transform_by(const double m[3][4], struct transform *t)
 {
 	double all[4][4] = { [3] = { 0, 0, 0, 1 } };
-	struct map map;
 
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 3; j++)
 			all[i][j] = m[j][i];
-	map_of_doubles(all, &map);
-	transform_of(&map, SPACE_MODEL, SPACE_WORLD, false, t);
+	map_of_doubles(all, &t->map);
+	transform_init(t, SPACE_MODEL, SPACE_WORLD, false);
 }
 
 static void assert_image(const struct transform *t, double x, double y,

@@ -230,7 +230,7 @@ static void planes(struct projection *p, int e)
 	if (p->type != PROJECTION_PERSP && sample_below(2))
 		p->near = -p->near / 2;
 	p->plane = sample_below(2) ? p->near : ordinary();
-	p->reverse_z = sample_below(2);
+	p->reverse_z = sample_below(2) && p->type < PROJECTION_VOLUME;
 }
 
 static void seven(struct projection *p, int e)
