@@ -159,7 +159,6 @@ static void stand(const struct axis axis[3], double roll, const double at[3],
 		r->m[3][i] = inverse ? sum_of_double(at[i]) : e[3][i];
 		r->origin[i] = inverse ? 0 : at[i];
 	}
-	map_settle(r);
 }
 
 static void transpose(struct axis axis[3])

@@ -4,7 +4,8 @@
 
 #include "frustum.h"
 
-/* Unit roundoff; the least number with all its digits; and what 1/w may be. */
+/* Unit roundoff; the least number with all its digits; and what 1/w and the image
+ * may be. */
 struct arithmetic {
 	double u, tiny, most;
 };
@@ -94,7 +95,7 @@ static double plain(const struct volume *v, const struct arithmetic *a)
 	const struct transform *t = v->t;
 	const struct kernel_map *k = &t->for_kernel;
 	double cu = PLAIN_BOUND * a->u, worst = 0, w = 0;
-	double inverse = largest_inverse(v);
+	double inverse = largest_inverse(v), size = 0;
 
 	for (int i = 0; i < 8; i++) {
 		double s3 = sum(v, i, 3, a->tiny);
@@ -103,6 +104,7 @@ static double plain(const struct volume *v, const struct arithmetic *a)
 		for (int j = 0; j < 3; j++) {
 			double s = sum(v, i, j, a->tiny);
 
+			size = fmax(size, v->size[j]);
 			if (t->divide)
 				s += v->size[j] * s3;
 			if (j < 2 || t->kind != KERNEL_DEPTH)
@@ -112,8 +114,9 @@ static double plain(const struct volume *v, const struct arithmetic *a)
 	if (t->kind == KERNEL_DEPTH)
 		worst = fmax(worst,
 		    fabs(k->a_hi) + fabs(k->b_hi) * inverse * w);
-	if (!(inverse <= a->most) || !(fabs(k->a_hi) <= a->most) ||
-	    !(fabs(k->b_hi) <= a->most) || (t->divide && !(cu * w < 0x1p-4)))
+	if (!(inverse <= a->most) || !(size <= a->most) ||
+	    !(fabs(k->a_hi) <= a->most) || !(fabs(k->b_hi) <= a->most) ||
+	    (t->divide && !(cu * w < 0x1p-4)))
 		return (double)NAN;
 	return (cu * worst + 4 * a->tiny * a->u) * ROUNDED_UP;
 }

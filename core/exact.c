@@ -434,8 +434,9 @@ uint64_t ex_behind(const ex *a, int bits)
 
 double ex_nearest(const ex *a, bool single)
 {
-	return single ? (double)(float)rounded(a, 24, -149) :
-			rounded(a, 53, -1074);
+	return (single ? (double)(float)rounded(a, 24, -149) :
+			 rounded(a, 53, -1074)) +
+	    0.0; /* -0 is 0 */
 }
 
 double ex_double(ex a)

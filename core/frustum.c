@@ -16,8 +16,8 @@ static void combine(struct map *r, int j, const struct map *m, bool minus,
 	for (int i = 0; i < 4; i++) {
 		struct sum x = m->m[i][k];
 
-		r->m[i][j] = sum_settled(
-		    sum_add(minus ? sum_neg(x) : x, sum_mul(b, m->m[i][3])));
+		r->m[i][j] = sum_add(minus ? sum_neg(x) : x,
+		    sum_mul(b, m->m[i][3]));
 	}
 }
 

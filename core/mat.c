@@ -25,7 +25,7 @@ static bool is_one(const struct sum *a)
 bool map_is_affine(const struct map *a)
 {
 	for (int i = 0; i < 3; i++)
-		if (a->m[i][3].value.sign != 0)
+		if (sum_sign(a->m[i][3]) != 0)
 			return false;
 	return is_one(&a->m[3][3]);
 }
@@ -47,13 +47,6 @@ bool map_is_finite(const struct map *a)
 			if (!isfinite(ex_double(a->m[i][j].value)))
 				return false;
 	return true;
-}
-
-void map_settle(struct map *a)
-{
-	for (int i = 0; i < 4; i++)
-		for (int j = 0; j < 4; j++)
-			a->m[i][j] = sum_settled(a->m[i][j]);
 }
 
 static void set_element(struct map *r, int i, int j, const struct map *a,

@@ -24,9 +24,6 @@ void map_of_doubles(const double m[4][4], struct map *);
 /* First a, then b, into another map. */
 void map_then(const struct map *a, const struct map *b, struct map *r);
 
-/* Makes what is 0 but for its error exactly 0. */
-void map_settle(struct map *);
-
 /* The inverse of a matrix of given numbers. Returns false where it is singular.
  * An affine one (last column 0 0 0 1) gets its last row as origin. */
 bool map_inverse(const double m[4][4], struct map *inverse);

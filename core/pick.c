@@ -13,7 +13,7 @@ static const char *near_plane(const struct scene *s, struct sum *near,
 	struct sum z = sum_of_double(reversed ? 1 : c->minus_one ? -1 : 0);
 	struct map back;
 
-	*upward = !c->right_handed;
+	*upward = c->right_handed == (p->near > p->far);
 	*near = sum_of_double(c->right_handed ? -p->near : p->near);
 	switch (p->type) {
 	case PROJECTION_PERSP:

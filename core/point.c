@@ -126,8 +126,9 @@ bool point_estimate(const struct transform *t, const double in[3], int n,
 
 		value[j] = x * k->hi[0][j] + y * k->hi[1][j] + z * k->hi[2][j] +
 		    k->hi[3][j];
-		sure &= fabs(value[j]) > 0x1p-45 * size && size > 0x1p-900 &&
-		    size < 0x1p1000;
+		sure &= fabs(value[j]) >
+			0x1p-45 * size + 2 * k->none[j] * (all + 1) &&
+		    size > 0x1p-900 && size < 0x1p1000;
 	}
 	return sure;
 }

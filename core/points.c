@@ -149,10 +149,9 @@ static void carry_plain(const struct transform *t, enum precision precision,
 	}
 	if (fast == NULL)
 		return;
-	fast(&t->for_kernel, in, out, n, 0);
-	gather(t, in, out, n, &r);
-	if (r.n == 0)
+	if (fast(&t->for_kernel, in, out, n, 0))
 		return;
+	gather(t, in, out, n, &r);
 	const double *const in2[4] = { r.in[0], r.in[1], r.in[2] };
 	double *const out2[4] = { r.out[0], r.out[1], r.out[2] };
 

@@ -266,7 +266,6 @@ static void map_of_elements(const struct elements *f, struct map *r)
 
 	memset(r, 0, sizeof *r);
 	memcpy(r->m, m, sizeof m);
-	map_settle(r);
 }
 
 /* Block by block: 1/x and 1/y; the inverse of zz zw, tz tw; and what makes the
@@ -413,6 +412,8 @@ bool projection_is_reversed(const struct projection *p,
 {
 	struct map back;
 
+	if (p->type == PROJECTION_NONE)
+		return c->right_handed;
 	if (p->type != PROJECTION_MATRIX || !map_inverse(p->matrix, &back))
 		return p->reverse_z;
 	int grows = sum_sign(back.m[2][3]);

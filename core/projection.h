@@ -55,9 +55,9 @@ struct projection {
 const char *projection_map(const struct projection *, const struct convention *,
     bool inverse, struct map *);
 
-/* Whether the near plane is that of ndc depth 1. A matrix doesn't say: its near
- * plane is that of the smaller positive w or, where w is constant, the first along
- * the convention's gaze. */
+/* Whether the near plane is that of ndc depth 1. A matrix, or the identity where
+ * there is no projection, doesn't say: its near plane is that of the smaller
+ * positive w or, where w is constant, the first along the convention's gaze. */
 bool projection_is_reversed(const struct projection *,
     const struct convention *);
 

@@ -12,12 +12,22 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 
 	r->depth = reversed ? v->max_z : v->min_z;
 	r->against = (v->max_z > v->min_z) == reversed;
-	return scene_transform(s, SPACE_DEVICE, SPACE_WORLD, false, &r->back);
+	const char *why = scene_transform(s, SPACE_DEVICE, SPACE_WORLD, false,
+	    &r->to_world);
+
+	if (why == NULL)
+		why = scene_transform(s, SPACE_DEVICE, SPACE_VIEW, false,
+		    &r->to_view);
+	if (why == NULL)
+		why = scene_transform(s, SPACE_VIEW, SPACE_WORLD, false,
+		    &r->turn);
+	return why;
 }
 
-/* The world is N(z) / D(z) at device depth z, and the direction the derivative's
- * numerator N' D - N D', as D^2 > 0. Both are computed twice, alike: in
- * double-double, and exactly where that may have rounded to the wrong side. */
+/* View space is N(z) / D(z) at device depth z, and the direction the derivative's
+ * numerator N' D - N D', as D^2 > 0, turned to the world: there the eye's place
+ * would have to cancel. Both are computed twice, alike: in double-double, and
+ * exactly where that may have rounded to the wrong side. */
 static struct quick length_of(const struct quick to[3])
 {
 	dd square = { 0, 0 };
@@ -34,34 +44,56 @@ static struct quick length_of(const struct quick to[3])
 		false };
 }
 
-static bool ray_quick(const struct ray_maker *r, const double at[2],
-    double point[3], double direction[3])
+/* Columns of the image of a device position at the near plane. */
+static void set_columns(const struct ray_maker *r, const struct kernel_map *k,
+    const double at[2], struct quick n[4])
 {
-	const struct kernel_map *k = &r->back.for_kernel;
-	struct quick n[4], to[3] = { QUICK_ZERO, QUICK_ZERO, QUICK_ZERO };
 	dd p[4] = { [3] = { 1, 0 } };
-	bool sure = true;
 
 	for (int i = 0; i < 3; i++)
 		p[i] = two_sum(i < 2 ? at[i] : r->depth, -k->origin[i]);
 	for (int j = 0; j < 4; j++)
 		n[j] = quick_column(k, j, p);
-	if (!(n[3].value.hi > QUICK_BOUND * n[3].size))
-		return false;
-	for (int j = 0; j < 3; j++) {
-		quick_add(&to[j], n[3].value, n[3].size, quick_element(k, 2, j),
+}
+
+static bool point_is_sure(const struct ray_maker *r, const double at[2],
+    double point[3])
+{
+	struct quick n[4];
+
+	set_columns(r, &r->to_world.for_kernel, at, n);
+	return n[3].value.hi > QUICK_BOUND * n[3].size &&
+	    quick_over(n[0], n[3], &point[0]) &&
+	    quick_over(n[1], n[3], &point[1]) &&
+	    quick_over(n[2], n[3], &point[2]);
+}
+
+static bool direction_is_sure(const struct ray_maker *r, const double at[2],
+    double direction[3])
+{
+	const struct kernel_map *k = &r->to_view.for_kernel;
+	const struct kernel_map *turn = &r->turn.for_kernel;
+	struct quick n[4], to[3] = { QUICK_ZERO, QUICK_ZERO, QUICK_ZERO };
+
+	set_columns(r, k, at, n);
+	for (int i = 0; i < 3; i++) {
+		struct quick d = QUICK_ZERO;
+
+		quick_add(&d, n[3].value, n[3].size, quick_element(k, 2, i),
 		    false);
-		quick_add(&to[j], dd_neg(n[j].value), n[j].size,
+		quick_add(&d, dd_neg(n[i].value), n[i].size,
 		    quick_element(k, 2, 3), false);
 		if (r->against)
-			to[j].value = dd_neg(to[j].value);
+			d.value = dd_neg(d.value);
+		for (int j = 0; j < 3; j++)
+			quick_add(&to[j], d.value, d.size,
+			    quick_element(turn, i, j), false);
 	}
 	struct quick length = length_of(to);
 
-	for (int j = 0; j < 3; j++)
-		sure = sure && quick_over(n[j], n[3], &point[j]) &&
-		    quick_over(to[j], length, &direction[j]);
-	return sure;
+	return quick_over(to[0], length, &direction[0]) &&
+	    quick_over(to[1], length, &direction[1]) &&
+	    quick_over(to[2], length, &direction[2]);
 }
 
 static double over(struct sum n, struct sum d, bool single)
@@ -71,33 +103,53 @@ static double over(struct sum n, struct sum d, bool single)
 	return isfinite(q) ? q : (double)NAN;
 }
 
+static void set_point(const struct ray_maker *r, const double in[4],
+    bool single, double point[3])
+{
+	struct sum w = point_column(&r->to_world, 3, in);
+
+	for (int j = 0; j < 3 && sum_sign(w) > 0; j++)
+		point[j] = over(point_column(&r->to_world, j, in), w, single);
+}
+
+static void set_direction(const struct ray_maker *r, const double in[4],
+    bool single, double direction[3])
+{
+	const struct sum *m = r->to_view.map.m[2];
+	struct sum w = point_column(&r->to_view, 3, in), d[3], to[3];
+
+	for (int i = 0; i < 3; i++) {
+		struct sum n = point_column(&r->to_view, i, in);
+
+		d[i] = sum_sub(sum_mul(m[i], w), sum_mul(n, m[3]));
+		if (r->against)
+			d[i] = sum_neg(d[i]);
+	}
+	for (int j = 0; j < 3; j++) {
+		const struct sum column[3] = { r->turn.map.m[0][j],
+			r->turn.map.m[1][j], r->turn.map.m[2][j] };
+
+		to[j] = vec3_dot(d, column);
+	}
+	struct sum length = vec3_length(to);
+
+	for (int j = 0; j < 3; j++)
+		direction[j] = over(to[j], length, single);
+}
+
 void ray_exact(const struct ray_maker *r, const double at[2], bool single,
     double point[3], double direction[3])
 {
 	const double in[4] = { at[0], at[1], r->depth, 1 };
-	const struct sum *m = r->back.map.m[2];
-	struct sum n[4], to[3];
 
-	if (!single && ray_quick(r, at, point, direction))
+	if (!single && point_is_sure(r, at, point) &&
+	    direction_is_sure(r, at, direction))
 		return;
 	for (int i = 0; i < 3; i++)
 		point[i] = direction[i] = (double)NAN;
 	if (isnan(at[0]) || isnan(at[1]))
 		return;
-	for (int j = 0; j < 4; j++)
-		n[j] = point_column(&r->back, j, in);
-	if (sum_sign(n[3]) <= 0)
-		return;
-	for (int j = 0; j < 3; j++) {
-		to[j] = sum_settled(
-		    sum_sub(sum_mul(m[j], n[3]), sum_mul(n[j], m[3])));
-		if (r->against)
-			to[j] = sum_neg(to[j]);
-	}
-	struct sum length = vec3_length(to);
-
-	for (int j = 0; j < 3; j++) {
-		point[j] = over(n[j], n[3], single);
-		direction[j] = over(to[j], length, single);
-	}
+	set_point(r, in, single, point);
+	if (!isnan(point[0]) || !isnan(point[1]) || !isnan(point[2]))
+		set_direction(r, in, single, direction);
 }

@@ -5,9 +5,11 @@
 #include "point.h"
 
 struct ray_maker {
-	struct transform back; /* device to world */
-	double depth;          /* the near plane's, on the device */
-	bool against;          /* device depth falls away from the eye */
+	struct transform to_world; /* from the device */
+	struct transform to_view;  /* from the device */
+	struct transform turn;     /* from view to world */
+	double depth;              /* the near plane's, on the device */
+	bool against;              /* device depth falls away from the eye */
 };
 
 /* Returns NULL, or the member and the reason. */

@@ -64,7 +64,6 @@ const char *scene_map(const struct scene *s, enum space from, enum space to,
 			return why;
 		then(r, &stage, back);
 	}
-	map_settle(r);
 	return map_is_finite(r) ?
 	    NULL :
 	    "/projection: the scene's composed matrix has elements beyond "
@@ -89,7 +88,6 @@ const char *scene_flat_map(const struct scene *s, enum flat from, enum flat to,
 	if (why == NULL && high == FLAT_DEVICE) {
 		why = device_map(&s->device, back, &stage);
 		then(r, &stage, back);
-		map_settle(r);
 	}
 	return why != NULL || map_is_finite(r) ?
 	    why :

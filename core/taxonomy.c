@@ -149,11 +149,12 @@ static double degrees(struct sum y, struct sum x)
 	struct sum s = sin_deg(a), c = cos_deg(a);
 	struct sum tan = sum_quotient(sum_sub(sum_mul(y, c), sum_mul(x, s)),
 	    sum_add(sum_mul(x, c), sum_mul(y, s)));
-	struct sum cube = sum_mul(sum_mul(tan, tan), tan);
+	/* whose error is nothing beside that of tan */
+	ex cube = ex_mul(ex_mul(tan.value, tan.value), tan.value);
+	struct sum third = sum_of(ex_quotient(cube, ex_of(3)));
 
-	cube = sum_quotient(cube, sum_of_double(3));
 	return sum_double(
-	    sum_add(sum_of_double(a), in_degrees(sum_sub(tan, cube))));
+	    sum_add(sum_of_double(a), in_degrees(sum_sub(tan, third))));
 }
 
 /* Between the planes x = -limit w and x = limit w, of gradients limit g + a and

@@ -14,7 +14,7 @@ my $wing = qr{/(?:test|study|bench|fuzz|demo)/};
 # All that core may call that isn't its own: arithmetic, bytes, and what
 # compilers put in.
 my %computes = map { $_ => 1 } qw(atan2 copysign fabs floor fma fmaf fmax fmin
-    fmod frexp hypot ldexp nextafter nextafterf rint sqrt
+    __udivti3 fmod frexp hypot ldexp nextafter nextafterf rint sqrt
     memcmp memcpy memmove memset strcmp strlen
     __cpu_model __cpu_indicator_init __stack_chk_fail _GLOBAL_OFFSET_TABLE_);
 

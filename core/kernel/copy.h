@@ -25,9 +25,8 @@ static double size_limit(const struct kernel_map *m, enum kernel_kind kind,
 	double limit = most;
 
 	for (int j = 0; j < 4; j++) {
-		if ((kind == KERNEL_FLAT && j > 1) ||
-		    (kind == KERNEL_AFFINE && j > 2) ||
-		    (kind == KERNEL_DEPTH && j == 2))
+		if (j >= kernel_columns(kind) &&
+		    (j < 3 || !kernel_divides(kind)))
 			continue;
 		limit = fmin(limit,
 		    m->most[j] <= most ? (most - m->image[j]) / m->most[j] : 0);

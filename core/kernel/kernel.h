@@ -16,6 +16,22 @@ enum kernel_kind {
 	KERNELS,
 };
 
+/* Coordinates in and out, columns among them, and whether they are divided. */
+static inline int kernel_terms(enum kernel_kind kind)
+{
+	return kind == KERNEL_FLAT ? 2 : 3;
+}
+
+static inline int kernel_columns(enum kernel_kind kind)
+{
+	return kind == KERNEL_DEPTH ? 2 : kernel_terms(kind);
+}
+
+static inline bool kernel_divides(enum kernel_kind kind)
+{
+	return kind == KERNEL_DEPTH || kind == KERNEL_PROJECTIVE;
+}
+
 enum precision { PRECISION_EXACT, PRECISION_DOUBLE, PRECISION_SINGLE };
 
 /* A map as the loops take it: the image of p is (p - origin, 1) times hi + lo,
@@ -39,9 +55,9 @@ struct kernel_map {
 typedef int (*exact_kernel)(const struct kernel_map *,
     const double *const in[3], double *const out[3], size_t n);
 
-/* Without image the first coordinate is nan; with a tolerance above 0 it is so,
- * too, where the error could be larger in any of them; and where something on the
- * way could be beyond the precision's range. Returns whether that was nowhere. */
+/* Without image the first coordinate is nan; also where something on the way could
+ * be beyond the precision's range; and, with a tolerance above 0, where the error
+ * could be larger in any of them. Returns whether the first two were nowhere. */
 typedef int (*plain_kernel)(const struct kernel_map *,
     const double *const in[3], double *const out[3], size_t n,
     double tolerance);

@@ -9,11 +9,13 @@
  *	|error of N/W| <= PLAIN_BOUND u (S_N + |N/W| S_W) / |W|
  *
  * of which 5 is the columns', 2 the quotient's and 1 for printing the shortest
- * digits of a float; where W is known to 1/16, as is asked for, dividing by what
- * was computed makes that at most 16/15 as much: 8.6. In the same way depth
- * a + b/w is within PLAIN_BOUND u (|a| + |b/W| S_W/|W|). S is not summed, but
- * bounded by the column's largest element times |x| + |y| + |z|. What underflows
- * is off by u TINY at most. */
+ * digits of a float: 8. Depth a + b/w is within PLAIN_BOUND u (|a| + |b/W| S_W /
+ * |W|): b, the reciprocal, the fused product and sum, and printing carry u each,
+ * to which come w's 5 u S_W: 9. Both are so where S_W is |W|. Where it is more, w
+ * is known less, to 1/16 as is asked for: dividing by what was computed makes its
+ * 5 at most 32/31 as much, and the others weigh less. `make prove` counts all of
+ * these. S is not summed, but bounded by the column's largest element times |x| +
+ * |y| + |z|. What underflows is off by u TINY at most. */
 
 /* Column k of the map. */
 static inline R NAME(
@@ -36,20 +38,39 @@ static inline R NAME(most)(const struct kernel_map *m, int k, R size)
 	    R_ALL((REAL)(m->image[k] + TINY * (4 + 3 * most))));
 }
 
+/* a + b / w, and the sum of their sizes. */
+static inline R NAME(depth_of)(const struct kernel_map *m, R r, R w_size, R *z)
+{
+	R a = R_ALL((REAL)m->a_hi), b = R_ALL((REAL)m->b_hi);
+
+	*z = R_FMA(b, r, a);
+	return R_FMA(R_ABS(b * r), w_size, R_ABS(a));
+}
+
+static inline int NAME(all_below)(R a, double limit)
+{
+	double all[R_WIDTH];
+	int below = 1;
+
+	R_STORE(all, a);
+	for (int i = 0; i < R_WIDTH; i++)
+		below &= all[i] < limit;
+	return below;
+}
+
 static inline __attribute__((always_inline)) int NAME(
     plain)(const struct kernel_map *m, const double *const in[3],
     double *const out[3], size_t n, double tolerance, enum kernel_kind kind,
     int bounded)
 {
-	const int terms = kind == KERNEL_FLAT ? 2 : 3;
-	const int divide = kind == KERNEL_DEPTH || kind == KERNEL_PROJECTIVE;
-	const int columns = kind == KERNEL_DEPTH ? 2 : terms;
+	const int terms = kernel_terms(kind), columns = kernel_columns(kind);
+	const int divide = kernel_divides(kind);
 	const R cu = R_ALL((REAL)PLAIN_BOUND * ROUNDOFF);
 	const R within = R_ALL((REAL)(1 / tolerance));
 	const R lost = R_ALL((REAL)(4 * TINY * (double)ROUNDOFF / tolerance));
 	const double limit = 1 / tolerance < MOST ? size_limit(m, kind, MOST) :
 						    0;
-	R largest = R_ALL(0);
+	R largest = R_ALL(0), behind = R_ALL((REAL)-MOST);
 
 	for (size_t i = 0; i < n; i += R_WIDTH) {
 		R p[3], q[3], size = R_ALL(0), r = R_ALL(1), error = lost;
@@ -76,16 +97,14 @@ static inline __attribute__((always_inline)) int NAME(
 			error = R_MAX(error, cu * s * within + lost);
 		}
 		if (kind == KERNEL_DEPTH) {
-			R b = R_ALL((REAL)m->b_hi) * r;
-			R s = R_FMA(R_ABS(b), w_size,
-			    R_ALL((REAL)fabs(m->a_hi)));
+			R s = NAME(depth_of)(m, r, w_size, &q[2]);
 
-			q[2] = R_ALL((REAL)m->a_hi) + b;
 			error = R_MAX(error, cu * s * within + lost);
 		}
 		R room = R_ALL((REAL)limit) - size;
 
 		largest = R_MAX(size, largest);
+		behind = R_MAX(-w, behind);
 		for (int k = 0; k < terms; k++) {
 			if (divide)
 				q[k] = R_POSITIVE(w, q[k]);
@@ -96,13 +115,8 @@ static inline __attribute__((always_inline)) int NAME(
 			R_STORE(out[k] + i, q[k]);
 		}
 	}
-	double all[R_WIDTH];
-	int done = 1;
-
-	R_STORE(all, largest);
-	for (int i = 0; i < R_WIDTH; i++)
-		done &= all[i] < limit;
-	return done;
+	return NAME(all_below)(largest, limit) &&
+	    (!divide || NAME(all_below)(behind, -1 / MOST));
 }
 
 #define LOOP(KIND, name)                                                       \

@@ -1,0 +1,419 @@
+/* Counts the errors of dd.h, kernel/exact.h and kernel/plain.h and compares them
+ * with the bounds that are claimed there. A line for each:
+ *
+ *	claim, claimed, found, proved or refused
+ */
+#include <algorithm>
+
+#include "count.h"
+
+using count::bound;
+using count::fabs;
+using count::fma;
+using count::fmax;
+using count::frexp;
+using count::given;
+using count::ldexp;
+using count::number;
+using count::plus;
+using count::poly;
+using count::times;
+using count::U;
+
+/* Of the last test whether a rounding is sure. */
+static number tested_up;
+
+static number same(number up, number, number sure)
+{
+	tested_up = up;
+	return sure;
+}
+
+#ifdef FUSED_MADD
+#define MADD FMA
+#else
+#define MADD(a, b, c) ((a) * (b) + (c))
+#endif
+#define V number
+#define WIDTH 1
+#define LOAD(p) (*(p))
+#define STORE(p, a) (*(p) = (a))
+#define ALL(a) (number(a))
+#define FMA(a, b, c) fma(a, b, c)
+#define ABS(a) fabs(a)
+#define MIN(a, b) (a)
+#define MAX(a, b) (a)
+#define SAME(a, b, c) same(a, b, c)
+#define CHOOSE(a, b, c) (b)
+#define double number
+#include "dd.h"
+#include "kernel/exact.h"
+
+static number size_limit(const struct kernel_map *, enum kernel_kind, number)
+{
+	return 1;
+}
+#define REAL number
+#define R number
+#define R_WIDTH 1
+#define R_NEAR(p, o) (*(p) - (o))
+#define R_STORE(p, a) (*(p) = (a))
+#define R_ALL(a) (number(a))
+#define R_FMA(a, b, c) fma(a, b, c)
+#define R_ABS(a) fabs(a)
+#define R_MAX(a, b) (a)
+#define R_POSITIVE(a, b) (b)
+#define ROUNDOFF 0x1p-53
+#define TINY 0
+#define MOST 1
+#define NAME(x) counted_##x
+#include "kernel/plain.h"
+#undef double
+
+static int refusals;
+
+/* Counted to a millionth: terms of higher order than is told are as small. */
+static void say(const char *claim, double claimed, double found,
+    const char *unit)
+{
+	bool proved = found <= claimed * (1 + 1e-6);
+
+	printf("%-34s %9.6g %9.6g %-6s  %s\n", claim, claimed, found, unit,
+	    proved ? "proved" : "REFUSED");
+	refusals += !proved;
+}
+
+static void fresh(void)
+{
+	count::bounds.clear();
+	count::left_by_sum.clear();
+	count::divisions.clear();
+	count::nodes.clear();
+	count::relative = false;
+	count::lost = count::head = 0;
+}
+
+static poly exactly(number a)
+{
+	return a->is;
+}
+
+static poly minus(const poly &a, const poly &b)
+{
+	return count::plus(a, b, -1);
+}
+
+/* ---- dd.h, in units of u^2 of the result ---- */
+
+/* Heads x and y in a box, low parts as large as they can be. Powers of two and
+ * signs change nothing. */
+struct box {
+	double x0, x1, y0, y1;
+};
+
+static dd word(double low, double high)
+{
+	return dd{ given(high, low, -52), given(U) };
+}
+
+static poly sum_of(dd a)
+{
+	return plus(a.hi->is, a.lo->is);
+}
+
+static double dd_error(bool divide, const box &at)
+{
+	fresh();
+	dd a = word(at.x0, at.x1 - 2 * U), b = word(at.y0, at.y1 - 2 * U);
+
+	count::head = divide ? 0.5 : 1;
+	if (!divide)
+		return bound(minus(sum_of(dd_mul(a, b)),
+			   times(sum_of(a), sum_of(b)))) /
+		    (at.x0 * at.y0 * (1 - 2 * U));
+	return bound(minus(times(sum_of(dd_div(a, b)), sum_of(b)), sum_of(a))) /
+	    (at.x0 * (1 - U));
+}
+
+/* Halves a box where its bound is above the claim. */
+static double worst_dd(bool divide, double claim, const box &at)
+{
+	double e = dd_error(divide, at) / (U * U), worst = 0;
+	double x = (at.x0 + at.x1) / 2, y = (at.y0 + at.y1) / 2;
+
+	if (e <= claim || at.x1 - at.x0 < 0x1p-24)
+		return e;
+	for (const box &part :
+	    { box{ at.x0, x, at.y0, y }, box{ at.x0, x, y, at.y1 },
+		box{ x, at.x1, at.y0, y }, box{ x, at.x1, y, at.y1 } })
+		worst = std::fmax(worst, worst_dd(divide, claim, part));
+	return worst;
+}
+
+static void prove_dd(void)
+{
+	const box all = { 1, 2, 1, 2 };
+
+	say("dd_mul", DD_MUL, worst_dd(false, DD_MUL, all), "u^2");
+	say("dd_div", DD_DIV, worst_dd(true, DD_DIV, all), "u^2");
+}
+
+/* ---- kernel/exact.h ---- */
+
+static struct kernel_map map;
+static number in[3], out[3];
+static poly difference[3]; /* of a point from the origin */
+
+/* Points below 2^e and a column below 2^f for e = f = 0; an element's low part is
+ * at most half a unit of its high one. */
+static void give_map(double element, double image)
+{
+	for (int i = 0; i < 4; i++)
+		for (int j = 0; j < 4; j++) {
+			double most = i < 3 ? element : image;
+
+			map.hi[i][j] = given(most);
+			map.lo[i][j] = given(most * U / 2);
+		}
+	for (int j = 0; j < 4; j++)
+		map.none[j] = map.most[j] = map.image[j] = number(0);
+}
+
+static void give_points(double size)
+{
+	for (int k = 0; k < 3; k++) {
+		number d = given(size);
+
+		map.origin[k] = given(HUGE_VAL);
+		difference[k] = d->is;
+		in[k] = number::add({ plus(d->is, map.origin[k]->is), HUGE_VAL,
+		    0, count::NO_UNIT, count::GIVEN, -1, -1, -1, -1 });
+	}
+}
+
+static poly column_of(int j, int terms)
+{
+	poly s = plus(map.hi[3][j]->is, map.lo[3][j]->is);
+
+	for (int k = 0; k < terms; k++)
+		s = plus(s,
+		    times(difference[k],
+			plus(map.hi[k][j]->is, map.lo[k][j]->is)));
+	return s;
+}
+
+static void run(enum kernel_kind kind)
+{
+	const number *const from[3] = { in, in + 1, in + 2 };
+	number *const to[3] = { out, out + 1, out + 2 };
+
+	exact(&map, from, to, 1, kind);
+}
+
+/* hi + lo of a test hi + (lo + error). */
+static poly tested(void)
+{
+	const count::node &up = *tested_up;
+
+	return plus(count::nodes[up.a].is,
+	    count::nodes[count::nodes[up.b].a].is);
+}
+
+/* What the test itself rounds. */
+static double test_error(void)
+{
+	const count::node &sum = count::nodes[tested_up->b];
+
+	return sum.error < 0 ? 0 : count::bounds[sum.error];
+}
+
+/* A column's error and the most that it can be, in units of B. */
+static double column_error(int terms, double *most)
+{
+	fresh();
+	give_map(1, 1);
+	give_points(1);
+	run(terms == 2 ? KERNEL_FLAT : KERNEL_AFFINE);
+	number hi;
+
+	hi.id = tested_up->a;
+	*most = hi->most;
+	/* elements are rounded to hi + lo */
+	return bound(minus(tested(), column_of(terms - 1, terms))) +
+	    test_error() + (terms + 1) * EX_BOUND * U * U;
+}
+
+/* Heads of 1, low parts as normalise() may leave them: 3 u. In units of the
+ * quotient. */
+static vdd pair(double head)
+{
+	return vdd{ given(head, head), given(3 * U * head) };
+}
+
+static const double small = 0x1p-300; /* than any error that is counted */
+
+static double quotient_error(void)
+{
+	fresh();
+	count::relative = true;
+	vdd n = pair(1), w = pair(1);
+	number sure = 1;
+
+	quotient(n, w, number(1) / w.hi, given(small), 0, &sure);
+	poly wrong = minus(times(tested(), plus(w.hi->is, w.lo->is)),
+	    plus(n.hi->is, n.lo->is));
+
+	return (bound(wrong) + test_error()) / (1 - 4 * U);
+}
+
+static double depth_error(double a, double b)
+{
+	fresh();
+	count::relative = true;
+	vdd w = pair(1), first = pair(a), second = pair(b);
+	number sure = 1;
+
+	map.a_hi = first.hi;
+	map.a_lo = first.lo;
+	map.b_hi = second.hi;
+	map.b_lo = second.lo;
+	depth(&map, w, number(1) / w.hi, given(small), 0, &sure);
+	poly whole = plus(w.hi->is, w.lo->is);
+	poly right = plus(times(plus(first.hi->is, first.lo->is), whole),
+	    plus(second.hi->is, second.lo->is));
+
+	return (bound(minus(times(tested(), whole), right)) + test_error()) /
+	    (1 - 4 * U);
+}
+
+/* With the columns of n and w off by a share of their bounds, and w above its
+ * bound: how much of the test's error is needed. What the quotient itself rounds
+ * is of |q|, and the test has at least COLUMN_BOUND / most of that. */
+static double share(double column, double most, double own)
+{
+	double part = column / (double)COLUMN_BOUND;
+
+	return (part / (1 - part) + own * most / COLUMN_BOUND) * (1 + 16 * U);
+}
+
+static void prove_exact(void)
+{
+	double most = 0, column = 0, m;
+
+	for (int terms = 2; terms <= 3; terms++) {
+		column = std::fmax(column, column_error(terms, &m));
+		most = std::fmax(most, m);
+	}
+	const double q = quotient_error(), a = depth_error(1, 0),
+		     b = depth_error(0, 1), least = 0x1p-79;
+
+	say("column: COLUMN_BOUND / 2", COLUMN_BOUND / 2 / least,
+	    column / least, "2^-79");
+	say("column: |hi| at most", 4, most, "B");
+	say("quotient's own", QUOTIENT_BOUND, q / (U * U), "u^2");
+	say("quotient: share of its error", 1, share(column, most, q), "");
+	say("depth: DEPTH_BOUND", DEPTH_BOUND / (U * U), a / (U * U), "u^2");
+	say("depth: share of its error", 1, share(column, most, b), "");
+}
+
+/* ---- kernel/plain.h, in units of u ---- */
+
+static void run_plain(enum kernel_kind kind)
+{
+	const number *const from[3] = { in, in + 1, in + 2 };
+	number *const to[3] = { out, out + 1, out + 2 };
+
+	counted_plain(&map, from, to, 1, 1, kind, 0);
+}
+
+/* An element as it is cast: rounded once. */
+static void give_plain(int term)
+{
+	fresh();
+	count::relative = true;
+	give_map(0, 0);
+	give_points(0);
+	for (int j = 0; j < 4; j++) {
+		map.hi[term][j] = given(1);
+		map.lo[term][j] = given(U * (1 + 0x1p-20));
+	}
+	if (term < 3) {
+		count::bounds[difference[term].begin()->first[0]] = 1;
+	}
+	map.a_hi = map.a_lo = map.b_hi = map.b_lo = number(0);
+}
+
+/* What is lost of a term, of its size; then of the quotient. */
+static double plain_column(int term)
+{
+	give_plain(term);
+	run_plain(KERNEL_AFFINE);
+	return bound(minus(exactly(out[0]), column_of(0, 3))) / U;
+}
+
+static double plain_quotient(void)
+{
+	give_plain(3);
+	run_plain(KERNEL_PROJECTIVE);
+	const count::division &d = count::divisions.back();
+	const count::node &q = *out[0];
+
+	return bound(minus(times(q.is, { { { d.b }, 1.0 } }),
+		   count::nodes[q.a].is)) /
+	    U;
+}
+
+static double plain_depth(double a, double b)
+{
+	give_plain(3);
+	map.a_hi = given(a);
+	map.a_lo = given(U * a * (1 + 0x1p-20));
+	map.b_hi = given(b);
+	map.b_lo = given(U * b * (1 + 0x1p-20));
+	run_plain(KERNEL_DEPTH);
+	const poly w = { { { count::divisions.back().b }, 1.0 } };
+	poly right = plus(times(plus(map.a_hi->is, map.a_lo->is), w),
+	    plus(map.b_hi->is, map.b_lo->is));
+
+	return bound(minus(times(out[2]->is, w), right)) / U;
+}
+
+/* S / |w| is t, from 1 to where the loop asks for w to 1/16; there w is off by c u
+ * S. The sum's parts fall and rise with t, so its ends are its worst. */
+static double worst_of(double c, double own, double u)
+{
+	double last = 1 / (16 * (double)PLAIN_BOUND * u), worst = 0;
+
+	for (double t : { 1.0, last })
+		worst = std::fmax(worst,
+		    c / (1 - c * u * t) + own / t / (1 - c * u * t));
+	return worst;
+}
+
+static void prove_plain(void)
+{
+	double c = 0;
+
+	for (int term = 0; term < 4; term++)
+		c = std::fmax(c, plain_column(term));
+	/* and one for printing the shortest digits */
+	double q = plain_quotient() + 1;
+	double a = plain_depth(1, 0) + 1, b = plain_depth(0, 1) + 1;
+	/* the bound's own roundings; u of single, where higher powers count */
+	const double u = 0x1p-24, own = 1 - 32 * u;
+
+	say("plain column", 5, c, "u S");
+	say("plain quotient: PLAIN_BOUND", PLAIN_BOUND, worst_of(c, q, u) / own,
+	    "u");
+	say("plain depth, of a: PLAIN_BOUND", PLAIN_BOUND, a / own, "u");
+	say("plain depth, of b/w: PLAIN_BOUND", PLAIN_BOUND,
+	    worst_of(c, b, u) / own, "u");
+}
+
+int main()
+{
+	prove_exact();
+	prove_plain();
+	prove_dd();
+	return refusals > 0;
+}

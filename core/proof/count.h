@@ -1,0 +1,428 @@
+/* Numbers that count their roundings. In the name of doubles they go through the
+ * headers themselves and hold what each operation makes of its operands: a
+ * polynomial in what was given and in the error of every rounding so far, with
+ * bounds of all of these. So what an algorithm is exactly off by is what stays of
+ * the difference between its result's polynomial and the one that is meant: all
+ * else cancels, and a term that was forgotten or has the wrong sign does not.
+ *
+ * A rounding's error is u of the most that the result can be, or nothing: where
+ * the result is a whole multiple of a unit, and not more than 2^53 of it; where
+ * the operations are the ones of two_sum, fast_two_sum or two_prod, whose low
+ * parts are the errors themselves (exact.v proves it). */
+#ifndef COUNT_H
+#define COUNT_H
+
+#include <algorithm>
+#include <cfloat>
+#include <climits>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <vector>
+
+namespace count
+{
+
+static const double U = 0x1p-53;
+
+/* Which values have no place to be told: an operation that isn't foreseen. */
+[[noreturn]] static void refuse(const char *why)
+{
+	printf("refused: %s\n", why);
+	exit(1);
+}
+
+static std::vector<double> bounds; /* of the atoms: what is given, and errors */
+static std::vector<bool> left_by_sum;
+
+static int new_atom(double bound, bool by_sum = false)
+{
+	bounds.push_back(bound);
+	left_by_sum.push_back(by_sum);
+	return (int)bounds.size() - 1;
+}
+
+typedef std::vector<int> product; /* of atoms, in ascending order */
+typedef std::map<product, double> poly;
+
+static double bound(const poly &p)
+{
+	double sum = 0;
+
+	for (const auto &term : p) {
+		double size = std::fabs(term.second);
+
+		for (int atom : term.first)
+			size *= bounds[atom];
+		sum += size;
+	}
+	return sum * (1 + 0x1p-40);
+}
+
+static poly plus(const poly &a, const poly &b, double times = 1)
+{
+	poly s = a;
+
+	for (const auto &term : b) {
+		double &c = s[term.first];
+
+		c += times * term.second;
+		if (c == 0)
+			s.erase(term.first);
+	}
+	return s;
+}
+
+/* A quotient q = a / b + error, of an atom b: q b is a + b error. */
+struct division {
+	int q, b;
+	poly product;
+};
+static std::vector<division> divisions;
+
+static poly times(const poly &a, const poly &b);
+
+/* One more term, in which what was divided by is cancelled. */
+static void add_term(poly *s, product atoms, double c)
+{
+	for (const division &d : divisions)
+		for (size_t i = 0; i < atoms.size(); i++)
+			for (size_t j = 0; j < atoms.size(); j++) {
+				if (atoms[i] != d.q || atoms[j] != d.b)
+					continue;
+				product rest;
+
+				for (size_t k = 0; k < atoms.size(); k++)
+					if (k != i && k != j)
+						rest.push_back(atoms[k]);
+				*s = plus(*s,
+				    times({ { rest, c } }, d.product));
+				return;
+			}
+	*s = plus(*s, { { atoms, c } });
+}
+
+static poly times(const poly &a, const poly &b)
+{
+	poly s;
+
+	for (const auto &x : a)
+		for (const auto &y : b) {
+			product atoms = x.first;
+
+			atoms.insert(atoms.end(), y.first.begin(),
+			    y.first.end());
+			std::sort(atoms.begin(), atoms.end());
+			add_term(&s, atoms, x.second * y.second);
+		}
+	return s;
+}
+
+enum operation { GIVEN, SUM, DIFFERENCE, PRODUCT, QUOTIENT, FUSED, NEGATIVE };
+
+static const int NO_UNIT = INT_MIN / 4;
+
+struct node {
+	poly is;
+	double most;  /* of its magnitude */
+	double least; /* of it; 0 where it may be less than nothing known */
+	int unit;     /* it is a whole multiple of 2^unit */
+	operation op;
+	int a, b, c;
+	int error; /* the atom of its rounding, or -1 */
+};
+static std::vector<node> nodes;
+
+/* Whether magnitudes are bounds, or stand for what results are relative to. */
+static bool relative;
+/* Each rounding loses so much more where it can underflow, or 0. */
+static double lost;
+/* The least that the first operand of a fast_two_sum is; 0 if it may be less
+ * than the second. */
+static double head;
+
+static double half_ulp(double most)
+{
+	int e;
+
+	if (most == 0 || most == HUGE_VAL)
+		return most;
+	if (relative)
+		return U * most;
+	return std::frexp(most, &e) == 0.5 ? std::ldexp(U, e - 2) :
+					     std::ldexp(U, e - 1);
+}
+
+static int unit_of(double a)
+{
+	int e;
+
+	if (a == 0)
+		return INT_MAX / 4;
+	double m = std::ldexp(std::frexp(a, &e), 53);
+
+	for (e -= 53; std::fmod(m, 2) == 0; e++)
+		m /= 2;
+	return e;
+}
+
+struct number {
+	int id;
+
+	number() = default;
+	number(double k)
+	{
+		poly p;
+
+		if (k != 0)
+			p[{}] = k;
+		*this = add({ p, std::fabs(k), std::fabs(k), unit_of(k), GIVEN,
+		    -1, -1, -1, -1 });
+	}
+	static number add(const node &n)
+	{
+		number r;
+
+		nodes.push_back(n);
+		r.id = (int)nodes.size() - 1;
+		return r;
+	}
+	const node &operator*() const
+	{
+		return nodes[id];
+	}
+	const node *operator->() const
+	{
+		return &nodes[id];
+	}
+	number operator-() const
+	{
+		node n = nodes[id];
+
+		n.is = times(n.is, { { {}, -1.0 } });
+		n.op = NEGATIVE;
+		n.a = id;
+		return add(n);
+	}
+	number &operator+=(number b);
+};
+
+/* Something given, of at most that magnitude. */
+static number given(double most, double least = 0, int unit = NO_UNIT)
+{
+	return number::add({ { { { new_atom(most) }, 1.0 } }, most, least, unit,
+	    GIVEN, -1, -1, -1, -1 });
+}
+
+static bool is_zero(number a)
+{
+	return a->is.empty();
+}
+
+static bool is(int id, operation op, int a, int b)
+{
+	return id >= 0 && nodes[id].op == op && nodes[id].a == a &&
+	    nodes[id].b == b;
+}
+
+/* A result before it is rounded, and at most so much. */
+static number rounded(poly p, double most, int unit, operation op, number a,
+    number b, int c = -1)
+{
+	most = std::fmin(most, bound(p));
+	node n = { p, most, 0, unit, op, a.id, b.id, c, -1 };
+	double units = unit > NO_UNIT ? std::ldexp(most, -unit) : HUGE_VAL;
+
+	if (units <= 0x1p53) {
+		n.most = std::ldexp(std::floor(units), unit);
+	} else {
+		n.error = new_atom(half_ulp(most) + lost,
+		    op == SUM || op == DIFFERENCE);
+		n.is = plus(p, { { { n.error }, 1.0 } });
+		n.most = most + bounds[n.error];
+		n.unit = NO_UNIT;
+	}
+	return number::add(n);
+}
+
+static int product_unit(int a, int b)
+{
+	int x = nodes[a].unit, y = nodes[b].unit;
+
+	return x > NO_UNIT && y > NO_UNIT ? x + y : NO_UNIT;
+}
+
+/* The low part of what was summed or multiplied: its error, with a minus. */
+static number error_of(int id)
+{
+	int atom = nodes[id].error;
+	double most = atom < 0 ? 0 : bounds[atom];
+	const node &n = nodes[id];
+	int unit = n.op == PRODUCT ? product_unit(n.a, n.b) : NO_UNIT;
+	poly p;
+
+	if (atom >= 0)
+		p[{ atom }] = -1;
+	return number::add({ p, most, 0, unit, GIVEN, -1, -1, -1, -1 });
+}
+
+/* Where b is a constant and a leaves the sum between the same powers of two. */
+static bool is_cut(number a, number b)
+{
+	double power = std::ldexp(1, std::ilogb(b->most));
+
+	return b->is.size() == 1 && b->is.begin()->first.empty() &&
+	    b->most - a->most >= power && b->most + a->most <= 2 * power;
+}
+
+static number cut_sum(number a, number b)
+{
+	int e;
+
+	std::frexp(b->most, &e);
+	node n = { plus(a->is, b->is), a->most + b->most, 0, e - 53, SUM, a.id,
+		b.id, -1, new_atom(std::ldexp(1, e - 54), true) };
+
+	n.is = plus(n.is, { { { n.error }, 1.0 } });
+	return number::add(n);
+}
+
+static number operator+(number a, number b)
+{
+	if (is_zero(a) || is_zero(b))
+		return is_zero(a) ? b : a;
+	/* (x - (s - t)) + (y - t) for s = x + y, t = s - x */
+	if (a->op == DIFFERENCE && b->op == DIFFERENCE) {
+		int x = a->a, y = b->a, t = b->b, st = a->b;
+
+		if (is(st, DIFFERENCE, nodes[t].a, t) &&
+		    is(t, DIFFERENCE, nodes[st].a, x) &&
+		    is(nodes[t].a, SUM, x, y))
+			return error_of(nodes[t].a);
+	}
+	if (is_cut(a, b))
+		return cut_sum(a, b);
+	return rounded(plus(a->is, b->is), a->most + b->most,
+	    std::min(a->unit, b->unit), SUM, a, b);
+}
+
+static number operator-(number a, number b)
+{
+	if (is_zero(b))
+		return a;
+	/* a - (s - x) for s = x + a, |x| >= |a| */
+	if (head > 0 && b->op == DIFFERENCE && is(b->a, SUM, b->b, a.id)) {
+		if (a->most > head)
+			refuse("fast_two_sum of operands in the wrong order");
+		return error_of(b->a);
+	}
+	poly p = plus(a->is, b->is, -1);
+	double most = a->most + b->most;
+
+	/* (x + b) - b, a cut, is x rounded to a unit */
+	if (a->op == SUM && a->b == b.id && a->unit > NO_UNIT)
+		most = std::ldexp(std::nearbyint(
+				      std::ldexp(nodes[a->a].most, -a->unit)),
+		    a->unit);
+	/* What a sum has left is a number. */
+	if (p.size() == 1 && p.begin()->first.size() == 1 &&
+	    std::fabs(p.begin()->second) == 1 &&
+	    left_by_sum[p.begin()->first[0]])
+		return number::add({ p, bound(p), 0, NO_UNIT, DIFFERENCE, a.id,
+		    b.id, -1, -1 });
+	return rounded(p, most, std::min(a->unit, b->unit), DIFFERENCE, a, b);
+}
+
+static number operator*(number a, number b)
+{
+	if (is_zero(a) || is_zero(b))
+		return number(0);
+	number r = rounded(times(a->is, b->is), a->most * b->most,
+	    product_unit(a.id, b.id), PRODUCT, a, b);
+
+	nodes[r.id].least = a->least * b->least * (1 - U);
+	if (r->error >= 0 && r->least > 0)
+		nodes[r.id].unit = std::ilogb(r->least) - 52;
+	return r;
+}
+
+/* A divisor is an atom, or becomes one: what was computed, whatever it is. */
+static number operator/(number a, number b)
+{
+	double least = b->least > 0 ? b->least : 1;
+	double most = a->most / least * (1 + 2 * U);
+	double size = relative ? most : a->most / least;
+	int divisor = b->is.size() == 1 && b->is.begin()->first.size() == 1 ?
+	    b->is.begin()->first[0] :
+	    new_atom(1);
+	int q = new_atom(most), error = new_atom(half_ulp(size));
+	product lost_of_b = { divisor, error };
+
+	std::sort(lost_of_b.begin(), lost_of_b.end());
+	divisions.push_back(
+	    { q, divisor, plus(a->is, { { lost_of_b, 1.0 } }) });
+	double small = a->least / b->most * (1 - U);
+
+	return number::add({ { { { q }, 1.0 } }, most, small,
+	    small > 0 ? std::ilogb(small) - 52 : NO_UNIT, QUOTIENT, a.id, b.id,
+	    -1, -1 });
+}
+
+inline number &number::operator+=(number b)
+{
+	return *this = *this + b;
+}
+
+static number fma(number a, number b, number c)
+{
+	if (is_zero(a) || is_zero(b))
+		return c;
+	if (c->op == NEGATIVE && is(c->a, PRODUCT, a.id, b.id))
+		return error_of(c->a);
+	return rounded(plus(times(a->is, b->is), c->is),
+	    a->most * b->most + c->most,
+	    std::min(product_unit(a.id, b.id), c->unit), FUSED, a, b, c.id);
+}
+
+/* Of errors and sizes alone. */
+static number fabs(number a)
+{
+	return given(a->most);
+}
+static number fmax(number a, number)
+{
+	return a;
+}
+static number sqrt(number a)
+{
+	return given(std::sqrt(a->most), std::sqrt(a->least));
+}
+static number ldexp(number a, int e)
+{
+	return e == 0 ? a : a * number(std::ldexp(1, e));
+}
+/* All magnitudes are in units of the largest. */
+static number frexp(number a, int *e)
+{
+	*e = 0;
+	return a;
+}
+/* Comparisons tell points without an image, and are not of what is proved. */
+static bool operator<(number, number)
+{
+	return true;
+}
+static bool operator>(number, number)
+{
+	return true;
+}
+static bool operator==(number, number)
+{
+	return false;
+}
+
+} /* namespace count */
+
+#endif

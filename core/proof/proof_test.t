@@ -1,0 +1,106 @@
+#!/usr/bin/perl
+# The proofs that need nothing but a C++ compiler: the headers in toy arithmetic,
+# where nearly all operands can be tried, and their errors counted. Then that
+# both tell a right header from a wrong one.
+# usage: proof_test.t, at the top of the project
+use strict;
+use warnings;
+use FindBin;
+use lib $FindBin::Bin;
+use File::Path qw(make_path remove_tree);
+use Test::More;
+use Proof;
+
+my $core = "$here/..";
+
+if (system("command -v @{[$ENV{CXX} // 'g++']} >/dev/null") != 0) {
+	plan skip_all => 'no C++ compiler';
+}
+
+sub holds {
+	my ($name, $well, $said) = @_;
+	ok($well, $name) or diag($said);
+	note($said) if $well;
+}
+
+for my $digits (4, 5, 6) {
+	holds("dd.h in $digits digits",
+	    outcome(compiled('toy_dd.cc', $core, "-DP=$digits")));
+}
+for my $way ('', '-DFUSED') {
+	for my $digits (7, 16, 24) {
+		holds("the exact kernel in $digits digits $way",
+		    outcome(compiled('toy_exact.cc', $core, "-DP=$digits",
+			$way || ())));
+	}
+}
+holds('errors counted', count_errors($core));
+holds('the ends of the range', outcome(compiled('ends.cc', $core)));
+
+# file, what is changed there, and who finds it.
+my $exact = 'kernel/exact.h';
+my @mutations = (
+	[$exact, 'a term that is forgotten',
+	    "lo = MADD(cut[k], ALL(c->rest[k]), lo)", 'lo = lo'],
+	[$exact, 'an element\'s low part that is forgotten',
+	    ' + m->lo[i][j];', ';'],
+	[$exact, 'cuts that leave too many digits',
+	    'POINT_CUT = DIGITS / 2', 'POINT_CUT = DIGITS / 2 + 2'],
+	[$exact, 'a bound of an eighth',
+	    'COLUMN_BOUND 0x1p-72', 'COLUMN_BOUND 0x1p-75'],
+	[$exact, 'the low part of w left out of a quotient',
+	    'MADD(-q, w.lo, n.lo)', 'n.lo'],
+	[$exact, 'a wrong sign in a quotient',
+	    'FMA(-q, w.hi, n.hi)', 'FMA(q, w.hi, n.hi)'],
+	[$exact, 'a w that may be 0',
+	    'CHOOSE(w.hi - bound, sure', 'CHOOSE(w.hi, sure'],
+	[$exact, 'a bound that leaves w out',
+	    'MADD(ABS(q), w_bound, bound);', 'bound;'],
+	['kernel/plain.h', 'one rounding more',
+	    'R_FMA(R_ALL((REAL)m->b_hi), r,', '((REAL)m->b_hi * r +'],
+	['kernel/kernel.h', 'a plain bound that is too small',
+	    'PLAIN_BOUND 10', 'PLAIN_BOUND 8'],
+	['dd.h', 'a product without its last term',
+	    'fma(a.lo, b.hi, fma(a.hi, b.lo, a.lo * b.lo))',
+	    'fma(a.lo, b.hi, a.hi * b.lo) * 1'],
+	['dd.h', 'a low part with the wrong sign', 'fma(-q, b.lo, a.lo)',
+	    'fma(q, b.lo, a.lo)'],
+);
+
+# The test runs the count first, as it is the quickest.
+sub refused {
+	my ($mutant) = @_;
+	my ($well) = count_errors($mutant);
+	return 'the count' if !$well;
+	($well) = outcome(compiled('toy_exact.cc', $mutant, '-DP=24'));
+	return 'toy arithmetic' if !$well;
+	($well) = outcome(compiled('toy_dd.cc', $mutant, '-DP=5'));
+	return $well ? undef : 'toy arithmetic';
+}
+
+for my $m (@mutations) {
+	my ($file, $name, $from, $to) = @$m;
+	my $mutant = "$tmp/mutant";
+	remove_tree($mutant);
+	make_path("$mutant/kernel");
+	for my $header (qw(dd.h exact.h kernel/exact.h kernel/plain.h
+	    kernel/kernel.h)) {
+		spew("$mutant/$header", slurp("$core/$header"));
+	}
+	my $text = slurp("$core/$file");
+	my $at = index $text, $from;
+	ok($at >= 0, "$file has what is to be changed: $name") or next;
+	substr $text, $at, length $from, $to;
+	spew("$mutant/$file", $text);
+	my $by = refused($mutant);
+	ok($by, "$name is refused") or next;
+	note("by $by");
+}
+
+# dd.h is refused where its operations would not be what is written.
+for my $flag (qw(-ffast-math -Ofast)) {
+	my $said = `echo '#include "$core/dd.h"' | gcc $flag -x c -c -o /dev/null - 2>&1`;
+	like($said, qr/#error compile without -ffast-math/, "$flag is refused");
+}
+
+done_testing();

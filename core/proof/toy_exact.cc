@@ -1,0 +1,209 @@
+/* kernel/exact.h in toy arithmetic: no rounding of which it is sure is wrong, no
+ * point has an image that surely has none, or the other way about. */
+#include "toy.h"
+
+static double sign(void)
+{
+	return below(2) ? 1 : -1;
+}
+
+/* Whether exponents are all that doubles have. */
+static bool ends;
+
+static int exponent_near(int e)
+{
+	static const int far[] = { -1074, -1022, -900, -500, -350, -201, -199,
+		-150, 150, 199, 201, 350, 500, 900, 1022 };
+
+	if (ends && below(3) == 0)
+		return far[below(sizeof far / sizeof *far)];
+	return e - (int)below(P / 3);
+}
+
+/* Of P digits, and somewhat below 2^e. */
+static double number(int e)
+{
+	if (below(8) == 0)
+		return ends && below(8) == 0 ? HUGE_VAL : 0;
+	return sign() * ldexp(head(), exponent_near(e) - 1);
+}
+
+/* With a low part, of all sizes that it can be. */
+static dd pair(int e)
+{
+	double hi = number(e), lo;
+
+	if (hi == 0 || std::isinf(hi) || below(8) == 0)
+		return dd{ hi, 0.0 };
+	int at = std::ilogb(hi);
+
+	do
+		lo = sign() * ldexp(head(), at - P - (int)below(4));
+	while (nearest(hi + lo) != hi);
+	return dd{ hi, lo };
+}
+
+/* The nearest of P digits. */
+static double rounded(wide a)
+{
+	double high = (double)a, low = (double)(a - high);
+
+	return nearest(to_odd(high, low));
+}
+
+static struct kernel_map map;
+/* A block of two points, of which the first is judged. */
+static toy in[3][2], out[3][2];
+
+/* Now and then of columns that are 0 beside w's. */
+static void any_map(void)
+{
+	bool flat = below(16) == 0;
+
+	for (int j = 0; j < 4; j++) {
+		int e = (int)below(7) - 3;
+
+		map.none[j] = 0;
+		for (int i = 0; i < 4; i++) {
+			dd m = pair(i < 3 || below(2) ? e : e + (int)below(9));
+
+			if (flat && j < 3)
+				m = dd{ 0.0, 0.0 };
+
+			map.hi[i][j] = m.hi;
+			map.lo[i][j] = m.lo;
+		}
+	}
+	dd a = pair(1), b = pair(4);
+
+	map.a_hi = a.hi;
+	map.a_lo = a.lo;
+	map.b_hi = b.hi;
+	map.b_lo = b.lo;
+}
+
+/* Often on or near the origin; a column of images can nearly be cancelled. */
+static void any_point(void)
+{
+	for (int k = 0; k < 3; k++) {
+		map.origin[k] = below(2) ? number(8) : 0;
+		in[k][1] = number(8);
+		in[k][0] = below(4) ? toy(number(8)) :
+				      map.origin[k] + toy(number(-2));
+	}
+	if (below(4))
+		return;
+	int j = below(2) ? 3 : (int)below(3);
+	wide s = 0;
+
+	for (int k = 0; k < 3; k++)
+		s += ((wide)at(in[k][0]) - at(map.origin[k])) *
+		    ((wide)at(map.hi[k][j]) + at(map.lo[k][j]));
+	map.hi[3][j] = rounded(-s);
+	map.lo[3][j] = below(2) ? rounded(-s - at(map.hi[3][j])) : 0;
+}
+
+static wide column_at(int j, int terms)
+{
+	wide s = (wide)at(map.hi[3][j]) + at(map.lo[3][j]);
+
+	for (int k = 0; k < terms; k++)
+		s += ((wide)at(in[k][0]) - at(map.origin[k])) *
+		    ((wide)at(map.hi[k][j]) + at(map.lo[k][j]));
+	return s;
+}
+
+static wide truth(int j, int kind, int terms, wide w)
+{
+	if (kind == KERNEL_DEPTH && j == 2)
+		return (wide)at(map.a_hi) + at(map.a_lo) +
+		    ((wide)at(map.b_hi) + at(map.b_lo)) / w;
+	return column_at(j, terms) / w;
+}
+
+enum verdict { UNSURE, RIGHT, WRONG };
+
+static verdict judge(int kind)
+{
+	const int terms = kind == KERNEL_FLAT ? 2 : 3;
+	wide w = kind < KERNEL_DEPTH ? 1 : column_at(3, terms);
+
+	if (std::isnan(at(out[0][0])))
+		return UNSURE;
+	if (std::isinf(at(out[0][0])))
+		return w <= 0 ? RIGHT : WRONG;
+	if (w <= 0)
+		return WRONG;
+	for (int j = 0; j < terms; j++)
+		if (rounded(truth(j, kind, terms, w)) != at(out[j][0]))
+			return WRONG;
+	return RIGHT;
+}
+
+static int loops(int tries, bool at_the_ends)
+{
+	ends = at_the_ends;
+	const toy *const from[3] = { in[0], in[1], in[2] };
+	toy *const to[3] = { out[0], out[1], out[2] };
+	int count[KERNELS][3] = { { 0 } };
+
+	for (int i = 0; i < tries; i++) {
+		int kind = KERNEL_FLAT + (int)below(4);
+
+		any_map();
+		any_point();
+		exact(&map, from, to, 2, (enum kernel_kind)kind);
+		count[kind][judge(kind)]++;
+	}
+	for (int kind = KERNEL_FLAT; kind < KERNELS; kind++) {
+		const int *n = count[kind];
+
+		printf("# P = %d, loop %d: %d sure, %d not\n", P, kind,
+		    n[RIGHT], n[UNSURE]);
+		if (n[WRONG] > 0)
+			return failed("surely wrong");
+		if (P > 20 && !ends && n[RIGHT] < n[UNSURE] / 4)
+			return failed("hardly ever sure");
+	}
+	return 0;
+}
+
+/* A quotient alone, whose columns have errors up to a half of their bounds: with
+ * the least bounds that a loop can give, 2 COLUMN_BOUND of what it divides. */
+static int quotients(int tries)
+{
+	int sure_of = 0;
+
+	for (int i = 0; i < tries; i++) {
+		dd n = pair(1), w = pair(1);
+		double least = COLUMN_BOUND / 4, n_bound, w_bound;
+
+		if (at(n.hi) == 0 || at(w.hi) == 0)
+			continue;
+		w = at(w.hi) < 0 ? dd_neg(w) : w;
+		n_bound = nearest(std::fabs(at(n.hi)) * least);
+		w_bound = nearest(at(w.hi) * least);
+		toy sure = 1;
+		toy q = quotient(vdd{ n.hi, n.lo }, vdd{ w.hi, w.lo },
+		    toy(1) / w.hi, n_bound, w_bound, &sure);
+
+		if (!(sure > 0))
+			continue;
+		sure_of++;
+		for (int s = 0; s < 4; s++) {
+			wide a = value(n) + (s & 1 ? n_bound : -n_bound) / 2;
+			wide b = value(w) + (s & 2 ? w_bound : -w_bound) / 2;
+
+			if (rounded(a / b) != at(q))
+				return failed("a quotient is surely wrong");
+		}
+	}
+	printf("# P = %d, quotients: %d of %d sure\n", P, sure_of, tries);
+	return sure_of == 0 && P > 13 ? failed("never sure") : 0;
+}
+
+int main()
+{
+	return quotients(500000) || loops(200000, false) ||
+	    (P == 53 && loops(400000, true));
+}
