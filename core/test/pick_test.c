@@ -21,7 +21,8 @@ static void distance_of(const struct scene *s, struct distance *d)
 
 	truth_scene(s, SPACE_MODEL, SPACE_VIEW, &d->view);
 	d->near = form_of(volume ? p->z_near : gaze * p->near);
-	d->upward = volume ? p->z_far > p->z_near : gaze > 0;
+	d->upward = volume ? p->z_far > p->z_near :
+			     (p->far > p->near) == (gaze > 0);
 }
 
 static struct form distance_at(const struct distance *d, const double p[4])

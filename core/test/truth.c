@@ -189,7 +189,7 @@ static void compare(const struct sum *got, struct form exact, struct worst *w)
 	w->verdicts[truth_verdict(sum_double(*got), exact, one, false)]++;
 	w->verdicts[truth_verdict((double)sum_float(*got), exact, one, true)]++;
 	if (truth_sign(exact, NULL) == 0)
-		w->ghosts += sum_sign(*got) != 0 || got->value.sign != 0;
+		w->ghosts += sum_sign(*got) != 0;
 	else if (truth_verdict(pair.hi, exact, one, false) == NEAREST)
 		keep_worst(&w->error,
 		    u2_error(pair, exact.value,
