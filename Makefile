@@ -114,10 +114,6 @@ bench: $(BUILD)/projcalc $(BENCHES) ## speed and errors, beside other programs
 	@sh cmd/bench/bench.sh $(BUILD)
 stability: $(STABILITY) ## where double breaks and exact does not
 	@$< table
-ORACLE = $(BUILD)/core/test/oracle_test
-ORACLE_COORDINATES = 1000000
-oracle: $(ORACLE) ## random scenes and points against MPFR
-	@$< $(ORACLE_COORDINATES)
 chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures
 	$< data > $<.dat
 	gnuplot -e "data='$<.dat'" core/study/stability.gp \
@@ -125,6 +121,11 @@ chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures
 	sh cmd/bench/bench.sh $(BUILD) > $(BUILD)/bench.md
 	gnuplot -c cmd/bench/bench.gp $(BUILD)/bench testdata/charts
 	mv $(BUILD)/bench.md testdata/charts/bench.md
+
+ORACLE = $(BUILD)/core/test/oracle_test
+ORACLE_COORDINATES = 1000000
+oracle: $(ORACLE) ## random scenes and points against MPFR
+	@$< $(ORACLE_COORDINATES)
 
 programs: $(BUILD)/projcalc $(TESTS) ## the program and its tests
 SCRIPTS = $(sort $(wildcard cmd/test/*_test.t))
@@ -242,9 +243,9 @@ help: ## this
 	@sed -n 's/^\([a-z0-9-]*\):.* ## /make \1	/p' $(firstword $(MAKEFILE_LIST)) | \
 	    expand -t 18
 
-.PHONY: all demo views bench stability oracle chart programs test asan tsan valgrind \
-	coverage bits levels arm64 cluster fuzzers fuzz transcripts lint layers \
-	install uninstall dist distcheck deb release clean deps deps-all help
+.PHONY: all demo views bench stability oracle chart programs test asan tsan \
+	valgrind coverage bits levels arm64 cluster fuzzers fuzz transcripts \
+	lint layers install uninstall dist distcheck deb release clean deps deps-all help
 # Objects of test programs are kept.
 .SECONDARY:
 # A file that a failed command has half written must not look made.

@@ -76,7 +76,7 @@ static size_t try_scenes(int e, size_t coordinates)
 int main(int argc, char **argv)
 {
 	static const int magnitudes[] = { 0, 3, 9, 40 };
-	size_t coordinates = argc > 1 ? strtoul(argv[1], NULL, 10) : 20000;
+	size_t coordinates = argc > 1 ? strtoul(argv[1], NULL, 10) : 50000;
 	size_t wrong = 0;
 
 	sample_seed(argc > 2 ? (unsigned)strtoul(argv[2], NULL, 10) : 1);
