@@ -245,7 +245,8 @@ help: ## this
 
 .PHONY: all demo views bench stability oracle chart programs test asan tsan \
 	valgrind coverage bits levels arm64 cluster fuzzers fuzz transcripts \
-	lint layers install uninstall dist distcheck deb release clean deps deps-all help
+	lint layers install uninstall dist distcheck deb release clean deps \
+	deps-all help
 # Objects of test programs are kept.
 .SECONDARY:
 # A file that a failed command has half written must not look made.
