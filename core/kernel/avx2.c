@@ -15,6 +15,9 @@
 #define MAX(a, b) _mm256_max_pd(a, b)
 #define MADD FMA
 #define SAME(a, b, c) _mm256_and_pd(c, _mm256_cmp_pd(a, b, _CMP_EQ_OQ))
+#define IS_POSITIVE(a)       \
+	(_mm256_movemask_pd( \
+	     _mm256_cmp_pd(a, _mm256_setzero_pd(), _CMP_GT_OQ)) == 0xf)
 #define CHOOSE(a, b, c)        \
 	_mm256_blendv_pd(c, b, \
 	    _mm256_cmp_pd(a, _mm256_setzero_pd(), _CMP_GT_OQ))

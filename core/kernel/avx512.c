@@ -16,6 +16,8 @@
 #define MADD FMA
 #define SAME(a, b, c) \
 	_mm512_maskz_mov_pd(_mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ), c)
+#define IS_POSITIVE(a) \
+	(_mm512_cmp_pd_mask(a, _mm512_setzero_pd(), _CMP_GT_OQ) == 0xff)
 #define CHOOSE(a, b, c)                                                 \
 	_mm512_mask_blend_pd(_mm512_cmp_pd_mask(a, _mm512_setzero_pd(), \
 				 _CMP_GT_OQ),                           \

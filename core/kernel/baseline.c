@@ -15,6 +15,7 @@
 #define MAX(a, b) ((a) > (b) ? (a) : (b))
 #define MADD(a, b, c) ((a) * (b) + (c))
 #define SAME(a, b, c) ((a) == (b) ? (c) : 0)
+#define IS_POSITIVE(a) ((a) > 0)
 #define CHOOSE(a, b, c) ((a) > 0 ? (b) : (c))
 
 #define F float

@@ -9,6 +9,7 @@
  *	ABS MIN MAX	MIN is a < b ? a : b, MAX a > b ? a : b, nan or not
  *	SAME(a, b, c)	a == b ? c : 0
  *	CHOOSE(a, b, c)	a > 0 ? b : c
+ *	IS_POSITIVE(a)	whether all of a are above 0
  *
  * and the same of FMA, ABS and MAX for floats, F and F_..., but that F_NEAR(p, o)
  * reads doubles and gives their difference from o rounded to floats, F_STORE

@@ -250,7 +250,7 @@ exact(const struct kernel_map *m, const double *const in[3],
 	const int terms = kernel_terms(kind), columns = kernel_columns(kind);
 	const int divide = kernel_divides(kind);
 	const struct block b = block_of(m, in, n, kind);
-	V done = ALL(1);
+	int done = 1;
 
 	for (size_t i = 0; i < n; i += WIDTH) {
 		V cut[3], rest[3], q[3], r = ALL(1), sure = ALL(b.moderate);
@@ -280,15 +280,19 @@ exact(const struct kernel_map *m, const double *const in[3],
 		if (kind == KERNEL_DEPTH)
 			q[2] = depth(m, w, r, ALL(b.none), bound, &sure);
 		if (divide)
-			sure = CHOOSE(w.hi - bound, sure,
-			    CHOOSE(-(w.hi + bound), ALL(-b.moderate), ALL(0)));
-		q[0] = CHOOSE(sure, q[0],
-		    CHOOSE(-sure, ALL((double)INFINITY), ALL((double)NAN)));
-		done = MIN(done, sure);
+			sure = CHOOSE(w.hi - bound, sure, ALL(0));
+		if (!IS_POSITIVE(sure)) {
+			V none = CHOOSE(-(w.hi + bound), ALL(b.moderate),
+			    ALL(0));
+
+			q[0] = CHOOSE(sure, q[0],
+			    CHOOSE(none, ALL(INFINITY), ALL((double)NAN)));
+			done = 0;
+		}
 		for (int k = 0; k < terms; k++)
 			STORE(out[k] + i, q[k]);
 	}
-	return least(done) > 0;
+	return done;
 }
 
 #define LOOP(KIND, name)                                                       \
