@@ -93,8 +93,8 @@ bool point_quick(const struct transform *t, const double in[4], double out[4])
 	return true;
 }
 
-/* Only where the double lies midway between two floats does rounding it again not
- * give the nearest float. */
+/* Only where the double lies midway between two floats, or between the largest and
+ * 2^128, does rounding it again not give the nearest float. */
 float point_single(const struct transform *t, const double in[4], int j,
     double image)
 {
@@ -102,7 +102,8 @@ float point_single(const struct transform *t, const double in[4], int j,
 	float b = nextafterf(a, (double)a < image ? INFINITY : -INFINITY);
 	struct sum p[4], q, w;
 
-	if ((double)a / 2 + (double)b / 2 != image)
+	if ((isfinite(a) ? (double)a / 2 + (double)b / 2 : 0) != image &&
+	    fabs(image) != 0x1.ffffffp127)
 		return a;
 	set_point(t, in, p);
 	if (!find_w(t, in, p, &w))

@@ -103,15 +103,6 @@ static double over(struct sum n, struct sum d, bool single)
 	return isfinite(q) ? q : (double)NAN;
 }
 
-static void set_point(const struct ray_maker *r, const double in[4],
-    bool single, double point[3])
-{
-	struct sum w = point_column(&r->to_world, 3, in);
-
-	for (int j = 0; j < 3 && sum_sign(w) > 0; j++)
-		point[j] = over(point_column(&r->to_world, j, in), w, single);
-}
-
 static void set_direction(const struct ray_maker *r, const double in[4],
     bool single, double direction[3])
 {
@@ -129,7 +120,7 @@ static void set_direction(const struct ray_maker *r, const double in[4],
 		const struct sum column[3] = { r->turn.map.m[0][j],
 			r->turn.map.m[1][j], r->turn.map.m[2][j] };
 
-		to[j] = vec3_dot(d, column);
+		to[j] = sum_settled(vec3_dot(d, column));
 	}
 	struct sum length = vec3_length(to);
 
@@ -149,7 +140,11 @@ void ray_exact(const struct ray_maker *r, const double at[2], bool single,
 		point[i] = direction[i] = (double)NAN;
 	if (isnan(at[0]) || isnan(at[1]))
 		return;
-	set_point(r, in, single, point);
-	if (!isnan(point[0]) || !isnan(point[1]) || !isnan(point[2]))
-		set_direction(r, in, single, direction);
+	struct sum w = point_column(&r->to_world, 3, in);
+
+	if (sum_sign(w) <= 0)
+		return;
+	for (int j = 0; j < 3; j++)
+		point[j] = over(point_column(&r->to_world, j, in), w, single);
+	set_direction(r, in, single, direction);
 }

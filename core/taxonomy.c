@@ -143,8 +143,13 @@ static enum kind points(const struct lens *l)
  * within 2^-250. */
 static double degrees(struct sum y, struct sum x)
 {
+	x = sum_settled(x);
+	y = sum_settled(y);
 	struct sum size = sum_abs(x);
 	struct sum most = ex_compare(y.value, size.value) > 0 ? y : size;
+
+	if (sum_sign(most) == 0)
+		return (double)NAN;
 	double a = atan2(sum_over(y, most), sum_over(x, most)) * DEGREE;
 	struct sum s = sin_deg(a), c = cos_deg(a);
 	struct sum tan = sum_quotient(sum_sub(sum_mul(y, c), sum_mul(x, s)),
