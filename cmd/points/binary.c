@@ -105,6 +105,8 @@ void binary_write(const struct job *j, struct chunk *c, size_t p,
 		    narrowed(j, c, p, k, wide) + 0.0f :
 		    (float)wide;
 
+		if (isinf(narrow))
+			narrow = NAN;
 		if (j->layout.out == FORMAT_F64)
 			memcpy(at + 8 * k, &wide, 8);
 		else

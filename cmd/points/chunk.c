@@ -66,7 +66,9 @@ void chunk_mark(struct chunk *c, const struct layout *l, size_t p, size_t line)
 	for (int k = 0; k < l->writes; k++) {
 		double v = c->image[k][p];
 
-		if (!isfinite(v) || (narrow && !isfinite((float)v))) {
+		/* what is midway from the largest float to 2^128 may have
+		 * been rounded there */
+		if (!isfinite(v) || (narrow && fabs(v) > 0x1.ffffffp127)) {
 			c->image[k][p] = (double)NAN;
 			nan = true;
 		}
