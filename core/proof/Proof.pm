@@ -58,7 +58,7 @@ my $programs = 0;
 sub compiled {
 	my ($source, $core, @flags) = @_;
 	my $program = "$tmp/program" . ++$programs;
-	my @command = (($ENV{CXX} // 'g++'), qw(-O2 -w -std=gnu++17
+	my @command = (($ENV{CXX} // 'g++'), qw(-O1 -w -std=gnu++17
 	    -ffp-contract=off), claims($core), @flags, "-I$core", "-I$tmp",
 	    '-o', $program, "$here/$source");
 	return system(@command) == 0 ? $program : undef;

@@ -79,9 +79,17 @@ static void say(const char *claim, double claimed, double found,
 {
 	bool proved = found <= claimed * MILLIONTH;
 
-	printf("%-34s %9.6g %9.6g %-6s  %s\n", claim, claimed, found, unit,
-	    proved ? "proved" : "REFUSED");
+	printf("%-36s %8.6g %8.6g %-6s %8.3g  %s\n", claim, claimed, found,
+	    unit, claimed / found, proved ? "proved" : "REFUSED");
 	refusals += !proved;
+}
+
+/* The same of powers of two. */
+static void say_powers(const char *claim, int claimed, int found)
+{
+	printf("%-36s %8d %8d %-6s 2^%-6d  %s\n", claim, claimed, found, "2^",
+	    claimed - found, found <= claimed ? "proved" : "REFUSED");
+	refusals += found > claimed;
 }
 
 static void fresh(void)
@@ -154,6 +162,10 @@ static double worst_dd(bool divide, double claim, const box &at)
 
 static void prove_dd(void)
 {
+	fresh();
+	/* what its first double leaves of 1, rounded again */
+	say("ex_round: EX_BOUND", EX_BOUND, count::half_ulp(U) / (U * U),
+	    "u^2");
 	const box all = { 1, 2, 1, 2 };
 
 	say("dd_mul", DD_MUL, worst_dd(false, DD_MUL, all), "u^2");
@@ -298,6 +310,19 @@ static double share(double column, double most, double own)
 	return (part / (1 - part) + own * most / COLUMN_BOUND) * (1 + 16 * U);
 }
 
+/* Binary exponents where e and f are as far from 0 as they may be: of all that
+ * underflows, 16 times half the least double and multiplied by w at most; of the
+ * largest that is computed, 2 n over a w at its bound; of the least bound. */
+static void prove_ends(void)
+{
+	const int far = 2 * (EXPONENT_MAX - 1);
+	int least = std::ilogb(COLUMN_BOUND) - far;
+
+	say("what underflows, of the bound 2^", least - 20, 4 - 1075 + far + 2,
+	    "");
+	say("what could overflow, 2^", 1022, far + 3 - least, "");
+}
+
 static void prove_exact(void)
 {
 	double most = 0, column = 0, m;
@@ -414,8 +439,9 @@ static void prove_plain(void)
 
 int main()
 {
-	prove_exact();
-	prove_plain();
 	prove_dd();
+	prove_exact();
+	prove_ends();
+	prove_plain();
 	return refusals > 0;
 }
