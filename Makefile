@@ -104,6 +104,9 @@ $(COMPLETIONS): $(BUILD)/completion/%: $(BUILD)/projcalc man/completion.pl
 	@mkdir -p $(@D)
 	perl man/completion.pl $< $* >$@
 
+prove: ## machine-checked error counting: each bound that core claims
+	@perl core/proof/prove.pl
+
 demo: | $(FIRST) ## the Stanford bunny, seen in a terminal
 	@+$(PARALLEL) all
 	@sh cmd/demo/demo.sh $(BUILD)
@@ -128,7 +131,7 @@ oracle: $(ORACLE) ## random scenes and points against MPFR
 	@$< $(ORACLE_COORDINATES)
 
 programs: $(BUILD)/projcalc $(TESTS) ## the program and its tests
-SCRIPTS = $(sort $(wildcard cmd/test/*_test.t))
+SCRIPTS = $(sort $(wildcard cmd/test/*_test.t core/proof/*_test.t))
 test: | $(FIRST) ## all tests
 	@+$(PARALLEL) programs
 	@BUILD=$(BUILD) perl cmd/test/run_tests.pl $(JOBS) $(TESTS) $(SCRIPTS)
@@ -171,7 +174,7 @@ coverage: ## which lines of the program the tests run
 	@find $(BUILD)/coverage -name '*.gcda' -delete 2>/dev/null || true
 	@+$(call rebuilt,-O0 -g --coverage) test
 	@gcovr --root . --object-directory $(BUILD)/coverage \
-	    --exclude '.*/(test|study)/.*' core cmd $(BUILD)/coverage
+	    --exclude '.*/(test|study|proof)/.*' core cmd $(BUILD)/coverage
 fuzzers: $(FUZZERS)
 fuzz: ## clang's libFuzzer, FUZZ_SECONDS=60 in all
 	@+$(call rebuilt,$(ADDRESS) -fsanitize=fuzzer-no-link) \
@@ -243,10 +246,10 @@ help: ## this
 	@sed -n 's/^\([a-z0-9-]*\):.* ## /make \1	/p' $(firstword $(MAKEFILE_LIST)) | \
 	    expand -t 18
 
-.PHONY: all demo views bench stability oracle chart programs test asan tsan \
-	valgrind coverage bits levels arm64 cluster fuzzers fuzz transcripts \
-	lint layers install uninstall dist distcheck deb release clean deps \
-	deps-all help
+.PHONY: all prove demo views bench stability oracle chart programs test asan \
+	tsan valgrind coverage bits levels arm64 cluster fuzzers fuzz \
+	transcripts lint layers install uninstall dist distcheck deb release \
+	clean deps deps-all help
 # Objects of test programs are kept.
 .SECONDARY:
 # A file that a failed command has half written must not look made.

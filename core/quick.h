@@ -51,7 +51,9 @@ static inline void quick_add(struct quick *s, dd a, double size, dd b,
 	s->exact &= exact && a.lo == 0 && b.lo == 0 &&
 	    (fabs(p.hi) > 0x1p-900 || a.hi == 0 || b.hi == 0);
 	s->value = quick_sum(s->value, p, &s->exact);
-	s->size += size * fabs(b.hi);
+	/* 0 only where all products are, though what is added may underflow */
+	if (size > 0 && fabs(b.hi) > 0)
+		s->size += size * fabs(b.hi) + 0x1p-1022;
 }
 
 static inline dd quick_element(const struct kernel_map *k, int i, int j)

@@ -9,7 +9,7 @@ use File::Basename;
 use List::Util qw(max min sum uniq);
 
 # The rooms beside the program's, which does without them.
-my $wing = qr{/(?:test|study|bench|fuzz|demo)/};
+my $wing = qr{/(?:test|study|proof|bench|fuzz|demo)/};
 
 # All that core may call that isn't its own: arithmetic, bytes, and what
 # compilers put in.

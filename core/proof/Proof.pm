@@ -46,7 +46,12 @@ sub claimed {
 sub claims {
 	my ($core) = @_;
 	my %claim = (EX_BOUND => macro("$core/exact.h", 'EX_BOUND'),
+	    RAY_BOUND => macro("$core/ray.c", 'RAY_BOUND'),
 	    QUOTIENT_BOUND => claimed("$core/kernel/exact.h", 'quotient'));
+	my $ray = slurp("$core/ray.c") =~ s/\n \*//gr;
+	@claim{qw(RAY_SUMS RAY_DIRECTION RAY_LENGTH)} = $ray =~
+	    /N and D by ([\d.]+), the direction by ([\d.]+)\..* by ([\d.]+) of its own\. All/
+	    or die "ray.c claims nothing of its sums\n";
 	$claim{uc $_} = claimed("$core/dd.h", $_) for qw(dd_add dd_mul dd_div);
 	return map { "-D$_=$claim{$_}" } sort keys %claim;
 }
@@ -58,7 +63,7 @@ my $programs = 0;
 sub compiled {
 	my ($source, $core, @flags) = @_;
 	my $program = "$tmp/program" . ++$programs;
-	my @command = (($ENV{CXX} // 'g++'), qw(-O2 -w -std=gnu++17
+	my @command = (($ENV{CXX} // 'g++'), qw(-O1 -w -std=gnu++17
 	    -ffp-contract=off), claims($core), @flags, "-I$core", "-I$tmp",
 	    '-o', $program, "$here/$source");
 	return system(@command) == 0 ? $program : undef;
@@ -72,16 +77,29 @@ sub outcome {
 	return ($? == 0, $said);
 }
 
+# What ray.c does in double-double: its sums, its quotients, and a ray of both.
+sub cut_ray {
+	my ($core) = @_;
+	my @part = slurp("$core/ray.c") =~
+	    m{(struct\ dd_sum\ \{.*?)(static\ struct\ dd_sum\ length_of.*?)
+	    (static\ bool\ ray_quick.*?)static\ double\ over}sx
+	    or die "ray.c has other functions than these\n";
+	spew("$tmp/$_", shift @part)
+	    for qw(ray_sums.h ray_quotients.h ray_quick.h);
+}
+
 # Both ways in which products and sums are done.
 sub count_errors {
 	my ($core) = @_;
 	my ($well, $said) = (1, '');
+	cut_ray($core);
 	for my $way ('', '-DFUSED_MADD') {
 		my ($ok, $text) = outcome(compiled('count.cc', $core,
 		    $way || ()));
 		$said .= ($way ? "products fused:\n" : "products rounded:\n") .
 		    $text;
 		$well &&= $ok;
+		last if !$ok;
 	}
 	return ($well, $said);
 }

@@ -17,6 +17,7 @@ using count::ldexp;
 using count::number;
 using count::plus;
 using count::poly;
+using count::sqrt;
 using count::times;
 using count::U;
 
@@ -68,7 +69,49 @@ static number size_limit(const struct kernel_map *, enum kernel_kind, number)
 #define MOST 1
 #define NAME(x) counted_##x
 #include "kernel/plain.h"
+
+struct ray_maker {
+	struct {
+		struct kernel_map for_kernel;
+	} back;
+	number depth;
+	bool against;
+};
+
+#include "ray_sums.h"
+namespace quotients
+{
+#include "ray_quotients.h"
+}
+
+/* What a ray sums, before anything is divided. */
+static struct dd_sum sums[4], directions[3], length_is;
+
+static struct dd_sum length_of(const struct dd_sum to[3])
+{
+	for (int j = 0; j < 3; j++)
+		directions[j] = to[j];
+	length_is = { { given(1, 1), number(0) }, number(1) };
+	return length_is;
+}
+
+static bool round_quick(struct dd_sum n, struct dd_sum d, number *)
+{
+	static int j;
+
+	if (d.value.hi.id == length_is.value.hi.id)
+		return true;
+	sums[j++ % 3] = n;
+	sums[3] = d;
+	return true;
+}
+
+#include "ray_quick.h"
 #undef double
+
+/* Than any error that is counted: for what shall not count, though its operations
+ * do. */
+static const double small = 0x1p-300;
 
 static int refusals;
 static const double MILLIONTH = 1 + 1e-6;
@@ -79,9 +122,17 @@ static void say(const char *claim, double claimed, double found,
 {
 	bool proved = found <= claimed * MILLIONTH;
 
-	printf("%-34s %9.6g %9.6g %-6s  %s\n", claim, claimed, found, unit,
-	    proved ? "proved" : "REFUSED");
+	printf("%-36s %8.6g %8.6g %-6s %8.3g  %s\n", claim, claimed, found,
+	    unit, claimed / found, proved ? "proved" : "REFUSED");
 	refusals += !proved;
+}
+
+/* The same of powers of two. */
+static void say_powers(const char *claim, int claimed, int found)
+{
+	printf("%-36s %8d %8d %-6s 2^%-6d  %s\n", claim, claimed, found, "2^",
+	    claimed - found, found <= claimed ? "proved" : "REFUSED");
+	refusals += found > claimed;
 }
 
 static void fresh(void)
@@ -154,6 +205,10 @@ static double worst_dd(bool divide, double claim, const box &at)
 
 static void prove_dd(void)
 {
+	fresh();
+	/* what its first double leaves of 1, rounded again */
+	say("ex_round: EX_BOUND", EX_BOUND, count::half_ulp(U) / (U * U),
+	    "u^2");
 	const box all = { 1, 2, 1, 2 };
 
 	say("dd_mul", DD_MUL, worst_dd(false, DD_MUL, all), "u^2");
@@ -252,8 +307,6 @@ static vdd pair(double head)
 	return vdd{ given(head, head), given(3 * U * head) };
 }
 
-static const double small = 0x1p-300; /* than any error that is counted */
-
 static double quotient_error(void)
 {
 	fresh();
@@ -298,6 +351,19 @@ static double share(double column, double most, double own)
 	return (part / (1 - part) + own * most / COLUMN_BOUND) * (1 + 16 * U);
 }
 
+/* Binary exponents where e and f are as far from 0 as they may be: of all that
+ * underflows, 16 times half the least double and multiplied by w at most; of the
+ * largest that is computed, 2 n over a w at its bound; of the least bound. */
+static void prove_ends(void)
+{
+	const int far = 2 * (EXPONENT_MAX - 1);
+	int least = std::ilogb(COLUMN_BOUND) - far;
+
+	say("what underflows, of the bound 2^", least - 20, 4 - 1075 + far + 2,
+	    "");
+	say_powers("what could overflow", 1022, far + 3 - least);
+}
+
 static void prove_exact(void)
 {
 	double most = 0, column = 0, m;
@@ -306,8 +372,8 @@ static void prove_exact(void)
 		column = std::fmax(column, column_error(terms, &m));
 		most = std::fmax(most, m);
 	}
-	const double q = quotient_error(), a = depth_error(1, 0),
-		     b = depth_error(0, 1), least = 0x1p-79;
+	const double q = quotient_error(), a = depth_error(1, small),
+		     b = depth_error(small, 1), least = 0x1p-79;
 
 	say("column: COLUMN_BOUND / 2", COLUMN_BOUND / 2 / least,
 	    column / least, "2^-79");
@@ -333,8 +399,8 @@ static void give_plain(int term)
 {
 	fresh();
 	count::relative = true;
-	give_map(0, 0);
-	give_points(0);
+	give_map(small, small);
+	give_points(small);
 	for (int j = 0; j < 4; j++) {
 		map.hi[term][j] = given(1);
 		map.lo[term][j] = given(U * (1 + 0x1p-20));
@@ -400,7 +466,7 @@ static void prove_plain(void)
 		c = std::fmax(c, plain_column(term));
 	/* and one for printing the shortest digits */
 	double q = plain_quotient() + 1;
-	double a = plain_depth(1, 0) + 1, b = plain_depth(0, 1) + 1;
+	double a = plain_depth(1, small) + 1, b = plain_depth(small, 1) + 1;
 	/* the bound's own roundings; u of single, where higher powers count */
 	const double u = 0x1p-24, own = 1 - 32 * u;
 
@@ -412,10 +478,116 @@ static void prove_plain(void)
 	    worst_of(c, b, u) / own, "u");
 }
 
+/* ---- ray.c, in units of u^2 of sums of products' magnitudes ---- */
+
+/* Term i of the sums, and of row 2 what the direction takes of them. */
+static void give_ray(int i, double own, double last, struct ray_maker *r)
+{
+	fresh();
+	count::relative = true;
+	/* that sums are in order for fast_two_sum is proved of dd_add in the
+	 * papers, and tried in toy arithmetic */
+	count::head = HUGE_VAL;
+	give_map(small, small);
+	give_points(small);
+	for (int j = 0; j < 4; j++) {
+		double e = (j < 3 ? own : last) ? 1 : small;
+
+		if (i != 2)
+			map.hi[2][j] = given(e), map.lo[2][j] = given(e * U);
+		map.hi[i][j] = given(1);
+		map.lo[i][j] = given(U);
+	}
+	if (i < 3)
+		count::bounds[difference[i].begin()->first[0]] = 1;
+	for (int k = 0; k < 3; k++) {
+		number d = number::add({ difference[k],
+		    count::bounds[difference[k].begin()->first[0]], 0,
+		    count::NO_UNIT, count::GIVEN, -1, -1, -1, -1 });
+
+		in[k] = number::add({ plus(d->is, map.origin[k]->is), HUGE_VAL,
+		    0, count::NO_UNIT, count::GIVEN, -1, -1, -1, -1 });
+	}
+	r->back.for_kernel = map;
+	r->depth = in[2];
+	r->against = false;
+}
+
+static poly element_of(int i, int j)
+{
+	return plus(map.hi[i][j]->is, map.lo[i][j]->is);
+}
+
+static void ray_errors(int i, double own, double last, double *sum, double *to)
+{
+	struct ray_maker r;
+	number at[2], point[3], direction[3];
+
+	give_ray(i, own, last, &r);
+	at[0] = in[0];
+	at[1] = in[1];
+	ray_quick(&r, at, point, direction);
+	for (int j = 0; j < 4; j++)
+		*sum = std::fmax(*sum,
+		    bound(minus(sum_of(sums[j].value), column_of(j, 3))));
+	double size = i == 2 ? 2 : own + last;
+
+	for (int j = 0; j < 3; j++) {
+		poly right = minus(times(element_of(2, j), column_of(3, 3)),
+		    times(column_of(j, 3), element_of(2, 3)));
+
+		*to = std::fmax(*to,
+		    bound(minus(sum_of(directions[j].value), right)) / size);
+	}
+}
+
+/* Of so many equal elements: half of what the square is off by. */
+static double length_error(int many)
+{
+	fresh();
+	count::relative = true;
+	count::head = HUGE_VAL;
+	struct dd_sum to[3];
+	poly square;
+
+	for (int j = 0; j < 3; j++) {
+		double e = j < many ? 1 / std::sqrt((double)many) : small;
+
+		to[j] = { { given(e), given(e * U) }, number(1) };
+		square = plus(square,
+		    times(sum_of(to[j].value), sum_of(to[j].value)));
+	}
+	poly length = sum_of(quotients::length_of(to).value);
+
+	return bound(minus(times(length, length), square)) / 2;
+}
+
+static void prove_ray(void)
+{
+	double sum = 0, to = 0, length = 0;
+
+	for (int i = 0; i < 4; i++)
+		for (int k = 1; k < 4; k++)
+			ray_errors(i, k & 1, k >> 1, &sum, &to);
+	for (int many = 1; many <= 3; many++)
+		length = std::fmax(length, length_error(many));
+	/* with what elements are rounded by */
+	sum = sum / (U * U) + EX_BOUND;
+	to = to / (U * U) + 2 * EX_BOUND;
+	length /= U * U;
+	say("ray: sums", RAY_SUMS, sum, "u^2");
+	say("ray: direction", RAY_DIRECTION, to, "u^2");
+	say("ray: length", RAY_LENGTH, length, "u^2");
+	say("ray: RAY_BOUND", RAY_BOUND / (U * U),
+	    std::fmax(sum, to) + std::fmax(length, DD_DIV), "u^2");
+}
+
 int main()
 {
-	prove_exact();
-	prove_plain();
+	prove_ray();
 	prove_dd();
+	prove_exact();
+	prove_ends();
+	prove_plain();
 	return refusals > 0;
 }

@@ -84,13 +84,17 @@ static std::vector<division> divisions;
 
 static poly times(const poly &a, const poly &b);
 
-/* One more term, in which what was divided by is cancelled. */
+/* One more term, in which what was divided by is cancelled; none where it is 0. */
 static void add_term(poly *s, product atoms, double c)
 {
+	for (int atom : atoms)
+		if (bounds[atom] == 0)
+			return;
 	for (const division &d : divisions)
 		for (size_t i = 0; i < atoms.size(); i++)
 			for (size_t j = 0; j < atoms.size(); j++) {
-				if (atoms[i] != d.q || atoms[j] != d.b)
+				if (i == j || atoms[i] != d.q ||
+				    atoms[j] != d.b)
 					continue;
 				product rest;
 
@@ -235,7 +239,9 @@ static number rounded(poly p, double most, int unit, operation op, number a,
 	node n = { p, most, 0, unit, op, a.id, b.id, c, -1 };
 	double units = unit > NO_UNIT ? std::ldexp(most, -unit) : HUGE_VAL;
 
-	if (units <= 0x1p53) {
+	if (most == 0) {
+		n.is.clear();
+	} else if (units <= 0x1p53) {
 		n.most = std::ldexp(std::floor(units), unit);
 	} else {
 		n.error = new_atom(half_ulp(most) + lost,
@@ -291,8 +297,6 @@ static number cut_sum(number a, number b)
 
 static number operator+(number a, number b)
 {
-	if (is_zero(a) || is_zero(b))
-		return is_zero(a) ? b : a;
 	/* (x - (s - t)) + (y - t) for s = x + y, t = s - x */
 	if (a->op == DIFFERENCE && b->op == DIFFERENCE) {
 		int x = a->a, y = b->a, t = b->b, st = a->b;
@@ -302,6 +306,8 @@ static number operator+(number a, number b)
 		    is(nodes[t].a, SUM, x, y))
 			return error_of(nodes[t].a);
 	}
+	if (is_zero(a) || is_zero(b))
+		return is_zero(a) ? b : a;
 	if (is_cut(a, b))
 		return cut_sum(a, b);
 	return rounded(plus(a->is, b->is), a->most + b->most,
@@ -316,7 +322,12 @@ static number operator-(number a, number b)
 	if (head > 0 && b->op == DIFFERENCE && is(b->a, SUM, b->b, a.id)) {
 		if (a->most > head)
 			refuse("fast_two_sum of operands in the wrong order");
-		return error_of(b->a);
+		node low = *error_of(b->a);
+
+		low.op = DIFFERENCE; /* which two_sum has, too */
+		low.a = a.id;
+		low.b = b.id;
+		return number::add(low);
 	}
 	poly p = plus(a->is, b->is, -1);
 	double most = a->most + b->most;
@@ -335,10 +346,33 @@ static number operator-(number a, number b)
 	return rounded(p, most, std::min(a->unit, b->unit), DIFFERENCE, a, b);
 }
 
+/* A power of two multiplies without a rounding. */
+static number scaled(number a, double power)
+{
+	node n = *a;
+
+	n.is = times(n.is, { { {}, power } });
+	n.most *= power;
+	n.least *= power;
+	n.unit += n.unit > NO_UNIT ? std::ilogb(power) : 0;
+	n.op = GIVEN;
+	return number::add(n);
+}
+
+static bool is_power(number a)
+{
+	int e;
+
+	return a->is.size() == 1 && a->is.begin()->first.empty() &&
+	    std::frexp(a->is.begin()->second, &e) == 0.5;
+}
+
 static number operator*(number a, number b)
 {
 	if (is_zero(a) || is_zero(b))
 		return number(0);
+	if (is_power(a) || is_power(b))
+		return is_power(a) ? scaled(b, a->most) : scaled(a, b->most);
 	number r = rounded(times(a->is, b->is), a->most * b->most,
 	    product_unit(a.id, b.id), PRODUCT, a, b);
 
@@ -348,26 +382,41 @@ static number operator*(number a, number b)
 	return r;
 }
 
-/* A divisor is an atom, or becomes one: what was computed, whatever it is. */
+/* A divisor is an atom, or a multiple of one; or it becomes one: what was
+ * computed, whatever it is. */
 static number operator/(number a, number b)
 {
 	double least = b->least > 0 ? b->least : 1;
-	double most = a->most / least * (1 + 2 * U);
-	double size = relative ? most : a->most / least;
-	int divisor = b->is.size() == 1 && b->is.begin()->first.size() == 1 ?
-	    b->is.begin()->first[0] :
-	    new_atom(1);
-	int q = new_atom(most), error = new_atom(half_ulp(size));
+	double size = a->most / least, most = size * (1 + 2 * U);
+	bool simple = b->is.size() == 1 && b->is.begin()->first.size() == 1;
+	int divisor = simple ? b->is.begin()->first[0] : new_atom(1);
+	double times_it = simple ? b->is.begin()->second : 1;
+	int q = new_atom(most);
+	int error = new_atom(half_ulp(relative ? most : size));
 	product lost_of_b = { divisor, error };
 
 	std::sort(lost_of_b.begin(), lost_of_b.end());
-	divisions.push_back(
-	    { q, divisor, plus(a->is, { { lost_of_b, 1.0 } }) });
+	divisions.push_back({ q, divisor,
+	    plus(times(a->is, { { {}, 1 / times_it } }),
+		{ { lost_of_b, 1.0 } }) });
 	double small = a->least / b->most * (1 - U);
 
 	return number::add({ { { { q }, 1.0 } }, most, small,
 	    small > 0 ? std::ilogb(small) - 52 : NO_UNIT, QUOTIENT, a.id, b.id,
 	    -1, -1 });
+}
+
+/* r = root + error, so that r r = a + 2 r error - error error. */
+static number sqrt(number a)
+{
+	double most = std::sqrt(a->most) * (1 + 2 * U);
+	int r = new_atom(most), error = new_atom(half_ulp(most));
+	poly square = plus(a->is, { { { r, error }, 2.0 } });
+
+	divisions.push_back(
+	    { r, r, plus(square, { { { error, error }, -1.0 } }) });
+	return number::add({ { { { r }, 1.0 } }, most,
+	    std::sqrt(a->least) * (1 - U), NO_UNIT, GIVEN, -1, -1, -1, -1 });
 }
 
 inline number &number::operator+=(number b)
@@ -394,10 +443,6 @@ static number fabs(number a)
 static number fmax(number a, number)
 {
 	return a;
-}
-static number sqrt(number a)
-{
-	return given(std::sqrt(a->most), std::sqrt(a->least));
 }
 static number ldexp(number a, int e)
 {

@@ -61,6 +61,8 @@ my @mutations = (
 	    'R_FMA(R_ALL((REAL)m->b_hi), r,', '((REAL)m->b_hi * r +'],
 	['kernel/kernel.h', 'a plain bound that is too small',
 	    'PLAIN_BOUND 10', 'PLAIN_BOUND 8'],
+	['ray.c', 'a length without its low part', 'rest.hi / (2 * s)', 's * 0'],
+	['ray.c', 'a bound of a ray that is too small', '0x1p-99', '0x1p-102'],
 	['dd.h', 'a product without one of its terms',
 	    'fma(a.lo, b.hi, fma(a.hi, b.lo, a.lo * b.lo))',
 	    'fma(a.lo, b.hi, a.lo * b.lo)'],
@@ -84,7 +86,7 @@ for my $m (@mutations) {
 	my $mutant = "$tmp/mutant";
 	remove_tree($mutant);
 	make_path("$mutant/kernel");
-	for my $header (qw(dd.h exact.h kernel/exact.h kernel/plain.h
+	for my $header (qw(dd.h exact.h ray.c kernel/exact.h kernel/plain.h
 	    kernel/kernel.h)) {
 		spew("$mutant/$header", slurp("$core/$header"));
 	}

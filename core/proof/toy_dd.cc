@@ -84,7 +84,7 @@ int main()
 	for (int i = 0; i < many; i++)
 		for (int j = 0; j < many; j++) {
 			wrong |= pair(words[i], words[j]);
-			if ((i + j) % (P < 5 ? 1 : 7) == 0)
+			if ((i + j) % (P < 5 ? 5 : 7) == 0)
 				wrong |= scaled(words[i], words[j]);
 		}
 	if (wrong)

@@ -204,6 +204,6 @@ static int quotients(int tries)
 
 int main()
 {
-	return quotients(500000) || loops(200000, false) ||
-	    (P == 53 && loops(400000, true));
+	return quotients(200000) || loops(100000, false) ||
+	    (P == 53 && loops(200000, true));
 }
