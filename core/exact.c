@@ -270,11 +270,6 @@ ex ex_shift(ex a, int e)
 	return r;
 }
 
-ex ex_dd(dd a)
-{
-	return ex_add(ex_of(a.hi), ex_of(a.lo));
-}
-
 ex ex_diff(double a, double b)
 {
 	return ex_sub(ex_of(a), ex_of(b));
@@ -393,13 +388,6 @@ ex ex_sqrt(ex a)
 	return ex_shift(ex_first(r, QUOTIENT), e);
 }
 
-ex ex_settled(ex a, ex size)
-{
-	ex least = ex_shift(size, -190);
-
-	return compare_magnitudes(&a, &least) > 0 ? a : ex_of(0);
-}
-
 /* The 64 bits from 2^e on. */
 static uint64_t bits_from(const ex *a, int e)
 {
@@ -442,11 +430,6 @@ double ex_nearest(const ex *a, bool single)
 double ex_double(ex a)
 {
 	return ex_nearest(&a, false);
-}
-
-float ex_float(ex a)
-{
-	return (float)ex_nearest(&a, true);
 }
 
 dd ex_round(ex a)

@@ -27,7 +27,6 @@ typedef struct {
 
 ex ex_of(double a);
 void ex_set(ex *, double a);
-ex ex_dd(dd a);
 ex ex_neg(ex a);
 ex ex_abs(ex a);
 ex ex_add(ex a, ex b);
@@ -44,10 +43,6 @@ ex ex_diff(double a, double b); /* a - b */
 ex ex_quotient(ex a, ex b);
 ex ex_sqrt(ex a);
 
-/* a; or 0 where it may be nothing but errors, for a sum of terms each within
- * 2^-195 of itself, whose magnitudes sum to size. */
-ex ex_settled(ex a, ex size);
-
 int ex_sign(ex a);          /* -1, 0, 1 */
 int ex_compare(ex a, ex b); /* the sign of a - b */
 ex ex_first(ex a, int n);   /* the n first words, toward 0 */
@@ -55,15 +50,14 @@ ex ex_first(ex a, int n);   /* the n first words, toward 0 */
 /* The nearest double or float, ties to even, also among the subnormal ones;
  * infinite beyond. */
 double ex_double(ex a);
-float ex_float(ex a);
 
-/* The same for the many: sums of products, cut to so many words where words is not
- * 0; a quotient; the nearest double or float. */
+/* What every point needs, without copies: a sum of products, cut to its first words
+ * where words is not 0; a quotient; the nearest double or float. */
 void ex_dot(int n, const ex *const a[], const ex *const b[], int words, ex *);
 void ex_divide(const ex *a, const ex *b, ex *);
 double ex_nearest(const ex *, bool single);
 
-/* The 64 bits behind the first so many. */
+/* The 64 bits that follow the first so many. */
 uint64_t ex_behind(const ex *a, int bits);
 
 /* The nearest double, and the double nearest to what that leaves: within

@@ -193,15 +193,12 @@ static double next(double a, bool away, bool single)
 static bool is_even(double a, bool single)
 {
 	float narrow = (float)a;
-	uint64_t bits = 0;
+	uint32_t few;
+	uint64_t many;
 
-	if (single)
-		memcpy(&bits, &narrow, sizeof narrow);
-	else
-		memcpy(&bits, &a, sizeof a);
-	return __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__ && single ?
-	    (bits >> 32 & 1) == 0 :
-	    (bits & 1) == 0;
+	memcpy(&few, &narrow, sizeof few);
+	memcpy(&many, &a, sizeof many);
+	return ((single ? few : many) & 1) == 0;
 }
 
 /* Whether q, which is a value but for 2^-120 of it, is surely rounded as that: it

@@ -175,7 +175,8 @@ static void rounded(void **state)
 		real exact = number_ex(near);
 
 		assert_true(ex_double(near) == mpfr_get_d(exact, MPFR_RNDN));
-		assert_true(ex_float(near) == mpfr_get_flt(exact, MPFR_RNDN));
+		assert_true(ex_nearest(&near, true) ==
+		    (double)mpfr_get_flt(exact, MPFR_RNDN));
 		assert_true(ex_double(ex_neg(near)) == -ex_double(near));
 		real_release(mark);
 	}
@@ -213,9 +214,6 @@ static void zeros(void **state)
 	assert_int_equal(ex_sign(ex_sqrt(zero)), 0);
 	assert_true(ex_round(zero).hi == 0 && !signbit(ex_round(zero).hi));
 	assert_int_not_equal(ex_sign(rest), 0);
-	assert_int_equal(ex_sign(ex_settled(rest, ex_of(2))), 0);
-	assert_int_equal(ex_sign(ex_settled(third, ex_of(2))), 1);
-	assert_int_equal(ex_sign(ex_settled(zero, zero)), 0);
 }
 
 int main(void)
