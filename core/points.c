@@ -127,6 +127,10 @@ static void gather(const struct transform *t, const double *const in[4],
 			r->in[j][r->n] = in[j][i];
 		r->n++;
 	}
+	/* kernels read whole vectors */
+	for (size_t k = r->n; k % 16 != 0; k++)
+		for (int j = 0; j < t->in; j++)
+			r->in[j][k] = r->in[j][0];
 }
 
 /* A point that is behind the eye in a precision, or whose w has underflowed there,
