@@ -103,13 +103,19 @@ static void any_point(void)
 	map.lo[3][j] = below(2) ? rounded(-s - at(map.hi[3][j])) : 0;
 }
 
+/* Elements that are infinite stand for finite ones beyond doubles: 0 times one is
+ * 0. */
 static wide column_at(int j, int terms)
 {
 	wide s = (wide)at(map.hi[3][j]) + at(map.lo[3][j]);
 
-	for (int k = 0; k < terms; k++)
-		s += ((wide)at(in[k][0]) - at(map.origin[k])) *
-		    ((wide)at(map.hi[k][j]) + at(map.lo[k][j]));
+	for (int k = 0; k < terms; k++) {
+		wide d = (wide)at(in[k][0]) - at(map.origin[k]);
+
+		if (d != 0)
+			s += d *
+			    ((wide)at(map.hi[k][j]) + at(map.lo[k][j]));
+	}
 	return s;
 }
 
