@@ -44,9 +44,15 @@ my @mutations = (
 	[$exact, 'an element\'s low part that is forgotten',
 	    ' + m->lo[i][j];', ';'],
 	[$exact, 'cuts that leave too many digits',
-	    'DIGITS - 2 - POINT_CUT', 'DIGITS - POINT_CUT'],
-	[$exact, 'the infinite in a block',
-	    '!(a < HUGE_VAL)', 'a < 0'],
+	    'DIGITS - 3 - POINT_CUT', 'DIGITS - 2 - POINT_CUT'],
+	[$exact, 'an origin that is cut too far off',
+	    'POINT_CUT - 3', 'POINT_CUT + 3'],
+	[$exact, 'an origin that is subtracted too near',
+	    'POINT_CUT - 3', '1'],
+	[$exact, 'an origin whose rest is forgotten',
+	    '(x - high) - ALL(o->rest)', 'x - high'],
+	[$exact, 'columns that underflow',
+	    '(largest > 1 / MODERATE && largest', '(largest'],
 	[$exact, 'a bound of an eighth',
 	    'COLUMN_BOUND 0x1p-72', 'COLUMN_BOUND 0x1p-75'],
 	[$exact, 'the low part of w left out of a quotient',
@@ -55,14 +61,21 @@ my @mutations = (
 	    'FMA(-q, w.hi, n.hi)', 'FMA(q, w.hi, n.hi)'],
 	[$exact, 'a w that may be 0',
 	    'CHOOSE(w.hi - bound, sure', 'CHOOSE(w.hi, sure'],
+	[$exact, 'points without an image that are not told',
+	    '!IS_POSITIVE(sure)', 'IS_POSITIVE(-r)'],
 	[$exact, 'a bound that leaves w out',
 	    'MADD(ABS(q), w_bound, bound);', 'bound;'],
 	['kernel/plain.h', 'one rounding more',
-	    'R_FMA(R_ALL((REAL)m->b_hi), r,', '((REAL)m->b_hi * r +'],
+	    'R_FMA(b, r, a)', 'b * r + a'],
 	['kernel/kernel.h', 'a plain bound that is too small',
 	    'PLAIN_BOUND 10', 'PLAIN_BOUND 8'],
 	['ray.c', 'a length without its low part', 'rest.hi / (2 * s)', 's * 0'],
-	['ray.c', 'a bound of a ray that is too small', '0x1p-99', '0x1p-102'],
+	['ray.c', 'a difference with the wrong sign', 'dd_neg(n[i].value)',
+	    'n[i].value'],
+	['quick.h', 'a bound of sums that is too small', '0x1p-99', '0x1p-102'],
+	['quick.h', 'a sum that is off', 's.lo, t.lo);', 's.lo, 0);'],
+	['quick.h', 'a sum that is said to be exact', 'u.lo == 0 && v.lo == 0',
+	    'u.lo == 0'],
 	['dd.h', 'a product without one of its terms',
 	    'fma(a.lo, b.hi, fma(a.hi, b.lo, a.lo * b.lo))',
 	    'fma(a.lo, b.hi, a.lo * b.lo)'],
@@ -86,7 +99,7 @@ for my $m (@mutations) {
 	my $mutant = "$tmp/mutant";
 	remove_tree($mutant);
 	make_path("$mutant/kernel");
-	for my $header (qw(dd.h exact.h ray.c kernel/exact.h kernel/plain.h
+	for my $header (qw(dd.h exact.h quick.h ray.c kernel/exact.h kernel/plain.h
 	    kernel/kernel.h)) {
 		spew("$mutant/$header", slurp("$core/$header"));
 	}
