@@ -125,10 +125,8 @@ chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures
 	gnuplot -c cmd/bench/bench.gp $(BUILD)/bench testdata/charts
 	mv $(BUILD)/bench.md testdata/charts/bench.md
 
-ORACLE = $(BUILD)/core/test/oracle_test
-ORACLE_COORDINATES = 1000000
-oracle: $(ORACLE) ## random scenes and points against MPFR
-	@$< $(ORACLE_COORDINATES)
+oracle: $(BUILD)/core/test/oracle_test ## random scenes and points against MPFR
+	@$< 1000000
 
 programs: $(BUILD)/projcalc $(TESTS) ## the program and its tests
 SCRIPTS = $(sort $(wildcard cmd/test/*_test.t core/proof/*_test.t))
@@ -147,14 +145,16 @@ transcripts: all ## rewrite what testdata/transcripts expect
 layers: programs ## what includes and calls what; how long functions are
 	@perl cmd/test/layers_test.t $(BUILD)
 
-# Of variables without a value the compilers know more than cppcheck does.
+# Of variables without a value the compilers know more than cppcheck does; the
+# proofs are written for other numbers than C's.
 lint: ## the manual, the style, the scripts, the C
 	mandoc -T lint -W warning man/*.[15]
 	clang-format --dry-run -Werror $(foreach room,core core/* cmd cmd/*, \
 	    $(wildcard $(room)/*.[ch] $(room)/*.cc))
 	shellcheck .ci/run .debian/build .debian/deps $(wildcard cmd/*/*.sh)
 	cppcheck --quiet --error-exitcode=1 --std=c11 --inline-suppr core cmd \
-	    --enable=warning,performance,portability --suppress=uninitvar
+	    --enable=warning,performance,portability --suppress=uninitvar \
+	    -icore/proof
 
 # make with the flags $1, in a folder named after the target. Of the scripts it
 # runs those that test the program of that folder.
@@ -246,10 +246,10 @@ help: ## this
 	@sed -n 's/^\([a-z0-9-]*\):.* ## /make \1	/p' $(firstword $(MAKEFILE_LIST)) | \
 	    expand -t 18
 
-.PHONY: all prove demo views bench stability oracle chart programs test asan \
-	tsan valgrind coverage bits levels arm64 cluster fuzzers fuzz \
-	transcripts lint layers install uninstall dist distcheck deb release \
-	clean deps deps-all help
+.PHONY: all prove demo views bench stability chart oracle programs test bits \
+	transcripts layers lint asan tsan coverage fuzzers fuzz valgrind levels \
+	arm64 cluster install uninstall dist distcheck deb release clean deps \
+	deps-all help
 # Objects of test programs are kept.
 .SECONDARY:
 # A file that a failed command has half written must not look made.

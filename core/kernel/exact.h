@@ -29,6 +29,8 @@
 #define DEPTH_BOUND 0x1p-100 /* of a, where depth is a + b / w */
 #define MODERATE 0x1p200
 #endif
+/* What isn't 0 counts as so much, though it underflow when it is scaled. */
+#define LEAST 0x1p-1022
 
 /* Binary places that are left to coordinates and elements by their cuts. */
 enum { POINT_CUT = DIGITS / 2, ELEMENT_CUT = DIGITS - 3 - POINT_CUT };
@@ -122,8 +124,9 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
 	int f = 0;
 
 	for (int i = 0; i < terms; i++)
-		if (range[i].largest > 0)
-			most = fmax(most, ldexp(fabs(m->hi[i][j]), range[i].e));
+		if (range[i].largest > 0 && fabs(m->hi[i][j]) > 0)
+			most = fmax(most,
+			    fmax(LEAST, ldexp(fabs(m->hi[i][j]), range[i].e)));
 	frexp(most, &f);
 	for (int i = 0; i < 4; i++) {
 		bool counts = i == 3 || (i < terms && range[i].largest > 0);

@@ -366,7 +366,8 @@ static void prove_exact(void)
 
 	for (int terms = 2; terms <= 3; terms++)
 		for (int far = 0; far < 1 << terms; far++) {
-			column = std::fmax(column, column_error(terms, far, &m));
+			column = std::fmax(column,
+			    column_error(terms, far, &m));
 			most = std::fmax(most, m);
 		}
 	const double q = quotient_error(), a = depth_error(1, small),

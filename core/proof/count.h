@@ -124,7 +124,16 @@ static poly times(const poly &a, const poly &b)
 	return s;
 }
 
-enum operation { GIVEN, SUM, DIFFERENCE, PRODUCT, QUOTIENT, FUSED, NEGATIVE, SIZE };
+enum operation {
+	GIVEN,
+	SUM,
+	DIFFERENCE,
+	PRODUCT,
+	QUOTIENT,
+	FUSED,
+	NEGATIVE,
+	SIZE
+};
 
 static const int NO_UNIT = INT_MIN / 4;
 
@@ -348,8 +357,8 @@ static number operator-(number a, number b)
 
 	/* (x + b) - b, a cut, is x rounded to a unit */
 	if (a->op == SUM && a->b == b.id && a->unit > NO_UNIT)
-		most = std::ldexp(std::nearbyint(
-				      std::ldexp(bound(nodes[a->a].is), -a->unit)),
+		most = std::ldexp(
+		    std::nearbyint(std::ldexp(bound(nodes[a->a].is), -a->unit)),
 		    a->unit);
 	/* What a sum has left is a number. */
 	if (p.size() == 1 && p.begin()->first.size() == 1 &&
@@ -483,8 +492,8 @@ static bool learn(node *n, double limit)
 
 	answers >>= 1;
 	if (less)
-		bounds[n->is.begin()->first[0]] = n->most =
-		    std::fmin(n->most, limit);
+		bounds[n->is.begin()->first[0]] = n->most = std::fmin(n->most,
+		    limit);
 	else
 		n->least = limit;
 	return less;

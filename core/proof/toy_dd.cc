@@ -88,11 +88,11 @@ int main()
 	const char *const name[] = { "dd_add", "dd_mul", "dd_div" };
 	int wrong = 0;
 
-	fill(P < 5 ? 1 : P < 6 ? 3 : 37);
+	fill(P < 5 ? 1 : P < 6 ? 7 : 37);
 	for (int i = 0; i < many; i++)
 		for (int j = 0; j < many; j++) {
 			wrong |= pair(words[i], words[j]);
-			if ((i + j) % (P < 5 ? 5 : 7) == 0)
+			if ((i + j) % (P < 5 ? 9 : 7) == 0)
 				wrong |= scaled(words[i], words[j]);
 		}
 	if (wrong)
