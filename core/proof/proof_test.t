@@ -44,8 +44,6 @@ my @toy_dd = ('toy_dd.cc', '-DP=4');
 my @mutations = (
 	[$exact, 'an element\'s low part that is forgotten',
 	    ' + m->lo[i][j] :', ' :', @toy],
-	[$exact, 'an origin that is cut too far off',
-	    'POINT_CUT - 3', 'POINT_CUT + 3', @toy],
 	[$exact, 'an origin that is subtracted too near',
 	    'POINT_CUT - 3', '1', @toy],
 	[$exact, 'an origin whose rest is forgotten',
@@ -88,6 +86,8 @@ my @counted = (
 	    'n[i].value', 'quick: a direction, turned'],
 );
 my @bounds = (
+	[$exact, 'an origin that is cut too far off',
+	    'POINT_CUT - 3', 'POINT_CUT + 3', 'column, of 2^-79 B'],
 	[$exact, 'a bound of an eighth', 'COLUMN_BOUND 0x1p-72',
 	    'COLUMN_BOUND 0x1p-75', 'column: COLUMN_BOUND / 2'],
 	['kernel/kernel.h', 'a plain bound that is too small',

@@ -82,14 +82,21 @@ static void any_map(void)
 	map.b_lo = b.lo;
 }
 
+/* Within 2^e of the origin where e is not 8. */
+static toy coordinate(int k, int e)
+{
+	return e == 8 ? toy(number(8)) : map.origin[k] + toy(number(e));
+}
+
 /* Often on or near the origin; a column of images can nearly be cancelled. */
 static void any_point(void)
 {
 	for (int k = 0; k < 3; k++) {
+		int e = below(2) ? 8 : 6 - (int)below(P);
+
 		map.origin[k] = below(2) ? number(8) : 0;
-		in[k][1] = number(8);
-		in[k][0] = below(4) ? toy(number(8)) :
-				      map.origin[k] + toy(number(-2));
+		in[k][1] = coordinate(k, e);
+		in[k][0] = coordinate(k, below(4) ? e : -2);
 	}
 	if (below(4))
 		return;
