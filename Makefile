@@ -63,7 +63,6 @@ $(BUILD)/projcalc: $(PROGRAM)
 $(BUILD)/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)
 	$(CC) $(C_FLAGS) $(CFLAGS) $(FLAGS) $(CPPFLAGS) -c -o $@ $<
-
 $(BUILD)/%.o: %.cc | $(FIRST)
 	@mkdir -p $(@D)
 	$(CXX) $(CXX_FLAGS) $(CXXFLAGS) $(FLAGS) $(CPPFLAGS) -c -o $@ $<
@@ -83,7 +82,6 @@ $(PEERS): FLAGS += -O3 -march=native -ffp-contract=fast
 $(STABILITY): $(call objects,core/study)
 $(CORE_TESTS) $(STABILITY): $(BUILD)/%: $(BUILD)/%.o $(TRUTH) $(CORE)
 	$(LINK) -o $@ $^ $(TRUTH_LIBS) -lm
-
 $(CMD_TESTS): $(BUILD)/%: $(BUILD)/%.o $(TRUTH) $(BUT_MAIN)
 	$(LINK) -o $@ $^ $(TRUTH_LIBS) $(LIBS)
 
@@ -106,7 +104,6 @@ $(COMPLETIONS): $(BUILD)/completion/%: $(BUILD)/projcalc man/completion.pl
 
 prove: ## machine-checked error counting: each bound that core claims
 	@perl core/proof/prove.pl
-
 demo: | $(FIRST) ## the Stanford bunny, seen in a terminal
 	@+$(PARALLEL) all
 	@sh cmd/demo/demo.sh $(BUILD)
@@ -125,36 +122,33 @@ chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures
 	gnuplot -c cmd/bench/bench.gp $(BUILD)/bench testdata/charts
 	mv $(BUILD)/bench.md testdata/charts/bench.md
 
-ORACLE = $(BUILD)/core/test/oracle_test
-ORACLE_COORDINATES = 1000000
-oracle: $(ORACLE) ## random scenes and points against MPFR
-	@$< $(ORACLE_COORDINATES)
-
+oracle: $(BUILD)/core/test/oracle_test ## random scenes and points against MPFR
+	@$< 1000000
 programs: $(BUILD)/projcalc $(TESTS) ## the program and its tests
 SCRIPTS = $(sort $(wildcard cmd/test/*_test.t core/proof/*_test.t))
 test: | $(FIRST) ## all tests
 	@+$(PARALLEL) programs
 	@BUILD=$(BUILD) perl cmd/test/run_tests.pl $(JOBS) $(TESTS) $(SCRIPTS)
 
-# After a change that is meant to change bits; the transcripts say which.
+# After a change that is meant to change bits; the transcripts say which. Read the
+# diff before you commit it.
 bits: all ## rewrite the digests of what tests compute
 	perl cmd/test/bits_test.t -w
-
-# Rewrites what the transcripts expect; read the diff before you commit it.
 transcripts: all ## rewrite what testdata/transcripts expect
 	perl cmd/test/transcripts_test.t -w
 
 layers: programs ## what includes and calls what; how long functions are
 	@perl cmd/test/layers_test.t $(BUILD)
 
-# Of variables without a value the compilers know more than cppcheck does.
+# Of variables the compilers know more than cppcheck does.
 lint: ## the manual, the style, the scripts, the C
 	mandoc -T lint -W warning man/*.[15]
 	clang-format --dry-run -Werror $(foreach room,core core/* cmd cmd/*, \
 	    $(wildcard $(room)/*.[ch] $(room)/*.cc))
 	shellcheck .ci/run .debian/build .debian/deps $(wildcard cmd/*/*.sh)
 	cppcheck --quiet --error-exitcode=1 --std=c11 --inline-suppr core cmd \
-	    --enable=warning,performance,portability --suppress=uninitvar
+	    --enable=warning,performance,portability --suppress=uninitvar \
+	    -icore/proof
 
 # make with the flags $1, in a folder named after the target. Of the scripts it
 # runs those that test the program of that folder.
@@ -218,7 +212,6 @@ uninstall: ## take it away
 VERSION = $(shell sed -n 's/^\#define VERSION "\(.*\)"/\1/p' cmd/*.c)
 DATE = $(shell sed -n 's/^\#\# $(VERSION), //p' NEWS.md)
 DIST = projcalc-$(VERSION)
-
 # The same bytes from the same files, whoever packs them, and when.
 dist: ## a tarball
 	@test -n '$(DATE)' || \
@@ -246,10 +239,9 @@ help: ## this
 	@sed -n 's/^\([a-z0-9-]*\):.* ## /make \1	/p' $(firstword $(MAKEFILE_LIST)) | \
 	    expand -t 18
 
-.PHONY: all prove demo views bench stability oracle chart programs test asan \
-	tsan valgrind coverage bits levels arm64 cluster fuzzers fuzz \
-	transcripts lint layers install uninstall dist distcheck deb release \
-	clean deps deps-all help
+# All that have a ## above, and fuzzers.
+.PHONY: fuzzers $(shell sed -n 's/^\([a-z0-9-]*\):.* \#\# .*/\1/p' \
+	$(firstword $(MAKEFILE_LIST)))
 # Objects of test programs are kept.
 .SECONDARY:
 # A file that a failed command has half written must not look made.

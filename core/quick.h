@@ -21,12 +21,12 @@ struct quick {
 #define QUICK_ZERO ((struct quick){ { 0, 0 }, 0, true })
 #define QUICK_ONE ((struct quick){ { 1, 0 }, 0, true })
 
-/* In units of u^2 of size: an element is within 1/2, a product 4, a sum of up to
- * four 3 each: a column 13.5. What is made of two columns by products with elements
- * and a difference is within 13.5 + 0.5 + 4 and 3: 21; turned by three elements
- * more, 21 + 0.5 + 4 and 9: 34.5. A quotient has the relative errors of both and 9
- * of its own, a length the mean of its elements' and 16 of its own: all is within
- * 128 (size/|n| + size/|d|), each of which is at least 1. */
+/* What a sum is off by, in units of u^2 of size, as `make prove` counts it: an
+ * element is off by 1/2, a product by 6 more, each addition by 3: a column by 15.5,
+ * and what is made of two columns by products with elements, a difference and three
+ * products more, turned, by 37.5. A quotient has the relative errors of both and 9 of
+ * its own, a length the mean of its elements' and 16 of its own: all is within 128
+ * (size/|n| + size/|d|), each of which is at least 1. */
 #define QUICK_BOUND 0x1p-99
 
 /* dd_add, with an eye on its roundings. */

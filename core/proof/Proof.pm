@@ -43,15 +43,23 @@ sub claimed {
 	    die "$file claims nothing of $function\n";
 }
 
+# A number in the comment above the macro that it is for.
+sub told {
+	my ($file, $what, $pattern) = @_;
+	my $text = slurp($file) =~ s/\n \* ?/ /gr;
+	$text =~ $pattern or die "$file claims nothing of $what\n";
+	return $1;
+}
+
 sub claims {
 	my ($core) = @_;
+	my ($exact, $quick) = ("$core/kernel/exact.h", "$core/quick.h");
 	my %claim = (EX_BOUND => macro("$core/exact.h", 'EX_BOUND'),
-	    RAY_BOUND => macro("$core/ray.c", 'RAY_BOUND'),
-	    QUOTIENT_BOUND => claimed("$core/kernel/exact.h", 'quotient'));
-	my $ray = slurp("$core/ray.c") =~ s/\n \*//gr;
-	@claim{qw(RAY_SUMS RAY_DIRECTION RAY_LENGTH)} = $ray =~
-	    /N and D by ([\d.]+), the direction by ([\d.]+)\..* by ([\d.]+) of its own\. All/
-	    or die "ray.c claims nothing of its sums\n";
+	    COLUMN_UNITS => told($exact, 'columns', qr/together (\d+(?:\.\d+)?) u/),
+	    QUOTIENT_BOUND => claimed($exact, 'quotient'),
+	    QUICK_COLUMN => told($quick, 'columns', qr/a column by (\d+(?:\.\d+)?)/),
+	    QUICK_DIRECTION => told($quick, 'directions', qr/turned, by (\d+(?:\.\d+)?)/),
+	    QUICK_LENGTH => told($quick, 'lengths', qr/a length .*? (\d+(?:\.\d+)?) of its own/));
 	$claim{uc $_} = claimed("$core/dd.h", $_) for qw(dd_add dd_mul dd_div);
 	return map { "-D$_=$claim{$_}" } sort keys %claim;
 }
@@ -77,15 +85,17 @@ sub outcome {
 	return ($? == 0, $said);
 }
 
-# What ray.c does in double-double: its sums, its quotients, and a ray of both.
+# What ray.c does in double-double: a length, and sums of products. C++ has no
+# array that begins in the middle.
 sub cut_ray {
 	my ($core) = @_;
-	my @part = slurp("$core/ray.c") =~
-	    m{(struct\ dd_sum\ \{.*?)(static\ struct\ dd_sum\ length_of.*?)
-	    (static\ bool\ ray_quick.*?)static\ double\ over}sx
+	my ($length, $sums) = slurp("$core/ray.c") =~
+	    m{(static\ struct\ quick\ length_of.*?^\}\n)
+	    (.*^static\ bool\ direction_is_sure.*?^\}\n)}smx
 	    or die "ray.c has other functions than these\n";
-	spew("$tmp/$_", shift @part)
-	    for qw(ray_sums.h ray_quotients.h ray_quick.h);
+	$sums =~ s/\{ \[3\] = /{ {}, {}, {}, /;
+	spew("$tmp/ray_length.h", $length);
+	spew("$tmp/ray_sums.h", $sums);
 }
 
 # Both ways in which products and sums are done.

@@ -1,4 +1,4 @@
-/* Counts the errors of dd.h, kernel/exact.h and kernel/plain.h and compares them
+/* Counts the errors of dd.h, quick.h, kernel/exact.h and kernel/plain.h and compares them
  * with the bounds that are claimed there. A line for each:
  *
  *	claim, claimed, found, proved or refused
@@ -46,6 +46,7 @@ static number same(number up, number, number sure)
 #define MAX(a, b) (a)
 #define SAME(a, b, c) same(a, b, c)
 #define CHOOSE(a, b, c) (b)
+#define IS_POSITIVE(a) ((a) > 0)
 #define double number
 #include "dd.h"
 #include "kernel/exact.h"
@@ -70,43 +71,34 @@ static number size_limit(const struct kernel_map *, enum kernel_kind, number)
 #define NAME(x) counted_##x
 #include "kernel/plain.h"
 
+#include "quick.h"
+
 struct ray_maker {
 	struct {
 		struct kernel_map for_kernel;
-	} back;
+	} to_world, to_view, turn;
 	number depth;
 	bool against;
 };
 
-#include "ray_sums.h"
-namespace quotients
+namespace whole
 {
-#include "ray_quotients.h"
+#include "ray_length.h"
 }
 
-/* What a ray sums, before anything is divided. */
-static struct dd_sum sums[4], directions[3], length_is;
+/* What a ray's direction is made of, before anything is divided. */
+static struct quick directions[3];
 
-static struct dd_sum length_of(const struct dd_sum to[3])
+static struct quick length_of(const struct quick to[3])
 {
 	for (int j = 0; j < 3; j++)
 		directions[j] = to[j];
-	length_is = { { given(1, 1), number(0) }, number(1) };
-	return length_is;
+	return QUICK_ONE;
 }
 
-static bool round_quick(struct dd_sum n, struct dd_sum d, number *)
-{
-	static int j;
-
-	if (d.value.hi.id == length_is.value.hi.id)
-		return true;
-	sums[j++ % 3] = n;
-	sums[3] = d;
-	return true;
-}
-
-#include "ray_quick.h"
+#define quick_over(n, d, q) (*(q) = (n).value.hi, true)
+#include "ray_sums.h"
+#undef quick_over
 #undef double
 
 /* Than any error that is counted: for what shall not count, though its operations
@@ -143,6 +135,7 @@ static void fresh(void)
 	count::nodes.clear();
 	count::relative = false;
 	count::lost = count::head = 0;
+	count::answers = -1;
 }
 
 static poly exactly(number a)
@@ -221,7 +214,7 @@ static struct kernel_map map;
 static number in[3], out[3];
 static poly difference[3]; /* of a point from the origin */
 
-/* Points below 2^e and a column below 2^f for e = f = 0; an element's low part is
+/* Coordinates below 2^e and a column below 2^f for e = f = 0; an element's low part is
  * at most half a unit of its high one. */
 static void give_map(double element, double image)
 {
@@ -284,10 +277,12 @@ static double test_error(void)
 	return sum.error < 0 ? 0 : count::bounds[sum.error];
 }
 
-/* A column's error and the most that it can be, in units of B. */
-static double column_error(int terms, double *most)
+/* A column's error and the most that it can be, in units of B. Bit k of far tells
+ * that the origin is so far off in coordinate k that it is subtracted whole. */
+static double column_error(int terms, int far, double *most)
 {
 	fresh();
+	count::answers = ~far;
 	give_map(1, 1);
 	give_points(1);
 	run(terms == 2 ? KERNEL_FLAT : KERNEL_AFFINE);
@@ -351,16 +346,17 @@ static double share(double column, double most, double own)
 	return (part / (1 - part) + own * most / COLUMN_BOUND) * (1 + 16 * U);
 }
 
-/* Binary exponents where e and f are as far from 0 as they may be: of all that
- * underflows, 16 times half the least double and multiplied by w at most; of the
- * largest that is computed, 2 n over a w at its bound; of the least bound. */
+/* Binary exponents where coordinates and B are at the ends of what is moderate: of
+ * all that underflows, 16 times half the least double, multiplied by a coordinate
+ * and by w at most; of the largest that is computed, 2 n over a w at its bound; of
+ * the least bound. */
 static void prove_ends(void)
 {
-	const int far = 2 * (EXPONENT_MAX - 1);
+	const int far = std::ilogb(MODERATE);
 	int least = std::ilogb(COLUMN_BOUND) - far;
 
-	say("what underflows, of the bound 2^", least - 20, 4 - 1075 + far + 2,
-	    "");
+	say_powers("what underflows, of the bound 2^-20", least - 20,
+	    4 - 1075 + far + (far + 2));
 	say_powers("what could overflow", 1022, far + 3 - least);
 }
 
@@ -368,16 +364,19 @@ static void prove_exact(void)
 {
 	double most = 0, column = 0, m;
 
-	for (int terms = 2; terms <= 3; terms++) {
-		column = std::fmax(column, column_error(terms, &m));
-		most = std::fmax(most, m);
-	}
+	for (int terms = 2; terms <= 3; terms++)
+		for (int far = 0; far < 1 << terms; far++) {
+			column = std::fmax(column,
+			    column_error(terms, far, &m));
+			most = std::fmax(most, m);
+		}
 	const double q = quotient_error(), a = depth_error(1, small),
 		     b = depth_error(small, 1), least = 0x1p-79;
 
+	say("column, of 2^-79 B", COLUMN_UNITS, column / least, "2^-79");
 	say("column: COLUMN_BOUND / 2", COLUMN_BOUND / 2 / least,
 	    column / least, "2^-79");
-	say("column: |hi| at most", 4, most, "B");
+	say("column: |hi| at most", 4 + 0x1p-23, most, "B");
 	say("quotient's own", QUOTIENT_BOUND, q / (U * U), "u^2");
 	say("quotient: share of its error", 1, share(column, most, q), "");
 	say("depth: DEPTH_BOUND", DEPTH_BOUND / (U * U), a / (U * U), "u^2");
@@ -478,10 +477,12 @@ static void prove_plain(void)
 	    worst_of(c, b, u) / own, "u");
 }
 
-/* ---- ray.c, in units of u^2 of sums of products' magnitudes ---- */
+/* ---- quick.h, in units of u^2 of sums of products' magnitudes ---- */
 
-/* Term i of the sums, and of row 2 what the direction takes of them. */
-static void give_ray(int i, double own, double last, struct ray_maker *r)
+/* Term i of the columns, of their own elements and of those of the last column; of
+ * row 2 what a direction takes of them; and row turned of what turns it. */
+static void give_quick(int i, double own, double last, int turned,
+    struct ray_maker *r)
 {
 	fresh();
 	count::relative = true;
@@ -500,15 +501,14 @@ static void give_ray(int i, double own, double last, struct ray_maker *r)
 	}
 	if (i < 3)
 		count::bounds[difference[i].begin()->first[0]] = 1;
-	for (int k = 0; k < 3; k++) {
-		number d = number::add({ difference[k],
-		    count::bounds[difference[k].begin()->first[0]], 0,
-		    count::NO_UNIT, count::GIVEN, -1, -1, -1, -1 });
+	r->to_world.for_kernel = r->to_view.for_kernel = map;
+	r->turn.for_kernel = map;
+	for (int k = 0; k < 9; k++) {
+		double e = k / 3 == turned ? 1 : small;
 
-		in[k] = number::add({ plus(d->is, map.origin[k]->is), HUGE_VAL,
-		    0, count::NO_UNIT, count::GIVEN, -1, -1, -1, -1 });
+		r->turn.for_kernel.hi[k / 3][k % 3] = given(e);
+		r->turn.for_kernel.lo[k / 3][k % 3] = given(e * U);
 	}
-	r->back.for_kernel = map;
 	r->depth = in[2];
 	r->against = false;
 }
@@ -518,27 +518,37 @@ static poly element_of(int i, int j)
 	return plus(map.hi[i][j]->is, map.lo[i][j]->is);
 }
 
-static void ray_errors(int i, double own, double last, double *sum, double *to)
+static poly image_of(const struct kernel_map &turn, int j)
+{
+	poly s;
+
+	for (int i = 0; i < 3; i++) {
+		poly d = minus(times(element_of(2, i), column_of(3, 3)),
+		    times(column_of(i, 3), element_of(2, 3)));
+
+		s = plus(s,
+		    times(d, plus(turn.hi[i][j]->is, turn.lo[i][j]->is)));
+	}
+	return s;
+}
+
+/* All of a direction's elements are computed alike. */
+static void quick_errors(int i, double own, double last, int turned,
+    double *column, double *to)
 {
 	struct ray_maker r;
-	number at[2], point[3], direction[3];
+	number point[3];
+	struct quick n[4];
 
-	give_ray(i, own, last, &r);
-	at[0] = in[0];
-	at[1] = in[1];
-	ray_quick(&r, at, point, direction);
-	for (int j = 0; j < 4; j++)
-		*sum = std::fmax(*sum,
-		    bound(minus(sum_of(sums[j].value), column_of(j, 3))));
-	double size = i == 2 ? 2 : own + last;
-
-	for (int j = 0; j < 3; j++) {
-		poly right = minus(times(element_of(2, j), column_of(3, 3)),
-		    times(column_of(j, 3), element_of(2, 3)));
-
-		*to = std::fmax(*to,
-		    bound(minus(sum_of(directions[j].value), right)) / size);
-	}
+	give_quick(i, own, last, turned, &r);
+	set_columns(&r, &r.to_view.for_kernel, in, n);
+	*column = std::fmax(*column,
+	    bound(minus(sum_of(n[0].value), column_of(0, 3))));
+	direction_is_sure(&r, in, point);
+	*to = std::fmax(*to,
+	    bound(minus(sum_of(directions[0].value),
+		image_of(r.turn.for_kernel, 0))) /
+		(i == 2 ? 2 : own + last));
 }
 
 /* Of so many equal elements: half of what the square is off by. */
@@ -547,44 +557,46 @@ static double length_error(int many)
 	fresh();
 	count::relative = true;
 	count::head = HUGE_VAL;
-	struct dd_sum to[3];
+	struct quick to[3];
 	poly square;
 
 	for (int j = 0; j < 3; j++) {
 		double e = j < many ? 1 / std::sqrt((double)many) : small;
 
-		to[j] = { { given(e), given(e * U) }, number(1) };
+		to[j] = { { given(e), given(e * U) }, number(1), false };
 		square = plus(square,
 		    times(sum_of(to[j].value), sum_of(to[j].value)));
 	}
-	poly length = sum_of(quotients::length_of(to).value);
+	poly length = sum_of(whole::length_of(to).value);
 
 	return bound(minus(times(length, length), square)) / 2;
 }
 
-static void prove_ray(void)
+static void prove_quick(void)
 {
-	double sum = 0, to = 0, length = 0;
+	double column = 0, to = 0, length = 0;
 
 	for (int i = 0; i < 4; i++)
 		for (int k = 1; k < 4; k++)
-			ray_errors(i, k & 1, k >> 1, &sum, &to);
+			for (int turned = 0; turned < 3; turned++)
+				quick_errors(i, k & 1, k >> 1, turned, &column,
+				    &to);
 	for (int many = 1; many <= 3; many++)
 		length = std::fmax(length, length_error(many));
 	/* with what elements are rounded by */
-	sum = sum / (U * U) + EX_BOUND;
-	to = to / (U * U) + 2 * EX_BOUND;
+	column = column / (U * U) + EX_BOUND;
+	to = to / (U * U) + 3 * EX_BOUND;
 	length /= U * U;
-	say("ray: sums", RAY_SUMS, sum, "u^2");
-	say("ray: direction", RAY_DIRECTION, to, "u^2");
-	say("ray: length", RAY_LENGTH, length, "u^2");
-	say("ray: RAY_BOUND", RAY_BOUND / (U * U),
-	    std::fmax(sum, to) + std::fmax(length, DD_DIV), "u^2");
+	say("quick: a column", QUICK_COLUMN, column, "u^2");
+	say("quick: a direction, turned", QUICK_DIRECTION, to, "u^2");
+	say("quick: a length", QUICK_LENGTH, length, "u^2");
+	say("quick: QUICK_BOUND", QUICK_BOUND / (U * U),
+	    std::fmax(column, to) + std::fmax(length, 0.0) + DD_DIV, "u^2");
 }
 
 int main()
 {
-	prove_ray();
+	prove_quick();
 	prove_dd();
 	prove_exact();
 	prove_ends();

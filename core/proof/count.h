@@ -124,7 +124,16 @@ static poly times(const poly &a, const poly &b)
 	return s;
 }
 
-enum operation { GIVEN, SUM, DIFFERENCE, PRODUCT, QUOTIENT, FUSED, NEGATIVE };
+enum operation {
+	GIVEN,
+	SUM,
+	DIFFERENCE,
+	PRODUCT,
+	QUOTIENT,
+	FUSED,
+	NEGATIVE,
+	SIZE
+};
 
 static const int NO_UNIT = INT_MIN / 4;
 
@@ -146,6 +155,9 @@ static double lost;
 /* The least that the first operand of a fast_two_sum is; 0 if it may be less
  * than the second. */
 static double head;
+/* What comparisons of a magnitude with a constant answer, the first in the lowest
+ * bit: 1 where it is less. */
+static int answers = -1;
 
 static double half_ulp(double most)
 {
@@ -274,13 +286,24 @@ static number error_of(int id)
 	return number::add({ p, most, 0, unit, GIVEN, -1, -1, -1, -1 });
 }
 
+static bool is_constant(number a)
+{
+	return a->is.size() == 1 && a->is.begin()->first.empty();
+}
+
+/* By what is known of its atoms by now. */
+static double most_of(number a)
+{
+	return std::fmin(a->most, bound(a->is));
+}
+
 /* Where b is a constant and a leaves the sum between the same powers of two. */
 static bool is_cut(number a, number b)
 {
-	double power = std::ldexp(1, std::ilogb(b->most));
+	double power = std::ldexp(1, std::ilogb(b->most)), most = most_of(a);
 
-	return b->is.size() == 1 && b->is.begin()->first.empty() &&
-	    b->most - a->most >= power && b->most + a->most <= 2 * power;
+	return is_constant(b) && b->most - most >= power &&
+	    b->most + most <= 2 * power;
 }
 
 static number cut_sum(number a, number b)
@@ -288,8 +311,8 @@ static number cut_sum(number a, number b)
 	int e;
 
 	std::frexp(b->most, &e);
-	node n = { plus(a->is, b->is), a->most + b->most, 0, e - 53, SUM, a.id,
-		b.id, -1, new_atom(std::ldexp(1, e - 54), true) };
+	node n = { plus(a->is, b->is), most_of(a) + b->most, 0, e - 53, SUM,
+		a.id, b.id, -1, new_atom(std::ldexp(1, e - 54), true) };
 
 	n.is = plus(n.is, { { { n.error }, 1.0 } });
 	return number::add(n);
@@ -334,8 +357,8 @@ static number operator-(number a, number b)
 
 	/* (x + b) - b, a cut, is x rounded to a unit */
 	if (a->op == SUM && a->b == b.id && a->unit > NO_UNIT)
-		most = std::ldexp(std::nearbyint(
-				      std::ldexp(nodes[a->a].most, -a->unit)),
+		most = std::ldexp(
+		    std::nearbyint(std::ldexp(bound(nodes[a->a].is), -a->unit)),
 		    a->unit);
 	/* What a sum has left is a number. */
 	if (p.size() == 1 && p.begin()->first.size() == 1 &&
@@ -343,6 +366,11 @@ static number operator-(number a, number b)
 	    left_by_sum[p.begin()->first[0]])
 		return number::add({ p, bound(p), 0, NO_UNIT, DIFFERENCE, a.id,
 		    b.id, -1, -1 });
+	/* Neither is more than twice the other (Sterbenz). */
+	if (bound(p) <= b->least / 2)
+		return number::add({ p, std::fmin(most, bound(p)), 0,
+		    std::min(a->unit, b->unit), DIFFERENCE, a.id, b.id, -1,
+		    -1 });
 	return rounded(p, most, std::min(a->unit, b->unit), DIFFERENCE, a, b);
 }
 
@@ -363,8 +391,7 @@ static bool is_power(number a)
 {
 	int e;
 
-	return a->is.size() == 1 && a->is.begin()->first.empty() &&
-	    std::frexp(a->is.begin()->second, &e) == 0.5;
+	return is_constant(a) && std::frexp(a->is.begin()->second, &e) == 0.5;
 }
 
 static number operator*(number a, number b)
@@ -438,7 +465,11 @@ static number fma(number a, number b, number c)
 /* Of errors and sizes alone. */
 static number fabs(number a)
 {
-	return given(a->most);
+	number size = given(a->most);
+
+	nodes[size.id].op = SIZE;
+	nodes[size.id].a = a.id;
+	return size;
 }
 static number fmax(number a, number)
 {
@@ -454,10 +485,27 @@ static number frexp(number a, int *e)
 	*e = 0;
 	return a;
 }
-/* Comparisons tell points without an image, and are not of what is proved. */
-static bool operator<(number, number)
+/* Of something given whose size is compared, the answer is what is known. */
+static bool learn(node *n, double limit)
 {
-	return true;
+	bool less = answers & 1;
+
+	answers >>= 1;
+	if (less)
+		bounds[n->is.begin()->first[0]] = n->most = std::fmin(n->most,
+		    limit);
+	else
+		n->least = limit;
+	return less;
+}
+/* Other comparisons tell points without an image, and are not of what is proved. */
+static bool operator<(number a, number b)
+{
+	bool known = a->op == SIZE && is_constant(b) &&
+	    nodes[a->a].op == GIVEN && nodes[a->a].is.size() == 1 &&
+	    nodes[a->a].is.begin()->first.size() == 1;
+
+	return known ? learn(&nodes[a->a], b->most) : true;
 }
 static bool operator>(number, number)
 {

@@ -145,12 +145,13 @@ static inline toy frexp(toy a, int *e)
 #define MAX(a, b) ((a) > (b) ? (a) : (b))
 #define SAME(a, b, c) ((a) == (b) ? (c) : toy(0))
 #define CHOOSE(a, b, c) ((a) > 0 ? toy(b) : toy(c))
+#define IS_POSITIVE(a) ((a) > 0)
 
-/* What exact.h has for 53 digits: 128 u 2^-(P/2) and 64 u^2. */
+/* What exact.h has for 53 digits: 128 u 2^-26 and 64 u^2. */
 #define DIGITS P
-#define COLUMN_BOUND (128 * U / (1 << P / 2))
+#define COLUMN_BOUND (128 * U / (1 << (P - 1) / 2))
 #define DEPTH_BOUND (64 * U * U)
-#define EXPONENT_MAX 200
+#define MODERATE 0x1p200
 
 static inline double at(toy a)
 {

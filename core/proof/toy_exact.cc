@@ -74,6 +74,8 @@ static void any_map(void)
 			map.lo[i][j] = m.lo;
 		}
 	}
+	if (flat && ends) /* but for one that underflows when it is scaled */
+		map.hi[0][0] = 0x1p-1074;
 	dd a = pair(1), b = pair(4);
 
 	map.a_hi = a.hi;
@@ -82,14 +84,21 @@ static void any_map(void)
 	map.b_lo = b.lo;
 }
 
+/* Within 2^e of the origin where e is not 8. */
+static toy coordinate(int k, int e)
+{
+	return e == 8 ? toy(number(8)) : map.origin[k] + toy(number(e));
+}
+
 /* Often on or near the origin; a column of images can nearly be cancelled. */
 static void any_point(void)
 {
 	for (int k = 0; k < 3; k++) {
+		int e = below(2) ? 8 : 6 - (int)below(P);
+
 		map.origin[k] = below(2) ? number(8) : 0;
-		in[k][1] = number(8);
-		in[k][0] = below(4) ? toy(number(8)) :
-				      map.origin[k] + toy(number(-2));
+		in[k][1] = coordinate(k, e);
+		in[k][0] = coordinate(k, below(4) ? e : -2);
 	}
 	if (below(4))
 		return;
@@ -103,13 +112,18 @@ static void any_point(void)
 	map.lo[3][j] = below(2) ? rounded(-s - at(map.hi[3][j])) : 0;
 }
 
+/* Elements that are infinite stand for finite ones beyond doubles: 0 times one is
+ * 0. */
 static wide column_at(int j, int terms)
 {
 	wide s = (wide)at(map.hi[3][j]) + at(map.lo[3][j]);
 
-	for (int k = 0; k < terms; k++)
-		s += ((wide)at(in[k][0]) - at(map.origin[k])) *
-		    ((wide)at(map.hi[k][j]) + at(map.lo[k][j]));
+	for (int k = 0; k < terms; k++) {
+		wide d = (wide)at(in[k][0]) - at(map.origin[k]);
+
+		if (d != 0)
+			s += d * ((wide)at(map.hi[k][j]) + at(map.lo[k][j]));
+	}
 	return s;
 }
 
@@ -145,7 +159,7 @@ static int loops(int tries, bool at_the_ends)
 	ends = at_the_ends;
 	const toy *const from[3] = { in[0], in[1], in[2] };
 	toy *const to[3] = { out[0], out[1], out[2] };
-	int count[KERNELS][3] = { { 0 } };
+	int count[KERNELS][2] = { { 0 } };
 
 	for (int i = 0; i < tries; i++) {
 		int kind = KERNEL_FLAT + (int)below(4);
@@ -153,15 +167,17 @@ static int loops(int tries, bool at_the_ends)
 		any_map();
 		any_point();
 		exact(&map, from, to, 2, (enum kernel_kind)kind);
-		count[kind][judge(kind)]++;
+		int verdict = judge(kind);
+
+		if (verdict == WRONG)
+			return failed("surely wrong");
+		count[kind][verdict]++;
 	}
 	for (int kind = KERNEL_FLAT; kind < KERNELS; kind++) {
 		const int *n = count[kind];
 
 		printf("# P = %d, loop %d: %d sure, %d not\n", P, kind,
 		    n[RIGHT], n[UNSURE]);
-		if (n[WRONG] > 0)
-			return failed("surely wrong");
 		if (P > 20 && !ends && n[RIGHT] < n[UNSURE] / 4)
 			return failed("hardly ever sure");
 	}
@@ -204,6 +220,6 @@ static int quotients(int tries)
 
 int main()
 {
-	return quotients(200000) || loops(100000, false) ||
-	    (P == 53 && loops(200000, true));
+	return quotients(60000) || loops(40000, false) ||
+	    (P == 53 && loops(80000, true));
 }
