@@ -291,7 +291,7 @@ exact(const struct kernel_map *m, const double *const in[3],
 			    ALL(0));
 
 			q[0] = CHOOSE(sure, q[0],
-			    CHOOSE(none, ALL(INFINITY), ALL((double)NAN)));
+			    CHOOSE(none, ALL(HUGE_VAL), ALL((double)NAN)));
 			done = 0;
 		}
 		for (int k = 0; k < terms; k++)
