@@ -291,7 +291,8 @@ exact(const struct kernel_map *m, const double *const in[3],
 			    ALL(0));
 
 			q[0] = CHOOSE(sure, q[0],
-			    CHOOSE(none, ALL(INFINITY), ALL((double)NAN)));
+			    CHOOSE(none, ALL((double)INFINITY),
+				ALL((double)NAN)));
 			done = 0;
 		}
 		for (int k = 0; k < terms; k++)
