@@ -68,8 +68,10 @@ static struct sum square(struct sum a)
 	return sum_mul(a, a);
 }
 
-/* The device position is N / w: (N - at w)^2 <= (r w)^2. Doubles decide unless
- * they are within 2^-40 of equal, as each has lost a few u. */
+/* The device position is N / w: (N - at w)^2 <= (r w)^2. The device
+ * position is within a few u of its size; where the radius is above 2^-40 of
+ * that, d2 is within 2^-10 of itself, and doubles decide what lies farther
+ * than 2^-8 from the circle. */
 bool pick_holds(const struct picker *k, const double in[4],
     const double device[2])
 {

@@ -37,10 +37,10 @@ struct scene {
 	struct device device;
 };
 
-/* The composed map between any two spaces: the stages in double-double, from
- * their parameters in either direction, multiplied out with one rounding a
- * stage. Points come out homogeneous; see points.h for the division. Returns
- * NULL, or the member (a JSON pointer) and the reason. */
+/* The composed map between any two spaces: the stages, from their parameters
+ * in either direction, multiplied out as sums, exactly or all but (sum.h).
+ * Points come out homogeneous; see points.h for the division. Returns NULL,
+ * or the member (a JSON pointer) and the reason. */
 const char *scene_map(const struct scene *, enum space from, enum space to,
     struct map *);
 const char *scene_flat_map(const struct scene *, enum flat from, enum flat to,
