@@ -115,7 +115,7 @@ static const struct row {
 	/* Without one: the bool of struct options that becomes true. */
 	size_t on;
 } rows[] = {
-	{ "convention", 'c', ALL, "d3d (default), gl, vulkan or webgpu",
+	{ "convention", 'c', ALL, "d3d (default), gl, vulkan, webgpu or opencv",
 	    .argument = "NAME", .set = set_convention },
 	{ "input", 'i', POINTS,
 	    "of points: text (default), csv, json, f64, f32",

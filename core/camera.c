@@ -15,8 +15,8 @@ struct axis {
 
 /* x = up x z and y = z x x before either is normalised: exact polynomials of
  * lengths |up x z| and |z| |up x z|. */
-static const char *look(const struct camera *c, bool right_handed,
-    struct axis axis[3])
+static const char *look(const struct camera *c,
+    const struct convention *convention, struct axis axis[3])
 {
 	struct sum up[3];
 	struct axis *x = &axis[0], *y = &axis[1], *z = &axis[2];
@@ -25,7 +25,7 @@ static const char *look(const struct camera *c, bool right_handed,
 	for (int i = 0; i < 3; i++) {
 		z->v[i] = sum_of(
 		    at ? ex_diff(c->at[i], c->eye[i]) : ex_of(c->at[i]));
-		if (right_handed)
+		if (convention->right_handed)
 			z->v[i] = sum_neg(z->v[i]);
 		up[i] = sum_of_double(c->up[i]);
 	}
@@ -49,6 +49,10 @@ static const char *look(const struct camera *c, bool right_handed,
 	x->length = sum_sqrt(xx);
 	z->length = sum_sqrt(zz);
 	y->length = sum_mul(x->length, z->length);
+	for (int i = 0; i < 3 && convention->view_y_down; i++) {
+		y->v[i] = sum_neg(y->v[i]);
+		z->v[i] = sum_neg(z->v[i]);
+	}
 	return NULL;
 }
 
@@ -144,7 +148,8 @@ static void turn_image(double roll, struct sum e[4][3])
 	}
 }
 
-/* Where a camera stands: to view (p - at) axes, or back p axes' + at. */
+/* Where a camera stands: to view (p - at) axes, or back p axes' + at. The roll is
+ * from x to y. */
 static void stand(const struct axis axis[3], double roll, const double at[3],
     bool inverse, struct map *r)
 {
@@ -194,19 +199,20 @@ static const char *bare(const struct camera *c, bool inverse, struct map *r)
 	return NULL;
 }
 
-const char *camera_map(const struct camera *c, bool right_handed, bool inverse,
-    struct map *r)
+const char *camera_map(const struct camera *c,
+    const struct convention *convention, bool inverse, struct map *r)
 {
+	double roll = convention->view_y_down ? -c->roll : c->roll;
 	struct axis axis[3];
 
 	if (c->by == CAMERA_MATRIX)
 		return bare(c, inverse, r);
 	const char *why = c->by == CAMERA_ORIENTATION ?
 	    orient(c, axis) :
-	    look(c, right_handed, axis);
+	    look(c, convention, axis);
 
 	if (why != NULL)
 		return why;
-	stand(axis, c->roll, c->eye, inverse, r);
+	stand(axis, roll, c->eye, inverse, r);
 	return NULL;
 }

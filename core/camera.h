@@ -2,6 +2,7 @@
 #ifndef CAMERA_H
 #define CAMERA_H
 
+#include "convention.h"
 #include "mat.h"
 
 struct camera {
@@ -16,13 +17,13 @@ struct camera {
 };
 
 /* Left-handed: z = unit(gaze), x = unit(up x z), y = z x x; right-handed: z
- * = unit(-gaze); then roll. Every element is the exact value for the given
+ * = unit(-gaze); then roll; where y is down in view space y and z are negated. Every element is the exact value for the given
  * doubles rounded once, within EX_BOUND u^2 of its sum, however near up is to
  * the gaze, the eye to what it looks at, and however far a matrix has drifted
  * from its nearest rotation (of which elements below 2^-190 are 0). The eye is
  * the map's origin. Returns NULL, or why there is no such view: the
  * member and the reason. */
-const char *camera_map(const struct camera *, bool right_handed, bool inverse,
-    struct map *);
+const char *camera_map(const struct camera *, const struct convention *,
+    bool inverse, struct map *);
 
 #endif

@@ -11,6 +11,15 @@ struct convention {
 	bool column;    /* matrices print transposed: p' = M p */
 	bool ndc_y_down;
 	bool bottom_left; /* device origin */
+	/* The axes of view are turned half around x: y is down, z the other
+	 * way. */
+	bool view_y_down;
 };
+
+/* Whether the camera looks along -z. */
+static inline bool looks_back(const struct convention *c)
+{
+	return c->right_handed != c->view_y_down;
+}
 
 #endif

@@ -32,7 +32,7 @@ static const char *find_slopes(const struct scene *s, struct sum slope[4])
 
 	for (int k = 0; k < 4 && why == NULL; k++) {
 		slope[k] = view.sides.map.m[2][k];
-		if (s->convention.right_handed)
+		if (looks_back(&s->convention))
 			slope[k] = sum_neg(slope[k]);
 		if (sum_sign(slope[k]) <= 0)
 			why = "/projection: the gaze does not run between "
@@ -138,7 +138,7 @@ static const char *step_back(struct scene *s, const struct bounds *b,
 		struct sum by = sum_sub(t, sum_of_double(off));
 		bool held;
 
-		step[2] = s->convention.right_handed ? sum_neg(by) : by;
+		step[2] = looks_back(&s->convention) ? sum_neg(by) : by;
 		s->projection = given;
 		eye_move(back, step, s->camera.eye);
 		const char *why = close_persp(s, b, &held);
@@ -174,7 +174,7 @@ static const char *fit_persp(struct scene *s, const struct bounds *b)
  * depth is made up for by one to the side. */
 static const char *center(struct scene *s, bool has_eye, const struct bounds *b)
 {
-	bool right = s->convention.right_handed;
+	const struct convention *c = &s->convention;
 	struct sum step[3] = { 0 };
 	struct map back, clip;
 	struct extents r;
@@ -192,15 +192,16 @@ static const char *center(struct scene *s, bool has_eye, const struct bounds *b)
 		step[2] = sum_of_double(0);
 	else
 		step[2] = sum_add(step[2], sum_sub(r.low[2], r.high[2]));
-	if (right)
+	if (looks_back(c))
 		step[2] = sum_neg(step[2]);
 	for (int j = 0; j < 2; j++) {
 		struct sum sheared = sum_mul(step[2], clip.m[2][j]);
 
-		step[j] = j == 1 && s->convention.ndc_y_down ?
-		    sum_add(step[j], sheared) :
-		    sum_sub(step[j], sheared);
+		step[j] = j == 1 && c->ndc_y_down ? sum_add(step[j], sheared) :
+						    sum_sub(step[j], sheared);
 	}
+	if (c->view_y_down)
+		step[1] = sum_neg(step[1]);
 	eye_move(&back, step, s->camera.eye);
 	return NULL;
 }

@@ -84,7 +84,7 @@ const char *bounds_extents(const struct bounds *b, const struct scene *s,
 	for (int j = 0; j < 3; j++) {
 		const struct map *m = j == 2 ? &view : &clip;
 		bool turned = j == 2 ?
-		    s->convention.right_handed :
+		    looks_back(&s->convention) :
 		    j == 1 && parallel && s->convention.ndc_y_down;
 
 		range(b, m, j, turned, r);

@@ -4,12 +4,14 @@
 
 /* The rows of view to world are the axes and the eye. Of a matrix the eye is its
  * own, the axes are those of the rotation nearest to it. */
-static const char *from_axes(struct camera *c, bool right_handed)
+static const char *from_axes(struct camera *c,
+    const struct convention *convention)
 {
-	double sign = right_handed ? -1 : 1;
+	double along = looks_back(convention) ? -1 : 1;
+	double upward = convention->view_y_down ? -1 : 1;
 	struct camera turned = *c;
 	struct map back;
-	const char *why = camera_map(c, right_handed, true, &back);
+	const char *why = camera_map(c, convention, true, &back);
 
 	if (why == NULL && c->by == CAMERA_MATRIX)
 		for (int k = 0; k < 3; k++)
@@ -17,10 +19,10 @@ static const char *from_axes(struct camera *c, bool right_handed)
 	turned.roll = 0;
 	turned.orthonormalize = true;
 	if (why == NULL)
-		why = camera_map(&turned, right_handed, true, &back);
+		why = camera_map(&turned, convention, true, &back);
 	for (int k = 0; k < 3 && why == NULL; k++) {
-		c->at[k] = sign * sum_double(back.m[2][k]);
-		c->up[k] = sum_double(back.m[1][k]);
+		c->at[k] = along * sum_double(back.m[2][k]);
+		c->up[k] = upward * sum_double(back.m[1][k]);
 	}
 	if (c->by == CAMERA_MATRIX)
 		c->roll = 0;
@@ -44,18 +46,18 @@ static void from_at(struct camera *c)
 const char *gaze_of(struct scene *s)
 {
 	struct camera *c = &s->camera;
-	bool right = s->convention.right_handed;
+	const struct convention *convention = &s->convention;
 	struct map view;
 
 	if (!s->has_camera)
 		*c = (struct camera){ .by = CAMERA_GAZE,
-			.at = { 0, 0, right ? -1 : 1 },
-			.up = { 0, 1, 0 } };
+			.at = { 0, 0, looks_back(convention) ? -1 : 1 },
+			.up = { 0, convention->view_y_down ? -1 : 1, 0 } };
 	s->has_camera = true;
-	const char *why = camera_map(c, right, false, &view);
+	const char *why = camera_map(c, convention, false, &view);
 
 	if (why == NULL && c->by >= CAMERA_ORIENTATION)
-		why = from_axes(c, right);
+		why = from_axes(c, convention);
 	else if (c->by == CAMERA_AT)
 		from_at(c);
 	c->by = CAMERA_GAZE;

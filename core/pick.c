@@ -13,8 +13,8 @@ static const char *near_plane(const struct scene *s, struct sum *near,
 	struct sum z = sum_of_double(reversed ? 1 : c->minus_one ? -1 : 0);
 	struct map back;
 
-	*upward = c->right_handed == (p->near > p->far);
-	*near = sum_of_double(c->right_handed ? -p->near : p->near);
+	*upward = looks_back(c) == (p->near > p->far);
+	*near = sum_of_double(looks_back(c) ? -p->near : p->near);
 	switch (p->type) {
 	case PROJECTION_PERSP:
 	case PROJECTION_ORTHO:

@@ -109,7 +109,7 @@ static const char *persp(const struct projection *p, const struct convention *c,
     struct elements *f)
 {
 	double k = c->minus_one ? 2 : 1, n = p->near;
-	bool right = c->right_handed;
+	bool back = looks_back(c);
 	struct sum off[2];
 	const char *why = cross_section(p, n, f, off);
 
@@ -132,11 +132,11 @@ static const char *persp(const struct projection *p, const struct convention *c,
 		    size);
 		f->tz = sum_quotient(sum_mul(number(-k * a), number(b)), size);
 	}
-	f->zx = negated_if(!right, off[0]);
-	f->zy = negated_if(!right, off[1]);
-	f->zz = negated_if(right, f->zz);
-	f->zw = negated_if(right, number(1));
-	f->det = negated_if(!right, f->tz);
+	f->zx = negated_if(!back, off[0]);
+	f->zy = negated_if(!back, off[1]);
+	f->zz = negated_if(back, f->zz);
+	f->zw = negated_if(back, number(1));
+	f->det = negated_if(!back, f->tz);
 	return NULL;
 }
 
@@ -157,7 +157,7 @@ static const char *ortho(const struct projection *p, const struct convention *c,
 	f->zz = sum_quotient(number(c->minus_one ? 2 : 1), size);
 	f->tz = sum_quotient(c->minus_one ? difference(-a, b) : number(-a),
 	    size);
-	f->zz = negated_if(c->right_handed, f->zz);
+	f->zz = negated_if(looks_back(c), f->zz);
 	f->tx = sum_neg(off[0]);
 	f->ty = sum_neg(off[1]);
 	f->tw = number(1);
@@ -181,8 +181,8 @@ static const char *oblique(const struct projection *p,
 
 	f->tx = sum_sub(f->tx, sum_mul(zx, number(p->plane)));
 	f->ty = sum_sub(f->ty, sum_mul(zy, number(p->plane)));
-	f->zx = negated_if(c->right_handed, zx);
-	f->zy = negated_if(c->right_handed, zy);
+	f->zx = negated_if(looks_back(c), zx);
+	f->zy = negated_if(looks_back(c), zy);
 	return NULL;
 }
 
@@ -300,7 +300,7 @@ static const char *bare(const struct projection *p, bool inverse, struct map *r)
 	return NULL;
 }
 
-static const char *find_elements(const struct projection *p,
+static const char *find_upright(const struct projection *p,
     const struct convention *c, struct elements *f)
 {
 	switch (p->type) {
@@ -313,6 +313,18 @@ static const char *find_elements(const struct projection *p,
 	default:
 		return volume(p, c, f);
 	}
+}
+
+/* Where y is down in view space, a volume is skewed that way too. */
+static const char *find_elements(const struct projection *p,
+    const struct convention *c, struct elements *f)
+{
+	const char *why = find_upright(p, c, f);
+
+	f->y = negated_if(c->view_y_down, f->y);
+	f->zy = negated_if(c->view_y_down && p->type == PROJECTION_VOLUME,
+	    f->zy);
+	return why;
 }
 
 static bool has_elements(const struct projection *p)
@@ -386,7 +398,7 @@ const char *projection_corner(const struct projection *p,
 		return why;
 	if (p->type == PROJECTION_VOLUME)
 		z = far ? p->z_far : p->z_near;
-	else if (c->right_handed)
+	else if (looks_back(c))
 		z = -z;
 	if (isinf(z)) {
 		v[2] = sum_quotient(number(1), f.zw);
@@ -413,11 +425,11 @@ bool projection_is_reversed(const struct projection *p,
 	struct map back;
 
 	if (p->type == PROJECTION_NONE)
-		return c->right_handed;
+		return looks_back(c);
 	if (p->type != PROJECTION_MATRIX || !map_inverse(p->matrix, &back))
 		return p->reverse_z;
 	int grows = sum_sign(back.m[2][3]);
 	int along_z = sum_sign(back.m[2][2]) * sum_sign(back.m[3][3]);
 
-	return grows != 0 ? grows > 0 : along_z == (c->right_handed ? 1 : -1);
+	return grows != 0 ? grows > 0 : along_z == (looks_back(c) ? 1 : -1);
 }

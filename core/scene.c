@@ -27,9 +27,8 @@ static const char *stage_map(const struct scene *s, enum space below,
 	case SPACE_MODEL:
 		return world_map(s, inverse, r);
 	case SPACE_WORLD:
-		return s->has_camera ?
-		    camera_map(&s->camera, c->right_handed, inverse, r) :
-		    NULL;
+		return s->has_camera ? camera_map(&s->camera, c, inverse, r) :
+				       NULL;
 	case SPACE_VIEW:
 		return projection_map(&s->projection, c, inverse, r);
 	case SPACE_NDC:

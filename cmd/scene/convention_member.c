@@ -1,5 +1,7 @@
 #include "convention_member.h"
 
+#include <strings.h>
+
 #include "readers.h"
 
 const char *const convention_names[] = {
@@ -7,6 +9,7 @@ const char *const convention_names[] = {
 	[CONVENTION_GL] = "gl",
 	[CONVENTION_VULKAN] = "vulkan",
 	[CONVENTION_WEBGPU] = "webgpu",
+	[CONVENTION_OPENCV] = "opencv",
 	[CONVENTIONS] = NULL,
 };
 
@@ -20,6 +23,10 @@ const struct convention conventions[] = {
 	    .column = true,
 	    .ndc_y_down = true },
 	[CONVENTION_WEBGPU] = { .right_handed = true, .column = true },
+	[CONVENTION_OPENCV] = { .right_handed = true,
+	    .view_y_down = true,
+	    .column = true,
+	    .ndc_y_down = true },
 };
 
 static const char *const hands[] = { "left", "right", NULL };
@@ -35,6 +42,7 @@ static const char *const origins[] = { "top-left", "bottom-left", NULL };
 
 const struct member convention_members[] = {
 	SECOND("handedness", hands, right_handed),
+	SECOND("view_y", ys, view_y_down),
 	SECOND("depth", depths, minus_one),
 	SECOND("vectors", vector_names, column),
 	SECOND("ndc_y", ys, ndc_y_down),
@@ -42,11 +50,21 @@ const struct member convention_members[] = {
 	{ .name = NULL },
 };
 
+/* By its letters "opengl" is nearest to "opencv". */
+static int read_name(const struct value *v)
+{
+	const char *s = value_string(v);
+
+	if (s != NULL && strcasecmp(s, "opengl") == 0)
+		value_refuse(v, "is \"%s\"; did you mean \"gl\"?", s);
+	return value_word(v, convention_names);
+}
+
 void read_convention(const struct value *v, struct convention *c)
 {
 	*c = conventions[CONVENTION_D3D];
 	if (value_is_object(v))
 		object_read(v, convention_members, 0, c);
 	else
-		*c = conventions[value_word(v, convention_names)];
+		*c = conventions[read_name(v)];
 }

@@ -43,7 +43,7 @@ for my $command (@commands) {
 	is(bash('projcalc', $command, '-'), sorted(@names),
 	    "options of $command");
 }
-is(bash('projcalc', 'project', '-c', ''), 'd3d gl vulkan webgpu',
+is(bash('projcalc', 'project', '-c', ''), 'd3d gl opencv vulkan webgpu',
     'words of an option');
 is(bash('projcalc', 'project', '--to', 'd'), 'device', 'a word begun');
 is(bash('projcalc', 'project', '--to', '='),

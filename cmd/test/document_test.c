@@ -12,10 +12,10 @@ static const struct refusal scenes[] = {
 	{ &project, "{\"convention\":\"vulcan\"}",
 	    "/convention: is \"vulcan\"; did you mean \"vulkan\"?" },
 	{ &project, "{\"convention\":\"opengl\"}",
-	    "/convention: is \"opengl\"; \"d3d\", \"gl\", \"vulkan\" or "
-	    "\"webgpu\" is wanted" },
+	    "/convention: is \"opengl\"; did you mean \"gl\"?" },
 	{ &project, "{\"convention\":null}",
-	    "/convention: is null; \"d3d\", \"gl\", \"vulkan\" or \"webgpu\" "
+	    "/convention: is null; \"d3d\", \"gl\", \"vulkan\", \"webgpu\" "
+	    "or \"opencv\" "
 	    "is wanted" },
 	{ &project, "{\"convention\":{\"handedness\":\"rechts\"}}",
 	    "/convention/handedness: is \"rechts\"; \"left\" or \"right\" is "
@@ -105,14 +105,15 @@ static void assert_convention(const struct convention *c, const char *bits)
 	assert_int_equal(c->column, bits[2] == '1');
 	assert_int_equal(c->ndc_y_down, bits[3] == '1');
 	assert_int_equal(c->bottom_left, bits[4] == '1');
+	assert_int_equal(c->view_y_down, bits[5] == '1');
 }
 
 /* Each convention as what it differs in from d3d. */
 static void test_convention(void **state)
 {
-	static const char *const table[][2] = { { "d3d", "00000" },
-		{ "gl", "11101" }, { "vulkan", "10110" },
-		{ "webgpu", "10100" } };
+	static const char *const table[][2] = { { "d3d", "000000" },
+		{ "gl", "111010" }, { "vulkan", "101100" },
+		{ "webgpu", "101000" }, { "opencv", "101101" } };
 	struct convention c;
 	char text[40];
 
@@ -126,21 +127,22 @@ static void test_convention(void **state)
 		assert_convention(&c, table[i][1]);
 	}
 	c = scene_of("{}").convention;
-	assert_convention(&c, "00000");
+	assert_convention(&c, "000000");
 	c = scene_of("{\"convention\":{\"handedness\":\"right\",\"depth\":"
 		     "\"minus_one_to_one\",\"vectors\":\"column\","
-		     "\"ndc_y\":\"down\",\"origin\":\"bottom-left\"}}")
+		     "\"ndc_y\":\"down\",\"origin\":\"bottom-left\",\"view_y\":"
+		     "\"down\"}}")
 		.convention;
-	assert_convention(&c, "11111");
+	assert_convention(&c, "111111");
 	c = scene_of("{\"convention\":{\"origin\":\"top-left\",\"vectors\":"
 		     "\"column\"}}")
 		.convention;
-	assert_convention(&c, "00100");
+	assert_convention(&c, "001000");
 	c = read_as(&(struct document_wants){ WANTS,
 			.convention = &conventions[CONVENTION_WEBGPU] },
 	    "{\"convention\":\"gl\"}")
 		.scene.convention;
-	assert_convention(&c, "10100");
+	assert_convention(&c, "101000");
 }
 
 /* Which element of world the number 2 of the text becomes. */

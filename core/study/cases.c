@@ -8,7 +8,7 @@
 
 /* A camera at hand in gl's conventions, on a screen of 640 x 480. */
 static const struct scene ordinary = {
-	.convention = { true, true, true, false, true },
+	.convention = { true, true, true, false, true, false },
 	.has_camera = true,
 	.has_viewport = true,
 	.camera = {

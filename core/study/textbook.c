@@ -10,10 +10,11 @@
 static void nearest_rotation(double m[4][4])
 {
 	struct camera c = { .by = CAMERA_MATRIX, .orthonormalize = true };
+	const struct convention any = { 0 };
 	struct map r;
 
 	memcpy(c.matrix, m, sizeof c.matrix);
-	if (camera_map(&c, true, false, &r) != NULL)
+	if (camera_map(&c, &any, false, &r) != NULL)
 		return;
 	for (int i = 0; i < 9; i++)
 		m[i / 3][i % 3] = element(&r, i / 3, i % 3);

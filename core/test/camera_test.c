@@ -1,20 +1,23 @@
 /* The view matrix and its inverse against MPFR, exact zeros, and refusals. */
 #include "claims.h"
 
+static const struct convention d3d;
+
 /* Both ways. Returns false where the camera is refused. */
-static bool compare(const struct camera *c, bool right_handed, struct worst *w)
+static bool compare(const struct camera *c, const struct convention *convention,
+    struct worst *w)
 {
 	struct scene s = {
 		.has_camera = true,
 		.camera = *c,
-		.convention = { .right_handed = right_handed },
+		.convention = *convention,
 	};
 	struct map m, back;
 	struct truth t;
 	int mark = real_mark();
 
-	if (camera_map(c, right_handed, false, &m) != NULL ||
-	    camera_map(c, right_handed, true, &back) != NULL)
+	if (camera_map(c, convention, false, &m) != NULL ||
+	    camera_map(c, convention, true, &back) != NULL)
 		return false;
 	truth_scene(&s, SPACE_WORLD, SPACE_VIEW, &t);
 	truth_compare(&t, &m, w);
@@ -32,10 +35,12 @@ static void cameras(const char *what, int e, int tries)
 
 	sample_seed(1);
 	for (int i = 0; i < tries; i++) {
+		struct convention convention;
 		struct camera c;
 
+		sample_convention(&convention);
 		sample_camera(&c, e);
-		refusals += !compare(&c, sample_below(2), &w);
+		refusals += !compare(&c, &convention, &w);
 	}
 	claim_maps(what, &w);
 	/* up at 1e-15 of the gaze is often too near */
@@ -59,7 +64,7 @@ static void orthonormalized(const char *what, int e, int tries)
 		struct camera c;
 
 		sample_orthonormalize(&c, e);
-		compare(&c, false, &w);
+		compare(&c, &d3d, &w);
 	}
 	claim_maps(what, &w);
 }
@@ -103,7 +108,7 @@ static void nearest_exactly(void **state)
 					(k / 3 + turn) % 3 ?
 				    d[k / 3] :
 				    0;
-			assert_null(camera_map(&c, false, false, &m));
+			assert_null(camera_map(&c, &d3d, false, &m));
 			for (int k = 0; k < 9; k++)
 				assert_true(element(&m, k / 3, k % 3) ==
 				    (k % 3 == (k / 3 + turn) % 3));
@@ -152,7 +157,7 @@ static void whole_number(int eye_number, const int up[3], int *zeros)
 		c.at[i] = eye[i] + gaze[i];
 		c.up[i] = up[i];
 	}
-	if (camera_map(&c, false, false, &m) != NULL)
+	if (camera_map(&c, &d3d, false, &m) != NULL)
 		return;
 	check_zeros(eye, gaze, up, &m);
 	for (int i = 0; i < 3; i++)
@@ -186,7 +191,7 @@ static void no_rolled_ghosts(void **state)
 			c.at[k] = c.eye[k] + (i >> k & 1 ? 1 : -1);
 		}
 		c.roll = 15 * (i / 8);
-		assert_true(compare(&c, false, &w));
+		assert_true(compare(&c, &d3d, &w));
 	}
 	claim_maps("isometric and rolled", &w);
 }
@@ -210,7 +215,7 @@ static void no_nearest_ghosts(void **state)
 		for (int k = 0; k < 3; k++)
 			memcpy(c.matrix[k], drifted[i][k],
 			    sizeof drifted[i][k]);
-		assert_true(compare(&c, false, &w));
+		assert_true(compare(&c, &d3d, &w));
 	}
 	claim_maps("a rotation with one 0", &w);
 }
@@ -222,7 +227,7 @@ static void recorded(void **state)
 	struct map m;
 
 	(void)state;
-	assert_null(camera_map(&c, false, false, &m));
+	assert_null(camera_map(&c, &d3d, false, &m));
 	assert_true(element(&m, 3, 0) == 0);
 	assert_true(element(&m, 3, 1) == 0);
 	/* sqrt(14), -3/sqrt(10), 5/sqrt(35), -1/sqrt(14) by bc */
@@ -263,7 +268,7 @@ static void parallel(void **state)
 		}
 		c.up[0] *= 1 + ldexp(sample_below(16), -52);
 		double near = nearness(&c);
-		const char *why = camera_map(&c, false, false, &m);
+		const char *why = camera_map(&c, &d3d, false, &m);
 
 		if (near < 1)
 			claim_refused(why, "/camera/up");
@@ -279,7 +284,7 @@ static void refused(struct camera c, bool inverse, const char *member)
 {
 	struct map m;
 
-	claim_refused(camera_map(&c, false, inverse, &m), member);
+	claim_refused(camera_map(&c, &d3d, inverse, &m), member);
 }
 
 static void all_refused(void **state)

@@ -128,7 +128,6 @@ static void steps_are_the_first(void **state)
 	sample_seed(32);
 	for (int k = 0; k < 250; k++) {
 		double step[BUFFERS][2];
-		int mark = real_mark();
 
 		sample_scene(&s, k % 5 == 0 ? 2 : 0);
 		if (taxonomy_of(&s, &t) != NULL)
@@ -137,11 +136,13 @@ static void steps_are_the_first(void **state)
 		for (int i = 0; i < 6; i++) {
 			double d = step[i / 2][i % 2], least;
 			enum buffer b = (enum buffer)(i / 2);
+			int mark = real_mark();
 			struct projector p;
 
 			if (!projector_of(&s, &t, i % 2, &p) || isnan(d)) {
 				assert_true(isnan(d) != 0);
 				none++;
+				real_release(mark);
 				continue;
 			}
 			double next = nextafter(d, HUGE_VAL);
@@ -149,8 +150,8 @@ static void steps_are_the_first(void **state)
 			least = search(&p, b, nextafter(next, HUGE_VAL));
 			assert_true(d == least || next == least);
 			found++;
+			real_release(mark);
 		}
-		real_release(mark);
 	}
 	print_message("%d steps, %d times none\n", found, none);
 	assert_true(found > 900 && none > 30);

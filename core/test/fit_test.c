@@ -68,7 +68,7 @@ struct fitted {
 static real slope(const struct scene *s, int k, real limit)
 {
 	real m[4][4];
-	double sign = s->convention.right_handed ? -1 : 1;
+	double sign = truth_gaze(&s->convention);
 
 	truth_matrix(s, SPACE_VIEW, SPACE_CLIP, m);
 	real x = mul(number(sign), m[2][k / 2]);
@@ -113,7 +113,7 @@ static void measure(struct fitted *f)
 	measure_sides(f);
 	truth_scene(s, SPACE_MODEL, SPACE_VIEW, &t);
 	for (int k = 4; k < 6; k++) {
-		double sign = (k == 4) == !s->convention.right_handed ? 1 : -1;
+		double sign = truth_gaze(&s->convention) * (k == 4 ? 1 : -1);
 		struct plane z = column(&t, 2);
 
 		z = combine(&z, sign, &z, number(0));

@@ -50,7 +50,7 @@ static bool is_reversed(const struct scene *s)
 	    truth_column(&back, 2, near));
 	int along = truth_sign(form_mul(z, truth_column(&back, 3, near)), NULL);
 
-	return along == (s->convention.right_handed ? 1 : -1);
+	return along == -truth_gaze(&s->convention);
 }
 
 /* left right bottom top near far, of clip coordinates. */

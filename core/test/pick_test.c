@@ -17,7 +17,7 @@ static void distance_of(const struct scene *s, struct distance *d)
 {
 	const struct projection *p = &s->projection;
 	bool volume = p->type == PROJECTION_VOLUME;
-	double gaze = s->convention.right_handed ? -1 : 1;
+	double gaze = truth_gaze(&s->convention);
 
 	truth_scene(s, SPACE_MODEL, SPACE_VIEW, &d->view);
 	d->near = form_of(volume ? p->z_near : gaze * p->near);

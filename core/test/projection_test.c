@@ -1,7 +1,8 @@
 /* The projections and their inverses against MPFR, and refusals. */
 #include "claims.h"
 
-static const struct convention d3d, gl = { true, true, true, false, true };
+static const struct convention d3d,
+    gl = { true, true, true, false, true, false };
 
 /* Both ways. Returns why not, where it is refused. */
 static const char *compare(const struct projection *p,

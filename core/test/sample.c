@@ -76,19 +76,21 @@ static void vector(double v[3], int e)
 
 void sample_convention(struct convention *c)
 {
-	static const struct convention known[4] = {
+	static const struct convention known[5] = {
 		{ 0 },
-		{ true, true, true, false, true },
-		{ true, false, true, true, false },
-		{ true, false, true, false, false },
+		{ true, true, true, false, true, false },
+		{ true, false, true, true, false, false },
+		{ true, false, true, false, false, false },
+		{ true, false, true, true, false, true },
 	};
 
-	*c = known[sample_below(4)];
+	*c = known[sample_below(5)];
 	if (sample_below(4) == 0) {
 		c->right_handed = sample_below(2);
 		c->minus_one = sample_below(2);
 		c->ndc_y_down = sample_below(2);
 		c->bottom_left = sample_below(2);
+		c->view_y_down = sample_below(2);
 	}
 }
 

@@ -17,13 +17,15 @@ struct truth_stage {
 
 struct truth {
 	int n;
-	struct truth_stage stage[8];
+	struct truth_stage stage[16];
 	struct truth_stage all; /* their product, see truth_compose */
 };
 
 /* Adds a stage that does nothing yet. An element without a size (NULL) has its
  * magnitude. */
 struct truth_stage *truth_stage(struct truth *);
+/* Half a turn around x. */
+void truth_half_turn(struct truth *);
 void truth_projection(struct truth *, const struct projection *,
     const struct convention *);
 void truth_compose(struct truth *);
@@ -33,6 +35,9 @@ void truth_scene(const struct scene *, enum space from, enum space to,
     struct truth *);
 void truth_flat(const struct scene *, enum flat from, enum flat to,
     struct truth *);
+
+/* Where the camera looks: 1 for +z of view space, -1 for -z. */
+double truth_gaze(const struct convention *);
 
 /* The matrix alone. */
 void truth_matrix(const struct scene *, enum space from, enum space to,

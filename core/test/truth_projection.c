@@ -161,9 +161,21 @@ static void volume(const struct projection *p, bool minus_one, real m[4][4])
 		m[i / 4][i % 4] = negative(m[i / 4][i % 4]);
 }
 
+void truth_half_turn(struct truth *t)
+{
+	struct truth_stage *s = truth_stage(t);
+
+	s->m[1][1] = s->m[2][2] = number(-1);
+}
+
 void truth_projection(struct truth *t, const struct projection *p,
     const struct convention *c)
 {
+	bool upright = p->type == PROJECTION_PERSP ||
+	    p->type == PROJECTION_ORTHO || p->type == PROJECTION_OBLIQUE;
+
+	if (upright && c->view_y_down)
+		truth_half_turn(t);
 	if (p->type == PROJECTION_OBLIQUE)
 		shear(p, c->right_handed, truth_stage(t)->m);
 	struct truth_stage *s = truth_stage(t);
@@ -177,7 +189,11 @@ void truth_projection(struct truth *t, const struct projection *p,
 		ortho(p, c, s->m);
 	if (p->type == PROJECTION_VOLUME)
 		volume(p, c->minus_one, s->m);
-	for (int i = 0; i < 4 && c->ndc_y_down; i++)
+	bool down = c->ndc_y_down;
+
+	if (p->type == PROJECTION_VOLUME)
+		down = c->ndc_y_down != c->view_y_down;
+	for (int i = 0; i < 4 && down; i++)
 		if (p->type != PROJECTION_MATRIX && p->type != PROJECTION_NONE)
 			s->m[i][1] = negative(s->m[i][1]);
 }

@@ -66,25 +66,38 @@ static void turn(const double orientation[4], real m[4][4])
 	}
 }
 
-static void camera(struct truth *t, const struct camera *c, bool right_handed)
+/* Roll is of the upright image. */
+static void camera(struct truth *t, const struct camera *c,
+    const struct convention *convention)
 {
 	if (c->by == CAMERA_MATRIX) {
 		affine(t, c->matrix, c->orthonormalize);
 		return;
 	}
+	bool down = convention->view_y_down;
 	struct truth_stage *eye = truth_stage(t), *view = truth_stage(t);
-	struct truth_stage *roll = truth_stage(t);
 
 	for (int i = 0; i < 3; i++)
 		eye->m[3][i] = number(-c->eye[i]);
 	if (c->by == CAMERA_ORIENTATION)
 		turn(c->orientation, view->m);
 	else
-		look(c, right_handed, view->m);
+		look(c, convention->right_handed, view->m);
+	if (down && c->by == CAMERA_ORIENTATION)
+		truth_half_turn(t);
+	struct truth_stage *roll = truth_stage(t);
+
 	/* Rz = [cos sin; -sin cos] */
 	roll->m[0][0] = roll->m[1][1] = cosine(c->roll);
 	roll->m[0][1] = sine(c->roll);
 	roll->m[1][0] = negative(sine(c->roll));
+	if (down)
+		truth_half_turn(t);
+}
+
+double truth_gaze(const struct convention *c)
+{
+	return c->right_handed == c->view_y_down ? 1 : -1;
 }
 
 /* For one axis, x' = x + side/2 + scale X. */
@@ -219,7 +232,7 @@ void truth_scene(const struct scene *s, enum space from, enum space to,
 	if (s->has_world && crosses(from, to, SPACE_MODEL))
 		affine(t, s->world, false);
 	if (s->has_camera && crosses(from, to, SPACE_WORLD))
-		camera(t, &s->camera, c->right_handed);
+		camera(t, &s->camera, c);
 	if (crosses(from, to, SPACE_VIEW))
 		truth_projection(t, &s->projection, c);
 	if (crosses(from, to, SPACE_NDC))
