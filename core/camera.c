@@ -183,14 +183,15 @@ static const char *bare(const struct camera *c, bool inverse, struct map *r)
 	struct axis axis[3];
 
 	map_of_doubles(c->matrix, r);
-	if (!map_is_affine(r))
-		return "/camera/matrix: its last column is not 0 0 0 1; "
-		       "write the rows as \"vectors\" says";
+	const char *why = WANT_AFFINE(r, "/camera/matrix");
+
+	if (why != NULL)
+		return why;
 	if (!c->orthonormalize)
 		return !inverse || map_inverse(c->matrix, r) ?
 		    NULL :
 		    "/camera/matrix: singular; it can't be inverted";
-	const char *why = orthonormal(c, axis);
+	why = orthonormal(c, axis);
 
 	if (why != NULL)
 		return why;

@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "vec3.h"
+
 void map_identity(struct map *r)
 {
 	memset(r, 0, sizeof *r);
@@ -28,6 +30,16 @@ bool map_is_affine(const struct map *a)
 		if (sum_sign(a->m[i][3]) != 0)
 			return false;
 	return is_one(&a->m[3][3]);
+}
+
+const char *map_not_affine(const struct map *a, const char *transposed,
+    const char *other)
+{
+	const struct sum *last = a->m[3];
+
+	if (map_is_affine(a))
+		return NULL;
+	return vec3_is_zero(last) && is_one(&last[3]) ? transposed : other;
 }
 
 static bool is_identity(const struct map *a)

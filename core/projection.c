@@ -291,9 +291,35 @@ static struct elements inverse_elements(const struct elements *f)
 	};
 }
 
+/* Whether the last row, or else the last column, has nothing but w = z or -z. */
+static bool is_w_of_z(const double m[4][4], bool row)
+{
+	bool is = true;
+
+	for (int i = 0; i < 4; i++) {
+		double a = fabs(row ? m[3][i] : m[i][3]);
+
+		is &= a == (i == 2);
+	}
+	return is;
+}
+
+/* What a perspective's transpose would be. */
+static bool is_transposed(const double m[4][4])
+{
+	bool is_affine = m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 &&
+	    m[3][3] == 1;
+
+	return is_w_of_z(m, true) && !is_w_of_z(m, false) && !is_affine;
+}
+
 static const char *bare(const struct projection *p, bool inverse, struct map *r)
 {
 	map_of_doubles(p->matrix, r);
+	if (is_transposed(p->matrix))
+		return "/projection/matrix: is transposed; in memory order w "
+		       "is made by numbers 4, 8, 12 and 16, and rows stand as "
+		       "\"vectors\" says";
 	if (inverse && !map_inverse(p->matrix, r))
 		return "/projection/matrix: singular; it can't be inverted";
 	memset(r->origin, 0, sizeof r->origin);

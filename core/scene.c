@@ -8,9 +8,10 @@ static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 	if (!s->has_world)
 		return NULL;
 	map_of_doubles(s->world, r);
-	if (!map_is_affine(r))
-		return "/world: its last column is not 0 0 0 1; "
-		       "write the rows as \"vectors\" says";
+	const char *why = WANT_AFFINE(r, "/world");
+
+	if (why != NULL)
+		return why;
 	if (inverse && !map_inverse(s->world, r))
 		return "/world: singular; it can't be inverted";
 	return NULL;

@@ -192,7 +192,7 @@ static void read_scene(struct document *d, const struct document_wants *w,
 	s->has_device = seen & SCENE_DEVICE;
 	d->has_bounds = seen & SCENE_BOUNDS;
 	if (s->has_world)
-		read_matrix(&m[WORLD], &scene_members[WORLD], s->world);
+		read_affine(&m[WORLD], &scene_members[WORLD], s->world);
 	if (s->has_camera)
 		d->has_eye = read_camera(&m[CAMERA], &s->camera);
 	if (s->has_viewport)

@@ -22,7 +22,7 @@ const struct member camera_members[] = {
 	NUMBERS("gaze", camera, at, 3, "direction dir forward"),
 	NUMBERS("orientation", camera, orientation, 4, "rotation quaternion"),
 	{ .name = "matrix",
-	    .read = read_matrix,
+	    .read = read_affine,
 	    .at = MEMBER(camera, matrix),
 	    .aliases = "view" },
 	NUMBERS("up", camera, up, 3, NULL),

@@ -37,8 +37,7 @@ const char *const vector_names[] = { "row", "column", NULL };
 
 /* The object that -o json prints a matrix in. */
 struct printed {
-	struct value matrix;
-	bool column;
+	struct value matrix, vectors;
 };
 
 static const struct member printed_members[] = {
@@ -46,53 +45,100 @@ static const struct member printed_members[] = {
 	    .read = read_value,
 	    .at = offsetof(struct printed, matrix) },
 	{ .name = "vectors",
-	    .read = read_second,
-	    .words = vector_names,
-	    .at = offsetof(struct printed, column) },
+	    .read = read_value,
+	    .at = offsetof(struct printed, vectors) },
 	{ .name = NULL },
 };
 
-#define FORM "16 numbers or 4 rows of 4"
+#define ANY "16 numbers or 4 rows of 4"
+#define AFFINE "16 numbers, or 4 rows of 4 or 3, or 3 rows of 4"
 
-static const struct ways printed_ways = {
-	"give \"matrix\", " FORM,
+static const struct ways any_ways = {
+	"give \"matrix\", " ANY,
 	{ "matrix vectors?" },
 };
 
-static void read_rows(const struct value *v, bool column, double m[4][4])
+static const struct ways affine_ways = {
+	"give \"matrix\", " AFFINE,
+	{ "matrix vectors?" },
+};
+
+/* The rows that there are, to a unit matrix or its transpose. */
+static void read_rows(const struct value *v, size_t columns, bool column,
+    double m[4][4])
 {
 	struct value row = value_child(v);
 	double e[4];
 
 	for (int i = 0; row.item != NULL; i++, value_next(&row)) {
-		value_numbers(&row, &range_any, 4, e);
-		for (int j = 0; j < 4; j++)
-			m[column ? j : i][column ? i : j] = e[j];
+		value_numbers(&row, &range_any, columns, e);
+		for (size_t j = 0; j < columns; j++)
+			m[column ? j : (size_t)i][column ? (size_t)i : j] =
+			    e[j];
 	}
+}
+
+/* Whether rows are for column vectors, as the object that they stand in says, or
+ * their shape, or the document. */
+static bool is_column(const struct printed *p, size_t rows, size_t columns)
+{
+	bool column = rows < columns, whole = rows == columns;
+
+	if (p->vectors.item == NULL)
+		return whole ? p->matrix.source->column : column;
+	bool said = value_word(&p->vectors, vector_names) == 1;
+
+	if (!whole && said != column)
+		value_refuse(&p->vectors,
+		    "is \"%s\"; %zu rows of %zu are for %s vectors",
+		    vector_names[said], rows, columns, vector_names[column]);
+	return said;
 }
 
 /* A matrix for row vectors, stored row by row, and its transpose for column
  * vectors, stored column by column, are the same 16 numbers in a row: only
  * nested rows depend on which vectors it is for. */
-void read_matrix(const struct value *v, const struct member *row, void *out)
+static void read(const struct value *v, bool affine, double m[4][4])
 {
-	struct printed p = { *v, v->source->column };
+	struct printed p = { .matrix = *v };
+	const char *wanted = affine ? AFFINE : ANY;
 
-	(void)row;
 	if (value_is_object(v)) {
 		unsigned seen = object_read(v, printed_members, 0, &p);
 
-		object_way(v, printed_members, 0, seen, &printed_ways);
+		object_way(v, printed_members, 0, seen,
+		    affine ? &affine_ways : &any_ways);
 	}
 	if (!value_is_array(&p.matrix))
-		value_wrong(&p.matrix, "an array of " FORM);
-	size_t n = value_count(&p.matrix);
+		value_wrong(&p.matrix,
+		    affine ? "an array of " AFFINE : "an array of " ANY);
+	struct value row = value_child(&p.matrix);
+	size_t n = value_count(&p.matrix), rows = affine && n == 3 ? 3 : 4;
+	size_t columns = affine && n == 4 && value_is_array(&row) &&
+		value_count(&row) == 3 ?
+	    3 :
+	    4;
+	bool column = is_column(&p, rows, columns);
 
-	if (n == 4)
-		read_rows(&p.matrix, p.column, out);
+	for (int i = 0; i < 16; i++)
+		m[i / 4][i % 4] = i / 4 == i % 4;
+	if (n == rows)
+		read_rows(&p.matrix, columns, column, m);
 	else if (n == 16)
-		value_numbers(&p.matrix, &range_any, 16, out);
+		value_numbers(&p.matrix, &range_any, 16, m[0]);
 	else
-		value_refuse(&p.matrix, "has %zu elements; " FORM " are wanted",
-		    n);
+		value_refuse(&p.matrix, "has %zu elements; %s are wanted", n,
+		    wanted);
+}
+
+void read_matrix(const struct value *v, const struct member *row, void *out)
+{
+	(void)row;
+	read(v, false, out);
+}
+
+void read_affine(const struct value *v, const struct member *row, void *out)
+{
+	(void)row;
+	read(v, true, out);
 }

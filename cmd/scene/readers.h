@@ -27,4 +27,8 @@ extern const char *const vector_names[];
  * json prints, which says itself which vectors it is for. */
 void read_matrix(const struct value *, const struct member *, void *);
 
+/* The same, or without what every affine matrix has: 3 rows of 4 for column
+ * vectors, 4 rows of 3 for row vectors. */
+void read_affine(const struct value *, const struct member *, void *);
+
 #endif

@@ -48,7 +48,8 @@ static const struct refusal scenes[] = {
 	    "{\"projection\":{\"type\":\"persp\",\"near\":1,\"far\":2,"
 	    "\"fovy\":60},\"viewport\":{\"width\":4,\"height\":3},"
 	    "\"world\":[]}",
-	    "/world: has 0 elements; 16 numbers or 4 rows of 4 are wanted" },
+	    "/world: has 0 elements; 16 numbers, or 4 rows of 4 or 3, or 3 "
+	    "rows of 4 are wanted" },
 };
 
 REFUSES(scenes)

@@ -18,6 +18,9 @@ static const struct document_wants project = { WANTS };
 #define AT "\"at\":[0,0,0]"
 #define EYE "\"eye\":[0,0,1]"
 #define SIZE "\"width\":1,\"height\":1"
+#define AFFINE "16 numbers, or 4 rows of 4 or 3, or 3 rows of 4"
+#define M34 "[[1,2,3,4],[5,6,7,8],[9,10,11,12]]"
+#define M43 "[[1,5,9],[2,6,10],[3,7,11],[4,8,12]]"
 #define M16 "[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1]"
 
 static const struct refusal cameras[] = {
@@ -41,20 +44,32 @@ static const struct refusal cameras[] = {
 	{ &lookat, "{" EYE "," AT ",\"orthonormalize\":true}",
 	    "/orthonormalize: not together with \"eye\"; " CAMERA_HINT },
 	{ &lookat, "{\"matrix\":[1,2]}",
-	    "/matrix: has 2 elements; 16 numbers or 4 rows of 4 are wanted" },
+	    "/matrix: has 2 elements; " AFFINE " are wanted" },
 	{ &lookat, "{\"matrix\":[1,2,3,4]}",
 	    "/matrix/0: is a number; an array of 4 numbers is wanted" },
 	{ &lookat, "{\"matrix\":{\"matrix\":[[1,0,0,0],[0,1,0,0],[0,0,1]]}}",
-	    "/matrix/matrix: has 3 elements; 16 numbers or 4 rows of 4 are "
+	    "/matrix/matrix/2: has 3 elements; an array of 4 numbers is "
+	    "wanted" },
+	{ &lookat, "{\"matrix\":[[1,0,0,0],[0,1,0],[0,0,1],[0,0,0]]}",
+	    "/matrix/1: has 3 elements; an array of 4 numbers is wanted" },
+	{ &lookat, "{\"matrix\":[[1,0,0],[0,1,0],[0,0,1],[0,0,0,1]]}",
+	    "/matrix/3: has 4 elements; an array of 3 numbers is wanted" },
+	{ &lookat, "{\"matrix\":{\"matrix\":" M34 ",\"vectors\":\"row\"}}",
+	    "/matrix/vectors: is \"row\"; 3 rows of 4 are for column vectors" },
+	{ &lookat, "{\"matrix\":{\"matrix\":" M43 ",\"vectors\":\"column\"}}",
+	    "/matrix/vectors: is \"column\"; 4 rows of 3 are for row vectors" },
+	{ &project, "{\"projection\":{\"type\":\"matrix\",\"matrix\":" M34 "}}",
+	    "/projection/matrix: has 3 elements; 16 numbers or 4 rows of 4 are "
+	    "wanted" },
+	{ &project, "{\"projection\":{\"type\":\"matrix\",\"matrix\":" M43 "}}",
+	    "/projection/matrix/0: has 3 elements; an array of 4 numbers is "
 	    "wanted" },
 	{ &lookat, "{\"matrix\":{\"matrix\":" M16 ",\"vectors\":\"rows\"}}",
 	    "/matrix/vectors: is \"rows\"; did you mean \"row\"?" },
 	{ &project, "{\"world\":1}",
-	    "/world: is a number; an array of 16 numbers or 4 rows of 4 is "
-	    "wanted" },
+	    "/world: is a number; an array of " AFFINE " is wanted" },
 	{ &project, "{\"world\":{}}",
-	    "/world/matrix: missing; give \"matrix\", 16 numbers or 4 rows of "
-	    "4" },
+	    "/world/matrix: missing; give \"matrix\", " AFFINE },
 	{ &project, "{\"world\":[[0,0,0,0],[0,0,0,\"a\"],[],[]]}",
 	    "/world/1/3: is a string; a number is wanted" },
 	{ &lookat, "{\"eye\":[0,0,true]," AT "}",
@@ -126,6 +141,21 @@ static void test_camera(void **state)
 	assert_int_equal(c.by, CAMERA_MATRIX);
 	assert_numbers(c.matrix[3], 4, 5.0, 6.0, 7.0, 1.0);
 	assert_true(c.orthonormalize);
+	/* the shape says which vectors, whatever the convention says */
+	static const char *const shapes[] = { "\"camera\":{\"matrix\":" M34 "}",
+		"\"camera\":{\"matrix\":" M43 "}",
+		"\"camera\":{\"matrix\":{\"matrix\":" M34
+		",\"vectors\":\"column\"}}" };
+
+	for (int i = 0; i < 6; i++) {
+		char text[200] = "{\"convention\":\"gl\",";
+
+		if (i % 2)
+			strcpy(text, "{");
+		c = scene_of(strcat(strcat(text, shapes[i / 2]), "}")).camera;
+		assert_numbers(c.matrix[0], 16, 1.0, 5.0, 9.0, 0.0, 2.0, 6.0,
+		    10.0, 0.0, 3.0, 7.0, 11.0, 0.0, 4.0, 8.0, 12.0, 1.0);
+	}
 }
 
 static void test_flat(void **state)

@@ -312,7 +312,9 @@ static void all_refused(void **state)
 	refused(c, true, "/camera/matrix");
 	c.matrix[2][2] = 1;
 	c.matrix[0][3] = 1e-9;
-	refused(c, false, "/camera/matrix");
+	refused(c, false, "/camera/matrix: is transposed");
+	c.matrix[3][0] = 1e-9;
+	refused(c, false, "/camera/matrix: its last column is not 0 0 0 1");
 	set_diagonal(&c, 1, 1e-140, 1e-150);
 	refused(c, false, "/camera/matrix");
 }

@@ -205,6 +205,42 @@ static void refusals(void **state)
 	refused(&p, true, "/projection/matrix");
 }
 
+/* Of a perspective's transpose the last row is 0 0 1 0; so may be that of a
+ * perspective with w = z, and of an affine matrix. */
+static void transposed(void **state)
+{
+	static const struct {
+		double column[4], row[3];
+		bool refused;
+	} cases[] = {
+		{ { 0, 0, -1, 0 }, { 0, 0, 1 }, false },
+		{ { 0, 0, 1, 0 }, { 0, 0, -1 }, false },
+		{ { 0, 0, 0, 1 }, { 0, 0, 1 }, false },
+		{ { 0, 0, -2, 0 }, { 0, 0, 1 }, true },
+		{ { 0, 0, -2, 0 }, { 0, 0, -1 }, true },
+		{ { 0, 1, 1, 0 }, { 0, 0, -1 }, true },
+		{ { 0, 0, -2, 0 }, { 0, 1, -1 }, false },
+		{ { 0, 0, -2, 0 }, { 0, 0, -2 }, false },
+	};
+
+	(void)state;
+	for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+		struct projection p = { .type = PROJECTION_MATRIX,
+			.matrix = { { 1 }, { 0, 1 }, { 0, 0, 1 } } };
+		struct map m;
+
+		memcpy(p.matrix[3], cases[k].row, sizeof cases[k].row);
+		for (int i = 0; i < 4; i++)
+			p.matrix[i][3] = cases[k].column[i];
+		for (int inverse = 0; inverse < 2 && cases[k].refused;
+		     inverse++)
+			refused(&p, inverse,
+			    "/projection/matrix: is transposed");
+		if (!cases[k].refused)
+			assert_null(projection_map(&p, &d3d, false, &m));
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -213,6 +249,7 @@ int main(void)
 		cmocka_unit_test(angles),
 		cmocka_unit_test(recorded),
 		cmocka_unit_test(refusals),
+		cmocka_unit_test(transposed),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
