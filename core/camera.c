@@ -96,15 +96,30 @@ static const char *orient(const struct camera *c, struct axis axis[3])
 	return NULL;
 }
 
+/* What is wrong with a matrix, and with a pose. */
+#define BOTH(reason)                                               \
+	{                                                          \
+		"/camera/matrix: " reason, "/camera/pose: " reason \
+	}
+
+static const char *const refusals[][2] = {
+	[ROTATION_NONE] = BOTH("its determinant is not positive; "
+			       "a rotation's is 1"),
+	[ROTATION_MANY] = BOTH("two directions have all but vanished; "
+			       "no rotation is the nearest"),
+};
+
+static const char *const singular[2] = BOTH("singular; it can't be inverted");
+
 /* The nearest rotation to the upper 3x3, of which nothing is left that may be no
  * more than the error of its quaternion. */
 static const char *orthonormal(const struct camera *c, struct axis axis[3])
 {
 	struct sum q[4];
-	const char *why = nearest_rotation(c->matrix, q);
+	enum rotation found = nearest_rotation(c->matrix, q);
 
-	if (why != NULL)
-		return why;
+	if (found != ROTATION_FOUND)
+		return refusals[found][c->by == CAMERA_POSE];
 	turn(q, axis);
 	for (int i = 0; i < 9; i++) {
 		struct sum *v = &axis[i / 3].v[i % 3];
@@ -115,23 +130,32 @@ static const char *orthonormal(const struct camera *c, struct axis axis[3])
 	return NULL;
 }
 
-/* The matrix without roll: the axes as columns, and as its fourth row minus
- * their products with the eye, at: an exact polynomial, divided once. So for an
- * eye (1,2,3) that looks at the origin x . eye is 0, where rounded axes would
- * give -4.9e-32. */
-static void elements(const struct axis axis[3], const double at[3],
-    struct sum e[4][3])
+/* Where a camera stands: its axes, and in the world the eye, or in view space the
+ * world's origin. */
+struct stand {
+	struct axis axis[3];
+	const double *at;
+	bool by_origin;
+	double roll; /* from x to y of view space */
+};
+
+/* Minus the products of what is at with the axes, or with their transpose: an exact
+ * polynomial, divided once. So for an eye (1,2,3) that looks at the origin x . eye
+ * is 0, where rounded axes would give -4.9e-32. */
+static void find_image(const struct stand *s, struct sum image[3])
 {
+	const struct axis *a = s->axis;
 	struct sum p[3];
 
-	for (int k = 0; k < 3; k++)
-		p[k] = sum_of_double(-at[k]);
+	for (int i = 0; i < 3; i++)
+		p[i] = sum_of_double(-s->at[i]);
 	for (int i = 0; i < 3; i++) {
-		struct sum image = vec3_dot(axis[i].v, p);
+		const struct sum across[3] = { a[0].v[i], a[1].v[i],
+			a[2].v[i] };
 
-		for (int k = 0; k < 4; k++)
-			e[k][i] = sum_quotient(k < 3 ? axis[i].v[k] : image,
-			    axis[i].length);
+		image[i] = sum_quotient(vec3_dot(s->by_origin ? across : a[i].v,
+					    p),
+		    a[i].length);
 	}
 }
 
@@ -148,21 +172,29 @@ static void turn_image(double roll, struct sum e[4][3])
 	}
 }
 
-/* Where a camera stands: to view (p - at) axes, or back p axes' + at. The roll is
- * from x to y. */
-static void stand(const struct axis axis[3], double roll, const double at[3],
-    bool inverse, struct map *r)
+/* To view p axes + origin, or back p axes' + eye; of the two one is given, the
+ * other found. */
+static void stand(const struct stand *s, bool inverse, struct map *r)
 {
-	struct sum e[4][3];
+	struct sum e[4][3], given[3], found[3];
 
-	elements(axis, at, e);
-	turn_image(roll, e);
+	find_image(s, found);
+	for (int i = 0; i < 3; i++) {
+		given[i] = sum_of_double(s->at[i]);
+		e[3][i] = s->by_origin ? given[i] : found[i];
+		for (int k = 0; k < 3; k++)
+			e[k][i] = sum_quotient(s->axis[i].v[k],
+			    s->axis[i].length);
+	}
+	turn_image(s->roll, e);
 	map_identity(r);
 	for (int i = 0; i < 3; i++) {
+		struct sum eye = s->by_origin ? found[i] : given[i];
+
 		for (int k = 0; k < 3; k++)
 			r->m[inverse ? i : k][inverse ? k : i] = e[k][i];
-		r->m[3][i] = inverse ? sum_of_double(at[i]) : e[3][i];
-		r->origin[i] = inverse ? 0 : at[i];
+		r->m[3][i] = inverse ? eye : e[3][i];
+		r->origin[i] = inverse ? 0 : sum_double(eye);
 	}
 }
 
@@ -177,43 +209,53 @@ static void transpose(struct axis axis[3])
 		}
 }
 
-/* The matrix as it is given, or its nearest rotation above its last row. */
+/* The matrix or pose as it is given, or its nearest rotation above its last
+ * row. A pose leads from view to the world, and must lead back. */
 static const char *bare(const struct camera *c, bool inverse, struct map *r)
 {
-	struct axis axis[3];
+	bool pose = c->by == CAMERA_POSE;
+	struct stand s = { .at = c->matrix[3], .by_origin = !pose };
 
 	map_of_doubles(c->matrix, r);
-	const char *why = WANT_AFFINE(r, "/camera/matrix");
+	const char *why = pose ? WANT_AFFINE(r, "/camera/pose") :
+				 WANT_AFFINE(r, "/camera/matrix");
 
 	if (why != NULL)
 		return why;
-	if (!c->orthonormalize)
-		return !inverse || map_inverse(c->matrix, r) ?
-		    NULL :
-		    "/camera/matrix: singular; it can't be inverted";
-	why = orthonormal(c, axis);
+	if (!c->orthonormalize) {
+		struct map back;
+		bool regular = (!pose && !inverse) ||
+		    map_inverse(c->matrix, &back);
 
+		if (regular && inverse != pose)
+			*r = back;
+		return regular ? NULL : singular[pose];
+	}
+	why = orthonormal(c, s.axis);
 	if (why != NULL)
 		return why;
-	transpose(axis);
-	stand(axis, 0, c->matrix[3], !inverse, r);
+	if (pose)
+		transpose(s.axis);
+	stand(&s, inverse, r);
 	return NULL;
 }
 
 const char *camera_map(const struct camera *c,
     const struct convention *convention, bool inverse, struct map *r)
 {
-	double roll = convention->view_y_down ? -c->roll : c->roll;
-	struct axis axis[3];
+	struct stand s = {
+		.at = c->eye,
+		.by_origin = c->by == CAMERA_TRANSLATION,
+		.roll = convention->view_y_down ? -c->roll : c->roll,
+	};
 
-	if (c->by == CAMERA_MATRIX)
+	if (c->by == CAMERA_MATRIX || c->by == CAMERA_POSE)
 		return bare(c, inverse, r);
-	const char *why = c->by == CAMERA_ORIENTATION ?
-	    orient(c, axis) :
-	    look(c, convention, axis);
+	const char *why = c->by == CAMERA_AT || c->by == CAMERA_GAZE ?
+	    look(c, convention, s.axis) :
+	    orient(c, s.axis);
 
-	if (why != NULL)
-		return why;
-	stand(axis, roll, c->eye, inverse, r);
-	return NULL;
+	if (why == NULL)
+		stand(&s, inverse, r);
+	return why;
 }

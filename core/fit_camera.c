@@ -2,8 +2,8 @@
 
 #include <math.h>
 
-/* The rows of view to world are the axes and the eye. Of a matrix the eye is its
- * own, the axes are those of the rotation nearest to it. */
+/* The rows of view to world are the axes and the eye. Of a matrix or pose the eye
+ * is its own, the axes are those of the rotation nearest to it. */
 static const char *from_axes(struct camera *c,
     const struct convention *convention)
 {
@@ -13,7 +13,7 @@ static const char *from_axes(struct camera *c,
 	struct map back;
 	const char *why = camera_map(c, convention, true, &back);
 
-	if (why == NULL && c->by == CAMERA_MATRIX)
+	if (why == NULL && c->by >= CAMERA_TRANSLATION)
 		for (int k = 0; k < 3; k++)
 			c->eye[k] = sum_double(back.m[3][k]);
 	turned.roll = 0;
@@ -24,7 +24,7 @@ static const char *from_axes(struct camera *c,
 		c->at[k] = along * sum_double(back.m[2][k]);
 		c->up[k] = upward * sum_double(back.m[1][k]);
 	}
-	if (c->by == CAMERA_MATRIX)
+	if (c->by >= CAMERA_POSE)
 		c->roll = 0;
 	return why;
 }

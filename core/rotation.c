@@ -73,7 +73,7 @@ static void eigenvector(const struct sum k[4][4], struct sum q[4])
 	}
 }
 
-const char *nearest_rotation(const double matrix[4][4], struct sum q[4])
+enum rotation nearest_rotation(const double matrix[4][4], struct sum q[4])
 {
 	struct sum m[4][4], k[4][4], s = sum_of_double(0);
 	double largest = 0;
@@ -92,14 +92,12 @@ const char *nearest_rotation(const double matrix[4][4], struct sum q[4])
 	struct sum det = map_minor(3, m, 8, 8);
 
 	if (sum_sign(det) <= 0)
-		return "/camera/matrix: its determinant is not positive; "
-		       "a rotation's is 1";
+		return ROTATION_NONE;
 	horn(m, k);
 	if (!largest_root(s.value, det.value, map_minor(4, k, 0, 0).value, &x))
-		return "/camera/matrix: two directions have all but vanished; "
-		       "no rotation is the nearest";
+		return ROTATION_MANY;
 	for (int i = 0; i < 4; i++)
 		k[i][i] = sum_sub(k[i][i], sum_of(x));
 	eigenvector(k, q);
-	return NULL;
+	return ROTATION_FOUND;
 }

@@ -4,9 +4,12 @@
 
 #include "mat.h"
 
+/* None where the determinant is not positive, many where two directions have all but
+ * vanished. */
+enum rotation { ROTATION_FOUND, ROTATION_NONE, ROTATION_MANY };
+
 /* The quaternion x y z w, of any norm and within 2^-250 of it, of the rotation
- * nearest to the upper 3x3 of a camera's matrix: its polar factor. Returns NULL, or
- * the member and the reason. */
-const char *nearest_rotation(const double matrix[4][4], struct sum q[4]);
+ * nearest to the upper 3x3 of a matrix: its polar factor. */
+enum rotation nearest_rotation(const double matrix[4][4], struct sum q[4]);
 
 #endif

@@ -86,14 +86,19 @@ static void names_of(const struct member *row, int kind,
 	names[n] = NULL;
 }
 
-/* The name of the member that was probably meant by a wrong one, or NULL. */
-static const char *meant(const struct member *table, int kind, const char *name)
+/* The member that was probably meant by a wrong name, or NULL. */
+static const struct member *meant(const struct member *table, int kind,
+    const char *name)
 {
 	const char *names[MEMBERS_MAX + 1];
 	const struct member *row = find_alias(table, kind, name);
 
+	if (row != NULL)
+		return row;
 	names_of(table, kind, names);
-	return row != NULL ? row->name : nearest(name, names);
+	const char *near = nearest(name, names);
+
+	return near != NULL ? find(table, kind, near) : NULL;
 }
 
 static void refuse_other_kind(const struct value *v, const struct member *table,
@@ -144,21 +149,26 @@ static _Noreturn void unknown(const struct value *v, const struct member *table,
     int kind)
 {
 	const struct member *scene = v->source->scene;
-	const char *names[MEMBERS_MAX + 1], *name = NULL;
+	const struct member *row = NULL;
+	const char *names[MEMBERS_MAX + 1];
 	char all[LISTED];
 
 	/* In a document for lookat, a misspelt "camera" looks like a member of
 	 * a camera. */
 	if (v->in->in == NULL && table != scene && value_is_object(v))
-		name = meant(scene, 0, v->name);
-	if (name == NULL && find_alias(table, kind, v->name) == NULL) {
+		row = meant(scene, 0, v->name);
+	if (row == NULL && find_alias(table, kind, v->name) == NULL) {
 		refuse_other_kind(v, table, kind);
 		refuse_misplaced(v, table);
 	}
-	if (name == NULL)
-		name = meant(table, kind, v->name);
-	if (name != NULL)
-		value_refuse(v, "unknown member; did you mean \"%s\"?", name);
+	if (row == NULL)
+		row = meant(table, kind, v->name);
+	if (row != NULL && row->note != NULL)
+		value_refuse(v, "unknown member; did you mean \"%s\" (%s)?",
+		    row->name, row->note);
+	if (row != NULL)
+		value_refuse(v, "unknown member; did you mean \"%s\"?",
+		    row->name);
 	names_of(table, kind, names);
 	value_refuse(v, "unknown member; there are %s",
 	    list_words(all, names, " and "));

@@ -20,6 +20,8 @@ struct member {
 	/* What else people call it, divided by blanks: in lower case, without
 	 * _ and -. */
 	const char *aliases;
+	/* What it is, for those who call it otherwise. */
+	const char *note;
 	/* Of a member of a scene: its own members, and an example of it. */
 	const struct member *members;
 	const char *example;

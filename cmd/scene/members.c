@@ -20,11 +20,31 @@ const struct member camera_members[] = {
 	NUMBERS("eye", camera, eye, 3, "position pos from origin"),
 	NUMBERS("at", camera, at, 3, "target center centre lookat"),
 	NUMBERS("gaze", camera, at, 3, "direction dir forward"),
-	NUMBERS("orientation", camera, orientation, 4, "rotation quaternion"),
+	{ .name = "orientation",
+	    .read = read_numbers,
+	    .at = MEMBER(camera, orientation),
+	    .n = 4,
+	    .aliases = "rotation quaternion quat qvec q",
+	    .note = "x, y, z, w from view to world axes; of w, x, y, z from "
+		    "world to view that is -x, -y, -z, w" },
+	{ .name = "translation",
+	    .read = read_numbers,
+	    .at = MEMBER(camera, eye),
+	    .n = 3,
+	    .aliases = "tvec t",
+	    .note = "where the world's origin is in view space" },
+	{ .name = "pose",
+	    .read = read_affine,
+	    .at = MEMBER(camera, matrix),
+	    .aliases = "transformmatrix transform matrixworld cameratoworld "
+		       "camtoworld c2w",
+	    .note = "view to world" },
 	{ .name = "matrix",
 	    .read = read_affine,
 	    .at = MEMBER(camera, matrix),
-	    .aliases = "view" },
+	    .aliases = "view viewmatrix extrinsic extrinsics rt worldtocamera "
+		       "worldtocam w2c",
+	    .note = "world to view" },
 	NUMBERS("up", camera, up, 3, NULL),
 	NUMBERS("roll", camera, roll, 0, NULL),
 	FLAG(orthonormalize, camera),
@@ -34,15 +54,19 @@ const struct member camera_members[] = {
 /* In the order of the values of struct camera's by. */
 static const struct ways camera_ways = {
 	"give \"eye\" and one of \"at\", \"gaze\" and \"orientation\", or "
-	"\"matrix\" alone",
+	"\"translation\" and \"orientation\", or \"pose\" or \"matrix\" alone",
 	{ "eye at up? roll?", "eye gaze up? roll?", "eye orientation roll?",
+	    "translation orientation roll?", "pose orthonormalize?",
 	    "matrix orthonormalize?" },
 };
 
 static const struct ways fit_camera_ways = {
 	"give \"gaze\" or \"orientation\", with an \"eye\" or without, or "
-	"\"eye\" and \"at\", or \"matrix\" alone",
+	"\"eye\" and \"at\", or \"translation\" and \"orientation\", or "
+	"\"pose\" or "
+	"\"matrix\" alone",
 	{ "eye at up? roll?", "eye? gaze up? roll?", "eye? orientation roll?",
+	    "translation orientation roll?", "pose orthonormalize?",
 	    "matrix orthonormalize?" },
 };
 
@@ -145,7 +169,7 @@ bool read_camera(const struct value *v, struct camera *c)
 
 	c->by = (unsigned)object_way(v, camera_members, 0, seen,
 	    v->source->fit ? &fit_camera_ways : &camera_ways);
-	return c->by == CAMERA_MATRIX ||
+	return c->by >= CAMERA_TRANSLATION ||
 	    (seen & member_bit(camera_members, 0, "eye")) != 0;
 }
 

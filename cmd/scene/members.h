@@ -14,8 +14,8 @@ extern const struct member camera_members[], projection_members[],
 extern const char *const projection_types[], *const oblique_kinds[],
 						 *const adapt_names[];
 
-/* Returns whether the camera says where its eye is, which a matrix does as
- * well. Only fit may do without. */
+/* Returns whether the camera says where its eye is, which a translation, a pose
+ * and a matrix do as well. Only fit may do without. */
 bool read_camera(const struct value *, struct camera *);
 void read_viewport(const struct value *, struct viewport *);
 void read_window(const struct value *, struct window *);

@@ -7,9 +7,10 @@ static const struct document_wants project = { WANTS };
 
 #define BOX "\"bounds\":{\"min\":[0,0,0],\"max\":[1,2,3]}"
 #define BOUNDS_HINT "give \"min\" and \"max\", or \"center\" and \"radius\""
-#define CAMERA_HINT                                                      \
-	"give \"gaze\" or \"orientation\", with an \"eye\" or without, " \
-	"or \"eye\" and \"at\", or \"matrix\" alone"
+#define CAMERA_HINT                                                       \
+	"give \"gaze\" or \"orientation\", with an \"eye\" or without, "  \
+	"or \"eye\" and \"at\", or \"translation\" and \"orientation\", " \
+	"or \"pose\" or \"matrix\" alone"
 #define SIDES "\"left\", \"right\", \"bottom\" and \"top\""
 #define PARALLEL_HINT                                  \
 	"give \"aspect\" with \"height\" or without, " \

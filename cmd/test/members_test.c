@@ -11,7 +11,7 @@ static const struct document_wants project = { WANTS };
 
 #define CAMERA_HINT                                                         \
 	"give \"eye\" and one of \"at\", \"gaze\" and \"orientation\", or " \
-	"\"matrix\" alone"
+	"\"translation\" and \"orientation\", or \"pose\" or \"matrix\" alone"
 #define SIDES "\"left\", \"right\", \"bottom\" and \"top\""
 #define WINDOW_HINT "give \"center\", \"width\" and \"height\", or " SIDES
 #define POSITIVE "a number from 1e-150 to 1e150 is wanted"
@@ -39,6 +39,29 @@ static const struct refusal cameras[] = {
 	    "/up: not together with \"orientation\"; " CAMERA_HINT },
 	{ &lookat, "{\"matrix\":" M16 ",\"roll\":0}",
 	    "/roll: not together with \"matrix\"; " CAMERA_HINT },
+	{ &lookat, "{\"matrix\":" M16 ",\"pose\":" M16 "}",
+	    "/matrix: not together with \"pose\"; " CAMERA_HINT },
+	{ &lookat, "{\"pose\":" M16 ",\"roll\":0}",
+	    "/roll: not together with \"pose\"; " CAMERA_HINT },
+	{ &lookat, "{\"translation\":[0,0,0]}",
+	    "/orientation: missing; " CAMERA_HINT },
+	{ &lookat,
+	    "{" EYE ",\"orientation\":[0,0,0,1],\"translation\":[0,0,0]}",
+	    "/translation: not together with \"eye\"; " CAMERA_HINT },
+	{ &lookat, "{\"quaternion\":[1,0,0,0]," EYE "}",
+	    "/quaternion: unknown member; did you mean \"orientation\" (x, y, "
+	    "z, "
+	    "w from view to world axes; of w, x, y, z from world to view that "
+	    "is "
+	    "-x, -y, -z, w)?" },
+	{ &project, "{\"camera\":{\"transform_matrix\":" M16 "}}",
+	    "/camera/transform_matrix: unknown member; did you mean \"pose\" "
+	    "(view to world)?" },
+	{ &lookat, "{\"extrinsics\":" M16 "}",
+	    "/extrinsics: unknown member; did you mean \"matrix\" (world to "
+	    "view)?" },
+	{ &lookat, "{\"position\":[0,0,0]," AT "}",
+	    "/position: unknown member; did you mean \"eye\"?" },
 	{ &lookat, "{\"matrix\":" M16 "," EYE "}",
 	    "/eye: not together with \"matrix\"; " CAMERA_HINT },
 	{ &lookat, "{" EYE "," AT ",\"orthonormalize\":true}",
@@ -141,6 +164,12 @@ static void test_camera(void **state)
 	assert_int_equal(c.by, CAMERA_MATRIX);
 	assert_numbers(c.matrix[3], 4, 5.0, 6.0, 7.0, 1.0);
 	assert_true(c.orthonormalize);
+	c = CAMERA("\"orientation\":[1,2,3,4],\"translation\":[5,6,7]");
+	assert_int_equal(c.by, CAMERA_TRANSLATION);
+	assert_numbers(c.eye, 3, 5.0, 6.0, 7.0);
+	c = CAMERA("\"pose\":[1,0,0,0,0,1,0,0,0,0,1,0,5,6,7,1]");
+	assert_int_equal(c.by, CAMERA_POSE);
+	assert_numbers(c.matrix[3], 4, 5.0, 6.0, 7.0, 1.0);
 	/* the shape says which vectors, whatever the convention says */
 	static const char *const shapes[] = { "\"camera\":{\"matrix\":" M34 "}",
 		"\"camera\":{\"matrix\":" M43 "}",

@@ -50,9 +50,13 @@ static const struct refusal names[] = {
 	MEANT("direction", "gaze"),
 	MEANT("dir", "gaze"),
 	MEANT("forward", "gaze"),
-	MEANT("rotation", "orientation"),
-	MEANT("quaternion", "orientation"),
-	MEANT("view", "matrix"),
+	{ &lookat, "{\"rotation\":0}",
+	    "/rotation: unknown member; did you mean \"orientation\" (x, y, z, "
+	    "w "
+	    "from view to world axes; of w, x, y, z from world to view that is "
+	    "-x, -y, -z, w)?" },
+	{ &lookat, "{\"view\":1}",
+	    "/view: unknown member; did you mean \"matrix\" (world to view)?" },
 #undef MEANT
 #define MEANT(name, right)                                                   \
 	{                                                                    \

@@ -280,6 +280,31 @@ static void parallel(void **state)
 	assert_in_range(refusals, 100, 400);
 }
 
+/* A camera by its pose is the same backwards. */
+static void pose_is_the_inverse(void **state)
+{
+	(void)state;
+	sample_seed(5);
+	for (int i = 0; i < 40; i++) {
+		struct camera c, pose;
+		struct map m, back;
+
+		sample_orthonormalize(&c, i % 2 ? 5 : 0);
+		c.by = CAMERA_MATRIX;
+		c.orthonormalize = i % 4 < 2;
+		pose = c;
+		pose.by = CAMERA_POSE;
+		for (int inverse = 0; inverse < 2; inverse++) {
+			if (camera_map(&c, &d3d, inverse, &m) != NULL)
+				continue;
+			assert_null(camera_map(&pose, &d3d, !inverse, &back));
+			for (int k = 0; k < 16; k++)
+				assert_true(element(&m, k / 4, k % 4) ==
+				    element(&back, k / 4, k % 4));
+		}
+	}
+}
+
 static void refused(struct camera c, bool inverse, const char *member)
 {
 	struct map m;
@@ -304,10 +329,23 @@ static void all_refused(void **state)
 	refused(c, false, "/camera/gaze");
 	c.by = CAMERA_ORIENTATION;
 	refused(c, false, "/camera/orientation");
+	c.by = CAMERA_TRANSLATION;
+	refused(c, true, "/camera/orientation");
 	set_diagonal(&c, 1, 1, -1);
-	refused(c, false, "/camera/matrix");
+	refused(c, false, "/camera/matrix: its determinant is not positive");
+	c.by = CAMERA_POSE;
+	refused(c, true, "/camera/pose: its determinant is not positive");
 	set_diagonal(&c, 1, 1, 0);
 	refused(c, false, "/camera/matrix");
+	c.by = CAMERA_POSE;
+	refused(c, false, "/camera/pose");
+	c.orthonormalize = false;
+	refused(c, false, "/camera/pose: singular");
+	refused(c, true, "/camera/pose: singular");
+	c.matrix[0][3] = 1;
+	refused(c, true, "/camera/pose: is transposed");
+	c.matrix[0][3] = 0;
+	c.by = CAMERA_MATRIX;
 	c.orthonormalize = false;
 	refused(c, true, "/camera/matrix");
 	c.matrix[2][2] = 1;
@@ -330,6 +368,7 @@ int main(void)
 		cmocka_unit_test(no_nearest_ghosts),
 		cmocka_unit_test(recorded),
 		cmocka_unit_test(parallel),
+		cmocka_unit_test(pose_is_the_inverse),
 		cmocka_unit_test(all_refused),
 	};
 

@@ -32,7 +32,7 @@ static double coordinate(const struct scene *s, enum space from, int j)
 	if (sample_below(6) == 0)
 		d = rint(d);
 	if (j < 3 && from <= SPACE_WORLD && s->has_camera &&
-	    s->camera.by != CAMERA_MATRIX)
+	    s->camera.by < CAMERA_TRANSLATION)
 		d += s->camera.eye[j];
 	return d;
 }

@@ -123,7 +123,7 @@ void sample_camera(struct camera *c, int e)
 {
 
 	memset(c, 0, sizeof *c);
-	c->by = sample_below(4);
+	c->by = sample_below(6);
 	vector(c->eye, e);
 	vector(c->at, e);
 	vector(c->up, e);
@@ -153,7 +153,7 @@ void sample_orthonormalize(struct camera *c, int e)
 	double drift = sample_below(2) ? 1e-7 : 0.5;
 
 	memset(c, 0, sizeof *c);
-	c->by = CAMERA_MATRIX;
+	c->by = sample_below(2) ? CAMERA_MATRIX : CAMERA_POSE;
 	c->orthonormalize = true;
 	for (int i = 0; i < 4; i++) {
 		q[i] = sample_between(-1, 1);

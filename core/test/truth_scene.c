@@ -66,24 +66,41 @@ static void turn(const double orientation[4], real m[4][4])
 	}
 }
 
+static void reverse(struct truth *);
+
+/* Of a matrix or pose. */
+static void bare(struct truth *t, const struct camera *c)
+{
+	struct truth r = { 0 };
+
+	affine(&r, c->matrix, c->orthonormalize);
+	if (c->by == CAMERA_POSE)
+		reverse(&r);
+	for (int i = 0; i < r.n; i++)
+		t->stage[t->n++] = r.stage[i];
+}
+
 /* Roll is of the upright image. */
 static void camera(struct truth *t, const struct camera *c,
     const struct convention *convention)
 {
-	if (c->by == CAMERA_MATRIX) {
-		affine(t, c->matrix, c->orthonormalize);
+	if (c->by >= CAMERA_POSE) {
+		bare(t, c);
 		return;
 	}
-	bool down = convention->view_y_down;
+	bool down = convention->view_y_down, by_axes = c->by > CAMERA_GAZE;
+	bool by_eye = c->by != CAMERA_TRANSLATION;
 	struct truth_stage *eye = truth_stage(t), *view = truth_stage(t);
+	struct truth_stage *origin = truth_stage(t);
 
 	for (int i = 0; i < 3; i++)
-		eye->m[3][i] = number(-c->eye[i]);
-	if (c->by == CAMERA_ORIENTATION)
+		(by_eye ? eye : origin)->m[3][i] = number(
+		    by_eye ? -c->eye[i] : c->eye[i]);
+	if (by_axes)
 		turn(c->orientation, view->m);
 	else
 		look(c, convention->right_handed, view->m);
-	if (down && c->by == CAMERA_ORIENTATION)
+	if (down && by_axes)
 		truth_half_turn(t);
 	struct truth_stage *roll = truth_stage(t);
 
