@@ -24,7 +24,7 @@ const struct member camera_members[] = {
 	    .read = read_numbers,
 	    .at = MEMBER(camera, orientation),
 	    .n = 4,
-	    .aliases = "rotation quaternion quat qvec q",
+	    .aliases = "rotation quaternion quat qvec",
 	    .note = "x, y, z, w from view to world axes; of w, x, y, z from "
 		    "world to view that is -x, -y, -z, w" },
 	{ .name = "translation",

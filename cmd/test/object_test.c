@@ -108,7 +108,8 @@ static const struct refusal names[] = {
 	    "/camera/near: unknown member; it belongs into \"projection\"" },
 	{ &lookat, "{\"q\":1}",
 	    "/q: unknown member; there are \"eye\", \"at\", \"gaze\", "
-	    "\"orientation\", \"matrix\", \"up\", \"roll\" and "
+	    "\"orientation\", \"translation\", \"pose\", \"matrix\", \"up\", "
+	    "\"roll\" and "
 	    "\"orthonormalize\"" },
 	{ &project, "{\"qqq\":1}",
 	    "/qqq: unknown member; there are \"convention\", \"world\", "
@@ -116,7 +117,8 @@ static const struct refusal names[] = {
 	    "\"points\", \"bounds\" and \"pick\"" },
 	{ &lookat, "{\"qq~/\\u001b\\u009b\\n\":1}",
 	    "/qq~0~1\\u001b\\u009b\\u000a: unknown member; there are \"eye\", "
-	    "\"at\", \"gaze\", \"orientation\", \"matrix\", \"up\", \"roll\" "
+	    "\"at\", \"gaze\", \"orientation\", \"translation\", \"pose\", "
+	    "\"matrix\", \"up\", \"roll\" "
 	    "and \"orthonormalize\"" },
 	{ &lookat, "{" EYE "," AT "," EYE "}", "/eye: repeated; give it once" },
 	{ &project, "{\"camera\":{},\"camera\":{}}",
