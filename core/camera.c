@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "rotation.h"
-#include "trig.h"
 #include "vec3.h"
 
 /* An axis is v / length. The two are kept apart, as v is an exact polynomial of
@@ -137,6 +136,7 @@ struct stand {
 	const double *at;
 	bool by_origin;
 	double roll; /* from x to y of view space */
+	enum angle_unit unit;
 };
 
 /* Minus the products of what is at with the axes, or with their transpose: an exact
@@ -160,9 +160,9 @@ static void find_image(const struct stand *s, struct sum image[3])
 }
 
 /* Times [cos sin; -sin cos]. */
-static void turn_image(double roll, struct sum e[4][3])
+static void turn_image(double roll, enum angle_unit unit, struct sum e[4][3])
 {
-	struct sum s = sin_deg(roll), c = cos_deg(roll);
+	struct sum s = sin_of(roll, unit), c = cos_of(roll, unit);
 
 	for (int k = 0; k < 4; k++) {
 		struct sum x = e[k][0], y = e[k][1];
@@ -186,7 +186,7 @@ static void stand(const struct stand *s, bool inverse, struct map *r)
 			e[k][i] = sum_quotient(s->axis[i].v[k],
 			    s->axis[i].length);
 	}
-	turn_image(s->roll, e);
+	turn_image(s->roll, s->unit, e);
 	map_identity(r);
 	for (int i = 0; i < 3; i++) {
 		struct sum eye = s->by_origin ? found[i] : given[i];
@@ -247,6 +247,7 @@ const char *camera_map(const struct camera *c,
 		.at = c->eye,
 		.by_origin = c->by == CAMERA_TRANSLATION,
 		.roll = convention->view_y_down ? -c->roll : c->roll,
+		.unit = c->unit,
 	};
 
 	if (c->by == CAMERA_MATRIX || c->by == CAMERA_POSE)

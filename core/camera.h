@@ -4,6 +4,7 @@
 
 #include "convention.h"
 #include "mat.h"
+#include "trig.h"
 
 struct camera {
 	enum {
@@ -18,7 +19,8 @@ struct camera {
 	double at[3];  /* or the gaze, a direction of any length */
 	double up[3];
 	double orientation[4]; /* x y z w, view axes to world axes, any norm */
-	double roll;           /* degrees, image counterclockwise */
+	double roll;           /* image counterclockwise */
+	enum angle_unit unit;  /* of roll */
 	/* World to view, row vectors, affine; or the pose, view to world. */
 	double matrix[4][4];
 	bool orthonormalize;

@@ -2,8 +2,6 @@
 
 #include <string.h>
 
-#include "trig.h"
-
 /* The matrix of every projection that is made of parameters:
  *	 x   0   0   0
  *	 0   y   0   0
@@ -66,7 +64,7 @@ static const char *cross_section(const struct projection *p, double d,
 
 	off[0] = off[1] = number(0);
 	if (p->extent <= EXTENT_VIEW_ANGLE)
-		cot = cot_half_deg(p->angle);
+		cot = cot_half_of(p->angle, p->unit);
 	switch (p->extent) {
 	case EXTENT_FOVY:
 		by_aspect(p->aspect, false, cot, number(1), f);
@@ -175,9 +173,13 @@ static const char *oblique(const struct projection *p,
 	if (why != NULL)
 		return why;
 	if (p->kind == OBLIQUE_ANGLE)
-		cot = cot_deg(p->projector);
-	struct sum zx = sum_mul(sum_mul(cot, cos_deg(p->direction)), f->x);
-	struct sum zy = sum_mul(sum_mul(cot, sin_deg(p->direction)), f->y);
+		cot = cot_of(p->projector, p->unit);
+	struct sum zx = sum_mul(sum_mul(cot,
+				    cos_of(p->direction, p->direction_unit)),
+	    f->x);
+	struct sum zy = sum_mul(sum_mul(cot,
+				    sin_of(p->direction, p->direction_unit)),
+	    f->y);
 
 	f->tx = sum_sub(f->tx, sum_mul(zx, number(p->plane)));
 	f->ty = sum_sub(f->ty, sum_mul(zy, number(p->plane)));

@@ -4,6 +4,7 @@
 
 #include "convention.h"
 #include "mat.h"
+#include "trig.h"
 
 /* The cross-section of persp (on the near plane), ortho and oblique. */
 enum extent {
@@ -26,8 +27,9 @@ struct projection {
 		PROJECTION_MATRIX,
 	} type;
 
+	enum angle_unit unit; /* of angles but the direction */
 	enum extent extent;
-	double angle;     /* degrees, or the field */
+	double angle;     /* or the field */
 	double aspect[2]; /* width over height as a quotient; [1] 0: none */
 	double width, height;
 	double left, right, bottom, top;
@@ -37,9 +39,10 @@ struct projection {
 
 	/* oblique */
 	enum { OBLIQUE_ANGLE, OBLIQUE_CAVALIER, OBLIQUE_CABINET } kind;
-	double projector; /* degrees between projectors and plane */
-	double direction; /* degrees from +x in which receding lines run */
-	double plane;     /* depth that stays unsheared */
+	double projector; /* angle between projectors and plane */
+	double direction; /* angle from +x in which receding lines run */
+	enum angle_unit direction_unit;
+	double plane; /* depth that stays unsheared */
 
 	/* volume */
 	double half_width, half_height, z_near, z_far;

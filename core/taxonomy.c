@@ -151,7 +151,7 @@ static double degrees(struct sum y, struct sum x)
 	if (sum_sign(most) == 0)
 		return (double)NAN;
 	double a = atan2(sum_over(y, most), sum_over(x, most)) * DEGREE;
-	struct sum s = sin_deg(a), c = cos_deg(a);
+	struct sum s = sin_of(a, DEGREES), c = cos_of(a, DEGREES);
 	struct sum tan = sum_quotient(sum_sub(sum_mul(y, c), sum_mul(x, s)),
 	    sum_add(sum_mul(x, c), sum_mul(y, s)));
 	/* whose error is nothing beside that of tan */

@@ -5,6 +5,19 @@ static const ex RADIAN = { 1, 6, -6,
 	{ 0x38862864b4ea8a06, 0x95b7b08b3c0c88a4, 0xc728154da64a6428,
 	    0xc805bd77a80daf35, 0x70762fb374a42e26, 0x0477d1a894a74e45 } };
 
+/* pi / 2, within 2^-961, and its inverse, within 2^-640. */
+static const ex QUARTER = { 1, 16, -15,
+	{ 0x8400f97142c77e0b, 0x9250cca3d9c8b67b, 0x5d3e4822f8963fcc,
+	    0xdc70d7f6b5133f4b, 0x17feb96de80d6fdb, 0xe89885d34c6fdad6,
+	    0xc90b6aecc4bcfd8d, 0x9fc26adadaa3848b, 0x605614dbe4be286e,
+	    0xdf2a33679a748636, 0xa29410f31c6809bb, 0x04177d4c76273644,
+	    0x52049c1114cf98e8, 0x898cc51701b839a2, 0x921fb54442d18469, 1 } };
+static const ex QUARTERS = { 1, 10, -10,
+	{ 0x3991d639835339f5, 0xe99c7026b45f7e41, 0xe88235f52ebb4484,
+	    0xfe1deb1cb129a73e, 0x06492eea09d1921c, 0xb7246e3a424dd2e0,
+	    0xfe5163abdebbc561, 0xdb6295993c439041, 0xfc2757d1f534ddc0,
+	    0xa2f9836e4e441529 } };
+
 /* Words that the terms of a series keep. */
 enum { WORDS = 6 };
 
@@ -23,75 +36,103 @@ static ex series(ex x, int n)
 	return ex_quotient(s, c);
 }
 
-/* Both for |a| <= 45. */
-static struct sum sin_small(double a)
+/* An angle of at most 45 degrees on either side of a multiple of 90. */
+struct reduced {
+	double degrees; /* nan where they were not given */
+	ex radians;
+	unsigned turns;
+};
+
+/* fmod is exact, and so is r - 90 q, by Sterbenz. */
+static void reduce_degrees(double angle, struct reduced *r)
 {
-	if (a == 0)
+	double rest = fmod(angle, 360), q = rint(rest / 90);
+
+	r->degrees = rest - 90 * q;
+	r->radians = ex_first(ex_scale(RADIAN, r->degrees), WORDS);
+	r->turns = (unsigned)(int)q;
+}
+
+/* The whole number of quarters that is nearest; what is left of an angle below
+ * 2^500 is within 2^-460, and no double but 0 is closer than 2^-64 to a multiple of
+ * pi / 2 and farther from 0 than that (J.-M. Muller, "Elementary Functions", on range
+ * reduction): within 2^-396 relative. */
+static void reduce_radians(double angle, struct reduced *r)
+{
+	ex a = ex_of(fabs(angle));
+	ex q = ex_add(ex_mul(a, QUARTERS), ex_of(0.5));
+
+	q = ex_first(q, q.e + q.n > 0 ? q.e + q.n : 0);
+	a = ex_first(ex_sub(a, ex_mul(q, QUARTER)), WORDS);
+	r->degrees = (double)NAN;
+	r->radians = angle < 0 ? ex_neg(a) : a;
+	r->turns = q.n > 0 && q.e == 0 ? (unsigned)q.word[0] & 3 : 0;
+	if (angle < 0)
+		r->turns = 0 - r->turns;
+}
+
+static struct sum sin_small(const struct reduced *r)
+{
+	if (ex_sign(r->radians) == 0)
 		return sum_of_double(0);
-	if (fabs(a) == 30)
-		return sum_of_double(copysign(0.5, a));
-	if (fabs(a) == 45)
+	if (fabs(r->degrees) == 30)
+		return sum_of_double(copysign(0.5, r->degrees));
+	if (fabs(r->degrees) == 45)
 		return sum_inexact(
-		    ex_scale(ex_sqrt(ex_of(0.5)), copysign(1, a)));
-	ex x = ex_first(ex_scale(RADIAN, a), WORDS);
-
-	return sum_inexact(ex_mul(x, series(x, 1)));
+		    ex_scale(ex_sqrt(ex_of(0.5)), copysign(1, r->degrees)));
+	return sum_inexact(ex_mul(r->radians, series(r->radians, 1)));
 }
 
-static struct sum cos_small(double a)
+static struct sum cos_small(const struct reduced *r)
 {
-	if (a == 0)
+	if (ex_sign(r->radians) == 0)
 		return sum_of_double(1);
-	if (fabs(a) == 45)
-		return sin_small(45);
-	return sum_inexact(series(ex_first(ex_scale(RADIAN, a), WORDS), 0));
+	if (fabs(r->degrees) == 45)
+		return sum_inexact(ex_sqrt(ex_of(0.5)));
+	return sum_inexact(series(r->radians, 0));
 }
 
-/* sin(a + 90 turns): fmod is exact, and so is r - 90 q, by Sterbenz. */
-static struct sum sine(double a, int turns)
+/* The sine of so many right angles more. */
+static struct sum sine(double angle, enum angle_unit unit, unsigned turns)
 {
-	double r = fmod(a, 360), q = rint(r / 90);
+	struct reduced r;
 
-	r -= 90 * q;
-	switch (((int)q + turns) & 3) {
+	if (unit == RADIANS)
+		reduce_radians(angle, &r);
+	else
+		reduce_degrees(angle, &r);
+	switch ((r.turns + turns) & 3) {
 	case 0:
-		return sin_small(r);
+		return sin_small(&r);
 	case 1:
-		return cos_small(r);
+		return cos_small(&r);
 	case 2:
-		return sin_small(-r);
+		return sum_neg(sin_small(&r));
 	default:
-		return sum_neg(cos_small(r));
+		return sum_neg(cos_small(&r));
 	}
 }
 
-struct sum sin_deg(double angle)
+struct sum sin_of(double angle, enum angle_unit unit)
 {
-	return sine(angle, 0);
+	return sine(angle, unit, 0);
 }
 
-struct sum cos_deg(double angle)
+struct sum cos_of(double angle, enum angle_unit unit)
 {
-	return sine(angle, 1);
+	return sine(angle, unit, 1);
 }
 
-/* 90 - angle is exact for angles of 45 and more, 180 - angle of 90 and more. */
-struct sum cot_deg(double angle)
+struct sum cot_of(double angle, enum angle_unit unit)
 {
-	if (angle == 45)
+	if (unit == DEGREES && angle == 45)
 		return sum_of_double(1);
-	if (angle > 45)
-		return sum_quotient(sin_deg(90 - angle), cos_deg(90 - angle));
-	return sum_quotient(cos_deg(angle), sin_deg(angle));
+	return sum_quotient(cos_of(angle, unit), sin_of(angle, unit));
 }
 
-struct sum cot_half_deg(double angle)
+struct sum cot_half_of(double angle, enum angle_unit unit)
 {
-	if (angle <= 90)
-		return cot_deg(angle / 2);
-	double a = (180 - angle) / 2;
-
-	return sum_quotient(sin_deg(a), cos_deg(a));
+	return cot_of(angle / 2, unit);
 }
 
 struct sum in_degrees(struct sum angle)

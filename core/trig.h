@@ -1,6 +1,5 @@
-/* Sine, cosine and cotangent of degrees, with more digits than are printed of
- * what is made of them. Exact where the result is rational: the arguments are
- * reduced exactly, in degrees. */
+/* Sine, cosine and cotangent, with more digits than are printed of what is made of
+ * them. Of degrees, which are reduced exactly, what is rational is exact. */
 #ifndef TRIG_H
 #define TRIG_H
 
@@ -9,14 +8,19 @@
 /* Relative, where the result is not exact. */
 #define TRIG_BOUND 0x1p-300
 
-/* Any finite angle. */
-struct sum sin_deg(double angle);
-struct sum cos_deg(double angle);
+/* The double nearest to pi, and the largest below it. */
+#define PI 0x1.921fb54442d18p+1
 
-/* Cotangent of an angle in (0, 90]; of half an angle in (0, 180), with all its
- * digits also near 180. */
-struct sum cot_deg(double angle);
-struct sum cot_half_deg(double angle);
+enum angle_unit { DEGREES, RADIANS };
+
+/* Any angle of degrees; radians up to 2^500. */
+struct sum sin_of(double angle, enum angle_unit);
+struct sum cos_of(double angle, enum angle_unit);
+
+/* Cotangent of an angle above 0 and up to a right one; of half an angle above 0 and
+ * below two right ones, with all its digits also near those. */
+struct sum cot_of(double angle, enum angle_unit);
+struct sum cot_half_of(double angle, enum angle_unit);
 
 /* An angle in radians. */
 struct sum in_degrees(struct sum angle);

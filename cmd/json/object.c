@@ -28,6 +28,18 @@ static const struct member *find(const struct member *row, int kind,
 	return NULL;
 }
 
+/* Whether the member of a document that is an object alone is the scene's. */
+static bool is_beside(const struct value *v, const struct member *table)
+{
+	const struct member *scene = v->source->scene;
+
+	if (v->in->in != NULL || table == scene)
+		return false;
+	const struct member *row = find(scene, 0, v->name);
+
+	return row != NULL && row->beside;
+}
+
 unsigned member_bit(const struct member *table, int kind, const char *name)
 {
 	const struct member *row = find(table, kind, name);
@@ -183,7 +195,7 @@ unsigned object_read(const struct value *v, const struct member *table,
 	struct value m = value_child(v);
 
 	for (; m.item != NULL; value_next(&m)) {
-		if (is_ignored(m.name))
+		if (is_ignored(m.name) || is_beside(&m, table))
 			continue;
 		unsigned bit = member_bit(table, kind, m.name);
 

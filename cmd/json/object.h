@@ -25,6 +25,8 @@ struct member {
 	/* Of a member of a scene: its own members, and an example of it. */
 	const struct member *members;
 	const char *example;
+	/* It may also stand in the document that is another of them alone. */
+	bool beside;
 };
 
 /* The ways in which members of an object can be combined. A way lists names
@@ -37,7 +39,7 @@ struct ways {
 
 /* Reads an object of that kind, 0 where there are no kinds, into the struct at
  * base. Returns the members it has, as bits in the order of the table. Members
- * that begin with _, and $schema, are passed over; any other that is unknown,
+ * that begin with _, $schema, and what may stand beside, are passed over; any other that is unknown,
  * of another kind, or repeated is refused. */
 unsigned object_read(const struct value *, const struct member *, int kind,
     void *base);

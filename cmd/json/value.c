@@ -98,6 +98,15 @@ struct value value_missing(const struct value *in, const char *name)
 	return (struct value){ .source = in->source, .in = in, .name = name };
 }
 
+bool value_member(const struct value *object, const char *name,
+    struct value *member)
+{
+	*member = value_child(object);
+	while (member->item != NULL && strcmp(member->name, name) != 0)
+		value_next(member);
+	return member->item != NULL;
+}
+
 bool value_is_object(const struct value *v)
 {
 	return cJSON_IsObject(v->item);

@@ -10,6 +10,7 @@
 struct source {
 	const char *name; /* of the file, for messages */
 	bool column;      /* nested rows of a matrix: for column vectors */
+	unsigned unit;    /* of angles */
 	bool fit;         /* what the command fit finds may be missing */
 	const struct member *scene; /* a scene's members, to suggest one */
 };
@@ -44,6 +45,9 @@ void value_next(struct value *);
 
 /* A member that an object lacks, for a message with its pointer. */
 struct value value_missing(const struct value *in, const char *name);
+
+/* Finds the member of that name; false if an object has none. */
+bool value_member(const struct value *object, const char *name, struct value *);
 
 bool value_is_object(const struct value *);
 bool value_is_array(const struct value *);

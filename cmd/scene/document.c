@@ -11,6 +11,7 @@
 /* The rows of scene_members: row i has bit i in enum scene_member. */
 enum {
 	CONVENTION,
+	ANGLE_UNIT,
 	WORLD,
 	CAMERA,
 	PROJECTION,
@@ -35,6 +36,12 @@ enum {
 
 static const struct member scene_members[SCENE_MEMBERS + 1] = {
 	MEMBER(CONVENTION, "convention", convention_members, NULL, "\"d3d\""),
+	[ANGLE_UNIT] = { .name = "angle_unit",
+	    .read = read_value,
+	    .at = ANGLE_UNIT * sizeof(struct value),
+	    .words = angle_units,
+	    .aliases = "angleunits unit units angles",
+	    .beside = true },
 	MEMBER(WORLD, "world", NULL, "model",
 	    "[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]"),
 	MEMBER(CAMERA, "camera", camera_members, "view",
@@ -136,13 +143,14 @@ static void take_points(const struct value *v, int coordinates,
 }
 
 /* Whether an object is to be read as the member bare of a scene: if it has none
- * of a scene's members itself. */
+ * of a scene's members itself, but for the unit of its angles. */
 static bool is_bare(const struct value *v, enum scene_member bare)
 {
 	struct value m = value_child(v);
 
 	for (; m.item != NULL; value_next(&m))
-		if (member_bit(scene_members, 0, m.name) != 0)
+		if ((member_bit(scene_members, 0, m.name) &
+			~(unsigned)SCENE_ANGLE_UNIT) != 0)
 			return false;
 	return bare != 0;
 }
@@ -163,6 +171,8 @@ static unsigned read_members(struct document *d, const struct value *root,
 				d->bare = scene_members[i].name;
 				m[i] = *root;
 			}
+	if (d->bare != NULL && value_member(root, "angle_unit", &m[ANGLE_UNIT]))
+		seen |= SCENE_ANGLE_UNIT;
 	for (int i = 0; i < SCENE_MEMBERS; i++)
 		m[i].unused = (w->used >> i & 1) == 0;
 	return seen;
@@ -227,6 +237,10 @@ void document_read(struct document *d, const char *name, char *text,
 	if (seen & SCENE_CONVENTION)
 		read_convention(&m[CONVENTION], &d->scene.convention);
 	source.column = d->scene.convention.column;
+	if (seen & SCENE_ANGLE_UNIT)
+		d->unit = (enum angle_unit)value_word(&m[ANGLE_UNIT],
+		    angle_units);
+	source.unit = d->unit;
 	check_needed(&root, w->needed & ~seen);
 	read_scene(d, w, m, seen);
 	if (seen & SCENE_POINTS && w->coordinates > 0)

@@ -10,15 +10,16 @@
 /* The members of a scene, as bits, to say which of them a command uses. */
 enum scene_member {
 	SCENE_CONVENTION = 1,
-	SCENE_WORLD = 2,
-	SCENE_CAMERA = 4,
-	SCENE_PROJECTION = 8,
-	SCENE_VIEWPORT = 16,
-	SCENE_WINDOW = 32,
-	SCENE_DEVICE = 64,
-	SCENE_POINTS = 128,
-	SCENE_BOUNDS = 256,
-	SCENE_PICK = 512,
+	SCENE_ANGLE_UNIT = 2,
+	SCENE_WORLD = 4,
+	SCENE_CAMERA = 8,
+	SCENE_PROJECTION = 16,
+	SCENE_VIEWPORT = 32,
+	SCENE_WINDOW = 64,
+	SCENE_DEVICE = 128,
+	SCENE_POINTS = 256,
+	SCENE_BOUNDS = 512,
+	SCENE_PICK = 1024,
 	/* what leads from model space to the device */
 	SCENE_SPATIAL = SCENE_WORLD | SCENE_CAMERA | SCENE_PROJECTION |
 	    SCENE_VIEWPORT,
@@ -32,6 +33,7 @@ struct pick {
 
 struct document {
 	struct scene scene;
+	enum angle_unit unit; /* of all its angles */
 	struct pick pick;
 	/* for fit: whether bounds are given, and whether the camera's eye is */
 	bool has_bounds, has_eye;

@@ -164,7 +164,8 @@ const struct member pick_members[] = {
 
 bool read_camera(const struct value *v, struct camera *c)
 {
-	*c = (struct camera){ .up = { 0, 1, 0 } };
+	*c = (struct camera){ .up = { 0, 1, 0 },
+		.unit = (enum angle_unit)v->source->unit };
 	unsigned seen = object_read(v, camera_members, 0, c);
 
 	c->by = (unsigned)object_way(v, camera_members, 0, seen,

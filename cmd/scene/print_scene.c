@@ -125,7 +125,8 @@ static void put_shear(struct printer *p, const struct projection *q)
 	else
 		put_string_member(p, "kind",
 		    oblique_kinds[q->kind - OBLIQUE_CAVALIER]);
-	put_unless(p, "direction", q->direction, 45);
+	if (q->direction != 45 || q->direction_unit == RADIANS)
+		put_number_member(p, "direction", q->direction);
 	put_unless(p, "plane", q->plane, 0);
 }
 
@@ -221,6 +222,10 @@ void print_scene(const struct document *d)
 
 	put_open(&p, "{");
 	put_convention(&p, &s->convention);
+	if (d->unit == RADIANS) {
+		put_name_on_new_line(&p, "angle_unit");
+		put_string(&p, angle_units[RADIANS]);
+	}
 	if (s->has_world)
 		put_world(&p, s->world, s->convention.column);
 	put_camera(&p, &s->camera);

@@ -5,14 +5,21 @@
 
 #include "../escape.h"
 
-/* The largest doubles below 180 and below 1: ranges include their limits. */
+/* The largest doubles below 180 and below 1: ranges include their limits. PI and
+ * its half are the largest doubles below what they stand for. */
 #define BELOW_180 0x1.67fffffffffffp+7
 #define BELOW_1 0x1.fffffffffffffp-1
 
-static const struct range opening = { SIZE_MIN, BELOW_180,
-	"an angle above 0 and below 180 degrees is wanted" };
-static const struct range slope = { SIZE_MIN, 90,
-	"an angle above 0 and up to 90 degrees is wanted" };
+static const struct range opening[] = {
+	{ SIZE_MIN, BELOW_180,
+	    "an angle above 0 and below 180 degrees is wanted" },
+	{ SIZE_MIN, PI, "an angle above 0 and below pi radians is wanted" },
+};
+static const struct range slope[] = {
+	{ SIZE_MIN, 90, "an angle above 0 and up to 90 degrees is wanted" },
+	{ SIZE_MIN, PI / 2,
+	    "an angle above 0 and up to pi/2 radians is wanted" },
+};
 static const struct range fraction = { SIZE_MIN, BELOW_1,
 	"a number above 0 and below 1 is wanted" };
 
@@ -38,6 +45,13 @@ enum {
 		.range = within, .kinds = of, .aliases = other    \
 	}
 
+#define ANGLE(of, label, m, within, other)                             \
+	{                                                              \
+		.name = label, .read = read_angle,                     \
+		.at = offsetof(struct projection, m), .range = within, \
+		.kinds = of, .aliases = other                          \
+	}
+
 static void read_type(const struct value *v, const struct member *row, void *to)
 {
 	struct projection *p = to;
@@ -50,6 +64,16 @@ static void read_kind(const struct value *v, const struct member *row, void *to)
 	struct projection *p = to;
 
 	p->kind = OBLIQUE_CAVALIER + (unsigned)value_word(v, row->words);
+}
+
+/* Where it is not given it is 45 degrees in any unit. */
+static void read_direction(const struct value *v, const struct member *row,
+    void *to)
+{
+	struct projection *p = to;
+
+	read_numbers(v, row, &p->direction);
+	p->direction_unit = p->unit;
 }
 
 #define FAR "a number or \"infinity\""
@@ -86,10 +110,11 @@ const struct member projection_members[] = {
 	    .kinds = SECTIONED,
 	    .at = offsetof(struct projection, reverse_z),
 	    .aliases = "reversed" },
-	OF(PERSP, "fovy", angle, 0, &opening,
-	    "fov yfov verticalfov fieldofview"),
-	OF(PERSP, "fovx", angle, 0, &opening, "xfov horizontalfov hfov"),
-	OF(PERSP, "view_angle", angle, 0, &opening, "angle"),
+	ANGLE(PERSP, "fovy", angle, opening,
+	    "fov yfov verticalfov fieldofview cameraangley"),
+	ANGLE(PERSP, "fovx", angle, opening,
+	    "xfov horizontalfov hfov cameraanglex"),
+	ANGLE(PERSP, "view_angle", angle, opening, "angle"),
 	OF(PERSP, "field", angle, 0, &range_positive, NULL),
 	OF(SECTIONED, "aspect", aspect, 0, &range_positive,
 	    "ratio aspectratio"),
@@ -104,8 +129,8 @@ const struct member projection_members[] = {
 	    .read = read_kind,
 	    .words = oblique_kinds,
 	    .kinds = OBLIQUE },
-	OF(OBLIQUE, "angle", projector, 0, &slope, NULL),
-	OF(OBLIQUE, "direction", direction, 0, NULL, NULL),
+	ANGLE(OBLIQUE, "angle", projector, slope, NULL),
+	{ .name = "direction", .read = read_direction, .kinds = OBLIQUE },
 	OF(OBLIQUE, "plane", plane, 0, NULL, NULL),
 	OF(VOLUME, "half_width", half_width, 0, &range_positive, NULL),
 	OF(VOLUME, "half_height", half_height, 0, &range_positive, NULL),
@@ -260,7 +285,9 @@ static void find_type(const struct value *v, int implied, struct projection *p)
 void read_projection(const struct value *v, int implied,
     const struct viewport *viewport, struct projection *p)
 {
-	*p = (struct projection){ .near_ratio = 0.0005, .direction = 45 };
+	*p = (struct projection){ .near_ratio = 0.0005,
+		.direction = 45,
+		.unit = (enum angle_unit)v->source->unit };
 	value_want_object(v);
 	find_type(v, implied, p);
 	int kind = (int)p->type - 1; /* as in projection_types */

@@ -17,6 +17,13 @@ void read_numbers(const struct value *v, const struct member *row, void *out)
 		value_numbers(v, range, row->n, out);
 }
 
+const char *const angle_units[] = { "degrees", "radians", NULL };
+
+void read_angle(const struct value *v, const struct member *row, void *out)
+{
+	*(double *)out = value_number(v, &row->range[v->source->unit]);
+}
+
 void read_flag(const struct value *v, const struct member *row, void *out)
 {
 	(void)row;

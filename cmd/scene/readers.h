@@ -10,6 +10,12 @@ void read_value(const struct value *, const struct member *, void *);
 /* A number, or an array of n numbers, to double. */
 void read_numbers(const struct value *, const struct member *, void *);
 
+/* An angle, to double; range is a pair, for degrees and for radians. */
+void read_angle(const struct value *, const struct member *, void *);
+
+/* In the order of enum angle_unit; NULL ends them. */
+extern const char *const angle_units[];
+
 /* true or false, to bool. */
 void read_flag(const struct value *, const struct member *, void *);
 

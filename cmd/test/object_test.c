@@ -112,7 +112,8 @@ static const struct refusal names[] = {
 	    "\"roll\" and "
 	    "\"orthonormalize\"" },
 	{ &project, "{\"qqq\":1}",
-	    "/qqq: unknown member; there are \"convention\", \"world\", "
+	    "/qqq: unknown member; there are \"convention\", \"angle_unit\", "
+	    "\"world\", "
 	    "\"camera\", \"projection\", \"viewport\", \"window\", \"device\", "
 	    "\"points\", \"bounds\" and \"pick\"" },
 	{ &lookat, "{\"qq~/\\u001b\\u009b\\n\":1}",

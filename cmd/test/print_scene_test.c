@@ -23,8 +23,10 @@ static void sample_fitted(struct document *d)
 	p->extent = sample_below(2) ? EXTENT_SIZE : EXTENT_EDGES;
 	if (p->type == PROJECTION_PERSP && sample_below(2))
 		p->extent = sample_below(4);
-	if (p->extent == EXTENT_FIELD || !(p->angle < 180))
-		p->angle = 60;
+	d->unit = s->camera.unit = p->direction_unit = p->unit;
+	if (p->extent == EXTENT_FIELD ||
+	    !(p->angle < (p->unit == RADIANS ? PI : 180)))
+		p->angle = 1;
 	p->near = sample_size(3);
 	p->far = p->near * 3;
 	p->aspect[0] = 1.25;

@@ -105,6 +105,22 @@ static const struct refusal projections[] = {
 	{ &volume, "{" BOX ",\"z_far\":2,\"eye\":[0,0,1],\"tan_skew\":[0,0]}",
 	    "/eye: not together with \"tan_skew\"; give \"eye\", or "
 	    "\"inverse_eye_z\" and \"tan_skew\"" },
+	{ &persp, "{\"angle_unit\":\"radians\",\"fovy\":3.2}",
+	    "/fovy: 3.2 is out of range; an angle above 0 and below pi radians "
+	    "is wanted" },
+	{ &persp, "{\"angle_unit\":\"gons\",\"fovy\":1}",
+	    "/angle_unit: is \"gons\"; \"degrees\" or \"radians\" is wanted" },
+	{ &project,
+	    "{\"projection\":{\"type\":\"oblique\",\"angle\":1.6},"
+	    "\"angle_unit\":\"radians\"}",
+	    "/projection/angle: 1.6 is out of range; an angle above 0 and up "
+	    "to "
+	    "pi/2 radians is wanted" },
+	{ &project,
+	    "{\"projection\":{\"type\":\"ortho\",\"angle_unit\":\"degrees\"}}",
+	    "/projection/angle_unit: unknown member; there are \"type\", "
+	    "\"near\", \"far\", \"reverse_z\", \"aspect\", \"width\", "
+	    "\"height\", \"left\", \"right\", \"bottom\" and \"top\"" },
 	{ &project, "{\"projection\":{\"type\":\"matrix\"}}",
 	    "/projection/matrix: missing; give \"matrix\"" },
 };
@@ -180,6 +196,39 @@ static void test_parallel(void **state)
 	assert_true(p.projector == 90);
 }
 
+/* Of the scene, wherever it stands in it, or beside the members of one alone. */
+static void test_angle_unit(void **state)
+{
+#define LENS "\"fovy\":3,\"aspect\":1," PLANES
+	struct document d = read_as(&persp,
+	    "{" LENS ",\"angle_unit\":\"radians\"}");
+
+	(void)state;
+	assert_true(d.scene.projection.unit == RADIANS);
+	assert_true(d.scene.projection.angle == 3 && d.unit == RADIANS);
+	d = read_as(&project,
+	    "{\"projection\":{\"type\":\"persp\"," LENS "},\"angle_unit\":"
+	    "\"radians\",\"camera\":{\"eye\":[0,0,0],\"at\":[0,0,1],\"roll\":2}"
+	    "}");
+	assert_true(d.scene.projection.unit == RADIANS);
+	assert_true(d.scene.camera.unit == RADIANS);
+	d = read_as(&persp, "{" LENS ",\"angle_unit\":\"degrees\"}");
+	assert_true(d.scene.projection.unit == DEGREES);
+	/* the usual direction is one of degrees */
+	struct projection p = scene_of(
+	    "{\"angle_unit\":\"radians\","
+	    "\"projection\":{\"type\":\"oblique\","
+	    "\"kind\":\"cabinet\"," PLANES ",\"width\":1,\"height\":1}}")
+				  .projection;
+
+	assert_true(p.direction == 45 && p.direction_unit == DEGREES);
+	p = scene_of("{\"projection\":{\"type\":\"oblique\",\"direction\":1,"
+		     "\"kind\":\"cabinet\"," PLANES
+		     ",\"width\":1,\"height\":1},\"angle_unit\":\"radians\"}")
+		.projection;
+	assert_true(p.direction == 1 && p.direction_unit == RADIANS);
+}
+
 static void test_volume(void **state)
 {
 #define VOLUME(members)                                                      \
@@ -206,6 +255,7 @@ int main(void)
 		cmocka_unit_test(test_projections),
 		cmocka_unit_test(test_section),
 		cmocka_unit_test(test_parallel),
+		cmocka_unit_test(test_angle_unit),
 		cmocka_unit_test(test_volume),
 	};
 

@@ -39,7 +39,7 @@ my $beyond = qr{
 	less\ than\ min | single\ point | parallel\ to | does\ not\ run |
 	what\ holds\ them | no\ points\ to | crosses\ the\ volume |
 	repeated; |
-	singular | determinant | last\ column | transposed | too\ far\ from |
+	singular | determinant | last\ column | transposed | pi\S*\ radians | too\ far\ from |
 	beyond\ the\ range\ of\ doubles
 	    (?!;\ numbers) |
 	missing;\ (?:add|it\ is|device|say) |
@@ -63,7 +63,9 @@ sub as_scene {
 	my $type = $bare eq 'projection' && $text !~ /"type"/ ?
 	    "{\"type\": \"$command\"" .
 	    ($text =~ /^\s*\{\s*\}\s*$/ ? '' : ',') : '{';
-	return "{\"$bare\": " . $text =~ s/^\s*\{/$type/r . '}';
+	# What stands beside its members is the scene's.
+	my $unit = $text =~ s/\s*("angle_unit":\s*"\w*"),?// ? "$1," : '';
+	return "{$unit\"$bare\": " . $text =~ s/^\s*\{/$type/r . '}';
 }
 
 # The documents of a shell command: in quotes, named, or on standard input.

@@ -76,27 +76,28 @@ real number_dd(dd a)
 	return add(number(a.hi), number(a.lo));
 }
 
-static real radians(double angle, int part)
+static real in_radians(double angle, bool radians, int part)
 {
 	real pi = fresh();
 
 	mpfr_const_pi(pi, MPFR_RNDN);
-	return over(mul(number(angle), pi), number(180.0 * part));
+	return radians ? over(number(angle), number(part)) :
+			 over(mul(number(angle), pi), number(180.0 * part));
 }
 
-real sine(double angle)
+real sine(double angle, bool radians)
 {
-	return sine_of(radians(angle, 1));
+	return sine_of(in_radians(angle, radians, 1));
 }
 
-real cosine(double angle)
+real cosine(double angle, bool radians)
 {
-	return cosine_of(radians(angle, 1));
+	return cosine_of(in_radians(angle, radians, 1));
 }
 
-real cotangent(double angle, int part)
+real cotangent(double angle, bool radians, int part)
 {
-	return cotangent_of(radians(angle, part));
+	return cotangent_of(in_radians(angle, radians, part));
 }
 
 void set(real r[], int n, const double a[])

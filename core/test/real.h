@@ -29,10 +29,10 @@ real negative(real a);
 real magnitude(real a);
 real root(real a);
 
-/* Of an angle in degrees, the cotangent of angle / part. */
-real sine(double angle);
-real cosine(double angle);
-real cotangent(double angle, int part);
+/* Of an angle in degrees or radians, the cotangent of angle / part. */
+real sine(double angle, bool radians);
+real cosine(double angle, bool radians);
+real cotangent(double angle, bool radians, int part);
 
 void set(real r[], int n, const double a[]); /* NULL: zeros */
 void set_matrix(real r[4][4], double m[4][4]);

@@ -136,6 +136,7 @@ void sample_camera(struct camera *c, int e)
 		stand_far(c);
 	if (e > 0 && c->by < CAMERA_ORIENTATION && sample_below(2))
 		look_along(c);
+	c->unit = sample_below(4) == 0 ? RADIANS : DEGREES;
 	if (sample_below(3) == 0)
 		c->roll = 15 * whole(24);
 	else if (sample_below(2))
@@ -250,6 +251,21 @@ static void seven(struct projection *p, int e)
 	p->has_eye = sample_below(2);
 }
 
+/* About as wide, and as near to a right angle, in degrees, as in radians. */
+static void in_radians(struct projection *p)
+{
+	double *const angles[] = { &p->angle, &p->projector, &p->direction };
+
+	p->unit = sample_below(4) == 0 ? RADIANS : DEGREES;
+	p->direction_unit = p->unit;
+	for (int i = 0; i < 3 && p->unit == RADIANS; i++)
+		if (i > 0 || p->extent <= EXTENT_VIEW_ANGLE)
+			*angles[i] = fmin(*angles[i] * (PI / 180),
+			    i == 0     ? PI :
+				i == 1 ? PI / 2 :
+					 HUGE_VAL);
+}
+
 void sample_projection(struct projection *p, int e)
 {
 
@@ -272,6 +288,7 @@ void sample_projection(struct projection *p, int e)
 	p->kind = sample_below(3);
 	p->projector = angle(e) / 2;
 	p->direction = 15 * whole(24);
+	in_radians(p);
 	for (int i = 0; i < 4; i++) {
 		vector(p->matrix[i], e);
 		p->matrix[i][3] = sample_below(2) ? i == 3 : ordinary();

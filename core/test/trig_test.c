@@ -13,28 +13,28 @@ static void check(struct sum got, real exact)
 	worst = fmax(worst, fabs(e));
 }
 
-static void check_turn(double angle)
+static void check_turn(double angle, enum angle_unit unit)
 {
 	int mark = real_mark();
 
 	/* The quarter turns, where one of them is 0, are in exact_ones. */
-	if (fmod(angle, 90) != 0) {
-		check(sin_deg(angle), sine(angle));
-		check(cos_deg(angle), cosine(angle));
-		assert_int_equal(sum_sign(
-				     sum_add(sin_deg(angle), sin_deg(-angle))),
+	if (unit == RADIANS || fmod(angle, 90) != 0) {
+		check(sin_of(angle, unit), sine(angle, unit));
+		check(cos_of(angle, unit), cosine(angle, unit));
+		assert_int_equal(sum_sign(sum_add(sin_of(angle, unit),
+				     sin_of(-angle, unit))),
 		    0);
 	}
 	real_release(mark);
 }
 
-static void check_cot(double angle)
+static void check_cot(double angle, enum angle_unit unit)
 {
 	int mark = real_mark();
 
-	if (angle < 90)
-		check(cot_deg(angle), cotangent(angle, 1));
-	check(cot_half_deg(angle), cotangent(angle, 2));
+	if (angle < (unit == RADIANS ? PI / 2 : 90))
+		check(cot_of(angle, unit), cotangent(angle, unit, 1));
+	check(cot_half_of(angle, unit), cotangent(angle, unit, 2));
 	real_release(mark);
 }
 
@@ -44,16 +44,16 @@ static void every_angle(void **state)
 	worst = 0;
 	sample_seed(1);
 	for (double a = -720; a <= 720; a += 7.5)
-		check_turn(a);
+		check_turn(a, DEGREES);
 	for (int i = -450; i <= 450; i++)
-		check_turn(i * 0.8 + 0.1);
+		check_turn(i * 0.8 + 0.1, DEGREES);
 	for (int k = 0; k < 60; k++) {
-		check_turn(45 + ldexp(1, -k));
-		check_turn(180 - ldexp(1, -k));
-		check_turn(nextafter(45, k % 2 * 90) + 90 * k);
+		check_turn(45 + ldexp(1, -k), DEGREES);
+		check_turn(180 - ldexp(1, -k), DEGREES);
+		check_turn(nextafter(45, k % 2 * 90) + 90 * k, DEGREES);
 	}
 	for (int i = 0; i < 200; i++)
-		check_turn(sample_number(150));
+		check_turn(sample_number(150), DEGREES);
 	claim("sine and cosine", worst, TRIG_BOUND);
 }
 
@@ -63,16 +63,16 @@ static void every_cotangent(void **state)
 	worst = 0;
 	sample_seed(2);
 	for (int i = 1; i < 1800; i += 2)
-		check_cot(i / 10.0);
+		check_cot(i / 10.0, DEGREES);
 	for (double a = 7.5; a < 180; a += 7.5)
-		check_cot(a);
+		check_cot(a, DEGREES);
 	for (int k = 0; k < 46; k++) {
-		check_cot(180 - ldexp(1, -k));
-		check_cot(90 - ldexp(1, -k));
+		check_cot(180 - ldexp(1, -k), DEGREES);
+		check_cot(90 - ldexp(1, -k), DEGREES);
 	}
-	check_cot(179.9999999999);
+	check_cot(179.9999999999, DEGREES);
 	for (int i = 0; i < 200; i++)
-		check_cot(pow(10, sample_between(-150, 2)));
+		check_cot(pow(10, sample_between(-150, 2)), DEGREES);
 	claim("cotangent", worst, TRIG_BOUND);
 }
 
@@ -80,6 +80,40 @@ static void equals(struct sum got, double expected)
 {
 	assert_int_equal(ex_compare(got.value, ex_of(expected)), 0);
 	assert_true(got.size.m == 0);
+}
+
+/* As other programs write them, next to where one of them is 0, and the one that is
+ * nearest to such of all doubles. */
+static void every_radian(void **state)
+{
+	(void)state;
+	worst = 0;
+	sample_seed(3);
+	for (int i = -600; i <= 600; i++)
+		if (i != 0)
+			check_turn(i / 50.0, RADIANS);
+	for (int i = 1; i < 300; i++) {
+		check_turn(PI / 2 * i, RADIANS);
+		check_turn(nextafter(PI / 4 * i, i % 2 * 1e9), RADIANS);
+		check_turn(-ldexp(PI / 2, i), RADIANS);
+		check_turn(sample_number(150), RADIANS);
+		check_turn(ldexp(1 + sample_unit(), i), RADIANS);
+		check_cot(i / 100.0, RADIANS);
+		check_cot(pow(10, -i / 2.0), RADIANS);
+	}
+	check_turn(ldexp(6381956970095103, -500), RADIANS);
+	check_turn(ldexp(6381956970095103, 400), RADIANS);
+	check_turn(1e150, RADIANS);
+	check_cot(PI, RADIANS);
+	check_cot(nextafter(PI, 0), RADIANS);
+	check_cot(PI / 2, RADIANS);
+	claim("of radians", worst, TRIG_BOUND);
+	assert_true(sum_sign(sin_of(0, RADIANS)) == 0);
+	assert_true(sum_double(cos_of(0, RADIANS)) == 1);
+	assert_true(
+	    sum_double(cos_of(PI / 2, RADIANS)) == 0x1.1a62633145c07p-54);
+	assert_true(
+	    sum_double(cot_half_of(PI, RADIANS)) == 0x1.1a62633145c07p-54);
 }
 
 static void exact_ones(void **state)
@@ -92,15 +126,15 @@ static void exact_ones(void **state)
 		double s = sines[(i + 48) % 12], c = sines[(i + 51) % 12];
 
 		if (s != 2)
-			equals(sin_deg(30 * i), s);
+			equals(sin_of(30 * i, DEGREES), s);
 		if (c != 2)
-			equals(cos_deg(30 * i), c);
+			equals(cos_of(30 * i, DEGREES), c);
 	}
-	equals(cot_deg(45), 1);
-	equals(cot_deg(90), 0);
-	equals(cot_half_deg(90), 1);
-	equals(sin_deg(360 * 0x1p400), 0);
-	equals(cos_deg(360 * 0x1p400), 1);
+	equals(cot_of(45, DEGREES), 1);
+	equals(cot_of(90, DEGREES), 0);
+	equals(cot_half_of(90, DEGREES), 1);
+	equals(sin_of(360 * 0x1p400, DEGREES), 0);
+	equals(cos_of(360 * 0x1p400, DEGREES), 1);
 }
 
 int main(void)
@@ -108,6 +142,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(every_angle),
 		cmocka_unit_test(every_cotangent),
+		cmocka_unit_test(every_radian),
 		cmocka_unit_test(exact_ones),
 	};
 

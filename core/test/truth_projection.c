@@ -37,13 +37,13 @@ static void cross_section(const struct projection *p, real n, real s[2],
 	set(off, 2, NULL);
 	switch (p->extent) {
 	case EXTENT_FOVY:
-		by_aspect(p, false, cotangent(p->angle, 2), s);
+		by_aspect(p, false, cotangent(p->angle, p->unit, 2), s);
 		break;
 	case EXTENT_FOVX:
-		by_aspect(p, true, cotangent(p->angle, 2), s);
+		by_aspect(p, true, cotangent(p->angle, p->unit, 2), s);
 		break;
 	case EXTENT_VIEW_ANGLE:
-		by_aspect(p, !wide, cotangent(p->angle, 2), s);
+		by_aspect(p, !wide, cotangent(p->angle, p->unit, 2), s);
 		break;
 	case EXTENT_FIELD:
 		by_aspect(p, wide, over(ONE, number(p->angle)), s);
@@ -121,10 +121,10 @@ static void shear(const struct projection *p, bool right_handed, real m[4][4])
 {
 	real cot = p->kind == OBLIQUE_CAVALIER ? ONE :
 	    p->kind == OBLIQUE_CABINET         ? number(0.5) :
-						 cotangent(p->projector, 1);
+					 cotangent(p->projector, p->unit, 1);
 
-	m[2][0] = mul(cot, cosine(p->direction));
-	m[2][1] = mul(cot, sine(p->direction));
+	m[2][0] = mul(cot, cosine(p->direction, p->direction_unit));
+	m[2][1] = mul(cot, sine(p->direction, p->direction_unit));
 	for (int j = 0; j < 2; j++) {
 		m[3][j] = negative(mul(m[2][j], number(p->plane)));
 		if (right_handed)

@@ -105,9 +105,9 @@ static void camera(struct truth *t, const struct camera *c,
 	struct truth_stage *roll = truth_stage(t);
 
 	/* Rz = [cos sin; -sin cos] */
-	roll->m[0][0] = roll->m[1][1] = cosine(c->roll);
-	roll->m[0][1] = sine(c->roll);
-	roll->m[1][0] = negative(sine(c->roll));
+	roll->m[0][0] = roll->m[1][1] = cosine(c->roll, c->unit);
+	roll->m[0][1] = sine(c->roll, c->unit);
+	roll->m[1][0] = negative(sine(c->roll, c->unit));
 	if (down)
 		truth_half_turn(t);
 }
