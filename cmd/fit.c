@@ -87,6 +87,10 @@ int run_fit(const struct command *c, const struct options *o)
 
 	j.with = &d.bounds;
 	read_document(c, o, 3, &d);
+	if (d.scene.answer != NULL)
+		document_refuse(&d,
+		    "/convention: is not that of -c; fit prints the scene in "
+		    "its own, so leave -c out");
 	if (d.has_bounds && o->n_points > 0)
 		document_refuse(&d,
 		    "/bounds: not together with POINTS; fit holds "

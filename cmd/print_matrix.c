@@ -75,7 +75,7 @@ void print_matrix(const struct options *o, const struct document *d,
 	static char text[16 * (NUMBER_MAX + 2) + 64];
 	bool single = o->accuracy.precision == PRECISION_SINGLE;
 	bool floats = single || o->out == FORMAT_F32;
-	bool column = d->scene.convention.column;
+	bool column = answer_convention(&d->scene)->column;
 	struct printer p = { .at = text,
 		.style = o->style,
 		.single = single,

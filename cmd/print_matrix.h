@@ -5,7 +5,7 @@
 #include "options.h"
 
 /* Prints the matrix of a map, 4x4 or, if flat, 3x3, for row or column vectors
- * as the document's convention says, in the format and precision of the
+ * as the convention of the answer says, in the format and precision of the
  * options. */
 void print_matrix(const struct options *, const struct document *,
     const struct map *, bool flat);

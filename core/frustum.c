@@ -26,8 +26,8 @@ static void combine(struct map *r, int j, const struct map *m, bool minus,
 static void planes(const struct scene *s, const struct map *m,
     struct map *sides, struct map *ends)
 {
-	const struct convention *c = &s->convention;
-	bool reversed = projection_is_reversed(&s->projection, c);
+	const struct convention *c = answer_convention(s);
+	bool reversed = projection_is_reversed(&s->projection, &s->convention);
 	struct sum limit[2];
 
 	limits(s, limit);
@@ -99,8 +99,15 @@ const char *view_corner(const struct scene *s, const struct map *from_view,
 	limits(s, side);
 	side[0] = sum_mul(side[0], sum_of_double(right[corner % 4]));
 	side[1] = sum_mul(side[1], sum_of_double(up[corner % 4]));
-	const char *why = projection_corner(&s->projection, &s->convention,
-	    side, corner >= 4, v);
+	const struct convention *given = &s->convention;
+	const struct convention *answer = answer_convention(s);
+	const char *why = projection_corner(&s->projection, given, side,
+	    corner >= 4, v);
+
+	if (why == NULL && given->view_y_down != answer->view_y_down)
+		v[1] = sum_neg(v[1]);
+	if (why == NULL && looks_back(given) != looks_back(answer))
+		v[2] = sum_neg(v[2]);
 
 	for (int j = 0; j < 4 && why == NULL; j++) {
 		h[j] = sum_of_double(0);

@@ -43,12 +43,17 @@ static const char *near_plane(const struct scene *s, struct sum *near,
 	return NULL;
 }
 
-const char *picker_of(const struct scene *s, const struct transform *to_device,
-    struct picker *k)
+/* Distances are the same in every convention; they are measured in the scene's. */
+const char *picker_of(const struct scene *given,
+    const struct transform *to_device, struct picker *k)
 {
+	struct scene own = *given;
+	const struct scene *s = &own;
 	struct map *view = &k->depth.map;
 	struct sum near;
 	bool upward;
+
+	own.answer = NULL;
 	const char *why = near_plane(s, &near, &upward);
 
 	k->to_device = to_device;

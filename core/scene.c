@@ -17,36 +17,90 @@ static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 	return NULL;
 }
 
-/* The map of one stage, from the space below to the one above or back. */
-static const char *stage_map(const struct scene *s, enum space below,
-    bool inverse, struct map *r)
-{
-	const struct convention *c = &s->convention;
-
-	map_identity(r);
-	switch (below) {
-	case SPACE_MODEL:
-		return world_map(s, inverse, r);
-	case SPACE_WORLD:
-		return s->has_camera ? camera_map(&s->camera, c, inverse, r) :
-				       NULL;
-	case SPACE_VIEW:
-		return projection_map(&s->projection, c, inverse, r);
-	case SPACE_NDC:
-		if (!s->has_viewport)
-			return "/viewport: missing; device coordinates need "
-			       "one, or use the space ndc";
-		return viewport_map(&s->viewport, c, inverse, r);
-	default: /* clip to ndc: only the division */
-		return NULL;
-	}
-}
-
 static void then(struct map *r, const struct map *stage, bool back)
 {
 	struct map before = *r;
 
 	map_then(back ? stage : &before, back ? &before : stage, r);
+}
+
+/* A space from one convention to another: axes of view point the other way, and so
+ * may y of clip space, where depth from 0 to w is 2 z - w from -w to w. Other spaces
+ * are the same. */
+static void across(enum space space, const struct convention *from,
+    const struct convention *to, struct map *r)
+{
+	bool view = space == SPACE_VIEW, clip = space == SPACE_CLIP;
+
+	map_identity(r);
+	if ((view && from->view_y_down != to->view_y_down) ||
+	    (clip && from->ndc_y_down != to->ndc_y_down))
+		r->m[1][1] = sum_of_double(-1);
+	if (view && looks_back(from) != looks_back(to))
+		r->m[2][2] = sum_of_double(-1);
+	if (clip && from->minus_one != to->minus_one) {
+		r->m[2][2] = sum_of_double(to->minus_one ? 2 : 0.5);
+		r->m[3][2] = sum_of_double(to->minus_one ? -1 : 0.5);
+	}
+}
+
+/* What leads from the space low to high, or back, as the scene's convention has
+ * them, in that of the answer. */
+static void answer(const struct scene *s, enum space low, enum space high,
+    bool inverse, struct map *r)
+{
+	const struct convention *c = &s->convention;
+	struct map before, after;
+
+	if (s->answer == NULL)
+		return;
+	across(inverse ? high : low, s->answer, c, &before);
+	across(inverse ? low : high, c, s->answer, &after);
+	then(r, &before, true);
+	then(r, &after, false);
+}
+
+static const char *camera(const struct scene *s, bool inverse, struct map *r)
+{
+	const char *why = s->has_camera ?
+	    camera_map(&s->camera, &s->convention, inverse, r) :
+	    NULL;
+
+	answer(s, SPACE_WORLD, SPACE_VIEW, inverse, r);
+	return why;
+}
+
+static const char *projection(const struct scene *s, bool inverse,
+    struct map *r)
+{
+	const char *why = projection_map(&s->projection, &s->convention,
+	    inverse, r);
+
+	answer(s, SPACE_VIEW, SPACE_CLIP, inverse, r);
+	return why;
+}
+
+/* The map of one stage, from the space below to the one above or back. */
+static const char *stage_map(const struct scene *s, enum space below,
+    bool inverse, struct map *r)
+{
+	map_identity(r);
+	switch (below) {
+	case SPACE_MODEL:
+		return world_map(s, inverse, r);
+	case SPACE_WORLD:
+		return camera(s, inverse, r);
+	case SPACE_VIEW:
+		return projection(s, inverse, r);
+	case SPACE_NDC:
+		if (!s->has_viewport)
+			return "/viewport: missing; device coordinates need "
+			       "one, or use the space ndc";
+		return viewport_map(&s->viewport, answer_convention(s), inverse,
+		    r);
+	default: /* clip to ndc: only the division */
+		return NULL;
+	}
 }
 
 const char *scene_map(const struct scene *s, enum space from, enum space to,

@@ -27,7 +27,10 @@ enum flat { FLAT_WINDOW, FLAT_NDC, FLAT_DEVICE };
 /* A document, as it was read; members that were not there have has_... false
  * or their default. */
 struct scene {
-	struct convention convention;
+	struct convention convention; /* by which all its numbers are read */
+	/* By which view, clip and ndc space and the device are wanted, where that
+	 * is another; else NULL. */
+	const struct convention *answer;
 	bool has_world, has_camera, has_viewport, has_window, has_device;
 	double world[4][4]; /* model to world, row vectors, affine */
 	struct camera camera;
@@ -36,6 +39,11 @@ struct scene {
 	struct window window;
 	struct device device;
 };
+
+static inline const struct convention *answer_convention(const struct scene *s)
+{
+	return s->answer != NULL ? s->answer : &s->convention;
+}
 
 /* The composed map between any two spaces: the stages, from their parameters
  * in either direction, multiplied out as sums, exactly or all but (sum.h).

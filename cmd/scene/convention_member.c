@@ -1,5 +1,6 @@
 #include "convention_member.h"
 
+#include <string.h>
 #include <strings.h>
 
 #include "readers.h"
@@ -49,6 +50,11 @@ const struct member convention_members[] = {
 	SECOND("origin", origins, bottom_left),
 	{ .name = NULL },
 };
+
+bool same_convention(const struct convention *a, const struct convention *b)
+{
+	return memcmp(a, b, sizeof *a) == 0;
+}
 
 /* By its letters "opengl" is nearest to "opencv". */
 static int read_name(const struct value *v)

@@ -21,6 +21,8 @@ extern const char *const convention_names[CONVENTIONS + 1]; /* NULL ends */
  * struct convention, with two words: d3d's, for false, and the other. */
 extern const struct member convention_members[];
 
+bool same_convention(const struct convention *, const struct convention *);
+
 /* Reads a name, or an object of what differs from d3d. */
 void read_convention(const struct value *, struct convention *);
 

@@ -236,6 +236,9 @@ void document_read(struct document *d, const char *name, char *text,
 	    conventions[CONVENTION_D3D];
 	if (seen & SCENE_CONVENTION)
 		read_convention(&m[CONVENTION], &d->scene.convention);
+	if (w->convention != NULL &&
+	    !same_convention(w->convention, &d->scene.convention))
+		d->scene.answer = w->convention;
 	source.column = d->scene.convention.column;
 	if (seen & SCENE_ANGLE_UNIT)
 		d->unit = (enum angle_unit)value_word(&m[ANGLE_UNIT],
@@ -248,8 +251,6 @@ void document_read(struct document *d, const char *name, char *text,
 		    &d->points_size);
 	else if (seen & SCENE_POINTS)
 		check_points(&m[POINTS], 0);
-	if (w->convention != NULL)
-		d->scene.convention = *w->convention;
 	value_free(&root);
 }
 

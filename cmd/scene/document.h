@@ -63,7 +63,8 @@ struct document_wants {
 	/* For fit: what it finds may be missing, that is the camera's eye,
 	 * near, far, and the sizes of a parallel projection. */
 	bool fit;
-	/* The convention to take instead of the document's, or NULL. */
+	/* The convention of the answer, and of a document that has none; or
+	 * NULL. */
 	const struct convention *convention;
 	/* How many each point has; 0 if the command doesn't read them from the
 	 * document. */

@@ -40,15 +40,6 @@ static bool convention_has(const struct convention *c, const struct member *m)
 	return *(const bool *)((const char *)c + m->at);
 }
 
-static bool same_convention(const struct convention *a,
-    const struct convention *b)
-{
-	for (const struct member *m = convention_members; m->name != NULL; m++)
-		if (convention_has(a, m) != convention_has(b, m))
-			return false;
-	return true;
-}
-
 /* By name, or by what differs from d3d. */
 static void put_convention(struct printer *p, const struct convention *c)
 {

@@ -139,11 +139,18 @@ static void test_convention(void **state)
 		     "\"column\"}}")
 		.convention;
 	assert_convention(&c, "001000");
-	c = read_as(&(struct document_wants){ WANTS,
-			.convention = &conventions[CONVENTION_WEBGPU] },
-	    "{\"convention\":\"gl\"}")
-		.scene.convention;
-	assert_convention(&c, "101000");
+	/* the document's own, answered in the option's */
+	const struct document_wants wants = { WANTS,
+		.convention = &conventions[CONVENTION_WEBGPU] };
+	struct scene s = read_as(&wants, "{\"convention\":\"gl\"}").scene;
+
+	assert_convention(&s.convention, "111010");
+	assert_ptr_equal(s.answer, wants.convention);
+	s = read_as(&wants, "{\"convention\":\"webgpu\"}").scene;
+	assert_null(s.answer);
+	s = read_as(&wants, "{}").scene;
+	assert_convention(&s.convention, "101000");
+	assert_null(s.answer);
 }
 
 /* Which element of world the number 2 of the text becomes. */

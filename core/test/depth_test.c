@@ -65,7 +65,7 @@ static bool place(real inverse[4][4], double a, real h[4])
 static bool projector_of(const struct scene *s, const struct taxonomy *t,
     int plane, struct projector *p)
 {
-	bool minus_one = s->convention.minus_one;
+	bool minus_one = truth_answer(s)->minus_one;
 	double low = minus_one ? -1 : 0;
 	bool deep = plane == 1 ? !t->reversed : t->reversed;
 	real inverse[4][4], a[4], b[4], normal[3];
@@ -130,6 +130,7 @@ static void steps_are_the_first(void **state)
 		double step[BUFFERS][2];
 
 		sample_scene(&s, k % 5 == 0 ? 2 : 0);
+		sample_answer(&s);
 		if (taxonomy_of(&s, &t) != NULL)
 			continue;
 		depth_steps(&s, t.reversed, step);

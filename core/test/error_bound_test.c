@@ -10,7 +10,7 @@ static void corners_of(const struct scene *s, real low[3], real high[3])
 	truth_limits(s, high);
 	low[0] = negative(high[0]);
 	low[1] = negative(high[1]);
-	low[2] = number(s->convention.minus_one ? -1 : 0);
+	low[2] = number(truth_answer(s)->minus_one ? -1 : 0);
 	high[2] = number(1);
 }
 
@@ -123,6 +123,7 @@ static void bounds_hold(void **state)
 		int mark = real_mark();
 
 		sample_scene(&s, magnitudes[k % 4]);
+		sample_answer(&s);
 		s.has_viewport = k % 3 != 0;
 		enum space to = s.has_viewport ? SPACE_DEVICE : SPACE_NDC;
 

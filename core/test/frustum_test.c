@@ -34,7 +34,7 @@ static struct form limit_of(real limit)
 static bool is_reversed(const struct scene *s)
 {
 	struct truth back = { 0 };
-	const double near[4] = { 0, 0, s->convention.minus_one ? -1 : 0, 1 };
+	const double near[4] = { 0, 0, truth_answer(s)->minus_one ? -1 : 0, 1 };
 	const double far[4] = { 0, 0, 1, 1 };
 
 	if (s->projection.type != PROJECTION_MATRIX)
@@ -50,7 +50,7 @@ static bool is_reversed(const struct scene *s)
 	    truth_column(&back, 2, near));
 	int along = truth_sign(form_mul(z, truth_column(&back, 3, near)), NULL);
 
-	return along == -truth_gaze(&s->convention);
+	return along == -truth_gaze(truth_answer(s));
 }
 
 /* left right bottom top near far, of clip coordinates. */
@@ -66,11 +66,11 @@ static void planes_of(const struct scene *s, const struct form q[4],
 		struct form limit = k < 4 ? limit_of(limits[k / 2]) :
 					    form_of(1);
 
-		if ((k == 2 || k == 3) && s->convention.ndc_y_down)
+		if ((k == 2 || k == 3) && truth_answer(s)->ndc_y_down)
 			high = !high;
 		if (k >= 4 && reversed)
 			high = !high;
-		if (k >= 4 && !high && !s->convention.minus_one)
+		if (k >= 4 && !high && !truth_answer(s)->minus_one)
 			limit = form_of(0);
 		limit = form_mul(limit, q[3]);
 		form[k] = high ? form_sub(limit, q[k / 2]) :
@@ -120,6 +120,7 @@ static bool sample_frustum(int e, struct scene *s, enum space *from,
 		SPACE_VIEW, SPACE_NDC, SPACE_DEVICE };
 
 	sample_scene(s, e);
+	sample_answer(s);
 	s->has_viewport = sample_below(4) > 0;
 	*from = spaces[sample_below(s->has_viewport ? 5 : 4)];
 	if (frustum_of(s, *from, false, f) != NULL)

@@ -4,7 +4,8 @@
 #include "claims.h"
 #include "points.h"
 
-/* Along the gaze from the near plane, of model points. */
+/* Along the gaze from the near plane, of model points: in every convention the
+ * same. */
 struct distance {
 	struct truth view;
 	struct form near;
@@ -19,7 +20,10 @@ static void distance_of(const struct scene *s, struct distance *d)
 	bool volume = p->type == PROJECTION_VOLUME;
 	double gaze = truth_gaze(&s->convention);
 
-	truth_scene(s, SPACE_MODEL, SPACE_VIEW, &d->view);
+	struct scene own = *s;
+
+	own.answer = NULL;
+	truth_scene(&own, SPACE_MODEL, SPACE_VIEW, &d->view);
 	d->near = form_of(volume ? p->z_near : gaze * p->near);
 	d->upward = volume ? p->z_far > p->z_near :
 			     (p->far > p->near) == (gaze > 0);
@@ -36,6 +40,7 @@ static bool sample_picker(int e, struct scene *s, struct transform *t,
     struct picker *k)
 {
 	sample_scene(s, e);
+	sample_answer(s);
 	if (s->projection.type == PROJECTION_MATRIX ||
 	    scene_transform(s, SPACE_MODEL, SPACE_DEVICE, false, t) != NULL ||
 	    picker_of(s, t, k) != NULL)

@@ -64,6 +64,7 @@ bool sample_transform(int e, struct scene *s, enum space *from,
 
 	*from = sample_below(6);
 	sample_scene(s, e);
+	sample_answer(s);
 	if (sample_below(8) == 0)
 		return sample_flat_transform(s, t, truth);
 	if (scene_transform(s, *from, to, homogeneous, t) != NULL)

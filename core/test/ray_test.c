@@ -74,6 +74,7 @@ static void rays_are_exact(void **state)
 		int mark = real_mark();
 
 		sample_scene(&s, k % 3 * 4);
+		sample_answer(&s);
 		if (ray_maker_of(&s, &r) != NULL)
 			continue;
 		truth_scene(&s, SPACE_DEVICE, SPACE_WORLD, &back);

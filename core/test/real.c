@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STORE = 1 << 15 };
+enum { STORE = 1 << 16 };
 
 /* What low parts below 2^-1074 can cost an element. */
 #define LOST 0x1p-1068

@@ -74,16 +74,16 @@ static void vector(double v[3], int e)
 		v[i] = e > 0 ? sample_number(e) : ordinary();
 }
 
+static const struct convention known[5] = {
+	{ 0 },
+	{ true, true, true, false, true, false },
+	{ true, false, true, true, false, false },
+	{ true, false, true, false, false, false },
+	{ true, false, true, true, false, true },
+};
+
 void sample_convention(struct convention *c)
 {
-	static const struct convention known[5] = {
-		{ 0 },
-		{ true, true, true, false, true, false },
-		{ true, false, true, true, false, false },
-		{ true, false, true, false, false, false },
-		{ true, false, true, true, false, true },
-	};
-
 	*c = known[sample_below(5)];
 	if (sample_below(4) == 0) {
 		c->right_handed = sample_below(2);
@@ -352,4 +352,9 @@ void sample_scene(struct scene *s, int e)
 	sample_projection(&s->projection, e);
 	sample_viewport(&s->viewport, e);
 	sample_flat(&s->window, &s->device, e);
+}
+
+void sample_answer(struct scene *s)
+{
+	s->answer = sample_below(2) ? &known[sample_below(5)] : NULL;
 }

@@ -23,4 +23,7 @@ void sample_viewport(struct viewport *, int e);
 void sample_flat(struct window *, struct device *, int e);
 void sample_scene(struct scene *, int e);
 
+/* Wants it in another convention, or not. */
+void sample_answer(struct scene *);
+
 #endif

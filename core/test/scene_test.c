@@ -24,6 +24,7 @@ static void scenes(const char *what, int e, int tries)
 		struct scene s;
 
 		sample_scene(&s, e);
+		sample_answer(&s);
 		compare(&s, sample_below(6), sample_below(6), &w);
 		compare(&s, SPACE_MODEL, SPACE_DEVICE, &w);
 		compare(&s, SPACE_DEVICE, SPACE_MODEL, &w);
@@ -65,6 +66,85 @@ static void far_away(void **state)
 		compare(&s, SPACE_CLIP, SPACE_MODEL, &w);
 	}
 	claim_maps("1e15 from the origin", &w);
+}
+
+/* From any convention around all five and home. What one makes as numbers is exact
+ * where it is written in whole numbers. */
+static void around_all_conventions(void **state)
+{
+	static const struct convention known[] = { { 0 },
+		{ .right_handed = true,
+		    .minus_one = true,
+		    .bottom_left = true },
+		{ .right_handed = true, .ndc_y_down = true },
+		{ .right_handed = true },
+		{ .right_handed = true,
+		    .view_y_down = true,
+		    .ndc_y_down = true } };
+
+	(void)state;
+	for (int k = 0; k < 25; k++) {
+		struct scene s = {
+			.convention = known[k % 5],
+			.has_camera = true,
+			.camera = { .by = CAMERA_MATRIX,
+			    .matrix = { { 0, 3, 4, 0 }, { 5, 0, 1, 0 },
+				{ 1, 2, 3, 0 }, { 7, -8, 9, 1 } } },
+			.projection = { .type = PROJECTION_MATRIX,
+			    .matrix = { { 2, 0, 0, 0 }, { 0, 3, 0, 0 },
+				{ 4, 5, 6, 1 }, { 7, 8, 10, 0 } } },
+		};
+		struct scene given = s;
+		struct map view, clip, m;
+
+		for (int i = 1; i <= 5; i++) {
+			int next = (k % 5 + i * (1 + k / 5 % 4)) % 5;
+
+			s.answer = &known[next];
+			assert_null(
+			    scene_map(&s, SPACE_WORLD, SPACE_VIEW, &view));
+			assert_null(
+			    scene_map(&s, SPACE_VIEW, SPACE_CLIP, &clip));
+			for (int j = 0; j < 16; j++) {
+				s.camera.matrix[j / 4][j % 4] = element(&view,
+				    j / 4, j % 4);
+				s.projection.matrix[j / 4][j % 4] =
+				    element(&clip, j / 4, j % 4);
+			}
+			s.convention = known[next];
+		}
+		assert_memory_equal(&s.convention, &given.convention,
+		    sizeof s.convention);
+		assert_memory_equal(s.camera.matrix, given.camera.matrix,
+		    sizeof s.camera.matrix);
+		assert_memory_equal(s.projection.matrix,
+		    given.projection.matrix, sizeof s.projection.matrix);
+		assert_null(scene_map(&given, SPACE_WORLD, SPACE_CLIP, &m));
+	}
+}
+
+/* Where a point lies in the picture does not depend on whose answer it is: on the
+ * device, but for its origin. */
+static void one_picture(void **state)
+{
+	(void)state;
+	sample_seed(7);
+	for (int k = 0; k < 60; k++) {
+		struct scene s;
+		struct map own, other;
+
+		sample_scene(&s, 0);
+		sample_answer(&s);
+		if (s.answer != NULL)
+			s.convention.bottom_left = s.answer->bottom_left;
+		if (scene_map(&s, SPACE_MODEL, SPACE_DEVICE, &other) != NULL)
+			continue;
+		s.answer = NULL;
+		assert_null(scene_map(&s, SPACE_MODEL, SPACE_DEVICE, &own));
+		for (int j = 0; j < 16; j++)
+			assert_true(element(&own, j / 4, j % 4) ==
+			    element(&other, j / 4, j % 4));
+	}
 }
 
 static void assert_identity(const struct map *m)
@@ -147,6 +227,8 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(random_ones),
 		cmocka_unit_test(far_away),
+		cmocka_unit_test(around_all_conventions),
+		cmocka_unit_test(one_picture),
 		cmocka_unit_test(nowhere),
 		cmocka_unit_test(refusals),
 	};

@@ -54,8 +54,8 @@ static void check_places(const struct scene *s, const struct taxonomy *t,
 {
 	static const int side[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 },
 		{ -1, 1 } };
-	double low = s->convention.minus_one ? -1 : 0;
-	double up = s->convention.ndc_y_down ? -1 : 1;
+	double low = truth_answer(s)->minus_one ? -1 : 0;
+	double up = truth_answer(s)->ndc_y_down ? -1 : 1;
 	struct truth truth;
 	struct form h[4];
 	real limit[2];
@@ -203,6 +203,7 @@ static void numbers_are_true(void **state)
 		int mark = real_mark();
 
 		sample_scene(&s, k % 3 * 10);
+		sample_answer(&s);
 		if (taxonomy_of(&s, &t) != NULL)
 			continue;
 		bool parallel = t.taxon <= TAXON_OBLIQUE;

@@ -17,7 +17,7 @@ struct truth_stage {
 
 struct truth {
 	int n;
-	struct truth_stage stage[16];
+	struct truth_stage stage[20];
 	struct truth_stage all; /* their product, see truth_compose */
 };
 
@@ -38,6 +38,9 @@ void truth_flat(const struct scene *, enum flat from, enum flat to,
 
 /* Where the camera looks: 1 for +z of view space, -1 for -z. */
 double truth_gaze(const struct convention *);
+
+/* The convention that a scene is wanted in. */
+const struct convention *truth_answer(const struct scene *);
 
 /* The matrix alone. */
 void truth_matrix(const struct scene *, enum space from, enum space to,

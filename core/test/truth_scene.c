@@ -240,6 +240,44 @@ static bool crosses(enum space a, enum space b, enum space below)
 	return (a <= below) != (b <= below);
 }
 
+const struct convention *truth_answer(const struct scene *s)
+{
+	return s->answer != NULL ? s->answer : &s->convention;
+}
+
+/* Of the view axes y and z may point the other way. */
+static void turn_view(struct truth *t, const struct scene *s)
+{
+	const struct convention *a = truth_answer(s);
+
+	if (s->answer == NULL)
+		return;
+	struct truth_stage *turn = truth_stage(t);
+
+	if (a->view_y_down != s->convention.view_y_down)
+		turn->m[1][1] = number(-1);
+	turn->m[2][2] = number(truth_gaze(a) * truth_gaze(&s->convention));
+}
+
+/* With Z from 0 to 1, 2 Z - 1 is from -1 to 1. */
+static void turn_clip(struct truth *t, const struct scene *s)
+{
+	const struct convention *a = truth_answer(s), *c = &s->convention;
+
+	if (s->answer == NULL)
+		return;
+	struct truth_stage *turn = truth_stage(t);
+
+	if (a->ndc_y_down != c->ndc_y_down)
+		turn->m[1][1] = number(-1);
+	if (a->minus_one && !c->minus_one) {
+		turn->m[2][2] = TWO;
+		turn->m[3][2] = number(-1);
+	}
+	if (c->minus_one && !a->minus_one)
+		turn->m[2][2] = turn->m[3][2] = over(ONE, TWO);
+}
+
 void truth_scene(const struct scene *s, enum space from, enum space to,
     struct truth *t)
 {
@@ -250,10 +288,15 @@ void truth_scene(const struct scene *s, enum space from, enum space to,
 		affine(t, s->world, false);
 	if (s->has_camera && crosses(from, to, SPACE_WORLD))
 		camera(t, &s->camera, c);
-	if (crosses(from, to, SPACE_VIEW))
+	if (crosses(from, to, SPACE_WORLD))
+		turn_view(t, s);
+	if (crosses(from, to, SPACE_VIEW)) {
+		turn_view(t, s);
 		truth_projection(t, &s->projection, c);
+		turn_clip(t, s);
+	}
 	if (crosses(from, to, SPACE_NDC))
-		viewport(t, &s->viewport, c);
+		viewport(t, &s->viewport, truth_answer(s));
 	if (from > to)
 		reverse(t);
 	truth_compose(t);
