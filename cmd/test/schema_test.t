@@ -39,7 +39,7 @@ my $beyond = qr{
 	less\ than\ min | single\ point | parallel\ to | does\ not\ run |
 	what\ holds\ them | no\ points\ to | crosses\ the\ volume |
 	repeated; |
-	singular | determinant | last\ column | transposed | pi\S*\ radians | too\ far\ from |
+	singular | determinant | last\ column | transposed | of\ -c; | pi\S*\ radians | too\ far\ from |
 	beyond\ the\ range\ of\ doubles
 	    (?!;\ numbers) |
 	missing;\ (?:add|it\ is|device|say) |
