@@ -7,11 +7,19 @@
 #include "vec3.h"
 
 /* An axis is v / length. The two are kept apart, as v is an exact polynomial of
- * the parameters, in sums of which terms cancel exactly. */
+ * the parameters, in sums of which terms cancel exactly. Where the second's length
+ * is exact all lengths are the same, by which the map divides. */
 struct axis {
 	struct sum v[3];
 	struct sum length;
 };
+
+static void lengthen(struct axis *a, struct sum by)
+{
+	for (int i = 0; i < 3; i++)
+		a->v[i] = sum_mul(a->v[i], by);
+	a->length = sum_mul(a->length, by);
+}
 
 /* x = up x z and y = z x x before either is normalised: exact polynomials of
  * lengths |up x z| and |z| |up x z|. */
@@ -49,6 +57,12 @@ static const char *look(const struct camera *c, bool right_handed,
 	x->length = sum_sqrt(xx);
 	z->length = sum_sqrt(zz);
 	y->length = sum_mul(x->length, z->length);
+	if (y->length.size.m == 0) {
+		struct sum along = x->length;
+
+		lengthen(x, z->length);
+		lengthen(z, along);
+	}
 	return NULL;
 }
 
@@ -116,7 +130,7 @@ static const char *orthonormal(const struct camera *c, struct axis axis[3])
  * eye (1,2,3) that looks at the origin x . eye is 0, where rounded axes would
  * give -4.9e-32. */
 static void elements(const struct axis axis[3], const double at[3],
-    struct sum e[4][3])
+    bool exact, struct sum e[4][3])
 {
 	struct sum p[3];
 
@@ -125,9 +139,12 @@ static void elements(const struct axis axis[3], const double at[3],
 	for (int i = 0; i < 3; i++) {
 		struct sum image = vec3_dot(axis[i].v, p);
 
-		for (int k = 0; k < 4; k++)
-			e[k][i] = sum_quotient(k < 3 ? axis[i].v[k] : image,
-			    axis[i].length);
+		for (int k = 0; k < 4; k++) {
+			e[k][i] = k < 3 ? axis[i].v[k] : image;
+			if (!exact)
+				e[k][i] =
+				    sum_quotient(e[k][i], axis[i].length);
+		}
 	}
 }
 
@@ -148,17 +165,21 @@ static void turn_image(double roll, struct sum e[4][3])
 static void stand(const struct axis axis[3], double roll, const double at[3],
     bool inverse, struct map *r)
 {
-	struct sum e[4][3];
+	bool exact = axis[1].length.size.m == 0;
+	struct sum e[4][3], d = exact ? axis[1].length : sum_of_double(1);
 
-	elements(axis, at, e);
+	elements(axis, at, exact, e);
 	turn_image(roll, e);
 	map_identity(r);
 	for (int i = 0; i < 3; i++) {
 		for (int k = 0; k < 3; k++)
 			r->m[inverse ? i : k][inverse ? k : i] = e[k][i];
-		r->m[3][i] = inverse ? sum_of_double(at[i]) : e[3][i];
+		r->m[3][i] = inverse ? sum_mul(d, sum_of_double(at[i])) :
+				       e[3][i];
 		r->origin[i] = inverse ? 0 : at[i];
 	}
+	r->m[3][3] = d;
+	map_over(r, d);
 }
 
 static void transpose(struct axis axis[3])

@@ -336,15 +336,15 @@ static int leading_zeros(const ex *a)
 	return __builtin_clzll(a->word[a->n - 1]);
 }
 
-/* Words of a quotient; the first can be 1, so that 5 whole ones are sure. */
+/* Words of a quotient; the first can be 1, so that one whole one less is sure. */
 enum { QUOTIENT = 6 };
 
 /* An exponent that no quotient of numbers that a scene is made of has. */
 enum { BEYOND = 1 << 20 };
 
-void ex_divide(const ex *dividend, const ex *divisor, ex *r)
+void ex_divide(const ex *dividend, const ex *divisor, int words, ex *r)
 {
-	uint64_t u[EX_WORDS + QUOTIENT + 1], q[QUOTIENT + 1];
+	uint64_t u[EX_WORDS + QUOTIENT + 1], q[QUOTIENT + 1], rest = 0;
 	ex a, b;
 
 	if (divisor->n == 0 || dividend->n == 0) {
@@ -354,19 +354,22 @@ void ex_divide(const ex *dividend, const ex *divisor, ex *r)
 	/* so that b's top bit is set, as the division wants it */
 	shift(&a, dividend, leading_zeros(divisor));
 	shift(&b, divisor, leading_zeros(divisor));
-	for (int i = 0; i < b.n + QUOTIENT; i++)
-		u[i] = word_at(&a, top(&a) - b.n - QUOTIENT + i);
-	u[b.n + QUOTIENT] = 0;
-	for (int i = QUOTIENT; i >= 0; i--)
+	for (int i = 0; i < b.n + words; i++)
+		u[i] = word_at(&a, top(&a) - b.n - words + i);
+	u[b.n + words] = 0;
+	for (int i = words; i >= 0; i--)
 		q[i] = divide_word(u + i, b.word, b.n);
-	set(r, a.sign * b.sign, q, QUOTIENT + 1, top(&a) - QUOTIENT - top(&b));
+	for (int i = 0; i < b.n; i++)
+		rest |= u[i];
+	q[0] |= rest != 0 || a.n > b.n + words;
+	set(r, a.sign * b.sign, q, words + 1, top(&a) - words - top(&b));
 }
 
 ex ex_quotient(ex a, ex b)
 {
 	ex r;
 
-	ex_divide(&a, &b, &r);
+	ex_divide(&a, &b, QUOTIENT, &r);
 	return r;
 }
 

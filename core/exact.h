@@ -52,9 +52,11 @@ ex ex_first(ex a, int n);   /* the n first words, toward 0 */
 double ex_double(ex a);
 
 /* What every point needs, without copies: a sum of products, cut to its first words
- * where words is not 0; a quotient; the nearest double or float. */
+ * where words is not 0; a quotient of so many words or one more, whose last bit is 1
+ * where something remains, so that it is rounded as the exact one; the nearest
+ * double or float. */
 void ex_dot(int n, const ex *const a[], const ex *const b[], int words, ex *);
-void ex_divide(const ex *a, const ex *b, ex *);
+void ex_divide(const ex *a, const ex *b, int words, ex *);
 double ex_nearest(const ex *, bool single);
 
 /* The 64 bits that follow the first so many. */

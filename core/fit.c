@@ -31,7 +31,7 @@ static const char *find_slopes(const struct scene *s, struct sum slope[4])
 	const char *why = frustum_of(s, SPACE_VIEW, false, &view);
 
 	for (int k = 0; k < 4 && why == NULL; k++) {
-		slope[k] = view.sides.map.m[2][k];
+		slope[k] = map_element(&view.sides.map, 2, k);
 		if (s->convention.right_handed)
 			slope[k] = sum_neg(slope[k]);
 		if (sum_sign(slope[k]) <= 0)
@@ -195,7 +195,7 @@ static const char *center(struct scene *s, bool has_eye, const struct bounds *b)
 	if (right)
 		step[2] = sum_neg(step[2]);
 	for (int j = 0; j < 2; j++) {
-		struct sum sheared = sum_mul(step[2], clip.m[2][j]);
+		struct sum sheared = sum_mul(step[2], map_element(&clip, 2, j));
 
 		step[j] = j == 1 && s->convention.ndc_y_down ?
 		    sum_add(step[j], sheared) :

@@ -103,9 +103,8 @@ const char *view_corner(const struct scene *s, const struct map *from_view,
 	    side, corner >= 4, v);
 
 	for (int j = 0; j < 4 && why == NULL; j++) {
-		h[j] = sum_of_double(0);
-		for (int i = 0; i < 4; i++)
-			h[j] = sum_add(h[j], sum_mul(v[i], from_view->m[i][j]));
+		map_column(from_view, j, v, &h[j]);
+		h[j] = sum_quotient(h[j], from_view->divisor);
 	}
 	return why;
 }

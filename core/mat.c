@@ -5,6 +5,7 @@
 void map_identity(struct map *r)
 {
 	memset(r, 0, sizeof *r);
+	r->divisor = sum_of_double(1);
 	for (int i = 0; i < 4; i++)
 		r->m[i][i] = sum_of_double(1);
 }
@@ -12,6 +13,7 @@ void map_identity(struct map *r)
 void map_of_doubles(const double m[4][4], struct map *r)
 {
 	memset(r, 0, sizeof *r);
+	r->divisor = sum_of_double(1);
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
 			r->m[i][j] = sum_of_double(m[i][j]);
@@ -22,12 +24,53 @@ static bool is_one(const struct sum *a)
 	return ex_compare(a->value, ex_of(1)) == 0;
 }
 
+/* What is divided exactly needs no divisor. */
+void map_over(struct map *r, struct sum d)
+{
+	struct sum power = sum_of_double(d.value.sign);
+
+	r->divisor = sum_mul(r->divisor, sum_abs(d));
+	if (sum_is_power_of_two(&r->divisor)) {
+		power = sum_mul(power, r->divisor);
+		r->divisor = sum_of_double(1);
+	}
+	for (int i = 0; i < 16 && !is_one(&power); i++) {
+		struct sum *m = &r->m[i / 4][i % 4];
+
+		*m = sum_quotient(*m, power);
+	}
+}
+
+void map_columns_over(struct map *r, const struct sum d[3])
+{
+	struct sum all = sum_of_double(1);
+
+	for (int j = 0; j < 3; j++) {
+		bool exact = d[j].size.m == 0;
+
+		if (is_one(&d[j]))
+			continue;
+		for (int i = 0; i < 4; i++) {
+			struct sum *m = r->m[i];
+
+			if (!exact)
+				m[j] = sum_quotient(m[j], d[j]);
+			for (int k = 0; k < 4 && exact; k++)
+				if (k != j)
+					m[k] = sum_mul(m[k], d[j]);
+		}
+		if (exact)
+			all = sum_mul(all, d[j]);
+	}
+	map_over(r, all);
+}
+
 bool map_is_affine(const struct map *a)
 {
 	for (int i = 0; i < 3; i++)
 		if (sum_sign(a->m[i][3]) != 0)
 			return false;
-	return is_one(&a->m[3][3]);
+	return ex_compare(a->m[3][3].value, a->divisor.value) == 0;
 }
 
 static bool is_identity(const struct map *a)
@@ -37,14 +80,14 @@ static bool is_identity(const struct map *a)
 			if (i == j ? !is_one(&a->m[i][j]) :
 				     a->m[i][j].value.sign != 0)
 				return false;
-	return true;
+	return is_one(&a->divisor);
 }
 
 bool map_is_finite(const struct map *a)
 {
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
-			if (!isfinite(ex_double(a->m[i][j].value)))
+			if (!isfinite(map_nearest(a, i, j, false)))
 				return false;
 	return true;
 }
@@ -68,9 +111,20 @@ void map_then(const struct map *a, const struct map *b, struct map *r)
 		return;
 	}
 	memcpy(r->origin, a->origin, sizeof r->origin);
+	r->divisor = sum_mul(a->divisor, b->divisor);
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
 			set_element(r, i, j, a, b);
+}
+
+struct sum map_element(const struct map *a, int i, int j)
+{
+	return sum_quotient(a->m[i][j], a->divisor);
+}
+
+double map_nearest(const struct map *a, int i, int j, bool single)
+{
+	return sum_nearest(&a->m[i][j], &a->divisor, single);
 }
 
 void map_column(const struct map *m, int j, const struct sum p[4],
@@ -121,8 +175,10 @@ bool map_inverse(const double m[4][4], struct map *inverse)
 			struct sum c = map_minor(3, a.m, 1u << j, 1u << i);
 
 			c = (i + j) % 2 ? sum_neg(c) : c;
-			inverse->m[i][j] = sum_quotient(c, det);
+			inverse->m[i][j] = c;
 		}
+	inverse->divisor = sum_of_double(1);
+	map_over(inverse, det);
 	for (int k = 0; k < 3; k++)
 		inverse->origin[k] = map_is_affine(&a) ? m[3][k] : 0;
 	return true;

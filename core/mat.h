@@ -7,9 +7,11 @@
 
 #include "sum.h"
 
-/* (p, 1) m is the image of a point p. Each element is as exact as sum.h says. */
+/* (p, 1) m / divisor is the image of a point p. The divisor is exact and positive, so
+ * that what is a quotient of given numbers is known exactly; the elements of m are as
+ * exact as sum.h says. */
 struct map {
-	struct sum m[4][4];
+	struct sum m[4][4], divisor;
 	/* From where points are best seen: the eye, a window's centre. Their
 	 * differences from it are small where the image is exact to many
 	 * digits. */
@@ -20,6 +22,11 @@ void map_identity(struct map *);
 
 /* Of a matrix of given numbers; the origin is 0. */
 void map_of_doubles(const double m[4][4], struct map *);
+
+/* Divides by something exact; or the first three columns, each by its own, which
+ * goes into the divisor where it is exact. None is 0. */
+void map_over(struct map *, struct sum d);
+void map_columns_over(struct map *, const struct sum d[3]);
 
 /* First a, then b, into another map. */
 void map_then(const struct map *a, const struct map *b, struct map *r);
@@ -32,7 +39,11 @@ bool map_inverse(const double m[4][4], struct map *inverse);
 struct sum map_minor(int n, const struct sum m[4][4], unsigned rows,
     unsigned columns);
 
-/* Column j of the image of a homogeneous point. */
+/* An element of the matrix, divided; and its nearest double or float. */
+struct sum map_element(const struct map *, int i, int j);
+double map_nearest(const struct map *, int i, int j, bool single);
+
+/* Column j of the image of a homogeneous point, times the divisor. */
 void map_column(const struct map *, int j, const struct sum p[4], struct sum *);
 
 /* Whether the last column is 0 0 0 1. */

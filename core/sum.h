@@ -45,11 +45,14 @@ struct sum sum_sqrt(struct sum);
 /* -1, 0 or 1. */
 int sum_sign(struct sum);
 
+/* By which anything is divided exactly, however many digits it has. */
+bool sum_is_power_of_two(const struct sum *);
+
 /* The same, or exactly 0 where that is its sign. */
 struct sum sum_settled(struct sum);
 
 /* The nearest double or float, ties to even; infinite beyond their range: of n / d,
- * of n where d is NULL, and so on. */
+ * and so on. */
 double sum_double(struct sum);
 float sum_float(struct sum);
 double sum_nearest(const struct sum *n, const struct sum *d, bool single);

@@ -48,17 +48,17 @@ static const char *lens_of(const struct scene *s, struct lens *l)
 	if ((why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &m)) != NULL)
 		return why;
 	for (int i = 0; i < 12; i++)
-		l->gradient[i % 4][i / 4] = m.m[i / 4][i % 4];
+		l->gradient[i % 4][i / 4] = map_element(&m, i / 4, i % 4);
 	l->parallel = vec3_is_zero(l->gradient[3]);
 	l->w = sum_sign(m.m[3][3]);
 	if ((why = scene_map(s, SPACE_WORLD, SPACE_VIEW, &m)) != NULL)
 		return why;
 	for (int i = 0; i < 9; i++)
-		l->axis[i / 3][i % 3] = m.m[i / 3][i % 3];
+		l->axis[i / 3][i % 3] = map_element(&m, i / 3, i % 3);
 	if ((why = scene_map(s, SPACE_WORLD, SPACE_CLIP, &m)) != NULL)
 		return why;
 	for (int i = 0; i < 6; i++)
-		l->depth[i % 2][i / 2] = m.m[i / 2][2 + i % 2];
+		l->depth[i % 2][i / 2] = map_element(&m, i / 2, 2 + i % 2);
 	if ((why = scene_map(s, SPACE_CLIP, SPACE_WORLD, &m)) != NULL)
 		return why;
 	memcpy(l->eye, m.m[2], sizeof l->eye);

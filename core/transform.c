@@ -31,6 +31,7 @@ static void set_kernel_map(struct transform *t)
 
 			if (i == 3)
 				map_column(m, j, origin, &image);
+			image = sum_quotient(image, m->divisor);
 			dd e = rounded(image);
 
 			k->exact[i][j] = image.size.m == 0 && e.lo == 0 &&
@@ -77,7 +78,8 @@ static void find_depth(const struct map *projection, struct transform *t)
 		    (sum_sign(m[i][3]) != 0 ||
 			(i != 3 && sum_sign(m[i][2]) != 0)))
 			return;
-	dd a = sum_dd(sum_quotient(m[2][2], m[2][3])), b = sum_dd(m[3][2]);
+	dd a = sum_dd(sum_quotient(m[2][2], m[2][3]));
+	dd b = sum_dd(map_element(projection, 3, 2));
 
 	k->a_hi = a.hi;
 	k->a_lo = a.lo;

@@ -10,19 +10,25 @@ static struct quotient whole(ex a)
 	return (struct quotient){ a, ex_of(1) };
 }
 
-static struct sum times(struct quotient a, struct quotient b)
+static ex times(ex a, ex b, ex c)
 {
-	return sum_quotient(sum_of(ex_mul(a.n, b.n)), sum_of(ex_mul(a.d, b.d)));
+	return ex_mul(ex_mul(a, b), c);
 }
 
-/* One axis, x' = (x - from) s + to, where from or to is 0. */
+/* One axis, x' = (x - from) s + to. */
 static void put(struct map *r, int i, struct quotient from, struct quotient s,
     struct quotient to)
 {
+	struct sum over[3] = { sum_of_double(1), sum_of_double(1),
+		sum_of_double(1) };
+
 	r->origin[i] = ex_double(ex_quotient(from.n, from.d));
-	r->m[i][i] = times(s, whole(ex_of(1)));
-	r->m[3][i] = ex_sign(to.n) != 0 ? times(to, whole(ex_of(1))) :
-					  sum_neg(times(from, s));
+	r->m[i][i] =
+	    sum_mul(r->divisor, sum_of(times(s.n, from.d, to.d)));
+	r->m[3][i] = sum_mul(r->divisor,
+	    sum_of(ex_sub(times(to.n, s.d, from.d), times(from.n, s.n, to.d))));
+	over[i] = sum_of(times(s.d, from.d, to.d));
+	map_columns_over(r, over);
 }
 
 /* x' = (x - center) s + offset, or back. */

@@ -171,7 +171,7 @@ enum verdict truth_verdict(double printed, struct form n, struct form d,
 
 double element(const struct map *m, int i, int j)
 {
-	return sum_double(m->m[i][j]);
+	return map_nearest(m, i, j, false);
 }
 
 static void keep_worst(double *worst, double a)
@@ -206,6 +206,10 @@ void truth_compare(const struct truth *t, const struct map *r, struct worst *w)
 
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
-			compare(&r->m[i][j], truth_element(t, i, j), w);
+		{
+			struct sum e = map_element(r, i, j);
+
+			compare(&e, truth_element(t, i, j), w);
+		}
 	real_release(mark);
 }
