@@ -37,8 +37,9 @@ ex ex_shift(ex a, int e);       /* a 2^e */
 ex ex_diff(double a, double b); /* a - b */
 
 /* Relative. What has five words or less is exact. A quotient by 0 is beyond the
- * range of doubles. */
+ * range of doubles. The first of its words can be as small as 1. */
 #define EX_ERROR 0x1p-319
+enum { EX_QUOTIENT = 6 };
 
 ex ex_quotient(ex a, ex b);
 ex ex_sqrt(ex a);
@@ -53,10 +54,10 @@ double ex_double(ex a);
 
 /* What every point needs, without copies: a sum of products, cut to its first words
  * where words is not 0; a quotient of so many words or one more, whose last bit is 1
- * where something remains, so that it is rounded as the exact one; the nearest
- * double or float. */
+ * where something remains, so that it is rounded as the exact one (it says whether none
+ * does); the nearest double or float. */
 void ex_dot(int n, const ex *const a[], const ex *const b[], int words, ex *);
-void ex_divide(const ex *a, const ex *b, int words, ex *);
+bool ex_divide(const ex *a, const ex *b, int words, ex *);
 double ex_nearest(const ex *, bool single);
 
 /* The 64 bits that follow the first so many. */

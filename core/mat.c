@@ -19,9 +19,10 @@ void map_of_doubles(const double m[4][4], struct map *r)
 			r->m[i][j] = sum_of_double(m[i][j]);
 }
 
-static bool is_one(const struct sum *a)
+static void divide(struct sum *a, const struct sum *d)
 {
-	return ex_compare(a->value, ex_of(1)) == 0;
+	if (!sum_is_nothing(a) && !sum_is_one(d))
+		*a = sum_quotient(*a, *d);
 }
 
 /* What is divided exactly needs no divisor. */
@@ -34,35 +35,25 @@ void map_over(struct map *r, struct sum d)
 		power = sum_mul(power, r->divisor);
 		r->divisor = sum_of_double(1);
 	}
-	for (int i = 0; i < 16 && !is_one(&power); i++) {
-		struct sum *m = &r->m[i / 4][i % 4];
-
-		*m = sum_quotient(*m, power);
-	}
+	for (int i = 0; i < 16 && !sum_is_one(&power); i++)
+		divide(&r->m[i / 4][i % 4], &power);
 }
 
-void map_columns_over(struct map *r, const struct sum d[3])
+void map_column_over(struct map *r, int j, struct sum d)
 {
-	struct sum all = sum_of_double(1);
+	bool divides = d.size.m > 0 || sum_is_power_of_two(&d);
 
-	for (int j = 0; j < 3; j++) {
-		bool exact = d[j].size.m == 0;
+	for (int i = 0; i < 4 && divides; i++)
+		divide(&r->m[i][j], &d);
+	if (divides)
+		return;
+	for (int i = 0; i < 16; i++) {
+		struct sum *m = &r->m[i / 4][i % 4];
 
-		if (is_one(&d[j]))
-			continue;
-		for (int i = 0; i < 4; i++) {
-			struct sum *m = r->m[i];
-
-			if (!exact)
-				m[j] = sum_quotient(m[j], d[j]);
-			for (int k = 0; k < 4 && exact; k++)
-				if (k != j)
-					m[k] = sum_mul(m[k], d[j]);
-		}
-		if (exact)
-			all = sum_mul(all, d[j]);
+		if (i % 4 != j && !sum_is_nothing(m))
+			*m = sum_mul(*m, d);
 	}
-	map_over(r, all);
+	map_over(r, d);
 }
 
 bool map_is_affine(const struct map *a)
@@ -77,18 +68,24 @@ static bool is_identity(const struct map *a)
 {
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
-			if (i == j ? !is_one(&a->m[i][j]) :
+			if (i == j ? !sum_is_one(&a->m[i][j]) :
 				     a->m[i][j].value.sign != 0)
 				return false;
-	return is_one(&a->divisor);
+	return sum_is_one(&a->divisor);
 }
 
+/* Elements below 2^960 surely are. */
 bool map_is_finite(const struct map *a)
 {
-	for (int i = 0; i < 4; i++)
-		for (int j = 0; j < 4; j++)
-			if (!isfinite(map_nearest(a, i, j, false)))
-				return false;
+	int most = a->divisor.value.e + a->divisor.value.n + 14;
+
+	for (int i = 0; i < 16; i++) {
+		const ex *m = &a->m[i / 4][i % 4].value;
+
+		if (m->e + m->n > most &&
+		    !isfinite(map_nearest(a, i / 4, i % 4, false)))
+			return false;
+	}
 	return true;
 }
 
@@ -119,7 +116,10 @@ void map_then(const struct map *a, const struct map *b, struct map *r)
 
 struct sum map_element(const struct map *a, int i, int j)
 {
-	return sum_quotient(a->m[i][j], a->divisor);
+	struct sum e = a->m[i][j];
+
+	divide(&e, &a->divisor);
+	return e;
 }
 
 double map_nearest(const struct map *a, int i, int j, bool single)

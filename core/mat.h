@@ -23,10 +23,10 @@ void map_identity(struct map *);
 /* Of a matrix of given numbers; the origin is 0. */
 void map_of_doubles(const double m[4][4], struct map *);
 
-/* Divides by something exact; or the first three columns, each by its own, which
- * goes into the divisor where it is exact. None is 0. */
+/* Divides by something exact; or a column, by what goes into the divisor where it is
+ * exact. */
 void map_over(struct map *, struct sum d);
-void map_columns_over(struct map *, const struct sum d[3]);
+void map_column_over(struct map *, int j, struct sum d);
 
 /* First a, then b, into another map. */
 void map_then(const struct map *a, const struct map *b, struct map *r);

@@ -252,7 +252,9 @@ static void map_of_elements(const struct elements *f, struct map *r)
 	memcpy(r->m, m, sizeof m);
 	r->divisor = number(1);
 	map_over(r, f->d);
-	map_columns_over(r, (struct sum[3]){ f->dx, f->dy, f->dz });
+	map_column_over(r, 0, f->dx);
+	map_column_over(r, 1, f->dy);
+	map_column_over(r, 2, f->dz);
 }
 
 /* Block by block: 1/x and 1/y; the inverse of zz zw, tz tw; and what makes the

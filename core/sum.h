@@ -45,7 +45,10 @@ struct sum sum_sqrt(struct sum);
 /* -1, 0 or 1. */
 int sum_sign(struct sum);
 
-/* By which anything is divided exactly, however many digits it has. */
+/* What counts for nothing in any sum; 1, exactly; and that by which anything is
+ * divided exactly, however many digits it has. */
+bool sum_is_nothing(const struct sum *);
+bool sum_is_one(const struct sum *);
 bool sum_is_power_of_two(const struct sum *);
 
 /* The same, or exactly 0 where that is its sign. */

@@ -31,7 +31,8 @@ static void set_kernel_map(struct transform *t)
 
 			if (i == 3)
 				map_column(m, j, origin, &image);
-			image = sum_quotient(image, m->divisor);
+			if (!sum_is_one(&m->divisor))
+				image = sum_quotient(image, m->divisor);
 			dd e = rounded(image);
 
 			k->exact[i][j] = image.size.m == 0 && e.lo == 0 &&

@@ -10,25 +10,19 @@ static struct quotient whole(ex a)
 	return (struct quotient){ a, ex_of(1) };
 }
 
-static ex times(ex a, ex b, ex c)
-{
-	return ex_mul(ex_mul(a, b), c);
-}
-
-/* One axis, x' = (x - from) s + to. */
+/* One axis, x' = (x - from) s + to, where from or to is 0: over the product of
+ * their denominators. */
 static void put(struct map *r, int i, struct quotient from, struct quotient s,
     struct quotient to)
 {
-	struct sum over[3] = { sum_of_double(1), sum_of_double(1),
-		sum_of_double(1) };
-
 	r->origin[i] = ex_double(ex_quotient(from.n, from.d));
-	r->m[i][i] =
-	    sum_mul(r->divisor, sum_of(times(s.n, from.d, to.d)));
-	r->m[3][i] = sum_mul(r->divisor,
-	    sum_of(ex_sub(times(to.n, s.d, from.d), times(from.n, s.n, to.d))));
-	over[i] = sum_of(times(s.d, from.d, to.d));
-	map_columns_over(r, over);
+	bool back = ex_sign(to.n) != 0;
+	ex d = back ? to.d : from.d;
+	ex at = back ? ex_mul(to.n, s.d) : ex_neg(ex_mul(from.n, s.n));
+
+	r->m[i][i] = sum_mul(r->divisor, sum_of(ex_mul(s.n, d)));
+	r->m[3][i] = sum_mul(r->divisor, sum_of(at));
+	map_column_over(r, i, sum_of(ex_mul(s.d, d)));
 }
 
 /* x' = (x - center) s + offset, or back. */
