@@ -93,6 +93,7 @@ void image_of(const struct truth *truth, const struct transform *t,
 		    truth_column(truth, 3, at);
 	int sign = truth_sign(r->d, &r->doubtful);
 
+	r->doubtful &= truth->irrational;
 	r->seen = t->front ? sign > 0 : sign != 0;
 }
 
@@ -113,14 +114,6 @@ void judge_image(const struct image *image, int coordinates, const double *got,
 						  WRONG]++;
 }
 
-static bool is_exact(const struct transform *t)
-{
-	for (int k = 0; k < 16; k++)
-		if (t->map.m[k / 4][k % 4].size.m > 0)
-			return false;
-	return true;
-}
-
 static void judge_point(const struct truth *truth, const struct transform *t,
     const double p[4], const double got[4], bool single, struct tally *tally)
 {
@@ -129,8 +122,8 @@ static void judge_point(const struct truth *truth, const struct transform *t,
 
 	image_of(truth, t, p, &image);
 	judge_image(&image, t->out, got, single, &here);
-	/* of given numbers alone nothing is too small to count */
-	if (here.n[WRONG] > 0 || (here.n[RULED] > 0 && is_exact(t))) {
+	/* of given numbers alone, and back by them, nothing is too small to count */
+	if (here.n[WRONG] > 0 || (here.n[RULED] > 0 && !truth->irrational)) {
 		fprintf(stderr, "%a %a %a %a, kind %d: %a %a %a %a is wrong\n",
 		    p[0], p[1], p[2], p[3], (int)t->kind, got[0], got[1],
 		    got[2], got[3]);

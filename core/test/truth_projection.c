@@ -164,6 +164,11 @@ static void volume(const struct projection *p, bool minus_one, real m[4][4])
 void truth_projection(struct truth *t, const struct projection *p,
     const struct convention *c)
 {
+	bool sized = p->type == PROJECTION_PERSP || p->type == PROJECTION_ORTHO;
+
+	if (p->type == PROJECTION_OBLIQUE ||
+	    (sized && p->extent <= EXTENT_VIEW_ANGLE))
+		t->irrational = true;
 	if (p->type == PROJECTION_OBLIQUE)
 		shear(p, c->right_handed, truth_stage(t)->m);
 	struct truth_stage *s = truth_stage(t);

@@ -15,6 +15,7 @@ static void affine(struct truth *t, const double m[4][4], bool orthonormal)
 	for (int i = 0; i < 3; i++)
 		set(s->m[i], 3, m[i]);
 	if (orthonormal) {
+		t->irrational = true;
 		orthonormalise(s->m);
 		for (int i = 0; i < 9; i++)
 			s->size[i / 3][i % 3] = TWO;
@@ -75,6 +76,8 @@ static void camera(struct truth *t, const struct camera *c, bool right_handed)
 	struct truth_stage *eye = truth_stage(t), *view = truth_stage(t);
 	struct truth_stage *roll = truth_stage(t);
 
+	if (c->by != CAMERA_ORIENTATION || c->roll != 0)
+		t->irrational = true;
 	for (int i = 0; i < 3; i++)
 		eye->m[3][i] = number(-c->eye[i]);
 	if (c->by == CAMERA_ORIENTATION)
@@ -178,7 +181,7 @@ static void window(struct truth *t, const struct window *w,
  * the same. */
 static void reverse(struct truth *t)
 {
-	struct truth r = { .n = t->n };
+	struct truth r = { .n = t->n, .irrational = t->irrational };
 
 	for (int i = 0; i < t->n; i++) {
 		struct truth_stage *s = &t->stage[t->n - 1 - i];
@@ -216,6 +219,7 @@ void truth_scene(const struct scene *s, enum space from, enum space to,
 	const struct convention *c = &s->convention;
 
 	t->n = 0;
+	t->irrational = false;
 	if (s->has_world && crosses(from, to, SPACE_MODEL))
 		affine(t, s->world, false);
 	if (s->has_camera && crosses(from, to, SPACE_WORLD))
@@ -242,6 +246,7 @@ void truth_flat(const struct scene *s, enum flat from, enum flat to,
     struct truth *t)
 {
 	t->n = 0;
+	t->irrational = false;
 	if ((from == FLAT_WINDOW) != (to == FLAT_WINDOW))
 		window(t, &s->window, &s->device);
 	if ((from == FLAT_DEVICE) != (to == FLAT_DEVICE))
