@@ -45,6 +45,16 @@ void sample_points(const struct scene *s, enum space from, struct block *b,
 			b->in[j][i] = coordinate(s, from, j);
 }
 
+void sample_round_points(struct block *b, size_t n)
+{
+	for (size_t i = 0; i < n; i++)
+		for (int j = 0; j < 4; j++) {
+			int e = 300 * ((int)sample_below(3) - 1);
+
+			b->in[j][i] = ldexp((double)sample_below(5) - 2, e);
+		}
+}
+
 static bool sample_flat_transform(struct scene *s, struct transform *t,
     struct truth *truth)
 {
@@ -63,7 +73,10 @@ bool sample_transform(int e, struct scene *s, enum space *from,
 	bool homogeneous = sample_below(4) == 0;
 
 	*from = sample_below(6);
-	sample_scene(s, e);
+	if (e < 0)
+		sample_round_scene(s);
+	else
+		sample_scene(s, e);
 	if (sample_below(8) == 0)
 		return sample_flat_transform(s, t, truth);
 	if (scene_transform(s, *from, to, homogeneous, t) != NULL)

@@ -23,4 +23,7 @@ void sample_viewport(struct viewport *, int e);
 void sample_flat(struct window *, struct device *, int e);
 void sample_scene(struct scene *, int e);
 
+/* Of numbers with few digits, without an angle or a length: all is rational. */
+void sample_round_scene(struct scene *);
+
 #endif
