@@ -129,8 +129,8 @@ static const char *orthonormal(const struct camera *c, struct axis axis[3])
  * their products with the eye, at: an exact polynomial, divided once. So for an
  * eye (1,2,3) that looks at the origin x . eye is 0, where rounded axes would
  * give -4.9e-32. */
-static void elements(const struct axis axis[3], const double at[3],
-    bool exact, struct sum e[4][3])
+static void elements(const struct axis axis[3], const double at[3], bool exact,
+    struct sum e[4][3])
 {
 	struct sum p[3];
 
@@ -142,8 +142,7 @@ static void elements(const struct axis axis[3], const double at[3],
 		for (int k = 0; k < 4; k++) {
 			e[k][i] = k < 3 ? axis[i].v[k] : image;
 			if (!exact)
-				e[k][i] =
-				    sum_quotient(e[k][i], axis[i].length);
+				e[k][i] = sum_quotient(e[k][i], axis[i].length);
 		}
 	}
 }

@@ -371,7 +371,7 @@ bool ex_divide(const ex *a, const ex *b, int words, ex *r)
 		u[i] = shifted(a, top(a) - n + i, bits);
 	for (int i = words; i >= 0; i--)
 		q[i] = divide_word(u + i, d, b->n);
-	uint64_t rest = a->n > n ? 1 : 0;
+	uint64_t rest = a->n > n;
 
 	for (int i = 0; i < b->n; i++)
 		rest |= u[i];

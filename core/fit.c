@@ -224,20 +224,19 @@ static const char *close_sides(struct scene *s, const struct bounds *b)
 {
 	struct projection *p = &s->projection;
 	double *const size[2] = { &p->width, &p->height };
-	struct sum limit[2] = { sum_of_double(1), sum_of_double(1) };
+	struct sum half[2], scale[2];
 	struct extents r;
 	const char *why = bounds_extents(b, s, &r);
 
 	/* no test reaches this: bounds_close_depth has composed the same */
 	if (why != NULL)
 		return why;
-	if (s->has_viewport)
-		viewport_limits(&s->viewport, limit);
+	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
 	for (int j = 0; j < 2; j++) {
 		struct sum left = sum_neg(r.low[j]), right = r.high[j];
+		struct sum most = less(left, right) ? right : left;
 
-		*size[j] = 2 *
-		    sum_over(less(left, right) ? right : left, limit[j]);
+		*size[j] = 2 * sum_over(sum_mul(most, scale[j]), half[j]);
 		if (!(*size[j] > 0))
 			return "/camera/eye: too far from the bounds to tell "
 			       "their size; leave it out, or move it nearer";

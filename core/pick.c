@@ -56,8 +56,7 @@ const char *picker_of(const struct scene *s, const struct transform *to_device,
 		why = scene_map(s, SPACE_MODEL, SPACE_VIEW, view);
 	if (why != NULL)
 		return why;
-	view->m[3][2] =
-	    sum_sub(view->m[3][2], sum_mul(near, view->divisor));
+	view->m[3][2] = sum_sub(view->m[3][2], sum_mul(near, view->divisor));
 	for (int i = 0; i < 4 && !upward; i++)
 		view->m[i][2] = sum_neg(view->m[i][2]);
 	transform_init(&k->depth, SPACE_MODEL, SPACE_VIEW, false);

@@ -167,13 +167,12 @@ static double degrees(struct sum y, struct sum x)
 static void set_fov(const struct lens *l, const struct scene *s, double fov[2])
 {
 	const struct sum *g = l->gradient[3], two = sum_of_double(2);
-	struct sum limit[2] = { sum_of_double(1), sum_of_double(1) };
+	struct sum half[2], scale[2];
 
-	if (s->has_viewport)
-		viewport_limits(&s->viewport, limit);
+	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
 	for (int k = 0; k < 2; k++) {
-		const struct sum *a = l->gradient[k], lim = limit[k];
-		struct sum v[3];
+		const struct sum *a = l->gradient[k];
+		struct sum lim = sum_quotient(half[k], scale[k]), v[3];
 
 		vec3_cross(a, g, v);
 		struct sum y = sum_mul(sum_mul(lim, vec3_length(v)), two);

@@ -139,15 +139,17 @@ static void scales(const struct viewport *v, double s[2])
 	}
 }
 
-void viewport_limits(const struct viewport *v, struct sum limit[2])
+void viewport_limits(const struct viewport *v, struct sum half[2],
+    struct sum scale[2])
 {
-	double s[2];
+	double s[2] = { 1, 1 };
 
-	scales(v, s);
-	limit[0] = sum_quotient(sum_of_double(v->width / 2),
-	    sum_of_double(s[0]));
-	limit[1] = sum_quotient(sum_of_double(v->height / 2),
-	    sum_of_double(s[1]));
+	if (v != NULL)
+		scales(v, s);
+	half[0] = sum_of_double(v != NULL ? v->width / 2 : 1);
+	half[1] = sum_of_double(v != NULL ? v->height / 2 : 1);
+	for (int k = 0; k < 2; k++)
+		scale[k] = sum_of_double(s[k]);
 }
 
 const char *viewport_map(const struct viewport *v, const struct convention *c,
