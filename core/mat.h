@@ -1,4 +1,4 @@
-/* Homogeneous maps of row vectors between spaces, all but exact. */
+/* Homogeneous maps of row vectors between spaces, exact where they are rational. */
 #ifndef MAT_H
 #define MAT_H
 
@@ -7,9 +7,10 @@
 
 #include "sum.h"
 
-/* (p, 1) m / divisor is the image of a point p. The divisor is exact and positive, so
- * that what is a quotient of given numbers is known exactly; the elements of m are as
- * exact as sum.h says. */
+/* (p, 1) m / divisor is the image of a point p. The elements of m are as exact as
+ * sum.h says, and the divisor is exact and positive: a map that is made of given
+ * numbers without an angle or a length is exact in either direction. One divisor
+ * serves all columns, as most images are quotients of two of them. */
 struct map {
 	struct sum m[4][4], divisor;
 	/* From where points are best seen: the eye, a window's centre. Their

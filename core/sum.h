@@ -11,8 +11,8 @@ struct magnitude {
 	int e;
 };
 
-/* Where size is 0 the value is exact. Otherwise a quotient or an irrational
- * number is in it; multiplied out into the parameters it is a sum of terms whose
+/* Where size is 0 the value is exact. Otherwise an irrational number is in it, or a
+ * quotient that was not left to a map's divisor; multiplied out into the parameters it is a sum of terms whose
  * magnitudes sum to size, as far as they hold one. It is within 2^-250 size, and
  * a difference of at most 2^-190 size from anything is taken for none: so what
  * is 0 by its formula is 0, and what lies midway between two doubles is rounded
