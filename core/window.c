@@ -10,8 +10,8 @@ static struct quotient whole(ex a)
 	return (struct quotient){ a, ex_of(1) };
 }
 
-/* One axis, x' = (x - from) s + to, where from or to is 0: over the product of
- * their denominators. */
+/* One axis, x' = (x - from) s + to, where from or to is 0; the denominators go into
+ * the map's divisor. */
 static void put(struct map *r, int i, struct quotient from, struct quotient s,
     struct quotient to)
 {
