@@ -86,11 +86,8 @@ void print_matrix(const struct options *o, const struct document *d,
 	double m[4][4];
 
 	for (int i = 0; i < n; i++)
-		for (int j = 0; j < n; j++) {
-			struct sum e = map->m[pick[i]][pick[j]];
-
-			m[i][j] = floats ? (double)sum_float(e) : sum_double(e);
-		}
+		for (int j = 0; j < n; j++)
+			m[i][j] = map_nearest(map, pick[i], pick[j], floats);
 	if (floats)
 		refuse_wide(d, m, n);
 	if (is_binary(o->out)) {

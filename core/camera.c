@@ -6,11 +6,19 @@
 #include "vec3.h"
 
 /* An axis is v / length. The two are kept apart, as v is an exact polynomial of
- * the parameters, in sums of which terms cancel exactly. */
+ * the parameters, in sums of which terms cancel exactly. Where the second's length
+ * is exact all lengths are the same, by which the map divides. */
 struct axis {
 	struct sum v[3];
 	struct sum length;
 };
+
+static void lengthen(struct axis *a, struct sum by)
+{
+	for (int i = 0; i < 3; i++)
+		a->v[i] = sum_mul(a->v[i], by);
+	a->length = sum_mul(a->length, by);
+}
 
 /* x = up x z and y = z x x before either is normalised: exact polynomials of
  * lengths |up x z| and |z| |up x z|. */
@@ -51,6 +59,12 @@ static const char *look(const struct camera *c,
 	for (int i = 0; i < 3 && convention->view_y_down; i++) {
 		y->v[i] = sum_neg(y->v[i]);
 		z->v[i] = sum_neg(z->v[i]);
+	}
+	if (y->length.size.m == 0) {
+		struct sum along = x->length;
+
+		lengthen(x, z->length);
+		lengthen(z, along);
 	}
 	return NULL;
 }
@@ -139,6 +153,11 @@ struct stand {
 	enum angle_unit unit;
 };
 
+static bool is_exact(const struct stand *s)
+{
+	return s->axis[1].length.size.m == 0;
+}
+
 /* Minus the products of what is at with the axes, or with their transpose: an exact
  * polynomial, divided once. So for an eye (1,2,3) that looks at the origin x . eye
  * is 0, where rounded axes would give -4.9e-32. */
@@ -153,9 +172,9 @@ static void find_image(const struct stand *s, struct sum image[3])
 		const struct sum across[3] = { a[0].v[i], a[1].v[i],
 			a[2].v[i] };
 
-		image[i] = sum_quotient(vec3_dot(s->by_origin ? across : a[i].v,
-					    p),
-		    a[i].length);
+		image[i] = vec3_dot(s->by_origin ? across : a[i].v, p);
+		if (!is_exact(s))
+			image[i] = sum_quotient(image[i], a[i].length);
 	}
 }
 
@@ -176,15 +195,19 @@ static void turn_image(double roll, enum angle_unit unit, struct sum e[4][3])
  * other found. */
 static void stand(const struct stand *s, bool inverse, struct map *r)
 {
+	struct sum d = is_exact(s) ? s->axis[1].length : sum_of_double(1);
 	struct sum e[4][3], given[3], found[3];
 
 	find_image(s, found);
 	for (int i = 0; i < 3; i++) {
-		given[i] = sum_of_double(s->at[i]);
+		given[i] = sum_mul(d, sum_of_double(s->at[i]));
 		e[3][i] = s->by_origin ? given[i] : found[i];
-		for (int k = 0; k < 3; k++)
-			e[k][i] = sum_quotient(s->axis[i].v[k],
-			    s->axis[i].length);
+		for (int k = 0; k < 3; k++) {
+			e[k][i] = s->axis[i].v[k];
+			if (!is_exact(s))
+				e[k][i] = sum_quotient(e[k][i],
+				    s->axis[i].length);
+		}
 	}
 	turn_image(s->roll, s->unit, e);
 	map_identity(r);
@@ -194,8 +217,10 @@ static void stand(const struct stand *s, bool inverse, struct map *r)
 		for (int k = 0; k < 3; k++)
 			r->m[inverse ? i : k][inverse ? k : i] = e[k][i];
 		r->m[3][i] = inverse ? eye : e[3][i];
-		r->origin[i] = inverse ? 0 : sum_double(eye);
+		r->origin[i] = inverse ? 0 : sum_over(eye, d);
 	}
+	r->m[3][3] = d;
+	map_over(r, d);
 }
 
 static void transpose(struct axis axis[3])

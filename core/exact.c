@@ -258,6 +258,11 @@ static void shift(ex *r, const ex *a, int e)
 {
 	ex power;
 
+	if (e % 64 == 0) {
+		*r = *a;
+		r->e += a->n > 0 ? e / 64 : 0;
+		return;
+	}
 	set_whole(&power, 1, 1, e);
 	mul(r, a, &power);
 }
@@ -302,25 +307,28 @@ ex ex_first(ex a, int n)
 static uint64_t divide_word(uint64_t *u, const uint64_t *d, int n)
 {
 	wide first = (wide)u[n] << 64 | u[n - 1];
-	wide q = u[n] >= d[n - 1] ? UINT64_MAX : first / d[n - 1];
-	wide rest = first - q * d[n - 1];
-	uint64_t borrow = 0, carry = 0;
+	uint64_t q = UINT64_MAX, carry = 0;
+
+	if (u[n] < d[n - 1])
+		q = (uint64_t)(first / d[n - 1]);
+	wide rest = first - (wide)q * d[n - 1];
 
 	while (n > 1 && rest >> 64 == 0 &&
-	    q * d[n - 2] > (rest << 64 | u[n - 2])) {
+	    (wide)q * d[n - 2] > (rest << 64 | u[n - 2])) {
 		q--;
 		rest += d[n - 1];
 	}
-	for (int i = 0; i <= n; i++) {
-		wide p = (i < n ? q * d[i] : 0) + carry;
-		wide s = (wide)u[i] - (uint64_t)p - borrow;
+	for (int i = 0; i < n; i++) {
+		wide p = (wide)q * d[i] + carry;
 
-		carry = (uint64_t)(p >> 64);
-		u[i] = (uint64_t)s;
-		borrow = (uint64_t)(s >> 64) & 1;
+		carry = (uint64_t)(p >> 64) + (u[i] < (uint64_t)p);
+		u[i] -= (uint64_t)p;
 	}
-	if (borrow == 0)
-		return (uint64_t)q;
+	bool fits = u[n] >= carry;
+
+	u[n] -= carry;
+	if (fits)
+		return q;
 	carry = 0;
 	for (int i = 0; i <= n; i++) {
 		wide s = (wide)u[i] + (i < n ? d[i] : 0) + carry;
@@ -328,7 +336,13 @@ static uint64_t divide_word(uint64_t *u, const uint64_t *d, int n)
 		u[i] = (uint64_t)s;
 		carry = (uint64_t)(s >> 64);
 	}
-	return (uint64_t)q - 1;
+	return q - 1;
+}
+
+/* The same of a 2^bits, for bits from 0 to 63. */
+static uint64_t shifted(const ex *a, int at, int bits)
+{
+	return word_at(a, at) << bits | word_at(a, at - 1) >> 1 >> (63 - bits);
 }
 
 static int leading_zeros(const ex *a)
@@ -336,37 +350,41 @@ static int leading_zeros(const ex *a)
 	return __builtin_clzll(a->word[a->n - 1]);
 }
 
-/* Words of a quotient; the first can be 1, so that 5 whole ones are sure. */
-enum { QUOTIENT = 6 };
-
 /* An exponent that no quotient of numbers that a scene is made of has. */
 enum { BEYOND = 1 << 20 };
 
-void ex_divide(const ex *dividend, const ex *divisor, ex *r)
+bool ex_divide(const ex *a, const ex *b, int words, ex *r)
 {
-	uint64_t u[EX_WORDS + QUOTIENT + 1], q[QUOTIENT + 1];
-	ex a, b;
+	uint64_t u[EX_WORDS + EX_QUOTIENT + 1], d[EX_WORDS], q[EX_QUOTIENT + 1];
+	int n = b->n + words;
 
-	if (divisor->n == 0 || dividend->n == 0) {
-		set_whole(r, 1, divisor->n == 0, BEYOND);
-		return;
+	if (b->n == 0 || a->n == 0) {
+		set_whole(r, 1, b->n == 0, BEYOND);
+		return a->n == 0;
 	}
-	/* so that b's top bit is set, as the division wants it */
-	shift(&a, dividend, leading_zeros(divisor));
-	shift(&b, divisor, leading_zeros(divisor));
-	for (int i = 0; i < b.n + QUOTIENT; i++)
-		u[i] = word_at(&a, top(&a) - b.n - QUOTIENT + i);
-	u[b.n + QUOTIENT] = 0;
-	for (int i = QUOTIENT; i >= 0; i--)
-		q[i] = divide_word(u + i, b.word, b.n);
-	set(r, a.sign * b.sign, q, QUOTIENT + 1, top(&a) - QUOTIENT - top(&b));
+	/* so that d's top bit is set, as the division wants it */
+	int bits = leading_zeros(b);
+
+	for (int i = 0; i < b->n; i++)
+		d[i] = shifted(b, b->e + i, bits);
+	for (int i = 0; i <= n; i++)
+		u[i] = shifted(a, top(a) - n + i, bits);
+	for (int i = words; i >= 0; i--)
+		q[i] = divide_word(u + i, d, b->n);
+	uint64_t rest = a->n > n;
+
+	for (int i = 0; i < b->n; i++)
+		rest |= u[i];
+	q[0] |= rest != 0;
+	set(r, a->sign * b->sign, q, words + 1, top(a) - words - top(b));
+	return rest == 0;
 }
 
 ex ex_quotient(ex a, ex b)
 {
 	ex r;
 
-	ex_divide(&a, &b, &r);
+	ex_divide(&a, &b, EX_QUOTIENT, &r);
 	return r;
 }
 
@@ -384,8 +402,8 @@ ex ex_sqrt(ex a)
 
 	for (int i = 0; i < 3; i++)
 		r = ex_shift(ex_add(r, ex_quotient(m, r)), -1);
-	r = ex_add(r, whole(1, 1, 64 * (top(&r) - QUOTIENT) - 1));
-	return ex_shift(ex_first(r, QUOTIENT), e);
+	r = ex_add(r, whole(1, 1, 64 * (top(&r) - EX_QUOTIENT) - 1));
+	return ex_shift(ex_first(r, EX_QUOTIENT), e);
 }
 
 /* The 64 bits from 2^e on. */

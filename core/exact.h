@@ -16,7 +16,8 @@
 #include "dd.h"
 
 /* What is 2^-3100 of the largest term of a sum or product is lost: 1e150 times
- * itself three times is 2^1993, and nothing below 2^-1075 is printed. */
+ * itself three times is 2^1993, and nothing below 2^-1075 is printed. A divisor
+ * that all terms have in common changes nothing in that. */
 enum { EX_WORDS = 50 };
 
 /* sign times the sum of word[i] 2^(64 (e + i)); neither end is 0. */
@@ -37,8 +38,9 @@ ex ex_shift(ex a, int e);       /* a 2^e */
 ex ex_diff(double a, double b); /* a - b */
 
 /* Relative. What has five words or less is exact. A quotient by 0 is beyond the
- * range of doubles. */
+ * range of doubles. The first of its words can be as small as 1. */
 #define EX_ERROR 0x1p-319
+enum { EX_QUOTIENT = 6 };
 
 ex ex_quotient(ex a, ex b);
 ex ex_sqrt(ex a);
@@ -52,9 +54,11 @@ ex ex_first(ex a, int n);   /* the n first words, toward 0 */
 double ex_double(ex a);
 
 /* What every point needs, without copies: a sum of products, cut to its first words
- * where words is not 0; a quotient; the nearest double or float. */
+ * where words is not 0; a quotient of so many words or one more, whose last bit is 1
+ * where something remains, so that it is rounded as the exact one (it says whether none
+ * does); the nearest double or float. */
 void ex_dot(int n, const ex *const a[], const ex *const b[], int words, ex *);
-void ex_divide(const ex *a, const ex *b, ex *);
+bool ex_divide(const ex *a, const ex *b, int words, ex *);
 double ex_nearest(const ex *, bool single);
 
 /* The 64 bits that follow the first so many. */

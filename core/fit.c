@@ -31,7 +31,7 @@ static const char *find_slopes(const struct scene *s, struct sum slope[4])
 	const char *why = frustum_of(s, SPACE_VIEW, false, &view);
 
 	for (int k = 0; k < 4 && why == NULL; k++) {
-		slope[k] = view.sides.map.m[2][k];
+		slope[k] = map_element(&view.sides.map, 2, k);
 		if (looks_back(&s->convention))
 			slope[k] = sum_neg(slope[k]);
 		if (sum_sign(slope[k]) <= 0)
@@ -195,7 +195,7 @@ static const char *center(struct scene *s, bool has_eye, const struct bounds *b)
 	if (looks_back(c))
 		step[2] = sum_neg(step[2]);
 	for (int j = 0; j < 2; j++) {
-		struct sum sheared = sum_mul(step[2], clip.m[2][j]);
+		struct sum sheared = sum_mul(step[2], map_element(&clip, 2, j));
 
 		step[j] = j == 1 && c->ndc_y_down ? sum_add(step[j], sheared) :
 						    sum_sub(step[j], sheared);
@@ -225,20 +225,19 @@ static const char *close_sides(struct scene *s, const struct bounds *b)
 {
 	struct projection *p = &s->projection;
 	double *const size[2] = { &p->width, &p->height };
-	struct sum limit[2] = { sum_of_double(1), sum_of_double(1) };
+	struct sum half[2], scale[2];
 	struct extents r;
 	const char *why = bounds_extents(b, s, &r);
 
 	/* no test reaches this: bounds_close_depth has composed the same */
 	if (why != NULL)
 		return why;
-	if (s->has_viewport)
-		viewport_limits(&s->viewport, limit);
+	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
 	for (int j = 0; j < 2; j++) {
 		struct sum left = sum_neg(r.low[j]), right = r.high[j];
+		struct sum most = less(left, right) ? right : left;
 
-		*size[j] = 2 *
-		    sum_over(less(left, right) ? right : left, limit[j]);
+		*size[j] = 2 * sum_over(sum_mul(most, scale[j]), half[j]);
 		if (!(*size[j] > 0))
 			return "/camera/eye: too far from the bounds to tell "
 			       "their size; leave it out, or move it nearer";

@@ -23,7 +23,7 @@ struct sum bounds_lowest(const struct bounds *b, const struct map *m, int j,
 	if (b->sphere)
 		sum = sum_sub(sum,
 		    sum_mul(vec3_length(slope), sum_of_double(b->radius)));
-	return sum_settled(sum);
+	return sum_settled(sum_quotient(sum, m->divisor));
 }
 
 /* Highest less lowest, roughly; 0 only where the bounds have no extent. */
@@ -32,7 +32,7 @@ static double width(const struct bounds *b, const struct map *m, int j)
 	double length = 0, sum = 0;
 
 	for (int i = 0; i < 3; i++) {
-		double slope = fabs(sum_double(m->m[i][j]));
+		double slope = fabs(map_nearest(m, i, j, false));
 
 		length = hypot(length, slope);
 		sum += slope * (b->max[i] - b->min[i]);

@@ -15,14 +15,14 @@ static const char *from_axes(struct camera *c,
 
 	if (why == NULL && c->by >= CAMERA_TRANSLATION)
 		for (int k = 0; k < 3; k++)
-			c->eye[k] = sum_double(back.m[3][k]);
+			c->eye[k] = map_nearest(&back, 3, k, false);
 	turned.roll = 0;
 	turned.orthonormalize = true;
 	if (why == NULL)
 		why = camera_map(&turned, convention, true, &back);
 	for (int k = 0; k < 3 && why == NULL; k++) {
-		c->at[k] = along * sum_double(back.m[2][k]);
-		c->up[k] = upward * sum_double(back.m[1][k]);
+		c->at[k] = along * map_nearest(&back, 2, k, false);
+		c->up[k] = upward * map_nearest(&back, 1, k, false);
 	}
 	if (c->by >= CAMERA_POSE)
 		c->roll = 0;
@@ -71,6 +71,6 @@ void eye_move(const struct map *back, const struct sum step[3], double eye[3])
 
 		for (int i = 0; i < 3; i++)
 			sum = sum_add(sum, sum_mul(step[i], back->m[i][k]));
-		eye[k] = sum_double(sum);
+		eye[k] = sum_over(sum, back->divisor);
 	}
 }

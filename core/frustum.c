@@ -2,42 +2,41 @@
 
 #include <math.h>
 
-static void limits(const struct scene *s, struct sum limit[2])
+static void limits(const struct scene *s, struct sum half[2],
+    struct sum scale[2])
 {
-	limit[0] = limit[1] = sum_of_double(1);
-	if (s->has_viewport)
-		viewport_limits(&s->viewport, limit);
+	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
 }
 
-/* Column j of r becomes sign x + b w, of x = column k and w = column 3 of m. */
+/* Column j of r becomes sign a x + b w, of x = column k and w = column 3 of m. */
 static void combine(struct map *r, int j, const struct map *m, bool minus,
-    int k, struct sum b)
+    int k, struct sum a, struct sum b)
 {
 	for (int i = 0; i < 4; i++) {
-		struct sum x = m->m[i][k];
+		struct sum x = sum_mul(a, m->m[i][k]);
 
 		r->m[i][j] = sum_add(minus ? sum_neg(x) : x,
 		    sum_mul(b, m->m[i][3]));
 	}
 }
 
-/* left: x >= -limit w, right: x <= limit w, and so on; y's sign is turned
- * where ndc y points down, near and far where depth is reversed. */
+/* left: x scale >= -half w, right: x scale <= half w, and so on; y's sign is
+ * turned where ndc y points down, near and far where depth is reversed. */
 static void planes(const struct scene *s, const struct map *m,
     struct map *sides, struct map *ends)
 {
 	const struct convention *c = answer_convention(s);
 	bool reversed = projection_is_reversed(&s->projection, &s->convention);
-	struct sum limit[2];
+	struct sum half[2], scale[2], one = sum_of_double(1);
 
-	limits(s, limit);
+	limits(s, half, scale);
 	for (int k = 0; k < 4; k++) {
 		bool high = (k & 1) ^ (k >= 2 && c->ndc_y_down);
 
-		combine(sides, k, m, high, k / 2, limit[k / 2]);
+		combine(sides, k, m, high, k / 2, scale[k / 2], half[k / 2]);
 	}
-	combine(ends, reversed, m, false, 2, sum_of_double(c->minus_one));
-	combine(ends, !reversed, m, true, 2, sum_of_double(1));
+	combine(ends, reversed, m, false, 2, one, sum_of_double(c->minus_one));
+	combine(ends, !reversed, m, true, 2, one, one);
 }
 
 const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
@@ -94,11 +93,15 @@ const char *view_corner(const struct scene *s, const struct map *from_view,
     int corner, struct sum h[4])
 {
 	static const int right[4] = { -1, 1, 1, -1 }, up[4] = { -1, -1, 1, 1 };
-	struct sum side[2], v[4];
+	struct sum side[2], half[2], scale[2], v[4];
 
-	limits(s, side);
-	side[0] = sum_mul(side[0], sum_of_double(right[corner % 4]));
-	side[1] = sum_mul(side[1], sum_of_double(up[corner % 4]));
+	limits(s, half, scale);
+	for (int k = 0; k < 2; k++) {
+		int sign = k == 0 ? right[corner % 4] : up[corner % 4];
+
+		side[k] = sum_quotient(half[k], scale[k]);
+		side[k] = sign < 0 ? sum_neg(side[k]) : side[k];
+	}
 	const struct convention *given = &s->convention;
 	const struct convention *answer = answer_convention(s);
 	const char *why = projection_corner(&s->projection, given, side,
@@ -110,9 +113,8 @@ const char *view_corner(const struct scene *s, const struct map *from_view,
 		v[2] = sum_neg(v[2]);
 
 	for (int j = 0; j < 4 && why == NULL; j++) {
-		h[j] = sum_of_double(0);
-		for (int i = 0; i < 4; i++)
-			h[j] = sum_add(h[j], sum_mul(v[i], from_view->m[i][j]));
+		map_column(from_view, j, v, &h[j]);
+		h[j] = sum_quotient(h[j], from_view->divisor);
 	}
 	return why;
 }

@@ -7,6 +7,7 @@
 void map_identity(struct map *r)
 {
 	memset(r, 0, sizeof *r);
+	r->divisor = sum_of_double(1);
 	for (int i = 0; i < 4; i++)
 		r->m[i][i] = sum_of_double(1);
 }
@@ -14,14 +15,47 @@ void map_identity(struct map *r)
 void map_of_doubles(const double m[4][4], struct map *r)
 {
 	memset(r, 0, sizeof *r);
+	r->divisor = sum_of_double(1);
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
 			r->m[i][j] = sum_of_double(m[i][j]);
 }
 
-static bool is_one(const struct sum *a)
+static void divide(struct sum *a, const struct sum *d)
 {
-	return ex_compare(a->value, ex_of(1)) == 0;
+	if (!sum_is_nothing(a) && !sum_is_one(d))
+		*a = sum_quotient(*a, *d);
+}
+
+/* What is divided exactly needs no divisor. */
+void map_over(struct map *r, struct sum d)
+{
+	struct sum power = sum_of_double(d.value.sign);
+
+	r->divisor = sum_mul(r->divisor, sum_abs(d));
+	if (sum_is_power_of_two(&r->divisor)) {
+		power = sum_mul(power, r->divisor);
+		r->divisor = sum_of_double(1);
+	}
+	for (int i = 0; i < 16 && !sum_is_one(&power); i++)
+		divide(&r->m[i / 4][i % 4], &power);
+}
+
+void map_column_over(struct map *r, int j, struct sum d)
+{
+	bool divides = d.size.m > 0 || sum_is_power_of_two(&d);
+
+	for (int i = 0; i < 4 && divides; i++)
+		divide(&r->m[i][j], &d);
+	if (divides)
+		return;
+	for (int i = 0; i < 16; i++) {
+		struct sum *m = &r->m[i / 4][i % 4];
+
+		if (i % 4 != j && !sum_is_nothing(m))
+			*m = sum_mul(*m, d);
+	}
+	map_over(r, d);
 }
 
 bool map_is_affine(const struct map *a)
@@ -29,7 +63,7 @@ bool map_is_affine(const struct map *a)
 	for (int i = 0; i < 3; i++)
 		if (sum_sign(a->m[i][3]) != 0)
 			return false;
-	return is_one(&a->m[3][3]);
+	return ex_compare(a->m[3][3].value, a->divisor.value) == 0;
 }
 
 const char *map_not_affine(const struct map *a, const char *transposed,
@@ -39,25 +73,31 @@ const char *map_not_affine(const struct map *a, const char *transposed,
 
 	if (map_is_affine(a))
 		return NULL;
-	return vec3_is_zero(last) && is_one(&last[3]) ? transposed : other;
+	return vec3_is_zero(last) && sum_is_one(&last[3]) ? transposed : other;
 }
 
 static bool is_identity(const struct map *a)
 {
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
-			if (i == j ? !is_one(&a->m[i][j]) :
+			if (i == j ? !sum_is_one(&a->m[i][j]) :
 				     a->m[i][j].value.sign != 0)
 				return false;
-	return true;
+	return sum_is_one(&a->divisor);
 }
 
+/* Elements below 2^960 surely are. */
 bool map_is_finite(const struct map *a)
 {
-	for (int i = 0; i < 4; i++)
-		for (int j = 0; j < 4; j++)
-			if (!isfinite(ex_double(a->m[i][j].value)))
-				return false;
+	int most = a->divisor.value.e + a->divisor.value.n + 14;
+
+	for (int i = 0; i < 16; i++) {
+		const ex *m = &a->m[i / 4][i % 4].value;
+
+		if (m->e + m->n > most &&
+		    !isfinite(map_nearest(a, i / 4, i % 4, false)))
+			return false;
+	}
 	return true;
 }
 
@@ -80,9 +120,23 @@ void map_then(const struct map *a, const struct map *b, struct map *r)
 		return;
 	}
 	memcpy(r->origin, a->origin, sizeof r->origin);
+	r->divisor = sum_mul(a->divisor, b->divisor);
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
 			set_element(r, i, j, a, b);
+}
+
+struct sum map_element(const struct map *a, int i, int j)
+{
+	struct sum e = a->m[i][j];
+
+	divide(&e, &a->divisor);
+	return e;
+}
+
+double map_nearest(const struct map *a, int i, int j, bool single)
+{
+	return sum_nearest(&a->m[i][j], &a->divisor, single);
 }
 
 void map_column(const struct map *m, int j, const struct sum p[4],
@@ -133,8 +187,10 @@ bool map_inverse(const double m[4][4], struct map *inverse)
 			struct sum c = map_minor(3, a.m, 1u << j, 1u << i);
 
 			c = (i + j) % 2 ? sum_neg(c) : c;
-			inverse->m[i][j] = sum_quotient(c, det);
+			inverse->m[i][j] = c;
 		}
+	inverse->divisor = sum_of_double(1);
+	map_over(inverse, det);
 	for (int k = 0; k < 3; k++)
 		inverse->origin[k] = map_is_affine(&a) ? m[3][k] : 0;
 	return true;

@@ -1,4 +1,4 @@
-/* Homogeneous maps of row vectors between spaces, all but exact. */
+/* Homogeneous maps of row vectors between spaces, exact where they are rational. */
 #ifndef MAT_H
 #define MAT_H
 
@@ -7,9 +7,12 @@
 
 #include "sum.h"
 
-/* (p, 1) m is the image of a point p. Each element is as exact as sum.h says. */
+/* (p, 1) m / divisor is the image of a point p. The elements of m are as exact as
+ * sum.h says, and the divisor is exact and positive: a map that is made of given
+ * numbers without an angle or a length is exact in either direction. One divisor
+ * serves all columns, as most images are quotients of two of them. */
 struct map {
-	struct sum m[4][4];
+	struct sum m[4][4], divisor;
 	/* From where points are best seen: the eye, a window's centre. Their
 	 * differences from it are small where the image is exact to many
 	 * digits. */
@@ -20,6 +23,11 @@ void map_identity(struct map *);
 
 /* Of a matrix of given numbers; the origin is 0. */
 void map_of_doubles(const double m[4][4], struct map *);
+
+/* Divides by something exact; or a column, by what goes into the divisor where it is
+ * exact. */
+void map_over(struct map *, struct sum d);
+void map_column_over(struct map *, int j, struct sum d);
 
 /* First a, then b, into another map. */
 void map_then(const struct map *a, const struct map *b, struct map *r);
@@ -32,7 +40,11 @@ bool map_inverse(const double m[4][4], struct map *inverse);
 struct sum map_minor(int n, const struct sum m[4][4], unsigned rows,
     unsigned columns);
 
-/* Column j of the image of a homogeneous point. */
+/* An element of the matrix, divided; and its nearest double or float. */
+struct sum map_element(const struct map *, int i, int j);
+double map_nearest(const struct map *, int i, int j, bool single);
+
+/* Column j of the image of a homogeneous point, times the divisor. */
 void map_column(const struct map *, int j, const struct sum p[4], struct sum *);
 
 /* Whether the last column is 0 0 0 1. */

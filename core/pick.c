@@ -61,7 +61,7 @@ const char *picker_of(const struct scene *given,
 		why = scene_map(s, SPACE_MODEL, SPACE_VIEW, view);
 	if (why != NULL)
 		return why;
-	view->m[3][2] = sum_sub(view->m[3][2], near);
+	view->m[3][2] = sum_sub(view->m[3][2], sum_mul(near, view->divisor));
 	for (int i = 0; i < 4 && !upward; i++)
 		view->m[i][2] = sum_neg(view->m[i][2]);
 	transform_init(&k->depth, SPACE_MODEL, SPACE_VIEW, false);
@@ -88,7 +88,7 @@ bool pick_holds(const struct picker *k, const double in[4],
 	if (k->radius > 0x1p-40 * large && r2 > 0x1p-900 && r2 < 0x1p900 &&
 	    fabs(d2 - r2) > 0x1p-8 * r2)
 		return d2 < r2;
-	struct sum w = t->divide ? point_column(t, 3, in) : sum_of_double(1);
+	struct sum w = point_column(t, 3, in);
 	struct sum d = sum_neg(square(sum_mul(w, sum_of_double(k->radius))));
 
 	for (int j = 0; j < 2; j++) {
@@ -101,7 +101,7 @@ bool pick_holds(const struct picker *k, const double in[4],
 
 double pick_distance(const struct picker *k, const double in[4])
 {
-	return sum_double(point_column(&k->depth, 2, in));
+	return sum_over(point_column(&k->depth, 2, in), k->depth.map.divisor);
 }
 
 int pick_compare(const struct picker *k, const double p[4], const double q[4])

@@ -35,34 +35,35 @@ static bool has_nan(const struct transform *t, const double in[4])
 }
 
 /* What the image of p is divided by. False where there is no image. */
-static bool find_w(const struct transform *t, const double in[4],
-    const struct sum p[4], struct sum *w)
+static bool find_divisor(const struct transform *t, const double in[4],
+    const struct sum p[4], struct sum *d)
 {
+	*d = t->map.divisor;
 	if (!t->divide)
 		return true;
 	if (t->reciprocal && t->out == 4)
-		*w = sum_of_double(in[3]);
+		*d = sum_mul(*d, sum_of_double(in[3]));
 	else
-		map_column(&t->map, 3, p, w);
-	int sign = sum_sign(*w);
+		map_column(&t->map, 3, p, d);
+	int sign = sum_sign(*d);
 
 	return t->front ? sign > 0 : sign != 0;
 }
 
 void point_exact(const struct transform *t, const double in[4], double out[4])
 {
-	struct sum p[4], q, w;
+	struct sum p[4], q, d;
 
 	for (int j = 0; j < t->out; j++)
 		out[j] = (double)NAN;
 	if (has_nan(t, in))
 		return;
 	set_point(t, in, p);
-	if (!find_w(t, in, p, &w))
+	if (!find_divisor(t, in, p, &d))
 		return;
 	for (int j = 0; j < t->out; j++) {
 		map_column(&t->map, j, p, &q);
-		double v = sum_nearest(&q, t->divide ? &w : NULL, false);
+		double v = sum_nearest(&q, &d, false);
 
 		if (isfinite(v))
 			out[j] = v;
@@ -100,16 +101,16 @@ float point_single(const struct transform *t, const double in[4], int j,
 {
 	float a = (float)image;
 	float b = nextafterf(a, (double)a < image ? INFINITY : -INFINITY);
-	struct sum p[4], q, w;
+	struct sum p[4], q, d;
 
 	if ((isfinite(a) ? (double)a / 2 + (double)b / 2 : 0) != image &&
 	    fabs(image) != 0x1.ffffffp127)
 		return a;
 	set_point(t, in, p);
-	if (!find_w(t, in, p, &w))
+	if (!find_divisor(t, in, p, &d))
 		return a;
 	map_column(&t->map, j, p, &q);
-	return (float)sum_nearest(&q, t->divide ? &w : NULL, true);
+	return (float)sum_nearest(&q, &d, true);
 }
 
 /* Differences, elements and products are rounded, then three sums: 6 u of their

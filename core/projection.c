@@ -7,10 +7,11 @@
  *	 0   y   0   0
  *	 zx  zy  zz  zw
  *	 tx  ty  tz  tw
- * det = zz tw - zw tz is known as a product of parameters, without
+ * whose columns are divided by dx, dy, dz and 1, and all of them by d. z, w and d are
+ * exact, and so is det = zz tw - zw tz, as a product of parameters, without
  * cancellation. */
 struct elements {
-	struct sum x, y, zx, zy, zz, zw, tx, ty, tz, tw, det;
+	struct sum x, y, zx, zy, zz, zw, tx, ty, tz, tw, dx, dy, dz, d, det;
 };
 
 static struct sum number(double a)
@@ -28,39 +29,26 @@ static struct sum difference(double a, double b)
 	return sum_of(ex_diff(a, b));
 }
 
-/* The elements of one axis: 2 d / (b - a), and (a + b) / (b - a), by which the
- * cross-section's centre is off the axis. */
-static const char *edges(double a, double b, double d, const char *equal,
-    struct sum *scale, struct sum *off)
-{
-	struct sum size = difference(b, a);
-
-	if (sum_sign(size) == 0)
-		return equal;
-	*scale = sum_quotient(number(2 * d), size);
-	*off = sum_quotient(difference(a, -b), size);
-	return NULL;
-}
-
 /* One of x and y is s / over; the other follows from the aspect w / h. */
 static void by_aspect(const double aspect[2], bool given_x, struct sum s,
     struct sum over, struct elements *f)
 {
 	struct sum w = number(aspect[0]), h = number(aspect[1]);
-	struct sum given = sum_quotient(s, over);
 
-	f->x = given_x ? given : sum_quotient(sum_mul(s, h), sum_mul(over, w));
-	f->y = given_x ? sum_quotient(sum_mul(s, w), sum_mul(over, h)) : given;
+	f->x = given_x ? s : sum_mul(s, h);
+	f->dx = given_x ? over : sum_mul(over, w);
+	f->y = given_x ? sum_mul(s, w) : s;
+	f->dy = given_x ? sum_mul(over, h) : over;
 }
 
 /* Sets x, y and by how much the centre is off; d is the distance of the plane
- * in which width, height and edges are given: near for persp, 1 otherwise. */
+ * in which width, height and edges are given: near for persp, 1 otherwise. From a to
+ * b a side is seen at 2 d / (b - a), and off by (a + b) / (b - a). */
 static const char *cross_section(const struct projection *p, double d,
     struct elements *f, struct sum off[2])
 {
 	bool wide = p->aspect[0] >= p->aspect[1];
 	struct sum cot = number(0);
-	const char *why;
 
 	off[0] = off[1] = number(0);
 	if (p->extent <= EXTENT_VIEW_ANGLE)
@@ -82,20 +70,23 @@ static const char *cross_section(const struct projection *p, double d,
 		by_aspect(p->aspect, false, number(2), number(p->height), f);
 		break;
 	case EXTENT_SIZE:
-		f->x = sum_quotient(number(2 * d), number(p->width));
-		f->y = sum_quotient(number(2 * d), number(p->height));
+		f->x = f->y = number(2 * d);
+		f->dx = number(p->width);
+		f->dy = number(p->height);
 		break;
 	case EXTENT_EDGES:
-		why = edges(p->left, p->right, d,
-		    "/projection/right: equal to left; "
-		    "the edges must differ",
-		    &f->x, &off[0]);
-		if (why != NULL)
-			return why;
-		return edges(p->bottom, p->top, d,
-		    "/projection/top: equal to bottom; "
-		    "the edges must differ",
-		    &f->y, &off[1]);
+		f->x = f->y = number(2 * d);
+		f->dx = difference(p->right, p->left);
+		f->dy = difference(p->top, p->bottom);
+		off[0] = difference(p->left, -p->right);
+		off[1] = difference(p->bottom, -p->top);
+		if (sum_sign(f->dx) == 0)
+			return "/projection/right: equal to left; "
+			       "the edges must differ";
+		if (sum_sign(f->dy) == 0)
+			return "/projection/top: equal to bottom; "
+			       "the edges must differ";
+		break;
 	}
 	return NULL;
 }
@@ -116,6 +107,7 @@ static const char *persp(const struct projection *p, const struct convention *c,
 	if (!(n < p->far))
 		return "/projection/near: not less than far; for reversed "
 		       "depth say \"reverse_z\": true";
+	f->d = f->dz = number(1);
 	if (isinf(p->far)) {
 		/* A = 1, reversed 1 - k; B = -k n, reversed k n */
 		f->zz = number(p->reverse_z ? 1 - k : 1);
@@ -123,12 +115,10 @@ static const char *persp(const struct projection *p, const struct convention *c,
 	} else {
 		double a = p->reverse_z ? p->far : n;
 		double b = p->reverse_z ? n : p->far;
-		struct sum size = difference(b, a);
 
-		f->zz = sum_quotient(c->minus_one ? difference(b, -a) :
-						    number(b),
-		    size);
-		f->tz = sum_quotient(sum_mul(number(-k * a), number(b)), size);
+		f->dz = difference(b, a);
+		f->zz = c->minus_one ? difference(b, -a) : number(b);
+		f->tz = sum_mul(number(-k * a), number(b));
 	}
 	f->zx = negated_if(!back, off[0]);
 	f->zy = negated_if(!back, off[1]);
@@ -143,19 +133,18 @@ static const char *ortho(const struct projection *p, const struct convention *c,
 {
 	double a = p->reverse_z ? p->far : p->near;
 	double b = p->reverse_z ? p->near : p->far;
-	struct sum size = difference(b, a);
 	struct sum off[2];
 	const char *why = cross_section(p, 1, f, off);
 
 	if (why != NULL)
 		return why;
-	if (sum_sign(size) == 0)
+	f->d = number(1);
+	f->dz = difference(b, a);
+	if (sum_sign(f->dz) == 0)
 		return "/projection/far: equal to near; "
 		       "the planes must differ";
-	f->zz = sum_quotient(number(c->minus_one ? 2 : 1), size);
-	f->tz = sum_quotient(c->minus_one ? difference(-a, b) : number(-a),
-	    size);
-	f->zz = negated_if(looks_back(c), f->zz);
+	f->zz = negated_if(looks_back(c), number(c->minus_one ? 2 : 1));
+	f->tz = c->minus_one ? difference(-a, b) : number(-a);
 	f->tx = sum_neg(off[0]);
 	f->ty = sum_neg(off[1]);
 	f->tw = number(1);
@@ -215,40 +204,35 @@ static const char *eye_of(const struct projection *p, struct eye *e)
 			    "beyond z_far";
 }
 
-/* Each element is a quotient of exact polynomials, so that a parallel projection,
- * q = 0, is no special case. */
+/* All is over q's denominator, so that a parallel projection, q = 0, is no special
+ * case. */
 static const char *volume(const struct projection *p,
     const struct convention *c, struct elements *f)
 {
-	struct sum size = difference(p->z_near, p->z_far);
-	struct sum width = number(p->half_width);
-	struct sum height = number(p->half_height);
 	struct eye e;
 
-	if (sum_sign(size) == 0)
+	f->dx = number(p->half_width);
+	f->dy = number(p->half_height);
+	f->dz = difference(p->z_near, p->z_far);
+	if (sum_sign(f->dz) == 0)
 		return "/projection/z_far: equal to z_near; "
 		       "the planes must differ";
 	const char *why = eye_of(p, &e);
 
 	if (why != NULL)
 		return why;
-	struct sum depth = e.an, offset = sum_mul(e.an, number(p->z_near));
-	struct sum over = sum_mul(e.qd, size), det = sum_mul(e.an, e.bn);
-
+	f->d = f->x = f->y = f->tw = e.qd;
+	f->zx = number(-e.skew[0]);
+	f->zy = number(-e.skew[1]);
+	f->zz = sum_neg(e.an);
+	f->zw = sum_neg(e.qn);
+	f->tz = sum_mul(e.an, number(p->z_near));
+	f->det = sum_neg(sum_mul(e.an, e.bn));
 	if (c->minus_one) {
-		depth = sum_add(depth, e.bn);
-		offset = sum_add(offset, sum_mul(e.bn, number(p->z_far)));
-		det = sum_mul(det, number(2));
+		f->zz = sum_sub(f->zz, e.bn);
+		f->tz = sum_add(f->tz, sum_mul(e.bn, number(p->z_far)));
+		f->det = sum_mul(f->det, number(2));
 	}
-	f->x = sum_quotient(number(1), width);
-	f->y = sum_quotient(number(1), height);
-	f->zx = sum_quotient(number(-e.skew[0]), sum_mul(e.qd, width));
-	f->zy = sum_quotient(number(-e.skew[1]), sum_mul(e.qd, height));
-	f->zz = sum_neg(sum_quotient(depth, over));
-	f->zw = sum_neg(sum_quotient(e.qn, e.qd));
-	f->tz = sum_quotient(offset, over);
-	f->tw = number(1);
-	f->det = sum_neg(sum_quotient(det, sum_mul(over, e.qd)));
 	if (sum_sign(e.an) == sum_sign(e.qd))
 		return NULL;
 	for (struct sum *m = &f->x; m <= &f->tw; m++)
@@ -268,28 +252,38 @@ static void map_of_elements(const struct elements *f, struct map *r)
 
 	memset(r, 0, sizeof *r);
 	memcpy(r->m, m, sizeof m);
+	r->divisor = number(1);
+	map_over(r, f->d);
+	map_column_over(r, 0, f->dx);
+	map_column_over(r, 1, f->dy);
+	map_column_over(r, 2, f->dz);
 }
 
 /* Block by block: 1/x and 1/y; the inverse of zz zw, tz tw; and what makes the
- * lower left one cancel, in which the term zw tx is 0 for every projection. */
+ * lower left one cancel, in which the term zw tx is 0 for every projection. What
+ * columns were divided by, rows are multiplied by. */
 static struct elements inverse_elements(const struct elements *f)
 {
-	struct sum one = number(1);
-	struct sum dx = sum_mul(f->det, f->x), dy = sum_mul(f->det, f->y);
 	struct sum tx = sum_sub(sum_mul(f->tz, f->zx), sum_mul(f->zz, f->tx));
 	struct sum ty = sum_sub(sum_mul(f->tz, f->zy), sum_mul(f->zz, f->ty));
+	struct sum z = sum_mul(f->d, f->dz), minus_z = sum_neg(z);
+	struct sum det = sum_mul(f->d, f->det);
 
 	return (struct elements){
-		.x = sum_quotient(one, f->x),
-		.y = sum_quotient(one, f->y),
-		.zx = sum_neg(sum_quotient(sum_mul(f->tw, f->zx), dx)),
-		.zy = sum_neg(sum_quotient(sum_mul(f->tw, f->zy), dy)),
-		.zz = sum_quotient(f->tw, f->det),
-		.zw = sum_neg(sum_quotient(f->zw, f->det)),
-		.tx = sum_quotient(tx, dx),
-		.ty = sum_quotient(ty, dy),
-		.tz = sum_neg(sum_quotient(f->tz, f->det)),
-		.tw = sum_quotient(f->zz, f->det),
+		.x = sum_mul(f->dx, det),
+		.y = sum_mul(f->dy, det),
+		.zx = sum_mul(minus_z, sum_mul(f->tw, f->zx)),
+		.zy = sum_mul(minus_z, sum_mul(f->tw, f->zy)),
+		.zz = sum_mul(z, f->tw),
+		.zw = sum_mul(minus_z, f->zw),
+		.tx = sum_mul(f->d, tx),
+		.ty = sum_mul(f->d, ty),
+		.tz = sum_neg(sum_mul(f->d, f->tz)),
+		.tw = sum_mul(f->d, f->zz),
+		.dx = f->x,
+		.dy = f->y,
+		.dz = number(1),
+		.d = f->det,
 	};
 }
 
@@ -404,7 +398,8 @@ static const char *bare_corner(const struct projection *p,
 	for (int j = 0; j < 4 && why == NULL; j++) {
 		v[j] = number(0);
 		for (int i = 0; i < 4; i++)
-			v[j] = sum_add(v[j], sum_mul(clip[i], back.m[i][j]));
+			v[j] = sum_add(v[j],
+			    sum_mul(clip[i], map_element(&back, i, j)));
 	}
 	return why;
 }
@@ -429,17 +424,17 @@ const char *projection_corner(const struct projection *p,
 	else if (looks_back(c))
 		z = -z;
 	if (isinf(z)) {
-		v[2] = sum_quotient(number(1), f.zw);
+		v[2] = sum_quotient(f.d, f.zw);
 		v[3] = number(0);
 	} else {
 		struct sum w = sum_add(sum_mul(f.zw, number(z)), f.tw);
 
-		v[2] = sum_quotient(number(z), w);
-		v[3] = sum_quotient(number(1), w);
+		v[2] = sum_quotient(sum_mul(f.d, number(z)), w);
+		v[3] = sum_quotient(f.d, w);
 	}
-	v[0] = sum_sub(side[0],
+	v[0] = sum_sub(sum_mul(sum_mul(f.d, f.dx), side[0]),
 	    sum_add(sum_mul(f.zx, v[2]), sum_mul(f.tx, v[3])));
-	v[1] = sum_sub(side[1],
+	v[1] = sum_sub(sum_mul(sum_mul(f.d, f.dy), side[1]),
 	    sum_add(sum_mul(f.zy, v[2]), sum_mul(f.ty, v[3])));
 	v[0] = sum_quotient(v[0], f.x);
 	v[1] = sum_quotient(v[1], f.y);

@@ -46,7 +46,7 @@ static inline const struct convention *answer_convention(const struct scene *s)
 }
 
 /* The composed map between any two spaces: the stages, from their parameters
- * in either direction, multiplied out as sums, exactly or all but (sum.h).
+ * in either direction, multiplied out as sums over a divisor (mat.h).
  * Points come out homogeneous; see points.h for the division. Returns NULL,
  * or the member (a JSON pointer) and the reason. */
 const char *scene_map(const struct scene *, enum space from, enum space to,

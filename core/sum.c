@@ -2,8 +2,12 @@
 
 #include <string.h>
 
-/* A value with an error does not need more words than its error leaves. */
-enum { WORDS = 7 };
+/* A value with an error does not need more words than its error leaves. A quotient
+ * that is rounded needs one whole word and whether anything remains, or two where
+ * that does not tell. */
+enum { WORDS = 7, EXACT = 2, CLEAR = 3 };
+
+static const struct sum one = { { 1, 1, 0, { 1 } }, { 0, 0 } };
 
 /* m 2^e, where m is a product or quotient of two such, or a sum of some words: no
  * subnormal number. */
@@ -98,10 +102,17 @@ struct sum sum_sub(struct sum a, struct sum b)
 	return sum_add(a, sum_neg(b));
 }
 
+bool sum_is_nothing(const struct sum *a)
+{
+	return a->value.n == 0 && a->size.m == 0;
+}
+
 struct sum sum_mul(struct sum a, struct sum b)
 {
 	struct magnitude size = { 0, 0 };
 
+	if (sum_is_nothing(&a) || sum_is_nothing(&b))
+		return sum_of_double(0);
 	if (a.size.m > 0 || b.size.m > 0)
 		size = times(share(&a), share(&b));
 	return cut(ex_mul(a.value, b.value), size);
@@ -124,8 +135,13 @@ void sum_dot(int n, const struct sum *const a[], const struct sum *const b[],
 	r->size = size;
 }
 
-/* By which anything is divided exactly, however many digits it has. */
-static bool is_power_of_two(const struct sum *a)
+bool sum_is_one(const struct sum *a)
+{
+	return a->size.m == 0 && a->value.sign == 1 && a->value.n == 1 &&
+	    a->value.e == 0 && a->value.word[0] == 1;
+}
+
+bool sum_is_power_of_two(const struct sum *a)
 {
 	return a->size.m == 0 && a->value.n == 1 &&
 	    (a->value.word[0] & (a->value.word[0] - 1)) == 0;
@@ -135,17 +151,20 @@ struct sum sum_quotient(struct sum a, struct sum b)
 {
 	struct magnitude d = of(&b.value), size = over(share(&a), d);
 
-	if (is_power_of_two(&b)) {
+	if (sum_is_nothing(&a))
+		return a;
+	if (sum_is_power_of_two(&b)) {
 		ex q = ex_shift(a.value, 1 - d.e);
 
 		return (struct sum){ b.value.sign < 0 ? ex_neg(q) : q,
 			over(a.size, d) };
 	}
-	ex q = ex_quotient(a.value, b.value);
+	ex q;
+	bool exact = ex_divide(&a.value, &b.value, EX_QUOTIENT, &q);
 
 	if (b.size.m > 0)
 		size = plus(size, over(times(of(&q), b.size), d));
-	else if (a.size.m == 0 && ex_compare(ex_mul(q, b.value), a.value) == 0)
+	else if (a.size.m == 0 && exact)
 		size.m = 0;
 	return (struct sum){ q, size };
 }
@@ -219,7 +238,7 @@ static bool is_well_known(const struct sum *a)
 	return a->size.m == 0 || a->size.e - of(&a->value).e < 60;
 }
 
-/* n / d is within 2^-319 of q, which can be at or on the wrong side of the
+/* n / d is within 2^-128 of q, which can be at or on the wrong side of the
  * midpoint that is next to it; n tells from the midpoint times d. */
 static double decide(const struct sum *n, const struct sum *d, const ex *q,
     bool single)
@@ -246,22 +265,22 @@ static double decide(const struct sum *n, const struct sum *d, const ex *q,
 
 double sum_nearest(const struct sum *n, const struct sum *d, bool single)
 {
-	static const struct sum one = { { 1, 1, 0, { 1 } }, { 0, 0 } };
+	bool exact = n->size.m == 0 && d->size.m == 0;
 	ex quotient;
 	const ex *q = &quotient;
 
 	if (is_none(&n->value, n->size))
 		return 0;
-	if (d == NULL)
+	if (sum_is_one(d))
 		q = &n->value;
 	else
-		ex_divide(&n->value, &d->value, &quotient);
-	if (d == NULL && n->size.m == 0)
+		ex_divide(&n->value, &d->value, exact ? EXACT : CLEAR,
+		    &quotient);
+	if (exact)
 		return ex_nearest(q, single);
-	if (is_clear(q, single) && is_well_known(n) &&
-	    (d == NULL || is_well_known(d)))
+	if (is_clear(q, single) && is_well_known(n) && is_well_known(d))
 		return ex_nearest(q, single);
-	return decide(n, d != NULL ? d : &one, q, single);
+	return decide(n, d, q, single);
 }
 
 double sum_over(struct sum n, struct sum d)
@@ -276,12 +295,12 @@ float sum_over_float(struct sum n, struct sum d)
 
 double sum_double(struct sum a)
 {
-	return sum_nearest(&a, NULL, false);
+	return sum_nearest(&a, &one, false);
 }
 
 float sum_float(struct sum a)
 {
-	return (float)sum_nearest(&a, NULL, true);
+	return (float)sum_nearest(&a, &one, true);
 }
 
 dd sum_dd(struct sum a)

@@ -11,8 +11,8 @@ struct magnitude {
 	int e;
 };
 
-/* Where size is 0 the value is exact. Otherwise a quotient or an irrational
- * number is in it; multiplied out into the parameters it is a sum of terms whose
+/* Where size is 0 the value is exact. Otherwise an irrational number is in it, or a
+ * quotient that was not left to a map's divisor; multiplied out into the parameters it is a sum of terms whose
  * magnitudes sum to size, as far as they hold one. It is within 2^-250 size, and
  * a difference of at most 2^-190 size from anything is taken for none: so what
  * is 0 by its formula is 0, and what lies midway between two doubles is rounded
@@ -45,11 +45,17 @@ struct sum sum_sqrt(struct sum);
 /* -1, 0 or 1. */
 int sum_sign(struct sum);
 
+/* What counts for nothing in any sum; 1, exactly; and that by which anything is
+ * divided exactly, however many digits it has. */
+bool sum_is_nothing(const struct sum *);
+bool sum_is_one(const struct sum *);
+bool sum_is_power_of_two(const struct sum *);
+
 /* The same, or exactly 0 where that is its sign. */
 struct sum sum_settled(struct sum);
 
 /* The nearest double or float, ties to even; infinite beyond their range: of n / d,
- * of n where d is NULL, and so on. */
+ * and so on. */
 double sum_double(struct sum);
 float sum_float(struct sum);
 double sum_nearest(const struct sum *n, const struct sum *d, bool single);

@@ -48,17 +48,17 @@ static const char *lens_of(const struct scene *s, struct lens *l)
 	if ((why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &m)) != NULL)
 		return why;
 	for (int i = 0; i < 12; i++)
-		l->gradient[i % 4][i / 4] = m.m[i / 4][i % 4];
+		l->gradient[i % 4][i / 4] = map_element(&m, i / 4, i % 4);
 	l->parallel = vec3_is_zero(l->gradient[3]);
 	l->w = sum_sign(m.m[3][3]);
 	if ((why = scene_map(s, SPACE_WORLD, SPACE_VIEW, &m)) != NULL)
 		return why;
 	for (int i = 0; i < 9; i++)
-		l->axis[i / 3][i % 3] = m.m[i / 3][i % 3];
+		l->axis[i / 3][i % 3] = map_element(&m, i / 3, i % 3);
 	if ((why = scene_map(s, SPACE_WORLD, SPACE_CLIP, &m)) != NULL)
 		return why;
 	for (int i = 0; i < 6; i++)
-		l->depth[i % 2][i / 2] = m.m[i / 2][2 + i % 2];
+		l->depth[i % 2][i / 2] = map_element(&m, i / 2, 2 + i % 2);
 	if ((why = scene_map(s, SPACE_CLIP, SPACE_WORLD, &m)) != NULL)
 		return why;
 	memcpy(l->eye, m.m[2], sizeof l->eye);
@@ -167,13 +167,12 @@ static double degrees(struct sum y, struct sum x)
 static void set_fov(const struct lens *l, const struct scene *s, double fov[2])
 {
 	const struct sum *g = l->gradient[3], two = sum_of_double(2);
-	struct sum limit[2] = { sum_of_double(1), sum_of_double(1) };
+	struct sum half[2], scale[2];
 
-	if (s->has_viewport)
-		viewport_limits(&s->viewport, limit);
+	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
 	for (int k = 0; k < 2; k++) {
-		const struct sum *a = l->gradient[k], lim = limit[k];
-		struct sum v[3];
+		const struct sum *a = l->gradient[k];
+		struct sum lim = sum_quotient(half[k], scale[k]), v[3];
 
 		vec3_cross(a, g, v);
 		struct sum y = sum_mul(sum_mul(lim, vec3_length(v)), two);

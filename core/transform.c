@@ -16,21 +16,19 @@ static dd rounded(struct sum s)
 static void set_kernel_map(struct transform *t)
 {
 	struct kernel_map *k = &t->for_kernel;
-	const struct map *m = &t->map;
+	struct map seen = t->map;
 	struct sum origin[4] = { [3] = sum_of_double(1) };
 
 	k->a_hi = k->a_lo = k->b_hi = k->b_lo = 0;
 	for (int i = 0; i < 3; i++) {
-		k->origin[i] = m->origin[i];
-		origin[i] = sum_of_double(m->origin[i]);
+		k->origin[i] = seen.origin[i];
+		origin[i] = sum_of_double(seen.origin[i]);
 	}
 	for (int j = 0; j < 4; j++) {
 		k->most[j] = k->none[j] = 0;
+		map_column(&t->map, j, origin, &seen.m[3][j]);
 		for (int i = 0; i < 4; i++) {
-			struct sum image = m->m[i][j];
-
-			if (i == 3)
-				map_column(m, j, origin, &image);
+			struct sum image = map_element(&seen, i, j);
 			dd e = rounded(image);
 
 			k->exact[i][j] = image.size.m == 0 && e.lo == 0 &&
@@ -77,7 +75,8 @@ static void find_depth(const struct map *projection, struct transform *t)
 		    (sum_sign(m[i][3]) != 0 ||
 			(i != 3 && sum_sign(m[i][2]) != 0)))
 			return;
-	dd a = sum_dd(sum_quotient(m[2][2], m[2][3])), b = sum_dd(m[3][2]);
+	dd a = sum_dd(sum_quotient(m[2][2], m[2][3]));
+	dd b = sum_dd(map_element(projection, 3, 2));
 
 	k->a_hi = a.hi;
 	k->a_lo = a.lo;

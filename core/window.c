@@ -10,19 +10,19 @@ static struct quotient whole(ex a)
 	return (struct quotient){ a, ex_of(1) };
 }
 
-static struct sum times(struct quotient a, struct quotient b)
-{
-	return sum_quotient(sum_of(ex_mul(a.n, b.n)), sum_of(ex_mul(a.d, b.d)));
-}
-
-/* One axis, x' = (x - from) s + to, where from or to is 0. */
+/* One axis, x' = (x - from) s + to, where from or to is 0; the denominators go into
+ * the map's divisor. */
 static void put(struct map *r, int i, struct quotient from, struct quotient s,
     struct quotient to)
 {
 	r->origin[i] = ex_double(ex_quotient(from.n, from.d));
-	r->m[i][i] = times(s, whole(ex_of(1)));
-	r->m[3][i] = ex_sign(to.n) != 0 ? times(to, whole(ex_of(1))) :
-					  sum_neg(times(from, s));
+	bool back = ex_sign(to.n) != 0;
+	ex d = back ? to.d : from.d;
+	ex at = back ? ex_mul(to.n, s.d) : ex_neg(ex_mul(from.n, s.n));
+
+	r->m[i][i] = sum_mul(r->divisor, sum_of(ex_mul(s.n, d)));
+	r->m[3][i] = sum_mul(r->divisor, sum_of(at));
+	map_column_over(r, i, sum_of(ex_mul(s.d, d)));
 }
 
 /* x' = (x - center) s + offset, or back. */
@@ -139,15 +139,17 @@ static void scales(const struct viewport *v, double s[2])
 	}
 }
 
-void viewport_limits(const struct viewport *v, struct sum limit[2])
+void viewport_limits(const struct viewport *v, struct sum half[2],
+    struct sum scale[2])
 {
-	double s[2];
+	double s[2] = { 1, 1 };
 
-	scales(v, s);
-	limit[0] = sum_quotient(sum_of_double(v->width / 2),
-	    sum_of_double(s[0]));
-	limit[1] = sum_quotient(sum_of_double(v->height / 2),
-	    sum_of_double(s[1]));
+	if (v != NULL)
+		scales(v, s);
+	half[0] = sum_of_double(v != NULL ? v->width / 2 : 1);
+	half[1] = sum_of_double(v != NULL ? v->height / 2 : 1);
+	for (int k = 0; k < 2; k++)
+		scale[k] = sum_of_double(s[k]);
 }
 
 const char *viewport_map(const struct viewport *v, const struct convention *c,

@@ -40,8 +40,9 @@ const char *device_map(const struct device *, bool inverse, struct map *);
 const char *viewport_map(const struct viewport *, const struct convention *,
     bool inverse, struct map *);
 
-/* What |x| and |y| may be in ndc for a point to be on the viewport: 1, or less
- * where the scale makes a side of ndc's square larger than the viewport. */
-void viewport_limits(const struct viewport *, struct sum limit[2]);
+/* A point is on the viewport where |x| scale and |y| scale are at most half its sides;
+ * on ndc's square, where there is none (NULL), at most 1. */
+void viewport_limits(const struct viewport *, struct sum half[2],
+    struct sum scale[2]);
 
 #endif

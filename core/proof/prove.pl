@@ -69,10 +69,10 @@ sub trigonometry {
 	Math::BigFloat->accuracy(undef);
 }
 
-# A quotient is cut off after QUOTIENT words but one, of which the first may be 1;
+# A quotient is cut off after EX_QUOTIENT words, of which the first may be 1;
 # a root is rounded there, from twice the digits of the step before.
 sub quotients {
-	my ($words) = slurp("$core/exact.c") =~ /enum \{ QUOTIENT = (\d+) \}/;
+	my ($words) = slurp("$core/exact.h") =~ /enum \{ EX_QUOTIENT = (\d+) \}/;
 	my ($bound) = macro("$core/exact.h", 'EX_ERROR') =~ /0x1p(-\d+)/;
 	verdict('quotients and roots: EX_ERROR', $bound,
 	    -64 * ($words - 1));

@@ -140,6 +140,29 @@ static void divided(void **state)
 }
 
 /* To doubles and floats, normal and subnormal, at and near midpoints. */
+/* A divisor times a midpoint of two doubles, or a little more or less than that: few
+ * words of the quotient and whether anything remains tell which is nearest. */
+static void divided_midpoints(void **state)
+{
+	(void)state;
+	sample_seed(5);
+	for (int i = 0; i < 20 * TRIES; i++) {
+		double even = 0x1p52 + 2 * sample_below(1000);
+		ex q, b = words(4), middle = ex_add(ex_of(even), ex_of(0.5));
+		int side = (int)sample_below(3) - 1, e = -700;
+
+		if (ex_sign(b) == 0)
+			continue;
+		if (sample_below(2))
+			e = 64 * b.e - 2 - (int)sample_below(200);
+		ex little = ex_shift(ex_of(side * ex_sign(b)), e);
+		ex a = ex_add(ex_mul(b, middle), little);
+
+		assert_true(ex_divide(&a, &b, 2, &q) || side != 0);
+		assert_true(ex_nearest(&q, false) == even + (side > 0));
+	}
+}
+
 static void rounded(void **state)
 {
 	double round = 0, first = 0;
@@ -222,6 +245,7 @@ int main(void)
 		cmocka_unit_test(exact),
 		cmocka_unit_test(wide),
 		cmocka_unit_test(divided),
+		cmocka_unit_test(divided_midpoints),
 		cmocka_unit_test(rounded),
 		cmocka_unit_test(range),
 		cmocka_unit_test(zeros),

@@ -94,6 +94,7 @@ static void check_planes(const struct scene *s, const struct truth *to_clip,
 	int w = truth_sign(back ? truth_column(to_view, 3, p) : q[3],
 	    &doubtful);
 
+	doubtful &= to_view->irrational || to_clip->irrational;
 	c->doubtful += w != 0 && doubtful;
 	if (w != 0 && doubtful)
 		return;
@@ -104,6 +105,7 @@ static void check_planes(const struct scene *s, const struct truth *to_clip,
 	for (int k = 0; k < 6; k++) {
 		int sign = truth_sign(form[k], &doubtful);
 
+		doubtful &= to_clip->irrational;
 		c->planes++;
 		c->on += sign == 0;
 		c->doubtful += sign != 0 && doubtful;
@@ -112,19 +114,27 @@ static void check_planes(const struct scene *s, const struct truth *to_clip,
 	}
 }
 
-/* A scene seen from one of its spaces, with points on planes among others. */
+/* A scene seen from one of its spaces, with points on planes among others; a round
+ * one where e is negative. */
 static bool sample_frustum(int e, struct scene *s, enum space *from,
     struct frustum *f, struct block *b)
 {
 	static const enum space spaces[] = { SPACE_MODEL, SPACE_WORLD,
 		SPACE_VIEW, SPACE_NDC, SPACE_DEVICE };
 
-	sample_scene(s, e);
+	if (e < 0)
+		sample_round_scene(s);
+	else
+		sample_scene(s, e);
 	sample_answer(s);
 	s->has_viewport = sample_below(4) > 0;
 	*from = spaces[sample_below(s->has_viewport ? 5 : 4)];
 	if (frustum_of(s, *from, false, f) != NULL)
 		return false;
+	if (e < 0) {
+		sample_round_points(b, POINTS);
+		return true;
+	}
 	sample_points(s, *from, b, POINTS);
 	onto_planes(s, *from, b);
 	if (sample_below(2))
@@ -148,11 +158,11 @@ static void planes_are_told(void **state)
 	(void)state;
 	points_choose(NULL);
 	sample_seed(1);
-	for (int k = 0; k < 900; k++) {
+	for (int k = 0; k < 1200; k++) {
 		struct truth to_clip = { 0 }, to_view = { 0 };
 		int mark = real_mark();
 
-		if (!sample_frustum(k % 3 * 4, &s, &from, &f, &b))
+		if (!sample_frustum((k % 4 - 1) * 4, &s, &from, &f, &b))
 			continue;
 		truth_scene(&s, from, SPACE_CLIP, &to_clip);
 		truth_scene(&s, from, SPACE_VIEW, &to_view);

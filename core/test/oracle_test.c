@@ -42,7 +42,10 @@ static void try_scene(int e, struct count *c)
 	int mark = real_mark();
 
 	if (sample_transform(e, &s, &from, &t, &truth)) {
-		sample_points(&s, from, &b, POINTS);
+		if (e < 0)
+			sample_round_points(&b, POINTS);
+		else
+			sample_points(&s, from, &b, POINTS);
 		for (int i = 0; i < COPIES; i++) {
 			if (!points_choose(copies[i]))
 				continue;
@@ -55,7 +58,8 @@ static void try_scene(int e, struct count *c)
 	real_release(mark);
 }
 
-/* Of scenes with magnitudes of 10^-e to 10^e; returns how many are wrong. */
+/* Of scenes with magnitudes of 10^-e to 10^e, or round ones for a negative e; returns
+ * how many are wrong. */
 static size_t try_scenes(int e, size_t coordinates)
 {
 	struct count c = { 0 };
@@ -63,10 +67,14 @@ static size_t try_scenes(int e, size_t coordinates)
 
 	while (n[NEAREST] + n[RULED] + n[WRONG] < coordinates)
 		try_scene(e, &c);
-	printf("%s - 10^%d: of %zu coordinates %zu not the nearest, %zu "
+	char what[16] = "round";
+
+	if (e >= 0)
+		snprintf(what, sizeof what, "10^%d", e);
+	printf("%s - %s: of %zu coordinates %zu not the nearest, %zu "
 	       "by the 2^-190 rule; %.3g %% of the kernels' points took the "
 	       "accurate phase\n",
-	    n[WRONG] == 0 ? "ok" : "not ok", e,
+	    n[WRONG] == 0 ? "ok" : "not ok", what,
 	    n[NEAREST] + n[RULED] + n[WRONG], n[WRONG], n[RULED],
 	    100.0 * (double)c.accurate / (double)c.points);
 	fflush(stdout);
@@ -75,13 +83,13 @@ static size_t try_scenes(int e, size_t coordinates)
 
 int main(int argc, char **argv)
 {
-	static const int magnitudes[] = { 0, 3, 9, 40 };
+	static const int magnitudes[] = { -1, 0, 3, 9, 40 };
 	size_t coordinates = argc > 1 ? strtoul(argv[1], NULL, 10) : 50000;
 	size_t wrong = 0;
 
 	sample_seed(argc > 2 ? (unsigned)strtoul(argv[2], NULL, 10) : 1);
-	puts("1..4");
-	for (int i = 0; i < 4; i++)
-		wrong += try_scenes(magnitudes[i], coordinates / 4);
+	puts("1..5");
+	for (int i = 0; i < 5; i++)
+		wrong += try_scenes(magnitudes[i], coordinates / 5);
 	return wrong > 0;
 }

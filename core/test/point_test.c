@@ -123,6 +123,35 @@ static void sums_of_given_numbers(void **state)
 	assert_image(&t, 1, -0x1p-60, 0, (double[]){ 3, 1, 1 - 0x1p-53 });
 }
 
+/* Nor is what such sums are divided by, on the way back, through any scene of round
+ * numbers. */
+static void quotients_of_given_numbers(void **state)
+{
+	static struct transform t;
+	static struct block b;
+	struct tally tally = { 0 };
+	struct scene s;
+
+	(void)state;
+	sample_seed(2);
+	for (int k = 0; k < 400; k++) {
+		struct truth truth = { 0 };
+		enum space from;
+		int mark = real_mark();
+
+		sample_round_points(&b, POINTS);
+		if (sample_transform(-1, &s, &from, &t, &truth)) {
+			carry_all(&t, &b, POINTS);
+			judge_block(&truth, &t, &b, POINTS, false, &tally);
+			judge_block(&truth, &t, &b, POINTS, true, &tally);
+		}
+		real_release(mark);
+	}
+	print_message("%zu round numbers\n", tally.n[NEAREST]);
+	assert_int_equal(tally.n[WRONG], 0);
+	assert_true(tally.n[NEAREST] > 20000);
+}
+
 /* Products of 1e-150 and 1e-165 that cancel or add up to something, and results
  * that are subnormal, midway among them. */
 static void underflow(void **state)
@@ -277,6 +306,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(random_points),
 		cmocka_unit_test(sums_of_given_numbers),
+		cmocka_unit_test(quotients_of_given_numbers),
 		cmocka_unit_test(underflow),
 		cmocka_unit_test(ties_of_irrational_parts),
 		cmocka_unit_test(ties_of_different_irrational_parts),

@@ -45,6 +45,16 @@ void sample_points(const struct scene *s, enum space from, struct block *b,
 			b->in[j][i] = coordinate(s, from, j);
 }
 
+void sample_round_points(struct block *b, size_t n)
+{
+	for (size_t i = 0; i < n; i++)
+		for (int j = 0; j < 4; j++) {
+			int e = 300 * ((int)sample_below(3) - 1);
+
+			b->in[j][i] = ldexp((double)sample_below(5) - 2, e);
+		}
+}
+
 static bool sample_flat_transform(struct scene *s, struct transform *t,
     struct truth *truth)
 {
@@ -63,7 +73,10 @@ bool sample_transform(int e, struct scene *s, enum space *from,
 	bool homogeneous = sample_below(4) == 0;
 
 	*from = sample_below(6);
-	sample_scene(s, e);
+	if (e < 0)
+		sample_round_scene(s);
+	else
+		sample_scene(s, e);
 	sample_answer(s);
 	if (sample_below(8) == 0)
 		return sample_flat_transform(s, t, truth);
@@ -94,6 +107,7 @@ void image_of(const struct truth *truth, const struct transform *t,
 		    truth_column(truth, 3, at);
 	int sign = truth_sign(r->d, &r->doubtful);
 
+	r->doubtful &= truth->irrational;
 	r->seen = t->front ? sign > 0 : sign != 0;
 }
 
@@ -114,14 +128,6 @@ void judge_image(const struct image *image, int coordinates, const double *got,
 						  WRONG]++;
 }
 
-static bool is_exact(const struct transform *t)
-{
-	for (int k = 0; k < 16; k++)
-		if (t->map.m[k / 4][k % 4].size.m > 0)
-			return false;
-	return true;
-}
-
 static void judge_point(const struct truth *truth, const struct transform *t,
     const double p[4], const double got[4], bool single, struct tally *tally)
 {
@@ -130,8 +136,8 @@ static void judge_point(const struct truth *truth, const struct transform *t,
 
 	image_of(truth, t, p, &image);
 	judge_image(&image, t->out, got, single, &here);
-	/* of given numbers alone nothing is too small to count */
-	if (here.n[WRONG] > 0 || (here.n[RULED] > 0 && is_exact(t))) {
+	/* of given numbers alone, and back by them, nothing is too small to count */
+	if (here.n[WRONG] > 0 || (here.n[RULED] > 0 && !truth->irrational)) {
 		fprintf(stderr, "%a %a %a %a, kind %d: %a %a %a %a is wrong\n",
 		    p[0], p[1], p[2], p[3], (int)t->kind, got[0], got[1],
 		    got[2], got[3]);

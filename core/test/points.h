@@ -30,8 +30,12 @@ void point_of(const struct block *, size_t i, double p[4]);
 void sample_points(const struct scene *, enum space from, struct block *,
     size_t n);
 
+/* Whole numbers times powers of two far from one another: large ones often cancel. */
+void sample_round_points(struct block *, size_t n);
+
 /* A transform of a scene between any two spaces, of any format, flat ones too,
- * and its truth. Returns false where it is refused. */
+ * and its truth; a round one where e is negative. Returns false where it is
+ * refused. */
 bool sample_transform(int e, struct scene *, enum space *from,
     struct transform *, struct truth *);
 

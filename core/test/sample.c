@@ -358,3 +358,27 @@ void sample_answer(struct scene *s)
 {
 	s->answer = sample_below(2) ? &known[sample_below(5)] : NULL;
 }
+
+static void round_matrix(double m[4][4], int columns)
+{
+	for (int i = 0; i < 4; i++)
+		for (int j = 0; j < columns; j++)
+			m[i][j] = whole(2);
+}
+
+void sample_round_scene(struct scene *s)
+{
+	struct projection *p = &s->projection;
+
+	do
+		sample_scene(s, 0);
+	while (p->type == PROJECTION_OBLIQUE);
+	round_matrix(s->world, 3);
+	s->has_camera = sample_below(2);
+	s->camera.by = CAMERA_MATRIX;
+	s->camera.orthonormalize = false;
+	round_matrix(s->camera.matrix, 3);
+	round_matrix(p->matrix, 4);
+	if (p->extent < EXTENT_SIZE)
+		p->extent = EXTENT_SIZE;
+}

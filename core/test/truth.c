@@ -171,7 +171,7 @@ enum verdict truth_verdict(double printed, struct form n, struct form d,
 
 double element(const struct map *m, int i, int j)
 {
-	return sum_double(m->m[i][j]);
+	return map_nearest(m, i, j, false);
 }
 
 static void keep_worst(double *worst, double a)
@@ -180,21 +180,27 @@ static void keep_worst(double *worst, double a)
 		*worst = a;
 }
 
-static void compare(const struct sum *got, struct form exact, struct worst *w)
+static void compare(const struct map *m, int i, int j, const struct truth *t,
+    struct worst *w)
 {
-	struct form one = form_of(1);
-	dd pair = sum_dd(*got);
-	real size = number(got->size.m);
+	struct form exact = truth_element(t, i, j), one = form_of(1);
+	struct sum got = map_element(m, i, j);
+	dd pair = sum_dd(got);
+	real size = number(got.size.m);
 
-	w->verdicts[truth_verdict(sum_double(*got), exact, one, false)]++;
-	w->verdicts[truth_verdict((double)sum_float(*got), exact, one, true)]++;
+	for (int single = 0; single < 2; single++) {
+		enum verdict v = truth_verdict(map_nearest(m, i, j, single),
+		    exact, one, single);
+
+		w->verdicts[v == RULED && !t->irrational ? WRONG : v]++;
+	}
 	if (truth_sign(exact, NULL) == 0)
-		w->ghosts += sum_sign(*got) != 0;
+		w->ghosts += sum_sign(got) != 0;
 	else if (truth_verdict(pair.hi, exact, one, false) == NEAREST)
 		keep_worst(&w->error,
 		    u2_error(pair, exact.value,
 			mpfr_get_d(magnitude(exact.value), MPFR_RNDN)));
-	mpfr_mul_2si(size, size, got->size.e, MPFR_RNDN);
+	mpfr_mul_2si(size, size, got.size.e, MPFR_RNDN);
 	if (!mpfr_zero_p(size))
 		keep_worst(&w->size,
 		    mpfr_get_d(over(size, exact.size), MPFR_RNDU));
@@ -206,6 +212,6 @@ void truth_compare(const struct truth *t, const struct map *r, struct worst *w)
 
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
-			compare(&r->m[i][j], truth_element(t, i, j), w);
+			compare(r, i, j, t, w);
 	real_release(mark);
 }

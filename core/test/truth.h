@@ -17,6 +17,7 @@ struct truth_stage {
 
 struct truth {
 	int n;
+	bool irrational; /* an angle or a length is in it */
 	struct truth_stage stage[20];
 	struct truth_stage all; /* their product, see truth_compose */
 };
@@ -87,7 +88,8 @@ enum verdict truth_verdict(double printed, struct form n, struct form d,
 /* The double nearest to an element. */
 double element(const struct map *, int i, int j);
 
-/* The worst of many maps. */
+/* The worst of many maps. What the 2^-190 rule excuses is wrong where all is
+ * rational. */
 struct worst {
 	int verdicts[VERDICTS]; /* of elements as doubles and as floats */
 	double error;           /* of an element's dd, in units of 2^-106 */

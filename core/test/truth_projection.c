@@ -171,9 +171,12 @@ void truth_half_turn(struct truth *t)
 void truth_projection(struct truth *t, const struct projection *p,
     const struct convention *c)
 {
-	bool upright = p->type == PROJECTION_PERSP ||
-	    p->type == PROJECTION_ORTHO || p->type == PROJECTION_OBLIQUE;
+	bool sized = p->type == PROJECTION_PERSP || p->type == PROJECTION_ORTHO;
+	bool upright = sized || p->type == PROJECTION_OBLIQUE;
 
+	if (p->type == PROJECTION_OBLIQUE ||
+	    (sized && p->extent <= EXTENT_VIEW_ANGLE))
+		t->irrational = true;
 	if (upright && c->view_y_down)
 		truth_half_turn(t);
 	if (p->type == PROJECTION_OBLIQUE)

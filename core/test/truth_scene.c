@@ -15,6 +15,7 @@ static void affine(struct truth *t, const double m[4][4], bool orthonormal)
 	for (int i = 0; i < 3; i++)
 		set(s->m[i], 3, m[i]);
 	if (orthonormal) {
+		t->irrational = true;
 		orthonormalise(s->m);
 		for (int i = 0; i < 9; i++)
 			s->size[i / 3][i % 3] = TWO;
@@ -76,6 +77,7 @@ static void bare(struct truth *t, const struct camera *c)
 	affine(&r, c->matrix, c->orthonormalize);
 	if (c->by == CAMERA_POSE)
 		reverse(&r);
+	t->irrational |= r.irrational;
 	for (int i = 0; i < r.n; i++)
 		t->stage[t->n++] = r.stage[i];
 }
@@ -93,6 +95,8 @@ static void camera(struct truth *t, const struct camera *c,
 	struct truth_stage *eye = truth_stage(t), *view = truth_stage(t);
 	struct truth_stage *origin = truth_stage(t);
 
+	if (!by_axes || c->roll != 0)
+		t->irrational = true;
 	for (int i = 0; i < 3; i++)
 		(by_eye ? eye : origin)->m[3][i] = number(
 		    by_eye ? -c->eye[i] : c->eye[i]);
@@ -208,7 +212,7 @@ static void window(struct truth *t, const struct window *w,
  * the same. */
 static void reverse(struct truth *t)
 {
-	struct truth r = { .n = t->n };
+	struct truth r = { .n = t->n, .irrational = t->irrational };
 
 	for (int i = 0; i < t->n; i++) {
 		struct truth_stage *s = &t->stage[t->n - 1 - i];
@@ -284,6 +288,7 @@ void truth_scene(const struct scene *s, enum space from, enum space to,
 	const struct convention *c = &s->convention;
 
 	t->n = 0;
+	t->irrational = false;
 	if (s->has_world && crosses(from, to, SPACE_MODEL))
 		affine(t, s->world, false);
 	if (s->has_camera && crosses(from, to, SPACE_WORLD))
@@ -315,6 +320,7 @@ void truth_flat(const struct scene *s, enum flat from, enum flat to,
     struct truth *t)
 {
 	t->n = 0;
+	t->irrational = false;
 	if ((from == FLAT_WINDOW) != (to == FLAT_WINDOW))
 		window(t, &s->window, &s->device);
 	if ((from == FLAT_DEVICE) != (to == FLAT_DEVICE))

@@ -104,24 +104,29 @@ static void shapes(void **state)
 	check_shown(&w, &d, 5, 1);
 }
 
+static void assert_limits(const struct viewport *v, double x, double y)
+{
+	struct sum half[2], scale[2];
+
+	viewport_limits(v, half, scale);
+	assert_true(sum_over(half[0], scale[0]) == x);
+	assert_true(sum_over(half[1], scale[1]) == y);
+}
+
 /* A uniform scale cuts the sides that do not fit. */
 static void limits(void **state)
 {
 	struct viewport v = { .width = 640, .height = 480 };
-	struct sum limit[2];
 
 	(void)state;
-	viewport_limits(&v, limit);
-	assert_true(sum_double(limit[0]) == 1 && sum_double(limit[1]) == 1);
+	assert_limits(NULL, 1, 1);
+	assert_limits(&v, 1, 1);
 	v.scale = SCALE_UNIFORM;
-	viewport_limits(&v, limit);
-	assert_true(sum_double(limit[0]) == 1 && sum_double(limit[1]) == 0.75);
+	assert_limits(&v, 1, 0.75);
 	v.scale = SCALE_GIVEN;
 	v.scales[0] = 960;
 	v.scales[1] = 120;
-	viewport_limits(&v, limit);
-	assert_true(sum_double(limit[0]) == 1.0 / 3);
-	assert_true(sum_double(limit[1]) == 2);
+	assert_limits(&v, 1.0 / 3, 2);
 }
 
 static void refusals(void **state)
