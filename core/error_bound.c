@@ -145,8 +145,9 @@ const char *error_bounds(const struct scene *s, double bound[3])
 
 	for (int i = 0; i < 3; i++)
 		bound[i] = (double)NAN;
-	/* where the world matrix is singular the volume has no end */
-	if (why != NULL ||
+	/* where the world matrix is singular the volume has no end, nor where
+	 * there are no planes */
+	if (why != NULL || projection_is_open(&s->projection) ||
 	    scene_map(s, SPACE_VIEW, SPACE_MODEL, &from_view) != NULL ||
 	    set_corners(s, &from_view, &v) != NULL)
 		return why;

@@ -85,7 +85,7 @@ static void keep_slopes(struct projection *p, double near)
 	double *const sizes[] = { &p->width, &p->height, &p->left, &p->right,
 		&p->bottom, &p->top };
 
-	for (int i = 0; i < 6; i++)
+	for (int i = 0; i < 6 && projection_is_by_near(p); i++)
 		*sizes[i] = rescaled(*sizes[i], p->near, near);
 }
 
@@ -158,7 +158,7 @@ static const char *fit_persp(struct scene *s, const struct bounds *b)
 	struct sum t;
 	struct map back;
 
-	if (p->extent < EXTENT_SIZE)
+	if (!projection_is_by_near(p))
 		p->near = 1;
 	p->far = 2 * p->near;
 	const char *why = reach(s, b, &t);

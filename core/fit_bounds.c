@@ -93,6 +93,11 @@ const char *bounds_extents(const struct bounds *b, const struct scene *s,
 	}
 	if (largest == 0)
 		return "/bounds: a single point; what has an extent is wanted";
+	/* a perspective's planes are at values of w */
+	struct sum more = sum_of_double(projection_w_at_eye(&s->projection));
+
+	r->low[2] = sum_add(r->low[2], more);
+	r->high[2] = sum_add(r->high[2], more);
 	for (int j = 0; j < 3; j++) {
 		struct sum half = sum_of_double(
 		    widths[j] == 0 ? 0x1p-21 * largest : 0);

@@ -21,7 +21,8 @@ static void combine(struct map *r, int j, const struct map *m, bool minus,
 }
 
 /* left: x scale >= -half w, right: x scale <= half w, and so on; y's sign is
- * turned where ndc y points down, near and far where depth is reversed. */
+ * turned where ndc y points down, near and far where depth is reversed. Where there
+ * are no planes everything is between them. */
 static void planes(const struct scene *s, const struct map *m,
     struct map *sides, struct map *ends)
 {
@@ -37,6 +38,8 @@ static void planes(const struct scene *s, const struct map *m,
 	}
 	combine(ends, reversed, m, false, 2, one, sum_of_double(c->minus_one));
 	combine(ends, !reversed, m, true, 2, one, one);
+	for (int i = 0; i < 4 && projection_is_open(&s->projection); i++)
+		ends->m[i][0] = ends->m[i][1] = sum_of_double(i == 3);
 }
 
 const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,

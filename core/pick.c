@@ -14,7 +14,9 @@ static const char *near_plane(const struct scene *s, struct sum *near,
 	struct map back;
 
 	*upward = looks_back(c) == (p->near > p->far);
-	*near = sum_of_double(looks_back(c) ? -p->near : p->near);
+	*near = sum_of(ex_diff(p->near, projection_w_at_eye(p)));
+	if (looks_back(c))
+		*near = sum_neg(*near);
 	switch (p->type) {
 	case PROJECTION_PERSP:
 	case PROJECTION_ORTHO:

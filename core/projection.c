@@ -4,14 +4,14 @@
 
 /* The matrix of every projection that is made of parameters:
  *	 x   0   0   0
- *	 0   y   0   0
+ *	 yx  y   0   0
  *	 zx  zy  zz  zw
  *	 tx  ty  tz  tw
  * whose columns are divided by dx, dy, dz and 1, and all of them by d. z, w and d are
  * exact, and so is det = zz tw - zw tz, as a product of parameters, without
  * cancellation. */
 struct elements {
-	struct sum x, y, zx, zy, zz, zw, tx, ty, tz, tw, dx, dy, dz, d, det;
+	struct sum x, yx, y, zx, zy, zz, zw, tx, ty, tz, tw, dx, dy, dz, d, det;
 };
 
 static struct sum number(double a)
@@ -39,6 +39,45 @@ static void by_aspect(const double aspect[2], bool given_x, struct sum s,
 	f->dx = given_x ? over : sum_mul(over, w);
 	f->y = given_x ? sum_mul(s, w) : s;
 	f->dy = given_x ? sum_mul(over, h) : over;
+}
+
+/* With edges a and b at 1, the tangents of angles, all times both cosines. */
+static void tangents(double a, double b, enum angle_unit unit,
+    struct sum *scale, struct sum *size, struct sum *off)
+{
+	struct sum ca = cos_of(a, unit), cb = cos_of(b, unit);
+	struct sum left = sum_mul(sin_of(a, unit), cb);
+	struct sum right = sum_mul(sin_of(b, unit), ca);
+
+	*scale = sum_mul(number(2), sum_mul(ca, cb));
+	*size = sum_sub(right, left);
+	*off = sum_add(left, right);
+}
+
+/* 2 a - b c, for ndc from pixels. */
+static struct sum doubled_less(double a, double b, double c)
+{
+	return sum_sub(number(2 * a), sum_mul(number(b), number(c)));
+}
+
+/* From what is u w, v w and w, with u and v from 0 to a viewport's sides, to -w to w:
+ * x over the width, y, upward, over the height. */
+static void pixels(const struct projection *p, bool upward, struct elements *f,
+    struct sum off[2])
+{
+	const double(*k)[4] = p->intrinsics;
+	double pw = k[2][3];
+
+	f->dx = number(p->width);
+	f->dy = number(p->height);
+	f->x = number(2 * k[0][0]);
+	f->y = number(2 * k[1][1]);
+	f->yx = negated_if(!upward, number(2 * k[0][1]));
+	off[0] = sum_neg(doubled_less(k[0][2], p->width, 1));
+	off[1] = negated_if(upward, doubled_less(k[1][2], p->height, 1));
+	f->tx = doubled_less(k[0][3], p->width, pw);
+	f->ty = negated_if(!upward, doubled_less(k[1][3], p->height, pw));
+	f->tw = number(pw);
 }
 
 /* Sets x, y and by how much the centre is off; d is the distance of the plane
@@ -74,6 +113,12 @@ static const char *cross_section(const struct projection *p, double d,
 		f->dx = number(p->width);
 		f->dy = number(p->height);
 		break;
+	case EXTENT_ANGLES:
+		tangents(p->left, p->right, p->unit, &f->x, &f->dx, &off[0]);
+		tangents(p->bottom, p->top, p->unit, &f->y, &f->dy, &off[1]);
+		break;
+	case EXTENT_INTRINSICS: /* pixels() */
+		break;
 	case EXTENT_EDGES:
 		f->x = f->y = number(2 * d);
 		f->dx = difference(p->right, p->left);
@@ -91,25 +136,18 @@ static const char *cross_section(const struct projection *p, double d,
 	return NULL;
 }
 
-/* w = depth: depth' = A + B / w with A = f / (f - n), B = -n f / (f - n), or
+/* Of depth' = A + B / w sets A and B, over dz: A = f / (f - n), B = -n f / (f - n), or
  * to -1..1 A = (f + n) / (f - n), B = -2 n f / (f - n); an infinite far is the
- * limit; reversed, near and far trade places. det = -zw tz. */
-static const char *persp(const struct projection *p, const struct convention *c,
+ * limit; reversed, near and far trade places. Without planes it is 1 / w, as of a
+ * reversed one with n = 1. */
+static void find_depth(const struct projection *p, bool minus_one,
     struct elements *f)
 {
-	double k = c->minus_one ? 2 : 1, n = p->near;
-	bool back = looks_back(c);
-	struct sum off[2];
-	const char *why = cross_section(p, n, f, off);
+	double k = minus_one ? 2 : 1, n = projection_is_open(p) ? 1 : p->near;
 
-	if (why != NULL)
-		return why;
-	if (!(n < p->far))
-		return "/projection/near: not less than far; for reversed "
-		       "depth say \"reverse_z\": true";
-	f->d = f->dz = number(1);
 	if (isinf(p->far)) {
 		/* A = 1, reversed 1 - k; B = -k n, reversed k n */
+		f->dz = number(1);
 		f->zz = number(p->reverse_z ? 1 - k : 1);
 		f->tz = number(p->reverse_z ? k * n : -k * n);
 	} else {
@@ -117,14 +155,35 @@ static const char *persp(const struct projection *p, const struct convention *c,
 		double b = p->reverse_z ? n : p->far;
 
 		f->dz = difference(b, a);
-		f->zz = c->minus_one ? difference(b, -a) : number(b);
+		f->zz = minus_one ? difference(b, -a) : number(b);
 		f->tz = sum_mul(number(-k * a), number(b));
 	}
+}
+
+/* w = depth + tw, where intrinsics have an offset. det = -zw B. */
+static const char *persp(const struct projection *p, const struct convention *c,
+    struct elements *f)
+{
+	double at = p->edges_at > 0 ? p->edges_at : p->near;
+	bool back = looks_back(c);
+	struct sum off[2];
+	const char *why = cross_section(p, at, f, off);
+
+	if (why != NULL)
+		return why;
+	if (!(p->near < p->far))
+		return "/projection/near: not less than far; for reversed "
+		       "depth say \"reverse_z\": true";
+	f->d = number(1);
+	if (p->extent == EXTENT_INTRINSICS)
+		pixels(p, c->bottom_left, f, off);
+	find_depth(p, c->minus_one, f);
+	f->det = negated_if(!back, f->tz);
+	f->tz = sum_add(f->tz, sum_mul(f->zz, f->tw));
 	f->zx = negated_if(!back, off[0]);
 	f->zy = negated_if(!back, off[1]);
 	f->zz = negated_if(back, f->zz);
 	f->zw = negated_if(back, number(1));
-	f->det = negated_if(!back, f->tz);
 	return NULL;
 }
 
@@ -245,7 +304,7 @@ static void map_of_elements(const struct elements *f, struct map *r)
 	const struct sum z = number(0);
 	const struct sum m[4][4] = {
 		{ f->x, z, z, z },
-		{ z, f->y, z, z },
+		{ f->yx, f->y, z, z },
 		{ f->zx, f->zy, f->zz, f->zw },
 		{ f->tx, f->ty, f->tz, f->tw },
 	};
@@ -259,28 +318,42 @@ static void map_of_elements(const struct elements *f, struct map *r)
 	map_column_over(r, 2, f->dz);
 }
 
+/* a b - c d */
+static struct sum minor(struct sum a, struct sum b, struct sum c, struct sum d)
+{
+	return sum_sub(sum_mul(a, b), sum_mul(c, d));
+}
+
 /* Block by block: 1/x and 1/y; the inverse of zz zw, tz tw; and what makes the
- * lower left one cancel, in which the term zw tx is 0 for every projection. What
- * columns were divided by, rows are multiplied by. */
+ * lower left one cancel. What columns were divided by, rows are multiplied by. Where y
+ * goes into x, the first column is over x y. */
 static struct elements inverse_elements(const struct elements *f)
 {
-	struct sum tx = sum_sub(sum_mul(f->tz, f->zx), sum_mul(f->zz, f->tx));
-	struct sum ty = sum_sub(sum_mul(f->tz, f->zy), sum_mul(f->zz, f->ty));
+	struct sum zx = minor(f->tw, f->zx, f->zw, f->tx);
+	struct sum zy = minor(f->tw, f->zy, f->zw, f->ty);
+	struct sum tx = minor(f->tz, f->zx, f->zz, f->tx);
+	struct sum ty = minor(f->tz, f->zy, f->zz, f->ty);
 	struct sum z = sum_mul(f->d, f->dz), minus_z = sum_neg(z);
-	struct sum det = sum_mul(f->d, f->det);
+	struct sum det = sum_mul(f->d, f->det), y = number(1);
 
+	if (sum_sign(f->yx) != 0) {
+		y = f->y;
+		zx = minor(zx, y, f->yx, zy);
+		tx = minor(tx, y, f->yx, ty);
+	}
 	return (struct elements){
-		.x = sum_mul(f->dx, det),
+		.x = sum_mul(f->dx, sum_mul(y, det)),
+		.yx = sum_neg(sum_mul(f->dy, sum_mul(f->yx, det))),
 		.y = sum_mul(f->dy, det),
-		.zx = sum_mul(minus_z, sum_mul(f->tw, f->zx)),
-		.zy = sum_mul(minus_z, sum_mul(f->tw, f->zy)),
+		.zx = sum_mul(minus_z, zx),
+		.zy = sum_mul(minus_z, zy),
 		.zz = sum_mul(z, f->tw),
 		.zw = sum_mul(minus_z, f->zw),
 		.tx = sum_mul(f->d, tx),
 		.ty = sum_mul(f->d, ty),
 		.tz = sum_neg(sum_mul(f->d, f->tz)),
 		.tw = sum_mul(f->d, f->zz),
-		.dx = f->x,
+		.dx = sum_mul(f->x, y),
 		.dy = f->y,
 		.dz = number(1),
 		.d = f->det,
@@ -344,6 +417,7 @@ static const char *find_elements(const struct projection *p,
 	const char *why = find_upright(p, c, f);
 
 	f->y = negated_if(c->view_y_down, f->y);
+	f->yx = negated_if(c->view_y_down, f->yx);
 	f->zy = negated_if(c->view_y_down && p->type == PROJECTION_VOLUME,
 	    f->zy);
 	return why;
@@ -404,14 +478,29 @@ static const char *bare_corner(const struct projection *p,
 	return why;
 }
 
-/* With view z and clip w of the plane: x from side w = x X + zx z + tx. Over w,
+/* View z of the near or far plane; false where that is at infinity. */
+static bool plane_z(const struct projection *p, const struct convention *c,
+    bool far, struct sum *z)
+{
+	double at = far ? p->far : p->near;
+
+	if (p->type == PROJECTION_VOLUME) {
+		*z = number(far ? p->z_far : p->z_near);
+	} else if (isfinite(at)) {
+		*z = difference(at, projection_w_at_eye(p));
+		*z = negated_if(looks_back(c), *z);
+	}
+	return p->type == PROJECTION_VOLUME || isfinite(at);
+}
+
+/* With view z and clip w of the plane: x from side w = x X + yx Y + zx z + tx. Over w,
  * as an infinite far plane has no other place. */
 const char *projection_corner(const struct projection *p,
     const struct convention *c, const struct sum side[2], bool far,
     struct sum v[4])
 {
 	struct elements f = { 0 };
-	double z = far ? p->far : p->near;
+	struct sum z, w, x, y;
 
 	if (!has_elements(p))
 		return bare_corner(p, c, side, far, v);
@@ -419,25 +508,21 @@ const char *projection_corner(const struct projection *p,
 
 	if (why != NULL)
 		return why;
-	if (p->type == PROJECTION_VOLUME)
-		z = far ? p->z_far : p->z_near;
-	else if (looks_back(c))
-		z = -z;
-	if (isinf(z)) {
-		v[2] = sum_quotient(f.d, f.zw);
-		v[3] = number(0);
-	} else {
-		struct sum w = sum_add(sum_mul(f.zw, number(z)), f.tw);
-
-		v[2] = sum_quotient(sum_mul(f.d, number(z)), w);
+	v[2] = sum_quotient(f.d, f.zw);
+	v[3] = number(0);
+	if (projection_is_open(p))
+		v[2] = number(0);
+	else if (plane_z(p, c, far, &z)) {
+		w = sum_add(sum_mul(f.zw, z), f.tw);
+		v[2] = sum_quotient(sum_mul(f.d, z), w);
 		v[3] = sum_quotient(f.d, w);
 	}
-	v[0] = sum_sub(sum_mul(sum_mul(f.d, f.dx), side[0]),
-	    sum_add(sum_mul(f.zx, v[2]), sum_mul(f.tx, v[3])));
-	v[1] = sum_sub(sum_mul(sum_mul(f.d, f.dy), side[1]),
+	y = sum_sub(sum_mul(sum_mul(f.d, f.dy), side[1]),
 	    sum_add(sum_mul(f.zy, v[2]), sum_mul(f.ty, v[3])));
-	v[0] = sum_quotient(v[0], f.x);
-	v[1] = sum_quotient(v[1], f.y);
+	v[1] = sum_quotient(y, f.y);
+	x = sum_sub(sum_mul(sum_mul(f.d, f.dx), side[0]),
+	    sum_add(sum_mul(f.zx, v[2]), sum_mul(f.tx, v[3])));
+	v[0] = sum_quotient(sum_sub(x, sum_mul(f.yx, v[1])), f.x);
 	return NULL;
 }
 

@@ -15,6 +15,8 @@ enum extent {
 	EXTENT_SIZE,       /* width, height */
 	EXTENT_HEIGHT,     /* height, aspect */
 	EXTENT_EDGES,
+	EXTENT_ANGLES,     /* of the edges from the gaze */
+	EXTENT_INTRINSICS, /* what makes pixels of a point in view space */
 };
 
 struct projection {
@@ -29,11 +31,18 @@ struct projection {
 
 	enum angle_unit unit; /* of angles but the direction */
 	enum extent extent;
-	double angle;     /* or the field */
-	double aspect[2]; /* width over height as a quotient; [1] 0: none */
-	double width, height;
+	double angle;         /* or the field */
+	double aspect[2];     /* width over height as a quotient; [1] 0: none */
+	double width, height; /* with intrinsics, the viewport's */
 	double left, right, bottom, top;
-	double near, far; /* far may be INFINITY in persp */
+	double edges_at; /* the distance where they are measured, or 0: near */
+	/* A point X right, Y as device y increases, Z along the gaze is taken to u w,
+	 * v w, w by these columns; pixels u and v count from the viewport's
+	 * corner. near and far are values of w. */
+	double intrinsics[3][4];
+	/* far may be INFINITY in persp; where near is 0 there are no such planes,
+	 * and depth is 1/w, reversed. */
+	double near, far;
 	bool reverse_z;
 	double near_ratio; /* for fit */
 
@@ -52,6 +61,28 @@ struct projection {
 
 	double matrix[4][4];
 };
+
+/* A persp without planes. */
+static inline bool projection_is_open(const struct projection *p)
+{
+	return p->type == PROJECTION_PERSP && p->near == 0;
+}
+
+/* A persp whose section is measured on its near plane. */
+static inline bool projection_is_by_near(const struct projection *p)
+{
+	return p->type == PROJECTION_PERSP && p->edges_at == 0 &&
+	    (p->extent == EXTENT_SIZE || p->extent == EXTENT_EDGES);
+}
+
+/* w less the distance along the gaze. */
+static inline double projection_w_at_eye(const struct projection *p)
+{
+	bool intrinsics = p->type == PROJECTION_PERSP &&
+	    p->extent == EXTENT_INTRINSICS;
+
+	return intrinsics ? p->intrinsics[2][3] : 0;
+}
 
 /* The matrices of projcalc(1), FORMULAS, and their inverses, from formulas in
  * the parameters. Returns NULL, or the member and the reason. */

@@ -1,9 +1,29 @@
 #include "ray.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "quick.h"
 #include "vec3.h"
+
+static double over(struct sum n, struct sum d, bool single)
+{
+	double q = single ? (double)sum_over_float(n, d) : sum_over(n, d);
+
+	return isfinite(q) ? q : (double)NAN;
+}
+
+/* Where clip x, y and w are 0. */
+static const char *set_eye(const struct scene *s, struct ray_maker *r)
+{
+	struct map back;
+	const char *why = scene_map(s, SPACE_CLIP, SPACE_WORLD, &back);
+
+	for (int i = 0; i < 6 && why == NULL; i++)
+		r->eye[i / 3][i % 3] = over(back.m[2][i % 3], back.m[2][3],
+		    i / 3);
+	return why;
+}
 
 const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 {
@@ -21,6 +41,9 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 	if (why == NULL)
 		why = scene_transform(s, SPACE_VIEW, SPACE_WORLD, false,
 		    &r->turn);
+	r->from_eye = projection_is_open(&s->projection);
+	if (why == NULL && r->from_eye)
+		why = set_eye(s, r);
 	return why;
 }
 
@@ -61,6 +84,10 @@ static bool point_is_sure(const struct ray_maker *r, const double at[2],
 {
 	struct quick n[4];
 
+	if (r->from_eye) {
+		memcpy(point, r->eye[false], sizeof r->eye[false]);
+		return !isnan(at[0]) && !isnan(at[1]);
+	}
 	set_columns(r, &r->to_world.for_kernel, at, n);
 	return n[3].value.hi > QUICK_BOUND * n[3].size &&
 	    quick_over(n[0], n[3], &point[0]) &&
@@ -94,13 +121,6 @@ static bool direction_is_sure(const struct ray_maker *r, const double at[2],
 	return quick_over(to[0], length, &direction[0]) &&
 	    quick_over(to[1], length, &direction[1]) &&
 	    quick_over(to[2], length, &direction[2]);
-}
-
-static double over(struct sum n, struct sum d, bool single)
-{
-	double q = single ? (double)sum_over_float(n, d) : sum_over(n, d);
-
-	return isfinite(q) ? q : (double)NAN;
 }
 
 static void set_direction(const struct ray_maker *r, const double in[4],
@@ -145,6 +165,8 @@ void ray_exact(const struct ray_maker *r, const double at[2], bool single,
 	if (sum_sign(w) <= 0)
 		return;
 	for (int j = 0; j < 3; j++)
-		point[j] = over(point_column(&r->to_world, j, in), w, single);
+		point[j] = r->from_eye ?
+		    r->eye[single][j] :
+		    over(point_column(&r->to_world, j, in), w, single);
 	set_direction(r, in, single, direction);
 }

@@ -34,7 +34,7 @@ struct member {
  * way, in whole, and has no member that is only in another. */
 struct ways {
 	const char *hint; /* says what the ways are */
-	const char *way[8];
+	const char *way[9];
 };
 
 /* Reads an object of that kind, 0 where there are no kinds, into the struct at

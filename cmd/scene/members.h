@@ -23,6 +23,9 @@ void read_device(const struct value *, struct device *);
 void read_bounds(const struct value *, struct bounds *);
 void read_pick(const struct value *, struct pick *);
 
+/* [fx, fy, cx, cy], K or P, to struct projection. */
+void read_intrinsics(const struct value *, const struct member *, void *);
+
 /* implied is the only type that the command takes, which need not be given
  * then, or PROJECTION_NONE. An aspect that is not given is the viewport's,
  * unless that is NULL. */

@@ -90,6 +90,23 @@ static void put_edges(struct printer *p, double left, double right,
 	put_number_member(p, "top", top);
 }
 
+/* As P, or where there is no offset K, or without skew four numbers. */
+static void put_intrinsics(struct printer *p, const double k[3][4])
+{
+	const double four[4] = { k[0][0], k[1][1], k[0][2], k[1][2] };
+	bool offset = k[0][3] != 0 || k[1][3] != 0 || k[2][3] != 0;
+
+	if (!offset && k[0][1] == 0) {
+		put_numbers_member(p, "intrinsics", four, 4);
+		return;
+	}
+	put_name(p, "intrinsics");
+	put_open(p, "[");
+	for (int i = 0; i < 3; i++)
+		put_numbers(p, k[i], offset ? 4 : 3);
+	put_close(p, "]");
+}
+
 /* The cross-section. The aspect is left out if it is the viewport's. */
 static void put_section(struct printer *p, const struct projection *q,
     const struct viewport *v)
@@ -102,6 +119,10 @@ static void put_section(struct printer *p, const struct projection *q,
 	} else if (q->extent == EXTENT_SIZE) {
 		put_number_member(p, "width", q->width);
 		put_number_member(p, "height", q->height);
+	} else if (q->extent == EXTENT_ANGLES) {
+		put_numbers_member(p, "angles", &q->left, 4);
+	} else if (q->extent == EXTENT_INTRINSICS) {
+		put_intrinsics(p, q->intrinsics);
 	} else {
 		put_number_member(p, angles[q->extent], q->angle);
 		if (v == NULL || q->aspect[1] == 1)
@@ -131,6 +152,8 @@ static void put_projection(struct printer *p, const struct projection *q,
 	if (q->type == PROJECTION_OBLIQUE)
 		put_shear(p, q);
 	put_section(p, q, v);
+	if (q->type == PROJECTION_PERSP)
+		put_unless(p, "edges_at", q->edges_at, 0);
 	put_number_member(p, "near", q->near);
 	put_number_member(p, "far", q->far);
 	if (q->type == PROJECTION_PERSP)

@@ -5,9 +5,10 @@
 
 #include "../escape.h"
 
-/* The largest doubles below 180 and below 1: ranges include their limits. PI and
+/* The largest doubles below 180, 90 and 1: ranges include their limits. PI and
  * its half are the largest doubles below what they stand for. */
 #define BELOW_180 0x1.67fffffffffffp+7
+#define BELOW_90 0x1.67fffffffffffp+6
 #define BELOW_1 0x1.fffffffffffffp-1
 
 static const struct range opening[] = {
@@ -19,6 +20,12 @@ static const struct range slope[] = {
 	{ SIZE_MIN, 90, "an angle above 0 and up to 90 degrees is wanted" },
 	{ SIZE_MIN, PI / 2,
 	    "an angle above 0 and up to pi/2 radians is wanted" },
+};
+static const struct range acute[] = {
+	{ -BELOW_90, BELOW_90,
+	    "an angle between -90 and 90 degrees is wanted" },
+	{ -PI / 2, PI / 2,
+	    "an angle between -pi/2 and pi/2 radians is wanted" },
 };
 static const struct range fraction = { SIZE_MIN, BELOW_1,
 	"a number above 0 and below 1 is wanted" };
@@ -78,33 +85,72 @@ static void read_direction(const struct value *v, const struct member *row,
 
 #define FAR "a number or \"infinity\""
 
+static double read_plane(const struct value *v, const struct projection *p)
+{
+	bool is_persp = p->type == PROJECTION_PERSP;
+
+	return value_number(v, is_persp ? &range_positive : &range_any);
+}
+
+static void read_near(const struct value *v, const struct member *row, void *to)
+{
+	struct projection *p = to;
+
+	(void)row;
+	p->near = read_plane(v, p);
+}
+
 static void read_far(const struct value *v, const struct member *row, void *to)
 {
+	struct projection *p = to;
 	const char *s = value_string(v);
 	char shown[ESCAPED_MAX];
 
-	if (s != NULL && strcmp(s, "infinity") == 0)
-		*(double *)to = HUGE_VAL;
+	(void)row;
+	if (p->type != PROJECTION_PERSP)
+		p->far = read_plane(v, p);
+	else if (s != NULL && strcmp(s, "infinity") == 0)
+		p->far = HUGE_VAL;
 	else if (s != NULL)
 		value_refuse(v, "is \"%s\"; " FAR " is wanted",
 		    escaped(shown, s, strlen(s)));
 	else if (value_is_null(v))
 		value_wrong(v, FAR);
 	else
-		read_numbers(v, row, to);
+		p->far = read_plane(v, p);
+}
+
+/* left, right, bottom and top. */
+static void read_angles(const struct value *v, const struct member *row,
+    void *to)
+{
+	struct projection *p = to;
+	double a[4];
+
+	value_numbers(v, &row->range[v->source->unit], 4, a);
+	struct value e = value_child(v);
+
+	for (int i = 0; i < 4; i++, value_next(&e))
+		if (i % 2 && !(a[i - 1] < a[i]))
+			value_refuse(&e,
+			    "not greater than the one before it; the "
+			    "order is left, right, bottom, top");
+	p->left = a[0];
+	p->right = a[1];
+	p->bottom = a[2];
+	p->top = a[3];
 }
 
 const struct member projection_members[] = {
 	{ .name = "type", .read = read_type, .words = projection_types },
-	OF(PERSP, "near", near, 0, &range_positive, "znear nearplane"),
-	OF(PARALLEL, "near", near, 0, NULL, "znear nearplane"),
+	{ .name = "near",
+	    .read = read_near,
+	    .kinds = SECTIONED,
+	    .aliases = "znear nearplane" },
 	{ .name = "far",
 	    .read = read_far,
-	    .at = offsetof(struct projection, far),
-	    .range = &range_positive,
-	    .kinds = PERSP,
+	    .kinds = SECTIONED,
 	    .aliases = "zfar farplane" },
-	OF(PARALLEL, "far", far, 0, NULL, "zfar farplane"),
 	{ .name = "reverse_z",
 	    .read = read_flag,
 	    .kinds = SECTIONED,
@@ -124,6 +170,20 @@ const struct member projection_members[] = {
 	OF(SECTIONED, "right", right, 0, NULL, NULL),
 	OF(SECTIONED, "bottom", bottom, 0, NULL, NULL),
 	OF(SECTIONED, "top", top, 0, NULL, NULL),
+	OF(PERSP, "edges_at", edges_at, 0, &range_positive, "distance"),
+	{ .name = "angles",
+	    .read = read_angles,
+	    .range = acute,
+	    .kinds = PERSP,
+	    .aliases = "angleleft angleright angleup angledown",
+	    .note = "[left, right, bottom, top] from the gaze" },
+	{ .name = "intrinsics",
+	    .read = read_intrinsics,
+	    .kinds = PERSP,
+	    .aliases = "k fx fy cx cy flx fly focal focallength "
+		       "cameramatrix projectionmatrix intrinsic p "
+		       "principalpoint skew",
+	    .note = "[fx, fy, cx, cy], K or P, in pixels" },
 	OF(PERSP, "near_ratio", near_ratio, 0, &fraction, NULL),
 	{ .name = "kind",
 	    .read = read_kind,
@@ -155,9 +215,10 @@ _Static_assert(sizeof projection_members / sizeof *projection_members <= 33,
 
 static const struct ways persp_ways = {
 	"give one of \"fovy\", \"fovx\", \"view_angle\" and \"field\", "
-	"or " SECTION_HINT,
+	"or " SECTION_HINT ", or \"angles\" or \"intrinsics\"",
 	{ "fovy aspect?", "fovx aspect?", "view_angle aspect?", "field aspect?",
-	    "width height", "left right bottom top" },
+	    "width height edges_at?", "left right bottom top edges_at?",
+	    "angles", "intrinsics" },
 };
 
 static const struct ways parallel_ways = {
@@ -177,8 +238,17 @@ static const struct ways depth_ways = {
 	{ "near far" },
 };
 
+/* In the order of their way: both, or neither. */
+static const struct ways open_ways = {
+	"give \"near\", with \"far\" or without, or neither; \"far\" and "
+	"\"reverse_z\" need it",
+	{ "near far? reverse_z?", "" },
+};
+
 static const struct ways near_ways = {
-	"give it: width and height, or the edges, are on the near plane",
+	"give it: width and height, or the edges, are on the near plane, "
+	"unless "
+	"\"edges_at\" says where",
 	{ "near far?" },
 };
 
@@ -203,7 +273,8 @@ static const struct ways matrix_ways = { "give \"matrix\"", { "matrix" } };
 static enum extent section(const struct value *v, int type, unsigned seen)
 {
 	static const enum extent persp[] = { EXTENT_FOVY, EXTENT_FOVX,
-		EXTENT_VIEW_ANGLE, EXTENT_FIELD, EXTENT_SIZE, EXTENT_EDGES };
+		EXTENT_VIEW_ANGLE, EXTENT_FIELD, EXTENT_SIZE, EXTENT_EDGES,
+		EXTENT_ANGLES, EXTENT_INTRINSICS };
 	static const enum extent parallel[] = { EXTENT_SIZE, EXTENT_HEIGHT,
 		EXTENT_EDGES };
 	bool is_persp = type == PROJECTION_PERSP;
@@ -212,15 +283,50 @@ static enum extent section(const struct value *v, int type, unsigned seen)
 	int way = object_way(v, projection_members, type - 1, seen,
 	    is_persp ? &persp_ways : ways);
 
-	/* fit finds near and far, unless width, height or edges are measured
-	 * on the near plane */
-	if (!fit)
-		object_way(v, projection_members, type - 1, seen, &depth_ways);
-	else if (is_persp && persp[way] >= EXTENT_SIZE)
-		object_way(v, projection_members, type - 1, seen, &near_ways);
 	if (type == PROJECTION_OBLIQUE)
 		object_way(v, projection_members, type - 1, seen, &shear_ways);
 	return is_persp ? persp[way] : parallel[way];
+}
+
+/* fit finds near and far, unless the section is measured on the near plane.
+ * Intrinsics may do without, or without far. */
+static void find_planes(const struct value *v, unsigned seen,
+    struct projection *p)
+{
+	const struct member *table = projection_members;
+	int kind = (int)p->type - 1;
+
+	if (v->source->fit) {
+		if (projection_is_by_near(p))
+			object_way(v, table, kind, seen, &near_ways);
+	} else if (p->extent != EXTENT_INTRINSICS) {
+		object_way(v, table, kind, seen, &depth_ways);
+	} else if (object_way(v, table, kind, seen, &open_ways) == 1) {
+		p->reverse_z = true;
+		p->far = HUGE_VAL;
+	} else if ((seen & member_bit(table, kind, "far")) == 0) {
+		p->far = HUGE_VAL;
+	}
+}
+
+/* Intrinsics are in units of the viewport, whose sides they need. */
+static void find_sides(const struct value *v, const struct viewport *viewport,
+    struct projection *p)
+{
+	struct value m = value_missing(v, "intrinsics");
+
+	if (v->unused)
+		return;
+	if (viewport == NULL)
+		value_refuse(&m,
+		    "needs a \"viewport\", in whose units it is; "
+		    "add one to the scene");
+	if (viewport->scale != SCALE_FILL)
+		value_refuse(&m,
+		    "not together with the viewport's \"scale\"; "
+		    "leave that out");
+	p->width = viewport->width;
+	p->height = viewport->height;
 }
 
 /* Completes the aspect, a quotient: that which is given, over 1, else the
@@ -233,7 +339,7 @@ static void find_aspect(const struct value *v, const struct viewport *viewport,
 
 	if (v->unused)
 		return;
-	if (!widens && (p->extent == EXTENT_SIZE || p->extent == EXTENT_EDGES))
+	if (!widens && p->extent >= EXTENT_SIZE && p->extent != EXTENT_HEIGHT)
 		return;
 	if (widens && viewport == NULL && p->aspect[0] == 0)
 		return;
@@ -304,6 +410,10 @@ void read_projection(const struct value *v, int implied,
 		object_way(v, projection_members, kind, seen, &matrix_ways);
 	} else {
 		p->extent = section(v, (int)p->type, seen);
-		find_aspect(v, viewport, p);
+		find_planes(v, seen, p);
+		if (p->extent == EXTENT_INTRINSICS)
+			find_sides(v, viewport, p);
+		else
+			find_aspect(v, viewport, p);
 	}
 }

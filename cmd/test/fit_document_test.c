@@ -52,7 +52,7 @@ static const struct refusal refusals[] = {
 	{ &fit,
 	    "{\"projection\":{\"type\":\"persp\",\"width\":1,\"height\":1}}",
 	    "/projection/near: missing; give it: width and height, or the "
-	    "edges, are on the near plane" },
+	    "edges, are on the near plane, unless \"edges_at\" says where" },
 };
 
 REFUSES(refusals)

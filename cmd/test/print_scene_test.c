@@ -20,9 +20,17 @@ static void sample_fitted(struct document *d)
 	s->convention.column = sample_below(2);
 	s->camera.by = CAMERA_GAZE;
 	p->type = PROJECTION_PERSP + sample_below(3);
+	enum extent sampled = p->extent;
+
 	p->extent = sample_below(2) ? EXTENT_SIZE : EXTENT_EDGES;
 	if (p->type == PROJECTION_PERSP && sample_below(2))
 		p->extent = sample_below(4);
+	if (sampled >= EXTENT_ANGLES && p->type == PROJECTION_PERSP)
+		p->extent = sampled;
+	if (p->extent != EXTENT_SIZE && p->extent != EXTENT_EDGES)
+		p->edges_at = 0;
+	if (p->extent == EXTENT_INTRINSICS)
+		s->has_viewport = true;
 	d->unit = s->camera.unit = p->direction_unit = p->unit;
 	if (p->extent == EXTENT_FIELD ||
 	    !(p->angle < (p->unit == RADIANS ? PI : 180)))

@@ -19,9 +19,11 @@ static const struct document_wants project = { WANTS };
 #define SIDES "\"left\", \"right\", \"bottom\" and \"top\""
 #define PERSP_HINT                                                          \
 	"give one of \"fovy\", \"fovx\", \"view_angle\" and \"field\", or " \
-	"\"width\" and \"height\", or " SIDES
+	"\"width\" and \"height\", or " SIDES                               \
+	", or \"angles\" or \"intrinsics\""
 #define ORTHO_HINT \
 	"give \"height\" and \"aspect\", \"width\" and \"height\", or " SIDES
+#define FORMS "[fx, fy, cx, cy], or 3 rows of 3, K, or of 4, P"
 #define POSITIVE "a number from 1e-150 to 1e150 is wanted"
 #define PLANES "\"near\":1,\"far\":2"
 #define SIZE "\"width\":1,\"height\":1"
@@ -123,6 +125,90 @@ static const struct refusal projections[] = {
 	    "\"height\", \"left\", \"right\", \"bottom\" and \"top\"" },
 	{ &project, "{\"projection\":{\"type\":\"matrix\"}}",
 	    "/projection/matrix: missing; give \"matrix\"" },
+#define SEEN(members, rest)                            \
+	"{\"projection\":{\"type\":\"persp\"," members \
+	"},\"viewport\":{" SIZE rest "}}"
+#define OPEN                                                               \
+	"give \"near\", with \"far\" or without, or neither; \"far\" and " \
+	"\"reverse_z\" need it"
+	{ &persp, "{\"intrinsics\":[1,1,0,0]}",
+	    "/intrinsics: needs a \"viewport\", in whose units it is; add one "
+	    "to "
+	    "the scene" },
+	{ &project, SEEN("\"intrinsics\":[1,1,0,0]", ",\"scale\":[1,1]"),
+	    "/projection/intrinsics: not together with the viewport's "
+	    "\"scale\"; "
+	    "leave that out" },
+	{ &project, SEEN("\"intrinsics\":[1,1,0,0],\"fovy\":60", ""),
+	    "/projection/intrinsics: not together with \"fovy\"; " PERSP_HINT },
+	{ &project, SEEN("\"intrinsics\":[1,1,0,0],\"far\":1", ""),
+	    "/projection/near: missing; " OPEN },
+	{ &project, SEEN("\"intrinsics\":[1,1,0,0],\"reverse_z\":true", ""),
+	    "/projection/near: missing; " OPEN },
+	{ &project, SEEN("\"intrinsics\":[1,1,0]", ""),
+	    "/projection/intrinsics: is neither " FORMS },
+	{ &project, SEEN("\"intrinsics\":1", ""),
+	    "/projection/intrinsics: is a number; " FORMS ", is wanted" },
+	{ &project, SEEN("\"intrinsics\":[1,0,0,0]", ""),
+	    "/projection/intrinsics/1: 0 is not positive; " POSITIVE },
+	{ &project, SEEN("\"intrinsics\":[[1,0,0],[0,-1,0],[0,0,1]]", ""),
+	    "/projection/intrinsics/1/1: -1 is not positive; " POSITIVE },
+	{ &project, SEEN("\"intrinsics\":[[1,0,0],[0,1,0],[0,0,2]]", ""),
+	    "/projection/intrinsics/2/2: its last row begins 0, 0, 1; is it a "
+	    "camera's K or P, and not transposed?" },
+	{ &project, SEEN("\"intrinsics\":[[1,0,0],[0,1,0],[5,5,1]]", ""),
+	    "/projection/intrinsics/2/0: its last row begins 0, 0, 1; is it a "
+	    "camera's K or P, and not transposed?" },
+	{ &project, SEEN("\"intrinsics\":[[1,0,0],[3,1,0],[0,0,1]]", ""),
+	    "/projection/intrinsics/1/0: under the diagonal of K there is 0; "
+	    "is "
+	    "it transposed?" },
+	{ &project, SEEN("\"intrinsics\":[[1,0,0],[0,1,0],[0,0,1,0]]", ""),
+	    "/projection/intrinsics/2: has 4 elements; an array of 3 numbers "
+	    "is "
+	    "wanted" },
+	{ &persp, "{\"angles\":[-40,40,30,20]," PLANES "}",
+	    "/angles/3: not greater than the one before it; the order is left, "
+	    "right, bottom, top" },
+	{ &persp, "{\"angles\":[40,-40,-30,20]," PLANES "}",
+	    "/angles/1: not greater than the one before it; the order is left, "
+	    "right, bottom, top" },
+	{ &persp, "{\"angles\":[-90,40,-30,20]," PLANES "}",
+	    "/angles/0: -90 is out of range; an angle between -90 and 90 "
+	    "degrees "
+	    "is wanted" },
+	{ &persp,
+	    "{\"angles\":[-1,1.6,-1,1]," PLANES ",\"angle_unit\":\"radians\"}",
+	    "/angles/1: 1.6 is out of range; an angle between -pi/2 and pi/2 "
+	    "radians is wanted" },
+	{ &persp, "{\"angles\":[-1,1,-1,1]}",
+	    "/near: missing; give \"near\" and \"far\"" },
+	{ &persp, "{\"fovy\":60,\"edges_at\":1}",
+	    "/edges_at: not together with \"fovy\"; " PERSP_HINT },
+	{ &ortho, "{\"edges_at\":1}",
+	    "/edges_at: not a member of \"ortho\"; \"persp\" has it" },
+#define MEANS(name, right)                                             \
+	{                                                              \
+		&persp, "{\"" name "\":1}",                            \
+		    "/" name ": unknown member; did you mean \"" right \
+	}
+#define PIXELS "intrinsics\" ([fx, fy, cx, cy], K or P, in pixels)?"
+	MEANS("K", PIXELS),
+	MEANS("fx", PIXELS),
+	MEANS("focal", PIXELS),
+	MEANS("focal_length", PIXELS),
+	MEANS("fl_x", PIXELS),
+	MEANS("camera_matrix", PIXELS),
+	MEANS("fov", "fovy\"?"),
+	MEANS("yfov", "fovy\"?"),
+	MEANS("camera_angle_x", "fovx\"?"),
+	MEANS("znear", "near\"?"),
+	MEANS("angleLeft",
+	    "angles\" ([left, right, bottom, top] from the gaze)?"),
+	{ &project, "{\"K\":[[1,0,0],[0,1,0],[0,0,1]]}",
+	    "/K: unknown member; \"projection\" has \"intrinsics\"" },
+	{ &project, "{\"transform_matrix\":1}",
+	    "/transform_matrix: unknown member; \"camera\" has \"pose\"" },
 };
 
 REFUSES(projections)
@@ -163,6 +249,60 @@ static void test_section(void **state)
 		.projection;
 	assert_numbers(p.aspect, 2, 1.0, 1.0);
 	assert_true(isinf(p.far));
+}
+
+static void assert_rows(const struct projection *p, int n, ...)
+{
+	va_list wanted;
+
+	va_start(wanted, n);
+	for (int i = 0; i < 12; i++)
+		assert_true(
+		    p->intrinsics[i / 4][i % 4] == va_arg(wanted, double));
+	va_end(wanted);
+	assert_int_equal(p->extent, EXTENT_INTRINSICS);
+	assert_numbers(&p->width, 2, 640.0, 480.0);
+	assert_int_equal(projection_is_open(p), n);
+}
+
+static void test_intrinsics(void **state)
+{
+#define CALIBRATED(members)                                                    \
+	scene_of("{\"projection\":{\"type\":\"persp\",\"intrinsics\":" members \
+		 "},\"viewport\":{\"width\":640,\"height\":480,\"x\":-0.5,"    \
+		 "\"scale\":\"fill\"}}")                                       \
+	    .projection
+	struct projection p = CALIBRATED("[1,2,3,4]");
+
+	(void)state;
+	assert_rows(&p, 1, 1.0, 0.0, 3.0, 0.0, 0.0, 2.0, 4.0, 0.0, 0.0, 0.0,
+	    1.0, 0.0);
+	assert_true(isinf(p.far) && p.reverse_z);
+	p = CALIBRATED("[[1,2,3],[0,4,5],[0,0,1]],\"near\":7");
+	assert_rows(&p, 0, 1.0, 2.0, 3.0, 0.0, 0.0, 4.0, 5.0, 0.0, 0.0, 0.0,
+	    1.0, 0.0);
+	assert_true(p.near == 7 && isinf(p.far) && !p.reverse_z);
+	p = CALIBRATED("[[1,2,3,-4],[0,5,6,7],[0,0,1,8]],\"near\":7,\"far\":9,"
+		       "\"reverse_z\":true");
+	assert_rows(&p, 0, 1.0, 2.0, 3.0, -4.0, 0.0, 5.0, 6.0, 7.0, 0.0, 0.0,
+	    1.0, 8.0);
+	assert_true(p.far == 9 && p.reverse_z);
+}
+
+static void test_angles(void **state)
+{
+	struct projection p = PERSP("\"angles\":[-54,40,-54,42]");
+
+	(void)state;
+	assert_int_equal(p.extent, EXTENT_ANGLES);
+	assert_numbers(&p.left, 4, -54.0, 40.0, -54.0, 42.0);
+	p = PERSP("\"width\":2,\"height\":3,\"edges_at\":0.5");
+	assert_int_equal(p.extent, EXTENT_SIZE);
+	assert_true(p.edges_at == 0.5);
+	p = PERSP("\"left\":-1,\"right\":2,\"bottom\":-3,\"top\":4,"
+		  "\"edges_at\":1");
+	assert_int_equal(p.extent, EXTENT_EDGES);
+	assert_true(p.edges_at == 1);
 }
 
 static void test_parallel(void **state)
@@ -255,6 +395,8 @@ int main(void)
 		cmocka_unit_test(test_projections),
 		cmocka_unit_test(test_section),
 		cmocka_unit_test(test_parallel),
+		cmocka_unit_test(test_intrinsics),
+		cmocka_unit_test(test_angles),
 		cmocka_unit_test(test_angle_unit),
 		cmocka_unit_test(test_volume),
 	};

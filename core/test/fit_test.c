@@ -302,7 +302,7 @@ static void test_ordinary(void **state)
 {
 	(void)state;
 	sample_seed(1);
-	assert_in_range(fit_many(300, 0), 250, 300);
+	assert_in_range(fit_many(300, 0), 240, 300);
 }
 
 static void test_mixed(void **state)

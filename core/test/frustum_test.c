@@ -102,7 +102,9 @@ static void check_planes(const struct scene *s, const struct truth *to_clip,
 	if (w <= 0)
 		return;
 	planes_of(s, q, form);
-	for (int k = 0; k < 6; k++) {
+	if (projection_is_open(&s->projection))
+		assert_false(out & (OUT_NEAR | OUT_FAR));
+	for (int k = 0; k < (projection_is_open(&s->projection) ? 4 : 6); k++) {
 		int sign = truth_sign(form[k], &doubtful);
 
 		doubtful &= to_clip->irrational;

@@ -24,7 +24,14 @@ static void distance_of(const struct scene *s, struct distance *d)
 
 	own.answer = NULL;
 	truth_scene(&own, SPACE_MODEL, SPACE_VIEW, &d->view);
+	/* where w is near, or 0 */
+	double w = p->type == PROJECTION_PERSP &&
+		p->extent == EXTENT_INTRINSICS ?
+	    p->intrinsics[2][3] :
+	    0;
 	d->near = form_of(volume ? p->z_near : gaze * p->near);
+	if (!volume)
+		d->near = form_sub(d->near, form_of(gaze * w));
 	d->upward = volume ? p->z_far > p->z_near :
 			     (p->far > p->near) == (gaze > 0);
 }

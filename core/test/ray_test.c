@@ -26,8 +26,10 @@ static void truth_ray(const struct truth *back, const double at[2],
 	r->length = form_length(r->gain);
 }
 
+/* Where there are no planes it begins where clip x, y and w are 0. */
 static void check_ray(const struct ray_maker *r, const struct truth *back,
-    const double at[2], bool single, int verdicts[VERDICTS])
+    const struct truth *eye, const double at[2], bool single,
+    int verdicts[VERDICTS])
 {
 	double point[3], direction[3];
 	struct truth_ray ray;
@@ -43,7 +45,12 @@ static void check_ray(const struct ray_maker *r, const struct truth *back,
 			assert_true(isnan(point[j]) && isnan(direction[j]));
 			continue;
 		}
-		verdicts[truth_verdict(point[j], ray.n[j], ray.n[3], single)]++;
+		struct form n = eye != NULL ? truth_element(eye, 2, j) :
+					      ray.n[j];
+		struct form d = eye != NULL ? truth_element(eye, 2, 3) :
+					      ray.n[3];
+
+		verdicts[truth_verdict(point[j], n, d, single)]++;
 		verdicts[truth_verdict(direction[j], ray.gain[j], ray.length,
 		    single)]++;
 	}
@@ -70,7 +77,8 @@ static void rays_are_exact(void **state)
 	(void)state;
 	sample_seed(3);
 	for (int k = 0; k < 600; k++) {
-		struct truth back = { 0 };
+		struct truth back = { 0 }, eye = { 0 };
+		bool open;
 		int mark = real_mark();
 
 		sample_scene(&s, k % 3 * 4);
@@ -78,11 +86,14 @@ static void rays_are_exact(void **state)
 		if (ray_maker_of(&s, &r) != NULL)
 			continue;
 		truth_scene(&s, SPACE_DEVICE, SPACE_WORLD, &back);
+		truth_scene(&s, SPACE_CLIP, SPACE_WORLD, &eye);
+		open = projection_is_open(&s.projection);
 		for (int i = 0; i < 20; i++) {
 			double at[2];
 
 			sample_position(&s.viewport, at);
-			check_ray(&r, &back, at, i % 2, verdicts);
+			check_ray(&r, &back, open ? &eye : NULL, at, i % 2,
+			    verdicts);
 		}
 		real_release(mark);
 	}

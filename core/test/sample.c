@@ -266,15 +266,75 @@ static void in_radians(struct projection *p)
 					 HUGE_VAL);
 }
 
+/* left below right, bottom below top; hostile: next to each other or to a right
+ * angle, or hardly open. */
+static void four_angles(struct projection *p, int e)
+{
+	double right = p->unit == RADIANS ? PI / 2 : 0x1.67fffffffffffp+6;
+	double *const at[4] = { &p->left, &p->right, &p->bottom, &p->top };
+
+	for (int i = 0; i < 4; i += 2) {
+		double a = right * sample_between(-0.95, 0);
+		double b = right * sample_between(0.01, 0.95);
+
+		if (e == 0 && sample_below(3) == 0)
+			b = a + 0.01 + sample_unit() * (right - a - 0.02);
+		if (e == 0 && p->unit == DEGREES && sample_below(3) == 0)
+			a = -45;
+		switch (e > 0 ? sample_below(4) : 4) {
+		case 0:
+			b = nextafter(a, 1);
+			break;
+		case 1:
+			b = right;
+			break;
+		case 2:
+			a = -pow(10, -e);
+			b = pow(10, -e);
+			break;
+		}
+		*at[i] = a;
+		*at[i + 1] = b;
+	}
+}
+
+/* As [fx, fy, cx, cy], K or P; with planes, without or with an infinite far. */
+static void intrinsics(struct projection *p, int e)
+{
+	double(*k)[4] = p->intrinsics;
+	bool whole = sample_below(3) == 0;
+
+	for (int i = 0; i < 2; i++)
+		for (int j = 0; j < 4; j++)
+			k[i][j] = e > 0 ? sample_number(e) :
+			    whole       ? (double)sample_below(800) :
+					  sample_between(0, 800);
+	k[0][0] = e > 0 ? sample_size(e) : 100 + sample_between(0, 900);
+	k[1][1] = sample_below(2) ? k[0][0] : k[0][0] * 1.01;
+	k[1][0] = k[2][0] = k[2][1] = 0;
+	k[2][2] = 1;
+	k[2][3] = e > 0 ? sample_number(e) : sample_between(-0.01, 0.01);
+	if (sample_below(2))
+		k[0][1] = 0;
+	if (sample_below(2))
+		k[0][3] = k[1][3] = k[2][3] = 0;
+	if (sample_below(4) > 0)
+		return;
+	p->near = 0;
+	p->far = HUGE_VAL;
+	p->reverse_z = true;
+}
+
 void sample_projection(struct projection *p, int e)
 {
 
 	memset(p, 0, sizeof *p);
 	p->type = 1 + sample_below(5);
-	p->extent = sample_below(7);
+	p->extent = sample_below(9);
 	if (p->type == PROJECTION_PERSP && p->extent == EXTENT_HEIGHT)
 		p->extent = EXTENT_SIZE;
-	if (p->type != PROJECTION_PERSP && p->extent < EXTENT_SIZE)
+	if (p->type != PROJECTION_PERSP &&
+	    (p->extent < EXTENT_SIZE || p->extent > EXTENT_EDGES))
 		p->extent = EXTENT_EDGES;
 	p->angle = p->extent == EXTENT_FIELD ? sample_size(e > 0 ? e : 1) :
 					       angle(e);
@@ -289,6 +349,12 @@ void sample_projection(struct projection *p, int e)
 	p->projector = angle(e) / 2;
 	p->direction = 15 * whole(24);
 	in_radians(p);
+	if (p->extent == EXTENT_ANGLES)
+		four_angles(p, e);
+	if (p->extent == EXTENT_INTRINSICS)
+		intrinsics(p, e);
+	if (p->type == PROJECTION_PERSP && sample_below(3) == 0)
+		p->edges_at = e > 0 ? sample_size(e) : 1 + sample_below(9);
 	for (int i = 0; i < 4; i++) {
 		vector(p->matrix[i], e);
 		p->matrix[i][3] = sample_below(2) ? i == 3 : ordinary();
@@ -351,6 +417,11 @@ void sample_scene(struct scene *s, int e)
 	sample_camera(&s->camera, e);
 	sample_projection(&s->projection, e);
 	sample_viewport(&s->viewport, e);
+	if (s->projection.extent == EXTENT_INTRINSICS) {
+		s->viewport.scale = SCALE_FILL;
+		s->projection.width = s->viewport.width;
+		s->projection.height = s->viewport.height;
+	}
 	sample_flat(&s->window, &s->device, e);
 }
 

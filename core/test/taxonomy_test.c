@@ -79,7 +79,9 @@ static void check_places(const struct scene *s, const struct taxonomy *t,
 				    form_mul(at[k],
 					truth_element(&truth, k, j)));
 		}
-		check_point(t->corner[c], h, 3, mpfr_sgn(h[3].value) > 0,
+		check_point(t->corner[c], h, 3,
+		    mpfr_sgn(h[3].value) > 0 &&
+			!projection_is_open(&s->projection),
 		    tally);
 	}
 }

@@ -20,6 +20,25 @@ static void edges(const struct projection *p, real n, real s[2], real off[2])
 	}
 }
 
+static real tangent(double angle, bool radians)
+{
+	return over(sine(angle, radians), cosine(angle, radians));
+}
+
+/* The same of the tangents of left, right, bottom and top, at 1. */
+static void tangents(const struct projection *p, real s[2], real off[2])
+{
+	const double angle[4] = { p->left, p->right, p->bottom, p->top };
+
+	for (int i = 0; i < 2; i++) {
+		real a = tangent(angle[2 * i], p->unit);
+		real b = tangent(angle[2 * i + 1], p->unit);
+
+		s[i] = over(TWO, sub(b, a));
+		off[i] = over(add(a, b), sub(b, a));
+	}
+}
+
 static void by_aspect(const struct projection *p, bool x_given, real given,
     real s[2])
 {
@@ -58,6 +77,11 @@ static void cross_section(const struct projection *p, real n, real s[2],
 	case EXTENT_EDGES:
 		edges(p, n, s, off);
 		break;
+	case EXTENT_ANGLES:
+		tangents(p, s, off);
+		break;
+	case EXTENT_INTRINSICS: /* pixels() */
+		break;
 	}
 }
 
@@ -70,6 +94,11 @@ static void depth(const struct projection *p, bool minus_one, real *a, real *b)
 	real f = number(p->reverse_z ? p->near : p->far);
 	real k = number(minus_one ? 2 : 1);
 
+	if (p->near == 0) { /* 1 / w, in 0 to 1 */
+		*a = number(minus_one ? -1 : 0);
+		*b = k;
+		return;
+	}
 	if (isinf(p->far)) {
 		*a = p->reverse_z ? sub(ONE, k) : ONE;
 		*b = mul(k, p->reverse_z ? f : negative(n));
@@ -84,7 +113,8 @@ static void persp(const struct projection *p, const struct convention *c,
 {
 	real s[2], off[2];
 
-	cross_section(p, number(p->near), s, off);
+	cross_section(p, number(p->edges_at > 0 ? p->edges_at : p->near), s,
+	    off);
 	m[0][0] = s[0];
 	m[1][1] = s[1];
 	m[2][0] = negative(off[0]);
@@ -95,6 +125,22 @@ static void persp(const struct projection *p, const struct convention *c,
 	for (int j = 0; j < 4; j++)
 		if (c->right_handed)
 			m[2][j] = negative(m[2][j]);
+}
+
+/* Divided by the difference of two tangents the elements are so many times larger
+ * as their sum of magnitudes is than that. */
+static void size_tangents(const struct projection *p, struct truth_stage *s)
+{
+	const double angle[4] = { p->left, p->right, p->bottom, p->top };
+
+	for (int i = 0; i < 2; i++) {
+		real a = tangent(angle[2 * i], p->unit);
+		real b = tangent(angle[2 * i + 1], p->unit);
+		real more = over(add(magnitude(a), magnitude(b)), sub(b, a));
+
+		s->size[i][i] = mul(magnitude(s->m[i][i]), add(ONE, more));
+		s->size[2][i] = mul(more, add(ONE, more));
+	}
 }
 
 static void ortho(const struct projection *p, const struct convention *c,
@@ -161,6 +207,32 @@ static void volume(const struct projection *p, bool minus_one, real m[4][4])
 		m[i / 4][i % 4] = negative(m[i / 4][i % 4]);
 }
 
+/* From view space with x right, y up and z along the gaze to pixels u w and v w, with
+ * depth and w, and on to clip space, in which a viewport of such a size is 2 by 2, y
+ * up. */
+static void pixels(struct truth *t, const struct projection *p,
+    const struct convention *c)
+{
+	struct truth_stage *s = truth_stage(t);
+	double up = c->bottom_left ? 1 : -1;
+	real pw = number(p->intrinsics[2][3]), a, b;
+
+	for (int j = 0; j < 2; j++)
+		for (int i = 0; i < 4; i++)
+			s->m[i][j] = number(
+			    p->intrinsics[j][i] * (i == 1 ? up : 1));
+	depth(p, c->minus_one, &a, &b);
+	s->m[2][2] = a;
+	s->m[3][2] = add(mul(a, pw), b);
+	s->m[2][3] = ONE;
+	s->m[3][3] = pw;
+	s = truth_stage(t);
+	s->m[0][0] = over(TWO, number(p->width));
+	s->m[1][1] = over(number(2 * up), number(p->height));
+	s->m[3][0] = number(-1);
+	s->m[3][1] = number(-up);
+}
+
 void truth_half_turn(struct truth *t)
 {
 	struct truth_stage *s = truth_stage(t);
@@ -174,11 +246,19 @@ void truth_projection(struct truth *t, const struct projection *p,
 	bool sized = p->type == PROJECTION_PERSP || p->type == PROJECTION_ORTHO;
 	bool upright = sized || p->type == PROJECTION_OBLIQUE;
 
+	bool by_pixels = p->type == PROJECTION_PERSP &&
+	    p->extent == EXTENT_INTRINSICS;
+
 	if (p->type == PROJECTION_OBLIQUE ||
-	    (sized && p->extent <= EXTENT_VIEW_ANGLE))
+	    (sized &&
+		(p->extent <= EXTENT_VIEW_ANGLE || p->extent == EXTENT_ANGLES)))
 		t->irrational = true;
 	if (upright && c->view_y_down)
 		truth_half_turn(t);
+	if (by_pixels) {
+		truth_stage(t)->m[2][2] = number(c->right_handed ? -1 : 1);
+		pixels(t, p, c);
+	}
 	if (p->type == PROJECTION_OBLIQUE)
 		shear(p, c->right_handed, truth_stage(t)->m);
 	struct truth_stage *s = truth_stage(t);
@@ -186,8 +266,10 @@ void truth_projection(struct truth *t, const struct projection *p,
 	if (p->type == PROJECTION_MATRIX)
 		for (int i = 0; i < 4; i++)
 			set(s->m[i], 4, p->matrix[i]);
-	if (p->type == PROJECTION_PERSP)
+	if (p->type == PROJECTION_PERSP && !by_pixels)
 		persp(p, c, s->m);
+	if (p->type == PROJECTION_PERSP && p->extent == EXTENT_ANGLES)
+		size_tangents(p, s);
 	if (p->type == PROJECTION_ORTHO || p->type == PROJECTION_OBLIQUE)
 		ortho(p, c, s->m);
 	if (p->type == PROJECTION_VOLUME)

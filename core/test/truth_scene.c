@@ -208,17 +208,39 @@ static void window(struct truth *t, const struct window *w,
 	}
 }
 
-/* The inverse: the stages' inverses, last first. Only a rotation has sizes, all
- * the same. */
+/* What a matrix is off by, m times that times m its inverse is, as far as sizes are
+ * concerned. */
+static void size_inverse(const struct truth_stage *s, struct truth_stage *r)
+{
+	for (int i = 0; i < 16; i++) {
+		real size = number(0);
+
+		for (int k = 0; k < 16; k++)
+			if (s->size[k / 4][k % 4] != NULL)
+				size = add(size,
+				    mul(magnitude(r->m[i / 4][k / 4]),
+					mul(s->size[k / 4][k % 4],
+					    magnitude(r->m[k % 4][i % 4]))));
+		r->size[i / 4][i % 4] = add(size,
+		    magnitude(r->m[i / 4][i % 4]));
+	}
+}
+
+/* The inverse: the stages' inverses, last first. Those of a rotation have the same
+ * sizes. */
 static void reverse(struct truth *t)
 {
 	struct truth r = { .n = t->n, .irrational = t->irrational };
 
 	for (int i = 0; i < t->n; i++) {
 		struct truth_stage *s = &t->stage[t->n - 1 - i];
+		bool rotation = s->size[0][1] != NULL;
 
-		memcpy(r.stage[i].size, s->size, sizeof s->size);
 		set_inverse(r.stage[i].m, s->m);
+		if (rotation)
+			memcpy(r.stage[i].size, s->size, sizeof s->size);
+		else if (s->size[0][0] != NULL)
+			size_inverse(s, &r.stage[i]);
 	}
 	*t = r;
 }
