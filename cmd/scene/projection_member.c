@@ -317,16 +317,18 @@ static void find_sides(const struct value *v, const struct viewport *viewport,
 
 	if (v->unused)
 		return;
-	if (viewport == NULL)
+	if (viewport == NULL) {
 		value_refuse(&m,
 		    "needs a \"viewport\", in whose units it is; "
 		    "add one to the scene");
-	if (viewport->scale != SCALE_FILL)
+	} else if (viewport->scale != SCALE_FILL) {
 		value_refuse(&m,
 		    "not together with the viewport's \"scale\"; "
 		    "leave that out");
-	p->width = viewport->width;
-	p->height = viewport->height;
+	} else {
+		p->width = viewport->width;
+		p->height = viewport->height;
+	}
 }
 
 /* Completes the aspect, a quotient: that which is given, over 1, else the
