@@ -1,6 +1,7 @@
 #include "object.h"
 
 #include <ctype.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "../nearest.h"
@@ -113,6 +114,16 @@ static const struct member *meant(const struct member *table, int kind,
 	return near != NULL ? find(table, kind, near) : NULL;
 }
 
+/* Its name in quotes, and what it is. Returns out. */
+static const char *described(const struct member *row, char out[LISTED])
+{
+	bool note = row->note != NULL;
+
+	snprintf(out, LISTED, "\"%s\"%s%s%s", row->name, note ? " (" : "",
+	    note ? row->note : "", note ? ")" : "");
+	return out;
+}
+
 static void refuse_other_kind(const struct value *v, const struct member *table,
     int kind)
 {
@@ -152,8 +163,8 @@ static void refuse_misplaced(const struct value *v, const struct member *table)
 			continue;
 		row = find_alias(s->members, 0, v->name);
 		if (row != NULL)
-			value_refuse(v, "unknown member; \"%s\" has \"%s\"",
-			    s->name, row->name);
+			value_refuse(v, "unknown member; \"%s\" has %s",
+			    s->name, described(row, all));
 	}
 }
 
@@ -175,12 +186,9 @@ static _Noreturn void unknown(const struct value *v, const struct member *table,
 	}
 	if (row == NULL)
 		row = meant(table, kind, v->name);
-	if (row != NULL && row->note != NULL)
-		value_refuse(v, "unknown member; did you mean \"%s\" (%s)?",
-		    row->name, row->note);
 	if (row != NULL)
-		value_refuse(v, "unknown member; did you mean \"%s\"?",
-		    row->name);
+		value_refuse(v, "unknown member; did you mean %s?",
+		    described(row, all));
 	names_of(table, kind, names);
 	value_refuse(v, "unknown member; there are %s",
 	    list_words(all, names, " and "));

@@ -42,9 +42,9 @@ const struct member camera_members[] = {
 	{ .name = "matrix",
 	    .read = read_affine,
 	    .at = MEMBER(camera, matrix),
-	    .aliases = "view viewmatrix extrinsic extrinsics rt worldtocamera "
-		       "worldtocam w2c",
-	    .note = "world to view" },
+	    .aliases = "view viewmatrix extrinsic extrinsics r rt rvec "
+		       "rotationmatrix worldtocamera worldtocam w2c",
+	    .note = "world to view, [R|t]" },
 	NUMBERS("up", camera, up, 3, NULL),
 	NUMBERS("roll", camera, roll, 0, NULL),
 	FLAG(orthonormalize, camera),

@@ -59,7 +59,7 @@ static const struct refusal cameras[] = {
 	    "(view to world)?" },
 	{ &lookat, "{\"extrinsics\":" M16 "}",
 	    "/extrinsics: unknown member; did you mean \"matrix\" (world to "
-	    "view)?" },
+	    "view, [R|t])?" },
 	{ &lookat, "{\"position\":[0,0,0]," AT "}",
 	    "/position: unknown member; did you mean \"eye\"?" },
 	{ &lookat, "{\"matrix\":" M16 "," EYE "}",

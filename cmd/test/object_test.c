@@ -56,7 +56,8 @@ static const struct refusal names[] = {
 	    "from view to world axes; of w, x, y, z from world to view that is "
 	    "-x, -y, -z, w)?" },
 	{ &lookat, "{\"view\":1}",
-	    "/view: unknown member; did you mean \"matrix\" (world to view)?" },
+	    "/view: unknown member; did you mean \"matrix\" (world to view, "
+	    "[R|t])?" },
 #undef MEANT
 #define MEANT(name, right)                                                   \
 	{                                                                    \

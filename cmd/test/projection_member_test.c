@@ -206,9 +206,13 @@ static const struct refusal projections[] = {
 	MEANS("angleLeft",
 	    "angles\" ([left, right, bottom, top] from the gaze)?"),
 	{ &project, "{\"K\":[[1,0,0],[0,1,0],[0,0,1]]}",
-	    "/K: unknown member; \"projection\" has \"intrinsics\"" },
+	    "/K: unknown member; \"projection\" has \"intrinsics\" ([fx, fy, "
+	    "cx, "
+	    "cy], K or P, in pixels)" },
 	{ &project, "{\"transform_matrix\":1}",
-	    "/transform_matrix: unknown member; \"camera\" has \"pose\"" },
+	    "/transform_matrix: unknown member; \"camera\" has \"pose\" (view "
+	    "to "
+	    "world)" },
 };
 
 REFUSES(projections)
