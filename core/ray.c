@@ -84,10 +84,6 @@ static bool point_is_sure(const struct ray_maker *r, const double at[2],
 {
 	struct quick n[4];
 
-	if (r->from_eye) {
-		memcpy(point, r->eye[false], sizeof r->eye[false]);
-		return !isnan(at[0]) && !isnan(at[1]);
-	}
 	set_columns(r, &r->to_world.for_kernel, at, n);
 	return n[3].value.hi > QUICK_BOUND * n[3].size &&
 	    quick_over(n[0], n[3], &point[0]) &&
@@ -148,12 +144,21 @@ static void set_direction(const struct ray_maker *r, const double in[4],
 		direction[j] = over(to[j], length, single);
 }
 
+static bool begin_is_sure(const struct ray_maker *r, const double at[2],
+    double point[3])
+{
+	if (!r->from_eye)
+		return point_is_sure(r, at, point);
+	memcpy(point, r->eye[false], sizeof r->eye[false]);
+	return !isnan(at[0]) && !isnan(at[1]);
+}
+
 void ray_exact(const struct ray_maker *r, const double at[2], bool single,
     double point[3], double direction[3])
 {
 	const double in[4] = { at[0], at[1], r->depth, 1 };
 
-	if (!single && point_is_sure(r, at, point) &&
+	if (!single && begin_is_sure(r, at, point) &&
 	    direction_is_sure(r, at, direction))
 		return;
 	for (int i = 0; i < 3; i++)
