@@ -14,6 +14,11 @@ bool points_choose(const char *name)
 	return found != NULL;
 }
 
+const struct kernels *points_kernels(void)
+{
+	return kernels;
+}
+
 /* x y z w, undivided, from two turns of the affine kernel: w's column stands
  * for each of the others in the second. */
 static bool carry_four(const struct transform *t, const double *const in[4],

@@ -12,11 +12,8 @@ static dd rounded(struct sum s)
 	return e.hi == 0 ? (dd){ sum_sign(s) * 0x1p-1074, 0 } : e;
 }
 
-/* Rounds the map, seen from its origin. */
-static void set_kernel_map(struct transform *t)
+void kernel_map_of(const struct map *m, struct kernel_map *k)
 {
-	struct kernel_map *k = &t->for_kernel;
-	const struct map *m = &t->map;
 	struct sum origin[4] = { [3] = sum_of_double(1) };
 
 	k->a_hi = k->a_lo = k->b_hi = k->b_lo = 0;
@@ -63,7 +60,7 @@ void transform_init(struct transform *t, enum space from, enum space to,
 	t->kind = t->in != 3 || t->out != 3 ? KERNEL_NONE :
 	    t->divide                       ? KERNEL_PROJECTIVE :
 					      KERNEL_AFFINE;
-	set_kernel_map(t);
+	kernel_map_of(&t->map, &t->for_kernel);
 }
 
 /* Where view z alone determines w and depth, depth = a + b / w. */
@@ -110,6 +107,6 @@ const char *flat_transform(const struct scene *s, enum flat from, enum flat to,
 	t->divide = t->front = t->reciprocal = false;
 	t->kind = KERNEL_FLAT;
 	if (why == NULL)
-		set_kernel_map(t);
+		kernel_map_of(&t->map, &t->for_kernel);
 	return why;
 }

@@ -110,7 +110,8 @@ static double none_of(const struct kernel_map *m, int j, int terms,
 	return m->none[j] * largest;
 }
 
-/* A column's elements, and its origin's image, cut for a block of points. */
+/* A column's elements, and its origin's image, cut for a block of points. Where all
+ * of them are held for 0, the column is 0. */
 struct cut {
 	double high[4], rest[4], all[4];
 	double bound; /* of the error */
@@ -140,8 +141,9 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
 		c->rest[i] = counts ? (c->all[i] - c->high[i]) + m->lo[i][j] :
 				      0;
 	}
-	c->bound = most > 0 ? ldexp(COLUMN_BOUND, f) : 0;
-	c->bound += none_of(m, j, terms, range);
+	c->bound = most > 0 ?
+	    ldexp(COLUMN_BOUND, f) + none_of(m, j, terms, range) :
+	    0;
 	return is_moderate(most);
 }
 
@@ -192,6 +194,20 @@ static inline vdd normalise(V hi, V lo)
 	V s = hi + lo;
 
 	return (vdd){ s, lo - (s - hi) };
+}
+
+/* Coordinates i to i + WIDTH relative to the origin. */
+static inline void cut_points(const struct block *b, const double *const in[3],
+    size_t i, int terms, V cut[3], V rest[3])
+{
+	for (int k = 0; k < terms; k++) {
+		const struct range *o = &b->range[k];
+		V x = LOAD(in[k] + i) - ALL(o->near);
+		V high = (x + ALL(o->rounder)) - ALL(o->rounder);
+
+		cut[k] = high - ALL(o->high);
+		rest[k] = (x - high) - ALL(o->rest);
+	}
 }
 
 static inline vdd column(const struct cut *c, const V cut[3], const V rest[3],
@@ -262,14 +278,7 @@ exact(const struct kernel_map *m, const double *const in[3],
 		V bound = ALL(0);
 		vdd w = { r, bound };
 
-		for (int k = 0; k < terms; k++) {
-			const struct range *o = &b.range[k];
-			V x = LOAD(in[k] + i) - ALL(o->near);
-			V high = (x + ALL(o->rounder)) - ALL(o->rounder);
-
-			cut[k] = high - ALL(o->high);
-			rest[k] = (x - high) - ALL(o->rest);
-		}
+		cut_points(&b, in, i, terms, cut, rest);
 		if (divide) {
 			w = column(&b.cut[3], cut, rest, terms);
 			r = ALL(1) / w.hi;
@@ -295,6 +304,62 @@ exact(const struct kernel_map *m, const double *const in[3],
 			done = 0;
 		}
 		for (int k = 0; k < terms; k++)
+			STORE(out[k] + i, q[k]);
+	}
+	return done;
+}
+
+/* The length of three columns, within 60.2 u^2: the remainder is the square's less the
+ * root's, summed without error but for low parts, of u each; of the squares of low
+ * parts, which are left out, come 15 from the length's own and 5 from the columns'.
+ * The length's low part is up to 6 u, as columns' are 3 u. */
+static inline vdd length_of(const vdd a[3], V *reciprocal)
+{
+	V square[3], low = ALL(0);
+
+	for (int k = 0; k < 3; k++) {
+		square[k] = a[k].hi * a[k].hi;
+		low = low + FMA(a[k].hi, a[k].hi, -square[k]);
+	}
+	for (int k = 0; k < 3; k++)
+		low = MADD(a[k].hi + a[k].hi, a[k].lo, low);
+	vdd s = v_two_sum(square[0], square[1]);
+	vdd t = v_two_sum(s.hi, square[2]);
+	V root = SQRT(t.hi);
+	V rest = FMA(-root, root, t.hi) + ((s.lo + t.lo) + low);
+
+	*reciprocal = ALL(1) / root;
+	return (vdd){ root, (rest * ALL(0.5)) * *reciprocal };
+}
+
+/* A length is off by no more than the sum of what its columns are off by (the
+ * triangle's inequality), and that sum's bound is above 2^-74 of it, as a
+ * column's is of the column. Of a length below its bound some quotient is below its
+ * own, so that it is not sure. */
+static int exact_direction(const struct kernel_map *m,
+    const double *const in[3], double *const out[3], size_t n)
+{
+	const struct block b = block_of(m, in, n, KERNEL_DIRECTION);
+	const V bound = ALL(b.cut[0].bound + b.cut[1].bound + b.cut[2].bound);
+	int done = 1;
+
+	for (size_t i = 0; i < n; i += WIDTH) {
+		V cut[3], rest[3], q[3], r, sure = ALL(b.moderate);
+		vdd c[3];
+
+		cut_points(&b, in, i, 2, cut, rest);
+		for (int k = 0; k < 3; k++)
+			c[k] = column(&b.cut[k], cut, rest, 2);
+		vdd length = length_of(c, &r);
+
+		for (int k = 0; k < 3; k++)
+			q[k] = quotient(c[k], length, r, ALL(b.cut[k].bound),
+			    bound, &sure);
+		if (!IS_POSITIVE(sure)) {
+			q[0] = CHOOSE(sure, q[0], ALL((double)NAN));
+			done = 0;
+		}
+		for (int k = 0; k < 3; k++)
 			STORE(out[k] + i, q[k]);
 	}
 	return done;

@@ -13,18 +13,19 @@ enum kernel_kind {
 	KERNEL_AFFINE,     /* no division */
 	KERNEL_DEPTH,      /* x and y divided by w, depth = a + b / w */
 	KERNEL_PROJECTIVE, /* x, y, z divided by w */
+	KERNEL_DIRECTION, /* two coordinates to three, divided by their length */
 	KERNELS,
 };
 
 /* Coordinates in and out, columns among them, and whether they are divided. */
 static inline int kernel_terms(enum kernel_kind kind)
 {
-	return kind == KERNEL_FLAT ? 2 : 3;
+	return kind == KERNEL_FLAT || kind == KERNEL_DIRECTION ? 2 : 3;
 }
 
 static inline int kernel_columns(enum kernel_kind kind)
 {
-	return kind == KERNEL_DEPTH ? 2 : kernel_terms(kind);
+	return kind == KERNEL_FLAT || kind == KERNEL_DEPTH ? 2 : 3;
 }
 
 static inline bool kernel_divides(enum kernel_kind kind)

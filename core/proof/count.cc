@@ -41,6 +41,7 @@ static number same(number up, number, number sure)
 #define STORE(p, a) (*(p) = (a))
 #define ALL(a) (number(a))
 #define FMA(a, b, c) fma(a, b, c)
+#define SQRT(a) sqrt(a)
 #define ABS(a) fabs(a)
 #define MIN(a, b) (a)
 #define MAX(a, b) (a)
@@ -73,32 +74,6 @@ static number size_limit(const struct kernel_map *, enum kernel_kind, number)
 
 #include "quick.h"
 
-struct ray_maker {
-	struct {
-		struct kernel_map for_kernel;
-	} to_world, to_view, turn;
-	number depth;
-	bool against;
-};
-
-namespace whole
-{
-#include "ray_length.h"
-}
-
-/* What a ray's direction is made of, before anything is divided. */
-static struct quick directions[3];
-
-static struct quick length_of(const struct quick to[3])
-{
-	for (int j = 0; j < 3; j++)
-		directions[j] = to[j];
-	return QUICK_ONE;
-}
-
-#define quick_over(n, d, q) (*(q) = (n).value.hi, true)
-#include "ray_sums.h"
-#undef quick_over
 #undef double
 
 /* Than any error that is counted: for what shall not count, though its operations
@@ -295,18 +270,18 @@ static double column_error(int terms, int far, double *most)
 	    test_error() + (terms + 1) * EX_BOUND * U * U;
 }
 
-/* Heads of 1, low parts as normalise() may leave them: 3 u. In units of the
- * quotient. */
-static vdd pair(double head)
+/* Low parts as normalise() may leave them: 3 u. */
+static vdd pair(double head, double low = 3)
 {
-	return vdd{ given(head, head), given(3 * U * head) };
+	return vdd{ given(head, head), given(low * U * head) };
 }
 
-static double quotient_error(void)
+/* Heads of 1, so in units of the quotient. */
+static double quotient_error(double low_of_w = 3)
 {
 	fresh();
 	count::relative = true;
-	vdd n = pair(1), w = pair(1);
+	vdd n = pair(1), w = pair(1, low_of_w);
 	number sure = 1;
 
 	quotient(n, w, number(1) / w.hi, given(small), 0, &sure);
@@ -334,6 +309,28 @@ static double depth_error(double a, double b)
 
 	return (bound(minus(times(tested(), whole), right)) + test_error()) /
 	    (1 - 4 * U);
+}
+
+/* Of so many equal elements: half of what the square is off by. */
+static double length_error(int many, double *low)
+{
+	fresh();
+	count::relative = true;
+	vdd a[3];
+	number reciprocal;
+	poly square;
+
+	for (int j = 0; j < 3; j++) {
+		a[j] = pair(j < many ? 1 / std::sqrt((double)many) : small);
+		square = plus(square,
+		    times(plus(a[j].hi->is, a[j].lo->is),
+			plus(a[j].hi->is, a[j].lo->is)));
+	}
+	vdd length = length_of(a, &reciprocal);
+	poly is = plus(length.hi->is, length.lo->is);
+
+	*low = std::fmax(*low, bound(length.lo->is) / (1 - 4 * U));
+	return bound(minus(times(is, is), square)) / 2;
 }
 
 /* With the columns of n and w off by a share of their bounds, and w above its
@@ -373,6 +370,12 @@ static void prove_exact(void)
 	const double q = quotient_error(), a = depth_error(1, small),
 		     b = depth_error(small, 1), least = 0x1p-79;
 
+	double length = 0, low = 0;
+
+	for (int many = 1; many <= 3; many++)
+		length = std::fmax(length, length_error(many, &low));
+	const double d = quotient_error(LENGTH_LOW) + length;
+
 	say("column, of 2^-79 B", COLUMN_UNITS, column / least, "2^-79");
 	say("column: COLUMN_BOUND / 2", COLUMN_BOUND / 2 / least,
 	    column / least, "2^-79");
@@ -381,6 +384,9 @@ static void prove_exact(void)
 	say("quotient: share of its error", 1, share(column, most, q), "");
 	say("depth: DEPTH_BOUND", DEPTH_BOUND / (U * U), a / (U * U), "u^2");
 	say("depth: share of its error", 1, share(column, most, b), "");
+	say("length", LENGTH_BOUND, length / (U * U), "u^2");
+	say("length: its low part", LENGTH_LOW, low / U, "u");
+	say("direction: share of its error", 1, share(column, most, d), "");
 }
 
 /* ---- kernel/plain.h, in units of u ---- */
@@ -479,10 +485,8 @@ static void prove_plain(void)
 
 /* ---- quick.h, in units of u^2 of sums of products' magnitudes ---- */
 
-/* Term i of the columns, of their own elements and of those of the last column; of
- * row 2 what a direction takes of them; and row turned of what turns it. */
-static void give_quick(int i, double own, double last, int turned,
-    struct ray_maker *r)
+/* Term i of a column. */
+static double quick_column_error(int i)
 {
 	fresh();
 	count::relative = true;
@@ -491,107 +495,30 @@ static void give_quick(int i, double own, double last, int turned,
 	count::head = HUGE_VAL;
 	give_map(small, small);
 	give_points(small);
-	for (int j = 0; j < 4; j++) {
-		double e = (j < 3 ? own : last) ? 1 : small;
-
-		if (i != 2)
-			map.hi[2][j] = given(e), map.lo[2][j] = given(e * U);
-		map.hi[i][j] = given(1);
-		map.lo[i][j] = given(U);
-	}
+	map.hi[i][0] = given(1);
+	map.lo[i][0] = given(U);
 	if (i < 3)
 		count::bounds[difference[i].begin()->first[0]] = 1;
-	r->to_world.for_kernel = r->to_view.for_kernel = map;
-	r->turn.for_kernel = map;
-	for (int k = 0; k < 9; k++) {
-		double e = k / 3 == turned ? 1 : small;
+	dd p[4];
 
-		r->turn.for_kernel.hi[k / 3][k % 3] = given(e);
-		r->turn.for_kernel.lo[k / 3][k % 3] = given(e * U);
-	}
-	r->depth = in[2];
-	r->against = false;
-}
-
-static poly element_of(int i, int j)
-{
-	return plus(map.hi[i][j]->is, map.lo[i][j]->is);
-}
-
-static poly image_of(const struct kernel_map &turn, int j)
-{
-	poly s;
-
-	for (int i = 0; i < 3; i++) {
-		poly d = minus(times(element_of(2, i), column_of(3, 3)),
-		    times(column_of(i, 3), element_of(2, 3)));
-
-		s = plus(s,
-		    times(d, plus(turn.hi[i][j]->is, turn.lo[i][j]->is)));
-	}
-	return s;
-}
-
-/* All of a direction's elements are computed alike. */
-static void quick_errors(int i, double own, double last, int turned,
-    double *column, double *to)
-{
-	struct ray_maker r;
-	number point[3];
-	struct quick n[4];
-
-	give_quick(i, own, last, turned, &r);
-	set_columns(&r, &r.to_view.for_kernel, in, n);
-	*column = std::fmax(*column,
-	    bound(minus(sum_of(n[0].value), column_of(0, 3))));
-	direction_is_sure(&r, in, point);
-	*to = std::fmax(*to,
-	    bound(minus(sum_of(directions[0].value),
-		image_of(r.turn.for_kernel, 0))) /
-		(i == 2 ? 2 : own + last));
-}
-
-/* Of so many equal elements: half of what the square is off by. */
-static double length_error(int many)
-{
-	fresh();
-	count::relative = true;
-	count::head = HUGE_VAL;
-	struct quick to[3];
-	poly square;
-
-	for (int j = 0; j < 3; j++) {
-		double e = j < many ? 1 / std::sqrt((double)many) : small;
-
-		to[j] = { { given(e), given(e * U) }, number(1), false };
-		square = plus(square,
-		    times(sum_of(to[j].value), sum_of(to[j].value)));
-	}
-	poly length = sum_of(whole::length_of(to).value);
-
-	return bound(minus(times(length, length), square)) / 2;
+	for (int k = 0; k < 3; k++)
+		p[k] = two_sum(in[k], -map.origin[k]);
+	p[3] = dd{ 1, 0 };
+	return bound(
+	    minus(sum_of(quick_column(&map, 0, p).value), column_of(0, 3)));
 }
 
 static void prove_quick(void)
 {
-	double column = 0, to = 0, length = 0;
+	double column = 0;
 
 	for (int i = 0; i < 4; i++)
-		for (int k = 1; k < 4; k++)
-			for (int turned = 0; turned < 3; turned++)
-				quick_errors(i, k & 1, k >> 1, turned, &column,
-				    &to);
-	for (int many = 1; many <= 3; many++)
-		length = std::fmax(length, length_error(many));
+		column = std::fmax(column, quick_column_error(i));
 	/* with what elements are rounded by */
 	column = column / (U * U) + EX_BOUND;
-	to = to / (U * U) + 3 * EX_BOUND;
-	length /= U * U;
 	say("quick: a column", QUICK_COLUMN, column, "u^2");
-	say("quick: a direction, turned", QUICK_DIRECTION, to, "u^2");
-	say("quick: a length", QUICK_LENGTH, length, "u^2");
-	say("quick: QUICK_BOUND", QUICK_BOUND / (U * U),
-	    std::fmax(column, to) + std::fmax(length, 0.0) + DD_DIV, "u^2");
+	say("quick: QUICK_BOUND", QUICK_BOUND / (U * U), column + DD_DIV,
+	    "u^2");
 }
 
 int main()

@@ -63,6 +63,8 @@ my @mutations = (
 	    '!IS_POSITIVE(sure)', 'IS_POSITIVE(-r)', @toy],
 	[$exact, 'a bound that leaves w out',
 	    'MADD(ABS(q), w_bound, bound);', 'bound;', @toy],
+	[$exact, 'a length whose squares are rounded',
+	    'low = low + FMA(a[k].hi, a[k].hi, -square[k])', 'low = low', @toy],
 	['quick.h', 'a sum that is off', 's.lo, t.lo);', 's.lo, 0);', @toy_dd],
 	['quick.h', 'a sum that is said to be exact', 'u.lo == 0 && v.lo == 0',
 	    'u.lo == 0', @toy_dd],
@@ -78,10 +80,8 @@ my @counted = (
 	    'POINT_CUT - 3', '1', 'column, of 2^-79 B'],
 	['kernel/plain.h', 'one rounding more',
 	    'R_FMA(b, r, a)', 'b * r + a', 'plain depth, of b/w: PLAIN_BOUND'],
-	['ray.c', 'a length without its low part', 'rest.hi / (2 * s)', 's * 0',
-	    'quick: a length'],
-	['ray.c', 'a difference with the wrong sign', 'dd_neg(n[i].value)',
-	    'n[i].value', 'quick: a direction, turned'],
+	[$exact, 'a length without its low part', '(rest * ALL(0.5))',
+	    '(rest * ALL(0))', 'length'],
 );
 my @bounds = (
 	[$exact, 'an origin that is cut too far off',
@@ -91,7 +91,7 @@ my @bounds = (
 	['kernel/kernel.h', 'a plain bound that is too small',
 	    'PLAIN_BOUND 10', 'PLAIN_BOUND 8',
 	    'plain depth, of b/w: PLAIN_BOUND'],
-	['quick.h', 'a bound of sums that is too small', '0x1p-99', '0x1p-102',
+	['quick.h', 'a bound of sums that is too small', '0x1p-101', '0x1p-102',
 	    'quick: QUICK_BOUND'],
 );
 
@@ -100,7 +100,7 @@ sub mutant {
 	my $copy = "$tmp/mutant";
 	remove_tree($copy);
 	make_path("$copy/kernel");
-	for my $header (qw(dd.h exact.h quick.h ray.c kernel/exact.h
+	for my $header (qw(dd.h exact.h quick.h kernel/exact.h
 	    kernel/plain.h kernel/kernel.h)) {
 		spew("$copy/$header", slurp("$core/$header"));
 	}

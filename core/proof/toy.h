@@ -109,6 +109,10 @@ static inline toy fma(toy a, toy b, toy c)
 {
 	return nearest(to_odd(a.v * b.v, c.v));
 }
+static inline toy sqrt(toy a)
+{
+	return nearest(std::sqrt(a.v));
+}
 static inline toy fabs(toy a)
 {
 	return std::fabs(a.v);
@@ -140,6 +144,7 @@ static inline toy frexp(toy a, int *e)
 #define STORE(p, a) (*(p) = (a))
 #define ALL(a) (toy(a))
 #define FMA(a, b, c) fma(a, b, c)
+#define SQRT(a) sqrt(a)
 #define ABS(a) fabs(a)
 #define MIN(a, b) ((a) < (b) ? (a) : (b))
 #define MAX(a, b) ((a) > (b) ? (a) : (b))
