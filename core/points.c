@@ -31,8 +31,10 @@ static bool carry_four(const struct transform *t, const double *const in[4],
 
 	for (int j = 0; j < 3; j++) {
 		w.none[j] = w.none[3];
+		w.surely_none[j] = w.surely_none[3];
 		for (int i = 0; i < 4; i++) {
 			w.hi[i][j] = w.hi[i][3];
+			w.exact[i][j] = w.exact[i][3];
 			w.lo[i][j] = w.lo[i][3];
 		}
 	}

@@ -39,6 +39,10 @@ void kernel_map_of(const struct map *m, struct kernel_map *k)
 				k->most[j] = fmax(k->most[j], fabs(e.hi));
 		}
 		k->image[j] = fabs(k->hi[3][j]);
+		/* what is none of 1 times it */
+		struct magnitude size = m->m[3][j].size;
+
+		k->surely_none[j] = ldexp(size.m, size.e - 191);
 	}
 }
 

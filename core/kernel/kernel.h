@@ -47,6 +47,8 @@ struct kernel_map {
 	/* A difference of none (2^e + 1) between two images' columns is to be
 	 * taken for none, where |p - origin| < 2^e (see struct sum). */
 	double none[4];
+	/* Of any point's column so much is none, or half of it. */
+	double surely_none[4];
 };
 
 /* The nearest doubles to the exact image, where that is sure. Otherwise the first

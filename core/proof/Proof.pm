@@ -56,6 +56,8 @@ sub claims {
 	my ($exact, $quick) = ("$core/kernel/exact.h", "$core/quick.h");
 	my %claim = (EX_BOUND => macro("$core/exact.h", 'EX_BOUND'),
 	    COLUMN_UNITS => told($exact, 'columns', qr/together (\d+(?:\.\d+)?) u/),
+	    COLUMN_LOW => told($exact, 'low parts', qr{above (\d+(?:\.\d+)?) times 2\^-26 B}),
+	    QUOTIENT_LOW => told($exact, 'quotients of low parts', qr/(\d+) u of what low parts/),
 	    QUOTIENT_BOUND => claimed($exact, 'quotient'),
 	    QUICK_COLUMN => told($quick, 'columns', qr/a column by (\d+(?:\.\d+)?)/),
 	    LENGTH_BOUND => claimed($exact, 'length_of'),

@@ -201,7 +201,8 @@ static void give_map(double element, double image)
 			map.lo[i][j] = given(most * U / 2);
 		}
 	for (int j = 0; j < 4; j++)
-		map.none[j] = map.most[j] = map.image[j] = number(0);
+		map.none[j] = map.surely_none[j] = map.most[j] = map.image[j] =
+		    number(0);
 }
 
 static void give_points(double size)
@@ -235,80 +236,127 @@ static void run(enum kernel_kind kind)
 	exact(&map, from, to, 1, kind);
 }
 
-/* hi + lo of a test hi + (lo + error). */
+/* What is rounded last in a test: hi + (lo + error). */
 static poly tested(void)
 {
 	const count::node &up = *tested_up;
 
-	return plus(count::nodes[up.a].is,
-	    count::nodes[count::nodes[up.b].a].is);
+	return up.error < 0 ? up.is : minus(up.is, { { { up.error }, 1.0 } });
 }
 
-/* What the test itself rounds. */
-static double test_error(void)
-{
-	const count::node &sum = count::nodes[tested_up->b];
+/* A column's error, and the most that its parts can be, in units of B. Bit k of far
+ * tells that the origin is so far off in coordinate k that it is subtracted whole.
+ */
+struct column_parts {
+	double error, hi, lo;
+};
 
-	return sum.error < 0 ? 0 : count::bounds[sum.error];
-}
-
-/* A column's error and the most that it can be, in units of B. Bit k of far tells
- * that the origin is so far off in coordinate k that it is subtracted whole. */
-static double column_error(int terms, int far, double *most)
+static column_parts column_error(int terms, int far)
 {
 	fresh();
 	count::answers = ~far;
 	give_map(1, 1);
 	give_points(1);
 	run(terms == 2 ? KERNEL_FLAT : KERNEL_AFFINE);
-	number hi;
+	const count::node &low = count::nodes[tested_up->b];
+	poly wrong = minus(tested(), column_of(terms - 1, terms));
+	const poly error = { { {}, COLUMN_BOUND } };
 
-	hi.id = tested_up->a;
-	*most = hi->most;
 	/* elements are rounded to hi + lo */
-	return bound(minus(tested(), column_of(terms - 1, terms))) +
-	    test_error() + (terms + 1) * EX_BOUND * U * U;
+	return { bound(minus(wrong, error)) + (terms + 1) * EX_BOUND * U * U,
+		count::nodes[tested_up->a].most, count::nodes[low.a].most };
 }
 
-/* Low parts as normalise() may leave them: 3 u. */
-static vdd pair(double head, double low = 3)
+/* The same of one that is normalised. */
+static double normal_column_error(int far)
 {
-	return vdd{ given(head, head), given(low * U * head) };
+	const number *const from[3] = { in, in + 1, in + 2 };
+	number cut[3], rest[3];
+
+	fresh();
+	count::answers = ~far;
+	give_map(1, 1);
+	give_points(1);
+	const struct block b = block_of(&map, from, 1, KERNEL_DIRECTION);
+
+	cut_points(&b, from, 0, 2, cut, rest);
+	vdd c = normalise(column(&b.cut[0], cut, rest, 2));
+
+	return bound(minus(plus(c.hi->is, c.lo->is), column_of(0, 2))) +
+	    3 * EX_BOUND * U * U;
+}
+
+static number number_of(const poly &p, double most, double least)
+{
+	return number::add(
+	    { p, most, least, count::NO_UNIT, count::GIVEN, -1, -1, -1, -1 });
+}
+
+/* A head, as a sum with so much in its low part. */
+struct sized {
+	vdd parts;
+	number head;
+};
+
+static sized sum_with(double head, double low)
+{
+	number h = given(head, head), lo = given(low);
+	number hi = number_of(minus(h->is, lo->is), head + low, head - low);
+
+	return { { hi, lo }, h };
+}
+
+/* Of a head that is summed first. */
+static number reciprocal_of(number head)
+{
+	number r = number(1) / head, e = given(U * (1 + 4 * U));
+
+	return number_of(plus(r->is, e->is), r->most * (1 + 2 * U),
+	    r->least * (1 - 2 * U));
 }
 
 /* Heads of 1, so in units of the quotient. */
-static double quotient_error(double low_of_w = 3)
+static double quotient_error(double low_of_n, double low_of_w)
 {
 	fresh();
 	count::relative = true;
-	vdd n = pair(1), w = pair(1, low_of_w);
+	sized n = sum_with(1, low_of_n), w = sum_with(1, low_of_w);
 	number sure = 1;
 
-	quotient(n, w, number(1) / w.hi, given(small), 0, &sure);
-	poly wrong = minus(times(tested(), plus(w.hi->is, w.lo->is)),
-	    plus(n.hi->is, n.lo->is));
-
-	return (bound(wrong) + test_error()) / (1 - 4 * U);
+	quotient(n.parts, w.parts, reciprocal_of(w.head), given(small), 0,
+	    &sure);
+	return bound(minus(times(tested(), w.head->is), n.head->is));
 }
 
-static double depth_error(double a, double b)
+static double depth_error(double a, double b, double low_of_w)
 {
 	fresh();
-	count::relative = true;
-	vdd w = pair(1), first = pair(a), second = pair(b);
+	sized w = sum_with(1, low_of_w);
 	number sure = 1;
+	struct range range[3];
 
-	map.a_hi = first.hi;
-	map.a_lo = first.lo;
-	map.b_hi = second.hi;
-	map.b_lo = second.lo;
-	depth(&map, w, number(1) / w.hi, given(small), 0, &sure);
-	poly whole = plus(w.hi->is, w.lo->is);
-	poly right = plus(times(plus(first.hi->is, first.lo->is), whole),
-	    plus(second.hi->is, second.lo->is));
+	map.a_hi = given(a, a / 2);
+	map.a_lo = given(a * U);
+	map.b_hi = given(b, b);
+	map.b_lo = given(b * U);
+	for (int j = 0; j < 4; j++)
+		map.none[j] = number(0);
+	for (int k = 0; k < 3; k++)
+		range[k].largest = number(0);
+	struct depth d = depth_of(&map, range);
 
-	return (bound(minus(times(tested(), whole), right)) + test_error()) /
-	    (1 - 4 * U);
+	d.bound = d.none = given(small);
+	depth(&d, w.parts, reciprocal_of(w.head), 0, &sure);
+	poly right = plus(times(plus(map.a_hi->is, map.a_lo->is), w.head->is),
+	    plus(map.b_hi->is, map.b_lo->is));
+
+	return bound(minus(times(tested(), w.head->is), right));
+}
+
+/* Low parts as normalise() may leave them: 3 u. */
+static vdd pair(double head)
+{
+	return vdd{ given(head, head), given(3 * U * head) };
 }
 
 /* Of so many equal elements: half of what the square is off by. */
@@ -335,12 +383,16 @@ static double length_error(int many, double *low)
 
 /* With the columns of n and w off by a share of their bounds, and w above its
  * bound: how much of the test's error is needed. What the quotient itself rounds
- * is of |q|, and the test has at least COLUMN_BOUND / most of that. */
-static double share(double column, double most, double own)
+ * is of |q|, and the test has at least COLUMN_BOUND / most of that; or it is of the
+ * low parts, in units of B as the bound is. */
+static double share(double column, double most, double own, double of_low)
 {
 	double part = column / (double)COLUMN_BOUND;
 
-	return (part / (1 - part) + own * most / COLUMN_BOUND) * (1 + 16 * U);
+	if (part >= 1)
+		return HUGE_VAL;
+	return (part / (1 - part) + (own * most + of_low) / COLUMN_BOUND) *
+	    (1 + 16 * U);
 }
 
 /* Binary exponents where coordinates and B are at the ends of what is moderate: of
@@ -359,34 +411,47 @@ static void prove_ends(void)
 
 static void prove_exact(void)
 {
-	double most = 0, column = 0, m;
+	column_parts most = { 0, 0, 0 };
+	double normal = 0, length = 0, low = 0;
 
-	for (int terms = 2; terms <= 3; terms++)
-		for (int far = 0; far < 1 << terms; far++) {
-			column = std::fmax(column,
-			    column_error(terms, far, &m));
-			most = std::fmax(most, m);
+	for (int far = 0; far < 8; far++)
+		for (int terms = far < 4 ? 2 : 3; terms <= 3; terms++) {
+			column_parts c = column_error(terms, far);
+
+			most.error = std::fmax(most.error, c.error);
+			most.hi = std::fmax(most.hi, c.hi);
+			most.lo = std::fmax(most.lo, c.lo);
 		}
-	const double q = quotient_error(), a = depth_error(1, small),
-		     b = depth_error(small, 1), least = 0x1p-79;
-
-	double length = 0, low = 0;
-
+	for (int far = 0; far < 4; far++)
+		normal = std::fmax(normal, normal_column_error(far));
 	for (int many = 1; many <= 3; many++)
 		length = std::fmax(length, length_error(many, &low));
-	const double d = quotient_error(LENGTH_LOW) + length;
+	/* a is at least a half of the power of two that it is cut by, and b / w
+	 * at most 2^12 of it */
+	const double q = quotient_error(0, 0),
+		     of_low = std::fmax(quotient_error(most.lo, 0),
+			 quotient_error(0, most.lo)),
+		     a = 2 * depth_error(1, 0x1p-36, 0),
+		     b = depth_error(0x1p-12, 1, 0),
+		     b_low = depth_error(0x1p-12, 1, most.lo),
+		     d = quotient_error(3 * U, LENGTH_LOW * U) + length,
+		     least = 0x1p-79, column = most.error;
 
 	say("column, of 2^-79 B", COLUMN_UNITS, column / least, "2^-79");
-	say("column: COLUMN_BOUND / 2", COLUMN_BOUND / 2 / least,
-	    column / least, "2^-79");
-	say("column: |hi| at most", 4 + 0x1p-23, most, "B");
+	say("column: |hi| at most", 4 + 0x1p-23, most.hi, "B");
+	say("column: |lo| at most", COLUMN_LOW, most.lo / 0x1p-26, "2^-26");
 	say("quotient's own", QUOTIENT_BOUND, q / (U * U), "u^2");
-	say("quotient: share of its error", 1, share(column, most, q), "");
-	say("depth: DEPTH_BOUND", DEPTH_BOUND / (U * U), a / (U * U), "u^2");
-	say("depth: share of its error", 1, share(column, most, b), "");
+	say("quotient: of low parts", QUOTIENT_LOW, of_low / U / most.lo, "u");
+	say("quotient: share of its error", 1,
+	    share(column, most.hi, q, of_low), "");
+	say("depth: DEPTH_BOUND", DEPTH_BOUND / 0x1p-90, a / 0x1p-90, "2^-90");
+	say("depth: share of its error", 1, share(column, most.hi, b, b_low),
+	    "");
+	say("column, normalised", COLUMN_UNITS, normal / least, "2^-79");
 	say("length", LENGTH_BOUND, length / (U * U), "u^2");
 	say("length: its low part", LENGTH_LOW, low / U, "u");
-	say("direction: share of its error", 1, share(column, most, d), "");
+	say("direction: share of its error", 1, share(normal, most.hi, d, 0),
+	    "");
 }
 
 /* ---- kernel/plain.h, in units of u ---- */

@@ -63,7 +63,7 @@ static void any_map(void)
 	for (int j = 0; j < 4; j++) {
 		int e = (int)below(7) - 3;
 
-		map.none[j] = 0;
+		map.none[j] = map.surely_none[j] = 0;
 		for (int i = 0; i < 4; i++) {
 			dd m = pair(i < 3 || below(2) ? e : e + (int)below(9));
 
@@ -72,6 +72,7 @@ static void any_map(void)
 
 			map.hi[i][j] = m.hi;
 			map.lo[i][j] = m.lo;
+			map.exact[i][j] = at(map.lo[i][j]) == 0;
 		}
 	}
 	if (flat && ends) /* but for one that underflows when it is scaled */
@@ -110,6 +111,7 @@ static void any_point(void)
 		    ((wide)at(map.hi[k][j]) + at(map.lo[k][j]));
 	map.hi[3][j] = rounded(-s);
 	map.lo[3][j] = below(2) ? rounded(-s - at(map.hi[3][j])) : 0;
+	map.exact[3][j] = at(map.lo[3][j]) == 0;
 }
 
 /* Elements that are infinite stand for finite ones beyond doubles: 0 times one is
