@@ -74,9 +74,10 @@ struct kernels {
 	plain_kernel plain[3][KERNELS]; /* by precision */
 };
 
-extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512;
+extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512,
+    kernels_neon;
 
-/* The copy for this processor, or the named one (baseline, avx2, avx512);
+/* The copy for this processor, or the named one (baseline, avx2, avx512, neon);
  * NULL where the processor cannot run it or there is none of that name. */
 const struct kernels *kernels_find(const char *name);
 
