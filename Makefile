@@ -68,7 +68,7 @@ $(BUILD)/%.o: %.cc | $(FIRST)
 	$(CXX) $(CXX_FLAGS) $(CXXFLAGS) $(FLAGS) $(CPPFLAGS) -c -o $@ $<
 
 # The inner loops: binary points take a fifth less time than at -O2. Those for
-# AVX2 and AVX-512 are chosen when the program runs.
+# AVX2 and AVX-512 are chosen when the program runs; NEON is in every arm64.
 $(BUILD)/cmd/points/binary.o $(call objects,core/kernel): FLAGS += -O3
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),)
 $(BUILD)/core/kernel/avx2.o: FLAGS += -mavx2 -mfma

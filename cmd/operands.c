@@ -178,7 +178,7 @@ static void choose_kernels(void)
 	if (!points_choose(cpu))
 		die(EXIT_USAGE,
 		    "PROJCALC_CPU=%s: not a processor that this is; "
-		    "it is one of baseline, avx2 and avx512",
+		    "it is one of baseline, avx2, avx512 and neon",
 		    cpu);
 }
 

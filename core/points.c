@@ -14,6 +14,11 @@ bool points_choose(const char *name)
 	return found != NULL;
 }
 
+const struct kernels *points_kernels(void)
+{
+	return kernels;
+}
+
 /* x y z w, undivided, from two turns of the affine kernel: w's column stands
  * for each of the others in the second. */
 static bool carry_four(const struct transform *t, const double *const in[4],
@@ -26,8 +31,10 @@ static bool carry_four(const struct transform *t, const double *const in[4],
 
 	for (int j = 0; j < 3; j++) {
 		w.none[j] = w.none[3];
+		w.surely_none[j] = w.surely_none[3];
 		for (int i = 0; i < 4; i++) {
 			w.hi[i][j] = w.hi[i][3];
+			w.exact[i][j] = w.exact[i][3];
 			w.lo[i][j] = w.lo[i][3];
 		}
 	}

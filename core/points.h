@@ -10,6 +10,7 @@
 /* Chooses the kernels: the best for this processor, or those named. False
  * where it cannot run them. */
 bool points_choose(const char *name);
+const struct kernels *points_kernels(void);
 
 enum { POINTS_BLOCK = 1024 };
 

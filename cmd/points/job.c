@@ -50,14 +50,12 @@ static void cast_rays(const struct job *j, struct chunk *c, size_t n)
 	bool single = j->accuracy.precision == PRECISION_SINGLE ||
 	    j->layout.out == FORMAT_F32;
 
-	for (size_t i = 0; i < n; i++) {
-		double at[2] = { c->in[0][i], c->in[1][i] }, ray[2][3];
+	const double *const at[2] = { c->in[0], c->in[1] };
+	double *const image[6] = { c->image[0], c->image[1], c->image[2],
+		c->image[3], c->image[4], c->image[5] };
 
-		c->single[i] = single;
-		ray_exact(&j->ray, at, single, ray[0], ray[1]);
-		for (int k = 0; k < 6; k++)
-			c->image[k][i] = ray[k / 3][k % 3];
-	}
+	memset(c->single, single, n);
+	rays_cast(&j->ray, single, at, image, image + 3, n);
 }
 
 static void carry(const struct job *j, struct chunk *c, size_t n)

@@ -7,9 +7,10 @@
 #include "../points.h"
 #include "../test/sample.h"
 
-enum { RUNS = 101, CALLS = 4, EFFORTS = 4, CASES = 4, COPIES = 3 };
+enum { RUNS = 101, CALLS = 4, EFFORTS = 4, CASES = 4, COPIES = 4 };
 
-static const char *const copies[COPIES] = { "baseline", "avx2", "avx512" };
+static const char *const copies[COPIES] = { "baseline", "avx2", "avx512",
+	"neon" };
 
 static const struct accuracy efforts[EFFORTS] = {
 	{ PRECISION_EXACT, 0 },

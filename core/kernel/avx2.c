@@ -10,6 +10,7 @@
 #define STORE(p, a) _mm256_storeu_pd(p, a)
 #define ALL(a) _mm256_set1_pd(a)
 #define FMA(a, b, c) _mm256_fmadd_pd(a, b, c)
+#define SQRT(a) _mm256_sqrt_pd(a)
 #define ABS(a) _mm256_andnot_pd(_mm256_set1_pd(-0.0), a)
 #define MIN(a, b) _mm256_min_pd(a, b)
 #define MAX(a, b) _mm256_max_pd(a, b)

@@ -10,6 +10,7 @@
 #define STORE(p, a) _mm512_storeu_pd(p, a)
 #define ALL(a) _mm512_set1_pd(a)
 #define FMA(a, b, c) _mm512_fmadd_pd(a, b, c)
+#define SQRT(a) _mm512_sqrt_pd(a)
 #define ABS(a) _mm512_abs_pd(a)
 #define MIN(a, b) _mm512_min_pd(a, b)
 #define MAX(a, b) _mm512_max_pd(a, b)

@@ -10,6 +10,7 @@
 #define STORE(p, a) (*(p) = (a))
 #define ALL(a) ((double)(a))
 #define FMA(a, b, c) fma(a, b, c)
+#define SQRT(a) sqrt(a)
 #define ABS(a) fabs(a)
 #define MIN(a, b) ((a) < (b) ? (a) : (b))
 #define MAX(a, b) ((a) > (b) ? (a) : (b))

@@ -6,7 +6,8 @@
  *	ALL(a)		a in each lane
  *	FMA(a, b, c)	a b + c, rounded once
  *	MADD(a, b, c)	the same, or the product rounded before: what is faster
- *	ABS MIN MAX	MIN is a < b ? a : b, MAX a > b ? a : b, nan or not
+ *	ABS SQRT
+ *	MIN MAX		MIN is a < b ? a : b, MAX a > b ? a : b, nan or not
  *	SAME(a, b, c)	a == b ? c : 0
  *	CHOOSE(a, b, c)	a > 0 ? b : c
  *	IS_POSITIVE(a)	whether all of a are above 0
@@ -81,18 +82,15 @@ static double size_limit(const struct kernel_map *m, enum kernel_kind kind,
 #define NAME(x) single_##x
 #include "plain.h"
 
-#define KERNELS_OF(prefix)                                \
-	{                                                 \
-		[KERNEL_FLAT] = prefix##_flat,            \
-		[KERNEL_AFFINE] = prefix##_affine,        \
-		[KERNEL_DEPTH] = prefix##_depth,          \
-		[KERNEL_PROJECTIVE] = prefix##_projective \
-	}
+#define KERNELS_OF(prefix)                                                \
+	[KERNEL_FLAT] = prefix##_flat, [KERNEL_AFFINE] = prefix##_affine, \
+	[KERNEL_DEPTH] = prefix##_depth,                                  \
+	[KERNEL_PROJECTIVE] = prefix##_projective
 
 const struct kernels COPY = {
-	.exact = KERNELS_OF(exact),
+	.exact = { KERNELS_OF(exact), [KERNEL_DIRECTION] = exact_direction },
 	.plain = {
-		[PRECISION_DOUBLE] = KERNELS_OF(double),
-		[PRECISION_SINGLE] = KERNELS_OF(single),
+		[PRECISION_DOUBLE] = { KERNELS_OF(double) },
+		[PRECISION_SINGLE] = { KERNELS_OF(single) },
 	},
 };

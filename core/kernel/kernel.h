@@ -13,18 +13,19 @@ enum kernel_kind {
 	KERNEL_AFFINE,     /* no division */
 	KERNEL_DEPTH,      /* x and y divided by w, depth = a + b / w */
 	KERNEL_PROJECTIVE, /* x, y, z divided by w */
+	KERNEL_DIRECTION, /* two coordinates to three, divided by their length */
 	KERNELS,
 };
 
 /* Coordinates in and out, columns among them, and whether they are divided. */
 static inline int kernel_terms(enum kernel_kind kind)
 {
-	return kind == KERNEL_FLAT ? 2 : 3;
+	return kind == KERNEL_FLAT || kind == KERNEL_DIRECTION ? 2 : 3;
 }
 
 static inline int kernel_columns(enum kernel_kind kind)
 {
-	return kind == KERNEL_DEPTH ? 2 : kernel_terms(kind);
+	return kind == KERNEL_FLAT || kind == KERNEL_DEPTH ? 2 : 3;
 }
 
 static inline bool kernel_divides(enum kernel_kind kind)
@@ -46,6 +47,8 @@ struct kernel_map {
 	/* A difference of none (2^e + 1) between two images' columns is to be
 	 * taken for none, where |p - origin| < 2^e (see struct sum). */
 	double none[4];
+	/* Of any point's column so much is none, or half of it. */
+	double surely_none[4];
 };
 
 /* The nearest doubles to the exact image, where that is sure. Otherwise the first
@@ -71,9 +74,10 @@ struct kernels {
 	plain_kernel plain[3][KERNELS]; /* by precision */
 };
 
-extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512;
+extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512,
+    kernels_neon;
 
-/* The copy for this processor, or the named one (baseline, avx2, avx512);
+/* The copy for this processor, or the named one (baseline, avx2, avx512, neon);
  * NULL where the processor cannot run it or there is none of that name. */
 const struct kernels *kernels_find(const char *name);
 

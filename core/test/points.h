@@ -14,7 +14,7 @@ struct block {
 	bool single[POINTS_BLOCK];
 };
 
-static const char *const copies[] = { "baseline", "avx2", "avx512" };
+static const char *const copies[] = { "baseline", "avx2", "avx512", "neon" };
 
 enum { COPIES = sizeof copies / sizeof *copies };
 
