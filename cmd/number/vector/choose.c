@@ -17,11 +17,26 @@ static const struct {
 	const char *name;
 	const struct number_vector *copy;
 } copies[] = {
+#ifdef __x86_64__
+	{ "avx512", &number_avx512 },
+	{ "avx2", &number_avx2 },
+#endif
 	{ "baseline", &number_baseline },
 };
 
 static bool runs(const char *name)
 {
+#ifdef __x86_64__
+	if (strcmp(name, "avx512") == 0)
+		return __builtin_cpu_supports("avx512f") &&
+		    __builtin_cpu_supports("avx512bw") &&
+		    __builtin_cpu_supports("avx512dq") &&
+		    __builtin_cpu_supports("avx512vl") &&
+		    __builtin_cpu_supports("fma");
+	if (strcmp(name, "avx2") == 0)
+		return __builtin_cpu_supports("avx2") &&
+		    __builtin_cpu_supports("fma");
+#endif
 	return strcmp(name, "baseline") == 0;
 }
 

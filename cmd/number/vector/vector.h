@@ -3,7 +3,16 @@
 #ifndef VECTOR_H
 #define VECTOR_H
 
+#include <stdint.h>
+
 #include "../number.h"
+
+/* Texts are made so many at a time. */
+enum { TEXTS = 64 };
+
+/* Where the digits are decided by a difference that is less, they are left to
+ * number_write. */
+#define WRITE_MARGIN 0x1p-44
 
 struct number_vector {
 	/* as number_texts, but that n is a multiple of 64 */
