@@ -69,7 +69,7 @@ struct digits {
  *
  * For scale from 0 to 20 nothing is rounded. x is a multiple of 2^(q + scale), up
  * is half of that multiplied by 5^scale, an odd number, so that no whole number is
- * at x + up or x - down. With q + scale >= -49 (write_proof.t counts) all
+ * at x + up or x - down. With q + scale >= -49 (digits_test.t counts) all
  * differences are below 1 and multiples of 2^-51, the tenths below 10 and multiples
  * of 2^-48: they are doubles. A tie of two tenths is 1/4 or 3/4, which NEAREST and
  * number_write take to the even one.
