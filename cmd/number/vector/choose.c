@@ -21,6 +21,9 @@ static const struct {
 	{ "avx512", &number_avx512 },
 	{ "avx2", &number_avx2 },
 #endif
+#ifdef __aarch64__
+	{ "neon", &number_neon },
+#endif
 	{ "baseline", &number_baseline },
 };
 
@@ -37,7 +40,7 @@ static bool runs(const char *name)
 		return __builtin_cpu_supports("avx2") &&
 		    __builtin_cpu_supports("fma");
 #endif
-	return strcmp(name, "baseline") == 0;
+	return strcmp(name, "baseline") == 0 || strcmp(name, "neon") == 0;
 }
 
 static const struct number_vector *vector = &number_baseline;
