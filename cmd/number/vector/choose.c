@@ -10,9 +10,9 @@ static void no_texts(const double *v, size_t n, bool single,
 
 static const struct number_vector number_baseline = { no_texts };
 
-/* What a copy named as one of core/kernel's needs; the best first. Where the
- * named one cannot run, the next that can stands in for it: an older processor
- * with AVX-512 has not all that its copy here takes. */
+/* The best first, named as core/kernel's. Where the named one can't run, the next
+ * that can stands in for it: the first processors with AVX-512 have not all that
+ * its copy takes here. */
 static const struct {
 	const char *name;
 	const struct number_vector *copy;
@@ -62,5 +62,5 @@ bool number_choose(const char *name)
 void number_texts(const double *v, size_t n, bool single,
     struct number_style style, struct number_text *t)
 {
-	vector->texts(v, (n + 63) / 64 * 64, single, style, t);
+	vector->texts(v, (n + TEXTS - 1) / TEXTS * TEXTS, single, style, t);
 }

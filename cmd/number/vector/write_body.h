@@ -13,7 +13,7 @@
  *	ALL(a)		a in each lane
  *	FMA(a, b, c)	a b + c, rounded once
  *	FLOOR, NEAREST	to a whole number; NEAREST has ties to even
- *	ABS, MIN
+ *	ABS, MIN	MIN is any number where one is nan
  *	LESS, EQUAL	an M; no where one is nan
  *	CHOOSE(m, a, b)	m ? a : b
  *	ONLY(m, a)	m ? a : 0
@@ -34,8 +34,6 @@
  *
  * Every operation on doubles is one rounding of IEEE 754 in each lane. */
 #include "write_find.h"
-
-#define INLINE static inline __attribute__((always_inline))
 
 /* Where digits stand before they become text: zeros for those before the first
  * (and room for a minus), 16 digits and the 17th, zeros for those after it. */

@@ -11,6 +11,10 @@
 
 #define INLINE static inline __attribute__((always_inline))
 
+/* How far apart two sides must be for their comparison to be right where something
+ * was rounded: shortest() adds up the errors. */
+#define WRITE_MARGIN 0x1p-44
+
 /* The most digits that a whole number below 2^53 has. */
 enum { DIGITS = 16 };
 
@@ -84,8 +88,8 @@ struct digits {
  *	58	of 10 rest, less than 10: 5 10 and 8
  *
  * so that a comparison is right where its sides are WRITE_MARGIN = 512 units apart.
- * What is nearer is about one number in 2^40; but of floats above 2^24, which have
- * few decimals, the more ties. */
+ * What is nearer, exact ties among it, which are frequent in numbers that large, is
+ * left to number_write. */
 INLINE struct digits shortest(V a, V two, V scale, V hi, struct scaled x,
     bool single)
 {
