@@ -1,5 +1,5 @@
 /* The decimal digits of a number, found by operations on doubles (write_body.h
- * says which). From 2^-17 to 2^53, of floats to 2^24, none of them rounds; beyond
+ * says which). From 2^-17 to 2^52, of floats to 2^23, none of them rounds; beyond
  * that, what rounding could change is left to number_write. */
 #ifndef WRITE_FIND_H
 #define WRITE_FIND_H
@@ -44,9 +44,9 @@ INLINE struct scaled scaled(V a, V hi, V lo)
 
 /* The nearest whole number to x < 2^53, ties to even, where scale >= 0. p - i - 1/2
  * is exact, and |e| at most half a unit of p's last place. The sum, though rounded,
- * has the sign of x - i - 1/2. It is 0 if e = 0 and NEAREST breaks the tie, or if
- * p > 2^52 is whole and e = 1/2: then p is even already, as x, halfway between two
- * doubles, was rounded to it. */
+ * has the sign of x - i - 1/2. It is 0 if e = 0 and NEAREST breaks the tie. The
+ * other tie is p > 2^52, whole, with |e| = 1/2: then p is even already, as x, halfway
+ * between two doubles, was rounded to it; and p is what either way gives. */
 INLINE V nearest(struct scaled x)
 {
 	V rest = (x.p - x.i - ALL(0.5)) + x.e;
