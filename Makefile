@@ -36,7 +36,8 @@ objects = $(addprefix $(BUILD)/,$(addsuffix .o,$(basename \
 	$(wildcard $(foreach folder,$1,$(folder)/*.c $(folder)/*.cc)))))
 programs = $(basename $(call objects,$1))
 CORE = $(call objects,core core/kernel)
-PROGRAM = $(CORE) $(call objects,cmd cmd/json cmd/scene cmd/points cmd/number)
+PROGRAM = $(CORE) $(call objects,cmd cmd/json cmd/scene cmd/points cmd/number \
+	cmd/number/vector)
 BUT_MAIN = $(filter-out %/main.o,$(PROGRAM))
 TRUTH = $(filter-out %_test.o,$(call objects,core/test))
 PEERS = $(call objects,cmd/bench/peer)
@@ -69,10 +70,14 @@ $(BUILD)/%.o: %.cc | $(FIRST)
 
 # The inner loops: binary points take a fifth less time than at -O2. Those for
 # AVX2 and AVX-512 are chosen when the program runs; NEON is in every arm64.
-$(BUILD)/cmd/points/binary.o $(call objects,core/kernel): FLAGS += -O3
+$(BUILD)/cmd/points/binary.o $(call objects,core/kernel cmd/number/vector): \
+    FLAGS += -O3
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),)
-$(BUILD)/core/kernel/avx2.o: FLAGS += -mavx2 -mfma
+$(BUILD)/core/kernel/avx2.o $(BUILD)/cmd/number/vector/avx2.o: \
+    FLAGS += -mavx2 -mfma
 $(BUILD)/core/kernel/avx512.o: FLAGS += -mavx512f -mfma
+$(BUILD)/cmd/number/vector/avx512.o: \
+    FLAGS += -mavx512f -mavx512bw -mavx512dq -mavx512vl -mfma
 endif
 # gcc would store the halves of a span and reload them as one, which stalls.
 $(BUILD)/cmd/points/line_read.o: FLAGS += -fno-tree-slp-vectorize
@@ -124,6 +129,8 @@ chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures
 
 oracle: $(BUILD)/core/test/oracle_test ## random scenes and points against MPFR
 	@$< 1000000
+digits: $(BUILD)/cmd/test/texts_test ## the vector's digits against number_write
+	@$< 3000000
 programs: $(BUILD)/projcalc $(TESTS) ## the program and its tests
 SCRIPTS = $(sort $(wildcard cmd/test/*_test.t core/proof/*_test.t))
 test: | $(FIRST) ## all tests
@@ -143,7 +150,8 @@ layers: programs ## what includes and calls what; how long functions are
 # Of variables the compilers know more than cppcheck does.
 lint: ## the manual, the style, the scripts, the C
 	mandoc -T lint -W warning man/*.[15]
-	clang-format --dry-run -Werror $(foreach room,core core/* cmd cmd/*, \
+	clang-format --dry-run -Werror $(foreach room,core core/* cmd cmd/* \
+	    cmd/number/vector, \
 	    $(wildcard $(room)/*.[ch] $(room)/*.cc))
 	shellcheck .ci/run .debian/build .debian/deps $(wildcard cmd/*/*.sh)
 	cppcheck --quiet --error-exitcode=1 --std=c11 --inline-suppr core cmd \

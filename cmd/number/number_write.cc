@@ -236,6 +236,48 @@ static char *write_significant(char *s, double v, int n)
 	return layout<24>(s, d + DIGITS - n, n, exponent + 1);
 }
 
+/* How many decimals a text has: its digits after the point, less its exponent. */
+static int count_decimals(const char *s, const char *end)
+{
+	const char *e = (const char *)memchr(s, 'e', size_t(end - s));
+	const char *digits_end = e != NULL ? e : end;
+	const char *point = (const char *)memchr(s, '.', size_t(end - s));
+	int n = point != NULL ? int(digits_end - point) - 1 : 0;
+
+	return n - (e != NULL ? atoi(e + 1) : 0);
+}
+
+/* v is positive. Its shortest text, where that has no more than n decimals, or
+ * its decimals without their trailing zeros. */
+template <class Float>
+static char *write_within(char *s, Float v, bool minus, int n)
+{
+	char text[NUMBER_MAX], d[NUMBER_MAX + 128];
+	char *end = write_shortest(text, v);
+
+	*end = '\0';
+	if (count_decimals(text, end) > n) {
+		end = write_decimals(text, double(v), n);
+		int count = 0;
+		for (const char *c = text; c < end; c++)
+			if (*c != '.' && (count > 0 || *c != '0'))
+				d[count++] = *c;
+		const char *dot = (const char *)memchr(text, '.',
+		    size_t(end - text));
+		int point = dot == NULL ? count : count - int(end - dot - 1);
+		if (count == 0) {
+			*s = '0';
+			return s + 1;
+		}
+		memset(d + count, '0', 128);
+		end = layout<104>(text, d, count, point);
+	}
+	*s = '-';
+	s += minus;
+	memcpy(s, text, size_t(end - text));
+	return s + (end - text);
+}
+
 template <class Float>
 static inline char *write_number(char *s, Float v, struct number_style style)
 {
@@ -249,6 +291,8 @@ static inline char *write_number(char *s, Float v, struct number_style style)
 		*s = '0';
 		return s + 1;
 	}
+	if (style.kind == number_style::NUMBER_WITHIN)
+		return write_within(s, std::fabs(v), v < 0, style.n);
 	*s = '-';
 	s += v < 0;
 	if (style.kind == number_style::NUMBER_DIGITS)
