@@ -13,18 +13,23 @@ bool points_choose(const char *name);
 
 enum { POINTS_BLOCK = 1024 };
 
-/* What points are computed in. With a tolerance above 0, for each point from
- * that point alone, the cheapest precision whose proven bound is at most that
- * in every coordinate. */
+/* What points are computed in: a precision; or, with tolerances above 0, double
+ * for each point of which that alone says that its error is at most tolerance[j] in
+ * every coordinate j, else exact. Four coordinates are exact then. */
 struct accuracy {
 	enum precision precision;
-	double tolerance;
+	double tolerance[3];
 };
 
 /* Images of n <= POINTS_BLOCK points, a column of POINTS_BLOCK each for x, y,
- * z, w. What has no image, or one beyond the range of doubles, is nan.
- * single[i] says that the numbers of point i are floats. */
+ * z, w. What has no image, or one beyond the range of doubles, is nan. In
+ * PRECISION_SINGLE they are floats, unless beyond the range of these. */
 void points_carry(const struct transform *, const struct accuracy *,
-    const double *const in[4], double *const out[4], bool *single, size_t n);
+    const double *const in[4], double *const out[4], size_t n);
+
+/* The same in PRECISION_SINGLE for columns of floats; false where that is not all
+ * done, and points_carry has to. */
+bool points_carry_floats(const struct transform *, const float *const in[3],
+    float *const out[3], size_t n);
 
 #endif

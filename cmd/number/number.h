@@ -12,8 +12,17 @@ extern "C" {
 enum { NUMBER_MAX = 416 };
 
 struct number_style {
-	enum { NUMBER_SHORTEST, NUMBER_DECIMALS, NUMBER_DIGITS } kind;
-	int n; /* decimals 0..100, or significant digits 1..100 */
+	enum {
+		NUMBER_SHORTEST,
+		NUMBER_DECIMALS,
+		NUMBER_DIGITS,
+		/* The shortest where that has no more than n decimals, else
+		 * rounded to n; without trailing zeros. */
+		NUMBER_WITHIN
+	} kind;
+	/* Decimals, 0..100 or, within, up to 160; or significant digits
+	 * 1..100. */
+	int n;
 };
 
 /* Reads the number that begins at s: [+-] digits [. digits] [e [+-] digits],

@@ -34,7 +34,6 @@ struct chunk {
 	struct line line[POINTS_BLOCK];
 	double in[4][POINTS_BLOCK];
 	double image[COORDINATES_MAX][POINTS_BLOCK];
-	bool single[POINTS_BLOCK]; /* the image is of floats */
 
 	struct piece piece; /* what was read, if the source is a file */
 };

@@ -53,7 +53,6 @@ static void cast_rays(const struct job *j, struct chunk *c, size_t n)
 	for (size_t i = 0; i < n; i++) {
 		double at[2] = { c->in[0][i], c->in[1][i] }, ray[2][3];
 
-		c->single[i] = single;
 		ray_exact(&j->ray, at, single, ray[0], ray[1]);
 		for (int k = 0; k < 6; k++)
 			c->image[k][i] = ray[k / 3][k % 3];
@@ -69,8 +68,7 @@ static void carry(const struct job *j, struct chunk *c, size_t n)
 	if (j->rays)
 		cast_rays(j, c, n);
 	else
-		points_carry(&j->transform, &j->accuracy, in, out, c->single,
-		    n);
+		points_carry(&j->transform, &j->accuracy, in, out, n);
 }
 
 enum { WORD_MAX = 48 };
@@ -116,8 +114,8 @@ static void put_line(const struct job *j, struct chunk *c,
 	c->size += (size_t)(line_write(&j->layout, line, v, flags, at) - at);
 }
 
-static void write_point(const struct job *j, struct chunk *c, struct line *line,
-    size_t p)
+static void write_point(const struct job *j, struct chunk *c,
+    const struct line *line, size_t p)
 {
 	double v[COORDINATES_MAX];
 	char word[WORD_MAX];
@@ -131,7 +129,6 @@ static void write_point(const struct job *j, struct chunk *c, struct line *line,
 		binary_write(j, c, p, v);
 		return;
 	}
-	line->single = c->single[p];
 	put_line(j, c, line, v, flags);
 }
 

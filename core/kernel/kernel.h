@@ -55,12 +55,19 @@ struct kernel_map {
 typedef int (*exact_kernel)(const struct kernel_map *,
     const double *const in[3], double *const out[3], size_t n);
 
-/* Without image the first coordinate is nan; also where something on the way could
- * be beyond the precision's range; and, with a tolerance above 0, where the error
- * could be larger in any of them. Returns whether the first two were nowhere. */
+/* Where there is no image, or something on the way was beyond the precision's
+ * range, a coordinate is nan or infinite. Returns whether that is surely nowhere so,
+ * but for lanes past n. */
 typedef int (*plain_kernel)(const struct kernel_map *,
+    const double *const in[3], double *const out[3], size_t n);
+typedef int (*float_kernel)(const struct kernel_map *, const float *const in[3],
+    float *const out[3], size_t n);
+
+/* The same in double; the first coordinate is nan, too, where the error could be
+ * larger than the tolerance in any of them. These are at least 2^-1000. */
+typedef int (*within_kernel)(const struct kernel_map *,
     const double *const in[3], double *const out[3], size_t n,
-    double tolerance);
+    const double tolerance[3]);
 
 /* The bound of the plain kernels' errors, in units of roundoff; derived and
  * claimed in plain.h. */
@@ -69,6 +76,8 @@ typedef int (*plain_kernel)(const struct kernel_map *,
 struct kernels {
 	exact_kernel exact[KERNELS];
 	plain_kernel plain[3][KERNELS]; /* by precision */
+	within_kernel within[KERNELS];
+	float_kernel floats[KERNELS]; /* single, to the same bits */
 };
 
 extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512;
