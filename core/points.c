@@ -198,10 +198,35 @@ void points_carry(const struct transform *t, const struct accuracy *a,
 		carry_plain(t, a->precision, in, out, n);
 }
 
-bool points_carry_floats(const struct transform *t, const float *const in[3],
-    float *const out[3], size_t n)
+bool points_split(const char *rows, bool wide, int numbers,
+    double (*columns)[POINTS_BLOCK], size_t n)
+{
+	return kernels->split[wide][numbers](rows, columns, n, MAGNITUDE_MAX);
+}
+
+bool points_join(double (*columns)[POINTS_BLOCK], char *rows, bool wide,
+    int numbers, size_t n)
+{
+	return kernels->join[wide][numbers](columns, rows, n);
+}
+
+bool points_carry_floats(const struct transform *t, const char *in, char *out,
+    size_t n)
 {
 	float_kernel fast = kernels->floats[t->kind];
+	float p[3][POINTS_BLOCK], q[3][POINTS_BLOCK];
+	const float *const from[3] = { p[0], p[1], p[2] };
+	float *const to[3] = { q[0], q[1], q[2] };
 
-	return fast != NULL && fast(&t->for_kernel, in, out, n);
+	if (fast == NULL)
+		return false;
+	kernels->split_floats[t->in](in, p, n);
+	/* kernels read whole vectors */
+	for (size_t i = n; i % 16 != 0; i++)
+		for (int k = 0; k < t->in; k++)
+			p[k][i] = p[k][0];
+	if (!fast(&t->for_kernel, from, to, n))
+		return false;
+	kernels->join_floats[t->out](q, out, n);
+	return true;
 }

@@ -11,8 +11,6 @@
  * where it cannot run them. */
 bool points_choose(const char *name);
 
-enum { POINTS_BLOCK = 1024 };
-
 /* What points are computed in: a precision; or, with tolerances above 0, double
  * for each point of which that alone says that its error is at most tolerance[j] in
  * every coordinate j, else exact. Four coordinates are exact then. */
@@ -27,9 +25,19 @@ struct accuracy {
 void points_carry(const struct transform *, const struct accuracy *,
     const double *const in[4], double *const out[4], size_t n);
 
-/* The same in PRECISION_SINGLE for columns of floats; false where that is not all
- * done, and points_carry has to. */
-bool points_carry_floats(const struct transform *, const float *const in[3],
-    float *const out[3], size_t n);
+/* Rows of so many numbers, 2 to 4, doubles if wide, else floats, to columns.
+ * Returns whether none is beyond MAGNITUDE_MAX. */
+bool points_split(const char *rows, bool wide, int numbers,
+    double (*columns)[POINTS_BLOCK], size_t n);
+
+/* And back. False if a number is not finite, or floats are to be asked of
+ * point_single. */
+bool points_join(double (*columns)[POINTS_BLOCK], char *rows, bool wide,
+    int numbers, size_t n);
+
+/* From rows of floats to rows of floats, in PRECISION_SINGLE; false where one has no
+ * image, or the whole needs points_carry. */
+bool points_carry_floats(const struct transform *, const char *in, char *out,
+    size_t n);
 
 #endif

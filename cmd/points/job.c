@@ -198,14 +198,18 @@ void job_do(struct job *j, struct chunk *c)
 	size_t size = point_size(j->layout.in, j->layout.reads);
 	/* a block of images goes out as it is: every point becomes as many
 	 * bytes, and no command wants to see it */
-	bool whole = binary && j->layout.out == FORMAT_F64 && j->take == NULL &&
-	    !j->visible;
+	bool whole = binary && is_binary(j->layout.out) && j->take == NULL &&
+	    !j->visible && !j->rays;
+	bool floats = whole && j->layout.in == FORMAT_F32 &&
+	    j->layout.out == FORMAT_F32 && j->layout.single;
 
 	chunk_clear(c);
 	while (c->text < c->end) {
 		size_t n, points, number = c->n_lines;
 		const char *text = c->text;
 
+		if (floats && binary_carry_floats(j, c))
+			continue;
 		if (binary && (size_t)(c->end - text) < size) {
 			cut_short(j, c, size);
 			break;

@@ -20,6 +20,7 @@
 #include <math.h>
 
 #include "exact.h"
+#include "rows.h"
 
 #define COLUMN double
 #define REAL double
@@ -103,6 +104,11 @@ LOOP(KERNEL_PROJECTIVE, within_projective)
 		[KERNEL_PROJECTIVE] = prefix##_projective \
 	}
 
+#define ROWS_OF(name)                                          \
+	{                                                      \
+		[2] = name##_2, [3] = name##_3, [4] = name##_4 \
+	}
+
 const struct kernels COPY = {
 	.exact = KERNELS_OF(exact),
 	.plain = {
@@ -111,4 +117,8 @@ const struct kernels COPY = {
 	},
 	.within = KERNELS_OF(within),
 	.floats = KERNELS_OF(floats),
+	.split = { ROWS_OF(split_narrow), ROWS_OF(split_wide) },
+	.join = { ROWS_OF(join_narrow), ROWS_OF(join_wide) },
+	.split_floats = ROWS_OF(split_floats),
+	.join_floats = ROWS_OF(join_floats),
 };

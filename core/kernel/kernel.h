@@ -3,8 +3,13 @@
 #ifndef KERNEL_H
 #define KERNEL_H
 
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+enum { POINTS_BLOCK = 1024 };
 
 /* What the matrix's structure makes of the loop. */
 enum kernel_kind {
@@ -73,11 +78,41 @@ typedef int (*within_kernel)(const struct kernel_map *,
  * claimed in plain.h. */
 #define PLAIN_BOUND 10
 
+/* Points in rows, of floats or doubles, to columns of doubles. Returns whether none
+ * is beyond most in magnitude; nan isn't. */
+typedef int (*split_kernel)(const char *rows, double (*columns)[POINTS_BLOCK],
+    size_t n, double most);
+
+/* And back, -0 as 0. Returns whether all are finite and, where they were rounded
+ * to floats, none is_midway. */
+typedef int (
+    *join_kernel)(double (*columns)[POINTS_BLOCK], char *rows, size_t n);
+
+/* Whether the float nearest to v may be another than that nearest to what v is the
+ * nearest double to: v lies midway between two floats, or is below those with all
+ * their digits, where it is not asked further. */
+static inline bool is_midway(double v)
+{
+	uint64_t bits;
+
+	memcpy(&bits, &v, sizeof bits);
+	return (bits & 0x1fffffff) == 0x10000000 ||
+	    (fabs(v) < 0x1p-126 && v != 0);
+}
+
 struct kernels {
 	exact_kernel exact[KERNELS];
 	plain_kernel plain[3][KERNELS]; /* by precision */
 	within_kernel within[KERNELS];
 	float_kernel floats[KERNELS]; /* single, to the same bits */
+	/* By whether rows are of doubles, and how many. */
+	split_kernel split[2][5];
+	join_kernel join[2][5];
+	/* From rows of floats to columns of floats and back. */
+	void (*split_floats[5])(const char *rows,
+	    float (*columns)[POINTS_BLOCK], size_t n);
+	void (*join_floats[5])(float (*columns)[POINTS_BLOCK], char *rows,
+	    size_t n);
 };
 
 extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512;
