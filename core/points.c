@@ -110,7 +110,8 @@ static void point_plain(const struct transform *t, bool single,
 /* Points that a kernel could not be trusted with, gathered for the exact one. */
 struct rest {
 	size_t n, which[POINTS_BLOCK];
-	double in[3][POINTS_BLOCK], out[3][POINTS_BLOCK];
+	COLUMN_ALIGNED double in[3][POINTS_BLOCK];
+	COLUMN_ALIGNED double out[3][POINTS_BLOCK];
 };
 
 static void gather(const struct transform *t, const double *const in[4],
@@ -214,7 +215,7 @@ bool points_carry_floats(const struct transform *t, const char *in, char *out,
     size_t n)
 {
 	float_kernel fast = kernels->floats[t->kind];
-	float p[3][POINTS_BLOCK], q[3][POINTS_BLOCK];
+	COLUMN_ALIGNED float p[3][POINTS_BLOCK], q[3][POINTS_BLOCK];
 	const float *const from[3] = { p[0], p[1], p[2] };
 	float *const to[3] = { q[0], q[1], q[2] };
 

@@ -52,7 +52,7 @@ static const struct view bench_view = { .eye = { 1, 2, -5 },
 	.height = 480 };
 
 /* One block of points, in columns for us and side by side for the others. */
-static double in[3][POINTS_BLOCK], out[4][POINTS_BLOCK];
+static COLUMN_ALIGNED double in[3][POINTS_BLOCK], out[4][POINTS_BLOCK];
 static double doubles_in[POINTS_BLOCK][3], doubles_out[POINTS_BLOCK][3];
 static float floats_in[POINTS_BLOCK][3], floats_out[POINTS_BLOCK][3];
 

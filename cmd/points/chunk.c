@@ -9,8 +9,10 @@
 
 struct chunk *chunk_new(void)
 {
-	struct chunk *c = need(NULL, sizeof *c);
+	struct chunk *c = aligned_alloc(_Alignof(struct chunk), sizeof *c);
 
+	if (c == NULL)
+		die(EXIT_SYSTEM, "out of memory");
 	memset(c, 0, sizeof *c);
 	return c;
 }

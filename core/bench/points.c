@@ -45,7 +45,7 @@ static const struct scene scene = {
 struct sample {
 	const char *name;
 	struct transform transform;
-	double in[3][POINTS_BLOCK];
+	COLUMN_ALIGNED double in[3][POINTS_BLOCK];
 	double times[COPIES][EFFORTS][RUNS];
 };
 
@@ -88,7 +88,7 @@ static const char *make_cases(void)
 
 static double measure(const struct sample *s, const struct accuracy *e)
 {
-	static double image[4][POINTS_BLOCK];
+	static COLUMN_ALIGNED double image[4][POINTS_BLOCK];
 	const double *const in[4] = { s->in[0], s->in[1], s->in[2] };
 	double *const out[4] = { image[0], image[1], image[2], image[3] };
 	double start = clock_ns();

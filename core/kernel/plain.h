@@ -30,13 +30,14 @@ static inline R NAME(
 }
 
 /* What its S is at most, for size = |x| + |y| + |z|; what underflows counts as
- * so much more of an element, of the image, and of four operations. */
+ * so much more of an element, of the image, and of four operations. Not fused, as
+ * that is a call where there is no instruction for it. */
 static inline R NAME(most)(const struct kernel_map *m, int k, R size)
 {
 	double most = m->most[k] + TINY;
 
-	return R_FMA(R_ALL((REAL)most), size,
-	    R_ALL((REAL)(m->image[k] + TINY * (4 + 3 * most))));
+	return R_ALL((REAL)most) * size +
+	    R_ALL((REAL)(m->image[k] + TINY * (4 + 3 * most)));
 }
 
 /* The largest error of the image q of p, each coordinate's in units of its
@@ -58,10 +59,10 @@ static inline R NAME(error)(const struct kernel_map *m, enum kernel_kind kind,
 		R s = R_ALL((REAL)fabs(m->a_hi));
 
 		if (k == kernel_columns(kind))
-			s = R_FMA(R_ABS(R_ALL((REAL)m->b_hi) * r), w_size, s);
+			s += R_ABS(R_ALL((REAL)m->b_hi) * r) * w_size;
 		else if (divide)
-			s = R_FMA(R_ABS(q[k]), w_size,
-			    NAME(most)(m, k, size) * R_ABS(r));
+			s = NAME(most)(m, k, size) * R_ABS(r) +
+			    R_ABS(q[k]) * w_size;
 		else
 			s = NAME(most)(m, k, size);
 		error = R_MAX(error, s * R_ALL((REAL)scale[k]));
@@ -88,8 +89,12 @@ static inline __attribute__((always_inline)) int NAME(
 {
 	const int terms = kernel_terms(kind), columns = kernel_columns(kind);
 	const int divide = kernel_divides(kind);
+	/* copies, as for the compiler what is stored could change the map */
+	const struct kernel_map own = *m;
 	double scale[3] = { 0, 0, 0 };
 	R sum = R_ALL(0);
+
+	m = &own;
 
 	for (int k = 0; k < terms && tolerance != NULL; k++)
 		scale[k] = PLAIN_BOUND * (double)ROUNDOFF /
