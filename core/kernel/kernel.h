@@ -100,8 +100,8 @@ static inline bool is_midway(double v)
 	uint64_t bits;
 
 	memcpy(&bits, &v, sizeof bits);
-	return (bits & 0x1fffffff) == 0x10000000 ||
-	    (fabs(v) < 0x1p-126 && v != 0);
+	return ((bits & 0x1fffffff) == 0x10000000) |
+	    ((fabs(v) < 0x1p-126) & (v != 0));
 }
 
 struct kernels {

@@ -36,6 +36,19 @@ split(const char *restrict rows, double (*restrict columns)[POINTS_BLOCK],
 	return beyond == 0;
 }
 
+/* Whether all can be floats that nobody has to look at. */
+static inline __attribute__((always_inline)) int
+are_sure(const double *restrict column, size_t n)
+{
+	int64_t unsure = 0;
+
+	for (size_t i = 0; i < n; i++) {
+		unsure |= fabs(column[i]) <= (double)FLT_MAX ? 0 : -1;
+		unsure |= is_midway(column[i]) ? -1 : 0;
+	}
+	return unsure == 0;
+}
+
 /* -0 becomes 0. */
 static inline __attribute__((always_inline)) int
 join(double (*restrict columns)[POINTS_BLOCK], char *restrict rows, size_t n,
@@ -43,6 +56,8 @@ join(double (*restrict columns)[POINTS_BLOCK], char *restrict rows, size_t n,
 {
 	int64_t unsure = 0;
 
+	for (size_t k = 0; k < numbers && !wide; k++)
+		unsure |= !are_sure(columns[k], n);
 	for (size_t i = 0; i < n; i++)
 		for (size_t k = 0; k < numbers; k++) {
 			double v = columns[k][i] + 0.0;
@@ -53,11 +68,7 @@ join(double (*restrict columns)[POINTS_BLOCK], char *restrict rows, size_t n,
 			else
 				memcpy(rows + 4 * (numbers * i + k), &narrow,
 				    4);
-			unsure |= fabs(v) <=
-				(wide ? DBL_MAX : (double)FLT_MAX) ?
-			    0 :
-			    -1;
-			unsure |= !wide && is_midway(v) ? -1 : 0;
+			unsure |= !wide || fabs(v) <= DBL_MAX ? 0 : -1;
 		}
 	return unsure == 0;
 }
