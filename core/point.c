@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "kernel/midway.h"
 #include "quick.h"
 
 /* The point as the map takes it. */

@@ -82,8 +82,9 @@ LOOP(KERNEL_PROJECTIVE, within_projective)
 #define NAME(x) single_##x
 #include "plain.h"
 
-/* Columns of floats. A difference that is rounded to a double is a midpoint of two
- * floats only if it is exact: of floats a single subtraction gives the same. */
+/* Columns of floats, to the same bits. Where the difference of two floats has no room
+ * in a double, they are so far apart that it is the larger one, as a float: to round
+ * once or twice is the same. */
 #undef COLUMN
 #define COLUMN float
 #undef R_NEAR

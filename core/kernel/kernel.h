@@ -3,11 +3,8 @@
 #ifndef KERNEL_H
 #define KERNEL_H
 
-#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
-#include <stdint.h>
-#include <string.h>
 
 enum { POINTS_BLOCK = 1024 };
 
@@ -91,18 +88,6 @@ typedef int (*split_kernel)(const char *rows, double (*columns)[POINTS_BLOCK],
  * to floats, none is_midway. */
 typedef int (
     *join_kernel)(double (*columns)[POINTS_BLOCK], char *rows, size_t n);
-
-/* Whether the float nearest to v may be another than that nearest to what v is the
- * nearest double to: v lies midway between two floats, or is below those with all
- * their digits, where it is not asked further. */
-static inline bool is_midway(double v)
-{
-	uint64_t bits;
-
-	memcpy(&bits, &v, sizeof bits);
-	return ((bits & 0x1fffffff) == 0x10000000) |
-	    ((fabs(v) < 0x1p-126) & (v != 0));
-}
 
 struct kernels {
 	exact_kernel exact[KERNELS];

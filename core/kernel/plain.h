@@ -9,9 +9,9 @@
  *	|error of N/W| <= PLAIN_BOUND u (S_N + |N/W| S_W) / |W|
  *
  * of which 5 is the columns', 2 the quotient's and 1 for printing the shortest
- * digits: 8. Depth a + b/w is within PLAIN_BOUND u (|a| + |b/W| S_W /
- * |W|): b, the reciprocal, the fused product and sum, and printing carry u each,
- * to which come w's 5 u S_W: 9. Both are so where S_W is |W|. Where it is more, w
+ * digits: 8. Depth a + b/w is within PLAIN_BOUND u (|a| + |b/W| S_W / |W|): b, the
+ * reciprocal, the fused product and sum, and printing carry u each, to which come
+ * w's 5 u S_W: 9. Both are so where S_W is |W|. Where it is more, w
  * is known less, to 1/16 as is asked for: dividing by what was computed makes its
  * 5 at most 32/31 as much, and the others weigh less. `make prove` counts all of
  * these. S is not summed, but bounded by the column's largest element times |x| +

@@ -5,6 +5,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "midway.h"
+
 /* Number i of many, doubles if wide, else floats. */
 static inline __attribute__((always_inline)) double load(const char *numbers,
     size_t i, int wide)
