@@ -40,17 +40,15 @@ static inline R NAME(most)(const struct kernel_map *m, int k, R size)
 	    R_ALL((REAL)(m->image[k] + TINY * (4 + 3 * most)));
 }
 
-/* The largest error of the image q of p, each coordinate's in units of its
- * tolerance; above 1, too, where w isn't known to 1/16. scale is PLAIN_BOUND u over
+/* The largest error of an image q, each coordinate's in units of its tolerance;
+ * above 1, too, where w isn't known to 1/16. scale is PLAIN_BOUND u over
  * the tolerance. */
 static inline R NAME(error)(const struct kernel_map *m, enum kernel_kind kind,
-    const R p[3], R r, const R q[3], const double scale[3])
+    R size, R r, const R q[3], const double scale[3])
 {
 	const int divide = kernel_divides(kind);
-	R size = R_ABS(p[0]) + R_ABS(p[1]), w_size = r, error = R_ALL(0);
+	R w_size = r, error = R_ALL(0);
 
-	if (kernel_terms(kind) == 3)
-		size += R_ABS(p[2]);
 	if (divide) {
 		w_size = NAME(most)(m, 3, size) * R_ABS(r);
 		error = w_size * R_ALL((REAL)(16 * PLAIN_BOUND * ROUNDOFF));
@@ -100,10 +98,12 @@ static inline __attribute__((always_inline)) int NAME(
 		scale[k] = PLAIN_BOUND * (double)ROUNDOFF /
 		    (tolerance[k] - 4 * TINY * (double)ROUNDOFF);
 	for (size_t i = 0; i < n; i += R_WIDTH) {
-		R p[3], q[3], w = R_ALL(1), r = w;
+		R p[3], q[3], size = R_ALL(0), w = R_ALL(1), r = w;
 
-		for (int k = 0; k < terms; k++)
+		for (int k = 0; k < terms; k++) {
 			p[k] = R_NEAR(in[k] + i, m->origin[k]);
+			size += R_ABS(p[k]);
+		}
 		if (divide) {
 			w = NAME(column)(m, 3, p, terms);
 			r = R_ALL(1) / w;
@@ -122,7 +122,7 @@ static inline __attribute__((always_inline)) int NAME(
 
 		if (tolerance != NULL)
 			first = R_POSITIVE(R_ALL(1) -
-				NAME(error)(m, kind, p, r, q, scale),
+				NAME(error)(m, kind, size, r, q, scale),
 			    first);
 		if (divide)
 			first = R_POSITIVE(w,
