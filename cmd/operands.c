@@ -160,6 +160,11 @@ static void check_layout(const struct options *o, const struct layout *l)
 		die(EXIT_USAGE,
 		    "--flags: binary points have no room for words; say "
 		    "-o text");
+	if (o->tolerances.n > l->writes)
+		die(EXIT_USAGE,
+		    "--tolerance: %d tolerances; %d coordinates are "
+		    "printed here",
+		    o->tolerances.n, l->writes);
 	if (o->columns.n > 0 && is_binary(o->in))
 		die(EXIT_USAGE, "--columns: binary points have no fields");
 	if (o->columns.n > 0 && o->columns.n != l->reads)
@@ -182,6 +187,19 @@ static void choose_kernels(void)
 		    cpu);
 }
 
+/* Text is rounded, and what is computed leaves room for that. */
+static void set_tolerances(struct job *j, const struct tolerances *t)
+{
+	bool text = !is_binary(j->layout.out);
+
+	for (int k = 0; k < COORDINATES_MAX; k++)
+		j->layout.style[k] = (struct number_style){ NUMBER_WITHIN,
+			t->decimals[k] };
+	for (int k = 0; k < 3; k++)
+		j->accuracy.tolerance[k] = text ? tolerance_left(t, k) :
+						  t->within[k] * (1 - 0x1p-52);
+}
+
 void prepare_job(struct job *j, const struct options *o)
 {
 	/* a ray's position; its point and direction */
@@ -193,9 +211,13 @@ void prepare_job(struct job *j, const struct options *o)
 		.columns = o->columns,
 		.reads = j->rays ? ray_reads : j->transform.in,
 		.writes = j->rays ? ray_writes : j->transform.out,
-		.style = o->style,
+		.single = o->precision == PRECISION_SINGLE,
 	};
-	j->accuracy = o->accuracy;
+	for (int k = 0; k < COORDINATES_MAX; k++)
+		j->layout.style[k] = o->style;
+	j->accuracy = (struct accuracy){ .precision = o->precision };
+	if (o->tolerances.n > 0)
+		set_tolerances(j, &o->tolerances);
 	j->keep_going = o->keep_going;
 	j->threads = o->jobs > 0 ? o->jobs : (int)sysconf(_SC_NPROCESSORS_ONLN);
 	progress_start(o->progress);

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "kernel/midway.h"
 #include "vec3.h"
 
 /* View space is N(z) / D(z) at device depth z, for each row i of the map m from
@@ -98,15 +99,6 @@ static bool has_point(const struct ray_maker *r, const double in[4],
 	    sum_sign(point_column(&r->to_world, 3, in)) > 0;
 }
 
-/* Whether a is midway between two floats, or looks like it: else the float nearest
- * to it is the one nearest to all that is rounded to it. */
-static bool is_midway(double a)
-{
-	double near = (double)(float)a, other = near + 2 * (a - near);
-
-	return a != near && (double)(float)other == other;
-}
-
 static void round_to_floats(const struct ray_maker *r, const double in[4],
     double point[3], double direction[3])
 {
@@ -142,15 +134,14 @@ void rays_cast(const struct ray_maker *r, bool single,
     const double *const at[2], double *const point[3],
     double *const direction[3], size_t n)
 {
-	static const struct accuracy exact = { PRECISION_EXACT, 0 };
+	static const struct accuracy exact = { .precision = PRECISION_EXACT };
 	double depth[POINTS_BLOCK];
-	bool unused[POINTS_BLOCK];
 	const double *const in[4] = { at[0], at[1], depth };
 	double *const out[4] = { point[0], point[1], point[2] };
 
 	for (size_t i = 0; i < POINTS_BLOCK; i++)
 		depth[i] = r->depth;
-	points_carry(&r->to_world, &exact, in, out, unused, n);
+	points_carry(&r->to_world, &exact, in, out, n);
 	points_kernels()->exact[KERNEL_DIRECTION](&r->for_kernel, at, direction,
 	    n);
 	for (size_t i = 0; i < n; i++) {

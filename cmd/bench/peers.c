@@ -29,10 +29,11 @@ struct entry {
 };
 
 static struct entry entries[ENTRIES_MAX] = {
-	{ .name = "projcalc exact", .accuracy = { PRECISION_EXACT, 0 } },
-	{ .name = "projcalc double", .accuracy = { PRECISION_DOUBLE, 0 } },
-	{ .name = "projcalc single", .accuracy = { PRECISION_SINGLE, 0 } },
-	{ .name = "projcalc -t 0.5", .accuracy = { PRECISION_EXACT, 0.5 } },
+	{ .name = "projcalc exact", .accuracy = { PRECISION_EXACT, { 0 } } },
+	{ .name = "projcalc double", .accuracy = { PRECISION_DOUBLE, { 0 } } },
+	{ .name = "projcalc single", .accuracy = { PRECISION_SINGLE, { 0 } } },
+	{ .name = "projcalc -t 0.5",
+	    .accuracy = { PRECISION_EXACT, { 0.5, 0.5, 0.5 } } },
 };
 static int n_entries = OURS;
 
@@ -51,7 +52,7 @@ static const struct view bench_view = { .eye = { 1, 2, -5 },
 	.height = 480 };
 
 /* One block of points, in columns for us and side by side for the others. */
-static double in[3][POINTS_BLOCK], out[4][POINTS_BLOCK];
+static COLUMN_ALIGNED double in[3][POINTS_BLOCK], out[4][POINTS_BLOCK];
 static double doubles_in[POINTS_BLOCK][3], doubles_out[POINTS_BLOCK][3];
 static float floats_in[POINTS_BLOCK][3], floats_out[POINTS_BLOCK][3];
 
@@ -104,12 +105,11 @@ static bool fill(const struct scene *s, const struct view *v, size_t n)
 
 static void carry(const struct entry *e, const struct transform *t, size_t n)
 {
-	static bool single[POINTS_BLOCK];
 	const double *const from[4] = { in[0], in[1], in[2] };
 	double *const to[4] = { out[0], out[1], out[2], out[3] };
 
 	if (e->peer == NULL)
-		points_carry(t, &e->accuracy, from, to, single, n);
+		points_carry(t, &e->accuracy, from, to, n);
 	else if (e->peer->single)
 		e->peer->carry(floats_in, floats_out, n);
 	else

@@ -22,7 +22,7 @@ struct number_style {
 		NUMBER_DIGITS,
 		NUMBER_WITHIN,
 	} kind;
-	int n; /* decimals 0..100, or significant digits 1..100 */
+	int n; /* decimals 0..100, within up to 160; or digits 1..100 */
 };
 
 /* Reads the number that begins at s: [+-] digits [. digits] [e [+-] digits],
@@ -38,7 +38,7 @@ const char *number_read(const char *s, const char *end, double *v);
  * more decimals. */
 char *number_write(char *s, double v, struct number_style style);
 
-/* The same for a float: shortest means the shortest that reads back as the
+/* The same for a float: NUMBER_SHORTEST means the shortest that reads back as the
  * same float. */
 char *number_write_float(char *s, float v, struct number_style style);
 

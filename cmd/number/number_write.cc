@@ -215,6 +215,43 @@ static char *print_significant(char *s, double v, int n)
 	return layout<104>(s, d, n, 1 + atoi(strchr(text, 'e') + 1));
 }
 
+/* v rounded to n decimals, which are fewer than its shortest text has. */
+static char *print_within(char *s, double v, int n)
+{
+	char text[NUMBER_MAX], d[64];
+	int size = snprintf(text, sizeof text, "%.*f", n, v), count = 0;
+
+	memset(d, '0', sizeof d);
+	for (const char *p = text + strspn(text, "0."); p < text + size; p++)
+		if (*p != '.')
+			d[count++] = *p;
+	if (count == 0) {
+		*s = '0';
+		return s + 1;
+	}
+	return layout<24>(s, d, count, count - n);
+}
+
+/* v below 10^(15-n) is known to a quarter of its n-th decimal: so a text with no
+ * more decimals that reads back as v is v rounded to n. */
+static char *write_within(char *s, double v, int n)
+{
+	char d[64];
+
+	if (n > 15 || v >= double(power[15 - n]))
+		return jkj::dragonbox::to_decimal(v).exponent >= -n ?
+		    write_shortest(s, v) :
+		    print_within(s, v, n);
+	uint64_t q = scaled(v, n);
+	int count = count_digits(q);
+
+	write_digits(d, q);
+	if (count > 0)
+		return layout<24>(s, d + DIGITS - count, count, count - n);
+	*s = '0';
+	return s + 1;
+}
+
 /* The exponent of ten is guessed from that of two, with 78913 / 2^18 for
  * log10(2): it is right or one too small. If too small, q has a digit too many,
  * and v is scaled anew, as q is rounded already. If q has that digit because v
@@ -236,48 +273,6 @@ static char *write_significant(char *s, double v, int n)
 	return layout<24>(s, d + DIGITS - n, n, exponent + 1);
 }
 
-/* How many decimals a text has: its digits after the point, less its exponent. */
-static int count_decimals(const char *s, const char *end)
-{
-	const char *e = (const char *)memchr(s, 'e', size_t(end - s));
-	const char *digits_end = e != NULL ? e : end;
-	const char *point = (const char *)memchr(s, '.', size_t(end - s));
-	int n = point != NULL ? int(digits_end - point) - 1 : 0;
-
-	return n - (e != NULL ? atoi(e + 1) : 0);
-}
-
-/* v is positive. Its shortest text, where that has no more than n decimals, or
- * its decimals without their trailing zeros. */
-template <class Float>
-static char *write_within(char *s, Float v, bool minus, int n)
-{
-	char text[NUMBER_MAX], d[NUMBER_MAX + 128];
-	char *end = write_shortest(text, v);
-
-	*end = '\0';
-	if (count_decimals(text, end) > n) {
-		end = write_decimals(text, double(v), n);
-		int count = 0;
-		for (const char *c = text; c < end; c++)
-			if (*c != '.' && (count > 0 || *c != '0'))
-				d[count++] = *c;
-		const char *dot = (const char *)memchr(text, '.',
-		    size_t(end - text));
-		int point = dot == NULL ? count : count - int(end - dot - 1);
-		if (count == 0) {
-			*s = '0';
-			return s + 1;
-		}
-		memset(d + count, '0', 128);
-		end = layout<104>(text, d, count, point);
-	}
-	*s = '-';
-	s += minus;
-	memcpy(s, text, size_t(end - text));
-	return s + (end - text);
-}
-
 template <class Float>
 static inline char *write_number(char *s, Float v, struct number_style style)
 {
@@ -291,10 +286,16 @@ static inline char *write_number(char *s, Float v, struct number_style style)
 		*s = '0';
 		return s + 1;
 	}
-	if (style.kind == number_style::NUMBER_WITHIN)
-		return write_within(s, std::fabs(v), v < 0, style.n);
 	*s = '-';
 	s += v < 0;
+	if (style.kind == number_style::NUMBER_WITHIN) {
+		char *end = write_within(s, std::fabs(double(v)), style.n);
+
+		if (*s != '0' || end > s + 1 || v > 0)
+			return end;
+		s[-1] = '0';
+		return s;
+	}
 	if (style.kind == number_style::NUMBER_DIGITS)
 		return write_significant(s, std::fabs(double(v)), style.n);
 	return write_shortest(s, v);

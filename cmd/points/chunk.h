@@ -32,9 +32,8 @@ struct chunk {
 	/* The block in hand: its lines of text, and its points, a column for
 	 * each coordinate. */
 	struct line line[POINTS_BLOCK];
-	double in[4][POINTS_BLOCK];
-	double image[COORDINATES_MAX][POINTS_BLOCK];
-	bool single[POINTS_BLOCK]; /* the image is of floats */
+	COLUMN_ALIGNED double in[4][POINTS_BLOCK];
+	COLUMN_ALIGNED double image[COORDINATES_MAX][POINTS_BLOCK];
 
 	struct piece piece; /* what was read, if the source is a file */
 };

@@ -52,10 +52,11 @@ static number same(number up, number, number sure)
 #include "dd.h"
 #include "kernel/exact.h"
 
-static number size_limit(const struct kernel_map *, enum kernel_kind, number)
+static bool isfinite(number)
 {
-	return 1;
+	return true;
 }
+#define COLUMN number
 #define REAL number
 #define R number
 #define R_WIDTH 1
@@ -461,7 +462,7 @@ static void run_plain(enum kernel_kind kind)
 	const number *const from[3] = { in, in + 1, in + 2 };
 	number *const to[3] = { out, out + 1, out + 2 };
 
-	counted_plain(&map, from, to, 1, 1, kind, 0);
+	counted_plain(&map, from, to, 1, NULL, kind);
 }
 
 /* An element as it is cast: rounded once. */

@@ -164,7 +164,7 @@ INLINE void write_all(const double *v, size_t count, bool decimals, int n,
 	}
 }
 
-/* Loops of their own for the shortest and for a limit, double and float. */
+/* Loops of their own for the shortest, of doubles and of floats, and for a limit. */
 static void write_body(const double *v, size_t count, bool single,
     struct number_style style, struct number_text *t)
 {
@@ -180,8 +180,6 @@ static void write_body(const double *v, size_t count, bool single,
 		write_all(v, count, false, none, true, t);
 	else if (n > POWER_MAX)
 		write_all(v, count, false, none, false, t);
-	else if (single)
-		write_all(v, count, false, n, true, t);
 	else
 		write_all(v, count, false, n, false, t);
 }
