@@ -18,9 +18,12 @@ LDFLAGS =
 
 # What is always wanted stands apart from CFLAGS and LDFLAGS, as those of the
 # command line would replace it. The same bytes come from every compiler: no
-# multiply-add is fused unless it is written so.
-FLAGS = -ffp-contract=off -pthread -MMD -MP -Wall -Wextra -Wshadow \
-	-Wconversion -Wdouble-promotion -Wvla $(if $(WERROR),-Werror)
+# multiply-add is fused unless it is written so; and gcc 12 leaves out what rounds
+# two doubles to floats and back where it makes a vector of them (and stores the
+# halves of a span to reload them as one, which stalls).
+FLAGS = -ffp-contract=off -fno-tree-slp-vectorize -pthread -MMD -MP -Wall \
+	-Wextra -Wshadow -Wconversion -Wdouble-promotion -Wvla \
+	$(if $(WERROR),-Werror)
 C_FLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L -Wstrict-prototypes
 # Debian keeps dragonbox in a directory that is named after its version.
 CXX_FLAGS = -std=c++17 -fno-exceptions -fno-rtti \
@@ -79,8 +82,6 @@ $(BUILD)/core/kernel/avx512.o: FLAGS += -mavx512f -mfma
 $(BUILD)/cmd/number/vector/avx512.o: \
     FLAGS += -mavx512f -mavx512bw -mavx512dq -mavx512vl -mfma
 endif
-# gcc would store the halves of a span and reload them as one, which stalls.
-$(BUILD)/cmd/points/line_read.o: FLAGS += -fno-tree-slp-vectorize
 # Others' libraries at their best, for this very processor.
 $(PEERS): FLAGS += -O3 -march=native -ffp-contract=fast
 

@@ -176,7 +176,7 @@ static void write_body(const double *v, size_t count, bool single,
 		memset(t, 0, count * sizeof *t);
 	else if (style.kind == NUMBER_DECIMALS)
 		write_all(v, count, true, n, false, t);
-	else if (n > POWER_MAX && single)
+	else if (single && style.kind == NUMBER_SHORTEST)
 		write_all(v, count, false, none, true, t);
 	else if (n > POWER_MAX)
 		write_all(v, count, false, none, false, t);
