@@ -1,6 +1,7 @@
 #include "piece.h"
 
 #include <poll.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -12,16 +13,32 @@ enum { PIECE_ROOM = 1 << 17 };
 /* No line of points is longer than this. */
 #define LINE_MAX_BYTES ((size_t)1 << 26)
 
+void piece_reserve(struct piece *p, size_t room)
+{
+	char *old = p->text != NULL ? p->text - PIECE_MARGIN : NULL;
+	char *all = need(old, PIECE_MARGIN + room + PIECE_MARGIN);
+
+	if (old == NULL)
+		memset(all, ' ', PIECE_MARGIN);
+	p->text = all + PIECE_MARGIN;
+	p->room = room;
+	memset(p->text + room, ' ', PIECE_MARGIN);
+}
+
+void piece_free(struct piece *p)
+{
+	if (p->text != NULL)
+		free(p->text - PIECE_MARGIN);
+}
+
 void piece_begin(struct piece *p, const struct piece *before, const char *end)
 {
 	size_t rest = before == NULL ?
 	    0 :
 	    (size_t)(before->text + before->have - end);
 
-	if (p->room < rest || p->room == 0) {
-		p->room = rest > PIECE_ROOM ? before->room : PIECE_ROOM;
-		p->text = need(p->text, p->room);
-	}
+	if (p->room < rest || p->room == 0)
+		piece_reserve(p, rest > PIECE_ROOM ? before->room : PIECE_ROOM);
 	if (rest > 0)
 		memcpy(p->text, end, rest);
 	p->have = rest;
@@ -62,7 +79,7 @@ enum piece_state piece_fill(struct piece *p, const struct layout *l, int fd)
 				return PIECE_FULL;
 			if (p->room >= LINE_MAX_BYTES)
 				return PIECE_TOO_LONG;
-			p->text = need(p->text, p->room *= 2);
+			piece_reserve(p, 2 * p->room);
 		}
 		ssize_t n;
 
