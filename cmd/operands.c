@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "points/progress.h"
+#include "points/threads.h"
 #include "talk.h"
 
 enum { DOCUMENT_MAX = 1 << 28 };
@@ -197,7 +198,7 @@ void prepare_job(struct job *j, const struct options *o)
 	};
 	j->accuracy = o->accuracy;
 	j->keep_going = o->keep_going;
-	j->threads = o->jobs > 0 ? o->jobs : (int)sysconf(_SC_NPROCESSORS_ONLN);
+	j->threads = o->jobs > 0 ? o->jobs : threads_processors();
 	progress_start(o->progress);
 	choose_kernels();
 	check_layout(o, &j->layout);

@@ -1,7 +1,7 @@
 /* Preloaded by fault_test.t, between the program and the C library.
  *   FAULT="CALL N ERROR"  the N-th CALL fails with that error number;
- *       of malloc (with realloc and calloc), read, open, thread, write and
- *       close, the last two of standard output
+ *       of malloc (with realloc and calloc), read (with pread), open, thread,
+ *       write and close, the last two of standard output
  *   FAULT="short"  reads and writes take a few bytes, or are interrupted, and
  *       poll often says that nothing is there
  *   FAULT="cut N FILE"  the N-th read finds FILE truncated */
@@ -77,13 +77,9 @@ static size_t few(size_t n)
 	return k % 8 < n ? k % 8 : n;
 }
 
-ssize_t read(int fd, void *to, size_t n)
+/* Before n bytes are read: how many shall be, or -1. */
+static ssize_t before_read(size_t n)
 {
-	static ssize_t (*real)(int, void *, size_t);
-
-	if (real == NULL)
-		real = (ssize_t(*)(int, void *, size_t))dlsym(RTLD_NEXT,
-		    "read");
 	if (fails("read"))
 		return -1;
 	if (is("cut") && atomic_fetch_add(&calls, 1) + 1 == at &&
@@ -91,7 +87,31 @@ ssize_t read(int fd, void *to, size_t n)
 		return -1;
 	if (is("short") && n > 0 && (n = few(n)) == 0)
 		return -1;
-	return real(fd, to, n);
+	return (ssize_t)n;
+}
+
+ssize_t read(int fd, void *to, size_t n)
+{
+	static ssize_t (*real)(int, void *, size_t);
+
+	if (real == NULL)
+		real = (ssize_t(*)(int, void *, size_t))dlsym(RTLD_NEXT,
+		    "read");
+	ssize_t some = before_read(n);
+
+	return some < 0 ? -1 : real(fd, to, (size_t)some);
+}
+
+ssize_t pread(int fd, void *to, size_t n, off_t from)
+{
+	static ssize_t (*real)(int, void *, size_t, off_t);
+
+	if (real == NULL)
+		real = (ssize_t(*)(int, void *, size_t, off_t))dlsym(RTLD_NEXT,
+		    "pread");
+	ssize_t some = before_read(n);
+
+	return some < 0 ? -1 : real(fd, to, (size_t)some, from);
 }
 
 ssize_t write(int fd, const void *from, size_t n)
