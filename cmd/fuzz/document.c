@@ -97,7 +97,7 @@ static void run(char *text, size_t size, int mode)
 	struct document d;
 
 	if (mode & 128) {
-		document_points("a", text, size, 2 + (mode & 1), &d.points,
+		d.points = document_points("a", text, size, 2 + (mode & 1),
 		    &d.points_size);
 		check_point_lines(d.points, d.points_size);
 		return;

@@ -290,6 +290,13 @@ SKIP: {
 	spew("$tmp/3M", "0 1 2\n" x 3000000);
 	my $peak = peak("$project -j2 $tmp/3M");
 	cmp_ok($peak, '<', 20000, '3 million lines in 20 MB');
+	my $points = join ",\n", map { "[$_, 0.125, -7.5e-1, \"a\"]" }
+	    1 .. 400000;
+	spew("$tmp/document", "{\"points\": [$points]}");
+	my $size = int((-s "$tmp/document") / 1024);
+	$peak = peak("projcalc project -j2 $tmp/document");
+	cmp_ok($peak, '<', $size + 20000,
+	    "a document of $size kilobytes of points in 20 MB more");
 	sparse("$tmp/zeros", 504000000);
 	$peak = peak("$project -j2 -i f64 $tmp/zeros");
 	cmp_ok($peak, '<', 20000, '21 million binary points in 20 MB');
