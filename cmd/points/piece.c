@@ -102,7 +102,9 @@ static enum piece_state fill(struct piece *p, const struct layout *l, int fd)
 			return PIECE_LAST;
 		}
 		take_in(p, l, (size_t)n);
-	} while (p->whole == 0 || (p->have < p->room && !would_wait(fd)));
+		if (p->whole > 0 && p->have < p->room && would_wait(fd))
+			return PIECE_EARLY;
+	} while (p->whole == 0 || p->have < p->room);
 	return PIECE_FULL;
 }
 
@@ -112,7 +114,7 @@ enum piece_state piece_fill(struct piece *p, const struct layout *l, int fd,
 	begin(p, rest);
 	enum piece_state state = fill(p, l, fd);
 
-	if (state == PIECE_FULL)
+	if (state < PIECE_LAST)
 		begin(rest, p);
 	return state;
 }

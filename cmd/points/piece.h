@@ -18,8 +18,9 @@ struct piece {
 };
 
 enum piece_state {
-	PIECE_FULL, /* or the next read would have to wait */
-	PIECE_LAST, /* the source ends with it */
+	PIECE_FULL,
+	PIECE_EARLY, /* as the next read would have to wait */
+	PIECE_LAST,  /* the source ends with it */
 	/* The source can't be read any further: */
 	PIECE_TOO_LONG, /* a line of more than 64 MiB */
 	PIECE_FAILED,   /* errno says why */

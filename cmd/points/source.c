@@ -11,15 +11,24 @@
  * among them are those that the system makes up, with a size of 0. */
 enum { SMALL = 1 << 17 };
 
+/* Fewer and larger reads and writes, if it is a pipe; if the system refuses, it
+ * is just slower. */
+static void widen(int fd)
+{
+#ifdef F_SETPIPE_SZ
+	fcntl(fd, F_SETPIPE_SZ, 1 << 20);
+#else
+	(void)fd;
+#endif
+}
+
 struct source source_of_file(const char *name, int fd)
 {
 	struct source s = { .name = name, .fd = fd };
 	struct stat st;
 
-#ifdef F_SETPIPE_SZ
-	/* fewer and larger reads; if the system refuses, it is just slower */
-	fcntl(fd, F_SETPIPE_SZ, 1 << 20);
-#endif
+	widen(fd);
+	widen(STDOUT_FILENO);
 	s.start = lseek(fd, 0, SEEK_CUR);
 	if (s.start >= 0 && fstat(fd, &st) == 0 && S_ISREG(st.st_mode) &&
 	    st.st_size - s.start > SMALL)

@@ -125,9 +125,10 @@ static void answer(void)
 			if (c->state == PIECE_LAST)
 				ring.last = c;
 		}
-		ring.unused[ring.n_unused++] = c;
+		ring.unused[ring.n_unused] = c;
 		ring.answered++;
-		call_thread();
+		if (ring.n_unused++ == 0)
+			call_thread();
 	}
 	ring.answering = false;
 }
@@ -141,13 +142,15 @@ static void do_chunk(void)
 {
 	struct chunk *c = begin();
 
-	ring.open = ring.open && c->state == PIECE_FULL;
-	call_thread();
+	ring.open = ring.open && c->state < PIECE_LAST;
+	/* where a stream has no more yet, this thread may be back in time */
+	if (c->state != PIECE_EARLY)
+		call_thread();
 	unlock();
 	source_read(ring.source, &ring.job->layout, c);
 	job_do(ring.job, c);
 	lock();
-	ring.open = ring.open && c->state == PIECE_FULL;
+	ring.open = ring.open && c->state < PIECE_LAST;
 	ring.header = c->header;
 	c->done = true;
 	answer();
