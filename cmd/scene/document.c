@@ -189,15 +189,21 @@ static char *copy_value(const char *s, const char *end, char *out)
 	return out;
 }
 
+/* The text of points, which only an array has. */
+static char *text_of(const struct value *v, const struct json_part *array)
+{
+	if (array->s == NULL)
+		value_wrong(v, "an array of points");
+	return (char *)array->s;
+}
+
 /* Makes lines of the points that an array is, or the one point, in its place:
  * no point's line is longer than the point with the comma or bracket before it.
  * Returns how many bytes that is. */
 static size_t take_points(const struct value *v, const struct json_part *array,
     int coordinates)
 {
-	if (array->s == NULL)
-		value_wrong(v, "an array of points");
-	char *const lines = (char *)array->s;
+	char *const lines = text_of(v, array);
 	char *out = lines;
 	const char *s = skip_space(lines + 1), *stop;
 	struct value e = { .source = v->source, .in = v, .unused = v->unused };
