@@ -98,6 +98,30 @@ my @want = run("tail -n +2 $tmp/in | projcalc project scene.json - |" .
     'tail -n 1');
 is("@said", "@want", 'a file from the second line on, left at its end');
 
+# A file that changes while the threads wait for a reader, long before its end:
+# what is added counts, and what is cut off does not.
+my $long = join '', map { "0 0 $_\n" } 1 .. 400000;
+my $start = substr $long, 0, 4000000;
+for (['grows', "$long-1 -1 -1\n", sub {
+	open my $to, '>>', "$tmp/in" or die;
+	print $to "-1 -1 -1\n";
+	close $to;
+}], ['shrinks', $start, sub { truncate "$tmp/in", length $start }]) {
+	my ($name, $left, $change) = @$_;
+	spew("$tmp/in", $left);
+	my ($status, $want) = run("projcalc project -j1 scene.json $tmp/in");
+	for my $j (1, 2, 4) {
+		spew("$tmp/in", $long);
+		open my $from, '-|', "exec projcalc project -j$j scene.json " .
+		    "$tmp/in" or die;
+		sysread $from, my $first, 1;
+		select undef, undef, undef, 0.1;
+		$change->();
+		local $/;
+		ok($first . <$from> eq $want, "a file that $name, -j$j");
+	}
+}
+
 # However many threads are asked for, two a processor are the most that are
 # started; here all of them wait for a reader.
 SKIP: {
