@@ -164,14 +164,19 @@ static enum piece_state cut_lines(struct piece *p, int fd, size_t before,
 	if (line < p->begin)
 		line = p->begin;
 	for (size_t seen = last;; seen = p->have, state = read_on(p, fd)) {
-		p->whole = first_line_end(p->text, seen, p->have);
-		if (p->whole > 0)
-			return PIECE_FULL;
-		p->whole = state == PIECE_LAST ? p->have : line;
-		if (state != PIECE_FULL)
-			return state;
-		if (p->have - line >= LINE_MAX_BYTES)
+		size_t end = first_line_end(p->text, seen, p->have);
+		size_t stop = end > 0 ? end : p->have;
+
+		p->whole = line;
+		/* without its newline it would be longer by one at least */
+		if (stop - line + (end == 0) > LINE_MAX_BYTES)
 			return PIECE_TOO_LONG;
+		if (end == 0 && state == PIECE_FAILED)
+			return state;
+		if (end > 0 || state == PIECE_LAST) {
+			p->whole = stop;
+			return end > 0 ? PIECE_FULL : state;
+		}
 		piece_reserve(p, 2 * p->room);
 	}
 }

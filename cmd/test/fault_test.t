@@ -284,6 +284,20 @@ SKIP: {
 	($status, $out, $err) = run("$limit $project -j2 $tmp/zeros");
 	ok($status == 1 && $out eq '' && $err =~ $long,
 	    'a line of 1 GB of zeros');
+	for my $n (1 << 26, (1 << 26) + 1) {
+		spew("$tmp/line", "0 0 0\n" x 30000 . "0 0 0 " .
+		    'a' x ($n - 7) . "\n");
+		my @want = $n == 1 << 26 ? (0, '') : (1,
+		    "projcalc: -:30001: a line of more than 64 MiB\n");
+		for my $from ("<$tmp/line", "<$tmp/line cat |") {
+			my ($input, $pipe) = $from =~ /cat/ ? ($from, '') :
+			    ('', $from);
+			($status, $out, $err) = run("$limit $input $project " .
+			    "-j2 - $pipe >/dev/null");
+			is_deeply([$status, $err], \@want,
+			    "a line of $n bytes: $from");
+		}
+	}
 	run("(printf '0 0 0 '; perl -e 'print q(a ) x 3e7'; echo) >$tmp/60M");
 	($status, $out, $err) = run("$limit $project -j2 $tmp/60M | wc -c");
 	is("$status $out$err", "0 60000028\n", 'a line of 60 MB is carried');
