@@ -111,7 +111,7 @@ SKIP: {
 		is_deeply(\@said, [0, $whole, ''], "without thread $n");
 	}
 	for my $j (1, 2) {
-		for my $args ("$tmp/few", "-i csv $tmp/few.csv",
+		for my $args ("$tmp/few", "$tmp/points", "-i csv $tmp/few.csv",
 		    "-i json --flags $tmp/few.json", "-i f64 $tmp/few.f64",
 		    "--keep-going $tmp/bad", "$tmp/bad") {
 			my @whole = run("$project -j$j $args");
