@@ -157,8 +157,11 @@ static enum piece_state cut_lines(struct piece *p, int fd, size_t before,
 	if (before > 0)
 		p->begin = first_line_end(p->text, 0,
 		    p->have < range ? p->have : range);
+	/* All of it is of a line that began earlier; what is behind the range may
+	 * end that and begin others. */
 	if (p->begin < before)
-		return state; /* all of it is of a line that began earlier */
+		return state == PIECE_LAST && p->have > range ? PIECE_FULL :
+								state;
 	line = last_line_end(p->text, p->begin,
 	    p->have < last ? p->have : last);
 	if (line < p->begin)

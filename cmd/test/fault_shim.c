@@ -4,13 +4,15 @@
  *       write and close, the last two of standard output
  *   FAULT="short"  reads and writes take a few bytes, or are interrupted, and
  *       poll often says that nothing is there
- *   FAULT="cut N FILE"  the N-th read finds FILE truncated */
+ *   FAULT="cut N FILE"  the N-th read finds FILE truncated
+ *   FAULT="late N FILE"  the same, after the one that follows it has read */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <pthread.h>
+#include <sched.h>
 #include <stdarg.h>
 #include <stdatomic.h>
 #include <stdbool.h>
@@ -25,6 +27,7 @@ extern void *__libc_malloc(size_t), *__libc_calloc(size_t, size_t),
 static char call[16], file[256];
 static int at, error;
 static atomic_int calls;
+static atomic_bool next_is_done;
 
 __attribute__((constructor)) static void set_up(void)
 {
@@ -33,7 +36,7 @@ __attribute__((constructor)) static void set_up(void)
 	if (fault == NULL)
 		return;
 	sscanf(fault, "%15s %d %d", call, &at, &error);
-	sscanf(fault, "cut %*d %255s", file);
+	sscanf(fault, "%*[a-z] %*d %255s", file);
 	unsetenv("FAULT"); /* not for what the program may start */
 }
 
@@ -110,8 +113,18 @@ ssize_t pread(int fd, void *to, size_t n, off_t from)
 		real = (ssize_t(*)(int, void *, size_t, off_t))dlsym(RTLD_NEXT,
 		    "pread");
 	ssize_t some = before_read(n);
+	int k = is("late") ? atomic_fetch_add(&calls, 1) + 1 : 0;
 
-	return some < 0 ? -1 : real(fd, to, (size_t)some, from);
+	if (some < 0)
+		return -1;
+	while (k > 0 && k == at && !next_is_done)
+		sched_yield();
+	if (k > 0 && k == at && truncate(file, 100) != 0)
+		return -1;
+	some = real(fd, to, (size_t)some, from);
+	if (k == at + 1)
+		next_is_done = true;
+	return some;
 }
 
 ssize_t write(int fd, const void *from, size_t n)

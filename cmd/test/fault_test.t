@@ -126,6 +126,10 @@ SKIP: {
 		ok(($status == 0 || $status == 1) && starts($whole,
 		    $out =~ s/[^\n]*\n?\z//r), "a file that is cut, $n");
 	}
+	spew("$tmp/cut", $lines);
+	my (undef, $out) = faulty("$project -j2 $tmp/cut", "late 2 $tmp/cut");
+	ok($out ne '' && $out ne $whole && starts($whole, $out),
+	    'what was read behind the end of a file that is cut');
 }
 
 # A full disk, and streams that are closed.

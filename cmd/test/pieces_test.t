@@ -65,6 +65,13 @@ for my $n ($range - 2 .. $range + 2, 2 * $range, 5 * $range + 77) {
 	same('', "a line of $n bytes alone, without its newline", 2);
 }
 
+# One line alone begins in a range, at its first or last byte.
+for my $n ($range - 1 .. $range + 1, 2 * $range - 1 .. 2 * $range + 1) {
+	spew("$tmp/in", line_of($n, 1) . line_of(3 * $range, 2) .
+	    line_of(20, 3) x 9);
+	same('', "a line after $n bytes", 2);
+}
+
 # Each format, with sizes at random.
 my @points = map { [map { 1e-4 * int rand 4e4 } 1 .. 3] } 1 .. 40000;
 for my $n (map { 9000 + int rand 31000 } 1 .. 4) {
