@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "points/progress.h"
+#include "points/threads.h"
 #include "talk.h"
 
 enum { DOCUMENT_MAX = 1 << 28 };
@@ -51,11 +52,31 @@ static int open_input(const char *name)
 	return fd;
 }
 
+/* Texts of which points may be left have margins for those who read them. */
+static char *grow(char *text, size_t room)
+{
+	char *old = text != NULL ? text - PIECE_MARGIN : NULL;
+	char *new = need(old, PIECE_MARGIN + room + PIECE_MARGIN);
+
+	return new + PIECE_MARGIN;
+}
+
+static void free_text(char *text)
+{
+	free(text - PIECE_MARGIN);
+}
+
+static char *copy_operand(const char *operand, size_t *size)
+{
+	*size = strlen(operand);
+	return memcpy(grow(NULL, *size), operand, *size);
+}
+
 static char *read_whole(const char *name, size_t *size)
 {
 	int fd = open_input(name);
 	size_t room = 1 << 16;
-	char *text = need(NULL, room);
+	char *text = grow(NULL, room);
 
 	*size = 0;
 	for (;;) {
@@ -74,7 +95,7 @@ static char *read_whole(const char *name, size_t *size)
 			    "points may stand in a file of their own",
 			    name);
 		if (*size == room)
-			text = need(text, room *= 2);
+			text = grow(text, room *= 2);
 	}
 	if (fd != STDIN_FILENO)
 		close(fd);
@@ -133,14 +154,13 @@ void read_document(const struct command *c, const struct options *o,
 	check_operands(c, o);
 	if (first_char(o->params) == '{') {
 		name = "PARAMS";
-		size = strlen(o->params);
-		text = need(NULL, size + 1);
-		memcpy(text, o->params, size);
+		text = copy_operand(o->params, &size);
 	} else {
 		text = read_whole(name, &size);
 	}
 	document_read(d, name, text, size, &wants);
-	free(text);
+	if (d->points == NULL)
+		free_text(text);
 }
 
 bool has_points(const struct options *o, const struct document *d)
@@ -219,7 +239,7 @@ void prepare_job(struct job *j, const struct options *o)
 	if (o->tolerances.n > 0)
 		set_tolerances(j, &o->tolerances);
 	j->keep_going = o->keep_going;
-	j->threads = o->jobs > 0 ? o->jobs : (int)sysconf(_SC_NPROCESSORS_ONLN);
+	j->threads = o->jobs > 0 ? o->jobs : threads_processors();
 	progress_start(o->progress);
 	choose_kernels();
 	check_layout(o, &j->layout);
@@ -250,27 +270,23 @@ static void check_columns(const struct options *o, const struct document *d)
 		    "begin with their coordinates; name a file");
 }
 
-/* Points typed as an operand, as lines of JSON, to be freed. */
-static char *typed_points(const struct job *j, const char *operand,
-    size_t *size)
+/* Does the job on points typed as an operand; or where there is none, only
+ * refuses what is wrong with them. */
+static void do_typed(struct job *j, const char *operand, int reads)
 {
-	size_t n = strlen(operand);
-	char *text = need(NULL, n + 1), *points;
+	size_t size, n;
+	char *text = copy_operand(operand, &n);
+	const char *points = document_points("POINTS", text, n, reads, &size);
 
-	memcpy(text, operand, n + 1);
-	document_points("POINTS", text, n, j->layout.reads, &points, size);
-	free(text);
-	return points;
+	if (j != NULL)
+		do_json(j, "POINTS", points, size);
+	free_text(text);
 }
 
 static void do_operand(struct job *j, const char *operand)
 {
 	if (first_char(operand) == '[') {
-		size_t size;
-		char *points = typed_points(j, operand, &size);
-
-		do_json(j, "POINTS", points, size);
-		free(points);
+		do_typed(j, operand, j->layout.reads);
 		return;
 	}
 	int fd = open_input(operand);
@@ -295,11 +311,8 @@ void do_points(const struct options *o, const struct document *d, struct job *j)
 	/* points that are typed wrong are refused before those of the first
 	 * operand are printed */
 	for (int i = 1; i < o->n_points; i++)
-		if (first_char(o->points[i]) == '[') {
-			size_t size;
-
-			free(typed_points(j, o->points[i], &size));
-		}
+		if (first_char(o->points[i]) == '[')
+			do_typed(NULL, o->points[i], j->layout.reads);
 	for (int i = 0; i < o->n_points; i++)
 		do_operand(j, o->points[i]);
 }

@@ -321,6 +321,8 @@ printf '\n## Binary: %s points of f64 through a pipe\n\n' "$((lines * 8))"
 binary_table
 printf '\n## Splitting: the same lines over %s processes\n\n' "$(nproc)"
 split_table
+printf '\n## Scale: cores that one process keeps at work\n\n'
+sh "$here/feed.sh" "$build" scene.json points.xyz points.f64
 printf '\n## Start-up\n\n'
 start_table
 if [ -s left_out ]; then

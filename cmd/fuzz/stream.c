@@ -174,7 +174,6 @@ static void do_at_once(struct job *j, const char *text, size_t size)
 	static bool unended;
 	struct chunk *c = chunk_new();
 
-	c->first = true;
 	c->header = j->layout.in == FORMAT_CSV;
 	c->text = text;
 	c->end = text + size;

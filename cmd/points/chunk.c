@@ -27,7 +27,7 @@ struct chunk *chunk_new(void)
 
 void chunk_free(struct chunk *c)
 {
-	free(c->piece.text);
+	piece_free(&c->piece);
 	free(c->out);
 	free(c->complaints);
 	free(c);

@@ -15,11 +15,14 @@ struct complaint {
 /* Lines are counted from 0 in each chunk. A binary point counts as a line. */
 struct chunk {
 	const char *name;       /* of the source */
+	size_t number;          /* in the source, from 0 */
 	const char *text, *end; /* what is left to read */
 	size_t bytes;           /* of text at the beginning, for the progress */
 	size_t n_lines;         /* read so far */
-	bool first;             /* the first of its source */
 	bool header;            /* a csv header may still come */
+	enum piece_state state; /* what comes after it in the source */
+	int error;              /* the errno of PIECE_FAILED */
+	bool done;              /* it waits to be answered */
 
 	char *out;
 	size_t size, room;            /* of out: used, allocated */
