@@ -73,6 +73,8 @@ $(BUILD)/cmd/points/binary.o $(call objects,core/kernel): FLAGS += -O3
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),)
 $(BUILD)/core/kernel/avx2.o: FLAGS += -mavx2 -mfma
 $(BUILD)/core/kernel/avx512.o: FLAGS += -mavx512f -mfma
+# The width that the plain loop beside ours is fastest at.
+$(BUILD)/cmd/bench/peer/plain.o: FLAGS += -mprefer-vector-width=512
 endif
 # gcc would store the halves of a span and reload them as one, which stalls.
 $(BUILD)/cmd/points/line_read.o: FLAGS += -fno-tree-slp-vectorize
@@ -111,16 +113,17 @@ views: all ## the bunny in four views, as an SVG
 	sh cmd/demo/views.sh $(BUILD) testdata/charts/views.svg
 
 bench: $(BUILD)/projcalc $(BENCHES) ## speed and errors, beside other programs
-	@sh cmd/bench/bench.sh $(BUILD)
+	@perl cmd/bench/bench.pl $(BUILD)
 stability: $(STABILITY) ## where double breaks and exact does not
 	@$< table
-chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures
+chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures; README's table
 	$< data > $<.dat
 	gnuplot -e "data='$<.dat'" core/study/stability.gp \
 	    > testdata/charts/stability.svg
-	sh cmd/bench/bench.sh $(BUILD) > $(BUILD)/bench.md
+	perl cmd/bench/bench.pl $(BUILD) > $(BUILD)/bench.md
 	gnuplot -c cmd/bench/bench.gp $(BUILD)/bench testdata/charts
 	mv $(BUILD)/bench.md testdata/charts/bench.md
+	perl -i cmd/bench/rows.pl testdata/charts/bench.md README.md
 
 oracle: $(BUILD)/core/test/oracle_test ## random scenes and points against MPFR
 	@$< 1000000
