@@ -121,6 +121,7 @@ chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures; READ
 	gnuplot -e "data='$<.dat'" core/study/stability.gp \
 	    > testdata/charts/stability.svg
 	perl cmd/bench/bench.pl $(BUILD) > $(BUILD)/bench.md
+	perl cmd/bench/names.pl $(BUILD)/bench
 	gnuplot -c cmd/bench/bench.gp $(BUILD)/bench testdata/charts
 	mv $(BUILD)/bench.md testdata/charts/bench.md
 	perl -i cmd/bench/rows.pl testdata/charts/bench.md README.md

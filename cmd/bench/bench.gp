@@ -5,7 +5,7 @@ array Kind[3] = ["ours", "double", "float"]
 array Title[3] = ["projcalc", "others in double", "others in float"]
 array Hollow[3] = [4, 6, 8]
 
-# A panel of 690 x 240, in which bench.pl has placed the names, below y pixels of
+# A panel of 690 x 240, in which names.pl has placed the names, below y pixels of
 # a picture that is so high.
 axes = 'load data . name . ".gp"; \
 set lmargin at screen 85 / 800.0; \
@@ -37,8 +37,6 @@ unset mxtics; \
 unset mytics; \
 set xlabel "nanoseconds a point, CPU" offset 0, 0.4; \
 set ylabel "worst error in pixels" offset 1; \
-set label 1 "half a unit in the last place" at graph 0.99, first half \
-    right offset 0, -0.7 font ",11" textcolor rgb "#404040"; \
 set key at screen 0.97, screen 1 - 45 / high right top horizontal \
     Left reverse samplen 1'
 

@@ -8,7 +8,7 @@ use strict;
 use warnings;
 use Cwd qw(abs_path);
 use File::Basename;
-use List::Util qw(max min first);
+use List::Util qw(first);
 
 my $seconds = $ENV{BENCH_SECONDS} // 200;
 my ($points, $few, $copies) = (1e6, 1e4, 4);
@@ -333,7 +333,8 @@ pixels, from MPFR.
 	programs('binary', $row{f64});
 	print "\n## Two threads\n
 | | million points a second, wall |\n|---|--:|\n";
-	printf "| %s | %.2f |\n", $_->[0], 1e3 / $row{$_->[1]}{wall} for @threads;
+	printf "| %s | %.2f |\n", $_->[0], 1e3 / $row{$_->[1]}{wall}
+	    for @threads;
 	print "\n## In memory, one thread
 
 World to device. Floats start from the same numbers as all: they are floats in
@@ -349,104 +350,19 @@ ordinary scenes. 1e9 away from the origin they have no room for them.
 	    if @left_out;
 }
 
-### What bench.gp draws
-
-# In pixels of the picture, inside the axes of a panel; see bench.gp.
-my ($width, $height, $letter, $line) = (690, 240, 6.8, 14);
-
-# The names of points where they meet neither points nor each other. Points of a
-# kind that lie close together share a name.
-sub place {
-	my ($x_of, $y_of, @points) = @_;
-	my $half = $y_of->(2 ** -44);
-	my @boxes = ([$width - 190, $half - 18, $width, $half - 2]);
-	my @groups;
-	for my $p (@points) {
-		my @at = ($x_of->($p->{x}), $y_of->($p->{y}));
-		my $far = $p->{far} ? $y_of->($p->{far}) : $at[1];
-		push @boxes, [$at[0] - 6, $at[1] - 6, $at[0] + 6, $at[1] + 6],
-		    [$at[0] - 4, min($at[1], $far) - 4, $at[0] + 4,
-		    max($at[1], $far) + 4];
-		my $group = first {
-			my $g = $_;
-			$g->{kind} eq $p->{kind} && first {
-				abs($at[0] - $_->[0]) < 16 &&
-				    abs($at[1] - $_->[1]) < 5
-			} @{$g->{at}}
-		} @groups;
-		push @groups, $group = {kind => $p->{kind}} unless $group;
-		push @{$group->{at}}, \@at;
-		push @{$group->{names}}, $p->{label};
-	}
-	my @labels;
-	for my $g (@groups) {
-		my $name = join ', ', @{$g->{names}};
-		my $w = $letter * length $name;
-		my @x = sort { $a <=> $b } map { $_->[0] } @{$g->{at}};
-		my @y = sort { $a <=> $b } map { $_->[1] } @{$g->{at}};
-		my ($x, $y) = (($x[0] + $x[-1]) / 2, ($y[0] + $y[-1]) / 2);
-		my @best = (1e9);
-		for my $up (0, 0.75, -0.75, 1.2, -1.2, 2, -2, 3, -3, 4, -4) {
-			for my $side (1, -1, 0) {
-				next if $side == 0 && abs($up) < 1;
-				my $l = $side > 0 ? $x[-1] + 9 :
-				    $side < 0 ? $x[0] - 9 - $w : $x - $w / 2;
-				my $b = $y + $up * $line - $line / 2;
-				my $cost = abs($up) + ($side < 0) / 10 + 1e3 *
-				    grep { $l < $_->[2] && $l + $w > $_->[0] &&
-				    $b < $_->[3] && $b + $line > $_->[1] }
-				    @boxes;
-				$cost += 1e4 if $l < 2 || $l + $w > $width - 2 ||
-				    $b < 2 || $b + $line > $height - 2;
-				@best = ($cost, $l, $b, $side) if $cost < $best[0];
-			}
-		}
-		my (undef, $l, $b, $side) = @best;
-		push @boxes, [$l, $b, $l + $w, $b + $line];
-		push @labels, {name => $name, align => $side,
-			x => $l + $w * (1 - $side) / 2, y => $b + $line / 2};
-	}
-	return @labels;
-}
-
-# A panel of bench.gp: points of x, y, perhaps far, kind, and label.
-sub panel {
-	my ($name, @points) = @_;
-	my @steps = map { my $e = $_; map { $_ * 10 ** $e } 1, 2, 5 } -3 .. 5;
-	my ($least, $most) = (min(map { $_->{x} } @points),
-	    max(map { $_->{x} } @points));
-	my $x0 = max(grep { $_ < $least * 0.85 } @steps);
-	my $x1 = min(grep { $_ > $most * 1.15 } @steps);
-	my ($y0, $y1) = (1e-15, 10);
-	my $across = $width / log($x1 / $x0);
-	my $up = $height / log($y1 / $y0);
-	my @labels = place(sub { $across * log($_[0] / $x0) },
-	    sub { $up * log($_[0] / $y0) }, @points);
-	spew("$name.tsv",
-	    map({ join("\t", @$_{qw(kind x y)}, $_->{far} // $_->{y}) . "\n" }
-	    @points), "\n\n",
-	    map { join("\t", $_->{name}, $x0 * exp($_->{x} / $across),
-	    $y0 * exp($_->{y} / $up), $_->{align}) . "\n" } @labels);
-	spew("$name.gp", "set xrange [$x0*0.999:$x1*1.001]\nset yrange [$y0:$y1]\n",
-	    'set xtics (' . join(', ', @steps) . ")\n");
-}
-
+# What names.pl and bench.gp draw: panel, kind, label, time, error, and in memory
+# the error of scenes far away.
 sub draw {
 	my (@memory) = @_;
-	for my $group (qw(text binary)) {
-		panel($group, map { {%$_, x => $_->{cpu}, y => $_->{error}} }
-		    grep { $_->{label} && ($_->{group} eq $group ||
-		    $_->{group} eq 'affine' && $group eq 'text') } @rows);
-	}
-	panel('memory', map {
-		chomp;
-		my ($name, $x, $y, $far) = split /\t/;
+	my @points = map { [$_->{group} eq 'affine' ? 'text' : $_->{group},
+	    @$_{qw(kind label cpu error)}] } grep { $_->{label} } @rows;
+	for (@memory) {
+		my ($name, @figures) = split /[\t\n]/;
 		my ($who, $what) = split /, /, $name;
-		my $ours = $who eq 'projcalc';
-		{x => $x, y => $y, kind => $ours ? 'ours' : $what,
-			far => $far eq '-' ? 0 : $far,
-			label => $ours ? $what : $who}
-	} @memory);
+		push @points, ['memory', $who eq 'projcalc' ? ('ours', $what) :
+		    ($what, $who), @figures];
+	}
+	spew('points.tsv', map { join("\t", @$_) . "\n" } @points);
 	spew('threads.tsv', map { join("\t", $_->[0],
 	    1e3 / $row{$_->[1]}{wall}) . "\n" } @threads);
 }

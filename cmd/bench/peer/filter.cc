@@ -13,15 +13,9 @@
 enum { NUMBER_MAX = 25, READ_SIZE = 1 << 20 };
 
 template <class T> struct blocks {
-	alignas(64) T in[4 * PEER_BLOCK];
-	alignas(64) T out[4 * PEER_BLOCK];
 	const peer *p;
+	alignas(64) T in[4 * PEER_BLOCK], out[4 * PEER_BLOCK];
 
-	explicit blocks(const peer *peer) : p(peer)
-	{
-		for (T &t : in)
-			t = 1;
-	}
 	T &to(size_t i, size_t k)
 	{
 		return in[i * p->layout.point + k * p->layout.coordinate];
@@ -125,8 +119,11 @@ template <class T> static void run_binary(blocks<T> &b)
 
 template <class T> static void run(const peer *p, filter f)
 {
-	static blocks<T> b(p);
+	static blocks<T> b;
 
+	b.p = p;
+	for (T &t : b.in)
+		t = 1;
 	if (f == FILTER_STDIO)
 		run_stdio(b);
 	else if (f == FILTER_TEXT)
