@@ -109,6 +109,7 @@ static struct view random_view(double far_away)
 	v.fovy = float_between(20, 90);
 	v.near = float_between(0.1, 1);
 	v.far = sample_below(4) == 0 ? HUGE_VAL : float_between(10, 100);
+	compose(&v);
 	return v;
 }
 
@@ -258,6 +259,7 @@ int main(int argc, char **argv)
 {
 	if (argc == 2 && strcmp(argv[1], "versions") == 0)
 		return print_versions();
+	compose(&bench_view);
 	if (argc == 3)
 		return run_filter(argv[1], argv[2]);
 	for (int i = 0; i < PEERS; i++)

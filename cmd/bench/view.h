@@ -10,7 +10,7 @@
 #include "../../core/test/truth.h"
 #include "peer/peer.h"
 
-static const struct view bench_view = { .eye = { 1, 2, -5 },
+static struct view bench_view = { .eye = { 1, 2, -5 },
 	.at = { 0.125, 0.25, 0.375 },
 	.up = { 0, 1, 0 },
 	.fovy = 60,
@@ -40,6 +40,19 @@ static inline struct scene scene_of(const struct view *v)
 	memcpy(s.camera.at, v->at, sizeof v->at);
 	memcpy(s.camera.up, v->up, sizeof v->up);
 	return s;
+}
+
+static inline void compose(struct view *v)
+{
+	struct scene s = scene_of(v);
+	real m[4][4];
+	int mark = real_mark();
+
+	truth_matrix(&s, SPACE_WORLD, SPACE_DEVICE, m);
+	for (int i = 0; i < 16; i++)
+		v->matrix[i / 4][i % 4] = mpfr_get_d(m[i % 4][i / 4],
+		    MPFR_RNDN);
+	real_release(mark);
 }
 
 /* The error of the worst coordinate of an image. What is no number is infinitely

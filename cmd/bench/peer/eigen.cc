@@ -10,11 +10,9 @@ static Eigen::Matrix4d current;
 // Eigen has neither a camera nor a perspective.
 static void prepare(const struct view *v)
 {
-	double m[4][4];
-
-	view_matrix(v, m);
-	current = Eigen::Map<Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(
-	    &m[0][0]);
+	current =
+	    Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(
+		&v->matrix[0][0]);
 }
 
 template <class T> static void carry(const void *in, void *out, size_t n)

@@ -18,6 +18,9 @@ struct view {
 	double fovy;      /* degrees */
 	double near, far; /* far may be infinite */
 	double width, height;
+	/* World to device for column vectors, in the nearest doubles: for those
+	 * who have no functions for it. */
+	double matrix[4][4];
 };
 
 /* How a block of points lies in memory: coordinate k of point i is number
@@ -44,10 +47,6 @@ struct peer {
 /* Each ends with a name NULL; what is not installed is not there. */
 extern const struct peer peers_plain[], peers_glm[], peers_cglm[],
     peers_eigen[];
-
-/* World to device for column vectors: neither every library nor the loop that
- * needs none has all the functions for it, so their users write it out. */
-void view_matrix(const struct view *, double m[4][4]);
 
 /* Whole programs around a peer, from standard input to standard output. */
 enum filter { FILTER_STDIO, FILTER_TEXT, FILTER_BINARY };
