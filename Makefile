@@ -73,8 +73,6 @@ $(BUILD)/cmd/points/binary.o $(call objects,core/kernel): FLAGS += -O3
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),)
 $(BUILD)/core/kernel/avx2.o: FLAGS += -mavx2 -mfma
 $(BUILD)/core/kernel/avx512.o: FLAGS += -mavx512f -mfma
-# The width that the plain loop beside ours is fastest at.
-$(BUILD)/cmd/bench/peer/plain.o: FLAGS += -mprefer-vector-width=512
 endif
 # gcc would store the halves of a span and reload them as one, which stalls.
 $(BUILD)/cmd/points/line_read.o: FLAGS += -fno-tree-slp-vectorize

@@ -4,6 +4,11 @@
 
 #include "peer.h"
 
+/* gcc prefers vectors of half the width, with which it takes a fifth more. */
+#if defined(__AVX512F__) && !defined(__clang__)
+#pragma GCC target("prefer-vector-width=512")
+#endif
+
 static double matrix[4][4];
 
 static void prepare(const struct view *v)
