@@ -117,16 +117,18 @@ views: all ## the bunny in four views, as an SVG
 	sh cmd/demo/views.sh $(BUILD) testdata/charts/views.svg
 
 bench: $(BUILD)/projcalc $(BENCHES) ## speed and errors, beside other programs
-	@sh cmd/bench/bench.sh $(BUILD)
+	@perl cmd/bench/bench.pl $(BUILD)
 stability: $(STABILITY) ## where double breaks and exact does not
 	@$< table
-chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures
+chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures; README's table
 	$< data > $<.dat
 	gnuplot -e "data='$<.dat'" core/study/stability.gp \
 	    > testdata/charts/stability.svg
-	sh cmd/bench/bench.sh $(BUILD) > $(BUILD)/bench.md
+	perl cmd/bench/bench.pl $(BUILD) > $(BUILD)/bench.md
+	perl cmd/bench/names.pl $(BUILD)/bench
 	gnuplot -c cmd/bench/bench.gp $(BUILD)/bench testdata/charts
 	mv $(BUILD)/bench.md testdata/charts/bench.md
+	perl -i cmd/bench/rows.pl testdata/charts/bench.md README.md
 
 oracle: $(BUILD)/core/test/oracle_test ## random scenes and points against MPFR
 	@$< 1000000

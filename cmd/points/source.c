@@ -22,9 +22,9 @@ static void widen(int fd)
 #endif
 }
 
-struct source source_of_file(const char *name, int fd)
+struct point_source source_of_file(const char *name, int fd)
 {
-	struct source s = { .name = name, .fd = fd };
+	struct point_source s = { .name = name, .fd = fd };
 	struct stat st;
 
 	widen(fd);
@@ -36,9 +36,10 @@ struct source source_of_file(const char *name, int fd)
 	return s;
 }
 
-struct source source_of_lines(const char *name, const char *text, size_t size)
+struct point_source source_of_lines(const char *name, const char *text,
+    size_t size)
 {
-	return (struct source){ .name = name,
+	return (struct point_source){ .name = name,
 		.kind = SOURCE_LINES,
 		.lines = text,
 		.end = text + size };
@@ -52,7 +53,8 @@ static void take_piece(struct chunk *c, enum piece_state state)
 	c->end = c->piece.text + c->piece.whole;
 }
 
-void source_begin(struct source *s, const struct layout *l, struct chunk *c)
+void source_begin(struct point_source *s, const struct layout *l,
+    struct chunk *c)
 {
 	c->name = s->name;
 	c->state = PIECE_FULL; /* until it is read */
@@ -65,7 +67,7 @@ void source_begin(struct source *s, const struct layout *l, struct chunk *c)
 	c->state = s->lines < s->end ? PIECE_FULL : PIECE_LAST;
 }
 
-void source_read(const struct source *s, const struct layout *l,
+void source_read(const struct point_source *s, const struct layout *l,
     struct chunk *c)
 {
 	if (s->kind == SOURCE_FILE)
@@ -74,7 +76,7 @@ void source_read(const struct source *s, const struct layout *l,
 	c->bytes = (size_t)(c->end - c->text);
 }
 
-void source_end(struct source *s, const struct chunk *last)
+void source_end(struct point_source *s, const struct chunk *last)
 {
 	const struct piece *p = &last->piece;
 

@@ -4,7 +4,7 @@
 
 #include "chunk.h"
 
-struct source {
+struct point_source {
 	const char *name;
 	enum source_kind {
 		SOURCE_STREAM, /* what can be read only once, as a pipe */
@@ -18,19 +18,21 @@ struct source {
 };
 
 /* How the file is best read. */
-struct source source_of_file(const char *name, int fd);
+struct point_source source_of_file(const char *name, int fd);
 
 /* Text in memory; PIECE_MARGIN bytes before and after it can be looked at. */
-struct source source_of_lines(const char *name, const char *text, size_t size);
+struct point_source source_of_lines(const char *name, const char *text,
+    size_t size);
 
 /* Give a chunk its piece of the source, and say in its state what came of that.
  * source_begin is to be called in the order of chunks, by one thread at a time,
  * and may wait for a stream; then source_read, by any number of threads. */
-void source_begin(struct source *, const struct layout *, struct chunk *);
-void source_read(const struct source *, const struct layout *, struct chunk *);
+void source_begin(struct point_source *, const struct layout *, struct chunk *);
+void source_read(const struct point_source *, const struct layout *,
+    struct chunk *);
 
 /* Frees what the source keeps, after the chunk that was last of it. Whoever
  * reads the file next begins where it ended. */
-void source_end(struct source *, const struct chunk *last);
+void source_end(struct point_source *, const struct chunk *last);
 
 #endif

@@ -15,7 +15,7 @@ static size_t size_of(int fd)
 							    0;
 }
 
-static void stream(struct job *j, struct source *s, size_t size)
+static void stream(struct job *j, struct point_source *s, size_t size)
 {
 	progress_source(size);
 	answer_source();
@@ -24,14 +24,14 @@ static void stream(struct job *j, struct source *s, size_t size)
 
 void stream_file(struct job *j, const char *name, int fd)
 {
-	struct source s = source_of_file(name, fd);
+	struct point_source s = source_of_file(name, fd);
 
 	stream(j, &s, size_of(fd));
 }
 
 void stream_text(struct job *j, const char *name, const char *text, size_t size)
 {
-	struct source s = source_of_lines(name, text, size);
+	struct point_source s = source_of_lines(name, text, size);
 
 	stream(j, &s, size);
 }

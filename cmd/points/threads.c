@@ -29,7 +29,7 @@ static struct {
 	int threads, idle; /* that run, and of them that wait to begin */
 
 	/* Of the source in hand. */
-	struct source *source;
+	struct point_source *source;
 	bool open;                 /* there may be more */
 	bool shared;               /* the threads may take part */
 	bool header;               /* of csv, may still come */
@@ -214,7 +214,7 @@ static bool can_share(void)
 	    (!ring.header && (ring.threads > 0 || start_thread()));
 }
 
-void threads_run(struct job *j, struct source *s)
+void threads_run(struct job *j, struct point_source *s)
 {
 	if (ring.chunk == NULL)
 		set_up(j);

@@ -11,6 +11,6 @@ int threads_processors(void);
 
 /* Does the job on all of the source. The job must be the same at each call; its
  * contents may change in between. */
-void threads_run(struct job *, struct source *);
+void threads_run(struct job *, struct point_source *);
 
 #endif
