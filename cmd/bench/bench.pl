@@ -346,8 +346,7 @@ ordinary scenes. 1e9 away from the origin they have no room for them.
 	print "\n## Other figures\n\n";
 	others();
 	print "\n## Scale: cores that one process keeps at work\n\n",
-	    ask("sh $here/feed.sh $build scene.json all/text all/f64")
-	    if -e "$here/feed.sh";
+	    ask("sh $here/feed.sh $build scene.json all/text all/f64");
 	print "\n## Kernels: ns a point\n\n", ask('points');
 	print "\n## Digits: ns a number\n\n```\n", ask('number'), "```\n";
 	print "\nNot installed, and left out: ", join(', ', @left_out), ".\n"
