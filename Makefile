@@ -18,9 +18,12 @@ LDFLAGS =
 
 # What is always wanted stands apart from CFLAGS and LDFLAGS, as those of the
 # command line would replace it. The same bytes come from every compiler: no
-# multiply-add is fused unless it is written so.
-FLAGS = -ffp-contract=off -pthread -MMD -MP -Wall -Wextra -Wshadow \
-	-Wconversion -Wdouble-promotion -Wvla $(if $(WERROR),-Werror)
+# multiply-add is fused unless it is written so; and gcc 12 leaves out what rounds
+# two doubles to floats and back where it makes a vector of them (and stores the
+# halves of a span to reload them as one, which stalls).
+FLAGS = -ffp-contract=off -fno-tree-slp-vectorize -pthread -MMD -MP -Wall \
+	-Wextra -Wshadow -Wconversion -Wdouble-promotion -Wvla \
+	$(if $(WERROR),-Werror)
 C_FLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L -Wstrict-prototypes
 # Debian keeps dragonbox in a directory that is named after its version.
 CXX_FLAGS = -std=c++17 -fno-exceptions -fno-rtti \
@@ -36,7 +39,8 @@ objects = $(addprefix $(BUILD)/,$(addsuffix .o,$(basename \
 	$(wildcard $(foreach folder,$1,$(folder)/*.c $(folder)/*.cc)))))
 programs = $(basename $(call objects,$1))
 CORE = $(call objects,core core/kernel)
-PROGRAM = $(CORE) $(call objects,cmd cmd/json cmd/scene cmd/points cmd/number)
+PROGRAM = $(CORE) $(call objects,cmd cmd/json cmd/scene cmd/points cmd/number \
+	cmd/number/vector)
 BUT_MAIN = $(filter-out %/main.o,$(PROGRAM))
 TRUTH = $(filter-out %_test.o,$(call objects,core/test))
 PEERS = $(call objects,cmd/bench/peer)
@@ -68,14 +72,16 @@ $(BUILD)/%.o: %.cc | $(FIRST)
 	$(CXX) $(CXX_FLAGS) $(CXXFLAGS) $(FLAGS) $(CPPFLAGS) -c -o $@ $<
 
 # The inner loops: binary points take a fifth less time than at -O2. Those for
-# AVX2 and AVX-512 are chosen when the program runs.
-$(BUILD)/cmd/points/binary.o $(call objects,core/kernel): FLAGS += -O3
+# AVX2 and AVX-512 are chosen when the program runs; NEON is in every arm64.
+$(BUILD)/cmd/points/binary.o $(call objects,core/kernel cmd/number/vector): \
+    FLAGS += -O3
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),)
-$(BUILD)/core/kernel/avx2.o: FLAGS += -mavx2 -mfma
+$(BUILD)/core/kernel/avx2.o $(BUILD)/cmd/number/vector/avx2.o: \
+    FLAGS += -mavx2 -mfma
 $(BUILD)/core/kernel/avx512.o: FLAGS += -mavx512f -mfma
+$(BUILD)/cmd/number/vector/avx512.o: \
+    FLAGS += -mavx512f -mavx512bw -mavx512dq -mavx512vl -mfma
 endif
-# gcc would store the halves of a span and reload them as one, which stalls.
-$(BUILD)/cmd/points/line_read.o: FLAGS += -fno-tree-slp-vectorize
 # Others' libraries at their best, for this very processor.
 $(PEERS): FLAGS += -O3 -march=native -ffp-contract=fast
 
@@ -111,19 +117,23 @@ views: all ## the bunny in four views, as an SVG
 	sh cmd/demo/views.sh $(BUILD) testdata/charts/views.svg
 
 bench: $(BUILD)/projcalc $(BENCHES) ## speed and errors, beside other programs
-	@sh cmd/bench/bench.sh $(BUILD)
+	@perl cmd/bench/bench.pl $(BUILD)
 stability: $(STABILITY) ## where double breaks and exact does not
 	@$< table
-chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures
+chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures; README's table
 	$< data > $<.dat
 	gnuplot -e "data='$<.dat'" core/study/stability.gp \
 	    > testdata/charts/stability.svg
-	sh cmd/bench/bench.sh $(BUILD) > $(BUILD)/bench.md
+	perl cmd/bench/bench.pl $(BUILD) > $(BUILD)/bench.md
+	perl cmd/bench/names.pl $(BUILD)/bench
 	gnuplot -c cmd/bench/bench.gp $(BUILD)/bench testdata/charts
 	mv $(BUILD)/bench.md testdata/charts/bench.md
+	perl -i cmd/bench/rows.pl testdata/charts/bench.md README.md
 
 oracle: $(BUILD)/core/test/oracle_test ## random scenes and points against MPFR
 	@$< 1000000
+digits: $(BUILD)/cmd/test/texts_test ## the vector's digits against number_write
+	@$< 3000000
 programs: $(BUILD)/projcalc $(TESTS) ## the program and its tests
 SCRIPTS = $(sort $(wildcard cmd/test/*_test.t core/proof/*_test.t))
 test: | $(FIRST) ## all tests
@@ -143,7 +153,8 @@ layers: programs ## what includes and calls what; how long functions are
 # Of variables the compilers know more than cppcheck does.
 lint: ## the manual, the style, the scripts, the C
 	mandoc -T lint -W warning man/*.[15]
-	clang-format --dry-run -Werror $(foreach room,core core/* cmd cmd/*, \
+	clang-format --dry-run -Werror $(foreach room,core core/* cmd cmd/* \
+	    cmd/number/vector, \
 	    $(wildcard $(room)/*.[ch] $(room)/*.cc))
 	shellcheck .ci/run .debian/build .debian/deps $(wildcard cmd/*/*.sh)
 	cppcheck --quiet --error-exitcode=1 --std=c11 --inline-suppr core cmd \

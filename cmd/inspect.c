@@ -105,8 +105,7 @@ int run_inspect(const struct command *c, const struct options *o)
 	put_open(&p, "{");
 	put_taxonomy(&p, &t);
 	put_depth_steps(&p, step);
-	put_bounds(&p, bound,
-	    o->accuracy.tolerance > 0 ? o->accuracy.tolerance : 0.5);
+	put_bounds(&p, bound, o->tolerances.n > 0 ? o->tolerances.least : 0.5);
 	put_text(&p, "\n}\n");
 	put_all(text, (size_t)(p.at - text));
 	close_output();

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "points/progress.h"
+#include "points/threads.h"
 #include "talk.h"
 
 enum { DOCUMENT_MAX = 1 << 28 };
@@ -51,11 +52,31 @@ static int open_input(const char *name)
 	return fd;
 }
 
+/* Texts of which points may be left have margins for those who read them. */
+static char *grow(char *text, size_t room)
+{
+	char *old = text != NULL ? text - PIECE_MARGIN : NULL;
+	char *new = need(old, PIECE_MARGIN + room + PIECE_MARGIN);
+
+	return new + PIECE_MARGIN;
+}
+
+static void free_text(char *text)
+{
+	free(text - PIECE_MARGIN);
+}
+
+static char *copy_operand(const char *operand, size_t *size)
+{
+	*size = strlen(operand);
+	return memcpy(grow(NULL, *size), operand, *size);
+}
+
 static char *read_whole(const char *name, size_t *size)
 {
 	int fd = open_input(name);
 	size_t room = 1 << 16;
-	char *text = need(NULL, room);
+	char *text = grow(NULL, room);
 
 	*size = 0;
 	for (;;) {
@@ -74,7 +95,7 @@ static char *read_whole(const char *name, size_t *size)
 			    "points may stand in a file of their own",
 			    name);
 		if (*size == room)
-			text = need(text, room *= 2);
+			text = grow(text, room *= 2);
 	}
 	if (fd != STDIN_FILENO)
 		close(fd);
@@ -133,14 +154,13 @@ void read_document(const struct command *c, const struct options *o,
 	check_operands(c, o);
 	if (first_char(o->params) == '{') {
 		name = "PARAMS";
-		size = strlen(o->params);
-		text = need(NULL, size + 1);
-		memcpy(text, o->params, size);
+		text = copy_operand(o->params, &size);
 	} else {
 		text = read_whole(name, &size);
 	}
 	document_read(d, name, text, size, &wants);
-	free(text);
+	if (d->points == NULL)
+		free_text(text);
 }
 
 bool has_points(const struct options *o, const struct document *d)
@@ -160,6 +180,11 @@ static void check_layout(const struct options *o, const struct layout *l)
 		die(EXIT_USAGE,
 		    "--flags: binary points have no room for words; say "
 		    "-o text");
+	if (o->tolerances.n > l->writes)
+		die(EXIT_USAGE,
+		    "--tolerance: %d tolerances; %d coordinates are "
+		    "printed here",
+		    o->tolerances.n, l->writes);
 	if (o->columns.n > 0 && is_binary(o->in))
 		die(EXIT_USAGE, "--columns: binary points have no fields");
 	if (o->columns.n > 0 && o->columns.n != l->reads)
@@ -175,11 +200,24 @@ static void choose_kernels(void)
 {
 	const char *cpu = getenv("PROJCALC_CPU");
 
-	if (!points_choose(cpu))
+	if (!points_choose(cpu) || !number_choose(cpu))
 		die(EXIT_USAGE,
 		    "PROJCALC_CPU=%s: not a processor that this is; "
-		    "it is one of baseline, avx2 and avx512",
+		    "it is one of baseline, avx2, avx512 and neon",
 		    cpu);
+}
+
+/* Text is rounded, and what is computed leaves room for that. */
+static void set_tolerances(struct job *j, const struct tolerances *t)
+{
+	bool text = !is_binary(j->layout.out);
+
+	for (int k = 0; k < COORDINATES_MAX; k++)
+		j->layout.style[k] = (struct number_style){ NUMBER_WITHIN,
+			t->decimals[k] };
+	for (int k = 0; k < 3; k++)
+		j->accuracy.tolerance[k] = text ? tolerance_left(t, k) :
+						  t->within[k] * (1 - 0x1p-52);
 }
 
 void prepare_job(struct job *j, const struct options *o)
@@ -193,11 +231,15 @@ void prepare_job(struct job *j, const struct options *o)
 		.columns = o->columns,
 		.reads = j->rays ? ray_reads : j->transform.in,
 		.writes = j->rays ? ray_writes : j->transform.out,
-		.style = o->style,
+		.single = o->precision == PRECISION_SINGLE,
 	};
-	j->accuracy = o->accuracy;
+	for (int k = 0; k < COORDINATES_MAX; k++)
+		j->layout.style[k] = o->style;
+	j->accuracy = (struct accuracy){ .precision = o->precision };
+	if (o->tolerances.n > 0)
+		set_tolerances(j, &o->tolerances);
 	j->keep_going = o->keep_going;
-	j->threads = o->jobs > 0 ? o->jobs : (int)sysconf(_SC_NPROCESSORS_ONLN);
+	j->threads = o->jobs > 0 ? o->jobs : threads_processors();
 	progress_start(o->progress);
 	choose_kernels();
 	check_layout(o, &j->layout);
@@ -228,27 +270,23 @@ static void check_columns(const struct options *o, const struct document *d)
 		    "begin with their coordinates; name a file");
 }
 
-/* Points typed as an operand, as lines of JSON, to be freed. */
-static char *typed_points(const struct job *j, const char *operand,
-    size_t *size)
+/* Does the job on points typed as an operand; or where there is none, only
+ * refuses what is wrong with them. */
+static void do_typed(struct job *j, const char *operand, int reads)
 {
-	size_t n = strlen(operand);
-	char *text = need(NULL, n + 1), *points;
+	size_t size, n;
+	char *text = copy_operand(operand, &n);
+	const char *points = document_points("POINTS", text, n, reads, &size);
 
-	memcpy(text, operand, n + 1);
-	document_points("POINTS", text, n, j->layout.reads, &points, size);
-	free(text);
-	return points;
+	if (j != NULL)
+		do_json(j, "POINTS", points, size);
+	free_text(text);
 }
 
 static void do_operand(struct job *j, const char *operand)
 {
 	if (first_char(operand) == '[') {
-		size_t size;
-		char *points = typed_points(j, operand, &size);
-
-		do_json(j, "POINTS", points, size);
-		free(points);
+		do_typed(j, operand, j->layout.reads);
 		return;
 	}
 	int fd = open_input(operand);
@@ -273,11 +311,8 @@ void do_points(const struct options *o, const struct document *d, struct job *j)
 	/* points that are typed wrong are refused before those of the first
 	 * operand are printed */
 	for (int i = 1; i < o->n_points; i++)
-		if (first_char(o->points[i]) == '[') {
-			size_t size;
-
-			free(typed_points(j, o->points[i], &size));
-		}
+		if (first_char(o->points[i]) == '[')
+			do_typed(NULL, o->points[i], j->layout.reads);
 	for (int i = 0; i < o->n_points; i++)
 		do_operand(j, o->points[i]);
 }

@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "arguments.h"
 #include "escape.h"
 #include "nearest.h"
 #include "scene/convention_member.h"
@@ -55,14 +54,14 @@ static void set_digits(struct options *o, char *word)
 
 static void set_precision(struct options *o, char *word)
 {
-	o->accuracy.precision = (enum precision)one_of(precision_names,
-	    "precision", word);
+	o->precision = (enum precision)one_of(precision_names, "precision",
+	    word);
 	o->has_precision = true;
 }
 
 static void set_tolerance(struct options *o, char *word)
 {
-	o->accuracy.tolerance = positive_number("tolerance", word);
+	o->tolerances = tolerances_of("tolerance", word);
 }
 
 static void set_from(struct options *o, char *word)
@@ -133,8 +132,8 @@ static const struct row {
 	    "exact (default), double or single",
 	    .argument = "NAME", .set = set_precision },
 	{ "tolerance", 't', MATRIX | PROJECT | INSPECT,
-	    "the cheapest precision within T units",
-	    .argument = "T", .set = set_tolerance },
+	    "within T of the exact value, a list for x,y,z",
+	    .argument = "T,...", .set = set_tolerance },
 	{ "from", 0, PROJECT, "model, world, view, clip, ndc or device",
 	    .argument = "SPACE", .set = set_from },
 	{ "to", 0, PROJECT, "the same; default device, else ndc",
@@ -275,6 +274,27 @@ static void set(const struct command *c, const struct row *r, char *word,
 		*(bool *)((char *)o + r->on) = true;
 }
 
+/* What -t says of itself: the precision, the digits, and that they be enough. */
+static void check_tolerances(const struct command *c, const struct options *o)
+{
+	if (o->has_precision)
+		die(EXIT_USAGE,
+		    "%s: -p and -t exclude each other; -t chooses "
+		    "the precision",
+		    c->name);
+	if (o->style.kind != NUMBER_SHORTEST && c->kind != INSPECT)
+		die(EXIT_USAGE,
+		    "%s: %s and -t exclude each other; -t says how many "
+		    "decimals there are",
+		    c->name,
+		    o->style.kind == NUMBER_DIGITS ? "--digits" : "-d");
+	if ((o->has_out ? o->out : o->in) == FORMAT_F32)
+		die(EXIT_USAGE,
+		    "%s: floats are not within a tolerance; with -t say "
+		    "-o f64 or -o text",
+		    c->name);
+}
+
 /* Options may stand among the operands: getopt_long moves those to the end. */
 void options_read(const struct command *c, int argc, char **argv,
     struct options *o)
@@ -292,11 +312,8 @@ void options_read(const struct command *c, int argc, char **argv,
 		if (o->help || o->version)
 			return;
 	}
-	if (o->has_precision && o->accuracy.tolerance > 0)
-		die(EXIT_USAGE,
-		    "%s: -p and -t exclude each other; -t chooses "
-		    "the precision",
-		    c->name);
+	if (o->tolerances.n > 0)
+		check_tolerances(c, o);
 	char **operands = argv + optind;
 
 	if (*operands != NULL)

@@ -3,8 +3,8 @@
 #define OPTIONS_H
 
 #include "../core/points.h"
+#include "arguments.h"
 #include "command.h"
-#include "points/line.h"
 
 struct options {
 	bool help, version;
@@ -13,8 +13,9 @@ struct options {
 	bool has_out; /* else out is the same as in, or text for a matrix */
 	struct columns columns; /* of POINTS, by --columns */
 	struct number_style style;
-	struct accuracy accuracy;
+	enum precision precision;
 	bool has_precision;
+	struct tolerances tolerances;
 	bool has_from, has_to;
 	enum space from, to;
 	bool homogeneous, matrix, ray, flags, visible, keep_going, progress;

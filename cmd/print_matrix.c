@@ -73,7 +73,7 @@ void print_matrix(const struct options *o, const struct document *d,
     const struct map *map, bool flat)
 {
 	static char text[16 * (NUMBER_MAX + 2) + 64];
-	bool single = o->accuracy.precision == PRECISION_SINGLE;
+	bool single = o->precision == PRECISION_SINGLE;
 	bool floats = single || o->out == FORMAT_F32;
 	bool column = answer_convention(&d->scene)->column;
 	struct printer p = { .at = text,

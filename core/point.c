@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "kernel/midway.h"
 #include "quick.h"
 
 /* The point as the map takes it. */
@@ -94,21 +95,17 @@ bool point_quick(const struct transform *t, const double in[4], double out[4])
 	return true;
 }
 
-/* Only where the double lies midway between two floats, or between the largest and
- * 2^128, does rounding it again not give the nearest float. */
+/* Elsewhere the double lies on the same side of each midpoint. */
 float point_single(const struct transform *t, const double in[4], int j,
     double image)
 {
-	float a = (float)image;
-	float b = nextafterf(a, (double)a < image ? INFINITY : -INFINITY);
 	struct sum p[4], q, d;
 
-	if ((isfinite(a) ? (double)a / 2 + (double)b / 2 : 0) != image &&
-	    fabs(image) != 0x1.ffffffp127)
-		return a;
+	if (!is_midway(image))
+		return (float)image;
 	set_point(t, in, p);
 	if (!find_divisor(t, in, p, &d))
-		return a;
+		return (float)image;
 	map_column(&t->map, j, p, &q);
 	return (float)sum_nearest(&q, &d, true);
 }

@@ -1,7 +1,6 @@
 #include "points.h"
 
 #include <math.h>
-#include <string.h>
 
 static const struct kernels *kernels = &kernels_baseline;
 
@@ -12,6 +11,11 @@ bool points_choose(const char *name)
 	if (found != NULL)
 		kernels = found;
 	return found != NULL;
+}
+
+const struct kernels *points_kernels(void)
+{
+	return kernels;
 }
 
 /* x y z w, undivided, from two turns of the affine kernel: w's column stands
@@ -26,8 +30,10 @@ static bool carry_four(const struct transform *t, const double *const in[4],
 
 	for (int j = 0; j < 3; j++) {
 		w.none[j] = w.none[3];
+		w.surely_none[j] = w.surely_none[3];
 		for (int i = 0; i < 4; i++) {
 			w.hi[i][j] = w.hi[i][3];
+			w.exact[i][j] = w.exact[i][3];
 			w.lo[i][j] = w.lo[i][3];
 		}
 	}
@@ -108,10 +114,11 @@ static void point_plain(const struct transform *t, bool single,
 		out[j] = image ? rounded(q[j] / w, single) : (double)NAN;
 }
 
-/* Points that a precision could not be trusted with, gathered for the next. */
+/* Points that a kernel could not be trusted with, gathered for the exact one. */
 struct rest {
 	size_t n, which[POINTS_BLOCK];
-	double in[3][POINTS_BLOCK], out[3][POINTS_BLOCK];
+	COLUMN_ALIGNED double in[3][POINTS_BLOCK];
+	COLUMN_ALIGNED double out[3][POINTS_BLOCK];
 };
 
 static void gather(const struct transform *t, const double *const in[4],
@@ -134,15 +141,36 @@ static void gather(const struct transform *t, const double *const in[4],
 }
 
 /* A point that is behind the eye in a precision, or whose w has underflowed there,
- * is computed exactly, which says whether it has an image. */
+ * is computed exactly, which says whether it has an image; and so is one that is
+ * not within its tolerance. */
+static void carry_rest(const struct transform *t, bool single,
+    const double *const in[4], double *const out[4], size_t n)
+{
+	struct rest r;
+
+	gather(t, in, out, n, &r);
+	const double *const in2[4] = { r.in[0], r.in[1], r.in[2] };
+	double *const out2[4] = { r.out[0], r.out[1], r.out[2] };
+
+	if (r.n > 0)
+		carry_exact(t, in2, out2, r.n);
+	for (size_t k = 0; k < r.n; k++)
+		for (int j = 0; j < t->out; j++)
+			out[j][r.which[k]] = rounded(r.out[j][k], single);
+}
+
 static void carry_plain(const struct transform *t, enum precision precision,
     const double *const in[4], double *const out[4], size_t n)
 {
 	plain_kernel fast = kernels->plain[precision][t->kind];
 	bool single = precision == PRECISION_SINGLE;
-	struct rest r;
 
-	for (size_t i = 0; i < n && fast == NULL; i++) {
+	if (fast != NULL) {
+		if (!fast(&t->for_kernel, in, out, n))
+			carry_rest(t, single, in, out, n);
+		return;
+	}
+	for (size_t i = 0; i < n; i++) {
 		double p[4], q[4];
 
 		for (int j = 0; j < t->in; j++)
@@ -151,60 +179,62 @@ static void carry_plain(const struct transform *t, enum precision precision,
 		for (int j = 0; j < t->out; j++)
 			out[j][i] = q[j];
 	}
+}
+
+static void carry_within(const struct transform *t, const double tolerance[3],
+    const double *const in[4], double *const out[4], size_t n)
+{
+	within_kernel fast = kernels->within[t->kind];
+
+	for (int j = 0; j < t->out && j < 3; j++)
+		if (!(tolerance[j] >= 0x1p-1000))
+			fast = NULL;
 	if (fast == NULL)
-		return;
-	if (fast(&t->for_kernel, in, out, n, 0))
-		return;
-	gather(t, in, out, n, &r);
-	const double *const in2[4] = { r.in[0], r.in[1], r.in[2] };
-	double *const out2[4] = { r.out[0], r.out[1], r.out[2] };
-
-	carry_exact(t, in2, out2, r.n);
-	for (size_t k = 0; k < r.n; k++)
-		for (int j = 0; j < t->out; j++)
-			out[j][r.which[k]] = rounded(r.out[j][k], single);
-}
-
-static void carry_within(const struct transform *t, double tolerance,
-    enum precision precision, const double *const in[4], double *const out[4],
-    bool *single, size_t n)
-{
-	plain_kernel fast = kernels->plain[precision][t->kind];
-	struct rest r;
-
-	if (fast == NULL || precision == PRECISION_EXACT) {
 		carry_exact(t, in, out, n);
-		memset(single, 0, n);
-		return;
-	}
-	fast(&t->for_kernel, in, out, n, tolerance);
-	memset(single, precision == PRECISION_SINGLE, n);
-	gather(t, in, out, n, &r);
-	if (r.n == 0)
-		return;
-	const double *const in2[4] = { r.in[0], r.in[1], r.in[2] };
-	double *const out2[4] = { r.out[0], r.out[1], r.out[2] };
-	bool single2[POINTS_BLOCK];
-
-	carry_within(t, tolerance, precision - 1, in2, out2, single2, r.n);
-	for (size_t k = 0; k < r.n; k++) {
-		for (int j = 0; j < t->out; j++)
-			out[j][r.which[k]] = r.out[j][k];
-		single[r.which[k]] = single2[k];
-	}
+	else if (!fast(&t->for_kernel, in, out, n, tolerance))
+		carry_rest(t, false, in, out, n);
 }
 
-void points_carry(const struct transform *t, const struct accuracy *e,
-    const double *const in[4], double *const out[4], bool *single, size_t n)
+void points_carry(const struct transform *t, const struct accuracy *a,
+    const double *const in[4], double *const out[4], size_t n)
 {
-	if (e->tolerance > 0) {
-		carry_within(t, e->tolerance, PRECISION_SINGLE, in, out, single,
-		    n);
-		return;
-	}
-	memset(single, e->precision == PRECISION_SINGLE, n);
-	if (e->precision == PRECISION_EXACT)
+	if (a->tolerance[0] > 0)
+		carry_within(t, a->tolerance, in, out, n);
+	else if (a->precision == PRECISION_EXACT)
 		carry_exact(t, in, out, n);
 	else
-		carry_plain(t, e->precision, in, out, n);
+		carry_plain(t, a->precision, in, out, n);
+}
+
+bool points_split(const char *rows, bool wide, int numbers,
+    double (*columns)[POINTS_BLOCK], size_t n)
+{
+	return kernels->split[wide][numbers](rows, columns, n, MAGNITUDE_MAX);
+}
+
+bool points_join(double (*columns)[POINTS_BLOCK], char *rows, bool wide,
+    int numbers, size_t n)
+{
+	return kernels->join[wide][numbers](columns, rows, n);
+}
+
+bool points_carry_floats(const struct transform *t, const char *in, char *out,
+    size_t n)
+{
+	float_kernel fast = kernels->floats[t->kind];
+	COLUMN_ALIGNED float p[3][POINTS_BLOCK], q[3][POINTS_BLOCK];
+	const float *const from[3] = { p[0], p[1], p[2] };
+	float *const to[3] = { q[0], q[1], q[2] };
+
+	if (fast == NULL)
+		return false;
+	kernels->split_floats[t->in](in, p, n);
+	/* kernels read whole vectors */
+	for (size_t i = n; i % 16 != 0; i++)
+		for (int k = 0; k < t->in; k++)
+			p[k][i] = p[k][0];
+	if (!fast(&t->for_kernel, from, to, n))
+		return false;
+	kernels->join_floats[t->out](q, out, n);
+	return true;
 }

@@ -10,21 +10,35 @@
 /* Chooses the kernels: the best for this processor, or those named. False
  * where it cannot run them. */
 bool points_choose(const char *name);
+const struct kernels *points_kernels(void);
 
-enum { POINTS_BLOCK = 1024 };
-
-/* What points are computed in. With a tolerance above 0, for each point from
- * that point alone, the cheapest precision whose proven bound is at most that
- * in every coordinate. */
+/* What points are computed in: a precision; or, with tolerances above 0, double
+ * for each point of which that alone says that its error is at most tolerance[j] in
+ * every coordinate j, else exact. Four coordinates are exact then. */
 struct accuracy {
 	enum precision precision;
-	double tolerance;
+	double tolerance[3];
 };
 
 /* Images of n <= POINTS_BLOCK points, a column of POINTS_BLOCK each for x, y,
- * z, w. What has no image, or one beyond the range of doubles, is nan.
- * single[i] says that the numbers of point i are floats. */
+ * z, w. What has no image, or one beyond the range of doubles, is nan. In
+ * PRECISION_SINGLE they are floats, unless beyond the range of these. */
 void points_carry(const struct transform *, const struct accuracy *,
-    const double *const in[4], double *const out[4], bool *single, size_t n);
+    const double *const in[4], double *const out[4], size_t n);
+
+/* Rows of so many numbers, 2 to 4, doubles if wide, else floats, to columns.
+ * Returns whether none is beyond MAGNITUDE_MAX. */
+bool points_split(const char *rows, bool wide, int numbers,
+    double (*columns)[POINTS_BLOCK], size_t n);
+
+/* And back. False if a number is not finite, or floats are to be asked of
+ * point_single. */
+bool points_join(double (*columns)[POINTS_BLOCK], char *rows, bool wide,
+    int numbers, size_t n);
+
+/* From rows of floats to rows of floats, in PRECISION_SINGLE; false where one has no
+ * image, or the whole needs points_carry. */
+bool points_carry_floats(const struct transform *, const char *in, char *out,
+    size_t n);
 
 #endif

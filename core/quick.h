@@ -21,13 +21,11 @@ struct quick {
 #define QUICK_ZERO ((struct quick){ { 0, 0 }, 0, true })
 #define QUICK_ONE ((struct quick){ { 1, 0 }, 0, true })
 
-/* What a sum is off by, in units of u^2 of size, as `make prove` counts it: an
- * element is off by 1/2, a product by 6 more, each addition by 3: a column by 15.5,
- * and what is made of two columns by products with elements, a difference and three
- * products more, turned, by 37.5. A quotient has the relative errors of both and 9 of
- * its own, a length the mean of its elements' and 16 of its own: all is within 128
+/* What a column is off by, in units of u^2 of size, as `make prove` counts it: an
+ * element is off by 1/2, a product by 6 more, each addition by 3: a column by 15.5.
+ * A quotient has the relative errors of both and 9 of its own: all is within 32
  * (size/|n| + size/|d|), each of which is at least 1. */
-#define QUICK_BOUND 0x1p-99
+#define QUICK_BOUND 0x1p-101
 
 /* dd_add, with an eye on its roundings. */
 static inline dd quick_sum(dd a, dd b, bool *exact)

@@ -1,28 +1,26 @@
-/* The ray under a position on the device. */
+/* Rays under positions on the device. */
 #ifndef RAY_H
 #define RAY_H
 
-#include "point.h"
+#include "points.h"
 
 struct ray_maker {
-	struct transform to_world; /* from the device */
-	struct transform to_view;  /* from the device */
-	struct transform turn;     /* from view to world */
+	struct transform to_world; /* from the device, to where rays begin */
 	double depth;              /* the near plane's, on the device */
-	/* There is no near plane: rays begin at the eye, here as doubles and as
-	 * floats. */
-	bool from_eye;
-	double eye[2][3];
-	bool against; /* device depth falls away from the eye */
+	/* From (x, y, any, 1) on the device to a vector along the ray, in the
+	 * first three columns. */
+	struct map along;
+	struct kernel_map for_kernel;
 };
 
 /* Returns NULL, or the member and the reason. */
 const char *ray_maker_of(const struct scene *, struct ray_maker *);
 
-/* The point on the near plane under a device position, or the eye where there is no
- * such plane, and the unit direction away from the eye, from near to far, in world
- * space: the nearest doubles, or floats. nan where there is none. */
-void ray_exact(const struct ray_maker *, const double at[2], bool single,
-    double point[3], double direction[3]);
+/* The points on the near plane under n <= POINTS_BLOCK device positions, or where
+ * there is none the eye, and the unit directions away from the eye, from near to far,
+ * in world space: columns of POINTS_BLOCK of the nearest doubles, or floats. nan
+ * where there is none. */
+void rays_cast(const struct ray_maker *, bool single, const double *const at[2],
+    double *const point[3], double *const direction[3], size_t n);
 
 #endif

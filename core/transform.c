@@ -12,11 +12,9 @@ static dd rounded(struct sum s)
 	return e.hi == 0 ? (dd){ sum_sign(s) * 0x1p-1074, 0 } : e;
 }
 
-/* Rounds the map, seen from its origin. */
-static void set_kernel_map(struct transform *t)
+void kernel_map_of(const struct map *m, struct kernel_map *k)
 {
-	struct kernel_map *k = &t->for_kernel;
-	struct map seen = t->map;
+	struct map seen = *m;
 	struct sum origin[4] = { [3] = sum_of_double(1) };
 
 	k->a_hi = k->a_lo = k->b_hi = k->b_lo = 0;
@@ -26,7 +24,7 @@ static void set_kernel_map(struct transform *t)
 	}
 	for (int j = 0; j < 4; j++) {
 		k->most[j] = k->none[j] = 0;
-		map_column(&t->map, j, origin, &seen.m[3][j]);
+		map_column(m, j, origin, &seen.m[3][j]);
 		for (int i = 0; i < 4; i++) {
 			struct sum image = map_element(&seen, i, j);
 			dd e = rounded(image);
@@ -40,6 +38,12 @@ static void set_kernel_map(struct transform *t)
 				k->most[j] = fmax(k->most[j], fabs(e.hi));
 		}
 		k->image[j] = fabs(k->hi[3][j]);
+		/* what is none of 1 times it */
+		struct magnitude size = map_element(m, 3, j).size;
+
+		k->surely_none[j] = m->m[3][j].size.m > 0 ?
+		    ldexp(size.m, size.e - 191) :
+		    0;
 	}
 }
 
@@ -61,7 +65,7 @@ void transform_init(struct transform *t, enum space from, enum space to,
 	t->kind = t->in != 3 || t->out != 3 ? KERNEL_NONE :
 	    t->divide                       ? KERNEL_PROJECTIVE :
 					      KERNEL_AFFINE;
-	set_kernel_map(t);
+	kernel_map_of(&t->map, &t->for_kernel);
 }
 
 /* Where view z alone determines w and depth, depth = a + b / w. */
@@ -109,6 +113,6 @@ const char *flat_transform(const struct scene *s, enum flat from, enum flat to,
 	t->divide = t->front = t->reciprocal = false;
 	t->kind = KERNEL_FLAT;
 	if (why == NULL)
-		set_kernel_map(t);
+		kernel_map_of(&t->map, &t->for_kernel);
 	return why;
 }

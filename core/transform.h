@@ -33,4 +33,7 @@ const char *flat_transform(const struct scene *, enum flat from, enum flat to,
 void transform_init(struct transform *, enum space from, enum space to,
     bool homogeneous);
 
+/* Rounds a map, seen from its origin. */
+void kernel_map_of(const struct map *, struct kernel_map *);
+
 #endif

@@ -1,78 +1,104 @@
-# The charts of what bench.sh measured last.
+# The charts of what bench.pl measured last.
 # usage: gnuplot -c bench.gp DATA CHARTS, two directories
-set terminal svg size 860,560 font "Helvetica,14" background "white"
-set datafile separator "\t"
-set border 3
-set tics nomirror out
-set style textbox opaque noborder fillcolor "white" margins 0.3,0.3
-grey = "#808080"
-ours = "#000000"
+data = ARG1 . "/"
+array Kind[3] = ["ours", "double", "float"]
+array Title[3] = ["projcalc", "others in double", "others in float"]
+array Hollow[3] = [4, 6, 8]
 
-memory = ARG1 . "/memory.tsv"
-set output ARG2 . "/speed-accuracy.svg"
-set title "A point from world to device: how fast, how exact" font ",16"
-set xlabel "nanoseconds a point, in memory"
-set ylabel "worst error in device units"
-set logscale xy
-set xrange [0.3:10]
-set xtics (0.3, 0.5, 1, 2, 3, 5, 10)
-# What is no number stands above all that are.
-none = 1e2
-set yrange [1e-15:1e3]
-set format y "10^{%T}"
-set ytics 1e-14, 100, 1
-unset mytics
-set ytics add ("nan" none)
-error(c) = strcol(c) eq "inf" ? none : column(c)
+# A panel of 690 x 240, in which names.pl has placed the names, below y pixels of
+# a picture that is so high.
+axes = 'load data . name . ".gp"; \
+set lmargin at screen 85 / 800.0; \
+set rmargin at screen 775 / 800.0; \
+set tmargin at screen 1 - y / high; \
+set bmargin at screen 1 - (y + 240) / high; \
+set label 2 title at graph 0, 1 offset 0, 1'
 half = 2.0**-44
-set label 1 "the nearest double to a coordinate beyond 512" \
-    at 0.31, half offset 0, -0.7 font ",12" textcolor rgb "#404040"
-mine(c) = strcol(1)[1:8] eq "projcalc" ? error(c) : NaN
-peer(c) = strcol(1)[1:8] eq "projcalc" ? NaN : error(c)
-# Where a name stands, so that it meets neither a point nor another name.
-left = "projcalc double, projcalc single, GLM double"
-right = "projcalc exact, cglm float, Eigen double"
-above = "GLM float"
-below = "projcalc -t 0.5"
-on(names) = strstrt(names, strcol(1)) ? error(4) : NaN
-set key at graph 1.08, graph 1 Left reverse samplen 1 spacing 1.2
-plot half with lines linecolor rgb grey dashtype 2 notitle, \
-    memory using 3:(error(4)):(0):(error(5) - error(4)) with vectors \
-    nohead linecolor rgb grey notitle, \
-    "" using 3:(on(left)):1 with labels boxed right offset -1.2, 0 notitle, \
-    "" using 3:(on(right)):1 with labels boxed left offset 1.2, 0 notitle, \
-    "" using 3:(on(above)):1 with labels boxed right offset -1.2, 0.5 notitle, \
-    "" using 3:(on(below)):1 with labels boxed offset 0, -1 notitle, \
-    "" using 3:(mine(4)) with points pointtype 5 pointsize 0.9 \
-    linecolor rgb ours title "projcalc, ordinary scenes", \
-    "" using 3:(mine(5)) with points pointtype 4 pointsize 1.3 linewidth 2 \
-    linecolor rgb ours title "the same, 1e9 away", \
-    "" using 3:(peer(4)) with points pointtype 7 pointsize 0.9 \
-    linecolor rgb grey title "others, ordinary scenes", \
-    "" using 3:(peer(5)) with points pointtype 6 pointsize 0.9 linewidth 2 \
-    linecolor rgb grey title "the same, 1e9 away"
+is(kind, c) = strcol(1) eq kind ? column(c) : NaN
+on(side, c) = column(4) == side ? column(c) : NaN
+names = '"" index 1 using 2:(on(1, 3)):1 with labels left notitle, \
+    "" index 1 using 2:(on(0, 3)):1 with labels center notitle, \
+    "" index 1 using 2:(on(-1, 3)):1 with labels right notitle'
+points = 'half with lines linestyle 4 dashtype 2 notitle, \
+    for [k = 1:3] data . name . ".tsv" index 0 using 2:(is(Kind[k], 3)) \
+    with points linestyle k title Title[k]'
+
+frame = 'set datafile separator "\t"; \
+set style line 1 linecolor rgb "#000000" pointtype 5 pointsize 0.8; \
+set style line 2 linecolor rgb "#0072b2" pointtype 7 pointsize 0.7; \
+set style line 3 linecolor rgb "#d55e00" pointtype 9 pointsize 0.8; \
+set style line 4 linecolor rgb "#909090" linewidth 1; \
+set border 3 linecolor rgb "#606060"; \
+set tics nomirror out textcolor rgb "#404040"; \
+set logscale xy; \
+set format y "10^{%T}"; \
+set ytics 1e-15, 1000; \
+unset mxtics; \
+unset mytics; \
+set xlabel "nanoseconds a point, CPU" offset 0, 0.4; \
+set ylabel "worst error in pixels" offset 1; \
+set key at screen 0.97, screen 1 - 45 / high right top horizontal \
+    Left reverse samplen 1'
+
+high = 865.0
+set terminal svg size 800,high font "Helvetica,13" background "white"
+set output ARG2 . "/programs.svg"
+set multiplot title "Whole programs, from the world to the device" font ",16"
+@frame
+name = "text"
+title = "Lines of three numbers, one thread; " . \
+    "loop, GLM, cglm and Eigen with fast\\_float and std::to\\_chars"
+y = 95
+@axes
+plot @points, @names
+unset key
+name = "binary"
+title = "Binary points, one thread; " . \
+    "loop, GLM, cglm and Eigen with fread and fwrite"
+y = 425
+@axes
+plot @points, @names
 
 reset
 set datafile separator "\t"
-rates = ARG1 . "/throughput.tsv"
-set output ARG2 . "/throughput.svg"
-stats rates using 2 nooutput
-set title "Whole programs, text in and text out" font ",16"
-set xlabel "million lines of three numbers a second"
-set xrange [0:STATS_max * 1.1]
-set yrange [STATS_records - 0.4:-0.6]
-set border 1
-set tics nomirror out
-set ytics scale 0
-set xtics border
-set key off
-set lmargin 32
-set style fill solid border rgb ours
-high = 0.36
-mine(c) = strcol(1)[1:8] eq "projcalc" ? column(c) : NaN
-peer(c) = strcol(1)[1:8] eq "projcalc" ? NaN : column(c)
-plot rates using (0):0:(0):(mine(2)):($0 - high):($0 + high):ytic(1) \
-    with boxxyerror linecolor rgb "#202020", \
-    "" using (0):0:(0):(peer(2)):($0 - high):($0 + high) \
-    with boxxyerror linecolor rgb "#c0c0c0", \
-    "" using 2:0:(sprintf("%.2f", $2)) with labels left offset 0.5, 0
+unset key
+unset xtics
+set border 2 linecolor rgb "#606060"
+set label 2 "Two threads against one, exact: million points a second, wall" \
+    at screen 85 / 800.0, screen 1 - 742 / high
+set ytics scale 0 nomirror
+set lmargin at screen 180 / 800.0
+set rmargin at screen 720 / 800.0
+set tmargin at screen 1 - 755 / high
+set bmargin at screen 10 / high
+set xrange [0:*]
+set yrange [3.6:-0.6]
+# One thread is even, two are odd.
+bar = '($0 - 0.35):($0 + 0.35)'
+threads(n) = int($0) % 2 + 1 == n ? column(2) : NaN
+plot data . "threads.tsv" using (0):0:(0):(threads(1)):@bar:ytic(1) \
+    with boxxyerror fillstyle solid noborder linecolor rgb "#000000", \
+    "" using (0):0:(0):(threads(2)):@bar \
+    with boxxyerror fillstyle pattern 5 linecolor rgb "#707070", \
+    "" using 2:0:(sprintf("%.1f", column(2))) with labels left offset 0.6, 0
+unset multiplot
+
+high = 380.0
+set terminal svg size 800,high font "Helvetica,13" background "white"
+set output ARG2 . "/memory.svg"
+reset
+set multiplot title "In memory, from the world to the device, one thread" \
+    font ",16"
+@frame
+set label 3 "hollow: scenes 1e9 away from the origin, where floats have no room" \
+    at graph 0.99, 0.96 right font ",11" textcolor rgb "#404040"
+name = "memory"
+title = ""
+y = 75
+@axes
+plot @points, data . name . ".tsv" index 0 \
+    using 2:3:(0):($4 - $3) with vectors nohead linestyle 4 notitle, \
+    for [k = 1:3] "" index 0 using 2:($4 == $3 ? NaN : is(Kind[k], 4)) \
+    with points linestyle k pointtype Hollow[k] notitle, \
+    @names
+unset multiplot

@@ -1,160 +1,98 @@
 /* Our precisions beside other people's libraries, on points in memory:
  * nanoseconds a point, and the worst error in device units against MPFR.
  *
- * usage: peers              a row each, with tabs between its fields: name,
- *                           least and median ns a point, worst error in
- *                           ordinary scenes, the same in scenes 1e9 away
- *        peers versions     the versions of the libraries it was built with
- *        peers filter NAME  text in, text out; fails if NAME was not there
- *                           when it was built */
-#include <math.h>
+ * usage: peers                   a row each, with tabs between its fields: name,
+ *                                median ns a point, worst error in ordinary
+ *                                scenes, the same in scenes 1e9 away ("-" for
+ *                                those whose numbers have no room for one)
+ *        peers versions          what it was built with
+ *        peers stdio|text|binary NAME
+ *                                whole programs around a peer, from standard
+ *                                input to standard output; fails if NAME was
+ *                                not there when it was built */
 #include <stdio.h>
-#include <string.h>
 
 #include "../../core/bench/clock.h"
 #include "../../core/points.h"
 #include "../../core/test/sample.h"
-#include "../../core/test/truth.h"
-#include "peer/peer.h"
+#include "view.h"
 
-enum { RUNS = 201, CALLS = 4, SCENES = 40, POINTS = 200, OURS = 4 };
-enum { ENTRIES_MAX = 16 };
+enum { RUNS = 201, CALLS = 4, SCENES = 40, POINTS = 200, ENTRIES_MAX = 16 };
+enum { ORDINARY, FAR, DISTANCES };
 
 struct entry {
 	const char *name;
 	const struct peer *peer; /* NULL: ours, with this accuracy */
 	struct accuracy accuracy;
 	double times[RUNS];
-	double error[2]; /* ordinary, far */
+	double error[DISTANCES];
 };
 
 static struct entry entries[ENTRIES_MAX] = {
-	{ .name = "projcalc exact", .accuracy = { PRECISION_EXACT, 0 } },
-	{ .name = "projcalc double", .accuracy = { PRECISION_DOUBLE, 0 } },
-	{ .name = "projcalc single", .accuracy = { PRECISION_SINGLE, 0 } },
-	{ .name = "projcalc -t 0.5", .accuracy = { PRECISION_EXACT, 0.5 } },
+	{ .name = "projcalc, exact", .accuracy = { PRECISION_EXACT, { 0 } } },
+	{ .name = "projcalc, -t 1e-6",
+	    .accuracy = { PRECISION_EXACT, { 1e-6, 1e-6, 1e-6 } } },
+	{ .name = "projcalc, -t 0.5",
+	    .accuracy = { PRECISION_EXACT, { 0.5, 0.5, 0.5 } } },
+	{ .name = "projcalc, double", .accuracy = { PRECISION_DOUBLE, { 0 } } },
+	{ .name = "projcalc, single", .accuracy = { PRECISION_SINGLE, { 0 } } },
 };
-static int n_entries = OURS;
+static int n_entries = 5;
 
-static const struct peer *const peers[] = { peers_glm, peers_cglm,
+static const struct peer *const peers[] = { peers_plain, peers_glm, peers_cglm,
 	peers_eigen };
 
 enum { PEERS = sizeof peers / sizeof *peers };
 
-static const struct view bench_view = { .eye = { 1, 2, -5 },
-	.at = { 0.1, 0.2, 0.3 },
-	.up = { 0, 1, 0 },
-	.fovy = 60,
-	.near = 1,
-	.far = 10,
-	.width = 640,
-	.height = 480 };
+/* A block of points, all of them floats: in columns for us, and for the others in
+ * their layouts. */
+static COLUMN_ALIGNED double in[3][POINTS_BLOCK], out[4][POINTS_BLOCK];
+static _Alignas(64) double peer_in[4 * PEER_BLOCK], peer_out[4 * PEER_BLOCK];
 
-/* One block of points, in columns for us and side by side for the others. */
-static double in[3][POINTS_BLOCK], out[4][POINTS_BLOCK];
-static double doubles_in[POINTS_BLOCK][3], doubles_out[POINTS_BLOCK][3];
-static float floats_in[POINTS_BLOCK][3], floats_out[POINTS_BLOCK][3];
-
-static struct scene scene_of(const struct view *v)
+static void set_point(size_t i, const double p[3])
 {
-	struct scene s = {
-		.has_camera = true,
-		.camera = { .by = CAMERA_AT },
-		.projection = { .type = PROJECTION_PERSP,
-		    .extent = EXTENT_FOVY,
-		    .angle = v->fovy,
-		    .aspect = { v->width, v->height },
-		    .near = v->near,
-		    .far = v->far },
-		.has_viewport = true,
-		.viewport = { .width = v->width,
-		    .height = v->height,
-		    .max_z = 1 },
-	};
-
-	memcpy(s.camera.eye, v->eye, sizeof v->eye);
-	memcpy(s.camera.at, v->at, sizeof v->at);
-	memcpy(s.camera.up, v->up, sizeof v->up);
-	return s;
+	for (int k = 0; k < 3; k++)
+		in[k][i] = p[k];
 }
 
-/* Fills the block with points of the view volume: device points, taken back
- * into the world. */
-static bool fill(const struct scene *s, const struct view *v, size_t n)
+static void give(const struct peer *p, size_t n)
 {
-	struct transform t;
+	float *singles = (float *)(void *)peer_in;
 
-	if (scene_transform(s, SPACE_DEVICE, SPACE_WORLD, false, &t) != NULL)
-		return false;
-	for (size_t i = 0; i < n; i++) {
-		double w = sample_between(v->near, v->far);
-		double p[4],
-		    at[4] = { sample_between(0, v->width),
-			    sample_between(0, v->height),
-			    v->far * (w - v->near) / (w * (v->far - v->near)) };
+	for (size_t i = 0; i < n; i++)
+		for (size_t k = 0; k < 4; k++) {
+			size_t at = i * p->layout.point +
+			    k * p->layout.coordinate;
+			double value = k < 3 ? in[k][i] : 1;
 
-		point_exact(&t, at, p);
-		for (int k = 0; k < 3; k++) {
-			in[k][i] = doubles_in[i][k] = p[k];
-			floats_in[i][k] = (float)p[k];
+			if (k == 3 && p->layout.point != 4)
+				continue;
+			if (p->single)
+				singles[at] = (float)value;
+			else
+				peer_in[at] = value;
 		}
-	}
-	return true;
 }
 
-static void carry(const struct entry *e, const struct transform *t, size_t n)
-{
-	static bool single[POINTS_BLOCK];
-	const double *const from[4] = { in[0], in[1], in[2] };
-	double *const to[4] = { out[0], out[1], out[2], out[3] };
-
-	if (e->peer == NULL)
-		points_carry(t, &e->accuracy, from, to, single, n);
-	else if (e->peer->single)
-		e->peer->carry(floats_in, floats_out, n);
-	else
-		e->peer->carry(doubles_in, doubles_out, n);
-}
-
-static double image(const struct entry *e, size_t i, int k)
+static double image(const struct entry *e, size_t i, size_t k)
 {
 	if (e->peer == NULL)
 		return out[k][i];
-	return e->peer->single ? (double)floats_out[i][k] : doubles_out[i][k];
+	size_t at = i * e->peer->layout.point + k * e->peer->layout.coordinate;
+
+	return e->peer->single ? (double)((float *)(void *)peer_out)[at] :
+				 peer_out[at];
 }
 
-/* The worst error of the images that an entry has computed, against the truth.
- * What is no number counts as infinitely wrong. */
-static double worst_error(const struct entry *e, const struct truth *truth,
-    size_t n)
+/* A random number that is a float: it has ten bits after the point. */
+static double float_between(double a, double b)
 {
-	double worst = 0;
-
-	for (size_t i = 0; i < n; i++) {
-		int mark = real_mark();
-		double p[4] = { in[0][i], in[1][i], in[2][i], 1 };
-		real q[4], sum[4];
-
-		truth_image(truth, p, q, sum);
-		for (int k = 0; k < 3; k++) {
-			double got = image(e, i, k);
-
-			if (!isfinite(got)) {
-				worst = (double)INFINITY;
-				continue;
-			}
-			real error = sub(over(q[k], q[3]), number(got));
-
-			worst = fmax(worst,
-			    mpfr_get_d(magnitude(error), MPFR_RNDU));
-		}
-		real_release(mark);
-	}
-	return worst;
+	return rint(0x1p10 * sample_between(a, b)) * 0x1p-10;
 }
 
 /* A camera a few units from what it looks at, and both as far from the origin
- * as far_away. */
+ * as far_away; at no distance all numbers are floats. A quarter has no far
+ * plane. */
 static struct view random_view(double far_away)
 {
 	struct view v = bench_view;
@@ -167,37 +105,84 @@ static struct view random_view(double far_away)
 	for (int k = 0; k < 3; k++) {
 		double away = far_away * direction[k] / length;
 
-		v.eye[k] = away + sample_between(-5, 5);
-		v.at[k] = away + sample_between(-5, 5);
+		v.eye[k] = away + float_between(-5, 5);
+		v.at[k] = away + float_between(-5, 5);
 	}
-	v.fovy = sample_between(20, 90);
-	v.near = sample_between(0.1, 1);
-	v.far = sample_between(10, 100);
+	v.fovy = float_between(20, 90);
+	v.near = float_between(0.1, 1);
+	v.far = sample_below(4) == 0 ? HUGE_VAL : float_between(10, 100);
+	compose(&v);
 	return v;
 }
 
-static bool measure_errors(int which, double far_away)
+/* Fills the block with points of the view volume: device points, taken back
+ * into the world. */
+static bool fill(const struct scene *s, const struct view *v, bool floats,
+    size_t n)
 {
-	for (int k = 0; k < SCENES; k++) {
+	struct transform t;
+
+	if (scene_transform(s, SPACE_DEVICE, SPACE_WORLD, false, &t) != NULL)
+		return false;
+	for (size_t i = 0; i < n; i++) {
+		double w = sample_between(v->near, fmin(v->far, 100)), p[4],
+		       at[4] = { sample_between(0, v->width),
+			       sample_between(0, v->height),
+			       (1 - v->near / w) / (1 - v->near / v->far) };
+
+		point_exact(&t, at, p);
+		for (int k = 0; k < 3; k++)
+			p[k] = floats ? (double)(float)p[k] : p[k];
+		set_point(i, p);
+	}
+	return true;
+}
+
+static void carry(const struct entry *e, const struct transform *t, size_t n)
+{
+	const double *const from[4] = { in[0], in[1], in[2] };
+	double *const to[4] = { out[0], out[1], out[2], out[3] };
+
+	if (e->peer == NULL)
+		points_carry(t, &e->accuracy, from, to, n);
+	else
+		e->peer->carry(peer_in, peer_out, n);
+}
+
+static bool takes_part(const struct entry *e, int distance)
+{
+	return distance == ORDINARY || e->peer == NULL || !e->peer->single;
+}
+
+static bool measure_errors(int distance, double far_away)
+{
+	for (int scene = 0; scene < SCENES; scene++) {
 		struct view v = random_view(far_away);
 		struct scene s = scene_of(&v);
 		struct transform t;
 		struct truth truth = { 0 };
 		int mark = real_mark();
 
-		if (!fill(&s, &v, POINTS) ||
+		if (!fill(&s, &v, distance == ORDINARY, POINTS) ||
 		    scene_transform(&s, SPACE_WORLD, SPACE_DEVICE, false, &t) !=
 			NULL)
 			return false;
 		truth_scene(&s, SPACE_WORLD, SPACE_DEVICE, &truth);
-		for (int e = 0; e < n_entries; e++) {
-			struct entry *a = &entries[e];
-
-			if (a->peer != NULL)
-				a->peer->prepare(&v);
-			carry(a, &t, POINTS);
-			a->error[which] = fmax(a->error[which],
-			    worst_error(a, &truth, POINTS));
+		for (struct entry *e = entries; e < entries + n_entries; e++) {
+			if (!takes_part(e, distance))
+				continue;
+			if (e->peer != NULL) {
+				e->peer->prepare(&v);
+				give(e->peer, POINTS);
+			}
+			carry(e, &t, POINTS);
+			for (size_t i = 0; i < POINTS; i++)
+				e->error[distance] = fmax(e->error[distance],
+				    error_of(&truth,
+					(double[]){ in[0][i], in[1][i],
+					    in[2][i] },
+					(double[]){ image(e, i, 0),
+					    image(e, i, 1), image(e, i, 2) }));
 		}
 		real_release(mark);
 	}
@@ -211,31 +196,24 @@ static bool measure_times(void)
 	struct scene s = scene_of(&bench_view);
 	struct transform t;
 
-	if (!fill(&s, &bench_view, POINTS_BLOCK) ||
+	if (!fill(&s, &bench_view, true, POINTS_BLOCK) ||
 	    scene_transform(&s, SPACE_WORLD, SPACE_DEVICE, false, &t) != NULL)
 		return false;
-	for (int e = 0; e < n_entries; e++)
-		if (entries[e].peer != NULL)
-			entries[e].peer->prepare(&bench_view);
-	for (int run = -1; run < RUNS; run++)
-		for (int e = 0; e < n_entries; e++) {
+	for (int run = 0; run < RUNS; run++)
+		for (struct entry *e = entries; e < entries + n_entries; e++) {
+			if (e->peer != NULL) {
+				e->peer->prepare(&bench_view);
+				give(e->peer, POINTS_BLOCK);
+			}
+			carry(e, &t, POINTS_BLOCK); /* into the cache */
 			double start = clock_ns();
 
 			for (int i = 0; i < CALLS; i++)
-				carry(&entries[e], &t, POINTS_BLOCK);
-			if (run >= 0) /* the first warms up */
-				entries[e].times[run] = (clock_ns() - start) /
-				    (CALLS * POINTS_BLOCK);
+				carry(e, &t, POINTS_BLOCK);
+			e->times[run] = (clock_ns() - start) /
+			    (CALLS * POINTS_BLOCK);
 		}
 	return true;
-}
-
-static void find_peers(void)
-{
-	for (int i = 0; i < PEERS; i++)
-		for (const struct peer *p = peers[i]; p->name != NULL; p++)
-			entries[n_entries++] = (struct entry){ .name = p->name,
-				.peer = p };
 }
 
 static int print_versions(void)
@@ -246,43 +224,55 @@ static int print_versions(void)
 	puts("gcc " __VERSION__);
 #endif
 	for (int i = 0; i < PEERS; i++)
-		if (peers[i]->name != NULL)
-			printf("%.*s %s\n", (int)strcspn(peers[i]->name, " "),
+		if (peers[i]->version != NULL)
+			printf("%.*s %s\n", (int)strcspn(peers[i]->name, ","),
 			    peers[i]->name, peers[i]->version);
 	return 0;
 }
 
-static int run_filter(const char *name)
+static int run_filter(const char *filter, const char *name)
 {
-	for (int e = OURS; e < n_entries; e++) {
-		const struct peer *p = entries[e].peer;
-
-		if (strcmp(p->name, name) != 0 || p->filter == NULL)
-			continue;
-		p->prepare(&bench_view);
-		p->filter();
-		return fflush(stdout) != 0;
-	}
+	for (int i = 0; i < PEERS; i++)
+		for (const struct peer *p = peers[i]; p->name != NULL; p++) {
+			if (strcmp(p->name, name) != 0)
+				continue;
+			p->prepare(&bench_view);
+			return !peer_filter(p,
+			    filter[0] == 's'     ? FILTER_STDIO :
+				filter[0] == 't' ? FILTER_TEXT :
+						   FILTER_BINARY);
+		}
 	return 1;
+}
+
+static void print_entry(struct entry *e)
+{
+	struct timing t = timing_of(e->times, RUNS);
+
+	printf("%s\t%.2f\t%.1e\t", e->name, t.median, e->error[ORDINARY]);
+	if (takes_part(e, FAR))
+		printf("%.1e\n", e->error[FAR]);
+	else
+		puts("-");
 }
 
 int main(int argc, char **argv)
 {
-	find_peers();
 	if (argc == 2 && strcmp(argv[1], "versions") == 0)
 		return print_versions();
-	if (argc == 3 && strcmp(argv[1], "filter") == 0)
-		return run_filter(argv[2]);
+	compose(&bench_view);
+	if (argc == 3)
+		return run_filter(argv[1], argv[2]);
+	for (int i = 0; i < PEERS; i++)
+		for (const struct peer *p = peers[i]; p->name != NULL; p++)
+			entries[n_entries++] = (struct entry){ .name = p->name,
+				.peer = p };
 	points_choose(NULL);
 	sample_seed(1);
-	if (!measure_times() || !measure_errors(0, 0) ||
-	    !measure_errors(1, 1e9))
+	if (!measure_times() || !measure_errors(ORDINARY, 0) ||
+	    !measure_errors(FAR, 1e9))
 		return 1;
-	for (int e = 0; e < n_entries; e++) {
-		struct timing t = timing_of(entries[e].times, RUNS);
-
-		printf("%s\t%.2f\t%.2f\t%.1e\t%.1e\n", entries[e].name, t.min,
-		    t.median, entries[e].error[0], entries[e].error[1]);
-	}
+	for (int e = 0; e < n_entries; e++)
+		print_entry(&entries[e]);
 	return 0;
 }

@@ -24,7 +24,7 @@ void die(int status, const char *format, ...)
 	longjmp(refused, 1);
 }
 
-/* All that was allocated, to be freed here: a refusal frees nothing. */
+/* All that a refusal leaves, to be freed here: what cJSON has. */
 static struct block {
 	struct block *next;
 	_Alignas(max_align_t) char bytes[];
@@ -56,11 +56,14 @@ static void drop_all(void)
 	}
 }
 
+/* A copy of a part, which is freed before anything is refused. */
 void *need(void *old, size_t size)
 {
-	if (old != NULL)
+	void *p = realloc(old, size);
+
+	if (p == NULL)
 		abort();
-	return hold(size);
+	return p;
 }
 
 static void check_point_lines(const char *points, size_t size)
@@ -97,7 +100,7 @@ static void run(char *text, size_t size, int mode)
 	struct document d;
 
 	if (mode & 128) {
-		document_points("a", text, size, 2 + (mode & 1), &d.points,
+		d.points = document_points("a", text, size, 2 + (mode & 1),
 		    &d.points_size);
 		check_point_lines(d.points, d.points_size);
 		return;

@@ -24,10 +24,13 @@ static inline struct layout layout_of(const uint8_t *b)
 		.reads = size[0],
 		.writes = size[1],
 		.flags = b[1] / 6 & 1,
-		.style = { b[2] % 3, b[2] / 3 % 3 == 1 ? 100 : 1 + b[2] % 17 },
 	};
 	int columns = b[1] / 12 % 6;
 
+	for (int k = 0; k < COORDINATES_MAX; k++) {
+		l.style[k].kind = b[2] % 4;
+		l.style[k].n = b[2] / 4 % 3 == 1 ? 100 : 1 + (b[2] + k) % 17;
+	}
 	if (l.in > FORMAT_JSON || columns == 0)
 		return l;
 	l.columns.n = l.reads;

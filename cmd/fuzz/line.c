@@ -49,7 +49,8 @@ static void check_back(const struct layout *l, const double v[],
 	line_read(&back, text, text.end, &header, &line, read, reason);
 	want(line.kind == LINE_POINT);
 	for (int i = 0; i < back.reads; i++)
-		want(l->style.kind != NUMBER_SHORTEST || same(read[i], v[i]));
+		want(
+		    l->style[i].kind != NUMBER_SHORTEST || same(read[i], v[i]));
 }
 
 /* cJSON refuses half of a surrogate pair and \u0000; lines may hold them. */

@@ -161,7 +161,10 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 	j->visible = j->layout.reads > 2 && b & 1;
 	j->count_imageless = !j->flags && !j->visible;
 	j->accuracy.precision = (enum precision)(b / 2 % 3);
-	j->accuracy.tolerance = b & 64 ? 0.5 : 0;
+	for (int k = 0; k < 3 && b & 64 && j->layout.out != FORMAT_F32; k++)
+		j->accuracy.tolerance[k] = 0.5;
+	j->layout.single = j->accuracy.precision == PRECISION_SINGLE &&
+	    !(j->accuracy.tolerance[0] > 0);
 }
 
 /* Does what stream_file and answer.c do, on a single chunk. As there, a newline
@@ -171,7 +174,6 @@ static void do_at_once(struct job *j, const char *text, size_t size)
 	static bool unended;
 	struct chunk *c = chunk_new();
 
-	c->first = true;
 	c->header = j->layout.in == FORMAT_CSV;
 	c->text = text;
 	c->end = text + size;

@@ -21,6 +21,8 @@ struct check {
 	const char *text, *p, *end;
 	int level;
 	struct json_error *error;
+	const char *name; /* of the member to be found, or NULL */
+	struct json_part part;
 };
 
 static bool is_letter(char c)
@@ -68,17 +70,34 @@ static bool at_comment(const struct check *s)
 
 static void blanks(struct check *s)
 {
-	size_t kinds = s->kind == JSON_LINE ? 6 : 4;
+	bool line = s->kind == JSON_LINE;
+	const char *p = s->p;
 
-	while (s->p < s->end && (unsigned char)*s->p <= ' ' &&
-	    memchr(" \t\r\n\v\f", *s->p, kinds) != NULL)
-		s->p++;
+	while (p < s->end &&
+	    (*p == ' ' || *p == '\n' || *p == '\t' || *p == '\r' ||
+		(line && (*p == '\v' || *p == '\f'))))
+		p++;
+	s->p = p;
 }
 
 /* Whether c can be part of a word or number. */
 static bool in_token(char c)
 {
-	return (unsigned char)c > ' ' && strchr(",:[]{}\"'/#", c) == NULL;
+	switch (c) {
+	case ',':
+	case ':':
+	case '[':
+	case ']':
+	case '{':
+	case '}':
+	case '"':
+	case '\'':
+	case '/':
+	case '#':
+		return false;
+	default:
+		return (unsigned char)c > ' ';
+	}
 }
 
 /* Where the word or number at p ends. */
@@ -185,10 +204,21 @@ static bool character(struct check *s)
 	    fail(s, "byte 0x%02x is not UTF-8; JSON is UTF-8 text", c);
 }
 
+/* Whether c is any character of a string but a quotation mark, and needs no
+ * look at what is around it. */
+static bool is_plain(char c)
+{
+	return c >= ' ' && c != '"' && c != '\\' && (unsigned char)c < 0x80;
+}
+
 /* At a quotation mark. */
 static bool string(struct check *s)
 {
-	for (s->p++; !at(s, '"');) {
+	for (s->p++;;) {
+		while (s->p < s->end && is_plain(*s->p))
+			s->p++;
+		if (at(s, '"'))
+			break;
 		if (s->p == s->end)
 			return fail(s, "a string is not closed; add '\"'");
 		if (!character(s))
@@ -250,9 +280,8 @@ static const char *word_end(const char *s, const char *end)
 static bool scalar(struct check *s)
 {
 	const char *start = s->p;
-	double v;
 	const char *e = is_letter(*start) ? word_end(start, s->end) :
-					    json_number(start, s->end, &v);
+					    json_number_end(start, s->end);
 
 	if (e != NULL)
 		s->p = e;
@@ -267,10 +296,12 @@ static bool value(struct check *s)
 {
 	char c = s->p < s->end ? *s->p : '\0';
 
-	if (is_letter(c) || memchr("+-.0123456789", c, 13) != NULL)
+	if ((c >= '0' && c <= '9') || c == '-')
 		return scalar(s);
 	if (c == '{' || c == '[')
 		return list(s);
+	if (is_letter(c) || c == '+' || c == '.')
+		return scalar(s);
 	return c == '"' ? string(s) : stray(s, "a value");
 }
 
@@ -311,6 +342,40 @@ static bool comma(struct check *s, const char *open, char close)
 	    fail(s, "trailing comma before '%c'; remove it", close);
 }
 
+/* Whether the string of checked text that begins at s is that name. */
+static bool is_name(const char *s, const char *end, const char *name)
+{
+	char c[4];
+	int n;
+
+	for (s++; *s != '"'; name += n) {
+		if (*s == '\\') {
+			s = json_unescape(s, end, c, &n);
+		} else {
+			c[0] = *s++;
+			n = 1;
+		}
+		if (strncmp(name, c, (size_t)n) != 0)
+			return false;
+	}
+	return *name == '\0';
+}
+
+static bool member(struct check *s)
+{
+	const char *quoted = s->p, *start;
+
+	if (!name(s))
+		return false;
+	start = s->p;
+	if (!value(s))
+		return false;
+	if (s->level == 1 && s->name != NULL && s->part.s == NULL &&
+	    is_name(quoted, s->end, s->name))
+		s->part = (struct json_part){ start, s->p };
+	return true;
+}
+
 /* An array or object, at its opening bracket or brace. */
 static bool list(struct check *s)
 {
@@ -321,7 +386,7 @@ static bool list(struct check *s)
 		return fail(s, "more than %d levels of brackets", LEVELS_MAX);
 	blanks(s);
 	while (!at(s, close))
-		if ((close == '}' && !name(s)) || !value(s) ||
+		if (!(close == '}' ? member(s) : value(s)) ||
 		    !comma(s, open, close))
 			return false;
 	s->p++;
@@ -329,25 +394,55 @@ static bool list(struct check *s)
 	return true;
 }
 
+static bool check(struct check *s)
+{
+	const char *nul = s->kind == JSON_LINE ?
+	    NULL :
+	    memchr(s->text, '\0', (size_t)(s->end - s->text));
+	const char *start;
+
+	if (nul != NULL) {
+		s->p = nul;
+		return fail(s, "a NUL byte; JSON is UTF-8 text");
+	}
+	blanks(s);
+	if (s->p == s->end)
+		return fail(s, "the document is empty; expected a JSON value");
+	start = s->p;
+	if (!value(s))
+		return false;
+	if (s->name == NULL)
+		s->part = (struct json_part){ start, s->p };
+	blanks(s);
+	if (at_comment(s))
+		return stray(s, "nothing");
+	return s->p == s->end ||
+	    fail(s, "text after the document; one JSON value is wanted");
+}
+
 bool json_check(enum json_kind kind, const char *text, const char *end,
     struct json_error *error)
 {
-	struct check s = { kind, text, text, end, 0, NULL };
-	const char *nul = memchr(text, '\0', (size_t)(end - text));
+	struct check s = { .kind = kind,
+		.text = text,
+		.p = text,
+		.end = end,
+		.error = error };
 
-	s.error = error; /* cppcheck takes one above for a read */
-	if (kind == JSON_DOCUMENT && nul != NULL) {
-		s.p = nul;
-		return fail(&s, "a NUL byte; JSON is UTF-8 text");
-	}
-	blanks(&s);
-	if (s.p == s.end)
-		return fail(&s, "the document is empty; expected a JSON value");
-	if (!value(&s))
-		return false;
-	blanks(&s);
-	if (at_comment(&s))
-		return stray(&s, "nothing");
-	return s.p == s.end ||
-	    fail(&s, "text after the document; one JSON value is wanted");
+	return check(&s);
+}
+
+bool json_check_part(const char *text, const char *end, const char *name,
+    struct json_part *part, struct json_error *error)
+{
+	struct check s = { .kind = JSON_DOCUMENT,
+		.text = text,
+		.p = text,
+		.end = end,
+		.error = error,
+		.name = name };
+	bool ok = check(&s);
+
+	*part = s.part;
+	return ok;
 }

@@ -21,4 +21,15 @@ struct json_error {
 bool json_check(enum json_kind, const char *text, const char *end,
     struct json_error *);
 
+/* A part of a text; s is NULL where there is none. */
+struct json_part {
+	const char *s, *end;
+};
+
+/* The same of a document. Says, too, where the value stands that the member of
+ * that name has, the first one if there are several; or where name is NULL, the
+ * document's own. */
+bool json_check_part(const char *text, const char *end, const char *name,
+    struct json_part *, struct json_error *);
+
 #endif

@@ -9,6 +9,10 @@
  * 1e, inf. */
 const char *json_number(const char *s, const char *end, double *v);
 
+/* Where the number that begins at s ends, which is not read; NULL where
+ * json_number says so. */
+const char *json_number_end(const char *s, const char *end);
+
 /* Past the string whose opening quote is at s; end if it isn't closed. */
 const char *json_string(const char *s, const char *end);
 

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "../../core/scene.h"
@@ -11,7 +12,6 @@
 #include "../number/number.h"
 #include "../escape.h"
 #include "../talk.h"
-#include "check.h"
 #include "scan.h"
 
 const struct range range_any = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
@@ -54,20 +54,77 @@ static void shorten_numbers(char *text, size_t size)
 }
 
 /* cJSON takes whatever passes the check; where it fails, memory is short. */
-struct value value_parse(const struct source *source, char *text, size_t size)
+static const struct cJSON *parse(char *text, size_t size)
 {
-	struct value v = { .source = source };
+	shorten_numbers(text, size);
+	const cJSON *item = cJSON_ParseWithLength(text, size);
+
+	if (item == NULL)
+		die(EXIT_SYSTEM, "out of memory");
+	return item;
+}
+
+/* Checks a document and finds a part of it. */
+static void check(const struct source *source, const char *name, char *text,
+    size_t size, struct json_part *part)
+{
 	struct json_error e;
 
 	if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
 		memset(text, ' ', 3); /* a byte order mark */
-	if (!json_check(JSON_DOCUMENT, text, text + size, &e))
+	if (!json_check_part(text, text + size, name, part, &e))
 		die(EXIT_INPUT, "%s:%ld: %s", source->name, e.line, e.reason);
-	shorten_numbers(text, size);
-	v.item = cJSON_ParseWithLength(text, size);
-	if (v.item == NULL)
-		die(EXIT_SYSTEM, "out of memory");
+}
+
+struct value value_parse(const struct source *source, char *text, size_t size)
+{
+	struct json_part all;
+
+	check(source, NULL, text, size, &all);
+	return (struct value){ .source = source, .item = parse(text, size) };
+}
+
+/* A copy of a text with [] in the place of a part; sets *size. */
+static char *without(const char *text, const char *end,
+    const struct json_part *part, size_t *size)
+{
+	size_t before = (size_t)(part->s - text);
+	size_t after = (size_t)(end - part->end);
+	char *copy = need(NULL, before + 2 + after);
+
+	memcpy(copy, text, before);
+	memcpy(copy + before, "[]", 2);
+	memcpy(copy + before + 2, part->end, after);
+	*size = before + 2 + after;
+	return copy;
+}
+
+struct value value_parse_without(const struct source *source, const char *name,
+    char *text, size_t size, struct json_part *array)
+{
+	struct value v = { .source = source };
+
+	check(source, name, text, size, array);
+	if (array->s == NULL || *array->s != '[') {
+		array->s = NULL;
+		v.item = parse(text, size);
+		return v;
+	}
+	char *rest = without(text, text + size, array, &size);
+
+	v.item = parse(rest, size);
+	free(rest);
 	return v;
+}
+
+void value_parse_part(struct value *v, const char *s, const char *end)
+{
+	size_t size = (size_t)(end - s);
+	char *copy = need(NULL, size);
+
+	memcpy(copy, s, size);
+	v->item = parse(copy, size);
+	free(copy);
 }
 
 void value_free(const struct value *v)

@@ -6,6 +6,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "check.h"
+
 /* Where values come from, and what their readers have to know. */
 struct source {
 	const char *name; /* of the file, for messages */
@@ -37,7 +39,18 @@ extern const struct range range_any, range_positive;
 
 /* Parses a document, and changes the text; refuses what is no JSON. */
 struct value value_parse(const struct source *, char *text, size_t size);
-void value_free(const struct value *document);
+
+/* The same; but the array, large perhaps, that the document's member of that
+ * name is, or where name is NULL the document itself, is an empty one among the
+ * values, and *array is its text, which does not change. */
+struct value value_parse_without(const struct source *, const char *name,
+    char *text, size_t size, struct json_part *array);
+
+/* Makes of *v, whose text was left out so, the value that it is. */
+void value_parse_part(struct value *v, const char *s, const char *end);
+
+/* Frees what was parsed. */
+void value_free(const struct value *);
 
 /* The first element or member, and the next; item is NULL if there is none. */
 struct value value_child(const struct value *);

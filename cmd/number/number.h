@@ -4,6 +4,10 @@
 #ifndef NUMBER_H
 #define NUMBER_H
 
+#include <stdbool.h>
+#include <stddef.h>
+#include <string.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -12,8 +16,13 @@ extern "C" {
 enum { NUMBER_MAX = 416 };
 
 struct number_style {
-	enum { NUMBER_SHORTEST, NUMBER_DECIMALS, NUMBER_DIGITS } kind;
-	int n; /* decimals 0..100, or significant digits 1..100 */
+	enum {
+		NUMBER_SHORTEST,
+		NUMBER_DECIMALS,
+		NUMBER_DIGITS,
+		NUMBER_WITHIN,
+	} kind;
+	int n; /* decimals 0..100, within up to 160; or digits 1..100 */
 };
 
 /* Reads the number that begins at s: [+-] digits [. digits] [e [+-] digits],
@@ -24,12 +33,44 @@ const char *number_read(const char *s, const char *end, double *v);
 
 /* Write v at s, not terminated, and return where the text ends. Plain from
  * 1e-6 to below 1e21, else with an exponent, as JavaScript prints; with
- * NUMBER_DECIMALS always plain; never -0; nan and inf are "nan". */
+ * NUMBER_DECIMALS always plain; never -0; nan and inf are "nan". NUMBER_WITHIN
+ * is the decimals without their trailing zeros, or the shortest where that has no
+ * more decimals. */
 char *number_write(char *s, double v, struct number_style style);
 
-/* The same for a float: shortest means the shortest that reads back as the
+/* The same for a float: NUMBER_SHORTEST means the shortest that reads back as the
  * same float. */
 char *number_write_float(char *s, float v, struct number_style style);
+
+/* The text of a number that was made with many others: as many bytes as the last
+ * byte says; none where it is left to number_write. */
+struct number_text {
+	char b[32];
+};
+
+/* The texts of n numbers, which are floats where single says so. There is room
+ * in t and v for n rounded up to 64; what v holds there is read, and no matter. */
+void number_texts(const double *v, size_t n, bool single,
+    struct number_style style, struct number_text *t);
+
+/* Which copy of its loops number_texts runs from now on: the best for this
+ * processor, or at most the named one, as core/kernel names them. Before any
+ * call it makes no texts. False if there is none of that name. */
+bool number_choose(const char *name);
+
+/* Writes v at s from its text t, or as number_write does where it has none, and
+ * returns where the text ends. It may write up to 64 bytes past that. */
+static inline char *number_put(char *s, const struct number_text *t, double v,
+    bool single, struct number_style style)
+{
+	unsigned char size = (unsigned char)t->b[sizeof t->b - 1];
+
+	if (__builtin_expect(size == 0, 0))
+		return single ? number_write_float(s, (float)v, style) :
+				number_write(s, v, style);
+	memcpy(s, t->b, sizeof t->b);
+	return s + size;
+}
 
 #ifdef __cplusplus
 }

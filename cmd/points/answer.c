@@ -1,6 +1,7 @@
 #include "answer.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #include "progress.h"
 #include "../talk.h"
@@ -17,11 +18,6 @@ static struct {
 void answer_source(void)
 {
 	answer.next_line = 1;
-}
-
-size_t answer_line(void)
-{
-	return answer.next_line;
 }
 
 static void print(const struct job *j, const struct chunk *c)
@@ -58,6 +54,17 @@ static void complain(const struct job *j, const struct chunk *c)
 	}
 }
 
+static _Noreturn void stop(const struct job *j, const struct chunk *c)
+{
+	if (j->flush != NULL)
+		j->flush(j);
+	progress_clear();
+	if (c->state == PIECE_TOO_LONG)
+		die(EXIT_INPUT, "%s:%zu: a line of more than 64 MiB", c->name,
+		    answer.next_line);
+	die(EXIT_SYSTEM, "%s: %s", c->name, strerror(c->error));
+}
+
 void answer_chunk(const struct job *j, const struct chunk *c)
 {
 	if (j->collect != NULL)
@@ -70,6 +77,8 @@ void answer_chunk(const struct job *j, const struct chunk *c)
 		complain(j, c);
 	answer.next_line += c->n_lines;
 	progress_add(c->n_lines, c->bytes);
+	if (c->state == PIECE_TOO_LONG || c->state == PIECE_FAILED)
+		stop(j, c);
 }
 
 int answer_end(const struct job *j)

@@ -9,12 +9,10 @@
 void answer_source(void);
 
 /* Prints the next chunk's output, then says what was wrong with its lines,
- * which ends the program unless the job keeps going. Any thread may call it,
- * but not two at a time. */
+ * which ends the program unless the job keeps going, and why the source can't
+ * be read any further, which ends it always. Any thread may call it, but not
+ * two at a time. */
 void answer_chunk(const struct job *, const struct chunk *);
-
-/* The number of the line after the last chunk answered. */
-size_t answer_line(void);
 
 /* After the last source: says how many points had no image, and closes standard
  * output. Returns the exit status. */

@@ -1,39 +1,7 @@
 #include "binary.h"
 
-#include <float.h>
 #include <math.h>
 #include <string.h>
-
-/* Inline, so that the compiler makes a copy with constant bounds for the usual
- * kind of point, three doubles. The machine is little-endian, as the numbers
- * are. */
-static inline void unpack(struct chunk *c, size_t n, size_t reads, bool wide)
-{
-	const char *restrict text = c->text;
-
-	for (size_t i = 0; i < n; i++)
-		for (size_t k = 0; k < reads; k++) {
-			float narrow;
-
-			if (wide) {
-				memcpy(&c->in[k][i], text + 8 * (reads * i + k),
-				    8);
-				continue;
-			}
-			memcpy(&narrow, text + 4 * (reads * i + k), 4);
-			c->in[k][i] = (double)narrow;
-		}
-}
-
-static bool all_within(const struct chunk *c, size_t n, size_t reads)
-{
-	int beyond = 0;
-
-	for (size_t k = 0; k < reads; k++)
-		for (size_t i = 0; i < n; i++)
-			beyond |= fabs(c->in[k][i]) > MAGNITUDE_MAX;
-	return !beyond;
-}
 
 /* Complains of points beyond the range. The first of them ends the chunk,
  * unless the job keeps going. Returns how many points it goes on with. */
@@ -66,15 +34,30 @@ size_t binary_read(const struct job *j, struct chunk *c)
 
 	if (n > POINTS_BLOCK)
 		n = POINTS_BLOCK;
-	if (wide && reads == 3)
-		unpack(c, n, 3, true);
-	else
-		unpack(c, n, reads, wide);
+	bool within = points_split(c->text, wide, j->layout.reads, c->in, n);
+
 	c->text += n * size;
-	if (!all_within(c, n, reads))
+	if (!within)
 		n = refuse_beyond(j, c, n, reads);
 	c->n_lines += n;
 	return n;
+}
+
+bool binary_carry_floats(const struct job *j, struct chunk *c)
+{
+	size_t size = point_size(FORMAT_F32, j->layout.reads);
+	size_t n = (size_t)(c->end - c->text) / size;
+
+	if (n > POINTS_BLOCK)
+		n = POINTS_BLOCK;
+	char *at = chunk_reserve(c, n * size);
+
+	if (n == 0 || !points_carry_floats(&j->transform, c->text, at, n))
+		return false;
+	c->size += n * size;
+	c->text += n * size;
+	c->n_lines += n;
+	return true;
 }
 
 /* v, coordinate k of the image of point p, as a float. With precision exact it
@@ -85,8 +68,7 @@ static float narrowed(const struct job *j, const struct chunk *c, size_t p,
 {
 	double in[4];
 
-	if (j->rays || j->accuracy.precision != PRECISION_EXACT ||
-	    j->accuracy.tolerance > 0)
+	if (j->rays || j->accuracy.precision != PRECISION_EXACT)
 		return (float)v;
 	for (int i = 0; i < 4; i++)
 		in[i] = c->in[i][p];
@@ -115,40 +97,23 @@ void binary_write(const struct job *j, struct chunk *c, size_t p,
 	c->size += size;
 }
 
-static inline void pack(const struct chunk *c, char *restrict at, size_t n,
-    size_t writes)
-{
-	for (size_t i = 0; i < n; i++)
-		for (size_t k = 0; k < writes; k++) {
-			double v = c->image[k][i] + 0.0; /* -0 is 0 */
-
-			memcpy(at + 8 * (writes * i + k), &v, 8);
-		}
-}
-
-static bool all_finite(const struct chunk *c, size_t n, size_t writes)
-{
-	int bad = 0;
-
-	for (size_t k = 0; k < writes; k++)
-		for (size_t i = 0; i < n; i++)
-			bad |= !(fabs(c->image[k][i]) <= DBL_MAX);
-	return !bad;
-}
-
 void binary_write_block(const struct job *j, struct chunk *c, size_t n,
     size_t first_line)
 {
-	size_t writes = (size_t)j->layout.writes;
-	size_t size = n * point_size(FORMAT_F64, j->layout.writes);
+	bool wide = j->layout.out == FORMAT_F64;
+	int writes = j->layout.writes;
+	size_t size = n * point_size(j->layout.out, writes);
 	char *at = chunk_reserve(c, size);
+	double v[COORDINATES_MAX];
 
-	if (!all_finite(c, n, writes))
-		for (size_t i = 0; i < n; i++)
-			chunk_mark(c, &j->layout, i, first_line + i);
-	if (writes == 3)
-		pack(c, at, n, 3);
-	else
-		pack(c, at, n, writes);
-	c->size += size;
+	if (points_join(c->image, at, wide, writes, n)) {
+		c->size += size;
+		return;
+	}
+	for (size_t i = 0; i < n; i++) {
+		chunk_mark(c, &j->layout, i, first_line + i);
+		for (int k = 0; k < writes; k++)
+			v[k] = c->image[k][i];
+		binary_write(j, c, i, v);
+	}
 }

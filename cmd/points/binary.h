@@ -8,13 +8,17 @@
  * many. */
 size_t binary_read(const struct job *, struct chunk *);
 
+/* The next points, up to POINTS_BLOCK, from floats to floats in single precision.
+ * False, and nothing done, where that can't be told of all of them. */
+bool binary_carry_floats(const struct job *, struct chunk *);
+
 /* Writes v, the image of point p of the block. Where v is nan, p does not
  * matter. */
 void binary_write(const struct job *, struct chunk *, size_t p,
     const double *v);
 
-/* Writes the images of the block's n points as f64, after chunk_mark of those
- * that have none; first_line is the number of the first. */
+/* Writes the images of the block's n points, of four coordinates at most, after
+ * chunk_mark of those that have none; first_line is the number of the first. */
 void binary_write_block(const struct job *, struct chunk *, size_t n,
     size_t first_line);
 

@@ -7,9 +7,19 @@
 
 #include "../talk.h"
 
+/* As need() does, where columns want to be. */
+static void *need_aligned(size_t size)
+{
+	void *p = aligned_alloc(_Alignof(struct chunk), size);
+
+	if (p == NULL)
+		die(EXIT_SYSTEM, "out of memory");
+	return p;
+}
+
 struct chunk *chunk_new(void)
 {
-	struct chunk *c = need(NULL, sizeof *c);
+	struct chunk *c = need_aligned(sizeof *c);
 
 	memset(c, 0, sizeof *c);
 	return c;
@@ -17,7 +27,7 @@ struct chunk *chunk_new(void)
 
 void chunk_free(struct chunk *c)
 {
-	free(c->piece.text);
+	piece_free(&c->piece);
 	free(c->out);
 	free(c->complaints);
 	free(c);

@@ -15,11 +15,14 @@ struct complaint {
 /* Lines are counted from 0 in each chunk. A binary point counts as a line. */
 struct chunk {
 	const char *name;       /* of the source */
+	size_t number;          /* in the source, from 0 */
 	const char *text, *end; /* what is left to read */
 	size_t bytes;           /* of text at the beginning, for the progress */
 	size_t n_lines;         /* read so far */
-	bool first;             /* the first of its source */
 	bool header;            /* a csv header may still come */
+	enum piece_state state; /* what comes after it in the source */
+	int error;              /* the errno of PIECE_FAILED */
+	bool done;              /* it waits to be answered */
 
 	char *out;
 	size_t size, room;            /* of out: used, allocated */
@@ -32,9 +35,8 @@ struct chunk {
 	/* The block in hand: its lines of text, and its points, a column for
 	 * each coordinate. */
 	struct line line[POINTS_BLOCK];
-	double in[4][POINTS_BLOCK];
-	double image[COORDINATES_MAX][POINTS_BLOCK];
-	bool single[POINTS_BLOCK]; /* the image is of floats */
+	COLUMN_ALIGNED double in[4][POINTS_BLOCK];
+	COLUMN_ALIGNED double image[COORDINATES_MAX][POINTS_BLOCK];
 
 	struct piece piece; /* what was read, if the source is a file */
 };

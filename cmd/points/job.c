@@ -49,15 +49,11 @@ static void cast_rays(const struct job *j, struct chunk *c, size_t n)
 {
 	bool single = j->accuracy.precision == PRECISION_SINGLE ||
 	    j->layout.out == FORMAT_F32;
+	const double *const at[2] = { c->in[0], c->in[1] };
+	double *const image[6] = { c->image[0], c->image[1], c->image[2],
+		c->image[3], c->image[4], c->image[5] };
 
-	for (size_t i = 0; i < n; i++) {
-		double at[2] = { c->in[0][i], c->in[1][i] }, ray[2][3];
-
-		c->single[i] = single;
-		ray_exact(&j->ray, at, single, ray[0], ray[1]);
-		for (int k = 0; k < 6; k++)
-			c->image[k][i] = ray[k / 3][k % 3];
-	}
+	rays_cast(&j->ray, single, at, image, image + 3, n);
 }
 
 static void carry(const struct job *j, struct chunk *c, size_t n)
@@ -69,8 +65,7 @@ static void carry(const struct job *j, struct chunk *c, size_t n)
 	if (j->rays)
 		cast_rays(j, c, n);
 	else
-		points_carry(&j->transform, &j->accuracy, in, out, c->single,
-		    n);
+		points_carry(&j->transform, &j->accuracy, in, out, n);
 }
 
 enum { WORD_MAX = 48 };
@@ -116,8 +111,8 @@ static void put_line(const struct job *j, struct chunk *c,
 	c->size += (size_t)(line_write(&j->layout, line, v, flags, at) - at);
 }
 
-static void write_point(const struct job *j, struct chunk *c, struct line *line,
-    size_t p)
+static void write_point(const struct job *j, struct chunk *c,
+    const struct line *line, size_t p)
 {
 	double v[COORDINATES_MAX];
 	char word[WORD_MAX];
@@ -131,7 +126,6 @@ static void write_point(const struct job *j, struct chunk *c, struct line *line,
 		binary_write(j, c, p, v);
 		return;
 	}
-	line->single = c->single[p];
 	put_line(j, c, line, v, flags);
 }
 
@@ -201,14 +195,18 @@ void job_do(struct job *j, struct chunk *c)
 	size_t size = point_size(j->layout.in, j->layout.reads);
 	/* a block of images goes out as it is: every point becomes as many
 	 * bytes, and no command wants to see it */
-	bool whole = binary && j->layout.out == FORMAT_F64 && j->take == NULL &&
-	    !j->visible;
+	bool whole = binary && is_binary(j->layout.out) && j->take == NULL &&
+	    !j->visible && !j->rays;
+	bool floats = whole && j->layout.in == FORMAT_F32 &&
+	    j->layout.out == FORMAT_F32 && j->layout.single;
 
 	chunk_clear(c);
 	while (c->text < c->end) {
 		size_t n, points, number = c->n_lines;
 		const char *text = c->text;
 
+		if (floats && binary_carry_floats(j, c))
+			continue;
 		if (binary && (size_t)(c->end - text) < size) {
 			cut_short(j, c, size);
 			break;

@@ -25,7 +25,8 @@ struct layout {
 	struct columns columns;
 	int reads, writes; /* how many coordinates */
 	bool flags;        /* a word is written after them */
-	struct number_style style;
+	bool single;       /* they are floats, and written as such */
+	struct number_style style[COORDINATES_MAX];
 };
 
 /* What a line turned out to be. */
@@ -40,7 +41,6 @@ struct line {
 	struct span text;  /* without its newline */
 	struct span at[4]; /* of text: where x, y, z and w stand */
 	bool newline;      /* it ends in one */
-	bool single;       /* its image is of floats, to be written as such */
 };
 
 enum { REASON_MAX = 200 };

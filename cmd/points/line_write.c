@@ -33,13 +33,12 @@ static char *put(char *out, const char *s, const char *end)
 	return out + n;
 }
 
-static char *put_number(const struct layout *l, bool single, double v,
-    char *out)
+static char *put_number(const struct layout *l, int k, double v, char *out)
 {
 	if (l->out == FORMAT_JSON && isnan(v))
 		return put(out, "null", &"null"[4]);
-	return single ? number_write_float(out, (float)v, l->style) :
-			number_write(out, v, l->style);
+	return l->single ? number_write_float(out, (float)v, l->style[k]) :
+			   number_write(out, v, l->style[k]);
 }
 
 static const char *separator_of(enum format format)
@@ -49,8 +48,8 @@ static const char *separator_of(enum format format)
 
 /* Writes the coordinates from the k-th on, or, for a header, where v is NULL,
  * their names; then flags unless it is NULL. A separator goes before each. */
-static char *put_more(const struct layout *l, bool single, int k,
-    const double v[], const char *flags, struct span separator, char *out)
+static char *put_more(const struct layout *l, int k, const double v[],
+    const char *flags, struct span separator, char *out)
 {
 	static const char *const names[] = { "x", "y", "z", "w" };
 	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };
@@ -59,7 +58,7 @@ static char *put_more(const struct layout *l, bool single, int k,
 		const char *name = l->writes > 4 ? ray[k] : names[k];
 
 		out = put(out, separator.s, separator.end);
-		out = v != NULL ? put_number(l, single, v[k], out) :
+		out = v != NULL ? put_number(l, k, v[k], out) :
 				  put(out, name, name + strlen(name));
 	}
 	if (flags != NULL) {
@@ -160,16 +159,14 @@ static char *splice(const struct layout *l, const struct line *line,
 		if (f.s > s)
 			out = put(out, s, f.s);
 		if (i < l->writes)
-			out = v != NULL ?
-			    put_number(l, line->single, v[i], out) :
-			    put(out, f.s, f.end);
+			out = v != NULL ? put_number(l, i, v[i], out) :
+					  put(out, f.s, f.end);
 		s = f.end;
 		if (i != last || (l->writes <= n && flags == NULL))
 			continue;
 		if (l->in == FORMAT_CSV && s < line->text.end && *s == '"')
 			*out++ = *s++;
-		out = put_more(l, line->single, n, v, flags,
-		    separator_in(l, line), out);
+		out = put_more(l, n, v, flags, separator_in(l, line), out);
 	}
 	return put(out, s, line->text.end);
 }
@@ -193,8 +190,8 @@ static char *convert(const struct layout *l, const struct line *line,
 
 	if (l->out == FORMAT_JSON)
 		*out++ = '[';
-	out = put_number(l, line->single, v[0], out);
-	out = put_more(l, line->single, 1, v, flags, sep, out);
+	out = put_number(l, 0, v[0], out);
+	out = put_more(l, 1, v, flags, sep, out);
 	s = skip_blanks(s, line->text.end);
 	if (l->in == FORMAT_JSON)
 		s++;

@@ -1,6 +1,7 @@
 #include "piece.h"
 
 #include <poll.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -9,23 +10,46 @@
 /* Large enough that handing over costs nothing, small enough for caches. */
 enum { PIECE_ROOM = 1 << 17 };
 
+/* A piece of a file reads so much more than its range, to have the end of the
+ * line that begins there, too. */
+enum { LINE_REST = 1 << 12 };
+
 /* No line of points is longer than this. */
 #define LINE_MAX_BYTES ((size_t)1 << 26)
 
-void piece_begin(struct piece *p, const struct piece *before, const char *end)
+void piece_reserve(struct piece *p, size_t room)
 {
-	size_t rest = before == NULL ?
-	    0 :
-	    (size_t)(before->text + before->have - end);
+	char *old = p->text != NULL ? p->text - PIECE_MARGIN : NULL;
+	char *all = need(old, PIECE_MARGIN + room + PIECE_MARGIN);
 
-	if (p->room < rest || p->room == 0) {
-		p->room = rest > PIECE_ROOM ? before->room : PIECE_ROOM;
-		p->text = need(p->text, p->room);
-	}
+	if (old == NULL)
+		memset(all, ' ', PIECE_MARGIN);
+	p->text = all + PIECE_MARGIN;
+	p->room = room;
+	memset(p->text + room, ' ', PIECE_MARGIN);
+}
+
+void piece_free(struct piece *p)
+{
+	if (p->text != NULL)
+		free(p->text - PIECE_MARGIN);
+	*p = (struct piece){ 0 };
+}
+
+/* Begins p anew, with what q has behind what is whole. */
+static void begin(struct piece *p, const struct piece *q)
+{
+	size_t rest = q->have - q->whole;
+	size_t room = PIECE_ROOM;
+
+	while (room < rest)
+		room *= 2;
+	if (p->room < room)
+		piece_reserve(p, room);
 	if (rest > 0)
-		memcpy(p->text, end, rest);
+		memcpy(p->text, q->text + q->whole, rest);
 	p->have = rest;
-	p->whole = 0;
+	p->begin = p->whole = 0;
 }
 
 /* Whether a read would wait; true, too, where that can't be told. */
@@ -36,34 +60,36 @@ static bool would_wait(int fd)
 	return poll(&p, 1, 0) <= 0;
 }
 
+/* Past the last newline of s[from..to); 0 where there is none. */
+static size_t last_line_end(const char *s, size_t from, size_t to)
+{
+	while (to > from && s[to - 1] != '\n')
+		to--;
+	return to > from ? to : 0;
+}
+
 /* Counts in n more bytes. Only those are searched for a newline: to search all
  * of a long line for every few bytes that come would take quadratic time. */
 static void take_in(struct piece *p, const struct layout *l, size_t n)
 {
-	size_t end = p->have + n;
+	size_t end = p->have + n, whole;
 
-	if (is_binary(l->in)) {
-		p->have = end;
-		p->whole = end - end % point_size(l->in, l->reads);
-		return;
-	}
-	while (end > p->have && p->text[end - 1] != '\n')
-		end--;
-	if (end > p->have)
-		p->whole = end;
-	p->have += n;
+	if (is_binary(l->in))
+		whole = end - end % point_size(l->in, l->reads);
+	else
+		whole = last_line_end(p->text, p->have, end);
+	if (whole > 0)
+		p->whole = whole;
+	p->have = end;
 }
 
-enum piece_state piece_fill(struct piece *p, const struct layout *l, int fd)
+static enum piece_state fill(struct piece *p, const struct layout *l, int fd)
 {
 	do {
-		if (p->have == p->room) {
-			if (p->whole > 0)
-				return PIECE_FULL;
-			if (p->room >= LINE_MAX_BYTES)
-				return PIECE_TOO_LONG;
-			p->text = need(p->text, p->room *= 2);
-		}
+		if (p->have == p->room && p->room >= LINE_MAX_BYTES)
+			return PIECE_TOO_LONG;
+		if (p->have == p->room)
+			piece_reserve(p, 2 * p->room);
 		ssize_t n;
 
 		do
@@ -71,9 +97,119 @@ enum piece_state piece_fill(struct piece *p, const struct layout *l, int fd)
 		while (n < 0 && go_on(fd, POLLIN));
 		if (n < 0)
 			return PIECE_FAILED;
+		if (n == 0) {
+			p->whole = p->have;
+			return PIECE_LAST;
+		}
+		take_in(p, l, (size_t)n);
+		if (p->whole > 0 && p->have < p->room && would_wait(fd))
+			return PIECE_EARLY;
+	} while (p->whole == 0 || p->have < p->room);
+	return PIECE_FULL;
+}
+
+enum piece_state piece_fill(struct piece *p, const struct layout *l, int fd,
+    struct piece *rest)
+{
+	begin(p, rest);
+	enum piece_state state = fill(p, l, fd);
+
+	if (state < PIECE_LAST)
+		begin(rest, p);
+	return state;
+}
+
+/* Reads on until the piece has no more room or the file ends. */
+static enum piece_state read_on(struct piece *p, int fd)
+{
+	while (p->have < p->room) {
+		ssize_t n = pread(fd, p->text + p->have, p->room - p->have,
+		    p->at + (off_t)p->have);
+
+		if (n < 0 && go_on(fd, POLLIN))
+			continue;
+		if (n < 0)
+			return PIECE_FAILED;
 		if (n == 0)
 			return PIECE_LAST;
-		take_in(p, l, (size_t)n);
-	} while (p->whole == 0 || !would_wait(fd));
+		p->have += (size_t)n;
+	}
 	return PIECE_FULL;
+}
+
+/* Past the first newline of s[from..to); 0 where there is none. */
+static size_t first_line_end(const char *s, size_t from, size_t to)
+{
+	const char *newline = from < to ? memchr(s + from, '\n', to - from) :
+					  NULL;
+
+	return newline != NULL ? (size_t)(newline - s) + 1 : 0;
+}
+
+/* Reads the lines that begin in a range; before is 1 if the piece begins a byte
+ * earlier, as a line begins where there is a newline before. */
+static enum piece_state cut_lines(struct piece *p, int fd, size_t before,
+    size_t range)
+{
+	enum piece_state state = read_on(p, fd);
+	size_t last = before + range - 1, line;
+
+	if (before > 0)
+		p->begin = first_line_end(p->text, 0,
+		    p->have < range ? p->have : range);
+	/* All of it is of a line that began earlier; what is behind the range may
+	 * end that and begin others. */
+	if (p->begin < before)
+		return state == PIECE_LAST && p->have > range ? PIECE_FULL :
+								state;
+	line = last_line_end(p->text, p->begin,
+	    p->have < last ? p->have : last);
+	if (line < p->begin)
+		line = p->begin;
+	for (size_t seen = last;; seen = p->have, state = read_on(p, fd)) {
+		size_t end = first_line_end(p->text, seen, p->have);
+		size_t stop = end > 0 ? end : p->have;
+
+		p->whole = line;
+		/* without its newline it would be longer by one at least */
+		if (stop - line + (end == 0) > LINE_MAX_BYTES)
+			return PIECE_TOO_LONG;
+		if (end == 0 && state == PIECE_FAILED)
+			return state;
+		if (end > 0 || state == PIECE_LAST) {
+			p->whole = stop;
+			return end > 0 ? PIECE_FULL : state;
+		}
+		piece_reserve(p, 2 * p->room);
+	}
+}
+
+enum piece_state piece_cut(struct piece *p, const struct layout *l, int fd,
+    off_t start, size_t k)
+{
+	bool binary = is_binary(l->in);
+	size_t before = k > 0 && !binary;
+	size_t range = PIECE_ROOM - LINE_REST;
+
+	if (binary)
+		range -= range % point_size(l->in, l->reads);
+	/* it may have more room than that from a long line */
+	piece_reserve(p, binary ? range : PIECE_ROOM);
+	p->at = start + (off_t)(k * range - before);
+	p->have = p->begin = p->whole = 0;
+	if (!binary)
+		return cut_lines(p, fd, before, range);
+	enum piece_state state = read_on(p, fd);
+
+	p->whole = p->have;
+	return state;
+}
+
+const char *piece_end(const char *lines, size_t size)
+{
+	size_t end = size <= PIECE_ROOM ?
+	    0 :
+	    first_line_end(lines, PIECE_ROOM - 1, size);
+
+	return lines + (end > 0 ? end : size);
 }

@@ -2,28 +2,49 @@
 #ifndef PIECE_H
 #define PIECE_H
 
+#include <sys/types.h>
+
 #include "line.h"
 
+/* So many bytes before and after a text may be looked at, whatever they are:
+ * those who read digits by the vector take as many at a time. */
+enum { PIECE_MARGIN = 64 };
+
 struct piece {
-	char *text;
-	size_t room, have; /* bytes: allocated, read */
-	size_t whole;      /* of have: up to the last end of a line or point */
+	char *text;          /* within margins; NULL at first */
+	size_t room, have;   /* bytes: between the margins, read */
+	size_t begin, whole; /* of have: whole lines or points */
+	off_t at;            /* where in its file text begins */
 };
 
 enum piece_state {
-	PIECE_FULL,     /* or the next read would have to wait */
-	PIECE_LAST,     /* the source ends with it */
+	PIECE_FULL,
+	PIECE_EARLY, /* as the next read would have to wait */
+	PIECE_LAST,  /* the source ends with it */
+	/* The source can't be read any further: */
 	PIECE_TOO_LONG, /* a line of more than 64 MiB */
 	PIECE_FAILED,   /* errno says why */
 };
 
-/* Begins a piece with what the piece before holds from end on: the beginning of
- * a line or point that was not whole. before is NULL for the first of a
- * source. */
-void piece_begin(struct piece *, const struct piece *before, const char *end);
+/* Makes room for so many bytes of text; what was read stays. */
+void piece_reserve(struct piece *, size_t room);
+void piece_free(struct piece *);
 
 /* Reads from fd until the source ends; or until there is a whole line or point
- * and either the piece is full or the next read would wait. */
-enum piece_state piece_fill(struct piece *, const struct layout *, int fd);
+ * and either the piece is full or the next read would wait. The piece begins
+ * with *rest, the beginning of a line or point that was not whole, where the
+ * next such beginning is left. */
+enum piece_state piece_fill(struct piece *, const struct layout *, int fd,
+    struct piece *rest);
+
+/* Reads the k-th piece, from 0, of a file whose points begin at start: the lines
+ * or points that begin in the k-th of ranges of equal size. Several threads may
+ * read pieces of a file at a time: each finds the borders of its own. Behind a
+ * piece that is PIECE_LAST there is nothing that counts. */
+enum piece_state piece_cut(struct piece *, const struct layout *, int fd,
+    off_t start, size_t k);
+
+/* Where in lines[0..size) a piece of them ends. */
+const char *piece_end(const char *lines, size_t size);
 
 #endif

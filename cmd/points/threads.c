@@ -1,132 +1,237 @@
+/* for sched_getaffinity, where there is one */
+#define _GNU_SOURCE
 #include "threads.h"
 
 #include <pthread.h>
-#include <string.h>
+#include <sched.h>
+#include <unistd.h>
 
 #include "../talk.h"
 #include "answer.h"
 
-/* The k-th chunk of all sources is kept in chunks[k % n]. The reader, the
- * thread that calls the functions of threads.h, fills it; one of the threads
- * takes it, does the job on it and, once the chunk before is answered, answers
- * it, so that no answer waits for the reader. Nobody else looks at a chunk that
- * is the reader's, until it counts as filled, or a thread's, until it counts as
- * answered. */
+/* What a thread does again and again: in its turn it begins a chunk, which may
+ * be to wait for a stream; it does the job on it; and if nobody is answering, it
+ * answers all chunks that are done and next. So nobody waits for another to
+ * answer, and no answer for the source.
+ *
+ * A chunk is one thread's, from its beginning until it is done and from then on
+ * that of who answers. All else changes under the lock. */
 static struct {
-	int threads; /* that run; the reader alone asks */
-
-	/* Set before the first thread starts. */
+	/* These stay. */
 	struct job *job;
-	struct chunk **chunks;
-	size_t n;
+	int most;              /* threads that there may be */
+	size_t n;              /* chunks that there may be */
+	struct chunk **chunk;  /* the k-th of the source is chunk[k % n] */
+	struct chunk **unused; /* those used last are last */
 
-	/* Counts of chunks. They change under the lock; the reader, who alone
-	 * changes filled, may read that one without. */
-	size_t filled, taken, answered;
 	pthread_mutex_t lock;
-	pthread_cond_t is_filled, is_answered; /* the count has grown */
+	pthread_cond_t may_begin, all_answered;
+	int threads, idle; /* that run, and of them that wait to begin */
+
+	/* Of the source in hand. */
+	struct point_source *source;
+	bool open;                 /* there may be more */
+	bool shared;               /* the threads may take part */
+	bool header;               /* of csv, may still come */
+	bool beginning, answering; /* somebody is */
+	struct chunk *last; /* its last, when that is answered; else NULL */
+	size_t begun, answered, n_unused; /* chunks */
 } ring = {
 	.lock = PTHREAD_MUTEX_INITIALIZER,
-	.is_filled = PTHREAD_COND_INITIALIZER,
-	.is_answered = PTHREAD_COND_INITIALIZER,
+	.may_begin = PTHREAD_COND_INITIALIZER,
+	.all_answered = PTHREAD_COND_INITIALIZER,
 };
+
+/* All functions but threads_run are called with the lock held. */
+static void lock(void)
+{
+	pthread_mutex_lock(&ring.lock);
+}
+
+static void unlock(void)
+{
+	pthread_mutex_unlock(&ring.lock);
+}
+
+static bool may_begin(void)
+{
+	return ring.open && !ring.beginning && ring.n_unused > 0;
+}
+
+static void *work(void *);
+
+/* Starts a thread if there can be one more. */
+static bool start_thread(void)
+{
+	pthread_t t;
+
+	if (ring.threads == ring.most)
+		return false;
+	if (pthread_create(&t, NULL, work, NULL) != 0) {
+		ring.most = ring.threads;
+		return false;
+	}
+	pthread_detach(t);
+	ring.threads++;
+	return true;
+}
+
+/* Lets one more thread begin a chunk, if it can. */
+static void call_thread(void)
+{
+	if (!ring.shared || !may_begin())
+		return;
+	if (ring.idle > 0)
+		pthread_cond_signal(&ring.may_begin);
+	else
+		start_thread();
+}
+
+static struct chunk *begin(void)
+{
+	struct chunk **c = &ring.unused[--ring.n_unused];
+
+	if (*c == NULL)
+		*c = chunk_new();
+	struct chunk *mine = *c;
+
+	mine->number = ring.begun;
+	mine->header = ring.header;
+	mine->done = false;
+	ring.beginning = true;
+	unlock();
+	source_begin(ring.source, &ring.job->layout, mine);
+	lock();
+	ring.beginning = false;
+	ring.chunk[ring.begun++ % ring.n] = mine;
+	return mine;
+}
+
+/* Answers the chunks that are next, as far as they are done. What was read
+ * behind the end of a file that changes meanwhile doesn't count. */
+static void answer(void)
+{
+	struct chunk *c;
+
+	if (ring.answering)
+		return;
+	ring.answering = true;
+	while (ring.answered < ring.begun &&
+	    (c = ring.chunk[ring.answered % ring.n])->done) {
+		if (ring.last == NULL) {
+			unlock();
+			answer_chunk(ring.job, c);
+			lock();
+			if (c->state == PIECE_LAST)
+				ring.last = c;
+		}
+		ring.unused[ring.n_unused] = c;
+		ring.answered++;
+		if (ring.n_unused++ == 0)
+			call_thread();
+	}
+	ring.answering = false;
+}
+
+static bool is_finished(void)
+{
+	return !ring.open && !ring.beginning && ring.answered == ring.begun;
+}
+
+static void do_chunk(void)
+{
+	struct chunk *c = begin();
+
+	ring.open = ring.open && c->state < PIECE_LAST;
+	/* where a stream has no more yet, this thread may be back in time */
+	if (c->state != PIECE_EARLY)
+		call_thread();
+	unlock();
+	source_read(ring.source, &ring.job->layout, c);
+	job_do(ring.job, c);
+	lock();
+	ring.open = ring.open && c->state < PIECE_LAST;
+	ring.header = c->header;
+	c->done = true;
+	answer();
+	if (is_finished())
+		pthread_cond_signal(&ring.all_answered);
+}
 
 static void *work(void *unused)
 {
-	pthread_mutex_lock(&ring.lock);
+	lock();
 	for (;;) {
-		while (ring.taken == ring.filled)
-			pthread_cond_wait(&ring.is_filled, &ring.lock);
-		size_t k = ring.taken++;
-		struct chunk *c = ring.chunks[k % ring.n];
-
-		pthread_mutex_unlock(&ring.lock);
-		job_do(ring.job, c);
-		pthread_mutex_lock(&ring.lock);
-		while (ring.answered != k)
-			pthread_cond_wait(&ring.is_answered, &ring.lock);
-		pthread_mutex_unlock(&ring.lock);
-		answer_chunk(ring.job, c);
-		pthread_mutex_lock(&ring.lock);
-		ring.answered++;
-		pthread_cond_broadcast(&ring.is_answered);
+		while (!ring.shared || !may_begin()) {
+			ring.idle++;
+			pthread_cond_wait(&ring.may_begin, &ring.lock);
+			ring.idle--;
+		}
+		do_chunk();
 	}
 	return unused;
 }
 
-/* Waits until at most n chunks are on their way. */
-static void wait_for(size_t n)
+int threads_processors(void)
 {
-	pthread_mutex_lock(&ring.lock);
-	while (ring.filled - ring.answered > n)
-		pthread_cond_wait(&ring.is_answered, &ring.lock);
-	pthread_mutex_unlock(&ring.lock);
+#ifdef CPU_COUNT
+	cpu_set_t set;
+
+	if (sched_getaffinity(0, sizeof set, &set) == 0)
+		return CPU_COUNT(&set);
+#endif
+	return (int)sysconf(_SC_NPROCESSORS_ONLN);
 }
 
-void threads_wait(void)
+/* A processor has work for a thread that computes and one that waits for a read
+ * or write; more would only take its caches from each other. */
+static int useful_threads(int wanted)
 {
-	wait_for(0);
+	int most = 2 * threads_processors();
+
+	return wanted < 2 ? 0 : wanted < most ? wanted : most;
 }
 
-/* Starts as many as the job wants, or as there can be: perhaps none. */
-static void start_threads(const struct job *j)
+static void set_up(struct job *j)
 {
-	pthread_t t;
-
-	for (; ring.threads < j->threads; ring.threads++) {
-		if (pthread_create(&t, NULL, work, NULL) != 0)
-			break;
-		pthread_detach(t);
-	}
+	ring.job = j;
+	ring.most = useful_threads(j->threads);
+	/* one for each thread, and as many that wait to be answered */
+	ring.n = 2 * (size_t)ring.most + 1;
+	ring.n_unused = ring.n;
+	ring.chunk = need(NULL, ring.n * sizeof *ring.chunk);
+	ring.unused = need(NULL, ring.n * sizeof *ring.unused);
+	for (size_t i = 0; i < ring.n; i++)
+		ring.unused[i] = NULL;
 }
 
-static struct chunk *chunk_at(size_t k)
+/* Whether the threads can go on with the source: its first chunk, which may be
+ * all there is, is done without them, and each up to the one with a csv header,
+ * as only that tells where in the lines of all others the columns are. */
+static bool can_share(void)
 {
-	struct chunk **c = &ring.chunks[k % ring.n];
-
-	if (*c == NULL)
-		*c = chunk_new();
-	return *c;
+	return !ring.open ||
+	    (!ring.header && (ring.threads > 0 || start_thread()));
 }
 
-struct chunk *threads_first(struct job *j)
+void threads_run(struct job *j, struct point_source *s)
 {
-	if (ring.chunks == NULL) {
-		ring.job = j;
-		ring.n = (size_t)j->threads + 2;
-		ring.chunks = need(NULL, ring.n * sizeof *ring.chunks);
-		memset(ring.chunks, 0, ring.n * sizeof *ring.chunks);
-	}
-	return chunk_at(ring.filled);
-}
-
-struct chunk *threads_next(void)
-{
-	wait_for(ring.n - 2);
-	return chunk_at(ring.filled + 1);
-}
-
-/* The reader itself does the first chunk of a source, which may be all there
- * is, and each up to the one with a csv header, as only that tells where in the
- * lines of all others the columns are. */
-void threads_hand_over(struct job *j, struct chunk *c)
-{
-	bool here = c->first || c->header || j->threads < 2;
-
-	if (!here)
-		start_threads(j);
-	here |= ring.threads == 0;
-	if (here) {
-		job_do(j, c);
-		answer_chunk(j, c);
-	}
-	pthread_mutex_lock(&ring.lock);
-	ring.filled++;
-	if (here) {
-		ring.taken++;
-		ring.answered++;
-	} else {
-		pthread_cond_signal(&ring.is_filled);
-	}
-	pthread_mutex_unlock(&ring.lock);
+	if (ring.chunk == NULL)
+		set_up(j);
+	lock();
+	ring.source = s;
+	ring.open = true;
+	ring.header = j->layout.in == FORMAT_CSV;
+	ring.last = NULL;
+	ring.begun = ring.answered = 0;
+	do
+		do_chunk();
+	while (!can_share());
+	ring.shared = true;
+	call_thread();
+	while (!is_finished())
+		pthread_cond_wait(&ring.all_answered, &ring.lock);
+	ring.shared = false;
+	unlock();
+	source_end(s, ring.last);
 }

@@ -1,9 +1,10 @@
 #include "document.h"
 
-#include <stdlib.h>
+#include <math.h>
 #include <string.h>
 
 #include "../json/scan.h"
+#include "../number/number.h"
 #include "convention_member.h"
 #include "members.h"
 #include "../talk.h"
@@ -78,68 +79,156 @@ static void check_point(const struct value *v, int coordinates)
 		    coordinates);
 }
 
-/* Returns whether v is one point; else it is a list of them. */
-static bool check_points(const struct value *v, int coordinates)
+/* Past the blanks of checked text. */
+static const char *skip_space(const char *s)
 {
-	struct value e;
-
-	if (!value_is_array(v))
-		value_wrong(v, "an array of points");
-	e = value_child(v);
-	if (e.item != NULL && !value_is_array(&e)) {
-		check_point(v, coordinates);
-		return true;
-	}
-	for (; e.item != NULL; value_next(&e))
-		check_point(&e, coordinates);
-	return false;
+	while ((unsigned char)*s <= ' ')
+		s++;
+	return s;
 }
 
-/* Copies a value from checked text, without the blanks in it, and ends it with
- * a newline. */
+/* Past the point of checked text at s, if it is of blanks and numbers without an
+ * exponent alone, and so short that none of these is beyond 1e150; else NULL. */
+static const char *pass_plain(const char *s, int coordinates)
+{
+	static const bool plain[256] = { [' '] = true,
+		['\n'] = true,
+		['\r'] = true,
+		['\t'] = true,
+		['-'] = true,
+		['.'] = true,
+		[','] = true,
+		['0'] = true,
+		['1'] = true,
+		['2'] = true,
+		['3'] = true,
+		['4'] = true,
+		['5'] = true,
+		['6'] = true,
+		['7'] = true,
+		['8'] = true,
+		['9'] = true };
+	const char *start = s++;
+	bool all = *start == '[';
+	int commas = 0;
+
+	for (; *s != ']'; s++) {
+		all &= plain[(unsigned char)*s];
+		commas += *s == ',';
+	}
+	return all && s - start < 150 && commas + 1 >= coordinates ? s + 1 :
+								     NULL;
+}
+
+/* Past the coordinate or other element at s of a point; NULL where it isn't one
+ * as it should be. */
+static const char *pass_element(const char *s, const char *end, bool coordinate)
+{
+	const char *stop;
+	double v;
+
+	if (*s == '-' || (*s >= '0' && *s <= '9')) {
+		stop = number_read(s, end, &v);
+		return !coordinate || fabs(v) <= MAGNITUDE_MAX ? stop : NULL;
+	}
+	if (*s == 'n')
+		return s + 4; /* null */
+	if (coordinate || *s == '[' || *s == '{' || *s == ']')
+		return NULL;
+	return *s == '"' ? json_string(s, end) :
+	    *s == 't'	 ? s + 4 : /* true */
+			   s + 5; /* false */
+}
+
+/* Past the point of checked text at s; NULL where pass_element says so. */
+static const char *pass_point(const char *s, const char *end, int coordinates)
+{
+	int n = 0;
+
+	if (*s != '[')
+		return NULL;
+	do {
+		s = pass_element(skip_space(s + 1), end, n++ < coordinates);
+		if (s == NULL)
+			return NULL;
+		s = skip_space(s);
+	} while (*s == ',');
+	return n >= coordinates ? s + 1 : NULL;
+}
+
+/* The same for the point v, whose text was left out of the values; but refuses
+ * what is none. */
+static const char *point_end(const struct value *v, const char *s,
+    const char *end, int coordinates)
+{
+	const char *stop = pass_plain(s, coordinates);
+	struct value looked_at = *v;
+
+	if (stop == NULL)
+		stop = pass_point(s, end, coordinates);
+
+	if (stop != NULL)
+		return stop;
+	stop = json_skip(s, end);
+	value_parse_part(&looked_at, s, stop);
+	check_point(&looked_at, coordinates);
+	value_free(&looked_at);
+	return stop;
+}
+
+/* Copies a value of checked text, without the blanks in it, to before its end,
+ * and ends it with a newline. */
 static char *copy_value(const char *s, const char *end, char *out)
 {
 	while (s < end) {
-		const char *next = *s == '"' ? json_string(s, end) : s + 1;
+		if (*s == '"') {
+			const char *next = json_string(s, end);
 
-		if ((unsigned char)*s > ' ') {
-			memcpy(out, s, (size_t)(next - s));
+			memmove(out, s, (size_t)(next - s));
 			out += next - s;
+			s = next;
+			continue;
 		}
-		s = next;
+		*out = *s++;
+		out += (unsigned char)*out > ' ';
 	}
 	*out++ = '\n';
 	return out;
 }
 
-/* Where in the document's checked text the value v begins: it is the document
- * itself, or one of its members. */
-static const char *find_points(const struct value *v, const char *text,
-    const char *end)
+/* The text of points, which only an array has. */
+static char *text_of(const struct value *v, const struct json_part *array)
 {
-	const char *s = text, *at;
-
-	while ((unsigned char)*s <= ' ')
-		s++;
-	at = s;
-	for (size_t i = 0; v->in != NULL && i <= v->index; i++)
-		at = json_next(at, end, &s);
-	return s;
+	if (array->s == NULL)
+		value_wrong(v, "an array of points");
+	return (char *)array->s;
 }
 
-static void take_points(const struct value *v, int coordinates,
-    const char *text, size_t size, char **points, size_t *points_size)
+/* Makes lines of the points that an array is, or the one point, in its place:
+ * no point's line is longer than the point with the comma or bracket before it.
+ * Returns how many bytes that is. */
+static size_t take_points(const struct value *v, const struct json_part *array,
+    int coordinates)
 {
-	bool one = check_points(v, coordinates);
-	const char *end = text + size, *s = find_points(v, text, end), *at = s;
-	char *out = *points = need(NULL, size + 1);
+	char *const lines = text_of(v, array);
+	char *out = lines;
+	const char *s = skip_space(lines + 1), *stop;
+	struct value e = { .source = v->source, .in = v, .unused = v->unused };
 
-	if (one)
-		out = copy_value(s, json_skip(s, end), out);
-	else
-		while ((at = json_next(at, end, &s)) != NULL)
-			out = copy_value(s, at, out);
-	*points_size = (size_t)(out - *points);
+	if (*s == ']')
+		return 0;
+	if (*s != '[') {
+		stop = point_end(v, lines, array->end, coordinates);
+		return (size_t)(copy_value(lines, stop, out) - lines);
+	}
+	for (;; e.index++) {
+		stop = point_end(&e, s, array->end, coordinates);
+		out = copy_value(s, stop, out);
+		stop = skip_space(stop);
+		if (*stop == ']')
+			return (size_t)(out - lines);
+		s = skip_space(stop + 1);
+	}
 }
 
 /* Whether an object is to be read as the member bare of a scene: if it has none
@@ -220,11 +309,24 @@ static void read_scene(struct document *d, const struct document_wants *w,
 		read_pick(&m[PICK], &d->pick);
 }
 
+static void read_points(struct document *d, const struct value *v,
+    const struct json_part *array, int coordinates)
+{
+	size_t size = take_points(v, array, coordinates);
+
+	if (coordinates == 0)
+		return;
+	d->points = array->s;
+	d->points_size = size;
+}
+
 void document_read(struct document *d, const char *name, char *text,
     size_t size, const struct document_wants *w)
 {
 	struct source source = { .name = name, .scene = scene_members };
-	struct value root = value_parse(&source, text, size);
+	struct json_part points;
+	struct value root = value_parse_without(&source, "points", text, size,
+	    &points);
 	struct value m[SCENE_MEMBERS];
 
 	source.fit = w->fit;
@@ -246,22 +348,22 @@ void document_read(struct document *d, const char *name, char *text,
 	source.unit = d->unit;
 	check_needed(&root, w->needed & ~seen);
 	read_scene(d, w, m, seen);
-	if (seen & SCENE_POINTS && w->coordinates > 0)
-		take_points(&m[POINTS], w->coordinates, text, size, &d->points,
-		    &d->points_size);
-	else if (seen & SCENE_POINTS)
-		check_points(&m[POINTS], 0);
+	if (seen & SCENE_POINTS)
+		read_points(d, &m[POINTS], &points, w->coordinates);
 	value_free(&root);
 }
 
-void document_points(const char *name, char *text, size_t size, int coordinates,
-    char **points, size_t *points_size)
+char *document_points(const char *name, char *text, size_t size,
+    int coordinates, size_t *points_size)
 {
 	struct source source = { .name = name, .scene = scene_members };
-	struct value root = value_parse(&source, text, size);
+	struct json_part points;
+	struct value root = value_parse_without(&source, NULL, text, size,
+	    &points);
 
-	take_points(&root, coordinates, text, size, points, points_size);
+	*points_size = take_points(&root, &points, coordinates);
 	value_free(&root);
+	return (char *)points.s;
 }
 
 void document_refuse(const struct document *d, const char *why)

@@ -42,8 +42,9 @@ struct document {
 	/* The member as which an object with none of a scene's members was
 	 * read, or NULL. Messages leave it out of their pointers. */
 	const char *bare;
-	/* The member points as document_points would give it, or NULL. */
-	char *points;
+	/* The member points as document_points would give it, or NULL. They
+	 * stand in the text that was read. */
+	const char *points;
 	size_t points_size;
 };
 
@@ -71,16 +72,16 @@ struct document_wants {
 	int coordinates;
 };
 
-/* Reads text[0..size), which it may change, into *d. name is for messages. */
+/* Reads text[0..size), which it changes, into *d. name is for messages. */
 void document_read(struct document *d, const char *name, char *text,
     size_t size, const struct document_wants *wants);
 
-/* Reads text[0..size), which it may change, as a point or a list of points.
- * *points, to be freed, gets them as lines, a JSON array each, which begins
+/* Reads text[0..size), which becomes what is left of it, as a point or a list
+ * of points. Returns them as lines in the text, a JSON array each, which begins
  * with as many numbers or nulls as coordinates says. The text of each element
  * stays as it is. */
-void document_points(const char *name, char *text, size_t size, int coordinates,
-    char **points, size_t *points_size);
+char *document_points(const char *name, char *text, size_t size,
+    int coordinates, size_t *points_size);
 
 /* Prints "projcalc: FILE: WHY" and exits with 1. why is a refusal of core/,
  * which begins with a pointer: "/camera/up: ...". */

@@ -253,7 +253,7 @@ if ($write) {
 
 my %want = reverse slurp($digests) =~ /^(\S+)  (.*)/mg;
 
-for my $cpu (qw(baseline avx2 avx512)) {
+for my $cpu (qw(baseline avx2 avx512 neon)) {
 	local $ENV{PROJCALC_CPU} = $cpu;
 	SKIP: {
 		skip "no $cpu here", scalar @groups

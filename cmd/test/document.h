@@ -16,11 +16,11 @@ static inline void read_text(const void *argument)
 	const struct refusal *r = argument;
 	struct document d;
 	size_t size = strlen(r->text), n;
-	char *text = malloc(size), *points;
+	char *text = malloc(size);
 
 	memcpy(text, r->text, size);
 	if (r->wants == NULL)
-		document_points("s.json", text, size, 3, &points, &n);
+		document_points("s.json", text, size, 3, &n);
 	else
 		document_read(&d, "s.json", text, size, r->wants);
 	free(text);

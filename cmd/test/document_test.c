@@ -8,7 +8,17 @@ static const struct document_wants w2d = { .needed = SCENE_WINDOW |
 static const struct document_wants project = { WANTS };
 static const struct document_wants no_points = { .used = ~0u };
 
+#define FIFTY "00000000000000000000000000000000000000000000000000"
+
 static const struct refusal scenes[] = {
+	{ &project, "{\"points\":[[1,2,3],[0,1" FIFTY FIFTY FIFTY "0,0]]}",
+	    "/points/1/1: 1e+151 is out of range; numbers go up to 1e150" },
+	{ &project, "{\"points\":[[1,2,3],[]]}",
+	    "/points/1: has 0 elements; 3 coordinates are wanted" },
+	{ &project, "{\"points\":[1,2,[3]]}",
+	    "/points/2: is an array; a number is wanted" },
+	{ &project, "{\"points\":[[1,2,3]],\"p\\u006fints\":[[1,2,3]]}",
+	    "/points: repeated; give it once" },
 	{ &project, "{\"convention\":\"vulcan\"}",
 	    "/convention: is \"vulcan\"; did you mean \"vulkan\"?" },
 	{ &project, "{\"convention\":\"opengl\"}",
@@ -202,23 +212,35 @@ static void assert_points(const char *typed, const char *lines)
 {
 	const struct document_wants wants = { WANTS };
 	size_t size = strlen(typed), n;
-	char text[400], *points;
+	char text[400];
+	struct document d;
 
 	memcpy(text, typed, size);
-	document_points("POINTS", text, size, 3, &points, &n);
+	const char *points = document_points("POINTS", text, size, 3, &n);
+
 	assert_int_equal(n, strlen(lines));
 	assert_memory_equal(points, lines, n);
-	free(points);
 	strcat(strcat(strcpy(text,
 			  "{\"_a\":{\"points\":[[7]]},\"_b\":\"[:\",\"points\" "
 			  ": "),
 		   typed),
 	    " ,\"_points\":[[8]]}");
-	struct document d = read_as(&wants, text);
-
+	document_read(&d, "s.json", text, strlen(text), &wants);
 	assert_int_equal(d.points_size, strlen(lines));
 	assert_memory_equal(d.points, lines, d.points_size);
-	free(d.points);
+}
+
+/* The member's name may be written with escapes. */
+static void test_points_name(void **state)
+{
+	const struct document_wants wants = { WANTS };
+	char text[] = "{\"_points\":[[7]],\"\\u0070oint\\u0073\":[[1, 2,3]]}";
+	struct document d;
+
+	(void)state;
+	document_read(&d, "s.json", text, strlen(text), &wants);
+	assert_int_equal(d.points_size, 8);
+	assert_memory_equal(d.points, "[1,2,3]\n", 8);
 }
 
 static void test_points(void **state)
@@ -231,6 +253,12 @@ static void test_points(void **state)
 	assert_points(" [ [1,2,3] ,\n\t[4,null,6] ] ", "[1,2,3]\n[4,null,6]\n");
 	assert_points("[[1,2,3,\"a \\\"b ,]\\\\\",true,\"\\u00e9 :\",1e999]]",
 	    "[1,2,3,\"a \\\"b ,]\\\\\",true,\"\\u00e9 :\",1e999]\n");
+	/* longer than what cJSON takes for a number */
+#define TEN "1234567890"
+	assert_points("[[" TEN TEN TEN TEN TEN TEN TEN
+		      ",0,1e-3," TEN TEN TEN TEN TEN TEN TEN "]]",
+	    "[" TEN TEN TEN TEN TEN TEN TEN
+	    ",0,1e-3," TEN TEN TEN TEN TEN TEN TEN "]\n");
 	assert_null(read_as(&no_points, "{\"points\":[[0]]}").points);
 	assert_null(read_as(&no_points, "{}").points);
 }
@@ -272,6 +300,7 @@ int main(void)
 		cmocka_unit_test(test_convention),
 		cmocka_unit_test(test_matrix),
 		cmocka_unit_test(test_points),
+		cmocka_unit_test(test_points_name),
 		cmocka_unit_test(test_reasons),
 	};
 

@@ -1,16 +1,18 @@
 /* Preloaded by fault_test.t, between the program and the C library.
  *   FAULT="CALL N ERROR"  the N-th CALL fails with that error number;
- *       of malloc (with realloc and calloc), read, open, thread, write and
- *       close, the last two of standard output
+ *       of malloc (with realloc and calloc), read (with pread), open, thread,
+ *       write and close, the last two of standard output
  *   FAULT="short"  reads and writes take a few bytes, or are interrupted, and
  *       poll often says that nothing is there
- *   FAULT="cut N FILE"  the N-th read finds FILE truncated */
+ *   FAULT="cut N FILE"  the N-th read finds FILE truncated
+ *   FAULT="late N FILE"  the same, after the one that follows it has read */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <pthread.h>
+#include <sched.h>
 #include <stdarg.h>
 #include <stdatomic.h>
 #include <stdbool.h>
@@ -25,6 +27,7 @@ extern void *__libc_malloc(size_t), *__libc_calloc(size_t, size_t),
 static char call[16], file[256];
 static int at, error;
 static atomic_int calls;
+static atomic_bool next_is_done;
 
 __attribute__((constructor)) static void set_up(void)
 {
@@ -33,7 +36,7 @@ __attribute__((constructor)) static void set_up(void)
 	if (fault == NULL)
 		return;
 	sscanf(fault, "%15s %d %d", call, &at, &error);
-	sscanf(fault, "cut %*d %255s", file);
+	sscanf(fault, "%*[a-z] %*d %255s", file);
 	unsetenv("FAULT"); /* not for what the program may start */
 }
 
@@ -77,13 +80,9 @@ static size_t few(size_t n)
 	return k % 8 < n ? k % 8 : n;
 }
 
-ssize_t read(int fd, void *to, size_t n)
+/* Before n bytes are read: how many shall be, or -1. */
+static ssize_t before_read(size_t n)
 {
-	static ssize_t (*real)(int, void *, size_t);
-
-	if (real == NULL)
-		real = (ssize_t(*)(int, void *, size_t))dlsym(RTLD_NEXT,
-		    "read");
 	if (fails("read"))
 		return -1;
 	if (is("cut") && atomic_fetch_add(&calls, 1) + 1 == at &&
@@ -91,7 +90,41 @@ ssize_t read(int fd, void *to, size_t n)
 		return -1;
 	if (is("short") && n > 0 && (n = few(n)) == 0)
 		return -1;
-	return real(fd, to, n);
+	return (ssize_t)n;
+}
+
+ssize_t read(int fd, void *to, size_t n)
+{
+	static ssize_t (*real)(int, void *, size_t);
+
+	if (real == NULL)
+		real = (ssize_t(*)(int, void *, size_t))dlsym(RTLD_NEXT,
+		    "read");
+	ssize_t some = before_read(n);
+
+	return some < 0 ? -1 : real(fd, to, (size_t)some);
+}
+
+ssize_t pread(int fd, void *to, size_t n, off_t from)
+{
+	static ssize_t (*real)(int, void *, size_t, off_t);
+
+	if (real == NULL)
+		real = (ssize_t(*)(int, void *, size_t, off_t))dlsym(RTLD_NEXT,
+		    "pread");
+	ssize_t some = before_read(n);
+	int k = is("late") ? atomic_fetch_add(&calls, 1) + 1 : 0;
+
+	if (some < 0)
+		return -1;
+	while (k > 0 && k == at && !next_is_done)
+		sched_yield();
+	if (k > 0 && k == at && truncate(file, 100) != 0)
+		return -1;
+	some = real(fd, to, (size_t)some, from);
+	if (k == at + 1)
+		next_is_done = true;
+	return some;
 }
 
 ssize_t write(int fd, const void *from, size_t n)

@@ -111,7 +111,7 @@ SKIP: {
 		is_deeply(\@said, [0, $whole, ''], "without thread $n");
 	}
 	for my $j (1, 2) {
-		for my $args ("$tmp/few", "-i csv $tmp/few.csv",
+		for my $args ("$tmp/few", "$tmp/points", "-i csv $tmp/few.csv",
 		    "-i json --flags $tmp/few.json", "-i f64 $tmp/few.f64",
 		    "--keep-going $tmp/bad", "$tmp/bad") {
 			my @whole = run("$project -j$j $args");
@@ -126,6 +126,10 @@ SKIP: {
 		ok(($status == 0 || $status == 1) && starts($whole,
 		    $out =~ s/[^\n]*\n?\z//r), "a file that is cut, $n");
 	}
+	spew("$tmp/cut", $lines);
+	my (undef, $out) = faulty("$project -j2 $tmp/cut", "late 2 $tmp/cut");
+	ok($out ne '' && $out ne $whole && starts($whole, $out),
+	    'what was read behind the end of a file that is cut');
 }
 
 # A full disk, and streams that are closed.
@@ -284,12 +288,33 @@ SKIP: {
 	($status, $out, $err) = run("$limit $project -j2 $tmp/zeros");
 	ok($status == 1 && $out eq '' && $err =~ $long,
 	    'a line of 1 GB of zeros');
+	for my $n (1 << 26, (1 << 26) + 1) {
+		spew("$tmp/line", "0 0 0\n" x 30000 . "0 0 0 " .
+		    'a' x ($n - 7) . "\n");
+		my @want = $n == 1 << 26 ? (0, '') : (1,
+		    "projcalc: -:30001: a line of more than 64 MiB\n");
+		for my $from ("<$tmp/line", "<$tmp/line cat |") {
+			my ($input, $pipe) = $from =~ /cat/ ? ($from, '') :
+			    ('', $from);
+			($status, $out, $err) = run("$limit $input $project " .
+			    "-j2 - $pipe >/dev/null");
+			is_deeply([$status, $err], \@want,
+			    "a line of $n bytes: $from");
+		}
+	}
 	run("(printf '0 0 0 '; perl -e 'print q(a ) x 3e7'; echo) >$tmp/60M");
 	($status, $out, $err) = run("$limit $project -j2 $tmp/60M | wc -c");
 	is("$status $out$err", "0 60000028\n", 'a line of 60 MB is carried');
 	spew("$tmp/3M", "0 1 2\n" x 3000000);
 	my $peak = peak("$project -j2 $tmp/3M");
 	cmp_ok($peak, '<', 20000, '3 million lines in 20 MB');
+	my $points = join ",\n", map { "[$_, 0.125, -7.5e-1, \"a\"]" }
+	    1 .. 400000;
+	spew("$tmp/document", "{\"points\": [$points]}");
+	my $size = int((-s "$tmp/document") / 1024);
+	$peak = peak("projcalc project -j2 $tmp/document");
+	cmp_ok($peak, '<', $size + 20000,
+	    "a document of $size kilobytes of points in 20 MB more");
 	sparse("$tmp/zeros", 504000000);
 	$peak = peak("$project -j2 -i f64 $tmp/zeros");
 	cmp_ok($peak, '<', 20000, '21 million binary points in 20 MB');

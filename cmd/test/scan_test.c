@@ -51,6 +51,44 @@ static void test_number(void **state)
 	assert_true(v == -1500);
 }
 
+/* Any byte ends digits, wherever it stands among them. */
+static void test_digits(void **state)
+{
+	char text[32];
+
+	(void)state;
+	for (size_t n = 1; n <= sizeof text; n++)
+		for (size_t i = 1; i < n; i++)
+			for (int c = 0; c < 256; c++) {
+				memset(text, '9', n);
+				text[i] = (char)c;
+				if (strchr("0123456789.eE", c) == NULL ||
+				    c == 0)
+					assert_ptr_equal(json_number_end(text,
+							     text + n),
+					    text + i);
+			}
+}
+
+/* Ends are those of the numbers that are read, in every text of up to six of
+ * these characters. */
+static void test_number_end(void **state)
+{
+	const char some[] = "01.eE+-x";
+	char text[6];
+
+	(void)state;
+	for (unsigned k = 0; k < 1u << 18; k++)
+		for (size_t n = 0; n <= sizeof text; n++) {
+			double v;
+
+			for (size_t i = 0; i < n; i++)
+				text[i] = some[k >> 3 * i & 7];
+			assert_ptr_equal(json_number_end(text, text + n),
+			    json_number(text, text + n, &v));
+		}
+}
+
 /* Quotes and brackets hide commas, in what is no JSON, too. */
 static void test_skip(void **state)
 {
@@ -134,6 +172,8 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_number),
+		cmocka_unit_test(test_digits),
+		cmocka_unit_test(test_number_end),
 		cmocka_unit_test(test_skip),
 		cmocka_unit_test(test_next),
 		cmocka_unit_test(test_unescape),

@@ -10,12 +10,12 @@ export TSAN_OPTIONS=exitcode=66 LC_ALL=C
 tmp=$(mktemp -d)
 trap 'rm -rf "$tmp"' EXIT
 
-# Runs with four threads and with one, and compares what they say.
+# Runs with four threads and with one, and compares what they say. - is a pipe.
 check() {
 	for jobs in 1 4; do
 		status=0
-		projcalc "$@" -j $jobs >"$tmp/out$jobs" 2>"$tmp/err$jobs" ||
-		    status=$?
+		cat "$tmp/pipe" /dev/null | projcalc "$@" -j $jobs >"$tmp/out$jobs" \
+		    2>"$tmp/err$jobs" || status=$?
 		echo $status >>"$tmp/err$jobs"
 	done
 	if ! cmp "$tmp/out1" "$tmp/out4" || ! cmp "$tmp/err1" "$tmp/err4"
@@ -33,6 +33,13 @@ awk '{ print NR % 9000 == 8999 ? "bad" : $0 }' "$tmp/text" >"$tmp/bad"
 sed 's/.*/[&,"a"]/; s/ /,/g' "$tmp/text" >"$tmp/json"
 projcalc project -o f64 --to world full.json "$tmp/text" >"$tmp/f64"
 
+cp "$tmp/text" "$tmp/pipe"
+{
+	sed '/"points"/d; $d' scene.json
+	sed 's/ /, /g; s/.*/ [&]/; 1s/^/"points": [/; 1!s/^/,/' "$tmp/text"
+	echo ']}'
+} >"$tmp/document"
+
 check project scene.json "$tmp/text" "$tmp/text" '[1,2,3]' "$tmp/text"
 check project --flags -t 0.01 scene.json "$tmp/text"
 check project scene.json "$tmp/text" "$tmp/bad"
@@ -43,3 +50,9 @@ check project -i f64 scene.json "$tmp/f64" "$tmp/f64"
 check project -i f64 --ray scene.json "$tmp/f64"
 check pick --at 320,240 --radius 100 scene.json "$tmp/text" "$tmp/bad"
 check fit full.json "$tmp/text"
+check project scene.json -
+check project --keep-going scene.json "$tmp/bad" - "$tmp/text"
+check project "$tmp/document"
+check pick --at 320,240 --radius 100 "$tmp/document"
+cp "$tmp/f64" "$tmp/pipe"
+check project -i f64 scene.json -

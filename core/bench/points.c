@@ -7,15 +7,16 @@
 #include "../points.h"
 #include "../test/sample.h"
 
-enum { RUNS = 101, CALLS = 4, EFFORTS = 4, CASES = 4, COPIES = 3 };
+enum { RUNS = 101, CALLS = 4, EFFORTS = 4, CASES = 4, COPIES = 4 };
 
-static const char *const copies[COPIES] = { "baseline", "avx2", "avx512" };
+static const char *const copies[COPIES] = { "baseline", "avx2", "avx512",
+	"neon" };
 
 static const struct accuracy efforts[EFFORTS] = {
-	{ PRECISION_EXACT, 0 },
-	{ PRECISION_DOUBLE, 0 },
-	{ PRECISION_SINGLE, 0 },
-	{ PRECISION_EXACT, 0.5 },
+	{ PRECISION_EXACT, { 0 } },
+	{ PRECISION_DOUBLE, { 0 } },
+	{ PRECISION_SINGLE, { 0 } },
+	{ PRECISION_EXACT, { 0.01, 0.01, 0.01 } },
 };
 
 static const struct scene scene = {
@@ -45,7 +46,7 @@ static const struct scene scene = {
 struct sample {
 	const char *name;
 	struct transform transform;
-	double in[3][POINTS_BLOCK];
+	COLUMN_ALIGNED double in[3][POINTS_BLOCK];
 	double times[COPIES][EFFORTS][RUNS];
 };
 
@@ -88,14 +89,13 @@ static const char *make_cases(void)
 
 static double measure(const struct sample *s, const struct accuracy *e)
 {
-	static double image[4][POINTS_BLOCK];
-	static bool single[POINTS_BLOCK];
+	static COLUMN_ALIGNED double image[4][POINTS_BLOCK];
 	const double *const in[4] = { s->in[0], s->in[1], s->in[2] };
 	double *const out[4] = { image[0], image[1], image[2], image[3] };
 	double start = clock_ns();
 
 	for (int i = 0; i < CALLS; i++)
-		points_carry(&s->transform, e, in, out, single, POINTS_BLOCK);
+		points_carry(&s->transform, e, in, out, POINTS_BLOCK);
 	return (clock_ns() - start) / (CALLS * POINTS_BLOCK);
 }
 
@@ -135,7 +135,7 @@ int main(void)
 	measure_all(0);
 	for (int run = 0; run < RUNS; run++)
 		measure_all(run);
-	printf("| kind | copy | exact | double | single | -t 0.5 |\n"
+	printf("| kind | copy | exact | double | single | -t 0.01 |\n"
 	       "|---|---|--:|--:|--:|--:|\n");
 	for (int c = 0; c < CASES; c++)
 		for (int copy = 0; copy < COPIES; copy++)

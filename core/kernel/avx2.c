@@ -10,6 +10,7 @@
 #define STORE(p, a) _mm256_storeu_pd(p, a)
 #define ALL(a) _mm256_set1_pd(a)
 #define FMA(a, b, c) _mm256_fmadd_pd(a, b, c)
+#define SQRT(a) _mm256_sqrt_pd(a)
 #define ABS(a) _mm256_andnot_pd(_mm256_set1_pd(-0.0), a)
 #define MIN(a, b) _mm256_min_pd(a, b)
 #define MAX(a, b) _mm256_max_pd(a, b)
@@ -31,6 +32,12 @@
 	(_mm256_storeu_pd(p, _mm256_cvtps_pd(_mm256_castps256_ps128(a))), \
 	    _mm256_storeu_pd((p) + 4,                                     \
 		_mm256_cvtps_pd(_mm256_extractf128_ps(a, 1))))
+#define F_LOAD(p) _mm256_loadu_ps(p)
+#define F_SAVE(p, a) _mm256_storeu_ps(p, a)
+#define F_FAR_HALF(p, o)                                                \
+	_mm256_cvtpd_ps(_mm256_sub_pd(_mm256_cvtps_pd(_mm_loadu_ps(p)), \
+	    _mm256_set1_pd(o)))
+#define F_FAR(p, o) _mm256_set_m128(F_FAR_HALF((p) + 4, o), F_FAR_HALF(p, o))
 #define F_ALL(a) _mm256_set1_ps(a)
 #define F_FMA(a, b, c) _mm256_fmadd_ps(a, b, c)
 #define F_ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)

@@ -10,6 +10,7 @@
 #define STORE(p, a) _mm512_storeu_pd(p, a)
 #define ALL(a) _mm512_set1_pd(a)
 #define FMA(a, b, c) _mm512_fmadd_pd(a, b, c)
+#define SQRT(a) _mm512_sqrt_pd(a)
 #define ABS(a) _mm512_abs_pd(a)
 #define MIN(a, b) _mm512_min_pd(a, b)
 #define MAX(a, b) _mm512_max_pd(a, b)
@@ -27,16 +28,22 @@
 #define F_WIDTH 16
 #define F_HALF(p, o) \
 	_mm512_cvtpd_ps(_mm512_sub_pd(_mm512_loadu_pd(p), _mm512_set1_pd(o)))
-#define F_NEAR(p, o)                                                      \
-	_mm512_castpd_ps(                                                 \
-	    _mm512_insertf64x4(_mm512_castps_pd(                          \
-				   _mm512_castps256_ps512(F_HALF(p, o))), \
-		_mm256_castps_pd(F_HALF((p) + 8, o)), 1))
+#define F_JOIN(a, b)                                                        \
+	_mm512_castpd_ps(                                                   \
+	    _mm512_insertf64x4(_mm512_castps_pd(_mm512_castps256_ps512(a)), \
+		_mm256_castps_pd(b), 1))
+#define F_NEAR(p, o) F_JOIN(F_HALF(p, o), F_HALF((p) + 8, o))
 #define F_STORE(p, a)                                                     \
 	(_mm512_storeu_pd(p, _mm512_cvtps_pd(_mm512_castps512_ps256(a))), \
 	    _mm512_storeu_pd((p) + 8,                                     \
 		_mm512_cvtps_pd(_mm256_castpd_ps(                         \
 		    _mm512_extractf64x4_pd(_mm512_castps_pd(a), 1)))))
+#define F_LOAD(p) _mm512_loadu_ps(p)
+#define F_SAVE(p, a) _mm512_storeu_ps(p, a)
+#define F_FAR_HALF(p, o)                                                   \
+	_mm512_cvtpd_ps(_mm512_sub_pd(_mm512_cvtps_pd(_mm256_loadu_ps(p)), \
+	    _mm512_set1_pd(o)))
+#define F_FAR(p, o) F_JOIN(F_FAR_HALF(p, o), F_FAR_HALF((p) + 8, o))
 #define F_ALL(a) _mm512_set1_ps(a)
 #define F_FMA(a, b, c) _mm512_fmadd_ps(a, b, c)
 #define F_ABS(a) _mm512_abs_ps(a)

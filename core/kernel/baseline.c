@@ -10,6 +10,7 @@
 #define STORE(p, a) (*(p) = (a))
 #define ALL(a) ((double)(a))
 #define FMA(a, b, c) fma(a, b, c)
+#define SQRT(a) sqrt(a)
 #define ABS(a) fabs(a)
 #define MIN(a, b) ((a) < (b) ? (a) : (b))
 #define MAX(a, b) ((a) > (b) ? (a) : (b))
@@ -22,6 +23,9 @@
 #define F_WIDTH 1
 #define F_NEAR(p, o) ((float)(*(p) - (o)))
 #define F_STORE(p, a) (*(p) = (double)(a))
+#define F_LOAD(p) (*(p))
+#define F_SAVE(p, a) (*(p) = (a))
+#define F_FAR(p, o) ((float)((double)*(p) - (o)))
 #define F_ALL(a) ((float)(a))
 #define F_FMA(a, b, c) fmaf(a, b, c)
 #define F_ABS(a) fabsf(a)

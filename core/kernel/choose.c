@@ -12,6 +12,9 @@ static const struct {
 	{ "avx512", &kernels_avx512 },
 	{ "avx2", &kernels_avx2 },
 #endif
+#ifdef __aarch64__
+	{ "neon", &kernels_neon },
+#endif
 	{ "baseline", &kernels_baseline },
 };
 
@@ -23,6 +26,10 @@ static bool runs(const char *name)
 	if (strcmp(name, "avx2") == 0)
 		return __builtin_cpu_supports("avx2") &&
 		    __builtin_cpu_supports("fma");
+#endif
+#ifdef __aarch64__
+	if (strcmp(name, "neon") == 0)
+		return true;
 #endif
 	return strcmp(name, "baseline") == 0;
 }

@@ -6,35 +6,24 @@
  *	ALL(a)		a in each lane
  *	FMA(a, b, c)	a b + c, rounded once
  *	MADD(a, b, c)	the same, or the product rounded before: what is faster
- *	ABS MIN MAX	MIN is a < b ? a : b, MAX a > b ? a : b, nan or not
+ *	ABS SQRT
+ *	MIN MAX		MIN is a < b ? a : b, MAX a > b ? a : b, nan or not
  *	SAME(a, b, c)	a == b ? c : 0
  *	CHOOSE(a, b, c)	a > 0 ? b : c
  *	IS_POSITIVE(a)	whether all of a are above 0
  *
  * and the same of FMA, ABS and MAX for floats, F and F_..., but that F_NEAR(p, o)
  * reads doubles and gives their difference from o rounded to floats, F_STORE
- * writes doubles, and F_POSITIVE(a, b) is a > 0 ? b : nan. Vectors have +, -, *
- * and /. Every operation is one rounding of IEEE 754 in each lane. */
+ * writes doubles, and F_POSITIVE(a, b) is a > 0 ? b : nan. F_LOAD and F_SAVE are
+ * from and to floats, and F_FAR(p, o) is F_NEAR of what is floats in memory.
+ * Vectors have +, -, * and /. Every operation is one rounding of IEEE 754 in each
+ * lane. */
 #include <math.h>
 
 #include "exact.h"
+#include "rows.h"
 
-/* Below which |x| + |y| + |z| makes no sum of the map's larger than most. */
-static double size_limit(const struct kernel_map *m, enum kernel_kind kind,
-    double most)
-{
-	double limit = most;
-
-	for (int j = 0; j < 4; j++) {
-		if (j >= kernel_columns(kind) &&
-		    (j < 3 || !kernel_divides(kind)))
-			continue;
-		limit = fmin(limit,
-		    m->most[j] <= most ? (most - m->image[j]) / m->most[j] : 0);
-	}
-	return limit;
-}
-
+#define COLUMN double
 #define REAL double
 #define R V
 #define R_WIDTH WIDTH
@@ -50,6 +39,19 @@ static double size_limit(const struct kernel_map *m, enum kernel_kind kind,
 #define MOST 0x1p1000
 #define NAME(x) double_##x
 #include "plain.h"
+
+#define LOOP(KIND, name)                                                       \
+	static int name(const struct kernel_map *m, const double *const in[3], \
+	    double *const out[3], size_t n, const double tolerance[3])         \
+	{                                                                      \
+		return double_plain(m, in, out, n, tolerance, KIND);           \
+	}
+
+LOOP(KERNEL_FLAT, within_flat)
+LOOP(KERNEL_AFFINE, within_affine)
+LOOP(KERNEL_DEPTH, within_depth)
+LOOP(KERNEL_PROJECTIVE, within_projective)
+#undef LOOP
 #undef REAL
 #undef R
 #undef R_WIDTH
@@ -81,18 +83,41 @@ static double size_limit(const struct kernel_map *m, enum kernel_kind kind,
 #define NAME(x) single_##x
 #include "plain.h"
 
-#define KERNELS_OF(prefix)                                \
-	{                                                 \
-		[KERNEL_FLAT] = prefix##_flat,            \
-		[KERNEL_AFFINE] = prefix##_affine,        \
-		[KERNEL_DEPTH] = prefix##_depth,          \
-		[KERNEL_PROJECTIVE] = prefix##_projective \
+/* Columns of floats, to the same bits. Where the difference of two floats has no room
+ * in a double, they are so far apart that it is the larger one, as a float: to round
+ * once or twice is the same. */
+#undef COLUMN
+#define COLUMN float
+#undef R_NEAR
+#define R_NEAR(p, o)                                                      \
+	((double)(float)(o) == (o) ? (F)(F_LOAD(p) - F_ALL((float)(o))) : \
+				     F_FAR(p, o))
+#undef R_STORE
+#define R_STORE(p, a) F_SAVE(p, a)
+#undef NAME
+#define NAME(x) floats_##x
+#include "plain.h"
+
+#define KERNELS_OF(prefix)                                                \
+	[KERNEL_FLAT] = prefix##_flat, [KERNEL_AFFINE] = prefix##_affine, \
+	[KERNEL_DEPTH] = prefix##_depth,                                  \
+	[KERNEL_PROJECTIVE] = prefix##_projective
+
+#define ROWS_OF(name)                                          \
+	{                                                      \
+		[2] = name##_2, [3] = name##_3, [4] = name##_4 \
 	}
 
 const struct kernels COPY = {
-	.exact = KERNELS_OF(exact),
+	.exact = { KERNELS_OF(exact), [KERNEL_DIRECTION] = exact_direction },
 	.plain = {
-		[PRECISION_DOUBLE] = KERNELS_OF(double),
-		[PRECISION_SINGLE] = KERNELS_OF(single),
+		[PRECISION_DOUBLE] = { KERNELS_OF(double) },
+		[PRECISION_SINGLE] = { KERNELS_OF(single) },
 	},
+	.within = { KERNELS_OF(within) },
+	.floats = { KERNELS_OF(floats) },
+	.split = { ROWS_OF(split_narrow), ROWS_OF(split_wide) },
+	.join = { ROWS_OF(join_narrow), ROWS_OF(join_wide) },
+	.split_floats = ROWS_OF(split_floats),
+	.join_floats = ROWS_OF(join_floats),
 };

@@ -14,26 +14,30 @@
  *
  *	lo = sum of (coordinate's rest) element + (cut coordinate) (element's rest)
  *
- * of three terms up to 2^-26 B, then three up to 2^-25 B, so that partial sums are
- * up to 1, 2, 3, 5, 7, 9 times 2^-26 B. Rounding these, products and rests, leaving
- * elements' low parts out of the first three terms, and normalise(), where |hi| <
- * |lo|, lose together 48.5 u 2^-26 B < 2^-73.3 B, where u = 2^-53: `make prove`
- * counts it from what stands here. */
+ * of three terms up to 2^-27 B and three up to 2^-25 B, beside three up to 2^-27 B
+ * that the origin's rests move: no partial sum is above 9 times 2^-26 B. Rounding
+ * these, products, rests, and lo with its bound, and leaving elements' low parts out
+ * of the first three terms, lose together 49 u 2^-26 B < 2^-73.3 B, where u = 2^-53:
+ * `make prove` counts it from what stands here. */
 #include "kernel.h"
 
 /* The bound that is used, in units of B. More than half of it is left for what the
- * quotient and the test itself round, 2^-100 of a coordinate. */
+ * quotient rounds. */
 #ifndef DIGITS /* of another number, as the proofs have it */
 #define DIGITS 53
 #define COLUMN_BOUND 0x1p-72
-#define DEPTH_BOUND 0x1p-100 /* of a, where depth is a + b / w */
+#define DEPTH_BOUND 0x1p-87 /* of a, where depth is a + b / w */
 #define MODERATE 0x1p200
 #endif
 /* What isn't 0 counts as so much, though it underflow when it is scaled. */
 #define LEAST 0x1p-1022
 
 /* Binary places that are left to coordinates and elements by their cuts. */
-enum { POINT_CUT = DIGITS / 2, ELEMENT_CUT = DIGITS - 3 - POINT_CUT };
+enum {
+	POINT_CUT = DIGITS / 2,
+	ELEMENT_CUT = DIGITS - 3 - POINT_CUT,
+	DEPTH_CUT = DIGITS * 3 / 4 - 1 /* and to a in depth */
+};
 
 /* Coordinates and columns of which nothing underflows or overflows. */
 static int is_moderate(double largest)
@@ -66,36 +70,68 @@ static inline double least(V a)
 	return r;
 }
 
+/* Whether a b is exactly that, and no part of it underflows. */
+static bool is_product(double a, double b, double product)
+{
+	return fma(a, b, -product) == 0 &&
+	    (fabs(product) > 0x1p-900 || a == 0 || b == 0);
+}
+
 /* What a block's coordinates have in common. Where the origin is less than 2^23
- * times as large as the differences from it, points are cut like it, and the parts
- * subtracted: high and rest. Else points lie so near to each other and to it that
- * the whole difference is exact: near. */
+ * times as large as the differences from it, points are cut like it, and the high
+ * parts subtracted; what the rest moves is the column's. Else points lie so near to
+ * each other and to it that the whole difference is exact: near. */
 struct range {
 	double largest; /* of the differences, a little up */
 	int e;          /* below 2^e */
 	double rounder; /* to multiples of 2^(e-26) */
-	double near, high, rest;
+	double near, rest;
+	double rounder_and_high;
 };
+
+/* The largest difference. Several maxima at once, as one would wait for itself. */
+static double largest_of(const double *in, double origin, size_t n)
+{
+	enum { CHAINS = 4 };
+	V low[CHAINS], high[CHAINS];
+	size_t i = 0;
+
+	for (int k = 0; k < CHAINS; k++)
+		low[k] = ALL(HUGE_VAL), high[k] = ALL(-HUGE_VAL);
+	for (; i + CHAINS * WIDTH <= n; i += CHAINS * WIDTH)
+		for (int k = 0; k < CHAINS; k++) {
+			V x = LOAD(in + i + k * WIDTH);
+
+			low[k] = MIN(x, low[k]);
+			high[k] = MAX(x, high[k]);
+		}
+	for (; i < n; i += WIDTH) {
+		low[0] = MIN(LOAD(in + i), low[0]);
+		high[0] = MAX(LOAD(in + i), high[0]);
+	}
+	for (int k = 1; k < CHAINS; k++) {
+		low[0] = MIN(low[k], low[0]);
+		high[0] = MAX(high[k], high[0]);
+	}
+	return fmax(fabs(-least(-high[0]) - origin),
+	    fabs(origin - least(low[0])));
+}
 
 static struct range range_of(const double *in, double origin, size_t n)
 {
 	struct range r = { 0, 0, 0, 0, 0, 0 };
-	V most = ALL(0);
+	double high = 0;
 
-	for (size_t i = 0; i < n; i += WIDTH) {
-		V d = ABS(LOAD(in + i) - ALL(origin));
-
-		most = MAX(d, most);
-	}
-	r.largest = -least(-most) * (1 + ldexp(1, 3 - DIGITS));
+	r.largest = largest_of(in, origin, n) * (1 + ldexp(1, 3 - DIGITS));
 	frexp(r.largest, &r.e);
 	r.rounder = rounder(ldexp(1, r.e - POINT_CUT));
-	if (!(fabs(origin) < ldexp(1, r.e + POINT_CUT - 3))) {
+	if (fabs(origin) < ldexp(1, r.e + POINT_CUT - 3)) {
+		high = cut_to(origin, ldexp(1, r.e - POINT_CUT));
+		r.rest = origin - high;
+	} else {
 		r.near = origin;
-		return r;
 	}
-	r.high = cut_to(origin, ldexp(1, r.e - POINT_CUT));
-	r.rest = origin - r.high;
+	r.rounder_and_high = r.rounder + high;
 	return r;
 }
 
@@ -110,11 +146,30 @@ static double none_of(const struct kernel_map *m, int j, int terms,
 	return m->none[j] * largest;
 }
 
-/* A column's elements, and its origin's image, cut for a block of points. */
+/* A column's elements, and its origin's image, cut for a block of points. Where all
+ * of them are held for 0, the column is 0. */
 struct cut {
 	double high[4], rest[4], all[4];
 	double bound; /* of the error */
+	/* Where it is exact, rests are without elements' low parts, as these
+	 * make no difference. tiny is 2^56 times what may be none. */
+	bool exact;
+	double tiny;
 };
+
+/* Whether all low parts of column j make a difference of none, or there are none. */
+static bool has_short_elements(const struct kernel_map *m, int j, int terms,
+    const struct range *range)
+{
+	double all = 0;
+
+	for (int i = 0; i < 4; i++)
+		if ((i == 3 || i < terms) && !m->exact[i][j])
+			all += fabs(m->lo[i][j]) *
+				(i == 3 ? 1 : range[i].largest) +
+			    LEAST;
+	return fmax(all, m->surely_none[j]) == m->surely_none[j];
+}
 
 /* False where that is beyond the range. */
 static int cut_column(const struct kernel_map *m, int j, int terms,
@@ -128,6 +183,7 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
 			most = fmax(most,
 			    fmax(LEAST, ldexp(fabs(m->hi[i][j]), range[i].e)));
 	frexp(most, &f);
+	c->exact = has_short_elements(m, j, terms, range);
 	for (int i = 0; i < 4; i++) {
 		bool counts = i == 3 || (i < terms && range[i].largest > 0);
 		double unit = ldexp(1,
@@ -137,20 +193,62 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
 
 		c->all[i] = counts ? m->hi[i][j] : 0;
 		c->high[i] = cut_to(c->all[i], unit);
-		c->rest[i] = counts ? (c->all[i] - c->high[i]) + m->lo[i][j] :
-				      0;
+		c->rest[i] = c->all[i] - c->high[i];
+		if (counts && !c->exact)
+			c->rest[i] += m->lo[i][j];
 	}
-	c->bound = most > 0 ? ldexp(COLUMN_BOUND, f) : 0;
-	c->bound += none_of(m, j, terms, range);
+	for (int i = 0; i < terms; i++) {
+		double moved = range[i].rest * c->all[i], was = c->rest[3];
+
+		c->rest[3] = was - moved;
+		c->exact &= is_product(range[i].rest, c->all[i], moved) &&
+		    was - c->rest[3] == moved && c->rest[3] + moved == was;
+	}
+	double none = none_of(m, j, terms, range);
+
+	c->tiny = 0x1p56 * none;
+	c->bound = most > 0 ? ldexp(COLUMN_BOUND, f) + none : 0;
 	return is_moderate(most);
+}
+
+/* Depth a + b / w, for a block of points. a is cut to a multiple of 2^-38 of its own
+ * power of two, and so is b / w, while that is at most 2^12 |a|, or a is 0. */
+struct depth {
+	double b_hi, b_lo;
+	double rounder, rounder_and_high, rest; /* of a */
+	double bound, none;                     /* of a; of depth times w */
+	double least;                           /* of w */
+};
+
+static struct depth depth_of(const struct kernel_map *m,
+    const struct range *range)
+{
+	double a = fabs(m->a_hi);
+	struct depth d = { .b_hi = m->b_hi, .b_lo = m->b_lo };
+	int e = 0;
+
+	frexp(a, &e);
+	double unit = a > 0 ? ldexp(1, e - DEPTH_CUT) : 0;
+	double high = cut_to(m->a_hi, unit);
+
+	d.rounder = rounder(unit);
+	d.rounder_and_high = d.rounder + high;
+	d.rest = (m->a_hi - high) + m->a_lo;
+	d.bound = DEPTH_BOUND * a;
+	d.none = none_of(m, 2, 3, range) + a * none_of(m, 3, 3, range);
+	if (a > 0)
+		d.least = ldexp(fabs(m->b_hi) / a, DEPTH_CUT + 3 - DIGITS);
+	return d;
 }
 
 /* A block of points as the map's columns need it. */
 struct block {
 	struct range range[3];
 	struct cut cut[4];
+	struct depth depth;
 	int moderate;
-	double none; /* in depth times w */
+	bool near;    /* in some coordinate */
+	double least; /* of w, for an image that is sure */
 };
 
 static struct block block_of(const struct kernel_map *m,
@@ -162,17 +260,19 @@ static struct block block_of(const struct kernel_map *m,
 	for (int k = 0; k < terms; k++) {
 		b.range[k] = range_of(in[k], m->origin[k], n);
 		b.moderate &= is_moderate(b.range[k].largest);
+		b.near |= fabs(b.range[k].near) > 0;
 	}
 	for (int j = 0; j < 4; j++)
 		if (j < kernel_columns(kind) ||
 		    (j == 3 && kernel_divides(kind)))
 			b.moderate &= cut_column(m, j, terms, b.range,
 			    &b.cut[j]);
+	b.least = b.cut[3].bound;
 	if (kind != KERNEL_DEPTH)
 		return b;
 	b.moderate &= is_moderate(fabs(m->a_hi)) & is_moderate(fabs(m->b_hi));
-	b.none = none_of(m, 2, terms, b.range) +
-	    fabs(m->a_hi) * none_of(m, 3, terms, b.range);
+	b.depth = depth_of(m, b.range);
+	b.least = fmax(b.least, b.depth.least);
 	return b;
 }
 
@@ -187,11 +287,28 @@ static inline vdd v_two_sum(V a, V b)
 	return (vdd){ s, (a - (s - t)) + (b - t) };
 }
 
-static inline vdd normalise(V hi, V lo)
+static inline vdd normalise(vdd a)
 {
-	V s = hi + lo;
+	V s = a.hi + a.lo;
 
-	return (vdd){ s, lo - (s - hi) };
+	return (vdd){ s, a.lo - (s - a.hi) };
+}
+
+/* Coordinates i to i + WIDTH relative to the origin. */
+static inline void cut_points(const struct block *b, const double *const in[3],
+    size_t i, int terms, V cut[3], V rest[3])
+{
+	for (int k = 0; k < terms; k++) {
+		const struct range *o = &b->range[k];
+		V x = LOAD(in[k] + i);
+
+		if (b->near)
+			x = x - ALL(o->near);
+		V s = x + ALL(o->rounder);
+
+		cut[k] = s - ALL(o->rounder_and_high);
+		rest[k] = x - (s - ALL(o->rounder));
+	}
 }
 
 static inline vdd column(const struct cut *c, const V cut[3], const V rest[3],
@@ -205,7 +322,39 @@ static inline vdd column(const struct cut *c, const V cut[3], const V rest[3],
 		lo = MADD(rest[k], ALL(c->all[k]), lo);
 	for (int k = 0; k < terms; k++)
 		lo = MADD(cut[k], ALL(c->rest[k]), lo);
-	return normalise(hi, lo);
+	return (vdd){ hi, lo };
+}
+
+/* What a number other than 0 is short of being known from one that is none. */
+static inline V lost_if_tiny(V a, double tiny)
+{
+	return CHOOSE(ABS(a) - ALL(tiny), ALL(0), ABS(a));
+}
+
+/* 0 where the column hi + lo is exact, but for a difference of none, and that is
+ * none to its rounding, too: from what lies midway the sum differs by 0, or by no
+ * less than half a unit of itself or 2^-53 lo. Of a product that may underflow it
+ * isn't known. */
+static inline V lost_by(const struct cut *c, vdd is, const V cut[3],
+    const V rest[3], int terms)
+{
+	V lo = ALL(c->rest[3]), lost = ALL(c->exact ? 0 : 1);
+
+	for (int k = 0; k < 2 * terms; k++) {
+		V a = k < terms ? rest[k] : cut[k - terms];
+		double b = k < terms ? c->all[k] : c->rest[k - terms];
+
+		if (b == 0)
+			continue;
+		V p = a * ALL(b);
+		vdd s = v_two_sum(lo, p);
+
+		lost = lost + ABS(FMA(a, ALL(b), -p)) + ABS(s.lo) +
+		    CHOOSE(ABS(p) - ALL(0x1p-900), ALL(0), ABS(a));
+		lo = s.hi;
+	}
+	return lost + lost_if_tiny(lo, c->tiny) +
+	    lost_if_tiny(is.hi + lo, c->tiny);
 }
 
 /* Rounds hi + lo; both ways are the same where the error counts for nothing, as
@@ -218,34 +367,56 @@ static inline V round_surely(V hi, V lo, V error, V *sure)
 	return up;
 }
 
-/* n / w: q is within 2 u of its size, and so is the residual n - q w, from which
- * the rest follows within 67 u^2 of q, though low parts be 3 u. The bounds are
- * above 2^-74 of n and w, and columns leave more than half of them, which covers
- * this a thousand times; and that w, which is above its own bound, may be less than
- * it is divided by. */
+/* n / w: q is within 4 u of its size, and so is the residual n - q w, from which
+ * the rest follows within 24 u^2 of q and 3 u of what low parts are. The bounds are
+ * above 2^-74 of n and w, and of columns' low parts 3 u are 27 u 2^-26 B: this and
+ * what columns are off by leave a sixth of the bounds, also where w, which is
+ * above its own, is less than it is divided by. */
 static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
     V *sure)
 {
-	V q = n.hi * reciprocal;
-	V rest = FMA(-q, w.hi, n.hi) + MADD(-q, w.lo, n.lo);
-	V error = reciprocal * MADD(ABS(q), w_bound, bound);
+	V q = (n.hi + n.lo) * reciprocal;
+	V rest = FMA(q, -w.hi, n.hi) + MADD(q, -w.lo, n.lo);
+	V error = MADD(ABS(q), w_bound, bound);
+	V up = MADD(rest + error, reciprocal, q);
+	V down = MADD(rest - error, reciprocal, q);
 
-	return round_surely(q, rest * reciprocal, error, sure);
+	*sure = SAME(up, down, *sure);
+	return up;
 }
 
-/* a + b / w, by the quotient's steps; what they lose of a is below 11 u^2 of it.
- * A difference of none in a w + b is none. */
-static inline V depth(const struct kernel_map *m, vdd w, V reciprocal, V none,
-    V w_bound, V *sure)
+/* a + b / w, by the quotient's steps, and added as columns are; what they lose of a is
+ * below 2^-88 of it. A difference of none in a w + b is none. */
+static inline V depth(const struct depth *d, vdd w, V reciprocal, V w_bound,
+    V *sure)
 {
-	V b = ALL(m->b_hi), q = b * reciprocal;
-	V rest = FMA(-q, w.hi, b) + MADD(-q, w.lo, ALL(m->b_lo));
-	vdd s = v_two_sum(ALL(m->a_hi), q);
-	V error = MADD(reciprocal, MADD(ABS(q), w_bound, none),
-	    ALL(DEPTH_BOUND * fabs(m->a_hi)));
+	V b = ALL(d->b_hi), q = b * reciprocal;
+	V rest = FMA(q, -w.hi, b) + MADD(q, -w.lo, ALL(d->b_lo));
+	V s = q + ALL(d->rounder_and_high);
+	V lo = (q - (s - ALL(d->rounder_and_high))) + ALL(d->rest);
+	V error = MADD(reciprocal, MADD(ABS(q), w_bound, ALL(d->none)),
+	    ALL(d->bound));
 
-	return round_surely(s.hi, s.lo + MADD(rest, reciprocal, ALL(m->a_lo)),
+	return round_surely(s - ALL(d->rounder), MADD(rest, reciprocal, lo),
 	    error, sure);
+}
+
+/* Rounds columns that are not divided again, without an error where they are exact:
+ * these are often midway between two doubles. Returns whether all are sure. */
+static V round_exact(const struct block *b, const V cut[3], const V rest[3],
+    int terms, V q[3])
+{
+	V sure = ALL(b->moderate);
+
+	for (int k = 0; k < terms; k++) {
+		const struct cut *c = &b->cut[k];
+		vdd s = column(c, cut, rest, terms);
+		V lost = lost_by(c, s, cut, rest, terms);
+
+		q[k] = round_surely(s.hi, s.lo,
+		    CHOOSE(lost, ALL(c->bound), ALL(0)), &sure);
+	}
+	return sure;
 }
 
 static inline __attribute__((always_inline)) int
@@ -255,24 +426,20 @@ exact(const struct kernel_map *m, const double *const in[3],
 	const int terms = kernel_terms(kind), columns = kernel_columns(kind);
 	const int divide = kernel_divides(kind);
 	const struct block b = block_of(m, in, n, kind);
+	const double *const from[3] = { in[0], in[1], in[terms - 1] };
+	double *const to[3] = { out[0], out[1], out[terms - 1] };
 	int done = 1;
 
 	for (size_t i = 0; i < n; i += WIDTH) {
 		V cut[3], rest[3], q[3], r = ALL(1), sure = ALL(b.moderate);
-		V bound = ALL(0);
+		V bound = ALL(0), w_sum = r;
 		vdd w = { r, bound };
 
-		for (int k = 0; k < terms; k++) {
-			const struct range *o = &b.range[k];
-			V x = LOAD(in[k] + i) - ALL(o->near);
-			V high = (x + ALL(o->rounder)) - ALL(o->rounder);
-
-			cut[k] = high - ALL(o->high);
-			rest[k] = (x - high) - ALL(o->rest);
-		}
+		cut_points(&b, from, i, terms, cut, rest);
 		if (divide) {
 			w = column(&b.cut[3], cut, rest, terms);
-			r = ALL(1) / w.hi;
+			w_sum = w.hi + w.lo;
+			r = ALL(1) / w_sum;
 			bound = ALL(b.cut[3].bound);
 		}
 		for (int k = 0; k < columns; k++) {
@@ -283,11 +450,13 @@ exact(const struct kernel_map *m, const double *const in[3],
 					round_surely(s.hi, s.lo, error, &sure);
 		}
 		if (kind == KERNEL_DEPTH)
-			q[2] = depth(m, w, r, ALL(b.none), bound, &sure);
+			q[2] = depth(&b.depth, w, r, bound, &sure);
 		if (divide)
-			sure = CHOOSE(w.hi - bound, sure, ALL(0));
+			sure = MIN(w_sum - ALL(b.least), sure);
+		if (!divide && !IS_POSITIVE(sure))
+			sure = round_exact(&b, cut, rest, terms, q);
 		if (!IS_POSITIVE(sure)) {
-			V none = CHOOSE(-(w.hi + bound), ALL(b.moderate),
+			V none = CHOOSE(-(w_sum + bound), ALL(b.moderate),
 			    ALL(0));
 
 			q[0] = CHOOSE(sure, q[0],
@@ -295,6 +464,62 @@ exact(const struct kernel_map *m, const double *const in[3],
 			done = 0;
 		}
 		for (int k = 0; k < terms; k++)
+			STORE(to[k] + i, q[k]);
+	}
+	return done;
+}
+
+/* The length of three columns, within 60.2 u^2: the remainder is the square's less the
+ * root's, summed without error but for low parts, of u each; of the squares of low
+ * parts, which are left out, come 15 from the length's own and 5 from the columns'.
+ * The length's low part is up to 6 u, as columns' are 3 u. */
+static inline vdd length_of(const vdd a[3], V *reciprocal)
+{
+	V square[3], low = ALL(0);
+
+	for (int k = 0; k < 3; k++) {
+		square[k] = a[k].hi * a[k].hi;
+		low = low + FMA(a[k].hi, a[k].hi, -square[k]);
+	}
+	for (int k = 0; k < 3; k++)
+		low = MADD(a[k].hi + a[k].hi, a[k].lo, low);
+	vdd s = v_two_sum(square[0], square[1]);
+	vdd t = v_two_sum(s.hi, square[2]);
+	V root = SQRT(t.hi);
+	V rest = FMA(-root, root, t.hi) + ((s.lo + t.lo) + low);
+
+	*reciprocal = ALL(1) / root;
+	return (vdd){ root, (rest * ALL(0.5)) * *reciprocal };
+}
+
+/* A length is off by no more than the sum of what its columns are off by (the
+ * triangle's inequality), and that sum's bound is above 2^-74 of it, as a
+ * column's is of the column. Of a length below its bound some quotient is below its
+ * own, so that it is not sure. */
+static int exact_direction(const struct kernel_map *m,
+    const double *const in[3], double *const out[3], size_t n)
+{
+	const struct block b = block_of(m, in, n, KERNEL_DIRECTION);
+	const V bound = ALL(b.cut[0].bound + b.cut[1].bound + b.cut[2].bound);
+	int done = 1;
+
+	for (size_t i = 0; i < n; i += WIDTH) {
+		V cut[3], rest[3], q[3], r, sure = ALL(b.moderate);
+		vdd c[3];
+
+		cut_points(&b, in, i, 2, cut, rest);
+		for (int k = 0; k < 3; k++)
+			c[k] = normalise(column(&b.cut[k], cut, rest, 2));
+		vdd length = length_of(c, &r);
+
+		for (int k = 0; k < 3; k++)
+			q[k] = quotient(c[k], length, r, ALL(b.cut[k].bound),
+			    bound, &sure);
+		if (!IS_POSITIVE(sure)) {
+			q[0] = CHOOSE(sure, q[0], ALL((double)NAN));
+			done = 0;
+		}
+		for (int k = 0; k < 3; k++)
 			STORE(out[k] + i, q[k]);
 	}
 	return done;

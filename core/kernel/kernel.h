@@ -6,6 +6,12 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+enum { POINTS_BLOCK = 1024 };
+
+/* Of columns, best: a vector that crosses two lines of the cache takes longer, a
+ * fifth of all time in double. */
+#define COLUMN_ALIGNED _Alignas(64)
+
 /* What the matrix's structure makes of the loop. */
 enum kernel_kind {
 	KERNEL_NONE,       /* none of these: point by point */
@@ -13,18 +19,19 @@ enum kernel_kind {
 	KERNEL_AFFINE,     /* no division */
 	KERNEL_DEPTH,      /* x and y divided by w, depth = a + b / w */
 	KERNEL_PROJECTIVE, /* x, y, z divided by w */
+	KERNEL_DIRECTION, /* two coordinates to three, divided by their length */
 	KERNELS,
 };
 
 /* Coordinates in and out, columns among them, and whether they are divided. */
 static inline int kernel_terms(enum kernel_kind kind)
 {
-	return kind == KERNEL_FLAT ? 2 : 3;
+	return kind == KERNEL_FLAT || kind == KERNEL_DIRECTION ? 2 : 3;
 }
 
 static inline int kernel_columns(enum kernel_kind kind)
 {
-	return kind == KERNEL_DEPTH ? 2 : kernel_terms(kind);
+	return kind == KERNEL_FLAT || kind == KERNEL_DEPTH ? 2 : 3;
 }
 
 static inline bool kernel_divides(enum kernel_kind kind)
@@ -46,6 +53,8 @@ struct kernel_map {
 	/* A difference of none (2^e + 1) between two images' columns is to be
 	 * taken for none, where |p - origin| < 2^e (see struct sum). */
 	double none[4];
+	/* Of any point's column so much is none, or half of it. */
+	double surely_none[4];
 };
 
 /* The nearest doubles to the exact image, where that is sure. Otherwise the first
@@ -55,25 +64,53 @@ struct kernel_map {
 typedef int (*exact_kernel)(const struct kernel_map *,
     const double *const in[3], double *const out[3], size_t n);
 
-/* Without image the first coordinate is nan; also where something on the way could
- * be beyond the precision's range; and, with a tolerance above 0, where the error
- * could be larger in any of them. Returns whether the first two were nowhere. */
+/* Where there is no image, or something on the way was beyond the precision's
+ * range, a coordinate is nan or infinite. Returns whether that is surely nowhere so,
+ * but for lanes past n. */
 typedef int (*plain_kernel)(const struct kernel_map *,
+    const double *const in[3], double *const out[3], size_t n);
+typedef int (*float_kernel)(const struct kernel_map *, const float *const in[3],
+    float *const out[3], size_t n);
+
+/* The same in double; the first coordinate is nan, too, where the error could be
+ * larger than the tolerance in any of them. These are at least 2^-1000. */
+typedef int (*within_kernel)(const struct kernel_map *,
     const double *const in[3], double *const out[3], size_t n,
-    double tolerance);
+    const double tolerance[3]);
 
 /* The bound of the plain kernels' errors, in units of roundoff; derived and
  * claimed in plain.h. */
 #define PLAIN_BOUND 10
 
+/* Points in rows, of floats or doubles, to columns of doubles. Returns whether none
+ * is beyond most in magnitude; nan isn't. */
+typedef int (*split_kernel)(const char *rows, double (*columns)[POINTS_BLOCK],
+    size_t n, double most);
+
+/* And back, -0 as 0. Returns whether all are finite and, where they were rounded
+ * to floats, none is_midway. */
+typedef int (
+    *join_kernel)(double (*columns)[POINTS_BLOCK], char *rows, size_t n);
+
 struct kernels {
 	exact_kernel exact[KERNELS];
 	plain_kernel plain[3][KERNELS]; /* by precision */
+	within_kernel within[KERNELS];
+	float_kernel floats[KERNELS]; /* single, to the same bits */
+	/* By whether rows are of doubles, and how many. */
+	split_kernel split[2][5];
+	join_kernel join[2][5];
+	/* From rows of floats to columns of floats and back. */
+	void (*split_floats[5])(const char *rows,
+	    float (*columns)[POINTS_BLOCK], size_t n);
+	void (*join_floats[5])(float (*columns)[POINTS_BLOCK], char *rows,
+	    size_t n);
 };
 
-extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512;
+extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512,
+    kernels_neon;
 
-/* The copy for this processor, or the named one (baseline, avx2, avx512);
+/* The copy for this processor, or the named one (baseline, avx2, avx512, neon);
  * NULL where the processor cannot run it or there is none of that name. */
 const struct kernels *kernels_find(const char *name);
 

@@ -56,10 +56,12 @@ sub claims {
 	my ($exact, $quick) = ("$core/kernel/exact.h", "$core/quick.h");
 	my %claim = (EX_BOUND => macro("$core/exact.h", 'EX_BOUND'),
 	    COLUMN_UNITS => told($exact, 'columns', qr/together (\d+(?:\.\d+)?) u/),
+	    COLUMN_LOW => told($exact, 'low parts', qr{above (\d+(?:\.\d+)?) times 2\^-26 B}),
+	    QUOTIENT_LOW => told($exact, 'quotients of low parts', qr/(\d+) u of what low parts/),
 	    QUOTIENT_BOUND => claimed($exact, 'quotient'),
 	    QUICK_COLUMN => told($quick, 'columns', qr/a column by (\d+(?:\.\d+)?)/),
-	    QUICK_DIRECTION => told($quick, 'directions', qr/turned, by (\d+(?:\.\d+)?)/),
-	    QUICK_LENGTH => told($quick, 'lengths', qr/a length .*? (\d+(?:\.\d+)?) of its own/));
+	    LENGTH_BOUND => claimed($exact, 'length_of'),
+	    LENGTH_LOW => told($exact, 'lengths', qr/low part is up to (\d+) u/));
 	$claim{uc $_} = claimed("$core/dd.h", $_) for qw(dd_add dd_mul dd_div);
 	return map { "-D$_=$claim{$_}" } sort keys %claim;
 }
@@ -85,24 +87,10 @@ sub outcome {
 	return ($? == 0, $said);
 }
 
-# What ray.c does in double-double: a length, and sums of products. C++ has no
-# array that begins in the middle.
-sub cut_ray {
-	my ($core) = @_;
-	my ($length, $sums) = slurp("$core/ray.c") =~
-	    m{(static\ struct\ quick\ length_of.*?^\}\n)
-	    (.*^static\ bool\ direction_is_sure.*?^\}\n)}smx
-	    or die "ray.c has other functions than these\n";
-	$sums =~ s/\{ \[3\] = /{ {}, {}, {}, /;
-	spew("$tmp/ray_length.h", $length);
-	spew("$tmp/ray_sums.h", $sums);
-}
-
 # Both ways in which products and sums are done.
 sub count_errors {
 	my ($core) = @_;
 	my ($well, $said) = (1, '');
-	cut_ray($core);
 	for my $way ('', '-DFUSED_MADD') {
 		my ($ok, $text) = outcome(compiled('count.cc', $core,
 		    $way || ()));

@@ -41,6 +41,7 @@ static number same(number up, number, number sure)
 #define STORE(p, a) (*(p) = (a))
 #define ALL(a) (number(a))
 #define FMA(a, b, c) fma(a, b, c)
+#define SQRT(a) sqrt(a)
 #define ABS(a) fabs(a)
 #define MIN(a, b) (a)
 #define MAX(a, b) (a)
@@ -51,10 +52,11 @@ static number same(number up, number, number sure)
 #include "dd.h"
 #include "kernel/exact.h"
 
-static number size_limit(const struct kernel_map *, enum kernel_kind, number)
+static bool isfinite(number)
 {
-	return 1;
+	return true;
 }
+#define COLUMN number
 #define REAL number
 #define R number
 #define R_WIDTH 1
@@ -73,32 +75,6 @@ static number size_limit(const struct kernel_map *, enum kernel_kind, number)
 
 #include "quick.h"
 
-struct ray_maker {
-	struct {
-		struct kernel_map for_kernel;
-	} to_world, to_view, turn;
-	number depth;
-	bool against;
-};
-
-namespace whole
-{
-#include "ray_length.h"
-}
-
-/* What a ray's direction is made of, before anything is divided. */
-static struct quick directions[3];
-
-static struct quick length_of(const struct quick to[3])
-{
-	for (int j = 0; j < 3; j++)
-		directions[j] = to[j];
-	return QUICK_ONE;
-}
-
-#define quick_over(n, d, q) (*(q) = (n).value.hi, true)
-#include "ray_sums.h"
-#undef quick_over
 #undef double
 
 /* Than any error that is counted: for what shall not count, though its operations
@@ -226,7 +202,8 @@ static void give_map(double element, double image)
 			map.lo[i][j] = given(most * U / 2);
 		}
 	for (int j = 0; j < 4; j++)
-		map.none[j] = map.most[j] = map.image[j] = number(0);
+		map.none[j] = map.surely_none[j] = map.most[j] = map.image[j] =
+		    number(0);
 }
 
 static void give_points(double size)
@@ -260,90 +237,163 @@ static void run(enum kernel_kind kind)
 	exact(&map, from, to, 1, kind);
 }
 
-/* hi + lo of a test hi + (lo + error). */
+/* What is rounded last in a test: hi + (lo + error). */
 static poly tested(void)
 {
 	const count::node &up = *tested_up;
 
-	return plus(count::nodes[up.a].is,
-	    count::nodes[count::nodes[up.b].a].is);
+	return up.error < 0 ? up.is : minus(up.is, { { { up.error }, 1.0 } });
 }
 
-/* What the test itself rounds. */
-static double test_error(void)
-{
-	const count::node &sum = count::nodes[tested_up->b];
+/* A column's error, and the most that its parts can be, in units of B. Bit k of far
+ * tells that the origin is so far off in coordinate k that it is subtracted whole.
+ */
+struct column_parts {
+	double error, hi, lo;
+};
 
-	return sum.error < 0 ? 0 : count::bounds[sum.error];
-}
-
-/* A column's error and the most that it can be, in units of B. Bit k of far tells
- * that the origin is so far off in coordinate k that it is subtracted whole. */
-static double column_error(int terms, int far, double *most)
+static column_parts column_error(int terms, int far)
 {
 	fresh();
 	count::answers = ~far;
 	give_map(1, 1);
 	give_points(1);
 	run(terms == 2 ? KERNEL_FLAT : KERNEL_AFFINE);
-	number hi;
+	const count::node &low = count::nodes[tested_up->b];
+	poly wrong = minus(tested(), column_of(terms - 1, terms));
+	const poly error = { { {}, COLUMN_BOUND } };
 
-	hi.id = tested_up->a;
-	*most = hi->most;
 	/* elements are rounded to hi + lo */
-	return bound(minus(tested(), column_of(terms - 1, terms))) +
-	    test_error() + (terms + 1) * EX_BOUND * U * U;
+	return { bound(minus(wrong, error)) + (terms + 1) * EX_BOUND * U * U,
+		count::nodes[tested_up->a].most, count::nodes[low.a].most };
 }
 
-/* Heads of 1, low parts as normalise() may leave them: 3 u. In units of the
- * quotient. */
+/* The same of one that is normalised. */
+static double normal_column_error(int far)
+{
+	const number *const from[3] = { in, in + 1, in + 2 };
+	number cut[3], rest[3];
+
+	fresh();
+	count::answers = ~far;
+	give_map(1, 1);
+	give_points(1);
+	const struct block b = block_of(&map, from, 1, KERNEL_DIRECTION);
+
+	cut_points(&b, from, 0, 2, cut, rest);
+	vdd c = normalise(column(&b.cut[0], cut, rest, 2));
+
+	return bound(minus(plus(c.hi->is, c.lo->is), column_of(0, 2))) +
+	    3 * EX_BOUND * U * U;
+}
+
+static number number_of(const poly &p, double most, double least)
+{
+	return number::add(
+	    { p, most, least, count::NO_UNIT, count::GIVEN, -1, -1, -1, -1 });
+}
+
+/* A head, as a sum with so much in its low part. */
+struct sized {
+	vdd parts;
+	number head;
+};
+
+static sized sum_with(double head, double low)
+{
+	number h = given(head, head), lo = given(low);
+	number hi = number_of(minus(h->is, lo->is), head + low, head - low);
+
+	return { { hi, lo }, h };
+}
+
+/* Of a head that is summed first. */
+static number reciprocal_of(number head)
+{
+	number r = number(1) / head, e = given(U * (1 + 4 * U));
+
+	return number_of(plus(r->is, e->is), r->most * (1 + 2 * U),
+	    r->least * (1 - 2 * U));
+}
+
+/* Heads of 1, so in units of the quotient. */
+static double quotient_error(double low_of_n, double low_of_w)
+{
+	fresh();
+	count::relative = true;
+	sized n = sum_with(1, low_of_n), w = sum_with(1, low_of_w);
+	number sure = 1;
+
+	quotient(n.parts, w.parts, reciprocal_of(w.head), given(small), 0,
+	    &sure);
+	return bound(minus(times(tested(), w.head->is), n.head->is));
+}
+
+static double depth_error(double a, double b, double low_of_w)
+{
+	fresh();
+	sized w = sum_with(1, low_of_w);
+	number sure = 1;
+	struct range range[3];
+
+	map.a_hi = given(a, a / 2);
+	map.a_lo = given(a * U);
+	map.b_hi = given(b, b);
+	map.b_lo = given(b * U);
+	for (int j = 0; j < 4; j++)
+		map.none[j] = number(0);
+	for (int k = 0; k < 3; k++)
+		range[k].largest = number(0);
+	struct depth d = depth_of(&map, range);
+
+	d.bound = d.none = given(small);
+	depth(&d, w.parts, reciprocal_of(w.head), 0, &sure);
+	poly right = plus(times(plus(map.a_hi->is, map.a_lo->is), w.head->is),
+	    plus(map.b_hi->is, map.b_lo->is));
+
+	return bound(minus(times(tested(), w.head->is), right));
+}
+
+/* Low parts as normalise() may leave them: 3 u. */
 static vdd pair(double head)
 {
 	return vdd{ given(head, head), given(3 * U * head) };
 }
 
-static double quotient_error(void)
+/* Of so many equal elements: half of what the square is off by. */
+static double length_error(int many, double *low)
 {
 	fresh();
 	count::relative = true;
-	vdd n = pair(1), w = pair(1);
-	number sure = 1;
+	vdd a[3];
+	number reciprocal;
+	poly square;
 
-	quotient(n, w, number(1) / w.hi, given(small), 0, &sure);
-	poly wrong = minus(times(tested(), plus(w.hi->is, w.lo->is)),
-	    plus(n.hi->is, n.lo->is));
+	for (int j = 0; j < 3; j++) {
+		a[j] = pair(j < many ? 1 / std::sqrt((double)many) : small);
+		square = plus(square,
+		    times(plus(a[j].hi->is, a[j].lo->is),
+			plus(a[j].hi->is, a[j].lo->is)));
+	}
+	vdd length = length_of(a, &reciprocal);
+	poly is = plus(length.hi->is, length.lo->is);
 
-	return (bound(wrong) + test_error()) / (1 - 4 * U);
-}
-
-static double depth_error(double a, double b)
-{
-	fresh();
-	count::relative = true;
-	vdd w = pair(1), first = pair(a), second = pair(b);
-	number sure = 1;
-
-	map.a_hi = first.hi;
-	map.a_lo = first.lo;
-	map.b_hi = second.hi;
-	map.b_lo = second.lo;
-	depth(&map, w, number(1) / w.hi, given(small), 0, &sure);
-	poly whole = plus(w.hi->is, w.lo->is);
-	poly right = plus(times(plus(first.hi->is, first.lo->is), whole),
-	    plus(second.hi->is, second.lo->is));
-
-	return (bound(minus(times(tested(), whole), right)) + test_error()) /
-	    (1 - 4 * U);
+	*low = std::fmax(*low, bound(length.lo->is) / (1 - 4 * U));
+	return bound(minus(times(is, is), square)) / 2;
 }
 
 /* With the columns of n and w off by a share of their bounds, and w above its
  * bound: how much of the test's error is needed. What the quotient itself rounds
- * is of |q|, and the test has at least COLUMN_BOUND / most of that. */
-static double share(double column, double most, double own)
+ * is of |q|, and the test has at least COLUMN_BOUND / most of that; or it is of the
+ * low parts, in units of B as the bound is. */
+static double share(double column, double most, double own, double of_low)
 {
 	double part = column / (double)COLUMN_BOUND;
 
-	return (part / (1 - part) + own * most / COLUMN_BOUND) * (1 + 16 * U);
+	if (part >= 1)
+		return HUGE_VAL;
+	return (part / (1 - part) + (own * most + of_low) / COLUMN_BOUND) *
+	    (1 + 16 * U);
 }
 
 /* Binary exponents where coordinates and B are at the ends of what is moderate: of
@@ -362,25 +412,47 @@ static void prove_ends(void)
 
 static void prove_exact(void)
 {
-	double most = 0, column = 0, m;
+	column_parts most = { 0, 0, 0 };
+	double normal = 0, length = 0, low = 0;
 
-	for (int terms = 2; terms <= 3; terms++)
-		for (int far = 0; far < 1 << terms; far++) {
-			column = std::fmax(column,
-			    column_error(terms, far, &m));
-			most = std::fmax(most, m);
+	for (int far = 0; far < 8; far++)
+		for (int terms = far < 4 ? 2 : 3; terms <= 3; terms++) {
+			column_parts c = column_error(terms, far);
+
+			most.error = std::fmax(most.error, c.error);
+			most.hi = std::fmax(most.hi, c.hi);
+			most.lo = std::fmax(most.lo, c.lo);
 		}
-	const double q = quotient_error(), a = depth_error(1, small),
-		     b = depth_error(small, 1), least = 0x1p-79;
+	for (int far = 0; far < 4; far++)
+		normal = std::fmax(normal, normal_column_error(far));
+	for (int many = 1; many <= 3; many++)
+		length = std::fmax(length, length_error(many, &low));
+	/* a is at least a half of the power of two that it is cut by, and b / w
+	 * at most 2^12 of it */
+	const double q = quotient_error(0, 0),
+		     of_low = std::fmax(quotient_error(most.lo, 0),
+			 quotient_error(0, most.lo)),
+		     a = 2 * depth_error(1, 0x1p-36, 0),
+		     b = depth_error(0x1p-12, 1, 0),
+		     b_low = depth_error(0x1p-12, 1, most.lo),
+		     d = quotient_error(3 * U, LENGTH_LOW * U) + length,
+		     least = 0x1p-79, column = most.error;
 
 	say("column, of 2^-79 B", COLUMN_UNITS, column / least, "2^-79");
-	say("column: COLUMN_BOUND / 2", COLUMN_BOUND / 2 / least,
-	    column / least, "2^-79");
-	say("column: |hi| at most", 4 + 0x1p-23, most, "B");
+	say("column: |hi| at most", 4 + 0x1p-23, most.hi, "B");
+	say("column: |lo| at most", COLUMN_LOW, most.lo / 0x1p-26, "2^-26");
 	say("quotient's own", QUOTIENT_BOUND, q / (U * U), "u^2");
-	say("quotient: share of its error", 1, share(column, most, q), "");
-	say("depth: DEPTH_BOUND", DEPTH_BOUND / (U * U), a / (U * U), "u^2");
-	say("depth: share of its error", 1, share(column, most, b), "");
+	say("quotient: of low parts", QUOTIENT_LOW, of_low / U / most.lo, "u");
+	say("quotient: share of its error", 1,
+	    share(column, most.hi, q, of_low), "");
+	say("depth: DEPTH_BOUND", DEPTH_BOUND / 0x1p-90, a / 0x1p-90, "2^-90");
+	say("depth: share of its error", 1, share(column, most.hi, b, b_low),
+	    "");
+	say("column, normalised", COLUMN_UNITS, normal / least, "2^-79");
+	say("length", LENGTH_BOUND, length / (U * U), "u^2");
+	say("length: its low part", LENGTH_LOW, low / U, "u");
+	say("direction: share of its error", 1, share(normal, most.hi, d, 0),
+	    "");
 }
 
 /* ---- kernel/plain.h, in units of u ---- */
@@ -390,7 +462,7 @@ static void run_plain(enum kernel_kind kind)
 	const number *const from[3] = { in, in + 1, in + 2 };
 	number *const to[3] = { out, out + 1, out + 2 };
 
-	counted_plain(&map, from, to, 1, 1, kind, 0);
+	counted_plain(&map, from, to, 1, NULL, kind);
 }
 
 /* An element as it is cast: rounded once. */
@@ -479,10 +551,8 @@ static void prove_plain(void)
 
 /* ---- quick.h, in units of u^2 of sums of products' magnitudes ---- */
 
-/* Term i of the columns, of their own elements and of those of the last column; of
- * row 2 what a direction takes of them; and row turned of what turns it. */
-static void give_quick(int i, double own, double last, int turned,
-    struct ray_maker *r)
+/* Term i of a column. */
+static double quick_column_error(int i)
 {
 	fresh();
 	count::relative = true;
@@ -491,107 +561,30 @@ static void give_quick(int i, double own, double last, int turned,
 	count::head = HUGE_VAL;
 	give_map(small, small);
 	give_points(small);
-	for (int j = 0; j < 4; j++) {
-		double e = (j < 3 ? own : last) ? 1 : small;
-
-		if (i != 2)
-			map.hi[2][j] = given(e), map.lo[2][j] = given(e * U);
-		map.hi[i][j] = given(1);
-		map.lo[i][j] = given(U);
-	}
+	map.hi[i][0] = given(1);
+	map.lo[i][0] = given(U);
 	if (i < 3)
 		count::bounds[difference[i].begin()->first[0]] = 1;
-	r->to_world.for_kernel = r->to_view.for_kernel = map;
-	r->turn.for_kernel = map;
-	for (int k = 0; k < 9; k++) {
-		double e = k / 3 == turned ? 1 : small;
+	dd p[4];
 
-		r->turn.for_kernel.hi[k / 3][k % 3] = given(e);
-		r->turn.for_kernel.lo[k / 3][k % 3] = given(e * U);
-	}
-	r->depth = in[2];
-	r->against = false;
-}
-
-static poly element_of(int i, int j)
-{
-	return plus(map.hi[i][j]->is, map.lo[i][j]->is);
-}
-
-static poly image_of(const struct kernel_map &turn, int j)
-{
-	poly s;
-
-	for (int i = 0; i < 3; i++) {
-		poly d = minus(times(element_of(2, i), column_of(3, 3)),
-		    times(column_of(i, 3), element_of(2, 3)));
-
-		s = plus(s,
-		    times(d, plus(turn.hi[i][j]->is, turn.lo[i][j]->is)));
-	}
-	return s;
-}
-
-/* All of a direction's elements are computed alike. */
-static void quick_errors(int i, double own, double last, int turned,
-    double *column, double *to)
-{
-	struct ray_maker r;
-	number point[3];
-	struct quick n[4];
-
-	give_quick(i, own, last, turned, &r);
-	set_columns(&r, &r.to_view.for_kernel, in, n);
-	*column = std::fmax(*column,
-	    bound(minus(sum_of(n[0].value), column_of(0, 3))));
-	direction_is_sure(&r, in, point);
-	*to = std::fmax(*to,
-	    bound(minus(sum_of(directions[0].value),
-		image_of(r.turn.for_kernel, 0))) /
-		(i == 2 ? 2 : own + last));
-}
-
-/* Of so many equal elements: half of what the square is off by. */
-static double length_error(int many)
-{
-	fresh();
-	count::relative = true;
-	count::head = HUGE_VAL;
-	struct quick to[3];
-	poly square;
-
-	for (int j = 0; j < 3; j++) {
-		double e = j < many ? 1 / std::sqrt((double)many) : small;
-
-		to[j] = { { given(e), given(e * U) }, number(1), false };
-		square = plus(square,
-		    times(sum_of(to[j].value), sum_of(to[j].value)));
-	}
-	poly length = sum_of(whole::length_of(to).value);
-
-	return bound(minus(times(length, length), square)) / 2;
+	for (int k = 0; k < 3; k++)
+		p[k] = two_sum(in[k], -map.origin[k]);
+	p[3] = dd{ 1, 0 };
+	return bound(
+	    minus(sum_of(quick_column(&map, 0, p).value), column_of(0, 3)));
 }
 
 static void prove_quick(void)
 {
-	double column = 0, to = 0, length = 0;
+	double column = 0;
 
 	for (int i = 0; i < 4; i++)
-		for (int k = 1; k < 4; k++)
-			for (int turned = 0; turned < 3; turned++)
-				quick_errors(i, k & 1, k >> 1, turned, &column,
-				    &to);
-	for (int many = 1; many <= 3; many++)
-		length = std::fmax(length, length_error(many));
+		column = std::fmax(column, quick_column_error(i));
 	/* with what elements are rounded by */
 	column = column / (U * U) + EX_BOUND;
-	to = to / (U * U) + 3 * EX_BOUND;
-	length /= U * U;
 	say("quick: a column", QUICK_COLUMN, column, "u^2");
-	say("quick: a direction, turned", QUICK_DIRECTION, to, "u^2");
-	say("quick: a length", QUICK_LENGTH, length, "u^2");
-	say("quick: QUICK_BOUND", QUICK_BOUND / (U * U),
-	    std::fmax(column, to) + std::fmax(length, 0.0) + DD_DIV, "u^2");
+	say("quick: QUICK_BOUND", QUICK_BOUND / (U * U), column + DD_DIV,
+	    "u^2");
 }
 
 int main()

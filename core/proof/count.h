@@ -297,20 +297,28 @@ static double most_of(number a)
 	return std::fmin(a->most, bound(a->is));
 }
 
-/* Where b is a constant and a leaves the sum between the same powers of two. */
-static bool is_cut(number a, number b)
+/* The constant in b, where a and the rest of b leave the sum between the same powers
+ * of two as that; or 0. */
+static double cut_by(number a, number b)
 {
-	double power = std::ldexp(1, std::ilogb(b->most)), most = most_of(a);
+	auto at = b->is.find({});
 
-	return is_constant(b) && b->most - most >= power &&
-	    b->most + most <= 2 * power;
+	if (at == b->is.end())
+		return 0;
+	poly rest = b->is;
+
+	rest.erase(product());
+	double c = at->second, most = most_of(a) + bound(rest);
+	double power = std::ldexp(1, std::ilogb(c));
+
+	return c - most >= power && c + most <= 2 * power ? c : 0;
 }
 
 static number cut_sum(number a, number b)
 {
 	int e;
 
-	std::frexp(b->most, &e);
+	std::frexp(cut_by(a, b), &e);
 	node n = { plus(a->is, b->is), most_of(a) + b->most, 0, e - 53, SUM,
 		a.id, b.id, -1, new_atom(std::ldexp(1, e - 54), true) };
 
@@ -331,7 +339,7 @@ static number operator+(number a, number b)
 	}
 	if (is_zero(a) || is_zero(b))
 		return is_zero(a) ? b : a;
-	if (is_cut(a, b))
+	if (cut_by(a, b) > 0)
 		return cut_sum(a, b);
 	return rounded(plus(a->is, b->is), a->most + b->most,
 	    std::min(a->unit, b->unit), SUM, a, b);

@@ -46,23 +46,33 @@ my @mutations = (
 	    'lo = MADD(cut[k], ALL(c->rest[k]), lo)', 'lo = lo',
 	    @toy],
 	[$exact, 'an element\'s low part that is forgotten',
-	    ' + m->lo[i][j] :', ' :', @toy],
+	    'c->rest[i] += m->lo[i][j]', 'c->rest[i] += 0', @toy],
 	[$exact, 'an origin whose rest is forgotten',
-	    '(x - high) - ALL(o->rest)', 'x - high', @toy],
+	    'c->rest[3] = was - moved', 'c->rest[3] = was', @toy],
 	[$exact, 'columns that underflow',
 	    '(largest > 1 / MODERATE && largest', '(largest', @toy],
 	[$exact, 'elements that underflow to 0',
 	    'LEAST 0x1p-1022', 'LEAST 0', @toy],
 	[$exact, 'the low part of w left out of a quotient',
-	    'MADD(-q, w.lo, n.lo)', 'n.lo', @toy],
+	    'MADD(q, -w.lo, n.lo)', 'n.lo', @toy],
 	[$exact, 'a wrong sign in a quotient',
-	    'FMA(-q, w.hi, n.hi)', 'FMA(q, w.hi, n.hi)', @toy],
+	    'FMA(q, -w.hi, n.hi)', 'FMA(q, w.hi, n.hi)', @toy],
 	[$exact, 'a w that may be 0',
-	    'CHOOSE(w.hi - bound, sure', 'CHOOSE(w.hi, sure', @toy],
+	    'MIN(w_sum - ALL(b.least), sure)', 'MIN(w_sum, sure)', @toy],
+	[$exact, 'depths too large for their cut',
+	    'fmax(b.least, b.depth.least)', 'b.least', @toy],
+	[$exact, 'columns held for exact whose elements are not',
+	    '&& !m->exact[i][j]', '&& false', @toy],
+	[$exact, 'columns held for exact whose sums are not',
+	    ' + ABS(s.lo)', '', @toy],
+	[$exact, 'columns held for exact whose products are not',
+	    'ABS(FMA(a, ALL(b), -p))', 'ALL(0)', @toy],
 	[$exact, 'points without an image that are not told',
-	    '!IS_POSITIVE(sure)', 'IS_POSITIVE(-r)', @toy],
+	    'if (!IS_POSITIVE(sure)) {', 'if (IS_POSITIVE(-r)) {', @toy],
 	[$exact, 'a bound that leaves w out',
 	    'MADD(ABS(q), w_bound, bound);', 'bound;', @toy],
+	[$exact, 'a length whose squares are rounded',
+	    'low = low + FMA(a[k].hi, a[k].hi, -square[k])', 'low = low', @toy],
 	['quick.h', 'a sum that is off', 's.lo, t.lo);', 's.lo, 0);', @toy_dd],
 	['quick.h', 'a sum that is said to be exact', 'u.lo == 0 && v.lo == 0',
 	    'u.lo == 0', @toy_dd],
@@ -78,20 +88,18 @@ my @counted = (
 	    'POINT_CUT - 3', '1', 'column, of 2^-79 B'],
 	['kernel/plain.h', 'one rounding more',
 	    'R_FMA(b, r, a)', 'b * r + a', 'plain depth, of b/w: PLAIN_BOUND'],
-	['ray.c', 'a length without its low part', 'rest.hi / (2 * s)', 's * 0',
-	    'quick: a length'],
-	['ray.c', 'a difference with the wrong sign', 'dd_neg(n[i].value)',
-	    'n[i].value', 'quick: a direction, turned'],
+	[$exact, 'a length without its low part', '(rest * ALL(0.5))',
+	    '(rest * ALL(0))', 'length'],
 );
 my @bounds = (
 	[$exact, 'an origin that is cut too far off',
 	    'POINT_CUT - 3', 'POINT_CUT + 3', 'column, of 2^-79 B'],
 	[$exact, 'a bound of an eighth', 'COLUMN_BOUND 0x1p-72',
-	    'COLUMN_BOUND 0x1p-75', 'column: COLUMN_BOUND / 2'],
+	    'COLUMN_BOUND 0x1p-75', 'quotient: share of its error'],
 	['kernel/kernel.h', 'a plain bound that is too small',
 	    'PLAIN_BOUND 10', 'PLAIN_BOUND 8',
 	    'plain depth, of b/w: PLAIN_BOUND'],
-	['quick.h', 'a bound of sums that is too small', '0x1p-99', '0x1p-102',
+	['quick.h', 'a bound of sums that is too small', '0x1p-101', '0x1p-102',
 	    'quick: QUICK_BOUND'],
 );
 
@@ -100,7 +108,7 @@ sub mutant {
 	my $copy = "$tmp/mutant";
 	remove_tree($copy);
 	make_path("$copy/kernel");
-	for my $header (qw(dd.h exact.h quick.h ray.c kernel/exact.h
+	for my $header (qw(dd.h exact.h quick.h kernel/exact.h
 	    kernel/plain.h kernel/kernel.h)) {
 		spew("$copy/$header", slurp("$core/$header"));
 	}

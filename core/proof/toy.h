@@ -109,6 +109,10 @@ static inline toy fma(toy a, toy b, toy c)
 {
 	return nearest(to_odd(a.v * b.v, c.v));
 }
+static inline toy sqrt(toy a)
+{
+	return nearest(std::sqrt(a.v));
+}
 static inline toy fabs(toy a)
 {
 	return std::fabs(a.v);
@@ -140,6 +144,7 @@ static inline toy frexp(toy a, int *e)
 #define STORE(p, a) (*(p) = (a))
 #define ALL(a) (toy(a))
 #define FMA(a, b, c) fma(a, b, c)
+#define SQRT(a) sqrt(a)
 #define ABS(a) fabs(a)
 #define MIN(a, b) ((a) < (b) ? (a) : (b))
 #define MAX(a, b) ((a) > (b) ? (a) : (b))
@@ -147,10 +152,10 @@ static inline toy frexp(toy a, int *e)
 #define CHOOSE(a, b, c) ((a) > 0 ? toy(b) : toy(c))
 #define IS_POSITIVE(a) ((a) > 0)
 
-/* What exact.h has for 53 digits: 128 u 2^-26 and 64 u^2. */
+/* What exact.h has for 53 digits: 128 u 2^-26 and 16 u 2^-38. */
 #define DIGITS P
 #define COLUMN_BOUND (128 * U / (1 << (P - 1) / 2))
-#define DEPTH_BOUND (64 * U * U)
+#define DEPTH_BOUND std::ldexp(16 * U, 1 - P * 3 / 4)
 #define MODERATE 0x1p200
 
 static inline double at(toy a)

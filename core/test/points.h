@@ -11,10 +11,9 @@ enum { POINTS = 24 };
 /* A block of points with its images. */
 struct block {
 	double in[4][POINTS_BLOCK], out[4][POINTS_BLOCK];
-	bool single[POINTS_BLOCK];
 };
 
-static const char *const copies[] = { "baseline", "avx2", "avx512" };
+static const char *const copies[] = { "baseline", "avx2", "avx512", "neon" };
 
 enum { COPIES = sizeof copies / sizeof *copies };
 

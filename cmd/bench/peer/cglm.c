@@ -1,9 +1,9 @@
-/* cglm, which has float only: glm_project. */
+/* cglm, which has float only, on vectors of four: those have intrinsics. */
 #include "peer.h"
 
 #if __has_include(<cglm/cglm.h>)
 
-#include <stdio.h>
+#include <math.h>
 
 #define CGLM_FORCE_LEFT_HANDED
 #define CGLM_FORCE_DEPTH_ZERO_TO_ONE
@@ -11,7 +11,6 @@
 #include <cglm/version.h>
 
 static mat4 current;
-static vec4 viewport;
 
 static void vector(const double v[3], vec3 f)
 {
@@ -21,8 +20,11 @@ static void vector(const double v[3], vec3 f)
 
 static void prepare(const struct view *v)
 {
-	vec3 eye, at, up;
+	const float x = (float)v->width / 2, y = (float)v->height / 2;
+	mat4 viewport = { { x, 0, 0, 0 }, { 0, -y, 0, 0 }, { 0, 0, 1, 0 },
+		{ x, y, 0, 1 } };
 	mat4 view, projection;
+	vec3 eye, at, up;
 
 	vector(v->eye, eye);
 	vector(v->at, at);
@@ -30,33 +32,24 @@ static void prepare(const struct view *v)
 	glm_lookat(eye, at, up, view);
 	glm_perspective(glm_rad((float)v->fovy), (float)(v->width / v->height),
 	    (float)v->near, (float)v->far, projection);
-	glm_mat4_mul(projection, view, current);
-	viewport[0] = 0;
-	viewport[1] = (float)v->height;
-	viewport[2] = (float)v->width;
-	viewport[3] = (float)-v->height;
+	if (isinf(v->far)) { /* its limit, for which cglm 0.8 has no function */
+		projection[2][2] = 1;
+		projection[3][2] = (float)-v->near;
+	}
+	glm_mat4_mulN((mat4 *[]){ &viewport, &projection, &view }, 3, current);
 }
 
 static void carry(const void *in, void *out, size_t n)
 {
-	const float *p = in;
-	float *q = out;
+	const vec4 *p = in;
+	vec4 *q = out;
 
 	for (size_t i = 0; i < n; i++) {
-		vec3 point = { p[3 * i], p[3 * i + 1], p[3 * i + 2] };
+		vec4 point, image;
 
-		glm_project(point, current, viewport, q + 3 * i);
-	}
-}
-
-static void filter(void)
-{
-	vec3 p, q;
-
-	while (scanf("%f %f %f", &p[0], &p[1], &p[2]) == 3) {
-		glm_project(p, current, viewport, q);
-		printf("%.9g %.9g %.9g\n", (double)q[0], (double)q[1],
-		    (double)q[2]);
+		glm_vec4_copy((float *)p[i], point);
+		glm_mat4_mulv(current, point, image);
+		glm_vec4_divs(image, image[3], q[i]);
 	}
 }
 
@@ -64,9 +57,9 @@ static void filter(void)
 #define VERSION(a, b, c) TEXT(a) "." TEXT(b) "." TEXT(c)
 
 const struct peer peers_cglm[] = {
-	{ "cglm float",
+	{ "cglm, float",
 	    VERSION(CGLM_VERSION_MAJOR, CGLM_VERSION_MINOR, CGLM_VERSION_PATCH),
-	    1, prepare, carry, filter },
+	    true, { QUADS }, prepare, carry },
 	{ 0 },
 };
 

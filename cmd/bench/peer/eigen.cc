@@ -1,67 +1,49 @@
-// Eigen in double.
+// Eigen in double and float: arrays of columns, its expressions are vectorized.
 #include "peer.h"
 
-#if __has_include(<eigen3/Eigen/Geometry>)
+#if __has_include(<eigen3/Eigen/Dense>)
 
-#include <cmath>
-#include <eigen3/Eigen/Geometry>
+#include <eigen3/Eigen/Dense>
 
-using Eigen::Matrix4d;
-using Eigen::Vector3d;
+static Eigen::Matrix4d current;
 
-static Matrix4d current;
-
-// Eigen has neither of these two matrices, so its users write them out.
-static Matrix4d look_at(const struct view *v)
-{
-	Vector3d eye(v->eye), z = (Vector3d(v->at) - eye).normalized();
-	Vector3d x = Vector3d(v->up).cross(z).normalized(), y = z.cross(x);
-	Matrix4d m;
-
-	m << x.transpose(), -x.dot(eye), y.transpose(), -y.dot(eye),
-	    z.transpose(), -z.dot(eye), 0, 0, 0, 1;
-	return m;
-}
-
-static Matrix4d perspective(const struct view *v)
-{
-	double y = 1 / std::tan(v->fovy * (double(EIGEN_PI) / 360));
-	double depth = v->far / (v->far - v->near);
-	Matrix4d m;
-
-	m << y * v->height / v->width, 0, 0, 0, 0, y, 0, 0, 0, 0, depth,
-	    -depth * v->near, 0, 0, 1, 0;
-	return m;
-}
-
+// Eigen has neither a camera nor a perspective.
 static void prepare(const struct view *v)
 {
-	Matrix4d viewport;
-
-	viewport << v->width / 2, 0, 0, v->width / 2, 0, -v->height / 2, 0,
-	    v->height / 2, 0, 0, 1, 0, 0, 0, 0, 1;
-	current = viewport * perspective(v) * look_at(v);
+	current =
+	    Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(
+		&v->matrix[0][0]);
 }
 
-static void carry(const void *in, void *out, size_t n)
+template <class T> static void carry(const void *in, void *out, size_t n)
 {
-	auto p = static_cast<const double *>(in);
-	auto q = static_cast<double *>(out);
-	const Matrix4d m = current;
+	using column = Eigen::Array<T, PEER_BLOCK, 1>;
+	using segment = Eigen::Array<T, Eigen::Dynamic, 1, 0, PEER_BLOCK, 1>;
+	auto p = static_cast<const column *>(in);
+	auto q = static_cast<column *>(out);
+	const Eigen::Index size = Eigen::Index(n);
+	const Eigen::Matrix<T, 4, 4> m = current.cast<T>();
+	const auto x = p[0].head(size), y = p[1].head(size),
+		   z = p[2].head(size);
+	const segment w =
+	    (m(3, 0) * x + m(3, 1) * y + m(3, 2) * z + m(3, 3)).inverse();
 
-	for (size_t i = 0; i < n; i++)
-		Vector3d::Map(q + 3 * i) =
-		    (m * Vector3d::Map(p + 3 * i).homogeneous()).hnormalized();
+	for (int k = 0; k < 3; k++)
+		q[k].head(size) = (m(k, 0) * x + m(k, 1) * y + m(k, 2) * z +
+				      m(k, 3)) *
+		    w;
 }
 
 #define TEXT(x) #x
 #define VERSION(a, b, c) TEXT(a) "." TEXT(b) "." TEXT(c)
 
+static const char version[] = VERSION(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
+    EIGEN_MINOR_VERSION);
+
 const struct peer peers_eigen[] = {
-	{ "Eigen double",
-	    VERSION(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION,
-		EIGEN_MINOR_VERSION),
-	    0, prepare, carry, nullptr },
+	{ "Eigen, double", version, false, { COLUMNS }, prepare,
+	    carry<double> },
+	{ "Eigen, float", version, true, { COLUMNS }, prepare, carry<float> },
 	{},
 };
 

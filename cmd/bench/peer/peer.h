@@ -1,8 +1,10 @@
 /* Other people's libraries, each used as its own users would when they care
- * for speed: one composed matrix, then a product and a division a point. */
-#ifndef PEERS_BENCH_H
-#define PEERS_BENCH_H
+ * for speed: one composed matrix, then a product and a division a point, on
+ * points that lie as suits the library best. */
+#ifndef PEER_BENCH_H
+#define PEER_BENCH_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -13,24 +15,44 @@ extern "C" {
  * screen, depth from 0 to 1, y down. */
 struct view {
 	double eye[3], at[3], up[3];
-	double fovy; /* degrees */
-	double near, far;
+	double fovy;      /* degrees */
+	double near, far; /* far may be infinite */
 	double width, height;
+	/* World to device for column vectors, in the nearest doubles: for those
+	 * who have no functions for it. */
+	double matrix[4][4];
 };
 
-/* What a peer has not been written for is NULL. */
+/* How a block of points lies in memory: coordinate k of point i is number
+ * point * i + coordinate * k. */
+struct layout {
+	size_t point, coordinate;
+};
+
+enum { PEER_BLOCK = 1024 };
+
+#define TRIPLES 3, 1
+#define QUADS 4, 1 /* the fourth is 1 */
+#define COLUMNS 1, PEER_BLOCK
+
 struct peer {
 	const char *name, *version;
-	int single; /* points in memory are floats, not doubles */
+	bool single; /* points are of floats, not of doubles */
+	struct layout layout;
 	void (*prepare)(const struct view *);
-	/* n points, x y z side by side. */
+	/* n <= PEER_BLOCK points; both arrays are aligned to 64 bytes. */
 	void (*carry)(const void *in, void *out, size_t n);
-	/* Lines of three numbers from standard input to standard output. */
-	void (*filter)(void);
 };
 
 /* Each ends with a name NULL; what is not installed is not there. */
-extern const struct peer peers_glm[], peers_cglm[], peers_eigen[];
+extern const struct peer peers_plain[], peers_glm[], peers_cglm[],
+    peers_eigen[];
+
+/* Whole programs around a peer, from standard input to standard output. */
+enum filter { FILTER_STDIO, FILTER_TEXT, FILTER_BINARY };
+
+/* False if reading or writing failed. */
+bool peer_filter(const struct peer *, enum filter);
 
 #ifdef __cplusplus
 }

@@ -1,10 +1,19 @@
-# Points through a 4x4 matrix for row vectors, divided.
-# usage: python3 peer.py MATRIX POINTS
+# Points through a 4x4 matrix for row vectors, divided; in blocks, which stay in
+# the cache.
+# usage: python3 peer.py MATRIX text|f64 POINTS
 import sys
 
 import numpy
 
 matrix = numpy.loadtxt(sys.argv[1])
-points = numpy.loadtxt(sys.argv[2])
-image = numpy.column_stack((points, numpy.ones(len(points)))) @ matrix
-numpy.savetxt(sys.stdout, image[:, :3] / image[:, 3:], fmt="%.17g")
+text = sys.argv[2] == "text"
+read = numpy.loadtxt if text else numpy.fromfile
+points = read(sys.argv[3]).reshape(-1, 3)
+for i in range(0, len(points), 4096):
+    image = points[i:i + 4096] @ matrix[:3]
+    image += matrix[3]
+    image = image[:, :3] / image[:, 3:]
+    if text:
+        numpy.savetxt(sys.stdout, image, fmt="%.17g")
+    else:
+        image.tofile(sys.stdout)

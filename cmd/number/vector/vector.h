@@ -1,0 +1,21 @@
+/* Texts of numbers several at a time: one body, compiled once for each kind of
+ * processor, with the same bytes from each as from number_write. */
+#ifndef VECTOR_H
+#define VECTOR_H
+
+#include <stdint.h>
+
+#include "../number.h"
+
+/* Texts are made so many at a time. */
+enum { TEXTS = 64 };
+
+struct number_vector {
+	/* as number_texts, but that n is a multiple of TEXTS */
+	void (*texts)(const double *v, size_t n, bool single,
+	    struct number_style style, struct number_text *t);
+};
+
+extern const struct number_vector number_avx512, number_avx2, number_neon;
+
+#endif

@@ -1,0 +1,195 @@
+/* The decimal digits of a number, found by operations on doubles (write_body.h
+ * says which). From 2^-17 to 2^52, of floats to 2^23, none of them rounds; beyond
+ * that, what rounding could change is left to number_write. */
+#ifndef WRITE_FIND_H
+#define WRITE_FIND_H
+
+#include <math.h>
+
+#include "powers.h"
+#include "vector.h"
+
+#define INLINE static inline __attribute__((always_inline))
+
+/* How far apart two sides must be for their comparison to be right where something
+ * was rounded: shortest() adds up the errors. */
+#define WRITE_MARGIN 0x1p-44
+
+/* The most digits that a whole number below 2^53 has. */
+enum { DIGITS = 16 };
+
+/* What is written of a number: the DIGITS digits of whole, a 17th, digit, unless
+ * that is 0; the point is scale digits before the end of whole. sign is -1 for a
+ * minus, 1 for none, 0 for what is not made. */
+struct found {
+	double whole[TEXTS];
+	int32_t digit[TEXTS], scale[TEXTS], sign[TEXTS];
+};
+
+/* x = a 10^scale as p + e, and the greatest integer i <= p. hi + lo is the power;
+ * where scale >= 0 it is hi, of 47 bits at most (5^20 < 2^47), so that e, what
+ * the product's rounding to p has lost, is exact, and x = p + e. */
+struct scaled {
+	V p, e, i;
+};
+
+INLINE struct scaled scaled(V a, V hi, V lo)
+{
+	struct scaled x = { .p = a * hi };
+
+	x.e = FMA(a, lo, FMA(a, hi, -x.p));
+	x.i = FLOOR(x.p);
+	return x;
+}
+
+/* The nearest whole number to x < 2^53, ties to even, where scale >= 0. p - i - 1/2
+ * is exact, and |e| at most half a unit of p's last place. The sum, though rounded,
+ * has the sign of x - i - 1/2. It is 0 if e = 0 and NEAREST breaks the tie. The
+ * other tie is p > 2^52, whole, with |e| = 1/2: then p is even already, as x, halfway
+ * between two doubles, was rounded to it; and p is what either way gives. */
+INLINE V nearest(struct scaled x)
+{
+	V rest = (x.p - x.i - ALL(0.5)) + x.e;
+	V i = x.i + ONLY(LESS(ALL(0), rest), ALL(1));
+
+	return CHOOSE(EQUAL(rest, ALL(0)), NEAREST(x.p), i);
+}
+
+struct digits {
+	V whole, digit;
+	M sure;
+};
+
+/* The shortest digits that read back as a, and of these the nearest; after
+ * Schubfach (R. Giulietti, 2020). Let 2^q be a's last place and 10^-scale the least
+ * power of ten above it. Then x = a 10^scale < 2^53, and up, half a unit of that
+ * place, is at least 1/20 and less than 1/2. What reads back as a is from x - down
+ * to x + up, where down is up, but half of that below a power of two.
+ *
+ * So one whole number at most is there, and if one is, it is the shortest: any
+ * with fewer digits is whole, too, and its zeros are dropped later. Else all there
+ * have a 17th digit, and the nearest tenth, no farther than 1/20, is there: only
+ * next to a power of two need it not be, and number_write goes on.
+ *
+ * For scale >= 0 nothing is rounded. x is a multiple of 2^(q + scale), up
+ * is half of that multiplied by 5^scale, an odd number, so that no whole number is
+ * at x + up or x - down. With q + scale >= -49 (digits_test.t counts) all
+ * differences are below 1 and multiples of 2^-51, the tenths below 10 and multiples
+ * of 2^-48: they are doubles. A tie of two tenths is 1/4 or 3/4, which NEAREST and
+ * number_write take to the even one.
+ *
+ * Else, in units of 2^-53, the errors are at most, with lo from the table:
+ *
+ *	1	of hi + lo: POWER_ERROR x
+ *	1	of e, less than 2, rounded
+ *	2	of p - i + e, less than 4, rounded
+ *	1	of its fraction
+ *	5	in all, of rest; with 1 more of 1 - rest, and of up 1/2 or less
+ *	58	of 10 rest, less than 10: 5 10 and 8
+ *
+ * so that a comparison is right where its sides are WRITE_MARGIN = 512 units apart.
+ * What is nearer, exact ties among it, which are frequent in numbers that large, is
+ * left to number_write. */
+INLINE struct digits shortest(V a, V two, V scale, V hi, struct scaled x,
+    bool single)
+{
+	const V one = ALL(1);
+	M exact = LESS(ALL(-0.5), scale);
+	M power_of_two = EQUAL(a, two);
+	V rest = (x.p - x.i) + x.e, j = FLOOR(rest);
+	V up = hi * two * ALL(single ? 0x1p-24 : 0x1p-53);
+	V down = up - ONLY(power_of_two, up * ALL(0.5));
+
+	rest = rest - j;
+	V to_next = one - rest, tenths = rest * ALL(10);
+	V digit = NEAREST(tenths);
+	M below = LESS(rest, down), above = LESS(to_next, up);
+	M there = below | above;
+	V ends = MIN(ABS(rest - down), ABS(to_next - up));
+	V margin = MIN(ends, ALL(0.5) - ABS(tenths - digit));
+
+	return (struct digits){
+		.whole = x.i + j + ONLY(above, one),
+		.digit = UNLESS(there, digit),
+		.sure = (exact | LESS(ALL(WRITE_MARGIN), margin)) &
+		    ~(~there & power_of_two),
+	};
+}
+
+/* The exponent of a power of two, less place: in the lowest bits of 2^52. */
+INLINE V log2_less(V two, double place)
+{
+	V biased = DOUBLES(SHR(BITS(two), 52) | BITS(ALL(0x1p52)));
+
+	return biased - ALL(0x1p52 + 1023 + place);
+}
+
+INLINE V power_of_two_in(V a)
+{
+	return DOUBLES(BITS(a) & BITS(ALL((double)INFINITY)));
+}
+
+INLINE void store_found(struct found *f, size_t i, V v, struct digits d,
+    V scale)
+{
+	M minus = LESS(v, ALL(0)) & ~EQUAL(d.whole, ALL(0));
+
+	STORE(f->whole + i, d.whole);
+	STORE_INTS(f->digit + i, d.digit);
+	STORE_INTS(f->scale + i, scale);
+	STORE_INTS(f->sign + i, ONLY(d.sure, CHOOSE(minus, ALL(-1), ALL(1))));
+}
+
+INLINE void find_decimals(struct found *f, size_t i, int n,
+    const struct tens *tens, V v)
+{
+	V scale = ALL(n), hi, lo;
+
+	power_of_ten(tens, scale, &hi, &lo);
+	struct scaled x = scaled(ABS(v), hi, lo);
+	struct digits d = { nearest(x), ALL(0), LESS(x.p, ALL(0x1p53)) };
+
+	store_found(f, i, v, d, scale);
+}
+
+/* The shortest; or, if n <= POWER_MAX, that with at most n decimals. Where n is
+ * greater than scale, the shortest has no more. Else 10^-n is more than the last
+ * place, and one number of n decimals at most reads back as a: if one does, it is
+ * the nearest to a, and the shortest, but for zeros at its end; so the nearest it
+ * is in any case.
+ *
+ * Plain text goes from 1e-6, or with up to six decimals from 0, to 1e21. Here it
+ * is from 2^-17, and of floats to 2^60, as far as the table goes; for what is not in
+ * this range two is 1, so that the table is not left. */
+INLINE void find_shortest(struct found *f, size_t i, int n, bool single,
+    const struct tens *tens, V v)
+{
+	const bool limited = n <= POWER_MAX;
+	const V one = ALL(1), low = ALL(n <= 6 ? 0 : 0x1p-17);
+	V a = ABS(v), hi, lo;
+	M in_range = LESS(a, ALL(single ? 0x1p60 : 1e21)) & ~LESS(a, low);
+	V two = power_of_two_in(CHOOSE(in_range, a, one));
+	V q = log2_less(two, single ? 23 : 52);
+	V scale = -one - FLOOR(q * ALL(0.30102999566398120));
+	M by_n = LESS(ALL(n - 0.5), scale);
+
+	if (limited)
+		scale = MIN(scale, ALL(n));
+	power_of_ten(tens, scale, &hi, &lo);
+	struct scaled x = scaled(a, hi, lo);
+	struct digits d = shortest(a, two, scale, hi, x, single);
+
+	if (limited) {
+		d.whole = CHOOSE(by_n, nearest(x), d.whole);
+		d.digit = UNLESS(by_n, d.digit);
+		d.sure = d.sure | by_n;
+	}
+	d.sure = d.sure & (in_range | EQUAL(a, ALL(0)));
+	if (single) { /* eight digits and the ninth */
+		d.whole = FMA(d.whole, ALL(1e8), d.digit * ALL(1e7));
+		d.digit = ALL(0);
+	}
+	store_found(f, i, v, d, scale);
+}
+
+#endif

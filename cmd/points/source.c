@@ -1,0 +1,86 @@
+/* for F_SETPIPE_SZ, where there is one */
+#define _GNU_SOURCE
+#include "source.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* Of a file that has no more, no thread but one would have something to read;
+ * among them are those that the system makes up, with a size of 0. */
+enum { SMALL = 1 << 17 };
+
+/* Fewer and larger reads and writes, if it is a pipe; if the system refuses, it
+ * is just slower. */
+static void widen(int fd)
+{
+#ifdef F_SETPIPE_SZ
+	fcntl(fd, F_SETPIPE_SZ, 1 << 20);
+#else
+	(void)fd;
+#endif
+}
+
+struct point_source source_of_file(const char *name, int fd)
+{
+	struct point_source s = { .name = name, .fd = fd };
+	struct stat st;
+
+	widen(fd);
+	widen(STDOUT_FILENO);
+	s.start = lseek(fd, 0, SEEK_CUR);
+	if (s.start >= 0 && fstat(fd, &st) == 0 && S_ISREG(st.st_mode) &&
+	    st.st_size - s.start > SMALL)
+		s.kind = SOURCE_FILE;
+	return s;
+}
+
+struct point_source source_of_lines(const char *name, const char *text,
+    size_t size)
+{
+	return (struct point_source){ .name = name,
+		.kind = SOURCE_LINES,
+		.lines = text,
+		.end = text + size };
+}
+
+static void take_piece(struct chunk *c, enum piece_state state)
+{
+	c->state = state;
+	c->error = errno;
+	c->text = c->piece.text + c->piece.begin;
+	c->end = c->piece.text + c->piece.whole;
+}
+
+void source_begin(struct point_source *s, const struct layout *l,
+    struct chunk *c)
+{
+	c->name = s->name;
+	c->state = PIECE_FULL; /* until it is read */
+	if (s->kind == SOURCE_STREAM)
+		take_piece(c, piece_fill(&c->piece, l, s->fd, &s->rest));
+	if (s->kind != SOURCE_LINES)
+		return;
+	c->text = s->lines;
+	c->end = s->lines = piece_end(s->lines, (size_t)(s->end - s->lines));
+	c->state = s->lines < s->end ? PIECE_FULL : PIECE_LAST;
+}
+
+void source_read(const struct point_source *s, const struct layout *l,
+    struct chunk *c)
+{
+	if (s->kind == SOURCE_FILE)
+		take_piece(c,
+		    piece_cut(&c->piece, l, s->fd, s->start, c->number));
+	c->bytes = (size_t)(c->end - c->text);
+}
+
+void source_end(struct point_source *s, const struct chunk *last)
+{
+	const struct piece *p = &last->piece;
+
+	if (s->kind == SOURCE_FILE)
+		lseek(s->fd, p->at + (off_t)p->have, SEEK_SET);
+	piece_free(&s->rest);
+}

@@ -1,0 +1,155 @@
+#!/usr/bin/perl
+# A file is cut into pieces that threads read for themselves, a pipe is not:
+# the same bytes and messages come from both, wherever the cuts fall.
+use strict;
+use warnings;
+use FindBin;
+use lib $FindBin::Bin;
+use Projcalc;
+
+$ENV{PATH} = "$build:$ENV{PATH}";
+chdir 'testdata' or die "testdata: $!\n";
+my $project = 'projcalc project --keep-going';
+
+# What piece.c reads at a time, and how much of that begins in the piece.
+my ($room, $range) = (1 << 17, (1 << 17) - (1 << 12));
+
+# The file by ranges and as a stream, with one thread and with several.
+sub same {
+	my ($args, $name, @jobs) = @_;
+	my @want = run("cat $tmp/in | $project $args -j1 scene.json -");
+	my $bad = '';
+	for my $j (@jobs) {
+		for my $way ("$project $args -j$j scene.json - <$tmp/in",
+		    "cat $tmp/in | $project $args -j$j scene.json -") {
+			my @got = run($way);
+			$bad = $way if "@got" ne "@want";
+		}
+	}
+	is($bad, '', $name);
+	return @want;
+}
+
+# A line of n bytes with its newline, and with a number after the point.
+sub line_of {
+	my ($n, $i) = @_;
+	my $line = "0 0 $i ";
+	return $line . 'a' x ($n - 1 - length $line) . "\n";
+}
+
+# Lines end just before, at and just after where the ranges and the reads do.
+srand 5;
+for my $at ($range - 1 .. $range + 1, 2 * $range - 1 .. 2 * $range + 1,
+    $room - 1 .. $room + 1, $range + $room - 1 .. $range + $room) {
+	my $text = '';
+	for (my $i = 0; ; $i++) {
+		my $n = 12 + int rand 60;
+		my $left = $at - length $text;
+		$text .= line_of($left < 100 ? $left : $n, $i);
+		last if $left < 100;
+	}
+	spew("$tmp/in", $text . "0 0 bad\n" . ("0 0 1\n" x 30000) . '1 1 1');
+	my @said = same('', "a line ends at byte $at", 2, 3);
+	my $n = 1 + ($text =~ tr/\n//);
+	like($said[2], qr/\Aprojcalc: -:$n: z is 'bad'/, 'the line number');
+	spew("$tmp/in", $text);
+	same('', "and nothing is after it", 2);
+}
+
+# Lines that are longer than ranges, and several of them.
+for my $n ($range - 2 .. $range + 2, 2 * $range, 5 * $range + 77) {
+	spew("$tmp/in", line_of(9, 1) . line_of($n, 2) . line_of(30, 3) .
+	    line_of($n, 4) . "5 6\n" . line_of(70, 5) x 4000);
+	same('', "lines of $n bytes", 1, 2, 4);
+	spew("$tmp/in", line_of($n, 1) =~ tr/\n//dr);
+	same('', "a line of $n bytes alone, without its newline", 2);
+}
+
+# One line alone begins in a range, at its first or last byte.
+for my $n ($range - 1 .. $range + 1, 2 * $range - 1 .. 2 * $range + 1) {
+	spew("$tmp/in", line_of($n, 1) . line_of(3 * $range, 2) .
+	    line_of(20, 3) x 9);
+	same('', "a line after $n bytes", 2);
+}
+
+# Each format, with sizes at random.
+my @points = map { [map { 1e-4 * int rand 4e4 } 1 .. 3] } 1 .. 40000;
+for my $n (map { 9000 + int rand 31000 } 1 .. 4) {
+	my @some = @points[0 .. $n];
+	my $text = join '', map { join(' ', @$_) . "\n" } @some;
+	my $csv = $text =~ tr/ /,/r;
+	spew("$tmp/in", $text);
+	same('', "$n lines of text", 1, 2, 16, 64);
+	same('--visible --flags', 'some of them', 3);
+	spew("$tmp/in", "# a comment\n\nid,x,y,z\n" . $csv =~ s/^/1,/mgr);
+	same('-i csv --columns x,y,z', "$n lines of csv", 1, 2, 5);
+	spew("$tmp/in", ("# comments\n" x 30000) . "x,y,z\n$csv");
+	same('-i csv', 'a header that is late', 2);
+	spew("$tmp/in", $csv =~ s/^(.*)$/[$1,"a"]/mgr);
+	same('-i json', "$n lines of JSON", 1, 2, 5);
+	my $f64 = pack 'd<*', map { @$_ } @some;
+	spew("$tmp/in", $f64 . 'rest');
+	same('-i f64', "$n binary points and 4 bytes", 1, 2, 5);
+	same('-i f64 -o text', 'as text', 2);
+	spew("$tmp/in", pack 'f<*', map { @$_ } @some);
+	same('-i f32', "$n points of floats", 1, 2, 5);
+}
+
+# Where a file is read from, and where it is left.
+my $lines = join '', map { line_of(20 + $_ % 50, $_) } 1 .. 9000;
+spew("$tmp/in", "0 0 first\n$lines");
+my $offset = '{ read line; projcalc project -j2 scene.json - | tail -n 1; ' .
+    'cat; }';
+my @said = run("$offset <$tmp/in");
+my @want = run("tail -n +2 $tmp/in | projcalc project scene.json - |" .
+    'tail -n 1');
+is("@said", "@want", 'a file from the second line on, left at its end');
+
+# A file that changes while the threads wait for a reader, long before its end:
+# what is added counts, and what is cut off does not.
+my $long = join '', map { "0 0 $_\n" } 1 .. 400000;
+my $start = substr $long, 0, 4000000;
+for (['grows', "$long-1 -1 -1\n", sub {
+	open my $to, '>>', "$tmp/in" or die;
+	print $to "-1 -1 -1\n";
+	close $to;
+}], ['shrinks', $start, sub { truncate "$tmp/in", length $start }]) {
+	my ($name, $left, $change) = @$_;
+	spew("$tmp/in", $left);
+	my ($status, $want) = run("projcalc project -j1 scene.json $tmp/in");
+	for my $j (1, 2, 4) {
+		spew("$tmp/in", $long);
+		open my $from, '-|', "exec projcalc project -j$j scene.json " .
+		    "$tmp/in" or die;
+		sysread $from, my $first, 1;
+		select undef, undef, undef, 0.1;
+		$change->();
+		local $/;
+		ok($first . <$from> eq $want, "a file that $name, -j$j");
+	}
+}
+
+# However many threads are asked for, two a processor are the most that are
+# started; here all of them wait for a reader.
+SKIP: {
+	open my $status, '<', "/proc/$$/status" or skip 'no /proc', 1;
+	my ($cpus) = join('', <$status>) =~ /^Cpus_allowed:\s*(\S+)/m;
+	my $n = grep { $_ } map { split //, sprintf '%b', hex } split /,/, $cpus;
+	spew("$tmp/in", "0 0 1\n" x 1000000);
+	my $pid = open my $from, '-|', 'projcalc', 'project', '-j64',
+	    'scene.json', "$tmp/in" or die;
+	sysread $from, my $all, 1 << 16 for 1 .. 10; # of the first piece
+	my ($threads, $left) = (0, 200);
+	while ($threads < 2 * $n + 1 && $left-- > 0) {
+		select undef, undef, undef, 0.01;
+		open $status, '<', "/proc/$pid/status" or die;
+		($threads) = join('', <$status>) =~ /^Threads:\s*(\d+)/m;
+	}
+	select undef, undef, undef, 0.05; # would there be more of them?
+	open $status, '<', "/proc/$pid/status" or die;
+	($threads) = join('', <$status>) =~ /^Threads:\s*(\d+)/m;
+	is($threads, 2 * $n + 1, 'threads of -j64, and one that waits');
+	kill 'TERM', $pid;
+	close $from;
+}
+done_testing();

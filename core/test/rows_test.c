@@ -1,0 +1,192 @@
+/* Rows to columns and back, and floats from rows to rows, in every copy of the
+ * kernels. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <math.h>
+#include <string.h>
+
+#include "points.h"
+
+enum { ROWS = 53 };
+
+static COLUMN_ALIGNED double columns[4][POINTS_BLOCK];
+
+/* Rows begin where no number would. */
+static char rows[8 * 4 * ROWS + 1], back[8 * 4 * ROWS + 1];
+
+static void put(bool wide, size_t i, double v)
+{
+	float narrow = (float)v;
+
+	if (wide)
+		memcpy(rows + 1 + 8 * i, &v, 8);
+	else
+		memcpy(rows + 1 + 4 * i, &narrow, 4);
+}
+
+static double got(bool wide, size_t i)
+{
+	double v;
+	float narrow;
+
+	memcpy(&v, back + 1 + (wide ? 8 : 4) * i, wide ? 8 : 4);
+	memcpy(&narrow, back + 1 + 4 * i, 4);
+	return wide ? v : (double)narrow;
+}
+
+/* Each number goes to its place and, -0 as 0, back there; and nothing else is
+ * touched. */
+static void check_places(bool wide, int numbers, size_t n)
+{
+	size_t all = n * (size_t)numbers, size = all * (wide ? 8 : 4);
+
+	for (size_t i = 0; i < all; i++)
+		put(wide, i, i % 7 == 0 ? -0.0 : (double)i - 9.25);
+	memset(columns, 1, sizeof columns);
+	memset(back, 1, sizeof back);
+	assert_true(points_split(rows + 1, wide, numbers, columns, n));
+	assert_true(points_join(columns, back + 1, wide, numbers, n));
+	for (size_t i = 0; i < all; i++) {
+		double v = i % 7 == 0 ? 0 : (double)i - 9.25;
+
+		assert_true(
+		    columns[i % (size_t)numbers][i / (size_t)numbers] == v);
+		assert_true(
+		    got(wide, i) == v && !signbit(got(wide, i)) == (v >= 0));
+	}
+	for (int k = 0; k < numbers; k++)
+		assert_int_equal(*(char *)&columns[k][n], 1);
+	assert_int_equal(back[0], 1);
+	for (size_t i = size + 1; i < sizeof back; i++)
+		assert_int_equal(back[i], 1);
+}
+
+static void numbers_keep_their_places(void **state)
+{
+	(void)state;
+	for (int c = 0; c < COPIES; c++)
+		for (int numbers = 2; numbers <= 4 && points_choose(copies[c]);
+		     numbers++)
+			for (size_t n = 0; n <= ROWS; n++) {
+				check_places(false, numbers, n);
+				check_places(true, numbers, n);
+			}
+}
+
+/* Wherever the one among others stands that is to be looked at. */
+static void check_split(bool wide, double v, bool within)
+{
+	for (int numbers = 2; numbers <= 4; numbers++)
+		for (size_t i = 0; i < ROWS * (size_t)numbers; i++) {
+			for (size_t k = 0; k < ROWS * (size_t)numbers; k++)
+				put(wide, k, k == i ? v : 1);
+			assert_int_equal(points_split(rows + 1, wide, numbers,
+					     columns, ROWS),
+			    within);
+		}
+}
+
+static void check_join(bool wide, double v, bool sure)
+{
+	for (int numbers = 2; numbers <= 4; numbers++)
+		for (size_t i = 0; i < ROWS * (size_t)numbers; i++) {
+			for (size_t k = 0; k < ROWS * (size_t)numbers; k++)
+				columns[k % (size_t)numbers]
+				       [k / (size_t)numbers] = k == i ? v : 1;
+			assert_int_equal(points_join(columns, back + 1, wide,
+					     numbers, ROWS),
+			    sure);
+		}
+}
+
+static void what_is_not_plain_is_told(void **state)
+{
+	const double nan = (double)NAN, infinite = HUGE_VAL;
+	const double past = nextafter(1e150, infinite);
+
+	(void)state;
+	for (int c = 0; c < COPIES; c++) {
+		if (!points_choose(copies[c]))
+			continue;
+		check_split(true, 1e150, true);
+		check_split(true, -past, false);
+		check_split(true, -infinite, false);
+		check_split(true, nan, true);
+		check_split(false, 0x1.fffffep127, true);
+		check_split(false, infinite, false);
+		check_split(false, nan, true);
+		check_join(true, 0x1.fffffffffffffp1023, true);
+		check_join(true, -infinite, false);
+		check_join(true, nan, false);
+		check_join(false, -0x1.fffffep127, true);
+		check_join(false, 0x1.fffffefffffffp127, false);
+		check_join(false, 0x1.ffffffp127, false);
+		check_join(false, nan, false);
+		check_join(false, 0, true);
+		/* midway between floats, and next to it */
+		check_join(false, 0x1.000001p0, false);
+		check_join(false, -0x1.fffffdp-126, false);
+		check_join(false, 0x1.0000010000001p0, true);
+		check_join(false, 0x1.0000008p0, true);
+		/* from where floats lose digits */
+		check_join(false, 0x1p-126, true);
+		check_join(false, -0x1.fffffffffffffp-127, false);
+		check_join(false, 0x1p-1074, false);
+	}
+}
+
+/* To the bits of points_carry with columns of doubles, also where the origin is no
+ * float. */
+static void floats_come_out_as_of_doubles(void **state)
+{
+	const struct accuracy single = { .precision = PRECISION_SINGLE };
+	static struct block b;
+	static struct transform t;
+	struct truth truth = { 0 };
+	struct scene s;
+	enum space from;
+	size_t carried = 0;
+
+	(void)state;
+	sample_seed(81);
+	for (int k = 0; k < 6000; k++) {
+		size_t n = 1 + sample_below(POINTS);
+		int mark = real_mark();
+
+		points_choose(copies[k % COPIES]);
+		truth.n = 0;
+		if (!sample_transform(k % 3 * 4, &s, &from, &t, &truth)) {
+			real_release(mark);
+			continue;
+		}
+		real_release(mark);
+		sample_points(&s, from, &b, n);
+		for (size_t i = 0; i < n * (size_t)t.in; i++)
+			put(false, i, b.in[i % (size_t)t.in][i / (size_t)t.in]);
+		if (!points_carry_floats(&t, rows + 1, back + 1, n))
+			continue;
+		assert_true(points_split(rows + 1, false, t.in, b.in, n));
+		carry(&t, single, &b, n);
+		for (size_t i = 0; i < n * (size_t)t.out; i++)
+			assert_true(got(false, i) ==
+			    b.out[i % (size_t)t.out][i / (size_t)t.out]);
+		carried++;
+	}
+	print_message("%zu blocks of floats were carried\n", carried);
+	assert_true(carried > 200);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(numbers_keep_their_places),
+		cmocka_unit_test(what_is_not_plain_is_told),
+		cmocka_unit_test(floats_come_out_as_of_doubles),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
