@@ -119,6 +119,12 @@ static void measure(struct fitted *f)
 		z = combine(&z, sign, &z, number(0));
 		f->gap[k] = form_add(least(&z, f->b),
 		    form_of(k == 4 ? -s->projection.near : s->projection.far));
+		/* intrinsics may have w = z + pw */
+		if (s->projection.type == PROJECTION_PERSP &&
+		    s->projection.extent == EXTENT_INTRINSICS)
+			f->gap[k] = form_add(f->gap[k],
+			    form_of((k == 4 ? 1 : -1) *
+				s->projection.intrinsics[2][3]));
 	}
 }
 
@@ -242,6 +248,27 @@ static void sample_bounds(struct bounds *b, int e)
 	}
 }
 
+/* About the gaze. */
+static void sample_calibrated(struct scene *s)
+{
+	struct projection *p = &s->projection;
+	struct viewport *v = &s->viewport;
+	double(*k)[4] = p->intrinsics;
+
+	*v = (struct viewport){ .width = 640, .height = 480, .max_z = 1 };
+	s->has_viewport = true;
+	p->width = v->width;
+	p->height = v->height;
+	memset(k, 0, sizeof p->intrinsics);
+	k[0][0] = k[1][1] = sample_between(200, 2000);
+	k[0][1] = sample_below(2) ? 0 : sample_between(-2, 2);
+	k[0][2] = sample_between(200, 400);
+	k[1][2] = sample_between(150, 300);
+	k[2][2] = 1;
+	for (int i = 0; i < 3 && sample_below(2); i++)
+		k[i][3] = sample_between(-0.1, 0.1);
+}
+
 static void sample_fit(struct scene *s, int e)
 {
 	struct projection *p = &s->projection;
@@ -250,7 +277,8 @@ static void sample_fit(struct scene *s, int e)
 	s->has_camera = sample_below(8) > 0;
 	s->has_viewport = sample_below(2);
 	p->type = PROJECTION_PERSP + sample_below(3);
-	p->extent = sample_below(7);
+	p->extent = sample_below(p->type == PROJECTION_PERSP ? 9 : 7);
+	p->edges_at = sample_below(2) ? 0 : sample_size(1);
 	if (p->type != PROJECTION_PERSP)
 		p->aspect[1] = sample_below(2) ? p->aspect[1] : 0;
 	else if (p->extent == EXTENT_HEIGHT)
@@ -264,6 +292,15 @@ static void sample_fit(struct scene *s, int e)
 	p->top = -p->bottom;
 	p->near = sample_size(1);
 	p->projector = sample_between(20, 90);
+	if (p->extent == EXTENT_ANGLES) {
+		p->unit = DEGREES;
+		p->left = sample_between(-60, -10);
+		p->right = sample_between(10, 60);
+		p->bottom = sample_between(-60, -10);
+		p->top = sample_between(10, 60);
+	}
+	if (p->extent == EXTENT_INTRINSICS)
+		sample_calibrated(s);
 }
 
 /* Fits many scenes; what is refused is not looked at. Returns how many hold in
