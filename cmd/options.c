@@ -114,7 +114,7 @@ static const struct row {
 	/* Without one: the bool of struct options that becomes true. */
 	size_t on;
 } rows[] = {
-	{ "convention", 'c', ALL, "d3d (default), gl, vulkan, webgpu or opencv",
+	{ "convention", 'c', ALL, "of the answer: d3d, gl, vulkan, webgpu or opencv",
 	    .argument = "NAME", .set = set_convention },
 	{ "input", 'i', POINTS,
 	    "of points: text (default), csv, json, f64, f32",
