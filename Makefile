@@ -74,6 +74,9 @@ $(BUILD)/cmd/points/binary.o $(call objects,core/kernel cmd/number/vector): FLAG
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),)
 $(BUILD)/core/kernel/avx2.o: FLAGS += -mavx2 -mfma
 $(BUILD)/core/kernel/avx512.o: FLAGS += -mavx512f -mfma
+$(BUILD)/cmd/number/vector/read_avx2.o: FLAGS += -mavx2 -mfma -mbmi -mpopcnt
+$(BUILD)/cmd/number/vector/read_avx512.o: FLAGS += -mavx512f -mavx512bw \
+	-mavx512vl -mfma -mbmi -mpopcnt
 endif
 # gcc would store the halves of a span and reload them as one, which stalls.
 $(BUILD)/cmd/points/line_read.o: FLAGS += -fno-tree-slp-vectorize

@@ -175,7 +175,7 @@ static void choose_kernels(void)
 {
 	const char *cpu = getenv("PROJCALC_CPU");
 
-	if (!points_choose(cpu))
+	if (!points_choose(cpu) || !number_choose(cpu))
 		die(EXIT_USAGE,
 		    "PROJCALC_CPU=%s: not a processor that this is; "
 		    "it is one of baseline, avx2 and avx512",

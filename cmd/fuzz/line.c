@@ -92,9 +92,8 @@ static void check_spans(const struct layout *l, const struct line *line,
     struct span text)
 {
 	for (int i = 0; i < l->reads; i++) {
-		want(text.s <= line->at[i].s &&
-		    line->at[i].s <= line->at[i].end);
-		want(line->at[i].end <= text.end);
+		want(line->at[i].from <= line->at[i].to);
+		want(text.s + line->at[i].to <= text.end);
 	}
 }
 

@@ -5,6 +5,7 @@
 
 #include "../../core/points.h"
 #include "piece.h"
+#include "walk.h"
 
 /* What is wrong with a line. */
 struct complaint {
@@ -31,6 +32,7 @@ struct chunk {
 
 	/* The block in hand: its lines of text, and its points, a column for
 	 * each coordinate. */
+	struct stretch stretch;
 	struct line line[POINTS_BLOCK];
 	double in[4][POINTS_BLOCK];
 	double image[COORDINATES_MAX][POINTS_BLOCK];

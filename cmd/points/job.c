@@ -5,43 +5,7 @@
 #include <string.h>
 
 #include "binary.h"
-
-/* Reads up to POINTS_BLOCK lines, and the points among them into the chunk's
- * columns. A bad line ends the chunk unless the job keeps going. Returns how
- * many lines, and in *points how many of them are points. */
-static size_t read_lines(struct job *j, struct chunk *c, size_t *points)
-{
-	char reason[REASON_MAX];
-	size_t n = 0;
-	double v[4];
-
-	for (*points = 0; n < POINTS_BLOCK && c->text < c->end; c->n_lines++) {
-		const char *newline = memchr(c->text, '\n',
-		    (size_t)(c->end - c->text));
-		struct line *line = &c->line[n];
-		struct span text = { c->text,
-			newline != NULL ? newline : c->end };
-
-		line_read(&j->layout, text, c->end, &c->header, line, v,
-		    reason);
-		line->newline = newline != NULL;
-		c->text = newline != NULL ? newline + 1 : c->end;
-		if (line->kind == LINE_BAD) {
-			chunk_complain(c, c->n_lines, reason);
-			if (!j->keep_going) {
-				c->text = c->end;
-				break;
-			}
-		}
-		if (line->kind == LINE_POINT) {
-			for (int i = 0; i < j->layout.reads; i++)
-				c->in[i][*points] = v[i];
-			++*points;
-		}
-		n++;
-	}
-	return n;
-}
+#include "block_read.h"
 
 /* Rays are computed exactly, whatever the precision; for single they are
  * rounded to floats. */
@@ -155,9 +119,7 @@ static void write_other(const struct job *j, struct chunk *c,
 /* The source ends within a binary point: that counts as a bad line. */
 static void cut_short(const struct job *j, struct chunk *c, size_t size)
 {
-	struct line line = { .kind = LINE_BAD,
-		.text = { c->end, c->end },
-		.newline = true };
+	struct line line = { .kind = LINE_BAD, .s = c->end, .newline = true };
 	char reason[REASON_MAX];
 
 	snprintf(reason, sizeof reason,
@@ -176,14 +138,15 @@ static void do_lines(const struct job *j, struct chunk *c, size_t n,
 {
 	bool binary = is_binary(j->layout.in);
 	size_t size = point_size(j->layout.in, j->layout.reads), p = 0;
-	struct line point = { .kind = LINE_POINT, .newline = true };
+	struct line point = { .kind = LINE_POINT,
+		.size = (uint32_t)size,
+		.newline = true };
 
 	for (size_t i = 0; i < n; i++) {
 		struct line *line = binary ? &point : &c->line[i];
 
 		if (binary)
-			point.text = (struct span){ text + i * size,
-				text + (i + 1) * size };
+			point.s = text + i * size;
 		if (line->kind != LINE_POINT) {
 			write_other(j, c, line);
 		} else if (j->take != NULL) {
@@ -216,7 +179,7 @@ void job_do(struct job *j, struct chunk *c)
 		if (binary)
 			n = points = binary_read(j, c);
 		else
-			n = read_lines(j, c, &points);
+			n = block_read(j, c, &points);
 		carry(j, c, points);
 		if (whole)
 			binary_write_block(j, c, n, number);

@@ -4,6 +4,7 @@
 #define LINE_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 #include "../number/number.h"
 #include "field.h"
@@ -35,13 +36,37 @@ enum line_kind {
 	LINE_BAD,
 };
 
-struct line {
-	enum line_kind kind;
-	struct span text;  /* without its newline */
-	struct span at[4]; /* of text: where x, y, z and w stand */
-	bool newline;      /* it ends in one */
-	bool single;       /* its image is of floats, to be written as such */
+/* Of a line's text, counted from its beginning; a line is at most 64 MiB. */
+struct part {
+	uint32_t from, to;
 };
+
+struct line {
+	const char *s;     /* its text */
+	uint32_t size;     /* without its newline */
+	struct part at[4]; /* where x, y, z and w stand */
+	enum line_kind kind;
+	bool newline; /* it ends in one */
+	bool single;  /* its image is of floats, to be written as such */
+};
+
+static inline struct span line_text(const struct line *line)
+{
+	return (struct span){ line->s, line->s + line->size };
+}
+
+/* Where coordinate i stands. */
+static inline struct span line_at(const struct line *line, int i)
+{
+	return (struct span){ line->s + line->at[i].from,
+		line->s + line->at[i].to };
+}
+
+static inline struct part line_part(const struct line *line, struct span f)
+{
+	return (struct part){ (uint32_t)(f.s - line->s),
+		(uint32_t)(f.end - line->s) };
+}
 
 enum { REASON_MAX = 200 };
 

@@ -101,7 +101,7 @@ static bool read_text(const struct layout *l, const char *s, const char *end,
 		}
 		if (!in_range(i, v[i], reason))
 			return false;
-		line->at[i] = (struct span){ s, stop };
+		line->at[i] = line_part(line, (struct span){ s, stop });
 		s = skip_separator(stop, end);
 	}
 	return true;
@@ -140,15 +140,16 @@ static bool read_first(const struct layout *l, const char *s, const char *end,
     char reason[REASON_MAX])
 {
 	for (int i = 0; i < l->reads; i++) {
-		struct span field;
+		struct span field, number;
 
-		if (!read_field(l->in, s, end, readable, &field, &line->at[i],
+		if (!read_field(l->in, s, end, readable, &field, &number,
 			&v[i])) {
 			bad_field(l, i, field, reason);
 			return false;
 		}
 		if (!in_range(i, v[i], reason))
 			return false;
+		line->at[i] = line_part(line, number);
 		s = field_next(l->in, field.end, end);
 		if (s == NULL)
 			s = end;
@@ -182,7 +183,7 @@ static bool read_columns(const struct layout *l, const char *s, const char *end,
 		}
 		if (!in_range(i, v[i], reason))
 			return false;
-		line->at[i] = f;
+		line->at[i] = line_part(line, f);
 	}
 	return true;
 }
@@ -320,7 +321,8 @@ void line_read(struct layout *l, struct span text, const char *readable,
 	bool ok;
 
 	line->kind = LINE_COPY;
-	line->text = text;
+	line->s = text.s;
+	line->size = (uint32_t)(text.end - text.s);
 	if (s == text.end || *s == '#')
 		return;
 	if (l->in == FORMAT_CSV) {
@@ -353,6 +355,7 @@ void line_read(struct layout *l, struct span text, const char *readable,
 		ok = read_first(l, s, text.end, readable, line, v, reason);
 	if (ok && l->in == FORMAT_JSON)
 		ok = check_array(text,
-		    l->columns.n > 0 ? s : line->at[l->reads - 1].end, reason);
+		    l->columns.n > 0 ? s : line_at(line, l->reads - 1).end,
+		    reason);
 	line->kind = ok ? LINE_POINT : LINE_BAD;
 }

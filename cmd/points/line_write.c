@@ -13,7 +13,7 @@ enum { FLAGS_ROOM = 192 };
 
 size_t line_room(const struct layout *l, const struct line *line)
 {
-	size_t n = (size_t)(line->text.end - line->text.s);
+	size_t n = line->size;
 
 	/* In another format a byte of a field may become six, as \u0001 in
 	 * JSON. Six for the separator after it are enough for a comma and two
@@ -85,16 +85,17 @@ static bool separates(char c)
 static struct span separator_in(const struct layout *l, const struct line *line)
 {
 	const char *usual = separator_of(l->in);
-	struct span one = { usual, usual + 1 }, last = line->at[l->reads - 1];
+	struct span one = { usual, usual + 1 }, text = line_text(line);
+	struct span last = line_at(line, l->reads - 1);
 	struct span found = { last.s, last.s };
 
 	if (l->in != FORMAT_TEXT)
 		return one;
-	while (found.s > line->text.s && separates(found.s[-1]))
+	while (found.s > text.s && separates(found.s[-1]))
 		found.s--;
-	if (found.s == line->text.s) {
+	if (found.s == text.s) {
 		found.s = found.end = last.end;
-		while (found.end < line->text.end && separates(*found.end))
+		while (found.end < text.end && separates(*found.end))
 			found.end++;
 	}
 	return found.s < found.end && found.end - found.s <= SEPARATOR_MAX &&
@@ -109,7 +110,8 @@ static void sort(const struct line *line, int n, int sorted[4])
 	for (int i = 0; i < n; i++) {
 		int k = i;
 
-		for (; k > 0 && line->at[sorted[k - 1]].s > line->at[i].s; k--)
+		for (; k > 0 && line->at[sorted[k - 1]].from > line->at[i].from;
+		     k--)
 			sorted[k] = sorted[k - 1];
 		sorted[k] = i;
 	}
@@ -120,10 +122,11 @@ static void sort(const struct line *line, int n, int sorted[4])
 static struct span whole_field(const struct layout *l, const struct line *line,
     struct span f)
 {
-	const char *s = line->text.s, *next;
+	const struct span text = line_text(line);
+	const char *s = text.s, *next;
 
 	if (l->in == FORMAT_CSV && f.s > s && f.s[-1] == '"' &&
-	    f.end < line->text.end && *f.end == '"') {
+	    f.end < text.end && *f.end == '"') {
 		f.s--;
 		f.end++;
 	}
@@ -133,7 +136,7 @@ static struct span whole_field(const struct layout *l, const struct line *line,
 		before--;
 	if (before > s && (l->in != FORMAT_JSON || before[-1] != '['))
 		return (struct span){ before, f.end };
-	next = field_next(l->in, f.end, line->text.end);
+	next = field_next(l->in, f.end, text.end);
 	return (struct span){ f.s, next != NULL ? next : f.end };
 }
 
@@ -144,15 +147,15 @@ static char *splice(const struct layout *l, const struct line *line,
 {
 	int sorted[4] = { 0, 1, 2, 3 }, n = l->reads;
 	int last = (n < l->writes ? n : l->writes) - 1;
-	const char *s = line->text.s;
+	const char *s = line->s, *end = s + line->size;
 
 	if (l->columns.n > 0)
 		sort(line, n, sorted);
 	for (int k = 0; k < n; k++) {
 		int i = sorted[k];
 		struct span f = i < l->writes ?
-		    line->at[i] :
-		    whole_field(l, line, line->at[i]);
+		    line_at(line, i) :
+		    whole_field(l, line, line_at(line, i));
 
 		/* A coordinate that is left out begins with the blanks before
 		 * it. In a header they can belong to the name before, and are
@@ -166,19 +169,21 @@ static char *splice(const struct layout *l, const struct line *line,
 		s = f.end;
 		if (i != last || (l->writes <= n && flags == NULL))
 			continue;
-		if (l->in == FORMAT_CSV && s < line->text.end && *s == '"')
+		if (l->in == FORMAT_CSV && s < end && *s == '"')
 			*out++ = *s++;
 		out = put_more(l, line->single, n, v, flags,
 		    separator_in(l, line), out);
 	}
-	return put(out, s, line->text.end);
+	return put(out, s, end);
 }
 
 static bool is_coordinate(const struct layout *l, const struct line *line,
     struct span f)
 {
+	struct part p = line_part(line, f);
+
 	for (int i = 0; i < l->reads; i++)
-		if (line->at[i].s >= f.s && line->at[i].end <= f.end)
+		if (line->at[i].from >= p.from && line->at[i].to <= p.to)
 			return true;
 	return false;
 }
@@ -188,21 +193,22 @@ static bool is_coordinate(const struct layout *l, const struct line *line,
 static char *convert(const struct layout *l, const struct line *line,
     const double v[], const char *flags, char *out)
 {
-	const char *usual = separator_of(l->out), *s = line->text.s;
+	const char *usual = separator_of(l->out);
+	const char *s = line->s, *end = s + line->size;
 	struct span sep = { usual, usual + 1 };
 
 	if (l->out == FORMAT_JSON)
 		*out++ = '[';
 	out = put_number(l, line->single, v[0], out);
 	out = put_more(l, line->single, 1, v, flags, sep, out);
-	s = skip_blanks(s, line->text.end);
+	s = skip_blanks(s, end);
 	if (l->in == FORMAT_JSON)
 		s++;
 	/* of bad lines no field is kept, and binary points have none */
 	if (line->kind == LINE_BAD || is_binary(l->in))
 		s = NULL;
 	while (s != NULL) {
-		struct span f = field_at(l->in, s, line->text.end);
+		struct span f = field_at(l->in, s, end);
 
 		/* csv's empty fields become "" in JSON, so that the fields
 		 * after them keep their place in the array */
@@ -212,7 +218,7 @@ static char *convert(const struct layout *l, const struct line *line,
 			out = put(out, sep.s, sep.end);
 			out = field_convert(l->in, l->out, f, out);
 		}
-		s = field_next(l->in, f.end, line->text.end);
+		s = field_next(l->in, f.end, end);
 	}
 	if (l->out == FORMAT_JSON)
 		*out++ = ']';
@@ -225,16 +231,17 @@ static char *copy_header(const struct layout *l, const struct line *line,
     char *out)
 {
 	struct line named = *line;
-	const char *end = line->text.end - (line->text.end[-1] == '\r');
+	struct span text = line_text(line);
+	const char *end = text.end - (text.end[-1] == '\r');
 
 	for (int i = 0; i < l->reads; i++) {
 		int k = l->columns.n > 0 ? l->columns.field[i] : i;
-		struct span *f = &named.at[i];
+		struct span f = { end, end };
 
 		/* a missing name's place is the end of the line */
-		if (!field_find(l->in, line->text.s, line->text.end, k, f) &&
-		    f->s < f->end)
-			*f = (struct span){ end, end };
+		if (!field_find(l->in, text.s, text.end, k, &f) && f.s < f.end)
+			f = (struct span){ end, end };
+		named.at[i] = line_part(line, f);
 	}
 	return splice(l, &named, NULL, l->flags ? "flags" : NULL, out);
 }
@@ -242,14 +249,14 @@ static char *copy_header(const struct layout *l, const struct line *line,
 /* A blank line, a comment or a header. JSON has none of them. */
 static char *copy(const struct layout *l, const struct line *line, char *out)
 {
-	const char *end = line->text.end;
-	const char *s = skip_blanks(line->text.s, end);
+	const char *end = line->s + line->size;
+	const char *s = skip_blanks(line->s, end);
 
 	if (l->in == FORMAT_JSON || l->out == FORMAT_JSON)
 		return out;
 	if (l->in == FORMAT_CSV && s < end && *s != '#' && l->out == l->in)
 		return copy_header(l, line, out);
-	return put(out, line->text.s, end);
+	return put(out, line->s, end);
 }
 
 char *line_write(const struct layout *l, const struct line *line,

@@ -35,10 +35,11 @@ bool number_choose(const char *name)
 		named |= name != NULL && strcmp(copies[i].name, name) == 0;
 		if (named && runs(copies[i].name)) {
 			vector = copies[i].copy;
+			plain_choose(name);
 			return true;
 		}
 	}
-	return false;
+	return plain_choose(name);
 }
 
 void number_texts(const double *v, size_t n, bool single,

@@ -4,6 +4,7 @@
 #define VECTOR_H
 
 #include "../number.h"
+#include "../plain.h"
 
 struct number_vector {
 	/* as number_texts, but that n is a multiple of 64 */
@@ -12,5 +13,11 @@ struct number_vector {
 };
 
 extern const struct number_vector number_avx512, number_avx2, number_neon;
+
+/* The readers, chosen by name alone, as they need less of a processor. */
+extern const struct plain_reader plain_avx512, plain_avx2, plain_neon;
+
+/* Chooses the reader, as number_choose does. */
+bool plain_choose(const char *name);
 
 #endif

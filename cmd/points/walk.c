@@ -1,0 +1,267 @@
+#include "walk.h"
+
+#include <string.h>
+
+/* The blanks \t to \r with the newline, ' ' and ','. */
+#define BLANKS 1, 1, 1, 1, 1
+
+/* What can end a field: blanks, newlines and commas; in csv quotes, where the
+ * field is to be left; in JSON brackets, and what strings hold but rarely. */
+static const struct byte_set stops[] = {
+	[FORMAT_TEXT] = { { 2, [9] = 1, 1, 1, 2 | 1, 1 }, { 1, 0, 2 } },
+	[FORMAT_CSV] = { { 2, 0, 2, [9] = 1, 1, 1, 2 | 1, 1 }, { 1, 0, 2 } },
+	[FORMAT_JSON] = { { 2 | 1, 1, 2 | 1, 1, 1, 1, 1, 1, 1, 1, 1, 4 | 8 | 1,
+			      2 | 4 | 1, 4 | 8 | 1, 1, 1 },
+	    { 1, 1, 2, [5] = 4, [7] = 8 } },
+};
+
+bool walk_plan(const struct layout *l, struct walk *w)
+{
+	int n = l->reads, field = -1;
+
+	*w = (struct walk){ .format = l->in, .n = n };
+	for (int i = 0; i < n; i++)
+		w->coordinate[i] = i;
+	if (l->columns.n == 0)
+		return true;
+	for (int i = 0; i < n; i++)
+		for (int k = i; k > 0 &&
+		     l->columns.field[w->coordinate[k - 1]] >
+			 l->columns.field[w->coordinate[k]];
+		     k--) {
+			int other = w->coordinate[k];
+
+			w->coordinate[k] = w->coordinate[k - 1];
+			w->coordinate[k - 1] = other;
+		}
+	for (int i = 0; i < n; i++) {
+		w->skip[i] = l->columns.field[w->coordinate[i]] - field - 1;
+		field = l->columns.field[w->coordinate[i]];
+		if (w->skip[i] < 0)
+			return false;
+	}
+	return true;
+}
+
+bool stretch_open(struct stretch *w, const struct walk *walk, const char *text,
+    const char *end)
+{
+	size_t size = (size_t)(end - text), n;
+
+	if (size > STRETCH)
+		size = STRETCH;
+	n = plain_reader()->find(&stops[walk->format], text, size, w->stop);
+	while (n > 0 && text[w->stop[n - 1]] != '\n')
+		n--;
+	w->text = text;
+	w->at = 0;
+	w->end = n > 0 ? w->stop[n - 1] + 1u : 0;
+	w->next = w->stop;
+	return n > 0;
+}
+
+/* On the way through a line: at and the first stop from there on, which is never
+ * beyond the newline. */
+struct place {
+	const char *text;
+	uint32_t at;
+	const uint16_t *stop;
+};
+
+static inline bool stands(const struct place *p, char c)
+{
+	return *p->stop == p->at && p->text[p->at] == c;
+}
+
+static inline void pass(struct place *p)
+{
+	p->at++;
+	p->stop++;
+}
+
+static inline void pass_blanks(struct place *p)
+{
+	while (*p->stop == p->at && is_blank(p->text[p->at]))
+		pass(p);
+}
+
+/* As skip_separator in text; elsewhere only a comma separates. */
+static inline bool pass_separator(struct place *p, enum format format)
+{
+	pass_blanks(p);
+	if (stands(p, ',')) {
+		pass(p);
+		pass_blanks(p);
+		return true;
+	}
+	return format == FORMAT_TEXT;
+}
+
+/* Past a string of JSON with nothing in it that would have to be looked at. */
+static bool pass_string(struct place *p)
+{
+	for (p->stop++; p->text[*p->stop] != '"'; p->stop++) {
+		char c = p->text[*p->stop];
+
+		if (c == '\\' || (unsigned char)c < ' ')
+			return false;
+	}
+	p->at = *p->stop++ + 1u;
+	return true;
+}
+
+/* Whether a plain number is one of JSON: it has no 0 before another digit, and
+ * digits on both sides of its point. */
+static inline bool is_narrow(const char *s, const char *end)
+{
+	s += *s == '-';
+	return !(*s == '0' && s[1] >= '0' && s[1] <= '9') && *s != '.' &&
+	    end[-1] != '.';
+}
+
+static bool is_number(const char *s, const char *end)
+{
+	const char *first = s;
+	int points = 0, digits = 0;
+
+	for (s += s < end && *s == '-'; s < end; s++) {
+		points += *s == '.';
+		digits += *s >= '0' && *s <= '9';
+		if (*s != '.' && (*s < '0' || *s > '9'))
+			return false;
+	}
+	return digits > 0 && points < 2 && is_narrow(first, end);
+}
+
+/* Past a field that is no coordinate. */
+static inline bool pass_field(struct place *p, enum format format)
+{
+	uint32_t from = p->at;
+
+	if (format == FORMAT_JSON && stands(p, '"'))
+		return pass_string(p);
+	if (format == FORMAT_CSV)
+		while (is_blank(p->text[*p->stop]))
+			p->stop++;
+	p->at = *p->stop;
+	return p->text[p->at] != '"' &&
+	    (format != FORMAT_JSON ||
+		is_number(p->text + from, p->text + p->at));
+}
+
+/* Past the last coordinate: whether all up to the newline is right, too. In text
+ * and csv, anything is that begins with a separator. */
+static inline bool pass_rest(struct place *p, enum format format)
+{
+	if (format != FORMAT_TEXT)
+		pass_blanks(p);
+	if (format != FORMAT_JSON)
+		return *p->stop == p->at && p->text[p->at] != '"';
+	while (stands(p, ',')) {
+		pass_separator(p, format);
+		if (!pass_field(p, format))
+			return false;
+		pass_blanks(p);
+	}
+	if (!stands(p, ']'))
+		return false;
+	pass(p);
+	pass_blanks(p);
+	return stands(p, '\n');
+}
+
+/* Where the coordinates of the line stand; false where it is to be left. */
+static inline bool find_coordinates(struct place *p, const struct walk *w,
+    enum format format, int n, struct span at[4])
+{
+	pass_blanks(p);
+	if (p->text[p->at] == '#')
+		return false;
+	if (format == FORMAT_JSON) {
+		if (!stands(p, '['))
+			return false;
+		pass(p);
+		pass_blanks(p);
+	}
+	for (int i = 0; i < n; i++) {
+		for (int k = w->skip[i]; k > 0; k--)
+			if (!pass_field(p, format) ||
+			    !pass_separator(p, format))
+				return false;
+		uint32_t size = *p->stop - p->at;
+		struct span s = { p->text + p->at, p->text + *p->stop };
+
+		if (size - 1 >= PLAIN_MAX ||
+		    (format == FORMAT_JSON && !is_narrow(s.s, s.end)))
+			return false;
+		at[w->coordinate[i]] = s;
+		p->at = *p->stop;
+		if (i + 1 < n && !pass_separator(p, format))
+			return false;
+	}
+	return pass_rest(p, format);
+}
+
+static inline bool take_line(struct stretch *w, const struct walk *walk,
+    enum format format, int n, struct line *line, struct span at[4])
+{
+	struct place p = { w->text, w->at, w->next };
+	const char *s = w->text + w->at;
+	bool found = s - w->readable >= PLAIN_BEFORE &&
+	    find_coordinates(&p, walk, format, n, at);
+
+	while (p.text[*p.stop] != '\n')
+		p.stop++;
+	line->s = s;
+	line->size = *p.stop - w->at;
+	line->kind = LINE_POINT;
+	line->newline = true;
+	w->at = *p.stop + 1u;
+	w->next = p.stop + 1;
+	return found;
+}
+
+/* Inline, so that the compiler makes a copy for each format and the usual number
+ * of coordinates. */
+static inline size_t take_lines(struct stretch *w, const struct walk *walk,
+    enum format format, int n, size_t max, struct line *lines,
+    struct plain_places places[4], uint64_t *left)
+{
+	static const char none[PLAIN_BEFORE + 1] = "";
+	size_t i;
+
+	*left = 0;
+	for (i = 0; i < max && w->at < w->end; i++) {
+		struct span at[4];
+		bool found = take_line(w, walk, format, n, &lines[i], at);
+
+		for (int k = 0; k < n; k++) {
+			if (!found)
+				at[k] = (struct span){ none + PLAIN_BEFORE,
+					none + PLAIN_BEFORE + 1 };
+			else
+				lines[i].at[k] = line_part(&lines[i], at[k]);
+			places[k].end[i] = at[k].end;
+			places[k].size[i] = (uint8_t)(at[k].end - at[k].s);
+		}
+		*left |= (uint64_t)!found << i;
+	}
+	return i;
+}
+
+size_t walk_lines(struct stretch *w, const struct walk *walk, size_t n,
+    struct line lines[PLAIN_BATCH], struct plain_places places[4],
+    uint64_t *left)
+{
+	enum format f = walk->format;
+
+	if (walk->n != 3)
+		return take_lines(w, walk, f, walk->n, n, lines, places, left);
+	if (f == FORMAT_TEXT)
+		return take_lines(w, walk, FORMAT_TEXT, 3, n, lines, places,
+		    left);
+	if (f == FORMAT_CSV)
+		return take_lines(w, walk, FORMAT_CSV, 3, n, lines, places,
+		    left);
+	return take_lines(w, walk, FORMAT_JSON, 3, n, lines, places, left);
+}
