@@ -79,7 +79,7 @@ $(BUILD)/cmd/number/vector/read_avx512.o: FLAGS += -mavx512f -mavx512bw \
 	-mavx512vl -mfma -mbmi -mpopcnt
 endif
 # gcc would store the halves of a span and reload them as one, which stalls.
-$(BUILD)/cmd/points/line_read.o: FLAGS += -fno-tree-slp-vectorize
+$(BUILD)/cmd/points/line_read.o $(BUILD)/cmd/points/walk.o: FLAGS += -fno-tree-slp-vectorize
 # Others' libraries at their best, for this very processor.
 $(PEERS): FLAGS += -O3 -march=native -ffp-contract=fast
 

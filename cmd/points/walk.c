@@ -170,10 +170,13 @@ static inline bool pass_rest(struct place *p, enum format format)
 	return stands(p, '\n');
 }
 
-/* Where the coordinates of the line stand; false where it is to be left. */
-static inline bool find_coordinates(struct place *p, const struct walk *w,
-    enum format format, int n, struct span at[4])
+/* Where the coordinates of line i stand; false where it is to be left. */
+static inline __attribute__((always_inline)) bool find_coordinates(struct place *p, const struct walk *w,
+    enum format format, int n, struct line *line, size_t i,
+    struct plain_places places[4])
 {
+	uint32_t begin = p->at;
+
 	pass_blanks(p);
 	if (p->text[p->at] == '#')
 		return false;
@@ -183,69 +186,70 @@ static inline bool find_coordinates(struct place *p, const struct walk *w,
 		pass(p);
 		pass_blanks(p);
 	}
-	for (int i = 0; i < n; i++) {
-		for (int k = w->skip[i]; k > 0; k--)
+	for (int m = 0; m < n; m++) {
+		for (int skip = w->skip[m]; skip > 0; skip--)
 			if (!pass_field(p, format) ||
 			    !pass_separator(p, format))
 				return false;
-		uint32_t size = *p->stop - p->at;
-		struct span s = { p->text + p->at, p->text + *p->stop };
+		uint32_t from = p->at, to = *p->stop;
+		int k = w->coordinate[m];
 
-		if (size - 1 >= PLAIN_MAX ||
-		    (format == FORMAT_JSON && !is_narrow(s.s, s.end)))
+		if (to - from - 1 >= PLAIN_MAX ||
+		    (format == FORMAT_JSON &&
+			!is_narrow(p->text + from, p->text + to)))
 			return false;
-		at[w->coordinate[i]] = s;
-		p->at = *p->stop;
-		if (i + 1 < n && !pass_separator(p, format))
+		line->at[k] = (struct part){ from - begin, to - begin };
+		places[k].end[i] = p->text + to;
+		places[k].size[i] = (uint8_t)(to - from);
+		p->at = to;
+		if (m + 1 < n && !pass_separator(p, format))
 			return false;
 	}
 	return pass_rest(p, format);
 }
 
-static inline bool take_line(struct stretch *w, const struct walk *walk,
-    enum format format, int n, struct line *line, struct span at[4])
+/* What stands for the numbers of a line that is left. */
+static void no_numbers(int n, size_t i, struct plain_places places[4])
 {
-	struct place p = { w->text, w->at, w->next };
-	const char *s = w->text + w->at;
-	bool found = s - w->readable >= PLAIN_BEFORE &&
-	    find_coordinates(&p, walk, format, n, at);
+	static const char none[PLAIN_BEFORE + 1] = "";
 
-	while (p.text[*p.stop] != '\n')
-		p.stop++;
-	line->s = s;
-	line->size = *p.stop - w->at;
-	line->kind = LINE_POINT;
-	line->newline = true;
-	w->at = *p.stop + 1u;
-	w->next = p.stop + 1;
-	return found;
+	for (int k = 0; k < n; k++) {
+		places[k].end[i] = none + sizeof none;
+		places[k].size[i] = 1;
+	}
 }
 
 /* Inline, so that the compiler makes a copy for each format and the usual number
  * of coordinates. */
-static inline size_t take_lines(struct stretch *w, const struct walk *walk,
-    enum format format, int n, size_t max, struct line *lines,
-    struct plain_places places[4], uint64_t *left)
+static inline __attribute__((always_inline)) size_t
+take_lines(struct stretch *s, const struct walk *walk, enum format format,
+    int n, size_t max, struct line *lines, struct plain_places places[4],
+    uint64_t *left)
 {
-	static const char none[PLAIN_BEFORE + 1] = "";
+	struct place p = { s->text, s->at, s->next };
+	uint32_t end = s->end;
 	size_t i;
 
 	*left = 0;
-	for (i = 0; i < max && w->at < w->end; i++) {
-		struct span at[4];
-		bool found = take_line(w, walk, format, n, &lines[i], at);
+	for (i = 0; i < max && p.at < end; i++) {
+		uint32_t begin = p.at;
 
-		for (int k = 0; k < n; k++) {
-			if (!found)
-				at[k] = (struct span){ none + PLAIN_BEFORE,
-					none + PLAIN_BEFORE + 1 };
-			else
-				lines[i].at[k] = line_part(&lines[i], at[k]);
-			places[k].end[i] = at[k].end;
-			places[k].size[i] = (uint8_t)(at[k].end - at[k].s);
+		if (p.text + begin - s->readable < PLAIN_BEFORE ||
+		    !find_coordinates(&p, walk, format, n, &lines[i], i,
+			places)) {
+			no_numbers(n, i, places);
+			*left |= (uint64_t)1 << i;
 		}
-		*left |= (uint64_t)!found << i;
+		while (p.text[*p.stop] != '\n')
+			p.stop++;
+		p.at = *p.stop++;
+		lines[i].s = p.text + begin;
+		lines[i].size = p.at++ - begin;
+		lines[i].kind = LINE_POINT;
+		lines[i].newline = true;
 	}
+	s->at = p.at;
+	s->next = p.stop;
 	return i;
 }
 
