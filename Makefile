@@ -72,14 +72,15 @@ $(BUILD)/%.o: %.cc | $(FIRST)
 # AVX2 and AVX-512 are chosen when the program runs.
 $(BUILD)/cmd/points/binary.o $(call objects,core/kernel cmd/number/vector): FLAGS += -O3
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),)
-$(BUILD)/core/kernel/avx2.o: FLAGS += -mavx2 -mfma
+$(BUILD)/core/kernel/avx2.o $(BUILD)/cmd/number/vector/avx2.o \
+    $(BUILD)/cmd/number/vector/read_avx2.o: FLAGS += -mavx2 -mfma
 $(BUILD)/core/kernel/avx512.o: FLAGS += -mavx512f -mfma
-$(BUILD)/cmd/number/vector/read_avx2.o: FLAGS += -mavx2 -mfma -mbmi -mpopcnt
-$(BUILD)/cmd/number/vector/read_avx512.o: FLAGS += -mavx512f -mavx512bw \
-	-mavx512vl -mfma -mbmi -mpopcnt
+$(BUILD)/cmd/number/vector/avx512.o $(BUILD)/cmd/number/vector/read_avx512.o: \
+    FLAGS += -mavx512f -mavx512bw -mavx512dq -mavx512vl -mfma
 endif
 # gcc would store the halves of a span and reload them as one, which stalls.
-$(BUILD)/cmd/points/line_read.o $(BUILD)/cmd/points/walk.o: FLAGS += -fno-tree-slp-vectorize
+$(BUILD)/cmd/points/line_read.o $(BUILD)/cmd/points/walk.o: \
+    FLAGS += -fno-tree-slp-vectorize
 # Others' libraries at their best, for this very processor.
 $(PEERS): FLAGS += -O3 -march=native -ffp-contract=fast
 

@@ -16,16 +16,33 @@ static const struct number_vector number_baseline = { no_texts };
 static const struct {
 	const char *name;
 	const struct number_vector *copy;
+	const struct plain_reader *reader;
 } copies[] = {
-	{ "baseline", &number_baseline },
+#ifdef __x86_64__
+	{ "avx512", &number_avx512, &plain_avx512 },
+	{ "avx2", &number_avx2, &plain_avx2 },
+#endif
+	{ "baseline", &number_baseline, NULL },
 };
 
 static bool runs(const char *name)
 {
+#ifdef __x86_64__
+	if (strcmp(name, "avx512") == 0)
+		return __builtin_cpu_supports("avx512f") &&
+		    __builtin_cpu_supports("avx512bw") &&
+		    __builtin_cpu_supports("avx512dq") &&
+		    __builtin_cpu_supports("avx512vl") &&
+		    __builtin_cpu_supports("fma");
+	if (strcmp(name, "avx2") == 0)
+		return __builtin_cpu_supports("avx2") &&
+		    __builtin_cpu_supports("fma");
+#endif
 	return strcmp(name, "baseline") == 0;
 }
 
 static const struct number_vector *vector = &number_baseline;
+static const struct plain_reader *reader;
 
 bool number_choose(const char *name)
 {
@@ -35,15 +52,20 @@ bool number_choose(const char *name)
 		named |= name != NULL && strcmp(copies[i].name, name) == 0;
 		if (named && runs(copies[i].name)) {
 			vector = copies[i].copy;
-			plain_choose(name);
+			reader = copies[i].reader;
 			return true;
 		}
 	}
-	return plain_choose(name);
+	return false;
 }
 
 void number_texts(const double *v, size_t n, bool single,
     struct number_style style, struct number_text *t)
 {
 	vector->texts(v, (n + 63) / 64 * 64, single, style, t);
+}
+
+const struct plain_reader *plain_reader(void)
+{
+	return reader;
 }

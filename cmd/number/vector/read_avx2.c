@@ -1,4 +1,4 @@
-/* For x86-64 with AVX2 and FMA: compile with -mavx2 -mfma -mbmi. */
+/* For x86-64 with AVX2 and FMA: compile with -mavx2 -mfma. */
 #ifdef __AVX2__
 #include <immintrin.h>
 
@@ -12,7 +12,6 @@
 	((uint32_t)_mm256_movemask_epi8( \
 	    _mm256_cmpeq_epi8((__m256i)(x), _mm256_set1_epi8('.'))))
 #define ANY_TOP_BIT(x) (_mm256_movemask_epi8((__m256i)(x)) != 0)
-#define LOWEST(bits) _tzcnt_u64(bits)
 #define NEGATED_FMA(a, b, c) ((D)_mm256_fnmadd_pd(a, b, c))
 #define DIFFERENT(a, b) \
 	((unsigned)_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_NEQ_UQ)))

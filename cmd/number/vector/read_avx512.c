@@ -1,5 +1,4 @@
-/* For x86-64 with AVX-512: compile with -mavx512f -mavx512bw -mavx512vl -mfma
- * -mbmi. */
+/* For x86-64 with AVX-512: compile with -mavx512f -mavx512bw -mavx512vl -mfma. */
 #ifdef __AVX512BW__
 #include <immintrin.h>
 
@@ -11,7 +10,6 @@
 #define IN_SET(set, s) in_set(set, s)
 #define DOTS(x) _mm256_cmpeq_epi8_mask((__m256i)(x), _mm256_set1_epi8('.'))
 #define ANY_TOP_BIT(x) (_mm256_movepi8_mask((__m256i)(x)) != 0)
-#define LOWEST(bits) _tzcnt_u64(bits)
 #define NEGATED_FMA(a, b, c) ((D)_mm512_fnmadd_pd(a, b, c))
 #define DIFFERENT(a, b) ((unsigned)_mm512_cmp_pd_mask(a, b, _CMP_NEQ_UQ))
 #define EIGHTS(rows, first, rest) eights(rows, &(first), &(rest))

@@ -9,7 +9,6 @@
  *			of LANES rows of 16 digits each, the integers that the
  *			first and the last eight are, in lanes of 64 bits
  *	ANY_TOP_BIT(row)	whether the top bit of any byte is set
- *	LOWEST(bits)	the number of the lowest bit set; any, if none is
  *	NEGATED_FMA(a, b, c)	c - a b, rounded once
  *	DIFFERENT(a, b)	bit i: whether a and b differ in lane i, as nan does
  *
@@ -235,13 +234,15 @@ static uint64_t READ(const struct plain_places *at, size_t n,
 	return bad;
 }
 
+/* Eight at a time: what is beyond the last is overwritten. */
 static inline uint16_t *put_places(uint64_t bits, size_t base, uint16_t *at)
 {
 	size_t n = (size_t)__builtin_popcountll(bits);
 
 	for (size_t i = 0; i < n; i += 8)
 		for (size_t k = 0; k < 8; k++) {
-			at[i + k] = (uint16_t)(base + LOWEST(bits));
+			at[i + k] = (uint16_t)(base +
+			    __builtin_ctzll(bits | 1ull << 63));
 			bits &= bits - 1;
 		}
 	return at + n;

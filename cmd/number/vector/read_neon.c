@@ -12,7 +12,6 @@
 	    bits(in_set(set, s), in_set(set, (s) + 16)))
 #define DOTS(x) dots((const uint8_t *)&(x))
 #define ANY_TOP_BIT(x) any_top_bit((const uint8_t *)&(x))
-#define LOWEST(bits) __builtin_ctzll((bits) | 1ull << 63)
 #define NEGATED_FMA(a, b, c) ((D)vfmsq_f64(c, a, b))
 #define DIFFERENT(a, b) different(a, b)
 #define EIGHTS(rows, first, rest) eights(rows, &(first), &(rest))

@@ -3,8 +3,17 @@
 #ifndef VECTOR_H
 #define VECTOR_H
 
+#include <stdint.h>
+
 #include "../number.h"
 #include "../plain.h"
+
+/* Texts are made so many at a time. */
+enum { TEXTS = 64 };
+
+/* Where the digits are decided by a difference that is less, they are left to
+ * number_write. */
+#define WRITE_MARGIN 0x1p-44
 
 struct number_vector {
 	/* as number_texts, but that n is a multiple of 64 */
@@ -14,10 +23,6 @@ struct number_vector {
 
 extern const struct number_vector number_avx512, number_avx2, number_neon;
 
-/* The readers, chosen by name alone, as they need less of a processor. */
 extern const struct plain_reader plain_avx512, plain_avx2, plain_neon;
-
-/* Chooses the reader, as number_choose does. */
-bool plain_choose(const char *name);
 
 #endif

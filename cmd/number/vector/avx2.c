@@ -1,0 +1,99 @@
+/* For x86-64 with AVX2 and FMA: compile with -mavx2 -mfma. */
+#ifdef __AVX2__
+#include <immintrin.h>
+
+#include "powers.h"
+#include "vector.h"
+
+#define V __m256d
+#define I __m256i
+#define M __m256i
+#define WIDTH 4
+#define LOAD(p) _mm256_loadu_pd(p)
+#define STORE(p, a) _mm256_storeu_pd(p, a)
+#define STORE_INTS(p, a) _mm_storeu_si128((__m128i *)(p), _mm256_cvtpd_epi32(a))
+#define ALL(a) _mm256_set1_pd(a)
+#define FMA(a, b, c) _mm256_fmadd_pd(a, b, c)
+#define FLOOR(a) _mm256_floor_pd(a)
+#define NEAREST(a) \
+	_mm256_round_pd(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC)
+#define ABS(a) _mm256_andnot_pd(_mm256_set1_pd(-0.0), a)
+#define MIN(a, b) _mm256_min_pd(a, b)
+#define LESS(a, b) _mm256_castpd_si256(_mm256_cmp_pd(a, b, _CMP_LT_OQ))
+#define EQUAL(a, b) _mm256_castpd_si256(_mm256_cmp_pd(a, b, _CMP_EQ_OQ))
+#define CHOOSE(m, a, b) _mm256_blendv_pd(b, a, _mm256_castsi256_pd(m))
+#define BITS(a) _mm256_castpd_si256(a)
+#define DOUBLES(a) _mm256_castsi256_pd(a)
+#define ALL_BITS(a) _mm256_set1_epi64x((long long)(a))
+#define SHL(a, n) _mm256_slli_epi64(a, n)
+#define SHR(a, n) _mm256_srli_epi64(a, n)
+#define SHR16(a, n) _mm256_srli_epi16(a, n)
+#define MUL32(a, b) _mm256_mul_epu32(a, b)
+#define MUL16(a, b) _mm256_mullo_epi16(a, b)
+#define HIGH16(a, b) _mm256_mulhi_epu16(a, b)
+
+struct tens {
+	const double (*pair)[2]; /* of 10^0 */
+};
+
+static inline struct tens load_tens(void)
+{
+	return (struct tens){ powers - POWER_MIN };
+}
+
+/* Four loads of hi and lo take less time than two gathers. */
+static inline void power_of_ten(const struct tens *t, V scale, V *hi, V *lo)
+{
+	__m128i k = _mm256_cvtpd_epi32(scale);
+	__m128d a = _mm_loadu_pd(t->pair[_mm_extract_epi32(k, 0)]);
+	__m128d b = _mm_loadu_pd(t->pair[_mm_extract_epi32(k, 1)]);
+	__m128d c = _mm_loadu_pd(t->pair[_mm_extract_epi32(k, 2)]);
+	__m128d d = _mm_loadu_pd(t->pair[_mm_extract_epi32(k, 3)]);
+	V ac = _mm256_set_m128d(c, a), bd = _mm256_set_m128d(d, b);
+
+	*hi = _mm256_unpacklo_pd(ac, bd);
+	*lo = _mm256_unpackhi_pd(ac, bd);
+}
+
+#define TO(i) ((__m128i *)(to + (i)*64))
+static inline void store_digits(char *to, uint16_t *nonzero, I high, I low)
+{
+	const I zero = _mm256_setzero_si256(), zeros = _mm256_set1_epi8('0');
+	I a = _mm256_unpacklo_epi64(high, low);
+	I b = _mm256_unpackhi_epi64(high, low);
+	unsigned in_a = (unsigned)_mm256_movemask_epi8(
+	    _mm256_cmpgt_epi8(a, zero));
+	unsigned in_b = (unsigned)_mm256_movemask_epi8(
+	    _mm256_cmpgt_epi8(b, zero));
+
+	nonzero[0] = (uint16_t)in_a;
+	nonzero[1] = (uint16_t)in_b;
+	nonzero[2] = (uint16_t)(in_a >> 16);
+	nonzero[3] = (uint16_t)(in_b >> 16);
+	a |= zeros;
+	b |= zeros;
+	_mm_storeu_si128(TO(0), _mm256_castsi256_si128(a));
+	_mm_storeu_si128(TO(1), _mm256_castsi256_si128(b));
+	_mm_storeu_si128(TO(2), _mm256_extracti128_si256(a, 1));
+	_mm_storeu_si128(TO(3), _mm256_extracti128_si256(b, 1));
+}
+
+static inline void copy_with_point(char *to, const char *from, int8_t before)
+{
+	const I place = _mm256_setr_epi8(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11,
+	    12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28,
+	    29, 30, 31);
+	I point = _mm256_set1_epi8(before);
+	I a = _mm256_loadu_si256((const I *)from);
+	I b = _mm256_loadu_si256((const I *)(from - 1));
+
+	a = _mm256_blendv_epi8(a, b, _mm256_cmpgt_epi8(place, point));
+	a = _mm256_blendv_epi8(a, _mm256_set1_epi8('.'),
+	    _mm256_cmpeq_epi8(place, point));
+	_mm256_storeu_si256((I *)to, a);
+}
+
+#include "write_body.h"
+
+const struct number_vector number_avx2 = { texts };
+#endif

@@ -1,0 +1,106 @@
+/* For x86-64 with AVX-512F, BW, DQ and VL. */
+#ifdef __AVX512F__
+#include <immintrin.h>
+
+#include "powers.h"
+#include "vector.h"
+
+#define V __m512d
+#define I __m512i
+#define M __mmask8
+#define WIDTH 8
+#define LOAD(p) _mm512_loadu_pd(p)
+#define STORE(p, a) _mm512_storeu_pd(p, a)
+#define STORE_INTS(p, a) \
+	_mm256_storeu_si256((__m256i *)(p), _mm512_cvtpd_epi32(a))
+#define ALL(a) _mm512_set1_pd(a)
+#define FMA(a, b, c) _mm512_fmadd_pd(a, b, c)
+#define FLOOR(a) \
+	_mm512_roundscale_pd(a, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC)
+#define NEAREST(a) \
+	_mm512_roundscale_pd(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC)
+#define ABS(a) _mm512_abs_pd(a)
+#define MIN(a, b) _mm512_min_pd(a, b)
+#define LESS(a, b) _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ)
+#define EQUAL(a, b) _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ)
+#define CHOOSE(m, a, b) _mm512_mask_blend_pd((M)(m), b, a)
+#define BITS(a) _mm512_castpd_si512(a)
+#define DOUBLES(a) _mm512_castsi512_pd(a)
+#define ALL_BITS(a) _mm512_set1_epi64((long long)(a))
+#define SHL(a, n) _mm512_slli_epi64(a, n)
+#define SHR(a, n) _mm512_srli_epi64(a, n)
+#define SHR16(a, n) _mm512_srli_epi16(a, n)
+#define MUL32(a, b) _mm512_mul_epu32(a, b)
+#define MUL16(a, b) _mm512_mullo_epi16(a, b)
+#define HIGH16(a, b) _mm512_mulhi_epu16(a, b)
+
+struct tens {
+	V hi[4], lo[2];
+};
+
+static inline struct tens load_tens(void)
+{
+	const I even = _mm512_setr_epi64(0, 2, 4, 6, 8, 10, 12, 14);
+	const I odd = _mm512_setr_epi64(1, 3, 5, 7, 9, 11, 13, 15);
+	struct tens t;
+
+	for (int i = 0; i < 4; i++) {
+		V a = LOAD(powers[8 * i]), b = LOAD(powers[8 * i + 4]);
+
+		t.hi[i] = _mm512_permutex2var_pd(a, even, b);
+		if (i < 2)
+			t.lo[i] = _mm512_permutex2var_pd(a, odd, b);
+	}
+	return t;
+}
+
+/* The index stands in the lowest bits of 2^52 + index. */
+static inline void power_of_ten(const struct tens *t, V scale, V *hi, V *lo)
+{
+	I k = BITS(scale + ALL(0x1p52 - POWER_MIN));
+	M upper = _mm512_test_epi64_mask(k, ALL_BITS(16));
+
+	*lo = _mm512_maskz_permutex2var_pd((M)~upper, t->lo[0], k, t->lo[1]);
+	*hi = CHOOSE(upper, _mm512_permutex2var_pd(t->hi[2], k, t->hi[3]),
+	    _mm512_permutex2var_pd(t->hi[0], k, t->hi[1]));
+}
+
+#define TO(i) ((__m128i *)(to + (i)*64))
+static inline void store_digits(char *to, uint16_t *nonzero, I high, I low)
+{
+	const I zeros = _mm512_set1_epi8('0');
+	I a = _mm512_unpacklo_epi64(high, low);
+	I b = _mm512_unpackhi_epi64(high, low);
+	uint64_t in_a = _mm512_test_epi8_mask(a, a),
+		 in_b = _mm512_test_epi8_mask(b, b);
+
+	for (int i = 0; i < 8; i += 2) {
+		nonzero[i] = (uint16_t)(in_a >> 8 * i);
+		nonzero[i + 1] = (uint16_t)(in_b >> 8 * i);
+	}
+	a |= zeros;
+	b |= zeros;
+	_mm_storeu_si128(TO(0), _mm512_castsi512_si128(a));
+	_mm_storeu_si128(TO(1), _mm512_castsi512_si128(b));
+	_mm_storeu_si128(TO(2), _mm512_extracti32x4_epi32(a, 1));
+	_mm_storeu_si128(TO(3), _mm512_extracti32x4_epi32(b, 1));
+	_mm_storeu_si128(TO(4), _mm512_extracti32x4_epi32(a, 2));
+	_mm_storeu_si128(TO(5), _mm512_extracti32x4_epi32(b, 2));
+	_mm_storeu_si128(TO(6), _mm512_extracti32x4_epi32(a, 3));
+	_mm_storeu_si128(TO(7), _mm512_extracti32x4_epi32(b, 3));
+}
+
+static inline void copy_with_point(char *to, const char *from, int8_t before)
+{
+	__mmask32 point = 1u << before, after = -2u << before;
+	__m256i a = _mm256_loadu_si256((const __m256i *)from);
+
+	a = _mm256_mask_loadu_epi8(a, after, from - 1);
+	a = _mm256_mask_mov_epi8(a, point, _mm256_set1_epi8('.'));
+	_mm256_storeu_si256((__m256i *)to, a);
+}
+
+#include "write_body.h"
+
+const struct number_vector number_avx512 = { texts };
+#endif
