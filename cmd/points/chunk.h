@@ -13,6 +13,9 @@ struct complaint {
 	char reason[REASON_MAX];
 };
 
+/* Room in a column of images: what makes texts of them looks at 64 at a time. */
+enum { IMAGES = POINTS_BLOCK + 64 };
+
 /* Lines are counted from 0 in each chunk. A binary point counts as a line. */
 struct chunk {
 	const char *name;       /* of the source */
@@ -35,8 +38,10 @@ struct chunk {
 	struct stretch stretch;
 	struct line line[POINTS_BLOCK];
 	double in[4][POINTS_BLOCK];
-	double image[COORDINATES_MAX][POINTS_BLOCK];
+	double image[COORDINATES_MAX][IMAGES];
 	bool single[POINTS_BLOCK]; /* the image is of floats */
+
+	struct word word[256]; /* for each set of planes; empty until needed */
 
 	struct piece piece; /* what was read, if the source is a file */
 };

@@ -47,7 +47,23 @@ struct line {
 	struct part at[4]; /* where x, y, z and w stand */
 	enum line_kind kind;
 	bool newline; /* it ends in one */
-	bool single;  /* its image is of floats, to be written as such */
+};
+
+/* The coordinates that are written in a line. Number k is v[k * step], a float if
+ * single, and its text, if any was made, text[k * text_step]. */
+struct numbers {
+	const double *v;
+	const struct number_text *text;
+	size_t step, text_step;
+	bool single;
+};
+
+enum { WORD_MAX = 48 };
+
+/* What is written after them. */
+struct word {
+	char s[WORD_MAX];
+	size_t size;
 };
 
 static inline struct span line_text(const struct line *line)
@@ -77,14 +93,15 @@ enum { REASON_MAX = 200 };
 void line_read(struct layout *, struct span text, const char *readable,
     bool *header, struct line *, double v[4], char reason[REASON_MAX]);
 
-/* The most bytes that line_write may write. */
-size_t line_room(const struct layout *, const struct line *);
+/* The most bytes that line_write may touch for so many lines of so many bytes
+ * in all. */
+size_t lines_room(const struct layout *, size_t lines, size_t bytes);
 
-/* Writes the line with coordinates v in the place of those it was read with,
- * and the word flags after them unless that is NULL; returns where it ends. A
- * bad line becomes v alone. Blank lines, comments and headers stay as they are,
- * but are left out from JSON and to JSON. */
+/* Writes the line with the numbers in the place of those it was read with, and
+ * the word flags after them unless that is NULL; returns where it ends. A bad
+ * line becomes the numbers alone. Blank lines, comments and headers stay as they
+ * are, but are left out from JSON and to JSON. */
 char *line_write(const struct layout *, const struct line *,
-    const double v[COORDINATES_MAX], const char *flags, char *out);
+    const struct numbers *, const struct word *flags, char *out);
 
 #endif

@@ -8,18 +8,18 @@
  * are added to the line; one blank does. */
 enum { SEPARATOR_MAX = 64 };
 
-/* Room for the flags with their separator, quotes, brackets and the newline. */
-enum { FLAGS_ROOM = 192 };
+/* Room for the flags with their separator, quotes, brackets and the newline, and
+ * for what number_put touches after a number. */
+enum { FLAGS_ROOM = 256 };
 
-size_t line_room(const struct layout *l, const struct line *line)
+size_t lines_room(const struct layout *l, size_t lines, size_t bytes)
 {
-	size_t n = line->size;
-
 	/* In another format a byte of a field may become six, as \u0001 in
 	 * JSON. Six for the separator after it are enough for a comma and two
 	 * quotes. */
-	return (l->in == l->out ? n : 6 * n) +
-	    (size_t)l->writes * (NUMBER_MAX + SEPARATOR_MAX) + FLAGS_ROOM;
+	return (l->in == l->out ? bytes : 6 * bytes) +
+	    lines *
+	    ((size_t)l->writes * (NUMBER_MAX + SEPARATOR_MAX) + FLAGS_ROOM);
 }
 
 static char *put(char *out, const char *s, const char *end)
@@ -33,13 +33,15 @@ static char *put(char *out, const char *s, const char *end)
 	return out + n;
 }
 
-static char *put_number(const struct layout *l, bool single, double v,
-    char *out)
+static inline char *put_number(const struct layout *l,
+    const struct numbers *numbers, int k, char *out)
 {
+	double v = numbers->v[(size_t)k * numbers->step];
+
 	if (l->out == FORMAT_JSON && isnan(v))
 		return put(out, "null", &"null"[4]);
-	return single ? number_write_float(out, (float)v, l->style) :
-			number_write(out, v, l->style);
+	return number_put(out, &numbers->text[(size_t)k * numbers->text_step],
+	    v, numbers->single, l->style);
 }
 
 static const char *separator_of(enum format format)
@@ -47,10 +49,11 @@ static const char *separator_of(enum format format)
 	return format == FORMAT_TEXT ? " " : ",";
 }
 
-/* Writes the coordinates from the k-th on, or, for a header, where v is NULL,
- * their names; then flags unless it is NULL. A separator goes before each. */
-static char *put_more(const struct layout *l, bool single, int k,
-    const double v[], const char *flags, struct span separator, char *out)
+/* Writes the coordinates from the k-th on, or, for a header, where numbers is
+ * NULL, their names; then flags unless it is NULL. A separator goes before each. */
+static char *put_more(const struct layout *l, int k,
+    const struct numbers *numbers, const struct word *flags,
+    struct span separator, char *out)
 {
 	static const char *const names[] = { "x", "y", "z", "w" };
 	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };
@@ -59,14 +62,15 @@ static char *put_more(const struct layout *l, bool single, int k,
 		const char *name = l->writes > 4 ? ray[k] : names[k];
 
 		out = put(out, separator.s, separator.end);
-		out = v != NULL ? put_number(l, single, v[k], out) :
-				  put(out, name, name + strlen(name));
+		out = numbers != NULL ? put_number(l, numbers, k, out) :
+					put(out, name, name + strlen(name));
 	}
 	if (flags != NULL) {
 		out = put(out, separator.s, separator.end);
 		if (l->out == FORMAT_JSON)
 			*out++ = '"';
-		out = put(out, flags, flags + strlen(flags));
+		memcpy(out, flags->s, WORD_MAX);
+		out += flags->size;
 		if (l->out == FORMAT_JSON)
 			*out++ = '"';
 	}
@@ -140,10 +144,10 @@ static struct span whole_field(const struct layout *l, const struct line *line,
 	return (struct span){ f.s, next != NULL ? next : f.end };
 }
 
-/* The format out is that in: coordinates are replaced where they stand. If v is
- * NULL the line is a header, whose names stay. */
+/* The format out is that in: coordinates are replaced where they stand. If
+ * numbers is NULL the line is a header, whose names stay. */
 static char *splice(const struct layout *l, const struct line *line,
-    const double v[], const char *flags, char *out)
+    const struct numbers *numbers, const struct word *flags, char *out)
 {
 	int sorted[4] = { 0, 1, 2, 3 }, n = l->reads;
 	int last = (n < l->writes ? n : l->writes) - 1;
@@ -163,16 +167,15 @@ static char *splice(const struct layout *l, const struct line *line,
 		if (f.s > s)
 			out = put(out, s, f.s);
 		if (i < l->writes)
-			out = v != NULL ?
-			    put_number(l, line->single, v[i], out) :
-			    put(out, f.s, f.end);
+			out = numbers != NULL ? put_number(l, numbers, i, out) :
+						put(out, f.s, f.end);
 		s = f.end;
 		if (i != last || (l->writes <= n && flags == NULL))
 			continue;
 		if (l->in == FORMAT_CSV && s < end && *s == '"')
 			*out++ = *s++;
-		out = put_more(l, line->single, n, v, flags,
-		    separator_in(l, line), out);
+		out = put_more(l, n, numbers, flags, separator_in(l, line),
+		    out);
 	}
 	return put(out, s, end);
 }
@@ -191,7 +194,7 @@ static bool is_coordinate(const struct layout *l, const struct line *line,
 /* The format out is another: coordinates and flags go first, then all other
  * fields. */
 static char *convert(const struct layout *l, const struct line *line,
-    const double v[], const char *flags, char *out)
+    const struct numbers *numbers, const struct word *flags, char *out)
 {
 	const char *usual = separator_of(l->out);
 	const char *s = line->s, *end = s + line->size;
@@ -199,8 +202,8 @@ static char *convert(const struct layout *l, const struct line *line,
 
 	if (l->out == FORMAT_JSON)
 		*out++ = '[';
-	out = put_number(l, line->single, v[0], out);
-	out = put_more(l, line->single, 1, v, flags, sep, out);
+	out = put_number(l, numbers, 0, out);
+	out = put_more(l, 1, numbers, flags, sep, out);
 	s = skip_blanks(s, end);
 	if (l->in == FORMAT_JSON)
 		s++;
@@ -230,6 +233,7 @@ static char *convert(const struct layout *l, const struct line *line,
 static char *copy_header(const struct layout *l, const struct line *line,
     char *out)
 {
+	static const struct word flags = { "flags", 5 };
 	struct line named = *line;
 	struct span text = line_text(line);
 	const char *end = text.end - (text.end[-1] == '\r');
@@ -243,7 +247,7 @@ static char *copy_header(const struct layout *l, const struct line *line,
 			f = (struct span){ end, end };
 		named.at[i] = line_part(line, f);
 	}
-	return splice(l, &named, NULL, l->flags ? "flags" : NULL, out);
+	return splice(l, &named, NULL, l->flags ? &flags : NULL, out);
 }
 
 /* A blank line, a comment or a header. JSON has none of them. */
@@ -260,16 +264,16 @@ static char *copy(const struct layout *l, const struct line *line, char *out)
 }
 
 char *line_write(const struct layout *l, const struct line *line,
-    const double v[COORDINATES_MAX], const char *flags, char *out)
+    const struct numbers *numbers, const struct word *flags, char *out)
 {
 	char *begin = out;
 
 	if (line->kind == LINE_COPY)
 		out = copy(l, line, out);
 	else if (line->kind == LINE_BAD || l->in != l->out)
-		out = convert(l, line, v, flags, out);
+		out = convert(l, line, numbers, flags, out);
 	else
-		out = splice(l, line, v, flags, out);
+		out = splice(l, line, numbers, flags, out);
 	if (line->kind == LINE_COPY && out == begin &&
 	    (l->in == FORMAT_JSON || l->out == FORMAT_JSON))
 		return out;

@@ -171,9 +171,9 @@ static inline bool pass_rest(struct place *p, enum format format)
 }
 
 /* Where the coordinates of line i stand; false where it is to be left. */
-static inline __attribute__((always_inline)) bool find_coordinates(struct place *p, const struct walk *w,
-    enum format format, int n, struct line *line, size_t i,
-    struct plain_places places[4])
+static inline __attribute__((always_inline)) bool
+find_coordinates(struct place *p, const struct walk *w, enum format format,
+    int n, struct line *line, size_t i, struct plain_places places[4])
 {
 	uint32_t begin = p->at;
 

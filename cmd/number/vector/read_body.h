@@ -241,8 +241,9 @@ static inline uint16_t *put_places(uint64_t bits, size_t base, uint16_t *at)
 
 	for (size_t i = 0; i < n; i += 8)
 		for (size_t k = 0; k < 8; k++) {
-			at[i + k] = (uint16_t)(base +
-			    __builtin_ctzll(bits | 1ull << 63));
+			int lowest = __builtin_ctzll(bits | 1ull << 63);
+
+			at[i + k] = (uint16_t)(base + (size_t)lowest);
 			bits &= bits - 1;
 		}
 	return at + n;

@@ -1,0 +1,236 @@
+#include "block_write.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "binary.h"
+
+enum { BATCH = 64 };
+
+/* The texts of the points from to end - 1, which are made many at a time, but few
+ * enough to stay in the nearest cache. */
+struct texts {
+	size_t from, end;
+	struct number_text text[COORDINATES_MAX][BATCH];
+};
+
+/* A block on its way out. */
+struct block {
+	const struct job *job;
+	struct chunk *chunk;
+	size_t points;
+	unsigned char outside[POINTS_BLOCK]; /* of which planes each is */
+	struct texts texts;
+};
+
+static void make_texts(struct block *b, size_t p)
+{
+	const struct layout *l = &b->job->layout;
+	const struct chunk *c = b->chunk;
+	struct texts *t = &b->texts;
+	size_t n = 1;
+
+	while (
+	    n < BATCH && p + n < b->points && c->single[p + n] == c->single[p])
+		n++;
+	for (int k = 0; k < l->writes; k++)
+		number_texts(&c->image[k][p], n, c->single[p], l->style,
+		    t->text[k]);
+	t->from = p;
+	t->end = p + n;
+}
+
+/* "in", or the planes that the point is outside of, as left+near. */
+static struct word make_word(unsigned outside)
+{
+	static const struct word names[] = { { "left", 4 }, { "right", 5 },
+		{ "bottom", 6 }, { "top", 3 }, { "near", 4 }, { "far", 3 },
+		{ "behind", 6 }, { "nan", 3 } };
+	struct word w = { "in", 2 };
+
+	for (int k = 0; k < 8; k++) {
+		if ((outside >> k & 1) == 0)
+			continue;
+		if (outside & ((1u << k) - 1))
+			w.s[w.size++] = '+';
+		else
+			w.size = 0;
+		memcpy(w.s + w.size, names[k].s, names[k].size);
+		w.size += names[k].size;
+	}
+	return w;
+}
+
+/* Kept, as there are few and each is needed often. */
+static const struct word *word_for(struct chunk *c, unsigned outside)
+{
+	struct word *w = &c->word[outside];
+
+	if (w->size == 0)
+		*w = make_word(outside);
+	return w;
+}
+
+/* Whether point p is to be written. */
+static bool is_wanted(const struct block *b, size_t p)
+{
+	return !b->job->visible || b->outside[p] == 0;
+}
+
+static char *put_point(struct block *b, const struct line *line, size_t p,
+    char *at)
+{
+	const struct layout *l = &b->job->layout;
+	struct chunk *c = b->chunk;
+
+	if (p >= b->texts.end)
+		make_texts(b, p);
+	const struct numbers n = { &c->image[0][p],
+		&b->texts.text[0][p - b->texts.from],
+		sizeof c->image[0] / sizeof c->image[0][0], BATCH,
+		c->single[p] };
+
+	return line_write(l, line, &n,
+	    b->job->flags ? word_for(c, b->outside[p]) : NULL, at);
+}
+
+/* Writes a line that is no point: a comment or a header as it is, a bad line as
+ * nan in each coordinate. */
+static char *put_other(const struct job *j, const struct line *line, char *at)
+{
+	static const double nan = (double)NAN;
+	static const struct number_text none = { "" };
+	static const struct word flag = { "nan", 3 };
+	const struct numbers n = { &nan, &none, 0, 0, false };
+	bool bad = line->kind == LINE_BAD;
+
+	if (bad && j->visible)
+		return at;
+	return line_write(&j->layout, line, &n, bad && j->flags ? &flag : NULL,
+	    at);
+}
+
+/* Lines i to end - 1 of the chunk's, whose first point is p. Returns the point
+ * after them. */
+static size_t write_lines(struct block *b, size_t i, size_t end, size_t p)
+{
+	struct chunk *c = b->chunk;
+	const struct line *last = &c->line[end - 1];
+	size_t bytes = (size_t)(last->s + last->size - c->line[i].s);
+	char *at = chunk_reserve(c,
+	    lines_room(&b->job->layout, end - i, bytes));
+
+	for (; i < end; i++) {
+		const struct line *line = &c->line[i];
+
+		if (line->kind != LINE_POINT)
+			at = put_other(b->job, line, at);
+		else if (is_wanted(b, p++))
+			at = put_point(b, line, p - 1, at);
+	}
+	c->size = (size_t)(at - c->out);
+	return p;
+}
+
+/* Points i to end - 1, each on a line of its own; no bytes of theirs are kept. */
+static void write_points(struct block *b, size_t i, size_t end)
+{
+	const struct line line = { .kind = LINE_POINT, .newline = true };
+	struct chunk *c = b->chunk;
+	char *at = chunk_reserve(c, lines_room(&b->job->layout, end - i, 0));
+
+	for (; i < end; i++)
+		if (is_wanted(b, i))
+			at = put_point(b, &line, i, at);
+	c->size = (size_t)(at - c->out);
+}
+
+static void write_binary(struct block *b, const struct line *line, size_t p)
+{
+	const double nan = (double)NAN;
+	double v[COORDINATES_MAX] = { nan, nan, nan, nan, nan, nan };
+
+	if (line != NULL && line->kind != LINE_POINT) {
+		if (line->kind == LINE_BAD && !b->job->visible)
+			binary_write(b->job, b->chunk, 0, v);
+		return;
+	}
+	if (!is_wanted(b, p))
+		return;
+	for (int k = 0; k < b->job->layout.writes; k++)
+		v[k] = b->chunk->image[k][p];
+	binary_write(b->job, b->chunk, p, v);
+}
+
+/* Whether all images are finite, as they are written. */
+static bool all_finite(const struct chunk *c, const struct layout *l, size_t n)
+{
+	double most = l->out == FORMAT_F32 ? 0x1.ffffffp127 : DBL_MAX;
+	int bad = 0;
+
+	for (int k = 0; k < l->writes; k++)
+		for (size_t i = 0; i < n; i++)
+			bad |= !(fabs(c->image[k][i]) <= most);
+	return !bad;
+}
+
+/* Marks the points without image; number is that of the first line. */
+static void mark(struct block *b, size_t n, size_t number)
+{
+	const struct layout *l = &b->job->layout;
+	struct chunk *c = b->chunk;
+	bool lines = !is_binary(l->in);
+	size_t p = 0;
+
+	if (all_finite(c, l, b->points))
+		return;
+	for (size_t i = 0; i < n; i++)
+		if (!lines || c->line[i].kind == LINE_POINT)
+			chunk_mark(c, l, p++, number + i);
+}
+
+void block_write(const struct job *j, struct chunk *c, size_t n, size_t points,
+    size_t number)
+{
+	bool lines = !is_binary(j->layout.in);
+	struct block b = { .job = j, .chunk = c, .points = points };
+	const double *const in[4] = { c->in[0], c->in[1], c->in[2], c->in[3] };
+	size_t p = 0;
+
+	mark(&b, n, number);
+	if (j->flags || j->visible)
+		frustum_out_all(&j->frustum, in, b.outside, points);
+	for (size_t i = 0; i < n; i += BATCH) {
+		size_t end = n - i < BATCH ? n : i + BATCH;
+
+		if (is_binary(j->layout.out))
+			for (size_t k = i; k < end; k++) {
+				const struct line *line = lines ? &c->line[k] :
+								  NULL;
+
+				write_binary(&b, line, p);
+				p += !lines || line->kind == LINE_POINT;
+			}
+		else if (lines)
+			p = write_lines(&b, i, end, p);
+		else
+			write_points(&b, i, end);
+	}
+}
+
+void block_write_nan(const struct job *j, struct chunk *c)
+{
+	const struct line line = { .kind = LINE_BAD, .newline = true };
+	struct block b = { .job = j, .chunk = c };
+
+	if (j->take != NULL)
+		return;
+	if (is_binary(j->layout.out)) {
+		write_binary(&b, &line, 0);
+		return;
+	}
+	char *at = chunk_reserve(c, lines_room(&j->layout, 1, 0));
+
+	c->size = (size_t)(put_other(j, &line, at) - c->out);
+}
