@@ -22,6 +22,7 @@
 #define LESS(a, b) _mm256_castpd_si256(_mm256_cmp_pd(a, b, _CMP_LT_OQ))
 #define EQUAL(a, b) _mm256_castpd_si256(_mm256_cmp_pd(a, b, _CMP_EQ_OQ))
 #define CHOOSE(m, a, b) _mm256_blendv_pd(b, a, _mm256_castsi256_pd(m))
+#define ONLY(m, a) _mm256_and_pd(_mm256_castsi256_pd(m), a)
 #define BITS(a) _mm256_castpd_si256(a)
 #define DOUBLES(a) _mm256_castsi256_pd(a)
 #define ALL_BITS(a) _mm256_set1_epi64x((long long)(a))
@@ -61,15 +62,12 @@ static inline void store_digits(char *to, uint16_t *nonzero, I high, I low)
 	const I zero = _mm256_setzero_si256(), zeros = _mm256_set1_epi8('0');
 	I a = _mm256_unpacklo_epi64(high, low);
 	I b = _mm256_unpackhi_epi64(high, low);
-	unsigned in_a = (unsigned)_mm256_movemask_epi8(
-	    _mm256_cmpgt_epi8(a, zero));
-	unsigned in_b = (unsigned)_mm256_movemask_epi8(
-	    _mm256_cmpgt_epi8(b, zero));
+	/* bits of numbers 0, 2 and 1, 3 */
+	int in_a = _mm256_movemask_epi8(_mm256_cmpgt_epi8(a, zero));
+	int in_b = _mm256_movemask_epi8(_mm256_cmpgt_epi8(b, zero));
 
-	nonzero[0] = (uint16_t)in_a;
-	nonzero[1] = (uint16_t)in_b;
-	nonzero[2] = (uint16_t)(in_a >> 16);
-	nonzero[3] = (uint16_t)(in_b >> 16);
+	_mm_storel_epi64((__m128i *)nonzero,
+	    _mm_unpacklo_epi16(_mm_cvtsi32_si128(in_a), _mm_cvtsi32_si128(in_b)));
 	a |= zeros;
 	b |= zeros;
 	_mm_storeu_si128(TO(0), _mm256_castsi256_si128(a));

@@ -24,6 +24,7 @@
 #define LESS(a, b) _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ)
 #define EQUAL(a, b) _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ)
 #define CHOOSE(m, a, b) _mm512_mask_blend_pd((M)(m), b, a)
+#define ONLY(m, a) _mm512_maskz_mov_pd((M)(m), a)
 #define BITS(a) _mm512_castpd_si512(a)
 #define DOUBLES(a) _mm512_castsi512_pd(a)
 #define ALL_BITS(a) _mm512_set1_epi64((long long)(a))
@@ -71,13 +72,13 @@ static inline void store_digits(char *to, uint16_t *nonzero, I high, I low)
 	const I zeros = _mm512_set1_epi8('0');
 	I a = _mm512_unpacklo_epi64(high, low);
 	I b = _mm512_unpackhi_epi64(high, low);
-	uint64_t in_a = _mm512_test_epi8_mask(a, a),
-		 in_b = _mm512_test_epi8_mask(b, b);
+	/* bits of numbers 0, 2, 4, 6 and 1, 3, 5, 7 */
+	__mmask64 in_a = _mm512_test_epi8_mask(a, a);
+	__mmask64 in_b = _mm512_test_epi8_mask(b, b);
 
-	for (int i = 0; i < 8; i += 2) {
-		nonzero[i] = (uint16_t)(in_a >> 8 * i);
-		nonzero[i + 1] = (uint16_t)(in_b >> 8 * i);
-	}
+	_mm_storeu_si128((__m128i *)nonzero,
+	    _mm_unpacklo_epi16(_mm_cvtsi64_si128((long long)in_a),
+		_mm_cvtsi64_si128((long long)in_b)));
 	a |= zeros;
 	b |= zeros;
 	_mm_storeu_si128(TO(0), _mm512_castsi512_si128(a));

@@ -13,6 +13,7 @@
  *	ABS, MIN
  *	LESS, EQUAL	an M; LESS is false where one is nan
  *	CHOOSE(m, a, b)	m ? a : b
+ *	ONLY(m, a)	m ? a : 0
  *	BITS, DOUBLES	V to I and back
  *	ALL_BITS(a)	a in each lane of an I
  *	SHL, SHR(a, n)	of an I's lanes
@@ -73,7 +74,7 @@ INLINE struct scaled scaled(V v, V hi, V lo)
 INLINE V nearest(struct scaled x)
 {
 	V rest = (x.p - x.i - ALL(0.5)) + x.e;
-	V i = x.i + CHOOSE(LESS(ALL(0), rest), ALL(1), ALL(0));
+	V i = x.i + ONLY(LESS(ALL(0), rest), ALL(1));
 
 	return CHOOSE(EQUAL(rest, ALL(0)), NEAREST(x.p), i);
 }
@@ -124,7 +125,7 @@ INLINE void search(struct found *f, size_t i, struct number_style style,
 		V rest = (x.p - x.i) + x.e;
 		V j = FLOOR(rest);
 		V up = hi * two * ALL(single ? 0x1p-24 : 0x1p-53);
-		V down = CHOOSE(EQUAL(a, two), up * ALL(0.5), up);
+		V down = up - ONLY(EQUAL(a, two), up * ALL(0.5));
 
 		whole = x.i + j;
 		rest = rest - j;
@@ -134,11 +135,11 @@ INLINE void search(struct found *f, size_t i, struct number_style style,
 		    ALL(0.5) - ABS(tenths - d));
 		M sure = ~LESS(margin, ALL(WRITE_MARGIN)) &
 		    (below | above | ~EQUAL(a, two));
-		whole = CHOOSE(above, whole + one, whole);
-		digit = CHOOSE(below | above, ALL(0), d);
+		whole = whole + ONLY(above, one);
+		digit = ONLY(~(below | above), d);
 		if (within) {
 			whole = CHOOSE(near, nearest(x), whole);
-			digit = CHOOSE(near, ALL(0), digit);
+			digit = ONLY(~near, digit);
 			sure = sure | near;
 		}
 		made = made & sure;
@@ -153,8 +154,8 @@ INLINE void search(struct found *f, size_t i, struct number_style style,
 	STORE(f->whole + i, whole);
 	STORE_INTS(f->digit + i, digit);
 	STORE_INTS(f->point + i, point);
-	STORE_INTS(f->minus + i, CHOOSE(minus, one, ALL(0)));
-	STORE_INTS(f->made + i, CHOOSE(made, one, ALL(0)));
+	STORE_INTS(f->minus + i, ONLY(minus, one));
+	STORE_INTS(f->made + i, ONLY(made, one));
 }
 
 /* The eight digits of x < 10^8, the low half of its lane, the first in the lowest
@@ -197,10 +198,10 @@ INLINE int log2_of(int x)
 INLINE void lay_out(struct fields *to, const struct found *f, bool strip)
 {
 	for (size_t i = 0; i < TEXTS; i++) {
-		int z = to->nonzero[i], point = f->point[i];
-		int first = log2_of((z | 1 << DIGITS) & -(z | 1 << DIGITS));
-		int last = f->digit[i] ? DIGITS : log2_of(z);
-		int end = strip ? last + 1 : DIGITS;
+		int z = to->nonzero[i] | (f->digit[i] != 0) << DIGITS;
+		int some = z | 1 << DIGITS, point = f->point[i];
+		int first = log2_of(some & -some);
+		int end = strip ? log2_of(z) + 1 : DIGITS;
 		int begin = first < point - 1 ? first : point - 1;
 		int before = point - begin + f->minus[i];
 		int after = end > point ? end - point + 1 : 0;
