@@ -191,25 +191,37 @@ static bool is_coordinate(const struct layout *l, const struct line *line,
 	return false;
 }
 
+/* Where the first field begins that may be no coordinate, or NULL: of bad lines
+ * no field is kept, and binary points have none. Unless there are --columns it is
+ * the one after the coordinates; in csv the last of these may end with a quote. */
+static const char *first_kept(const struct layout *l, const struct line *line)
+{
+	struct span text = line_text(line);
+
+	if (line->kind == LINE_BAD || is_binary(l->in))
+		return NULL;
+	if (l->columns.n == 0) {
+		const char *last = line_at(line, l->reads - 1).end;
+
+		if (last == text.end || *last != '"')
+			return field_next(l->in, last, text.end);
+	}
+	return skip_blanks(text.s, text.end) + (l->in == FORMAT_JSON);
+}
+
 /* The format out is another: coordinates and flags go first, then all other
  * fields. */
 static char *convert(const struct layout *l, const struct line *line,
     const struct numbers *numbers, const struct word *flags, char *out)
 {
 	const char *usual = separator_of(l->out);
-	const char *s = line->s, *end = s + line->size;
+	const char *s = first_kept(l, line), *end = line->s + line->size;
 	struct span sep = { usual, usual + 1 };
 
 	if (l->out == FORMAT_JSON)
 		*out++ = '[';
 	out = put_number(l, numbers, 0, out);
 	out = put_more(l, 1, numbers, flags, sep, out);
-	s = skip_blanks(s, end);
-	if (l->in == FORMAT_JSON)
-		s++;
-	/* of bad lines no field is kept, and binary points have none */
-	if (line->kind == LINE_BAD || is_binary(l->in))
-		s = NULL;
 	while (s != NULL) {
 		struct span f = field_at(l->in, s, end);
 

@@ -115,8 +115,9 @@ static bool pass_string(struct place *p)
 static inline bool is_narrow(const char *s, const char *end)
 {
 	s += *s == '-';
-	return !(*s == '0' && s[1] >= '0' && s[1] <= '9') && *s != '.' &&
-	    end[-1] != '.';
+	/* what the first digits are the processor could not guess: no branches */
+	return !(((*s == '0') & (s[1] >= '0') & (s[1] <= '9')) | (*s == '.') |
+	    (end[-1] == '.'));
 }
 
 static bool is_number(const char *s, const char *end)
