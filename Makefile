@@ -130,6 +130,8 @@ chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures
 
 oracle: $(BUILD)/core/test/oracle_test ## random scenes and points against MPFR
 	@$< 1000000
+digits: $(BUILD)/cmd/test/texts_test ## digits by the vector, as number_write has them
+	@$< 3000000
 programs: $(BUILD)/projcalc $(TESTS) ## the program and its tests
 SCRIPTS = $(sort $(wildcard cmd/test/*_test.t core/proof/*_test.t))
 test: | $(FIRST) ## all tests

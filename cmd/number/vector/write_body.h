@@ -133,7 +133,8 @@ INLINE void search(struct found *f, size_t i, struct number_style style,
 		M below = LESS(rest, down), above = LESS(g, up);
 		V margin = MIN(MIN(ABS(rest - down), ABS(g - up)),
 		    ALL(0.5) - ABS(tenths - d));
-		M sure = ~LESS(margin, ALL(WRITE_MARGIN)) &
+		M exact = LESS(ABS(scale - ALL(10)), ALL(10.5));
+		M sure = (exact | ~LESS(margin, ALL(WRITE_MARGIN))) &
 		    (below | above | ~EQUAL(a, two));
 		whole = whole + ONLY(above, one);
 		digit = ONLY(~(below | above), d);

@@ -1,0 +1,275 @@
+/* The texts of many numbers are those of number_write, from each copy of the
+ * loops that this processor runs.
+ * usage: texts_test [COUNT], of numbers for each style */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../number/number.h"
+
+enum { BLOCK = 512, SURPLUS = 64, GUARD = 64 };
+
+static const char *const copies[] = { "avx512", "avx2", "neon", "baseline" };
+
+static const struct number_style styles[] = {
+	{ NUMBER_SHORTEST, 0 },
+	{ NUMBER_DECIMALS, 0 },
+	{ NUMBER_DECIMALS, 2 },
+	{ NUMBER_DECIMALS, 6 },
+	{ NUMBER_DECIMALS, 15 },
+	{ NUMBER_DECIMALS, 16 },
+	{ NUMBER_DIGITS, 9 },
+	{ NUMBER_WITHIN, 0 },
+	{ NUMBER_WITHIN, 3 },
+	{ NUMBER_WITHIN, 6 },
+	{ NUMBER_WITHIN, 7 },
+	{ NUMBER_WITHIN, 14 },
+	{ NUMBER_WITHIN, 25 },
+};
+
+static long count = 60000;
+
+static uint64_t next_random(void)
+{
+	static uint64_t state = 88172645463325252;
+
+	state ^= state << 13;
+	state ^= state >> 7;
+	state ^= state << 17;
+	return state * 2685821657736338717u;
+}
+
+static int below(int n)
+{
+	return (int)(next_random() >> 33) % n;
+}
+
+/* In 0 to 1. */
+static double unit(void)
+{
+	return (double)(next_random() >> 11) / 0x1p53;
+}
+
+static double from_bits(uint64_t bits)
+{
+	double v;
+
+	memcpy(&v, &bits, sizeof v);
+	return v;
+}
+
+/* v or a neighbour of it. */
+static double beside(double v, bool single)
+{
+	double to[] = { -HUGE_VAL, v, HUGE_VAL };
+	int way = below(3);
+
+	if (way == 1)
+		return v;
+	return single ? (double)nextafterf((float)v, (float)to[way]) :
+			nextafter(v, to[way]);
+}
+
+/* An end of the interval that is rounded to the number is short: an odd half of a
+ * number's last place, that a power of ten divides. */
+static double short_end(bool single)
+{
+	int digits = single ? FLT_MANT_DIG : DBL_MANT_DIG;
+	int tens = 1 + below(5), log2 = digits + tens + below(10);
+	uint64_t ten = 1;
+
+	if (log2 > 63)
+		log2 = 63;
+	for (int i = 0; i < tens; i++)
+		ten *= 10;
+	int place = log2 - digits + 1;
+	uint64_t x = next_random() >> (63 - log2) | 1ull << log2;
+
+	x = x / ten * ten;
+	for (int i = 0; i < 1 << 12; i++, x -= ten)
+		if ((x & ((1ull << place) - 1)) == 1ull << (place - 1))
+			break;
+	x += below(2) ? 1ull << (place - 1) : -(1ull << (place - 1));
+	return (double)x;
+}
+
+/* Ten times a number's last place is far apart; its decimals end in a tie. */
+static double late_tie(bool single)
+{
+	int digits = single ? FLT_MANT_DIG : DBL_MANT_DIG;
+	double whole = (double)(next_random() >> (64 - digits) |
+	    1ull << (digits - 1));
+
+	return ldexp(whole, -1 - below(6));
+}
+
+static double any_number(bool single)
+{
+	double v = 2 * unit() - 1;
+
+	switch (below(14)) {
+	case 0:
+		return from_bits(next_random());
+	case 1: /* magnitudes that are written plain */
+		return ldexp(v, below(92) - 20);
+	case 2: /* so many decimals */
+		return floor(v * pow(10, below(16))) / pow(10, below(16));
+	case 3:
+		return (double)(int64_t)(next_random() >> (1 + below(63)));
+	case 4: /* integers, and ties when they are rounded */
+		return floor(ldexp(v, below(70))) / pow(2, below(30));
+	case 5: /* half as wide a gap below */
+		return beside(ldexp(v < 0 ? -1 : 1, below(2098) - 1074),
+		    single);
+	case 6:
+		return beside(ldexp(1, below(93) - 20), single);
+	case 7:
+		return beside(pow(10, below(32) - 9), single);
+	case 8: /* near a tie of so many decimals */
+		return beside((floor(v * pow(10, below(9))) + 0.5) /
+			pow(10, below(16)),
+		    single);
+	case 9:
+		return short_end(single);
+	case 10:
+		return late_tie(single);
+	case 11: /* subnormal, and the smallest */
+		return from_bits(next_random() >> (12 + below(52)));
+	case 12: /* as close to a few digits as can be */
+		return beside((double)(1 + below(999)) * pow(10, below(28) - 9),
+		    single);
+	default: {
+		const double few[] = { 0, -0.0, 1, -1, 0.5, HUGE_VAL, -HUGE_VAL,
+			(double)NAN, 1e-6, 1e21, 1e-5, 0.1, 999999.5,
+			9007199254740992, 4503599627370496, 0.0000005, 2.5e-7,
+			9.5e-7, 0x1p57, 1e15 };
+
+		return beside(few[below(sizeof few / sizeof *few)], single);
+	}
+	}
+}
+
+static void fill(double v[BLOCK + SURPLUS], bool single)
+{
+	for (int i = 0; i < BLOCK + SURPLUS; i++) {
+		v[i] = any_number(single);
+		if (below(4) == 0)
+			v[i] = -v[i];
+		if (single)
+			v[i] = (double)(float)v[i];
+	}
+}
+
+static char *write_one(char *s, double v, bool single,
+    struct number_style style)
+{
+	return single ? number_write_float(s, (float)v, style) :
+			number_write(s, v, style);
+}
+
+static void check_texts(const char *copy, const double *v, size_t n,
+    bool single, struct number_style style, char (*expected)[NUMBER_MAX + 1])
+{
+	struct number_text t[BLOCK + SURPLUS], none;
+	size_t room = (n + 63) / 64 * 64;
+	char text[NUMBER_MAX + GUARD];
+
+	memset(t, '#', sizeof t);
+	memset(&none, '#', sizeof none);
+	number_texts(v, n, single, style, t);
+	assert_memory_equal(t + room, &none, sizeof none);
+	for (size_t i = 0; i < n; i++) {
+		char *end = number_put(text, &t[i], v[i], single, style);
+
+		*end = '\0';
+		if (strcmp(text, expected[i]) != 0)
+			fail_msg("%s, style %u %d%s: %a is %s, not %s", copy,
+			    style.kind, style.n, single ? ", float" : "", v[i],
+			    text, expected[i]);
+	}
+}
+
+static void check_style(struct number_style style, bool single)
+{
+	static char expected[BLOCK][NUMBER_MAX + 1];
+	double v[BLOCK + SURPLUS];
+
+	for (long k = 0; k < count; k += BLOCK) {
+		size_t n = (size_t)(BLOCK - below(SURPLUS));
+
+		fill(v, single);
+		for (size_t i = 0; i < n; i++)
+			*write_one(expected[i], v[i], single, style) = '\0';
+		for (size_t c = 0; c < sizeof copies / sizeof *copies; c++)
+			if (number_choose(copies[c]))
+				check_texts(copies[c], v, n, single, style,
+				    expected);
+	}
+}
+
+static void are_as_number_write(void **unused)
+{
+	(void)unused;
+	for (size_t i = 0; i < sizeof styles / sizeof *styles; i++) {
+		check_style(styles[i], false);
+		check_style(styles[i], true);
+	}
+}
+
+/* Of the numbers that points have, nearly all are made by the vector where there
+ * is one. */
+static void are_made(void **unused)
+{
+	const struct number_style usual[] = { { NUMBER_SHORTEST, 0 },
+		{ NUMBER_DECIMALS, 6 }, { NUMBER_WITHIN, 6 } };
+	double v[BLOCK];
+	struct number_text t[BLOCK];
+
+	(void)unused;
+	for (size_t c = 0; c < 3; c++) {
+		if (!number_choose(copies[c]))
+			continue;
+		number_texts(memset(v, 0, sizeof v), BLOCK, false, usual[0], t);
+		if (t->b[31] == 0)
+			continue; /* baseline stands in for it */
+		for (size_t k = 0; k < 6; k++) {
+			for (int i = 0; i < BLOCK; i++)
+				v[i] = (double)(float)ldexp(2 * unit() - 1,
+				    below(42) - 18);
+			number_texts(v, BLOCK, k % 2, usual[k / 2], t);
+			for (int i = 0; i < BLOCK; i++)
+				if (t[i].b[31] == 0 && fabs(v[i]) > 0x1p-19 &&
+				    (k / 2 != 1 || fabs(v[i]) < 9e9))
+					fail_msg("%a is not made", v[i]);
+		}
+	}
+}
+
+static void are_chosen_by_name(void **unused)
+{
+	(void)unused;
+	assert_true(number_choose(NULL));
+	assert_true(number_choose("baseline"));
+	assert_false(number_choose("pentium"));
+}
+
+int main(int argc, char **argv)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(are_as_number_write),
+		cmocka_unit_test(are_made),
+		cmocka_unit_test(are_chosen_by_name),
+	};
+
+	if (argc > 1)
+		count = atol(argv[1]);
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
