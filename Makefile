@@ -71,6 +71,7 @@ $(BUILD)/%.o: %.cc | $(FIRST)
 # The inner loops: binary points take a fifth less time than at -O2. Those for
 # AVX2 and AVX-512 are chosen when the program runs.
 $(BUILD)/core/frustum.o $(BUILD)/cmd/points/binary.o $(BUILD)/cmd/points/block_write.o \
+    $(BUILD)/cmd/points/walk.o \
     $(call objects,core/kernel cmd/number/vector): FLAGS += -O3
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),)
 $(BUILD)/core/kernel/avx2.o $(BUILD)/cmd/number/vector/avx2.o \

@@ -20,6 +20,7 @@ struct block {
 	const struct job *job;
 	struct chunk *chunk;
 	size_t points;
+	bool usual;                          /* its lines are for put_usual */
 	unsigned char outside[POINTS_BLOCK]; /* of which planes each is */
 	struct texts texts;
 };
@@ -81,18 +82,85 @@ static bool is_wanted(const struct block *b, size_t p)
 static char *put_point(struct block *b, const struct line *line, size_t p,
     char *at)
 {
-	const struct layout *l = &b->job->layout;
 	struct chunk *c = b->chunk;
-
-	if (p >= b->texts.end)
-		make_texts(b, p);
 	const struct numbers n = { &c->image[0][p],
-		&b->texts.text[0][p - b->texts.from],
-		sizeof c->image[0] / sizeof c->image[0][0], BATCH,
+		&b->texts.text[0][p - b->texts.from], IMAGES, BATCH,
 		c->single[p] };
 
-	return line_write(l, line, &n,
+	return line_write(&b->job->layout, line, &n,
 	    b->job->flags ? word_for(c, b->outside[p]) : NULL, at);
+}
+
+/* Whether in all lines that are points only three numbers change, in their order,
+ * and nothing but a word is added. */
+static bool is_usual(const struct layout *l)
+{
+	const int *field = l->columns.field;
+
+	return l->in == l->out && l->reads == 3 && l->writes == 3 &&
+	    (l->columns.n == 0 ||
+		(field[0] < field[1] && field[1] < field[2]));
+}
+
+/* Whether a word after the last number has the usual separator before it, and
+ * no quote. */
+static inline bool takes_word(const struct layout *l, const struct line *line)
+{
+	uint32_t last = line->at[2].to;
+
+	return l->out == FORMAT_JSON ||
+	    (l->out == FORMAT_TEXT ?
+		    line->at[2].from - line->at[1].to == 1 :
+		    last == line->size || line->s[last] != '"');
+}
+
+static inline char *put_word(const struct layout *l, const struct line *line,
+    const struct word *w, char *at)
+{
+	bool quoted = l->out == FORMAT_JSON;
+
+	*at++ = l->out == FORMAT_TEXT ? line->s[line->at[1].to] : ',';
+	*at = '"';
+	memcpy(at + quoted, w->s, sizeof w->s);
+	at += quoted + w->size;
+	*at = '"';
+	return at + quoted;
+}
+
+/* Copies what stands before coordinate k, done being where the one before it
+ * ended, and writes its image. As most gaps are of one byte, a byte is copied even
+ * where there is none. */
+static inline char *replace(const struct block *b, const struct line *line,
+    int k, uint32_t done, size_t p, char *at)
+{
+	const struct chunk *c = b->chunk;
+	const char *gap = line->s + done;
+	uint32_t size = line->at[k].from - done;
+
+	*at = *gap;
+	if (size > 1)
+		memcpy(at, gap, size);
+	return number_put(at + size, &b->texts.text[k][p - b->texts.from],
+	    c->image[k][p], c->single[p], b->job->layout.style);
+}
+
+/* What line_write does then, without a look at what cannot be. */
+static inline char *put_usual(struct block *b, const struct line *line,
+    size_t p, char *at)
+{
+	uint32_t done = line->at[2].to;
+
+	at = replace(b, line, 0, 0, p, at);
+	at = replace(b, line, 1, line->at[0].to, p, at);
+	at = replace(b, line, 2, line->at[1].to, p, at);
+	if (b->job->flags)
+		at = put_word(&b->job->layout, line,
+		    word_for(b->chunk, b->outside[p]), at);
+	if (line->size > done)
+		memcpy(at, line->s + done, line->size - done);
+	at += line->size - done;
+	*at = '\n';
+	return at + line->newline;
 }
 
 /* Writes a line that is no point: a comment or a header as it is, a bad line as
@@ -115,19 +183,27 @@ static char *put_other(const struct job *j, const struct line *line, char *at)
  * after them. */
 static size_t write_lines(struct block *b, size_t i, size_t end, size_t p)
 {
+	const struct layout *l = &b->job->layout;
+	bool flags = b->job->flags;
 	struct chunk *c = b->chunk;
 	const struct line *last = &c->line[end - 1];
 	size_t bytes = (size_t)(last->s + last->size - c->line[i].s);
-	char *at = chunk_reserve(c,
-	    lines_room(&b->job->layout, end - i, bytes));
+	char *at = chunk_reserve(c, lines_room(l, end - i, bytes));
 
 	for (; i < end; i++) {
 		const struct line *line = &c->line[i];
 
-		if (line->kind != LINE_POINT)
+		if (line->kind != LINE_POINT) {
 			at = put_other(b->job, line, at);
-		else if (is_wanted(b, p++))
-			at = put_point(b, line, p - 1, at);
+			continue;
+		}
+		if (p >= b->texts.end)
+			make_texts(b, p);
+		if (is_wanted(b, p))
+			at = b->usual && (!flags || takes_word(l, line)) ?
+			    put_usual(b, line, p, at) :
+			    put_point(b, line, p, at);
+		p++;
 	}
 	c->size = (size_t)(at - c->out);
 	return p;
@@ -140,9 +216,12 @@ static void write_points(struct block *b, size_t i, size_t end)
 	struct chunk *c = b->chunk;
 	char *at = chunk_reserve(c, lines_room(&b->job->layout, end - i, 0));
 
-	for (; i < end; i++)
+	for (; i < end; i++) {
+		if (i >= b->texts.end)
+			make_texts(b, i);
 		if (is_wanted(b, i))
 			at = put_point(b, &line, i, at);
+	}
 	c->size = (size_t)(at - c->out);
 }
 
@@ -163,20 +242,27 @@ static void write_binary(struct block *b, const struct line *line, size_t p)
 	binary_write(b->job, b->chunk, p, v);
 }
 
-/* Whether all images are finite, as they are written. */
+/* Whether all images are finite, as they are written. The bits of a double without
+ * its sign are those of a larger integer if it is larger, or nan: if they are above
+ * those of most, the sum has the top bit set. */
 static bool all_finite(const struct chunk *c, const struct layout *l, size_t n)
 {
-	double most = l->out == FORMAT_F32 ? 0x1.ffffffp127 : DBL_MAX;
-	int bad = 0;
+	const double most = l->out == FORMAT_F32 ? 0x1.ffffffp127 : DBL_MAX;
+	const uint64_t top = 1ull << 63;
+	uint64_t limit, bits, any = 0;
 
+	memcpy(&limit, &most, sizeof limit);
 	for (int k = 0; k < l->writes; k++)
-		for (size_t i = 0; i < n; i++)
-			bad |= !(fabs(c->image[k][i]) <= most);
-	return !bad;
+		for (size_t i = 0; i < n; i++) {
+			memcpy(&bits, &c->image[k][i], sizeof bits);
+			any |= (bits & ~top) + (top - 1 - limit);
+		}
+	return (any & top) == 0;
 }
 
-/* Marks the points without image; number is that of the first line. */
-static void mark(struct block *b, size_t n, size_t number)
+/* Marks the points without image; number is that of the first line. Returns
+ * whether there is none. */
+static bool mark(struct block *b, size_t n, size_t number)
 {
 	const struct layout *l = &b->job->layout;
 	struct chunk *c = b->chunk;
@@ -184,10 +270,11 @@ static void mark(struct block *b, size_t n, size_t number)
 	size_t p = 0;
 
 	if (all_finite(c, l, b->points))
-		return;
+		return true;
 	for (size_t i = 0; i < n; i++)
 		if (!lines || c->line[i].kind == LINE_POINT)
 			chunk_mark(c, l, p++, number + i);
+	return false;
 }
 
 void block_write(const struct job *j, struct chunk *c, size_t n, size_t points,
@@ -198,7 +285,11 @@ void block_write(const struct job *j, struct chunk *c, size_t n, size_t points,
 	const double *const in[4] = { c->in[0], c->in[1], c->in[2], c->in[3] };
 	size_t p = 0;
 
-	mark(&b, n, number);
+	bool finite = mark(&b, n, number);
+
+	/* to JSON, nan goes as null */
+	b.usual = is_usual(&j->layout) &&
+	    (finite || j->layout.out != FORMAT_JSON);
 	if (j->flags || j->visible)
 		frustum_out_all(&j->frustum, in, b.outside, points);
 	for (size_t i = 0; i < n; i += BATCH) {

@@ -19,10 +19,12 @@ bool walk_plan(const struct layout *l, struct walk *w)
 {
 	int n = l->reads, field = -1;
 
-	*w = (struct walk){ .format = l->in, .n = n };
+	*w = (struct walk){ .format = l->in,
+		.n = n,
+		.columns = l->columns.n > 0 };
 	for (int i = 0; i < n; i++)
 		w->coordinate[i] = i;
-	if (l->columns.n == 0)
+	if (!w->columns)
 		return true;
 	for (int i = 0; i < n; i++)
 		for (int k = i; k > 0 &&
@@ -85,9 +87,17 @@ static inline void pass_blanks(struct place *p)
 		pass(p);
 }
 
-/* As skip_separator in text; elsewhere only a comma separates. */
+/* As skip_separator in text; elsewhere only a comma separates. Most separators are
+ * of one byte. */
 static inline bool pass_separator(struct place *p, enum format format)
 {
+	char c = p->text[p->at];
+
+	if (p->stop[1] > p->at + 1 && *p->stop == p->at &&
+	    (format == FORMAT_TEXT ? c != '\n' : c == ',')) {
+		pass(p);
+		return true;
+	}
 	pass_blanks(p);
 	if (stands(p, ',')) {
 		pass(p);
@@ -174,7 +184,8 @@ static inline bool pass_rest(struct place *p, enum format format)
 /* Where the coordinates of line i stand; false where it is to be left. */
 static inline __attribute__((always_inline)) bool
 find_coordinates(struct place *p, const struct walk *w, enum format format,
-    int n, struct line *line, size_t i, struct plain_places places[4])
+    int n, bool columns, struct line *line, size_t i,
+    struct plain_places places[4])
 {
 	uint32_t begin = p->at;
 
@@ -188,12 +199,12 @@ find_coordinates(struct place *p, const struct walk *w, enum format format,
 		pass_blanks(p);
 	}
 	for (int m = 0; m < n; m++) {
-		for (int skip = w->skip[m]; skip > 0; skip--)
+		for (int skip = columns ? w->skip[m] : 0; skip > 0; skip--)
 			if (!pass_field(p, format) ||
 			    !pass_separator(p, format))
 				return false;
 		uint32_t from = p->at, to = *p->stop;
-		int k = w->coordinate[m];
+		int k = columns ? w->coordinate[m] : m;
 
 		if (to - from - 1 >= PLAIN_MAX ||
 		    (format == FORMAT_JSON &&
@@ -220,12 +231,12 @@ static void no_numbers(int n, size_t i, struct plain_places places[4])
 	}
 }
 
-/* Inline, so that the compiler makes a copy for each format and the usual number
- * of coordinates. */
+/* Inline, so that the compiler makes a copy for each format, of which what does not
+ * concern it falls away. */
 static inline __attribute__((always_inline)) size_t
 take_lines(struct stretch *s, const struct walk *walk, enum format format,
-    int n, size_t max, struct line *lines, struct plain_places places[4],
-    uint64_t *left)
+    int n, bool columns, size_t max, struct line *lines,
+    struct plain_places places[4], uint64_t *left)
 {
 	struct place p = { s->text, s->at, s->next };
 	uint32_t end = s->end;
@@ -236,8 +247,8 @@ take_lines(struct stretch *s, const struct walk *walk, enum format format,
 		uint32_t begin = p.at;
 
 		if (p.text + begin - s->readable < PLAIN_BEFORE ||
-		    !find_coordinates(&p, walk, format, n, &lines[i], i,
-			places)) {
+		    !find_coordinates(&p, walk, format, n, columns, &lines[i],
+			i, places)) {
 			no_numbers(n, i, places);
 			*left |= (uint64_t)1 << i;
 		}
@@ -254,19 +265,31 @@ take_lines(struct stretch *s, const struct walk *walk, enum format format,
 	return i;
 }
 
-size_t walk_lines(struct stretch *w, const struct walk *walk, size_t n,
+/* Three coordinates at the beginning of a line are what is usual. */
+static inline __attribute__((always_inline)) size_t
+take_format(struct stretch *s, const struct walk *walk, enum format format,
+    size_t max, struct line *lines, struct plain_places places[4],
+    uint64_t *left)
+{
+	if (walk->n == 3 && !walk->columns)
+		return take_lines(s, walk, format, 3, false, max, lines, places,
+		    left);
+	return take_lines(s, walk, format, walk->n, true, max, lines, places,
+	    left);
+}
+
+size_t walk_lines(struct stretch *s, const struct walk *walk, size_t n,
     struct line lines[PLAIN_BATCH], struct plain_places places[4],
     uint64_t *left)
 {
-	enum format f = walk->format;
-
-	if (walk->n != 3)
-		return take_lines(w, walk, f, walk->n, n, lines, places, left);
-	if (f == FORMAT_TEXT)
-		return take_lines(w, walk, FORMAT_TEXT, 3, n, lines, places,
+	switch (walk->format) {
+	case FORMAT_CSV:
+		return take_format(s, walk, FORMAT_CSV, n, lines, places, left);
+	case FORMAT_JSON:
+		return take_format(s, walk, FORMAT_JSON, n, lines, places,
 		    left);
-	if (f == FORMAT_CSV)
-		return take_lines(w, walk, FORMAT_CSV, 3, n, lines, places,
+	default:
+		return take_format(s, walk, FORMAT_TEXT, n, lines, places,
 		    left);
-	return take_lines(w, walk, FORMAT_JSON, 3, n, lines, places, left);
+	}
 }

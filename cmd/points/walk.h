@@ -21,6 +21,7 @@ struct stretch {
 struct walk {
 	enum format format;
 	int n;
+	bool columns;      /* else they are the first fields */
 	int skip[4];       /* fields before each that are none */
 	int coordinate[4]; /* which it is */
 };
