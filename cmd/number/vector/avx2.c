@@ -67,7 +67,8 @@ static inline void store_digits(char *to, uint16_t *nonzero, I high, I low)
 	int in_b = _mm256_movemask_epi8(_mm256_cmpgt_epi8(b, zero));
 
 	_mm_storel_epi64((__m128i *)nonzero,
-	    _mm_unpacklo_epi16(_mm_cvtsi32_si128(in_a), _mm_cvtsi32_si128(in_b)));
+	    _mm_unpacklo_epi16(_mm_cvtsi32_si128(in_a),
+		_mm_cvtsi32_si128(in_b)));
 	a |= zeros;
 	b |= zeros;
 	_mm_storeu_si128(TO(0), _mm256_castsi256_si128(a));
@@ -93,5 +94,5 @@ static inline void copy_with_point(char *to, const char *from, int8_t before)
 
 #include "write_body.h"
 
-const struct number_vector number_avx2 = { texts };
+const struct number_vector number_avx2 = { write_body };
 #endif

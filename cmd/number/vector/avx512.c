@@ -103,5 +103,5 @@ static inline void copy_with_point(char *to, const char *from, int8_t before)
 
 #include "write_body.h"
 
-const struct number_vector number_avx512 = { texts };
+const struct number_vector number_avx512 = { write_body };
 #endif
