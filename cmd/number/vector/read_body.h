@@ -198,40 +198,67 @@ static inline unsigned not_digits(const struct rows *r, size_t i)
 	return bad;
 }
 
+/* Numbers in one go: a whole number of vectors. */
+enum { GROUP = 8 };
+
+/* Of the numbers of a group. */
+struct look {
+	bool others;   /* some of their digits are none */
+	size_t digits; /* their counts, or'ed */
+};
+
+static inline struct look set_group(struct rows *r, size_t i, size_t n,
+    const struct plain_places *at)
+{
+	struct look look = { false, 0 };
+	row odd = { 0 };
+
+	for (size_t end = i + GROUP; i < end; i++) {
+		size_t k = i < n ? i : n - 1, digits;
+		row x = set_row(r, i, at->end[k], at->size[k], &digits);
+
+		odd |= x | (x + (128 - 10));
+		look.digits |= digits;
+	}
+	look.others = ANY_TOP_BIT(odd);
+	return look;
+}
+
+/* The numbers from i on; returns which of them are bad. */
+static inline uint64_t read_group(const struct rows *r, size_t i,
+    struct look look, double *v)
+{
+	uint64_t bad = 0;
+
+	for (size_t k = 0; k < GROUP; k += LANES) {
+		struct integer m = look.digits < 16 ? short_integer(r, i + k) :
+						      long_integer(r, i + k);
+		D p, q;
+
+		memcpy(&p, r->scale + i + k, sizeof p);
+		q = divide(&m, p);
+		memcpy(v + i + k, &q, sizeof q);
+		m.bad |= DIFFERENT(q, q);
+		m.bad |= look.others ? not_digits(r, i + k) : 0;
+		bad |= (uint64_t)m.bad << k;
+	}
+	return bad << i;
+}
+
+/* All rows are set before the first is read: a vector of what has just been stored
+ * in parts would have to be waited for. */
 static uint64_t READ(const struct plain_places *at, size_t n,
     double v[PLAIN_BATCH])
 {
 	struct rows r;
+	struct look look[PLAIN_BATCH / GROUP];
 	uint64_t bad = 0;
-	row odd = { 0 };
-	size_t longest = 0;
 
-	for (size_t i = 0; i < n; i++) {
-		size_t digits;
-		row x = set_row(&r, i, at->end[i], at->size[i], &digits);
-
-		odd |= x | (x + (128 - 10));
-		longest |= digits;
-	}
-	for (size_t i = n; i % LANES != 0; i++) {
-		memset(r.low[i], 0, 16);
-		memset(r.high[i], 0, 16);
-		r.scale[i] = 1;
-	}
-	bool others = ANY_TOP_BIT(odd);
-
-	for (size_t i = 0; i < n; i += LANES) {
-		struct integer m = longest < 16 ? short_integer(&r, i) :
-						  long_integer(&r, i);
-		D p, q;
-
-		memcpy(&p, r.scale + i, sizeof p);
-		q = divide(&m, p);
-		memcpy(v + i, &q, sizeof q);
-		m.bad |= DIFFERENT(q, q) | (others ? not_digits(&r, i) : 0);
-		bad |= (uint64_t)m.bad << i;
-	}
-	return bad;
+	for (size_t i = 0; i < n; i += GROUP)
+		look[i / GROUP] = set_group(&r, i, n, at);
+	for (size_t i = 0; i < n; i += GROUP)
+		bad |= read_group(&r, i, look[i / GROUP], v);
+	return n < PLAIN_BATCH ? bad & ((1ull << n) - 1) : bad;
 }
 
 /* Eight at a time: what is beyond the last is overwritten. */
