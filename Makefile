@@ -70,14 +70,15 @@ $(BUILD)/%.o: %.cc | $(FIRST)
 
 # The inner loops: binary points take a fifth less time than at -O2. Those for
 # AVX2 and AVX-512 are chosen when the program runs.
-$(BUILD)/core/frustum.o $(BUILD)/cmd/points/binary.o $(BUILD)/cmd/points/block_write.o \
-    $(BUILD)/cmd/points/walk.o \
-    $(call objects,core/kernel cmd/number/vector): FLAGS += -O3
+$(addprefix $(BUILD)/,core/frustum.o $(addprefix cmd/points/,binary.o \
+    block_write.o walk.o)) $(call objects,core/kernel cmd/number/vector): \
+    FLAGS += -O3
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),)
-$(BUILD)/core/kernel/avx2.o $(BUILD)/cmd/number/vector/avx2.o \
-    $(BUILD)/cmd/number/vector/read_avx2.o: FLAGS += -mavx2 -mfma
+VECTOR = $(BUILD)/cmd/number/vector
+$(BUILD)/core/kernel/avx2.o $(VECTOR)/avx2.o $(VECTOR)/read_avx2.o: \
+    FLAGS += -mavx2 -mfma
 $(BUILD)/core/kernel/avx512.o: FLAGS += -mavx512f -mfma
-$(BUILD)/cmd/number/vector/avx512.o $(BUILD)/cmd/number/vector/read_avx512.o: \
+$(VECTOR)/avx512.o $(VECTOR)/read_avx512.o: \
     FLAGS += -mavx512f -mavx512bw -mavx512dq -mavx512vl -mfma
 endif
 # gcc would store the halves of a span and reload them as one, which stalls.
@@ -131,7 +132,7 @@ chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures
 
 oracle: $(BUILD)/core/test/oracle_test ## random scenes and points against MPFR
 	@$< 1000000
-digits: $(BUILD)/cmd/test/texts_test ## digits by the vector, as number_write has them
+digits: $(BUILD)/cmd/test/texts_test ## the vector's digits against number_write
 	@$< 3000000
 programs: $(BUILD)/projcalc $(TESTS) ## the program and its tests
 SCRIPTS = $(sort $(wildcard cmd/test/*_test.t core/proof/*_test.t))

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <string>
 
 #include <dragonbox/dragonbox.h>
 #include <fast_float/fast_float.h>
@@ -18,7 +19,7 @@
 enum { COUNT = 30000, RUNS = 21 };
 
 static double values[COUNT];
-static char input[COUNT * 32], output[COUNT * 32];
+static char input[COUNT * 32], output[COUNT * 32 + 64];
 static const char *input_end;
 
 /* What the loops come to must go somewhere, or they would be left out. */
@@ -95,6 +96,33 @@ template <class Write> static void measure_write(const char *name, Write write)
 	});
 }
 
+/* A separator after each, as the program writes them. */
+static void measure_texts(number_style style)
+{
+	static number_text texts[1024];
+	const size_t block = sizeof texts / sizeof *texts;
+	const size_t count = COUNT / block * block;
+
+	for (const char *copy : { "avx512", "avx2", "neon" }) {
+		if (!number_choose(copy))
+			continue;
+		measure((std::string("number_texts, ") + copy).c_str(),
+		    int(count), [&] {
+			    char *s = output;
+
+			    for (size_t i = 0; i < count; i++) {
+				    if (i % block == 0)
+					    number_texts(values + i, block,
+						false, style, texts);
+				    s = number_put(s, &texts[i % block],
+					values[i], false, style);
+				    *s++ = ' ';
+			    }
+			    sink = double(s - output);
+		    });
+	}
+}
+
 static void read_all(void)
 {
 	measure_read("strtod", [](const char *s, double *v) {
@@ -130,6 +158,7 @@ static void write_all(void)
 	});
 	measure_write("number_write",
 	    [=](char *s, double v) { return number_write(s, v, style); });
+	measure_texts(style);
 }
 
 static void write_rounded(void)
@@ -145,6 +174,7 @@ static void write_rounded(void)
 	});
 	measure_write("number_write, 3 decimals",
 	    [=](char *s, double v) { return number_write(s, v, decimals); });
+	measure_texts(decimals);
 	measure_write("printf %.11e",
 	    [](char *s, double v) { return s + snprintf(s, 32, "%.11e", v); });
 	measure_write("to_chars, 12 digits", [](char *s, double v) {

@@ -56,8 +56,9 @@ static inline void power_of_ten(const struct tens *t, V scale, V *hi, V *lo)
 	*lo = _mm256_unpackhi_pd(ac, bd);
 }
 
-#define TO(i) ((__m128i *)(to + (i)*64))
-static inline void store_digits(char *to, uint16_t *nonzero, I high, I low)
+#define TO(i) ((__m128i *)(to + (i)*field))
+static inline void store_digits(char *to, size_t field, uint16_t *nonzero,
+    I high, I low)
 {
 	const I zero = _mm256_setzero_si256(), zeros = _mm256_set1_epi8('0');
 	I a = _mm256_unpacklo_epi64(high, low);

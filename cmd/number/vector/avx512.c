@@ -66,8 +66,9 @@ static inline void power_of_ten(const struct tens *t, V scale, V *hi, V *lo)
 	    _mm512_permutex2var_pd(t->hi[0], k, t->hi[1]));
 }
 
-#define TO(i) ((__m128i *)(to + (i)*64))
-static inline void store_digits(char *to, uint16_t *nonzero, I high, I low)
+#define TO(i) ((__m128i *)(to + (i)*field))
+static inline void store_digits(char *to, size_t field, uint16_t *nonzero,
+    I high, I low)
 {
 	const I zeros = _mm512_set1_epi8('0');
 	I a = _mm512_unpacklo_epi64(high, low);

@@ -10,9 +10,9 @@ static void no_texts(const double *v, size_t n, bool single,
 
 static const struct number_vector number_baseline = { no_texts };
 
-/* What a copy named as one of core/kernel's needs; the best first. Where the
- * named one cannot run, the next that can stands in for it: an older processor
- * with AVX-512 has not all that its copy here takes. */
+/* The best first, named as core/kernel's. Where the named one can't run, the next
+ * that can stands in for it: the first processors with AVX-512 have not all that
+ * its copy takes here. */
 static const struct {
 	const char *name;
 	const struct number_vector *copy;
@@ -21,6 +21,9 @@ static const struct {
 #ifdef __x86_64__
 	{ "avx512", &number_avx512, &plain_avx512 },
 	{ "avx2", &number_avx2, &plain_avx2 },
+#endif
+#ifdef __aarch64__
+	{ "neon", &number_neon, &plain_neon },
 #endif
 	{ "baseline", &number_baseline, NULL },
 };
@@ -38,7 +41,7 @@ static bool runs(const char *name)
 		return __builtin_cpu_supports("avx2") &&
 		    __builtin_cpu_supports("fma");
 #endif
-	return strcmp(name, "baseline") == 0;
+	return strcmp(name, "baseline") == 0 || strcmp(name, "neon") == 0;
 }
 
 static const struct number_vector *vector = &number_baseline;
@@ -62,7 +65,7 @@ bool number_choose(const char *name)
 void number_texts(const double *v, size_t n, bool single,
     struct number_style style, struct number_text *t)
 {
-	vector->texts(v, (n + 63) / 64 * 64, single, style, t);
+	vector->texts(v, (n + TEXTS - 1) / TEXTS * TEXTS, single, style, t);
 }
 
 const struct plain_reader *plain_reader(void)

@@ -1,6 +1,6 @@
 /* 10^-10 to 10^21 as hi + lo, each the nearest double to what is left: hi is the
  * power itself from 10^0 on, and below it hi + lo is within POWER_ERROR of it,
- * relatively. (write_proof.pl recomputes them.) */
+ * relatively. (digits_test.t recomputes them.) */
 #ifndef POWERS_H
 #define POWERS_H
 

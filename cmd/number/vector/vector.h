@@ -11,12 +11,8 @@
 /* Texts are made so many at a time. */
 enum { TEXTS = 64 };
 
-/* Where the digits are decided by a difference that is less, they are left to
- * number_write. */
-#define WRITE_MARGIN 0x1p-44
-
 struct number_vector {
-	/* as number_texts, but that n is a multiple of 64 */
+	/* as number_texts, but that n is a multiple of TEXTS */
 	void (*texts)(const double *v, size_t n, bool single,
 	    struct number_style style, struct number_text *t);
 };

@@ -13,7 +13,7 @@
  *	ALL(a)		a in each lane
  *	FMA(a, b, c)	a b + c, rounded once
  *	FLOOR, NEAREST	to a whole number; NEAREST has ties to even
- *	ABS, MIN
+ *	ABS, MIN	MIN is any number where one is nan
  *	LESS, EQUAL	an M; no where one is nan
  *	CHOOSE(m, a, b)	m ? a : b
  *	ONLY(m, a)	m ? a : 0
@@ -28,14 +28,12 @@
  *
  *	struct tens, load_tens, power_of_ten
  *			10^POWER_MIN to 10^POWER_MAX, where they are soon found
- *	store_digits	digits of 0 to 9 to their fields as text, and for each
- *			number a bit for each digit that isn't 0
+ *	store_digits	of the lanes' numbers, eight and eight, to their fields,
+ *			as text; and a bit for each that isn't 0
  *	copy_with_point	from a field, a point after the first so many
  *
  * Every operation on doubles is one rounding of IEEE 754 in each lane. */
 #include "write_find.h"
-
-#define INLINE static inline __attribute__((always_inline))
 
 /* Where digits stand before they become text: zeros for those before the first
  * (and room for a minus), 16 digits and the 17th, zeros for those after it. */
@@ -77,7 +75,7 @@ INLINE void write_digits(struct fields *to, const struct found *f)
 		V high = FLOOR(whole * ALL(1e-8));
 		V low = FMA(high, ALL(-1e8), whole);
 
-		store_digits(to->b[i] + BEFORE, to->nonzero + i,
+		store_digits(to->b[i] + BEFORE, FIELD, to->nonzero + i,
 		    eight_digits(BITS(high + lowest_bits)),
 		    eight_digits(BITS(low + lowest_bits)));
 	}

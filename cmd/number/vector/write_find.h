@@ -11,6 +11,10 @@
 
 #define INLINE static inline __attribute__((always_inline))
 
+/* How far apart two sides must be for their comparison to be right where something
+ * was rounded: shortest() adds up the errors. */
+#define WRITE_MARGIN 0x1p-44
+
 /* The most digits that a whole number below 2^53 has. */
 enum { DIGITS = 16 };
 
@@ -69,7 +73,7 @@ struct digits {
  *
  * For scale from 0 to 20 nothing is rounded. x is a multiple of 2^(q + scale), up
  * is half of that multiplied by 5^scale, an odd number, so that no whole number is
- * at x + up or x - down. With q + scale >= -49 (write_proof.t counts) all
+ * at x + up or x - down. With q + scale >= -49 (digits_test.t counts) all
  * differences are below 1 and multiples of 2^-51, the tenths below 10 and multiples
  * of 2^-48: they are doubles. A tie of two tenths is 1/4 or 3/4, which NEAREST and
  * number_write take to the even one.
@@ -84,8 +88,8 @@ struct digits {
  *	58	of 10 rest, less than 10: 5 10 and 8
  *
  * so that a comparison is right where its sides are WRITE_MARGIN = 512 units apart.
- * What is nearer is about one number in 2^40; but of floats above 2^24, which have
- * few decimals, the more ties. */
+ * What is nearer, exact ties among it, which are frequent in numbers that large, is
+ * left to number_write. */
 INLINE struct digits shortest(V a, V two, V scale, V hi, struct scaled x,
     bool single)
 {

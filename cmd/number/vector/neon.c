@@ -1,0 +1,112 @@
+/* For AArch64, of which NEON is a part. */
+#ifdef __aarch64__
+#include <arm_neon.h>
+
+#include "powers.h"
+#include "vector.h"
+
+#define V float64x2_t
+#define I uint64x2_t
+#define M uint64x2_t
+#define WIDTH 2
+#define LOAD(p) vld1q_f64(p)
+#define STORE(p, a) vst1q_f64(p, a)
+#define STORE_INTS(p, a) vst1_s32(p, vmovn_s64(vcvtq_s64_f64(a)))
+#define ALL(a) vdupq_n_f64(a)
+#define FMA(a, b, c) vfmaq_f64(c, a, b)
+#define FLOOR(a) vrndmq_f64(a)
+#define NEAREST(a) vrndnq_f64(a)
+#define ABS(a) vabsq_f64(a)
+#define MIN(a, b) vminq_f64(a, b)
+#define LESS(a, b) vcltq_f64(a, b)
+#define EQUAL(a, b) vceqq_f64(a, b)
+#define CHOOSE(m, a, b) vbslq_f64(m, a, b)
+#define ONLY(m, a) DOUBLES((m)&BITS(a))
+#define BITS(a) vreinterpretq_u64_f64(a)
+#define DOUBLES(a) vreinterpretq_f64_u64(a)
+#define ALL_BITS(a) vdupq_n_u64((uint64_t)(a))
+#define SHL(a, n) vshlq_n_u64(a, n)
+#define SHR(a, n) vshrq_n_u64(a, n)
+#define QUARTERS(a) vreinterpretq_u16_u64(a)
+#define WHOLE(a) vreinterpretq_u64_u16(a)
+#define SHR16(a, n) WHOLE(vshrq_n_u16(QUARTERS(a), n))
+#define MUL32(a, b) vmull_u32(vmovn_u64(a), vmovn_u64(b))
+#define MUL16(a, b) WHOLE(vmulq_u16(QUARTERS(a), QUARTERS(b)))
+#define HIGH16(a, b) WHOLE(high_halves(QUARTERS(a), QUARTERS(b)))
+
+static inline uint16x8_t high_halves(uint16x8_t a, uint16x8_t b)
+{
+	uint32x4_t low = vmull_u16(vget_low_u16(a), vget_low_u16(b));
+	uint32x4_t high = vmull_high_u16(a, b);
+
+	return vuzp2q_u16(vreinterpretq_u16_u32(low),
+	    vreinterpretq_u16_u32(high));
+}
+
+struct tens {
+	const double (*pair)[2]; /* of 10^0 */
+};
+
+static inline struct tens load_tens(void)
+{
+	return (struct tens){ powers - POWER_MIN };
+}
+
+static inline void power_of_ten(const struct tens *t, V scale, V *hi, V *lo)
+{
+	int64x2_t k = vcvtq_s64_f64(scale);
+	V a = vld1q_f64(t->pair[vgetq_lane_s64(k, 0)]);
+	V b = vld1q_f64(t->pair[vgetq_lane_s64(k, 1)]);
+
+	*hi = vzip1q_f64(a, b);
+	*lo = vzip2q_f64(a, b);
+}
+
+/* A bit for each byte that isn't 0: of each half, the sum of its bytes' bits. */
+static inline uint16_t nonzero_bits(uint8x16_t digits)
+{
+	const uint8x8_t bit = vcreate_u8(0x8040201008040201);
+	uint8x16_t bits = vandq_u8(vtstq_u8(digits, digits),
+	    vcombine_u8(bit, bit));
+
+	return (uint16_t)(vaddv_u8(vget_low_u8(bits)) |
+	    vaddv_u8(vget_high_u8(bits)) << 8);
+}
+
+static inline void store_digits(char *to, size_t field, uint16_t *nonzero,
+    I high, I low)
+{
+	uint8x16_t a = vreinterpretq_u8_u64(vzip1q_u64(high, low));
+	uint8x16_t b = vreinterpretq_u8_u64(vzip2q_u64(high, low));
+
+	nonzero[0] = nonzero_bits(a);
+	nonzero[1] = nonzero_bits(b);
+	vst1q_u8((uint8_t *)to, vorrq_u8(a, vdupq_n_u8('0')));
+	vst1q_u8((uint8_t *)to + field, vorrq_u8(b, vdupq_n_u8('0')));
+}
+
+static inline uint8x16_t with_point(const char *from, int8x16_t place,
+    int8_t before)
+{
+	int8x16_t point = vdupq_n_s8(before);
+	uint8x16_t a = vld1q_u8((const uint8_t *)from);
+	uint8x16_t b = vld1q_u8((const uint8_t *)from - 1);
+
+	a = vbslq_u8(vcgtq_s8(place, point), b, a);
+	return vbslq_u8(vceqq_s8(place, point), vdupq_n_u8('.'), a);
+}
+
+static inline void copy_with_point(char *to, const char *from, int8_t before)
+{
+	const int8x16_t place = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13,
+		14, 15 };
+
+	vst1q_u8((uint8_t *)to, with_point(from, place, before));
+	vst1q_u8((uint8_t *)to + 16,
+	    with_point(from + 16, vaddq_s8(place, vdupq_n_s8(16)), before));
+}
+
+#include "write_body.h"
+
+const struct number_vector number_neon = { write_body };
+#endif

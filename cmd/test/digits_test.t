@@ -1,0 +1,253 @@
+#!/usr/bin/perl
+# Why the digits by the vector are right: the table and the constants of
+# cmd/number/vector computed anew in exact arithmetic, the errors of its operations
+# added up for each exponent of two, and what its comments claim of them. Then
+# that changed constants are refused.
+# usage: digits_test.t, at the top of the project
+use strict;
+use warnings;
+use FindBin;
+use Math::BigInt;
+use Math::BigRat;
+use POSIX qw(floor frexp);
+use Test::More;
+
+my $vector = "$FindBin::Bin/../number/vector";
+
+sub slurp {
+	open my $file, '<', $_[0] or die "$_[0]: $!\n";
+	local $/;
+	return <$file>;
+}
+
+sub rat { Math::BigRat->new(@_) }
+
+# b^e, exactly.
+my %powers;
+
+sub power {
+	my ($b, $e) = @_;
+	return $powers{"$b $e"} //= do {
+		my $n = rat(Math::BigInt->new($b)->bpow(abs $e));
+		$e < 0 ? 1 / $n : $n;
+	};
+}
+
+sub two_to { power(2, @_) }
+
+sub ten_to { power(10, @_) }
+
+# What a double is, exactly, and the place of its last bit.
+sub exactly {
+	my $bits = unpack 'Q', pack 'd', $_[0];
+	my $e = $bits >> 52 & 0x7ff;
+	die "$_[0] is no normal double" if $_[0] != 0 && ($e == 0 || $e == 0x7ff);
+	return (rat(0), 0) if $_[0] == 0;
+	my $m = $bits & (1 << 52) - 1 | 1 << 52;
+	my $v = rat(Math::BigInt->new("$m")) * two_to($e - 1075);
+	return ($bits >> 63 ? -$v : $v, $e - 1075);
+}
+
+# Half a unit in the last place of doubles that are no larger than this.
+sub half_unit {
+	my ($most) = @_;
+	my ($m, $e) = frexp($most);
+	return 2 ** ($e - 54);
+}
+
+# A constant of C: decimal, or 0x1p-44.
+sub constant {
+	my ($text) = @_;
+	return $text =~ /^0x1p([-+]?\d+)$/ ? 2 ** $1 : $text + 0;
+}
+
+# What the headers say.
+sub claims {
+	my ($text) = @_;
+	my %says = (
+		least => qr/POWER_MIN = (-?\d+)/, most => qr/POWER_MAX = (-?\d+)/,
+		power_error => qr/define POWER_ERROR (\S+)/,
+		margin => qr/define WRITE_MARGIN (\S+)/,
+		low => qr/n <= 6 \? 0 : ([\de.+-]+)\)/,
+		high_float => qr/LESS\(a, ALL\(single \? (\w+) :/,
+		high => qr/LESS\(a, ALL\(single \? \w+ : (\w+)\)/,
+		log => qr/FLOOR\(q \* ALL\(([\d.]+)\)\)/,
+		center => qr/scale - ALL\((\d+)\)\), ALL\([\d.]+\)/,
+		reach => qr/scale - ALL\(\d+\)\), ALL\(([\d.]+)\)/,
+		half_float => qr/two \* ALL\(single \? (\S+) :/,
+		half => qr/two \* ALL\(single \? \S+ : (\S+)\)/,
+		place_float => qr/log2_exact\(two\) - ALL\(single \? (\d+) :/,
+		place => qr/log2_exact\(two\) - ALL\(single \? \d+ : (\d+)\)/,
+		fours => qr/MUL32\(x, ALL_BITS\((\d+)\)\), 40/,
+		twos => qr/HIGH16\(x, ALL_BITS\((\d+) \* \w+\)\), 3/,
+		ones => qr/MUL16\(x, ALL_BITS\((\d+) \* \w+\)\), 10/,
+		least_unit => qr/q \+ scale >= (-\d+)/,
+		eight => qr/FLOOR\(whole \* ALL\((\S+)\)\)/,
+	);
+	for (values %says) {
+		$text =~ $_ or die "nothing like $_ in $vector\n";
+		$_ = constant($1);
+	}
+	my ($table) = $text =~ /powers\[POWERS\]\[2\] = \{(.*?)\n\};/s;
+	$says{powers} = [map { [split /, /] } $table =~ /\{ (.*?) \}/g];
+	return \%says;
+}
+
+my @refused;
+
+sub check {
+	my ($name, $well) = @_;
+	push @refused, $name unless $well;
+}
+
+# hi + lo of each power, and how far it is off, relatively.
+sub check_table {
+	my ($c) = @_;
+	my $k = $c->{least};
+	check('the table has every power',
+	    @{$c->{powers}} == $c->{most} - $c->{least} + 1);
+	for my $pair (@{$c->{powers}}) {
+		my ($hi, $lo) = @$pair;
+		my $power = ten_to($k);
+		my ($high, $place) = exactly($hi);
+		my ($low) = exactly($lo);
+		my $rest = $power - $high;
+		check("10^$k: hi is the nearest double",
+		    abs($rest) <= two_to($place - 1));
+		check("10^$k is hi", $k < 0 || $lo == 0 && $rest == 0);
+		check("10^$k: POWER_ERROR", abs($rest - $low) <=
+		    rat((exactly($c->{power_error}))[0]) * $power);
+		$k++;
+	}
+}
+
+# 10^scale, so that the last place 2^q is less than its inverse, by at most ten.
+sub check_scale {
+	my ($c, $q, $scale) = @_;
+	check("scale for 2^$q", two_to($q) < ten_to(-$scale) &&
+	    two_to($q) >= ten_to(-$scale - 1));
+	check("2^$q stays in the table",
+	    $scale >= $c->{least} && $scale <= $c->{most});
+}
+
+# Where nothing is rounded: x is a multiple of 2^unit, the ends of what reads back
+# of a quarter of that, ten times x of twice as much; and 10 is below 2^4.
+sub check_exact {
+	my ($q, $scale) = @_;
+	my $unit = $q + $scale;
+	check("2^$q: no whole number at an end", $unit < 0);
+	check("2^$q: the power is a double", power(5, $scale) < two_to(53));
+	check("2^$q: differences are exact", 0 - ($unit - 2) <= 53);
+	check("2^$q: tenths are exact", 4 - ($unit + 1) <= 53);
+	return $unit;
+}
+
+# The sum of errors where there are some: how far apart two sides must be. These
+# sums of a few terms are doubles themselves, which is accurate enough.
+sub needed {
+	my ($c, $q, $scale, $digits) = @_;
+	my $pair = $c->{powers}[$scale - $c->{least}] or return 1;
+	my ($hi, $lo) = @$pair;
+	my $most = 2 ** ($digits + $q);
+	my $e = half_unit($most * $hi) + $most * abs($lo);
+	my $of_power = $scale < 0 ? $c->{power_error} * $most * $hi : 0;
+	my $of_e = $scale < 0 ? half_unit($e) : 0;
+	my $rest = $of_power + $of_e + half_unit(1 + $e) + half_unit(1);
+	my $up = 0.5 * 2 ** -53;
+	my $ends = $rest + half_unit(1) + $up + half_unit(1);
+	my $tenths = 10 * $rest + half_unit(10);
+	return (1 + 2 ** -40) * ($tenths > $ends ? $tenths : $ends);
+}
+
+sub check_search {
+	my ($c, $single) = @_;
+	my $digits = $single ? 24 : 53;
+	my ($place, $half, $high) = map { $c->{$single ? "${_}_float" : $_} }
+	    qw(place half high);
+	my $q = floor(log($c->{low}) / log(2)) - $place;
+	my $top = floor(log($high) / log(2)) - $place;
+	$top-- if 2 ** ($top + $place) >= $high;
+	my $worst = 0;
+	check('the last place', $place == $digits - 1 &&
+	    $half == 2 ** -$digits);
+	for (; $q <= $top; $q++) {
+		my $scale = -1 - floor($q * $c->{log});
+		check_scale($c, $q, $scale);
+		if (abs($scale - $c->{center}) < $c->{reach}) {
+			my $unit = check_exact($q, $scale);
+			$c->{unit} = $unit if $unit < ($c->{unit} // 0);
+			next;
+		}
+		my $margin = needed($c, $q, $scale, $digits);
+		$worst = $margin if $margin > $worst;
+	}
+	check('write_find.h has the least unit', $c->{unit} == $c->{least_unit});
+	check('WRITE_MARGIN', $c->{margin} >= $worst);
+	return $worst;
+}
+
+# A quotient does not decrease, so the ends of each stretch tell of all of it.
+sub check_quotient {
+	my ($name, $most, $by, $factor, $shift) = @_;
+	my $well = 1;
+	for (my $x = $by; $x <= $most; $x += $by) {
+		$well &&= $x * $factor >> $shift == $x / $by &&
+		    ($x - 1) * $factor >> $shift == $x / $by - 1;
+	}
+	check($name, $well);
+}
+
+# For whole numbers below 2^53, those that end in 99999999 are the nearest to a
+# quotient too large: less than n by 10^-8, and more by what 1e-8 is too large.
+sub check_eight {
+	my ($c) = @_;
+	my ($factor) = exactly($c->{eight});
+	my $over = two_to(53) * ($factor - ten_to(-8));
+	check('1e-8 is not too small', $factor >= ten_to(-8));
+	check('1e-8 is not too large',
+	    ten_to(-8) - $over > half_unit(2 ** 53 / 1e8 + 1));
+}
+
+# All of it; returns the largest error.
+sub prove {
+	my ($text) = @_;
+	my $c = claims($text);
+	@refused = ();
+	check_table($c);
+	my @worst = map { check_search($c, $_) } 0, 1;
+	check_quotient('four digits', 10 ** 8, 10 ** 4, $c->{fours}, 40);
+	check_quotient('two digits', 10 ** 4, 100, $c->{twos}, 19);
+	check_quotient('one digit', 100, 10, $c->{ones}, 10);
+	check_eight($c);
+	return $worst[0] > $worst[1] ? $worst[0] : $worst[1];
+}
+
+my $headers = join '', map { slurp("$vector/$_") }
+    qw(powers.h vector.h write_find.h write_body.h);
+my $worst = prove($headers);
+is_deeply(\@refused, [], 'the table, the constants and the margin');
+my $units = $worst * 2 ** 53;
+note(sprintf 'the largest error is %.2f 2^-53', $units);
+cmp_ok($units, '<=', 58, 'no more than write_find.h counts');
+
+for my $m (
+	['WRITE_MARGIN 0x1p-44', 'WRITE_MARGIN 0x1p-48', 'WRITE_MARGIN'],
+	['-2.0816681711721684e-19', '-2.0816681711721e-19', '10^-2: POWER_ERROR'],
+	['{ 1e5, 0 }', '{ 100001, 0 }', '10^5 is hi'],
+	['0.30102999566398120', '0.30', 'scale for 2^'],
+	['ALL(10.5)', 'ALL(11.5)', '2^-72: tenths are exact'],
+	['n <= 6 ? 0 : 1e-6', 'n <= 6 ? 0 : 1e-7', 'stays in the table'],
+	['0x1p57', '0x1p58', '2^34 stays in the table'],
+	['109951163', '109951162', 'four digits'],
+	['5243', '5242', 'two digits'],
+	['103 *', '102 *', 'one digit'],
+	['ALL(1e-8)', 'ALL(9.999999999999999e-9)', '1e-8 is not too'],
+) {
+	my ($from, $to, $refused) = @$m;
+	my $text = $headers;
+	ok($text =~ s/\Q$from\E/$to/, "what is changed: $from");
+	prove($text);
+	ok((grep { /\Q$refused\E/ } @refused), "$to is refused")
+	    or diag(join "\n", @refused);
+}
+done_testing();
