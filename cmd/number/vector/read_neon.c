@@ -10,7 +10,7 @@
 #define IN_SET(set, s)                                                        \
 	((uint64_t)bits(in_set(set, (s) + 32), in_set(set, (s) + 48)) << 32 | \
 	    bits(in_set(set, s), in_set(set, (s) + 16)))
-#define DOTS(x) dots((const uint8_t *)&(x))
+#define DOTS(x) row_dots((const uint8_t *)&(x))
 #define ANY_TOP_BIT(x) any_top_bit((const uint8_t *)&(x))
 #define NEGATED_FMA(a, b, c) ((D)vfmsq_f64(c, a, b))
 #define DIFFERENT(a, b) different(a, b)
@@ -39,7 +39,7 @@ static inline uint8x16_t in_set(const struct byte_set *set, const char *s)
 	return vtstq_u8(low, vqtbl1q_u8(vld1q_u8(set->high), vshrq_n_u8(x, 4)));
 }
 
-static inline uint32_t dots(const uint8_t *x)
+static inline uint32_t row_dots(const uint8_t *x)
 {
 	return bits(vceqq_u8(vld1q_u8(x), vdupq_n_u8('.')),
 	    vceqq_u8(vld1q_u8(x + 16), vdupq_n_u8('.')));
