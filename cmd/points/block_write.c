@@ -98,8 +98,7 @@ static bool is_usual(const struct layout *l)
 	const int *field = l->columns.field;
 
 	return l->in == l->out && l->reads == 3 && l->writes == 3 &&
-	    (l->columns.n == 0 ||
-		(field[0] < field[1] && field[1] < field[2]));
+	    (l->columns.n == 0 || (field[0] < field[1] && field[1] < field[2]));
 }
 
 /* Whether a word after the last number has the usual separator before it, and
@@ -212,7 +211,7 @@ static size_t write_lines(struct block *b, size_t i, size_t end, size_t p)
 /* Points i to end - 1, each on a line of its own; no bytes of theirs are kept. */
 static void write_points(struct block *b, size_t i, size_t end)
 {
-	const struct line line = { .kind = LINE_POINT, .newline = true };
+	const struct line line = { "", .kind = LINE_POINT, .newline = true };
 	struct chunk *c = b->chunk;
 	char *at = chunk_reserve(c, lines_room(&b->job->layout, end - i, 0));
 
@@ -312,7 +311,7 @@ void block_write(const struct job *j, struct chunk *c, size_t n, size_t points,
 
 void block_write_nan(const struct job *j, struct chunk *c)
 {
-	const struct line line = { .kind = LINE_BAD, .newline = true };
+	const struct line line = { "", .kind = LINE_BAD, .newline = true };
 	struct block b = { .job = j, .chunk = c };
 
 	if (j->take != NULL)
