@@ -155,6 +155,27 @@ static void check_digits(double v, int n)
 	want(significant(text) == significant(truth));
 }
 
+/* Among others, which the vector takes with it. */
+static void check_texts(double v, int n)
+{
+	const double numbers[64] = { v, 1, -v, 0.1, (double)(float)v };
+	struct number_text texts[64];
+	char expected[NUMBER_MAX + 1], text[NUMBER_MAX + 65];
+
+	number_choose(NULL);
+	for (unsigned kind = NUMBER_SHORTEST; kind <= NUMBER_WITHIN; kind++) {
+		const struct number_style style = { kind, n };
+
+		number_texts(numbers, 5, false, style, texts);
+		for (int i = 0; i < 5; i++) {
+			*number_put(text, &texts[i], numbers[i], false,
+			    style) = '\0';
+			*number_write(expected, numbers[i], style) = '\0';
+			want(strcmp(text, expected) == 0);
+		}
+	}
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
 	double v = 0;
@@ -169,8 +190,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	check_float(f);
 	check_decimals(v, n);
 	check_digits(v, n > 0 ? n : 1);
+	check_texts(v, n > 0 ? n : 1);
 	number_read((const char *)data, (const char *)data + size, &v);
 	check_decimals(v, n);
 	check_digits(v, n > 0 ? n : 1);
+	check_texts(v, n > 0 ? n : 1);
 	return 0;
 }

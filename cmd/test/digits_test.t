@@ -68,16 +68,15 @@ sub claims {
 		least => qr/POWER_MIN = (-?\d+)/, most => qr/POWER_MAX = (-?\d+)/,
 		power_error => qr/define POWER_ERROR (\S+)/,
 		margin => qr/define WRITE_MARGIN (\S+)/,
-		low => qr/n <= 6 \? 0 : ([\de.+-]+)\)/,
+		low => qr/n <= 6 \? 0 : (\w+-\d+)\)/,
 		high_float => qr/LESS\(a, ALL\(single \? (\w+) :/,
 		high => qr/LESS\(a, ALL\(single \? \w+ : (\w+)\)/,
 		log => qr/FLOOR\(q \* ALL\(([\d.]+)\)\)/,
-		center => qr/scale - ALL\((\d+)\)\), ALL\([\d.]+\)/,
-		reach => qr/scale - ALL\(\d+\)\), ALL\(([\d.]+)\)/,
+		exact_from => qr{exact = LESS\(ALL\(([-\d.]+)\), scale\)},
 		half_float => qr/two \* ALL\(single \? (\S+) :/,
 		half => qr/two \* ALL\(single \? \S+ : (\S+)\)/,
-		place_float => qr/log2_exact\(two\) - ALL\(single \? (\d+) :/,
-		place => qr/log2_exact\(two\) - ALL\(single \? \d+ : (\d+)\)/,
+		place_float => qr/log2_less\(two, single \? (\d+) :/,
+		place => qr/log2_less\(two, single \? \d+ : (\d+)\)/,
 		fours => qr/MUL32\(x, ALL_BITS\((\d+)\)\), 40/,
 		twos => qr/HIGH16\(x, ALL_BITS\((\d+) \* \w+\)\), 3/,
 		ones => qr/MUL16\(x, ALL_BITS\((\d+) \* \w+\)\), 10/,
@@ -173,7 +172,7 @@ sub check_search {
 	for (; $q <= $top; $q++) {
 		my $scale = -1 - floor($q * $c->{log});
 		check_scale($c, $q, $scale);
-		if (abs($scale - $c->{center}) < $c->{reach}) {
+		if ($c->{exact_from} < $scale) {
 			my $unit = check_exact($q, $scale);
 			$c->{unit} = $unit if $unit < ($c->{unit} // 0);
 			next;
@@ -235,9 +234,11 @@ for my $m (
 	['-2.0816681711721684e-19', '-2.0816681711721e-19', '10^-2: POWER_ERROR'],
 	['{ 1e5, 0 }', '{ 100001, 0 }', '10^5 is hi'],
 	['0.30102999566398120', '0.30', 'scale for 2^'],
-	['ALL(10.5)', 'ALL(11.5)', '2^-72: tenths are exact'],
-	['n <= 6 ? 0 : 1e-6', 'n <= 6 ? 0 : 1e-7', 'stays in the table'],
-	['0x1p57', '0x1p58', '2^34 stays in the table'],
+	['exact = LESS(ALL(-0.5)', 'exact = LESS(ALL(-1.5)',
+	    'no whole number at an end'],
+	['n <= 6 ? 0 : 0x1p-17', 'n <= 6 ? 0 : 0x1p-18',
+	    '2^-70 stays in the table'],
+	['0x1p60', '0x1p61', '2^37 stays in the table'],
 	['109951163', '109951162', 'four digits'],
 	['5243', '5242', 'two digits'],
 	['103 *', '102 *', 'one digit'],

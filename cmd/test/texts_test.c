@@ -246,7 +246,7 @@ static void are_made(void **unused)
 				    below(42) - 18);
 			number_texts(v, BLOCK, k % 2, usual[k / 2], t);
 			for (int i = 0; i < BLOCK; i++)
-				if (t[i].b[31] == 0 && fabs(v[i]) > 0x1p-19 &&
+				if (t[i].b[31] == 0 && fabs(v[i]) > 0x1p-17 &&
 				    (k / 2 != 1 || fabs(v[i]) < 9e9))
 					fail_msg("%a is not made", v[i]);
 		}

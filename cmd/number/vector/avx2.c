@@ -23,6 +23,7 @@
 #define EQUAL(a, b) _mm256_castpd_si256(_mm256_cmp_pd(a, b, _CMP_EQ_OQ))
 #define CHOOSE(m, a, b) _mm256_blendv_pd(b, a, _mm256_castsi256_pd(m))
 #define ONLY(m, a) _mm256_and_pd(_mm256_castsi256_pd(m), a)
+#define UNLESS(m, a) _mm256_andnot_pd(_mm256_castsi256_pd(m), a)
 #define BITS(a) _mm256_castpd_si256(a)
 #define DOUBLES(a) _mm256_castsi256_pd(a)
 #define ALL_BITS(a) _mm256_set1_epi64x((long long)(a))

@@ -25,6 +25,7 @@
 #define EQUAL(a, b) _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ)
 #define CHOOSE(m, a, b) _mm512_mask_blend_pd((M)(m), b, a)
 #define ONLY(m, a) _mm512_maskz_mov_pd((M)(m), a)
+#define UNLESS(m, a) _mm512_maskz_mov_pd((M) ~(m), a)
 #define BITS(a) _mm512_castpd_si512(a)
 #define DOUBLES(a) _mm512_castsi512_pd(a)
 #define ALL_BITS(a) _mm512_set1_epi64((long long)(a))

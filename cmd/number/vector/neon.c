@@ -22,6 +22,7 @@
 #define EQUAL(a, b) vceqq_f64(a, b)
 #define CHOOSE(m, a, b) vbslq_f64(m, a, b)
 #define ONLY(m, a) DOUBLES((m)&BITS(a))
+#define UNLESS(m, a) DOUBLES(vbicq_u64(BITS(a), m))
 #define BITS(a) vreinterpretq_u64_f64(a)
 #define DOUBLES(a) vreinterpretq_f64_u64(a)
 #define ALL_BITS(a) vdupq_n_u64((uint64_t)(a))

@@ -1,14 +1,15 @@
-/* 10^-10 to 10^21 as hi + lo, each the nearest double to what is left: hi is the
+/* 10^-11 to 10^20 as hi + lo, each the nearest double to what is left: hi is the
  * power itself from 10^0 on, and below it hi + lo is within POWER_ERROR of it,
  * relatively. (digits_test.t recomputes them.) */
 #ifndef POWERS_H
 #define POWERS_H
 
-enum { POWER_MIN = -10, POWER_MAX = 21, POWERS = 32 };
+enum { POWER_MIN = -11, POWER_MAX = 20, POWERS = 32 };
 
 #define POWER_ERROR 0x1p-106
 
 static const double powers[POWERS][2] = {
+	{ 1e-11, 6.0503030718060191e-28 },
 	{ 1e-10, -3.6432197315497743e-27 },
 	{ 1e-9, -6.2281591457779853e-26 },
 	{ 1e-8, -2.0922560830128471e-25 },
@@ -40,7 +41,6 @@ static const double powers[POWERS][2] = {
 	{ 1e18, 0 },
 	{ 1e19, 0 },
 	{ 1e20, 0 },
-	{ 1e21, 0 },
 };
 
 #endif

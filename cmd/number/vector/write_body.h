@@ -17,6 +17,7 @@
  *	LESS, EQUAL	an M; no where one is nan
  *	CHOOSE(m, a, b)	m ? a : b
  *	ONLY(m, a)	m ? a : 0
+ *	UNLESS(m, a)	m ? 0 : a
  *	BITS, DOUBLES	V as I and back
  *	ALL_BITS(a)	a in each lane of an I
  *	SHL, SHR(a, n)	of an I's lanes, zeros shifted in
@@ -42,9 +43,9 @@ enum { BEFORE = 8, FIELD = 64 };
 struct fields {
 	char b[TEXTS][FIELD];
 	uint16_t nonzero[TEXTS]; /* a bit for each of the 16 */
-	/* where the text begins in its field, with a minus or a digit; how many
-	 * characters stand before its point; its length, 0 for none */
-	int8_t start[TEXTS], before[TEXTS], size[TEXTS];
+	/* where the digits of the text begin, whether a minus stands before
+	 * them; how many characters stand before the point; all, 0 for none */
+	int8_t first[TEXTS], minus[TEXTS], before[TEXTS], size[TEXTS];
 };
 
 /* The digits of x < 10^8, which is the lower half of its lane: four and four, then
@@ -95,20 +96,23 @@ INLINE int highest_bit(int x)
 /* A text begins with its first digit, or with a zero before the point. Without a
  * point it ends there, or else with its last digit, which is not 0 unless zeros are
  * kept. */
-INLINE void lay_out(struct fields *to, const struct found *f, bool keep_zeros)
+INLINE void lay_out(struct fields *to, const struct found *f, int whole_digits,
+    bool keep_zeros)
 {
 	for (size_t i = 0; i < TEXTS; i++) {
 		int digits = to->nonzero[i] | (f->digit[i] != 0) << DIGITS;
-		int some = digits | 1 << DIGITS, point = f->point[i];
-		int first = highest_bit(some & -some);
+		int some = digits | 1 << DIGITS, sign = f->sign[i];
+		int first = highest_bit(some & -some), minus = sign < 0;
 		int end = keep_zeros ? DIGITS : highest_bit(digits) + 1;
+		int point = whole_digits - f->scale[i];
 		int begin = first < point - 1 ? first : point - 1;
-		int before = point - begin + f->minus[i];
+		int before = point - begin + minus;
 		int after = end > point ? end - point + 1 : 0;
 
-		to->start[i] = (int8_t)(BEFORE + begin - f->minus[i]);
+		to->first[i] = (int8_t)(BEFORE + begin);
+		to->minus[i] = (int8_t)minus;
 		to->before[i] = (int8_t)before;
-		to->size[i] = (int8_t)((before + after) * f->made[i]);
+		to->size[i] = (int8_t)((before + after) * (sign != 0));
 	}
 }
 
@@ -123,14 +127,15 @@ INLINE void write_around(struct fields *to, const struct found *f)
 
 		memcpy(digits - BEFORE, &zeros, BEFORE);
 		memset(digits + DIGITS, '0' + f->digit[i], 1);
-		digits[to->start[i] - BEFORE + f->minus[i] - 1] = '-';
+		to->b[i][to->first[i] - 1] = '-';
 	}
 }
 
 INLINE void write_texts(struct number_text *t, const struct fields *from)
 {
 	for (size_t i = 0; i < TEXTS; i++) {
-		copy_with_point(t[i].b, from->b[i] + from->start[i],
+		copy_with_point(t[i].b,
+		    from->b[i] + from->first[i] - from->minus[i],
 		    from->before[i]);
 		t[i].b[sizeof t[i].b - 1] = (char)from->size[i];
 	}
@@ -153,7 +158,7 @@ INLINE void write_all(const double *v, size_t count, bool decimals, int n,
 				find_shortest(&f, i, n, single, &tens,
 				    LOAD(v + i));
 		write_digits(&fields, &f);
-		lay_out(&fields, &f, decimals);
+		lay_out(&fields, &f, single ? DIGITS / 2 : DIGITS, decimals);
 		write_around(&fields, &f);
 		write_texts(t, &fields);
 	}

@@ -1,6 +1,6 @@
 /* The decimal digits of a number, found by operations on doubles (write_body.h
- * says which). Nothing is rounded below 2^53, or 2^24 for floats, down to 1e-6;
- * beyond that what rounding could change is left to number_write. */
+ * says which). From 2^-17 to 2^52, of floats to 2^23, none of them rounds; beyond
+ * that, what rounding could change is left to number_write. */
 #ifndef WRITE_FIND_H
 #define WRITE_FIND_H
 
@@ -19,15 +19,15 @@
 enum { DIGITS = 16 };
 
 /* What is written of a number: the DIGITS digits of whole, a 17th, digit, unless
- * that is 0, and a point after the first point of them. 1 or 0 says whether there
- * is a minus, and whether it is made at all. */
+ * that is 0; the point is scale digits before the end of whole. sign is -1 for a
+ * minus, 1 for none, 0 for what is not made. */
 struct found {
 	double whole[TEXTS];
-	int32_t digit[TEXTS], point[TEXTS], minus[TEXTS], made[TEXTS];
+	int32_t digit[TEXTS], scale[TEXTS], sign[TEXTS];
 };
 
 /* x = a 10^scale as p + e, and the greatest integer i <= p. hi + lo is the power;
- * where scale >= 0 it is hi, of 49 bits at most (5^21 < 2^49), so that e, what
+ * where scale >= 0 it is hi, of 47 bits at most (5^20 < 2^47), so that e, what
  * the product's rounding to p has lost, is exact, and x = p + e. */
 struct scaled {
 	V p, e, i;
@@ -44,9 +44,9 @@ INLINE struct scaled scaled(V a, V hi, V lo)
 
 /* The nearest whole number to x < 2^53, ties to even, where scale >= 0. p - i - 1/2
  * is exact, and |e| at most half a unit of p's last place. The sum, though rounded,
- * has the sign of x - i - 1/2. It is 0 if e = 0 and NEAREST breaks the tie, or if
- * p > 2^52 is whole and e = 1/2: then p is even already, as x, halfway between two
- * doubles, was rounded to it. */
+ * has the sign of x - i - 1/2. It is 0 if e = 0 and NEAREST breaks the tie. The
+ * other tie is p > 2^52, whole, with |e| = 1/2: then p is even already, as x, halfway
+ * between two doubles, was rounded to it; and p is what either way gives. */
 INLINE V nearest(struct scaled x)
 {
 	V rest = (x.p - x.i - ALL(0.5)) + x.e;
@@ -71,7 +71,7 @@ struct digits {
  * have a 17th digit, and the nearest tenth, no farther than 1/20, is there: only
  * next to a power of two need it not be, and number_write goes on.
  *
- * For scale from 0 to 20 nothing is rounded. x is a multiple of 2^(q + scale), up
+ * For scale >= 0 nothing is rounded. x is a multiple of 2^(q + scale), up
  * is half of that multiplied by 5^scale, an odd number, so that no whole number is
  * at x + up or x - down. With q + scale >= -49 (digits_test.t counts) all
  * differences are below 1 and multiples of 2^-51, the tenths below 10 and multiples
@@ -94,7 +94,7 @@ INLINE struct digits shortest(V a, V two, V scale, V hi, struct scaled x,
     bool single)
 {
 	const V one = ALL(1);
-	M exact = LESS(ABS(scale - ALL(10)), ALL(10.5));
+	M exact = LESS(ALL(-0.5), scale);
 	M power_of_two = EQUAL(a, two);
 	V rest = (x.p - x.i) + x.e, j = FLOOR(rest);
 	V up = hi * two * ALL(single ? 0x1p-24 : 0x1p-53);
@@ -104,23 +104,24 @@ INLINE struct digits shortest(V a, V two, V scale, V hi, struct scaled x,
 	V to_next = one - rest, tenths = rest * ALL(10);
 	V digit = NEAREST(tenths);
 	M below = LESS(rest, down), above = LESS(to_next, up);
+	M there = below | above;
 	V ends = MIN(ABS(rest - down), ABS(to_next - up));
 	V margin = MIN(ends, ALL(0.5) - ABS(tenths - digit));
 
 	return (struct digits){
 		.whole = x.i + j + ONLY(above, one),
-		.digit = ONLY(~(below | above), digit),
-		.sure = (exact | ~LESS(margin, ALL(WRITE_MARGIN))) &
-		    (below | above | ~power_of_two),
+		.digit = UNLESS(there, digit),
+		.sure = (exact | LESS(ALL(WRITE_MARGIN), margin)) &
+		    ~(~there & power_of_two),
 	};
 }
 
-/* The exponent of a power of two. */
-INLINE V log2_exact(V two)
+/* The exponent of a power of two, less place: in the lowest bits of 2^52. */
+INLINE V log2_less(V two, double place)
 {
 	V biased = DOUBLES(SHR(BITS(two), 52) | BITS(ALL(0x1p52)));
 
-	return biased - ALL(0x1p52 + 1023);
+	return biased - ALL(0x1p52 + 1023 + place);
 }
 
 INLINE V power_of_two_in(V a)
@@ -129,15 +130,14 @@ INLINE V power_of_two_in(V a)
 }
 
 INLINE void store_found(struct found *f, size_t i, V v, struct digits d,
-    V point)
+    V scale)
 {
 	M minus = LESS(v, ALL(0)) & ~EQUAL(d.whole, ALL(0));
 
 	STORE(f->whole + i, d.whole);
 	STORE_INTS(f->digit + i, d.digit);
-	STORE_INTS(f->point + i, point);
-	STORE_INTS(f->minus + i, ONLY(minus, ALL(1)));
-	STORE_INTS(f->made + i, ONLY(d.sure, ALL(1)));
+	STORE_INTS(f->scale + i, scale);
+	STORE_INTS(f->sign + i, ONLY(d.sure, CHOOSE(minus, ALL(-1), ALL(1))));
 }
 
 INLINE void find_decimals(struct found *f, size_t i, int n,
@@ -149,7 +149,7 @@ INLINE void find_decimals(struct found *f, size_t i, int n,
 	struct scaled x = scaled(ABS(v), hi, lo);
 	struct digits d = { nearest(x), ALL(0), LESS(x.p, ALL(0x1p53)) };
 
-	store_found(f, i, v, d, ALL(DIGITS) - scale);
+	store_found(f, i, v, d, scale);
 }
 
 /* The shortest; or, if n <= POWER_MAX, that with at most n decimals. Where n is
@@ -158,20 +158,20 @@ INLINE void find_decimals(struct found *f, size_t i, int n,
  * the nearest to a, and the shortest, but for zeros at its end; so the nearest it
  * is in any case.
  *
- * Plain text goes from 1e-6, or for up to six decimals from 0, to 1e21; but here of
- * floats to 2^57, as the table begins with 10^-10. For what is not in this range
- * two is 1, so that the table is not left. */
+ * Plain text goes from 1e-6, or with up to six decimals from 0, to 1e21. Here it
+ * is from 2^-17, and of floats to 2^60, as far as the table goes; for what is not in
+ * this range two is 1, so that the table is not left. */
 INLINE void find_shortest(struct found *f, size_t i, int n, bool single,
     const struct tens *tens, V v)
 {
 	const bool limited = n <= POWER_MAX;
-	const V one = ALL(1), low = ALL(n <= 6 ? 0 : 1e-6);
+	const V one = ALL(1), low = ALL(n <= 6 ? 0 : 0x1p-17);
 	V a = ABS(v), hi, lo;
-	M in_range = LESS(a, ALL(single ? 0x1p57 : 1e21)) & ~LESS(a, low);
+	M in_range = LESS(a, ALL(single ? 0x1p60 : 1e21)) & ~LESS(a, low);
 	V two = power_of_two_in(CHOOSE(in_range, a, one));
-	V q = log2_exact(two) - ALL(single ? 23 : 52);
+	V q = log2_less(two, single ? 23 : 52);
 	V scale = -one - FLOOR(q * ALL(0.30102999566398120));
-	M by_n = ~LESS(scale, ALL(n));
+	M by_n = LESS(ALL(n - 0.5), scale);
 
 	if (limited)
 		scale = MIN(scale, ALL(n));
@@ -181,16 +181,15 @@ INLINE void find_shortest(struct found *f, size_t i, int n, bool single,
 
 	if (limited) {
 		d.whole = CHOOSE(by_n, nearest(x), d.whole);
-		d.digit = ONLY(~by_n, d.digit);
+		d.digit = UNLESS(by_n, d.digit);
 		d.sure = d.sure | by_n;
 	}
 	d.sure = d.sure & (in_range | EQUAL(a, ALL(0)));
 	if (single) { /* eight digits and the ninth */
 		d.whole = FMA(d.whole, ALL(1e8), d.digit * ALL(1e7));
 		d.digit = ALL(0);
-		scale = scale + ALL(8);
 	}
-	store_found(f, i, v, d, ALL(DIGITS) - scale);
+	store_found(f, i, v, d, scale);
 }
 
 #endif
