@@ -91,11 +91,12 @@ unsigned frustum_out(const struct frustum *f, const double in[4])
 	return out;
 }
 
-/* The columns of a map as point_estimate takes them, which says why: a value above
- * slope all + floor has a sure sign where all, |x| + |y| + |z| from the origin, is
- * not below low and below high. */
+/* The columns of a map as point_estimate takes them, which says why: all their
+ * values above slope all + floor have sure signs where all, |x| + |y| + |z| from
+ * the origin, is not below low and below high. One bound for all columns, the
+ * largest, leaves a few more points to be looked at and saves the others. */
 struct estimate {
-	double origin[3], m[4][4], slope[4], floor[4], low, high;
+	double origin[3], m[4][4], slope, floor, low, high;
 };
 
 static struct estimate estimate_of(const struct transform *t, int columns)
@@ -108,8 +109,8 @@ static struct estimate estimate_of(const struct transform *t, int columns)
 	for (int j = 0; j < columns; j++) {
 		for (int i = 0; i < 4; i++)
 			e.m[i][j] = k->hi[i][j];
-		e.slope[j] = 0x1p-45 * k->most[j] + 2 * k->none[j];
-		e.floor[j] = 0x1p-45 * k->image[j] + 2 * k->none[j];
+		e.slope = fmax(e.slope, 0x1p-45 * k->most[j] + 2 * k->none[j]);
+		e.floor = fmax(e.floor, 0x1p-45 * k->image[j] + 2 * k->none[j]);
 		if (!(k->image[j] > 0x1p-899))
 			e.low = fmax(e.low, 0x1p-899 / k->most[j]);
 		e.high = fmin(e.high, (0x1p999 - k->image[j]) / k->most[j]);
@@ -117,9 +118,11 @@ static struct estimate estimate_of(const struct transform *t, int columns)
 	return e;
 }
 
-/* Adds 2^j to word[i] where column j is negative at point i, and at least 2^16
+enum { UNSURE = 1 << 16 };
+
+/* Adds weight 2^j to word[i] where column j is negative at point i, and UNSURE
  * where that is not sure of all. In doubles alone, so that the compiler makes a
- * loop of vectors of it. */
+ * loop of vectors of it. Where all is in its range no value is nan. */
 static inline void add_signs(const struct estimate *e, int columns,
     double weight, const double *const in[3], double *restrict word, size_t n)
 {
@@ -128,20 +131,21 @@ static inline void add_signs(const struct estimate *e, int columns,
 	for (size_t i = 0; i < n; i++) {
 		double a = x[i] - e->origin[0], b = y[i] - e->origin[1];
 		double c = z[i] - e->origin[2];
-		double all = fabs(a) + fabs(b) + fabs(c);
+		double all = fabs(a) + fabs(b) + fabs(c), least = INFINITY;
 		double sum = word[i];
 
-		sum += all >= e->low ? 0 : 0x1p16;
-		sum += all < e->high ? 0 : 0x1p16;
 		for (int j = 0; j < columns; j++) {
 			double v = a * e->m[0][j] + b * e->m[1][j] +
 			    c * e->m[2][j] + e->m[3][j];
-			double least = e->slope[j] * all + e->floor[j];
 
-			sum += fabs(v) > least ? 0 : 0x1p16;
+			least = fabs(v) < least ? fabs(v) : least;
 			sum += v < 0 ? weight * (1 << j) : 0;
 		}
-		word[i] = sum;
+		word[i] = sum +
+		    ((all >= e->low) & (all < e->high) &
+				(least > e->slope * all + e->floor) ?
+			    0 :
+			    UNSURE);
 	}
 }
 
@@ -160,7 +164,7 @@ static void out_few(const struct frustum *f, const struct estimate *sides,
 		unsigned planes = (unsigned)word[i];
 		const double p[4] = { in[0][i], in[1][i], in[2][i] };
 
-		if (planes >= 1u << 16)
+		if (planes >= UNSURE)
 			planes = frustum_out(f, p);
 		out[i] = planes & OUT_BEHIND ? OUT_BEHIND :
 					       (unsigned char)planes;
