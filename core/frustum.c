@@ -102,7 +102,7 @@ struct estimate {
 static struct estimate estimate_of(const struct transform *t, int columns)
 {
 	const struct kernel_map *k = &t->for_kernel;
-	struct estimate e = { .low = 0, .high = INFINITY };
+	struct estimate e = { .low = 0, .high = (double)INFINITY };
 
 	for (int i = 0; i < 3; i++)
 		e.origin[i] = k->origin[i];
@@ -131,7 +131,8 @@ static inline void add_signs(const struct estimate *e, int columns,
 	for (size_t i = 0; i < n; i++) {
 		double a = x[i] - e->origin[0], b = y[i] - e->origin[1];
 		double c = z[i] - e->origin[2];
-		double all = fabs(a) + fabs(b) + fabs(c), least = INFINITY;
+		double all = fabs(a) + fabs(b) + fabs(c),
+		       least = (double)INFINITY;
 		double sum = word[i];
 
 		for (int j = 0; j < columns; j++) {
@@ -141,11 +142,10 @@ static inline void add_signs(const struct estimate *e, int columns,
 			least = fabs(v) < least ? fabs(v) : least;
 			sum += v < 0 ? weight * (1 << j) : 0;
 		}
-		word[i] = sum +
-		    ((all >= e->low) & (all < e->high) &
-				(least > e->slope * all + e->floor) ?
-			    0 :
-			    UNSURE);
+		bool sure = (all >= e->low) & (all < e->high) &
+		    (least > e->slope * all + e->floor);
+
+		word[i] = sum + (sure ? 0 : UNSURE);
 	}
 }
 

@@ -164,6 +164,21 @@ static inline char *put_usual(struct block *b, const struct line *line,
 	return at + line->newline;
 }
 
+/* Writes the line of point p with its image, if it is wanted. */
+static char *put_image(struct block *b, const struct line *line, size_t p,
+    char *at)
+{
+	const struct job *j = b->job;
+
+	if (!is_wanted(b, p))
+		return at;
+	if (p >= b->texts.end)
+		make_texts(b, p);
+	return b->usual && (!j->flags || takes_word(&j->layout, line)) ?
+	    put_usual(b, line, p, at) :
+	    put_point(b, line, p, at);
+}
+
 /* Writes a line that is no point: a comment or a header as it is, a bad line as
  * nan in each coordinate. */
 static char *put_other(const struct job *j, const struct line *line, char *at)
@@ -184,28 +199,16 @@ static char *put_other(const struct job *j, const struct line *line, char *at)
  * after them. */
 static size_t write_lines(struct block *b, size_t i, size_t end, size_t p)
 {
-	const struct layout *l = &b->job->layout;
-	bool flags = b->job->flags;
 	struct chunk *c = b->chunk;
 	const struct line *last = &c->line[end - 1];
 	size_t bytes = (size_t)(last->s + last->size - c->line[i].s);
-	char *at = chunk_reserve(c, lines_room(l, end - i, bytes));
+	char *at = chunk_reserve(c,
+	    lines_room(&b->job->layout, end - i, bytes));
 
-	for (; i < end; i++) {
-		const struct line *line = &c->line[i];
-
-		if (line->kind != LINE_POINT) {
-			at = put_other(b->job, line, at);
-			continue;
-		}
-		if (p >= b->texts.end)
-			make_texts(b, p);
-		if (is_wanted(b, p))
-			at = b->usual && (!flags || takes_word(l, line)) ?
-			    put_usual(b, line, p, at) :
-			    put_point(b, line, p, at);
-		p++;
-	}
+	for (; i < end; i++)
+		at = c->line[i].kind == LINE_POINT ?
+		    put_image(b, &c->line[i], p++, at) :
+		    put_other(b->job, &c->line[i], at);
 	c->size = (size_t)(at - c->out);
 	return p;
 }
@@ -217,12 +220,8 @@ static void write_points(struct block *b, size_t i, size_t end)
 	struct chunk *c = b->chunk;
 	char *at = chunk_reserve(c, lines_room(&b->job->layout, end - i, 0));
 
-	for (; i < end; i++) {
-		if (i >= b->texts.end)
-			make_texts(b, i);
-		if (is_wanted(b, i))
-			at = put_point(b, &line, i, at);
-	}
+	for (; i < end; i++)
+		at = put_image(b, &line, i, at);
 	c->size = (size_t)(at - c->out);
 }
 
