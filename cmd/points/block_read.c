@@ -94,16 +94,19 @@ static bool read_walked(struct block *b, const struct walk *walk)
 size_t block_read(struct job *j, struct chunk *c, size_t *points)
 {
 	struct block b = { j, c, 0, 0 };
+	struct stretch *s = &c->stretch;
+	bool more = true, planned = false, walks = false;
 	struct walk walk;
-	bool more = true;
 
 	while (more && b.lines < POINTS_BLOCK && c->text < c->end) {
-		bool walks = plain_reader() != NULL && !c->header &&
-		    walk_plan(&j->layout, &walk);
-
+		/* only after the header it is known where the columns are */
+		if (!planned && !c->header) {
+			planned = true;
+			walks = plain_reader() != NULL &&
+			    walk_plan(&j->layout, &walk);
+		}
 		if (walks &&
-		    (c->stretch.at < c->stretch.end ||
-			stretch_open(&c->stretch, &walk, c->text, c->end)))
+		    (s->at < s->end || stretch_open(s, &walk, c->text, c->end)))
 			more = read_walked(&b, &walk);
 		else
 			more = read_next(&b);

@@ -2,43 +2,66 @@
 
 #include <string.h>
 
-/* The blanks \t to \r with the newline, ' ' and ','. */
-#define BLANKS 1, 1, 1, 1, 1
-
 /* What can end a field: blanks, newlines and commas; in csv quotes, where the
  * field is to be left; in JSON brackets, and what strings hold but rarely. */
-static const struct byte_set stops[] = {
-	[FORMAT_TEXT] = { { 2, [9] = 1, 1, 1, 2 | 1, 1 }, { 1, 0, 2 } },
-	[FORMAT_CSV] = { { 2, 0, 2, [9] = 1, 1, 1, 2 | 1, 1 }, { 1, 0, 2 } },
-	[FORMAT_JSON] = { { 2 | 1, 1, 2 | 1, 1, 1, 1, 1, 1, 1, 1, 1, 4 | 8 | 1,
-			      2 | 4 | 1, 4 | 8 | 1, 1, 1 },
-	    { 1, 1, 2, [5] = 4, [7] = 8 } },
-};
+#define TEXT_STOPS "\t\n\v\f\r ,"
+#define CONTROLS                                                  \
+	"\0\1\2\3\4\5\6\7\10\16\17\20\21\22\23\24\25\26\27\30\31" \
+	"\32\33\34\35\36\37"
+static const char text_stops[] = TEXT_STOPS, csv_stops[] = TEXT_STOPS "\"",
+		  json_stops[] = TEXT_STOPS "\"[]{}\\" CONTROLS;
+
+/* A bit for each value of the upper four: there may be eight of these. */
+static struct byte_set set_of(const char *bytes, size_t n)
+{
+	struct byte_set set = { { 0 }, { 0 } };
+	int bits = 0;
+
+	for (size_t i = 0; i < n; i++) {
+		uint8_t b = (uint8_t)bytes[i], *bit = &set.high[b >> 4];
+
+		if (*bit == 0)
+			*bit = (uint8_t)(1 << bits++);
+		set.low[b & 15] |= *bit;
+	}
+	return set;
+}
+
+static struct byte_set stops_of(enum format format)
+{
+	switch (format) {
+	case FORMAT_CSV:
+		return set_of(csv_stops, sizeof csv_stops - 1);
+	case FORMAT_JSON:
+		return set_of(json_stops, sizeof json_stops - 1);
+	default:
+		return set_of(text_stops, sizeof text_stops - 1);
+	}
+}
 
 bool walk_plan(const struct layout *l, struct walk *w)
 {
-	int n = l->reads, field = -1;
+	const int *field = l->columns.field;
+	int n = l->reads, last = -1;
 
 	*w = (struct walk){ .format = l->in,
+		.stops = stops_of(l->in),
 		.n = n,
 		.columns = l->columns.n > 0 };
 	for (int i = 0; i < n; i++)
 		w->coordinate[i] = i;
 	if (!w->columns)
 		return true;
-	for (int i = 0; i < n; i++)
-		for (int k = i; k > 0 &&
-		     l->columns.field[w->coordinate[k - 1]] >
-			 l->columns.field[w->coordinate[k]];
-		     k--) {
-			int other = w->coordinate[k];
-
-			w->coordinate[k] = w->coordinate[k - 1];
-			w->coordinate[k - 1] = other;
-		}
 	for (int i = 0; i < n; i++) {
-		w->skip[i] = l->columns.field[w->coordinate[i]] - field - 1;
-		field = l->columns.field[w->coordinate[i]];
+		int k = i;
+
+		for (; k > 0 && field[w->coordinate[k - 1]] > field[i]; k--)
+			w->coordinate[k] = w->coordinate[k - 1];
+		w->coordinate[k] = i;
+	}
+	for (int i = 0; i < n; i++) {
+		w->skip[i] = field[w->coordinate[i]] - last - 1;
+		last = field[w->coordinate[i]];
 		if (w->skip[i] < 0)
 			return false;
 	}
@@ -52,7 +75,7 @@ bool stretch_open(struct stretch *w, const struct walk *walk, const char *text,
 
 	if (size > STRETCH)
 		size = STRETCH;
-	n = plain_reader()->find(&stops[walk->format], text, size, w->stop);
+	n = plain_reader()->find(&walk->stops, text, size, w->stop);
 	while (n > 0 && text[w->stop[n - 1]] != '\n')
 		n--;
 	w->text = text;

@@ -7,8 +7,11 @@
 #include "../number/plain.h"
 #include "line.h"
 
+/* Bytes that stay in the nearest cache until their numbers are read; 2^16 at
+ * most, for stop. */
 enum { STRETCH = 1 << 14 };
 
+/* A stretch of text, with the places of the bytes that can end a field. */
 struct stretch {
 	const char *readable; /* from here on, text may be looked at */
 	const char *text;     /* its beginning */
@@ -20,6 +23,7 @@ struct stretch {
 /* The order in which the coordinates stand on a line. */
 struct walk {
 	enum format format;
+	struct byte_set stops; /* what can end a field */
 	int n;
 	bool columns;      /* else they are the first fields */
 	int skip[4];       /* fields before each that are none */
