@@ -25,7 +25,7 @@ typedef uint64_t U __attribute__((vector_size(LANES * 8)));
 typedef int64_t I __attribute__((vector_size(LANES * 8)));
 typedef double D __attribute__((vector_size(LANES * 8)));
 
-/* Digits, right-aligned, and what the number that they make is divided by. */
+/* Digits, right-aligned, the last 16 of them in low, and what the number that they make is divided by. */
 struct rows {
 	uint8_t low[PLAIN_BATCH][16], high[PLAIN_BATCH][16];
 	double scale[PLAIN_BATCH];
@@ -39,38 +39,8 @@ static inline row row_at(const void *p)
 	return r;
 }
 
-static const uint8_t window[64] = { [32] = 255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255,
-	255 };
+#define EIGHT 255, 255, 255, 255, 255, 255, 255, 255
+static const uint8_t window[64] = { [32] = EIGHT, EIGHT, EIGHT, EIGHT };
 
 /* The last n <= 32 bytes set. */
 static inline row last(size_t n)
@@ -153,7 +123,9 @@ static inline struct integer long_integer(const struct rows *r, size_t i)
 	U first, rest;
 
 	EIGHTS(r->high[i], first, rest);
-	m.bad = DIFFERENT(double_of(first) + (D)((I)rest > 999), (D){ 0 });
+	I more = ((I)first > 0) | ((I)rest > 999);
+
+	m.bad = DIFFERENT((D)more, (D){ 0 }); /* all bits set are a nan */
 	D top = double_of(rest) * 1e16;
 
 	EIGHTS(r->low[i], first, rest);
@@ -192,8 +164,7 @@ static inline unsigned not_digits(const struct rows *r, size_t i)
 
 	for (size_t k = 0; k < LANES; k++)
 		for (size_t b = 0; b < 16; b++)
-			if ((r->low[i + k][b] | r->high[i + k][b]) > 9 &&
-			    (r->low[i + k][b] > 9 || r->high[i + k][b] > 9))
+			if (r->low[i + k][b] > 9 || r->high[i + k][b] > 9)
 				bad |= 1u << k;
 	return bad;
 }
