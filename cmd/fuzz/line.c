@@ -71,7 +71,7 @@ static void write_back(const struct layout *l, const struct line *line,
 	static const struct number_text none = { "" };
 	double v[COORDINATES_MAX] = { (double)NAN, -1.25e-7, 1e150, 0, -7,
 		1e-320 };
-	const struct numbers numbers = { v, &none, 1, 0, false };
+	const struct numbers numbers = { v, &none, 1, 0 };
 	size_t room = lines_room(l, 1, line->size);
 	char *out = malloc(room), *end;
 
