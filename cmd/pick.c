@@ -42,11 +42,11 @@ static void take(const struct job *j, struct chunk *c, const struct line *line,
 	    frustum_out(&j->frustum, in) != 0)
 		return;
 	hit.distance = pick_distance(&h->picker, in);
-	hit.size = (size_t)(line->text.end - line->text.s);
+	hit.size = line->size;
 	char *at = chunk_reserve(c, sizeof hit + hit.size);
 
 	memcpy(at, &hit, sizeof hit);
-	memcpy(at + sizeof hit, line->text.s, hit.size);
+	memcpy(at + sizeof hit, line->s, hit.size);
 	c->size += sizeof hit + hit.size;
 }
 

@@ -1,6 +1,7 @@
 #include "frustum.h"
 
 #include <math.h>
+#include <string.h>
 
 static void limits(const struct scene *s, struct sum half[2],
     struct sum scale[2])
@@ -90,6 +91,109 @@ unsigned frustum_out(const struct frustum *f, const double in[4])
 	for (int k = 0; k < 2; k++)
 		out |= end[k] < 0 ? (unsigned)OUT_NEAR << k : 0;
 	return out;
+}
+
+/* The columns of a map as point_estimate takes them, which says why: all their
+ * values above slope all + floor have sure signs where all, |x| + |y| + |z| from
+ * the origin, is not below low and below high. One bound for all columns, the
+ * largest, leaves a few more points to be looked at and saves the others. */
+struct estimate {
+	double origin[3], m[4][4], slope, floor, low, high;
+};
+
+static struct estimate estimate_of(const struct transform *t, int columns)
+{
+	const struct kernel_map *k = &t->for_kernel;
+	struct estimate e = { .low = 0, .high = (double)INFINITY };
+
+	for (int i = 0; i < 3; i++)
+		e.origin[i] = k->origin[i];
+	for (int j = 0; j < columns; j++) {
+		for (int i = 0; i < 4; i++)
+			e.m[i][j] = k->hi[i][j];
+		e.slope = fmax(e.slope, 0x1p-45 * k->most[j] + 2 * k->none[j]);
+		e.floor = fmax(e.floor, 0x1p-45 * k->image[j] + 2 * k->none[j]);
+		if (!(k->image[j] > 0x1p-899))
+			e.low = fmax(e.low, 0x1p-899 / k->most[j]);
+		e.high = fmin(e.high, (0x1p999 - k->image[j]) / k->most[j]);
+	}
+	return e;
+}
+
+enum { UNSURE = 1 << 16 };
+
+/* Adds weight 2^j to word[i] where column j is negative at point i, and UNSURE
+ * where that is not sure of all. In doubles alone, so that the compiler makes a
+ * loop of vectors of it. Where all is in its range no value is nan. */
+static inline void add_signs(const struct estimate *e, int columns,
+    double weight, const double *const in[3], double *restrict word, size_t n)
+{
+	const double *x = in[0], *y = in[1], *z = in[2];
+
+	for (size_t i = 0; i < n; i++) {
+		double a = x[i] - e->origin[0], b = y[i] - e->origin[1];
+		double c = z[i] - e->origin[2];
+		double all = fabs(a) + fabs(b) + fabs(c),
+		       least = (double)INFINITY;
+		double sum = word[i];
+
+		for (int j = 0; j < columns; j++) {
+			double v = a * e->m[0][j] + b * e->m[1][j] +
+			    c * e->m[2][j] + e->m[3][j];
+
+			least = fabs(v) < least ? fabs(v) : least;
+			sum += v < 0 ? weight * (1 << j) : 0;
+		}
+		bool sure = (all >= e->low) & (all < e->high) &
+		    (least > e->slope * all + e->floor);
+
+		word[i] = sum + (sure ? 0 : UNSURE);
+	}
+}
+
+enum { FEW = 256 };
+
+static void out_few(const struct frustum *f, const struct estimate *sides,
+    const struct estimate *ends, const double *const in[4], unsigned char *out,
+    size_t n)
+{
+	double word[FEW];
+
+	memset(word, 0, n * sizeof *word);
+	add_signs(sides, 4, OUT_LEFT, in, word, n);
+	add_signs(ends, 3, OUT_NEAR, in, word, n);
+	for (size_t i = 0; i < n; i++) {
+		unsigned planes = (unsigned)word[i];
+		const double p[4] = { in[0][i], in[1][i], in[2][i] };
+
+		if (planes >= UNSURE)
+			planes = frustum_out(f, p);
+		out[i] = planes & OUT_BEHIND ? OUT_BEHIND :
+					       (unsigned char)planes;
+	}
+}
+
+void frustum_out_all(const struct frustum *f, const double *const in[4],
+    unsigned char *out, size_t n)
+{
+	struct estimate sides = estimate_of(&f->sides, 4);
+	struct estimate ends = estimate_of(&f->ends, 3);
+
+	for (size_t i = 0; i < n; i += FEW) {
+		const double *const at[4] = { in[0] + i, in[1] + i, in[2] + i };
+		size_t few = n - i < FEW ? n - i : FEW;
+
+		if (f->sides.in == 3) {
+			out_few(f, &sides, &ends, at, out + i, few);
+			continue;
+		}
+		for (size_t k = i; k < i + few; k++) {
+			const double p[4] = { in[0][k], in[1][k], in[2][k],
+				in[3][k] };
+
+			out[k] = (unsigned char)frustum_out(f, p);
+		}
+	}
 }
 
 const char *view_corner(const struct scene *s, const struct map *from_view,

@@ -30,6 +30,10 @@ const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
 /* 0 where the point is inside or on a plane, exactly; behind comes alone. */
 unsigned frustum_out(const struct frustum *, const double in[4]);
 
+/* The same for each of n points, a column for each coordinate. */
+void frustum_out_all(const struct frustum *, const double *const in[4],
+    unsigned char *out, size_t n);
+
 /* Corner 0..7 of the view volume, near, then far, each left-bottom, right-bottom,
  * right-top, left-top, through a map from view space: homogeneous, with clip w =
  * 1. Returns NULL, or the member and the reason. */

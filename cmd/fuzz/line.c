@@ -67,15 +67,17 @@ static void check_json(struct span text)
 static void write_back(const struct layout *l, const struct line *line,
     const double read[])
 {
-	const char *flags = l->flags ? "left+near" : NULL;
+	static const struct word flags = { "left+near", 9 };
+	static const struct number_text none = { "" };
 	double v[COORDINATES_MAX] = { (double)NAN, -1.25e-7, 1e150, 0, -7,
 		1e-320 };
-	size_t room = line_room(l, line);
+	const struct numbers numbers = { v, &none, 1, 0 };
+	size_t room = lines_room(l, 1, line->size);
 	char *out = malloc(room), *end;
 
 	for (int i = 0; line->kind == LINE_POINT && i < l->reads && i < 3; i++)
 		v[i] = i == 1 ? -read[i] : read[i];
-	end = line_write(l, line, v, flags, out);
+	end = line_write(l, line, &numbers, l->flags ? &flags : NULL, out);
 	want((size_t)(end - out) <= room);
 	struct span text = { out, end };
 
@@ -93,9 +95,8 @@ static void check_spans(const struct layout *l, const struct line *line,
     struct span text)
 {
 	for (int i = 0; i < l->reads; i++) {
-		want(text.s <= line->at[i].s &&
-		    line->at[i].s <= line->at[i].end);
-		want(line->at[i].end <= text.end);
+		want(line->at[i].from <= line->at[i].to);
+		want(text.s + line->at[i].to <= text.end);
 	}
 }
 

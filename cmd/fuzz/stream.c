@@ -1,7 +1,7 @@
 /* Any bytes as a source of points that arrives bit by bit, for libFuzzer, with
  * the threads of threads.c, and talk.c's functions replaced: the same bytes and
- * messages come out as if it came at once. Linked with --wrap=read and
- * --wrap=poll. */
+ * messages come out as if it came at once, and the same from the scalar code as
+ * by the vector. Linked with --wrap=read and --wrap=poll. */
 #include <errno.h>
 #include <poll.h>
 #include <stdarg.h>
@@ -213,10 +213,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	set_job(&j, &s, data[3]);
 	struct layout layout = j.layout;
 
+	number_choose(data[3] & 32 ? "baseline" : NULL);
 	do_at_once(&j, (const char *)data + HEADER, size - HEADER);
 	struct buffer whole = printed, messages = said;
 
 	printed = said = (struct buffer){ 0 };
+	number_choose(data[3] & 32 ? NULL : "baseline");
 	j.layout = layout;
 	state = 1 + data[3];
 	data_at = data + HEADER;

@@ -37,6 +37,8 @@ void chunk_clear(struct chunk *c)
 {
 	c->n_lines = c->size = c->n_complaints = c->n_passed = 0;
 	c->imageless = 0;
+	c->stretch.at = c->stretch.end = 0;
+	c->stretch.readable = c->text;
 }
 
 char *chunk_reserve(struct chunk *c, size_t more)

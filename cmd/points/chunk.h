@@ -5,6 +5,7 @@
 
 #include "../../core/points.h"
 #include "piece.h"
+#include "walk.h"
 
 /* What is wrong with a line. */
 struct complaint {
@@ -34,9 +35,12 @@ struct chunk {
 
 	/* The block in hand: its lines of text, and its points, a column for
 	 * each coordinate. */
+	struct stretch stretch;
 	struct line line[POINTS_BLOCK];
 	COLUMN_ALIGNED double in[4][POINTS_BLOCK];
 	COLUMN_ALIGNED double image[COORDINATES_MAX][POINTS_BLOCK];
+
+	struct word word[256]; /* for each set of planes; empty until needed */
 
 	struct piece piece; /* what was read, if the source is a file */
 };

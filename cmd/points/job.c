@@ -5,43 +5,8 @@
 #include <string.h>
 
 #include "binary.h"
-
-/* Reads up to POINTS_BLOCK lines, and the points among them into the chunk's
- * columns. A bad line ends the chunk unless the job keeps going. Returns how
- * many lines, and in *points how many of them are points. */
-static size_t read_lines(struct job *j, struct chunk *c, size_t *points)
-{
-	char reason[REASON_MAX];
-	size_t n = 0;
-	double v[4];
-
-	for (*points = 0; n < POINTS_BLOCK && c->text < c->end; c->n_lines++) {
-		const char *newline = memchr(c->text, '\n',
-		    (size_t)(c->end - c->text));
-		struct line *line = &c->line[n];
-		struct span text = { c->text,
-			newline != NULL ? newline : c->end };
-
-		line_read(&j->layout, text, c->end, &c->header, line, v,
-		    reason);
-		line->newline = newline != NULL;
-		c->text = newline != NULL ? newline + 1 : c->end;
-		if (line->kind == LINE_BAD) {
-			chunk_complain(c, c->n_lines, reason);
-			if (!j->keep_going) {
-				c->text = c->end;
-				break;
-			}
-		}
-		if (line->kind == LINE_POINT) {
-			for (int i = 0; i < j->layout.reads; i++)
-				c->in[i][*points] = v[i];
-			++*points;
-		}
-		n++;
-	}
-	return n;
-}
+#include "block_read.h"
+#include "block_write.h"
 
 /* Rays are computed exactly, whatever the precision; for single they are
  * rounded to floats. */
@@ -68,90 +33,9 @@ static void carry(const struct job *j, struct chunk *c, size_t n)
 		points_carry(&j->transform, &j->accuracy, in, out, n);
 }
 
-enum { WORD_MAX = 48 };
-
-/* "in", or the planes that the point is outside of, as left+near. */
-static const char *flag_word(unsigned out, char word[WORD_MAX])
-{
-	static const char *const names[] = { "left", "right", "bottom", "top",
-		"near", "far", "behind", "nan" };
-	char *at = word;
-
-	for (int k = 0; k < 8; k++)
-		if (out >> k & 1)
-			at += sprintf(at, at > word ? "+%s" : "%s", names[k]);
-	if (out == 0)
-		strcpy(at, "in");
-	return word;
-}
-
-/* Whether point p is to be written; in *flags the word after it, or NULL. */
-static bool judge(const struct job *j, const struct chunk *c, size_t p,
-    char word[WORD_MAX], const char **flags)
-{
-	double in[4];
-
-	*flags = NULL;
-	if (!j->flags && !j->visible)
-		return true;
-	for (int i = 0; i < 4; i++)
-		in[i] = c->in[i][p];
-	unsigned out = frustum_out(&j->frustum, in);
-
-	if (j->flags)
-		*flags = flag_word(out, word);
-	return !j->visible || out == 0;
-}
-
-static void put_line(const struct job *j, struct chunk *c,
-    const struct line *line, const double *v, const char *flags)
-{
-	char *at = chunk_reserve(c, line_room(&j->layout, line));
-
-	c->size += (size_t)(line_write(&j->layout, line, v, flags, at) - at);
-}
-
-static void write_point(const struct job *j, struct chunk *c,
-    const struct line *line, size_t p)
-{
-	double v[COORDINATES_MAX];
-	char word[WORD_MAX];
-	const char *flags;
-
-	if (!judge(j, c, p, word, &flags))
-		return;
-	for (int k = 0; k < j->layout.writes; k++)
-		v[k] = c->image[k][p];
-	if (is_binary(j->layout.out)) {
-		binary_write(j, c, p, v);
-		return;
-	}
-	put_line(j, c, line, v, flags);
-}
-
-/* Writes a line that is no point: a comment or a header as it is, a bad line as
- * nan in each coordinate. */
-static void write_other(const struct job *j, struct chunk *c,
-    const struct line *line)
-{
-	const double nan = (double)NAN;
-	const double v[COORDINATES_MAX] = { nan, nan, nan, nan, nan, nan };
-	bool bad = line->kind == LINE_BAD;
-
-	if (j->take != NULL || (bad && j->visible))
-		return;
-	if (!is_binary(j->layout.out))
-		put_line(j, c, line, v, bad && j->flags ? "nan" : NULL);
-	else if (bad)
-		binary_write(j, c, 0, v);
-}
-
 /* The source ends within a binary point: that counts as a bad line. */
 static void cut_short(const struct job *j, struct chunk *c, size_t size)
 {
-	struct line line = { .kind = LINE_BAD,
-		.text = { c->end, c->end },
-		.newline = true };
 	char reason[REASON_MAX];
 
 	snprintf(reason, sizeof reason,
@@ -159,33 +43,27 @@ static void cut_short(const struct job *j, struct chunk *c, size_t size)
 	chunk_complain(c, c->n_lines, reason);
 	c->text = c->end;
 	if (j->keep_going)
-		write_other(j, c, &line);
+		block_write_nan(j, c);
 }
 
-/* Does the rest of the job line by line on a block of n, whose images have been
- * computed. number is that of the first line; where points are binary, the
+/* Shows each point of a block of n lines, or binary points, to the command that
+ * wants to see them. number is that of the first; where points are binary, the
  * first begins at text. */
-static void do_lines(const struct job *j, struct chunk *c, size_t n,
-    size_t number, const char *text)
+static void show(const struct job *j, struct chunk *c, size_t n, size_t number,
+    const char *text)
 {
 	bool binary = is_binary(j->layout.in);
 	size_t size = point_size(j->layout.in, j->layout.reads), p = 0;
-	struct line point = { .kind = LINE_POINT, .newline = true };
+	struct line point = { .kind = LINE_POINT,
+		.size = (uint32_t)size,
+		.newline = true };
 
 	for (size_t i = 0; i < n; i++) {
-		struct line *line = binary ? &point : &c->line[i];
+		const struct line *line = binary ? &point : &c->line[i];
 
-		if (binary)
-			point.text = (struct span){ text + i * size,
-				text + (i + 1) * size };
-		if (line->kind != LINE_POINT) {
-			write_other(j, c, line);
-		} else if (j->take != NULL) {
+		point.s = text + i * size;
+		if (line->kind == LINE_POINT)
 			j->take(j, c, line, p++, number + i);
-		} else {
-			chunk_mark(c, &j->layout, p, number + i);
-			write_point(j, c, line, p++);
-		}
 	}
 }
 
@@ -214,11 +92,13 @@ void job_do(struct job *j, struct chunk *c)
 		if (binary)
 			n = points = binary_read(j, c);
 		else
-			n = read_lines(j, c, &points);
+			n = block_read(j, c, &points);
 		carry(j, c, points);
 		if (whole)
 			binary_write_block(j, c, n, number);
+		else if (j->take != NULL)
+			show(j, c, n, number, text);
 		else
-			do_lines(j, c, n, number, text);
+			block_write(j, c, n, points, number);
 	}
 }

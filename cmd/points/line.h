@@ -4,6 +4,7 @@
 #define LINE_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 #include "../number/number.h"
 #include "field.h"
@@ -36,12 +37,52 @@ enum line_kind {
 	LINE_BAD,
 };
 
-struct line {
-	enum line_kind kind;
-	struct span text;  /* without its newline */
-	struct span at[4]; /* of text: where x, y, z and w stand */
-	bool newline;      /* it ends in one */
+/* Of a line's text, counted from its beginning; a line is at most 64 MiB. */
+struct part {
+	uint32_t from, to;
 };
+
+struct line {
+	const char *s;     /* its text */
+	uint32_t size;     /* without its newline */
+	struct part at[4]; /* where x, y, z and w stand */
+	enum line_kind kind;
+	bool newline; /* it ends in one */
+};
+
+/* The coordinates that are written in a line. Number k is v[k * step], and its
+ * text, if any was made, text[k * text_step]. */
+struct numbers {
+	const double *v;
+	const struct number_text *text;
+	size_t step, text_step;
+};
+
+enum { WORD_MAX = 48 };
+
+/* What is written after them. */
+struct word {
+	char s[WORD_MAX];
+	size_t size;
+};
+
+static inline struct span line_text(const struct line *line)
+{
+	return (struct span){ line->s, line->s + line->size };
+}
+
+/* Where coordinate i stands. */
+static inline struct span line_at(const struct line *line, int i)
+{
+	return (struct span){ line->s + line->at[i].from,
+		line->s + line->at[i].to };
+}
+
+static inline struct part line_part(const struct line *line, struct span f)
+{
+	return (struct part){ (uint32_t)(f.s - line->s),
+		(uint32_t)(f.end - line->s) };
+}
 
 enum { REASON_MAX = 200 };
 
@@ -52,14 +93,15 @@ enum { REASON_MAX = 200 };
 void line_read(struct layout *, struct span text, const char *readable,
     bool *header, struct line *, double v[4], char reason[REASON_MAX]);
 
-/* The most bytes that line_write may write. */
-size_t line_room(const struct layout *, const struct line *);
+/* The most bytes that line_write may touch for so many lines of so many bytes
+ * in all. */
+size_t lines_room(const struct layout *, size_t lines, size_t bytes);
 
-/* Writes the line with coordinates v in the place of those it was read with,
- * and the word flags after them unless that is NULL; returns where it ends. A
- * bad line becomes v alone. Blank lines, comments and headers stay as they are,
- * but are left out from JSON and to JSON. */
+/* Writes the line with the numbers in the place of those it was read with, and
+ * the word flags after them unless that is NULL; returns where it ends. A bad
+ * line becomes the numbers alone. Blank lines, comments and headers stay as they
+ * are, but are left out from JSON and to JSON. */
 char *line_write(const struct layout *, const struct line *,
-    const double v[COORDINATES_MAX], const char *flags, char *out);
+    const struct numbers *, const struct word *flags, char *out);
 
 #endif

@@ -10,8 +10,10 @@
 
 /* Reads the number in *f, and cuts *f to it: in csv, blanks and quotes may
  * stand around it; in JSON, null is an unknown number. Returns false if *f
- * holds anything else. */
-static bool field_number(enum format format, struct span *f, double *v)
+ * holds anything else. As no number goes on past what ends a field, number_read
+ * may look at all that is readable after it, which is faster. */
+static bool field_number(enum format format, struct span *f,
+    const char *readable, double *v)
 {
 	struct span n = *f;
 	const char *stop;
@@ -30,8 +32,10 @@ static bool field_number(enum format format, struct span *f, double *v)
 		*v = (double)NAN;
 		return true;
 	}
-	stop = format == FORMAT_JSON ? json_number(n.s, n.end, v) :
-				       number_read(n.s, n.end, v);
+	if (n.s == n.end)
+		return false;
+	stop = format == FORMAT_JSON ? json_number(n.s, readable, v) :
+				       number_read(n.s, readable, v);
 	if (stop != n.end)
 		return false;
 	*f = n;
@@ -84,9 +88,7 @@ static bool in_range(int i, double v, char reason[REASON_MAX])
 	return false;
 }
 
-/* Reads the first fields of a line of text. As no number goes on past a
- * newline, number_read may look at all that is readable after it, which is
- * faster. */
+/* Reads the first fields of a line of text. */
 static bool read_text(const struct layout *l, const char *s, const char *end,
     const char *readable, struct line *line, double v[4],
     char reason[REASON_MAX])
@@ -101,37 +103,41 @@ static bool read_text(const struct layout *l, const char *s, const char *end,
 		}
 		if (!in_range(i, v[i], reason))
 			return false;
-		line->at[i] = (struct span){ s, stop };
+		line->at[i] = line_part(line, (struct span){ s, stop });
 		s = skip_separator(stop, end);
 	}
 	return true;
 }
 
-/* Reads the element of a JSON array at s if it is a number and nothing else. */
-static bool element_number(const char *s, const char *end, const char *readable,
-    struct span *f, double *v)
+/* Reads the field of csv or JSON at s if it is a number and, but for blanks,
+ * nothing else. */
+static bool plain_field(enum format format, const char *s, const char *end,
+    const char *readable, struct span *f, double *v)
 {
 	f->s = skip_blanks(s, end);
 	if (f->s == end)
 		return false;
-	f->end = json_number(f->s, readable, v);
-	return f->end != NULL &&
-	    json_skip(f->end, end) == skip_blanks(f->end, end);
+	f->end = format == FORMAT_JSON ? json_number(f->s, readable, v) :
+					 number_read(f->s, readable, v);
+	if (f->end == NULL)
+		return false;
+	const char *after = skip_blanks(f->end, end);
+
+	return format == FORMAT_JSON ? json_skip(f->end, end) == after :
+				       after == end || *after == ',';
 }
 
-/* Reads the field at s, of csv or JSON, and the number in it. Most elements of
- * JSON arrays are numbers: to try that first is faster than to look for where
- * the element ends. */
+/* Reads the field at s, of csv or JSON, and the number in it. Most are plain
+ * numbers: to try that first is faster than to look for where the field ends. */
 static bool read_field(enum format format, const char *s, const char *end,
     const char *readable, struct span *field, struct span *number, double *v)
 {
-	if (format == FORMAT_JSON &&
-	    element_number(s, end, readable, number, v)) {
+	if (plain_field(format, s, end, readable, number, v)) {
 		*field = *number;
 		return true;
 	}
 	*field = *number = field_at(format, s, end);
-	return field_number(format, number, v);
+	return field_number(format, number, readable, v);
 }
 
 /* Reads the first fields of a line of csv or JSON. */
@@ -140,15 +146,16 @@ static bool read_first(const struct layout *l, const char *s, const char *end,
     char reason[REASON_MAX])
 {
 	for (int i = 0; i < l->reads; i++) {
-		struct span field;
+		struct span field, number;
 
-		if (!read_field(l->in, s, end, readable, &field, &line->at[i],
+		if (!read_field(l->in, s, end, readable, &field, &number,
 			&v[i])) {
 			bad_field(l, i, field, reason);
 			return false;
 		}
 		if (!in_range(i, v[i], reason))
 			return false;
+		line->at[i] = line_part(line, number);
 		s = field_next(l->in, field.end, end);
 		if (s == NULL)
 			s = end;
@@ -156,10 +163,15 @@ static bool read_first(const struct layout *l, const char *s, const char *end,
 	return true;
 }
 
-/* Reads the fields that --columns names. */
+/* Reads the fields that --columns names. Each is looked for from the one before, if
+ * it stands after that: most often they do, and the line is gone through once. */
 static bool read_columns(const struct layout *l, const char *s, const char *end,
-    struct line *line, double v[4], char reason[REASON_MAX])
+    const char *readable, struct line *line, double v[4],
+    char reason[REASON_MAX])
 {
+	const char *from = s;
+	int passed = 0; /* fields before from */
+
 	for (int i = 0; i < l->reads; i++) {
 		int k = l->columns.field[i];
 		struct span f;
@@ -170,19 +182,25 @@ static bool read_columns(const struct layout *l, const char *s, const char *end,
 			    axis(i));
 			return false;
 		}
-		if (!field_find(l->in, s, end, k, &f)) {
+		if (k < passed) {
+			from = s;
+			passed = 0;
+		}
+		if (!field_find(l->in, from, end, k - passed, &f)) {
 			snprintf(reason, REASON_MAX,
 			    "%s is missing: there is no field %d", axis(i),
 			    k + 1);
 			return false;
 		}
-		if (!field_number(l->in, &f, &v[i])) {
+		from = f.s;
+		passed = k;
+		if (!field_number(l->in, &f, readable, &v[i])) {
 			bad_field(l, i, f, reason);
 			return false;
 		}
 		if (!in_range(i, v[i], reason))
 			return false;
-		line->at[i] = f;
+		line->at[i] = line_part(line, f);
 	}
 	return true;
 }
@@ -252,7 +270,7 @@ static bool named(const struct columns *c)
 
 /* The first line of csv is a header if none of its coordinates is a number; if
  * only some are, it is a bad line of points. */
-static bool is_header(struct layout *l, struct span text)
+static bool is_header(struct layout *l, struct span text, const char *readable)
 {
 	for (int i = 0; i < l->reads; i++) {
 		int k = l->columns.n > 0 ? l->columns.field[i] : i;
@@ -260,21 +278,21 @@ static bool is_header(struct layout *l, struct span text)
 		double v;
 
 		if (field_find(FORMAT_CSV, text.s, text.end, k, &f) &&
-		    field_number(FORMAT_CSV, &f, &v))
+		    field_number(FORMAT_CSV, &f, readable, &v))
 			return false;
 	}
 	return true;
 }
 
 /* Returns false if the first line of csv is one of points, and no header. */
-static bool take_header(struct layout *l, struct span text, struct line *line,
-    char reason[REASON_MAX])
+static bool take_header(struct layout *l, struct span text,
+    const char *readable, struct line *line, char reason[REASON_MAX])
 {
 	bool wanted = named(&l->columns);
 
 	if (wanted && !resolve(l, text, reason))
 		line->kind = LINE_BAD;
-	return wanted || is_header(l, text);
+	return wanted || is_header(l, text, readable);
 }
 
 /* Whether the array whose opening bracket is before s is closed and nothing
@@ -320,7 +338,8 @@ void line_read(struct layout *l, struct span text, const char *readable,
 	bool ok;
 
 	line->kind = LINE_COPY;
-	line->text = text;
+	line->s = text.s;
+	line->size = (uint32_t)(text.end - text.s);
 	if (s == text.end || *s == '#')
 		return;
 	if (l->in == FORMAT_CSV) {
@@ -329,7 +348,8 @@ void line_read(struct layout *l, struct span text, const char *readable,
 		    memcmp(s, "\xef\xbb\xbf", 3) == 0)
 			s += 3; /* a byte order mark */
 		bool taken = *header &&
-		    take_header(l, (struct span){ s, text.end }, line, reason);
+		    take_header(l, (struct span){ s, text.end }, readable, line,
+			reason);
 
 		*header = false;
 		if (taken)
@@ -346,13 +366,14 @@ void line_read(struct layout *l, struct span text, const char *readable,
 		s++;
 	}
 	if (l->columns.n > 0)
-		ok = read_columns(l, s, text.end, line, v, reason);
+		ok = read_columns(l, s, text.end, readable, line, v, reason);
 	else if (l->in == FORMAT_TEXT)
 		ok = read_text(l, s, text.end, readable, line, v, reason);
 	else
 		ok = read_first(l, s, text.end, readable, line, v, reason);
 	if (ok && l->in == FORMAT_JSON)
 		ok = check_array(text,
-		    l->columns.n > 0 ? s : line->at[l->reads - 1].end, reason);
+		    l->columns.n > 0 ? s : line_at(line, l->reads - 1).end,
+		    reason);
 	line->kind = ok ? LINE_POINT : LINE_BAD;
 }

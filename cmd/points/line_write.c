@@ -8,18 +8,18 @@
  * are added to the line; one blank does. */
 enum { SEPARATOR_MAX = 64 };
 
-/* Room for the flags with their separator, quotes, brackets and the newline. */
-enum { FLAGS_ROOM = 192 };
+/* Room for the flags with their separator, quotes, brackets and the newline, and
+ * for what number_put touches after a number. */
+enum { FLAGS_ROOM = 256 };
 
-size_t line_room(const struct layout *l, const struct line *line)
+size_t lines_room(const struct layout *l, size_t lines, size_t bytes)
 {
-	size_t n = (size_t)(line->text.end - line->text.s);
-
 	/* In another format a byte of a field may become six, as \u0001 in
 	 * JSON. Six for the separator after it are enough for a comma and two
 	 * quotes. */
-	return (l->in == l->out ? n : 6 * n) +
-	    (size_t)l->writes * (NUMBER_MAX + SEPARATOR_MAX) + FLAGS_ROOM;
+	return (l->in == l->out ? bytes : 6 * bytes) +
+	    lines *
+	    ((size_t)l->writes * (NUMBER_MAX + SEPARATOR_MAX) + FLAGS_ROOM);
 }
 
 static char *put(char *out, const char *s, const char *end)
@@ -33,12 +33,15 @@ static char *put(char *out, const char *s, const char *end)
 	return out + n;
 }
 
-static char *put_number(const struct layout *l, int k, double v, char *out)
+static inline char *put_number(const struct layout *l,
+    const struct numbers *numbers, int k, char *out)
 {
+	double v = numbers->v[(size_t)k * numbers->step];
+
 	if (l->out == FORMAT_JSON && isnan(v))
 		return put(out, "null", &"null"[4]);
-	return l->single ? number_write_float(out, (float)v, l->style[k]) :
-			   number_write(out, v, l->style[k]);
+	return number_put(out, &numbers->text[(size_t)k * numbers->text_step],
+	    v, l->single, l->style[k]);
 }
 
 static const char *separator_of(enum format format)
@@ -46,10 +49,11 @@ static const char *separator_of(enum format format)
 	return format == FORMAT_TEXT ? " " : ",";
 }
 
-/* Writes the coordinates from the k-th on, or, for a header, where v is NULL,
- * their names; then flags unless it is NULL. A separator goes before each. */
-static char *put_more(const struct layout *l, int k, const double v[],
-    const char *flags, struct span separator, char *out)
+/* Writes the coordinates from the k-th on, or, for a header, where numbers is
+ * NULL, their names; then flags unless it is NULL. A separator goes before each. */
+static char *put_more(const struct layout *l, int k,
+    const struct numbers *numbers, const struct word *flags,
+    struct span separator, char *out)
 {
 	static const char *const names[] = { "x", "y", "z", "w" };
 	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };
@@ -58,14 +62,15 @@ static char *put_more(const struct layout *l, int k, const double v[],
 		const char *name = l->writes > 4 ? ray[k] : names[k];
 
 		out = put(out, separator.s, separator.end);
-		out = v != NULL ? put_number(l, k, v[k], out) :
-				  put(out, name, name + strlen(name));
+		out = numbers != NULL ? put_number(l, numbers, k, out) :
+					put(out, name, name + strlen(name));
 	}
 	if (flags != NULL) {
 		out = put(out, separator.s, separator.end);
 		if (l->out == FORMAT_JSON)
 			*out++ = '"';
-		out = put(out, flags, flags + strlen(flags));
+		memcpy(out, flags->s, WORD_MAX);
+		out += flags->size;
 		if (l->out == FORMAT_JSON)
 			*out++ = '"';
 	}
@@ -84,16 +89,17 @@ static bool separates(char c)
 static struct span separator_in(const struct layout *l, const struct line *line)
 {
 	const char *usual = separator_of(l->in);
-	struct span one = { usual, usual + 1 }, last = line->at[l->reads - 1];
+	struct span one = { usual, usual + 1 }, text = line_text(line);
+	struct span last = line_at(line, l->reads - 1);
 	struct span found = { last.s, last.s };
 
 	if (l->in != FORMAT_TEXT)
 		return one;
-	while (found.s > line->text.s && separates(found.s[-1]))
+	while (found.s > text.s && separates(found.s[-1]))
 		found.s--;
-	if (found.s == line->text.s) {
+	if (found.s == text.s) {
 		found.s = found.end = last.end;
-		while (found.end < line->text.end && separates(*found.end))
+		while (found.end < text.end && separates(*found.end))
 			found.end++;
 	}
 	return found.s < found.end && found.end - found.s <= SEPARATOR_MAX &&
@@ -108,7 +114,8 @@ static void sort(const struct line *line, int n, int sorted[4])
 	for (int i = 0; i < n; i++) {
 		int k = i;
 
-		for (; k > 0 && line->at[sorted[k - 1]].s > line->at[i].s; k--)
+		for (; k > 0 && line->at[sorted[k - 1]].from > line->at[i].from;
+		     k--)
 			sorted[k] = sorted[k - 1];
 		sorted[k] = i;
 	}
@@ -119,10 +126,11 @@ static void sort(const struct line *line, int n, int sorted[4])
 static struct span whole_field(const struct layout *l, const struct line *line,
     struct span f)
 {
-	const char *s = line->text.s, *next;
+	const struct span text = line_text(line);
+	const char *s = text.s, *next;
 
 	if (l->in == FORMAT_CSV && f.s > s && f.s[-1] == '"' &&
-	    f.end < line->text.end && *f.end == '"') {
+	    f.end < text.end && *f.end == '"') {
 		f.s--;
 		f.end++;
 	}
@@ -132,26 +140,26 @@ static struct span whole_field(const struct layout *l, const struct line *line,
 		before--;
 	if (before > s && (l->in != FORMAT_JSON || before[-1] != '['))
 		return (struct span){ before, f.end };
-	next = field_next(l->in, f.end, line->text.end);
+	next = field_next(l->in, f.end, text.end);
 	return (struct span){ f.s, next != NULL ? next : f.end };
 }
 
-/* The format out is that in: coordinates are replaced where they stand. If v is
- * NULL the line is a header, whose names stay. */
+/* The format out is that in: coordinates are replaced where they stand. If
+ * numbers is NULL the line is a header, whose names stay. */
 static char *splice(const struct layout *l, const struct line *line,
-    const double v[], const char *flags, char *out)
+    const struct numbers *numbers, const struct word *flags, char *out)
 {
 	int sorted[4] = { 0, 1, 2, 3 }, n = l->reads;
 	int last = (n < l->writes ? n : l->writes) - 1;
-	const char *s = line->text.s;
+	const char *s = line->s, *end = s + line->size;
 
 	if (l->columns.n > 0)
 		sort(line, n, sorted);
 	for (int k = 0; k < n; k++) {
 		int i = sorted[k];
 		struct span f = i < l->writes ?
-		    line->at[i] :
-		    whole_field(l, line, line->at[i]);
+		    line_at(line, i) :
+		    whole_field(l, line, line_at(line, i));
 
 		/* A coordinate that is left out begins with the blanks before
 		 * it. In a header they can belong to the name before, and are
@@ -159,47 +167,63 @@ static char *splice(const struct layout *l, const struct line *line,
 		if (f.s > s)
 			out = put(out, s, f.s);
 		if (i < l->writes)
-			out = v != NULL ? put_number(l, i, v[i], out) :
-					  put(out, f.s, f.end);
+			out = numbers != NULL ? put_number(l, numbers, i, out) :
+						put(out, f.s, f.end);
 		s = f.end;
 		if (i != last || (l->writes <= n && flags == NULL))
 			continue;
-		if (l->in == FORMAT_CSV && s < line->text.end && *s == '"')
+		if (l->in == FORMAT_CSV && s < end && *s == '"')
 			*out++ = *s++;
-		out = put_more(l, n, v, flags, separator_in(l, line), out);
+		out = put_more(l, n, numbers, flags, separator_in(l, line),
+		    out);
 	}
-	return put(out, s, line->text.end);
+	return put(out, s, end);
 }
 
 static bool is_coordinate(const struct layout *l, const struct line *line,
     struct span f)
 {
+	struct part p = line_part(line, f);
+
 	for (int i = 0; i < l->reads; i++)
-		if (line->at[i].s >= f.s && line->at[i].end <= f.end)
+		if (line->at[i].from >= p.from && line->at[i].to <= p.to)
 			return true;
 	return false;
+}
+
+/* Where the first field begins that may be no coordinate, or NULL: of bad lines
+ * no field is kept, and binary points have none. Unless there are --columns it is
+ * the one after the coordinates; in csv the last of these may end with a quote. */
+static const char *first_kept(const struct layout *l, const struct line *line)
+{
+	struct span text = line_text(line);
+
+	if (line->kind == LINE_BAD || is_binary(l->in))
+		return NULL;
+	if (l->columns.n == 0) {
+		const char *last = line_at(line, l->reads - 1).end;
+
+		if (last == text.end || *last != '"')
+			return field_next(l->in, last, text.end);
+	}
+	return skip_blanks(text.s, text.end) + (l->in == FORMAT_JSON);
 }
 
 /* The format out is another: coordinates and flags go first, then all other
  * fields. */
 static char *convert(const struct layout *l, const struct line *line,
-    const double v[], const char *flags, char *out)
+    const struct numbers *numbers, const struct word *flags, char *out)
 {
-	const char *usual = separator_of(l->out), *s = line->text.s;
+	const char *usual = separator_of(l->out);
+	const char *s = first_kept(l, line), *end = line->s + line->size;
 	struct span sep = { usual, usual + 1 };
 
 	if (l->out == FORMAT_JSON)
 		*out++ = '[';
-	out = put_number(l, 0, v[0], out);
-	out = put_more(l, 1, v, flags, sep, out);
-	s = skip_blanks(s, line->text.end);
-	if (l->in == FORMAT_JSON)
-		s++;
-	/* of bad lines no field is kept, and binary points have none */
-	if (line->kind == LINE_BAD || is_binary(l->in))
-		s = NULL;
+	out = put_number(l, numbers, 0, out);
+	out = put_more(l, 1, numbers, flags, sep, out);
 	while (s != NULL) {
-		struct span f = field_at(l->in, s, line->text.end);
+		struct span f = field_at(l->in, s, end);
 
 		/* csv's empty fields become "" in JSON, so that the fields
 		 * after them keep their place in the array */
@@ -209,7 +233,7 @@ static char *convert(const struct layout *l, const struct line *line,
 			out = put(out, sep.s, sep.end);
 			out = field_convert(l->in, l->out, f, out);
 		}
-		s = field_next(l->in, f.end, line->text.end);
+		s = field_next(l->in, f.end, end);
 	}
 	if (l->out == FORMAT_JSON)
 		*out++ = ']';
@@ -221,45 +245,47 @@ static char *convert(const struct layout *l, const struct line *line,
 static char *copy_header(const struct layout *l, const struct line *line,
     char *out)
 {
+	static const struct word flags = { "flags", 5 };
 	struct line named = *line;
-	const char *end = line->text.end - (line->text.end[-1] == '\r');
+	struct span text = line_text(line);
+	const char *end = text.end - (text.end[-1] == '\r');
 
 	for (int i = 0; i < l->reads; i++) {
 		int k = l->columns.n > 0 ? l->columns.field[i] : i;
-		struct span *f = &named.at[i];
+		struct span f = { end, end };
 
 		/* a missing name's place is the end of the line */
-		if (!field_find(l->in, line->text.s, line->text.end, k, f) &&
-		    f->s < f->end)
-			*f = (struct span){ end, end };
+		if (!field_find(l->in, text.s, text.end, k, &f) && f.s < f.end)
+			f = (struct span){ end, end };
+		named.at[i] = line_part(line, f);
 	}
-	return splice(l, &named, NULL, l->flags ? "flags" : NULL, out);
+	return splice(l, &named, NULL, l->flags ? &flags : NULL, out);
 }
 
 /* A blank line, a comment or a header. JSON has none of them. */
 static char *copy(const struct layout *l, const struct line *line, char *out)
 {
-	const char *end = line->text.end;
-	const char *s = skip_blanks(line->text.s, end);
+	const char *end = line->s + line->size;
+	const char *s = skip_blanks(line->s, end);
 
 	if (l->in == FORMAT_JSON || l->out == FORMAT_JSON)
 		return out;
 	if (l->in == FORMAT_CSV && s < end && *s != '#' && l->out == l->in)
 		return copy_header(l, line, out);
-	return put(out, line->text.s, end);
+	return put(out, line->s, end);
 }
 
 char *line_write(const struct layout *l, const struct line *line,
-    const double v[COORDINATES_MAX], const char *flags, char *out)
+    const struct numbers *numbers, const struct word *flags, char *out)
 {
 	char *begin = out;
 
 	if (line->kind == LINE_COPY)
 		out = copy(l, line, out);
 	else if (line->kind == LINE_BAD || l->in != l->out)
-		out = convert(l, line, v, flags, out);
+		out = convert(l, line, numbers, flags, out);
 	else
-		out = splice(l, line, v, flags, out);
+		out = splice(l, line, numbers, flags, out);
 	if (line->kind == LINE_COPY && out == begin &&
 	    (l->in == FORMAT_JSON || l->out == FORMAT_JSON))
 		return out;

@@ -17,7 +17,8 @@ our $write = @ARGV && $ARGV[0] eq '-w' && shift @ARGV;
 our $build = abs_path(@ARGV && -d $ARGV[0] ? shift @ARGV :
     $ENV{BUILD} // "$top/build");
 our $tmp = tempdir(CLEANUP => 1);
-our @EXPORT = (qw($top $write $build $tmp slurp spew missing run sorted),
+our @EXPORT = (qw($top $write $build $tmp slurp spew missing run sorted
+    below pick),
     @Test::More::EXPORT);
 
 $ENV{LC_ALL} = 'C';
@@ -37,6 +38,16 @@ sub spew {
 	print $file $text;
 	close $file or die "$name: $!\n";
 }
+
+# Park and Miller's, so that any perl makes the same numbers.
+my $state = 1;
+
+sub below {
+	$state = $state * 48271 % 2147483647;
+	return $state % $_[0];
+}
+
+sub pick { $_[below(scalar @_)] }
 
 # The first of these commands that is not installed, if any.
 sub missing {

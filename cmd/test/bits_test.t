@@ -14,16 +14,6 @@ use Projcalc;
 
 my $digests = 'testdata/bits.sha256';
 
-# Park and Miller's, so that any perl makes the same numbers.
-my $state = 1;
-
-sub below {
-	$state = $state * 48271 % 2147483647;
-	return $state % $_[0];
-}
-
-sub pick { $_[below(scalar @_)] }
-
 # Whole, with decimals, far away, near a power of two, beyond everything.
 sub number {
 	my $n = below(1000) - 1000;

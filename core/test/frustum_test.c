@@ -156,6 +156,7 @@ static void planes_are_told(void **state)
 	struct scene s;
 	enum space from;
 	struct count c = { 0 };
+	unsigned char all[POINTS];
 
 	(void)state;
 	points_choose(NULL);
@@ -168,11 +169,15 @@ static void planes_are_told(void **state)
 			continue;
 		truth_scene(&s, from, SPACE_CLIP, &to_clip);
 		truth_scene(&s, from, SPACE_VIEW, &to_view);
+		frustum_out_all(&f,
+		    (const double *[4]){ b.in[0], b.in[1], b.in[2] }, all,
+		    POINTS);
 		for (size_t i = 0; i < POINTS; i++) {
 			double p[4] = { b.in[0][i], b.in[1][i], b.in[2][i], 1 };
 			unsigned out = frustum_out(&f, p);
 			int point = real_mark();
 
+			assert_int_equal(all[i], out);
 			if (has_nan(p))
 				assert_int_equal(out, OUT_NAN);
 			else
@@ -215,11 +220,48 @@ static void the_least_distance_tells(void **state)
 	}
 }
 
+/* Of any size: where products underflow or overflow, and midst in between. More
+ * than are looked at in one go. */
+static void many_are_told_as_one(void **state)
+{
+	enum { MANY = 1000 };
+	static double in[4][MANY];
+	static unsigned char out[MANY];
+	struct scene s;
+	struct frustum f;
+
+	(void)state;
+	sample_seed(2);
+	for (int k = 0; k < 300; k++) {
+		sample_scene(&s, k % 3 * 4);
+		bool homogeneous = k % 5 == 0 && s.has_viewport;
+		enum space from = homogeneous ? SPACE_DEVICE : SPACE_WORLD;
+
+		if (frustum_of(&s, from, homogeneous, &f) != NULL)
+			continue;
+		for (size_t i = 0; i < MANY; i++)
+			for (int j = 0; j < 4; j++)
+				in[j][i] = ldexp(sample_between(-1, 1),
+				    k % 2 ? (int)sample_below(20) :
+					    (int)sample_below(1560) - 1070);
+		in[k % 3][k] = (double)NAN;
+		frustum_out_all(&f,
+		    (const double *[4]){ in[0], in[1], in[2], in[3] }, out,
+		    MANY);
+		for (size_t i = 0; i < MANY; i++)
+			assert_int_equal(out[i],
+			    frustum_out(&f,
+				(double[4]){ in[0][i], in[1][i], in[2][i],
+				    in[3][i] }));
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(planes_are_told),
 		cmocka_unit_test(the_least_distance_tells),
+		cmocka_unit_test(many_are_told_as_one),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

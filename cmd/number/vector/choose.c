@@ -16,15 +16,16 @@ static const struct number_vector number_baseline = { no_texts };
 static const struct {
 	const char *name;
 	const struct number_vector *copy;
+	const struct plain_reader *reader;
 } copies[] = {
 #ifdef __x86_64__
-	{ "avx512", &number_avx512 },
-	{ "avx2", &number_avx2 },
+	{ "avx512", &number_avx512, &plain_avx512 },
+	{ "avx2", &number_avx2, &plain_avx2 },
 #endif
 #ifdef __aarch64__
-	{ "neon", &number_neon },
+	{ "neon", &number_neon, &plain_neon },
 #endif
-	{ "baseline", &number_baseline },
+	{ "baseline", &number_baseline, NULL },
 };
 
 static bool runs(const char *name)
@@ -44,6 +45,7 @@ static bool runs(const char *name)
 }
 
 static const struct number_vector *vector = &number_baseline;
+static const struct plain_reader *reader;
 
 bool number_choose(const char *name)
 {
@@ -53,6 +55,7 @@ bool number_choose(const char *name)
 		named |= name != NULL && strcmp(copies[i].name, name) == 0;
 		if (named && runs(copies[i].name)) {
 			vector = copies[i].copy;
+			reader = copies[i].reader;
 			return true;
 		}
 	}
@@ -63,4 +66,9 @@ void number_texts(const double *v, size_t n, bool single,
     struct number_style style, struct number_text *t)
 {
 	vector->texts(v, (n + TEXTS - 1) / TEXTS * TEXTS, single, style, t);
+}
+
+const struct plain_reader *plain_reader(void)
+{
+	return reader;
 }

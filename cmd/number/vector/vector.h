@@ -6,6 +6,7 @@
 #include <stdint.h>
 
 #include "../number.h"
+#include "../plain.h"
 
 /* Texts are made so many at a time. */
 enum { TEXTS = 64 };
@@ -17,5 +18,7 @@ struct number_vector {
 };
 
 extern const struct number_vector number_avx512, number_avx2, number_neon;
+
+extern const struct plain_reader plain_avx512, plain_avx2, plain_neon;
 
 #endif

@@ -1,0 +1,116 @@
+#include "block_read.h"
+
+#include <string.h>
+
+/* What of a block has been read. */
+struct block {
+	struct job *job;
+	struct chunk *chunk;
+	size_t lines, points;
+};
+
+/* Reads a line as line_read does, and takes its point. Returns false where
+ * a bad line ends the chunk. */
+static bool read_line(struct block *b, struct span text, bool newline)
+{
+	struct chunk *c = b->chunk;
+	struct line *line = &c->line[b->lines];
+	char reason[REASON_MAX];
+	double v[4];
+
+	line_read(&b->job->layout, text, c->end, &c->header, line, v, reason);
+	line->newline = newline;
+	if (line->kind == LINE_BAD) {
+		chunk_complain(c, c->n_lines, reason);
+		if (!b->job->keep_going) {
+			c->text = c->end;
+			return false;
+		}
+	}
+	if (line->kind == LINE_POINT) {
+		for (int i = 0; i < b->job->layout.reads; i++)
+			c->in[i][b->points] = v[i];
+		b->points++;
+	}
+	b->lines++;
+	c->n_lines++;
+	return true;
+}
+
+static bool read_next(struct block *b)
+{
+	struct chunk *c = b->chunk;
+	const char *newline = memchr(c->text, '\n', (size_t)(c->end - c->text));
+	struct span text = { c->text, newline != NULL ? newline : c->end };
+
+	c->text = newline != NULL ? newline + 1 : c->end;
+	return read_line(b, text, newline != NULL);
+}
+
+/* Takes n lines that were walked, with their numbers v, but those of left one by
+ * one. */
+static bool take_lines(struct block *b, size_t n, uint64_t left,
+    double v[4][PLAIN_BATCH])
+{
+	struct chunk *c = b->chunk;
+	int reads = b->job->layout.reads;
+
+	for (size_t i = 0; i < n;) {
+		size_t end = left >> i == 0 ?
+		    n :
+		    i + (size_t)__builtin_ctzll(left >> i);
+
+		for (int k = 0; k < reads; k++)
+			memcpy(&c->in[k][b->points], &v[k][i],
+			    (end - i) * sizeof v[k][i]);
+		b->points += end - i;
+		b->lines += end - i;
+		c->n_lines += end - i;
+		i = end + 1;
+		if (end < n &&
+		    !read_line(b, line_text(&c->line[b->lines]), true))
+			return false;
+	}
+	return true;
+}
+
+/* Reads some of the next lines by way of the stretch. */
+static bool read_walked(struct block *b, const struct walk *walk)
+{
+	struct chunk *c = b->chunk;
+	size_t n = POINTS_BLOCK - b->lines;
+	struct plain_places at[4];
+	double v[4][PLAIN_BATCH];
+	uint64_t left;
+
+	n = walk_lines(&c->stretch, walk, n < PLAIN_BATCH ? n : PLAIN_BATCH,
+	    &c->line[b->lines], at, &left);
+	for (int k = 0; k < walk->n; k++)
+		left |= plain_reader()->read(&at[k], n, v[k]);
+	c->text = c->stretch.text + c->stretch.at;
+	return take_lines(b, n, left, v);
+}
+
+size_t block_read(struct job *j, struct chunk *c, size_t *points)
+{
+	struct block b = { j, c, 0, 0 };
+	struct stretch *s = &c->stretch;
+	bool more = true, planned = false, walks = false;
+	struct walk walk;
+
+	while (more && b.lines < POINTS_BLOCK && c->text < c->end) {
+		/* only after the header it is known where the columns are */
+		if (!planned && !c->header) {
+			planned = true;
+			walks = plain_reader() != NULL &&
+			    walk_plan(&j->layout, &walk);
+		}
+		if (walks &&
+		    (s->at < s->end || stretch_open(s, &walk, c->text, c->end)))
+			more = read_walked(&b, &walk);
+		else
+			more = read_next(&b);
+	}
+	*points = b.points;
+	return b.lines;
+}

@@ -1,0 +1,47 @@
+/* Lines by way of an index: where in a stretch of text the bytes stand that can
+ * end a field. What is usual is found so, with many numbers read at a time; any
+ * other line is left to line_read, which alone says what is legal. */
+#ifndef WALK_H
+#define WALK_H
+
+#include "../number/plain.h"
+#include "line.h"
+
+/* Bytes that stay in the nearest cache until their numbers are read; 2^16 at
+ * most, for stop. */
+enum { STRETCH = 1 << 14 };
+
+/* A stretch of text, with the places of the bytes that can end a field. */
+struct stretch {
+	const char *readable; /* from here on, text may be looked at */
+	const char *text;     /* its beginning */
+	uint32_t at, end;     /* the next line; past the last whole one */
+	const uint16_t *next; /* the first stop at or after the next line */
+	uint16_t stop[STRETCH + 128];
+};
+
+/* The order in which the coordinates stand on a line. */
+struct walk {
+	enum format format;
+	struct byte_set stops; /* what can end a field */
+	int n;
+	bool columns;      /* else they are the first fields */
+	int skip[4];       /* fields before each that are none */
+	int coordinate[4]; /* which it is */
+};
+
+/* False where lines of that layout are not to be walked. */
+bool walk_plan(const struct layout *, struct walk *);
+
+/* The stretch that begins at text. False where no line ends in it. */
+bool stretch_open(struct stretch *, const struct walk *, const char *text,
+    const char *end);
+
+/* Takes up to n <= PLAIN_BATCH lines: where their numbers stand, by coordinate.
+ * Bit i of *left says that line i has to be left to line_read; else it is
+ * a point if its numbers are plain. Returns how many, at least one while at is
+ * before end. */
+size_t walk_lines(struct stretch *, const struct walk *, size_t n,
+    struct line[PLAIN_BATCH], struct plain_places[4], uint64_t *left);
+
+#endif

@@ -1,0 +1,158 @@
+#!/usr/bin/perl
+# Lines of every kind, right and wrong: what the loops of each processor print and
+# complain of is what the scalar code does, and has the digests of
+# testdata/lines.sha256.
+# usage: lines_test.t [-w] [BUILD]; -w rewrites the digests with what the scalar
+# code makes of the lines.
+use strict;
+use warnings;
+use Digest::SHA 'sha256_hex';
+use FindBin;
+use lib $FindBin::Bin;
+use Projcalc;
+
+my $digests = 'testdata/lines.sha256';
+my $lines = 60000;
+
+sub digits { join '', map { below(10) } 1 .. $_[0] }
+
+# Whole, with decimals, as printf writes doubles, at the limits of what a fast way
+# can take: 16 to 19 digits, 22 decimals, 32 characters.
+my @usual = (
+	sub { sprintf '%.6f', (below(4000001) - 2000000) / 1000000 },
+	sub { sprintf '%.3f', (below(2000001) - 1000000) / 999 },
+	sub { below(2000) - 1000 },
+	sub { sprintf '%.17g', (below(2000001) - 1000000) / 999983 },
+	sub { sprintf '%.15f', below(1000000) / 7 },
+	sub { pick('', '-') . digits(1 + below(6)) . '.' . digits(1 + below(24)) },
+	sub { pick('', '-') . digits(14 + below(8)) },
+	sub { (9007199254740993 + 2 * below(1000000)) . pick('', '.0', '.5') },
+	sub { '0.' . '0' x below(24) . digits(1 + below(8)) },
+	sub { pick('-0', '0', '-0.0', '0.000', '007.5', '-00') },
+);
+
+# Legal in some formats only, or nowhere.
+my @odd = (qw(+1.5 .5 5. -.5 -5. 1e5 -2.5E-7 1e+3 1e400 1e-400 1e151 nan NaN -nan
+    inf -Infinity null true 0x10 1..2 1.2.3 --1 - . -. +-1 1-2 1e 1e+ 1.5e-x x 1/2
+    12:30 "1.5" "1 1" 1"2 "), '', ' ', "1\xe9", "\xef\xbb\xbf1", "1\0", "1\x1b",
+    '[1', '{"x":1}', '[1]', '#1', '9' x 33, '0.' . '1' x 31, '1' . '0' x 150,
+    '1' x 400, '-' . '1' x 31, '-' . '1' x 32);
+
+sub number { (below(60) ? pick(@usual)->() : pick(@odd)) }
+
+sub with_separators {
+	my ($usual, @rare) = @_;
+	my $s = number();
+	$s .= (below(25) ? $usual : pick(@rare)) . number() for 1 .. 2 + below(3);
+	return $s;
+}
+
+my @ends = ('', '', "\r", ' ', "\t ", "\r\r");
+my @words = ('a', 'label', 'two words', "\xc3\xa9", '', '#', "it's", '5" pipe',
+    'x' x 70);
+
+sub text_line {
+	my $s = with_separators(pick(' ', ' ', ' ', ',', "\t", '  ', ', '),
+	    ' , ', ',,', "\x0b", "\f", "\r", ';', ' ' x 70);
+	$s .= pick(' ', ',', ' ,', '  ') . pick(@words) if below(3) == 0;
+	return pick(('') x 20, ' ', "\t", ',') . $s;
+}
+
+sub csv_line {
+	my $s = with_separators(pick(',', ',', ',', ', '), ' , ', ',,', "\t,",
+	    ' ', ';');
+	$s = '"' . pick('a', 'a,b', 'a""b', '1,2', "a") . '",' . $s
+	    if below(20) == 0;
+	$s .= ',' . pick(@words, '"a,b"', '"a""b"', '"open', ' "a" ')
+	    if below(3) == 0;
+	return $s;
+}
+
+sub json_line {
+	my $s = with_separators(pick(',', ',', ',', ', '), ' , ', ',,', "\t,",
+	    ' ', ',]');
+	$s = pick('"a"', '"a,[b]"', 'null', '[1]') . ",$s" if below(20) == 0;
+	$s .= ',' . pick('"a"', '"two words"', '"a,b]"', '"\"q\""', '"\u00e9"',
+	    '"\\\\"', "\"\xc3\xa9\"", '{"a":[1,2]}', '[1,[2]]', 'true', '"open',
+	    "\"\t\"", 'word', '', '17', '1.5e3', '01', '"\\x"') if below(3) == 0;
+	return "[$s]" if below(30);
+	return pick(" [$s]", "[ $s ]", "[$s", "$s]", "[[$s]]", "{$s}", "[$s] x",
+	    "[$s]]", "[$s],", '[]', '[');
+}
+
+# Lines with comments, blank lines, and some that are longer than what is looked
+# at in one go; the last has no newline.
+sub text_of {
+	my ($line) = @_;
+	my $s = $line->();
+	for (2 .. $lines) {
+		$s .= pick(@ends) if below(30) == 0;
+		$s .= "\n";
+		$s .= below(50) ? $line->() : pick('', ' ', "\r", '# 1 2 3',
+		    '  #1,2,3,4', "\t\r");
+		$s .= ' ' x (16000 + below(800)) if below(9000) == 0;
+		$s .= ',' . '"x",' x 12000 . '1' if below(30000) == 0;
+	}
+	return $s;
+}
+
+my $scene = '{"camera":{"eye":[1,2,-5],"at":[0.1,0.2,0.3]},' .
+    '"projection":{"type":"persp","fovy":60,"near":1,"far":10},' .
+    '"viewport":{"width":640,"height":480}}';
+my $window = '{"center":[0,0],"width":3,"height":2}';
+my %line = (text => \&text_line, csv => \&csv_line, json => \&json_line);
+
+# Output, messages and status of the program on the lines of a format.
+sub outcome {
+	my ($format, $cpu, @options) = @_;
+	local $ENV{PROJCALC_CPU} = $cpu;
+	my ($command, $parameters) = @options && $options[0] eq 'w2n' ?
+	    (shift @options, $window) : ('project', $scene);
+	my $run = "$build/projcalc $command -i $format @options '$parameters'";
+	my $out = `cd $tmp && $run lines 2>err`;
+	return join '|', $? >> 8, sha256_hex($out), sha256_hex(slurp("$tmp/err"));
+}
+
+sub options_of {
+	my ($format) = @_;
+	my @k = '--keep-going';
+	my @all = ([@k], [], ['-j', 1, @k], ['-j', 3, @k], ['w2n', @k],
+	    ['--from', 'clip', @k], ['-H', @k], ['--flags', @k],
+	    ['--visible', @k], ['-d', 3, @k], ['-o', 'f64', @k],
+	    ['-t', '0.01', @k], ['--columns', '2,3,4', @k],
+	    ['--columns', '4,1,2', @k], ['--columns', '1,3,2', '--flags', @k]);
+	push @all, map { ['-o', $_, @k], ['-o', $_, '--flags', @k],
+	    ['-o', $_, '--columns', '3,2,1', @k] } qw(text csv json);
+	push @all, ['--ray', @k];
+	push @all, ['--columns', 'z,x,y', @k] if $format eq 'csv';
+	return @all;
+}
+
+# The copies that this processor can run, beside the scalar code.
+my @copies = grep {
+	local $ENV{PROJCALC_CPU} = $_;
+	system("$build/projcalc w2n '$window' '[]' 2>$tmp/err") == 0;
+} qw(avx512 avx2 neon);
+my %want = $write ? () :
+    reverse slurp($digests) =~ /^(\S+)  (.*)/mg;
+my $new = '';
+for my $format (qw(text csv json)) {
+	my $head = $format eq 'csv' ? "# a comment\nx,y,z,label\n" : '';
+	my $text = text_of($line{$format});
+	spew("$tmp/lines", "$head$text");
+	for my $options (options_of($format)) {
+		my $name = "$format @$options";
+		my $scalar = outcome($format, 'baseline', @$options);
+		my $digest = sha256_hex($scalar);
+		$new .= "$digest  $name\n";
+		next if $write;
+		is($digest, $want{$name}, "$name, baseline");
+		is(outcome($format, $_, @$options), $scalar, "$name, $_")
+		    for @copies;
+	}
+}
+if ($write) {
+	spew($digests, $new);
+	exit;
+}
+done_testing();

@@ -1,0 +1,235 @@
+/* Plain numbers by the vector: the truth is strtod's, and what is left to the
+ * scalar code must be what is not plain, or rare. */
+#define _DEFAULT_SOURCE
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+
+#include "../number/number.h"
+#include "../number/plain.h"
+
+enum { ROUNDS = 6000, PAGE = 65536 };
+
+static uint64_t next_random(void)
+{
+	static uint64_t state = 88172645463325252;
+
+	state ^= state << 13;
+	state ^= state >> 7;
+	return state ^= state << 17;
+}
+
+static int below(int n)
+{
+	return (int)((next_random() >> 33) % (uint64_t)n);
+}
+
+static int put_digits(char *s, int n)
+{
+	for (int i = 0; i < n; i++)
+		s[i] = (char)('0' + below(10));
+	return n;
+}
+
+/* Numbers of n to n + more digits, with a point before, among or after them. */
+static int put_decimal(char *s, int n, int more)
+{
+	int size = below(2), point;
+
+	s[0] = '-';
+	n += below(more + 1);
+	point = below(n + 1);
+	size += put_digits(s + size, point);
+	s[size++] = '.';
+	size += put_digits(s + size, n - point);
+	return size;
+}
+
+/* Midway between two doubles, 1 or 2 apart, or near that. */
+static int put_midway(char *s)
+{
+	static const char *const fractions[] = { "5", "49", "51", "499",
+		"501" };
+	unsigned long long k = 1ull << 52 | next_random() >> 12;
+
+	if (below(2))
+		return sprintf(s, "%llu", 2 * k + 1);
+	return sprintf(s, "%llu.%s", k, fractions[below(5)]);
+}
+
+static int put_any(char *s)
+{
+	int n = 1 + below(PLAIN_MAX);
+
+	for (int i = 0; i < n; i++)
+		s[i] =
+		    "0123456789012345678901234567890123.-+e/:\xb9"[below(41)];
+	return n;
+}
+
+/* Writes a number, or what is none, of the sort; returns its size. */
+static int put_sort(int sort, char *s)
+{
+	double v = (double)(int64_t)next_random() / 0x1p63;
+
+	switch (sort) {
+	case 0:
+		return sprintf(s, "%.6f", 1000 * v);
+	case 1:
+		return sprintf(s, "%.17g", v * 100 + (v < 0 ? -1 : 1));
+	case 2:
+		return put_decimal(s, 1, 14);
+	case 3:
+		return put_decimal(s, 15, 4);
+	case 4:
+		return put_decimal(s, 1, 29);
+	case 5:
+		return put_digits(s, 1 + below(19));
+	case 6:
+		return put_midway(s);
+	default:
+		return put_any(s);
+	}
+}
+
+enum { SORTS = 8, ALL_READ = 3 }; /* of the sorts below, all but few are read */
+
+/* As read is to take it: [-] digits with at most one point. */
+static bool is_plain(const char *s)
+{
+	s += *s == '-';
+	size_t whole = strspn(s, "0123456789");
+	size_t point = s[whole] == '.';
+	size_t decimals = strspn(s + whole + point, "0123456789");
+
+	return whole + decimals > 0 && s[whole + point + decimals] == '\0';
+}
+
+static void check_number(const char *text, bool left, double v)
+{
+	double truth = strtod(text, NULL);
+
+	if (!left && (!is_plain(text) || memcmp(&v, &truth, sizeof v) != 0))
+		fail_msg("%s read as %a", text, v);
+}
+
+/* Up to a batch of numbers, the last of them before the end of memory. */
+static int check_batch(const struct plain_reader *r, int sort, char *guard)
+{
+	struct plain_places at;
+	char text[PLAIN_BATCH][PLAIN_MAX + 32], *s = guard;
+	double v[PLAIN_BATCH];
+	int n = 1 + below(PLAIN_BATCH), n_left = 0;
+
+	for (int i = n - 1; i >= 0; i--) {
+		int size = put_sort(sort, text[i]);
+
+		size = size < PLAIN_MAX ? size : PLAIN_MAX;
+		text[i][size] = '\0';
+		at.end[i] = s;
+		at.size[i] = (uint8_t)size;
+		s = memcpy(s - size, text[i], (size_t)size);
+		*--s = " ,7.-"[below(5)];
+	}
+	uint64_t left = r->read(&at, (size_t)n, v);
+
+	for (int i = 0; i < n; i++) {
+		check_number(text[i], left >> i & 1, v[i]);
+		n_left += (int)(left >> i & 1);
+	}
+	assert_true(n == 64 || left >> n == 0);
+	return n_left;
+}
+
+static char *guard_page(void)
+{
+	char *start = mmap(NULL, 2 * PAGE, PROT_READ | PROT_WRITE,
+	    MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+
+	assert_true(start != MAP_FAILED);
+	assert_int_equal(mprotect(start + PAGE, PAGE, PROT_NONE), 0);
+	return start + PAGE;
+}
+
+static const char *const copies[] = { "avx512", "avx2", "neon", "baseline" };
+
+static void reads_as_strtod(void **unused)
+{
+	char *guard = guard_page();
+
+	(void)unused;
+	for (int c = 0; c < 4; c++) {
+		if (!number_choose(copies[c]) || plain_reader() == NULL)
+			continue;
+		for (int sort = 0; sort < SORTS; sort++) {
+			int left = 0;
+
+			for (int i = 0; i < ROUNDS; i++)
+				left += check_batch(plain_reader(), sort,
+				    guard);
+			if (sort < ALL_READ)
+				assert_in_range(left, 0, 10);
+		}
+	}
+}
+
+/* Against the set as it is defined, byte by byte. */
+static void check_places(const struct plain_reader *r,
+    const struct byte_set *set, const char *s, size_t size)
+{
+	static uint16_t at[4096 + 128];
+	size_t n = r->find(set, s, size, at), k = 0;
+
+	for (size_t i = 0; i < size; i++) {
+		uint8_t b = (uint8_t)s[i];
+
+		if ((set->low[b & 15] & set->high[b >> 4]) == 0)
+			continue;
+		assert_true(k < n);
+		assert_int_equal(at[k++], i);
+	}
+	assert_int_equal(k, n);
+}
+
+static void finds_what_is_in_the_set(void **unused)
+{
+	char *guard = guard_page();
+
+	(void)unused;
+	for (int c = 0; c < 4; c++) {
+		if (!number_choose(copies[c]) || plain_reader() == NULL)
+			continue;
+		for (int round = 0; round < 2000; round++) {
+			size_t size = (size_t)below(round % 2 ? 200 : 4096);
+			struct byte_set set;
+			char *s = guard - size;
+
+			for (int i = 0; i < 16; i++) {
+				set.low[i] = (uint8_t)next_random();
+				set.high[i] = (uint8_t)(next_random() &
+				    next_random() & next_random());
+			}
+			for (size_t i = 0; i < size; i++)
+				s[i] = (char)next_random();
+			check_places(plain_reader(), &set, s, size);
+		}
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(reads_as_strtod),
+		cmocka_unit_test(finds_what_is_in_the_set),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
