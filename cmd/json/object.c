@@ -198,20 +198,25 @@ unsigned object_read(const struct value *v, const struct member *table,
     int kind, void *base)
 {
 	unsigned seen = 0;
+	bool beside = false;
 
 	value_want_object(v);
 	struct value m = value_child(v);
 
 	for (; m.item != NULL; value_next(&m)) {
-		if (is_ignored(m.name) || is_beside(&m, table))
+		if (is_ignored(m.name))
 			continue;
 		unsigned bit = member_bit(table, kind, m.name);
+		bool other = is_beside(&m, table);
 
-		if (bit == 0)
+		if (bit == 0 && !other)
 			unknown(&m, table, kind);
-		if (seen & bit)
+		if (other ? beside : (seen & bit) != 0)
 			value_refuse(&m, "repeated; give it once");
 		seen |= bit;
+		beside |= other;
+		if (other)
+			continue;
 		const struct member *row = find(table, kind, m.name);
 
 		row->read(&m, row, (char *)base + row->at);

@@ -110,6 +110,10 @@ static const struct refusal projections[] = {
 	{ &persp, "{\"angle_unit\":\"radians\",\"fovy\":3.2}",
 	    "/fovy: 3.2 is out of range; an angle above 0 and below pi radians "
 	    "is wanted" },
+	{ &persp,
+	    "{\"angle_unit\":\"radians\",\"fovy\":1,\"angle_unit\":"
+	    "\"degrees\"}",
+	    "/angle_unit: repeated; give it once" },
 	{ &persp, "{\"angle_unit\":\"gons\",\"fovy\":1}",
 	    "/angle_unit: is \"gons\"; \"degrees\" or \"radians\" is wanted" },
 	{ &project,
