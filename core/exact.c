@@ -205,7 +205,15 @@ static void accumulate(uint64_t *sum, int low, int high, int sign,
 	}
 }
 
-void ex_dot(int n, const ex *const a[], const ex *const b[], int words, ex *r)
+/* How many of n words from 2^(64 low) on ex_from leaves out. */
+static int words_below(int least, int low, int n)
+{
+	int most = n > EX_KEPT ? n - EX_KEPT : 0;
+
+	return low >= least ? 0 : least - low < most ? least - low : most;
+}
+
+void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 {
 	uint64_t sum[2 * EX_WORDS + 1], w[2 * EX_WORDS];
 	int low = INT_MAX, high = INT_MIN;
@@ -240,12 +248,12 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int words, ex *r)
 		sum[i] = ~sum[i] + carry;
 		carry &= sum[i] == 0;
 	}
-	int n_words = high - low, rest = 0;
+	int n_words = high - low;
 
 	while (n_words > 0 && sum[n_words - 1] == 0)
 		n_words--;
-	if (words > 0 && n_words > words)
-		rest = n_words - words;
+	int rest = words_below(least, low, n_words);
+
 	set(r, minus ? -1 : 1, sum + rest, n_words - rest, low + rest);
 }
 
@@ -299,6 +307,11 @@ ex ex_first(ex a, int n)
 
 	set(&r, a.sign, a.word + rest, a.n - rest, a.e + rest);
 	return r;
+}
+
+ex ex_from(ex a, int least)
+{
+	return ex_first(a, a.n - words_below(least, a.e, a.n));
 }
 
 /* One word of the long division of u[0..n] by d[0..n), whose top bit is set:

@@ -17,7 +17,9 @@
 
 /* What is 2^-3100 of the largest term of a sum or product is lost: 1e150 times
  * itself three times is 2^1993, and nothing below 2^-1075 is printed. A divisor
- * that all terms have in common changes nothing in that. */
+ * that all terms have in common changes nothing in that. Only of two matrices with
+ * elements 1e300 apart, both inverted, do terms span more; there what cancels to
+ * 2^-3100 of them is not known. */
 enum { EX_WORDS = 50 };
 
 /* sign times the sum of word[i] 2^(64 (e + i)); neither end is 0. */
@@ -49,15 +51,22 @@ int ex_sign(ex a);          /* -1, 0, 1 */
 int ex_compare(ex a, ex b); /* the sign of a - b */
 ex ex_first(ex a, int n);   /* the n first words, toward 0 */
 
+/* Those from 2^(64 least) on, but EX_KEPT of them in any case, for what becomes of a
+ * number in which much has cancelled: of its square the size is that of its terms
+ * squared. */
+enum { EX_KEPT = 7 };
+
+ex ex_from(ex a, int least);
+
 /* The nearest double or float, ties to even, also among the subnormal ones;
  * infinite beyond. */
 double ex_double(ex a);
 
-/* What every point needs, without copies: a sum of products, cut to its first words
- * where words is not 0; a quotient of so many words or one more, whose last bit is 1
- * where something remains, so that it is rounded as the exact one (it says whether none
- * does); the nearest double or float. */
-void ex_dot(int n, const ex *const a[], const ex *const b[], int words, ex *);
+/* What every point needs, without copies: a sum of products, cut as by ex_from; a
+ * quotient of so many words or one more, whose last bit is 1 where something remains,
+ * so that it is rounded as the exact one (it says whether none does); the nearest
+ * double or float. */
+void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *);
 bool ex_divide(const ex *a, const ex *b, int words, ex *);
 double ex_nearest(const ex *, bool single);
 

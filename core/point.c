@@ -83,7 +83,8 @@ bool point_quick(const struct transform *t, const double in[4], double out[4])
 		p[i] = two_sum(in[i], -k->origin[i]);
 	if (t->divide) {
 		w = quick_column(k, 3, p);
-		if (!(fabs(w.value.hi) > QUICK_BOUND * w.size))
+		if (!(fabs(w.value.hi) > QUICK_BOUND * w.size) ||
+		    !quick_is_moderate(w.value.hi))
 			return false;
 	}
 	for (int j = 0; j < t->out; j++) {
@@ -111,7 +112,9 @@ float point_single(const struct transform *t, const double in[4], int j,
 }
 
 /* Differences, elements and products are rounded, then three sums: 6 u of their
- * size, less than a 32nd of 2^-45 of it, while nothing overflows or underflows. */
+ * size, less than a 32nd of 2^-45 of it, while nothing overflows. What underflows, an
+ * element that is rounded up to 2^-1074 among them, is off by less than 2^-1025 of
+ * what it is multiplied by. */
 bool point_estimate(const struct transform *t, const double in[3], int n,
     double value[4])
 {
@@ -125,8 +128,8 @@ bool point_estimate(const struct transform *t, const double in[3], int n,
 
 		value[j] = x * k->hi[0][j] + y * k->hi[1][j] + z * k->hi[2][j] +
 		    k->hi[3][j];
-		sure &= fabs(value[j]) >
-			0x1p-45 * size + 2 * k->none[j] * (all + 1) &&
+		sure &= fabs(value[j]) > 0x1p-45 * size +
+			    2 * (k->none[j] + 0x1p-1020) * (all + 1) &&
 		    size > 0x1p-900 && size < 0x1p1000;
 	}
 	return sure;

@@ -71,7 +71,8 @@ static inline struct quick quick_column(const struct kernel_map *k, int j,
 		    k->exact[i][j]);
 	if (s.size > 0)
 		s.size += k->none[j] / QUICK_BOUND *
-		    (fabs(p[0].hi) + fabs(p[1].hi) + fabs(p[2].hi) + 1);
+		    (fabs(p[0].hi) + fabs(p[1].hi) + fabs(p[2].hi) +
+			fabs(p[3].hi));
 	return s;
 }
 

@@ -1,11 +1,11 @@
 #include "sum.h"
 
+#include <limits.h>
 #include <string.h>
 
-/* A value with an error does not need more words than its error leaves. A quotient
- * that is rounded needs one whole word and whether anything remains, or two where
- * that does not tell. */
-enum { WORDS = 7, EXACT = 2, CLEAR = 3 };
+/* A quotient that is rounded needs one whole word and whether anything remains, or
+ * two where that does not tell. */
+enum { EXACT = 2, CLEAR = 3 };
 
 static const struct sum one = { { 1, 1, 0, { 1 } }, { 0, 0 } };
 
@@ -53,10 +53,39 @@ static struct magnitude of(const ex *a)
 	    64 * (a->e + a->n - 1));
 }
 
-/* What the size of a product has of a factor. */
-static struct magnitude share(const struct sum *a)
+static struct magnitude greater(struct magnitude a, struct magnitude b)
 {
-	return a->size.m > 0 ? a->size : of(&a->value);
+	bool first = b.m == 0 ||
+	    (a.m > 0 && (a.e != b.e ? a.e > b.e : a.m > b.m));
+
+	return first ? a : b;
+}
+
+/* All that a value's terms come to at most: exact ones beside others can make more
+ * of it than the others' magnitudes. */
+static struct magnitude most(const struct sum *a)
+{
+	return greater(a->size, of(&a->value));
+}
+
+/* Of a product's terms those that are not exact; some of both factors' exact ones
+ * are counted, too, where neither is exact. */
+static struct magnitude size_of_product(const struct sum *a,
+    const struct sum *b)
+{
+	if (a->size.m == 0 || b->size.m == 0)
+		return a->size.m > 0 ? times(a->size, of(&b->value)) :
+				       times(of(&a->value), b->size);
+	return times(most(a), most(b));
+}
+
+/* A value with an error needs no words below 2^-320 of its size, which is in
+ * [2^(e-1), 2^e). */
+static int least_word(struct magnitude size)
+{
+	int e = size.e - 321;
+
+	return size.m > 0 ? (e >= 0 ? e / 64 : -((63 - e) / 64)) : INT_MIN;
 }
 
 struct sum sum_of(ex exact)
@@ -88,8 +117,7 @@ struct sum sum_abs(struct sum a)
 
 static struct sum cut(ex value, struct magnitude size)
 {
-	return (
-	    struct sum){ size.m > 0 ? ex_first(value, WORDS) : value, size };
+	return (struct sum){ ex_from(value, least_word(size)), size };
 }
 
 struct sum sum_add(struct sum a, struct sum b)
@@ -109,13 +137,9 @@ bool sum_is_nothing(const struct sum *a)
 
 struct sum sum_mul(struct sum a, struct sum b)
 {
-	struct magnitude size = { 0, 0 };
-
 	if (sum_is_nothing(&a) || sum_is_nothing(&b))
 		return sum_of_double(0);
-	if (a.size.m > 0 || b.size.m > 0)
-		size = times(share(&a), share(&b));
-	return cut(ex_mul(a.value, b.value), size);
+	return cut(ex_mul(a.value, b.value), size_of_product(&a, &b));
 }
 
 void sum_dot(int n, const struct sum *const a[], const struct sum *const b[],
@@ -127,11 +151,10 @@ void sum_dot(int n, const struct sum *const a[], const struct sum *const b[],
 	for (int k = 0; k < n; k++) {
 		x[k] = &a[k]->value;
 		y[k] = &b[k]->value;
-		if (x[k]->n > 0 && y[k]->n > 0 &&
-		    (a[k]->size.m > 0 || b[k]->size.m > 0))
-			size = plus(size, times(share(a[k]), share(b[k])));
+		if (!sum_is_nothing(a[k]) && !sum_is_nothing(b[k]))
+			size = plus(size, size_of_product(a[k], b[k]));
 	}
-	ex_dot(n, x, y, size.m > 0 ? WORDS : 0, &r->value);
+	ex_dot(n, x, y, least_word(size), &r->value);
 	r->size = size;
 }
 
@@ -149,7 +172,7 @@ bool sum_is_power_of_two(const struct sum *a)
 
 struct sum sum_quotient(struct sum a, struct sum b)
 {
-	struct magnitude d = of(&b.value), size = over(share(&a), d);
+	struct magnitude d = of(&b.value);
 
 	if (sum_is_nothing(&a))
 		return a;
@@ -161,6 +184,7 @@ struct sum sum_quotient(struct sum a, struct sum b)
 	}
 	ex q;
 	bool exact = ex_divide(&a.value, &b.value, EX_QUOTIENT, &q);
+	struct magnitude size = over(most(&a), d);
 
 	if (b.size.m > 0)
 		size = plus(size, over(times(of(&q), b.size), d));
@@ -174,7 +198,7 @@ struct sum sum_sqrt(struct sum a)
 	ex r = ex_sqrt(a.value);
 
 	if (a.size.m > 0)
-		return (struct sum){ r, over(a.size, of(&r)) };
+		return (struct sum){ r, over(most(&a), of(&r)) };
 	return ex_compare(ex_mul(r, r), a.value) == 0 ? sum_of(r) :
 							sum_inexact(r);
 }

@@ -12,11 +12,11 @@ struct magnitude {
 };
 
 /* Where size is 0 the value is exact. Otherwise an irrational number is in it, or a
- * quotient that was not left to a map's divisor; multiplied out into the parameters it is a sum of terms whose
- * magnitudes sum to size, as far as they hold one. It is within 2^-250 size, and
- * a difference of at most 2^-190 size from anything is taken for none: so what
- * is 0 by its formula is 0, and what lies midway between two doubles is rounded
- * to even, although a square root was on the way. */
+ * quotient that was not left to a map's divisor; multiplied out into the parameters
+ * it is a sum of terms, of which those that are not exact have magnitudes that sum
+ * to size. It is within 2^-250 size, and a difference of at most 2^-190 size from
+ * anything is taken for none: so what is 0 by its formula is 0, and what lies midway
+ * between two doubles is rounded to even, although a square root was on the way. */
 struct sum {
 	ex value;
 	struct magnitude size;
