@@ -199,31 +199,36 @@ void frustum_out_all(const struct frustum *f, const double *const in[4],
 }
 
 const char *view_corner(const struct scene *s, const struct map *from_view,
-    int corner, struct sum h[4])
+    int corner, struct sum h[4], struct sum *over)
 {
 	static const int right[4] = { -1, 1, 1, -1 }, up[4] = { -1, -1, 1, 1 };
-	struct sum side[2], half[2], scale[2], v[4];
+	struct sum half[2], scale[2], v[4];
 
 	limits(s, half, scale);
-	for (int k = 0; k < 2; k++) {
-		int sign = k == 0 ? right[corner % 4] : up[corner % 4];
+	struct sum side[3] = { sum_mul(half[0], scale[1]),
+		sum_mul(half[1], scale[0]), sum_mul(scale[0], scale[1]) };
 
-		side[k] = sum_quotient(half[k], scale[k]);
-		side[k] = sign < 0 ? sum_neg(side[k]) : side[k];
-	}
+	if (right[corner % 4] < 0)
+		side[0] = sum_neg(side[0]);
+	if (up[corner % 4] < 0)
+		side[1] = sum_neg(side[1]);
 	const struct convention *given = &s->convention;
 	const struct convention *answer = answer_convention(s);
 	const char *why = projection_corner(&s->projection, given, side,
-	    corner >= 4, v);
+	    corner >= 4, v, over);
 
-	if (why == NULL && given->view_y_down != answer->view_y_down)
+	if (why != NULL)
+		return why;
+	if (given->view_y_down != answer->view_y_down)
 		v[1] = sum_neg(v[1]);
-	if (why == NULL && looks_back(given) != looks_back(answer))
+	if (looks_back(given) != looks_back(answer))
 		v[2] = sum_neg(v[2]);
+	bool minus = sum_sign(*over) < 0;
 
-	for (int j = 0; j < 4 && why == NULL; j++) {
+	*over = sum_mul(sum_abs(*over), from_view->divisor);
+	for (int j = 0; j < 4; j++) {
 		map_column(from_view, j, v, &h[j]);
-		h[j] = sum_quotient(h[j], from_view->divisor);
+		h[j] = minus ? sum_neg(h[j]) : h[j];
 	}
-	return why;
+	return NULL;
 }

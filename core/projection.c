@@ -456,25 +456,21 @@ const char *projection_map(const struct projection *p,
 
 /* As ndc has it, through the inverse. */
 static const char *bare_corner(const struct projection *p,
-    const struct convention *c, const struct sum side[2], bool far,
-    struct sum v[4])
+    const struct convention *c, const struct sum side[3], bool far,
+    struct sum v[4], struct sum *over)
 {
 	bool one = far != projection_is_reversed(p, c);
-	struct sum clip[4] = { side[0],
+	struct sum depth = number(one ? 1 : c->minus_one ? -1 : 0);
+	const struct sum clip[4] = { side[0],
 		c->ndc_y_down ? sum_neg(side[1]) : side[1],
-		number(one           ? 1 :
-			c->minus_one ? -1 :
-				       0),
-		number(1) };
+		sum_mul(depth, side[2]), side[2] };
 	struct map back;
 	const char *why = projection_map(p, c, true, &back);
 
-	for (int j = 0; j < 4 && why == NULL; j++) {
-		v[j] = number(0);
-		for (int i = 0; i < 4; i++)
-			v[j] = sum_add(v[j],
-			    sum_mul(clip[i], map_element(&back, i, j)));
-	}
+	for (int j = 0; j < 4 && why == NULL; j++)
+		map_column(&back, j, clip, &v[j]);
+	if (why == NULL)
+		*over = sum_mul(side[2], back.divisor);
 	return why;
 }
 
@@ -493,36 +489,46 @@ static bool plane_z(const struct projection *p, const struct convention *c,
 	return p->type == PROJECTION_VOLUME || isfinite(at);
 }
 
-/* With view z and clip w of the plane: x from side w = x X + yx Y + zx z + tx. Over w,
- * as an infinite far plane has no other place. */
+/* From the elements, with view z and clip w of the plane and W = side[2]:
+ *
+ *	d dy Y w = W (y v_y + zy z + ty),  d dx X w = W (x v_x + yx v_y + zx z + tx)
+ *
+ * times d, x y w and W, so that nothing is divided. An infinite far plane is that of
+ * z / w = 1 / zw and 1 / w = 0. */
 const char *projection_corner(const struct projection *p,
-    const struct convention *c, const struct sum side[2], bool far,
-    struct sum v[4])
+    const struct convention *c, const struct sum side[3], bool far,
+    struct sum v[4], struct sum *over)
 {
 	struct elements f = { 0 };
-	struct sum z, w, x, y;
+	struct sum z = number(1), one = number(0), w, x, y;
 
 	if (!has_elements(p))
-		return bare_corner(p, c, side, far, v);
+		return bare_corner(p, c, side, far, v, over);
 	const char *why = find_elements(p, c, &f);
 
 	if (why != NULL)
 		return why;
-	v[2] = sum_quotient(f.d, f.zw);
-	v[3] = number(0);
-	if (projection_is_open(p))
-		v[2] = number(0);
-	else if (plane_z(p, c, far, &z)) {
+	w = f.zw;
+	if (projection_is_open(p)) {
+		z = number(0);
+		w = number(1);
+	} else if (plane_z(p, c, far, &z)) {
+		one = number(1);
 		w = sum_add(sum_mul(f.zw, z), f.tw);
-		v[2] = sum_quotient(sum_mul(f.d, z), w);
-		v[3] = sum_quotient(f.d, w);
 	}
-	y = sum_sub(sum_mul(sum_mul(f.d, f.dy), side[1]),
-	    sum_add(sum_mul(f.zy, v[2]), sum_mul(f.ty, v[3])));
-	v[1] = sum_quotient(y, f.y);
-	x = sum_sub(sum_mul(sum_mul(f.d, f.dx), side[0]),
-	    sum_add(sum_mul(f.zx, v[2]), sum_mul(f.tx, v[3])));
-	v[0] = sum_quotient(sum_sub(x, sum_mul(f.yx, v[1])), f.x);
+	z = sum_mul(f.d, z);
+	one = sum_mul(f.d, one);
+	y = sum_sub(sum_mul(sum_mul(sum_mul(f.d, f.dy), side[1]), w),
+	    sum_mul(side[2], sum_add(sum_mul(f.zy, z), sum_mul(f.ty, one))));
+	x = sum_sub(sum_mul(sum_mul(sum_mul(f.d, f.dx), side[0]), w),
+	    sum_mul(side[2], sum_add(sum_mul(f.zx, z), sum_mul(f.tx, one))));
+	struct sum all = sum_mul(side[2], sum_mul(f.x, f.y));
+
+	v[0] = sum_sub(sum_mul(f.y, x), sum_mul(f.yx, y));
+	v[1] = sum_mul(f.x, y);
+	v[2] = sum_mul(all, z);
+	v[3] = sum_mul(all, one);
+	*over = sum_mul(all, w);
 	return NULL;
 }
 

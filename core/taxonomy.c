@@ -246,9 +246,9 @@ static const char *set_corners(const struct scene *s, struct taxonomy *t)
 	const char *why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &from_view);
 
 	for (int i = 0; i < 8 && why == NULL; i++) {
-		struct sum h[4];
+		struct sum h[4], over;
 
-		why = view_corner(s, &from_view, i, h);
+		why = view_corner(s, &from_view, i, h, &over);
 		if (why == NULL)
 			set_point(h, t->corner[i]);
 	}
