@@ -82,7 +82,7 @@ $(BUILD)/core/kernel/avx2.o $(VECTOR)/avx2.o $(VECTOR)/read_avx2.o: \
     FLAGS += -mavx2 -mfma
 $(BUILD)/core/kernel/avx512.o: FLAGS += -mavx512f -mfma
 $(VECTOR)/avx512.o $(VECTOR)/read_avx512.o: \
-    FLAGS += -mavx512f -mavx512bw -mavx512dq -mavx512vl -mfma
+    FLAGS += -mavx512f -mavx512bw -mavx512cd -mavx512dq -mavx512vl -mfma
 endif
 # Others' libraries at their best, for this very processor.
 $(PEERS): FLAGS += -O3 -march=native -ffp-contract=fast

@@ -283,6 +283,8 @@ take_lines(struct stretch *s, const struct walk *walk, enum format format,
 		lines[i].kind = LINE_POINT;
 		lines[i].newline = true;
 	}
+	for (size_t k = i; k % PLAIN_GROUP != 0; k++)
+		no_numbers(n, k, places);
 	s->at = p.at;
 	s->next = p.stop;
 	return i;

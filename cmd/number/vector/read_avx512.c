@@ -1,4 +1,4 @@
-/* For x86-64 with AVX-512: compile with -mavx512f -mavx512bw -mavx512vl -mfma. */
+/* For x86-64 with AVX-512F, BW, CD, DQ and VL. */
 #ifdef __AVX512BW__
 #include <immintrin.h>
 
@@ -8,13 +8,11 @@
 #define LANES 8
 
 #define IN_SET(set, s) in_set(set, s)
-#define DOTS(x) _mm256_cmpeq_epi8_mask((__m256i)(x), _mm256_set1_epi8('.'))
-#define ANY_TOP_BIT(x) (_mm256_movepi8_mask((__m256i)(x)) != 0)
 #define NEGATED_FMA(a, b, c) ((D)_mm512_fnmadd_pd(a, b, c))
 #define DIFFERENT(a, b) ((unsigned)_mm512_cmp_pd_mask(a, b, _CMP_NEQ_UQ))
 #define EIGHTS(rows, first, rest) eights(rows, &(first), &(rest))
 
-#include "../plain.h"
+#include "read_rows.h"
 
 static inline uint64_t in_set(const struct byte_set *set, const char *s)
 {
@@ -47,6 +45,117 @@ static inline void eights(const uint8_t *rows, void *first, void *rest)
 	_mm512_storeu_si512(first,
 	    _mm512_and_si512(y, _mm512_set1_epi64(0xffffffff)));
 	_mm512_storeu_si512(rest, _mm512_srli_epi64(y, 32));
+}
+
+/* A number's 32 bytes and the next one's. */
+static inline __m512i two_rows(const char *a, const char *b)
+{
+	return _mm512_inserti64x4(_mm512_castsi256_si512(
+				      _mm256_loadu_si256((const void *)a)),
+	    _mm256_loadu_si256((const void *)b), 1);
+}
+
+/* Bit i of lane k: whether byte i of the k-th row is c. */
+static inline __m256i bits_of(const __m512i x[4], char c)
+{
+	const __m512i all = _mm512_set1_epi8(c);
+
+	return _mm256_setr_epi64x((long long)_mm512_cmpeq_epi8_mask(x[0], all),
+	    (long long)_mm512_cmpeq_epi8_mask(x[1], all),
+	    (long long)_mm512_cmpeq_epi8_mask(x[2], all),
+	    (long long)_mm512_cmpeq_epi8_mask(x[3], all));
+}
+
+/* The last n bytes of rows 2k and 2k+1, n <= 32 being in the bytes of lane 2k and
+ * of the next one. */
+static inline __mmask64 last(__m512i n, size_t k)
+{
+	const __m512i rest = _mm512_set_epi8(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11,
+	    12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28,
+	    29, 30, 31, 32, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15,
+	    16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32);
+	const __m512i first = _mm512_set_epi32(1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0,
+	    0, 0, 0, 0, 0);
+
+	n = _mm512_permutexvar_epi32(_mm512_or_si512(first,
+					 _mm512_set1_epi32((int)(2 * k))),
+	    n);
+	return _mm512_cmple_epi8_mask(rest, n);
+}
+
+/* A number in each byte of its lane. */
+static inline __m512i in_bytes(__m256i n)
+{
+	return _mm512_castsi256_si512(
+	    _mm256_mullo_epi32(n, _mm256_set1_epi32(0x01010101)));
+}
+
+/* 10^decimals, of which NO_POINT is 10^0 as only five bits count, or -10^decimals;
+ * nan where there are no digits. */
+static inline __m512d scale_of(__m256i decimals, __mmask8 minus, __mmask8 none)
+{
+	const double *p = power[0];
+	__m512i k = _mm512_cvtepu32_epi64(decimals);
+	__mmask8 upper = _mm512_test_epi64_mask(k, _mm512_set1_epi64(16));
+	__m512d a = _mm512_permutex2var_pd(_mm512_loadu_pd(p), k,
+	    _mm512_loadu_pd(p + 8));
+	__m512d b = _mm512_permutex2var_pd(_mm512_loadu_pd(p + 16), k,
+	    _mm512_loadu_pd(p + 24));
+
+	a = _mm512_mask_mov_pd(a, upper, b);
+	a = _mm512_mask_xor_pd(a, minus, a, _mm512_set1_pd(-0.0));
+	return _mm512_mask_mov_pd(a, none, _mm512_set1_pd(NO));
+}
+
+/* Loads what stands before the ends twice, one byte apart: the decimals of the
+ * first and the whole digits of the second are side by side, without the point. */
+static inline struct look set_group(struct rows *r, size_t i,
+    const struct plain_places *at)
+{
+	const char *const *end = at->end + i;
+	const __m256i one = _mm256_set1_epi32(1);
+	__m256i n = _mm256_cvtepu8_epi32(
+	    _mm_loadl_epi64((const void *)(at->size + i)));
+	__m256i start = _mm256_sub_epi32(_mm256_set1_epi32(32), n);
+	__m512i x[4], before[4], odd = _mm512_setzero_si512();
+
+	for (size_t k = 0; k < 4; k++) {
+		x[k] = two_rows(end[2 * k] - 32, end[2 * k + 1] - 32);
+		before[k] = two_rows(end[2 * k] - 33, end[2 * k + 1] - 33);
+	}
+	__m256i dots = _mm256_and_si256(bits_of(x, '.'),
+	    _mm256_sllv_epi32(_mm256_set1_epi32(-1), start));
+	__mmask8 minus = _mm256_test_epi32_mask(bits_of(x, '-'),
+	    _mm256_sllv_epi32(one, start));
+	__mmask8 point = _mm256_test_epi32_mask(dots, dots);
+	__m256i decimals = _mm256_lzcnt_epi32(dots);
+	__m256i digits = _mm256_mask_sub_epi32(n, minus, n, one);
+
+	digits = _mm256_mask_sub_epi32(digits, point, digits, one);
+	_mm512_storeu_pd(r->scale + i,
+	    scale_of(decimals, minus, _mm256_testn_epi32_mask(digits, digits)));
+
+	__m512i fraction_bytes = in_bytes(decimals),
+		digits_bytes = in_bytes(digits);
+
+	for (size_t k = 0; k < 4; k++) {
+		x[k] = _mm512_mask_mov_epi8(before[k], last(fraction_bytes, k),
+		    x[k]);
+		x[k] = _mm512_maskz_sub_epi8(last(digits_bytes, k), x[k],
+		    _mm512_set1_epi8('0'));
+		odd = _mm512_max_epu8(odd, x[k]);
+	}
+	for (size_t k = 0; k < 2; k++) {
+		_mm512_storeu_si512(r->high[i + 4 * k],
+		    _mm512_shuffle_i64x2(x[2 * k], x[2 * k + 1], 0x88));
+		_mm512_storeu_si512(r->low[i + 4 * k],
+		    _mm512_shuffle_i64x2(x[2 * k], x[2 * k + 1], 0xdd));
+	}
+	return (struct look){
+		.others = _mm512_cmpgt_epu8_mask(odd, _mm512_set1_epi8(9)) != 0,
+		.many = _mm256_cmpgt_epi32_mask(digits,
+			    _mm256_set1_epi32(15)) != 0,
+	};
 }
 
 #include "read_body.h"
