@@ -181,7 +181,7 @@ static char *put_image(struct block *b, const struct line *line, size_t p,
 static char *put_other(const struct job *j, const struct line *line, char *at)
 {
 	static const double nan = (double)NAN;
-	static const struct number_text none = { "" };
+	static const struct number_text none = { .layout = 0 };
 	static const struct word flag = { "nan", 3 };
 	const struct numbers n = { &nan, &none, 0, 0 };
 	bool bad = line->kind == LINE_BAD;
