@@ -46,11 +46,12 @@ char *number_write_float(char *s, float v, struct number_style style);
 /* The text of a number that was made with many others: the digits and zeros from
  * b + first on, with a point after the first so many, size bytes in all; before them
  * a minus or none. first, minus, before and size are the bytes of layout, from the
- * lowest; it is 0 for a text that is left to number_write. */
+ * lowest; it is 0 for a text that is left to number_write. None is in two lines of
+ * the cache. */
 struct number_text {
 	char b[60];
 	uint32_t layout;
-};
+} __attribute__((aligned(64)));
 
 /* The texts of n numbers, which are floats where single says so. There is room
  * in t and v for n rounded up to 64; what v holds there is read, and no matter. */

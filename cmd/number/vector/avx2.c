@@ -21,6 +21,7 @@
 #define MIN(a, b) _mm256_min_pd(a, b)
 #define LESS(a, b) _mm256_castpd_si256(_mm256_cmp_pd(a, b, _CMP_LT_OQ))
 #define EQUAL(a, b) _mm256_castpd_si256(_mm256_cmp_pd(a, b, _CMP_EQ_OQ))
+#define EVERY(m) (_mm256_movemask_pd(_mm256_castsi256_pd(m)) == 15)
 #define CHOOSE(m, a, b) _mm256_blendv_pd(b, a, _mm256_castsi256_pd(m))
 #define ONLY(m, a) _mm256_and_pd(_mm256_castsi256_pd(m), a)
 #define UNLESS(m, a) _mm256_andnot_pd(_mm256_castsi256_pd(m), a)

@@ -23,6 +23,7 @@
 #define MIN(a, b) _mm512_min_pd(a, b)
 #define LESS(a, b) _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ)
 #define EQUAL(a, b) _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ)
+#define EVERY(m) ((m) == 255)
 #define CHOOSE(m, a, b) _mm512_mask_blend_pd((M)(m), b, a)
 #define ONLY(m, a) _mm512_maskz_mov_pd((M)(m), a)
 #define UNLESS(m, a) _mm512_maskz_mov_pd((M) ~(m), a)

@@ -20,6 +20,7 @@
 #define MIN(a, b) vminq_f64(a, b)
 #define LESS(a, b) vcltq_f64(a, b)
 #define EQUAL(a, b) vceqq_f64(a, b)
+#define EVERY(m) (vminvq_u32(vreinterpretq_u32_u64(m)) != 0)
 #define CHOOSE(m, a, b) vbslq_f64(m, a, b)
 #define ONLY(m, a) DOUBLES((m)&BITS(a))
 #define UNLESS(m, a) DOUBLES(vbicq_u64(BITS(a), m))

@@ -15,6 +15,7 @@
  *	FLOOR, NEAREST	to a whole number; NEAREST has ties to even
  *	ABS, MIN	MIN is any number where one is nan
  *	LESS, EQUAL	an M; no where one is nan
+ *	EVERY(m)	whether it is yes in each lane
  *	CHOOSE(m, a, b)	m ? a : b
  *	ONLY(m, a)	m ? a : 0
  *	UNLESS(m, a)	m ? 0 : a
