@@ -221,6 +221,7 @@ find_coordinates(struct place *p, const struct walk *w, enum format format,
 		pass(p);
 		pass_blanks(p);
 	}
+#pragma GCC unroll 3
 	for (int m = 0; m < n; m++) {
 		for (int skip = columns ? w->skip[m] : 0; skip > 0; skip--)
 			if (!pass_field(p, format) ||
