@@ -55,39 +55,20 @@ static inline __m512i two_rows(const char *a, const char *b)
 	    _mm256_loadu_si256((const void *)b), 1);
 }
 
-/* Bit i of lane k: whether byte i of the k-th row is c. */
-static inline __m256i bits_of(const __m512i x[4], char c)
+/* Of the bytes before each end, bits for the points, the minus signs, the digits
+ * after the point and all digits; two numbers in a mask. */
+struct marks {
+	__mmask64 point[PLAIN_BATCH / 2], minus[PLAIN_BATCH / 2],
+	    fraction[PLAIN_BATCH / 2], digits[PLAIN_BATCH / 2];
+	bool many[PLAIN_BATCH / PLAIN_GROUP];
+};
+
+/* The last bytes of the rows, n <= 32 of each: two rows in a mask. */
+static inline void last(__m256i n, __mmask64 to[4])
 {
-	const __m512i all = _mm512_set1_epi8(c);
-
-	return _mm256_setr_epi64x((long long)_mm512_cmpeq_epi8_mask(x[0], all),
-	    (long long)_mm512_cmpeq_epi8_mask(x[1], all),
-	    (long long)_mm512_cmpeq_epi8_mask(x[2], all),
-	    (long long)_mm512_cmpeq_epi8_mask(x[3], all));
-}
-
-/* The last n bytes of rows 2k and 2k+1, n <= 32 being in the bytes of lane 2k and
- * of the next one. */
-static inline __mmask64 last(__m512i n, size_t k)
-{
-	const __m512i rest = _mm512_set_epi8(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11,
-	    12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28,
-	    29, 30, 31, 32, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15,
-	    16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32);
-	const __m512i first = _mm512_set_epi32(1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0,
-	    0, 0, 0, 0, 0);
-
-	n = _mm512_permutexvar_epi32(_mm512_or_si512(first,
-					 _mm512_set1_epi32((int)(2 * k))),
-	    n);
-	return _mm512_cmple_epi8_mask(rest, n);
-}
-
-/* A number in each byte of its lane. */
-static inline __m512i in_bytes(__m256i n)
-{
-	return _mm512_castsi256_si512(
-	    _mm256_mullo_epi32(n, _mm256_set1_epi32(0x01010101)));
+	_mm256_storeu_si256((void *)to,
+	    _mm256_sllv_epi32(_mm256_set1_epi32(-1),
+		_mm256_sub_epi32(_mm256_set1_epi32(32), n)));
 }
 
 /* 10^decimals, of which NO_POINT is 10^0 as only five bits count, or -10^decimals;
@@ -107,25 +88,26 @@ static inline __m512d scale_of(__m256i decimals, __mmask8 minus, __mmask8 none)
 	return _mm512_mask_mov_pd(a, none, _mm512_set1_pd(NO));
 }
 
-/* Loads what stands before the ends twice, one byte apart: the decimals of the
- * first and the whole digits of the second are side by side, without the point. */
-static inline struct look set_group(struct rows *r, size_t i,
-    const struct plain_places *at)
+static inline void find_marks(struct marks *m, size_t i, const char *const *end)
 {
-	const char *const *end = at->end + i;
+	__m512i x = two_rows(end[i] - 32, end[i + 1] - 32);
+
+	m->point[i / 2] = _mm512_cmpeq_epi8_mask(x, _mm512_set1_epi8('.'));
+	m->minus[i / 2] = _mm512_cmpeq_epi8_mask(x, _mm512_set1_epi8('-'));
+}
+
+static inline void count(struct marks *m, struct rows *r, size_t i,
+    const uint8_t *size)
+{
 	const __m256i one = _mm256_set1_epi32(1);
 	__m256i n = _mm256_cvtepu8_epi32(
-	    _mm_loadl_epi64((const void *)(at->size + i)));
+	    _mm_loadl_epi64((const void *)(size + i)));
 	__m256i start = _mm256_sub_epi32(_mm256_set1_epi32(32), n);
-	__m512i x[4], before[4], odd = _mm512_setzero_si512();
-
-	for (size_t k = 0; k < 4; k++) {
-		x[k] = two_rows(end[2 * k] - 32, end[2 * k + 1] - 32);
-		before[k] = two_rows(end[2 * k] - 33, end[2 * k + 1] - 33);
-	}
-	__m256i dots = _mm256_and_si256(bits_of(x, '.'),
+	__m256i dots = _mm256_and_si256(_mm256_loadu_si256(
+					    (void *)(m->point + i / 2)),
 	    _mm256_sllv_epi32(_mm256_set1_epi32(-1), start));
-	__mmask8 minus = _mm256_test_epi32_mask(bits_of(x, '-'),
+	__mmask8 minus = _mm256_test_epi32_mask(_mm256_loadu_si256(
+						    (void *)(m->minus + i / 2)),
 	    _mm256_sllv_epi32(one, start));
 	__mmask8 point = _mm256_test_epi32_mask(dots, dots);
 	__m256i decimals = _mm256_lzcnt_epi32(dots);
@@ -135,27 +117,57 @@ static inline struct look set_group(struct rows *r, size_t i,
 	_mm512_storeu_pd(r->scale + i,
 	    scale_of(decimals, minus, _mm256_testn_epi32_mask(digits, digits)));
 
-	__m512i fraction_bytes = in_bytes(decimals),
-		digits_bytes = in_bytes(digits);
+	last(decimals, m->fraction + i / 2);
+	last(digits, m->digits + i / 2);
+	m->many[i / 8] = _mm256_cmpgt_epi32_mask(digits,
+			     _mm256_set1_epi32(15)) != 0;
+}
 
-	for (size_t k = 0; k < 4; k++) {
-		x[k] = _mm512_mask_mov_epi8(before[k], last(fraction_bytes, k),
-		    x[k]);
-		x[k] = _mm512_maskz_sub_epi8(last(digits_bytes, k), x[k],
-		    _mm512_set1_epi8('0'));
-		odd = _mm512_max_epu8(odd, x[k]);
-	}
-	for (size_t k = 0; k < 2; k++) {
-		_mm512_storeu_si512(r->high[i + 4 * k],
-		    _mm512_shuffle_i64x2(x[2 * k], x[2 * k + 1], 0x88));
-		_mm512_storeu_si512(r->low[i + 4 * k],
-		    _mm512_shuffle_i64x2(x[2 * k], x[2 * k + 1], 0xdd));
+/* Loads what stands before the ends twice, one byte apart: the decimals of the
+ * first and the whole digits of the second are side by side, without the point. */
+static inline __m512i rows_at(const struct marks *m, size_t i,
+    const char *const *end)
+{
+	__m512i x = two_rows(end[i] - 33, end[i + 1] - 33);
+
+	x = _mm512_mask_mov_epi8(x, m->fraction[i / 2],
+	    two_rows(end[i] - 32, end[i + 1] - 32));
+	return _mm512_maskz_sub_epi8(m->digits[i / 2], x,
+	    _mm512_set1_epi8('0'));
+}
+
+static inline struct look set_group(const struct marks *m, struct rows *r,
+    size_t i, const struct plain_places *at)
+{
+	__m512i odd = _mm512_setzero_si512();
+
+	for (size_t k = i; k < i + PLAIN_GROUP; k += 4) {
+		__m512i a = rows_at(m, k, at->end),
+			b = rows_at(m, k + 2, at->end);
+
+		odd = _mm512_max_epu8(odd, _mm512_max_epu8(a, b));
+		_mm512_storeu_si512(r->high[k],
+		    _mm512_shuffle_i64x2(a, b, 0x88));
+		_mm512_storeu_si512(r->low[k],
+		    _mm512_shuffle_i64x2(a, b, 0xdd));
 	}
 	return (struct look){
 		.others = _mm512_cmpgt_epu8_mask(odd, _mm512_set1_epi8(9)) != 0,
-		.many = _mm256_cmpgt_epi32_mask(digits,
-			    _mm256_set1_epi32(15)) != 0,
+		.many = m->many[i / 8],
 	};
+}
+
+static inline void set_rows(struct rows *r, struct look *look, size_t n,
+    const struct plain_places *at)
+{
+	struct marks m;
+
+	for (size_t i = 0; i < n; i += 2)
+		find_marks(&m, i, at->end);
+	for (size_t i = 0; i < n; i += PLAIN_GROUP)
+		count(&m, r, i, at->size);
+	for (size_t i = 0; i < n; i += PLAIN_GROUP)
+		look[i / PLAIN_GROUP] = set_group(&m, r, i, at);
 }
 
 #include "read_body.h"

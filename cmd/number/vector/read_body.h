@@ -10,8 +10,8 @@
  *	NEGATED_FMA(a, b, c)	c - a b, rounded once
  *	DIFFERENT(a, b)	bit i: whether a and b differ in lane i, as nan does
  *
- * and set_group, which sets the rows of a group; or for that of read_row.h, which it
- * includes then,
+ * and set_rows, which sets the rows of n numbers, whole groups, and says how each
+ * group looks; or for that of read_row.h, which it includes then,
  *
  *	DOTS(row)	bit i: whether row[i] is a point, of 32 bytes
  *	ANY_TOP_BIT(row)	whether the top bit of any byte is set
@@ -141,8 +141,8 @@ static uint64_t READ(const struct plain_places *at, size_t n,
 	struct look look[PLAIN_BATCH / PLAIN_GROUP];
 	uint64_t bad = 0;
 
-	for (size_t i = 0; i < n; i += PLAIN_GROUP)
-		look[i / PLAIN_GROUP] = set_group(&r, i, at);
+	set_rows(&r, look, (n + PLAIN_GROUP - 1) / PLAIN_GROUP * PLAIN_GROUP,
+	    at);
 	for (size_t i = 0; i < n; i += PLAIN_GROUP)
 		bad |= read_group(&r, i, look[i / PLAIN_GROUP], v);
 	return n < PLAIN_BATCH ? bad & ((1ull << n) - 1) : bad;

@@ -57,3 +57,10 @@ static inline struct look set_group(struct rows *r, size_t i,
 	}
 	return (struct look){ .others = ANY_TOP_BIT(odd), .many = any > 15 };
 }
+
+static inline void set_rows(struct rows *r, struct look *look, size_t n,
+    const struct plain_places *at)
+{
+	for (size_t i = 0; i < n; i += PLAIN_GROUP)
+		look[i / PLAIN_GROUP] = set_group(r, i, at);
+}
