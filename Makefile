@@ -73,9 +73,8 @@ $(BUILD)/%.o: %.cc | $(FIRST)
 
 # The inner loops: binary points take a fifth less time than at -O2. Those for
 # AVX2 and AVX-512 are chosen when the program runs; NEON is in every arm64.
-$(addprefix $(BUILD)/,core/frustum.o $(addprefix cmd/points/,binary.o \
-    block_write.o walk.o)) $(call objects,core/kernel cmd/number/vector): \
-    FLAGS += -O3
+$(addprefix $(BUILD)/cmd/points/,binary.o block_write.o walk.o) \
+    $(call objects,core/kernel cmd/number/vector): FLAGS += -O3
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),)
 VECTOR = $(BUILD)/cmd/number/vector
 $(BUILD)/core/kernel/avx2.o $(VECTOR)/avx2.o $(VECTOR)/read_avx2.o: \
