@@ -222,8 +222,6 @@ static void the_least_distance_tells(void **state)
 static void many_are_told_as_one(void **state)
 {
 	enum { MANY = 1000 };
-	static const char *const copies[] = { "baseline", "avx2", "avx512",
-		"neon" };
 	static double in[4][MANY];
 	static unsigned char out[MANY];
 	struct scene s;
