@@ -291,15 +291,17 @@ take_lines(struct stretch *s, const struct walk *walk, enum format format,
 	return i;
 }
 
-/* Three coordinates at the beginning of a line are what is usual. */
+/* Three coordinates are what is usual. */
 static inline __attribute__((always_inline)) size_t
 take_format(struct stretch *s, const struct walk *walk, enum format format,
     size_t max, struct line *lines, struct plain_places places[4],
     uint64_t *left)
 {
-	if (walk->n == 3 && !walk->columns)
-		return take_lines(s, walk, format, 3, false, max, lines, places,
-		    left);
+	if (walk->n == 3)
+		return walk->columns ? take_lines(s, walk, format, 3, true, max,
+					   lines, places, left) :
+				       take_lines(s, walk, format, 3, false,
+					   max, lines, places, left);
 	return take_lines(s, walk, format, walk->n, true, max, lines, places,
 	    left);
 }

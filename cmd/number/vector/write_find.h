@@ -150,7 +150,7 @@ INLINE void find_decimals(struct found *f, size_t i, int n,
 	V scale = ALL(n), hi, lo;
 
 	power_of_ten(tens, scale, &hi, &lo);
-	struct scaled x = scaled(ABS(v), hi, lo, false);
+	struct scaled x = scaled(ABS(v), hi, lo, true);
 	struct digits d = { nearest(x), ALL(0), LESS(x.p, ALL(0x1p53)) };
 
 	store_found(f, i, v, d, scale);
