@@ -3,6 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "points.h"
+
 static void limits(const struct scene *s, struct sum half[2],
     struct sum scale[2])
 {
@@ -93,14 +95,7 @@ unsigned frustum_out(const struct frustum *f, const double in[4])
 	return out;
 }
 
-/* The columns of a map as point_estimate takes them, which says why: all their
- * values above slope all + floor have sure signs where all, |x| + |y| + |z| from
- * the origin, is not below low and below high. One bound for all columns, the
- * largest, leaves a few more points to be looked at and saves the others. */
-struct estimate {
-	double origin[3], m[4][4], slope, floor, low, high;
-};
-
+/* As point_estimate takes them, which says why. */
 static struct estimate estimate_of(const struct transform *t, int columns)
 {
 	const struct kernel_map *k = &t->for_kernel;
@@ -122,37 +117,6 @@ static struct estimate estimate_of(const struct transform *t, int columns)
 	return e;
 }
 
-enum { UNSURE = 1 << 16 };
-
-/* Adds weight 2^j to word[i] where column j is negative at point i, and UNSURE
- * where that is not sure of all. In doubles alone, so that the compiler makes a
- * loop of vectors of it. Where all is in its range no value is nan. */
-static inline void add_signs(const struct estimate *e, int columns,
-    double weight, const double *const in[3], double *restrict word, size_t n)
-{
-	const double *x = in[0], *y = in[1], *z = in[2];
-
-	for (size_t i = 0; i < n; i++) {
-		double a = x[i] - e->origin[0], b = y[i] - e->origin[1];
-		double c = z[i] - e->origin[2];
-		double all = fabs(a) + fabs(b) + fabs(c),
-		       least = (double)INFINITY;
-		double sum = word[i];
-
-		for (int j = 0; j < columns; j++) {
-			double v = a * e->m[0][j] + b * e->m[1][j] +
-			    c * e->m[2][j] + e->m[3][j];
-
-			least = fabs(v) < least ? fabs(v) : least;
-			sum += v < 0 ? weight * (1 << j) : 0;
-		}
-		bool sure = (all >= e->low) & (all < e->high) &
-		    (least > e->slope * all + e->floor);
-
-		word[i] = sum + (sure ? 0 : UNSURE);
-	}
-}
-
 enum { FEW = 256 };
 
 static void out_few(const struct frustum *f, const struct estimate *sides,
@@ -162,13 +126,13 @@ static void out_few(const struct frustum *f, const struct estimate *sides,
 	double word[FEW];
 
 	memset(word, 0, n * sizeof *word);
-	add_signs(sides, 4, OUT_LEFT, in, word, n);
-	add_signs(ends, 3, OUT_NEAR, in, word, n);
+	points_kernels()->signs(sides, 4, OUT_LEFT, in, word, n);
+	points_kernels()->signs(ends, 3, OUT_NEAR, in, word, n);
 	for (size_t i = 0; i < n; i++) {
 		unsigned planes = (unsigned)word[i];
 		const double p[4] = { in[0][i], in[1][i], in[2][i] };
 
-		if (planes >= UNSURE)
+		if (planes >= SIGNS_UNSURE)
 			planes = frustum_out(f, p);
 		out[i] = planes & OUT_BEHIND ? OUT_BEHIND :
 					       (unsigned char)planes;

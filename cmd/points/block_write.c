@@ -147,7 +147,7 @@ static inline char *replace(const struct block *b, const struct line *line,
 static inline char *put_usual(struct block *b, const struct line *line,
     size_t p, char *at)
 {
-	uint32_t done = line->at[2].to;
+	uint32_t done = line->at[2].to, rest = line->size - done;
 
 	at = replace(b, line, 0, 0, p, at);
 	at = replace(b, line, 1, line->at[0].to, p, at);
@@ -155,9 +155,11 @@ static inline char *put_usual(struct block *b, const struct line *line,
 	if (b->job->flags)
 		at = put_word(&b->job->layout, line,
 		    word_for(b->chunk, b->outside[p]), at);
-	if (line->size > done)
-		memcpy(at, line->s + done, line->size - done);
-	at += line->size - done;
+	if (rest > 1)
+		memcpy(at, line->s + done, rest);
+	else if (rest == 1) /* the bracket of JSON */
+		*at = line->s[done];
+	at += rest;
 	*at = '\n';
 	return at + line->newline;
 }
@@ -181,7 +183,7 @@ static char *put_image(struct block *b, const struct line *line, size_t p,
 static char *put_other(const struct job *j, const struct line *line, char *at)
 {
 	static const double nan = (double)NAN;
-	static const struct number_text none = { "" };
+	static const struct number_text none = { .layout = 0 };
 	static const struct word flag = { "nan", 3 };
 	const struct numbers n = { &nan, &none, 0, 0 };
 	bool bad = line->kind == LINE_BAD;
@@ -278,13 +280,14 @@ void block_write(const struct job *j, struct chunk *c, size_t n, size_t points,
     size_t number)
 {
 	bool lines = !is_binary(j->layout.in);
-	struct block b = { .job = j,
-		.chunk = c,
-		.points = points,
-		.texts.from = SIZE_MAX };
+	struct block b; /* of which its texts would take long to be cleared */
 	const double *const in[4] = { c->in[0], c->in[1], c->in[2], c->in[3] };
 	size_t p = 0;
 
+	b.job = j;
+	b.chunk = c;
+	b.points = points;
+	b.texts.from = SIZE_MAX;
 	bool finite = mark(&b, n, number);
 
 	/* to JSON, nan goes as null */

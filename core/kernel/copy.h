@@ -22,6 +22,7 @@
 
 #include "exact.h"
 #include "rows.h"
+#include "signs.h"
 
 #define COLUMN double
 #define REAL double
@@ -116,6 +117,7 @@ const struct kernels COPY = {
 	},
 	.within = { KERNELS_OF(within) },
 	.floats = { KERNELS_OF(floats) },
+	.signs = signs,
 	.split = { ROWS_OF(split_narrow), ROWS_OF(split_wide) },
 	.join = { ROWS_OF(join_narrow), ROWS_OF(join_wide) },
 	.split_floats = ROWS_OF(split_floats),
