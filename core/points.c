@@ -218,6 +218,14 @@ bool points_join(double (*columns)[POINTS_BLOCK], char *rows, bool wide,
 	return kernels->join[wide][numbers](columns, rows, n);
 }
 
+bool points_carry_doubles(const struct transform *t, const char *in, char *out,
+    size_t n)
+{
+	direct_kernel fast = kernels->direct[t->kind];
+
+	return fast != NULL && fast(&t->for_kernel, in, out, n, MAGNITUDE_MAX);
+}
+
 bool points_carry_floats(const struct transform *t, const char *in, char *out,
     size_t n)
 {
