@@ -30,7 +30,7 @@ static void extents_of(const char *rows, size_t n, struct extent extent[3])
 	}
 }
 
-static inline __attribute__((always_inline)) bool
+static inline __attribute__((always_inline)) enum direct_state
 direct(const struct kernel_map *m, const char *restrict in, char *restrict out,
     size_t n, double most, enum kernel_kind kind)
 {
@@ -39,7 +39,7 @@ direct(const struct kernel_map *m, const char *restrict in, char *restrict out,
 	extents_of(in, n, extent);
 	for (int k = 0; k < 3; k++)
 		if (!(extent[k].low >= -most && extent[k].high <= most))
-			return false;
+			return DIRECT_BEYOND;
 	const struct block b = block_of(m, extent, kind);
 	bool sure = true;
 
@@ -52,14 +52,14 @@ direct(const struct kernel_map *m, const char *restrict in, char *restrict out,
 			q[k] = q[k] + ALL(0); /* -0 becomes 0 */
 		join_three(out + 24 * i, q);
 	}
-	return sure;
+	return sure ? DIRECT_DONE : DIRECT_UNSURE;
 }
 
-#define LOOP(KIND, name)                                             \
-	static bool name(const struct kernel_map *m, const char *in, \
-	    char *out, size_t n, double most)                        \
-	{                                                            \
-		return direct(m, in, out, n, most, KIND);            \
+#define LOOP(KIND, name)                                          \
+	static enum direct_state name(const struct kernel_map *m, \
+	    const char *in, char *out, size_t n, double most)     \
+	{                                                         \
+		return direct(m, in, out, n, most, KIND);         \
 	}
 
 LOOP(KERNEL_AFFINE, direct_affine)

@@ -180,8 +180,8 @@ static void floats_come_out_as_of_doubles(void **state)
 	assert_true(carried > 200);
 }
 
-/* To the bits of points_carry with columns, -0 as 0; where it gives up, a point is
- * beyond the range, has no image or was not sure. */
+/* To the bits of points_carry with columns, -0 as 0; where it gives up, one point has
+ * no image. */
 static void doubles_come_out_as_of_columns(void **state)
 {
 	const struct accuracy exact = { .precision = PRECISION_EXACT };
