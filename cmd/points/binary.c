@@ -57,10 +57,11 @@ bool binary_carry(const struct job *j, struct chunk *c)
 		n = wide ? ROWS_BLOCK : POINTS_BLOCK;
 	if (wide) /* the few last ones are left */
 		n -= n % 16;
+	if (n == 0)
+		return false;
 	char *at = chunk_reserve(c, n * size);
 
-	if (n == 0 ||
-	    !(wide ? points_carry_doubles(&j->transform, c->text, at, n) :
+	if (!(wide ? points_carry_doubles(&j->transform, c->text, at, n) :
 		     points_carry_floats(&j->transform, c->text, at, n)))
 		return false;
 	c->size += n * size;
