@@ -67,6 +67,11 @@ static void show(const struct job *j, struct chunk *c, size_t n, size_t number,
 	}
 }
 
+static bool is_exact(const struct accuracy *a)
+{
+	return a->precision == PRECISION_EXACT && !(a->tolerance[0] > 0);
+}
+
 void job_do(struct job *j, struct chunk *c)
 {
 	bool binary = is_binary(j->layout.in);
@@ -75,15 +80,17 @@ void job_do(struct job *j, struct chunk *c)
 	 * bytes, and no command wants to see it */
 	bool whole = binary && is_binary(j->layout.out) && j->take == NULL &&
 	    !j->visible && !j->rays;
-	bool floats = whole && j->layout.in == FORMAT_F32 &&
-	    j->layout.out == FORMAT_F32 && j->layout.single;
+	bool direct = whole && j->layout.in == j->layout.out &&
+	    (j->layout.in == FORMAT_F32 ? j->layout.single :
+					  is_exact(&j->accuracy));
 
 	chunk_clear(c);
 	while (c->text < c->end) {
 		size_t n, points, number = c->n_lines;
 		const char *text = c->text;
 
-		if (floats && binary_carry_floats(j, c))
+		/* where one has no image, others will have none */
+		if (direct && c->imageless == 0 && binary_carry(j, c))
 			continue;
 		if (binary && (size_t)(c->end - text) < size) {
 			cut_short(j, c, size);

@@ -11,12 +11,17 @@
  * among them are those that the system makes up, with a size of 0. */
 enum { SMALL = 1 << 17 };
 
+/* Two pieces: one is filled while the other is emptied. More of them on both sides
+ * would not stay in the cache of a processor. */
+enum { PIPE_ROOM = 1 << 18 };
+
 /* Fewer and larger reads and writes, if it is a pipe; if the system refuses, it
  * is just slower. */
 static void widen(int fd)
 {
 #ifdef F_SETPIPE_SZ
-	fcntl(fd, F_SETPIPE_SZ, 1 << 20);
+	if (fcntl(fd, F_GETPIPE_SZ) < PIPE_ROOM)
+		fcntl(fd, F_SETPIPE_SZ, PIPE_ROOM);
 #else
 	(void)fd;
 #endif
