@@ -1,5 +1,6 @@
 #include "print_scene.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "../json/print.h"
@@ -142,6 +143,25 @@ static void put_shear(struct printer *p, const struct projection *q)
 	put_unless(p, "plane", q->plane, 0);
 }
 
+void put_distance(struct printer *p, double v)
+{
+	if (isinf(v))
+		put_string(p, "infinity");
+	else
+		put_number(p, v);
+}
+
+static void put_depth(struct printer *p, const struct projection *q)
+{
+	put_number_member(p, "near", q->near);
+	put_name(p, "far");
+	put_distance(p, q->far);
+	if (q->reverse_z) {
+		put_name(p, "reverse_z");
+		put_flag(p, true);
+	}
+}
+
 static void put_projection(struct printer *p, const struct projection *q,
     const struct viewport *v)
 {
@@ -154,14 +174,10 @@ static void put_projection(struct printer *p, const struct projection *q,
 	put_section(p, q, v);
 	if (q->type == PROJECTION_PERSP)
 		put_unless(p, "edges_at", q->edges_at, 0);
-	put_number_member(p, "near", q->near);
-	put_number_member(p, "far", q->far);
+	if (!projection_is_open(q))
+		put_depth(p, q);
 	if (q->type == PROJECTION_PERSP)
 		put_unless(p, "near_ratio", q->near_ratio, 0.0005);
-	if (q->reverse_z) {
-		put_name(p, "reverse_z");
-		put_text(p, "true");
-	}
 	put_close(p, "}");
 }
 
@@ -228,6 +244,28 @@ static void put_pick(struct printer *p, const struct pick *k)
 	put_close(p, "}");
 }
 
+/* What leads from model space to the device. */
+static void put_stages(struct printer *p, const struct scene *s)
+{
+	if (s->has_world)
+		put_world(p, s->world, s->convention.column);
+	put_camera(p, &s->camera);
+	put_projection(p, &s->projection,
+	    s->has_viewport ? &s->viewport : NULL);
+	if (s->has_viewport)
+		put_viewport(p, &s->viewport);
+}
+
+void put_scene(struct printer *p, const struct scene *s)
+{
+	put_open(p, "{");
+	p->on_line = true;
+	put_convention(p, &s->convention);
+	put_stages(p, s);
+	p->on_line = false;
+	put_close(p, "}");
+}
+
 void print_scene(const struct document *d)
 {
 	static char text[1 << 16];
@@ -240,13 +278,7 @@ void print_scene(const struct document *d)
 		put_name_on_new_line(&p, "angle_unit");
 		put_string(&p, angle_units[RADIANS]);
 	}
-	if (s->has_world)
-		put_world(&p, s->world, s->convention.column);
-	put_camera(&p, &s->camera);
-	put_projection(&p, &s->projection,
-	    s->has_viewport ? &s->viewport : NULL);
-	if (s->has_viewport)
-		put_viewport(&p, &s->viewport);
+	put_stages(&p, s);
 	if (s->has_window)
 		put_window(&p, &s->window);
 	if (s->has_device)
