@@ -232,7 +232,7 @@ static const char *close_sides(struct scene *s, const struct bounds *b)
 	/* no test reaches this: bounds_close_depth has composed the same */
 	if (why != NULL)
 		return why;
-	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
+	view_limits(s, half, scale);
 	for (int j = 0; j < 2; j++) {
 		struct sum left = sum_neg(r.low[j]), right = r.high[j];
 		struct sum most = less(left, right) ? right : left;

@@ -15,6 +15,8 @@
  * them, the shorter one widened to the aspect where that is set (aspect[1] is
  * not 0). near and far close round the bounds.
  *
+ * With a margin, what is said of sides holds for those that leave it free.
+ *
  * The eye is rounded to doubles, in persp with a step back by the least power
  * of two that makes up for it. There every corner is in, as frustum_out says,
  * and near, far and the sizes of a parallel projection are the tightest doubles

@@ -3,10 +3,11 @@
 #include <math.h>
 #include <string.h>
 
-static void limits(const struct scene *s, struct sum half[2],
-    struct sum scale[2])
+void view_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
 {
 	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
+	for (int k = 0; k < 2 && s->margin > 0; k++)
+		half[k] = sum_mul(half[k], sum_of(ex_diff(1, 2 * s->margin)));
 }
 
 /* Column j of r becomes sign a x + b w, of x = column k and w = column 3 of m. */
@@ -31,7 +32,7 @@ static void planes(const struct scene *s, const struct map *m,
 	bool reversed = projection_is_reversed(&s->projection, &s->convention);
 	struct sum half[2], scale[2], one = sum_of_double(1);
 
-	limits(s, half, scale);
+	view_limits(s, half, scale);
 	for (int k = 0; k < 4; k++) {
 		bool high = (k & 1) ^ (k >= 2 && c->ndc_y_down);
 
@@ -202,7 +203,7 @@ const char *view_corner(const struct scene *s, const struct map *from_view,
 	static const int right[4] = { -1, 1, 1, -1 }, up[4] = { -1, -1, 1, 1 };
 	struct sum side[2], half[2], scale[2], v[4];
 
-	limits(s, half, scale);
+	view_limits(s, half, scale);
 	for (int k = 0; k < 2; k++) {
 		int sign = k == 0 ? right[corner % 4] : up[corner % 4];
 

@@ -285,6 +285,10 @@ void print_scene(const struct document *d)
 		put_device(&p, &s->device);
 	if (d->pick.has_at || d->pick.radius > 0)
 		put_pick(&p, &d->pick);
+	if (s->margin > 0) {
+		put_name_on_new_line(&p, "margin");
+		put_number(&p, s->margin);
+	}
 	put_text(&p, "\n}\n");
 	put_all(text, (size_t)(p.at - text));
 }

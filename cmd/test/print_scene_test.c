@@ -40,6 +40,7 @@ static void sample_fitted(struct document *d)
 	p->aspect[0] = 1.25;
 	p->aspect[1] = 1;
 	p->near_ratio = sample_below(2) ? 0.0005 : 0.25;
+	s->margin = sample_below(2) ? 0 : 0.25;
 	d->pick.has_at = sample_below(2);
 	d->pick.at[0] = 7;
 	d->pick.radius = sample_below(2);
@@ -98,6 +99,7 @@ static void test_reads_back(void **state)
 		assert_true(r.scene.projection.type != PROJECTION_PERSP ||
 		    d.scene.projection.near_ratio ==
 			r.scene.projection.near_ratio);
+		assert_true(d.scene.margin == r.scene.margin);
 		assert_true(d.pick.has_at == r.pick.has_at);
 		assert_true(d.pick.radius == r.pick.radius);
 		assert_true(!d.pick.has_at || r.pick.at[0] == 7);

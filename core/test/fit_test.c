@@ -276,6 +276,7 @@ static void sample_fit(struct scene *s, int e)
 	sample_scene(s, e);
 	s->has_camera = sample_below(8) > 0;
 	s->has_viewport = sample_below(2);
+	s->margin = sample_below(2) ? 0 : sample_between(0, 0.49);
 	p->type = PROJECTION_PERSP + sample_below(3);
 	p->extent = sample_below(p->type == PROJECTION_PERSP ? 9 : 7);
 	p->edges_at = sample_below(2) ? 0 : sample_size(1);
