@@ -162,6 +162,32 @@ static void put_depth(struct printer *p, const struct projection *q)
 	}
 }
 
+/* The larger half side is times the aspect, where that isn't the viewport's. */
+static void put_seven(struct printer *p, const struct projection *q,
+    const struct viewport *v)
+{
+	if (q->aspect[1] == 0) {
+		put_number_member(p, "half_width", q->half_width);
+		put_number_member(p, "half_height", q->half_height);
+	} else {
+		put_number_member(p, "size", 2 * q->half_width);
+		if (v == NULL || q->aspect[1] == 1)
+			put_number_member(p, "aspect", q->aspect[0]);
+	}
+	put_number_member(p, "z_near", q->z_near);
+	put_number_member(p, "z_far", q->z_far);
+	if (q->has_eye) {
+		put_numbers_member(p, "eye", q->eye, 3);
+		return;
+	}
+	if (q->has_angle)
+		put_number_member(p, "view_angle", q->angle);
+	else
+		put_unless(p, "inverse_eye_z", q->inverse_eye_z, 0);
+	if (q->tan_skew[0] != 0 || q->tan_skew[1] != 0)
+		put_numbers_member(p, "tan_skew", q->tan_skew, 2);
+}
+
 static void put_projection(struct printer *p, const struct projection *q,
     const struct viewport *v)
 {
@@ -171,12 +197,15 @@ static void put_projection(struct printer *p, const struct projection *q,
 	    projection_types[q->type - PROJECTION_PERSP]);
 	if (q->type == PROJECTION_OBLIQUE)
 		put_shear(p, q);
-	put_section(p, q, v);
+	if (q->type == PROJECTION_VOLUME)
+		put_seven(p, q, v);
+	else
+		put_section(p, q, v);
 	if (q->type == PROJECTION_PERSP)
 		put_unless(p, "edges_at", q->edges_at, 0);
-	if (!projection_is_open(q))
+	if (q->type != PROJECTION_VOLUME && !projection_is_open(q))
 		put_depth(p, q);
-	if (q->type == PROJECTION_PERSP)
+	if (q->type == PROJECTION_PERSP || q->type == PROJECTION_VOLUME)
 		put_unless(p, "near_ratio", q->near_ratio, 0.0005);
 	put_close(p, "}");
 }

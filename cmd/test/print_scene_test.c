@@ -19,7 +19,7 @@ static void sample_fitted(struct document *d)
 	s->has_device = sample_below(2);
 	s->convention.column = sample_below(2);
 	s->camera.by = CAMERA_GAZE;
-	p->type = PROJECTION_PERSP + sample_below(3);
+	p->type = PROJECTION_PERSP + sample_below(4);
 	enum extent sampled = p->extent;
 
 	p->extent = sample_below(2) ? EXTENT_SIZE : EXTENT_EDGES;
@@ -38,7 +38,10 @@ static void sample_fitted(struct document *d)
 	p->near = sample_size(3);
 	p->far = p->near * 3;
 	p->aspect[0] = 1.25;
-	p->aspect[1] = 1;
+	p->aspect[1] = p->type != PROJECTION_VOLUME || sample_below(2);
+	p->has_angle = !p->has_eye && sample_below(2);
+	if (p->aspect[1] == 1)
+		p->half_width = p->half_height;
 	p->near_ratio = sample_below(2) ? 0.0005 : 0.25;
 	s->margin = sample_below(2) ? 0 : 0.25;
 	d->pick.has_at = sample_below(2);
