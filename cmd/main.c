@@ -63,7 +63,8 @@ static const struct command commands[] = {
 	{ "fit", "a scene completed to hold bounds or points and no more",
 	    FIT, run_fit,
 	    .wants = { .needed = SCENE_PROJECTION, .fit = true,
-		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_BOUNDS } },
+		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_BOUNDS |
+		    SCENE_MARGIN } },
 	{ "inspect",
 	    "what the projection is, its angles, corners and error bounds",
 	    INSPECT, run_inspect,

@@ -5,10 +5,11 @@
 
 #include "points.h"
 
-static void limits(const struct scene *s, struct sum half[2],
-    struct sum scale[2])
+void view_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
 {
 	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
+	for (int k = 0; k < 2 && s->margin > 0; k++)
+		half[k] = sum_mul(half[k], sum_of(ex_diff(1, 2 * s->margin)));
 }
 
 /* Column j of r becomes sign a x + b w, of x = column k and w = column 3 of m. */
@@ -33,7 +34,7 @@ static void planes(const struct scene *s, const struct map *m,
 	bool reversed = projection_is_reversed(&s->projection, &s->convention);
 	struct sum half[2], scale[2], one = sum_of_double(1);
 
-	limits(s, half, scale);
+	view_limits(s, half, scale);
 	for (int k = 0; k < 4; k++) {
 		bool high = (k & 1) ^ (k >= 2 && c->ndc_y_down);
 
@@ -168,7 +169,7 @@ const char *view_corner(const struct scene *s, const struct map *from_view,
 	static const int right[4] = { -1, 1, 1, -1 }, up[4] = { -1, -1, 1, 1 };
 	struct sum half[2], scale[2], v[4];
 
-	limits(s, half, scale);
+	view_limits(s, half, scale);
 	struct sum side[3] = { sum_mul(half[0], scale[1]),
 		sum_mul(half[1], scale[0]), sum_mul(scale[0], scale[1]) };
 

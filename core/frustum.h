@@ -22,6 +22,10 @@ struct frustum {
 	struct transform ends;  /* near far w */
 };
 
+/* A point is between the side planes where |x| scale and |y| scale of ndc are at most
+ * half: the viewport's limits, less the margin. */
+void view_limits(const struct scene *, struct sum half[2], struct sum scale[2]);
+
 /* The planes as seen from one space, with its viewport's limits. Returns NULL,
  * or the member and the reason. */
 const char *frustum_of(const struct scene *, enum space from, bool homogeneous,

@@ -38,6 +38,9 @@ struct scene {
 	struct viewport viewport;
 	struct window window;
 	struct device device;
+	/* For fit: the share of the picture's width and height that stays free at
+	 * each side; 0 for all else. */
+	double margin;
 };
 
 static inline const struct convention *answer_convention(const struct scene *s)

@@ -9,8 +9,6 @@
 /* What is equal, zero or parallel, relative to what it is compared with. */
 #define ALIKE 0x1p-40
 
-#define DEGREE 57.29577951308232
-
 /* The maps of a scene, and the gradients of clip x, y, z and w in view space:
  * the projectors run across those of x and y; the projection plane is across
  * that of w or, where w is constant, of z. */
@@ -138,30 +136,6 @@ static enum kind points(const struct lens *l)
 	return n < 3 ? KIND_TWO_POINT : KIND_THREE_POINT;
 }
 
-/* The angle whose tangent is y / x, for y > 0: atan2's, and the arc tangent of
- * what that leaves, which is below 2^-50, so that two terms of its series are
- * within 2^-250. */
-static double degrees(struct sum y, struct sum x)
-{
-	x = sum_settled(x);
-	y = sum_settled(y);
-	struct sum size = sum_abs(x);
-	struct sum most = ex_compare(y.value, size.value) > 0 ? y : size;
-
-	if (sum_sign(most) == 0)
-		return (double)NAN;
-	double a = atan2(sum_over(y, most), sum_over(x, most)) * DEGREE;
-	struct sum s = sin_of(a, DEGREES), c = cos_of(a, DEGREES);
-	struct sum tan = sum_quotient(sum_sub(sum_mul(y, c), sum_mul(x, s)),
-	    sum_add(sum_mul(x, c), sum_mul(y, s)));
-	/* whose error is nothing beside that of tan */
-	ex cube = ex_mul(ex_mul(tan.value, tan.value), tan.value);
-	struct sum third = sum_of(ex_quotient(cube, ex_of(3)));
-
-	return sum_double(
-	    sum_add(sum_of_double(a), in_degrees(sum_sub(tan, third))));
-}
-
 /* Between the planes x = -limit w and x = limit w, of gradients limit g + a and
  * limit g - a: their cross product over their scalar one, negated. */
 static void set_fov(const struct lens *l, const struct scene *s, double fov[2])
@@ -178,7 +152,7 @@ static void set_fov(const struct lens *l, const struct scene *s, double fov[2])
 		struct sum y = sum_mul(sum_mul(lim, vec3_length(v)), two);
 		struct sum gg = sum_mul(sum_mul(lim, lim), vec3_dot(g, g));
 
-		fov[k] = degrees(y, sum_sub(vec3_dot(a, a), gg));
+		fov[k] = degrees_of(y, sum_sub(vec3_dot(a, a), gg));
 	}
 }
 

@@ -20,6 +20,7 @@ enum scene_member {
 	SCENE_POINTS = 256,
 	SCENE_BOUNDS = 512,
 	SCENE_PICK = 1024,
+	SCENE_MARGIN = 2048,
 	/* what leads from model space to the device */
 	SCENE_SPATIAL = SCENE_WORLD | SCENE_CAMERA | SCENE_PROJECTION |
 	    SCENE_VIEWPORT,
