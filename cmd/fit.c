@@ -3,7 +3,6 @@
 
 #include "../core/fit.h"
 #include "operands.h"
-#include "points/answer.h"
 #include "scene/print_scene.h"
 #include "talk.h"
 
@@ -80,7 +79,7 @@ static _Noreturn void refuse(const struct options *o, const struct document *d,
 	    why + n);
 }
 
-int run_fit(const struct command *c, const struct options *o)
+void run_fit(const struct command *c, const struct options *o)
 {
 	struct document d;
 	static struct job j = { .take = take, .collect = collect };
@@ -106,5 +105,4 @@ int run_fit(const struct command *c, const struct options *o)
 	if (why != NULL)
 		refuse(o, &d, why);
 	print_scene(&d);
-	return answer_end(&j);
 }

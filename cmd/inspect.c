@@ -90,7 +90,7 @@ static void put_bounds(struct printer *p, const double bound[3],
 	put_string(p, precision_names[precision]);
 }
 
-int run_inspect(const struct command *c, const struct options *o)
+void run_inspect(const struct command *c, const struct options *o)
 {
 	static char text[64 * NUMBER_MAX + 1024];
 	struct printer p = { .at = text, .style = o->style, .between = "" };
@@ -108,6 +108,4 @@ int run_inspect(const struct command *c, const struct options *o)
 	put_bounds(&p, bound, o->tolerances.n > 0 ? o->tolerances.least : 0.5);
 	put_text(&p, "\n}\n");
 	put_all(text, (size_t)(p.at - text));
-	close_output();
-	return EXIT_OK;
 }

@@ -5,7 +5,9 @@
 
 #include "command.h"
 #include "nearest.h"
-#include "options.h"
+#include "operands.h"
+#include "params.h"
+#include "points/answer.h"
 #include "talk.h"
 
 #define VERSION "0.2.0"
@@ -146,5 +148,8 @@ int main(int argc, char **argv)
 		help_command(c);
 	if (o.version)
 		version();
-	return c->run(c, &o);
+	check_operands(c, &o);
+	while (params_next(&o))
+		c->run(c, &o);
+	return answer_end();
 }

@@ -22,6 +22,7 @@ struct options {
 	int jobs; /* 0: as many as there are cores */
 	bool has_at;
 	double at[2], radius; /* of pick; radius is 0 where it isn't said */
+	bool scenes;          /* params has any number of documents */
 	const char *params;   /* operand, "-" by default */
 	int n_points;
 	char **points; /* operands */

@@ -5,7 +5,6 @@
 #include "../core/pick.h"
 #include "json/print.h"
 #include "operands.h"
-#include "points/answer.h"
 #include "talk.h"
 
 /* A point that was hit: its line, and where the text of that line begins in
@@ -153,6 +152,7 @@ static void print_hits(const struct job *j)
 			put(&out, "\n", 1);
 	}
 	put_all(out.text, out.n);
+	out.n = 0;
 }
 
 /* Options win over the document's member "pick". */
@@ -174,7 +174,7 @@ static void aim(const struct document *d, const struct options *o,
 	h->picker.radius = o->radius > 0 ? o->radius : p->radius;
 }
 
-int run_pick(const struct command *c, const struct options *o)
+void run_pick(const struct command *c, const struct options *o)
 {
 	struct document d;
 	static struct hits hits;
@@ -184,6 +184,7 @@ int run_pick(const struct command *c, const struct options *o)
 		.with = &hits };
 
 	hits.o = o;
+	hits.n = hits.size = 0;
 	read_document(c, o, 3, &d);
 	aim(&d, o, &hits);
 	document_check(&d,
@@ -198,5 +199,4 @@ int run_pick(const struct command *c, const struct options *o)
 		    "-o json");
 	prepare_job(&j, o);
 	do_points(o, &d, &j);
-	return answer_end(&j);
 }
