@@ -14,6 +14,7 @@ enum command_kind {
 	PICK = 4,
 	FIT = 8,
 	INSPECT = 16,
+	TRACE = 32,
 };
 
 struct command {
@@ -34,6 +35,7 @@ struct command {
 
 void run_matrix(const struct command *, const struct options *);
 void run_project(const struct command *, const struct options *);
+void run_trace(const struct command *, const struct options *);
 void run_pick(const struct command *, const struct options *);
 void run_fit(const struct command *, const struct options *);
 void run_inspect(const struct command *, const struct options *);

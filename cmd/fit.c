@@ -26,8 +26,9 @@ static void take(const struct job *j, struct chunk *c, const struct line *line,
 	double at[3] = { c->in[0][p], c->in[1][p], c->in[2][p] };
 
 	(void)j;
-	(void)line;
 	(void)number;
+	if (line->kind == LINE_BAD)
+		return;
 	if (c->size == 0)
 		memcpy(chunk_reserve(c, sizeof nothing), &nothing,
 		    sizeof nothing);

@@ -28,8 +28,8 @@ struct options {
 	char **points; /* operands */
 };
 
-/* In the order of enum precision; NULL ends them. */
-extern const char *const precision_names[];
+/* In the order of enum precision and enum space; NULL ends them. */
+extern const char *const precision_names[], *const space_names[];
 
 /* Reads a command's options and operands; argv[0] is its name. Stops as soon as
  * the help or the version is asked for. */

@@ -34,7 +34,8 @@ static void count_imageless(const struct chunk *c)
 {
 	if (c->imageless > 0 && answer.imageless == 0)
 		snprintf(answer.where, sizeof answer.where, "%s%.250s:%zu",
-		    said_scene(), c->name, answer.next_line + c->first_imageless);
+		    said_scene(), c->name,
+		    answer.next_line + c->first_imageless);
 	answer.imageless += c->imageless;
 }
 

@@ -12,8 +12,8 @@ struct point_source {
 		SOURCE_TEXT,   /* lines or binary points in memory */
 	} kind;
 	int fd;
-	off_t start;             /* of SOURCE_FILE: where its points begin */
-	struct piece rest;       /* of SOURCE_STREAM: as piece_fill has it */
+	off_t start;            /* of SOURCE_FILE: where its points begin */
+	struct piece rest;      /* of SOURCE_STREAM: as piece_fill has it */
 	const char *text, *end; /* of SOURCE_TEXT: what is left */
 };
 
