@@ -161,7 +161,7 @@ static const struct row {
 	    .argument = "N", .set = set_jobs },
 	{ "progress", 0, POINTS, "tell how far it is, also in a file or pipe",
 	    ON(progress) },
-	{ "scenes", 0, ALL, "PARAMS has any number of scenes, one by one",
+	{ "scenes", 0, ALL, "PARAMS is any number of scenes in a row",
 	    ON(scenes) },
 	{ "help", 'h', ALL, "this help", ON(help) },
 	{ "version", 0, ALL, "the version", ON(version) },
