@@ -123,6 +123,24 @@ waitpid $pid, 0;
 is($?, 0, 'and the last');
 alarm 0;
 
+# A scene with a point takes a twentieth of a call's time; a tenth on a machine that
+# has other work, too.
+sub seconds {
+	my ($command, $times) = @_;
+	my @before = times;
+	run($command);
+	my @after = times;
+	return ($after[2] + $after[3] - $before[2] - $before[3]) / $times;
+}
+
+spew("$tmp/one", $json->encode(with(points => [[1, 2, 3]])));
+spew("$tmp/many", slurp("$tmp/one") x 4000);
+my $call = seconds('i=0; while [ $i -lt 200 ]; do ' .
+    "projcalc project $tmp/one; i=\$((i + 1)); done", 200);
+my $each = seconds("projcalc project --scenes $tmp/many", 4000);
+cmp_ok($each, '<', $call / 10, sprintf 'a scene takes 1/%.0f of a call',
+    $call / $each);
+
 # What is traced is what project prints, from every space to every other.
 my @spaces = qw(model world view clip ndc device);
 my $affine = [2, 0, 0, 0, 1, 3, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1];
