@@ -119,7 +119,7 @@ static void put_bounds(struct printer *p, const double bound[3],
 	put_string(p, precision_names[precision]);
 }
 
-int run_inspect(const struct command *c, const struct options *o)
+void run_inspect(const struct command *c, const struct options *o)
 {
 	static char text[160 * NUMBER_MAX + 4096];
 	struct printer p = { .at = text, .style = o->style, .between = "" };
@@ -145,6 +145,4 @@ int run_inspect(const struct command *c, const struct options *o)
 		put_number(&p, (double)NAN);
 	put_text(&p, "\n}\n");
 	put_all(text, (size_t)(p.at - text));
-	close_output();
-	return EXIT_OK;
 }

@@ -9,6 +9,21 @@
 #include <string.h>
 #include <unistd.h>
 
+static char scene[64];
+
+void say_scene(long number, long line)
+{
+	*scene = '\0';
+	if (number > 0)
+		snprintf(scene, sizeof scene, "scene %ld, line %ld: ", number,
+		    line);
+}
+
+const char *said_scene(void)
+{
+	return scene;
+}
+
 /* One line in one write, even where a file's name has newlines in it. */
 static void print_line(const char *format, va_list args)
 {
@@ -18,7 +33,7 @@ static void print_line(const char *format, va_list args)
 	for (char *c = text; *c != '\0'; c++)
 		if ((unsigned char)*c < ' ' || *c == 0x7f)
 			*c = '?';
-	fprintf(stderr, "projcalc: %s\n", text);
+	fprintf(stderr, "projcalc: %s%s\n", scene, text);
 }
 
 void say(const char *format, ...)

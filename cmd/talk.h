@@ -11,7 +11,14 @@ enum { EXIT_OK, EXIT_INPUT, EXIT_USAGE, EXIT_SYSTEM };
 /* Prints "projcalc: " and one line, without control characters. */
 void say(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* The same, and exits with that status. Any thread may call it. */
+/* Everything that is said from now on begins with "scene 2, line 5: ", or where
+ * number is 0 without it. */
+void say_scene(long number, long line);
+
+/* That beginning. */
+const char *said_scene(void);
+
+/* The same as say, and exits with that status. Any thread may call it. */
 _Noreturn void die(int status, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 

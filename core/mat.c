@@ -6,10 +6,12 @@
 
 void map_identity(struct map *r)
 {
+	const struct sum one = sum_of_double(1);
+
 	memset(r, 0, sizeof *r);
-	r->divisor = sum_of_double(1);
+	r->divisor = one;
 	for (int i = 0; i < 4; i++)
-		r->m[i][i] = sum_of_double(1);
+		r->m[i][i] = one;
 }
 
 void map_of_doubles(const double m[4][4], struct map *r)

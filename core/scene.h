@@ -57,4 +57,9 @@ const char *scene_map(const struct scene *, enum space from, enum space to,
 const char *scene_flat_map(const struct scene *, enum flat from, enum flat to,
     struct map *);
 
+/* As scene_map, where from is no later than view space and to is later; and the
+ * part from there, which may have elements beyond the range of doubles. */
+const char *scene_map_by_view(const struct scene *, enum space from,
+    enum space to, struct map *, struct map *from_view);
+
 #endif

@@ -27,11 +27,14 @@ enum { WORDS = 6 };
  * six words cut off is below 2^-319, 32 times. */
 static ex series(ex x, int n)
 {
-	ex x2 = ex_first(ex_mul(x, x), WORDS), c = ex_of(1), s = c;
+	ex minus = ex_neg(ex_first(ex_mul(x, x), WORDS));
+	ex c = ex_of(1), s = c, step;
+	const ex *const a[] = { &c, &s }, *const b[] = { &step, &minus };
 
 	for (int k = n + 62; k > n; k -= 2) {
-		c = ex_scale(c, (double)(k * (k - 1)));
-		s = ex_first(ex_sub(c, ex_mul(s, x2)), WORDS);
+		ex_set(&step, (double)(k * (k - 1)));
+		ex_dot(2, a, b, WORDS, &s);
+		ex_dot(1, a, b, 0, &c);
 	}
 	return ex_quotient(s, c);
 }

@@ -109,6 +109,11 @@ void say(const char *format, ...)
 	add(&said, text, strlen(text) + 1);
 }
 
+const char *said_scene(void)
+{
+	return "";
+}
+
 void die(int status, const char *format, ...)
 {
 	(void)status;

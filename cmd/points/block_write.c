@@ -64,7 +64,7 @@ static struct word make_word(unsigned outside)
 }
 
 /* Kept, as there are few and each is needed often. */
-static const struct word *word_for(struct chunk *c, unsigned outside)
+const struct word *word_for(struct chunk *c, unsigned outside)
 {
 	struct word *w = &c->word[outside];
 

@@ -33,6 +33,14 @@ static void carry(const struct job *j, struct chunk *c, size_t n)
 		points_carry(&j->transform, &j->accuracy, in, out, n);
 }
 
+/* Shows a bad line, or what is left of a binary point. */
+static void show_bad(const struct job *j, struct chunk *c, size_t number)
+{
+	const struct line line = { "", .kind = LINE_BAD, .newline = true };
+
+	j->take(j, c, &line, 0, number);
+}
+
 /* The source ends within a binary point: that counts as a bad line. */
 static void cut_short(const struct job *j, struct chunk *c, size_t size)
 {
@@ -42,7 +50,9 @@ static void cut_short(const struct job *j, struct chunk *c, size_t size)
 	    "ends within a point; a point is %zu bytes", size);
 	chunk_complain(c, c->n_lines, reason);
 	c->text = c->end;
-	if (j->keep_going)
+	if (j->keep_going && j->take != NULL)
+		show_bad(j, c, c->n_lines);
+	else if (j->keep_going)
 		block_write_nan(j, c);
 }
 
@@ -64,6 +74,8 @@ static void show(const struct job *j, struct chunk *c, size_t n, size_t number,
 		point.s = text + i * size;
 		if (line->kind == LINE_POINT)
 			j->take(j, c, line, p++, number + i);
+		else if (line->kind == LINE_BAD)
+			show_bad(j, c, number + i);
 	}
 }
 

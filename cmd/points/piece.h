@@ -44,7 +44,8 @@ enum piece_state piece_fill(struct piece *, const struct layout *, int fd,
 enum piece_state piece_cut(struct piece *, const struct layout *, int fd,
     off_t start, size_t k);
 
-/* Where in lines[0..size) a piece of them ends. */
-const char *piece_end(const char *lines, size_t size);
+/* Cuts *size, of a text in memory, to the piece that it begins with. */
+enum piece_state piece_of_text(const struct layout *, const char *text,
+    size_t *size);
 
 #endif

@@ -5,7 +5,7 @@
 #include "job.h"
 
 /* Does the job on the points of one source, which is a file or a text in
- * memory: whole lines, with PIECE_MARGIN bytes before and after them that can be
+ * memory, with PIECE_MARGIN bytes before and after it that can be
  * looked at. All that has been read is answered before more is waited for.
  * Errors are printed and end the program. The job must be the same at each
  * call; its contents may change in between. */

@@ -331,7 +331,9 @@ static void read_points(struct document *d, const struct value *v,
 void document_read(struct document *d, const char *name, char *text,
     size_t size, const struct document_wants *w)
 {
-	struct source source = { .name = name, .scene = scene_members };
+	struct source source = { .name = name,
+		.line = w->line,
+		.scene = scene_members };
 	struct json_part points;
 	struct value root = value_parse_without(&source, "points", text, size,
 	    &points);

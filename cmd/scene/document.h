@@ -68,6 +68,8 @@ struct document_wants {
 	/* The convention of the answer, and of a document that has none; or
 	 * NULL. */
 	const struct convention *convention;
+	/* Lines of the file before the text. */
+	long line;
 	/* How many each point has; 0 if the command doesn't read them from the
 	 * document. */
 	int coordinates;

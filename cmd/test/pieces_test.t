@@ -14,15 +14,18 @@ my $project = 'projcalc project --keep-going';
 # What piece.c reads at a time, and how much of that begins in the piece.
 my ($room, $range) = (1 << 17, (1 << 17) - (1 << 12));
 
-# The file by ranges and as a stream, with one thread and with several.
+# The file by ranges, as a stream and from memory, with one thread and with
+# several.
 sub same {
 	my ($args, $name, @jobs) = @_;
 	my @want = run("cat $tmp/in | $project $args -j1 scene.json -");
 	my $bad = '';
 	for my $j (@jobs) {
 		for my $way ("$project $args -j$j scene.json - <$tmp/in",
-		    "cat $tmp/in | $project $args -j$j scene.json -") {
+		    "cat $tmp/in | $project $args -j$j scene.json -",
+		    "cat $tmp/in | $project $args -j$j --scenes scene.json -") {
 			my @got = run($way);
+			$got[2] =~ s/scene 1, line 1: //g;
 			$bad = $way if "@got" ne "@want";
 		}
 	}
