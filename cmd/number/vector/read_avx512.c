@@ -96,7 +96,7 @@ static inline void find_marks(struct marks *m, size_t i, const char *const *end)
 	m->minus[i / 2] = _mm512_cmpeq_epi8_mask(x, _mm512_set1_epi8('-'));
 }
 
-static inline void count(struct marks *m, struct rows *r, size_t i,
+static inline void count(struct marks *m, double *scale, size_t i,
     const uint8_t *size)
 {
 	const __m256i one = _mm256_set1_epi32(1);
@@ -114,13 +114,12 @@ static inline void count(struct marks *m, struct rows *r, size_t i,
 	__m256i digits = _mm256_mask_sub_epi32(n, minus, n, one);
 
 	digits = _mm256_mask_sub_epi32(digits, point, digits, one);
-	_mm512_storeu_pd(r->scale + i,
+	_mm512_storeu_pd(scale + i,
 	    scale_of(decimals, minus, _mm256_testn_epi32_mask(digits, digits)));
-
 	last(decimals, m->fraction + i / 2);
 	last(digits, m->digits + i / 2);
-	m->many[i / 8] = _mm256_cmpgt_epi32_mask(digits,
-			     _mm256_set1_epi32(15)) != 0;
+	m->many[i / PLAIN_GROUP] = _mm256_cmpgt_epi32_mask(digits,
+				       _mm256_set1_epi32(15)) != 0;
 }
 
 /* Loads what stands before the ends twice, one byte apart: the decimals of the
@@ -153,10 +152,12 @@ static inline struct look set_group(const struct marks *m, struct rows *r,
 	}
 	return (struct look){
 		.others = _mm512_cmpgt_epu8_mask(odd, _mm512_set1_epi8(9)) != 0,
-		.many = m->many[i / 8],
+		.many = m->many[i / PLAIN_GROUP],
 	};
 }
 
+/* One after the other, for all numbers: masks that have just been stored one by one
+ * would have to be waited for as a vector. */
 static inline void set_rows(struct rows *r, struct look *look, size_t n,
     const struct plain_places *at)
 {
@@ -165,7 +166,7 @@ static inline void set_rows(struct rows *r, struct look *look, size_t n,
 	for (size_t i = 0; i < n; i += 2)
 		find_marks(&m, i, at->end);
 	for (size_t i = 0; i < n; i += PLAIN_GROUP)
-		count(&m, r, i, at->size);
+		count(&m, r->scale, i, at->size);
 	for (size_t i = 0; i < n; i += PLAIN_GROUP)
 		look[i / PLAIN_GROUP] = set_group(&m, r, i, at);
 }

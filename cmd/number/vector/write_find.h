@@ -164,8 +164,8 @@ INLINE void find_decimals(struct found *f, size_t i, int n,
  *
  * Plain text goes from 1e-6, or with up to six decimals from 0, to 1e21. Here it
  * is from 2^-17, and of floats to 2^60, as far as the table goes; for what is not in
- * this range two is 1, so that the table is not left. usual says that all are where
- * scale >= 0: then much need not be asked. */
+ * this range two is 1, so that the table is not left. usual says that all are in it
+ * and have scale >= 0: then nothing is rounded, and much need not be asked. */
 INLINE void find_some(struct found *f, size_t i, int n, bool single, bool usual,
     const struct tens *tens, V v)
 {
@@ -198,6 +198,7 @@ INLINE void find_some(struct found *f, size_t i, int n, bool single, bool usual,
 	store_found(f, i, v, d, scale);
 }
 
+/* A loop for what is usual, which every lane must be. */
 INLINE void find_shortest(struct found *f, size_t i, int n, bool single,
     const struct tens *tens, V v)
 {
