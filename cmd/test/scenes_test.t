@@ -109,6 +109,14 @@ my @first = run("cat inputs/three-points.txt | projcalc project --scenes $tmp/pa
 my @second = run("projcalc project --scenes $tmp/path inputs/three-points.txt");
 is("@first", "@second", 'points from a pipe');
 
+# Scenes that are larger than what is read at a time, and cut anywhere.
+my @large = map { with(points => [map { [$_ % 7, 0, $_ % 5, '{"\\'] }
+    1 .. $_]) } 20000, 5, 30000, 1;
+same('large scenes', 'project', '', @large);
+@first = run("dd if=$tmp/all bs=777 2>/dev/null | projcalc project --scenes");
+@second = run("projcalc project --scenes $tmp/all");
+ok("@first" eq "@second" && length $second[1] > 1e6, 'and from a pipe');
+
 # A scene is answered before the next is there.
 my $pid = open2(my $from, my $to, "$build/projcalc", 'lookat', '--scenes', '-',
     '[[0,0,1]]');
