@@ -74,6 +74,63 @@ static void scenes_make_the_same_picture(void **state)
 	assert_true(made > 800 && types[PROJECTION_PERSP] > 150);
 }
 
+/* The same in matrices, each element the nearest double. */
+static void to_matrices(struct scene *s)
+{
+	struct map camera, projection;
+
+	s->answer = NULL;
+	assert_null(scene_map(s, SPACE_WORLD, SPACE_VIEW, &camera));
+	assert_null(scene_map(s, SPACE_VIEW, SPACE_CLIP, &projection));
+	for (int i = 0; i < 16; i++) {
+		s->camera.matrix[i / 4][i % 4] = element(&camera, i / 4, i % 4);
+		s->projection.matrix[i / 4][i % 4] = element(&projection, i / 4,
+		    i % 4);
+	}
+	s->camera.by = CAMERA_MATRIX;
+	s->camera.orthonormalize = false;
+	s->projection.type = PROJECTION_MATRIX;
+}
+
+/* What is made of parameters in matrices is recovered, as far as their digits say
+ * it. */
+static void matrices_are_told(void **state)
+{
+	struct scene s;
+	struct taxonomy t;
+	static struct parameters was, is;
+	int n = 0;
+
+	(void)state;
+	sample_seed(9);
+	for (int k = 0; k < 1000; k++) {
+		sample_scene(&s, 0);
+		if (s.projection.type > PROJECTION_OBLIQUE ||
+		    projection_is_open(&s.projection) ||
+		    taxonomy_of(&s, &t) != NULL)
+			continue;
+		s.answer = NULL;
+		assert_null(parameters_of(&s, &t, &was));
+		if (!was.has_scene || !(was.near < was.far) ||
+		    was.far - was.near < 1e-3 * fabs(was.near) ||
+		    s.projection.extent == EXTENT_INTRINSICS)
+			continue;
+		to_matrices(&s);
+		assert_null(taxonomy_of(&s, &t));
+		assert_null(parameters_of(&s, &t, &is));
+		assert_true(is.has_scene && is.reverse_z == was.reverse_z);
+		assert_true(fabs(is.near - was.near) <=
+		    1e-9 * (fabs(was.near) + fabs(was.far)));
+		assert_true(isinf(was.far) ?
+			isinf(is.far) :
+			fabs(is.far - was.far) <= 1e-9 * fabs(was.far));
+		assert_true(most_off(&s, &is.scene, &t) < 1e-6);
+		n++;
+	}
+	print_message("%d scenes in matrices\n", n);
+	assert_true(n > 100);
+}
+
 static void check(double got, struct form n, struct form d, int tally[VERDICTS])
 {
 	tally[truth_verdict(got, n, d, false)]++;
@@ -81,15 +138,12 @@ static void check(double got, struct form n, struct form d, int tally[VERDICTS])
 
 /* The corner of the near or far plane at a left, right, bottom or top side, through
  * the inverse: in view space, homogeneous. */
-static void corner_of(const struct scene *s, const struct truth *back,
-    bool reversed, bool far, int side, struct form h[4])
+static void corner_at(const struct scene *s, const struct truth *back,
+    const real limit[2], bool reversed, bool far, int side, struct form h[4])
 {
 	double up = truth_answer(s)->ndc_y_down ? -1 : 1;
 	double low = truth_answer(s)->minus_one ? -1 : 0;
 	const double sign[4] = { -1, 1, -up, up };
-	real limit[2];
-
-	truth_limits(s, limit);
 	struct form at = form_mul((struct form){ limit[side / 2],
 				      limit[side / 2] },
 	    form_of(sign[side]));
@@ -99,6 +153,46 @@ static void corner_of(const struct scene *s, const struct truth *back,
 				    (double[]){ 0, 0, far != reversed ? 1 : low,
 					1 }),
 		    form_mul(at, truth_element(back, side / 2, j)));
+}
+
+static void corner_of(const struct scene *s, const struct truth *back,
+    bool reversed, bool far, int side, struct form h[4])
+{
+	real limit[2];
+
+	truth_limits(s, limit);
+	corner_at(s, back, limit, reversed, far, side, h);
+}
+
+/* But for their signs: where ndc is 1 on the plane that is nearer, less where the eye
+ * is. */
+static void check_edges(const struct scene *s, const struct truth *back,
+    const struct parameters *r, int tally[VERDICTS])
+{
+	const struct projection *p = &r->scene.projection;
+	const real one[2] = { number(1), number(1) };
+	const double edge[4] = { p->left, p->right, p->bottom, p->top };
+
+	if (!r->has_scene || p->extent != EXTENT_EDGES ||
+	    p->type == PROJECTION_OBLIQUE)
+		return;
+	for (int side = 0; side < 4; side++) {
+		struct form h[4], n, d, eye[2];
+
+		corner_at(s, back, one, r->reverse_z, p->near != r->near, side,
+		    h);
+		n = h[side / 2];
+		d = h[3];
+		eye[0] = truth_element(back, 2, side / 2);
+		eye[1] = truth_element(back, 2, 3);
+		if (p->type == PROJECTION_PERSP) {
+			n = form_sub(form_mul(n, eye[1]), form_mul(eye[0], d));
+			d = form_mul(d, eye[1]);
+		}
+		check(copysign(edge[side],
+			  mpfr_sgn(n.value) * mpfr_sgn(d.value)),
+		    n, d, tally);
+	}
 }
 
 /* A plane's z less the eye's; in a parallel projection its depth. */
@@ -159,14 +253,25 @@ static void check_frustum_planes(const struct scene *s,
 	}
 }
 
+/* x, y, z and w of clip space then depend on x or y, and depth, alone. */
+static void clear_slants(double m[4][4])
+{
+	for (int i = 0; i < 2; i++)
+		for (int j = 0; j < 4; j++)
+			if (i != j)
+				m[i][j] = 0;
+}
+
 static void numbers_are_true(void **state)
 {
 	static const char *const what[] = { "distances", "sides",
-		"frustum planes" };
-	int tally[3][VERDICTS] = { 0 };
+		"frustum planes", "edges" };
+	int tally[4][VERDICTS] = { 0 };
 	struct scene s;
 	struct taxonomy t;
 	static struct parameters r;
+
+	int told = 0;
 
 	(void)state;
 	sample_seed(14);
@@ -177,15 +282,19 @@ static void numbers_are_true(void **state)
 
 		sample_scene(&s, k % 3 * 10);
 		sample_answer(&s);
+		clear_slants(s.projection.matrix);
 		if (taxonomy_of(&s, &t) != NULL)
 			continue;
 		assert_null(parameters_of(&s, &t, &r));
+		told += s.projection.type == PROJECTION_MATRIX &&
+		    !isnan(r.near);
 		check_frustum_planes(&s, &r, tally[2]);
 		truth_scene(&s, SPACE_CLIP, SPACE_VIEW, &back);
 		if (!isnan(r.near))
 			check_distance(&s, &back, &r, false, tally[0]);
 		if (!isnan(r.far))
 			check_distance(&s, &back, &r, true, tally[0]);
+		check_edges(&s, &back, &r, tally[3]);
 		for (int side = 0; side < 4; side++) {
 			corner_of(&s, &back, r.reverse_z, false, side, h);
 			if (!isnan(r.plane[side]))
@@ -194,13 +303,13 @@ static void numbers_are_true(void **state)
 		}
 		real_release(mark);
 	}
-	for (int i = 0; i < 3; i++)
+	for (int i = 0; i < 4; i++)
 		print_message("%s: %d numbers, %d by the 2^-190 rule, %d "
 			      "wrong\n",
 		    what[i], tally[i][NEAREST] + tally[i][RULED],
 		    tally[i][RULED], tally[i][WRONG]);
-	for (int i = 0; i < 3; i++) {
-		assert_true(tally[i][NEAREST] > 200);
+	for (int i = 0; i < 4; i++) {
+		assert_true(told > 10 && tally[i][NEAREST] > 200);
 		assert_int_equal(tally[i][WRONG], 0);
 	}
 }
@@ -248,6 +357,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(scenes_make_the_same_picture),
+		cmocka_unit_test(matrices_are_told),
 		cmocka_unit_test(numbers_are_true),
 		cmocka_unit_test(parameters_come_home),
 	};
