@@ -190,9 +190,9 @@ enum piece_state piece_cut(struct piece *p, const struct layout *l, int fd,
 	bool binary = is_binary(l->in);
 	size_t before = k > 0 && !binary;
 	size_t range = PIECE_ROOM - LINE_REST;
+	size_t point = binary ? point_size(l->in, l->reads) : 1;
 
-	if (binary)
-		range -= range % point_size(l->in, l->reads);
+	range -= range % point;
 	/* it may have more room than that from a long line */
 	piece_reserve(p, binary ? range : PIECE_ROOM);
 	p->at = start + (off_t)(k * range - before);
@@ -201,7 +201,9 @@ enum piece_state piece_cut(struct piece *p, const struct layout *l, int fd,
 		return cut_lines(p, fd, before, range);
 	enum piece_state state = read_on(p, fd);
 
-	p->whole = p->have;
+	/* a point that the file's end cuts is told of, but not one that a failed
+	 * read does */
+	p->whole = state == PIECE_FAILED ? p->have - p->have % point : p->have;
 	return state;
 }
 

@@ -49,6 +49,7 @@ spew("$tmp/few", $few);
 spew("$tmp/few.csv", "x,y,z\n" . $few =~ tr/ /,/r);
 spew("$tmp/few.json", $few =~ tr/ /,/r =~ s/^(.*)$/[$1]/mgr);
 spew("$tmp/few.f64", pack 'd<*', split ' ', $few);
+spew("$tmp/points.f64", pack 'd<*', split ' ', $lines);
 spew("$tmp/bad", "$few# no point\n1 2\n$few");
 my $project = 'projcalc project scene.json';
 
@@ -105,6 +106,11 @@ SKIP: {
 			    $err =~ /\Aprojcalc: .*: Too many open files\n\z/;
 		});
 	}
+	# 1000 bytes end within a point and within a line
+	every('torn', 5, "$project -j1 $_",
+	    system_failed('[^ ]*: Input/output error'))
+	    for "$tmp/points", "-i f64 $tmp/points.f64",
+	    "--keep-going -i f64 $tmp/points.f64";
 	my ($status, $whole) = run("$project -j2 $tmp/points");
 	for my $n (1, 2) {
 		my @said = faulty("$project -j2 $tmp/points", "thread $n 11");
