@@ -44,7 +44,8 @@ static void begin(struct piece *p, const struct piece *q)
 
 	while (room < rest)
 		room *= 2;
-	if (p->room < room)
+	/* it may have more from a long line */
+	if (p->room != room)
 		piece_reserve(p, room);
 	if (rest > 0)
 		memcpy(p->text, q->text + q->whole, rest);
@@ -193,7 +194,6 @@ enum piece_state piece_cut(struct piece *p, const struct layout *l, int fd,
 	size_t point = binary ? point_size(l->in, l->reads) : 1;
 
 	range -= range % point;
-	/* it may have more room than that from a long line */
 	piece_reserve(p, binary ? range : PIECE_ROOM);
 	p->at = start + (off_t)(k * range - before);
 	p->have = p->begin = p->whole = 0;
