@@ -52,18 +52,10 @@ static int open_input(const char *name)
 	return fd;
 }
 
-/* Texts of which points may be left have margins for those who read them. */
+/* Texts of which points may be left have a margin for those who read them. */
 static char *grow(char *text, size_t room)
 {
-	char *old = text != NULL ? text - PIECE_MARGIN : NULL;
-	char *new = need(old, PIECE_MARGIN + room + PIECE_MARGIN);
-
-	return new + PIECE_MARGIN;
-}
-
-static void free_text(char *text)
-{
-	free(text - PIECE_MARGIN);
+	return need(text, room + PIECE_MARGIN);
 }
 
 static char *copy_operand(const char *operand, size_t *size)
@@ -160,7 +152,7 @@ void read_document(const struct command *c, const struct options *o,
 	}
 	document_read(d, name, text, size, &wants);
 	if (d->points == NULL)
-		free_text(text);
+		free(text);
 }
 
 bool has_points(const struct options *o, const struct document *d)
@@ -280,7 +272,7 @@ static void do_typed(struct job *j, const char *operand, int reads)
 
 	if (j != NULL)
 		do_json(j, "POINTS", points, size);
-	free_text(text);
+	free(text);
 }
 
 static void do_operand(struct job *j, const char *operand)

@@ -6,33 +6,24 @@
 #include <unistd.h>
 
 #include "../talk.h"
-
-/* Large enough that handing over costs nothing, small enough for caches. */
-enum { PIECE_ROOM = 1 << 17 };
+#include "line.h"
 
 /* A piece of a file reads so much more than its range, to have the end of the
  * line that begins there, too. */
 enum { LINE_REST = 1 << 12 };
 
-/* No line of points is longer than this. */
+/* No line of points is longer than this, with its newline. */
 #define LINE_MAX_BYTES ((size_t)1 << 26)
 
 void piece_reserve(struct piece *p, size_t room)
 {
-	char *old = p->text != NULL ? p->text - PIECE_MARGIN : NULL;
-	char *all = need(old, PIECE_MARGIN + room + PIECE_MARGIN);
-
-	if (old == NULL)
-		memset(all, ' ', PIECE_MARGIN);
-	p->text = all + PIECE_MARGIN;
+	p->text = need(p->text, room + PIECE_MARGIN);
 	p->room = room;
-	memset(p->text + room, ' ', PIECE_MARGIN);
 }
 
 void piece_free(struct piece *p)
 {
-	if (p->text != NULL)
-		free(p->text - PIECE_MARGIN);
+	free(p->text);
 	*p = (struct piece){ 0 };
 }
 
