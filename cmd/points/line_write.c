@@ -36,10 +36,11 @@ static char *put(char *out, const char *s, const char *end)
 static inline char *put_number(const struct layout *l,
     const struct numbers *numbers, int k, char *out)
 {
+	static const char null[] = "null";
 	double v = numbers->v[(size_t)k * numbers->step];
 
 	if (l->out == FORMAT_JSON && isnan(v))
-		return put(out, "null", &"null"[4]);
+		return put(out, null, null + 4);
 	return number_put(out, &numbers->text[(size_t)k * numbers->text_step],
 	    v, l->single, l->style[k]);
 }
