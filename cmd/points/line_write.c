@@ -8,9 +8,10 @@
  * are added to the line; one blank does. */
 enum { SEPARATOR_MAX = 64 };
 
-/* Room for the flags with their separator, quotes, brackets and the newline, and
- * for what number_put touches after a number. */
-enum { FLAGS_ROOM = 256 };
+/* Room for the separator before the flags, two quotes, as many bytes as are copied
+ * of a word, two brackets and the newline. What a number touches behind its text is
+ * in the room of NUMBER_MAX that each has. */
+enum { FLAGS_ROOM = SEPARATOR_MAX + 2 + WORD_MAX + 2 + 1 };
 
 size_t lines_room(const struct layout *l, size_t lines, size_t bytes)
 {

@@ -1,4 +1,5 @@
-/* For x86-64 with AVX-512: compile with -mavx512f -mavx512bw -mavx512vl -mfma. */
+/* For x86-64 with AVX-512: compile with -mavx512f -mavx512bw -mavx512dq -mavx512vl
+ * -mfma. */
 #ifdef __AVX512BW__
 #include <immintrin.h>
 

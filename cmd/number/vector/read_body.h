@@ -25,7 +25,8 @@ typedef uint64_t U __attribute__((vector_size(LANES * 8)));
 typedef int64_t I __attribute__((vector_size(LANES * 8)));
 typedef double D __attribute__((vector_size(LANES * 8)));
 
-/* Digits, right-aligned, the last 16 of them in low, and what the number that they make is divided by. */
+/* Digits, right-aligned, the last 16 of them in low, and what the number that they
+ * make is divided by. */
 struct rows {
 	uint8_t low[PLAIN_BATCH][16], high[PLAIN_BATCH][16];
 	double scale[PLAIN_BATCH];
@@ -97,7 +98,7 @@ struct integer {
 	unsigned bad;
 };
 
-/* Of 16 digits. The product of an integer below 10^8 and 10^8 is below 2^54 and
+/* Of up to 15 digits. The product of an integer below 10^8 and 10^8 is below 2^54 and
  * a multiple of 2^8: exact. It is 0 or larger than the rest, so that lo is
  * exactly what the sum lost. */
 static inline struct integer short_integer(const struct rows *r, size_t i)
