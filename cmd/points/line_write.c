@@ -208,7 +208,7 @@ static const char *first_kept(const struct layout *l, const struct line *line)
 		if (last == text.end || *last != '"')
 			return field_next(l->in, last, text.end);
 	}
-	return skip_blanks(text.s, text.end) + (l->in == FORMAT_JSON);
+	return skip_blanks(l->in, text.s, text.end) + (l->in == FORMAT_JSON);
 }
 
 /* The format out is another: coordinates and flags go first, then all other
@@ -268,7 +268,7 @@ static char *copy_header(const struct layout *l, const struct line *line,
 static char *copy(const struct layout *l, const struct line *line, char *out)
 {
 	const char *end = line->s + line->size;
-	const char *s = skip_blanks(line->s, end);
+	const char *s = skip_blanks(l->in, line->s, end);
 
 	if (l->in == FORMAT_JSON || l->out == FORMAT_JSON)
 		return out;
