@@ -83,6 +83,10 @@ $(BUILD)/core/kernel/avx512.o: FLAGS += -mavx512f -mfma
 $(VECTOR)/avx512.o $(VECTOR)/read_avx512.o: \
     FLAGS += -mavx512f -mavx512bw -mavx512cd -mavx512dq -mavx512vl -mfma
 endif
+# Threads run these, on stacks of 128 KB with some C libraries.
+$(addprefix $(BUILD)/core/,exact.o frustum.o pick.o point.o points.o ray.o sum.o) \
+    $(call objects,core/kernel cmd/points cmd/number cmd/number/vector): \
+    FLAGS += -Wframe-larger-than=32768
 # Others' libraries at their best, for this very processor.
 $(PEERS): FLAGS += -O3 -march=native -ffp-contract=fast
 

@@ -57,10 +57,7 @@ void close_input(int fd)
 
 static void reserve(struct text *t, size_t room)
 {
-	char *old = t->s != NULL ? t->s - PIECE_MARGIN : NULL;
-	char *new = need(old, PIECE_MARGIN + room + PIECE_MARGIN);
-
-	t->s = new + PIECE_MARGIN;
+	t->s = need(t->s, room + PIECE_MARGIN);
 	t->room = room;
 }
 
@@ -101,7 +98,6 @@ struct text copy_operand(const char *operand)
 
 void text_free(struct text *t)
 {
-	if (t->s != NULL)
-		free(t->s - PIECE_MARGIN);
+	free(t->s);
 	*t = (struct text){ 0 };
 }

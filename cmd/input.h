@@ -5,8 +5,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* As points may be left in a text, it has PIECE_MARGIN bytes before and after it
- * for those who read them. */
+/* As points may be left in a text, it has PIECE_MARGIN bytes behind it for those who
+ * read them. */
 struct text {
 	char *s; /* NULL at first */
 	size_t room, have;

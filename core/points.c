@@ -82,7 +82,8 @@ static void carry_exact(const struct transform *t, const double *const in[4],
 }
 
 /* Where no kernel fits: a point with four coordinates in or out, in double or,
- * rounding each operation to float, in single. */
+ * rounding each operation to float, in single. It is as this precision has it: what
+ * is behind the eye there, or whose w underflows to 0, has no image. */
 static double rounded(double a, bool single)
 {
 	return single ? (double)(float)a : a;
@@ -115,18 +116,22 @@ static void point_plain(const struct transform *t, bool single,
 		out[j] = image ? rounded(q[j] / w, single) : (double)NAN;
 }
 
-/* Points that a kernel could not be trusted with, gathered for the exact one. */
+/* Points that a kernel could not be trusted with, gathered for the exact one: those
+ * of a run, as threads may have little stack. */
+enum { RUN = 256 };
+
 struct rest {
-	size_t n, which[POINTS_BLOCK];
-	COLUMN_ALIGNED double in[3][POINTS_BLOCK];
-	COLUMN_ALIGNED double out[3][POINTS_BLOCK];
+	size_t n, which[RUN];
+	COLUMN_ALIGNED double in[3][RUN];
+	COLUMN_ALIGNED double out[3][RUN];
 };
 
+/* Those of the points from first to before end. */
 static void gather(const struct transform *t, const double *const in[4],
-    double *const out[4], size_t n, struct rest *r)
+    double *const out[4], size_t first, size_t end, struct rest *r)
 {
 	r->n = 0;
-	for (size_t i = 0; i < n; i++) {
+	for (size_t i = first; i < end; i++) {
 		if (isfinite(out[0][i]) && isfinite(out[1][i]) &&
 		    (t->out == 2 || isfinite(out[2][i])))
 			continue;
@@ -141,15 +146,12 @@ static void gather(const struct transform *t, const double *const in[4],
 			r->in[j][k] = r->in[j][0];
 }
 
-/* A point that is behind the eye in a precision, or whose w has underflowed there,
- * is computed exactly, which says whether it has an image; and so is one that is
- * not within its tolerance. */
-static void carry_rest(const struct transform *t, bool single,
-    const double *const in[4], double *const out[4], size_t n)
+static void carry_run(const struct transform *t, bool single,
+    const double *const in[4], double *const out[4], size_t first, size_t end)
 {
 	struct rest r;
 
-	gather(t, in, out, n, &r);
+	gather(t, in, out, first, end, &r);
 	const double *const in2[4] = { r.in[0], r.in[1], r.in[2] };
 	double *const out2[4] = { r.out[0], r.out[1], r.out[2] };
 
@@ -158,6 +160,16 @@ static void carry_rest(const struct transform *t, bool single,
 	for (size_t k = 0; k < r.n; k++)
 		for (int j = 0; j < t->out; j++)
 			out[j][r.which[k]] = rounded(r.out[j][k], single);
+}
+
+/* A point that in a kernel's precision is behind the eye, or whose w has underflowed
+ * there, is computed exactly, which says whether it has an image; and so is one that
+ * is not within its tolerance. */
+static void carry_rest(const struct transform *t, bool single,
+    const double *const in[4], double *const out[4], size_t n)
+{
+	for (size_t i = 0; i < n; i += RUN)
+		carry_run(t, single, in, out, i, n - i < RUN ? n : i + RUN);
 }
 
 static void carry_plain(const struct transform *t, enum precision precision,

@@ -191,7 +191,7 @@ static void do_at_once(struct job *j, const char *text, size_t size)
 	add(&printed, c->out, c->size);
 	for (size_t i = 0; i < c->n_complaints; i++)
 		say("a:%zu: %s", 1 + c->complaints[i].line,
-		    c->complaints[i].reason);
+		    c->reasons + c->complaints[i].reason);
 	chunk_free(c);
 }
 

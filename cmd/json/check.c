@@ -71,12 +71,10 @@ static bool at_comment(const struct check *s)
 
 static void blanks(struct check *s)
 {
-	bool line = s->kind == JSON_LINE;
 	const char *p = s->p;
 
-	while (p < s->end &&
-	    (*p == ' ' || *p == '\n' || *p == '\t' || *p == '\r' ||
-		(line && (*p == '\v' || *p == '\f'))))
+	while (
+	    p < s->end && (*p == ' ' || *p == '\n' || *p == '\t' || *p == '\r'))
 		p++;
 	s->p = p;
 }

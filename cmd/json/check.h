@@ -5,9 +5,9 @@
 #include <stdbool.h>
 
 /* Two kinds of text are checked. A document is UTF-8, and its strings hold
- * neither \u0000 nor half of a surrogate pair. A line of points has no newline,
- * and \v and \f are blanks in it. As its strings are copied and not read, they
- * may hold any bytes but control characters, and any \u. */
+ * neither \u0000 nor half of a surrogate pair. A line of points has no newline. As
+ * its strings are copied and not read, they may hold any bytes but control
+ * characters, and any \u. */
 enum json_kind { JSON_DOCUMENT, JSON_LINE };
 
 struct json_error {

@@ -1,9 +1,9 @@
 #include "scan.h"
 
 #include <stdbool.h>
-#include <stdint.h>
 #include <string.h>
 
+#include "../number/eight.h"
 #include "../number/number.h"
 #include "../utf8.h"
 
@@ -46,28 +46,14 @@ const char *json_number(const char *s, const char *end, double *v)
 	return stop;
 }
 
-/* How many of the eight characters at s are digits before another comes; the
- * machine is little-endian. A loop over so few would end at a branch that nobody
- * can predict. */
-static int leading_digits(const char *s)
-{
-	uint64_t v;
-
-	memcpy(&v, s, 8);
-	v ^= 0x3030303030303030; /* a digit becomes its value */
-	/* 9 + 0x76 has no top bit; no digit carries into what is after it */
-	v = (v | (v + 0x7676767676767676)) & 0x8080808080808080;
-	return v == 0 ? 8 : __builtin_ctzll(v) / 8;
-}
-
 /* Past the digits at s; NULL where there is none. */
 static const char *digits(const char *s, const char *end)
 {
 	const char *first = s;
-	int n = 8;
+	size_t n = 8;
 
 	while (n == 8 && end - s >= 8)
-		s += n = leading_digits(s);
+		s += n = leading_digits(eight_at(s));
 	while (n == 8 && s < end && is_digit(*s))
 		s++;
 	return s > first ? s : NULL;

@@ -32,7 +32,8 @@ struct number_style {
  * What is beyond the range of doubles is read as inf, what is below as 0. */
 const char *number_read(const char *s, const char *end, double *v);
 
-/* Write v at s, not terminated, and return where the text ends. Plain from
+/* Write v at s, not terminated, and return where the text ends. What is behind
+ * that, up to NUMBER_MAX bytes from s, may change, too. Plain from
  * 1e-6 to below 1e21, else with an exponent, as JavaScript prints; with
  * NUMBER_DECIMALS always plain; never -0; nan and inf are "nan". NUMBER_WITHIN
  * is the decimals without their trailing zeros, or the shortest where that has no
@@ -58,14 +59,16 @@ struct number_text {
 void number_texts(const double *v, size_t n, bool single,
     struct number_style style, struct number_text *t);
 
-/* Which copy of its loops number_texts runs from now on: the best for this
- * processor, or at most the named one, as core/kernel names them. Before any
- * call it makes no texts. False if there is none of that name. */
+/* Which copy of their loops number_texts and plain_reader's run from now on: the
+ * best for this processor, or at most the named one, as core/kernel names them.
+ * Before any call there are no texts and no reader. False if there is none of that
+ * name. */
 bool number_choose(const char *name);
 
 /* Writes v at s from its text t, or as number_write does where it has none, and
- * returns where the text ends. It may write up to 64 bytes past that. On either side
- * of the point there are NUMBER_SIDE characters at most. */
+ * returns where the text ends. What is behind that, up to NUMBER_MAX bytes from s,
+ * may change, too. On either side of the point of a text there are NUMBER_SIDE
+ * characters at most. */
 enum { NUMBER_SIDE = 24 };
 
 static inline char *number_put(char *s, const struct number_text *t, double v,

@@ -31,9 +31,10 @@ struct plain_reader {
 	size_t (*find)(const struct byte_set *, const char *text, size_t size,
 	    uint16_t *at);
 	/* The first n numbers, rounded to nearest. Places there are for n
-	 * rounded up to PLAIN_GROUP. Bit i of what it returns says that the i-th is left: it is not plain, has more than 19 digits
-	 * or 22 decimals, or lies midway between two doubles or too near to
-	 * that; v[i] says nothing then. */
+	 * rounded up to PLAIN_GROUP. Bit i of what it returns says that the i-th
+	 * is left: it is not plain, has more than 22 decimals or, from the first
+	 * that is not 0 on, 19 digits, or lies midway between two doubles or too
+	 * near to that; v[i] says nothing then. */
 	uint64_t (*read)(const struct plain_places *, size_t n,
 	    double v[PLAIN_BATCH]);
 };

@@ -47,7 +47,7 @@ static void complain(const struct job *j, const struct chunk *c)
 	for (size_t i = 0; i < c->n_complaints; i++)
 		say("%s:%zu: %s", c->name,
 		    answer.next_line + c->complaints[i].line,
-		    c->complaints[i].reason);
+		    c->reasons + c->complaints[i].reason);
 	answer.bad = true;
 	if (!j->keep_going) {
 		close_output();

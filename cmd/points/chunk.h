@@ -10,7 +10,7 @@
 /* What is wrong with a line. */
 struct complaint {
 	size_t line;
-	char reason[REASON_MAX];
+	size_t reason; /* where in reasons it stands, ended by a NUL */
 };
 
 /* Lines are counted from 0 in each chunk. A binary point counts as a line. */
@@ -28,7 +28,9 @@ struct chunk {
 	char *out;
 	size_t size, room;            /* of out: used, allocated */
 	struct complaint *complaints; /* in the order of their lines */
-	size_t n_complaints;
+	size_t n_complaints, complaints_room;
+	char *reasons;
+	size_t reasons_size, reasons_room;
 	size_t n_passed;  /* complaints of lines before chunk_mark's last */
 	size_t imageless; /* points without image */
 	size_t first_imageless; /* the line of the first of them */
@@ -48,14 +50,15 @@ struct chunk {
 struct chunk *chunk_new(void);
 void chunk_free(struct chunk *);
 
-/* Forgets what became of the last piece, to be used for another. */
+/* Forgets what became of the last piece, to be used for another. Room that few
+ * pieces need is given back. */
 void chunk_clear(struct chunk *);
 
 /* Makes room for so many more bytes of output; returns out + size, where they
  * go. The caller adds to size what it writes. */
 char *chunk_reserve(struct chunk *, size_t more);
 
-/* Notes what is wrong with a line. */
+/* Notes what is wrong with a line; the reason is copied. */
 void chunk_complain(struct chunk *, size_t line, const char *reason);
 
 /* Makes nan of each coordinate of the image of point p that is not finite, or

@@ -17,7 +17,7 @@ static struct span text_field(const char *s, const char *end)
  * not begin with one, as in 5" pipe, a quote is like any other character. */
 static struct span csv_field(const char *s, const char *end)
 {
-	const char *p = skip_blanks(s, end);
+	const char *p = skip_blanks(FORMAT_CSV, s, end);
 	struct span f = { s, s };
 	bool quoted = p < end && *p == '"';
 
@@ -36,9 +36,9 @@ static struct span json_field(const char *s, const char *end)
 {
 	struct span f;
 
-	f.s = skip_blanks(s, end);
+	f.s = skip_blanks(FORMAT_JSON, s, end);
 	f.end = json_skip(f.s, end);
-	while (f.end > f.s && is_blank(f.end[-1]))
+	while (f.end > f.s && is_blank_of(FORMAT_JSON, f.end[-1]))
 		f.end--;
 	return f;
 }
@@ -63,7 +63,7 @@ const char *field_next(enum format format, const char *s, const char *end)
 		return after == end && (s == end || after[-1] != ',') ? NULL :
 									after;
 	}
-	s = skip_blanks(s, end);
+	s = skip_blanks(format, s, end);
 	return s < end && *s == ',' ? s + 1 : NULL;
 }
 

@@ -15,9 +15,17 @@ static inline bool is_blank(char c)
 	return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n');
 }
 
-static inline const char *skip_blanks(const char *s, const char *end)
+/* The same of a format: \v and \f are none in JSON. */
+static inline bool is_blank_of(enum format format, char c)
 {
-	while (s < end && is_blank(*s))
+	return is_blank(c) &&
+	    (format != FORMAT_JSON || (c != '\v' && c != '\f'));
+}
+
+static inline const char *skip_blanks(enum format format, const char *s,
+    const char *end)
+{
+	while (s < end && is_blank_of(format, *s))
 		s++;
 	return s;
 }
@@ -31,9 +39,9 @@ static inline bool ends_field(const char *s, const char *end)
 /* Past the separator of text that begins at s: blanks, at most one comma. */
 static inline const char *skip_separator(const char *s, const char *end)
 {
-	s = skip_blanks(s, end);
+	s = skip_blanks(FORMAT_TEXT, s, end);
 	if (s < end && *s == ',')
-		s = skip_blanks(s + 1, end);
+		s = skip_blanks(FORMAT_TEXT, s + 1, end);
 	return s;
 }
 

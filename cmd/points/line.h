@@ -37,7 +37,8 @@ enum line_kind {
 	LINE_BAD,
 };
 
-/* Of a line's text, counted from its beginning; a line is at most 64 MiB. */
+/* Of a line's text, counted from its beginning. With its newline a line is at most
+ * 64 MiB, one of a document at most 256 MiB as that is. */
 struct part {
 	uint32_t from, to;
 };

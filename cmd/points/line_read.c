@@ -19,7 +19,7 @@ static bool field_number(enum format format, struct span *f,
 	const char *stop;
 
 	if (format == FORMAT_CSV) {
-		n.s = skip_blanks(n.s, n.end);
+		n.s = skip_blanks(format, n.s, n.end);
 		while (n.end > n.s && is_blank(n.end[-1]))
 			n.end--;
 		if (n.end - n.s >= 2 && *n.s == '"' && n.end[-1] == '"') {
@@ -114,14 +114,14 @@ static bool read_text(const struct layout *l, const char *s, const char *end,
 static bool plain_field(enum format format, const char *s, const char *end,
     const char *readable, struct span *f, double *v)
 {
-	f->s = skip_blanks(s, end);
+	f->s = skip_blanks(format, s, end);
 	if (f->s == end)
 		return false;
 	f->end = format == FORMAT_JSON ? json_number(f->s, readable, v) :
 					 number_read(f->s, readable, v);
 	if (f->end == NULL)
 		return false;
-	const char *after = skip_blanks(f->end, end);
+	const char *after = skip_blanks(format, f->end, end);
 
 	return format == FORMAT_JSON ? json_skip(f->end, end) == after :
 				       after == end || *after == ',';
@@ -213,7 +213,7 @@ static bool is_name(struct span f, const char *name)
 		f.s++;
 		f.end--;
 	}
-	f.s = skip_blanks(f.s, f.end);
+	f.s = skip_blanks(FORMAT_CSV, f.s, f.end);
 	while (f.end > f.s && is_blank(f.end[-1]))
 		f.end--;
 	return (size_t)(f.end - f.s) == n && memcmp(f.s, name, n) == 0;
@@ -302,7 +302,8 @@ static bool is_closed(const char *s, const char *end)
 	s = json_skip(s, end);
 	while (s < end && *s == ',')
 		s = json_skip(s + 1, end);
-	return s < end && *s == ']' && skip_blanks(s + 1, end) == end;
+	return s < end && *s == ']' &&
+	    skip_blanks(FORMAT_JSON, s + 1, end) == end;
 }
 
 /* Whether all of the line is one JSON array. Up to done it has been read; if
@@ -311,16 +312,16 @@ static bool is_closed(const char *s, const char *end)
 static bool check_array(struct span text, const char *done,
     char reason[REASON_MAX])
 {
-	const char *s = skip_blanks(done, text.end);
+	const char *s = skip_blanks(FORMAT_JSON, done, text.end);
 	struct json_error e;
 	char word[ESCAPED_MAX];
 
 	if (s < text.end && *s == ']' &&
-	    skip_blanks(s + 1, text.end) == text.end)
+	    skip_blanks(FORMAT_JSON, s + 1, text.end) == text.end)
 		return true;
 	if (json_check(JSON_LINE, text.s, text.end, &e))
 		return true;
-	s = skip_blanks(text.s, text.end);
+	s = skip_blanks(FORMAT_JSON, text.s, text.end);
 	if (!is_closed(s + 1, text.end))
 		snprintf(reason, REASON_MAX,
 		    "the array does not end with the line; one array a line: "
@@ -334,7 +335,7 @@ static bool check_array(struct span text, const char *done,
 void line_read(struct layout *l, struct span text, const char *readable,
     bool *header, struct line *line, double v[4], char reason[REASON_MAX])
 {
-	const char *s = skip_blanks(text.s, text.end);
+	const char *s = skip_blanks(l->in, text.s, text.end);
 	bool ok;
 
 	line->kind = LINE_COPY;

@@ -8,9 +8,10 @@
  * are added to the line; one blank does. */
 enum { SEPARATOR_MAX = 64 };
 
-/* Room for the flags with their separator, quotes, brackets and the newline, and
- * for what number_put touches after a number. */
-enum { FLAGS_ROOM = 256 };
+/* Room for the separator before the flags, two quotes, as many bytes as are copied
+ * of a word, two brackets and the newline. What a number touches behind its text is
+ * in the room of NUMBER_MAX that each has. */
+enum { FLAGS_ROOM = SEPARATOR_MAX + 2 + WORD_MAX + 2 + 1 };
 
 size_t lines_room(const struct layout *l, size_t lines, size_t bytes)
 {
@@ -36,10 +37,11 @@ static char *put(char *out, const char *s, const char *end)
 static inline char *put_number(const struct layout *l,
     const struct numbers *numbers, int k, char *out)
 {
+	static const char null[] = "null";
 	double v = numbers->v[(size_t)k * numbers->step];
 
 	if (l->out == FORMAT_JSON && isnan(v))
-		return put(out, "null", &"null"[4]);
+		return put(out, null, null + 4);
 	return number_put(out, &numbers->text[(size_t)k * numbers->text_step],
 	    v, l->single, l->style[k]);
 }
@@ -206,7 +208,7 @@ static const char *first_kept(const struct layout *l, const struct line *line)
 		if (last == text.end || *last != '"')
 			return field_next(l->in, last, text.end);
 	}
-	return skip_blanks(text.s, text.end) + (l->in == FORMAT_JSON);
+	return skip_blanks(l->in, text.s, text.end) + (l->in == FORMAT_JSON);
 }
 
 char *line_rest(const struct layout *l, const struct line *line, char *out)
@@ -282,7 +284,7 @@ static char *copy_header(const struct layout *l, const struct line *line,
 static char *copy(const struct layout *l, const struct line *line, char *out)
 {
 	const char *end = line->s + line->size;
-	const char *s = skip_blanks(line->s, end);
+	const char *s = skip_blanks(l->in, line->s, end);
 
 	if (l->in == FORMAT_JSON || l->out == FORMAT_JSON)
 		return out;

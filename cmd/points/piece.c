@@ -6,33 +6,24 @@
 #include <unistd.h>
 
 #include "../talk.h"
-
-/* Large enough that handing over costs nothing, small enough for caches. */
-enum { PIECE_ROOM = 1 << 17 };
+#include "line.h"
 
 /* A piece of a file reads so much more than its range, to have the end of the
  * line that begins there, too. */
 enum { LINE_REST = 1 << 12 };
 
-/* No line of points is longer than this. */
+/* No line of points is longer than this, with its newline. */
 #define LINE_MAX_BYTES ((size_t)1 << 26)
 
 void piece_reserve(struct piece *p, size_t room)
 {
-	char *old = p->text != NULL ? p->text - PIECE_MARGIN : NULL;
-	char *all = need(old, PIECE_MARGIN + room + PIECE_MARGIN);
-
-	if (old == NULL)
-		memset(all, ' ', PIECE_MARGIN);
-	p->text = all + PIECE_MARGIN;
+	p->text = need(p->text, room + PIECE_MARGIN);
 	p->room = room;
-	memset(p->text + room, ' ', PIECE_MARGIN);
 }
 
 void piece_free(struct piece *p)
 {
-	if (p->text != NULL)
-		free(p->text - PIECE_MARGIN);
+	free(p->text);
 	*p = (struct piece){ 0 };
 }
 
@@ -44,7 +35,8 @@ static void begin(struct piece *p, const struct piece *q)
 
 	while (room < rest)
 		room *= 2;
-	if (p->room < room)
+	/* it may have more from a long line */
+	if (p->room != room)
 		piece_reserve(p, room);
 	if (rest > 0)
 		memcpy(p->text, q->text + q->whole, rest);
@@ -190,10 +182,9 @@ enum piece_state piece_cut(struct piece *p, const struct layout *l, int fd,
 	bool binary = is_binary(l->in);
 	size_t before = k > 0 && !binary;
 	size_t range = PIECE_ROOM - LINE_REST;
+	size_t point = binary ? point_size(l->in, l->reads) : 1;
 
-	if (binary)
-		range -= range % point_size(l->in, l->reads);
-	/* it may have more room than that from a long line */
+	range -= range % point;
 	piece_reserve(p, binary ? range : PIECE_ROOM);
 	p->at = start + (off_t)(k * range - before);
 	p->have = p->begin = p->whole = 0;
@@ -201,7 +192,9 @@ enum piece_state piece_cut(struct piece *p, const struct layout *l, int fd,
 		return cut_lines(p, fd, before, range);
 	enum piece_state state = read_on(p, fd);
 
-	p->whole = p->have;
+	/* a point that the file's end cuts is told of, but not one that a failed
+	 * read does */
+	p->whole = state == PIECE_FAILED ? p->have - p->have % point : p->have;
 	return state;
 }
 

@@ -4,15 +4,20 @@
 
 #include <sys/types.h>
 
-#include "line.h"
+struct layout;
 
-/* So many bytes before and after a text may be looked at, whatever they are:
- * those who read digits by the vector take as many at a time. */
-enum { PIECE_MARGIN = 64 };
+/* Most pieces take so many bytes: enough that handing over costs nothing, few
+ * enough for caches. */
+enum { PIECE_ROOM = 1 << 17 };
+
+/* So many bytes behind a text there are, too: where a document's lone point gets
+ * its newline, and one that walk.c looks at, whatever it is, behind a minus that
+ * ends a line. */
+enum { PIECE_MARGIN = 2 };
 
 struct piece {
-	char *text;          /* within margins; NULL at first */
-	size_t room, have;   /* bytes: between the margins, read */
+	char *text;          /* NULL at first */
+	size_t room, have;   /* bytes: before the margin, read */
 	size_t begin, whole; /* of have: whole lines or points */
 	off_t at;            /* where in its file text begins */
 };

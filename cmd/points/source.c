@@ -7,13 +7,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Of a file that has no more, no thread but one would have something to read;
- * among them are those that the system makes up, with a size of 0. */
-enum { SMALL = 1 << 17 };
-
 /* Two pieces: one is filled while the other is emptied. More of them on both sides
  * would not stay in the cache of a processor. */
-enum { PIPE_ROOM = 1 << 18 };
+enum { PIPE_ROOM = 2 * PIECE_ROOM };
 
 /* Fewer and larger reads and writes, if it is a pipe; if the system refuses, it
  * is just slower. */
@@ -35,8 +31,11 @@ struct point_source source_of_file(const char *name, int fd)
 	widen(fd);
 	widen(STDOUT_FILENO);
 	s.start = lseek(fd, 0, SEEK_CUR);
+	/* Of a file that has no more than a piece, no thread but one would have
+	 * something to read; among them are those that the system makes up, with
+	 * a size of 0. */
 	if (s.start >= 0 && fstat(fd, &st) == 0 && S_ISREG(st.st_mode) &&
-	    st.st_size - s.start > SMALL)
+	    st.st_size - s.start > PIECE_ROOM)
 		s.kind = SOURCE_FILE;
 	return s;
 }

@@ -20,7 +20,7 @@ struct point_source {
 /* How the file is best read. */
 struct point_source source_of_file(const char *name, int fd);
 
-/* Text in memory; PIECE_MARGIN bytes before and after it can be looked at. */
+/* Text in memory, with PIECE_MARGIN bytes behind it. */
 struct point_source source_of_text(const char *name, const char *text,
     size_t size);
 

@@ -1,18 +1,22 @@
 #include "stream.h"
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include "answer.h"
 #include "progress.h"
 #include "threads.h"
 
-/* The size of a file; 0 if fd is none. */
+/* How much of a file is left to read; 0 if fd is none. */
 static size_t size_of(int fd)
 {
 	struct stat st;
+	off_t start = lseek(fd, 0, SEEK_CUR);
 
-	return fstat(fd, &st) == 0 && S_ISREG(st.st_mode) ? (size_t)st.st_size :
-							    0;
+	if (start < 0 || fstat(fd, &st) != 0 || !S_ISREG(st.st_mode) ||
+	    st.st_size < start)
+		return 0;
+	return (size_t)(st.st_size - start);
 }
 
 static void stream(struct job *j, struct point_source *s, size_t size)

@@ -5,10 +5,9 @@
 #include "job.h"
 
 /* Does the job on the points of one source, which is a file or a text in
- * memory, with PIECE_MARGIN bytes before and after it that can be
- * looked at. All that has been read is answered before more is waited for.
- * Errors are printed and end the program. The job must be the same at each
- * call; its contents may change in between. */
+ * memory, with PIECE_MARGIN bytes behind it. All that has been read is answered
+ * before more is waited for. Errors are printed and end the program. The job must
+ * be the same at each call; its contents may change in between. */
 void stream_file(struct job *, const char *name, int fd);
 void stream_text(struct job *, const char *name, const char *text, size_t size);
 

@@ -42,7 +42,8 @@ static struct {
 	.all_answered = PTHREAD_COND_INITIALIZER,
 };
 
-/* All functions but threads_run are called with the lock held. */
+/* may_begin to do_chunk, and can_share, are called with the lock held, and return
+ * with it. */
 static void lock(void)
 {
 	pthread_mutex_lock(&ring.lock);

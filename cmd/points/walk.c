@@ -104,9 +104,9 @@ static inline void pass(struct place *p)
 	p->stop++;
 }
 
-static inline void pass_blanks(struct place *p)
+static inline void pass_blanks(struct place *p, enum format format)
 {
-	while (*p->stop == p->at && is_blank(p->text[p->at]))
+	while (*p->stop == p->at && is_blank_of(format, p->text[p->at]))
 		pass(p);
 }
 
@@ -121,10 +121,10 @@ static inline bool pass_separator(struct place *p, enum format format)
 		pass(p);
 		return true;
 	}
-	pass_blanks(p);
+	pass_blanks(p, format);
 	if (stands(p, ',')) {
 		pass(p);
-		pass_blanks(p);
+		pass_blanks(p, format);
 		return true;
 	}
 	return format == FORMAT_TEXT;
@@ -188,19 +188,19 @@ static inline bool pass_field(struct place *p, enum format format)
 static inline bool pass_rest(struct place *p, enum format format)
 {
 	if (format != FORMAT_TEXT)
-		pass_blanks(p);
+		pass_blanks(p, format);
 	if (format != FORMAT_JSON)
 		return *p->stop == p->at && p->text[p->at] != '"';
 	while (stands(p, ',')) {
 		pass_separator(p, format);
 		if (!pass_field(p, format))
 			return false;
-		pass_blanks(p);
+		pass_blanks(p, format);
 	}
 	if (!stands(p, ']'))
 		return false;
 	pass(p);
-	pass_blanks(p);
+	pass_blanks(p, format);
 	return stands(p, '\n');
 }
 
@@ -212,14 +212,14 @@ find_coordinates(struct place *p, const struct walk *w, enum format format,
 {
 	uint32_t begin = p->at;
 
-	pass_blanks(p);
+	pass_blanks(p, format);
 	if (p->text[p->at] == '#')
 		return false;
 	if (format == FORMAT_JSON) {
 		if (!stands(p, '['))
 			return false;
 		pass(p);
-		pass_blanks(p);
+		pass_blanks(p, format);
 	}
 #pragma GCC unroll 3
 	for (int m = 0; m < n; m++) {

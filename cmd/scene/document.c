@@ -168,7 +168,6 @@ static const char *point_end(const struct value *v, const char *s,
 
 	if (stop == NULL)
 		stop = pass_point(s, end, coordinates);
-
 	if (stop != NULL)
 		return stop;
 	stop = json_skip(s, end);
@@ -207,7 +206,8 @@ static char *text_of(const struct value *v, const struct json_part *array)
 }
 
 /* Makes lines of the points that an array is, or the one point, in its place:
- * no point's line is longer than the point with the comma or bracket before it.
+ * no point's line is longer than the point with the comma or bracket before it,
+ * but for the newline of a lone one, which is behind the text if that ends with it.
  * Returns how many bytes that is. */
 static size_t take_points(const struct value *v, const struct json_part *array,
     int coordinates)

@@ -183,7 +183,10 @@ static void test_lines(void **state)
 {
 	static const struct line lines[] = {
 		{ "[1,2,3]", NULL },
-		{ "\v[ 1\f,\r{\"a\"\v: [null, true]}\t] ", NULL },
+		{ "\t[ 1\t,\r{\"a\"\r: [null, true]}\t] ", NULL },
+		{ "\v[1]", "\v[1]" },
+		{ "[1\f]", "\f]" },
+		{ "[{\"a\":\v1}]", "\v1}]" },
 		{ "[\"\xff\x80\x7f\",\"\\u0000\\ud800\\uDC00x\"]", NULL },
 		{ "[-0, 0.10, 1E+5, 1e999]", NULL },
 		{ "[1,]", "]" },

@@ -2,6 +2,7 @@
  *   FAULT="CALL N ERROR"  the N-th CALL fails with that error number;
  *       of malloc (with realloc and calloc), read (with pread), open, thread,
  *       write and close, the last two of standard output
+ *   FAULT="torn N ERROR"  the N-th read takes a few bytes, the one after it fails
  *   FAULT="short"  reads and writes take a few bytes, or are interrupted, and
  *       poll often says that nothing is there
  *   FAULT="cut N FILE"  the N-th read finds FILE truncated
@@ -85,6 +86,12 @@ static ssize_t before_read(size_t n)
 {
 	if (fails("read"))
 		return -1;
+	if (is("torn")) {
+		int k = atomic_fetch_add(&calls, 1) + 1 - at;
+
+		errno = error;
+		return k == 1 ? -1 : k == 0 && n > 1000 ? 1000 : (ssize_t)n;
+	}
 	if (is("cut") && atomic_fetch_add(&calls, 1) + 1 == at &&
 	    truncate(file, 100) != 0)
 		return -1;

@@ -49,6 +49,7 @@ spew("$tmp/few", $few);
 spew("$tmp/few.csv", "x,y,z\n" . $few =~ tr/ /,/r);
 spew("$tmp/few.json", $few =~ tr/ /,/r =~ s/^(.*)$/[$1]/mgr);
 spew("$tmp/few.f64", pack 'd<*', split ' ', $few);
+spew("$tmp/points.f64", pack 'd<*', split ' ', $lines);
 spew("$tmp/bad", "$few# no point\n1 2\n$few");
 my $project = 'projcalc project scene.json';
 
@@ -105,6 +106,11 @@ SKIP: {
 			    $err =~ /\Aprojcalc: .*: Too many open files\n\z/;
 		});
 	}
+	# 1000 bytes end within a point and within a line
+	every('torn', 5, "$project -j1 $_",
+	    system_failed('[^ ]*: Input/output error'))
+	    for "$tmp/points", "-i f64 $tmp/points.f64",
+	    "--keep-going -i f64 $tmp/points.f64";
 	my ($status, $whole) = run("$project -j2 $tmp/points");
 	for my $n (1, 2) {
 		my @said = faulty("$project -j2 $tmp/points", "thread $n 11");
@@ -253,12 +259,12 @@ for my $j (1, 2) {
 }
 
 # Bounded memory, in kilobytes. The most that was ever resident is asked for
-# while it runs; the stream goes on long enough.
+# while it runs; the stream goes on long enough. It ends with a status.
 sub peak {
-	my ($command) = @_;
+	my ($command, $end) = (@_, 0);
 	my ($peak, $pid) = (0, fork // die "fork: $!\n");
 	if ($pid == 0) {
-		open STDOUT, '>', '/dev/null';
+		open $_, '>', '/dev/null' for *STDOUT, *STDERR;
 		exec split ' ', $command;
 	}
 	while (waitpid($pid, WNOHANG) == 0) {
@@ -267,7 +273,7 @@ sub peak {
 		}
 		sleep 0.002;
 	}
-	return $? == 0 ? $peak : 1e9;
+	return $? == $end << 8 ? $peak : 1e9;
 }
 
 sub sparse {
@@ -313,6 +319,9 @@ SKIP: {
 	spew("$tmp/3M", "0 1 2\n" x 3000000);
 	my $peak = peak("$project -j2 $tmp/3M");
 	cmp_ok($peak, '<', 20000, '3 million lines in 20 MB');
+	spew("$tmp/3M", "0\n" x 3000000);
+	$peak = peak("$project -j2 --keep-going $tmp/3M", 1);
+	cmp_ok($peak, '<', 20000, '3 million bad lines in 20 MB');
 	my $points = join ",\n", map { "[$_, 0.125, -7.5e-1, \"a\"]" }
 	    1 .. 400000;
 	spew("$tmp/document", "{\"points\": [$points]}");

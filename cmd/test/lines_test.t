@@ -70,7 +70,7 @@ sub csv_line {
 
 sub json_line {
 	my $s = with_separators(pick(',', ',', ',', ', '), ' , ', ',,', "\t,",
-	    ' ', ',]');
+	    ' ', ',]', ",\x0b", "\f,");
 	$s = pick('"a"', '"a,[b]"', 'null', '[1]') . ",$s" if below(20) == 0;
 	$s .= ',' . pick('"a"', '"two words"', '"a,b]"', '"\"q\""', '"\u00e9"',
 	    '"\\\\"', "\"\xc3\xa9\"", '{"a":[1,2]}', '[1,[2]]', 'true', '"open',

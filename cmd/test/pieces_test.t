@@ -169,4 +169,9 @@ SKIP: {
 	kill 'TERM', $pid;
 	close $from;
 }
+# How far it is counts from where the file is read, as that is not its beginning.
+spew("$tmp/in", "0 0 0\n" x 100000);
+like((run("(dd bs=300000 count=1 >$tmp/first 2>$tmp/told; projcalc project " .
+    "--progress scene.json - ) <$tmp/in"))[2], qr/ 50000 lines, .*, 100 %\n\z/,
+    'the share of a file that is read from its middle');
 done_testing();

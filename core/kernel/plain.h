@@ -42,7 +42,12 @@ static inline R NAME(most)(const struct kernel_map *m, int k, R size)
 
 /* The largest error of an image q, each coordinate's in units of its tolerance;
  * above 1, too, where w isn't known to 1/16. scale is PLAIN_BOUND u over
- * the tolerance. */
+ * the tolerance.
+ *
+ * R_MAX(a, b) is b where a is nan: an error that is nan is lost if another comes after
+ * it. It is nan if q[k] is not finite, which all_finite tells of, and gather, of
+ * points.c, looks for in each coordinate; or if w_size is infinite, and then all after
+ * it are infinite or nan, too. Otherwise it never is. */
 static inline R NAME(error)(const struct kernel_map *m, enum kernel_kind kind,
     R size, R r, const R q[3], const double scale[3])
 {

@@ -1,4 +1,5 @@
-/* For x86-64 with AVX-512F, BW, CD, DQ and VL. */
+/* For x86-64 with AVX-512: compile with -mavx512f -mavx512bw -mavx512cd -mavx512dq
+ * -mavx512vl -mfma. */
 #ifdef __AVX512BW__
 #include <immintrin.h>
 

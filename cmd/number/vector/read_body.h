@@ -39,7 +39,7 @@ struct integer {
 	unsigned bad;
 };
 
-/* Of 16 digits. The product of an integer below 10^8 and 10^8 is below 2^54 and
+/* Of up to 15 digits. The product of an integer below 10^8 and 10^8 is below 2^54 and
  * a multiple of 2^8: exact. It is 0 or larger than the rest, so that lo is
  * exactly what the sum lost. */
 static inline struct integer short_integer(const struct rows *r, size_t i)

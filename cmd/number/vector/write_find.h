@@ -44,11 +44,13 @@ INLINE struct scaled scaled(V a, V hi, V lo, bool whole_powers)
 	return x;
 }
 
-/* The nearest whole number to x < 2^53, ties to even, where scale >= 0. p - i - 1/2
- * is exact, and |e| at most half a unit of p's last place. The sum, though rounded,
- * has the sign of x - i - 1/2. It is 0 if e = 0 and NEAREST breaks the tie. The
- * other tie is p > 2^52, whole, with |e| = 1/2: then p is even already, as x, halfway
- * between two doubles, was rounded to it; and p is what either way gives. */
+/* The nearest whole number to x < 2^53, ties to even, where scale >= 0. |e| is at
+ * most half a unit of p's last place. Where p < 1/4, p - 1/2, though rounded, is -1/4
+ * at most, far more than e: i, which is 0, is right. From 1/4 up, p - i - 1/2 is
+ * exact. The sum, though rounded, has the sign of x - i - 1/2. It is 0 if e = 0 and
+ * NEAREST breaks the tie. The other tie is p > 2^52, whole, with |e| = 1/2: then p is
+ * even already, as x, halfway between two doubles, was rounded to it; and p is what
+ * either way gives. */
 INLINE V nearest(struct scaled x)
 {
 	V rest = (x.p - x.i - ALL(0.5)) + x.e;
