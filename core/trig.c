@@ -145,9 +145,8 @@ struct sum in_degrees(struct sum angle)
 
 #define DEGREE 57.29577951308232
 
-/* atan2's, and the arc tangent of
- * what that leaves, which is below 2^-50, so that two terms of its series are
- * within 2^-250. */
+/* atan2's, and the arc tangent of what that leaves, which is below 2^-50, so that two
+ * terms of its series are within 2^-250. */
 double degrees_of(struct sum y, struct sum x)
 {
 	x = sum_settled(x);

@@ -7,8 +7,8 @@
 
 /* Prints a document that reads back as the same scene and pick: a member a
  * line, without what has its default. The camera must be given by its gaze; the
- * projection must be persp, ortho or oblique, and its cross-section not given
- * by height and aspect: so fit leaves them. */
+ * projection must not be a matrix, and its cross-section not given by height and
+ * aspect: so fit leaves them. */
 void print_scene(const struct document *);
 
 /* Puts what leads from model space to the device, in one line. */
