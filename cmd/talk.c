@@ -1,6 +1,9 @@
+/* for F_SETPIPE_SZ, where there is one */
+#define _GNU_SOURCE
 #include "talk.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <poll.h>
 #include <stdarg.h>
 #include <stdatomic.h>
@@ -78,6 +81,15 @@ bool go_on(int fd, short events)
 	if (errno != EAGAIN && errno != EWOULDBLOCK)
 		return errno == EINTR;
 	return poll(&p, 1, -1) >= 0 || errno == EINTR;
+}
+
+void widen_pipe(int fd)
+{
+#ifdef F_SETPIPE_SZ
+	fcntl(fd, F_SETPIPE_SZ, 1 << 20);
+#else
+	(void)fd;
+#endif
 }
 
 void put_all(const char *s, size_t size)
