@@ -77,10 +77,10 @@ $(addprefix $(BUILD)/cmd/points/,binary.o block_write.o walk.o) \
     $(call objects,core/kernel cmd/number/vector): FLAGS += -O3
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),)
 VECTOR = $(BUILD)/cmd/number/vector
-$(BUILD)/core/kernel/avx2.o $(VECTOR)/avx2.o $(VECTOR)/read_avx2.o: \
+$(BUILD)/core/kernel/avx2.o $(VECTOR)/write_avx2.o $(VECTOR)/read_avx2.o: \
     FLAGS += -mavx2 -mfma
 $(BUILD)/core/kernel/avx512.o: FLAGS += -mavx512f -mfma
-$(VECTOR)/avx512.o $(VECTOR)/read_avx512.o: \
+$(VECTOR)/write_avx512.o $(VECTOR)/read_avx512.o: \
     FLAGS += -mavx512f -mavx512bw -mavx512cd -mavx512dq -mavx512vl -mfma
 endif
 # Threads run these, on stacks of 128 KB with some C libraries.

@@ -17,7 +17,7 @@ void read_document(const struct command *, const struct options *,
 bool has_points(const struct options *, const struct document *);
 
 /* Fills in what the options say of a job whose transform or ray maker is set,
- * and prepares progress and kernels for it. */
+ * and prepares progress, output and kernels for it. */
 void prepare_job(struct job *, const struct options *);
 
 /* Does the job on all points: the operands, else the document's, else those of

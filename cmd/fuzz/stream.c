@@ -88,6 +88,11 @@ bool go_on(int fd, short events)
 	return errno == EINTR;
 }
 
+void widen_pipe(int fd)
+{
+	(void)fd;
+}
+
 void put_all(const char *s, size_t n)
 {
 	add(&printed, s, n);

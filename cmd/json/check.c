@@ -23,7 +23,7 @@ struct check {
 	int level;
 	struct json_error *error;
 	const char *name; /* of the member to be found, or NULL */
-	struct json_part part;
+	struct span part;
 };
 
 static bool is_letter(char c)
@@ -371,7 +371,7 @@ static bool member(struct check *s)
 		return false;
 	if (s->level == 1 && s->name != NULL && s->part.s == NULL &&
 	    is_name(quoted, s->end, s->name))
-		s->part = (struct json_part){ start, s->p };
+		s->part = (struct span){ start, s->p };
 	return true;
 }
 
@@ -411,7 +411,7 @@ static bool check(struct check *s)
 	if (!value(s))
 		return false;
 	if (s->name == NULL)
-		s->part = (struct json_part){ start, s->p };
+		s->part = (struct span){ start, s->p };
 	blanks(s);
 	if (at_comment(s))
 		return stray(s, "nothing");
@@ -433,7 +433,7 @@ bool json_check(enum json_kind kind, const char *text, const char *end,
 }
 
 bool json_check_part(const char *text, const char *end, long line,
-    const char *name, struct json_part *part, struct json_error *error)
+    const char *name, struct span *part, struct json_error *error)
 {
 	struct check s = { .kind = JSON_DOCUMENT,
 		.text = text,

@@ -4,6 +4,8 @@
 
 #include <stdbool.h>
 
+#include "../span.h"
+
 /* Two kinds of text are checked. A document is UTF-8, and its strings hold
  * neither \u0000 nor half of a surrogate pair. A line of points has no newline. As
  * its strings are copied and not read, they may hold any bytes but control
@@ -21,15 +23,10 @@ struct json_error {
 bool json_check(enum json_kind, const char *text, const char *end,
     struct json_error *);
 
-/* A part of a text; s is NULL where there is none. */
-struct json_part {
-	const char *s, *end;
-};
-
-/* The same of a document, which begins on that line. Says, too, where the value stands that the member of
- * that name has, the first one if there are several; or where name is NULL, the
- * document's own. */
+/* The same of a document, which begins on that line. Says, too, where the value
+ * stands that the member of that name has, the first one if there are several, and
+ * NULL if there is none; or where name is NULL, the document's own. */
 bool json_check_part(const char *text, const char *end, long line,
-    const char *name, struct json_part *, struct json_error *);
+    const char *name, struct span *, struct json_error *);
 
 #endif

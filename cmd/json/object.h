@@ -39,8 +39,8 @@ struct ways {
 
 /* Reads an object of that kind, 0 where there are no kinds, into the struct at
  * base. Returns the members it has, as bits in the order of the table. Members
- * that begin with _, $schema, and what may stand beside, are passed over; any other that is unknown,
- * of another kind, or repeated is refused. */
+ * that begin with _, $schema, and what may stand beside, are passed over; any other
+ * that is unknown, of another kind, or repeated is refused. */
 unsigned object_read(const struct value *, const struct member *, int kind,
     void *base);
 

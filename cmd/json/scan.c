@@ -110,27 +110,18 @@ const char *json_skip(const char *s, const char *end)
 	return end;
 }
 
-/* Past the blanks at s. Between the tokens of checked text no other character
- * up to ' ' can stand. */
-static const char *skip_space(const char *s, const char *end)
-{
-	while (s < end && (unsigned char)*s <= ' ')
-		s++;
-	return s;
-}
-
 const char *json_next(const char *at, const char *end, const char **value)
 {
 	if (*at == ']' || *at == '}')
 		return NULL;
-	at = skip_space(at + 1, end);
+	at = json_space(at + 1, end);
 	if (*at == ']' || *at == '}')
 		return NULL;
 	*value = at;
 	if (*at == '"') {
-		at = skip_space(json_string(at, end), end);
+		at = json_space(json_string(at, end), end);
 		if (*at == ':')
-			*value = at = skip_space(at + 1, end);
+			*value = at = json_space(at + 1, end);
 	}
 	return json_skip(at, end);
 }

@@ -13,6 +13,15 @@ const char *json_number(const char *s, const char *end, double *v);
  * json_number says so. */
 const char *json_number_end(const char *s, const char *end);
 
+/* Past the white space at s of checked text, between whose tokens no other
+ * character up to ' ' can stand. */
+static inline const char *json_space(const char *s, const char *end)
+{
+	while (s < end && (unsigned char)*s <= ' ')
+		s++;
+	return s;
+}
+
 /* Past the string whose opening quote is at s; end if it isn't closed. */
 const char *json_string(const char *s, const char *end);
 

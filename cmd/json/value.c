@@ -66,7 +66,7 @@ static const struct cJSON *parse(char *text, size_t size)
 
 /* Checks a document and finds a part of it. */
 static void check(const struct source *source, const char *name, char *text,
-    size_t size, struct json_part *part)
+    size_t size, struct span *part)
 {
 	struct json_error e;
 
@@ -79,15 +79,15 @@ static void check(const struct source *source, const char *name, char *text,
 
 struct value value_parse(const struct source *source, char *text, size_t size)
 {
-	struct json_part all;
+	struct span all;
 
 	check(source, NULL, text, size, &all);
 	return (struct value){ .source = source, .item = parse(text, size) };
 }
 
 /* A copy of a text with [] in the place of a part; sets *size. */
-static char *without(const char *text, const char *end,
-    const struct json_part *part, size_t *size)
+static char *without(const char *text, const char *end, const struct span *part,
+    size_t *size)
 {
 	size_t before = (size_t)(part->s - text);
 	size_t after = (size_t)(end - part->end);
@@ -101,7 +101,7 @@ static char *without(const char *text, const char *end,
 }
 
 struct value value_parse_without(const struct source *source, const char *name,
-    char *text, size_t size, struct json_part *array)
+    char *text, size_t size, struct span *array)
 {
 	struct value v = { .source = source };
 

@@ -45,7 +45,7 @@ struct value value_parse(const struct source *, char *text, size_t size);
  * name is, or where name is NULL the document itself, is an empty one among the
  * values, and *array is its text, which does not change. */
 struct value value_parse_without(const struct source *, const char *name,
-    char *text, size_t size, struct json_part *array);
+    char *text, size_t size, struct span *array);
 
 /* Makes of *v, whose text was left out so, the value that it is. */
 void value_parse_part(struct value *v, const char *s, const char *end);

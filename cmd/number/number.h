@@ -54,8 +54,11 @@ struct number_text {
 	uint32_t layout;
 } __attribute__((aligned(64)));
 
+/* Numbers are read and written so many at a time. */
+enum { NUMBER_BATCH = 64 };
+
 /* The texts of n numbers, which are floats where single says so. There is room
- * in t and v for n rounded up to 64; what v holds there is read, and no matter. */
+ * in t and v for n rounded up to NUMBER_BATCH; what v holds there is read, and no matter. */
 void number_texts(const double *v, size_t n, bool single,
     struct number_style style, struct number_text *t);
 

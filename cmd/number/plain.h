@@ -7,6 +7,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "number.h"
+
 /* A set of bytes: b is in it if low[b & 15] & high[b >> 4] is not 0. */
 struct byte_set {
 	uint8_t low[16], high[16];
@@ -15,7 +17,7 @@ struct byte_set {
 enum {
 	PLAIN_MAX = 32,    /* characters of a plain number that are read */
 	PLAIN_BEFORE = 33, /* bytes before its end that are looked at */
-	PLAIN_BATCH = 64,
+	PLAIN_BATCH = NUMBER_BATCH,
 	PLAIN_GROUP = 8, /* so many are read in one go */
 };
 

@@ -6,7 +6,7 @@
 
 #include "binary.h"
 
-enum { BATCH = 64 };
+enum { BATCH = NUMBER_BATCH };
 
 /* The texts of the points from from on, made many at a time, but few enough to stay
  * in the nearest cache. */

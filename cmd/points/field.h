@@ -2,12 +2,8 @@
 #ifndef FIELD_H
 #define FIELD_H
 
+#include "../span.h"
 #include "format.h"
-
-/* The characters from s to before end. */
-struct span {
-	const char *s, *end;
-};
 
 /* White space within a line. */
 static inline bool is_blank(char c)

@@ -1,35 +1,17 @@
-/* for F_SETPIPE_SZ, where there is one */
-#define _GNU_SOURCE
 #include "source.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* Two pieces: one is filled while the other is emptied. More of them on both sides
- * would not stay in the cache of a processor. */
-enum { PIPE_ROOM = 2 * PIECE_ROOM };
-
-/* Fewer and larger reads and writes, if it is a pipe; if the system refuses, it
- * is just slower. */
-static void widen(int fd)
-{
-#ifdef F_SETPIPE_SZ
-	if (fcntl(fd, F_GETPIPE_SZ) < PIPE_ROOM)
-		fcntl(fd, F_SETPIPE_SZ, PIPE_ROOM);
-#else
-	(void)fd;
-#endif
-}
+#include "../talk.h"
 
 struct point_source source_of_file(const char *name, int fd)
 {
 	struct point_source s = { .name = name, .fd = fd };
 	struct stat st;
 
-	widen(fd);
-	widen(STDOUT_FILENO);
+	widen_pipe(fd);
 	s.start = lseek(fd, 0, SEEK_CUR);
 	/* Of a file that has no more than a piece, no thread but one would have
 	 * something to read; among them are those that the system makes up, with

@@ -81,14 +81,6 @@ static void check_point(const struct value *v, int coordinates)
 		    coordinates);
 }
 
-/* Past the blanks of checked text. */
-static const char *skip_space(const char *s)
-{
-	while ((unsigned char)*s <= ' ')
-		s++;
-	return s;
-}
-
 /* Past the point of checked text at s, if it is of blanks and numbers without an
  * exponent alone, and so short that none of these is beyond 1e150; else NULL. */
 static const char *pass_plain(const char *s, int coordinates)
@@ -150,10 +142,11 @@ static const char *pass_point(const char *s, const char *end, int coordinates)
 	if (*s != '[')
 		return NULL;
 	do {
-		s = pass_element(skip_space(s + 1), end, n++ < coordinates);
+		s = pass_element(json_space(s + 1, end), end,
+		    n++ < coordinates);
 		if (s == NULL)
 			return NULL;
-		s = skip_space(s);
+		s = json_space(s, end);
 	} while (*s == ',');
 	return n >= coordinates ? s + 1 : NULL;
 }
@@ -198,7 +191,7 @@ static char *copy_value(const char *s, const char *end, char *out)
 }
 
 /* The text of points, which only an array has. */
-static char *text_of(const struct value *v, const struct json_part *array)
+static char *text_of(const struct value *v, const struct span *array)
 {
 	if (array->s == NULL)
 		value_wrong(v, "an array of points");
@@ -209,12 +202,12 @@ static char *text_of(const struct value *v, const struct json_part *array)
  * no point's line is longer than the point with the comma or bracket before it,
  * but for the newline of a lone one, which is behind the text if that ends with it.
  * Returns how many bytes that is. */
-static size_t take_points(const struct value *v, const struct json_part *array,
+static size_t take_points(const struct value *v, const struct span *array,
     int coordinates)
 {
 	char *const lines = text_of(v, array);
 	char *out = lines;
-	const char *s = skip_space(lines + 1), *stop;
+	const char *s = json_space(lines + 1, array->end), *stop;
 	struct value e = { .source = v->source, .in = v, .unused = v->unused };
 
 	if (*s == ']')
@@ -226,10 +219,10 @@ static size_t take_points(const struct value *v, const struct json_part *array,
 	for (;; e.index++) {
 		stop = point_end(&e, s, array->end, coordinates);
 		out = copy_value(s, stop, out);
-		stop = skip_space(stop);
+		stop = json_space(stop, array->end);
 		if (*stop == ']')
 			return (size_t)(out - lines);
-		s = skip_space(stop + 1);
+		s = json_space(stop + 1, array->end);
 	}
 }
 
@@ -318,7 +311,7 @@ static void read_scene(struct document *d, const struct document_wants *w,
 }
 
 static void read_points(struct document *d, const struct value *v,
-    const struct json_part *array, int coordinates)
+    const struct span *array, int coordinates)
 {
 	size_t size = take_points(v, array, coordinates);
 
@@ -334,7 +327,7 @@ void document_read(struct document *d, const char *name, char *text,
 	struct source source = { .name = name,
 		.line = w->line,
 		.scene = scene_members };
-	struct json_part points;
+	struct span points;
 	struct value root = value_parse_without(&source, "points", text, size,
 	    &points);
 	struct value m[SCENE_MEMBERS];
@@ -367,7 +360,7 @@ char *document_points(const char *name, char *text, size_t size,
     int coordinates, size_t *points_size)
 {
 	struct source source = { .name = name, .scene = scene_members };
-	struct json_part points;
+	struct span points;
 	struct value root = value_parse_without(&source, NULL, text, size,
 	    &points);
 

@@ -8,8 +8,7 @@
 #include "../number.h"
 #include "../plain.h"
 
-/* Texts are made so many at a time. */
-enum { TEXTS = 64 };
+enum { TEXTS = NUMBER_BATCH };
 
 struct number_vector {
 	/* as number_texts, but that n is a multiple of TEXTS */

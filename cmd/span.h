@@ -1,0 +1,9 @@
+#ifndef SPAN_H
+#define SPAN_H
+
+/* The characters from s to before end. */
+struct span {
+	const char *s, *end;
+};
+
+#endif
