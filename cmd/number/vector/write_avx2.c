@@ -29,6 +29,7 @@
 #define DOUBLES(a) _mm256_castsi256_pd(a)
 #define ALL_BITS(a) _mm256_set1_epi64x((long long)(a))
 #define REGISTER "x"
+#define MINUS(a, b) _mm256_sub_epi64(a, b)
 #define SHL(a, n) _mm256_slli_epi64(a, n)
 #define SHR(a, n) _mm256_srli_epi64(a, n)
 #define SHR16(a, n) _mm256_srli_epi16(a, n)

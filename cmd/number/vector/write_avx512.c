@@ -31,6 +31,7 @@
 #define DOUBLES(a) _mm512_castsi512_pd(a)
 #define ALL_BITS(a) _mm512_set1_epi64((long long)(a))
 #define REGISTER "v"
+#define MINUS(a, b) _mm512_sub_epi64(a, b)
 #define SHL(a, n) _mm512_slli_epi64(a, n)
 #define SHR(a, n) _mm512_srli_epi64(a, n)
 #define SHR16(a, n) _mm512_srli_epi16(a, n)

@@ -22,12 +22,13 @@
  *	BITS, DOUBLES	V as I and back
  *	ALL_BITS(a)	a in each lane of an I
  *	REGISTER	what asm calls a register of an I
- *	SHL, SHR(a, n)	of an I's lanes, zeros shifted in
+ *	MINUS(a, b)	of an I's lanes, modulo 2^64
+ *	SHL, SHR(a, n)	of them, zeros shifted in
  *	SHR16(a, n)	of its quarters, 16 bits
  *	MUL32(a, b)	the products of its lanes' lower halves
  *	MUL16, HIGH16	the lower and the upper half of its quarters' products
  *
- * where V and I have + - *, I and M & |, lane by lane, and
+ * where V has + - *, I and M have & |, lane by lane, and
  *
  *	struct tens, load_tens, power_of_ten
  *			10^POWER_MIN to 10^POWER_MAX, where they are soon found
@@ -35,8 +36,8 @@
  *			the upper halves of quarters, the others 0: the bytes of
  *			the lanes 0, 2, ... or 1, 3, ..., in two lanes each
  *	store_digits	of the lanes' numbers, those of 0, 2, ... and of 1, 3, ...,
- *			to their texts, which
- *			are step bytes apart; and a bit for each that isn't 0
+ *			to their texts, which are step bytes apart; and a bit
+ *			for each that isn't 0
  *
  * Every operation on doubles is one rounding of IEEE 754 in each lane. */
 #include "write_find.h"
@@ -62,7 +63,7 @@ INLINE I fours(I x)
 {
 	I a = SHR(MUL32(x, ALL_BITS(109951163)), 40);
 
-	return SHL(x, 16) - MUL32(a, ALL_BITS((10000 << 16) - 1));
+	return MINUS(SHL(x, 16), MUL32(a, ALL_BITS((10000 << 16) - 1)));
 }
 
 /* Of four digits in each quarter, two and two in its bytes. */
@@ -71,7 +72,7 @@ INLINE I twos(I x)
 	const uint64_t each = 0x0001000100010001;
 	I a = SHR16(HIGH16(x, ALL_BITS(5243 * each)), 3);
 
-	return a | SHL(x - MUL16(a, UNKNOWN(100 * each)), 8);
+	return a | SHL(MINUS(x, MUL16(a, UNKNOWN(100 * each))), 8);
 }
 
 /* Of two digits in the upper half of each quarter, one and one in its bytes. */
@@ -80,7 +81,7 @@ INLINE I ones(I x)
 	const uint64_t each = 0x0001000100010001;
 	I a = SHR16(HIGH16(x, ALL_BITS(6554 * each)), 8);
 
-	return x - MUL16(a, UNKNOWN(((10 << 8) - 1) * each));
+	return MINUS(x, MUL16(a, UNKNOWN(((10 << 8) - 1) * each)));
 }
 
 /* The quotient by 10^8 is right below 2^53: 1e-8 is 2.1e-25 more than 10^-8, so

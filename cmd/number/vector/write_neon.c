@@ -28,6 +28,7 @@
 #define DOUBLES(a) vreinterpretq_f64_u64(a)
 #define ALL_BITS(a) vdupq_n_u64((uint64_t)(a))
 #define REGISTER "w"
+#define MINUS(a, b) vsubq_u64(a, b)
 #define SHL(a, n) vshlq_n_u64(a, n)
 #define SHR(a, n) vshrq_n_u64(a, n)
 #define QUARTERS(a) vreinterpretq_u16_u64(a)
