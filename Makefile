@@ -73,16 +73,15 @@ $(BUILD)/%.o: %.cc | $(FIRST)
 
 # The inner loops: binary points take a fifth less time than at -O2. Those for
 # AVX2 and AVX-512 are chosen when the program runs; NEON is in every arm64.
-$(addprefix $(BUILD)/,core/frustum.o $(addprefix cmd/points/,binary.o \
-    block_write.o walk.o)) $(call objects,core/kernel cmd/number/vector): \
-    FLAGS += -O3
+$(addprefix $(BUILD)/cmd/points/,binary.o block_write.o walk.o) \
+    $(call objects,core/kernel cmd/number/vector): FLAGS += -O3
 ifneq ($(filter x86_64%,$(shell $(CC) -dumpmachine 2>/dev/null)),)
 VECTOR = $(BUILD)/cmd/number/vector
 $(BUILD)/core/kernel/avx2.o $(VECTOR)/write_avx2.o $(VECTOR)/read_avx2.o: \
     FLAGS += -mavx2 -mfma
 $(BUILD)/core/kernel/avx512.o: FLAGS += -mavx512f -mfma
 $(VECTOR)/write_avx512.o $(VECTOR)/read_avx512.o: \
-    FLAGS += -mavx512f -mavx512bw -mavx512dq -mavx512vl -mfma
+    FLAGS += -mavx512f -mavx512bw -mavx512cd -mavx512dq -mavx512vl -mfma
 endif
 # Threads run these, on stacks of 128 KB with some C libraries.
 $(addprefix $(BUILD)/core/,exact.o frustum.o pick.o point.o points.o ray.o sum.o) \

@@ -14,14 +14,16 @@ enum command_kind {
 	PICK = 4,
 	FIT = 8,
 	INSPECT = 16,
+	TRACE = 32,
 };
 
 struct command {
 	const char *name;
 	const char *about; /* one line of help */
 	enum command_kind kind;
-	/* Returns the exit status. */
-	int (*run)(const struct command *, const struct options *);
+	/* Prints what the command makes of a scene; what is wrong ends the
+	 * program. */
+	void (*run)(const struct command *, const struct options *);
 	/* All but convention and coordinates, which come from the options. */
 	struct document_wants wants;
 	/* For the MATRIX commands: the spaces that the matrix leads from and
@@ -31,11 +33,12 @@ struct command {
 	int from, to, points_to;
 };
 
-int run_matrix(const struct command *, const struct options *);
-int run_project(const struct command *, const struct options *);
-int run_pick(const struct command *, const struct options *);
-int run_fit(const struct command *, const struct options *);
-int run_inspect(const struct command *, const struct options *);
+void run_matrix(const struct command *, const struct options *);
+void run_project(const struct command *, const struct options *);
+void run_trace(const struct command *, const struct options *);
+void run_pick(const struct command *, const struct options *);
+void run_fit(const struct command *, const struct options *);
+void run_inspect(const struct command *, const struct options *);
 
 static inline bool command_reads_points(const struct command *c)
 {

@@ -3,7 +3,6 @@
 
 #include "../core/fit.h"
 #include "operands.h"
-#include "points/answer.h"
 #include "scene/print_scene.h"
 #include "talk.h"
 
@@ -27,8 +26,9 @@ static void take(const struct job *j, struct chunk *c, const struct line *line,
 	double at[3] = { c->in[0][p], c->in[1][p], c->in[2][p] };
 
 	(void)j;
-	(void)line;
 	(void)number;
+	if (line->kind == LINE_BAD)
+		return;
 	if (c->size == 0)
 		memcpy(chunk_reserve(c, sizeof nothing), &nothing,
 		    sizeof nothing);
@@ -80,7 +80,7 @@ static _Noreturn void refuse(const struct options *o, const struct document *d,
 	    why + n);
 }
 
-int run_fit(const struct command *c, const struct options *o)
+void run_fit(const struct command *c, const struct options *o)
 {
 	struct document d;
 	static struct job j = { .take = take, .collect = collect };
@@ -106,5 +106,4 @@ int run_fit(const struct command *c, const struct options *o)
 	if (why != NULL)
 		refuse(o, &d, why);
 	print_scene(&d);
-	return answer_end(&j);
 }

@@ -2,9 +2,10 @@
 
 #include "../core/depth.h"
 #include "../core/error_bound.h"
-#include "../core/taxonomy.h"
+#include "../core/parameters.h"
 #include "json/print.h"
 #include "operands.h"
+#include "scene/print_scene.h"
 #include "talk.h"
 
 /* In the order of enum taxon, kind and buffer. */
@@ -49,10 +50,38 @@ static void put_taxonomy(struct printer *p, const struct taxonomy *t)
 	put_vector(p, t->eye, 3);
 	put_name_on_new_line(p, "gaze");
 	put_vector(p, t->gaze, 3);
+}
+
+static void put_planes(struct printer *p, const struct taxonomy *t,
+    const struct parameters *r)
+{
+	static const char *const sides[4] = { "left", "right", "bottom",
+		"top" };
+
+	put_name_on_new_line(p, "near");
+	put_distance(p, r->near);
+	put_name_on_new_line(p, "far");
+	put_distance(p, r->far);
+	put_name_on_new_line(p, "aspect");
+	put_number(p, r->aspect);
+	put_name_on_new_line(p, "reverse_z");
+	put_flag(p, r->reverse_z);
+	put_name_on_new_line(p, "planes");
+	put_open(p, "{");
+	for (int k = 0; k < 4; k++) {
+		put_name(p, sides[k]);
+		put_number(p, r->plane[k]);
+	}
+	put_close(p, "}");
 	put_name_on_new_line(p, "frustum");
 	put_open(p, "[");
 	for (int i = 0; i < 8; i++)
 		put_vector(p, t->corner[i], 3);
+	put_close(p, "]");
+	put_name_on_new_line(p, "frustum_planes");
+	put_open(p, "[");
+	for (int k = 0; k < 6; k++)
+		put_vector(p, r->frustum_plane[k], 4);
 	put_close(p, "]");
 }
 
@@ -90,24 +119,30 @@ static void put_bounds(struct printer *p, const double bound[3],
 	put_string(p, precision_names[precision]);
 }
 
-int run_inspect(const struct command *c, const struct options *o)
+void run_inspect(const struct command *c, const struct options *o)
 {
-	static char text[64 * NUMBER_MAX + 1024];
+	static char text[160 * NUMBER_MAX + 4096];
 	struct printer p = { .at = text, .style = o->style, .between = "" };
 	struct document d;
 	struct taxonomy t;
+	static struct parameters r;
 	double step[BUFFERS][2], bound[3];
 
 	read_document(c, o, 0, &d);
 	document_check(&d, taxonomy_of(&d.scene, &t));
+	document_check(&d, parameters_of(&d.scene, &t, &r));
 	document_check(&d, error_bounds(&d.scene, bound));
 	depth_steps(&d.scene, t.reversed, step);
 	put_open(&p, "{");
 	put_taxonomy(&p, &t);
+	put_planes(&p, &t, &r);
 	put_depth_steps(&p, step);
 	put_bounds(&p, bound, o->tolerances.n > 0 ? o->tolerances.least : 0.5);
+	put_name_on_new_line(&p, "scene");
+	if (r.has_scene)
+		put_scene(&p, &r.scene);
+	else
+		put_number(&p, (double)NAN);
 	put_text(&p, "\n}\n");
 	put_all(text, (size_t)(p.at - text));
-	close_output();
-	return EXIT_OK;
 }

@@ -5,7 +5,9 @@
 
 #include "command.h"
 #include "nearest.h"
-#include "options.h"
+#include "operands.h"
+#include "params.h"
+#include "points/answer.h"
 #include "talk.h"
 
 #define VERSION "0.2.0"
@@ -57,13 +59,17 @@ static const struct command commands[] = {
 	{ "project", "points from any space to any other",
 	    PROJECT, run_project,
 	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS } },
+	{ "trace", "where points are in every space, and what they are outside of",
+	    TRACE, run_trace,
+	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS } },
 	{ "pick", "points within a radius of a device position, nearest first",
 	    PICK, run_pick,
 	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS | SCENE_PICK } },
 	{ "fit", "a scene completed to hold bounds or points and no more",
 	    FIT, run_fit,
 	    .wants = { .needed = SCENE_PROJECTION, .fit = true,
-		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_BOUNDS } },
+		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_BOUNDS |
+		    SCENE_MARGIN } },
 	{ "inspect",
 	    "what the projection is, its angles, corners and error bounds",
 	    INSPECT, run_inspect,
@@ -146,5 +152,8 @@ int main(int argc, char **argv)
 		help_command(c);
 	if (o.version)
 		version();
-	return c->run(c, &o);
+	check_operands(c, &o);
+	while (params_next(&o))
+		c->run(c, &o);
+	return answer_end();
 }

@@ -1,9 +1,7 @@
 #include "operands.h"
-#include "points/answer.h"
 #include "print_matrix.h"
-#include "talk.h"
 
-int run_matrix(const struct command *c, const struct options *o)
+void run_matrix(const struct command *c, const struct options *o)
 {
 	struct document d;
 	static struct job j = { .count_imageless = true };
@@ -22,9 +20,7 @@ int run_matrix(const struct command *c, const struct options *o)
 	if (points) {
 		prepare_job(&j, o);
 		do_points(o, &d, &j);
-		return answer_end(&j);
+		return;
 	}
 	print_matrix(o, &d, &t->map, c->flat);
-	close_output();
-	return EXIT_OK;
 }

@@ -1,98 +1,16 @@
 #include "operands.h"
 
-#include <ctype.h>
 #include <errno.h>
-#include <fcntl.h>
-#include <poll.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "input.h"
+#include "params.h"
 #include "points/progress.h"
 #include "points/threads.h"
 #include "talk.h"
-
-enum { DOCUMENT_MAX = 1 << 28 };
-
-static char first_char(const char *s)
-{
-	while (isspace((unsigned char)*s))
-		s++;
-	return *s;
-}
-
-static bool is_stdin(const char *operand)
-{
-	return strcmp(operand, "-") == 0;
-}
-
-/* If a standard stream is closed, open returns its number, and the file would
- * be read or written in its place: it gets another number. */
-static int open_file(const char *name)
-{
-	int fd = open(name, O_RDONLY), low = fd;
-
-	if (fd < 0 || fd > STDERR_FILENO)
-		return fd;
-	fd = fcntl(low, F_DUPFD, STDERR_FILENO + 1);
-	close(low);
-	return fd;
-}
-
-static int open_input(const char *name)
-{
-	struct stat st;
-	int fd = is_stdin(name) ? STDIN_FILENO : open_file(name);
-
-	if (fd < 0 || fstat(fd, &st) != 0)
-		die(EXIT_USAGE, "%s: %s", name, strerror(errno));
-	if (S_ISDIR(st.st_mode))
-		die(EXIT_USAGE, "%s: is a directory", name);
-	return fd;
-}
-
-/* Texts of which points may be left have a margin for those who read them. */
-static char *grow(char *text, size_t room)
-{
-	return need(text, room + PIECE_MARGIN);
-}
-
-static char *copy_operand(const char *operand, size_t *size)
-{
-	*size = strlen(operand);
-	return memcpy(grow(NULL, *size), operand, *size);
-}
-
-static char *read_whole(const char *name, size_t *size)
-{
-	int fd = open_input(name);
-	size_t room = 1 << 16;
-	char *text = grow(NULL, room);
-
-	*size = 0;
-	for (;;) {
-		ssize_t n = read(fd, text + *size, room - *size);
-
-		if (n < 0 && go_on(fd, POLLIN))
-			continue;
-		if (n < 0)
-			die(EXIT_SYSTEM, "%s: %s", name, strerror(errno));
-		if (n == 0)
-			break;
-		*size += (size_t)n;
-		if (*size > DOCUMENT_MAX)
-			die(EXIT_INPUT,
-			    "%s: a document of more than 256 MiB; "
-			    "points may stand in a file of their own",
-			    name);
-		if (*size == room)
-			text = grow(text, room *= 2);
-	}
-	if (fd != STDIN_FILENO)
-		close(fd);
-	return text;
-}
 
 static void check_file(const char *name)
 {
@@ -110,8 +28,7 @@ static void check_file(const char *name)
 	die(EXIT_USAGE, "%s: %s", name, strerror(errno));
 }
 
-/* Before anything is printed, an operand that can't be opened is refused. */
-static void check_operands(const struct command *c, const struct options *o)
+void check_operands(const struct command *c, const struct options *o)
 {
 	int from_stdin = is_stdin(o->params);
 
@@ -135,24 +52,12 @@ void read_document(const struct command *c, const struct options *o,
     int coordinates, struct document *d)
 {
 	struct document_wants wants = c->wants;
-	const char *name = o->params;
-	char *text;
-	size_t size;
 
 	wants.convention = o->convention;
 	/* the document's points are not read if points are operands */
 	if (!o->matrix && o->n_points == 0)
 		wants.coordinates = coordinates;
-	check_operands(c, o);
-	if (first_char(o->params) == '{') {
-		name = "PARAMS";
-		text = copy_operand(o->params, &size);
-	} else {
-		text = read_whole(name, &size);
-	}
-	document_read(d, name, text, size, &wants);
-	if (d->points == NULL)
-		free(text);
+	params_read(o, &wants, d);
 }
 
 bool has_points(const struct options *o, const struct document *d)
@@ -233,7 +138,7 @@ void prepare_job(struct job *j, const struct options *o)
 	j->keep_going = o->keep_going;
 	j->threads = o->jobs > 0 ? o->jobs : threads_processors();
 	progress_start(o->progress);
-	widen_pipe(STDOUT_FILENO);
+	widen_pipe(STDOUT_FILENO, PIPE_ROOM);
 	choose_kernels();
 	check_layout(o, &j->layout);
 }
@@ -267,26 +172,48 @@ static void check_columns(const struct options *o, const struct document *d)
  * refuses what is wrong with them. */
 static void do_typed(struct job *j, const char *operand, int reads)
 {
-	size_t size, n;
-	char *text = copy_operand(operand, &n);
-	const char *points = document_points("POINTS", text, n, reads, &size);
+	struct text t = copy_operand(operand);
+	size_t size;
+	const char *points = document_points("POINTS", t.s, t.have, reads,
+	    &size);
 
 	if (j != NULL)
 		do_json(j, "POINTS", points, size);
-	free(text);
+	text_free(&t);
 }
 
-static void do_operand(struct job *j, const char *operand)
+/* The i-th operand, kept for the scenes after this one. */
+static void do_kept(const struct options *o, struct job *j, int i,
+    const char *name)
 {
+	static struct text *kept;
+
+	if (kept == NULL) {
+		size_t size = ((size_t)o->n_points + 1) * sizeof *kept;
+
+		kept = memset(need(NULL, size), 0, size);
+	}
+	if (kept[i].s == NULL)
+		kept[i] = read_whole(name);
+	stream_text(j, name, kept[i].s, kept[i].have);
+}
+
+static void do_operand(const struct options *o, struct job *j, int i)
+{
+	const char *operand = i < o->n_points ? o->points[i] : "-";
+
 	if (first_char(operand) == '[') {
 		do_typed(j, operand, j->layout.reads);
+		return;
+	}
+	if (o->scenes) {
+		do_kept(o, j, i, operand);
 		return;
 	}
 	int fd = open_input(operand);
 
 	stream_file(j, operand, fd);
-	if (fd != STDIN_FILENO)
-		close(fd);
+	close_input(fd);
 }
 
 void do_points(const struct options *o, const struct document *d, struct job *j)
@@ -300,12 +227,14 @@ void do_points(const struct options *o, const struct document *d, struct job *j)
 	if (o->n_points == 0 && d->points != NULL)
 		do_json(j, d->name, d->points, d->points_size);
 	else if (o->n_points == 0)
-		do_operand(j, "-");
+		do_operand(o, j, 0);
 	/* points that are typed wrong are refused before those of the first
 	 * operand are printed */
 	for (int i = 1; i < o->n_points; i++)
 		if (first_char(o->points[i]) == '[')
 			do_typed(NULL, o->points[i], j->layout.reads);
 	for (int i = 0; i < o->n_points; i++)
-		do_operand(j, o->points[i]);
+		do_operand(o, j, i);
+	if (j->flush != NULL)
+		j->flush(j);
 }

@@ -5,8 +5,11 @@
 #include "options.h"
 #include "points/stream.h"
 
-/* Checks that all operands can be opened, and reads PARAMS, whose points have
- * so many coordinates. */
+/* Before anything is printed, an operand that can't be opened is refused. */
+void check_operands(const struct command *, const struct options *);
+
+/* Reads the document of PARAMS that is next, whose points have so many
+ * coordinates. */
 void read_document(const struct command *, const struct options *,
     int coordinates, struct document *);
 
@@ -18,7 +21,7 @@ bool has_points(const struct options *, const struct document *);
 void prepare_job(struct job *, const struct options *);
 
 /* Does the job on all points: the operands, else the document's, else those of
- * standard input. */
+ * standard input. Operands are read once, however many scenes there are. */
 void do_points(const struct options *, const struct document *, struct job *);
 
 #endif

@@ -12,8 +12,8 @@
 const char *const precision_names[] = { "exact", "double", "single", NULL };
 
 /* In the order of enum space. */
-static const char *const space_names[] = { "model", "world", "view", "clip",
-	"ndc", "device", NULL };
+const char *const space_names[] = { "model", "world", "view", "clip", "ndc",
+	"device", NULL };
 
 static void set_convention(struct options *o, char *word)
 {
@@ -94,9 +94,10 @@ static void set_jobs(struct options *o, char *word)
 
 /* Kinds of commands that share options, as unions of enum command_kind. */
 enum {
-	POINTS = MATRIX | PROJECT | PICK | FIT, /* read points */
-	PRINTED = MATRIX | PROJECT | PICK,      /* print a line for a point */
-	NUMBERS = PRINTED | INSPECT, /* print numbers to be rounded */
+	POINTS = MATRIX | PROJECT | TRACE | PICK | FIT, /* read points */
+	PRINTED = MATRIX | PROJECT | TRACE | PICK,      /* print them */
+	WITHIN = MATRIX | PROJECT | TRACE, /* to a precision or tolerance */
+	NUMBERS = PRINTED | INSPECT,       /* print numbers to be rounded */
 	ALL = POINTS | INSPECT,
 };
 
@@ -128,13 +129,13 @@ static const struct row {
 	    .argument = "N", .set = set_decimals },
 	{ "digits", 0, NUMBERS, "round to N significant digits",
 	    .argument = "N", .set = set_digits },
-	{ "precision", 'p', MATRIX | PROJECT,
+	{ "precision", 'p', WITHIN,
 	    "exact (default), double or single",
 	    .argument = "NAME", .set = set_precision },
-	{ "tolerance", 't', MATRIX | PROJECT | INSPECT,
+	{ "tolerance", 't', WITHIN | INSPECT,
 	    "within T of the exact value, a list for x,y,z",
 	    .argument = "T,...", .set = set_tolerance },
-	{ "from", 0, PROJECT, "model, world, view, clip, ndc or device",
+	{ "from", 0, PROJECT | TRACE, "model, world, view, clip, ndc or device",
 	    .argument = "SPACE", .set = set_from },
 	{ "to", 0, PROJECT, "the same; default device, else ndc",
 	    .argument = "SPACE", .set = set_to },
@@ -149,10 +150,10 @@ static const struct row {
 	{ "ray", 0, PROJECT,
 	    "x y on the device: point on the near plane, direction",
 	    ON(ray) },
-	{ "flags", 0, PROJECT,
+	{ "flags", 0, PROJECT | TRACE,
 	    "add in, or the planes that the point is outside of",
 	    ON(flags) },
-	{ "visible", 0, PROJECT, "print only points in the view volume",
+	{ "visible", 0, PROJECT | TRACE, "print only points in the view volume",
 	    ON(visible) },
 	{ "keep-going", 0, POINTS, "print nan for a bad line and go on",
 	    ON(keep_going) },
@@ -160,6 +161,8 @@ static const struct row {
 	    .argument = "N", .set = set_jobs },
 	{ "progress", 0, POINTS, "tell how far it is, also in a file or pipe",
 	    ON(progress) },
+	{ "scenes", 0, ALL, "PARAMS is any number of scenes in a row",
+	    ON(scenes) },
 	{ "help", 'h', ALL, "this help", ON(help) },
 	{ "version", 0, ALL, "the version", ON(version) },
 };
@@ -295,6 +298,16 @@ static void check_tolerances(const struct command *c, const struct options *o)
 		    c->name);
 }
 
+/* What is traced is text or JSON. */
+static void choose_output(const struct command *c, struct options *o)
+{
+	if (!o->has_out)
+		o->out = o->in == FORMAT_JSON ? FORMAT_JSON : FORMAT_TEXT;
+	o->has_out = true;
+	if (o->out != FORMAT_TEXT && o->out != FORMAT_JSON)
+		die(EXIT_USAGE, "%s prints -o text or -o json", c->name);
+}
+
 /* Options may stand among the operands: getopt_long moves those to the end. */
 void options_read(const struct command *c, int argc, char **argv,
     struct options *o)
@@ -312,6 +325,8 @@ void options_read(const struct command *c, int argc, char **argv,
 		if (o->help || o->version)
 			return;
 	}
+	if (c->kind == TRACE)
+		choose_output(c, o);
 	if (o->tolerances.n > 0)
 		check_tolerances(c, o);
 	char **operands = argv + optind;

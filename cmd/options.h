@@ -22,13 +22,14 @@ struct options {
 	int jobs; /* 0: as many as there are cores */
 	bool has_at;
 	double at[2], radius; /* of pick; radius is 0 where it isn't said */
+	bool scenes;          /* params has any number of documents */
 	const char *params;   /* operand, "-" by default */
 	int n_points;
 	char **points; /* operands */
 };
 
-/* In the order of enum precision; NULL ends them. */
-extern const char *const precision_names[];
+/* In the order of enum precision and enum space; NULL ends them. */
+extern const char *const precision_names[], *const space_names[];
 
 /* Reads a command's options and operands; argv[0] is its name. Stops as soon as
  * the help or the version is asked for. */

@@ -5,7 +5,6 @@
 #include "../core/pick.h"
 #include "json/print.h"
 #include "operands.h"
-#include "points/answer.h"
 #include "talk.h"
 
 /* A point that was hit: its line, and where the text of that line begins in
@@ -33,6 +32,8 @@ static void take(const struct job *j, struct chunk *c, const struct line *line,
 	double in[4] = { c->in[0][p], c->in[1][p], c->in[2][p], 1 };
 	struct hit hit = { .line = number, .point = { [3] = 1 } };
 
+	if (line->kind == LINE_BAD)
+		return;
 	for (int i = 0; i < 3; i++) {
 		hit.device[i] = c->image[i][p];
 		hit.point[i] = in[i];
@@ -153,6 +154,7 @@ static void print_hits(const struct job *j)
 			put(&out, "\n", 1);
 	}
 	put_all(out.text, out.n);
+	out.n = 0;
 }
 
 /* Options win over the document's member "pick". */
@@ -174,7 +176,7 @@ static void aim(const struct document *d, const struct options *o,
 	h->picker.radius = o->radius > 0 ? o->radius : p->radius;
 }
 
-int run_pick(const struct command *c, const struct options *o)
+void run_pick(const struct command *c, const struct options *o)
 {
 	struct document d;
 	static struct hits hits;
@@ -184,6 +186,7 @@ int run_pick(const struct command *c, const struct options *o)
 		.with = &hits };
 
 	hits.o = o;
+	hits.n = hits.size = 0;
 	read_document(c, o, 3, &d);
 	aim(&d, o, &hits);
 	document_check(&d,
@@ -198,5 +201,4 @@ int run_pick(const struct command *c, const struct options *o)
 		    "-o json");
 	prepare_job(&j, o);
 	do_points(o, &d, &j);
-	return answer_end(&j);
 }

@@ -1,5 +1,4 @@
 #include "operands.h"
-#include "points/answer.h"
 #include "print_matrix.h"
 #include "talk.h"
 
@@ -45,7 +44,7 @@ static void set_transform(const struct document *d, const struct options *o,
 	    to != SPACE_CLIP;
 }
 
-int run_project(const struct command *c, const struct options *o)
+void run_project(const struct command *c, const struct options *o)
 {
 	enum space from = o->has_from ? o->from : SPACE_MODEL;
 	struct document d;
@@ -65,11 +64,9 @@ int run_project(const struct command *c, const struct options *o)
 		set_transform(&d, o, from, to, &j);
 	if (o->matrix) {
 		print_matrix(o, &d, &j.transform.map, false);
-		close_output();
-		return EXIT_OK;
+		return;
 	}
 	prepare_job(&j, o);
 	j.layout.flags = o->flags;
 	do_points(o, &d, &j);
-	return answer_end(&j);
 }

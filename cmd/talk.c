@@ -12,6 +12,21 @@
 #include <string.h>
 #include <unistd.h>
 
+static char scene[64];
+
+void say_scene(long number, long line)
+{
+	*scene = '\0';
+	if (number > 0)
+		snprintf(scene, sizeof scene, "scene %ld, line %ld: ", number,
+		    line);
+}
+
+const char *said_scene(void)
+{
+	return scene;
+}
+
 /* One line in one write, even where a file's name has newlines in it. */
 static void print_line(const char *format, va_list args)
 {
@@ -21,7 +36,7 @@ static void print_line(const char *format, va_list args)
 	for (char *c = text; *c != '\0'; c++)
 		if ((unsigned char)*c < ' ' || *c == 0x7f)
 			*c = '?';
-	fprintf(stderr, "projcalc: %s\n", text);
+	fprintf(stderr, "projcalc: %s%s\n", scene, text);
 }
 
 void say(const char *format, ...)
@@ -83,12 +98,13 @@ bool go_on(int fd, short events)
 	return poll(&p, 1, -1) >= 0 || errno == EINTR;
 }
 
-void widen_pipe(int fd)
+void widen_pipe(int fd, int room)
 {
 #ifdef F_SETPIPE_SZ
-	fcntl(fd, F_SETPIPE_SZ, 1 << 20);
+	if (fcntl(fd, F_GETPIPE_SZ) < room)
+		fcntl(fd, F_SETPIPE_SZ, room);
 #else
-	(void)fd;
+	(void)fd, (void)room;
 #endif
 }
 

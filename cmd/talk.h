@@ -11,7 +11,14 @@ enum { EXIT_OK, EXIT_INPUT, EXIT_USAGE, EXIT_SYSTEM };
 /* Prints "projcalc: " and one line, without control characters. */
 void say(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* The same, and exits with that status. Any thread may call it. */
+/* Everything that is said from now on begins with "scene 2, line 5: ", or where
+ * number is 0 without it. */
+void say_scene(long number, long line);
+
+/* That beginning. */
+const char *said_scene(void);
+
+/* The same as say, and exits with that status. Any thread may call it. */
 _Noreturn void die(int status, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
@@ -26,9 +33,9 @@ void *need(void *old, size_t size);
  * can have set it. Then waits until poll tells of one of the events. */
 bool go_on(int fd, short events);
 
-/* Fewer and larger reads and writes of fd, if it is a pipe; if the system refuses,
- * it is just slower. */
-void widen_pipe(int fd);
+/* Makes room for so many bytes in fd, if it is a pipe, for fewer and larger reads and
+ * writes; if the system refuses, it is just slower. */
+void widen_pipe(int fd, int room);
 
 /* Writes all of it to standard output, or exits with 3. */
 void put_all(const char *s, size_t size);

@@ -209,7 +209,8 @@ static void stand(const struct stand *s, bool inverse, struct map *r)
 				    s->axis[i].length);
 		}
 	}
-	turn_image(s->roll, s->unit, e);
+	if (s->roll != 0)
+		turn_image(s->roll, s->unit, e);
 	map_identity(r);
 	for (int i = 0; i < 3; i++) {
 		struct sum eye = s->by_origin ? found[i] : given[i];

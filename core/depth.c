@@ -64,8 +64,10 @@ static void persp_slab(double near, double far, struct slab *s)
 /* w is a multiple of 1 - q z. */
 static void volume_slab(const struct projection *p, struct slab *s)
 {
-	ex q = ex_of(p->has_eye ? 1 : p->inverse_eye_z);
-	ex one = ex_of(p->has_eye ? p->eye[2] : 1);
+	struct sum over, under;
+
+	projection_inverse_eye_z(p, &over, &under);
+	ex q = over.value, one = under.value;
 
 	s->inverse[0] = ex_abs(ex_sub(one, ex_scale(q, p->z_far)));
 	s->inverse[1] = ex_abs(ex_sub(one, ex_scale(q, p->z_near)));

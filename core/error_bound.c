@@ -36,22 +36,22 @@ static const char *set_corners(const struct scene *s,
     const struct map *from_view, struct volume *v)
 {
 	const double *origin = v->t->for_kernel.origin;
-	const char *why = NULL;
 
-	for (int i = 0; i < 8 && why == NULL; i++) {
+	for (int i = 0; i < 8; i++) {
 		struct corner *c = &v->corner[i];
-		struct sum h[4];
+		struct sum h[4], over;
+		const char *why = view_corner(s, from_view, i, h, &over);
 
-		why = view_corner(s, from_view, i, h);
-		for (int j = 0; j < 3 && why == NULL; j++) {
+		if (why != NULL)
+			return why;
+		for (int j = 0; j < 3; j++) {
 			struct sum o = sum_mul(h[3], sum_of_double(origin[j]));
 
-			c->p[j] = fabs(sum_double(sum_sub(h[j], o)));
+			c->p[j] = fabs(sum_over(sum_sub(h[j], o), over));
 		}
-		if (why == NULL)
-			c->inverse = sum_double(h[3]);
+		c->inverse = sum_over(h[3], over);
 	}
-	return why;
+	return NULL;
 }
 
 static void set_size(const struct scene *s, double size[3])

@@ -232,7 +232,7 @@ static const char *close_sides(struct scene *s, const struct bounds *b)
 	/* no test reaches this: bounds_close_depth has composed the same */
 	if (why != NULL)
 		return why;
-	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
+	view_limits(s, half, scale);
 	for (int j = 0; j < 2; j++) {
 		struct sum left = sum_neg(r.low[j]), right = r.high[j];
 		struct sum most = less(left, right) ? right : left;
@@ -283,6 +283,44 @@ static const char *fit_parallel(struct scene *s, bool has_eye,
 	return why;
 }
 
+/* Where the eye is before near, near is moved off it. */
+static void keep_off_eye(struct projection *p)
+{
+	struct sum over, under;
+
+	projection_inverse_eye_z(p, &over, &under);
+	double eye = sum_sign(over) == 0 ? (double)NAN : sum_over(under, over);
+	double least = eye - p->near_ratio * (eye - p->z_far);
+
+	if (p->z_near > p->z_far ? eye > p->z_far && least < p->z_near :
+				   eye < p->z_far && least > p->z_near)
+		p->z_near = least;
+}
+
+/* The planes alone, as the rectangle and the eye are given in view space. */
+static const char *fit_volume(struct scene *s, const struct bounds *b)
+{
+	struct projection *p = &s->projection;
+	bool back = looks_back(&s->convention);
+	double outward = back ? HUGE_VAL : -HUGE_VAL;
+	struct extents r;
+	const char *why = bounds_extents(b, s, &r);
+
+	if (why != NULL)
+		return why;
+	double low = sum_double(r.low[2]), high = sum_double(r.high[2]);
+
+	p->z_near = back ? -low : low;
+	p->z_far = back ? -high : high;
+	keep_off_eye(p);
+	double near = p->z_near;
+
+	why = bounds_close(b, s, &p->z_far, -outward, OUT_FAR);
+	if (why == NULL && near == (back ? -low : low))
+		why = bounds_close(b, s, &p->z_near, outward, OUT_NEAR);
+	return why;
+}
+
 static const char *check(const struct scene *s, const struct bounds *b)
 {
 	static const char *const less_than_min[3] = {
@@ -298,10 +336,12 @@ static const char *check(const struct scene *s, const struct bounds *b)
 	case PROJECTION_PERSP:
 	case PROJECTION_ORTHO:
 	case PROJECTION_OBLIQUE:
+	case PROJECTION_VOLUME:
 		return NULL;
 	default:
 		return "/projection/type: has nothing that can be fitted; "
-		       "\"persp\", \"ortho\" or \"oblique\" is wanted";
+		       "\"persp\", \"ortho\", \"oblique\" or \"volume\" is "
+		       "wanted";
 	}
 }
 
@@ -319,6 +359,9 @@ static bool in_range(const struct scene *s)
 
 	for (int k = 0; k < 3; k++)
 		good &= fabs(s->camera.eye[k]) <= MAGNITUDE_MAX;
+	if (p->type == PROJECTION_VOLUME)
+		return good && fabs(p->z_near) <= MAGNITUDE_MAX &&
+		    fabs(p->z_far) <= MAGNITUDE_MAX;
 	if (p->type == PROJECTION_PERSP)
 		good &= is_size(p->near);
 	if (p->extent == EXTENT_SIZE)
@@ -339,6 +382,8 @@ const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 		why = bounds_center(b, s, s->camera.eye);
 	if (why == NULL && s->projection.type == PROJECTION_PERSP)
 		why = fit_persp(s, b);
+	else if (why == NULL && s->projection.type == PROJECTION_VOLUME)
+		why = fit_volume(s, b);
 	else if (why == NULL)
 		why = fit_parallel(s, has_eye, b);
 	return why != NULL || in_range(s) ? why : BEYOND;

@@ -4,7 +4,11 @@
 
 #include "fit_bounds.h"
 
-/* Completes a scene of type persp, ortho or oblique, whose near and far, and
+/* Of a volume finds z_near and z_far alone: they close round the bounds along the
+ * convention's gaze, near no nearer to an eye before it than near_ratio of the eye's
+ * distance to far. The rest is of other types.
+ *
+ * Completes a scene of type persp, ortho or oblique, whose near and far, and
  * width and height of a parallel one, need not be set; without an eye (has_eye)
  * camera.eye does not count. The axes of view stay; the camera is brought to
  * CAMERA_GAZE.
@@ -14,6 +18,8 @@
  * Parallel ones are centred on the bounds; their width and height close round
  * them, the shorter one widened to the aspect where that is set (aspect[1] is
  * not 0). near and far close round the bounds.
+ *
+ * With a margin, what is said of sides holds for those that leave it free.
  *
  * The eye is rounded to doubles, in persp with a step back by the least power
  * of two that makes up for it. There every corner is in, as frustum_out says,

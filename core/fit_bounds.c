@@ -70,7 +70,8 @@ const char *bounds_center(const struct bounds *b, const struct scene *s,
 const char *bounds_extents(const struct bounds *b, const struct scene *s,
     struct extents *r)
 {
-	bool parallel = s->projection.type != PROJECTION_PERSP;
+	bool parallel = s->projection.type != PROJECTION_PERSP &&
+	    s->projection.type != PROJECTION_VOLUME;
 	struct map view, clip;
 	double widths[3], largest = 0;
 	const char *why = scene_map(s, SPACE_MODEL, SPACE_VIEW, &view);

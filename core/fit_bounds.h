@@ -17,8 +17,8 @@ struct sum bounds_lowest(const struct bounds *, const struct map *, int j,
     bool minus);
 
 /* The ranges of x, y and depth of some bounds as seen from the eye: depth along
- * the gaze, in a perspective w; x and y of a perspective in view space, of a
- * parallel projection in clip space, where it is taken to be 2 wide and high, y
+ * the gaze, in a perspective w; x and y of a perspective or a volume in view space, of
+ * another parallel projection in clip space, where it is taken to be 2 wide and high, y
  * upward. */
 struct extents {
 	struct sum low[3], high[3];

@@ -3,10 +3,13 @@
 #include <math.h>
 #include <string.h>
 
-static void limits(const struct scene *s, struct sum half[2],
-    struct sum scale[2])
+#include "points.h"
+
+void view_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
 {
 	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
+	for (int k = 0; k < 2 && s->margin > 0; k++)
+		half[k] = sum_mul(half[k], sum_of(ex_diff(1, 2 * s->margin)));
 }
 
 /* Column j of r becomes sign a x + b w, of x = column k and w = column 3 of m. */
@@ -31,7 +34,7 @@ static void planes(const struct scene *s, const struct map *m,
 	bool reversed = projection_is_reversed(&s->projection, &s->convention);
 	struct sum half[2], scale[2], one = sum_of_double(1);
 
-	limits(s, half, scale);
+	view_limits(s, half, scale);
 	for (int k = 0; k < 4; k++) {
 		bool high = (k & 1) ^ (k >= 2 && c->ndc_y_down);
 
@@ -93,14 +96,7 @@ unsigned frustum_out(const struct frustum *f, const double in[4])
 	return out;
 }
 
-/* The columns of a map as point_estimate takes them, which says why: all their
- * values above slope all + floor have sure signs where all, |x| + |y| + |z| from
- * the origin, is not below low and below high. One bound for all columns, the
- * largest, leaves a few more points to be looked at and saves the others. */
-struct estimate {
-	double origin[3], m[4][4], slope, floor, low, high;
-};
-
+/* As point_estimate takes them, which says why. */
 static struct estimate estimate_of(const struct transform *t, int columns)
 {
 	const struct kernel_map *k = &t->for_kernel;
@@ -122,37 +118,6 @@ static struct estimate estimate_of(const struct transform *t, int columns)
 	return e;
 }
 
-enum { UNSURE = 1 << 16 };
-
-/* Adds weight 2^j to word[i] where column j is negative at point i, and UNSURE
- * where that is not sure of all. In doubles alone, so that the compiler makes a
- * loop of vectors of it. Where all is in its range no value is nan. */
-static inline void add_signs(const struct estimate *e, int columns,
-    double weight, const double *const in[3], double *restrict word, size_t n)
-{
-	const double *x = in[0], *y = in[1], *z = in[2];
-
-	for (size_t i = 0; i < n; i++) {
-		double a = x[i] - e->origin[0], b = y[i] - e->origin[1];
-		double c = z[i] - e->origin[2];
-		double all = fabs(a) + fabs(b) + fabs(c),
-		       least = (double)INFINITY;
-		double sum = word[i];
-
-		for (int j = 0; j < columns; j++) {
-			double v = a * e->m[0][j] + b * e->m[1][j] +
-			    c * e->m[2][j] + e->m[3][j];
-
-			least = fabs(v) < least ? fabs(v) : least;
-			sum += v < 0 ? weight * (1 << j) : 0;
-		}
-		bool sure = (all >= e->low) & (all < e->high) &
-		    (least > e->slope * all + e->floor);
-
-		word[i] = sum + (sure ? 0 : UNSURE);
-	}
-}
-
 enum { FEW = 256 };
 
 static void out_few(const struct frustum *f, const struct estimate *sides,
@@ -162,13 +127,13 @@ static void out_few(const struct frustum *f, const struct estimate *sides,
 	double word[FEW];
 
 	memset(word, 0, n * sizeof *word);
-	add_signs(sides, 4, OUT_LEFT, in, word, n);
-	add_signs(ends, 3, OUT_NEAR, in, word, n);
+	points_kernels()->signs(sides, 4, OUT_LEFT, in, word, n);
+	points_kernels()->signs(ends, 3, OUT_NEAR, in, word, n);
 	for (size_t i = 0; i < n; i++) {
 		unsigned planes = (unsigned)word[i];
 		const double p[4] = { in[0][i], in[1][i], in[2][i] };
 
-		if (planes >= UNSURE)
+		if (planes >= SIGNS_UNSURE)
 			planes = frustum_out(f, p);
 		out[i] = planes & OUT_BEHIND ? OUT_BEHIND :
 					       (unsigned char)planes;
@@ -199,31 +164,36 @@ void frustum_out_all(const struct frustum *f, const double *const in[4],
 }
 
 const char *view_corner(const struct scene *s, const struct map *from_view,
-    int corner, struct sum h[4])
+    int corner, struct sum h[4], struct sum *over)
 {
 	static const int right[4] = { -1, 1, 1, -1 }, up[4] = { -1, -1, 1, 1 };
-	struct sum side[2], half[2], scale[2], v[4];
+	struct sum half[2], scale[2], v[4];
 
-	limits(s, half, scale);
-	for (int k = 0; k < 2; k++) {
-		int sign = k == 0 ? right[corner % 4] : up[corner % 4];
+	view_limits(s, half, scale);
+	struct sum side[3] = { sum_mul(half[0], scale[1]),
+		sum_mul(half[1], scale[0]), sum_mul(scale[0], scale[1]) };
 
-		side[k] = sum_quotient(half[k], scale[k]);
-		side[k] = sign < 0 ? sum_neg(side[k]) : side[k];
-	}
+	if (right[corner % 4] < 0)
+		side[0] = sum_neg(side[0]);
+	if (up[corner % 4] < 0)
+		side[1] = sum_neg(side[1]);
 	const struct convention *given = &s->convention;
 	const struct convention *answer = answer_convention(s);
 	const char *why = projection_corner(&s->projection, given, side,
-	    corner >= 4, v);
+	    corner >= 4, v, over);
 
-	if (why == NULL && given->view_y_down != answer->view_y_down)
+	if (why != NULL)
+		return why;
+	if (given->view_y_down != answer->view_y_down)
 		v[1] = sum_neg(v[1]);
-	if (why == NULL && looks_back(given) != looks_back(answer))
+	if (looks_back(given) != looks_back(answer))
 		v[2] = sum_neg(v[2]);
+	bool minus = sum_sign(*over) < 0;
 
-	for (int j = 0; j < 4 && why == NULL; j++) {
+	*over = sum_mul(sum_abs(*over), from_view->divisor);
+	for (int j = 0; j < 4; j++) {
 		map_column(from_view, j, v, &h[j]);
-		h[j] = sum_quotient(h[j], from_view->divisor);
+		h[j] = minus ? sum_neg(h[j]) : h[j];
 	}
-	return why;
+	return NULL;
 }

@@ -22,6 +22,10 @@ struct frustum {
 	struct transform ends;  /* near far w */
 };
 
+/* A point is between the side planes where |x| scale and |y| scale of ndc are at most
+ * half: the viewport's limits, less the margin. */
+void view_limits(const struct scene *, struct sum half[2], struct sum scale[2]);
+
 /* The planes as seen from one space, with its viewport's limits. Returns NULL,
  * or the member and the reason. */
 const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
@@ -35,9 +39,10 @@ void frustum_out_all(const struct frustum *, const double *const in[4],
     unsigned char *out, size_t n);
 
 /* Corner 0..7 of the view volume, near, then far, each left-bottom, right-bottom,
- * right-top, left-top, through a map from view space: homogeneous, with clip w =
- * 1. Returns NULL, or the member and the reason. */
+ * right-top, left-top, through a map from view space: homogeneous, and what
+ * that is over where clip w is 1, above 0. Returns NULL, or the member and the
+ * reason. */
 const char *view_corner(const struct scene *, const struct map *from_view,
-    int corner, struct sum h[4]);
+    int corner, struct sum h[4], struct sum *over);
 
 #endif

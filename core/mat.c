@@ -6,10 +6,12 @@
 
 void map_identity(struct map *r)
 {
+	const struct sum one = sum_of_double(1);
+
 	memset(r, 0, sizeof *r);
-	r->divisor = sum_of_double(1);
+	r->divisor = one;
 	for (int i = 0; i < 4; i++)
-		r->m[i][i] = sum_of_double(1);
+		r->m[i][i] = one;
 }
 
 void map_of_doubles(const double m[4][4], struct map *r)
@@ -32,6 +34,11 @@ void map_over(struct map *r, struct sum d)
 {
 	struct sum power = sum_of_double(d.value.sign);
 
+	if (d.size.m > 0) {
+		for (int i = 0; i < 16; i++)
+			divide(&r->m[i / 4][i % 4], &d);
+		return;
+	}
 	r->divisor = sum_mul(r->divisor, sum_abs(d));
 	if (sum_is_power_of_two(&r->divisor)) {
 		power = sum_mul(power, r->divisor);

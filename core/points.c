@@ -1,6 +1,7 @@
 #include "points.h"
 
 #include <math.h>
+#include <string.h>
 
 static const struct kernels *kernels = &kernels_baseline;
 
@@ -228,6 +229,48 @@ bool points_join(double (*columns)[POINTS_BLOCK], char *rows, bool wide,
     int numbers, size_t n)
 {
 	return kernels->join[wide][numbers](columns, rows, n);
+}
+
+/* Computes the rows out that a kernel was not sure of. False where one of all has no
+ * image. */
+static bool mend(const struct transform *t, const char *in, char *out, size_t n)
+{
+	double p[3], q[3];
+	const double *const from[4] = { p, p + 1, p + 2 };
+	double *const to[4] = { q, q + 1, q + 2 };
+
+	for (size_t i = 0; i < n; i++, in += sizeof p, out += sizeof q) {
+		memcpy(q, out, sizeof q);
+		if (isfinite(q[0]))
+			continue;
+		memcpy(p, in, sizeof p);
+		if (isnan(q[0]))
+			carry_one(t, from, to, 0, true);
+		for (int k = 0; k < 3; k++) {
+			if (!isfinite(q[k]))
+				return false;
+			q[k] += 0.0; /* -0 is 0 */
+		}
+		memcpy(out, q, sizeof q);
+	}
+	return true;
+}
+
+bool points_carry_doubles(const struct transform *t, const char *in, char *out,
+    size_t n)
+{
+	direct_kernel fast = kernels->direct[t->kind];
+
+	if (fast == NULL)
+		return false;
+	switch (fast(&t->for_kernel, in, out, n, MAGNITUDE_MAX)) {
+	case DIRECT_DONE:
+		return true;
+	case DIRECT_UNSURE:
+		return mend(t, in, out, n);
+	default:
+		return false;
+	}
 }
 
 bool points_carry_floats(const struct transform *t, const char *in, char *out,

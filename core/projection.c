@@ -8,10 +8,12 @@
  *	 zx  zy  zz  zw
  *	 tx  ty  tz  tw
  * whose columns are divided by dx, dy, dz and 1, and all of them by d. z, w and d are
- * exact, and so is det = zz tw - zw tz, as a product of parameters, without
- * cancellation. */
+ * exact but for a volume's angle, and so is det = zz tw - zw tz, as a product of
+ * parameters, without cancellation. */
 struct elements {
 	struct sum x, yx, y, zx, zy, zz, zw, tx, ty, tz, tw, dx, dy, dz, d, det;
+	/* of a volume by its angle, whose det is inexact: 1, tz and zz over that */
+	struct sum by, tz_by, zz_by;
 };
 
 static struct sum number(double a)
@@ -241,26 +243,99 @@ static const char *oblique(const struct projection *p,
  * inside. */
 struct eye {
 	struct sum qn, qd, an, bn;
-	double skew[2];
+	struct sum skew[2]; /* times qd */
 };
+
+/* Half a side of a volume, an exact quotient. */
+struct half {
+	struct sum n, d;
+};
+
+static void halves_of(const struct projection *p, struct half half[2])
+{
+	bool sized = p->aspect[1] != 0;
+	bool wide = p->aspect[0] >= p->aspect[1];
+	struct sum w = number(sized && wide ? p->aspect[0] : 1);
+	struct sum h = number(sized && !wide ? p->aspect[1] : 1);
+
+	half[0].n = sum_mul(number(p->half_width), w);
+	half[0].d = number(sized && wide ? p->aspect[1] : 1);
+	half[1].n = sum_mul(number(p->half_height), h);
+	half[1].d = number(sized && !wide ? p->aspect[0] : 1);
+}
+
+/* cot(angle / 2) = |z| / least half side; 0 is at infinity. */
+static void by_view_angle(const struct projection *p, struct sum *over,
+    struct sum *under)
+{
+	struct half half[2];
+
+	halves_of(p, half);
+	bool high = sum_sign(sum_sub(sum_mul(half[0].n, half[1].d),
+			sum_mul(half[1].n, half[0].d))) <= 0;
+	struct half *least = &half[!high];
+	struct sum cot = cot_half_of(p->angle, p->unit);
+
+	*over = negated_if(p->z_near < p->z_far, least->d);
+	*under = sum_mul(least->n, cot);
+	if (under->size.m > 0) {
+		*over = sum_quotient(*over, *under);
+		*under = number(1);
+	}
+}
+
+void projection_inverse_eye_z(const struct projection *p, struct sum *over,
+    struct sum *under)
+{
+	if (p->has_angle && p->angle > 0) {
+		by_view_angle(p, over, under);
+		return;
+	}
+	*over = number(p->has_eye ? 1 : p->has_angle ? 0 : p->inverse_eye_z);
+	*under = number(p->has_eye ? p->eye[2] : 1);
+}
 
 static const char *eye_of(const struct projection *p, struct eye *e)
 {
 	if (p->has_eye && p->eye[2] == 0)
 		return "/projection/eye: its z is 0, in the rectangle's "
 		       "plane; move the eye off it";
-	e->qn = number(p->has_eye ? 1 : p->inverse_eye_z);
-	e->qd = number(p->has_eye ? p->eye[2] : 1);
-	e->an = sum_sub(e->qd, sum_mul(e->qn, number(p->z_far)));
-	e->bn = sum_sub(e->qd, sum_mul(e->qn, number(p->z_near)));
-	memcpy(e->skew, p->has_eye ? p->eye : p->tan_skew, sizeof e->skew);
+	projection_inverse_eye_z(p, &e->qn, &e->qd);
+	struct sum one = e->qn.size.m > 0 ? sum_inexact(e->qd.value) : e->qd;
+
+	e->an = sum_sub(one, sum_mul(e->qn, number(p->z_far)));
+	e->bn = sum_sub(one, sum_mul(e->qn, number(p->z_near)));
+	for (int k = 0; k < 2; k++)
+		e->skew[k] = p->has_eye ?
+		    number(p->eye[k]) :
+		    sum_mul(number(p->tan_skew[k]), e->qd);
 	if (sum_sign(e->an) * sum_sign(e->bn) > 0)
 		return NULL;
+	if (p->has_angle)
+		return "/projection/view_angle: the eye plane crosses the "
+		       "volume; choose a smaller one, or move z_near";
 	return p->has_eye ? "/projection/eye: its plane crosses the volume; "
 			    "move it before z_near or beyond z_far" :
 			    "/projection/inverse_eye_z: the eye plane crosses "
 			    "the volume; it must lie before z_near or "
 			    "beyond z_far";
+}
+
+/* What an and bn have in common with det cancels. */
+static void divide_by_det(const struct projection *p, const struct eye *e,
+    bool minus_one, struct elements *f)
+{
+	struct sum half = number(minus_one ? 0.5 : 1);
+	struct sum a = sum_quotient(half, e->an);
+	struct sum b = sum_quotient(half, e->bn);
+
+	f->by = sum_neg(sum_quotient(a, e->bn));
+	f->tz_by = sum_neg(sum_mul(b, number(p->z_near)));
+	f->zz_by = b;
+	if (minus_one) {
+		f->tz_by = sum_sub(f->tz_by, sum_mul(a, number(p->z_far)));
+		f->zz_by = sum_add(a, b);
+	}
 }
 
 /* All is over q's denominator, so that a parallel projection, q = 0, is no special
@@ -269,9 +344,11 @@ static const char *volume(const struct projection *p,
     const struct convention *c, struct elements *f)
 {
 	struct eye e;
+	struct half half[2];
 
-	f->dx = number(p->half_width);
-	f->dy = number(p->half_height);
+	halves_of(p, half);
+	f->dx = half[0].n;
+	f->dy = half[1].n;
 	f->dz = difference(p->z_near, p->z_far);
 	if (sum_sign(f->dz) == 0)
 		return "/projection/z_far: equal to z_near; "
@@ -280,9 +357,11 @@ static const char *volume(const struct projection *p,
 
 	if (why != NULL)
 		return why;
-	f->d = f->x = f->y = f->tw = e.qd;
-	f->zx = number(-e.skew[0]);
-	f->zy = number(-e.skew[1]);
+	f->d = f->tw = e.qd;
+	f->x = sum_mul(e.qd, half[0].d);
+	f->y = sum_mul(e.qd, half[1].d);
+	f->zx = sum_neg(sum_mul(e.skew[0], half[0].d));
+	f->zy = sum_neg(sum_mul(e.skew[1], half[1].d));
 	f->zz = sum_neg(e.an);
 	f->zw = sum_neg(e.qn);
 	f->tz = sum_mul(e.an, number(p->z_near));
@@ -292,10 +371,14 @@ static const char *volume(const struct projection *p,
 		f->tz = sum_add(f->tz, sum_mul(e.bn, number(p->z_far)));
 		f->det = sum_mul(f->det, number(2));
 	}
+	if (f->det.size.m > 0)
+		divide_by_det(p, &e, c->minus_one, f);
 	if (sum_sign(e.an) == sum_sign(e.qd))
 		return NULL;
 	for (struct sum *m = &f->x; m <= &f->tw; m++)
 		*m = sum_neg(*m);
+	f->tz_by = sum_neg(f->tz_by);
+	f->zz_by = sum_neg(f->zz_by);
 	return NULL;
 }
 
@@ -329,12 +412,20 @@ static struct sum minor(struct sum a, struct sum b, struct sum c, struct sum d)
  * goes into x, the first column is over x y. */
 static struct elements inverse_elements(const struct elements *f)
 {
-	struct sum zx = minor(f->tw, f->zx, f->zw, f->tx);
+	struct sum by = f->d, tz = f->tz, zz = f->zz, det = f->det;
+
+	if (det.size.m > 0) {
+		by = sum_mul(by, f->by);
+		tz = f->tz_by;
+		zz = f->zz_by;
+		det = number(1);
+	}
+	struct sum zx = minor(f->tw, f->zx, f->zw, f->tx), y = number(1);
 	struct sum zy = minor(f->tw, f->zy, f->zw, f->ty);
-	struct sum tx = minor(f->tz, f->zx, f->zz, f->tx);
-	struct sum ty = minor(f->tz, f->zy, f->zz, f->ty);
-	struct sum z = sum_mul(f->d, f->dz), minus_z = sum_neg(z);
-	struct sum det = sum_mul(f->d, f->det), y = number(1);
+	struct sum tx = minor(tz, f->zx, zz, f->tx);
+	struct sum ty = minor(tz, f->zy, zz, f->ty);
+	struct sum z = sum_mul(by, f->dz), minus_z = sum_neg(z);
+	struct sum x = sum_mul(f->d, det);
 
 	if (sum_sign(f->yx) != 0) {
 		y = f->y;
@@ -342,21 +433,21 @@ static struct elements inverse_elements(const struct elements *f)
 		tx = minor(tx, y, f->yx, ty);
 	}
 	return (struct elements){
-		.x = sum_mul(f->dx, sum_mul(y, det)),
-		.yx = sum_neg(sum_mul(f->dy, sum_mul(f->yx, det))),
-		.y = sum_mul(f->dy, det),
+		.x = sum_mul(f->dx, sum_mul(y, x)),
+		.yx = sum_neg(sum_mul(f->dy, sum_mul(f->yx, x))),
+		.y = sum_mul(f->dy, x),
 		.zx = sum_mul(minus_z, zx),
 		.zy = sum_mul(minus_z, zy),
 		.zz = sum_mul(z, f->tw),
 		.zw = sum_mul(minus_z, f->zw),
 		.tx = sum_mul(f->d, tx),
 		.ty = sum_mul(f->d, ty),
-		.tz = sum_neg(sum_mul(f->d, f->tz)),
-		.tw = sum_mul(f->d, f->zz),
+		.tz = sum_neg(sum_mul(f->d, tz)),
+		.tw = sum_mul(f->d, zz),
 		.dx = sum_mul(f->x, y),
 		.dy = f->y,
 		.dz = number(1),
-		.d = f->det,
+		.d = det,
 	};
 }
 
@@ -456,25 +547,21 @@ const char *projection_map(const struct projection *p,
 
 /* As ndc has it, through the inverse. */
 static const char *bare_corner(const struct projection *p,
-    const struct convention *c, const struct sum side[2], bool far,
-    struct sum v[4])
+    const struct convention *c, const struct sum side[3], bool far,
+    struct sum v[4], struct sum *over)
 {
 	bool one = far != projection_is_reversed(p, c);
-	struct sum clip[4] = { side[0],
+	struct sum depth = number(one ? 1 : c->minus_one ? -1 : 0);
+	const struct sum clip[4] = { side[0],
 		c->ndc_y_down ? sum_neg(side[1]) : side[1],
-		number(one           ? 1 :
-			c->minus_one ? -1 :
-				       0),
-		number(1) };
+		sum_mul(depth, side[2]), side[2] };
 	struct map back;
 	const char *why = projection_map(p, c, true, &back);
 
-	for (int j = 0; j < 4 && why == NULL; j++) {
-		v[j] = number(0);
-		for (int i = 0; i < 4; i++)
-			v[j] = sum_add(v[j],
-			    sum_mul(clip[i], map_element(&back, i, j)));
-	}
+	for (int j = 0; j < 4 && why == NULL; j++)
+		map_column(&back, j, clip, &v[j]);
+	if (why == NULL)
+		*over = sum_mul(side[2], back.divisor);
 	return why;
 }
 
@@ -493,36 +580,46 @@ static bool plane_z(const struct projection *p, const struct convention *c,
 	return p->type == PROJECTION_VOLUME || isfinite(at);
 }
 
-/* With view z and clip w of the plane: x from side w = x X + yx Y + zx z + tx. Over w,
- * as an infinite far plane has no other place. */
+/* From the elements, with view z and clip w of the plane and W = side[2]:
+ *
+ *	d dy Y w = W (y v_y + zy z + ty),  d dx X w = W (x v_x + yx v_y + zx z + tx)
+ *
+ * times d, x y w and W, so that nothing is divided. An infinite far plane is that of
+ * z / w = 1 / zw and 1 / w = 0. */
 const char *projection_corner(const struct projection *p,
-    const struct convention *c, const struct sum side[2], bool far,
-    struct sum v[4])
+    const struct convention *c, const struct sum side[3], bool far,
+    struct sum v[4], struct sum *over)
 {
 	struct elements f = { 0 };
-	struct sum z, w, x, y;
+	struct sum z = number(1), one = number(0), w, x, y;
 
 	if (!has_elements(p))
-		return bare_corner(p, c, side, far, v);
+		return bare_corner(p, c, side, far, v, over);
 	const char *why = find_elements(p, c, &f);
 
 	if (why != NULL)
 		return why;
-	v[2] = sum_quotient(f.d, f.zw);
-	v[3] = number(0);
-	if (projection_is_open(p))
-		v[2] = number(0);
-	else if (plane_z(p, c, far, &z)) {
+	w = f.zw;
+	if (projection_is_open(p)) {
+		z = number(0);
+		w = number(1);
+	} else if (plane_z(p, c, far, &z)) {
+		one = number(1);
 		w = sum_add(sum_mul(f.zw, z), f.tw);
-		v[2] = sum_quotient(sum_mul(f.d, z), w);
-		v[3] = sum_quotient(f.d, w);
 	}
-	y = sum_sub(sum_mul(sum_mul(f.d, f.dy), side[1]),
-	    sum_add(sum_mul(f.zy, v[2]), sum_mul(f.ty, v[3])));
-	v[1] = sum_quotient(y, f.y);
-	x = sum_sub(sum_mul(sum_mul(f.d, f.dx), side[0]),
-	    sum_add(sum_mul(f.zx, v[2]), sum_mul(f.tx, v[3])));
-	v[0] = sum_quotient(sum_sub(x, sum_mul(f.yx, v[1])), f.x);
+	z = sum_mul(f.d, z);
+	one = sum_mul(f.d, one);
+	y = sum_sub(sum_mul(sum_mul(sum_mul(f.d, f.dy), side[1]), w),
+	    sum_mul(side[2], sum_add(sum_mul(f.zy, z), sum_mul(f.ty, one))));
+	x = sum_sub(sum_mul(sum_mul(sum_mul(f.d, f.dx), side[0]), w),
+	    sum_mul(side[2], sum_add(sum_mul(f.zx, z), sum_mul(f.tx, one))));
+	struct sum all = sum_mul(side[2], sum_mul(f.x, f.y));
+
+	v[0] = sum_sub(sum_mul(f.y, x), sum_mul(f.yx, y));
+	v[1] = sum_mul(f.x, y);
+	v[2] = sum_mul(all, z);
+	v[3] = sum_mul(all, one);
+	*over = sum_mul(all, w);
 	return NULL;
 }
 

@@ -31,7 +31,7 @@ struct projection {
 
 	enum angle_unit unit; /* of angles but the direction */
 	enum extent extent;
-	double angle;         /* or the field */
+	double angle;         /* or the field; or a volume's */
 	double aspect[2];     /* width over height as a quotient; [1] 0: none */
 	double width, height; /* with intrinsics, the viewport's */
 	double left, right, bottom, top;
@@ -53,11 +53,13 @@ struct projection {
 	enum angle_unit direction_unit;
 	double plane; /* depth that stays unsheared */
 
-	/* volume */
+	/* volume; the larger half side is half_width or half_height times the
+	 * aspect, where there is one */
 	double half_width, half_height, z_near, z_far;
 	double inverse_eye_z, tan_skew[2];
+	bool has_angle; /* instead of inverse_eye_z; 0 is parallel */
 	bool has_eye;
-	double eye[3]; /* in view space, instead of the last two */
+	double eye[3]; /* in view space, instead of all three */
 
 	double matrix[4][4];
 };
@@ -84,6 +86,11 @@ static inline double projection_w_at_eye(const struct projection *p)
 	return intrinsics ? p->intrinsics[2][3] : 0;
 }
 
+/* Of a volume: 1/z of the eye, as a quotient of which the denominator is exact. The
+ * angle is that across the smaller side, seen from before the near plane. */
+void projection_inverse_eye_z(const struct projection *, struct sum *over,
+    struct sum *under);
+
 /* The matrices of projcalc(1), FORMULAS, and their inverses, from formulas in
  * the parameters. Returns NULL, or the member and the reason. */
 const char *projection_map(const struct projection *, const struct convention *,
@@ -95,11 +102,11 @@ const char *projection_map(const struct projection *, const struct convention *,
 bool projection_is_reversed(const struct projection *,
     const struct convention *);
 
-/* Where the near or far plane meets the sides x and y of ndc, y upward: in view
- * space, homogeneous, with clip w = 1. Returns NULL, or the member and the
- * reason. */
+/* Where the near or far plane meets the sides x and y of ndc, y upward, which are
+ * side[0] and side[1] over side[2]: in view space, homogeneous, and what that is over
+ * where clip w is 1. Returns NULL, or the member and the reason. */
 const char *projection_corner(const struct projection *,
-    const struct convention *, const struct sum side[2], bool far,
-    struct sum v[4]);
+    const struct convention *, const struct sum side[3], bool far,
+    struct sum v[4], struct sum *over);
 
 #endif

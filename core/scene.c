@@ -103,8 +103,9 @@ static const char *stage_map(const struct scene *s, enum space below,
 	}
 }
 
-const char *scene_map(const struct scene *s, enum space from, enum space to,
-    struct map *r)
+/* The stages multiplied out, whatever the range. */
+static const char *compose(const struct scene *s, enum space from,
+    enum space to, struct map *r)
 {
 	bool back = from > to;
 	int low = (int)(back ? to : from), high = (int)(back ? from : to);
@@ -118,11 +119,37 @@ const char *scene_map(const struct scene *s, enum space from, enum space to,
 			return why;
 		then(r, &stage, back);
 	}
+	return NULL;
+}
+
+static const char *want_finite(const struct map *r)
+{
 	return map_is_finite(r) ?
 	    NULL :
 	    "/projection: the scene's composed matrix has elements beyond "
 	    "the range of doubles; bring sizes and distances nearer to one "
 	    "another";
+}
+
+const char *scene_map(const struct scene *s, enum space from, enum space to,
+    struct map *r)
+{
+	const char *why = compose(s, from, to, r);
+
+	return why != NULL ? why : want_finite(r);
+}
+
+const char *scene_map_by_view(const struct scene *s, enum space from,
+    enum space to, struct map *r, struct map *from_view)
+{
+	const char *why = compose(s, from, SPACE_VIEW, r);
+
+	if (why == NULL)
+		why = compose(s, SPACE_VIEW, to, from_view);
+	if (why != NULL)
+		return why;
+	then(r, from_view, false);
+	return want_finite(r);
 }
 
 const char *scene_flat_map(const struct scene *s, enum flat from, enum flat to,

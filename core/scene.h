@@ -38,6 +38,9 @@ struct scene {
 	struct viewport viewport;
 	struct window window;
 	struct device device;
+	/* For fit: the share of the picture's width and height that stays free at
+	 * each side; 0 for all else. */
+	double margin;
 };
 
 static inline const struct convention *answer_convention(const struct scene *s)
@@ -53,5 +56,10 @@ const char *scene_map(const struct scene *, enum space from, enum space to,
     struct map *);
 const char *scene_flat_map(const struct scene *, enum flat from, enum flat to,
     struct map *);
+
+/* As scene_map, where from is no later than view space and to is later; and the
+ * part from there, which may have elements beyond the range of doubles. */
+const char *scene_map_by_view(const struct scene *, enum space from,
+    enum space to, struct map *, struct map *from_view);
 
 #endif

@@ -9,14 +9,12 @@
 /* What is equal, zero or parallel, relative to what it is compared with. */
 #define ALIKE 0x1p-40
 
-#define DEGREE 57.29577951308232
-
 /* The maps of a scene, and the gradients of clip x, y, z and w in view space:
  * the projectors run across those of x and y; the projection plane is across
  * that of w or, where w is constant, of z. */
 struct lens {
-	struct sum gradient[4][3];
-	int w; /* its sign, where it is constant */
+	struct sum gradient[4][3], divisor; /* of all four */
+	int w;                              /* its sign, where it is constant */
 	bool parallel;
 	struct sum axis[3][3];  /* the world's, in view space */
 	struct sum depth[2][3]; /* clip z and w along them */
@@ -48,7 +46,8 @@ static const char *lens_of(const struct scene *s, struct lens *l)
 	if ((why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &m)) != NULL)
 		return why;
 	for (int i = 0; i < 12; i++)
-		l->gradient[i % 4][i / 4] = map_element(&m, i / 4, i % 4);
+		l->gradient[i % 4][i / 4] = m.m[i / 4][i % 4];
+	l->divisor = m.divisor;
 	l->parallel = vec3_is_zero(l->gradient[3]);
 	l->w = sum_sign(m.m[3][3]);
 	if ((why = scene_map(s, SPACE_WORLD, SPACE_VIEW, &m)) != NULL)
@@ -131,39 +130,16 @@ static enum kind points(const struct lens *l)
 	for (int i = 0; i < 3; i++) {
 		struct sum most = sum_mul(vec3_length(l->axis[i]), gradient);
 
-		n += over(sum_abs(l->depth[1][i]), most) > ALIKE;
+		n += over(sum_mul(sum_abs(l->depth[1][i]), l->divisor), most) >
+		    ALIKE;
 	}
 	if (n < 2)
 		return KIND_ONE_POINT;
 	return n < 3 ? KIND_TWO_POINT : KIND_THREE_POINT;
 }
 
-/* The angle whose tangent is y / x, for y > 0: atan2's, and the arc tangent of
- * what that leaves, which is below 2^-50, so that two terms of its series are
- * within 2^-250. */
-static double degrees(struct sum y, struct sum x)
-{
-	x = sum_settled(x);
-	y = sum_settled(y);
-	struct sum size = sum_abs(x);
-	struct sum most = ex_compare(y.value, size.value) > 0 ? y : size;
-
-	if (sum_sign(most) == 0)
-		return (double)NAN;
-	double a = atan2(sum_over(y, most), sum_over(x, most)) * DEGREE;
-	struct sum s = sin_of(a, DEGREES), c = cos_of(a, DEGREES);
-	struct sum tan = sum_quotient(sum_sub(sum_mul(y, c), sum_mul(x, s)),
-	    sum_add(sum_mul(x, c), sum_mul(y, s)));
-	/* whose error is nothing beside that of tan */
-	ex cube = ex_mul(ex_mul(tan.value, tan.value), tan.value);
-	struct sum third = sum_of(ex_quotient(cube, ex_of(3)));
-
-	return sum_double(
-	    sum_add(sum_of_double(a), in_degrees(sum_sub(tan, third))));
-}
-
-/* Between the planes x = -limit w and x = limit w, of gradients limit g + a and
- * limit g - a: their cross product over their scalar one, negated. */
+/* Between the planes one x = -limit w and one x = limit w, of gradients limit g + one a
+ * and limit g - one a: their cross product over their scalar one, negated. */
 static void set_fov(const struct lens *l, const struct scene *s, double fov[2])
 {
 	const struct sum *g = l->gradient[3], two = sum_of_double(2);
@@ -172,13 +148,14 @@ static void set_fov(const struct lens *l, const struct scene *s, double fov[2])
 	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
 	for (int k = 0; k < 2; k++) {
 		const struct sum *a = l->gradient[k];
-		struct sum lim = sum_quotient(half[k], scale[k]), v[3];
+		struct sum limit = half[k], one = scale[k], v[3];
 
 		vec3_cross(a, g, v);
-		struct sum y = sum_mul(sum_mul(lim, vec3_length(v)), two);
-		struct sum gg = sum_mul(sum_mul(lim, lim), vec3_dot(g, g));
+		struct sum y = sum_mul(sum_mul(limit, one), vec3_length(v));
+		struct sum aa = sum_mul(sum_mul(one, one), vec3_dot(a, a));
+		struct sum gg = sum_mul(sum_mul(limit, limit), vec3_dot(g, g));
 
-		fov[k] = degrees(y, sum_sub(vec3_dot(a, a), gg));
+		fov[k] = degrees_of(sum_mul(y, two), sum_sub(aa, gg));
 	}
 }
 
@@ -246,9 +223,9 @@ static const char *set_corners(const struct scene *s, struct taxonomy *t)
 	const char *why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &from_view);
 
 	for (int i = 0; i < 8 && why == NULL; i++) {
-		struct sum h[4];
+		struct sum h[4], over;
 
-		why = view_corner(s, &from_view, i, h);
+		why = view_corner(s, &from_view, i, h, &over);
 		if (why == NULL)
 			set_point(h, t->corner[i]);
 	}

@@ -93,13 +93,16 @@ const char *scene_transform(const struct scene *s, enum space from,
     enum space to, bool homogeneous, struct transform *t)
 {
 	struct map projection;
-	const char *why = scene_map(s, from, to, &t->map);
+	bool by_view = from <= SPACE_VIEW && to > SPACE_VIEW;
+	const char *why = by_view ?
+	    scene_map_by_view(s, from, to, &t->map, &projection) :
+	    scene_map(s, from, to, &t->map);
 
 	if (why != NULL)
 		return why;
 	transform_init(t, from, to, homogeneous);
-	if (t->kind == KERNEL_PROJECTIVE && from <= SPACE_VIEW &&
-	    scene_map(s, SPACE_VIEW, to, &projection) == NULL)
+	if (t->kind == KERNEL_PROJECTIVE && by_view &&
+	    map_is_finite(&projection))
 		find_depth(&projection, t);
 	return NULL;
 }

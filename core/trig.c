@@ -27,11 +27,14 @@ enum { WORDS = 6 };
  * six words cut off is below 2^-319, 32 times. */
 static ex series(ex x, int n)
 {
-	ex x2 = ex_first(ex_mul(x, x), WORDS), c = ex_of(1), s = c;
+	ex minus = ex_neg(ex_first(ex_mul(x, x), WORDS));
+	ex c = ex_of(1), s = c, step;
+	const ex *const a[] = { &c, &s }, *const b[] = { &step, &minus };
 
 	for (int k = n + 62; k > n; k -= 2) {
-		c = ex_scale(c, (double)(k * (k - 1)));
-		s = ex_first(ex_sub(c, ex_mul(s, x2)), WORDS);
+		ex_set(&step, (double)(k * (k - 1)));
+		ex_dot(2, a, b, WORDS, &s);
+		ex_dot(1, a, b, 0, &c);
 	}
 	return ex_quotient(s, c);
 }
@@ -138,4 +141,30 @@ struct sum cot_half_of(double angle, enum angle_unit unit)
 struct sum in_degrees(struct sum angle)
 {
 	return sum_quotient(angle, sum_inexact(RADIAN));
+}
+
+#define DEGREE 57.29577951308232
+
+/* atan2's, and the arc tangent of
+ * what that leaves, which is below 2^-50, so that two terms of its series are
+ * within 2^-250. */
+double degrees_of(struct sum y, struct sum x)
+{
+	x = sum_settled(x);
+	y = sum_settled(y);
+	struct sum size = sum_abs(x);
+	struct sum most = ex_compare(y.value, size.value) > 0 ? y : size;
+
+	if (sum_sign(most) == 0)
+		return (double)NAN;
+	double a = atan2(sum_over(y, most), sum_over(x, most)) * DEGREE;
+	struct sum s = sin_of(a, DEGREES), c = cos_of(a, DEGREES);
+	struct sum tan = sum_quotient(sum_sub(sum_mul(y, c), sum_mul(x, s)),
+	    sum_add(sum_mul(x, c), sum_mul(y, s)));
+	/* whose error is nothing beside that of tan */
+	ex cube = ex_mul(ex_mul(tan.value, tan.value), tan.value);
+	struct sum third = sum_of(ex_quotient(cube, ex_of(3)));
+
+	return sum_double(
+	    sum_add(sum_of_double(a), in_degrees(sum_sub(tan, third))));
 }

@@ -25,4 +25,8 @@ struct sum cot_half_of(double angle, enum angle_unit);
 /* An angle in radians. */
 struct sum in_degrees(struct sum angle);
 
+/* The nearest double to the angle in degrees whose tangent is y / x, from 0 to 180, for
+ * y >= 0; nan where both are 0. */
+double degrees_of(struct sum y, struct sum x);
+
 #endif

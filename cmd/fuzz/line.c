@@ -68,7 +68,7 @@ static void write_back(const struct layout *l, const struct line *line,
     const double read[])
 {
 	static const struct word flags = { "left+near", 9 };
-	static const struct number_text none = { "" };
+	static const struct number_text none = { .layout = 0 };
 	double v[COORDINATES_MAX] = { (double)NAN, -1.25e-7, 1e150, 0, -7,
 		1e-320 };
 	const struct numbers numbers = { v, &none, 1, 0 };

@@ -88,9 +88,9 @@ bool go_on(int fd, short events)
 	return errno == EINTR;
 }
 
-void widen_pipe(int fd)
+void widen_pipe(int fd, int room)
 {
-	(void)fd;
+	(void)fd, (void)room;
 }
 
 void put_all(const char *s, size_t n)
@@ -112,6 +112,11 @@ void say(const char *format, ...)
 	vsnprintf(text, sizeof text, format, args);
 	va_end(args);
 	add(&said, text, strlen(text) + 1);
+}
+
+const char *said_scene(void)
+{
+	return "";
 }
 
 void die(int status, const char *format, ...)

@@ -19,6 +19,7 @@ enum { LEVELS_MAX = 100 };
 struct check {
 	enum json_kind kind;
 	const char *text, *p, *end;
+	long line; /* where it begins */
 	int level;
 	struct json_error *error;
 	const char *name; /* of the member to be found, or NULL */
@@ -32,7 +33,7 @@ static bool is_letter(char c)
 
 static long line_of(const struct check *s, const char *p)
 {
-	long line = 1;
+	long line = s->line;
 
 	for (const char *c = s->text; c < p; c++)
 		line += *c == '\n';
@@ -425,18 +426,20 @@ bool json_check(enum json_kind kind, const char *text, const char *end,
 		.text = text,
 		.p = text,
 		.end = end,
+		.line = 1,
 		.error = error };
 
 	return check(&s);
 }
 
-bool json_check_part(const char *text, const char *end, const char *name,
-    struct span *part, struct json_error *error)
+bool json_check_part(const char *text, const char *end, long line,
+    const char *name, struct span *part, struct json_error *error)
 {
 	struct check s = { .kind = JSON_DOCUMENT,
 		.text = text,
 		.p = text,
 		.end = end,
+		.line = line,
 		.error = error,
 		.name = name };
 	bool ok = check(&s);

@@ -14,19 +14,19 @@ enum json_kind { JSON_DOCUMENT, JSON_LINE };
 
 struct json_error {
 	const char *at; /* where the text goes wrong */
-	long line;      /* on which line that is, from 1 */
+	long line;      /* on which line that is */
 	char reason[256];
 };
 
 /* Whether the text is one JSON value of at most 100 levels; if not, says why.
- * Bytes at end and after it are not read. */
+ * Lines are counted from 1. Bytes at end and after it are not read. */
 bool json_check(enum json_kind, const char *text, const char *end,
     struct json_error *);
 
-/* The same of a document. Says, too, where the value stands that the member of
- * that name has, the first one if there are several, and NULL if there is none; or
- * where name is NULL, the document's own. */
-bool json_check_part(const char *text, const char *end, const char *name,
-    struct span *, struct json_error *);
+/* The same of a document, which begins on that line. Says, too, where the value
+ * stands that the member of that name has, the first one if there are several, and
+ * NULL if there is none; or where name is NULL, the document's own. */
+bool json_check_part(const char *text, const char *end, long line,
+    const char *name, struct span *, struct json_error *);
 
 #endif

@@ -140,7 +140,8 @@ static void refuse_other_kind(const struct value *v, const struct member *table,
 
 /* Refuses a member that other objects of the scene have, and names those whose
  * first kind has it; if there are none, those of which any kind has it; if
- * there are none either, the first that has it as an alias. */
+ * there are none either, the first that has it as an alias; and one of the scene
+ * itself. */
 static void refuse_misplaced(const struct value *v, const struct member *table)
 {
 	const char *names[MEMBERS_MAX + 1];
@@ -166,6 +167,10 @@ static void refuse_misplaced(const struct value *v, const struct member *table)
 			value_refuse(v, "unknown member; \"%s\" has %s",
 			    s->name, described(row, all));
 	}
+	if (v->in->name != NULL && table != scene &&
+	    find(scene, 0, v->name) != NULL)
+		value_refuse(v, "unknown member; it stands beside \"%s\"",
+		    v->in->name);
 }
 
 static _Noreturn void unknown(const struct value *v, const struct member *table,

@@ -40,7 +40,8 @@ void put_name(struct printer *p, const char *name)
 
 void put_name_on_new_line(struct printer *p, const char *name)
 {
-	p->between = *p->between == ',' ? ",\n  " : "\n  ";
+	if (!p->on_line)
+		p->between = *p->between == ',' ? ",\n  " : "\n  ";
 	put_name(p, name);
 }
 
@@ -49,6 +50,12 @@ void put_string(struct printer *p, const char *s)
 	put_open(p, "\"");
 	put_text(p, s);
 	put_close(p, "\"");
+}
+
+void put_flag(struct printer *p, bool flag)
+{
+	put_open(p, flag ? "true" : "false");
+	put_close(p, "");
 }
 
 void put_number(struct printer *p, double v)

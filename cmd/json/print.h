@@ -11,6 +11,7 @@ struct printer {
 	struct number_style style;
 	bool single;  /* numbers are floats */
 	bool compact; /* no blanks after commas and colons */
+	bool on_line; /* members stay on their object's line */
 	/* What stands before the next value: "" before the first of an array
 	 * or object and at the beginning, else a comma. */
 	const char *between;
@@ -23,12 +24,14 @@ void put_text(struct printer *, const char *);
 void put_open(struct printer *, const char *bracket);
 void put_close(struct printer *, const char *bracket);
 
-/* A member's name, on this line or a new one; its value is to be put next. */
+/* A member's name, on this line or a new one, unless all is on_line; its value is to be
+ * put next. */
 void put_name(struct printer *, const char *name);
 void put_name_on_new_line(struct printer *, const char *name);
 
 void put_string(struct printer *, const char *); /* needs no escapes */
-void put_number(struct printer *, double v);     /* null where not finite */
+void put_flag(struct printer *, bool);
+void put_number(struct printer *, double v); /* null where not finite */
 void put_numbers(struct printer *, const double *v, int n);
 
 #endif

@@ -72,7 +72,8 @@ static void check(const struct source *source, const char *name, char *text,
 
 	if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
 		memset(text, ' ', 3); /* a byte order mark */
-	if (!json_check_part(text, text + size, name, part, &e))
+	if (!json_check_part(text, text + size, source->line + 1, name, part,
+		&e))
 		die(EXIT_INPUT, "%s:%ld: %s", source->name, e.line, e.reason);
 }
 

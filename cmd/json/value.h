@@ -11,6 +11,7 @@
 /* Where values come from, and what their readers have to know. */
 struct source {
 	const char *name; /* of the file, for messages */
+	long line;        /* of the file, before the text */
 	bool column;      /* nested rows of a matrix: for column vectors */
 	unsigned unit;    /* of angles */
 	bool fit;         /* what the command fit finds may be missing */

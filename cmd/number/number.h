@@ -6,6 +6,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 #include <string.h>
 
 #ifdef __cplusplus
@@ -43,11 +44,15 @@ char *number_write(char *s, double v, struct number_style style);
  * same float. */
 char *number_write_float(char *s, float v, struct number_style style);
 
-/* The text of a number that was made with many others: as many bytes as the last
- * byte says; none where it is left to number_write. */
+/* The text of a number that was made with many others: the digits and zeros from
+ * b + first on, with a point after the first so many, size bytes in all; before them
+ * a minus or none. first, minus, before and size are the bytes of layout, from the
+ * lowest; it is 0 for a text that is left to number_write. None is in two lines of
+ * the cache. */
 struct number_text {
-	char b[32];
-};
+	char b[60];
+	uint32_t layout;
+} __attribute__((aligned(64)));
 
 /* Numbers are read and written so many at a time. */
 enum { NUMBER_BATCH = 64 };
@@ -65,17 +70,26 @@ bool number_choose(const char *name);
 
 /* Writes v at s from its text t, or as number_write does where it has none, and
  * returns where the text ends. What is behind that, up to NUMBER_MAX bytes from s,
- * may change, too. */
+ * may change, too. On either side of the point of a text there are NUMBER_SIDE
+ * characters at most. */
+enum { NUMBER_SIDE = 24 };
+
 static inline char *number_put(char *s, const struct number_text *t, double v,
     bool single, struct number_style style)
 {
-	unsigned char size = (unsigned char)t->b[sizeof t->b - 1];
+	uint32_t layout = t->layout;
+	const char *from = t->b + (layout & 255);
+	size_t minus = layout >> 8 & 255, before = layout >> 16 & 255;
 
-	if (__builtin_expect(size == 0, 0))
+	if (__builtin_expect(layout == 0, 0))
 		return single ? number_write_float(s, (float)v, style) :
 				number_write(s, v, style);
-	memcpy(s, t->b, sizeof t->b);
-	return s + size;
+	*s = '-';
+	s += minus;
+	memcpy(s, from, NUMBER_SIDE);
+	s[before] = '.';
+	memcpy(s + before + 1, from + before, NUMBER_SIDE);
+	return s + (layout >> 24);
 }
 
 #ifdef __cplusplus

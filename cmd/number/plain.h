@@ -18,6 +18,7 @@ enum {
 	PLAIN_MAX = 32,    /* characters of a plain number that are read */
 	PLAIN_BEFORE = 33, /* bytes before its end that are looked at */
 	PLAIN_BATCH = NUMBER_BATCH,
+	PLAIN_GROUP = 8, /* so many are read in one go */
 };
 
 /* Where numbers stand: before end, 1 to PLAIN_MAX characters each. */
@@ -31,10 +32,11 @@ struct plain_reader {
 	 * room for size rounded up to 64, and 64 more. Returns how many. */
 	size_t (*find)(const struct byte_set *, const char *text, size_t size,
 	    uint16_t *at);
-	/* The first n numbers, rounded to nearest. Bit i of what it returns
-	 * says that the i-th is left: it is not plain, has more than 22 decimals
-	 * or, from the first that is not 0 on, 19 digits, or lies midway between
-	 * two doubles or too near to that; v[i] says nothing then. */
+	/* The first n numbers, rounded to nearest. Places there are for n
+	 * rounded up to PLAIN_GROUP. Bit i of what it returns says that the i-th
+	 * is left: it is not plain, has more than 22 decimals or, from the first
+	 * that is not 0 on, 19 digits, or lies midway between two doubles or too
+	 * near to that; v[i] says nothing then. */
 	uint64_t (*read)(const struct plain_places *, size_t n,
 	    double v[PLAIN_BATCH]);
 };

@@ -12,7 +12,7 @@ static struct {
 	bool unended;     /* the last line printed has no newline yet */
 	bool bad;         /* there was a complaint */
 	size_t imageless; /* points */
-	char where[300];  /* the first of them: source:line */
+	char where[400];  /* the first of them: scene, source:line */
 } answer;
 
 void answer_source(void)
@@ -33,8 +33,9 @@ static void print(const struct job *j, const struct chunk *c)
 static void count_imageless(const struct chunk *c)
 {
 	if (c->imageless > 0 && answer.imageless == 0)
-		snprintf(answer.where, sizeof answer.where, "%.250s:%zu",
-		    c->name, answer.next_line + c->first_imageless);
+		snprintf(answer.where, sizeof answer.where, "%s%.250s:%zu",
+		    said_scene(), c->name,
+		    answer.next_line + c->first_imageless);
 	answer.imageless += c->imageless;
 }
 
@@ -81,11 +82,9 @@ void answer_chunk(const struct job *j, const struct chunk *c)
 		stop(j, c);
 }
 
-int answer_end(const struct job *j)
+int answer_end(void)
 {
 	progress_end();
-	if (j->flush != NULL)
-		j->flush(j);
 	if (answer.imageless == 1)
 		say("1 point has no image: %s", answer.where);
 	else if (answer.imageless > 1)

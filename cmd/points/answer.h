@@ -14,8 +14,8 @@ void answer_source(void);
  * two at a time. */
 void answer_chunk(const struct job *, const struct chunk *);
 
-/* After the last source: says how many points had no image, and closes standard
- * output. Returns the exit status. */
-int answer_end(const struct job *);
+/* At the end: says how many points had no image, and closes standard output.
+ * Returns the exit status. */
+int answer_end(void);
 
 #endif

@@ -8,9 +8,10 @@
  * many. */
 size_t binary_read(const struct job *, struct chunk *);
 
-/* The next points, up to POINTS_BLOCK, from floats to floats in single precision.
- * False, and nothing done, where that can't be told of all of them. */
-bool binary_carry_floats(const struct job *, struct chunk *);
+/* The next points, a block, from floats to floats in single precision, or
+ * from doubles to doubles in exact. False, and nothing done, where that can't be told
+ * of all of them. */
+bool binary_carry(const struct job *, struct chunk *);
 
 /* Writes v, the image of point p of the block. Where v is nan, p does not
  * matter. */

@@ -21,6 +21,7 @@ struct block {
 	struct chunk *chunk;
 	size_t points;
 	bool usual;                          /* its lines are for put_usual */
+	bool in_order;                       /* or for put_in_order */
 	unsigned char outside[POINTS_BLOCK]; /* of which planes each is */
 	struct texts texts;
 };
@@ -63,7 +64,7 @@ static struct word make_word(unsigned outside)
 }
 
 /* Kept, as there are few and each is needed often. */
-static const struct word *word_for(struct chunk *c, unsigned outside)
+const struct word *word_for(struct chunk *c, unsigned outside)
 {
 	struct word *w = &c->word[outside];
 
@@ -89,34 +90,44 @@ static char *put_point(struct block *b, const struct line *line, size_t p,
 	    b->job->flags ? word_for(c, b->outside[p]) : NULL, at);
 }
 
-/* Whether in all lines that are points only three numbers change, in their order,
- * and nothing but a word is added. */
-static bool is_usual(const struct layout *l)
+/* Whether in all lines that are points only numbers change, in their order, and what
+ * is added, numbers or a word, stands behind them. */
+static bool is_in_order(const struct layout *l)
 {
 	const int *field = l->columns.field;
 
-	return l->in == l->out && l->reads == 3 && l->writes == 3 &&
-	    (l->columns.n == 0 || (field[0] < field[1] && field[1] < field[2]));
+	for (int k = 1; k < l->columns.n; k++)
+		if (field[k - 1] >= field[k])
+			return false;
+	return l->in == l->out && l->reads <= l->writes;
 }
 
-/* Whether a word after the last number has the usual separator before it, and
- * no quote. */
-static inline bool takes_word(const struct layout *l, const struct line *line)
+/* Whether what is added after the last of n numbers has the usual separator before
+ * it, and no quote. */
+static inline bool takes_more(const struct layout *l, const struct line *line,
+    int n)
 {
-	uint32_t last = line->at[2].to;
+	uint32_t last = line->at[n - 1].to;
 
 	return l->out == FORMAT_JSON ||
 	    (l->out == FORMAT_TEXT ?
-		    line->at[2].from - line->at[1].to == 1 :
+		    line->at[n - 1].from - line->at[n - 2].to == 1 :
 		    last == line->size || line->s[last] != '"');
 }
 
+/* What it is then. */
+static inline char separator(const struct layout *l, const struct line *line,
+    int n)
+{
+	return l->out == FORMAT_TEXT ? line->s[line->at[n - 2].to] : ',';
+}
+
 static inline char *put_word(const struct layout *l, const struct line *line,
-    const struct word *w, char *at)
+    int n, const struct word *w, char *at)
 {
 	bool quoted = l->out == FORMAT_JSON;
 
-	*at++ = l->out == FORMAT_TEXT ? line->s[line->at[1].to] : ',';
+	*at++ = separator(l, line, n);
 	*at = '"';
 	memcpy(at + quoted, w->s, 16);
 	if (w->size > 16)
@@ -143,7 +154,21 @@ static inline char *replace(const struct block *b, const struct line *line,
 	    b->chunk->image[k][p], l->single, l->style[k]);
 }
 
-/* What line_write does then, without a look at what cannot be. */
+static inline char *put_rest(const struct line *line, uint32_t done, char *at)
+{
+	uint32_t rest = line->size - done;
+
+	if (rest > 1)
+		memcpy(at, line->s + done, rest);
+	else if (rest == 1) /* the bracket of JSON */
+		*at = line->s[done];
+	at += rest;
+	*at = '\n';
+	return at + line->newline;
+}
+
+/* What line_write does then, without a look at what cannot be; of three numbers for
+ * three, as most lines have, without a loop. */
 static inline char *put_usual(struct block *b, const struct line *line,
     size_t p, char *at)
 {
@@ -153,13 +178,29 @@ static inline char *put_usual(struct block *b, const struct line *line,
 	at = replace(b, line, 1, line->at[0].to, p, at);
 	at = replace(b, line, 2, line->at[1].to, p, at);
 	if (b->job->flags)
-		at = put_word(&b->job->layout, line,
+		at = put_word(&b->job->layout, line, 3,
 		    word_for(b->chunk, b->outside[p]), at);
-	if (line->size > done)
-		memcpy(at, line->s + done, line->size - done);
-	at += line->size - done;
-	*at = '\n';
-	return at + line->newline;
+	return put_rest(line, done, at);
+}
+
+/* Not inline, so that the usual one may be. */
+static __attribute__((noinline)) char *put_in_order(struct block *b,
+    const struct line *line, size_t p, char *at)
+{
+	const struct layout *l = &b->job->layout;
+	uint32_t done = 0;
+
+	for (int k = 0; k < l->reads; done = line->at[k++].to)
+		at = replace(b, line, k, done, p, at);
+	for (int k = l->reads; k < l->writes; k++) {
+		*at++ = separator(l, line, l->reads);
+		at = number_put(at, &b->texts.text[k][p % BATCH],
+		    b->chunk->image[k][p], l->single, l->style[k]);
+	}
+	if (b->job->flags)
+		at = put_word(l, line, l->reads,
+		    word_for(b->chunk, b->outside[p]), at);
+	return put_rest(line, done, at);
 }
 
 /* Writes the line of point p with its image, if it is wanted. */
@@ -167,12 +208,15 @@ static char *put_image(struct block *b, const struct line *line, size_t p,
     char *at)
 {
 	const struct job *j = b->job;
+	const struct layout *l = &j->layout;
 
 	if (!is_wanted(b, p))
 		return at;
 	need_texts(b, p);
-	return b->usual && (!j->flags || takes_word(&j->layout, line)) ?
-	    put_usual(b, line, p, at) :
+	if (b->usual && (!j->flags || takes_more(l, line, 3)))
+		return put_usual(b, line, p, at);
+	return b->in_order && takes_more(l, line, l->reads) ?
+	    put_in_order(b, line, p, at) :
 	    put_point(b, line, p, at);
 }
 
@@ -181,7 +225,7 @@ static char *put_image(struct block *b, const struct line *line, size_t p,
 static char *put_other(const struct job *j, const struct line *line, char *at)
 {
 	static const double nan = (double)NAN;
-	static const struct number_text none = { "" };
+	static const struct number_text none = { .layout = 0 };
 	static const struct word flag = { "nan", 3 };
 	const struct numbers n = { &nan, &none, 0, 0 };
 	bool bad = line->kind == LINE_BAD;
@@ -278,18 +322,20 @@ void block_write(const struct job *j, struct chunk *c, size_t n, size_t points,
     size_t number)
 {
 	bool lines = !is_binary(j->layout.in);
-	struct block b = { .job = j,
-		.chunk = c,
-		.points = points,
-		.texts.from = SIZE_MAX };
+	struct block b; /* of which its texts would take long to be cleared */
 	const double *const in[4] = { c->in[0], c->in[1], c->in[2], c->in[3] };
 	size_t p = 0;
 
+	b.job = j;
+	b.chunk = c;
+	b.points = points;
+	b.texts.from = SIZE_MAX;
 	bool finite = mark(&b, n, number);
 
 	/* to JSON, nan goes as null */
-	b.usual = is_usual(&j->layout) &&
+	b.in_order = is_in_order(&j->layout) &&
 	    (finite || j->layout.out != FORMAT_JSON);
+	b.usual = b.in_order && j->layout.reads == 3 && j->layout.writes == 3;
 	if (j->flags || j->visible)
 		frustum_out_all(&j->frustum, in, b.outside, points);
 	for (size_t i = 0; i < n; i += BATCH) {

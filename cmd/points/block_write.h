@@ -10,6 +10,10 @@
 void block_write(const struct job *, struct chunk *, size_t n, size_t points,
     size_t number);
 
+/* The word for the planes that a point is outside of: in, or left+near. It stays
+ * the chunk's. */
+const struct word *word_for(struct chunk *, unsigned outside);
+
 /* Appends what stands for a binary point that is not whole. */
 void block_write_nan(const struct job *, struct chunk *);
 

@@ -33,6 +33,14 @@ static void carry(const struct job *j, struct chunk *c, size_t n)
 		points_carry(&j->transform, &j->accuracy, in, out, n);
 }
 
+/* Shows a bad line, or what is left of a binary point. */
+static void show_bad(const struct job *j, struct chunk *c, size_t number)
+{
+	const struct line line = { "", .kind = LINE_BAD, .newline = true };
+
+	j->take(j, c, &line, 0, number);
+}
+
 /* The source ends within a binary point: that counts as a bad line. */
 static void cut_short(const struct job *j, struct chunk *c, size_t size)
 {
@@ -42,7 +50,9 @@ static void cut_short(const struct job *j, struct chunk *c, size_t size)
 	    "ends within a point; a point is %zu bytes", size);
 	chunk_complain(c, c->n_lines, reason);
 	c->text = c->end;
-	if (j->keep_going)
+	if (j->keep_going && j->take != NULL)
+		show_bad(j, c, c->n_lines);
+	else if (j->keep_going)
 		block_write_nan(j, c);
 }
 
@@ -64,7 +74,14 @@ static void show(const struct job *j, struct chunk *c, size_t n, size_t number,
 		point.s = text + i * size;
 		if (line->kind == LINE_POINT)
 			j->take(j, c, line, p++, number + i);
+		else if (line->kind == LINE_BAD)
+			show_bad(j, c, number + i);
 	}
+}
+
+static bool is_exact(const struct accuracy *a)
+{
+	return a->precision == PRECISION_EXACT && !(a->tolerance[0] > 0);
 }
 
 void job_do(struct job *j, struct chunk *c)
@@ -75,15 +92,17 @@ void job_do(struct job *j, struct chunk *c)
 	 * bytes, and no command wants to see it */
 	bool whole = binary && is_binary(j->layout.out) && j->take == NULL &&
 	    !j->visible && !j->rays;
-	bool floats = whole && j->layout.in == FORMAT_F32 &&
-	    j->layout.out == FORMAT_F32 && j->layout.single;
+	bool direct = whole && j->layout.in == j->layout.out &&
+	    (j->layout.in == FORMAT_F32 ? j->layout.single :
+					  is_exact(&j->accuracy));
 
 	chunk_clear(c);
 	while (c->text < c->end) {
 		size_t n, points, number = c->n_lines;
 		const char *text = c->text;
 
-		if (floats && binary_carry_floats(j, c))
+		/* where one has no image, others will have none */
+		if (direct && c->imageless == 0 && binary_carry(j, c))
 			continue;
 		if (binary && (size_t)(c->end - text) < size) {
 			cut_short(j, c, size);

@@ -105,4 +105,9 @@ size_t lines_room(const struct layout *, size_t lines, size_t bytes);
 char *line_write(const struct layout *, const struct line *,
     const struct numbers *, const struct word *flags, char *out);
 
+/* Writes what else is on a line with a point, each field with a separator of the
+ * format out before it; of text to text, without columns, as it stands. Returns
+ * where it ends. Takes at most six times the line's size, and one. */
+char *line_rest(const struct layout *, const struct line *, char *out);
+
 #endif

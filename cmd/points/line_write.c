@@ -211,19 +211,19 @@ static const char *first_kept(const struct layout *l, const struct line *line)
 	return skip_blanks(l->in, text.s, text.end) + (l->in == FORMAT_JSON);
 }
 
-/* The format out is another: coordinates and flags go first, then all other
- * fields. */
-static char *convert(const struct layout *l, const struct line *line,
-    const struct numbers *numbers, const struct word *flags, char *out)
+char *line_rest(const struct layout *l, const struct line *line, char *out)
 {
 	const char *usual = separator_of(l->out);
 	const char *s = first_kept(l, line), *end = line->s + line->size;
-	struct span sep = { usual, usual + 1 };
 
-	if (l->out == FORMAT_JSON)
-		*out++ = '[';
-	out = put_number(l, numbers, 0, out);
-	out = put_more(l, 1, numbers, flags, sep, out);
+	if (s != NULL && l->in == FORMAT_TEXT && l->out == FORMAT_TEXT &&
+	    l->columns.n == 0) {
+		while (end > s && is_blank(end[-1]))
+			end--;
+		if (s < end)
+			out = put(put(out, usual, usual + 1), s, end);
+		return out;
+	}
 	while (s != NULL) {
 		struct span f = field_at(l->in, s, end);
 
@@ -232,11 +232,27 @@ static char *convert(const struct layout *l, const struct line *line,
 		if ((f.s < f.end ||
 			(l->in == FORMAT_CSV && l->out == FORMAT_JSON)) &&
 		    !is_coordinate(l, line, f)) {
-			out = put(out, sep.s, sep.end);
+			out = put(out, usual, usual + 1);
 			out = field_convert(l->in, l->out, f, out);
 		}
 		s = field_next(l->in, f.end, end);
 	}
+	return out;
+}
+
+/* The format out is another: coordinates and flags go first, then all other
+ * fields. */
+static char *convert(const struct layout *l, const struct line *line,
+    const struct numbers *numbers, const struct word *flags, char *out)
+{
+	const char *usual = separator_of(l->out);
+	struct span sep = { usual, usual + 1 };
+
+	if (l->out == FORMAT_JSON)
+		*out++ = '[';
+	out = put_number(l, numbers, 0, out);
+	out = put_more(l, 1, numbers, flags, sep, out);
+	out = line_rest(l, line, out);
 	if (l->out == FORMAT_JSON)
 		*out++ = ']';
 	return out;

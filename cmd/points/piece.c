@@ -198,11 +198,23 @@ enum piece_state piece_cut(struct piece *p, const struct layout *l, int fd,
 	return state;
 }
 
-const char *piece_end(const char *lines, size_t size)
+enum piece_state piece_of_text(const struct layout *l, const char *text,
+    size_t *size)
 {
-	size_t end = size <= PIECE_ROOM ?
-	    0 :
-	    first_line_end(lines, PIECE_ROOM - 1, size);
+	size_t all = *size, end = 0, line = 0;
 
-	return lines + (end > 0 ? end : size);
+	if (all > PIECE_ROOM && is_binary(l->in)) {
+		*size = PIECE_ROOM - PIECE_ROOM % point_size(l->in, l->reads);
+		return PIECE_FULL;
+	}
+	if (all > PIECE_ROOM) {
+		line = last_line_end(text, 0, PIECE_ROOM - 1);
+		end = first_line_end(text, PIECE_ROOM - 1, all);
+	}
+	*size = end > 0 ? end : all;
+	if (*size - line + (end == 0) > LINE_MAX_BYTES) {
+		*size = line;
+		return PIECE_TOO_LONG;
+	}
+	return *size < all ? PIECE_FULL : PIECE_LAST;
 }

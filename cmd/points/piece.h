@@ -10,6 +10,10 @@ struct layout;
  * enough for caches. */
 enum { PIECE_ROOM = 1 << 17 };
 
+/* Of pipes, two pieces: one is filled while the other is emptied. More of them on
+ * both sides would not stay in the cache of a processor. */
+enum { PIPE_ROOM = 2 * PIECE_ROOM };
+
 /* So many bytes behind a text there are, too: where a document's lone point gets
  * its newline, and one that walk.c looks at, whatever it is, behind a minus that
  * ends a line. */
@@ -49,7 +53,8 @@ enum piece_state piece_fill(struct piece *, const struct layout *, int fd,
 enum piece_state piece_cut(struct piece *, const struct layout *, int fd,
     off_t start, size_t k);
 
-/* Where in lines[0..size) a piece of them ends. */
-const char *piece_end(const char *lines, size_t size);
+/* Cuts *size, of a text in memory, to the piece that it begins with. */
+enum piece_state piece_of_text(const struct layout *, const char *text,
+    size_t *size);
 
 #endif

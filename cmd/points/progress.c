@@ -28,6 +28,8 @@ static double now(void)
 
 void progress_start(bool asked)
 {
+	if (progress.start > 0)
+		return;
 	progress.asked = asked;
 	progress.terminal = isatty(STDERR_FILENO);
 	progress.on = asked || (progress.terminal && !isatty(STDOUT_FILENO));

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* Only the first call counts. */
 void progress_start(bool asked);
 
 /* The next source begins; size in bytes, 0 where it isn't known. */

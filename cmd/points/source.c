@@ -11,7 +11,7 @@ struct point_source source_of_file(const char *name, int fd)
 	struct point_source s = { .name = name, .fd = fd };
 	struct stat st;
 
-	widen_pipe(fd);
+	widen_pipe(fd, PIPE_ROOM);
 	s.start = lseek(fd, 0, SEEK_CUR);
 	/* Of a file that has no more than a piece, no thread but one would have
 	 * something to read; among them are those that the system makes up, with
@@ -22,12 +22,12 @@ struct point_source source_of_file(const char *name, int fd)
 	return s;
 }
 
-struct point_source source_of_lines(const char *name, const char *text,
+struct point_source source_of_text(const char *name, const char *text,
     size_t size)
 {
 	return (struct point_source){ .name = name,
-		.kind = SOURCE_LINES,
-		.lines = text,
+		.kind = SOURCE_TEXT,
+		.text = text,
 		.end = text + size };
 }
 
@@ -46,11 +46,13 @@ void source_begin(struct point_source *s, const struct layout *l,
 	c->state = PIECE_FULL; /* until it is read */
 	if (s->kind == SOURCE_STREAM)
 		take_piece(c, piece_fill(&c->piece, l, s->fd, &s->rest));
-	if (s->kind != SOURCE_LINES)
+	if (s->kind != SOURCE_TEXT)
 		return;
-	c->text = s->lines;
-	c->end = s->lines = piece_end(s->lines, (size_t)(s->end - s->lines));
-	c->state = s->lines < s->end ? PIECE_FULL : PIECE_LAST;
+	size_t size = (size_t)(s->end - s->text);
+
+	c->text = s->text;
+	c->state = piece_of_text(l, s->text, &size);
+	c->end = s->text += size;
 }
 
 void source_read(const struct point_source *s, const struct layout *l,

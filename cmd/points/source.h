@@ -9,19 +9,19 @@ struct point_source {
 	enum source_kind {
 		SOURCE_STREAM, /* what can be read only once, as a pipe */
 		SOURCE_FILE,   /* what several threads can read at a time */
-		SOURCE_LINES,  /* text in memory, with a newline at its end */
+		SOURCE_TEXT,   /* lines or binary points in memory */
 	} kind;
 	int fd;
-	off_t start;             /* of SOURCE_FILE: where its points begin */
-	struct piece rest;       /* of SOURCE_STREAM: as piece_fill has it */
-	const char *lines, *end; /* of SOURCE_LINES: what is left */
+	off_t start;            /* of SOURCE_FILE: where its points begin */
+	struct piece rest;      /* of SOURCE_STREAM: as piece_fill has it */
+	const char *text, *end; /* of SOURCE_TEXT: what is left */
 };
 
 /* How the file is best read. */
 struct point_source source_of_file(const char *name, int fd);
 
 /* Text in memory, with PIECE_MARGIN bytes behind it. */
-struct point_source source_of_lines(const char *name, const char *text,
+struct point_source source_of_text(const char *name, const char *text,
     size_t size);
 
 /* Give a chunk its piece of the source, and say in its state what came of that.

@@ -35,7 +35,7 @@ void stream_file(struct job *j, const char *name, int fd)
 
 void stream_text(struct job *j, const char *name, const char *text, size_t size)
 {
-	struct point_source s = source_of_lines(name, text, size);
+	struct point_source s = source_of_text(name, text, size);
 
 	stream(j, &s, size);
 }

@@ -5,9 +5,9 @@
 #include "job.h"
 
 /* Does the job on the points of one source, which is a file or a text in
- * memory: whole lines, with PIECE_MARGIN bytes behind them. All that has been read
- * is answered before more is waited for. Errors are printed and end the program.
- * The job must be the same at each call; its contents may change in between. */
+ * memory, with PIECE_MARGIN bytes behind it. All that has been read is answered
+ * before more is waited for. Errors are printed and end the program. The job must
+ * be the same at each call; its contents may change in between. */
 void stream_file(struct job *, const char *name, int fd);
 void stream_text(struct job *, const char *name, const char *text, size_t size);
 

@@ -221,6 +221,7 @@ find_coordinates(struct place *p, const struct walk *w, enum format format,
 		pass(p);
 		pass_blanks(p, format);
 	}
+#pragma GCC unroll 3
 	for (int m = 0; m < n; m++) {
 		for (int skip = columns ? w->skip[m] : 0; skip > 0; skip--)
 			if (!pass_field(p, format) ||
@@ -283,20 +284,24 @@ take_lines(struct stretch *s, const struct walk *walk, enum format format,
 		lines[i].kind = LINE_POINT;
 		lines[i].newline = true;
 	}
+	for (size_t k = i; k % PLAIN_GROUP != 0; k++)
+		no_numbers(n, k, places);
 	s->at = p.at;
 	s->next = p.stop;
 	return i;
 }
 
-/* Three coordinates at the beginning of a line are what is usual. */
+/* Three coordinates are what is usual. */
 static inline __attribute__((always_inline)) size_t
 take_format(struct stretch *s, const struct walk *walk, enum format format,
     size_t max, struct line *lines, struct plain_places places[4],
     uint64_t *left)
 {
-	if (walk->n == 3 && !walk->columns)
-		return take_lines(s, walk, format, 3, false, max, lines, places,
-		    left);
+	if (walk->n == 3)
+		return walk->columns ? take_lines(s, walk, format, 3, true, max,
+					   lines, places, left) :
+				       take_lines(s, walk, format, 3, false,
+					   max, lines, places, left);
 	return take_lines(s, walk, format, walk->n, true, max, lines, places,
 	    left);
 }

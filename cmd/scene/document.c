@@ -22,6 +22,7 @@ enum {
 	POINTS,
 	BOUNDS,
 	PICK,
+	MARGIN,
 	SCENE_MEMBERS,
 };
 
@@ -59,6 +60,7 @@ static const struct member scene_members[SCENE_MEMBERS + 1] = {
 	MEMBER(POINTS, "points", NULL, NULL, "[[0,0,0], [1,1,1]]"),
 	MEMBER(BOUNDS, "bounds", bounds_members, NULL, NULL),
 	MEMBER(PICK, "pick", pick_members, NULL, NULL),
+	MEMBER(MARGIN, "margin", NULL, "padding border", NULL),
 };
 
 static void check_point(const struct value *v, int coordinates)
@@ -272,6 +274,10 @@ static void check_needed(const struct value *root, unsigned missing)
 	}
 }
 
+/* The largest double below 1/2. */
+static const struct range margins = { 0, 0x1.fffffffffffffp-2,
+	"a number from 0 to below 0.5 is wanted" };
+
 static void read_scene(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_MEMBERS], unsigned seen)
 {
@@ -300,6 +306,8 @@ static void read_scene(struct document *d, const struct document_wants *w,
 		read_bounds(&m[BOUNDS], &d->bounds);
 	if (seen & SCENE_PICK)
 		read_pick(&m[PICK], &d->pick);
+	if (seen & SCENE_MARGIN & w->used)
+		s->margin = value_number(&m[MARGIN], &margins);
 }
 
 static void read_points(struct document *d, const struct value *v,
@@ -316,7 +324,9 @@ static void read_points(struct document *d, const struct value *v,
 void document_read(struct document *d, const char *name, char *text,
     size_t size, const struct document_wants *w)
 {
-	struct source source = { .name = name, .scene = scene_members };
+	struct source source = { .name = name,
+		.line = w->line,
+		.scene = scene_members };
 	struct span points;
 	struct value root = value_parse_without(&source, "points", text, size,
 	    &points);

@@ -20,6 +20,7 @@ enum scene_member {
 	SCENE_POINTS = 256,
 	SCENE_BOUNDS = 512,
 	SCENE_PICK = 1024,
+	SCENE_MARGIN = 2048,
 	/* what leads from model space to the device */
 	SCENE_SPATIAL = SCENE_WORLD | SCENE_CAMERA | SCENE_PROJECTION |
 	    SCENE_VIEWPORT,
@@ -67,6 +68,8 @@ struct document_wants {
 	/* The convention of the answer, and of a document that has none; or
 	 * NULL. */
 	const struct convention *convention;
+	/* Lines of the file before the text. */
+	long line;
 	/* How many each point has; 0 if the command doesn't read them from the
 	 * document. */
 	int coordinates;

@@ -1,5 +1,6 @@
 #include "print_scene.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "../json/print.h"
@@ -142,6 +143,51 @@ static void put_shear(struct printer *p, const struct projection *q)
 	put_unless(p, "plane", q->plane, 0);
 }
 
+void put_distance(struct printer *p, double v)
+{
+	if (isinf(v))
+		put_string(p, "infinity");
+	else
+		put_number(p, v);
+}
+
+static void put_depth(struct printer *p, const struct projection *q)
+{
+	put_number_member(p, "near", q->near);
+	put_name(p, "far");
+	put_distance(p, q->far);
+	if (q->reverse_z) {
+		put_name(p, "reverse_z");
+		put_flag(p, true);
+	}
+}
+
+/* The larger half side is times the aspect, where that isn't the viewport's. */
+static void put_seven(struct printer *p, const struct projection *q,
+    const struct viewport *v)
+{
+	if (q->aspect[1] == 0) {
+		put_number_member(p, "half_width", q->half_width);
+		put_number_member(p, "half_height", q->half_height);
+	} else {
+		put_number_member(p, "size", 2 * q->half_width);
+		if (v == NULL || q->aspect[1] == 1)
+			put_number_member(p, "aspect", q->aspect[0]);
+	}
+	put_number_member(p, "z_near", q->z_near);
+	put_number_member(p, "z_far", q->z_far);
+	if (q->has_eye) {
+		put_numbers_member(p, "eye", q->eye, 3);
+		return;
+	}
+	if (q->has_angle)
+		put_number_member(p, "view_angle", q->angle);
+	else
+		put_unless(p, "inverse_eye_z", q->inverse_eye_z, 0);
+	if (q->tan_skew[0] != 0 || q->tan_skew[1] != 0)
+		put_numbers_member(p, "tan_skew", q->tan_skew, 2);
+}
+
 static void put_projection(struct printer *p, const struct projection *q,
     const struct viewport *v)
 {
@@ -151,17 +197,16 @@ static void put_projection(struct printer *p, const struct projection *q,
 	    projection_types[q->type - PROJECTION_PERSP]);
 	if (q->type == PROJECTION_OBLIQUE)
 		put_shear(p, q);
-	put_section(p, q, v);
+	if (q->type == PROJECTION_VOLUME)
+		put_seven(p, q, v);
+	else
+		put_section(p, q, v);
 	if (q->type == PROJECTION_PERSP)
 		put_unless(p, "edges_at", q->edges_at, 0);
-	put_number_member(p, "near", q->near);
-	put_number_member(p, "far", q->far);
-	if (q->type == PROJECTION_PERSP)
+	if (q->type != PROJECTION_VOLUME && !projection_is_open(q))
+		put_depth(p, q);
+	if (q->type == PROJECTION_PERSP || q->type == PROJECTION_VOLUME)
 		put_unless(p, "near_ratio", q->near_ratio, 0.0005);
-	if (q->reverse_z) {
-		put_name(p, "reverse_z");
-		put_text(p, "true");
-	}
 	put_close(p, "}");
 }
 
@@ -228,6 +273,28 @@ static void put_pick(struct printer *p, const struct pick *k)
 	put_close(p, "}");
 }
 
+/* What leads from model space to the device. */
+static void put_stages(struct printer *p, const struct scene *s)
+{
+	if (s->has_world)
+		put_world(p, s->world, s->convention.column);
+	put_camera(p, &s->camera);
+	put_projection(p, &s->projection,
+	    s->has_viewport ? &s->viewport : NULL);
+	if (s->has_viewport)
+		put_viewport(p, &s->viewport);
+}
+
+void put_scene(struct printer *p, const struct scene *s)
+{
+	put_open(p, "{");
+	p->on_line = true;
+	put_convention(p, &s->convention);
+	put_stages(p, s);
+	p->on_line = false;
+	put_close(p, "}");
+}
+
 void print_scene(const struct document *d)
 {
 	static char text[1 << 16];
@@ -240,19 +307,17 @@ void print_scene(const struct document *d)
 		put_name_on_new_line(&p, "angle_unit");
 		put_string(&p, angle_units[RADIANS]);
 	}
-	if (s->has_world)
-		put_world(&p, s->world, s->convention.column);
-	put_camera(&p, &s->camera);
-	put_projection(&p, &s->projection,
-	    s->has_viewport ? &s->viewport : NULL);
-	if (s->has_viewport)
-		put_viewport(&p, &s->viewport);
+	put_stages(&p, s);
 	if (s->has_window)
 		put_window(&p, &s->window);
 	if (s->has_device)
 		put_device(&p, &s->device);
 	if (d->pick.has_at || d->pick.radius > 0)
 		put_pick(&p, &d->pick);
+	if (s->margin > 0) {
+		put_name_on_new_line(&p, "margin");
+		put_number(&p, s->margin);
+	}
 	put_text(&p, "\n}\n");
 	put_all(text, (size_t)(p.at - text));
 }

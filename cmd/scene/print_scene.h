@@ -1,7 +1,8 @@
-/* Printing a fitted scene as a document. */
+/* Printing scenes as documents. */
 #ifndef PRINT_SCENE_H
 #define PRINT_SCENE_H
 
+#include "../json/print.h"
 #include "document.h"
 
 /* Prints a document that reads back as the same scene and pick: a member a
@@ -9,5 +10,11 @@
  * projection must be persp, ortho or oblique, and its cross-section not given
  * by height and aspect: so fit leaves them. */
 void print_scene(const struct document *);
+
+/* Puts what leads from model space to the device, in one line. */
+void put_scene(struct printer *, const struct scene *);
+
+/* A number, or "infinity". */
+void put_distance(struct printer *, double);
 
 #endif

@@ -83,6 +83,30 @@ static void read_direction(const struct value *v, const struct member *row,
 	p->direction_unit = p->unit;
 }
 
+/* A volume may have none. */
+static void read_view_angle(const struct value *v, const struct member *row,
+    void *to)
+{
+	static const struct range taper[] = {
+		{ 0, BELOW_180,
+		    "an angle from 0 to below 180 degrees is wanted" },
+		{ 0, PI, "an angle from 0 to below pi radians is wanted" },
+	};
+	struct projection *p = to;
+	const struct range *range = p->type == PROJECTION_VOLUME ? taper :
+								   row->range;
+
+	p->angle = value_number(v, &range[v->source->unit]);
+}
+
+/* Of the smaller side of a volume. */
+static void read_size(const struct value *v, const struct member *row, void *to)
+{
+	struct projection *p = to;
+
+	p->half_width = p->half_height = value_number(v, row->range) / 2;
+}
+
 #define FAR "a number or \"infinity\""
 
 static double read_plane(const struct value *v, const struct projection *p)
@@ -160,9 +184,13 @@ const struct member projection_members[] = {
 	    "fov yfov verticalfov fieldofview cameraangley"),
 	ANGLE(PERSP, "fovx", angle, opening,
 	    "xfov horizontalfov hfov cameraanglex"),
-	ANGLE(PERSP, "view_angle", angle, opening, "angle"),
+	{ .name = "view_angle",
+	    .read = read_view_angle,
+	    .range = opening,
+	    .kinds = PERSP | VOLUME,
+	    .aliases = "angle" },
 	OF(PERSP, "field", angle, 0, &range_positive, NULL),
-	OF(SECTIONED, "aspect", aspect, 0, &range_positive,
+	OF(SECTIONED | VOLUME, "aspect", aspect, 0, &range_positive,
 	    "ratio aspectratio"),
 	OF(SECTIONED, "width", width, 0, &range_positive, NULL),
 	OF(SECTIONED, "height", height, 0, &range_positive, NULL),
@@ -184,7 +212,7 @@ const struct member projection_members[] = {
 		       "cameramatrix projectionmatrix intrinsic p "
 		       "principalpoint skew",
 	    .note = "[fx, fy, cx, cy], K or P, in pixels" },
-	OF(PERSP, "near_ratio", near_ratio, 0, &fraction, NULL),
+	OF(PERSP | VOLUME, "near_ratio", near_ratio, 0, &fraction, NULL),
 	{ .name = "kind",
 	    .read = read_kind,
 	    .words = oblique_kinds,
@@ -194,6 +222,10 @@ const struct member projection_members[] = {
 	OF(OBLIQUE, "plane", plane, 0, NULL, NULL),
 	OF(VOLUME, "half_width", half_width, 0, &range_positive, NULL),
 	OF(VOLUME, "half_height", half_height, 0, &range_positive, NULL),
+	{ .name = "size",
+	    .read = read_size,
+	    .range = &range_positive,
+	    .kinds = VOLUME },
 	OF(VOLUME, "z_near", z_near, 0, NULL, "near znear nearplane"),
 	OF(VOLUME, "z_far", z_far, 0, NULL, "far zfar farplane"),
 	OF(VOLUME, "inverse_eye_z", inverse_eye_z, 0, NULL, NULL),
@@ -258,13 +290,19 @@ static const struct ways shear_ways = {
 };
 
 static const struct ways volume_ways = {
-	"give \"half_width\", \"half_height\", \"z_near\" and \"z_far\"",
-	{ "half_width half_height z_near z_far" },
+	"give \"half_width\" and \"half_height\", or \"size\" and \"aspect\"",
+	{ "half_width half_height", "size aspect?" },
+};
+
+static const struct ways volume_depth_ways = {
+	"give \"z_near\" and \"z_far\"",
+	{ "z_near z_far" },
 };
 
 static const struct ways eye_ways = {
-	"give \"eye\", or \"inverse_eye_z\" and \"tan_skew\"",
-	{ "inverse_eye_z? tan_skew?", "eye" },
+	"give \"eye\", or \"inverse_eye_z\" or \"view_angle\" and "
+	"\"tan_skew\"",
+	{ "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
 };
 
 static const struct ways matrix_ways = { "give \"matrix\"", { "matrix" } };
@@ -337,7 +375,8 @@ static void find_aspect(const struct value *v, const struct viewport *viewport,
     struct projection *p)
 {
 	struct value missing = value_missing(v, "aspect");
-	bool widens = v->source->fit && p->type != PROJECTION_PERSP;
+	bool widens = v->source->fit &&
+	    (p->type == PROJECTION_ORTHO || p->type == PROJECTION_OBLIQUE);
 
 	if (v->unused)
 		return;
@@ -390,6 +429,24 @@ static void find_type(const struct value *v, int implied, struct projection *p)
 		    projection_types[implied - 1]);
 }
 
+/* The seven numbers of a volume, or what they are made of. fit finds its planes. */
+static void read_seven(const struct value *v, unsigned seen,
+    const struct viewport *viewport, struct projection *p)
+{
+	int kind = (int)p->type - 1;
+	int section = object_way(v, projection_members, kind, seen,
+	    &volume_ways);
+	int eye = object_way(v, projection_members, kind, seen, &eye_ways);
+
+	if (section == 1)
+		find_aspect(v, viewport, p);
+	if (!v->source->fit)
+		object_way(v, projection_members, kind, seen,
+		    &volume_depth_ways);
+	p->has_eye = eye == 1;
+	p->has_angle = eye == 2;
+}
+
 void read_projection(const struct value *v, int implied,
     const struct viewport *viewport, struct projection *p)
 {
@@ -401,13 +458,11 @@ void read_projection(const struct value *v, int implied,
 	int kind = (int)p->type - 1; /* as in projection_types */
 	unsigned seen = object_read(v, projection_members, kind, p);
 
-	/* fit refuses volume and matrix, whatever they have */
-	if (v->source->fit && p->type > PROJECTION_OBLIQUE)
+	/* fit refuses a matrix, whatever it has */
+	if (v->source->fit && p->type == PROJECTION_MATRIX)
 		return;
 	if (p->type == PROJECTION_VOLUME) {
-		object_way(v, projection_members, kind, seen, &volume_ways);
-		p->has_eye = object_way(v, projection_members, kind, seen,
-				 &eye_ways) == 1;
+		read_seven(v, seen, viewport, p);
 	} else if (p->type == PROJECTION_MATRIX) {
 		object_way(v, projection_members, kind, seen, &matrix_ways);
 	} else {

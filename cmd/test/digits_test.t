@@ -71,6 +71,9 @@ sub claims {
 		low => qr/n <= 6 \? 0 : (\w+-\d+)\)/,
 		high_float => qr/LESS\(a, ALL\(single \? (\w+) :/,
 		high => qr/LESS\(a, ALL\(single \? \w+ : (\w+)\)/,
+		usual_float => qr/usual = LESS\(a, ALL\(single \? (\w+) :/,
+		usual => qr/usual = LESS\(a, ALL\(single \? \w+ : (\w+)\)/,
+		usual_low => qr/~LESS\(a, ALL\((\w+-\d+)\)\)/,
 		log => qr/FLOOR\(q \* ALL\(([\d.]+)\)\)/,
 		exact_from => qr{exact = LESS\(ALL\(([-\d.]+)\), scale\)},
 		half_float => qr/two \* ALL\(single \? (\S+) :/,
@@ -79,7 +82,7 @@ sub claims {
 		place => qr/log2_less\(two, single \? \d+ : (\d+)\)/,
 		fours => qr/MUL32\(x, ALL_BITS\((\d+)\)\), 40/,
 		twos => qr/HIGH16\(x, ALL_BITS\((\d+) \* \w+\)\), 3/,
-		ones => qr/MUL16\(x, ALL_BITS\((\d+) \* \w+\)\), 10/,
+		ones => qr/HIGH16\(x, ALL_BITS\((\d+) \* \w+\)\), 8/,
 		least_unit => qr/q \+ scale >= (-\d+)/,
 		eight => qr/FLOOR\(whole \* ALL\((\S+)\)\)/,
 	);
@@ -161,17 +164,20 @@ sub needed {
 sub check_search {
 	my ($c, $single) = @_;
 	my $digits = $single ? 24 : 53;
-	my ($place, $half, $high) = map { $c->{$single ? "${_}_float" : $_} }
-	    qw(place half high);
+	my ($place, $half, $high, $usual) =
+	    map { $c->{$single ? "${_}_float" : $_} } qw(place half high usual);
 	my $q = floor(log($c->{low}) / log(2)) - $place;
 	my $top = floor(log($high) / log(2)) - $place;
 	$top-- if 2 ** ($top + $place) >= $high;
 	my $worst = 0;
+	check('the least usual number', $c->{usual_low} >= $c->{low});
 	check('the last place', $place == $digits - 1 &&
 	    $half == 2 ** -$digits);
 	for (; $q <= $top; $q++) {
 		my $scale = -1 - floor($q * $c->{log});
 		check_scale($c, $q, $scale);
+		check("2^$q is not usual", $c->{exact_from} < $scale)
+		    if 2 ** ($q + $place) < $usual;
 		if ($c->{exact_from} < $scale) {
 			my $unit = check_exact($q, $scale);
 			$c->{unit} = $unit if $unit < ($c->{unit} // 0);
@@ -216,7 +222,7 @@ sub prove {
 	my @worst = map { check_search($c, $_) } 0, 1;
 	check_quotient('four digits', 10 ** 8, 10 ** 4, $c->{fours}, 40);
 	check_quotient('two digits', 10 ** 4, 100, $c->{twos}, 19);
-	check_quotient('one digit', 100, 10, $c->{ones}, 10);
+	check_quotient('one digit', 100, 10, $c->{ones}, 16);
 	check_eight($c);
 	return $worst[0] > $worst[1] ? $worst[0] : $worst[1];
 }
@@ -239,9 +245,12 @@ for my $m (
 	['n <= 6 ? 0 : 0x1p-17', 'n <= 6 ? 0 : 0x1p-18',
 	    '2^-70 stays in the table'],
 	['0x1p60', '0x1p61', '2^37 stays in the table'],
+	['0x1p23 : 0x1p52', '0x1p23 : 0x1p53', '2^0 is not usual'],
+	['0x1p23 : 0x1p52', '0x1p24 : 0x1p52', '2^0 is not usual'],
+	['ALL(0x1p-17)', 'ALL(0x1p-18)', 'the least usual number'],
 	['109951163', '109951162', 'four digits'],
 	['5243', '5242', 'two digits'],
-	['103 *', '102 *', 'one digit'],
+	['6554 *', '6553 *', 'one digit'],
 	['ALL(1e-8)', 'ALL(9.999999999999999e-9)', '1e-8 is not too'],
 ) {
 	my ($from, $to, $refused) = @$m;

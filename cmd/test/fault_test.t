@@ -307,6 +307,11 @@ SKIP: {
 			is_deeply([$status, $err], \@want,
 			    "a line of $n bytes: $from");
 		}
+		($status, $out, $err) = run("$limit $project -j2 --scenes - " .
+		    "<$tmp/line >/dev/null");
+		$err =~ s/scene 1, line 1: //;
+		is_deeply([$status, $err], \@want,
+		    "a line of $n bytes: --scenes");
 	}
 	run("(printf '0 0 0 '; perl -e 'print q(a ) x 3e7'; echo) >$tmp/60M");
 	($status, $out, $err) = run("$limit $project -j2 $tmp/60M | wc -c");

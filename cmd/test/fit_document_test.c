@@ -90,7 +90,10 @@ static void test_missing(void **state)
 		     "\"aspect\":2},\"camera\":{\"matrix\":[1,0,0,0,0,1,0,0,"
 		     "0,0,1,0,0,0,0,1]}");
 	assert_true(d.has_eye);
-	d = read_as(&fit, "{\"projection\":{\"type\":\"volume\"}," BOX "}");
+	d = read_as(&fit,
+	    "{\"projection\":{\"type\":\"volume\",\"size\":1,\"aspect\":2},"
+	    "\"margin\":0.25," BOX "}");
+	assert_true(d.scene.margin == 0.25);
 	assert_false(d.bounds.sphere);
 	assert_numbers(d.bounds.max, 3, 1.0, 2.0, 3.0);
 }

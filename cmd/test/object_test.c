@@ -116,7 +116,10 @@ static const struct refusal names[] = {
 	    "/qqq: unknown member; there are \"convention\", \"angle_unit\", "
 	    "\"world\", "
 	    "\"camera\", \"projection\", \"viewport\", \"window\", \"device\", "
-	    "\"points\", \"bounds\" and \"pick\"" },
+	    "\"points\", \"bounds\", \"pick\" and \"margin\"" },
+	{ &project, "{\"projection\":{\"type\":\"ortho\",\"margin\":0.1}}",
+	    "/projection/margin: unknown member; it stands beside "
+	    "\"projection\"" },
 	{ &lookat, "{\"qq~/\\u001b\\u009b\\n\":1}",
 	    "/qq~0~1\\u001b\\u009b\\u000a: unknown member; there are \"eye\", "
 	    "\"at\", \"gaze\", \"orientation\", \"translation\", \"pose\", "

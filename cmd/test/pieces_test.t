@@ -14,15 +14,18 @@ my $project = 'projcalc project --keep-going';
 # What piece.c reads at a time, and how much of that begins in the piece.
 my ($room, $range) = (1 << 17, (1 << 17) - (1 << 12));
 
-# The file by ranges and as a stream, with one thread and with several.
+# The file by ranges, as a stream and from memory, with one thread and with
+# several.
 sub same {
 	my ($args, $name, @jobs) = @_;
 	my @want = run("cat $tmp/in | $project $args -j1 scene.json -");
 	my $bad = '';
 	for my $j (@jobs) {
 		for my $way ("$project $args -j$j scene.json - <$tmp/in",
-		    "cat $tmp/in | $project $args -j$j scene.json -") {
+		    "cat $tmp/in | $project $args -j$j scene.json -",
+		    "cat $tmp/in | $project $args -j$j --scenes scene.json -") {
 			my @got = run($way);
+			$got[2] =~ s/scene 1, line 1: //g;
 			$bad = $way if "@got" ne "@want";
 		}
 	}
@@ -93,6 +96,20 @@ for my $n (map { 9000 + int rand 31000 } 1 .. 4) {
 	same('-i f64 -o text', 'as text', 2);
 	spew("$tmp/in", pack 'f<*', map { @$_ } @some);
 	same('-i f32', "$n points of floats", 1, 2, 5);
+}
+
+# Doubles go straight from rows to rows, but those with a tolerance, and those after
+# one without an image: here the one that is behind the eye. So small a tolerance is
+# exact.
+for my $behind ('nowhere', 0, 17, 5000, 39999) {
+	my @some = map { [@$_] } @points;
+	$some[$behind][2] = -9 if $behind ne 'nowhere';
+	spew("$tmp/in", pack 'd<*', map { @$_ } @some);
+	my $run = "$project -i f64 scene.json - <$tmp/in";
+	my @want = run("$run -t 1e-150");
+	my @got = run($run);
+	is(length $want[1], 960000, '40000 images');
+	ok("@got" eq "@want", "rows to rows, behind the eye: $behind");
 }
 
 # Where a file is read from, and where it is left.

@@ -139,6 +139,10 @@ static int check_batch(const struct plain_reader *r, int sort, char *guard)
 		s = memcpy(s - size, text[i], (size_t)size);
 		*--s = " ,7.-"[below(5)];
 	}
+	for (int i = n; i % PLAIN_GROUP != 0; i++) {
+		at.end[i] = at.end[0];
+		at.size[i] = at.size[0];
+	}
 	uint64_t left = r->read(&at, (size_t)n, v);
 
 	for (int i = 0; i < n; i++) {

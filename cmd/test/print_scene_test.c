@@ -19,7 +19,7 @@ static void sample_fitted(struct document *d)
 	s->has_device = sample_below(2);
 	s->convention.column = sample_below(2);
 	s->camera.by = CAMERA_GAZE;
-	p->type = PROJECTION_PERSP + sample_below(3);
+	p->type = PROJECTION_PERSP + sample_below(4);
 	enum extent sampled = p->extent;
 
 	p->extent = sample_below(2) ? EXTENT_SIZE : EXTENT_EDGES;
@@ -38,8 +38,12 @@ static void sample_fitted(struct document *d)
 	p->near = sample_size(3);
 	p->far = p->near * 3;
 	p->aspect[0] = 1.25;
-	p->aspect[1] = 1;
+	p->aspect[1] = p->type != PROJECTION_VOLUME || sample_below(2);
+	p->has_angle = !p->has_eye && sample_below(2);
+	if (p->aspect[1] == 1)
+		p->half_width = p->half_height;
 	p->near_ratio = sample_below(2) ? 0.0005 : 0.25;
+	s->margin = sample_below(2) ? 0 : 0.25;
 	d->pick.has_at = sample_below(2);
 	d->pick.at[0] = 7;
 	d->pick.radius = sample_below(2);
@@ -98,6 +102,7 @@ static void test_reads_back(void **state)
 		assert_true(r.scene.projection.type != PROJECTION_PERSP ||
 		    d.scene.projection.near_ratio ==
 			r.scene.projection.near_ratio);
+		assert_true(d.scene.margin == r.scene.margin);
 		assert_true(d.pick.has_at == r.pick.has_at);
 		assert_true(d.pick.radius == r.pick.radius);
 		assert_true(!d.pick.has_at || r.pick.at[0] == 7);

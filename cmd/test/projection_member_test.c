@@ -100,13 +100,26 @@ static const struct refusal projections[] = {
 	{ &project, OBLIQUE(",\"angle\":90.5"),
 	    "/projection/angle: 90.5 is out of range; an angle above 0 and up "
 	    "to 90 degrees is wanted" },
+#define RECTANGLE \
+	"give \"half_width\" and \"half_height\", or \"size\" and \"aspect\""
 #define BOX "\"half_width\":1,\"half_height\":1,\"z_near\":1"
 	{ &volume, "{" BOX "}",
-	    "/z_far: missing; give \"half_width\", \"half_height\", \"z_near\" "
-	    "and \"z_far\"" },
+	    "/z_far: missing; give \"z_near\" and \"z_far\"" },
+	{ &volume, "{\"half_width\":1,\"z_near\":1,\"z_far\":0}",
+	    "/half_height: missing; " RECTANGLE },
+	{ &volume, "{" BOX ",\"z_far\":0,\"size\":1}",
+	    "/size: not together with \"half_width\"; " RECTANGLE },
+	{ &volume, "{\"size\":1,\"z_near\":1,\"z_far\":0}",
+	    "/aspect: missing; give it, or a \"viewport\"" },
+	{ &volume, "{" BOX ",\"z_far\":0,\"view_angle\":180}",
+	    "/view_angle: 180 is out of range; an angle from 0 to below 180 "
+	    "degrees is wanted" },
+	{ &volume, "{" BOX ",\"z_far\":0,\"view_angle\":1,\"inverse_eye_z\":1}",
+	    "/view_angle: not together with \"inverse_eye_z\"; give \"eye\", "
+	    "or \"inverse_eye_z\" or \"view_angle\" and \"tan_skew\"" },
 	{ &volume, "{" BOX ",\"z_far\":2,\"eye\":[0,0,1],\"tan_skew\":[0,0]}",
 	    "/eye: not together with \"tan_skew\"; give \"eye\", or "
-	    "\"inverse_eye_z\" and \"tan_skew\"" },
+	    "\"inverse_eye_z\" or \"view_angle\" and \"tan_skew\"" },
 	{ &persp, "{\"angle_unit\":\"radians\",\"fovy\":3.2}",
 	    "/fovy: 3.2 is out of range; an angle above 0 and below pi radians "
 	    "is wanted" },
@@ -395,6 +408,15 @@ static void test_volume(void **state)
 	p = VOLUME(",\"eye\":[7,8,-9]");
 	assert_true(p.has_eye);
 	assert_numbers(p.eye, 3, 7.0, 8.0, -9.0);
+	p = VOLUME(",\"view_angle\":0,\"tan_skew\":[5,6]");
+	assert_true(p.has_angle && p.angle == 0 && p.aspect[1] == 0);
+	p = scene_of("{\"angle_unit\":\"radians\",\"projection\":{\"type\":"
+		     "\"volume\",\"size\":3,\"view_angle\":3,\"z_near\":1,"
+		     "\"z_far\":0},\"viewport\":{\"width\":4,\"height\":2}}")
+		.projection;
+	assert_true(p.has_angle && p.angle == 3 && p.unit == RADIANS);
+	assert_numbers(&p.half_width, 4, 1.5, 1.5, 1.0, 0.0);
+	assert_true(p.aspect[0] == 4 && p.aspect[1] == 2);
 }
 
 int main(void)

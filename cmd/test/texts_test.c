@@ -238,7 +238,7 @@ static void are_made(void **unused)
 		if (!number_choose(copies[c]))
 			continue;
 		number_texts(memset(v, 0, sizeof v), BLOCK, false, usual[0], t);
-		if (t->b[31] == 0)
+		if (t->layout == 0)
 			continue; /* baseline stands in for it */
 		for (size_t k = 0; k < 6; k++) {
 			for (int i = 0; i < BLOCK; i++)
@@ -246,7 +246,7 @@ static void are_made(void **unused)
 				    below(42) - 18);
 			number_texts(v, BLOCK, k % 2, usual[k / 2], t);
 			for (int i = 0; i < BLOCK; i++)
-				if (t[i].b[31] == 0 && fabs(v[i]) > 0x1p-17 &&
+				if (t[i].layout == 0 && fabs(v[i]) > 0x1p-17 &&
 				    (k / 2 != 1 || fabs(v[i]) < 9e9))
 					fail_msg("%a is not made", v[i]);
 		}

@@ -89,8 +89,13 @@ struct range {
 	double rounder_and_high;
 };
 
-/* The largest difference. Several maxima at once, as one would wait for itself. */
-static double largest_of(const double *in, double origin, size_t n)
+/* The least and the greatest of a block's coordinates. */
+struct extent {
+	double low, high;
+};
+
+/* Several minima at once, as one would wait for itself. */
+static struct extent extent_of(const double *in, size_t n)
 {
 	enum { CHAINS = 4 };
 	V low[CHAINS], high[CHAINS];
@@ -113,16 +118,16 @@ static double largest_of(const double *in, double origin, size_t n)
 		low[0] = MIN(low[k], low[0]);
 		high[0] = MAX(high[k], high[0]);
 	}
-	return fmax(fabs(-least(-high[0]) - origin),
-	    fabs(origin - least(low[0])));
+	return (struct extent){ least(low[0]), -least(-high[0]) };
 }
 
-static struct range range_of(const double *in, double origin, size_t n)
+static struct range range_of(struct extent x, double origin)
 {
 	struct range r = { 0, 0, 0, 0, 0, 0 };
 	double high = 0;
 
-	r.largest = largest_of(in, origin, n) * (1 + ldexp(1, 3 - DIGITS));
+	r.largest = fmax(fabs(x.high - origin), fabs(origin - x.low)) *
+	    (1 + ldexp(1, 3 - DIGITS));
 	frexp(r.largest, &r.e);
 	r.rounder = rounder(ldexp(1, r.e - POINT_CUT));
 	if (fabs(origin) < ldexp(1, r.e + POINT_CUT - 3)) {
@@ -252,13 +257,13 @@ struct block {
 };
 
 static struct block block_of(const struct kernel_map *m,
-    const double *const in[3], size_t n, enum kernel_kind kind)
+    const struct extent extent[3], enum kernel_kind kind)
 {
 	const int terms = kernel_terms(kind);
 	struct block b = { .moderate = 1 };
 
 	for (int k = 0; k < terms; k++) {
-		b.range[k] = range_of(in[k], m->origin[k], n);
+		b.range[k] = range_of(extent[k], m->origin[k]);
 		b.moderate &= is_moderate(b.range[k].largest);
 		b.near |= fabs(b.range[k].near) > 0;
 	}
@@ -294,13 +299,24 @@ static inline vdd normalise(vdd a)
 	return (vdd){ s, a.lo - (s - a.hi) };
 }
 
-/* Coordinates i to i + WIDTH relative to the origin. */
-static inline void cut_points(const struct block *b, const double *const in[3],
-    size_t i, int terms, V cut[3], V rest[3])
+/* Of columns. */
+static struct block block_of_columns(const struct kernel_map *m,
+    const double *const in[3], size_t n, enum kernel_kind kind)
+{
+	struct extent extent[3];
+
+	for (int k = 0; k < kernel_terms(kind); k++)
+		extent[k] = extent_of(in[k], n);
+	return block_of(m, extent, kind);
+}
+
+/* Coordinates relative to the origin. */
+static inline void cut_points(const struct block *b, const V p[3], int terms,
+    V cut[3], V rest[3])
 {
 	for (int k = 0; k < terms; k++) {
 		const struct range *o = &b->range[k];
-		V x = LOAD(in[k] + i);
+		V x = p[k];
 
 		if (b->near)
 			x = x - ALL(o->near);
@@ -419,50 +435,63 @@ static V round_exact(const struct block *b, const V cut[3], const V rest[3],
 	return sure;
 }
 
+/* The images q of points p. Returns whether all are sure; where one isn't, q[0] is as
+ * exact_kernel has it. Those that are sure are finite: columns are below 2^202, and
+ * w above 2^-274. */
+static inline __attribute__((always_inline)) bool
+image_of(const struct block *b, const V p[3], V q[3], enum kernel_kind kind)
+{
+	const int terms = kernel_terms(kind), columns = kernel_columns(kind);
+	const int divide = kernel_divides(kind);
+	V cut[3], rest[3], r = ALL(1), sure = ALL(b->moderate);
+	V bound = ALL(0), w_sum = r;
+	vdd w = { r, bound };
+
+	cut_points(b, p, terms, cut, rest);
+	if (divide) {
+		w = column(&b->cut[3], cut, rest, terms);
+		w_sum = w.hi + w.lo;
+		r = ALL(1) / w_sum;
+		bound = ALL(b->cut[3].bound);
+	}
+	for (int k = 0; k < columns; k++) {
+		vdd s = column(&b->cut[k], cut, rest, terms);
+		V error = ALL(b->cut[k].bound);
+
+		q[k] = divide ? quotient(s, w, r, error, bound, &sure) :
+				round_surely(s.hi, s.lo, error, &sure);
+	}
+	if (kind == KERNEL_DEPTH)
+		q[2] = depth(&b->depth, w, r, bound, &sure);
+	if (divide)
+		sure = MIN(w_sum - ALL(b->least), sure);
+	if (!divide && !IS_POSITIVE(sure))
+		sure = round_exact(b, cut, rest, terms, q);
+	if (IS_POSITIVE(sure))
+		return true;
+	V none = CHOOSE(-(w_sum + bound), ALL(b->moderate), ALL(0));
+
+	q[0] = CHOOSE(sure, q[0],
+	    CHOOSE(none, ALL(HUGE_VAL), ALL((double)NAN)));
+	return false;
+}
+
 static inline __attribute__((always_inline)) int
 exact(const struct kernel_map *m, const double *const in[3],
     double *const out[3], size_t n, enum kernel_kind kind)
 {
-	const int terms = kernel_terms(kind), columns = kernel_columns(kind);
-	const int divide = kernel_divides(kind);
-	const struct block b = block_of(m, in, n, kind);
+	const int terms = kernel_terms(kind);
+	const struct block b = block_of_columns(m, in, n, kind);
 	const double *const from[3] = { in[0], in[1], in[terms - 1] };
 	double *const to[3] = { out[0], out[1], out[terms - 1] };
 	int done = 1;
 
 	for (size_t i = 0; i < n; i += WIDTH) {
-		V cut[3], rest[3], q[3], r = ALL(1), sure = ALL(b.moderate);
-		V bound = ALL(0), w_sum = r;
-		vdd w = { r, bound };
+		V p[3], q[3];
 
-		cut_points(&b, from, i, terms, cut, rest);
-		if (divide) {
-			w = column(&b.cut[3], cut, rest, terms);
-			w_sum = w.hi + w.lo;
-			r = ALL(1) / w_sum;
-			bound = ALL(b.cut[3].bound);
-		}
-		for (int k = 0; k < columns; k++) {
-			vdd s = column(&b.cut[k], cut, rest, terms);
-			V error = ALL(b.cut[k].bound);
-
-			q[k] = divide ? quotient(s, w, r, error, bound, &sure) :
-					round_surely(s.hi, s.lo, error, &sure);
-		}
-		if (kind == KERNEL_DEPTH)
-			q[2] = depth(&b.depth, w, r, bound, &sure);
-		if (divide)
-			sure = MIN(w_sum - ALL(b.least), sure);
-		if (!divide && !IS_POSITIVE(sure))
-			sure = round_exact(&b, cut, rest, terms, q);
-		if (!IS_POSITIVE(sure)) {
-			V none = CHOOSE(-(w_sum + bound), ALL(b.moderate),
-			    ALL(0));
-
-			q[0] = CHOOSE(sure, q[0],
-			    CHOOSE(none, ALL(HUGE_VAL), ALL((double)NAN)));
-			done = 0;
-		}
+		for (int k = 0; k < terms; k++)
+			p[k] = LOAD(from[k] + i);
+		done &= image_of(&b, p, q, kind);
 		for (int k = 0; k < terms; k++)
 			STORE(to[k] + i, q[k]);
 	}
@@ -499,15 +528,16 @@ static inline vdd length_of(const vdd a[3], V *reciprocal)
 static int exact_direction(const struct kernel_map *m,
     const double *const in[3], double *const out[3], size_t n)
 {
-	const struct block b = block_of(m, in, n, KERNEL_DIRECTION);
+	const struct block b = block_of_columns(m, in, n, KERNEL_DIRECTION);
 	const V bound = ALL(b.cut[0].bound + b.cut[1].bound + b.cut[2].bound);
 	int done = 1;
 
 	for (size_t i = 0; i < n; i += WIDTH) {
+		const V p[3] = { LOAD(in[0] + i), LOAD(in[1] + i) };
 		V cut[3], rest[3], q[3], r, sure = ALL(b.moderate);
 		vdd c[3];
 
-		cut_points(&b, in, i, 2, cut, rest);
+		cut_points(&b, p, 2, cut, rest);
 		for (int k = 0; k < 3; k++)
 			c[k] = normalise(column(&b.cut[k], cut, rest, 2));
 		vdd length = length_of(c, &r);

@@ -64,6 +64,12 @@ struct kernel_map {
 typedef int (*exact_kernel)(const struct kernel_map *,
     const double *const in[3], double *const out[3], size_t n);
 
+/* The same from rows of three doubles to rows of three, -0 as 0, at any address; n is a
+ * multiple of 16. Nothing is done where a coordinate is beyond most in magnitude. */
+enum direct_state { DIRECT_DONE, DIRECT_UNSURE, DIRECT_BEYOND };
+typedef enum direct_state (*direct_kernel)(const struct kernel_map *,
+    const char *in, char *out, size_t n, double most);
+
 /* Where there is no image, or something on the way was beyond the precision's
  * range, a coordinate is nan or infinite. Returns whether that is surely nowhere so,
  * but for lanes past n. */
@@ -92,11 +98,28 @@ typedef int (*split_kernel)(const char *rows, double (*columns)[POINTS_BLOCK],
 typedef int (
     *join_kernel)(double (*columns)[POINTS_BLOCK], char *rows, size_t n);
 
+/* The columns of a map: all their values above slope all + floor have sure signs
+ * where all, |x| + |y| + |z| from the origin, is not below low and below high. One
+ * bound for all columns, the largest, leaves a few more points to be looked at and
+ * saves the others. */
+struct estimate {
+	double origin[3], m[4][4], slope, floor, low, high;
+};
+
+enum { SIGNS_UNSURE = 1 << 16 };
+
+/* Adds weight 2^j to word[i] where column j, of 3 or 4, is negative at point i, and
+ * SIGNS_UNSURE where that is not sure of all. */
+typedef void (*signs_kernel)(const struct estimate *, int columns,
+    double weight, const double *const in[3], double *word, size_t n);
+
 struct kernels {
 	exact_kernel exact[KERNELS];
+	direct_kernel direct[KERNELS];
 	plain_kernel plain[3][KERNELS]; /* by precision */
 	within_kernel within[KERNELS];
 	float_kernel floats[KERNELS]; /* single, to the same bits */
+	signs_kernel signs;
 	/* By whether rows are of doubles, and how many. */
 	split_kernel split[2][5];
 	join_kernel join[2][5];

@@ -278,9 +278,10 @@ static double normal_column_error(int far)
 	count::answers = ~far;
 	give_map(1, 1);
 	give_points(1);
-	const struct block b = block_of(&map, from, 1, KERNEL_DIRECTION);
+	const struct block b = block_of_columns(&map, from, 1,
+	    KERNEL_DIRECTION);
 
-	cut_points(&b, from, 0, 2, cut, rest);
+	cut_points(&b, in, 2, cut, rest);
 	vdd c = normalise(column(&b.cut[0], cut, rest, 2));
 
 	return bound(minus(plus(c.hi->is, c.lo->is), column_of(0, 2))) +

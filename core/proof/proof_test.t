@@ -58,7 +58,7 @@ my @mutations = (
 	[$exact, 'a wrong sign in a quotient',
 	    'FMA(q, -w.hi, n.hi)', 'FMA(q, w.hi, n.hi)', @toy],
 	[$exact, 'a w that may be 0',
-	    'MIN(w_sum - ALL(b.least), sure)', 'MIN(w_sum, sure)', @toy],
+	    'MIN(w_sum - ALL(b->least), sure)', 'MIN(w_sum, sure)', @toy],
 	[$exact, 'depths too large for their cut',
 	    'fmax(b.least, b.depth.least)', 'b.least', @toy],
 	[$exact, 'columns held for exact whose elements are not',
@@ -68,7 +68,9 @@ my @mutations = (
 	[$exact, 'columns held for exact whose products are not',
 	    'ABS(FMA(a, ALL(b), -p))', 'ALL(0)', @toy],
 	[$exact, 'points without an image that are not told',
-	    'if (!IS_POSITIVE(sure)) {', 'if (IS_POSITIVE(-r)) {', @toy],
+	    'if (IS_POSITIVE(sure))
+		return', 'if (!IS_POSITIVE(-r))
+		return', @toy],
 	[$exact, 'a bound that leaves w out',
 	    'MADD(ABS(q), w_bound, bound);', 'bound;', @toy],
 	[$exact, 'a length whose squares are rounded',

@@ -33,7 +33,7 @@ static inline void claim_maps(const char *what, const struct worst *w)
 	assert_int_equal(n[WRONG], 0);
 	assert_true(n[NEAREST] > 0 && n[RULED] <= n[NEAREST] / 100);
 	claim("dd", w->error, EX_BOUND);
-	claim("sizes", w->size, 8);
+	claim("sizes", w->size, 12);
 	assert_int_equal(w->ghosts, 0);
 }
 

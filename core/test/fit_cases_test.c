@@ -253,7 +253,7 @@ static void test_refusals(void **state)
 	s.projection.near = s.projection.right = s.projection.top = 1;
 	s.projection.bottom = -1;
 	assert_refused(s, &b, "/projection: the gaze");
-	s.projection.type = PROJECTION_VOLUME;
+	s.projection.type = PROJECTION_MATRIX;
 	assert_refused(s, &b, "/projection/type: has nothing");
 	s = parallel(PROJECTION_ORTHO);
 	s.has_camera = true;

@@ -233,6 +233,7 @@ static void many_are_told_as_one(void **state)
 	(void)state;
 	sample_seed(2);
 	for (int k = 0; k < 300; k++) {
+		points_choose(copies[k / 6 % 4]); /* or the one before */
 		sample_scene(&s, k % 3 * 4);
 		bool homogeneous = k % 5 == 0 && s.has_viewport;
 		enum space from = homogeneous ? SPACE_DEVICE : SPACE_WORLD;

@@ -83,6 +83,30 @@ static void through_zero(void **state)
 	claim_maps("volume through q = 0", &w);
 }
 
+static void tapers(void **state)
+{
+	struct worst w = { 0 };
+	struct projection p = {
+		.type = PROJECTION_VOLUME,
+		.half_width = 3,
+		.half_height = 2,
+		.tan_skew = { 0.1, 0.7 },
+		.has_angle = true,
+	};
+
+	(void)state;
+	for (int i = 0; i < 120; i++) {
+		p.unit = i % 3 == 0 ? RADIANS : DEGREES;
+		p.angle = ldexp(i % 3 == 0 ? 1.5 : 170, -(i / 4));
+		p.z_near = i & 1 ? -0.09 : 0.09;
+		p.z_far = i & 1 ? 11 : -11;
+		p.aspect[0] = i % 5;
+		p.aspect[1] = i % 5 == 0 ? 0 : i % 7 + 1;
+		assert_null(compare(&p, i & 2 ? &gl : &d3d, &w));
+	}
+	claim_maps("volumes by angle", &w);
+}
+
 static void angles(void **state)
 {
 	struct worst w = { 0 };
@@ -246,6 +270,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(random_ones),
 		cmocka_unit_test(through_zero),
+		cmocka_unit_test(tapers),
 		cmocka_unit_test(angles),
 		cmocka_unit_test(recorded),
 		cmocka_unit_test(refusals),

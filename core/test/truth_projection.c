@@ -178,13 +178,53 @@ static void shear(const struct projection *p, bool right_handed, real m[4][4])
 	}
 }
 
-static void volume(const struct projection *p, bool minus_one, real m[4][4])
+/* The angle is across the smaller side, as seen from an eye before near. */
+static real taper(const struct projection *p, real hw, real hh)
 {
+	real q = over(ONE, cotangent(p->angle, p->unit, 2));
+
+	q = over(q, mpfr_cmp(hw, hh) < 0 ? hw : hh);
+	return p->z_near > p->z_far ? q : negative(q);
+}
+
+/* What the elements with a difference in them are sums of. */
+static void size_depth(const struct projection *p, bool minus_one, real q,
+    struct truth_stage *s)
+{
+	real zn = magnitude(number(p->z_near)),
+	     zf = magnitude(number(p->z_far));
+	real deep = magnitude(sub(number(p->z_near), number(p->z_far)));
+	real a = mul(zf, magnitude(q)), b = mul(zn, magnitude(q));
+	real one = add(ONE, a);
+
+	s->size[0][0] = magnitude(s->m[0][0]);
+	s->size[2][3] = magnitude(s->m[2][3]);
+	s->size[2][2] = over(minus_one ? add(one, add(ONE, b)) : one, deep);
+	s->size[3][2] = over(minus_one ?
+		add(mul(zn, one), mul(zf, add(ONE, b))) :
+		mul(zn, one),
+	    deep);
+}
+
+static void volume(const struct projection *p, bool minus_one,
+    struct truth_stage *s)
+{
+	real(*m)[4] = s->m;
 	real zn = number(p->z_near), zf = number(p->z_far);
 	real hw = number(p->half_width), hh = number(p->half_height);
 	real q = number(p->inverse_eye_z);
 	real tx = number(p->tan_skew[0]), ty = number(p->tan_skew[1]);
 
+	if (p->aspect[1] != 0) {
+		real aspect = over(number(p->aspect[0]), number(p->aspect[1]));
+
+		if (mpfr_cmp(aspect, ONE) >= 0)
+			hw = mul(hw, aspect);
+		else
+			hh = over(hh, aspect);
+	}
+	if (p->has_angle)
+		q = p->angle > 0 ? taper(p, hw, hh) : number(0);
 	if (p->has_eye) {
 		q = over(ONE, number(p->eye[2]));
 		tx = mul(number(p->eye[0]), q);
@@ -205,6 +245,8 @@ static void volume(const struct projection *p, bool minus_one, real m[4][4])
 
 	for (int i = 0; i < 16 && behind; i++)
 		m[i / 4][i % 4] = negative(m[i / 4][i % 4]);
+	if (p->has_angle)
+		size_depth(p, minus_one, q, s);
 }
 
 /* From view space with x right, y up and z along the gaze to pixels u w and v w, with
@@ -250,6 +292,7 @@ void truth_projection(struct truth *t, const struct projection *p,
 	    p->extent == EXTENT_INTRINSICS;
 
 	if (p->type == PROJECTION_OBLIQUE ||
+	    (p->type == PROJECTION_VOLUME && p->has_angle) ||
 	    (sized &&
 		(p->extent <= EXTENT_VIEW_ANGLE || p->extent == EXTENT_ANGLES)))
 		t->irrational = true;
@@ -273,7 +316,7 @@ void truth_projection(struct truth *t, const struct projection *p,
 	if (p->type == PROJECTION_ORTHO || p->type == PROJECTION_OBLIQUE)
 		ortho(p, c, s->m);
 	if (p->type == PROJECTION_VOLUME)
-		volume(p, c->minus_one, s->m);
+		volume(p, c->minus_one, s);
 	bool down = c->ndc_y_down;
 
 	if (p->type == PROJECTION_VOLUME)

@@ -258,6 +258,7 @@ void truth_limits(const struct scene *s, real limit[2])
 		limit[k] = s->has_viewport ?
 		    over(number(side[k] / 2), number(scale)) :
 		    ONE;
+		limit[k] = mul(limit[k], sub(ONE, number(2 * s->margin)));
 	}
 }
 

@@ -34,6 +34,7 @@ static bool runs(const char *name)
 	if (strcmp(name, "avx512") == 0)
 		return __builtin_cpu_supports("avx512f") &&
 		    __builtin_cpu_supports("avx512bw") &&
+		    __builtin_cpu_supports("avx512cd") &&
 		    __builtin_cpu_supports("avx512dq") &&
 		    __builtin_cpu_supports("avx512vl") &&
 		    __builtin_cpu_supports("fma");

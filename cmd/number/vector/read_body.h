@@ -4,84 +4,25 @@
  *	READER		the name of its struct plain_reader
  *	LANES		how many doubles a vector D of them holds
  *	IN_SET(set, s)	bit i: whether s[i] is in the set, of 64 bytes
- *	DOTS(row)	bit i: whether row[i] is a point, of 32 bytes
  *	EIGHTS(rows, high, low)
  *			of LANES rows of 16 digits each, the integers that the
  *			first and the last eight are, in lanes of 64 bits
- *	ANY_TOP_BIT(row)	whether the top bit of any byte is set
  *	NEGATED_FMA(a, b, c)	c - a b, rounded once
  *	DIFFERENT(a, b)	bit i: whether a and b differ in lane i, as nan does
  *
+ * and set_rows, which sets the rows of n numbers, whole groups, and says how each
+ * group looks; or for that of read_row.h, which it includes then,
+ *
+ *	DOTS(row)	bit i: whether row[i] is a point, of 32 bytes
+ *	ANY_TOP_BIT(row)	whether the top bit of any byte is set
+ *
  * All else is arithmetic of the compiler's vectors. Whatever the width, every
  * lane goes through the same operations of IEEE 754. */
-#include <math.h>
-#include <stdbool.h>
-#include <string.h>
+#include "read_rows.h"
 
-#include "../plain.h"
-
-typedef uint8_t row __attribute__((vector_size(32)));
 typedef uint64_t U __attribute__((vector_size(LANES * 8)));
 typedef int64_t I __attribute__((vector_size(LANES * 8)));
 typedef double D __attribute__((vector_size(LANES * 8)));
-
-/* Digits, right-aligned, the last 16 of them in low, and what the number that they
- * make is divided by. */
-struct rows {
-	uint8_t low[PLAIN_BATCH][16], high[PLAIN_BATCH][16];
-	double scale[PLAIN_BATCH];
-};
-
-static inline row row_at(const void *p)
-{
-	row r;
-
-	memcpy(&r, p, sizeof r);
-	return r;
-}
-
-#define EIGHT 255, 255, 255, 255, 255, 255, 255, 255
-static const uint8_t window[64] = { [32] = EIGHT, EIGHT, EIGHT, EIGHT };
-
-/* The last n <= 32 bytes set. */
-static inline row last(size_t n)
-{
-	return row_at(window + n);
-}
-
-/* By sign and decimals. Powers up to 10^22 are doubles. With more decimals, or
- * without digits, a number is not for this reader; 32 stands for no point. */
-enum { NO_POINT = 32, UNREAD = 23 };
-#define NO (double)NAN
-static const double power[2][NO_POINT + 1] = {
-	{ 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12,
-	    1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22, NO, NO,
-	    NO, NO, NO, NO, NO, NO, NO, 1e0 },
-	{ -1e0, -1e1, -1e2, -1e3, -1e4, -1e5, -1e6, -1e7, -1e8, -1e9, -1e10,
-	    -1e11, -1e12, -1e13, -1e14, -1e15, -1e16, -1e17, -1e18, -1e19,
-	    -1e20, -1e21, -1e22, NO, NO, NO, NO, NO, NO, NO, NO, NO, -1e0 },
-};
-
-/* Loads what stands before end twice, one byte apart: the decimals of the first
- * and the whole digits of the second are side by side, without the point. What
- * is no digit shows as a byte above 9. Returns the digits. */
-static inline row set_row(struct rows *r, size_t i, const char *end, size_t n,
-    size_t *digits)
-{
-	row x = row_at(end - 32), before = row_at(end - 33);
-	uint64_t dots = DOTS(x) & (uint32_t)(0xffffffff00000000 >> n);
-	size_t decimals = (size_t)__builtin_clzll(dots << 32 | 0x80000000);
-	size_t minus = end[-(ptrdiff_t)n] == '-';
-	row fraction = last(decimals);
-
-	*digits = n - minus - (dots != 0);
-	x = ((x & fraction) | (before & ~fraction)) - '0';
-	x &= last(*digits);
-	memcpy(r->high[i], &x, 16);
-	memcpy(r->low[i], (const uint8_t *)&x + 16, 16);
-	r->scale[i] = power[minus][*digits == 0 ? UNREAD : decimals];
-	return x;
-}
 
 /* Integers below 2^52 as doubles: with the bits of 2^52 before them they are
  * 2^52 too large. */
@@ -170,41 +111,15 @@ static inline unsigned not_digits(const struct rows *r, size_t i)
 	return bad;
 }
 
-/* Numbers in one go: a whole number of vectors. */
-enum { GROUP = 8 };
-
-/* Of the numbers of a group. */
-struct look {
-	bool others;   /* some of their digits are none */
-	size_t digits; /* their counts, or'ed */
-};
-
-static inline struct look set_group(struct rows *r, size_t i, size_t n,
-    const struct plain_places *at)
-{
-	struct look look = { false, 0 };
-	row odd = { 0 };
-
-	for (size_t end = i + GROUP; i < end; i++) {
-		size_t k = i < n ? i : n - 1, digits;
-		row x = set_row(r, i, at->end[k], at->size[k], &digits);
-
-		odd |= x | (x + (128 - 10));
-		look.digits |= digits;
-	}
-	look.others = ANY_TOP_BIT(odd);
-	return look;
-}
-
 /* The numbers from i on; returns which of them are bad. */
 static inline uint64_t read_group(const struct rows *r, size_t i,
     struct look look, double *v)
 {
 	uint64_t bad = 0;
 
-	for (size_t k = 0; k < GROUP; k += LANES) {
-		struct integer m = look.digits < 16 ? short_integer(r, i + k) :
-						      long_integer(r, i + k);
+	for (size_t k = 0; k < PLAIN_GROUP; k += LANES) {
+		struct integer m = look.many ? long_integer(r, i + k) :
+					       short_integer(r, i + k);
 		D p, q;
 
 		memcpy(&p, r->scale + i + k, sizeof p);
@@ -223,13 +138,13 @@ static uint64_t READ(const struct plain_places *at, size_t n,
     double v[PLAIN_BATCH])
 {
 	struct rows r;
-	struct look look[PLAIN_BATCH / GROUP];
+	struct look look[PLAIN_BATCH / PLAIN_GROUP];
 	uint64_t bad = 0;
 
-	for (size_t i = 0; i < n; i += GROUP)
-		look[i / GROUP] = set_group(&r, i, n, at);
-	for (size_t i = 0; i < n; i += GROUP)
-		bad |= read_group(&r, i, look[i / GROUP], v);
+	set_rows(&r, look, (n + PLAIN_GROUP - 1) / PLAIN_GROUP * PLAIN_GROUP,
+	    at);
+	for (size_t i = 0; i < n; i += PLAIN_GROUP)
+		bad |= read_group(&r, i, look[i / PLAIN_GROUP], v);
 	return n < PLAIN_BATCH ? bad & ((1ull << n) - 1) : bad;
 }
 

@@ -21,18 +21,22 @@
 #define MIN(a, b) _mm256_min_pd(a, b)
 #define LESS(a, b) _mm256_castpd_si256(_mm256_cmp_pd(a, b, _CMP_LT_OQ))
 #define EQUAL(a, b) _mm256_castpd_si256(_mm256_cmp_pd(a, b, _CMP_EQ_OQ))
+#define EVERY(m) (_mm256_movemask_pd(_mm256_castsi256_pd(m)) == 15)
 #define CHOOSE(m, a, b) _mm256_blendv_pd(b, a, _mm256_castsi256_pd(m))
 #define ONLY(m, a) _mm256_and_pd(_mm256_castsi256_pd(m), a)
 #define UNLESS(m, a) _mm256_andnot_pd(_mm256_castsi256_pd(m), a)
 #define BITS(a) _mm256_castpd_si256(a)
 #define DOUBLES(a) _mm256_castsi256_pd(a)
 #define ALL_BITS(a) _mm256_set1_epi64x((long long)(a))
+#define REGISTER "x"
 #define SHL(a, n) _mm256_slli_epi64(a, n)
 #define SHR(a, n) _mm256_srli_epi64(a, n)
 #define SHR16(a, n) _mm256_srli_epi16(a, n)
 #define MUL32(a, b) _mm256_mul_epu32(a, b)
 #define MUL16(a, b) _mm256_mullo_epi16(a, b)
 #define HIGH16(a, b) _mm256_mulhi_epu16(a, b)
+#define BYTES_LOW(a) _mm256_unpacklo_epi8(_mm256_setzero_si256(), a)
+#define BYTES_HIGH(a) _mm256_unpackhi_epi8(_mm256_setzero_si256(), a)
 
 struct tens {
 	const double (*pair)[2]; /* of 10^0 */
@@ -57,13 +61,11 @@ static inline void power_of_ten(const struct tens *t, V scale, V *hi, V *lo)
 	*lo = _mm256_unpackhi_pd(ac, bd);
 }
 
-#define TO(i) ((__m128i *)(to + (i)*field))
-static inline void store_digits(char *to, size_t field, uint16_t *nonzero,
-    I high, I low)
+#define TO(i) ((__m128i *)(to + (i)*step))
+static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
+    I b)
 {
 	const I zero = _mm256_setzero_si256(), zeros = _mm256_set1_epi8('0');
-	I a = _mm256_unpacklo_epi64(high, low);
-	I b = _mm256_unpackhi_epi64(high, low);
 	/* bits of numbers 0, 2 and 1, 3 */
 	int in_a = _mm256_movemask_epi8(_mm256_cmpgt_epi8(a, zero));
 	int in_b = _mm256_movemask_epi8(_mm256_cmpgt_epi8(b, zero));
@@ -77,21 +79,6 @@ static inline void store_digits(char *to, size_t field, uint16_t *nonzero,
 	_mm_storeu_si128(TO(1), _mm256_castsi256_si128(b));
 	_mm_storeu_si128(TO(2), _mm256_extracti128_si256(a, 1));
 	_mm_storeu_si128(TO(3), _mm256_extracti128_si256(b, 1));
-}
-
-static inline void copy_with_point(char *to, const char *from, int8_t before)
-{
-	const I place = _mm256_setr_epi8(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11,
-	    12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28,
-	    29, 30, 31);
-	I point = _mm256_set1_epi8(before);
-	I a = _mm256_loadu_si256((const I *)from);
-	I b = _mm256_loadu_si256((const I *)(from - 1));
-
-	a = _mm256_blendv_epi8(a, b, _mm256_cmpgt_epi8(place, point));
-	a = _mm256_blendv_epi8(a, _mm256_set1_epi8('.'),
-	    _mm256_cmpeq_epi8(place, point));
-	_mm256_storeu_si256((I *)to, a);
 }
 
 #include "write_body.h"

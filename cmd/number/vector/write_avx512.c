@@ -23,18 +23,22 @@
 #define MIN(a, b) _mm512_min_pd(a, b)
 #define LESS(a, b) _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ)
 #define EQUAL(a, b) _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ)
+#define EVERY(m) ((m) == 255)
 #define CHOOSE(m, a, b) _mm512_mask_blend_pd((M)(m), b, a)
 #define ONLY(m, a) _mm512_maskz_mov_pd((M)(m), a)
 #define UNLESS(m, a) _mm512_maskz_mov_pd((M) ~(m), a)
 #define BITS(a) _mm512_castpd_si512(a)
 #define DOUBLES(a) _mm512_castsi512_pd(a)
 #define ALL_BITS(a) _mm512_set1_epi64((long long)(a))
+#define REGISTER "v"
 #define SHL(a, n) _mm512_slli_epi64(a, n)
 #define SHR(a, n) _mm512_srli_epi64(a, n)
 #define SHR16(a, n) _mm512_srli_epi16(a, n)
 #define MUL32(a, b) _mm512_mul_epu32(a, b)
 #define MUL16(a, b) _mm512_mullo_epi16(a, b)
 #define HIGH16(a, b) _mm512_mulhi_epu16(a, b)
+#define BYTES_LOW(a) _mm512_unpacklo_epi8(_mm512_setzero_si512(), a)
+#define BYTES_HIGH(a) _mm512_unpackhi_epi8(_mm512_setzero_si512(), a)
 
 struct tens {
 	V hi[4], lo[2];
@@ -67,13 +71,11 @@ static inline void power_of_ten(const struct tens *t, V scale, V *hi, V *lo)
 	    _mm512_permutex2var_pd(t->hi[0], k, t->hi[1]));
 }
 
-#define TO(i) ((__m128i *)(to + (i)*field))
-static inline void store_digits(char *to, size_t field, uint16_t *nonzero,
-    I high, I low)
+#define TO(i) ((__m128i *)(to + (i)*step))
+static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
+    I b)
 {
 	const I zeros = _mm512_set1_epi8('0');
-	I a = _mm512_unpacklo_epi64(high, low);
-	I b = _mm512_unpackhi_epi64(high, low);
 	/* bits of numbers 0, 2, 4, 6 and 1, 3, 5, 7 */
 	__mmask64 in_a = _mm512_test_epi8_mask(a, a);
 	__mmask64 in_b = _mm512_test_epi8_mask(b, b);
@@ -91,16 +93,6 @@ static inline void store_digits(char *to, size_t field, uint16_t *nonzero,
 	_mm_storeu_si128(TO(5), _mm512_extracti32x4_epi32(b, 2));
 	_mm_storeu_si128(TO(6), _mm512_extracti32x4_epi32(a, 3));
 	_mm_storeu_si128(TO(7), _mm512_extracti32x4_epi32(b, 3));
-}
-
-static inline void copy_with_point(char *to, const char *from, int8_t before)
-{
-	__mmask32 point = 1u << before, after = -2u << before;
-	__m256i a = _mm256_loadu_si256((const __m256i *)from);
-
-	a = _mm256_mask_loadu_epi8(a, after, from - 1);
-	a = _mm256_mask_mov_epi8(a, point, _mm256_set1_epi8('.'));
-	_mm256_storeu_si256((__m256i *)to, a);
 }
 
 #include "write_body.h"

@@ -33,11 +33,13 @@ struct scaled {
 	V p, e, i;
 };
 
-INLINE struct scaled scaled(V a, V hi, V lo)
+INLINE struct scaled scaled(V a, V hi, V lo, bool whole_powers)
 {
 	struct scaled x = { .p = a * hi };
 
-	x.e = FMA(a, lo, FMA(a, hi, -x.p));
+	x.e = FMA(a, hi, -x.p);
+	if (!whole_powers)
+		x.e = FMA(a, lo, x.e);
 	x.i = FLOOR(x.p);
 	return x;
 }
@@ -93,7 +95,7 @@ struct digits {
  * What is nearer, exact ties among it, which are frequent in numbers that large, is
  * left to number_write. */
 INLINE struct digits shortest(V a, V two, V scale, V hi, struct scaled x,
-    bool single)
+    bool single, bool whole_powers)
 {
 	const V one = ALL(1);
 	M exact = LESS(ALL(-0.5), scale);
@@ -109,12 +111,14 @@ INLINE struct digits shortest(V a, V two, V scale, V hi, struct scaled x,
 	M there = below | above;
 	V ends = MIN(ABS(rest - down), ABS(to_next - up));
 	V margin = MIN(ends, ALL(0.5) - ABS(tenths - digit));
+	M sure = there | ~power_of_two;
 
+	if (!whole_powers)
+		sure = sure & (exact | LESS(ALL(WRITE_MARGIN), margin));
 	return (struct digits){
 		.whole = x.i + j + ONLY(above, one),
 		.digit = UNLESS(there, digit),
-		.sure = (exact | LESS(ALL(WRITE_MARGIN), margin)) &
-		    ~(~there & power_of_two),
+		.sure = sure,
 	};
 }
 
@@ -148,7 +152,7 @@ INLINE void find_decimals(struct found *f, size_t i, int n,
 	V scale = ALL(n), hi, lo;
 
 	power_of_ten(tens, scale, &hi, &lo);
-	struct scaled x = scaled(ABS(v), hi, lo);
+	struct scaled x = scaled(ABS(v), hi, lo, true);
 	struct digits d = { nearest(x), ALL(0), LESS(x.p, ALL(0x1p53)) };
 
 	store_found(f, i, v, d, scale);
@@ -162,15 +166,16 @@ INLINE void find_decimals(struct found *f, size_t i, int n,
  *
  * Plain text goes from 1e-6, or with up to six decimals from 0, to 1e21. Here it
  * is from 2^-17, and of floats to 2^60, as far as the table goes; for what is not in
- * this range two is 1, so that the table is not left. */
-INLINE void find_shortest(struct found *f, size_t i, int n, bool single,
+ * this range two is 1, so that the table is not left. usual says that all are in it
+ * and have scale >= 0: then nothing is rounded, and much need not be asked. */
+INLINE void find_some(struct found *f, size_t i, int n, bool single, bool usual,
     const struct tens *tens, V v)
 {
 	const bool limited = n <= POWER_MAX;
 	const V one = ALL(1), low = ALL(n <= 6 ? 0 : 0x1p-17);
 	V a = ABS(v), hi, lo;
 	M in_range = LESS(a, ALL(single ? 0x1p60 : 1e21)) & ~LESS(a, low);
-	V two = power_of_two_in(CHOOSE(in_range, a, one));
+	V two = power_of_two_in(usual ? a : CHOOSE(in_range, a, one));
 	V q = log2_less(two, single ? 23 : 52);
 	V scale = -one - FLOOR(q * ALL(0.30102999566398120));
 	M by_n = LESS(ALL(n - 0.5), scale);
@@ -178,20 +183,35 @@ INLINE void find_shortest(struct found *f, size_t i, int n, bool single,
 	if (limited)
 		scale = MIN(scale, ALL(n));
 	power_of_ten(tens, scale, &hi, &lo);
-	struct scaled x = scaled(a, hi, lo);
-	struct digits d = shortest(a, two, scale, hi, x, single);
+	struct scaled x = scaled(a, hi, lo, usual);
+	struct digits d = shortest(a, two, scale, hi, x, single, usual);
 
 	if (limited) {
 		d.whole = CHOOSE(by_n, nearest(x), d.whole);
 		d.digit = UNLESS(by_n, d.digit);
 		d.sure = d.sure | by_n;
 	}
-	d.sure = d.sure & (in_range | EQUAL(a, ALL(0)));
+	if (!usual)
+		d.sure = d.sure & (in_range | EQUAL(a, ALL(0)));
 	if (single) { /* eight digits and the ninth */
 		d.whole = FMA(d.whole, ALL(1e8), d.digit * ALL(1e7));
 		d.digit = ALL(0);
 	}
 	store_found(f, i, v, d, scale);
+}
+
+/* A loop for what is usual, which every lane must be. */
+INLINE void find_shortest(struct found *f, size_t i, int n, bool single,
+    const struct tens *tens, V v)
+{
+	V a = ABS(v);
+	M usual = LESS(a, ALL(single ? 0x1p23 : 0x1p52)) &
+	    ~LESS(a, ALL(0x1p-17));
+
+	if (EVERY(usual))
+		find_some(f, i, n, single, true, tens, v);
+	else
+		find_some(f, i, n, single, false, tens, v);
 }
 
 #endif

@@ -20,12 +20,14 @@
 #define MIN(a, b) vminq_f64(a, b)
 #define LESS(a, b) vcltq_f64(a, b)
 #define EQUAL(a, b) vceqq_f64(a, b)
+#define EVERY(m) (vminvq_u32(vreinterpretq_u32_u64(m)) != 0)
 #define CHOOSE(m, a, b) vbslq_f64(m, a, b)
 #define ONLY(m, a) DOUBLES((m)&BITS(a))
 #define UNLESS(m, a) DOUBLES(vbicq_u64(BITS(a), m))
 #define BITS(a) vreinterpretq_u64_f64(a)
 #define DOUBLES(a) vreinterpretq_f64_u64(a)
 #define ALL_BITS(a) vdupq_n_u64((uint64_t)(a))
+#define REGISTER "w"
 #define SHL(a, n) vshlq_n_u64(a, n)
 #define SHR(a, n) vshrq_n_u64(a, n)
 #define QUARTERS(a) vreinterpretq_u16_u64(a)
@@ -34,6 +36,9 @@
 #define MUL32(a, b) vmull_u32(vmovn_u64(a), vmovn_u64(b))
 #define MUL16(a, b) WHOLE(vmulq_u16(QUARTERS(a), QUARTERS(b)))
 #define HIGH16(a, b) WHOLE(high_halves(QUARTERS(a), QUARTERS(b)))
+#define BYTES(a) vreinterpretq_u8_u64(a)
+#define BYTES_LOW(a) vreinterpretq_u64_u8(vzip1q_u8(vdupq_n_u8(0), BYTES(a)))
+#define BYTES_HIGH(a) vreinterpretq_u64_u8(vzip2q_u8(vdupq_n_u8(0), BYTES(a)))
 
 static inline uint16x8_t high_halves(uint16x8_t a, uint16x8_t b)
 {
@@ -74,37 +79,13 @@ static inline uint16_t nonzero_bits(uint8x16_t digits)
 	    vaddv_u8(vget_high_u8(bits)) << 8);
 }
 
-static inline void store_digits(char *to, size_t field, uint16_t *nonzero,
-    I high, I low)
+static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
+    I b)
 {
-	uint8x16_t a = vreinterpretq_u8_u64(vzip1q_u64(high, low));
-	uint8x16_t b = vreinterpretq_u8_u64(vzip2q_u64(high, low));
-
-	nonzero[0] = nonzero_bits(a);
-	nonzero[1] = nonzero_bits(b);
-	vst1q_u8((uint8_t *)to, vorrq_u8(a, vdupq_n_u8('0')));
-	vst1q_u8((uint8_t *)to + field, vorrq_u8(b, vdupq_n_u8('0')));
-}
-
-static inline uint8x16_t with_point(const char *from, int8x16_t place,
-    int8_t before)
-{
-	int8x16_t point = vdupq_n_s8(before);
-	uint8x16_t a = vld1q_u8((const uint8_t *)from);
-	uint8x16_t b = vld1q_u8((const uint8_t *)from - 1);
-
-	a = vbslq_u8(vcgtq_s8(place, point), b, a);
-	return vbslq_u8(vceqq_s8(place, point), vdupq_n_u8('.'), a);
-}
-
-static inline void copy_with_point(char *to, const char *from, int8_t before)
-{
-	const int8x16_t place = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13,
-		14, 15 };
-
-	vst1q_u8((uint8_t *)to, with_point(from, place, before));
-	vst1q_u8((uint8_t *)to + 16,
-	    with_point(from + 16, vaddq_s8(place, vdupq_n_s8(16)), before));
+	nonzero[0] = nonzero_bits(BYTES(a));
+	nonzero[1] = nonzero_bits(BYTES(b));
+	vst1q_u8((uint8_t *)to, vorrq_u8(BYTES(a), vdupq_n_u8('0')));
+	vst1q_u8((uint8_t *)to + step, vorrq_u8(BYTES(b), vdupq_n_u8('0')));
 }
 
 #include "write_body.h"

@@ -1,0 +1,34 @@
+/* Files and standard input as texts in memory. */
+#ifndef INPUT_H
+#define INPUT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* As points may be left in a text, it has PIECE_MARGIN bytes behind it for those who
+ * read them. */
+struct text {
+	char *s; /* NULL at first */
+	size_t room, have;
+};
+
+bool is_stdin(const char *operand);
+
+/* Past white space. */
+char first_char(const char *);
+
+/* What can't be opened is refused with exit status 2. */
+int open_input(const char *name);
+void close_input(int fd);
+
+/* Reads some more of fd, whose name is for messages, to the end of the text.
+ * False where there is no more. */
+bool read_more(struct text *, int fd, const char *name);
+
+/* Reads all of a file. */
+struct text read_whole(const char *name);
+
+struct text copy_operand(const char *operand);
+void text_free(struct text *);
+
+#endif

@@ -1,0 +1,40 @@
+/* Of which planes points are outside. In doubles alone, so that the compiler makes
+ * a loop of vectors of it. */
+#include "kernel.h"
+
+/* Where all is in its range no value is nan. */
+static inline __attribute__((always_inline)) void
+add_signs(const struct estimate *e, int columns, double weight,
+    const double *const in[3], double *restrict word, size_t n)
+{
+	const double *x = in[0], *y = in[1], *z = in[2];
+
+	for (size_t i = 0; i < n; i++) {
+		double a = x[i] - e->origin[0], b = y[i] - e->origin[1];
+		double c = z[i] - e->origin[2];
+		double all = fabs(a) + fabs(b) + fabs(c),
+		       least = (double)INFINITY;
+		double sum = word[i];
+
+		for (int j = 0; j < columns; j++) {
+			double v = a * e->m[0][j] + b * e->m[1][j] +
+			    c * e->m[2][j] + e->m[3][j];
+
+			least = fabs(v) < least ? fabs(v) : least;
+			sum += v < 0 ? weight * (1 << j) : 0;
+		}
+		bool sure = (all >= e->low) & (all < e->high) &
+		    (least > e->slope * all + e->floor);
+
+		word[i] = sum + (sure ? 0 : SIGNS_UNSURE);
+	}
+}
+
+static void signs(const struct estimate *e, int columns, double weight,
+    const double *const in[3], double *word, size_t n)
+{
+	if (columns == 4)
+		add_signs(e, 4, weight, in, word, n);
+	else
+		add_signs(e, 3, weight, in, word, n);
+}

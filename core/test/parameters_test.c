@@ -1,0 +1,366 @@
+/* What inspect tells in parameters, against MPFR. */
+#include "../parameters.h"
+#include "../point.h"
+
+#include "claims.h"
+
+/* The same picture: the map from the world to ndc is the same but for a factor, so
+ * far as the numbers of parameters are rounded: points of the view volume are where
+ * they were. */
+static double most_off(const struct scene *s, const struct scene *r,
+    const struct taxonomy *t)
+{
+	struct transform a, b;
+	double worst = 0;
+
+	assert_null(scene_transform(s, SPACE_WORLD, SPACE_NDC, false, &a));
+	const char *why = scene_transform(r, SPACE_WORLD, SPACE_NDC, false, &b);
+
+	if (why != NULL)
+		print_message("%s\n", why);
+	assert_null(why);
+	for (int i = 0; i < 8; i++) {
+		double at[4], is[4] = { 0 }, was[4] = { 0 };
+
+		for (int k = 0; k < 3; k++)
+			at[k] = 0.4 * t->corner[i][k] +
+			    0.3 * t->corner[i ^ 1][k] +
+			    0.3 * t->corner[i ^ 6][k];
+		at[3] = 1;
+		if (isnan(at[0] + at[1] + at[2]))
+			continue;
+		point_exact(&a, at, was);
+		point_exact(&b, at, is);
+		for (int k = 0; k < 3; k++) {
+			double off = fabs(is[k] - was[k]);
+
+			worst = isnan(off) || off > worst ? off : worst;
+		}
+	}
+	return worst;
+}
+
+static void scenes_make_the_same_picture(void **state)
+{
+	struct scene s;
+	struct taxonomy t;
+	static struct parameters r;
+	int n = 0, made = 0, types[6] = { 0 };
+
+	(void)state;
+	sample_seed(7);
+	for (int k = 0; k < 2000; k++) {
+		sample_scene(&s, 0);
+		sample_answer(&s);
+		if (taxonomy_of(&s, &t) != NULL)
+			continue;
+		assert_null(parameters_of(&s, &t, &r));
+		n++;
+		if (!r.has_scene || fabs(r.far - r.near) < 1e-3 * fabs(r.near))
+			continue;
+		double off = most_off(&s, &r.scene, &t);
+
+		if (!(off < 1e-6))
+			print_message("%d: type %d off %g %g %g\n", k,
+			    (int)s.projection.type, off, r.near, r.far);
+		assert_true(off < 1e-6);
+		made++;
+		types[s.projection.type]++;
+	}
+	print_message("%d scenes, %d by parameters:", n, made);
+	for (int i = 0; i < 6; i++)
+		print_message(" %d", types[i]);
+	print_message("\n");
+	assert_true(made > 800 && types[PROJECTION_PERSP] > 150);
+}
+
+/* The same in matrices, each element the nearest double. */
+static void to_matrices(struct scene *s)
+{
+	struct map camera, projection;
+
+	s->answer = NULL;
+	assert_null(scene_map(s, SPACE_WORLD, SPACE_VIEW, &camera));
+	assert_null(scene_map(s, SPACE_VIEW, SPACE_CLIP, &projection));
+	for (int i = 0; i < 16; i++) {
+		s->camera.matrix[i / 4][i % 4] = element(&camera, i / 4, i % 4);
+		s->projection.matrix[i / 4][i % 4] = element(&projection, i / 4,
+		    i % 4);
+	}
+	s->camera.by = CAMERA_MATRIX;
+	s->camera.orthonormalize = false;
+	s->projection.type = PROJECTION_MATRIX;
+}
+
+/* What is made of parameters in matrices is recovered, as far as their digits say
+ * it. */
+static void matrices_are_told(void **state)
+{
+	struct scene s;
+	struct taxonomy t;
+	static struct parameters was, is;
+	int n = 0;
+
+	(void)state;
+	sample_seed(9);
+	for (int k = 0; k < 1000; k++) {
+		sample_scene(&s, 0);
+		if (s.projection.type > PROJECTION_OBLIQUE ||
+		    projection_is_open(&s.projection) ||
+		    taxonomy_of(&s, &t) != NULL)
+			continue;
+		s.answer = NULL;
+		assert_null(parameters_of(&s, &t, &was));
+		if (!was.has_scene || !(was.near < was.far) ||
+		    was.far - was.near < 1e-3 * fabs(was.near) ||
+		    s.projection.extent == EXTENT_INTRINSICS)
+			continue;
+		to_matrices(&s);
+		assert_null(taxonomy_of(&s, &t));
+		assert_null(parameters_of(&s, &t, &is));
+		assert_true(is.has_scene && is.reverse_z == was.reverse_z);
+		assert_true(fabs(is.near - was.near) <=
+		    1e-9 * (fabs(was.near) + fabs(was.far)));
+		assert_true(isinf(was.far) ?
+			isinf(is.far) :
+			fabs(is.far - was.far) <= 1e-9 * fabs(was.far));
+		assert_true(most_off(&s, &is.scene, &t) < 1e-6);
+		n++;
+	}
+	print_message("%d scenes in matrices\n", n);
+	assert_true(n > 100);
+}
+
+static void check(double got, struct form n, struct form d, int tally[VERDICTS])
+{
+	tally[truth_verdict(got, n, d, false)]++;
+}
+
+/* The corner of the near or far plane at a left, right, bottom or top side, through
+ * the inverse: in view space, homogeneous. */
+static void corner_at(const struct scene *s, const struct truth *back,
+    const real limit[2], bool reversed, bool far, int side, struct form h[4])
+{
+	double up = truth_answer(s)->ndc_y_down ? -1 : 1;
+	double low = truth_answer(s)->minus_one ? -1 : 0;
+	const double sign[4] = { -1, 1, -up, up };
+	struct form at = form_mul((struct form){ limit[side / 2],
+				      limit[side / 2] },
+	    form_of(sign[side]));
+
+	for (int j = 0; j < 4; j++)
+		h[j] = form_add(truth_column(back, j,
+				    (double[]){ 0, 0, far != reversed ? 1 : low,
+					1 }),
+		    form_mul(at, truth_element(back, side / 2, j)));
+}
+
+static void corner_of(const struct scene *s, const struct truth *back,
+    bool reversed, bool far, int side, struct form h[4])
+{
+	real limit[2];
+
+	truth_limits(s, limit);
+	corner_at(s, back, limit, reversed, far, side, h);
+}
+
+/* But for their signs: where ndc is 1 on the plane that is nearer, less where the eye
+ * is. */
+static void check_edges(const struct scene *s, const struct truth *back,
+    const struct parameters *r, int tally[VERDICTS])
+{
+	const struct projection *p = &r->scene.projection;
+	const real one[2] = { number(1), number(1) };
+	const double edge[4] = { p->left, p->right, p->bottom, p->top };
+
+	if (!r->has_scene || p->extent != EXTENT_EDGES ||
+	    p->type == PROJECTION_OBLIQUE)
+		return;
+	for (int side = 0; side < 4; side++) {
+		struct form h[4], n, d, eye[2];
+
+		corner_at(s, back, one, r->reverse_z, p->near != r->near, side,
+		    h);
+		n = h[side / 2];
+		d = h[3];
+		eye[0] = truth_element(back, 2, side / 2);
+		eye[1] = truth_element(back, 2, 3);
+		if (p->type == PROJECTION_PERSP) {
+			n = form_sub(form_mul(n, eye[1]), form_mul(eye[0], d));
+			d = form_mul(d, eye[1]);
+		}
+		check(copysign(edge[side],
+			  mpfr_sgn(n.value) * mpfr_sgn(d.value)),
+		    n, d, tally);
+	}
+}
+
+/* A plane's z less the eye's; in a parallel projection its depth. */
+static void check_distance(const struct scene *s, const struct truth *back,
+    const struct parameters *r, bool far, int tally[VERDICTS])
+{
+	double got = far ? r->far : r->near;
+	struct form h[4], eye[4];
+
+	corner_of(s, back, r->reverse_z, far, 0, h);
+	for (int j = 0; j < 4; j++)
+		eye[j] = truth_element(back, 2, j);
+	if (truth_sign(eye[3], NULL) == 0) {
+		got *= truth_gaze(truth_answer(s));
+		check(got, h[2], h[3], tally);
+	} else if (truth_sign(h[3], NULL) == 0) {
+		assert_true(isinf(got));
+	} else {
+		struct form n = form_sub(form_mul(h[2], eye[3]),
+		    form_mul(eye[2], h[3]));
+		struct form d = form_mul(h[3], eye[3]);
+
+		got = copysign(got, mpfr_sgn(n.value) * mpfr_sgn(d.value));
+		check(got, n, d, tally);
+	}
+}
+
+/* A clip coordinate's coefficients over their length: of limit w + x and so on. */
+static void check_frustum_planes(const struct scene *s,
+    const struct parameters *r, int tally[VERDICTS])
+{
+	const struct convention *c = truth_answer(s);
+	double up = c->ndc_y_down ? -1 : 1, turn = r->reverse_z ? -1 : 1;
+	const double sign[6] = { 1, -1, up, -up, turn, -turn };
+	struct truth t;
+	real limit[2];
+
+	truth_scene(s, SPACE_WORLD, SPACE_CLIP, &t);
+	truth_limits(s, limit);
+	for (int k = 0; k < 6; k++) {
+		struct form v[4], most = form_of(sign[k] < 0 || c->minus_one);
+
+		if (k < 4)
+			most = (struct form){ limit[k / 2], limit[k / 2] };
+		for (int i = 0; i < 4; i++)
+			v[i] = form_add(form_mul(most, truth_element(&t, i, 3)),
+			    form_mul(form_of(sign[k]),
+				truth_element(&t, i, k / 2)));
+		struct form length = form_length(v);
+
+		for (int i = 0; i < 4; i++)
+			if (truth_sign(length, NULL) != 0 &&
+			    !(k >= 4 && projection_is_open(&s->projection)))
+				check(r->frustum_plane[k][i], v[i], length,
+				    tally);
+			else
+				assert_true(isnan(r->frustum_plane[k][i]));
+	}
+}
+
+/* x, y, z and w of clip space then depend on x or y, and depth, alone. */
+static void clear_slants(double m[4][4])
+{
+	for (int i = 0; i < 2; i++)
+		for (int j = 0; j < 4; j++)
+			if (i != j)
+				m[i][j] = 0;
+}
+
+static void numbers_are_true(void **state)
+{
+	static const char *const what[] = { "distances", "sides",
+		"frustum planes", "edges" };
+	int tally[4][VERDICTS] = { 0 };
+	struct scene s;
+	struct taxonomy t;
+	static struct parameters r;
+
+	int told = 0;
+
+	(void)state;
+	sample_seed(14);
+	for (int k = 0; k < 400; k++) {
+		int mark = real_mark();
+		struct truth back;
+		struct form h[4];
+
+		sample_scene(&s, k % 3 * 10);
+		sample_answer(&s);
+		clear_slants(s.projection.matrix);
+		if (taxonomy_of(&s, &t) != NULL)
+			continue;
+		assert_null(parameters_of(&s, &t, &r));
+		told += s.projection.type == PROJECTION_MATRIX &&
+		    !isnan(r.near);
+		check_frustum_planes(&s, &r, tally[2]);
+		truth_scene(&s, SPACE_CLIP, SPACE_VIEW, &back);
+		if (!isnan(r.near))
+			check_distance(&s, &back, &r, false, tally[0]);
+		if (!isnan(r.far))
+			check_distance(&s, &back, &r, true, tally[0]);
+		check_edges(&s, &back, &r, tally[3]);
+		for (int side = 0; side < 4; side++) {
+			corner_of(&s, &back, r.reverse_z, false, side, h);
+			if (!isnan(r.plane[side]))
+				check(r.plane[side], h[side / 2], h[3],
+				    tally[1]);
+		}
+		real_release(mark);
+	}
+	for (int i = 0; i < 4; i++)
+		print_message("%s: %d numbers, %d by the 2^-190 rule, %d "
+			      "wrong\n",
+		    what[i], tally[i][NEAREST] + tally[i][RULED],
+		    tally[i][RULED], tally[i][WRONG]);
+	for (int i = 0; i < 4; i++) {
+		assert_true(told > 10 && tally[i][NEAREST] > 200);
+		assert_int_equal(tally[i][WRONG], 0);
+	}
+}
+
+/* Parameters come back as they were given. */
+static void parameters_come_home(void **state)
+{
+	struct scene s;
+	struct taxonomy t;
+	static struct parameters r;
+	int n = 0;
+
+	(void)state;
+	sample_seed(15);
+	for (int k = 0; k < 1000; k++) {
+		const struct projection *p = &s.projection;
+
+		sample_scene(&s, k % 2 * 10);
+		sample_answer(&s);
+		s.has_viewport &= p->extent == EXTENT_INTRINSICS;
+		if (p->type > PROJECTION_OBLIQUE || projection_is_open(p) ||
+		    taxonomy_of(&s, &t) != NULL)
+			continue;
+		assert_null(parameters_of(&s, &t, &r));
+		assert_true(r.near == p->near && r.far == p->far);
+		assert_true(r.reverse_z == p->reverse_z);
+		n++;
+		if (p->extent != EXTENT_EDGES || p->edges_at > 0 ||
+		    !r.has_scene)
+			continue;
+		const struct projection *q = &r.scene.projection;
+		int mirror = s.convention.right_handed ==
+			r.scene.convention.right_handed ?
+		    1 :
+		    -1;
+
+		assert_true(q->left == mirror * p->left);
+		assert_true(q->right == mirror * p->right);
+		assert_true(q->bottom == p->bottom && q->top == p->top);
+	}
+	assert_true(n > 300);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(scenes_make_the_same_picture),
+		cmocka_unit_test(matrices_are_told),
+		cmocka_unit_test(numbers_are_true),
+		cmocka_unit_test(parameters_come_home),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
