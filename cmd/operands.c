@@ -138,7 +138,7 @@ void prepare_job(struct job *j, const struct options *o)
 	j->keep_going = o->keep_going;
 	j->threads = o->jobs > 0 ? o->jobs : threads_processors();
 	progress_start(o->progress);
-	widen_pipe(STDOUT_FILENO);
+	widen_pipe(STDOUT_FILENO, PIPE_ROOM);
 	choose_kernels();
 	check_layout(o, &j->layout);
 }

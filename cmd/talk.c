@@ -98,17 +98,13 @@ bool go_on(int fd, short events)
 	return poll(&p, 1, -1) >= 0 || errno == EINTR;
 }
 
-/* Twice what is read and written at a time: one half is filled while the other is
- * emptied. More on both sides would not stay in the cache of a processor. */
-enum { PIPE_ROOM = 1 << 18 };
-
-void widen_pipe(int fd)
+void widen_pipe(int fd, int room)
 {
 #ifdef F_SETPIPE_SZ
-	if (fcntl(fd, F_GETPIPE_SZ) < PIPE_ROOM)
-		fcntl(fd, F_SETPIPE_SZ, PIPE_ROOM);
+	if (fcntl(fd, F_GETPIPE_SZ) < room)
+		fcntl(fd, F_SETPIPE_SZ, room);
 #else
-	(void)fd;
+	(void)fd, (void)room;
 #endif
 }
 

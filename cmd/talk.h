@@ -33,9 +33,9 @@ void *need(void *old, size_t size);
  * can have set it. Then waits until poll tells of one of the events. */
 bool go_on(int fd, short events);
 
-/* Fewer and larger reads and writes of fd, if it is a pipe; if the system refuses,
- * it is just slower. */
-void widen_pipe(int fd);
+/* Makes room for so many bytes in fd, if it is a pipe, for fewer and larger reads and
+ * writes; if the system refuses, it is just slower. */
+void widen_pipe(int fd, int room);
 
 /* Writes all of it to standard output, or exits with 3. */
 void put_all(const char *s, size_t size);

@@ -10,6 +10,10 @@ struct layout;
  * enough for caches. */
 enum { PIECE_ROOM = 1 << 17 };
 
+/* Of pipes, two pieces: one is filled while the other is emptied. More of them on
+ * both sides would not stay in the cache of a processor. */
+enum { PIPE_ROOM = 2 * PIECE_ROOM };
+
 /* So many bytes behind a text there are, too: where a document's lone point gets
  * its newline, and one that walk.c looks at, whatever it is, behind a minus that
  * ends a line. */

@@ -11,7 +11,7 @@ struct point_source source_of_file(const char *name, int fd)
 	struct point_source s = { .name = name, .fd = fd };
 	struct stat st;
 
-	widen_pipe(fd);
+	widen_pipe(fd, PIPE_ROOM);
 	s.start = lseek(fd, 0, SEEK_CUR);
 	/* Of a file that has no more than a piece, no thread but one would have
 	 * something to read; among them are those that the system makes up, with
