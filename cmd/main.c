@@ -10,7 +10,7 @@
 #include "points/answer.h"
 #include "talk.h"
 
-#define VERSION "0.2.0"
+#define VERSION "0.3.0"
 
 /* clang-format off */
 

@@ -137,9 +137,8 @@ static const struct refusal projections[] = {
 	    "pi/2 radians is wanted" },
 	{ &project,
 	    "{\"projection\":{\"type\":\"ortho\",\"angle_unit\":\"degrees\"}}",
-	    "/projection/angle_unit: unknown member; there are \"type\", "
-	    "\"near\", \"far\", \"reverse_z\", \"aspect\", \"width\", "
-	    "\"height\", \"left\", \"right\", \"bottom\" and \"top\"" },
+	    "/projection/angle_unit: unknown member; it stands beside "
+	    "\"projection\"" },
 	{ &project, "{\"projection\":{\"type\":\"matrix\"}}",
 	    "/projection/matrix: missing; give \"matrix\"" },
 #define SEEN(members, rest)                            \
