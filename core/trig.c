@@ -1,5 +1,7 @@
 #include "trig.h"
 
+#include <limits.h>
+
 /* pi / 180, within 2^-378 relative. */
 static const ex RADIAN = { 1, 6, -6,
 	{ 0x38862864b4ea8a06, 0x95b7b08b3c0c88a4, 0xc728154da64a6428,
@@ -24,7 +26,8 @@ enum { WORDS = 6 };
 /* 1 - x^2/((n+1)(n+2)) + x^4/((n+1)...(n+4)) - ..., for the sine (n = 1) or the
  * cosine (n = 0) of |x| <= pi/4. Over the common denominator all coefficients are
  * whole numbers. The first term that is left out, x^64/64!, is below 2^-317; what
- * six words cut off is below 2^-319, 32 times. */
+ * is cut off of x^2, and 32 times of a sum, which keeps EX_KEPT words, is below
+ * 2^-319. */
 static ex series(ex x, int n)
 {
 	ex minus = ex_neg(ex_first(ex_mul(x, x), WORDS));
@@ -33,8 +36,8 @@ static ex series(ex x, int n)
 
 	for (int k = n + 62; k > n; k -= 2) {
 		ex_set(&step, (double)(k * (k - 1)));
-		ex_dot(2, a, b, WORDS, &s);
-		ex_dot(1, a, b, 0, &c);
+		ex_dot(2, a, b, INT_MAX, &s);
+		ex_dot(1, a, b, INT_MIN, &c);
 	}
 	return ex_quotient(s, c);
 }

@@ -138,6 +138,10 @@ for my $group (\@counted, \@bounds) {
 	}
 }
 
+# All of make prove, as far as its tools are installed.
+my $said = `perl $here/prove.pl 2>&1`;
+holds('make prove', $? == 0, $said);
+
 # dd.h is refused where its operations would not be what is written.
 for my $flag (qw(-ffast-math -Ofast)) {
 	my $said = `echo '#include "$core/dd.h"' | gcc $flag -x c -c -o /dev/null - 2>&1`;

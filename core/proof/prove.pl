@@ -8,6 +8,7 @@ use warnings;
 use FindBin;
 use lib $FindBin::Bin;
 use Math::BigFloat;
+use Math::BigInt;
 use Proof;
 
 my $core = "$here/..";
@@ -37,22 +38,33 @@ sub transformations {
 
 sub log2 { $_[0]->copy->blog(2, 12)->numify }
 
-# All numbers of trig.c carry 150 digits here.
+# A constant of trig.c, from its words.
+sub constant {
+	my ($text, $name) = @_;
+	my ($e, $words) = $text =~
+	    /ex $name = \{ 1, \d+, (-?\d+),\s*\{([^}]*)\}/ or die $name;
+	my $two = Math::BigFloat->new(2);
+	my $sum = Math::BigFloat->new(0);
+	for my $word ($words =~ /(\w+)/g) {
+		my $n = $word =~ /^0x/ ? Math::BigInt->from_hex($word) :
+		    Math::BigInt->new($word);
+		$sum += Math::BigFloat->new($n) * $two**(64 * $e++);
+	}
+	return $sum;
+}
+
+# All numbers of trig.c carry 350 digits here.
 sub trigonometry {
 	my $text = slurp("$core/trig.c");
-	my @word = $text =~ /(0x[0-9a-f]{16})/g;
 	my ($top) = $text =~ /int k = n \+ (\d+); k > n/;
 	my ($words) = $text =~ /enum \{ WORDS = (\d+) \}/;
-	Math::BigFloat->accuracy(150);
+	Math::BigFloat->accuracy(350);
 	my $one = Math::BigFloat->new(1);
 	my $two = Math::BigFloat->new(2);
-	my ($radian, $unit) = (Math::BigFloat->new(0), $one->copy);
-	for my $word (reverse @word) {
-		$unit /= $two**64;
-		$radian += Math::BigFloat->from_hex($word) * $unit;
-	}
-	my $pi = Math::BigFloat->bpi(150);
-	my $given = abs($radian * 180 / $pi - 1) + $two**-450;
+	my $pi = Math::BigFloat->bpi(350);
+	my $given = abs(constant($text, 'RADIAN') * 180 / $pi - 1);
+	my $quarter = abs(constant($text, 'QUARTER') - $pi / 2);
+	my $quarters = abs(constant($text, 'QUARTERS') - 2 / $pi);
 	my $x = $pi / 4;
 	# the first term that is left out, of a cosine of at least 0.7
 	my $rest = $x**($top + 2) / Math::BigFloat->new($top + 2)->bfac / 0.7;
@@ -62,6 +74,8 @@ sub trigonometry {
 	    $two**-319;
 	my ($bound) = macro("$core/trig.h", 'TRIG_BOUND') =~ /0x1p(-\d+)/;
 	verdict('pi / 180, relative', -378, log2($given));
+	verdict('pi / 2', -961, log2($quarter));
+	verdict('2 / pi', -640, log2($quarters));
 	verdict('what a series leaves out', -317, log2($rest));
 	# and the quotient of two
 	verdict('cotangent: TRIG_BOUND', $bound,
