@@ -210,7 +210,7 @@ static int words_below(int least, int low, int n)
 {
 	int most = n > EX_KEPT ? n - EX_KEPT : 0;
 
-	return low >= least ? 0 : least - low < most ? least - low : most;
+	return least <= low ? 0 : least > low + most ? most : least - low;
 }
 
 void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
