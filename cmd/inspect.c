@@ -65,7 +65,10 @@ static void put_planes(struct printer *p, const struct taxonomy *t,
 	put_name_on_new_line(p, "aspect");
 	put_number(p, r->aspect);
 	put_name_on_new_line(p, "reverse_z");
-	put_flag(p, r->reverse_z);
+	if (projection_is_open(&r->scene.projection))
+		put_number(p, (double)NAN); /* no plane is near */
+	else
+		put_flag(p, r->reverse_z);
 	put_name_on_new_line(p, "planes");
 	put_open(p, "{");
 	for (int k = 0; k < 4; k++) {

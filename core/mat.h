@@ -59,8 +59,8 @@ const char *map_not_affine(const struct map *, const char *transposed,
 	    member ": is transposed; in memory order the translation is "  \
 		   "numbers 13, 14 and 15, and rows stand as \"vectors\" " \
 		   "says",                                                 \
-	    member ": its last column is not 0 0 0 1; "                    \
-		   "write the rows as \"vectors\" says")
+	    member ": its last column is not 0 0 0 1, or as column "       \
+		   "vectors its last row")
 
 /* Whether each element is in the range of doubles. */
 bool map_is_finite(const struct map *);

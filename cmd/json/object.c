@@ -157,7 +157,7 @@ static void refuse_misplaced(const struct value *v, const struct member *table)
 				names[n++] = s->name;
 	names[n] = NULL;
 	if (n > 0)
-		value_refuse(v, "unknown member; it belongs into %s",
+		value_refuse(v, "unknown member; it belongs in %s",
 		    list_words(all, names, " or "));
 	for (s = scene; s->name != NULL; s++) {
 		if (s->members == NULL || s->members == table)

@@ -2,7 +2,7 @@
  * in pixels. */
 #include "members.h"
 
-#define FORMS "[fx, fy, cx, cy], or 3 rows of 3, K, or of 4, P"
+#define FORMS "[fx, fy, cx, cy], 3 rows of 3, K, or 3 rows of 4, P"
 
 /* fx and fy are sizes; below the diagonal there is 0, and in the last row 1 on it. */
 static void check(const struct value *e, int i, size_t j, double a)
@@ -47,7 +47,7 @@ void read_intrinsics(const struct value *v, const struct member *row, void *to)
 		return;
 	}
 	if (value_count(v) != 4 || value_is_array(&first))
-		value_refuse(v, "is neither " FORMS);
+		value_refuse(v, "is none of " FORMS);
 	value_numbers(v, &range_any, 4, four);
 	for (int i = 0; i < 2; i++, value_next(&first)) {
 		value_number(&first, &range_positive);

@@ -97,16 +97,16 @@ static const struct refusal names[] = {
 	    "/near: unknown member; did you mean \"z_near\"?" },
 	{ &w2n, "{\"x\":1}", "/x: unknown member; did you mean \"center\"?" },
 	{ &lookat, "{\"convention\":\"gl\"," EYE "}",
-	    "/eye: unknown member; it belongs into \"camera\"" },
+	    "/eye: unknown member; it belongs in \"camera\"" },
 	{ &project, "{\"target\":1}",
 	    "/target: unknown member; \"camera\" has \"at\"" },
 	{ &project, "{\"half_width\":1}",
-	    "/half_width: unknown member; it belongs into \"projection\"" },
+	    "/half_width: unknown member; it belongs in \"projection\"" },
 	{ &w2d, "{\"width\":1}",
-	    "/width: unknown member; it belongs into \"projection\", "
+	    "/width: unknown member; it belongs in \"projection\", "
 	    "\"viewport\", \"window\" or \"device\"" },
 	{ &project, "{\"camera\":{\"near\":1}}",
-	    "/camera/near: unknown member; it belongs into \"projection\"" },
+	    "/camera/near: unknown member; it belongs in \"projection\"" },
 	{ &lookat, "{\"q\":1}",
 	    "/q: unknown member; there are \"eye\", \"at\", \"gaze\", "
 	    "\"orientation\", \"translation\", \"pose\", \"matrix\", \"up\", "

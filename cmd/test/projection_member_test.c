@@ -23,7 +23,7 @@ static const struct document_wants project = { WANTS };
 	", or \"angles\" or \"intrinsics\""
 #define ORTHO_HINT \
 	"give \"height\" and \"aspect\", \"width\" and \"height\", or " SIDES
-#define FORMS "[fx, fy, cx, cy], or 3 rows of 3, K, or of 4, P"
+#define FORMS "[fx, fy, cx, cy], 3 rows of 3, K, or 3 rows of 4, P"
 #define POSITIVE "a number from 1e-150 to 1e150 is wanted"
 #define PLANES "\"near\":1,\"far\":2"
 #define SIZE "\"width\":1,\"height\":1"
@@ -162,7 +162,7 @@ static const struct refusal projections[] = {
 	{ &project, SEEN("\"intrinsics\":[1,1,0,0],\"reverse_z\":true", ""),
 	    "/projection/near: missing; " OPEN },
 	{ &project, SEEN("\"intrinsics\":[1,1,0]", ""),
-	    "/projection/intrinsics: is neither " FORMS },
+	    "/projection/intrinsics: is none of " FORMS },
 	{ &project, SEEN("\"intrinsics\":1", ""),
 	    "/projection/intrinsics: is a number; " FORMS ", is wanted" },
 	{ &project, SEEN("\"intrinsics\":[1,0,0,0]", ""),

@@ -352,7 +352,10 @@ static void all_refused(void **state)
 	c.matrix[0][3] = 1e-9;
 	refused(c, false, "/camera/matrix: is transposed");
 	c.matrix[3][0] = 1e-9;
-	refused(c, false, "/camera/matrix: its last column is not 0 0 0 1");
+	refused(c, false,
+	    "/camera/matrix: its last column is not 0 0 0 1, or as column "
+	    "vectors its last "
+	    "row");
 	set_diagonal(&c, 1, 1e-140, 1e-150);
 	refused(c, false, "/camera/matrix");
 }
