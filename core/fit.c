@@ -36,8 +36,9 @@ static const char *find_slopes(const struct scene *s, struct sum slope[4])
 			slope[k] = sum_neg(slope[k]);
 		if (sum_sign(slope[k]) <= 0)
 			why = "/projection: the gaze does not run between "
-			      "the side planes; let the edges stand on both "
-			      "sides of 0";
+			      "the side planes, less the margin; let the "
+			      "edges, or cx and cy, leave it room on both "
+			      "sides";
 	}
 	return why;
 }
