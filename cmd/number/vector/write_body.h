@@ -140,7 +140,7 @@ INLINE void lay_out(uint32_t *layout, const uint16_t *nonzero,
 /* The zeros before the digits, the 17th with zeros after it, and the layout. From
  * POWER_MIN on, no more than six zeros stand on either side up to the point. */
 INLINE void write_around(struct number_text *t, const uint32_t *layout,
-    const struct found *f)
+    const struct found *f, bool keep_zeros)
 {
 	const uint64_t zeros = 0x3030303030303030;
 
@@ -148,8 +148,10 @@ INLINE void write_around(struct number_text *t, const uint32_t *layout,
 		char *digits = t[i].b + BEFORE;
 
 		memcpy(digits - BEFORE, &zeros, sizeof zeros);
-		memcpy(digits + DIGITS, &zeros, sizeof zeros);
-		digits[DIGITS] = (char)('0' + f->digit[i]);
+		if (!keep_zeros) {
+			memcpy(digits + DIGITS, &zeros, sizeof zeros);
+			digits[DIGITS] = (char)('0' + f->digit[i]);
+		}
 		t[i].layout = layout[i];
 	}
 }
@@ -173,7 +175,7 @@ INLINE void write_all(const double *v, size_t count, bool decimals, int n,
 		write_digits(t, nonzero, &f);
 		lay_out(layout, nonzero, &f, single ? DIGITS / 2 : DIGITS,
 		    decimals);
-		write_around(t, layout, &f);
+		write_around(t, layout, &f, decimals);
 	}
 }
 
