@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../points/piece.h"
 #include "../scene/convention_member.h"
 #include "../scene/document.h"
 #include "../talk.h"
@@ -32,7 +33,7 @@ static struct block {
 
 static void *hold(size_t size)
 {
-	struct block *b = malloc(sizeof *b + size);
+	struct block *b = malloc(sizeof *b + size + PIECE_MARGIN);
 
 	if (b == NULL)
 		abort();
