@@ -338,3 +338,12 @@ double sum_most(struct sum a)
 
 	return ldexp(s.m, s.e) * (1 + 0x1p-50);
 }
+
+double sum_surely_none(const struct sum *n, const struct sum *d)
+{
+	struct magnitude s = { 0, 0 };
+
+	if (n->size.m > 0)
+		s = over(n->size, of(&d->value));
+	return ldexp(s.m, s.e - 191);
+}

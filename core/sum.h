@@ -68,4 +68,7 @@ dd sum_dd(struct sum);
 /* An upper bound of |value| and size, in doubles. */
 double sum_most(struct sum);
 
+/* So much of n / d, where d is exact, is none, or half of it, in doubles. */
+double sum_surely_none(const struct sum *n, const struct sum *d);
+
 #endif

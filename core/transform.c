@@ -38,12 +38,8 @@ void kernel_map_of(const struct map *m, struct kernel_map *k)
 				k->most[j] = fmax(k->most[j], fabs(e.hi));
 		}
 		k->image[j] = fabs(k->hi[3][j]);
-		/* what is none of 1 times it */
-		struct magnitude size = map_element(m, 3, j).size;
-
-		k->surely_none[j] = m->m[3][j].size.m > 0 ?
-		    ldexp(size.m, size.e - 191) :
-		    0;
+		/* of 1 times it */
+		k->surely_none[j] = sum_surely_none(&m->m[3][j], &m->divisor);
 	}
 }
 

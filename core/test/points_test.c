@@ -253,6 +253,32 @@ static void tolerance_is_kept(void **state)
 	assert_true(cheap > all / 20);
 }
 
+/* Of x' = x + 2^195 + z cot(45) cos(45) - cot(45) cos(45) over a divisor, 20: what is
+ * exact makes nothing none. */
+static void none_is_of_what_is_irrational(void **state)
+{
+	const struct scene s = {
+		.has_world = true,
+		.world = { { 1 }, { 0, 1 }, { 0, 0, 1 }, { 0x1p195, 0, 0, 1 } },
+		.projection = { .type = PROJECTION_OBLIQUE,
+		    .kind = OBLIQUE_CAVALIER,
+		    .direction = 45,
+		    .plane = 1,
+		    .extent = EXTENT_SIZE,
+		    .width = 2,
+		    .height = 2,
+		    .near = -10,
+		    .far = 10 },
+	};
+	struct transform t;
+
+	(void)state;
+	assert_null(scene_transform(&s, SPACE_MODEL, SPACE_NDC, false, &t));
+	assert_true(t.for_kernel.hi[3][0] == 0x1p195);
+	assert_true(t.for_kernel.surely_none[0] > 0);
+	assert_true(t.for_kernel.surely_none[0] < 0x1p-190);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -261,6 +287,7 @@ int main(void)
 		cmocka_unit_test(points_depend_on_nothing_else),
 		cmocka_unit_test(tolerance_is_kept),
 		cmocka_unit_test(tolerance_counts_underflow),
+		cmocka_unit_test(none_is_of_what_is_irrational),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
