@@ -6,7 +6,9 @@
  *   FAULT="short"  reads and writes take a few bytes, or are interrupted, and
  *       poll often says that nothing is there
  *   FAULT="cut N FILE"  the N-th read finds FILE truncated
- *   FAULT="late N FILE"  the same, after the one that follows it has read */
+ *   FAULT="late N FILE"  the same, after the one that follows it has read
+ *   FAULT="clock N T"  N milliseconds pass from one look at the clock to the
+ *       next; standard error is a terminal if T is 1, and output, too, if it is 2 */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -20,6 +22,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
 extern void *__libc_malloc(size_t), *__libc_calloc(size_t, size_t),
@@ -195,4 +198,31 @@ int pthread_create(pthread_t *t, const pthread_attr_t *a, void *(*f)(void *),
 	return is("thread") && atomic_fetch_add(&calls, 1) + 1 >= at ?
 	    error :
 	    real(t, a, f, with);
+}
+
+int clock_gettime(clockid_t clock, struct timespec *t)
+{
+	static int (*real)(clockid_t, struct timespec *);
+
+	if (real == NULL)
+		real = (int (*)(clockid_t, struct timespec *))dlsym(RTLD_NEXT,
+		    "clock_gettime");
+	if (!is("clock"))
+		return real(clock, t);
+	int now = 1000 + at * atomic_fetch_add(&calls, 1);
+
+	*t = (struct timespec){ now / 1000, now % 1000 * 1000000L };
+	return 0;
+}
+
+int isatty(int fd)
+{
+	static int (*real)(int);
+
+	if (real == NULL)
+		real = (int (*)(int))dlsym(RTLD_NEXT, "isatty");
+	if (!is("clock"))
+		return real(fd);
+	return fd == STDERR_FILENO ? error > 0 :
+				     fd == STDOUT_FILENO && error > 1;
 }

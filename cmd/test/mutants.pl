@@ -1,0 +1,229 @@
+#!/usr/bin/perl
+# Whether the tests bite: changes the program's source here and there, one change
+# at a time and in a copy, and says which of these mutants no test finds. A mutant
+# that is the same program to the last byte doesn't count, nor does one that can't
+# be built. Those that do the same as the program for a reason that
+# cmd/test/mutants.equal gives count as found.
+# usage: mutants.pl BUILD FOLDER..., at the top of the project
+#   N=400        how many
+#   SEED=1       which
+#   AGAIN=FILE   those that stand in FILE, such as BUILD/mutants/lived
+use strict;
+use warnings;
+use Cwd 'abs_path';
+use File::Path qw(make_path remove_tree);
+use FindBin;
+use List::Util qw(max min);
+use Time::HiRes 'time';
+use lib $FindBin::Bin;
+use Mutant;
+
+my ($build, @folders) = @ARGV;
+my ($n, $seed, $again) = map { $_ || '' } @ENV{qw(N SEED AGAIN)};
+my $equal = "$FindBin::Bin/mutants.equal";
+my @equal = hunks(slurp($equal));
+make_path("$build/mutants");
+my $room = abs_path("$build/mutants");
+my ($whole, $tree, $tmp) = map { "$room/$_" } qw(whole tree tmp);
+srand($seed || 1);
+
+sub slurp {
+	open my $file, '<:raw', $_[0] or die "$_[0]: $!\n";
+	local $/;
+	return <$file> // '';
+}
+
+sub spew {
+	my ($name, $text) = @_;
+	open my $file, '>:raw', $name or die "$name: $!\n";
+	print $file $text;
+	close $file or die "$name: $!\n";
+}
+
+# What a mutant may take: seconds by the clock and of a processor, memory, files.
+# timeout ends the group that it starts, even if this program is no more.
+my $running;
+
+sub start {
+	my ($seconds, $command) = @_;
+	my $limits = sprintf 'ulimit -t %d && ulimit -v 4000000 && ' .
+	    'ulimit -f 4000000 && ulimit -c 0 && ', 10 + $seconds / 2;
+	$running = open(my $from, '-|') // die "fork: $!\n";
+	return $from if $running != 0;
+	chdir $tree or die "$tree: $!\n";
+	@ENV{qw(TMPDIR CMOCKA_MESSAGE_OUTPUT BUILD)} =
+	    ($tmp, 'TAP', "$tree/build");
+	open STDIN, '<', '/dev/null';
+	open STDERR, '>', "$room/errors";
+	exec 'timeout', '-s', 'KILL', $seconds, 'sh', '-c', "$limits$command";
+}
+
+# Whatever is left of it.
+sub finish {
+	return if !$running;
+	kill 'KILL', -$running;
+	waitpid $running, 0;
+	$running = 0;
+	remove_tree($tmp, {keep_root => 1});
+}
+
+$SIG{$_} = sub { finish(); exit 1 } for qw(INT TERM HUP);
+END { finish() }
+
+# Whether a command succeeds, to which the first test that fails is an end.
+sub succeeds {
+	my ($seconds, $command) = @_;
+	my $from = start($seconds, $command);
+	while (my $line = readline $from) {
+		next if $line !~ /^not ok/ || $line =~ /# TODO/;
+		finish();
+		return 0;
+	}
+	close $from;
+	my $well = $? == 0;
+	finish();
+	return $well;
+}
+
+my $make = "make -s CFLAGS='-O1 -g0' LDFLAGS=-s BUILD=build";
+
+sub is_built {
+	my ($target) = @_;
+	return succeeds(600, "nice -n 5 $make build/$target");
+}
+
+# The tests by what they take, but first what tells the most. Those of core don't
+# see cmd, and the proofs see the headers of core and its series alone.
+my @scripts = map { "cmd/test/${_}_test.t" } qw(transcripts bits recorded
+    completion schema manual examples cameras scenes digits pieces lines
+    fault);
+my %seconds;
+
+sub tests_of {
+	my ($file) = @_;
+	my ($folder, $name) = $file =~ m{^(core|cmd).*?(\w+)\.\w+$};
+	my @units = map { s/\.c$//r } glob "$folder/test/*_test.c";
+	my ($own) = grep { /\/${name}_test$/ } @units;
+	my @proofs = $file =~ m{^core/(?:.*\.h|trig\.c)$} ?
+	    'core/proof/proof_test.t' : ();
+	my %seen;
+	return grep { !$seen{$_}++ } $own // (), @scripts[0, 1],
+	    sort({ $seconds{$a} <=> $seconds{$b} || $a cmp $b }
+	    @units, @scripts[2 .. $#scripts], @proofs);
+}
+
+# On a machine that does something else as well.
+sub limit { 20 + 10 * $_[0] }
+
+sub passes {
+	my ($test) = @_;
+	return succeeds(limit($seconds{$test}), "perl $test") if $test =~ /\.t$/;
+	return is_built($test) &&
+	    succeeds(limit($seconds{$test}), "build/$test");
+}
+
+# The copy that mutants are made from, with all its tests, each of which must
+# pass.
+sub prepare {
+	remove_tree($whole, $tree, $tmp);
+	make_path($tree, $tmp);
+	system('cp', '-a', qw(core cmd man testdata Makefile README.md NEWS.md
+	    .github .debian), "$tree/") == 0 or die "no copy\n";
+	my @units = map { s/\.c$//r } glob 'c*/test/*_test.c';
+	succeeds(3600, "$make programs") or
+	    die "can't be built: see $room/errors\n";
+	my %tests = map { $_ => 1 } @units, @scripts, 'core/proof/proof_test.t';
+	for my $test (sort keys %tests) {
+		$seconds{$test} = 60;
+		my $start = time;
+		passes($test) or die "$test fails before anything is changed\n";
+		$seconds{$test} = time - $start;
+	}
+	# those of a mutant are linked when it comes to them
+	unlink map { "$tree/build/$_" } @units;
+	rename $tree, $whole or die "$tree: $!\n";
+}
+
+sub same_bytes {
+	return slurp("$whole/build/projcalc") eq slurp("$tree/build/projcalc");
+}
+
+# What became of a mutant: by which test it was found, or else one of
+my ($unbuilt, $same, $lived) = ('unbuilt', 'the same bytes', 'lived');
+
+sub fate {
+	my ($mutant) = @_;
+	my $file = $mutant->{file};
+	my $text = mutated(slurp("$whole/$file"), $mutant) //
+	    die "$file has no longer\n$mutant->{from}";
+	remove_tree($tree);
+	system('cp', '-a', $whole, $tree) == 0 or die "no copy\n";
+	spew("$tree/$file", $text);
+	return $unbuilt if !is_built('projcalc');
+	return $same if same_bytes();
+	for my $test (tests_of($file)) {
+		return $test if !passes($test);
+	}
+	return $lived;
+}
+
+sub shuffled {
+	my @all = @_;
+	for my $i (reverse 1 .. $#all) {
+		my $j = int rand($i + 1);
+		@all[$i, $j] = @all[$j, $i];
+	}
+	return @all;
+}
+
+# Of each kind as many, at random.
+sub chosen {
+	my %all;
+	for my $file (sort map { glob "$_/*.c $_/*.h $_/*.cc" } @folders) {
+		my $of = mutants($file, slurp("$whole/$file"));
+		push @{$all{$_}}, @{$of->{$_}} for keys %$of;
+	}
+	my @kinds = map { [shuffled(@{$all{$_}})] } sort keys %all;
+	my @chosen;
+	for my $i (0 .. max(map { $#$_ } @kinds)) {
+		push @chosen, grep { defined } map { $_->[$i] } @kinds;
+	}
+	return @chosen;
+}
+
+my %count = (found => 0, equal => 0, lived => 0);
+my @lived;
+
+sub try {
+	my ($mutant) = @_;
+	my ($known) = grep { same_hunk($_, $mutant) } @equal;
+	my $start = time;
+	my $fate = $known && !$again ? 'equal' : fate($mutant);
+	open my $log, '>>', "$room/log" or die "$room/log: $!\n";
+	printf $log "%s, %.0f s\n%s\n", $fate, time - $start, hunk($mutant);
+	return if $fate eq $unbuilt || $fate eq $same;
+	$fate = 'found' if !exists $count{$fate};
+	$count{$fate}++;
+	return if $fate ne $lived;
+	print hunk($mutant), "\n";
+	push @lived, $mutant;
+	spew("$room/lived", join "\n", map { hunk($_) } @lived);
+}
+
+sub tried { $count{found} + $count{equal} + $count{lived} }
+
+$| = 1;
+my $list = $again && slurp($again);
+unlink map { "$room/$_" } qw(log lived);
+prepare();
+my @mutants = $again ? hunks($list) : chosen();
+$n = $again ? @mutants : $n || 400;
+for my $mutant (@mutants) {
+	try($mutant);
+	last if tried() >= $n;
+}
+printf "%d mutants: %d found, %d equal for a reason, %d lived: %.1f %%\n",
+    tried(), @count{qw(found equal lived)},
+    100 * ($count{found} + $count{equal}) / (tried() || 1);
+remove_tree($whole, $tree, $tmp);
+exit($count{lived} * 50 > tried());
