@@ -45,14 +45,14 @@ sub spew {
 my $running;
 
 sub start {
-	my ($seconds, $command) = @_;
+	my ($dir, $seconds, $command) = @_;
 	my $limits = sprintf 'ulimit -t %d && ulimit -v 4000000 && ' .
 	    'ulimit -f 4000000 && ulimit -c 0 && ', 10 + $seconds / 2;
 	$running = open(my $from, '-|') // die "fork: $!\n";
 	return $from if $running != 0;
-	chdir $tree or die "$tree: $!\n";
+	chdir $dir or die "$dir: $!\n";
 	@ENV{qw(TMPDIR CMOCKA_MESSAGE_OUTPUT BUILD)} =
-	    ($tmp, 'TAP', "$tree/build");
+	    ($tmp, 'TAP', "$dir/build");
 	open STDIN, '<', '/dev/null';
 	open STDERR, '>', "$room/errors";
 	exec 'timeout', '-s', 'KILL', $seconds, 'sh', '-c', "$limits$command";
@@ -72,8 +72,7 @@ END { finish() }
 
 # Whether a command succeeds, to which the first test that fails is an end.
 sub succeeds {
-	my ($seconds, $command) = @_;
-	my $from = start($seconds, $command);
+	my $from = start(@_);
 	while (my $line = readline $from) {
 		next if $line !~ /^not ok/ || $line =~ /# TODO/;
 		finish();
@@ -88,16 +87,15 @@ sub succeeds {
 my $make = "make -s CFLAGS='-O1 -g0' LDFLAGS=-s BUILD=build";
 
 sub is_built {
-	my ($target) = @_;
-	return succeeds(600, "nice -n 5 $make build/$target");
+	my ($dir, $target) = @_;
+	return succeeds($dir, 600, "$make build/$target");
 }
 
-# The tests by what they take, but first what tells the most. Those of core don't
+# The tests, first those that tell the most in the least time. Those of core don't
 # see cmd, and the proofs see the headers of core and its series alone.
-my @scripts = map { "cmd/test/${_}_test.t" } qw(transcripts bits recorded
-    completion schema manual examples cameras scenes digits pieces lines
-    fault);
-my %seconds;
+my @first = qw(transcripts bits);
+my @values = qw(recorded examples cameras scenes);
+my @talk = qw(completion schema manual digits pieces lines fault);
 
 sub tests_of {
 	my ($file) = @_;
@@ -106,42 +104,47 @@ sub tests_of {
 	my ($own) = grep { /\/${name}_test$/ } @units;
 	my @proofs = $file =~ m{^core/(?:.*\.h|trig\.c)$} ?
 	    'core/proof/proof_test.t' : ();
+	my @talk_too = $folder eq 'cmd' ? @talk : ();
+	my ($first, $others) = map { [map { "cmd/test/${_}_test.t" } @$_] }
+	    \@first, [@values, @talk_too];
 	my %seen;
-	return grep { !$seen{$_}++ } $own // (), @scripts[0, 1],
-	    sort({ $seconds{$a} <=> $seconds{$b} || $a cmp $b }
-	    @units, @scripts[2 .. $#scripts], @proofs);
+	return grep { !$seen{$_}++ } $own // (), @$first, @units, @$others,
+	    @proofs;
 }
-
-# On a machine that does something else as well.
-sub limit { 20 + 10 * $_[0] }
 
 sub passes {
-	my ($test) = @_;
-	return succeeds(limit($seconds{$test}), "perl $test") if $test =~ /\.t$/;
-	return is_built($test) &&
-	    succeeds(limit($seconds{$test}), "build/$test");
+	my ($dir, $test, $seconds) = @_;
+	return succeeds($dir, $seconds, "perl $test") if $test =~ /\.t$/;
+	return is_built($dir, $test) &&
+	    succeeds($dir, $seconds, "build/$test");
 }
 
-# The copy that mutants are made from, with all its tests, each of which must
-# pass.
+# How long a test may take, on a machine that does something else as well: a
+# multiple of what it takes when nothing is changed. Then it must pass.
+my %limit;
+
+sub limit {
+	my ($test) = @_;
+	return $limit{$test} //= do {
+		my $start = time;
+		passes($whole, $test, 600) or
+		    die "$test fails before anything is changed\n";
+		unlink "$whole/build/$test";
+		20 + 10 * (time - $start);
+	};
+}
+
+# The copy that mutants are made from.
 sub prepare {
 	remove_tree($whole, $tree, $tmp);
-	make_path($tree, $tmp);
+	make_path($whole, $tmp);
 	system('cp', '-a', qw(core cmd man testdata Makefile README.md NEWS.md
-	    .github .debian), "$tree/") == 0 or die "no copy\n";
-	my @units = map { s/\.c$//r } glob 'c*/test/*_test.c';
-	succeeds(3600, "$make programs") or
+	    .github .debian), "$whole/") == 0 or die "no copy\n";
+	succeeds($whole, 3600, "$make programs") or
 	    die "can't be built: see $room/errors\n";
-	my %tests = map { $_ => 1 } @units, @scripts, 'core/proof/proof_test.t';
-	for my $test (sort keys %tests) {
-		$seconds{$test} = 60;
-		my $start = time;
-		passes($test) or die "$test fails before anything is changed\n";
-		$seconds{$test} = time - $start;
-	}
 	# those of a mutant are linked when it comes to them
-	unlink map { "$tree/build/$_" } @units;
-	rename $tree, $whole or die "$tree: $!\n";
+	unlink map { "$whole/build/$_" } map { s/\.c$//r }
+	    glob 'c*/test/*_test.c';
 }
 
 sub same_bytes {
@@ -159,10 +162,11 @@ sub fate {
 	remove_tree($tree);
 	system('cp', '-a', $whole, $tree) == 0 or die "no copy\n";
 	spew("$tree/$file", $text);
-	return $unbuilt if !is_built('projcalc');
+	return $unbuilt if !is_built($tree, 'projcalc');
 	return $same if same_bytes();
 	for my $test (tests_of($file)) {
-		return $test if !passes($test);
+		my $limit = limit($test);
+		return $test if !passes($tree, $test, $limit);
 	}
 	return $lived;
 }
