@@ -197,6 +197,9 @@ levels: ## the same bits from both compilers at each level of optimization
 	@sh cmd/test/levels.sh $(BUILD)/levels
 arm64: ## the same bits from another processor, emulated
 	@sh cmd/test/arm64.sh $(BUILD)/arm64
+mutants: ## whether tests find what is changed in the program: N=400 SEED=1
+	@perl cmd/test/mutants.pl $(BUILD) \
+	    $(patsubst $(BUILD)/%/,%,$(sort $(dir $(PROGRAM))))
 cluster: all ## GNU parallel and Slurm, over hosts that are killed half-way
 	@sh cmd/test/cluster.sh $(BUILD)
 
