@@ -376,6 +376,13 @@ SKIP: {
 	spew("$tmp/3M", "0\n" x 3000000);
 	$peak = peak("$project -j2 --keep-going $tmp/3M", 1);
 	cmp_ok($peak, '<', 20000, '3 million bad lines in 20 MB');
+	for my $n (1 << 28, (1 << 28) + 1) {
+		sparse("$tmp/zeros", $n);
+		my $why = $n > 1 << 28 ? qr/ a document of more than 256 MiB; / :
+		    qr/:1: a NUL byte; JSON is UTF-8 text/;
+		like((run("projcalc lookat $tmp/zeros"))[2],
+		    qr/\Aprojcalc: $tmp\/zeros:?$why/, "a document of $n bytes");
+	}
 	my $points = join ",\n", map { "[$_, 0.125, -7.5e-1, \"a\"]" }
 	    1 .. 400000;
 	spew("$tmp/document", "{\"points\": [$points]}");
