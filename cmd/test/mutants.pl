@@ -91,7 +91,8 @@ sub succeeds {
 	return $well;
 }
 
-my $make = "make -s CFLAGS='-O1 -g0' LDFLAGS=-s BUILD=build";
+# What the compiler warns of isn't built.
+my $make = "make -s WERROR=1 CFLAGS='-O1 -g0' LDFLAGS=-s BUILD=build";
 
 sub is_built {
 	my ($dir, $target) = @_;
@@ -110,19 +111,19 @@ sub tests_of {
 	my @units = map { s/\.c$//r } glob "$folder/test/*_test.c";
 	my ($own) = grep { /\/${name}_test$/ } @units;
 	my @proofs = $file =~ m{^core/(?:.*\.h|trig\.c)$} ?
-	    'core/proof/proof_test.t' : ();
+	    map { "core/proof/$_" } qw(prove.pl proof_test.t) : ();
 	my @talk_too = $folder eq 'cmd' ? @talk : ();
 	my ($first, $others) = map { [map { "cmd/test/${_}_test.t" } @$_] }
 	    \@first, [@values, @talk_too];
 	my %seen;
 	return ($own // (), @$first) if $quick;
-	return grep { !$seen{$_}++ } $own // (), @$first, @units, @$others,
-	    @proofs;
+	return grep { !$seen{$_}++ } $own // (), @$first, $proofs[0] // (),
+	    @units, @$others, @proofs;
 }
 
 sub passes {
 	my ($dir, $test, $seconds) = @_;
-	return succeeds($dir, $seconds, "perl $test") if $test =~ /\.t$/;
+	return succeeds($dir, $seconds, "perl $test") if $test =~ /\.(?:t|pl)$/;
 	return is_built($dir, $test) &&
 	    succeeds($dir, $seconds, "build/$test");
 }
