@@ -201,10 +201,83 @@ static void as_many_as_ever(void **state)
 	}
 }
 
+/* A map whose elements are up to 2^e; of depth, a + b / w is about 1. */
+static void make_map(int e, struct kernel_map *m)
+{
+	*m = (struct kernel_map){ .a_hi = 1.5, .b_hi = ldexp(-1, e) };
+	for (int i = 0; i < 4; i++)
+		for (int j = 0; j < 4; j++) {
+			double a = ldexp(sample_unit() - 0.25, e);
+
+			m->hi[i][j] = a;
+			if (i < 3)
+				m->most[j] = fmax(m->most[j], fabs(a));
+			else
+				m->image[j] = fabs(a);
+		}
+}
+
+/* Points that double does not carry within tolerances which it nearly keeps; of small
+ * elements, too, of which what underflows is a share that counts. */
+static unsigned count_within(enum kernel_kind kind, int e)
+{
+	static struct block b;
+	const double *const in[3] = { b.in[0], b.in[1], b.in[2] };
+	double *const out[3] = { b.out[0], b.out[1], b.out[2] };
+	unsigned left = 0;
+
+	for (int i = 0; i < 40; i++) {
+		double t = ldexp(1,
+		    (kernel_divides(kind) ? 0 : e) - 48 + i % 8);
+		struct kernel_map m;
+
+		make_map(e, &m);
+		for (size_t k = 0; k < POINTS_BLOCK; k++)
+			for (int j = 0; j < 3; j++)
+				b.in[j][k] = sample_between(-4, 4);
+		points_kernels()->within[kind](&m, in, out, POINTS_BLOCK,
+		    (double[3]){ t, t, t });
+		for (size_t k = 0; k < POINTS_BLOCK; k++)
+			left += isfinite(b.out[0][k]) ? 0 : 1;
+	}
+	return left;
+}
+
+static void as_many_within(void **state)
+{
+	static const struct {
+		enum kernel_kind kind;
+		int e;
+		unsigned left;
+	} cases[] = {
+		{ KERNEL_FLAT, 0, 1682 },
+		{ KERNEL_FLAT, -900, 2143 },
+		{ KERNEL_AFFINE, 0, 4559 },
+		{ KERNEL_DEPTH, 0, 23712 },
+		{ KERNEL_PROJECTIVE, 0, 24082 },
+		{ KERNEL_DEPTH, -1019, 26629 },
+		{ KERNEL_PROJECTIVE, -1019, 25389 },
+	};
+
+	(void)state;
+	for (int c = 0; c < COPIES; c++) {
+		if (!points_choose(copies[c]))
+			continue;
+		sample_seed(2);
+		for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+			unsigned n = count_within(cases[i].kind, cases[i].e);
+
+			print_message("%s: %u\n", copies[c], n);
+			assert_int_equal(n, cases[i].left);
+		}
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(as_many_as_ever),
+		cmocka_unit_test(as_many_within),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
