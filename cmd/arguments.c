@@ -1,5 +1,6 @@
 #include "arguments.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -96,6 +97,19 @@ void position(const char *option, const char *word, double xy[2])
 	    number_read(comma + 1, end, &xy[1]) != end ||
 	    !(fabs(xy[0]) <= MAGNITUDE_MAX) || !(fabs(xy[1]) <= MAGNITUDE_MAX))
 		die(EXIT_USAGE, "--%s: '%s' is not X,Y", option, word);
+}
+
+char separator_of(const char *option, const char *word)
+{
+	if (strcmp(word, "tab") == 0 || strcmp(word, "\\t") == 0)
+		return '\t';
+	if (strlen(word) != 1 || (unsigned char)*word >= 0x7f ||
+	    strchr("\"'+-.#_\r\n\v\f", *word) != NULL || isalnum(*word))
+		die(EXIT_USAGE,
+		    "--%s: '%s' can't separate fields; it is one character such "
+		    "as ; or |, or tab",
+		    option, word);
+	return *word;
 }
 
 static void refuse_twice(const char *option, const struct columns *c)

@@ -33,7 +33,10 @@ double tolerance_left(const struct tolerances *, int k);
 /* "X,Y", up to 1e150 in magnitude. */
 void position(const char *option, const char *word, double xy[2]);
 
-/* Fields by their number, from 1, or by their name in a csv header: "2,z". Cuts
+/* A character that can separate fields; or the word tab. */
+char separator_of(const char *option, const char *word);
+
+/* Fields by their number, from 1, or by their name: "2,z". Cuts
  * the list at its commas; the names in the result stand in it. */
 struct columns columns_of(const char *option, char *list);
 

@@ -133,7 +133,7 @@ static const struct command *find_command(const char *name)
 
 int main(int argc, char **argv)
 {
-	struct options o = { .params = "-" };
+	struct options o = { .params = "-", .separator = ',' };
 	const char *name = argc > 1 ? argv[1] : "help";
 
 	if (argc < 2)

@@ -65,15 +65,73 @@ bool has_points(const struct options *o, const struct document *d)
 	return o->n_points > 0 || d->points != NULL;
 }
 
+/* What is added to an object has names of its own. */
+static bool is_added(const struct options *o, const struct layout *l,
+    const char *name)
+{
+	static const char *const added[] = { "z", "dx", "dy", "dz" };
+	bool is = o->flags && strcmp(name, "flags") == 0;
+
+	for (int i = 0; i < 4 && l->writes > 4; i++)
+		is |= strcmp(name, added[i]) == 0;
+	return is || (l->reads < l->writes && strcmp(name, "w") == 0);
+}
+
+static void check_columns_of(const struct options *o, const struct layout *l)
+{
+	bool csv = l->in.format == FORMAT_CSV, json = o->in == FORMAT_JSON;
+
+	for (int i = 0; i < o->columns.n; i++) {
+		const char *name = o->columns.name[i];
+
+		if (name != NULL && !csv && !json)
+			die(EXIT_USAGE,
+			    "--columns: '%s' is a name, and names are for -i "
+			    "csv, tsv and json; write numbers: 2,3,4",
+			    name);
+		if (name != NULL && json && is_added(o, l, name))
+			die(EXIT_USAGE,
+			    "--columns: '%s' is also what a number is called "
+			    "that is added",
+			    name);
+		if (json && (name == NULL) != (o->columns.name[0] == NULL))
+			die(EXIT_USAGE,
+			    "--columns: in JSON they are numbers, of an "
+			    "array's elements, or names, of an object's "
+			    "members, not both");
+	}
+	if (o->columns.n > 0 && is_binary(o->in))
+		die(EXIT_USAGE, "--columns: binary points have no fields");
+	if (o->columns.n > 0 && o->columns.n != l->reads)
+		die(EXIT_USAGE,
+		    "--columns: %d fields; %d coordinates are "
+		    "read here",
+		    o->columns.n, l->reads);
+}
+
+static void check_csv(const struct options *o, const struct layout *l)
+{
+	if (o->separator != ',' && o->in != FORMAT_CSV && o->out != FORMAT_CSV)
+		die(EXIT_USAGE,
+		    "--separator is of csv; say -i csv, or -o csv");
+	if ((o->header || o->no_header) && l->in.format != FORMAT_CSV)
+		die(EXIT_USAGE, "--%s is of csv; say -i csv or -i tsv",
+		    o->header ? "header" : "no-header");
+	if (o->header && o->no_header)
+		die(EXIT_USAGE, "--header and --no-header exclude each other");
+	for (int i = 0; i < o->columns.n && o->no_header; i++)
+		if (o->columns.name[i] != NULL)
+			die(EXIT_USAGE,
+			    "--columns: '%s' is a name, and with --no-header "
+			    "there are none; write numbers: 2,3,4",
+			    o->columns.name[i]);
+}
+
 static void check_layout(const struct options *o, const struct layout *l)
 {
-	for (int i = 0; i < o->columns.n; i++)
-		if (o->columns.name[i] != NULL && o->in != FORMAT_CSV)
-			die(EXIT_USAGE,
-			    "--columns: '%s' is a name, and names "
-			    "are for -i csv; write numbers: 2,3,4",
-			    o->columns.name[i]);
-	if (o->flags && is_binary(l->out))
+	check_columns_of(o, l);
+	check_csv(o, l);
+	if (o->flags && is_binary(l->out.format))
 		die(EXIT_USAGE,
 		    "--flags: binary points have no room for words; say "
 		    "-o text");
@@ -82,13 +140,6 @@ static void check_layout(const struct options *o, const struct layout *l)
 		    "--tolerance: %d tolerances; %d coordinates are "
 		    "printed here",
 		    o->tolerances.n, l->writes);
-	if (o->columns.n > 0 && is_binary(o->in))
-		die(EXIT_USAGE, "--columns: binary points have no fields");
-	if (o->columns.n > 0 && o->columns.n != l->reads)
-		die(EXIT_USAGE,
-		    "--columns: %d fields; %d coordinates are "
-		    "read here",
-		    o->columns.n, l->reads);
 }
 
 /* Tests and measurements choose the kernels by PROJCALC_CPU; else they are the
@@ -107,7 +158,7 @@ static void choose_kernels(void)
 /* Text is rounded, and what is computed leaves room for that. */
 static void set_tolerances(struct job *j, const struct tolerances *t)
 {
-	bool text = !is_binary(j->layout.out);
+	bool text = !is_binary(j->layout.out.format);
 
 	for (int k = 0; k < COORDINATES_MAX; k++)
 		j->layout.style[k] = (struct number_style){ NUMBER_WITHIN,
@@ -123,13 +174,18 @@ void prepare_job(struct job *j, const struct options *o)
 	const int ray_reads = 2, ray_writes = 6;
 
 	j->layout = (struct layout){
-		.in = o->in,
-		.out = o->has_out ? o->out : o->in,
+		.in = dialect_of(o->in, o->separator),
+		.out = dialect_of(o->has_out ? o->out : o->in,
+		    o->separator),
+		.header = o->header ? HEADER_FIRST :
+		    o->no_header    ? HEADER_NONE :
+				      HEADER_MAYBE,
 		.columns = o->columns,
 		.reads = j->rays ? ray_reads : j->transform.in,
 		.writes = j->rays ? ray_writes : j->transform.out,
 		.single = o->precision == PRECISION_SINGLE,
 	};
+	j->layout.columns.by_header = o->columns.n == 0;
 	for (int k = 0; k < COORDINATES_MAX; k++)
 		j->layout.style[k] = o->style;
 	j->accuracy = (struct accuracy){ .precision = o->precision };
@@ -148,9 +204,9 @@ void prepare_job(struct job *j, const struct options *o)
 static void do_json(struct job *j, const char *name, const char *text,
     size_t size)
 {
-	enum format in = j->layout.in;
+	struct dialect in = j->layout.in;
 
-	j->layout.in = FORMAT_JSON;
+	j->layout.in = dialect_of(FORMAT_JSON, ',');
 	stream_text(j, name, text, size);
 	j->layout.in = in;
 }

@@ -35,6 +35,11 @@ static void set_output(struct options *o, char *word)
 	o->has_out = true;
 }
 
+static void set_separator(struct options *o, char *word)
+{
+	o->separator = separator_of("separator", word);
+}
+
 static void set_columns(struct options *o, char *word)
 {
 	o->columns = columns_of("columns", word);
@@ -118,12 +123,16 @@ static const struct row {
 	{ "convention", 'c', ALL, "of the answer: d3d, gl, vulkan, webgpu or opencv",
 	    .argument = "NAME", .set = set_convention },
 	{ "input", 'i', POINTS,
-	    "of points: text (default), csv, json, f64, f32",
+	    "of points: text (default), csv, tsv, json, f64, f32",
 	    .argument = "FORMAT", .set = set_input },
 	{ "output", 'o', PRINTED, "the same; default the input's",
 	    .argument = "FORMAT", .set = set_output },
+	{ "separator", 0, POINTS, "between fields of csv: a character, or tab",
+	    .argument = "C", .set = set_separator },
+	{ "header", 0, POINTS, "the first line of csv is a header", ON(header) },
+	{ "no-header", 0, POINTS, "it is not", ON(no_header) },
 	{ "columns", 0, POINTS,
-	    "the coordinates' fields: 2,3,4, or names in csv",
+	    "the coordinates: fields 2,3,4, or names in csv and JSON",
 	    .argument = "LIST", .set = set_columns },
 	{ "decimals", 'd', NUMBERS, "round to N decimals",
 	    .argument = "N", .set = set_decimals },

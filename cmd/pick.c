@@ -32,7 +32,7 @@ static void take(const struct job *j, struct chunk *c, const struct line *line,
 	double in[4] = { c->in[0][p], c->in[1][p], c->in[2][p], 1 };
 	struct hit hit = { .line = number, .point = { [3] = 1 } };
 
-	if (line->kind == LINE_BAD)
+	if (line_is_bad(line))
 		return;
 	for (int i = 0; i < 3; i++) {
 		hit.device[i] = c->image[i][p];

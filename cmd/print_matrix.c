@@ -81,6 +81,8 @@ void print_matrix(const struct options *o, const struct document *d,
 		.single = single,
 		.compact = true,
 		.between = "" };
+	const char between[] = { dialect_of(o->out, o->separator).separator,
+		'\0' };
 	const int *pick = flat ? FLAT : SPATIAL;
 	int n = flat ? 3 : 4;
 	double m[4][4];
@@ -99,6 +101,6 @@ void print_matrix(const struct options *o, const struct document *d,
 	if (o->out == FORMAT_JSON)
 		put_json(&p, m, n, column);
 	else
-		put_lines(&p, m, n, o->out == FORMAT_CSV ? "," : " ");
+		put_lines(&p, m, n, between);
 	put_all(text, (size_t)(p.at - text));
 }

@@ -10,7 +10,8 @@
 static struct {
 	size_t next_line; /* of the source, from 1 */
 	bool unended;     /* the last line printed has no newline yet */
-	bool bad;         /* there was a complaint */
+	size_t bad;       /* lines */
+	bool keeps_going, points; /* of binary, not lines */
 	size_t imageless; /* points */
 	char where[400];  /* the first of them: scene, source:line */
 } answer;
@@ -25,30 +26,41 @@ static void print(const struct job *j, const struct chunk *c)
 	if (c->size > 0 && answer.unended)
 		put_all("\n", 1);
 	if (c->size > 0)
-		answer.unended = !is_binary(j->layout.out) &&
+		answer.unended = !is_binary(j->layout.out.format) &&
 		    c->out[c->size - 1] != '\n';
 	put_all(c->out, c->size);
 }
 
-static void count_imageless(const struct chunk *c)
+/* What the numbers of lines count, after the name of the source. */
+static const char *unit(const struct job *j)
+{
+	return is_binary(j->layout.in.format) ? ": point " : ":";
+}
+
+static void count_imageless(const struct job *j, const struct chunk *c)
 {
 	if (c->imageless > 0 && answer.imageless == 0)
-		snprintf(answer.where, sizeof answer.where, "%s%.250s:%zu",
-		    said_scene(), c->name,
+		snprintf(answer.where, sizeof answer.where, "%s%.250s%s%zu",
+		    said_scene(), c->name, unit(j),
 		    answer.next_line + c->first_imageless);
 	answer.imageless += c->imageless;
 }
+
+/* Of more bad lines than that only the number is told. */
+enum { TOLD = 10 };
 
 static void complain(const struct job *j, const struct chunk *c)
 {
 	if (!j->keep_going && j->flush != NULL)
 		j->flush(j);
 	progress_clear();
-	for (size_t i = 0; i < c->n_complaints; i++)
-		say("%s:%zu: %s", c->name,
+	for (size_t i = 0; i < c->n_complaints && answer.bad + i < TOLD; i++)
+		say("%s%s%zu: %s", c->name, unit(j),
 		    answer.next_line + c->complaints[i].line,
 		    c->reasons + c->complaints[i].reason);
-	answer.bad = true;
+	answer.bad += c->n_complaints;
+	answer.keeps_going = j->keep_going;
+	answer.points = is_binary(j->layout.in.format);
 	if (!j->keep_going) {
 		close_output();
 		quit(EXIT_INPUT);
@@ -73,7 +85,7 @@ void answer_chunk(const struct job *j, const struct chunk *c)
 	else
 		print(j, c);
 	if (j->count_imageless)
-		count_imageless(c);
+		count_imageless(j, c);
 	if (c->n_complaints > 0)
 		complain(j, c);
 	answer.next_line += c->n_lines;
@@ -90,6 +102,10 @@ int answer_end(void)
 	else if (answer.imageless > 1)
 		say("%zu points have no image, the first in %s",
 		    answer.imageless, answer.where);
+	if (answer.keeps_going)
+		say("%zu bad %s%s", answer.bad,
+		    answer.points ? "point" : "line",
+		    answer.bad == 1 ? "" : "s");
 	close_output();
-	return answer.bad ? EXIT_INPUT : EXIT_OK;
+	return answer.bad > 0 ? EXIT_INPUT : EXIT_OK;
 }
