@@ -106,7 +106,8 @@ char separator_of(const char *option, const char *word)
 	if (strlen(word) != 1 || (unsigned char)*word >= 0x7f ||
 	    strchr("\"'+-.#_\r\n\v\f", *word) != NULL || isalnum(*word))
 		die(EXIT_USAGE,
-		    "--%s: '%s' can't separate fields; it is one character such "
+		    "--%s: '%s' can't separate fields; it is one character "
+		    "such "
 		    "as ; or |, or tab",
 		    option, word);
 	return *word;

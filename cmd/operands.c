@@ -112,8 +112,7 @@ static void check_columns_of(const struct options *o, const struct layout *l)
 static void check_csv(const struct options *o, const struct layout *l)
 {
 	if (o->separator != ',' && o->in != FORMAT_CSV && o->out != FORMAT_CSV)
-		die(EXIT_USAGE,
-		    "--separator is of csv; say -i csv, or -o csv");
+		die(EXIT_USAGE, "--separator is of csv; say -i csv, or -o csv");
 	if ((o->header || o->no_header) && l->in.format != FORMAT_CSV)
 		die(EXIT_USAGE, "--%s is of csv; say -i csv or -i tsv",
 		    o->header ? "header" : "no-header");
@@ -175,8 +174,7 @@ void prepare_job(struct job *j, const struct options *o)
 
 	j->layout = (struct layout){
 		.in = dialect_of(o->in, o->separator),
-		.out = dialect_of(o->has_out ? o->out : o->in,
-		    o->separator),
+		.out = dialect_of(o->has_out ? o->out : o->in, o->separator),
 		.header = o->header ? HEADER_FIRST :
 		    o->no_header    ? HEADER_NONE :
 				      HEADER_MAYBE,

@@ -10,7 +10,7 @@ struct options {
 	bool help, version;
 	const struct convention *convention; /* NULL: the document's */
 	enum format in, out;
-	bool has_out; /* else out is the same as in, or text for a matrix */
+	bool has_out;   /* else out is the same as in, or text for a matrix */
 	char separator; /* of csv, a comma by default */
 	bool header, no_header; /* of csv: the first line is one, or none */
 	struct columns columns; /* of POINTS, by --columns */

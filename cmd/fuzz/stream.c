@@ -171,7 +171,8 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 	j->visible = j->layout.reads > 2 && b & 1;
 	j->count_imageless = !j->flags && !j->visible;
 	j->accuracy.precision = (enum precision)(b / 2 % 3);
-	for (int k = 0; k < 3 && b & 64 && j->layout.out != FORMAT_F32; k++)
+	for (int k = 0; k < 3 && b & 64 && j->layout.out.format != FORMAT_F32;
+	     k++)
 		j->accuracy.tolerance[k] = 0.5;
 	j->layout.single = j->accuracy.precision == PRECISION_SINGLE &&
 	    !(j->accuracy.tolerance[0] > 0);
@@ -182,21 +183,25 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 static void do_at_once(struct job *j, const char *text, size_t size)
 {
 	static bool unended;
+	static size_t bad;
 	struct chunk *c = chunk_new();
 
-	c->header = j->layout.in == FORMAT_CSV;
+	c->first = !is_binary(j->layout.in.format);
 	c->text = text;
 	c->end = text + size;
 	job_do(j, c);
 	if (c->size > 0) {
 		add(&printed, "\n", unended);
-		unended = !is_binary(j->layout.out) &&
+		unended = !is_binary(j->layout.out.format) &&
 		    c->out[c->size - 1] != '\n';
 	}
 	add(&printed, c->out, c->size);
-	for (size_t i = 0; i < c->n_complaints; i++)
-		say("a:%zu: %s", 1 + c->complaints[i].line,
+	for (size_t i = 0; i < c->n_complaints && bad + i < 10; i++)
+		say("a%s%zu: %s",
+		    is_binary(j->layout.in.format) ? ": point " : ":",
+		    1 + c->complaints[i].line,
 		    c->reasons + c->complaints[i].reason);
+	bad += c->n_complaints;
 	chunk_free(c);
 }
 

@@ -8,12 +8,12 @@
 
 /* Of all chunks so far. It needs no lock, as no two are answered at a time. */
 static struct {
-	size_t next_line; /* of the source, from 1 */
-	bool unended;     /* the last line printed has no newline yet */
-	size_t bad;       /* lines */
+	size_t next_line;         /* of the source, from 1 */
+	bool unended;             /* the last line printed has no newline yet */
+	size_t bad;               /* lines */
 	bool keeps_going, points; /* of binary, not lines */
-	size_t imageless; /* points */
-	char where[400];  /* the first of them: scene, source:line */
+	size_t imageless;         /* points */
+	char where[400];          /* the first of them: scene, source:line */
 } answer;
 
 void answer_source(void)

@@ -93,7 +93,8 @@ void binary_write(const struct job *j, struct chunk *c, size_t p,
 
 	for (int k = 0; k < j->layout.writes; k++) {
 		double wide = v[k] + 0.0; /* -0 is 0 */
-		float narrow = j->layout.out.format == FORMAT_F32 && !isnan(wide) ?
+		float narrow = j->layout.out.format == FORMAT_F32 &&
+			!isnan(wide) ?
 		    narrowed(j, c, p, k, wide) + 0.0f :
 		    (float)wide;
 

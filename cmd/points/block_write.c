@@ -120,7 +120,7 @@ static inline char separator(const struct layout *l, const struct line *line,
     int n)
 {
 	return l->out.format == FORMAT_TEXT ? line->s[line->at[n - 2].to] :
-					     l->out.separator;
+					      l->out.separator;
 }
 
 static inline char *put_word(const struct layout *l, const struct line *line,
@@ -300,7 +300,8 @@ static void write_binary(struct block *b, const struct line *line, size_t p)
  * those of most, the sum has the top bit set. */
 static bool all_finite(const struct chunk *c, const struct layout *l, size_t n)
 {
-	const double most = l->out.format == FORMAT_F32 ? 0x1.ffffffp127 : DBL_MAX;
+	const double most = l->out.format == FORMAT_F32 ? 0x1.ffffffp127 :
+							  DBL_MAX;
 	const uint64_t top = 1ull << 63;
 	uint64_t limit, bits, any = 0;
 

@@ -20,7 +20,7 @@ struct chunk {
 	const char *text, *end; /* what is left to read */
 	size_t bytes;           /* of text at the beginning, for the progress */
 	size_t n_lines;         /* read so far */
-	bool first;             /* the first line that counts is still to come */
+	bool first; /* the first line that counts is still to come */
 	enum piece_state state; /* what comes after it in the source */
 	int error;              /* the errno of PIECE_FAILED */
 	bool done;              /* it waits to be answered */

@@ -17,8 +17,8 @@ static struct span text_field(const char *s, const char *end)
  * not begin with one, as in 5" pipe, a quote is like any other character. */
 static struct span csv_field(char separator, const char *s, const char *end)
 {
-	const char *p = skip_blanks((struct dialect){ FORMAT_CSV, separator }, s,
-	    end);
+	const char *p = skip_blanks((struct dialect){ FORMAT_CSV, separator },
+	    s, end);
 	struct span f = { s, s };
 	bool quoted = p < end && *p == '"';
 

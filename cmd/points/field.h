@@ -18,8 +18,7 @@ static inline bool is_blank(char c)
 static inline __attribute__((always_inline)) bool is_blank_of(struct dialect d,
     char c)
 {
-	return is_blank(c) &&
-	    (d.format == FORMAT_TEXT || c != d.separator) &&
+	return is_blank(c) && (d.format == FORMAT_TEXT || c != d.separator) &&
 	    (d.format != FORMAT_JSON || (c != '\v' && c != '\f'));
 }
 

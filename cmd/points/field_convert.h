@@ -7,6 +7,7 @@
 /* Writes f, a field of dialect in, for dialect out: as it stands if that means
  * the same there, else in quotes. Returns where it ends. Takes at most six
  * bytes for each of f, as in \u0001, and two for the quotes. */
-char *field_convert(struct dialect in, struct dialect out, struct span f, char *at);
+char *field_convert(struct dialect in, struct dialect out, struct span f,
+    char *at);
 
 #endif

@@ -83,11 +83,11 @@ void job_do(struct job *j, struct chunk *c)
 	size_t size = point_size(j->layout.in.format, j->layout.reads);
 	/* a block of images goes out as it is: every point becomes as many
 	 * bytes, and no command wants to see it */
-	bool whole = binary && is_binary(j->layout.out.format) && j->take == NULL &&
-	    !j->visible && !j->rays;
+	bool whole = binary && is_binary(j->layout.out.format) &&
+	    j->take == NULL && !j->visible && !j->rays;
 	bool direct = whole && same_dialect(j->layout.in, j->layout.out) &&
 	    (j->layout.in.format == FORMAT_F32 ? j->layout.single :
-					  is_exact(&j->accuracy));
+						 is_exact(&j->accuracy));
 
 	chunk_clear(c);
 	while (c->text < c->end) {

@@ -17,7 +17,7 @@ enum { COORDINATES_MAX = 6 };
  * members of JSON objects, of which those that begin with / are pointers. */
 struct columns {
 	int n; /* 0: the first fields are the coordinates, or the members x, y, z, w */
-	int field[4]; /* -1: the header has none of that name */
+	int field[4];        /* -1: the header has none of that name */
 	const char *name[4]; /* NULL if a field is given by its number */
 	bool by_header;      /* nobody said: the header's x, y, z, w */
 };
@@ -39,7 +39,7 @@ struct layout {
 enum line_kind {
 	LINE_POINT,
 	LINE_COPY, /* blank, comment or header */
-	LINE_BAD,  /* its coordinates have places, but for those that are missing */
+	LINE_BAD, /* its coordinates have places, but for those that are missing */
 	LINE_LOST, /* bad, and not to be taken apart */
 };
 

@@ -79,9 +79,9 @@ bool say_header_of_text(const struct layout *l, struct span text,
 		s = field_next(l->in, f.end, text.end);
 	}
 	snprintf(reason, REASON_MAX, "looks like a header; say %s",
-	    has(text, ',')	? "-i csv" :
+	    has(text, ',')      ? "-i csv" :
 		has(text, '\t') ? "-i tsv" :
-		has(text, ';')	? "-i csv --separator ';'" :
+		has(text, ';')  ? "-i csv --separator ';'" :
 				  "-i csv --separator ' ', or put # before it");
 	return true;
 }
@@ -241,7 +241,6 @@ void line_take_apart(const struct layout *l, struct span text,
 		find_fields(l, text.s, text.end, false, line);
 	else if (whole)
 		find_fields(l, s, text.end,
-		    l->columns.n == 0 && !commas_agree(l, s, text.end),
-		    line);
+		    l->columns.n == 0 && !commas_agree(l, s, text.end), line);
 	line->kind = whole ? LINE_BAD : LINE_LOST;
 }

@@ -46,8 +46,10 @@ static int find_member(const char *s, const char *end, const char *name,
 	int times = 0;
 
 	for (; json_place_next(&p, end); p.before = p.after)
-		if (is_name(p.s, end, name, n) && times++ == 0)
+		if (is_name(p.s, end, name, n)) {
 			*found = p;
+			times++;
+		}
 	return times;
 }
 
@@ -100,7 +102,7 @@ int json_place_find(struct span object, const char *path, struct json_place *p)
 		if (path == NULL)
 			return 0;
 		times = *s == '{' ? find_member(s, object.end, token, n, p) :
-		    *s == '['	  ? find_element(s, object.end, token, n, p) :
+		    *s == '['     ? find_element(s, object.end, token, n, p) :
 				    0;
 	}
 	return times;
@@ -120,6 +122,5 @@ void json_place_names(struct span object, struct names *names)
 
 	for (; json_place_next(&p, object.end); p.before = p.after)
 		names_add(names,
-		    (struct span){ p.s + 1,
-			json_string(p.s, object.end) - 1 });
+		    (struct span){ p.s + 1, json_string(p.s, object.end) - 1 });
 }

@@ -19,8 +19,8 @@ struct json_place {
 bool json_place_next(struct json_place *, const char *end);
 
 /* Finds the value to which path leads: the name of a member of the object, or a
- * pointer (RFC 6901) if it begins with /. Returns how many there are: the first of
- * the members of one name counts, and two are told of. */
+ * pointer (RFC 6901) if it begins with /. Returns how many members of that name there
+ * are, of which the last is found, as most readers of JSON do. */
 int json_place_find(struct span object, const char *path, struct json_place *);
 
 /* All of it, with its name and one of the commas beside it. */

@@ -17,8 +17,8 @@ static const struct dialect json = { FORMAT_JSON, ',' };
  * stand around it; in JSON, null is an unknown number. Returns false if *f
  * holds anything else. As no number goes on past what ends a field, number_read
  * may look at all that is readable after it, which is faster. */
-static bool field_number(struct dialect d, struct span *f,
-    const char *readable, double *v)
+static bool field_number(struct dialect d, struct span *f, const char *readable,
+    double *v)
 {
 	struct span n = *f;
 	const char *stop;
@@ -38,7 +38,7 @@ static bool field_number(struct dialect d, struct span *f,
 	if (n.s == n.end)
 		return false;
 	stop = d.format == FORMAT_JSON ? json_number(n.s, readable, v) :
-				       number_read(n.s, readable, v);
+					 number_read(n.s, readable, v);
 	if (stop != n.end)
 		return false;
 	*f = n;
@@ -87,13 +87,13 @@ static bool plain_field(struct dialect d, const char *s, const char *end,
 	if (f->s == end)
 		return false;
 	f->end = d.format == FORMAT_JSON ? json_number(f->s, readable, v) :
-					 number_read(f->s, readable, v);
+					   number_read(f->s, readable, v);
 	if (f->end == NULL)
 		return false;
 	const char *after = skip_blanks(d, f->end, end);
 
 	return d.format == FORMAT_JSON ? json_skip(f->end, end) == after :
-				       after == end || *after == d.separator;
+					 after == end || *after == d.separator;
 }
 
 /* Reads the field at s, of csv or JSON, and the number in it. Most are plain
@@ -157,8 +157,10 @@ static bool read_columns(const struct layout *l, const char *s, const char *end,
 		}
 		if (!field_find(l->in, from, end, k - passed, &f)) {
 			snprintf(reason, REASON_MAX,
-			    "%s is missing: there is no field %d", axis(i),
-			    k + 1);
+			    f.s == NULL ?
+				"%s is missing: there is no field %d" :
+				"%s is missing: field %d is empty",
+			    axis(i), k + 1);
 			return false;
 		}
 		from = f.s;

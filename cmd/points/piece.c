@@ -204,7 +204,8 @@ enum piece_state piece_of_text(const struct layout *l, const char *text,
 	size_t all = *size, end = 0, line = 0;
 
 	if (all > PIECE_ROOM && is_binary(l->in.format)) {
-		*size = PIECE_ROOM - PIECE_ROOM % point_size(l->in.format, l->reads);
+		*size = PIECE_ROOM -
+		    PIECE_ROOM % point_size(l->in.format, l->reads);
 		return PIECE_FULL;
 	}
 	if (all > PIECE_ROOM) {

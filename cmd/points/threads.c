@@ -30,9 +30,9 @@ static struct {
 
 	/* Of the source in hand. */
 	struct point_source *source;
-	bool open;                 /* there may be more */
-	bool shared;               /* the threads may take part */
-	bool first; /* the source's first line that counts is still to come */
+	bool open;   /* there may be more */
+	bool shared; /* the threads may take part */
+	bool first;  /* the source's first line that counts is still to come */
 	bool beginning, answering; /* somebody is */
 	struct chunk *last; /* its last, when that is answered; else NULL */
 	size_t begun, answered, n_unused; /* chunks */

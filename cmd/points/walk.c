@@ -57,8 +57,8 @@ static void plan_members(const struct layout *l, struct walk *w)
 	w->arrays = c->n == 0 || c->name[0] == NULL;
 	w->objects = l->in.format == FORMAT_JSON;
 	for (int i = 0; i < l->reads && w->objects; i++) {
-		w->objects = c->n == 0 || (c->name[i] != NULL &&
-						 *c->name[i] != '/');
+		w->objects = c->n == 0 ||
+		    (c->name[i] != NULL && *c->name[i] != '/');
 		if (w->objects)
 			w->name[i] = path_of(l, i);
 	}
@@ -332,9 +332,8 @@ enum shape { FIELDS, COLUMNS, MEMBERS };
 
 /* Where the coordinates of a line stand; false where it is to be left. That some
  * separators of text have a comma and others have not is left as well. */
-INLINE bool
-find_coordinates(struct place *p, const struct walk *w, struct dialect d, int n,
-    enum shape shape, const struct target *t)
+INLINE bool find_coordinates(struct place *p, const struct walk *w,
+    struct dialect d, int n, enum shape shape, const struct target *t)
 {
 	const bool text = d.format == FORMAT_TEXT, columns = shape == COLUMNS;
 	bool comma = false;
@@ -386,9 +385,8 @@ static void no_numbers(int n, size_t i, struct plain_places places[4])
 	}
 }
 
-INLINE size_t
-take_lines(struct stretch *s, const struct walk *walk, struct dialect d, int n,
-    enum shape shape, size_t max, struct line *lines,
+INLINE size_t take_lines(struct stretch *s, const struct walk *walk,
+    struct dialect d, int n, enum shape shape, size_t max, struct line *lines,
     struct plain_places places[4], uint64_t *left)
 {
 	struct place p = { s->text, s->at, s->next, false };
@@ -406,7 +404,8 @@ take_lines(struct stretch *s, const struct walk *walk, struct dialect d, int n,
 		bool open = false; /* a quote */
 
 		for (; p.text[*p.stop] != '\n'; p.stop++)
-			open ^= d.format == FORMAT_CSV && p.text[*p.stop] == '"';
+			open ^= d.format == FORMAT_CSV &&
+			    p.text[*p.stop] == '"';
 		if (!found || open) {
 			no_numbers(n, i, places);
 			*left |= (uint64_t)1 << i;
@@ -425,10 +424,9 @@ take_lines(struct stretch *s, const struct walk *walk, struct dialect d, int n,
 }
 
 /* Three coordinates are what is usual. */
-INLINE size_t
-take_dialect(struct stretch *s, const struct walk *walk, struct dialect d,
-    size_t max, struct line *lines, struct plain_places places[4],
-    uint64_t *left)
+INLINE size_t take_dialect(struct stretch *s, const struct walk *walk,
+    struct dialect d, size_t max, struct line *lines,
+    struct plain_places places[4], uint64_t *left)
 {
 	if (walk->n != 3)
 		return take_lines(s, walk, d, walk->n, COLUMNS, max, lines,
@@ -464,7 +462,8 @@ size_t walk_lines(struct stretch *s, const struct walk *walk, size_t n,
 	case FORMAT_JSON:
 		return take_json(s, walk, n, lines, places, left);
 	default:
-		return take_dialect(s, walk, (struct dialect){ FORMAT_TEXT, ' ' },
-		    n, lines, places, left);
+		return take_dialect(s, walk,
+		    (struct dialect){ FORMAT_TEXT, ' ' }, n, lines, places,
+		    left);
 	}
 }
