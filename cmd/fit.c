@@ -27,7 +27,7 @@ static void take(const struct job *j, struct chunk *c, const struct line *line,
 
 	(void)j;
 	(void)number;
-	if (line_is_bad(line))
+	if (line->kind != LINE_POINT)
 		return;
 	if (c->size == 0)
 		memcpy(chunk_reserve(c, sizeof nothing), &nothing,

@@ -46,6 +46,15 @@ static void count_imageless(const struct job *j, const struct chunk *c)
 	answer.imageless += c->imageless;
 }
 
+static void say_imageless(void)
+{
+	if (answer.imageless == 1)
+		say("1 point has no image: %s", answer.where);
+	else if (answer.imageless > 1)
+		say("%zu points have no image, the first in %s",
+		    answer.imageless, answer.where);
+}
+
 /* Of more bad lines than that only the number is told. */
 enum { TOLD = 10 };
 
@@ -62,6 +71,7 @@ static void complain(const struct job *j, const struct chunk *c)
 	answer.keeps_going = j->keep_going;
 	answer.points = is_binary(j->layout.in.format);
 	if (!j->keep_going) {
+		say_imageless();
 		close_output();
 		quit(EXIT_INPUT);
 	}
@@ -97,11 +107,7 @@ void answer_chunk(const struct job *j, const struct chunk *c)
 int answer_end(void)
 {
 	progress_end();
-	if (answer.imageless == 1)
-		say("1 point has no image: %s", answer.where);
-	else if (answer.imageless > 1)
-		say("%zu points have no image, the first in %s",
-		    answer.imageless, answer.where);
+	say_imageless();
 	if (answer.keeps_going)
 		say("%zu bad %s%s", answer.bad,
 		    answer.points ? "point" : "line",

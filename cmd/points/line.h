@@ -66,6 +66,9 @@ static inline bool is_missing(struct part p)
 	return p.from > p.to;
 }
 
+/* Of what line_read has read: blank lines and comments are copied, too. */
+bool line_is_header(const struct layout *, const struct line *);
+
 static inline bool line_is_bad(const struct line *line)
 {
 	return line->kind == LINE_BAD || line->kind == LINE_LOST;

@@ -350,6 +350,15 @@ static bool read_text(struct layout *l, struct span text, const char *readable,
 	return false;
 }
 
+bool line_is_header(const struct layout *l, const struct line *line)
+{
+	const char *end = line->s + line->size;
+	const char *s = skip_blanks(l->in, skip_mark(line->s, end), end);
+
+	return l->in.format == FORMAT_CSV && line->kind == LINE_COPY &&
+	    s < end && *s != '#';
+}
+
 /* Whether a carriage return stands where more of the line comes after it. */
 static bool has_old_line_ends(struct span text)
 {

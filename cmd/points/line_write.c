@@ -147,14 +147,11 @@ static char *copy_header(const struct layout *l, const struct line *line,
 /* A blank line, a comment or a header. JSON has none of them. */
 static char *copy(const struct layout *l, const struct line *line, char *out)
 {
-	const char *end = line->s + line->size;
-	const char *s = skip_blanks(l->in, skip_mark(line->s, end), end);
-
 	if (l->in.format == FORMAT_JSON || l->out.format == FORMAT_JSON)
 		return out;
-	if (l->in.format == FORMAT_CSV && s < end && *s != '#')
+	if (line_is_header(l, line))
 		return copy_header(l, line, out);
-	return put(out, line->s, end);
+	return put(out, line->s, line->s + line->size);
 }
 
 char *line_write(const struct layout *l, const struct line *line,
