@@ -49,7 +49,8 @@ my $beyond = qr{
 }x;
 
 # An object with none of a scene's members is one of them, as is its type.
-my %bare = (lookat => 'camera', w2n => 'window', n2d => 'device',
+my %bare = (lookat => 'camera', (map { $_ => 'window' } qw(w2n n2w)),
+	(map { $_ => 'device' } qw(n2d d2n)),
 	map { $_ => 'projection' } qw(persp ortho oblique volume));
 
 sub as_scene {
