@@ -74,12 +74,13 @@ static const struct command commands[] = {
 	{ "fit", "a scene completed to hold bounds or points and no more",
 	    FIT, run_fit,
 	    .wants = { .needed = SCENE_PROJECTION, .fit = true,
+		.flat = SCENE_WINDOW | SCENE_DEVICE,
 		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_BOUNDS |
 		    SCENE_MARGIN } },
 	{ "inspect",
-	    "what the projection is, its angles, corners and error bounds",
+	    "what the projection or 2D window is: angles, edges, error bounds",
 	    INSPECT, run_inspect,
-	    .wants = { .used = SCENE_SPATIAL } },
+	    .wants = { .flat = SCENE_WINDOW, .used = SCENE_SPATIAL } },
 };
 /* clang-format on */
 

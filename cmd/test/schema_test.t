@@ -42,7 +42,7 @@ my $beyond = qr{
 	singular | determinant | last\ column | transposed | of\ -c; | pi\S*\ radians | too\ far\ from |
 	beyond\ the\ range\ of\ doubles
 	    (?!;\ numbers) |
-	missing;\ (?:add|it\ is|device|say) |
+	missing;\ (?:add|it\ is|device|say|-t) |
 	but\ the\ command\ is | coordinates\ are\ wanted | not\ together\ with\ PO |
 	can't\ be\ taken\ back | nothing\ that\ can\ be\ fitted |
 	^projcalc:\ POINTS:
@@ -56,7 +56,8 @@ my %bare = (lookat => 'camera', (map { $_ => 'window' } qw(w2n n2w)),
 sub as_scene {
 	my ($command, $text) = @_;
 	# The points that fit holds may stand elsewhere.
-	$text =~ s/^\s*\{/{"bounds": {"center": [0,0,0], "radius": 1}, /
+	my $center = $text =~ /"projection"/ ? '[0,0,0]' : '[0,0]';
+	$text =~ s/^\s*\{/{"bounds": {"center": $center, "radius": 1}, /
 	    if $command eq 'fit' && $text !~ /"bounds"/;
 	my $bare = $bare{$command} or return $text;
 	return $text if $text =~ /"(?:convention|world|camera|projection|viewport
