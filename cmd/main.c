@@ -34,7 +34,7 @@
 	.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS
 
 #define IN_PLANE(a, b)                                                     \
-	FLAT, run_matrix, .from = FLAT_##a, .to = FLAT_##b,                \
+	PLANAR, run_matrix, .from = FLAT_##a, .to = FLAT_##b,                \
 	.points_to = FLAT_##b
 
 static const struct command commands[] = {

@@ -9,10 +9,10 @@ static void set_transform(const struct command *c, const struct options *o,
 	bool planes = o->flags || o->visible;
 
 	document_check(d,
-	    c->kind == FLAT ? flat_transform(s, (enum flat)c->from,
-				  (enum flat)to, &j->transform) :
-			      scene_transform(s, (enum space)c->from,
-				  (enum space)to, false, &j->transform));
+	    c->kind == PLANAR ? flat_transform(s, (enum flat)c->from,
+				    (enum flat)to, &j->transform) :
+				scene_transform(s, (enum space)c->from,
+				    (enum space)to, false, &j->transform));
 	if (planes)
 		document_check(d,
 		    flat_frustum_of(s, (enum flat)c->from, &j->frustum));
@@ -26,7 +26,7 @@ void run_matrix(const struct command *c, const struct options *o)
 	struct document d;
 	static struct job j;
 
-	read_document(c, o, c->kind == FLAT ? 2 : 3, &d);
+	read_document(c, o, c->kind == PLANAR ? 2 : 3, &d);
 
 	bool points = !o->matrix && has_points(o, &d);
 
@@ -37,7 +37,7 @@ void run_matrix(const struct command *c, const struct options *o)
 		    c->name, o->flags ? "flags" : "visible");
 	set_transform(c, o, &d, points ? c->points_to : c->to, &j);
 	if (!points) {
-		print_matrix(o, &d, &j.transform.map, c->kind == FLAT);
+		print_matrix(o, &d, &j.transform.map, c->kind == PLANAR);
 		return;
 	}
 	prepare_job(&j, o);

@@ -94,7 +94,7 @@ static void set_jobs(struct options *o, char *word)
 
 /* Kinds of commands that share options, as unions of enum command_kind. */
 enum {
-	PLANES = PROJECT | TRACE | FLAT, /* ask what points are outside of */
+	PLANES = PROJECT | TRACE | PLANAR, /* ask what points are outside of */
 	WITHIN = MATRIX | PLANES,        /* to a precision or tolerance */
 	PRINTED = WITHIN | PICK,         /* print points */
 	POINTS = PRINTED | FIT,          /* read them */
@@ -142,7 +142,7 @@ static const struct row {
 	    .argument = "SPACE", .set = set_to },
 	{ "homogeneous", 'H', PROJECT, "x y z w, not divided",
 	    ON(homogeneous) },
-	{ "matrix", 'm', MATRIX | PROJECT | FLAT,
+	{ "matrix", 'm', MATRIX | PROJECT | PLANAR,
 	    "print the matrix, read no points", ON(matrix) },
 	{ "at", 0, PICK, "the device position",
 	    .argument = "X,Y", .set = set_at },

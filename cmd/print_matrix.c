@@ -7,7 +7,7 @@
 #include "talk.h"
 
 /* The rows and columns of a map that are printed: in 2D z is left out. */
-static const int ALL_FOUR[4] = { 0, 1, 2, 3 }, BUT_Z[3] = { 0, 1, 3 };
+static const int SPATIAL[4] = { 0, 1, 2, 3 }, FLAT[3] = { 0, 1, 3 };
 
 static void refuse_wide(const struct document *d, double m[4][4], int n)
 {
@@ -81,7 +81,7 @@ void print_matrix(const struct options *o, const struct document *d,
 		.single = single,
 		.compact = true,
 		.between = "" };
-	const int *pick = flat ? BUT_Z : ALL_FOUR;
+	const int *pick = flat ? FLAT : SPATIAL;
 	int n = flat ? 3 : 4;
 	double m[4][4];
 

@@ -155,16 +155,15 @@ static const struct ways fit_window_ways = {
 static void read_corner(const struct value *v, const struct member *row,
     void *out)
 {
-	size_t n = value_is_array(v) ? value_count(v) : 0;
+	bool pair = value_is_array(v) && value_count(v) == 2;
 	bool flat = v->source->flat;
 
 	(void)row;
-	if (flat && n != 2 && !v->unused)
+	if (flat && !pair && !v->unused)
 		value_refuse(v,
-		    "is not an array of 2 numbers, as it is for a window; for "
+		    "is not an array of 2 numbers, as a window's are; for "
 		    "three dimensions add a \"projection\"");
-	value_numbers(v, &range_any, flat || (v->unused && n == 2) ? 2 : 3,
-	    out);
+	value_numbers(v, &range_any, pair && (flat || v->unused) ? 2 : 3, out);
 }
 
 #define CORNER(label, m, other)                                              \

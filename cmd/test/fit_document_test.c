@@ -64,11 +64,11 @@ static const struct refusal refusals[] = {
 	    "\"fovy\": 60, \"aspect\": 1.5, \"near\": 1, \"far\": 10}, or for "
 	    "two dimensions \"window\": {}" },
 	{ &either, "{\"window\":{}," BOX "}",
-	    "/bounds/min: is not an array of 2 numbers, as it is for a window; "
+	    "/bounds/min: is not an array of 2 numbers, as a window's are; "
 	    "for three dimensions add a \"projection\"" },
 	{ &either, "{\"window\":{},\"bounds\":{\"center\":1,\"radius\":1}}",
-	    "/bounds/center: is not an array of 2 numbers, as it is for a "
-	    "window; for three dimensions add a \"projection\"" },
+	    "/bounds/center: is not an array of 2 numbers, as a "
+	    "window's are; for three dimensions add a \"projection\"" },
 	{ &either, "{\"window\":{\"left\":1,\"width\":1}}",
 	    "/window/left: not together with \"width\"; " WINDOW_HINT
 	    ", or nothing" },
@@ -129,7 +129,8 @@ static void test_missing(void **state)
 
 static void test_flat(void **state)
 {
-	static const struct document_wants unused = { .used = SCENE_WINDOW };
+	static const struct document_wants unused = { .used = SCENE_WINDOW,
+		.flat = SCENE_WINDOW };
 	struct document d = read_as(&either,
 	    "{\"window\":{\"zoom\":2},\"points\":[1,2,3],"
 	    "\"bounds\":{\"center\":[1,2],\"radius\":4}}");
@@ -150,7 +151,10 @@ static void test_flat(void **state)
 	d = read_as(&unused, "{\"bounds\":{\"min\":[1,2],\"max\":[3,4]}}");
 	assert_false(d.flat);
 	assert_numbers(d.bounds.max, 2, 3.0, 4.0);
-	d = read_as(&unused, "{" BOX "}");
+	d = read_as(&unused,
+	    "{\"window\":{\"left\":0,\"right\":1,\"bottom\":0,\"top\":1}," BOX
+	    "}");
+	assert_true(d.flat);
 	assert_numbers(d.bounds.max, 3, 1.0, 2.0, 3.0);
 }
 
