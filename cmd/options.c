@@ -95,10 +95,10 @@ static void set_jobs(struct options *o, char *word)
 /* Kinds of commands that share options, as unions of enum command_kind. */
 enum {
 	PLANES = PROJECT | TRACE | PLANAR, /* ask what points are outside of */
-	WITHIN = MATRIX | PLANES,        /* to a precision or tolerance */
-	PRINTED = WITHIN | PICK,         /* print points */
-	POINTS = PRINTED | FIT,          /* read them */
-	NUMBERS = PRINTED | INSPECT,     /* print numbers to be rounded */
+	WITHIN = MATRIX | PLANES,          /* to a precision or tolerance */
+	PRINTED = WITHIN | PICK,           /* print points */
+	POINTS = PRINTED | FIT,            /* read them */
+	NUMBERS = PRINTED | INSPECT,       /* print numbers to be rounded */
 	ALL = POINTS | INSPECT,
 };
 
