@@ -167,14 +167,14 @@ static void out_few(const struct frustum *f, const struct estimate *sides,
 void frustum_out_all(const struct frustum *f, const double *const in[4],
     unsigned char *out, size_t n)
 {
-	static const double none[FEW];
+	/* of two coordinates any column is the third, as its slopes are 0 */
+	const double *z = in[is_flat(f) ? 0 : 2];
 	struct estimate sides = estimate_of(&f->sides, 4), ends = { 0 };
 
 	if (!is_flat(f))
 		ends = estimate_of(&f->ends, 3);
 	for (size_t i = 0; i < n; i += FEW) {
-		const double *const at[4] = { in[0] + i, in[1] + i,
-			is_flat(f) ? none : in[2] + i };
+		const double *const at[4] = { in[0] + i, in[1] + i, z + i };
 		size_t few = n - i < FEW ? n - i : FEW;
 
 		if (f->sides.in <= 3) {

@@ -193,6 +193,8 @@ static void refusals(void **state)
 	assert_refused_as(&b, "/bounds/max/0");
 	b = (struct bounds){ .min = { -1e150, 0 }, .max = { 1e150, 1 } };
 	assert_refused_as(&b, "/bounds");
+	b = (struct bounds){ .min = { 0, -1e150 }, .max = { 1, 1e150 } };
+	assert_refused_as(&b, "/bounds");
 	b = (struct bounds){ .max = { 1e-151, 1e-151 } };
 	assert_refused_as(&b, "/bounds");
 	/* a third coordinate counts for nothing */
