@@ -15,6 +15,7 @@ enum command_kind {
 	FIT = 8,
 	INSPECT = 16,
 	TRACE = 32,
+	PLANAR = 64, /* as MATRIX, in two dimensions */
 };
 
 struct command {
@@ -26,10 +27,9 @@ struct command {
 	void (*run)(const struct command *, const struct options *);
 	/* All but convention and coordinates, which come from the options. */
 	struct document_wants wants;
-	/* For the MATRIX commands: the spaces that the matrix leads from and
-	 * to, and the space to which points are taken, which may be another.
-	 * They are of enum flat if flat, else of enum space. */
-	bool flat;
+	/* For the MATRIX and PLANAR commands: the spaces that the matrix leads
+	 * from and to, and the space to which points are taken, which may be
+	 * another. They are of enum flat if PLANAR, else of enum space. */
 	int from, to, points_to;
 };
 

@@ -22,6 +22,21 @@
 	    .projection = type },                                          \
 	.from = SPACE_VIEW, .to = SPACE_CLIP, .points_to = SPACE_NDC
 
+/* A window may adapt to the device, where there is one. */
+#define WINDOW_ALONE                                                       \
+	.bare = SCENE_WINDOW, .needed = SCENE_WINDOW,                      \
+	.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS
+#define DEVICE_ALONE                                                       \
+	.bare = SCENE_DEVICE, .needed = SCENE_DEVICE,                      \
+	.used = SCENE_DEVICE | SCENE_POINTS
+#define WINDOW_AND_DEVICE                                                  \
+	.needed = SCENE_WINDOW | SCENE_DEVICE,                             \
+	.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS
+
+#define IN_PLANE(a, b)                                                     \
+	PLANAR, run_matrix, .from = FLAT_##a, .to = FLAT_##b,                \
+	.points_to = FLAT_##b
+
 static const struct command commands[] = {
 	{ "lookat", "world to view matrix", MATRIX, run_matrix,
 	    .wants = { .bare = SCENE_CAMERA, .needed = SCENE_CAMERA,
@@ -33,27 +48,18 @@ static const struct command commands[] = {
 	    VIEW_TO_CLIP(PROJECTION_ORTHO) },
 	{ "oblique", "view to clip matrix of an oblique projection",
 	    VIEW_TO_CLIP(PROJECTION_OBLIQUE) },
-	/* a window may adapt to the device, where there is one */
-	{ "w2n", "2D window to NDC matrix", MATRIX, run_matrix,
-	    .wants = { .bare = SCENE_WINDOW, .needed = SCENE_WINDOW,
-		.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS },
-	    .flat = true, .from = FLAT_WINDOW, .to = FLAT_NDC,
-	    .points_to = FLAT_NDC },
-	{ "n2d", "2D NDC to device matrix", MATRIX, run_matrix,
-	    .wants = { .bare = SCENE_DEVICE, .needed = SCENE_DEVICE,
-		.used = SCENE_DEVICE | SCENE_POINTS },
-	    .flat = true, .from = FLAT_NDC, .to = FLAT_DEVICE,
-	    .points_to = FLAT_DEVICE },
-	{ "w2d", "2D window to device matrix", MATRIX, run_matrix,
-	    .wants = { .needed = SCENE_WINDOW | SCENE_DEVICE,
-		.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS },
-	    .flat = true, .from = FLAT_WINDOW, .to = FLAT_DEVICE,
-	    .points_to = FLAT_DEVICE },
-	{ "d2w", "2D device to window matrix", MATRIX, run_matrix,
-	    .wants = { .needed = SCENE_WINDOW | SCENE_DEVICE,
-		.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS },
-	    .flat = true, .from = FLAT_DEVICE, .to = FLAT_WINDOW,
-	    .points_to = FLAT_WINDOW },
+	{ "w2n", "2D window to NDC matrix", IN_PLANE(WINDOW, NDC),
+	    .wants = { WINDOW_ALONE } },
+	{ "n2w", "2D NDC to window matrix", IN_PLANE(NDC, WINDOW),
+	    .wants = { WINDOW_ALONE } },
+	{ "n2d", "2D NDC to device matrix", IN_PLANE(NDC, DEVICE),
+	    .wants = { DEVICE_ALONE } },
+	{ "d2n", "2D device to NDC matrix", IN_PLANE(DEVICE, NDC),
+	    .wants = { DEVICE_ALONE } },
+	{ "w2d", "2D window to device matrix", IN_PLANE(WINDOW, DEVICE),
+	    .wants = { WINDOW_AND_DEVICE } },
+	{ "d2w", "2D device to window matrix", IN_PLANE(DEVICE, WINDOW),
+	    .wants = { WINDOW_AND_DEVICE } },
 	{ "volume", "view to clip matrix of the seven-parameter view volume",
 	    VIEW_TO_CLIP(PROJECTION_VOLUME) },
 	{ "project", "points from any space to any other",
@@ -68,12 +74,13 @@ static const struct command commands[] = {
 	{ "fit", "a scene completed to hold bounds or points and no more",
 	    FIT, run_fit,
 	    .wants = { .needed = SCENE_PROJECTION, .fit = true,
+		.flat = SCENE_WINDOW | SCENE_DEVICE,
 		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_BOUNDS |
 		    SCENE_MARGIN } },
 	{ "inspect",
-	    "what the projection is, its angles, corners and error bounds",
+	    "what the projection or 2D window is: angles, edges, error bounds",
 	    INSPECT, run_inspect,
-	    .wants = { .used = SCENE_SPATIAL } },
+	    .wants = { .flat = SCENE_WINDOW, .used = SCENE_SPATIAL } },
 };
 /* clang-format on */
 

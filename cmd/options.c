@@ -99,9 +99,10 @@ static void set_jobs(struct options *o, char *word)
 
 /* Kinds of commands that share options, as unions of enum command_kind. */
 enum {
-	POINTS = MATRIX | PROJECT | TRACE | PICK | FIT, /* read points */
-	PRINTED = MATRIX | PROJECT | TRACE | PICK,      /* print them */
-	WITHIN = MATRIX | PROJECT | TRACE, /* to a precision or tolerance */
+	PLANES = PROJECT | TRACE | PLANAR, /* ask what points are outside of */
+	WITHIN = MATRIX | PLANES,          /* to a precision or tolerance */
+	PRINTED = WITHIN | PICK,           /* print points */
+	POINTS = PRINTED | FIT,            /* read them */
 	NUMBERS = PRINTED | INSPECT,       /* print numbers to be rounded */
 	ALL = POINTS | INSPECT,
 };
@@ -150,8 +151,8 @@ static const struct row {
 	    .argument = "SPACE", .set = set_to },
 	{ "homogeneous", 'H', PROJECT, "x y z w, not divided",
 	    ON(homogeneous) },
-	{ "matrix", 'm', MATRIX | PROJECT, "print the matrix, read no points",
-	    ON(matrix) },
+	{ "matrix", 'm', MATRIX | PROJECT | PLANAR,
+	    "print the matrix, read no points", ON(matrix) },
 	{ "at", 0, PICK, "the device position",
 	    .argument = "X,Y", .set = set_at },
 	{ "radius", 0, PICK, "how far around it, in device units",
@@ -159,11 +160,11 @@ static const struct row {
 	{ "ray", 0, PROJECT,
 	    "x y on the device: point on the near plane, direction",
 	    ON(ray) },
-	{ "flags", 0, PROJECT | TRACE,
+	{ "flags", 0, PLANES,
 	    "add in, or the planes that the point is outside of",
 	    ON(flags) },
-	{ "visible", 0, PROJECT | TRACE, "print only points in the view volume",
-	    ON(visible) },
+	{ "visible", 0, PLANES,
+	    "print only points in the view volume or window", ON(visible) },
 	{ "keep-going", 0, POINTS, "print nan for a bad line and go on",
 	    ON(keep_going) },
 	{ "jobs", 'j', POINTS, "threads; default all cores",
@@ -272,14 +273,35 @@ static _Noreturn void refuse(const struct command *c, int got,
 	refuse_unknown(c, word);
 }
 
+/* Says for which commands an option is. */
+static _Noreturn void refuse_here(const struct command *c, const struct row *r)
+{
+	/* in the order of the bits of enum command_kind */
+	static const char *const names[] = { "the 3D matrix commands",
+		"project", "pick", "fit", "inspect", "trace",
+		"the 2D commands" };
+	char list[160];
+	size_t n = 0;
+
+	for (unsigned i = 0; i < sizeof names / sizeof *names; i++) {
+		unsigned more = r->commands >> i >> 1;
+
+		if (r->commands >> i & 1)
+			n += (size_t)snprintf(list + n, sizeof list - n, "%s%s",
+			    names[i],
+			    more == 0                    ? "" :
+				(more & (more - 1)) == 0 ? " and " :
+							   ", ");
+	}
+	die(EXIT_USAGE, "%s: --%s is not for this command; it is for %s",
+	    c->name, r->name, list);
+}
+
 static void set(const struct command *c, const struct row *r, char *word,
     struct options *o)
 {
 	if (!takes(c, r))
-		die(EXIT_USAGE,
-		    "%s: --%s is not for this command; "
-		    "'projcalc help %s' lists what is",
-		    c->name, r->name, c->name);
+		refuse_here(c, r);
 	if (r->set != NULL)
 		r->set(o, word);
 	else

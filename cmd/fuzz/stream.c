@@ -164,11 +164,14 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 	else
 		scene_transform(s, from, to, false, &j->transform);
 	ray_maker_of(s, &j->ray);
-	frustum_of(s, from, false, &j->frustum);
 	if (j->layout.reads == 2)
+		flat_frustum_of(s, FLAT_WINDOW, &j->frustum);
+	else
+		frustum_of(s, from, false, &j->frustum);
+	if (j->rays)
 		j->layout.flags = false;
 	j->flags = j->layout.flags;
-	j->visible = j->layout.reads > 2 && b & 1;
+	j->visible = !j->rays && b & 1;
 	j->count_imageless = !j->flags && !j->visible;
 	j->accuracy.precision = (enum precision)(b / 2 % 3);
 	for (int k = 0; k < 3 && b & 64 && j->layout.out.format != FORMAT_F32;

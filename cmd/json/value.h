@@ -15,6 +15,7 @@ struct source {
 	bool column;      /* nested rows of a matrix: for column vectors */
 	unsigned unit;    /* of angles */
 	bool fit;         /* what the command fit finds may be missing */
+	bool flat;        /* the document is of two dimensions */
 	const struct member *scene; /* a scene's members, to suggest one */
 };
 

@@ -257,20 +257,36 @@ static unsigned read_members(struct document *d, const struct value *root,
 			}
 	if (d->bare != NULL && value_member(root, "angle_unit", &m[ANGLE_UNIT]))
 		seen |= SCENE_ANGLE_UNIT;
-	for (int i = 0; i < SCENE_MEMBERS; i++)
-		m[i].unused = (w->used >> i & 1) == 0;
 	return seen;
 }
 
-static void check_needed(const struct value *root, unsigned missing)
+/* What is wanted of a document that is flat. */
+static struct document_wants in_plane(const struct document_wants *w)
 {
+	struct document_wants flat = *w;
+
+	flat.needed = 0;
+	flat.used &= ~(unsigned)SCENE_SPATIAL;
+	flat.used |= SCENE_WINDOW | SCENE_DEVICE;
+	flat.coordinates = w->coordinates > 0 ? 2 : 0;
+	return flat;
+}
+
+static void check_needed(const struct value *root,
+    const struct document_wants *w, unsigned seen)
+{
+	unsigned missing = w->needed & ~seen;
+
 	for (int i = 0; i <= POINTS; i++) {
 		const struct member *row = &scene_members[i];
 		struct value v = value_missing(root, row->name);
 
 		if (missing >> i & 1)
-			value_refuse(&v, "missing; add \"%s\": %s", row->name,
-			    row->example);
+			value_refuse(&v, "missing; add \"%s\": %s%s", row->name,
+			    row->example,
+			    w->flat == 0 ? "" :
+					   ", or for two dimensions "
+					   "\"window\": {}");
 	}
 }
 
@@ -322,20 +338,27 @@ static void read_points(struct document *d, const struct value *v,
 }
 
 void document_read(struct document *d, const char *name, char *text,
-    size_t size, const struct document_wants *w)
+    size_t size, const struct document_wants *wants)
 {
 	struct source source = { .name = name,
-		.line = w->line,
+		.line = wants->line,
 		.scene = scene_members };
 	struct span points;
 	struct value root = value_parse_without(&source, "points", text, size,
 	    &points);
 	struct value m[SCENE_MEMBERS];
 
-	source.fit = w->fit;
+	source.fit = wants->fit;
 	*d = (struct document){ .name = name };
-	unsigned seen = read_members(d, &root, w, m);
+	unsigned seen = read_members(d, &root, wants, m);
 
+	d->flat = (seen & SCENE_PROJECTION) == 0 && (seen & wants->flat) != 0;
+	const struct document_wants narrowed = in_plane(wants);
+	const struct document_wants *w = d->flat ? &narrowed : wants;
+
+	source.flat = d->flat;
+	for (int i = 0; i < SCENE_MEMBERS; i++)
+		m[i].unused = (w->used >> i & 1) == 0;
 	d->scene.convention = w->convention != NULL ?
 	    *w->convention :
 	    conventions[CONVENTION_D3D];
@@ -349,7 +372,7 @@ void document_read(struct document *d, const char *name, char *text,
 		d->unit = (enum angle_unit)value_word(&m[ANGLE_UNIT],
 		    angle_units);
 	source.unit = d->unit;
-	check_needed(&root, w->needed & ~seen);
+	check_needed(&root, w, seen);
 	read_scene(d, w, m, seen);
 	if (seen & SCENE_POINTS)
 		read_points(d, &m[POINTS], &points, w->coordinates);

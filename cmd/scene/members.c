@@ -143,11 +143,40 @@ static const struct ways window_ways = {
 	{ "center width height", "left right bottom top" },
 };
 
+/* What fit is to replace. */
+static const struct ways fit_window_ways = {
+	"give \"center\", \"width\" and \"height\", or \"left\", \"right\", "
+	"\"bottom\" and \"top\", or nothing",
+	{ "center? width? height?", "left? right? bottom? top?" },
+};
+
+/* A point of space; or of the plane, where the document is flat. Where bounds are
+ * not used they may be of either. */
+static void read_corner(const struct value *v, const struct member *row,
+    void *out)
+{
+	bool pair = value_is_array(v) && value_count(v) == 2;
+	bool flat = v->source->flat;
+
+	(void)row;
+	if (flat && !pair && !v->unused)
+		value_refuse(v,
+		    "is not an array of 2 numbers, as a window's are; for "
+		    "three dimensions add a \"projection\"");
+	value_numbers(v, &range_any, pair && (flat || v->unused) ? 2 : 3, out);
+}
+
+#define CORNER(label, m, other)                                              \
+	{                                                                    \
+		.name = label, .read = read_corner, .at = MEMBER(bounds, m), \
+		.aliases = other                                             \
+	}
+
 const struct member bounds_members[] = {
-	NUMBERS("center", bounds, center, 3, "centre position"),
+	CORNER("center", center, "centre position"),
 	SIZE("radius", bounds, radius),
-	NUMBERS("min", bounds, min, 3, "lower from"),
-	NUMBERS("max", bounds, max, 3, "upper to"),
+	CORNER("min", min, "lower from"),
+	CORNER("max", max, "upper to"),
 	{ .name = NULL },
 };
 
@@ -195,7 +224,10 @@ void read_window(const struct value *v, struct window *w)
 	*w = (struct window){ .zoom = 1 };
 	unsigned seen = object_read(v, window_members, 0, w);
 
-	w->by_edges = object_way(v, window_members, 0, seen, &window_ways) == 1;
+	w->by_edges = object_way(v, window_members, 0, seen,
+			  v->source->fit && v->source->flat ?
+			      &fit_window_ways :
+			      &window_ways) == 1;
 	w->has_about = (seen & member_bit(window_members, 0, "about")) != 0;
 }
 

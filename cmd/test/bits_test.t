@@ -215,6 +215,18 @@ sub make_streams {
 	add('binary stream', 'project', '-i', 'f64', $scene, "$tmp/many.f64");
 }
 
+sub make_windows {
+	for my $command (qw(w2n n2w n2d d2n w2d d2w)) {
+		add('2D', $command, flat());
+		add('2D', $command, '--keep-going', flat(), @$_)
+		    for ["$tmp/2.text", '--flags'], ["$tmp/2.csv", '--visible'],
+		    ['-p', 'double', "$tmp/2.text"],
+		    ['-p', 'single', "$tmp/2.text"],
+		    ['-t', '0.01', "$tmp/2.text"],
+		    map { ['-i', $_, "$tmp/2.$_"] } qw(json f64 f32);
+	}
+}
+
 sub digest {
 	my ($group, @more) = @_;
 	my $sha = Digest::SHA->new(256);
@@ -234,6 +246,7 @@ make_matrices();
 make_points();
 make_options();
 make_streams();
+make_windows();
 open STDERR, '>', '/dev/null' if !$ENV{SHOW};
 
 if ($write) {

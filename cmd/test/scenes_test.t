@@ -91,6 +91,15 @@ same('inspect', 'inspect', '', @path);
 same('windows', 'w2d', "'[[1,2]]'", map { {window => {center => [$_, 0],
     width => 2, height => 2}, device => {width => 300, height => 300}} } 1, 2);
 
+my @windows = map { {window => {center => [$_, 0], width => 2, height => 2},
+    device => {width => 300, height => $_}} } 1 .. 3;
+same('edges', 'w2d --flags', "'[[1,2],[0.5,0]]'", @windows);
+same('inspect windows', 'inspect', '', @windows);
+same('fit windows', 'fit', "'[[1,2],[4,4]]'", @windows);
+same('fit either', 'fit', '', map { {%{$windows[$_]}, $_ == 1 ?
+    (projection => {type => 'ortho'}, points => [[1, 2, 3], [4, 4, 4]]) :
+    (points => [[1, 2], [3, $_]])} } 0 .. 2);
+
 # Points are read once: columns by a header, binary, bad lines.
 spew("$tmp/csv", "name,z,y,x\n" . "lamp,1,2,3\n" x 20000);
 same('columns', 'project -i csv --columns x,y,z', "$tmp/csv", @path[0 .. 2]);
