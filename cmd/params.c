@@ -45,10 +45,9 @@ static bool more(void)
 		params.begin = 0;
 	}
 	if (t->have > DOCUMENT_MAX)
-		die(EXIT_INPUT,
-		    "%s: a document of more than 256 MiB; points may stand in "
-		    "a file of their own",
-		    params.name);
+		die_at(EXIT_INPUT, &(struct place){ .file = params.name },
+		    "a document of more than 256 MiB; points may stand in a "
+		    "file of their own");
 	if (read_more(t, params.fd, params.name))
 		return true;
 	close_input(params.fd);
@@ -112,7 +111,7 @@ static bool next_scene(void)
 	params.line += params.lines;
 	params.level = params.lines = 0;
 	params.quoted = params.escaped = false;
-	say_scene(params.number, params.line);
+	say_scene((struct scene_place){ params.number, params.line });
 	while (!find_end())
 		if (!more())
 			return params.begin < params.end;
@@ -129,7 +128,8 @@ bool params_next(const struct options *o)
 		return true;
 	bool found = next_scene();
 
-	say_scene(found ? params.number : 0, params.line);
+	say_scene((struct scene_place){ found ? params.number : 0,
+	    params.line });
 	return found;
 }
 

@@ -12,7 +12,9 @@ static struct {
 	bool unended;     /* the last line printed has no newline yet */
 	bool bad;         /* there was a complaint */
 	size_t imageless; /* points */
-	char where[400];  /* the first of them: scene, source:line */
+	/* the first of them, and its file's name */
+	struct place where;
+	char file[300];
 } answer;
 
 void answer_source(void)
@@ -30,12 +32,21 @@ static void print(const struct job *j, const struct chunk *c)
 	put_all(c->out, c->size);
 }
 
+/* Of a line of the chunk, from 0. */
+static struct place place_of(const struct chunk *c, size_t line)
+{
+	return (struct place){ .file = c->name,
+		.line = (long)(answer.next_line + line) };
+}
+
 static void count_imageless(const struct chunk *c)
 {
-	if (c->imageless > 0 && answer.imageless == 0)
-		snprintf(answer.where, sizeof answer.where, "%s%.250s:%zu",
-		    said_scene(), c->name,
-		    answer.next_line + c->first_imageless);
+	if (c->imageless > 0 && answer.imageless == 0) {
+		snprintf(answer.file, sizeof answer.file, "%s", c->name);
+		answer.where = place_of(c, c->first_imageless);
+		answer.where.file = answer.file;
+		answer.where.scene = said_scene();
+	}
 	answer.imageless += c->imageless;
 }
 
@@ -44,10 +55,12 @@ static void complain(const struct job *j, const struct chunk *c)
 	if (!j->keep_going && j->flush != NULL)
 		j->flush(j);
 	progress_clear();
-	for (size_t i = 0; i < c->n_complaints; i++)
-		say("%s:%zu: %s", c->name,
-		    answer.next_line + c->complaints[i].line,
+	for (size_t i = 0; i < c->n_complaints; i++) {
+		struct place p = place_of(c, c->complaints[i].line);
+
+		say_at(EXIT_INPUT, &p, "%s",
 		    c->reasons + c->complaints[i].reason);
+	}
 	answer.bad = true;
 	if (!j->keep_going) {
 		close_output();
@@ -57,13 +70,15 @@ static void complain(const struct job *j, const struct chunk *c)
 
 static _Noreturn void stop(const struct job *j, const struct chunk *c)
 {
+	struct place p = place_of(c, 0);
+
 	if (j->flush != NULL)
 		j->flush(j);
 	progress_clear();
 	if (c->state == PIECE_TOO_LONG)
-		die(EXIT_INPUT, "%s:%zu: a line of more than 64 MiB", c->name,
-		    answer.next_line);
-	die(EXIT_SYSTEM, "%s: %s", c->name, strerror(c->error));
+		die_at(EXIT_INPUT, &p, "a line of more than 64 MiB");
+	p.line = 0;
+	die_at(EXIT_SYSTEM, &p, "%s", strerror(c->error));
 }
 
 void answer_chunk(const struct job *j, const struct chunk *c)
@@ -85,11 +100,12 @@ void answer_chunk(const struct job *j, const struct chunk *c)
 int answer_end(void)
 {
 	progress_end();
+	answer.where.join = answer.imageless == 1 ? ": " : ", the first in ";
 	if (answer.imageless == 1)
-		say("1 point has no image: %s", answer.where);
+		say_at(EXIT_OK, &answer.where, "1 point has no image");
 	else if (answer.imageless > 1)
-		say("%zu points have no image, the first in %s",
-		    answer.imageless, answer.where);
+		say_at(EXIT_OK, &answer.where, "%zu points have no image",
+		    answer.imageless);
 	close_output();
 	return answer.bad ? EXIT_INPUT : EXIT_OK;
 }

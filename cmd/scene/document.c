@@ -1,6 +1,7 @@
 #include "document.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "../json/scan.h"
@@ -371,13 +372,20 @@ char *document_points(const char *name, char *text, size_t size,
 
 void document_refuse(const struct document *d, const char *why)
 {
-	size_t n = d->bare != NULL ? strlen(d->bare) : 0;
+	size_t bare = d->bare != NULL ? strlen(d->bare) : 0;
+	size_t n = *why == '/' ? strcspn(why, ":") : 0;
+	const char *what = n > 0 ? why + n + 2 : why;
+	char pointer[64];
 
-	/* "/camera/up: ..." to "/up: ...", "/camera: ..." to "..." */
-	if (n > 0 && strncmp(why + 1, d->bare, n) == 0 &&
-	    (why[n + 1] == '/' || why[n + 1] == ':'))
-		why += n + 1 + (why[n + 1] == ':' ? 2 : 0);
-	die(EXIT_INPUT, "%s: %s", d->name, why);
+	/* "/camera/up" to "/up" */
+	if (bare > 0 && strncmp(why + 1, d->bare, bare) == 0 &&
+	    (why[bare + 1] == '/' || why[bare + 1] == ':')) {
+		why += bare + 1;
+		n -= bare + 1;
+	}
+	snprintf(pointer, sizeof pointer, "%.*s", (int)n, why);
+	die_at(EXIT_INPUT,
+	    &(struct place){ .file = d->name, .pointer = pointer }, "%s", what);
 }
 
 void document_check(const struct document *d, const char *why)
