@@ -15,6 +15,7 @@ enum command_kind {
 	FIT = 8,
 	INSPECT = 16,
 	TRACE = 32,
+	HELP = 64,
 };
 
 struct command {
@@ -31,6 +32,8 @@ struct command {
 	 * They are of enum flat if flat, else of enum space. */
 	bool flat;
 	int from, to, points_to;
+	/* What may stand after its name, in the shell, and works. */
+	const char *example;
 };
 
 void run_matrix(const struct command *, const struct options *);

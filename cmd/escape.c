@@ -26,8 +26,8 @@ static unsigned code_of(const char *s, int n)
  * embeddings, overrides and isolates of UAX 9, table 1 to 4. */
 static bool is_hidden(unsigned code)
 {
-	return code < 0x20 || (code >= 0x7f && code < 0xa0) ||
-	    code == 0x061c || code == 0x200e || code == 0x200f ||
+	return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x061c ||
+	    code == 0x200e || code == 0x200f ||
 	    (code >= 0x2028 && code <= 0x202e) ||
 	    (code >= 0x2066 && code <= 0x2069);
 }
@@ -43,8 +43,8 @@ static size_t piece(char out[PIECE_MAX + 1], const char **s, const char *end,
 	if (n == 0 && json)
 		return (size_t)sprintf(out, "\\ufffd");
 	if (n == 0)
-		return (size_t)sprintf(out, "\\x%02x",
-		    (unsigned)(unsigned char)*c);
+		return (
+		    size_t)sprintf(out, "\\x%02x", (unsigned)(unsigned char)*c);
 	unsigned code = code_of(c, n);
 
 	if (is_hidden(code))

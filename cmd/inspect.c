@@ -125,7 +125,9 @@ static void put_bounds(struct printer *p, const double bound[3],
 void run_inspect(const struct command *c, const struct options *o)
 {
 	static char text[160 * NUMBER_MAX + 4096];
-	struct printer p = { .at = text, .style = o->style, .between = "" };
+	struct printer p = { .at = text,
+		.style = one_style(o, "what inspect prints"),
+		.between = "" };
 	struct document d;
 	struct taxonomy t;
 	static struct parameters r;

@@ -28,9 +28,9 @@ struct scene_place said_scene(void)
 	return scene;
 }
 
-void say_in_json(void)
+void say_in_json(bool on)
 {
-	json = true;
+	json = on;
 }
 
 bool says_json(void)
@@ -108,12 +108,14 @@ static void write_text(int status, const struct place *p, const char *message)
 		add_place(&raw, p);
 	add(&line, "%sprojcalc:%s ", colored ? paint[status > 0] : "",
 	    colored ? "\033[0m" : "");
-	line.n += escape_text(line.s + line.n, LINE_ROOM - line.n - 1, raw.s, raw.n);
+	line.n += escape_text(line.s + line.n, LINE_ROOM - line.n - 1, raw.s,
+	    raw.n);
 	line.s[line.n++] = '\n';
 	fwrite(line.s, 1, line.n, stderr);
 }
 
-static void add_string(struct text *t, const char *name, const char *s, size_t n)
+static void add_string(struct text *t, const char *name, const char *s,
+    size_t n)
 {
 	/* the five strings of a message fit into its line */
 	const size_t room = (LINE_ROOM - 512) / 5;

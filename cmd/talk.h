@@ -37,7 +37,7 @@ void say_scene(struct scene_place);
 struct scene_place said_scene(void);
 
 /* Messages become objects of JSON, one a line. */
-void say_in_json(void);
+void say_in_json(bool);
 bool says_json(void);
 
 /* Whether to colour what goes to a terminal. */

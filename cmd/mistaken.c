@@ -1,0 +1,314 @@
+#include "mistaken.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "input.h"
+#include "nearest.h"
+#include "scene/members.h"
+#include "talk.h"
+
+/* What others call it. */
+static const struct {
+	const char *word, *call;
+} others[] = {
+	{ "unproject", "project --from device --to world" },
+	{ "backproject", "project --from device --to world" },
+	{ "ray", "project --ray" },
+	{ "raycast", "project --ray" },
+	{ "transform", "project" },
+	{ "convert", "project" },
+	{ "points", "project" },
+	{ "camera", "lookat" },
+	{ "view", "lookat" },
+	{ "perspective", "persp" },
+	{ "projection", "persp" },
+	{ "frustum", "persp" },
+	{ "orthographic", "ortho" },
+	{ "cavalier", "oblique" },
+	{ "cabinet", "oblique" },
+	{ "mvp", "project -m --to clip" },
+	{ "matrix", "project -m --to clip" },
+	{ "inverse", "project -m --from view --to world" },
+	{ "invert", "project -m --from view --to world" },
+	{ "pose", "project -m --from view --to world" },
+	{ "viewport", "project --from ndc --to device" },
+	{ "window", "w2n" },
+	{ "device", "n2d" },
+	{ "bounds", "fit" },
+	{ "zoom", "fit" },
+	{ "info", "inspect" },
+	{ "click", "pick" },
+	{ "explain", "trace" },
+	{ "usage", "help" },
+	{ "man", "help" },
+	{ "-V", "--version" },
+	{ "-v", "--version" },
+};
+
+enum { NAMES_MAX = 64 };
+
+static bool is_command(const struct command *c, const char *word)
+{
+	while (c->name != NULL && strcmp(c->name, word) != 0)
+		c++;
+	return c->name != NULL;
+}
+
+static _Noreturn void unknown(const char *word, const char *const *names)
+{
+	const char *near = NULL;
+
+	for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+		if (strcmp(others[i].word, word) == 0)
+			near = others[i].call;
+	if (near == NULL)
+		near = nearest(word, names);
+	if (near != NULL)
+		die(EXIT_USAGE, "unknown command '%s'; did you mean '%s'?",
+		    word, near);
+	die(EXIT_USAGE, "unknown command '%s'; 'projcalc help' lists them",
+	    word);
+}
+
+/* Whether a word is rather an operand. */
+static bool is_operand(const char *word)
+{
+	char first = first_char(word);
+
+	return first == '{' || first == '[' || strpbrk(word, "./") != NULL ||
+	    access(word, R_OK) == 0;
+}
+
+void mistaken_command(const struct command *commands, char **words)
+{
+	const char *names[NAMES_MAX] = { "--help", "--version" };
+	int n = 2;
+
+	for (const struct command *c = commands; c->name != NULL; c++)
+		names[n++] = c->name;
+	for (char **w = words + 1; *w != NULL; w++)
+		if ((**words == '-' || is_operand(*words)) &&
+		    is_command(commands, *w))
+			die(EXIT_USAGE,
+			    "'%s' stands before the command; write projcalc "
+			    "%s %s ...",
+			    *words, *w, *words);
+	if (is_operand(*words))
+		die(EXIT_USAGE,
+		    "'%s' is no command; write projcalc project %s, or what "
+		    "'projcalc help' lists",
+		    *words, first_char(*words) == '{' ? "'{...}'" : *words);
+	unknown(*words, names);
+}
+
+void mistaken_topic(const struct command *commands, const char *word)
+{
+	const char *names[NAMES_MAX] = { NULL };
+	int n = 0;
+
+	for (const struct command *c = commands; c->name != NULL; c++)
+		names[n++] = c->name;
+	for (const struct member *m = scene_members; m->name != NULL; m++)
+		names[n++] = m->name;
+	unknown(word, names);
+}
+
+/* Whether a text is of numbers, and of what stands between and around them. */
+static bool is_numbers(const char *s)
+{
+	return strpbrk(s, "0123456789") != NULL &&
+	    s[strspn(s, "0123456789+-.eE,; \t\n()[]")] == '\0';
+}
+
+/* Adds the numbers of s to a list, with a comma before each but the first. */
+static size_t add_numbers(char *list, size_t at, size_t room, const char *s)
+{
+	const char between[] = ",; \t\n()[]";
+
+	for (s += strspn(s, between); *s != '\0'; s += strspn(s, between)) {
+		size_t n = strcspn(s, between);
+
+		if (at + n + 2 > room)
+			break;
+		at += (size_t)sprintf(list + at, "%s%.*s", at > 0 ? "," : "",
+		    (int)n, s);
+		s += n;
+	}
+	return at;
+}
+
+enum { VALUE_MAX = 200 };
+
+/* Writes what was meant for a member's value as JSON. */
+static void write_value(char out[VALUE_MAX], const struct member *m,
+    const char *text)
+{
+	char list[VALUE_MAX - 4] = "";
+
+	if (text == NULL || *text == '\0' ||
+	    (*text == '-' && !is_numbers(text)))
+		snprintf(out, VALUE_MAX, "%s",
+		    m->example != NULL ? m->example : "...");
+	else if (strcmp(text, "true") == 0 || strcmp(text, "false") == 0 ||
+	    strchr("[{", *text) != NULL)
+		snprintf(out, VALUE_MAX, "%s", text);
+	else if (!is_numbers(text))
+		snprintf(out, VALUE_MAX, "\"%s\"", text);
+	else if (add_numbers(list, 0, sizeof list, text) > 0)
+		snprintf(out, VALUE_MAX,
+		    strchr(list, ',') != NULL ? "[%s]" : "%s", list);
+}
+
+/* Finds a member of that name: in the object that the command reads alone, in
+ * another that it reads and, where that need not be its exact name, in any. *object
+ * is the scene's member that has it, or is it. */
+static const struct member *find(const struct command *c, const char *name,
+    bool exact, const struct member **object)
+{
+	const unsigned bits[] = { c->wants.bare, c->wants.used, ~0u };
+	const struct member *m;
+
+	for (int i = 0; i < (exact ? 2 : 3); i++)
+		for (int k = 0; scene_members[k].name != NULL; k++) {
+			*object = &scene_members[k];
+			if ((bits[i] >> k & 1) == 0)
+				continue;
+			if (strcmp(name, (*object)->name) == 0)
+				return *object;
+			if ((*object)->members == NULL)
+				continue;
+			m = member_named((*object)->members, name);
+			if (m != NULL && (!exact || strcmp(m->name, name) == 0))
+				return m;
+		}
+	return NULL;
+}
+
+/* The command for the kind of projection that has the member. */
+static const char *command_for(const struct command *c, const struct member *m,
+    const struct member *object)
+{
+	int kind = 0;
+
+	if (c->wants.projection == 0 || m->kinds == 0 ||
+	    m->kinds >> (c->wants.projection - 1) & 1)
+		return c->name;
+	while ((m->kinds >> kind & 1) == 0)
+		kind++;
+	return object->members->words[kind];
+}
+
+void mistaken_member(const struct command *c, const char *word,
+    const char *next, bool exact)
+{
+	const char *equals = strchr(word, '=');
+	const struct member *object, *m;
+	char name[64], value[VALUE_MAX];
+
+	word += strspn(word, "-");
+	snprintf(name, sizeof name, "%.*s", (int)strcspn(word, "="), word);
+	m = find(c, name, exact, &object);
+	if (m == NULL)
+		return;
+	unsigned bit = 1u << (object - scene_members);
+	bool bare = (c->wants.bare & bit) != 0;
+
+	if ((c->wants.used & bit) == 0 && !(bit & SCENE_CONVENTION))
+		die(EXIT_USAGE,
+		    "%s: unknown option --%s; \"%s\" is a member of the scene "
+		    "that %s does not read; 'projcalc help %s' tells of it",
+		    c->name, name, object->name, c->name, object->name);
+	write_value(value, m, equals != NULL ? equals + 1 : next);
+	if (m == object)
+		die(EXIT_USAGE,
+		    "%s: unknown option --%s; \"%s\" is a member of the "
+		    "scene: projcalc %s '{\"%s\": %s, ...}'",
+		    c->name, name, m->name, c->name, m->name, value);
+	die(EXIT_USAGE,
+	    "%s: unknown option --%s; \"%s\" is a member of the %s: projcalc "
+	    "%s '{%s%s%s\"%s\": %s, ...}%s'",
+	    c->name, name, m->name, object->name, command_for(c, m, object),
+	    bare ? "" : "\"", bare ? "" : object->name, bare ? "" : "\": {",
+	    m->name, value, bare ? "" : ", ...}");
+}
+
+/* The first character but blanks of a regular file, or of what is typed; 0 where
+ * that can't be told without reading what can be read but once. */
+static char opening(const char *name)
+{
+	char text[256] = "", typed = first_char(name);
+	struct stat st;
+
+	if (typed == '{' || typed == '[')
+		return typed;
+	if (is_stdin(name) || stat(name, &st) != 0 || !S_ISREG(st.st_mode))
+		return 0;
+	int fd = open_input(name);
+	ssize_t n = read(fd, text, sizeof text - 1);
+
+	close_input(fd);
+	return n > 0 ? first_char(text) : '\0';
+}
+
+static void check_traded(const struct command *c, const struct options *o)
+{
+	if (o->n_points == 0 || opening(o->points[0]) != '{')
+		return;
+	char first = opening(o->params);
+	bool typed = first_char(o->points[0]) == '{';
+
+	if (first == '{' || (first == 0 && !is_numbers(o->params)))
+		return;
+	die(EXIT_USAGE,
+	    "'%s' are points, and the scene comes first; write projcalc %s %s "
+	    "%s%s%s",
+	    o->params, c->name, typed ? "'{...}'" : o->points[0],
+	    first == '[' ? "'" : "", o->params, first == '[' ? "'" : "");
+}
+
+void mistaken_params(const struct command *c, const struct options *o)
+{
+	const char *name = o->params;
+
+	if (is_stdin(name) || first_char(name) == '{')
+		return;
+	check_traded(c, o);
+	if (access(name, F_OK) == 0)
+		return;
+	if (is_numbers(name) || strpbrk(name, "\":{[") != NULL)
+		die(EXIT_USAGE,
+		    "'%s' is no scene; PARAMS is a JSON file, - or JSON in "
+		    "quotes: projcalc %s %s",
+		    name, c->name, c->example != NULL ? c->example : "'{...}'");
+}
+
+void mistaken_points(const struct options *o, int i)
+{
+	const char *name = o->points[i];
+	const struct place place = { .file = name };
+	struct stat st;
+	char list[200] = "";
+	size_t at = 0;
+
+	if (stat(name, &st) == 0 && S_ISDIR(st.st_mode))
+		die_at(EXIT_USAGE, &place, "is a directory");
+	if (access(name, R_OK) == 0)
+		return;
+	const char *why = strerror(errno);
+
+	for (; i < o->n_points && is_numbers(o->points[i]); i++)
+		at = add_numbers(list, at, sizeof list, o->points[i]);
+	if (at > 0)
+		die_at(EXIT_USAGE, &place, "%s; POINTS are a file, - or '[%s]'",
+		    why, list);
+	if (strpbrk(name, "{\"") != NULL)
+		die_at(EXIT_USAGE, &place,
+		    "%s; POINTS are a file, - or '[0,0,0]'", why);
+	die_at(EXIT_USAGE, &place, "%s", why);
+}
