@@ -76,6 +76,24 @@ static _Noreturn void unknown(const char *word, const char *const *names)
 	    word);
 }
 
+/* The command that reads what is typed: its first member says which. */
+static const char *command_of(const char *typed)
+{
+	char name[64] = "";
+	static char word[64];
+
+	sscanf(typed, " { \"%63[a-z_]", name);
+	for (const struct member *s = scene_members; s->name != NULL; s++)
+		if (strcmp(s->name, name) == 0)
+			return "project";
+	for (const struct member *s = scene_members; s->name != NULL; s++)
+		if (s->members != NULL && member_named(s->members, name)) {
+			sscanf(s->command, "%63s", word);
+			return word;
+		}
+	return "project";
+}
+
 /* Whether a word is rather an operand. */
 static bool is_operand(const char *word)
 {
@@ -101,9 +119,10 @@ void mistaken_command(const struct command *commands, char **words)
 			    *words, *w, *words);
 	if (is_operand(*words))
 		die(EXIT_USAGE,
-		    "'%s' is no command; write projcalc project %s, or what "
+		    "'%s' is no command; write projcalc %s %s, or what "
 		    "'projcalc help' lists",
-		    *words, first_char(*words) == '{' ? "'{...}'" : *words);
+		    *words, command_of(*words),
+		    first_char(*words) == '{' ? "'{...}'" : *words);
 	unknown(*words, names);
 }
 
@@ -151,18 +170,42 @@ static void write_value(char out[VALUE_MAX], const struct member *m,
 {
 	char list[VALUE_MAX - 4] = "";
 
-	if (text == NULL || *text == '\0' ||
-	    (*text == '-' && !is_numbers(text)))
+	if (*text == '\0')
 		snprintf(out, VALUE_MAX, "%s",
 		    m->example != NULL ? m->example : "...");
 	else if (strcmp(text, "true") == 0 || strcmp(text, "false") == 0 ||
 	    strchr("[{", *text) != NULL)
 		snprintf(out, VALUE_MAX, "%s", text);
 	else if (!is_numbers(text))
-		snprintf(out, VALUE_MAX, "\"%s\"", text);
+		snprintf(out, VALUE_MAX, "\"%.*s\"", VALUE_MAX - 3, text);
 	else if (add_numbers(list, 0, sizeof list, text) > 0)
 		snprintf(out, VALUE_MAX,
 		    strchr(list, ',') != NULL ? "[%s]" : "%s", list);
+}
+
+/* The name in an option, "--eye=0,0,5" or "-eye". */
+static void name_of(char out[64], const char *word)
+{
+	word += strspn(word, "-");
+	snprintf(out, 64, "%.*s", (int)strcspn(word, "="), word);
+}
+
+/* The text behind it: after =, or the next word, or as many as are of numbers.
+ * Returns where the words go on. */
+static char **text_of(char out[VALUE_MAX], char **words)
+{
+	const char *equals = strchr(*words++, '=');
+	size_t at = 0;
+
+	snprintf(out, VALUE_MAX, "%s", equals != NULL ? equals + 1 : "");
+	if (equals != NULL || *words == NULL)
+		return words;
+	if (!is_numbers(*words) && **words != '-')
+		snprintf(out, VALUE_MAX, "%s", *words++);
+	else
+		while (*words != NULL && is_numbers(*words))
+			at = add_numbers(out, at, VALUE_MAX, *words++);
+	return words;
 }
 
 /* Finds a member of that name: in the object that the command reads alone, in
@@ -204,84 +247,161 @@ static const char *command_for(const struct command *c, const struct member *m,
 	return object->members->words[kind];
 }
 
-void mistaken_member(const struct command *c, const char *word,
-    const char *next, bool exact)
+/* The members of one object that the words are options of, as JSON. */
+static void write_members(char *out, size_t room, const struct command *c,
+    char **words)
 {
-	const char *equals = strchr(word, '=');
-	const struct member *object, *m;
-	char name[64], value[VALUE_MAX];
+	const struct member *object = NULL, *other, *m;
+	char name[64], text[VALUE_MAX], value[VALUE_MAX];
+	size_t at = 0;
+	int n = 0;
 
-	word += strspn(word, "-");
-	snprintf(name, sizeof name, "%.*s", (int)strcspn(word, "="), word);
+	for (*out = '\0'; *words != NULL && **words == '-'; n++) {
+		name_of(name, *words);
+		m = find(c, name, false, &other);
+		if (m == NULL || (object != NULL && other != object))
+			break;
+		object = other;
+		words = text_of(text, words);
+		write_value(value, m, text);
+		if (at < room)
+			at += (size_t)snprintf(out + at, room - at,
+			    "%s\"%s\": %s", n > 0 ? ", " : "", m->name, value);
+	}
+	if ((n == 1 || (*words != NULL && **words == '-')) && at < room)
+		snprintf(out + at, room - at, ", ...");
+}
+
+void mistaken_member(const struct command *c, char **words, bool exact)
+{
+	const struct member *object, *m;
+	char name[64], members[800];
+	const int dashes = (int)strspn(*words, "-");
+
+	name_of(name, *words);
 	m = find(c, name, exact, &object);
 	if (m == NULL)
 		return;
 	unsigned bit = 1u << (object - scene_members);
-	bool bare = (c->wants.bare & bit) != 0;
+	bool bare = m == object || (c->wants.bare & bit) != 0;
 
+	if (bit == SCENE_POINTS)
+		die(EXIT_USAGE,
+		    "%s: unknown option %.*s%s; POINTS stand after PARAMS: "
+		    "projcalc %s scene.json points.txt",
+		    c->name, dashes, *words, name, c->name);
 	if ((c->wants.used & bit) == 0 && !(bit & SCENE_CONVENTION))
 		die(EXIT_USAGE,
-		    "%s: unknown option --%s; \"%s\" is a member of the scene "
-		    "that %s does not read; 'projcalc help %s' tells of it",
-		    c->name, name, object->name, c->name, object->name);
-	write_value(value, m, equals != NULL ? equals + 1 : next);
-	if (m == object)
-		die(EXIT_USAGE,
-		    "%s: unknown option --%s; \"%s\" is a member of the "
-		    "scene: projcalc %s '{\"%s\": %s, ...}'",
-		    c->name, name, m->name, c->name, m->name, value);
+		    "%s: unknown option %.*s%s; \"%s\" is a member of the "
+		    "scene that %s does not read; 'projcalc help %s' tells of "
+		    "it",
+		    c->name, dashes, *words, name, object->name, c->name,
+		    object->name);
+	write_members(members, sizeof members, c, words);
 	die(EXIT_USAGE,
-	    "%s: unknown option --%s; \"%s\" is a member of the %s: projcalc "
-	    "%s '{%s%s%s\"%s\": %s, ...}%s'",
-	    c->name, name, m->name, object->name, command_for(c, m, object),
+	    "%s: unknown option %.*s%s; \"%s\" is a member of the %s: "
+	    "projcalc %s '{%s%s%s%s%s}'",
+	    c->name, dashes, *words, name, m->name,
+	    m == object ? "scene" : object->name, command_for(c, m, object),
 	    bare ? "" : "\"", bare ? "" : object->name, bare ? "" : "\": {",
-	    m->name, value, bare ? "" : ", ...}");
+	    members, bare ? "" : "}, ...");
 }
 
-/* The first character but blanks of a regular file, or of what is typed; 0 where
- * that can't be told without reading what can be read but once. */
-static char opening(const char *name)
+const char *mistaken_option(const char *name)
 {
-	char text[256] = "", typed = first_char(name);
-	struct stat st;
+	static const char *const pairs[][2] = {
+		{ "format", "output" },
+		{ "space", "to" },
+		{ "threads", "jobs" },
+		{ "round", "decimals" },
+		{ "places", "decimals" },
+		{ "epsilon", "tolerance" },
+		{ "unproject", "from" },
+		{ "json", "output" },
+		{ "csv", "input" },
+	};
 
-	if (typed == '{' || typed == '[')
-		return typed;
-	if (is_stdin(name) || stat(name, &st) != 0 || !S_ISREG(st.st_mode))
-		return 0;
-	int fd = open_input(name);
-	ssize_t n = read(fd, text, sizeof text - 1);
-
-	close_input(fd);
-	return n > 0 ? first_char(text) : '\0';
+	for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
+		if (strcmp(pairs[i][0], name) == 0)
+			return pairs[i][1];
+	return NULL;
 }
 
+enum { GLANCE_MAX = 256 };
+
+/* The beginning of a regular file, or what is typed, without blanks before it;
+ * "" for what can be read but once, or not at all. Returns out. */
+static const char *glance(const char *name, char out[GLANCE_MAX])
+{
+	char typed = first_char(name);
+	struct stat st;
+	ssize_t n = 0;
+
+	snprintf(out, GLANCE_MAX, "%s", name);
+	if (typed != '{' && typed != '[') {
+		if (!is_stdin(name) && stat(name, &st) == 0 &&
+		    S_ISREG(st.st_mode) && access(name, R_OK) == 0) {
+			int fd = open_input(name);
+
+			n = read(fd, out, GLANCE_MAX - 1);
+			close_input(fd);
+		}
+		out[n > 0 ? n : 0] = '\0';
+	}
+	if (strncmp(out, "\xef\xbb\xbf", 3) == 0)
+		out += 3;
+	return out + strspn(out, " \t\r\n");
+}
+
+/* PARAMS that are points, and POINTS that are a scene or are not there. */
 static void check_traded(const struct command *c, const struct options *o)
 {
-	if (o->n_points == 0 || opening(o->points[0]) != '{')
-		return;
-	char first = opening(o->params);
-	bool typed = first_char(o->points[0]) == '{';
+	char first[GLANCE_MAX], second[GLANCE_MAX];
+	const char *params = glance(o->params, first);
+	const char *points = o->n_points > 0 ? o->points[0] : NULL;
+	const char *quote = *params == '[' ? "'" : "";
+	bool traded = points != NULL && *glance(points, second) == '{';
 
-	if (first == '{' || (first == 0 && !is_numbers(o->params)))
+	if (*params == '{' || (*params == '\0' && !is_numbers(o->params)))
 		return;
+	if (!traded && (points != NULL || strpbrk(params, "{[\"") != NULL))
+		return;
+	if (!traded)
+		points = "scene.json";
+	else if (first_char(points) == '{')
+		points = "'{...}'";
 	die(EXIT_USAGE,
-	    "'%s' are points, and the scene comes first; write projcalc %s %s "
-	    "%s%s%s",
-	    o->params, c->name, typed ? "'{...}'" : o->points[0],
-	    first == '[' ? "'" : "", o->params, first == '[' ? "'" : "");
+	    "'%s' holds points, and the scene comes first; write projcalc %s "
+	    "%s %s%s%s",
+	    o->params, c->name, points, quote, o->params, quote);
+}
+
+/* JSON that the shell has taken apart: {"eye": [0,0,5]} without quotes. */
+static bool is_torn(const struct options *o)
+{
+	if (strchr(o->params, '}') != NULL)
+		return false;
+	for (int i = 0; i < o->n_points; i++)
+		if (strchr(o->points[i], '}') != NULL)
+			return true;
+	return false;
 }
 
 void mistaken_params(const struct command *c, const struct options *o)
 {
 	const char *name = o->params;
+	bool typed = first_char(name) == '{';
 
-	if (is_stdin(name) || first_char(name) == '{')
+	if (is_stdin(name) || (typed && !is_torn(o)))
 		return;
-	check_traded(c, o);
-	if (access(name, F_OK) == 0)
+	if (!typed && access(name, F_OK) == 0) {
+		check_traded(c, o);
 		return;
-	if (is_numbers(name) || strpbrk(name, "\":{[") != NULL)
+	}
+	if (is_numbers(name) && o->n_points > 0)
+		check_traded(c, o);
+	if (typed || is_numbers(name) || strpbrk(name, "\":{[=") != NULL ||
+	    strcmp(name, "help") == 0)
 		die(EXIT_USAGE,
 		    "'%s' is no scene; PARAMS is a JSON file, - or JSON in "
 		    "quotes: projcalc %s %s",

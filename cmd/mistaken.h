@@ -12,11 +12,13 @@ _Noreturn void mistaken_command(const struct command *commands, char **words);
 /* The same where it is what help is asked for. */
 _Noreturn void mistaken_topic(const struct command *commands, const char *word);
 
-/* Refuses an option, "--eye=0,0,5" or "-eye", if its name is one of a member of a
- * scene, or where exact is true the very name of one that the command reads; next
- * is the word behind it, or NULL. */
-void mistaken_member(const struct command *, const char *word, const char *next,
-    bool exact);
+/* Refuses an option, words[0], "--eye=0,0,5" or "-eye", if its name is one of a member
+ * of a scene, or where exact is true the very name of one that the command reads.
+ * What follows may be its value, and more such options. */
+void mistaken_member(const struct command *, char **words, bool exact);
+
+/* The option that others call so, or NULL. */
+const char *mistaken_option(const char *name);
 
 /* Refuses operands that can't be opened, and PARAMS and POINTS that have traded
  * places. */

@@ -24,6 +24,11 @@ static void set_convention(struct options *o, char *word)
 
 static void set_input(struct options *o, char *word)
 {
+	if (strpbrk(word, "./") != NULL)
+		die(EXIT_USAGE,
+		    "unknown format '%s'; a file of points stands after the "
+		    "scene, without an option",
+		    word);
 	o->in = (enum format)one_of(format_names, "format", word);
 }
 
@@ -228,9 +233,9 @@ void options_first(char **words)
 		}
 }
 
-/* next is the word behind it, or NULL. */
+/* word is a letter with its dash or, with others behind it, words[0]. */
 static _Noreturn void refuse_unknown(const struct command *c, const char *word,
-    const char *next)
+    char **words)
 {
 	const char *names[ROWS + 1], *near = NULL;
 	int n = 0;
@@ -240,8 +245,10 @@ static _Noreturn void refuse_unknown(const struct command *c, const char *word,
 			names[n++] = r->name;
 	names[n] = NULL;
 	if (strlen(word) > 2) {
-		mistaken_member(c, word, next, false);
-		near = nearest(word + strspn(word, "-"), names);
+		mistaken_member(c, words, false);
+		near = mistaken_option(word + 2);
+		if (near == NULL)
+			near = nearest(word + 2, names);
 	}
 	if (near != NULL)
 		die(EXIT_USAGE, "%s: unknown option %s; did you mean --%s?",
@@ -252,9 +259,10 @@ static _Noreturn void refuse_unknown(const struct command *c, const char *word,
 
 /* Refuses an option's name, or a member's, behind a single dash: "-to", which
  * would be -t with the argument o. */
-static void check_dash(const struct command *c, const char *word,
-    const char *next)
+static void check_dash(const struct command *c, char **words)
 {
+	const char *word = *words;
+
 	if (word == NULL || *word != '-' || word[1] == '-' || strlen(word) < 3)
 		return;
 	for (const struct option_row *r = option_rows; r->name != NULL; r++)
@@ -262,7 +270,7 @@ static void check_dash(const struct command *c, const char *word,
 			die(EXIT_USAGE,
 			    "%s: unknown option %s; did you mean --%s?",
 			    c->name, word, r->name);
-	mistaken_member(c, word, next, false);
+	mistaken_member(c, words, false);
 }
 
 /* getopt_long returns an option's letter, or LONG + the number of its row if it
@@ -315,23 +323,24 @@ static _Noreturn void refuse(const struct command *c, int got, char **argv)
 	    escaped(shown, &letter, 1));
 	if (got == ':')
 		die(EXIT_USAGE, "%s: %s needs an argument", c->name, word);
-	if (letter != '\0' && argv[optind] != NULL)
-		check_dash(c, argv[optind], argv[optind + 1]);
-	refuse_unknown(c, word, argv[optind]);
+	if (letter != '\0')
+		check_dash(c, argv + optind);
+	refuse_unknown(c, word, argv + optind - 1);
 }
 
-static void set(const struct command *c, const struct option_row *r, char *word,
-    struct options *o)
+/* next is the word behind the option and its argument, optarg. */
+static void set(const struct command *c, const struct option_row *r,
+    char **next, struct options *o)
 {
-	if (!option_is_for(r, c))
-		mistaken_member(c, r->name, word, true);
-	if (!option_is_for(r, c))
+	if (!option_is_for(r, c)) {
+		mistaken_member(c, next - (optarg == next[-1] ? 2 : 1), true);
 		die(EXIT_USAGE,
 		    "%s: --%s is not for this command; "
 		    "'projcalc help %s' lists what is",
 		    c->name, r->name, c->name);
+	}
 	if (r->set != NULL)
-		r->set(o, word);
+		r->set(o, optarg);
 	else
 		*(bool *)((char *)o + r->on) = true;
 }
@@ -393,8 +402,8 @@ void options_read(const struct command *c, int argc, char **argv,
 		if (got == '?' || got == ':')
 			refuse(c, got, argv);
 		if (got < LONG && optarg != NULL && optarg != argv[optind - 1])
-			check_dash(c, argv[optind - 1], argv[optind]);
-		set(c, row_of(got), optarg, o);
+			check_dash(c, argv + optind - 1);
+		set(c, row_of(got), argv + optind, o);
 		if (o->help || o->version)
 			return;
 	}
