@@ -208,28 +208,47 @@ static char **text_of(char out[VALUE_MAX], char **words)
 	return words;
 }
 
-/* Finds a member of that name: in the object that the command reads alone, in
- * another that it reads and, where that need not be its exact name, in any. *object
- * is the scene's member that has it, or is it. */
+/* In the object's table. */
+static const struct member *find_in(const struct member *object,
+    const char *name, bool exact)
+{
+	const struct member *m = object->members != NULL ?
+	    member_named(object->members, name) :
+	    NULL;
+
+	if (strcmp(name, object->name) == 0)
+		return object;
+	return m != NULL && exact && strcmp(m->name, name) != 0 ? NULL : m;
+}
+
+/* Finds a member of that name: in the object that the command reads alone; in
+ * another that it reads, width rather in the viewport than in the projection before
+ * it, eye rather in the camera than in a kind of projection; and, where that need
+ * not be its exact name, in any. *object is the scene's member that has it, or is
+ * it. */
 static const struct member *find(const struct command *c, const char *name,
     bool exact, const struct member **object)
 {
 	const unsigned bits[] = { c->wants.bare, c->wants.used, ~0u };
 	const struct member *m;
 
-	for (int i = 0; i < (exact ? 2 : 3); i++)
-		for (int k = 0; scene_members[k].name != NULL; k++) {
-			*object = &scene_members[k];
+	for (int i = 0; i < (exact ? 2 : 3); i++) {
+		for (int k = 31; i == 1 && k >= 0; k--) {
 			if ((bits[i] >> k & 1) == 0)
 				continue;
-			if (strcmp(name, (*object)->name) == 0)
-				return *object;
-			if ((*object)->members == NULL)
-				continue;
-			m = member_named((*object)->members, name);
-			if (m != NULL && (!exact || strcmp(m->name, name) == 0))
+			*object = &scene_members[k];
+			if ((*object)->members != NULL &&
+			    member_bit((*object)->members, 0, name) != 0)
+				return find_in(*object, name, true);
+		}
+		for (int k = 0; scene_members[k].name != NULL; k++) {
+			*object = &scene_members[k];
+			m = bits[i] >> k & 1 ? find_in(*object, name, exact) :
+					       NULL;
+			if (m != NULL)
 				return m;
 		}
+	}
 	return NULL;
 }
 
@@ -400,7 +419,7 @@ void mistaken_params(const struct command *c, const struct options *o)
 	}
 	if (is_numbers(name) && o->n_points > 0)
 		check_traded(c, o);
-	if (typed || is_numbers(name) || strpbrk(name, "\":{[=") != NULL ||
+	if (typed || is_numbers(name) || strpbrk(name, "\":{=") != NULL ||
 	    strcmp(name, "help") == 0)
 		die(EXIT_USAGE,
 		    "'%s' is no scene; PARAMS is a JSON file, - or JSON in "
