@@ -128,8 +128,8 @@ bool params_next(const struct options *o)
 		return true;
 	bool found = next_scene();
 
-	say_scene((struct scene_place){ found ? params.number : 0,
-	    params.line });
+	say_scene(
+	    (struct scene_place){ found ? params.number : 0, params.line });
 	return found;
 }
 

@@ -49,10 +49,8 @@ enum {
 
 const struct member scene_members[SCENE_MEMBERS + 1] = {
 	MEMBER(CONVENTION, "convention", convention_members, NULL,
-	    .example = "\"d3d\"",
-	    .words = convention_names,
-	    .type = "a name or an object",
-	    .otherwise = "\"d3d\"",
+	    .example = "\"d3d\"", .words = convention_names,
+	    .type = "a name or an object", .otherwise = "\"d3d\"",
 	    .about = "how the document is read, all of it",
 	    .command = "lookat '{\"convention\": \"gl\", "
 		       "\"camera\": " CAMERA_LIKE "}'"),

@@ -90,12 +90,13 @@ static const struct ways fit_camera_ways = {
 	}
 
 #define RECTANGLE(type)                                                        \
-	NUMBERS("x", type, x, 0, .aliases = "left", .unit = "device units",          \
+	NUMBERS("x", type, x, 0, .aliases = "left", .unit = "device units",    \
 	    .otherwise = "0", .about = "the corner that origin names"),        \
-	    NUMBERS("y", type, y, 0, .aliases = "top", .unit = "device units",       \
+	    NUMBERS("y", type, y, 0, .aliases = "top", .unit = "device units", \
 		.otherwise = "0", .about = "the same"),                        \
-	    SIZE("width", type, width, .unit = "device units", .about = "required"), \
-	    SIZE("height", type, height, .unit = "device units",                     \
+	    SIZE("width", type, width, .unit = "device units",                 \
+		.about = "required"),                                          \
+	    SIZE("height", type, height, .unit = "device units",               \
 		.about = "required")
 
 static void read_scale(const struct value *v, const struct member *row,
@@ -150,7 +151,8 @@ static const struct ways rectangle_ways = {
 const struct member window_members[] = {
 	NUMBERS("center", window, center, 2, .aliases = "centre x y position",
 	    .unit = "window units", .about = "with width and height"),
-	SIZE("width", window, width, .unit = "window units", .about = "of all of it"),
+	SIZE("width", window, width, .unit = "window units",
+	    .about = "of all of it"),
 	SIZE("height", window, height, .unit = "window units",
 	    .about = "of all of it"),
 	NUMBERS("left", window, left, 0, .unit = "window units",
@@ -161,8 +163,8 @@ const struct member window_members[] = {
 	    .about = "an edge"),
 	NUMBERS("top", window, top, 0, .unit = "window units",
 	    .about = "greater than bottom"),
-	NUMBERS("pan", window, pan, 2, .unit = "window units", .otherwise = "[0, 0]",
-	    .about = "by how much the window moves"),
+	NUMBERS("pan", window, pan, 2, .unit = "window units",
+	    .otherwise = "[0, 0]", .about = "by how much the window moves"),
 	SIZE("zoom", window, zoom, .otherwise = "1",
 	    .about = "of which 2 shows half the extent"),
 	NUMBERS("about", window, about, 2, .unit = "window units",
@@ -185,11 +187,12 @@ static const struct ways window_ways = {
 const struct member bounds_members[] = {
 	NUMBERS("center", bounds, center, 3, .aliases = "centre position",
 	    .unit = "model units", .about = "of a sphere"),
-	SIZE("radius", bounds, radius, .unit = "model units", .about = "of a sphere"),
-	NUMBERS("min", bounds, min, 3, .aliases = "lower from", .unit = "model units",
-	    .about = "of a box, its least coordinates"),
-	NUMBERS("max", bounds, max, 3, .aliases = "upper to", .unit = "model units",
-	    .about = "the opposite corner"),
+	SIZE("radius", bounds, radius, .unit = "model units",
+	    .about = "of a sphere"),
+	NUMBERS("min", bounds, min, 3, .aliases = "lower from",
+	    .unit = "model units", .about = "of a box, its least coordinates"),
+	NUMBERS("max", bounds, max, 3, .aliases = "upper to",
+	    .unit = "model units", .about = "the opposite corner"),
 	{ .name = NULL },
 };
 
