@@ -377,17 +377,15 @@ static void check_traded(const struct command *c, const struct options *o)
 {
 	char first[GLANCE_MAX], second[GLANCE_MAX];
 	const char *params = glance(o->params, first);
-	const char *points = o->n_points > 0 ? o->points[0] : NULL;
+	const char *points = o->n_points > 0 ? o->points[0] : "scene.json";
 	const char *quote = *params == '[' ? "'" : "";
-	bool traded = points != NULL && *glance(points, second) == '{';
 
 	if (*params == '{' || (*params == '\0' && !is_numbers(o->params)))
 		return;
-	if (!traded && (points != NULL || strpbrk(params, "{[\"") != NULL))
+	if (o->n_points > 0 ? *glance(points, second) != '{' :
+			      strpbrk(params, "{[\"") != NULL)
 		return;
-	if (!traded)
-		points = "scene.json";
-	else if (first_char(points) == '{')
+	if (first_char(points) == '{')
 		points = "'{...}'";
 	die(EXIT_USAGE,
 	    "'%s' holds points, and the scene comes first; write projcalc %s "

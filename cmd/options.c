@@ -222,15 +222,16 @@ void options_first(char **words)
 {
 	struct options none = { 0 };
 
-	for (; *words != NULL && strcmp(*words, "--") != 0; words++)
-		for (const struct option_row *r = option_rows; r->name; r++) {
-			bool how = r->set == set_errors ||
-			    r->set == choose_color;
-			char *argument = how ? argument_of(r, words) : NULL;
+	for (const struct option_row *r = option_rows; r->name != NULL; r++) {
+		if (r->set != set_errors && r->set != choose_color)
+			continue;
+		for (char **w = words; *w && strcmp(*w, "--") != 0; w++) {
+			char *argument = argument_of(r, w);
 
 			if (argument != NULL)
 				r->set(&none, argument);
 		}
+	}
 }
 
 /* word is a letter with its dash or, with others behind it, words[0]. */
