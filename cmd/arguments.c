@@ -3,9 +3,39 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "../core/scene.h"
+#include "nearest.h"
 #include "talk.h"
+
+/* What others call it. */
+static const char *called(const char *what, const char *word)
+{
+	static const char *const others[][3] = {
+		{ "convention", "opengl", "gl" },
+		{ "convention", "directx", "d3d" },
+		{ "convention", "direct3d", "d3d" },
+		{ "convention", "metal", "webgpu" },
+		{ "space", "pixels", "device" },
+		{ "space", "screen", "device" },
+		{ "space", "image", "device" },
+		{ "space", "camera", "view" },
+		{ "space", "eye", "view" },
+		{ "space", "object", "model" },
+		{ "space", "local", "model" },
+		{ "format", "txt", "text" },
+		{ "format", "double", "f64" },
+		{ "format", "float", "f32" },
+		{ "precision", "float", "single" },
+	};
+
+	for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+		if (strcmp(others[i][0], what) == 0 &&
+		    strcasecmp(others[i][1], word) == 0)
+			return others[i][2];
+	return NULL;
+}
 
 int one_of(const char *const *names, const char *what, const char *word)
 {
@@ -18,6 +48,13 @@ int one_of(const char *const *names, const char *what, const char *word)
 			strcat(all, names[i + 1] == NULL ? " or " : ", ");
 		strcat(all, names[i]);
 	}
+	const char *near = called(what, word);
+
+	if (near == NULL)
+		near = nearest(word, names);
+	if (near != NULL)
+		die(EXIT_USAGE, "unknown %s '%s'; did you mean '%s'?", what,
+		    word, near);
 	die(EXIT_USAGE, "unknown %s '%s'; it is one of %s", what, word, all);
 }
 

@@ -89,27 +89,46 @@ void mistaken_params(const struct command *c, const struct options *o)
 		    name, c->name, c->example != NULL ? c->example : "'{...}'");
 }
 
+/* The points that operands are meant for, as JSON: one of each, or one of all where
+ * each is a single number. */
+static void write_points(char *out, size_t room, char **words)
+{
+	char list[100];
+	bool points = strpbrk(*words, ",; \t") != NULL;
+	size_t at = 0;
+
+	for (; *words != NULL && is_numbers(*words) && at + 9 < room; words++) {
+		size_t n = add_numbers(list, 0, sizeof list, *words);
+		const char *comma = at > 0 ? "," : "";
+
+		if (at + n + 4 > room)
+			break;
+		at += (size_t)sprintf(out + at, points ? "%s[%s]" : "%s%s",
+		    comma, list);
+	}
+}
+
 void mistaken_points(const struct options *o, int i)
 {
 	const char *name = o->points[i];
 	const struct place place = { .file = name };
 	struct stat st;
-	char list[200] = "";
-	size_t at = 0;
+	char list[200] = "0,0,0";
 
 	if (stat(name, &st) == 0 && S_ISDIR(st.st_mode))
 		die_at(EXIT_USAGE, &place, "is a directory");
 	if (access(name, R_OK) == 0)
 		return;
 	const char *why = strerror(errno);
+	bool numbers = is_numbers(name);
 
-	for (; i < o->n_points && is_numbers(o->points[i]); i++)
-		at = add_numbers(list, at, sizeof list, o->points[i]);
-	if (at > 0)
-		die_at(EXIT_USAGE, &place, "%s; POINTS are a file, - or '[%s]'",
-		    why, list);
-	if (strpbrk(name, "{\"") != NULL)
+	if (numbers)
+		write_points(list, sizeof list, o->points + i);
+	if (numbers || strpbrk(name, "{\"") != NULL)
 		die_at(EXIT_USAGE, &place,
-		    "%s; POINTS are a file, - or '[0,0,0]'", why);
+		    *list == '[' && strchr(list + 1, '[') == NULL ?
+			"%s; POINTS are a file, - or '%s'" :
+			"%s; POINTS are a file, - or '[%s]'",
+		    why, list);
 	die_at(EXIT_USAGE, &place, "%s", why);
 }

@@ -74,7 +74,9 @@ static const struct member *find_in(const struct member *object,
 static const struct member *find(const struct command *c, const char *name,
     bool exact, const struct member **object)
 {
-	const unsigned bits[] = { c->wants.bare, c->wants.used, ~0u };
+	/* project --at is rather meant for pick than for the camera */
+	const unsigned bits[] = { c->wants.bare,
+		c->wants.used & (exact ? ~(unsigned)SCENE_SPATIAL : ~0u), ~0u };
 	const struct member *m;
 
 	for (int i = 0; i < (exact ? 2 : 3); i++) {

@@ -1,5 +1,6 @@
 #include "params.h"
 
+#include <ctype.h>
 #include <string.h>
 
 #include "input.h"
@@ -133,6 +134,23 @@ bool params_next(const struct options *o)
 	return found;
 }
 
+/* Points that are piped to a call without a scene. */
+static void check_points(void)
+{
+	const char *s = params.text.s;
+
+	for (size_t i = params.begin; i < params.end; i++) {
+		if (isdigit((unsigned char)s[i]))
+			die_at(EXIT_INPUT,
+			    &(struct place){ .file = params.name },
+			    "holds points, and a scene is wanted first; name "
+			    "its file: scene.json %s",
+			    params.name);
+		if (!is_space(s[i]) && s[i] != '-')
+			return;
+	}
+}
+
 void params_read(const struct options *o, const struct document_wants *wants,
     struct document *d)
 {
@@ -141,8 +159,10 @@ void params_read(const struct options *o, const struct document_wants *wants,
 	w.line = params.line - 1;
 	while (!o->scenes && more())
 		continue;
-	if (!o->scenes)
+	if (!o->scenes) {
 		params.end = params.text.have;
+		check_points();
+	}
 	document_read(d, params.name, params.text.s + params.begin,
 	    params.end - params.begin, &w);
 	if (!o->scenes && d->points == NULL)
