@@ -104,8 +104,16 @@ sub item {
 my $json = JSON::PP->new->canonical->allow_nonref;
 my $defs = $schema->{'$defs'};
 
-# Rows have a default where the schema has it, and the page tells it.
-sub defaults {
+# What the schema says of a type of the rows; near and far are sizes in a
+# perspective alone.
+my %shape = (number => qr/number"|size"/, size => qr/size"/,
+    angle => qr/number"|opening"/, '4 angles' => qr/"exclusiveMaximum":90.*"maxItems":4/,
+    '2 numbers' => qr/pair"/, '3 numbers' => qr/triple"|direction"/,
+    '4 numbers' => qr/"maxItems":4/, matrix => qr/matrix"|affine"/,
+    'true or false' => qr/"boolean"/, object => qr/"properties"|"allOf"/);
+
+# Rows have the type and the default that the schema has, and the page tells it.
+sub compare {
 	my ($title, $properties, @rows) = @_;
 	for my $row (@rows) {
 		my $p = $properties->{$row->{name}};
@@ -115,6 +123,8 @@ sub defaults {
 		$default = $row->{default} if $name eq 'world';
 		is($json->encode($row->{default}), $json->encode($default),
 		    "default of $name in the schema");
+		like($json->encode([$p, $def ? $defs->{$def} : ()]),
+		    $shape{$row->{type}} // qr//, "type of $name in the schema");
 		my $told = $json->encode($row->{default}) =~ s/["\[\]]//gr =~
 		    s/,/, /gr;
 		like(item($title, $row->{name}), $told eq 'null' ? qr// :
@@ -130,7 +140,7 @@ is(in_schema($schema), members(), 'a scene in the schema');
 is(sorted(map { s/ .*//r } $scene =~ /^\.Ss (\w+)$/mg), in_schema($schema),
     'a scene on the page');
 for my $row (rows()) {
-	defaults($row->{name}, $schema->{properties}, $row);
+	compare($row->{name}, $schema->{properties}, $row);
 	my $help = `$program help $row->{name}`;
 	if ($help =~ /^usage/) {
 		like($help, qr/^$row->{name}:$/m, "$row->{name} in its help");
@@ -143,13 +153,13 @@ for my $row (rows()) {
 for my $name (qw(camera viewport window device bounds pick)) {
 	is(in_schema($defs->{$name}), members($name), "$name in the schema");
 	is(on_page($name), members($name), "$name on the page");
-	defaults($name, $defs->{$name}{properties}, rows($name));
+	compare($name, $defs->{$name}{properties}, rows($name));
 }
 my $convention = $defs->{convention}{then};
 is(in_schema($convention), members('convention'), 'convention in the schema');
 is(on_page('convention'), sorted('convention', keys %{$convention->{properties}}),
     'convention on the page');
-defaults('convention', $convention->{properties}, rows('convention'));
+compare('convention', $convention->{properties}, rows('convention'));
 for my $type (qw(persp ortho oblique volume matrix)) {
 	my $has = members('projection', $type);
 	my $shared = $type =~ /^(?:volume|matrix)$/ ? 'type' :
@@ -158,7 +168,7 @@ for my $type (qw(persp ortho oblique volume matrix)) {
 	is(in_schema($def), $has, "$type in the schema");
 	is(sorted(split / /, "$shared " . on_page("projection of type $type")),
 	    $has, "$type on the page");
-	defaults('projection', $def->{properties}, rows('projection', $type));
+	compare('projection', $def->{properties}, rows('projection', $type));
 }
 # And a wrong member is told which there are.
 like((run('projcalc lookat \'{"camera": {"xyzzyxyzzy": 0}}\''))[2],
