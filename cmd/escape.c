@@ -55,43 +55,48 @@ static size_t piece(char out[PIECE_MAX + 1], const char **s, const char *end,
 	return (size_t)n;
 }
 
-/* As many pieces as there is room for with a NUL; *s goes past what they are. */
-static size_t pieces(char *out, size_t room, const char **s, const char *end,
+const char *escaped(char out[ESCAPED_MAX], const char *s, size_t n)
+{
+	const char *end = s + n;
+	size_t at = 0;
+
+	while (s < end) {
+		/* a piece, the rest "..." and NUL */
+		if (at + PIECE_MAX + 4 > ESCAPED_MAX) {
+			at += (size_t)sprintf(out + at, "...");
+			break;
+		}
+		at += piece(out + at, &s, end, false);
+	}
+	out[at] = '\0';
+	return out;
+}
+
+/* As many pieces as there is room for with a NUL. */
+static size_t pieces(char *out, size_t room, const char *s, const char *end,
     bool json)
 {
 	char one[PIECE_MAX + 1];
 	size_t at = 0;
 
-	while (*s < end) {
-		const char *next = *s;
-		size_t n = piece(one, &next, end, json);
+	while (s < end) {
+		size_t n = piece(one, &s, end, json);
 
 		if (at + n >= room)
 			break;
 		memcpy(out + at, one, n);
 		at += n;
-		*s = next;
 	}
 	out[at] = '\0';
 	return at;
 }
 
-const char *escaped(char out[ESCAPED_MAX], const char *s, size_t n)
-{
-	const char *end = s + n;
-	size_t at = pieces(out, ESCAPED_MAX - 3, &s, end, false);
-
-	if (s < end)
-		strcpy(out + at, "...");
-	return out;
-}
-
 size_t escape_text(char *out, size_t room, const char *s, size_t n)
 {
-	return pieces(out, room, &s, s + n, false);
+	return pieces(out, room, s, s + n, false);
 }
 
 size_t escape_json(char *out, size_t room, const char *s, size_t n)
 {
-	return pieces(out, room, &s, s + n, true);
+	return pieces(out, room, s, s + n, true);
 }

@@ -102,8 +102,6 @@ static const struct command commands[] = {
 };
 /* clang-format on */
 
-enum { COMMANDS = sizeof commands / sizeof *commands - 1 };
-
 static _Noreturn void finish(void)
 {
 	if (fflush(stdout) != 0)
