@@ -117,6 +117,8 @@ static void print_params(const struct command *c)
 	printf("\n");
 	heading("scene:\n");
 	print_scene_members(scene);
+	printf("Of an object's members tells projcalc help camera, and so "
+	       "on.\n");
 }
 
 void help_command(const struct command *c)

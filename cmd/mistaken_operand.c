@@ -44,8 +44,7 @@ static void check_traded(const struct command *c, const struct options *o)
 	const char *points = o->n_points > 0 ? o->points[0] : "scene.json";
 	const char *quote = *params == '[' ? "'" : "";
 
-	if (*params == '{' ||
-	    (*params == '\0' && access(o->params, F_OK) == 0))
+	if (*params == '{' || (*params == '\0' && access(o->params, F_OK) == 0))
 		return;
 	if (o->n_points > 0 ? *glance(points, second) != '{' :
 			      strpbrk(params, "{[\"") != NULL)

@@ -57,15 +57,15 @@ bool is_colored(int fd)
 enum { MESSAGE_MAX = 4096, LINE_ROOM = 4 * MESSAGE_MAX };
 
 /* One line, which is written at once, as others may write there too. */
-struct text {
+struct buffer {
 	char s[LINE_ROOM];
 	size_t n;
 };
 
-static void add(struct text *t, const char *format, ...)
+static void add(struct buffer *t, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-static void add(struct text *t, const char *format, ...)
+static void add(struct buffer *t, const char *format, ...)
 {
 	va_list args;
 
@@ -74,7 +74,7 @@ static void add(struct text *t, const char *format, ...)
 	va_end(args);
 }
 
-static void add_place(struct text *t, const struct place *p)
+static void add_place(struct buffer *t, const struct place *p)
 {
 	bool behind = p->join != NULL;
 	bool pointer = p->pointer != NULL && *p->pointer != '\0';
@@ -99,7 +99,7 @@ static void write_text(int status, const struct place *p, const char *message)
 {
 	bool colored = is_colored(STDERR_FILENO);
 	static const char *const paint[] = { "\033[1m", "\033[1;31m" };
-	struct text raw = { .n = 0 }, line = { .n = 0 };
+	struct buffer raw = { .n = 0 }, line = { .n = 0 };
 
 	if (p->join == NULL)
 		add_place(&raw, p);
@@ -114,7 +114,7 @@ static void write_text(int status, const struct place *p, const char *message)
 	fwrite(line.s, 1, line.n, stderr);
 }
 
-static void add_string(struct text *t, const char *name, const char *s,
+static void add_string(struct buffer *t, const char *name, const char *s,
     size_t n)
 {
 	/* the five strings of a message fit into its line */
@@ -128,7 +128,7 @@ static void add_string(struct text *t, const char *name, const char *s,
 static void write_json(int status, const struct place *p, const char *message)
 {
 	const char *hint = strstr(message, "; ");
-	struct text t = { .s = "{", .n = 1 };
+	struct buffer t = { .s = "{", .n = 1 };
 
 	if (p->scene.number > 0)
 		add(&t, "\"scene\":%ld,\"scene_line\":%ld", p->scene.number,
