@@ -23,7 +23,7 @@ static void example(const char *call)
 	printf(" projcalc %s\n", call);
 }
 
-enum { NAME_WIDTH = 15, TYPE_WIDTH = 22 };
+enum { NAME_WIDTH = 15, TYPE_WIDTH = 23 };
 
 /* Its name, type and unit, what it says, its default and, where types names them,
  * the types that have it. */
@@ -117,8 +117,7 @@ static void print_params(const struct command *c)
 	printf("\n");
 	heading("scene:\n");
 	print_scene_members(scene);
-	printf("Of an object's members tells projcalc help camera, and so "
-	       "on.\n");
+	printf("projcalc help NAME tells of a member that is an object.\n");
 }
 
 void help_command(const struct command *c)

@@ -107,7 +107,7 @@ static void put_command(const struct command *c)
 	if (c->kind != HELP) {
 		put_members_of("reads", c->wants.used);
 		put_members_of("needs", c->wants.needed);
-		put_members_of("or", c->wants.bare);
+		put_members_of("alone", c->wants.bare);
 	}
 	put_text("example", call);
 	close_bracket("}");
