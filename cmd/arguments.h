@@ -15,6 +15,17 @@ int whole_number(const char *option, const char *word, int min, int max);
 /* From 1e-150 to 1e150, the range of sizes. */
 double positive_number(const char *option, const char *word);
 
+/* From --decimals or --digits: one for each coordinate printed, the last for the
+ * rest. */
+struct styles {
+	int n; /* 0: none, all are the shortest */
+	struct number_style style[COORDINATES_MAX];
+};
+
+/* "N,N", each from min to max. Cuts the list at its commas. */
+struct styles styles_of(const char *option, enum number_kind, char *list,
+    int min, int max);
+
 /* From --tolerance: one for each coordinate printed, the last for the rest. */
 struct tolerances {
 	int n; /* 0: none */

@@ -16,6 +16,7 @@ enum command_kind {
 	INSPECT = 16,
 	TRACE = 32,
 	PLANAR = 64, /* as MATRIX, in two dimensions */
+	HELP = 128,
 };
 
 struct command {
@@ -31,6 +32,8 @@ struct command {
 	 * from and to, and the space to which points are taken, which may be
 	 * another. They are of enum flat if PLANAR, else of enum space. */
 	int from, to, points_to;
+	/* What may stand after its name, in the shell, and works. */
+	const char *example;
 };
 
 void run_matrix(const struct command *, const struct options *);

@@ -79,9 +79,13 @@ static _Noreturn void refuse(const struct options *o, const struct document *d,
 	if (d->has_bounds || strncmp(why, bounds, n) != 0)
 		document_refuse(d, why);
 	if (o->n_points == 0)
-		die(EXIT_INPUT, "%s: /points: %s", d->name, why + n);
-	die(EXIT_INPUT, "%s: %s",
-	    o->n_points > 1 || *o->points[0] == '[' ? "POINTS" : o->points[0],
+		die_at(EXIT_INPUT,
+		    &(struct place){ .file = d->name, .pointer = "/points" },
+		    "%s", why + n);
+	bool typed = o->n_points > 1 || *o->points[0] == '[';
+
+	die_at(EXIT_INPUT,
+	    &(struct place){ .file = typed ? "POINTS" : o->points[0] }, "%s",
 	    why + n);
 }
 

@@ -1,37 +1,21 @@
 #include "operands.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "input.h"
+#include "mistaken.h"
 #include "params.h"
 #include "points/progress.h"
 #include "points/threads.h"
 #include "talk.h"
 
-static void check_file(const char *name)
-{
-	const char *end = name + strlen(name);
-	struct stat st;
-	double v;
-
-	if (stat(name, &st) == 0 && S_ISDIR(st.st_mode))
-		die(EXIT_USAGE, "%s: is a directory", name);
-	if (access(name, R_OK) == 0)
-		return;
-	if (number_read(name, end, &v) == end && end != name)
-		die(EXIT_USAGE, "%s: %s; POINTS are a file, - or '[0,0,0]'",
-		    name, strerror(errno));
-	die(EXIT_USAGE, "%s: %s", name, strerror(errno));
-}
-
 void check_operands(const struct command *c, const struct options *o)
 {
 	int from_stdin = is_stdin(o->params);
 
+	mistaken_params(c, o);
 	if (o->n_points > 0 && !command_reads_points(c))
 		die(EXIT_USAGE, "%s reads no points; leave them out", c->name);
 	for (int i = 0; i < o->n_points && !o->matrix; i++) {
@@ -44,7 +28,7 @@ void check_operands(const struct command *c, const struct options *o)
 				"name a file for one of them" :
 				"standard input is named twice");
 		if (!is_stdin(name) && first_char(name) != '[')
-			check_file(name);
+			mistaken_points(o, i);
 	}
 }
 
@@ -139,6 +123,12 @@ static void check_layout(const struct options *o, const struct layout *l)
 		    "--tolerance: %d tolerances; %d coordinates are "
 		    "printed here",
 		    o->tolerances.n, l->writes);
+	if (o->styles.n > l->writes)
+		die(EXIT_USAGE,
+		    "--%s: %d numbers; %d coordinates are printed here",
+		    o->styles.style[0].kind == NUMBER_DIGITS ? "digits" :
+							       "decimals",
+		    o->styles.n, l->writes);
 }
 
 /* Tests and measurements choose the kernels by PROJCALC_CPU; else they are the
@@ -185,7 +175,7 @@ void prepare_job(struct job *j, const struct options *o)
 	};
 	j->layout.columns.by_header = o->columns.n == 0;
 	for (int k = 0; k < COORDINATES_MAX; k++)
-		j->layout.style[k] = o->style;
+		j->layout.style[k] = o->styles.style[k];
 	j->accuracy = (struct accuracy){ .precision = o->precision };
 	if (o->tolerances.n > 0)
 		set_tolerances(j, &o->tolerances);

@@ -17,6 +17,7 @@ struct hit {
 
 struct hits {
 	const struct options *o;
+	struct number_style style;
 	struct picker picker;
 	struct hit *hit;
 	size_t n, room;
@@ -160,7 +161,7 @@ static void print_hits(const struct job *j)
 		if (hit->header && (i > 0 || o->out == FORMAT_JSON))
 			continue;
 		if (o->has_out && o->out == FORMAT_JSON) {
-			print_json(&out, hit, o->style);
+			print_json(&out, hit, h->style);
 			continue;
 		}
 		put(&out, h->text + hit->text, hit->size);
@@ -200,6 +201,7 @@ void run_pick(const struct command *c, const struct options *o)
 		.with = &hits };
 
 	hits.o = o;
+	hits.style = one_style(o, "what pick prints");
 	hits.n = hits.size = 0;
 	read_document(c, o, 3, &d);
 	aim(&d, o, &hits);

@@ -25,6 +25,12 @@ void die(int status, const char *format, ...)
 	longjmp(refused, 1);
 }
 
+void die_at(int status, const struct place *place, const char *format, ...)
+{
+	(void)place;
+	die(status, "%s", format);
+}
+
 /* All that a refusal leaves, to be freed here: what cJSON has. */
 static struct block {
 	struct block *next;

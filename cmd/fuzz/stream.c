@@ -103,25 +103,40 @@ void close_output(void)
 	abort();
 }
 
-void say(const char *format, ...)
+void say_at(int status, const struct place *place, const char *format, ...)
 {
 	char text[512];
+	int n = sprintf(text, "%ld: ", place != NULL ? place->line : 0);
 	va_list args;
 
+	(void)status;
 	va_start(args, format);
-	vsnprintf(text, sizeof text, format, args);
+	vsnprintf(text + n, sizeof text - (size_t)n, format, args);
 	va_end(args);
 	add(&said, text, strlen(text) + 1);
 }
 
-const char *said_scene(void)
+bool says_json(void)
 {
-	return "";
+	return false;
+}
+
+struct scene_place said_scene(void)
+{
+	return (struct scene_place){ 0 };
 }
 
 void die(int status, const char *format, ...)
 {
 	(void)status;
+	(void)format;
+	abort();
+}
+
+void die_at(int status, const struct place *place, const char *format, ...)
+{
+	(void)status;
+	(void)place;
 	(void)format;
 	abort();
 }
@@ -199,11 +214,13 @@ static void do_at_once(struct job *j, const char *text, size_t size)
 		    c->out[c->size - 1] != '\n';
 	}
 	add(&printed, c->out, c->size);
-	for (size_t i = 0; i < c->n_complaints && bad + i < 10; i++)
-		say("a%s%zu: %s",
-		    is_binary(j->layout.in.format) ? ": point " : ":",
-		    1 + c->complaints[i].line,
+	for (size_t i = 0; i < c->n_complaints && bad + i < 10; i++) {
+		struct place p = { .line = 1 + (long)c->complaints[i].line,
+			.of_points = is_binary(j->layout.in.format) };
+
+		say_at(EXIT_INPUT, &p, "%s",
 		    c->reasons + c->complaints[i].reason);
+	}
 	bad += c->n_complaints;
 	chunk_free(c);
 }

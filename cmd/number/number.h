@@ -17,7 +17,7 @@ extern "C" {
 enum { NUMBER_MAX = 416 };
 
 struct number_style {
-	enum {
+	enum number_kind {
 		NUMBER_SHORTEST,
 		NUMBER_DECIMALS,
 		NUMBER_DIGITS,

@@ -8,12 +8,15 @@
 
 /* Of all chunks so far. It needs no lock, as no two are answered at a time. */
 static struct {
-	size_t next_line;         /* of the source, from 1 */
-	bool unended;             /* the last line printed has no newline yet */
-	size_t bad;               /* lines */
-	bool keeps_going, points; /* of binary, not lines */
-	size_t imageless;         /* points */
-	char where[400];          /* the first of them: scene, source:line */
+	size_t next_line;  /* of the source, from 1 */
+	bool unended;      /* the last line printed has no newline yet */
+	size_t bad;        /* lines */
+	bool of_points;    /* of binary ones, that is */
+	bool keeps_going;
+	size_t imageless;  /* points */
+	/* the first of them, and its file's name */
+	struct place where;
+	char file[300];
 } answer;
 
 void answer_source(void)
@@ -31,28 +34,34 @@ static void print(const struct job *j, const struct chunk *c)
 	put_all(c->out, c->size);
 }
 
-/* What the numbers of lines count, after the name of the source. */
-static const char *unit(const struct job *j)
+/* Of a line of the chunk, from 0. */
+static struct place place_of(const struct job *j, const struct chunk *c,
+    size_t line)
 {
-	return is_binary(j->layout.in.format) ? ": point " : ":";
+	return (struct place){ .file = c->name,
+		.line = (long)(answer.next_line + line),
+		.of_points = is_binary(j->layout.in.format) };
 }
 
 static void count_imageless(const struct job *j, const struct chunk *c)
 {
-	if (c->imageless > 0 && answer.imageless == 0)
-		snprintf(answer.where, sizeof answer.where, "%s%.250s%s%zu",
-		    said_scene(), c->name, unit(j),
-		    answer.next_line + c->first_imageless);
+	if (c->imageless > 0 && answer.imageless == 0) {
+		snprintf(answer.file, sizeof answer.file, "%s", c->name);
+		answer.where = place_of(j, c, c->first_imageless);
+		answer.where.file = answer.file;
+		answer.where.scene = said_scene();
+	}
 	answer.imageless += c->imageless;
 }
 
 static void say_imageless(void)
 {
+	answer.where.join = answer.imageless == 1 ? ": " : ", the first in ";
 	if (answer.imageless == 1)
-		say("1 point has no image: %s", answer.where);
+		say_at(EXIT_OK, &answer.where, "1 point has no image");
 	else if (answer.imageless > 1)
-		say("%zu points have no image, the first in %s",
-		    answer.imageless, answer.where);
+		say_at(EXIT_OK, &answer.where, "%zu points have no image",
+		    answer.imageless);
 }
 
 /* Of more bad lines than that only the number is told. */
@@ -63,13 +72,15 @@ static void complain(const struct job *j, const struct chunk *c)
 	if (!j->keep_going && j->flush != NULL)
 		j->flush(j);
 	progress_clear();
-	for (size_t i = 0; i < c->n_complaints && answer.bad + i < TOLD; i++)
-		say("%s%s%zu: %s", c->name, unit(j),
-		    answer.next_line + c->complaints[i].line,
+	for (size_t i = 0; i < c->n_complaints && answer.bad + i < TOLD; i++) {
+		struct place p = place_of(j, c, c->complaints[i].line);
+
+		say_at(EXIT_INPUT, &p, "%s",
 		    c->reasons + c->complaints[i].reason);
+	}
 	answer.bad += c->n_complaints;
 	answer.keeps_going = j->keep_going;
-	answer.points = is_binary(j->layout.in.format);
+	answer.of_points = is_binary(j->layout.in.format);
 	if (!j->keep_going) {
 		say_imageless();
 		close_output();
@@ -79,13 +90,15 @@ static void complain(const struct job *j, const struct chunk *c)
 
 static _Noreturn void stop(const struct job *j, const struct chunk *c)
 {
+	struct place p = place_of(j, c, 0);
+
 	if (j->flush != NULL)
 		j->flush(j);
 	progress_clear();
 	if (c->state == PIECE_TOO_LONG)
-		die(EXIT_INPUT, "%s:%zu: a line of more than 64 MiB", c->name,
-		    answer.next_line);
-	die(EXIT_SYSTEM, "%s: %s", c->name, strerror(c->error));
+		die_at(EXIT_INPUT, &p, "a line of more than 64 MiB");
+	p.line = 0;
+	die_at(EXIT_SYSTEM, &p, "%s", strerror(c->error));
 }
 
 void answer_chunk(const struct job *j, const struct chunk *c)
@@ -109,8 +122,8 @@ int answer_end(void)
 	progress_end();
 	say_imageless();
 	if (answer.keeps_going)
-		say("%zu bad %s%s", answer.bad,
-		    answer.points ? "point" : "line",
+		say_at(EXIT_INPUT, NULL, "%zu bad %s%s", answer.bad,
+		    answer.of_points ? "point" : "line",
 		    answer.bad == 1 ? "" : "s");
 	close_output();
 	return answer.bad > 0 ? EXIT_INPUT : EXIT_OK;

@@ -35,7 +35,7 @@ projcalc project -o f64 --to world full.json "$tmp/text" >"$tmp/f64"
 
 cp "$tmp/text" "$tmp/pipe"
 {
-	sed '/"points"/d; $d' scene.json
+	sed '/"viewport"/s/$/,/; $d' scene.json
 	sed 's/ /, /g; s/.*/ [&]/; 1s/^/"points": [/; 1!s/^/,/' "$tmp/text"
 	echo ']}'
 } >"$tmp/document"
