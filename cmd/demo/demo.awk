@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Draws a solid in a terminal, as a pen does: its outline, and dots where a lamp
 # shines on it. The first file has points, the second the same points in a device
 # of 160 x 120 dots, the third triangles between them, by the points' numbers from

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # The vertices of the Stanford bunny through a scene, and a picture of them.
 # usage: demo.sh BUILD
 set -eu

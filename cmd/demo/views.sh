@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Four views of the Stanford bunny in one render target, as an SVG: each view with
 # its camera moved back until all vertices and a margin fit, and triangles drawn
 # from the farthest to the nearest, so that those in front hide what is behind.

@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # The drawing that README.md shows is the one that views.sh draws, and no corner
 # of a triangle comes within 10 pixels of the edge of its view. README.md has the
 # picture of make demo, which examples_test.t compares.
