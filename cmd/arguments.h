@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The arguments of options, from words to what they mean. A word that is wrong
  * is refused with the option's name and exit status 2. */
 #ifndef ARGUMENTS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a command is: a row of the table in main.c. */
 #ifndef COMMAND_H
 #define COMMAND_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the user wrote, in messages: nothing of it moves a terminal's cursor, ends
  * the line, or turns the direction in which the rest is shown. */
 #ifndef ESCAPE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the program says of itself. All of it stands in the rows that the program
  * goes by: commands, options, members. */
 #ifndef HELP_H

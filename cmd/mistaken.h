@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* First tries: what is meant by a call that can't be, and the call that would do
  * it. */
 #ifndef MISTAKEN_H

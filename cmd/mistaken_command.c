@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A word that stands where a command should. */
 #include <stdio.h>
 #include <string.h>

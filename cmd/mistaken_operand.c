@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Operands that are neither a scene nor points, or the one in place of the other. */
 #include <errno.h>
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Options that are none: members of a scene, and what others call options. */
 #include <stdio.h>
 #include <string.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The options of all commands, and the operands after them. */
 #ifndef OPTIONS_H
 #define OPTIONS_H

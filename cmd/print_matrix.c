@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "print_matrix.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* for F_SETPIPE_SZ, where there is one */
 #define _GNU_SOURCE
 #include "talk.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Messages, exits and what every command needs of the system. */
 #ifndef TALK_H
 #define TALK_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "typed.h"
 
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Numbers as people type them: 1,1,1 or (1 1 1). */
 #ifndef TYPED_H
 #define TYPED_H

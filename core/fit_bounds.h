@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Bounds and where they lie: what fit fits a scene to. */
 #ifndef BOUNDS_H
 #define BOUNDS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The tightest 2D window that holds given bounds. */
 #ifndef FIT_WINDOW_H
 #define FIT_WINDOW_H

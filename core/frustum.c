@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "frustum.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The view volume: its corners, and which of its planes, or of a 2D window's
  * edges, a point is outside of. */
 #ifndef FRUSTUM_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* One point through a transform: the accurate phase, for what the kernels leave
  * undecided. */
 #ifndef POINT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A scene and the maps between its spaces. */
 #ifndef SCENE_H
 #define SCENE_H

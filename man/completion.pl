@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # Prints what completes the command line in a shell: what the program says of itself
 # as JSON.
 # usage: completion.pl PROJCALC bash|zsh|fish

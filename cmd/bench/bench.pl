@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # Measures the program beside what people use instead, and prints a page in
 # markdown: whole programs, which take turns, and points in memory. Errors are
 # those from the truth in MPFR, by worst.c and peers.c. What bench.gp draws is

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Any bytes as a document, for libFuzzer; linked without talk.c. The first
  * byte says what is wanted of it. */
 #include <cjson/cJSON.h>

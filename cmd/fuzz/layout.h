@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The layout of lines that the first bytes of a fuzzer's input choose. */
 #ifndef LAYOUT_FUZZ_H
 #define LAYOUT_FUZZ_H

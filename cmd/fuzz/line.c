@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Any bytes as lines of points, for libFuzzer: what is read is written within
  * its room, is a line, and reads back as the same numbers. */
 #define _GNU_SOURCE /* memmem */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Objects of a document. A table of an object's members says what each may be
  * and where in a struct it is read to. */
 #ifndef OBJECT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Values of a JSON document, and messages that say with a pointer, such as
  * /camera/eye/0, where in it they stand. No other file knows cJSON. */
 #ifndef VALUE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "binary.h"
 
 #include <math.h>

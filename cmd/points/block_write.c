@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "block_write.h"
 
 #include <float.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A piece of a source and what becomes of it. No chunk depends on another, so
  * that each can be done by another thread. */
 #ifndef CHUNK_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The fields of a line, in each format of lines. */
 #ifndef FIELD_H
 #define FIELD_H

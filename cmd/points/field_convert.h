@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Fields that are no coordinates, from one format to another. */
 #ifndef FIELD_CONVERT_H
 #define FIELD_CONVERT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "format.h"
 
 const char *const format_names[] = { "text", "csv", "tsv", "json", "f64", "f32",

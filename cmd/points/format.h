@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The formats that points come and go in. */
 #ifndef FORMAT_H
 #define FORMAT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The first line of csv: whether it is a header, and where it says that the
  * coordinates are. */
 #ifndef HEADER_H

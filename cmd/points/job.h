@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A job: what is done with every point, and the function that does it on a
  * chunk of them. */
 #ifndef JOB_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A line with a point: finding its coordinates, and writing the line with
  * others in their place. Everything else on it stays as it was. */
 #ifndef LINE_H

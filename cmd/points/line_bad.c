@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "line_bad.h"
 
 #include <stdio.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Bad lines: what is said of them, and where their coordinates would stand. */
 #ifndef LINE_BAD_H
 #define LINE_BAD_H

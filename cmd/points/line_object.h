@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Lines that are JSON objects: where their values stand. */
 #ifndef LINE_OBJECT_H
 #define LINE_OBJECT_H

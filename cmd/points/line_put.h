@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What lines are made of: numbers, names and words, each written at out; what is
  * returned is where it ends. */
 #ifndef LINE_PUT_H

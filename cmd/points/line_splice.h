@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Lines in their own dialect: coordinates are replaced where they stand. */
 #ifndef LINE_SPLICE_H
 #define LINE_SPLICE_H

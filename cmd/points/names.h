@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Names that a table has, for messages about one that it hasn't. */
 #ifndef NAMES_H
 #define NAMES_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* for sched_getaffinity, where there is one */
 #define _GNU_SOURCE
 #include "threads.h"

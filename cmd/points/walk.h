@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Lines by way of an index: where in a stretch of text the bytes stand that can
  * end a field. What is usual is found so, with many numbers read at a time; any
  * other line is left to line_read, which alone says what is legal. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "convention_member.h"
 
 #include <string.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Reading JSON documents as scenes. What is wrong is refused in one line with
  * its place, and exit status 1. */
 #ifndef DOCUMENT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "members.h"
 
 static const char *const origins[] = { "bottom-left", "top-left", NULL };

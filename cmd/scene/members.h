@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The members of a scene, and of the objects among them. */
 #ifndef MEMBERS_H
 #define MEMBERS_H

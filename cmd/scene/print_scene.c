@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "print_scene.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Printing scenes as documents. */
 #ifndef PRINT_SCENE_H
 #define PRINT_SCENE_H

@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # The same bits: what the program prints for one fixed list of scenes, points
 # and options has the digests of testdata/bits.sha256, whatever compiled it,
 # with the loops of each processor that this one can run, and with any number

@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # What the shells complete is what the program's help lists. bash is asked as
 # readline asks it, fish by itself; zsh reads its file for syntax.
 use strict;

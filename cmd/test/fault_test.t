@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # What the system does to a program: memory and disks that are full, reads and
 # writes that are short, interrupted or fail, pipes that close, a reader that
 # waits for its answer, input that is huge, cut or no file at all.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Documents of the command fit, in which members may be missing. */
 #include "document.h"
 

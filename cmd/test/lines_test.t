@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # Lines of every kind, right and wrong: what the loops of each processor print and
 # complain of is what the scalar code does, and has the digests of
 # testdata/lines.sha256.

@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # What the program says of itself is what its manual pages say: commands and
 # options are those of the synopsis, members of a scene and their defaults those of
 # its page and of the schema; the examples of its help work; README's figures are

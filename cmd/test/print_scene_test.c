@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "../scene/print_scene.h"
 
 #include "../../core/test/sample.h"

@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # The JSON Schema of a scene takes every scene of testdata and every value of
 # projcalc-scene(5), and refuses what the program refuses in the transcripts,
 # where a schema can. The validator is python3-jsonschema, which knows neither.
@@ -80,7 +81,7 @@ sub documents {
 		    $rest =~ /'(\{[^']*\})'/g;
 		push @found, map { as_scene($command, slurp($_)) }
 		    grep { -e } map { "testdata/$_" } $rest =~ m{(?<![\w<'])([\w/-]+\.json)\b}g;
-		push @found, as_scene($command, $in) if $in =~ /^\s*\{/;
+		push @found, as_scene($command, $in) if $in =~ /^\s*\{/ && $shell !~ /-i json/;
 	}
 	return @found;
 }

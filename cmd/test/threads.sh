@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Streams through four threads, for the thread sanitizer to watch: points in
 # each format, bad lines with and without --keep-going, several sources.
 # usage: threads.sh BUILD

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # One of each command under valgrind, which knows no AVX-512.
 # usage: valgrind.sh BUILD
 set -eu

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Which edges of a 2D window points are outside of: the signs that MPFR has. */
 #include "../frustum.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The window that fit gives holds its bounds, and no double is tighter: by MPFR and
  * by the flags. What a window shows. */
 #include "../fit_window.h"
