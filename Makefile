@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # make builds build/projcalc. make help lists what else there is: the targets
 # below with ## after them. GNU make.
 

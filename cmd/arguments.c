@@ -1,11 +1,43 @@
+/* SPDX-License-Identifier: MIT */
 #include "arguments.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "../core/scene.h"
+#include "nearest.h"
 #include "talk.h"
+
+/* What others call it. */
+static const char *called(const char *what, const char *word)
+{
+	static const char *const others[][3] = {
+		{ "convention", "opengl", "gl" },
+		{ "convention", "directx", "d3d" },
+		{ "convention", "direct3d", "d3d" },
+		{ "convention", "metal", "webgpu" },
+		{ "space", "pixels", "device" },
+		{ "space", "screen", "device" },
+		{ "space", "image", "device" },
+		{ "space", "camera", "view" },
+		{ "space", "eye", "view" },
+		{ "space", "object", "model" },
+		{ "space", "local", "model" },
+		{ "format", "txt", "text" },
+		{ "format", "double", "f64" },
+		{ "format", "float", "f32" },
+		{ "precision", "float", "single" },
+	};
+
+	for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+		if (strcmp(others[i][0], what) == 0 &&
+		    strcasecmp(others[i][1], word) == 0)
+			return others[i][2];
+	return NULL;
+}
 
 int one_of(const char *const *names, const char *what, const char *word)
 {
@@ -18,6 +50,13 @@ int one_of(const char *const *names, const char *what, const char *word)
 			strcat(all, names[i + 1] == NULL ? " or " : ", ");
 		strcat(all, names[i]);
 	}
+	const char *near = called(what, word);
+
+	if (near == NULL)
+		near = nearest(word, names);
+	if (near != NULL)
+		die(EXIT_USAGE, "unknown %s '%s'; did you mean '%s'?", what,
+		    word, near);
 	die(EXIT_USAGE, "unknown %s '%s'; it is one of %s", what, word, all);
 }
 
@@ -39,11 +78,44 @@ double positive_number(const char *option, const char *word)
 	const char *end = word + strlen(word);
 	double v;
 
-	if (number_read(word, end, &v) != end ||
-	    !(v >= SIZE_MIN && v <= MAGNITUDE_MAX))
+	if (number_read(word, end, &v) != end || !(v > 0))
 		die(EXIT_USAGE, "--%s: '%s' is not a positive number", option,
 		    word);
+	if (!(v >= SIZE_MIN && v <= MAGNITUDE_MAX))
+		die(EXIT_USAGE,
+		    "--%s: %s is out of range; a number from 1e-150 to 1e150 "
+		    "is wanted",
+		    option, word);
 	return v;
+}
+
+/* Cuts the first word off *list, which becomes NULL behind the last. */
+static char *cut(char **list)
+{
+	char *word = *list;
+
+	*list = strchr(word, ',');
+	if (*list != NULL)
+		*(*list)++ = '\0';
+	return word;
+}
+
+struct styles styles_of(const char *option, enum number_kind kind, char *list,
+    int min, int max)
+{
+	struct styles s = { 0 };
+
+	while (list != NULL) {
+		const char *word = cut(&list);
+
+		if (s.n == COORDINATES_MAX)
+			die(EXIT_USAGE, "--%s: more than six numbers", option);
+		s.style[s.n].kind = kind;
+		s.style[s.n++].n = whole_number(option, word, min, max);
+	}
+	for (int k = s.n; k < COORDINATES_MAX; k++)
+		s.style[k] = s.style[s.n - 1];
+	return s;
 }
 
 /* 10 to the minus so many is at most the number that word is, as it is typed: they
@@ -63,10 +135,9 @@ struct tolerances tolerances_of(const char *option, char *list)
 {
 	struct tolerances t = { .least = MAGNITUDE_MAX };
 
-	for (char *word = list, *rest; word != NULL; word = rest) {
-		rest = strchr(word, ',');
-		if (rest != NULL)
-			*rest++ = '\0';
+	while (list != NULL) {
+		char *word = cut(&list);
+
 		if (t.n == COORDINATES_MAX)
 			die(EXIT_USAGE, "--%s: more than six tolerances",
 			    option);
@@ -93,9 +164,29 @@ void position(const char *option, const char *word, double xy[2])
 	const char *comma = number_read(word, end, &xy[0]);
 
 	if (comma == NULL || *comma != ',' ||
-	    number_read(comma + 1, end, &xy[1]) != end ||
-	    !(fabs(xy[0]) <= MAGNITUDE_MAX) || !(fabs(xy[1]) <= MAGNITUDE_MAX))
-		die(EXIT_USAGE, "--%s: '%s' is not X,Y", option, word);
+	    number_read(comma + 1, end, &xy[1]) != end)
+		die(EXIT_USAGE,
+		    "--%s: '%s' is not X,Y; write two numbers and a comma: "
+		    "--%s 320,240",
+		    option, word, option);
+	if (!(fabs(xy[0]) <= MAGNITUDE_MAX && fabs(xy[1]) <= MAGNITUDE_MAX))
+		die(EXIT_USAGE,
+		    "--%s: %s is out of range; numbers go up to 1e150", option,
+		    word);
+}
+
+char separator_of(const char *option, const char *word)
+{
+	if (strcmp(word, "tab") == 0 || strcmp(word, "\\t") == 0)
+		return '\t';
+	if (strlen(word) != 1 || (unsigned char)*word >= 0x7f ||
+	    strchr("\"'+-.#_\r\n\v\f", *word) != NULL || isalnum(*word))
+		die(EXIT_USAGE,
+		    "--%s: '%s' can't separate fields; it is one character "
+		    "such "
+		    "as ; or |, or tab",
+		    option, word);
+	return *word;
 }
 
 static void refuse_twice(const char *option, const struct columns *c)
@@ -114,10 +205,9 @@ struct columns columns_of(const char *option, char *list)
 	const int fields_max = 1000000;
 	struct columns c = { 0 };
 
-	for (char *word = list, *rest; word != NULL; word = rest) {
-		rest = strchr(word, ',');
-		if (rest != NULL)
-			*rest++ = '\0';
+	while (list != NULL) {
+		char *word = cut(&list);
+
 		if (c.n == 4)
 			die(EXIT_USAGE, "--%s: more than four fields", option);
 		if (*word == '\0')

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a command is: a row of the table in main.c. */
 #ifndef COMMAND_H
 #define COMMAND_H
@@ -15,6 +16,8 @@ enum command_kind {
 	FIT = 8,
 	INSPECT = 16,
 	TRACE = 32,
+	PLANAR = 64, /* as MATRIX, in two dimensions */
+	HELP = 128,
 };
 
 struct command {
@@ -26,11 +29,12 @@ struct command {
 	void (*run)(const struct command *, const struct options *);
 	/* All but convention and coordinates, which come from the options. */
 	struct document_wants wants;
-	/* For the MATRIX commands: the spaces that the matrix leads from and
-	 * to, and the space to which points are taken, which may be another.
-	 * They are of enum flat if flat, else of enum space. */
-	bool flat;
+	/* For the MATRIX and PLANAR commands: the spaces that the matrix leads
+	 * from and to, and the space to which points are taken, which may be
+	 * another. They are of enum flat if PLANAR, else of enum space. */
 	int from, to, points_to;
+	/* What may stand after its name, in the shell, and works. */
+	const char *example;
 };
 
 void run_matrix(const struct command *, const struct options *);

@@ -1,20 +1,59 @@
+/* SPDX-License-Identifier: MIT */
 #include "escape.h"
 
+#include <stdbool.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "utf8.h"
 
-/* The code of a control character that is n bytes long, else -1. The second
- * set of them, U+0080 to U+009F, moves a terminal's cursor as well. */
-static int control(const char *s, int n)
-{
-	unsigned char first = (unsigned char)s[0];
+/* The longest piece is "\u0000". */
+enum { PIECE_MAX = 6 };
 
-	if (n == 1 && (first < 0x20 || first == 0x7f))
-		return first;
-	if (n == 2 && first == 0xc2 && (unsigned char)s[1] < 0xa0)
-		return (unsigned char)s[1];
-	return -1;
+/* The code of the character that is n bytes long (RFC 3629, section 3). */
+static unsigned code_of(const char *s, int n)
+{
+	unsigned code = (unsigned char)s[0];
+
+	if (n == 1)
+		return code;
+	code &= 0xffu >> (n + 1);
+	for (int i = 1; i < n; i++)
+		code = code << 6 | ((unsigned char)s[i] & 0x3f);
+	return code;
+}
+
+/* The two sets of control characters; what ends a line; and the marks,
+ * embeddings, overrides and isolates of UAX 9, table 1 to 4. */
+static bool is_hidden(unsigned code)
+{
+	return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x061c ||
+	    code == 0x200e || code == 0x200f ||
+	    (code >= 0x2028 && code <= 0x202e) ||
+	    (code >= 0x2066 && code <= 0x2069);
+}
+
+/* Writes a piece for the character at *s, and goes past it. Returns its length. */
+static size_t piece(char out[PIECE_MAX + 1], const char **s, const char *end,
+    bool json)
+{
+	int n = utf8_length(*s, end);
+	const char *c = *s;
+
+	*s += n > 0 ? n : 1;
+	if (n == 0 && json)
+		return (size_t)sprintf(out, "\\ufffd");
+	if (n == 0)
+		return (
+		    size_t)sprintf(out, "\\x%02x", (unsigned)(unsigned char)*c);
+	unsigned code = code_of(c, n);
+
+	if (is_hidden(code))
+		return (size_t)sprintf(out, "\\u%04x", code);
+	if (json && (*c == '"' || *c == '\\'))
+		return (size_t)sprintf(out, "\\%c", *c);
+	memcpy(out, c, (size_t)n);
+	return (size_t)n;
 }
 
 const char *escaped(char out[ESCAPED_MAX], const char *s, size_t n)
@@ -23,23 +62,42 @@ const char *escaped(char out[ESCAPED_MAX], const char *s, size_t n)
 	size_t at = 0;
 
 	while (s < end) {
-		int length = utf8_length(s, end), code = control(s, length);
-
-		/* the longest piece is "\u0000", the rest "..." and NUL */
-		if (at + 6 + 4 > ESCAPED_MAX) {
+		/* a piece, the rest "..." and NUL */
+		if (at + PIECE_MAX + 4 > ESCAPED_MAX) {
 			at += (size_t)sprintf(out + at, "...");
 			break;
 		}
-		if (length == 0)
-			at += (size_t)sprintf(out + at, "\\x%02x",
-			    (unsigned)(unsigned char)*s);
-		else if (code >= 0)
-			at += (size_t)sprintf(out + at, "\\u%04x",
-			    (unsigned)code);
-		else
-			at += (size_t)sprintf(out + at, "%.*s", length, s);
-		s += length > 0 ? length : 1;
+		at += piece(out + at, &s, end, false);
 	}
 	out[at] = '\0';
 	return out;
+}
+
+/* As many pieces as there is room for with a NUL. */
+static size_t pieces(char *out, size_t room, const char *s, const char *end,
+    bool json)
+{
+	char one[PIECE_MAX + 1];
+	size_t at = 0;
+
+	while (s < end) {
+		size_t n = piece(one, &s, end, json);
+
+		if (at + n >= room)
+			break;
+		memcpy(out + at, one, n);
+		at += n;
+	}
+	out[at] = '\0';
+	return at;
+}
+
+size_t escape_text(char *out, size_t room, const char *s, size_t n)
+{
+	return pieces(out, room, s, s + n, false);
+}
+
+size_t escape_json(char *out, size_t room, const char *s, size_t n)
+{
+	return pieces(out, room, s, s + n, true);
 }

@@ -1,7 +1,9 @@
+/* SPDX-License-Identifier: MIT */
 #include <math.h>
 #include <string.h>
 
 #include "../core/fit.h"
+#include "../core/fit_window.h"
 #include "operands.h"
 #include "scene/print_scene.h"
 #include "talk.h"
@@ -23,11 +25,11 @@ static void widen(struct bounds *box, const double min[3], const double max[3])
 static void take(const struct job *j, struct chunk *c, const struct line *line,
     size_t p, size_t number)
 {
-	double at[3] = { c->in[0][p], c->in[1][p], c->in[2][p] };
+	double z = j->transform.in > 2 ? c->in[2][p] : 0;
+	double at[3] = { c->in[0][p], c->in[1][p], z };
 
-	(void)j;
 	(void)number;
-	if (line->kind == LINE_BAD)
+	if (line->kind != LINE_POINT)
 		return;
 	if (c->size == 0)
 		memcpy(chunk_reserve(c, sizeof nothing), &nothing,
@@ -53,8 +55,12 @@ static void read_box(const struct options *o, const struct document *d,
 	struct bounds *box = j->with;
 
 	*box = nothing;
-	map_identity(&j->transform.map);
-	transform_init(&j->transform, SPACE_MODEL, SPACE_WORLD, false);
+	if (d->flat) {
+		flat_transform(&d->scene, FLAT_NDC, FLAT_NDC, &j->transform);
+	} else {
+		map_identity(&j->transform.map);
+		transform_init(&j->transform, SPACE_MODEL, SPACE_WORLD, false);
+	}
 	prepare_job(j, o);
 	do_points(o, d, j);
 	if (!(box->min[0] <= box->max[0]))
@@ -74,9 +80,13 @@ static _Noreturn void refuse(const struct options *o, const struct document *d,
 	if (d->has_bounds || strncmp(why, bounds, n) != 0)
 		document_refuse(d, why);
 	if (o->n_points == 0)
-		die(EXIT_INPUT, "%s: /points: %s", d->name, why + n);
-	die(EXIT_INPUT, "%s: %s",
-	    o->n_points > 1 || *o->points[0] == '[' ? "POINTS" : o->points[0],
+		die_at(EXIT_INPUT,
+		    &(struct place){ .file = d->name, .pointer = "/points" },
+		    "%s", why + n);
+	bool typed = o->n_points > 1 || *o->points[0] == '[';
+
+	die_at(EXIT_INPUT,
+	    &(struct place){ .file = typed ? "POINTS" : o->points[0] }, "%s",
 	    why + n);
 }
 
@@ -97,11 +107,15 @@ void run_fit(const struct command *c, const struct options *o)
 		    "the one or the other");
 	if (!d.has_bounds && !has_points(o, &d))
 		document_refuse(&d,
-		    "/bounds: missing; add \"bounds\": "
-		    "{\"min\": [-1,-1,-1], \"max\": [1,1,1]}, or points");
+		    d.flat ? "/bounds: missing; add \"bounds\": "
+			     "{\"min\": [-1,-1], \"max\": [1,1]}, or points" :
+			     "/bounds: missing; add \"bounds\": "
+			     "{\"min\": [-1,-1,-1], \"max\": [1,1,1]}, or "
+			     "points");
 	if (!d.has_bounds)
 		read_box(o, &d, &j);
-	const char *why = fit_scene(&d.scene, d.has_eye, &d.bounds);
+	const char *why = d.flat ? fit_window(&d.scene, &d.bounds) :
+				   fit_scene(&d.scene, d.has_eye, &d.bounds);
 
 	if (why != NULL)
 		refuse(o, &d, why);

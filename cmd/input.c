@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "input.h"
 
 #include <ctype.h>
@@ -39,13 +40,14 @@ static int open_file(const char *name)
 
 int open_input(const char *name)
 {
+	const struct place place = { .file = name };
 	struct stat st;
 	int fd = is_stdin(name) ? STDIN_FILENO : open_file(name);
 
 	if (fd < 0 || fstat(fd, &st) != 0)
-		die(EXIT_USAGE, "%s: %s", name, strerror(errno));
+		die_at(EXIT_USAGE, &place, "%s", strerror(errno));
 	if (S_ISDIR(st.st_mode))
-		die(EXIT_USAGE, "%s: is a directory", name);
+		die_at(EXIT_USAGE, &place, "is a directory");
 	return fd;
 }
 
@@ -71,7 +73,8 @@ bool read_more(struct text *t, int fd, const char *name)
 		n = read(fd, t->s + t->have, t->room - t->have);
 	while (n < 0 && go_on(fd, POLLIN));
 	if (n < 0)
-		die(EXIT_SYSTEM, "%s: %s", name, strerror(errno));
+		die_at(EXIT_SYSTEM, &(struct place){ .file = name }, "%s",
+		    strerror(errno));
 	t->have += (size_t)n;
 	return n > 0;
 }

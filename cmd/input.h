@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Files and standard input as texts in memory. */
 #ifndef INPUT_H
 #define INPUT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include <math.h>
 
 #include "../core/depth.h"
@@ -122,30 +123,67 @@ static void put_bounds(struct printer *p, const double bound[3],
 	put_string(p, precision_names[precision]);
 }
 
-void run_inspect(const struct command *c, const struct options *o)
+/* Of a document without a projection, the window. */
+static void put_plane(struct printer *p, const struct document *d)
 {
-	static char text[160 * NUMBER_MAX + 4096];
-	struct printer p = { .at = text, .style = o->style, .between = "" };
-	struct document d;
+	const struct scene *s = &d->scene;
+	struct shown w;
+
+	document_check(d, scene_shown(s, &w));
+	put_name_on_new_line(p, "window");
+	put_open(p, "{");
+	put_edges(p, w.edge[0], w.edge[1], w.edge[2], w.edge[3]);
+	put_close(p, "}");
+	if (s->has_device) {
+		put_device(p, &s->device);
+	} else {
+		put_name_on_new_line(p, "device");
+		put_number(p, (double)NAN);
+	}
+	put_name_on_new_line(p, "scale");
+	put_numbers(p, w.scale, 2);
+}
+
+/* Of all others. */
+static void put_space(struct printer *p, const struct document *d,
+    double tolerance)
+{
 	struct taxonomy t;
 	static struct parameters r;
 	double step[BUFFERS][2], bound[3];
 
-	read_document(c, o, 0, &d);
-	document_check(&d, taxonomy_of(&d.scene, &t));
-	document_check(&d, parameters_of(&d.scene, &t, &r));
-	document_check(&d, error_bounds(&d.scene, bound));
-	depth_steps(&d.scene, t.reversed, step);
-	put_open(&p, "{");
-	put_taxonomy(&p, &t);
-	put_planes(&p, &t, &r);
-	put_depth_steps(&p, step);
-	put_bounds(&p, bound, o->tolerances.n > 0 ? o->tolerances.least : 0.5);
-	put_name_on_new_line(&p, "scene");
+	document_check(d, taxonomy_of(&d->scene, &t));
+	document_check(d, parameters_of(&d->scene, &t, &r));
+	document_check(d, error_bounds(&d->scene, bound));
+	depth_steps(&d->scene, t.reversed, step);
+	put_taxonomy(p, &t);
+	put_planes(p, &t, &r);
+	put_depth_steps(p, step);
+	put_bounds(p, bound, tolerance);
+	put_name_on_new_line(p, "scene");
 	if (r.has_scene)
-		put_scene(&p, &r.scene);
+		put_scene(p, &r.scene);
 	else
-		put_number(&p, (double)NAN);
+		put_number(p, (double)NAN);
+}
+
+void run_inspect(const struct command *c, const struct options *o)
+{
+	static char text[160 * NUMBER_MAX + 4096];
+	struct printer p = { .at = text, .style = one_style(o, "what inspect prints"), .between = "" };
+	bool tolerance = o->tolerances.n > 0;
+	struct document d;
+
+	read_document(c, o, 0, &d);
+	if (d.flat && tolerance)
+		document_refuse(&d,
+		    "/projection: missing; -t is about its error bounds, of "
+		    "which a window has none");
+	put_open(&p, "{");
+	if (d.flat)
+		put_plane(&p, &d);
+	else
+		put_space(&p, &d, tolerance ? o->tolerances.least : 0.5);
 	put_text(&p, "\n}\n");
 	put_all(text, (size_t)(p.at - text));
 }

@@ -1,10 +1,13 @@
+/* SPDX-License-Identifier: MIT */
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "command.h"
-#include "nearest.h"
+#include "help.h"
+#include "input.h"
+#include "mistaken.h"
 #include "operands.h"
 #include "params.h"
 #include "points/answer.h"
@@ -14,6 +17,15 @@
 
 /* clang-format off */
 
+#define CAMERA_LIKE "\"camera\": {\"eye\": [0,0,-5], \"at\": [0,0,0]}"
+#define LENS_LIKE "{\"type\": \"persp\", \"fovy\": 60, \"near\": 1, \"far\": 10}"
+#define SCENE_LIKE "'{" CAMERA_LIKE ", \"projection\": " LENS_LIKE               \
+	", \"viewport\": {\"width\": 640, \"height\": 480}}'"
+#define WINDOW_LIKE "{\"center\": [20,30], \"width\": 10, \"height\": 10}"
+#define DEVICE_LIKE "{\"width\": 300, \"height\": 300}"
+#define FLAT_LIKE "'{\"window\": " WINDOW_LIKE                                 \
+	", \"device\": " DEVICE_LIKE "}'"
+
 /* A command for one type of projection. A viewport may give the aspect. */
 #define VIEW_TO_CLIP(type)                                                 \
 	MATRIX, run_matrix,                                                \
@@ -22,64 +34,84 @@
 	    .projection = type },                                          \
 	.from = SPACE_VIEW, .to = SPACE_CLIP, .points_to = SPACE_NDC
 
+/* A window may adapt to the device, where there is one. */
+#define WINDOW_ALONE                                                       \
+	.bare = SCENE_WINDOW, .needed = SCENE_WINDOW,                      \
+	.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS
+#define DEVICE_ALONE                                                       \
+	.bare = SCENE_DEVICE, .needed = SCENE_DEVICE,                      \
+	.used = SCENE_DEVICE | SCENE_POINTS
+#define WINDOW_AND_DEVICE                                                  \
+	.needed = SCENE_WINDOW | SCENE_DEVICE,                             \
+	.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS
+
+#define IN_PLANE(a, b)                                                     \
+	PLANAR, run_matrix, .from = FLAT_##a, .to = FLAT_##b,                \
+	.points_to = FLAT_##b
+
 static const struct command commands[] = {
 	{ "lookat", "world to view matrix", MATRIX, run_matrix,
 	    .wants = { .bare = SCENE_CAMERA, .needed = SCENE_CAMERA,
 		.used = SCENE_CAMERA | SCENE_POINTS },
-	    .from = SPACE_WORLD, .to = SPACE_VIEW, .points_to = SPACE_VIEW },
+	    .from = SPACE_WORLD, .to = SPACE_VIEW, .points_to = SPACE_VIEW,
+	    .example = "'{\"eye\": [0,0,-5], \"at\": [0,0,0]}'" },
 	{ "persp", "view to clip matrix of a perspective",
-	    VIEW_TO_CLIP(PROJECTION_PERSP) },
+	    VIEW_TO_CLIP(PROJECTION_PERSP),
+	    .example = "-c gl '{\"fovy\": 60, \"aspect\": 1.5, \"near\": 1, \"far\": 10}'" },
 	{ "ortho", "view to clip matrix of an orthographic projection",
-	    VIEW_TO_CLIP(PROJECTION_ORTHO) },
+	    VIEW_TO_CLIP(PROJECTION_ORTHO),
+	    .example = "'{\"height\": 2, \"aspect\": 1.5, \"near\": 0, \"far\": 10}'" },
 	{ "oblique", "view to clip matrix of an oblique projection",
-	    VIEW_TO_CLIP(PROJECTION_OBLIQUE) },
-	/* a window may adapt to the device, where there is one */
-	{ "w2n", "2D window to NDC matrix", MATRIX, run_matrix,
-	    .wants = { .bare = SCENE_WINDOW, .needed = SCENE_WINDOW,
-		.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS },
-	    .flat = true, .from = FLAT_WINDOW, .to = FLAT_NDC,
-	    .points_to = FLAT_NDC },
-	{ "n2d", "2D NDC to device matrix", MATRIX, run_matrix,
-	    .wants = { .bare = SCENE_DEVICE, .needed = SCENE_DEVICE,
-		.used = SCENE_DEVICE | SCENE_POINTS },
-	    .flat = true, .from = FLAT_NDC, .to = FLAT_DEVICE,
-	    .points_to = FLAT_DEVICE },
-	{ "w2d", "2D window to device matrix", MATRIX, run_matrix,
-	    .wants = { .needed = SCENE_WINDOW | SCENE_DEVICE,
-		.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS },
-	    .flat = true, .from = FLAT_WINDOW, .to = FLAT_DEVICE,
-	    .points_to = FLAT_DEVICE },
-	{ "d2w", "2D device to window matrix", MATRIX, run_matrix,
-	    .wants = { .needed = SCENE_WINDOW | SCENE_DEVICE,
-		.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS },
-	    .flat = true, .from = FLAT_DEVICE, .to = FLAT_WINDOW,
-	    .points_to = FLAT_WINDOW },
+	    VIEW_TO_CLIP(PROJECTION_OBLIQUE),
+	    .example = "'{\"kind\": \"cabinet\", \"width\": 3, \"height\": 2, \"near\": 0, \"far\": 10}'" },
+	{ "w2n", "2D window to NDC matrix", IN_PLANE(WINDOW, NDC),
+	    .wants = { WINDOW_ALONE }, .example = "'" WINDOW_LIKE "' '[22,32]'" },
+	{ "n2w", "2D NDC to window matrix", IN_PLANE(NDC, WINDOW),
+	    .wants = { WINDOW_ALONE }, .example = "'" WINDOW_LIKE "' '[0.5,0.5]'" },
+	{ "n2d", "2D NDC to device matrix", IN_PLANE(NDC, DEVICE),
+	    .wants = { DEVICE_ALONE }, .example = "'" DEVICE_LIKE "' '[0.5,0.5]'" },
+	{ "d2n", "2D device to NDC matrix", IN_PLANE(DEVICE, NDC),
+	    .wants = { DEVICE_ALONE }, .example = "'" DEVICE_LIKE "' '[210,90]'" },
+	{ "w2d", "2D window to device matrix", IN_PLANE(WINDOW, DEVICE),
+	    .wants = { WINDOW_AND_DEVICE }, .example = FLAT_LIKE " '[22,32]'" },
+	{ "d2w", "2D device to window matrix", IN_PLANE(DEVICE, WINDOW),
+	    .wants = { WINDOW_AND_DEVICE }, .example = FLAT_LIKE " '[210,210]'" },
 	{ "volume", "view to clip matrix of the seven-parameter view volume",
-	    VIEW_TO_CLIP(PROJECTION_VOLUME) },
+	    VIEW_TO_CLIP(PROJECTION_VOLUME),
+	    .example = "'{\"size\": 2, \"aspect\": 1.5, \"view_angle\": 60, \"z_near\": 1, \"z_far\": 10}'" },
 	{ "project", "points from any space to any other",
 	    PROJECT, run_project,
-	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS } },
+	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS },
+	    .example = SCENE_LIKE " '[[0,0,0], [1,1,1]]'" },
 	{ "trace", "where points are in every space, and what they are outside of",
 	    TRACE, run_trace,
-	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS } },
+	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS },
+	    .example = SCENE_LIKE " '[1,1,1]'" },
 	{ "pick", "points within a radius of a device position, nearest first",
 	    PICK, run_pick,
-	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS | SCENE_PICK } },
+	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS | SCENE_PICK },
+	    .example = "--at 320,240 --radius 3 " SCENE_LIKE
+		" '[[0,0,0], [1,1,1]]'" },
 	{ "fit", "a scene completed to hold bounds or points and no more",
 	    FIT, run_fit,
 	    .wants = { .needed = SCENE_PROJECTION, .fit = true,
+		.flat = SCENE_WINDOW | SCENE_DEVICE,
 		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_BOUNDS |
-		    SCENE_MARGIN } },
+		    SCENE_MARGIN },
+	    .example = "'{\"projection\": {\"type\": \"persp\", \"fovy\": 60, "
+		"\"aspect\": 1.5}}' '[[-1,-1,-1], [1,1,1]]'" },
 	{ "inspect",
-	    "what the projection is, its angles, corners and error bounds",
+	    "what the projection or 2D window is: angles, edges, error bounds",
 	    INSPECT, run_inspect,
-	    .wants = { .used = SCENE_SPATIAL } },
+	    .wants = { .flat = SCENE_WINDOW, .used = SCENE_SPATIAL },
+	    .example = SCENE_LIKE },
+	{ "help", "what a command does, or a member of a scene says", HELP,
+	    .example = "camera" },
+	{ .name = NULL },
 };
 /* clang-format on */
 
-enum { COMMANDS = sizeof commands / sizeof *commands };
-
-static _Noreturn void finish_help(void)
+static _Noreturn void finish(void)
 {
 	if (fflush(stdout) != 0)
 		die(EXIT_SYSTEM, "standard output: %s", strerror(errno));
@@ -87,71 +119,59 @@ static _Noreturn void finish_help(void)
 	exit(EXIT_OK);
 }
 
-static _Noreturn void version(void)
-{
-	puts("projcalc " VERSION);
-	finish_help();
-}
-
-static _Noreturn void help_command(const struct command *c)
-{
-	printf("usage: projcalc %s [OPTION...] [PARAMS%s]\n"
-	       "%s\n\n",
-	    c->name, command_reads_points(c) ? " [POINTS...]" : "", c->about);
-	options_print(c);
-	finish_help();
-}
-
-static _Noreturn void help(void)
-{
-	printf("usage: projcalc COMMAND [OPTION...] [PARAMS [POINTS...]]\n\n");
-	for (int i = 0; i < COMMANDS; i++)
-		printf("  %-10s %s\n", commands[i].name, commands[i].about);
-	printf("\nPARAMS is a JSON file, - for standard input (default), or "
-	       "'{...}'.\nPOINTS are files, -, or '[0,0,0]'.\n"
-	       "See projcalc help COMMAND and man projcalc.\n");
-	finish_help();
-}
-
 static const struct command *find_command(const char *name)
 {
-	const char *names[COMMANDS + 2] = { [COMMANDS] = "help" };
+	for (const struct command *c = commands; c->name != NULL; c++)
+		if (strcmp(name, c->name) == 0)
+			return c;
+	return NULL;
+}
 
-	for (int i = 0; i < COMMANDS; i++) {
-		names[i] = commands[i].name;
-		if (strcmp(name, names[i]) == 0)
-			return &commands[i];
-	}
-	const char *near = nearest(name, names);
+static _Noreturn void help(const struct options *o)
+{
+	const char *what = o->params;
+	const struct command *c = find_command(what);
 
-	if (near != NULL)
-		die(EXIT_USAGE, "unknown command '%s'; did you mean '%s'?",
-		    name, near);
-	die(EXIT_USAGE, "unknown command '%s'; 'projcalc help' lists them",
-	    name);
+	if (o->n_points > 0)
+		die(EXIT_USAGE, "help: one word at a time; '%s' is too many",
+		    o->points[0]);
+	if (o->json)
+		help_json(commands, VERSION);
+	else if (is_stdin(what))
+		help_all(commands);
+	else if (c != NULL)
+		help_command(c);
+	else if (!help_member(what))
+		mistaken_topic(commands, what);
+	finish();
 }
 
 int main(int argc, char **argv)
 {
-	struct options o = { .params = "-" };
-	const char *name = argc > 1 ? argv[1] : "help";
+	struct options o = { .params = "-", .separator = ',' };
 
+	options_first(argv + 1);
 	if (argc < 2)
 		die(EXIT_USAGE, "no command; 'projcalc help' lists them");
-	if (strcmp(name, "--version") == 0)
-		version();
-	if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0 ||
-	    (strcmp(name, "help") == 0 && argc == 2))
-		help();
-	if (strcmp(name, "help") == 0)
-		help_command(find_command(argv[2]));
-	const struct command *c = find_command(name);
+	if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)
+		argv[1] = "help";
+	const struct command *c = find_command(argv[1]);
 
-	options_read(c, argc - 1, argv + 1, &o);
-	if (o.help)
+	o.version = strcmp(argv[1], "--version") == 0;
+	if (c == NULL && !o.version)
+		mistaken_command(commands, argv + 1);
+	if (c != NULL)
+		options_read(c, argc - 1, argv + 1, &o);
+	if (o.version) {
+		puts("projcalc " VERSION);
+		finish();
+	}
+	if (o.help) {
 		help_command(c);
-	if (o.version)
-		version();
+		finish();
+	}
+	if (c->kind == HELP)
+		help(&o);
 	check_operands(c, &o);
 	while (params_next(&o))
 		c->run(c, &o);

@@ -1,26 +1,47 @@
+/* SPDX-License-Identifier: MIT */
 #include "operands.h"
 #include "print_matrix.h"
+#include "talk.h"
+
+static void set_transform(const struct command *c, const struct options *o,
+    const struct document *d, int to, struct job *j)
+{
+	const struct scene *s = &d->scene;
+	bool planes = o->flags || o->visible;
+
+	document_check(d,
+	    c->kind == PLANAR ? flat_transform(s, (enum flat)c->from,
+				    (enum flat)to, &j->transform) :
+				scene_transform(s, (enum space)c->from,
+				    (enum space)to, false, &j->transform));
+	if (planes)
+		document_check(d,
+		    flat_frustum_of(s, (enum flat)c->from, &j->frustum));
+	j->flags = o->flags;
+	j->visible = o->visible;
+	j->count_imageless = !planes;
+}
 
 void run_matrix(const struct command *c, const struct options *o)
 {
 	struct document d;
-	static struct job j = { .count_imageless = true };
-	struct transform *t = &j.transform;
+	static struct job j;
 
-	read_document(c, o, c->flat ? 2 : 3, &d);
+	read_document(c, o, c->kind == PLANAR ? 2 : 3, &d);
 
 	bool points = !o->matrix && has_points(o, &d);
-	int to = points ? c->points_to : c->to;
 
-	document_check(&d,
-	    c->flat ?
-		flat_transform(&d.scene, (enum flat)c->from, (enum flat)to, t) :
-		scene_transform(&d.scene, (enum space)c->from, (enum space)to,
-		    false, t));
-	if (points) {
-		prepare_job(&j, o);
-		do_points(o, &d, &j);
+	if (!points && !o->matrix && (o->flags || o->visible))
+		die(EXIT_USAGE,
+		    "%s: --%s is about points, and there are none; add them, "
+		    "or - for standard input",
+		    c->name, o->flags ? "flags" : "visible");
+	set_transform(c, o, &d, points ? c->points_to : c->to, &j);
+	if (!points) {
+		print_matrix(o, &d, &j.transform.map, c->kind == PLANAR);
 		return;
 	}
-	print_matrix(o, &d, &t->map, c->flat);
+	prepare_job(&j, o);
+	j.layout.flags = o->flags;
+	do_points(o, &d, &j);
 }

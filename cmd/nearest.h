@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Which known word was meant by an unknown one. */
 #ifndef NEAREST_H
 #define NEAREST_H

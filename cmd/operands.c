@@ -1,37 +1,22 @@
+/* SPDX-License-Identifier: MIT */
 #include "operands.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "input.h"
+#include "mistaken.h"
 #include "params.h"
 #include "points/progress.h"
 #include "points/threads.h"
 #include "talk.h"
 
-static void check_file(const char *name)
-{
-	const char *end = name + strlen(name);
-	struct stat st;
-	double v;
-
-	if (stat(name, &st) == 0 && S_ISDIR(st.st_mode))
-		die(EXIT_USAGE, "%s: is a directory", name);
-	if (access(name, R_OK) == 0)
-		return;
-	if (number_read(name, end, &v) == end && end != name)
-		die(EXIT_USAGE, "%s: %s; POINTS are a file, - or '[0,0,0]'",
-		    name, strerror(errno));
-	die(EXIT_USAGE, "%s: %s", name, strerror(errno));
-}
-
 void check_operands(const struct command *c, const struct options *o)
 {
 	int from_stdin = is_stdin(o->params);
 
+	mistaken_params(c, o);
 	if (o->n_points > 0 && !command_reads_points(c))
 		die(EXIT_USAGE, "%s reads no points; leave them out", c->name);
 	for (int i = 0; i < o->n_points && !o->matrix; i++) {
@@ -44,7 +29,7 @@ void check_operands(const struct command *c, const struct options *o)
 				"name a file for one of them" :
 				"standard input is named twice");
 		if (!is_stdin(name) && first_char(name) != '[')
-			check_file(name);
+			mistaken_points(o, i);
 	}
 }
 
@@ -65,15 +50,72 @@ bool has_points(const struct options *o, const struct document *d)
 	return o->n_points > 0 || d->points != NULL;
 }
 
+/* What is added to an object has names of its own. */
+static bool is_added(const struct options *o, const struct layout *l,
+    const char *name)
+{
+	static const char *const added[] = { "z", "dx", "dy", "dz" };
+	bool is = o->flags && strcmp(name, "flags") == 0;
+
+	for (int i = 0; i < 4 && l->writes > 4; i++)
+		is |= strcmp(name, added[i]) == 0;
+	return is || (l->reads < l->writes && strcmp(name, "w") == 0);
+}
+
+static void check_columns_of(const struct options *o, const struct layout *l)
+{
+	bool csv = l->in.format == FORMAT_CSV, json = o->in == FORMAT_JSON;
+
+	for (int i = 0; i < o->columns.n; i++) {
+		const char *name = o->columns.name[i];
+
+		if (name != NULL && !csv && !json)
+			die(EXIT_USAGE,
+			    "--columns: '%s' is a name, and names are for -i "
+			    "csv, tsv and json; write numbers: 2,3,4",
+			    name);
+		if (name != NULL && json && is_added(o, l, name))
+			die(EXIT_USAGE,
+			    "--columns: '%s' is also what a number is called "
+			    "that is added",
+			    name);
+		if (json && (name == NULL) != (o->columns.name[0] == NULL))
+			die(EXIT_USAGE,
+			    "--columns: in JSON they are numbers, of an "
+			    "array's elements, or names, of an object's "
+			    "members, not both");
+	}
+	if (o->columns.n > 0 && is_binary(o->in))
+		die(EXIT_USAGE, "--columns: binary points have no fields");
+	if (o->columns.n > 0 && o->columns.n != l->reads)
+		die(EXIT_USAGE,
+		    "--columns: %d fields; %d coordinates are "
+		    "read here",
+		    o->columns.n, l->reads);
+}
+
+static void check_csv(const struct options *o, const struct layout *l)
+{
+	if (o->separator != ',' && o->in != FORMAT_CSV && o->out != FORMAT_CSV)
+		die(EXIT_USAGE, "--separator is of csv; say -i csv, or -o csv");
+	if ((o->header || o->no_header) && l->in.format != FORMAT_CSV)
+		die(EXIT_USAGE, "--%s is of csv; say -i csv or -i tsv",
+		    o->header ? "header" : "no-header");
+	if (o->header && o->no_header)
+		die(EXIT_USAGE, "--header and --no-header exclude each other");
+	for (int i = 0; i < o->columns.n && o->no_header; i++)
+		if (o->columns.name[i] != NULL)
+			die(EXIT_USAGE,
+			    "--columns: '%s' is a name, and with --no-header "
+			    "there are none; write numbers: 2,3,4",
+			    o->columns.name[i]);
+}
+
 static void check_layout(const struct options *o, const struct layout *l)
 {
-	for (int i = 0; i < o->columns.n; i++)
-		if (o->columns.name[i] != NULL && o->in != FORMAT_CSV)
-			die(EXIT_USAGE,
-			    "--columns: '%s' is a name, and names "
-			    "are for -i csv; write numbers: 2,3,4",
-			    o->columns.name[i]);
-	if (o->flags && is_binary(l->out))
+	check_columns_of(o, l);
+	check_csv(o, l);
+	if (o->flags && is_binary(l->out.format))
 		die(EXIT_USAGE,
 		    "--flags: binary points have no room for words; say "
 		    "-o text");
@@ -82,13 +124,12 @@ static void check_layout(const struct options *o, const struct layout *l)
 		    "--tolerance: %d tolerances; %d coordinates are "
 		    "printed here",
 		    o->tolerances.n, l->writes);
-	if (o->columns.n > 0 && is_binary(o->in))
-		die(EXIT_USAGE, "--columns: binary points have no fields");
-	if (o->columns.n > 0 && o->columns.n != l->reads)
+	if (o->styles.n > l->writes)
 		die(EXIT_USAGE,
-		    "--columns: %d fields; %d coordinates are "
-		    "read here",
-		    o->columns.n, l->reads);
+		    "--%s: %d numbers; %d coordinates are printed here",
+		    o->styles.style[0].kind == NUMBER_DIGITS ? "digits" :
+							       "decimals",
+		    o->styles.n, l->writes);
 }
 
 /* Tests and measurements choose the kernels by PROJCALC_CPU; else they are the
@@ -107,7 +148,7 @@ static void choose_kernels(void)
 /* Text is rounded, and what is computed leaves room for that. */
 static void set_tolerances(struct job *j, const struct tolerances *t)
 {
-	bool text = !is_binary(j->layout.out);
+	bool text = !is_binary(j->layout.out.format);
 
 	for (int k = 0; k < COORDINATES_MAX; k++)
 		j->layout.style[k] = (struct number_style){ NUMBER_WITHIN,
@@ -123,15 +164,19 @@ void prepare_job(struct job *j, const struct options *o)
 	const int ray_reads = 2, ray_writes = 6;
 
 	j->layout = (struct layout){
-		.in = o->in,
-		.out = o->has_out ? o->out : o->in,
+		.in = dialect_of(o->in, o->separator),
+		.out = dialect_of(o->has_out ? o->out : o->in, o->separator),
+		.header = o->header ? HEADER_FIRST :
+		    o->no_header    ? HEADER_NONE :
+				      HEADER_MAYBE,
 		.columns = o->columns,
 		.reads = j->rays ? ray_reads : j->transform.in,
 		.writes = j->rays ? ray_writes : j->transform.out,
 		.single = o->precision == PRECISION_SINGLE,
 	};
+	j->layout.columns.by_header = o->columns.n == 0;
 	for (int k = 0; k < COORDINATES_MAX; k++)
-		j->layout.style[k] = o->style;
+		j->layout.style[k] = o->styles.style[k];
 	j->accuracy = (struct accuracy){ .precision = o->precision };
 	if (o->tolerances.n > 0)
 		set_tolerances(j, &o->tolerances);
@@ -148,9 +193,9 @@ void prepare_job(struct job *j, const struct options *o)
 static void do_json(struct job *j, const char *name, const char *text,
     size_t size)
 {
-	enum format in = j->layout.in;
+	struct dialect in = j->layout.in;
 
-	j->layout.in = FORMAT_JSON;
+	j->layout.in = dialect_of(FORMAT_JSON, ',');
 	stream_text(j, name, text, size);
 	j->layout.in = in;
 }

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The operands of a command: PARAMS, a document, and POINTS. */
 #ifndef OPERANDS_H
 #define OPERANDS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "options.h"
 
 #include <getopt.h>
@@ -5,6 +6,7 @@
 #include <string.h>
 
 #include "escape.h"
+#include "mistaken.h"
 #include "nearest.h"
 #include "scene/convention_member.h"
 #include "talk.h"
@@ -23,6 +25,11 @@ static void set_convention(struct options *o, char *word)
 
 static void set_input(struct options *o, char *word)
 {
+	if (strpbrk(word, "./") != NULL)
+		die(EXIT_USAGE,
+		    "unknown format '%s'; a file of points stands after the "
+		    "scene, without an option",
+		    word);
 	o->in = (enum format)one_of(format_names, "format", word);
 }
 
@@ -35,21 +42,34 @@ static void set_output(struct options *o, char *word)
 	o->has_out = true;
 }
 
+static void set_separator(struct options *o, char *word)
+{
+	o->separator = separator_of("separator", word);
+}
+
 static void set_columns(struct options *o, char *word)
 {
 	o->columns = columns_of("columns", word);
 }
 
+static void set_styles(struct options *o, enum number_kind kind,
+    const char *option, char *word, int min)
+{
+	if (o->styles.n > 0 && o->styles.style[0].kind != kind)
+		die(EXIT_USAGE,
+		    "--decimals and --digits exclude each other; give one "
+		    "number for each coordinate to either");
+	o->styles = styles_of(option, kind, word, min, 100);
+}
+
 static void set_decimals(struct options *o, char *word)
 {
-	o->style.kind = NUMBER_DECIMALS;
-	o->style.n = whole_number("decimals", word, 0, 100);
+	set_styles(o, NUMBER_DECIMALS, "decimals", word, 0);
 }
 
 static void set_digits(struct options *o, char *word)
 {
-	o->style.kind = NUMBER_DIGITS;
-	o->style.n = whole_number("digits", word, 1, 100);
+	set_styles(o, NUMBER_DIGITS, "digits", word, 1);
 }
 
 static void set_precision(struct options *o, char *word)
@@ -92,57 +112,71 @@ static void set_jobs(struct options *o, char *word)
 	o->jobs = whole_number("jobs", word, 1, 256);
 }
 
+/* How messages are said, and coloured. */
+static const char *const message_forms[] = { "text", "json", NULL };
+static const char *const color_names[] = { "auto", "always", "never", NULL };
+
+static void set_errors(struct options *o, char *word)
+{
+	(void)o;
+	say_in_json(one_of(message_forms, "--errors", word) == 1);
+}
+
+static void choose_color(struct options *o, char *word)
+{
+	(void)o;
+	set_color((enum color)one_of(color_names, "--color", word));
+}
+
 /* Kinds of commands that share options, as unions of enum command_kind. */
 enum {
-	POINTS = MATRIX | PROJECT | TRACE | PICK | FIT, /* read points */
-	PRINTED = MATRIX | PROJECT | TRACE | PICK,      /* print them */
-	WITHIN = MATRIX | PROJECT | TRACE, /* to a precision or tolerance */
+	PLANES = PROJECT | TRACE | PLANAR, /* ask what points are outside of */
+	WITHIN = MATRIX | PLANES,          /* to a precision or tolerance */
+	PRINTED = WITHIN | PICK,           /* print points */
+	POINTS = PRINTED | FIT,            /* read them */
 	NUMBERS = PRINTED | INSPECT,       /* print numbers to be rounded */
 	ALL = POINTS | INSPECT,
+	EVERY = ALL | HELP,
 };
 
 #define ON(member) .on = offsetof(struct options, member)
 
 /* clang-format off */
-static const struct row {
-	const char *name;
-	char letter;       /* or 0 */
-	unsigned commands; /* the kinds that take it, as bits */
-	const char *about; /* one line of help */
-	/* With an argument: what the help calls that, and what reads it. */
-	const char *argument;
-	void (*set)(struct options *, char *word);
-	/* Without one: the bool of struct options that becomes true. */
-	size_t on;
-} rows[] = {
+const struct option_row option_rows[] = {
 	{ "convention", 'c', ALL, "of the answer: d3d, gl, vulkan, webgpu or opencv",
-	    .argument = "NAME", .set = set_convention },
+	    .argument = "NAME", .set = set_convention,
+	    .words = convention_names },
 	{ "input", 'i', POINTS,
-	    "of points: text (default), csv, json, f64, f32",
-	    .argument = "FORMAT", .set = set_input },
+	    "of points: text (default), csv, tsv, json, f64, f32",
+	    .argument = "FORMAT", .set = set_input, .words = format_names },
 	{ "output", 'o', PRINTED, "the same; default the input's",
-	    .argument = "FORMAT", .set = set_output },
+	    .argument = "FORMAT", .set = set_output, .words = format_names },
+	{ "separator", 0, POINTS, "between fields of csv: a character, or tab",
+	    .argument = "C", .set = set_separator },
+	{ "header", 0, POINTS, "the first line of csv is a header", ON(header) },
+	{ "no-header", 0, POINTS, "it is not", ON(no_header) },
 	{ "columns", 0, POINTS,
-	    "the coordinates' fields: 2,3,4, or names in csv",
+	    "the coordinates: fields 2,3,4, or names in csv and JSON",
 	    .argument = "LIST", .set = set_columns },
-	{ "decimals", 'd', NUMBERS, "round to N decimals",
-	    .argument = "N", .set = set_decimals },
-	{ "digits", 0, NUMBERS, "round to N significant digits",
-	    .argument = "N", .set = set_digits },
+	{ "decimals", 'd', NUMBERS, "round to N decimals, a list for x,y,z",
+	    .argument = "N,...", .set = set_decimals },
+	{ "digits", 0, NUMBERS, "round to N significant digits, the same",
+	    .argument = "N,...", .set = set_digits },
 	{ "precision", 'p', WITHIN,
 	    "exact (default), double or single",
-	    .argument = "NAME", .set = set_precision },
+	    .argument = "NAME", .set = set_precision,
+	    .words = precision_names },
 	{ "tolerance", 't', WITHIN | INSPECT,
 	    "within T of the exact value, a list for x,y,z",
 	    .argument = "T,...", .set = set_tolerance },
 	{ "from", 0, PROJECT | TRACE, "model, world, view, clip, ndc or device",
-	    .argument = "SPACE", .set = set_from },
+	    .argument = "SPACE", .set = set_from, .words = space_names },
 	{ "to", 0, PROJECT, "the same; default device, else ndc",
-	    .argument = "SPACE", .set = set_to },
+	    .argument = "SPACE", .set = set_to, .words = space_names },
 	{ "homogeneous", 'H', PROJECT, "x y z w, not divided",
 	    ON(homogeneous) },
-	{ "matrix", 'm', MATRIX | PROJECT, "print the matrix, read no points",
-	    ON(matrix) },
+	{ "matrix", 'm', MATRIX | PROJECT | PLANAR,
+	    "print the matrix, read no points", ON(matrix) },
 	{ "at", 0, PICK, "the device position",
 	    .argument = "X,Y", .set = set_at },
 	{ "radius", 0, PICK, "how far around it, in device units",
@@ -150,11 +184,11 @@ static const struct row {
 	{ "ray", 0, PROJECT,
 	    "x y on the device: point on the near plane, direction",
 	    ON(ray) },
-	{ "flags", 0, PROJECT | TRACE,
+	{ "flags", 0, PLANES,
 	    "add in, or the planes that the point is outside of",
 	    ON(flags) },
-	{ "visible", 0, PROJECT | TRACE, "print only points in the view volume",
-	    ON(visible) },
+	{ "visible", 0, PLANES,
+	    "print only points in the view volume or window", ON(visible) },
 	{ "keep-going", 0, POINTS, "print nan for a bad line and go on",
 	    ON(keep_going) },
 	{ "jobs", 'j', POINTS, "threads; default all cores",
@@ -163,49 +197,92 @@ static const struct row {
 	    ON(progress) },
 	{ "scenes", 0, ALL, "PARAMS is any number of scenes in a row",
 	    ON(scenes) },
-	{ "help", 'h', ALL, "this help", ON(help) },
-	{ "version", 0, ALL, "the version", ON(version) },
+	{ "json", 0, HELP, "all that the program says of itself, for programs",
+	    ON(json) },
+	{ "errors", 0, EVERY, "messages as text (default), or json, one a line",
+	    .argument = "FORM", .set = set_errors, .words = message_forms },
+	{ "color", 0, EVERY, "messages and help: auto (default), always, never",
+	    .argument = "WHEN", .set = choose_color, .words = color_names },
+	{ "help", 'h', EVERY, "this help", ON(help) },
+	{ "version", 0, EVERY, "the version", ON(version) },
+	{ .name = NULL },
 };
 /* clang-format on */
 
-enum { ROWS = sizeof rows / sizeof *rows };
+enum { ROWS = sizeof option_rows / sizeof *option_rows - 1 };
 
-static bool takes(const struct command *c, const struct row *r)
+bool option_is_for(const struct option_row *r, const struct command *c)
 {
 	return (r->commands & c->kind) != 0;
 }
 
-void options_print(const struct command *c)
+/* The argument of the option in these words, if it is that; else NULL. */
+static char *argument_of(const struct option_row *r, char **words)
 {
-	for (const struct row *r = rows; r < rows + ROWS; r++) {
-		const char letter[] = { '-', r->letter, ',', ' ', '\0' };
-		char left[40];
+	size_t n = strlen(r->name);
 
-		if (!takes(c, r))
+	if (strncmp(*words, "--", 2) != 0 ||
+	    strncmp(*words + 2, r->name, n) != 0)
+		return NULL;
+	return (*words)[2 + n] == '=' ? *words + n + 3 :
+	    (*words)[2 + n] == '\0'   ? words[1] :
+					NULL;
+}
+
+void options_first(char **words)
+{
+	struct options none = { 0 };
+
+	for (const struct option_row *r = option_rows; r->name != NULL; r++) {
+		if (r->set != set_errors && r->set != choose_color)
 			continue;
-		snprintf(left, sizeof left, "%s--%s %s",
-		    r->letter != 0 ? letter : "    ", r->name,
-		    r->argument != NULL ? r->argument : "");
-		printf("  %-24s %s\n", left, r->about);
+		for (char **w = words; *w && strcmp(*w, "--") != 0; w++) {
+			char *argument = argument_of(r, w);
+
+			if (argument != NULL)
+				r->set(&none, argument);
+		}
 	}
 }
 
-static _Noreturn void refuse_unknown(const struct command *c, const char *word)
+/* word is a letter with its dash or, with others behind it, words[0]. */
+static _Noreturn void refuse_unknown(const struct command *c, const char *word,
+    char **words)
 {
 	const char *names[ROWS + 1], *near = NULL;
 	int n = 0;
 
-	for (const struct row *r = rows; r < rows + ROWS; r++)
-		if (takes(c, r))
+	for (const struct option_row *r = option_rows; r->name != NULL; r++)
+		if (option_is_for(r, c))
 			names[n++] = r->name;
 	names[n] = NULL;
-	if (strncmp(word, "--", 2) == 0)
-		near = nearest(word + 2, names);
+	if (strlen(word) > 2) {
+		mistaken_member(c, words, false);
+		near = mistaken_option(word + 2);
+		if (near == NULL)
+			near = nearest(word + 2, names);
+	}
 	if (near != NULL)
 		die(EXIT_USAGE, "%s: unknown option %s; did you mean --%s?",
 		    c->name, word, near);
 	die(EXIT_USAGE, "%s: unknown option %s; 'projcalc help %s' lists them",
 	    c->name, word, c->name);
+}
+
+/* Refuses an option's name, or a member's, behind a single dash: "-to", which
+ * would be -t with the argument o. */
+static void check_dash(const struct command *c, char **words)
+{
+	const char *word = *words;
+
+	if (word == NULL || *word != '-' || word[1] == '-' || strlen(word) < 3)
+		return;
+	for (const struct option_row *r = option_rows; r->name != NULL; r++)
+		if (strcmp(r->name, word + 1) == 0)
+			die(EXIT_USAGE,
+			    "%s: unknown option %s; did you mean --%s?",
+			    c->name, word, r->name);
+	mistaken_member(c, words, false);
 }
 
 /* getopt_long returns an option's letter, or LONG + the number of its row if it
@@ -217,13 +294,13 @@ static void getopt_tables(struct option longs[ROWS + 1],
 {
 	*letters++ = ':'; /* a missing argument is returned as ':' */
 	for (int i = 0; i < ROWS; i++) {
-		bool argument = rows[i].argument != NULL;
+		bool argument = option_rows[i].argument != NULL;
 
-		longs[i] = (struct option){ rows[i].name,
+		longs[i] = (struct option){ option_rows[i].name,
 			argument ? required_argument : no_argument, NULL,
 			LONG + i };
-		if (rows[i].letter != 0) {
-			*letters++ = rows[i].letter;
+		if (option_rows[i].letter != 0) {
+			*letters++ = option_rows[i].letter;
 			if (argument)
 				*letters++ = ':';
 		}
@@ -233,11 +310,11 @@ static void getopt_tables(struct option longs[ROWS + 1],
 }
 
 /* The row of what getopt_long returned, or NULL. */
-static const struct row *row_of(int got)
+static const struct option_row *row_of(int got)
 {
 	if (got >= LONG)
-		return &rows[got - LONG];
-	for (const struct row *r = rows; r < rows + ROWS; r++)
+		return &option_rows[got - LONG];
+	for (const struct option_row *r = option_rows; r->name != NULL; r++)
 		if (got != 0 && r->letter == got)
 			return r;
 	return NULL;
@@ -245,34 +322,59 @@ static const struct row *row_of(int got)
 
 /* Refuses what getopt_long could not take: got is '?' for an unknown option,
  * ':' for a missing argument. optopt is the option's letter, or 0 for an
- * unknown name, which is last_word. A letter is called by itself, as it may be
- * one of several in a word: -mx. */
-static _Noreturn void refuse(const struct command *c, int got,
-    const char *last_word)
+ * unknown name, which is the last word. A letter is called by itself, as it may be
+ * one of several in a word that getopt_long is still in: -mx. */
+static _Noreturn void refuse(const struct command *c, int got, char **argv)
 {
-	const struct row *r = row_of(optopt);
+	const struct option_row *r = row_of(optopt);
 	const char letter = r != NULL ? r->letter : (char)optopt;
 	char shown[ESCAPED_MAX], short_word[ESCAPED_MAX + 1];
-	const char *word = letter != '\0' ? short_word : last_word;
+	const char *word = letter != '\0' ? short_word : argv[optind - 1];
 
 	snprintf(short_word, sizeof short_word, "-%s",
 	    escaped(shown, &letter, 1));
-
 	if (got == ':')
 		die(EXIT_USAGE, "%s: %s needs an argument", c->name, word);
-	refuse_unknown(c, word);
+	if (letter != '\0')
+		check_dash(c, argv + optind);
+	refuse_unknown(c, word, argv + optind - 1);
 }
 
-static void set(const struct command *c, const struct row *r, char *word,
-    struct options *o)
+/* Says for which commands an option is. */
+static _Noreturn void refuse_here(const struct command *c,
+    const struct option_row *r)
 {
-	if (!takes(c, r))
-		die(EXIT_USAGE,
-		    "%s: --%s is not for this command; "
-		    "'projcalc help %s' lists what is",
-		    c->name, r->name, c->name);
+	/* in the order of the bits of enum command_kind */
+	static const char *const names[] = { "the 3D matrix commands",
+		"project", "pick", "fit", "inspect", "trace",
+		"the 2D commands", "help" };
+	char list[160];
+	size_t n = 0;
+
+	for (unsigned i = 0; i < sizeof names / sizeof *names; i++) {
+		unsigned more = r->commands >> i >> 1;
+
+		if (r->commands >> i & 1)
+			n += (size_t)snprintf(list + n, sizeof list - n, "%s%s",
+			    names[i],
+			    more == 0                    ? "" :
+				(more & (more - 1)) == 0 ? " and " :
+							   ", ");
+	}
+	die(EXIT_USAGE, "%s: --%s is not for this command; it is for %s",
+	    c->name, r->name, list);
+}
+
+/* next is the word behind the option and its argument, optarg. */
+static void set(const struct command *c, const struct option_row *r,
+    char **next, struct options *o)
+{
+	if (!option_is_for(r, c)) {
+		mistaken_member(c, next - (optarg == next[-1] ? 2 : 1), true);
+		refuse_here(c, r);
+	}
 	if (r->set != NULL)
-		r->set(o, word);
+		r->set(o, optarg);
 	else
 		*(bool *)((char *)o + r->on) = true;
 }
@@ -285,17 +387,29 @@ static void check_tolerances(const struct command *c, const struct options *o)
 		    "%s: -p and -t exclude each other; -t chooses "
 		    "the precision",
 		    c->name);
-	if (o->style.kind != NUMBER_SHORTEST && c->kind != INSPECT)
+	if (o->styles.n > 0 && c->kind != INSPECT)
 		die(EXIT_USAGE,
 		    "%s: %s and -t exclude each other; -t says how many "
 		    "decimals there are",
 		    c->name,
-		    o->style.kind == NUMBER_DIGITS ? "--digits" : "-d");
+		    o->styles.style[0].kind == NUMBER_DIGITS ? "--digits" :
+							       "-d");
 	if ((o->has_out ? o->out : o->in) == FORMAT_F32)
 		die(EXIT_USAGE,
 		    "%s: floats are not within a tolerance; with -t say "
 		    "-o f64 or -o text",
 		    c->name);
+}
+
+struct number_style one_style(const struct options *o, const char *what)
+{
+	const struct number_style *style = &o->styles.style[0];
+
+	if (o->styles.n > 1)
+		die(EXIT_USAGE, "--%s: %d numbers; %s is rounded alike, by one",
+		    style->kind == NUMBER_DIGITS ? "digits" : "decimals",
+		    o->styles.n, what);
+	return *style;
 }
 
 /* What is traced is text or JSON. */
@@ -320,8 +434,10 @@ void options_read(const struct command *c, int argc, char **argv,
 	opterr = 0;
 	while ((got = getopt_long(argc, argv, letters, longs, NULL)) != -1) {
 		if (got == '?' || got == ':')
-			refuse(c, got, argv[optind - 1]);
-		set(c, row_of(got), optarg, o);
+			refuse(c, got, argv);
+		if (got < LONG && optarg != NULL && optarg != argv[optind - 1])
+			check_dash(c, argv + optind - 1);
+		set(c, row_of(got), argv + optind, o);
 		if (o->help || o->version)
 			return;
 	}

@@ -1,5 +1,7 @@
+/* SPDX-License-Identifier: MIT */
 #include "params.h"
 
+#include <ctype.h>
 #include <string.h>
 
 #include "input.h"
@@ -45,10 +47,9 @@ static bool more(void)
 		params.begin = 0;
 	}
 	if (t->have > DOCUMENT_MAX)
-		die(EXIT_INPUT,
-		    "%s: a document of more than 256 MiB; points may stand in "
-		    "a file of their own",
-		    params.name);
+		die_at(EXIT_INPUT, &(struct place){ .file = params.name },
+		    "a document of more than 256 MiB; points may stand in a "
+		    "file of their own");
 	if (read_more(t, params.fd, params.name))
 		return true;
 	close_input(params.fd);
@@ -112,7 +113,7 @@ static bool next_scene(void)
 	params.line += params.lines;
 	params.level = params.lines = 0;
 	params.quoted = params.escaped = false;
-	say_scene(params.number, params.line);
+	say_scene((struct scene_place){ params.number, params.line });
 	while (!find_end())
 		if (!more())
 			return params.begin < params.end;
@@ -129,8 +130,26 @@ bool params_next(const struct options *o)
 		return true;
 	bool found = next_scene();
 
-	say_scene(found ? params.number : 0, params.line);
+	say_scene(
+	    (struct scene_place){ found ? params.number : 0, params.line });
 	return found;
+}
+
+/* Points that are piped to a call without a scene. */
+static void check_points(void)
+{
+	const char *s = params.text.s;
+
+	for (size_t i = params.begin; i < params.end; i++) {
+		if (isdigit((unsigned char)s[i]))
+			die_at(EXIT_INPUT,
+			    &(struct place){ .file = params.name },
+			    "holds points, and a scene is wanted first; name "
+			    "its file: scene.json %s",
+			    params.name);
+		if (!is_space(s[i]) && s[i] != '-')
+			return;
+	}
 }
 
 void params_read(const struct options *o, const struct document_wants *wants,
@@ -141,8 +160,10 @@ void params_read(const struct options *o, const struct document_wants *wants,
 	w.line = params.line - 1;
 	while (!o->scenes && more())
 		continue;
-	if (!o->scenes)
+	if (!o->scenes) {
 		params.end = params.text.have;
+		check_points();
+	}
 	document_read(d, params.name, params.text.s + params.begin,
 	    params.end - params.begin, &w);
 	if (!o->scenes && d->points == NULL)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* PARAMS: a document or, with --scenes, any number of them one after another. */
 #ifndef PARAMS_H
 #define PARAMS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,15 +8,17 @@
 #include "operands.h"
 #include "talk.h"
 
-/* A point that was hit: its line, and where the text of that line begins in
+/* A point that was hit, or a csv header: its line, and where the text of that line begins in
  * hits.text, and its size. */
 struct hit {
 	double distance, device[3], point[4];
 	size_t line, text, size;
+	bool header; /* printed before all points */
 };
 
 struct hits {
 	const struct options *o;
+	struct number_style style;
 	struct picker picker;
 	struct hit *hit;
 	size_t n, room;
@@ -23,8 +26,18 @@ struct hits {
 	size_t size, text_room;
 };
 
-/* Appends a point that is hit to the chunk's output: a struct hit, then the
- * text of its line. */
+/* Appends a struct hit to the chunk's output, then the text of its line. */
+static void append(struct chunk *c, const struct line *line, struct hit hit)
+{
+	hit.size = line->size;
+	char *at = chunk_reserve(c, sizeof hit + hit.size);
+
+	memcpy(at, &hit, sizeof hit);
+	memcpy(at + sizeof hit, line->s, hit.size);
+	c->size += sizeof hit + hit.size;
+}
+
+/* Takes a point that is hit, or a header. */
 static void take(const struct job *j, struct chunk *c, const struct line *line,
     size_t p, size_t number)
 {
@@ -32,7 +45,9 @@ static void take(const struct job *j, struct chunk *c, const struct line *line,
 	double in[4] = { c->in[0][p], c->in[1][p], c->in[2][p], 1 };
 	struct hit hit = { .line = number, .point = { [3] = 1 } };
 
-	if (line->kind == LINE_BAD)
+	if (line->kind == LINE_COPY)
+		append(c, line, (struct hit){ .header = true });
+	if (line->kind != LINE_POINT)
 		return;
 	for (int i = 0; i < 3; i++) {
 		hit.device[i] = c->image[i][p];
@@ -43,12 +58,7 @@ static void take(const struct job *j, struct chunk *c, const struct line *line,
 	    frustum_out(&j->frustum, in) != 0)
 		return;
 	hit.distance = pick_distance(&h->picker, in);
-	hit.size = line->size;
-	char *at = chunk_reserve(c, sizeof hit + hit.size);
-
-	memcpy(at, &hit, sizeof hit);
-	memcpy(at + sizeof hit, line->s, hit.size);
-	c->size += sizeof hit + hit.size;
+	append(c, line, hit);
 }
 
 static void collect(const struct job *j, const struct chunk *c,
@@ -85,7 +95,11 @@ static const struct picker *comparing;
 static int compare(const void *a, const void *b)
 {
 	const struct hit *p = a, *q = b;
-	int order = (p->distance > q->distance) - (p->distance < q->distance);
+	int order = q->header - p->header;
+
+	if (order == 0)
+		order = (p->distance > q->distance) -
+		    (p->distance < q->distance);
 
 	if (order == 0)
 		order = pick_compare(comparing, p->point, q->point);
@@ -144,9 +158,11 @@ static void print_hits(const struct job *j)
 	}
 	for (size_t i = 0; i < h->n; i++) {
 		const struct hit *hit = &h->hit[i];
-
+		/* of several sources one is enough */
+		if (hit->header && (i > 0 || o->out == FORMAT_JSON))
+			continue;
 		if (o->has_out && o->out == FORMAT_JSON) {
-			print_json(&out, hit, o->style);
+			print_json(&out, hit, h->style);
 			continue;
 		}
 		put(&out, h->text + hit->text, hit->size);
@@ -186,6 +202,7 @@ void run_pick(const struct command *c, const struct options *o)
 		.with = &hits };
 
 	hits.o = o;
+	hits.style = one_style(o, "what pick prints");
 	hits.n = hits.size = 0;
 	read_document(c, o, 3, &d);
 	aim(&d, o, &hits);

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "print_matrix.h"
 
 #include <math.h>
@@ -77,10 +78,12 @@ void print_matrix(const struct options *o, const struct document *d,
 	bool floats = single || o->out == FORMAT_F32;
 	bool column = answer_convention(&d->scene)->column;
 	struct printer p = { .at = text,
-		.style = o->style,
+		.style = one_style(o, "a matrix"),
 		.single = single,
 		.compact = true,
 		.between = "" };
+	const char between[] = { dialect_of(o->out, o->separator).separator,
+		'\0' };
 	const int *pick = flat ? FLAT : SPATIAL;
 	int n = flat ? 3 : 4;
 	double m[4][4];
@@ -99,6 +102,6 @@ void print_matrix(const struct options *o, const struct document *d,
 	if (o->out == FORMAT_JSON)
 		put_json(&p, m, n, column);
 	else
-		put_lines(&p, m, n, o->out == FORMAT_CSV ? "," : " ");
+		put_lines(&p, m, n, between);
 	put_all(text, (size_t)(p.at - text));
 }

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Matrices out, in each format. */
 #ifndef PRINT_MATRIX_H
 #define PRINT_MATRIX_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #ifndef SPAN_H
 #define SPAN_H
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* for F_SETPIPE_SZ, where there is one */
 #define _GNU_SOURCE
 #include "talk.h"
@@ -12,39 +13,165 @@
 #include <string.h>
 #include <unistd.h>
 
-static char scene[64];
+#include "escape.h"
 
-void say_scene(long number, long line)
+static struct scene_place scene;
+static bool json;
+static enum color color;
+
+void say_scene(struct scene_place s)
 {
-	*scene = '\0';
-	if (number > 0)
-		snprintf(scene, sizeof scene, "scene %ld, line %ld: ", number,
-		    line);
+	scene = s;
 }
 
-const char *said_scene(void)
+struct scene_place said_scene(void)
 {
 	return scene;
 }
 
-/* One line in one write, even where a file's name has newlines in it. */
-static void print_line(const char *format, va_list args)
+void say_in_json(bool on)
 {
-	char text[8192];
-
-	vsnprintf(text, sizeof text, format, args);
-	for (char *c = text; *c != '\0'; c++)
-		if ((unsigned char)*c < ' ' || *c == 0x7f)
-			*c = '?';
-	fprintf(stderr, "projcalc: %s%s\n", scene, text);
+	json = on;
 }
 
-void say(const char *format, ...)
+bool says_json(void)
+{
+	return json;
+}
+
+void set_color(enum color when)
+{
+	color = when;
+}
+
+bool is_colored(int fd)
+{
+	const char *no = getenv("NO_COLOR"), *term = getenv("TERM");
+
+	if (color != COLOR_AUTO)
+		return color == COLOR_ALWAYS;
+	return (no == NULL || *no == '\0') && term != NULL &&
+	    strcmp(term, "dumb") != 0 && isatty(fd);
+}
+
+/* Longer messages, and places, are cut. */
+enum { MESSAGE_MAX = 4096, LINE_ROOM = 4 * MESSAGE_MAX };
+
+/* One line, which is written at once, as others may write there too. */
+struct buffer {
+	char s[LINE_ROOM];
+	size_t n;
+};
+
+static void add(struct buffer *t, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+static void add(struct buffer *t, const char *format, ...)
 {
 	va_list args;
 
 	va_start(args, format);
-	print_line(format, args);
+	t->n += (size_t)vsnprintf(t->s + t->n, LINE_ROOM - t->n, format, args);
+	va_end(args);
+}
+
+static void add_place(struct buffer *t, const struct place *p)
+{
+	bool behind = p->join != NULL;
+	bool pointer = p->pointer != NULL && *p->pointer != '\0';
+	const struct scene_place *s = &p->scene;
+
+	if (behind)
+		add(t, "%s", p->join);
+	if (s->number > 0)
+		add(t, "scene %ld, line %ld: ", s->number, s->line);
+	if (p->file != NULL)
+		add(t, "%.*s", MESSAGE_MAX, p->file);
+	if (p->line > 0)
+		add(t, p->of_points ? ": point %ld" : ":%ld", p->line);
+	if (p->file != NULL && !behind)
+		add(t, ": ");
+	if (pointer)
+		add(t, "%.1000s%s", p->pointer, behind ? "" : ": ");
+}
+
+/* Control characters are escaped, even of a file's name that has newlines. */
+static void write_text(int status, const struct place *p, const char *message)
+{
+	bool colored = is_colored(STDERR_FILENO);
+	static const char *const paint[] = { "\033[1m", "\033[1;31m" };
+	struct buffer raw = { .n = 0 }, line = { .n = 0 };
+
+	if (p->join == NULL)
+		add_place(&raw, p);
+	add(&raw, "%s", message);
+	if (p->join != NULL)
+		add_place(&raw, p);
+	add(&line, "%sprojcalc:%s ", colored ? paint[status > 0] : "",
+	    colored ? "\033[0m" : "");
+	line.n += escape_text(line.s + line.n, LINE_ROOM - line.n - 1, raw.s,
+	    raw.n);
+	line.s[line.n++] = '\n';
+	fwrite(line.s, 1, line.n, stderr);
+}
+
+static void add_string(struct buffer *t, const char *name, const char *s,
+    size_t n)
+{
+	/* the five strings of a message fit into its line */
+	const size_t room = (LINE_ROOM - 512) / 5;
+
+	add(t, "%s\"%s\":\"", t->n > 1 ? "," : "", name);
+	t->n += escape_json(t->s + t->n, room, s, n);
+	add(t, "\"");
+}
+
+static void write_json(int status, const struct place *p, const char *message)
+{
+	const char *hint = strstr(message, "; ");
+	struct buffer t = { .s = "{", .n = 1 };
+
+	if (p->scene.number > 0)
+		add(&t, "\"scene\":%ld,\"scene_line\":%ld", p->scene.number,
+		    p->scene.line);
+	if (p->file != NULL)
+		add_string(&t, "file", p->file, strlen(p->file));
+	if (p->line > 0)
+		add(&t, ",\"%s\":%ld", p->of_points ? "point" : "line",
+		    p->line);
+	if (p->pointer != NULL && *p->pointer != '\0')
+		add_string(&t, "pointer", p->pointer, strlen(p->pointer));
+	add_string(&t, "reason", message,
+	    hint != NULL ? (size_t)(hint - message) : strlen(message));
+	if (hint != NULL)
+		add_string(&t, "hint", hint + 2, strlen(hint + 2));
+	add(&t, ",\"status\":%d}\n", status);
+	fwrite(t.s, 1, t.n, stderr);
+}
+
+static void print_line(int status, const struct place *place,
+    const char *format, va_list args)
+{
+	struct place p = { 0 };
+	char message[MESSAGE_MAX];
+
+	if (place != NULL)
+		p = *place;
+	if (p.scene.number == 0)
+		p.scene = scene;
+	vsnprintf(message, sizeof message, format, args);
+	if (json)
+		write_json(status, &p, message);
+	else
+		write_text(status, &p, message);
+}
+
+void say_at(int status, const struct place *place, const char *format, ...)
+{
+	va_list args;
+
+	va_start(args, format);
+	print_line(status, place, format, args);
 	va_end(args);
 }
 
@@ -58,13 +185,24 @@ static void be_last(void)
 		pause();
 }
 
+void die_at(int status, const struct place *place, const char *format, ...)
+{
+	va_list args;
+
+	be_last();
+	va_start(args, format);
+	print_line(status, place, format, args);
+	va_end(args);
+	exit(status);
+}
+
 void die(int status, const char *format, ...)
 {
 	va_list args;
 
 	be_last();
 	va_start(args, format);
-	print_line(format, args);
+	print_line(status, NULL, format, args);
 	va_end(args);
 	exit(status);
 }

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Messages, exits and what every command needs of the system. */
 #ifndef TALK_H
 #define TALK_H
@@ -8,17 +9,50 @@
 /* What the exit status means. */
 enum { EXIT_OK, EXIT_INPUT, EXIT_USAGE, EXIT_SYSTEM };
 
-/* Prints "projcalc: " and one line, without control characters. */
-void say(const char *format, ...) __attribute__((format(printf, 1, 2)));
+/* One of the documents of --scenes: its number and its first line, from 1. */
+struct scene_place {
+	long number, line; /* number is 0 where there is none */
+};
 
-/* Everything that is said from now on begins with "scene 2, line 5: ", or where
- * number is 0 without it. */
-void say_scene(long number, long line);
+/* What a message is about, as far as that is known. */
+struct place {
+	const char *file; /* or NULL */
+	long line;        /* from 1, or 0 */
+	bool of_points;   /* it counts binary points */
+	/* Of a JSON document, "/camera/eye": or NULL or "". */
+	const char *pointer;
+	/* Where number is 0: what say_scene said. */
+	struct scene_place scene;
+	/* In text the place stands before the message; or, where this is not
+	 * NULL, behind it, after these words. */
+	const char *join;
+};
 
-/* That beginning. */
-const char *said_scene(void);
+/* Prints one line: "projcalc: ", the place, which may be NULL, and the message, in
+ * which a hint may follow what is wrong after "; ". status is the exit status that
+ * it leads to, 0 for a mere note. */
+void say_at(int status, const struct place *, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
-/* The same as say, and exits with that status. Any thread may call it. */
+/* Everything that is said from now on is about that scene. */
+void say_scene(struct scene_place);
+struct scene_place said_scene(void);
+
+/* Messages become objects of JSON, one a line. */
+void say_in_json(bool);
+bool says_json(void);
+
+/* Whether to colour what goes to a terminal. */
+enum color { COLOR_AUTO, COLOR_ALWAYS, COLOR_NEVER };
+void set_color(enum color);
+
+/* Whether what goes to fd is coloured: with COLOR_AUTO where it is a terminal that
+ * can, and NO_COLOR (no-color.org) is not set. */
+bool is_colored(int fd);
+
+/* The same as say_at, and exits with that status. Any thread may call these. */
+_Noreturn void die_at(int status, const struct place *, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 _Noreturn void die(int status, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include <math.h>
 #include <string.h>
 
@@ -34,7 +35,7 @@ static void carry(const struct job *j, const struct chunk *c,
 static void put_image(struct printer *p, const struct layout *l, int n,
     const double v[4])
 {
-	bool json = l->out == FORMAT_JSON, none = true;
+	bool json = l->out.format == FORMAT_JSON, none = true;
 
 	for (int k = 0; k < n; k++)
 		none &= isnan(v[k]);
@@ -64,7 +65,7 @@ static void put_space(struct printer *p, const struct layout *l,
 {
 	const char *name = space_names[space];
 
-	if (l->out == FORMAT_JSON) {
+	if (l->out.format == FORMAT_JSON) {
 		put_name(p, name);
 		put_image(p, l, n, v);
 	} else if (n > 0) {
@@ -81,7 +82,7 @@ static void put_space(struct printer *p, const struct layout *l,
 static void put_last(struct printer *p, const struct layout *l,
     const struct line *line, const struct word *word)
 {
-	bool json = l->out == FORMAT_JSON;
+	bool json = l->out.format == FORMAT_JSON;
 
 	if (json) {
 		put_name(p, "flags");
@@ -100,20 +101,20 @@ static void take(const struct job *j, struct chunk *c, const struct line *line,
 {
 	const struct trace *trace = j->with;
 	const struct layout *l = &j->layout;
-	bool bad = line->kind == LINE_BAD;
+	bool bad = line_is_bad(line);
 	double in[4] = { c->in[0][p], c->in[1][p], c->in[2][p], c->in[3][p] };
 	unsigned outside = bad ? OUT_NAN : frustum_out(&j->frustum, in);
 	size_t most = SPACES * 4 * (NUMBER_MAX + 16) + 6 * (size_t)line->size;
 
 	(void)number;
-	if (j->visible && outside != 0)
+	if (line->kind == LINE_COPY || (j->visible && outside != 0))
 		return;
 	struct printer print = { .at = chunk_reserve(c, most + WORD_MAX),
 		.single = l->single,
 		.compact = true,
 		.between = "" };
 
-	put_text(&print, l->out == FORMAT_JSON ? "{" : "\n");
+	put_text(&print, l->out.format == FORMAT_JSON ? "{" : "\n");
 	for (int s = 0; s < SPACES; s++) {
 		int n = s < trace->n ? trace->to[s].out : 0;
 		double image[4];
@@ -131,7 +132,7 @@ static void collect(const struct job *j, const struct chunk *c,
     size_t first_line)
 {
 	struct trace *trace = j->with;
-	bool first = !trace->printed && j->layout.out == FORMAT_TEXT;
+	bool first = !trace->printed && j->layout.out.format == FORMAT_TEXT;
 
 	(void)first_line;
 	if (c->size == 0)

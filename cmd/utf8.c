@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "utf8.h"
 
 /* RFC 3629, section 4: the first byte gives the length and the range of the

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The camera: world to view and back. */
 #ifndef CAMERA_H
 #define CAMERA_H

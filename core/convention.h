@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the conventions of graphics systems differ in. */
 #ifndef CONVENTION_H
 #define CONVENTION_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Double-double arithmetic: a value is the unevaluated sum hi + lo with
  * hi = RN(hi + lo), about 106 bits. Bounds are relative, in units of
  * u^2 = 2^-106, and hold while nothing overflows and no low part falls below

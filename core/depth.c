@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "depth.h"
 
 /* Depth is linear in 1/w, which is inverse[0] on the near and inverse[1] on the

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* How finely a depth buffer tells distances apart. */
 #ifndef DEPTH_H
 #define DEPTH_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* How wrong a point's image can be. */
 #ifndef ERROR_BOUND_H
 #define ERROR_BOUND_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Exact arithmetic for the few numbers that a scene is made of, and for the few
  * points that double-double cannot decide: integers times a power of two. Sums
  * and products are exact, so a polynomial of the parameters, its sign and its

@@ -1,13 +1,10 @@
+/* SPDX-License-Identifier: MIT */
 #include "fit.h"
 
 #include <math.h>
 
 #include "frustum.h"
 #include "fit_camera.h"
-
-#define BEYOND                                                              \
-	"/bounds: what holds them has numbers beyond 1e150 or sizes below " \
-	"1e-150; choose another unit"
 
 static bool less(struct sum a, struct sum b)
 {
@@ -69,7 +66,7 @@ static const char *reach(const struct scene *s, const struct bounds *b,
 		if (less(most, *t))
 			*t = most;
 	}
-	return fabs(sum_double(*t)) <= MAGNITUDE_MAX ? NULL : BEYOND;
+	return fabs(sum_double(*t)) <= MAGNITUDE_MAX ? NULL : BOUNDS_BEYOND;
 }
 
 /* a to / from, rounded away from 0 so that nothing is cut off. */
@@ -150,7 +147,7 @@ static const char *step_back(struct scene *s, const struct bounds *b,
 			off = fmax(off, 0x1p-54 * fabs(eye[k]));
 		off = off > 0 ? 2 * off : 0x1p-53 * fabs(sum_double(t));
 	}
-	return BEYOND;
+	return BOUNDS_BEYOND;
 }
 
 static const char *fit_persp(struct scene *s, const struct bounds *b)
@@ -207,21 +204,6 @@ static const char *center(struct scene *s, bool has_eye, const struct bounds *b)
 	return NULL;
 }
 
-/* Widens the shorter side, where the projection has an aspect. */
-static void widen(struct projection *p)
-{
-	if (p->aspect[1] == 0)
-		return;
-	ex w = ex_of(p->aspect[0]), h = ex_of(p->aspect[1]);
-	double wide = ex_div(ex_mul(ex_of(p->height), w), h).hi;
-	double high = ex_div(ex_mul(ex_of(p->width), h), w).hi;
-
-	if (wide > p->width)
-		p->width = wide;
-	else
-		p->height = fmax(p->height, high);
-}
-
 static const char *close_sides(struct scene *s, const struct bounds *b)
 {
 	struct projection *p = &s->projection;
@@ -247,7 +229,8 @@ static const char *close_sides(struct scene *s, const struct bounds *b)
 	if (why == NULL)
 		why = bounds_close(b, s, &p->height, HUGE_VAL,
 		    OUT_BOTTOM | OUT_TOP);
-	widen(p);
+	if (p->aspect[1] != 0)
+		sides_widen(&p->width, &p->height, p->aspect[0], p->aspect[1]);
 	return why;
 }
 
@@ -324,15 +307,10 @@ static const char *fit_volume(struct scene *s, const struct bounds *b)
 
 static const char *check(const struct scene *s, const struct bounds *b)
 {
-	static const char *const less_than_min[3] = {
-		"/bounds/max/0: less than min's; give the lower corner as min",
-		"/bounds/max/1: less than min's; give the lower corner as min",
-		"/bounds/max/2: less than min's; give the lower corner as min",
-	};
+	const char *why = bounds_check(b, 3);
 
-	for (int k = 0; k < 3 && !b->sphere; k++)
-		if (b->max[k] < b->min[k])
-			return less_than_min[k];
+	if (why != NULL)
+		return why;
 	switch (s->projection.type) {
 	case PROJECTION_PERSP:
 	case PROJECTION_ORTHO:
@@ -344,11 +322,6 @@ static const char *check(const struct scene *s, const struct bounds *b)
 		       "\"persp\", \"ortho\", \"oblique\" or \"volume\" is "
 		       "wanted";
 	}
-}
-
-static bool is_size(double v)
-{
-	return v >= SIZE_MIN && v <= MAGNITUDE_MAX;
 }
 
 /* Whether a document may hold these numbers. */
@@ -387,5 +360,5 @@ const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 		why = fit_volume(s, b);
 	else if (why == NULL)
 		why = fit_parallel(s, has_eye, b);
-	return why != NULL || in_range(s) ? why : BEYOND;
+	return why != NULL || in_range(s) ? why : BOUNDS_BEYOND;
 }

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The tightest camera and view volume that hold given bounds. */
 #ifndef FIT_H
 #define FIT_H

@@ -1,9 +1,36 @@
+/* SPDX-License-Identifier: MIT */
 #include "fit_bounds.h"
 
 #include <math.h>
 
 #include "frustum.h"
 #include "vec3.h"
+
+const char *bounds_check(const struct bounds *b, int dimensions)
+{
+	static const char *const less_than_min[3] = {
+		"/bounds/max/0: less than min's; give the lower corner as min",
+		"/bounds/max/1: less than min's; give the lower corner as min",
+		"/bounds/max/2: less than min's; give the lower corner as min",
+	};
+
+	for (int k = 0; k < dimensions && !b->sphere; k++)
+		if (b->max[k] < b->min[k])
+			return less_than_min[k];
+	return NULL;
+}
+
+void sides_widen(double *width, double *height, double across, double up)
+{
+	ex w = ex_of(across), h = ex_of(up);
+	double wide = ex_div(ex_mul(ex_of(*height), w), h).hi;
+	double high = ex_div(ex_mul(ex_of(*width), h), w).hi;
+
+	if (wide > *width)
+		*width = wide;
+	else
+		*height = fmax(*height, high);
+}
 
 /* A box is lowest at a corner; a sphere by its radius times the length of the
  * slope below its centre. */
@@ -93,7 +120,7 @@ const char *bounds_extents(const struct bounds *b, const struct scene *s,
 		largest = fmax(largest, widths[j]);
 	}
 	if (largest == 0)
-		return "/bounds: a single point; what has an extent is wanted";
+		return BOUNDS_SINGLE;
 	/* a perspective's planes are at values of w */
 	struct sum more = sum_of_double(projection_w_at_eye(&s->projection));
 

@@ -1,15 +1,35 @@
+/* SPDX-License-Identifier: MIT */
 /* Bounds and where they lie: what fit fits a scene to. */
 #ifndef BOUNDS_H
 #define BOUNDS_H
 
 #include "scene.h"
 
-/* In model space; the world matrix makes an ellipsoid of a sphere. */
+/* In model space; the world matrix makes an ellipsoid of a sphere. A window's have
+ * no third coordinate, and the sphere is a circle. */
 struct bounds {
 	bool sphere;
 	double center[3], radius;
 	double min[3], max[3]; /* of a box */
 };
+
+#define BOUNDS_SINGLE "/bounds: a single point; what has an extent is wanted"
+#define BOUNDS_BEYOND                                                       \
+	"/bounds: what holds them has numbers beyond 1e150 or sizes below " \
+	"1e-150; choose another unit"
+
+/* NULL, or the coordinate that is less in max than in min, and the reason. */
+const char *bounds_check(const struct bounds *, int dimensions);
+
+/* Whether a document may hold that as a size. */
+static inline bool is_size(double v)
+{
+	return v >= SIZE_MIN && v <= MAGNITUDE_MAX;
+}
+
+/* Widens the side that is too short for a shape, across wide and up high, to the
+ * nearest double. */
+void sides_widen(double *width, double *height, double across, double up);
 
 /* The support function: the least value of column j of a map, or of minus that, over
  * the bounds. */

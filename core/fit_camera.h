@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The camera that fit moves: by eye and gaze. */
 #ifndef GAZE_H
 #define GAZE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "frustum.h"
 
 #include <math.h>
@@ -65,6 +66,27 @@ const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
 	return why;
 }
 
+const char *flat_frustum_of(const struct scene *s, enum flat from,
+    struct frustum *f)
+{
+	struct map m;
+	struct sum one = sum_of_double(1);
+	const char *why = scene_flat_map(s, from, FLAT_NDC, &m);
+
+	if (why != NULL)
+		return why;
+	f->sides = (struct transform){ .map = m, .in = 2 };
+	for (int k = 0; k < 4; k++)
+		combine(&f->sides.map, k, &m, k & 1, k / 2, one, one);
+	kernel_map_of(&f->sides.map, &f->sides.for_kernel);
+	return NULL;
+}
+
+static bool is_flat(const struct frustum *f)
+{
+	return f->sides.in == 2;
+}
+
 /* The signs of the first n columns. */
 static void signs(const struct transform *t, int n, const double in[4],
     int sign[4])
@@ -86,11 +108,13 @@ unsigned frustum_out(const struct frustum *f, const double in[4])
 		if (isnan(in[i]))
 			return OUT_NAN;
 	signs(&f->sides, 4, in, side);
+	for (int k = 0; k < 4; k++)
+		out |= side[k] < 0 ? 1u << k : 0;
+	if (is_flat(f))
+		return out;
 	signs(&f->ends, 3, in, end);
 	if (end[2] <= 0 || (f->sides.reciprocal && !(in[3] > 0)))
 		return OUT_BEHIND;
-	for (int k = 0; k < 4; k++)
-		out |= side[k] < 0 ? 1u << k : 0;
 	for (int k = 0; k < 2; k++)
 		out |= end[k] < 0 ? (unsigned)OUT_NEAR << k : 0;
 	return out;
@@ -128,7 +152,8 @@ static void out_few(const struct frustum *f, const struct estimate *sides,
 
 	memset(word, 0, n * sizeof *word);
 	points_kernels()->signs(sides, 4, OUT_LEFT, in, word, n);
-	points_kernels()->signs(ends, 3, OUT_NEAR, in, word, n);
+	if (!is_flat(f))
+		points_kernels()->signs(ends, 3, OUT_NEAR, in, word, n);
 	for (size_t i = 0; i < n; i++) {
 		unsigned planes = (unsigned)word[i];
 		const double p[4] = { in[0][i], in[1][i], in[2][i] };
@@ -143,14 +168,17 @@ static void out_few(const struct frustum *f, const struct estimate *sides,
 void frustum_out_all(const struct frustum *f, const double *const in[4],
     unsigned char *out, size_t n)
 {
-	struct estimate sides = estimate_of(&f->sides, 4);
-	struct estimate ends = estimate_of(&f->ends, 3);
+	/* of two coordinates any column is the third, as its slopes are 0 */
+	const double *z = in[is_flat(f) ? 0 : 2];
+	struct estimate sides = estimate_of(&f->sides, 4), ends = { 0 };
 
+	if (!is_flat(f))
+		ends = estimate_of(&f->ends, 3);
 	for (size_t i = 0; i < n; i += FEW) {
-		const double *const at[4] = { in[0] + i, in[1] + i, in[2] + i };
+		const double *const at[4] = { in[0] + i, in[1] + i, z + i };
 		size_t few = n - i < FEW ? n - i : FEW;
 
-		if (f->sides.in == 3) {
+		if (f->sides.in <= 3) {
 			out_few(f, &sides, &ends, at, out + i, few);
 			continue;
 		}

@@ -1,5 +1,6 @@
-/* The view volume: its corners, and which of its planes a point is outside
- * of. */
+/* SPDX-License-Identifier: MIT */
+/* The view volume: its corners, and which of its planes, or of a 2D window's
+ * edges, a point is outside of. */
 #ifndef FRUSTUM_H
 #define FRUSTUM_H
 
@@ -16,7 +17,8 @@ enum {
 	OUT_NAN = 128,
 };
 
-/* A point is inside where all columns of both are at least 0. */
+/* A point is inside where all columns of both are at least 0; of two coordinates
+ * (sides.in is 2) it has no ends. */
 struct frustum {
 	struct transform sides; /* left right bottom top */
 	struct transform ends;  /* near far w */
@@ -29,6 +31,11 @@ void view_limits(const struct scene *, struct sum half[2], struct sum scale[2]);
 /* The planes as seen from one space, with its viewport's limits. Returns NULL,
  * or the member and the reason. */
 const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
+    struct frustum *);
+
+/* The edges of the 2D window, which are those of the device and of ndc's square,
+ * as seen from one of these spaces. */
+const char *flat_frustum_of(const struct scene *, enum flat from,
     struct frustum *);
 
 /* 0 where the point is inside or on a plane, exactly; behind comes alone. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "mat.h"
 
 #include <string.h>

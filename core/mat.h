@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Homogeneous maps of row vectors between spaces, exact where they are rational. */
 #ifndef MAT_H
 #define MAT_H

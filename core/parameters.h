@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What of a scene's picture can be said in parameters: its planes, and a camera and
  * a projection that make it. */
 #ifndef PARAMETERS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What lies under a position on the device, and how far from the near plane. */
 #ifndef PICK_H
 #define PICK_H

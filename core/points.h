@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Points through a transform, block by block: each by the fastest loop that
  * its accuracy allows, and by point_exact where that loop gives up. */
 #ifndef POINTS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Projections: view to clip and back. */
 #ifndef PROJECTION_H
 #define PROJECTION_H

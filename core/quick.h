@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Sums of products in double-double, and the test whether their quotients are
  * surely rounded as the exact ones: for single points, between the kernels and
  * exact arithmetic. */

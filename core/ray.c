@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "ray.h"
 
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Rays under positions on the device. */
 #ifndef RAY_H
 #define RAY_H

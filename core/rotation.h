@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The rotation that is nearest to a matrix. */
 #ifndef ROTATION_H
 #define ROTATION_H

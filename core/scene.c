@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "scene.h"
 
 #include <string.h>
@@ -174,4 +175,23 @@ const char *scene_flat_map(const struct scene *s, enum flat from, enum flat to,
 	    why :
 	    "/window: the composed matrix has elements beyond the range of "
 	    "doubles; bring the sizes nearer to one another";
+}
+
+const char *scene_shown(const struct scene *s, struct shown *w)
+{
+	struct map out, back;
+	const char *why = scene_flat_map(s, FLAT_WINDOW,
+	    s->has_device ? FLAT_DEVICE : FLAT_NDC, &out);
+
+	if (why == NULL)
+		why = scene_flat_map(s, FLAT_NDC, FLAT_WINDOW, &back);
+	for (int k = 0; k < 4 && why == NULL; k++) {
+		struct sum half = back.m[k / 2][k / 2];
+		struct sum edge = sum_add(back.m[3][k / 2],
+		    k & 1 ? half : sum_neg(half));
+
+		w->edge[k] = sum_over(edge, back.divisor);
+		w->scale[k / 2] = map_nearest(&out, k / 2, k / 2, false);
+	}
+	return why;
 }

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A scene and the maps between its spaces. */
 #ifndef SCENE_H
 #define SCENE_H
@@ -56,6 +57,15 @@ const char *scene_map(const struct scene *, enum space from, enum space to,
     struct map *);
 const char *scene_flat_map(const struct scene *, enum flat from, enum flat to,
     struct map *);
+
+/* What a 2D window shows, by its edges left, right, bottom, top; and how far on the
+ * device, or in ndc where there is none, one unit of the window leads along x and y.
+ * The nearest doubles. Returns NULL, or the member and the reason. */
+struct shown {
+	double edge[4], scale[2];
+};
+
+const char *scene_shown(const struct scene *, struct shown *);
 
 /* As scene_map, where from is no later than view space and to is later; and the
  * part from there, which may have elements beyond the range of doubles. */

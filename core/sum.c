@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "sum.h"
 
 #include <limits.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A number that is a sum of products of a scene's parameters, exactly or all
  * but exactly, and its rounding to what is printed. */
 #ifndef SUM_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a scene's projection is: its place in the taxonomy of planar
  * projections, and what of it can be seen from the world. */
 #ifndef TAXONOMY_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The way from one space of a scene to another, for many points: a composed
  * map and what follows from it alone. */
 #ifndef TRANSFORM_H

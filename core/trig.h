@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Sine, cosine and cotangent, with more digits than are printed of what is made of
  * them. Of degrees, which are reduced exactly, what is rational is exact. */
 #ifndef TRIG_H

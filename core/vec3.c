@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "vec3.h"
 
 struct sum vec3_dot(const struct sum a[3], const struct sum b[3])

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Vectors of three sums. */
 #ifndef VEC3_H
 #define VEC3_H

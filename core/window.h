@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The flat end of the pipeline: the 2D window, the device and the 3D viewport.
  * 2D maps leave z alone. */
 #ifndef WINDOW_H

@@ -1,40 +1,25 @@
 #!/usr/bin/perl
-# Prints what completes the command line in a shell. All of it the program says
-# of itself: its commands and options in its help, the words that an option
-# takes when it is given another.
+# SPDX-License-Identifier: MIT
+# Prints what completes the command line in a shell: what the program says of itself
+# as JSON.
 # usage: completion.pl PROJCALC bash|zsh|fish
 use strict;
 use warnings;
+use JSON::PP;
 
 my ($program, $shell) = @ARGV;
+my $all = decode_json(scalar `$program help --json`);
+my @commands = map { $_->{name} } @{$all->{commands}};
+my %about = map { $_->{name} => $_->{about} } @{$all->{commands}};
+my @topics = (@commands, map { $_->{name} } grep { !$_->{in} }
+    @{$all->{members}});
+my (@options, %option);
 
-sub said {
-	open my $out, '-|', 'sh', '-c', 'exec "$@" 2>&1 </dev/null', 'sh',
-	    $program, @_ or die "$program: $!\n";
-	return <$out>;
-}
-
-my (@commands, %about, @options, %option);
-
-for (said('help')) {
-	next unless /^  ([a-z]\w*) +(.+)/;
-	push @commands, $1;
-	$about{$1} = $2;
-}
-for my $command (@commands) {
-	for (said('help', $command)) {
-		next unless /^  (?:-(\w), |    )--([\w-]+) (\S*) +(.+)/;
-		push @options, $2 unless $option{$2};
-		$option{$2} //= {letter => $1, name => $2, argument => $3,
-			about => $4, words => ''};
-		push @{$option{$2}{commands}}, $command;
-	}
-}
-die "$program: no commands\n" unless @commands;
-for my $o (grep { $_->{argument} ne '' } values %option) {
-	my ($words) = map { /it is one of (.+)/ ? $1 : () }
-	    said($o->{commands}[0], "--$o->{name}=?");
-	$o->{words} = join ' ', split /, | or /, $words if defined $words;
+for (@{$all->{options}}) {
+	push @options, $_->{name};
+	$_->{argument} //= '';
+	$_->{words} = join ' ', @{$_->{words}};
+	$option{$_->{name}} = $_;
 }
 
 sub options_of {
@@ -58,7 +43,7 @@ sub names {
 }
 
 sub bash {
-	my $all = join ' ', @commands, 'help';
+	my $options = join ' ', map { names($_, ' ') } options_of('help');
 	my %cases;
 	for my $o (grep { $_->{argument} ne '' } map { $option{$_} } @options) {
 		push @{$cases{$o->{words}}}, names($o, ' | ');
@@ -78,10 +63,10 @@ sub bash {
 			prev=\${COMP_WORDS[COMP_CWORD-2]}
 		fi
 		if [ "\$COMP_CWORD" -eq 1 ]; then
-			words='$all --help --version'
+			words='@commands --help --version'
 		else
 			case \$prev in
-			help) words='@commands' ;;
+			help) words='@topics $options' ;;
 	END
 	for my $words (sort keys %cases) {
 		my $names = join ' | ', @{$cases{$words}};
@@ -119,7 +104,6 @@ sub zsh {
 	    "local -a commands=(\n";
 	print "\t", quote("$_:$about{$_}"), "\n" for @commands;
 	print <<"	END" =~ s/^\t//mgr;
-		'help:what a command does'
 	)
 	_arguments -C '1:command:->command' '*::operand:->operand'
 	if [[ \$state = command ]]; then
@@ -140,18 +124,18 @@ sub zsh {
 			    ")'{-$o->{letter},$long}" : $long, $about,
 			    " \\\n";
 		}
-		print "\t'1:PARAMS:_files' '*:POINTS:_files' ;;\n";
+		print $command eq 'help' ? "\t'1:topic:(@topics)' ;;\n" :
+		    "\t'1:PARAMS:_files' '*:POINTS:_files' ;;\n";
 	}
-	print "help) _describe command commands ;;\nesac\n";
+	print "esac\n";
 }
 
 sub fish {
 	print "# projcalc(1) in fish\n";
 	print "complete -c projcalc -f -n __fish_use_subcommand -a $_ -d ",
 	    quote($about{$_}), "\n" for @commands;
-	print "complete -c projcalc -f -n __fish_use_subcommand -a help\n",
-	    "complete -c projcalc -f -n '__fish_seen_subcommand_from help' ",
-	    "-a '@commands'\n";
+	print "complete -c projcalc -f -n '__fish_seen_subcommand_from help' ",
+	    "-a '@topics'\n";
 	for my $o (map { $option{$_} } @options) {
 		print 'complete -c projcalc -n ',
 		    "'__fish_seen_subcommand_from @{$o->{commands}}'",

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The charts of what bench.pl measured last.
 # usage: gnuplot -c bench.gp DATA CHARTS, two directories
 data = ARG1 . "/"

@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # Measures the program beside what people use instead, and prints a page in
 # markdown: whole programs, which take turns, and points in memory. Errors are
 # those from the truth in MPFR, by worst.c and peers.c. What bench.gp draws is
@@ -63,7 +64,8 @@ sub make_inputs {
 	my ($folder, $n, $copies) = @_;
 	my %file;
 	mkdir $folder;
-	for (qw(text long csv table json document pixels f64 f32)) {
+	for (qw(text long csv table json objects document pixels f64
+	    f32)) {
 		open $file{$_}, '>:raw', "$folder/$_" or die "$folder/$_: $!\n";
 	}
 	my $put = sub { print {$file{$_[0]}} @_[1 .. $#_] };
@@ -78,6 +80,8 @@ sub make_inputs {
 		$put->(csv => "$p\n");
 		$put->(table => "id,$p\n");
 		$put->(json => "[$p]\n");
+		$put->(objects => sprintf(qq({"id":%d,"x":%s,"y":%s,"z":%s}\n),
+		    $i, @p));
 		$put->(document => ",\n" x ($i > 1) . "[$p]");
 		$put->(pixels => sprintf("%.6f %.6f\n", 320 + 160 * $p[0],
 		    240 + 120 * $p[1]));
@@ -131,6 +135,7 @@ sub our_rows {
 	row('csv', '', "$run -i csv scene.json {csv}");
 	row('columns', '', "$run -i csv --columns 2,3,4 scene.json {table}");
 	row('json', '', "$run -i json scene.json {json}");
+	row('objects', '', "$run -i json scene.json {objects}");
 	row('long', '', "$run scene.json {long}");
 	row('ray', '', "$run --ray scene.json {pixels}");
 	row('document', '', "$run {document}");
@@ -265,6 +270,7 @@ sub ratios {
 		['`-d 6` against shortest', 'digits', 'text'],
 		['csv against text', 'csv', 'text'],
 		['JSON lines against text', 'json', 'text'],
+		['JSON objects against text', 'objects', 'text'],
 		['csv with `--columns` against text', 'columns', 'text'],
 		['`--flags` against none', 'flags', 'text'],
 		['17 digits against six decimals, read', 'long', 'text'],

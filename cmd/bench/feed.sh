@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Prints a table in markdown: how many cores a single process can keep at work.
 # All that its threads do one after another is to write, and to read what is no
 # file; as many cores as the longer of these two is contained in the CPU time of

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # For each panel of bench.gp, of points.tsv in DATA: where the points' names stand
 # so that they meet neither points nor each other, and the ranges of its axes.
 # usage: names.pl DATA

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* Nanoseconds per number for each way to read and write that number_read.cc and
  * number_write.cc could stand over, on coordinates with six decimals and on
  * full doubles. */

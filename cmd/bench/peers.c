@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Our precisions beside other people's libraries, on points in memory:
  * nanoseconds a point, and the worst error in device units against MPFR.
  *

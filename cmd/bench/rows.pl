@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Replaces the rows of a table by those of the page PAGE that begin alike.
 # usage: perl -i rows.pl PAGE FILE
 use strict;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Runs commands in turn, so that what slows the machine down for a while slows a
  * run of each. A slow command skips most rounds.
  *

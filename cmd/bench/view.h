@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The view that the benchmarks measure, and how far an image of a point is from
  * the truth. All its numbers are floats: those who compute in float start from
  * the same scene. */

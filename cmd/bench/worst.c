@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The worst error of a program's images of points, against MPFR.
  *
  * usage: worst SPACE FORMAT POINTS FORMAT IMAGES

@@ -1,7 +1,32 @@
-# Draws triangles in a terminal. The first file has points in view space, the
-# second the same points in a device of 160 x 96 dots, the third triangles, by
-# the numbers of their points from 0. A character is 2 x 4 dots; more of them
-# are lit where a triangle faces the lamp.
+# SPDX-License-Identifier: MIT
+# Draws a solid in a terminal, as a pen does: its outline, and dots where a lamp
+# shines on it. The first file has points, the second the same points in a device
+# of 160 x 120 dots, the third triangles between them, by the points' numbers from
+# 0. A character is 2 x 4 dots.
+
+# Adds the normal of a triangle, as long as its area is large, to one of its
+# corners.
+function add_normal(corner, a, b, c,    i, j, k)
+{
+	for (i = 0; i < 3; i++) {
+		j = (i + 1) % 3
+		k = (i + 2) % 3
+		normal[corner, i] += \
+		    (at[b, j] - at[a, j]) * (at[c, k] - at[a, k]) - \
+		    (at[b, k] - at[a, k]) * (at[c, j] - at[a, j])
+	}
+}
+
+# How much of the lamp's light a point gets. The power takes from what is hardly
+# lit, so that the hollows stand out.
+function light(v,    i, nn, nl)
+{
+	for (i = 0; i < 3; i++) {
+		nn += normal[v, i] ^ 2
+		nl += normal[v, i] * lamp[i + 1]
+	}
+	return nl > 0 ? 1.2 * (nl / sqrt(nn)) ^ 2.5 : 0
+}
 
 # Sets low and high to the least and largest of three, in whole dots from 0.
 function span(a, b, c)
@@ -11,27 +36,13 @@ function span(a, b, c)
 	low = low < 0 ? 0 : int(low)
 }
 
-# The cosine between a triangle's normal and the direction to the lamp.
-function facing(a, b, c,    i, j, k, n, nn, nl)
-{
-	for (i = 0; i < 3; i++) {
-		j = (i + 1) % 3
-		k = (i + 2) % 3
-		n = (view[b, j] - view[a, j]) * (view[c, k] - view[a, k]) - \
-		    (view[b, k] - view[a, k]) * (view[c, j] - view[a, j])
-		nn += n * n
-		nl += n * lamp[i + 1]
-	}
-	return nn > 0 ? nl / sqrt(nn) : 0
-}
-
 function cross(a, b, x, y)
 {
 	return (X[b] - X[a]) * (y - Y[a]) - (Y[b] - Y[a]) * (x - X[a])
 }
 
-# Draws those dots of a triangle that are nearer than what was drawn there.
-function fill(a, b, c, shade,    area, x, y, x1, y1, u, v, z)
+# Keeps depth and light of a triangle where nothing nearer was.
+function fill(a, b, c,    area, x, y, x1, y1, u, v, z)
 {
 	if ((area = cross(a, b, X[c], Y[c])) == 0)
 		return
@@ -41,20 +52,37 @@ function fill(a, b, c, shade,    area, x, y, x1, y1, u, v, z)
 		span(X[a], X[b], X[c])
 		x1 = high
 		for (x = low; x <= x1; x++) {
-			u = cross(b, c, x, y) / area
-			v = cross(c, a, x, y) / area
+			u = cross(b, c, x + 0.5, y + 0.5) / area
+			v = cross(c, a, x + 0.5, y + 0.5) / area
 			z = u * Z[a] + v * Z[b] + (1 - u - v) * Z[c]
 			if (u < 0 || v < 0 || u + v > 1 || \
 			    (x, y) in depth && depth[x, y] <= z)
 				continue
 			depth[x, y] = z
-			lit[x, y] = shade > threshold[y % 4 * 4 + x % 4 + 1]
+			bright[x, y] = u * lit[a] + v * lit[b] + \
+			    (1 - u - v) * lit[c]
 		}
 	}
 }
 
+# Whether what is beside a dot is the background, or far behind.
+function beyond(z, x, y)
+{
+	return !((x, y) in depth) || depth[x, y] - z > 0.02
+}
+
+function dot(x, y,    z)
+{
+	if (!((x, y) in depth))
+		return 0
+	z = depth[x, y]
+	return beyond(z, x - 1, y) || beyond(z, x + 1, y) || \
+	    beyond(z, x, y - 1) || beyond(z, x, y + 1) || \
+	    bright[x, y] > threshold[y % 4 * 4 + x % 4 + 1]
+}
+
 BEGIN {
-	split("-0.48 0.6 -0.64", lamp)
+	split("-0.48 0.82 -0.31", lamp)
 	split("0 8 2 10 12 4 14 6 3 11 1 9 15 7 13 5", threshold)
 	for (i = 1; i <= 16; i++)
 		threshold[i] = (threshold[i] + 0.5) / 16
@@ -65,7 +93,7 @@ BEGIN {
 }
 FILENAME == ARGV[1] {
 	for (i = 0; i < 3; i++)
-		view[points + 0, i] = $(i + 1)
+		at[points + 0, i] = $(i + 1)
 	points++
 }
 FILENAME == ARGV[2] {
@@ -75,16 +103,23 @@ FILENAME == ARGV[2] {
 	vertex++
 }
 FILENAME == ARGV[3] {
-	fill($1, $2, $3, 0.2 + 0.8 * facing($1, $2, $3))
+	for (i = 1; i <= 3; i++)
+		add_normal($i, $1, $2, $3)
+	triangle[triangles++] = $0
 }
 END {
-	for (y = 0; y < 96; y += 4) {
+	for (i = 0; i < points; i++)
+		lit[i] = light(i)
+	for (i = 0; i < triangles; i++) {
+		split(triangle[i], corner)
+		fill(corner[1], corner[2], corner[3])
+	}
+	for (y = 0; y < 120; y += 4) {
 		line = ""
 		for (x = 0; x < 160; x += 2) {
 			dots = 0
 			for (i = 0; i < 8; i++)
-				if (lit[x + i % 2, y + int(i / 2)])
-					dots += bit[i + 1]
+				dots += bit[i + 1] * dot(x + i % 2, y + int(i / 2))
 			# U+2800 + dots in UTF-8
 			line = line sprintf("\342%c%c", \
 			    160 + int(dots / 64), 128 + dots % 64)

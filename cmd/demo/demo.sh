@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # The vertices of the Stanford bunny through a scene, and a picture of them.
 # usage: demo.sh BUILD
 set -eu
@@ -7,13 +8,12 @@ build=$(cd "$1" && pwd)
 cd "$(dirname "$0")/../../testdata"
 PATH=$build:$PATH
 
-echo '$ cat demo.json'
-cat demo.json
-echo '$ projcalc project demo.json bunny.xyz >device.xyz'
-projcalc project demo.json bunny.xyz >"$build/device.xyz"
-projcalc project --to view demo.json bunny.xyz >"$build/view.xyz"
+echo '$ cat bunny.json'
+cat bunny.json
+echo '$ projcalc project bunny.json bunny.xyz >device.xyz'
+projcalc project bunny.json bunny.xyz >"$build/device.xyz"
 echo '$ sed -n 2,5p device.xyz'
 sed -n 2,5p "$build/device.xyz"
 echo "$(grep -vc '^#' "$build/device.xyz") points," \
     "and the $(grep -vc '^#' bunny.faces) triangles between them:"
-awk -f ../cmd/demo/demo.awk "$build/view.xyz" "$build/device.xyz" bunny.faces
+awk -f ../cmd/demo/demo.awk bunny.xyz "$build/device.xyz" bunny.faces

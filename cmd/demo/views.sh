@@ -1,40 +1,59 @@
 #!/bin/sh
-# Four views of the Stanford bunny in one render target, as an SVG: the wire
-# frame between the vertices that --flags finds in the view volume.
+# SPDX-License-Identifier: MIT
+# Four views of the Stanford bunny in one render target, as an SVG: each view with
+# its camera moved back until all vertices and a margin fit, and triangles drawn
+# from the farthest to the nearest, so that those in front hide what is behind.
 # usage: views.sh BUILD OUTPUT.svg
 set -eu
 export LC_ALL=C
 build=$(cd "$1" && pwd)
 svg=$2
-here=$(cd "$(dirname "$0")/../../testdata" && pwd)
+cd "$(dirname "$0")/../../testdata"
 PATH=$build:$PATH
-wire=$build/wire
-mkdir -p "$wire"
 
-for view in "$here"/views/*.json; do
-	projcalc project --flags -d 1 "$view" "$here/bunny.xyz" |
-	awk '/^#/ { next }
-	    NR == FNR { at[n] = $1 " " $2; in_[n++] = $4 == "in"; next }
-	    function edge(a, b) {
-		if (in_[a] && in_[b] && !drawn[a, b]++ && !drawn[b, a]++)
-			print at[a] "\n" at[b] "\n"
-	    }
-	    { edge($1, $2); edge($2, $3); edge($3, $1) }' \
-	    - "$here/bunny.faces" >"$wire/$(basename "$view" .json)"
-done
+# The triangles of scene $1 that face the eye, that is, whose corners go clockwise
+# where y points down. The units are tenths of a pixel, $2 of which are a device's.
+triangles() {
+	sed '1s/$/ "margin": 0.08,/' "$1" | projcalc fit - bunny.xyz |
+	    projcalc project - bunny.xyz |
+	    awk '
+		/^#/ {
+			next
+		}
+		NR == FNR {
+			x[n + 0] = int(k * $1 + 0.5)
+			y[n + 0] = int(k * $2 + 0.5)
+			z[n++] = $3
+			next
+		}
+		{
+			x1 = x[$2] - x[$1]
+			y1 = y[$2] - y[$1]
+			x2 = x[$3] - x[$2]
+			y2 = y[$3] - y[$2]
+			if (x1 * y2 > x2 * y1)
+				printf "%.9f M%d %dl%d %d %d %dz\n",
+				    z[$1] + z[$2] + z[$3],
+				    x[$1], y[$1], x1, y1, x2, y2
+		}' k="$2" - bunny.faces |
+	    sort -rn | sed 's/[^ ]* \(.*\)/<path d="\1"\/>/'
+}
 
-gnuplot <<END
-set terminal svg size 640,480 background "white" font "sans,12"
-set output "$svg"
-unset key; unset border; unset tics
-set margins 0, 0, 0, 0
-set xrange [0:640]; set yrange [480:0]
-set arrow from 320,0 to 320,480 nohead lc "black"
-set arrow from 0,240 to 640,240 nohead lc "black"
-set object rectangle from 0,0 to 640,480 fillstyle empty border lc "black"
-set label "perspective" at 8,230
-set label "top" at 328,230
-set label "front" at 8,470
-set label "side" at 328,470
-plot for [f in system("ls $wire/*")] f with lines lw 0.3 lc "#1f4e79"
-END
+{
+	echo '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 640 480">'
+	echo '<rect width="640" height="480" fill="white" stroke="black"/>'
+	echo '<g transform="scale(.1)" fill="white" stroke="#1f4e79"' \
+	    'stroke-width="3" stroke-linejoin="round">'
+	triangles bunny.json 20
+	for view in top front side; do
+		triangles views/$view.json 10
+	done
+	echo '</g>'
+	echo '<path d="M320 0v480M0 240h640" stroke="black"/>'
+	echo '<g font-family="sans-serif" font-size="12">'
+	echo '<text x="8" y="230">perspective</text>'
+	echo '<text x="328" y="230">top</text>'
+	echo '<text x="8" y="470">front</text>'
+	echo '<text x="328" y="470">side</text>'
+	echo '</g></svg>'
+} >"$svg"

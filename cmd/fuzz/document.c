@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Any bytes as a document, for libFuzzer; linked without talk.c. The first
  * byte says what is wanted of it. */
 #include <cjson/cJSON.h>
@@ -23,6 +24,12 @@ void die(int status, const char *format, ...)
 	if (status != EXIT_INPUT)
 		abort();
 	longjmp(refused, 1);
+}
+
+void die_at(int status, const struct place *place, const char *format, ...)
+{
+	(void)place;
+	die(status, "%s", format);
 }
 
 /* All that a refusal leaves, to be freed here: what cJSON has. */
@@ -93,6 +100,8 @@ static void run(char *text, size_t size, int mode)
 		.bare = bare[mode & 3],
 		.needed = bare[mode & 3],
 		.used = ~0u,
+		.flat = mode & 7 ? 0 : SCENE_WINDOW | SCENE_DEVICE,
+		.fit = (mode & 15) == 0,
 		.projection = (mode & 3) == 2 ? 1 + (mode >> 2 & 3) :
 						PROJECTION_NONE,
 		.convention = mode & 16 ? &conventions[CONVENTION_GL] : NULL,
@@ -109,7 +118,8 @@ static void run(char *text, size_t size, int mode)
 	document_read(&d, "a", text, size, &wants);
 	if (d.points != NULL)
 		check_point_lines(d.points, d.points_size);
-	check_camera(&d.scene.camera);
+	if (!d.flat)
+		check_camera(&d.scene.camera);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

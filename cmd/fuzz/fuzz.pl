@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # Runs each fuzzer for its share of the time, from what testdata holds and what
 # earlier runs found worth keeping. What one finds stands in BUILD/finding-*:
 # make it a case of a transcript.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The layout of lines that the first bytes of a fuzzer's input choose. */
 #ifndef LAYOUT_FUZZ_H
 #define LAYOUT_FUZZ_H
@@ -8,8 +9,8 @@
 
 enum { HEADER = 4 };
 
-/* Of the HEADER bytes at b the first three choose formats, counts, style and
- * columns; the last is for the caller. */
+/* Of the HEADER bytes at b the first three choose formats, counts, style, header
+ * and columns, the last bit the separator of csv; the other bits are for the caller. */
 static inline struct layout layout_of(const uint8_t *b)
 {
 	static const int sizes[][2] = { { 3, 3 }, { 3, 4 }, { 4, 3 }, { 2, 2 },
@@ -17,26 +18,31 @@ static inline struct layout layout_of(const uint8_t *b)
 	static const int fields[][4] = { { 0, 1, 2, 3 }, { 3, 2, 1, 0 },
 		{ 1, 0, 2, 5 }, { 9, 4, 0, 2 } };
 	static const char *const names[] = { "x", "y", "z", "w" };
+	static const char separators[] = ",;";
 	const int *size = sizes[b[1] % 6];
 	struct layout l = {
-		.in = (enum format)(b[0] % 5),
-		.out = (enum format)(b[0] / 5 % 5),
+		.in = dialect_of((enum format)(b[0] % 6), separators[b[3] & 1]),
+		.out = dialect_of((enum format)(b[0] / 6 % 6),
+		    separators[b[3] & 1]),
+		.header = (enum header)(b[1] / 72 % 3),
+		.columns = { .by_header = b[1] / 12 % 6 == 0 },
 		.reads = size[0],
 		.writes = size[1],
 		.flags = b[1] / 6 & 1,
 	};
+	enum format in = l.in.format;
 	int columns = b[1] / 12 % 6;
 
 	for (int k = 0; k < COORDINATES_MAX; k++) {
 		l.style[k].kind = b[2] % 4;
 		l.style[k].n = b[2] / 4 % 3 == 1 ? 100 : 1 + (b[2] + k) % 17;
 	}
-	if (l.in > FORMAT_JSON || columns == 0)
+	if (is_binary(in) || columns == 0)
 		return l;
 	l.columns.n = l.reads;
 	for (int i = 0; i < l.reads; i++) {
 		l.columns.field[i] = fields[columns & 3][i];
-		if (columns > 3 && l.in == FORMAT_CSV)
+		if (columns > 3 && in != FORMAT_TEXT)
 			l.columns.name[i] = names[i];
 	}
 	return l;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Any bytes as lines of points, for libFuzzer: what is read is written within
  * its room, is a line, and reads back as the same numbers. */
 #define _GNU_SOURCE /* memmem */
@@ -26,8 +27,8 @@ static bool same(double a, double b)
  * numbers, so that --columns would find others. */
 static bool can_read_back(const struct layout *l)
 {
-	return l->out <= FORMAT_JSON &&
-	    (l->columns.n == 0 || l->in != l->out ||
+	return !is_binary(l->out.format) &&
+	    (l->columns.n == 0 || !same_dialect(l->in, l->out) ||
 		(l->reads == l->writes && !l->flags));
 }
 
@@ -38,15 +39,20 @@ static void check_back(const struct layout *l, const double v[],
 	struct line line = { 0 };
 	double read[4];
 	char reason[REASON_MAX];
-	bool header = true; /* a byte order mark may stand before the first */
+	bool header = skip_mark(text.s, text.end) > text.s;
 
-	for (int i = 0; i < back.columns.n; i++)
+	for (int i = 0; i < back.columns.n && l->in.format == FORMAT_CSV; i++)
 		back.columns.name[i] = NULL;
+	back.columns.by_header = false;
+	back.header = HEADER_NONE;
 	back.in = l->out;
-	back.reads = l->writes < 4 ? l->writes : 4;
-	if (l->in != l->out)
+	back.reads = l->writes > 4 ? 3 : l->writes;
+	if (!same_dialect(l->in, l->out))
 		back.columns.n = 0;
 	line_read(&back, text, text.end, &header, &line, read, reason);
+	/* what an object holds twice is read only where it doesn't count */
+	if (line.object && strncmp(reason, "has two", 7) == 0)
+		return;
 	want(line.kind == LINE_POINT);
 	for (int i = 0; i < back.reads; i++)
 		want(
@@ -57,11 +63,11 @@ static void check_back(const struct layout *l, const double v[],
 static void check_json(struct span text)
 {
 	size_t n = (size_t)(text.end - text.s);
-	cJSON *array = cJSON_ParseWithLength(text.s, n);
+	cJSON *json = cJSON_ParseWithLength(text.s, n);
 
-	want(array != NULL || memmem(text.s, n, "\\u", 2) != NULL);
-	want(array == NULL || cJSON_IsArray(array));
-	cJSON_Delete(array);
+	want(json != NULL || memmem(text.s, n, "\\u", 2) != NULL);
+	want(json == NULL || cJSON_IsArray(json) || cJSON_IsObject(json));
+	cJSON_Delete(json);
 }
 
 static void write_back(const struct layout *l, const struct line *line,
@@ -84,7 +90,7 @@ static void write_back(const struct layout *l, const struct line *line,
 	if (line->newline && end > out)
 		text.end--;
 	want(memchr(text.s, '\n', (size_t)(text.end - text.s)) == NULL);
-	if (l->out == FORMAT_JSON && end > out)
+	if (l->out.format == FORMAT_JSON && end > out)
 		check_json(text);
 	if (line->kind == LINE_POINT && can_read_back(l))
 		check_back(l, v, text);
@@ -111,7 +117,7 @@ static void check_line(struct layout *l, struct span text, const char *end,
 	line.newline = text.end < end;
 	if (line.kind == LINE_POINT)
 		check_spans(l, &line, text);
-	if (line.kind == LINE_BAD)
+	if (line_is_bad(&line))
 		want(*reason != '\0' && strchr(reason, '\n') == NULL);
 	write_back(l, &line, v);
 }
@@ -132,7 +138,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 		return 0;
 	struct layout l = layout_of(data);
 
-	if (l.in > FORMAT_JSON || l.out > FORMAT_JSON)
+	if (is_binary(l.in.format) || is_binary(l.out.format))
 		return 0;
 	/* exactly as long, so that a byte too far is seen */
 	char *text = malloc(size - HEADER), *end = text + size - HEADER;

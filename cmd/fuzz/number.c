@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Any bytes as a number's text and as a double, for libFuzzer. The truth is
  * strtod's and snprintf's, which round correctly in the C library. */
 #include <ctype.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Any bytes as a source of points that arrives bit by bit, for libFuzzer, with
  * the threads of threads.c, and talk.c's functions replaced: the same bytes and
  * messages come out as if it came at once, and the same from the scalar code as
@@ -103,25 +104,40 @@ void close_output(void)
 	abort();
 }
 
-void say(const char *format, ...)
+void say_at(int status, const struct place *place, const char *format, ...)
 {
 	char text[512];
+	int n = sprintf(text, "%ld: ", place != NULL ? place->line : 0);
 	va_list args;
 
+	(void)status;
 	va_start(args, format);
-	vsnprintf(text, sizeof text, format, args);
+	vsnprintf(text + n, sizeof text - (size_t)n, format, args);
 	va_end(args);
 	add(&said, text, strlen(text) + 1);
 }
 
-const char *said_scene(void)
+bool says_json(void)
 {
-	return "";
+	return false;
+}
+
+struct scene_place said_scene(void)
+{
+	return (struct scene_place){ 0 };
 }
 
 void die(int status, const char *format, ...)
 {
 	(void)status;
+	(void)format;
+	abort();
+}
+
+void die_at(int status, const struct place *place, const char *format, ...)
+{
+	(void)status;
+	(void)place;
 	(void)format;
 	abort();
 }
@@ -164,14 +180,18 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 	else
 		scene_transform(s, from, to, false, &j->transform);
 	ray_maker_of(s, &j->ray);
-	frustum_of(s, from, false, &j->frustum);
 	if (j->layout.reads == 2)
+		flat_frustum_of(s, FLAT_WINDOW, &j->frustum);
+	else
+		frustum_of(s, from, false, &j->frustum);
+	if (j->rays)
 		j->layout.flags = false;
 	j->flags = j->layout.flags;
-	j->visible = j->layout.reads > 2 && b & 1;
+	j->visible = !j->rays && b & 1;
 	j->count_imageless = !j->flags && !j->visible;
 	j->accuracy.precision = (enum precision)(b / 2 % 3);
-	for (int k = 0; k < 3 && b & 64 && j->layout.out != FORMAT_F32; k++)
+	for (int k = 0; k < 3 && b & 64 && j->layout.out.format != FORMAT_F32;
+	     k++)
 		j->accuracy.tolerance[k] = 0.5;
 	j->layout.single = j->accuracy.precision == PRECISION_SINGLE &&
 	    !(j->accuracy.tolerance[0] > 0);
@@ -182,21 +202,27 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 static void do_at_once(struct job *j, const char *text, size_t size)
 {
 	static bool unended;
+	static size_t bad;
 	struct chunk *c = chunk_new();
 
-	c->header = j->layout.in == FORMAT_CSV;
+	c->first = !is_binary(j->layout.in.format);
 	c->text = text;
 	c->end = text + size;
 	job_do(j, c);
 	if (c->size > 0) {
 		add(&printed, "\n", unended);
-		unended = !is_binary(j->layout.out) &&
+		unended = !is_binary(j->layout.out.format) &&
 		    c->out[c->size - 1] != '\n';
 	}
 	add(&printed, c->out, c->size);
-	for (size_t i = 0; i < c->n_complaints; i++)
-		say("a:%zu: %s", 1 + c->complaints[i].line,
+	for (size_t i = 0; i < c->n_complaints && bad + i < 10; i++) {
+		struct place p = { .line = 1 + (long)c->complaints[i].line,
+			.of_points = is_binary(j->layout.in.format) };
+
+		say_at(EXIT_INPUT, &p, "%s",
 		    c->reasons + c->complaints[i].reason);
+	}
+	bad += c->n_complaints;
 	chunk_free(c);
 }
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Whether a text is JSON (RFC 8259), and if not, where and why. */
 #ifndef JSON_CHECK_H
 #define JSON_CHECK_H

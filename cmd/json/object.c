@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "object.h"
 
 #include <ctype.h>
@@ -15,9 +16,12 @@ static bool is_ignored(const char *name)
 	return *name == '_' || strcmp(name, "$schema") == 0;
 }
 
+/* Of that kind, or where it is ANY of any. */
+enum { ANY = -1 };
+
 static bool is_of(const struct member *row, int kind)
 {
-	return row->kinds == 0 || (row->kinds >> kind & 1) != 0;
+	return kind == ANY || row->kinds == 0 || (row->kinds >> kind & 1) != 0;
 }
 
 static const struct member *find(const struct member *row, int kind,
@@ -46,13 +50,6 @@ unsigned member_bit(const struct member *table, int kind, const char *name)
 	const struct member *row = find(table, kind, name);
 
 	return row != NULL ? 1u << (row - table) : 0;
-}
-
-static const struct member *find_any(const struct member *row, const char *name)
-{
-	while (row->name != NULL && strcmp(row->name, name) != 0)
-		row++;
-	return row->name != NULL ? row : NULL;
 }
 
 /* Whether a word is in a list of words with blanks between them. */
@@ -86,6 +83,32 @@ static const struct member *find_alias(const struct member *row, int kind,
 		if (is_of(row, kind) && listed(row->aliases, plain))
 			return row;
 	return NULL;
+}
+
+const struct member *member_named(const struct member *table, const char *name)
+{
+	const struct member *row = find(table, ANY, name);
+
+	return row != NULL ? row : find_alias(table, ANY, name);
+}
+
+const char *member_type(const struct member *row, char out[LISTED])
+{
+	size_t at = 0;
+
+	if (row->type != NULL)
+		return strcpy(out, row->type);
+	if (row->n > 0)
+		snprintf(out, LISTED, "%zu numbers", row->n);
+	else if (row->words == NULL)
+		strcpy(out, row->range == &range_positive ? "size" : "number");
+	for (int i = 0; row->words != NULL && row->words[i] != NULL; i++)
+		at += (size_t)snprintf(out + at, LISTED - at, "%s%s",
+		    i == 0                        ? "" :
+			row->words[i + 1] == NULL ? " or " :
+						    ", ",
+		    row->words[i]);
+	return out;
 }
 
 static void names_of(const struct member *row, int kind,
@@ -127,7 +150,7 @@ static const char *described(const struct member *row, char out[LISTED])
 static void refuse_other_kind(const struct value *v, const struct member *table,
     int kind)
 {
-	const struct member *row = find_any(table, v->name);
+	const struct member *row = find(table, ANY, v->name);
 	int other = 0;
 
 	if (row == NULL)
@@ -153,7 +176,7 @@ static void refuse_misplaced(const struct value *v, const struct member *table)
 		for (s = scene; s->name != NULL; s++)
 			if (s->members != NULL && s->members != table &&
 			    (how == 0 ? find(s->members, 0, v->name) :
-					find_any(s->members, v->name)) != NULL)
+					find(s->members, ANY, v->name)) != NULL)
 				names[n++] = s->name;
 	names[n] = NULL;
 	if (n > 0)

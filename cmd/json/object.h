@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Objects of a document. A table of an object's members says what each may be
  * and where in a struct it is read to. */
 #ifndef OBJECT_H
@@ -22,9 +23,14 @@ struct member {
 	const char *aliases;
 	/* What it is, for those who call it otherwise. */
 	const char *note;
-	/* Of a member of a scene: its own members, and an example of it. */
+	/* For the help. What its value is, where n, range and words don't tell
+	 * (member_type does); in what units, or NULL; what it is without being
+	 * given, or NULL; and in a few words what it says. */
+	const char *type, *unit, *otherwise, *about;
+	/* Of a member of a scene: its own members, an example of it, and of a
+	 * command that reads it. */
 	const struct member *members;
-	const char *example;
+	const char *example, *command;
 	/* It may also stand in the document that is another of them alone. */
 	bool beside;
 };
@@ -43,6 +49,12 @@ struct ways {
  * that is unknown, of another kind, or repeated is refused. */
 unsigned object_read(const struct value *, const struct member *, int kind,
     void *base);
+
+/* The member that has that name, or else that alias, whatever its kind; or NULL. */
+const struct member *member_named(const struct member *, const char *name);
+
+/* What its value is: "3 numbers", "size", "left or right". Returns out. */
+const char *member_type(const struct member *, char out[LISTED]);
 
 /* The bit of the member of that name; 0 if objects of that kind have none. */
 unsigned member_bit(const struct member *, int kind, const char *name);

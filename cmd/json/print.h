@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Writing JSON: lines for people to read, or one line without blanks. */
 #ifndef PRINT_H
 #define PRINT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Where the parts of JSON text (RFC 8259) begin and end. Checked text is text
  * that has passed json_check, as either kind; where that is not asked for, text
  * may be anything. Bytes at end and after it are not read. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "value.h"
 
 #include <cjson/cJSON.h>
@@ -74,7 +75,9 @@ static void check(const struct source *source, const char *name, char *text,
 		memset(text, ' ', 3); /* a byte order mark */
 	if (!json_check_part(text, text + size, source->line + 1, name, part,
 		&e))
-		die(EXIT_INPUT, "%s:%ld: %s", source->name, e.line, e.reason);
+		die_at(EXIT_INPUT,
+		    &(struct place){ .file = source->name, .line = e.line },
+		    "%s", e.reason);
 }
 
 struct value value_parse(const struct source *source, char *text, size_t size)
@@ -238,8 +241,9 @@ void value_refuse(const struct value *v, const char *format, ...)
 	va_start(args, format);
 	vsnprintf(what, sizeof what, format, args);
 	va_end(args);
-	die(EXIT_INPUT, "%s: %s%s%s", v->source->name, way,
-	    *way != '\0' ? ": " : "", what);
+	die_at(EXIT_INPUT,
+	    &(struct place){ .file = v->source->name, .pointer = way }, "%s",
+	    what);
 }
 
 void value_wrong(const struct value *v, const char *wanted)

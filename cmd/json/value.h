@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Values of a JSON document, and messages that say with a pointer, such as
  * /camera/eye/0, where in it they stand. No other file knows cJSON. */
 #ifndef VALUE_H
@@ -15,6 +16,7 @@ struct source {
 	bool column;      /* nested rows of a matrix: for column vectors */
 	unsigned unit;    /* of angles */
 	bool fit;         /* what the command fit finds may be missing */
+	bool flat;        /* the document is of two dimensions */
 	const struct member *scene; /* a scene's members, to suggest one */
 };
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Eight characters in a word, on processors of either byte order. */
 #ifndef EIGHT_H
 #define EIGHT_H

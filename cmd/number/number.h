@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Decimal text to double and back. Reading rounds to the nearest double.
  * Writing gives the shortest text that reads back as the same, or rounds the
  * double's exact value to a number of digits. */
@@ -17,7 +18,7 @@ extern "C" {
 enum { NUMBER_MAX = 416 };
 
 struct number_style {
-	enum {
+	enum number_kind {
 		NUMBER_SHORTEST,
 		NUMBER_DECIMALS,
 		NUMBER_DIGITS,

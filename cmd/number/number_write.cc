@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* Nanoseconds a number, %.6f coordinates / 17 digits (cmd/bench/number.cc, gcc
  * 12, a Xeon with AVX-512): printf %.17g 328 / 194, charconv 46 / 40, dragonbox
  * without its digits 15 / 10, here 23 / 20, several at a time (vector/) 6; 3

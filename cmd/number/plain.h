@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Plain numbers, [-] digits [. digits], many at a time: first where the bytes
  * stand that can end one, then what the numbers between them are. Whatever else
  * is legal is left to number_read. */

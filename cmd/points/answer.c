@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "answer.h"
 
 #include <stdio.h>
@@ -8,11 +9,15 @@
 
 /* Of all chunks so far. It needs no lock, as no two are answered at a time. */
 static struct {
-	size_t next_line; /* of the source, from 1 */
-	bool unended;     /* the last line printed has no newline yet */
-	bool bad;         /* there was a complaint */
-	size_t imageless; /* points */
-	char where[400];  /* the first of them: scene, source:line */
+	size_t next_line;  /* of the source, from 1 */
+	bool unended;      /* the last line printed has no newline yet */
+	size_t bad;        /* lines */
+	bool of_points;    /* of binary ones, that is */
+	bool keeps_going;
+	size_t imageless;  /* points */
+	/* the first of them, and its file's name */
+	struct place where;
+	char file[300];
 } answer;
 
 void answer_source(void)
@@ -25,31 +30,60 @@ static void print(const struct job *j, const struct chunk *c)
 	if (c->size > 0 && answer.unended)
 		put_all("\n", 1);
 	if (c->size > 0)
-		answer.unended = !is_binary(j->layout.out) &&
+		answer.unended = !is_binary(j->layout.out.format) &&
 		    c->out[c->size - 1] != '\n';
 	put_all(c->out, c->size);
 }
 
-static void count_imageless(const struct chunk *c)
+/* Of a line of the chunk, from 0. */
+static struct place place_of(const struct job *j, const struct chunk *c,
+    size_t line)
 {
-	if (c->imageless > 0 && answer.imageless == 0)
-		snprintf(answer.where, sizeof answer.where, "%s%.250s:%zu",
-		    said_scene(), c->name,
-		    answer.next_line + c->first_imageless);
+	return (struct place){ .file = c->name,
+		.line = (long)(answer.next_line + line),
+		.of_points = is_binary(j->layout.in.format) };
+}
+
+static void count_imageless(const struct job *j, const struct chunk *c)
+{
+	if (c->imageless > 0 && answer.imageless == 0) {
+		snprintf(answer.file, sizeof answer.file, "%s", c->name);
+		answer.where = place_of(j, c, c->first_imageless);
+		answer.where.file = answer.file;
+		answer.where.scene = said_scene();
+	}
 	answer.imageless += c->imageless;
 }
+
+static void say_imageless(void)
+{
+	answer.where.join = answer.imageless == 1 ? ": " : ", the first in ";
+	if (answer.imageless == 1)
+		say_at(EXIT_OK, &answer.where, "1 point has no image");
+	else if (answer.imageless > 1)
+		say_at(EXIT_OK, &answer.where, "%zu points have no image",
+		    answer.imageless);
+}
+
+/* Of more bad lines than that only the number is told. */
+enum { TOLD = 10 };
 
 static void complain(const struct job *j, const struct chunk *c)
 {
 	if (!j->keep_going && j->flush != NULL)
 		j->flush(j);
 	progress_clear();
-	for (size_t i = 0; i < c->n_complaints; i++)
-		say("%s:%zu: %s", c->name,
-		    answer.next_line + c->complaints[i].line,
+	for (size_t i = 0; i < c->n_complaints && answer.bad + i < TOLD; i++) {
+		struct place p = place_of(j, c, c->complaints[i].line);
+
+		say_at(EXIT_INPUT, &p, "%s",
 		    c->reasons + c->complaints[i].reason);
-	answer.bad = true;
+	}
+	answer.bad += c->n_complaints;
+	answer.keeps_going = j->keep_going;
+	answer.of_points = is_binary(j->layout.in.format);
 	if (!j->keep_going) {
+		say_imageless();
 		close_output();
 		quit(EXIT_INPUT);
 	}
@@ -57,13 +91,15 @@ static void complain(const struct job *j, const struct chunk *c)
 
 static _Noreturn void stop(const struct job *j, const struct chunk *c)
 {
+	struct place p = place_of(j, c, 0);
+
 	if (j->flush != NULL)
 		j->flush(j);
 	progress_clear();
 	if (c->state == PIECE_TOO_LONG)
-		die(EXIT_INPUT, "%s:%zu: a line of more than 64 MiB", c->name,
-		    answer.next_line);
-	die(EXIT_SYSTEM, "%s: %s", c->name, strerror(c->error));
+		die_at(EXIT_INPUT, &p, "a line of more than 64 MiB");
+	p.line = 0;
+	die_at(EXIT_SYSTEM, &p, "%s", strerror(c->error));
 }
 
 void answer_chunk(const struct job *j, const struct chunk *c)
@@ -73,7 +109,7 @@ void answer_chunk(const struct job *j, const struct chunk *c)
 	else
 		print(j, c);
 	if (j->count_imageless)
-		count_imageless(c);
+		count_imageless(j, c);
 	if (c->n_complaints > 0)
 		complain(j, c);
 	answer.next_line += c->n_lines;
@@ -85,11 +121,11 @@ void answer_chunk(const struct job *j, const struct chunk *c)
 int answer_end(void)
 {
 	progress_end();
-	if (answer.imageless == 1)
-		say("1 point has no image: %s", answer.where);
-	else if (answer.imageless > 1)
-		say("%zu points have no image, the first in %s",
-		    answer.imageless, answer.where);
+	say_imageless();
+	if (answer.keeps_going)
+		say_at(EXIT_INPUT, NULL, "%zu bad %s%s", answer.bad,
+		    answer.of_points ? "point" : "line",
+		    answer.bad == 1 ? "" : "s");
 	close_output();
-	return answer.bad ? EXIT_INPUT : EXIT_OK;
+	return answer.bad > 0 ? EXIT_INPUT : EXIT_OK;
 }

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the user gets: chunks whose job is done are printed, counted and
  * complained of, in the order of their source. */
 #ifndef ANSWER_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "binary.h"
 
 #include <math.h>
@@ -27,10 +28,10 @@ static size_t refuse_beyond(const struct job *j, struct chunk *c, size_t n,
 
 size_t binary_read(const struct job *j, struct chunk *c)
 {
-	size_t size = point_size(j->layout.in, j->layout.reads);
+	size_t size = point_size(j->layout.in.format, j->layout.reads);
 	size_t n = (size_t)(c->end - c->text) / size;
 	size_t reads = (size_t)j->layout.reads;
-	bool wide = j->layout.in == FORMAT_F64;
+	bool wide = j->layout.in.format == FORMAT_F64;
 
 	if (n > POINTS_BLOCK)
 		n = POINTS_BLOCK;
@@ -49,8 +50,8 @@ enum { ROWS_BLOCK = 2048 };
 
 bool binary_carry(const struct job *j, struct chunk *c)
 {
-	bool wide = j->layout.in == FORMAT_F64;
-	size_t size = point_size(j->layout.in, j->layout.reads);
+	bool wide = j->layout.in.format == FORMAT_F64;
+	size_t size = point_size(j->layout.in.format, j->layout.reads);
 	size_t n = (size_t)(c->end - c->text) / size;
 
 	if (n > (wide ? ROWS_BLOCK : POINTS_BLOCK))
@@ -88,18 +89,19 @@ static float narrowed(const struct job *j, const struct chunk *c, size_t p,
 void binary_write(const struct job *j, struct chunk *c, size_t p,
     const double *v)
 {
-	size_t size = point_size(j->layout.out, j->layout.writes);
+	size_t size = point_size(j->layout.out.format, j->layout.writes);
 	char *at = chunk_reserve(c, size);
 
 	for (int k = 0; k < j->layout.writes; k++) {
 		double wide = v[k] + 0.0; /* -0 is 0 */
-		float narrow = j->layout.out == FORMAT_F32 && !isnan(wide) ?
+		float narrow = j->layout.out.format == FORMAT_F32 &&
+			!isnan(wide) ?
 		    narrowed(j, c, p, k, wide) + 0.0f :
 		    (float)wide;
 
 		if (isinf(narrow))
 			narrow = NAN;
-		if (j->layout.out == FORMAT_F64)
+		if (j->layout.out.format == FORMAT_F64)
 			memcpy(at + 8 * k, &wide, 8);
 		else
 			memcpy(at + 4 * k, &narrow, 4);
@@ -110,9 +112,9 @@ void binary_write(const struct job *j, struct chunk *c, size_t p,
 void binary_write_block(const struct job *j, struct chunk *c, size_t n,
     size_t first_line)
 {
-	bool wide = j->layout.out == FORMAT_F64;
+	bool wide = j->layout.out.format == FORMAT_F64;
 	int writes = j->layout.writes;
-	size_t size = n * point_size(j->layout.out, writes);
+	size_t size = n * point_size(j->layout.out.format, writes);
 	char *at = chunk_reserve(c, size);
 	double v[COORDINATES_MAX];
 

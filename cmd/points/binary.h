@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Points as binary numbers in a row. */
 #ifndef BINARY_H
 #define BINARY_H

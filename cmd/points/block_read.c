@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "block_read.h"
 
 #include <string.h>
@@ -18,9 +19,9 @@ static bool read_line(struct block *b, struct span text, bool newline)
 	char reason[REASON_MAX];
 	double v[4];
 
-	line_read(&b->job->layout, text, c->end, &c->header, line, v, reason);
+	line_read(&b->job->layout, text, c->end, &c->first, line, v, reason);
 	line->newline = newline;
-	if (line->kind == LINE_BAD) {
+	if (line_is_bad(line)) {
 		chunk_complain(c, c->n_lines, reason);
 		if (!b->job->keep_going) {
 			c->text = c->end;
@@ -99,8 +100,8 @@ size_t block_read(struct job *j, struct chunk *c, size_t *points)
 	struct walk walk;
 
 	while (more && b.lines < POINTS_BLOCK && c->text < c->end) {
-		/* only after the header it is known where the columns are */
-		if (!planned && !c->header) {
+		/* only after a header it is known where the columns are */
+		if (!planned && !c->first) {
 			planned = true;
 			walks = plain_reader() != NULL &&
 			    walk_plan(&j->layout, &walk);

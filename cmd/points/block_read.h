@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The lines of a block, and the points on them. */
 #ifndef BLOCK_READ_H
 #define BLOCK_READ_H

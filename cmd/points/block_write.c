@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "block_write.h"
 
 #include <float.h>
@@ -99,7 +100,7 @@ static bool is_in_order(const struct layout *l)
 	for (int k = 1; k < l->columns.n; k++)
 		if (field[k - 1] >= field[k])
 			return false;
-	return l->in == l->out && l->reads <= l->writes;
+	return same_dialect(l->in, l->out) && l->reads <= l->writes;
 }
 
 /* Whether what is added after the last of n numbers has the usual separator before
@@ -109,8 +110,8 @@ static inline bool takes_more(const struct layout *l, const struct line *line,
 {
 	uint32_t last = line->at[n - 1].to;
 
-	return l->out == FORMAT_JSON ||
-	    (l->out == FORMAT_TEXT ?
+	return l->out.format == FORMAT_JSON ||
+	    (l->out.format == FORMAT_TEXT ?
 		    line->at[n - 1].from - line->at[n - 2].to == 1 :
 		    last == line->size || line->s[last] != '"');
 }
@@ -119,13 +120,14 @@ static inline bool takes_more(const struct layout *l, const struct line *line,
 static inline char separator(const struct layout *l, const struct line *line,
     int n)
 {
-	return l->out == FORMAT_TEXT ? line->s[line->at[n - 2].to] : ',';
+	return l->out.format == FORMAT_TEXT ? line->s[line->at[n - 2].to] :
+					      l->out.separator;
 }
 
 static inline char *put_word(const struct layout *l, const struct line *line,
     int n, const struct word *w, char *at)
 {
-	bool quoted = l->out == FORMAT_JSON;
+	bool quoted = l->out.format == FORMAT_JSON;
 
 	*at++ = separator(l, line, n);
 	*at = '"';
@@ -203,6 +205,15 @@ static __attribute__((noinline)) char *put_in_order(struct block *b,
 	return put_rest(line, done, at);
 }
 
+/* Whether in the object only numbers change, in their order. */
+static bool is_plain_object(const struct job *j, const struct line *line)
+{
+	for (int k = 1; k < j->layout.reads; k++)
+		if (line->at[k].from < line->at[k - 1].from)
+			return false;
+	return !j->flags && j->layout.reads == j->layout.writes;
+}
+
 /* Writes the line of point p with its image, if it is wanted. */
 static char *put_image(struct block *b, const struct line *line, size_t p,
     char *at)
@@ -213,6 +224,8 @@ static char *put_image(struct block *b, const struct line *line, size_t p,
 	if (!is_wanted(b, p))
 		return at;
 	need_texts(b, p);
+	if (line->object && !is_plain_object(j, line))
+		return put_point(b, line, p, at);
 	if (b->usual && (!j->flags || takes_more(l, line, 3)))
 		return put_usual(b, line, p, at);
 	return b->in_order && takes_more(l, line, l->reads) ?
@@ -228,7 +241,7 @@ static char *put_other(const struct job *j, const struct line *line, char *at)
 	static const struct number_text none = { .layout = 0 };
 	static const struct word flag = { "nan", 3 };
 	const struct numbers n = { &nan, &none, 0, 0 };
-	bool bad = line->kind == LINE_BAD;
+	bool bad = line_is_bad(line);
 
 	if (bad && j->visible)
 		return at;
@@ -272,7 +285,7 @@ static void write_binary(struct block *b, const struct line *line, size_t p)
 	double v[COORDINATES_MAX] = { nan, nan, nan, nan, nan, nan };
 
 	if (line != NULL && line->kind != LINE_POINT) {
-		if (line->kind == LINE_BAD && !b->job->visible)
+		if (line_is_bad(line) && !b->job->visible)
 			binary_write(b->job, b->chunk, 0, v);
 		return;
 	}
@@ -288,7 +301,8 @@ static void write_binary(struct block *b, const struct line *line, size_t p)
  * those of most, the sum has the top bit set. */
 static bool all_finite(const struct chunk *c, const struct layout *l, size_t n)
 {
-	const double most = l->out == FORMAT_F32 ? 0x1.ffffffp127 : DBL_MAX;
+	const double most = l->out.format == FORMAT_F32 ? 0x1.ffffffp127 :
+							  DBL_MAX;
 	const uint64_t top = 1ull << 63;
 	uint64_t limit, bits, any = 0;
 
@@ -307,7 +321,7 @@ static bool mark(struct block *b, size_t n, size_t number)
 {
 	const struct layout *l = &b->job->layout;
 	struct chunk *c = b->chunk;
-	bool lines = !is_binary(l->in);
+	bool lines = !is_binary(l->in.format);
 	size_t p = 0;
 
 	if (all_finite(c, l, b->points))
@@ -321,7 +335,7 @@ static bool mark(struct block *b, size_t n, size_t number)
 void block_write(const struct job *j, struct chunk *c, size_t n, size_t points,
     size_t number)
 {
-	bool lines = !is_binary(j->layout.in);
+	bool lines = !is_binary(j->layout.in.format);
 	struct block b; /* of which its texts would take long to be cleared */
 	const double *const in[4] = { c->in[0], c->in[1], c->in[2], c->in[3] };
 	size_t p = 0;
@@ -334,14 +348,14 @@ void block_write(const struct job *j, struct chunk *c, size_t n, size_t points,
 
 	/* to JSON, nan goes as null */
 	b.in_order = is_in_order(&j->layout) &&
-	    (finite || j->layout.out != FORMAT_JSON);
+	    (finite || j->layout.out.format != FORMAT_JSON);
 	b.usual = b.in_order && j->layout.reads == 3 && j->layout.writes == 3;
 	if (j->flags || j->visible)
 		frustum_out_all(&j->frustum, in, b.outside, points);
 	for (size_t i = 0; i < n; i += BATCH) {
 		size_t end = n - i < BATCH ? n : i + BATCH;
 
-		if (is_binary(j->layout.out))
+		if (is_binary(j->layout.out.format))
 			for (size_t k = i; k < end; k++) {
 				const struct line *line = lines ? &c->line[k] :
 								  NULL;
@@ -358,12 +372,12 @@ void block_write(const struct job *j, struct chunk *c, size_t n, size_t points,
 
 void block_write_nan(const struct job *j, struct chunk *c)
 {
-	const struct line line = { "", .kind = LINE_BAD, .newline = true };
+	const struct line line = { "", .kind = LINE_LOST, .newline = true };
 	struct block b = { .job = j, .chunk = c };
 
 	if (j->take != NULL)
 		return;
-	if (is_binary(j->layout.out)) {
+	if (is_binary(j->layout.out.format)) {
 		write_binary(&b, &line, 0);
 		return;
 	}

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The lines of a block, or its binary points, with their images in the place of
  * them. */
 #ifndef BLOCK_WRITE_H

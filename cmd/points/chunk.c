@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "chunk.h"
 
 #include <math.h>
@@ -102,7 +103,7 @@ static bool was_refused(struct chunk *c, size_t line)
 
 void chunk_mark(struct chunk *c, const struct layout *l, size_t p, size_t line)
 {
-	bool nan = false, narrow = l->out == FORMAT_F32;
+	bool nan = false, narrow = l->out.format == FORMAT_F32;
 
 	for (int k = 0; k < l->writes; k++) {
 		double v = c->image[k][p];

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A piece of a source and what becomes of it. No chunk depends on another, so
  * that each can be done by another thread. */
 #ifndef CHUNK_H
@@ -20,7 +21,7 @@ struct chunk {
 	const char *text, *end; /* what is left to read */
 	size_t bytes;           /* of text at the beginning, for the progress */
 	size_t n_lines;         /* read so far */
-	bool header;            /* a csv header may still come */
+	bool first; /* the first line that counts is still to come */
 	enum piece_state state; /* what comes after it in the source */
 	int error;              /* the errno of PIECE_FAILED */
 	bool done;              /* it waits to be answered */

@@ -1,6 +1,9 @@
+/* SPDX-License-Identifier: MIT */
 /* The fields of a line, in each format of lines. */
 #ifndef FIELD_H
 #define FIELD_H
+
+#include <string.h>
 
 #include "../span.h"
 #include "format.h"
@@ -11,19 +14,36 @@ static inline bool is_blank(char c)
 	return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n');
 }
 
-/* The same of a format: \v and \f are none in JSON. */
-static inline bool is_blank_of(enum format format, char c)
+/* The same of a dialect: \v and \f are none in JSON, and in csv what separates is
+ * none. */
+static inline __attribute__((always_inline)) bool is_blank_of(struct dialect d,
+    char c)
 {
-	return is_blank(c) &&
-	    (format != FORMAT_JSON || (c != '\v' && c != '\f'));
+	return is_blank(c) && (d.format == FORMAT_TEXT || c != d.separator) &&
+	    (d.format != FORMAT_JSON || (c != '\v' && c != '\f'));
 }
 
-static inline const char *skip_blanks(enum format format, const char *s,
+static inline const char *skip_blanks(struct dialect d, const char *s,
     const char *end)
 {
-	while (s < end && is_blank_of(format, *s))
+	while (s < end && is_blank_of(d, *s))
 		s++;
 	return s;
+}
+
+/* Without the blanks at its ends. */
+static inline struct span trimmed(struct dialect d, struct span f)
+{
+	f.s = skip_blanks(d, f.s, f.end);
+	while (f.end > f.s && is_blank_of(d, f.end[-1]))
+		f.end--;
+	return f;
+}
+
+/* Past the byte order mark that a text may begin with. */
+static inline const char *skip_mark(const char *s, const char *end)
+{
+	return end - s >= 3 && memcmp(s, "\xef\xbb\xbf", 3) == 0 ? s + 3 : s;
 }
 
 /* Whether a field of text ends at s. */
@@ -35,21 +55,23 @@ static inline bool ends_field(const char *s, const char *end)
 /* Past the separator of text that begins at s: blanks, at most one comma. */
 static inline const char *skip_separator(const char *s, const char *end)
 {
-	s = skip_blanks(FORMAT_TEXT, s, end);
-	if (s < end && *s == ',')
-		s = skip_blanks(FORMAT_TEXT, s + 1, end);
+	while (s < end && is_blank(*s))
+		s++;
+	s += s < end && *s == ',';
+	while (s < end && is_blank(*s))
+		s++;
 	return s;
 }
 
 /* The field that begins at s, with its quotes in csv and JSON. */
-struct span field_at(enum format, const char *s, const char *end);
+struct span field_at(struct dialect, const char *s, const char *end);
 
 /* Where the field begins that comes after the one that ends at s, or NULL. */
-const char *field_next(enum format, const char *s, const char *end);
+const char *field_next(struct dialect, const char *s, const char *end);
 
-/* The k-th field from s on, counted from 0. Returns false where there is none,
- * or where it is empty. */
-bool field_find(enum format, const char *s, const char *end, int k,
+/* The k-th field from s on, counted from 0. Returns false where it is empty, or where
+ * there is none: it begins at NULL then. */
+bool field_find(struct dialect, const char *s, const char *end, int k,
     struct span *);
 
 #endif

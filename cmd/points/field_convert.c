@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "field_convert.h"
 
 #include <math.h>
@@ -5,6 +6,7 @@
 
 #include "../json/scan.h"
 #include "../number/number.h"
+#include "../utf8.h"
 
 /* Goes through a field's characters, without the quotes and escapes of its
  * format. */
@@ -14,19 +16,30 @@ struct decoder {
 	char character[4]; /* the last one, in UTF-8 */
 };
 
-static bool is_quoted(enum format format, struct span f)
+static bool is_quoted(struct dialect d, struct span f)
 {
-	return format != FORMAT_TEXT && f.end - f.s >= 2 && *f.s == '"' &&
+	return d.format != FORMAT_TEXT && f.end - f.s >= 2 && *f.s == '"' &&
 	    f.end[-1] == '"';
 }
 
-/* Takes the next character and returns its length in bytes. */
-static int decode(struct decoder *d)
+/* Takes the next character and returns its length in bytes. Where bytes of UTF-8
+ * alone are wanted, U+FFFD stands for one that isn't. */
+static int decode(struct decoder *d, bool utf8)
 {
 	int n;
 
 	if (d->format == FORMAT_JSON && *d->s == '\\') {
 		d->s = json_unescape(d->s, d->end, d->character, &n);
+		return n;
+	}
+	n = utf8 ? utf8_length(d->s, d->end) : 1;
+	if (n == 0) {
+		d->s++;
+		return utf8_write(0xfffd, d->character);
+	}
+	if (n > 1) {
+		memcpy(d->character, d->s, (size_t)n);
+		d->s += n;
 		return n;
 	}
 	d->character[0] = *d->s;
@@ -67,7 +80,7 @@ static char *put_quoted(enum format out, struct decoder *d, char *at)
 	if (quotes)
 		*at++ = '"';
 	while (d->s < d->end) {
-		int n = decode(d);
+		int n = decode(d, out == FORMAT_JSON);
 		char c = d->character[0];
 
 		if (quotes && c == '"')
@@ -87,30 +100,31 @@ static char *put_quoted(enum format out, struct decoder *d, char *at)
 }
 
 /* Whether f means the same in the other format as it stands. */
-static bool is_plain(enum format out, struct span f)
+static bool is_plain(struct dialect out, struct span f)
 {
 	size_t n = (size_t)(f.end - f.s);
 	double v;
 
-	switch (out) {
+	switch (out.format) {
 	case FORMAT_JSON:
 		return json_number(f.s, f.end, &v) == f.end && isfinite(v);
 	case FORMAT_CSV:
 		return memchr(f.s, '"', n) == NULL &&
-		    memchr(f.s, ',', n) == NULL;
+		    memchr(f.s, out.separator, n) == NULL;
 	default:
 		return true;
 	}
 }
 
-char *field_convert(enum format in, enum format out, struct span f, char *at)
+char *field_convert(struct dialect in, struct dialect out, struct span f,
+    char *at)
 {
 	bool quoted = is_quoted(in, f);
-	struct decoder d = { quoted ? in : FORMAT_TEXT, f.s + quoted,
+	struct decoder d = { quoted ? in.format : FORMAT_TEXT, f.s + quoted,
 		f.end - quoted, "" };
 
 	if (quoted || !is_plain(out, f))
-		return put_quoted(out, &d, at);
+		return put_quoted(out.format, &d, at);
 	memcpy(at, f.s, (size_t)(f.end - f.s));
 	return at + (f.end - f.s);
 }

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "job.h"
 
 #include <math.h>
@@ -13,7 +14,7 @@
 static void cast_rays(const struct job *j, struct chunk *c, size_t n)
 {
 	bool single = j->accuracy.precision == PRECISION_SINGLE ||
-	    j->layout.out == FORMAT_F32;
+	    j->layout.out.format == FORMAT_F32;
 	const double *const at[2] = { c->in[0], c->in[1] };
 	double *const image[6] = { c->image[0], c->image[1], c->image[2],
 		c->image[3], c->image[4], c->image[5] };
@@ -33,17 +34,10 @@ static void carry(const struct job *j, struct chunk *c, size_t n)
 		points_carry(&j->transform, &j->accuracy, in, out, n);
 }
 
-/* Shows a bad line, or what is left of a binary point. */
-static void show_bad(const struct job *j, struct chunk *c, size_t number)
-{
-	const struct line line = { "", .kind = LINE_BAD, .newline = true };
-
-	j->take(j, c, &line, 0, number);
-}
-
 /* The source ends within a binary point: that counts as a bad line. */
 static void cut_short(const struct job *j, struct chunk *c, size_t size)
 {
+	const struct line line = { "", .kind = LINE_LOST, .newline = true };
 	char reason[REASON_MAX];
 
 	snprintf(reason, sizeof reason,
@@ -51,7 +45,7 @@ static void cut_short(const struct job *j, struct chunk *c, size_t size)
 	chunk_complain(c, c->n_lines, reason);
 	c->text = c->end;
 	if (j->keep_going && j->take != NULL)
-		show_bad(j, c, c->n_lines);
+		j->take(j, c, &line, 0, c->n_lines);
 	else if (j->keep_going)
 		block_write_nan(j, c);
 }
@@ -62,8 +56,8 @@ static void cut_short(const struct job *j, struct chunk *c, size_t size)
 static void show(const struct job *j, struct chunk *c, size_t n, size_t number,
     const char *text)
 {
-	bool binary = is_binary(j->layout.in);
-	size_t size = point_size(j->layout.in, j->layout.reads), p = 0;
+	bool binary = is_binary(j->layout.in.format);
+	size_t size = point_size(j->layout.in.format, j->layout.reads), p = 0;
 	struct line point = { .kind = LINE_POINT,
 		.size = (uint32_t)size,
 		.newline = true };
@@ -74,8 +68,8 @@ static void show(const struct job *j, struct chunk *c, size_t n, size_t number,
 		point.s = text + i * size;
 		if (line->kind == LINE_POINT)
 			j->take(j, c, line, p++, number + i);
-		else if (line->kind == LINE_BAD)
-			show_bad(j, c, number + i);
+		else if (line_is_bad(line) || line_is_header(&j->layout, line))
+			j->take(j, c, line, 0, number + i);
 	}
 }
 
@@ -86,15 +80,15 @@ static bool is_exact(const struct accuracy *a)
 
 void job_do(struct job *j, struct chunk *c)
 {
-	bool binary = is_binary(j->layout.in);
-	size_t size = point_size(j->layout.in, j->layout.reads);
+	bool binary = is_binary(j->layout.in.format);
+	size_t size = point_size(j->layout.in.format, j->layout.reads);
 	/* a block of images goes out as it is: every point becomes as many
 	 * bytes, and no command wants to see it */
-	bool whole = binary && is_binary(j->layout.out) && j->take == NULL &&
-	    !j->visible && !j->rays;
-	bool direct = whole && j->layout.in == j->layout.out &&
-	    (j->layout.in == FORMAT_F32 ? j->layout.single :
-					  is_exact(&j->accuracy));
+	bool whole = binary && is_binary(j->layout.out.format) &&
+	    j->take == NULL && !j->visible && !j->rays;
+	bool direct = whole && same_dialect(j->layout.in, j->layout.out) &&
+	    (j->layout.in.format == FORMAT_F32 ? j->layout.single :
+						 is_exact(&j->accuracy));
 
 	chunk_clear(c);
 	while (c->text < c->end) {

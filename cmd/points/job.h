@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A job: what is done with every point, and the function that does it on a
  * chunk of them. */
 #ifndef JOB_H
@@ -22,8 +23,9 @@ struct job {
 
 	/* For the commands that do not print a line for each point, else NULL.
 	 * take gets every point: the line that it stands on, that line's
-	 * number in the chunk, and p, its place in the chunk's columns; and, if
-	 * the job keeps going, every bad line, which has no such place. It may
+	 * number in the chunk, and p, its place in the chunk's columns; and,
+	 * without such a place, headers and, if the job keeps going, bad lines.
+	 * It may
 	 * append to the chunk's out, and runs in any thread. collect gets the
 	 * chunks in order, with the source's number of their first line. flush
 	 * prints what was collected, after the last of them or before a bad line

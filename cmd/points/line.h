@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A line with a point: finding its coordinates, and writing the line with
  * others in their place. Everything else on it stays as it was. */
 #ifndef LINE_H
@@ -13,16 +14,21 @@
  * four are read. */
 enum { COORDINATES_MAX = 6 };
 
-/* From --columns: field numbers from 0, or names to be found in a header. */
+/* From --columns: field numbers from 0, or names to be found in a csv header, or of
+ * members of JSON objects, of which those that begin with / are pointers. */
 struct columns {
-	int n; /* 0: the first fields are the coordinates */
-	int field[4];
+	int n; /* 0: the first fields are the coordinates, or the members x, y, z, w */
+	int field[4];        /* -1: the header has none of that name */
 	const char *name[4]; /* NULL if a field is given by its number */
+	bool by_header;      /* nobody said: the header's x, y, z, w */
 };
+
+enum header { HEADER_MAYBE, HEADER_FIRST, HEADER_NONE };
 
 /* How lines, or binary points, are laid out. */
 struct layout {
-	enum format in, out;
+	struct dialect in, out;
+	enum header header; /* of csv */
 	struct columns columns;
 	int reads, writes; /* how many coordinates */
 	bool flags;        /* a word is written after them */
@@ -34,7 +40,8 @@ struct layout {
 enum line_kind {
 	LINE_POINT,
 	LINE_COPY, /* blank, comment or header */
-	LINE_BAD,
+	LINE_BAD, /* its coordinates have places, but for those that are missing */
+	LINE_LOST, /* bad, and not to be taken apart */
 };
 
 /* Of a line's text, counted from its beginning. With its newline a line is at most
@@ -49,7 +56,24 @@ struct line {
 	struct part at[4]; /* where x, y, z and w stand */
 	enum line_kind kind;
 	bool newline; /* it ends in one */
+	bool object;  /* it is one of JSON */
 };
+
+/* Where a coordinate of a bad line stands that has no place. */
+static const struct part part_missing = { 1, 0 };
+
+static inline bool is_missing(struct part p)
+{
+	return p.from > p.to;
+}
+
+/* Of what line_read has read: blank lines and comments are copied, too. */
+bool line_is_header(const struct layout *, const struct line *);
+
+static inline bool line_is_bad(const struct line *line)
+{
+	return line->kind == LINE_BAD || line->kind == LINE_LOST;
+}
 
 /* The coordinates that are written in a line. Number k is v[k * step], and its
  * text, if any was made, text[k * text_step]. */
@@ -85,14 +109,15 @@ static inline struct part line_part(const struct line *line, struct span f)
 		(uint32_t)(f.end - line->s) };
 }
 
-enum { REASON_MAX = 200 };
+enum { REASON_MAX = 320 };
 
 /* Reads the coordinates v of the line that text is. For a bad line, reason says
- * what is wrong and what would be right. While *header is true a csv header may
- * still come; it turns the names of the layout's columns into numbers. Bytes
+ * what is wrong and what would be right. While *first is true the source's first
+ * line that counts is still to come: a byte order mark may stand before it, and in
+ * csv it may be a header, which says in the layout where the columns are. Bytes
  * after the line, up to readable, may be looked at, which is faster. */
 void line_read(struct layout *, struct span text, const char *readable,
-    bool *header, struct line *, double v[4], char reason[REASON_MAX]);
+    bool *first, struct line *, double v[4], char reason[REASON_MAX]);
 
 /* The most bytes that line_write may touch for so many lines of so many bytes
  * in all. */
@@ -100,8 +125,9 @@ size_t lines_room(const struct layout *, size_t lines, size_t bytes);
 
 /* Writes the line with the numbers in the place of those it was read with, and
  * the word flags after them unless that is NULL; returns where it ends. A bad
- * line becomes the numbers alone. Blank lines, comments and headers stay as they
- * are, but are left out from JSON and to JSON. */
+ * line that was not to be taken apart becomes the numbers alone. Blank lines and
+ * comments stay as they are, and headers but for the names of what is added and left
+ * out; in text those are comments. All are left out from JSON and to JSON. */
 char *line_write(const struct layout *, const struct line *,
     const struct numbers *, const struct word *flags, char *out);
 

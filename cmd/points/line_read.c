@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -5,78 +6,44 @@
 #include "../json/check.h"
 #include "../json/scan.h"
 #include "../../core/scene.h"
-#include "line.h"
 #include "../escape.h"
+#include "header.h"
+#include "line_bad.h"
+#include "line_object.h"
+#include "names.h"
+
+static const struct dialect json = { FORMAT_JSON, ',' };
 
 /* Reads the number in *f, and cuts *f to it: in csv, blanks and quotes may
  * stand around it; in JSON, null is an unknown number. Returns false if *f
  * holds anything else. As no number goes on past what ends a field, number_read
  * may look at all that is readable after it, which is faster. */
-static bool field_number(enum format format, struct span *f,
-    const char *readable, double *v)
+static bool field_number(struct dialect d, struct span *f, const char *readable,
+    double *v)
 {
 	struct span n = *f;
 	const char *stop;
 
-	if (format == FORMAT_CSV) {
-		n.s = skip_blanks(format, n.s, n.end);
-		while (n.end > n.s && is_blank(n.end[-1]))
-			n.end--;
+	if (d.format == FORMAT_CSV) {
+		n = trimmed(d, n);
 		if (n.end - n.s >= 2 && *n.s == '"' && n.end[-1] == '"') {
 			n.s++;
 			n.end--;
 		}
 	}
-	if (format == FORMAT_JSON && n.end - n.s == 4 &&
+	if (d.format == FORMAT_JSON && n.end - n.s == 4 &&
 	    memcmp(n.s, "null", 4) == 0) {
 		*v = (double)NAN;
 		return true;
 	}
 	if (n.s == n.end)
 		return false;
-	stop = format == FORMAT_JSON ? json_number(n.s, readable, v) :
-				       number_read(n.s, readable, v);
+	stop = d.format == FORMAT_JSON ? json_number(n.s, readable, v) :
+					 number_read(n.s, readable, v);
 	if (stop != n.end)
 		return false;
 	*f = n;
 	return true;
-}
-
-/* The name of coordinate i. */
-static const char *axis(int i)
-{
-	static const char *const words[] = { "x", "y", "z", "w" };
-
-	return words[i];
-}
-
-/* Says why f is not coordinate i. */
-static void bad_field(const struct layout *l, int i, struct span f,
-    char reason[REASON_MAX])
-{
-	size_t n = (size_t)(f.end - f.s);
-	char word[ESCAPED_MAX];
-	double v;
-	const char *end = number_read(f.s, f.end, &v);
-
-	if (l->in == FORMAT_TEXT && n > 0 && (*f.s == '[' || *f.s == '{'))
-		snprintf(reason, REASON_MAX,
-		    "looks like JSON; say -i json, with one array a line: jq "
-		    "-c '.points[]'");
-	else if (l->in == FORMAT_JSON && n > 0 && (*f.s == '[' || *f.s == '{'))
-		snprintf(reason, REASON_MAX,
-		    "%s is not a number; one array a line: jq -c '.points[]'",
-		    axis(i));
-	else if (n == 0)
-		snprintf(reason, REASON_MAX,
-		    "%s is missing; %d numbers are wanted", axis(i), l->reads);
-	else
-		snprintf(reason, REASON_MAX, "%s is '%s'; a number is wanted%s",
-		    axis(i), escaped(word, f.s, n),
-		    end == NULL ? "" :
-			l->in == FORMAT_JSON ?
-				  ", as JSON writes it" :
-				  ", with a blank or comma behind it");
 }
 
 static bool in_range(int i, double v, char reason[REASON_MAX])
@@ -84,12 +51,15 @@ static bool in_range(int i, double v, char reason[REASON_MAX])
 	if (!(fabs(v) > MAGNITUDE_MAX))
 		return true;
 	snprintf(reason, REASON_MAX,
-	    "%s is beyond 1e150 in magnitude; choose another unit", axis(i));
+	    isinf(v) ?
+		"%s is infinite; a number up to 1e150 is wanted, or nan" :
+		"%s is beyond 1e150 in magnitude; choose another unit",
+	    axis(i));
 	return false;
 }
 
 /* Reads the first fields of a line of text. */
-static bool read_text(const struct layout *l, const char *s, const char *end,
+static bool read_words(const struct layout *l, const char *s, const char *end,
     const char *readable, struct line *line, double v[4],
     char reason[REASON_MAX])
 {
@@ -98,7 +68,7 @@ static bool read_text(const struct layout *l, const char *s, const char *end,
 					      number_read(s, readable, &v[i]);
 
 		if (stop == NULL || !ends_field(stop, end)) {
-			bad_field(l, i, field_at(l->in, s, end), reason);
+			say_bad_field(l, i, field_at(l->in, s, end), reason);
 			return false;
 		}
 		if (!in_range(i, v[i], reason))
@@ -111,33 +81,33 @@ static bool read_text(const struct layout *l, const char *s, const char *end,
 
 /* Reads the field of csv or JSON at s if it is a number and, but for blanks,
  * nothing else. */
-static bool plain_field(enum format format, const char *s, const char *end,
+static bool plain_field(struct dialect d, const char *s, const char *end,
     const char *readable, struct span *f, double *v)
 {
-	f->s = skip_blanks(format, s, end);
+	f->s = skip_blanks(d, s, end);
 	if (f->s == end)
 		return false;
-	f->end = format == FORMAT_JSON ? json_number(f->s, readable, v) :
-					 number_read(f->s, readable, v);
+	f->end = d.format == FORMAT_JSON ? json_number(f->s, readable, v) :
+					   number_read(f->s, readable, v);
 	if (f->end == NULL)
 		return false;
-	const char *after = skip_blanks(format, f->end, end);
+	const char *after = skip_blanks(d, f->end, end);
 
-	return format == FORMAT_JSON ? json_skip(f->end, end) == after :
-				       after == end || *after == ',';
+	return d.format == FORMAT_JSON ? json_skip(f->end, end) == after :
+					 after == end || *after == d.separator;
 }
 
 /* Reads the field at s, of csv or JSON, and the number in it. Most are plain
  * numbers: to try that first is faster than to look for where the field ends. */
-static bool read_field(enum format format, const char *s, const char *end,
+static bool read_field(struct dialect d, const char *s, const char *end,
     const char *readable, struct span *field, struct span *number, double *v)
 {
-	if (plain_field(format, s, end, readable, number, v)) {
+	if (plain_field(d, s, end, readable, number, v)) {
 		*field = *number;
 		return true;
 	}
-	*field = *number = field_at(format, s, end);
-	return field_number(format, number, readable, v);
+	*field = *number = field_at(d, s, end);
+	return field_number(d, number, readable, v);
 }
 
 /* Reads the first fields of a line of csv or JSON. */
@@ -150,7 +120,7 @@ static bool read_first(const struct layout *l, const char *s, const char *end,
 
 		if (!read_field(l->in, s, end, readable, &field, &number,
 			&v[i])) {
-			bad_field(l, i, field, reason);
+			say_bad_field(l, i, field, reason);
 			return false;
 		}
 		if (!in_range(i, v[i], reason))
@@ -188,14 +158,16 @@ static bool read_columns(const struct layout *l, const char *s, const char *end,
 		}
 		if (!field_find(l->in, from, end, k - passed, &f)) {
 			snprintf(reason, REASON_MAX,
-			    "%s is missing: there is no field %d", axis(i),
-			    k + 1);
+			    f.s == NULL ?
+				"%s is missing: there is no field %d" :
+				"%s is missing: field %d is empty",
+			    axis(i), k + 1);
 			return false;
 		}
 		from = f.s;
 		passed = k;
 		if (!field_number(l->in, &f, readable, &v[i])) {
-			bad_field(l, i, f, reason);
+			say_bad_field(l, i, f, reason);
 			return false;
 		}
 		if (!in_range(i, v[i], reason))
@@ -205,105 +177,26 @@ static bool read_columns(const struct layout *l, const char *s, const char *end,
 	return true;
 }
 
-static bool is_name(struct span f, const char *name)
-{
-	size_t n = strlen(name);
-
-	if (f.end - f.s >= 2 && *f.s == '"' && f.end[-1] == '"') {
-		f.s++;
-		f.end--;
-	}
-	f.s = skip_blanks(FORMAT_CSV, f.s, f.end);
-	while (f.end > f.s && is_blank(f.end[-1]))
-		f.end--;
-	return (size_t)(f.end - f.s) == n && memcmp(f.s, name, n) == 0;
-}
-
-/* The number of the field of that name, or -1. */
-static int find_name(struct span header, const char *name)
-{
-	const char *s = header.s;
-
-	for (int k = 0; s != NULL; k++) {
-		struct span f = field_at(FORMAT_CSV, s, header.end);
-
-		if (is_name(f, name))
-			return k;
-		s = field_next(FORMAT_CSV, f.end, header.end);
-	}
-	return -1;
-}
-
-/* Turns the names of --columns into field numbers. */
-static bool resolve(struct layout *l, struct span header,
+/* Says where the text, which begins as an array or object, is no JSON. */
+static void say_no_json(struct span text, const struct json_error *e,
     char reason[REASON_MAX])
 {
-	for (int i = 0; i < l->columns.n; i++) {
-		const char *name = l->columns.name[i];
-		int *field = &l->columns.field[i];
+	const char *s = skip_blanks(json, text.s, text.end);
+	bool object = *s == '{';
+	char word[ESCAPED_MAX];
 
-		if (name != NULL)
-			*field = find_name(header, name);
-		if (*field < 0) {
-			snprintf(reason, REASON_MAX,
-			    "the header has no column '%.60s'", name);
-			return false;
-		}
-		for (int k = 0; k < i; k++)
-			if (l->columns.field[k] == *field) {
-				snprintf(reason, REASON_MAX,
-				    "two coordinates are column %d",
-				    *field + 1);
-				return false;
-			}
-	}
-	return true;
-}
-
-static bool named(const struct columns *c)
-{
-	for (int i = 0; i < c->n; i++)
-		if (c->name[i] != NULL)
-			return true;
-	return false;
-}
-
-/* The first line of csv is a header if none of its coordinates is a number; if
- * only some are, it is a bad line of points. */
-static bool is_header(struct layout *l, struct span text, const char *readable)
-{
-	for (int i = 0; i < l->reads; i++) {
-		int k = l->columns.n > 0 ? l->columns.field[i] : i;
-		struct span f;
-		double v;
-
-		if (field_find(FORMAT_CSV, text.s, text.end, k, &f) &&
-		    field_number(FORMAT_CSV, &f, readable, &v))
-			return false;
-	}
-	return true;
-}
-
-/* Returns false if the first line of csv is one of points, and no header. */
-static bool take_header(struct layout *l, struct span text,
-    const char *readable, struct line *line, char reason[REASON_MAX])
-{
-	bool wanted = named(&l->columns);
-
-	if (wanted && !resolve(l, text, reason))
-		line->kind = LINE_BAD;
-	return wanted || is_header(l, text, readable);
-}
-
-/* Whether the array whose opening bracket is before s is closed and nothing
- * comes after it. Its elements need not be JSON. */
-static bool is_closed(const char *s, const char *end)
-{
-	s = json_skip(s, end);
-	while (s < end && *s == ',')
-		s = json_skip(s + 1, end);
-	return s < end && *s == ']' &&
-	    skip_blanks(FORMAT_JSON, s + 1, end) == end;
+	/* what is in it need not be JSON */
+	for (s = json_skip(s + 1, text.end); s < text.end && *s == ',';)
+		s = json_skip(s + 1, text.end);
+	if (s < text.end && *s == (object ? '}' : ']') &&
+	    skip_blanks(json, s + 1, text.end) == text.end)
+		snprintf(reason, REASON_MAX, "no JSON from '%s' on",
+		    escaped(word, e->at, (size_t)(text.end - e->at)));
+	else
+		snprintf(reason, REASON_MAX,
+		    "the %s does not end with the line; one %s a line: jq -c "
+		    "'.points[]'",
+		    object ? "object" : "array", object ? "object" : "array");
 }
 
 /* Whether all of the line is one JSON array. Up to done it has been read; if
@@ -312,69 +205,218 @@ static bool is_closed(const char *s, const char *end)
 static bool check_array(struct span text, const char *done,
     char reason[REASON_MAX])
 {
-	const char *s = skip_blanks(FORMAT_JSON, done, text.end);
+	const char *s = skip_blanks(json, done, text.end);
 	struct json_error e;
-	char word[ESCAPED_MAX];
 
 	if (s < text.end && *s == ']' &&
-	    skip_blanks(FORMAT_JSON, s + 1, text.end) == text.end)
+	    skip_blanks(json, s + 1, text.end) == text.end)
 		return true;
 	if (json_check(JSON_LINE, text.s, text.end, &e))
 		return true;
-	s = skip_blanks(FORMAT_JSON, text.s, text.end);
-	if (!is_closed(s + 1, text.end))
-		snprintf(reason, REASON_MAX,
-		    "the array does not end with the line; one array a line: "
-		    "jq -c '.points[]'");
-	else
-		snprintf(reason, REASON_MAX, "no JSON from '%s' on",
-		    escaped(word, e.at, (size_t)(text.end - e.at)));
+	say_no_json(text, &e, reason);
 	return false;
 }
 
-void line_read(struct layout *l, struct span text, const char *readable,
-    bool *header, struct line *line, double v[4], char reason[REASON_MAX])
+/* Finds coordinate i of the object. */
+static bool find_member(const struct layout *l, int i, struct span object,
+    struct json_place *p, char reason[REASON_MAX])
 {
-	const char *s = skip_blanks(l->in, text.s, text.end);
-	bool ok;
+	const char *path = path_of(l, i);
+	int times = json_place_find(object, path, p);
+	struct names names = { 0 };
+
+	if (times == 1)
+		return true;
+	if (times > 1) {
+		snprintf(reason, REASON_MAX, "has two members '%.60s'", path);
+		return false;
+	}
+	snprintf(reason, REASON_MAX,
+	    l->columns.n > 0 ? "has no member '%.60s'" :
+			       "has no member '%.60s'; --columns names the "
+			       "coordinates",
+	    path);
+	json_place_names(object, &names);
+	names_say(&names, path, reason);
+	return false;
+}
+
+static bool read_object(const struct layout *l, struct span text,
+    const char *readable, struct line *line, double v[4],
+    char reason[REASON_MAX])
+{
+	struct json_error e;
+
+	line->object = true;
+	if (!json_check(JSON_LINE, text.s, text.end, &e)) {
+		say_no_json(text, &e, reason);
+		return false;
+	}
+	text = trimmed(json, text);
+	for (int i = 0; i < l->reads; i++) {
+		struct json_place p;
+		struct span f;
+
+		if (l->columns.n > 0 && l->columns.name[i] == NULL) {
+			snprintf(reason, REASON_MAX,
+			    "is an object; --columns is to name its members: "
+			    "x,y,z, or /position/0");
+			return false;
+		}
+		if (!find_member(l, i, text, &p, reason))
+			return false;
+		f = p.value;
+		if (!field_number(json, &f, readable, &v[i])) {
+			say_bad_field(l, i, f, reason);
+			return false;
+		}
+		if (!in_range(i, v[i], reason))
+			return false;
+		line->at[i] = line_part(line, f);
+	}
+	return true;
+}
+
+static bool read_array(struct layout *l, struct span text, const char *readable,
+    struct line *line, double v[4], char reason[REASON_MAX])
+{
+	const char *s = skip_blanks(json, text.s, text.end) + 1;
+
+	for (int i = 0; i < l->columns.n; i++)
+		if (l->columns.name[i] != NULL) {
+			snprintf(reason, REASON_MAX,
+			    "is an array; --columns is to number its elements: "
+			    "2,3,4");
+			return false;
+		}
+	if (l->columns.n > 0)
+		return read_columns(l, s, text.end, readable, line, v,
+			   reason) &&
+		    check_array(text, s, reason);
+	return read_first(l, s, text.end, readable, line, v, reason) &&
+	    check_array(text, line_at(line, l->reads - 1).end, reason);
+}
+
+static bool read_json(struct layout *l, struct span text, const char *readable,
+    struct line *line, double v[4], char reason[REASON_MAX])
+{
+	const char *s = skip_blanks(json, text.s, text.end);
+
+	if (*s == '[')
+		return read_array(l, text, readable, line, v, reason);
+	if (*s == '{')
+		return read_object(l, text, readable, line, v, reason);
+	snprintf(reason, REASON_MAX,
+	    "is neither a JSON array nor an object; one a line: jq -c "
+	    "'.points[]'");
+	return false;
+}
+
+static bool read_csv(struct layout *l, struct span text, const char *readable,
+    struct line *line, double v[4], char reason[REASON_MAX])
+{
+	bool ok = l->columns.n > 0 ?
+	    read_columns(l, text.s, text.end, readable, line, v, reason) :
+	    read_first(l, text.s, text.end, readable, line, v, reason);
+
+	if (quotes_are_closed(l->in, text))
+		return ok;
+	snprintf(reason, REASON_MAX,
+	    "a quote is not closed on the line; a field with a newline in it "
+	    "can't be read");
+	return false;
+}
+
+static bool read_text(struct layout *l, struct span text, const char *readable,
+    struct line *line, double v[4], char reason[REASON_MAX])
+{
+	const char *s = skip_blanks(l->in, text.s, text.end), *first = s;
+
+	if (l->columns.n == 0) {
+		if (!read_words(l, s, text.end, readable, line, v, reason))
+			return false;
+	} else {
+		if (!read_columns(l, s, text.end, readable, line, v, reason))
+			return false;
+		first = line_at(line, 0).s;
+		for (int i = 1; i < l->reads; i++)
+			if (line_at(line, i).s < first)
+				first = line_at(line, i).s;
+	}
+	if (commas_agree(l, first, text.end))
+		return true;
+	snprintf(reason, REASON_MAX,
+	    "has commas between some numbers and not between others; is the "
+	    "comma a decimal point? write 1.5 for 1,5");
+	return false;
+}
+
+bool line_is_header(const struct layout *l, const struct line *line)
+{
+	const char *end = line->s + line->size;
+	const char *s = skip_blanks(l->in, skip_mark(line->s, end), end);
+
+	return l->in.format == FORMAT_CSV && line->kind == LINE_COPY &&
+	    s < end && *s != '#';
+}
+
+/* Whether a carriage return stands where more of the line comes after it. */
+static bool has_old_line_ends(struct span text)
+{
+	const char *cr = memchr(text.s, '\r', (size_t)(text.end - text.s));
+
+	while (cr != NULL && cr < text.end && is_blank(*cr))
+		cr++;
+	return cr != NULL && cr < text.end;
+}
+
+/* Returns false where the first line that counts is not to be read as a point. */
+static bool read_first_line(struct layout *l, struct span text,
+    struct line *line, char reason[REASON_MAX])
+{
+	if (has_old_line_ends(text)) {
+		snprintf(reason, REASON_MAX,
+		    "has carriage returns alone for line ends; make them "
+		    "newlines: tr '\\r' '\\n'");
+		line->kind = LINE_LOST;
+		return false;
+	}
+	if (l->in.format == FORMAT_CSV)
+		return !header_read(l, text, line, reason);
+	return true;
+}
+
+void line_read(struct layout *l, struct span text, const char *readable,
+    bool *first, struct line *line, double v[4], char reason[REASON_MAX])
+{
+	bool was_first = *first, ok;
 
 	line->kind = LINE_COPY;
+	line->object = false;
 	line->s = text.s;
 	line->size = (uint32_t)(text.end - text.s);
+	if (was_first)
+		text.s = skip_mark(text.s, text.end);
+	const char *s = skip_blanks(l->in, text.s, text.end);
+
 	if (s == text.end || *s == '#')
 		return;
-	if (l->in == FORMAT_CSV) {
-		s = text.s;
-		if (*header && text.end - s >= 3 &&
-		    memcmp(s, "\xef\xbb\xbf", 3) == 0)
-			s += 3; /* a byte order mark */
-		bool taken = *header &&
-		    take_header(l, (struct span){ s, text.end }, readable, line,
-			reason);
-
-		*header = false;
-		if (taken)
-			return;
+	*first = false;
+	if (was_first && !read_first_line(l, text, line, reason))
+		return;
+	switch (l->in.format) {
+	case FORMAT_CSV:
+		ok = read_csv(l, text, readable, line, v, reason);
+		break;
+	case FORMAT_JSON:
+		ok = read_json(l, text, readable, line, v, reason);
+		break;
+	default:
+		ok = read_text(l, text, readable, line, v, reason);
+		if (!ok && was_first)
+			say_header_of_text(l, text, reason);
 	}
-	if (l->in == FORMAT_JSON) {
-		if (*s != '[') {
-			snprintf(reason, REASON_MAX,
-			    "is not a JSON array; one array a line: jq -c "
-			    "'.points[]'");
-			line->kind = LINE_BAD;
-			return;
-		}
-		s++;
-	}
-	if (l->columns.n > 0)
-		ok = read_columns(l, s, text.end, readable, line, v, reason);
-	else if (l->in == FORMAT_TEXT)
-		ok = read_text(l, s, text.end, readable, line, v, reason);
-	else
-		ok = read_first(l, s, text.end, readable, line, v, reason);
-	if (ok && l->in == FORMAT_JSON)
-		ok = check_array(text,
-		    l->columns.n > 0 ? s : line_at(line, l->reads - 1).end,
-		    reason);
-	line->kind = ok ? LINE_POINT : LINE_BAD;
+	line->kind = LINE_POINT;
+	if (!ok)
+		line_take_apart(l, text, line);
 }

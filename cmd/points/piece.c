@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "piece.h"
 
 #include <poll.h>
@@ -66,8 +67,8 @@ static void take_in(struct piece *p, const struct layout *l, size_t n)
 {
 	size_t end = p->have + n, whole;
 
-	if (is_binary(l->in))
-		whole = end - end % point_size(l->in, l->reads);
+	if (is_binary(l->in.format))
+		whole = end - end % point_size(l->in.format, l->reads);
 	else
 		whole = last_line_end(p->text, p->have, end);
 	if (whole > 0)
@@ -179,10 +180,10 @@ static enum piece_state cut_lines(struct piece *p, int fd, size_t before,
 enum piece_state piece_cut(struct piece *p, const struct layout *l, int fd,
     off_t start, size_t k)
 {
-	bool binary = is_binary(l->in);
+	bool binary = is_binary(l->in.format);
 	size_t before = k > 0 && !binary;
 	size_t range = PIECE_ROOM - LINE_REST;
-	size_t point = binary ? point_size(l->in, l->reads) : 1;
+	size_t point = binary ? point_size(l->in.format, l->reads) : 1;
 
 	range -= range % point;
 	piece_reserve(p, binary ? range : PIECE_ROOM);
@@ -203,8 +204,9 @@ enum piece_state piece_of_text(const struct layout *l, const char *text,
 {
 	size_t all = *size, end = 0, line = 0;
 
-	if (all > PIECE_ROOM && is_binary(l->in)) {
-		*size = PIECE_ROOM - PIECE_ROOM % point_size(l->in, l->reads);
+	if (all > PIECE_ROOM && is_binary(l->in.format)) {
+		*size = PIECE_ROOM -
+		    PIECE_ROOM % point_size(l->in.format, l->reads);
 		return PIECE_FULL;
 	}
 	if (all > PIECE_ROOM) {

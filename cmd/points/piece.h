@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A source's bytes, in pieces that end where a line or a binary point does. */
 #ifndef PIECE_H
 #define PIECE_H

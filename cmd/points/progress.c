@@ -1,8 +1,11 @@
+/* SPDX-License-Identifier: MIT */
 #include "progress.h"
 
 #include <stdio.h>
 #include <time.h>
 #include <unistd.h>
+
+#include "../talk.h"
 
 /* Seconds until the line is shown first, and between two times. */
 #define PATIENCE 0.5
@@ -31,7 +34,7 @@ void progress_start(bool asked)
 	if (progress.start > 0)
 		return;
 	progress.asked = asked;
-	progress.terminal = isatty(STDERR_FILENO);
+	progress.terminal = isatty(STDERR_FILENO) && !says_json();
 	progress.on = asked || (progress.terminal && !isatty(STDOUT_FILENO));
 	progress.start = progress.last = now();
 }
@@ -50,6 +53,12 @@ static void show(double time)
 	if (progress.size > 0)
 		snprintf(share, sizeof share, ", %.0f %%",
 		    100 * (double)progress.bytes / (double)progress.size);
+	if (says_json()) {
+		say_at(EXIT_OK, NULL, "%zu lines, %.3g a second%s",
+		    progress.lines, rate, share);
+		progress.last = time;
+		return;
+	}
 	fprintf(stderr, "%sprojcalc: %zu lines, %.3g a second%s%s",
 	    progress.terminal ? "\r\033[K" : "", progress.lines, rate, share,
 	    progress.terminal ? "" : "\n");

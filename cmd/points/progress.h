@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Tells on standard error how far a long input is: if that is a terminal and
  * standard output is none, or if asked to. */
 #ifndef PROGRESS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A source of points, as pieces for chunks. */
 #ifndef SOURCE_H
 #define SOURCE_H

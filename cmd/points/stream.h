@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Sources of points through a job, by several threads. */
 #ifndef STREAM_H
 #define STREAM_H

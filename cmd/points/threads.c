@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* for sched_getaffinity, where there is one */
 #define _GNU_SOURCE
 #include "threads.h"
@@ -30,9 +31,9 @@ static struct {
 
 	/* Of the source in hand. */
 	struct point_source *source;
-	bool open;                 /* there may be more */
-	bool shared;               /* the threads may take part */
-	bool header;               /* of csv, may still come */
+	bool open;   /* there may be more */
+	bool shared; /* the threads may take part */
+	bool first;  /* the source's first line that counts is still to come */
 	bool beginning, answering; /* somebody is */
 	struct chunk *last; /* its last, when that is answered; else NULL */
 	size_t begun, answered, n_unused; /* chunks */
@@ -97,7 +98,7 @@ static struct chunk *begin(void)
 	struct chunk *mine = *c;
 
 	mine->number = ring.begun;
-	mine->header = ring.header;
+	mine->first = ring.first;
 	mine->done = false;
 	ring.beginning = true;
 	unlock();
@@ -152,7 +153,7 @@ static void do_chunk(void)
 	job_do(ring.job, c);
 	lock();
 	ring.open = ring.open && c->state < PIECE_LAST;
-	ring.header = c->header;
+	ring.first = c->first;
 	c->done = true;
 	answer();
 	if (is_finished())
@@ -207,12 +208,12 @@ static void set_up(struct job *j)
 }
 
 /* Whether the threads can go on with the source: its first chunk, which may be
- * all there is, is done without them, and each up to the one with a csv header,
- * as only that tells where in the lines of all others the columns are. */
+ * all there is, is done without them, and each up to the one with the first line
+ * that counts, as only a csv header tells where in all others the columns are. */
 static bool can_share(void)
 {
 	return !ring.open ||
-	    (!ring.header && (ring.threads > 0 || start_thread()));
+	    (!ring.first && (ring.threads > 0 || start_thread()));
 }
 
 void threads_run(struct job *j, struct point_source *s)
@@ -222,7 +223,7 @@ void threads_run(struct job *j, struct point_source *s)
 	lock();
 	ring.source = s;
 	ring.open = true;
-	ring.header = j->layout.in == FORMAT_CSV;
+	ring.first = !is_binary(j->layout.in.format);
 	ring.last = NULL;
 	ring.begun = ring.answered = 0;
 	do

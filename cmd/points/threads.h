@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Threads that take a source's chunks, do a job on them, and answer them in
  * order. */
 #ifndef THREADS_H

@@ -1,6 +1,13 @@
+/* SPDX-License-Identifier: MIT */
 #include "walk.h"
 
 #include <string.h>
+
+#include "line_bad.h"
+
+/* So that there is a copy of the walk for each format, of which what does not concern
+ * it falls away. */
+#define INLINE static inline __attribute__((always_inline))
 
 /* What can end a field: blanks, newlines and commas; in csv quotes, where the
  * field is to be left; in JSON brackets, and what strings hold but rarely. */
@@ -8,7 +15,7 @@
 #define CONTROLS                                                  \
 	"\0\1\2\3\4\5\6\7\10\16\17\20\21\22\23\24\25\26\27\30\31" \
 	"\32\33\34\35\36\37"
-static const char text_stops[] = TEXT_STOPS, csv_stops[] = TEXT_STOPS "\"",
+static const char text_stops[] = TEXT_STOPS,
 		  json_stops[] = TEXT_STOPS "\"[]{}\\" CONTROLS;
 
 /* A bit for each value of the upper four: there may be eight of these. */
@@ -27,15 +34,34 @@ static struct byte_set set_of(const char *bytes, size_t n)
 	return set;
 }
 
-static struct byte_set stops_of(enum format format)
+static struct byte_set stops_of(struct dialect d)
 {
-	switch (format) {
+	const char csv_stops[] = { '\t', '\n', '\v', '\f', '\r', ' ', '"',
+		d.separator };
+
+	switch (d.format) {
 	case FORMAT_CSV:
-		return set_of(csv_stops, sizeof csv_stops - 1);
+		return set_of(csv_stops, sizeof csv_stops);
 	case FORMAT_JSON:
 		return set_of(json_stops, sizeof json_stops - 1);
 	default:
 		return set_of(text_stops, sizeof text_stops - 1);
+	}
+}
+
+/* In JSON names are of an object's members, and numbers of an array's elements;
+ * where there are neither, lines may be either. */
+static void plan_members(const struct layout *l, struct walk *w)
+{
+	const struct columns *c = &l->columns;
+
+	w->arrays = c->n == 0 || c->name[0] == NULL;
+	w->objects = l->in.format == FORMAT_JSON;
+	for (int i = 0; i < l->reads && w->objects; i++) {
+		w->objects = c->n == 0 ||
+		    (c->name[i] != NULL && *c->name[i] != '/');
+		if (w->objects)
+			w->name[i] = path_of(l, i);
 	}
 }
 
@@ -44,12 +70,17 @@ bool walk_plan(const struct layout *l, struct walk *w)
 	const int *field = l->columns.field;
 	int n = l->reads, last = -1;
 
-	*w = (struct walk){ .format = l->in,
+	*w = (struct walk){ .in = l->in,
 		.stops = stops_of(l->in),
 		.n = n,
+		.arrays = true,
 		.columns = l->columns.n > 0 };
 	for (int i = 0; i < n; i++)
 		w->coordinate[i] = i;
+	if (l->in.format == FORMAT_JSON)
+		plan_members(l, w);
+	if (!w->arrays)
+		return w->objects;
 	if (!w->columns)
 		return true;
 	for (int i = 0; i < n; i++) {
@@ -91,43 +122,46 @@ struct place {
 	const char *text;
 	uint32_t at;
 	const uint16_t *stop;
+	bool comma; /* in the separator that was passed last */
 };
 
-static inline bool stands(const struct place *p, char c)
+INLINE bool stands(const struct place *p, char c)
 {
 	return *p->stop == p->at && p->text[p->at] == c;
 }
 
-static inline void pass(struct place *p)
+INLINE void pass(struct place *p)
 {
 	p->at++;
 	p->stop++;
 }
 
-static inline void pass_blanks(struct place *p, enum format format)
+INLINE void pass_blanks(struct place *p, struct dialect d)
 {
-	while (*p->stop == p->at && is_blank_of(format, p->text[p->at]))
+	while (*p->stop == p->at && is_blank_of(d, p->text[p->at]))
 		pass(p);
 }
 
-/* As skip_separator in text; elsewhere only a comma separates. Most separators are
- * of one byte. */
-static inline bool pass_separator(struct place *p, enum format format)
+/* As skip_separator in text; elsewhere something has to separate. Most separators
+ * are of one byte. */
+INLINE bool pass_separator(struct place *p, struct dialect d)
 {
-	char c = p->text[p->at];
+	bool text = d.format == FORMAT_TEXT;
+	char comma = text ? ',' : d.separator, c = p->text[p->at];
 
 	if (p->stop[1] > p->at + 1 && *p->stop == p->at &&
-	    (format == FORMAT_TEXT ? c != '\n' : c == ',')) {
+	    (text ? c != '\n' : c == comma)) {
+		p->comma = c == comma;
 		pass(p);
 		return true;
 	}
-	pass_blanks(p, format);
-	if (stands(p, ',')) {
+	pass_blanks(p, d);
+	p->comma = stands(p, comma);
+	if (p->comma) {
 		pass(p);
-		pass_blanks(p, format);
-		return true;
+		pass_blanks(p, d);
 	}
-	return format == FORMAT_TEXT;
+	return p->comma || text;
 }
 
 /* Past a string of JSON with nothing in it that would have to be looked at. */
@@ -145,7 +179,7 @@ static bool pass_string(struct place *p)
 
 /* Whether a plain number is one of JSON: it has no 0 before another digit, and
  * digits on both sides of its point. */
-static inline bool is_narrow(const char *s, const char *end)
+INLINE bool is_narrow(const char *s, const char *end)
 {
 	s += *s == '-';
 	/* what the first digits are the processor could not guess: no branches */
@@ -153,7 +187,15 @@ static inline bool is_narrow(const char *s, const char *end)
 	    (end[-1] == '.'));
 }
 
-static bool is_number(const char *s, const char *end)
+static bool is_word(const char *s, size_t n)
+{
+	return (n == 4 && memcmp(s, "true", 4) == 0) ||
+	    (n == 5 && memcmp(s, "false", 5) == 0) ||
+	    (n == 4 && memcmp(s, "null", 4) == 0);
+}
+
+/* Whether it is a number without an exponent, or a word of JSON. */
+static bool is_scalar(const char *s, const char *end)
 {
 	const char *first = s;
 	int points = 0, digits = 0;
@@ -162,86 +204,175 @@ static bool is_number(const char *s, const char *end)
 		points += *s == '.';
 		digits += *s >= '0' && *s <= '9';
 		if (*s != '.' && (*s < '0' || *s > '9'))
-			return false;
+			return is_word(first, (size_t)(end - first));
 	}
 	return digits > 0 && points < 2 && is_narrow(first, end);
 }
 
 /* Past a field that is no coordinate. */
-static inline bool pass_field(struct place *p, enum format format)
+INLINE bool pass_field(struct place *p, struct dialect d)
 {
 	uint32_t from = p->at;
 
-	if (format == FORMAT_JSON && stands(p, '"'))
+	if (d.format == FORMAT_JSON && stands(p, '"'))
 		return pass_string(p);
-	if (format == FORMAT_CSV)
-		while (is_blank(p->text[*p->stop]))
+	if (d.format == FORMAT_CSV)
+		while (is_blank_of(d, p->text[*p->stop]))
 			p->stop++;
 	p->at = *p->stop;
 	return p->text[p->at] != '"' &&
-	    (format != FORMAT_JSON ||
-		is_number(p->text + from, p->text + p->at));
+	    (d.format != FORMAT_JSON ||
+		is_scalar(p->text + from, p->text + p->at));
 }
 
 /* Past the last coordinate: whether all up to the newline is right, too. In text
  * and csv, anything is that begins with a separator. */
-static inline bool pass_rest(struct place *p, enum format format)
+INLINE bool pass_rest(struct place *p, struct dialect d)
 {
-	if (format != FORMAT_TEXT)
-		pass_blanks(p, format);
-	if (format != FORMAT_JSON)
+	if (d.format != FORMAT_TEXT)
+		pass_blanks(p, d);
+	if (d.format != FORMAT_JSON)
 		return *p->stop == p->at && p->text[p->at] != '"';
 	while (stands(p, ',')) {
-		pass_separator(p, format);
-		if (!pass_field(p, format))
+		pass_separator(p, d);
+		if (!pass_field(p, d))
 			return false;
-		pass_blanks(p, format);
+		pass_blanks(p, d);
 	}
 	if (!stands(p, ']'))
 		return false;
 	pass(p);
-	pass_blanks(p, format);
+	pass_blanks(p, d);
 	return stands(p, '\n');
 }
 
-/* Where the coordinates of line i stand; false where it is to be left. */
-static inline __attribute__((always_inline)) bool
-find_coordinates(struct place *p, const struct walk *w, enum format format,
-    int n, bool columns, struct line *line, size_t i,
-    struct plain_places places[4])
-{
-	uint32_t begin = p->at;
+/* The line of which coordinates are found, with number i. */
+struct target {
+	struct line *line;
+	uint32_t begin;
+	size_t i;
+	struct plain_places *places;
+};
 
-	pass_blanks(p, format);
+/* Past coordinate k; false where it can't be a plain number. */
+INLINE bool pass_coordinate(struct place *p, struct dialect d,
+    const struct target *t, int k)
+{
+	uint32_t from = p->at, to = *p->stop;
+
+	if (to - from - 1 >= PLAIN_MAX ||
+	    (d.format == FORMAT_JSON &&
+		!is_narrow(p->text + from, p->text + to)))
+		return false;
+	t->line->at[k] = (struct part){ from - t->begin, to - t->begin };
+	t->places[k].end[t->i] = p->text + to;
+	t->places[k].size[t->i] = (uint8_t)(to - from);
+	p->at = to;
+	return true;
+}
+
+/* Which coordinate has that name, or -1. */
+static int coordinate_of(const struct walk *w, const char *name, size_t n)
+{
+	for (int k = 0; k < w->n; k++)
+		if (w->name[k][0] == *name && strlen(w->name[k]) == n &&
+		    memcmp(w->name[k], name, n) == 0)
+			return k;
+	return -1;
+}
+
+/* Past a name and its colon: which coordinate it is, or -1; -2 where it isn't as
+ * usual. */
+static int pass_name(struct place *p, const struct walk *w, struct dialect d)
+{
+	uint32_t from = p->at + 1, to;
+
+	if (!stands(p, '"') || !pass_string(p))
+		return -2;
+	to = p->at - 1;
+	pass_blanks(p, d);
+	if (p->text[p->at] != ':')
+		return -2;
+	p->at++;
+	pass_blanks(p, d);
+	return to > from ? coordinate_of(w, p->text + from, to - from) : -1;
+}
+
+/* The same of an object whose values are numbers, words and strings. */
+INLINE bool find_members(struct place *p, const struct walk *w,
+    struct dialect d, int n, const struct target *t)
+{
+	unsigned seen = 0, all = (1u << n) - 1;
+
+	pass_blanks(p, d);
+	if (!stands(p, '{'))
+		return false;
+	t->line->object = true;
+	do {
+		pass(p);
+		pass_blanks(p, d);
+		int k = pass_name(p, w, d);
+
+		if (k == -2 || (k >= 0 && (seen >> k & 1) != 0))
+			return false;
+		if (k >= 0)
+			seen |= 1u << k;
+		if (k >= 0 ? !pass_coordinate(p, d, t, k) : !pass_field(p, d))
+			return false;
+		pass_blanks(p, d);
+	} while (stands(p, ','));
+	if (!stands(p, '}') || seen != all)
+		return false;
+	pass(p);
+	pass_blanks(p, d);
+	return stands(p, '\n');
+}
+
+/* What the coordinates are of a line. */
+enum shape { FIELDS, COLUMNS, MEMBERS };
+
+/* Where the coordinates of a line stand; false where it is to be left. That some
+ * separators of text have a comma and others have not is left as well. */
+INLINE bool find_coordinates(struct place *p, const struct walk *w,
+    struct dialect d, int n, enum shape shape, const struct target *t)
+{
+	const bool text = d.format == FORMAT_TEXT, columns = shape == COLUMNS;
+	bool comma = false;
+
+	if (shape == MEMBERS)
+		return find_members(p, w, d, n, t);
+
+	pass_blanks(p, d);
 	if (p->text[p->at] == '#')
 		return false;
-	if (format == FORMAT_JSON) {
+	if (d.format == FORMAT_JSON) {
 		if (!stands(p, '['))
 			return false;
 		pass(p);
-		pass_blanks(p, format);
+		pass_blanks(p, d);
 	}
 #pragma GCC unroll 3
 	for (int m = 0; m < n; m++) {
 		for (int skip = columns ? w->skip[m] : 0; skip > 0; skip--)
-			if (!pass_field(p, format) ||
-			    !pass_separator(p, format))
+			if (!pass_field(p, d) || !pass_separator(p, d) ||
+			    (text && m > 0 && p->comma != comma))
 				return false;
-		uint32_t from = p->at, to = *p->stop;
-		int k = columns ? w->coordinate[m] : m;
-
-		if (to - from - 1 >= PLAIN_MAX ||
-		    (format == FORMAT_JSON &&
-			!is_narrow(p->text + from, p->text + to)))
+		if (!pass_coordinate(p, d, t, columns ? w->coordinate[m] : m))
 			return false;
-		line->at[k] = (struct part){ from - begin, to - begin };
-		places[k].end[i] = p->text + to;
-		places[k].size[i] = (uint8_t)(to - from);
-		p->at = to;
-		if (m + 1 < n && !pass_separator(p, format))
+		if (m + 1 == n)
+			break;
+		if (!pass_separator(p, d) ||
+		    (text && m > 0 && p->comma != comma))
 			return false;
+		comma = p->comma;
 	}
-	return pass_rest(p, format);
+	if (!pass_rest(p, d))
+		return false;
+	if (!text || n != 2 || stands(p, '\n'))
+		return true;
+	/* what comes next may be a number */
+	pass_separator(p, d);
+	return stands(p, '\n') || p->comma == comma;
 }
 
 /* What stands for the numbers of a line that is left. */
@@ -255,29 +386,31 @@ static void no_numbers(int n, size_t i, struct plain_places places[4])
 	}
 }
 
-/* Inline, so that the compiler makes a copy for each format, of which what does not
- * concern it falls away. */
-static inline __attribute__((always_inline)) size_t
-take_lines(struct stretch *s, const struct walk *walk, enum format format,
-    int n, bool columns, size_t max, struct line *lines,
+INLINE size_t take_lines(struct stretch *s, const struct walk *walk,
+    struct dialect d, int n, enum shape shape, size_t max, struct line *lines,
     struct plain_places places[4], uint64_t *left)
 {
-	struct place p = { s->text, s->at, s->next };
+	struct place p = { s->text, s->at, s->next, false };
 	uint32_t end = s->end;
 	size_t i;
 
 	*left = 0;
 	for (i = 0; i < max && p.at < end; i++) {
 		uint32_t begin = p.at;
+		const struct target t = { &lines[i], begin, i, places };
 
-		if (p.text + begin - s->readable < PLAIN_BEFORE ||
-		    !find_coordinates(&p, walk, format, n, columns, &lines[i],
-			i, places)) {
+		lines[i].object = false;
+		bool found = p.text + begin - s->readable >= PLAIN_BEFORE &&
+		    find_coordinates(&p, walk, d, n, shape, &t);
+		bool open = false; /* a quote */
+
+		for (; p.text[*p.stop] != '\n'; p.stop++)
+			open ^= d.format == FORMAT_CSV &&
+			    p.text[*p.stop] == '"';
+		if (!found || open) {
 			no_numbers(n, i, places);
 			*left |= (uint64_t)1 << i;
 		}
-		while (p.text[*p.stop] != '\n')
-			p.stop++;
 		p.at = *p.stop++;
 		lines[i].s = p.text + begin;
 		lines[i].size = p.at++ - begin;
@@ -292,32 +425,46 @@ take_lines(struct stretch *s, const struct walk *walk, enum format format,
 }
 
 /* Three coordinates are what is usual. */
-static inline __attribute__((always_inline)) size_t
-take_format(struct stretch *s, const struct walk *walk, enum format format,
-    size_t max, struct line *lines, struct plain_places places[4],
-    uint64_t *left)
+INLINE size_t take_dialect(struct stretch *s, const struct walk *walk,
+    struct dialect d, size_t max, struct line *lines,
+    struct plain_places places[4], uint64_t *left)
 {
-	if (walk->n == 3)
-		return walk->columns ? take_lines(s, walk, format, 3, true, max,
-					   lines, places, left) :
-				       take_lines(s, walk, format, 3, false,
-					   max, lines, places, left);
-	return take_lines(s, walk, format, walk->n, true, max, lines, places,
-	    left);
+	if (walk->n != 3)
+		return take_lines(s, walk, d, walk->n, COLUMNS, max, lines,
+		    places, left);
+	if (walk->columns)
+		return take_lines(s, walk, d, 3, COLUMNS, max, lines, places,
+		    left);
+	return take_lines(s, walk, d, 3, FIELDS, max, lines, places, left);
+}
+
+/* Lines of JSON are mostly like the first of them. */
+static size_t take_json(struct stretch *s, const struct walk *walk, size_t max,
+    struct line *lines, struct plain_places places[4], uint64_t *left)
+{
+	const struct dialect d = { FORMAT_JSON, ',' };
+
+	if (walk->objects && (s->text[s->at] == '{' || !walk->arrays))
+		return take_lines(s, walk, d, walk->n, MEMBERS, max, lines,
+		    places, left);
+	return take_dialect(s, walk, d, max, lines, places, left);
 }
 
 size_t walk_lines(struct stretch *s, const struct walk *walk, size_t n,
     struct line lines[PLAIN_BATCH], struct plain_places places[4],
     uint64_t *left)
 {
-	switch (walk->format) {
+	/* so that each format's copy is made with it as a constant */
+	switch (walk->in.format) {
 	case FORMAT_CSV:
-		return take_format(s, walk, FORMAT_CSV, n, lines, places, left);
+		return take_dialect(s, walk,
+		    (struct dialect){ FORMAT_CSV, walk->in.separator }, n,
+		    lines, places, left);
 	case FORMAT_JSON:
-		return take_format(s, walk, FORMAT_JSON, n, lines, places,
-		    left);
+		return take_json(s, walk, n, lines, places, left);
 	default:
-		return take_format(s, walk, FORMAT_TEXT, n, lines, places,
+		return take_dialect(s, walk,
+		    (struct dialect){ FORMAT_TEXT, ' ' }, n, lines, places,
 		    left);
 	}
 }

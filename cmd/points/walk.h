@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Lines by way of an index: where in a stretch of text the bytes stand that can
  * end a field. What is usual is found so, with many numbers read at a time; any
  * other line is left to line_read, which alone says what is legal. */
@@ -22,9 +23,13 @@ struct stretch {
 
 /* The order in which the coordinates stand on a line. */
 struct walk {
-	enum format format;
+	struct dialect in;
 	struct byte_set stops; /* what can end a field */
 	int n;
+	/* Which lines of JSON are walked, and what an object's members are
+	 * called; the rest is of lines of fields. */
+	bool arrays, objects;
+	const char *name[4];
 	bool columns;      /* else they are the first fields */
 	int skip[4];       /* fields before each that are none */
 	int coordinate[4]; /* which it is */

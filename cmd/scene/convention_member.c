@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "convention_member.h"
 
 #include <string.h>
@@ -35,19 +36,23 @@ static const char *const depths[] = { "zero_to_one", "minus_one_to_one", NULL };
 static const char *const ys[] = { "up", "down", NULL };
 static const char *const origins[] = { "top-left", "bottom-left", NULL };
 
-#define SECOND(label, list, m)                                     \
+#define SECOND(label, list, m, first, what)                        \
 	{                                                          \
 		.name = label, .read = read_second, .words = list, \
-		.at = offsetof(struct convention, m)               \
+		.at = offsetof(struct convention, m),              \
+		.otherwise = "\"" first "\"", .about = what        \
 	}
 
 const struct member convention_members[] = {
-	SECOND("handedness", hands, right_handed),
-	SECOND("view_y", ys, view_y_down),
-	SECOND("depth", depths, minus_one),
-	SECOND("vectors", vector_names, column),
-	SECOND("ndc_y", ys, ndc_y_down),
-	SECOND("origin", origins, bottom_left),
+	SECOND("handedness", hands, right_handed, "left", "of view space"),
+	SECOND("view_y", ys, view_y_down, "up", "which way y goes in view"),
+	SECOND("depth", depths, minus_one, "zero_to_one",
+	    "z of ndc from near to far"),
+	SECOND("vectors", vector_names, column, "row",
+	    "of matrices, printed and as rows"),
+	SECOND("ndc_y", ys, ndc_y_down, "up", "which way y goes in clip, ndc"),
+	SECOND("origin", origins, bottom_left, "top-left",
+	    "where device x and y are least"),
 	{ .name = NULL },
 };
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The member "convention", and the conventions that have a name. */
 #ifndef CONVENTION_MEMBER_H
 #define CONVENTION_MEMBER_H

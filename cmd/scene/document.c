@@ -1,6 +1,8 @@
+/* SPDX-License-Identifier: MIT */
 #include "document.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "../json/scan.h"
@@ -28,39 +30,86 @@ enum {
 
 /* A document may have its members in any order, but read_scene needs some
  * before others: each is first kept as a struct value. */
-#define MEMBER(row, label, table, other, like)      \
+#define MEMBER(row, label, table, other, ...)       \
 	[row] = { .name = label,                    \
 		.read = read_value,                 \
 		.at = (row) * sizeof(struct value), \
 		.members = table,                   \
 		.aliases = other,                   \
-		.example = like }
+		__VA_ARGS__ }
 
-static const struct member scene_members[SCENE_MEMBERS + 1] = {
-	MEMBER(CONVENTION, "convention", convention_members, NULL, "\"d3d\""),
+#define CAMERA_LIKE "{\"eye\": [0,0,-5], \"at\": [0,0,0]}"
+#define LENS_LIKE                                               \
+	"{\"type\": \"persp\", \"fovy\": 60, \"aspect\": 1.5, " \
+	"\"near\": 1, \"far\": 10}"
+#define RECTANGLE_LIKE "{\"width\": 640, \"height\": 480}"
+#define WINDOW_LIKE "{\"center\": [0,0], \"width\": 2, \"height\": 2}"
+#define WORLD_LIKE "[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]"
+#define BOUNDS_LIKE "{\"min\": [-1,-1,-1], \"max\": [1,1,1]}"
+#define PICK_LIKE "{\"at\": [320,240], \"radius\": 3}"
+
+const struct member scene_members[SCENE_MEMBERS + 1] = {
+	MEMBER(CONVENTION, "convention", convention_members, NULL,
+	    .example = "\"d3d\"", .words = convention_names,
+	    .type = "a name or an object", .otherwise = "\"d3d\"",
+	    .about = "how the document is read, all of it",
+	    .command = "lookat '{\"convention\": \"gl\", "
+		       "\"camera\": " CAMERA_LIKE "}'"),
 	[ANGLE_UNIT] = { .name = "angle_unit",
 	    .read = read_value,
 	    .at = ANGLE_UNIT * sizeof(struct value),
 	    .words = angle_units,
 	    .aliases = "angleunits unit units angles",
-	    .beside = true },
-	MEMBER(WORLD, "world", NULL, "model",
-	    "[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]"),
-	MEMBER(CAMERA, "camera", camera_members, "view",
-	    "{\"eye\": [0,0,-5], \"at\": [0,0,0]}"),
+	    .beside = true,
+	    .otherwise = "\"degrees\"",
+	    .about = "of all angles of the scene",
+	    .command = "persp '{\"angle_unit\": \"radians\", \"fovy\": 1, "
+		       "\"aspect\": 1.5, \"near\": 1, \"far\": 10}'" },
+	MEMBER(WORLD, "world", NULL, "model", .example = WORLD_LIKE,
+	    .type = "matrix", .otherwise = WORLD_LIKE,
+	    .about = "model to world, affine",
+	    .command = "project --to world '{\"world\": "
+		       "[1,0,0,0, 0,1,0,0, 0,0,1,0, 10,20,30,1]}' "
+		       "'[1,2,3]'"),
+	MEMBER(CAMERA, "camera", camera_members, "view", .example = CAMERA_LIKE,
+	    .type = "object", .about = "world to view",
+	    .command = "lookat '{\"camera\": " CAMERA_LIKE "}'"),
 	MEMBER(PROJECTION, "projection", projection_members, "lens perspective",
-	    "{\"type\": \"persp\", \"fovy\": 60, \"aspect\": 1.5, "
-	    "\"near\": 1, \"far\": 10}"),
+	    .example = LENS_LIKE, .type = "object", .about = "view to clip",
+	    .command = "persp '{\"projection\": " LENS_LIKE "}'"),
 	MEMBER(VIEWPORT, "viewport", viewport_members, "screen",
-	    "{\"width\": 640, \"height\": 480}"),
-	MEMBER(WINDOW, "window", window_members, NULL,
-	    "{\"center\": [0,0], \"width\": 2, \"height\": 2}"),
+	    .example = RECTANGLE_LIKE, .type = "object",
+	    .about = "ndc to device, in 3D",
+	    .command = "project --from ndc '{\"viewport\": " RECTANGLE_LIKE
+		       "}' '[0,0.5,1]'"),
+	MEMBER(WINDOW, "window", window_members, NULL, .example = WINDOW_LIKE,
+	    .type = "object", .about = "a rectangle of a 2D world",
+	    .command = "w2n '{\"window\": " WINDOW_LIKE "}'"),
 	MEMBER(DEVICE, "device", device_members, NULL,
-	    "{\"width\": 640, \"height\": 480}"),
-	MEMBER(POINTS, "points", NULL, NULL, "[[0,0,0], [1,1,1]]"),
-	MEMBER(BOUNDS, "bounds", bounds_members, NULL, NULL),
-	MEMBER(PICK, "pick", pick_members, NULL, NULL),
-	MEMBER(MARGIN, "margin", NULL, "padding border", NULL),
+	    .example = RECTANGLE_LIKE, .type = "object",
+	    .about = "where a window is shown",
+	    .command = "n2d '{\"device\": " RECTANGLE_LIKE "}'"),
+	MEMBER(POINTS, "points", NULL, NULL, .example = "[[0,0,0], [1,1,1]]",
+	    .type = "a point or a list",
+	    .about = "unless there are operands POINTS",
+	    .command = "lookat '{\"camera\": " CAMERA_LIKE
+		       ", \"points\": [[0,0,0], [1,1,1]]}'"),
+	MEMBER(BOUNDS, "bounds", bounds_members, NULL, .example = BOUNDS_LIKE,
+	    .type = "object", .unit = "model units",
+	    .about = "what fit is to hold, else the points",
+	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
+		       "\"bounds\": " BOUNDS_LIKE "}'"),
+	MEMBER(PICK, "pick", pick_members, NULL, .example = PICK_LIKE,
+	    .type = "object", .about = "where pick looks, else --at, --radius",
+	    .command = "pick '{\"camera\": " CAMERA_LIKE
+		       ", \"projection\": " LENS_LIKE
+		       ", \"viewport\": " RECTANGLE_LIKE
+		       ", \"pick\": " PICK_LIKE "}' '[[0,0,0], [1,1,1]]'"),
+	MEMBER(MARGIN, "margin", NULL, "padding border", .example = "0.1",
+	    .type = "number", .otherwise = "0",
+	    .about = "share of the picture left free at each side",
+	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
+		       "\"bounds\": " BOUNDS_LIKE ", \"margin\": 0.1}'"),
 };
 
 static void check_point(const struct value *v, int coordinates)
@@ -257,20 +306,36 @@ static unsigned read_members(struct document *d, const struct value *root,
 			}
 	if (d->bare != NULL && value_member(root, "angle_unit", &m[ANGLE_UNIT]))
 		seen |= SCENE_ANGLE_UNIT;
-	for (int i = 0; i < SCENE_MEMBERS; i++)
-		m[i].unused = (w->used >> i & 1) == 0;
 	return seen;
 }
 
-static void check_needed(const struct value *root, unsigned missing)
+/* What is wanted of a document that is flat. */
+static struct document_wants in_plane(const struct document_wants *w)
 {
+	struct document_wants flat = *w;
+
+	flat.needed = 0;
+	flat.used &= ~(unsigned)SCENE_SPATIAL;
+	flat.used |= SCENE_WINDOW | SCENE_DEVICE;
+	flat.coordinates = w->coordinates > 0 ? 2 : 0;
+	return flat;
+}
+
+static void check_needed(const struct value *root,
+    const struct document_wants *w, unsigned seen)
+{
+	unsigned missing = w->needed & ~seen;
+
 	for (int i = 0; i <= POINTS; i++) {
 		const struct member *row = &scene_members[i];
 		struct value v = value_missing(root, row->name);
 
 		if (missing >> i & 1)
-			value_refuse(&v, "missing; add \"%s\": %s", row->name,
-			    row->example);
+			value_refuse(&v, "missing; add \"%s\": %s%s", row->name,
+			    row->example,
+			    w->flat == 0 ? "" :
+					   ", or for two dimensions "
+					   "\"window\": {}");
 	}
 }
 
@@ -322,20 +387,27 @@ static void read_points(struct document *d, const struct value *v,
 }
 
 void document_read(struct document *d, const char *name, char *text,
-    size_t size, const struct document_wants *w)
+    size_t size, const struct document_wants *wants)
 {
 	struct source source = { .name = name,
-		.line = w->line,
+		.line = wants->line,
 		.scene = scene_members };
 	struct span points;
 	struct value root = value_parse_without(&source, "points", text, size,
 	    &points);
 	struct value m[SCENE_MEMBERS];
 
-	source.fit = w->fit;
+	source.fit = wants->fit;
 	*d = (struct document){ .name = name };
-	unsigned seen = read_members(d, &root, w, m);
+	unsigned seen = read_members(d, &root, wants, m);
 
+	d->flat = (seen & SCENE_PROJECTION) == 0 && (seen & wants->flat) != 0;
+	const struct document_wants narrowed = in_plane(wants);
+	const struct document_wants *w = d->flat ? &narrowed : wants;
+
+	source.flat = d->flat;
+	for (int i = 0; i < SCENE_MEMBERS; i++)
+		m[i].unused = (w->used >> i & 1) == 0;
 	d->scene.convention = w->convention != NULL ?
 	    *w->convention :
 	    conventions[CONVENTION_D3D];
@@ -349,7 +421,7 @@ void document_read(struct document *d, const char *name, char *text,
 		d->unit = (enum angle_unit)value_word(&m[ANGLE_UNIT],
 		    angle_units);
 	source.unit = d->unit;
-	check_needed(&root, w->needed & ~seen);
+	check_needed(&root, w, seen);
 	read_scene(d, w, m, seen);
 	if (seen & SCENE_POINTS)
 		read_points(d, &m[POINTS], &points, w->coordinates);
@@ -371,13 +443,20 @@ char *document_points(const char *name, char *text, size_t size,
 
 void document_refuse(const struct document *d, const char *why)
 {
-	size_t n = d->bare != NULL ? strlen(d->bare) : 0;
+	size_t bare = d->bare != NULL ? strlen(d->bare) : 0;
+	size_t n = *why == '/' ? strcspn(why, ":") : 0;
+	const char *what = n > 0 ? why + n + 2 : why;
+	char pointer[64];
 
-	/* "/camera/up: ..." to "/up: ...", "/camera: ..." to "..." */
-	if (n > 0 && strncmp(why + 1, d->bare, n) == 0 &&
-	    (why[n + 1] == '/' || why[n + 1] == ':'))
-		why += n + 1 + (why[n + 1] == ':' ? 2 : 0);
-	die(EXIT_INPUT, "%s: %s", d->name, why);
+	/* "/camera/up" to "/up" */
+	if (bare > 0 && strncmp(why + 1, d->bare, bare) == 0 &&
+	    (why[bare + 1] == '/' || why[bare + 1] == ':')) {
+		why += bare + 1;
+		n -= bare + 1;
+	}
+	snprintf(pointer, sizeof pointer, "%.*s", (int)n, why);
+	die_at(EXIT_INPUT,
+	    &(struct place){ .file = d->name, .pointer = pointer }, "%s", what);
 }
 
 void document_check(const struct document *d, const char *why)

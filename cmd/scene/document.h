@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Reading JSON documents as scenes. What is wrong is refused in one line with
  * its place, and exit status 1. */
 #ifndef DOCUMENT_H
@@ -34,6 +35,7 @@ struct pick {
 
 struct document {
 	struct scene scene;
+	bool flat;            /* of two dimensions, as its wants have it */
 	enum angle_unit unit; /* of all its angles */
 	struct pick pick;
 	/* for fit: whether bounds are given, and whether the camera's eye is */
@@ -59,11 +61,17 @@ struct document_wants {
 	/* Members that the command uses, as bits. The others' numbers may be
 	 * of any size, and a projection among them may lack its aspect. */
 	unsigned used;
+	/* Members of which one makes a document without a projection one of two
+	 * dimensions: nothing else is needed then, nothing of three dimensions
+	 * used, and points and bounds have two coordinates. 0 where the command
+	 * doesn't take such documents. */
+	unsigned flat;
 	/* The type that a projection has without a member "type", and may have
 	 * alone; PROJECTION_NONE where it must say its type. */
 	int projection;
 	/* For fit: what it finds may be missing, that is the camera's eye,
-	 * near, far, and the sizes of a parallel projection. */
+	 * near, far, the sizes of a parallel projection, and of a flat
+	 * document's window anything. */
 	bool fit;
 	/* The convention of the answer, and of a document that has none; or
 	 * NULL. */

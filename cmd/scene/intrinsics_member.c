@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The member "intrinsics": what a calibrated camera makes of a point in view space,
  * in pixels. */
 #include "members.h"

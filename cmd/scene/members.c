@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "members.h"
 
 static const char *const origins[] = { "bottom-left", "top-left", NULL };
@@ -6,48 +7,61 @@ const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
 
 #define MEMBER(type, member) offsetof(struct type, member)
 
-#define NUMBERS(label, type, m, count, other)                               \
+#define NUMBERS(label, type, m, count, ...)                                 \
 	{                                                                   \
 		.name = label, .read = read_numbers, .at = MEMBER(type, m), \
-		.n = count, .aliases = other                                \
-	}
-#define FLAG(m, type)                                                \
-	{                                                            \
-		.name = #m, .read = read_flag, .at = MEMBER(type, m) \
+		.n = count, __VA_ARGS__                                     \
 	}
 
 const struct member camera_members[] = {
-	NUMBERS("eye", camera, eye, 3, "position pos from origin"),
-	NUMBERS("at", camera, at, 3, "target center centre lookat"),
-	NUMBERS("gaze", camera, at, 3, "direction dir forward"),
+	NUMBERS("eye", camera, eye, 3, .aliases = "position pos from origin",
+	    .unit = "world units", .about = "where the camera stands"),
+	NUMBERS("at", camera, at, 3, .aliases = "target center centre lookat",
+	    .unit = "world units", .about = "the point that it looks at"),
+	NUMBERS("gaze", camera, at, 3, .aliases = "direction dir forward",
+	    .about = "the direction in which it looks"),
 	{ .name = "orientation",
 	    .read = read_numbers,
 	    .at = MEMBER(camera, orientation),
 	    .n = 4,
 	    .aliases = "rotation quaternion quat qvec",
 	    .note = "x, y, z, w from view to world axes; of w, x, y, z from "
-		    "world to view that is -x, -y, -z, w" },
+		    "world to view that is -x, -y, -z, w",
+	    .about = "quaternion x, y, z, w: view to world axes" },
 	{ .name = "translation",
 	    .read = read_numbers,
 	    .at = MEMBER(camera, eye),
 	    .n = 3,
 	    .aliases = "tvec t",
-	    .note = "where the world's origin is in view space" },
+	    .note = "where the world's origin is in view space",
+	    .unit = "view units",
+	    .about = "where the world's origin is" },
 	{ .name = "pose",
 	    .read = read_affine,
 	    .at = MEMBER(camera, matrix),
 	    .aliases = "transformmatrix transform matrixworld cameratoworld "
 		       "camtoworld c2w",
-	    .note = "view to world" },
+	    .note = "view to world",
+	    .type = "matrix",
+	    .about = "view to world" },
 	{ .name = "matrix",
 	    .read = read_affine,
 	    .at = MEMBER(camera, matrix),
 	    .aliases = "view viewmatrix extrinsic extrinsics r rt rvec "
 		       "rotationmatrix worldtocamera worldtocam w2c",
-	    .note = "world to view, [R|t]" },
-	NUMBERS("up", camera, up, 3, NULL),
-	NUMBERS("roll", camera, roll, 0, NULL),
-	FLAG(orthonormalize, camera),
+	    .note = "world to view, [R|t]",
+	    .type = "matrix",
+	    .about = "world to view, [R|t]" },
+	NUMBERS("up", camera, up, 3, .otherwise = "[0, 1, 0]",
+	    .about = "it points up in the image"),
+	NUMBERS("roll", camera, roll, 0, .type = "angle", .unit = "degrees",
+	    .otherwise = "0", .about = "counterclockwise"),
+	{ .name = "orthonormalize",
+	    .read = read_flag,
+	    .at = MEMBER(camera, orthonormalize),
+	    .type = "true or false",
+	    .otherwise = "false",
+	    .about = "to the nearest rotation" },
 	{ .name = NULL },
 };
 
@@ -70,15 +84,21 @@ static const struct ways fit_camera_ways = {
 	    "matrix orthonormalize?" },
 };
 
-#define SIZE(label, type, m)                                                \
+#define SIZE(label, type, m, ...)                                           \
 	{                                                                   \
 		.name = label, .read = read_numbers, .at = MEMBER(type, m), \
-		.range = &range_positive                                    \
+		.range = &range_positive, __VA_ARGS__                       \
 	}
 
-#define RECTANGLE(type)                                                    \
-	NUMBERS("x", type, x, 0, "left"), NUMBERS("y", type, y, 0, "top"), \
-	    SIZE("width", type, width), SIZE("height", type, height)
+#define RECTANGLE(type)                                                        \
+	NUMBERS("x", type, x, 0, .aliases = "left", .unit = "device units",    \
+	    .otherwise = "0", .about = "the corner that origin names"),        \
+	    NUMBERS("y", type, y, 0, .aliases = "top", .unit = "device units", \
+		.otherwise = "0", .about = "the same"),                        \
+	    SIZE("width", type, width, .unit = "device units",                 \
+		.about = "required"),                                          \
+	    SIZE("height", type, height, .unit = "device units",               \
+		.about = "required")
 
 static void read_scale(const struct value *v, const struct member *row,
     void *to)
@@ -99,9 +119,17 @@ static void read_scale(const struct value *v, const struct member *row,
 
 const struct member viewport_members[] = {
 	RECTANGLE(viewport),
-	NUMBERS("min_z", viewport, min_z, 0, "near mindepth zmin minz"),
-	NUMBERS("max_z", viewport, max_z, 0, "far maxdepth zmax maxz"),
-	{ .name = "scale", .read = read_scale },
+	NUMBERS("min_z", viewport, min_z, 0,
+	    .aliases = "near mindepth zmin minz", .unit = "device units",
+	    .otherwise = "0", .about = "z of the near plane"),
+	NUMBERS("max_z", viewport, max_z, 0,
+	    .aliases = "far maxdepth zmax maxz", .unit = "device units",
+	    .otherwise = "1", .about = "z of the far plane"),
+	{ .name = "scale",
+	    .read = read_scale,
+	    .type = "fill, uniform or 2 sizes",
+	    .otherwise = "\"fill\"",
+	    .about = "device units for one of ndc" },
 	{ .name = NULL },
 };
 
@@ -110,7 +138,9 @@ const struct member device_members[] = {
 	{ .name = "origin",
 	    .read = read_second,
 	    .words = origins,
-	    .at = MEMBER(device, top_left) },
+	    .at = MEMBER(device, top_left),
+	    .otherwise = "\"bottom-left\"",
+	    .about = "the corner where x and y are least" },
 	{ .name = NULL },
 };
 
@@ -120,20 +150,32 @@ static const struct ways rectangle_ways = {
 };
 
 const struct member window_members[] = {
-	NUMBERS("center", window, center, 2, "centre x y position"),
-	SIZE("width", window, width),
-	SIZE("height", window, height),
-	NUMBERS("left", window, left, 0, NULL),
-	NUMBERS("right", window, right, 0, NULL),
-	NUMBERS("bottom", window, bottom, 0, NULL),
-	NUMBERS("top", window, top, 0, NULL),
-	NUMBERS("pan", window, pan, 2, NULL),
-	SIZE("zoom", window, zoom),
-	NUMBERS("about", window, about, 2, NULL),
+	NUMBERS("center", window, center, 2, .aliases = "centre x y position",
+	    .unit = "window units", .about = "with width and height"),
+	SIZE("width", window, width, .unit = "window units",
+	    .about = "of all of it"),
+	SIZE("height", window, height, .unit = "window units",
+	    .about = "of all of it"),
+	NUMBERS("left", window, left, 0, .unit = "window units",
+	    .about = "the four edges, instead"),
+	NUMBERS("right", window, right, 0, .unit = "window units",
+	    .about = "greater than left"),
+	NUMBERS("bottom", window, bottom, 0, .unit = "window units",
+	    .about = "an edge"),
+	NUMBERS("top", window, top, 0, .unit = "window units",
+	    .about = "greater than bottom"),
+	NUMBERS("pan", window, pan, 2, .unit = "window units",
+	    .otherwise = "[0, 0]", .about = "by how much the window moves"),
+	SIZE("zoom", window, zoom, .otherwise = "1",
+	    .about = "of which 2 shows half the extent"),
+	NUMBERS("about", window, about, 2, .unit = "window units",
+	    .about = "what zoom leaves where it is, else the centre"),
 	{ .name = "adapt",
 	    .read = read_word,
 	    .at = MEMBER(window, adapt),
-	    .words = adapt_names },
+	    .words = adapt_names,
+	    .otherwise = "\"stretch\"",
+	    .about = "to a device of another shape" },
 	{ .name = NULL },
 };
 
@@ -143,11 +185,42 @@ static const struct ways window_ways = {
 	{ "center width height", "left right bottom top" },
 };
 
+/* What fit is to replace. */
+static const struct ways fit_window_ways = {
+	"give \"center\", \"width\" and \"height\", or \"left\", \"right\", "
+	"\"bottom\" and \"top\", or nothing",
+	{ "center? width? height?", "left? right? bottom? top?" },
+};
+
+/* A point of space; or of the plane, where the document is flat. Where bounds are
+ * not used they may be of either. */
+static void read_corner(const struct value *v, const struct member *row,
+    void *out)
+{
+	bool pair = value_is_array(v) && value_count(v) == 2;
+	bool flat = v->source->flat;
+
+	(void)row;
+	if (flat && !pair && !v->unused)
+		value_refuse(v,
+		    "is not an array of 2 numbers, as a window's are; for "
+		    "three dimensions add a \"projection\"");
+	value_numbers(v, &range_any, pair && (flat || v->unused) ? 2 : 3, out);
+}
+
+#define CORNER(label, m, other, what)                                        \
+	{                                                                    \
+		.name = label, .read = read_corner, .at = MEMBER(bounds, m), \
+		.type = "3 numbers, or 2 of a window", .aliases = other, .unit = "model units",             \
+		.about = what                                                \
+	}
+
 const struct member bounds_members[] = {
-	NUMBERS("center", bounds, center, 3, "centre position"),
-	SIZE("radius", bounds, radius),
-	NUMBERS("min", bounds, min, 3, "lower from"),
-	NUMBERS("max", bounds, max, 3, "upper to"),
+	CORNER("center", center, "centre position", "of a sphere"),
+	SIZE("radius", bounds, radius, .unit = "model units",
+	    .about = "of a sphere"),
+	CORNER("min", min, "lower from", "of a box, its least coordinates"),
+	CORNER("max", max, "upper to", "the opposite corner"),
 	{ .name = NULL },
 };
 
@@ -157,8 +230,10 @@ static const struct ways bounds_ways = {
 };
 
 const struct member pick_members[] = {
-	NUMBERS("at", pick, at, 2, "position center"),
-	SIZE("radius", pick, radius),
+	NUMBERS("at", pick, at, 2, .aliases = "position center",
+	    .unit = "device units", .about = "where to look"),
+	SIZE("radius", pick, radius, .unit = "device units",
+	    .about = "how far around it"),
 	{ .name = NULL },
 };
 
@@ -195,7 +270,10 @@ void read_window(const struct value *v, struct window *w)
 	*w = (struct window){ .zoom = 1 };
 	unsigned seen = object_read(v, window_members, 0, w);
 
-	w->by_edges = object_way(v, window_members, 0, seen, &window_ways) == 1;
+	w->by_edges = object_way(v, window_members, 0, seen,
+			  v->source->fit && v->source->flat ?
+			      &fit_window_ways :
+			      &window_ways) == 1;
 	w->has_about = (seen & member_bit(window_members, 0, "about")) != 0;
 }
 

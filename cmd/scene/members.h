@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The members of a scene, and of the objects among them. */
 #ifndef MEMBERS_H
 #define MEMBERS_H
@@ -5,9 +6,11 @@
 #include "document.h"
 #include "readers.h"
 
-extern const struct member camera_members[], projection_members[],
-    viewport_members[], window_members[], device_members[], bounds_members[],
-    pick_members[];
+/* The first is of the scene itself, in the order of the bits of SCENE_CONVENTION and
+ * so on. */
+extern const struct member scene_members[], camera_members[],
+    projection_members[], viewport_members[], window_members[],
+    device_members[], bounds_members[], pick_members[];
 
 /* What some of these may be, in the order of their enums; NULL ends each. Types
  * begin with PROJECTION_PERSP, kinds with OBLIQUE_CAVALIER. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "print_scene.h"
 
 #include <math.h>
@@ -82,8 +83,8 @@ static void put_camera(struct printer *p, const struct camera *c)
 	put_close(p, "}");
 }
 
-static void put_edges(struct printer *p, double left, double right,
-    double bottom, double top)
+void put_edges(struct printer *p, double left, double right, double bottom,
+    double top)
 {
 	put_number_member(p, "left", left);
 	put_number_member(p, "right", right);
@@ -254,7 +255,7 @@ static void put_window(struct printer *p, const struct window *w)
 	put_close(p, "}");
 }
 
-static void put_device(struct printer *p, const struct device *d)
+void put_device(struct printer *p, const struct device *d)
 {
 	put_name_on_new_line(p, "device");
 	put_rectangle(p, d->x, d->y, d->width, d->height);
@@ -307,7 +308,8 @@ void print_scene(const struct document *d)
 		put_name_on_new_line(&p, "angle_unit");
 		put_string(&p, angle_units[RADIANS]);
 	}
-	put_stages(&p, s);
+	if (!d->flat)
+		put_stages(&p, s);
 	if (s->has_window)
 		put_window(&p, &s->window);
 	if (s->has_device)

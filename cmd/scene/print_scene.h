@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Printing scenes as documents. */
 #ifndef PRINT_SCENE_H
 #define PRINT_SCENE_H
@@ -8,11 +9,17 @@
 /* Prints a document that reads back as the same scene and pick: a member a
  * line, without what has its default. The camera must be given by its gaze; the
  * projection must not be a matrix, and its cross-section not given by height and
- * aspect: so fit leaves them. */
+ * aspect: so fit leaves them. Of a flat document it leaves out what is of three
+ * dimensions. */
 void print_scene(const struct document *);
 
 /* Puts what leads from model space to the device, in one line. */
 void put_scene(struct printer *, const struct scene *);
+
+/* Members of an object. */
+void put_edges(struct printer *, double left, double right, double bottom,
+    double top);
+void put_device(struct printer *, const struct device *);
 
 /* A number, or "infinity". */
 void put_distance(struct printer *, double);

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "members.h"
 
 #include <math.h>
@@ -45,18 +46,18 @@ enum {
 	SECTIONED = PERSP | PARALLEL, /* those with a cross-section */
 };
 
-#define OF(of, label, m, count, within, other)                    \
-	{                                                         \
-		.name = label, .read = read_numbers,              \
-		.at = offsetof(struct projection, m), .n = count, \
-		.range = within, .kinds = of, .aliases = other    \
+#define OF(of, label, m, within, ...)                                  \
+	{                                                              \
+		.name = label, .read = read_numbers,                   \
+		.at = offsetof(struct projection, m), .range = within, \
+		.kinds = of, __VA_ARGS__                               \
 	}
 
-#define ANGLE(of, label, m, within, other)                             \
-	{                                                              \
-		.name = label, .read = read_angle,                     \
-		.at = offsetof(struct projection, m), .range = within, \
-		.kinds = of, .aliases = other                          \
+#define ANGLE(of, label, m, within, ...)                                     \
+	{                                                                    \
+		.name = label, .read = read_angle,                           \
+		.at = offsetof(struct projection, m), .range = within,       \
+		.kinds = of, .type = "angle", .unit = "degrees", __VA_ARGS__ \
 	}
 
 static void read_type(const struct value *v, const struct member *row, void *to)
@@ -166,75 +167,129 @@ static void read_angles(const struct value *v, const struct member *row,
 }
 
 const struct member projection_members[] = {
-	{ .name = "type", .read = read_type, .words = projection_types },
+	{ .name = "type",
+	    .read = read_type,
+	    .words = projection_types,
+	    .about = "implied by the commands of these names" },
 	{ .name = "near",
 	    .read = read_near,
 	    .kinds = SECTIONED,
-	    .aliases = "znear nearplane" },
+	    .aliases = "znear nearplane",
+	    .type = "number",
+	    .unit = "view units",
+	    .about = "distance of the near plane; in persp a size" },
 	{ .name = "far",
 	    .read = read_far,
 	    .kinds = SECTIONED,
-	    .aliases = "zfar farplane" },
+	    .aliases = "zfar farplane",
+	    .type = "number",
+	    .unit = "view units",
+	    .about = "of the far plane; in persp a size or \"infinity\"" },
 	{ .name = "reverse_z",
 	    .read = read_flag,
 	    .kinds = SECTIONED,
 	    .at = offsetof(struct projection, reverse_z),
-	    .aliases = "reversed" },
+	    .aliases = "reversed",
+	    .type = "true or false",
+	    .otherwise = "false",
+	    .about = "near at the greater depth" },
 	ANGLE(PERSP, "fovy", angle, opening,
-	    "fov yfov verticalfov fieldofview cameraangley"),
+	    .aliases = "fov yfov verticalfov fieldofview cameraangley",
+	    .about = "between the bottom and the top plane"),
 	ANGLE(PERSP, "fovx", angle, opening,
-	    "xfov horizontalfov hfov cameraanglex"),
+	    .aliases = "xfov horizontalfov hfov cameraanglex",
+	    .about = "between the left and the right plane"),
 	{ .name = "view_angle",
 	    .read = read_view_angle,
 	    .range = opening,
 	    .kinds = PERSP | VOLUME,
-	    .aliases = "angle" },
-	OF(PERSP, "field", angle, 0, &range_positive, NULL),
-	OF(SECTIONED | VOLUME, "aspect", aspect, 0, &range_positive,
-	    "ratio aspectratio"),
-	OF(SECTIONED, "width", width, 0, &range_positive, NULL),
-	OF(SECTIONED, "height", height, 0, &range_positive, NULL),
-	OF(SECTIONED, "left", left, 0, NULL, NULL),
-	OF(SECTIONED, "right", right, 0, NULL, NULL),
-	OF(SECTIONED, "bottom", bottom, 0, NULL, NULL),
-	OF(SECTIONED, "top", top, 0, NULL, NULL),
-	OF(PERSP, "edges_at", edges_at, 0, &range_positive, "distance"),
+	    .aliases = "angle",
+	    .type = "angle",
+	    .unit = "degrees",
+	    .about = "across the smaller side" },
+	OF(PERSP, "field", angle, &range_positive,
+	    .about = "half the larger side at unit distance"),
+	OF(SECTIONED | VOLUME, "aspect", aspect, &range_positive,
+	    .aliases = "ratio aspectratio",
+	    .about = "width over height, else the viewport's"),
+	OF(SECTIONED, "width", width, &range_positive, .unit = "view units",
+	    .about = "of the near plane; else of the view volume"),
+	OF(SECTIONED, "height", height, &range_positive, .unit = "view units",
+	    .about = "of the same"),
+	OF(SECTIONED, "left", left, NULL, .unit = "view units",
+	    .about = "the four edges, instead of width and height"),
+	OF(SECTIONED, "right", right, NULL, .unit = "view units",
+	    .about = "other than left"),
+	OF(SECTIONED, "bottom", bottom, NULL, .unit = "view units",
+	    .about = "an edge"),
+	OF(SECTIONED, "top", top, NULL, .unit = "view units",
+	    .about = "other than bottom"),
+	OF(PERSP, "edges_at", edges_at, &range_positive, .aliases = "distance",
+	    .unit = "view units",
+	    .about = "where those are measured, else near"),
 	{ .name = "angles",
 	    .read = read_angles,
 	    .range = acute,
 	    .kinds = PERSP,
 	    .aliases = "angleleft angleright angleup angledown",
-	    .note = "[left, right, bottom, top] from the gaze" },
+	    .note = "[left, right, bottom, top] from the gaze",
+	    .type = "4 angles",
+	    .unit = "degrees",
+	    .about = "left, right, bottom, top from the gaze" },
 	{ .name = "intrinsics",
 	    .read = read_intrinsics,
 	    .kinds = PERSP,
 	    .aliases = "k fx fy cx cy flx fly focal focallength "
 		       "cameramatrix projectionmatrix intrinsic p "
 		       "principalpoint skew",
-	    .note = "[fx, fy, cx, cy], K or P, in pixels" },
-	OF(PERSP | VOLUME, "near_ratio", near_ratio, 0, &fraction, NULL),
+	    .note = "[fx, fy, cx, cy], K or P, in pixels",
+	    .type = "4 numbers, K or P",
+	    .unit = "device units",
+	    .about = "[fx, fy, cx, cy], 3 rows of 3, or 3 rows of 4" },
+	OF(PERSP | VOLUME, "near_ratio", near_ratio, &fraction,
+	    .otherwise = "0.0005", .about = "of far, that fit leaves near"),
 	{ .name = "kind",
 	    .read = read_kind,
 	    .words = oblique_kinds,
-	    .kinds = OBLIQUE },
-	ANGLE(OBLIQUE, "angle", projector, slope, NULL),
-	{ .name = "direction", .read = read_direction, .kinds = OBLIQUE },
-	OF(OBLIQUE, "plane", plane, 0, NULL, NULL),
-	OF(VOLUME, "half_width", half_width, 0, &range_positive, NULL),
-	OF(VOLUME, "half_height", half_height, 0, &range_positive, NULL),
+	    .kinds = OBLIQUE,
+	    .about = "receding lines keep their length, or half of it" },
+	ANGLE(OBLIQUE, "angle", projector, slope,
+	    .about = "between projectors and picture, instead of kind"),
+	{ .name = "direction",
+	    .read = read_direction,
+	    .kinds = OBLIQUE,
+	    .type = "angle",
+	    .unit = "degrees",
+	    .otherwise = "45",
+	    .about = "in which receding lines run" },
+	OF(OBLIQUE, "plane", plane, NULL, .unit = "view units",
+	    .otherwise = "0", .about = "the depth that stays where it is"),
+	OF(VOLUME, "half_width", half_width, &range_positive,
+	    .unit = "view units", .about = "of the rectangle at z = 0"),
+	OF(VOLUME, "half_height", half_height, &range_positive,
+	    .unit = "view units", .about = "of the same"),
 	{ .name = "size",
 	    .read = read_size,
 	    .range = &range_positive,
-	    .kinds = VOLUME },
-	OF(VOLUME, "z_near", z_near, 0, NULL, "near znear nearplane"),
-	OF(VOLUME, "z_far", z_far, 0, NULL, "far zfar farplane"),
-	OF(VOLUME, "inverse_eye_z", inverse_eye_z, 0, NULL, NULL),
-	OF(VOLUME, "tan_skew", tan_skew, 2, NULL, "skew"),
-	OF(VOLUME, "eye", eye, 3, NULL, NULL),
+	    .kinds = VOLUME,
+	    .unit = "view units",
+	    .about = "its smaller side, instead" },
+	OF(VOLUME, "z_near", z_near, NULL, .aliases = "near znear nearplane",
+	    .unit = "view units", .about = "z of the near plane"),
+	OF(VOLUME, "z_far", z_far, NULL, .aliases = "far zfar farplane",
+	    .unit = "view units", .about = "z of the far plane"),
+	OF(VOLUME, "inverse_eye_z", inverse_eye_z, NULL, .otherwise = "0",
+	    .about = "1/z of the eye; 0 is parallel"),
+	OF(VOLUME, "tan_skew", tan_skew, NULL, .n = 2, .aliases = "skew",
+	    .otherwise = "[0, 0]", .about = "x/z and y/z of the axis"),
+	OF(VOLUME, "eye", eye, NULL, .n = 3, .unit = "view units",
+	    .about = "the eye, instead of these two"),
 	{ .name = "matrix",
 	    .read = read_matrix,
 	    .kinds = MATRIX,
-	    .at = offsetof(struct projection, matrix) },
+	    .at = offsetof(struct projection, matrix),
+	    .type = "matrix",
+	    .about = "any from view to clip" },
 	{ .name = NULL },
 };
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "readers.h"
 
 void read_value(const struct value *v, const struct member *row, void *out)

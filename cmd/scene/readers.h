@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Readers of members, for the tables of object.h. */
 #ifndef READERS_H
 #define READERS_H

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # What every test here needs. A test that uses it stands at the top of the
 # project, has a directory for what it writes, and Test::More.
 # usage of a test: x_test.t [-w] [BUILD] [FILE...]; BUILD, or else the variable

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Reads and runs sessions of the shell: testdata/transcripts/*.txt, and the
 # examples of the manual pages and README.md. A transcript reads
 #

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Builds for arm64 and runs that under qemu: the tests of the vector loops, the
 # transcripts and the digests of testdata/bits.sha256. Wants what `make deps-all`
 # installs.

@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # The same bits: what the program prints for one fixed list of scenes, points
 # and options has the digests of testdata/bits.sha256, whatever compiled it,
 # with the loops of each processor that this one can run, and with any number
@@ -227,6 +228,18 @@ sub make_streams {
 	add('binary stream', 'project', '-i', 'f64', $scene, "$tmp/many.f64");
 }
 
+sub make_windows {
+	for my $command (qw(w2n n2w n2d d2n w2d d2w)) {
+		add('2D', $command, flat());
+		add('2D', $command, '--keep-going', flat(), @$_)
+		    for ["$tmp/2.text", '--flags'], ["$tmp/2.csv", '--visible'],
+		    ['-p', 'double', "$tmp/2.text"],
+		    ['-p', 'single', "$tmp/2.text"],
+		    ['-t', '0.01', "$tmp/2.text"],
+		    map { ['-i', $_, "$tmp/2.$_"] } qw(json f64 f32);
+	}
+}
+
 sub digest {
 	my ($group, @more) = @_;
 	my $sha = Digest::SHA->new(256);
@@ -246,6 +259,7 @@ make_matrices();
 make_points();
 make_options();
 make_streams();
+make_windows();
 make_margins();
 open STDERR, '>', '/dev/null' if !$ENV{SHOW};
 

@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # The manual's recipes for cameras of other programs: from the file as it was
 # written to pixels, which are the doubles nearest to what that program's own
 # formula gives at 60 digits.

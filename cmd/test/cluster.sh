@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # A cluster on one machine: a head and three hosts. Each host is a set of
 # namespaces, with a network, a process table, a name and a home of its own, and
 # runs sshd; one directory is shared. GNU parallel and Slurm spread points over

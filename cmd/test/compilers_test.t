@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # gcc and clang build everything without a warning, and what clang builds
 # prints the same bytes: the transcripts are of the program in build.
 use strict;

@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # Why the digits by the vector are right: the table and the constants of
 # cmd/number/vector computed anew in exact arithmetic, the errors of its operations
 # added up for each exponent of two, and what its comments claim of them. Then

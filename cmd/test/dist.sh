@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # What the tarball of a release holds builds, tests, installs, uninstalls and
 # packs itself.
 # usage: dist.sh BUILD NAME

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* For tests of documents. */
 #ifndef DOCUMENT_TEST_H
 #define DOCUMENT_TEST_H

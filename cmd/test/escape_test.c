@@ -1,7 +1,9 @@
+/* SPDX-License-Identifier: MIT */
 #include "../escape.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <string.h>
@@ -24,10 +26,76 @@ static void test_escaped(void **state)
 	assert_string_equal(out + strlen(out) - 9, "\\u0001...");
 }
 
+/* What ends lines or turns the writing around, at the ends of its ranges, and its
+ * neighbours, which stay. */
+static void test_hidden(void **state)
+{
+	static const struct {
+		const char *s;
+		bool hidden;
+	} cases[] = {
+		{ "\x1f", true },
+		{ " ", false },
+		{ "~", false },
+		{ "\xc2\x80", true },
+		{ "\xc2\x9f", true },
+		{ "\xc2\xa0", false },
+		{ "\xd8\x9b", false },
+		{ "\xd8\x9c", true },
+		{ "\xe2\x80\x8d", false },
+		{ "\xe2\x80\x8e", true },
+		{ "\xe2\x80\x8f", true },
+		{ "\xe2\x80\x90", false },
+		{ "\xe2\x80\xa7", false },
+		{ "\xe2\x80\xa8", true },
+		{ "\xe2\x80\xae", true },
+		{ "\xe2\x80\xaf", false },
+		{ "\xe2\x81\xa5", false },
+		{ "\xe2\x81\xa6", true },
+		{ "\xe2\x81\xa9", true },
+		{ "\xe2\x81\xaa", false },
+		{ "\xf0\x9f\x98\x80", false },
+	};
+	char text[20], json[20];
+
+	(void)state;
+	for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+		const char *s = cases[i].s;
+
+		escape_text(text, sizeof text, s, strlen(s));
+		escape_json(json, sizeof json, s, strlen(s));
+		assert_string_equal(text, json);
+		assert_int_equal(strncmp(text, "\\u", 2) == 0, cases[i].hidden);
+		if (!cases[i].hidden)
+			assert_string_equal(text, s);
+	}
+}
+
+/* Whole pieces alone, and the end is always a NUL. */
+static void test_room(void **state)
+{
+	const char s[] = "a\"\\\n\xff\xc3\xa9",
+		   all[] = "a\\\"\\\\\\u000a\\ufffd\xc3\xa9";
+	char out[40];
+
+	(void)state;
+	for (size_t room = 1; room < sizeof out; room++) {
+		memset(out, 'x', sizeof out);
+		size_t n = escape_json(out, room, s, sizeof s - 1);
+
+		assert_true(n < room && out[n] == '\0');
+		assert_memory_equal(out, all, n);
+		assert_true(n == 0 || out[n - 1] != '\\' || n == 5);
+	}
+	assert_string_equal(out, all);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_escaped),
+		cmocka_unit_test(test_hidden),
+		cmocka_unit_test(test_room),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # The examples of the manual pages and README.md print what stands below them.
 # usage: examples_test.t [BIN]; the directory of projcalc, or build
 use strict;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Preloaded by fault_test.t, between the program and the C library.
  *   FAULT="CALL N ERROR"  the N-th CALL fails with that error number;
  *       of malloc (with realloc and calloc), read (with pread), open, thread,

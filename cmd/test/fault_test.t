@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # What the system does to a program: memory and disks that are full, reads and
 # writes that are short, interrupted or fail, pipes that close, a reader that
 # waits for its answer, input that is huge, cut or no file at all.
@@ -57,7 +58,7 @@ my @commands = (
 	'projcalc lookat scene.json', 'projcalc help',
 	'projcalc persp -o json \'{"type":"persp","fovy":60,"aspect":1,' .
 	    '"near":1,"far":10}\'',
-	$project, "$project -j1 $tmp/few", "$project -j2 $tmp/points",
+	'projcalc project points.json', "$project -j1 $tmp/few", "$project -j2 $tmp/points",
 	"$project -j2 -i csv -o json --flags $tmp/points.csv",
 	"projcalc pick --at 320,240 --radius 1e5 scene.json $tmp/few",
 	'projcalc inspect scene.json',

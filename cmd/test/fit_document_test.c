@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Documents of the command fit, in which members may be missing. */
 #include "document.h"
 
@@ -5,7 +6,13 @@ static const struct document_wants fit = { WANTS, .needed = SCENE_PROJECTION,
 	.fit = true };
 static const struct document_wants project = { WANTS };
 
+static const struct document_wants either = { WANTS, .needed = SCENE_PROJECTION,
+	.flat = SCENE_WINDOW | SCENE_DEVICE, .fit = true };
+
 #define BOX "\"bounds\":{\"min\":[0,0,0],\"max\":[1,2,3]}"
+#define WINDOW_HINT                                                \
+	"give \"center\", \"width\" and \"height\", or \"left\", " \
+	"\"right\", \"bottom\" and \"top\""
 #define BOUNDS_HINT "give \"min\" and \"max\", or \"center\" and \"radius\""
 #define CAMERA_HINT                                                       \
 	"give \"gaze\" or \"orientation\", with an \"eye\" or without, "  \
@@ -53,6 +60,29 @@ static const struct refusal refusals[] = {
 	    "{\"projection\":{\"type\":\"persp\",\"width\":1,\"height\":1}}",
 	    "/projection/near: missing; give it: width and height, or the "
 	    "edges, are on the near plane, unless \"edges_at\" says where" },
+	{ &either, "{\"camera\":{}}",
+	    "/projection: missing; add \"projection\": {\"type\": \"persp\", "
+	    "\"fovy\": 60, \"aspect\": 1.5, \"near\": 1, \"far\": 10}, or for "
+	    "two dimensions \"window\": {}" },
+	{ &either, "{\"window\":{}," BOX "}",
+	    "/bounds/min: is not an array of 2 numbers, as a window's are; "
+	    "for three dimensions add a \"projection\"" },
+	{ &either, "{\"window\":{},\"bounds\":{\"center\":1,\"radius\":1}}",
+	    "/bounds/center: is not an array of 2 numbers, as a "
+	    "window's are; for three dimensions add a \"projection\"" },
+	{ &either, "{\"window\":{\"left\":1,\"width\":1}}",
+	    "/window/left: not together with \"width\"; " WINDOW_HINT
+	    ", or nothing" },
+	{ &either, "{\"window\":{},\"projection\":{\"type\":\"ortho\"}}",
+	    "/window/center: missing; " WINDOW_HINT },
+	{ &either, "{\"device\":{\"width\":1,\"height\":1},\"points\":[[1]]}",
+	    "/points/0: has 1 elements; 2 coordinates are wanted" },
+	{ &project, "{\"window\":{}}",
+	    "/window/center: missing; " WINDOW_HINT },
+	{ &project,
+	    "{\"device\":{\"width\":1,\"height\":1},\"bounds\":"
+	    "{\"min\":[0,0],\"max\":[1,1]}}",
+	    "/bounds/min: has 2 elements; an array of 3 numbers is wanted" },
 };
 
 REFUSES(refusals)
@@ -98,10 +128,48 @@ static void test_missing(void **state)
 	assert_numbers(d.bounds.max, 3, 1.0, 2.0, 3.0);
 }
 
+static void test_flat(void **state)
+{
+	static const struct document_wants unused = { .used = SCENE_WINDOW,
+		.flat = SCENE_WINDOW };
+	struct document d = read_as(&either,
+	    "{\"window\":{\"zoom\":2},\"points\":[1,2,3],"
+	    "\"bounds\":{\"center\":[1,2],\"radius\":4}}");
+
+	(void)state;
+	assert_true(d.flat && d.has_bounds && d.bounds.sphere);
+	assert_numbers(d.bounds.center, 4, 1.0, 2.0, 0.0, 4.0);
+	assert_memory_equal(d.points, "[1,2,3]\n", d.points_size);
+	d = read_as(&either,
+	    "{\"device\":{\"width\":3,\"height\":2},\"camera\":{\"eye\":"
+	    "[1e200,0,0],\"at\":[0,0,0]}}");
+	assert_true(d.flat && d.scene.has_device && !d.scene.has_window);
+	d = read_as(&either,
+	    "{\"device\":{\"width\":3,\"height\":2},"
+	    "\"projection\":{\"type\":\"ortho\"}," BOX "}");
+	assert_false(d.flat);
+	/* points that are operands leave those of the document out */
+	struct document_wants operands = either;
+
+	operands.coordinates = 0;
+	d = read_as(&operands, "{\"window\":{},\"points\":[[1],[2]]}");
+	assert_true(d.flat && d.points == NULL);
+	/* of bounds that aren't used the dimensions don't count */
+	d = read_as(&unused, "{\"bounds\":{\"min\":[1,2],\"max\":[3,4]}}");
+	assert_false(d.flat);
+	assert_numbers(d.bounds.max, 2, 3.0, 4.0);
+	d = read_as(&unused,
+	    "{\"window\":{\"left\":0,\"right\":1,\"bottom\":0,\"top\":1}," BOX
+	    "}");
+	assert_true(d.flat);
+	assert_numbers(d.bounds.max, 3, 1.0, 2.0, 3.0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_refusals),
+		cmocka_unit_test(test_flat),
 		cmocka_unit_test(test_missing),
 	};
 

@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # A few seconds of each fuzzer; `make fuzz` goes on for longer.
 use strict;
 use warnings;

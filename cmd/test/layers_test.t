@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # The house: what a file includes and calls lies below it, core only computes,
 # one file knows cJSON, functions fit a screen. What a file calls is what its
 # object in BUILD leaves undefined.

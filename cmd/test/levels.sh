@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # The same bits from both compilers at each level of optimization.
 # usage: levels.sh BUILD
 set -eu

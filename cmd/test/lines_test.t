@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # Lines of every kind, right and wrong: what the loops of each processor print and
 # complain of is what the scalar code does, and has the digests of
 # testdata/lines.sha256.
@@ -80,6 +81,22 @@ sub json_line {
 	    "[$s]]", "[$s],", '[]', '[');
 }
 
+# An object, mostly with its members as others write them.
+sub object_line {
+	my @names = (qw(x y z), below(8) ? () : pick(qw(x w flags)));
+	my @members = map { my $n = $_; sub { qq("$n":) . number() } } @names;
+	push @members, map { my $n = $_; sub { qq("$n":) . pick('"a"',
+	    '"a,{b}"', 'null', 'true', 'falsy', '17', '1.5e3', '01', '[1,{"x":2}]',
+	    '{"x":1}', "\"\xc3\xa9\"", '"\"q\\"', '"open') } }
+	    grep { below(2) } qw(id name), '', "a\\u0062", '\u0078';
+	@members = sort { $a <=> $b } @members if below(3) == 0;
+	my $s = join pick((',') x 9, ', ', ' , '), map { $_->() } @members;
+	$s =~ s/:/ : /g if below(20) == 0;
+	return "{$s}" if below(30);
+	return pick(" {$s}", "{ $s }", "{$s", "$s}", "{{$s}}", "[$s]", "{$s} x",
+	    "{$s,}", '{}', '{', '{"x":1,"x"}', json_line());
+}
+
 # Lines with comments, blank lines, and some that are longer than what is looked
 # at in one go; the last has no newline.
 sub text_of {
@@ -100,12 +117,16 @@ my $scene = '{"camera":{"eye":[1,2,-5],"at":[0.1,0.2,0.3]},' .
     '"projection":{"type":"persp","fovy":60,"near":1,"far":10},' .
     '"viewport":{"width":640,"height":480}}';
 my $window = '{"center":[0,0],"width":3,"height":2}';
-my %line = (text => \&text_line, csv => \&csv_line, json => \&json_line);
+my %line = (text => \&text_line, csv => \&csv_line, json => \&json_line,
+    tsv => sub { csv_line() =~ tr/,\t/\t,/r },
+    "csv --separator ';'" => sub { csv_line() =~ tr/,;/;,/r },
+    'json --columns x,y,z' => \&object_line, objects => \&object_line);
 
 # Output, messages and status of the program on the lines of a format.
 sub outcome {
 	my ($format, $cpu, @options) = @_;
 	local $ENV{PROJCALC_CPU} = $cpu;
+	$format =~ s/objects/json/;
 	my ($command, $parameters) = @options && $options[0] eq 'w2n' ?
 	    (shift @options, $window) : ('project', $scene);
 	my $run = "$build/projcalc $command -i $format @options '$parameters'";
@@ -116,6 +137,11 @@ sub outcome {
 sub options_of {
 	my ($format) = @_;
 	my @k = '--keep-going';
+	return [@k], [], ['-j', 3, @k], ['-H', '--flags', @k], ['-o', 'csv', @k]
+	    if $format =~ /columns/;
+	return [@k], [], ['w2n', @k], ['--from', 'clip', @k], ['--flags', @k],
+	    ['-o', 'csv', @k], ['-o', 'tsv', @k], ['-o', 'json', @k]
+	    if $format !~ /^(text|csv|json)$/;
 	my @all = ([@k], [], ['-j', 1, @k], ['-j', 3, @k], ['w2n', @k],
 	    ['--from', 'clip', @k], ['-H', @k], ['--flags', @k],
 	    ['--visible', @k], ['-d', 3, @k], ['-o', 'f64', @k],
@@ -136,8 +162,10 @@ my @copies = grep {
 my %want = $write ? () :
     reverse slurp($digests) =~ /^(\S+)  (.*)/mg;
 my $new = '';
-for my $format (qw(text csv json)) {
-	my $head = $format eq 'csv' ? "# a comment\nx,y,z,label\n" : '';
+for my $format (sort keys %line) {
+	my $head = $format =~ /[ct]sv/ ? "# a comment\nx,y,z,label\n" : '';
+	$head =~ tr/,/\t/ if $format eq 'tsv';
+	$head =~ tr/,/;/ if $format =~ /;/;
 	my $text = text_of($line{$format});
 	spew("$tmp/lines", "$head$text");
 	for my $options (options_of($format)) {

@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # The manual, the style, the scripts and the C, as make lint checks them.
 use strict;
 use warnings;

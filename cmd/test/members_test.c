@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "document.h"
 
 static const struct document_wants lookat = { .bare = SCENE_CAMERA,

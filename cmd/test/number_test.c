@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The truth is strtod's and printf's, which round correctly in the C library
  * this is tested with, and for the layout the rules of ECMA-262, 6.1.6.1.20. */
 #define _DEFAULT_SOURCE

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Members that have the wrong name or stand in the wrong place. */
 #include "document.h"
 

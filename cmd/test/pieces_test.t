@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # A file is cut into pieces that threads read for themselves, a pipe is not:
 # the same bytes and messages come from both, wherever the cuts fall.
 use strict;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Plain numbers by the vector: the truth is strtod's, and what is left to the
  * scalar code must be what is not plain, or rare. */
 #define _DEFAULT_SOURCE

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "../scene/print_scene.h"
 
 #include "../../core/test/sample.h"
@@ -109,9 +110,32 @@ static void test_reads_back(void **state)
 	}
 }
 
+/* Without a camera and a projection, which it hasn't. */
+static void test_flat(void **state)
+{
+	(void)state;
+	sample_seed(2);
+	for (int i = 0; i < 20; i++) {
+		struct document d, r;
+		int status;
+
+		sample_fitted(&d);
+		d.flat = d.scene.has_window = true;
+		r = read_as(&project, output_of(print_it, &d, &status));
+		assert_int_equal(status, 0);
+		assert_false(r.scene.has_camera || r.scene.has_world ||
+		    r.scene.has_viewport);
+		assert_true(r.scene.projection.type == PROJECTION_NONE);
+		assert_true(d.scene.has_device == r.scene.has_device);
+		assert_true(r.scene.window.width == d.scene.window.width ||
+		    r.scene.window.by_edges);
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(test_flat),
 		cmocka_unit_test(test_reads_back),
 	};
 

@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # Recorded truth: what the program prints is the double nearest to digits that
 # were worked out without it, and come from elsewhere.
 use strict;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* For tests of functions that print an error and exit. */
 #ifndef REFUSAL_TEST_H
 #define REFUSAL_TEST_H

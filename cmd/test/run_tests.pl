@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # Runs test programs, cmocka's and perl's, and sums them up in one line.
 # usage: run_tests.pl JOBS PROGRAM...
 use strict;

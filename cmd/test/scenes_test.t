@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # --scenes prints what one call for each scene would print, one after another,
 # whatever stands between the scenes and however they come; and trace prints in each
 # space what project does.
@@ -23,7 +24,8 @@ sub with {
 
 sub camera { {eye => [@_], at => [0, 0, 0]} }
 
-# Of points without an image: how many there are, and where the first is.
+# Of points without an image: how many there are, and where the first is; and how many
+# lines are bad.
 sub imageless {
 	my ($said) = @_;
 	my ($n, $where) = (0, '');
@@ -31,11 +33,14 @@ sub imageless {
 		$n += $1;
 		$where ||= $2;
 	}
-	return ($said, "$n $where");
+	my $bad = 0;
+	$bad += $1 while $said =~ s/^projcalc: (\d+) bad lines?\n//m;
+	return ($said, "$n $where, $bad bad");
 }
 
 # The scenes in one call and in a call for each. Messages are those of the calls,
-# but for what names the scene, and that points without an image are counted once.
+# but for what names the scene, and that points without an image, and bad lines, are
+# counted once.
 sub same {
 	my ($name, $args, $points, @scenes) = @_;
 	my ($status, $out, $err) = (0, '', '');
@@ -90,6 +95,15 @@ same('fit to points', 'fit', 'bunny.xyz', map { with(points => undef,
 same('inspect', 'inspect', '', @path);
 same('windows', 'w2d', "'[[1,2]]'", map { {window => {center => [$_, 0],
     width => 2, height => 2}, device => {width => 300, height => 300}} } 1, 2);
+
+my @windows = map { {window => {center => [$_, 0], width => 2, height => 2},
+    device => {width => 300, height => $_}} } 1 .. 3;
+same('edges', 'w2d --flags', "'[[1,2],[0.5,0]]'", @windows);
+same('inspect windows', 'inspect', '', @windows);
+same('fit windows', 'fit', "'[[1,2],[4,4]]'", @windows);
+same('fit either', 'fit', '', map { {%{$windows[$_]}, $_ == 1 ?
+    (projection => {type => 'ortho'}, points => [[1, 2, 3], [4, 4, 4]]) :
+    (points => [[1, 2], [3, $_]])} } 0 .. 2);
 
 # Points are read once: columns by a header, binary, bad lines.
 spew("$tmp/csv", "name,z,y,x\n" . "lamp,1,2,3\n" x 20000);

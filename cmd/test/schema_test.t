@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # The JSON Schema of a scene takes every scene of testdata and every value of
 # projcalc-scene(5), and refuses what the program refuses in the transcripts,
 # where a schema can. The validator is python3-jsonschema, which knows neither.
@@ -42,20 +43,22 @@ my $beyond = qr{
 	singular | determinant | last\ column | transposed | of\ -c; | pi\S*\ radians | too\ far\ from |
 	beyond\ the\ range\ of\ doubles
 	    (?!;\ numbers) |
-	missing;\ (?:add|it\ is|device|say) |
+	missing;\ (?:add|it\ is|device|say|-t) |
 	but\ the\ command\ is | coordinates\ are\ wanted | not\ together\ with\ PO |
 	can't\ be\ taken\ back | nothing\ that\ can\ be\ fitted |
 	^projcalc:\ POINTS:
 }x;
 
 # An object with none of a scene's members is one of them, as is its type.
-my %bare = (lookat => 'camera', w2n => 'window', n2d => 'device',
+my %bare = (lookat => 'camera', (map { $_ => 'window' } qw(w2n n2w)),
+	(map { $_ => 'device' } qw(n2d d2n)),
 	map { $_ => 'projection' } qw(persp ortho oblique volume));
 
 sub as_scene {
 	my ($command, $text) = @_;
 	# The points that fit holds may stand elsewhere.
-	$text =~ s/^\s*\{/{"bounds": {"center": [0,0,0], "radius": 1}, /
+	my $center = $text =~ /"projection"/ ? '[0,0,0]' : '[0,0]';
+	$text =~ s/^\s*\{/{"bounds": {"center": $center, "radius": 1}, /
 	    if $command eq 'fit' && $text !~ /"bounds"/;
 	my $bare = $bare{$command} or return $text;
 	return $text if $text =~ /"(?:convention|world|camera|projection|viewport
@@ -78,7 +81,7 @@ sub documents {
 		    $rest =~ /'(\{[^']*\})'/g;
 		push @found, map { as_scene($command, slurp($_)) }
 		    grep { -e } map { "testdata/$_" } $rest =~ m{(?<![\w<'])([\w/-]+\.json)\b}g;
-		push @found, as_scene($command, $in) if $in =~ /^\s*\{/;
+		push @found, as_scene($command, $in) if $in =~ /^\s*\{/ && $shell !~ /-i json/;
 	}
 	return @found;
 }

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The texts of many numbers are those of number_write, from each copy of the
  * loops that this processor runs.
  * usage: texts_test [COUNT], of numbers for each style */

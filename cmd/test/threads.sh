@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # Streams through four threads, for the thread sanitizer to watch: points in
 # each format, bad lines with and without --keep-going, several sources.
 # usage: threads.sh BUILD
@@ -35,7 +36,7 @@ projcalc project -o f64 --to world full.json "$tmp/text" >"$tmp/f64"
 
 cp "$tmp/text" "$tmp/pipe"
 {
-	sed '/"points"/d; $d' scene.json
+	sed '/"viewport"/s/$/,/; $d' scene.json
 	sed 's/ /, /g; s/.*/ [&]/; 1s/^/"points": [/; 1!s/^/,/' "$tmp/text"
 	echo ']}'
 } >"$tmp/document"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What -t promises of each number printed, beside the truth of core/test. */
 #include <setjmp.h>
 #include <stdarg.h>

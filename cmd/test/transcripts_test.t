@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # Does what stands in testdata/transcripts, and compares what is said.
 # usage: transcripts_test.t [-w] [BUILD] [FILE...]; -w rewrites what is
 # expected.

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # One of each command under valgrind, which knows no AVX-512.
 # usage: valgrind.sh BUILD
 set -eu
@@ -20,7 +21,7 @@ flat='{"window":{"center":[1,2],"width":3,"height":4},
 "device":{"width":640,"height":480}}'
 lens='"near":1,"far":10,"width":2,"height":1}'
 
-check lookat -o json scene.json
+check lookat -o json points.json
 check persp "{$lens"
 check ortho "{$lens" '[[1,2,3],[4,5,6]]'
 check oblique "{\"kind\":\"cabinet\",$lens"
@@ -38,4 +39,4 @@ check pick --at 320,240 --radius 99 scene.json bunny.xyz
 check pick --scenes --at 320,240 --radius 99 "$(cat scene.json scene.json)" bunny.xyz
 check fit scene.json bunny.xyz
 check inspect scene.json
-check help
+check help --json

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* CPU time for the benchmarks: of many runs, the minimum is the machine at its
  * best and the median what it gives. */
 #ifndef CLOCK_BENCH_H

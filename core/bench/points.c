@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Nanoseconds a point of points_carry: every copy of the kernels that this
  * processor runs, every precision, every kind of transform, on a block that lies
  * in the cache. Prints a table in markdown. */

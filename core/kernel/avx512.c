@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* For x86-64 with AVX-512: compile with -mavx512f -mfma. */
 #ifdef __AVX512F__
 #include <immintrin.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* For any processor: fma is the C library's, exact everywhere and fast where
  * there is an instruction for it. */
 #include <math.h>

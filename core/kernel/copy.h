@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The loops for one kind of processor. A file that includes this defines:
  *
  *	COPY		the name of its struct kernels

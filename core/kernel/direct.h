@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Rows of three doubles to rows of three, in exact, without columns between: they are
  * read twice, for their extent and to be carried. */
 

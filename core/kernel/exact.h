@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The fast phase of exact, written once for the vectors that copy.h describes:
  * each coordinate as a sum hi + lo with a bound of its error, and a test whether
  * all that lies within the bound rounds to the same double. If it doesn't, the

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The inner loops: one body a precision, compiled once for each kind of
  * processor with the same bits from each. */
 #ifndef KERNEL_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Doubles that were rounded once, and are to be floats rounded once. */
 #ifndef MIDWAY_H
 #define MIDWAY_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* For arm64, all of which have it. Its own minimum of a number and nan is nan. */
 #ifdef __aarch64__
 #include <arm_neon.h>

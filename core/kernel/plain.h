@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The inner loop of double and single, written once: copy.h includes it for each
  * kind of column. As in exact.h a point is taken relative to the map's origin.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Points in rows, x y z after x y z as files have them, to columns and back: loops
  * that compilers turn into shuffles, once they know how long a row is and what
  * the processor has. Rows may begin at any address. */

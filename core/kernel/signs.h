@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Of which planes points are outside. In doubles alone, so that the compiler makes
  * a loop of vectors of it. */
 #include "kernel.h"

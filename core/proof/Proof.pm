@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # What `make prove` and its test share: the claims that stand in core's headers
 # as macros or, of a function, in the comment above it, and programs that compile
 # those headers.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* Counts the errors of dd.h, quick.h, kernel/exact.h and kernel/plain.h and compares them
  * with the bounds that are claimed there. A line for each:
  *

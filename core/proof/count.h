@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Numbers that count their roundings. In the name of doubles they go through the
  * headers themselves and hold what each operation makes of its operands: a
  * polynomial in what was given and in the error of every rounding so far, with

@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # The proofs that need nothing but a C++ compiler: the headers in toy arithmetic,
 # where nearly all operands can be tried, and their errors counted. Then that
 # both tell a right header from a wrong one.

@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # Machine-checked error counting: compares each bound that core claims with what
 # is found from its own headers and numbers, and says what follows. Coq checks
 # what is without error, where it is installed.

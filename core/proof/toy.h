@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Numbers of P binary digits in the name of doubles, P <= 24, so that nearly all
  * operands can be tried. What is tested is the headers themselves: they are
  * included with double as the name of these. Exponents have no limits. Where P is

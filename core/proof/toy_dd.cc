@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* dd.h in toy arithmetic, over nearly all operands: transformations without error
  * have none, and relative errors are below what dd.h claims, given here by the
  * names DD_ADD, DD_MUL, DD_DIV. quick.h's sum is dd_add's, and exact where it says

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* kernel/exact.h in toy arithmetic: no rounding of which it is sure is wrong, no
  * point has an image that surely has none, or the other way about. */
 #include "toy.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What makes a projection hard, from harmless to extreme. */
 #ifndef REGIMES_H
 #define REGIMES_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* How wrong the ways to compute a regime are. */
 #ifndef WAYS_H
 #define WAYS_H

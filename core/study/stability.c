@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Where the classical ways to compute an image break, and exact does not.
  *
  *	stability        tests it, a line a regime

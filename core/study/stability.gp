@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Draws what `stability data` writes, to standard output:
 #	gnuplot -e "data='stability.dat'" stability.gp > stability.svg
 if (!exists("terminal")) terminal = "svg size 900,1180"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "textbook.h"
 
 #include <math.h>

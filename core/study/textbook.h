@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The classical methods, for comparison in tests: matrices as GLM, cglm and
  * textbooks write them, for gl's conventions. */
 #ifndef NAIVE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* One precision of the classical methods: textbook.c includes this for float and
  * for double. Matrices are those of row vectors, which in memory are GLM's and
  * cglm's. */

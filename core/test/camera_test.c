@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The view matrix and its inverse against MPFR, exact zeros, and refusals. */
 #include "claims.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What every test of core needs: cmocka, and claims of bounds. */
 #ifndef CLAIM_H
 #define CLAIM_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The bounds that dd.h claims, against MPFR. */
 #include "claims.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What inspect claims as bounds: no point of the view volume is further off. */
 #include "../error_bound.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Against MPFR: sums and products exact, the rest within the bounds that exact.h
  * claims. */
 #include "claims.h"

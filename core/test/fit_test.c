@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What fit makes holds its bounds, exactly, and no double is tighter. */
 #include "../fit.h"
 

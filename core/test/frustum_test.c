@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Which planes of the view volume points are outside of: the signs that MPFR
  * has. */
 #include "../frustum.h"

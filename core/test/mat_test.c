@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Composition and inversion of bare matrices, against MPFR. */
 #include "claims.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A search for points whose images are hard to round: each climbs toward the
  * midpoint of two doubles, or floats, in some coordinate, as near as Euclid's
  * algorithm brings it; on the way every copy of the kernels must be right. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Random scenes, any two spaces, every format and every copy of the kernels:
  * how many coordinates are not the double, or the float, nearest to the
  * exact value?

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What inspect tells in parameters, against MPFR. */
 #include "../parameters.h"
 #include "../point.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What lies within a radius, how far and in which order: as MPFR has it. */
 #include "../pick.h"
 

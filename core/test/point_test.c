@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The accurate phase for one point: ties, zeros, the eye plane, nan. */
 #include "../point.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Blocks of points for tests, and their exact images. */
 #ifndef BLOCK_H
 #define BLOCK_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Blocks of points: every copy of the kernels, every cut, every tolerance. */
 #include "claims.h"
 #include "points.h"

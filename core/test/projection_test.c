@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The projections and their inverses against MPFR, and refusals. */
 #include "claims.h"
 

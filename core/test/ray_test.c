@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Rays: the nearest doubles and floats. */
 #include "../ray.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Numbers of thousands of bits, for tests: MPFR's, without naming every
  * intermediate. Link with -lmpfr -lgmp. */
 #ifndef REAL_H

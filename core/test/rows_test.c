@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Rows to columns and back, and floats and doubles from rows to rows, in every copy of the
  * kernels. */
 #include <setjmp.h>

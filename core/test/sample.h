@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Random parameters for tests, the same in every run. With e = 0 they are what
  * people write, among them small whole numbers; else hostile: far from the
  * origin, nearly degenerate, of mixed magnitudes from 10^-e to 10^e. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Composed maps between any two spaces against MPFR, and refusals. */
 #include "claims.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The names of projections, and matrices whose near plane is found. */
 #include "../taxonomy.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What inspect tells of a projection, against MPFR. */
 #include "../taxonomy.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Sines, cosines and cotangents against MPFR. */
 #include "../trig.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The truth for tests: the manual's formulas as a textbook writes them, with so
  * many bits that what is lost does not count. Shares nothing with the code
  * under test but the structs of its parameters. truth.c multiplies stages out

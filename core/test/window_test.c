@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Windows, devices and viewports against MPFR. */
 #include "claims.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Preloaded by feed.sh: when the program ends, writes to $FEED the CPU time, in
  * seconds, of all of it, of its reads, which take turns where a pipe is read,
  * and of its writes, which always do. */

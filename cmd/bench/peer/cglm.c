@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* cglm, which has float only, on vectors of four: those have intrinsics. */
 #include "peer.h"
 

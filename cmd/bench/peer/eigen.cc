@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Eigen in double and float: arrays of columns, its expressions are vectorized.
 #include "peer.h"
 

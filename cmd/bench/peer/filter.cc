@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Programs around a peer, as its users write them: with scanf and printf; with
 // the fastest functions of C++ for numbers, all the input in memory; with blocks
 // of bytes.

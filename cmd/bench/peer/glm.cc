@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // GLM in float and in double.
 #include "peer.h"
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Points through a 4x4 matrix for row vectors, divided.
 # usage: mawk -f peer.awk MATRIX POINTS
 NR == 1 { a1 = $1; a2 = $2; a3 = $3; a4 = $4; next }

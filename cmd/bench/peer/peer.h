@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Other people's libraries, each used as its own users would when they care
  * for speed: one composed matrix, then a product and a division a point, on
  * points that lie as suits the library best. */

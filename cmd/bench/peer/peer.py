@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Points through a 4x4 matrix for row vectors, divided; in blocks, which stay in
 # the cache.
 # usage: python3 peer.py MATRIX text|f64 POINTS

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* No library: the loop over columns that anybody can write, for the compiler to
  * make the best of. */
 #include <string.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "vector.h"
 
 /* For any processor: number_write makes every text. */

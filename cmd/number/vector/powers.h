@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* 10^-11 to 10^20 as hi + lo, each the nearest double to what is left: hi is the
  * power itself from 10^0 on, and below it hi + lo is within POWER_ERROR of it,
  * relatively. (digits_test.t recomputes them.) */

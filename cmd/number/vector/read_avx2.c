@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* For x86-64 with AVX2 and FMA: compile with -mavx2 -mfma. */
 #ifdef __AVX2__
 #include <immintrin.h>

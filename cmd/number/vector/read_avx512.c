@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* For x86-64 with AVX-512: compile with -mavx512f -mavx512bw -mavx512cd -mavx512dq
  * -mavx512vl -mfma. */
 #ifdef __AVX512BW__

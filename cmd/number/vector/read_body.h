@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The reader of plain numbers for one kind of processor. A file that includes
  * this defines:
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* For arm64. */
 #ifdef __aarch64__
 #include <arm_neon.h>

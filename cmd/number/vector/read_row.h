@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The rows of a group, one after the other, where DOTS and ANY_TOP_BIT are defined
  * (read_body.h). */
 #include "read_rows.h"

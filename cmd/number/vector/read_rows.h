@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Plain numbers as rows of digits, from which read_body.h makes doubles. */
 #ifndef READ_ROWS_H
 #define READ_ROWS_H

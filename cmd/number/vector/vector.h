@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Texts of numbers several at a time: one body, compiled once for each kind of
  * processor, with the same bytes from each as from number_write. */
 #ifndef VECTOR_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The texts of TEXTS numbers at a time, in short loops, each over all of them: of a
  * long one the processor could not begin the next turn before this one's results.
  * The digits are found (write_find.h) and written where they always stand in a text;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The decimal digits of a number, found by operations on doubles (write_body.h
  * says which). From 2^-17 to 2^52, of floats to 2^23, none of them rounds; beyond
  * that, what rounding could change is left to number_write. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* For AArch64, of which NEON is a part. */
 #ifdef __aarch64__
 #include <arm_neon.h>

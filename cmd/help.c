@@ -1,0 +1,181 @@
+/* SPDX-License-Identifier: MIT */
+#include "help.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "options.h"
+#include "scene/members.h"
+#include "talk.h"
+
+static void heading(const char *text)
+{
+	bool colored = is_colored(STDOUT_FILENO);
+
+	printf("%s%s%s", colored ? "\033[1m" : "", text,
+	    colored ? "\033[0m" : "");
+}
+
+static void example(const char *call)
+{
+	printf("\n");
+	heading("example:");
+	printf(" projcalc %s\n", call);
+}
+
+enum { NAME_WIDTH = 15, TYPE_WIDTH = 23 };
+
+/* Its name, type and unit, what it says, its default and, where types names them,
+ * the types that have it. */
+static void print_member(const struct member *row, const char *const *types)
+{
+	char type[LISTED];
+	const char *unit = row->unit, *before = " (";
+	int width = NAME_WIDTH + 2;
+
+	width += printf("  %-*s%s%s%s", NAME_WIDTH, row->name,
+		     member_type(row, type), unit != NULL ? ", " : "",
+		     unit != NULL ? unit : "") -
+	    NAME_WIDTH - 2;
+	if (width > NAME_WIDTH + 2 + TYPE_WIDTH) {
+		printf("\n");
+		width = 0;
+	}
+	printf("%*s %s", NAME_WIDTH + 2 + TYPE_WIDTH - width, "", row->about);
+	if (row->otherwise != NULL)
+		printf("; default %s", row->otherwise);
+	for (int i = 0; types != NULL && types[i] != NULL; i++)
+		if (row->kinds >> i & 1) {
+			printf("%s%s", before, types[i]);
+			before = ", ";
+		}
+	printf("%s\n", *before == ',' ? ")" : "");
+}
+
+/* The members of a table that objects of that kind have, or where it is negative
+ * those of all kinds. */
+static void print_members(const struct member *table, int kind)
+{
+	for (const struct member *row = table; row->name != NULL; row++)
+		if (kind < 0 || row->kinds == 0 || row->kinds >> kind & 1)
+			print_member(row, kind < 0 ? table->words : NULL);
+}
+
+/* Members of a scene, as bits. */
+static void print_scene_members(unsigned bits)
+{
+	for (int i = 0; scene_members[i].name != NULL; i++)
+		if (bits >> i & 1)
+			print_member(&scene_members[i], NULL);
+}
+
+void help_all(const struct command *c)
+{
+	heading("usage:");
+	printf(" projcalc COMMAND [OPTION...] [PARAMS [POINTS...]]\n\n");
+	for (; c->name != NULL; c++)
+		printf("  %-10s %s\n", c->name, c->about);
+	printf("\nPARAMS is a JSON file, - for standard input (default), or "
+	       "'{...}'.\nPOINTS are files, -, or '[0,0,0]'.\n"
+	       "See projcalc help COMMAND, projcalc help camera (or another "
+	       "member), man projcalc.\n");
+}
+
+static void print_options(const struct command *c)
+{
+	for (const struct option_row *r = option_rows; r->name != NULL; r++) {
+		const char letter[] = { '-', r->letter, ',', ' ', '\0' };
+		char left[40];
+
+		if (!option_is_for(r, c))
+			continue;
+		snprintf(left, sizeof left, "%s--%s %s",
+		    r->letter != 0 ? letter : "    ", r->name,
+		    r->argument != NULL ? r->argument : "");
+		printf("  %-24s %s\n", left, r->about);
+	}
+}
+
+/* What PARAMS may have: members of a lone object, and of a scene. */
+static void print_params(const struct command *c)
+{
+	const struct document_wants *w = &c->wants;
+	unsigned scene = w->used | w->flat | SCENE_CONVENTION |
+	    (w->flat != 0 ? SCENE_DEVICE : 0);
+
+	if (c->kind != PLANAR)
+		scene |= SCENE_ANGLE_UNIT;
+	for (int i = 0; scene_members[i].name != NULL; i++) {
+		const struct member *row = &scene_members[i];
+
+		if (w->bare >> i & 1 || strcmp(row->name, c->name) == 0) {
+			printf("\n");
+			heading(row->name);
+			heading(":\n");
+			print_members(row->members, w->projection - 1);
+		}
+	}
+	printf("\n");
+	heading("scene:\n");
+	print_scene_members(scene);
+	printf("projcalc help NAME tells of a member that is an object.\n");
+}
+
+void help_command(const struct command *c)
+{
+	const char *operands = c->kind == HELP ? "[COMMAND | MEMBER]" :
+	    command_reads_points(c)            ? "[PARAMS [POINTS...]]" :
+						 "[PARAMS]";
+
+	heading("usage:");
+	printf(" projcalc %s [OPTION...] %s\n%s\n\n", c->name, operands,
+	    c->about);
+	print_options(c);
+	if (c->kind != HELP)
+		print_params(c);
+	if (c->example != NULL) {
+		char call[1024];
+
+		snprintf(call, sizeof call, "%s %s", c->name, c->example);
+		example(call);
+	}
+}
+
+static void help_scene_member(const struct member *row)
+{
+	heading(row->name);
+	printf(": %s\n\n", row->about);
+	if (row->members == NULL || row->words != NULL)
+		print_member(row, NULL);
+	for (int i = 0; row->words != NULL && row->words[i] != NULL; i++)
+		printf("%s%s", i == 0 ? "                 " : " ",
+		    row->words[i]);
+	if (row->words != NULL)
+		printf("\n");
+	if (row->members != NULL)
+		print_members(row->members, -1);
+	example(row->command);
+}
+
+bool help_member(const char *name)
+{
+	const struct member *row;
+
+	if (strcmp(name, "scene") == 0) {
+		print_scene_members(~0u);
+		return true;
+	}
+	for (row = scene_members; row->name != NULL; row++)
+		if (strcmp(row->name, name) == 0)
+			break;
+	for (const struct member *s = scene_members;
+	     row->name == NULL && s->name != NULL; s++)
+		if (s->members != NULL &&
+		    member_named(s->members, name) != NULL)
+			row = s;
+	if (row->name == NULL)
+		return false;
+	help_scene_member(row);
+	return true;
+}

@@ -1,0 +1,211 @@
+/* SPDX-License-Identifier: MIT */
+#include "header.h"
+
+#include <stdio.h>
+#include <strings.h>
+
+#include "line_bad.h"
+#include "names.h"
+
+/* A field without its quotes, and the blanks around it and in them. */
+static struct span name_of(struct dialect d, struct span f)
+{
+	f = trimmed(d, f);
+	if (f.end - f.s >= 2 && *f.s == '"' && f.end[-1] == '"') {
+		f.s++;
+		f.end--;
+	}
+	return trimmed(d, f);
+}
+
+typedef int comparison(const char *, const char *, size_t);
+
+/* The number of the first field of that name, or -1. */
+static int find_name(struct dialect d, struct span header, const char *name,
+    comparison *compare)
+{
+	const char *s = header.s;
+
+	for (int k = 0; s != NULL; k++) {
+		struct span field = field_at(d, s, header.end);
+		struct span f = name_of(d, field);
+		size_t n = (size_t)(f.end - f.s);
+
+		if (n == strlen(name) && compare(f.s, name, n) == 0)
+			return k;
+		s = field_next(d, field.end, header.end);
+	}
+	return -1;
+}
+
+static void say_header(struct dialect d, struct span header, const char *wanted,
+    char reason[REASON_MAX])
+{
+	struct names names = { 0 };
+	const char *s = header.s;
+
+	while (s != NULL) {
+		struct span field = field_at(d, s, header.end);
+
+		names_add(&names, name_of(d, field));
+		s = field_next(d, field.end, header.end);
+	}
+	names_say(&names, wanted, reason);
+}
+
+static bool twice(const struct columns *c, int i, char reason[REASON_MAX])
+{
+	for (int k = 0; k < i; k++)
+		if (c->field[k] == c->field[i]) {
+			snprintf(reason, REASON_MAX,
+			    "two coordinates are column %d", c->field[i] + 1);
+			return true;
+		}
+	return false;
+}
+
+/* Turns the names of --columns into field numbers. */
+static bool find_columns(struct layout *l, struct span header,
+    char reason[REASON_MAX])
+{
+	struct columns *c = &l->columns;
+	bool found = true;
+
+	for (int i = 0; i < c->n; i++) {
+		if (c->name[i] == NULL)
+			continue;
+		c->field[i] = find_name(l->in, header, c->name[i], strncmp);
+		if (c->field[i] >= 0 || !found)
+			continue;
+		found = false;
+		snprintf(reason, REASON_MAX, "the header has no column '%.60s'",
+		    c->name[i]);
+		say_header(l->in, header, c->name[i], reason);
+	}
+	for (int i = 1; i < c->n && found; i++)
+		found = !twice(c, i, reason);
+	return found;
+}
+
+/* Where nobody said which columns the coordinates are: those named x, y, z, w, if
+ * all that are read have one; the first ones if neither x nor y does. */
+static bool find_axes(struct layout *l, struct span header,
+    char reason[REASON_MAX])
+{
+	struct columns *c = &l->columns;
+	int missing = -1;
+
+	for (int i = l->reads - 1; i >= 0; i--) {
+		c->field[i] = find_name(l->in, header, axis(i), strncasecmp);
+		if (c->field[i] < 0)
+			missing = i;
+	}
+	c->n = missing < 0 || c->field[0] >= 0 || c->field[1] >= 0 ? l->reads :
+								     0;
+	if (c->n == 0 || missing < 0)
+		return true;
+	snprintf(reason, REASON_MAX,
+	    "the header has no column '%s', but '%s'; say with --columns which "
+	    "the coordinates are",
+	    axis(missing), axis(c->field[0] < 0));
+	for (int i = 0; i < c->n; i++)
+		c->field[i] = -1;
+	return false;
+}
+
+/* What stands for a number that isn't known. */
+static bool is_unknown(struct span f)
+{
+	static const char *const words[] = { "n/a", "na", "nan", "null", "" };
+	size_t n = (size_t)(f.end - f.s);
+
+	for (int i = 0; i < 5; i++)
+		if (strlen(words[i]) == n && strncasecmp(words[i], f.s, n) == 0)
+			return true;
+	return false;
+}
+
+/* Whether none of the coordinates is a number, or can stand for one. */
+static bool looks_like_header(const struct layout *l, struct span text)
+{
+	bool unknown = true;
+
+	for (int i = 0; i < l->reads; i++) {
+		int k = l->columns.n > 0 ? l->columns.field[i] : i;
+		struct span f;
+		double v;
+
+		if (!field_find(l->in, text.s, text.end, k, &f))
+			continue;
+		f = name_of(l->in, f);
+		if (f.s < f.end && number_read(f.s, f.end, &v) == f.end)
+			return false;
+		unknown &= is_unknown(f);
+	}
+	return !unknown;
+}
+
+/* A header of one field, in which something else could separate others. */
+static bool has_other_separator(struct dialect d, struct span text,
+    char reason[REASON_MAX])
+{
+	struct span f = field_at(d, text.s, text.end);
+	size_t n = (size_t)(f.end - f.s);
+
+	if (d.separator != ',' || field_next(d, f.end, text.end) != NULL ||
+	    n == 0 || *f.s == '"')
+		return false;
+	if (memchr(f.s, ';', n) != NULL)
+		snprintf(reason, REASON_MAX,
+		    "has ; and no comma; say --separator ';'");
+	else if (memchr(f.s, '\t', n) != NULL)
+		snprintf(reason, REASON_MAX,
+		    "has tabs and no comma; say -i tsv, or --separator tab");
+	else
+		return false;
+	return true;
+}
+
+static bool is_named(const struct columns *c)
+{
+	for (int i = 0; i < c->n; i++)
+		if (c->name[i] != NULL)
+			return true;
+	return false;
+}
+
+bool header_read(struct layout *l, struct span text, struct line *line,
+    char reason[REASON_MAX])
+{
+	struct columns *c = &l->columns;
+
+	if (c->by_header)
+		c->n = 0;
+	bool named = is_named(c);
+
+	if (l->header == HEADER_NONE ||
+	    (l->header == HEADER_MAYBE && !named &&
+		!looks_like_header(l, text)))
+		return false;
+	bool found = named ? find_columns(l, text, reason) :
+	    c->by_header   ? find_axes(l, text, reason) :
+			     true;
+
+	if (has_other_separator(l->in, text, reason))
+		found = false;
+	if (!found)
+		line->kind = LINE_LOST;
+	return true;
+}
+
+void header_places(const struct layout *l, struct span text, struct line *line)
+{
+	for (int i = 0; i < l->reads; i++) {
+		int k = l->columns.n > 0 ? l->columns.field[i] : i;
+		struct span f = { NULL, NULL };
+
+		if (k >= 0)
+			field_find(l->in, text.s, text.end, k, &f);
+		line->at[i] = f.s != NULL ? line_part(line, f) : part_missing;
+	}
+}

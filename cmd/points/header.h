@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT */
+/* The first line of csv: whether it is a header, and where it says that the
+ * coordinates are. */
+#ifndef HEADER_H
+#define HEADER_H
+
+#include "line.h"
+
+/* Returns false where the line, which text is but for a byte order mark, is one of
+ * points. Else its kind is LINE_COPY, or LINE_LOST with the reason, and the
+ * layout's columns are found; or -1, where it has none of that name. */
+bool header_read(struct layout *, struct span text, struct line *,
+    char reason[REASON_MAX]);
+
+/* Where in the header, which text is but for a byte order mark, the names of the
+ * coordinates stand. */
+void header_places(const struct layout *, struct span text, struct line *);
+
+#endif

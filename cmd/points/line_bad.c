@@ -1,0 +1,247 @@
+/* SPDX-License-Identifier: MIT */
+#include "line_bad.h"
+
+#include <stdio.h>
+
+#include "../escape.h"
+#include "../json/check.h"
+#include "line_object.h"
+#include "names.h"
+
+const char *axis(int i)
+{
+	static const char *const words[] = { "x", "y", "z", "w" };
+
+	return words[i];
+}
+
+static bool has(struct span f, char c)
+{
+	return memchr(f.s, c, (size_t)(f.end - f.s)) != NULL;
+}
+
+/* What would be right in the place of f. Where reads says that a number begins
+ * there, it is what comes after it that is wrong. */
+static const char *hint(const struct layout *l, int i, struct span f)
+{
+	double v;
+
+	if (l->in.format == FORMAT_CSV && l->in.separator != ',' && has(f, ','))
+		return "; a decimal point is a point: 1.5";
+	if (l->in.format != FORMAT_JSON && has(f, ';'))
+		return "; is ; the separator? say -i csv --separator ';'";
+	if (number_read(f.s, f.end, &v) != NULL)
+		return l->in.format == FORMAT_JSON ?
+		    "; a number is wanted, as JSON writes it" :
+		    "; a number is wanted, with a blank or comma behind it";
+	if (l->in.format != FORMAT_JSON && l->columns.n == 0 && i == 0)
+		return "; a number is wanted; --columns says which fields the "
+		       "coordinates are";
+	return "; a number is wanted";
+}
+
+void say_bad_field(const struct layout *l, int i, struct span f,
+    char reason[REASON_MAX])
+{
+	size_t n = (size_t)(f.end - f.s);
+	bool nested = n > 0 && (*f.s == '[' || *f.s == '{');
+	char word[ESCAPED_MAX];
+
+	if (nested && l->in.format == FORMAT_TEXT)
+		snprintf(reason, REASON_MAX,
+		    "looks like JSON; say -i json, with one array or object a "
+		    "line: jq -c '.points[]'");
+	else if (nested && l->in.format == FORMAT_JSON)
+		snprintf(reason, REASON_MAX,
+		    "%s is not a number; one array or object a line: jq -c "
+		    "'.points[]'",
+		    axis(i));
+	else if (n == 0)
+		snprintf(reason, REASON_MAX,
+		    "%s is missing; %d numbers are wanted", axis(i), l->reads);
+	else
+		snprintf(reason, REASON_MAX, "%s is '%s'%s", axis(i),
+		    escaped(word, f.s, n), hint(l, i, f));
+}
+
+bool say_header_of_text(const struct layout *l, struct span text,
+    char reason[REASON_MAX])
+{
+	const char *s = skip_blanks(l->in, text.s, text.end);
+
+	if (l->columns.n > 0 || *s == '[' || *s == '{')
+		return false;
+	for (int i = 0; i < l->reads && s != NULL; i++) {
+		struct span f = field_at(l->in, s, text.end);
+		double v;
+
+		if (f.s < f.end && number_read(f.s, f.end, &v) != NULL)
+			return false;
+		s = field_next(l->in, f.end, text.end);
+	}
+	snprintf(reason, REASON_MAX, "looks like a header; say %s",
+	    has(text, ',')      ? "-i csv" :
+		has(text, '\t') ? "-i tsv" :
+		has(text, ';')  ? "-i csv --separator ';'" :
+				  "-i csv --separator ' ', or put # before it");
+	return true;
+}
+
+/* Fields from the first coordinate to the last. */
+static int fields_spanned(const struct layout *l)
+{
+	int least = l->columns.field[0], most = least;
+
+	if (l->columns.n == 0)
+		return l->reads;
+	for (int i = 1; i < l->columns.n; i++) {
+		int k = l->columns.field[i];
+
+		least = k < least ? k : least;
+		most = k > most ? k : most;
+	}
+	return most - least + 1;
+}
+
+static bool number_stands(const char *s, const char *end)
+{
+	double v;
+	const char *stop = s < end ? number_read(s, end, &v) : NULL;
+
+	return stop != NULL && ends_field(stop, end);
+}
+
+bool commas_agree(const struct layout *l, const char *s, const char *end)
+{
+	int n = fields_spanned(l), separators = 0, commas = 0;
+
+	for (int k = 1; k <= n; k++) {
+		struct span f = field_at(l->in, s, end);
+
+		s = skip_separator(f.end, end);
+		if (s == end || (k == n && !(n == 2 && number_stands(s, end))))
+			break;
+		separators++;
+		commas += has((struct span){ f.end, s }, ',');
+	}
+	return commas == 0 || commas == separators;
+}
+
+static bool is_closed(struct span f)
+{
+	if (f.s == f.end || *f.s != '"')
+		return true;
+	for (f.s++; f.s < f.end; f.s++)
+		if (*f.s == '"' && (++f.s == f.end || *f.s != '"'))
+			return true;
+	return false;
+}
+
+bool quotes_are_closed(struct dialect d, struct span text)
+{
+	const char *s = text.s;
+	bool even = true;
+
+	for (const char *c = text.s; c < text.end; c++)
+		even ^= *c == '"';
+	while (s != NULL && !even) {
+		struct span f = field_at(d, s, text.end);
+
+		if (!is_closed(trimmed(d, f)))
+			return false;
+		s = field_next(d, f.end, text.end);
+	}
+	return true;
+}
+
+/* A field up to a blank, where commas may be decimal points. */
+static struct span word_at(const char *s, const char *end)
+{
+	struct span f = { s, s };
+
+	while (f.end < end && !is_blank(*f.end))
+		f.end++;
+	return f;
+}
+
+/* Finds the fields of a line of text, csv or an array, from s on. */
+static void find_fields(const struct layout *l, const char *s, const char *end,
+    bool words, struct line *line)
+{
+	bool csv = l->in.format == FORMAT_CSV;
+
+	for (int k = 0; s != NULL; k++) {
+		struct span f = words ? word_at(s, end) :
+					field_at(l->in, s, end);
+		struct span inner = csv ? trimmed(l->in, f) : f;
+
+		for (int i = 0; i < l->reads; i++)
+			if (k == (l->columns.n > 0 ? l->columns.field[i] : i))
+				line->at[i] = line_part(line, inner);
+		if (words) {
+			s = skip_blanks(l->in, f.end, end);
+			s = s < end ? s : NULL;
+		} else {
+			s = field_next(l->in, f.end, end);
+		}
+	}
+}
+
+/* Whether a member can be added by that path: it is a name, short and without what
+ * would have to be escaped. */
+static bool can_be_added(const char *path)
+{
+	bool plain = *path != '/' && strlen(path) < NAME_ROOM - 8;
+
+	for (; *path != '\0'; path++)
+		plain &= *path != '"' && *path != '\\' &&
+		    (unsigned char)*path >= ' ';
+	return plain;
+}
+
+/* Finds the members of an object, of which there may be one of each name. */
+static bool find_members(const struct layout *l, struct span text,
+    struct line *line)
+{
+	for (int i = 0; i < l->reads; i++) {
+		const char *path = path_of(l, i);
+		struct json_place p;
+
+		if (path == NULL)
+			return false;
+		int times = json_place_find(text, path, &p);
+
+		if (times == 1)
+			line->at[i] = line_part(line, p.value);
+		else if (times > 1 || !can_be_added(path))
+			return false;
+	}
+	return true;
+}
+
+void line_take_apart(const struct layout *l, struct span text,
+    struct line *line)
+{
+	const char *s = skip_blanks(l->in, text.s, text.end);
+	struct json_error e;
+	bool whole = true;
+
+	line->object = l->in.format == FORMAT_JSON && *s == '{';
+	for (int i = 0; i < l->reads; i++)
+		line->at[i] = part_missing;
+	if (l->in.format == FORMAT_CSV)
+		whole = quotes_are_closed(l->in, text);
+	if (l->in.format == FORMAT_JSON)
+		whole = (*s == '[' || *s == '{') &&
+		    json_check(JSON_LINE, text.s, text.end, &e);
+	if (whole && line->object)
+		whole = find_members(l, (struct span){ s, text.end }, line);
+	else if (whole && l->in.format == FORMAT_JSON)
+		find_fields(l, s + 1, text.end, false, line);
+	else if (whole && l->in.format == FORMAT_CSV)
+		find_fields(l, text.s, text.end, false, line);
+	else if (whole)
+		find_fields(l, s, text.end,
+		    l->columns.n == 0 && !commas_agree(l, s, text.end), line);
+	line->kind = whole ? LINE_BAD : LINE_LOST;
+}

@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: MIT */
+/* Which edges of a 2D window points are outside of: the signs that MPFR has. */
+#include "../frustum.h"
+
+#include "claims.h"
+#include "points.h"
+
+/* Images of the edges in another space, rounded, and the doubles beside them; and
+ * points anywhere. */
+static void sample_edges(const struct scene *s, enum flat from, struct block *b)
+{
+	struct transform t;
+	static struct block image;
+
+	for (size_t i = 0; i < POINTS; i++) {
+		for (int j = 0; j < 2; j++)
+			image.in[j][i] = sample_between(-1.5, 1.5);
+		image.in[sample_below(2)][i] = sample_below(2) ? 1 : -1;
+	}
+	assert_null(flat_transform(s, FLAT_NDC, from, &t));
+	carry_all(&t, &image, POINTS);
+	for (size_t i = 0; i < POINTS; i++)
+		for (int j = 0; j < 2; j++) {
+			double on = image.out[j][i];
+			unsigned beside = sample_below(8);
+
+			b->in[j][i] = beside == 0 ? nextafter(on, 1e300) :
+			    beside == 1           ? nextafter(on, -1e300) :
+			    beside == 2           ? sample_number(4) :
+						    on;
+		}
+	if (sample_below(2))
+		b->in[sample_below(2)][sample_below(POINTS)] = (double)NAN;
+}
+
+struct count {
+	size_t edges, on;
+};
+
+/* In ndc, 1 + x, 1 - x, 1 + y and 1 - y are not below 0 inside. */
+static void check_edges(const struct truth *to_ndc, const double p[2],
+    unsigned out, struct count *c)
+{
+	const double at[4] = { p[0], p[1], 0, 1 };
+
+	for (int k = 0; k < 4; k++) {
+		struct form one = form_of(1);
+		struct form x = truth_column(to_ndc, k / 2, at);
+		int sign = truth_sign(k & 1 ? form_sub(one, x) :
+					      form_add(one, x),
+		    NULL);
+
+		assert_int_equal(out >> k & 1, sign < 0);
+		c->edges++;
+		c->on += sign == 0;
+	}
+	assert_int_equal(out >> 4, 0);
+}
+
+static void check_block(const struct scene *s, enum flat from,
+    const struct frustum *f, const struct block *b, struct count *c)
+{
+	/* a third coordinate counts for nothing */
+	static double nans[POINTS_BLOCK];
+	unsigned char all[POINTS];
+	struct truth t;
+
+	for (size_t i = 0; i < POINTS; i++)
+		nans[i] = (double)NAN;
+	truth_flat(s, from, FLAT_NDC, &t);
+	frustum_out_all(f, (const double *[4]){ b->in[0], b->in[1], nans }, all,
+	    POINTS);
+	for (size_t i = 0; i < POINTS; i++) {
+		const double p[4] = { b->in[0][i], b->in[1][i], (double)NAN };
+		int mark = real_mark();
+
+		assert_int_equal(all[i], frustum_out(f, p));
+		if (isnan(p[0]) || isnan(p[1]))
+			assert_int_equal(all[i], OUT_NAN);
+		else
+			check_edges(&t, p, all[i], c);
+		real_release(mark);
+	}
+}
+
+static void edges_are_told(void **state)
+{
+	static const int e[] = { 0, 0, 2, 70 };
+	static struct frustum f;
+	static struct block b;
+	struct count c = { 0 };
+
+	(void)state;
+	sample_seed(1);
+	for (int k = 0; k < 600; k++) {
+		struct scene s = { .has_device = true, .has_window = true };
+		enum flat from = sample_below(3);
+		int mark = real_mark();
+
+		points_choose(copies[k % COPIES]); /* or the one before */
+		sample_flat(&s.window, &s.device, e[k % 4]);
+		if (flat_frustum_of(&s, from, &f) == NULL) {
+			sample_edges(&s, from, &b);
+			check_block(&s, from, &f, &b, &c);
+		}
+		real_release(mark);
+	}
+	print_message("%zu edges, on %zu of them the point\n", c.edges, c.on);
+	assert_true(c.edges > 40000 && c.on > 5000);
+}
+
+static unsigned out_at(const struct frustum *f, double x, double y)
+{
+	return frustum_out(f, (double[4]){ x, y });
+}
+
+/* Wherever a window is, and however small: the doubles beside an edge differ. */
+static void the_least_window_tells(void **state)
+{
+	struct scene s = { .window = { .center = { 1e150, -1e150 },
+			       .width = 1e-150,
+			       .height = 1e134,
+			       .zoom = 1 } };
+	struct frustum f;
+	double right = nextafter(1e150, HUGE_VAL);
+	double left = nextafter(1e150, 0);
+
+	(void)state;
+	assert_null(flat_frustum_of(&s, FLAT_WINDOW, &f));
+	assert_int_equal(out_at(&f, 1e150, -1e150), 0);
+	assert_int_equal(out_at(&f, right, -1e150), OUT_RIGHT);
+	assert_int_equal(out_at(&f, left, -1e150), OUT_LEFT);
+	/* an ulp is 1.8e134 here, half the window less */
+	assert_int_equal(out_at(&f, 1e150, -right), OUT_BOTTOM);
+	assert_int_equal(out_at(&f, 1e150, -left), OUT_TOP);
+}
+
+/* Top is where the window's is, wherever the device's y begins. */
+static void top_is_up(void **state)
+{
+	struct scene s = { .window = { .width = 4, .height = 2, .zoom = 1 },
+		.has_device = true,
+		.device = { .width = 40, .height = 20, .top_left = true } };
+	struct frustum f;
+
+	(void)state;
+	assert_null(flat_frustum_of(&s, FLAT_DEVICE, &f));
+	assert_int_equal(out_at(&f, 0, 0), 0);
+	assert_int_equal(out_at(&f, 40, 20), 0);
+	assert_int_equal(out_at(&f, 20, -0x1p-1074), OUT_TOP);
+	assert_int_equal(out_at(&f, 41, 21), OUT_RIGHT | OUT_BOTTOM);
+	s.device.top_left = false;
+	assert_null(flat_frustum_of(&s, FLAT_DEVICE, &f));
+	assert_int_equal(out_at(&f, -1, 21), OUT_LEFT | OUT_TOP);
+}
+
+static void refusals(void **state)
+{
+	struct scene s = { .window = { .by_edges = true } };
+	struct frustum f;
+
+	(void)state;
+	claim_refused(flat_frustum_of(&s, FLAT_WINDOW, &f), "/window/right");
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(edges_are_told),
+		cmocka_unit_test(the_least_window_tells),
+		cmocka_unit_test(top_is_up),
+		cmocka_unit_test(refusals),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
