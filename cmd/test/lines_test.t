@@ -87,7 +87,7 @@ sub object_line {
 	my @members = map { qq("$_":) . number() } @names;
 	push @members, map { qq("$_":) . pick('"a"',
 	    '"a,{b}"', 'null', 'true', 'falsy', '17', '1.5e3', '01', '[1,{"x":2}]',
-	    '{"x":1}', "\"\xc3\xa9\"", '"\"q\\"', '"open') } }
+	    '{"x":1}', "\"\xc3\xa9\"", '"\"q\\"', '"open') }
 	    grep { below(2) } qw(id name), '', "a\\u0062", '\u0078';
 	@members = sort @members if below(3) == 0;
 	my $s = join pick((',') x 9, ', ', ' , '), @members;
