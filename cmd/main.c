@@ -8,6 +8,7 @@
 #include "operands.h"
 #include "params.h"
 #include "points/answer.h"
+#include "stack.h"
 #include "talk.h"
 
 #define VERSION "0.3.0"
@@ -131,9 +132,23 @@ static const struct command *find_command(const char *name)
 	    name);
 }
 
+struct call {
+	const struct command *command;
+	struct options options;
+};
+
+static void run_scenes(void *with)
+{
+	struct call *call = with;
+
+	while (params_next(&call->options))
+		call->command->run(call->command, &call->options);
+}
+
 int main(int argc, char **argv)
 {
-	struct options o = { .params = "-" };
+	struct call call = { .options = { .params = "-" } };
+	struct options *o = &call.options;
 	const char *name = argc > 1 ? argv[1] : "help";
 
 	if (argc < 2)
@@ -145,15 +160,14 @@ int main(int argc, char **argv)
 		help();
 	if (strcmp(name, "help") == 0)
 		help_command(find_command(argv[2]));
-	const struct command *c = find_command(name);
+	const struct command *c = call.command = find_command(name);
 
-	options_read(c, argc - 1, argv + 1, &o);
-	if (o.help)
+	options_read(c, argc - 1, argv + 1, o);
+	if (o->help)
 		help_command(c);
-	if (o.version)
+	if (o->version)
 		version();
-	check_operands(c, &o);
-	while (params_next(&o))
-		c->run(c, &o);
+	check_operands(c, o);
+	call_with_stack(run_scenes, &call);
 	return answer_end();
 }

@@ -6,6 +6,7 @@
 #include <sched.h>
 #include <unistd.h>
 
+#include "../stack.h"
 #include "../talk.h"
 #include "answer.h"
 
@@ -68,7 +69,7 @@ static bool start_thread(void)
 
 	if (ring.threads == ring.most)
 		return false;
-	if (pthread_create(&t, NULL, work, NULL) != 0) {
+	if (start_with_stack(&t, work, NULL) != 0) {
 		ring.most = ring.threads;
 		return false;
 	}

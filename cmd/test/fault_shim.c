@@ -6,7 +6,9 @@
  *   FAULT="short"  reads and writes take a few bytes, or are interrupted, and
  *       poll often says that nothing is there
  *   FAULT="cut N FILE"  the N-th read finds FILE truncated
- *   FAULT="late N FILE"  the same, after the one that follows it has read */
+ *   FAULT="late N FILE"  the same, after the one that follows it has read
+ *   FAULT="stack N"  a thread that asks for a stack of less than N bytes, or for
+ *       none, ends the program */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -191,6 +193,12 @@ int pthread_create(pthread_t *t, const pthread_attr_t *a, void *(*f)(void *),
 		real = (int (*)(pthread_t *, const pthread_attr_t *,
 		    void *(*)(void *), void *))dlsym(RTLD_NEXT,
 		    "pthread_create");
+	size_t stack = 0;
+
+	if (a != NULL)
+		pthread_attr_getstacksize(a, &stack);
+	if (is("stack") && stack < (size_t)at)
+		abort();
 	/* and from then on, as where there is no room for more */
 	return is("thread") && atomic_fetch_add(&calls, 1) + 1 >= at ?
 	    error :
