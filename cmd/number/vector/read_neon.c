@@ -1,5 +1,5 @@
 /* For arm64. */
-#ifdef __aarch64__
+#ifdef __AARCH64EL__
 #include <arm_neon.h>
 
 #define READER plain_neon
