@@ -1,5 +1,8 @@
 # make builds build/projcalc. make help lists what else there is: the targets
-# below with ## after them. GNU make.
+# below with ## after them. What GNU make skips, and other makes read:
+ifeq 'GNU:' 'other'
+.error projcalc is built by GNU make, which may be called gmake here
+endif
 
 PREFIX = /usr/local
 BINDIR = $(PREFIX)/bin
@@ -67,6 +70,17 @@ FIRST = $(filter deps,$(MAKECMDGOALS))
 all: $(BUILD)/projcalc ## the program, build/projcalc
 $(BUILD)/projcalc: $(PROGRAM)
 	$(LINK) -o $@ $^ $(LIBS)
+
+# A header that is missing is named, and what installs it.
+$(BUILD)/has/%: | $(FIRST)
+	@mkdir -p $(@D)
+	@echo '#include <$*>' | \
+	    $(CXX) $(CXX_FLAGS) $(CPPFLAGS) -x c++ -E - >$@ 2>/dev/null || \
+	    { echo "$(CXX) finds no <$*>: 'make deps' installs what is missing" \
+	    >&2; exit 1; }
+$(PROGRAM): | $(addprefix $(BUILD)/has/,cjson/cJSON.h \
+	fast_float/fast_float.h dragonbox/dragonbox.h)
+$(TRUTH) $(addsuffix .o,$(TESTS)): | $(addprefix $(BUILD)/has/,cmocka.h mpfr.h)
 
 $(BUILD)/%.o: %.c | $(FIRST)
 	@mkdir -p $(@D)
@@ -207,8 +221,8 @@ valgrind: all ## one call of each command under valgrind
 	@sh cmd/test/valgrind.sh $(BUILD)
 levels: ## the same bits from both compilers at each level of optimization
 	@sh cmd/test/levels.sh $(BUILD)/levels
-arm64: ## the same bits from another processor, emulated
-	@sh cmd/test/arm64.sh $(BUILD)/arm64
+foreign: | $(FIRST) ## the same bits from other processors, emulated, and musl
+	@sh cmd/test/foreign.sh $(BUILD)/foreign
 cluster: all ## GNU parallel and Slurm, over hosts that are killed half-way
 	@sh cmd/test/cluster.sh $(BUILD)
 
@@ -259,10 +273,10 @@ release: lint distcheck deb ## all of it, with sums
 
 clean: ## remove what was made
 	rm -rf $(BUILD)
-deps: ## install what is missing for these, with apt-get
-	@sh .debian/deps
+deps: ## install what is missing for demo, test or foreign, with apt-get
+	@sh .debian/deps $(BUILD) $(filter-out deps,$(MAKECMDGOALS))
 deps-all: ## and for asan to fuzz, bench and chart
-	@sh .debian/deps all
+	@sh .debian/deps $(BUILD) deps-all
 help: ## this
 	@sed -n 's/^\([a-z0-9-]*\):.* ## /make \1	/p' $(firstword $(MAKEFILE_LIST)) | \
 	    expand -t 18
