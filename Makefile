@@ -31,7 +31,8 @@ FLAGS = -ffp-contract=off -fno-tree-slp-vectorize \
 	-fno-delete-null-pointer-checks -pthread -MMD -MP -Wall \
 	-Wextra -Wshadow -Wconversion -Wdouble-promotion -Wvla \
 	$(if $(WERROR),-Werror)
-C_FLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L -Wstrict-prototypes
+C_FLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L -D_FILE_OFFSET_BITS=64 \
+	-Wstrict-prototypes
 # Debian keeps dragonbox in a directory that is named after its version.
 CXX_FLAGS = -std=c++17 -fno-exceptions -fno-rtti \
 	$(addprefix -isystem,$(wildcard /usr/include/dragonbox-*))
