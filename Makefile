@@ -261,7 +261,7 @@ dist: ## a tarball
 	    { echo 'NEWS.md has no date for $(VERSION)' >&2; exit 1; }
 	@mkdir -p $(BUILD)
 	tar -czf $(BUILD)/$(DIST).tar.gz --sort=name --owner=0 --group=0 \
-	    --numeric-owner --mode=u+w,go-w --mtime='$(DATE) UTC' \
+	    --numeric-owner --mode=u=rwX,go=rX --mtime='$(DATE) UTC' \
 	    --exclude='*~' --exclude='.*.sw?' --transform='s|^|$(DIST)/|' \
 	    .ci .clang-format .debian .github LICENSE Makefile NEWS.md \
 	    README.md cmd core man testdata
