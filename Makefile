@@ -111,8 +111,10 @@ $(VECTOR)/write_avx512.o $(VECTOR)/read_avx512.o: \
 endif
 # Threads run these: what they need of their stacks (cmd/stack.c) is not to grow
 # unseen.
-$(addprefix $(BUILD)/core/,exact.o frustum.o pick.o point.o points.o ray.o sum.o) \
-    $(call objects,core/kernel cmd/points cmd/number cmd/number/vector): \
+$(addprefix $(BUILD)/core/,exact.o frustum.o mat.o pick.o point.o points.o ray.o \
+    sum.o) \
+    $(call objects,core/kernel cmd cmd/json cmd/points cmd/number \
+    cmd/number/vector): \
     FLAGS += -Wframe-larger-than=32768
 # Others' libraries at their best, for this very processor.
 $(PEERS): FLAGS += -O3 -march=native -ffp-contract=fast
@@ -244,8 +246,11 @@ install: $(MADE) ## to PREFIX=/usr/local, below DESTDIR
 		install -m $$mode $$file $$1; \
 		shift; \
 	done
-	sed -i 's|/usr/local/share|$(DATADIR)|' \
-	    $(addprefix $(DESTDIR)$(MANDIR)/,man1/projcalc.1 man5/projcalc-scene.5)
+	for page in man1/projcalc.1 man5/projcalc-scene.5; do \
+		page=$(DESTDIR)$(MANDIR)/$$page; \
+		sed -i.orig 's|/usr/local/share|$(DATADIR)|' $$page; \
+		rm $$page.orig; \
+	done
 
 uninstall: ## take it away
 	rm -f $(addprefix $(DESTDIR),$(INSTALLED))

@@ -1,5 +1,8 @@
-/* for sched_getaffinity, where there is one */
+/* for sched_getaffinity, where there is one, and elsewhere for sysconf's count of
+ * processors, which POSIX has not */
 #define _GNU_SOURCE
+#define _DARWIN_C_SOURCE
+#define __BSD_VISIBLE 1
 #include "threads.h"
 
 #include <pthread.h>

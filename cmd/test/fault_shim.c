@@ -136,6 +136,10 @@ ssize_t pread(int fd, void *to, size_t n, off_t from)
 	return some;
 }
 
+/* What programs call that say _FILE_OFFSET_BITS=64. */
+ssize_t pread64(int, void *, size_t, off_t) __attribute__((alias("pread")));
+int open64(const char *, int, ...) __attribute__((alias("open")));
+
 ssize_t write(int fd, const void *from, size_t n)
 {
 	static ssize_t (*real)(int, const void *, size_t);
