@@ -143,12 +143,14 @@ static void check_layout(const struct options *o, const struct layout *l)
 		    o->styles.n, l->writes);
 }
 
-/* Tests and measurements choose the kernels by PROJCALC_CPU; else they are the
- * best that this processor can run. */
+/* Tests and measurements choose the kernels by PROJCALC_CPU; else, or where it is
+ * empty, they are the best that this processor can run. */
 static void choose_kernels(void)
 {
 	const char *cpu = getenv("PROJCALC_CPU");
 
+	if (cpu != NULL && *cpu == '\0')
+		cpu = NULL;
 	if (!points_choose(cpu) || !number_choose(cpu))
 		die(EXIT_USAGE,
 		    "PROJCALC_CPU=%s: not a processor that this is; "
