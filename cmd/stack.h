@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Stacks of a size that is asked for: what systems give to threads is from 128 KB
  * on, and to a program what its user allows. */
 #ifndef STACK_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Words of 64 bits and what they carry, also where compilers have no integers of
  * 128 bits, as for 32-bit processors. */
 #ifndef WIDE_H

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: MIT
 # The same bits from other processors, emulated, and from another C library: the
 # transcripts and the digests of testdata/bits.sha256; and for arm64, whose vector
 # loops are its own, their tests. Programs are static, with a cJSON of their own.

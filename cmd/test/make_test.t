@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # What make says where something is missing, and what make deps would install, on a
 # Debian that has nothing yet.
 use strict;

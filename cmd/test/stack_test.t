@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # Small stacks: the transcripts, and streams of every format through threads, where
 # the system gives the program 64 KB, and its threads if they ask for none.
 use strict;

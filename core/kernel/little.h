@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Numbers as files of points have them, little-endian, at any address. */
 #ifndef LITTLE_H
 #define LITTLE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What gcc 12 makes wrong code of, unless it has the flags that the Makefile gives
  * to all of the project: where one of these fails, nothing that this compiler made
  * is to be trusted. */

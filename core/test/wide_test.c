@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What 32-bit compilers make of wide.h, against this one's integers of 128 bits:
  * words of all lengths, and those near 0 and 2^64. */
 #ifdef __SIZEOF_INT128__
