@@ -192,9 +192,14 @@ char separator_of(const char *option, const char *word)
 static void refuse_twice(const char *option, const struct columns *c)
 {
 	const int last = c->n - 1;
+	const char *name = c->name[last];
 
 	for (int i = 0; i < last; i++)
-		if (c->name[i] == NULL && c->name[last] == NULL &&
+		if (name != NULL && c->name[i] != NULL &&
+		    strcmp(c->name[i], name) == 0)
+			die(EXIT_USAGE, "--%s: '%s' stands twice", option,
+			    name);
+		else if (name == NULL && c->name[i] == NULL &&
 		    c->field[i] == c->field[last])
 			die(EXIT_USAGE, "--%s: field %d stands twice", option,
 			    c->field[i] + 1);

@@ -170,7 +170,9 @@ static void put_space(struct printer *p, const struct document *d,
 void run_inspect(const struct command *c, const struct options *o)
 {
 	static char text[160 * NUMBER_MAX + 4096];
-	struct printer p = { .at = text, .style = one_style(o, "what inspect prints"), .between = "" };
+	struct printer p = { .at = text,
+		.style = one_style(o, "what inspect prints"),
+		.between = "" };
 	bool tolerance = o->tolerances.n > 0;
 	struct document d;
 

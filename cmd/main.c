@@ -11,6 +11,7 @@
 #include "operands.h"
 #include "params.h"
 #include "points/answer.h"
+#include "stack.h"
 #include "talk.h"
 
 #define VERSION "0.3.0"
@@ -146,34 +147,47 @@ static _Noreturn void help(const struct options *o)
 	finish();
 }
 
+struct call {
+	const struct command *command;
+	struct options options;
+};
+
+static void run_scenes(void *with)
+{
+	struct call *call = with;
+
+	while (params_next(&call->options))
+		call->command->run(call->command, &call->options);
+}
+
 int main(int argc, char **argv)
 {
-	struct options o = { .params = "-", .separator = ',' };
+	struct call call = { .options = { .params = "-", .separator = ',' } };
+	struct options *o = &call.options;
 
 	options_first(argv + 1);
 	if (argc < 2)
 		die(EXIT_USAGE, "no command; 'projcalc help' lists them");
 	if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)
 		argv[1] = "help";
-	const struct command *c = find_command(argv[1]);
+	const struct command *c = call.command = find_command(argv[1]);
 
-	o.version = strcmp(argv[1], "--version") == 0;
-	if (c == NULL && !o.version)
+	o->version = strcmp(argv[1], "--version") == 0;
+	if (c == NULL && !o->version)
 		mistaken_command(commands, argv + 1);
 	if (c != NULL)
-		options_read(c, argc - 1, argv + 1, &o);
-	if (o.version) {
+		options_read(c, argc - 1, argv + 1, o);
+	if (o->version) {
 		puts("projcalc " VERSION);
 		finish();
 	}
-	if (o.help) {
+	if (o->help) {
 		help_command(c);
 		finish();
 	}
 	if (c->kind == HELP)
-		help(&o);
-	check_operands(c, &o);
-	while (params_next(&o))
-		c->run(c, &o);
+		help(o);
+	check_operands(c, o);
+	call_with_stack(run_scenes, &call);
 	return answer_end();
 }

@@ -50,16 +50,27 @@ bool has_points(const struct options *o, const struct document *d)
 	return o->n_points > 0 || d->points != NULL;
 }
 
+/* Whether path is the name, or a pointer to that member or into it. */
+static bool leads_into(const char *path, const char *name)
+{
+	size_t n = strlen(name);
+	bool pointer = *path == '/';
+
+	path += pointer;
+	return strncmp(path, name, n) == 0 &&
+	    (path[n] == '\0' || (pointer && path[n] == '/'));
+}
+
 /* What is added to an object has names of its own. */
 static bool is_added(const struct options *o, const struct layout *l,
     const char *name)
 {
 	static const char *const added[] = { "z", "dx", "dy", "dz" };
-	bool is = o->flags && strcmp(name, "flags") == 0;
+	bool is = o->flags && leads_into(name, "flags");
 
 	for (int i = 0; i < 4 && l->writes > 4; i++)
-		is |= strcmp(name, added[i]) == 0;
-	return is || (l->reads < l->writes && strcmp(name, "w") == 0);
+		is |= leads_into(name, added[i]);
+	return is || (l->reads < l->writes && leads_into(name, "w"));
 }
 
 static void check_columns_of(const struct options *o, const struct layout *l)
@@ -132,12 +143,14 @@ static void check_layout(const struct options *o, const struct layout *l)
 		    o->styles.n, l->writes);
 }
 
-/* Tests and measurements choose the kernels by PROJCALC_CPU; else they are the
- * best that this processor can run. */
+/* Tests and measurements choose the kernels by PROJCALC_CPU; else, or where it is
+ * empty, they are the best that this processor can run. */
 static void choose_kernels(void)
 {
 	const char *cpu = getenv("PROJCALC_CPU");
 
+	if (cpu != NULL && *cpu == '\0')
+		cpu = NULL;
 	if (!points_choose(cpu) || !number_choose(cpu))
 		die(EXIT_USAGE,
 		    "PROJCALC_CPU=%s: not a processor that this is; "
@@ -193,11 +206,12 @@ void prepare_job(struct job *j, const struct options *o)
 static void do_json(struct job *j, const char *name, const char *text,
     size_t size)
 {
-	struct dialect in = j->layout.in;
+	struct layout of_files = j->layout;
 
 	j->layout.in = dialect_of(FORMAT_JSON, ',');
+	j->layout.columns.n = 0;
 	stream_text(j, name, text, size);
-	j->layout.in = in;
+	j->layout = of_files;
 }
 
 /* Refuses --columns for points that are typed: it is of lines of a file. */

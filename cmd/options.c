@@ -346,8 +346,8 @@ static _Noreturn void refuse_here(const struct command *c,
 {
 	/* in the order of the bits of enum command_kind */
 	static const char *const names[] = { "the 3D matrix commands",
-		"project", "pick", "fit", "inspect", "trace",
-		"the 2D commands", "help" };
+		"project", "pick", "fit", "inspect", "trace", "the 2D commands",
+		"help" };
 	char list[160];
 	size_t n = 0;
 

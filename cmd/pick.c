@@ -8,8 +8,8 @@
 #include "operands.h"
 #include "talk.h"
 
-/* A point that was hit, or a csv header: its line, and where the text of that line begins in
- * hits.text, and its size. */
+/* A point that was hit, or a csv header: its line, and where the text of that line
+ * begins in hits.text, and its size. */
 struct hit {
 	double distance, device[3], point[4];
 	size_t line, text, size;
@@ -45,7 +45,7 @@ static void take(const struct job *j, struct chunk *c, const struct line *line,
 	double in[4] = { c->in[0][p], c->in[1][p], c->in[2][p], 1 };
 	struct hit hit = { .line = number, .point = { [3] = 1 } };
 
-	if (line->kind == LINE_COPY)
+	if (line->kind == LINE_HEADER)
 		append(c, line, (struct hit){ .header = true });
 	if (line->kind != LINE_POINT)
 		return;
@@ -106,6 +106,21 @@ static int compare(const void *a, const void *b)
 	return order != 0 ? order : p->text < q->text ? -1 : p->text > q->text;
 }
 
+/* Of several sources one header is enough, and none if they differ. */
+static bool is_wanted(const struct hits *h, size_t i)
+{
+	const struct hit *hit = &h->hit[i];
+
+	if (!hit->header)
+		return true;
+	for (size_t k = 0; k < h->n && h->hit[k].header; k++)
+		if (h->hit[k].size != hit->size ||
+		    memcmp(h->text + h->hit[k].text, h->text + hit->text,
+			hit->size) != 0)
+			return false;
+	return i == 0;
+}
+
 /* Gathers what is to be printed, so that there are few writes. */
 struct output {
 	size_t n;
@@ -158,8 +173,8 @@ static void print_hits(const struct job *j)
 	}
 	for (size_t i = 0; i < h->n; i++) {
 		const struct hit *hit = &h->hit[i];
-		/* of several sources one is enough */
-		if (hit->header && (i > 0 || o->out == FORMAT_JSON))
+
+		if (!is_wanted(h, i) || (hit->header && o->out == FORMAT_JSON))
 			continue;
 		if (o->has_out && o->out == FORMAT_JSON) {
 			print_json(&out, hit, h->style);

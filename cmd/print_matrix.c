@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "../core/kernel/little.h"
 #include "json/print.h"
 #include "scene/readers.h"
 #include "talk.h"
@@ -25,12 +26,13 @@ static void print_binary(double m[4][4], int n, bool wide)
 {
 	for (int i = 0; i < n * n; i++) {
 		double v = m[i / n][i % n];
-		float narrow = (float)v;
+		char number[8];
 
 		if (wide)
-			put_all((const char *)&v, sizeof v);
+			put_little_double(number, v);
 		else
-			put_all((const char *)&narrow, sizeof narrow);
+			put_little_float(number, (float)v);
+		put_all(number, wide ? 8 : 4);
 	}
 }
 

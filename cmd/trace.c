@@ -107,7 +107,7 @@ static void take(const struct job *j, struct chunk *c, const struct line *line,
 	size_t most = SPACES * 4 * (NUMBER_MAX + 16) + 6 * (size_t)line->size;
 
 	(void)number;
-	if (line->kind == LINE_COPY || (j->visible && outside != 0))
+	if (line->kind == LINE_HEADER || (j->visible && outside != 0))
 		return;
 	struct printer print = { .at = chunk_reserve(c, most + WORD_MAX),
 		.single = l->single,

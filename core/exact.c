@@ -4,7 +4,7 @@
 #include <limits.h>
 #include <string.h>
 
-typedef unsigned __int128 wide;
+#include "wide.h"
 
 /* Sets *r to sign w[0..n) 2^(64 e), with no zeros at either end, as far as there
  * is room. */
@@ -105,10 +105,9 @@ static void combine(ex *r, const ex *a, const ex *b)
 		low = high - EX_WORDS;
 	for (int i = low; i < high; i++) {
 		uint64_t x = word_at(a, i), y = word_at(b, i);
-		wide s = minus ? (wide)x - y - carry : (wide)x + y + carry;
 
-		w[i - low] = (uint64_t)s;
-		carry = (uint64_t)(s >> 64) & 1;
+		w[i - low] = minus ? subtract_borrow(x, y, &carry) :
+				     add_carry(x, y, &carry);
 	}
 	w[high - low] = minus ? 0 : carry;
 	set(r, a->sign, w, high - low + 1, low);
@@ -161,13 +160,9 @@ static void multiply(uint64_t *w, const ex *a, const ex *b)
 	for (int i = 0; i < a->n; i++) {
 		uint64_t carry = 0;
 
-		for (int j = 0; j < b->n; j++) {
-			wide p = (wide)a->word[i] * b->word[j] + w[i + j] +
-			    carry;
-
-			w[i + j] = (uint64_t)p;
-			carry = (uint64_t)(p >> 64);
-		}
+		for (int j = 0; j < b->n; j++)
+			w[i + j] = multiply_add(a->word[i], b->word[j],
+			    w[i + j], &carry);
 		w[i + b->n] = carry;
 	}
 }
@@ -197,10 +192,8 @@ static void accumulate(uint64_t *sum, int low, int high, int sign,
 
 	for (int i = low < e ? e : low; i < high; i++) {
 		uint64_t x = i - e < n ? w[i - e] : 0;
-		wide s = (wide)sum[i - low] + (x ^ flip) + carry;
 
-		sum[i - low] = (uint64_t)s;
-		carry = (uint64_t)(s >> 64);
+		sum[i - low] = add_carry(sum[i - low], x ^ flip, &carry);
 		if (i - e >= n && carry == (sign < 0))
 			break;
 	}
@@ -315,28 +308,38 @@ ex ex_from(ex a, int least)
 	return ex_first(a, a.n - words_below(least, a.e, a.n));
 }
 
+/* Whether a b > high 2^64 + low. */
+static bool is_product_above(uint64_t a, uint64_t b, uint64_t high,
+    uint64_t low)
+{
+	uint64_t top = 0, p = multiply_add(a, b, 0, &top);
+
+	return top > high || (top == high && p > low);
+}
+
 /* One word of the long division of u[0..n] by d[0..n), whose top bit is set:
  * Knuth, The Art of Computer Programming, volume 2, 4.3.1, algorithm D. u
- * becomes the remainder. */
+ * becomes the remainder, and u[n] <= d[n - 1]. */
 static uint64_t divide_word(uint64_t *u, const uint64_t *d, int n)
 {
-	wide first = (wide)u[n] << 64 | u[n - 1];
-	uint64_t q = UINT64_MAX, carry = 0;
+	uint64_t q = UINT64_MAX, rest = u[n - 1] + d[n - 1], carry = 0;
+	bool done = rest < d[n - 1];
 
-	if (u[n] < d[n - 1])
-		q = (uint64_t)(first / d[n - 1]);
-	wide rest = first - (wide)q * d[n - 1];
-
-	while (n > 1 && rest >> 64 == 0 &&
-	    (wide)q * d[n - 2] > (rest << 64 | u[n - 2])) {
+	if (u[n] < d[n - 1]) {
+		q = divide_two(u[n], u[n - 1], d[n - 1], &rest);
+		done = false;
+	}
+	while (
+	    n > 1 && !done && is_product_above(q, d[n - 2], rest, u[n - 2])) {
 		q--;
 		rest += d[n - 1];
+		done = rest < d[n - 1];
 	}
 	for (int i = 0; i < n; i++) {
-		wide p = (wide)q * d[i] + carry;
+		uint64_t p = multiply_add(q, d[i], 0, &carry);
 
-		carry = (uint64_t)(p >> 64) + (u[i] < (uint64_t)p);
-		u[i] -= (uint64_t)p;
+		carry += u[i] < p;
+		u[i] -= p;
 	}
 	bool fits = u[n] >= carry;
 
@@ -344,12 +347,8 @@ static uint64_t divide_word(uint64_t *u, const uint64_t *d, int n)
 	if (fits)
 		return q;
 	carry = 0;
-	for (int i = 0; i <= n; i++) {
-		wide s = (wide)u[i] + (i < n ? d[i] : 0) + carry;
-
-		u[i] = (uint64_t)s;
-		carry = (uint64_t)(s >> 64);
-	}
+	for (int i = 0; i <= n; i++)
+		u[i] = add_carry(u[i], i < n ? d[i] : 0, &carry);
 	return q - 1;
 }
 

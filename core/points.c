@@ -2,7 +2,8 @@
 #include "points.h"
 
 #include <math.h>
-#include <string.h>
+
+#include "kernel/little.h"
 
 static const struct kernels *kernels = &kernels_baseline;
 
@@ -241,18 +242,21 @@ static bool mend(const struct transform *t, const char *in, char *out, size_t n)
 	double *const to[4] = { q, q + 1, q + 2 };
 
 	for (size_t i = 0; i < n; i++, in += sizeof p, out += sizeof q) {
-		memcpy(q, out, sizeof q);
+		q[0] = little_double(out);
 		if (isfinite(q[0]))
 			continue;
-		memcpy(p, in, sizeof p);
+		for (int k = 0; k < 3; k++) {
+			p[k] = little_double(in + 8 * k);
+			q[k] = little_double(out + 8 * k);
+		}
 		if (isnan(q[0]))
 			carry_one(t, from, to, 0, true);
 		for (int k = 0; k < 3; k++) {
 			if (!isfinite(q[k]))
 				return false;
-			q[k] += 0.0; /* -0 is 0 */
+			/* -0 is 0 */
+			put_little_double(out + 8 * k, q[k] + 0.0);
 		}
-		memcpy(out, q, sizeof q);
 	}
 	return true;
 }

@@ -339,6 +339,15 @@ static void divide_by_det(const struct projection *p, const struct eye *e,
 	}
 }
 
+static void negate_matrix(struct elements *f)
+{
+	struct sum *const all[] = { &f->x, &f->yx, &f->y, &f->zx, &f->zy,
+		&f->zz, &f->zw, &f->tx, &f->ty, &f->tz, &f->tw };
+
+	for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+		*all[i] = sum_neg(*all[i]);
+}
+
 /* All is over q's denominator, so that a parallel projection, q = 0, is no special
  * case. */
 static const char *volume(const struct projection *p,
@@ -376,8 +385,7 @@ static const char *volume(const struct projection *p,
 		divide_by_det(p, &e, c->minus_one, f);
 	if (sum_sign(e.an) == sum_sign(e.qd))
 		return NULL;
-	for (struct sum *m = &f->x; m <= &f->tw; m++)
-		*m = sum_neg(*m);
+	negate_matrix(f);
 	f->tz_by = sum_neg(f->tz_by);
 	f->zz_by = sum_neg(f->zz_by);
 	return NULL;

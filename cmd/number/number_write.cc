@@ -18,6 +18,8 @@
 
 #include <dragonbox/dragonbox.h>
 
+#include "../../core/wide.h"
+
 /* The most that the shortest text of a double needs. The fast ways write as
  * many to a buffer, and copy from it those that belong to the number. */
 enum { DIGITS = 17 };
@@ -54,6 +56,12 @@ static inline uint64_t write_three(char *s, uint64_t p)
 	return p;
 }
 
+/* Of high 2^64 + low, shifted right by k from 1 to 127, the lower word. */
+static inline uint64_t shifted(uint64_t high, uint64_t low, int k)
+{
+	return k < 64 ? high << (64 - k) | low >> k : high >> (k - 64);
+}
+
 /* Writes the 17 digits of x < 10^17, and after them zeros for plain() to copy.
  * p is x / 10^15 with 54 bits after the point: computed with the reciprocal
  * 2^113 / 10^15 and rounded up, it is less than 1.2 * 2^-54 too large. The five
@@ -61,7 +69,8 @@ static inline uint64_t write_three(char *s, uint64_t p)
 static inline void write_digits(char d[64], uint64_t x)
 {
 	const uint64_t reciprocal = 10384593717069655258u;
-	uint64_t p = uint64_t((unsigned __int128)x * reciprocal >> 59) + 1;
+	uint64_t high = 0, low = multiply_add(x, reciprocal, 0, &high);
+	uint64_t p = shifted(high, low, 59) + 1;
 
 	memcpy(d, triple.text[p >> 54] + 1, 2);
 	p = write_three(d + 2, p);
@@ -164,9 +173,13 @@ static uint64_t scaled(double v, int p)
 	if (k > 117)
 		return 0;
 	uint64_t m = (bits & ((1ull << 52) - 1)) | 1ull << 52;
-	unsigned __int128 product = (unsigned __int128)m * power[p];
-	unsigned __int128 half = (unsigned __int128)1 << (k - 1);
-	return uint64_t((product + half - 1 + (product >> k & 1)) >> k);
+	uint64_t high = 0, low = multiply_add(m, power[p], 0, &high);
+	uint64_t carry = shifted(high, low, k) & 1;
+	/* plus all bits below the half, and one more where that is odd */
+	low = add_carry(low, k > 64 ? UINT64_MAX : (1ull << (k - 1)) - 1,
+	    &carry);
+	high = add_carry(high, k > 64 ? (1ull << (k - 65)) - 1 : 0, &carry);
+	return shifted(high, low, k);
 }
 
 /* 1233 / 2^12 is log10(2): n is the number of digits or one less. */

@@ -9,12 +9,12 @@
 
 /* Of all chunks so far. It needs no lock, as no two are answered at a time. */
 static struct {
-	size_t next_line;  /* of the source, from 1 */
-	bool unended;      /* the last line printed has no newline yet */
-	size_t bad;        /* lines */
-	bool of_points;    /* of binary ones, that is */
+	size_t next_line; /* of the source, from 1 */
+	bool unended;     /* the last line printed has no newline yet */
+	size_t bad;       /* lines */
+	bool of_points;   /* of binary ones, that is */
 	bool keeps_going;
-	size_t imageless;  /* points */
+	size_t imageless; /* points */
 	/* the first of them, and its file's name */
 	struct place where;
 	char file[300];
@@ -96,6 +96,7 @@ static _Noreturn void stop(const struct job *j, const struct chunk *c)
 	if (j->flush != NULL)
 		j->flush(j);
 	progress_clear();
+	say_imageless();
 	if (c->state == PIECE_TOO_LONG)
 		die_at(EXIT_INPUT, &p, "a line of more than 64 MiB");
 	p.line = 0;

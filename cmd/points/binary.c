@@ -2,7 +2,8 @@
 #include "binary.h"
 
 #include <math.h>
-#include <string.h>
+
+#include "../../core/kernel/little.h"
 
 /* Complains of points beyond the range. The first of them ends the chunk,
  * unless the job keeps going. Returns how many points it goes on with. */
@@ -102,9 +103,9 @@ void binary_write(const struct job *j, struct chunk *c, size_t p,
 		if (isinf(narrow))
 			narrow = NAN;
 		if (j->layout.out.format == FORMAT_F64)
-			memcpy(at + 8 * k, &wide, 8);
+			put_little_double(at + 8 * k, wide);
 		else
-			memcpy(at + 4 * k, &narrow, 4);
+			put_little_float(at + 4 * k, narrow);
 	}
 	c->size += size;
 }

@@ -95,10 +95,12 @@ static char *put_point(struct block *b, const struct line *line, size_t p,
  * is added, numbers or a word, stands behind them. */
 static bool is_in_order(const struct layout *l)
 {
-	const int *field = l->columns.field;
+	const struct columns *c = &l->columns;
 
-	for (int k = 1; k < l->columns.n; k++)
-		if (field[k - 1] >= field[k])
+	bool members = l->in.format == FORMAT_JSON && c->name[0] != NULL;
+
+	for (int k = 1; k < c->n && !members; k++)
+		if (c->field[k - 1] >= c->field[k])
 			return false;
 	return same_dialect(l->in, l->out) && l->reads <= l->writes;
 }

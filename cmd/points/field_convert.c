@@ -57,7 +57,7 @@ static char *put_control(enum format out, char c, char *at)
 	const char *simple = memchr(from, c, 5);
 
 	if (out != FORMAT_JSON) {
-		*at++ = ' ';
+		*at++ = out == FORMAT_CSV && c == '\t' ? c : ' ';
 		return at;
 	}
 	*at++ = '\\';
@@ -72,7 +72,7 @@ static char *put_control(enum format out, char c, char *at)
 }
 
 /* A control character would break the line of text or csv: a blank stands for
- * it there. */
+ * it there, but for a tab in quotes. */
 static char *put_quoted(enum format out, struct decoder *d, char *at)
 {
 	bool quotes = out != FORMAT_TEXT;
@@ -119,7 +119,11 @@ static bool is_plain(struct dialect out, struct span f)
 char *field_convert(struct dialect in, struct dialect out, struct span f,
     char *at)
 {
-	bool quoted = is_quoted(in, f);
+	struct span inner = in.format == FORMAT_CSV ? trimmed(in, f) : f;
+	bool quoted = is_quoted(in, inner);
+
+	if (quoted)
+		f = inner;
 	struct decoder d = { quoted ? in.format : FORMAT_TEXT, f.s + quoted,
 		f.end - quoted, "" };
 

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "header.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <strings.h>
 
+#include "../escape.h"
 #include "line_bad.h"
 #include "names.h"
 
@@ -16,6 +18,16 @@ static struct span name_of(struct dialect d, struct span f)
 		f.end--;
 	}
 	return trimmed(d, f);
+}
+
+/* Past the mark of a text and that of a comment. */
+static struct span names_in(struct dialect d, struct span text)
+{
+	const char *s = skip_mark(text.s, text.end);
+	const char *mark = skip_blanks(d, s, text.end);
+
+	text.s = mark < text.end && *mark == '#' ? mark + 1 : s;
+	return text;
 }
 
 typedef int comparison(const char *, const char *, size_t);
@@ -69,6 +81,7 @@ static bool find_columns(struct layout *l, struct span header,
     char reason[REASON_MAX])
 {
 	struct columns *c = &l->columns;
+	char word[ESCAPED_MAX];
 	bool found = true;
 
 	for (int i = 0; i < c->n; i++) {
@@ -78,12 +91,14 @@ static bool find_columns(struct layout *l, struct span header,
 		if (c->field[i] >= 0 || !found)
 			continue;
 		found = false;
-		snprintf(reason, REASON_MAX, "the header has no column '%.60s'",
-		    c->name[i]);
+		snprintf(reason, REASON_MAX, "the header has no column '%s'",
+		    escaped(word, c->name[i], strlen(c->name[i])));
 		say_header(l->in, header, c->name[i], reason);
 	}
 	for (int i = 1; i < c->n && found; i++)
 		found = !twice(c, i, reason);
+	for (int i = 0; i < c->n && !found; i++)
+		c->field[i] = -1;
 	return found;
 }
 
@@ -125,10 +140,17 @@ static bool is_unknown(struct span f)
 	return false;
 }
 
-/* Whether none of the coordinates is a number, or can stand for one. */
+static bool begins_with_digit(struct span f)
+{
+	f.s += f.s < f.end && (*f.s == '-' || *f.s == '+' || *f.s == '.');
+	return f.s < f.end && isdigit((unsigned char)*f.s);
+}
+
+/* Whether none of the coordinates is a number; and not all of them begin as one, as
+ * 1,5 does, or stand for one. */
 static bool looks_like_header(const struct layout *l, struct span text)
 {
-	bool unknown = true;
+	bool unknown = true, odd = true;
 
 	for (int i = 0; i < l->reads; i++) {
 		int k = l->columns.n > 0 ? l->columns.field[i] : i;
@@ -141,8 +163,9 @@ static bool looks_like_header(const struct layout *l, struct span text)
 		if (f.s < f.end && number_read(f.s, f.end, &v) == f.end)
 			return false;
 		unknown &= is_unknown(f);
+		odd &= begins_with_digit(f);
 	}
-	return !unknown;
+	return !unknown && !odd;
 }
 
 /* A header of one field, in which something else could separate others. */
@@ -174,11 +197,32 @@ static bool is_named(const struct columns *c)
 	return false;
 }
 
+bool header_in_comment(struct layout *l, struct span text)
+{
+	const struct columns *c = &l->columns;
+	bool named = false;
+
+	if (l->in.format != FORMAT_CSV || l->header == HEADER_NONE)
+		return false;
+	text = names_in(l->in, text);
+	for (int i = 0; i < l->reads; i++) {
+		const char *name = c->by_header ? axis(i) : c->name[i];
+
+		named |= name != NULL;
+		if (l->header == HEADER_MAYBE && name != NULL &&
+		    find_name(l->in, text, name,
+			c->by_header ? strncasecmp : strncmp) < 0)
+			return false;
+	}
+	return named || l->header == HEADER_FIRST;
+}
+
 bool header_read(struct layout *l, struct span text, struct line *line,
     char reason[REASON_MAX])
 {
 	struct columns *c = &l->columns;
 
+	text = names_in(l->in, text);
 	if (c->by_header)
 		c->n = 0;
 	bool named = is_named(c);
@@ -193,13 +237,13 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 
 	if (has_other_separator(l->in, text, reason))
 		found = false;
-	if (!found)
-		line->kind = LINE_LOST;
+	line->kind = found ? LINE_HEADER : LINE_LOST;
 	return true;
 }
 
 void header_places(const struct layout *l, struct span text, struct line *line)
 {
+	text = names_in(l->in, text);
 	for (int i = 0; i < l->reads; i++) {
 		int k = l->columns.n > 0 ? l->columns.field[i] : i;
 		struct span f = { NULL, NULL };

@@ -68,7 +68,7 @@ static void show(const struct job *j, struct chunk *c, size_t n, size_t number,
 		point.s = text + i * size;
 		if (line->kind == LINE_POINT)
 			j->take(j, c, line, p++, number + i);
-		else if (line_is_bad(line) || line_is_header(&j->layout, line))
+		else if (line_is_bad(line) || line->kind == LINE_HEADER)
 			j->take(j, c, line, 0, number + i);
 	}
 }

@@ -39,7 +39,8 @@ struct layout {
 /* What a line turned out to be. */
 enum line_kind {
 	LINE_POINT,
-	LINE_COPY, /* blank, comment or header */
+	LINE_COPY, /* blank or comment */
+	LINE_HEADER,
 	LINE_BAD, /* its coordinates have places, but for those that are missing */
 	LINE_LOST, /* bad, and not to be taken apart */
 };
@@ -66,9 +67,6 @@ static inline bool is_missing(struct part p)
 {
 	return p.from > p.to;
 }
-
-/* Of what line_read has read: blank lines and comments are copied, too. */
-bool line_is_header(const struct layout *, const struct line *);
 
 static inline bool line_is_bad(const struct line *line)
 {
@@ -133,7 +131,7 @@ char *line_write(const struct layout *, const struct line *,
 
 /* Writes what else is on a line with a point, each field with a separator of the
  * format out before it; of text to text, without columns, as it stands. Returns
- * where it ends. Takes at most six times the line's size, and one. */
+ * where it ends. For each byte of the line it takes six, and three more for each field. */
 char *line_rest(const struct layout *, const struct line *, char *out);
 
 #endif

@@ -33,6 +33,8 @@ static const char *hint(const struct layout *l, int i, struct span f)
 	if (number_read(f.s, f.end, &v) != NULL)
 		return l->in.format == FORMAT_JSON ?
 		    "; a number is wanted, as JSON writes it" :
+		    l->in.format == FORMAT_CSV ?
+		    "; a number is wanted, and nothing else in the field" :
 		    "; a number is wanted, with a blank or comma behind it";
 	if (l->in.format != FORMAT_JSON && l->columns.n == 0 && i == 0)
 		return "; a number is wanted; --columns says which fields the "
@@ -119,7 +121,8 @@ bool commas_agree(const struct layout *l, const char *s, const char *end)
 		struct span f = field_at(l->in, s, end);
 
 		s = skip_separator(f.end, end);
-		if (s == end || (k == n && !(n == 2 && number_stands(s, end))))
+		if (s == end ||
+		    (k == n && !(l->reads == 2 && number_stands(s, end))))
 			break;
 		separators++;
 		commas += has((struct span){ f.end, s }, ',');
@@ -140,11 +143,8 @@ static bool is_closed(struct span f)
 bool quotes_are_closed(struct dialect d, struct span text)
 {
 	const char *s = text.s;
-	bool even = true;
 
-	for (const char *c = text.s; c < text.end; c++)
-		even ^= *c == '"';
-	while (s != NULL && !even) {
+	while (s != NULL) {
 		struct span f = field_at(d, s, text.end);
 
 		if (!is_closed(trimmed(d, f)))
@@ -199,6 +199,16 @@ static bool can_be_added(const char *path)
 	return plain;
 }
 
+bool places_overlap(const struct layout *l, const struct line *line)
+{
+	for (int i = 1; i < l->reads; i++)
+		for (int k = 0; k < i; k++)
+			if (line->at[i].from < line->at[k].to &&
+			    line->at[k].from < line->at[i].to)
+				return true;
+	return false;
+}
+
 /* Finds the members of an object, of which there may be one of each name. */
 static bool find_members(const struct layout *l, struct span text,
     struct line *line)
@@ -216,7 +226,14 @@ static bool find_members(const struct layout *l, struct span text,
 		else if (times > 1 || !can_be_added(path))
 			return false;
 	}
-	return true;
+	return !places_overlap(l, line);
+}
+
+/* Whether the array, from behind its bracket on, has elements to number. */
+static bool has_fields(const struct layout *l, const char *s, const char *end)
+{
+	return *skip_blanks(l->in, s, end) != ']' &&
+	    (l->columns.n == 0 || l->columns.name[0] == NULL);
 }
 
 void line_take_apart(const struct layout *l, struct span text,
@@ -237,6 +254,10 @@ void line_take_apart(const struct layout *l, struct span text,
 	if (whole && line->object)
 		whole = find_members(l, (struct span){ s, text.end }, line);
 	else if (whole && l->in.format == FORMAT_JSON)
+		whole = has_fields(l, s + 1, text.end);
+	if (!whole || line->object)
+		;
+	else if (l->in.format == FORMAT_JSON)
 		find_fields(l, s + 1, text.end, false, line);
 	else if (whole && l->in.format == FORMAT_CSV)
 		find_fields(l, text.s, text.end, false, line);

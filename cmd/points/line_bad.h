@@ -23,6 +23,9 @@ void say_bad_field(const struct layout *, int i, struct span f,
 bool say_header_of_text(const struct layout *, struct span,
     char reason[REASON_MAX]);
 
+/* Whether a coordinate of an object stands in another, as pointers can say. */
+bool places_overlap(const struct layout *, const struct line *);
+
 /* Finds where the coordinates of the line stand, of which text is what is read,
  * whatever stands there: its kind is LINE_BAD then, or LINE_LOST. */
 void line_take_apart(const struct layout *, struct span text, struct line *);
@@ -32,8 +35,7 @@ void line_take_apart(const struct layout *, struct span text, struct line *);
  * a decimal point. The first of them begins at s. */
 bool commas_agree(const struct layout *, const char *s, const char *end);
 
-/* Whether each quote that opens a field of csv is closed on the line: as they are if
- * their number is even. */
+/* Whether each quote that opens a field of csv is closed on the line. */
 bool quotes_are_closed(struct dialect, struct span text);
 
 #endif

@@ -71,12 +71,14 @@ static int find_element(const char *s, const char *end, const char *number,
 	return 0;
 }
 
+enum { TOKEN_ROOM = 1024 };
+
 /* The next part of a pointer, without its escapes: ~1 is /, ~0 is ~. NULL where it
  * is too long. */
-static const char *next_token(const char *s, char token[NAME_ROOM], size_t *n)
+static const char *next_token(const char *s, char token[TOKEN_ROOM], size_t *n)
 {
 	for (*n = 0; *s != '\0' && *s != '/'; s++) {
-		if (*n == NAME_ROOM - 1)
+		if (*n == TOKEN_ROOM - 1)
 			return NULL;
 		token[*n] = *s;
 		if (*s == '~' && (s[1] == '0' || s[1] == '1'))
@@ -89,10 +91,11 @@ static const char *next_token(const char *s, char token[NAME_ROOM], size_t *n)
 
 int json_place_find(struct span object, const char *path, struct json_place *p)
 {
-	char token[NAME_ROOM];
+	char token[TOKEN_ROOM];
 	size_t n;
 	int times = 1;
 
+	object.s = json_space(object.s, object.end);
 	if (*path != '/')
 		return find_member(object.s, object.end, path, strlen(path), p);
 	p->value = object;

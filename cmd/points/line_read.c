@@ -223,19 +223,21 @@ static bool find_member(const struct layout *l, int i, struct span object,
 {
 	const char *path = path_of(l, i);
 	int times = json_place_find(object, path, p);
+	char word[ESCAPED_MAX];
 	struct names names = { 0 };
 
 	if (times == 1)
 		return true;
 	if (times > 1) {
-		snprintf(reason, REASON_MAX, "has two members '%.60s'", path);
+		snprintf(reason, REASON_MAX, "has two members '%s'",
+		    escaped(word, path, strlen(path)));
 		return false;
 	}
 	snprintf(reason, REASON_MAX,
-	    l->columns.n > 0 ? "has no member '%.60s'" :
-			       "has no member '%.60s'; --columns names the "
+	    l->columns.n > 0 ? "has no member '%s'" :
+			       "has no member '%s'; --columns names the "
 			       "coordinates",
-	    path);
+	    escaped(word, path, strlen(path)));
 	json_place_names(object, &names);
 	names_say(&names, path, reason);
 	return false;
@@ -274,7 +276,11 @@ static bool read_object(const struct layout *l, struct span text,
 			return false;
 		line->at[i] = line_part(line, f);
 	}
-	return true;
+	if (!places_overlap(l, line))
+		return true;
+	snprintf(reason, REASON_MAX,
+	    "has a coordinate in another; --columns names values apart");
+	return false;
 }
 
 static bool read_array(struct layout *l, struct span text, const char *readable,
@@ -319,7 +325,8 @@ static bool read_csv(struct layout *l, struct span text, const char *readable,
 	    read_columns(l, text.s, text.end, readable, line, v, reason) :
 	    read_first(l, text.s, text.end, readable, line, v, reason);
 
-	if (quotes_are_closed(l->in, text))
+	if (memchr(text.s, '"', (size_t)(text.end - text.s)) == NULL ||
+	    quotes_are_closed(l->in, text))
 		return ok;
 	snprintf(reason, REASON_MAX,
 	    "a quote is not closed on the line; a field with a newline in it "
@@ -351,30 +358,27 @@ static bool read_text(struct layout *l, struct span text, const char *readable,
 	return false;
 }
 
-bool line_is_header(const struct layout *l, const struct line *line)
+/* Whether a carriage return, outside of quotes, stands where more of the line comes
+ * after it. In JSON it is a blank like others. */
+static bool has_old_line_ends(struct dialect d, struct span text)
 {
-	const char *end = line->s + line->size;
-	const char *s = skip_blanks(l->in, skip_mark(line->s, end), end);
+	const char *s = text.s;
+	bool quoted = false;
 
-	return l->in.format == FORMAT_CSV && line->kind == LINE_COPY &&
-	    s < end && *s != '#';
-}
-
-/* Whether a carriage return stands where more of the line comes after it. */
-static bool has_old_line_ends(struct span text)
-{
-	const char *cr = memchr(text.s, '\r', (size_t)(text.end - text.s));
-
-	while (cr != NULL && cr < text.end && is_blank(*cr))
-		cr++;
-	return cr != NULL && cr < text.end;
+	if (d.format == FORMAT_JSON)
+		return false;
+	for (; s < text.end && (*s != '\r' || quoted); s++)
+		quoted ^= *s == '"' && d.format == FORMAT_CSV;
+	while (s < text.end && is_blank(*s))
+		s++;
+	return s < text.end;
 }
 
 /* Returns false where the first line that counts is not to be read as a point. */
 static bool read_first_line(struct layout *l, struct span text,
     struct line *line, char reason[REASON_MAX])
 {
-	if (has_old_line_ends(text)) {
+	if (has_old_line_ends(l->in, text)) {
 		snprintf(reason, REASON_MAX,
 		    "has carriage returns alone for line ends; make them "
 		    "newlines: tr '\\r' '\\n'");
@@ -399,7 +403,8 @@ void line_read(struct layout *l, struct span text, const char *readable,
 		text.s = skip_mark(text.s, text.end);
 	const char *s = skip_blanks(l->in, text.s, text.end);
 
-	if (s == text.end || *s == '#')
+	if (s == text.end ||
+	    (*s == '#' && !(was_first && header_in_comment(l, text))))
 		return;
 	*first = false;
 	if (was_first && !read_first_line(l, text, line, reason))

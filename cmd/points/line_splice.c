@@ -32,14 +32,14 @@ static bool separates(char c)
 }
 
 /* The separator to write before numbers that are added to the line. In text it
- * is the one that stands before the last coordinate, or after it if that is the
+ * is the one that stands before the coordinate last, or after it if that is the
  * first field; but the usual one if what stands there has several commas or is
  * too long. Other formats have one separator only. */
-static struct span separator_in(const struct layout *l, const struct line *line)
+static struct span separator_in(const struct layout *l, const struct line *line,
+    struct span last)
 {
 	struct span one = { &l->in.separator, &l->in.separator + 1 };
 	struct span text = line_text(line);
-	struct span last = line_at(line, l->reads - 1);
 	struct span found = { last.s, last.s };
 
 	if (l->in.format != FORMAT_TEXT)
@@ -81,7 +81,8 @@ static struct span whole_field(const struct layout *l, const struct line *line,
 	struct json_place p;
 
 	if (line->object) {
-		json_place_find(trimmed(l->in, text), path_of(l, i), &p);
+		json_place_find((struct span){ s, text.end }, path_of(l, i),
+		    &p);
 		return json_place_whole(&p);
 	}
 	if (l->in.format == FORMAT_CSV && f.s > s && f.s[-1] == '"' &&
@@ -132,14 +133,32 @@ static int edits_of(const struct layout *l, const struct line *line,
 
 /* Writes the coordinates that a bad line lacks, or their names. */
 static char *put_missing(const struct layout *l, const struct line *line,
-    const struct numbers *numbers, char *out)
+    const struct numbers *numbers, struct span separator, char *out)
 {
 	for (int i = 0; i < l->reads && i < l->writes; i++)
 		if (is_missing(line->at[i])) {
-			*out++ = l->in.separator;
+			out = put(out, separator.s, separator.end);
 			out = numbers != NULL ? put_number(l, numbers, i, out) :
 						put_name(l, line, i, out);
 		}
+	return out;
+}
+
+/* The same, and then what is added; where there is nothing before it, without the
+ * first separator. */
+static char *put_behind(const struct layout *l, const struct line *line,
+    const struct numbers *numbers, const struct word *flags,
+    struct span separator, char *out, bool first)
+{
+	size_t n = first ? (size_t)(separator.end - separator.s) : 0;
+	char *begin = out;
+
+	out = put_missing(l, line, numbers, separator, out);
+	out = put_more(l, l->reads, numbers, flags, separator, out);
+	if (n > 0 && out > begin) {
+		memmove(begin, begin + n, (size_t)(out - begin) - n);
+		out -= n;
+	}
 	return out;
 }
 
@@ -162,7 +181,7 @@ char *line_splice(const struct layout *l, const struct line *line,
 	int last = (l->reads < l->writes ? l->reads : l->writes) - 1;
 	bool more = l->writes > l->reads || flags != NULL;
 	bool whole = n == l->reads; /* none is missing */
-	const char *s = line->s, *end = s + line->size;
+	const char *s = line->s, *end = s + line->size, *begin = out;
 
 	for (int k = 0; k < n; k++) {
 		struct span f = edits[k].at;
@@ -183,18 +202,21 @@ char *line_splice(const struct layout *l, const struct line *line,
 		if (l->in.format == FORMAT_CSV && s < end && *s == '"')
 			*out++ = *s++;
 		out = put_more(l, l->reads, numbers, flags,
-		    separator_in(l, line), out);
+		    separator_in(l, line, line_at(line, l->reads - 1)), out);
 	}
 	if (!whole) {
 		const char *behind = fields_end(l, line);
-		struct span usual = { &l->in.separator, &l->in.separator + 1 };
+		struct span separator = { &l->in.separator,
+			&l->in.separator + 1 };
 
+		if (n > 0)
+			separator = separator_in(l, line, edits[n - 1].at);
 		if (behind > s) {
 			out = put(out, s, behind);
 			s = behind;
 		}
-		out = put_missing(l, line, numbers, out);
-		out = put_more(l, l->reads, numbers, flags, usual, out);
+		out = put_behind(l, line, numbers, flags, separator, out,
+		    out == begin || out[-1] == '[');
 	}
 	return put(out, s, end);
 }
@@ -206,8 +228,8 @@ char *line_splice_object(const struct layout *l, const struct line *line,
 	int added[EDITS], n_added = 0;
 	struct edit edits[EDITS];
 	int n = edits_of(l, line, edits);
-	struct span text = trimmed(l->in, line_text(line));
 	const char *s = line->s, *end = s + line->size;
+	struct span text = { skip_mark(s, end), end };
 	struct json_place p;
 
 	for (int k = 0; k <= FLAGS; k++) {

@@ -20,15 +20,21 @@ size_t lines_room(const struct layout *l, size_t lines, size_t bytes)
 	    ((size_t)l->writes * (NUMBER_MAX + SEPARATOR_MAX) + FLAGS_ROOM);
 }
 
+/* Whether the field holds a coordinate, with its quotes, or is part of one, as of one
+ * with a decimal comma. */
 static bool is_coordinate(const struct layout *l, const struct line *line,
     struct span f)
 {
 	struct part p = line_part(line, f);
 
-	for (int i = 0; i < l->reads; i++)
-		if (!is_missing(line->at[i]) && line->at[i].from >= p.from &&
-		    line->at[i].to <= p.to)
+	for (int i = 0; i < l->reads; i++) {
+		struct part at = line->at[i];
+
+		if (!is_missing(at) &&
+		    ((at.from >= p.from && at.to <= p.to) ||
+			(p.from >= at.from && p.to <= at.to)))
 			return true;
+	}
 	return false;
 }
 
@@ -131,26 +137,26 @@ static char *copy_header(const struct layout *l, const struct line *line,
     char *out)
 {
 	static const struct word word = { "flags", 5 };
+	static const char comment[] = "# ";
 	const struct word *flags = l->flags ? &word : NULL;
 	struct line named = *line;
 	struct span text = line_text(line);
 
-	text.s = skip_mark(text.s, text.end);
 	text.end -= text.end[-1] == '\r';
 	header_places(l, text, &named);
 	if (same_dialect(l->in, l->out))
 		return line_splice(l, &named, NULL, flags, out);
 	if (l->out.format == FORMAT_TEXT)
-		out = put(out, "# ", "# " + 2);
+		out = put(out, comment, comment + 2);
 	return convert(l, &named, NULL, flags, out);
 }
 
-/* A blank line, a comment or a header. JSON has none of them. */
+/* What is no point. JSON has none of that. */
 static char *copy(const struct layout *l, const struct line *line, char *out)
 {
 	if (l->in.format == FORMAT_JSON || l->out.format == FORMAT_JSON)
 		return out;
-	if (line_is_header(l, line))
+	if (line->kind == LINE_HEADER)
 		return copy_header(l, line, out);
 	return put(out, line->s, line->s + line->size);
 }
@@ -158,9 +164,10 @@ static char *copy(const struct layout *l, const struct line *line, char *out)
 char *line_write(const struct layout *l, const struct line *line,
     const struct numbers *numbers, const struct word *flags, char *out)
 {
+	bool copied = line->kind == LINE_COPY || line->kind == LINE_HEADER;
 	char *begin = out;
 
-	if (line->kind == LINE_COPY)
+	if (copied)
 		out = copy(l, line, out);
 	else if (line->kind == LINE_LOST)
 		out = put_alone(l, line, numbers, flags, out);
@@ -170,7 +177,7 @@ char *line_write(const struct layout *l, const struct line *line,
 		out = line_splice_object(l, line, numbers, flags, out);
 	else
 		out = line_splice(l, line, numbers, flags, out);
-	if (line->kind == LINE_COPY && out == begin &&
+	if (copied && out == begin &&
 	    (l->in.format == FORMAT_JSON || l->out.format == FORMAT_JSON))
 		return out;
 	if (line->newline)

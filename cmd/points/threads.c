@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* for sched_getaffinity, where there is one */
+/* for sched_getaffinity, where there is one, and elsewhere for sysconf's count of
+ * processors, which POSIX has not */
 #define _GNU_SOURCE
+#define _DARWIN_C_SOURCE
+#define __BSD_VISIBLE 1
 #include "threads.h"
 
 #include <pthread.h>
 #include <sched.h>
 #include <unistd.h>
 
+#include "../stack.h"
 #include "../talk.h"
 #include "answer.h"
 
@@ -69,7 +73,7 @@ static bool start_thread(void)
 
 	if (ring.threads == ring.most)
 		return false;
-	if (pthread_create(&t, NULL, work, NULL) != 0) {
+	if (start_with_stack(&t, work, NULL) != 0) {
 		ring.most = ring.threads;
 		return false;
 	}

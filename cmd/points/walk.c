@@ -161,7 +161,7 @@ INLINE bool pass_separator(struct place *p, struct dialect d)
 		pass(p);
 		pass_blanks(p, d);
 	}
-	return p->comma || text;
+	return p->comma || (text && !stands(p, '\n'));
 }
 
 /* Past a string of JSON with nothing in it that would have to be looked at. */
@@ -298,7 +298,8 @@ static int pass_name(struct place *p, const struct walk *w, struct dialect d)
 	return to > from ? coordinate_of(w, p->text + from, to - from) : -1;
 }
 
-/* The same of an object whose values are numbers, words and strings. */
+/* Where the coordinates stand in an object whose values are numbers, words and
+ * strings; false where it is to be left. */
 INLINE bool find_members(struct place *p, const struct walk *w,
     struct dialect d, int n, const struct target *t)
 {
@@ -375,6 +376,25 @@ INLINE bool find_coordinates(struct place *p, const struct walk *w,
 	return stands(p, '\n') || p->comma == comma;
 }
 
+/* To the newline, over quotes that open right behind a separator and close right
+ * before one; false where they don't, as "" in quotes and 5" without. */
+INLINE bool pass_quotes(struct place *p, char separator)
+{
+	bool open = false, odd = false;
+
+	for (; p->text[*p->stop] != '\n'; p->stop++) {
+		const char *s = p->text + *p->stop;
+
+		if (*s != '"')
+			continue;
+		odd |= open ?
+		    s[1] != separator && s[1] != '\n' && s[1] != '\r' :
+		    s[-1] != separator;
+		open = !open;
+	}
+	return !open && !odd;
+}
+
 /* What stands for the numbers of a line that is left. */
 static void no_numbers(int n, size_t i, struct plain_places places[4])
 {
@@ -402,12 +422,12 @@ INLINE size_t take_lines(struct stretch *s, const struct walk *walk,
 		lines[i].object = false;
 		bool found = p.text + begin - s->readable >= PLAIN_BEFORE &&
 		    find_coordinates(&p, walk, d, n, shape, &t);
-		bool open = false; /* a quote */
+		bool closed = d.format != FORMAT_CSV ||
+		    pass_quotes(&p, d.separator);
 
-		for (; p.text[*p.stop] != '\n'; p.stop++)
-			open ^= d.format == FORMAT_CSV &&
-			    p.text[*p.stop] == '"';
-		if (!found || open) {
+		while (p.text[*p.stop] != '\n')
+			p.stop++;
+		if (!found || !closed) {
 			no_numbers(n, i, places);
 			*left |= (uint64_t)1 << i;
 		}

@@ -211,8 +211,8 @@ static void read_corner(const struct value *v, const struct member *row,
 #define CORNER(label, m, other, what)                                        \
 	{                                                                    \
 		.name = label, .read = read_corner, .at = MEMBER(bounds, m), \
-		.type = "3 numbers, or 2 of a window", .aliases = other, .unit = "model units",             \
-		.about = what                                                \
+		.type = "3 numbers, or 2 of a window", .aliases = other,     \
+		.unit = "model units", .about = what                         \
 	}
 
 const struct member bounds_members[] = {

@@ -115,6 +115,7 @@ static void put_section(struct printer *p, const struct projection *q,
 {
 	static const char *const angles[] = { "fovy", "fovx", "view_angle",
 		"field" };
+	const double edges[4] = { q->left, q->right, q->bottom, q->top };
 
 	if (q->extent == EXTENT_EDGES) {
 		put_edges(p, q->left, q->right, q->bottom, q->top);
@@ -122,7 +123,7 @@ static void put_section(struct printer *p, const struct projection *q,
 		put_number_member(p, "width", q->width);
 		put_number_member(p, "height", q->height);
 	} else if (q->extent == EXTENT_ANGLES) {
-		put_numbers_member(p, "angles", &q->left, 4);
+		put_numbers_member(p, "angles", edges, 4);
 	} else if (q->extent == EXTENT_INTRINSICS) {
 		put_intrinsics(p, q->intrinsics);
 	} else {

@@ -127,16 +127,19 @@ static void read(const struct value *v, bool affine, double m[4][4])
 	    3 :
 	    4;
 	bool column = is_column(&p, rows, columns);
+	double all[16];
 
 	for (int i = 0; i < 16; i++)
 		m[i / 4][i % 4] = i / 4 == i % 4;
 	if (n == rows)
 		read_rows(&p.matrix, columns, column, m);
 	else if (n == 16)
-		value_numbers(&p.matrix, &range_any, 16, m[0]);
+		value_numbers(&p.matrix, &range_any, 16, all);
 	else
 		value_refuse(&p.matrix, "has %zu elements; %s are wanted", n,
 		    wanted);
+	for (int i = 0; i < 16 && n == 16; i++)
+		m[i / 4][i % 4] = all[i];
 }
 
 void read_matrix(const struct value *v, const struct member *row, void *out)

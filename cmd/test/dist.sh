@@ -1,13 +1,14 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # What the tarball of a release holds builds, tests, installs, uninstalls and
-# packs itself.
+# packs itself, also for those whose files nobody else may read.
 # usage: dist.sh BUILD NAME
 set -eu
 tarball=$(cd "$1" && pwd)/$2.tar.gz
 check=$(cd "$1" && pwd)/distcheck
 source=$check/$2
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
+umask 077
 
 rm -rf "$check"
 mkdir -p "$check"
@@ -19,6 +20,7 @@ perl cmd/test/examples_test.t "$check/root/usr/bin" >"$check/examples" || {
 	grep -v '^ok' "$check/examples"
 	exit 1
 }
+test -z "$(find "$check/root/usr" ! -perm -444)"
 make -s BUILD=build DESTDIR="$check/root" PREFIX=/usr uninstall
 test -z "$(find "$check/root" -type f)"
 make -s BUILD=build dist

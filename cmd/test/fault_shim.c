@@ -8,6 +8,8 @@
  *       poll often says that nothing is there
  *   FAULT="cut N FILE"  the N-th read finds FILE truncated
  *   FAULT="late N FILE"  the same, after the one that follows it has read
+ *   FAULT="stack N"  a thread that asks for a stack of less than N bytes, or for
+ *       none, ends the program
  *   FAULT="clock N T"  N milliseconds pass from one look at the clock to the
  *       next; standard error is a terminal if T is 1, and output, too, if it is 2 */
 #define _GNU_SOURCE
@@ -138,6 +140,10 @@ ssize_t pread(int fd, void *to, size_t n, off_t from)
 	return some;
 }
 
+/* What programs call that say _FILE_OFFSET_BITS=64. */
+ssize_t pread64(int, void *, size_t, off_t) __attribute__((alias("pread")));
+int open64(const char *, int, ...) __attribute__((alias("open")));
+
 ssize_t write(int fd, const void *from, size_t n)
 {
 	static ssize_t (*real)(int, const void *, size_t);
@@ -195,6 +201,12 @@ int pthread_create(pthread_t *t, const pthread_attr_t *a, void *(*f)(void *),
 		real = (int (*)(pthread_t *, const pthread_attr_t *,
 		    void *(*)(void *), void *))dlsym(RTLD_NEXT,
 		    "pthread_create");
+	size_t stack = 0;
+
+	if (a != NULL)
+		pthread_attr_getstacksize(a, &stack);
+	if (is("stack") && stack < (size_t)at)
+		abort();
 	/* and from then on, as where there is no room for more */
 	return is("thread") && atomic_fetch_add(&calls, 1) + 1 >= at ?
 	    error :

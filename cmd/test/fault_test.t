@@ -16,6 +16,8 @@ use Projcalc;
 my $shim = "$tmp/shim.so";
 $ENV{PATH} = "$build:$ENV{PATH}";
 chdir 'testdata' or die "testdata: $!\n";
+# Whoever runs this in the background of a shell may have had it ignored.
+$SIG{INT} = 'DEFAULT';
 
 # A sanitizer has an allocator of its own, and no use for a limit of memory;
 # what counts coverage allocates, too.
@@ -170,6 +172,8 @@ SKIP: {
 		my @said = faulty("$project -j2 $tmp/points", "thread $n 11");
 		is_deeply(\@said, [0, $whole, ''], "without thread $n");
 	}
+	my @asked = faulty("$project -j2 $tmp/points", 'stack 1000000');
+	is_deeply(\@asked, [0, $whole, ''], 'threads ask for a stack of 1 MB');
 	for my $j (1, 2) {
 		for my $args ("$tmp/few", "$tmp/points", "-i csv $tmp/few.csv",
 		    "-i json --flags $tmp/few.json", "-i f64 $tmp/few.f64",

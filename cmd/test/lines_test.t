@@ -84,13 +84,13 @@ sub json_line {
 # An object, mostly with its members as others write them.
 sub object_line {
 	my @names = (qw(x y z), below(8) ? () : pick(qw(x w flags)));
-	my @members = map { my $n = $_; sub { qq("$n":) . number() } } @names;
-	push @members, map { my $n = $_; sub { qq("$n":) . pick('"a"',
+	my @members = map { qq("$_":) . number() } @names;
+	push @members, map { qq("$_":) . pick('"a"',
 	    '"a,{b}"', 'null', 'true', 'falsy', '17', '1.5e3', '01', '[1,{"x":2}]',
-	    '{"x":1}', "\"\xc3\xa9\"", '"\"q\\"', '"open') } }
+	    '{"x":1}', "\"\xc3\xa9\"", '"\"q\\"', '"open') }
 	    grep { below(2) } qw(id name), '', "a\\u0062", '\u0078';
-	@members = sort { $a <=> $b } @members if below(3) == 0;
-	my $s = join pick((',') x 9, ', ', ' , '), map { $_->() } @members;
+	@members = sort @members if below(3) == 0;
+	my $s = join pick((',') x 9, ', ', ' , '), @members;
 	$s =~ s/:/ : /g if below(20) == 0;
 	return "{$s}" if below(30);
 	return pick(" {$s}", "{ $s }", "{$s", "$s}", "{{$s}}", "[$s]", "{$s} x",

@@ -2,7 +2,8 @@
 /* For any processor: fma is the C library's, exact everywhere and fast where
  * there is an instruction for it. */
 #include <math.h>
-#include <string.h>
+
+#include "little.h"
 
 #define COPY kernels_baseline
 
@@ -10,7 +11,7 @@
 #define WIDTH 1
 #define LOAD(p) (*(p))
 #define STORE(p, a) (*(p) = (a))
-#define LOAD_BYTES(p) load_bytes(p)
+#define LOAD_BYTES(p) little_double(p)
 #define ALL(a) ((double)(a))
 #define FMA(a, b, c) fma(a, b, c)
 #define SQRT(a) sqrt(a)
@@ -22,22 +23,16 @@
 #define IS_POSITIVE(a) ((a) > 0)
 #define CHOOSE(a, b, c) ((a) > 0 ? (b) : (c))
 
-static inline double load_bytes(const char *p)
-{
-	double v;
-
-	memcpy(&v, p, sizeof v);
-	return v;
-}
-
 static inline void split_three(const char *row, double p[3])
 {
-	memcpy(p, row, 24);
+	for (int k = 0; k < 3; k++)
+		p[k] = little_double(row + 8 * k);
 }
 
 static inline void join_three(char *row, const double q[3])
 {
-	memcpy(row, q, 24);
+	for (int k = 0; k < 3; k++)
+		put_little_double(row + 8 * k, q[k]);
 }
 
 #define F float

@@ -13,7 +13,7 @@ static const struct {
 	{ "avx512", &kernels_avx512 },
 	{ "avx2", &kernels_avx2 },
 #endif
-#ifdef __aarch64__
+#ifdef __AARCH64EL__
 	{ "neon", &kernels_neon },
 #endif
 	{ "baseline", &kernels_baseline },
@@ -28,7 +28,7 @@ static bool runs(const char *name)
 		return __builtin_cpu_supports("avx2") &&
 		    __builtin_cpu_supports("fma");
 #endif
-#ifdef __aarch64__
+#ifdef __AARCH64EL__
 	if (strcmp(name, "neon") == 0)
 		return true;
 #endif

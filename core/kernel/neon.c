@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* For arm64, all of which have it. Its own minimum of a number and nan is nan. */
-#ifdef __aarch64__
+#ifdef __AARCH64EL__
 #include <arm_neon.h>
 
 #define COPY kernels_neon

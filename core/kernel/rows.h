@@ -4,23 +4,16 @@
  * the processor has. Rows may begin at any address. */
 #include <float.h>
 #include <stdint.h>
-#include <string.h>
 
+#include "little.h"
 #include "midway.h"
 
 /* Number i of many, doubles if wide, else floats. */
 static inline __attribute__((always_inline)) double load(const char *numbers,
     size_t i, int wide)
 {
-	double v;
-	float narrow;
-
-	if (wide) {
-		memcpy(&v, numbers + 8 * i, 8);
-		return v;
-	}
-	memcpy(&narrow, numbers + 4 * i, 4);
-	return (double)narrow;
+	return wide ? little_double(numbers + 8 * i) :
+		      (double)little_float(numbers + 4 * i);
 }
 
 static inline __attribute__((always_inline)) int
@@ -67,10 +60,11 @@ join(double (*restrict columns)[POINTS_BLOCK], char *restrict rows, size_t n,
 			float narrow = (float)v + 0.0f;
 
 			if (wide)
-				memcpy(rows + 8 * (numbers * i + k), &v, 8);
+				put_little_double(rows + 8 * (numbers * i + k),
+				    v);
 			else
-				memcpy(rows + 4 * (numbers * i + k), &narrow,
-				    4);
+				put_little_float(rows + 4 * (numbers * i + k),
+				    narrow);
 			unsure |= !wide || fabs(v) <= DBL_MAX ? 0 : -1;
 		}
 	return unsure == 0;
@@ -82,7 +76,8 @@ split_single(const char *restrict rows, float (*restrict columns)[POINTS_BLOCK],
 {
 	for (size_t i = 0; i < n; i++)
 		for (size_t k = 0; k < numbers; k++)
-			memcpy(&columns[k][i], rows + 4 * (numbers * i + k), 4);
+			columns[k][i] = little_float(
+			    rows + 4 * (numbers * i + k));
 }
 
 static inline __attribute__((always_inline)) void
@@ -93,7 +88,7 @@ join_single(float (*restrict columns)[POINTS_BLOCK], char *restrict rows,
 		for (size_t k = 0; k < numbers; k++) {
 			float v = columns[k][i] + 0.0f;
 
-			memcpy(rows + 4 * (numbers * i + k), &v, 4);
+			put_little_float(rows + 4 * (numbers * i + k), v);
 		}
 }
 

@@ -23,7 +23,7 @@ static const struct {
 	{ "avx512", &number_avx512, &plain_avx512 },
 	{ "avx2", &number_avx2, &plain_avx2 },
 #endif
-#ifdef __aarch64__
+#ifdef __AARCH64EL__
 	{ "neon", &number_neon, &plain_neon },
 #endif
 	{ "baseline", &number_baseline, NULL },

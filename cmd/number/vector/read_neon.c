@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* For arm64. */
-#ifdef __aarch64__
+#ifdef __AARCH64EL__
 #include <arm_neon.h>
 
 #define READER plain_neon

@@ -65,7 +65,7 @@ static inline struct tens load_tens(void)
 /* The index stands in the lowest bits of 2^52 + index. */
 static inline void power_of_ten(const struct tens *t, V scale, V *hi, V *lo)
 {
-	I k = BITS(scale + ALL(0x1p52 - POWER_MIN));
+	I k = BITS(scale + ALL(0x1p52 - (double)POWER_MIN));
 	M upper = _mm512_test_epi64_mask(k, ALL_BITS(16));
 
 	*lo = _mm512_maskz_permutex2var_pd((M)~upper, t->lo[0], k, t->lo[1]);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* For AArch64, of which NEON is a part. */
-#ifdef __aarch64__
+#ifdef __AARCH64EL__
 #include <arm_neon.h>
 
 #include "powers.h"

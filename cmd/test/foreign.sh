@@ -1,0 +1,90 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# The same bits from other processors, emulated, and from another C library: the
+# transcripts and the digests of testdata/bits.sha256; and for arm64, whose vector
+# loops are its own, their tests. Programs are static, with a cJSON of their own.
+# Wants what `make deps foreign` installs; what is not there is named and left out.
+# usage: foreign.sh BUILD [NAME...]
+set -eu
+cd "$(dirname "$0")/../.."
+unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
+build=$1
+shift
+mkdir -p "$build/include"
+build=$(cd "$build" && pwd)
+cjson=$build/cjson
+[ -f "$cjson/cJSON.c" ] || {
+	echo "foreign: no source of cJSON in $cjson; make deps foreign" >&2
+	exit 1
+}
+# What musl's compiler finds nowhere else.
+ln -sfn "$cjson" "$build/include/cjson"
+ln -sfn /usr/include/fast_float "$build/include/fast_float"
+
+has() {
+	for tool; do
+		command -v "$tool" >/dev/null || {
+			echo "$name: no $tool here"
+			return 1
+		}
+	done
+}
+
+# make for $cc and $cxx, with $flags; what is asked for has its library before it.
+made() {
+	make -s -j"$(nproc)" "BUILD=$build/$name" "CC=$cc" "CXX=$cxx" \
+	    CFLAGS="-O2 -g $flags" CPPFLAGS="-I$build/include" "$@"
+}
+
+# Makes the program called $name, and runs the tests with $emulator before it.
+check() {
+	dir=$build/$name
+	mkdir -p "$dir/emulated"
+	"$cc" -O2 -c -o "$dir/cJSON.o" "$cjson/cJSON.c"
+	made LDFLAGS=-static LIBS="$dir/cJSON.o -lm" "$dir/projcalc"
+	printf '#!/bin/sh\nexec %s "%s/projcalc" "$@"\n' "$emulator" "$dir" \
+	    >"$dir/emulated/projcalc"
+	chmod +x "$dir/emulated/projcalc"
+	echo "$name"
+	prove -Q cmd/test/transcripts_test.t cmd/test/bits_test.t :: \
+	    "$dir/emulated"
+}
+
+# The tests of arm64's vector loops.
+check_loops() {
+	tests="$dir/core/test/points_test $dir/core/test/ray_test"
+	[ -f /usr/lib/aarch64-linux-gnu/libcmocka.so ] || {
+		echo "$name: no libcmocka for it here"
+		return
+	}
+	# The shell is to split the list.
+	# shellcheck disable=SC2086
+	made $tests
+	for test in $tests; do
+		"$emulator" "$test" >"$dir/said" 2>&1 || {
+			cat "$dir/said"
+			exit 1
+		}
+	done
+}
+
+[ $# -gt 0 ] || set -- arm64 s390x riscv64 i386 musl
+for name; do
+	flags='' emulator=''
+	case $name in
+	arm64) triplet=aarch64-linux-gnu emulator=qemu-aarch64-static ;;
+	i386)
+		# doubles are to be rounded to doubles
+		triplet=i686-linux-gnu emulator=qemu-i386-static
+		flags='-msse2 -mfpmath=sse'
+		;;
+	*) triplet=$name-linux-gnu emulator=qemu-$name-static ;;
+	esac
+	cc=$triplet-gcc cxx=$triplet-g++
+	# The C++ is of headers alone, and calls what every C library has.
+	[ "$name" != musl ] || cc=musl-gcc cxx=g++ emulator=
+	# shellcheck disable=SC2086
+	has "$cc" "$cxx" $emulator || continue
+	check
+	[ "$name" != arm64 ] || check_loops
+done

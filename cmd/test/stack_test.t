@@ -1,0 +1,51 @@
+#!/usr/bin/perl
+# SPDX-License-Identifier: MIT
+# Small stacks: the transcripts, and streams of every format through threads, where
+# the system gives the program 64 KB, and its threads if they ask for none.
+use strict;
+use warnings;
+use FindBin;
+use lib $FindBin::Bin;
+use Projcalc;
+
+my $limit = 64;
+plan skip_all => 'a sanitizer needs a large stack'
+    if system("grep -q '__[at]san_init' $build/projcalc") == 0;
+mkdir "$tmp/small" or die "$tmp/small: $!\n";
+spew("$tmp/small/projcalc",
+    "#!/bin/sh\nulimit -s $limit\nexec '$build/projcalc' \"\$@\"\n");
+chmod 0755, "$tmp/small/projcalc";
+
+my $said = `$^X cmd/test/transcripts_test.t $tmp/small 2>&1`;
+is($?, 0, "the transcripts on $limit KB") or diag($said =~ s/^ok .*\n//mgr);
+
+# Ordinary points, and some that the fast ways leave: far away, or no points.
+my $number = sub {
+	(below(4001) - 2000) / pick(7, 100, 100, 1024) .
+	    (below(200) ? '' : pick('e120', 'e-120', 'e9'))
+};
+my @points = map { join(' ', map { $number->() } 1 .. 4) . "\n" } 1 .. 9000;
+spew("$tmp/text", join '', map { below(999) ? $_ : "bad\n" } @points);
+spew("$tmp/csv", join '', map { tr/ /,/r } @points);
+spew("$tmp/json", join '', map { tr/ /,/r =~ s/^(.*)$/[$1,"a"]/r } @points);
+spew("$tmp/f64", pack 'd<*', map { split } @points);
+spew("$tmp/f32", pack 'f<*', map { split } @points);
+
+my @options = ('', '-t 0.01', '-t 1e-9', '-p double', '-p single', '--flags',
+    '--visible', '-H', '-H -p single', '--ray', '--from clip', '--to view',
+    '-d 3', '--digits 20');
+my @runs = map {
+	my $in = $_;
+	(map { "project -i $in $_ scene.json $tmp/$in" } @options),
+	    (map { "project -i $in -o $_ scene.json $tmp/$in" }
+	    qw(text csv json f64 f32)),
+	    "trace -i $in scene.json $tmp/$in", "fit -i $in full.json $tmp/$in",
+	    "pick -i $in --at 320,240 --radius 99 scene.json $tmp/$in"
+} qw(text csv json f64 f32);
+for my $run (@runs) {
+	my @want = run("projcalc $run --keep-going -j 1", 'testdata');
+	my @small = run("$tmp/small/projcalc $run --keep-going -j 3",
+	    'testdata');
+	is_deeply(\@small, \@want, $run =~ s/ \S*testdata\S*| \Q$tmp\E\S*//gr);
+}
+done_testing();

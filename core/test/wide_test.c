@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: MIT */
+/* What 32-bit compilers make of wide.h, against this one's integers of 128 bits:
+ * words of all lengths, and those near 0 and 2^64. */
+#ifdef __SIZEOF_INT128__
+#define HAS_WIDE
+#undef __SIZEOF_INT128__
+#endif
+#include "../wide.h"
+
+#include "claims.h"
+
+#ifdef HAS_WIDE
+typedef unsigned __int128 wide;
+
+enum { TRIES = 200000 };
+
+static uint64_t any_word(void)
+{
+	uint64_t w = (uint64_t)sample_below(1 << 16) << 48 |
+	    (uint64_t)sample_below(1 << 16) << 32 |
+	    (uint64_t)sample_below(1 << 16) << 16 | sample_below(1 << 16);
+
+	w >>= sample_below(64);
+	return sample_below(4) ? w : sample_below(2) ? w % 3 : -(w % 3);
+}
+
+static wide both(uint64_t high, uint64_t low)
+{
+	return (wide)high << 64 | low;
+}
+
+static void sums(void **state)
+{
+	(void)state;
+	sample_seed(1);
+	for (int i = 0; i < TRIES; i++) {
+		uint64_t a = any_word(), b = any_word(), c = sample_below(2);
+		uint64_t carry = c, borrow = c, s = add_carry(a, b, &carry);
+		uint64_t d = subtract_borrow(a, b, &borrow);
+
+		assert_true(both(carry, s) == (wide)a + b + c);
+		assert_true((wide)d - both(borrow, 0) == (wide)a - b - c);
+	}
+}
+
+static void products(void **state)
+{
+	(void)state;
+	sample_seed(2);
+	for (int i = 0; i < TRIES; i++) {
+		uint64_t a = any_word(), b = any_word(), c = any_word();
+		uint64_t before = any_word(), carry = before;
+		uint64_t p = multiply_add(a, b, c, &carry);
+
+		assert_true(both(carry, p) == (wide)a * b + c + before);
+	}
+}
+
+static void quotients(void **state)
+{
+	(void)state;
+	sample_seed(3);
+	for (int i = 0; i < TRIES; i++) {
+		uint64_t d = any_word() | 1, high = any_word() % d;
+		uint64_t low = any_word(), rest;
+		uint64_t q = divide_two(high, low, d, &rest);
+
+		assert_true(rest < d);
+		assert_true((wide)q * d + rest == both(high, low));
+	}
+}
+#endif
+
+int main(void)
+{
+#ifdef HAS_WIDE
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(sums),
+		cmocka_unit_test(products),
+		cmocka_unit_test(quotients),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+#endif
+}

@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: MIT */
+/* Words of 64 bits and what they carry, also where compilers have no integers of
+ * 128 bits, as for 32-bit processors. */
+#ifndef WIDE_H
+#define WIDE_H
+
+#include <stdint.h>
+
+/* a + b + *carry, which is 0 or 1, and becomes what the sum carries. */
+static inline uint64_t add_carry(uint64_t a, uint64_t b, uint64_t *carry)
+{
+	uint64_t s = a + b, t = s + *carry;
+
+	*carry = (s < a) | (t < s);
+	return t;
+}
+
+/* a - b - *borrow, likewise. */
+static inline uint64_t subtract_borrow(uint64_t a, uint64_t b, uint64_t *borrow)
+{
+	uint64_t d = a - b, t = d - *borrow;
+
+	*borrow = (a < b) | (d < *borrow);
+	return t;
+}
+
+/* a b + c + *carry, which becomes the upper word. That has room for it: (B - 1)^2 +
+ * 2 (B - 1) = B^2 - 1; and so have B = 2^32's products here. */
+static inline uint64_t multiply_add(uint64_t a, uint64_t b, uint64_t c,
+    uint64_t *carry)
+{
+#ifdef __SIZEOF_INT128__
+	unsigned __int128 p = (unsigned __int128)a * b + c + *carry;
+
+	*carry = (uint64_t)(p >> 64);
+	return (uint64_t)p;
+#else
+	const uint64_t half = UINT32_MAX;
+	uint64_t p = (a & half) * (b & half) + (c & half) + (*carry & half);
+	uint64_t q = (a >> 32) * (b & half) + (c >> 32) + (p >> 32);
+	uint64_t r = (a & half) * (b >> 32) + (*carry >> 32) + (q & half);
+
+	*carry = (a >> 32) * (b >> 32) + (q >> 32) + (r >> 32);
+	return r << 32 | (p & half);
+#endif
+}
+
+/* The quotient of high 2^64 + low by d > high, and what remains. */
+static inline uint64_t divide_two(uint64_t high, uint64_t low, uint64_t d,
+    uint64_t *rest)
+{
+#ifdef __SIZEOF_INT128__
+	uint64_t q = (uint64_t)(((unsigned __int128)high << 64 | low) / d);
+
+	*rest = low - q * d;
+	return q;
+#else
+	for (int i = 0; i < 64; i++) {
+		uint64_t top = high >> 63;
+
+		high = high << 1 | low >> 63;
+		low <<= 1;
+		if (top || high >= d) {
+			high -= d;
+			low |= 1;
+		}
+	}
+	*rest = high;
+	return low;
+#endif
+}
+
+#endif
