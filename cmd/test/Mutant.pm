@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Changes of the program's source as a tired programmer might make them, one at a
 # time: mutants, which tests are to find. One is
 #

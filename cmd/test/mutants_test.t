@@ -1,4 +1,5 @@
 #!/usr/bin/perl
+# SPDX-License-Identifier: MIT
 # That `make mutants` changes what it says, finds what a test finds, and ends what
 # doesn't end; and that the reasons of mutants.equal are of lines that there are.
 use strict;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* How often what is fast is sure. A bound that is too large, or a test that is too
  * strict, changes no number that is printed; it takes time. So it is counted how many
  * points are left to what is slow. The counts are what they are, the same from every
