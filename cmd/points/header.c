@@ -102,8 +102,26 @@ static bool find_columns(struct layout *l, struct span header,
 	return found;
 }
 
+/* No number that identifies is a coordinate. */
+static bool begins_with_id(struct dialect d, struct span header,
+    char reason[REASON_MAX])
+{
+	static const char *const ids[] = { "id", "fid" };
+
+	for (int i = 0; i < 2; i++)
+		if (find_name(d, header, ids[i], strncasecmp) == 0) {
+			snprintf(reason, REASON_MAX,
+			    "the first column is '%s'; say with --columns "
+			    "which the coordinates are",
+			    ids[i]);
+			return true;
+		}
+	return false;
+}
+
 /* Where nobody said which columns the coordinates are: those named x, y, z, w, if
- * all that are read have one; the first ones if neither x nor y does. */
+ * all that are read have one; the first ones if neither x nor y does, unless the first
+ * is an id. */
 static bool find_axes(struct layout *l, struct span header,
     char reason[REASON_MAX])
 {
@@ -115,14 +133,20 @@ static bool find_axes(struct layout *l, struct span header,
 		if (c->field[i] < 0)
 			missing = i;
 	}
-	c->n = missing < 0 || c->field[0] >= 0 || c->field[1] >= 0 ? l->reads :
-								     0;
-	if (c->n == 0 || missing < 0)
+	bool none = c->field[0] < 0 && c->field[1] < 0;
+
+	c->n = none && missing >= 0 ? 0 : l->reads;
+	if (missing < 0 ||
+	    (none &&
+		(l->header == HEADER_FIRST ||
+		    !begins_with_id(l->in, header, reason))))
 		return true;
-	snprintf(reason, REASON_MAX,
-	    "the header has no column '%s', but '%s'; say with --columns which "
-	    "the coordinates are",
-	    axis(missing), axis(c->field[0] < 0));
+	if (!none)
+		snprintf(reason, REASON_MAX,
+		    "the header has no column '%s', but '%s'; say with "
+		    "--columns which the coordinates are",
+		    axis(missing), axis(c->field[0] < 0));
+	c->n = l->reads;
 	for (int i = 0; i < c->n; i++)
 		c->field[i] = -1;
 	return false;

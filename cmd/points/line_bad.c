@@ -15,9 +15,18 @@ const char *axis(int i)
 	return words[i];
 }
 
+static int count(struct span f, char c)
+{
+	int n = 0;
+
+	for (; f.s < f.end; f.s++)
+		n += *f.s == c;
+	return n;
+}
+
 static bool has(struct span f, char c)
 {
-	return memchr(f.s, c, (size_t)(f.end - f.s)) != NULL;
+	return count(f, c) > 0;
 }
 
 /* What would be right in the place of f. Where reads says that a number begins
@@ -27,9 +36,13 @@ static const char *hint(const struct layout *l, int i, struct span f)
 	double v;
 
 	if (l->in.format == FORMAT_CSV && l->in.separator != ',' && has(f, ','))
-		return "; a decimal point is a point: 1.5";
+		return count(f, ',') == 1 ?
+		    "; a decimal point is a point: 1.5" :
+		    "; is a comma the separator? say -i csv alone";
 	if (l->in.format != FORMAT_JSON && has(f, ';'))
 		return "; is ; the separator? say -i csv --separator ';'";
+	if (l->in.format != FORMAT_JSON && has(f, '|'))
+		return "; is | the separator? say -i csv --separator '|'";
 	if (number_read(f.s, f.end, &v) != NULL)
 		return l->in.format == FORMAT_JSON ?
 		    "; a number is wanted, as JSON writes it" :
@@ -49,14 +62,15 @@ void say_bad_field(const struct layout *l, int i, struct span f,
 	bool nested = n > 0 && (*f.s == '[' || *f.s == '{');
 	char word[ESCAPED_MAX];
 
-	if (nested && l->in.format == FORMAT_TEXT)
+	if (nested && l->in.format != FORMAT_JSON)
 		snprintf(reason, REASON_MAX,
 		    "looks like JSON; say -i json, with one array or object a "
-		    "line: jq -c '.points[]'");
-	else if (nested && l->in.format == FORMAT_JSON)
+		    "line: jq -c '%s'",
+		    *f.s == '[' ? ".[]" : ".points[]");
+	else if (nested)
 		snprintf(reason, REASON_MAX,
 		    "%s is not a number; one array or object a line: jq -c "
-		    "'.points[]'",
+		    "'.[]'",
 		    axis(i));
 	else if (n == 0)
 		snprintf(reason, REASON_MAX,
@@ -113,6 +127,15 @@ static bool number_stands(const char *s, const char *end)
 	return stop != NULL && ends_field(stop, end);
 }
 
+/* Whether the number at s, behind the last coordinate, counts as another would:
+ * behind two coordinates, or where a comma alone is between. */
+static bool counts_on(const struct layout *l, const char *last, const char *s,
+    const char *end)
+{
+	return number_stands(s, end) &&
+	    (l->reads == 2 || (s == last + 1 && *last == ','));
+}
+
 bool commas_agree(const struct layout *l, const char *s, const char *end)
 {
 	int n = fields_spanned(l), separators = 0, commas = 0;
@@ -121,8 +144,7 @@ bool commas_agree(const struct layout *l, const char *s, const char *end)
 		struct span f = field_at(l->in, s, end);
 
 		s = skip_separator(f.end, end);
-		if (s == end ||
-		    (k == n && !(l->reads == 2 && number_stands(s, end))))
+		if (s == end || (k == n && !counts_on(l, f.end, s, end)))
 			break;
 		separators++;
 		commas += has((struct span){ f.end, s }, ',');

@@ -31,8 +31,9 @@ bool places_overlap(const struct layout *, const struct line *);
 void line_take_apart(const struct layout *, struct span text, struct line *);
 
 /* Whether what separates the coordinates of text from each other, and two of them
- * from a number right after them, has a comma everywhere or nowhere; else it may be
- * a decimal point. The first of them begins at s. */
+ * from a number after them, has a comma everywhere or nowhere, and none alone is
+ * between others and a number; else it may be a decimal point. The first of them
+ * begins at s. */
 bool commas_agree(const struct layout *, const char *s, const char *end);
 
 /* Whether each quote that opens a field of csv is closed on the line. */

@@ -177,33 +177,31 @@ static bool read_columns(const struct layout *l, const char *s, const char *end,
 	return true;
 }
 
-/* Says where the text, which begins as an array or object, is no JSON. */
+/* Says why the text, which begins as an array or object, is no JSON. */
 static void say_no_json(struct span text, const struct json_error *e,
     char reason[REASON_MAX])
 {
 	const char *s = skip_blanks(json, text.s, text.end);
 	bool object = *s == '{';
-	char word[ESCAPED_MAX];
 
 	/* what is in it need not be JSON */
 	for (s = json_skip(s + 1, text.end); s < text.end && *s == ',';)
 		s = json_skip(s + 1, text.end);
 	if (s < text.end && *s == (object ? '}' : ']') &&
 	    skip_blanks(json, s + 1, text.end) == text.end)
-		snprintf(reason, REASON_MAX, "no JSON from '%s' on",
-		    escaped(word, e->at, (size_t)(text.end - e->at)));
+		snprintf(reason, REASON_MAX, "is no JSON: %s", e->reason);
 	else
 		snprintf(reason, REASON_MAX,
-		    "the %s does not end with the line; one %s a line: jq -c "
-		    "'.points[]'",
-		    object ? "object" : "array", object ? "object" : "array");
+		    object ? "the object does not end with the line; one "
+			     "object a line: jq -c ." :
+			     "the array does not end with the line; one array "
+			     "a line: jq -c '.[]'");
 }
 
 /* Whether all of the line is one JSON array. Up to done it has been read; if
  * those were numbers alone, and only the closing bracket comes after them, the
  * line need not be looked at again. */
-static bool check_array(struct span text, const char *done,
-    char reason[REASON_MAX])
+static bool check_array(struct span text, const char *done)
 {
 	const char *s = skip_blanks(json, done, text.end);
 	struct json_error e;
@@ -211,10 +209,7 @@ static bool check_array(struct span text, const char *done,
 	if (s < text.end && *s == ']' &&
 	    skip_blanks(json, s + 1, text.end) == text.end)
 		return true;
-	if (json_check(JSON_LINE, text.s, text.end, &e))
-		return true;
-	say_no_json(text, &e, reason);
-	return false;
+	return json_check(JSON_LINE, text.s, text.end, &e);
 }
 
 /* Finds coordinate i of the object. */
@@ -250,10 +245,8 @@ static bool read_object(const struct layout *l, struct span text,
 	struct json_error e;
 
 	line->object = true;
-	if (!json_check(JSON_LINE, text.s, text.end, &e)) {
-		say_no_json(text, &e, reason);
+	if (!json_check(JSON_LINE, text.s, text.end, &e))
 		return false;
-	}
 	text = trimmed(json, text);
 	for (int i = 0; i < l->reads; i++) {
 		struct json_place p;
@@ -298,23 +291,28 @@ static bool read_array(struct layout *l, struct span text, const char *readable,
 	if (l->columns.n > 0)
 		return read_columns(l, s, text.end, readable, line, v,
 			   reason) &&
-		    check_array(text, s, reason);
+		    check_array(text, s);
 	return read_first(l, s, text.end, readable, line, v, reason) &&
-	    check_array(text, line_at(line, l->reads - 1).end, reason);
+	    check_array(text, line_at(line, l->reads - 1).end);
 }
 
 static bool read_json(struct layout *l, struct span text, const char *readable,
     struct line *line, double v[4], char reason[REASON_MAX])
 {
 	const char *s = skip_blanks(json, text.s, text.end);
+	struct json_error e;
 
-	if (*s == '[')
-		return read_array(l, text, readable, line, v, reason);
-	if (*s == '{')
-		return read_object(l, text, readable, line, v, reason);
-	snprintf(reason, REASON_MAX,
-	    "is neither a JSON array nor an object; one a line: jq -c "
-	    "'.points[]'");
+	if (*s != '[' && *s != '{') {
+		snprintf(reason, REASON_MAX,
+		    "is neither a JSON array nor an object; one a line: jq -c "
+		    "'.[]'");
+		return false;
+	}
+	if (*s == '[' ? read_array(l, text, readable, line, v, reason) :
+			read_object(l, text, readable, line, v, reason))
+		return true;
+	if (!json_check(JSON_LINE, text.s, text.end, &e))
+		say_no_json(text, &e, reason);
 	return false;
 }
 
@@ -385,9 +383,13 @@ static bool read_first_line(struct layout *l, struct span text,
 		line->kind = LINE_LOST;
 		return false;
 	}
-	if (l->in.format == FORMAT_CSV)
+	if (l->in.format != FORMAT_CSV)
+		return true;
+	if (*skip_blanks(l->in, text.s, text.end) != '{')
 		return !header_read(l, text, line, reason);
-	return true;
+	snprintf(reason, REASON_MAX, "looks like JSON; say -i json");
+	line->kind = LINE_LOST;
+	return false;
 }
 
 void line_read(struct layout *l, struct span text, const char *readable,

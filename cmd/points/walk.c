@@ -369,9 +369,11 @@ INLINE bool find_coordinates(struct place *p, const struct walk *w,
 	}
 	if (!pass_rest(p, d))
 		return false;
-	if (!text || n != 2 || stands(p, '\n'))
-		return true;
 	/* what comes next may be a number */
+	if (!text || stands(p, '\n'))
+		return true;
+	if (n != 2)
+		return comma || !stands(p, ',');
 	pass_separator(p, d);
 	return stands(p, '\n') || p->comma == comma;
 }
