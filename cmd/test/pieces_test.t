@@ -182,8 +182,8 @@ SKIP: {
 	my ($first) = $allowed =~ /^Cpus_allowed_list:\s*(\d+)/m;
 	is(most_threads(2, 'taskset', '-c', $first), 2,
 	    'threads of -j64 where one processor is allowed');
-	is((run("taskset -c $first projcalc project -j64 scene.json $tmp/in | " .
-	    'wc -l'))[1], "1000000\n", 'which do all');
+	is((run("taskset -c $first projcalc project -j64 scene.json $tmp/in " .
+	    "$tmp/in | wc -l"))[1], "2000000\n", 'which do all, of two files');
 }
 # How far it is counts from where the file is read, as that is not its beginning.
 spew("$tmp/in", "0 0 0\n" x 100000);
