@@ -231,6 +231,9 @@ levels: ## the same bits from both compilers at each level of optimization
 	@sh cmd/test/levels.sh $(BUILD)/levels
 foreign: | $(FIRST) ## the same bits from other processors, emulated, and musl
 	@sh cmd/test/foreign.sh $(BUILD)/foreign
+mutants: ## whether tests find what is changed in the program: N=400 SEED=1
+	@perl cmd/test/mutants.pl $(BUILD) \
+	    $(patsubst $(BUILD)/%/,%,$(sort $(dir $(PROGRAM))))
 cluster: all ## GNU parallel and Slurm, over hosts that are killed half-way
 	@sh cmd/test/cluster.sh $(BUILD)
 

@@ -133,8 +133,8 @@ static struct estimate estimate_of(const struct transform *t, int columns)
 
 		for (int i = 0; i < 4; i++)
 			e.m[i][j] = k->hi[i][j];
-		e.slope = fmax(e.slope, 0x1p-45 * k->most[j] + none);
-		e.floor = fmax(e.floor, 0x1p-45 * k->image[j] + none);
+		e.slope = fmax(e.slope, ESTIMATE_BOUND * k->most[j] + none);
+		e.floor = fmax(e.floor, ESTIMATE_BOUND * k->image[j] + none);
 		if (!(k->image[j] > 0x1p-899))
 			e.low = fmax(e.low, 0x1p-899 / k->most[j]);
 		e.high = fmin(e.high, (0x1p999 - k->image[j]) / k->most[j]);

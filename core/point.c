@@ -112,10 +112,9 @@ float point_single(const struct transform *t, const double in[4], int j,
 	return (float)sum_nearest(&q, &d, true);
 }
 
-/* Differences, elements and products are rounded, then three sums: 6 u of their
- * size, less than a 32nd of 2^-45 of it, while nothing overflows. What underflows, an
- * element that is rounded up to 2^-1074 among them, is off by less than 2^-1025 of
- * what it is multiplied by. */
+/* Within ESTIMATE_BOUND, while nothing overflows. What underflows, an element that is
+ * rounded up to 2^-1074 among them, is off by less than 2^-1025 of what it is
+ * multiplied by. */
 bool point_estimate(const struct transform *t, const double in[], int n,
     double value[4])
 {
@@ -128,9 +127,8 @@ bool point_estimate(const struct transform *t, const double in[], int n,
 	for (int j = 0; j < n; j++) {
 		double size = k->most[j] * all + k->image[j];
 
-		value[j] = x * k->hi[0][j] + y * k->hi[1][j] + z * k->hi[2][j] +
-		    k->hi[3][j];
-		sure &= fabs(value[j]) > 0x1p-45 * size +
+		value[j] = estimate_column(k->hi, j, x, y, z);
+		sure &= fabs(value[j]) > ESTIMATE_BOUND * size +
 			    2 * (k->none[j] + 0x1p-1020) * (all + 1) &&
 		    size > 0x1p-900 && size < 0x1p1000;
 	}

@@ -8,7 +8,7 @@ static const ex RADIAN = { 1, 6, -6,
 	{ 0x38862864b4ea8a06, 0x95b7b08b3c0c88a4, 0xc728154da64a6428,
 	    0xc805bd77a80daf35, 0x70762fb374a42e26, 0x0477d1a894a74e45 } };
 
-/* pi / 2, within 2^-961, and its inverse, within 2^-640. */
+/* pi / 2, within 2^-963 relative, and its inverse, within 2^-640. */
 static const ex QUARTER = { 1, 16, -15,
 	{ 0x8400f97142c77e0b, 0x9250cca3d9c8b67b, 0x5d3e4822f8963fcc,
 	    0xdc70d7f6b5133f4b, 0x17feb96de80d6fdb, 0xe89885d34c6fdad6,

@@ -209,6 +209,18 @@ sub make_options {
 	}
 }
 
+# Tolerances about as large as the errors that double is known to make, up or down
+# to where it is used everywhere or nowhere: which points are computed again tells.
+sub make_margins {
+	for my $type (@types) {
+		my $scene = scene($type);
+		for my $e (-60 .. -30) {
+			add('margins', 'project', '-i', 'f64', '--keep-going',
+			    '-t', 1.37 * 2 ** $e, $scene, "$tmp/3.f64");
+		}
+	}
+}
+
 sub make_streams {
 	my $scene = scene('persp');
 	add('text stream', 'project', $scene, "$tmp/many");
@@ -248,6 +260,7 @@ make_points();
 make_options();
 make_streams();
 make_windows();
+make_margins();
 open STDERR, '>', '/dev/null' if !$ENV{SHOW};
 
 if ($write) {

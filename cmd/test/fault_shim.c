@@ -9,7 +9,9 @@
  *   FAULT="cut N FILE"  the N-th read finds FILE truncated
  *   FAULT="late N FILE"  the same, after the one that follows it has read
  *   FAULT="stack N"  a thread that asks for a stack of less than N bytes, or for
- *       none, ends the program */
+ *       none, ends the program
+ *   FAULT="clock N T"  N milliseconds pass from one look at the clock to the
+ *       next; standard error is a terminal if T is 1, and output, too, if it is 2 */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -23,6 +25,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 #include <unistd.h>
 
 extern void *__libc_malloc(size_t), *__libc_calloc(size_t, size_t),
@@ -208,4 +211,31 @@ int pthread_create(pthread_t *t, const pthread_attr_t *a, void *(*f)(void *),
 	return is("thread") && atomic_fetch_add(&calls, 1) + 1 >= at ?
 	    error :
 	    real(t, a, f, with);
+}
+
+int clock_gettime(clockid_t clock, struct timespec *t)
+{
+	static int (*real)(clockid_t, struct timespec *);
+
+	if (real == NULL)
+		real = (int (*)(clockid_t, struct timespec *))dlsym(RTLD_NEXT,
+		    "clock_gettime");
+	if (!is("clock"))
+		return real(clock, t);
+	int now = 1000 + at * atomic_fetch_add(&calls, 1);
+
+	*t = (struct timespec){ now / 1000, now % 1000 * 1000000L };
+	return 0;
+}
+
+int isatty(int fd)
+{
+	static int (*real)(int);
+
+	if (real == NULL)
+		real = (int (*)(int))dlsym(RTLD_NEXT, "isatty");
+	if (!is("clock"))
+		return real(fd);
+	return fd == STDERR_FILENO ? error > 0 :
+				     fd == STDOUT_FILENO && error > 1;
 }

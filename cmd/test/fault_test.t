@@ -91,6 +91,59 @@ sub system_failed {
 	};
 }
 
+# How far it is, by a clock that goes on by so many milliseconds with each file of
+# 1000 lines: from half a second on, and then whenever a fifth has passed.
+sub told {
+	my ($clock, $terminal, $args) = @_;
+	my $file = "$tmp/thousand";
+	spew($file, "0 0 0\n" x 1000);
+	my @said = faulty("$project -j1 $args $file $file $file - $file " .
+	    "$file $file <$file", "clock $clock $terminal");
+	return $said[2] =~ s/\r\e\[K/</gr;
+}
+
+sub line_at {
+	my ($thousands, $seconds) = @_;
+	return sprintf 'projcalc: %d lines, %.3g a second, 100 %%',
+	    1000 * $thousands, 1000 * $thousands / $seconds;
+}
+
+sub progress {
+	my @seen = map { line_at($_, $_ * 0.25) } 3 .. 7;
+	my $end = line_at(7, 2);
+	is(told(150, 0, '--progress'), join("\n", line_at(4, 0.6),
+	    line_at(6, 0.9), line_at(7, 1.2), ''), 'progress, as lines');
+	is(told(250, 0, '--progress'), join("\n", @seen, $end, ''),
+	    'progress, not before half a second');
+	is(told(250, 0, ''), '', 'progress nobody asked for');
+	is(told(250, 1, ''), join('', map { "<$_" } @seen, ''),
+	    'progress in a terminal, which is cleared in the end');
+	is(told(250, 1, '--progress'), join('', map { "<$_" } @seen, "$end\n"),
+	    'progress in a terminal, which stays');
+	is(told(250, 2, ''), '', 'no progress where output is in the terminal');
+	is(told(250, 2, '--progress'),
+	    join('', map { "<$_" } @seen, "$end\n"), 'but where it is wanted');
+	my $bad = (faulty("$project -j1 --keep-going $tmp/thousand " .
+	    "$tmp/thousand $tmp/thousand $tmp/bad", 'clock 250 1'))[2];
+	like($bad, qr/100 %\r\e\[Kprojcalc: [^\r\n]*:2002: [^\r\n]*\n\r\e/,
+	    'a complaint takes the place of progress');
+	is((faulty("$project -j1 --progress -", 'clock 250 0'))[2],
+	    "projcalc: 0 lines, 0 a second\n", 'a device has no share');
+	shares();
+}
+
+# Of each file anew.
+sub shares {
+	my $n = 60000;
+	spew("$tmp/lines", "0 0 0\n" x $n);
+	my $said = (faulty("$project -j1 --progress $tmp/lines $tmp/lines",
+	    'clock 600 0'))[2];
+	my @told = $said =~ /: (\d+) lines/g;
+	my @shares = map { sprintf '%.0f', 100 * ($_ % $n || $n) / $n } @told;
+	is(join(' ', $said =~ /, (\d+) %/g), "@shares", 'shares');
+	cmp_ok(@told, '>', 5, 'some of them of parts');
+}
+
 SKIP: {
 	skip 'nothing can be preloaded', 1 if !$has_shim;
 	for my $command (@commands) {
@@ -141,6 +194,7 @@ SKIP: {
 	my (undef, $out) = faulty("$project -j2 $tmp/cut", "late 2 $tmp/cut");
 	ok($out ne '' && $out ne $whole && starts($whole, $out),
 	    'what was read behind the end of a file that is cut');
+	progress();
 }
 
 # A full disk, and streams that are closed.
@@ -327,6 +381,13 @@ SKIP: {
 	spew("$tmp/3M", "0\n" x 3000000);
 	$peak = peak("$project -j2 --keep-going $tmp/3M", 1);
 	cmp_ok($peak, '<', 20000, '3 million bad lines in 20 MB');
+	for my $n (1 << 28, (1 << 28) + 1) {
+		sparse("$tmp/zeros", $n);
+		my $why = $n > 1 << 28 ? qr/ a document of more than 256 MiB; / :
+		    qr/:1: a NUL byte; JSON is UTF-8 text/;
+		like((run("projcalc lookat $tmp/zeros"))[2],
+		    qr/\Aprojcalc: $tmp\/zeros:?$why/, "a document of $n bytes");
+	}
 	my $points = join ",\n", map { "[$_, 0.125, -7.5e-1, \"a\"]" }
 	    1 .. 400000;
 	spew("$tmp/document", "{\"points\": [$points]}");

@@ -149,26 +149,41 @@ for (['grows', "$long-1 -1 -1\n", sub {
 
 # However many threads are asked for, one a processor is the most that are
 # started; here all of them wait for a reader.
-SKIP: {
-	open my $status, '<', "/proc/$$/status" or skip 'no /proc', 1;
-	my ($cpus) = join('', <$status>) =~ /^Cpus_allowed:\s*(\S+)/m;
-	my $n = grep { $_ } map { split //, sprintf '%b', hex } split /,/, $cpus;
-	spew("$tmp/in", "0 0 1\n" x 1000000);
-	my $pid = open my $from, '-|', 'projcalc', 'project', '-j64',
+sub threads_of {
+	my ($pid) = @_;
+	open my $status, '<', "/proc/$pid/status" or die;
+	return join('', <$status>) =~ /^Threads:\s*(\d+)/m ? $1 : 0;
+}
+
+sub most_threads {
+	my ($wanted, @on) = @_;
+	my $pid = open my $from, '-|', @on, 'projcalc', 'project', '-j64',
 	    'scene.json', "$tmp/in" or die;
 	sysread $from, my $all, 1 << 16 for 1 .. 10; # of the first piece
-	my ($threads, $left) = (0, 200);
-	while ($threads < $n + 1 && $left-- > 0) {
+	my $left = 200;
+	while (threads_of($pid) < $wanted && $left-- > 0) {
 		select undef, undef, undef, 0.01;
-		open $status, '<', "/proc/$pid/status" or die;
-		($threads) = join('', <$status>) =~ /^Threads:\s*(\d+)/m;
 	}
 	select undef, undef, undef, 0.05; # would there be more of them?
-	open $status, '<', "/proc/$pid/status" or die;
-	($threads) = join('', <$status>) =~ /^Threads:\s*(\d+)/m;
-	is($threads, $n + 1, 'threads of -j64, and one that waits');
+	my $threads = threads_of($pid);
 	kill 'TERM', $pid;
 	close $from;
+	return $threads;
+}
+
+SKIP: {
+	open my $status, '<', "/proc/$$/status" or skip 'no /proc', 1;
+	my $allowed = join '', <$status>;
+	my ($cpus) = $allowed =~ /^Cpus_allowed:\s*(\S+)/m;
+	my $n = grep { $_ } map { split //, sprintf '%b', hex } split /,/, $cpus;
+	spew("$tmp/in", "0 0 1\n" x 1000000);
+	is(most_threads($n + 1), $n + 1, 'threads of -j64, and one that waits');
+	skip 'no taskset', 2 if missing('taskset');
+	my ($first) = $allowed =~ /^Cpus_allowed_list:\s*(\d+)/m;
+	is(most_threads(2, 'taskset', '-c', $first), 2,
+	    'threads of -j64 where one processor is allowed');
+	is((run("taskset -c $first projcalc project -j64 scene.json $tmp/in | " .
+	    'wc -l'))[1], "1000000\n", 'which do all');
 }
 # How far it is counts from where the file is read, as that is not its beginning.
 spew("$tmp/in", "0 0 0\n" x 100000);

@@ -39,7 +39,7 @@ my $beyond = qr{
 	equal\ to | not\ less\ than | not\ greater\ than | greater\ than\ max |
 	less\ than\ min | single\ point | parallel\ to | does\ not\ run |
 	what\ holds\ them | no\ points\ to | crosses\ the\ volume |
-	repeated; |
+	repeated; | all\ but\ vanished |
 	singular | determinant | last\ column | transposed | of\ -c; | pi\S*\ radians | too\ far\ from |
 	beyond\ the\ range\ of\ doubles
 	    (?!;\ numbers) |

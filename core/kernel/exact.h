@@ -27,7 +27,7 @@
 #ifndef DIGITS /* of another number, as the proofs have it */
 #define DIGITS 53
 #define COLUMN_BOUND 0x1p-72
-#define DEPTH_BOUND 0x1p-87 /* of a, where depth is a + b / w */
+#define DEPTH_BOUND 0x1p-88 /* of a, where depth is a + b / w */
 #define MODERATE 0x1p200
 #endif
 /* What isn't 0 counts as so much, though it underflow when it is scaled. */

@@ -109,6 +109,18 @@ struct estimate {
 
 enum { SIGNS_UNSURE = 1 << 16 };
 
+/* Differences from the origin, elements and products are rounded, then three sums: 6
+ * u of the sum of the products' magnitudes, as `make prove` counts it. A third more
+ * is enough for roundings of the bound itself. */
+#define ESTIMATE_BOUND 0x1p-50
+
+/* Column j of the image of x, y, z, relative to the origin. */
+static inline double estimate_column(const double m[4][4], int j, double x,
+    double y, double z)
+{
+	return x * m[0][j] + y * m[1][j] + z * m[2][j] + m[3][j];
+}
+
 /* Adds weight 2^j to word[i] where column j, of 3 or 4, is negative at point i, and
  * SIGNS_UNSURE where that is not sure of all. */
 typedef void (*signs_kernel)(const struct estimate *, int columns,

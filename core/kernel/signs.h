@@ -18,8 +18,7 @@ add_signs(const struct estimate *e, int columns, double weight,
 		double sum = word[i];
 
 		for (int j = 0; j < columns; j++) {
-			double v = a * e->m[0][j] + b * e->m[1][j] +
-			    c * e->m[2][j] + e->m[3][j];
+			double v = estimate_column(e->m, j, a, b, c);
 
 			least = fabs(v) < least ? fabs(v) : least;
 			sum += v < 0 ? weight * (1 << j) : 0;

@@ -551,6 +551,26 @@ static void prove_plain(void)
 	    worst_of(c, b, u) / own, "u");
 }
 
+/* ---- estimates of signs, in units of u of what their products are ---- */
+
+static void prove_estimate(void)
+{
+	double most = 0;
+
+	for (int term = 0; term < 4; term++) {
+		give_plain(term);
+		number p[3];
+
+		for (int k = 0; k < 3; k++)
+			p[k] = in[k] - map.origin[k];
+		most = std::fmax(most,
+		    bound(minus(exactly(estimate_column(map.hi, 0, p[0], p[1],
+				    p[2])),
+			column_of(0, 3))));
+	}
+	say("estimate: ESTIMATE_BOUND", ESTIMATE_BOUND / U, most / U, "u");
+}
+
 /* ---- quick.h, in units of u^2 of sums of products' magnitudes ---- */
 
 /* Term i of a column. */
@@ -596,5 +616,6 @@ int main()
 	prove_exact();
 	prove_ends();
 	prove_plain();
+	prove_estimate();
 	return refusals > 0;
 }

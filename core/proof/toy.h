@@ -156,7 +156,7 @@ static inline toy frexp(toy a, int *e)
 /* What exact.h has for 53 digits: 128 u 2^-26 and 16 u 2^-38. */
 #define DIGITS P
 #define COLUMN_BOUND (128 * U / (1 << (P - 1) / 2))
-#define DEPTH_BOUND std::ldexp(16 * U, 1 - P * 3 / 4)
+#define DEPTH_BOUND std::ldexp(8 * U, 1 - P * 3 / 4)
 #define MODERATE 0x1p200
 
 static inline double at(toy a)

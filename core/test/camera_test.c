@@ -306,6 +306,45 @@ static void pose_is_the_inverse(void **state)
 	}
 }
 
+static double determinant(const double m[4][4])
+{
+	double sum = 0;
+
+	for (int j = 0; j < 3; j++) {
+		int k = (j + 1) % 3, l = (j + 2) % 3;
+
+		sum += m[0][j] * (m[1][k] * m[2][l] - m[1][l] * m[2][k]);
+	}
+	return sum;
+}
+
+/* A cube's 24, stretched along its axes: their quaternions have one, two or four
+ * numbers of the same size, and else 0. */
+static void turns_of_a_cube(void **state)
+{
+	int turns = 0;
+
+	(void)state;
+	for (int k = 0; k < 27 * 8; k++) {
+		int axis[3] = { k % 3, k / 3 % 3, k / 9 % 3 };
+		struct camera c;
+		struct map m;
+
+		set_diagonal(&c, 0, 0, 0);
+		for (int i = 0; i < 3; i++)
+			c.matrix[i][axis[i]] = (k / 27 >> i & 1 ? -1 : 1) *
+			    (i + 1);
+		if (!(determinant(c.matrix) > 0))
+			continue;
+		turns++;
+		assert_null(camera_map(&c, &d3d, false, &m));
+		for (int i = 0; i < 9; i++)
+			assert_true(element(&m, i / 3, i % 3) ==
+			    c.matrix[i / 3][i % 3] / (1 + i / 3));
+	}
+	assert_int_equal(turns, 24);
+}
+
 static void refused(struct camera c, bool inverse, const char *member)
 {
 	struct map m;
@@ -367,6 +406,7 @@ int main(void)
 		cmocka_unit_test(random_ones),
 		cmocka_unit_test(nearest_rotation),
 		cmocka_unit_test(nearest_exactly),
+		cmocka_unit_test(turns_of_a_cube),
 		cmocka_unit_test(no_ghosts),
 		cmocka_unit_test(no_rolled_ghosts),
 		cmocka_unit_test(no_nearest_ghosts),

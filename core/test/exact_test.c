@@ -225,6 +225,32 @@ static void range(void **state)
 	assert_true(!isfinite(ex_div(big, ex_of(0)).hi));
 }
 
+/* Terms that are farther apart than there is room for: what is below 2^-3100 of the
+ * largest is lost, and nothing else. */
+static void apart(void **state)
+{
+	ex one = ex_add(ex_of(1), ex_shift(ex_of(1), 70)), r;
+
+	(void)state;
+	for (int i = 0; i < 3 * 64 * EX_WORDS; i += 7) {
+		int mark = real_mark();
+		ex far = ex_shift(ex_of(3), i), less = ex_neg(far);
+		const ex *const a[] = { &one, &far },
+				*const b[] = { &one, &far };
+		const ex *const c[] = { &one, &less };
+		real x = mul(number_ex(one), number_ex(one));
+		real y = mul(number_ex(far), number_ex(far));
+		real z = add(number_ex(one), number_ex(far));
+
+		assert_true(relative(number_ex(ex_add(one, far)), z) == 0);
+		ex_dot(2, a, b, INT_MIN, &r);
+		assert_true(relative(number_ex(r), add(x, y)) == 0);
+		ex_dot(2, a, c, INT_MIN, &r);
+		assert_true(relative(number_ex(r), sub(x, y)) == 0);
+		real_release(mark);
+	}
+}
+
 static void zeros(void **state)
 {
 	ex zero = ex_of(0), third = ex_quotient(ex_of(1), ex_of(3));
@@ -249,6 +275,7 @@ int main(void)
 		cmocka_unit_test(divided_midpoints),
 		cmocka_unit_test(rounded),
 		cmocka_unit_test(range),
+		cmocka_unit_test(apart),
 		cmocka_unit_test(zeros),
 	};
 

@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: MIT
+# Changes of the program's source as a tired programmer might make them, one at a
+# time: mutants, which tests are to find. One is
+#
+#	{file => 'core/x.c', line => 12, from => "\tlines as they stand\n",
+#	    to => "\tand as they are changed\n"}
+package Mutant;
+use strict;
+use warnings;
+use Exporter 'import';
+
+our @EXPORT = qw(mutants mutated hunk hunks same_hunk);
+
+# Comments, strings and what the preprocessor reads but for macros' bodies, as
+# blanks of the same length.
+sub code {
+	my ($text) = @_;
+	my $blank = sub { $_[0] =~ tr/\n/ /cr };
+	$text =~ s{(/\*.*?\*/|//[^\n]*|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])+')}
+	    {substr($1, 0, 1) eq '/' ? $blank->($1) : $1 =~ tr/\n/_/cr}gse;
+	$text =~ s{^(#define \w+(?:\([^)\n]*\))?|#(?!define)(?:[^\n]*\\\n)*[^\n]*)}
+	    {$blank->($1)}gme;
+	return $text;
+}
+
+my %comparison = qw(< <= <= < > >= >= > == != != ==);
+my %operator = ('+' => '-', '-' => '+', '*' => '/', '/' => '*', '%' => '*',
+    '&&' => '||', '||' => '&&', '&' => '|', '|' => '&', '^' => '|',
+    '<<' => '>>', '>>' => '<<', '+=' => '-=', '-=' => '+=', '*=' => '/=',
+    '|=' => '&=', '&=' => '|=');
+my %step = ('++' => '--', '--' => '++');
+
+# Of a literal: one more and one less of an integer, twice and half of the others.
+sub neighbours {
+	my ($n) = @_;
+	return map { $_ . $2 } $1 + 1, $1 > 0 ? $1 - 1 : ()
+	    if $n =~ /\A(\d{1,15})([uUlL]*)\z/;
+	return $1 . sprintf('%x', hex($2) ^ 1) . $3
+	    if $n =~ /\A(0x[\da-fA-F]*)([\da-fA-F])([uUlL]*)\z/;
+	return map { $1 . ($2 + $_) . $3 } 1, -1
+	    if $n =~ /\A(0x[\da-fA-F.]+p)([-+]?\d+)([fF]?)\z/;
+	return map { sprintf('%.17g', $1 * $_) . $2 } $1 != 0 ? (2, 0.5) : ()
+	    if $n =~ /\A([\d.]+(?:e[-+]?\d+)?)([fF]?)\z/;
+	return;
+}
+
+# Where the parenthesis that opens before $at closes.
+sub closing {
+	my ($code, $at) = @_;
+	for (my $level = 1; ; $at++) {
+		my $c = substr $code, $at, 1;
+		return if $c eq '';
+		$level += ($c eq '(') - ($c eq ')');
+		return $at if $level == 0;
+	}
+}
+
+my $words = qr/(?:if|else|for|while|do|switch|case|default|struct|enum|union|
+    static|const|typedef|using|template|namespace|extern|goto)\b/x;
+# A type, a name, and what it is at first.
+my $declaration = qr/(?!return\b)\w[\w:<>]*(?:\s+\w+)*\s+\**\w+
+    (?:\[[^\]]*\])*\s*(?:[=;,]|\z)/x;
+
+# [kind, from where, how many characters, what stands there instead]
+sub changes {
+	my ($code) = @_;
+	my @found;
+	while ($code =~ m{(?<=[\w)\] ] )(<=|>=|==|!=|<|>|[-+*/%&|^]=?|&&|\|\||<<|>>)(?=\s)}g) {
+		my $to = $comparison{$1} // $operator{$1} // next;
+		push @found, [$comparison{$1} ? 'comparison' : 'operator',
+		    $-[1], length $1, $to];
+	}
+	push @found, ['operator', $-[1], 2, $step{$1}]
+	    while $code =~ /(\+\+|--)/g;
+	while ($code =~ /(?<![\w.])((?:0x[\da-fA-F.]+(?:p[-+]?\d+)?|
+	    \d*\.?\d+\.?(?:e[-+]?\d+)?)[uUlLfF]*)(?![\w.])/gx) {
+		my ($at, $n) = ($-[1], $1);
+		push @found, ['constant', $at, length $n, $_]
+		    for neighbours($n);
+	}
+	while ($code =~ /\b(?:if|while) (?:constexpr )?\(/g) {
+		my $at = $+[0];
+		my $end = closing($code, $at) // next;
+		push @found, ['condition', $at, $end - $at,
+		    '!(' . substr($code, $at, $end - $at) . ')'];
+	}
+	while ($code =~ /(?<=[;{})e:])[\t ]*\n\s*\n*\t+(?=([^;{}]+;))/g) {
+		my ($at, $statement) = ($+[0], $1);
+		next if $statement =~ /\A$words|\A$declaration/ ||
+		    $statement =~ tr/(// != $statement =~ tr/)//;
+		# the end of a function is to return something
+		next if $statement =~ /\Areturn\b./ &&
+		    substr($code, 0, $at) !~ /\)\s*\z/;
+		push @found, ['statement', $at, length $statement, ';'];
+	}
+	return @found;
+}
+
+# All of a file, by their kind.
+sub mutants {
+	my ($file, $text) = @_;
+	my %mutants;
+	for my $change (changes(code($text))) {
+		my ($kind, $at, $length, $to) = @$change;
+		$to = '!(' . substr($text, $at, $length) . ')'
+		    if $kind eq 'condition';
+		my $start = 1 + rindex $text, "\n", $at - 1;
+		my $end = 1 + index $text, "\n", $at + $length;
+		my $from = substr $text, $start, $end - $start;
+		my $instead = $from;
+		substr $instead, $at - $start, $length, $to;
+		push @{$mutants{$kind}}, {file => $file, from => $from,
+		    to => $instead, at => $start,
+		    line => 1 + (substr($text, 0, $start) =~ tr/\n//)};
+	}
+	return \%mutants;
+}
+
+sub trimmed { $_[0] =~ s/^\s+|\s+$//gmr }
+
+# The text with a mutant in it, where its lines stand nearest to its number;
+# undef where they don't.
+sub mutated {
+	my ($text, $mutant) = @_;
+	my $pattern = join '\n\s*', map { quotemeta }
+	    split /\n/, trimmed($mutant->{from});
+	my ($best, $at, $length);
+	while ($text =~ /^[ \t]*$pattern[ \t]*\n/gm) {
+		my ($from, $to) = ($-[0], $+[0]);
+		my $line = 1 + (substr($text, 0, $from) =~ tr/\n//);
+		my $off = abs($line - ($mutant->{line} || 0));
+		($best, $at, $length) = ($off, $from, $to - $from)
+		    if !defined $best || $off < $best;
+	}
+	return if !defined $at;
+	substr $text, $at, $length, $mutant->{to};
+	return $text;
+}
+
+# As it is shown, and kept in a file: FILE:LINE, lines with - before them, lines
+# with + before them.
+sub hunk {
+	my ($mutant) = @_;
+	my $lines = sub { $_[1] =~ s/^[ \t]*/$_[0]\t/gmr };
+	return "$mutant->{file}:$mutant->{line}\n" .
+	    $lines->('-', $mutant->{from}) . $lines->('+', $mutant->{to});
+}
+
+# Those of a file of hunks. A number of a line may be left out, and where lines
+# have # before them they are the reason of the hunks below, to an empty line.
+sub hunks {
+	my ($text) = @_;
+	my @found;
+	for my $part (split /\n{2,}/, $text) {
+		my $reason = join ' ', $part =~ /^# ?(.*)/mg;
+		while ($part =~ /^([\w.\/]+)(?::(\d+))?\n((?:-.*\n?)+)((?:\+.*\n?)+)/mg) {
+			my ($file, $line, $from, $to) = ($1, $2, $3, $4);
+			push @found, {file => $file, line => $line,
+			    from => $from =~ s/^-//mgr =~ s/\n?\z/\n/r,
+			    to => $to =~ s/^\+//mgr =~ s/\n?\z/\n/r,
+			    reason => $reason};
+		}
+	}
+	return @found;
+}
+
+# Wherever it stands.
+sub same_hunk {
+	my ($a, $b) = @_;
+	return $a->{file} eq $b->{file} &&
+	    trimmed($a->{from}) eq trimmed($b->{from}) &&
+	    trimmed($a->{to}) eq trimmed($b->{to});
+}
+
+1;

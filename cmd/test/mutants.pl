@@ -1,0 +1,245 @@
+#!/usr/bin/perl
+# SPDX-License-Identifier: MIT
+# Whether the tests bite: changes the program's source here and there, one change
+# at a time and in a copy, and says which of these mutants no test finds. A mutant
+# that is the same program to the last byte doesn't count, nor does one that can't
+# be built. Those that do the same as the program for a reason that
+# cmd/test/mutants.equal gives count as found.
+# usage: mutants.pl BUILD FOLDER..., at the top of the project
+#   N=400        how many
+#   SEED=1       which
+#   AGAIN=FILE   those that stand in FILE, such as BUILD/mutants/lived
+#   QUICK=1      by the tests that find nearly all alone
+#   PATIENCE=20  so many seconds, and ten times what the tests take otherwise, are
+#                given to each
+use strict;
+use warnings;
+use Cwd 'abs_path';
+use File::Path qw(make_path remove_tree);
+use FindBin;
+use List::Util qw(max min);
+use Time::HiRes 'time';
+use lib $FindBin::Bin;
+use Mutant;
+
+my ($build, @folders) = @ARGV;
+my ($n, $seed, $again, $quick, $patience) = map { $_ || '' }
+    @ENV{qw(N SEED AGAIN QUICK PATIENCE)};
+my $equal = "$FindBin::Bin/mutants.equal";
+my @equal = hunks(slurp($equal));
+make_path("$build/mutants");
+my $room = abs_path("$build/mutants");
+my ($whole, $tree, $tmp) = map { "$room/$_" } qw(whole tree tmp);
+srand($seed || 1);
+
+# A make that is started here is not a part of `make mutants`.
+delete @ENV{qw(MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES)};
+
+sub slurp {
+	open my $file, '<:raw', $_[0] or die "$_[0]: $!\n";
+	local $/;
+	return <$file> // '';
+}
+
+sub spew {
+	my ($name, $text) = @_;
+	open my $file, '>:raw', $name or die "$name: $!\n";
+	print $file $text;
+	close $file or die "$name: $!\n";
+}
+
+# What a mutant may take: seconds by the clock and of a processor, memory, files.
+# timeout ends the group that it starts, even if this program is no more.
+my $running;
+
+sub start {
+	my ($dir, $seconds, $command) = @_;
+	my $limits = sprintf 'ulimit -t %d && ulimit -v 4000000 && ' .
+	    'ulimit -f 4000000 && ulimit -c 0 && ', 1 + $seconds / 2;
+	$running = open(my $from, '-|') // die "fork: $!\n";
+	return $from if $running != 0;
+	setpgrp;
+	chdir $dir or die "$dir: $!\n";
+	@ENV{qw(TMPDIR CMOCKA_MESSAGE_OUTPUT BUILD)} =
+	    ($tmp, 'TAP', "$dir/build");
+	open STDIN, '<', '/dev/null';
+	open STDERR, '>', "$room/errors";
+	exec 'timeout', '-s', 'KILL', $seconds, 'sh', '-c', "$limits$command";
+}
+
+# Whatever is left of it.
+sub finish {
+	return if !$running;
+	kill 'KILL', -$running;
+	waitpid $running, 0;
+	$running = 0;
+	remove_tree($tmp, {keep_root => 1});
+}
+
+$SIG{$_} = sub { finish(); exit 1 } for qw(INT TERM HUP);
+END { finish() }
+
+# Whether a command succeeds, to which the first test that fails is an end.
+sub succeeds {
+	my $from = start(@_);
+	while (my $line = readline $from) {
+		next if $line !~ /^not ok/ || $line =~ /# TODO/;
+		finish();
+		return 0;
+	}
+	close $from;
+	my $well = $? == 0;
+	finish();
+	return $well;
+}
+
+# What reads a variable that nothing was written to isn't built.
+my $make = "make -s CFLAGS='-O1 -g0 -Werror=uninitialized' LDFLAGS=-s " .
+    "BUILD=build";
+
+sub is_built {
+	my ($dir, $target) = @_;
+	return succeeds($dir, 600, "$make build/$target");
+}
+
+# The tests, first those that tell the most in the least time. Those of core don't
+# see cmd, and the proofs see the headers of core and its series alone.
+my @first = qw(transcripts bits);
+my @values = qw(recorded examples cameras scenes);
+my @talk = qw(completion schema manual digits pieces lines fault);
+
+sub tests_of {
+	my ($file) = @_;
+	my ($folder, $name) = $file =~ m{^(core|cmd).*?(\w+)\.\w+$};
+	my @units = map { s/\.c$//r } glob "$folder/test/*_test.c";
+	my ($own) = grep { /\/${name}_test$/ } @units;
+	my @proofs = $file =~ m{^core/(?:.*\.h|trig\.c)$} ?
+	    map { "core/proof/$_" } qw(prove.pl proof_test.t) : ();
+	my @talk_too = $folder eq 'cmd' ? @talk : ();
+	my ($first, $others) = map { [map { "cmd/test/${_}_test.t" } @$_] }
+	    \@first, [@values, @talk_too];
+	my %seen;
+	return ($own // (), @$first) if $quick;
+	return grep { !$seen{$_}++ } $own // (), @$first, $proofs[0] // (),
+	    @units, @$others, @proofs;
+}
+
+sub passes {
+	my ($dir, $test, $seconds) = @_;
+	return succeeds($dir, $seconds, "perl $test") if $test =~ /\.(?:t|pl)$/;
+	return is_built($dir, $test) &&
+	    succeeds($dir, $seconds, "build/$test");
+}
+
+# How long a test may take, on a machine that does something else as well: a
+# multiple of what it takes when nothing is changed. Then it must pass.
+my %limit;
+
+sub limit {
+	my ($test) = @_;
+	return $limit{$test} //= do {
+		my $start = time;
+		passes($whole, $test, 600) or
+		    die "$test fails before anything is changed\n";
+		unlink "$whole/build/$test";
+		($patience || 20) + 10 * (time - $start);
+	};
+}
+
+# The copy that mutants are made from.
+sub prepare {
+	remove_tree($whole, $tree, $tmp);
+	make_path($whole, $tmp);
+	system('cp', '-a', qw(core cmd man testdata Makefile README.md NEWS.md
+	    .github .debian), "$whole/") == 0 or die "no copy\n";
+	succeeds($whole, 3600, "$make programs") or
+	    die "can't be built: see $room/errors\n";
+	# those of a mutant are linked when it comes to them
+	unlink map { "$whole/build/$_" } map { s/\.c$//r }
+	    glob 'c*/test/*_test.c';
+}
+
+sub same_bytes {
+	return slurp("$whole/build/projcalc") eq slurp("$tree/build/projcalc");
+}
+
+# What became of a mutant: by which test it was found, or else one of
+my ($unbuilt, $same, $lived) = ('unbuilt', 'the same bytes', 'lived');
+
+sub fate {
+	my ($mutant) = @_;
+	my $file = $mutant->{file};
+	my $text = mutated(slurp("$whole/$file"), $mutant) //
+	    die "$file has no longer\n$mutant->{from}";
+	remove_tree($tree);
+	system('cp', '-a', $whole, $tree) == 0 or die "no copy\n";
+	spew("$tree/$file", $text);
+	return $unbuilt if !is_built($tree, 'projcalc');
+	return $same if same_bytes();
+	for my $test (tests_of($file)) {
+		my $limit = limit($test);
+		return $test if !passes($tree, $test, $limit);
+	}
+	return $lived;
+}
+
+sub shuffled {
+	my @all = @_;
+	for my $i (reverse 1 .. $#all) {
+		my $j = int rand($i + 1);
+		@all[$i, $j] = @all[$j, $i];
+	}
+	return @all;
+}
+
+# Of each kind as many, at random.
+sub chosen {
+	my %all;
+	for my $file (sort map { glob "$_/*.c $_/*.h $_/*.cc" } @folders) {
+		my $of = mutants($file, slurp("$whole/$file"));
+		push @{$all{$_}}, @{$of->{$_}} for keys %$of;
+	}
+	my @kinds = map { [shuffled(@{$all{$_}})] } sort keys %all;
+	my @chosen;
+	for my $i (0 .. max(map { $#$_ } @kinds)) {
+		push @chosen, grep { defined } map { $_->[$i] } @kinds;
+	}
+	return @chosen;
+}
+
+my %count = (found => 0, equal => 0, lived => 0);
+my @lived;
+
+sub try {
+	my ($mutant) = @_;
+	my ($known) = grep { same_hunk($_, $mutant) } @equal;
+	my $start = time;
+	my $fate = $known && !$again ? 'equal' : fate($mutant);
+	open my $log, '>>', "$room/log" or die "$room/log: $!\n";
+	printf $log "%s, %.0f s\n%s\n", $fate, time - $start, hunk($mutant);
+	return if $fate eq $unbuilt || $fate eq $same;
+	$fate = 'found' if !exists $count{$fate};
+	$count{$fate}++;
+	return if $fate ne $lived;
+	print hunk($mutant), "\n";
+	push @lived, $mutant;
+	spew("$room/lived", join "\n", map { hunk($_) } @lived);
+}
+
+sub tried { $count{found} + $count{equal} + $count{lived} }
+
+$| = 1;
+my $list = $again && slurp($again);
+unlink map { "$room/$_" } qw(log lived);
+prepare();
+my @mutants = $again ? hunks($list) : chosen();
+$n = $again ? @mutants : $n || 400;
+for my $mutant (@mutants) {
+	try($mutant);
+	last if tried() >= $n;
+}
+printf "%d mutants: %d found, %d equal for a reason, %d lived: %.1f %%\n",
+    tried(), @count{qw(found equal lived)},
+    100 * ($count{found} + $count{equal}) / (tried() || 1);
+remove_tree($whole, $tree, $tmp);
+exit($count{lived} * 50 > tried());

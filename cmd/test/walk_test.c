@@ -1,0 +1,207 @@
+/* SPDX-License-Identifier: MIT */
+/* Which lines are walked and which are left to line_read, and where numbers stand on
+ * those that are. That a line is left changes nothing that is printed; that usual ones
+ * are not is why there is a walk. */
+#include "../points/walk.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+/* A line, and its numbers with a bar behind each; NULL where it is left. */
+struct example {
+	const char *line, *numbers;
+};
+
+#define A_NUMBER "1234567890.1234567890123456789012"
+
+static const struct example text[] = {
+	{ "1 2 3", "1|2|3|" },
+	{ "1,2,3", "1|2|3|" },
+	{ "1, 2 ,3", "1|2|3|" },
+	{ " \t-1\t.5  3.", "-1|.5|3.|" },
+	{ "1 2 3 and, more", "1|2|3|" },
+	{ "1 2 3\r", "1|2|3|" },
+	{ "1,2 3", NULL },
+	{ "1 2,3", NULL },
+	{ "1 2", NULL },
+	{ "", NULL },
+	{ "# 1 2 3", NULL },
+	{ A_NUMBER " 2 3", NULL },
+	{ "1 2 34567890123456789012345678901234",
+	    "1|2|34567890123456789012345678901234|" },
+	{ NULL, NULL },
+};
+
+static const struct example two_of_text[] = {
+	{ "1 2", "1|2|" },
+	{ "1 2 3", "1|2|" },
+	{ "1,2,3", "1|2|" },
+	{ "1,2 ", "1|2|" },
+	{ "1 2,3", NULL },
+	{ "1,2 3", NULL },
+	{ NULL, NULL },
+};
+
+static const struct example csv[] = {
+	{ "1,2,3", "1|2|3|" },
+	{ " 1 ,\t2 , 3 ", "1|2|3|" },
+	{ "1,2,3,a b,\"c\",\"d, e\"", "1|2|3|" },
+	{ "1,2,3,\"c\"\r", "1|2|3|" },
+	{ "1 2,3,4", NULL },
+	{ "1,2,3,\"c\"\"d\"", NULL },
+	{ "1,2,3,5\" pipe", NULL },
+	{ "1,2,3,\"c", NULL },
+	{ "1,2,\"3\"", NULL },
+	{ "1,,3", NULL },
+	{ "x,y,z", "x|y|z|" },
+	{ NULL, NULL },
+};
+
+static const struct example columns_of_csv[] = {
+	{ "a,1,b c,2,3", "3|1|2|" },
+	{ ",1,,2,3,d", "3|1|2|" },
+	{ "a,1,\"b\",2,3", NULL },
+	{ "a,1,b,2", NULL },
+	{ NULL, NULL },
+};
+
+static const struct example arrays[] = {
+	{ "[1,2,3]", "1|2|3|" },
+	{ " [ -1 , 2.5,0.5 ] ", "-1|2.5|0.5|" },
+	{ "[1,2,3,\"a\", true,false ,null,-1.5,\"\"]", "1|2|3|" },
+	{ "[01,2,3]", NULL },
+	{ "[1,2.,3]", NULL },
+	{ "[1,2,-.5]", NULL },
+	{ "[1,2,.5]", NULL },
+	{ "[1,2,3,\"\\n\"]", NULL },
+	{ "[1,2,3,[4]]", NULL },
+	{ "[1,2,3,1e5]", NULL },
+	{ "[1,2,3,tru]", NULL },
+	{ "[1,2,3,-]", NULL },
+	{ "[1,2,3,1.2.3]", NULL },
+	{ "[1,2,3,]", NULL },
+	{ "[1,2,3", NULL },
+	{ "[1,2]", NULL },
+	{ "[1,2,3] 4", NULL },
+	{ "1,2,3", NULL },
+	{ NULL, NULL },
+};
+
+static const struct example columns_of_arrays[] = {
+	{ "[\"a\",1,true,2,3]", "3|1|2|" },
+	{ "[0, 1, 0, 2, 3, \"b\"]", "3|1|2|" },
+	{ "[[],1,0,2,3]", NULL },
+	{ NULL, NULL },
+};
+
+static const struct example objects[] = {
+	{ "{\"x\":1,\"y\":2,\"z\":3}", "1|2|3|" },
+	{ " { \"z\" : 3 , \"x\":1,\"a\":\"b\",\"\":0, \"y\":-2.5 } ",
+	    "1|-2.5|3|" },
+	{ "{\"x\":1,\"y\":2,\"z\":3,\"t\":true}", "1|2|3|" },
+	{ "{\"x\":1,\"y\":2}", NULL },
+	{ "{\"x\":1,\"y\":2,\"z\":3,\"x\":4}", NULL },
+	{ "{\"x\":1,\"y\":2,\"z\":3,\"a\":[]}", NULL },
+	{ "{\"x\":1,\"y\":2,\"z\":3,\"\\u0061\":0}", NULL },
+	{ "{\"x\":1,\"y\":2,\"z\":3,\"a\" 0}", NULL },
+	{ "{\"x\":01,\"y\":2,\"z\":3}", NULL },
+	{ "{\"x\":1,\"y\":2,\"z\":3", NULL },
+	{ "{\"x\":1,\"y\":2,\"z\":3}}", NULL },
+	{ NULL, NULL },
+};
+
+/* So many lines stand before the one that is looked at, as what is at the beginning
+ * of a text is left. */
+enum { BEFORE = 8 };
+
+/* What a line comes to, after some that are walked and before one. */
+static const char *walked(const struct layout *l, const char *line,
+    const char *plain)
+{
+	static struct stretch s;
+	static char out[200];
+	struct walk walk;
+	struct line lines[PLAIN_BATCH];
+	struct plain_places places[4];
+	uint64_t left;
+	char all[600];
+	size_t n = 0, size = 0;
+
+	for (int i = 0; i <= BEFORE + 1; i++)
+		n += (size_t)sprintf(all + n, "%s\n",
+		    i == BEFORE ? line : plain);
+
+	assert_true(walk_plan(l, &walk));
+	s.readable = all;
+	assert_true(stretch_open(&s, &walk, all, all + n));
+	assert_int_equal(walk_lines(&s, &walk, PLAIN_BATCH, lines, places,
+			     &left),
+	    BEFORE + 2);
+	assert_int_equal(s.at, n);
+	assert_int_equal(lines[BEFORE].size, strlen(line));
+	assert_int_equal(left >> (BEFORE - 1) & 1, 0);
+	assert_int_equal(left >> (BEFORE + 1) & 1, 0);
+	if (left >> BEFORE & 1)
+		return NULL;
+	for (int k = 0; k < l->reads; k++) {
+		const struct part *at = &lines[BEFORE].at[k];
+		const char *end = places[k].end[BEFORE];
+
+		assert_ptr_equal(end, lines[BEFORE].s + at->to);
+		assert_int_equal(places[k].size[BEFORE], at->to - at->from);
+		size += (size_t)sprintf(out + size, "%.*s|",
+		    (int)(at->to - at->from), line + at->from);
+	}
+	return out;
+}
+
+static void check(const struct layout *l, const struct example *e,
+    const char *plain)
+{
+	for (; e->line != NULL; e++) {
+		const char *numbers = walked(l, e->line, plain);
+
+		print_message("%s: %s\n", e->line,
+		    numbers == NULL ? "left" : numbers);
+		if (e->numbers == NULL)
+			assert_null(numbers);
+		else
+			assert_string_equal(numbers, e->numbers);
+	}
+}
+
+static void usual_lines_are_walked(void **state)
+{
+	struct layout l = { .in = { FORMAT_TEXT, 0 }, .reads = 3 };
+
+	(void)state;
+	if (!number_choose(NULL) || plain_reader() == NULL)
+		skip();
+	check(&l, text, "11 12 13");
+	l.reads = 2;
+	check(&l, two_of_text, "11 12");
+	l = (struct layout){ .in = { FORMAT_CSV, ',' }, .reads = 3 };
+	check(&l, csv, "11,12,13");
+	l.columns = (struct columns){ .n = 3, .field = { 4, 1, 3 } };
+	check(&l, columns_of_csv, "a,11,b,12,13");
+	l.in.format = FORMAT_JSON;
+	check(&l, columns_of_arrays, "[0,11,0,12,13]");
+	l.columns.n = 0;
+	check(&l, arrays, "[11,12,13]");
+	check(&l, objects, "{\"x\":11,\"y\":12,\"z\":13}");
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(usual_lines_are_walked),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}

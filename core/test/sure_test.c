@@ -1,0 +1,285 @@
+/* SPDX-License-Identifier: MIT */
+/* How often what is fast is sure. A bound that is too large, or a test that is too
+ * strict, changes no number that is printed; it takes time. So it is counted how many
+ * points are left to what is slow. The counts are what they are, the same from every
+ * compiler, and of copies that fuse products up to two more or less; one that changes
+ * wants a reason. All numbers are made without the mathematical library, whose last
+ * bits differ. */
+#include "claims.h"
+#include "points.h"
+
+#include "../ray.h"
+
+enum { BLOCKS = 24, FEW = 64 };
+
+/* What is counted: kernels of exact by what they carry, and point_quick. */
+enum { AFFINE, RATIONAL, FLAT, DEPTH, PROJECTIVE, RAY, QUICK, WAYS };
+
+/* Scenes and points: from 2^low to 2^high, of the eye and of what is relative to it,
+ * in so many binary digits; all of a scene times a power from 2^least to 2^most. And
+ * how many are left, of BLOCKS POINTS_BLOCK or BLOCKS FEW. */
+static const struct regime {
+	const char *name;
+	int eye_low, eye_high, low, high, digits, least, most;
+	unsigned left[WAYS];
+} regimes[] = {
+	{ "usual", 0, 4, -3, 4, 53, 0, 1, { 9, 14, 14, 17, 3, 3, 0 } },
+	{ "short", 0, 4, -3, 4, 7, 0, 1, { 9, 0, 26, 14, 2, 4, 0 } },
+	{ "far off", 30, 34, -3, 4, 53, 0, 1, { 12, 12, 7, 18, 3, 6, 0 } },
+	{ "farther off", 44, 74, -3, 4, 53, 0, 1,
+	    { 3336, 11, 0, 7431, 3, 4, 0 } },
+	{ "mixed", 0, 4, -24, 14, 53, 0, 1,
+	    { 14238, 13143, 8630, 5749, 1, 2, 0 } },
+	{ "large", 0, 4, -3, 4, 53, 60, 240,
+	    { 13722, 16388, 13192, 9994, 4096, 24576, 84 } },
+	{ "small", 0, 4, -3, 4, 53, -240, -60,
+	    { 16682, 8192, 16396, 13023, 8192, 21504, 0 } },
+	{ "largest", 0, 4, -3, 4, 53, 300, 490,
+	    { 24576, 24576, 24576, 24576, 24576, 24576, 1536 } },
+	{ "least", 0, 4, -3, 4, 53, -490, -300,
+	    { 24576, 24576, 24576, 24576, 24576, 24576, 192 } },
+};
+
+enum { REGIMES = sizeof regimes / sizeof *regimes };
+
+static int scale; /* of the scene */
+
+static double any(int low, int high, int digits)
+{
+	int e = scale + low + (int)sample_below((unsigned)(high - low));
+	double v = ldexp(floor(ldexp(1 + sample_unit(), digits - 1)),
+	    e + 1 - digits);
+
+	return sample_below(2) ? v : -v;
+}
+
+static double size(const struct regime *r)
+{
+	return fabs(any(r->low, r->high, r->digits));
+}
+
+static void make_scene(const struct regime *r, struct scene *s)
+{
+	*s = (struct scene){ .has_world = true,
+		.has_camera = true,
+		.camera = { .by = CAMERA_GAZE, .up = { 0, 1, 0.25 } },
+		.projection = { .type = PROJECTION_PERSP,
+		    .extent = EXTENT_EDGES,
+		    .left = -1.25,
+		    .bottom = -1,
+		    .right = 1,
+		    .top = 1.5,
+		    .near = size(r),
+		    .edges_at = 1 },
+		.has_viewport = true,
+		.viewport = { .width = 640, .height = 480, .max_z = 1 },
+		.has_window = true,
+		.window = { .width = size(r), .height = size(r), .zoom = 1 },
+		.has_device = true,
+		.device = { .width = 640, .height = 480 } };
+	s->projection.far = s->projection.near * 64;
+	for (int i = 0; i < 4; i++) {
+		double eye = any(r->eye_low, r->eye_high, r->digits);
+
+		for (int k = 0; k < 3; k++)
+			s->world[i][k] = any(r->low, r->high, r->digits);
+		s->world[i][3] = i == 3;
+		if (i == 3)
+			break;
+		s->camera.eye[i] = eye;
+		s->camera.at[i] = any(r->low, r->high, r->digits);
+		s->window.center[i % 2] = eye;
+	}
+}
+
+static void make_points(const struct regime *r, const double about[3],
+    struct block *b)
+{
+	for (size_t i = 0; i < POINTS_BLOCK; i++)
+		for (int k = 0; k < 3; k++)
+			b->in[k][i] = about[k] +
+			    any(r->low, r->high, r->digits);
+}
+
+static void make_pixels(const struct regime *r, struct block *b)
+{
+	scale = 0;
+	for (size_t i = 0; i < POINTS_BLOCK; i++)
+		for (int k = 0; k < 3; k++)
+			b->in[k][i] = fabs(
+			    any(k < 2 ? 0 : -6, k < 2 ? 9 : 0, r->digits));
+}
+
+/* Of how many points a kernel isn't sure. */
+static unsigned unsure(exact_kernel kernel, const struct kernel_map *m,
+    struct block *b)
+{
+	const double *const in[3] = { b->in[0], b->in[1], b->in[2] };
+	double *const out[3] = { b->out[0], b->out[1], b->out[2] };
+	unsigned n = 0;
+
+	kernel(m, in, out, POINTS_BLOCK);
+	for (size_t i = 0; i < POINTS_BLOCK; i++)
+		n += isnan(b->out[0][i]) ? 1 : 0;
+	return n;
+}
+
+static unsigned count(const struct transform *t, enum kernel_kind kind,
+    struct block *b)
+{
+	assert_int_equal(t->kind, kind);
+	return unsure(points_kernels()->exact[kind], &t->for_kernel, b);
+}
+
+/* Of the first points, whether the kernel was sure or not. */
+static unsigned count_quick(const struct transform *t, const struct block *b)
+{
+	unsigned n = 0;
+
+	for (size_t i = 0; i < FEW; i++) {
+		double p[4] = { b->in[0][i], b->in[1][i], b->in[2][i], 1 };
+		double q[4];
+
+		n += point_quick(t, p, q) ? 0 : 1;
+	}
+	return n;
+}
+
+static void count_block(const struct regime *r, struct block *b,
+    unsigned n[WAYS])
+{
+	struct scene s;
+	struct transform t;
+	struct ray_maker ray;
+	static const double origin[3] = { 0 };
+
+	scale = r->least + (int)sample_below((unsigned)(r->most - r->least));
+	make_scene(r, &s);
+	make_points(r, origin, b);
+	assert_null(scene_transform(&s, SPACE_MODEL, SPACE_WORLD, false, &t));
+	n[RATIONAL] += count(&t, KERNEL_AFFINE, b);
+	assert_null(scene_transform(&s, SPACE_MODEL, SPACE_DEVICE, false, &t));
+	n[QUICK] += count_quick(&t, b);
+	make_points(r, s.camera.eye, b);
+	assert_null(flat_transform(&s, FLAT_WINDOW, FLAT_DEVICE, &t));
+	n[FLAT] += count(&t, KERNEL_FLAT, b);
+	make_points(r, s.camera.eye, b);
+	assert_null(scene_transform(&s, SPACE_WORLD, SPACE_VIEW, false, &t));
+	n[AFFINE] += count(&t, KERNEL_AFFINE, b);
+	assert_null(scene_transform(&s, SPACE_WORLD, SPACE_DEVICE, false, &t));
+	n[DEPTH] += count(&t, KERNEL_DEPTH, b);
+	make_pixels(r, b);
+	assert_null(scene_transform(&s, SPACE_DEVICE, SPACE_WORLD, false, &t));
+	n[PROJECTIVE] += count(&t, KERNEL_PROJECTIVE, b);
+	assert_null(ray_maker_of(&s, &ray));
+	n[RAY] += unsure(points_kernels()->exact[KERNEL_DIRECTION],
+	    &ray.for_kernel, b);
+}
+
+static void as_many_as_ever(void **state)
+{
+	static struct block b;
+
+	(void)state;
+	for (int c = 0; c < COPIES; c++) {
+		if (!points_choose(copies[c]))
+			continue;
+		sample_seed(1);
+		for (int k = 0; k < REGIMES; k++) {
+			const struct regime *r = &regimes[k];
+			unsigned n[WAYS] = { 0 };
+
+			for (int i = 0; i < BLOCKS; i++)
+				count_block(r, &b, n);
+			print_message("%s, %s:", copies[c], r->name);
+			for (int w = 0; w < WAYS; w++)
+				print_message(" %u,", n[w]);
+			print_message("\n");
+			for (int w = 0; w < WAYS; w++)
+				assert_true(fabs((double)n[w] - r->left[w]) <=
+				    (c == 0 ? 0 : 2));
+		}
+	}
+}
+
+/* A map whose elements are up to 2^e; of depth, a + b / w is about 1. */
+static void make_map(int e, struct kernel_map *m)
+{
+	*m = (struct kernel_map){ .a_hi = 1.5, .b_hi = ldexp(-1, e) };
+	for (int i = 0; i < 4; i++)
+		for (int j = 0; j < 4; j++) {
+			double a = ldexp(sample_unit() - 0.25, e);
+
+			m->hi[i][j] = a;
+			if (i < 3)
+				m->most[j] = fmax(m->most[j], fabs(a));
+			else
+				m->image[j] = fabs(a);
+		}
+}
+
+/* Points that double does not carry within tolerances which it nearly keeps; of small
+ * elements, too, of which what underflows is a share that counts. */
+static unsigned count_within(enum kernel_kind kind, int e)
+{
+	static struct block b;
+	const double *const in[3] = { b.in[0], b.in[1], b.in[2] };
+	double *const out[3] = { b.out[0], b.out[1], b.out[2] };
+	unsigned left = 0;
+
+	for (int i = 0; i < 40; i++) {
+		double t = ldexp(1,
+		    (kernel_divides(kind) ? 0 : e) - 48 + i % 8);
+		struct kernel_map m;
+
+		make_map(e, &m);
+		for (size_t k = 0; k < POINTS_BLOCK; k++)
+			for (int j = 0; j < 3; j++)
+				b.in[j][k] = sample_between(-4, 4);
+		points_kernels()->within[kind](&m, in, out, POINTS_BLOCK,
+		    (double[3]){ t, t, t });
+		for (size_t k = 0; k < POINTS_BLOCK; k++)
+			left += isfinite(b.out[0][k]) ? 0 : 1;
+	}
+	return left;
+}
+
+static void as_many_within(void **state)
+{
+	static const struct {
+		enum kernel_kind kind;
+		int e;
+		unsigned left;
+	} cases[] = {
+		{ KERNEL_FLAT, 0, 1682 },
+		{ KERNEL_FLAT, -900, 2143 },
+		{ KERNEL_AFFINE, 0, 4559 },
+		{ KERNEL_DEPTH, 0, 23712 },
+		{ KERNEL_PROJECTIVE, 0, 24082 },
+		{ KERNEL_DEPTH, -1019, 26629 },
+		{ KERNEL_PROJECTIVE, -1019, 25389 },
+	};
+
+	(void)state;
+	for (int c = 0; c < COPIES; c++) {
+		if (!points_choose(copies[c]))
+			continue;
+		sample_seed(2);
+		for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+			unsigned n = count_within(cases[i].kind, cases[i].e);
+
+			print_message("%s: %u\n", copies[c], n);
+			assert_int_equal(n, cases[i].left);
+		}
+	}
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(as_many_as_ever),
+		cmocka_unit_test(as_many_within),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
