@@ -258,33 +258,40 @@ static bool has_fields(const struct layout *l, const char *s, const char *end)
 	    (l->columns.n == 0 || l->columns.name[0] == NULL);
 }
 
-void line_take_apart(const struct layout *l, struct span text,
+static bool take_apart(const struct layout *l, struct span text,
     struct line *line)
 {
 	const char *s = skip_blanks(l->in, text.s, text.end);
 	struct json_error e;
-	bool whole = true;
 
-	line->object = l->in.format == FORMAT_JSON && *s == '{';
-	for (int i = 0; i < l->reads; i++)
-		line->at[i] = part_missing;
-	if (l->in.format == FORMAT_CSV)
-		whole = quotes_are_closed(l->in, text);
-	if (l->in.format == FORMAT_JSON)
-		whole = (*s == '[' || *s == '{') &&
-		    json_check(JSON_LINE, text.s, text.end, &e);
-	if (whole && line->object)
-		whole = find_members(l, (struct span){ s, text.end }, line);
-	else if (whole && l->in.format == FORMAT_JSON)
-		whole = has_fields(l, s + 1, text.end);
-	if (!whole || line->object)
-		;
-	else if (l->in.format == FORMAT_JSON)
-		find_fields(l, s + 1, text.end, false, line);
-	else if (whole && l->in.format == FORMAT_CSV)
+	switch (l->in.format) {
+	case FORMAT_CSV:
+		if (!quotes_are_closed(l->in, text))
+			return false;
 		find_fields(l, text.s, text.end, false, line);
-	else if (whole)
+		return true;
+	case FORMAT_JSON:
+		line->object = *s == '{';
+		if ((*s != '[' && *s != '{') ||
+		    !json_check(JSON_LINE, text.s, text.end, &e))
+			return false;
+		if (line->object)
+			return find_members(l, text, line);
+		if (!has_fields(l, s + 1, text.end))
+			return false;
+		find_fields(l, s + 1, text.end, false, line);
+		return true;
+	default:
 		find_fields(l, s, text.end,
 		    l->columns.n == 0 && !commas_agree(l, s, text.end), line);
-	line->kind = whole ? LINE_BAD : LINE_LOST;
+		return true;
+	}
+}
+
+void line_take_apart(const struct layout *l, struct span text,
+    struct line *line)
+{
+	for (int i = 0; i < l->reads; i++)
+		line->at[i] = part_missing;
+	line->kind = take_apart(l, text, line) ? LINE_BAD : LINE_LOST;
 }

@@ -423,13 +423,12 @@ INLINE size_t take_lines(struct stretch *s, const struct walk *walk,
 
 		lines[i].object = false;
 		bool found = p.text + begin - s->readable >= PLAIN_BEFORE &&
-		    find_coordinates(&p, walk, d, n, shape, &t);
-		bool closed = d.format != FORMAT_CSV ||
-		    pass_quotes(&p, d.separator);
+		    find_coordinates(&p, walk, d, n, shape, &t) &&
+		    (d.format != FORMAT_CSV || pass_quotes(&p, d.separator));
 
 		while (p.text[*p.stop] != '\n')
 			p.stop++;
-		if (!found || !closed) {
+		if (!found) {
 			no_numbers(n, i, places);
 			*left |= (uint64_t)1 << i;
 		}
