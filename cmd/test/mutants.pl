@@ -17,7 +17,7 @@ use warnings;
 use Cwd 'abs_path';
 use File::Path qw(make_path remove_tree);
 use FindBin;
-use List::Util qw(max min);
+use List::Util 'max';
 use Time::HiRes 'time';
 use lib $FindBin::Bin;
 use Mutant;
@@ -241,5 +241,8 @@ for my $mutant (@mutants) {
 printf "%d mutants: %d found, %d equal for a reason, %d lived: %.1f %%\n",
     tried(), @count{qw(found equal lived)},
     100 * ($count{found} + $count{equal}) / (tried() || 1);
+for my $old (grep { !defined mutated(slurp($_->{file}), $_) } @equal) {
+	print "$equal: $old->{file} has no longer\n$old->{from}";
+}
 remove_tree($whole, $tree, $tmp);
 exit($count{lived} * 50 > tried());

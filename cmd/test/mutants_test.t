@@ -1,7 +1,7 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
 # That `make mutants` changes what it says, finds what a test finds, and ends what
-# doesn't end; and that the reasons of mutants.equal are of lines that there are.
+# doesn't end; and that mutants.equal has a reason for each.
 use strict;
 use warnings;
 use File::Path 'make_path';
@@ -55,9 +55,8 @@ ok(same_hunk($again, (hunks("x.c\n-\t\tx = 1;\n+\tx = 2;\n"))[0]),
     'wherever it stands');
 
 for my $known (hunks(slurp('cmd/test/mutants.equal'))) {
-	my $name = "$known->{file}: $known->{from}";
-	ok($known->{reason} ne '', "a reason: $name");
-	ok(defined mutated(slurp($known->{file}), $known), "is there: $name");
+	ok($known->{reason} ne '' && -f $known->{file},
+	    "a reason: $known->{file}: $known->{from}");
 }
 
 # A program of one file, with a test that finds some of its mutants: of the
