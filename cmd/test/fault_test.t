@@ -123,7 +123,7 @@ sub progress {
 	is(told(250, 2, ''), '', 'no progress where output is in the terminal');
 	is(told(250, 2, '--progress'),
 	    join('', map { "<$_" } @seen, "$end\n"), 'but where it is wanted');
-	my $bad = (faulty("$project -j1 --keep-going $tmp/thousand " .
+	my $bad = (faulty("$project -j1 --color never --keep-going $tmp/thousand " .
 	    "$tmp/thousand $tmp/thousand $tmp/bad", 'clock 250 1'))[2];
 	like($bad, qr/100 %\r\e\[Kprojcalc: [^\r\n]*:2002: [^\r\n]*\n\r\e/,
 	    'a complaint takes the place of progress');
