@@ -9,6 +9,8 @@
 
 enum { DOCUMENT_MAX = 1 << 28 };
 
+#define MARK "\xef\xbb\xbf"
+
 static struct {
 	const char *name;
 	int fd; /* -1: all has been read */
@@ -71,7 +73,7 @@ static void skip_spaces(void)
 	for (;;) {
 		if (s < end && is_space(*s))
 			params.line += *s++ == '\n';
-		else if (end - s >= 3 && memcmp(s, "\xef\xbb\xbf", 3) == 0)
+		else if (end - s >= 3 && memcmp(s, MARK, 3) == 0)
 			s += 3;
 		else
 			break;
@@ -79,11 +81,23 @@ static void skip_spaces(void)
 	params.begin = params.end = (size_t)(s - params.text.s);
 }
 
+/* Whether what is left may become a byte order mark. */
+static bool is_mark_begun(void)
+{
+	size_t left = params.text.have - params.begin;
+
+	return left > 0 && left < 3 &&
+	    memcmp(params.text.s + params.begin, MARK, left) == 0;
+}
+
 /* Looks on for the end of the document; false where that hasn't been read yet. */
 static bool find_end(void)
 {
-	if (params.end == params.begin)
+	if (params.end == params.begin) {
 		skip_spaces();
+		if (is_mark_begun())
+			return false;
+	}
 	while (params.end < params.text.have) {
 		char c = params.text.s[params.end];
 
@@ -115,8 +129,10 @@ static bool next_scene(void)
 	params.quoted = params.escaped = false;
 	say_scene((struct scene_place){ params.number, params.line });
 	while (!find_end())
-		if (!more())
+		if (!more()) {
+			params.end = params.text.have;
 			return params.begin < params.end;
+		}
 	return true;
 }
 

@@ -347,6 +347,7 @@ static void read_scene(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_MEMBERS], unsigned seen)
 {
 	struct scene *s = &d->scene;
+	double margin = 0;
 
 	s->has_world = seen & SCENE_WORLD;
 	s->has_camera = seen & SCENE_CAMERA;
@@ -371,8 +372,10 @@ static void read_scene(struct document *d, const struct document_wants *w,
 		read_bounds(&m[BOUNDS], &d->bounds);
 	if (seen & SCENE_PICK)
 		read_pick(&m[PICK], &d->pick);
-	if (seen & SCENE_MARGIN & w->used)
-		s->margin = value_number(&m[MARGIN], &margins);
+	if (seen & SCENE_MARGIN)
+		margin = value_number(&m[MARGIN], &margins);
+	if (w->used & SCENE_MARGIN)
+		s->margin = margin;
 }
 
 static void read_points(struct document *d, const struct value *v,
