@@ -101,11 +101,7 @@ static void print_options(const struct command *c)
 static void print_params(const struct command *c)
 {
 	const struct document_wants *w = &c->wants;
-	unsigned scene = w->used | w->flat | SCENE_CONVENTION |
-	    (w->flat != 0 ? SCENE_DEVICE : 0);
 
-	if (c->kind != PLANAR)
-		scene |= SCENE_ANGLE_UNIT;
 	for (int i = 0; scene_members[i].name != NULL; i++) {
 		const struct member *row = &scene_members[i];
 
@@ -118,7 +114,7 @@ static void print_params(const struct command *c)
 	}
 	printf("\n");
 	heading("scene:\n");
-	print_scene_members(scene);
+	print_scene_members(document_reads(w));
 	printf("projcalc help NAME tells of a member that is an object.\n");
 }
 
@@ -172,7 +168,7 @@ bool help_member(const char *name)
 	for (const struct member *s = scene_members;
 	     row->name == NULL && s->name != NULL; s++)
 		if (s->members != NULL &&
-		    member_named(s->members, name) != NULL)
+		    member_named(s->members, ANY_KIND, name) != NULL)
 			row = s;
 	if (row->name == NULL)
 		return false;

@@ -84,7 +84,8 @@ static const char *command_of(const char *typed)
 		if (strcmp(s->name, name) == 0)
 			return "project";
 	for (const struct member *s = scene_members; s->name != NULL; s++)
-		if (s->members != NULL && member_named(s->members, name)) {
+		if (s->members != NULL &&
+		    member_named(s->members, ANY_KIND, name)) {
 			sscanf(s->command, "%63s", word);
 			return word;
 		}

@@ -309,14 +309,21 @@ static unsigned read_members(struct document *d, const struct value *root,
 	return seen;
 }
 
+unsigned document_reads(const struct document_wants *w)
+{
+	bool angles = (w->used & (SCENE_CAMERA | SCENE_PROJECTION)) != 0;
+
+	return w->used | SCENE_CONVENTION | (angles ? SCENE_ANGLE_UNIT : 0) |
+	    (w->flat != 0 ? SCENE_WINDOW | SCENE_DEVICE : 0);
+}
+
 /* What is wanted of a document that is flat. */
 static struct document_wants in_plane(const struct document_wants *w)
 {
 	struct document_wants flat = *w;
 
 	flat.needed = 0;
-	flat.used &= ~(unsigned)SCENE_SPATIAL;
-	flat.used |= SCENE_WINDOW | SCENE_DEVICE;
+	flat.used = document_reads(w) & ~(unsigned)SCENE_SPATIAL;
 	flat.coordinates = w->coordinates > 0 ? 2 : 0;
 	return flat;
 }
