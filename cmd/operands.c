@@ -29,7 +29,7 @@ void check_operands(const struct command *c, const struct options *o)
 				"name a file for one of them" :
 				"standard input is named twice");
 		if (!is_stdin(name) && first_char(name) != '[')
-			mistaken_points(o, i);
+			mistaken_points(c, o, i);
 	}
 }
 

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "params.h"
 
-#include <ctype.h>
 #include <string.h>
 
 #include "input.h"
 #include "talk.h"
+#include "typed.h"
 
 enum { DOCUMENT_MAX = 1 << 28 };
 
@@ -151,21 +151,39 @@ bool params_next(const struct options *o)
 	return found;
 }
 
-/* Points that are piped to a call without a scene. */
-static void check_points(void)
+/* Copies the first line that is not blank or, as points may have it, a comment, as far
+ * as there is room. */
+static void first_line(char *out, size_t room)
 {
-	const char *s = params.text.s;
+	const char *s = params.text.s + params.begin;
+	const char *end = params.text.s + params.end;
+	size_t n = 0;
 
-	for (size_t i = params.begin; i < params.end; i++) {
-		if (isdigit((unsigned char)s[i]))
-			die_at(EXIT_INPUT,
-			    &(struct place){ .file = params.name },
-			    "holds points, and a scene is wanted first; name "
-			    "its file: scene.json %s",
-			    params.name);
-		if (!is_space(s[i]) && s[i] != '-')
-			return;
+	while (s < end && (is_space(*s) || *s == '#')) {
+		const char *newline = memchr(s, '\n', (size_t)(end - s));
+
+		s = *s != '#' ? s + 1 : newline != NULL ? newline + 1 : end;
 	}
+	while (s < end && *s != '\n' && *s != '\r' && n + 1 < room)
+		out[n++] = *s++;
+	out[n] = '\0';
+}
+
+/* Points in place of a scene: the line is of numbers. */
+static void check_points(const struct document_wants *wants)
+{
+	const struct place place = { .file = params.name };
+	char line[200];
+
+	first_line(line, sizeof line);
+	if (*line == '[' || !is_numbers(line))
+		return;
+	if ((wants->used & SCENE_POINTS) == 0)
+		die_at(EXIT_INPUT, &place, "holds points; a scene is wanted");
+	die_at(EXIT_INPUT, &place,
+	    "holds points, and a scene is wanted first; name its file: "
+	    "scene.json %s",
+	    params.name);
 }
 
 void params_read(const struct options *o, const struct document_wants *wants,
@@ -173,13 +191,14 @@ void params_read(const struct options *o, const struct document_wants *wants,
 {
 	struct document_wants w = *wants;
 
-	w.line = params.line - 1;
 	while (!o->scenes && more())
 		continue;
 	if (!o->scenes) {
+		skip_spaces();
 		params.end = params.text.have;
-		check_points();
+		check_points(wants);
 	}
+	w.line = params.line - 1;
 	document_read(d, params.name, params.text.s + params.begin,
 	    params.end - params.begin, &w);
 	if (!o->scenes && d->points == NULL)
