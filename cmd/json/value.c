@@ -234,16 +234,14 @@ static char *pointer(const struct value *v, char *out)
 
 void value_refuse(const struct value *v, const char *format, ...)
 {
-	char what[1024], way[STEPS_MAX * ESCAPED_MAX + 1];
+	char way[STEPS_MAX * ESCAPED_MAX + 1];
 	va_list args;
 
 	*pointer(v, way) = '\0';
 	va_start(args, format);
-	vsnprintf(what, sizeof what, format, args);
-	va_end(args);
-	die_at(EXIT_INPUT,
-	    &(struct place){ .file = v->source->name, .pointer = way }, "%s",
-	    what);
+	vdie_at(EXIT_INPUT,
+	    &(struct place){ .file = v->source->name, .pointer = way }, format,
+	    args);
 }
 
 void value_wrong(const struct value *v, const char *wanted)
