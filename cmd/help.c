@@ -154,6 +154,17 @@ static void help_scene_member(const struct member *row)
 	example(row->command);
 }
 
+/* The first object that has a member of that name, or with that alias; or NULL. */
+static const struct member *object_with(const char *name, bool alias)
+{
+	for (const struct member *s = scene_members; s->name != NULL; s++)
+		if (s->members != NULL &&
+		    (alias ? member_named(s->members, ANY_KIND, name) :
+			     member_of(s->members, ANY_KIND, name)) != NULL)
+			return s;
+	return NULL;
+}
+
 bool help_member(const char *name)
 {
 	const struct member *row;
@@ -162,15 +173,10 @@ bool help_member(const char *name)
 		print_scene_members(~0u);
 		return true;
 	}
-	for (row = scene_members; row->name != NULL; row++)
-		if (strcmp(row->name, name) == 0)
-			break;
-	for (const struct member *s = scene_members;
-	     row->name == NULL && s->name != NULL; s++)
-		if (s->members != NULL &&
-		    member_named(s->members, ANY_KIND, name) != NULL)
-			row = s;
-	if (row->name == NULL)
+	row = member_named(scene_members, ANY_KIND, name);
+	for (int aliases = 0; row == NULL && aliases < 2; aliases++)
+		row = object_with(name, aliases);
+	if (row == NULL)
 		return false;
 	help_scene_member(row);
 	return true;

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "escape.h"
 #include "mistaken.h"
 #include "scene/members.h"
 #include "talk.h"
@@ -16,15 +17,17 @@ static void write_value(char out[VALUE_MAX], const struct member *m,
 {
 	char list[VALUE_MAX - 4] = "";
 
-	if (*text == '\0')
+	if (m->read == read_flag)
+		strcpy(out, strcmp(text, "false") == 0 ? "false" : "true");
+	else if (*text == '\0')
 		snprintf(out, VALUE_MAX, "%s",
 		    m->example != NULL ? m->example : "...");
-	else if (strcmp(text, "true") == 0 || strcmp(text, "false") == 0 ||
-	    strchr("[{", *text) != NULL)
+	else if (strchr("[{", *text) != NULL)
 		snprintf(out, VALUE_MAX, "%s", text);
-	else if (!is_numbers(text))
-		snprintf(out, VALUE_MAX, "\"%.*s\"", VALUE_MAX - 3, text);
-	else if (add_numbers(list, 0, sizeof list, text) > 0)
+	else if (!is_numbers(text)) {
+		escape_json(list, sizeof list, text, strlen(text));
+		snprintf(out, VALUE_MAX, "\"%s\"", list);
+	} else if (add_numbers(list, 0, sizeof list, text) > 0)
 		snprintf(out, VALUE_MAX,
 		    strchr(list, ',') != NULL ? "[%s]" : "%s", list);
 }
@@ -36,9 +39,19 @@ static void name_of(char out[64], const char *word)
 	snprintf(out, 64, "%.*s", (int)strcspn(word, "="), word);
 }
 
+/* Whether a word behind an option may be its value: JSON, or a word, which the name of
+ * a file, such as scene.json, is not. */
+static bool is_value(const struct member *m, const char *word)
+{
+	if (m->read == read_flag)
+		return strcmp(word, "true") == 0 || strcmp(word, "false") == 0;
+	return strchr("[{", *word) != NULL ||
+	    (*word != '-' && strpbrk(word, "./ ") == NULL);
+}
+
 /* The text behind it: after =, or the next word, or as many as are of numbers.
  * Returns where the words go on. */
-static char **text_of(char out[VALUE_MAX], char **words)
+static char **text_of(char out[VALUE_MAX], const struct member *m, char **words)
 {
 	const char *equals = strchr(*words++, '=');
 	size_t at = 0;
@@ -46,11 +59,13 @@ static char **text_of(char out[VALUE_MAX], char **words)
 	snprintf(out, VALUE_MAX, "%s", equals != NULL ? equals + 1 : "");
 	if (equals != NULL || *words == NULL)
 		return words;
-	if (!is_numbers(*words) && **words != '-')
-		snprintf(out, VALUE_MAX, "%s", *words++);
-	else
+	if (m->read == read_flag || !is_numbers(*words)) {
+		if (is_value(m, *words))
+			snprintf(out, VALUE_MAX, "%s", *words++);
+	} else {
 		while (*words != NULL && is_numbers(*words))
 			at = add_numbers(out, at, VALUE_MAX, *words++);
+	}
 	return words;
 }
 
@@ -134,7 +149,7 @@ static void write_members(char *out, size_t room, const struct command *c,
 		if (m == NULL || (object != NULL && other != object))
 			break;
 		object = other;
-		words = text_of(text, words);
+		words = text_of(text, m, words);
 		write_value(value, m, text);
 		if (at < room)
 			at += (size_t)snprintf(out + at, room - at,

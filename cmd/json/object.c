@@ -93,20 +93,13 @@ const struct member *member_named(const struct member *table, int kind,
 
 const char *member_type(const struct member *row, char out[LISTED])
 {
-	size_t at = 0;
-
 	if (row->type != NULL)
-		return strcpy(out, row->type);
-	if (row->n > 0)
-		snprintf(out, LISTED, "%zu numbers", row->n);
-	else if (row->words == NULL)
-		strcpy(out, row->range == &range_positive ? "size" : "number");
-	for (int i = 0; row->words != NULL && row->words[i] != NULL; i++)
-		at += (size_t)snprintf(out + at, LISTED - at, "%s%s",
-		    i == 0                        ? "" :
-			row->words[i + 1] == NULL ? " or " :
-						    ", ",
-		    row->words[i]);
+		return row->type;
+	if (row->words != NULL)
+		return list_words(out, row->words, " or ", "");
+	if (row->n == 0)
+		return row->range == &range_positive ? "size" : "number";
+	snprintf(out, LISTED, "%zu numbers", row->n);
 	return out;
 }
 
@@ -181,7 +174,7 @@ static void refuse_misplaced(const struct value *v, const struct member *table)
 	names[n] = NULL;
 	if (n > 0)
 		value_refuse(v, "unknown member; it belongs in %s",
-		    list_words(all, names, " or "));
+		    list_words(all, names, " or ", "\""));
 	for (s = scene; s->name != NULL; s++) {
 		if (s->members == NULL || s->members == table)
 			continue;
@@ -219,7 +212,7 @@ static _Noreturn void unknown(const struct value *v, const struct member *table,
 		    described(row, all));
 	names_of(table, kind, names);
 	value_refuse(v, "unknown member; there are %s",
-	    list_words(all, names, " and "));
+	    list_words(all, names, " and ", "\""));
 }
 
 unsigned object_read(const struct value *v, const struct member *table,

@@ -58,7 +58,7 @@ const struct member *member_of(const struct member *, int kind,
 const struct member *member_named(const struct member *, int kind,
     const char *name);
 
-/* What its value is: "3 numbers", "size", "left or right". Returns out. */
+/* What its value is: "3 numbers", "size", "left or right". May write it to out. */
 const char *member_type(const struct member *, char out[LISTED]);
 
 /* The bit of the member of that name; 0 if objects of that kind have none. */

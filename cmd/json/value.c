@@ -322,14 +322,14 @@ static const char *between(const char *const *rest, const char *last)
 }
 
 const char *list_words(char out[LISTED], const char *const *words,
-    const char *last)
+    const char *last, const char *quote)
 {
 	size_t at = 0;
 
 	*out = '\0';
 	for (int i = 0; words[i] != NULL && at < LISTED; i++)
-		at += (size_t)snprintf(out + at, LISTED - at, "\"%s\"%s",
-		    words[i], between(words + i + 1, last));
+		at += (size_t)snprintf(out + at, LISTED - at, "%s%s%s%s", quote,
+		    words[i], quote, between(words + i + 1, last));
 	return out;
 }
 
@@ -338,7 +338,7 @@ int value_word(const struct value *v, const char *const *words)
 	const char *s = value_string(v), *near;
 	char all[LISTED], shown[ESCAPED_MAX];
 
-	list_words(all, words, " or ");
+	list_words(all, words, " or ", "\"");
 	if (s == NULL)
 		value_wrong(v, all);
 	for (int i = 0; words[i] != NULL; i++)

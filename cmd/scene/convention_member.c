@@ -2,8 +2,8 @@
 #include "convention_member.h"
 
 #include <string.h>
-#include <strings.h>
 
+#include "../nearest.h"
 #include "readers.h"
 
 const char *const convention_names[] = {
@@ -65,9 +65,10 @@ bool same_convention(const struct convention *a, const struct convention *b)
 static int read_name(const struct value *v)
 {
 	const char *s = value_string(v);
+	const char *meant = s != NULL ? called("convention", s) : NULL;
 
-	if (s != NULL && strcasecmp(s, "opengl") == 0)
-		value_refuse(v, "is \"%s\"; did you mean \"gl\"?", s);
+	if (meant != NULL)
+		value_refuse(v, "is \"%s\"; did you mean \"%s\"?", s, meant);
 	return value_word(v, convention_names);
 }
 

@@ -478,7 +478,7 @@ static void find_type(const struct value *v, int implied, struct projection *p)
 		p->type = (unsigned)implied;
 	else
 		value_refuse(&missing, "missing; it is %s",
-		    list_words(all, projection_types, " or "));
+		    list_words(all, projection_types, " or ", "\""));
 	if (implied != PROJECTION_NONE && p->type != (unsigned)implied)
 		refuse_type(&m, projection_types[p->type - 1],
 		    projection_types[implied - 1]);
