@@ -17,11 +17,13 @@ static void heading(const char *text)
 	    colored ? "\033[0m" : "");
 }
 
-static void example(const char *call)
+/* A command, if that is not NULL, and what stands behind it. */
+static void example(const char *command, const char *call)
 {
 	printf("\n");
 	heading("example:");
-	printf(" projcalc %s\n", call);
+	printf(" projcalc %s%s%s\n", command != NULL ? command : "",
+	    command != NULL ? " " : "", call);
 }
 
 enum { NAME_WIDTH = 15, TYPE_WIDTH = 23 };
@@ -130,12 +132,8 @@ void help_command(const struct command *c)
 	print_options(c);
 	if (c->kind != HELP)
 		print_params(c);
-	if (c->example != NULL) {
-		char call[1024];
-
-		snprintf(call, sizeof call, "%s %s", c->name, c->example);
-		example(call);
-	}
+	if (c->example != NULL)
+		example(c->name, c->example);
 }
 
 static void help_scene_member(const struct member *row)
@@ -151,7 +149,7 @@ static void help_scene_member(const struct member *row)
 		printf("\n");
 	if (row->members != NULL)
 		print_members(row->members, -1);
-	example(row->command);
+	example(NULL, row->command);
 }
 
 /* The first object that has a member of that name, or with that alias; or NULL. */

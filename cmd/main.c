@@ -120,18 +120,10 @@ static _Noreturn void finish(void)
 	exit(EXIT_OK);
 }
 
-static const struct command *find_command(const char *name)
-{
-	for (const struct command *c = commands; c->name != NULL; c++)
-		if (strcmp(name, c->name) == 0)
-			return c;
-	return NULL;
-}
-
 static _Noreturn void help(const struct options *o)
 {
 	const char *what = o->params;
-	const struct command *c = find_command(what);
+	const struct command *c = find_command(commands, what);
 
 	if (o->n_points > 0)
 		die(EXIT_USAGE, "help: one word at a time; '%s' is too many",
@@ -170,7 +162,8 @@ int main(int argc, char **argv)
 		die(EXIT_USAGE, "no command; 'projcalc help' lists them");
 	if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)
 		argv[1] = "help";
-	const struct command *c = call.command = find_command(argv[1]);
+	const struct command *c = call.command = find_command(commands,
+	    argv[1]);
 
 	o->version = strcmp(argv[1], "--version") == 0;
 	if (c == NULL && !o->version)

@@ -51,13 +51,6 @@ static const struct {
 /* Commands, members of a scene, and theirs. */
 enum { NAMES_MAX = 200 };
 
-static bool is_command(const struct command *c, const char *word)
-{
-	while (c->name != NULL && strcmp(c->name, word) != 0)
-		c++;
-	return c->name != NULL;
-}
-
 static _Noreturn void unknown(const char *word, const char *const *names)
 {
 	const char *near = NULL;
@@ -114,7 +107,7 @@ void mistaken_command(const struct command *commands, char **words)
 		names[n++] = c->name;
 	for (char **w = words + 1; *w != NULL; w++)
 		if ((**words == '-' || is_operand(*words)) &&
-		    is_command(commands, *w))
+		    find_command(commands, *w) != NULL)
 			die(EXIT_USAGE,
 			    "'%s' stands before the command; write projcalc "
 			    "%s %s ...",

@@ -254,6 +254,7 @@ void die_at(int status, const struct place *place, const char *format, ...)
 
 	va_start(args, format);
 	vdie_at(status, place, format, args);
+	va_end(args);
 }
 
 void die(int status, const char *format, ...)
@@ -262,6 +263,7 @@ void die(int status, const char *format, ...)
 
 	va_start(args, format);
 	vdie_at(status, NULL, format, args);
+	va_end(args);
 }
 
 void quit(int status)

@@ -95,6 +95,8 @@ const char *member_type(const struct member *row, char out[LISTED])
 {
 	if (row->type != NULL)
 		return row->type;
+	if (row->members != NULL)
+		return "object";
 	if (row->words != NULL)
 		return list_words(out, row->words, " or ", "");
 	if (row->n == 0)

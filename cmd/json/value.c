@@ -242,6 +242,7 @@ void value_refuse(const struct value *v, const char *format, ...)
 	vdie_at(EXIT_INPUT,
 	    &(struct place){ .file = v->source->name, .pointer = way }, format,
 	    args);
+	va_end(args);
 }
 
 void value_wrong(const struct value *v, const char *wanted)

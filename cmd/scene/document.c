@@ -55,16 +55,11 @@ const struct member scene_members[SCENE_MEMBERS + 1] = {
 	    .about = "how the document is read, all of it",
 	    .command = "lookat '{\"convention\": \"gl\", "
 		       "\"camera\": " CAMERA_LIKE "}'"),
-	[ANGLE_UNIT] = { .name = "angle_unit",
-	    .read = read_value,
-	    .at = ANGLE_UNIT * sizeof(struct value),
-	    .words = angle_units,
-	    .aliases = "angleunits unit units angles",
-	    .beside = true,
-	    .otherwise = "\"degrees\"",
+	MEMBER(ANGLE_UNIT, "angle_unit", NULL, "angleunits unit units angles",
+	    .words = angle_units, .beside = true, .otherwise = "\"degrees\"",
 	    .about = "of all angles of the scene",
 	    .command = "persp '{\"angle_unit\": \"radians\", \"fovy\": 1, "
-		       "\"aspect\": 1.5, \"near\": 1, \"far\": 10}'" },
+		       "\"aspect\": 1.5, \"near\": 1, \"far\": 10}'"),
 	MEMBER(WORLD, "world", NULL, "model", .example = WORLD_LIKE,
 	    .type = "matrix", .otherwise = WORLD_LIKE,
 	    .about = "model to world, affine",
@@ -72,22 +67,20 @@ const struct member scene_members[SCENE_MEMBERS + 1] = {
 		       "[1,0,0,0, 0,1,0,0, 0,0,1,0, 10,20,30,1]}' "
 		       "'[1,2,3]'"),
 	MEMBER(CAMERA, "camera", camera_members, "view", .example = CAMERA_LIKE,
-	    .type = "object", .about = "world to view",
+	    .about = "world to view",
 	    .command = "lookat '{\"camera\": " CAMERA_LIKE "}'"),
 	MEMBER(PROJECTION, "projection", projection_members, "lens perspective",
-	    .example = LENS_LIKE, .type = "object", .about = "view to clip",
+	    .example = LENS_LIKE, .about = "view to clip",
 	    .command = "persp '{\"projection\": " LENS_LIKE "}'"),
 	MEMBER(VIEWPORT, "viewport", viewport_members, "screen",
-	    .example = RECTANGLE_LIKE, .type = "object",
-	    .about = "ndc to device, in 3D",
+	    .example = RECTANGLE_LIKE, .about = "ndc to device, in 3D",
 	    .command = "project --from ndc '{\"viewport\": " RECTANGLE_LIKE
 		       "}' '[0,0.5,1]'"),
 	MEMBER(WINDOW, "window", window_members, NULL, .example = WINDOW_LIKE,
-	    .type = "object", .about = "a rectangle of a 2D world",
+	    .about = "a rectangle of a 2D world",
 	    .command = "w2n '{\"window\": " WINDOW_LIKE "}'"),
 	MEMBER(DEVICE, "device", device_members, NULL,
-	    .example = RECTANGLE_LIKE, .type = "object",
-	    .about = "where a window is shown",
+	    .example = RECTANGLE_LIKE, .about = "where a window is shown",
 	    .command = "n2d '{\"device\": " RECTANGLE_LIKE "}'"),
 	MEMBER(POINTS, "points", NULL, NULL, .example = "[[0,0,0], [1,1,1]]",
 	    .type = "a point or a list",
@@ -95,12 +88,12 @@ const struct member scene_members[SCENE_MEMBERS + 1] = {
 	    .command = "lookat '{\"camera\": " CAMERA_LIKE
 		       ", \"points\": [[0,0,0], [1,1,1]]}'"),
 	MEMBER(BOUNDS, "bounds", bounds_members, NULL, .example = BOUNDS_LIKE,
-	    .type = "object", .unit = "model units",
+	    .unit = "model units",
 	    .about = "what fit is to hold, else the points",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
 		       "\"bounds\": " BOUNDS_LIKE "}'"),
 	MEMBER(PICK, "pick", pick_members, NULL, .example = PICK_LIKE,
-	    .type = "object", .about = "where pick looks, else --at, --radius",
+	    .about = "where pick looks, else --at, --radius",
 	    .command = "pick '{\"camera\": " CAMERA_LIKE
 		       ", \"projection\": " LENS_LIKE
 		       ", \"viewport\": " RECTANGLE_LIKE
