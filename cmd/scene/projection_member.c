@@ -413,7 +413,8 @@ static void find_sides(const struct value *v, const struct viewport *viewport,
 	if (viewport == NULL) {
 		value_refuse(&m,
 		    "needs a \"viewport\", in whose units it is; "
-		    "add one to the scene");
+		    "write {\"projection\": {...}, \"viewport\": "
+		    "{\"width\": 640, \"height\": 480}}");
 	} else if (viewport->scale != SCALE_FILL) {
 		value_refuse(&m,
 		    "not together with the viewport's \"scale\"; "
