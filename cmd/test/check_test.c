@@ -80,7 +80,9 @@ static const struct text refused[] = {
 	TEXT("{\"a\":1\n\"b\":2}", "2: expected ',' or '}', not '\"'"),
 	TEXT("[1 2]", "1: expected ',' or ']', not '2'"),
 	TEXT("[1}", "1: expected ',' or ']', not '}'"),
-	TEXT("[1/2]", "1: expected ',' or ']', not '/'"),
+	TEXT("[1/2]",
+	    "1: JSON has no arithmetic, and '/' is not ',' or ']'; write the "
+	    "number that it gives"),
 	TEXT("[\x01]", "1: expected a value, not '\\u0001'"),
 	TEXT("[\xff]", "1: expected a value, not '\\xff'"),
 	TEXT("[\xc2\xa0]", "1: expected a value, not '\xc2\xa0'"),
