@@ -229,12 +229,25 @@ const struct member pick_members[] = {
 	{ .name = NULL },
 };
 
+/* What others call so is often where the camera stands. */
+static void check_translation(const struct value *v, unsigned seen)
+{
+	struct value m = value_missing(v, "translation");
+
+	if ((seen & member_bit(camera_members, 0, "translation")) != 0 &&
+	    (seen & member_bit(camera_members, 0, "orientation")) == 0)
+		value_refuse(&m,
+		    "is where the world's origin is in view space, and needs "
+		    "an \"orientation\"; where the camera stands is \"eye\"");
+}
+
 bool read_camera(const struct value *v, struct camera *c)
 {
 	*c = (struct camera){ .up = { 0, 1, 0 },
 		.unit = (enum angle_unit)v->source->unit };
 	unsigned seen = object_read(v, camera_members, 0, c);
 
+	check_translation(v, seen);
 	c->by = (unsigned)object_way(v, camera_members, 0, seen,
 	    v->source->fit ? &fit_camera_ways : &camera_ways);
 	return c->by >= CAMERA_TRANSLATION ||
