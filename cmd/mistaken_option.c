@@ -17,11 +17,11 @@ static void write_value(char out[VALUE_MAX], const struct member *m,
 {
 	char list[VALUE_MAX - 4] = "";
 
+	snprintf(out, VALUE_MAX, "%s", m->example != NULL ? m->example : "...");
 	if (m->read == read_flag)
 		strcpy(out, strcmp(text, "false") == 0 ? "false" : "true");
 	else if (*text == '\0')
-		snprintf(out, VALUE_MAX, "%s",
-		    m->example != NULL ? m->example : "...");
+		return;
 	else if (strchr("[{", *text) != NULL)
 		snprintf(out, VALUE_MAX, "%s", text);
 	else if (!is_numbers(text)) {

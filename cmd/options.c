@@ -272,10 +272,11 @@ static _Noreturn void refuse_letter(const struct command *c, char letter)
 static _Noreturn void refuse_name(const struct command *c, char **words)
 {
 	const char *names[ROWS + 1] = { NULL }, *near;
+	const char *word = *words + 2;
+	const int n = (int)strcspn(word, "=");
 	char name[64], list[LISTED];
 
-	snprintf(name, sizeof name, "%.*s", (int)strcspn(*words + 2, "="),
-	    *words + 2);
+	snprintf(name, sizeof name, "%.*s", n, word);
 	if (*name != '\0' && names_of(c, name, names) > 1)
 		die(EXIT_USAGE, "%s: --%s may be %s; write more of it", c->name,
 		    name, list_words(list, names, " or ", ""));
@@ -288,11 +289,11 @@ static _Noreturn void refuse_name(const struct command *c, char **words)
 	if (near == NULL)
 		near = nearest(name, names);
 	if (near != NULL)
-		die(EXIT_USAGE, "%s: unknown option --%s; did you mean --%s?",
-		    c->name, name, near);
+		die(EXIT_USAGE, "%s: unknown option --%.*s; did you mean --%s?",
+		    c->name, n, word, near);
 	die(EXIT_USAGE,
-	    "%s: unknown option --%s; 'projcalc help %s' lists them", c->name,
-	    name, c->name);
+	    "%s: unknown option --%.*s; 'projcalc help %s' lists them", c->name,
+	    n, word, c->name);
 }
 
 /* Refuses an option's name, or a member's, behind a single dash: "-to", which
