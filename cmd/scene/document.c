@@ -8,6 +8,7 @@
 #include "../json/scan.h"
 #include "../number/number.h"
 #include "convention_member.h"
+#include "examples.h"
 #include "members.h"
 #include "../talk.h"
 
@@ -38,12 +39,6 @@ enum {
 		.aliases = other,                   \
 		__VA_ARGS__ }
 
-#define CAMERA_LIKE "{\"eye\": [0,0,-5], \"at\": [0,0,0]}"
-#define LENS_LIKE                                               \
-	"{\"type\": \"persp\", \"fovy\": 60, \"aspect\": 1.5, " \
-	"\"near\": 1, \"far\": 10}"
-#define RECTANGLE_LIKE "{\"width\": 640, \"height\": 480}"
-#define WINDOW_LIKE "{\"center\": [0,0], \"width\": 2, \"height\": 2}"
 #define WORLD_LIKE "[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]"
 #define BOUNDS_LIKE "{\"min\": [-1,-1,-1], \"max\": [1,1,1]}"
 #define PICK_LIKE "{\"at\": [320,240], \"radius\": 3}"
