@@ -8,48 +8,17 @@
 #include <strings.h>
 
 #include "../core/scene.h"
+#include "json/value.h"
 #include "nearest.h"
 #include "talk.h"
 
-/* What others call it. */
-static const char *called(const char *what, const char *word)
-{
-	static const char *const others[][3] = {
-		{ "convention", "opengl", "gl" },
-		{ "convention", "directx", "d3d" },
-		{ "convention", "direct3d", "d3d" },
-		{ "convention", "metal", "webgpu" },
-		{ "space", "pixels", "device" },
-		{ "space", "screen", "device" },
-		{ "space", "image", "device" },
-		{ "space", "camera", "view" },
-		{ "space", "eye", "view" },
-		{ "space", "object", "model" },
-		{ "space", "local", "model" },
-		{ "format", "txt", "text" },
-		{ "format", "double", "f64" },
-		{ "format", "float", "f32" },
-		{ "precision", "float", "single" },
-	};
-
-	for (size_t i = 0; i < sizeof others / sizeof *others; i++)
-		if (strcmp(others[i][0], what) == 0 &&
-		    strcasecmp(others[i][1], word) == 0)
-			return others[i][2];
-	return NULL;
-}
-
 int one_of(const char *const *names, const char *what, const char *word)
 {
-	char all[80] = "";
+	char all[LISTED];
 
-	for (int i = 0; names[i] != NULL; i++) {
+	for (int i = 0; names[i] != NULL; i++)
 		if (strcmp(names[i], word) == 0)
 			return i;
-		if (i > 0)
-			strcat(all, names[i + 1] == NULL ? " or " : ", ");
-		strcat(all, names[i]);
-	}
 	const char *near = called(what, word);
 
 	if (near == NULL)
@@ -57,7 +26,8 @@ int one_of(const char *const *names, const char *what, const char *word)
 	if (near != NULL)
 		die(EXIT_USAGE, "unknown %s '%s'; did you mean '%s'?", what,
 		    word, near);
-	die(EXIT_USAGE, "unknown %s '%s'; it is one of %s", what, word, all);
+	die(EXIT_USAGE, "unknown %s '%s'; it is one of %s", what, word,
+	    list_words(all, names, " or ", ""));
 }
 
 int whole_number(const char *option, const char *word, int min, int max)

@@ -3,6 +3,8 @@
 #ifndef COMMAND_H
 #define COMMAND_H
 
+#include <string.h>
+
 #include "scene/document.h"
 
 struct options;
@@ -43,6 +45,16 @@ void run_trace(const struct command *, const struct options *);
 void run_pick(const struct command *, const struct options *);
 void run_fit(const struct command *, const struct options *);
 void run_inspect(const struct command *, const struct options *);
+
+/* The command of that name, or NULL: in a table that a name of NULL ends. */
+static inline const struct command *find_command(const struct command *c,
+    const char *name)
+{
+	for (; c->name != NULL; c++)
+		if (strcmp(name, c->name) == 0)
+			return c;
+	return NULL;
+}
 
 static inline bool command_reads_points(const struct command *c)
 {

@@ -17,11 +17,13 @@ static void heading(const char *text)
 	    colored ? "\033[0m" : "");
 }
 
-static void example(const char *call)
+/* A command, if that is not NULL, and what stands behind it. */
+static void example(const char *command, const char *call)
 {
 	printf("\n");
 	heading("example:");
-	printf(" projcalc %s\n", call);
+	printf(" projcalc %s%s%s\n", command != NULL ? command : "",
+	    command != NULL ? " " : "", call);
 }
 
 enum { NAME_WIDTH = 15, TYPE_WIDTH = 23 };
@@ -101,11 +103,7 @@ static void print_options(const struct command *c)
 static void print_params(const struct command *c)
 {
 	const struct document_wants *w = &c->wants;
-	unsigned scene = w->used | w->flat | SCENE_CONVENTION |
-	    (w->flat != 0 ? SCENE_DEVICE : 0);
 
-	if (c->kind != PLANAR)
-		scene |= SCENE_ANGLE_UNIT;
 	for (int i = 0; scene_members[i].name != NULL; i++) {
 		const struct member *row = &scene_members[i];
 
@@ -118,7 +116,7 @@ static void print_params(const struct command *c)
 	}
 	printf("\n");
 	heading("scene:\n");
-	print_scene_members(scene);
+	print_scene_members(document_reads(w));
 	printf("projcalc help NAME tells of a member that is an object.\n");
 }
 
@@ -134,12 +132,8 @@ void help_command(const struct command *c)
 	print_options(c);
 	if (c->kind != HELP)
 		print_params(c);
-	if (c->example != NULL) {
-		char call[1024];
-
-		snprintf(call, sizeof call, "%s %s", c->name, c->example);
-		example(call);
-	}
+	if (c->example != NULL)
+		example(c->name, c->example);
 }
 
 static void help_scene_member(const struct member *row)
@@ -155,7 +149,18 @@ static void help_scene_member(const struct member *row)
 		printf("\n");
 	if (row->members != NULL)
 		print_members(row->members, -1);
-	example(row->command);
+	example(NULL, row->command);
+}
+
+/* The first object that has a member of that name, or with that alias; or NULL. */
+static const struct member *object_with(const char *name, bool alias)
+{
+	for (const struct member *s = scene_members; s->name != NULL; s++)
+		if (s->members != NULL &&
+		    (alias ? member_named(s->members, ANY_KIND, name) :
+			     member_of(s->members, ANY_KIND, name)) != NULL)
+			return s;
+	return NULL;
 }
 
 bool help_member(const char *name)
@@ -166,15 +171,10 @@ bool help_member(const char *name)
 		print_scene_members(~0u);
 		return true;
 	}
-	for (row = scene_members; row->name != NULL; row++)
-		if (strcmp(row->name, name) == 0)
-			break;
-	for (const struct member *s = scene_members;
-	     row->name == NULL && s->name != NULL; s++)
-		if (s->members != NULL &&
-		    member_named(s->members, name) != NULL)
-			row = s;
-	if (row->name == NULL)
+	row = member_named(scene_members, ANY_KIND, name);
+	for (int aliases = 0; row == NULL && aliases < 2; aliases++)
+		row = object_with(name, aliases);
+	if (row == NULL)
 		return false;
 	help_scene_member(row);
 	return true;

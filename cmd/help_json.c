@@ -106,7 +106,7 @@ static void put_command(const struct command *c)
 			put_string(r->name);
 	close_bracket("]");
 	if (c->kind != HELP) {
-		put_members_of("reads", c->wants.used);
+		put_members_of("reads", document_reads(&c->wants));
 		put_members_of("needs", c->wants.needed);
 		put_members_of("alone", c->wants.bare);
 	}

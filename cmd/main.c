@@ -11,6 +11,7 @@
 #include "operands.h"
 #include "params.h"
 #include "points/answer.h"
+#include "scene/examples.h"
 #include "stack.h"
 #include "talk.h"
 
@@ -18,11 +19,6 @@
 
 /* clang-format off */
 
-#define CAMERA_LIKE "\"camera\": {\"eye\": [0,0,-5], \"at\": [0,0,0]}"
-#define LENS_LIKE "{\"type\": \"persp\", \"fovy\": 60, \"near\": 1, \"far\": 10}"
-#define SCENE_LIKE "'{" CAMERA_LIKE ", \"projection\": " LENS_LIKE               \
-	", \"viewport\": {\"width\": 640, \"height\": 480}}'"
-#define WINDOW_LIKE "{\"center\": [20,30], \"width\": 10, \"height\": 10}"
 #define DEVICE_LIKE "{\"width\": 300, \"height\": 300}"
 #define FLAT_LIKE "'{\"window\": " WINDOW_LIKE                                 \
 	", \"device\": " DEVICE_LIKE "}'"
@@ -83,16 +79,16 @@ static const struct command commands[] = {
 	{ "project", "points from any space to any other",
 	    PROJECT, run_project,
 	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS },
-	    .example = SCENE_LIKE " '[[0,0,0], [1,1,1]]'" },
+	    .example = "'" SCENE_LIKE "' '[[0,0,0], [1,1,1]]'" },
 	{ "trace", "where points are in every space, and what they are outside of",
 	    TRACE, run_trace,
 	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS },
-	    .example = SCENE_LIKE " '[1,1,1]'" },
+	    .example = "'" SCENE_LIKE "' '[1,1,1]'" },
 	{ "pick", "points within a radius of a device position, nearest first",
 	    PICK, run_pick,
 	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS | SCENE_PICK },
-	    .example = "--at 320,240 --radius 3 " SCENE_LIKE
-		" '[[0,0,0], [1,1,1]]'" },
+	    .example = "--at 320,240 --radius 3 '" SCENE_LIKE
+		"' '[[0,0,0], [1,1,1]]'" },
 	{ "fit", "a scene completed to hold bounds or points and no more",
 	    FIT, run_fit,
 	    .wants = { .needed = SCENE_PROJECTION, .fit = true,
@@ -105,7 +101,7 @@ static const struct command commands[] = {
 	    "what the projection or 2D window is: angles, edges, error bounds",
 	    INSPECT, run_inspect,
 	    .wants = { .flat = SCENE_WINDOW, .used = SCENE_SPATIAL },
-	    .example = SCENE_LIKE },
+	    .example = "'" SCENE_LIKE "'" },
 	{ "help", "what a command does, or a member of a scene says", HELP,
 	    .example = "camera" },
 	{ .name = NULL },
@@ -120,18 +116,10 @@ static _Noreturn void finish(void)
 	exit(EXIT_OK);
 }
 
-static const struct command *find_command(const char *name)
-{
-	for (const struct command *c = commands; c->name != NULL; c++)
-		if (strcmp(name, c->name) == 0)
-			return c;
-	return NULL;
-}
-
 static _Noreturn void help(const struct options *o)
 {
 	const char *what = o->params;
-	const struct command *c = find_command(what);
+	const struct command *c = find_command(commands, what);
 
 	if (o->n_points > 0)
 		die(EXIT_USAGE, "help: one word at a time; '%s' is too many",
@@ -170,7 +158,8 @@ int main(int argc, char **argv)
 		die(EXIT_USAGE, "no command; 'projcalc help' lists them");
 	if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)
 		argv[1] = "help";
-	const struct command *c = call.command = find_command(argv[1]);
+	const struct command *c = call.command = find_command(commands,
+	    argv[1]);
 
 	o->version = strcmp(argv[1], "--version") == 0;
 	if (c == NULL && !o->version)

@@ -17,8 +17,6 @@ static void set_transform(const struct command *c, const struct options *o,
 	if (planes)
 		document_check(d,
 		    flat_frustum_of(s, (enum flat)c->from, &j->frustum));
-	j->flags = o->flags;
-	j->visible = o->visible;
 	j->count_imageless = !planes;
 }
 
@@ -42,6 +40,5 @@ void run_matrix(const struct command *c, const struct options *o)
 		return;
 	}
 	prepare_job(&j, o);
-	j.layout.flags = o->flags;
 	do_points(o, &d, &j);
 }

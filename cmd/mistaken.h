@@ -24,6 +24,6 @@ const char *mistaken_option(const char *name);
 /* Refuses operands that can't be opened, and PARAMS and POINTS that have traded
  * places. */
 void mistaken_params(const struct command *, const struct options *);
-void mistaken_points(const struct options *, int i);
+void mistaken_points(const struct command *, const struct options *, int i);
 
 #endif

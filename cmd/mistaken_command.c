@@ -48,14 +48,8 @@ static const struct {
 	{ "-v", "--version" },
 };
 
-enum { NAMES_MAX = 64 };
-
-static bool is_command(const struct command *c, const char *word)
-{
-	while (c->name != NULL && strcmp(c->name, word) != 0)
-		c++;
-	return c->name != NULL;
-}
+/* Commands, members of a scene, and theirs. */
+enum { NAMES_MAX = 200 };
 
 static _Noreturn void unknown(const char *word, const char *const *names)
 {
@@ -73,22 +67,26 @@ static _Noreturn void unknown(const char *word, const char *const *names)
 	    word);
 }
 
-/* The command that reads what is typed: its first member says which. */
+/* The command that reads what is typed: its first member says which. Those of a scene
+ * that leads from model space to the device are for project, as are any scene's. */
 static const char *command_of(const char *typed)
 {
+	const unsigned any = SCENE_SPATIAL | SCENE_CONVENTION |
+	    SCENE_ANGLE_UNIT | SCENE_POINTS;
+	const struct member *row, *s;
 	char name[64] = "";
 	static char word[64];
 
 	sscanf(typed, " { \"%63[a-z_]", name);
-	for (const struct member *s = scene_members; s->name != NULL; s++)
-		if (strcmp(s->name, name) == 0)
-			return "project";
-	for (const struct member *s = scene_members; s->name != NULL; s++)
-		if (s->members != NULL && member_named(s->members, name)) {
-			sscanf(s->command, "%63s", word);
-			return word;
-		}
-	return "project";
+	row = member_of(scene_members, ANY_KIND, name);
+	if (row != NULL && (1u << (row - scene_members) & any) != 0)
+		return "project";
+	for (s = scene_members; row == NULL && s->name != NULL; s++)
+		if (s->members != NULL &&
+		    member_named(s->members, ANY_KIND, name) != NULL)
+			row = s;
+	sscanf(row != NULL ? row->command : "project", "%63s", word);
+	return word;
 }
 
 /* Whether a word is rather an operand. */
@@ -109,11 +107,16 @@ void mistaken_command(const struct command *commands, char **words)
 		names[n++] = c->name;
 	for (char **w = words + 1; *w != NULL; w++)
 		if ((**words == '-' || is_operand(*words)) &&
-		    is_command(commands, *w))
+		    find_command(commands, *w) != NULL)
 			die(EXIT_USAGE,
 			    "'%s' stands before the command; write projcalc "
 			    "%s %s ...",
 			    *words, *w, *words);
+	if (first_char(*words) == '[')
+		die(EXIT_USAGE,
+		    "'%s' is no command; write projcalc project scene.json "
+		    "'%s', or what 'projcalc help' lists",
+		    *words, *words);
 	if (is_operand(*words))
 		die(EXIT_USAGE,
 		    "'%s' is no command; write projcalc %s %s, or what "
@@ -130,7 +133,11 @@ void mistaken_topic(const struct command *commands, const char *word)
 
 	for (const struct command *c = commands; c->name != NULL; c++)
 		names[n++] = c->name;
-	for (const struct member *m = scene_members; m->name != NULL; m++)
-		names[n++] = m->name;
+	for (const struct member *s = scene_members; s->name != NULL; s++)
+		names[n++] = s->name;
+	for (const struct member *s = scene_members; s->name != NULL; s++)
+		for (const struct member *m = s->members;
+		     m != NULL && m->name != NULL && n + 1 < NAMES_MAX; m++)
+			names[n++] = m->name;
 	unknown(word, names);
 }

@@ -11,51 +11,71 @@
 #include "talk.h"
 #include "typed.h"
 
-enum { GLANCE_MAX = 256 };
+enum { GLANCE_MAX = 4096 };
 
-/* The beginning of a regular file, or what is typed, without blanks before it;
- * "" for what can be read but once, or not at all. Returns out. */
+/* Reads a regular file until there is more than blanks. Returns where that is in out,
+ * or NULL. */
+static const char *glance_into(const char *name, char out[GLANCE_MAX])
+{
+	int fd = open_input(name);
+	size_t blank = 0;
+	ssize_t n;
+
+	do {
+		n = read(fd, out, GLANCE_MAX - 1);
+		out[n > 0 ? n : 0] = '\0';
+		blank = strncmp(out, "\xef\xbb\xbf", 3) == 0 ? 3 : 0;
+		blank += strspn(out + blank, " \t\r\n");
+	} while (n > 0 && blank == (size_t)n);
+	close_input(fd);
+	return n > 0 ? out + blank : NULL;
+}
+
+/* The beginning of a file, or what is typed, without blanks before it; NULL for what
+ * can be read but once, or not at all, and what is blank. */
 static const char *glance(const char *name, char out[GLANCE_MAX])
 {
 	char typed = first_char(name);
 	struct stat st;
-	ssize_t n = 0;
 
-	snprintf(out, GLANCE_MAX, "%s", name);
-	if (typed != '{' && typed != '[') {
-		if (!is_stdin(name) && stat(name, &st) == 0 &&
-		    S_ISREG(st.st_mode) && access(name, R_OK) == 0) {
-			int fd = open_input(name);
-
-			n = read(fd, out, GLANCE_MAX - 1);
-			close_input(fd);
-		}
-		out[n > 0 ? n : 0] = '\0';
-	}
-	if (strncmp(out, "\xef\xbb\xbf", 3) == 0)
-		out += 3;
-	return out + strspn(out, " \t\r\n");
+	if (typed == '{' || typed == '[')
+		return strchr(name, typed);
+	if (is_stdin(name))
+		return NULL;
+	if (stat(name, &st) != 0)
+		return name;
+	return S_ISREG(st.st_mode) && access(name, R_OK) == 0 ?
+	    glance_into(name, out) :
+	    NULL;
 }
 
-/* PARAMS that are points, and POINTS that are a scene or are not there. */
+/* PARAMS that are points, where POINTS are a scene, which objects of JSON need not
+ * be. What is wrong with PARAMS alone is seen when they are read. */
 static void check_traded(const struct command *c, const struct options *o)
 {
-	char first[GLANCE_MAX], second[GLANCE_MAX];
+	char first[GLANCE_MAX], second[GLANCE_MAX], list[200] = "";
 	const char *params = glance(o->params, first);
-	const char *points = o->n_points > 0 ? o->points[0] : "scene.json";
-	const char *quote = *params == '[' ? "'" : "";
+	const char *points = o->n_points > 0 ? glance(o->points[0], second) :
+					       NULL;
 
-	if (*params == '{' || (*params == '\0' && access(o->params, F_OK) == 0))
+	if (params == NULL || *params == '{' || points == NULL ||
+	    *points != '{' || (o->in == FORMAT_JSON && !is_numbers(params)))
 		return;
-	if (o->n_points > 0 ? *glance(points, second) != '{' :
-			      strpbrk(params, "{[\"") != NULL)
-		return;
-	if (first_char(points) == '{')
-		points = "'{...}'";
+	bool file = access(o->params, F_OK) == 0;
+
+	if (!file)
+		add_numbers(list, 0, sizeof list, params);
+	points = first_char(o->points[0]) == '{' ? "'{...}'" : o->points[0];
+	if (!command_reads_points(c))
+		die(EXIT_USAGE,
+		    "'%s' holds points, and %s reads none; write projcalc %s "
+		    "%s",
+		    o->params, c->name, c->name, points);
 	die(EXIT_USAGE,
 	    "'%s' holds points, and the scene comes first; write projcalc %s "
 	    "%s %s%s%s",
-	    o->params, c->name, points, quote, o->params, quote);
+	    o->params, c->name, points, file ? "" : "'[",
+	    file ? o->params : list, file ? "" : "]'");
 }
 
 /* JSON that the shell has taken apart: {"eye": [0,0,5]} without quotes. */
@@ -109,13 +129,14 @@ static void write_points(char *out, size_t room, char **words)
 	}
 }
 
-void mistaken_points(const struct options *o, int i)
+void mistaken_points(const struct command *c, const struct options *o, int i)
 {
 	const char *name = o->points[i];
 	const struct place place = { .file = name };
 	struct stat st;
-	char list[200] = "0,0,0";
+	char list[200];
 
+	strcpy(list, c->kind == PLANAR ? "0,0" : "0,0,0");
 	if (stat(name, &st) == 0 && S_ISDIR(st.st_mode))
 		die_at(EXIT_USAGE, &place, "is a directory");
 	if (access(name, R_OK) == 0)

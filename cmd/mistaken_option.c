@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "escape.h"
 #include "mistaken.h"
 #include "scene/members.h"
 #include "talk.h"
@@ -16,15 +17,17 @@ static void write_value(char out[VALUE_MAX], const struct member *m,
 {
 	char list[VALUE_MAX - 4] = "";
 
-	if (*text == '\0')
-		snprintf(out, VALUE_MAX, "%s",
-		    m->example != NULL ? m->example : "...");
-	else if (strcmp(text, "true") == 0 || strcmp(text, "false") == 0 ||
-	    strchr("[{", *text) != NULL)
+	snprintf(out, VALUE_MAX, "%s", m->example != NULL ? m->example : "...");
+	if (m->read == read_flag)
+		strcpy(out, strcmp(text, "false") == 0 ? "false" : "true");
+	else if (*text == '\0')
+		return;
+	else if (strchr("[{", *text) != NULL)
 		snprintf(out, VALUE_MAX, "%s", text);
-	else if (!is_numbers(text))
-		snprintf(out, VALUE_MAX, "\"%.*s\"", VALUE_MAX - 3, text);
-	else if (add_numbers(list, 0, sizeof list, text) > 0)
+	else if (!is_numbers(text)) {
+		escape_json(list, sizeof list, text, strlen(text));
+		snprintf(out, VALUE_MAX, "\"%s\"", list);
+	} else if (add_numbers(list, 0, sizeof list, text) > 0)
 		snprintf(out, VALUE_MAX,
 		    strchr(list, ',') != NULL ? "[%s]" : "%s", list);
 }
@@ -36,9 +39,19 @@ static void name_of(char out[64], const char *word)
 	snprintf(out, 64, "%.*s", (int)strcspn(word, "="), word);
 }
 
+/* Whether a word behind an option may be its value: JSON, or a word, which the name of
+ * a file, such as scene.json, is not. */
+static bool is_value(const struct member *m, const char *word)
+{
+	if (m->read == read_flag)
+		return strcmp(word, "true") == 0 || strcmp(word, "false") == 0;
+	return strchr("[{", *word) != NULL ||
+	    (*word != '-' && strpbrk(word, "./ ") == NULL);
+}
+
 /* The text behind it: after =, or the next word, or as many as are of numbers.
  * Returns where the words go on. */
-static char **text_of(char out[VALUE_MAX], char **words)
+static char **text_of(char out[VALUE_MAX], const struct member *m, char **words)
 {
 	const char *equals = strchr(*words++, '=');
 	size_t at = 0;
@@ -46,58 +59,65 @@ static char **text_of(char out[VALUE_MAX], char **words)
 	snprintf(out, VALUE_MAX, "%s", equals != NULL ? equals + 1 : "");
 	if (equals != NULL || *words == NULL)
 		return words;
-	if (!is_numbers(*words) && **words != '-')
-		snprintf(out, VALUE_MAX, "%s", *words++);
-	else
+	if (m->read == read_flag || !is_numbers(*words)) {
+		if (is_value(m, *words))
+			snprintf(out, VALUE_MAX, "%s", *words++);
+	} else {
 		while (*words != NULL && is_numbers(*words))
 			at = add_numbers(out, at, VALUE_MAX, *words++);
+	}
 	return words;
 }
 
-/* In the object's table. */
-static const struct member *find_in(const struct member *object,
-    const char *name, bool exact)
+/* The member that is called so, or where aliases is true is so by others, in one of
+ * the objects that bits are; or such an object itself. A projection's is one of that
+ * kind. The later object has it rather: the viewport its width, the projection has
+ * another. */
+static const struct member *find_in(unsigned bits, int kind, const char *name,
+    bool aliases, const struct member **object)
 {
-	const struct member *m = object->members != NULL ?
-	    member_named(object->members, name) :
-	    NULL;
+	for (int k = 31; k >= 0; k--) {
+		const struct member *s = *object = &scene_members[k], *m;
 
-	if (strcmp(name, object->name) == 0)
-		return object;
-	return m != NULL && exact && strcmp(m->name, name) != 0 ? NULL : m;
+		if ((bits >> k & 1) == 0)
+			continue;
+		if (strcmp(name, s->name) == 0)
+			return s;
+		m = s->members == NULL ? NULL :
+		    aliases            ? member_named(s->members, kind, name) :
+					 member_of(s->members, kind, name);
+		if (m != NULL)
+			return m;
+	}
+	return NULL;
 }
 
-/* Finds a member of that name: in the object that the command reads alone; in
- * another that it reads, width rather in the viewport than in the projection before
- * it, eye rather in the camera than in a kind of projection; and, where that need
- * not be its exact name, in any. *object is the scene's member that has it, or is
- * it. */
+/* Finds a member of that name: in the object that the command reads alone; in others
+ * that it reads; and, where that need not be its exact name, in the camera, which is
+ * what others give options for, and then anywhere. *object is the scene's member
+ * that has it, or is it. */
 static const struct member *find(const struct command *c, const char *name,
     bool exact, const struct member **object)
 {
+	const struct document_wants *w = &c->wants;
 	/* project --at is rather meant for pick than for the camera */
-	const unsigned bits[] = { c->wants.bare,
-		c->wants.used & (exact ? ~(unsigned)SCENE_SPATIAL : ~0u), ~0u };
-	const struct member *m;
+	const unsigned used = w->used & ~(exact ? (unsigned)SCENE_SPATIAL : 0u);
+	const int own = w->projection > 0 ? w->projection - 1 : 0;
+	const struct {
+		unsigned bits;
+		int kind;
+	} tries[] = { { w->bare, own }, { used, own },
+		{ document_reads(w), own }, { SCENE_CAMERA, own },
+		{ SCENE_SPATIAL, own }, { used, ANY_KIND },
+		{ SCENE_ALL, ANY_KIND } };
+	const struct member *m = NULL;
 
-	for (int i = 0; i < (exact ? 2 : 3); i++) {
-		for (int k = 31; i == 1 && k >= 0; k--) {
-			if ((bits[i] >> k & 1) == 0)
-				continue;
-			*object = &scene_members[k];
-			if ((*object)->members != NULL &&
-			    member_bit((*object)->members, 0, name) != 0)
-				return find_in(*object, name, true);
-		}
-		for (int k = 0; scene_members[k].name != NULL; k++) {
-			*object = &scene_members[k];
-			m = bits[i] >> k & 1 ? find_in(*object, name, exact) :
-					       NULL;
-			if (m != NULL)
-				return m;
-		}
-	}
-	return NULL;
+	for (int i = 0; m == NULL && i < (exact ? 2 : 7); i++)
+		for (int aliases = 0; m == NULL && aliases < 2 - exact;
+		     aliases++)
+			m = find_in(tries[i].bits, tries[i].kind, name, aliases,
+			    object);
+	return m;
 }
 
 /* The command for the kind of projection that has the member. */
@@ -129,7 +149,7 @@ static void write_members(char *out, size_t room, const struct command *c,
 		if (m == NULL || (object != NULL && other != object))
 			break;
 		object = other;
-		words = text_of(text, words);
+		words = text_of(text, m, words);
 		write_value(value, m, text);
 		if (at < room)
 			at += (size_t)snprintf(out + at, room - at,
@@ -157,12 +177,12 @@ void mistaken_member(const struct command *c, char **words, bool exact)
 		    "%s: unknown option %.*s%s; POINTS stand after PARAMS: "
 		    "projcalc %s scene.json points.txt",
 		    c->name, dashes, *words, name, c->name);
-	if ((c->wants.used & bit) == 0 && !(bit & SCENE_CONVENTION))
+	if ((document_reads(&c->wants) & bit) == 0)
 		die(EXIT_USAGE,
-		    "%s: unknown option %.*s%s; \"%s\" is a member of the "
-		    "scene that %s does not read; 'projcalc help %s' tells of "
-		    "it",
-		    c->name, dashes, *words, name, object->name, c->name,
+		    "%s: unknown option %.*s%s; \"%s\" is a member of the %s "
+		    "that %s does not read; 'projcalc help %s' tells of it",
+		    c->name, dashes, *words, name, m->name,
+		    m == object ? "scene" : object->name, c->name,
 		    object->name);
 	write_members(members, sizeof members, c, words);
 	die(EXIT_USAGE,

@@ -75,3 +75,30 @@ const char *nearest(const char *word, const char *const *words)
 	}
 	return best;
 }
+
+const char *called(const char *what, const char *word)
+{
+	static const char *const others[][3] = {
+		{ "convention", "opengl", "gl" },
+		{ "convention", "directx", "d3d" },
+		{ "convention", "direct3d", "d3d" },
+		{ "convention", "metal", "webgpu" },
+		{ "space", "pixels", "device" },
+		{ "space", "screen", "device" },
+		{ "space", "image", "device" },
+		{ "space", "camera", "view" },
+		{ "space", "eye", "view" },
+		{ "space", "object", "model" },
+		{ "space", "local", "model" },
+		{ "format", "txt", "text" },
+		{ "format", "double", "f64" },
+		{ "format", "float", "f32" },
+		{ "precision", "float", "single" },
+	};
+
+	for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+		if (strcmp(others[i][0], what) == 0 &&
+		    strcasecmp(others[i][1], word) == 0)
+			return others[i][2];
+	return NULL;
+}

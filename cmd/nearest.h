@@ -10,4 +10,8 @@
  * in three letters at least; else NULL. Upper case counts as lower case. */
 const char *nearest(const char *word, const char *const *words);
 
+/* What others call by that word, of whatever case, or NULL: of a convention, space,
+ * format or precision, as what says. */
+const char *called(const char *what, const char *word);
+
 #endif

@@ -29,7 +29,7 @@ void check_operands(const struct command *c, const struct options *o)
 				"name a file for one of them" :
 				"standard input is named twice");
 		if (!is_stdin(name) && first_char(name) != '[')
-			mistaken_points(o, i);
+			mistaken_points(c, o, i);
 	}
 }
 
@@ -185,6 +185,7 @@ void prepare_job(struct job *j, const struct options *o)
 		.columns = o->columns,
 		.reads = j->rays ? ray_reads : j->transform.in,
 		.writes = j->rays ? ray_writes : j->transform.out,
+		.flags = o->flags,
 		.single = o->precision == PRECISION_SINGLE,
 	};
 	j->layout.columns.by_header = o->columns.n == 0;
@@ -193,6 +194,8 @@ void prepare_job(struct job *j, const struct options *o)
 	j->accuracy = (struct accuracy){ .precision = o->precision };
 	if (o->tolerances.n > 0)
 		set_tolerances(j, &o->tolerances);
+	j->flags = o->flags;
+	j->visible = o->visible;
 	j->keep_going = o->keep_going;
 	j->threads = o->jobs > 0 ? o->jobs : threads_processors();
 	progress_start(o->progress);

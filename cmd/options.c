@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "escape.h"
+#include "json/value.h"
 #include "mistaken.h"
 #include "nearest.h"
 #include "scene/convention_member.h"
@@ -245,28 +246,54 @@ void options_first(char **words)
 	}
 }
 
-/* word is a letter with its dash or, with others behind it, words[0]. */
-static _Noreturn void refuse_unknown(const struct command *c, const char *word,
-    char **words)
+/* The command's options, or where name is not NULL those that begin with it. */
+static int names_of(const struct command *c, const char *name,
+    const char *names[ROWS + 1])
 {
-	const char *names[ROWS + 1], *near = NULL;
 	int n = 0;
 
 	for (const struct option_row *r = option_rows; r->name != NULL; r++)
-		if (option_is_for(r, c))
+		if (option_is_for(r, c) &&
+		    (name == NULL || strncmp(r->name, name, strlen(name)) == 0))
 			names[n++] = r->name;
 	names[n] = NULL;
-	if (strlen(word) > 2) {
+	return n;
+}
+
+static _Noreturn void refuse_letter(const struct command *c, char letter)
+{
+	char shown[ESCAPED_MAX];
+
+	die(EXIT_USAGE, "%s: unknown option -%s; 'projcalc help %s' lists them",
+	    c->name, escaped(shown, &letter, 1), c->name);
+}
+
+/* words[0] is "--name" or "--name=value". */
+static _Noreturn void refuse_name(const struct command *c, char **words)
+{
+	const char *names[ROWS + 1] = { NULL }, *near;
+	const char *word = *words + 2;
+	const int n = (int)strcspn(word, "=");
+	char name[64], list[LISTED];
+
+	snprintf(name, sizeof name, "%.*s", n, word);
+	if (*name != '\0' && names_of(c, name, names) > 1)
+		die(EXIT_USAGE, "%s: --%s may be %s; write more of it", c->name,
+		    name, list_words(list, names, " or ", ""));
+	near = names[0];
+	if (near == NULL)
 		mistaken_member(c, words, false);
-		near = mistaken_option(word + 2);
-		if (near == NULL)
-			near = nearest(word + 2, names);
-	}
+	if (near == NULL)
+		near = mistaken_option(name);
+	names_of(c, NULL, names);
+	if (near == NULL)
+		near = nearest(name, names);
 	if (near != NULL)
-		die(EXIT_USAGE, "%s: unknown option %s; did you mean --%s?",
-		    c->name, word, near);
-	die(EXIT_USAGE, "%s: unknown option %s; 'projcalc help %s' lists them",
-	    c->name, word, c->name);
+		die(EXIT_USAGE, "%s: unknown option --%.*s; did you mean --%s?",
+		    c->name, n, word, near);
+	die(EXIT_USAGE,
+	    "%s: unknown option --%.*s; 'projcalc help %s' lists them", c->name,
+	    n, word, c->name);
 }
 
 /* Refuses an option's name, or a member's, behind a single dash: "-to", which
@@ -320,24 +347,33 @@ static const struct option_row *row_of(int got)
 	return NULL;
 }
 
-/* Refuses what getopt_long could not take: got is '?' for an unknown option,
- * ':' for a missing argument. optopt is the option's letter, or 0 for an
- * unknown name, which is the last word. A letter is called by itself, as it may be
- * one of several in a word that getopt_long is still in: -mx. */
+/* The word whose letter getopt_long has refused: it goes on with it, or has gone past
+ * it if that was its last. */
+static char **word_with(char letter, char **next)
+{
+	const char *before = next[-1];
+	bool past = *before == '-' && before[1] != '-' &&
+	    before[strlen(before) - 1] == letter;
+
+	return past ? next - 1 : next;
+}
+
+/* Refuses what getopt_long could not take, before argv[optind]: got is ':' for a missing
+ * argument. optopt is the option's letter or LONG + its row, or 0 for an unknown
+ * name. A letter is called by itself, as it may be one of several in a word: -mx. */
 static _Noreturn void refuse(const struct command *c, int got, char **argv)
 {
-	const struct option_row *r = row_of(optopt);
-	const char letter = r != NULL ? r->letter : (char)optopt;
-	char shown[ESCAPED_MAX], short_word[ESCAPED_MAX + 1];
-	const char *word = letter != '\0' ? short_word : argv[optind - 1];
+	const char letter = (char)optopt;
 
-	snprintf(short_word, sizeof short_word, "-%s",
-	    escaped(shown, &letter, 1));
+	if (optopt >= LONG)
+		die(EXIT_USAGE, "%s: --%s %s argument", c->name,
+		    row_of(optopt)->name, got == ':' ? "needs an" : "takes no");
 	if (got == ':')
-		die(EXIT_USAGE, "%s: %s needs an argument", c->name, word);
-	if (letter != '\0')
-		check_dash(c, argv + optind);
-	refuse_unknown(c, word, argv + optind - 1);
+		die(EXIT_USAGE, "%s: -%c needs an argument", c->name, letter);
+	if (letter == '\0')
+		refuse_name(c, argv + optind - 1);
+	check_dash(c, word_with(letter, argv + optind));
+	refuse_letter(c, letter);
 }
 
 /* Says for which commands an option is. */
@@ -348,21 +384,15 @@ static _Noreturn void refuse_here(const struct command *c,
 	static const char *const names[] = { "the 3D matrix commands",
 		"project", "pick", "fit", "inspect", "trace", "the 2D commands",
 		"help" };
-	char list[160];
-	size_t n = 0;
+	const char *takers[sizeof names / sizeof *names + 1] = { NULL };
+	char list[LISTED];
+	int n = 0;
 
-	for (unsigned i = 0; i < sizeof names / sizeof *names; i++) {
-		unsigned more = r->commands >> i >> 1;
-
+	for (unsigned i = 0; i < sizeof names / sizeof *names; i++)
 		if (r->commands >> i & 1)
-			n += (size_t)snprintf(list + n, sizeof list - n, "%s%s",
-			    names[i],
-			    more == 0                    ? "" :
-				(more & (more - 1)) == 0 ? " and " :
-							   ", ");
-	}
+			takers[n++] = names[i];
 	die(EXIT_USAGE, "%s: --%s is not for this command; it is for %s",
-	    c->name, r->name, list);
+	    c->name, r->name, list_words(list, takers, " and ", ""));
 }
 
 /* next is the word behind the option and its argument, optarg. */

@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "params.h"
 
-#include <ctype.h>
 #include <string.h>
 
 #include "input.h"
 #include "talk.h"
+#include "typed.h"
 
 enum { DOCUMENT_MAX = 1 << 28 };
+
+#define MARK "\xef\xbb\xbf"
 
 static struct {
 	const char *name;
@@ -71,7 +73,7 @@ static void skip_spaces(void)
 	for (;;) {
 		if (s < end && is_space(*s))
 			params.line += *s++ == '\n';
-		else if (end - s >= 3 && memcmp(s, "\xef\xbb\xbf", 3) == 0)
+		else if (end - s >= 3 && memcmp(s, MARK, 3) == 0)
 			s += 3;
 		else
 			break;
@@ -79,11 +81,23 @@ static void skip_spaces(void)
 	params.begin = params.end = (size_t)(s - params.text.s);
 }
 
+/* Whether what is left may become a byte order mark. */
+static bool is_mark_begun(void)
+{
+	size_t left = params.text.have - params.begin;
+
+	return left > 0 && left < 3 &&
+	    memcmp(params.text.s + params.begin, MARK, left) == 0;
+}
+
 /* Looks on for the end of the document; false where that hasn't been read yet. */
 static bool find_end(void)
 {
-	if (params.end == params.begin)
+	if (params.end == params.begin) {
 		skip_spaces();
+		if (is_mark_begun())
+			return false;
+	}
 	while (params.end < params.text.have) {
 		char c = params.text.s[params.end];
 
@@ -115,8 +129,10 @@ static bool next_scene(void)
 	params.quoted = params.escaped = false;
 	say_scene((struct scene_place){ params.number, params.line });
 	while (!find_end())
-		if (!more())
+		if (!more()) {
+			params.end = params.text.have;
 			return params.begin < params.end;
+		}
 	return true;
 }
 
@@ -135,21 +151,39 @@ bool params_next(const struct options *o)
 	return found;
 }
 
-/* Points that are piped to a call without a scene. */
-static void check_points(void)
+/* Copies the first line that is not blank or, as points may have it, a comment, as far
+ * as there is room. */
+static void first_line(char *out, size_t room)
 {
-	const char *s = params.text.s;
+	const char *s = params.text.s + params.begin;
+	const char *end = params.text.s + params.end;
+	size_t n = 0;
 
-	for (size_t i = params.begin; i < params.end; i++) {
-		if (isdigit((unsigned char)s[i]))
-			die_at(EXIT_INPUT,
-			    &(struct place){ .file = params.name },
-			    "holds points, and a scene is wanted first; name "
-			    "its file: scene.json %s",
-			    params.name);
-		if (!is_space(s[i]) && s[i] != '-')
-			return;
+	while (s < end && (is_space(*s) || *s == '#')) {
+		const char *newline = memchr(s, '\n', (size_t)(end - s));
+
+		s = *s != '#' ? s + 1 : newline != NULL ? newline + 1 : end;
 	}
+	while (s < end && *s != '\n' && *s != '\r' && n + 1 < room)
+		out[n++] = *s++;
+	out[n] = '\0';
+}
+
+/* Points in place of a scene: the line is of numbers. */
+static void check_points(const struct document_wants *wants)
+{
+	const struct place place = { .file = params.name };
+	char line[200];
+
+	first_line(line, sizeof line);
+	if (*line == '[' || !is_numbers(line))
+		return;
+	if ((wants->used & SCENE_POINTS) == 0)
+		die_at(EXIT_INPUT, &place, "holds points; a scene is wanted");
+	die_at(EXIT_INPUT, &place,
+	    "holds points, and a scene is wanted first; name its file: "
+	    "scene.json %s",
+	    params.name);
 }
 
 void params_read(const struct options *o, const struct document_wants *wants,
@@ -157,13 +191,14 @@ void params_read(const struct options *o, const struct document_wants *wants,
 {
 	struct document_wants w = *wants;
 
-	w.line = params.line - 1;
 	while (!o->scenes && more())
 		continue;
 	if (!o->scenes) {
+		skip_spaces();
 		params.end = params.text.have;
-		check_points();
+		check_points(wants);
 	}
+	w.line = params.line - 1;
 	document_read(d, params.name, params.text.s + params.begin,
 	    params.end - params.begin, &w);
 	if (!o->scenes && d->points == NULL)

@@ -36,8 +36,6 @@ static void set_transform(const struct document *d, const struct options *o,
 	document_check(d,
 	    scene_transform(&d->scene, from, to, o->homogeneous,
 		&j->transform));
-	j->flags = o->flags;
-	j->visible = o->visible;
 	if (o->flags || o->visible)
 		document_check(d,
 		    frustum_of(&d->scene, from, o->homogeneous, &j->frustum));
@@ -68,6 +66,5 @@ void run_project(const struct command *c, const struct options *o)
 		return;
 	}
 	prepare_job(&j, o);
-	j.layout.flags = o->flags;
 	do_points(o, &d, &j);
 }

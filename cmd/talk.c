@@ -54,10 +54,17 @@ bool is_colored(int fd)
 	    strcmp(term, "dumb") != 0 && isatty(fd);
 }
 
-/* Longer messages, and places, are cut. */
-enum { MESSAGE_MAX = 4096, LINE_ROOM = 4 * MESSAGE_MAX };
+/* Longer messages, and places, are cut: no path that can be opened is as long. An
+ * escape takes up to six characters, and a line has three such texts, one of a
+ * message and two of its place, and less than a fourth of what is fixed. */
+enum {
+	MESSAGE_MAX = 4096,
+	ESCAPE_MAX = 6,
+	LINE_ROOM = 4 * ESCAPE_MAX * MESSAGE_MAX,
+};
 
-/* One line, which is written at once, as others may write there too. */
+/* One line, which is written at once, as others may write there too. It is too large
+ * for a thread's stack: the lock of stderr guards it. */
 struct buffer {
 	char s[LINE_ROOM];
 	size_t n;
@@ -100,8 +107,9 @@ static void write_text(int status, const struct place *p, const char *message)
 {
 	bool colored = is_colored(STDERR_FILENO);
 	static const char *const paint[] = { "\033[1m", "\033[1;31m" };
-	struct buffer raw = { .n = 0 }, line = { .n = 0 };
+	static struct buffer raw, line;
 
+	raw.n = line.n = 0;
 	if (p->join == NULL)
 		add_place(&raw, p);
 	add(&raw, "%s", message);
@@ -118,19 +126,22 @@ static void write_text(int status, const struct place *p, const char *message)
 static void add_string(struct buffer *t, const char *name, const char *s,
     size_t n)
 {
-	/* the five strings of a message fit into its line */
-	const size_t room = (LINE_ROOM - 512) / 5;
-
+	if (n > MESSAGE_MAX)
+		n = MESSAGE_MAX;
 	add(t, "%s\"%s\":\"", t->n > 1 ? "," : "", name);
-	t->n += escape_json(t->s + t->n, room, s, n);
+	t->n += escape_json(t->s + t->n, LINE_ROOM - t->n, s, n);
 	add(t, "\"");
 }
 
-static void write_json(int status, const struct place *p, const char *message)
+/* The reason is the message up to a hint. */
+static void write_json(int status, const struct place *p, const char *message,
+    size_t reason)
 {
-	const char *hint = strstr(message, "; ");
-	struct buffer t = { .s = "{", .n = 1 };
+	static struct buffer t;
+	size_t n = strlen(message);
 
+	t.n = 0;
+	add(&t, "{");
 	if (p->scene.number > 0)
 		add(&t, "\"scene\":%ld,\"scene_line\":%ld", p->scene.number,
 		    p->scene.line);
@@ -141,12 +152,50 @@ static void write_json(int status, const struct place *p, const char *message)
 		    p->line);
 	if (p->pointer != NULL && *p->pointer != '\0')
 		add_string(&t, "pointer", p->pointer, strlen(p->pointer));
-	add_string(&t, "reason", message,
-	    hint != NULL ? (size_t)(hint - message) : strlen(message));
-	if (hint != NULL)
-		add_string(&t, "hint", hint + 2, strlen(hint + 2));
+	add_string(&t, "reason", message, reason);
+	if (reason + 2 < n)
+		add_string(&t, "hint", message + reason + 2, n - reason - 2);
 	add(&t, ",\"status\":%d}\n", status);
 	fwrite(t.s, 1, t.n, stderr);
+}
+
+/* The first "; " of a message outside of quotes, or NULL. An apostrophe does not
+ * stand behind a blank. */
+static const char *find_hint(const char *message)
+{
+	char quote = '\0';
+
+	for (const char *s = message; *s != '\0'; s++)
+		if (quote != '\0')
+			quote = *s == quote ? '\0' : quote;
+		else if (strchr("'\"", *s) && (s == message || s[-1] == ' '))
+			quote = *s;
+		else if (strncmp(s, "; ", 2) == 0)
+			return s;
+	return NULL;
+}
+
+/* How long a message is up to its hint, if it has one. "; " of the format divides
+ * them, and none that the user wrote; only a message that was made elsewhere has to
+ * be looked at itself. */
+static size_t reason_length(const char *format, va_list args,
+    const char *message)
+{
+	const size_t all = strlen(message);
+	const char *hint = strstr(format, "; ");
+	char head[512];
+
+	if (strcmp(format, "%s") == 0) {
+		hint = find_hint(message);
+		return hint != NULL ? (size_t)(hint - message) : all;
+	}
+	if (hint == NULL || (size_t)(hint - format) >= sizeof head)
+		return all;
+	*stpncpy(head, format, (size_t)(hint - format)) = '\0';
+
+	size_t n = (size_t)vsnprintf(NULL, 0, head, args);
+
+	return n < all ? n : all;
 }
 
 static void print_line(int status, const struct place *place,
@@ -154,16 +203,22 @@ static void print_line(int status, const struct place *place,
 {
 	struct place p = { 0 };
 	char message[MESSAGE_MAX];
+	va_list again;
 
 	if (place != NULL)
 		p = *place;
 	if (p.scene.number == 0)
 		p.scene = scene;
+	va_copy(again, args);
 	vsnprintf(message, sizeof message, format, args);
+	flockfile(stderr);
 	if (json)
-		write_json(status, &p, message);
+		write_json(status, &p, message,
+		    reason_length(format, again, message));
 	else
 		write_text(status, &p, message);
+	funlockfile(stderr);
+	va_end(again);
 }
 
 void say_at(int status, const struct place *place, const char *format, ...)
@@ -185,26 +240,30 @@ static void be_last(void)
 		pause();
 }
 
+void vdie_at(int status, const struct place *place, const char *format,
+    va_list args)
+{
+	be_last();
+	print_line(status, place, format, args);
+	exit(status);
+}
+
 void die_at(int status, const struct place *place, const char *format, ...)
 {
 	va_list args;
 
-	be_last();
 	va_start(args, format);
-	print_line(status, place, format, args);
+	vdie_at(status, place, format, args);
 	va_end(args);
-	exit(status);
 }
 
 void die(int status, const char *format, ...)
 {
 	va_list args;
 
-	be_last();
 	va_start(args, format);
-	print_line(status, NULL, format, args);
+	vdie_at(status, NULL, format, args);
 	va_end(args);
-	exit(status);
 }
 
 void quit(int status)

@@ -3,6 +3,7 @@
 #ifndef TALK_H
 #define TALK_H
 
+#include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -29,7 +30,7 @@ struct place {
 };
 
 /* Prints one line: "projcalc: ", the place, which may be NULL, and the message, in
- * which a hint may follow what is wrong after "; ". status is the exit status that
+ * whose format a hint may follow what is wrong after "; ". status is the exit status that
  * it leads to, 0 for a mere note. */
 void say_at(int status, const struct place *, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
@@ -53,6 +54,8 @@ bool is_colored(int fd);
 /* The same as say_at, and exits with that status. Any thread may call these. */
 _Noreturn void die_at(int status, const struct place *, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
+_Noreturn void vdie_at(int status, const struct place *, const char *format,
+    va_list) __attribute__((format(printf, 3, 0)));
 _Noreturn void die(int status, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 

@@ -160,7 +160,6 @@ void run_trace(const struct command *c, const struct options *o)
 			&trace.to[s]));
 	document_check(&d, frustum_of(&d.scene, from, false, &j.frustum));
 	j.transform = trace.to[SPACE_CLIP];
-	j.visible = o->visible;
 	prepare_job(&j, o);
 	do_points(o, &d, &j);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Bounds and where they lie: what fit fits a scene to. */
-#ifndef BOUNDS_H
-#define BOUNDS_H
+#ifndef FIT_BOUNDS_H
+#define FIT_BOUNDS_H
 
 #include "scene.h"
 

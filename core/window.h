@@ -29,12 +29,12 @@ struct viewport {
 	double scales[2];
 };
 
-/* Window to NDC (10.10) after pan, zoom and adapt; device may be NULL where
+/* Window to NDC after pan, zoom and adapt; device may be NULL where
  * adapt is ADAPT_STRETCH. */
 const char *window_map(const struct window *, const struct device *,
     bool inverse, struct map *);
 
-/* NDC to device (10.6). */
+/* NDC to device. */
 const char *device_map(const struct device *, bool inverse, struct map *);
 
 /* NDC to device in space, from the convention's depth range and origin. */

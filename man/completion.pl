@@ -29,10 +29,9 @@ sub options_of {
 	} map { $option{$_} } @options;
 }
 
-# In single quotes; zsh takes brackets and colons for its own.
+# In single quotes.
 sub quote {
-	my ($text, $special) = @_;
-	$text =~ s/([$special])/\\$1/g if $special;
+	my ($text) = @_;
 	return "'" . $text =~ s/'/'\\''/gr . "'";
 }
 

@@ -32,6 +32,13 @@ void die_at(int status, const struct place *place, const char *format, ...)
 	die(status, "%s", format);
 }
 
+void vdie_at(int status, const struct place *place, const char *format,
+    va_list args)
+{
+	(void)args;
+	die_at(status, place, "%s", format);
+}
+
 /* All that a refusal leaves, to be freed here: what cJSON has. */
 static struct block {
 	struct block *next;

@@ -142,6 +142,13 @@ void die_at(int status, const struct place *place, const char *format, ...)
 	abort();
 }
 
+void vdie_at(int status, const struct place *place, const char *format,
+    va_list args)
+{
+	(void)args;
+	die_at(status, place, "%s", format);
+}
+
 void quit(int status)
 {
 	(void)status;

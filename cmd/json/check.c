@@ -305,6 +305,18 @@ static bool value(struct check *s)
 	return c == '"' ? string(s) : stray(s, "a value");
 }
 
+/* At a number behind the value of a member: {"eye": 0,0,5}. */
+static bool at_bare_list(const struct check *s)
+{
+	const char *before = s->p;
+
+	if (s->p == s->end || memchr("0123456789-", *s->p, 11) == NULL)
+		return false;
+	while (strchr(" \t\r\n", *--before) != NULL)
+		continue;
+	return *before == ',';
+}
+
 /* A member's name and colon. */
 static bool name(struct check *s)
 {
@@ -313,6 +325,11 @@ static bool name(struct check *s)
 	if (s->p < s->end && (is_letter(*s->p) || *s->p == '_'))
 		return fail(s, "the name %s has no quotes; write \"%s\"",
 		    token(s, what), what);
+	if (at_bare_list(s))
+		return fail(s,
+		    "expected a member's name in quotes, not '%s'; several "
+		    "numbers stand in brackets: [1,2,3]",
+		    token(s, what));
 	if (!at(s, '"'))
 		return stray(s, "a member's name in quotes");
 	if (!string(s))
@@ -334,6 +351,11 @@ static bool comma(struct check *s, const char *open, char close)
 		    close, *open, line_of(s, open));
 	if (at(s, close))
 		return true;
+	if (memchr("/*+", *s->p, 3) != NULL && !at_comment(s))
+		return fail(s,
+		    "JSON has no arithmetic, and '%c' is not ',' or '%c'; "
+		    "write the number that it gives",
+		    *s->p, close);
 	if (!at(s, ','))
 		return stray(s, close == '}' ? "',' or '}'" : "',' or ']'");
 	s->p++;

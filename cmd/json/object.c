@@ -16,15 +16,13 @@ static bool is_ignored(const char *name)
 	return *name == '_' || strcmp(name, "$schema") == 0;
 }
 
-/* Of that kind, or where it is ANY of any. */
-enum { ANY = -1 };
-
 static bool is_of(const struct member *row, int kind)
 {
-	return kind == ANY || row->kinds == 0 || (row->kinds >> kind & 1) != 0;
+	return kind == ANY_KIND || row->kinds == 0 ||
+	    (row->kinds >> kind & 1) != 0;
 }
 
-static const struct member *find(const struct member *row, int kind,
+const struct member *member_of(const struct member *row, int kind,
     const char *name)
 {
 	for (; row->name != NULL; row++)
@@ -40,14 +38,14 @@ static bool is_beside(const struct value *v, const struct member *table)
 
 	if (v->in->in != NULL || table == scene)
 		return false;
-	const struct member *row = find(scene, 0, v->name);
+	const struct member *row = member_of(scene, 0, v->name);
 
 	return row != NULL && row->beside;
 }
 
 unsigned member_bit(const struct member *table, int kind, const char *name)
 {
-	const struct member *row = find(table, kind, name);
+	const struct member *row = member_of(table, kind, name);
 
 	return row != NULL ? 1u << (row - table) : 0;
 }
@@ -85,29 +83,25 @@ static const struct member *find_alias(const struct member *row, int kind,
 	return NULL;
 }
 
-const struct member *member_named(const struct member *table, const char *name)
+const struct member *member_named(const struct member *table, int kind,
+    const char *name)
 {
-	const struct member *row = find(table, ANY, name);
+	const struct member *row = member_of(table, kind, name);
 
-	return row != NULL ? row : find_alias(table, ANY, name);
+	return row != NULL ? row : find_alias(table, kind, name);
 }
 
 const char *member_type(const struct member *row, char out[LISTED])
 {
-	size_t at = 0;
-
 	if (row->type != NULL)
-		return strcpy(out, row->type);
-	if (row->n > 0)
-		snprintf(out, LISTED, "%zu numbers", row->n);
-	else if (row->words == NULL)
-		strcpy(out, row->range == &range_positive ? "size" : "number");
-	for (int i = 0; row->words != NULL && row->words[i] != NULL; i++)
-		at += (size_t)snprintf(out + at, LISTED - at, "%s%s",
-		    i == 0                        ? "" :
-			row->words[i + 1] == NULL ? " or " :
-						    ", ",
-		    row->words[i]);
+		return row->type;
+	if (row->members != NULL)
+		return "object";
+	if (row->words != NULL)
+		return list_words(out, row->words, " or ", "");
+	if (row->n == 0)
+		return row->range == &range_positive ? "size" : "number";
+	snprintf(out, LISTED, "%zu numbers", row->n);
 	return out;
 }
 
@@ -134,7 +128,7 @@ static const struct member *meant(const struct member *table, int kind,
 	names_of(table, kind, names);
 	const char *near = nearest(name, names);
 
-	return near != NULL ? find(table, kind, near) : NULL;
+	return near != NULL ? member_of(table, kind, near) : NULL;
 }
 
 /* Its name in quotes, and what it is. Returns out. */
@@ -150,7 +144,7 @@ static const char *described(const struct member *row, char out[LISTED])
 static void refuse_other_kind(const struct value *v, const struct member *table,
     int kind)
 {
-	const struct member *row = find(table, ANY, v->name);
+	const struct member *row = member_of(table, ANY_KIND, v->name);
 	int other = 0;
 
 	if (row == NULL)
@@ -175,13 +169,14 @@ static void refuse_misplaced(const struct value *v, const struct member *table)
 	for (how = 0; how < 2 && n == 0; how++)
 		for (s = scene; s->name != NULL; s++)
 			if (s->members != NULL && s->members != table &&
-			    (how == 0 ? find(s->members, 0, v->name) :
-					find(s->members, ANY, v->name)) != NULL)
+			    (how == 0 ? member_of(s->members, 0, v->name) :
+					member_of(s->members, ANY_KIND,
+					    v->name)) != NULL)
 				names[n++] = s->name;
 	names[n] = NULL;
 	if (n > 0)
 		value_refuse(v, "unknown member; it belongs in %s",
-		    list_words(all, names, " or "));
+		    list_words(all, names, " or ", "\""));
 	for (s = scene; s->name != NULL; s++) {
 		if (s->members == NULL || s->members == table)
 			continue;
@@ -191,7 +186,7 @@ static void refuse_misplaced(const struct value *v, const struct member *table)
 			    s->name, described(row, all));
 	}
 	if (v->in->name != NULL && table != scene &&
-	    find(scene, 0, v->name) != NULL)
+	    member_of(scene, 0, v->name) != NULL)
 		value_refuse(v, "unknown member; it stands beside \"%s\"",
 		    v->in->name);
 }
@@ -219,7 +214,7 @@ static _Noreturn void unknown(const struct value *v, const struct member *table,
 		    described(row, all));
 	names_of(table, kind, names);
 	value_refuse(v, "unknown member; there are %s",
-	    list_words(all, names, " and "));
+	    list_words(all, names, " and ", "\""));
 }
 
 unsigned object_read(const struct value *v, const struct member *table,
@@ -245,7 +240,7 @@ unsigned object_read(const struct value *v, const struct member *table,
 		beside |= other;
 		if (other)
 			continue;
-		const struct member *row = find(table, kind, m.name);
+		const struct member *row = member_of(table, kind, m.name);
 
 		row->read(&m, row, (char *)base + row->at);
 	}

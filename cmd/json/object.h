@@ -50,10 +50,15 @@ struct ways {
 unsigned object_read(const struct value *, const struct member *, int kind,
     void *base);
 
-/* The member that has that name, or else that alias, whatever its kind; or NULL. */
-const struct member *member_named(const struct member *, const char *name);
+/* The member that objects of that kind have of that name; or the same, or else that
+ * has that alias; or NULL. */
+enum { ANY_KIND = -1 };
+const struct member *member_of(const struct member *, int kind,
+    const char *name);
+const struct member *member_named(const struct member *, int kind,
+    const char *name);
 
-/* What its value is: "3 numbers", "size", "left or right". Returns out. */
+/* What its value is: "3 numbers", "size", "left or right". May write it to out. */
 const char *member_type(const struct member *, char out[LISTED]);
 
 /* The bit of the member of that name; 0 if objects of that kind have none. */

@@ -234,16 +234,15 @@ static char *pointer(const struct value *v, char *out)
 
 void value_refuse(const struct value *v, const char *format, ...)
 {
-	char what[1024], way[STEPS_MAX * ESCAPED_MAX + 1];
+	char way[STEPS_MAX * ESCAPED_MAX + 1];
 	va_list args;
 
 	*pointer(v, way) = '\0';
 	va_start(args, format);
-	vsnprintf(what, sizeof what, format, args);
+	vdie_at(EXIT_INPUT,
+	    &(struct place){ .file = v->source->name, .pointer = way }, format,
+	    args);
 	va_end(args);
-	die_at(EXIT_INPUT,
-	    &(struct place){ .file = v->source->name, .pointer = way }, "%s",
-	    what);
 }
 
 void value_wrong(const struct value *v, const char *wanted)
@@ -324,14 +323,14 @@ static const char *between(const char *const *rest, const char *last)
 }
 
 const char *list_words(char out[LISTED], const char *const *words,
-    const char *last)
+    const char *last, const char *quote)
 {
 	size_t at = 0;
 
 	*out = '\0';
 	for (int i = 0; words[i] != NULL && at < LISTED; i++)
-		at += (size_t)snprintf(out + at, LISTED - at, "\"%s\"%s",
-		    words[i], between(words + i + 1, last));
+		at += (size_t)snprintf(out + at, LISTED - at, "%s%s%s%s", quote,
+		    words[i], quote, between(words + i + 1, last));
 	return out;
 }
 
@@ -340,7 +339,7 @@ int value_word(const struct value *v, const char *const *words)
 	const char *s = value_string(v), *near;
 	char all[LISTED], shown[ESCAPED_MAX];
 
-	list_words(all, words, " or ");
+	list_words(all, words, " or ", "\"");
 	if (s == NULL)
 		value_wrong(v, all);
 	for (int i = 0; words[i] != NULL; i++)

@@ -90,10 +90,10 @@ void value_numbers(const struct value *, const struct range *, size_t n,
 /* The index of a string in words, which NULL ends; another is refused. */
 int value_word(const struct value *, const char *const *words);
 
-/* Writes words, which NULL ends, in quotes, as "a", "b" or "c" where last,
- * which stands before the last one, is " or ". Returns out. */
+/* Writes words, which NULL ends, each between two of quote, as "a", "b" or "c" where
+ * last, which stands before the last one, is " or ". Returns out. */
 enum { LISTED = 512 };
 const char *list_words(char out[LISTED], const char *const *words,
-    const char *last);
+    const char *last, const char *quote);
 
 #endif

@@ -2,8 +2,8 @@
 #include "convention_member.h"
 
 #include <string.h>
-#include <strings.h>
 
+#include "../nearest.h"
 #include "readers.h"
 
 const char *const convention_names[] = {
@@ -36,22 +36,25 @@ static const char *const depths[] = { "zero_to_one", "minus_one_to_one", NULL };
 static const char *const ys[] = { "up", "down", NULL };
 static const char *const origins[] = { "top-left", "bottom-left", NULL };
 
-#define SECOND(label, list, m, first, what)                        \
-	{                                                          \
-		.name = label, .read = read_second, .words = list, \
-		.at = offsetof(struct convention, m),              \
-		.otherwise = "\"" first "\"", .about = what        \
+#define SECOND(label, list, m, first, other, what)                            \
+	{                                                                     \
+		.name = label, .read = read_second, .words = list,            \
+		.at = offsetof(struct convention, m),                         \
+		.otherwise = "\"" first "\"", .aliases = other, .about = what \
 	}
 
 const struct member convention_members[] = {
-	SECOND("handedness", hands, right_handed, "left", "of view space"),
-	SECOND("view_y", ys, view_y_down, "up", "which way y goes in view"),
+	SECOND("handedness", hands, right_handed, "left", "hand handed hands",
+	    "of view space"),
+	SECOND("view_y", ys, view_y_down, "up", "view y",
+	    "which way y goes in view"),
 	SECOND("depth", depths, minus_one, "zero_to_one",
-	    "z of ndc from near to far"),
-	SECOND("vectors", vector_names, column, "row",
+	    "clipz ndcz depthrange zrange", "z of ndc from near to far"),
+	SECOND("vectors", vector_names, column, "row", "vector major order",
 	    "of matrices, printed and as rows"),
-	SECOND("ndc_y", ys, ndc_y_down, "up", "which way y goes in clip, ndc"),
-	SECOND("origin", origins, bottom_left, "top-left",
+	SECOND("ndc_y", ys, ndc_y_down, "up", "ndc clip clipy",
+	    "which way y goes in clip, ndc"),
+	SECOND("origin", origins, bottom_left, "top-left", NULL,
 	    "where device x and y are least"),
 	{ .name = NULL },
 };
@@ -65,9 +68,10 @@ bool same_convention(const struct convention *a, const struct convention *b)
 static int read_name(const struct value *v)
 {
 	const char *s = value_string(v);
+	const char *meant = s != NULL ? called("convention", s) : NULL;
 
-	if (s != NULL && strcasecmp(s, "opengl") == 0)
-		value_refuse(v, "is \"%s\"; did you mean \"gl\"?", s);
+	if (meant != NULL)
+		value_refuse(v, "is \"%s\"; did you mean \"%s\"?", s, meant);
 	return value_word(v, convention_names);
 }
 

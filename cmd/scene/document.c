@@ -8,6 +8,7 @@
 #include "../json/scan.h"
 #include "../number/number.h"
 #include "convention_member.h"
+#include "examples.h"
 #include "members.h"
 #include "../talk.h"
 
@@ -38,12 +39,6 @@ enum {
 		.aliases = other,                   \
 		__VA_ARGS__ }
 
-#define CAMERA_LIKE "{\"eye\": [0,0,-5], \"at\": [0,0,0]}"
-#define LENS_LIKE                                               \
-	"{\"type\": \"persp\", \"fovy\": 60, \"aspect\": 1.5, " \
-	"\"near\": 1, \"far\": 10}"
-#define RECTANGLE_LIKE "{\"width\": 640, \"height\": 480}"
-#define WINDOW_LIKE "{\"center\": [0,0], \"width\": 2, \"height\": 2}"
 #define WORLD_LIKE "[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]"
 #define BOUNDS_LIKE "{\"min\": [-1,-1,-1], \"max\": [1,1,1]}"
 #define PICK_LIKE "{\"at\": [320,240], \"radius\": 3}"
@@ -55,16 +50,11 @@ const struct member scene_members[SCENE_MEMBERS + 1] = {
 	    .about = "how the document is read, all of it",
 	    .command = "lookat '{\"convention\": \"gl\", "
 		       "\"camera\": " CAMERA_LIKE "}'"),
-	[ANGLE_UNIT] = { .name = "angle_unit",
-	    .read = read_value,
-	    .at = ANGLE_UNIT * sizeof(struct value),
-	    .words = angle_units,
-	    .aliases = "angleunits unit units angles",
-	    .beside = true,
-	    .otherwise = "\"degrees\"",
+	MEMBER(ANGLE_UNIT, "angle_unit", NULL, "angleunits unit units angles",
+	    .words = angle_units, .beside = true, .otherwise = "\"degrees\"",
 	    .about = "of all angles of the scene",
 	    .command = "persp '{\"angle_unit\": \"radians\", \"fovy\": 1, "
-		       "\"aspect\": 1.5, \"near\": 1, \"far\": 10}'" },
+		       "\"aspect\": 1.5, \"near\": 1, \"far\": 10}'"),
 	MEMBER(WORLD, "world", NULL, "model", .example = WORLD_LIKE,
 	    .type = "matrix", .otherwise = WORLD_LIKE,
 	    .about = "model to world, affine",
@@ -72,22 +62,20 @@ const struct member scene_members[SCENE_MEMBERS + 1] = {
 		       "[1,0,0,0, 0,1,0,0, 0,0,1,0, 10,20,30,1]}' "
 		       "'[1,2,3]'"),
 	MEMBER(CAMERA, "camera", camera_members, "view", .example = CAMERA_LIKE,
-	    .type = "object", .about = "world to view",
+	    .about = "world to view",
 	    .command = "lookat '{\"camera\": " CAMERA_LIKE "}'"),
 	MEMBER(PROJECTION, "projection", projection_members, "lens perspective",
-	    .example = LENS_LIKE, .type = "object", .about = "view to clip",
+	    .example = LENS_LIKE, .about = "view to clip",
 	    .command = "persp '{\"projection\": " LENS_LIKE "}'"),
 	MEMBER(VIEWPORT, "viewport", viewport_members, "screen",
-	    .example = RECTANGLE_LIKE, .type = "object",
-	    .about = "ndc to device, in 3D",
+	    .example = RECTANGLE_LIKE, .about = "ndc to device, in 3D",
 	    .command = "project --from ndc '{\"viewport\": " RECTANGLE_LIKE
 		       "}' '[0,0.5,1]'"),
 	MEMBER(WINDOW, "window", window_members, NULL, .example = WINDOW_LIKE,
-	    .type = "object", .about = "a rectangle of a 2D world",
+	    .about = "a rectangle of a 2D world",
 	    .command = "w2n '{\"window\": " WINDOW_LIKE "}'"),
 	MEMBER(DEVICE, "device", device_members, NULL,
-	    .example = RECTANGLE_LIKE, .type = "object",
-	    .about = "where a window is shown",
+	    .example = RECTANGLE_LIKE, .about = "where a window is shown",
 	    .command = "n2d '{\"device\": " RECTANGLE_LIKE "}'"),
 	MEMBER(POINTS, "points", NULL, NULL, .example = "[[0,0,0], [1,1,1]]",
 	    .type = "a point or a list",
@@ -95,12 +83,12 @@ const struct member scene_members[SCENE_MEMBERS + 1] = {
 	    .command = "lookat '{\"camera\": " CAMERA_LIKE
 		       ", \"points\": [[0,0,0], [1,1,1]]}'"),
 	MEMBER(BOUNDS, "bounds", bounds_members, NULL, .example = BOUNDS_LIKE,
-	    .type = "object", .unit = "model units",
+	    .unit = "model units",
 	    .about = "what fit is to hold, else the points",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
 		       "\"bounds\": " BOUNDS_LIKE "}'"),
 	MEMBER(PICK, "pick", pick_members, NULL, .example = PICK_LIKE,
-	    .type = "object", .about = "where pick looks, else --at, --radius",
+	    .about = "where pick looks, else --at, --radius",
 	    .command = "pick '{\"camera\": " CAMERA_LIKE
 		       ", \"projection\": " LENS_LIKE
 		       ", \"viewport\": " RECTANGLE_LIKE
@@ -309,14 +297,21 @@ static unsigned read_members(struct document *d, const struct value *root,
 	return seen;
 }
 
+unsigned document_reads(const struct document_wants *w)
+{
+	bool angles = (w->used & (SCENE_CAMERA | SCENE_PROJECTION)) != 0;
+
+	return w->used | SCENE_CONVENTION | (angles ? SCENE_ANGLE_UNIT : 0) |
+	    (w->flat != 0 ? SCENE_WINDOW | SCENE_DEVICE : 0);
+}
+
 /* What is wanted of a document that is flat. */
 static struct document_wants in_plane(const struct document_wants *w)
 {
 	struct document_wants flat = *w;
 
 	flat.needed = 0;
-	flat.used &= ~(unsigned)SCENE_SPATIAL;
-	flat.used |= SCENE_WINDOW | SCENE_DEVICE;
+	flat.used = document_reads(w) & ~(unsigned)SCENE_SPATIAL;
 	flat.coordinates = w->coordinates > 0 ? 2 : 0;
 	return flat;
 }
@@ -347,6 +342,7 @@ static void read_scene(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_MEMBERS], unsigned seen)
 {
 	struct scene *s = &d->scene;
+	double margin = 0;
 
 	s->has_world = seen & SCENE_WORLD;
 	s->has_camera = seen & SCENE_CAMERA;
@@ -371,8 +367,10 @@ static void read_scene(struct document *d, const struct document_wants *w,
 		read_bounds(&m[BOUNDS], &d->bounds);
 	if (seen & SCENE_PICK)
 		read_pick(&m[PICK], &d->pick);
-	if (seen & SCENE_MARGIN & w->used)
-		s->margin = value_number(&m[MARGIN], &margins);
+	if (seen & SCENE_MARGIN)
+		margin = value_number(&m[MARGIN], &margins);
+	if (w->used & SCENE_MARGIN)
+		s->margin = margin;
 }
 
 static void read_points(struct document *d, const struct value *v,

@@ -22,6 +22,7 @@ enum scene_member {
 	SCENE_BOUNDS = 512,
 	SCENE_PICK = 1024,
 	SCENE_MARGIN = 2048,
+	SCENE_ALL = 2 * SCENE_MARGIN - 1,
 	/* what leads from model space to the device */
 	SCENE_SPATIAL = SCENE_WORLD | SCENE_CAMERA | SCENE_PROJECTION |
 	    SCENE_VIEWPORT,
@@ -82,6 +83,10 @@ struct document_wants {
 	 * document. */
 	int coordinates;
 };
+
+/* The members of which a command reads any, as bits, those of documents that are flat
+ * among them. The unit of angles matters where there are some. */
+unsigned document_reads(const struct document_wants *);
 
 /* Reads text[0..size), which it changes, into *d. name is for messages. */
 void document_read(struct document *d, const char *name, char *text,

@@ -20,22 +20,14 @@ const struct member camera_members[] = {
 	    .unit = "world units", .about = "the point that it looks at"),
 	NUMBERS("gaze", camera, at, 3, .aliases = "direction dir forward",
 	    .about = "the direction in which it looks"),
-	{ .name = "orientation",
-	    .read = read_numbers,
-	    .at = MEMBER(camera, orientation),
-	    .n = 4,
+	NUMBERS("orientation", camera, orientation, 4,
 	    .aliases = "rotation quaternion quat qvec",
 	    .note = "x, y, z, w from view to world axes; of w, x, y, z from "
 		    "world to view that is -x, -y, -z, w",
-	    .about = "quaternion x, y, z, w: view to world axes" },
-	{ .name = "translation",
-	    .read = read_numbers,
-	    .at = MEMBER(camera, eye),
-	    .n = 3,
-	    .aliases = "tvec t",
+	    .about = "quaternion x, y, z, w: view to world axes"),
+	NUMBERS("translation", camera, eye, 3, .aliases = "tvec t",
 	    .note = "where the world's origin is in view space",
-	    .unit = "view units",
-	    .about = "where the world's origin is" },
+	    .unit = "view units", .about = "where the world's origin is"),
 	{ .name = "pose",
 	    .read = read_affine,
 	    .at = MEMBER(camera, matrix),
@@ -237,12 +229,25 @@ const struct member pick_members[] = {
 	{ .name = NULL },
 };
 
+/* What others call so is often where the camera stands. */
+static void check_translation(const struct value *v, unsigned seen)
+{
+	struct value m = value_missing(v, "translation");
+
+	if ((seen & member_bit(camera_members, 0, "translation")) != 0 &&
+	    (seen & member_bit(camera_members, 0, "orientation")) == 0)
+		value_refuse(&m,
+		    "is where the world's origin is in view space, and needs "
+		    "an \"orientation\"; where the camera stands is \"eye\"");
+}
+
 bool read_camera(const struct value *v, struct camera *c)
 {
 	*c = (struct camera){ .up = { 0, 1, 0 },
 		.unit = (enum angle_unit)v->source->unit };
 	unsigned seen = object_read(v, camera_members, 0, c);
 
+	check_translation(v, seen);
 	c->by = (unsigned)object_way(v, camera_members, 0, seen,
 	    v->source->fit ? &fit_camera_ways : &camera_ways);
 	return c->by >= CAMERA_TRANSLATION ||

@@ -413,7 +413,8 @@ static void find_sides(const struct value *v, const struct viewport *viewport,
 	if (viewport == NULL) {
 		value_refuse(&m,
 		    "needs a \"viewport\", in whose units it is; "
-		    "add one to the scene");
+		    "write {\"projection\": {...}, \"viewport\": "
+		    "{\"width\": 640, \"height\": 480}}");
 	} else if (viewport->scale != SCALE_FILL) {
 		value_refuse(&m,
 		    "not together with the viewport's \"scale\"; "
@@ -478,7 +479,7 @@ static void find_type(const struct value *v, int implied, struct projection *p)
 		p->type = (unsigned)implied;
 	else
 		value_refuse(&missing, "missing; it is %s",
-		    list_words(all, projection_types, " or "));
+		    list_words(all, projection_types, " or ", "\""));
 	if (implied != PROJECTION_NONE && p->type != (unsigned)implied)
 		refuse_type(&m, projection_types[p->type - 1],
 		    projection_types[implied - 1]);

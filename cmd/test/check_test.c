@@ -64,6 +64,12 @@ static const struct text refused[] = {
 	TEXT("{'a':1}", "1: 'single quotes' are not JSON; use \"double\" ones"),
 	TEXT("{eye:1}", "1: the name eye has no quotes; write \"eye\""),
 	TEXT("{1:1}", "1: expected a member's name in quotes, not '1'"),
+	TEXT("{\"a\":0,\n 1}",
+	    "2: expected a member's name in quotes, not '1'; several numbers "
+	    "stand in brackets: [1,2,3]"),
+	TEXT("{\"a\":16/9}",
+	    "1: JSON has no arithmetic, and '/' is not ',' or '}'; write the "
+	    "number that it gives"),
 	TEXT("{\"a\":1,\n}", "2: trailing comma before '}'; remove it"),
 	TEXT("[1,]", "1: trailing comma before ']'; remove it"),
 	TEXT("[1,,2]", "1: expected a value, not ','"),
@@ -74,7 +80,9 @@ static const struct text refused[] = {
 	TEXT("{\"a\":1\n\"b\":2}", "2: expected ',' or '}', not '\"'"),
 	TEXT("[1 2]", "1: expected ',' or ']', not '2'"),
 	TEXT("[1}", "1: expected ',' or ']', not '}'"),
-	TEXT("[1/2]", "1: expected ',' or ']', not '/'"),
+	TEXT("[1/2]",
+	    "1: JSON has no arithmetic, and '/' is not ',' or ']'; write the "
+	    "number that it gives"),
 	TEXT("[\x01]", "1: expected a value, not '\\u0001'"),
 	TEXT("[\xff]", "1: expected a value, not '\\xff'"),
 	TEXT("[\xc2\xa0]", "1: expected a value, not '\xc2\xa0'"),

@@ -45,7 +45,8 @@ static const struct refusal cameras[] = {
 	{ &lookat, "{\"pose\":" M16 ",\"roll\":0}",
 	    "/roll: not together with \"pose\"; " CAMERA_HINT },
 	{ &lookat, "{\"translation\":[0,0,0]}",
-	    "/orientation: missing; " CAMERA_HINT },
+	    "/translation: is where the world's origin is in view space, and "
+	    "needs an \"orientation\"; where the camera stands is \"eye\"" },
 	{ &lookat,
 	    "{" EYE ",\"orientation\":[0,0,0,1],\"translation\":[0,0,0]}",
 	    "/translation: not together with \"eye\"; " CAMERA_HINT },

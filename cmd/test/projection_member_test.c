@@ -149,9 +149,9 @@ static const struct refusal projections[] = {
 	"give \"near\", with \"far\" or without, or neither; \"far\" and " \
 	"\"reverse_z\" need it"
 	{ &persp, "{\"intrinsics\":[1,1,0,0]}",
-	    "/intrinsics: needs a \"viewport\", in whose units it is; add one "
-	    "to "
-	    "the scene" },
+	    "/intrinsics: needs a \"viewport\", in whose units it is; write "
+	    "{\"projection\": {...}, \"viewport\": {\"width\": 640, "
+	    "\"height\": 480}}" },
 	{ &project, SEEN("\"intrinsics\":[1,1,0,0]", ",\"scale\":[1,1]"),
 	    "/projection/intrinsics: not together with the viewport's "
 	    "\"scale\"; "
