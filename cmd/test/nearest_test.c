@@ -29,6 +29,8 @@ static void test_nearest(void **state)
 		{ "orient", "orientation" },
 		{ "y", NULL }, /* not x */
 		{ "", NULL },
+		{ "parsap", "persp" }, /* two edits */
+		{ "parsx", NULL },     /* of five letters one alone */
 		{ "bat", "at" },
 		{ "view", NULL },
 		{ "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", NULL },
