@@ -228,11 +228,14 @@ static void doubles_come_out_as_of_columns(void **state)
 	assert_true(carried > 200);
 }
 
-/* Whether points of 1 2 3 are carried by a map, but that number i is v. */
+/* Whether points of 1 2 3 are carried by a map, but that number i is v, and what is
+ * behind them is none. */
 static bool carries(const struct transform *t, size_t i, double v)
 {
 	for (size_t k = 0; k < 48 * 3; k++)
 		put(true, k, k == i ? v : (double)(1 + k % 3));
+	for (size_t k = 48 * 3; k < 4 * ROWS; k++)
+		put(true, k, (double)NAN);
 	return points_carry_doubles(t, rows + 1, back + 1, 48);
 }
 
