@@ -235,7 +235,7 @@ static bool carries(const struct transform *t, size_t i, double v)
 	for (size_t k = 0; k < 48 * 3; k++)
 		put(true, k, k == i ? v : (double)(1 + k % 3));
 	for (size_t k = 48 * 3; k < 4 * ROWS; k++)
-		put(true, k, (double)NAN);
+		put(true, k, 1e300);
 	return points_carry_doubles(t, rows + 1, back + 1, 48);
 }
 
