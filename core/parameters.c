@@ -404,7 +404,8 @@ const char *parameters_of(const struct scene *s, const struct taxonomy *t,
 	r->scene.answer = NULL;
 	r->scene.convention = *c;
 	set_projection(s, &u, plane, r);
-	r->has_scene = is_valid(&r->scene) &&
-	    (sum_sign(u.zw) != 0 || sum_sign(u.tw) > 0);
-	return set_camera(s, &u, t, r);
+	r->has_scene = sum_sign(u.zw) != 0 || sum_sign(u.tw) > 0;
+	why = set_camera(s, &u, t, r);
+	r->has_scene &= is_valid(&r->scene);
+	return why;
 }
