@@ -96,7 +96,7 @@ void run_fit(const struct command *c, const struct options *o)
 	static struct job j = { .take = take, .collect = collect };
 
 	j.with = &d.bounds;
-	read_document(c, o, 3, &d);
+	read_document(c, o, &d);
 	if (d.scene.answer != NULL)
 		document_refuse(&d,
 		    "/convention: is not that of -c; fit prints the scene in "

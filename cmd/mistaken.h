@@ -26,4 +26,7 @@ const char *mistaken_option(const char *name);
 void mistaken_params(const struct command *, const struct options *);
 void mistaken_points(const struct command *, const struct options *, int i);
 
+/* Refuses a position on the device that project is to take back as a point. */
+void mistaken_position(const struct options *);
+
 #endif

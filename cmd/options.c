@@ -431,6 +431,16 @@ static void check_tolerances(const struct command *c, const struct options *o)
 		    c->name);
 }
 
+int coordinates_of(const struct command *c, const struct options *o)
+{
+	if (c->kind == PLANAR || o->ray)
+		return 2;
+	return o->from == SPACE_CLIP ||
+		(o->from == SPACE_DEVICE && o->homogeneous) ?
+	    4 :
+	    3;
+}
+
 struct number_style one_style(const struct options *o, const char *what)
 {
 	const struct number_style *style = &o->styles.style[0];

@@ -62,6 +62,10 @@ void options_read(const struct command *, int argc, char **argv,
 
 bool option_is_for(const struct option_row *, const struct command *);
 
+/* How many numbers are read of a point. Fit learns only from the scene that it is in
+ * the plane. */
+int coordinates_of(const struct command *, const struct options *);
+
 /* How to round what is to be rounded alike: refuses a list of -d or --digits. what
  * is printed, for the message. */
 struct number_style one_style(const struct options *, const char *what);

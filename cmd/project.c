@@ -1,16 +1,8 @@
 /* SPDX-License-Identifier: MIT */
+#include "mistaken.h"
 #include "operands.h"
 #include "print_matrix.h"
 #include "talk.h"
-
-static int coordinates(const struct options *o, enum space from)
-{
-	if (o->ray)
-		return 2;
-	return from == SPACE_CLIP || (from == SPACE_DEVICE && o->homogeneous) ?
-	    4 :
-	    3;
-}
 
 static void check_ray(const struct options *o)
 {
@@ -51,7 +43,8 @@ void run_project(const struct command *c, const struct options *o)
 
 	if (o->ray)
 		check_ray(o);
-	read_document(c, o, coordinates(o, from), &d);
+	mistaken_position(o);
+	read_document(c, o, &d);
 
 	enum space to = o->has_to ? o->to :
 	    d.scene.has_viewport  ? SPACE_DEVICE :
