@@ -90,6 +90,8 @@ static _Noreturn void refuse(const struct options *o, const struct document *d,
 	    why + n);
 }
 
+#define OR_POINTS ", or points: a file, or - for standard input"
+
 void run_fit(const struct command *c, const struct options *o)
 {
 	struct document d;
@@ -108,10 +110,10 @@ void run_fit(const struct command *c, const struct options *o)
 	if (!d.has_bounds && !has_points(o, &d))
 		document_refuse(&d,
 		    d.flat ? "/bounds: missing; add \"bounds\": "
-			     "{\"min\": [-1,-1], \"max\": [1,1]}, or points" :
+			     "{\"min\": [-1,-1], \"max\": [1,1]}" OR_POINTS :
 			     "/bounds: missing; add \"bounds\": "
-			     "{\"min\": [-1,-1,-1], \"max\": [1,1,1]}, or "
-			     "points");
+			     "{\"min\": [-1,-1,-1], \"max\": "
+			     "[1,1,1]}" OR_POINTS);
 	if (!d.has_bounds)
 		read_box(o, &d, &j);
 	const char *why = d.flat ? fit_window(&d.scene, &d.bounds) :
