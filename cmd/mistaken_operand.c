@@ -99,18 +99,16 @@ static void check_traded(const struct command *c, const struct options *o)
 static void check_option(const struct command *c, const char *word,
     const char *why)
 {
+	const struct option_row *r;
 	const char *name = word;
-	size_t n;
 
 	/* U+2010 to U+2015 in UTF-8 */
 	while (strncmp(name, "\xe2\x80", 2) == 0 && (name[2] & 0xf0) == 0x90)
 		name += 3;
-	n = strcspn(name, "=");
-	for (const struct option_row *r = option_rows; r->name != NULL; r++)
-		if (option_is_for(r, c) && strlen(r->name) == n &&
-		    strncmp(r->name, name, n) == 0)
-			die_at(EXIT_USAGE, &(struct place){ .file = word },
-			    "%s; the option is --%s", why, name);
+	r = option_named(name);
+	if (r != NULL && option_is_for(r, c))
+		die_at(EXIT_USAGE, &(struct place){ .file = word },
+		    "%s; the option is --%s", why, name);
 }
 
 /* JSON that the shell has taken apart: {"eye": [0,0,5]} without quotes. */

@@ -81,7 +81,9 @@ static const struct member *find_in(unsigned bits, int kind, const char *name,
 
 		if ((bits >> k & 1) == 0)
 			continue;
-		if (strcmp(name, s->name) == 0)
+		if (strcmp(name, s->name) == 0 ||
+		    (aliases &&
+			s == member_named(scene_members, ANY_KIND, name)))
 			return s;
 		m = s->members == NULL ? NULL :
 		    aliases            ? member_named(s->members, kind, name) :
@@ -159,6 +161,18 @@ static void write_members(char *out, size_t room, const struct command *c,
 		snprintf(out + at, room - at, ", ...");
 }
 
+/* What stands behind an option, or after its =, if that is a file's name; else NULL. */
+static const char *file_of(char **words)
+{
+	const char *equals = strchr(*words, '=');
+	const char *value = equals != NULL ? equals + 1 : words[1];
+
+	if (value == NULL || strchr("-[{", *value) != NULL ||
+	    is_numbers(value) || strpbrk(value, "./") == NULL)
+		return NULL;
+	return value;
+}
+
 void mistaken_member(const struct command *c, char **words, bool exact)
 {
 	const struct member *object, *m;
@@ -184,6 +198,18 @@ void mistaken_member(const struct command *c, char **words, bool exact)
 		    c->name, dashes, *words, name, m->name,
 		    m == object ? "scene" : object->name, c->name,
 		    object->name);
+	const char *file = m == object ? file_of(words) : NULL;
+
+	if (file != NULL && (c->wants.bare & bit) != 0)
+		die(EXIT_USAGE,
+		    "%s: unknown option %.*s%s; it stands alone: projcalc %s "
+		    "%s",
+		    c->name, dashes, *words, name, c->name, file);
+	if (file != NULL)
+		die(EXIT_USAGE,
+		    "%s: unknown option %.*s%s; \"%s\" is a member of the "
+		    "scene, as jq '{%s: .}' %s writes it",
+		    c->name, dashes, *words, name, m->name, m->name, file);
 	write_members(members, sizeof members, c, words);
 	die(EXIT_USAGE,
 	    "%s: unknown option %.*s%s; \"%s\" is a member of the %s: "
@@ -206,6 +232,7 @@ const char *mistaken_option(const char *name)
 		{ "unproject", "from" },
 		{ "json", "output" },
 		{ "csv", "input" },
+		{ "delimiter", "separator" },
 	};
 
 	for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)

@@ -60,6 +60,9 @@ void options_first(char **words);
 void options_read(const struct command *, int argc, char **argv,
     struct options *);
 
+/* The option of that name, behind which = and a value may stand, or NULL. */
+const struct option_row *option_named(const char *name);
+
 bool option_is_for(const struct option_row *, const struct command *);
 
 /* How many numbers are read of a point. Fit learns only from the scene that it is in
