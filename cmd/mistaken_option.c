@@ -49,6 +49,12 @@ static bool is_value(const struct member *m, const char *word)
 	    (*word != '-' && strpbrk(word, "./ ") == NULL);
 }
 
+/* What is too long to be shown is left out. */
+static void copy(char out[VALUE_MAX], const char *text)
+{
+	strcpy(out, strlen(text) < VALUE_MAX ? text : "");
+}
+
 /* The text behind it: after =, or the next word, or as many as are of numbers.
  * Returns where the words go on. */
 static char **text_of(char out[VALUE_MAX], const struct member *m, char **words)
@@ -56,12 +62,12 @@ static char **text_of(char out[VALUE_MAX], const struct member *m, char **words)
 	const char *equals = strchr(*words++, '=');
 	size_t at = 0;
 
-	snprintf(out, VALUE_MAX, "%s", equals != NULL ? equals + 1 : "");
+	copy(out, equals != NULL ? equals + 1 : "");
 	if (equals != NULL || *words == NULL)
 		return words;
 	if (m->read == read_flag || !is_numbers(*words)) {
 		if (is_value(m, *words))
-			snprintf(out, VALUE_MAX, "%s", *words++);
+			copy(out, *words++);
 	} else {
 		while (*words != NULL && is_numbers(*words))
 			at = add_numbers(out, at, VALUE_MAX, *words++);

@@ -20,8 +20,8 @@ size_t add_numbers(char *list, size_t at, size_t room, const char *text);
  * many, one point. Returns how many numbers they are. */
 int write_points(char out[TYPED_MAX], char **words, int coordinates);
 
-/* Writes those of words as a point whose coordinates have decimal commas, "1,5 2,5".
- * Returns whether they may be that. */
+/* The same of numbers with decimal commas, "1,5 2,5". Returns whether they may be
+ * such. */
 bool write_decimals(char out[TYPED_MAX], char **words, int coordinates);
 
 #endif
