@@ -175,15 +175,20 @@ void mistaken_points(const struct command *c, const struct options *o, int i)
 	die_at(EXIT_USAGE, &place, "%s; POINTS are a file, - or %s", why, list);
 }
 
-void mistaken_position(const struct options *o)
+void mistaken_position(const struct command *c, const struct options *o)
 {
 	char *words[] = { o->n_points > 0 ? o->points[0] : NULL, NULL };
 	char list[TYPED_MAX];
 
-	if (o->from == SPACE_DEVICE && !o->ray && !o->homogeneous &&
-	    (!o->has_to || o->to == SPACE_WORLD) &&
-	    write_points(list, words, 2) == 2)
+	if (o->n_points == 0 || first_char(*words) != '[' ||
+	    write_points(list, words, 2) != 2)
+		return;
+	if (c->kind == PICK)
+		die(EXIT_USAGE, "'%s' is no point; where to look is --at %.*s",
+		    *words, (int)strlen(list) - 2, list + 1);
+	if (c->kind == PROJECT && o->from == SPACE_DEVICE && !o->ray &&
+	    !o->homogeneous && (!o->has_to || o->to == SPACE_WORLD))
 		die(EXIT_USAGE,
 		    "'%s' has no depth; --ray takes it to the ray behind it",
-		    words[0]);
+		    *words);
 }

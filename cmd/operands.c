@@ -19,6 +19,8 @@ void check_operands(const struct command *c, const struct options *o)
 	mistaken_params(c, o);
 	if (o->n_points > 0 && !command_reads_points(c))
 		die(EXIT_USAGE, "%s reads no points; leave them out", c->name);
+	if (!o->matrix)
+		mistaken_position(c, o);
 	for (int i = 0; i < o->n_points && !o->matrix; i++) {
 		const char *name = o->points[i];
 

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include "mistaken.h"
 #include "operands.h"
 #include "print_matrix.h"
 #include "talk.h"
@@ -43,7 +42,6 @@ void run_project(const struct command *c, const struct options *o)
 
 	if (o->ray)
 		check_ray(o);
-	mistaken_position(o);
 	read_document(c, o, &d);
 
 	enum space to = o->has_to ? o->to :
