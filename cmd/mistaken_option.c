@@ -167,16 +167,25 @@ static void write_members(char *out, size_t room, const struct command *c,
 		snprintf(out + at, room - at, ", ...");
 }
 
-/* What stands behind an option, or after its =, if that is a file's name; else NULL. */
-static const char *file_of(char **words)
+/* Refuses a member of the scene whose value is the name of a file. */
+static void check_file(const struct command *c, char **words,
+    const struct member *m)
 {
 	const char *equals = strchr(*words, '=');
-	const char *value = equals != NULL ? equals + 1 : words[1];
+	const char *file = equals != NULL ? equals + 1 : words[1];
+	const int n = (int)strcspn(*words, "=");
 
-	if (value == NULL || strchr("-[{", *value) != NULL ||
-	    is_numbers(value) || strpbrk(value, "./") == NULL)
-		return NULL;
-	return value;
+	if (file == NULL || strchr("-[{", *file) != NULL || is_numbers(file) ||
+	    strpbrk(file, "./") == NULL)
+		return;
+	if (c->wants.bare >> (m - scene_members) & 1)
+		die(EXIT_USAGE,
+		    "%s: unknown option %.*s; it stands alone: projcalc %s %s",
+		    c->name, n, *words, c->name, file);
+	die(EXIT_USAGE,
+	    "%s: unknown option %.*s; \"%s\" is a member of the scene, as jq "
+	    "'{%s: .}' %s writes it",
+	    c->name, n, *words, m->name, m->name, file);
 }
 
 void mistaken_member(const struct command *c, char **words, bool exact)
@@ -204,18 +213,8 @@ void mistaken_member(const struct command *c, char **words, bool exact)
 		    c->name, dashes, *words, name, m->name,
 		    m == object ? "scene" : object->name, c->name,
 		    object->name);
-	const char *file = m == object ? file_of(words) : NULL;
-
-	if (file != NULL && (c->wants.bare & bit) != 0)
-		die(EXIT_USAGE,
-		    "%s: unknown option %.*s%s; it stands alone: projcalc %s "
-		    "%s",
-		    c->name, dashes, *words, name, c->name, file);
-	if (file != NULL)
-		die(EXIT_USAGE,
-		    "%s: unknown option %.*s%s; \"%s\" is a member of the "
-		    "scene, as jq '{%s: .}' %s writes it",
-		    c->name, dashes, *words, name, m->name, m->name, file);
+	if (m == object)
+		check_file(c, words, m);
 	write_members(members, sizeof members, c, words);
 	die(EXIT_USAGE,
 	    "%s: unknown option %.*s%s; \"%s\" is a member of the %s: "
