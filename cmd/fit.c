@@ -90,13 +90,15 @@ static _Noreturn void refuse(const struct options *o, const struct document *d,
 	    why + n);
 }
 
+#define OR_POINTS ", or points: a file, or - for standard input"
+
 void run_fit(const struct command *c, const struct options *o)
 {
 	struct document d;
 	static struct job j = { .take = take, .collect = collect };
 
 	j.with = &d.bounds;
-	read_document(c, o, 3, &d);
+	read_document(c, o, &d);
 	if (d.scene.answer != NULL)
 		document_refuse(&d,
 		    "/convention: is not that of -c; fit prints the scene in "
@@ -108,10 +110,10 @@ void run_fit(const struct command *c, const struct options *o)
 	if (!d.has_bounds && !has_points(o, &d))
 		document_refuse(&d,
 		    d.flat ? "/bounds: missing; add \"bounds\": "
-			     "{\"min\": [-1,-1], \"max\": [1,1]}, or points" :
+			     "{\"min\": [-1,-1], \"max\": [1,1]}" OR_POINTS :
 			     "/bounds: missing; add \"bounds\": "
-			     "{\"min\": [-1,-1,-1], \"max\": [1,1,1]}, or "
-			     "points");
+			     "{\"min\": [-1,-1,-1], \"max\": "
+			     "[1,1,1]}" OR_POINTS);
 	if (!d.has_bounds)
 		read_box(o, &d, &j);
 	const char *why = d.flat ? fit_window(&d.scene, &d.bounds) :

@@ -107,7 +107,9 @@ static void put_command(const struct command *c)
 	close_bracket("]");
 	if (c->kind != HELP) {
 		put_members_of("reads", document_reads(&c->wants));
-		put_members_of("needs", c->wants.needed);
+		/* a scene in the plane needs none of these */
+		put_members_of("needs",
+		    c->wants.flat != 0 ? 0 : c->wants.needed);
 		put_members_of("alone", c->wants.bare);
 	}
 	put_text("example", call);

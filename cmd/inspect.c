@@ -176,7 +176,7 @@ void run_inspect(const struct command *c, const struct options *o)
 	bool tolerance = o->tolerances.n > 0;
 	struct document d;
 
-	read_document(c, o, 0, &d);
+	read_document(c, o, &d);
 	if (d.flat && tolerance)
 		document_refuse(&d,
 		    "/projection: missing; -t is about its error bounds, of "

@@ -86,7 +86,8 @@ static const struct command commands[] = {
 	    .example = "'" SCENE_LIKE "' '[1,1,1]'" },
 	{ "pick", "points within a radius of a device position, nearest first",
 	    PICK, run_pick,
-	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS | SCENE_PICK },
+	    .wants = { .needed = SCENE_VIEWPORT,
+		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_PICK },
 	    .example = "--at 320,240 --radius 3 '" SCENE_LIKE
 		"' '[[0,0,0], [1,1,1]]'" },
 	{ "fit", "a scene completed to hold bounds or points and no more",
@@ -124,6 +125,8 @@ static _Noreturn void help(const struct options *o)
 	if (o->n_points > 0)
 		die(EXIT_USAGE, "help: one word at a time; '%s' is too many",
 		    o->points[0]);
+	if (o->json && !is_stdin(what))
+		die(EXIT_USAGE, "help: --json tells all; leave '%s' out", what);
 	if (o->json)
 		help_json(commands, VERSION);
 	else if (is_stdin(what))

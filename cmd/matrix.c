@@ -25,7 +25,7 @@ void run_matrix(const struct command *c, const struct options *o)
 	struct document d;
 	static struct job j;
 
-	read_document(c, o, c->kind == PLANAR ? 2 : 3, &d);
+	read_document(c, o, &d);
 
 	bool points = !o->matrix && has_points(o, &d);
 

@@ -26,4 +26,8 @@ const char *mistaken_option(const char *name);
 void mistaken_params(const struct command *, const struct options *);
 void mistaken_points(const struct command *, const struct options *, int i);
 
+/* Refuses a typed position on the device in place of a point: pick has an option for
+ * that, and project one that takes it back. */
+void mistaken_position(const struct command *, const struct options *);
+
 #endif

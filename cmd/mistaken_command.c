@@ -112,6 +112,10 @@ void mistaken_command(const struct command *commands, char **words)
 			    "'%s' stands before the command; write projcalc "
 			    "%s %s ...",
 			    *words, *w, *words);
+	if (strncmp(*words, "--", 2) == 0 && option_named(*words + 2) != NULL)
+		die(EXIT_USAGE,
+		    "no command behind '%s'; 'projcalc help' lists them",
+		    *words);
 	if (first_char(*words) == '[')
 		die(EXIT_USAGE,
 		    "'%s' is no command; write projcalc project scene.json "

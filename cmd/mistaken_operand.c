@@ -49,33 +49,66 @@ static const char *glance(const char *name, char out[GLANCE_MAX])
 	    NULL;
 }
 
+/* What the numbers of words are meant for, as it is to be written: points, or for pick
+ * where it looks. */
+static void write_meant(char out[TYPED_MAX + 8], const struct command *c,
+    const struct options *o, char **words)
+{
+	char list[TYPED_MAX];
+
+	if (c->kind == PICK && write_points(list, words, 2) == 2) {
+		sprintf(out, "--at %.*s", (int)strlen(list) - 2, list + 1);
+		return;
+	}
+	write_points(list, words, coordinates_of(c, o));
+	sprintf(out, "'%s'", list);
+}
+
 /* PARAMS that are points, where POINTS are a scene, which objects of JSON need not
  * be. What is wrong with PARAMS alone is seen when they are read. */
 static void check_traded(const struct command *c, const struct options *o)
 {
-	char first[GLANCE_MAX], second[GLANCE_MAX], list[200] = "";
-	const char *params = glance(o->params, first);
-	const char *points = o->n_points > 0 ? glance(o->points[0], second) :
-					       NULL;
-
-	if (params == NULL || *params == '{' || points == NULL ||
-	    *points != '{' || (o->in == FORMAT_JSON && !is_numbers(params)))
-		return;
+	char first[GLANCE_MAX], second[GLANCE_MAX], list[TYPED_MAX + 8];
+	const char *params = glance(o->params, first), *scene = NULL;
 	bool file = access(o->params, F_OK) == 0;
+	int i = 0;
 
+	/* numbers may be several words */
+	while (!file && i < o->n_points && is_numbers(o->points[i]))
+		i++;
+	if (i < o->n_points)
+		scene = glance(o->points[i], second);
+	if (params == NULL || *params == '{' || scene == NULL ||
+	    *scene != '{' || (o->in == FORMAT_JSON && !is_numbers(params)))
+		return;
 	if (!file)
-		add_numbers(list, 0, sizeof list, params);
-	points = first_char(o->points[0]) == '{' ? "'{...}'" : o->points[0];
+		write_meant(list, c, o, o->points - 1);
+	scene = first_char(o->points[i]) == '{' ? "'{...}'" : o->points[i];
 	if (!command_reads_points(c))
 		die(EXIT_USAGE,
 		    "'%s' holds points, and %s reads none; write projcalc %s "
 		    "%s",
-		    o->params, c->name, c->name, points);
+		    o->params, c->name, c->name, scene);
 	die(EXIT_USAGE,
 	    "'%s' holds points, and the scene comes first; write projcalc %s "
-	    "%s %s%s%s",
-	    o->params, c->name, points, file ? "" : "'[",
-	    file ? o->params : list, file ? "" : "]'");
+	    "%s %s",
+	    o->params, c->name, scene, file ? o->params : list);
+}
+
+/* An option without its dashes, or with those that editors make of them. */
+static void check_option(const struct command *c, const char *word,
+    const char *why)
+{
+	const struct option_row *r;
+	const char *name = word;
+
+	/* U+2010 to U+2015 in UTF-8 */
+	while (strncmp(name, "\xe2\x80", 2) == 0 && (name[2] & 0xf0) == 0x90)
+		name += 3;
+	r = option_named(name);
+	if (r != NULL && option_is_for(r, c))
+		die_at(EXIT_USAGE, &(struct place){ .file = word },
+		    "%s; the option is --%s", why, name);
 }
 
 /* JSON that the shell has taken apart: {"eye": [0,0,5]} without quotes. */
@@ -108,49 +141,54 @@ void mistaken_params(const struct command *c, const struct options *o)
 		    "'%s' is no scene; PARAMS is a JSON file, - or JSON in "
 		    "quotes: projcalc %s %s",
 		    name, c->name, c->example != NULL ? c->example : "'{...}'");
-}
-
-/* The points that operands are meant for, as JSON: one of each, or one of all where
- * each is a single number. */
-static void write_points(char *out, size_t room, char **words)
-{
-	char list[100];
-	bool points = strpbrk(*words, ",; \t") != NULL;
-	size_t at = 0;
-
-	for (; *words != NULL && is_numbers(*words) && at + 9 < room; words++) {
-		size_t n = add_numbers(list, 0, sizeof list, *words);
-		const char *comma = at > 0 ? "," : "";
-
-		if (at + n + 4 > room)
-			break;
-		at += (size_t)sprintf(out + at, points ? "%s[%s]" : "%s%s",
-		    comma, list);
-	}
+	check_option(c, name, strerror(ENOENT));
 }
 
 void mistaken_points(const struct command *c, const struct options *o, int i)
 {
 	const char *name = o->points[i];
 	const struct place place = { .file = name };
+	char **words = o->points + i, list[TYPED_MAX + 8], decimals[TYPED_MAX];
 	struct stat st;
-	char list[200];
 
-	strcpy(list, c->kind == PLANAR ? "0,0" : "0,0,0");
 	if (stat(name, &st) == 0 && S_ISDIR(st.st_mode))
 		die_at(EXIT_USAGE, &place, "is a directory");
 	if (access(name, R_OK) == 0)
 		return;
 	const char *why = strerror(errno);
-	bool numbers = is_numbers(name);
 
-	if (numbers)
-		write_points(list, sizeof list, o->points + i);
-	if (numbers || strpbrk(name, "{\"") != NULL)
+	check_option(c, name, why);
+	if (!is_numbers(name) && strpbrk(name, "{\"") == NULL)
+		die_at(EXIT_USAGE, &place, "%s", why);
+	/* the shell takes [0, 0, 0] apart */
+	while (words > o->points && is_numbers(*words) && is_numbers(words[-1]))
+		words--;
+	write_meant(list, c, o, words);
+	if (*list == '-')
+		die_at(EXIT_USAGE, &place, "%s; where to look is %s", why,
+		    list);
+	if (write_decimals(decimals, words, coordinates_of(c, o)))
 		die_at(EXIT_USAGE, &place,
-		    *list == '[' && strchr(list + 1, '[') == NULL ?
-			"%s; POINTS are a file, - or '%s'" :
-			"%s; POINTS are a file, - or '[%s]'",
-		    why, list);
-	die_at(EXIT_USAGE, &place, "%s", why);
+		    "%s; POINTS are a file, - or %s; with decimal points for "
+		    "the commas: '%s'",
+		    why, c->kind == PLANAR ? list : "'[0,0,0]'", decimals);
+	die_at(EXIT_USAGE, &place, "%s; POINTS are a file, - or %s", why, list);
+}
+
+void mistaken_position(const struct command *c, const struct options *o)
+{
+	char *words[] = { o->n_points > 0 ? o->points[0] : NULL, NULL };
+	char list[TYPED_MAX];
+
+	if (o->n_points == 0 || first_char(*words) != '[' ||
+	    write_points(list, words, 2) != 2)
+		return;
+	if (c->kind == PICK)
+		die(EXIT_USAGE, "'%s' is no point; where to look is --at %.*s",
+		    *words, (int)strlen(list) - 2, list + 1);
+	if (c->kind == PROJECT && o->from == SPACE_DEVICE && !o->ray &&
+	    !o->homogeneous && (!o->has_to || o->to == SPACE_WORLD))
+		die(EXIT_USAGE,
+		    "'%s' has no depth; --ray takes it to the ray behind it",
+		    *words);
 }

@@ -49,6 +49,12 @@ static bool is_value(const struct member *m, const char *word)
 	    (*word != '-' && strpbrk(word, "./ ") == NULL);
 }
 
+/* What is too long to be shown is left out. */
+static void copy(char out[VALUE_MAX], const char *text)
+{
+	strcpy(out, strlen(text) < VALUE_MAX ? text : "");
+}
+
 /* The text behind it: after =, or the next word, or as many as are of numbers.
  * Returns where the words go on. */
 static char **text_of(char out[VALUE_MAX], const struct member *m, char **words)
@@ -56,12 +62,12 @@ static char **text_of(char out[VALUE_MAX], const struct member *m, char **words)
 	const char *equals = strchr(*words++, '=');
 	size_t at = 0;
 
-	snprintf(out, VALUE_MAX, "%s", equals != NULL ? equals + 1 : "");
+	copy(out, equals != NULL ? equals + 1 : "");
 	if (equals != NULL || *words == NULL)
 		return words;
 	if (m->read == read_flag || !is_numbers(*words)) {
 		if (is_value(m, *words))
-			snprintf(out, VALUE_MAX, "%s", *words++);
+			copy(out, *words++);
 	} else {
 		while (*words != NULL && is_numbers(*words))
 			at = add_numbers(out, at, VALUE_MAX, *words++);
@@ -81,7 +87,9 @@ static const struct member *find_in(unsigned bits, int kind, const char *name,
 
 		if ((bits >> k & 1) == 0)
 			continue;
-		if (strcmp(name, s->name) == 0)
+		if (strcmp(name, s->name) == 0 ||
+		    (aliases &&
+			s == member_named(scene_members, ANY_KIND, name)))
 			return s;
 		m = s->members == NULL ? NULL :
 		    aliases            ? member_named(s->members, kind, name) :
@@ -159,6 +167,27 @@ static void write_members(char *out, size_t room, const struct command *c,
 		snprintf(out + at, room - at, ", ...");
 }
 
+/* Refuses a member of the scene whose value is the name of a file. */
+static void check_file(const struct command *c, char **words,
+    const struct member *m)
+{
+	const char *equals = strchr(*words, '=');
+	const char *file = equals != NULL ? equals + 1 : words[1];
+	const int n = (int)strcspn(*words, "=");
+
+	if (file == NULL || strchr("-[{", *file) != NULL || is_numbers(file) ||
+	    strpbrk(file, "./") == NULL)
+		return;
+	if (c->wants.bare >> (m - scene_members) & 1)
+		die(EXIT_USAGE,
+		    "%s: unknown option %.*s; it stands alone: projcalc %s %s",
+		    c->name, n, *words, c->name, file);
+	die(EXIT_USAGE,
+	    "%s: unknown option %.*s; \"%s\" is a member of the scene, as jq "
+	    "'{%s: .}' %s writes it",
+	    c->name, n, *words, m->name, m->name, file);
+}
+
 void mistaken_member(const struct command *c, char **words, bool exact)
 {
 	const struct member *object, *m;
@@ -184,6 +213,8 @@ void mistaken_member(const struct command *c, char **words, bool exact)
 		    c->name, dashes, *words, name, m->name,
 		    m == object ? "scene" : object->name, c->name,
 		    object->name);
+	if (m == object)
+		check_file(c, words, m);
 	write_members(members, sizeof members, c, words);
 	die(EXIT_USAGE,
 	    "%s: unknown option %.*s%s; \"%s\" is a member of the %s: "
@@ -206,6 +237,7 @@ const char *mistaken_option(const char *name)
 		{ "unproject", "from" },
 		{ "json", "output" },
 		{ "csv", "input" },
+		{ "delimiter", "separator" },
 	};
 
 	for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)

@@ -19,6 +19,8 @@ void check_operands(const struct command *c, const struct options *o)
 	mistaken_params(c, o);
 	if (o->n_points > 0 && !command_reads_points(c))
 		die(EXIT_USAGE, "%s reads no points; leave them out", c->name);
+	if (!o->matrix)
+		mistaken_position(c, o);
 	for (int i = 0; i < o->n_points && !o->matrix; i++) {
 		const char *name = o->points[i];
 
@@ -34,14 +36,14 @@ void check_operands(const struct command *c, const struct options *o)
 }
 
 void read_document(const struct command *c, const struct options *o,
-    int coordinates, struct document *d)
+    struct document *d)
 {
 	struct document_wants wants = c->wants;
 
 	wants.convention = o->convention;
 	/* the document's points are not read if points are operands */
-	if (!o->matrix && o->n_points == 0)
-		wants.coordinates = coordinates;
+	if (command_reads_points(c) && !o->matrix && o->n_points == 0)
+		wants.coordinates = coordinates_of(c, o);
 	params_read(o, &wants, d);
 }
 
@@ -100,9 +102,12 @@ static void check_columns_of(const struct options *o, const struct layout *l)
 		die(EXIT_USAGE, "--columns: binary points have no fields");
 	if (o->columns.n > 0 && o->columns.n != l->reads)
 		die(EXIT_USAGE,
-		    "--columns: %d fields; %d coordinates are "
-		    "read here",
-		    o->columns.n, l->reads);
+		    "--columns: %d field%s; %d coordinates are read here, as "
+		    "%.*s or %.*s%s%.*s",
+		    o->columns.n, o->columns.n == 1 ? "" : "s", l->reads,
+		    2 * l->reads - 1, "2,3,4,5", 2 * l->reads - 1, "x,y,z,w",
+		    json ? " or " : "", json ? 5 * l->reads - 1 : 0,
+		    "/p/0,/p/1,/p/2,/p/3");
 }
 
 static void check_csv(const struct options *o, const struct layout *l)

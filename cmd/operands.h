@@ -9,10 +9,9 @@
 /* Before anything is printed, an operand that can't be opened is refused. */
 void check_operands(const struct command *, const struct options *);
 
-/* Reads the document of PARAMS that is next, whose points have so many
- * coordinates. */
+/* Reads the document of PARAMS that is next. */
 void read_document(const struct command *, const struct options *,
-    int coordinates, struct document *);
+    struct document *);
 
 /* Whether points are given: as operands or in the document. */
 bool has_points(const struct options *, const struct document *);

@@ -212,6 +212,16 @@ const struct option_row option_rows[] = {
 
 enum { ROWS = sizeof option_rows / sizeof *option_rows - 1 };
 
+const struct option_row *option_named(const char *name)
+{
+	const size_t n = strcspn(name, "=");
+
+	for (const struct option_row *r = option_rows; r->name != NULL; r++)
+		if (strlen(r->name) == n && strncmp(r->name, name, n) == 0)
+			return r;
+	return NULL;
+}
+
 bool option_is_for(const struct option_row *r, const struct command *c)
 {
 	return (r->commands & c->kind) != 0;
@@ -262,8 +272,12 @@ static int names_of(const struct command *c, const char *name,
 
 static _Noreturn void refuse_letter(const struct command *c, char letter)
 {
-	char shown[ESCAPED_MAX];
+	const char *names[ROWS + 1], name[] = { letter, '\0' };
+	char shown[ESCAPED_MAX], list[LISTED];
 
+	if (names_of(c, name, names) > 0)
+		die(EXIT_USAGE, "%s: unknown option -%c; with two dashes: %s",
+		    c->name, letter, list_words(list, names, " and ", ""));
 	die(EXIT_USAGE, "%s: unknown option -%s; 'projcalc help %s' lists them",
 	    c->name, escaped(shown, &letter, 1), c->name);
 }
@@ -304,11 +318,12 @@ static void check_dash(const struct command *c, char **words)
 
 	if (word == NULL || *word != '-' || word[1] == '-' || strlen(word) < 3)
 		return;
-	for (const struct option_row *r = option_rows; r->name != NULL; r++)
-		if (strcmp(r->name, word + 1) == 0)
-			die(EXIT_USAGE,
-			    "%s: unknown option %s; did you mean --%s?",
-			    c->name, word, r->name);
+	const struct option_row *row = option_named(word + 1);
+	const char *near = row != NULL ? row->name : mistaken_option(word + 1);
+
+	if (near != NULL)
+		die(EXIT_USAGE, "%s: unknown option %s; did you mean --%s?",
+		    c->name, word, near);
 	mistaken_member(c, words, false);
 }
 
@@ -429,6 +444,16 @@ static void check_tolerances(const struct command *c, const struct options *o)
 		    "%s: floats are not within a tolerance; with -t say "
 		    "-o f64 or -o text",
 		    c->name);
+}
+
+int coordinates_of(const struct command *c, const struct options *o)
+{
+	if (c->kind == PLANAR || o->ray)
+		return 2;
+	return o->from == SPACE_CLIP ||
+		(o->from == SPACE_DEVICE && o->homogeneous) ?
+	    4 :
+	    3;
 }
 
 struct number_style one_style(const struct options *o, const char *what)

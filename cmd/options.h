@@ -60,7 +60,14 @@ void options_first(char **words);
 void options_read(const struct command *, int argc, char **argv,
     struct options *);
 
+/* The option of that name, behind which = and a value may stand, or NULL. */
+const struct option_row *option_named(const char *name);
+
 bool option_is_for(const struct option_row *, const struct command *);
+
+/* How many numbers are read of a point. Fit learns only from the scene that it is in
+ * the plane. */
+int coordinates_of(const struct command *, const struct options *);
 
 /* How to round what is to be rounded alike: refuses a list of -d or --digits. what
  * is printed, for the message. */

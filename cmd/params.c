@@ -169,7 +169,8 @@ static void first_line(char *out, size_t room)
 	out[n] = '\0';
 }
 
-/* Points in place of a scene: the line is of numbers. */
+/* Points in place of a scene: the line is of numbers. What is wrong is the call, not
+ * what it reads. */
 static void check_points(const struct document_wants *wants)
 {
 	const struct place place = { .file = params.name };
@@ -179,8 +180,8 @@ static void check_points(const struct document_wants *wants)
 	if (*line == '[' || !is_numbers(line))
 		return;
 	if ((wants->used & SCENE_POINTS) == 0)
-		die_at(EXIT_INPUT, &place, "holds points; a scene is wanted");
-	die_at(EXIT_INPUT, &place,
+		die_at(EXIT_USAGE, &place, "holds points; a scene is wanted");
+	die_at(EXIT_USAGE, &place,
 	    "holds points, and a scene is wanted first; name its file: "
 	    "scene.json %s",
 	    params.name);

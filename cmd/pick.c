@@ -219,7 +219,7 @@ void run_pick(const struct command *c, const struct options *o)
 	hits.o = o;
 	hits.style = one_style(o, "what pick prints");
 	hits.n = hits.size = 0;
-	read_document(c, o, 3, &d);
+	read_document(c, o, &d);
 	aim(&d, o, &hits);
 	document_check(&d,
 	    scene_transform(&d.scene, SPACE_MODEL, SPACE_DEVICE, false,

@@ -3,15 +3,6 @@
 #include "print_matrix.h"
 #include "talk.h"
 
-static int coordinates(const struct options *o, enum space from)
-{
-	if (o->ray)
-		return 2;
-	return from == SPACE_CLIP || (from == SPACE_DEVICE && o->homogeneous) ?
-	    4 :
-	    3;
-}
-
 static void check_ray(const struct options *o)
 {
 	if ((o->has_from && o->from != SPACE_DEVICE) ||
@@ -51,7 +42,7 @@ void run_project(const struct command *c, const struct options *o)
 
 	if (o->ray)
 		check_ray(o);
-	read_document(c, o, coordinates(o, from), &d);
+	read_document(c, o, &d);
 
 	enum space to = o->has_to ? o->to :
 	    d.scene.has_viewport  ? SPACE_DEVICE :

@@ -150,7 +150,7 @@ void run_trace(const struct command *c, const struct options *o)
 		.with = &trace };
 	struct document d;
 
-	read_document(c, o, from == SPACE_CLIP ? 4 : 3, &d);
+	read_document(c, o, &d);
 	trace.printed = false;
 	trace.n = d.scene.has_viewport || from == SPACE_DEVICE ? SPACES :
 								 SPACES - 1;

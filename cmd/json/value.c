@@ -309,8 +309,8 @@ void value_numbers(const struct value *v, const struct range *range, size_t n,
 	if (!value_is_array(v))
 		value_wrong(v, wanted);
 	if (value_count(v) != n)
-		value_refuse(v, "has %zu elements; %s is wanted",
-		    value_count(v), wanted);
+		value_refuse(v, "has %zu element%s; %s is wanted",
+		    value_count(v), value_count(v) == 1 ? "" : "s", wanted);
 	struct value e = value_child(v);
 
 	for (; e.item != NULL; value_next(&e))

@@ -77,7 +77,7 @@ const struct member scene_members[SCENE_MEMBERS + 1] = {
 	MEMBER(DEVICE, "device", device_members, NULL,
 	    .example = RECTANGLE_LIKE, .about = "where a window is shown",
 	    .command = "n2d '{\"device\": " RECTANGLE_LIKE "}'"),
-	MEMBER(POINTS, "points", NULL, NULL, .example = "[[0,0,0], [1,1,1]]",
+	MEMBER(POINTS, "points", NULL, "point", .example = "[[0,0,0], [1,1,1]]",
 	    .type = "a point or a list",
 	    .about = "unless there are operands POINTS",
 	    .command = "lookat '{\"camera\": " CAMERA_LIKE
@@ -114,8 +114,8 @@ static void check_point(const struct value *v, int coordinates)
 			value_wrong(&e, "a number, a string or null");
 	}
 	if (n < coordinates)
-		value_refuse(v, "has %d elements; %d coordinates are wanted", n,
-		    coordinates);
+		value_refuse(v, "has %d element%s; %d coordinates are wanted",
+		    n, n == 1 ? "" : "s", coordinates);
 }
 
 /* Past the point of checked text at s, if it is of blanks and numbers without an

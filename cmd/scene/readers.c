@@ -136,8 +136,8 @@ static void read(const struct value *v, bool affine, double m[4][4])
 	else if (n == 16)
 		value_numbers(&p.matrix, &range_any, 16, all);
 	else
-		value_refuse(&p.matrix, "has %zu elements; %s are wanted", n,
-		    wanted);
+		value_refuse(&p.matrix, "has %zu element%s; %s are wanted", n,
+		    n == 1 ? "" : "s", wanted);
 	for (int i = 0; i < 16 && n == 16; i++)
 		m[i / 4][i % 4] = all[i];
 }

@@ -76,7 +76,7 @@ static const struct refusal refusals[] = {
 	{ &either, "{\"window\":{},\"projection\":{\"type\":\"ortho\"}}",
 	    "/window/center: missing; " WINDOW_HINT },
 	{ &either, "{\"device\":{\"width\":1,\"height\":1},\"points\":[[1]]}",
-	    "/points/0: has 1 elements; 2 coordinates are wanted" },
+	    "/points/0: has 1 element; 2 coordinates are wanted" },
 	{ &project, "{\"window\":{}}",
 	    "/window/center: missing; " WINDOW_HINT },
 	{ &project,
