@@ -22,13 +22,15 @@ LDFLAGS =
 
 # What is always wanted stands apart from CFLAGS and LDFLAGS, as those of the
 # command line would replace it. The same bytes come from every compiler: no
-# multiply-add is fused unless it is written so; and two faults of gcc 12 are kept
+# multiply-add is fused unless it is written so, sums stay in their order, -0 is not
+# 0; and two faults of gcc 12 are kept
 # out, of which core/test/compiler_test.c has an example each. It leaves out what
 # rounds two doubles to floats and back where it makes a vector of them (and stores
 # the halves of a span to reload them as one, which stalls). And it counts some
 # loops' addresses from a literal 0, whose accesses it then takes for unreachable
 # (PR 110702), unless a null pointer might be one.
-FLAGS = -ffp-contract=off -fno-tree-slp-vectorize \
+FLAGS = -ffp-contract=off -fno-fast-math -fno-unsafe-math-optimizations \
+	-fno-reciprocal-math -fsigned-zeros -fno-tree-slp-vectorize \
 	-fno-delete-null-pointer-checks -pthread -MMD -MP -Wall \
 	-Wextra -Wshadow -Wconversion -Wdouble-promotion -Wvla \
 	$(if $(WERROR),-Werror)
@@ -91,25 +93,24 @@ $(BUILD)/%.o: %.cc | $(FIRST)
 	@mkdir -p $(@D)
 	$(CXX) $(CXX_FLAGS) $(CXXFLAGS) $(FLAGS) $(CPPFLAGS) -c -o $@ $<
 
-MACHINE := $(shell $(CC) -dumpmachine 2>/dev/null)
+# Asked when something is compiled, as `make deps` may bring the compiler, but once.
+MACHINE = $(eval MACHINE := $(shell $(CC) -dumpmachine 2>/dev/null))$(MACHINE)
+x86 = $(if $(filter x86_64% amd64%,$(MACHINE)),$1)
 
 # Where a C standard is asked for, gcc makes doubles of s390x's floats.
-ifneq ($(filter s390x%,$(MACHINE)),)
-FLAGS += $(if $(findstring clang,$(CC)),,-fexcess-precision=fast)
-endif
+FLAGS += $(if $(filter s390x%,$(MACHINE)),$(if \
+	$(findstring clang,$(CC)),,-fexcess-precision=fast))
 
 # The inner loops: binary points take a fifth less time than at -O2. Those for
 # AVX2 and AVX-512 are chosen when the program runs; NEON is in every arm64.
 $(addprefix $(BUILD)/cmd/points/,binary.o block_write.o walk.o) \
     $(call objects,core/kernel cmd/number/vector): FLAGS += -O3
-ifneq ($(filter x86_64%,$(MACHINE)),)
 VECTOR = $(BUILD)/cmd/number/vector
 $(BUILD)/core/kernel/avx2.o $(VECTOR)/write_avx2.o $(VECTOR)/read_avx2.o: \
-    FLAGS += -mavx2 -mfma
-$(BUILD)/core/kernel/avx512.o: FLAGS += -mavx512f -mfma
-$(VECTOR)/write_avx512.o $(VECTOR)/read_avx512.o: \
-    FLAGS += -mavx512f -mavx512bw -mavx512cd -mavx512dq -mavx512vl -mfma
-endif
+    FLAGS += $(call x86,-mavx2 -mfma)
+$(BUILD)/core/kernel/avx512.o: FLAGS += $(call x86,-mavx512f -mfma)
+$(VECTOR)/write_avx512.o $(VECTOR)/read_avx512.o: FLAGS += $(call x86, \
+    -mavx512f -mavx512bw -mavx512cd -mavx512dq -mavx512vl -mfma)
 # Threads run these: what they need of their stacks (cmd/stack.c) is not to grow
 # unseen.
 $(addprefix $(BUILD)/core/,exact.o frustum.o mat.o pick.o point.o points.o ray.o \
@@ -246,7 +247,9 @@ INSTALLED = $(BINDIR)/projcalc $(MANDIR)/man1/projcalc.1 \
 	$(ZSHDIR)/_projcalc $(FISHDIR)/projcalc.fish
 
 # The manual says where the schema is.
+one_word = $(if $(word 2,$1),$(error no blanks in DESTDIR or PREFIX, please: $1))
 install: $(MADE) ## to PREFIX=/usr/local, below DESTDIR
+	$(call one_word,$(DESTDIR)$(PREFIX))
 	@set -e; set -- $(addprefix $(DESTDIR),$(INSTALLED)); \
 	for file in $(MADE); do \
 		mode=644; [ $$file != $(BUILD)/projcalc ] || mode=755; \
@@ -261,6 +264,7 @@ install: $(MADE) ## to PREFIX=/usr/local, below DESTDIR
 	done
 
 uninstall: ## take it away
+	$(call one_word,$(DESTDIR)$(PREFIX))
 	rm -f $(addprefix $(DESTDIR),$(INSTALLED))
 	-rmdir $(DESTDIR)$(DATADIR)/projcalc
 

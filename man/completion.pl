@@ -8,7 +8,8 @@ use warnings;
 use JSON::PP;
 
 my ($program, $shell) = @ARGV;
-my $all = decode_json(scalar `$program help --json`);
+open my $said, '-|', $program, 'help', '--json' or die "$program: $!\n";
+my $all = decode_json(join '', <$said>);
 my @commands = map { $_->{name} } @{$all->{commands}};
 my %about = map { $_->{name} => $_->{about} } @{$all->{commands}};
 my @topics = (@commands, map { $_->{name} } grep { !$_->{in} }

@@ -3,6 +3,7 @@
 # The vertices of the Stanford bunny through a scene, and a picture of them.
 # usage: demo.sh BUILD
 set -eu
+unset CDPATH
 export LC_ALL=C
 build=$(cd "$1" && pwd)
 cd "$(dirname "$0")/../../testdata"

@@ -5,6 +5,7 @@
 # from the farthest to the nearest, so that those in front hide what is behind.
 # usage: views.sh BUILD OUTPUT.svg
 set -eu
+unset CDPATH
 export LC_ALL=C
 build=$(cd "$1" && pwd)
 svg=$2

@@ -187,7 +187,7 @@ enum piece_state piece_cut(struct piece *p, const struct layout *l, int fd,
 
 	range -= range % point;
 	piece_reserve(p, binary ? range : PIECE_ROOM);
-	p->at = start + (off_t)(k * range - before);
+	p->at = start + (off_t)k * (off_t)range - (off_t)before;
 	p->have = p->begin = p->whole = 0;
 	if (!binary)
 		return cut_lines(p, fd, before, range);

@@ -23,6 +23,7 @@ our @EXPORT = (qw($top $write $build $tmp slurp spew missing run sorted
     @Test::More::EXPORT);
 
 $ENV{LC_ALL} = 'C';
+delete @ENV{qw(NO_COLOR POSIXLY_CORRECT CDPATH)};
 # A make that a test starts is a reader's own, not a part of `make test`.
 delete @ENV{qw(MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES)};
 chdir $top or die "$top: $!\n";

@@ -9,7 +9,7 @@ use FindBin;
 use lib $FindBin::Bin;
 use Projcalc;
 
-my ($status, undef, $said) = run("sh cmd/demo/views.sh $build $tmp/views.svg");
+my ($status, undef, $said) = run("sh cmd/demo/views.sh '$build' '$tmp/views.svg'");
 is("$status$said", '0', 'views.sh');
 my $svg = slurp("$tmp/views.svg");
 ok($svg eq slurp('testdata/charts/views.svg'), 'make views has been run');

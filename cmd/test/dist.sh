@@ -4,6 +4,7 @@
 # packs itself, also for those whose files nobody else may read.
 # usage: dist.sh BUILD NAME
 set -eu
+unset CDPATH
 tarball=$(cd "$1" && pwd)/$2.tar.gz
 check=$(cd "$1" && pwd)/distcheck
 source=$check/$2

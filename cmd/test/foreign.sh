@@ -6,6 +6,7 @@
 # Wants what `make deps foreign` installs; what is not there is named and left out.
 # usage: foreign.sh BUILD [NAME...]
 set -eu
+unset CDPATH
 cd "$(dirname "$0")/../.."
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES
 build=$1
@@ -32,7 +33,7 @@ has() {
 
 # make for $cc and $cxx, with $flags; what is asked for has its library before it.
 made() {
-	make -s -j"$(nproc)" "BUILD=$build/$name" "CC=$cc" "CXX=$cxx" \
+	make -s -j"$(nproc 2>/dev/null || echo 2)" "BUILD=$build/$name" "CC=$cc" "CXX=$cxx" \
 	    CFLAGS="-O2 -g $flags" CPPFLAGS="-I$build/include" "$@"
 }
 

@@ -22,7 +22,7 @@ makes() {
 check() {
 	# what has = in it would be a variable to make
 	build=$top/$1$(echo "$2" | tr -d ' =')
-	make -s -j"$(nproc)" "BUILD=$build" "CC=$1" \
+	make -s -j"$(nproc 2>/dev/null || echo 2)" "BUILD=$build" "CC=$1" \
 	    "CXX=$(echo "$1" | sed 's/gcc/g++/; s/clang/clang++/')" \
 	    CFLAGS="$2 -g" LDFLAGS="$2" "$build/projcalc" \
 	    "$build/core/test/compiler_test"

@@ -4,6 +4,7 @@
 # each format, bad lines with and without --keep-going, several sources.
 # usage: threads.sh BUILD
 set -eu
+unset CDPATH
 build=$(cd "$1" && pwd)
 cd "$(dirname "$0")/../../testdata"
 PATH=$build:$PATH

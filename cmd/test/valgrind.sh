@@ -3,6 +3,7 @@
 # One of each command under valgrind, which knows no AVX-512.
 # usage: valgrind.sh BUILD
 set -eu
+unset CDPATH
 build=$(cd "$1" && pwd)
 cd "$(dirname "$0")/../../testdata"
 PATH=$build:$PATH

@@ -7,6 +7,8 @@
 #endif
 #include "../wide.h"
 
+#include <stdio.h>
+
 #include "claims.h"
 
 #ifdef HAS_WIDE
@@ -81,5 +83,8 @@ int main(void)
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
+#else
+	puts("1..0 # SKIP no integers of 128 bits to compare with");
+	return 0;
 #endif
 }
