@@ -68,6 +68,11 @@ JOBS = $(shell nproc 2>/dev/null || echo 2)
 PARALLEL = $(MAKE) -s --no-print-directory \
 	$(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 
+# Goals that make others write the same files, each with all processors.
+ifneq ($(word 2,$(MAKECMDGOALS)),)
+.NOTPARALLEL:
+endif
+
 # In `make deps demo` nothing is built before what it needs is installed.
 FIRST = $(filter deps,$(MAKECMDGOALS))
 

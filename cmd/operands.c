@@ -158,8 +158,8 @@ static void choose_kernels(void)
 		cpu = NULL;
 	if (!points_choose(cpu) || !number_choose(cpu))
 		die(EXIT_USAGE,
-		    "PROJCALC_CPU=%s: not a processor that this is; "
-		    "it is one of baseline, avx2, avx512 and neon",
+		    "PROJCALC_CPU=%s: not what this processor can be; "
+		    "there are baseline, avx2, avx512 and neon",
 		    cpu);
 }
 

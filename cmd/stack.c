@@ -5,6 +5,9 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <string.h>
+
+#include "talk.h"
 
 /* A map is 7 KB of exact numbers, of which inspect makes some while others wait: it
  * takes between 144 and 160 KB where gcc compiles with -O2, and less than 192 with
@@ -49,9 +52,15 @@ void call_with_stack(void (*run)(void *), void *with)
 {
 	struct call call = { run, with };
 	pthread_t t;
+	int error;
 
-	if (stack_is_small() && start_with_stack(&t, run_call, &call) == 0)
-		pthread_join(t, NULL);
-	else
+	if (!stack_is_small()) {
 		run(with);
+		return;
+	}
+	error = start_with_stack(&t, run_call, &call);
+	if (error != 0)
+		die(EXIT_SYSTEM, "the stack is too small, and a thread: %s",
+		    strerror(error));
+	pthread_join(t, NULL);
 }

@@ -177,6 +177,26 @@ static bool read_columns(const struct layout *l, const char *s, const char *end,
 	return true;
 }
 
+/* Whether a carriage return, outside of quotes, stands where more of the line comes
+ * after it; says so then. */
+static bool has_old_line_ends(struct dialect d, struct span text,
+    char reason[REASON_MAX])
+{
+	const char *s = text.s;
+	bool quoted = false;
+
+	for (; s < text.end && (*s != '\r' || quoted); s++)
+		quoted ^= *s == '"' && d.format == FORMAT_CSV;
+	while (s < text.end && is_blank(*s))
+		s++;
+	if (s == text.end)
+		return false;
+	snprintf(reason, REASON_MAX,
+	    "has carriage returns alone for line ends; make them newlines: tr "
+	    "'\\r' '\\n'");
+	return true;
+}
+
 /* Says why the text, which begins as an array or object, is no JSON. */
 static void say_no_json(struct span text, const struct json_error *e,
     char reason[REASON_MAX])
@@ -190,7 +210,7 @@ static void say_no_json(struct span text, const struct json_error *e,
 	if (s < text.end && *s == (object ? '}' : ']') &&
 	    skip_blanks(json, s + 1, text.end) == text.end)
 		snprintf(reason, REASON_MAX, "is no JSON: %s", e->reason);
-	else
+	else if (!has_old_line_ends(json, text, reason))
 		snprintf(reason, REASON_MAX,
 		    object ? "the object does not end with the line; one "
 			     "object a line: jq -c ." :
@@ -356,40 +376,37 @@ static bool read_text(struct layout *l, struct span text, const char *readable,
 	return false;
 }
 
-/* Whether a carriage return, outside of quotes, stands where more of the line comes
- * after it. In JSON it is a blank like others. */
-static bool has_old_line_ends(struct dialect d, struct span text)
-{
-	const char *s = text.s;
-	bool quoted = false;
-
-	if (d.format == FORMAT_JSON)
-		return false;
-	for (; s < text.end && (*s != '\r' || quoted); s++)
-		quoted ^= *s == '"' && d.format == FORMAT_CSV;
-	while (s < text.end && is_blank(*s))
-		s++;
-	return s < text.end;
-}
-
-/* Returns false where the first line that counts is not to be read as a point. */
+/* Returns false where the first line that counts is not to be read as a point. In
+ * JSON a carriage return is a blank like others. */
 static bool read_first_line(struct layout *l, struct span text,
     struct line *line, char reason[REASON_MAX])
 {
-	if (has_old_line_ends(l->in, text)) {
-		snprintf(reason, REASON_MAX,
-		    "has carriage returns alone for line ends; make them "
-		    "newlines: tr '\\r' '\\n'");
-		line->kind = LINE_LOST;
+	const char *s = skip_blanks(l->in, text.s, text.end);
+	bool mark = *s == '#';
+
+	line->kind = LINE_LOST;
+	if ((l->in.format != FORMAT_JSON || mark) &&
+	    has_old_line_ends(l->in, text, reason))
 		return false;
-	}
 	if (l->in.format != FORMAT_CSV)
 		return true;
-	if (*skip_blanks(l->in, text.s, text.end) != '{')
+	if (*s != '{')
 		return !header_read(l, text, line, reason);
 	snprintf(reason, REASON_MAX, "looks like JSON; say -i json");
-	line->kind = LINE_LOST;
 	return false;
+}
+
+/* Whether the line, of which s is the first character that is no blank, is copied as
+ * it is: a comment, but not one that is a header, or a whole file. */
+static bool is_comment(struct layout *l, struct span text, const char *s,
+    bool first)
+{
+	char reason[REASON_MAX];
+
+	return *s == '#' &&
+	    !(first &&
+		(header_in_comment(l, text) ||
+		    has_old_line_ends(l->in, text, reason)));
 }
 
 void line_read(struct layout *l, struct span text, const char *readable,
@@ -405,8 +422,7 @@ void line_read(struct layout *l, struct span text, const char *readable,
 		text.s = skip_mark(text.s, text.end);
 	const char *s = skip_blanks(l->in, text.s, text.end);
 
-	if (s == text.end ||
-	    (*s == '#' && !(was_first && header_in_comment(l, text))))
+	if (s == text.end || is_comment(l, text, s, was_first))
 		return;
 	*first = false;
 	if (was_first && !read_first_line(l, text, line, reason))

@@ -17,7 +17,7 @@ sub succeeds {
 }
 
 for my $cc (sort keys %compilers) {
-	my ($cxx, $build) = ($compilers{$cc}, "build/$cc");
+	my ($cxx, $build) = ($compilers{$cc}, "$build/$cc");
 	SKIP: {
 		skip "no $cc", 3 if missing($cc, $cxx);
 		succeeds("make -sj2 programs BUILD=$build CC=$cc CXX=$cxx " .
