@@ -80,14 +80,6 @@ static void check(const struct source *source, const char *name, char *text,
 		    "%s", e.reason);
 }
 
-struct value value_parse(const struct source *source, char *text, size_t size)
-{
-	struct span all;
-
-	check(source, NULL, text, size, &all);
-	return (struct value){ .source = source, .item = parse(text, size) };
-}
-
 /* A copy of a text with [] in the place of a part; sets *size. */
 static char *without(const char *text, const char *end, const struct span *part,
     size_t *size)

@@ -40,12 +40,10 @@ struct range {
 /* Numbers up to 1e150 in magnitude; sizes, from 1e-150 to 1e150. */
 extern const struct range range_any, range_positive;
 
-/* Parses a document, and changes the text; refuses what is no JSON. */
-struct value value_parse(const struct source *, char *text, size_t size);
-
-/* The same; but the array, large perhaps, that the document's member of that
- * name is, or where name is NULL the document itself, is an empty one among the
- * values, and *array is its text, which does not change. */
+/* Parses a document, and changes the text; refuses what is no JSON. But the array,
+ * large perhaps, that the document's member of that name is, or where name is NULL
+ * the document itself, is an empty one among the values, and *array is its text,
+ * which does not change. */
 struct value value_parse_without(const struct source *, const char *name,
     char *text, size_t size, struct span *array);
 

@@ -16,7 +16,7 @@ struct text {
 		s, sizeof(s) - 1, line \
 	}
 
-/* By value_parse, which prints what json_check says. */
+/* By value_parse_without, which prints what json_check says. */
 static void check(const void *argument)
 {
 	const struct source source = { .name = "s.json" };
@@ -24,7 +24,9 @@ static void check(const void *argument)
 	char *copy = malloc(t->size + 1);
 
 	memcpy(copy, t->s, t->size);
-	struct value v = value_parse(&source, copy, t->size);
+	struct span none;
+	struct value v = value_parse_without(&source, "none", copy, t->size,
+	    &none);
 
 	value_free(&v);
 	free(copy);

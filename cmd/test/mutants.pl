@@ -93,8 +93,8 @@ sub succeeds {
 	return $well;
 }
 
-# What reads a variable that nothing was written to isn't built.
-my $make = "make -s CFLAGS='-O1 -g0 -Werror=uninitialized' LDFLAGS=-s " .
+# What reads a variable that nothing was written to, or returns nothing, isn't built.
+my $make = "make -s CFLAGS='-O1 -g0 -Werror=uninitialized -Werror=return-type' LDFLAGS=-s " .
     "BUILD=build";
 
 sub is_built {
