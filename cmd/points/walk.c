@@ -60,8 +60,10 @@ static void plan_members(const struct layout *l, struct walk *w)
 	for (int i = 0; i < l->reads && w->objects; i++) {
 		w->objects = c->n == 0 ||
 		    (c->name[i] != NULL && *c->name[i] != '/');
-		if (w->objects)
-			w->name[i] = path_of(l, i);
+		if (!w->objects)
+			break;
+		w->name[i] = path_of(l, i);
+		w->name_size[i] = strlen(w->name[i]);
 	}
 }
 
@@ -165,7 +167,7 @@ INLINE bool pass_separator(struct place *p, struct dialect d)
 }
 
 /* Past a string of JSON with nothing in it that would have to be looked at. */
-static bool pass_string(struct place *p)
+INLINE bool pass_string(struct place *p)
 {
 	for (p->stop++; p->text[*p->stop] != '"'; p->stop++) {
 		char c = p->text[*p->stop];
@@ -272,18 +274,18 @@ INLINE bool pass_coordinate(struct place *p, struct dialect d,
 }
 
 /* Which coordinate has that name, or -1. */
-static int coordinate_of(const struct walk *w, const char *name, size_t n)
+INLINE int coordinate_of(const struct walk *w, const char *name, size_t n)
 {
 	for (int k = 0; k < w->n; k++)
-		if (w->name[k][0] == *name && strlen(w->name[k]) == n &&
-		    memcmp(w->name[k], name, n) == 0)
+		if (w->name_size[k] == n && w->name[k][0] == *name &&
+		    (n == 1 || memcmp(w->name[k], name, n) == 0))
 			return k;
 	return -1;
 }
 
 /* Past a name and its colon: which coordinate it is, or -1; -2 where it isn't as
  * usual. */
-static int pass_name(struct place *p, const struct walk *w, struct dialect d)
+INLINE int pass_name(struct place *p, const struct walk *w, struct dialect d)
 {
 	uint32_t from = p->at + 1, to;
 

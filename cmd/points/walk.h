@@ -30,6 +30,7 @@ struct walk {
 	 * called; the rest is of lines of fields. */
 	bool arrays, objects;
 	const char *name[4];
+	size_t name_size[4];
 	bool columns;      /* else they are the first fields */
 	int skip[4];       /* fields before each that are none */
 	int coordinate[4]; /* which it is */
