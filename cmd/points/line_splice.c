@@ -162,6 +162,14 @@ static char *put_behind(const struct layout *l, const struct line *line,
 	return out;
 }
 
+/* Whether no field has been written from begin on. */
+static bool nothing_before(struct dialect d, const char *begin, const char *out)
+{
+	while (out > begin && is_blank_of(d, out[-1]))
+		out--;
+	return out == begin || (d.format == FORMAT_JSON && out[-1] == '[');
+}
+
 /* Where the last field of a line ends. */
 static const char *fields_end(const struct layout *l, const struct line *line)
 {
@@ -216,7 +224,7 @@ char *line_splice(const struct layout *l, const struct line *line,
 			s = behind;
 		}
 		out = put_behind(l, line, numbers, flags, separator, out,
-		    out == begin || out[-1] == '[');
+		    nothing_before(l->in, begin, out));
 	}
 	return put(out, s, end);
 }
