@@ -138,6 +138,22 @@ static void exact_ones(void **state)
 	equals(cos_of(360 * 0x1p400, DEGREES), 1);
 }
 
+/* What is none is 0: roots of 2, 3 and 5 by themselves, less these. */
+static void angles_of_nothing(void **state)
+{
+	(void)state;
+	for (double v = 2; v < 6; v++) {
+		struct sum root = sum_sqrt(sum_of_double(v));
+		struct sum none = sum_sub(sum_mul(root, root),
+		    sum_of_double(v));
+		struct sum one = sum_of_double(1);
+
+		assert_true(degrees_of(none, one) == 0);
+		assert_true(degrees_of(one, none) == 90);
+		assert_true(isnan(degrees_of(none, none)));
+	}
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -145,6 +161,7 @@ int main(void)
 		cmocka_unit_test(every_cotangent),
 		cmocka_unit_test(every_radian),
 		cmocka_unit_test(exact_ones),
+		cmocka_unit_test(angles_of_nothing),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
