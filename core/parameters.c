@@ -22,27 +22,10 @@ struct upright {
 	bool turned, leftward;
 };
 
-static struct sum number(double a)
-{
-	return sum_of_double(a);
-}
-
-static struct sum negated_if(bool yes, struct sum a)
-{
-	return yes ? sum_neg(a) : a;
-}
-
 /* a b - c d */
 static struct sum minor(struct sum a, struct sum b, struct sum c, struct sum d)
 {
 	return sum_sub(sum_mul(a, b), sum_mul(c, d));
-}
-
-static double over(struct sum n, struct sum d)
-{
-	double q = sum_over(n, d);
-
-	return isfinite(q) ? q : NONE;
 }
 
 /* Whether world to view has a mirror in it where the camera is a rotation. */
@@ -63,10 +46,10 @@ static bool upright_of(const struct map *map, const struct scene *s,
 	turned = sum_sign(m[2][3]) * (looks_back(c) ? -1 : 1) < 0;
 	leftward = turned != is_mirrored(s);
 	for (int j = 0; j < 4; j++) {
-		m[0][j] = negated_if(leftward, m[0][j]);
-		m[1][j] = negated_if(c->view_y_down, m[1][j]);
-		m[2][j] = negated_if(turned != looks_back(c), m[2][j]);
-		m[j][1] = negated_if(c->ndc_y_down, m[j][1]);
+		m[0][j] = sum_negated_if(leftward, m[0][j]);
+		m[1][j] = sum_negated_if(c->view_y_down, m[1][j]);
+		m[2][j] = sum_negated_if(turned != looks_back(c), m[2][j]);
+		m[j][1] = sum_negated_if(c->ndc_y_down, m[j][1]);
 	}
 	*u = (struct upright){ m[0][0], m[1][0], m[1][1], m[2][0], m[2][1],
 		m[2][2], m[2][3], m[3][0], m[3][1], m[3][2], m[3][3],
@@ -87,8 +70,8 @@ struct plane {
 static struct plane plane_of(const struct upright *u, double k)
 {
 	return (struct plane){
-		sum_sub(sum_mul(number(k), u->tw), u->tz),
-		sum_sub(u->zz, sum_mul(number(k), u->zw)),
+		sum_sub(sum_mul(sum_of_double(k), u->tw), u->tz),
+		sum_sub(u->zz, sum_mul(sum_of_double(k), u->zw)),
 	};
 }
 
@@ -99,10 +82,10 @@ static double distance(const struct upright *u, const struct plane *p)
 	struct sum d = sum_mul(u->zw, p->d);
 
 	if (sum_sign(u->zw) == 0)
-		return over(p->n, p->d);
+		return sum_over_or_nan(p->n, p->d);
 	if (sum_sign(d) == 0)
 		return HUGE_VAL;
-	double at = over(u->det, d);
+	double at = sum_over_or_nan(u->det, d);
 
 	return at > 0 ? at : NONE;
 }
@@ -114,10 +97,10 @@ static double side_at(const struct upright *u, const struct plane *p, int axis,
 {
 	struct sum z = axis == 0 ? u->zx : u->zy, t = axis == 0 ? u->tx : u->ty;
 	struct sum off = sum_add(sum_mul(z, p->n), sum_mul(t, p->d));
-	struct sum n = minor(negated_if(minus, half), u->det, scale, off);
+	struct sum n = minor(sum_negated_if(minus, half), u->det, scale, off);
 	struct sum x = axis == 0 ? u->x : u->y;
 
-	return over(n, sum_mul(sum_mul(scale, x), p->d));
+	return sum_over_or_nan(n, sum_mul(sum_mul(scale, x), p->d));
 }
 
 static void set_planes(const struct scene *s, const struct upright *u,
@@ -140,7 +123,7 @@ static void set_planes(const struct scene *s, const struct upright *u,
 	struct sum wide = sum_mul(sum_mul(u->y, half[0]), scale[1]);
 	struct sum high = sum_mul(sum_mul(u->x, half[1]), scale[0]);
 
-	r->aspect = over(sum_abs(wide), sum_abs(high));
+	r->aspect = sum_over_or_nan(sum_abs(wide), sum_abs(high));
 }
 
 static const char *set_frustum_planes(const struct scene *s, double plane[6][4])
@@ -158,7 +141,7 @@ static const char *set_frustum_planes(const struct scene *s, double plane[6][4])
 
 		for (int i = 0; i < 4; i++)
 			plane[k][i] = sum_sign(length) != 0 ?
-			    over(v[i], length) :
+			    sum_over_or_nan(v[i], length) :
 			    NONE;
 	}
 	return why;
@@ -169,7 +152,7 @@ static const char *set_frustum_planes(const struct scene *s, double plane[6][4])
 static bool is_rotation(const struct map *m, bool mirrored)
 {
 	struct sum one = sum_mul(m->divisor, m->divisor);
-	struct sum most = sum_mul(one, number(0x1p-20));
+	struct sum most = sum_mul(one, sum_of_double(0x1p-20));
 
 	for (int i = 0; i < 9; i++) {
 		struct sum a[3], b[3];
@@ -193,9 +176,9 @@ static void set_direction(const struct map *m, int j, bool minus, double v[3])
 	struct sum a[3];
 
 	for (int k = 0; k < 3; k++)
-		a[k] = negated_if(minus, m->m[k][j]);
+		a[k] = sum_negated_if(minus, m->m[k][j]);
 	for (int k = 0; k < 3; k++)
-		v[k] = over(a[k], vec3_length(a));
+		v[k] = sum_over_or_nan(a[k], vec3_length(a));
 }
 
 /* A perspective's eye is where its projectors meet. */
@@ -227,11 +210,13 @@ static const char *set_camera(const struct scene *s, const struct upright *u,
 static double edge(const struct upright *u, const struct plane *near, int axis,
     int side)
 {
-	struct sum w = sum_mul(number(side), u->zw);
+	struct sum w = sum_mul(sum_of_double(side), u->zw);
 	struct sum x = sum_mul(axis == 0 ? u->x : u->y,
 	    sum_mul(u->zw, near->d));
 
-	return over(sum_mul(sum_sub(w, axis == 0 ? u->zx : u->zy), u->det), x);
+	return sum_over_or_nan(sum_mul(sum_sub(w, axis == 0 ? u->zx : u->zy),
+				   u->det),
+	    x);
 }
 
 /* At the depth that is not sheared: (side tw - t - z plane) / x. */
@@ -239,9 +224,10 @@ static double parallel_edge(const struct upright *u, double plane, int axis,
     int side)
 {
 	struct sum z = axis == 0 ? u->zx : u->zy, t = axis == 0 ? u->tx : u->ty;
-	struct sum off = sum_add(t, sum_mul(z, number(plane)));
+	struct sum off = sum_add(t, sum_mul(z, sum_of_double(plane)));
 
-	return over(sum_sub(sum_mul(number(side), u->tw), off),
+	return sum_over_or_nan(sum_sub(sum_mul(sum_of_double(side), u->tw),
+				   off),
 	    axis == 0 ? u->x : u->y);
 }
 
@@ -251,18 +237,19 @@ static void set_intrinsics(const struct upright *u, const struct viewport *v,
     bool upward, struct projection *p)
 {
 	struct sum two = sum_add(u->zw, u->zw);
-	struct sum w = number(v->width), h = number(v->height);
+	struct sum w = sum_of_double(v->width), h = sum_of_double(v->height);
 	double(*k)[4] = p->intrinsics;
 
 	p->extent = EXTENT_INTRINSICS;
 	p->width = v->width;
 	p->height = v->height;
-	k[0][0] = over(sum_mul(u->x, w), two);
-	k[0][1] = over(sum_mul(negated_if(!upward, u->yx), w), two);
-	k[0][2] = over(sum_mul(sum_add(u->zw, u->zx), w), two);
-	k[1][1] = over(sum_mul(u->y, h), two);
-	k[1][2] = over(sum_mul(sum_add(u->zw, negated_if(!upward, u->zy)), h),
+	k[0][0] = sum_over_or_nan(sum_mul(u->x, w), two);
+	k[0][1] = sum_over_or_nan(sum_mul(sum_negated_if(!upward, u->yx), w),
 	    two);
+	k[0][2] = sum_over_or_nan(sum_mul(sum_add(u->zw, u->zx), w), two);
+	k[1][1] = sum_over_or_nan(sum_mul(u->y, h), two);
+	k[1][2] = sum_over_or_nan(
+	    sum_mul(sum_add(u->zw, sum_negated_if(!upward, u->zy)), h), two);
 	k[2][2] = 1;
 }
 
@@ -286,9 +273,9 @@ static void set_shear(const struct upright *u, const struct projection *given,
     struct projection *p)
 {
 	bool minus = sum_sign(u->x) * sum_sign(u->y) < 0;
-	struct sum x = negated_if(minus, sum_mul(u->zx, u->y));
-	struct sum y = negated_if(minus, sum_mul(u->zy, u->x));
-	struct sum both[3] = { x, y, number(0) };
+	struct sum x = sum_negated_if(minus, sum_mul(u->zx, u->y));
+	struct sum y = sum_negated_if(minus, sum_mul(u->zy, u->x));
+	struct sum both[3] = { x, y, sum_of_double(0) };
 
 	p->type = PROJECTION_OBLIQUE;
 	p->plane = 0;

@@ -17,16 +17,6 @@ struct elements {
 	struct sum by, tz_by, zz_by;
 };
 
-static struct sum number(double a)
-{
-	return sum_of_double(a);
-}
-
-static struct sum negated_if(bool yes, struct sum a)
-{
-	return yes ? sum_neg(a) : a;
-}
-
 static struct sum difference(double a, double b)
 {
 	return sum_of(ex_diff(a, b));
@@ -36,7 +26,7 @@ static struct sum difference(double a, double b)
 static void by_aspect(const double aspect[2], bool given_x, struct sum s,
     struct sum over, struct elements *f)
 {
-	struct sum w = number(aspect[0]), h = number(aspect[1]);
+	struct sum w = sum_of_double(aspect[0]), h = sum_of_double(aspect[1]);
 
 	f->x = given_x ? s : sum_mul(s, h);
 	f->dx = given_x ? over : sum_mul(over, w);
@@ -52,7 +42,7 @@ static void tangents(double a, double b, enum angle_unit unit,
 	struct sum left = sum_mul(sin_of(a, unit), cb);
 	struct sum right = sum_mul(sin_of(b, unit), ca);
 
-	*scale = sum_mul(number(2), sum_mul(ca, cb));
+	*scale = sum_mul(sum_of_double(2), sum_mul(ca, cb));
 	*size = sum_sub(right, left);
 	*off = sum_add(left, right);
 }
@@ -60,7 +50,8 @@ static void tangents(double a, double b, enum angle_unit unit,
 /* 2 a - b c, for ndc from pixels. */
 static struct sum doubled_less(double a, double b, double c)
 {
-	return sum_sub(number(2 * a), sum_mul(number(b), number(c)));
+	return sum_sub(sum_of_double(2 * a),
+	    sum_mul(sum_of_double(b), sum_of_double(c)));
 }
 
 /* From what is u w, v w and w, with u and v from 0 to a viewport's sides, to -w to w:
@@ -71,16 +62,16 @@ static void pixels(const struct projection *p, bool upward, struct elements *f,
 	const double(*k)[4] = p->intrinsics;
 	double pw = k[2][3];
 
-	f->dx = number(p->width);
-	f->dy = number(p->height);
-	f->x = number(2 * k[0][0]);
-	f->y = number(2 * k[1][1]);
-	f->yx = negated_if(!upward, number(2 * k[0][1]));
+	f->dx = sum_of_double(p->width);
+	f->dy = sum_of_double(p->height);
+	f->x = sum_of_double(2 * k[0][0]);
+	f->y = sum_of_double(2 * k[1][1]);
+	f->yx = sum_negated_if(!upward, sum_of_double(2 * k[0][1]));
 	off[0] = sum_neg(doubled_less(k[0][2], p->width, 1));
-	off[1] = negated_if(upward, doubled_less(k[1][2], p->height, 1));
+	off[1] = sum_negated_if(upward, doubled_less(k[1][2], p->height, 1));
 	f->tx = doubled_less(k[0][3], p->width, pw);
-	f->ty = negated_if(!upward, doubled_less(k[1][3], p->height, pw));
-	f->tw = number(pw);
+	f->ty = sum_negated_if(!upward, doubled_less(k[1][3], p->height, pw));
+	f->tw = sum_of_double(pw);
 }
 
 /* Sets x, y and by how much the centre is off; d is the distance of the plane
@@ -90,31 +81,33 @@ static const char *cross_section(const struct projection *p, double d,
     struct elements *f, struct sum off[2])
 {
 	bool wide = p->aspect[0] >= p->aspect[1];
-	struct sum cot = number(0);
+	struct sum cot = sum_of_double(0);
 
-	off[0] = off[1] = number(0);
+	off[0] = off[1] = sum_of_double(0);
 	if (p->extent <= EXTENT_VIEW_ANGLE)
 		cot = cot_half_of(p->angle, p->unit);
 	switch (p->extent) {
 	case EXTENT_FOVY:
-		by_aspect(p->aspect, false, cot, number(1), f);
+		by_aspect(p->aspect, false, cot, sum_of_double(1), f);
 		break;
 	case EXTENT_FOVX:
-		by_aspect(p->aspect, true, cot, number(1), f);
+		by_aspect(p->aspect, true, cot, sum_of_double(1), f);
 		break;
 	case EXTENT_VIEW_ANGLE:
-		by_aspect(p->aspect, !wide, cot, number(1), f);
+		by_aspect(p->aspect, !wide, cot, sum_of_double(1), f);
 		break;
 	case EXTENT_FIELD:
-		by_aspect(p->aspect, wide, number(1), number(p->angle), f);
+		by_aspect(p->aspect, wide, sum_of_double(1),
+		    sum_of_double(p->angle), f);
 		break;
 	case EXTENT_HEIGHT:
-		by_aspect(p->aspect, false, number(2), number(p->height), f);
+		by_aspect(p->aspect, false, sum_of_double(2),
+		    sum_of_double(p->height), f);
 		break;
 	case EXTENT_SIZE:
-		f->x = f->y = number(2 * d);
-		f->dx = number(p->width);
-		f->dy = number(p->height);
+		f->x = f->y = sum_of_double(2 * d);
+		f->dx = sum_of_double(p->width);
+		f->dy = sum_of_double(p->height);
 		break;
 	case EXTENT_ANGLES:
 		tangents(p->left, p->right, p->unit, &f->x, &f->dx, &off[0]);
@@ -123,7 +116,7 @@ static const char *cross_section(const struct projection *p, double d,
 	case EXTENT_INTRINSICS: /* pixels() */
 		break;
 	case EXTENT_EDGES:
-		f->x = f->y = number(2 * d);
+		f->x = f->y = sum_of_double(2 * d);
 		f->dx = difference(p->right, p->left);
 		f->dy = difference(p->top, p->bottom);
 		off[0] = difference(p->left, -p->right);
@@ -150,16 +143,16 @@ static void find_depth(const struct projection *p, bool minus_one,
 
 	if (isinf(p->far)) {
 		/* A = 1, reversed 1 - k; B = -k n, reversed k n */
-		f->dz = number(1);
-		f->zz = number(p->reverse_z ? 1 - k : 1);
-		f->tz = number(p->reverse_z ? k * n : -k * n);
+		f->dz = sum_of_double(1);
+		f->zz = sum_of_double(p->reverse_z ? 1 - k : 1);
+		f->tz = sum_of_double(p->reverse_z ? k * n : -k * n);
 	} else {
 		double a = p->reverse_z ? p->far : n;
 		double b = p->reverse_z ? n : p->far;
 
 		f->dz = difference(b, a);
-		f->zz = minus_one ? difference(b, -a) : number(b);
-		f->tz = sum_mul(number(-k * a), number(b));
+		f->zz = minus_one ? difference(b, -a) : sum_of_double(b);
+		f->tz = sum_mul(sum_of_double(-k * a), sum_of_double(b));
 	}
 }
 
@@ -177,16 +170,16 @@ static const char *persp(const struct projection *p, const struct convention *c,
 	if (!(p->near < p->far))
 		return "/projection/near: not less than far; for reversed "
 		       "depth say \"reverse_z\": true";
-	f->d = number(1);
+	f->d = sum_of_double(1);
 	if (p->extent == EXTENT_INTRINSICS)
 		pixels(p, c->bottom_left, f, off);
 	find_depth(p, c->minus_one, f);
-	f->det = negated_if(!back, f->tz);
+	f->det = sum_negated_if(!back, f->tz);
 	f->tz = sum_add(f->tz, sum_mul(f->zz, f->tw));
-	f->zx = negated_if(!back, off[0]);
-	f->zy = negated_if(!back, off[1]);
-	f->zz = negated_if(back, f->zz);
-	f->zw = negated_if(back, number(1));
+	f->zx = sum_negated_if(!back, off[0]);
+	f->zy = sum_negated_if(!back, off[1]);
+	f->zz = sum_negated_if(back, f->zz);
+	f->zw = sum_negated_if(back, sum_of_double(1));
 	return NULL;
 }
 
@@ -200,16 +193,17 @@ static const char *ortho(const struct projection *p, const struct convention *c,
 
 	if (why != NULL)
 		return why;
-	f->d = number(1);
+	f->d = sum_of_double(1);
 	f->dz = difference(b, a);
 	if (sum_sign(f->dz) == 0)
 		return "/projection/far: equal to near; "
 		       "the planes must differ";
-	f->zz = negated_if(looks_back(c), number(c->minus_one ? 2 : 1));
-	f->tz = c->minus_one ? difference(-a, b) : number(-a);
+	f->zz = sum_negated_if(looks_back(c),
+	    sum_of_double(c->minus_one ? 2 : 1));
+	f->tz = c->minus_one ? difference(-a, b) : sum_of_double(-a);
 	f->tx = sum_neg(off[0]);
 	f->ty = sum_neg(off[1]);
-	f->tw = number(1);
+	f->tw = sum_of_double(1);
 	f->det = f->zz;
 	return NULL;
 }
@@ -219,7 +213,7 @@ static const char *oblique(const struct projection *p,
     const struct convention *c, struct elements *f)
 {
 	const char *why = ortho(p, c, f);
-	struct sum cot = number(p->kind == OBLIQUE_CABINET ? 0.5 : 1);
+	struct sum cot = sum_of_double(p->kind == OBLIQUE_CABINET ? 0.5 : 1);
 
 	if (why != NULL)
 		return why;
@@ -232,10 +226,10 @@ static const char *oblique(const struct projection *p,
 				    sin_of(p->direction, p->direction_unit)),
 	    f->y);
 
-	f->tx = sum_sub(f->tx, sum_mul(zx, number(p->plane)));
-	f->ty = sum_sub(f->ty, sum_mul(zy, number(p->plane)));
-	f->zx = negated_if(looks_back(c), zx);
-	f->zy = negated_if(looks_back(c), zy);
+	f->tx = sum_sub(f->tx, sum_mul(zx, sum_of_double(p->plane)));
+	f->ty = sum_sub(f->ty, sum_mul(zy, sum_of_double(p->plane)));
+	f->zx = sum_negated_if(looks_back(c), zx);
+	f->zy = sum_negated_if(looks_back(c), zy);
 	return NULL;
 }
 
@@ -256,13 +250,13 @@ static void halves_of(const struct projection *p, struct half half[2])
 {
 	bool sized = p->aspect[1] != 0;
 	bool wide = p->aspect[0] >= p->aspect[1];
-	struct sum w = number(sized && wide ? p->aspect[0] : 1);
-	struct sum h = number(sized && !wide ? p->aspect[1] : 1);
+	struct sum w = sum_of_double(sized && wide ? p->aspect[0] : 1);
+	struct sum h = sum_of_double(sized && !wide ? p->aspect[1] : 1);
 
-	half[0].n = sum_mul(number(p->half_width), w);
-	half[0].d = number(sized && wide ? p->aspect[1] : 1);
-	half[1].n = sum_mul(number(p->half_height), h);
-	half[1].d = number(sized && !wide ? p->aspect[0] : 1);
+	half[0].n = sum_mul(sum_of_double(p->half_width), w);
+	half[0].d = sum_of_double(sized && wide ? p->aspect[1] : 1);
+	half[1].n = sum_mul(sum_of_double(p->half_height), h);
+	half[1].d = sum_of_double(sized && !wide ? p->aspect[0] : 1);
 }
 
 /* cot(angle / 2) = |z| / least half side; 0 is at infinity. */
@@ -277,11 +271,11 @@ static void by_view_angle(const struct projection *p, struct sum *over,
 	struct half *least = &half[!high];
 	struct sum cot = cot_half_of(p->angle, p->unit);
 
-	*over = negated_if(p->z_near < p->z_far, least->d);
+	*over = sum_negated_if(p->z_near < p->z_far, least->d);
 	*under = sum_mul(least->n, cot);
 	if (under->size.m > 0) {
 		*over = sum_quotient(*over, *under);
-		*under = number(1);
+		*under = sum_of_double(1);
 	}
 }
 
@@ -292,8 +286,10 @@ void projection_inverse_eye_z(const struct projection *p, struct sum *over,
 		by_view_angle(p, over, under);
 		return;
 	}
-	*over = number(p->has_eye ? 1 : p->has_angle ? 0 : p->inverse_eye_z);
-	*under = number(p->has_eye ? p->eye[2] : 1);
+	*over = sum_of_double(p->has_eye ? 1 :
+		p->has_angle             ? 0 :
+					   p->inverse_eye_z);
+	*under = sum_of_double(p->has_eye ? p->eye[2] : 1);
 }
 
 static const char *eye_of(const struct projection *p, struct eye *e)
@@ -304,12 +300,12 @@ static const char *eye_of(const struct projection *p, struct eye *e)
 	projection_inverse_eye_z(p, &e->qn, &e->qd);
 	struct sum one = e->qn.size.m > 0 ? sum_inexact(e->qd.value) : e->qd;
 
-	e->an = sum_sub(one, sum_mul(e->qn, number(p->z_far)));
-	e->bn = sum_sub(one, sum_mul(e->qn, number(p->z_near)));
+	e->an = sum_sub(one, sum_mul(e->qn, sum_of_double(p->z_far)));
+	e->bn = sum_sub(one, sum_mul(e->qn, sum_of_double(p->z_near)));
 	for (int k = 0; k < 2; k++)
 		e->skew[k] = p->has_eye ?
-		    number(p->eye[k]) :
-		    sum_mul(number(p->tan_skew[k]), e->qd);
+		    sum_of_double(p->eye[k]) :
+		    sum_mul(sum_of_double(p->tan_skew[k]), e->qd);
 	if (sum_sign(e->an) * sum_sign(e->bn) > 0)
 		return NULL;
 	if (p->has_angle)
@@ -326,15 +322,16 @@ static const char *eye_of(const struct projection *p, struct eye *e)
 static void divide_by_det(const struct projection *p, const struct eye *e,
     bool minus_one, struct elements *f)
 {
-	struct sum half = number(minus_one ? 0.5 : 1);
+	struct sum half = sum_of_double(minus_one ? 0.5 : 1);
 	struct sum a = sum_quotient(half, e->an);
 	struct sum b = sum_quotient(half, e->bn);
 
 	f->by = sum_neg(sum_quotient(a, e->bn));
-	f->tz_by = sum_neg(sum_mul(b, number(p->z_near)));
+	f->tz_by = sum_neg(sum_mul(b, sum_of_double(p->z_near)));
 	f->zz_by = b;
 	if (minus_one) {
-		f->tz_by = sum_sub(f->tz_by, sum_mul(a, number(p->z_far)));
+		f->tz_by = sum_sub(f->tz_by,
+		    sum_mul(a, sum_of_double(p->z_far)));
 		f->zz_by = sum_add(a, b);
 	}
 }
@@ -374,12 +371,12 @@ static const char *volume(const struct projection *p,
 	f->zy = sum_neg(sum_mul(e.skew[1], half[1].d));
 	f->zz = sum_neg(e.an);
 	f->zw = sum_neg(e.qn);
-	f->tz = sum_mul(e.an, number(p->z_near));
+	f->tz = sum_mul(e.an, sum_of_double(p->z_near));
 	f->det = sum_neg(sum_mul(e.an, e.bn));
 	if (c->minus_one) {
 		f->zz = sum_sub(f->zz, e.bn);
-		f->tz = sum_add(f->tz, sum_mul(e.bn, number(p->z_far)));
-		f->det = sum_mul(f->det, number(2));
+		f->tz = sum_add(f->tz, sum_mul(e.bn, sum_of_double(p->z_far)));
+		f->det = sum_mul(f->det, sum_of_double(2));
 	}
 	if (f->det.size.m > 0)
 		divide_by_det(p, &e, c->minus_one, f);
@@ -393,7 +390,7 @@ static const char *volume(const struct projection *p,
 
 static void map_of_elements(const struct elements *f, struct map *r)
 {
-	const struct sum z = number(0);
+	const struct sum z = sum_of_double(0);
 	const struct sum m[4][4] = {
 		{ f->x, z, z, z },
 		{ f->yx, f->y, z, z },
@@ -403,7 +400,7 @@ static void map_of_elements(const struct elements *f, struct map *r)
 
 	memset(r, 0, sizeof *r);
 	memcpy(r->m, m, sizeof m);
-	r->divisor = number(1);
+	r->divisor = sum_of_double(1);
 	map_over(r, f->d);
 	map_column_over(r, 0, f->dx);
 	map_column_over(r, 1, f->dy);
@@ -427,9 +424,9 @@ static struct elements inverse_elements(const struct elements *f)
 		by = sum_mul(by, f->by);
 		tz = f->tz_by;
 		zz = f->zz_by;
-		det = number(1);
+		det = sum_of_double(1);
 	}
-	struct sum zx = minor(f->tw, f->zx, f->zw, f->tx), y = number(1);
+	struct sum zx = minor(f->tw, f->zx, f->zw, f->tx), y = sum_of_double(1);
 	struct sum zy = minor(f->tw, f->zy, f->zw, f->ty);
 	struct sum tx = minor(tz, f->zx, zz, f->tx);
 	struct sum ty = minor(tz, f->zy, zz, f->ty);
@@ -455,7 +452,7 @@ static struct elements inverse_elements(const struct elements *f)
 		.tw = sum_mul(f->d, zz),
 		.dx = sum_mul(f->x, y),
 		.dy = f->y,
-		.dz = number(1),
+		.dz = sum_of_double(1),
 		.d = det,
 	};
 }
@@ -516,9 +513,9 @@ static const char *find_elements(const struct projection *p,
 {
 	const char *why = find_upright(p, c, f);
 
-	f->y = negated_if(c->view_y_down, f->y);
-	f->yx = negated_if(c->view_y_down, f->yx);
-	f->zy = negated_if(c->view_y_down && p->type == PROJECTION_VOLUME,
+	f->y = sum_negated_if(c->view_y_down, f->y);
+	f->yx = sum_negated_if(c->view_y_down, f->yx);
+	f->zy = sum_negated_if(c->view_y_down && p->type == PROJECTION_VOLUME,
 	    f->zy);
 	return why;
 }
@@ -560,7 +557,7 @@ static const char *bare_corner(const struct projection *p,
     struct sum v[4], struct sum *over)
 {
 	bool one = far != projection_is_reversed(p, c);
-	struct sum depth = number(one ? 1 : c->minus_one ? -1 : 0);
+	struct sum depth = sum_of_double(one ? 1 : c->minus_one ? -1 : 0);
 	const struct sum clip[4] = { side[0],
 		c->ndc_y_down ? sum_neg(side[1]) : side[1],
 		sum_mul(depth, side[2]), side[2] };
@@ -581,10 +578,10 @@ static bool plane_z(const struct projection *p, const struct convention *c,
 	double at = far ? p->far : p->near;
 
 	if (p->type == PROJECTION_VOLUME) {
-		*z = number(far ? p->z_far : p->z_near);
+		*z = sum_of_double(far ? p->z_far : p->z_near);
 	} else if (isfinite(at)) {
 		*z = difference(at, projection_w_at_eye(p));
-		*z = negated_if(looks_back(c), *z);
+		*z = sum_negated_if(looks_back(c), *z);
 	}
 	return p->type == PROJECTION_VOLUME || isfinite(at);
 }
@@ -600,7 +597,7 @@ const char *projection_corner(const struct projection *p,
     struct sum v[4], struct sum *over)
 {
 	struct elements f = { 0 };
-	struct sum z = number(1), one = number(0), w, x, y;
+	struct sum z = sum_of_double(1), one = sum_of_double(0), w, x, y;
 
 	if (!has_elements(p))
 		return bare_corner(p, c, side, far, v, over);
@@ -610,10 +607,10 @@ const char *projection_corner(const struct projection *p,
 		return why;
 	w = f.zw;
 	if (projection_is_open(p)) {
-		z = number(0);
-		w = number(1);
+		z = sum_of_double(0);
+		w = sum_of_double(1);
 	} else if (plane_z(p, c, far, &z)) {
-		one = number(1);
+		one = sum_of_double(1);
 		w = sum_add(sum_mul(f.zw, z), f.tw);
 	}
 	z = sum_mul(f.d, z);

@@ -110,6 +110,11 @@ struct sum sum_neg(struct sum a)
 	return a;
 }
 
+struct sum sum_negated_if(bool yes, struct sum a)
+{
+	return yes ? sum_neg(a) : a;
+}
+
 struct sum sum_abs(struct sum a)
 {
 	a.value = ex_abs(a.value);
@@ -311,6 +316,13 @@ double sum_nearest(const struct sum *n, const struct sum *d, bool single)
 double sum_over(struct sum n, struct sum d)
 {
 	return sum_nearest(&n, &d, false);
+}
+
+double sum_over_or_nan(struct sum n, struct sum d)
+{
+	double q = sum_over(n, d);
+
+	return isfinite(q) ? q : (double)NAN;
 }
 
 float sum_over_float(struct sum n, struct sum d)

@@ -30,6 +30,7 @@ struct sum sum_of_double(double exact);
 struct sum sum_inexact(ex value);
 
 struct sum sum_neg(struct sum);
+struct sum sum_negated_if(bool, struct sum);
 struct sum sum_abs(struct sum);
 struct sum sum_add(struct sum, struct sum);
 struct sum sum_sub(struct sum, struct sum);
@@ -62,6 +63,9 @@ float sum_float(struct sum);
 double sum_nearest(const struct sum *n, const struct sum *d, bool single);
 double sum_over(struct sum n, struct sum d);
 float sum_over_float(struct sum n, struct sum d);
+
+/* sum_over; nan where that is infinite, or none. */
+double sum_over_or_nan(struct sum n, struct sum d);
 
 /* Within EX_BOUND u^2, as ex_round. */
 dd sum_dd(struct sum);

@@ -29,14 +29,6 @@ static bool alike(double a, double b)
 	return fabs(a - b) <= ALIKE * fmax(fabs(a), fabs(b));
 }
 
-/* Quotients and roots as they are printed. */
-static double over(struct sum n, struct sum d)
-{
-	double q = sum_over(n, d);
-
-	return isfinite(q) ? q : (double)NAN;
-}
-
 static const char *lens_of(const struct scene *s, struct lens *l)
 {
 	enum space screen = s->has_viewport ? SPACE_DEVICE : SPACE_NDC;
@@ -111,12 +103,12 @@ static void name_parallel(const struct lens *l, struct taxonomy *t)
 		for (int k = 0; k < 3; k++)
 			v[k] = sum_settled(
 			    sum_sub(sum_mul(a[k], nd), sum_mul(d[k], na)));
-		t->foreshortening[i] = over(vec3_length(v), nd);
+		t->foreshortening[i] = sum_over_or_nan(vec3_length(v), nd);
 	}
 	vec3_cross(d, n, across);
 	for (int k = 0; k < 3; k++)
 		across[k] = sum_settled(across[k]);
-	double cot = over(vec3_length(across), nd);
+	double cot = sum_over_or_nan(vec3_length(across), nd);
 
 	t->taxon = cot <= ALIKE ? TAXON_ORTHOGRAPHIC : TAXON_OBLIQUE;
 	t->kind = cot <= ALIKE ? axonometric(t->foreshortening) : oblique(cot);
@@ -131,8 +123,9 @@ static enum kind points(const struct lens *l)
 	for (int i = 0; i < 3; i++) {
 		struct sum most = sum_mul(vec3_length(l->axis[i]), gradient);
 
-		n += over(sum_mul(sum_abs(l->depth[1][i]), l->divisor), most) >
-		    ALIKE;
+		n += sum_over_or_nan(sum_mul(sum_abs(l->depth[1][i]),
+					 l->divisor),
+			 most) > ALIKE;
 	}
 	if (n < 2)
 		return KIND_ONE_POINT;
@@ -166,7 +159,7 @@ static void set_vanishing_points(const struct lens *l, double point[3][2])
 	for (int i = 0; i < 3; i++)
 		for (int k = 0; k < 2; k++)
 			if (sum_sign(l->image[i][2]) != 0)
-				point[i][k] = over(l->image[i][k],
+				point[i][k] = sum_over_or_nan(l->image[i][k],
 				    l->image[i][2]);
 }
 
@@ -198,14 +191,15 @@ static void set_gaze(const struct lens *l, const struct taxonomy *t,
 			n[i] = sum_neg(n[i]);
 	}
 	for (int i = 0; i < 3; i++)
-		gaze[i] = over(n[i], vec3_length(n));
+		gaze[i] = sum_over_or_nan(n[i], vec3_length(n));
 }
 
 /* A point from its homogeneous coordinates; nan where w is not positive. */
 static void set_point(const struct sum h[4], double p[3])
 {
 	for (int j = 0; j < 3; j++)
-		p[j] = sum_sign(h[3]) > 0 ? over(h[j], h[3]) : (double)NAN;
+		p[j] = sum_sign(h[3]) > 0 ? sum_over_or_nan(h[j], h[3]) :
+					    (double)NAN;
 }
 
 /* Where clip x, y and w are 0. */

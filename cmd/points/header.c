@@ -10,7 +10,7 @@
 #include "names.h"
 
 /* A field without its quotes, and the blanks around it and in them. */
-static struct span name_of(struct dialect d, struct span f)
+static struct span unquoted(struct dialect d, struct span f)
 {
 	f = trimmed(d, f);
 	if (f.end - f.s >= 2 && *f.s == '"' && f.end[-1] == '"') {
@@ -40,7 +40,7 @@ static int find_name(struct dialect d, struct span header, const char *name,
 
 	for (int k = 0; s != NULL; k++) {
 		struct span field = field_at(d, s, header.end);
-		struct span f = name_of(d, field);
+		struct span f = unquoted(d, field);
 		size_t n = (size_t)(f.end - f.s);
 
 		if (n == strlen(name) && compare(f.s, name, n) == 0)
@@ -59,7 +59,7 @@ static void say_header(struct dialect d, struct span header, const char *wanted,
 	while (s != NULL) {
 		struct span field = field_at(d, s, header.end);
 
-		names_add(&names, name_of(d, field));
+		names_add(&names, unquoted(d, field));
 		s = field_next(d, field.end, header.end);
 	}
 	names_say(&names, wanted, reason);
@@ -183,7 +183,7 @@ static bool looks_like_header(const struct layout *l, struct span text)
 
 		if (!field_find(l->in, text.s, text.end, k, &f))
 			continue;
-		f = name_of(l->in, f);
+		f = unquoted(l->in, f);
 		if (f.s < f.end && number_read(f.s, f.end, &v) == f.end)
 			return false;
 		unknown &= is_unknown(f);

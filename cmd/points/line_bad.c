@@ -43,6 +43,9 @@ static const char *hint(const struct layout *l, int i, struct span f)
 		return "; is ; the separator? say -i csv --separator ';'";
 	if (l->in.format != FORMAT_JSON && has(f, '|'))
 		return "; is | the separator? say -i csv --separator '|'";
+	if (l->in.format == FORMAT_CSV && has(f, ' ') &&
+	    number_read(f.s, f.end, &v) != NULL)
+		return "; are blanks the separator? leave -i csv out";
 	if (number_read(f.s, f.end, &v) != NULL)
 		return l->in.format == FORMAT_JSON ?
 		    "; a number is wanted, as JSON writes it" :
