@@ -93,8 +93,10 @@ sub succeeds {
 	return $well;
 }
 
-# What reads a variable that nothing was written to, or returns nothing, isn't built.
-my $make = "make -s CFLAGS='-O1 -g0 -Werror=uninitialized -Werror=return-type' LDFLAGS=-s " .
+# What reads a variable that nothing was written to, or returns nothing, isn't built;
+# what steps past an array, or over another rule of C that can be seen as it runs, ends.
+my $make = "make -s CFLAGS='-O1 -g0 -Werror=uninitialized -Werror=return-type " .
+    "-fsanitize=undefined -fsanitize-undefined-trap-on-error' LDFLAGS=-s " .
     "BUILD=build";
 
 sub is_built {
