@@ -147,10 +147,16 @@ static void angles_of_nothing(void **state)
 		struct sum none = sum_sub(sum_mul(root, root),
 		    sum_of_double(v));
 		struct sum one = sum_of_double(1);
+		struct sum least = sum_of_double(0x1p-1074);
 
-		assert_true(degrees_of(none, one) == 0);
-		assert_true(degrees_of(one, none) == 90);
-		assert_true(isnan(degrees_of(none, none)));
+		for (int turn = 0; turn < 2; turn++) {
+			assert_true(degrees_of(none, one) == 0);
+			assert_true(degrees_of(none, least) == 0);
+			assert_true(degrees_of(one, none) == 90);
+			assert_true(degrees_of(none, sum_neg(one)) == 180);
+			assert_true(isnan(degrees_of(none, none)));
+			none = sum_neg(none);
+		}
 	}
 }
 
