@@ -11,11 +11,13 @@
 
 enum { VALUE_MAX = 200 };
 
-/* Writes what was meant for a member's value as JSON. */
+/* Writes what was meant for a member's value as JSON, or what may stand there where
+ * that is nothing, or too long to be shown. */
 static void write_value(char out[VALUE_MAX], const struct member *m,
     const char *text)
 {
-	char list[VALUE_MAX - 4] = "";
+	/* so that no number is left out of one that is short enough */
+	char list[2 * VALUE_MAX] = "";
 
 	snprintf(out, VALUE_MAX, "%s", m->example != NULL ? m->example : "...");
 	if (m->read == read_flag)
@@ -25,9 +27,9 @@ static void write_value(char out[VALUE_MAX], const struct member *m,
 	else if (strchr("[{", *text) != NULL)
 		snprintf(out, VALUE_MAX, "%s", text);
 	else if (!is_numbers(text)) {
-		escape_json(list, sizeof list, text, strlen(text));
+		escape_json(list, VALUE_MAX - 4, text, strlen(text));
 		snprintf(out, VALUE_MAX, "\"%s\"", list);
-	} else if (add_numbers(list, 0, sizeof list, text) > 0)
+	} else if (add_numbers(list, 0, sizeof list, text) < VALUE_MAX - 2)
 		snprintf(out, VALUE_MAX,
 		    strchr(list, ',') != NULL ? "[%s]" : "%s", list);
 }

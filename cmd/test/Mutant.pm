@@ -142,7 +142,8 @@ sub mutated {
 sub hunk {
 	my ($mutant) = @_;
 	my $lines = sub { $_[1] =~ s/^[ \t]*/$_[0]\t/gmr };
-	return "$mutant->{file}:$mutant->{line}\n" .
+	my $where = join ':', grep { defined } @$mutant{qw(file line)};
+	return "$where\n" .
 	    $lines->('-', $mutant->{from}) . $lines->('+', $mutant->{to});
 }
 
