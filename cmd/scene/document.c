@@ -202,8 +202,8 @@ static const char *point_end(const struct value *v, const char *s,
 		return stop;
 	stop = json_skip(s, end);
 	value_parse_part(&looked_at, s, stop);
+	/* ends the program, and needs not be freed */
 	check_point(&looked_at, coordinates);
-	value_free(&looked_at);
 	return stop;
 }
 

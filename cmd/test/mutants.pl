@@ -4,7 +4,7 @@
 # at a time and in a copy, and says which of these mutants no test finds. A mutant
 # that is the same program to the last byte doesn't count, nor does one that can't
 # be built. Those that do the same as the program for a reason that
-# cmd/test/mutants.equal gives count as found.
+# cmd/test/mutants.equal gives count as found, and those that a sanitizer finds.
 # usage: mutants.pl BUILD FOLDER..., at the top of the project
 #   N=400        how many
 #   SEED=1       which
@@ -23,13 +23,14 @@ use lib $FindBin::Bin;
 use Mutant;
 
 my ($build, @folders) = @ARGV;
-my ($n, $seed, $again, $quick, $patience) = map { $_ || '' }
-    @ENV{qw(N SEED AGAIN QUICK PATIENCE)};
+my ($n, $seed, $again, $patience) = map { $_ || '' }
+    @ENV{qw(N SEED AGAIN PATIENCE)};
+our $quick = $ENV{QUICK};
 my $equal = "$FindBin::Bin/mutants.equal";
 my @equal = hunks(slurp($equal));
 make_path("$build/mutants");
 my $room = abs_path("$build/mutants");
-my ($whole, $tree, $tmp) = map { "$room/$_" } qw(whole tree tmp);
+my ($tree, $tmp) = map { "$room/$_" } qw(tree tmp);
 srand($seed || 1);
 
 # A make that is started here is not a part of `make mutants`.
@@ -48,20 +49,34 @@ sub spew {
 	close $file or die "$name: $!\n";
 }
 
-# What a mutant may take: seconds by the clock and of a processor, memory, files.
+# How they are built. What reads a variable that nothing was written to, or returns
+# nothing, isn't.
+my $checks = '-fsanitize=address,undefined';
+my %flags = (plain => "CFLAGS='-O1 -g0 -Werror=uninitialized " .
+	"-Werror=return-type' LDFLAGS=-s",
+    sanitized => "CFLAGS='-O1 -g0 -fno-sanitize-recover=all $checks' " .
+	"LDFLAGS=$checks");
+our $flags = 'plain';
+
+# The copy that mutants are made from.
+sub whole { "$room/$flags" }
+
+# What a mutant may take: seconds by the clock and of a processor, files, and memory,
+# of which a sanitizer sets aside more than there is.
 # timeout ends the group that it starts, even if this program is no more.
 my $running;
 
 sub start {
 	my ($dir, $seconds, $command) = @_;
-	my $limits = sprintf 'ulimit -t %d && ulimit -v 4000000 && ' .
-	    'ulimit -f 4000000 && ulimit -c 0 && ', 1 + $seconds / 2;
+	my $limits = sprintf 'ulimit -t %d && ulimit -f 4000000 && ' .
+	    'ulimit -c 0 && ', 1 + $seconds / 2;
+	$limits .= 'ulimit -v 4000000 && ' if $flags eq 'plain';
 	$running = open(my $from, '-|') // die "fork: $!\n";
 	return $from if $running != 0;
 	setpgrp;
 	chdir $dir or die "$dir: $!\n";
-	@ENV{qw(TMPDIR CMOCKA_MESSAGE_OUTPUT BUILD)} =
-	    ($tmp, 'TAP', "$dir/build");
+	@ENV{qw(TMPDIR CMOCKA_MESSAGE_OUTPUT BUILD ASAN_OPTIONS)} =
+	    ($tmp, 'TAP', "$dir/build", 'detect_leaks=0');
 	open STDIN, '<', '/dev/null';
 	open STDERR, '>', "$room/errors";
 	exec 'timeout', '-s', 'KILL', $seconds, 'sh', '-c', "$limits$command";
@@ -93,15 +108,11 @@ sub succeeds {
 	return $well;
 }
 
-# What reads a variable that nothing was written to, or returns nothing, isn't built;
-# what steps past an array ends.
-my $make = "make -s CFLAGS='-O1 -g0 -Werror=uninitialized -Werror=return-type " .
-    "-fsanitize=bounds -fsanitize-undefined-trap-on-error' LDFLAGS=-s " .
-    "BUILD=build";
+sub make { "make -s $flags{$flags} BUILD=build $_[0]" }
 
 sub is_built {
 	my ($dir, $target) = @_;
-	return succeeds($dir, 600, "$make build/$target");
+	return succeeds($dir, 600, make("build/$target"));
 }
 
 # The tests, first those that tell the most in the least time. Those of core don't
@@ -139,30 +150,53 @@ my %limit;
 
 sub limit {
 	my ($test) = @_;
-	return $limit{$test} //= do {
+	return $limit{"$flags $test"} //= do {
 		my $start = time;
-		passes($whole, $test, 600) or
+		passes(whole(), $test, 600) or
 		    die "$test fails before anything is changed\n";
-		unlink "$whole/build/$test";
+		unlink whole() . "/build/$test";
 		($patience || 20) + 10 * (time - $start);
 	};
 }
 
-# The copy that mutants are made from.
 sub prepare {
-	remove_tree($whole, $tree, $tmp);
+	my $whole = whole();
 	make_path($whole, $tmp);
 	system('cp', '-a', qw(core cmd man testdata Makefile README.md NEWS.md
 	    .github .debian), "$whole/") == 0 or die "no copy\n";
-	succeeds($whole, 3600, "$make programs") or
+	succeeds($whole, 3600, make('programs')) or
 	    die "can't be built: see $room/errors\n";
 	# those of a mutant are linked when it comes to them
 	unlink map { "$whole/build/$_" } map { s/\.c$//r }
 	    glob 'c*/test/*_test.c';
 }
 
+# Makes it in a copy of the whole. Returns whether it could be built.
+sub mutate {
+	my ($mutant) = @_;
+	my $file = $mutant->{file};
+	prepare() if !-d whole();
+	my $text = mutated(slurp(whole() . "/$file"), $mutant) //
+	    die "$file has no longer\n$mutant->{from}";
+	remove_tree($tree);
+	system('cp', '-a', whole(), $tree) == 0 or die "no copy\n";
+	spew("$tree/$file", $text);
+	return is_built($tree, 'projcalc');
+}
+
 sub same_bytes {
-	return slurp("$whole/build/projcalc") eq slurp("$tree/build/projcalc");
+	return slurp(whole() . '/build/projcalc') eq
+	    slurp("$tree/build/projcalc");
+}
+
+# The first test that fails, or undef.
+sub finder {
+	my ($mutant) = @_;
+	for my $test (tests_of($mutant->{file})) {
+		my $limit = limit($test);
+		return $test if !passes($tree, $test, $limit);
+	}
+	return;
 }
 
 # What became of a mutant: by which test it was found, or else one of
@@ -170,19 +204,14 @@ my ($unbuilt, $same, $lived) = ('unbuilt', 'the same bytes', 'lived');
 
 sub fate {
 	my ($mutant) = @_;
-	my $file = $mutant->{file};
-	my $text = mutated(slurp("$whole/$file"), $mutant) //
-	    die "$file has no longer\n$mutant->{from}";
-	remove_tree($tree);
-	system('cp', '-a', $whole, $tree) == 0 or die "no copy\n";
-	spew("$tree/$file", $text);
-	return $unbuilt if !is_built($tree, 'projcalc');
+	return $unbuilt if !mutate($mutant);
 	return $same if same_bytes();
-	for my $test (tests_of($file)) {
-		my $limit = limit($test);
-		return $test if !passes($tree, $test, $limit);
-	}
-	return $lived;
+	my $test = finder($mutant);
+	return $test // $lived if defined $test || $quick;
+	# what steps past an array may change nothing that can be seen
+	local ($flags, $quick) = ('sanitized', 1);
+	$test = mutate($mutant) && finder($mutant);
+	return $test ? "$test, sanitized" : $lived;
 }
 
 sub shuffled {
@@ -198,7 +227,7 @@ sub shuffled {
 sub chosen {
 	my %all;
 	for my $file (sort map { glob "$_/*.c $_/*.h $_/*.cc" } @folders) {
-		my $of = mutants($file, slurp("$whole/$file"));
+		my $of = mutants($file, slurp($file));
 		push @{$all{$_}}, @{$of->{$_}} for keys %$of;
 	}
 	my @kinds = map { [shuffled(@{$all{$_}})] } sort keys %all;
@@ -233,6 +262,8 @@ sub tried { $count{found} + $count{equal} + $count{lived} }
 $| = 1;
 my $list = $again && slurp($again);
 unlink map { "$room/$_" } qw(log lived);
+my @trees = ($tree, $tmp, map { "$room/$_" } keys %flags);
+remove_tree(@trees);
 prepare();
 my @mutants = $again ? hunks($list) : chosen();
 $n = $again ? @mutants : $n || 400;
@@ -246,5 +277,5 @@ printf "%d mutants: %d found, %d equal for a reason, %d lived: %.1f %%\n",
 for my $old (grep { !defined mutated(slurp($_->{file}), $_) } @equal) {
 	print "$equal: $old->{file} has no longer\n$old->{from}";
 }
-remove_tree($whole, $tree, $tmp);
+remove_tree(@trees);
 exit($count{lived} * 50 > tried());

@@ -60,7 +60,8 @@ for my $known (hunks(slurp('cmd/test/mutants.equal'))) {
 }
 
 # A program of one file, with a test that finds some of its mutants: of the
-# sum and the loops, one of which doesn't end then, but not of what nobody looks at.
+# sum and the loops, one of which doesn't end then, but not of what nobody looks at,
+# such as a byte past an array, which a sanitizer sees.
 my $toy = "$tmp/toy";
 make_path("$toy/core/test", "$toy/cmd/test", map { "$toy/$_" } qw(man
     testdata .github .debian));
@@ -88,7 +89,9 @@ END
 spew("$toy/cmd/test/transcripts_test.t", 'my $said = ' .
     '`./build/projcalc 2>/dev/null`; print $said eq "3\n" && $? == 0 ? ' .
     '"ok 1\n" : "not ok 1\n"; exit($said ne "3\n" || $? != 0);');
-spew("$toy/cmd/test/bits_test.t", 'print "ok 1\n";');
+for my $test (qw(bits recorded examples cameras scenes)) {
+	spew("$toy/cmd/test/${test}_test.t", 'print "ok 1\n";');
+}
 spew("$toy/cmd/test/mutants.equal",
     "# Nobody.\ncore/x.c\n-\tint sum = 0;\n+\tint sum = 1;\n");
 for my $file (qw(mutants.pl Mutant.pm)) {
@@ -111,4 +114,8 @@ is("@left", '', 'no mutant outlives its run');
 ($status, $said) = run('QUICK=1 AGAIN=build/mutants/lived perl ' .
     'cmd/test/mutants.pl build core', $toy);
 like($said, qr/^3 mutants: 0 found, 0 equal for a reason, 3 lived/m, 'again');
+my $past = '	fprintf(stderr, "%d\n", unseen);';
+spew("$toy/past", "core/x.c\n-$past\n+" . $past =~ s/unseen/(&$&)[1]/r . "\n");
+($status, $said) = run('AGAIN=past perl cmd/test/mutants.pl build core', $toy);
+like($said, qr/^1 mutants: 1 found/m, 'what a sanitizer finds');
 done_testing();
