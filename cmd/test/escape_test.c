@@ -21,6 +21,16 @@ static void test_escaped(void **state)
 	memset(text, 'a', sizeof text);
 	escaped(out, text, sizeof text);
 	assert_string_equal(out + strlen(out) - 4, "a...");
+	/* the last place in which there is room for what is longest, "..." and NUL */
+	memset(text, 'a', sizeof text);
+	for (size_t at = 50; at < ESCAPED_MAX - 4; at++) {
+		text[at] = 1;
+		escaped(out, text, sizeof text);
+		assert_string_equal(out + strlen(out) - 4,
+		    at > ESCAPED_MAX - 10 ? "a..." : "1...");
+		assert_true(strlen(out) < ESCAPED_MAX);
+		text[at] = 'a';
+	}
 	memset(text, 1, sizeof text);
 	escaped(out, text, sizeof text);
 	assert_string_equal(out + strlen(out) - 9, "\\u0001...");
