@@ -9,7 +9,7 @@ use strict;
 use warnings;
 use Exporter 'import';
 
-our @EXPORT = qw(mutants mutated hunk hunks same_hunk);
+our @EXPORT = qw(mutants mutated hunk hunks same_change);
 
 # Comments, strings and what the preprocessor reads but for macros' bodies, as
 # blanks of the same length.
@@ -165,12 +165,12 @@ sub hunks {
 	return @found;
 }
 
-# Wherever it stands.
-sub same_hunk {
-	my ($a, $b) = @_;
-	return $a->{file} eq $b->{file} &&
-	    trimmed($a->{from}) eq trimmed($b->{from}) &&
-	    trimmed($a->{to}) eq trimmed($b->{to});
+# Whether two make the same of a file's text, but for blanks; lines around them may
+# tell which of several like it one is.
+sub same_change {
+	my ($text, @two) = @_;
+	my ($a, $b) = map { trimmed(mutated($text, $_) // '') } @two;
+	return $two[0]{file} eq $two[1]{file} && $a eq $b;
 }
 
 1;

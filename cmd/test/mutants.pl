@@ -243,7 +243,8 @@ my @lived;
 
 sub try {
 	my ($mutant) = @_;
-	my ($known) = grep { same_hunk($_, $mutant) } @equal;
+	my $text = slurp(whole() . "/$mutant->{file}");
+	my ($known) = grep { same_change($text, $_, $mutant) } @equal;
 	my $start = time;
 	my $fate = $known && !$again ? 'equal' : fate($mutant);
 	open my $log, '>>', "$room/log" or die "$room/log: $!\n";

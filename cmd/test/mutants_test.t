@@ -51,8 +51,10 @@ my ($again) = hunks("# A reason\n# of two lines.\nx.c:3\n-x = 1;\n+x = 2;\n");
 is(mutated($text, $again), "\tx = 1;\n\ty = 2;\nx = 2;\n", 'a hunk');
 is($again->{reason}, 'A reason of two lines.', 'its reason');
 is((hunks(hunk($again)))[0]{line}, 3, 'its line');
-ok(same_hunk($again, (hunks("x.c\n-\t\tx = 1;\n+\tx = 2;\n"))[0]),
-    'wherever it stands');
+my $around = (hunks("x.c\n-\ty = 2;\n-\tx = 1;\n+\ty = 2;\n+\tx = 2;\n"))[0];
+ok(same_change($text, $again, $around), 'with what is around it');
+my ($first) = hunks("x.c\n-\tx = 1;\n+\tx = 2;\n");
+ok(!same_change($text, $first, $around), 'which tells one from another');
 
 for my $known (hunks(slurp('cmd/test/mutants.equal'))) {
 	ok($known->{reason} ne '' && -f $known->{file},
