@@ -591,7 +591,7 @@ static bool plane_z(const struct projection *p, const struct convention *c,
  *	d dy Y w = W (y v_y + zy z + ty),  d dx X w = W (x v_x + yx v_y + zx z + tx)
  *
  * times d, x y w and W, so that nothing is divided. An infinite far plane is that of
- * z / w = 1 / zw and 1 / w = 0. */
+ * z / w = 1 / zw and 1 / w = 0; so is one that there isn't. */
 const char *projection_corner(const struct projection *p,
     const struct convention *c, const struct sum side[3], bool far,
     struct sum v[4], struct sum *over)
@@ -606,10 +606,7 @@ const char *projection_corner(const struct projection *p,
 	if (why != NULL)
 		return why;
 	w = f.zw;
-	if (projection_is_open(p)) {
-		z = sum_of_double(0);
-		w = sum_of_double(1);
-	} else if (plane_z(p, c, far, &z)) {
+	if (!projection_is_open(p) && plane_z(p, c, far, &z)) {
 		one = sum_of_double(1);
 		w = sum_add(sum_mul(f.zw, z), f.tw);
 	}

@@ -166,7 +166,8 @@ static bool is_unknown(struct span f)
 
 static bool begins_with_digit(struct span f)
 {
-	f.s += f.s < f.end && (*f.s == '-' || *f.s == '+' || *f.s == '.');
+	f.s += f.s < f.end && (*f.s == '-' || *f.s == '+');
+	f.s += f.s < f.end && *f.s == '.';
 	return f.s < f.end && isdigit((unsigned char)*f.s);
 }
 
