@@ -186,6 +186,41 @@ static void ordinary_bounds_are_small(void **state)
 	s.world[0][0] = s.world[1][1] = s.world[3][3] = 1;
 	assert_null(error_bounds(&s, bound));
 	assert_true(isnan(bound[PRECISION_EXACT]) != 0);
+	/* nor does a projection that does */
+	s.has_world = false;
+	s.projection = (struct projection){ .type = PROJECTION_MATRIX };
+	for (int i = 0; i < 4; i++)
+		s.projection.matrix[i][i] = i != 2;
+	assert_null(error_bounds(&s, bound));
+	assert_true(isnan(bound[PRECISION_EXACT]) != 0);
+	s.projection.matrix[2][2] = 1;
+	assert_null(error_bounds(&s, bound));
+	assert_true(bound[PRECISION_EXACT] < 0x1.0001p-44);
+}
+
+/* Through a window far to the right the bounds are those of one as far above. */
+static void bounds_of_x_and_y_are_alike(void **state)
+{
+	struct scene right = { .projection = { .type = PROJECTION_PERSP,
+				   .extent = EXTENT_EDGES,
+				   .left = 99,
+				   .right = 101,
+				   .bottom = -3,
+				   .top = 4,
+				   .near = 1,
+				   .far = 1000 } };
+	struct scene above = right;
+	double a[3], b[3];
+
+	(void)state;
+	above.projection.left = right.projection.bottom;
+	above.projection.right = right.projection.top;
+	above.projection.bottom = right.projection.left;
+	above.projection.top = right.projection.right;
+	assert_null(error_bounds(&right, a));
+	assert_null(error_bounds(&above, b));
+	for (int i = 0; i < 3; i++)
+		assert_true(a[i] == b[i]);
 }
 
 int main(void)
@@ -193,6 +228,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(bounds_hold),
 		cmocka_unit_test(ordinary_bounds_are_small),
+		cmocka_unit_test(bounds_of_x_and_y_are_alike),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
