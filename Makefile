@@ -245,10 +245,11 @@ cluster: all ## GNU parallel and Slurm, over hosts that are killed half-way
 
 # What is installed, and where.
 MADE = $(BUILD)/projcalc man/projcalc.1 man/projcalc-scene.5 \
-	man/projcalc.schema.json $(COMPLETIONS)
+	man/projcalc.schema.json .debian/copyright $(COMPLETIONS)
 INSTALLED = $(BINDIR)/projcalc $(MANDIR)/man1/projcalc.1 \
 	$(MANDIR)/man5/projcalc-scene.5 \
-	$(DATADIR)/projcalc/projcalc.schema.json $(BASHDIR)/projcalc \
+	$(DATADIR)/projcalc/projcalc.schema.json \
+	$(DATADIR)/doc/projcalc/copyright $(BASHDIR)/projcalc \
 	$(ZSHDIR)/_projcalc $(FISHDIR)/projcalc.fish
 
 # The manual says where the schema is.
@@ -271,7 +272,7 @@ install: $(MADE) ## to PREFIX=/usr/local, below DESTDIR
 uninstall: ## take it away
 	$(call one_word,$(DESTDIR)$(PREFIX))
 	rm -f $(addprefix $(DESTDIR),$(INSTALLED))
-	-rmdir $(DESTDIR)$(DATADIR)/projcalc
+	-rmdir $(addprefix $(DESTDIR)$(DATADIR)/,projcalc doc/projcalc)
 
 # A release has the date of its heading in NEWS.md.
 VERSION = $(shell sed -n 's/^\#define VERSION "\(.*\)"/\1/p' cmd/*.c)

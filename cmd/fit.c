@@ -4,6 +4,7 @@
 
 #include "../core/fit.h"
 #include "../core/fit_window.h"
+#include "input.h"
 #include "operands.h"
 #include "scene/print_scene.h"
 #include "talk.h"
@@ -40,7 +41,7 @@ static void take(const struct job *j, struct chunk *c, const struct line *line,
 }
 
 static void collect(const struct job *j, const struct chunk *c,
-    size_t first_line)
+    long long first_line)
 {
 	const struct bounds *box = (const void *)c->out;
 
@@ -83,7 +84,7 @@ static _Noreturn void refuse(const struct options *o, const struct document *d,
 		die_at(EXIT_INPUT,
 		    &(struct place){ .file = d->name, .pointer = "/points" },
 		    "%s", why + n);
-	bool typed = o->n_points > 1 || *o->points[0] == '[';
+	bool typed = o->n_points > 1 || first_char(o->points[0]) == '[';
 
 	die_at(EXIT_INPUT,
 	    &(struct place){ .file = typed ? "POINTS" : o->points[0] }, "%s",

@@ -13,16 +13,16 @@ static void heading(const char *text)
 {
 	bool colored = is_colored(STDOUT_FILENO);
 
-	printf("%s%s%s", colored ? "\033[1m" : "", text,
+	print("%s%s%s", colored ? "\033[1m" : "", text,
 	    colored ? "\033[0m" : "");
 }
 
 /* A command, if that is not NULL, and what stands behind it. */
 static void example(const char *command, const char *call)
 {
-	printf("\n");
+	print("\n");
 	heading("example:");
-	printf(" projcalc %s%s%s\n", command != NULL ? command : "",
+	print(" projcalc %s%s%s\n", command != NULL ? command : "",
 	    command != NULL ? " " : "", call);
 }
 
@@ -36,23 +36,23 @@ static void print_member(const struct member *row, const char *const *types)
 	const char *unit = row->unit, *before = " (";
 	int width = NAME_WIDTH + 2;
 
-	width += printf("  %-*s%s%s%s", NAME_WIDTH, row->name,
+	width += print("  %-*s%s%s%s", NAME_WIDTH, row->name,
 		     member_type(row, type), unit != NULL ? ", " : "",
 		     unit != NULL ? unit : "") -
 	    NAME_WIDTH - 2;
 	if (width > NAME_WIDTH + 2 + TYPE_WIDTH) {
-		printf("\n");
+		print("\n");
 		width = 0;
 	}
-	printf("%*s %s", NAME_WIDTH + 2 + TYPE_WIDTH - width, "", row->about);
+	print("%*s %s", NAME_WIDTH + 2 + TYPE_WIDTH - width, "", row->about);
 	if (row->otherwise != NULL)
-		printf("; default %s", row->otherwise);
+		print("; default %s", row->otherwise);
 	for (int i = 0; types != NULL && types[i] != NULL; i++)
 		if (row->kinds >> i & 1) {
-			printf("%s%s", before, types[i]);
+			print("%s%s", before, types[i]);
 			before = ", ";
 		}
-	printf("%s\n", *before == ',' ? ")" : "");
+	print("%s\n", *before == ',' ? ")" : "");
 }
 
 /* The members of a table that objects of that kind have, or where it is negative
@@ -75,13 +75,13 @@ static void print_scene_members(unsigned bits)
 void help_all(const struct command *c)
 {
 	heading("usage:");
-	printf(" projcalc COMMAND [OPTION...] [PARAMS [POINTS...]]\n\n");
+	print(" projcalc COMMAND [OPTION...] [PARAMS [POINTS...]]\n\n");
 	for (; c->name != NULL; c++)
-		printf("  %-10s %s\n", c->name, c->about);
-	printf("\nPARAMS is a JSON file, - for standard input (default), or "
-	       "'{...}'.\nPOINTS are files, -, or '[0,0,0]'.\n"
-	       "See projcalc help COMMAND, projcalc help camera (or another "
-	       "member), man projcalc.\n");
+		print("  %-10s %s\n", c->name, c->about);
+	print("\nPARAMS is a JSON file, - for standard input (default), or "
+	      "'{...}'.\nPOINTS are files, -, or '[0,0,0]'.\n"
+	      "See projcalc help COMMAND, projcalc help camera (or another "
+	      "member), man projcalc.\n");
 }
 
 static void print_options(const struct command *c)
@@ -95,7 +95,7 @@ static void print_options(const struct command *c)
 		snprintf(left, sizeof left, "%s--%s %s",
 		    r->letter != 0 ? letter : "    ", r->name,
 		    r->argument != NULL ? r->argument : "");
-		printf("  %-24s %s\n", left, r->about);
+		print("  %-24s %s\n", left, r->about);
 	}
 }
 
@@ -108,16 +108,16 @@ static void print_params(const struct command *c)
 		const struct member *row = &scene_members[i];
 
 		if (w->bare >> i & 1 || strcmp(row->name, c->name) == 0) {
-			printf("\n");
+			print("\n");
 			heading(row->name);
 			heading(":\n");
 			print_members(row->members, w->projection - 1);
 		}
 	}
-	printf("\n");
+	print("\n");
 	heading("scene:\n");
 	print_scene_members(document_reads(w));
-	printf("projcalc help NAME tells of a member that is an object.\n");
+	print("projcalc help NAME tells of a member that is an object.\n");
 }
 
 void help_command(const struct command *c)
@@ -127,7 +127,7 @@ void help_command(const struct command *c)
 						 "[PARAMS]";
 
 	heading("usage:");
-	printf(" projcalc %s [OPTION...] %s\n%s\n\n", c->name, operands,
+	print(" projcalc %s [OPTION...] %s\n%s\n\n", c->name, operands,
 	    c->about);
 	print_options(c);
 	if (c->kind != HELP)
@@ -139,14 +139,14 @@ void help_command(const struct command *c)
 static void help_scene_member(const struct member *row)
 {
 	heading(row->name);
-	printf(": %s\n\n", row->about);
+	print(": %s\n\n", row->about);
 	if (row->members == NULL || row->words != NULL)
 		print_member(row, NULL);
 	for (int i = 0; row->words != NULL && row->words[i] != NULL; i++)
-		printf("%s%s", i == 0 ? "                 " : " ",
+		print("%s%s", i == 0 ? "                 " : " ",
 		    row->words[i]);
 	if (row->words != NULL)
-		printf("\n");
+		print("\n");
 	if (row->members != NULL)
 		print_members(row->members, -1);
 	example(NULL, row->command);

@@ -8,13 +8,14 @@
 #include "options.h"
 #include "scene/convention_member.h"
 #include "scene/members.h"
+#include "talk.h"
 
 /* What stands before the next value: "" behind an opening bracket or a name. */
 static const char *between = "";
 
 static void put(const char *text)
 {
-	printf("%s%s", between, text);
+	print("%s%s", between, text);
 	between = ", ";
 }
 
@@ -36,13 +37,13 @@ static void put_string(const char *s)
 
 	escape_json(text, sizeof text, s, strlen(s));
 	put("\"");
-	printf("%s\"", text);
+	print("%s\"", text);
 }
 
 static void put_name(const char *name)
 {
 	put_string(name);
-	printf(": ");
+	print(": ");
 	between = "";
 }
 
@@ -202,5 +203,5 @@ void help_json(const struct command *commands, const char *version)
 	put_words("formats", format_names);
 	between = ",\n  ";
 	put_words("spaces", space_names);
-	printf("\n}\n");
+	print("\n}\n");
 }

@@ -4,6 +4,7 @@
 #include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <poll.h>
 #include <stdlib.h>
 #include <string.h>
@@ -69,8 +70,11 @@ bool read_more(struct text *t, int fd, const char *name)
 
 	if (t->have == t->room)
 		reserve(t, t->room > 0 ? 2 * t->room : 1 << 16);
+	size_t left = t->room - t->have;
+
+	/* some systems refuse to read more than an int says at once */
 	do
-		n = read(fd, t->s + t->have, t->room - t->have);
+		n = read(fd, t->s + t->have, left < INT_MAX ? left : INT_MAX);
 	while (n < 0 && go_on(fd, POLLIN));
 	if (n < 0)
 		die_at(EXIT_SYSTEM, &(struct place){ .file = name }, "%s",

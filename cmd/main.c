@@ -1,6 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include <errno.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -111,8 +109,7 @@ static const struct command commands[] = {
 
 static _Noreturn void finish(void)
 {
-	if (fflush(stdout) != 0)
-		die(EXIT_SYSTEM, "standard output: %s", strerror(errno));
+	put_printed();
 	close_output();
 	exit(EXIT_OK);
 }
@@ -170,7 +167,7 @@ int main(int argc, char **argv)
 	if (c != NULL)
 		options_read(c, argc - 1, argv + 1, o);
 	if (o->version) {
-		puts("projcalc " VERSION);
+		print("projcalc " VERSION "\n");
 		finish();
 	}
 	if (o->help) {

@@ -12,7 +12,8 @@
  * begins in hits.text, and its size. */
 struct hit {
 	double distance, device[3], point[4];
-	size_t line, text, size;
+	long long line;
+	size_t text, size;
 	bool header; /* printed before all points */
 };
 
@@ -43,7 +44,7 @@ static void take(const struct job *j, struct chunk *c, const struct line *line,
 {
 	const struct hits *h = j->with;
 	double in[4] = { c->in[0][p], c->in[1][p], c->in[2][p], 1 };
-	struct hit hit = { .line = number, .point = { [3] = 1 } };
+	struct hit hit = { .line = (long long)number, .point = { [3] = 1 } };
 
 	if (line->kind == LINE_HEADER)
 		append(c, line, (struct hit){ .header = true });
@@ -62,7 +63,7 @@ static void take(const struct job *j, struct chunk *c, const struct line *line,
 }
 
 static void collect(const struct job *j, const struct chunk *c,
-    size_t first_line)
+    long long first_line)
 {
 	struct hits *h = j->with;
 

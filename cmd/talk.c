@@ -95,7 +95,7 @@ static void add_place(struct buffer *t, const struct place *p)
 	if (p->file != NULL)
 		add(t, "%.*s", MESSAGE_MAX, p->file);
 	if (p->line > 0)
-		add(t, p->of_points ? ": point %ld" : ":%ld", p->line);
+		add(t, p->of_points ? ": point %lld" : ":%lld", p->line);
 	if (p->file != NULL && !behind)
 		add(t, ": ");
 	if (pointer)
@@ -148,7 +148,7 @@ static void write_json(int status, const struct place *p, const char *message,
 	if (p->file != NULL)
 		add_string(&t, "file", p->file, strlen(p->file));
 	if (p->line > 0)
-		add(&t, ",\"%s\":%ld", p->of_points ? "point" : "line",
+		add(&t, ",\"%s\":%lld", p->of_points ? "point" : "line",
 		    p->line);
 	if (p->pointer != NULL && *p->pointer != '\0')
 		add_string(&t, "pointer", p->pointer, strlen(p->pointer));
@@ -317,6 +317,32 @@ void put_all(const char *s, size_t size)
 		s += n;
 		size -= (size_t)n;
 	}
+}
+
+static struct {
+	char *s;
+	size_t n;
+} printed;
+
+int print(const char *format, ...)
+{
+	va_list args, again;
+
+	va_start(args, format);
+	va_copy(again, args);
+	size_t n = (size_t)vsnprintf(NULL, 0, format, args);
+
+	printed.s = need(printed.s, printed.n + n + 1);
+	vsnprintf(printed.s + printed.n, n + 1, format, again);
+	printed.n += n;
+	va_end(again);
+	va_end(args);
+	return (int)n;
+}
+
+void put_printed(void)
+{
+	put_all(printed.s, printed.n);
 }
 
 void close_output(void)

@@ -18,7 +18,7 @@ struct scene_place {
 /* What a message is about, as far as that is known. */
 struct place {
 	const char *file; /* or NULL */
-	long line;        /* from 1, or 0 */
+	long long line;   /* from 1, or 0 */
 	bool of_points;   /* it counts binary points */
 	/* Of a JSON document, "/camera/eye": or NULL or "". */
 	const char *pointer;
@@ -76,6 +76,11 @@ void widen_pipe(int fd, int room);
 
 /* Writes all of it to standard output, or exits with 3. */
 void put_all(const char *s, size_t size);
+
+/* As printf, and put_printed writes what all of them made: stdio would lose some of
+ * what a full pipe refuses, and not tell. */
+int print(const char *format, ...) __attribute__((format(printf, 1, 2)));
+void put_printed(void);
 
 /* Closes standard output, where the error of a write can still come up: exits
  * with 3 then. */

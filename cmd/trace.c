@@ -129,7 +129,7 @@ static void take(const struct job *j, struct chunk *c, const struct line *line,
 
 /* The first point has no blank line before it. */
 static void collect(const struct job *j, const struct chunk *c,
-    size_t first_line)
+    long long first_line)
 {
 	struct trace *trace = j->with;
 	bool first = !trace->printed && j->layout.out.format == FORMAT_TEXT;

@@ -107,7 +107,7 @@ void close_output(void)
 void say_at(int status, const struct place *place, const char *format, ...)
 {
 	char text[512];
-	int n = sprintf(text, "%ld: ", place != NULL ? place->line : 0);
+	int n = sprintf(text, "%lld: ", place != NULL ? place->line : 0);
 	va_list args;
 
 	(void)status;

@@ -221,12 +221,18 @@ static char *write_decimals(char *s, double v, int n)
 static char *print_significant(char *s, double v, int n)
 {
 	char text[128], d[256];
+	int exponent = 0;
 
 	snprintf(text, sizeof text, "%.*e", n - 1, v);
 	memset(d, '0', sizeof d);
 	d[0] = text[0];
 	memcpy(d + 1, text + 2, size_t(n - 1));
-	return layout<104>(s, d, n, 1 + atoi(strchr(text, 'e') + 1));
+	const char *p = strchr(text, 'e') + 1;
+	bool minus = *p++ == '-';
+
+	while (*p != '\0')
+		exponent = 10 * exponent + (*p++ - '0');
+	return layout<104>(s, d, n, 1 + (minus ? -exponent : exponent));
 }
 
 /* v rounded to n decimals, which are fewer than its shortest text has. */

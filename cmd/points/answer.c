@@ -9,15 +9,13 @@
 
 /* Of all chunks so far. It needs no lock, as no two are answered at a time. */
 static struct {
-	size_t next_line; /* of the source, from 1 */
-	bool unended;     /* the last line printed has no newline yet */
-	size_t bad;       /* lines */
-	bool of_points;   /* of binary ones, that is */
+	long long next_line; /* of the source, from 1 */
+	bool unended;        /* the last line printed has no newline yet */
+	size_t bad;          /* lines */
+	bool of_points;      /* of binary ones, that is */
 	bool keeps_going;
-	size_t imageless; /* points */
-	/* the first of them, and its file's name */
-	struct place where;
-	char file[300];
+	size_t imageless;   /* points */
+	struct place where; /* the first of them */
 } answer;
 
 void answer_source(void)
@@ -25,7 +23,7 @@ void answer_source(void)
 	answer.next_line = 1;
 }
 
-static void print(const struct job *j, const struct chunk *c)
+static void print_chunk(const struct job *j, const struct chunk *c)
 {
 	if (c->size > 0 && answer.unended)
 		put_all("\n", 1);
@@ -40,16 +38,14 @@ static struct place place_of(const struct job *j, const struct chunk *c,
     size_t line)
 {
 	return (struct place){ .file = c->name,
-		.line = (long)(answer.next_line + line),
+		.line = answer.next_line + (long long)line,
 		.of_points = is_binary(j->layout.in.format) };
 }
 
 static void count_imageless(const struct job *j, const struct chunk *c)
 {
 	if (c->imageless > 0 && answer.imageless == 0) {
-		snprintf(answer.file, sizeof answer.file, "%s", c->name);
 		answer.where = place_of(j, c, c->first_imageless);
-		answer.where.file = answer.file;
 		answer.where.scene = said_scene();
 	}
 	answer.imageless += c->imageless;
@@ -108,12 +104,12 @@ void answer_chunk(const struct job *j, const struct chunk *c)
 	if (j->collect != NULL)
 		j->collect(j, c, answer.next_line);
 	else
-		print(j, c);
+		print_chunk(j, c);
 	if (j->count_imageless)
 		count_imageless(j, c);
 	if (c->n_complaints > 0)
 		complain(j, c);
-	answer.next_line += c->n_lines;
+	answer.next_line += (long long)c->n_lines;
 	progress_add(c->n_lines, c->bytes);
 	if (c->state == PIECE_TOO_LONG || c->state == PIECE_FAILED)
 		stop(j, c);

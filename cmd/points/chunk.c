@@ -10,9 +10,9 @@
 /* As need() does, where columns want to be. */
 static void *need_aligned(size_t size)
 {
-	void *p = aligned_alloc(_Alignof(struct chunk), size);
+	void *p;
 
-	if (p == NULL)
+	if (posix_memalign(&p, _Alignof(struct chunk), size) != 0)
 		die(EXIT_SYSTEM, "out of memory");
 	return p;
 }

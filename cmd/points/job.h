@@ -33,7 +33,7 @@ struct job {
 	void (*take)(const struct job *, struct chunk *, const struct line *,
 	    size_t p, size_t number);
 	void (*collect)(const struct job *, const struct chunk *,
-	    size_t first_line);
+	    long long first_line);
 	void (*flush)(const struct job *);
 	void *with; /* what these three share */
 };

@@ -183,10 +183,19 @@ static bool has_old_line_ends(struct dialect d, struct span text,
     char reason[REASON_MAX])
 {
 	const char *s = text.s;
-	bool quoted = false;
+	bool csv = d.format == FORMAT_CSV &&
+	    *skip_blanks(d, s, text.end) != '#';
+	/* as csv_field has it: a quote counts where it opens a field */
+	bool quoted = false, opens = csv;
 
-	for (; s < text.end && (*s != '\r' || quoted); s++)
-		quoted ^= *s == '"' && d.format == FORMAT_CSV;
+	for (; s < text.end && (*s != '\r' || quoted); s++) {
+		if (*s == '"' && quoted && s + 1 < text.end && s[1] == '"')
+			s++;
+		else if (*s == '"')
+			quoted = opens && !quoted;
+		opens = quoted ||
+		    (csv && (*s == d.separator || (opens && is_blank(*s))));
+	}
 	while (s < text.end && is_blank(*s))
 		s++;
 	if (s == text.end)

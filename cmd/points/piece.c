@@ -50,7 +50,7 @@ static bool would_wait(int fd)
 {
 	struct pollfd p = { .fd = fd, .events = POLLIN };
 
-	return poll(&p, 1, 0) <= 0;
+	return poll(&p, 1, 0) <= 0 || (p.revents & POLLNVAL) != 0;
 }
 
 /* Past the last newline of s[from..to); 0 where there is none. */

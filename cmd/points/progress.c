@@ -14,11 +14,11 @@
 /* It needs no lock, as no two chunks are answered at a time. */
 static struct {
 	bool on, asked;
-	bool terminal;      /* standard error is one */
-	bool shown;         /* the line stands in the terminal */
-	double start, last; /* seconds: the beginning, when it was shown */
-	size_t lines;       /* of all sources */
-	size_t bytes, size; /* of this one: done, and in all or 0 */
+	bool terminal;         /* standard error is one */
+	bool shown;            /* the line stands in the terminal */
+	double start, last;    /* seconds: the beginning, when it was shown */
+	long long lines;       /* of all sources */
+	long long bytes, size; /* of this one: done, and in all or 0 */
 } progress;
 
 static double now(void)
@@ -39,7 +39,7 @@ void progress_start(bool asked)
 	progress.start = progress.last = now();
 }
 
-void progress_source(size_t size)
+void progress_source(long long size)
 {
 	progress.bytes = 0;
 	progress.size = size;
@@ -54,12 +54,12 @@ static void show(double time)
 		snprintf(share, sizeof share, ", %.0f %%",
 		    100 * (double)progress.bytes / (double)progress.size);
 	if (says_json()) {
-		say_at(EXIT_OK, NULL, "%zu lines, %.3g a second%s",
+		say_at(EXIT_OK, NULL, "%lld lines, %.3g a second%s",
 		    progress.lines, rate, share);
 		progress.last = time;
 		return;
 	}
-	fprintf(stderr, "%sprojcalc: %zu lines, %.3g a second%s%s",
+	fprintf(stderr, "%sprojcalc: %lld lines, %.3g a second%s%s",
 	    progress.terminal ? "\r\033[K" : "", progress.lines, rate, share,
 	    progress.terminal ? "" : "\n");
 	progress.shown = progress.terminal;
@@ -68,8 +68,8 @@ static void show(double time)
 
 void progress_add(size_t lines, size_t bytes)
 {
-	progress.lines += lines;
-	progress.bytes += bytes;
+	progress.lines += (long long)lines;
+	progress.bytes += (long long)bytes;
 	if (!progress.on)
 		return;
 	double time = now();

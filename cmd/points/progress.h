@@ -11,7 +11,7 @@
 void progress_start(bool asked);
 
 /* The next source begins; size in bytes, 0 where it isn't known. */
-void progress_source(size_t size);
+void progress_source(long long size);
 
 /* So many more lines and bytes are done. */
 void progress_add(size_t lines, size_t bytes);

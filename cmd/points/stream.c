@@ -9,7 +9,7 @@
 #include "threads.h"
 
 /* How much of a file is left to read; 0 if fd is none. */
-static size_t size_of(int fd)
+static long long size_of(int fd)
 {
 	struct stat st;
 	off_t start = lseek(fd, 0, SEEK_CUR);
@@ -17,10 +17,10 @@ static size_t size_of(int fd)
 	if (start < 0 || fstat(fd, &st) != 0 || !S_ISREG(st.st_mode) ||
 	    st.st_size < start)
 		return 0;
-	return (size_t)(st.st_size - start);
+	return st.st_size - start;
 }
 
-static void stream(struct job *j, struct point_source *s, size_t size)
+static void stream(struct job *j, struct point_source *s, long long size)
 {
 	progress_source(size);
 	answer_source();
@@ -38,5 +38,5 @@ void stream_text(struct job *j, const char *name, const char *text, size_t size)
 {
 	struct point_source s = source_of_text(name, text, size);
 
-	stream(j, &s, size);
+	stream(j, &s, (long long)size);
 }

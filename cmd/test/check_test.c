@@ -99,7 +99,7 @@ static const struct text refused[] = {
 	TEXT("{}\n{}", "2: " AFTER),
 	TEXT("0 0 0\n", "1: " AFTER),
 	TEXT("{}]", "1: " AFTER),
-		TEXT("{} //", "1: " COMMENTS),
+	TEXT("{} //", "1: " COMMENTS),
 	TEXT("{} // x", "1: " COMMENTS),
 	TEXT("{\n/* x */}", "2: " COMMENTS),
 	TEXT("# x\n{}", "1: " COMMENTS),

@@ -289,21 +289,27 @@ for my $j (1, 2) {
 	waitpid $pid, 0;
 }
 
-# Pipes that another process has made not to wait.
-for my $j (1, 2) {
+# Pipes that another process has made not to wait, and that hold less than all.
+use constant F_SETPIPE_SZ => 1031;
+my $help = (run('projcalc help --json'))[1];
+for (["$project -j1 -", $whole], ["$project -j2 -", $whole],
+    ['projcalc help --json', $help]) {
+	my ($command, $want) = @$_;
 	pipe my $in, my $to;
 	pipe my $from, my $out;
 	$_->blocking(0) for $in, $out;
+	fcntl $out, F_SETPIPE_SZ, 4096;
 	my $pid = fork // die "fork: $!\n";
 	if ($pid == 0) {
 		open STDIN, '<&', $in;
 		open STDOUT, '>&', $out;
 		close $_ for $to, $from, $in, $out;
-		exec split ' ', "$project -j$j -";
+		exec split ' ', $command;
 	}
 	close $_ for $in, $out;
 	if (fork == 0) {
 		close $from;
+		local $SIG{PIPE} = 'IGNORE';
 		sleep 0.1;
 		print $to $lines;
 		close $to;
@@ -312,10 +318,16 @@ for my $j (1, 2) {
 	close $to;
 	sleep 0.3;
 	local $/;
-	is(<$from>, $whole, "pipes that do not wait: -j$j");
+	is(<$from>, $want, "pipes that do not wait: $command");
 	waitpid $pid, 0;
 	is($?, 0, 'its status');
 }
+
+# A name of 4000 characters is told whole, also in the end.
+my $long = "$tmp/" . './' x 1900 . 'points.csv';
+spew($long, "0,0,-9\n");
+is((run("projcalc project -i csv scene.json $long >/dev/null"))[2],
+    "projcalc: 1 point has no image: $long:1\n", 'a long name');
 
 # Bounded memory, in kilobytes. The most that was ever resident is asked for
 # while it runs; the stream goes on long enough. It ends with a status.
