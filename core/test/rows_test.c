@@ -209,7 +209,8 @@ static void doubles_come_out_as_of_columns(void **state)
 		sample_points(&s, from, &b, n);
 		for (size_t i = 0; i < n * 3; i++)
 			put(true, i, b.in[i % 3][i / 3]);
-		memset(back, 1, sizeof back);
+		/* of nan: what is not known is computed, but no row more */
+		memset(back, 0xff, sizeof back);
 		if (!points_carry_doubles(&t, rows + 1, back + 1, n))
 			continue;
 		carry(&t, exact, &b, n);
@@ -219,9 +220,9 @@ static void doubles_come_out_as_of_columns(void **state)
 			assert_true(v == b.out[i % 3][i / 3]);
 			assert_true(v != 0 || !signbit(v));
 		}
-		assert_int_equal(back[0], 1);
+		assert_int_equal(back[0] & 0xff, 0xff);
 		for (size_t i = 24 * n + 1; i < sizeof back; i++)
-			assert_int_equal(back[i], 1);
+			assert_int_equal(back[i] & 0xff, 0xff);
 		carried++;
 	}
 	print_message("%zu blocks of doubles were carried\n", carried);
