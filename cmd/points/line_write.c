@@ -140,10 +140,8 @@ static char *copy_header(const struct layout *l, const struct line *line,
 	static const char comment[] = "# ";
 	const struct word *flags = l->flags ? &word : NULL;
 	struct line named = *line;
-	struct span text = line_text(line);
 
-	text.end -= text.end[-1] == '\r';
-	header_places(l, text, &named);
+	header_places(l, line_text(line), &named);
 	if (same_dialect(l->in, l->out))
 		return line_splice(l, &named, NULL, flags, out);
 	if (l->out.format == FORMAT_TEXT)
