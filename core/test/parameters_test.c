@@ -56,6 +56,7 @@ static void scenes_make_the_same_picture(void **state)
 		if (taxonomy_of(&s, &t) != NULL)
 			continue;
 		assert_null(parameters_of(&s, &t, &r));
+		assert_null(r.scene.answer);
 		n++;
 		if (!r.has_scene || fabs(r.far - r.near) < 1e-3 * fabs(r.near))
 			continue;
