@@ -40,20 +40,14 @@ struct integer {
 	unsigned bad;
 };
 
-/* Of up to 15 digits. The product of an integer below 10^8 and 10^8 is below 2^54 and
- * a multiple of 2^8: exact. It is 0 or larger than the rest, so that lo is
- * exactly what the sum lost. */
+/* Of up to 15 digits, as many as doubles hold: exact, and so is the product. */
 static inline struct integer short_integer(const struct rows *r, size_t i)
 {
-	struct integer m = { 0 };
 	U first, rest;
 
 	EIGHTS(r->low[i], first, rest);
-	D a = double_of(first) * 1e8, b = double_of(rest);
-
-	m.hi = a + b;
-	m.lo = b - (m.hi - a);
-	return m;
+	return (
+	    struct integer){ .hi = double_of(first) * 1e8 + double_of(rest) };
 }
 
 /* Of up to 19 digits; with more, the integer is bad. Three digits times 10^16
