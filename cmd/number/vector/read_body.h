@@ -46,8 +46,9 @@ static inline struct integer short_integer(const struct rows *r, size_t i)
 	U first, rest;
 
 	EIGHTS(r->low[i], first, rest);
-	return (
-	    struct integer){ .hi = double_of(first) * 1e8 + double_of(rest) };
+	D high = double_of(first) * 1e8;
+
+	return (struct integer){ .hi = high + double_of(rest) };
 }
 
 /* Of up to 19 digits; with more, the integer is bad. Three digits times 10^16
