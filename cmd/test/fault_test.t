@@ -384,6 +384,18 @@ SKIP: {
 		is_deeply([$status, $err], \@want,
 		    "a line of $n bytes: --scenes");
 	}
+	# without its newline it would be longer by one
+	for my $n ((1 << 26) - 1, 1 << 26) {
+		spew("$tmp/line", "0 0 0\n" x 30000 . "0 0 0 " . 'a' x ($n - 6));
+		my $want = $n < 1 << 26 ? '0 ' :
+		    "1 projcalc: -:30001: a line of more than 64 MiB\n";
+		for my $from ("- <$tmp/line", "- --scenes <$tmp/line") {
+			my @said = run("$limit $project -j2 $from >/dev/null");
+			$said[2] =~ s/scene 1, line 1: //;
+			is("@said[0, 2]", $want, "an open line of $n bytes: " .
+			    $from =~ s/<.*//r);
+		}
+	}
 	run("(printf '0 0 0 '; perl -e 'print q(a ) x 3e7'; echo) >$tmp/60M");
 	($status, $out, $err) = run("$limit $project -j2 $tmp/60M | wc -c");
 	is("$status $out$err", "0 60000028\n", 'a line of 60 MB is carried');
