@@ -87,6 +87,17 @@ static float narrowed(const struct job *j, const struct chunk *c, size_t p,
 	return point_single(&j->transform, in, k, v);
 }
 
+void binary_mark(const struct job *j, struct chunk *c, size_t p, size_t line)
+{
+	/* what has been rounded to there may be less */
+	for (int k = 0; k < j->layout.writes; k++)
+		if (j->layout.out.format == FORMAT_F32 &&
+		    fabs(c->image[k][p]) == MIDWAY_TO_INFINITY)
+			c->image[k][p] = (double)narrowed(j, c, p, k,
+			    c->image[k][p]);
+	chunk_mark(c, &j->layout, p, line);
+}
+
 void binary_write(const struct job *j, struct chunk *c, size_t p,
     const double *v)
 {
@@ -100,8 +111,6 @@ void binary_write(const struct job *j, struct chunk *c, size_t p,
 		    narrowed(j, c, p, k, wide) + 0.0f :
 		    (float)wide;
 
-		if (isinf(narrow))
-			narrow = NAN;
 		if (j->layout.out.format == FORMAT_F64)
 			put_little_double(at + 8 * k, wide);
 		else
@@ -124,7 +133,7 @@ void binary_write_block(const struct job *j, struct chunk *c, size_t n,
 		return;
 	}
 	for (size_t i = 0; i < n; i++) {
-		chunk_mark(c, &j->layout, i, first_line + i);
+		binary_mark(j, c, i, first_line + i);
 		for (int k = 0; k < writes; k++)
 			v[k] = c->image[k][i];
 		binary_write(j, c, i, v);

@@ -303,7 +303,7 @@ static void write_binary(struct block *b, const struct line *line, size_t p)
  * those of most, the sum has the top bit set. */
 static bool all_finite(const struct chunk *c, const struct layout *l, size_t n)
 {
-	const double most = l->out.format == FORMAT_F32 ? 0x1.ffffffp127 :
+	const double most = l->out.format == FORMAT_F32 ? (double)FLT_MAX :
 							  DBL_MAX;
 	const uint64_t top = 1ull << 63;
 	uint64_t limit, bits, any = 0;
@@ -330,7 +330,7 @@ static bool mark(struct block *b, size_t n, size_t number)
 		return true;
 	for (size_t i = 0; i < n; i++)
 		if (!lines || c->line[i].kind == LINE_POINT)
-			chunk_mark(c, l, p++, number + i);
+			binary_mark(b->job, c, p++, number + i);
 	return false;
 }
 

@@ -108,9 +108,7 @@ void chunk_mark(struct chunk *c, const struct layout *l, size_t p, size_t line)
 	for (int k = 0; k < l->writes; k++) {
 		double v = c->image[k][p];
 
-		/* what is midway from the largest float to 2^128 may have
-		 * been rounded there */
-		if (!isfinite(v) || (narrow && fabs(v) > 0x1.ffffffp127)) {
+		if (!isfinite(v) || (narrow && fabs(v) > MIDWAY_TO_INFINITY)) {
 			c->image[k][p] = (double)NAN;
 			nan = true;
 		}

@@ -62,6 +62,9 @@ char *chunk_reserve(struct chunk *, size_t more);
 /* Notes what is wrong with a line; the reason is copied. */
 void chunk_complain(struct chunk *, size_t line, const char *reason);
 
+/* From the largest float to 2^128, which is none. */
+#define MIDWAY_TO_INFINITY 0x1.ffffffp127
+
 /* Makes nan of each coordinate of the image of point p that is not finite, or
  * is written as a float and not finite as one. If there is any, counts the
  * point as one without image, unless its line was complained of. To be called

@@ -58,9 +58,9 @@ const char *field_next(struct dialect d, const char *s, const char *end)
 {
 	if (d.format == FORMAT_TEXT) {
 		const char *after = skip_separator(s, end);
+		size_t n = (size_t)(after - s);
 
-		return after == end && (s == end || after[-1] != ',') ? NULL :
-									after;
+		return after == end && memchr(s, ',', n) == NULL ? NULL : after;
 	}
 	s = skip_blanks(d, s, end);
 	return s < end && *s == d.separator ? s + 1 : NULL;
