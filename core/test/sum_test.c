@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: MIT */
+/* What a sum that is not exact counts for: its size goes with it, and 2^-190 of that
+ * is none. */
+#include "../sum.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+/* 0 that is not exact, and of size 1. */
+static struct sum nothing_of_one(void)
+{
+	struct sum one = sum_inexact(ex_of(1));
+
+	return sum_sub(one, sum_of_double(1));
+}
+
+/* The greatest that is none beside a sum of size 2^e, and what is just above it. */
+static void assert_size(struct sum nothing, int e)
+{
+	double none = ldexp(1, e - 190);
+
+	for (int minus = 0; minus < 2; minus++) {
+		struct sum least = sum_of_double(nextafter(none, HUGE_VAL));
+		struct sum off = sum_add(nothing, sum_of_double(none));
+
+		assert_int_equal(sum_sign(off), 0);
+		assert_true(sum_double(off) == 0);
+		assert_true(sum_settled(off).value.n == 0);
+		off = sum_add(nothing, sum_negated_if(minus, least));
+		assert_int_equal(sum_sign(off), minus ? -1 : 1);
+		assert_true(sum_double(off) ==
+		    (minus ? -1 : 1) * nextafter(none, HUGE_VAL));
+		nothing = sum_neg(nothing);
+	}
+}
+
+static void sizes_go_with_sums(void **state)
+{
+	const struct sum nothing = nothing_of_one();
+	const struct sum eight = sum_of_double(-8);
+
+	(void)state;
+	assert_size(nothing, 0);
+	assert_size(sum_mul(nothing, eight), 3);
+	assert_size(sum_mul(eight, nothing), 3);
+	assert_size(sum_quotient(nothing, eight), -3);
+	assert_size(sum_add(nothing, nothing), 1);
+	assert_size(sum_sub(nothing, sum_neg(nothing)), 1);
+	assert_size(sum_mul(sum_mul(nothing, eight), eight), 6);
+	/* each of two that are not exact takes part with all of its terms */
+	assert_size(sum_mul(sum_add(nothing, sum_of_double(4)), nothing), 2);
+	assert_size(sum_mul(nothing, nothing), 0);
+	for (int n = 1; n <= 4; n++) {
+		const struct sum *a[4] = { &eight, &nothing, &eight, &nothing };
+		const struct sum *b[4] = { &nothing, &eight, &nothing, &eight };
+		struct sum r;
+
+		sum_dot(n, a, b, &r);
+		assert_size(sum_quotient(r, sum_of_double(n)), 3);
+	}
+}
+
+static void what_is_nothing(void **state)
+{
+	struct sum nothing = nothing_of_one(), zero = sum_of_double(0);
+	struct sum one = sum_of_double(1);
+
+	(void)state;
+	assert_true(sum_is_nothing(&zero));
+	assert_false(sum_is_nothing(&nothing));
+	assert_false(sum_is_nothing(&one));
+	zero = sum_mul(zero, nothing);
+	assert_true(sum_is_nothing(&zero));
+	zero = sum_sub(one, one);
+	assert_true(sum_is_nothing(&zero));
+	assert_true(sum_is_one(&one));
+	assert_true(sum_is_power_of_two(&one));
+	one = sum_add(one, nothing);
+	assert_false(sum_is_one(&one));
+	assert_false(sum_is_power_of_two(&one));
+	one = sum_of_double(3);
+	assert_false(sum_is_power_of_two(&one));
+}
+
+/* Roots that are short are exact, as are quotients; others have their own size. */
+static void what_is_exact(void **state)
+{
+	(void)state;
+	assert_true(sum_sqrt(sum_of_double(2.25)).size.m == 0);
+	assert_true(
+	    sum_quotient(sum_of_double(6), sum_of_double(3)).size.m == 0);
+	struct sum root = sum_sqrt(sum_of_double(4 + 0x1p-50));
+	struct sum third = sum_quotient(sum_of_double(1), sum_of_double(3));
+
+	assert_int_equal(root.size.e, 2);
+	assert_int_equal(third.size.e, -1);
+	assert_int_equal(sum_sign(sum_sub(sum_mul(root, root),
+			     sum_of_double(4 + 0x1p-50))),
+	    0);
+	assert_int_equal(sum_sign(sum_sub(sum_mul(third, sum_of_double(3)),
+			     sum_of_double(1))),
+	    0);
+}
+
+int main(void)
+{
+	const struct CMUnitTest tests[] = {
+		cmocka_unit_test(sizes_go_with_sums),
+		cmocka_unit_test(what_is_nothing),
+		cmocka_unit_test(what_is_exact),
+	};
+
+	return cmocka_run_group_tests(tests, NULL, NULL);
+}
