@@ -18,7 +18,7 @@ my ($seconds, @fuzzers) = @ARGV;
 sub seed {
 	my ($fuzzer, $name, $text) = @_;
 	make_path("$build/corpus/$fuzzer");
-	spew("$build/corpus/$fuzzer/seed-$name", $text);
+	spew("$build/corpus/$fuzzer/seed-" . $name =~ tr{/}{-}r, $text);
 }
 
 # The first byte of layout.h: the same format in and out.
