@@ -28,10 +28,11 @@ static void write_value(char out[VALUE_MAX], const struct member *m,
 		snprintf(out, VALUE_MAX, "%s", text);
 	else if (!is_numbers(text)) {
 		escape_json(list, VALUE_MAX - 4, text, strlen(text));
-		snprintf(out, VALUE_MAX, "\"%s\"", list);
+		snprintf(out, VALUE_MAX, "\"%.*s\"", VALUE_MAX - 4, list);
 	} else if (add_numbers(list, 0, sizeof list, text) < VALUE_MAX - 2)
 		snprintf(out, VALUE_MAX,
-		    strchr(list, ',') != NULL ? "[%s]" : "%s", list);
+		    strchr(list, ',') != NULL ? "[%.*s]" : "%.*s",
+		    VALUE_MAX - 3, list);
 }
 
 /* The name in an option, "--eye=0,0,5" or "-eye". */
