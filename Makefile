@@ -23,12 +23,11 @@ LDFLAGS =
 # What is always wanted stands apart from CFLAGS and LDFLAGS, as those of the
 # command line would replace it. The same bytes come from every compiler: no
 # multiply-add is fused unless it is written so, sums stay in their order, -0 is not
-# 0; and two faults of gcc 12 are kept
-# out, of which core/test/compiler_test.c has an example each. It leaves out what
-# rounds two doubles to floats and back where it makes a vector of them (and stores
-# the halves of a span to reload them as one, which stalls). And it counts some
-# loops' addresses from a literal 0, whose accesses it then takes for unreachable
-# (PR 110702), unless a null pointer might be one.
+# 0; and two faults of gcc 12 are kept out, of which core/test/compiler_test.c has an
+# example each. It leaves out what rounds two doubles to floats and back where it
+# makes a vector of them (and stores the halves of a span to reload them as one, which
+# stalls). And it counts some loops' addresses from a literal 0, whose accesses it then
+# takes for unreachable (PR 110702), unless a null pointer might be one.
 FLAGS = -ffp-contract=off -fno-fast-math -fno-unsafe-math-optimizations \
 	-fno-reciprocal-math -fsigned-zeros -fno-tree-slp-vectorize \
 	-fno-delete-null-pointer-checks -pthread -MMD -MP -Wall \

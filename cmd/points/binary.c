@@ -89,12 +89,14 @@ static float narrowed(const struct job *j, const struct chunk *c, size_t p,
 
 void binary_mark(const struct job *j, struct chunk *c, size_t p, size_t line)
 {
-	/* what has been rounded to there may be less */
-	for (int k = 0; k < j->layout.writes; k++)
-		if (j->layout.out.format == FORMAT_F32 &&
-		    fabs(c->image[k][p]) == MIDWAY_TO_INFINITY)
-			c->image[k][p] = (double)narrowed(j, c, p, k,
-			    c->image[k][p]);
+	bool narrow = j->layout.out.format == FORMAT_F32;
+
+	for (int k = 0; narrow && k < j->layout.writes; k++) {
+		double *v = &c->image[k][p];
+
+		if (fabs(*v) == MIDWAY_TO_INFINITY)
+			*v = (double)narrowed(j, c, p, k, *v);
+	}
 	chunk_mark(c, &j->layout, p, line);
 }
 

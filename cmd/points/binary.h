@@ -14,7 +14,8 @@ size_t binary_read(const struct job *, struct chunk *);
  * of all of them. */
 bool binary_carry(const struct job *, struct chunk *);
 
-/* chunk_mark, of what is written. */
+/* chunk_mark; but a double midway to infinity counts as the float that the exact image
+ * is rounded to. */
 void binary_mark(const struct job *, struct chunk *, size_t p, size_t line);
 
 /* Writes v, the image of point p of the block. Where v is nan, p does not

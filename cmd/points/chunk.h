@@ -62,7 +62,7 @@ char *chunk_reserve(struct chunk *, size_t more);
 /* Notes what is wrong with a line; the reason is copied. */
 void chunk_complain(struct chunk *, size_t line, const char *reason);
 
-/* From the largest float to 2^128, which is none. */
+/* Of the largest float and 2^128, which is none, and to which it is rounded. */
 #define MIDWAY_TO_INFINITY 0x1.ffffffp127
 
 /* Makes nan of each coordinate of the image of point p that is not finite, or

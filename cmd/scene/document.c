@@ -202,7 +202,7 @@ static const char *point_end(const struct value *v, const char *s,
 		return stop;
 	stop = json_skip(s, end);
 	value_parse_part(&looked_at, s, stop);
-	/* ends the program, and needs not be freed */
+	/* ends the program: nothing need be freed */
 	check_point(&looked_at, coordinates);
 	return stop;
 }

@@ -22,7 +22,6 @@ static void test_escaped(void **state)
 	escaped(out, text, sizeof text);
 	assert_string_equal(out + strlen(out) - 4, "a...");
 	/* the last place in which there is room for what is longest, "..." and NUL */
-	memset(text, 'a', sizeof text);
 	for (size_t at = 50; at < ESCAPED_MAX - 4; at++) {
 		text[at] = 1;
 		escaped(out, text, sizeof text);
