@@ -13,12 +13,15 @@ use Transcript;
 my @files = @ARGV ? @ARGV : sort glob 'testdata/transcripts/*.txt';
 my $jobs = `getconf _NPROCESSORS_ONLN`;
 
-# A process for each file, which prints the transcript as it is said now.
+# A process for each file, which prints the transcript as it is said now. Each has
+# a testdata of its own, as commands there write files and remove them.
 sub start {
 	my ($file) = @_;
 	my $pid = open(my $from, '-|') // die "fork: $!\n";
 	return $from if $pid != 0;
-	print transcript_text(map { said($_) } transcript($file));
+	my $own = "$tmp/$$";
+	system('cp', '-R', 'testdata', $own) == 0 or die "$own: not copied\n";
+	print transcript_text(map { said({%$_, dir => $own}) } transcript($file));
 	exit 0;
 }
 
