@@ -29,74 +29,12 @@ typedef struct {
 	double hi, lo;
 } dd;
 
-/* a + b = hi + lo exactly (Knuth, Moeller). */
-static inline dd two_sum(double a, double b)
-{
-	double s = a + b, t = s - a;
-
-	return (dd){ s, (a - (s - t)) + (b - t) };
-}
-
-/* The same for |a| >= |b| or a = 0 (Dekker). */
-static inline dd fast_two_sum(double a, double b)
-{
-	double s = a + b;
-
-	return (dd){ s, b - (s - a) };
-}
-
 /* a b = hi + lo exactly, while |a b| > 2^-969. */
 static inline dd two_prod(double a, double b)
 {
 	double p = a * b;
 
 	return (dd){ p, fma(a, b, -p) };
-}
-
-static inline dd dd_neg(dd a)
-{
-	return (dd){ -a.hi, -a.lo };
-}
-
-static inline dd dd_scale(dd a, double power_of_two)
-{
-	return (dd){ a.hi * power_of_two, a.lo * power_of_two };
-}
-
-static inline dd dd_shift(dd a, int e)
-{
-	return (dd){ ldexp(a.hi, e), ldexp(a.lo, e) };
-}
-
-/* 3 u^2 (AccurateDWPlusDW) of the result, even where the terms cancel. */
-static inline dd dd_add(dd a, dd b)
-{
-	dd s = two_sum(a.hi, b.hi), t = two_sum(a.lo, b.lo);
-
-	s = fast_two_sum(s.hi, s.lo + t.hi);
-	return fast_two_sum(s.hi, s.lo + t.lo);
-}
-
-/* 5 u^2; in truth 4 (DWTimesDW3). */
-static inline dd dd_mul(dd a, dd b)
-{
-	dd p = two_prod(a.hi, b.hi);
-	double t = fma(a.lo, b.hi, fma(a.hi, b.lo, a.lo * b.lo));
-
-	return fast_two_sum(p.hi, p.lo + t);
-}
-
-/* 9 u^2 of the result, worst where a.hi and b.hi are just above powers of two:
- * the remainder a.hi - q b.hi is exact; rounding a.lo - q b.lo costs 2 u^2, their
- * sum r 2 u^2, dividing that by b.hi instead of b 3 u^2, and rounding the last
- * quotient 2 u^2. */
-static inline dd dd_div(dd a, dd b)
-{
-	double q = a.hi / b.hi;
-	dd p = two_prod(q, b.hi);
-	double r = ((a.hi - p.hi) - p.lo) + fma(-q, b.lo, a.lo);
-
-	return fast_two_sum(q, r / b.hi);
 }
 
 #endif

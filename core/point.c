@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "kernel/midway.h"
-#include "quick.h"
 
 /* The point as the map takes it. */
 static void set_point(const struct transform *t, const double in[4],
@@ -70,31 +69,6 @@ void point_exact(const struct transform *t, const double in[4], double out[4])
 		if (isfinite(v))
 			out[j] = v;
 	}
-}
-
-bool point_quick(const struct transform *t, const double in[4], double out[4])
-{
-	const struct kernel_map *k = &t->for_kernel;
-	struct quick w = QUICK_ONE;
-	dd p[4] = { [3] = { t->in == 4 ? in[3] : 1, 0 } };
-
-	if (t->reciprocal || has_nan(t, in))
-		return false;
-	for (int i = 0; i < t->in && i < 3; i++)
-		p[i] = two_sum(in[i], -k->origin[i]);
-	if (t->divide) {
-		w = quick_column(k, 3, p);
-		if (!(fabs(w.value.hi) > QUICK_BOUND * w.size) ||
-		    !quick_is_moderate(w.value.hi))
-			return false;
-	}
-	for (int j = 0; j < t->out; j++) {
-		if (t->front && w.value.hi < 0)
-			out[j] = (double)NAN;
-		else if (!quick_over(quick_column(k, j, p), w, &out[j]))
-			return false;
-	}
-	return true;
 }
 
 /* Elsewhere the double lies on the same side of each midpoint. */

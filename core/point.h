@@ -15,9 +15,6 @@ void point_exact(const struct transform *, const double in[4], double out[4]);
 float point_single(const struct transform *, const double in[4], int j,
     double image);
 
-/* The same in double-double, where that is sure to be it; else false. */
-bool point_quick(const struct transform *, const double in[4], double out[4]);
-
 /* Column j of the map at a point, exactly, times the map's divisor. */
 struct sum point_column(const struct transform *, int j, const double in[4]);
 

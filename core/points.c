@@ -3,8 +3,6 @@
 
 #include <math.h>
 
-#include "kernel/little.h"
-
 static const struct kernels *kernels = &kernels_baseline;
 
 bool points_choose(const char *name)
@@ -50,17 +48,14 @@ static bool carry_four(const struct transform *t, const double *const in[4],
 	return false;
 }
 
-/* Point i, in double-double where that has a chance: what is not divided and was
- * left by a kernel lies midway between two doubles, as a rule. */
 static void carry_one(const struct transform *t, const double *const in[4],
-    double *const out[4], size_t i, bool left)
+    double *const out[4], size_t i)
 {
 	double p[4], q[4];
 
 	for (int j = 0; j < t->in; j++)
 		p[j] = in[j][i];
-	if ((left && !t->divide) || !point_quick(t, p, q))
-		point_exact(t, p, q);
+	point_exact(t, p, q);
 	for (int j = 0; j < t->out; j++)
 		out[j][i] = q[j];
 }
@@ -77,7 +72,7 @@ static void carry_exact(const struct transform *t, const double *const in[4],
 		return;
 	for (size_t i = 0; i < n; i++)
 		if (!tried || isnan(out[0][i]))
-			carry_one(t, in, out, i, tried);
+			carry_one(t, in, out, i);
 		else if (isinf(out[0][i]))
 			for (int j = 0; j < t->out; j++)
 				out[j][i] = (double)NAN;
@@ -231,51 +226,6 @@ bool points_join(double (*columns)[POINTS_BLOCK], char *rows, bool wide,
     int numbers, size_t n)
 {
 	return kernels->join[wide][numbers](columns, rows, n);
-}
-
-/* Computes the rows out that a kernel was not sure of. False where one of all has no
- * image. */
-static bool mend(const struct transform *t, const char *in, char *out, size_t n)
-{
-	double p[3], q[3];
-	const double *const from[4] = { p, p + 1, p + 2 };
-	double *const to[4] = { q, q + 1, q + 2 };
-
-	for (size_t i = 0; i < n; i++, in += sizeof p, out += sizeof q) {
-		q[0] = little_double(out);
-		if (isfinite(q[0]))
-			continue;
-		for (int k = 0; k < 3; k++) {
-			p[k] = little_double(in + 8 * k);
-			q[k] = little_double(out + 8 * k);
-		}
-		if (isnan(q[0]))
-			carry_one(t, from, to, 0, true);
-		for (int k = 0; k < 3; k++) {
-			if (!isfinite(q[k]))
-				return false;
-			/* -0 is 0 */
-			put_little_double(out + 8 * k, q[k] + 0.0);
-		}
-	}
-	return true;
-}
-
-bool points_carry_doubles(const struct transform *t, const char *in, char *out,
-    size_t n)
-{
-	direct_kernel fast = kernels->direct[t->kind];
-
-	if (fast == NULL)
-		return false;
-	switch (fast(&t->for_kernel, in, out, n, MAGNITUDE_MAX)) {
-	case DIRECT_DONE:
-		return true;
-	case DIRECT_UNSURE:
-		return mend(t, in, out, n);
-	default:
-		return false;
-	}
 }
 
 bool points_carry_floats(const struct transform *t, const char *in, char *out,

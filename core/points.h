@@ -37,11 +37,6 @@ bool points_split(const char *rows, bool wide, int numbers,
 bool points_join(double (*columns)[POINTS_BLOCK], char *rows, bool wide,
     int numbers, size_t n);
 
-/* From rows of doubles to rows of doubles, in PRECISION_EXACT, -0 as 0; n is a multiple
- * of 16. False where one has no image, or the whole needs points_carry. */
-bool points_carry_doubles(const struct transform *, const char *in, char *out,
-    size_t n);
-
 /* From rows of floats to rows of floats, in PRECISION_SINGLE; false where one has no
  * image, or the whole needs points_carry. */
 bool points_carry_floats(const struct transform *, const char *in, char *out,

@@ -335,11 +335,6 @@ double sum_double(struct sum a)
 	return sum_nearest(&a, &one, false);
 }
 
-float sum_float(struct sum a)
-{
-	return (float)sum_nearest(&a, &one, true);
-}
-
 dd sum_dd(struct sum a)
 {
 	return ex_round(sum_settled(a).value);

@@ -59,7 +59,6 @@ struct sum sum_settled(struct sum);
 /* The nearest double or float, ties to even; infinite beyond their range: of n / d,
  * and so on. */
 double sum_double(struct sum);
-float sum_float(struct sum);
 double sum_nearest(const struct sum *n, const struct sum *d, bool single);
 double sum_over(struct sum n, struct sum d);
 float sum_over_float(struct sum n, struct sum d);

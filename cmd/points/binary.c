@@ -45,26 +45,18 @@ size_t binary_read(const struct job *j, struct chunk *c)
 	return n;
 }
 
-/* Rows are read twice: so many are still in the cache then. What a block needs
- * before its first point costs as much as 150 points. */
-enum { ROWS_BLOCK = 2048 };
-
 bool binary_carry(const struct job *j, struct chunk *c)
 {
-	bool wide = j->layout.in.format == FORMAT_F64;
 	size_t size = point_size(j->layout.in.format, j->layout.reads);
 	size_t n = (size_t)(c->end - c->text) / size;
 
-	if (n > (wide ? ROWS_BLOCK : POINTS_BLOCK))
-		n = wide ? ROWS_BLOCK : POINTS_BLOCK;
-	if (wide) /* the few last ones are left */
-		n -= n % 16;
+	if (n > POINTS_BLOCK)
+		n = POINTS_BLOCK;
 	if (n == 0)
 		return false;
 	char *at = chunk_reserve(c, n * size);
 
-	if (!(wide ? points_carry_doubles(&j->transform, c->text, at, n) :
-		     points_carry_floats(&j->transform, c->text, at, n)))
+	if (!points_carry_floats(&j->transform, c->text, at, n))
 		return false;
 	c->size += n * size;
 	c->text += n * size;

@@ -9,9 +9,8 @@
  * many. */
 size_t binary_read(const struct job *, struct chunk *);
 
-/* The next points, a block, from floats to floats in single precision, or
- * from doubles to doubles in exact. False, and nothing done, where that can't be told
- * of all of them. */
+/* Transforms the next points, at most a block, from floats to floats in single
+ * precision. Returns false, with nothing done, where one has no image. */
 bool binary_carry(const struct job *, struct chunk *);
 
 /* chunk_mark; but a double midway to infinity counts as the float that the exact image

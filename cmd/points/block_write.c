@@ -21,8 +21,7 @@ struct block {
 	const struct job *job;
 	struct chunk *chunk;
 	size_t points;
-	bool usual;                          /* its lines are for put_usual */
-	bool in_order;                       /* or for put_in_order */
+	bool in_order;                       /* its lines are for put_in_order */
 	unsigned char outside[POINTS_BLOCK]; /* of which planes each is */
 	struct texts texts;
 };
@@ -171,25 +170,9 @@ static inline char *put_rest(const struct line *line, uint32_t done, char *at)
 	return at + line->newline;
 }
 
-/* What line_write does then, without a look at what cannot be; of three numbers for
- * three, as most lines have, without a loop. */
-static inline char *put_usual(struct block *b, const struct line *line,
-    size_t p, char *at)
-{
-	uint32_t done = line->at[2].to;
-
-	at = replace(b, line, 0, 0, p, at);
-	at = replace(b, line, 1, line->at[0].to, p, at);
-	at = replace(b, line, 2, line->at[1].to, p, at);
-	if (b->job->flags)
-		at = put_word(&b->job->layout, line, 3,
-		    word_for(b->chunk, b->outside[p]), at);
-	return put_rest(line, done, at);
-}
-
-/* Not inline, so that the usual one may be. */
-static __attribute__((noinline)) char *put_in_order(struct block *b,
-    const struct line *line, size_t p, char *at)
+/* What line_write does then, without a look at what cannot be. */
+static char *put_in_order(struct block *b, const struct line *line, size_t p,
+    char *at)
 {
 	const struct layout *l = &b->job->layout;
 	uint32_t done = 0;
@@ -228,8 +211,6 @@ static char *put_image(struct block *b, const struct line *line, size_t p,
 	need_texts(b, p);
 	if (line->object && !is_plain_object(j, line))
 		return put_point(b, line, p, at);
-	if (b->usual && (!j->flags || takes_more(l, line, 3)))
-		return put_usual(b, line, p, at);
 	return b->in_order && takes_more(l, line, l->reads) ?
 	    put_in_order(b, line, p, at) :
 	    put_point(b, line, p, at);
@@ -351,7 +332,6 @@ void block_write(const struct job *j, struct chunk *c, size_t n, size_t points,
 	/* to JSON, nan goes as null */
 	b.in_order = is_in_order(&j->layout) &&
 	    (finite || j->layout.out.format != FORMAT_JSON);
-	b.usual = b.in_order && j->layout.reads == 3 && j->layout.writes == 3;
 	if (j->flags || j->visible)
 		frustum_out_all(&j->frustum, in, b.outside, points);
 	for (size_t i = 0; i < n; i += BATCH) {

@@ -73,11 +73,6 @@ static void show(const struct job *j, struct chunk *c, size_t n, size_t number,
 	}
 }
 
-static bool is_exact(const struct accuracy *a)
-{
-	return a->precision == PRECISION_EXACT && !(a->tolerance[0] > 0);
-}
-
 void job_do(struct job *j, struct chunk *c)
 {
 	bool binary = is_binary(j->layout.in.format);
@@ -87,8 +82,7 @@ void job_do(struct job *j, struct chunk *c)
 	bool whole = binary && is_binary(j->layout.out.format) &&
 	    j->take == NULL && !j->visible && !j->rays;
 	bool direct = whole && same_dialect(j->layout.in, j->layout.out) &&
-	    (j->layout.in.format == FORMAT_F32 ? j->layout.single :
-						 is_exact(&j->accuracy));
+	    j->layout.in.format == FORMAT_F32 && j->layout.single;
 
 	chunk_clear(c);
 	while (c->text < c->end) {

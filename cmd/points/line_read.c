@@ -79,47 +79,15 @@ static bool read_words(const struct layout *l, const char *s, const char *end,
 	return true;
 }
 
-/* Reads the field of csv or JSON at s if it is a number and, but for blanks,
- * nothing else. */
-static bool plain_field(struct dialect d, const char *s, const char *end,
-    const char *readable, struct span *f, double *v)
-{
-	f->s = skip_blanks(d, s, end);
-	if (f->s == end)
-		return false;
-	f->end = d.format == FORMAT_JSON ? json_number(f->s, readable, v) :
-					   number_read(f->s, readable, v);
-	if (f->end == NULL)
-		return false;
-	const char *after = skip_blanks(d, f->end, end);
-
-	return d.format == FORMAT_JSON ? json_skip(f->end, end) == after :
-					 after == end || *after == d.separator;
-}
-
-/* Reads the field at s, of csv or JSON, and the number in it. Most are plain
- * numbers: to try that first is faster than to look for where the field ends. */
-static bool read_field(struct dialect d, const char *s, const char *end,
-    const char *readable, struct span *field, struct span *number, double *v)
-{
-	if (plain_field(d, s, end, readable, number, v)) {
-		*field = *number;
-		return true;
-	}
-	*field = *number = field_at(d, s, end);
-	return field_number(d, number, readable, v);
-}
-
 /* Reads the first fields of a line of csv or JSON. */
 static bool read_first(const struct layout *l, const char *s, const char *end,
     const char *readable, struct line *line, double v[4],
     char reason[REASON_MAX])
 {
 	for (int i = 0; i < l->reads; i++) {
-		struct span field, number;
+		struct span field = field_at(l->in, s, end), number = field;
 
-		if (!read_field(l->in, s, end, readable, &field, &number,
-			&v[i])) {
+		if (!field_number(l->in, &number, readable, &v[i])) {
 			say_bad_field(l, i, field, reason);
 			return false;
 		}

@@ -118,39 +118,6 @@ static void check_point(const struct value *v, int coordinates)
 		    n, n == 1 ? "" : "s", coordinates);
 }
 
-/* Past the point of checked text at s, if it is of blanks and numbers without an
- * exponent alone, and so short that none of these is beyond 1e150; else NULL. */
-static const char *pass_plain(const char *s, int coordinates)
-{
-	static const bool plain[256] = { [' '] = true,
-		['\n'] = true,
-		['\r'] = true,
-		['\t'] = true,
-		['-'] = true,
-		['.'] = true,
-		[','] = true,
-		['0'] = true,
-		['1'] = true,
-		['2'] = true,
-		['3'] = true,
-		['4'] = true,
-		['5'] = true,
-		['6'] = true,
-		['7'] = true,
-		['8'] = true,
-		['9'] = true };
-	const char *start = s++;
-	bool all = *start == '[';
-	int commas = 0;
-
-	for (; *s != ']'; s++) {
-		all &= plain[(unsigned char)*s];
-		commas += *s == ',';
-	}
-	return all && s - start < 150 && commas + 1 >= coordinates ? s + 1 :
-								     NULL;
-}
-
 /* Past the coordinate or other element at s of a point; NULL where it isn't one
  * as it should be. */
 static const char *pass_element(const char *s, const char *end, bool coordinate)
@@ -193,11 +160,9 @@ static const char *pass_point(const char *s, const char *end, int coordinates)
 static const char *point_end(const struct value *v, const char *s,
     const char *end, int coordinates)
 {
-	const char *stop = pass_plain(s, coordinates);
+	const char *stop = pass_point(s, end, coordinates);
 	struct value looked_at = *v;
 
-	if (stop == NULL)
-		stop = pass_point(s, end, coordinates);
 	if (stop != NULL)
 		return stop;
 	stop = json_skip(s, end);

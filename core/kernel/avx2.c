@@ -9,7 +9,6 @@
 #define WIDTH 4
 #define LOAD(p) _mm256_loadu_pd(p)
 #define STORE(p, a) _mm256_storeu_pd(p, a)
-#define LOAD_BYTES(p) _mm256_loadu_pd((const double *)(const void *)(p))
 #define ALL(a) _mm256_set1_pd(a)
 #define FMA(a, b, c) _mm256_fmadd_pd(a, b, c)
 #define SQRT(a) _mm256_sqrt_pd(a)
@@ -24,35 +23,6 @@
 #define CHOOSE(a, b, c)        \
 	_mm256_blendv_pd(c, b, \
 	    _mm256_cmp_pd(a, _mm256_setzero_pd(), _CMP_GT_OQ))
-
-/* Of three vectors of rows, lane 0 of one, 1 of the next and 2 of the third hold the
- * same coordinate, and then it begins anew. */
-static inline void split_three(const char *rows, __m256d p[3])
-{
-	__m256d a = LOAD_BYTES(rows), b = LOAD_BYTES(rows + 32);
-	__m256d c = LOAD_BYTES(rows + 64);
-
-	p[0] = _mm256_blend_pd(_mm256_blend_pd(a, b, 4), c, 2);
-	p[1] = _mm256_blend_pd(_mm256_blend_pd(b, a, 2), c, 4);
-	p[2] = _mm256_blend_pd(_mm256_blend_pd(c, b, 2), a, 4);
-	p[0] = _mm256_permute4x64_pd(p[0], 0x6c); /* 0 3 2 1 */
-	p[1] = _mm256_permute4x64_pd(p[1], 0xb1); /* 1 0 3 2 */
-	p[2] = _mm256_permute4x64_pd(p[2], 0xc6); /* 2 1 0 3 */
-}
-
-static inline void join_three(char *rows, const __m256d q[3])
-{
-	__m256d x = _mm256_permute4x64_pd(q[0], 0x6c);
-	__m256d y = _mm256_permute4x64_pd(q[1], 0xb1);
-	__m256d z = _mm256_permute4x64_pd(q[2], 0xc6);
-	double *to = (double *)(void *)rows;
-
-	_mm256_storeu_pd(to, _mm256_blend_pd(_mm256_blend_pd(x, y, 2), z, 4));
-	_mm256_storeu_pd(to + 4,
-	    _mm256_blend_pd(_mm256_blend_pd(y, z, 2), x, 4));
-	_mm256_storeu_pd(to + 8,
-	    _mm256_blend_pd(_mm256_blend_pd(z, x, 2), y, 4));
-}
 
 #define F __m256
 #define F_WIDTH 8

@@ -3,15 +3,12 @@
  * there is an instruction for it. */
 #include <math.h>
 
-#include "little.h"
-
 #define COPY kernels_baseline
 
 #define V double
 #define WIDTH 1
 #define LOAD(p) (*(p))
 #define STORE(p, a) (*(p) = (a))
-#define LOAD_BYTES(p) little_double(p)
 #define ALL(a) ((double)(a))
 #define FMA(a, b, c) fma(a, b, c)
 #define SQRT(a) sqrt(a)
@@ -22,18 +19,6 @@
 #define SAME(a, b, c) ((a) == (b) ? (c) : 0)
 #define IS_POSITIVE(a) ((a) > 0)
 #define CHOOSE(a, b, c) ((a) > 0 ? (b) : (c))
-
-static inline void split_three(const char *row, double p[3])
-{
-	for (int k = 0; k < 3; k++)
-		p[k] = little_double(row + 8 * k);
-}
-
-static inline void join_three(char *row, const double q[3])
-{
-	for (int k = 0; k < 3; k++)
-		put_little_double(row + 8 * k, q[k]);
-}
 
 #define F float
 #define F_WIDTH 1

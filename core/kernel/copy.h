@@ -4,7 +4,6 @@
  *	COPY		the name of its struct kernels
  *	V, WIDTH	a vector of doubles, and how many it holds
  *	LOAD, STORE	from and to any address
- *	LOAD_BYTES	from any that need not be a double's
  *	ALL(a)		a in each lane
  *	FMA(a, b, c)	a b + c, rounded once
  *	MADD(a, b, c)	the same, or the product rounded before: what is faster
@@ -13,8 +12,6 @@
  *	SAME(a, b, c)	a == b ? c : 0
  *	CHOOSE(a, b, c)	a > 0 ? b : c
  *	IS_POSITIVE(a)	whether all of a are above 0
- *	split_three(rows, p), join_three(rows, q)	WIDTH rows of three doubles,
- *			from any address to vectors p[3], and back from q[3]
  *
  * and the same of FMA, ABS and MAX for floats, F and F_..., but that F_NEAR(p, o)
  * reads doubles and gives their difference from o rounded to floats, F_STORE
@@ -25,7 +22,6 @@
 #include <math.h>
 
 #include "exact.h"
-#include "direct.h"
 #include "rows.h"
 #include "signs.h"
 
@@ -116,9 +112,6 @@ LOOP(KERNEL_PROJECTIVE, within_projective)
 
 const struct kernels COPY = {
 	.exact = { KERNELS_OF(exact), [KERNEL_DIRECTION] = exact_direction },
-	.direct = { [KERNEL_AFFINE] = direct_affine,
-	    [KERNEL_DEPTH] = direct_depth,
-	    [KERNEL_PROJECTIVE] = direct_projective },
 	.plain = {
 		[PRECISION_DOUBLE] = { KERNELS_OF(double) },
 		[PRECISION_SINGLE] = { KERNELS_OF(single) },

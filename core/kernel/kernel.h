@@ -65,12 +65,6 @@ struct kernel_map {
 typedef int (*exact_kernel)(const struct kernel_map *,
     const double *const in[3], double *const out[3], size_t n);
 
-/* The same from rows of three doubles to rows of three, -0 as 0, at any address; n is a
- * multiple of 16. Nothing is done where a coordinate is beyond most in magnitude. */
-enum direct_state { DIRECT_DONE, DIRECT_UNSURE, DIRECT_BEYOND };
-typedef enum direct_state (*direct_kernel)(const struct kernel_map *,
-    const char *in, char *out, size_t n, double most);
-
 /* Where there is no image, or something on the way was beyond the precision's
  * range, a coordinate is nan or infinite. Returns whether that is surely nowhere so,
  * but for lanes past n. */
@@ -128,7 +122,6 @@ typedef void (*signs_kernel)(const struct estimate *, int columns,
 
 struct kernels {
 	exact_kernel exact[KERNELS];
-	direct_kernel direct[KERNELS];
 	plain_kernel plain[3][KERNELS]; /* by precision */
 	within_kernel within[KERNELS];
 	float_kernel floats[KERNELS]; /* single, to the same bits */

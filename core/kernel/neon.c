@@ -9,7 +9,6 @@
 #define WIDTH 2
 #define LOAD(p) vld1q_f64(p)
 #define STORE(p, a) vst1q_f64(p, a)
-#define LOAD_BYTES(p) vreinterpretq_f64_u8(vld1q_u8((const uint8_t *)(p)))
 #define ALL(a) vdupq_n_f64(a)
 #define FMA(a, b, c) vfmaq_f64(c, a, b)
 #define SQRT(a) vsqrtq_f64(a)
@@ -23,20 +22,6 @@
 #define IS_POSITIVE(a) \
 	(vminvq_u32(vreinterpretq_u32_u64(vcgtzq_f64(a))) == 0xffffffff)
 #define CHOOSE(a, b, c) vbslq_f64(vcgtzq_f64(a), b, c)
-
-static inline void split_three(const char *rows, float64x2_t p[3])
-{
-	float64x2x3_t all = vld3q_f64((const double *)(const void *)rows);
-
-	for (int k = 0; k < 3; k++)
-		p[k] = all.val[k];
-}
-
-static inline void join_three(char *rows, const float64x2_t q[3])
-{
-	vst3q_f64((double *)(void *)rows,
-	    ((float64x2x3_t){ { q[0], q[1], q[2] } }));
-}
 
 #define F float32x4_t
 #define F_WIDTH 4
