@@ -48,9 +48,9 @@ TRUTH_LIBS = -lcmocka -lmpfr -lgmp
 objects = $(addprefix $(BUILD)/,$(addsuffix .o,$(basename \
 	$(wildcard $(foreach folder,$1,$(folder)/*.c $(folder)/*.cc)))))
 programs = $(basename $(call objects,$1))
-CORE = $(call objects,core core/kernel)
-PROGRAM = $(CORE) $(call objects,cmd cmd/json cmd/scene cmd/points cmd/number \
-	cmd/number/vector)
+CORE = $(call objects,$(addprefix core/,exact scene points points/kernel derive))
+PROGRAM = $(CORE) $(call objects,cmd $(addprefix cmd/,call message json scene \
+	lines stream number number/vector))
 BUT_MAIN = $(filter-out %/main.o,$(PROGRAM))
 TRUTH = $(filter-out %_test.o,$(call objects,core/test))
 PEERS = $(call objects,cmd/bench/peer)
@@ -107,20 +107,20 @@ FLAGS += $(if $(filter s390x%,$(MACHINE)),$(if \
 
 # The inner loops: binary points take a fifth less time than at -O2. Those for
 # AVX2 and AVX-512 are chosen when the program runs; NEON is in every arm64.
-$(addprefix $(BUILD)/cmd/points/,binary.o block_write.o walk.o) \
-    $(call objects,core/kernel cmd/number/vector): FLAGS += -O3
+$(addprefix $(BUILD)/cmd/,stream/binary.o stream/block_write.o lines/walk.o) \
+    $(call objects,core/points/kernel cmd/number/vector): FLAGS += -O3
 VECTOR = $(BUILD)/cmd/number/vector
-$(BUILD)/core/kernel/avx2.o $(VECTOR)/write_avx2.o $(VECTOR)/read_avx2.o: \
+$(BUILD)/core/points/kernel/avx2.o $(VECTOR)/write_avx2.o $(VECTOR)/read_avx2.o: \
     FLAGS += $(call x86,-mavx2 -mfma)
-$(BUILD)/core/kernel/avx512.o: FLAGS += $(call x86,-mavx512f -mfma)
+$(BUILD)/core/points/kernel/avx512.o: FLAGS += $(call x86,-mavx512f -mfma)
 $(VECTOR)/write_avx512.o $(VECTOR)/read_avx512.o: FLAGS += $(call x86, \
     -mavx512f -mavx512bw -mavx512cd -mavx512dq -mavx512vl -mfma)
-# Threads run these: what they need of their stacks (cmd/stack.c) is not to grow
-# unseen.
-$(addprefix $(BUILD)/core/,exact.o frustum.o mat.o pick.o point.o points.o ray.o \
-    sum.o) \
-    $(call objects,core/kernel cmd cmd/json cmd/points cmd/number \
-    cmd/number/vector): \
+# Threads run these: what they need of their stacks (cmd/stream/stack.c) is not to
+# grow unseen.
+$(addprefix $(BUILD)/core/,exact/exact.o exact/map.o exact/sum.o derive/frustum.o \
+    derive/pick.o derive/ray.o) \
+    $(call objects,core/points core/points/kernel cmd cmd/call cmd/message cmd/json \
+    cmd/lines cmd/stream cmd/number cmd/number/vector): \
     FLAGS += -Wframe-larger-than=32768
 # Others' libraries at their best, for this very processor.
 $(PEERS): FLAGS += -O3 -march=native -ffp-contract=fast
@@ -134,9 +134,9 @@ $(CMD_TESTS): $(BUILD)/%: $(BUILD)/%.o $(TRUTH) $(BUT_MAIN)
 $(BENCHES): $(BUILD)/%: $(BUILD)/%.o $(PEERS) $(TRUTH) $(BUT_MAIN)
 	$(CXX) -pthread $(LDFLAGS) -o $@ $^ $(TRUTH_LIBS) $(LIBS)
 
-# A fuzzer has its own functions in place of talk.c's, and of the read and poll
+# A fuzzer has its own functions in place of message.c's, and of the read and poll
 # that piece.c calls. Of an archive only what is called is linked.
-$(BUILD)/program.a: $(filter-out %/talk.o,$(BUT_MAIN))
+$(BUILD)/program.a: $(filter-out %/message.o,$(BUT_MAIN))
 	rm -f $@
 	$(AR) rcs $@ $^
 

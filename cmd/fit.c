@@ -2,12 +2,12 @@
 #include <math.h>
 #include <string.h>
 
-#include "../core/fit.h"
-#include "../core/fit_window.h"
-#include "input.h"
-#include "operands.h"
+#include "../core/derive/fit.h"
+#include "../core/derive/fit_window.h"
+#include "call/input.h"
+#include "call/operands.h"
 #include "scene/print_scene.h"
-#include "talk.h"
+#include "message/message.h"
 
 static const struct bounds nothing = {
 	.min = { HUGE_VAL, HUGE_VAL, HUGE_VAL },

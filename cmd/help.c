@@ -5,9 +5,9 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "options.h"
+#include "call/options.h"
 #include "scene/members.h"
-#include "talk.h"
+#include "message/message.h"
 
 static void heading(const char *text)
 {

@@ -4,7 +4,7 @@
 #ifndef HELP_H
 #define HELP_H
 
-#include "command.h"
+#include "call/command.h"
 
 /* name is NULL after the last command. */
 void help_all(const struct command *);

@@ -3,12 +3,12 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "escape.h"
+#include "message/escape.h"
 #include "help.h"
-#include "options.h"
+#include "call/options.h"
 #include "scene/convention_member.h"
 #include "scene/members.h"
-#include "talk.h"
+#include "message/message.h"
 
 /* What stands before the next value: "" behind an opening bracket or a name. */
 static const char *between = "";

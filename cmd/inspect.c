@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
 
-#include "../core/depth.h"
-#include "../core/error_bound.h"
-#include "../core/parameters.h"
+#include "../core/derive/depth.h"
+#include "../core/derive/error_bound.h"
+#include "../core/derive/parameters.h"
 #include "json/print.h"
-#include "operands.h"
+#include "call/operands.h"
 #include "scene/print_scene.h"
-#include "talk.h"
+#include "message/message.h"
 
 /* In the order of enum taxon, kind and buffer. */
 static const char *const taxa[] = { "orthographic", "oblique", "perspective",

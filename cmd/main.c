@@ -2,16 +2,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "command.h"
+#include "call/command.h"
 #include "help.h"
-#include "input.h"
-#include "mistaken.h"
-#include "operands.h"
-#include "params.h"
-#include "points/answer.h"
+#include "call/input.h"
+#include "call/mistaken.h"
+#include "call/operands.h"
+#include "call/params.h"
+#include "stream/answer.h"
 #include "scene/examples.h"
-#include "stack.h"
-#include "talk.h"
+#include "stream/stack.h"
+#include "message/message.h"
 
 #define VERSION "0.3.0"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "operands.h"
+#include "call/operands.h"
 #include "print_matrix.h"
-#include "talk.h"
+#include "message/message.h"
 
 static void set_transform(const struct command *c, const struct options *o,
     const struct document *d, int to, struct job *j)

@@ -3,10 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../core/pick.h"
+#include "../core/derive/pick.h"
 #include "json/print.h"
-#include "operands.h"
-#include "talk.h"
+#include "call/operands.h"
+#include "message/message.h"
 
 /* A point that was hit, or a csv header: its line, and where the text of that line
  * begins in hits.text, and its size. */

@@ -3,10 +3,10 @@
 
 #include <math.h>
 
-#include "../core/kernel/little.h"
+#include "../core/points/kernel/little.h"
 #include "json/print.h"
 #include "scene/readers.h"
-#include "talk.h"
+#include "message/message.h"
 
 /* The rows and columns of a map that are printed: in 2D z is left out. */
 static const int SPATIAL[4] = { 0, 1, 2, 3 }, FLAT[3] = { 0, 1, 3 };

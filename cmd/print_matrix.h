@@ -3,7 +3,7 @@
 #ifndef PRINT_MATRIX_H
 #define PRINT_MATRIX_H
 
-#include "options.h"
+#include "call/options.h"
 
 /* Prints the matrix of a map, 4x4 or, if flat, 3x3, for row or column vectors
  * as the convention of the answer says, in the format and precision of the

@@ -3,9 +3,9 @@
 #include <string.h>
 
 #include "json/print.h"
-#include "operands.h"
-#include "points/block_write.h"
-#include "talk.h"
+#include "call/operands.h"
+#include "stream/block_write.h"
+#include "message/message.h"
 
 enum { SPACES = SPACE_DEVICE + 1, NAME_WIDTH = 8 };
 

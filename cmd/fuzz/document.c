@@ -8,10 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../points/piece.h"
+#include "../stream/piece.h"
 #include "../scene/convention_member.h"
 #include "../scene/document.h"
-#include "../talk.h"
+#include "../message/message.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 

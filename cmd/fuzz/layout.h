@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-#include "../points/line.h"
+#include "../lines/line.h"
 
 enum { HEADER = 4 };
 

@@ -14,9 +14,9 @@
 
 #include "../scene/document.h"
 #include "layout.h"
-#include "../points/job.h"
-#include "../points/stream.h"
-#include "../talk.h"
+#include "../stream/job.h"
+#include "../stream/stream.h"
+#include "../message/message.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 ssize_t __real_read(int fd, void *to, size_t n);

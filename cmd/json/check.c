@@ -7,9 +7,9 @@
 #include <string.h>
 #include <strings.h>
 
-#include "../escape.h"
+#include "../message/escape.h"
 #include "../number/number.h"
-#include "../utf8.h"
+#include "../message/utf8.h"
 #include "scan.h"
 
 enum { LEVELS_MAX = 100 };

@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "../span.h"
+#include "../message/span.h"
 
 /* Two kinds of text are checked. A document is UTF-8, and its strings hold
  * neither \u0000 nor half of a surrogate pair. A line of points has no newline. As

@@ -5,8 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../nearest.h"
-#include "../escape.h"
+#include "../message/nearest.h"
+#include "../message/escape.h"
 
 /* The most rows of a table: members are bits of an unsigned. */
 enum { MEMBERS_MAX = 32 };

@@ -6,7 +6,7 @@
 
 #include "../number/eight.h"
 #include "../number/number.h"
-#include "../utf8.h"
+#include "../message/utf8.h"
 
 static bool is_digit(char c)
 {

@@ -8,11 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../../core/scene.h"
-#include "../nearest.h"
+#include "../../core/scene/scene.h"
+#include "../message/nearest.h"
 #include "../number/number.h"
-#include "../escape.h"
-#include "../talk.h"
+#include "../message/escape.h"
+#include "../message/message.h"
 #include "scan.h"
 
 const struct range range_any = { -MAGNITUDE_MAX, MAGNITUDE_MAX,

@@ -18,7 +18,7 @@
 
 #include <dragonbox/dragonbox.h>
 
-#include "../../core/wide.h"
+#include "../../core/exact/wide.h"
 
 /* The most that the shortest text of a double needs. The fast ways write as
  * many to a buffer, and copy from it those that belong to the number. */

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "../nearest.h"
+#include "../message/nearest.h"
 #include "readers.h"
 
 const char *const convention_names[] = {

@@ -3,7 +3,7 @@
 #ifndef CONVENTION_MEMBER_H
 #define CONVENTION_MEMBER_H
 
-#include "../../core/scene.h"
+#include "../../core/scene/scene.h"
 #include "../json/object.h"
 
 enum {

@@ -10,7 +10,7 @@
 #include "convention_member.h"
 #include "examples.h"
 #include "members.h"
-#include "../talk.h"
+#include "../message/message.h"
 
 /* The rows of scene_members: row i has bit i in enum scene_member. */
 enum {

@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-#include "../../core/fit_bounds.h"
+#include "../../core/derive/fit_bounds.h"
 
 /* The members of a scene, as bits, to say which of them a command uses. */
 enum scene_member {

@@ -7,7 +7,7 @@
 #include "../json/print.h"
 #include "convention_member.h"
 #include "members.h"
-#include "../talk.h"
+#include "../message/message.h"
 
 static void put_number_member(struct printer *p, const char *name, double v)
 {

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../escape.h"
+#include "../message/escape.h"
 
 /* The largest doubles below 180, 90 and 1: ranges include their limits. PI and
  * its half are the largest doubles below what they stand for. */

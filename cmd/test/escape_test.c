@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "../escape.h"
+#include "../message/escape.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

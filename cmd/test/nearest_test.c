@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "../nearest.h"
+#include "../message/nearest.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

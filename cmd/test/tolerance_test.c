@@ -12,7 +12,7 @@
 #include <string.h>
 
 #include "../../core/test/points.h"
-#include "../arguments.h"
+#include "../call/arguments.h"
 
 static struct tolerances tolerances(const char *list)
 {

@@ -2,7 +2,7 @@
 /* Which lines are walked and which are left to line_read, and where numbers stand on
  * those that are. That a line is left changes nothing that is printed; that usual ones
  * are not is why there is a walk. */
-#include "../points/walk.h"
+#include "../lines/walk.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -50,8 +50,8 @@ static number same(number up, number, number sure)
 #define CHOOSE(a, b, c) (b)
 #define IS_POSITIVE(a) ((a) > 0)
 #define double number
-#include "dd.h"
-#include "kernel/exact.h"
+#include "exact/dd.h"
+#include "points/kernel/exact.h"
 
 static bool isfinite(number)
 {
@@ -72,7 +72,7 @@ static bool isfinite(number)
 #define TINY 0
 #define MOST 1
 #define NAME(x) counted_##x
-#include "kernel/plain.h"
+#include "points/kernel/plain.h"
 
 #include "quick.h"
 

@@ -1,5 +1,5 @@
 (* SPDX-License-Identifier: MIT *)
-(* Of the transformations in core/dd.h without error: each operation is rounded to
+(* Of the transformations in core/exact/dd.h without error: each operation is rounded to
    the nearest double, ties to even, subnormal ones among them; nothing
    overflows. Flocq's theorems are of the same operations in its own order of
    signs. *)

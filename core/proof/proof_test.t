@@ -162,7 +162,7 @@ holds('make prove', $? == 0, $said);
 
 # dd.h is refused where its operations would not be what is written.
 for my $flag (qw(-ffast-math -Ofast)) {
-	my $said = `echo '#include "$core/dd.h"' | gcc $flag -x c -c -o /dev/null - 2>&1`;
+	my $said = `echo '#include "$core/exact/dd.h"' | gcc $flag -x c -c -o /dev/null - 2>&1`;
 	like($said, qr/#error compile without -ffast-math/, "$flag is refused");
 }
 

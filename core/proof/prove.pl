@@ -68,7 +68,7 @@ sub off {
 
 # All numbers of trig.c carry 350 digits here.
 sub trigonometry {
-	my $text = slurp("$core/trig.c");
+	my $text = slurp("$core/exact/trig.c");
 	my ($top) = $text =~ /int k = n \+ (\d+); k > n/;
 	my ($words) = $text =~ /enum \{ WORDS = (\d+) \}/;
 	Math::BigFloat->accuracy(350);
@@ -85,7 +85,7 @@ sub trigonometry {
 	my $cut = $two**(-64 * ($words - 1));
 	my $all = $given + 2 * $cut + $rest + $cut * ($top / 2 + 1) / 0.7 +
 	    $two**-319;
-	my ($bound) = macro("$core/trig.h", 'TRIG_BOUND') =~ /0x1p(-\d+)/;
+	my ($bound) = macro("$core/exact/trig.h", 'TRIG_BOUND') =~ /0x1p(-\d+)/;
 	verdict('pi / 180', -378, log2($given));
 	verdict('pi / 2', -963, log2($quarter));
 	verdict('2 / pi', -640, log2($quarters));
@@ -99,8 +99,8 @@ sub trigonometry {
 # A quotient is cut off after EX_QUOTIENT words, of which the first may be 1;
 # a root is rounded there, from twice the digits of the step before.
 sub quotients {
-	my ($words) = slurp("$core/exact.h") =~ /enum \{ EX_QUOTIENT = (\d+) \}/;
-	my ($bound) = macro("$core/exact.h", 'EX_ERROR') =~ /0x1p(-\d+)/;
+	my ($words) = slurp("$core/exact/exact.h") =~ /enum \{ EX_QUOTIENT = (\d+) \}/;
+	my ($bound) = macro("$core/exact/exact.h", 'EX_ERROR') =~ /0x1p(-\d+)/;
 	verdict('quotients and roots: EX_ERROR', $bound,
 	    -64 * ($words - 1));
 }
@@ -111,7 +111,7 @@ my ($well, $said) = count_errors($core);
 print $said;
 $refused++ if !$well;
 printf "%-36s %8.6g %17s taken from its papers; toy arithmetic has 2.5\n",
-    'dd_add', claimed("$core/dd.h", 'dd_add'), 'u^2          ';
+    'dd_add', claimed("$core/exact/dd.h", 'dd_add'), 'u^2          ';
 quotients();
 trigonometry();
 if ($refused) {

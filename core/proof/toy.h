@@ -169,8 +169,8 @@ static inline double at(toy a)
 }
 
 #define double toy
-#include "dd.h"
-#include "kernel/exact.h"
+#include "exact/dd.h"
+#include "points/kernel/exact.h"
 #undef double
 
 static inline wide value(dd a)

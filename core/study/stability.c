@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../points.h"
+#include "../points/points.h"
 #include "compare.h"
 
 static bool is_lost(const struct cell *c)

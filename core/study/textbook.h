@@ -4,7 +4,7 @@
 #ifndef NAIVE_H
 #define NAIVE_H
 
-#include "../scene.h"
+#include "../scene/scene.h"
 
 /* Ways to compute an image; the last is the program's. */
 enum way {

@@ -9,9 +9,9 @@
 
 #include <cmocka.h>
 
-#include "../depth.h"
+#include "../derive/depth.h"
 #include "sample.h"
-#include "../taxonomy.h"
+#include "../derive/taxonomy.h"
 #include "truth.h"
 
 static const double most[BUFFERS] = { 65535, 16777215, 0 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Which edges of a 2D window points are outside of: the signs that MPFR has. */
-#include "../frustum.h"
+#include "../derive/frustum.h"
 
 #include "claims.h"
 #include "points.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What inspect claims as bounds: no point of the view volume is further off. */
-#include "../error_bound.h"
+#include "../derive/error_bound.h"
 
 #include "claims.h"
 #include "points.h"

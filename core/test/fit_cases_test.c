@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "../fit.h"
+#include "../derive/fit.h"
 
 static const struct bounds unit_ball = { .sphere = true, .radius = 1 };
 

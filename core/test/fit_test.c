@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* What fit makes holds its bounds, exactly, and no double is tighter. */
-#include "../fit.h"
+#include "../derive/fit.h"
 
 #include "claims.h"
-#include "../frustum.h"
+#include "../derive/frustum.h"
 
 /* A linear function of model space. */
 struct plane {

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* The window that fit gives holds its bounds, and no double is tighter: by MPFR and
  * by the flags. What a window shows. */
-#include "../fit_window.h"
+#include "../derive/fit_window.h"
 
-#include "../frustum.h"
+#include "../derive/frustum.h"
 #include "claims.h"
 
 static double nearest(real a)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Which planes of the view volume points are outside of: the signs that MPFR
  * has. */
-#include "../frustum.h"
+#include "../derive/frustum.h"
 
 #include "claims.h"
 #include "points.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What inspect tells in parameters, against MPFR. */
-#include "../parameters.h"
-#include "../point.h"
+#include "../derive/parameters.h"
+#include "../points/point.h"
 
 #include "claims.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What lies within a radius, how far and in which order: as MPFR has it. */
-#include "../pick.h"
+#include "../derive/pick.h"
 
 #include "claims.h"
 #include "points.h"

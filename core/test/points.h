@@ -3,7 +3,7 @@
 #ifndef BLOCK_H
 #define BLOCK_H
 
-#include "../points.h"
+#include "../points/points.h"
 #include "sample.h"
 #include "truth.h"
 

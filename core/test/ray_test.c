@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Rays: the nearest doubles and floats. */
-#include "../ray.h"
+#include "../derive/ray.h"
 
 #include "claims.h"
 #include "points.h"

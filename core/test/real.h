@@ -7,7 +7,7 @@
 #include <mpfr.h>
 #include <stdbool.h>
 
-#include "../exact.h"
+#include "../exact/exact.h"
 
 /* Magnitudes from 1e-150 to 1e150 differ by 1000 bits, products of two such
  * sums by twice as many. */

@@ -5,7 +5,7 @@
 #ifndef SAMPLE_H
 #define SAMPLE_H
 
-#include "../scene.h"
+#include "../scene/scene.h"
 
 void sample_seed(unsigned seed);
 

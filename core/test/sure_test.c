@@ -8,7 +8,7 @@
 #include "claims.h"
 #include "points.h"
 
-#include "../ray.h"
+#include "../derive/ray.h"
 
 enum { BLOCKS = 24, FEW = 64 };
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The names of projections, and matrices whose near plane is found. */
-#include "../taxonomy.h"
+#include "../derive/taxonomy.h"
 
 #include "claims.h"
 

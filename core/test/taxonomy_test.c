@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What inspect tells of a projection, against MPFR. */
-#include "../taxonomy.h"
+#include "../derive/taxonomy.h"
 
 #include "claims.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Sines, cosines and cotangents against MPFR. */
-#include "../trig.h"
+#include "../exact/trig.h"
 
 #include "claims.h"
 

@@ -8,7 +8,7 @@
 #define TRUTH_H
 
 #include "real.h"
-#include "../scene.h"
+#include "../scene/scene.h"
 
 /* A matrix of row vectors, and the sizes of its elements: multiplied out into
  * those of its stages they are sums, whose magnitudes sum to so much. */

@@ -5,7 +5,7 @@
 #define HAS_WIDE
 #undef __SIZEOF_INT128__
 #endif
-#include "../wide.h"
+#include "../exact/wide.h"
 
 #include <stdio.h>
 

@@ -1,0 +1,201 @@
+/* SPDX-License-Identifier: MIT */
+#include "arguments.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "../../core/scene/scene.h"
+#include "../json/value.h"
+#include "../message/nearest.h"
+#include "../message/message.h"
+
+int one_of(const char *const *names, const char *what, const char *word)
+{
+	char all[LISTED];
+
+	for (int i = 0; names[i] != NULL; i++)
+		if (strcmp(names[i], word) == 0)
+			return i;
+	const char *near = called(what, word);
+
+	if (near == NULL)
+		near = nearest(word, names);
+	if (near != NULL)
+		die(EXIT_USAGE, "unknown %s '%s'; did you mean '%s'?", what,
+		    word, near);
+	die(EXIT_USAGE, "unknown %s '%s'; it is one of %s", what, word,
+	    list_words(all, names, " or ", ""));
+}
+
+int whole_number(const char *option, const char *word, int min, int max)
+{
+	char *end;
+	long n = strtol(word, &end, 10);
+
+	if (end == word || *end != '\0' || n < min || n > max)
+		die(EXIT_USAGE,
+		    "--%s: '%s' is not a whole number from %d to "
+		    "%d",
+		    option, word, min, max);
+	return (int)n;
+}
+
+double positive_number(const char *option, const char *word)
+{
+	const char *end = word + strlen(word);
+	double v;
+
+	if (number_read(word, end, &v) != end || !(v > 0))
+		die(EXIT_USAGE, "--%s: '%s' is not a positive number", option,
+		    word);
+	if (!(v >= SIZE_MIN && v <= MAGNITUDE_MAX))
+		die(EXIT_USAGE,
+		    "--%s: %s is out of range; a number from 1e-150 to 1e150 "
+		    "is wanted",
+		    option, word);
+	return v;
+}
+
+/* Cuts the first word off *list, which becomes NULL behind the last. */
+static char *cut(char **list)
+{
+	char *word = *list;
+
+	*list = strchr(word, ',');
+	if (*list != NULL)
+		*(*list)++ = '\0';
+	return word;
+}
+
+struct styles styles_of(const char *option, enum number_kind kind, char *list,
+    int min, int max)
+{
+	struct styles s = { 0 };
+
+	while (list != NULL) {
+		const char *word = cut(&list);
+
+		if (s.n == COORDINATES_MAX)
+			die(EXIT_USAGE, "--%s: more than six numbers", option);
+		s.style[s.n].kind = kind;
+		s.style[s.n++].n = whole_number(option, word, min, max);
+	}
+	for (int k = s.n; k < COORDINATES_MAX; k++)
+		s.style[k] = s.style[s.n - 1];
+	return s;
+}
+
+/* 10 to the minus so many is at most the number that word is, as it is typed: they
+ * are its places after the point, up to its first digit that is not 0. */
+static int decimals_of(const char *word)
+{
+	const char *first = word + strspn(word, "+0.");
+	const char *point = word + strcspn(word, ".eE");
+	const char *e = strpbrk(word, "eE");
+	long power = point - first - (first < point) +
+	    (e != NULL ? strtol(e + 1, NULL, 10) : 0);
+
+	return power < 0 ? (int)-power : 0;
+}
+
+struct tolerances tolerances_of(const char *option, char *list)
+{
+	struct tolerances t = { .least = MAGNITUDE_MAX };
+
+	while (list != NULL) {
+		char *word = cut(&list);
+
+		if (t.n == COORDINATES_MAX)
+			die(EXIT_USAGE, "--%s: more than six tolerances",
+			    option);
+		t.within[t.n] = positive_number(option, word);
+		t.decimals[t.n] = decimals_of(word);
+		t.least = fmin(t.least, t.within[t.n++]);
+	}
+	for (int k = t.n; k < COORDINATES_MAX; k++) {
+		t.within[k] = t.within[t.n - 1];
+		t.decimals[k] = t.decimals[t.n - 1];
+	}
+	return t;
+}
+
+/* The tolerance is half an ulp off, and at least twice what is taken from it. */
+double tolerance_left(const struct tolerances *t, int k)
+{
+	return (t->within[k] - pow(10, -t->decimals[k]) / 2) * (1 - 0x1p-50);
+}
+
+void position(const char *option, const char *word, double xy[2])
+{
+	const char *end = word + strlen(word);
+	const char *comma = number_read(word, end, &xy[0]);
+
+	if (comma == NULL || *comma != ',' ||
+	    number_read(comma + 1, end, &xy[1]) != end)
+		die(EXIT_USAGE,
+		    "--%s: '%s' is not X,Y; write two numbers and a comma: "
+		    "--%s 320,240",
+		    option, word, option);
+	if (!(fabs(xy[0]) <= MAGNITUDE_MAX && fabs(xy[1]) <= MAGNITUDE_MAX))
+		die(EXIT_USAGE,
+		    "--%s: %s is out of range; numbers go up to 1e150", option,
+		    word);
+}
+
+char separator_of(const char *option, const char *word)
+{
+	if (strcmp(word, "tab") == 0 || strcmp(word, "\\t") == 0)
+		return '\t';
+	if (strlen(word) != 1 || (unsigned char)*word >= 0x7f ||
+	    strchr("\"'+-.#_\r\n\v\f", *word) != NULL || isalnum(*word))
+		die(EXIT_USAGE,
+		    "--%s: '%s' can't separate fields; it is one character "
+		    "such "
+		    "as ; or |, or tab",
+		    option, word);
+	return *word;
+}
+
+static void refuse_twice(const char *option, const struct columns *c)
+{
+	const int last = c->n - 1;
+	const char *name = c->name[last];
+
+	for (int i = 0; i < last; i++)
+		if (name != NULL && c->name[i] != NULL &&
+		    strcmp(c->name[i], name) == 0)
+			die(EXIT_USAGE, "--%s: '%s' stands twice", option,
+			    name);
+		else if (name == NULL && c->name[i] == NULL &&
+		    c->field[i] == c->field[last])
+			die(EXIT_USAGE, "--%s: field %d stands twice", option,
+			    c->field[i] + 1);
+}
+
+struct columns columns_of(const char *option, char *list)
+{
+	const int fields_max = 1000000;
+	struct columns c = { 0 };
+
+	while (list != NULL) {
+		char *word = cut(&list);
+
+		if (c.n == 4)
+			die(EXIT_USAGE, "--%s: more than four fields", option);
+		if (*word == '\0')
+			die(EXIT_USAGE, "--%s: an empty field; write 2,3,4",
+			    option);
+		if (strspn(word, "0123456789") == strlen(word))
+			c.field[c.n] = whole_number(option, word, 1,
+					   fields_max) -
+			    1;
+		else
+			c.name[c.n] = word;
+		c.n++;
+		refuse_twice(option, &c);
+	}
+	return c;
+}

@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: MIT */
+#include "input.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <poll.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "../stream/piece.h"
+#include "../message/message.h"
+
+bool is_stdin(const char *operand)
+{
+	return strcmp(operand, "-") == 0;
+}
+
+char first_char(const char *s)
+{
+	while (isspace((unsigned char)*s))
+		s++;
+	return *s;
+}
+
+/* If a standard stream is closed, open returns its number, and the file would
+ * be read or written in its place: it gets another number. */
+static int open_file(const char *name)
+{
+	int fd = open(name, O_RDONLY), low = fd;
+
+	if (fd < 0 || fd > STDERR_FILENO)
+		return fd;
+	fd = fcntl(low, F_DUPFD, STDERR_FILENO + 1);
+	close(low);
+	return fd;
+}
+
+int open_input(const char *name)
+{
+	const struct place place = { .file = name };
+	struct stat st;
+	int fd = is_stdin(name) ? STDIN_FILENO : open_file(name);
+
+	if (fd < 0 || fstat(fd, &st) != 0)
+		die_at(EXIT_USAGE, &place, "%s", strerror(errno));
+	if (S_ISDIR(st.st_mode))
+		die_at(EXIT_USAGE, &place, "is a directory");
+	return fd;
+}
+
+void close_input(int fd)
+{
+	if (fd != STDIN_FILENO)
+		close(fd);
+}
+
+static void reserve(struct text *t, size_t room)
+{
+	t->s = need(t->s, room + PIECE_MARGIN);
+	t->room = room;
+}
+
+bool read_more(struct text *t, int fd, const char *name)
+{
+	ssize_t n;
+
+	if (t->have == t->room)
+		reserve(t, t->room > 0 ? 2 * t->room : 1 << 16);
+	size_t left = t->room - t->have;
+
+	/* some systems refuse to read more than an int says at once */
+	do
+		n = read(fd, t->s + t->have, left < INT_MAX ? left : INT_MAX);
+	while (n < 0 && go_on(fd, POLLIN));
+	if (n < 0)
+		die_at(EXIT_SYSTEM, &(struct place){ .file = name }, "%s",
+		    strerror(errno));
+	t->have += (size_t)n;
+	return n > 0;
+}
+
+struct text read_whole(const char *name)
+{
+	struct text t = { 0 };
+	int fd = open_input(name);
+
+	while (read_more(&t, fd, name))
+		continue;
+	close_input(fd);
+	return t;
+}
+
+struct text copy_operand(const char *operand)
+{
+	struct text t = { .have = strlen(operand) };
+
+	reserve(&t, t.have);
+	memcpy(t.s, operand, t.have);
+	return t;
+}
+
+void text_free(struct text *t)
+{
+	free(t->s);
+	*t = (struct text){ 0 };
+}

@@ -1,0 +1,307 @@
+/* SPDX-License-Identifier: MIT */
+#include "operands.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "input.h"
+#include "mistaken.h"
+#include "params.h"
+#include "../stream/progress.h"
+#include "../stream/threads.h"
+#include "../message/message.h"
+
+void check_operands(const struct command *c, const struct options *o)
+{
+	int from_stdin = is_stdin(o->params);
+
+	mistaken_params(c, o);
+	if (o->n_points > 0 && !command_reads_points(c))
+		die(EXIT_USAGE, "%s reads no points; leave them out", c->name);
+	if (!o->matrix)
+		mistaken_position(c, o);
+	for (int i = 0; i < o->n_points && !o->matrix; i++) {
+		const char *name = o->points[i];
+
+		if (is_stdin(name) && from_stdin++)
+			die(EXIT_USAGE,
+			    is_stdin(o->params) ?
+				"PARAMS and POINTS are both standard input; "
+				"name a file for one of them" :
+				"standard input is named twice");
+		if (!is_stdin(name) && first_char(name) != '[')
+			mistaken_points(c, o, i);
+	}
+}
+
+void read_document(const struct command *c, const struct options *o,
+    struct document *d)
+{
+	struct document_wants wants = c->wants;
+
+	wants.convention = o->convention;
+	/* the document's points are not read if points are operands */
+	if (command_reads_points(c) && !o->matrix && o->n_points == 0)
+		wants.coordinates = coordinates_of(c, o);
+	params_read(o, &wants, d);
+}
+
+bool has_points(const struct options *o, const struct document *d)
+{
+	return o->n_points > 0 || d->points != NULL;
+}
+
+/* Whether path is the name, or a pointer to that member or into it. */
+static bool leads_into(const char *path, const char *name)
+{
+	size_t n = strlen(name);
+	bool pointer = *path == '/';
+
+	path += pointer;
+	return strncmp(path, name, n) == 0 &&
+	    (path[n] == '\0' || (pointer && path[n] == '/'));
+}
+
+/* What is added to an object has names of its own. */
+static bool is_added(const struct options *o, const struct layout *l,
+    const char *name)
+{
+	static const char *const added[] = { "z", "dx", "dy", "dz" };
+	bool is = o->flags && leads_into(name, "flags");
+
+	for (int i = 0; i < 4 && l->writes > 4; i++)
+		is |= leads_into(name, added[i]);
+	return is || (l->reads < l->writes && leads_into(name, "w"));
+}
+
+static void check_columns_of(const struct options *o, const struct layout *l)
+{
+	bool csv = l->in.format == FORMAT_CSV, json = o->in == FORMAT_JSON;
+
+	for (int i = 0; i < o->columns.n; i++) {
+		const char *name = o->columns.name[i];
+
+		if (name != NULL && !csv && !json)
+			die(EXIT_USAGE,
+			    "--columns: '%s' is a name, and names are for -i "
+			    "csv, tsv and json; write numbers: 2,3,4",
+			    name);
+		if (name != NULL && json && is_added(o, l, name))
+			die(EXIT_USAGE,
+			    "--columns: '%s' is also what a number is called "
+			    "that is added",
+			    name);
+		if (json && (name == NULL) != (o->columns.name[0] == NULL))
+			die(EXIT_USAGE,
+			    "--columns: in JSON they are numbers, of an "
+			    "array's elements, or names, of an object's "
+			    "members, not both");
+	}
+	if (o->columns.n > 0 && is_binary(o->in))
+		die(EXIT_USAGE, "--columns: binary points have no fields");
+	if (o->columns.n > 0 && o->columns.n != l->reads)
+		die(EXIT_USAGE,
+		    "--columns: %d field%s; %d coordinates are read here, as "
+		    "%.*s or %.*s%s%.*s",
+		    o->columns.n, o->columns.n == 1 ? "" : "s", l->reads,
+		    2 * l->reads - 1, "2,3,4,5", 2 * l->reads - 1, "x,y,z,w",
+		    json ? " or " : "", json ? 5 * l->reads - 1 : 0,
+		    "/p/0,/p/1,/p/2,/p/3");
+}
+
+static void check_csv(const struct options *o, const struct layout *l)
+{
+	if (o->separator != ',' && o->in != FORMAT_CSV && o->out != FORMAT_CSV)
+		die(EXIT_USAGE, "--separator is of csv; say -i csv, or -o csv");
+	if ((o->header || o->no_header) && l->in.format != FORMAT_CSV)
+		die(EXIT_USAGE, "--%s is of csv; say -i csv or -i tsv",
+		    o->header ? "header" : "no-header");
+	if (o->header && o->no_header)
+		die(EXIT_USAGE, "--header and --no-header exclude each other");
+	for (int i = 0; i < o->columns.n && o->no_header; i++)
+		if (o->columns.name[i] != NULL)
+			die(EXIT_USAGE,
+			    "--columns: '%s' is a name, and with --no-header "
+			    "there are none; write numbers: 2,3,4",
+			    o->columns.name[i]);
+}
+
+static void check_layout(const struct options *o, const struct layout *l)
+{
+	check_columns_of(o, l);
+	check_csv(o, l);
+	if (o->flags && is_binary(l->out.format))
+		die(EXIT_USAGE,
+		    "--flags: binary points have no room for words; say "
+		    "-o text");
+	if (o->tolerances.n > l->writes)
+		die(EXIT_USAGE,
+		    "--tolerance: %d tolerances; %d coordinates are "
+		    "printed here",
+		    o->tolerances.n, l->writes);
+	if (o->styles.n > l->writes)
+		die(EXIT_USAGE,
+		    "--%s: %d numbers; %d coordinates are printed here",
+		    o->styles.style[0].kind == NUMBER_DIGITS ? "digits" :
+							       "decimals",
+		    o->styles.n, l->writes);
+}
+
+/* Tests and measurements choose the kernels by PROJCALC_CPU; else, or where it is
+ * empty, they are the best that this processor can run. */
+static void choose_kernels(void)
+{
+	const char *cpu = getenv("PROJCALC_CPU");
+
+	if (cpu != NULL && *cpu == '\0')
+		cpu = NULL;
+	if (!points_choose(cpu) || !number_choose(cpu))
+		die(EXIT_USAGE,
+		    "PROJCALC_CPU=%s: not what this processor can be; "
+		    "there are baseline, avx2, avx512 and neon",
+		    cpu);
+}
+
+/* Text is rounded, and what is computed leaves room for that. */
+static void set_tolerances(struct job *j, const struct tolerances *t)
+{
+	bool text = !is_binary(j->layout.out.format);
+
+	for (int k = 0; k < COORDINATES_MAX; k++)
+		j->layout.style[k] = (struct number_style){ NUMBER_WITHIN,
+			t->decimals[k] };
+	for (int k = 0; k < 3; k++)
+		j->accuracy.tolerance[k] = text ? tolerance_left(t, k) :
+						  t->within[k] * (1 - 0x1p-52);
+}
+
+void prepare_job(struct job *j, const struct options *o)
+{
+	/* a ray's position; its point and direction */
+	const int ray_reads = 2, ray_writes = 6;
+
+	j->layout = (struct layout){
+		.in = dialect_of(o->in, o->separator),
+		.out = dialect_of(o->has_out ? o->out : o->in, o->separator),
+		.header = o->header ? HEADER_FIRST :
+		    o->no_header    ? HEADER_NONE :
+				      HEADER_MAYBE,
+		.columns = o->columns,
+		.reads = j->rays ? ray_reads : j->transform.in,
+		.writes = j->rays ? ray_writes : j->transform.out,
+		.flags = o->flags,
+		.single = o->precision == PRECISION_SINGLE,
+	};
+	j->layout.columns.by_header = o->columns.n == 0;
+	for (int k = 0; k < COORDINATES_MAX; k++)
+		j->layout.style[k] = o->styles.style[k];
+	j->accuracy = (struct accuracy){ .precision = o->precision };
+	if (o->tolerances.n > 0)
+		set_tolerances(j, &o->tolerances);
+	j->flags = o->flags;
+	j->visible = o->visible;
+	j->keep_going = o->keep_going;
+	j->threads = o->jobs > 0 ? o->jobs : threads_processors();
+	progress_start(o->progress);
+	widen_pipe(STDOUT_FILENO, PIPE_ROOM);
+	choose_kernels();
+	check_layout(o, &j->layout);
+}
+
+/* Points as document_points and document_read give them are lines of JSON,
+ * whatever format the options say of files. */
+static void do_json(struct job *j, const char *name, const char *text,
+    size_t size)
+{
+	struct layout of_files = j->layout;
+
+	j->layout.in = dialect_of(FORMAT_JSON, ',');
+	j->layout.columns.n = 0;
+	stream_text(j, name, text, size);
+	j->layout = of_files;
+}
+
+/* Refuses --columns for points that are typed: it is of lines of a file. */
+static void check_columns(const struct options *o, const struct document *d)
+{
+	bool typed = o->n_points == 0 && d->points != NULL;
+
+	for (int i = 0; i < o->n_points; i++)
+		typed |= first_char(o->points[i]) == '[';
+	if (typed && o->columns.n > 0)
+		die(EXIT_USAGE,
+		    "--columns: points that are typed, or in the document, "
+		    "begin with their coordinates; name a file");
+}
+
+/* Does the job on points typed as an operand; or where there is none, only
+ * refuses what is wrong with them. */
+static void do_typed(struct job *j, const char *operand, int reads)
+{
+	struct text t = copy_operand(operand);
+	size_t size;
+	const char *points = document_points("POINTS", t.s, t.have, reads,
+	    &size);
+
+	if (j != NULL)
+		do_json(j, "POINTS", points, size);
+	text_free(&t);
+}
+
+/* The i-th operand, kept for the scenes after this one. */
+static void do_kept(const struct options *o, struct job *j, int i,
+    const char *name)
+{
+	static struct text *kept;
+
+	if (kept == NULL) {
+		size_t size = ((size_t)o->n_points + 1) * sizeof *kept;
+
+		kept = memset(need(NULL, size), 0, size);
+	}
+	if (kept[i].s == NULL)
+		kept[i] = read_whole(name);
+	stream_text(j, name, kept[i].s, kept[i].have);
+}
+
+static void do_operand(const struct options *o, struct job *j, int i)
+{
+	const char *operand = i < o->n_points ? o->points[i] : "-";
+
+	if (first_char(operand) == '[') {
+		do_typed(j, operand, j->layout.reads);
+		return;
+	}
+	if (o->scenes) {
+		do_kept(o, j, i, operand);
+		return;
+	}
+	int fd = open_input(operand);
+
+	stream_file(j, operand, fd);
+	close_input(fd);
+}
+
+void do_points(const struct options *o, const struct document *d, struct job *j)
+{
+	if (o->n_points == 0 && d->points == NULL && is_stdin(o->params))
+		die(EXIT_USAGE,
+		    "PARAMS and POINTS are both standard input, "
+		    "and the document has no points; name a file for one of "
+		    "them");
+	check_columns(o, d);
+	if (o->n_points == 0 && d->points != NULL)
+		do_json(j, d->name, d->points, d->points_size);
+	else if (o->n_points == 0)
+		do_operand(o, j, 0);
+	/* points that are typed wrong are refused before those of the first
+	 * operand are printed */
+	for (int i = 1; i < o->n_points; i++)
+		if (first_char(o->points[i]) == '[')
+			do_typed(NULL, o->points[i], j->layout.reads);
+	for (int i = 0; i < o->n_points; i++)
+		do_operand(o, j, i);
+	if (j->flush != NULL)
+		j->flush(j);
+}

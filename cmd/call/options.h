@@ -1,0 +1,76 @@
+/* SPDX-License-Identifier: MIT */
+/* The options of all commands, and the operands after them. */
+#ifndef OPTIONS_H
+#define OPTIONS_H
+
+#include "../../core/points/points.h"
+#include "arguments.h"
+#include "command.h"
+
+struct options {
+	bool help, version;
+	const struct convention *convention; /* NULL: the document's */
+	enum format in, out;
+	bool has_out;   /* else out is the same as in, or text for a matrix */
+	char separator; /* of csv, a comma by default */
+	bool header, no_header; /* of csv: the first line is one, or none */
+	struct columns columns; /* of POINTS, by --columns */
+	struct styles styles;
+	enum precision precision;
+	bool has_precision;
+	struct tolerances tolerances;
+	bool has_from, has_to;
+	enum space from, to;
+	bool homogeneous, matrix, ray, flags, visible, keep_going, progress;
+	int jobs; /* 0: as many as there are cores */
+	bool has_at;
+	double at[2], radius; /* of pick; radius is 0 where it isn't said */
+	bool scenes;          /* params has any number of documents */
+	bool json;            /* of help */
+	const char *params;   /* operand, "-" by default */
+	int n_points;
+	char **points; /* operands */
+};
+
+/* In the order of enum precision and enum space; NULL ends them. */
+extern const char *const precision_names[], *const space_names[];
+
+struct option_row {
+	const char *name;
+	char letter;       /* or 0 */
+	unsigned commands; /* the kinds that take it, as bits */
+	const char *about; /* one line of help */
+	/* With an argument: what the help calls that, what reads it, and where
+	 * it is one of some words, which. */
+	const char *argument;
+	void (*set)(struct options *, char *word);
+	const char *const *words;
+	/* Without one: the bool of struct options that becomes true. */
+	size_t on;
+};
+
+/* All of them; name is NULL after the last. */
+extern const struct option_row option_rows[];
+
+/* Sets how messages are printed, before anything else can be wrong. */
+void options_first(char **words);
+
+/* Reads a command's options and operands; argv[0] is its name. Stops as soon as
+ * the help or the version is asked for. */
+void options_read(const struct command *, int argc, char **argv,
+    struct options *);
+
+/* The option of that name, behind which = and a value may stand, or NULL. */
+const struct option_row *option_named(const char *name);
+
+bool option_is_for(const struct option_row *, const struct command *);
+
+/* How many numbers are read of a point. Fit learns only from the scene that it is in
+ * the plane. */
+int coordinates_of(const struct command *, const struct options *);
+
+/* How to round what is to be rounded alike: refuses a list of -d or --digits. what
+ * is printed, for the message. */
+struct number_style one_style(const struct options *, const char *what);
+
+#endif

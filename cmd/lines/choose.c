@@ -1,0 +1,176 @@
+/* SPDX-License-Identifier: MIT */
+#include "choose.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "../json/scan.h"
+#include "line_bad.h"
+
+bool choose_is_name(struct span f, const char *name, size_t n)
+{
+	const char *s = f.s + 1, *stop = f.end - 1, *end = name + n;
+	char character[4];
+	int size;
+
+	for (; s < stop && name < end; name += size) {
+		character[0] = *s;
+		size = 1;
+		s = *s == '\\' ? json_unescape(s, stop, character, &size) :
+				 s + 1;
+		if (end - name < size ||
+		    memcmp(name, character, (size_t)size) != 0)
+			return false;
+	}
+	return s == stop && name == end;
+}
+
+/* What is left of the path to each coordinate inside a value; NULL where it does
+ * not lead there. */
+struct paths {
+	const char *to[4];
+};
+
+enum { TOKEN_ROOM = 1024 };
+
+/* The next part of a pointer without its escapes: ~1 is /, ~0 is ~. Returns what
+ * comes behind it, or NULL where it is too long. */
+static const char *next_token(const char *s, char token[TOKEN_ROOM], size_t *n)
+{
+	for (*n = 0; *s != '\0' && *s != '/'; s++) {
+		if (*n == TOKEN_ROOM)
+			return NULL;
+		token[*n] = *s;
+		if (*s == '~' && (s[1] == '0' || s[1] == '1'))
+			token[*n] = *++s == '0' ? '~' : '/';
+		++*n;
+	}
+	return s;
+}
+
+/* Whether the token is the number k of an element. */
+static bool is_index(const char *token, size_t n, long k)
+{
+	char text[24];
+
+	return (size_t)sprintf(text, "%ld", k) == n &&
+	    memcmp(token, text, n) == 0;
+}
+
+/* Whether the path, a name or a pointer, leads to field k of the cut, or into it;
+ * *rest is what is left of it then. */
+static bool leads_to(const char *path, const struct cut *c,
+    const struct field *f, long k, const char **rest)
+{
+	char token[TOKEN_ROOM];
+	size_t n;
+
+	*rest = "";
+	if (*path != '/')
+		return c->members && choose_is_name(f->name, path, strlen(path));
+	*rest = next_token(path + 1, token, &n);
+	return *rest != NULL &&
+	    (c->members ? choose_is_name(f->name, token, n) :
+			  is_index(token, n, k));
+}
+
+/* The values to which the paths lead. */
+static void choose_by_path(struct cut c, int reads, const struct paths *paths,
+    struct chosen *out)
+{
+	int seen[4] = { 0 };
+	struct field f;
+
+	for (long k = 0; cut_next(&c, &f); k++) {
+		struct paths inside = { { NULL } };
+		bool more = false;
+
+		for (int i = 0; i < reads; i++) {
+			const char *rest;
+
+			if (paths->to[i] == NULL ||
+			    !leads_to(paths->to[i], &c, &f, k, &rest))
+				continue;
+			seen[i]++;
+			if (*rest != '\0') {
+				inside.to[i] = rest;
+				more = true;
+				continue;
+			}
+			out->field[i] = f;
+			out->times[i] = seen[i];
+		}
+		if (more && (*f.value.s == '{' || *f.value.s == '['))
+			choose_by_path(cut_value(f.value, c.end), reads,
+			    &inside, out);
+	}
+	for (int i = 0; i < reads; i++)
+		if (seen[i] > out->times[i] && out->times[i] > 0)
+			out->times[i] = seen[i];
+}
+
+/* Whether the number behind the last coordinate counts as another would: behind two
+ * coordinates, or where a comma alone is between. */
+static bool counts_on(const struct layout *l, const struct field *f)
+{
+	double v;
+
+	return number_read(f->value.s, f->value.end, &v) == f->value.end &&
+	    (l->reads == 2 ||
+		(f->value.s == f->from + 1 && *f->from == ','));
+}
+
+static void choose_by_place(const struct layout *l, struct cut c,
+    struct chosen *out)
+{
+	int first = -1, last = -1, commas = 0, separators = 0;
+	struct field f;
+
+	for (int i = 0; i < l->reads; i++) {
+		int k = l->columns.n > 0 ? l->columns.field[i] : i;
+
+		first = first < 0 || k < first ? k : first;
+		last = k > last ? k : last;
+	}
+	for (int k = 0; k <= last + 1 && cut_next(&c, &f); k++) {
+		for (int i = 0; i < l->reads; i++)
+			if (k ==
+			    (l->columns.n > 0 ? l->columns.field[i] : i)) {
+				out->field[i] = f;
+				out->times[i] = 1;
+			}
+		if (k > first && f.value.s < c.end &&
+		    (k <= last || counts_on(l, &f))) {
+			separators++;
+			commas += f.comma;
+		}
+	}
+	out->mixed = commas != 0 && commas != separators;
+}
+
+void choose(const struct layout *l, struct cut c, struct chosen *out)
+{
+	struct paths paths = { { NULL } };
+	bool by_path = c.members ||
+	    (l->columns.n > 0 && l->columns.name[0] != NULL &&
+		l->in.format == FORMAT_JSON);
+
+	memset(out, 0, sizeof *out);
+	for (int i = 0; i < l->reads && by_path; i++)
+		paths.to[i] = path_of(l, i);
+	if (by_path)
+		choose_by_path(c, l->reads, &paths, out);
+	else
+		choose_by_place(l, c, out);
+}
+
+bool choose_overlaps(const struct layout *l, const struct chosen *c)
+{
+	for (int i = 1; i < l->reads; i++)
+		for (int k = 0; k < i; k++)
+			if (c->times[i] > 0 && c->times[k] > 0 &&
+			    c->field[i].value.s < c->field[k].value.end &&
+			    c->field[k].value.s < c->field[i].value.end)
+				return true;
+	return false;
+}

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT */
+/* The coordinates among the fields of a line: by place, name or pointer. */
+#ifndef CHOOSE_H
+#define CHOOSE_H
+
+#include "cut.h"
+#include "line.h"
+
+struct chosen {
+	struct field field[4];
+	int times[4]; /* how often each was found; 0: it is missing */
+	bool mixed;   /* in text, some separators have a comma, others have not */
+};
+
+/* Finds the coordinates in one pass over the fields, as far as they stand. */
+void choose(const struct layout *, struct cut, struct chosen *);
+
+/* Whether one of them stands in another, as pointers can say. */
+bool choose_overlaps(const struct layout *, const struct chosen *);
+
+/* Whether the name, a string of JSON with its quotes, is name[0..n). */
+bool choose_is_name(struct span string, const char *name, size_t n);
+
+#endif

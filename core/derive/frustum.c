@@ -1,0 +1,227 @@
+/* SPDX-License-Identifier: MIT */
+#include "frustum.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "../points/points.h"
+
+void view_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
+{
+	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
+	for (int k = 0; k < 2 && s->margin > 0; k++)
+		half[k] = sum_mul(half[k], sum_of(ex_diff(1, 2 * s->margin)));
+}
+
+/* Column j of r becomes sign a x + b w, of x = column k and w = column 3 of m. */
+static void combine(struct map *r, int j, const struct map *m, bool minus,
+    int k, struct sum a, struct sum b)
+{
+	for (int i = 0; i < 4; i++) {
+		struct sum x = sum_mul(a, m->m[i][k]);
+
+		r->m[i][j] = sum_add(minus ? sum_neg(x) : x,
+		    sum_mul(b, m->m[i][3]));
+	}
+}
+
+/* left: x scale >= -half w, right: x scale <= half w, and so on; y's sign is
+ * turned where ndc y points down, near and far where depth is reversed. Where there
+ * are no planes everything is between them. */
+static void planes(const struct scene *s, const struct map *m,
+    struct map *sides, struct map *ends)
+{
+	const struct convention *c = answer_convention(s);
+	bool reversed = projection_is_reversed(&s->projection, &s->convention);
+	struct sum half[2], scale[2], one = sum_of_double(1);
+
+	view_limits(s, half, scale);
+	for (int k = 0; k < 4; k++) {
+		bool high = (k & 1) ^ (k >= 2 && c->ndc_y_down);
+
+		combine(sides, k, m, high, k / 2, scale[k / 2], half[k / 2]);
+	}
+	combine(ends, reversed, m, false, 2, one, sum_of_double(c->minus_one));
+	combine(ends, !reversed, m, true, 2, one, one);
+	for (int i = 0; i < 4 && projection_is_open(&s->projection); i++)
+		ends->m[i][0] = ends->m[i][1] = sum_of_double(i == 3);
+}
+
+const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
+    struct frustum *f)
+{
+	struct map m;
+	const char *why = scene_map(s, from, SPACE_CLIP, &m);
+
+	if (why != NULL)
+		return why;
+	f->sides.map = f->ends.map = m;
+	planes(s, &m, &f->sides.map, &f->ends.map);
+	if (from == SPACE_NDC || from == SPACE_DEVICE)
+		why = scene_map(s, from, SPACE_VIEW, &m);
+	for (int i = 0; i < 4; i++)
+		f->ends.map.m[i][2] = m.m[i][3];
+	transform_init(&f->sides, from, SPACE_CLIP, homogeneous);
+	transform_init(&f->ends, from, SPACE_CLIP, homogeneous);
+	return why;
+}
+
+const char *flat_frustum_of(const struct scene *s, enum flat from,
+    struct frustum *f)
+{
+	struct map m;
+	struct sum one = sum_of_double(1);
+	const char *why = scene_flat_map(s, from, FLAT_NDC, &m);
+
+	if (why != NULL)
+		return why;
+	f->sides = (struct transform){ .map = m, .in = 2 };
+	for (int k = 0; k < 4; k++)
+		combine(&f->sides.map, k, &m, k & 1, k / 2, one, one);
+	kernel_map_of(&f->sides.map, &f->sides.for_kernel);
+	return NULL;
+}
+
+static bool is_flat(const struct frustum *f)
+{
+	return f->sides.in == 2;
+}
+
+/* The signs of the first n columns. */
+static void signs(const struct transform *t, int n, const double in[4],
+    int sign[4])
+{
+	double value[4];
+	bool sure = point_estimate(t, in, n, value);
+
+	for (int j = 0; j < n; j++)
+		sign[j] = sure ? (value[j] > 0) - (value[j] < 0) :
+				 sum_sign(point_column(t, j, in));
+}
+
+unsigned frustum_out(const struct frustum *f, const double in[4])
+{
+	int side[4], end[4];
+	unsigned out = 0;
+
+	for (int i = 0; i < f->sides.in; i++)
+		if (isnan(in[i]))
+			return OUT_NAN;
+	signs(&f->sides, 4, in, side);
+	for (int k = 0; k < 4; k++)
+		out |= side[k] < 0 ? 1u << k : 0;
+	if (is_flat(f))
+		return out;
+	signs(&f->ends, 3, in, end);
+	if (end[2] <= 0 || (f->sides.reciprocal && !(in[3] > 0)))
+		return OUT_BEHIND;
+	for (int k = 0; k < 2; k++)
+		out |= end[k] < 0 ? (unsigned)OUT_NEAR << k : 0;
+	return out;
+}
+
+/* As point_estimate takes them, which says why. */
+static struct estimate estimate_of(const struct transform *t, int columns)
+{
+	const struct kernel_map *k = &t->for_kernel;
+	struct estimate e = { .low = 0, .high = (double)INFINITY };
+
+	for (int i = 0; i < 3; i++)
+		e.origin[i] = k->origin[i];
+	for (int j = 0; j < columns; j++) {
+		double none = 2 * (k->none[j] + 0x1p-1020);
+
+		for (int i = 0; i < 4; i++)
+			e.m[i][j] = k->hi[i][j];
+		e.slope = fmax(e.slope, ESTIMATE_BOUND * k->most[j] + none);
+		e.floor = fmax(e.floor, ESTIMATE_BOUND * k->image[j] + none);
+		if (!(k->image[j] > 0x1p-899))
+			e.low = fmax(e.low, 0x1p-899 / k->most[j]);
+		e.high = fmin(e.high, (0x1p999 - k->image[j]) / k->most[j]);
+	}
+	return e;
+}
+
+enum { FEW = 256 };
+
+static void out_few(const struct frustum *f, const struct estimate *sides,
+    const struct estimate *ends, const double *const in[4], unsigned char *out,
+    size_t n)
+{
+	double word[FEW];
+
+	memset(word, 0, n * sizeof *word);
+	points_kernels()->signs(sides, 4, OUT_LEFT, in, word, n);
+	if (!is_flat(f))
+		points_kernels()->signs(ends, 3, OUT_NEAR, in, word, n);
+	for (size_t i = 0; i < n; i++) {
+		unsigned planes = (unsigned)word[i];
+		const double p[4] = { in[0][i], in[1][i], in[2][i] };
+
+		if (planes >= SIGNS_UNSURE)
+			planes = frustum_out(f, p);
+		out[i] = planes & OUT_BEHIND ? OUT_BEHIND :
+					       (unsigned char)planes;
+	}
+}
+
+void frustum_out_all(const struct frustum *f, const double *const in[4],
+    unsigned char *out, size_t n)
+{
+	/* of two coordinates any column is the third, as its slopes are 0 */
+	const double *z = in[is_flat(f) ? 0 : 2];
+	struct estimate sides = estimate_of(&f->sides, 4), ends = { 0 };
+
+	if (!is_flat(f))
+		ends = estimate_of(&f->ends, 3);
+	for (size_t i = 0; i < n; i += FEW) {
+		const double *const at[4] = { in[0] + i, in[1] + i, z + i };
+		size_t few = n - i < FEW ? n - i : FEW;
+
+		if (f->sides.in <= 3) {
+			out_few(f, &sides, &ends, at, out + i, few);
+			continue;
+		}
+		for (size_t k = i; k < i + few; k++) {
+			const double p[4] = { in[0][k], in[1][k], in[2][k],
+				in[3][k] };
+
+			out[k] = (unsigned char)frustum_out(f, p);
+		}
+	}
+}
+
+const char *view_corner(const struct scene *s, const struct map *from_view,
+    int corner, struct sum h[4], struct sum *over)
+{
+	static const int right[4] = { -1, 1, 1, -1 }, up[4] = { -1, -1, 1, 1 };
+	struct sum half[2], scale[2], v[4];
+
+	view_limits(s, half, scale);
+	struct sum side[3] = { sum_mul(half[0], scale[1]),
+		sum_mul(half[1], scale[0]), sum_mul(scale[0], scale[1]) };
+
+	if (right[corner % 4] < 0)
+		side[0] = sum_neg(side[0]);
+	if (up[corner % 4] < 0)
+		side[1] = sum_neg(side[1]);
+	const struct convention *given = &s->convention;
+	const struct convention *answer = answer_convention(s);
+	const char *why = projection_corner(&s->projection, given, side,
+	    corner >= 4, v, over);
+
+	if (why != NULL)
+		return why;
+	if (given->view_y_down != answer->view_y_down)
+		v[1] = sum_neg(v[1]);
+	if (looks_back(given) != looks_back(answer))
+		v[2] = sum_neg(v[2]);
+	bool minus = sum_sign(*over) < 0;
+
+	*over = sum_mul(sum_abs(*over), from_view->divisor);
+	for (int j = 0; j < 4; j++) {
+		map_column(from_view, j, v, &h[j]);
+		h[j] = minus ? sum_neg(h[j]) : h[j];
+	}
+	return NULL;
+}

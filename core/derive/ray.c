@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: MIT */
+#include "ray.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "../points/kernel/midway.h"
+#include "../exact/vec3.h"
+
+/* View space is N(z) / D(z) at device depth z, for each row i of the map m from
+ * device to view and p = (x, y, z, 1):
+ *
+ *	N_j = sum of p_i m_ij, j < 3,    D = sum of p_i m_i3
+ *
+ * The direction is the derivative's numerator N' D - N D', as D^2 > 0, turned to
+ * the world: there the eye's place would have to cancel. As N' = m_2j and D' =
+ * m_23, what z multiplies is m_2j m_23 - m_2j m_23 = 0, and the direction is
+ * affine in x and y:
+ *
+ *	sum of p_i (m_2j m_i3 - m_ij m_23), i = 0, 1, 3 */
+static void set_along(const struct map *view, const struct map *turn,
+    bool against, struct map *along)
+{
+	const struct sum(*m)[4] = view->m;
+
+	memset(along, 0, sizeof *along);
+	along->divisor = sum_of_double(1);
+	memcpy(along->origin, view->origin, 2 * sizeof *view->origin);
+	for (int i = 0; i < 4; i++) {
+		struct sum d[3];
+
+		for (int j = 0; j < 3 && i != 2; j++) {
+			d[j] = sum_sub(sum_mul(m[2][j], m[i][3]),
+			    sum_mul(m[i][j], m[2][3]));
+			if (against)
+				d[j] = sum_neg(d[j]);
+		}
+		for (int j = 0; j < 3 && i != 2; j++) {
+			const struct sum column[3] = { turn->m[0][j],
+				turn->m[1][j], turn->m[2][j] };
+
+			along->m[i][j] = vec3_dot(d, column);
+		}
+	}
+}
+
+/* Without a near plane every ray begins at the eye, where clip x, y and w are 0. */
+static const char *from_eye(const struct scene *s, struct transform *t)
+{
+	struct map back;
+	const char *why = scene_map(s, SPACE_CLIP, SPACE_WORLD, &back);
+
+	if (why != NULL)
+		return why;
+	memset(&t->map, 0, sizeof t->map);
+	t->map.divisor = back.divisor;
+	for (int j = 0; j < 4; j++)
+		t->map.m[3][j] = sum_sign(back.m[2][3]) < 0 ?
+		    sum_neg(back.m[2][j]) :
+		    back.m[2][j];
+	transform_init(t, SPACE_DEVICE, SPACE_WORLD, false);
+	return NULL;
+}
+
+const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
+{
+	bool reversed = projection_is_reversed(&s->projection, &s->convention);
+	const struct viewport *v = &s->viewport;
+	/* device depth falls away from the eye */
+	bool against = (v->max_z > v->min_z) == reversed;
+	struct map view, turn;
+	const char *why = scene_transform(s, SPACE_DEVICE, SPACE_WORLD, false,
+	    &r->to_world);
+
+	if (why == NULL && projection_is_open(&s->projection))
+		why = from_eye(s, &r->to_world);
+	if (why == NULL)
+		why = scene_map(s, SPACE_DEVICE, SPACE_VIEW, &view);
+	if (why == NULL)
+		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &turn);
+	if (why != NULL)
+		return why;
+	r->depth = reversed ? v->max_z : v->min_z;
+	set_along(&view, &turn, against, &r->along);
+	kernel_map_of(&r->along, &r->for_kernel);
+	return NULL;
+}
+
+static double over(struct sum n, struct sum d, bool single)
+{
+	double q = single ? (double)sum_over_float(n, d) : sum_over(n, d);
+
+	return isfinite(q) ? q : (double)NAN;
+}
+
+static void set_direction(const struct ray_maker *r, const double in[4],
+    bool single, double direction[3])
+{
+	const struct sum p[4] = { sum_of_double(in[0]), sum_of_double(in[1]),
+		sum_of_double(0), sum_of_double(1) };
+	struct sum to[3];
+
+	for (int j = 0; j < 3; j++) {
+		map_column(&r->along, j, p, &to[j]);
+		to[j] = sum_settled(to[j]);
+	}
+	struct sum length = vec3_length(to);
+
+	for (int j = 0; j < 3; j++)
+		direction[j] = over(to[j], length, single);
+}
+
+/* Points that have an image may yet have no coordinate within the range. */
+static bool has_point(const struct ray_maker *r, const double in[4],
+    const double point[3])
+{
+	if (!isnan(point[0]) || !isnan(point[1]) || !isnan(point[2]))
+		return true;
+	return !isnan(in[0]) && !isnan(in[1]) &&
+	    sum_sign(point_column(&r->to_world, 3, in)) > 0;
+}
+
+static void round_to_floats(const struct ray_maker *r, const double in[4],
+    double point[3], double direction[3])
+{
+	for (int j = 0; j < 3; j++) {
+		float p = point_single(&r->to_world, in, j, point[j]);
+
+		point[j] = isfinite(p) ? (double)p : (double)NAN;
+	}
+	if (is_midway(direction[0]) || is_midway(direction[1]) ||
+	    is_midway(direction[2]))
+		set_direction(r, in, true, direction);
+	for (int j = 0; j < 3; j++)
+		direction[j] = (double)(float)direction[j];
+}
+
+/* What the kernels have left undone of a ray, whose direction is nan where it is
+ * not known. */
+static void finish(const struct ray_maker *r, const double in[4], bool single,
+    double point[3], double direction[3])
+{
+	if (!has_point(r, in, point)) {
+		for (int j = 0; j < 3; j++)
+			direction[j] = (double)NAN;
+		return;
+	}
+	if (isnan(direction[0]))
+		set_direction(r, in, false, direction);
+	if (single)
+		round_to_floats(r, in, point, direction);
+}
+
+void rays_cast(const struct ray_maker *r, bool single,
+    const double *const at[2], double *const point[3],
+    double *const direction[3], size_t n)
+{
+	static const struct accuracy exact = { .precision = PRECISION_EXACT };
+	double depth[POINTS_BLOCK];
+	const double *const in[4] = { at[0], at[1], depth };
+	double *const out[4] = { point[0], point[1], point[2] };
+
+	for (size_t i = 0; i < POINTS_BLOCK; i++)
+		depth[i] = r->depth;
+	points_carry(&r->to_world, &exact, in, out, n);
+	points_kernels()->exact[KERNEL_DIRECTION](&r->for_kernel, at, direction,
+	    n);
+	for (size_t i = 0; i < n; i++) {
+		const double p[4] = { at[0][i], at[1][i], r->depth, 1 };
+		double ray[2][3];
+
+		if (!single && !isnan(point[0][i]) && !isnan(direction[0][i]))
+			continue;
+		for (int j = 0; j < 3; j++) {
+			ray[0][j] = point[j][i];
+			ray[1][j] = direction[j][i];
+		}
+		finish(r, p, single, ray[0], ray[1]);
+		for (int j = 0; j < 3; j++) {
+			point[j][i] = ray[0][j];
+			direction[j][i] = ray[1][j];
+		}
+	}
+}

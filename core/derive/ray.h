@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT */
+/* Rays under positions on the device. */
+#ifndef RAY_H
+#define RAY_H
+
+#include "../points/points.h"
+
+struct ray_maker {
+	struct transform to_world; /* from the device, to where rays begin */
+	double depth;              /* the near plane's, on the device */
+	/* From (x, y, any, 1) on the device to a vector along the ray, in the
+	 * first three columns. */
+	struct map along;
+	struct kernel_map for_kernel;
+};
+
+/* Returns NULL, or the member and the reason. */
+const char *ray_maker_of(const struct scene *, struct ray_maker *);
+
+/* The points on the near plane under n <= POINTS_BLOCK device positions, or where
+ * there is none the eye, and the unit directions away from the eye, from near to far,
+ * in world space: columns of POINTS_BLOCK of the nearest doubles, or floats. nan
+ * where there is none. */
+void rays_cast(const struct ray_maker *, bool single, const double *const at[2],
+    double *const point[3], double *const direction[3], size_t n);
+
+#endif

@@ -1,0 +1,205 @@
+/* SPDX-License-Identifier: MIT */
+#include "map.h"
+
+#include <string.h>
+
+#include "vec3.h"
+
+void map_identity(struct map *r)
+{
+	const struct sum one = sum_of_double(1);
+
+	memset(r, 0, sizeof *r);
+	r->divisor = one;
+	for (int i = 0; i < 4; i++)
+		r->m[i][i] = one;
+}
+
+void map_of_doubles(const double m[4][4], struct map *r)
+{
+	memset(r, 0, sizeof *r);
+	r->divisor = sum_of_double(1);
+	for (int i = 0; i < 4; i++)
+		for (int j = 0; j < 4; j++)
+			r->m[i][j] = sum_of_double(m[i][j]);
+}
+
+static void divide(struct sum *a, const struct sum *d)
+{
+	if (!sum_is_nothing(a) && !sum_is_one(d))
+		*a = sum_quotient(*a, *d);
+}
+
+/* What is divided exactly needs no divisor. */
+void map_over(struct map *r, struct sum d)
+{
+	struct sum power = sum_of_double(d.value.sign);
+
+	if (d.size.m > 0) {
+		for (int i = 0; i < 16; i++)
+			divide(&r->m[i / 4][i % 4], &d);
+		return;
+	}
+	r->divisor = sum_mul(r->divisor, sum_abs(d));
+	if (sum_is_power_of_two(&r->divisor)) {
+		power = sum_mul(power, r->divisor);
+		r->divisor = sum_of_double(1);
+	}
+	for (int i = 0; i < 16 && !sum_is_one(&power); i++)
+		divide(&r->m[i / 4][i % 4], &power);
+}
+
+void map_column_over(struct map *r, int j, struct sum d)
+{
+	bool divides = d.size.m > 0 || sum_is_power_of_two(&d);
+
+	for (int i = 0; i < 4 && divides; i++)
+		divide(&r->m[i][j], &d);
+	if (divides)
+		return;
+	for (int i = 0; i < 16; i++) {
+		struct sum *m = &r->m[i / 4][i % 4];
+
+		if (i % 4 != j && !sum_is_nothing(m))
+			*m = sum_mul(*m, d);
+	}
+	map_over(r, d);
+}
+
+bool map_is_affine(const struct map *a)
+{
+	for (int i = 0; i < 3; i++)
+		if (sum_sign(a->m[i][3]) != 0)
+			return false;
+	return ex_compare(a->m[3][3].value, a->divisor.value) == 0;
+}
+
+const char *map_not_affine(const struct map *a, const char *transposed,
+    const char *other)
+{
+	const struct sum *last = a->m[3];
+
+	if (map_is_affine(a))
+		return NULL;
+	return vec3_is_zero(last) && sum_is_one(&last[3]) ? transposed : other;
+}
+
+static bool is_identity(const struct map *a)
+{
+	for (int i = 0; i < 4; i++)
+		for (int j = 0; j < 4; j++)
+			if (i == j ? !sum_is_one(&a->m[i][j]) :
+				     a->m[i][j].value.sign != 0)
+				return false;
+	return sum_is_one(&a->divisor);
+}
+
+/* Elements below 2^960 surely are. */
+bool map_is_finite(const struct map *a)
+{
+	int most = a->divisor.value.e + a->divisor.value.n + 14;
+
+	for (int i = 0; i < 16; i++) {
+		const ex *m = &a->m[i / 4][i % 4].value;
+
+		if (m->e + m->n > most &&
+		    !isfinite(map_nearest(a, i / 4, i % 4, false)))
+			return false;
+	}
+	return true;
+}
+
+static void set_element(struct map *r, int i, int j, const struct map *a,
+    const struct map *b)
+{
+	const struct sum *x[4], *y[4];
+
+	for (int k = 0; k < 4; k++) {
+		x[k] = &a->m[i][k];
+		y[k] = &b->m[k][j];
+	}
+	sum_dot(4, x, y, &r->m[i][j]);
+}
+
+void map_then(const struct map *a, const struct map *b, struct map *r)
+{
+	if (is_identity(a) || is_identity(b)) {
+		*r = is_identity(a) ? *b : *a;
+		return;
+	}
+	memcpy(r->origin, a->origin, sizeof r->origin);
+	r->divisor = sum_mul(a->divisor, b->divisor);
+	for (int i = 0; i < 4; i++)
+		for (int j = 0; j < 4; j++)
+			set_element(r, i, j, a, b);
+}
+
+struct sum map_element(const struct map *a, int i, int j)
+{
+	struct sum e = a->m[i][j];
+
+	divide(&e, &a->divisor);
+	return e;
+}
+
+double map_nearest(const struct map *a, int i, int j, bool single)
+{
+	return sum_nearest(&a->m[i][j], &a->divisor, single);
+}
+
+void map_column(const struct map *m, int j, const struct sum p[4],
+    struct sum *r)
+{
+	const struct sum *const x[4] = { &p[0], &p[1], &p[2], &p[3] };
+	const struct sum *const y[4] = { &m->m[0][j], &m->m[1][j], &m->m[2][j],
+		&m->m[3][j] };
+
+	sum_dot(4, x, y, r);
+}
+
+struct sum map_minor(int n, const struct sum m[4][4], unsigned rows,
+    unsigned columns)
+{
+	struct sum s = sum_of_double(n == 0);
+	int i = 0;
+	bool minus = false;
+
+	while (rows >> i & 1)
+		i++;
+	for (int j = 0; j < 4 && n > 0; j++) {
+		if (columns >> j & 1)
+			continue;
+		if (m[i][j].value.sign != 0) {
+			struct sum p = sum_mul(m[i][j],
+			    map_minor(n - 1, m, rows | 1u << i,
+				columns | 1u << j));
+
+			s = sum_add(s, minus ? sum_neg(p) : p);
+		}
+		minus = !minus;
+	}
+	return s;
+}
+
+bool map_inverse(const double m[4][4], struct map *inverse)
+{
+	struct map a;
+
+	map_of_doubles(m, &a);
+	struct sum det = map_minor(4, a.m, 0, 0);
+
+	if (sum_sign(det) == 0)
+		return false;
+	for (int i = 0; i < 4; i++)
+		for (int j = 0; j < 4; j++) {
+			struct sum c = map_minor(3, a.m, 1u << j, 1u << i);
+
+			c = (i + j) % 2 ? sum_neg(c) : c;
+			inverse->m[i][j] = c;
+		}
+	inverse->divisor = sum_of_double(1);
+	map_over(inverse, det);
+	for (int k = 0; k < 3; k++)
+		inverse->origin[k] = map_is_affine(&a) ? m[3][k] : 0;
+	return true;
+}

@@ -1,0 +1,289 @@
+/* SPDX-License-Identifier: MIT */
+#include "camera.h"
+
+#include <string.h>
+
+#include "rotation.h"
+#include "../exact/vec3.h"
+
+/* An axis is v / length. The two are kept apart, as v is an exact polynomial of
+ * the parameters, in sums of which terms cancel exactly. Where the second's length
+ * is exact all lengths are the same, by which the map divides. */
+struct axis {
+	struct sum v[3];
+	struct sum length;
+};
+
+static void lengthen(struct axis *a, struct sum by)
+{
+	for (int i = 0; i < 3; i++)
+		a->v[i] = sum_mul(a->v[i], by);
+	a->length = sum_mul(a->length, by);
+}
+
+/* x = up x z and y = z x x before either is normalised: exact polynomials of
+ * lengths |up x z| and |z| |up x z|. */
+static const char *look(const struct camera *c,
+    const struct convention *convention, struct axis axis[3])
+{
+	struct sum up[3];
+	struct axis *x = &axis[0], *y = &axis[1], *z = &axis[2];
+	bool at = c->by == CAMERA_AT;
+
+	for (int i = 0; i < 3; i++) {
+		z->v[i] = sum_of(
+		    at ? ex_diff(c->at[i], c->eye[i]) : ex_of(c->at[i]));
+		if (convention->right_handed)
+			z->v[i] = sum_neg(z->v[i]);
+		up[i] = sum_of_double(c->up[i]);
+	}
+	if (vec3_is_zero(z->v))
+		return at ? "/camera/at: equal to the eye; "
+			    "choose another point to look at" :
+			    "/camera/gaze: has no direction; "
+			    "at least one element must not be 0";
+	if (vec3_is_zero(up))
+		return "/camera/up: has no direction; "
+		       "at least one element must not be 0";
+	vec3_cross(up, z->v, x->v);
+	vec3_cross(z->v, x->v, y->v);
+	struct sum xx = vec3_dot(x->v, x->v), zz = vec3_dot(z->v, z->v);
+	/* |sin| of the angle between up and gaze is below 2^-50 */
+	ex bound = ex_mul(vec3_dot(up, up).value, zz.value);
+
+	if (ex_compare(xx.value, ex_shift(bound, -100)) < 0)
+		return "/camera/up: parallel to the gaze; "
+		       "choose another up vector";
+	x->length = sum_sqrt(xx);
+	z->length = sum_sqrt(zz);
+	y->length = sum_mul(x->length, z->length);
+	for (int i = 0; i < 3 && convention->view_y_down; i++) {
+		y->v[i] = sum_neg(y->v[i]);
+		z->v[i] = sum_neg(z->v[i]);
+	}
+	if (y->length.size.m == 0) {
+		struct sum along = x->length;
+
+		lengthen(x, z->length);
+		lengthen(z, along);
+	}
+	return NULL;
+}
+
+static struct sum twice(struct sum a)
+{
+	return sum_add(a, a);
+}
+
+/* The columns of the rotation matrix of a quaternion, times its norm. */
+static void turn(const struct sum q[4], struct axis axis[3])
+{
+	struct sum p[4][4];
+
+	for (int i = 0; i < 4; i++)
+		for (int j = 0; j < 4; j++)
+			p[i][j] = sum_mul(q[i], q[j]);
+	struct sum norm = sum_add(sum_add(p[0][0], p[1][1]),
+	    sum_add(p[2][2], p[3][3]));
+
+	for (int i = 0; i < 3; i++) {
+		int j = (i + 1) % 3, k = (i + 2) % 3;
+		struct sum along = sum_add(p[3][3], p[i][i]);
+
+		axis[i].length = norm;
+		axis[i].v[i] = sum_sub(along, sum_add(p[j][j], p[k][k]));
+		axis[i].v[j] = twice(sum_add(p[i][j], p[k][3]));
+		axis[i].v[k] = twice(sum_sub(p[i][k], p[j][3]));
+	}
+}
+
+static const char *orient(const struct camera *c, struct axis axis[3])
+{
+	struct sum q[4];
+
+	for (int i = 0; i < 4; i++)
+		q[i] = sum_of_double(c->orientation[i]);
+	if (vec3_is_zero(q) && sum_sign(q[3]) == 0)
+		return "/camera/orientation: is zero; "
+		       "no turn is [0, 0, 0, 1]";
+	turn(q, axis);
+	return NULL;
+}
+
+/* What is wrong with a matrix, and with a pose. */
+#define BOTH(reason)                                               \
+	{                                                          \
+		"/camera/matrix: " reason, "/camera/pose: " reason \
+	}
+
+static const char *const refusals[][2] = {
+	[ROTATION_NONE] = BOTH("its determinant is not positive; "
+			       "a rotation's is 1"),
+	[ROTATION_MANY] = BOTH("two directions have all but vanished; "
+			       "no rotation is the nearest"),
+};
+
+static const char *const singular[2] = BOTH("singular; it can't be inverted");
+
+/* The nearest rotation to the upper 3x3, of which nothing is left that may be no
+ * more than the error of its quaternion. */
+static const char *orthonormal(const struct camera *c, struct axis axis[3])
+{
+	struct sum q[4];
+	enum rotation found = nearest_rotation(c->matrix, q);
+
+	if (found != ROTATION_FOUND)
+		return refusals[found][c->by == CAMERA_POSE];
+	turn(q, axis);
+	for (int i = 0; i < 9; i++) {
+		struct sum *v = &axis[i / 3].v[i % 3];
+
+		v->size = axis[i / 3].length.size;
+		*v = sum_settled(*v);
+	}
+	return NULL;
+}
+
+/* Where a camera stands: its axes, and in the world the eye, or in view space the
+ * world's origin. */
+struct stand {
+	struct axis axis[3];
+	const double *at;
+	bool by_origin;
+	double roll; /* from x to y of view space */
+	enum angle_unit unit;
+};
+
+static bool is_exact(const struct stand *s)
+{
+	return s->axis[1].length.size.m == 0;
+}
+
+/* Minus the products of what is at with the axes, or with their transpose: an exact
+ * polynomial, divided once. So for an eye (1,2,3) that looks at the origin x . eye
+ * is 0, where rounded axes would give -4.9e-32. */
+static void find_image(const struct stand *s, struct sum image[3])
+{
+	const struct axis *a = s->axis;
+	struct sum p[3];
+
+	for (int i = 0; i < 3; i++)
+		p[i] = sum_of_double(-s->at[i]);
+	for (int i = 0; i < 3; i++) {
+		const struct sum across[3] = { a[0].v[i], a[1].v[i],
+			a[2].v[i] };
+
+		image[i] = vec3_dot(s->by_origin ? across : a[i].v, p);
+		if (!is_exact(s))
+			image[i] = sum_quotient(image[i], a[i].length);
+	}
+}
+
+/* Times [cos sin; -sin cos]. */
+static void turn_image(double roll, enum angle_unit unit, struct sum e[4][3])
+{
+	struct sum s = sin_of(roll, unit), c = cos_of(roll, unit);
+
+	for (int k = 0; k < 4; k++) {
+		struct sum x = e[k][0], y = e[k][1];
+
+		e[k][0] = sum_sub(sum_mul(x, c), sum_mul(y, s));
+		e[k][1] = sum_add(sum_mul(y, c), sum_mul(x, s));
+	}
+}
+
+/* To view p axes + origin, or back p axes' + eye; of the two one is given, the
+ * other found. */
+static void stand(const struct stand *s, bool inverse, struct map *r)
+{
+	struct sum d = is_exact(s) ? s->axis[1].length : sum_of_double(1);
+	struct sum e[4][3], given[3], found[3];
+
+	find_image(s, found);
+	for (int i = 0; i < 3; i++) {
+		given[i] = sum_mul(d, sum_of_double(s->at[i]));
+		e[3][i] = s->by_origin ? given[i] : found[i];
+		for (int k = 0; k < 3; k++) {
+			e[k][i] = s->axis[i].v[k];
+			if (!is_exact(s))
+				e[k][i] = sum_quotient(e[k][i],
+				    s->axis[i].length);
+		}
+	}
+	if (s->roll != 0)
+		turn_image(s->roll, s->unit, e);
+	map_identity(r);
+	for (int i = 0; i < 3; i++) {
+		struct sum eye = s->by_origin ? found[i] : given[i];
+
+		for (int k = 0; k < 3; k++)
+			r->m[inverse ? i : k][inverse ? k : i] = e[k][i];
+		r->m[3][i] = inverse ? eye : e[3][i];
+		r->origin[i] = inverse ? 0 : sum_over(eye, d);
+	}
+	r->m[3][3] = d;
+	map_over(r, d);
+}
+
+static void transpose(struct axis axis[3])
+{
+	for (int i = 0; i < 3; i++)
+		for (int k = 0; k < i; k++) {
+			struct sum t = axis[i].v[k];
+
+			axis[i].v[k] = axis[k].v[i];
+			axis[k].v[i] = t;
+		}
+}
+
+/* The matrix or pose as it is given, or its nearest rotation above its last
+ * row. A pose leads from view to the world, and must lead back. */
+static const char *bare(const struct camera *c, bool inverse, struct map *r)
+{
+	bool pose = c->by == CAMERA_POSE;
+	struct stand s = { .at = c->matrix[3], .by_origin = !pose };
+
+	map_of_doubles(c->matrix, r);
+	const char *why = pose ? WANT_AFFINE(r, "/camera/pose") :
+				 WANT_AFFINE(r, "/camera/matrix");
+
+	if (why != NULL)
+		return why;
+	if (!c->orthonormalize) {
+		struct map back;
+		bool regular = (!pose && !inverse) ||
+		    map_inverse(c->matrix, &back);
+
+		if (regular && inverse != pose)
+			*r = back;
+		return regular ? NULL : singular[pose];
+	}
+	why = orthonormal(c, s.axis);
+	if (why != NULL)
+		return why;
+	if (pose)
+		transpose(s.axis);
+	stand(&s, inverse, r);
+	return NULL;
+}
+
+const char *camera_map(const struct camera *c,
+    const struct convention *convention, bool inverse, struct map *r)
+{
+	struct stand s = {
+		.at = c->eye,
+		.by_origin = c->by == CAMERA_TRANSLATION,
+		.roll = convention->view_y_down ? -c->roll : c->roll,
+		.unit = c->unit,
+	};
+
+	if (c->by == CAMERA_MATRIX || c->by == CAMERA_POSE)
+		return bare(c, inverse, r);
+	const char *why = c->by == CAMERA_AT || c->by == CAMERA_GAZE ?
+	    look(c, convention, s.axis) :
+	    orient(c, s.axis);
+
+	if (why == NULL)
+		stand(&s, inverse, r);
+	return why;
+}

@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: MIT */
+/* The rotation that is nearest to a matrix. */
+#ifndef ROTATION_H
+#define ROTATION_H
+
+#include "../exact/map.h"
+
+/* None where the determinant is not positive, many where two directions have all but
+ * vanished. */
+enum rotation { ROTATION_FOUND, ROTATION_NONE, ROTATION_MANY };
+
+/* The quaternion x y z w, of any norm and within 2^-250 of it, of the rotation
+ * nearest to the upper 3x3 of a matrix: its polar factor. */
+enum rotation nearest_rotation(const double matrix[4][4], struct sum q[4]);
+
+#endif
