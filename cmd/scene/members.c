@@ -25,6 +25,9 @@ const struct member camera_members[] = {
 	    .note = "x, y, z, w from view to world axes; of w, x, y, z from "
 		    "world to view that is -x, -y, -z, w",
 	    .about = "quaternion x, y, z, w: view to world axes"),
+	NUMBERS("rvec", camera, rvec, 3, .aliases = "rotationvector rodrigues",
+	    .note = "about it, by its length, world to view",
+	    .unit = "radians", .about = "rotation vector: world to view axes"),
 	NUMBERS("translation", camera, eye, 3, .aliases = "tvec t",
 	    .note = "where the world's origin is in view space",
 	    .unit = "view units", .about = "where the world's origin is"),
@@ -39,7 +42,7 @@ const struct member camera_members[] = {
 	{ .name = "matrix",
 	    .read = read_affine,
 	    .at = MEMBER(camera, matrix),
-	    .aliases = "view viewmatrix extrinsic extrinsics r rt rvec "
+	    .aliases = "view viewmatrix extrinsic extrinsics r rt "
 		       "rotationmatrix worldtocamera worldtocam w2c",
 	    .note = "world to view, [R|t]",
 	    .type = "matrix",
@@ -59,20 +62,23 @@ const struct member camera_members[] = {
 
 /* In the order of the values of struct camera's by. */
 static const struct ways camera_ways = {
-	"give \"eye\" and one of \"at\", \"gaze\" and \"orientation\", or "
-	"\"translation\" and \"orientation\", or \"pose\" or \"matrix\" alone",
+	"give \"eye\" and one of \"at\", \"gaze\", \"orientation\" and \"rvec\", "
+	"or "
+	"\"translation\" and \"orientation\" or \"rvec\", or \"pose\" or "
+	"\"matrix\" alone",
 	{ "eye at up? roll?", "eye gaze up? roll?", "eye orientation roll?",
-	    "translation orientation roll?", "pose orthonormalize?",
+	    "eye rvec roll?", "translation orientation roll?",
+	    "translation rvec roll?", "pose orthonormalize?",
 	    "matrix orthonormalize?" },
 };
 
 static const struct ways fit_camera_ways = {
-	"give \"gaze\" or \"orientation\", with an \"eye\" or without, or "
-	"\"eye\" and \"at\", or \"translation\" and \"orientation\", or "
-	"\"pose\" or "
-	"\"matrix\" alone",
+	"give \"gaze\", \"orientation\" or \"rvec\", with an \"eye\" or without, "
+	"or \"eye\" and \"at\", or \"translation\" and \"orientation\" or "
+	"\"rvec\", or \"pose\" or \"matrix\" alone",
 	{ "eye at up? roll?", "eye? gaze up? roll?", "eye? orientation roll?",
-	    "translation orientation roll?", "pose orthonormalize?",
+	    "eye? rvec roll?", "translation orientation roll?",
+	    "translation rvec roll?", "pose orthonormalize?",
 	    "matrix orthonormalize?" },
 };
 
@@ -233,12 +239,15 @@ const struct member pick_members[] = {
 static void check_translation(const struct value *v, unsigned seen)
 {
 	struct value m = value_missing(v, "translation");
+	unsigned turn = member_bit(camera_members, 0, "orientation") |
+	    member_bit(camera_members, 0, "rvec");
 
 	if ((seen & member_bit(camera_members, 0, "translation")) != 0 &&
-	    (seen & member_bit(camera_members, 0, "orientation")) == 0)
+	    (seen & turn) == 0)
 		value_refuse(&m,
 		    "is where the world's origin is in view space, and needs "
-		    "an \"orientation\"; where the camera stands is \"eye\"");
+		    "an \"orientation\" or \"rvec\"; where the camera stands is "
+		    "\"eye\"");
 }
 
 bool read_camera(const struct value *v, struct camera *c)

@@ -88,6 +88,7 @@ static void slab_of(const struct scene *s, bool reversed, struct slab *r)
 		break;
 	case PROJECTION_PERSP:
 		persp_slab(p->near, p->far, r);
+		r->under = projection_w_slope(p).value;
 		break;
 	case PROJECTION_ORTHO:
 	case PROJECTION_OBLIQUE:

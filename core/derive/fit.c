@@ -311,6 +311,10 @@ static const char *check(const struct scene *s, const struct bounds *b)
 
 	if (why != NULL)
 		return why;
+	if (projection_is_tilted(&s->projection))
+		return "/projection/intrinsics: the last row of P does not "
+		       "begin 0, 0, 1; what is fitted is K, or K [R|t] as "
+		       "intrinsics K and a camera [R|t]";
 	switch (s->projection.type) {
 	case PROJECTION_PERSP:
 	case PROJECTION_ORTHO:

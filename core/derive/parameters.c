@@ -360,6 +360,18 @@ static bool is_valid(const struct scene *s)
 	    p->bottom != p->top;
 }
 
+/* Of intrinsics whose planes stand at values of w. */
+static void set_distances(const struct projection *p, struct parameters *r)
+{
+	struct sum slope = projection_w_slope(p);
+
+	if (!projection_is_by_p(p) || projection_is_open(p))
+		return;
+	r->near = sum_over_or_nan(sum_of_double(p->near), slope);
+	r->far = isinf(p->far) ? p->far :
+				 sum_over_or_nan(sum_of_double(p->far), slope);
+}
+
 const char *parameters_of(const struct scene *s, const struct taxonomy *t,
     struct parameters *r)
 {
@@ -376,8 +388,12 @@ const char *parameters_of(const struct scene *s, const struct taxonomy *t,
 
 	if (why == NULL)
 		why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip);
-	if (why != NULL || !upright_of(&clip, s, &u))
+	if (why != NULL)
 		return why;
+	if (!upright_of(&clip, s, &u)) {
+		set_distances(&s->projection, r);
+		return NULL;
+	}
 	double first = c->minus_one ? -1 : 0;
 	struct plane plane[2] = { plane_of(&u, t->reversed ? 1 : first),
 		plane_of(&u, t->reversed ? first : 1) };

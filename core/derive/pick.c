@@ -46,6 +46,17 @@ static const char *near_plane(const struct scene *s, struct sum *near,
 	return NULL;
 }
 
+/* Of a tilted P depth is w, which is z of its level space. */
+static void make_level(const struct scene *s, struct map *view)
+{
+	double m[4][4];
+	struct map given = *view, level;
+
+	projection_level(&s->projection, &s->convention, m);
+	map_of_doubles(m, &level);
+	map_then(&given, &level, view);
+}
+
 /* Distances are the same in every convention; they are measured in the scene's. */
 const char *picker_of(const struct scene *given,
     const struct transform *to_device, struct picker *k)
@@ -64,9 +75,12 @@ const char *picker_of(const struct scene *given,
 		why = scene_map(s, SPACE_MODEL, SPACE_VIEW, view);
 	if (why != NULL)
 		return why;
+	if (projection_is_tilted(&s->projection))
+		make_level(s, view);
 	view->m[3][2] = sum_sub(view->m[3][2], sum_mul(near, view->divisor));
 	for (int i = 0; i < 4 && !upward; i++)
 		view->m[i][2] = sum_neg(view->m[i][2]);
+	map_column_over(view, 2, projection_w_slope(&s->projection));
 	transform_init(&k->depth, SPACE_MODEL, SPACE_VIEW, false);
 	return NULL;
 }

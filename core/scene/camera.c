@@ -110,6 +110,20 @@ static const char *orient(const struct camera *c, struct axis axis[3])
 	return NULL;
 }
 
+static const char *turn_about(const struct camera *c, struct axis axis[3])
+{
+	struct sum r[3][3];
+
+	if (!rotation_about(c->rvec, r))
+		return "/camera/rvec: is longer than 2 pi; its length is the "
+		       "angle in radians";
+	for (int i = 0; i < 3; i++) {
+		memcpy(axis[i].v, r[i], sizeof r[i]);
+		axis[i].length = sum_of_double(1);
+	}
+	return NULL;
+}
+
 /* What is wrong with a matrix, and with a pose. */
 #define BOTH(reason)                                               \
 	{                                                          \
@@ -267,21 +281,40 @@ static const char *bare(const struct camera *c, bool inverse, struct map *r)
 	return NULL;
 }
 
+static const char *find_axes(const struct camera *c,
+    const struct convention *convention, struct axis axis[3])
+{
+	switch (c->by) {
+	case CAMERA_AT:
+	case CAMERA_GAZE:
+		return look(c, convention, axis);
+	case CAMERA_ORIENTATION:
+	case CAMERA_TRANSLATION:
+		return orient(c, axis);
+	case CAMERA_RVEC:
+	case CAMERA_RVEC_TRANSLATION:
+		return turn_about(c, axis);
+	case CAMERA_POSE:
+	case CAMERA_MATRIX: /* bare() */
+		break;
+	}
+	return NULL;
+}
+
 const char *camera_map(const struct camera *c,
     const struct convention *convention, bool inverse, struct map *r)
 {
 	struct stand s = {
 		.at = c->eye,
-		.by_origin = c->by == CAMERA_TRANSLATION,
+		.by_origin = c->by == CAMERA_TRANSLATION ||
+		    c->by == CAMERA_RVEC_TRANSLATION,
 		.roll = convention->view_y_down ? -c->roll : c->roll,
 		.unit = c->unit,
 	};
 
 	if (c->by == CAMERA_MATRIX || c->by == CAMERA_POSE)
 		return bare(c, inverse, r);
-	const char *why = c->by == CAMERA_AT || c->by == CAMERA_GAZE ?
-	    look(c, convention, s.axis) :
-	    orient(c, s.axis);
+	const char *why = find_axes(c, convention, s.axis);
 
 	if (why == NULL)
 		stand(&s, inverse, r);

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "../exact/vec3.h"
+
 /* The matrix of every projection that is made of parameters:
  *	 x   0   0   0
  *	 yx  y   0   0
@@ -492,6 +494,72 @@ static const char *bare(const struct projection *p, bool inverse, struct map *r)
 	return NULL;
 }
 
+/* Whether P is no K with an offset, or K is singular. */
+static bool is_any_p(const struct projection *p)
+{
+	const double(*k)[4] = p->intrinsics;
+
+	return projection_is_tilted(p) ||
+	    (projection_is_by_p(p) &&
+		(k[1][0] != 0 || k[0][0] == 0 || k[1][1] == 0));
+}
+
+struct sum projection_w_slope(const struct projection *p)
+{
+	struct sum w[3];
+
+	if (!projection_is_tilted(p))
+		return sum_of_double(1);
+	for (int j = 0; j < 3; j++)
+		w[j] = sum_of_double(p->intrinsics[2][j]);
+	return vec3_length(w);
+}
+
+/* X, Y and Z are view x, y and z but for their signs, on both sides. */
+void projection_level(const struct projection *p, const struct convention *c,
+    double level[4][4])
+{
+	const double sign[4] = { 1, c->bottom_left == c->view_y_down ? -1 : 1,
+		looks_back(c) ? -1 : 1, 1 };
+
+	for (int i = 0; i < 4; i++) {
+		for (int j = 0; j < 3; j++)
+			level[i][j] = sign[i] * sign[j] * p->intrinsics[j][i];
+		level[i][3] = i == 3;
+	}
+}
+
+/* Level, and on by 1 0 0, 0 1 0, 0 0 1 in the place of P. */
+static struct projection leveled(const struct projection *p)
+{
+	struct projection own = *p;
+
+	for (int i = 0; i < 12; i++)
+		own.intrinsics[i / 4][i % 4] = i / 4 == i % 4;
+	return own;
+}
+
+static const char *any_p(const struct projection *p, const struct convention *c,
+    bool inverse, struct map *r)
+{
+	struct projection on = leveled(p);
+	double m[4][4];
+	struct map level, stage;
+
+	projection_level(p, c, m);
+	map_of_doubles(m, &level);
+	if (inverse && !map_inverse(m, &level))
+		return "/projection/intrinsics: the left three columns of P "
+		       "are singular; it can't be inverted";
+	const char *why = projection_map(&on, c, inverse, &stage);
+
+	if (why != NULL)
+		return why;
+	map_then(inverse ? &stage : &level, inverse ? &level : &stage, r);
+	memset(r->origin, 0, sizeof r->origin);
+	return NULL;
+}
+
 static const char *find_upright(const struct projection *p,
     const struct convention *c, struct elements *f)
 {
@@ -536,6 +604,8 @@ const char *projection_map(const struct projection *p,
 		return bare(p, inverse, r);
 	if (!has_elements(p))
 		return NULL;
+	if (is_any_p(p))
+		return any_p(p, c, inverse, r);
 	const char *why = find_elements(p, c, &f);
 
 	if (why != NULL)
@@ -571,6 +641,26 @@ static const char *bare_corner(const struct projection *p,
 	return why;
 }
 
+/* That of the level space, back from there. */
+static const char *any_corner(const struct projection *p,
+    const struct convention *c, const struct sum side[3], bool far,
+    struct sum v[4], struct sum *over)
+{
+	struct projection on = leveled(p);
+	struct sum level[4];
+	double m[4][4];
+	struct map back;
+	const char *why = projection_corner(&on, c, side, far, level, over);
+
+	projection_level(p, c, m);
+	if (why != NULL || !map_inverse(m, &back))
+		return why;
+	for (int j = 0; j < 4; j++)
+		map_column(&back, j, level, &v[j]);
+	*over = sum_mul(*over, back.divisor);
+	return NULL;
+}
+
 /* View z of the near or far plane; false where that is at infinity. */
 static bool plane_z(const struct projection *p, const struct convention *c,
     bool far, struct sum *z)
@@ -601,6 +691,8 @@ const char *projection_corner(const struct projection *p,
 
 	if (!has_elements(p))
 		return bare_corner(p, c, side, far, v, over);
+	if (is_any_p(p))
+		return any_corner(p, c, side, far, v, over);
 	const char *why = find_elements(p, c, &f);
 
 	if (why != NULL)
