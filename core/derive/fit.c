@@ -342,8 +342,10 @@ static bool in_range(const struct scene *s)
 		    fabs(p->z_far) <= MAGNITUDE_MAX;
 	if (p->type == PROJECTION_PERSP)
 		good &= is_size(p->near);
-	if (p->extent == EXTENT_SIZE)
-		good &= is_size(p->width) && is_size(p->height);
+	if (p->extent == EXTENT_SIZE || p->extent == EXTENT_WIDTH)
+		good &= is_size(p->width);
+	if (p->extent == EXTENT_SIZE || p->extent == EXTENT_HEIGHT)
+		good &= is_size(p->height);
 	if (p->extent == EXTENT_EDGES)
 		good &= is_size(fabs(p->right)) && is_size(fabs(p->top)) &&
 		    is_size(fabs(p->left)) && is_size(fabs(p->bottom));

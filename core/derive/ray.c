@@ -182,3 +182,75 @@ void rays_cast(const struct ray_maker *r, bool single,
 		}
 	}
 }
+
+/* Row i of the map from a position, times what z of the position has to be there.
+ * With P the image of a position x, y, z the plane's p . P = 0 is linear in z:
+ *
+ *	z = -sum of p_i (m_i . p) / (m_2 . p),    i = 0, 1, 3
+ *
+ * and P = sum of p_i (m_i - m_2 (m_i . p) / (m_2 . p)), in which the terms of p_j
+ * cancel in column j. */
+static void set_row(const struct map *m, int i, const struct sum p[4],
+    struct map *r)
+{
+	const struct sum *a = m->m[i], *b = m->m[2];
+
+	for (int j = 0; j < 4; j++) {
+		struct sum s = sum_of_double(0);
+
+		for (int k = 0; k < 4; k++)
+			if (k != j)
+				s = sum_add(s,
+				    sum_mul(p[k],
+					sum_sub(sum_mul(a[j], b[k]),
+					    sum_mul(b[j], a[k]))));
+		r->m[i][j] = s;
+	}
+}
+
+/* Whether w is the same everywhere. */
+static bool is_even(const struct map *m)
+{
+	return sum_sign(m->m[0][3]) == 0 && sum_sign(m->m[1][3]) == 0 &&
+	    sum_sign(m->m[2][3]) == 0;
+}
+
+/* What rays have in common, m_2, is the eye or, where they are parallel, their
+ * direction. Clip w is 0 there and 1 for every other image, so that the quotient
+ * has its sign. */
+const char *ray_plane_transform(const struct scene *s, enum space from,
+    enum space to, const double plane[4], struct transform *t)
+{
+	struct sum p[4], through = sum_of_double(0);
+	struct map m, *r = &t->map;
+	const char *why = scene_map(s, from, to, &m);
+
+	if (why != NULL)
+		return why;
+	for (int k = 0; k < 4; k++) {
+		p[k] = sum_of_double(plane[k]);
+		through = sum_add(through, sum_mul(m.m[2][k], p[k]));
+	}
+	if (sum_sign(through) == 0)
+		return sum_sign(m.m[2][3]) == 0 ?
+		    "the plane is parallel to all rays; choose another" :
+		    "the plane goes through the eye; choose another";
+	memset(r, 0, sizeof *r);
+	r->divisor = sum_of_double(1);
+	memcpy(r->origin, m.origin, 2 * sizeof *m.origin);
+	for (int i = 0; i < 4; i++)
+		if (i != 2)
+			set_row(&m, i, p, r);
+	if (is_even(&m) && sum_sign(m.m[3][3]) < 0)
+		through = sum_neg(through);
+	map_over(r, sum_mul(through, m.divisor));
+	t->in = 2;
+	t->out = 3;
+	t->divide = t->front = true;
+	t->reciprocal = false;
+	t->kind = KERNEL_PROJECTIVE;
+	kernel_map_of(r, &t->for_kernel);
+	return map_is_finite(r) ? NULL :
+				  "the plane is too near to the eye, or the "
+				  "scene too large, for the range of doubles";
+}

@@ -19,6 +19,12 @@ const struct kernels *points_kernels(void)
 	return kernels;
 }
 
+/* Which column a kernel takes for z, by which it multiplies 0 where there is none. */
+static int third(const struct transform *t)
+{
+	return t->in == 2 ? 1 : 2;
+}
+
 /* x y z w, undivided, from two turns of the affine kernel: w's column stands
  * for each of the others in the second. */
 static bool carry_four(const struct transform *t, const double *const in[4],
@@ -149,7 +155,7 @@ static void carry_run(const struct transform *t, bool single,
 	struct rest r;
 
 	gather(t, in, out, first, end, &r);
-	const double *const in2[4] = { r.in[0], r.in[1], r.in[2] };
+	const double *const in2[4] = { r.in[0], r.in[1], r.in[third(t)] };
 	double *const out2[4] = { r.out[0], r.out[1], r.out[2] };
 
 	if (r.n > 0)
@@ -206,8 +212,11 @@ static void carry_within(const struct transform *t, const double tolerance[3],
 }
 
 void points_carry(const struct transform *t, const struct accuracy *a,
-    const double *const in[4], double *const out[4], size_t n)
+    const double *const given[4], double *const out[4], size_t n)
 {
+	const double *const in[4] = { given[0], given[1], given[third(t)],
+		given[3] };
+
 	if (a->tolerance[0] > 0)
 		carry_within(t, a->tolerance, in, out, n);
 	else if (a->precision == PRECISION_EXACT)
@@ -236,7 +245,7 @@ bool points_carry_floats(const struct transform *t, const char *in, char *out,
 	const float *const from[3] = { p[0], p[1], p[2] };
 	float *const to[3] = { q[0], q[1], q[2] };
 
-	if (fast == NULL)
+	if (fast == NULL || t->in != kernel_terms(t->kind))
 		return false;
 	kernels->split_floats[t->in](in, p, n);
 	/* kernels read whole vectors */

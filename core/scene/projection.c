@@ -103,8 +103,12 @@ static const char *cross_section(const struct projection *p, double d,
 		    sum_of_double(p->angle), f);
 		break;
 	case EXTENT_HEIGHT:
-		by_aspect(p->aspect, false, sum_of_double(2),
+		by_aspect(p->aspect, false, sum_of_double(2 * d),
 		    sum_of_double(p->height), f);
+		break;
+	case EXTENT_WIDTH:
+		by_aspect(p->aspect, true, sum_of_double(2 * d),
+		    sum_of_double(p->width), f);
 		break;
 	case EXTENT_SIZE:
 		f->x = f->y = sum_of_double(2 * d);

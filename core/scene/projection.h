@@ -15,6 +15,7 @@ enum extent {
 	EXTENT_FIELD,      /* half the larger side at unit distance, aspect */
 	EXTENT_SIZE,       /* width, height */
 	EXTENT_HEIGHT,     /* height, aspect */
+	EXTENT_WIDTH,      /* width, aspect */
 	EXTENT_EDGES,
 	EXTENT_ANGLES,     /* of the edges from the gaze */
 	EXTENT_INTRINSICS, /* what makes pixels of a point in view space */
@@ -75,7 +76,7 @@ static inline bool projection_is_open(const struct projection *p)
 static inline bool projection_is_by_near(const struct projection *p)
 {
 	return p->type == PROJECTION_PERSP && p->edges_at == 0 &&
-	    (p->extent == EXTENT_SIZE || p->extent == EXTENT_EDGES);
+	    p->extent >= EXTENT_SIZE && p->extent <= EXTENT_EDGES;
 }
 
 static inline bool projection_is_by_p(const struct projection *p)

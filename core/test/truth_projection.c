@@ -69,7 +69,10 @@ static void cross_section(const struct projection *p, real n, real s[2],
 		by_aspect(p, wide, over(ONE, number(p->angle)), s);
 		break;
 	case EXTENT_HEIGHT:
-		by_aspect(p, false, over(TWO, number(p->height)), s);
+		by_aspect(p, false, over(mul(TWO, n), number(p->height)), s);
+		break;
+	case EXTENT_WIDTH:
+		by_aspect(p, true, over(mul(TWO, n), number(p->width)), s);
 		break;
 	case EXTENT_SIZE:
 		s[0] = over(mul(TWO, n), number(p->width));
