@@ -70,9 +70,11 @@ static bool is_added(const struct options *o, const struct layout *l,
 	static const char *const added[] = { "z", "dx", "dy", "dz" };
 	bool is = o->flags && leads_into(name, "flags");
 
-	for (int i = 0; i < 4 && l->writes > 4; i++)
+	int n = l->writes > 4 ? 4 : l->reads == 2 && l->writes == 3;
+
+	for (int i = 0; i < n; i++)
 		is |= leads_into(name, added[i]);
-	return is || (l->reads < l->writes && leads_into(name, "w"));
+	return is || (l->writes == 4 && l->reads == 3 && leads_into(name, "w"));
 }
 
 static void check_columns_of(const struct options *o, const struct layout *l)

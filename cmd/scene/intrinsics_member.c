@@ -3,15 +3,18 @@
  * in pixels. */
 #include "members.h"
 
-#define FORMS "[fx, fy, cx, cy], 3 rows of 3, K, or 3 rows of 4, P"
+#define FORMS                                                         \
+	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
+	"rows of 4 or 12 numbers"
 
-/* fx and fy are sizes; below the diagonal there is 0, and in the last row 1 on it. */
-static void check(const struct value *e, int i, size_t j, double a)
+/* Of K: fx and fy are sizes; below the diagonal there is 0, and in the last row 1 on
+ * it. */
+static void check_k(const struct value *e, int i, size_t j, double a)
 {
-	if (i == 2 && j < 3 && a != (j == 2))
+	if (i == 2 && a != (j == 2))
 		value_refuse(e,
-		    "its last row begins 0, 0, 1; is it a camera's "
-		    "K or P, and not transposed?");
+		    "the last row of K is 0, 0, 1; is it a camera's K, and "
+		    "not transposed?");
 	if (j < (size_t)i && a != 0)
 		value_refuse(e,
 		    "under the diagonal of K there is 0; is it "
@@ -20,14 +23,40 @@ static void check(const struct value *e, int i, size_t j, double a)
 		value_number(e, &range_positive);
 }
 
-static void read_row(const struct value *row, int i, size_t n, double k[4])
+/* Row i, whose first element is *e, which goes on to the next row's. */
+static void read_row(struct value *e, int i, size_t n, double k[4])
 {
-	value_numbers(row, &range_any, n, k);
-	struct value e = value_child(row);
+	for (size_t j = 0; j < n; j++, value_next(e)) {
+		k[j] = value_number(e, &range_any);
+		if (n == 3 && !e->unused)
+			check_k(e, i, j, k[j]);
+	}
+}
 
-	for (size_t j = 0; j < n; j++, value_next(&e))
-		if (!row->unused)
-			check(&e, i, j, k[j]);
+/* K where n is 3, P where it is 4: rows, or one row after the other. */
+static void read_rows(const struct value *v, size_t n, bool nested,
+    double k[3][4])
+{
+	struct value e = value_child(v);
+
+	for (int i = 0; i < 3; i++) {
+		struct value row = e;
+
+		if (!nested) {
+			read_row(&e, i, n, k[i]);
+			continue;
+		}
+		value_numbers(&row, &range_any, n, k[i]);
+		struct value first = value_child(&row);
+
+		read_row(&first, i, n, k[i]);
+		value_next(&e);
+	}
+	if (n == 4 && k[2][0] == 0 && k[2][1] == 0 && k[2][2] == 0 &&
+	    !v->unused)
+		value_refuse(v,
+		    "the last row of P begins 0, 0, 0; a perspective divides "
+		    "by more than one number");
 }
 
 void read_intrinsics(const struct value *v, const struct member *row, void *to)
@@ -40,14 +69,16 @@ void read_intrinsics(const struct value *v, const struct member *row, void *to)
 	if (!value_is_array(v))
 		value_wrong(v, FORMS ",");
 	first = value_child(v);
-	if (value_count(v) == 3 && value_is_array(&first)) {
-		size_t n = value_count(&first) == 4 ? 4 : 3;
+	size_t n = value_count(v);
+	bool nested = value_is_array(&first);
 
-		for (int i = 0; i < 3; i++, value_next(&first))
-			read_row(&first, i, n, k[i]);
+	if (nested ? n == 3 : n == 9 || n == 12) {
+		size_t columns = nested ? value_count(&first) : n / 3;
+
+		read_rows(v, columns == 4 ? 4 : 3, nested, k);
 		return;
 	}
-	if (value_count(v) != 4 || value_is_array(&first))
+	if (n != 4 || nested)
 		value_refuse(v, "is none of " FORMS);
 	value_numbers(v, &range_any, 4, four);
 	for (int i = 0; i < 2; i++, value_next(&first)) {

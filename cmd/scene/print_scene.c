@@ -96,7 +96,9 @@ void put_edges(struct printer *p, double left, double right, double bottom,
 static void put_intrinsics(struct printer *p, const double k[3][4])
 {
 	const double four[4] = { k[0][0], k[1][1], k[0][2], k[1][2] };
-	bool offset = k[0][3] != 0 || k[1][3] != 0 || k[2][3] != 0;
+	bool offset = k[0][3] != 0 || k[1][3] != 0 || k[2][3] != 0 ||
+	    k[1][0] != 0 || k[2][0] != 0 || k[2][1] != 0 || k[2][2] != 1 ||
+	    !(k[0][0] > 0) || !(k[1][1] > 0);
 
 	if (!offset && k[0][1] == 0) {
 		put_numbers_member(p, "intrinsics", four, 4);
