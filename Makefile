@@ -123,7 +123,7 @@ $(addprefix $(BUILD)/core/,exact/exact.o exact/map.o exact/sum.o derive/frustum.
     cmd/lines cmd/stream cmd/number cmd/number/vector): \
     FLAGS += -Wframe-larger-than=32768
 # Others' libraries at their best, for this very processor.
-$(PEERS): FLAGS += -O3 -march=native -ffp-contract=fast
+$(PEERS): FLAGS += -O3 -march=native -ffp-contract=fast -ftree-slp-vectorize
 
 $(STABILITY): $(call objects,core/study)
 $(CORE_TESTS) $(STABILITY): $(BUILD)/%: $(BUILD)/%.o $(TRUTH) $(CORE)
