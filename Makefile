@@ -160,15 +160,16 @@ bench: $(BUILD)/projcalc $(BENCHES) ## speed and errors, beside other programs
 	@perl cmd/bench/bench.pl $(BUILD)
 stability: $(STABILITY) ## where double breaks and exact does not
 	@$< table
-chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures; README's table
+chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures; README's figures
 	$< data > $<.dat
 	gnuplot -e "data='$<.dat'" core/study/stability.gp \
 	    > testdata/charts/stability.svg
 	perl cmd/bench/bench.pl $(BUILD) > $(BUILD)/bench.md
 	perl cmd/bench/names.pl $(BUILD)/bench
-	gnuplot -c cmd/bench/bench.gp $(BUILD)/bench testdata/charts
+	gnuplot -c cmd/bench/speed.gp $(BUILD)/bench \
+	    > testdata/charts/speed.svg
 	mv $(BUILD)/bench.md testdata/charts/bench.md
-	perl -i cmd/bench/rows.pl testdata/charts/bench.md README.md
+	perl -i cmd/bench/short.pl testdata/charts/bench.md README.md
 
 oracle: $(BUILD)/core/test/oracle_test ## random scenes and points against MPFR
 	@$< 1000000

@@ -2,14 +2,15 @@
 # SPDX-License-Identifier: MIT
 # Measures the program beside what people use instead, and prints a page in
 # markdown: whole programs, which take turns, and points in memory. Errors are
-# those from the truth in MPFR, by worst.c and peers.c. What bench.gp draws is
-# left in BUILD/bench.
+# those from the truth in MPFR, by worst.c and peers.c. The page begins with what
+# short.pl copies to README; what speed.gp draws is left in BUILD/bench.
 # usage: [BENCH_SECONDS=N] bench.pl BUILD
 use strict;
 use warnings;
 use Cwd qw(abs_path);
 use File::Basename;
 use List::Util qw(first);
+use Text::Wrap qw(fill);
 
 my $seconds = $ENV{BENCH_SECONDS} // 200;
 my ($points, $few, $copies) = (1e6, 1e4, 8);
@@ -21,12 +22,17 @@ mkdir "$build/bench";
 chdir "$build/bench" or die "$build/bench: $!\n";
 
 my (@rows, %row, @left_out);
-my @threads = (['text, one thread', 'text'], ['text, two threads', '-j 2'],
-    ['f64, one thread', 'f64'], ['f64, two threads', 'f64 -j 2']);
+
+# Rows that are compared with ours.
+my $hand = 'hand loop, double';
+my $standard = 'standard loop, double';
+my $glm = 'stdio GLM, double';
+my $loop = 'binary loop, double';
 
 # A whole program. In its command {name} is an input, which is made by make_inputs
 # and of which few points are enough for its error; "from" and "to" are the
-# formats of its points, and none are compared where "to" is missing.
+# formats of its points, and none are compared where "to" is missing. It is drawn
+# where it has a label.
 sub row {
 	my ($key, $name, $command, %more) = @_;
 	push @rows, $row{$key} = {
@@ -112,10 +118,8 @@ sub our_rows {
 	my $run = 'projcalc project -j 1';
 	my @f64 = (group => 'binary', from => 'f64', to => 'f64',
 	    n => $copies * $points);
-	for my $how ('', ' -t 1e-6', ' -t 0.01', ' -t 0.5', ' -p double',
-	    ' -p single') {
-		my @chart = (kind => 'ours',
-		    label => $how ? substr $how, 1 : 'exact');
+	for my $how ('', ' -p double', ' -p single') {
+		my @chart = (kind => 'ours', label => substr $how || ' exact', 1);
 		row("text$how", "`projcalc$how`", "$run$how scene.json {text}",
 		    group => 'text', to => 'text', @chart);
 		row("f64$how", "`projcalc$how -i f64`",
@@ -163,24 +167,32 @@ sub our_rows {
 	    if has('jq');
 }
 
-# Others, with the quickest way in and out that they have; GLM also as most
-# people write it.
+# Others. Of text the way in and out decides, not the library: the loop as one
+# writes it by hand and with the fastest functions of C++, GLM as most people
+# write it.
 sub their_rows {
 	my (@peers) = @_;
 	my @text = (group => 'text', to => 'text', kind => 'double');
 	my @f64 = (group => 'binary', from => 'f64', to => 'f64',
 	    kind => 'double', n => $copies * $points);
+	my $peer = sub {
+		my ($filter, $name, $how, @more) = @_;
+		row("$filter $name", "$name, $how",
+		    "peers $filter '$name' <{text}", @text, @more);
+	};
 	for (@peers) {
 		my ($label, $kind) = split /, /;
 		my @chart = (kind => $kind, label => $label);
 		my $type = $kind eq 'float' ? 'f32' : 'f64';
-		row("text $_", "$_, fast_float, std::to_chars",
-		    "peers text '$_' <{text}", @text, @chart);
-		row("binary $_", "$_, fread, fwrite",
+		row("binary $_", "$_, fread, write",
 		    "peers binary '$_' <{$type}", @f64, from => $type,
 		    to => $type, @chart);
-		row("stdio $_", "$_, scanf, printf", "peers stdio '$_' <{text}",
-		    @text, @chart, label => "$label, scanf") if /GLM/;
+		$peer->('hand', $_, 'by hand', @chart, label => 'by hand')
+		    if /loop/;
+		$peer->('standard', $_, 'fast_float, std::to_chars', @chart,
+		    label => 'fast_float, to_chars') if /loop, double/;
+		$peer->('stdio', $_, 'scanf, printf', @chart,
+		    label => 'GLM, scanf, printf') if /GLM/;
 	}
 	for my $library (qw(GLM cglm Eigen)) {
 		push @left_out, $library unless grep { /^$library,/ } @peers;
@@ -188,11 +200,11 @@ sub their_rows {
 	my $python = first { !system "$_ -c 'import numpy' 2>/dev/null" }
 	    qw(python3 /usr/bin/python3);
 	if ($python) {
-		my $peer = "OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $python " .
+		my $script = "OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $python " .
 		    "$here/peer/peer.py matrix";
-		row('numpy', 'numpy, loadtxt, savetxt', "$peer text {text}",
+		row('numpy', 'numpy, loadtxt, savetxt', "$script text {text}",
 		    @text, label => 'numpy');
-		row('fromfile', 'numpy, fromfile, tofile', "$peer f64 {f64}",
+		row('fromfile', 'numpy, fromfile, tofile', "$script f64 {f64}",
 		    @f64, label => 'numpy');
 	} else {
 		push @left_out, 'python3 with numpy';
@@ -200,8 +212,8 @@ sub their_rows {
 	row('mawk', 'mawk', "mawk -f $here/peer/peer.awk matrix {text}",
 	    @text, label => 'mawk') if has('mawk');
 	row('cct', 'PROJ, cct', 'cct -d 15 -t 0 +proj=affine ' . affine() .
-	    ' {text}', @text, group => 'affine', space => 'view',
-	    label => 'cct, affine map alone') if has('cct');
+	    ' {text}', to => 'text', group => 'affine', space => 'view')
+	    if has('cct');
 	return $python;
 }
 
@@ -243,28 +255,66 @@ print(\"Python\", sys.version.split()[0] + \", numpy\", numpy.__version__)'")
 	return map { "- $_" } @lines;
 }
 
-# Whole programs of a group.
+# Whole programs beside the first of them.
 sub programs {
-	my ($group, $base) = @_;
+	my ($base, @others) = @_;
 	print "| | ns a point | times $base->{name} | worst error |
 |---|--:|--:|--:|\n";
-	for (grep { ($_->{group} // '') eq $group } @rows) {
-		printf "| %s | %.1f | %.2f | %s |\n", $_->{name}, $_->{cpu},
-		    $_->{cpu} / $base->{cpu}, $_->{error};
-	}
+	printf "| %s | %.1f | %s | %s |\n", @$_{qw(name cpu)},
+	    ratio($_->{key}, $base->{key}), $_->{error} for $base, @others;
+}
+
+sub group {
+	my ($group) = @_;
+	programs(grep { ($_->{group} // '') eq $group } @rows);
+}
+
+# For README: its table, and its sentences with figures.
+sub short {
+	my $avx2 = sub {
+		my $times = ratio(@_, 'avx2');
+		return $times ? ", and $times times where that has AVX2 alone" :
+		    '';
+	};
+	my $glm_times = ratio($glm, 'text');
+	local $Text::Wrap::columns = 85;
+	my @words = ('The loop by hand takes', ratio($hand, 'text'), 'times as',
+	    'long as `projcalc`' . $avx2->($hand) . '. It is the best that one',
+	    'writes: blocks by read(), eight digits at a time in a word,',
+	    "columns that the compiler makes vectors of, dragonbox's digits",
+	    'written in place.', $glm_times ? 'GLM with scanf and printf takes ' .
+	    "$glm_times times as long" . $avx2->($glm) . '.' : (), 'Exact takes',
+	    ratio('text', 'text -p double'), 'times as long as `-p double` in',
+	    'text; in binary, where there are no digits,',
+	    ratio('f64', 'f64 -p double'), 'times, and', ratio('f64', $loop),
+	    'times as long as a loop in double.');
+	programs(grep { $_ } @row{'text', $hand, $standard, $glm, 'numpy',
+	    'mawk'});
+	print "\n", fill('', '', "@words"), "\n";
+}
+
+# How many times the CPU time, or another, of the second row the first takes; undef
+# where GLM or AVX2 is missing.
+sub ratio {
+	my ($a, $b, $clock) = @_;
+	return unless $row{$a} && $row{$b};
+	return sprintf '%.2f', $row{$a}{$clock // 'cpu'} /
+	    $row{$b}{$clock // 'cpu'};
 }
 
 # Ratios of two rows' times, a line each.
 sub ratios {
-	my $glm = 'stdio GLM, double';
-	my $loop = 'text loop, double';
 	my @ratios = (
 		['GLM in double with scanf and printf, against exact text',
 		    $glm, 'text'],
 		['the same, `PROJCALC_CPU=avx2`', $glm, 'avx2'],
+		['loop in double by hand, against exact text', $hand, 'text'],
+		['the same, `PROJCALC_CPU=avx2`', $hand, 'avx2'],
 		['loop in double with fast_float and std::to_chars, against ' .
-		    'exact text', $loop, 'text'],
-		['the same, `PROJCALC_CPU=avx2`', $loop, 'avx2'],
+		    'exact text', $standard, 'text'],
+		['exact against `-p double`, text', 'text', 'text -p double'],
+		['exact against `-p double`, f64', 'f64', 'f64 -p double'],
+		['exact against a loop in double, f64', 'f64', $loop],
 		['one thread against two, text', 'text', '-j 2'],
 		['one thread against two, f64', 'f64', 'f64 -j 2'],
 		['`-d 6` against shortest', 'digits', 'text'],
@@ -274,8 +324,6 @@ sub ratios {
 		['csv with `--columns` against text', 'columns', 'text'],
 		['`--flags` against none', 'flags', 'text'],
 		['17 digits against six decimals, read', 'long', 'text'],
-		['`-t 0.01` against exact, text', 'text -t 0.01', 'text'],
-		['`-t 0.01` against exact, f64', 'f64 -t 0.01', 'f64'],
 		['exact f64 through a pipe, from cat, against cat to cat',
 		    'piped', 'cat'],
 		['f64 `-p double` against f32 `-p single`', 'f64 -p double',
@@ -285,10 +333,9 @@ sub ratios {
 	);
 	print "| | CPU | wall |\n|---|--:|--:|\n";
 	for (@ratios) {
-		my ($name, $a, $b) = ($_->[0], @row{@$_[1, 2]});
-		next unless $a && $b;    # GLM and AVX2 may be missing
-		printf "| %s | %.2f | %.2f |\n", $name, $a->{cpu} / $b->{cpu},
-		    $a->{wall} / $b->{wall};
+		my ($name, @two) = @$_;
+		my $cpu = ratio(@two) or next;
+		print "| $name | $cpu | ", ratio(@two, 'wall'), " |\n";
 	}
 }
 
@@ -319,9 +366,12 @@ sub page {
 Medians of runs that take turns. Times are CPU time, unless they are called wall.
 A ratio is of the two times.
 
-## Ratios
+## In short
 
+<!-- speed -->
 ";
+	short();
+	print "<!-- -->\n\n## Ratios\n\n";
 	ratios();
 	print "\n## Text, one thread
 
@@ -329,17 +379,20 @@ $points lines of three numbers with six decimals, world to device; errors in
 pixels, from MPFR.
 
 ";
-	programs('text', $row{text});
+	group('text');
 	print "\nAn affine map alone, errors in units of the world:\n\n";
-	programs('affine', $row{affine});
+	group('affine');
 	printf "\n## Binary, one thread
 
 %d points of f64, or of f32 for floats.
 
 ", $copies * $points;
-	programs('binary', $row{f64});
+	group('binary');
 	print "\n## Two threads\n
 | | million points a second, wall |\n|---|--:|\n";
+	my @threads = (['text, one thread', 'text'],
+	    ['text, two threads', '-j 2'], ['f64, one thread', 'f64'],
+	    ['f64, two threads', 'f64 -j 2']);
 	printf "| %s | %.2f |\n", $_->[0], 1e3 / $row{$_->[1]}{wall}
 	    for @threads;
 	print "\n## In memory, one thread
@@ -359,12 +412,12 @@ ordinary scenes. 1e9 away from the origin they have no room for them.
 	    if @left_out;
 }
 
-# What names.pl and bench.gp draw: panel, kind, label, time, error, and in memory
+# What names.pl and speed.gp draw: panel, kind, label, time, error, and in memory
 # the error of scenes far away.
 sub draw {
 	my (@memory) = @_;
-	my @points = map { [$_->{group} eq 'affine' ? 'text' : $_->{group},
-	    @$_{qw(kind label cpu error)}] } grep { $_->{label} } @rows;
+	my @points = map { [@$_{qw(group kind label cpu error)}] }
+	    grep { $_->{label} } @rows;
 	for (@memory) {
 		my ($name, @figures) = split /[\t\n]/;
 		my ($who, $what) = split /, /, $name;
@@ -372,8 +425,6 @@ sub draw {
 		    ($what, $who), @figures];
 	}
 	spew('points.tsv', map { join("\t", @$_) . "\n" } @points);
-	spew('threads.tsv', map { join("\t", $_->[0],
-	    1e3 / $row{$_->[1]}{wall}) . "\n" } @threads);
 }
 
 spew('scene.json', '{
