@@ -33,11 +33,11 @@ struct entry {
 };
 
 static struct entry entries[ENTRIES_MAX] = {
-	{ .name = "projcalc, exact", .accuracy = { PRECISION_EXACT, { 0 } } },
+	{ .name = "projcalc, exact", .accuracy.precision = PRECISION_EXACT },
 	{ .name = "projcalc, -p double",
-	    .accuracy = { PRECISION_DOUBLE, { 0 } } },
+	    .accuracy.precision = PRECISION_DOUBLE },
 	{ .name = "projcalc, -p single",
-	    .accuracy = { PRECISION_SINGLE, { 0 } } },
+	    .accuracy.precision = PRECISION_SINGLE },
 };
 static int n_entries = 3;
 
