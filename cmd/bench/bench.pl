@@ -12,7 +12,7 @@ use File::Basename;
 use List::Util qw(first);
 use Text::Wrap qw(fill);
 
-my $seconds = $ENV{BENCH_SECONDS} // 200;
+my $seconds = $ENV{BENCH_SECONDS} // 300;
 my ($points, $few, $copies) = (1e6, 1e4, 8);
 my $here = dirname(abs_path($0));
 my $build = abs_path($ARGV[0] // 'build');
@@ -64,14 +64,81 @@ sub ask {
 
 ### What is measured
 
+# Kinds of lines: the name, the kind that it is compared with, options, and a line
+# of three coordinates.
+my $kind_lines = 5e5;
+my @object = ('objects', '-i json');
+my @kinds = (
+	['lines', '', '', sub { "@_" }],
+	['an exponent', 'lines', '', sub { "$_[0]e-01 $_[1] $_[2]" }],
+	['a plus', 'lines', '', sub { "+@_" =~ s/\+-/-/r }],
+	['17 digits', 'lines', '', sub { sprintf '%.17g %.17g %.17g',
+	    map { $_ * 1.1 } @_ }],
+	['%.18e', 'lines', '', sub { sprintf '%.18e %.18e %.18e', @_ }],
+	['whole numbers', 'lines', '', sub { join ' ',
+	    map { int abs $_ * 1e3 } @_ }],
+	['tabs', 'lines', '', sub { join "\t", @_ }],
+	['blanks before', 'lines', '', sub { "   @_" }],
+	['a name behind', 'lines', '', sub { "@_ name" }],
+	['CR LF', 'lines', '', sub { "@_\r" }],
+	['-d 6', 'lines', '-d 6', sub { "@_" }],
+	['-d 20', 'lines', '-d 20', sub { "@_" }],
+	['--digits 6', '-d 6', '--digits 6', sub { "@_" }],
+	['--flags', 'lines', '--flags', sub { "@_" }],
+	['trace', 'lines', 'trace', sub { "@_" }],
+	['csv', 'lines', '-i csv', sub { join ',', @_ }],
+	['csv by --columns', 'csv', '-i csv --columns 2,3,4',
+	    sub { join ',', 'id', @_ }],
+	['csv, quoted coordinates', 'csv', '-i csv',
+	    sub { join ',', map { "\"$_\"" } @_ }],
+	['csv, quoted first field', 'csv', '-i csv --columns 2,3,4',
+	    sub { join ',', '"a, b"', @_ }],
+	['csv, a quoted field behind', 'csv', '-i csv',
+	    sub { join ',', @_, '"a, b"' }],
+	['csv with semicolons', 'csv', '-i csv --separator ";"',
+	    sub { join ';', @_ }],
+	['JSON arrays', 'lines', '-i json',
+	    sub { sprintf '[%s,%s,%s]', @_ }],
+	['JSON arrays with blanks', 'JSON arrays', '-i json',
+	    sub { sprintf '[ %s, %s, %s ]', @_ }],
+	['objects', 'lines', '-i json',
+	    sub { sprintf '{"id":7,"x":%s,"y":%s,"z":%s}', @_ }],
+	['objects with blanks', @object,
+	    sub { sprintf '{"id": 7, "x": %s, "y": %s, "z": %s}', @_ }],
+	['objects, an escaped quote', @object,
+	    sub { sprintf '{"id":"a\"b","x":%s,"y":%s,"z":%s}', @_ }],
+	['objects, \u00e9', @object,
+	    sub { sprintf '{"id":"caf\u00e9","x":%s,"y":%s,"z":%s}', @_ }],
+	['objects, an exponent elsewhere', @object,
+	    sub { sprintf '{"id":1e5,"x":%s,"y":%s,"z":%s}', @_ }],
+	['objects, a nested member', @object,
+	    sub { sprintf '{"id":{"a":[1,2]},"x":%s,"y":%s,"z":%s}', @_ }],
+	['objects by pointers', 'objects',
+	    '-i json --columns /p/x,/p/y,/p/z',
+	    sub { sprintf '{"id":7,"p":{"x":%s,"y":%s,"z":%s}}', @_ }],
+);
+
+# Their inputs: few lines, many times over.
+sub make_kinds {
+	my ($folder) = @_;
+	my $lines = 2e4;
+	srand 2;
+	my @points = map { [map { sprintf '%.6f', rand(4) - 2 } 1 .. 3] }
+	    1 .. $lines;
+	for (@kinds) {
+		my ($name, undef, undef, $line) = @$_;
+		my $text = join '', map { $line->(@$_) . "\n" } @points;
+		spew("$folder/$name", ($text) x ($kind_lines / $lines));
+	}
+}
+
 # The scene of view.h, and points in every format; binary ones are quick, so there
 # are more of them.
 sub make_inputs {
 	my ($folder, $n, $copies) = @_;
 	my %file;
 	mkdir $folder;
-	for (qw(text long csv table json objects document pixels f64
-	    f32)) {
+	for (qw(text document pixels f64 f32)) {
 		open $file{$_}, '>:raw', "$folder/$_" or die "$folder/$_: $!\n";
 	}
 	my $put = sub { print {$file{$_[0]}} @_[1 .. $#_] };
@@ -79,16 +146,9 @@ sub make_inputs {
 	$put->(document => '{"points": [');
 	for my $i (1 .. $n) {
 		my @p = map { sprintf '%.6f', rand(4) - 2 } 1 .. 3;
-		my $p = join ',', @p;
 		$put->(text => "@p\n");
-		$put->(long => sprintf("%.17g %.17g %.17g\n",
-		    map { $_ + (rand() - 0.5) * 1e-6 } @p));
-		$put->(csv => "$p\n");
-		$put->(table => "id,$p\n");
-		$put->(json => "[$p]\n");
-		$put->(objects => sprintf(qq({"id":%d,"x":%s,"y":%s,"z":%s}\n),
-		    $i, @p));
-		$put->(document => ",\n" x ($i > 1) . "[$p]");
+		$put->(document => ",\n" x ($i > 1) . '[' .
+		    join(',', @p) . ']');
 		$put->(pixels => sprintf("%.6f %.6f\n", 320 + 160 * $p[0],
 		    240 + 120 * $p[1]));
 		$put->(f64 => pack 'd<*', @p);
@@ -134,13 +194,12 @@ sub our_rows {
 	    group => 'affine', to => 'text', space => 'view');
 	row('avx2', '', "PROJCALC_CPU=avx2 $run scene.json {text}")
 	    if `lscpu` =~ /avx2/;
-	row('digits', '', "$run -d 6 scene.json {text}");
-	row('flags', '', "$run --flags scene.json {text}");
-	row('csv', '', "$run -i csv scene.json {csv}");
-	row('columns', '', "$run -i csv --columns 2,3,4 scene.json {table}");
-	row('json', '', "$run -i json scene.json {json}");
-	row('objects', '', "$run -i json scene.json {objects}");
-	row('long', '', "$run scene.json {long}");
+	for (@kinds) {
+		my ($name, $usual, $how) = @$_;
+		my $command = $how =~ /^trace/ ? 'projcalc' : $run;
+		row($name, $name, "$command $how -j 1 scene.json {$name}",
+		    group => 'kinds', usual => $usual, n => $kind_lines);
+	}
 	row('ray', '', "$run --ray scene.json {pixels}");
 	row('document', '', "$run {document}");
 	row("-j $_", '', "projcalc project -j $_ scene.json {text}")
@@ -221,7 +280,7 @@ sub their_rows {
 
 sub command {
 	my ($row, $folder) = @_;
-	return $row->{command} =~ s/\{(\w+)\}/$folder\/$1/gr;
+	return $row->{command} =~ s/\{(.*?)\}/'$folder\/$1'/gr;
 }
 
 sub measure_errors {
@@ -273,8 +332,8 @@ sub group {
 sub short {
 	my $avx2 = sub {
 		my $times = ratio(@_, 'avx2');
-		return $times ? ", and $times times where that has AVX2 alone" :
-		    '';
+		return $times ?
+		    ", $times times where `projcalc` has AVX2 alone" : '';
 	};
 	my $glm_times = ratio($glm, 'text');
 	local $Text::Wrap::columns = 85;
@@ -317,13 +376,6 @@ sub ratios {
 		['exact against a loop in double, f64', 'f64', $loop],
 		['one thread against two, text', 'text', '-j 2'],
 		['one thread against two, f64', 'f64', 'f64 -j 2'],
-		['`-d 6` against shortest', 'digits', 'text'],
-		['csv against text', 'csv', 'text'],
-		['JSON lines against text', 'json', 'text'],
-		['JSON objects against text', 'objects', 'text'],
-		['csv with `--columns` against text', 'columns', 'text'],
-		['`--flags` against none', 'flags', 'text'],
-		['17 digits against six decimals, read', 'long', 'text'],
 		['exact f64 through a pipe, from cat, against cat to cat',
 		    'piped', 'cat'],
 		['f64 `-p double` against f32 `-p single`', 'f64 -p double',
@@ -336,6 +388,16 @@ sub ratios {
 		my ($name, @two) = @$_;
 		my $cpu = ratio(@two) or next;
 		print "| $name | $cpu | ", ratio(@two, 'wall'), " |\n";
+	}
+}
+
+# Kinds of lines beside those that are usual.
+sub kinds {
+	print "| | ns a line | times | of |\n|---|--:|--:|---|\n";
+	for (grep { ($_->{group} // '') eq 'kinds' } @rows) {
+		my ($name, $usual) = @$_{qw(name usual)};
+		printf "| %s | %.1f | %s | %s |\n", $name, $_->{cpu},
+		    $usual ? (ratio($name, $usual), $usual) : ('', '');
 	}
 }
 
@@ -402,6 +464,8 @@ ordinary scenes. 1e9 away from the origin they have no room for them.
 
 | | ns a point | worst error | 1e9 away |\n|---|--:|--:|--:|\n";
 	print map { s/\t/ | /gr =~ s/(.*)/| $1 |/r } @memory;
+	print "\n## Kinds of lines, one thread\n\n";
+	kinds();
 	print "\n## Other figures\n\n";
 	others();
 	print "\n## Scale: cores that one process keeps at work\n\n",
@@ -436,6 +500,7 @@ spew('scene.json', '{
 spew('matrix', ask('projcalc project --matrix scene.json'));
 make_inputs('all', $points, $copies);
 make_inputs('few', $few, 1);
+make_kinds('all');
 my @memory = split /^/, ask('peers');
 our_rows();
 my $python = their_rows(grep { !/^projcalc/ } map { s/\t.*\n//r } @memory);
