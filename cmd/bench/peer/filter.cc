@@ -66,7 +66,7 @@ struct standard {
 	}
 	template <class T> static char *write(char *to, T value)
 	{
-		return std::to_chars(to, to + NUMBER_MAX, value).ptr;
+		return std::to_chars(to, to + HAND_MAX, value).ptr;
 	}
 };
 
@@ -107,7 +107,7 @@ static const char *parse(T *columns, const char *s, const char *end, size_t *n)
 template <class Number, class T>
 static bool carry_lines(blocks<T> &b, const char *s, const char *end)
 {
-	static char lines[3 * PEER_BLOCK * NUMBER_MAX];
+	static char lines[3 * PEER_BLOCK * HAND_MAX];
 
 	while (s < end) {
 		char *to = lines;
