@@ -123,7 +123,7 @@ $(addprefix $(BUILD)/core/,exact/exact.o exact/map.o exact/sum.o derive/frustum.
     cmd/lines cmd/stream cmd/number cmd/number/vector): \
     FLAGS += -Wframe-larger-than=32768
 # Others' libraries at their best, for this very processor.
-$(PEERS): FLAGS += -O3 -march=native -ffp-contract=fast
+$(PEERS): FLAGS += -O3 -march=native -ffp-contract=fast -ftree-slp-vectorize
 
 $(STABILITY): $(call objects,core/study)
 $(CORE_TESTS) $(STABILITY): $(BUILD)/%: $(BUILD)/%.o $(TRUTH) $(CORE)
@@ -160,15 +160,16 @@ bench: $(BUILD)/projcalc $(BENCHES) ## speed and errors, beside other programs
 	@perl cmd/bench/bench.pl $(BUILD)
 stability: $(STABILITY) ## where double breaks and exact does not
 	@$< table
-chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures; README's table
+chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures; README's figures
 	$< data > $<.dat
 	gnuplot -e "data='$<.dat'" core/study/stability.gp \
 	    > testdata/charts/stability.svg
 	perl cmd/bench/bench.pl $(BUILD) > $(BUILD)/bench.md
 	perl cmd/bench/names.pl $(BUILD)/bench
-	gnuplot -c cmd/bench/bench.gp $(BUILD)/bench testdata/charts
+	gnuplot -c cmd/bench/speed.gp $(BUILD)/bench \
+	    > testdata/charts/speed.svg
 	mv $(BUILD)/bench.md testdata/charts/bench.md
-	perl -i cmd/bench/rows.pl testdata/charts/bench.md README.md
+	perl -i cmd/bench/short.pl testdata/charts/bench.md README.md
 
 oracle: $(BUILD)/core/test/oracle_test ## random scenes and points against MPFR
 	@$< 1000000

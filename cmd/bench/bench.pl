@@ -2,16 +2,17 @@
 # SPDX-License-Identifier: MIT
 # Measures the program beside what people use instead, and prints a page in
 # markdown: whole programs, which take turns, and points in memory. Errors are
-# those from the truth in MPFR, by worst.c and peers.c. What bench.gp draws is
-# left in BUILD/bench.
+# those from the truth in MPFR, by worst.c and peers.c. The page begins with what
+# short.pl copies to README; what speed.gp draws is left in BUILD/bench.
 # usage: [BENCH_SECONDS=N] bench.pl BUILD
 use strict;
 use warnings;
 use Cwd qw(abs_path);
 use File::Basename;
 use List::Util qw(first);
+use Text::Wrap qw(fill);
 
-my $seconds = $ENV{BENCH_SECONDS} // 200;
+my $seconds = $ENV{BENCH_SECONDS} // 300;
 my ($points, $few, $copies) = (1e6, 1e4, 8);
 my $here = dirname(abs_path($0));
 my $build = abs_path($ARGV[0] // 'build');
@@ -21,12 +22,17 @@ mkdir "$build/bench";
 chdir "$build/bench" or die "$build/bench: $!\n";
 
 my (@rows, %row, @left_out);
-my @threads = (['text, one thread', 'text'], ['text, two threads', '-j 2'],
-    ['f64, one thread', 'f64'], ['f64, two threads', 'f64 -j 2']);
+
+# Rows that are compared with ours.
+my $hand = 'hand loop, double';
+my $standard = 'standard loop, double';
+my $glm = 'stdio GLM, double';
+my $loop = 'binary loop, double';
 
 # A whole program. In its command {name} is an input, which is made by make_inputs
 # and of which few points are enough for its error; "from" and "to" are the
-# formats of its points, and none are compared where "to" is missing.
+# formats of its points, and none are compared where "to" is missing. It is drawn
+# where it has a label.
 sub row {
 	my ($key, $name, $command, %more) = @_;
 	push @rows, $row{$key} = {
@@ -58,14 +64,81 @@ sub ask {
 
 ### What is measured
 
+# Kinds of lines: the name, the kind that it is compared with, options, and a line
+# of three coordinates.
+my $kind_lines = 5e5;
+my @object = ('objects', '-i json');
+my @kinds = (
+	['lines', '', '', sub { "@_" }],
+	['an exponent', 'lines', '', sub { "$_[0]e-01 $_[1] $_[2]" }],
+	['a plus', 'lines', '', sub { "+@_" =~ s/\+-/-/r }],
+	['17 digits', 'lines', '', sub { sprintf '%.17g %.17g %.17g',
+	    map { $_ * 1.1 } @_ }],
+	['%.18e', 'lines', '', sub { sprintf '%.18e %.18e %.18e', @_ }],
+	['whole numbers', 'lines', '', sub { join ' ',
+	    map { int abs $_ * 1e3 } @_ }],
+	['tabs', 'lines', '', sub { join "\t", @_ }],
+	['blanks before', 'lines', '', sub { "   @_" }],
+	['a name behind', 'lines', '', sub { "@_ name" }],
+	['CR LF', 'lines', '', sub { "@_\r" }],
+	['-d 6', 'lines', '-d 6', sub { "@_" }],
+	['-d 20', 'lines', '-d 20', sub { "@_" }],
+	['--digits 6', '-d 6', '--digits 6', sub { "@_" }],
+	['--flags', 'lines', '--flags', sub { "@_" }],
+	['trace', 'lines', 'trace', sub { "@_" }],
+	['csv', 'lines', '-i csv', sub { join ',', @_ }],
+	['csv by --columns', 'csv', '-i csv --columns 2,3,4',
+	    sub { join ',', 'id', @_ }],
+	['csv, quoted coordinates', 'csv', '-i csv',
+	    sub { join ',', map { "\"$_\"" } @_ }],
+	['csv, quoted first field', 'csv', '-i csv --columns 2,3,4',
+	    sub { join ',', '"a, b"', @_ }],
+	['csv, a quoted field behind', 'csv', '-i csv',
+	    sub { join ',', @_, '"a, b"' }],
+	['csv with semicolons', 'csv', '-i csv --separator ";"',
+	    sub { join ';', @_ }],
+	['JSON arrays', 'lines', '-i json',
+	    sub { sprintf '[%s,%s,%s]', @_ }],
+	['JSON arrays with blanks', 'JSON arrays', '-i json',
+	    sub { sprintf '[ %s, %s, %s ]', @_ }],
+	['objects', 'lines', '-i json',
+	    sub { sprintf '{"id":7,"x":%s,"y":%s,"z":%s}', @_ }],
+	['objects with blanks', @object,
+	    sub { sprintf '{"id": 7, "x": %s, "y": %s, "z": %s}', @_ }],
+	['objects, an escaped quote', @object,
+	    sub { sprintf '{"id":"a\"b","x":%s,"y":%s,"z":%s}', @_ }],
+	['objects, \u00e9', @object,
+	    sub { sprintf '{"id":"caf\u00e9","x":%s,"y":%s,"z":%s}', @_ }],
+	['objects, an exponent elsewhere', @object,
+	    sub { sprintf '{"id":1e5,"x":%s,"y":%s,"z":%s}', @_ }],
+	['objects, a nested member', @object,
+	    sub { sprintf '{"id":{"a":[1,2]},"x":%s,"y":%s,"z":%s}', @_ }],
+	['objects by pointers', 'objects',
+	    '-i json --columns /p/x,/p/y,/p/z',
+	    sub { sprintf '{"id":7,"p":{"x":%s,"y":%s,"z":%s}}', @_ }],
+);
+
+# Their inputs: few lines, many times over.
+sub make_kinds {
+	my ($folder) = @_;
+	my $lines = 2e4;
+	srand 2;
+	my @points = map { [map { sprintf '%.6f', rand(4) - 2 } 1 .. 3] }
+	    1 .. $lines;
+	for (@kinds) {
+		my ($name, undef, undef, $line) = @$_;
+		my $text = join '', map { $line->(@$_) . "\n" } @points;
+		spew("$folder/$name", ($text) x ($kind_lines / $lines));
+	}
+}
+
 # The scene of view.h, and points in every format; binary ones are quick, so there
 # are more of them.
 sub make_inputs {
 	my ($folder, $n, $copies) = @_;
 	my %file;
 	mkdir $folder;
-	for (qw(text long csv table json objects document pixels f64
-	    f32)) {
+	for (qw(text document pixels f64 f32)) {
 		open $file{$_}, '>:raw', "$folder/$_" or die "$folder/$_: $!\n";
 	}
 	my $put = sub { print {$file{$_[0]}} @_[1 .. $#_] };
@@ -73,16 +146,9 @@ sub make_inputs {
 	$put->(document => '{"points": [');
 	for my $i (1 .. $n) {
 		my @p = map { sprintf '%.6f', rand(4) - 2 } 1 .. 3;
-		my $p = join ',', @p;
 		$put->(text => "@p\n");
-		$put->(long => sprintf("%.17g %.17g %.17g\n",
-		    map { $_ + (rand() - 0.5) * 1e-6 } @p));
-		$put->(csv => "$p\n");
-		$put->(table => "id,$p\n");
-		$put->(json => "[$p]\n");
-		$put->(objects => sprintf(qq({"id":%d,"x":%s,"y":%s,"z":%s}\n),
-		    $i, @p));
-		$put->(document => ",\n" x ($i > 1) . "[$p]");
+		$put->(document => ",\n" x ($i > 1) . '[' .
+		    join(',', @p) . ']');
 		$put->(pixels => sprintf("%.6f %.6f\n", 320 + 160 * $p[0],
 		    240 + 120 * $p[1]));
 		$put->(f64 => pack 'd<*', @p);
@@ -112,10 +178,8 @@ sub our_rows {
 	my $run = 'projcalc project -j 1';
 	my @f64 = (group => 'binary', from => 'f64', to => 'f64',
 	    n => $copies * $points);
-	for my $how ('', ' -t 1e-6', ' -t 0.01', ' -t 0.5', ' -p double',
-	    ' -p single') {
-		my @chart = (kind => 'ours',
-		    label => $how ? substr $how, 1 : 'exact');
+	for my $how ('', ' -p double', ' -p single') {
+		my @chart = (kind => 'ours', label => substr $how || ' exact', 1);
 		row("text$how", "`projcalc$how`", "$run$how scene.json {text}",
 		    group => 'text', to => 'text', @chart);
 		row("f64$how", "`projcalc$how -i f64`",
@@ -130,13 +194,12 @@ sub our_rows {
 	    group => 'affine', to => 'text', space => 'view');
 	row('avx2', '', "PROJCALC_CPU=avx2 $run scene.json {text}")
 	    if `lscpu` =~ /avx2/;
-	row('digits', '', "$run -d 6 scene.json {text}");
-	row('flags', '', "$run --flags scene.json {text}");
-	row('csv', '', "$run -i csv scene.json {csv}");
-	row('columns', '', "$run -i csv --columns 2,3,4 scene.json {table}");
-	row('json', '', "$run -i json scene.json {json}");
-	row('objects', '', "$run -i json scene.json {objects}");
-	row('long', '', "$run scene.json {long}");
+	for (@kinds) {
+		my ($name, $usual, $how) = @$_;
+		my $command = $how =~ /^trace/ ? 'projcalc' : $run;
+		row($name, $name, "$command $how -j 1 scene.json {$name}",
+		    group => 'kinds', usual => $usual, n => $kind_lines);
+	}
 	row('ray', '', "$run --ray scene.json {pixels}");
 	row('document', '', "$run {document}");
 	row("-j $_", '', "projcalc project -j $_ scene.json {text}")
@@ -163,24 +226,32 @@ sub our_rows {
 	    if has('jq');
 }
 
-# Others, with the quickest way in and out that they have; GLM also as most
-# people write it.
+# Others. Of text the way in and out decides, not the library: the loop as one
+# writes it by hand and with the fastest functions of C++, GLM as most people
+# write it.
 sub their_rows {
 	my (@peers) = @_;
 	my @text = (group => 'text', to => 'text', kind => 'double');
 	my @f64 = (group => 'binary', from => 'f64', to => 'f64',
 	    kind => 'double', n => $copies * $points);
+	my $peer = sub {
+		my ($filter, $name, $how, @more) = @_;
+		row("$filter $name", "$name, $how",
+		    "peers $filter '$name' <{text}", @text, @more);
+	};
 	for (@peers) {
 		my ($label, $kind) = split /, /;
 		my @chart = (kind => $kind, label => $label);
 		my $type = $kind eq 'float' ? 'f32' : 'f64';
-		row("text $_", "$_, fast_float, std::to_chars",
-		    "peers text '$_' <{text}", @text, @chart);
-		row("binary $_", "$_, fread, fwrite",
+		row("binary $_", "$_, fread, write",
 		    "peers binary '$_' <{$type}", @f64, from => $type,
 		    to => $type, @chart);
-		row("stdio $_", "$_, scanf, printf", "peers stdio '$_' <{text}",
-		    @text, @chart, label => "$label, scanf") if /GLM/;
+		$peer->('hand', $_, 'by hand', @chart, label => 'by hand')
+		    if /loop/;
+		$peer->('standard', $_, 'fast_float, std::to_chars', @chart,
+		    label => 'fast_float, to_chars') if /loop, double/;
+		$peer->('stdio', $_, 'scanf, printf', @chart,
+		    label => 'GLM, scanf, printf') if /GLM/;
 	}
 	for my $library (qw(GLM cglm Eigen)) {
 		push @left_out, $library unless grep { /^$library,/ } @peers;
@@ -188,11 +259,11 @@ sub their_rows {
 	my $python = first { !system "$_ -c 'import numpy' 2>/dev/null" }
 	    qw(python3 /usr/bin/python3);
 	if ($python) {
-		my $peer = "OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $python " .
+		my $script = "OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1 $python " .
 		    "$here/peer/peer.py matrix";
-		row('numpy', 'numpy, loadtxt, savetxt', "$peer text {text}",
+		row('numpy', 'numpy, loadtxt, savetxt', "$script text {text}",
 		    @text, label => 'numpy');
-		row('fromfile', 'numpy, fromfile, tofile', "$peer f64 {f64}",
+		row('fromfile', 'numpy, fromfile, tofile', "$script f64 {f64}",
 		    @f64, label => 'numpy');
 	} else {
 		push @left_out, 'python3 with numpy';
@@ -200,8 +271,8 @@ sub their_rows {
 	row('mawk', 'mawk', "mawk -f $here/peer/peer.awk matrix {text}",
 	    @text, label => 'mawk') if has('mawk');
 	row('cct', 'PROJ, cct', 'cct -d 15 -t 0 +proj=affine ' . affine() .
-	    ' {text}', @text, group => 'affine', space => 'view',
-	    label => 'cct, affine map alone') if has('cct');
+	    ' {text}', to => 'text', group => 'affine', space => 'view')
+	    if has('cct');
 	return $python;
 }
 
@@ -209,7 +280,7 @@ sub their_rows {
 
 sub command {
 	my ($row, $folder) = @_;
-	return $row->{command} =~ s/\{(\w+)\}/$folder\/$1/gr;
+	return $row->{command} =~ s/\{(.*?)\}/'$folder\/$1'/gr;
 }
 
 sub measure_errors {
@@ -243,39 +314,68 @@ print(\"Python\", sys.version.split()[0] + \", numpy\", numpy.__version__)'")
 	return map { "- $_" } @lines;
 }
 
-# Whole programs of a group.
+# Whole programs beside the first of them.
 sub programs {
-	my ($group, $base) = @_;
+	my ($base, @others) = @_;
 	print "| | ns a point | times $base->{name} | worst error |
 |---|--:|--:|--:|\n";
-	for (grep { ($_->{group} // '') eq $group } @rows) {
-		printf "| %s | %.1f | %.2f | %s |\n", $_->{name}, $_->{cpu},
-		    $_->{cpu} / $base->{cpu}, $_->{error};
-	}
+	printf "| %s | %.1f | %s | %s |\n", @$_{qw(name cpu)},
+	    ratio($_->{key}, $base->{key}), $_->{error} for $base, @others;
+}
+
+sub group {
+	my ($group) = @_;
+	programs(grep { ($_->{group} // '') eq $group } @rows);
+}
+
+# For README: its table, and its sentences with figures.
+sub short {
+	my $avx2 = sub {
+		my $times = ratio(@_, 'avx2');
+		return $times ?
+		    ", $times times where `projcalc` has AVX2 alone" : '';
+	};
+	my $glm_times = ratio($glm, 'text');
+	local $Text::Wrap::columns = 85;
+	my @words = ('The loop by hand takes', ratio($hand, 'text'), 'times as',
+	    'long as `projcalc`' . $avx2->($hand) . '. It is the best that one',
+	    'writes: blocks by read(), eight digits at a time in a word,',
+	    "columns that the compiler makes vectors of, dragonbox's digits",
+	    'written in place.', $glm_times ? 'GLM with scanf and printf takes ' .
+	    "$glm_times times as long" . $avx2->($glm) . '.' : (), 'Exact takes',
+	    ratio('text', 'text -p double'), 'times as long as `-p double` in',
+	    'text; in binary, where there are no digits,',
+	    ratio('f64', 'f64 -p double'), 'times, and', ratio('f64', $loop),
+	    'times as long as a loop in double.');
+	programs(grep { $_ } @row{'text', $hand, $standard, $glm, 'numpy',
+	    'mawk'});
+	print "\n", fill('', '', "@words"), "\n";
+}
+
+# How many times the CPU time, or another, of the second row the first takes; undef
+# where GLM or AVX2 is missing.
+sub ratio {
+	my ($a, $b, $clock) = @_;
+	return unless $row{$a} && $row{$b};
+	return sprintf '%.2f', $row{$a}{$clock // 'cpu'} /
+	    $row{$b}{$clock // 'cpu'};
 }
 
 # Ratios of two rows' times, a line each.
 sub ratios {
-	my $glm = 'stdio GLM, double';
-	my $loop = 'text loop, double';
 	my @ratios = (
 		['GLM in double with scanf and printf, against exact text',
 		    $glm, 'text'],
 		['the same, `PROJCALC_CPU=avx2`', $glm, 'avx2'],
+		['loop in double by hand, against exact text', $hand, 'text'],
+		['the same, `PROJCALC_CPU=avx2`', $hand, 'avx2'],
 		['loop in double with fast_float and std::to_chars, against ' .
-		    'exact text', $loop, 'text'],
-		['the same, `PROJCALC_CPU=avx2`', $loop, 'avx2'],
+		    'exact text', $standard, 'text'],
+		['exact against `-p double`, text', 'text', 'text -p double'],
+		['exact against `-p double`, f64', 'f64', 'f64 -p double'],
+		['exact against a loop in double, f64', 'f64', $loop],
 		['one thread against two, text', 'text', '-j 2'],
 		['one thread against two, f64', 'f64', 'f64 -j 2'],
-		['`-d 6` against shortest', 'digits', 'text'],
-		['csv against text', 'csv', 'text'],
-		['JSON lines against text', 'json', 'text'],
-		['JSON objects against text', 'objects', 'text'],
-		['csv with `--columns` against text', 'columns', 'text'],
-		['`--flags` against none', 'flags', 'text'],
-		['17 digits against six decimals, read', 'long', 'text'],
-		['`-t 0.01` against exact, text', 'text -t 0.01', 'text'],
-		['`-t 0.01` against exact, f64', 'f64 -t 0.01', 'f64'],
 		['exact f64 through a pipe, from cat, against cat to cat',
 		    'piped', 'cat'],
 		['f64 `-p double` against f32 `-p single`', 'f64 -p double',
@@ -285,10 +385,19 @@ sub ratios {
 	);
 	print "| | CPU | wall |\n|---|--:|--:|\n";
 	for (@ratios) {
-		my ($name, $a, $b) = ($_->[0], @row{@$_[1, 2]});
-		next unless $a && $b;    # GLM and AVX2 may be missing
-		printf "| %s | %.2f | %.2f |\n", $name, $a->{cpu} / $b->{cpu},
-		    $a->{wall} / $b->{wall};
+		my ($name, @two) = @$_;
+		my $cpu = ratio(@two) or next;
+		print "| $name | $cpu | ", ratio(@two, 'wall'), " |\n";
+	}
+}
+
+# Kinds of lines beside those that are usual.
+sub kinds {
+	print "| | ns a line | times | of |\n|---|--:|--:|---|\n";
+	for (grep { ($_->{group} // '') eq 'kinds' } @rows) {
+		my ($name, $usual) = @$_{qw(name usual)};
+		printf "| %s | %.1f | %s | %s |\n", $name, $_->{cpu},
+		    $usual ? (ratio($name, $usual), $usual) : ('', '');
 	}
 }
 
@@ -319,9 +428,12 @@ sub page {
 Medians of runs that take turns. Times are CPU time, unless they are called wall.
 A ratio is of the two times.
 
-## Ratios
+## In short
 
+<!-- speed -->
 ";
+	short();
+	print "<!-- -->\n\n## Ratios\n\n";
 	ratios();
 	print "\n## Text, one thread
 
@@ -329,17 +441,20 @@ $points lines of three numbers with six decimals, world to device; errors in
 pixels, from MPFR.
 
 ";
-	programs('text', $row{text});
+	group('text');
 	print "\nAn affine map alone, errors in units of the world:\n\n";
-	programs('affine', $row{affine});
+	group('affine');
 	printf "\n## Binary, one thread
 
 %d points of f64, or of f32 for floats.
 
 ", $copies * $points;
-	programs('binary', $row{f64});
+	group('binary');
 	print "\n## Two threads\n
 | | million points a second, wall |\n|---|--:|\n";
+	my @threads = (['text, one thread', 'text'],
+	    ['text, two threads', '-j 2'], ['f64, one thread', 'f64'],
+	    ['f64, two threads', 'f64 -j 2']);
 	printf "| %s | %.2f |\n", $_->[0], 1e3 / $row{$_->[1]}{wall}
 	    for @threads;
 	print "\n## In memory, one thread
@@ -349,6 +464,8 @@ ordinary scenes. 1e9 away from the origin they have no room for them.
 
 | | ns a point | worst error | 1e9 away |\n|---|--:|--:|--:|\n";
 	print map { s/\t/ | /gr =~ s/(.*)/| $1 |/r } @memory;
+	print "\n## Kinds of lines, one thread\n\n";
+	kinds();
 	print "\n## Other figures\n\n";
 	others();
 	print "\n## Scale: cores that one process keeps at work\n\n",
@@ -359,12 +476,12 @@ ordinary scenes. 1e9 away from the origin they have no room for them.
 	    if @left_out;
 }
 
-# What names.pl and bench.gp draw: panel, kind, label, time, error, and in memory
+# What names.pl and speed.gp draw: panel, kind, label, time, error, and in memory
 # the error of scenes far away.
 sub draw {
 	my (@memory) = @_;
-	my @points = map { [$_->{group} eq 'affine' ? 'text' : $_->{group},
-	    @$_{qw(kind label cpu error)}] } grep { $_->{label} } @rows;
+	my @points = map { [@$_{qw(group kind label cpu error)}] }
+	    grep { $_->{label} } @rows;
 	for (@memory) {
 		my ($name, @figures) = split /[\t\n]/;
 		my ($who, $what) = split /, /, $name;
@@ -372,8 +489,6 @@ sub draw {
 		    ($what, $who), @figures];
 	}
 	spew('points.tsv', map { join("\t", @$_) . "\n" } @points);
-	spew('threads.tsv', map { join("\t", $_->[0],
-	    1e3 / $row{$_->[1]}{wall}) . "\n" } @threads);
 }
 
 spew('scene.json', '{
@@ -385,6 +500,7 @@ spew('scene.json', '{
 spew('matrix', ask('projcalc project --matrix scene.json'));
 make_inputs('all', $points, $copies);
 make_inputs('few', $few, 1);
+make_kinds('all');
 my @memory = split /^/, ask('peers');
 our_rows();
 my $python = their_rows(grep { !/^projcalc/ } map { s/\t.*\n//r } @memory);

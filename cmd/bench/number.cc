@@ -5,17 +5,13 @@
 #include "../number/number.h"
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cmath>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <string>
 
-#include <dragonbox/dragonbox.h>
-#include <fast_float/fast_float.h>
+#include "peer/hand.h"
 
 enum { COUNT = 30000, RUNS = 21 };
 
@@ -138,6 +134,9 @@ static void read_all(void)
 	measure_read("from_chars, fast_float", [](const char *s, double *v) {
 		return fast_float::from_chars(s, input_end, *v).ptr;
 	});
+	measure_read("by hand, words of digits", [](const char *s, double *v) {
+		return hand_read(s, input_end, v);
+	});
 	measure_read("number_read", [](const char *s, double *v) {
 		return number_read(s, input_end, v);
 	});
@@ -151,12 +150,8 @@ static void write_all(void)
 	    [](char *s, double v) { return s + snprintf(s, 32, "%.17g", v); });
 	measure_write("to_chars, charconv",
 	    [](char *s, double v) { return std::to_chars(s, s + 32, v).ptr; });
-	measure_write("to_decimal, dragonbox *", [](char *s, double v) {
-		auto r = jkj::dragonbox::to_decimal(v);
-
-		memcpy(s, &r.significand, 8);
-		return s + 8 + (r.exponent & 7);
-	});
+	measure_write("by hand, dragonbox",
+	    [](char *s, double v) { return hand_write(s, v); });
 	measure_write("number_write",
 	    [=](char *s, double v) { return number_write(s, v, style); });
 	measure_texts(style);
@@ -187,50 +182,21 @@ static void write_rounded(void)
 	    [=](char *s, double v) { return number_write(s, v, digits); });
 }
 
-/* Three numbers read and three written, a division between them. */
-static void point_by_point(void)
-{
-	const number_style style = { number_style::NUMBER_SHORTEST, 0 };
-
-	measure("three read, three written", COUNT / 3, [=] {
-		const char *in = input;
-		char *s = output;
-
-		while (in < input_end) {
-			double p[3];
-
-			for (double &v : p)
-				in = number_read(in, input_end, &v) + 1;
-			for (double &v : p) {
-				s = number_write(s, v / (1000 + p[0] / 7),
-				    style);
-				*s++ = ' ';
-			}
-			if (s > output + sizeof output - 3 * NUMBER_MAX)
-				s = output;
-		}
-		sink = double(s - output);
-	});
-}
-
 int main(void)
 {
 	fill("%.6f");
 	puts("reading %.6f:");
 	read_all();
-	puts("writing them, shortest (* digits not written out):");
+	puts("writing them, shortest:");
 	write_all();
 	fill("%.17g");
 	puts("reading 17 digits:");
 	read_all();
 	project();
-	puts("writing 17 digits, shortest (* digits not written out):");
+	puts("writing 17 digits, shortest:");
 	write_all();
 	fill("%.17g");
 	puts("writing rounded:");
 	write_rounded();
-	fill("%.6f");
-	puts("a point, %.6f to 17 digits:");
-	point_by_point();
 	return 0;
 }

@@ -7,10 +7,13 @@
  *                                scenes, the same in scenes 1e9 away ("-" for
  *                                those whose numbers have no room for one)
  *        peers versions          what it was built with
- *        peers stdio|text|binary NAME
- *                                whole programs around a peer, from standard
+ *        peers FILTER NAME       a whole program around a peer, from standard
  *                                input to standard output; fails if NAME was
- *                                not there when it was built */
+ *                                not there when it was built. FILTER is
+ *                                stdio: scanf and printf
+ *                                standard: fast_float and std::to_chars
+ *                                hand: eight digits in a word, and dragonbox
+ *                                binary: rows of numbers */
 #include <stdio.h>
 
 #include "../../core/bench/clock.h"
@@ -30,15 +33,13 @@ struct entry {
 };
 
 static struct entry entries[ENTRIES_MAX] = {
-	{ .name = "projcalc, exact", .accuracy = { PRECISION_EXACT, { 0 } } },
-	{ .name = "projcalc, -t 1e-6",
-	    .accuracy = { PRECISION_EXACT, { 1e-6, 1e-6, 1e-6 } } },
-	{ .name = "projcalc, -t 0.5",
-	    .accuracy = { PRECISION_EXACT, { 0.5, 0.5, 0.5 } } },
-	{ .name = "projcalc, double", .accuracy = { PRECISION_DOUBLE, { 0 } } },
-	{ .name = "projcalc, single", .accuracy = { PRECISION_SINGLE, { 0 } } },
+	{ .name = "projcalc, exact", .accuracy.precision = PRECISION_EXACT },
+	{ .name = "projcalc, -p double",
+	    .accuracy.precision = PRECISION_DOUBLE },
+	{ .name = "projcalc, -p single",
+	    .accuracy.precision = PRECISION_SINGLE },
 };
-static int n_entries = 5;
+static int n_entries = 3;
 
 static const struct peer *const peers[] = { peers_plain, peers_glm, peers_cglm,
 	peers_eigen };
@@ -238,10 +239,7 @@ static int run_filter(const char *filter, const char *name)
 			if (strcmp(p->name, name) != 0)
 				continue;
 			p->prepare(&bench_view);
-			return !peer_filter(p,
-			    filter[0] == 's'     ? FILTER_STDIO :
-				filter[0] == 't' ? FILTER_TEXT :
-						   FILTER_BINARY);
+			return !peer_filter(p, filter);
 		}
 	return 1;
 }

@@ -164,8 +164,9 @@ static void check_texts(double v, int n)
 	char expected[NUMBER_MAX + 1], text[NUMBER_MAX + 65];
 
 	number_choose(NULL);
-	for (unsigned kind = NUMBER_SHORTEST; kind <= NUMBER_WITHIN; kind++) {
-		const struct number_style style = { kind, n };
+	for (unsigned kind = NUMBER_SHORTEST; kind <= NUMBER_DIGITS; kind++) {
+		const struct number_style style = { kind,
+			kind == NUMBER_DIGITS && n == 0 ? 1 : n };
 
 		number_texts(numbers, 5, false, style, texts);
 		for (int i = 0; i < 5; i++) {

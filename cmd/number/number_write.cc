@@ -201,13 +201,73 @@ static char *print_decimals(char *s, double v, int n)
 	return s + size;
 }
 
+/* Writes the n decimals of the fraction high 2^-64 + low 2^-128 at s, and returns
+ * whether what is left of it rounds the last of them up, ties to even. */
+static bool write_fraction(char *s, uint64_t high, uint64_t low, int n)
+{
+	uint64_t digits = 0;
+	char d[64];
+
+	for (int count; n > 0; n -= count, s += count) {
+		uint64_t carry = 0;
+
+		count = n < DIGITS ? n : DIGITS;
+		low = multiply_add(low, power[count], 0, &carry);
+		high = multiply_add(high, power[count], 0, &carry);
+		digits = carry;
+		write_digits(d, digits);
+		memcpy(s, d + DIGITS - count, DIGITS);
+	}
+	return high >> 63 && (high << 1 | low | (digits & 1)) != 0;
+}
+
+/* Writes v to n > 0 decimals where it is below 2^53 and its last bit is not below
+ * 2^-127; else returns NULL. */
+static char *write_long(char *s, double v, int n)
+{
+	uint64_t bits = bits_of(std::fabs(v));
+	uint64_t m = (bits & ((1ull << 52) - 1)) | 1ull << 52;
+	int k = 1075 - int(bits >> 52);
+	char d[192];
+
+	if (n == 0 || k < 1 || k > 127)
+		return nullptr;
+	/* the fraction's highest bit is the highest of a word */
+	uint64_t high = k <= 64 ? m << (64 - k) : m >> (k - 64);
+	uint64_t low = k <= 64 ? 0 : m << (128 - k);
+
+	write_digits(d, k < 64 ? m >> k : 0);
+	if (write_fraction(d + DIGITS, high, low, n)) {
+		char *p = d + DIGITS + n - 1;
+
+		for (; *p == '9'; p--)
+			*p = '0';
+		++*p;
+	}
+	d[DIGITS + n] = '\0';
+	int zeros = 0;
+
+	while (zeros < DIGITS - 1 && d[zeros] == '0')
+		zeros++;
+	*s = '-';
+	s += v < 0 && strspn(d, "0") < size_t(DIGITS + n);
+	memcpy(s, d + zeros, DIGITS);
+	s += DIGITS - zeros;
+	*s++ = '.';
+	memcpy(s, d + DIGITS, size_t(n));
+	return s + n;
+}
+
 static char *write_decimals(char *s, double v, int n)
 {
 	double size = std::fabs(v);
 	char d[64];
 
-	if (n > 15 || size >= double(power[15 - n]))
-		return print_decimals(s, v, n);
+	if (n > 15 || size >= double(power[15 - n])) {
+		char *end = write_long(s, v, n);
+
+		return end != nullptr ? end : print_decimals(s, v, n);
+	}
 	uint64_t q = scaled(size, n);
 	*s = '-';
 	s += v < 0 && q != 0;
@@ -233,43 +293,6 @@ static char *print_significant(char *s, double v, int n)
 	while (*p != '\0')
 		exponent = 10 * exponent + (*p++ - '0');
 	return layout<104>(s, d, n, 1 + (minus ? -exponent : exponent));
-}
-
-/* v rounded to n decimals, which are fewer than its shortest text has. */
-static char *print_within(char *s, double v, int n)
-{
-	char text[NUMBER_MAX], d[64];
-	int size = snprintf(text, sizeof text, "%.*f", n, v), count = 0;
-
-	memset(d, '0', sizeof d);
-	for (const char *p = text + strspn(text, "0."); p < text + size; p++)
-		if (*p != '.')
-			d[count++] = *p;
-	if (count == 0) {
-		*s = '0';
-		return s + 1;
-	}
-	return layout<24>(s, d, count, count - n);
-}
-
-/* v below 10^(15-n) is known to a quarter of its n-th decimal: so a text with no
- * more decimals that reads back as v is v rounded to n. */
-static char *write_within(char *s, double v, int n)
-{
-	char d[64];
-
-	if (n > 15 || v >= double(power[15 - n]))
-		return jkj::dragonbox::to_decimal(v).exponent >= -n ?
-		    write_shortest(s, v) :
-		    print_within(s, v, n);
-	uint64_t q = scaled(v, n);
-	int count = count_digits(q);
-
-	write_digits(d, q);
-	if (count > 0)
-		return layout<24>(s, d + DIGITS - count, count, count - n);
-	*s = '0';
-	return s + 1;
 }
 
 /* The exponent of ten is guessed from that of two, with 78913 / 2^18 for
@@ -308,14 +331,6 @@ static inline char *write_number(char *s, Float v, struct number_style style)
 	}
 	*s = '-';
 	s += v < 0;
-	if (style.kind == number_style::NUMBER_WITHIN) {
-		char *end = write_within(s, std::fabs(double(v)), style.n);
-
-		if (*s != '0' || end > s + 1 || v > 0)
-			return end;
-		s[-1] = '0';
-		return s;
-	}
 	if (style.kind == number_style::NUMBER_DIGITS)
 		return write_significant(s, std::fabs(double(v)), style.n);
 	return write_shortest(s, v);

@@ -28,12 +28,12 @@ static const struct number_style styles[] = {
 	{ NUMBER_DECIMALS, 15 },
 	{ NUMBER_DECIMALS, 16 },
 	{ NUMBER_DIGITS, 9 },
-	{ NUMBER_WITHIN, 0 },
-	{ NUMBER_WITHIN, 3 },
-	{ NUMBER_WITHIN, 6 },
-	{ NUMBER_WITHIN, 7 },
-	{ NUMBER_WITHIN, 14 },
-	{ NUMBER_WITHIN, 25 },
+	{ NUMBER_DIGITS, 1 },
+	{ NUMBER_DIGITS, 3 },
+	{ NUMBER_DIGITS, 6 },
+	{ NUMBER_DIGITS, 12 },
+	{ NUMBER_DIGITS, 15 },
+	{ NUMBER_DIGITS, 16 },
 };
 
 static long count = 60000;
@@ -230,7 +230,9 @@ static void are_as_number_write(void **unused)
 static void are_made(void **unused)
 {
 	const struct number_style usual[] = { { NUMBER_SHORTEST, 0 },
-		{ NUMBER_DECIMALS, 6 }, { NUMBER_WITHIN, 6 } };
+		{ NUMBER_DECIMALS, 6 }, { NUMBER_DIGITS, 6 } };
+	/* beyond, numbers are too long, or ties that are left */
+	const double below_which[] = { 1e9, 9e9, 1e6 };
 	double v[BLOCK];
 	struct number_text t[BLOCK];
 
@@ -248,7 +250,7 @@ static void are_made(void **unused)
 			number_texts(v, BLOCK, k % 2, usual[k / 2], t);
 			for (int i = 0; i < BLOCK; i++)
 				if (t[i].layout == 0 && fabs(v[i]) > 0x1p-17 &&
-				    (k / 2 != 1 || fabs(v[i]) < 9e9))
+				    fabs(v[i]) < below_which[k / 2])
 					fail_msg("%a is not made", v[i]);
 		}
 	}

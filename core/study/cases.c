@@ -110,11 +110,16 @@ static void reversed_matrix(struct scene *s, double near)
 	s->viewport.max_z = 0x1p24 - 1;
 }
 
-/* Up is the gaze but for its smallest coordinate, the finest to set. */
+/* Up is the gaze but for its smallest coordinate, the finest to set. The gaze has no
+ * rounding error: where the angle is 0, up is exactly parallel to it. */
 static void up_near_gaze(struct scene *s, double angle)
 {
 	double gaze[3];
 
+	memcpy(s->camera.eye, (double[]){ 0.25, -0.125, 0.75 },
+	    sizeof s->camera.eye);
+	memcpy(s->camera.at, (double[]){ 6.375, 2.125, -2.5 },
+	    sizeof s->camera.at);
 	for (int i = 0; i < 3; i++)
 		gaze[i] = s->camera.at[i] - s->camera.eye[i];
 	memcpy(s->camera.up, gaze, sizeof gaze);
@@ -140,6 +145,24 @@ static void depth_range(struct scene *s, double extent)
 	s->projection.near = 0.7;
 	s->projection.far = 0.7 * (1 + extent);
 	s->viewport.max_z = 0x1p24 - 1;
+}
+
+/* Points at unit distance, of which near is a part. In the device's units of depth
+ * they are that far away, wherever near is. */
+static void normal_depth(struct scene *s, double distance_over_near)
+{
+	s->convention.minus_one = false;
+	s->projection.near = 1 / distance_over_near;
+	s->projection.far = HUGE_VAL;
+	s->viewport = (struct viewport){ .width = 1,
+		.height = 0.75,
+		.max_z = distance_over_near };
+}
+
+static void reversed_depth(struct scene *s, double distance_over_near)
+{
+	normal_depth(s, distance_over_near);
+	s->projection.reverse_z = true;
 }
 
 static void narrow(struct scene *s, double angle)
@@ -278,6 +301,13 @@ static void beyond_near(const struct projection *v, const struct map *clip,
 	on_screen(clip, -v->near * pow(1e9, sample_unit()), p);
 }
 
+static void at_unit_distance(const struct projection *v, const struct map *clip,
+    double p[3])
+{
+	(void)v;
+	on_screen(clip, -sample_between(1, 2), p);
+}
+
 static void beside_eye(const struct projection *v, const struct map *clip,
     double p[3])
 {
@@ -286,14 +316,14 @@ static void beside_eye(const struct projection *v, const struct map *clip,
 		p[i] /= v->near;
 }
 
-#define ALL ((1 << EXACT) - 1)
+#define ALL ((1 << OUR_SINGLE) - 1)
 
 const struct regime regimes[REGIMES] = {
 	{ "distance", "Far from the origin", "distance", { 0, 15, 1, 0 },
 	    far_from_origin, in_frustum, false,
 	    1 << SINGLE | 1 << COMPOSED | 1 << STAGED, 10 },
 	{ "up", "Up close to the gaze", "angle between, radians",
-	    { 0, -15, -1, 0 }, up_near_gaze, in_frustum, false, ALL, 1 },
+	    { 0, -15, -1, -400 }, up_near_gaze, in_frustum, false, ALL, 1 },
 	{ "wide", "Wide field of view", "180 - degrees", { 0, -10, -1, 0 },
 	    wide, in_frustum, false, ALL, 1e-3 },
 	{ "narrow", "Narrow field of view", "degrees", { -1, -9, -1, 0 },
@@ -334,6 +364,12 @@ const struct regime regimes[REGIMES] = {
 	{ "back", "There and back, far from the origin", "distance",
 	    { 0, 15, 1, 0 }, far_from_origin, in_frustum, true,
 	    1 << SINGLE | 1 << COMPOSED, 10 },
+	{ "normal depth", "Depth at a distance", "distance over near",
+	    { 0, 15, 1, 0 }, normal_depth, at_unit_distance, false, 1 << SINGLE,
+	    0.5 },
+	{ "reversed depth", "Reversed depth at a distance",
+	    "distance over near", { 0, 15, 1, 0 }, reversed_depth,
+	    at_unit_distance, false, 0, 0 },
 };
 
 void regime_scene(const struct regime *r, double severity, struct scene *s)

@@ -5,7 +5,8 @@
 
 #include "textbook.h"
 
-/* Powers of ten, from harmless to extreme, and one beyond or 0. */
+/* Powers of ten, from harmless to extreme, and one beyond, or 0 for none. The power
+ * of -400 is 0, and such a scene is one to refuse. */
 struct sweep {
 	int first, last, step, beyond;
 };
@@ -26,7 +27,7 @@ struct regime {
 	double units;
 };
 
-enum { REGIMES = 19 };
+enum { REGIMES = 21 };
 
 extern const struct regime regimes[REGIMES];
 

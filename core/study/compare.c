@@ -44,17 +44,20 @@ static void fill(struct block *b, double (*in)[3])
 			b->in[j][i] = in[i][j];
 }
 
-static void carry_exactly(const struct transform *t, double (*in)[3],
-    double (*out)[4])
+/* As the program does. What it gives an image is in front of the eye. */
+static void carry_in(enum precision precision, const struct transform *t,
+    double (*in)[3], double (*out)[4])
 {
 	static struct block b;
 
 	fill(&b, in);
 	memset(b.out, 0, sizeof b.out);
-	carry_all(t, &b, MANY);
-	for (int i = 0; i < MANY; i++)
+	carry(t, (struct accuracy){ .precision = precision }, &b, MANY);
+	for (int i = 0; i < MANY; i++) {
 		for (int j = 0; j < 3; j++)
 			out[i][j] = b.out[j][i];
+		out[i][3] = 1;
+	}
 }
 
 /* The share of the points that the fast phase leaves undecided. */
@@ -101,7 +104,7 @@ static const char *place(const struct task *t, double (*in)[3])
 	sample_seed(1);
 	for (int i = 0; i < MANY; i++)
 		t->regime->place(&s->projection, &clip, in[i]);
-	carry_exactly(&to, in, out);
+	carry_in(PRECISION_EXACT, &to, in, out);
 	for (int i = 0; i < MANY; i++)
 		for (int j = 0; j < 3; j++)
 			in[i][j] = printed(out[i][j]);
@@ -177,12 +180,12 @@ static void check_exact(const struct task *t, const struct true_image *truth,
 static void compute(const struct task *t, double (*in)[3],
     double out[WAYS][MANY][4])
 {
-	for (int way = 0; way < EXACT; way++)
+	for (int way = 0; way < OUR_SINGLE; way++)
 		naive_carry(&t->scene, (enum way)way, t->regime->back, in,
 		    out[way], MANY);
-	carry_exactly(&t->exact, in, out[EXACT]);
-	for (int i = 0; i < MANY; i++)
-		out[EXACT][i][3] = 1;
+	carry_in(PRECISION_SINGLE, &t->exact, in, out[OUR_SINGLE]);
+	carry_in(PRECISION_DOUBLE, &t->exact, in, out[OUR_DOUBLE]);
+	carry_in(PRECISION_EXACT, &t->exact, in, out[EXACT]);
 }
 
 void ways_compare(const struct regime *regime, double severity, struct row *r)
@@ -194,8 +197,12 @@ void ways_compare(const struct regime *regime, double severity, struct row *r)
 
 	memset(r, 0, sizeof *r);
 	memset(mirrored, !regime->back, sizeof mirrored);
-	if (task_of(regime, severity, &t) != NULL || place(&t, in) != NULL) {
-		r->wrong++;
+	r->refused = task_of(regime, severity, &t) != NULL ||
+	    place(&t, in) != NULL;
+	r->wrong = r->refused != (severity == 0);
+	if (r->refused) {
+		for (int way = 0; way < OUR_SINGLE; way++)
+			r->cell[way].nan = true;
 		real_release(mark);
 		return;
 	}

@@ -16,8 +16,9 @@ struct cell {
 
 struct row {
 	struct cell cell[WAYS];
+	bool refused; /* no image is right, and the program says so */
 	/* How often exact is not the nearest double, nan or a number where the
-	 * truth is the other, or refused. */
+	 * truth is the other. */
 	int wrong;
 	/* How often it is that only by the 2^-190 rule of sum.h. */
 	int ruled;

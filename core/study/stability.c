@@ -5,7 +5,8 @@
  *	stability table  for reading
  *	stability data   for stability.gp: a block a regime, a line a severity,
  *			 of each way the error in device units and in units in
- *			 the last place, -1 where the image is lost
+ *			 the last place, -1 where the image is lost, nan where
+ *			 the scene is refused
  */
 #include <stdio.h>
 #include <string.h>
@@ -73,7 +74,10 @@ static void print_cell(const struct cell *c)
 static void print_cells(const struct row *r)
 {
 	for (int way = 0; way < WAYS; way++)
-		print_cell(&r->cell[way]);
+		if (r->refused && way >= OUR_SINGLE)
+			printf(" %13s", "refused");
+		else
+			print_cell(&r->cell[way]);
 	putchar('\n');
 }
 
@@ -85,10 +89,11 @@ static void print_row(double severity, const struct row *r)
 
 static void print_heading(const char *title)
 {
-	printf("\n%s\n%23s%14s%14s%14s%14s\n", title, "single", "double",
-	    "double", "double", "exact");
-	printf("%23s%14s%14s%14s\n", "composed", "composed", "by stages",
-	    "from the eye");
+	printf("\n%s\n%23s%14s%14s%14s%14s%14s%14s%14s\n", title, "float",
+	    "double", "double", "double", "double", "-p single", "-p double",
+	    "exact");
+	printf("%23s%14s%14s%14s%14s\n", "composed", "composed", "by stages",
+	    "from the eye", "LU");
 }
 
 static int table(void)
@@ -121,7 +126,9 @@ static void print_data(double severity, const struct row *r)
 	for (int way = 0; way < WAYS; way++) {
 		const struct cell *c = &r->cell[way];
 
-		if (is_lost(c))
+		if (r->refused && way >= OUR_SINGLE)
+			printf(" nan nan");
+		else if (is_lost(c))
 			printf(" -1 -1");
 		else
 			printf(" %.2e %.2e", c->units, c->ulps);
@@ -147,7 +154,7 @@ static void skip(double severity, const struct row *r)
 
 static bool is_broken(const struct regime *r, const struct row *worst)
 {
-	for (int way = 0; way < EXACT; way++) {
+	for (int way = 0; way < OUR_SINGLE; way++) {
 		const struct cell *c = &worst->cell[way];
 
 		if ((r->broken >> way & 1) != 0 && !is_lost(c) &&
@@ -175,7 +182,7 @@ static int test(void)
 		       "accurate phase%s%s\n",
 		    kept && shown ? "ok" : "not ok", i + 1, r->title,
 		    w.cell[EXACT].ulps, w.ruled, 100 * w.accurate,
-		    kept ? "" : "; not the nearest",
+		    kept ? "" : "; not the nearest, or not refused",
 		    shown ? "" : "; the classical ways do not break");
 		fflush(stdout);
 	}

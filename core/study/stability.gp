@@ -1,39 +1,53 @@
 # SPDX-License-Identifier: MIT
 # Draws what `stability data` writes, to standard output:
 #	gnuplot -e "data='stability.dat'" stability.gp > stability.svg
-if (!exists("terminal")) terminal = "svg size 900,1180"
+if (!exists("terminal")) terminal = "svg size 900,1420"
 eval "set terminal ".terminal." font 'sans-serif,12' background 'white'"
 
 # x is the power of ten, from left to right; what lies beyond is at the edge.
-array Name[13] = ["distance", "up", "wide", "narrow", "unproject", "zoom", \
-    "volume", "turns", "squared", "depth", "at", "size", "plane"]
-array Title[13] = ["Far from the origin", "Up close to the gaze", \
+Panels = 16
+array Name[Panels] = ["distance", "up", "wide", "narrow", "zoom", "volume", \
+    "turns", "squared", "at", "size", "unproject", "back", "normal depth", \
+    "reversed depth", "depth", "plane"]
+array Title[Panels] = ["Far from the origin", "Up close to the gaze", \
     "Field of view close to 180°", "Narrow field of view", \
-    "From the screen to the world", "Deep zoom in 2D", \
-    "Almost parallel projection", "Turned by small rotations", \
-    "Turned, then orthonormalized", "Near and far close: depth", \
+    "Deep zoom in 2D", "Almost parallel projection", \
+    "Turned by small rotations", "Turned, then orthonormalized", \
     "Eye close to what it looks at", "Size of the whole scene", \
-    "Points close to the eye plane"]
-array Swept[13] = ["distance", "angle between them, radians", \
-    "180° less the angle, degrees", "degrees", "far / near", \
+    "From the screen to the world", "To the world, far from its origin", \
+    "Depth over distance", "Reversed depth over distance", \
+    "Near and far close: depth", "Points close to the eye plane"]
+array Swept[Panels] = ["distance", "angle between them, radians", \
+    "180° less the angle, degrees", "degrees", \
     "part of the window in sight", "1 / distance of the eye", \
-    "number of turns", "number of turns", "far / near − 1", "distance", \
-    "unit of length", "depth of the points"]
-array Left[13] = [0, 0, 0, -1, 2, 0, -3, 0, 0, 18, 0, -150, 0]
-array Right[13] = [15, -15, -10, -9, 12, -15, -18, 6, 6, -15, -150, 150, -17]
-array Step[13] = [5, 5, 5, 2, 5, 5, 3, 2, 2, 10, 50, 100, 5]
-array Unit[13] = ["", "", "", "", "units of the world", \
-    "", "", "", "", "steps of a 24-bit buffer", "", "", \
+    "number of turns", "number of turns", "distance", "unit of length", \
+    "far / near", "distance", "distance / near", "distance / near", \
+    "far / near − 1", "depth of the points"]
+array Left[Panels] = [0, 0, 0, -1, 0, -3, 0, 0, 0, -150, 2, 0, 0, 0, 18, 0]
+array Right[Panels] = [15, -18, -10, -9, -15, -18, 6, 6, -150, 150, 12, 15, \
+    15, 15, -15, -17]
+array Step[Panels] = [5, 5, 5, 2, 5, 3, 2, 2, 50, 100, 5, 5, 5, 5, 10, 5]
+array Unit[Panels] = ["", "", "", "", "", "", "", "", "", "", \
+    "units of the world", "units of the world", "parts of the distance", \
+    "parts of the distance", "steps of a 24-bit buffer", \
     "units in the last place"]
 
-array Way[5] = ["single, matrices composed first", \
-    "double, matrices composed first", \
-    "double, stage by stage", "double, relative to the eye", "exact"]
-set style line 1 lc rgb "#888888" lw 2 dt "." pt -1
+array Way[8] = ["textbook's float, matrices composed first", \
+    "textbook's double, matrices composed first", \
+    "textbook's double, stage by stage", \
+    "textbook's double, relative to the eye", \
+    "textbook's double, composed, inverse by LU", \
+    "projcalc -p single", "projcalc -p double", "projcalc, exact"]
+set style line 1 lc rgb "#cc79a7" lw 2 dt "." pt -1
 set style line 2 lc rgb "#d55e00" lw 1.5 dt "-" pt 4 ps 0.7 pi 2
 set style line 3 lc rgb "#009e73" lw 1.5 dt "_." pt 8 ps 0.6 pi 2
 set style line 4 lc rgb "#0072b2" lw 1.5 dt "_" pt 13 ps 0.5 pi 2
-set style line 5 lc rgb "#000000" lw 3 dt 1 pt -1
+set style line 5 lc rgb "#7b3294" lw 1.5 dt "-" pt 1 ps 0.6 pi 2
+set style line 6 lc rgb "#aaaaaa" lw 2 dt 1 pt -1
+set style line 7 lc rgb "#666666" lw 2 dt 1 pt -1
+set style line 8 lc rgb "#000000" lw 3 dt 1 pt -1
+# On the way from the world to the device nothing is inverted.
+shown(i, w) = w != 5 || Name[i] eq "unproject" || Name[i] eq "back"
 
 set logscale y
 set tics nomirror scale 0.5,0 font ",11"
@@ -41,18 +55,19 @@ set border 3 lc rgb "#555555"
 set format x "10^{%g}"
 set format y "10^{%T}"
 set xlabel font ",12" offset 0, 0.5
+set ylabel font ",12" offset 1.5
 set title font ",13" offset 0, -0.6
 
 # What is lost stands at the top.
 at(e) = e < 0 || e > top ? top : e < floor ? floor : e
 between(x, a, b) = x < a ? a : x > b ? b : x
-beside(x) = between(log10(x), least, most)
+beside(x) = x > 0 ? between(log10(x), least, most) : least
 
-set multiplot layout 5, 3 margins 0.065, 0.975, 0.045, 0.935 \
-    spacing 0.035, 0.066 title "How far off the image of a point is,\
- in pixels, as the scene gets harder" font ",16"
+set multiplot layout 6, 3 margins 0.085, 0.975, 0.035, 0.945 \
+    spacing 0.075, 0.055 title "How far off the image of a point is \
+as the scene gets harder" font ",16"
 unset key
-do for [i = 1:13] {
+do for [i = 1:Panels] {
 	ulps = Name[i] eq "plane" ? 1 : 0
 	floor = ulps ? 1e-4 : 1e-17
 	top = ulps ? 1e20 : 1e7
@@ -63,35 +78,49 @@ do for [i = 1:13] {
 	set xtics Step[i]
 	if (Name[i] eq "depth") { set xtics add ("∞" 18) }
 	if (Name[i] eq "volume") { set xtics add ("10^{-300}" -18) }
-	# the panels of a row share their y
-	unset ytics
-	if (i % 3 == 1) {
-		set ytics 1e-16, 1e4 nomirror scale 0.5,0 font ",11"
-		set ytics add ("lost" top)
-	}
+	if (Name[i] eq "up") { set xtics add ("0" -18) }
+	set ytics floor * 10, 1e4 nomirror scale 0.5,0 font ",11"
+	set ytics add ("lost" top)
 	set title Title[i]
 	set xlabel Swept[i]
-	set label 1 Unit[i] at graph 0.99, 0.06 right font ",11"
 	unset arrow
+	unset label
 	if (Unit[i] eq "") {
+		set ylabel "pixels" tc rgb "#555555"
 		set arrow from graph 0, first 0.5 to graph 1, first 0.5 \
 		    nohead lc rgb "#cc0000" lw 0.7
+	} else {
+		set ylabel "{/:Bold ".Unit[i]."}" tc rgb "#000000"
 	}
-	set label 2 i == 1 ? "half a pixel" : "" at graph 0.02, first 8 \
-	    font ",11" tc rgb "#cc0000"
-	plot for [w = 1:5] data index Name[i] \
-	    using (beside($1)):(at(column(2 * w + ulps))) \
+	if (i == 1) {
+		set label "half a pixel" at graph 0.02, first 8 \
+		    font ",11" tc rgb "#cc0000"
+	}
+	if (Name[i] eq "up") {
+		set label "parallel:\nrefused" at first -17.7, first 1e-9 \
+		    right font ",11"
+		set arrow from first -18, first 1e-13 to first -18, first 1e-4 \
+		    nohead ls 8 dt "."
+	}
+	plot for [w = 1:8] data index Name[i] using (beside($1)):(shown(i, w) ? \
+	    at(column(2 * w + ulps)) : NaN) \
 	    smooth unique with linespoints ls w title ""
 }
 # The key has the last two cells to itself.
 unset title
 unset xlabel
+unset ylabel
 unset tics
 unset border
 unset arrow
 unset label
-set label 1 "The worst of a few hundred points.\nLost: not a number,\
- mirrored, or on the wrong side of the eye." at graph 0.06, 0.08 font ",12"
-set key at graph 0, 1 left top Left reverse samplen 6 spacing 1.3 font ",13"
-plot for [w = 1:5] NaN with linespoints ls w title Way[w]
+set lmargin at screen 0.4
+set rmargin at screen 0.97
+set tmargin at screen 0.155
+set bmargin at screen 0.005
+set label "The worst of a few hundred\npoints. Lost: not a number,\n\
+mirrored, or on the\nwrong side of the eye." at graph 0.7, 0.91 font ",12"
+set key at graph 0, 1 left top Left reverse maxcols 1 samplen 5 spacing 1.2 \
+    font ",12"
+plot for [w = 1:8] NaN with linespoints ls w title Way[w]
 unset multiplot

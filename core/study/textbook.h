@@ -6,12 +6,15 @@
 
 #include "../scene/scene.h"
 
-/* Ways to compute an image; the last is the program's. */
+/* Ways to compute an image: the textbook's, then the program's. */
 enum way {
 	SINGLE,   /* the matrices multiplied together, in float */
 	COMPOSED, /* the same in double */
 	STAGED,   /* double, a matrix after the other */
 	RELATIVE, /* double, the eye or the window's centre taken off first */
+	LU,       /* COMPOSED; the way back by LU, not by the adjugate */
+	OUR_SINGLE,
+	OUR_DOUBLE,
 	EXACT,
 	WAYS
 };

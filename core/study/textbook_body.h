@@ -50,6 +50,44 @@ static MATRIX NAME(inverse)(MATRIX a)
 	return r;
 }
 
+/* By Gaussian elimination with partial pivoting, as numpy and Eigen do it. */
+static MATRIX NAME(inverse_lu)(MATRIX a)
+{
+	MATRIX r = NAME(unit)();
+
+	for (int k = 0; k < 4; k++) {
+		int pivot = k;
+
+		for (int i = k + 1; i < 4; i++)
+			if (fabs((double)a.m[i][k]) >
+			    fabs((double)a.m[pivot][k]))
+				pivot = i;
+		for (int j = 0; j < 4; j++) {
+			REAL b = a.m[k][j], c = r.m[k][j];
+
+			a.m[k][j] = a.m[pivot][j];
+			r.m[k][j] = r.m[pivot][j];
+			a.m[pivot][j] = b;
+			r.m[pivot][j] = c;
+		}
+		for (int i = k + 1; i < 4; i++) {
+			REAL factor = a.m[i][k] / a.m[k][k];
+
+			for (int j = 0; j < 4; j++) {
+				a.m[i][j] -= factor * a.m[k][j];
+				r.m[i][j] -= factor * r.m[k][j];
+			}
+		}
+	}
+	for (int k = 3; k >= 0; k--)
+		for (int j = 0; j < 4; j++) {
+			for (int i = k + 1; i < 4; i++)
+				r.m[k][j] -= a.m[k][i] * r.m[i][j];
+			r.m[k][j] /= a.m[k][k];
+		}
+	return r;
+}
+
 static REAL NAME(dot)(const REAL a[3], const REAL b[3])
 {
 	return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -125,27 +163,43 @@ static MATRIX NAME(turned)(MATRIX view, const struct camera *c)
 	return view;
 }
 
-/* glm::perspectiveRH_NO; libraries have another function where far is infinite,
- * for which this one makes nan. */
-static MATRIX NAME(perspective)(const struct projection *p)
+/* Depth as glm::perspectiveRH_NO and glm::infinitePerspectiveRH_NO have it, or
+ * glm::infinitePerspectiveRH_ZO, also reversed. */
+static void NAME(put_depth)(const struct scene *s, MATRIX *r)
 {
+	const struct projection *p = &s->projection;
+	REAL n = (REAL)p->near, f = (REAL)p->far;
+
+	r->m[2][3] = -1;
+	if (p->reverse_z) {
+		r->m[3][2] = n;
+	} else if (isinf(p->far)) {
+		r->m[2][2] = -1;
+		r->m[3][2] = s->convention.minus_one ? -2 * n : -n;
+	} else {
+		r->m[2][2] = -(f + n) / (f - n);
+		r->m[3][2] = -(2 * f * n) / (f - n);
+	}
+}
+
+static MATRIX NAME(perspective)(const struct scene *s)
+{
+	const struct projection *p = &s->projection;
 	MATRIX r = { 0 };
 	REAL t = TAN(NAME(radians)(p->angle) / 2);
-	REAL n = (REAL)p->near, f = (REAL)p->far;
 
 	r.m[0][0] = 1 / ((REAL)(p->aspect[0] / p->aspect[1]) * t);
 	r.m[1][1] = 1 / t;
-	r.m[2][2] = -(f + n) / (f - n);
-	r.m[2][3] = -1;
-	r.m[3][2] = -(2 * f * n) / (f - n);
+	NAME(put_depth)(s, &r);
 	return r;
 }
 
 /* glm::frustumRH_NO */
-static MATRIX NAME(frustum)(const struct projection *p)
+static MATRIX NAME(frustum)(const struct scene *s)
 {
+	const struct projection *p = &s->projection;
 	MATRIX r = { 0 };
-	REAL n = (REAL)p->near, f = (REAL)p->far;
+	REAL n = (REAL)p->near;
 	REAL x = (REAL)p->left, y = (REAL)p->bottom;
 	REAL width = (REAL)p->right - x, height = (REAL)p->top - y;
 
@@ -153,9 +207,7 @@ static MATRIX NAME(frustum)(const struct projection *p)
 	r.m[1][1] = 2 * n / height;
 	r.m[2][0] = ((REAL)p->right + x) / width;
 	r.m[2][1] = ((REAL)p->top + y) / height;
-	r.m[2][2] = -(f + n) / (f - n);
-	r.m[2][3] = -1;
-	r.m[3][2] = -(2 * f * n) / (f - n);
+	NAME(put_depth)(s, &r);
 	return r;
 }
 
@@ -197,14 +249,16 @@ static MATRIX NAME(volume)(const struct projection *p)
 	return r;
 }
 
-static MATRIX NAME(project)(const struct projection *p)
+static MATRIX NAME(project)(const struct scene *s)
 {
+	const struct projection *p = &s->projection;
+
 	if (p->type == PROJECTION_VOLUME)
 		return NAME(volume)(p);
 	if (p->type == PROJECTION_MATRIX)
 		return NAME(given)(p->matrix);
-	return p->extent == EXTENT_EDGES ? NAME(frustum)(p) :
-					   NAME(perspective)(p);
+	return p->extent == EXTENT_EDGES ? NAME(frustum)(s) :
+					   NAME(perspective)(s);
 }
 
 /* Also tells the point that becomes the origin. */
@@ -242,18 +296,19 @@ static MATRIX NAME(window)(const struct window *w, REAL center[3])
 	return r;
 }
 
-static MATRIX NAME(viewport)(const struct viewport *v)
+static MATRIX NAME(viewport)(const struct scene *s)
 {
+	const struct viewport *v = &s->viewport;
 	MATRIX r = NAME(unit)();
 	REAL w = (REAL)v->width / 2, h = (REAL)v->height / 2;
 	REAL min = (REAL)v->min_z, max = (REAL)v->max_z;
 
 	r.m[0][0] = w;
 	r.m[1][1] = h;
-	r.m[2][2] = (max - min) / 2;
+	r.m[2][2] = s->convention.minus_one ? (max - min) / 2 : max - min;
 	r.m[3][0] = (REAL)v->x + w;
 	r.m[3][1] = (REAL)v->y + h;
-	r.m[3][2] = (max + min) / 2;
+	r.m[3][2] = s->convention.minus_one ? (max + min) / 2 : min;
 	return r;
 }
 
@@ -267,12 +322,16 @@ typedef struct {
 
 #define PATH NAME(path)
 
-static void NAME(turn_back)(PATH *p)
+static void NAME(turn_back)(PATH *p, enum way way)
 {
 	PATH there = *p;
 
-	for (int i = 0; i < p->n; i++)
-		p->stage[i] = NAME(inverse)(there.stage[p->n - 1 - i]);
+	for (int i = 0; i < p->n; i++) {
+		MATRIX m = there.stage[p->n - 1 - i];
+
+		p->stage[i] = way == LU ? NAME(inverse_lu)(m) :
+					  NAME(inverse)(m);
+	}
 	memcpy(p->after, p->before, sizeof p->after);
 	memset(p->before, 0, sizeof p->before);
 }
@@ -289,20 +348,20 @@ static PATH NAME(path_of)(const struct scene *s, enum way way, bool back)
 		r.stage[r.n++] = NAME(window)(&s->window, origin);
 	} else {
 		r.stage[r.n++] = NAME(view)(s, origin);
-		r.stage[r.n++] = NAME(project)(&s->projection);
+		r.stage[r.n++] = NAME(project)(s);
 	}
-	r.stage[r.n++] = NAME(viewport)(&s->viewport);
+	r.stage[r.n++] = NAME(viewport)(s);
 	if (way == RELATIVE) {
 		memcpy(r.before, origin, sizeof origin);
 		memset(r.stage[r.taken].m[3], 0, sizeof origin);
 	}
-	if (way == SINGLE || way == COMPOSED) {
+	if (way == SINGLE || way == COMPOSED || way == LU) {
 		for (int i = 1; i < r.n; i++)
 			r.stage[0] = NAME(times)(r.stage[0], r.stage[i]);
 		r.n = 1;
 	}
 	if (back)
-		NAME(turn_back)(&r);
+		NAME(turn_back)(&r, way);
 	return r;
 }
 

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Programs around a peer, as its users write them: with scanf and printf; with
-// the fastest functions of C++ for numbers, all the input in memory; with blocks
-// of bytes.
+// Programs around a peer: with scanf and printf, as most people write them; with
+// blocks of lines, and numbers by the fastest functions of C++ or by hand, for
+// peers whose points lie in columns; with blocks of numbers.
 #include "peer.h"
 
-#include <charconv>
 #include <cstdio>
-#include <cstdlib>
+#include <unistd.h>
 
-#include <fast_float/fast_float.h>
+#include "hand.h"
 
-// The longest shortest double has 24 bytes, and one that separates.
-enum { NUMBER_MAX = 25, READ_SIZE = 1 << 20 };
+enum { READ_SIZE = 1 << 18 };
 
 template <class T> struct blocks {
 	const peer *p;
@@ -27,7 +25,7 @@ template <class T> struct blocks {
 	}
 };
 
-template <class T> static void run_stdio(blocks<T> &b)
+template <class T> static bool run_stdio(blocks<T> &b)
 {
 	const int digits = sizeof(T) == sizeof(float) ? 9 : 17;
 	double x, y, z;
@@ -40,68 +38,122 @@ template <class T> static void run_stdio(blocks<T> &b)
 		printf("%.*g %.*g %.*g\n", digits, double(b.from(0, 0)), digits,
 		    double(b.from(0, 1)), digits, double(b.from(0, 2)));
 	}
+	return feof(stdin);
 }
 
-// *size gets how many bytes; NULL if there is no room for them.
-static const char *read_all(size_t *size)
+static bool put(const void *from, size_t size)
 {
-	size_t room = READ_SIZE, got;
-	char *text = nullptr;
+	const char *s = static_cast<const char *>(from), *end = s + size;
 
-	*size = 0;
-	do {
-		room *= 2;
-		text = static_cast<char *>(realloc(text, room));
-		if (text == nullptr)
-			return text;
-		got = fread(text + *size, 1, room - *size, stdin);
-		*size += got;
-	} while (*size == room);
-	return text;
+	while (s < end) {
+		ssize_t n = write(1, s, size_t(end - s));
+
+		if (n < 0)
+			return false;
+		s += n;
+	}
+	return true;
 }
 
-// Up to a block of points from s on; n is how many.
-template <class T>
-static const char *parse(blocks<T> &b, const char *s, const char *end,
-    size_t *n)
+// Ways to read and write a number.
+struct standard {
+	template <class T>
+	static const char *read(const char *s, const char *end, T *value)
+	{
+		auto r = fast_float::from_chars(s, end, *value);
+
+		return r.ec == std::errc() ? r.ptr : nullptr;
+	}
+	template <class T> static char *write(char *to, T value)
+	{
+		return std::to_chars(to, to + HAND_MAX, value).ptr;
+	}
+};
+
+struct by_hand {
+	template <class T>
+	static const char *read(const char *s, const char *end, T *value)
+	{
+		return hand_read(s, end, value);
+	}
+	template <class T> static char *write(char *to, T value)
+	{
+		return hand_write(to, value);
+	}
+};
+
+// Reads up to a block of lines from s on into columns; *n gets how many. Returns
+// what follows, or nullptr where a line has no three numbers.
+template <class Number, class T>
+static const char *parse(T *columns, const char *s, const char *end, size_t *n)
 {
-	for (*n = 0; *n < PEER_BLOCK; ++*n)
+	size_t i;
+
+	for (i = 0; i < PEER_BLOCK && s < end; i++) {
 		for (size_t k = 0; k < 3; k++) {
-			while (s < end && (*s == ' ' || *s == '\n'))
+			while (*s == ' ')
 				s++;
-			auto r = fast_float::from_chars(s, end, b.to(*n, k));
-
-			if (r.ec != std::errc())
-				return end;
-			s = r.ptr;
+			s = Number::read(s, end, &columns[k * PEER_BLOCK + i]);
+			if (s == nullptr)
+				return s;
 		}
+		while (*s++ != '\n')
+			;
+	}
+	*n = i;
 	return s;
 }
 
-template <class T> static void run_text(blocks<T> &b)
+template <class Number, class T>
+static bool carry_lines(blocks<T> &b, const char *s, const char *end)
 {
-	static char lines[3 * PEER_BLOCK * NUMBER_MAX];
-	size_t size;
-	const char *s = read_all(&size), *end = s + (s == nullptr ? 0 : size);
+	static char lines[3 * PEER_BLOCK * HAND_MAX];
 
 	while (s < end) {
-		char *out = lines;
+		char *to = lines;
 		size_t n;
 
-		s = parse(b, s, end, &n);
+		s = parse<Number>(b.in, s, end, &n);
+		if (s == nullptr)
+			return false;
 		b.p->carry(b.in, b.out, n);
 		for (size_t i = 0; i < n; i++)
 			for (size_t k = 0; k < 3; k++) {
-				out = std::to_chars(out, out + NUMBER_MAX,
-				    b.from(i, k))
-					  .ptr;
-				*out++ = k < 2 ? ' ' : '\n';
+				to = Number::write(to,
+				    b.out[k * PEER_BLOCK + i]);
+				*to++ = k < 2 ? ' ' : '\n';
 			}
-		fwrite(lines, 1, size_t(out - lines), stdout);
+		if (!put(lines, size_t(to - lines)))
+			return false;
 	}
+	return true;
 }
 
-template <class T> static void run_binary(blocks<T> &b)
+template <class Number, class T> static bool run_lines(blocks<T> &b)
+{
+	// Behind the last line there is a line end, and room for a word.
+	static char text[READ_SIZE + 8];
+	size_t size = 0;
+	ssize_t got;
+
+	do {
+		got = read(0, text + size, READ_SIZE - size);
+		if (got < 0)
+			return false;
+		size += size_t(got);
+		text[size] = '\n';
+		char *end = text + size;
+		while (got > 0 && end > text && end[-1] != '\n')
+			end--;
+		if (!carry_lines<Number>(b, text, end))
+			return false;
+		size -= size_t(end - text);
+		memmove(text, end, size);
+	} while (got > 0 && size < READ_SIZE);
+	return size == 0;
+}
+
+template <class T> static bool run_binary(blocks<T> &b)
 {
 	static T points[PEER_BLOCK][3];
 	size_t n;
@@ -114,30 +166,30 @@ template <class T> static void run_binary(blocks<T> &b)
 		for (size_t i = 0; i < n; i++)
 			for (size_t k = 0; k < 3; k++)
 				points[i][k] = b.from(i, k);
-		fwrite(points, sizeof *points, n, stdout);
+		if (!put(points, n * sizeof *points))
+			return false;
 	}
+	return !ferror(stdin);
 }
 
-template <class T> static void run(const peer *p, filter f)
+template <class T> static bool run(const peer *p, const char *filter)
 {
 	static blocks<T> b;
 
 	b.p = p;
 	for (T &t : b.in)
 		t = 1;
-	if (f == FILTER_STDIO)
-		run_stdio(b);
-	else if (f == FILTER_TEXT)
-		run_text(b);
-	else
-		run_binary(b);
+	if (strcmp(filter, "stdio") == 0)
+		return run_stdio(b) && fflush(stdout) == 0;
+	if (strcmp(filter, "binary") == 0)
+		return run_binary(b);
+	if (p->layout.point != 1)
+		return false;
+	return strcmp(filter, "hand") == 0 ? run_lines<by_hand>(b) :
+					     run_lines<standard>(b);
 }
 
-bool peer_filter(const peer *p, filter f)
+bool peer_filter(const peer *p, const char *filter)
 {
-	if (p->single)
-		run<float>(p, f);
-	else
-		run<double>(p, f);
-	return fflush(stdout) == 0 && !ferror(stdin) && !ferror(stdout);
+	return p->single ? run<float>(p, filter) : run<double>(p, filter);
 }

@@ -49,11 +49,9 @@ struct peer {
 extern const struct peer peers_plain[], peers_glm[], peers_cglm[],
     peers_eigen[];
 
-/* Whole programs around a peer, from standard input to standard output. */
-enum filter { FILTER_STDIO, FILTER_TEXT, FILTER_BINARY };
-
-/* False if reading or writing failed. */
-bool peer_filter(const struct peer *, enum filter);
+/* Runs a whole program around a peer, from standard input to standard output:
+ * stdio, standard, hand or binary. Returns false if it failed. */
+bool peer_filter(const struct peer *, const char *filter);
 
 #ifdef __cplusplus
 }

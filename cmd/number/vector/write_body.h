@@ -157,11 +157,13 @@ INLINE void write_around(struct number_text *t, const uint32_t *layout,
 	}
 }
 
-/* n is of decimals, whose zeros at the end are kept, or of find_shortest. */
-INLINE void write_all(const double *v, size_t count, bool decimals, int n,
-    bool single, struct number_text *t)
+/* n is the number of digits or decimals; those keep their zeros at the end. */
+INLINE void write_all(const double *v, size_t count, enum number_kind kind,
+    int n, bool single, struct number_text *t)
 {
 	const struct tens tens = load_tens();
+	const bool decimals = kind == NUMBER_DECIMALS;
+	const bool ninth = single && kind == NUMBER_SHORTEST;
 	struct found f;
 	uint16_t nonzero[TEXTS];
 	uint32_t layout[TEXTS];
@@ -170,32 +172,30 @@ INLINE void write_all(const double *v, size_t count, bool decimals, int n,
 		for (size_t i = 0; i < TEXTS; i += WIDTH)
 			if (decimals)
 				find_decimals(&f, i, n, &tens, LOAD(v + i));
+			else if (kind == NUMBER_DIGITS)
+				find_significant(&f, i, n, &tens, LOAD(v + i));
 			else
-				find_shortest(&f, i, n, single, &tens,
+				find_shortest(&f, i, single, &tens,
 				    LOAD(v + i));
 		write_digits(t, nonzero, &f);
-		lay_out(layout, nonzero, &f, single ? DIGITS / 2 : DIGITS,
+		lay_out(layout, nonzero, &f, ninth ? DIGITS / 2 : DIGITS,
 		    decimals);
 		write_around(t, layout, &f, decimals);
 	}
 }
 
-/* Loops of their own for the shortest, of doubles and of floats, and for a limit. */
+/* Loops of their own for each kind, and for the shortest of doubles and of floats. */
 static void write_body(const double *v, size_t count, bool single,
     struct number_style style, struct number_text *t)
 {
-	const int most_decimals = 15, none = POWER_MAX + 1;
-	int n = style.kind == NUMBER_SHORTEST ? none : style.n;
-
-	if (style.kind == NUMBER_DIGITS ||
-	    (style.kind == NUMBER_DECIMALS && n > most_decimals))
+	if (style.kind == NUMBER_SHORTEST && single)
+		write_all(v, count, NUMBER_SHORTEST, 0, true, t);
+	else if (style.kind == NUMBER_SHORTEST)
+		write_all(v, count, NUMBER_SHORTEST, 0, false, t);
+	else if (style.n > MOST_DIGITS)
 		memset(t, 0, count * sizeof *t);
 	else if (style.kind == NUMBER_DECIMALS)
-		write_all(v, count, true, n, false, t);
-	else if (single && style.kind == NUMBER_SHORTEST)
-		write_all(v, count, false, none, true, t);
-	else if (n > POWER_MAX)
-		write_all(v, count, false, none, false, t);
+		write_all(v, count, NUMBER_DECIMALS, style.n, false, t);
 	else
-		write_all(v, count, false, n, false, t);
+		write_all(v, count, NUMBER_DIGITS, style.n, false, t);
 }

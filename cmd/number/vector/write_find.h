@@ -19,6 +19,10 @@
 /* The most digits that a whole number below 2^53 has. */
 enum { DIGITS = 16 };
 
+/* The most decimals or significant digits that are found here, and the most zeros
+ * that may follow them before the point. */
+enum { MOST_DIGITS = 15, MOST_ZEROS = 6 };
+
 /* What is written of a number: the DIGITS digits of whole, a 17th, digit, unless
  * that is 0; the point is scale digits before the end of whole. sign is -1 for a
  * minus, 1 for none, 0 for what is not made. */
@@ -45,19 +49,19 @@ INLINE struct scaled scaled(V a, V hi, V lo, bool whole_powers)
 	return x;
 }
 
-/* The nearest whole number to x < 2^53, ties to even, where scale >= 0. |e| is at
- * most half a unit of p's last place. Where p < 1/4, p - 1/2, though rounded, is -1/4
- * at most, far more than e: i, which is 0, is right. From 1/4 up, p - i - 1/2 is
- * exact. The sum, though rounded, has the sign of x - i - 1/2. It is 0 if e = 0 and
- * NEAREST breaks the tie. The other tie is p > 2^52, whole, with |e| = 1/2: then p is
- * even already, as x, halfway between two doubles, was rounded to it; and p is what
+/* Returns the nearest whole number to x < 2^53, ties to even, where scale >= 0. |e| is
+ * at most half a unit of p's last place. Where p < 1/4, p - 1/2, though rounded, is
+ * -1/4 at most, far more than e: i, which is 0, is right. From 1/4 up, p - i - 1/2 is
+ * exact. The sum *rest, though rounded, has the sign of x - i - 1/2. It is 0 if e = 0
+ * and NEAREST breaks the tie. The other tie is p > 2^52, whole, with |e| = 1/2: then p
+ * is even already, as x, halfway between two doubles, was rounded to it; and p is what
  * either way gives. */
-INLINE V nearest(struct scaled x)
+INLINE V nearest(struct scaled x, V *rest)
 {
-	V rest = (x.p - x.i - ALL(0.5)) + x.e;
-	V i = x.i + ONLY(LESS(ALL(0), rest), ALL(1));
+	*rest = (x.p - x.i - ALL(0.5)) + x.e;
+	V i = x.i + ONLY(LESS(ALL(0), *rest), ALL(1));
 
-	return CHOOSE(EQUAL(rest, ALL(0)), NEAREST(x.p), i);
+	return CHOOSE(EQUAL(*rest, ALL(0)), NEAREST(x.p), i);
 }
 
 struct digits {
@@ -150,48 +154,65 @@ INLINE void store_found(struct found *f, size_t i, V v, struct digits d,
 INLINE void find_decimals(struct found *f, size_t i, int n,
     const struct tens *tens, V v)
 {
-	V scale = ALL(n), hi, lo;
+	V scale = ALL(n), hi, lo, rest;
 
 	power_of_ten(tens, scale, &hi, &lo);
 	struct scaled x = scaled(ABS(v), hi, lo, true);
-	struct digits d = { nearest(x), ALL(0), LESS(x.p, ALL(0x1p53)) };
+	struct digits d = { nearest(x, &rest), ALL(0), LESS(x.p, ALL(0x1p53)) };
 
 	store_found(f, i, v, d, scale);
 }
 
-/* The shortest; or, if n <= POWER_MAX, that with at most n decimals. Where n is
- * greater than scale, the shortest has no more. Else 10^-n is more than the last
- * place, and one number of n decimals at most reads back as a: if one does, it is
- * the nearest to a, and the shortest, but for zeros at its end; so the nearest it
- * is in any case.
- *
- * Plain text goes from 1e-6, or with up to six decimals from 0, to 1e21. Here it
- * is from 2^-17, and of floats to 2^60, as far as the table goes; for what is not in
- * this range two is 1, so that the table is not left. usual says that all are in it
- * and have scale >= 0: then nothing is rounded, and much need not be asked. */
-INLINE void find_some(struct found *f, size_t i, int n, bool single, bool usual,
+/* Finds n <= MOST_DIGITS significant digits of numbers from 1e-6 to below 1e15.
+ * 78913 / 2^18 times floor(log2 a) gives floor(log10 a), or one less where a is at
+ * least the next power of ten. That power is rounded where it is below 1; a number
+ * equal to it, taken for either side, gives the same text, as its n digits round to a
+ * one and zeros. Where scale < 0 the product is rounded, by less than WRITE_MARGIN
+ * (see shortest), and what lies nearer to a tie is left to number_write. */
+INLINE void find_significant(struct found *f, size_t i, int n,
     const struct tens *tens, V v)
 {
-	const bool limited = n <= POWER_MAX;
-	const V one = ALL(1), low = ALL(n <= 6 ? 0 : 0x1p-17);
+	const V zero = ALL(0), one = ALL(1);
+	V a = ABS(v), hi, lo, rest;
+	M in_range = LESS(a, ALL(1e15)) & ~LESS(a, ALL(1e-6));
+	V two = power_of_two_in(CHOOSE(in_range, a, one));
+	V log10 = FLOOR(log2_less(two, 0) * ALL(78913 * 0x1p-18));
+
+	power_of_ten(tens, log10 + one, &hi, &lo);
+	log10 = log10 + UNLESS(LESS(a, hi) | ~in_range, one);
+	V scale = ALL(n - 1) - log10;
+	M exact = LESS(ALL(-0.5), scale);
+	M in_table = LESS(ALL(-MOST_ZEROS - 0.5), scale);
+
+	scale = ONLY(in_table, scale);
+	power_of_ten(tens, scale, &hi, &lo);
+	struct scaled x = scaled(a, hi, lo, false);
+	struct digits d = { nearest(x, &rest), zero,
+		(in_range & in_table) | EQUAL(a, zero) };
+
+	d.sure = d.sure & (exact | LESS(ALL(WRITE_MARGIN), ABS(rest)));
+	store_found(f, i, v, d, scale);
+}
+
+/* Finds the shortest digits. Plain text goes from 1e-6 to 1e21; here it is from
+ * 2^-17, and of floats to 2^60, as far as the table goes; for a number out of this
+ * range two is 1, so that the table is not left. usual says that all are in it and
+ * have scale >= 0: then nothing is rounded, and much need not be asked. */
+INLINE void find_in_range(struct found *f, size_t i, bool single, bool usual,
+    const struct tens *tens, V v)
+{
+	const V one = ALL(1);
 	V a = ABS(v), hi, lo;
-	M in_range = LESS(a, ALL(single ? 0x1p60 : 1e21)) & ~LESS(a, low);
+	M in_range = LESS(a, ALL(single ? 0x1p60 : 1e21)) &
+	    ~LESS(a, ALL(0x1p-17));
 	V two = power_of_two_in(usual ? a : CHOOSE(in_range, a, one));
 	V q = log2_less(two, single ? 23 : 52);
 	V scale = -one - FLOOR(q * ALL(0.30102999566398120));
-	M by_n = LESS(ALL(n - 0.5), scale);
 
-	if (limited)
-		scale = MIN(scale, ALL(n));
 	power_of_ten(tens, scale, &hi, &lo);
 	struct scaled x = scaled(a, hi, lo, usual);
 	struct digits d = shortest(a, two, scale, hi, x, single, usual);
 
-	if (limited) {
-		d.whole = CHOOSE(by_n, nearest(x), d.whole);
-		d.digit = UNLESS(by_n, d.digit);
-		d.sure = d.sure | by_n;
-	}
 	if (!usual)
 		d.sure = d.sure & (in_range | EQUAL(a, ALL(0)));
 	if (single) { /* eight digits and the ninth */
@@ -202,7 +223,7 @@ INLINE void find_some(struct found *f, size_t i, int n, bool single, bool usual,
 }
 
 /* A loop for what is usual, which every lane must be. */
-INLINE void find_shortest(struct found *f, size_t i, int n, bool single,
+INLINE void find_shortest(struct found *f, size_t i, bool single,
     const struct tens *tens, V v)
 {
 	V a = ABS(v);
@@ -210,9 +231,9 @@ INLINE void find_shortest(struct found *f, size_t i, int n, bool single,
 	    ~LESS(a, ALL(0x1p-17));
 
 	if (EVERY(usual))
-		find_some(f, i, n, single, true, tens, v);
+		find_in_range(f, i, single, true, tens, v);
 	else
-		find_some(f, i, n, single, false, tens, v);
+		find_in_range(f, i, single, false, tens, v);
 }
 
 #endif
