@@ -185,7 +185,7 @@ static void refuse_misplaced(const struct value *v, const struct member *table)
 			value_refuse(v, "unknown member; \"%s\" has %s",
 			    s->name, described(row, all));
 	}
-	if (v->in->name != NULL && table != scene &&
+	if (v->in->named && table != scene &&
 	    member_of(scene, 0, v->name) != NULL)
 		value_refuse(v, "unknown member; it stands beside \"%s\"",
 		    v->in->name);
@@ -226,7 +226,7 @@ unsigned object_read(const struct value *v, const struct member *table,
 	value_want_object(v);
 	struct value m = value_child(v);
 
-	for (; m.item != NULL; value_next(&m)) {
+	for (; m.s != NULL; value_next(&m)) {
 		if (is_ignored(m.name))
 			continue;
 		unsigned bit = member_bit(table, kind, m.name);

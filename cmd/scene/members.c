@@ -101,7 +101,7 @@ static void read_scale(const struct value *v, const struct member *row,
 	viewport->scale = SCALE_GIVEN;
 	if (value_is_array(v))
 		value_numbers(v, &range_positive, 2, viewport->scales);
-	else if (value_string(v) == NULL)
+	else if (*v->s != '"')
 		value_wrong(v, "\"fill\", \"uniform\" or 2 numbers");
 	else if (value_word(v, scales) == 0)
 		viewport->scale = SCALE_FILL;

@@ -128,8 +128,8 @@ static void read_near(const struct value *v, const struct member *row, void *to)
 static void read_far(const struct value *v, const struct member *row, void *to)
 {
 	struct projection *p = to;
-	const char *s = value_string(v);
-	char shown[ESCAPED_MAX];
+	char word[NAME_ROOM], shown[ESCAPED_MAX];
+	const char *s = value_string(v, word);
 
 	(void)row;
 	if (p->type != PROJECTION_PERSP)
@@ -468,12 +468,10 @@ static _Noreturn void refuse_type(const struct value *v, const char *is,
 /* The type decides which members there are, so it is looked for first. */
 static void find_type(const struct value *v, int implied, struct projection *p)
 {
-	struct value m = value_child(v), missing = value_missing(v, "type");
+	struct value m, missing = value_missing(v, "type");
 	char all[LISTED];
 
-	while (m.item != NULL && strcmp(m.name, "type") != 0)
-		value_next(&m);
-	if (m.item != NULL)
+	if (value_member(v, "type", &m))
 		read_type(&m, projection_members, p);
 	else if (implied != PROJECTION_NONE)
 		p->type = (unsigned)implied;

@@ -78,7 +78,7 @@ static void read_rows(const struct value *v, size_t columns, bool column,
 	struct value row = value_child(v);
 	double e[4];
 
-	for (int i = 0; row.item != NULL; i++, value_next(&row)) {
+	for (int i = 0; row.s != NULL; i++, value_next(&row)) {
 		value_numbers(&row, &range_any, columns, e);
 		for (size_t j = 0; j < columns; j++)
 			m[column ? j : (size_t)i][column ? (size_t)i : j] =
@@ -92,7 +92,7 @@ static bool is_column(const struct printed *p, size_t rows, size_t columns)
 {
 	bool column = rows < columns, whole = rows == columns;
 
-	if (p->vectors.item == NULL)
+	if (p->vectors.s == NULL)
 		return whole ? p->matrix.source->column : column;
 	bool said = value_word(&p->vectors, vector_names) == 1;
 
