@@ -41,14 +41,15 @@ struct value {
 	char name[NAME_ROOM];
 };
 
-/* What a number may be. */
+/* The numbers that a member may be. A least of 1e-150 is told as "above 0". */
 struct range {
-	double min, max;    /* both included */
-	const char *wanted; /* says so in messages */
+	double min, max;
+	bool above, below; /* min, or max, is not among them */
+	bool angle;        /* the limits are degrees */
 };
 
-/* Numbers up to 1e150 in magnitude; sizes, from 1e-150 to 1e150. */
-extern const struct range range_any, range_positive;
+/* Numbers up to 1e150 in magnitude, and angles; sizes, from 1e-150 to 1e150. */
+extern const struct range range_any, range_turn, range_positive;
 
 /* Checks a document and returns it as a value; refuses what is no JSON. Sets
  * source->array to the document's member of that name, or where name is NULL to the

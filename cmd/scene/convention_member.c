@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "../message/nearest.h"
-#include "readers.h"
+#include "types.h"
 
 const char *const convention_names[] = {
 	[CONVENTION_D3D] = "d3d",
@@ -36,11 +36,11 @@ static const char *const depths[] = { "zero_to_one", "minus_one_to_one", NULL };
 static const char *const ys[] = { "up", "down", NULL };
 static const char *const origins[] = { "top-left", "bottom-left", NULL };
 
-#define SECOND(label, list, m, first, other, what)                            \
-	{                                                                     \
-		.name = label, .read = read_second, .words = list,            \
-		.at = offsetof(struct convention, m),                         \
-		.otherwise = "\"" first "\"", .aliases = other, .about = what \
+#define SECOND(label, list, m, first, other, what)                        \
+	{                                                                 \
+		.name = label, .type = &type_second, .words = list,       \
+		.at = offsetof(struct convention, m),                     \
+		.usual = "\"" first "\"", .aliases = other, .about = what \
 	}
 
 const struct member convention_members[] = {
@@ -78,7 +78,6 @@ static int read_name(const struct value *v)
 
 void read_convention(const struct value *v, struct convention *c)
 {
-	*c = conventions[CONVENTION_D3D];
 	if (value_is_object(v))
 		object_read(v, convention_members, 0, c);
 	else

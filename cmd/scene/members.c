@@ -5,12 +5,12 @@ static const char *const origins[] = { "bottom-left", "top-left", NULL };
 static const char *const scales[] = { "fill", "uniform", NULL };
 const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
 
-#define MEMBER(type, member) offsetof(struct type, member)
+#define MEMBER(in, member) offsetof(struct in, member)
 
-#define NUMBERS(label, type, m, count, ...)                                 \
-	{                                                                   \
-		.name = label, .read = read_numbers, .at = MEMBER(type, m), \
-		.n = count, __VA_ARGS__                                     \
+#define NUMBERS(label, in, m, count, ...)                                  \
+	{                                                                  \
+		.name = label, .type = &type_numbers, .at = MEMBER(in, m), \
+		.n = count, __VA_ARGS__                                    \
 	}
 
 const struct member camera_members[] = {
@@ -29,98 +29,122 @@ const struct member camera_members[] = {
 	    .note = "where the world's origin is in view space",
 	    .unit = "view units", .about = "where the world's origin is"),
 	{ .name = "pose",
-	    .read = read_affine,
+	    .type = &type_affine,
 	    .at = MEMBER(camera, matrix),
 	    .aliases = "transformmatrix transform matrixworld cameratoworld "
 		       "camtoworld c2w",
 	    .note = "view to world",
-	    .type = "matrix",
 	    .about = "view to world" },
 	{ .name = "matrix",
-	    .read = read_affine,
+	    .type = &type_affine,
 	    .at = MEMBER(camera, matrix),
 	    .aliases = "view viewmatrix extrinsic extrinsics r rt rvec "
 		       "rotationmatrix worldtocamera worldtocam w2c",
 	    .note = "world to view, [R|t]",
-	    .type = "matrix",
 	    .about = "world to view, [R|t]" },
-	NUMBERS("up", camera, up, 3, .otherwise = "[0, 1, 0]",
+	NUMBERS("up", camera, up, 3, .usual = "[0, 1, 0]", .shown = true,
 	    .about = "it points up in the image"),
-	NUMBERS("roll", camera, roll, 0, .type = "angle", .unit = "degrees",
-	    .otherwise = "0", .about = "counterclockwise"),
+	NUMBERS("roll", camera, roll, 0, .range = &range_turn, .usual = "0",
+	    .about = "counterclockwise"),
 	{ .name = "orthonormalize",
-	    .read = read_flag,
+	    .type = &type_flag,
 	    .at = MEMBER(camera, orthonormalize),
-	    .type = "true or false",
-	    .otherwise = "false",
+	    .usual = "false",
 	    .about = "to the nearest rotation" },
 	{ .name = NULL },
 };
 
 /* In the order of the values of struct camera's by. */
-static const struct ways camera_ways = {
-	"give \"eye\" and one of \"at\", \"gaze\" and \"orientation\", or "
-	"\"translation\" and \"orientation\", or \"pose\" or \"matrix\" alone",
-	{ "eye at up? roll?", "eye gaze up? roll?", "eye orientation roll?",
-	    "translation orientation roll?", "pose orthonormalize?",
-	    "matrix orthonormalize?" },
+const struct ways camera_ways[] = {
+	{
+	    .hint = "give \"eye\" and one of \"at\", \"gaze\" and "
+	            "\"orientation\", or "
+		    "\"translation\" and \"orientation\", or \"pose\" or "
+	            "\"matrix\" alone",
+	    .way = { "eye at up? roll?", "eye gaze up? roll?",
+		"eye orientation roll?", "translation orientation roll?",
+		"pose orthonormalize?", "matrix orthonormalize?" },
+	    .fit_hint = "give \"gaze\" or \"orientation\", with an \"eye\" or "
+	                "without, or "
+			"\"eye\" and \"at\", or \"translation\" and "
+	                "\"orientation\", or "
+			"\"pose\" or "
+			"\"matrix\" alone",
+	    .fit_way = { "eye at up? roll?", "eye? gaze up? roll?",
+		"eye? orientation roll?", "translation orientation roll?",
+		"pose orthonormalize?", "matrix orthonormalize?" },
+	},
+	{ .hint = NULL },
 };
 
-static const struct ways fit_camera_ways = {
-	"give \"gaze\" or \"orientation\", with an \"eye\" or without, or "
-	"\"eye\" and \"at\", or \"translation\" and \"orientation\", or "
-	"\"pose\" or "
-	"\"matrix\" alone",
-	{ "eye at up? roll?", "eye? gaze up? roll?", "eye? orientation roll?",
-	    "translation orientation roll?", "pose orthonormalize?",
-	    "matrix orthonormalize?" },
-};
-
-#define SIZE(label, type, m, ...)                                           \
-	{                                                                   \
-		.name = label, .read = read_numbers, .at = MEMBER(type, m), \
-		.range = &range_positive, __VA_ARGS__                       \
+#define SIZE(label, in, m, ...)                                            \
+	{                                                                  \
+		.name = label, .type = &type_numbers, .at = MEMBER(in, m), \
+		.range = &range_positive, __VA_ARGS__                      \
 	}
 
-#define RECTANGLE(type)                                                        \
-	NUMBERS("x", type, x, 0, .aliases = "left", .unit = "device units",    \
-	    .otherwise = "0", .about = "the corner that origin names"),        \
-	    NUMBERS("y", type, y, 0, .aliases = "top", .unit = "device units", \
-		.otherwise = "0", .about = "the same"),                        \
-	    SIZE("width", type, width, .unit = "device units",                 \
-		.about = "required"),                                          \
-	    SIZE("height", type, height, .unit = "device units",               \
+#define RECTANGLE(in)                                                        \
+	NUMBERS("x", in, x, 0, .aliases = "left", .unit = "device units",    \
+	    .usual = "0", .shown = true,                                     \
+	    .about = "the corner that origin names"),                        \
+	    NUMBERS("y", in, y, 0, .aliases = "top", .unit = "device units", \
+		.usual = "0", .shown = true, .about = "the same"),           \
+	    SIZE("width", in, width, .unit = "device units",                 \
+		.about = "required"),                                        \
+	    SIZE("height", in, height, .unit = "device units",               \
 		.about = "required")
 
-static void read_scale(const struct value *v, const struct member *row,
-    void *to)
-{
-	struct viewport *viewport = to;
+/* The end of struct viewport. */
+struct scale {
+	unsigned is;
+	double by[2];
+};
 
-	(void)row;
-	viewport->scale = SCALE_GIVEN;
+_Static_assert(offsetof(struct viewport, scales) ==
+	MEMBER(viewport, scale) + offsetof(struct scale, by),
+    "scales stand behind scale");
+
+static void read_scale(const struct value *v, const struct member *row,
+    void *out)
+{
+	struct scale *s = out;
+
+	s->is = SCALE_GIVEN;
 	if (value_is_array(v))
-		value_numbers(v, &range_positive, 2, viewport->scales);
+		value_numbers(v, &range_positive, 2, s->by);
 	else if (*v->s != '"')
 		value_wrong(v, "\"fill\", \"uniform\" or 2 numbers");
-	else if (value_word(v, scales) == 0)
-		viewport->scale = SCALE_FILL;
 	else
-		viewport->scale = SCALE_UNIFORM;
+		s->is = (unsigned)value_word(v, row->words);
 }
+
+static void print_scale(struct printer *p, const struct member *row,
+    const void *at)
+{
+	const struct scale *s = at;
+
+	if (s->is == SCALE_GIVEN)
+		put_numbers(p, s->by, 2);
+	else
+		put_string(p, row->words[s->is]);
+}
+
+static const struct type type_scale = { "fill, uniform or 2 sizes", read_scale,
+	print_scale, sizeof(unsigned) };
 
 const struct member viewport_members[] = {
 	RECTANGLE(viewport),
 	NUMBERS("min_z", viewport, min_z, 0,
 	    .aliases = "near mindepth zmin minz", .unit = "device units",
-	    .otherwise = "0", .about = "z of the near plane"),
+	    .usual = "0", .about = "z of the near plane"),
 	NUMBERS("max_z", viewport, max_z, 0,
 	    .aliases = "far maxdepth zmax maxz", .unit = "device units",
-	    .otherwise = "1", .about = "z of the far plane"),
+	    .usual = "1", .about = "z of the far plane"),
 	{ .name = "scale",
-	    .read = read_scale,
-	    .type = "fill, uniform or 2 sizes",
-	    .otherwise = "\"fill\"",
+	    .type = &type_scale,
+	    .at = MEMBER(viewport, scale),
+	    .words = scales,
+	    .usual = "\"fill\"",
 	    .about = "device units for one of ndc" },
 	{ .name = NULL },
 };
@@ -128,17 +152,20 @@ const struct member viewport_members[] = {
 const struct member device_members[] = {
 	RECTANGLE(device),
 	{ .name = "origin",
-	    .read = read_second,
+	    .type = &type_second,
 	    .words = origins,
 	    .at = MEMBER(device, top_left),
-	    .otherwise = "\"bottom-left\"",
+	    .usual = "\"bottom-left\"",
 	    .about = "the corner where x and y are least" },
 	{ .name = NULL },
 };
 
-static const struct ways rectangle_ways = {
-	"give \"width\" and \"height\"",
-	{ "width height" },
+const struct ways rectangle_ways[] = {
+	{
+	    .hint = "give \"width\" and \"height\"",
+	    .way = { "width height" },
+	},
+	{ .hint = NULL },
 };
 
 const struct member window_members[] = {
@@ -157,31 +184,33 @@ const struct member window_members[] = {
 	NUMBERS("top", window, top, 0, .unit = "window units",
 	    .about = "greater than bottom"),
 	NUMBERS("pan", window, pan, 2, .unit = "window units",
-	    .otherwise = "[0, 0]", .about = "by how much the window moves"),
-	SIZE("zoom", window, zoom, .otherwise = "1",
+	    .usual = "[0, 0]", .about = "by how much the window moves"),
+	SIZE("zoom", window, zoom, .usual = "1",
 	    .about = "of which 2 shows half the extent"),
 	NUMBERS("about", window, about, 2, .unit = "window units",
 	    .about = "what zoom leaves where it is, else the centre"),
 	{ .name = "adapt",
-	    .read = read_word,
+	    .type = &type_word,
 	    .at = MEMBER(window, adapt),
 	    .words = adapt_names,
-	    .otherwise = "\"stretch\"",
+	    .usual = "\"stretch\"",
 	    .about = "to a device of another shape" },
 	{ .name = NULL },
 };
 
-static const struct ways window_ways = {
-	"give \"center\", \"width\" and \"height\", or \"left\", \"right\", "
-	"\"bottom\" and \"top\"",
-	{ "center width height", "left right bottom top" },
-};
-
-/* What fit is to replace. */
-static const struct ways fit_window_ways = {
-	"give \"center\", \"width\" and \"height\", or \"left\", \"right\", "
-	"\"bottom\" and \"top\", or nothing",
-	{ "center? width? height?", "left? right? bottom? top?" },
+const struct ways window_ways[] = {
+	{
+	    .hint = "give \"center\", \"width\" and \"height\", or \"left\", "
+	            "\"right\", "
+		    "\"bottom\" and \"top\"",
+	    .way = { "center width height", "left right bottom top" },
+	    .fit_hint = "give \"center\", \"width\" and \"height\", or "
+	                "\"left\", \"right\", "
+			"\"bottom\" and \"top\", or nothing",
+	    .fit_way = { "center? width? height?",
+		"left? right? bottom? top?" },
+	},
+	{ .hint = NULL },
 };
 
 /* A point of space; or of the plane, where the document is flat. Where bounds are
@@ -200,11 +229,13 @@ static void read_corner(const struct value *v, const struct member *row,
 	value_numbers(v, &range_any, pair && (flat || v->unused) ? 2 : 3, out);
 }
 
-#define CORNER(label, m, other, what)                                        \
-	{                                                                    \
-		.name = label, .read = read_corner, .at = MEMBER(bounds, m), \
-		.type = "3 numbers, or 2 of a window", .aliases = other,     \
-		.unit = "model units", .about = what                         \
+static const struct type type_corner = { "3 numbers, or 2 of a window",
+	read_corner, NULL, 0 };
+
+#define CORNER(label, m, other, what)                                         \
+	{                                                                     \
+		.name = label, .type = &type_corner, .at = MEMBER(bounds, m), \
+		.aliases = other, .unit = "model units", .about = what        \
 	}
 
 const struct member bounds_members[] = {
@@ -216,9 +247,12 @@ const struct member bounds_members[] = {
 	{ .name = NULL },
 };
 
-static const struct ways bounds_ways = {
-	"give \"min\" and \"max\", or \"center\" and \"radius\"",
-	{ "min max", "center radius" },
+const struct ways bounds_ways[] = {
+	{
+	    .hint = "give \"min\" and \"max\", or \"center\" and \"radius\"",
+	    .way = { "min max", "center radius" },
+	},
+	{ .hint = NULL },
 };
 
 const struct member pick_members[] = {
@@ -230,7 +264,7 @@ const struct member pick_members[] = {
 };
 
 /* What others call so is often where the camera stands. */
-static void check_translation(const struct value *v, unsigned seen)
+static void check_translation(const struct value *v, uint64_t seen)
 {
 	struct value m = value_missing(v, "translation");
 
@@ -243,55 +277,55 @@ static void check_translation(const struct value *v, unsigned seen)
 
 bool read_camera(const struct value *v, struct camera *c)
 {
-	*c = (struct camera){ .up = { 0, 1, 0 },
-		.unit = (enum angle_unit)v->source->unit };
-	unsigned seen = object_read(v, camera_members, 0, c);
+	*c = (struct camera){ .unit = (enum angle_unit)v->source->unit };
+	uint64_t seen = object_read(v, camera_members, 0, c);
 
 	check_translation(v, seen);
-	c->by = (unsigned)object_way(v, camera_members, 0, seen,
-	    v->source->fit ? &fit_camera_ways : &camera_ways);
+	c->by = (unsigned)object_way(v, camera_members, 0, seen, camera_ways);
 	return c->by >= CAMERA_TRANSLATION ||
 	    (seen & member_bit(camera_members, 0, "eye")) != 0;
 }
 
 void read_viewport(const struct value *v, struct viewport *w)
 {
-	*w = (struct viewport){ .max_z = 1 };
-	unsigned seen = object_read(v, viewport_members, 0, w);
+	*w = (struct viewport){ 0 };
+	uint64_t seen = object_read(v, viewport_members, 0, w);
 
-	object_way(v, viewport_members, 0, seen, &rectangle_ways);
+	object_way(v, viewport_members, 0, seen, rectangle_ways);
 }
 
 void read_device(const struct value *v, struct device *d)
 {
 	*d = (struct device){ 0 };
-	unsigned seen = object_read(v, device_members, 0, d);
+	uint64_t seen = object_read(v, device_members, 0, d);
 
-	object_way(v, device_members, 0, seen, &rectangle_ways);
+	object_way(v, device_members, 0, seen, rectangle_ways);
 }
 
+/* fit finds only the window of a document that is flat. */
 void read_window(const struct value *v, struct window *w)
 {
-	*w = (struct window){ .zoom = 1 };
-	unsigned seen = object_read(v, window_members, 0, w);
+	struct ways ways = window_ways[0];
 
-	w->by_edges = object_way(v, window_members, 0, seen,
-			  v->source->fit && v->source->flat ?
-			      &fit_window_ways :
-			      &window_ways) == 1;
+	if (!v->source->flat)
+		ways.fit_hint = NULL;
+	*w = (struct window){ 0 };
+	uint64_t seen = object_read(v, window_members, 0, w);
+
+	w->by_edges = object_way(v, window_members, 0, seen, &ways) == 1;
 	w->has_about = (seen & member_bit(window_members, 0, "about")) != 0;
 }
 
 void read_bounds(const struct value *v, struct bounds *b)
 {
-	unsigned seen = object_read(v, bounds_members, 0, b);
+	uint64_t seen = object_read(v, bounds_members, 0, b);
 
-	b->sphere = object_way(v, bounds_members, 0, seen, &bounds_ways) == 1;
+	b->sphere = object_way(v, bounds_members, 0, seen, bounds_ways) == 1;
 }
 
 void read_pick(const struct value *v, struct pick *p)
 {
-	unsigned seen = object_read(v, pick_members, 0, p);
+	uint64_t seen = object_read(v, pick_members, 0, p);
 
 	p->has_at = (seen & member_bit(pick_members, 0, "at")) != 0;
 }

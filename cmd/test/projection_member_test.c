@@ -196,7 +196,7 @@ static const struct refusal projections[] = {
 	    "is wanted" },
 	{ &persp,
 	    "{\"angles\":[-1,1.6,-1,1]," PLANES ",\"angle_unit\":\"radians\"}",
-	    "/angles/1: 1.6 is out of range; an angle between -pi/2 and pi/2 "
+	    "/angles/1: 1.6 is out of range; an angle above -pi/2 and below pi/2 "
 	    "radians is wanted" },
 	{ &persp, "{\"angles\":[-1,1,-1,1]}",
 	    "/near: missing; give \"near\" and \"far\"" },
