@@ -53,6 +53,13 @@ struct member {
 	bool beside;
 };
 
+/* A row of a table: the member of that name stands in a field of struct in. */
+#define ROW(in, label, of, field, ...)                        \
+	{                                                     \
+		.name = label, .type = &(of),                 \
+		.at = offsetof(struct in, field), __VA_ARGS__ \
+	}
+
 /* The ways in which members of an object can be combined. A way lists names
  * with blanks between them; those with ? may be missing. An object takes one
  * way, in whole, and has no member that is only in another. */

@@ -36,12 +36,9 @@ static const char *const depths[] = { "zero_to_one", "minus_one_to_one", NULL };
 static const char *const ys[] = { "up", "down", NULL };
 static const char *const origins[] = { "top-left", "bottom-left", NULL };
 
-#define SECOND(label, list, m, first, other, what)                        \
-	{                                                                 \
-		.name = label, .type = &type_second, .words = list,       \
-		.at = offsetof(struct convention, m),                     \
-		.usual = "\"" first "\"", .aliases = other, .about = what \
-	}
+#define SECOND(label, list, field, first, other, what)            \
+	ROW(convention, label, type_second, field, .words = list, \
+	    .usual = "\"" first "\"", .aliases = other, .about = what)
 
 const struct member convention_members[] = {
 	SECOND("handedness", hands, right_handed, "left", "hand handed hands",

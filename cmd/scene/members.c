@@ -5,52 +5,39 @@ static const char *const origins[] = { "bottom-left", "top-left", NULL };
 static const char *const scales[] = { "fill", "uniform", NULL };
 const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
 
-#define MEMBER(in, member) offsetof(struct in, member)
-
-#define NUMBERS(label, in, m, count, ...)                                  \
-	{                                                                  \
-		.name = label, .type = &type_numbers, .at = MEMBER(in, m), \
-		.n = count, __VA_ARGS__                                    \
-	}
-
 const struct member camera_members[] = {
-	NUMBERS("eye", camera, eye, 3, .aliases = "position pos from origin",
-	    .unit = "world units", .about = "where the camera stands"),
-	NUMBERS("at", camera, at, 3, .aliases = "target center centre lookat",
-	    .unit = "world units", .about = "the point that it looks at"),
-	NUMBERS("gaze", camera, at, 3, .aliases = "direction dir forward",
+	ROW(camera, "eye", type_numbers, eye, .n = 3,
+	    .aliases = "position pos from origin", .unit = "world units",
+	    .about = "where the camera stands"),
+	ROW(camera, "at", type_numbers, at, .n = 3,
+	    .aliases = "target center centre lookat", .unit = "world units",
+	    .about = "the point that it looks at"),
+	ROW(camera, "gaze", type_numbers, at, .n = 3,
+	    .aliases = "direction dir forward",
 	    .about = "the direction in which it looks"),
-	NUMBERS("orientation", camera, orientation, 4,
+	ROW(camera, "orientation", type_numbers, orientation, .n = 4,
 	    .aliases = "rotation quaternion quat qvec",
 	    .note = "x, y, z, w from view to world axes; of w, x, y, z from "
 		    "world to view that is -x, -y, -z, w",
 	    .about = "quaternion x, y, z, w: view to world axes"),
-	NUMBERS("translation", camera, eye, 3, .aliases = "tvec t",
+	ROW(camera, "translation", type_numbers, eye, .n = 3,
+	    .aliases = "tvec t",
 	    .note = "where the world's origin is in view space",
 	    .unit = "view units", .about = "where the world's origin is"),
-	{ .name = "pose",
-	    .type = &type_affine,
-	    .at = MEMBER(camera, matrix),
+	ROW(camera, "pose", type_affine, matrix,
 	    .aliases = "transformmatrix transform matrixworld cameratoworld "
 		       "camtoworld c2w",
-	    .note = "view to world",
-	    .about = "view to world" },
-	{ .name = "matrix",
-	    .type = &type_affine,
-	    .at = MEMBER(camera, matrix),
+	    .note = "view to world", .about = "view to world"),
+	ROW(camera, "matrix", type_affine, matrix,
 	    .aliases = "view viewmatrix extrinsic extrinsics r rt rvec "
 		       "rotationmatrix worldtocamera worldtocam w2c",
-	    .note = "world to view, [R|t]",
-	    .about = "world to view, [R|t]" },
-	NUMBERS("up", camera, up, 3, .usual = "[0, 1, 0]", .shown = true,
-	    .about = "it points up in the image"),
-	NUMBERS("roll", camera, roll, 0, .range = &range_turn, .usual = "0",
-	    .about = "counterclockwise"),
-	{ .name = "orthonormalize",
-	    .type = &type_flag,
-	    .at = MEMBER(camera, orthonormalize),
-	    .usual = "false",
-	    .about = "to the nearest rotation" },
+	    .note = "world to view, [R|t]", .about = "world to view, [R|t]"),
+	ROW(camera, "up", type_numbers, up, .n = 3, .usual = "[0, 1, 0]",
+	    .shown = true, .about = "it points up in the image"),
+	ROW(camera, "roll", type_numbers, roll, .range = &range_turn,
+	    .usual = "0", .about = "counterclockwise"),
+	ROW(camera, "orthonormalize", type_flag, orthonormalize,
+	    .usual = "false", .about = "to the nearest rotation"),
 	{ .name = NULL },
 };
 
@@ -58,16 +45,16 @@ const struct member camera_members[] = {
 const struct ways camera_ways[] = {
 	{
 	    .hint = "give \"eye\" and one of \"at\", \"gaze\" and "
-	            "\"orientation\", or "
+		    "\"orientation\", or "
 		    "\"translation\" and \"orientation\", or \"pose\" or "
-	            "\"matrix\" alone",
+		    "\"matrix\" alone",
 	    .way = { "eye at up? roll?", "eye gaze up? roll?",
 		"eye orientation roll?", "translation orientation roll?",
 		"pose orthonormalize?", "matrix orthonormalize?" },
 	    .fit_hint = "give \"gaze\" or \"orientation\", with an \"eye\" or "
-	                "without, or "
+			"without, or "
 			"\"eye\" and \"at\", or \"translation\" and "
-	                "\"orientation\", or "
+			"\"orientation\", or "
 			"\"pose\" or "
 			"\"matrix\" alone",
 	    .fit_way = { "eye at up? roll?", "eye? gaze up? roll?",
@@ -77,21 +64,20 @@ const struct ways camera_ways[] = {
 	{ .hint = NULL },
 };
 
-#define SIZE(label, in, m, ...)                                            \
-	{                                                                  \
-		.name = label, .type = &type_numbers, .at = MEMBER(in, m), \
-		.range = &range_positive, __VA_ARGS__                      \
-	}
+#define SIZE(in, label, field, ...)                                   \
+	ROW(in, label, type_numbers, field, .range = &range_positive, \
+	    __VA_ARGS__)
 
-#define RECTANGLE(in)                                                        \
-	NUMBERS("x", in, x, 0, .aliases = "left", .unit = "device units",    \
-	    .usual = "0", .shown = true,                                     \
-	    .about = "the corner that origin names"),                        \
-	    NUMBERS("y", in, y, 0, .aliases = "top", .unit = "device units", \
-		.usual = "0", .shown = true, .about = "the same"),           \
-	    SIZE("width", in, width, .unit = "device units",                 \
-		.about = "required"),                                        \
-	    SIZE("height", in, height, .unit = "device units",               \
+#define RECTANGLE(in)                                                \
+	ROW(in, "x", type_numbers, x, .aliases = "left",             \
+	    .unit = "device units", .usual = "0", .shown = true,     \
+	    .about = "the corner that origin names"),                \
+	    ROW(in, "y", type_numbers, y, .aliases = "top",          \
+		.unit = "device units", .usual = "0", .shown = true, \
+		.about = "the same"),                                \
+	    SIZE(in, "width", width, .unit = "device units",         \
+		.about = "required"),                                \
+	    SIZE(in, "height", height, .unit = "device units",       \
 		.about = "required")
 
 /* The end of struct viewport. */
@@ -101,7 +87,7 @@ struct scale {
 };
 
 _Static_assert(offsetof(struct viewport, scales) ==
-	MEMBER(viewport, scale) + offsetof(struct scale, by),
+	offsetof(struct viewport, scale) + offsetof(struct scale, by),
     "scales stand behind scale");
 
 static void read_scale(const struct value *v, const struct member *row,
@@ -134,29 +120,22 @@ static const struct type type_scale = { "fill, uniform or 2 sizes", read_scale,
 
 const struct member viewport_members[] = {
 	RECTANGLE(viewport),
-	NUMBERS("min_z", viewport, min_z, 0,
+	ROW(viewport, "min_z", type_numbers, min_z,
 	    .aliases = "near mindepth zmin minz", .unit = "device units",
 	    .usual = "0", .about = "z of the near plane"),
-	NUMBERS("max_z", viewport, max_z, 0,
+	ROW(viewport, "max_z", type_numbers, max_z,
 	    .aliases = "far maxdepth zmax maxz", .unit = "device units",
 	    .usual = "1", .about = "z of the far plane"),
-	{ .name = "scale",
-	    .type = &type_scale,
-	    .at = MEMBER(viewport, scale),
-	    .words = scales,
-	    .usual = "\"fill\"",
-	    .about = "device units for one of ndc" },
+	ROW(viewport, "scale", type_scale, scale, .words = scales,
+	    .usual = "\"fill\"", .about = "device units for one of ndc"),
 	{ .name = NULL },
 };
 
 const struct member device_members[] = {
 	RECTANGLE(device),
-	{ .name = "origin",
-	    .type = &type_second,
-	    .words = origins,
-	    .at = MEMBER(device, top_left),
+	ROW(device, "origin", type_second, top_left, .words = origins,
 	    .usual = "\"bottom-left\"",
-	    .about = "the corner where x and y are least" },
+	    .about = "the corner where x and y are least"),
 	{ .name = NULL },
 };
 
@@ -169,43 +148,41 @@ const struct ways rectangle_ways[] = {
 };
 
 const struct member window_members[] = {
-	NUMBERS("center", window, center, 2, .aliases = "centre x y position",
-	    .unit = "window units", .about = "with width and height"),
-	SIZE("width", window, width, .unit = "window units",
+	ROW(window, "center", type_numbers, center, .n = 2,
+	    .aliases = "centre x y position", .unit = "window units",
+	    .about = "with width and height"),
+	SIZE(window, "width", width, .unit = "window units",
 	    .about = "of all of it"),
-	SIZE("height", window, height, .unit = "window units",
+	SIZE(window, "height", height, .unit = "window units",
 	    .about = "of all of it"),
-	NUMBERS("left", window, left, 0, .unit = "window units",
+	ROW(window, "left", type_numbers, left, .unit = "window units",
 	    .about = "the four edges, instead"),
-	NUMBERS("right", window, right, 0, .unit = "window units",
+	ROW(window, "right", type_numbers, right, .unit = "window units",
 	    .about = "greater than left"),
-	NUMBERS("bottom", window, bottom, 0, .unit = "window units",
+	ROW(window, "bottom", type_numbers, bottom, .unit = "window units",
 	    .about = "an edge"),
-	NUMBERS("top", window, top, 0, .unit = "window units",
+	ROW(window, "top", type_numbers, top, .unit = "window units",
 	    .about = "greater than bottom"),
-	NUMBERS("pan", window, pan, 2, .unit = "window units",
+	ROW(window, "pan", type_numbers, pan, .n = 2, .unit = "window units",
 	    .usual = "[0, 0]", .about = "by how much the window moves"),
-	SIZE("zoom", window, zoom, .usual = "1",
+	SIZE(window, "zoom", zoom, .usual = "1",
 	    .about = "of which 2 shows half the extent"),
-	NUMBERS("about", window, about, 2, .unit = "window units",
+	ROW(window, "about", type_numbers, about, .n = 2,
+	    .unit = "window units",
 	    .about = "what zoom leaves where it is, else the centre"),
-	{ .name = "adapt",
-	    .type = &type_word,
-	    .at = MEMBER(window, adapt),
-	    .words = adapt_names,
-	    .usual = "\"stretch\"",
-	    .about = "to a device of another shape" },
+	ROW(window, "adapt", type_word, adapt, .words = adapt_names,
+	    .usual = "\"stretch\"", .about = "to a device of another shape"),
 	{ .name = NULL },
 };
 
 const struct ways window_ways[] = {
 	{
 	    .hint = "give \"center\", \"width\" and \"height\", or \"left\", "
-	            "\"right\", "
+		    "\"right\", "
 		    "\"bottom\" and \"top\"",
 	    .way = { "center width height", "left right bottom top" },
 	    .fit_hint = "give \"center\", \"width\" and \"height\", or "
-	                "\"left\", \"right\", "
+			"\"left\", \"right\", "
 			"\"bottom\" and \"top\", or nothing",
 	    .fit_way = { "center? width? height?",
 		"left? right? bottom? top?" },
@@ -232,15 +209,13 @@ static void read_corner(const struct value *v, const struct member *row,
 static const struct type type_corner = { "3 numbers, or 2 of a window",
 	read_corner, NULL, 0 };
 
-#define CORNER(label, m, other, what)                                         \
-	{                                                                     \
-		.name = label, .type = &type_corner, .at = MEMBER(bounds, m), \
-		.aliases = other, .unit = "model units", .about = what        \
-	}
+#define CORNER(label, field, other, what)                        \
+	ROW(bounds, label, type_corner, field, .aliases = other, \
+	    .unit = "model units", .about = what)
 
 const struct member bounds_members[] = {
 	CORNER("center", center, "centre position", "of a sphere"),
-	SIZE("radius", bounds, radius, .unit = "model units",
+	SIZE(bounds, "radius", radius, .unit = "model units",
 	    .about = "of a sphere"),
 	CORNER("min", min, "lower from", "of a box, its least coordinates"),
 	CORNER("max", max, "upper to", "the opposite corner"),
@@ -256,9 +231,9 @@ const struct ways bounds_ways[] = {
 };
 
 const struct member pick_members[] = {
-	NUMBERS("at", pick, at, 2, .aliases = "position center",
+	ROW(pick, "at", type_numbers, at, .n = 2, .aliases = "position center",
 	    .unit = "device units", .about = "where to look"),
-	SIZE("radius", pick, radius, .unit = "device units",
+	SIZE(pick, "radius", radius, .unit = "device units",
 	    .about = "how far around it"),
 	{ .name = NULL },
 };

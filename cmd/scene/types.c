@@ -135,12 +135,8 @@ struct printed {
 };
 
 static const struct member printed_members[] = {
-	{ .name = "matrix",
-	    .type = &type_value,
-	    .at = offsetof(struct printed, matrix) },
-	{ .name = "vectors",
-	    .type = &type_value,
-	    .at = offsetof(struct printed, vectors) },
+	ROW(printed, "matrix", type_value, matrix, .n = 0),
+	ROW(printed, "vectors", type_value, vectors, .n = 0),
 	{ .name = NULL },
 };
 
