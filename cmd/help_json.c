@@ -102,7 +102,7 @@ static void put_option(struct printer *p, const struct option_row *r,
 }
 
 /* The numbers that a member may be, by the words of JSON Schema. */
-static void put_range(struct printer *p, const struct range *r)
+static void put_range(struct printer *p, const struct value_range *r)
 {
 	put_name(p, r->above ? "exclusiveMinimum" : "minimum");
 	put_number(p, r->min);

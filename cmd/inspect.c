@@ -148,7 +148,7 @@ static void put_plane(struct printer *p, const struct document *d)
 }
 
 /* Of all others. */
-static void put_space(struct printer *p, const struct document *d,
+static void put_spatial(struct printer *p, const struct document *d,
     double tolerance)
 {
 	struct taxonomy t;
@@ -188,7 +188,7 @@ void run_inspect(const struct command *c, const struct options *o)
 	if (d.flat)
 		put_plane(&p, &d);
 	else
-		put_space(&p, &d, tolerance ? o->tolerances.least : 0.5);
+		put_spatial(&p, &d, tolerance ? o->tolerances.least : 0.5);
 	put_text(&p, "\n}\n");
 	put_all(text, (size_t)(p.at - text));
 }

@@ -117,7 +117,7 @@ const char *member_unit(const struct member *row)
 	return angle ? "degrees" : row->unit;
 }
 
-static void names_of(const struct member *row, int kind,
+static void list_names(const struct member *row, int kind,
     const char *names[MEMBERS_MAX + 1])
 {
 	int n = 0;
@@ -137,7 +137,7 @@ static const struct member *meant(const struct member *table, int kind,
 
 	if (row != NULL)
 		return row;
-	names_of(table, kind, names);
+	list_names(table, kind, names);
 	const char *near = nearest(name, names);
 
 	return near != NULL ? member_of(table, kind, near) : NULL;
@@ -203,8 +203,8 @@ static void refuse_misplaced(const struct value *v, const struct member *table)
 		    v->in->name);
 }
 
-static _Noreturn void unknown(const struct value *v, const struct member *table,
-    int kind)
+static _Noreturn void refuse_unknown(const struct value *v,
+    const struct member *table, int kind)
 {
 	const struct member *scene = v->source->scene;
 	const struct member *row = NULL;
@@ -224,7 +224,7 @@ static _Noreturn void unknown(const struct value *v, const struct member *table,
 	if (row != NULL)
 		value_refuse(v, "unknown member; did you mean %s?",
 		    described(row, all));
-	names_of(table, kind, names);
+	list_names(table, kind, names);
 	value_refuse(v, "unknown member; there are %s",
 	    list_words(all, names, " and ", "\""));
 }
@@ -261,7 +261,7 @@ uint64_t object_read(const struct value *v, const struct member *table,
 		bool other = is_beside(&m, table);
 
 		if (bit == 0 && !other)
-			unknown(&m, table, kind);
+			refuse_unknown(&m, table, kind);
 		if (other ? beside : (seen & bit) != 0)
 			value_refuse(&m, "repeated; give it once");
 		seen |= bit;

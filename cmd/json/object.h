@@ -23,11 +23,11 @@ struct type {
 struct member {
 	const char *name; /* NULL ends a table */
 	const struct type *type;
-	size_t at;                 /* where in the struct it stands */
-	size_t n;                  /* of numbers in an array; 0: one number */
-	const struct range *range; /* of numbers; NULL: range_any */
-	const char *const *words;  /* of a string; NULL ends them */
-	unsigned first;            /* what words[0] stands for */
+	size_t at; /* where in the struct it stands */
+	size_t n;  /* of numbers in an array; 0: one number */
+	const struct value_range *range; /* of numbers; NULL: range_any */
+	const char *const *words;        /* of a string; NULL ends them */
+	unsigned first;                  /* what words[0] stands for */
 	/* Where objects are of several kinds, as projections are of types: the
 	 * kinds that have the member, as bits; 0 for all of them. The words of
 	 * the table's first row name the kinds. Kinds may have different members

@@ -12,11 +12,13 @@
 #include "../message/message.h"
 #include "scan.h"
 
-const struct range range_any = { .min = -MAGNITUDE_MAX, .max = MAGNITUDE_MAX };
-const struct range range_turn = { .min = -MAGNITUDE_MAX,
+const struct value_range range_any = { .min = -MAGNITUDE_MAX,
+	.max = MAGNITUDE_MAX };
+const struct value_range range_turn = { .min = -MAGNITUDE_MAX,
 	.max = MAGNITUDE_MAX,
 	.angle = true };
-const struct range range_positive = { .min = SIZE_MIN, .max = MAGNITUDE_MAX };
+const struct value_range range_positive = { .min = SIZE_MIN,
+	.max = MAGNITUDE_MAX };
 
 static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 
@@ -210,13 +212,13 @@ void value_want_object(const struct value *v)
 }
 
 /* Whether a range's limits are parts of pi: radians, of an angle that has limits. */
-static bool is_by_pi(const struct range *r, unsigned unit)
+static bool is_by_pi(const struct value_range *r, unsigned unit)
 {
 	return r->angle && unit == RADIANS && r->max < MAGNITUDE_MAX;
 }
 
 /* PI and its half are the largest doubles below what they stand for. */
-static bool is_within(double x, const struct range *r, bool by_pi)
+static bool is_within(double x, const struct value_range *r, bool by_pi)
 {
 	double min = r->min, max = r->max;
 
@@ -242,7 +244,7 @@ static void write_limit(char out[LIMIT_ROOM], double v, bool by_pi)
 }
 
 /* Writes the sentence that tells a range. */
-static void write_wanted(char out[WANTED_ROOM], const struct range *r,
+static void write_wanted(char out[WANTED_ROOM], const struct value_range *r,
     bool by_pi)
 {
 	bool above = r->above || r->min == SIZE_MIN;
@@ -267,7 +269,7 @@ static void write_wanted(char out[WANTED_ROOM], const struct range *r,
 				" degrees");
 }
 
-double value_number(const struct value *v, const struct range *range)
+double value_number(const struct value *v, const struct value_range *range)
 {
 	bool by_pi = is_by_pi(range, v->source->unit);
 	char wanted[WANTED_ROOM];
@@ -296,8 +298,8 @@ bool value_flag(const struct value *v)
 	return *v->s == 't';
 }
 
-void value_numbers(const struct value *v, const struct range *range, size_t n,
-    double *out)
+void value_numbers(const struct value *v, const struct value_range *range,
+    size_t n, double *out)
 {
 	char wanted[40];
 

@@ -42,14 +42,14 @@ struct value {
 };
 
 /* The numbers that a member may be. A least of 1e-150 is told as "above 0". */
-struct range {
+struct value_range {
 	double min, max;
 	bool above, below; /* min, or max, is not among them */
 	bool angle;        /* the limits are degrees */
 };
 
 /* Numbers up to 1e150 in magnitude, and angles; sizes, from 1e-150 to 1e150. */
-extern const struct range range_any, range_turn, range_positive;
+extern const struct value_range range_any, range_turn, range_positive;
 
 /* Checks a document and returns it as a value; refuses what is no JSON. Sets
  * source->array to the document's member of that name, or where name is NULL to the
@@ -84,11 +84,11 @@ _Noreturn void value_wrong(const struct value *, const char *wanted);
 
 /* What is not of that type, or out of range, is refused. */
 void value_want_object(const struct value *);
-double value_number(const struct value *, const struct range *);
+double value_number(const struct value *, const struct value_range *);
 bool value_flag(const struct value *);
 
 /* An array of exactly n numbers. */
-void value_numbers(const struct value *, const struct range *, size_t n,
+void value_numbers(const struct value *, const struct value_range *, size_t n,
     double *);
 
 /* The index of a string in words, which NULL ends; another is refused. */

@@ -43,7 +43,9 @@ enum {
 #define BOUNDS_LIKE "{\"min\": [-1,-1,-1], \"max\": [1,1,1]}"
 #define PICK_LIKE "{\"at\": [320,240], \"radius\": 3}"
 
-static const struct range margins = { .min = 0, .max = 0.5, .below = true };
+static const struct value_range margins = { .min = 0,
+	.max = 0.5,
+	.below = true };
 
 const struct member scene_members[SCENE_MEMBERS + 1] = {
 	MEMBER(CONVENTION, "convention", type_convention, convention_members,

@@ -6,21 +6,23 @@
 
 #include "../message/escape.h"
 
-static const struct range opening = { .min = SIZE_MIN,
+static const struct value_range opening = { .min = SIZE_MIN,
 	.max = 180,
 	.below = true,
 	.angle = true };
-static const struct range taper = { .min = 0,
+static const struct value_range taper = { .min = 0,
 	.max = 180,
 	.below = true,
 	.angle = true };
-static const struct range slope = { .min = SIZE_MIN, .max = 90, .angle = true };
-static const struct range acute = { .min = -90,
+static const struct value_range slope = { .min = SIZE_MIN,
+	.max = 90,
+	.angle = true };
+static const struct value_range acute = { .min = -90,
 	.max = 90,
 	.above = true,
 	.below = true,
 	.angle = true };
-static const struct range fraction = { .min = SIZE_MIN,
+static const struct value_range fraction = { .min = SIZE_MIN,
 	.max = 1,
 	.below = true };
 

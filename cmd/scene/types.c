@@ -9,8 +9,8 @@ const char *const angle_units[] = { "degrees", "radians", NULL };
 static void read_numbers(const struct value *v, const struct member *row,
     void *out)
 {
-	const struct range *range = row->range != NULL ? row->range :
-							 &range_any;
+	const struct value_range *range = row->range != NULL ? row->range :
+							       &range_any;
 
 	if (row->n == 0)
 		*(double *)out = value_number(v, range);
