@@ -191,7 +191,7 @@ static const struct refusal projections[] = {
 	    "/angles/1: not greater than the one before it; the order is left, "
 	    "right, bottom, top" },
 	{ &persp, "{\"angles\":[-90,40,-30,20]," PLANES "}",
-	    "/angles/0: -90 is out of range; an angle between -90 and 90 "
+	    "/angles/0: -90 is out of range; an angle above -90 and below 90 "
 	    "degrees "
 	    "is wanted" },
 	{ &persp,
