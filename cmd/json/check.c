@@ -10,7 +10,7 @@
 #include "../message/escape.h"
 #include "../number/number.h"
 #include "../message/utf8.h"
-#include "scan.h"
+#include "text.h"
 
 enum { LEVELS_MAX = 100 };
 

@@ -10,7 +10,7 @@
 #include "../message/nearest.h"
 #include "../number/number.h"
 #include "../message/message.h"
-#include "scan.h"
+#include "text.h"
 
 const struct value_range range_any = { .min = -MAGNITUDE_MAX,
 	.max = MAGNITUDE_MAX };

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../json/scan.h"
+#include "../json/text.h"
 #include "../number/number.h"
 #include "convention_member.h"
 #include "examples.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "scan.h"
+#include "text.h"
 
 #include <stdbool.h>
 #include <string.h>
