@@ -5,7 +5,7 @@
 
 #include "../core/points/kernel/little.h"
 #include "json/print.h"
-#include "scene/readers.h"
+#include "scene/types.h"
 #include "message/message.h"
 
 /* The rows and columns of a map that are printed, of 3 or 4: in 2D z is left out. */

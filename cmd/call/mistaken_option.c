@@ -20,7 +20,7 @@ static void write_value(char out[VALUE_MAX], const struct member *m,
 	char list[2 * VALUE_MAX] = "";
 
 	snprintf(out, VALUE_MAX, "%s", m->example != NULL ? m->example : "...");
-	if (m->read == read_flag)
+	if (m->type == &type_flag)
 		strcpy(out, strcmp(text, "false") == 0 ? "false" : "true");
 	else if (*text == '\0')
 		return;
@@ -46,7 +46,7 @@ static void name_of(char out[64], const char *word)
  * a file, such as scene.json, is not. */
 static bool is_value(const struct member *m, const char *word)
 {
-	if (m->read == read_flag)
+	if (m->type == &type_flag)
 		return strcmp(word, "true") == 0 || strcmp(word, "false") == 0;
 	return strchr("[{", *word) != NULL ||
 	    (*word != '-' && strpbrk(word, "./ ") == NULL);
@@ -68,7 +68,7 @@ static char **text_of(char out[VALUE_MAX], const struct member *m, char **words)
 	copy(out, equals != NULL ? equals + 1 : "");
 	if (equals != NULL || *words == NULL)
 		return words;
-	if (m->read == read_flag || !is_numbers(*words)) {
+	if (m->type == &type_flag || !is_numbers(*words)) {
 		if (is_value(m, *words))
 			copy(out, *words++);
 	} else {

@@ -10,7 +10,7 @@
 #include "../message/escape.h"
 #include "../number/number.h"
 #include "../message/utf8.h"
-#include "scan.h"
+#include "text.h"
 
 enum { LEVELS_MAX = 100 };
 
@@ -148,7 +148,7 @@ static bool unicode_digits(struct check *s, unsigned *code)
 }
 
 /* After \u. */
-static bool unicode(struct check *s)
+static bool check_unicode(struct check *s)
 {
 	unsigned code, second = 0;
 
@@ -181,7 +181,7 @@ static bool escape(struct check *s)
 		return fail(s, "\\%s is no escape of JSON; a backslash is \\\\",
 		    escaped(what, p, p < s->end));
 	s->p += 2;
-	return *p != 'u' || unicode(s);
+	return *p != 'u' || check_unicode(s);
 }
 
 /* At a character of a string. */
@@ -206,7 +206,7 @@ static bool character(struct check *s)
 
 /* Whether c is any character of a string but a quotation mark, and needs no
  * look at what is around it. */
-static bool is_plain(char c)
+static bool passes_unseen(char c)
 {
 	return c >= ' ' && c != '"' && c != '\\' && (unsigned char)c < 0x80;
 }
@@ -215,7 +215,7 @@ static bool is_plain(char c)
 static bool string(struct check *s)
 {
 	for (s->p++;;) {
-		while (s->p < s->end && is_plain(*s->p))
+		while (s->p < s->end && passes_unseen(*s->p))
 			s->p++;
 		if (at(s, '"'))
 			break;
@@ -364,36 +364,20 @@ static bool comma(struct check *s, const char *open, char close)
 	    fail(s, "trailing comma before '%c'; remove it", close);
 }
 
-/* Whether the string of checked text that begins at s is that name. */
-static bool is_name(const char *s, const char *end, const char *name)
-{
-	char c[4];
-	int n;
-
-	for (s++; *s != '"'; name += n) {
-		if (*s == '\\') {
-			s = json_unescape(s, end, c, &n);
-		} else {
-			c[0] = *s++;
-			n = 1;
-		}
-		if (strncmp(name, c, (size_t)n) != 0)
-			return false;
-	}
-	return *name == '\0';
-}
-
 static bool member(struct check *s)
 {
 	const char *quoted = s->p, *start;
+	char found[64]; /* longer than s->name */
 
 	if (!name(s))
 		return false;
 	start = s->p;
 	if (!value(s))
 		return false;
-	if (s->level == 1 && s->name != NULL && s->part.s == NULL &&
-	    is_name(quoted, s->end, s->name))
+	if (s->level > 1 || s->name == NULL || s->part.s != NULL)
+		return true;
+	json_string_copy(quoted, s->end, found, sizeof found);
+	if (strcmp(found, s->name) == 0)
 		s->part = (struct span){ start, s->p };
 	return true;
 }
@@ -416,7 +400,7 @@ static bool list(struct check *s)
 	return true;
 }
 
-static bool check(struct check *s)
+static bool check_text(struct check *s)
 {
 	const char *nul = s->kind == JSON_LINE ?
 	    NULL :
@@ -452,7 +436,7 @@ bool json_check(enum json_kind kind, const char *text, const char *end,
 		.line = 1,
 		.error = error };
 
-	return check(&s);
+	return check_text(&s);
 }
 
 bool json_check_part(const char *text, const char *end, long line,
@@ -465,7 +449,7 @@ bool json_check_part(const char *text, const char *end, long line,
 		.line = line,
 		.error = error,
 		.name = name };
-	bool ok = check(&s);
+	bool ok = check_text(&s);
 
 	*part = s.part;
 	return ok;

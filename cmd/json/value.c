@@ -1,193 +1,135 @@
 /* SPDX-License-Identifier: MIT */
 #include "value.h"
 
-#include <cjson/cJSON.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "../../core/scene/scene.h"
 #include "../message/nearest.h"
 #include "../number/number.h"
-#include "../message/escape.h"
 #include "../message/message.h"
-#include "scan.h"
+#include "text.h"
 
-const struct range range_any = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
-	"numbers go up to 1e150" };
-const struct range range_positive = { SIZE_MIN, MAGNITUDE_MAX,
-	"a number from 1e-150 to 1e150 is wanted" };
+const struct value_range range_any = { .min = -MAGNITUDE_MAX,
+	.max = MAGNITUDE_MAX };
+const struct value_range range_turn = { .min = -MAGNITUDE_MAX,
+	.max = MAGNITUDE_MAX,
+	.angle = true };
+const struct value_range range_positive = { .min = SIZE_MIN,
+	.max = MAGNITUDE_MAX };
 
 static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 
-/* cJSON takes no more characters than these for a number, and what follows for
- * something else. */
-enum { CJSON_NUMBER_MAX = 63 };
-
-/* Puts the shortest text of v in the place of a number of n characters, and
- * blanks after it. */
-static void shorten(char *number, size_t n, double v)
+struct value value_parse(struct source *source, const char *name, char *text,
+    size_t size)
 {
-	char text[NUMBER_MAX] = "1e999", *end = text + 5;
-
-	if (isfinite(v))
-		end = number_write(text, v, shortest);
-	memset(number, ' ', n);
-	memcpy(number, text, (size_t)(end - text));
-}
-
-/* Makes checked text such that cJSON reads every number in it. */
-static void shorten_numbers(char *text, size_t size)
-{
-	const char *end = text + size, *next;
-	double v;
-
-	for (char *s = text; s < end; s += next - s) {
-		next = *s == '"' ? json_string(s, end) :
-				   json_number(s, end, &v);
-		if (next == NULL)
-			next = s + 1;
-		else if (*s != '"' && next - s > CJSON_NUMBER_MAX)
-			shorten(s, (size_t)(next - s), v);
-	}
-}
-
-/* cJSON takes whatever passes the check; where it fails, memory is short. */
-static const struct cJSON *parse(char *text, size_t size)
-{
-	shorten_numbers(text, size);
-	const cJSON *item = cJSON_ParseWithLength(text, size);
-
-	if (item == NULL)
-		die(EXIT_SYSTEM, "out of memory");
-	return item;
-}
-
-/* Checks a document and finds a part of it. */
-static void check(const struct source *source, const char *name, char *text,
-    size_t size, struct span *part)
-{
+	struct value v = { .source = source };
 	struct json_error e;
 
 	if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
 		memset(text, ' ', 3); /* a byte order mark */
-	if (!json_check_part(text, text + size, source->line + 1, name, part,
-		&e))
+	source->end = text + size;
+	if (!json_check_part(text, source->end, source->line + 1, name,
+		&source->array, &e))
 		die_at(EXIT_INPUT,
 		    &(struct place){ .file = source->name, .line = e.line },
 		    "%s", e.reason);
-}
-
-/* A copy of a text with [] in the place of a part; sets *size. */
-static char *without(const char *text, const char *end, const struct span *part,
-    size_t *size)
-{
-	size_t before = (size_t)(part->s - text);
-	size_t after = (size_t)(end - part->end);
-	char *copy = need(NULL, before + 2 + after);
-
-	memcpy(copy, text, before);
-	memcpy(copy + before, "[]", 2);
-	memcpy(copy + before + 2, part->end, after);
-	*size = before + 2 + after;
-	return copy;
-}
-
-struct value value_parse_without(const struct source *source, const char *name,
-    char *text, size_t size, struct span *array)
-{
-	struct value v = { .source = source };
-
-	check(source, name, text, size, array);
-	if (array->s == NULL || *array->s != '[') {
-		array->s = NULL;
-		v.item = parse(text, size);
-		return v;
-	}
-	char *rest = without(text, text + size, array, &size);
-
-	v.item = parse(rest, size);
-	free(rest);
+	if (source->array.s != NULL && *source->array.s != '[')
+		source->array.s = NULL;
+	v.s = json_space(text, source->end);
 	return v;
 }
 
-void value_parse_part(struct value *v, const char *s, const char *end)
+/* Moves *v to the value behind at, an opening bracket, or a comma or bracket behind a
+ * value. */
+static void value_move(struct value *v, const char *at)
 {
-	size_t size = (size_t)(end - s);
-	char *copy = need(NULL, size);
+	const char *end = v->source->end;
+	const struct span *array = &v->source->array;
+	const char *s = at;
 
-	memcpy(copy, s, size);
-	v->item = parse(copy, size);
-	free(copy);
-}
-
-void value_free(const struct value *v)
-{
-	cJSON_Delete((cJSON *)v->item);
+	v->s = NULL;
+	if (*s == ']' || *s == '}')
+		return;
+	s = json_space(s + 1, end);
+	if (*s == ']' || *s == '}')
+		return;
+	if (v->named) {
+		json_string_copy(s, end, v->name, NAME_ROOM);
+		s = json_space(json_string(s, end), end);
+		s = json_space(s + 1, end);
+	}
+	v->s = s;
+	v->after = json_skip(s == array->s ? array->end : s, end);
 }
 
 struct value value_child(const struct value *v)
 {
-	const cJSON *item = v->item->child;
-
-	return (struct value){ .source = v->source,
+	struct value child = { .source = v->source,
 		.in = v,
-		.name = item != NULL ? item->string : NULL,
 		.unused = v->unused,
-		.item = item };
+		.named = *v->s == '{' };
+
+	if (*v->s == '{' || *v->s == '[')
+		value_move(&child, v->s);
+	return child;
 }
 
 void value_next(struct value *v)
 {
-	v->item = v->item->next;
 	v->index++;
-	v->name = v->item != NULL ? v->item->string : NULL;
+	value_move(v, v->after);
 }
 
 struct value value_missing(const struct value *in, const char *name)
 {
-	return (struct value){ .source = in->source, .in = in, .name = name };
+	struct value v = { .source = in->source, .in = in, .named = true };
+
+	strcpy(v.name, name);
+	return v;
 }
 
 bool value_member(const struct value *object, const char *name,
     struct value *member)
 {
 	*member = value_child(object);
-	while (member->item != NULL && strcmp(member->name, name) != 0)
+	while (member->s != NULL && strcmp(member->name, name) != 0)
 		value_next(member);
-	return member->item != NULL;
+	return member->s != NULL;
 }
 
 bool value_is_object(const struct value *v)
 {
-	return cJSON_IsObject(v->item);
+	return *v->s == '{';
 }
 
 bool value_is_array(const struct value *v)
 {
-	return cJSON_IsArray(v->item);
+	return *v->s == '[';
 }
 
 bool value_is_null(const struct value *v)
 {
-	return cJSON_IsNull(v->item);
+	return *v->s == 'n';
 }
 
-const char *value_string(const struct value *v)
+const char *value_string(const struct value *v, char out[NAME_ROOM])
 {
-	return cJSON_GetStringValue(v->item);
+	if (*v->s != '"')
+		return NULL;
+	json_string_copy(v->s, v->source->end, out, NAME_ROOM);
+	return out;
 }
 
 size_t value_count(const struct value *v)
 {
-	size_t n = 0;
+	struct value e = value_child(v);
 
-	for (const cJSON *item = v->item->child; item != NULL;
-	     item = item->next)
-		n++;
-	return n;
+	while (e.s != NULL)
+		value_next(&e);
+	return e.index;
 }
 
 /* A step of a pointer: ~ is ~0, / is ~1 (RFC 6901). */
@@ -217,7 +159,7 @@ static char *pointer(const struct value *v, char *out)
 	if (v->in == NULL)
 		return out;
 	out = pointer(v->in, out);
-	if (v->name != NULL)
+	if (v->named)
 		step(name, v->name);
 	else
 		snprintf(name, sizeof name, "%zu", v->index);
@@ -239,23 +181,28 @@ void value_refuse(const struct value *v, const char *format, ...)
 
 void value_wrong(const struct value *v, const char *wanted)
 {
-	static const struct {
-		int type;
-		const char *name;
-	} names[] = {
-		{ cJSON_False, "false" },
-		{ cJSON_True, "true" },
-		{ cJSON_NULL, "null" },
-		{ cJSON_Number, "a number" },
-		{ cJSON_String, "a string" },
-		{ cJSON_Array, "an array" },
-	};
-	const char *name = "an object";
+	const char *is = "a number";
 
-	for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-		if ((v->item->type & 0xff) == names[i].type)
-			name = names[i].name;
-	value_refuse(v, "is %s; %s is wanted", name, wanted);
+	switch (*v->s) {
+	case 'f':
+		is = "false";
+		break;
+	case 't':
+		is = "true";
+		break;
+	case 'n':
+		is = "null";
+		break;
+	case '"':
+		is = "a string";
+		break;
+	case '[':
+		is = "an array";
+		break;
+	case '{':
+		is = "an object";
+	}
+	value_refuse(v, "is %s; %s is wanted", is, wanted);
 }
 
 void value_want_object(const struct value *v)
@@ -264,36 +211,95 @@ void value_want_object(const struct value *v)
 		value_wrong(v, "an object");
 }
 
-double value_number(const struct value *v, const struct range *range)
+/* Whether a range's limits are parts of pi: radians, of an angle that has limits. */
+static bool is_by_pi(const struct value_range *r, unsigned unit)
 {
-	double x = v->item->valuedouble;
-	char text[NUMBER_MAX];
+	return r->angle && unit == RADIANS && r->max < MAGNITUDE_MAX;
+}
 
-	if (cJSON_IsString(v->item) &&
-	    strcmp(v->item->valuestring, "infinity") == 0)
+/* PI and its half are the largest doubles below what they stand for. */
+static bool is_within(double x, const struct value_range *r, bool by_pi)
+{
+	double min = r->min, max = r->max;
+
+	if (by_pi) {
+		min = min == SIZE_MIN ? min : min / 180 * PI;
+		max = max / 180 * PI;
+	}
+	return (x > min || (x == min && (by_pi || !r->above))) &&
+	    (x < max || (x == max && (by_pi || !r->below)));
+}
+
+enum { LIMIT_ROOM = 24, WANTED_ROOM = 100 };
+
+static void write_limit(char out[LIMIT_ROOM], double v, bool by_pi)
+{
+	if (v == SIZE_MIN)
+		strcpy(out, "0");
+	else if (!by_pi || v == 0)
+		snprintf(out, LIMIT_ROOM, "%g", v);
+	else
+		snprintf(out, LIMIT_ROOM, "%spi%s", v < 0 ? "-" : "",
+		    fabs(v) == 90 ? "/2" : "");
+}
+
+/* Writes the sentence that tells a range. */
+static void write_wanted(char out[WANTED_ROOM], const struct value_range *r,
+    bool by_pi)
+{
+	bool above = r->above || r->min == SIZE_MIN;
+	char min[LIMIT_ROOM], max[LIMIT_ROOM];
+
+	write_limit(min, r->min, by_pi);
+	write_limit(max, r->max, by_pi);
+	if (r->max == MAGNITUDE_MAX)
+		strcpy(out,
+		    r->min < 0 ? "numbers go up to 1e150" :
+				 "a number from 1e-150 to 1e150 is wanted");
+	else
+		snprintf(out, WANTED_ROOM, "%s %s %s %s%s%s%s is wanted",
+		    r->angle ? "an angle" : "a number",
+		    above ? "above" : "from", min,
+		    !above       ? "to " :
+			r->below ? "and " :
+				   "and up to ",
+		    r->below ? "below " : "", max,
+		    !r->angle ? "" :
+			by_pi ? " radians" :
+				" degrees");
+}
+
+double value_number(const struct value *v, const struct value_range *range)
+{
+	bool by_pi = is_by_pi(range, v->source->unit);
+	char wanted[WANTED_ROOM];
+	char text[NUMBER_MAX], word[NAME_ROOM];
+	double x;
+
+	if (value_string(v, word) != NULL && strcmp(word, "infinity") == 0)
 		value_refuse(v, "only \"far\" of \"persp\" can be infinite");
-	if (!cJSON_IsNumber(v->item))
+	if (strchr("-0123456789", *v->s) == NULL)
 		value_wrong(v, "a number");
-	if (v->unused || (x >= range->min && x <= range->max))
+	number_read(v->s, v->source->end, &x);
+	if (v->unused || is_within(x, range, by_pi))
 		return x;
+	write_wanted(wanted, range, by_pi);
 	if (isinf(x))
-		value_refuse(v, "is beyond the range of doubles; %s",
-		    range->wanted);
+		value_refuse(v, "is beyond the range of doubles; %s", wanted);
 	*number_write(text, x, shortest) = '\0';
 	value_refuse(v, "%s is %s; %s", text,
-	    range->min > 0 && x <= 0 ? "not positive" : "out of range",
-	    range->wanted);
+	    range->min > 0 && x <= 0 ? "not positive" : "out of range", wanted);
 }
 
 bool value_flag(const struct value *v)
 {
-	if (!cJSON_IsBool(v->item))
+	if (*v->s != 't' && *v->s != 'f')
 		value_wrong(v, "true or false");
-	return cJSON_IsTrue(v->item);
+	return *v->s == 't';
 }
 
-void value_numbers(const struct value *v, const struct range *range, size_t n,
-    double *out)
+void value_numbers(const struct value *v, const struct value_range *range,
+    size_t n, double *out)
 {
 	char wanted[40];
 
@@ -305,7 +311,7 @@ void value_numbers(const struct value *v, const struct range *range, size_t n,
 		    value_count(v), value_count(v) == 1 ? "" : "s", wanted);
 	struct value e = value_child(v);
 
-	for (; e.item != NULL; value_next(&e))
+	for (; e.s != NULL; value_next(&e))
 		*out++ = value_number(&e, range);
 }
 
@@ -328,8 +334,8 @@ const char *list_words(char out[LISTED], const char *const *words,
 
 int value_word(const struct value *v, const char *const *words)
 {
-	const char *s = value_string(v), *near;
-	char all[LISTED], shown[ESCAPED_MAX];
+	char all[LISTED], shown[ESCAPED_MAX], word[NAME_ROOM];
+	const char *s = value_string(v, word), *near;
 
 	list_words(all, words, " or ", "\"");
 	if (s == NULL)

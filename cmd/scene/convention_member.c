@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "../message/nearest.h"
-#include "readers.h"
+#include "types.h"
 
 const char *const convention_names[] = {
 	[CONVENTION_D3D] = "d3d",
@@ -36,12 +36,9 @@ static const char *const depths[] = { "zero_to_one", "minus_one_to_one", NULL };
 static const char *const ys[] = { "up", "down", NULL };
 static const char *const origins[] = { "top-left", "bottom-left", NULL };
 
-#define SECOND(label, list, m, first, other, what)                            \
-	{                                                                     \
-		.name = label, .read = read_second, .words = list,            \
-		.at = offsetof(struct convention, m),                         \
-		.otherwise = "\"" first "\"", .aliases = other, .about = what \
-	}
+#define SECOND(label, list, field, first, other, what)            \
+	ROW(convention, label, type_second, field, .words = list, \
+	    .usual = "\"" first "\"", .aliases = other, .about = what)
 
 const struct member convention_members[] = {
 	SECOND("handedness", hands, right_handed, "left", "hand handed hands",
@@ -67,7 +64,8 @@ bool same_convention(const struct convention *a, const struct convention *b)
 /* By its letters "opengl" is nearest to "opencv". */
 static int read_name(const struct value *v)
 {
-	const char *s = value_string(v);
+	char word[NAME_ROOM];
+	const char *s = value_string(v, word);
 	const char *meant = s != NULL ? called("convention", s) : NULL;
 
 	if (meant != NULL)
@@ -77,7 +75,6 @@ static int read_name(const struct value *v)
 
 void read_convention(const struct value *v, struct convention *c)
 {
-	*c = conventions[CONVENTION_D3D];
 	if (value_is_object(v))
 		object_read(v, convention_members, 0, c);
 	else
