@@ -285,8 +285,7 @@ static const struct ways open_ways = {
 
 static const struct ways near_ways = {
 	.hint =
-	    "give it: width and height, or the edges, are on the near plane, "
-	    "unless "
+	    "give it: width, height or the edges are on the near plane, unless "
 	    "\"edges_at\" says where",
 	.way = { "near far?" },
 };
