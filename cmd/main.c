@@ -5,9 +5,10 @@
 #include "call/command.h"
 #include "help.h"
 #include "call/input.h"
-#include "call/mistaken.h"
 #include "call/operands.h"
+#include "call/options_read.h"
 #include "call/params.h"
+#include "call/synonyms.h"
 #include "stream/answer.h"
 #include "scene/examples.h"
 #include "stream/stack.h"
@@ -131,7 +132,7 @@ static _Noreturn void help(const struct options *o)
 	else if (c != NULL)
 		help_command(c);
 	else if (!help_member(what))
-		mistaken_topic(commands, what);
+		synonym_topic(commands, what);
 	finish();
 }
 
@@ -163,7 +164,7 @@ int main(int argc, char **argv)
 
 	o->version = strcmp(argv[1], "--version") == 0;
 	if (c == NULL && !o->version)
-		mistaken_command(commands, argv + 1);
+		synonym_command(commands, argv + 1);
 	if (c != NULL)
 		options_read(c, argc - 1, argv + 1, o);
 	if (o->version) {

@@ -49,18 +49,17 @@ struct option_row {
 	size_t on;
 };
 
+/* There are at most so many. */
+enum { OPTIONS_MAX = 40 };
+
 /* All of them; name is NULL after the last. */
 extern const struct option_row option_rows[];
 
 /* Sets how messages are printed, before anything else can be wrong. */
 void options_first(char **words);
 
-/* Reads a command's options and operands; argv[0] is its name. Stops as soon as
- * the help or the version is asked for. */
-void options_read(const struct command *, int argc, char **argv,
-    struct options *);
-
-/* The option of that name, behind which = and a value may stand, or NULL. */
+/* The option of that name, behind which a value may stand, after = or a blank;
+ * or NULL. */
 const struct option_row *option_named(const char *name);
 
 bool option_is_for(const struct option_row *, const struct command *);

@@ -39,7 +39,7 @@ bool says_json(void)
 	return json;
 }
 
-void set_color(enum color when)
+void message_color(enum color when)
 {
 	color = when;
 }
@@ -198,6 +198,20 @@ static size_t reason_length(const char *format, va_list args,
 	return n < all ? n : all;
 }
 
+/* Adds to a message which character cannot be seen in it or in its place. */
+static void name_unseen(const struct place *p, char message[MESSAGE_MAX])
+{
+	const char *texts[] = { message, p->file, p->pointer };
+	const size_t n = strlen(message);
+	unsigned code = 0;
+
+	for (int i = 0; i < 3 && code == 0; i++)
+		code = texts[i] != NULL ? escape_unseen(texts[i]) : 0;
+	if (code != 0)
+		snprintf(message + n, MESSAGE_MAX - n,
+		    " (U+%04X in it can't be seen)", code);
+}
+
 static void print_line(int status, const struct place *place,
     const char *format, va_list args)
 {
@@ -211,6 +225,7 @@ static void print_line(int status, const struct place *place,
 		p.scene = scene;
 	va_copy(again, args);
 	vsnprintf(message, sizeof message, format, args);
+	name_unseen(&p, message);
 	flockfile(stderr);
 	if (json)
 		write_json(status, &p, message,
