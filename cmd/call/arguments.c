@@ -19,10 +19,8 @@ int one_of(const char *const *names, const char *what, const char *word)
 	for (int i = 0; names[i] != NULL; i++)
 		if (strcmp(names[i], word) == 0)
 			return i;
-	const char *near = called(what, word);
+	const char *near = nearest(word, names);
 
-	if (near == NULL)
-		near = nearest(word, names);
 	if (near != NULL)
 		die(EXIT_USAGE, "unknown %s '%s'; did you mean '%s'?", what,
 		    word, near);

@@ -44,6 +44,7 @@ static const struct synonym {
 	{ "bounds", "fit" },
 	{ "zoom", "fit" },
 	{ "extent", "fit" },
+	{ "extent", "scene.bounds" },
 	{ "info", "inspect" },
 	{ "click", "pick" },
 	{ "explain", "trace" },
@@ -303,7 +304,7 @@ void synonym_option(const struct command *c, const char *option)
 	}
 }
 
-/* The nearest command; or where members is true, member. */
+/* The nearest command, or else, where members is true, member. */
 static const char *nearest_word(const struct command *commands, bool members,
     const char *word)
 {
@@ -323,12 +324,13 @@ static const char *nearest_word(const struct command *commands, bool members,
 	return nearest(word, names);
 }
 
-/* What a word is called here, as a row of the table says it; or NULL. */
+/* What a word is called here, as a row of the table says it; or NULL. Members
+ * are topics of help. */
 static const char *meaning(const struct command *commands, const char *word,
-    char out[CALL_MAX])
+    bool topic, char out[CALL_MAX])
 {
 	const struct member *object;
-	const char *near = word;
+	const char *near;
 
 	for (int i = 0; i < SYNONYMS; i++)
 		if (strcmp(synonyms[i].word, word) == 0)
@@ -338,16 +340,12 @@ static const char *meaning(const struct command *commands, const char *word,
 		return out;
 	}
 	if (find_in(SCENE_ALL, ANY_KIND, word, false, &object) == NULL) {
-		near = nearest_word(commands, false, word);
-		if (near != NULL)
+		near = nearest_word(commands, topic, word);
+		if (near != NULL || topic ||
+		    find_in(SCENE_ALL, ANY_KIND, word, true, &object) == NULL)
 			return near;
-		near = find_in(SCENE_ALL, ANY_KIND, word, true, &object) ?
-		    word :
-		    nearest_word(commands, true, word);
 	}
-	if (near == NULL)
-		return NULL;
-	snprintf(out, CALL_MAX, "help %s", near);
+	snprintf(out, CALL_MAX, "help %s", word);
 	return out;
 }
 
@@ -356,7 +354,7 @@ static _Noreturn void refuse_word(const struct command *commands,
 {
 	const char *what = topic ? "topic" : "command";
 	char named[CALL_MAX], call[CALL_MAX];
-	const char *is = meaning(commands, word, named);
+	const char *is = meaning(commands, word, topic, named);
 
 	if (is == NULL)
 		die(EXIT_USAGE, "unknown %s '%s'; 'projcalc help' lists %s",
