@@ -36,7 +36,6 @@ static void set_output(struct options *o, char *word)
 		die(EXIT_USAGE, "unknown format '%s'; to write a file use > %s",
 		    word, word);
 	o->out = (enum format)one_of(format_names, "format", word);
-	o->has_out = true;
 }
 
 static void set_separator(struct options *o, char *word)
@@ -69,34 +68,14 @@ static void set_digits(struct options *o, char *word)
 	set_styles(o, NUMBER_DIGITS, "digits", word, 1);
 }
 
-static void set_precision(struct options *o, char *word)
-{
-	o->precision = (enum precision)one_of(precision_names, "precision",
-	    word);
-	o->has_precision = true;
-}
-
 static void set_tolerance(struct options *o, char *word)
 {
 	o->tolerances = tolerances_of("tolerance", word);
 }
 
-static void set_from(struct options *o, char *word)
-{
-	o->from = (enum space)one_of(space_names, "space", word);
-	o->has_from = true;
-}
-
-static void set_to(struct options *o, char *word)
-{
-	o->to = (enum space)one_of(space_names, "space", word);
-	o->has_to = true;
-}
-
 static void set_at(struct options *o, char *word)
 {
 	position("at", word, o->at);
-	o->has_at = true;
 }
 
 static void set_radius(struct options *o, char *word)
@@ -137,6 +116,8 @@ enum {
 };
 
 #define ON(member) .on = offsetof(struct options, member)
+#define WORD(member, kind, names) \
+	.words = names, .what = kind, .at = offsetof(struct options, member)
 
 /* clang-format off */
 const struct option_row option_rows[] = {
@@ -147,7 +128,8 @@ const struct option_row option_rows[] = {
 	    "of points: text (default), csv, tsv, json, f64, f32",
 	    .argument = "FORMAT", .set = set_input, .words = format_names },
 	{ "output", 'o', PRINTED, "the same; default the input's",
-	    .argument = "FORMAT", .set = set_output, .words = format_names },
+	    .argument = "FORMAT", .set = set_output, .words = format_names,
+	    ON(has_out) },
 	{ "separator", 0, POINTS, "between fields of csv: a character, or tab",
 	    .argument = "C", .set = set_separator },
 	{ "header", 0, POINTS, "the first line of csv is a header", ON(header) },
@@ -161,21 +143,21 @@ const struct option_row option_rows[] = {
 	    .argument = "N,...", .set = set_digits },
 	{ "precision", 'p', WITHIN,
 	    "exact (default), double or single",
-	    .argument = "NAME", .set = set_precision,
-	    .words = precision_names },
+	    .argument = "NAME", ON(has_precision),
+	    WORD(precision, "precision", precision_names) },
 	{ "tolerance", 't', WITHIN | INSPECT,
 	    "within T of the exact value, a list for x,y,z",
 	    .argument = "T,...", .set = set_tolerance },
 	{ "from", 0, PROJECT | TRACE, "model, world, view, clip, ndc or device",
-	    .argument = "SPACE", .set = set_from, .words = space_names },
+	    .argument = "SPACE", ON(has_from), WORD(from, "space", space_names) },
 	{ "to", 0, PROJECT, "the same; default device, else ndc",
-	    .argument = "SPACE", .set = set_to, .words = space_names },
+	    .argument = "SPACE", ON(has_to), WORD(to, "space", space_names) },
 	{ "homogeneous", 'H', PROJECT, "x y z w, not divided",
 	    ON(homogeneous) },
 	{ "matrix", 'm', MATRIX | PROJECT | PLANAR,
 	    "print the matrix, read no points", ON(matrix) },
 	{ "at", 0, PICK, "the device position",
-	    .argument = "X,Y", .set = set_at },
+	    .argument = "X,Y", .set = set_at, ON(has_at) },
 	{ "radius", 0, PICK, "how far around it, in device units",
 	    .argument = "R", .set = set_radius },
 	{ "ray", 0, PROJECT,

@@ -67,7 +67,7 @@ static _Noreturn void refuse_name(const struct command *c, const char *word)
  * would be -t with the argument o. */
 static void check_dash(const struct command *c, const char *word)
 {
-	if (word == NULL || *word != '-' || word[1] == '-' || strlen(word) < 3)
+	if (*word != '-' || word[1] == '-' || strlen(word) < 3)
 		return;
 	const struct option_row *row = option_named(word + 1);
 
@@ -115,21 +115,11 @@ static const struct option_row *row_of(int got)
 	return NULL;
 }
 
-/* The word whose letter getopt_long has refused: it goes on with it, or has gone
- * past it if that was its last. */
-static char *word_with(char letter, char **next)
-{
-	char *before = next[-1];
-	bool past = *before == '-' && before[1] != '-' &&
-	    before[strlen(before) - 1] == letter;
-
-	return past ? before : *next;
-}
-
-/* Refuses what getopt_long could not take, before argv[optind]: got is ':' for a missing
+/* Refuses what getopt_long could not take in a word: got is ':' for a missing
  * argument. optopt is the option's letter or LONG + its row, or 0 for an unknown
- * name. A letter is called by itself, as it may be one of several in a word: -mx. */
-static _Noreturn void refuse(const struct command *c, int got, char **argv)
+ * name. A letter is called by itself, as it may be one of several: -mx. */
+static _Noreturn void refuse_option(const struct command *c, int got,
+    const char *word)
 {
 	const char letter = (char)optopt;
 
@@ -139,8 +129,8 @@ static _Noreturn void refuse(const struct command *c, int got, char **argv)
 	if (got == ':')
 		die(EXIT_USAGE, "%s: -%c needs an argument", c->name, letter);
 	if (letter == '\0')
-		refuse_name(c, argv[optind - 1]);
-	check_dash(c, word_with(letter, argv + optind));
+		refuse_name(c, word);
+	check_dash(c, word);
 	refuse_letter(c, letter);
 }
 
@@ -163,17 +153,20 @@ static _Noreturn void refuse_here(const struct command *c,
 	    c->name, r->name, list_words(list, takers, " and ", ""));
 }
 
-/* next is the word behind the option and its argument, optarg. */
+/* Takes the option in a word, whose argument is optarg. */
 static void take_option(const struct command *c, const struct option_row *r,
-    char **next, struct options *o)
+    const char *word, struct options *o)
 {
 	if (!option_is_for(r, c)) {
-		synonym_member(c, next[optarg == next[-1] ? -2 : -1]);
+		synonym_member(c, word);
 		refuse_here(c, r);
 	}
-	if (r->set != NULL)
+	if (r->words != NULL && r->set == NULL)
+		*(unsigned *)((char *)o + r->at) = (unsigned)one_of(r->words,
+		    r->what, optarg);
+	else if (r->set != NULL)
 		r->set(o, optarg);
-	else
+	if (r->on != 0)
 		*(bool *)((char *)o + r->on) = true;
 }
 
@@ -233,16 +226,21 @@ void options_read(const struct command *c, int argc, char **argv,
 
 	getopt_tables(longs, letters);
 	opterr = 0;
-	while ((got = next_option(argc, argv, letters, longs)) != -1) {
+	for (;;) {
+		char *word = argv[optind];
+
+		got = next_option(argc, argv, letters, longs);
+		if (got == -1)
+			break;
 		if (got == '?' || got == ':')
-			refuse(c, got, argv);
+			refuse_option(c, got, word);
 		if (got == OPERAND) {
 			*operand++ = optarg;
 			continue;
 		}
 		if (got < LONG && optarg != NULL && optarg != argv[optind - 1])
-			check_dash(c, argv[optind - 1]);
-		take_option(c, row_of(got), argv + optind, o);
+			check_dash(c, word);
+		take_option(c, row_of(got), word, o);
 		if (o->help || o->version)
 			return;
 	}

@@ -168,24 +168,26 @@ static void first_line(char *out, size_t room)
 	out[n] = '\0';
 }
 
-/* Refuses points in place of a scene: a line of numbers, or what is no object
- * where POINTS are named. The call is wrong, not the file. */
+/* Refuses points in place of a scene: a line of numbers; or, where POINTS are
+ * named, an array or binary points. The call is wrong, not the file. */
 static void check_points(const struct options *o,
     const struct document_wants *wants)
 {
 	const struct place place = { .file = params.name };
+	bool named = o->n_points > 0, points;
 	char line[200];
 
 	first_line(line, sizeof line);
-	if (o->n_points > 0 ? *line != '[' && !is_numbers(line) &&
-		    !(is_binary(o->in) && *line != '{') :
-			      *line == '[' || !is_numbers(line))
+	points = is_numbers(line) && *line != '[';
+	if (named && params.begin < params.end)
+		points |= *line == '[' || (is_binary(o->in) && *line != '{');
+	if (!points)
 		return;
 	if ((wants->used & SCENE_POINTS) == 0)
 		die_at(EXIT_USAGE, &place, "holds points; a scene is wanted");
 	die_at(EXIT_USAGE, &place,
 	    "holds points, and a scene is wanted first; name its file: %s %s",
-	    o->n_points > 0 ? o->points[0] : "scene.json", params.name);
+	    named ? o->points[0] : "scene.json", params.name);
 }
 
 void params_read(const struct options *o, const struct document_wants *wants,

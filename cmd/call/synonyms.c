@@ -52,7 +52,6 @@ static const struct synonym {
 	{ "man", "help" },
 	{ "-V", "--version" },
 	{ "-v", "--version" },
-	{ "version", "--version" },
 
 	{ "format", "--output" },
 	{ "json", "--output json" },
@@ -66,7 +65,6 @@ static const struct synonym {
 	{ "places", "--decimals" },
 	{ "epsilon", "--tolerance" },
 	{ "cull", "--visible" },
-	{ "clip", "--visible" },
 	{ "verbose", "--progress" },
 	{ "convert", "--convention gl" },
 	{ "gl", "--convention gl" },
@@ -78,10 +76,8 @@ static const struct synonym {
 	{ "opencv", "--convention opencv" },
 
 	{ "radians", "scene.angle_unit" },
-	{ "degrees", "scene.angle_unit" },
 	{ "transpose", "convention.vectors" },
 	{ "column-major", "convention.vectors" },
-	{ "row-major", "convention.vectors" },
 	{ "near_far", "projection.near" },
 	{ "near-far", "projection.near" },
 
@@ -96,7 +92,6 @@ static const struct synonym {
 	    "stays; paste -d, puts files side by side" },
 	{ "stdin", ": standard input is - in place of PARAMS or POINTS" },
 	{ "quiet", ": notes go to standard error; 2>/dev/null hides them" },
-	{ "silent", ": notes go to standard error; 2>/dev/null hides them" },
 };
 
 enum {
@@ -284,6 +279,7 @@ void synonym_member(const struct command *c, const char *option)
 	char name[NAME_SHOWN];
 
 	name_of_option(name, option);
+	try_rows(c, option, name, false);
 	/* project --at is rather meant for pick than for the camera */
 	m = find_member(c, name, true, SCENE_SPATIAL, &object);
 	if (m != NULL)
@@ -391,18 +387,11 @@ void synonym_command(const struct command *commands, char **words)
 			    "'%s' stands before the command; write projcalc "
 			    "%s %s ...",
 			    word, *w, word);
-	if (strncmp(word, "--", 2) == 0 && option_named(word + 2) != NULL)
-		die(EXIT_USAGE,
-		    "no command behind '%s'; 'projcalc help' lists them", word);
-	if (!is_operand(word))
+	if (!is_operand(word) &&
+	    (strncmp(word, "--", 2) != 0 || option_named(word + 2) == NULL))
 		refuse_word(commands, word, false);
-	if (strchr("{[", first_char(word)) == NULL)
-		die(EXIT_USAGE,
-		    "'%s' is no command; write projcalc project %s, or what "
-		    "'projcalc help' lists",
-		    word, word);
 	die(EXIT_USAGE,
-	    "'%s' is no command; write one before it, such as lookat or "
-	    "project; 'projcalc help' lists them",
+	    "'%s' is no command; one comes first, such as project or lookat; "
+	    "'projcalc help' lists them",
 	    word);
 }
