@@ -169,7 +169,7 @@ static const struct member *find_member(const struct command *c,
 }
 
 /* An option in messages: without its value. */
-static int shown(const char *option)
+static int shown_length(const char *option)
 {
 	return (int)strcspn(option, "=");
 }
@@ -186,7 +186,7 @@ static _Noreturn void refuse_member(const struct command *c, const char *option,
 	const unsigned bit = 1u << (object - scene_members);
 	bool alone = m != object && (c->wants.bare & bit) != 0;
 	const char *example = alone ? c->example : object->example;
-	const int n = shown(option);
+	const int n = shown_length(option);
 	char quoted[NAME_SHOWN];
 
 	snprintf(quoted, sizeof quoted, "\"%s\"", m->name);
@@ -237,7 +237,7 @@ static void try_row(const struct command *c, const char *option, const char *is,
 	const size_t length = strlen(c->name);
 	const struct option_row *r = *is == '-' ? option_named(is + 2) : NULL;
 	const struct member *object, *m = member_at(is, &object);
-	const int n = shown(option);
+	const int n = shown_length(option);
 	char call[CALL_MAX];
 
 	if (strncmp(is, c->name, length) == 0 && is[length] == ' ')
@@ -270,7 +270,7 @@ static void try_rows(const struct command *c, const char *option,
 static void name_of_option(char out[NAME_SHOWN], const char *option)
 {
 	option += strspn(option, "-");
-	snprintf(out, NAME_SHOWN, "%.*s", shown(option), option);
+	snprintf(out, NAME_SHOWN, "%.*s", shown_length(option), option);
 }
 
 void synonym_member(const struct command *c, const char *option)

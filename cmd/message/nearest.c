@@ -22,7 +22,7 @@ static bool begins(const char *word, const char *other)
  * letter is edited twice. Row i of the table is for the first i letters of a,
  * column j for the first j of b; a row needs the two before it, and no others
  * are kept. */
-static size_t distance(const char *a, const char *b)
+static size_t edits(const char *a, const char *b)
 {
 	size_t row[3][WORD_MAX + 1];
 	size_t la = strlen(a), lb = strlen(b);
@@ -96,7 +96,7 @@ const char *nearest(const char *word, const char *const *words)
 		return best;
 	for (; *words != NULL; words++) {
 		size_t d = strlen(*words) > WORD_MAX ? least :
-						       distance(word, *words);
+						       edits(word, *words);
 
 		if (d < least) {
 			least = d;
