@@ -4,6 +4,7 @@
 #include <ctype.h>
 #include <getopt.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "../json/value.h"
@@ -216,20 +217,21 @@ static int next_option(int argc, char **argv, const char *letters,
 	return getopt_long(argc, argv, letters, longs, NULL);
 }
 
-/* Options may stand among the operands, which are moved to the beginning. */
+/* Operands are moved to the beginning: options may stand among them, unless
+ * POSIXLY_CORRECT is set. */
 void options_read(const struct command *c, int argc, char **argv,
     struct options *o)
 {
 	struct option longs[OPTIONS_MAX + 1];
 	char letters[2 * OPTIONS_MAX + 3], **operand = o->points = argv;
-	int got;
+	bool mixed = getenv("POSIXLY_CORRECT") == NULL;
 
 	getopt_tables(longs, letters);
 	opterr = 0;
-	for (;;) {
+	while (operand == argv || mixed) {
 		char *word = argv[optind];
+		int got = next_option(argc, argv, letters, longs);
 
-		got = next_option(argc, argv, letters, longs);
 		if (got == -1)
 			break;
 		if (got == '?' || got == ':')
