@@ -159,8 +159,7 @@ int main(int argc, char **argv)
 		die(EXIT_USAGE, "no command; 'projcalc help' lists them");
 	if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)
 		argv[1] = "help";
-	const struct command *c = run.command = find_command(commands,
-	    argv[1]);
+	const struct command *c = run.command = find_command(commands, argv[1]);
 
 	o->version = strcmp(argv[1], "--version") == 0;
 	if (c == NULL && !o->version)
