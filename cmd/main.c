@@ -5,9 +5,10 @@
 #include "call/command.h"
 #include "help.h"
 #include "call/input.h"
-#include "call/mistaken.h"
 #include "call/operands.h"
+#include "call/options_read.h"
 #include "call/params.h"
+#include "call/synonyms.h"
 #include "stream/answer.h"
 #include "scene/examples.h"
 #include "stream/stack.h"
@@ -107,7 +108,7 @@ static const struct command commands[] = {
 };
 /* clang-format on */
 
-static _Noreturn void finish(void)
+static _Noreturn void main_finish(void)
 {
 	put_printed();
 	close_output();
@@ -131,52 +132,51 @@ static _Noreturn void help(const struct options *o)
 	else if (c != NULL)
 		help_command(c);
 	else if (!help_member(what))
-		mistaken_topic(commands, what);
-	finish();
+		synonym_topic(commands, what);
+	main_finish();
 }
 
-struct call {
+struct run {
 	const struct command *command;
 	struct options options;
 };
 
 static void run_scenes(void *with)
 {
-	struct call *call = with;
+	struct run *run = with;
 
-	while (params_next(&call->options))
-		call->command->run(call->command, &call->options);
+	while (params_next(&run->options))
+		run->command->run(run->command, &run->options);
 }
 
 int main(int argc, char **argv)
 {
-	struct call call = { .options = { .params = "-", .separator = ',' } };
-	struct options *o = &call.options;
+	struct run run = { .options = { .params = "-", .separator = ',' } };
+	struct options *o = &run.options;
 
 	options_first(argv + 1);
 	if (argc < 2)
 		die(EXIT_USAGE, "no command; 'projcalc help' lists them");
 	if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)
 		argv[1] = "help";
-	const struct command *c = call.command = find_command(commands,
-	    argv[1]);
+	const struct command *c = run.command = find_command(commands, argv[1]);
 
 	o->version = strcmp(argv[1], "--version") == 0;
 	if (c == NULL && !o->version)
-		mistaken_command(commands, argv + 1);
+		synonym_command(commands, argv + 1);
 	if (c != NULL)
 		options_read(c, argc - 1, argv + 1, o);
 	if (o->version) {
 		print("projcalc " VERSION "\n");
-		finish();
+		main_finish();
 	}
 	if (o->help) {
 		help_command(c);
-		finish();
+		main_finish();
 	}
 	if (c->kind == HELP)
 		help(o);
 	check_operands(c, o);
-	call_with_stack(run_scenes, &call);
+	call_with_stack(run_scenes, &run);
 	return answer_end();
 }

@@ -3,7 +3,7 @@
 #include "print_matrix.h"
 #include "message/message.h"
 
-static void set_transform(const struct command *c, const struct options *o,
+static void matrix_transform(const struct command *c, const struct options *o,
     const struct document *d, int to, struct job *j)
 {
 	const struct scene *s = &d->scene;
@@ -34,7 +34,7 @@ void run_matrix(const struct command *c, const struct options *o)
 		    "%s: --%s is about points, and there are none; add them, "
 		    "or - for standard input",
 		    c->name, o->flags ? "flags" : "visible");
-	set_transform(c, o, &d, points ? c->points_to : c->to, &j);
+	matrix_transform(c, o, &d, points ? c->points_to : c->to, &j);
 	if (!points) {
 		print_matrix(o, &d, &j.transform);
 		return;

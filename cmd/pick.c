@@ -28,7 +28,8 @@ struct hits {
 };
 
 /* Appends a struct hit to the chunk's output, then the text of its line. */
-static void append(struct chunk *c, const struct line *line, struct hit hit)
+static void hits_append(struct chunk *c, const struct line *line,
+    struct hit hit)
 {
 	hit.size = line->size;
 	char *at = chunk_reserve(c, sizeof hit + hit.size);
@@ -39,15 +40,15 @@ static void append(struct chunk *c, const struct line *line, struct hit hit)
 }
 
 /* Takes a point that is hit, or a header. */
-static void take(const struct job *j, struct chunk *c, const struct line *line,
-    size_t p, size_t number)
+static void hits_take(const struct job *j, struct chunk *c,
+    const struct line *line, size_t p, size_t number)
 {
 	const struct hits *h = j->with;
 	double in[4] = { c->in[0][p], c->in[1][p], c->in[2][p], 1 };
 	struct hit hit = { .line = (long long)number, .point = { [3] = 1 } };
 
 	if (line->kind == LINE_HEADER)
-		append(c, line, (struct hit){ .header = true });
+		hits_append(c, line, (struct hit){ .header = true });
 	if (line->kind != LINE_POINT)
 		return;
 	for (int i = 0; i < 3; i++) {
@@ -59,10 +60,10 @@ static void take(const struct job *j, struct chunk *c, const struct line *line,
 	    frustum_out(&j->frustum, in) != 0)
 		return;
 	hit.distance = pick_distance(&h->picker, in);
-	append(c, line, hit);
+	hits_append(c, line, hit);
 }
 
-static void collect(const struct job *j, const struct chunk *c,
+static void hits_collect(const struct job *j, const struct chunk *c,
     long long first_line)
 {
 	struct hits *h = j->with;
@@ -93,7 +94,7 @@ static const struct picker *comparing;
 
 /* Nearest first, then as they came; distances that are printed alike can
  * differ. */
-static int compare(const void *a, const void *b)
+static int hits_compare(const void *a, const void *b)
 {
 	const struct hit *p = a, *q = b;
 	int order = q->header - p->header;
@@ -108,7 +109,7 @@ static int compare(const void *a, const void *b)
 }
 
 /* Of several sources one header is enough, and none if they differ. */
-static bool is_wanted(const struct hits *h, size_t i)
+static bool hits_wants(const struct hits *h, size_t i)
 {
 	const struct hit *hit = &h->hit[i];
 
@@ -128,7 +129,7 @@ struct output {
 	char text[1 << 16];
 };
 
-static void put(struct output *out, const char *s, size_t n)
+static void hits_put(struct output *out, const char *s, size_t n)
 {
 	if (n > sizeof out->text - out->n) {
 		put_all(out->text, out->n);
@@ -159,7 +160,7 @@ static void print_json(struct output *out, const struct hit *h,
 	put_name(&p, "point");
 	put_numbers(&p, h->point, 3);
 	put_close(&p, "}\n");
-	put(out, text, (size_t)(p.at - text));
+	hits_put(out, text, (size_t)(p.at - text));
 }
 
 static void print_hits(const struct job *j)
@@ -170,20 +171,20 @@ static void print_hits(const struct job *j)
 
 	if (h->n > 0) {
 		comparing = &h->picker;
-		qsort(h->hit, h->n, sizeof *h->hit, compare);
+		qsort(h->hit, h->n, sizeof *h->hit, hits_compare);
 	}
 	for (size_t i = 0; i < h->n; i++) {
 		const struct hit *hit = &h->hit[i];
 
-		if (!is_wanted(h, i) || (hit->header && o->out == FORMAT_JSON))
+		if (!hits_wants(h, i) || (hit->header && o->out == FORMAT_JSON))
 			continue;
 		if (o->has_out && o->out == FORMAT_JSON) {
 			print_json(&out, hit, h->style);
 			continue;
 		}
-		put(&out, h->text + hit->text, hit->size);
+		hits_put(&out, h->text + hit->text, hit->size);
 		if (!is_binary(o->in))
-			put(&out, "\n", 1);
+			hits_put(&out, "\n", 1);
 	}
 	put_all(out.text, out.n);
 	out.n = 0;
@@ -212,8 +213,8 @@ void run_pick(const struct command *c, const struct options *o)
 {
 	struct document d;
 	static struct hits hits;
-	static struct job j = { .take = take,
-		.collect = collect,
+	static struct job j = { .take = hits_take,
+		.collect = hits_collect,
 		.flush = print_hits,
 		.with = &hits };
 

@@ -3,7 +3,7 @@
 #include "print_matrix.h"
 #include "message/message.h"
 
-static void check_ray(const struct options *o)
+static void project_check_ray(const struct options *o)
 {
 	if ((o->has_from && o->from != SPACE_DEVICE) ||
 	    (o->has_to && o->to != SPACE_WORLD))
@@ -14,7 +14,7 @@ static void check_ray(const struct options *o)
 		    "--visible");
 }
 
-static void check_plane(const struct options *o)
+static void project_check_plane(const struct options *o)
 {
 	if ((o->has_from && o->from < SPACE_NDC) ||
 	    (o->has_to && o->to > SPACE_VIEW))
@@ -26,7 +26,7 @@ static void check_plane(const struct options *o)
 		    "--visible");
 }
 
-static void set_plane(const struct document *d, const struct options *o,
+static void project_plane(const struct document *d, const struct options *o,
     struct job *j)
 {
 	enum space from = o->has_from ? o->from : SPACE_DEVICE;
@@ -37,14 +37,14 @@ static void set_plane(const struct document *d, const struct options *o,
 	j->count_imageless = true;
 }
 
-static void set_rays(const struct document *d, struct job *j)
+static void project_rays(const struct document *d, struct job *j)
 {
 	j->rays = true;
 	j->count_imageless = true;
 	document_check(d, ray_maker_of(&d->scene, &j->ray));
 }
 
-static void set_transform(const struct document *d, const struct options *o,
+static void project_transform(const struct document *d, const struct options *o,
     enum space from, enum space to, struct job *j)
 {
 	document_check(d,
@@ -64,9 +64,9 @@ void run_project(const struct command *c, const struct options *o)
 	static struct job j;
 
 	if (o->has_plane)
-		check_plane(o);
+		project_check_plane(o);
 	else if (o->ray)
-		check_ray(o);
+		project_check_ray(o);
 	read_document(c, o, &d);
 
 	enum space to = o->has_to ? o->to :
@@ -74,11 +74,11 @@ void run_project(const struct command *c, const struct options *o)
 				    SPACE_NDC;
 
 	if (o->has_plane)
-		set_plane(&d, o, &j);
+		project_plane(&d, o, &j);
 	else if (o->ray)
-		set_rays(&d, &j);
+		project_rays(&d, &j);
 	else
-		set_transform(&d, o, from, to, &j);
+		project_transform(&d, o, from, to, &j);
 	if (o->matrix) {
 		print_matrix(o, &d, &j.transform);
 		return;

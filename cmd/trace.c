@@ -16,7 +16,7 @@ struct trace {
 };
 
 /* The image of point p; nan for a bad line. */
-static void carry(const struct job *j, const struct chunk *c,
+static void trace_carry(const struct job *j, const struct chunk *c,
     const struct transform *t, bool bad, size_t p, double image[4])
 {
 	/* kernels read and write whole vectors */
@@ -32,7 +32,7 @@ static void carry(const struct job *j, const struct chunk *c,
 }
 
 /* Puts n numbers, between brackets in JSON; null for what has no image. */
-static void put_image(struct printer *p, const struct layout *l, int n,
+static void trace_image(struct printer *p, const struct layout *l, int n,
     const double v[4])
 {
 	bool json = l->out.format == FORMAT_JSON, none = true;
@@ -60,26 +60,26 @@ static void put_image(struct printer *p, const struct layout *l, int n,
 		put_close(p, "]");
 }
 
-static void put_space(struct printer *p, const struct layout *l,
+static void trace_space(struct printer *p, const struct layout *l,
     enum space space, int n, const double v[4])
 {
 	const char *name = space_names[space];
 
 	if (l->out.format == FORMAT_JSON) {
 		put_name(p, name);
-		put_image(p, l, n, v);
+		trace_image(p, l, n, v);
 	} else if (n > 0) {
 		put_text(p, name);
 		for (size_t k = strlen(name); k < NAME_WIDTH; k++)
 			put_text(p, " ");
 		p->between = "";
-		put_image(p, l, n, v);
+		trace_image(p, l, n, v);
 		put_text(p, "\n");
 	}
 }
 
 /* The planes that the point is outside of and, in text, the rest of its line. */
-static void put_last(struct printer *p, const struct layout *l,
+static void trace_last(struct printer *p, const struct layout *l,
     const struct line *line, const struct word *word)
 {
 	bool json = l->out.format == FORMAT_JSON;
@@ -96,8 +96,8 @@ static void put_last(struct printer *p, const struct layout *l,
 }
 
 /* Appends what is to be printed of a point, in text after a blank line. */
-static void take(const struct job *j, struct chunk *c, const struct line *line,
-    size_t p, size_t number)
+static void trace_take(const struct job *j, struct chunk *c,
+    const struct line *line, size_t p, size_t number)
 {
 	const struct trace *trace = j->with;
 	const struct layout *l = &j->layout;
@@ -120,15 +120,15 @@ static void take(const struct job *j, struct chunk *c, const struct line *line,
 		double image[4];
 
 		if (n > 0)
-			carry(j, c, &trace->to[s], bad, p, image);
-		put_space(&print, l, (enum space)s, n, image);
+			trace_carry(j, c, &trace->to[s], bad, p, image);
+		trace_space(&print, l, (enum space)s, n, image);
 	}
-	put_last(&print, l, line, word_for(c, outside));
+	trace_last(&print, l, line, word_for(c, outside));
 	c->size = (size_t)(print.at - c->out);
 }
 
 /* The first point has no blank line before it. */
-static void collect(const struct job *j, const struct chunk *c,
+static void trace_collect(const struct job *j, const struct chunk *c,
     long long first_line)
 {
 	struct trace *trace = j->with;
@@ -145,8 +145,8 @@ void run_trace(const struct command *c, const struct options *o)
 {
 	enum space from = o->has_from ? o->from : SPACE_MODEL;
 	static struct trace trace;
-	static struct job j = { .take = take,
-		.collect = collect,
+	static struct job j = { .take = trace_take,
+		.collect = trace_collect,
 		.with = &trace };
 	struct document d;
 

@@ -19,10 +19,8 @@ int one_of(const char *const *names, const char *what, const char *word)
 	for (int i = 0; names[i] != NULL; i++)
 		if (strcmp(names[i], word) == 0)
 			return i;
-	const char *near = called(what, word);
+	const char *near = nearest(word, names);
 
-	if (near == NULL)
-		near = nearest(word, names);
 	if (near != NULL)
 		die(EXIT_USAGE, "unknown %s '%s'; did you mean '%s'?", what,
 		    word, near);
@@ -60,7 +58,7 @@ double positive_number(const char *option, const char *word)
 }
 
 /* Cuts the first word off *list, which becomes NULL behind the last. */
-static char *cut(char **list)
+static char *cut_word(char **list)
 {
 	char *word = *list;
 
@@ -76,7 +74,7 @@ struct styles styles_of(const char *option, enum number_kind kind, char *list,
 	struct styles s = { 0 };
 
 	while (list != NULL) {
-		const char *word = cut(&list);
+		const char *word = cut_word(&list);
 
 		if (s.n == COORDINATES_MAX)
 			die(EXIT_USAGE, "--%s: more than six numbers", option);
@@ -106,7 +104,7 @@ struct tolerances tolerances_of(const char *option, char *list)
 	struct tolerances t = { .least = MAGNITUDE_MAX };
 
 	while (list != NULL) {
-		char *word = cut(&list);
+		char *word = cut_word(&list);
 
 		if (t.n == COORDINATES_MAX)
 			die(EXIT_USAGE, "--%s: more than six tolerances",
@@ -187,7 +185,7 @@ struct columns columns_of(const char *option, char *list)
 	struct columns c = { 0 };
 
 	while (list != NULL) {
-		char *word = cut(&list);
+		char *word = cut_word(&list);
 
 		if (c.n == 4)
 			die(EXIT_USAGE, "--%s: more than four fields", option);

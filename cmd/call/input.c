@@ -26,6 +26,12 @@ char first_char(const char *s)
 	return *s;
 }
 
+bool is_numbers(const char *s)
+{
+	return strpbrk(s, "0123456789") != NULL &&
+	    s[strspn(s, "0123456789+-.eE,; \t\n()[]")] == '\0';
+}
+
 /* If a standard stream is closed, open returns its number, and the file would
  * be read or written in its place: it gets another number. */
 static int open_file(const char *name)

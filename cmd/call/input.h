@@ -18,6 +18,9 @@ bool is_stdin(const char *operand);
 /* Past white space. */
 char first_char(const char *);
 
+/* Whether a text is of numbers, and of what stands between and around them. */
+bool is_numbers(const char *);
+
 /* What can't be opened is refused with exit status 2. */
 int open_input(const char *name);
 void close_input(int fd);

@@ -1,26 +1,111 @@
 /* SPDX-License-Identifier: MIT */
 #include "operands.h"
 
+#include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "input.h"
-#include "mistaken.h"
 #include "params.h"
 #include "../stream/progress.h"
 #include "../stream/threads.h"
 #include "../message/message.h"
 
+/* Refuses an operand that is no file but an option without its dashes, or with
+ * those that editors make of them, U+2010 to U+2015 in UTF-8. */
+static void check_option(const struct command *c, const char *word)
+{
+	const struct option_row *r;
+	const char *name = word;
+
+	while (strncmp(name, "\xe2\x80", 2) == 0 && (name[2] & 0xf0) == 0x90)
+		name += 3;
+	r = option_named(name);
+	if (r != NULL && option_is_for(r, c))
+		die_at(EXIT_USAGE, &(struct place){ .file = word },
+		    "%s; the option is --%s", strerror(ENOENT), name);
+}
+
+/* Whether the shell has taken JSON apart: {"eye": [0,0,5]} without quotes. */
+static bool is_torn(const struct options *o)
+{
+	if (strchr(o->params, '}') != NULL)
+		return false;
+	for (int i = 0; i < o->n_points; i++)
+		if (strchr(o->points[i], '}') != NULL)
+			return true;
+	return false;
+}
+
+/* Refuses PARAMS that are neither a file nor JSON. */
+static void check_params(const struct command *c, const struct options *o)
+{
+	const char *name = o->params;
+	bool typed = first_char(name) == '{';
+
+	if (is_stdin(name) || (typed ? !is_torn(o) : access(name, F_OK) == 0))
+		return;
+	check_option(c, name);
+	if (typed || is_numbers(name) || strpbrk(name, "\":{=") != NULL ||
+	    strcmp(name, "help") == 0)
+		die(EXIT_USAGE,
+		    "'%s' is no scene; PARAMS is a JSON file, - or JSON in "
+		    "quotes: projcalc %s %s",
+		    name, c->name, c->example);
+}
+
+/* Refuses a file of points that can't be read. */
+static void check_file(const struct command *c, const struct options *o,
+    const char *name)
+{
+	const struct place place = { .file = name };
+	const int n = 2 * coordinates_of(c, o) + 1;
+	struct stat st;
+
+	if (stat(name, &st) == 0 && S_ISDIR(st.st_mode))
+		die_at(EXIT_USAGE, &place, "is a directory");
+	if (access(name, R_OK) == 0)
+		return;
+	const char *why = strerror(errno);
+
+	check_option(c, name);
+	if (!is_numbers(name) && strpbrk(name, "{\"") == NULL)
+		die_at(EXIT_USAGE, &place, "%s", why);
+	die_at(EXIT_USAGE, &place, "%s; POINTS are a file, - or '[%.*s]'%s",
+	    why, n, "1.5,2,3,4",
+	    c->kind == PICK ? "; where to look is --at 320,240" : "");
+}
+
+/* Refuses a typed position on the device in place of a point: pick has an option
+ * for it, and project one that takes it back. */
+static void check_position(const struct command *c, const struct options *o,
+    const char *points)
+{
+	double v;
+	int n = 0;
+
+	if (sscanf(points, " [%lf ,%lf ]%n", &v, &v, &n) < 2 || n == 0)
+		return;
+	if (c->kind == PICK)
+		die(EXIT_USAGE,
+		    "'%s' is no point; where to look is --at 320,240", points);
+	if (c->kind == PROJECT && o->from == SPACE_DEVICE && !o->ray &&
+	    !o->homogeneous && (!o->has_to || o->to == SPACE_WORLD))
+		die(EXIT_USAGE,
+		    "'%s' has no depth; --ray takes it to the ray behind it",
+		    points);
+}
+
 void check_operands(const struct command *c, const struct options *o)
 {
 	int from_stdin = is_stdin(o->params);
 
-	mistaken_params(c, o);
+	check_params(c, o);
 	if (o->n_points > 0 && !command_reads_points(c))
 		die(EXIT_USAGE, "%s reads no points; leave them out", c->name);
-	if (!o->matrix)
-		mistaken_position(c, o);
 	for (int i = 0; i < o->n_points && !o->matrix; i++) {
 		const char *name = o->points[i];
 
@@ -30,8 +115,10 @@ void check_operands(const struct command *c, const struct options *o)
 				"PARAMS and POINTS are both standard input; "
 				"name a file for one of them" :
 				"standard input is named twice");
-		if (!is_stdin(name) && first_char(name) != '[')
-			mistaken_points(c, o, i);
+		if (first_char(name) == '[')
+			check_position(c, o, name);
+		else if (!is_stdin(name))
+			check_file(c, o, name);
 	}
 }
 

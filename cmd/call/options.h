@@ -8,8 +8,8 @@
 #include "command.h"
 
 struct options {
-	bool help, version;
 	const struct convention *convention; /* NULL: the document's */
+	bool help, version;
 	enum format in, out;
 	bool has_out;   /* else out is the same as in, or text for a matrix */
 	char separator; /* of csv, a comma by default */
@@ -42,14 +42,20 @@ struct option_row {
 	char letter;       /* or 0 */
 	unsigned commands; /* the kinds that take it, as bits */
 	const char *about; /* one line of help */
-	/* With an argument: what the help calls that, what reads it, and where
-	 * it is one of some words, which. */
+	/* With an argument: what the help calls that; and what reads it, or
+	 * else the words that it may be, what they are names of, and the
+	 * offset of the enum, in their order, that is set. */
 	const char *argument;
 	void (*set)(struct options *, char *word);
 	const char *const *words;
-	/* Without one: the bool of struct options that becomes true. */
+	const char *what;
+	size_t at;
+	/* The offset of a bool of struct options that becomes true; or 0. */
 	size_t on;
 };
+
+/* There are at most so many. */
+enum { OPTIONS_MAX = 40 };
 
 /* All of them; name is NULL after the last. */
 extern const struct option_row option_rows[];
@@ -57,12 +63,8 @@ extern const struct option_row option_rows[];
 /* Sets how messages are printed, before anything else can be wrong. */
 void options_first(char **words);
 
-/* Reads a command's options and operands; argv[0] is its name. Stops as soon as
- * the help or the version is asked for. */
-void options_read(const struct command *, int argc, char **argv,
-    struct options *);
-
-/* The option of that name, behind which = and a value may stand, or NULL. */
+/* The option of that name, behind which a value may stand, after = or a blank;
+ * or NULL. */
 const struct option_row *option_named(const char *name);
 
 bool option_is_for(const struct option_row *, const struct command *);

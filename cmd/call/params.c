@@ -5,7 +5,6 @@
 
 #include "input.h"
 #include "../message/message.h"
-#include "typed.h"
 
 enum { DOCUMENT_MAX = 1 << 28 };
 
@@ -169,22 +168,26 @@ static void first_line(char *out, size_t room)
 	out[n] = '\0';
 }
 
-/* Points in place of a scene: the line is of numbers. What is wrong is the call, not
- * what it reads. */
-static void check_points(const struct document_wants *wants)
+/* Refuses points in place of a scene: a line of numbers; or, where POINTS are
+ * named, an array or binary points. The call is wrong, not the file. */
+static void check_points(const struct options *o,
+    const struct document_wants *wants)
 {
 	const struct place place = { .file = params.name };
+	bool named = o->n_points > 0, points;
 	char line[200];
 
 	first_line(line, sizeof line);
-	if (*line == '[' || !is_numbers(line))
+	points = is_numbers(line) && *line != '[';
+	if (named && params.begin < params.end)
+		points |= *line == '[' || (is_binary(o->in) && *line != '{');
+	if (!points)
 		return;
 	if ((wants->used & SCENE_POINTS) == 0)
 		die_at(EXIT_USAGE, &place, "holds points; a scene is wanted");
 	die_at(EXIT_USAGE, &place,
-	    "holds points, and a scene is wanted first; name its file: "
-	    "scene.json %s",
-	    params.name);
+	    "holds points, and a scene is wanted first; name its file: %s %s",
+	    named ? o->points[0] : "scene.json", params.name);
 }
 
 void params_read(const struct options *o, const struct document_wants *wants,
@@ -197,7 +200,7 @@ void params_read(const struct options *o, const struct document_wants *wants,
 	if (!o->scenes) {
 		skip_spaces();
 		params.end = params.text.have;
-		check_points(wants);
+		check_points(o, wants);
 	}
 	w.line = params.line - 1;
 	document_read(d, params.name, params.text.s + params.begin,

@@ -23,14 +23,41 @@ static unsigned code_of(const char *s, int n)
 	return code;
 }
 
-/* The two sets of control characters; what ends a line; and the marks,
- * embeddings, overrides and isolates of UAX 9, table 1 to 4. */
-static bool is_hidden(unsigned code)
+/* Whether a character looks like a blank or nothing: no-break spaces, the soft
+ * hyphen, joiners of zero width, invisible operators, and the byte order mark. */
+static bool is_unseen(unsigned code)
+{
+	return code == 0xa0 || code == 0xad ||
+	    (code >= 0x200b && code <= 0x200d) ||
+	    (code >= 0x2060 && code <= 0x2064) || code == 0xfeff;
+}
+
+/* Whether a character is of the two sets of control characters, ends a line, or
+ * is one of the marks, embeddings, overrides and isolates of UAX 9, tables 1 to
+ * 4. */
+static bool is_control(unsigned code)
 {
 	return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x061c ||
 	    code == 0x200e || code == 0x200f ||
 	    (code >= 0x2028 && code <= 0x202e) ||
 	    (code >= 0x2066 && code <= 0x2069);
+}
+
+unsigned escape_unseen(const char *s)
+{
+	const char *end = s + strlen(s);
+	unsigned code;
+
+	while (s < end) {
+		int n = utf8_length(s, end);
+
+		if (sscanf(s, "\\u%4x", &code) < 1)
+			code = n > 0 ? code_of(s, n) : 0;
+		if (is_unseen(code))
+			return code;
+		s += n > 0 ? n : 1;
+	}
+	return 0;
 }
 
 /* Writes a piece for the character at *s, and goes past it. Returns its length. */
@@ -48,7 +75,7 @@ static size_t piece(char out[PIECE_MAX + 1], const char **s, const char *end,
 		    size_t)sprintf(out, "\\x%02x", (unsigned)(unsigned char)*c);
 	unsigned code = code_of(c, n);
 
-	if (is_hidden(code))
+	if (is_control(code) || is_unseen(code))
 		return (size_t)sprintf(out, "\\u%04x", code);
 	if (json && (*c == '"' || *c == '\\'))
 		return (size_t)sprintf(out, "\\%c", *c);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What the user wrote, in messages: nothing of it moves a terminal's cursor, ends
- * the line, or turns the direction in which the rest is shown. */
+ * the line, turns the direction in which the rest is shown, or is not seen. */
 #ifndef ESCAPE_H
 #define ESCAPE_H
 
@@ -21,5 +21,9 @@ enum { JSON_ESCAPE_MAX = 6 }; /* bytes of one */
 /* The same as what stands between the quotes of a JSON string, which reads as what
  * was written, but for U+FFFD in place of what is not UTF-8. */
 size_t escape_json(char *out, size_t room, const char *s, size_t n);
+
+/* The code of the first character that looks like a blank or nothing, escaped or
+ * not; else 0. */
+unsigned escape_unseen(const char *);
 
 #endif

@@ -39,7 +39,7 @@ bool says_json(void)
 	return json;
 }
 
-void set_color(enum color when)
+void message_color(enum color when)
 {
 	color = when;
 }
@@ -70,10 +70,10 @@ struct buffer {
 	size_t n;
 };
 
-static void add(struct buffer *t, const char *format, ...)
+static void buffer_add(struct buffer *t, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-static void add(struct buffer *t, const char *format, ...)
+static void buffer_add(struct buffer *t, const char *format, ...)
 {
 	va_list args;
 
@@ -82,24 +82,24 @@ static void add(struct buffer *t, const char *format, ...)
 	va_end(args);
 }
 
-static void add_place(struct buffer *t, const struct place *p)
+static void buffer_place(struct buffer *t, const struct place *p)
 {
 	bool behind = p->join != NULL;
 	bool pointer = p->pointer != NULL && *p->pointer != '\0';
 	const struct scene_place *s = &p->scene;
 
 	if (behind)
-		add(t, "%s", p->join);
+		buffer_add(t, "%s", p->join);
 	if (s->number > 0)
-		add(t, "scene %ld, line %ld: ", s->number, s->line);
+		buffer_add(t, "scene %ld, line %ld: ", s->number, s->line);
 	if (p->file != NULL)
-		add(t, "%.*s", MESSAGE_MAX, p->file);
+		buffer_add(t, "%.*s", MESSAGE_MAX, p->file);
 	if (p->line > 0)
-		add(t, p->of_points ? ": point %lld" : ":%lld", p->line);
+		buffer_add(t, p->of_points ? ": point %lld" : ":%lld", p->line);
 	if (p->file != NULL && !behind)
-		add(t, ": ");
+		buffer_add(t, ": ");
 	if (pointer)
-		add(t, "%.1000s%s", p->pointer, behind ? "" : ": ");
+		buffer_add(t, "%.1000s%s", p->pointer, behind ? "" : ": ");
 }
 
 /* Control characters are escaped, even of a file's name that has newlines. */
@@ -111,11 +111,11 @@ static void write_text(int status, const struct place *p, const char *message)
 
 	raw.n = line.n = 0;
 	if (p->join == NULL)
-		add_place(&raw, p);
-	add(&raw, "%s", message);
+		buffer_place(&raw, p);
+	buffer_add(&raw, "%s", message);
 	if (p->join != NULL)
-		add_place(&raw, p);
-	add(&line, "%sprojcalc:%s ", colored ? paint[status > 0] : "",
+		buffer_place(&raw, p);
+	buffer_add(&line, "%sprojcalc:%s ", colored ? paint[status > 0] : "",
 	    colored ? "\033[0m" : "");
 	line.n += escape_text(line.s + line.n, LINE_ROOM - line.n - 1, raw.s,
 	    raw.n);
@@ -123,14 +123,14 @@ static void write_text(int status, const struct place *p, const char *message)
 	fwrite(line.s, 1, line.n, stderr);
 }
 
-static void add_string(struct buffer *t, const char *name, const char *s,
+static void buffer_string(struct buffer *t, const char *name, const char *s,
     size_t n)
 {
 	if (n > MESSAGE_MAX)
 		n = MESSAGE_MAX;
-	add(t, "%s\"%s\":\"", t->n > 1 ? "," : "", name);
+	buffer_add(t, "%s\"%s\":\"", t->n > 1 ? "," : "", name);
 	t->n += escape_json(t->s + t->n, LINE_ROOM - t->n, s, n);
-	add(t, "\"");
+	buffer_add(t, "\"");
 }
 
 /* The reason is the message up to a hint. */
@@ -141,21 +141,21 @@ static void write_json(int status, const struct place *p, const char *message,
 	size_t n = strlen(message);
 
 	t.n = 0;
-	add(&t, "{");
+	buffer_add(&t, "{");
 	if (p->scene.number > 0)
-		add(&t, "\"scene\":%ld,\"scene_line\":%ld", p->scene.number,
-		    p->scene.line);
+		buffer_add(&t, "\"scene\":%ld,\"scene_line\":%ld",
+		    p->scene.number, p->scene.line);
 	if (p->file != NULL)
-		add_string(&t, "file", p->file, strlen(p->file));
+		buffer_string(&t, "file", p->file, strlen(p->file));
 	if (p->line > 0)
-		add(&t, ",\"%s\":%lld", p->of_points ? "point" : "line",
+		buffer_add(&t, ",\"%s\":%lld", p->of_points ? "point" : "line",
 		    p->line);
 	if (p->pointer != NULL && *p->pointer != '\0')
-		add_string(&t, "pointer", p->pointer, strlen(p->pointer));
-	add_string(&t, "reason", message, reason);
+		buffer_string(&t, "pointer", p->pointer, strlen(p->pointer));
+	buffer_string(&t, "reason", message, reason);
 	if (reason + 2 < n)
-		add_string(&t, "hint", message + reason + 2, n - reason - 2);
-	add(&t, ",\"status\":%d}\n", status);
+		buffer_string(&t, "hint", message + reason + 2, n - reason - 2);
+	buffer_add(&t, ",\"status\":%d}\n", status);
 	fwrite(t.s, 1, t.n, stderr);
 }
 
@@ -198,6 +198,20 @@ static size_t reason_length(const char *format, va_list args,
 	return n < all ? n : all;
 }
 
+/* Adds to a message which character cannot be seen in it or in its place. */
+static void name_unseen(const struct place *p, char message[MESSAGE_MAX])
+{
+	const char *texts[] = { message, p->file, p->pointer };
+	const size_t n = strlen(message);
+	unsigned code = 0;
+
+	for (int i = 0; i < 3 && code == 0; i++)
+		code = texts[i] != NULL ? escape_unseen(texts[i]) : 0;
+	if (code != 0)
+		snprintf(message + n, MESSAGE_MAX - n,
+		    " (U+%04X in it can't be seen)", code);
+}
+
 static void print_line(int status, const struct place *place,
     const char *format, va_list args)
 {
@@ -211,6 +225,7 @@ static void print_line(int status, const struct place *place,
 		p.scene = scene;
 	va_copy(again, args);
 	vsnprintf(message, sizeof message, format, args);
+	name_unseen(&p, message);
 	flockfile(stderr);
 	if (json)
 		write_json(status, &p, message,

@@ -45,7 +45,7 @@ bool says_json(void);
 
 /* Whether to colour what goes to a terminal. */
 enum color { COLOR_AUTO, COLOR_ALWAYS, COLOR_NEVER };
-void set_color(enum color);
+void message_color(enum color);
 
 /* Whether what goes to fd is coloured: with COLOR_AUTO where it is a terminal that
  * can, and NO_COLOR (no-color.org) is not set. */

@@ -22,7 +22,7 @@ static bool begins(const char *word, const char *other)
  * letter is edited twice. Row i of the table is for the first i letters of a,
  * column j for the first j of b; a row needs the two before it, and no others
  * are kept. */
-static size_t distance(const char *a, const char *b)
+static size_t edits(const char *a, const char *b)
 {
 	size_t row[3][WORD_MAX + 1];
 	size_t la = strlen(a), lb = strlen(b);
@@ -53,18 +53,50 @@ static size_t distance(const char *a, const char *b)
 	return row[la % 3][lb];
 }
 
+/* What others call a value. */
+static const struct {
+	const char *word, *is;
+} values[] = {
+	{ "opengl", "gl" },
+	{ "directx", "d3d" },
+	{ "direct3d", "d3d" },
+	{ "metal", "webgpu" },
+	{ "pixels", "device" },
+	{ "screen", "device" },
+	{ "image", "device" },
+	{ "camera", "view" },
+	{ "eye", "view" },
+	{ "object", "model" },
+	{ "local", "model" },
+	{ "txt", "text" },
+	{ "double", "f64" },
+	{ "float", "f32" },
+	{ "float", "single" },
+};
+
+/* The synonym of a word that is one of words, or NULL. */
+static const char *value_called(const char *word, const char *const *words)
+{
+	for (size_t i = 0; i < sizeof values / sizeof *values; i++)
+		for (const char *const *w = words; *w != NULL; w++)
+			if (strcasecmp(values[i].word, word) == 0 &&
+			    strcmp(values[i].is, *w) == 0)
+				return *w;
+	return NULL;
+}
+
 const char *nearest(const char *word, const char *const *words)
 {
-	const char *best = NULL;
+	const char *best = value_called(word, words);
 	size_t length = strlen(word);
 	/* one more than may be edited: nothing in a single letter */
 	size_t least = (length < 2 ? 0 : length < 6 ? 1 : length / 3) + 1;
 
-	if (length > WORD_MAX)
-		return NULL;
+	if (best != NULL || length > WORD_MAX)
+		return best;
 	for (; *words != NULL; words++) {
 		size_t d = strlen(*words) > WORD_MAX ? least :
-						       distance(word, *words);
+						       edits(word, *words);
 
 		if (d < least) {
 			least = d;
@@ -74,31 +106,4 @@ const char *nearest(const char *word, const char *const *words)
 		}
 	}
 	return best;
-}
-
-const char *called(const char *what, const char *word)
-{
-	static const char *const others[][3] = {
-		{ "convention", "opengl", "gl" },
-		{ "convention", "directx", "d3d" },
-		{ "convention", "direct3d", "d3d" },
-		{ "convention", "metal", "webgpu" },
-		{ "space", "pixels", "device" },
-		{ "space", "screen", "device" },
-		{ "space", "image", "device" },
-		{ "space", "camera", "view" },
-		{ "space", "eye", "view" },
-		{ "space", "object", "model" },
-		{ "space", "local", "model" },
-		{ "format", "txt", "text" },
-		{ "format", "double", "f64" },
-		{ "format", "float", "f32" },
-		{ "precision", "float", "single" },
-	};
-
-	for (size_t i = 0; i < sizeof others / sizeof *others; i++)
-		if (strcmp(others[i][0], what) == 0 &&
-		    strcasecmp(others[i][1], word) == 0)
-			return others[i][2];
-	return NULL;
 }

@@ -3,15 +3,12 @@
 #ifndef NEAREST_H
 #define NEAREST_H
 
-/* Of words, which NULL ends, that with the fewest edits from word: letters
- * changed, added, left out or exchanged with the next. A word of two to five
- * letters may have one edit, a longer one as many as a third of its letters. If
- * none is so near, the first that is the beginning of word or begins with it,
- * in three letters at least; else NULL. Upper case counts as lower case. */
+/* The one of words, which NULL ends, that word is a synonym of, as opengl is of gl;
+ * else that with the fewest edits from word: letters changed, added, left out or
+ * exchanged with the next. A word of two to five letters may have one edit, a longer
+ * one as many as a third of its letters. If none is so near, the first that is the
+ * beginning of word or begins with it, in three letters at least; else NULL. Upper
+ * case counts as lower case. */
 const char *nearest(const char *word, const char *const *words);
-
-/* What others call by that word, of whatever case, or NULL: of a convention, space,
- * format or precision, as what says. */
-const char *called(const char *what, const char *word);
 
 #endif

@@ -3,7 +3,6 @@
 
 #include <string.h>
 
-#include "../message/nearest.h"
 #include "types.h"
 
 const char *const convention_names[] = {
@@ -61,22 +60,10 @@ bool same_convention(const struct convention *a, const struct convention *b)
 	return memcmp(a, b, sizeof *a) == 0;
 }
 
-/* By its letters "opengl" is nearest to "opencv". */
-static int read_name(const struct value *v)
-{
-	char word[NAME_ROOM];
-	const char *s = value_string(v, word);
-	const char *meant = s != NULL ? called("convention", s) : NULL;
-
-	if (meant != NULL)
-		value_refuse(v, "is \"%s\"; did you mean \"%s\"?", s, meant);
-	return value_word(v, convention_names);
-}
-
 void read_convention(const struct value *v, struct convention *c)
 {
 	if (value_is_object(v))
 		object_read(v, convention_members, 0, c);
 	else
-		*c = conventions[read_name(v)];
+		*c = conventions[value_word(v, convention_names)];
 }

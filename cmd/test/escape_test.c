@@ -48,10 +48,16 @@ static void test_hidden(void **state)
 		{ "~", false },
 		{ "\xc2\x80", true },
 		{ "\xc2\x9f", true },
-		{ "\xc2\xa0", false },
+		{ "\xc2\xa0", true },
+		{ "\xc2\xa1", false },
+		{ "\xc2\xac", false },
+		{ "\xc2\xad", true },
+		{ "\xc2\xae", false },
 		{ "\xd8\x9b", false },
 		{ "\xd8\x9c", true },
-		{ "\xe2\x80\x8d", false },
+		{ "\xe2\x80\x8a", false },
+		{ "\xe2\x80\x8b", true },
+		{ "\xe2\x80\x8d", true },
 		{ "\xe2\x80\x8e", true },
 		{ "\xe2\x80\x8f", true },
 		{ "\xe2\x80\x90", false },
@@ -59,10 +65,15 @@ static void test_hidden(void **state)
 		{ "\xe2\x80\xa8", true },
 		{ "\xe2\x80\xae", true },
 		{ "\xe2\x80\xaf", false },
+		{ "\xe2\x81\x9f", false },
+		{ "\xe2\x81\xa0", true },
+		{ "\xe2\x81\xa4", true },
 		{ "\xe2\x81\xa5", false },
 		{ "\xe2\x81\xa6", true },
 		{ "\xe2\x81\xa9", true },
 		{ "\xe2\x81\xaa", false },
+		{ "\xef\xbb\xbe", false },
+		{ "\xef\xbb\xbf", true },
 		{ "\xf0\x9f\x98\x80", false },
 	};
 	char text[20], json[20];
@@ -78,6 +89,15 @@ static void test_hidden(void **state)
 		if (!cases[i].hidden)
 			assert_string_equal(text, s);
 	}
+}
+
+/* What can't be seen is found, as it is or escaped; other escapes are not that. */
+static void test_unseen(void **state)
+{
+	(void)state;
+	assert_int_equal(escape_unseen("a\xff\xe2\x80\x8b"), 0x200b);
+	assert_int_equal(escape_unseen("\\u001b\\ufeff"), 0xfeff);
+	assert_int_equal(escape_unseen("a b\\u001b\\u\xc3\xa9\x1b"), 0);
 }
 
 /* Whole pieces alone, and the end is always a NUL. */
@@ -104,6 +124,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_escaped),
 		cmocka_unit_test(test_hidden),
+		cmocka_unit_test(test_unseen),
 		cmocka_unit_test(test_room),
 	};
 

@@ -10,7 +10,7 @@
 #include <cmocka.h>
 
 static const char *const words[] = { "eye", "at", "up", "orientation",
-	"near_ratio", "reverse_z", "persp", "x", NULL };
+	"near_ratio", "reverse_z", "persp", "x", "gl", NULL };
 
 static void test_nearest(void **state)
 {
@@ -33,6 +33,8 @@ static void test_nearest(void **state)
 		{ "parsx", NULL },     /* of five letters one alone */
 		{ "bat", "at" },
 		{ "view", NULL },
+		{ "OpenGL", "gl" },
+		{ "directx", NULL },
 		{ "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa", NULL },
 	};
 

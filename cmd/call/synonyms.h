@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT */
+/* Refuses words that are no command, option or topic of help, and says what
+ * leads on: a synonym, a member of the scene, or the nearest name. */
+#ifndef SYNONYMS_H
+#define SYNONYMS_H
+
+#include "options.h"
+
+/* Refuses words[0], which stands where a command should. A command may follow.
+ * The table of commands ends with a name that is NULL. */
+_Noreturn void synonym_command(const struct command *commands, char **words);
+
+/* Refuses a word of which help knows nothing. */
+_Noreturn void synonym_topic(const struct command *commands, const char *word);
+
+/* Refuses a word that is no option, "--eye=0,0,5" or "-eye", if it has a synonym
+ * or is a member of a scene; else returns. */
+void synonym_option(const struct command *, const char *word);
+
+/* Refuses an option of other commands if it is a member that this command
+ * reads, as --at is of lookat; else returns. */
+void synonym_member(const struct command *, const char *word);
+
+#endif
