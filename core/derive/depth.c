@@ -118,11 +118,13 @@ static double distance(const struct slab *s, int a, ex over, ex under)
 	return isfinite(d) ? d : (double)NAN;
 }
 
-/* The whole number nearest to z most, clamped: z most = hi + lo exactly. */
+/* The whole number nearest to z most, for z clamped to 0..1. The product and its rest
+ * are exact. */
 static double whole_nearest(double z, double most)
 {
-	dd p = two_prod(fmin(fmax(z, 0), 1), most);
-	double whole = floor(p.hi), beyond = (p.hi - whole - 0.5) + p.lo;
+	double clamped = fmin(fmax(z, 0), 1), product = clamped * most;
+	double rest = fma(clamped, most, -product);
+	double whole = floor(product), beyond = (product - whole - 0.5) + rest;
 
 	if (beyond > 0 || (beyond == 0 && fmod(whole, 2) != 0))
 		whole++;
