@@ -112,8 +112,7 @@ sub our_rows {
 	my $run = 'projcalc project -j 1';
 	my @f64 = (group => 'binary', from => 'f64', to => 'f64',
 	    n => $copies * $points);
-	for my $how ('', ' -t 1e-6', ' -t 0.01', ' -t 0.5', ' -p double',
-	    ' -p single') {
+	for my $how ('', ' -p double', ' -p single') {
 		my @chart = (kind => 'ours',
 		    label => $how ? substr $how, 1 : 'exact');
 		row("text$how", "`projcalc$how`", "$run$how scene.json {text}",
@@ -274,8 +273,6 @@ sub ratios {
 		['csv with `--columns` against text', 'columns', 'text'],
 		['`--flags` against none', 'flags', 'text'],
 		['17 digits against six decimals, read', 'long', 'text'],
-		['`-t 0.01` against exact, text', 'text -t 0.01', 'text'],
-		['`-t 0.01` against exact, f64', 'f64 -t 0.01', 'f64'],
 		['exact f64 through a pipe, from cat, against cat to cat',
 		    'piped', 'cat'],
 		['f64 `-p double` against f32 `-p single`', 'f64 -p double',

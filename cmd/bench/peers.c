@@ -23,22 +23,18 @@ enum { ORDINARY, FAR, DISTANCES };
 
 struct entry {
 	const char *name;
-	const struct peer *peer; /* NULL: ours, with this accuracy */
-	struct accuracy accuracy;
+	const struct peer *peer; /* NULL: ours, in this precision */
+	enum precision precision;
 	double times[RUNS];
 	double error[DISTANCES];
 };
 
 static struct entry entries[ENTRIES_MAX] = {
-	{ .name = "projcalc, exact", .accuracy = { PRECISION_EXACT, { 0 } } },
-	{ .name = "projcalc, -t 1e-6",
-	    .accuracy = { PRECISION_EXACT, { 1e-6, 1e-6, 1e-6 } } },
-	{ .name = "projcalc, -t 0.5",
-	    .accuracy = { PRECISION_EXACT, { 0.5, 0.5, 0.5 } } },
-	{ .name = "projcalc, double", .accuracy = { PRECISION_DOUBLE, { 0 } } },
-	{ .name = "projcalc, single", .accuracy = { PRECISION_SINGLE, { 0 } } },
+	{ .name = "projcalc, exact", .precision = PRECISION_EXACT },
+	{ .name = "projcalc, double", .precision = PRECISION_DOUBLE },
+	{ .name = "projcalc, single", .precision = PRECISION_SINGLE },
 };
-static int n_entries = 5;
+static int n_entries = 3;
 
 static const struct peer *const peers[] = { peers_plain, peers_glm, peers_cglm,
 	peers_eigen };
@@ -145,7 +141,7 @@ static void carry(const struct entry *e, const struct transform *t, size_t n)
 	double *const to[4] = { out[0], out[1], out[2], out[3] };
 
 	if (e->peer == NULL)
-		points_carry(t, &e->accuracy, from, to, n);
+		points_carry(t, e->precision, from, to, n);
 	else
 		e->peer->carry(peer_in, peer_out, n);
 }

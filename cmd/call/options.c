@@ -77,12 +77,11 @@ static void set_precision(struct options *o, char *word)
 {
 	o->precision = (enum precision)one_of(precision_names, "precision",
 	    word);
-	o->has_precision = true;
 }
 
 static void set_tolerance(struct options *o, char *word)
 {
-	o->tolerances = tolerances_of("tolerance", word);
+	o->tolerance = positive_number("tolerance", word);
 }
 
 static void set_from(struct options *o, char *word)
@@ -132,8 +131,8 @@ static void choose_color(struct options *o, char *word)
 /* Kinds of commands that share options, as unions of enum command_kind. */
 enum {
 	PLANES = PROJECT | TRACE | PLANAR, /* ask what points are outside of */
-	WITHIN = MATRIX | PLANES,          /* to a precision or tolerance */
-	PRINTED = WITHIN | PICK,           /* print points */
+	IMAGES = MATRIX | PLANES,          /* print points' images */
+	PRINTED = IMAGES | PICK,           /* print points */
 	POINTS = PRINTED | FIT,            /* read them */
 	NUMBERS = PRINTED | INSPECT,       /* print numbers to be rounded */
 	ALL = POINTS | INSPECT,
@@ -163,13 +162,13 @@ const struct option_row option_rows[] = {
 	    .argument = "N,...", .set = set_decimals },
 	{ "digits", 0, NUMBERS, "round to N significant digits, the same",
 	    .argument = "N,...", .set = set_digits },
-	{ "precision", 'p', WITHIN,
+	{ "precision", 'p', IMAGES,
 	    "exact (default), double or single",
 	    .argument = "NAME", .set = set_precision,
 	    .words = precision_names },
-	{ "tolerance", 't', WITHIN | INSPECT,
-	    "within T of the exact value, a list for x,y,z",
-	    .argument = "T,...", .set = set_tolerance },
+	{ "tolerance", 't', INSPECT,
+	    "the error that the -p told may have; default 0.5",
+	    .argument = "T", .set = set_tolerance },
 	{ "from", 0, PROJECT | TRACE, "model, world, view, clip, ndc or device",
 	    .argument = "SPACE", .set = set_from, .words = space_names },
 	{ "to", 0, PROJECT, "the same; default device, else ndc",
@@ -403,6 +402,11 @@ static _Noreturn void refuse_here(const struct command *c,
 	char list[LISTED];
 	int n = 0;
 
+	if (r->letter == 't')
+		die(EXIT_USAGE,
+		    "%s: -t is for inspect, which tells the -p that a "
+		    "tolerance needs",
+		    c->name);
 	for (unsigned i = 0; i < sizeof names / sizeof *names; i++)
 		if (r->commands >> i & 1)
 			takers[n++] = names[i];
@@ -422,28 +426,6 @@ static void set(const struct command *c, const struct option_row *r,
 		r->set(o, optarg);
 	else
 		*(bool *)((char *)o + r->on) = true;
-}
-
-/* What -t says of itself: the precision, the digits, and that they be enough. */
-static void check_tolerances(const struct command *c, const struct options *o)
-{
-	if (o->has_precision)
-		die(EXIT_USAGE,
-		    "%s: -p and -t exclude each other; -t chooses "
-		    "the precision",
-		    c->name);
-	if (o->styles.n > 0 && c->kind != INSPECT)
-		die(EXIT_USAGE,
-		    "%s: %s and -t exclude each other; -t says how many "
-		    "decimals there are",
-		    c->name,
-		    o->styles.style[0].kind == NUMBER_DIGITS ? "--digits" :
-							       "-d");
-	if ((o->has_out ? o->out : o->in) == FORMAT_F32)
-		die(EXIT_USAGE,
-		    "%s: floats are not within a tolerance; with -t say "
-		    "-o f64 or -o text",
-		    c->name);
 }
 
 int coordinates_of(const struct command *c, const struct options *o)
@@ -498,8 +480,6 @@ void options_read(const struct command *c, int argc, char **argv,
 	}
 	if (c->kind == TRACE)
 		choose_output(c, o);
-	if (o->tolerances.n > 0)
-		check_tolerances(c, o);
 	char **operands = argv + optind;
 
 	if (*operands != NULL)

@@ -164,7 +164,7 @@ static void check_texts(double v, int n)
 	char expected[NUMBER_MAX + 1], text[NUMBER_MAX + 65];
 
 	number_choose(NULL);
-	for (unsigned kind = NUMBER_SHORTEST; kind <= NUMBER_WITHIN; kind++) {
+	for (unsigned kind = NUMBER_SHORTEST; kind <= NUMBER_DIGITS; kind++) {
 		const struct number_style style = { kind, n };
 
 		number_texts(numbers, 5, false, style, texts);

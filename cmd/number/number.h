@@ -22,9 +22,8 @@ struct number_style {
 		NUMBER_SHORTEST,
 		NUMBER_DECIMALS,
 		NUMBER_DIGITS,
-		NUMBER_WITHIN,
 	} kind;
-	int n; /* decimals 0..100, within up to 160; or digits 1..100 */
+	int n; /* decimals 0..100, or digits 1..100 */
 };
 
 /* Reads the number that begins at s: [+-] digits [. digits] [e [+-] digits],
@@ -36,9 +35,7 @@ const char *number_read(const char *s, const char *end, double *v);
 /* Write v at s, not terminated, and return where the text ends. What is behind
  * that, up to NUMBER_MAX bytes from s, may change, too. Plain from
  * 1e-6 to below 1e21, else with an exponent, as JavaScript prints; with
- * NUMBER_DECIMALS always plain; never -0; nan and inf are "nan". NUMBER_WITHIN
- * is the decimals without their trailing zeros, or the shortest where that has no
- * more decimals. */
+ * NUMBER_DECIMALS always plain; never -0; nan and inf are "nan". */
 char *number_write(char *s, double v, struct number_style style);
 
 /* The same for a float: NUMBER_SHORTEST means the shortest that reads back as the

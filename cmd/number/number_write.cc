@@ -235,43 +235,6 @@ static char *print_significant(char *s, double v, int n)
 	return layout<104>(s, d, n, 1 + (minus ? -exponent : exponent));
 }
 
-/* v rounded to n decimals, which are fewer than its shortest text has. */
-static char *print_within(char *s, double v, int n)
-{
-	char text[NUMBER_MAX], d[64];
-	int size = snprintf(text, sizeof text, "%.*f", n, v), count = 0;
-
-	memset(d, '0', sizeof d);
-	for (const char *p = text + strspn(text, "0."); p < text + size; p++)
-		if (*p != '.')
-			d[count++] = *p;
-	if (count == 0) {
-		*s = '0';
-		return s + 1;
-	}
-	return layout<24>(s, d, count, count - n);
-}
-
-/* v below 10^(15-n) is known to a quarter of its n-th decimal: so a text with no
- * more decimals that reads back as v is v rounded to n. */
-static char *write_within(char *s, double v, int n)
-{
-	char d[64];
-
-	if (n > 15 || v >= double(power[15 - n]))
-		return jkj::dragonbox::to_decimal(v).exponent >= -n ?
-		    write_shortest(s, v) :
-		    print_within(s, v, n);
-	uint64_t q = scaled(v, n);
-	int count = count_digits(q);
-
-	write_digits(d, q);
-	if (count > 0)
-		return layout<24>(s, d + DIGITS - count, count, count - n);
-	*s = '0';
-	return s + 1;
-}
-
 /* The exponent of ten is guessed from that of two, with 78913 / 2^18 for
  * log10(2): it is right or one too small. If too small, q has a digit too many,
  * and v is scaled anew, as q is rounded already. If q has that digit because v
@@ -308,14 +271,6 @@ static inline char *write_number(char *s, Float v, struct number_style style)
 	}
 	*s = '-';
 	s += v < 0;
-	if (style.kind == number_style::NUMBER_WITHIN) {
-		char *end = write_within(s, std::fabs(double(v)), style.n);
-
-		if (*s != '0' || end > s + 1 || v > 0)
-			return end;
-		s[-1] = '0';
-		return s;
-	}
 	if (style.kind == number_style::NUMBER_DIGITS)
 		return write_significant(s, std::fabs(double(v)), style.n);
 	return write_shortest(s, v);

@@ -28,12 +28,6 @@ static const struct number_style styles[] = {
 	{ NUMBER_DECIMALS, 15 },
 	{ NUMBER_DECIMALS, 16 },
 	{ NUMBER_DIGITS, 9 },
-	{ NUMBER_WITHIN, 0 },
-	{ NUMBER_WITHIN, 3 },
-	{ NUMBER_WITHIN, 6 },
-	{ NUMBER_WITHIN, 7 },
-	{ NUMBER_WITHIN, 14 },
-	{ NUMBER_WITHIN, 25 },
 };
 
 static long count = 60000;
@@ -230,7 +224,7 @@ static void are_as_number_write(void **unused)
 static void are_made(void **unused)
 {
 	const struct number_style usual[] = { { NUMBER_SHORTEST, 0 },
-		{ NUMBER_DECIMALS, 6 }, { NUMBER_WITHIN, 6 } };
+		{ NUMBER_DECIMALS, 6 } };
 	double v[BLOCK];
 	struct number_text t[BLOCK];
 

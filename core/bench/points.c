@@ -8,17 +8,10 @@
 #include "../points/points.h"
 #include "../test/sample.h"
 
-enum { RUNS = 101, CALLS = 4, EFFORTS = 4, CASES = 4, COPIES = 4 };
+enum { RUNS = 101, CALLS = 4, PRECISIONS = 3, CASES = 4, COPIES = 4 };
 
 static const char *const copies[COPIES] = { "baseline", "avx2", "avx512",
 	"neon" };
-
-static const struct accuracy efforts[EFFORTS] = {
-	{ PRECISION_EXACT, { 0 } },
-	{ PRECISION_DOUBLE, { 0 } },
-	{ PRECISION_SINGLE, { 0 } },
-	{ PRECISION_EXACT, { 0.01, 0.01, 0.01 } },
-};
 
 static const struct scene scene = {
 	.has_camera = true,
@@ -48,7 +41,7 @@ struct sample {
 	const char *name;
 	struct transform transform;
 	COLUMN_ALIGNED double in[3][POINTS_BLOCK];
-	double times[COPIES][EFFORTS][RUNS];
+	double times[COPIES][PRECISIONS][RUNS];
 };
 
 static struct sample cases[CASES];
@@ -88,7 +81,7 @@ static const char *make_cases(void)
 	return NULL;
 }
 
-static double measure(const struct sample *s, const struct accuracy *e)
+static double measure(const struct sample *s, enum precision p)
 {
 	static COLUMN_ALIGNED double image[4][POINTS_BLOCK];
 	const double *const in[4] = { s->in[0], s->in[1], s->in[2] };
@@ -96,7 +89,7 @@ static double measure(const struct sample *s, const struct accuracy *e)
 	double start = clock_ns();
 
 	for (int i = 0; i < CALLS; i++)
-		points_carry(&s->transform, e, in, out, POINTS_BLOCK);
+		points_carry(&s->transform, p, in, out, POINTS_BLOCK);
 	return (clock_ns() - start) / (CALLS * POINTS_BLOCK);
 }
 
@@ -107,16 +100,16 @@ static void measure_all(int run)
 		if (!points_choose(copies[copy]))
 			continue;
 		for (int c = 0; c < CASES; c++)
-			for (int e = 0; e < EFFORTS; e++)
+			for (int e = 0; e < PRECISIONS; e++)
 				cases[c].times[copy][e][run] =
-				    measure(&cases[c], &efforts[e]);
+				    measure(&cases[c], (enum precision)e);
 	}
 }
 
 static void print_row(struct sample *s, int copy)
 {
 	printf("| %s | %s |", s->name, copies[copy]);
-	for (int e = 0; e < EFFORTS; e++) {
+	for (int e = 0; e < PRECISIONS; e++) {
 		struct timing t = timing_of(s->times[copy][e], RUNS);
 
 		printf(" %.2f (%.2f) |", t.min, t.median);
@@ -136,8 +129,8 @@ int main(void)
 	measure_all(0);
 	for (int run = 0; run < RUNS; run++)
 		measure_all(run);
-	printf("| kind | copy | exact | double | single | -t 0.01 |\n"
-	       "|---|---|--:|--:|--:|--:|\n");
+	printf("| kind | copy | exact | double | single |\n"
+	       "|---|---|--:|--:|--:|\n");
 	for (int c = 0; c < CASES; c++)
 		for (int copy = 0; copy < COPIES; copy++)
 			if (points_choose(copies[copy]))

@@ -155,14 +155,13 @@ void rays_cast(const struct ray_maker *r, bool single,
     const double *const at[2], double *const point[3],
     double *const direction[3], size_t n)
 {
-	static const struct accuracy exact = { .precision = PRECISION_EXACT };
 	double depth[POINTS_BLOCK];
 	const double *const in[4] = { at[0], at[1], depth };
 	double *const out[4] = { point[0], point[1], point[2] };
 
 	for (size_t i = 0; i < POINTS_BLOCK; i++)
 		depth[i] = r->depth;
-	points_carry(&r->to_world, &exact, in, out, n);
+	points_carry(&r->to_world, PRECISION_EXACT, in, out, n);
 	points_kernels()->exact[KERNEL_DIRECTION](&r->for_kernel, at, direction,
 	    n);
 	for (size_t i = 0; i < n; i++) {

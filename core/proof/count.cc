@@ -65,11 +65,7 @@ static bool isfinite(number)
 #define R_STORE(p, a) (*(p) = (a))
 #define R_ALL(a) (number(a))
 #define R_FMA(a, b, c) fma(a, b, c)
-#define R_ABS(a) fabs(a)
-#define R_MAX(a, b) (a)
 #define R_POSITIVE(a, b) (b)
-#define ROUNDOFF 0x1p-53
-#define TINY 0
 #define MOST 1
 #define NAME(x) counted_##x
 #include "points/kernel/plain.h"
@@ -410,7 +406,7 @@ static void run_plain(enum kernel_kind kind)
 	const number *const from[3] = { in, in + 1, in + 2 };
 	number *const to[3] = { out, out + 1, out + 2 };
 
-	counted_plain(&map, from, to, 1, NULL, kind);
+	counted_plain(&map, from, to, 1, kind);
 }
 
 /* An element as it is cast: rounded once. */

@@ -144,7 +144,6 @@ static void what_is_not_plain_is_told(void **state)
  * float. */
 static void floats_come_out_as_of_doubles(void **state)
 {
-	const struct accuracy single = { .precision = PRECISION_SINGLE };
 	static struct block b;
 	static struct transform t;
 	struct truth truth = { 0 };
@@ -171,7 +170,7 @@ static void floats_come_out_as_of_doubles(void **state)
 		if (!points_carry_floats(&t, rows + 1, back + 1, n))
 			continue;
 		assert_true(points_split(rows + 1, false, t.in, b.in, n));
-		carry(&t, single, &b, n);
+		carry(&t, PRECISION_SINGLE, &b, n);
 		for (size_t i = 0; i < n * (size_t)t.out; i++)
 			assert_true(got(false, i) ==
 			    b.out[i % (size_t)t.out][i / (size_t)t.out]);

@@ -157,7 +157,7 @@ INLINE void write_around(struct number_text *t, const uint32_t *layout,
 	}
 }
 
-/* n is of decimals, whose zeros at the end are kept, or of find_shortest. */
+/* n decimals, whose zeros at the end are kept; or the shortest texts. */
 INLINE void write_all(const double *v, size_t count, bool decimals, int n,
     bool single, struct number_text *t)
 {
@@ -171,7 +171,7 @@ INLINE void write_all(const double *v, size_t count, bool decimals, int n,
 			if (decimals)
 				find_decimals(&f, i, n, &tens, LOAD(v + i));
 			else
-				find_shortest(&f, i, n, single, &tens,
+				find_shortest(&f, i, single, &tens,
 				    LOAD(v + i));
 		write_digits(t, nonzero, &f);
 		lay_out(layout, nonzero, &f, single ? DIGITS / 2 : DIGITS,
@@ -180,22 +180,19 @@ INLINE void write_all(const double *v, size_t count, bool decimals, int n,
 	}
 }
 
-/* Loops of their own for the shortest, of doubles and of floats, and for a limit. */
+/* Loops of their own for decimals and for the shortest, of doubles and of floats. */
 static void write_body(const double *v, size_t count, bool single,
     struct number_style style, struct number_text *t)
 {
-	const int most_decimals = 15, none = POWER_MAX + 1;
-	int n = style.kind == NUMBER_SHORTEST ? none : style.n;
+	const int most_decimals = 15;
 
 	if (style.kind == NUMBER_DIGITS ||
-	    (style.kind == NUMBER_DECIMALS && n > most_decimals))
+	    (style.kind == NUMBER_DECIMALS && style.n > most_decimals))
 		memset(t, 0, count * sizeof *t);
 	else if (style.kind == NUMBER_DECIMALS)
-		write_all(v, count, true, n, false, t);
-	else if (single && style.kind == NUMBER_SHORTEST)
-		write_all(v, count, false, none, true, t);
-	else if (n > POWER_MAX)
-		write_all(v, count, false, none, false, t);
+		write_all(v, count, true, style.n, false, t);
+	else if (single)
+		write_all(v, count, false, 0, true, t);
 	else
-		write_all(v, count, false, n, false, t);
+		write_all(v, count, false, 0, false, t);
 }

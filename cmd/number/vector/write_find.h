@@ -159,39 +159,24 @@ INLINE void find_decimals(struct found *f, size_t i, int n,
 	store_found(f, i, v, d, scale);
 }
 
-/* The shortest; or, if n <= POWER_MAX, that with at most n decimals. Where n is
- * greater than scale, the shortest has no more. Else 10^-n is more than the last
- * place, and one number of n decimals at most reads back as a: if one does, it is
- * the nearest to a, and the shortest, but for zeros at its end; so the nearest it
- * is in any case.
- *
- * Plain text goes from 1e-6, or with up to six decimals from 0, to 1e21. Here it
- * is from 2^-17, and of floats to 2^60, as far as the table goes; for what is not in
- * this range two is 1, so that the table is not left. usual says that all are in it
- * and have scale >= 0: then nothing is rounded, and much need not be asked. */
-INLINE void find_some(struct found *f, size_t i, int n, bool single, bool usual,
+/* The shortest text of a number from 2^-17 to 1e21, and of a float to 2^60, as far as
+ * the table goes; for what is not in this range two is 1, so that the table is not
+ * left. usual says that all are in it and have scale >= 0: then nothing is rounded,
+ * and much need not be asked. */
+INLINE void find_some(struct found *f, size_t i, bool single, bool usual,
     const struct tens *tens, V v)
 {
-	const bool limited = n <= POWER_MAX;
-	const V one = ALL(1), low = ALL(n <= 6 ? 0 : 0x1p-17);
+	const V one = ALL(1), low = ALL(0x1p-17);
 	V a = ABS(v), hi, lo;
 	M in_range = LESS(a, ALL(single ? 0x1p60 : 1e21)) & ~LESS(a, low);
 	V two = power_of_two_in(usual ? a : CHOOSE(in_range, a, one));
 	V q = log2_less(two, single ? 23 : 52);
 	V scale = -one - FLOOR(q * ALL(0.30102999566398120));
-	M by_n = LESS(ALL(n - 0.5), scale);
 
-	if (limited)
-		scale = MIN(scale, ALL(n));
 	power_of_ten(tens, scale, &hi, &lo);
 	struct scaled x = scaled(a, hi, lo, usual);
 	struct digits d = shortest(a, two, scale, hi, x, single, usual);
 
-	if (limited) {
-		d.whole = CHOOSE(by_n, nearest(x), d.whole);
-		d.digit = UNLESS(by_n, d.digit);
-		d.sure = d.sure | by_n;
-	}
 	if (!usual)
 		d.sure = d.sure & (in_range | EQUAL(a, ALL(0)));
 	if (single) { /* eight digits and the ninth */
@@ -202,7 +187,7 @@ INLINE void find_some(struct found *f, size_t i, int n, bool single, bool usual,
 }
 
 /* A loop for what is usual, which every lane must be. */
-INLINE void find_shortest(struct found *f, size_t i, int n, bool single,
+INLINE void find_shortest(struct found *f, size_t i, bool single,
     const struct tens *tens, V v)
 {
 	V a = ABS(v);
@@ -210,9 +195,9 @@ INLINE void find_shortest(struct found *f, size_t i, int n, bool single,
 	    ~LESS(a, ALL(0x1p-17));
 
 	if (EVERY(usual))
-		find_some(f, i, n, single, true, tens, v);
+		find_some(f, i, single, true, tens, v);
 	else
-		find_some(f, i, n, single, false, tens, v);
+		find_some(f, i, single, false, tens, v);
 }
 
 #endif

@@ -73,12 +73,6 @@ typedef int (*plain_kernel)(const struct kernel_map *,
 typedef int (*float_kernel)(const struct kernel_map *, const float *const in[3],
     float *const out[3], size_t n);
 
-/* The same in double; the first coordinate is nan, too, where the error could be
- * larger than the tolerance in any of them. These are at least 2^-1000. */
-typedef int (*within_kernel)(const struct kernel_map *,
-    const double *const in[3], double *const out[3], size_t n,
-    const double tolerance[3]);
-
 /* The bound of the plain kernels' errors, in units of roundoff; derived and
  * claimed in plain.h. */
 #define PLAIN_BOUND 10
@@ -123,8 +117,7 @@ typedef void (*signs_kernel)(const struct estimate *, int columns,
 struct kernels {
 	exact_kernel exact[KERNELS];
 	plain_kernel plain[3][KERNELS]; /* by precision */
-	within_kernel within[KERNELS];
-	float_kernel floats[KERNELS]; /* single, to the same bits */
+	float_kernel floats[KERNELS];   /* single, to the same bits */
 	signs_kernel signs;
 	/* By whether rows are of doubles, and how many. */
 	split_kernel split[2][5];
