@@ -4,6 +4,7 @@
 #include <immintrin.h>
 
 #define COPY kernels_avx2
+#define PROCESSOR PROCESSOR_AVX2
 
 #define V __m256d
 #define WIDTH 4

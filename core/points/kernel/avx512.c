@@ -4,6 +4,7 @@
 #include <immintrin.h>
 
 #define COPY kernels_avx512
+#define PROCESSOR PROCESSOR_AVX512
 
 #define V __m512d
 #define WIDTH 8

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #define COPY kernels_baseline
+#define PROCESSOR PROCESSOR_BASELINE
 
 #define V double
 #define WIDTH 1

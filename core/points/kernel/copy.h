@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The loops for one kind of processor. A file that includes this defines:
  *
- *	COPY		the name of its struct kernels
+ *	COPY, PROCESSOR	the name of its struct kernels, and what it is for
  *	V, WIDTH	a vector of doubles, and how many it holds
  *	LOAD, STORE	from and to any address
  *	ALL(a)		a in each lane
@@ -87,6 +87,7 @@
 	}
 
 const struct kernels COPY = {
+	.processor = PROCESSOR,
 	.exact = { KERNELS_OF(exact), [KERNEL_DIRECTION] = exact_direction },
 	.plain = {
 		[PRECISION_DOUBLE] = { KERNELS_OF(double) },

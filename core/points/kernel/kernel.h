@@ -114,7 +114,17 @@ static inline double estimate_column(const double m[4][4], int j, double x,
 typedef void (*signs_kernel)(const struct estimate *, int columns,
     double weight, const double *const in[3], double *word, size_t n);
 
+/* The kinds of processors that the loops are compiled for. */
+enum processor {
+	PROCESSOR_BASELINE,
+	PROCESSOR_AVX2,
+	PROCESSOR_AVX512,
+	PROCESSOR_NEON,
+	PROCESSORS,
+};
+
 struct kernels {
+	enum processor processor;
 	exact_kernel exact[KERNELS];
 	plain_kernel plain[3][KERNELS]; /* by precision */
 	float_kernel floats[KERNELS];   /* single, to the same bits */
@@ -132,8 +142,8 @@ struct kernels {
 extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512,
     kernels_neon;
 
-/* The copy for this processor, or the named one (baseline, avx2, avx512, neon);
- * NULL where the processor cannot run it or there is none of that name. */
+/* The best copy that this processor runs, or the named one (baseline, avx2, avx512,
+ * neon); NULL where it can't run that or there is none of that name. */
 const struct kernels *kernels_find(const char *name);
 
 #endif

@@ -4,6 +4,7 @@
 #include <arm_neon.h>
 
 #define COPY kernels_neon
+#define PROCESSOR PROCESSOR_NEON
 
 #define V float64x2_t
 #define WIDTH 2
