@@ -99,6 +99,11 @@ struct sum sum_of_double(double exact)
 	return sum_of(ex_of(exact));
 }
 
+struct sum sum_diff(double a, double b)
+{
+	return sum_of(ex_diff(a, b));
+}
+
 struct sum sum_inexact(ex value)
 {
 	return (struct sum){ value, of(&value) };
@@ -146,6 +151,16 @@ struct sum sum_mul(struct sum a, struct sum b)
 	if (sum_is_nothing(&a) || sum_is_nothing(&b))
 		return sum_of_double(0);
 	return cut(ex_mul(a.value, b.value), size_of_product(&a, &b));
+}
+
+struct sum sum_scale(struct sum a, double by)
+{
+	return sum_mul(a, sum_of_double(by));
+}
+
+struct sum sum_minor(struct sum a, struct sum b, struct sum c, struct sum d)
+{
+	return sum_sub(sum_mul(a, b), sum_mul(c, d));
 }
 
 void sum_dot(int n, const struct sum *const a[], const struct sum *const b[],
@@ -223,6 +238,11 @@ static bool is_none(const ex *difference, struct magnitude size)
 int sum_sign(struct sum a)
 {
 	return is_none(&a.value, a.size) ? 0 : a.value.sign;
+}
+
+int sum_compare(struct sum a, struct sum b)
+{
+	return sum_sign(sum_sub(a, b));
 }
 
 struct sum sum_settled(struct sum a)

@@ -12,9 +12,7 @@ static void set_point(const struct transform *t, const double in[4],
 	double w = t->in == 4 && !t->reciprocal ? in[3] : 1;
 
 	for (int i = 0; i < 4; i++) {
-		ex_set(&p[i].value, i == 3 ? w : i < t->in ? in[i] : 0);
-		p[i].size.m = 0;
-		p[i].size.e = 0;
+		p[i] = sum_of_double(i == 3 ? w : i < t->in ? in[i] : 0);
 	}
 }
 

@@ -31,7 +31,7 @@ void kernel_map_of(const struct map *m, struct kernel_map *k)
 			dd e = rounded(image);
 
 			k->exact[i][j] = image.size.m == 0 && e.lo == 0 &&
-			    ex_compare(image.value, ex_of(e.hi)) == 0;
+			    sum_compare(image, sum_of_double(e.hi)) == 0;
 			k->hi[i][j] = e.hi;
 			k->lo[i][j] = e.lo;
 			k->none[j] += 0x1p-189 * sum_most(image);
