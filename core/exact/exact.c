@@ -46,7 +46,7 @@ static ex whole(int sign, uint64_t m, int e)
 	return r;
 }
 
-void ex_set(ex *r, double a)
+ex ex_of(double a)
 {
 	uint64_t bits, one = (uint64_t)1 << 52;
 
@@ -55,16 +55,8 @@ void ex_set(ex *r, double a)
 	uint64_t m = bits & (one - 1);
 
 	/* a subnormal number has the exponent 1, too, but no leading one */
-	set_whole(r, bits >> 63 ? -1 : 1, e > 0 ? m | one : m,
+	return whole(bits >> 63 ? -1 : 1, e > 0 ? m | one : m,
 	    (e > 0 ? e : 1) - 1075);
-}
-
-ex ex_of(double a)
-{
-	ex r;
-
-	ex_set(&r, a);
-	return r;
 }
 
 /* The word of 2^(64 at). */
@@ -94,12 +86,13 @@ static int compare_magnitudes(const ex *a, const ex *b)
 }
 
 /* a + b for b of a's sign; a - b, for |a| >= |b|, otherwise. */
-static void combine(ex *r, const ex *a, const ex *b)
+static ex combine(const ex *a, const ex *b)
 {
 	uint64_t w[EX_WORDS + 1], carry = 0;
 	int low = a->e < b->e ? a->e : b->e;
 	int high = top(a) > top(b) ? top(a) : top(b);
 	bool minus = a->sign != b->sign;
+	ex r;
 
 	if (high - low > EX_WORDS)
 		low = high - EX_WORDS;
@@ -110,25 +103,16 @@ static void combine(ex *r, const ex *a, const ex *b)
 				     add_carry(x, y, &carry);
 	}
 	w[high - low] = minus ? 0 : carry;
-	set(r, a->sign, w, high - low + 1, low);
-}
-
-static void add(ex *r, const ex *a, const ex *b)
-{
-	if (a->n == 0 || b->n == 0)
-		*r = a->n == 0 ? *b : *a;
-	else if (compare_magnitudes(a, b) >= 0)
-		combine(r, a, b);
-	else
-		combine(r, b, a);
+	set(&r, a->sign, w, high - low + 1, low);
+	return r;
 }
 
 ex ex_add(ex a, ex b)
 {
-	ex r;
-
-	add(&r, &a, &b);
-	return r;
+	if (a.n == 0 || b.n == 0)
+		return a.n == 0 ? b : a;
+	return compare_magnitudes(&a, &b) >= 0 ? combine(&a, &b) :
+						 combine(&b, &a);
 }
 
 ex ex_neg(ex a)
@@ -145,11 +129,7 @@ ex ex_abs(ex a)
 
 ex ex_sub(ex a, ex b)
 {
-	ex r;
-
-	b.sign = -b.sign;
-	add(&r, &a, &b);
-	return r;
+	return ex_add(a, ex_neg(b));
 }
 
 /* |a| |b| into w[0..a->n + b->n). */
@@ -167,19 +147,13 @@ static void multiply(uint64_t *w, const ex *a, const ex *b)
 	}
 }
 
-static void mul(ex *r, const ex *a, const ex *b)
-{
-	uint64_t w[2 * EX_WORDS];
-
-	multiply(w, a, b);
-	set(r, a->sign * b->sign, w, a->n + b->n, a->e + b->e);
-}
-
 ex ex_mul(ex a, ex b)
 {
+	uint64_t w[2 * EX_WORDS];
 	ex r;
 
-	mul(&r, &a, &b);
+	multiply(w, &a, &b);
+	set(&r, a.sign * b.sign, w, a.n + b.n, a.e + b.e);
 	return r;
 }
 
@@ -251,40 +225,12 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 	set(r, minus ? -1 : 1, sum + rest, n_words - rest, low + rest);
 }
 
-ex ex_scale(ex a, double b)
-{
-	return ex_mul(a, ex_of(b));
-}
-
-static void shift(ex *r, const ex *a, int e)
-{
-	ex power;
-
-	if (e % 64 == 0) {
-		*r = *a;
-		r->e += a->n > 0 ? e / 64 : 0;
-		return;
-	}
-	set_whole(&power, 1, 1, e);
-	mul(r, a, &power);
-}
-
 ex ex_shift(ex a, int e)
 {
-	ex r;
-
-	shift(&r, &a, e);
-	return r;
-}
-
-ex ex_diff(double a, double b)
-{
-	return ex_sub(ex_of(a), ex_of(b));
-}
-
-int ex_sign(ex a)
-{
-	return a.sign;
+	if (e % 64 != 0)
+		return ex_mul(a, whole(1, 1, e));
+	a.e += a.n > 0 ? e / 64 : 0;
+	return a;
 }
 
 int ex_compare(ex a, ex b)
@@ -470,9 +416,4 @@ dd ex_round(ex a)
 	if (isinf(hi))
 		return (dd){ hi, 0 };
 	return (dd){ hi, ex_double(ex_sub(a, ex_of(hi))) };
-}
-
-dd ex_div(ex a, ex b)
-{
-	return ex_round(ex_quotient(a, b));
 }

@@ -30,15 +30,12 @@ typedef struct {
 } ex;
 
 ex ex_of(double a);
-void ex_set(ex *, double a);
 ex ex_neg(ex a);
 ex ex_abs(ex a);
 ex ex_add(ex a, ex b);
 ex ex_sub(ex a, ex b);
 ex ex_mul(ex a, ex b);
-ex ex_scale(ex a, double b);    /* a b */
-ex ex_shift(ex a, int e);       /* a 2^e */
-ex ex_diff(double a, double b); /* a - b */
+ex ex_shift(ex a, int e); /* a 2^e */
 
 /* Relative. What has five words or less is exact. A quotient by 0 is beyond the
  * range of doubles. The first of its words can be as small as 1. */
@@ -48,7 +45,6 @@ enum { EX_QUOTIENT = 6 };
 ex ex_quotient(ex a, ex b);
 ex ex_sqrt(ex a);
 
-int ex_sign(ex a);          /* -1, 0, 1 */
 int ex_compare(ex a, ex b); /* the sign of a - b */
 ex ex_first(ex a, int n);   /* the n first words, toward 0 */
 
@@ -79,6 +75,5 @@ uint64_t ex_behind(const ex *a, int bits);
 #define EX_BOUND 0.5
 
 dd ex_round(ex a);
-dd ex_div(ex a, ex b);
 
 #endif

@@ -101,7 +101,7 @@ struct sum sum_of_double(double exact)
 
 struct sum sum_diff(double a, double b)
 {
-	return sum_of(ex_diff(a, b));
+	return sum_of(ex_sub(ex_of(a), ex_of(b)));
 }
 
 struct sum sum_inexact(ex value)
