@@ -78,7 +78,7 @@ const char *flat_frustum_of(const struct scene *s, enum flat from,
 	f->sides = (struct transform){ .map = m, .in = 2 };
 	for (int k = 0; k < 4; k++)
 		combine(&f->sides.map, k, &m, k & 1, k / 2, one, one);
-	kernel_map_of(&f->sides.map, &f->sides.for_kernel);
+	transform_prepare(&f->sides);
 	return NULL;
 }
 

@@ -16,12 +16,12 @@
 
 #include "dd.h"
 
-/* What is 2^-3100 of the largest term of a sum or product is lost: 1e150 times
- * itself three times is 2^1993, and nothing below 2^-1075 is printed. A divisor
- * that all terms have in common changes nothing in that. Only of two matrices with
- * elements 1e300 apart, both inverted, do terms span more; there what cancels to
- * 2^-3100 of them is not known. */
-enum { EX_WORDS = 50 };
+/* What is 2^-6900 of the largest term of a sum or product is lost. A number of a
+ * document, or of a point, is from 2^-1074 to 2^499: the terms of a point through
+ * three matrices span 2^6292. A divisor that all terms have in common changes nothing
+ * in that. Only of matrices that are inverted, with elements 1e300 apart, do terms
+ * span more; there what cancels to 2^-6900 of them is not known. */
+enum { EX_WORDS = 110 };
 
 /* sign times the sum of word[i] 2^(64 (e + i)); neither end is 0. */
 typedef struct {

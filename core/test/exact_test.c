@@ -226,7 +226,7 @@ static void range(void **state)
 	assert_true(!isfinite(ex_round(ex_quotient(big, ex_of(0))).hi));
 }
 
-/* Terms that are farther apart than there is room for: what is below 2^-3100 of the
+/* Terms that are farther apart than there is room for: what is below 2^-6900 of the
  * largest is lost, and nothing else. */
 static void apart(void **state)
 {
