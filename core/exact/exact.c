@@ -46,7 +46,7 @@ static ex whole(int sign, uint64_t m, int e)
 	return r;
 }
 
-ex ex_of(double a)
+void ex_set(ex *r, double a)
 {
 	uint64_t bits, one = (uint64_t)1 << 52;
 
@@ -55,8 +55,16 @@ ex ex_of(double a)
 	uint64_t m = bits & (one - 1);
 
 	/* a subnormal number has the exponent 1, too, but no leading one */
-	return whole(bits >> 63 ? -1 : 1, e > 0 ? m | one : m,
+	set_whole(r, bits >> 63 ? -1 : 1, e > 0 ? m | one : m,
 	    (e > 0 ? e : 1) - 1075);
+}
+
+ex ex_of(double a)
+{
+	ex r;
+
+	ex_set(&r, a);
+	return r;
 }
 
 /* The word of 2^(64 at). */
@@ -85,14 +93,13 @@ static int compare_magnitudes(const ex *a, const ex *b)
 	return 0;
 }
 
-/* a + b for b of a's sign; a - b, for |a| >= |b|, otherwise. */
-static ex combine(const ex *a, const ex *b)
+/* a + b where sign, that of b, is a's; a - b, for |a| >= |b|, otherwise. */
+static void combine(const ex *a, const ex *b, int sign, ex *r)
 {
 	uint64_t w[EX_WORDS + 1], carry = 0;
 	int low = a->e < b->e ? a->e : b->e;
 	int high = top(a) > top(b) ? top(a) : top(b);
-	bool minus = a->sign != b->sign;
-	ex r;
+	bool minus = a->sign != sign;
 
 	if (high - low > EX_WORDS)
 		low = high - EX_WORDS;
@@ -103,16 +110,30 @@ static ex combine(const ex *a, const ex *b)
 				     add_carry(x, y, &carry);
 	}
 	w[high - low] = minus ? 0 : carry;
-	set(&r, a->sign, w, high - low + 1, low);
-	return r;
+	set(r, a->sign, w, high - low + 1, low);
+}
+
+void ex_plus(const ex *a, const ex *b, int sign, ex *r)
+{
+	ex turned;
+
+	if (b->n == 0) {
+		*r = *a;
+	} else if (a->n > 0 && compare_magnitudes(a, b) >= 0) {
+		combine(a, b, sign * b->sign, r);
+	} else {
+		turned = *b;
+		turned.sign *= sign;
+		combine(&turned, a, a->sign, r);
+	}
 }
 
 ex ex_add(ex a, ex b)
 {
-	if (a.n == 0 || b.n == 0)
-		return a.n == 0 ? b : a;
-	return compare_magnitudes(&a, &b) >= 0 ? combine(&a, &b) :
-						 combine(&b, &a);
+	ex r;
+
+	ex_plus(&a, &b, 1, &r);
+	return r;
 }
 
 ex ex_neg(ex a)
@@ -129,7 +150,10 @@ ex ex_abs(ex a)
 
 ex ex_sub(ex a, ex b)
 {
-	return ex_add(a, ex_neg(b));
+	ex r;
+
+	ex_plus(&a, &b, -1, &r);
+	return r;
 }
 
 /* |a| |b| into w[0..a->n + b->n). */
@@ -173,7 +197,7 @@ static void accumulate(uint64_t *sum, int low, int high, int sign,
 	}
 }
 
-/* How many of n words from 2^(64 low) on ex_from leaves out. */
+/* How many of n words from 2^(64 low) on ex_cut leaves out. */
 static int words_below(int least, int low, int n)
 {
 	int most = n > EX_KEPT ? n - EX_KEPT : 0;
@@ -249,9 +273,12 @@ ex ex_first(ex a, int n)
 	return r;
 }
 
-ex ex_from(ex a, int least)
+void ex_cut(ex *a, int least)
 {
-	return ex_first(a, a.n - words_below(least, a.e, a.n));
+	int rest = words_below(least, a->e, a->n);
+
+	if (rest > 0)
+		set(a, a->sign, a->word + rest, a->n - rest, a->e + rest);
 }
 
 /* Whether a b > high 2^64 + low. */

@@ -48,21 +48,23 @@ ex ex_sqrt(ex a);
 int ex_compare(ex a, ex b); /* the sign of a - b */
 ex ex_first(ex a, int n);   /* the n first words, toward 0 */
 
-/* Those from 2^(64 least) on, but EX_KEPT of them in any case, for what becomes of a
- * number in which much has cancelled: of its square the size is that of its terms
- * squared. */
+/* Cuts off the words below 2^(64 least), but leaves EX_KEPT in any case, for what
+ * becomes of a number in which much has cancelled: of its square the size is that of
+ * its terms squared. */
 enum { EX_KEPT = 7 };
 
-ex ex_from(ex a, int least);
+void ex_cut(ex *, int least);
 
 /* The nearest double or float, ties to even, also among the subnormal ones;
  * infinite beyond. */
 double ex_double(ex a);
 
-/* What every point needs, without copies: a sum of products, cut as by ex_from; a
- * quotient of so many words or one more, whose last bit is 1 where something remains,
+/* What every point needs, without copies: a double; a + sign b; a sum of products, cut
+ * as by ex_cut; a quotient of so many words or one more, whose last bit is 1 where something remains,
  * so that it is rounded as the exact one (it says whether none does); the nearest
  * double or float. */
+void ex_set(ex *, double a);
+void ex_plus(const ex *a, const ex *b, int sign, ex *);
 void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *);
 bool ex_divide(const ex *a, const ex *b, int words, ex *);
 double ex_nearest(const ex *, bool single);
