@@ -3,7 +3,7 @@
 #ifndef ROTATION_H
 #define ROTATION_H
 
-#include "../exact/map.h"
+#include "map.h"
 
 /* None where the determinant is not positive, many where two directions have all but
  * vanished. */
