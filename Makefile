@@ -40,7 +40,7 @@ CXX_FLAGS = -std=c++17 -fno-exceptions -fno-rtti \
 	$(addprefix -isystem,$(wildcard /usr/include/dragonbox-*))
 # The C++ is of headers alone, so the C compiler links.
 LINK = $(CC) -pthread $(LDFLAGS)
-LIBS = -lm
+LIBS = -lcjson -lm
 TRUTH_LIBS = -lcmocka -lmpfr -lgmp
 
 # The program is all there is in the folders of CORE and PROGRAM. The other
@@ -86,8 +86,8 @@ $(BUILD)/has/%: | $(FIRST)
 	    $(CXX) $(CXX_FLAGS) $(CPPFLAGS) -x c++ -E - >$@ 2>/dev/null || \
 	    { echo "$(CXX) finds no <$*>: 'make deps' installs what is missing" \
 	    >&2; exit 1; }
-$(PROGRAM): | $(addprefix $(BUILD)/has/,fast_float/fast_float.h \
-	dragonbox/dragonbox.h)
+$(PROGRAM): | $(addprefix $(BUILD)/has/,cjson/cJSON.h \
+	fast_float/fast_float.h dragonbox/dragonbox.h)
 $(TRUTH) $(addsuffix .o,$(TESTS)): | $(addprefix $(BUILD)/has/,cmocka.h mpfr.h)
 
 $(BUILD)/%.o: %.c | $(FIRST)
@@ -142,7 +142,7 @@ $(BUILD)/program.a: $(filter-out %/message.o,$(BUT_MAIN))
 
 $(BUILD)/cmd/fuzz/stream: LINK += -Wl,--wrap=read,--wrap=poll
 $(FUZZERS): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/program.a
-	$(LINK) -fsanitize=fuzzer -o $@ $^ -lcjson $(LIBS)
+	$(LINK) -fsanitize=fuzzer -o $@ $^ $(LIBS)
 
 SCHEMA = $(BUILD)/projcalc.schema.json
 $(SCHEMA): $(BUILD)/projcalc man/schema.pl man/scene.rules.json

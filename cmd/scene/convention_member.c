@@ -64,8 +64,7 @@ bool same_convention(const struct convention *a, const struct convention *b)
 /* By its letters "opengl" is nearest to "opencv". */
 static int read_name(const struct value *v)
 {
-	char word[NAME_ROOM];
-	const char *s = value_string(v, word);
+	const char *s = value_string(v);
 	const char *meant = s != NULL ? called("convention", s) : NULL;
 
 	if (meant != NULL)

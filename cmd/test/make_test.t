@@ -31,7 +31,7 @@ sub deps {
 	return (" $asked ", $out);
 }
 
-my @building = qw(g++ make libc6-dev libfast-float-dev);
+my @building = qw(g++ make libc6-dev libcjson-dev libfast-float-dev);
 my ($asked, $said) = deps('demo');
 is(sorted(split ' ', $asked), sorted(@building), 'what building takes');
 like($said, qr/^make deps: this release has no package libdragonbox-dev$/m,
