@@ -144,6 +144,9 @@ $(BUILD)/cmd/fuzz/stream: LINK += -Wl,--wrap=read,--wrap=poll
 $(FUZZERS): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/program.a
 	$(LINK) -fsanitize=fuzzer -o $@ $^ $(LIBS)
 
+SCHEMA = $(BUILD)/projcalc.schema.json
+$(SCHEMA): $(BUILD)/projcalc man/schema.pl man/scene.rules.json
+	perl man/schema.pl $< man/scene.rules.json >$@
 $(COMPLETIONS): $(BUILD)/completion/%: $(BUILD)/projcalc man/completion.pl
 	@mkdir -p $(@D)
 	perl man/completion.pl $< $* >$@
@@ -245,7 +248,7 @@ cluster: all ## GNU parallel and Slurm, over hosts that are killed half-way
 
 # What is installed, and where.
 MADE = $(BUILD)/projcalc man/projcalc.1 man/projcalc-scene.5 \
-	man/projcalc.schema.json .debian/copyright $(COMPLETIONS)
+	$(SCHEMA) .debian/copyright $(COMPLETIONS)
 INSTALLED = $(BINDIR)/projcalc $(MANDIR)/man1/projcalc.1 \
 	$(MANDIR)/man5/projcalc-scene.5 \
 	$(DATADIR)/projcalc/projcalc.schema.json \

@@ -23,8 +23,8 @@ static void widen(struct bounds *box, const double min[3], const double max[3])
 }
 
 /* Widens the box that is the chunk's output by a point. */
-static void take(const struct job *j, struct chunk *c, const struct line *line,
-    size_t p, size_t number)
+static void take_into_box(const struct job *j, struct chunk *c,
+    const struct line *line, size_t p, size_t number)
 {
 	double z = j->transform.in > 2 ? c->in[2][p] : 0;
 	double at[3] = { c->in[0][p], c->in[1][p], z };
@@ -40,7 +40,7 @@ static void take(const struct job *j, struct chunk *c, const struct line *line,
 		widen((void *)c->out, at, at);
 }
 
-static void collect(const struct job *j, const struct chunk *c,
+static void collect_box(const struct job *j, const struct chunk *c,
     long long first_line)
 {
 	const struct bounds *box = (const void *)c->out;
@@ -72,8 +72,8 @@ static void read_box(const struct options *o, const struct document *d,
 
 /* why is of core/, and may be about /bounds. If those were taken from points,
  * the message is about the points. */
-static _Noreturn void refuse(const struct options *o, const struct document *d,
-    const char *why)
+static _Noreturn void refuse_fit(const struct options *o,
+    const struct document *d, const char *why)
 {
 	const char bounds[] = "/bounds: ";
 	size_t n = strlen(bounds);
@@ -96,7 +96,7 @@ static _Noreturn void refuse(const struct options *o, const struct document *d,
 void run_fit(const struct command *c, const struct options *o)
 {
 	struct document d;
-	static struct job j = { .take = take, .collect = collect };
+	static struct job j = { .take = take_into_box, .collect = collect_box };
 
 	j.with = &d.bounds;
 	read_document(c, o, &d);
@@ -121,6 +121,6 @@ void run_fit(const struct command *c, const struct options *o)
 				   fit_scene(&d.scene, d.has_eye, &d.bounds);
 
 	if (why != NULL)
-		refuse(o, &d, why);
+		refuse_fit(o, &d, why);
 	print_scene(&d);
 }

@@ -33,7 +33,7 @@ enum { NAME_WIDTH = 15, TYPE_WIDTH = 23 };
 static void print_member(const struct member *row, const char *const *types)
 {
 	char type[LISTED];
-	const char *unit = row->unit, *before = " (";
+	const char *unit = member_unit(row), *before = " (";
 	int width = NAME_WIDTH + 2;
 
 	width += print("  %-*s%s%s%s", NAME_WIDTH, row->name,
@@ -45,8 +45,8 @@ static void print_member(const struct member *row, const char *const *types)
 		width = 0;
 	}
 	print("%*s %s", NAME_WIDTH + 2 + TYPE_WIDTH - width, "", row->about);
-	if (row->otherwise != NULL)
-		print("; default %s", row->otherwise);
+	if (row->usual != NULL)
+		print("; default %s", row->usual);
 	for (int i = 0; types != NULL && types[i] != NULL; i++)
 		if (row->kinds >> i & 1) {
 			print("%s%s", before, types[i]);

@@ -7,6 +7,7 @@
 #include "json/print.h"
 #include "call/operands.h"
 #include "scene/print_scene.h"
+#include "scene/types.h"
 #include "message/message.h"
 
 /* In the order of enum taxon, kind and buffer. */
@@ -53,12 +54,23 @@ static void put_taxonomy(struct printer *p, const struct taxonomy *t)
 	put_vector(p, t->gaze, 3);
 }
 
-static void put_planes(struct printer *p, const struct taxonomy *t,
-    const struct parameters *r)
+static void put_sides(struct printer *p, const char *name, const double at[4])
 {
 	static const char *const sides[4] = { "left", "right", "bottom",
 		"top" };
 
+	put_name_on_new_line(p, name);
+	put_open(p, "{");
+	for (int k = 0; k < 4; k++) {
+		put_name(p, sides[k]);
+		put_number(p, at[k]);
+	}
+	put_close(p, "}");
+}
+
+static void put_planes(struct printer *p, const struct taxonomy *t,
+    const struct parameters *r)
+{
 	put_name_on_new_line(p, "near");
 	put_distance(p, r->near);
 	put_name_on_new_line(p, "far");
@@ -70,13 +82,7 @@ static void put_planes(struct printer *p, const struct taxonomy *t,
 		put_number(p, (double)NAN); /* no plane is near */
 	else
 		put_flag(p, r->reverse_z);
-	put_name_on_new_line(p, "planes");
-	put_open(p, "{");
-	for (int k = 0; k < 4; k++) {
-		put_name(p, sides[k]);
-		put_number(p, r->plane[k]);
-	}
-	put_close(p, "}");
+	put_sides(p, "planes", r->plane);
 	put_name_on_new_line(p, "frustum");
 	put_open(p, "[");
 	for (int i = 0; i < 8; i++)
@@ -130,10 +136,7 @@ static void put_plane(struct printer *p, const struct document *d)
 	struct shown w;
 
 	document_check(d, scene_shown(s, &w));
-	put_name_on_new_line(p, "window");
-	put_open(p, "{");
-	put_edges(p, w.edge[0], w.edge[1], w.edge[2], w.edge[3]);
-	put_close(p, "}");
+	put_sides(p, "window", w.edge);
 	if (s->has_device) {
 		put_device(p, &s->device);
 	} else {
@@ -145,7 +148,7 @@ static void put_plane(struct printer *p, const struct document *d)
 }
 
 /* Of all others. */
-static void put_space(struct printer *p, const struct document *d,
+static void put_spatial(struct printer *p, const struct document *d,
     double tolerance)
 {
 	struct taxonomy t;
@@ -184,7 +187,7 @@ void run_inspect(const struct command *c, const struct options *o)
 	if (d.flat)
 		put_plane(&p, &d);
 	else
-		put_space(&p, &d, o->tolerance > 0 ? o->tolerance : 0.5);
+		put_spatial(&p, &d, o->tolerance > 0 ? o->tolerance : 0.5);
 	put_text(&p, "\n}\n");
 	put_all(text, (size_t)(p.at - text));
 }

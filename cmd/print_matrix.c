@@ -5,7 +5,7 @@
 
 #include "../core/points/kernel/little.h"
 #include "json/print.h"
-#include "scene/readers.h"
+#include "scene/types.h"
 #include "message/message.h"
 
 /* The rows and columns of a map that are printed: in 2D z is left out. */
@@ -61,7 +61,7 @@ static void put_json(struct printer *p, double m[4][4], int n, bool column)
 	put_close(p, "}\n");
 }
 
-static void transpose(double m[4][4], int n)
+static void transpose_rows(double m[4][4], int n)
 {
 	for (int i = 0; i < n; i++)
 		for (int j = 0; j < i; j++) {
@@ -100,7 +100,7 @@ void print_matrix(const struct options *o, const struct document *d,
 		return;
 	}
 	if (column)
-		transpose(m, n);
+		transpose_rows(m, n);
 	if (o->out == FORMAT_JSON)
 		put_json(&p, m, n, column);
 	else

@@ -10,7 +10,7 @@
 #include "../message/escape.h"
 #include "../number/number.h"
 #include "../message/utf8.h"
-#include "scan.h"
+#include "text.h"
 
 enum { LEVELS_MAX = 100 };
 
@@ -148,7 +148,7 @@ static bool unicode_digits(struct check *s, unsigned *code)
 }
 
 /* After \u. */
-static bool unicode(struct check *s)
+static bool check_unicode(struct check *s)
 {
 	unsigned code, second = 0;
 
@@ -181,7 +181,7 @@ static bool escape(struct check *s)
 		return fail(s, "\\%s is no escape of JSON; a backslash is \\\\",
 		    escaped(what, p, p < s->end));
 	s->p += 2;
-	return *p != 'u' || unicode(s);
+	return *p != 'u' || check_unicode(s);
 }
 
 /* At a character of a string. */
@@ -206,7 +206,7 @@ static bool character(struct check *s)
 
 /* Whether c is any character of a string but a quotation mark, and needs no
  * look at what is around it. */
-static bool is_plain(char c)
+static bool passes_unseen(char c)
 {
 	return c >= ' ' && c != '"' && c != '\\' && (unsigned char)c < 0x80;
 }
@@ -215,7 +215,7 @@ static bool is_plain(char c)
 static bool string(struct check *s)
 {
 	for (s->p++;;) {
-		while (s->p < s->end && is_plain(*s->p))
+		while (s->p < s->end && passes_unseen(*s->p))
 			s->p++;
 		if (at(s, '"'))
 			break;
@@ -416,7 +416,7 @@ static bool list(struct check *s)
 	return true;
 }
 
-static bool check(struct check *s)
+static bool check_text(struct check *s)
 {
 	const char *nul = s->kind == JSON_LINE ?
 	    NULL :
@@ -452,7 +452,7 @@ bool json_check(enum json_kind kind, const char *text, const char *end,
 		.line = 1,
 		.error = error };
 
-	return check(&s);
+	return check_text(&s);
 }
 
 bool json_check_part(const char *text, const char *end, long line,
@@ -465,7 +465,7 @@ bool json_check_part(const char *text, const char *end, long line,
 		.line = line,
 		.error = error,
 		.name = name };
-	bool ok = check(&s);
+	bool ok = check_text(&s);
 
 	*part = s.part;
 	return ok;

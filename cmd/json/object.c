@@ -8,15 +8,15 @@
 #include "../message/nearest.h"
 #include "../message/escape.h"
 
-/* The most rows of a table: members are bits of an unsigned. */
-enum { MEMBERS_MAX = 32 };
+/* The most rows of a table: members are bits. */
+enum { MEMBERS_MAX = 64 };
 
 static bool is_ignored(const char *name)
 {
 	return *name == '_' || strcmp(name, "$schema") == 0;
 }
 
-static bool is_of(const struct member *row, int kind)
+bool member_is_of(const struct member *row, int kind)
 {
 	return kind == ANY_KIND || row->kinds == 0 ||
 	    (row->kinds >> kind & 1) != 0;
@@ -26,7 +26,7 @@ const struct member *member_of(const struct member *row, int kind,
     const char *name)
 {
 	for (; row->name != NULL; row++)
-		if (is_of(row, kind) && strcmp(row->name, name) == 0)
+		if (member_is_of(row, kind) && strcmp(row->name, name) == 0)
 			return row;
 	return NULL;
 }
@@ -43,11 +43,11 @@ static bool is_beside(const struct value *v, const struct member *table)
 	return row != NULL && row->beside;
 }
 
-unsigned member_bit(const struct member *table, int kind, const char *name)
+uint64_t member_bit(const struct member *table, int kind, const char *name)
 {
 	const struct member *row = member_of(table, kind, name);
 
-	return row != NULL ? 1u << (row - table) : 0;
+	return row != NULL ? UINT64_C(1) << (row - table) : 0;
 }
 
 /* Whether a word is in a list of words with blanks between them. */
@@ -78,7 +78,7 @@ static const struct member *find_alias(const struct member *row, int kind,
 			plain[n++] = (char)tolower((unsigned char)*name);
 	plain[n] = '\0';
 	for (; row->name != NULL; row++)
-		if (is_of(row, kind) && listed(row->aliases, plain))
+		if (member_is_of(row, kind) && listed(row->aliases, plain))
 			return row;
 	return NULL;
 }
@@ -93,25 +93,37 @@ const struct member *member_named(const struct member *table, int kind,
 
 const char *member_type(const struct member *row, char out[LISTED])
 {
-	if (row->type != NULL)
-		return row->type;
+	if (row->type->says != NULL)
+		return row->type->says;
 	if (row->members != NULL)
 		return "object";
 	if (row->words != NULL)
 		return list_words(out, row->words, " or ", "");
+	const char *one = row->range == NULL ? "number" :
+	    row->range->angle                ? "angle" :
+	    row->range == &range_positive    ? "size" :
+					       "number";
+
 	if (row->n == 0)
-		return row->range == &range_positive ? "size" : "number";
-	snprintf(out, LISTED, "%zu numbers", row->n);
+		return one;
+	snprintf(out, LISTED, "%zu %ss", row->n, one);
 	return out;
 }
 
-static void names_of(const struct member *row, int kind,
+const char *member_unit(const struct member *row)
+{
+	bool angle = row->range != NULL && row->range->angle;
+
+	return angle ? "degrees" : row->unit;
+}
+
+static void list_names(const struct member *row, int kind,
     const char *names[MEMBERS_MAX + 1])
 {
 	int n = 0;
 
 	for (; row->name != NULL; row++)
-		if (is_of(row, kind))
+		if (member_is_of(row, kind))
 			names[n++] = row->name;
 	names[n] = NULL;
 }
@@ -125,7 +137,7 @@ static const struct member *meant(const struct member *table, int kind,
 
 	if (row != NULL)
 		return row;
-	names_of(table, kind, names);
+	list_names(table, kind, names);
 	const char *near = nearest(name, names);
 
 	return near != NULL ? member_of(table, kind, near) : NULL;
@@ -191,8 +203,8 @@ static void refuse_misplaced(const struct value *v, const struct member *table)
 		    v->in->name);
 }
 
-static _Noreturn void unknown(const struct value *v, const struct member *table,
-    int kind)
+static _Noreturn void refuse_unknown(const struct value *v,
+    const struct member *table, int kind)
 {
 	const struct member *scene = v->source->scene;
 	const struct member *row = NULL;
@@ -212,28 +224,42 @@ static _Noreturn void unknown(const struct value *v, const struct member *table,
 	if (row != NULL)
 		value_refuse(v, "unknown member; did you mean %s?",
 		    described(row, all));
-	names_of(table, kind, names);
+	list_names(table, kind, names);
 	value_refuse(v, "unknown member; there are %s",
 	    list_words(all, names, " and ", "\""));
 }
 
-unsigned object_read(const struct value *v, const struct member *table,
+/* Reads the value that a member has without being given, to where the member stands
+ * or, for comparison, elsewhere. */
+static void read_usual(const struct member *row, void *to)
+{
+	static const struct source source;
+	struct value usual = value_literal(&source, row->usual);
+
+	row->type->read(&usual, row, to);
+}
+
+uint64_t object_read(const struct value *v, const struct member *table,
     int kind, void *base)
 {
-	unsigned seen = 0;
+	uint64_t seen = 0;
 	bool beside = false;
 
 	value_want_object(v);
+	for (const struct member *row = table; row->name != NULL; row++)
+		if (row->usual != NULL && row->type->size > 0 &&
+		    member_is_of(row, kind))
+			read_usual(row, (char *)base + row->at);
 	struct value m = value_child(v);
 
 	for (; m.item != NULL; value_next(&m)) {
 		if (is_ignored(m.name))
 			continue;
-		unsigned bit = member_bit(table, kind, m.name);
+		uint64_t bit = member_bit(table, kind, m.name);
 		bool other = is_beside(&m, table);
 
 		if (bit == 0 && !other)
-			unknown(&m, table, kind);
+			refuse_unknown(&m, table, kind);
 		if (other ? beside : (seen & bit) != 0)
 			value_refuse(&m, "repeated; give it once");
 		seen |= bit;
@@ -242,16 +268,49 @@ unsigned object_read(const struct value *v, const struct member *table,
 			continue;
 		const struct member *row = member_of(table, kind, m.name);
 
-		row->read(&m, row, (char *)base + row->at);
+		row->type->read(&m, row, (char *)base + row->at);
 	}
 	return seen;
 }
 
-/* The members of a way, as bits; in *must those that may not be missing. */
-static unsigned way_bits(const struct member *table, int kind, const char *way,
-    unsigned *must)
+/* Whether the member that stands there is what it is without being given. */
+static bool is_usual(const struct member *row, const void *at)
 {
-	unsigned all = 0;
+	const double *v = at;
+	double usual[4];
+
+	if (row->usual == NULL || row->shown)
+		return false;
+	read_usual(row, usual);
+	if (row->type->size != sizeof *v)
+		return memcmp(usual, at, row->type->size) == 0;
+	for (size_t i = 0; i == 0 || i < row->n; i++)
+		if (v[i] != usual[i])
+			return false;
+	return true;
+}
+
+void object_print(struct printer *p, const struct member *row, int kind,
+    uint64_t bits, const void *base)
+{
+	put_open(p, "{");
+	for (; row->name != NULL; row++, bits >>= 1) {
+		const char *at = (const char *)base + row->at;
+
+		if ((bits & 1) == 0 || !member_is_of(row, kind) ||
+		    is_usual(row, at))
+			continue;
+		put_name(p, row->name);
+		row->type->print(p, row, at);
+	}
+	put_close(p, "}");
+}
+
+/* The members of a way, as bits; in *must those that may not be missing. */
+static uint64_t way_bits(const struct member *table, int kind, const char *way,
+    uint64_t *must)
+{
+	uint64_t all = 0;
 	char name[ESCAPED_MAX];
 
 	for (*must = 0; *way != '\0'; way += strspn(way, " ?")) {
@@ -260,7 +319,7 @@ static unsigned way_bits(const struct member *table, int kind, const char *way,
 		memcpy(name, way, n);
 		name[n] = '\0';
 		way += n;
-		unsigned bit = member_bit(table, kind, name);
+		uint64_t bit = member_bit(table, kind, name);
 
 		all |= bit;
 		if (*way != '?')
@@ -269,8 +328,28 @@ static unsigned way_bits(const struct member *table, int kind, const char *way,
 	return all;
 }
 
+/* The members of all ways, as bits. */
+static uint64_t ways_bits(const struct member *table, int kind,
+    const char *const *way)
+{
+	uint64_t all = 0, must;
+
+	for (; *way != NULL; way++)
+		all |= way_bits(table, kind, *way, &must);
+	return all;
+}
+
+uint64_t object_shown(const struct member *table, int kind,
+    const struct ways *w, int way)
+{
+	uint64_t must;
+
+	return ~ways_bits(table, kind, w->way) |
+	    way_bits(table, kind, w->way[way], &must);
+}
+
 /* The first member of bits. */
-static const struct member *lowest(const struct member *table, unsigned bits)
+static const struct member *lowest(const struct member *table, uint64_t bits)
 {
 	while ((bits & 1) == 0) {
 		bits >>= 1;
@@ -283,14 +362,14 @@ static const struct member *lowest(const struct member *table, unsigned bits)
  * together with" a member taken that stands in no way with it, if there is one,
  * else with the first member taken. */
 static _Noreturn void refuse_extra(const struct value *v,
-    const struct member *table, int kind, unsigned taken, unsigned extra,
-    const struct ways *w)
+    const struct member *table, int kind, uint64_t taken, uint64_t extra,
+    const char *const *way, const char *hint)
 {
-	unsigned must, rivals = taken;
+	uint64_t must, rivals = taken;
 
 	extra &= ~extra + 1;
-	for (int i = 0; w->way[i] != NULL; i++) {
-		unsigned all = way_bits(table, kind, w->way[i], &must);
+	for (; *way != NULL; way++) {
+		uint64_t all = way_bits(table, kind, *way, &must);
 
 		if (all & extra)
 			rivals &= ~all;
@@ -298,19 +377,20 @@ static _Noreturn void refuse_extra(const struct value *v,
 	struct value m = value_missing(v, lowest(table, extra)->name);
 
 	value_refuse(&m, "not together with \"%s\"; %s",
-	    lowest(table, rivals != 0 ? rivals : taken)->name, w->hint);
+	    lowest(table, rivals != 0 ? rivals : taken)->name, hint);
 }
 
 int object_way(const struct value *v, const struct member *table, int kind,
-    unsigned seen, const struct ways *w)
+    uint64_t seen, const struct ways *w)
 {
-	unsigned taken = 0, extra = 0, lacking = 0, any = 0, must, all;
+	bool fit = v->source->fit && w->fit_hint != NULL;
+	const char *const *way = fit ? w->fit_way : w->way;
+	const char *hint = fit ? w->fit_hint : w->hint;
+	uint64_t taken = 0, extra = 0, lacking = 0, must, all;
 
-	for (int i = 0; w->way[i] != NULL; i++)
-		any |= way_bits(table, kind, w->way[i], &must);
-	seen &= any;
-	for (int i = 0; w->way[i] != NULL; i++) {
-		all = way_bits(table, kind, w->way[i], &must);
+	seen &= ways_bits(table, kind, way);
+	for (int i = 0; way[i] != NULL; i++) {
+		all = way_bits(table, kind, way[i], &must);
 		if ((must & ~seen) == 0 && (seen & ~all) == 0)
 			return i;
 		if ((must & ~seen) == 0 && (all & seen) != 0 && extra == 0) {
@@ -320,11 +400,13 @@ int object_way(const struct value *v, const struct member *table, int kind,
 		if ((must & seen) != 0 && lacking == 0)
 			lacking = must & ~seen;
 	}
+	if (way[0] == NULL)
+		return 0;
 	if (extra != 0)
-		refuse_extra(v, table, kind, taken, extra, w);
+		refuse_extra(v, table, kind, taken, extra, way, hint);
 	if (lacking == 0)
-		way_bits(table, kind, w->way[0], &lacking);
+		way_bits(table, kind, way[0], &lacking);
 	struct value m = value_missing(v, lowest(table, lacking)->name);
 
-	value_refuse(&m, "missing; %s", w->hint);
+	value_refuse(&m, "missing; %s", hint);
 }

@@ -2,6 +2,9 @@
 #include "print.h"
 
 #include <math.h>
+#include <string.h>
+
+#include "../message/escape.h"
 
 void put_text(struct printer *p, const char *s)
 {
@@ -34,8 +37,9 @@ void put_close(struct printer *p, const char *bracket)
 
 void put_name(struct printer *p, const char *name)
 {
-	put_string(p, name);
-	put_text(p, p->compact ? ":" : ": ");
+	put_open(p, "\"");
+	put_text(p, name);
+	put_text(p, p->compact ? "\":" : "\": ");
 	p->between = "";
 }
 
@@ -48,9 +52,17 @@ void put_name_on_new_line(struct printer *p, const char *name)
 
 void put_string(struct printer *p, const char *s)
 {
+	size_t n = strlen(s);
+
 	put_open(p, "\"");
-	put_text(p, s);
+	p->at += escape_json(p->at, JSON_ESCAPE_MAX * n + 1, s, n);
 	put_close(p, "\"");
+}
+
+void put_null(struct printer *p)
+{
+	put_open(p, "null");
+	put_close(p, "");
 }
 
 void put_flag(struct printer *p, bool flag)

@@ -13,12 +13,15 @@
 #include "../number/number.h"
 #include "../message/escape.h"
 #include "../message/message.h"
-#include "scan.h"
+#include "text.h"
 
-const struct range range_any = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
-	"numbers go up to 1e150" };
-const struct range range_positive = { SIZE_MIN, MAGNITUDE_MAX,
-	"a number from 1e-150 to 1e150 is wanted" };
+const struct value_range range_any = { .min = -MAGNITUDE_MAX,
+	.max = MAGNITUDE_MAX };
+const struct value_range range_turn = { .min = -MAGNITUDE_MAX,
+	.max = MAGNITUDE_MAX,
+	.angle = true };
+const struct value_range range_positive = { .min = SIZE_MIN,
+	.max = MAGNITUDE_MAX };
 
 static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 
@@ -121,6 +124,23 @@ void value_parse_part(struct value *v, const char *s, const char *end)
 	memcpy(copy, s, size);
 	v->item = parse(copy, size);
 	free(copy);
+}
+
+struct value value_literal(const struct source *source, const char *text)
+{
+	static struct {
+		const char *text;
+		const struct cJSON *item;
+	} known[LITERALS];
+	size_t i = 0;
+
+	while (known[i].text != NULL && known[i].text != text)
+		i++;
+	if (known[i].text == NULL) {
+		known[i].text = text;
+		known[i].item = cJSON_Parse(text);
+	}
+	return (struct value){ .source = source, .item = known[i].item };
 }
 
 void value_free(const struct value *v)
@@ -264,8 +284,68 @@ void value_want_object(const struct value *v)
 		value_wrong(v, "an object");
 }
 
-double value_number(const struct value *v, const struct range *range)
+/* Whether a range's limits are parts of pi: radians, of an angle that has limits. */
+static bool is_by_pi(const struct value_range *r, unsigned unit)
 {
+	return r->angle && unit == RADIANS && r->max < MAGNITUDE_MAX;
+}
+
+/* PI and its half are the largest doubles below what they stand for. */
+static bool is_within(double x, const struct value_range *r, bool by_pi)
+{
+	double min = r->min, max = r->max;
+
+	if (by_pi) {
+		min = min == SIZE_MIN ? min : min / 180 * PI;
+		max = max / 180 * PI;
+	}
+	return (x > min || (x == min && (by_pi || !r->above))) &&
+	    (x < max || (x == max && (by_pi || !r->below)));
+}
+
+enum { LIMIT_ROOM = 24, WANTED_ROOM = 100 };
+
+static void write_limit(char out[LIMIT_ROOM], double v, bool by_pi)
+{
+	if (v == SIZE_MIN)
+		strcpy(out, "0");
+	else if (!by_pi || v == 0)
+		snprintf(out, LIMIT_ROOM, "%g", v);
+	else
+		snprintf(out, LIMIT_ROOM, "%spi%s", v < 0 ? "-" : "",
+		    fabs(v) == 90 ? "/2" : "");
+}
+
+/* Writes the sentence that tells a range. */
+static void write_wanted(char out[WANTED_ROOM], const struct value_range *r,
+    bool by_pi)
+{
+	bool above = r->above || r->min == SIZE_MIN;
+	char min[LIMIT_ROOM], max[LIMIT_ROOM];
+
+	write_limit(min, r->min, by_pi);
+	write_limit(max, r->max, by_pi);
+	if (r->max == MAGNITUDE_MAX)
+		strcpy(out,
+		    r->min < 0 ? "numbers go up to 1e150" :
+				 "a number from 1e-150 to 1e150 is wanted");
+	else
+		snprintf(out, WANTED_ROOM, "%s %s %s %s%s%s%s is wanted",
+		    r->angle ? "an angle" : "a number",
+		    above ? "above" : "from", min,
+		    !above       ? "to " :
+			r->below ? "and " :
+				   "and up to ",
+		    r->below ? "below " : "", max,
+		    !r->angle ? "" :
+			by_pi ? " radians" :
+				" degrees");
+}
+
+double value_number(const struct value *v, const struct value_range *range)
+{
+	bool by_pi = is_by_pi(range, v->source->unit);
+	char wanted[WANTED_ROOM];
 	double x = v->item->valuedouble;
 	char text[NUMBER_MAX];
 
@@ -274,15 +354,14 @@ double value_number(const struct value *v, const struct range *range)
 		value_refuse(v, "only \"far\" of \"persp\" can be infinite");
 	if (!cJSON_IsNumber(v->item))
 		value_wrong(v, "a number");
-	if (v->unused || (x >= range->min && x <= range->max))
+	if (v->unused || is_within(x, range, by_pi))
 		return x;
+	write_wanted(wanted, range, by_pi);
 	if (isinf(x))
-		value_refuse(v, "is beyond the range of doubles; %s",
-		    range->wanted);
+		value_refuse(v, "is beyond the range of doubles; %s", wanted);
 	*number_write(text, x, shortest) = '\0';
 	value_refuse(v, "%s is %s; %s", text,
-	    range->min > 0 && x <= 0 ? "not positive" : "out of range",
-	    range->wanted);
+	    range->min > 0 && x <= 0 ? "not positive" : "out of range", wanted);
 }
 
 bool value_flag(const struct value *v)
@@ -292,8 +371,8 @@ bool value_flag(const struct value *v)
 	return cJSON_IsTrue(v->item);
 }
 
-void value_numbers(const struct value *v, const struct range *range, size_t n,
-    double *out)
+void value_numbers(const struct value *v, const struct value_range *range,
+    size_t n, double *out)
 {
 	char wanted[40];
 

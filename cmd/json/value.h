@@ -31,14 +31,15 @@ struct value {
 	const struct cJSON *item;
 };
 
-/* What a number may be. */
-struct range {
-	double min, max;    /* both included */
-	const char *wanted; /* says so in messages */
+/* The numbers that a member may be. A least of 1e-150 is told as "above 0". */
+struct value_range {
+	double min, max;
+	bool above, below; /* min, or max, is not among them */
+	bool angle;        /* the limits are degrees */
 };
 
-/* Numbers up to 1e150 in magnitude; sizes, from 1e-150 to 1e150. */
-extern const struct range range_any, range_positive;
+/* Numbers up to 1e150 in magnitude, and angles; sizes, from 1e-150 to 1e150. */
+extern const struct value_range range_any, range_turn, range_positive;
 
 /* Parses a document, and changes the text; refuses what is no JSON. But the array,
  * large perhaps, that the document's member of that name is, or where name is NULL
@@ -49,6 +50,11 @@ struct value value_parse_without(const struct source *, const char *name,
 
 /* Makes of *v, whose text was left out so, the value that it is. */
 void value_parse_part(struct value *v, const char *s, const char *end);
+
+/* Returns the value of a literal of the program, of which there are at most
+ * LITERALS. Each is parsed once and kept. */
+enum { LITERALS = 64 };
+struct value value_literal(const struct source *, const char *text);
 
 /* Frees what was parsed. */
 void value_free(const struct value *);
@@ -78,11 +84,11 @@ _Noreturn void value_wrong(const struct value *, const char *wanted);
 
 /* What is not of that type, or out of range, is refused. */
 void value_want_object(const struct value *);
-double value_number(const struct value *, const struct range *);
+double value_number(const struct value *, const struct value_range *);
 bool value_flag(const struct value *);
 
 /* An array of exactly n numbers. */
-void value_numbers(const struct value *, const struct range *, size_t n,
+void value_numbers(const struct value *, const struct value_range *, size_t n,
     double *);
 
 /* The index of a string in words, which NULL ends; another is refused. */

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../json/scan.h"
+#include "../json/text.h"
 #include "line_bad.h"
 
 bool choose_is_name(struct span f, const char *name, size_t n)

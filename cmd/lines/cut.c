@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "cut.h"
 
-#include "../json/scan.h"
+#include "../json/text.h"
 
 struct cut cut_value(struct span value, const char *end)
 {

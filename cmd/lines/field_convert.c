@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../json/scan.h"
+#include "../json/text.h"
 #include "../number/number.h"
 #include "../message/utf8.h"
 

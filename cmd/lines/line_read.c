@@ -4,7 +4,7 @@
 #include <string.h>
 
 #include "../json/check.h"
-#include "../json/scan.h"
+#include "../json/text.h"
 #include "../../core/scene/scene.h"
 #include "../message/escape.h"
 #include "header.h"

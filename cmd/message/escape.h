@@ -16,6 +16,8 @@ const char *escaped(char out[ESCAPED_MAX], const char *s, size_t n);
 /* The same to out[0..room), cut without a word. Returns how long it is. */
 size_t escape_text(char *out, size_t room, const char *s, size_t n);
 
+enum { JSON_ESCAPE_MAX = 6 }; /* bytes of one */
+
 /* The same as what stands between the quotes of a JSON string, which reads as what
  * was written, but for U+FFFD in place of what is not UTF-8. */
 size_t escape_json(char *out, size_t room, const char *s, size_t n);

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "readers.h"
+#include "types.h"
 
 const char *const convention_names[] = {
 	[CONVENTION_D3D] = "d3d",
@@ -35,12 +35,9 @@ static const char *const depths[] = { "zero_to_one", "minus_one_to_one", NULL };
 static const char *const ys[] = { "up", "down", NULL };
 static const char *const origins[] = { "top-left", "bottom-left", NULL };
 
-#define SECOND(label, list, m, first, other, what)                            \
-	{                                                                     \
-		.name = label, .read = read_second, .words = list,            \
-		.at = offsetof(struct convention, m),                         \
-		.otherwise = "\"" first "\"", .aliases = other, .about = what \
-	}
+#define SECOND(label, list, field, first, other, what)            \
+	ROW(convention, label, type_second, field, .words = list, \
+	    .usual = "\"" first "\"", .aliases = other, .about = what)
 
 const struct member convention_members[] = {
 	SECOND("handedness", hands, right_handed, "left", "hand handed hands",
@@ -65,7 +62,6 @@ bool same_convention(const struct convention *a, const struct convention *b)
 
 void read_convention(const struct value *v, struct convention *c)
 {
-	*c = conventions[CONVENTION_D3D];
 	if (value_is_object(v))
 		object_read(v, convention_members, 0, c);
 	else

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../json/scan.h"
+#include "../json/text.h"
 #include "../number/number.h"
 #include "convention_member.h"
 #include "examples.h"
@@ -31,9 +31,9 @@ enum {
 
 /* A document may have its members in any order, but read_scene needs some
  * before others: each is first kept as a struct value. */
-#define MEMBER(row, label, table, other, ...)       \
+#define MEMBER(row, label, of, table, other, ...)   \
 	[row] = { .name = label,                    \
-		.read = read_value,                 \
+		.type = &(of),                      \
 		.at = (row) * sizeof(struct value), \
 		.members = table,                   \
 		.aliases = other,                   \
@@ -43,58 +43,68 @@ enum {
 #define BOUNDS_LIKE "{\"min\": [-1,-1,-1], \"max\": [1,1,1]}"
 #define PICK_LIKE "{\"at\": [320,240], \"radius\": 3}"
 
+static const struct value_range margins = { .min = 0,
+	.max = 0.5,
+	.below = true };
+
 const struct member scene_members[SCENE_MEMBERS + 1] = {
-	MEMBER(CONVENTION, "convention", convention_members, NULL,
-	    .example = "\"d3d\"", .words = convention_names,
-	    .type = "a name or an object", .otherwise = "\"d3d\"",
-	    .about = "how the document is read, all of it",
+	MEMBER(CONVENTION, "convention", type_convention, convention_members,
+	    NULL, .example = "\"d3d\"", .words = convention_names,
+	    .usual = "\"d3d\"", .about = "how the document is read, all of it",
 	    .command = "lookat '{\"convention\": \"gl\", "
 		       "\"camera\": " CAMERA_LIKE "}'"),
-	MEMBER(ANGLE_UNIT, "angle_unit", NULL, "angleunits unit units angles",
-	    .words = angle_units, .beside = true, .otherwise = "\"degrees\"",
+	MEMBER(ANGLE_UNIT, "angle_unit", type_value, NULL,
+	    "angleunits unit units angles", .words = angle_units,
+	    .beside = true, .usual = "\"degrees\"",
 	    .about = "of all angles of the scene",
 	    .command = "persp '{\"angle_unit\": \"radians\", \"fovy\": 1, "
 		       "\"aspect\": 1.5, \"near\": 1, \"far\": 10}'"),
-	MEMBER(WORLD, "world", NULL, "model", .example = WORLD_LIKE,
-	    .type = "matrix", .otherwise = WORLD_LIKE,
+	MEMBER(WORLD, "world", type_later_matrix, NULL, "model",
+	    .example = WORLD_LIKE, .usual = WORLD_LIKE,
 	    .about = "model to world, affine",
 	    .command = "project --to world '{\"world\": "
 		       "[1,0,0,0, 0,1,0,0, 0,0,1,0, 10,20,30,1]}' "
 		       "'[1,2,3]'"),
-	MEMBER(CAMERA, "camera", camera_members, "view", .example = CAMERA_LIKE,
+	MEMBER(CAMERA, "camera", type_value, camera_members, "view",
+	    .ways = camera_ways, .example = CAMERA_LIKE,
 	    .about = "world to view",
 	    .command = "lookat '{\"camera\": " CAMERA_LIKE "}'"),
-	MEMBER(PROJECTION, "projection", projection_members, "lens perspective",
-	    .example = LENS_LIKE, .about = "view to clip",
+	MEMBER(PROJECTION, "projection", type_value, projection_members,
+	    "lens perspective", .ways = projection_ways, .example = LENS_LIKE,
+	    .about = "view to clip",
 	    .command = "persp '{\"projection\": " LENS_LIKE "}'"),
-	MEMBER(VIEWPORT, "viewport", viewport_members, "screen",
-	    .example = RECTANGLE_LIKE, .about = "ndc to device, in 3D",
+	MEMBER(VIEWPORT, "viewport", type_value, viewport_members, "screen",
+	    .ways = rectangle_ways, .example = RECTANGLE_LIKE,
+	    .about = "ndc to device, in 3D",
 	    .command = "project --from ndc '{\"viewport\": " RECTANGLE_LIKE
 		       "}' '[0,0.5,1]'"),
-	MEMBER(WINDOW, "window", window_members, NULL, .example = WINDOW_LIKE,
+	MEMBER(WINDOW, "window", type_value, window_members, NULL,
+	    .ways = window_ways, .example = WINDOW_LIKE,
 	    .about = "a rectangle of a 2D world",
 	    .command = "w2n '{\"window\": " WINDOW_LIKE "}'"),
-	MEMBER(DEVICE, "device", device_members, NULL,
-	    .example = RECTANGLE_LIKE, .about = "where a window is shown",
+	MEMBER(DEVICE, "device", type_value, device_members, NULL,
+	    .ways = rectangle_ways, .example = RECTANGLE_LIKE,
+	    .about = "where a window is shown",
 	    .command = "n2d '{\"device\": " RECTANGLE_LIKE "}'"),
-	MEMBER(POINTS, "points", NULL, "point", .example = "[[0,0,0], [1,1,1]]",
-	    .type = "a point or a list",
+	MEMBER(POINTS, "points", type_points, NULL, "point",
+	    .example = "[[0,0,0], [1,1,1]]",
 	    .about = "unless there are operands POINTS",
 	    .command = "lookat '{\"camera\": " CAMERA_LIKE
 		       ", \"points\": [[0,0,0], [1,1,1]]}'"),
-	MEMBER(BOUNDS, "bounds", bounds_members, NULL, .example = BOUNDS_LIKE,
-	    .unit = "model units",
+	MEMBER(BOUNDS, "bounds", type_value, bounds_members, NULL,
+	    .ways = bounds_ways, .example = BOUNDS_LIKE, .unit = "model units",
 	    .about = "what fit is to hold, else the points",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
 		       "\"bounds\": " BOUNDS_LIKE "}'"),
-	MEMBER(PICK, "pick", pick_members, NULL, .example = PICK_LIKE,
+	MEMBER(PICK, "pick", type_value, pick_members, NULL,
+	    .example = PICK_LIKE,
 	    .about = "where pick looks, else --at, --radius",
 	    .command = "pick '{\"camera\": " CAMERA_LIKE
 		       ", \"projection\": " LENS_LIKE
 		       ", \"viewport\": " RECTANGLE_LIKE
 		       ", \"pick\": " PICK_LIKE "}' '[[0,0,0], [1,1,1]]'"),
-	MEMBER(MARGIN, "margin", NULL, "padding border", .example = "0.1",
-	    .type = "number", .otherwise = "0",
+	MEMBER(MARGIN, "margin", type_value, NULL, "padding border",
+	    .example = "0.1", .range = &margins, .usual = "0",
 	    .about = "share of the picture left free at each side",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
 		       "\"bounds\": " BOUNDS_LIKE ", \"margin\": 0.1}'"),
@@ -250,7 +260,7 @@ static unsigned read_members(struct document *d, const struct value *root,
 	if (!value_is_object(root))
 		value_wrong(root, "an object, {...},");
 	if (!is_bare(root, w->bare))
-		seen = object_read(root, scene_members, 0, m);
+		seen = (unsigned)object_read(root, scene_members, 0, m);
 	else
 		for (int i = 0; i < SCENE_MEMBERS; i++)
 			if (w->bare == 1u << i) {
@@ -298,10 +308,6 @@ static void check_needed(const struct value *root,
 					   "\"window\": {}");
 	}
 }
-
-/* The largest double below 1/2. */
-static const struct range margins = { 0, 0x1.fffffffffffffp-2,
-	"a number from 0 to below 0.5 is wanted" };
 
 static void read_scene(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_MEMBERS], unsigned seen)

@@ -5,183 +5,189 @@ static const char *const origins[] = { "bottom-left", "top-left", NULL };
 static const char *const scales[] = { "fill", "uniform", NULL };
 const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
 
-#define MEMBER(type, member) offsetof(struct type, member)
-
-#define NUMBERS(label, type, m, count, ...)                                 \
-	{                                                                   \
-		.name = label, .read = read_numbers, .at = MEMBER(type, m), \
-		.n = count, __VA_ARGS__                                     \
-	}
-
 const struct member camera_members[] = {
-	NUMBERS("eye", camera, eye, 3, .aliases = "position pos from origin",
-	    .unit = "world units", .about = "where the camera stands"),
-	NUMBERS("at", camera, at, 3, .aliases = "target center centre lookat",
-	    .unit = "world units", .about = "the point that it looks at"),
-	NUMBERS("gaze", camera, at, 3, .aliases = "direction dir forward",
+	ROW(camera, "eye", type_numbers, eye, .n = 3,
+	    .aliases = "position pos from origin", .unit = "world units",
+	    .about = "where the camera stands"),
+	ROW(camera, "at", type_numbers, at, .n = 3,
+	    .aliases = "target center centre lookat", .unit = "world units",
+	    .about = "the point that it looks at"),
+	ROW(camera, "gaze", type_numbers, at, .n = 3,
+	    .aliases = "direction dir forward",
 	    .about = "the direction in which it looks"),
-	NUMBERS("orientation", camera, orientation, 4,
+	ROW(camera, "orientation", type_numbers, orientation, .n = 4,
 	    .aliases = "rotation quaternion quat qvec",
 	    .note = "x, y, z, w from view to world axes; of w, x, y, z from "
 		    "world to view that is -x, -y, -z, w",
 	    .about = "quaternion x, y, z, w: view to world axes"),
-	NUMBERS("translation", camera, eye, 3, .aliases = "tvec t",
+	ROW(camera, "translation", type_numbers, eye, .n = 3,
+	    .aliases = "tvec t",
 	    .note = "where the world's origin is in view space",
 	    .unit = "view units", .about = "where the world's origin is"),
-	{ .name = "pose",
-	    .read = read_affine,
-	    .at = MEMBER(camera, matrix),
+	ROW(camera, "pose", type_affine, matrix,
 	    .aliases = "transformmatrix transform matrixworld cameratoworld "
 		       "camtoworld c2w",
-	    .note = "view to world",
-	    .type = "matrix",
-	    .about = "view to world" },
-	{ .name = "matrix",
-	    .read = read_affine,
-	    .at = MEMBER(camera, matrix),
+	    .note = "view to world", .about = "view to world"),
+	ROW(camera, "matrix", type_affine, matrix,
 	    .aliases = "view viewmatrix extrinsic extrinsics r rt rvec "
 		       "rotationmatrix worldtocamera worldtocam w2c",
-	    .note = "world to view, [R|t]",
-	    .type = "matrix",
-	    .about = "world to view, [R|t]" },
-	NUMBERS("up", camera, up, 3, .otherwise = "[0, 1, 0]",
-	    .about = "it points up in the image"),
-	NUMBERS("roll", camera, roll, 0, .type = "angle", .unit = "degrees",
-	    .otherwise = "0", .about = "counterclockwise"),
-	{ .name = "orthonormalize",
-	    .read = read_flag,
-	    .at = MEMBER(camera, orthonormalize),
-	    .type = "true or false",
-	    .otherwise = "false",
-	    .about = "to the nearest rotation" },
+	    .note = "world to view, [R|t]", .about = "world to view, [R|t]"),
+	ROW(camera, "up", type_numbers, up, .n = 3, .usual = "[0, 1, 0]",
+	    .shown = true, .about = "it points up in the image"),
+	ROW(camera, "roll", type_numbers, roll, .range = &range_turn,
+	    .usual = "0", .about = "counterclockwise"),
+	ROW(camera, "orthonormalize", type_flag, orthonormalize,
+	    .usual = "false", .about = "to the nearest rotation"),
 	{ .name = NULL },
 };
 
 /* In the order of the values of struct camera's by. */
-static const struct ways camera_ways = {
-	"give \"eye\" and one of \"at\", \"gaze\" and \"orientation\", or "
-	"\"translation\" and \"orientation\", or \"pose\" or \"matrix\" alone",
-	{ "eye at up? roll?", "eye gaze up? roll?", "eye orientation roll?",
-	    "translation orientation roll?", "pose orthonormalize?",
-	    "matrix orthonormalize?" },
+const struct ways camera_ways[] = {
+	{
+	    .hint = "give \"eye\" and one of \"at\", \"gaze\" and "
+		    "\"orientation\", or "
+		    "\"translation\" and \"orientation\", or \"pose\" or "
+		    "\"matrix\" alone",
+	    .way = { "eye at up? roll?", "eye gaze up? roll?",
+		"eye orientation roll?", "translation orientation roll?",
+		"pose orthonormalize?", "matrix orthonormalize?" },
+	    .fit_hint = "give \"gaze\" or \"orientation\", with an \"eye\" or "
+			"without, or "
+			"\"eye\" and \"at\", or \"translation\" and "
+			"\"orientation\", or "
+			"\"pose\" or "
+			"\"matrix\" alone",
+	    .fit_way = { "eye at up? roll?", "eye? gaze up? roll?",
+		"eye? orientation roll?", "translation orientation roll?",
+		"pose orthonormalize?", "matrix orthonormalize?" },
+	},
+	{ .hint = NULL },
 };
 
-static const struct ways fit_camera_ways = {
-	"give \"gaze\" or \"orientation\", with an \"eye\" or without, or "
-	"\"eye\" and \"at\", or \"translation\" and \"orientation\", or "
-	"\"pose\" or "
-	"\"matrix\" alone",
-	{ "eye at up? roll?", "eye? gaze up? roll?", "eye? orientation roll?",
-	    "translation orientation roll?", "pose orthonormalize?",
-	    "matrix orthonormalize?" },
-};
+#define SIZE(in, label, field, ...)                                   \
+	ROW(in, label, type_numbers, field, .range = &range_positive, \
+	    __VA_ARGS__)
 
-#define SIZE(label, type, m, ...)                                           \
-	{                                                                   \
-		.name = label, .read = read_numbers, .at = MEMBER(type, m), \
-		.range = &range_positive, __VA_ARGS__                       \
-	}
-
-#define RECTANGLE(type)                                                        \
-	NUMBERS("x", type, x, 0, .aliases = "left", .unit = "device units",    \
-	    .otherwise = "0", .about = "the corner that origin names"),        \
-	    NUMBERS("y", type, y, 0, .aliases = "top", .unit = "device units", \
-		.otherwise = "0", .about = "the same"),                        \
-	    SIZE("width", type, width, .unit = "device units",                 \
-		.about = "required"),                                          \
-	    SIZE("height", type, height, .unit = "device units",               \
+#define RECTANGLE(in)                                                \
+	ROW(in, "x", type_numbers, x, .aliases = "left",             \
+	    .unit = "device units", .usual = "0", .shown = true,     \
+	    .about = "the corner that origin names"),                \
+	    ROW(in, "y", type_numbers, y, .aliases = "top",          \
+		.unit = "device units", .usual = "0", .shown = true, \
+		.about = "the same"),                                \
+	    SIZE(in, "width", width, .unit = "device units",         \
+		.about = "required"),                                \
+	    SIZE(in, "height", height, .unit = "device units",       \
 		.about = "required")
 
-static void read_scale(const struct value *v, const struct member *row,
-    void *to)
-{
-	struct viewport *viewport = to;
+/* The end of struct viewport. */
+struct scale {
+	unsigned is;
+	double by[2];
+};
 
-	(void)row;
-	viewport->scale = SCALE_GIVEN;
+_Static_assert(offsetof(struct viewport, scales) ==
+	offsetof(struct viewport, scale) + offsetof(struct scale, by),
+    "scales stand behind scale");
+
+static void read_scale(const struct value *v, const struct member *row,
+    void *out)
+{
+	struct scale *s = out;
+
+	s->is = SCALE_GIVEN;
 	if (value_is_array(v))
-		value_numbers(v, &range_positive, 2, viewport->scales);
+		value_numbers(v, &range_positive, 2, s->by);
 	else if (value_string(v) == NULL)
 		value_wrong(v, "\"fill\", \"uniform\" or 2 numbers");
-	else if (value_word(v, scales) == 0)
-		viewport->scale = SCALE_FILL;
 	else
-		viewport->scale = SCALE_UNIFORM;
+		s->is = (unsigned)value_word(v, row->words);
 }
+
+static void print_scale(struct printer *p, const struct member *row,
+    const void *at)
+{
+	const struct scale *s = at;
+
+	if (s->is == SCALE_GIVEN)
+		put_numbers(p, s->by, 2);
+	else
+		put_string(p, row->words[s->is]);
+}
+
+static const struct type type_scale = { "fill, uniform or 2 sizes", read_scale,
+	print_scale, sizeof(unsigned) };
 
 const struct member viewport_members[] = {
 	RECTANGLE(viewport),
-	NUMBERS("min_z", viewport, min_z, 0,
+	ROW(viewport, "min_z", type_numbers, min_z,
 	    .aliases = "near mindepth zmin minz", .unit = "device units",
-	    .otherwise = "0", .about = "z of the near plane"),
-	NUMBERS("max_z", viewport, max_z, 0,
+	    .usual = "0", .about = "z of the near plane"),
+	ROW(viewport, "max_z", type_numbers, max_z,
 	    .aliases = "far maxdepth zmax maxz", .unit = "device units",
-	    .otherwise = "1", .about = "z of the far plane"),
-	{ .name = "scale",
-	    .read = read_scale,
-	    .type = "fill, uniform or 2 sizes",
-	    .otherwise = "\"fill\"",
-	    .about = "device units for one of ndc" },
+	    .usual = "1", .about = "z of the far plane"),
+	ROW(viewport, "scale", type_scale, scale, .words = scales,
+	    .usual = "\"fill\"", .about = "device units for one of ndc"),
 	{ .name = NULL },
 };
 
 const struct member device_members[] = {
 	RECTANGLE(device),
-	{ .name = "origin",
-	    .read = read_second,
-	    .words = origins,
-	    .at = MEMBER(device, top_left),
-	    .otherwise = "\"bottom-left\"",
-	    .about = "the corner where x and y are least" },
+	ROW(device, "origin", type_second, top_left, .words = origins,
+	    .usual = "\"bottom-left\"",
+	    .about = "the corner where x and y are least"),
 	{ .name = NULL },
 };
 
-static const struct ways rectangle_ways = {
-	"give \"width\" and \"height\"",
-	{ "width height" },
+const struct ways rectangle_ways[] = {
+	{
+	    .hint = "give \"width\" and \"height\"",
+	    .way = { "width height" },
+	},
+	{ .hint = NULL },
 };
 
 const struct member window_members[] = {
-	NUMBERS("center", window, center, 2, .aliases = "centre x y position",
-	    .unit = "window units", .about = "with width and height"),
-	SIZE("width", window, width, .unit = "window units",
+	ROW(window, "center", type_numbers, center, .n = 2,
+	    .aliases = "centre x y position", .unit = "window units",
+	    .about = "with width and height"),
+	SIZE(window, "width", width, .unit = "window units",
 	    .about = "of all of it"),
-	SIZE("height", window, height, .unit = "window units",
+	SIZE(window, "height", height, .unit = "window units",
 	    .about = "of all of it"),
-	NUMBERS("left", window, left, 0, .unit = "window units",
+	ROW(window, "left", type_numbers, left, .unit = "window units",
 	    .about = "the four edges, instead"),
-	NUMBERS("right", window, right, 0, .unit = "window units",
+	ROW(window, "right", type_numbers, right, .unit = "window units",
 	    .about = "greater than left"),
-	NUMBERS("bottom", window, bottom, 0, .unit = "window units",
+	ROW(window, "bottom", type_numbers, bottom, .unit = "window units",
 	    .about = "an edge"),
-	NUMBERS("top", window, top, 0, .unit = "window units",
+	ROW(window, "top", type_numbers, top, .unit = "window units",
 	    .about = "greater than bottom"),
-	NUMBERS("pan", window, pan, 2, .unit = "window units",
-	    .otherwise = "[0, 0]", .about = "by how much the window moves"),
-	SIZE("zoom", window, zoom, .otherwise = "1",
+	ROW(window, "pan", type_numbers, pan, .n = 2, .unit = "window units",
+	    .usual = "[0, 0]", .about = "by how much the window moves"),
+	SIZE(window, "zoom", zoom, .usual = "1",
 	    .about = "of which 2 shows half the extent"),
-	NUMBERS("about", window, about, 2, .unit = "window units",
+	ROW(window, "about", type_numbers, about, .n = 2,
+	    .unit = "window units",
 	    .about = "what zoom leaves where it is, else the centre"),
-	{ .name = "adapt",
-	    .read = read_word,
-	    .at = MEMBER(window, adapt),
-	    .words = adapt_names,
-	    .otherwise = "\"stretch\"",
-	    .about = "to a device of another shape" },
+	ROW(window, "adapt", type_word, adapt, .words = adapt_names,
+	    .usual = "\"stretch\"", .about = "to a device of another shape"),
 	{ .name = NULL },
 };
 
-static const struct ways window_ways = {
-	"give \"center\", \"width\" and \"height\", or \"left\", \"right\", "
-	"\"bottom\" and \"top\"",
-	{ "center width height", "left right bottom top" },
-};
-
-/* What fit is to replace. */
-static const struct ways fit_window_ways = {
-	"give \"center\", \"width\" and \"height\", or \"left\", \"right\", "
-	"\"bottom\" and \"top\", or nothing",
-	{ "center? width? height?", "left? right? bottom? top?" },
+const struct ways window_ways[] = {
+	{
+	    .hint = "give \"center\", \"width\" and \"height\", or \"left\", "
+		    "\"right\", "
+		    "\"bottom\" and \"top\"",
+	    .way = { "center width height", "left right bottom top" },
+	    .fit_hint = "give \"center\", \"width\" and \"height\", or "
+			"\"left\", \"right\", "
+			"\"bottom\" and \"top\", or nothing",
+	    .fit_way = { "center? width? height?",
+		"left? right? bottom? top?" },
+	},
+	{ .hint = NULL },
 };
 
 /* A point of space; or of the plane, where the document is flat. Where bounds are
@@ -200,37 +206,40 @@ static void read_corner(const struct value *v, const struct member *row,
 	value_numbers(v, &range_any, pair && (flat || v->unused) ? 2 : 3, out);
 }
 
-#define CORNER(label, m, other, what)                                        \
-	{                                                                    \
-		.name = label, .read = read_corner, .at = MEMBER(bounds, m), \
-		.type = "3 numbers, or 2 of a window", .aliases = other,     \
-		.unit = "model units", .about = what                         \
-	}
+static const struct type type_corner = { "3 numbers, or 2 of a window",
+	read_corner, NULL, 0 };
+
+#define CORNER(label, field, other, what)                        \
+	ROW(bounds, label, type_corner, field, .aliases = other, \
+	    .unit = "model units", .about = what)
 
 const struct member bounds_members[] = {
 	CORNER("center", center, "centre position", "of a sphere"),
-	SIZE("radius", bounds, radius, .unit = "model units",
+	SIZE(bounds, "radius", radius, .unit = "model units",
 	    .about = "of a sphere"),
 	CORNER("min", min, "lower from", "of a box, its least coordinates"),
 	CORNER("max", max, "upper to", "the opposite corner"),
 	{ .name = NULL },
 };
 
-static const struct ways bounds_ways = {
-	"give \"min\" and \"max\", or \"center\" and \"radius\"",
-	{ "min max", "center radius" },
+const struct ways bounds_ways[] = {
+	{
+	    .hint = "give \"min\" and \"max\", or \"center\" and \"radius\"",
+	    .way = { "min max", "center radius" },
+	},
+	{ .hint = NULL },
 };
 
 const struct member pick_members[] = {
-	NUMBERS("at", pick, at, 2, .aliases = "position center",
+	ROW(pick, "at", type_numbers, at, .n = 2, .aliases = "position center",
 	    .unit = "device units", .about = "where to look"),
-	SIZE("radius", pick, radius, .unit = "device units",
+	SIZE(pick, "radius", radius, .unit = "device units",
 	    .about = "how far around it"),
 	{ .name = NULL },
 };
 
 /* What others call so is often where the camera stands. */
-static void check_translation(const struct value *v, unsigned seen)
+static void check_translation(const struct value *v, uint64_t seen)
 {
 	struct value m = value_missing(v, "translation");
 
@@ -243,55 +252,55 @@ static void check_translation(const struct value *v, unsigned seen)
 
 bool read_camera(const struct value *v, struct camera *c)
 {
-	*c = (struct camera){ .up = { 0, 1, 0 },
-		.unit = (enum angle_unit)v->source->unit };
-	unsigned seen = object_read(v, camera_members, 0, c);
+	*c = (struct camera){ .unit = (enum angle_unit)v->source->unit };
+	uint64_t seen = object_read(v, camera_members, 0, c);
 
 	check_translation(v, seen);
-	c->by = (unsigned)object_way(v, camera_members, 0, seen,
-	    v->source->fit ? &fit_camera_ways : &camera_ways);
+	c->by = (unsigned)object_way(v, camera_members, 0, seen, camera_ways);
 	return c->by >= CAMERA_TRANSLATION ||
 	    (seen & member_bit(camera_members, 0, "eye")) != 0;
 }
 
 void read_viewport(const struct value *v, struct viewport *w)
 {
-	*w = (struct viewport){ .max_z = 1 };
-	unsigned seen = object_read(v, viewport_members, 0, w);
+	*w = (struct viewport){ 0 };
+	uint64_t seen = object_read(v, viewport_members, 0, w);
 
-	object_way(v, viewport_members, 0, seen, &rectangle_ways);
+	object_way(v, viewport_members, 0, seen, rectangle_ways);
 }
 
 void read_device(const struct value *v, struct device *d)
 {
 	*d = (struct device){ 0 };
-	unsigned seen = object_read(v, device_members, 0, d);
+	uint64_t seen = object_read(v, device_members, 0, d);
 
-	object_way(v, device_members, 0, seen, &rectangle_ways);
+	object_way(v, device_members, 0, seen, rectangle_ways);
 }
 
+/* fit finds only the window of a document that is flat. */
 void read_window(const struct value *v, struct window *w)
 {
-	*w = (struct window){ .zoom = 1 };
-	unsigned seen = object_read(v, window_members, 0, w);
+	struct ways ways = window_ways[0];
 
-	w->by_edges = object_way(v, window_members, 0, seen,
-			  v->source->fit && v->source->flat ?
-			      &fit_window_ways :
-			      &window_ways) == 1;
+	if (!v->source->flat)
+		ways.fit_hint = NULL;
+	*w = (struct window){ 0 };
+	uint64_t seen = object_read(v, window_members, 0, w);
+
+	w->by_edges = object_way(v, window_members, 0, seen, &ways) == 1;
 	w->has_about = (seen & member_bit(window_members, 0, "about")) != 0;
 }
 
 void read_bounds(const struct value *v, struct bounds *b)
 {
-	unsigned seen = object_read(v, bounds_members, 0, b);
+	uint64_t seen = object_read(v, bounds_members, 0, b);
 
-	b->sphere = object_way(v, bounds_members, 0, seen, &bounds_ways) == 1;
+	b->sphere = object_way(v, bounds_members, 0, seen, bounds_ways) == 1;
 }
 
 void read_pick(const struct value *v, struct pick *p)
 {
-	unsigned seen = object_read(v, pick_members, 0, p);
+	uint64_t seen = object_read(v, pick_members, 0, p);
 
 	p->has_at = (seen & member_bit(pick_members, 0, "at")) != 0;
 }

@@ -4,13 +4,17 @@
 #define MEMBERS_H
 
 #include "document.h"
-#include "readers.h"
+#include "types.h"
 
 /* The first is of the scene itself, in the order of the bits of SCENE_CONVENTION and
  * so on. */
 extern const struct member scene_members[], camera_members[],
     projection_members[], viewport_members[], window_members[],
     device_members[], bounds_members[], pick_members[];
+
+/* How their members can be combined. */
+extern const struct ways camera_ways[], projection_ways[], rectangle_ways[],
+    window_ways[], bounds_ways[];
 
 /* What some of these may be, in the order of their enums; NULL ends each. Types
  * begin with PROJECTION_PERSP, kinds with OBLIQUE_CAVALIER. */
@@ -26,13 +30,14 @@ void read_device(const struct value *, struct device *);
 void read_bounds(const struct value *, struct bounds *);
 void read_pick(const struct value *, struct pick *);
 
-/* [fx, fy, cx, cy], K or P, to struct projection. */
-void read_intrinsics(const struct value *, const struct member *, void *);
-
 /* implied is the only type that the command takes, which need not be given
  * then, or PROJECTION_NONE. An aspect that is not given is the viewport's,
  * unless that is NULL. */
 void read_projection(const struct value *, int implied,
     const struct viewport *viewport, struct projection *);
+
+/* Prints what reads back as the same, without an aspect that is the viewport's. */
+void print_projection(struct printer *, const struct projection *,
+    const struct viewport *);
 
 #endif

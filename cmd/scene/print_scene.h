@@ -16,12 +16,6 @@ void print_scene(const struct document *);
 /* Puts what leads from model space to the device, in one line. */
 void put_scene(struct printer *, const struct scene *);
 
-/* Members of an object. */
-void put_edges(struct printer *, double left, double right, double bottom,
-    double top);
 void put_device(struct printer *, const struct device *);
-
-/* A number, or "infinity". */
-void put_distance(struct printer *, double);
 
 #endif

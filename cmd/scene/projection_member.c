@@ -6,30 +6,25 @@
 
 #include "../message/escape.h"
 
-/* The largest doubles below 180, 90 and 1: ranges include their limits. PI and
- * its half are the largest doubles below what they stand for. */
-#define BELOW_180 0x1.67fffffffffffp+7
-#define BELOW_90 0x1.67fffffffffffp+6
-#define BELOW_1 0x1.fffffffffffffp-1
-
-static const struct range opening[] = {
-	{ SIZE_MIN, BELOW_180,
-	    "an angle above 0 and below 180 degrees is wanted" },
-	{ SIZE_MIN, PI, "an angle above 0 and below pi radians is wanted" },
-};
-static const struct range slope[] = {
-	{ SIZE_MIN, 90, "an angle above 0 and up to 90 degrees is wanted" },
-	{ SIZE_MIN, PI / 2,
-	    "an angle above 0 and up to pi/2 radians is wanted" },
-};
-static const struct range acute[] = {
-	{ -BELOW_90, BELOW_90,
-	    "an angle between -90 and 90 degrees is wanted" },
-	{ -PI / 2, PI / 2,
-	    "an angle between -pi/2 and pi/2 radians is wanted" },
-};
-static const struct range fraction = { SIZE_MIN, BELOW_1,
-	"a number above 0 and below 1 is wanted" };
+static const struct value_range opening = { .min = SIZE_MIN,
+	.max = 180,
+	.below = true,
+	.angle = true };
+static const struct value_range taper = { .min = 0,
+	.max = 180,
+	.below = true,
+	.angle = true };
+static const struct value_range slope = { .min = SIZE_MIN,
+	.max = 90,
+	.angle = true };
+static const struct value_range acute = { .min = -90,
+	.max = 90,
+	.above = true,
+	.below = true,
+	.angle = true };
+static const struct value_range fraction = { .min = SIZE_MIN,
+	.max = 1,
+	.below = true };
 
 const char *const projection_types[] = { "persp", "ortho", "oblique", "volume",
 	"matrix", NULL };
@@ -46,360 +41,272 @@ enum {
 	SECTIONED = PERSP | PARALLEL, /* those with a cross-section */
 };
 
-#define OF(of, label, m, within, ...)                                  \
-	{                                                              \
-		.name = label, .read = read_numbers,                   \
-		.at = offsetof(struct projection, m), .range = within, \
-		.kinds = of, __VA_ARGS__                               \
-	}
+#define AT(m) offsetof(struct projection, m)
+#define OF(of, label, is, field, ...) \
+	ROW(projection, label, is, field, .kinds = of, __VA_ARGS__)
 
-#define ANGLE(of, label, m, within, ...)                                     \
-	{                                                                    \
-		.name = label, .read = read_angle,                           \
-		.at = offsetof(struct projection, m), .range = within,       \
-		.kinds = of, .type = "angle", .unit = "degrees", __VA_ARGS__ \
-	}
+/* Of struct projection. */
+struct direction {
+	double angle;
+	enum angle_unit unit;
+};
 
-static void read_type(const struct value *v, const struct member *row, void *to)
-{
-	struct projection *p = to;
-
-	p->type = PROJECTION_PERSP + (unsigned)value_word(v, row->words);
-}
-
-static void read_kind(const struct value *v, const struct member *row, void *to)
-{
-	struct projection *p = to;
-
-	p->kind = OBLIQUE_CAVALIER + (unsigned)value_word(v, row->words);
-}
+_Static_assert(AT(direction_unit) ==
+	AT(direction) + offsetof(struct direction, unit),
+    "its unit stands behind direction");
 
 /* Where it is not given it is 45 degrees in any unit. */
 static void read_direction(const struct value *v, const struct member *row,
-    void *to)
+    void *out)
 {
-	struct projection *p = to;
+	struct direction *d = out;
 
-	read_numbers(v, row, &p->direction);
-	p->direction_unit = p->unit;
+	d->angle = value_number(v, row->range);
+	d->unit = (enum angle_unit)v->source->unit;
 }
 
-/* A volume may have none. */
-static void read_view_angle(const struct value *v, const struct member *row,
-    void *to)
+static void print_direction(struct printer *p, const struct member *row,
+    const void *at)
 {
-	static const struct range taper[] = {
-		{ 0, BELOW_180,
-		    "an angle from 0 to below 180 degrees is wanted" },
-		{ 0, PI, "an angle from 0 to below pi radians is wanted" },
-	};
-	struct projection *p = to;
-	const struct range *range = p->type == PROJECTION_VOLUME ? taper :
-								   row->range;
-
-	p->angle = value_number(v, &range[v->source->unit]);
-}
-
-/* Of the smaller side of a volume. */
-static void read_size(const struct value *v, const struct member *row, void *to)
-{
-	struct projection *p = to;
-
-	p->half_width = p->half_height = value_number(v, row->range) / 2;
-}
-
-#define FAR "a number or \"infinity\""
-
-static double read_plane(const struct value *v, const struct projection *p)
-{
-	bool is_persp = p->type == PROJECTION_PERSP;
-
-	return value_number(v, is_persp ? &range_positive : &range_any);
-}
-
-static void read_near(const struct value *v, const struct member *row, void *to)
-{
-	struct projection *p = to;
-
 	(void)row;
-	p->near = read_plane(v, p);
+	put_number(p, ((const struct direction *)at)->angle);
 }
 
-static void read_far(const struct value *v, const struct member *row, void *to)
+static const struct type type_direction = { NULL, read_direction,
+	print_direction, offsetof(struct direction, unit) + sizeof(unsigned) };
+
+/* The smaller side of a volume, of which half is half the width and height. */
+static void read_size(const struct value *v, const struct member *row,
+    void *out)
 {
-	struct projection *p = to;
-	const char *s = value_string(v);
-	char shown[ESCAPED_MAX];
+	double *half = out;
 
-	(void)row;
-	if (p->type != PROJECTION_PERSP)
-		p->far = read_plane(v, p);
-	else if (s != NULL && strcmp(s, "infinity") == 0)
-		p->far = HUGE_VAL;
-	else if (s != NULL)
-		value_refuse(v, "is \"%s\"; " FAR " is wanted",
-		    escaped(shown, s, strlen(s)));
-	else if (value_is_null(v))
-		value_wrong(v, FAR);
-	else
-		p->far = read_plane(v, p);
+	half[0] = half[1] = value_number(v, row->range) / 2;
 }
+
+static void print_size(struct printer *p, const struct member *row,
+    const void *at)
+{
+	(void)row;
+	put_number(p, 2 * *(const double *)at);
+}
+
+_Static_assert(AT(half_height) == AT(half_width) + sizeof(double),
+    "the height stands behind the width");
+
+static const struct type type_size = { NULL, read_size, print_size, 0 };
 
 /* left, right, bottom and top. */
 static void read_angles(const struct value *v, const struct member *row,
-    void *to)
+    void *out)
 {
-	struct projection *p = to;
-	double a[4];
+	double *a = out;
 
-	value_numbers(v, &row->range[v->source->unit], 4, a);
+	value_numbers(v, row->range, row->n, a);
 	struct value e = value_child(v);
 
-	for (int i = 0; i < 4; i++, value_next(&e))
+	for (size_t i = 0; i < row->n; i++, value_next(&e))
 		if (i % 2 && !(a[i - 1] < a[i]))
 			value_refuse(&e,
 			    "not greater than the one before it; the "
 			    "order is left, right, bottom, top");
-	p->left = a[0];
-	p->right = a[1];
-	p->bottom = a[2];
-	p->top = a[3];
 }
 
+static void print_angles(struct printer *p, const struct member *row,
+    const void *at)
+{
+	put_numbers(p, at, (int)row->n);
+}
+
+_Static_assert(AT(top) == AT(left) + 3 * sizeof(double), "the edges are four");
+
+static const struct type type_angles = { NULL, read_angles, print_angles, 0 };
+
+/* In the order in which they are printed. */
 const struct member projection_members[] = {
-	{ .name = "type",
-	    .read = read_type,
-	    .words = projection_types,
-	    .about = "implied by the commands of these names" },
-	{ .name = "near",
-	    .read = read_near,
-	    .kinds = SECTIONED,
-	    .aliases = "znear nearplane",
-	    .type = "number",
-	    .unit = "view units",
-	    .about = "distance of the near plane; in persp a size" },
-	{ .name = "far",
-	    .read = read_far,
-	    .kinds = SECTIONED,
-	    .aliases = "zfar farplane",
-	    .type = "number",
-	    .unit = "view units",
-	    .about = "of the far plane; in persp a size or \"infinity\"" },
-	{ .name = "reverse_z",
-	    .read = read_flag,
-	    .kinds = SECTIONED,
-	    .at = offsetof(struct projection, reverse_z),
-	    .aliases = "reversed",
-	    .type = "true or false",
-	    .otherwise = "false",
-	    .about = "near at the greater depth" },
-	ANGLE(PERSP, "fovy", angle, opening,
+	OF(0, "type", type_word, type, .words = projection_types,
+	    .first = PROJECTION_PERSP,
+	    .about = "implied by the commands of these names"),
+	OF(OBLIQUE, "kind", type_word, kind, .words = oblique_kinds,
+	    .first = OBLIQUE_CAVALIER,
+	    .about = "receding lines keep their length, or half of it"),
+	OF(OBLIQUE, "angle", type_numbers, projector, .range = &slope,
+	    .about = "between projectors and picture, instead of kind"),
+	OF(OBLIQUE, "direction", type_direction, direction,
+	    .range = &range_turn, .usual = "45",
+	    .about = "in which receding lines run"),
+	OF(OBLIQUE, "plane", type_numbers, plane, .unit = "view units",
+	    .usual = "0", .about = "the depth that stays where it is"),
+	OF(PERSP, "fovy", type_numbers, angle, .range = &opening,
 	    .aliases = "fov yfov verticalfov fieldofview cameraangley",
 	    .about = "between the bottom and the top plane"),
-	ANGLE(PERSP, "fovx", angle, opening,
+	OF(PERSP, "fovx", type_numbers, angle, .range = &opening,
 	    .aliases = "xfov horizontalfov hfov cameraanglex",
 	    .about = "between the left and the right plane"),
-	{ .name = "view_angle",
-	    .read = read_view_angle,
-	    .range = opening,
-	    .kinds = PERSP | VOLUME,
-	    .aliases = "angle",
-	    .type = "angle",
-	    .unit = "degrees",
-	    .about = "across the smaller side" },
-	OF(PERSP, "field", angle, &range_positive,
+	OF(PERSP, "view_angle", type_numbers, angle, .range = &opening,
+	    .aliases = "angle", .about = "across the smaller side"),
+	OF(PERSP, "field", type_numbers, angle, .range = &range_positive,
 	    .about = "half the larger side at unit distance"),
-	OF(SECTIONED | VOLUME, "aspect", aspect, &range_positive,
-	    .aliases = "ratio aspectratio",
-	    .about = "width over height, else the viewport's"),
-	OF(SECTIONED, "width", width, &range_positive, .unit = "view units",
-	    .about = "of the near plane; else of the view volume"),
-	OF(SECTIONED, "height", height, &range_positive, .unit = "view units",
+	OF(VOLUME, "half_width", type_numbers, half_width,
+	    .range = &range_positive, .unit = "view units",
+	    .about = "of the rectangle at z = 0"),
+	OF(VOLUME, "half_height", type_numbers, half_height,
+	    .range = &range_positive, .unit = "view units",
 	    .about = "of the same"),
-	OF(SECTIONED, "left", left, NULL, .unit = "view units",
-	    .about = "the four edges, instead of width and height"),
-	OF(SECTIONED, "right", right, NULL, .unit = "view units",
-	    .about = "other than left"),
-	OF(SECTIONED, "bottom", bottom, NULL, .unit = "view units",
-	    .about = "an edge"),
-	OF(SECTIONED, "top", top, NULL, .unit = "view units",
-	    .about = "other than bottom"),
-	OF(PERSP, "edges_at", edges_at, &range_positive, .aliases = "distance",
+	OF(VOLUME, "size", type_size, half_width, .range = &range_positive,
+	    .unit = "view units", .about = "its smaller side, instead"),
+	OF(SECTIONED, "width", type_numbers, width, .range = &range_positive,
 	    .unit = "view units",
-	    .about = "where those are measured, else near"),
-	{ .name = "angles",
-	    .read = read_angles,
-	    .range = acute,
-	    .kinds = PERSP,
+	    .about = "of the near plane; else of the view volume"),
+	OF(SECTIONED, "height", type_numbers, height, .range = &range_positive,
+	    .unit = "view units", .about = "of the same"),
+	OF(SECTIONED | VOLUME, "aspect", type_numbers, aspect,
+	    .range = &range_positive, .aliases = "ratio aspectratio",
+	    .about = "width over height, else the viewport's"),
+	OF(SECTIONED, "left", type_numbers, left, .unit = "view units",
+	    .about = "the four edges, instead of width and height"),
+	OF(SECTIONED, "right", type_numbers, right, .unit = "view units",
+	    .about = "other than left"),
+	OF(SECTIONED, "bottom", type_numbers, bottom, .unit = "view units",
+	    .about = "an edge"),
+	OF(SECTIONED, "top", type_numbers, top, .unit = "view units",
+	    .about = "other than bottom"),
+	OF(PERSP, "angles", type_angles, left, .n = 4, .range = &acute,
 	    .aliases = "angleleft angleright angleup angledown",
 	    .note = "[left, right, bottom, top] from the gaze",
-	    .type = "4 angles",
-	    .unit = "degrees",
-	    .about = "left, right, bottom, top from the gaze" },
-	{ .name = "intrinsics",
-	    .read = read_intrinsics,
-	    .kinds = PERSP,
+	    .about = "left, right, bottom, top from the gaze"),
+	OF(PERSP, "intrinsics", type_intrinsics, intrinsics,
 	    .aliases = "k fx fy cx cy flx fly focal focallength "
 		       "cameramatrix projectionmatrix intrinsic p "
 		       "principalpoint skew",
 	    .note = "[fx, fy, cx, cy], K or P, in pixels",
-	    .type = "4 numbers, K or P",
 	    .unit = "device units",
-	    .about = "[fx, fy, cx, cy], 3 rows of 3, or 3 rows of 4" },
-	OF(PERSP | VOLUME, "near_ratio", near_ratio, &fraction,
-	    .otherwise = "0.0005", .about = "of far, that fit leaves near"),
-	{ .name = "kind",
-	    .read = read_kind,
-	    .words = oblique_kinds,
-	    .kinds = OBLIQUE,
-	    .about = "receding lines keep their length, or half of it" },
-	ANGLE(OBLIQUE, "angle", projector, slope,
-	    .about = "between projectors and picture, instead of kind"),
-	{ .name = "direction",
-	    .read = read_direction,
-	    .kinds = OBLIQUE,
-	    .type = "angle",
-	    .unit = "degrees",
-	    .otherwise = "45",
-	    .about = "in which receding lines run" },
-	OF(OBLIQUE, "plane", plane, NULL, .unit = "view units",
-	    .otherwise = "0", .about = "the depth that stays where it is"),
-	OF(VOLUME, "half_width", half_width, &range_positive,
-	    .unit = "view units", .about = "of the rectangle at z = 0"),
-	OF(VOLUME, "half_height", half_height, &range_positive,
-	    .unit = "view units", .about = "of the same"),
-	{ .name = "size",
-	    .read = read_size,
-	    .range = &range_positive,
-	    .kinds = VOLUME,
-	    .unit = "view units",
-	    .about = "its smaller side, instead" },
-	OF(VOLUME, "z_near", z_near, NULL, .aliases = "near znear nearplane",
-	    .unit = "view units", .about = "z of the near plane"),
-	OF(VOLUME, "z_far", z_far, NULL, .aliases = "far zfar farplane",
+	    .about = "[fx, fy, cx, cy], 3 rows of 3, or 3 rows of 4"),
+	OF(PERSP, "edges_at", type_numbers, edges_at, .range = &range_positive,
+	    .aliases = "distance", .unit = "view units",
+	    .about = "where width or edges are measured, else near"),
+	OF(PERSP, "near", type_numbers, near, .range = &range_positive,
+	    .aliases = "znear nearplane", .unit = "view units",
+	    .about = "distance of the near plane"),
+	OF(PARALLEL, "near", type_numbers, near, .aliases = "znear nearplane",
+	    .unit = "view units", .about = "distance of the near plane"),
+	OF(PERSP, "far", type_far, far, .range = &range_positive,
+	    .aliases = "zfar farplane", .unit = "view units",
+	    .about = "distance of the far plane"),
+	OF(PARALLEL, "far", type_numbers, far, .aliases = "zfar farplane",
+	    .unit = "view units", .about = "distance of the far plane"),
+	OF(SECTIONED, "reverse_z", type_flag, reverse_z, .aliases = "reversed",
+	    .usual = "false", .about = "near at the greater depth"),
+	OF(VOLUME, "z_near", type_numbers, z_near,
+	    .aliases = "near znear nearplane", .unit = "view units",
+	    .about = "z of the near plane"),
+	OF(VOLUME, "z_far", type_numbers, z_far, .aliases = "far zfar farplane",
 	    .unit = "view units", .about = "z of the far plane"),
-	OF(VOLUME, "inverse_eye_z", inverse_eye_z, NULL, .otherwise = "0",
+	OF(VOLUME, "eye", type_numbers, eye, .n = 3, .unit = "view units",
+	    .about = "the eye, instead of the next three"),
+	OF(VOLUME, "view_angle", type_numbers, angle, .range = &taper,
+	    .aliases = "angle",
+	    .about = "across the smaller side; 0 is parallel"),
+	OF(VOLUME, "inverse_eye_z", type_numbers, inverse_eye_z, .usual = "0",
 	    .about = "1/z of the eye; 0 is parallel"),
-	OF(VOLUME, "tan_skew", tan_skew, NULL, .n = 2, .aliases = "skew",
-	    .otherwise = "[0, 0]", .about = "x/z and y/z of the axis"),
-	OF(VOLUME, "eye", eye, NULL, .n = 3, .unit = "view units",
-	    .about = "the eye, instead of these two"),
-	{ .name = "matrix",
-	    .read = read_matrix,
-	    .kinds = MATRIX,
-	    .at = offsetof(struct projection, matrix),
-	    .type = "matrix",
-	    .about = "any from view to clip" },
+	OF(VOLUME, "tan_skew", type_numbers, tan_skew, .n = 2,
+	    .aliases = "skew", .usual = "[0, 0]",
+	    .about = "x/z and y/z of the axis"),
+	OF(MATRIX, "matrix", type_matrix, matrix,
+	    .about = "any from view to clip"),
+	OF(PERSP | VOLUME, "near_ratio", type_numbers, near_ratio,
+	    .range = &fraction, .usual = "0.0005",
+	    .about = "of far, that fit leaves near"),
 	{ .name = NULL },
 };
-
-_Static_assert(sizeof projection_members / sizeof *projection_members <= 33,
-    "members are bits of an unsigned");
 
 #define SECTION_HINT                                         \
 	"\"width\" and \"height\", or \"left\", \"right\", " \
 	"\"bottom\" and \"top\""
 
-static const struct ways persp_ways = {
-	"give one of \"fovy\", \"fovx\", \"view_angle\" and \"field\", "
-	"or " SECTION_HINT ", or \"angles\" or \"intrinsics\"",
-	{ "fovy aspect?", "fovx aspect?", "view_angle aspect?", "field aspect?",
-	    "width height edges_at?", "left right bottom top edges_at?",
-	    "angles", "intrinsics" },
+/* Rows of projection_ways. */
+enum {
+	WAYS_PERSP,
+	WAYS_PARALLEL,
+	WAYS_SHEAR,
+	WAYS_DEPTH,
+	WAYS_VOLUME,
+	WAYS_EYE,
+	WAYS_VOLUME_DEPTH,
+	WAYS_MATRIX,
 };
 
-static const struct ways parallel_ways = {
-	"give \"height\" and \"aspect\", " SECTION_HINT,
-	{ "width height", "height aspect?", "left right bottom top" },
-};
-
-/* fit finds width and height; if an aspect is given, they keep to it. */
-static const struct ways fit_parallel_ways = {
-	"give \"aspect\" with \"height\" or without, " SECTION_HINT ", or "
-	"nothing",
-	{ "width? height?", "height? aspect?", "left right bottom top" },
-};
-
-static const struct ways depth_ways = {
-	"give \"near\" and \"far\"",
-	{ "near far" },
+/* With fit_hint "" fit finds what is missing. It finds width and height; if an aspect is
+ * given, they keep to it. The first two are in the order of enum extent. */
+const struct ways projection_ways[] = {
+	[WAYS_PERSP] = { "give one of \"fovy\", \"fovx\", \"view_angle\" and "
+			 "\"field\", "
+			 "or " SECTION_HINT ", or \"angles\" or "
+			 "\"intrinsics\"",
+	    { "fovy aspect?", "fovx aspect?", "view_angle aspect?",
+		"field aspect?", "width height edges_at?",
+		"left right bottom top edges_at?", "angles", "intrinsics" },
+	    .kinds = PERSP },
+	[WAYS_PARALLEL] = { "give \"height\" and \"aspect\", " SECTION_HINT,
+	    { "width height", "height aspect?", "left right bottom top" },
+	    "give \"aspect\" with \"height\" or without, " SECTION_HINT
+	    ", or nothing",
+	    { "width? height?", "height? aspect?", "left right bottom top" },
+	    PARALLEL },
+	[WAYS_SHEAR] = { "give \"kind\" (\"cavalier\" or \"cabinet\") or "
+			 "\"angle\"",
+	    { "kind", "angle" }, .kinds = OBLIQUE },
+	[WAYS_DEPTH] = { "give \"near\" and \"far\"", { "near far" }, "",
+	    { NULL }, PARALLEL },
+	[WAYS_VOLUME] = { "give \"half_width\" and \"half_height\", or "
+			  "\"size\" "
+			  "and \"aspect\"",
+	    { "half_width half_height", "size aspect?" }, .kinds = VOLUME },
+	[WAYS_EYE] = { "give \"eye\", or \"inverse_eye_z\" or \"view_angle\" "
+		       "and \"tan_skew\"",
+	    { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
+	    .kinds = VOLUME },
+	[WAYS_VOLUME_DEPTH] = { "give \"z_near\" and \"z_far\"",
+	    { "z_near z_far" }, "", { NULL }, VOLUME },
+	[WAYS_MATRIX] = { "give \"matrix\"", { "matrix" }, .kinds = MATRIX },
+	{ .hint = NULL },
 };
 
 /* In the order of their way: both, or neither. */
 static const struct ways open_ways = {
-	"give \"near\", with \"far\" or without, or neither; \"far\" and "
-	"\"reverse_z\" need it",
-	{ "near far? reverse_z?", "" },
+	.hint =
+	    "give \"near\", with \"far\" or without, or neither; \"far\" and "
+	    "\"reverse_z\" need it",
+	.way = { "near far? reverse_z?", "" },
 };
 
 static const struct ways near_ways = {
-	"give it: width and height, or the edges, are on the near plane, "
-	"unless "
-	"\"edges_at\" says where",
-	{ "near far?" },
+	.hint =
+	    "give it: width and height, or the edges, are on the near plane, "
+	    "unless "
+	    "\"edges_at\" says where",
+	.way = { "near far?" },
 };
 
-static const struct ways shear_ways = {
-	"give \"kind\" (\"cavalier\" or \"cabinet\") or \"angle\"",
-	{ "kind", "angle" },
-};
+static const enum extent persp_extents[] = { EXTENT_FOVY, EXTENT_FOVX,
+	EXTENT_VIEW_ANGLE, EXTENT_FIELD, EXTENT_SIZE, EXTENT_EDGES,
+	EXTENT_ANGLES, EXTENT_INTRINSICS };
+static const enum extent parallel_extents[] = { EXTENT_SIZE, EXTENT_HEIGHT,
+	EXTENT_EDGES };
 
-static const struct ways volume_ways = {
-	"give \"half_width\" and \"half_height\", or \"size\" and \"aspect\"",
-	{ "half_width half_height", "size aspect?" },
-};
-
-static const struct ways volume_depth_ways = {
-	"give \"z_near\" and \"z_far\"",
-	{ "z_near z_far" },
-};
-
-static const struct ways eye_ways = {
-	"give \"eye\", or \"inverse_eye_z\" or \"view_angle\" and "
-	"\"tan_skew\"",
-	{ "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
-};
-
-static const struct ways matrix_ways = { "give \"matrix\"", { "matrix" } };
-
-/* Checks which members there are; returns how the cross-section is given. */
-static enum extent section(const struct value *v, int type, unsigned seen)
+static int take_way(const struct value *v, const struct projection *p,
+    uint64_t seen, const struct ways *ways)
 {
-	static const enum extent persp[] = { EXTENT_FOVY, EXTENT_FOVX,
-		EXTENT_VIEW_ANGLE, EXTENT_FIELD, EXTENT_SIZE, EXTENT_EDGES,
-		EXTENT_ANGLES, EXTENT_INTRINSICS };
-	static const enum extent parallel[] = { EXTENT_SIZE, EXTENT_HEIGHT,
-		EXTENT_EDGES };
-	bool is_persp = type == PROJECTION_PERSP;
-	bool fit = v->source->fit;
-	const struct ways *ways = fit ? &fit_parallel_ways : &parallel_ways;
-	int way = object_way(v, projection_members, type - 1, seen,
-	    is_persp ? &persp_ways : ways);
-
-	if (type == PROJECTION_OBLIQUE)
-		object_way(v, projection_members, type - 1, seen, &shear_ways);
-	return is_persp ? persp[way] : parallel[way];
+	return object_way(v, projection_members, (int)p->type - 1, seen, ways);
 }
 
-/* fit finds near and far, unless the section is measured on the near plane.
- * Intrinsics may do without, or without far. */
-static void find_planes(const struct value *v, unsigned seen,
+/* Intrinsics may do without near and far, or without far. */
+static void read_open(const struct value *v, uint64_t seen,
     struct projection *p)
 {
-	const struct member *table = projection_members;
-	int kind = (int)p->type - 1;
-
-	if (v->source->fit) {
-		if (projection_is_by_near(p))
-			object_way(v, table, kind, seen, &near_ways);
-	} else if (p->extent != EXTENT_INTRINSICS) {
-		object_way(v, table, kind, seen, &depth_ways);
-	} else if (object_way(v, table, kind, seen, &open_ways) == 1) {
-		p->reverse_z = true;
+	p->reverse_z |= take_way(v, p, seen, &open_ways) == 1;
+	if ((seen & member_bit(projection_members, 0, "far")) == 0)
 		p->far = HUGE_VAL;
-	} else if ((seen & member_bit(table, kind, "far")) == 0) {
-		p->far = HUGE_VAL;
-	}
 }
 
 /* Intrinsics are in units of the viewport, whose sides they need. */
@@ -471,10 +378,8 @@ static void find_type(const struct value *v, int implied, struct projection *p)
 	struct value m = value_child(v), missing = value_missing(v, "type");
 	char all[LISTED];
 
-	while (m.item != NULL && strcmp(m.name, "type") != 0)
-		value_next(&m);
-	if (m.item != NULL)
-		read_type(&m, projection_members, p);
+	if (value_member(v, "type", &m))
+		type_word.read(&m, projection_members, &p->type);
 	else if (implied != PROJECTION_NONE)
 		p->type = (unsigned)implied;
 	else
@@ -485,20 +390,48 @@ static void find_type(const struct value *v, int implied, struct projection *p)
 		    projection_types[implied - 1]);
 }
 
-/* The seven numbers of a volume, or what they are made of. fit finds its planes. */
-static void read_seven(const struct value *v, unsigned seen,
+/* fit finds near and far, unless the section is measured on the near plane. */
+static void read_persp(const struct value *v, uint64_t seen,
     const struct viewport *viewport, struct projection *p)
 {
-	int kind = (int)p->type - 1;
-	int section = object_way(v, projection_members, kind, seen,
-	    &volume_ways);
-	int eye = object_way(v, projection_members, kind, seen, &eye_ways);
+	const struct ways *depth = &projection_ways[WAYS_DEPTH];
+	int way = take_way(v, p, seen, &projection_ways[WAYS_PERSP]);
+
+	p->extent = persp_extents[way];
+	if (v->source->fit && projection_is_by_near(p))
+		take_way(v, p, seen, &near_ways);
+	else if (!v->source->fit && p->extent == EXTENT_INTRINSICS)
+		read_open(v, seen, p);
+	else
+		take_way(v, p, seen, depth);
+	if (p->extent == EXTENT_INTRINSICS)
+		find_sides(v, viewport, p);
+	else
+		find_aspect(v, viewport, p);
+}
+
+static void read_parallel(const struct value *v, uint64_t seen,
+    const struct viewport *viewport, struct projection *p)
+{
+	int way = take_way(v, p, seen, &projection_ways[WAYS_PARALLEL]);
+
+	p->extent = parallel_extents[way];
+	if (p->type == PROJECTION_OBLIQUE)
+		take_way(v, p, seen, &projection_ways[WAYS_SHEAR]);
+	take_way(v, p, seen, &projection_ways[WAYS_DEPTH]);
+	find_aspect(v, viewport, p);
+}
+
+/* The seven numbers of a volume, or what they are made of. */
+static void read_seven(const struct value *v, uint64_t seen,
+    const struct viewport *viewport, struct projection *p)
+{
+	int section = take_way(v, p, seen, &projection_ways[WAYS_VOLUME]);
+	int eye = take_way(v, p, seen, &projection_ways[WAYS_EYE]);
 
 	if (section == 1)
 		find_aspect(v, viewport, p);
-	if (!v->source->fit)
-		object_way(v, projection_members, kind, seen,
-		    &volume_depth_ways);
+	take_way(v, p, seen, &projection_ways[WAYS_VOLUME_DEPTH]);
 	p->has_eye = eye == 1;
 	p->has_angle = eye == 2;
 }
@@ -506,27 +439,90 @@ static void read_seven(const struct value *v, unsigned seen,
 void read_projection(const struct value *v, int implied,
     const struct viewport *viewport, struct projection *p)
 {
-	*p = (struct projection){ .near_ratio = 0.0005,
-		.direction = 45,
-		.unit = (enum angle_unit)v->source->unit };
+	*p = (struct projection){
+		.unit = (enum angle_unit)v->source->unit,
+	};
 	value_want_object(v);
 	find_type(v, implied, p);
-	int kind = (int)p->type - 1; /* as in projection_types */
-	unsigned seen = object_read(v, projection_members, kind, p);
+	/* kinds are in the order of projection_types */
+	uint64_t seen = object_read(v, projection_members, (int)p->type - 1, p);
 
-	/* fit refuses a matrix, whatever it has */
-	if (v->source->fit && p->type == PROJECTION_MATRIX)
-		return;
-	if (p->type == PROJECTION_VOLUME) {
+	switch (p->type) {
+	case PROJECTION_NONE:
+		break;
+	case PROJECTION_PERSP:
+		read_persp(v, seen, viewport, p);
+		break;
+	case PROJECTION_ORTHO:
+	case PROJECTION_OBLIQUE:
+		read_parallel(v, seen, viewport, p);
+		break;
+	case PROJECTION_VOLUME:
 		read_seven(v, seen, viewport, p);
-	} else if (p->type == PROJECTION_MATRIX) {
-		object_way(v, projection_members, kind, seen, &matrix_ways);
-	} else {
-		p->extent = section(v, (int)p->type, seen);
-		find_planes(v, seen, p);
-		if (p->extent == EXTENT_INTRINSICS)
-			find_sides(v, viewport, p);
-		else
-			find_aspect(v, viewport, p);
+		break;
+	case PROJECTION_MATRIX:
+		/* fit refuses a matrix, whatever it has */
+		if (!v->source->fit)
+			take_way(v, p, seen, &projection_ways[WAYS_MATRIX]);
 	}
+}
+
+static void leave_out(uint64_t *bits, const struct projection *p,
+    const char *name)
+{
+	*bits &= ~member_bit(projection_members, (int)p->type - 1, name);
+}
+
+/* Leaves the members that are in the way taken and in no other. */
+static void keep_way(uint64_t *bits, const struct projection *p, int ways,
+    int way)
+{
+	*bits &= object_shown(projection_members, (int)p->type - 1,
+	    &projection_ways[ways], way);
+}
+
+static void keep_extent(uint64_t *bits, const struct projection *p, int ways,
+    const enum extent *extents)
+{
+	int way = 0;
+
+	while (extents[way] != p->extent)
+		way++;
+	keep_way(bits, p, ways, way);
+}
+
+void print_projection(struct printer *printer, const struct projection *p,
+    const struct viewport *viewport)
+{
+	uint64_t bits = ~UINT64_C(0);
+
+	if (viewport != NULL && p->aspect[1] != 1)
+		leave_out(&bits, p, "aspect");
+	switch (p->type) {
+	case PROJECTION_NONE:
+	case PROJECTION_MATRIX:
+		break;
+	case PROJECTION_PERSP:
+		keep_extent(&bits, p, WAYS_PERSP, persp_extents);
+		if (p->edges_at == 0)
+			leave_out(&bits, p, "edges_at");
+		if (projection_is_open(p))
+			bits &= object_shown(projection_members, 0, &open_ways,
+			    1);
+		break;
+	case PROJECTION_OBLIQUE:
+		keep_way(&bits, p, WAYS_SHEAR, p->kind == OBLIQUE_ANGLE);
+		keep_extent(&bits, p, WAYS_PARALLEL, parallel_extents);
+		break;
+	case PROJECTION_ORTHO:
+		keep_extent(&bits, p, WAYS_PARALLEL, parallel_extents);
+		break;
+	case PROJECTION_VOLUME:
+		keep_way(&bits, p, WAYS_VOLUME, p->aspect[1] != 0);
+		keep_way(&bits, p, WAYS_EYE,
+		    p->has_eye       ? 1 :
+			p->has_angle ? 2 :
+				       0);
+	}
+	object_print(printer, projection_members, (int)p->type - 1, bits, p);
 }

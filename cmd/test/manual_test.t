@@ -1,20 +1,21 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
 # What the program says of itself is what its manual pages say: commands and
-# options are those of the synopsis, members of a scene and their defaults those of
-# its page and of the schema; the examples of its help work; README's figures are
-# measured ones; and the pages are without a fault that mandoc sees.
+# options are those of the synopsis, members of a scene, their defaults and their words
+# those of its page; the examples of its help work; README's figures are measured
+# ones; and the pages are without a fault that mandoc sees.
 use strict;
 use warnings;
 use FindBin;
 use JSON::PP;
+use List::Util qw(uniq);
 use lib $FindBin::Bin;
 use Projcalc;
 
 my $program = "$build/projcalc";
 my $manual = slurp('man/projcalc.1');
 my $scene = slurp('man/projcalc-scene.5');
-my $schema = decode_json(slurp('man/projcalc.schema.json'));
+my $schema = decode_json(scalar `$^X man/schema.pl $program man/scene.rules.json`);
 
 # Options by command, the short name where there is one.
 my %synopsis;
@@ -86,11 +87,6 @@ sub on_page {
 	return sorted(@names);
 }
 
-sub in_schema {
-	my ($object) = @_;
-	return sorted(keys %{$object->{properties}});
-}
-
 # An item of the page, in the sections of that title or their beginning.
 sub item {
 	my ($title, $name) = @_;
@@ -103,45 +99,46 @@ sub item {
 }
 
 my $json = JSON::PP->new->canonical->allow_nonref;
-my $defs = $schema->{'$defs'};
 
-# What the schema says of a type of the rows; near and far are sizes in a
-# perspective alone.
-my %shape = (number => qr/number"|size"/, size => qr/size"/,
-    angle => qr/number"|opening"/, '4 angles' => qr/"exclusiveMaximum":90.*"maxItems":4/,
-    '2 numbers' => qr/pair"/, '3 numbers' => qr/triple"|direction"/,
-    '4 numbers' => qr/"maxItems":4/, matrix => qr/matrix"|affine"/,
-    'true or false' => qr/"boolean"/, object => qr/"properties"|"allOf"/);
-
-# Rows have the type and the default that the schema has, and the page tells it.
+# The page tells the default and the words of rows. Each word of the schema is theirs.
 sub compare {
-	my ($title, $properties, @rows) = @_;
+	my ($title, @rows) = @_;
 	for my $row (@rows) {
-		my $p = $properties->{$row->{name}};
-		my ($def) = ($p->{'$ref'} // '') =~ m{(\w+)$};
-		my $default = $p->{default} // ($def && $defs->{$def}{default});
 		my $name = ($row->{in} ? "$row->{in}/" : '') . $row->{name};
-		$default = $row->{default} if $name eq 'world';
-		is($json->encode($row->{default}), $json->encode($default),
-		    "default of $name in the schema");
-		like($json->encode([$p, $def ? $defs->{$def} : ()]),
-		    $shape{$row->{type}} // qr//, "type of $name in the schema");
 		my $told = $json->encode($row->{default}) =~ s/["\[\]]//gr =~
 		    s/,/, /gr;
-		like(item($title, $row->{name}), $told eq 'null' ? qr// :
+		my $item = item($title, $row->{name});
+		like($item, $told eq 'null' ? qr// :
 		    $name eq 'world' ? qr/default is the identity/ :
 		    qr/default.*\Q$told\E|\Q$told\E.*default/s,
 		    "default of $name on the page");
-		my $words = $p->{enum} // [];
-		is("@{$row->{words}}", "@$words", "words of $name") if @$words;
+		like($scene, qr/(?:\\\(dq|Cm )\Q$_\E\b/, "$_ of $name on the page")
+		    for @{$row->{words}};
 	}
 }
 
-is(in_schema($schema), members(), 'a scene in the schema');
-is(sorted(map { s/ .*//r } $scene =~ /^\.Ss (\w+)$/mg), in_schema($schema),
+# All words that a schema lists.
+sub words_of {
+	my ($s) = @_;
+	return map { words_of($_) } @$s if ref $s eq 'ARRAY';
+	return () if ref $s ne 'HASH';
+	return (@{$s->{enum} // []}, map { words_of($_) } values %$s);
+}
+
+is(sorted(uniq(words_of($schema))), sorted(uniq('row', 'column', 'fill', 'uniform',
+    map { @{$_->{words}} } @{$all->{members}})), 'words in the schema');
+like($manual, qr/\b\Q$_\E\b/, "$_ in the manual")
+    for @{$all->{formats}}, @{$all->{spaces}};
+# Formats and spaces are words of options, which completions take from these rows.
+for my $about ([formats => 'output'], [spaces => 'to']) {
+	my ($list, $option) = @$about;
+	my ($row) = grep { $_->{name} eq $option } @{$all->{options}};
+	is("@{$row->{words}}", "@{$all->{$list}}", "$list as words of --$option");
+}
+is(sorted(map { s/ .*//r } $scene =~ /^\.Ss (\w+)$/mg), members(),
     'a scene on the page');
 for my $row (rows()) {
-	compare($row->{name}, $schema->{properties}, $row);
+	compare($row->{name}, $row);
 	my $help = `$program help $row->{name}`;
 	if ($help =~ /^usage/) {
 		like($help, qr/^$row->{name}:$/m, "$row->{name} in its help");
@@ -152,24 +149,19 @@ for my $row (rows()) {
 	ok($said[0] == 0 && $said[1] ne '' && $said[2] eq '', $example);
 }
 for my $name (qw(camera viewport window device bounds pick)) {
-	is(in_schema($defs->{$name}), members($name), "$name in the schema");
 	is(on_page($name), members($name), "$name on the page");
-	compare($name, $defs->{$name}{properties}, rows($name));
+	compare($name, rows($name));
 }
-my $convention = $defs->{convention}{then};
-is(in_schema($convention), members('convention'), 'convention in the schema');
-is(on_page('convention'), sorted('convention', keys %{$convention->{properties}}),
+is(on_page('convention'), sorted('convention', split / /, members('convention')),
     'convention on the page');
-compare('convention', $convention->{properties}, rows('convention'));
-for my $type (qw(persp ortho oblique volume matrix)) {
-	my $has = members('projection', $type);
+compare('convention', rows('convention'));
+my ($types) = map { $_->{words} } grep { $_->{name} eq 'type' } rows('projection');
+for my $type (@$types) {
 	my $shared = $type =~ /^(?:volume|matrix)$/ ? 'type' :
 	    on_page('projection');
-	my $def = $defs->{$type eq 'matrix' ? 'any' : $type};
-	is(in_schema($def), $has, "$type in the schema");
 	is(sorted(split / /, "$shared " . on_page("projection of type $type")),
-	    $has, "$type on the page");
-	compare('projection', $def->{properties}, rows('projection', $type));
+	    members('projection', $type), "$type on the page");
+	compare('projection', rows('projection', $type));
 }
 # And a wrong member is told which there are.
 like((run('projcalc lookat \'{"camera": {"xyzzyxyzzy": 0}}\''))[2],

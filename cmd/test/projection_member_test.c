@@ -191,12 +191,12 @@ static const struct refusal projections[] = {
 	    "/angles/1: not greater than the one before it; the order is left, "
 	    "right, bottom, top" },
 	{ &persp, "{\"angles\":[-90,40,-30,20]," PLANES "}",
-	    "/angles/0: -90 is out of range; an angle between -90 and 90 "
+	    "/angles/0: -90 is out of range; an angle above -90 and below 90 "
 	    "degrees "
 	    "is wanted" },
 	{ &persp,
 	    "{\"angles\":[-1,1.6,-1,1]," PLANES ",\"angle_unit\":\"radians\"}",
-	    "/angles/1: 1.6 is out of range; an angle between -pi/2 and pi/2 "
+	    "/angles/1: 1.6 is out of range; an angle above -pi/2 and below pi/2 "
 	    "radians is wanted" },
 	{ &persp, "{\"angles\":[-1,1,-1,1]}",
 	    "/near: missing; give \"near\" and \"far\"" },

@@ -2,8 +2,8 @@
 /* Where the parts of JSON text (RFC 8259) begin and end. Checked text is text
  * that has passed json_check, as either kind; where that is not asked for, text
  * may be anything. Bytes at end and after it are not read. */
-#ifndef JSON_SCAN_H
-#define JSON_SCAN_H
+#ifndef JSON_TEXT_H
+#define JSON_TEXT_H
 
 /* Reads the number that begins at s, as number_read does, and returns where it
  * ends. NULL where none begins, or one that JSON doesn't have: +1, 01, 1., .5,

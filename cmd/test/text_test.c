@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "../json/scan.h"
+#include "../json/text.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

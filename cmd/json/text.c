@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "scan.h"
+#include "text.h"
 
 #include <stdbool.h>
 #include <string.h>
@@ -145,7 +145,8 @@ const char *json_hex4(const char *s, const char *end, unsigned *code)
 }
 
 /* Past the digits after \u, and past a second half if they are a first one. */
-static const char *unicode(const char *s, const char *end, unsigned *code)
+static const char *unescape_unicode(const char *s, const char *end,
+    unsigned *code)
 {
 	const char *after;
 	unsigned second;
@@ -175,7 +176,7 @@ const char *json_unescape(const char *s, const char *end, char out[4], int *n)
 	out[0] = simple != NULL ? to[simple - from] : s[1];
 	if (s[1] != 'u')
 		return s + 2;
-	s = unicode(s + 2, end, &code);
+	s = unescape_unicode(s + 2, end, &code);
 	*n = utf8_write(code, out);
 	return s;
 }

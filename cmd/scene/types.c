@@ -1,0 +1,320 @@
+/* SPDX-License-Identifier: MIT */
+#include "types.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "../message/escape.h"
+
+const char *const angle_units[] = { "degrees", "radians", NULL };
+
+static void read_numbers(const struct value *v, const struct member *row,
+    void *out)
+{
+	const struct value_range *range = row->range != NULL ? row->range :
+							       &range_any;
+
+	if (row->n == 0)
+		*(double *)out = value_number(v, range);
+	else
+		value_numbers(v, range, row->n, out);
+}
+
+static void print_numbers(struct printer *p, const struct member *row,
+    const void *at)
+{
+	const double *v = at;
+
+	if (row->n == 0)
+		put_number(p, *v);
+	else
+		put_numbers(p, v, (int)row->n);
+}
+
+const struct type type_numbers = { NULL, read_numbers, print_numbers,
+	sizeof(double) };
+
+static void read_flag(const struct value *v, const struct member *row,
+    void *out)
+{
+	(void)row;
+	*(bool *)out = value_flag(v);
+}
+
+static void print_flag(struct printer *p, const struct member *row,
+    const void *at)
+{
+	(void)row;
+	put_flag(p, *(const bool *)at);
+}
+
+const struct type type_flag = { "true or false", read_flag, print_flag,
+	sizeof(bool) };
+
+static void read_word(const struct value *v, const struct member *row,
+    void *out)
+{
+	*(unsigned *)out = row->first + (unsigned)value_word(v, row->words);
+}
+
+static void print_word(struct printer *p, const struct member *row,
+    const void *at)
+{
+	put_string(p, row->words[*(const unsigned *)at - row->first]);
+}
+
+const struct type type_word = { NULL, read_word, print_word, sizeof(unsigned) };
+
+static void read_second(const struct value *v, const struct member *row,
+    void *out)
+{
+	*(bool *)out = value_word(v, row->words) == 1;
+}
+
+static void print_second(struct printer *p, const struct member *row,
+    const void *at)
+{
+	put_string(p, row->words[*(const bool *)at]);
+}
+
+const struct type type_second = { NULL, read_second, print_second,
+	sizeof(bool) };
+
+static void read_later(const struct value *v, const struct member *row,
+    void *out)
+{
+	(void)row;
+	*(struct value *)out = *v;
+}
+
+const struct type type_value = { NULL, read_later, NULL, 0 };
+const struct type type_later_matrix = { "matrix", read_later, NULL, 0 };
+const struct type type_points = { "a point or a list", read_later, NULL, 0 };
+const struct type type_convention = { "a name or an object", read_later, NULL,
+	0 };
+
+#define FAR "a number or \"infinity\""
+
+static void read_far(const struct value *v, const struct member *row, void *out)
+{
+	char shown[ESCAPED_MAX];
+	const char *s = value_string(v);
+
+	if (s != NULL && strcmp(s, "infinity") == 0)
+		*(double *)out = HUGE_VAL;
+	else if (s != NULL)
+		value_refuse(v, "is \"%s\"; " FAR " is wanted",
+		    escaped(shown, s, strlen(s)));
+	else if (value_is_null(v))
+		value_wrong(v, FAR);
+	else
+		read_numbers(v, row, out);
+}
+
+void put_distance(struct printer *p, double v)
+{
+	if (isinf(v))
+		put_string(p, "infinity");
+	else
+		put_number(p, v);
+}
+
+static void print_far(struct printer *p, const struct member *row,
+    const void *at)
+{
+	(void)row;
+	put_distance(p, *(const double *)at);
+}
+
+const struct type type_far = { "size or \"infinity\"", read_far, print_far,
+	sizeof(double) };
+
+const char *const vector_names[] = { "row", "column", NULL };
+
+/* The object that -o json prints a matrix in. */
+struct printed {
+	struct value matrix, vectors;
+};
+
+static const struct member printed_members[] = {
+	ROW(printed, "matrix", type_value, matrix, .n = 0),
+	ROW(printed, "vectors", type_value, vectors, .n = 0),
+	{ .name = NULL },
+};
+
+#define ANY "16 numbers or 4 rows of 4"
+#define AFFINE "16 numbers, or 4 rows of 4 or 3, or 3 rows of 4"
+
+static const struct ways any_ways = {
+	.hint = "give \"matrix\", " ANY,
+	.way = { "matrix vectors?" },
+};
+
+static const struct ways affine_ways = {
+	.hint = "give \"matrix\", " AFFINE,
+	.way = { "matrix vectors?" },
+};
+
+/* The rows that there are, to a unit matrix or its transpose. */
+static void read_rows(const struct value *v, size_t columns, bool column,
+    double m[4][4])
+{
+	struct value row = value_child(v);
+	double e[4];
+
+	for (int i = 0; row.item != NULL; i++, value_next(&row)) {
+		value_numbers(&row, &range_any, columns, e);
+		for (size_t j = 0; j < columns; j++)
+			m[column ? j : (size_t)i][column ? (size_t)i : j] =
+			    e[j];
+	}
+}
+
+/* Whether rows are for column vectors, as the object that they stand in says, or
+ * their shape, or the document. */
+static bool is_column(const struct printed *p, size_t rows, size_t columns)
+{
+	bool column = rows < columns, whole = rows == columns;
+
+	if (p->vectors.item == NULL)
+		return whole ? p->matrix.source->column : column;
+	bool said = value_word(&p->vectors, vector_names) == 1;
+
+	if (!whole && said != column)
+		value_refuse(&p->vectors,
+		    "is \"%s\"; %zu rows of %zu are for %s vectors",
+		    vector_names[said], rows, columns, vector_names[column]);
+	return said;
+}
+
+/* A matrix for row vectors, stored row by row, and its transpose for column
+ * vectors, stored column by column, are the same 16 numbers in a row: only
+ * nested rows depend on which vectors it is for. */
+static void read_elements(const struct value *v, bool affine, double m[4][4])
+{
+	struct printed p = { .matrix = *v };
+	const char *wanted = affine ? AFFINE : ANY;
+
+	if (value_is_object(v)) {
+		uint64_t seen = object_read(v, printed_members, 0, &p);
+
+		object_way(v, printed_members, 0, seen,
+		    affine ? &affine_ways : &any_ways);
+	}
+	if (!value_is_array(&p.matrix))
+		value_wrong(&p.matrix,
+		    affine ? "an array of " AFFINE : "an array of " ANY);
+	struct value row = value_child(&p.matrix);
+	size_t n = value_count(&p.matrix), rows = affine && n == 3 ? 3 : 4;
+	size_t columns = affine && n == 4 && value_is_array(&row) &&
+		value_count(&row) == 3 ?
+	    3 :
+	    4;
+	bool column = is_column(&p, rows, columns);
+	double all[16];
+
+	for (int i = 0; i < 16; i++)
+		m[i / 4][i % 4] = i / 4 == i % 4;
+	if (n == rows)
+		read_rows(&p.matrix, columns, column, m);
+	else if (n == 16)
+		value_numbers(&p.matrix, &range_any, 16, all);
+	else
+		value_refuse(&p.matrix, "has %zu element%s; %s are wanted", n,
+		    n == 1 ? "" : "s", wanted);
+	for (int i = 0; i < 16 && n == 16; i++)
+		m[i / 4][i % 4] = all[i];
+}
+
+static void read_matrix(const struct value *v, const struct member *row,
+    void *out)
+{
+	(void)row;
+	read_elements(v, false, out);
+}
+
+void read_affine(const struct value *v, const struct member *row, void *out)
+{
+	(void)row;
+	read_elements(v, true, out);
+}
+
+const struct type type_matrix = { "matrix", read_matrix, NULL, 0 };
+const struct type type_affine = { "matrix", read_affine, NULL, 0 };
+
+#define FORMS "[fx, fy, cx, cy], 3 rows of 3, K, or 3 rows of 4, P"
+
+/* fx and fy are sizes; below the diagonal there is 0, and in the last row 1 on it. */
+static void check_element(const struct value *e, int i, size_t j, double a)
+{
+	if (i == 2 && j < 3 && a != (j == 2))
+		value_refuse(e,
+		    "its last row begins 0, 0, 1; is it a camera's "
+		    "K or P, and not transposed?");
+	if (j < (size_t)i && a != 0)
+		value_refuse(e,
+		    "under the diagonal of K there is 0; is it "
+		    "transposed?");
+	if (i < 2 && j == (size_t)i)
+		value_number(e, &range_positive);
+}
+
+static void read_k_row(const struct value *row, int i, size_t n, double k[4])
+{
+	value_numbers(row, &range_any, n, k);
+	struct value e = value_child(row);
+
+	for (size_t j = 0; j < n; j++, value_next(&e))
+		if (!row->unused)
+			check_element(&e, i, j, k[j]);
+}
+
+static void read_intrinsics(const struct value *v, const struct member *row,
+    void *out)
+{
+	double(*k)[4] = out, four[4];
+	struct value first;
+
+	(void)row;
+	if (!value_is_array(v))
+		value_wrong(v, FORMS ",");
+	first = value_child(v);
+	if (value_count(v) == 3 && value_is_array(&first)) {
+		size_t n = value_count(&first) == 4 ? 4 : 3;
+
+		for (int i = 0; i < 3; i++, value_next(&first))
+			read_k_row(&first, i, n, k[i]);
+		return;
+	}
+	if (value_count(v) != 4 || value_is_array(&first))
+		value_refuse(v, "is none of " FORMS);
+	value_numbers(v, &range_any, 4, four);
+	for (int i = 0; i < 2; i++, value_next(&first)) {
+		value_number(&first, &range_positive);
+		k[i][i] = four[i];
+		k[i][2] = four[2 + i];
+	}
+	k[2][2] = 1;
+}
+
+/* As P, or where there is no offset K, or without skew four numbers. */
+static void print_intrinsics(struct printer *p, const struct member *row,
+    const void *at)
+{
+	const double(*k)[4] = at;
+	const double four[4] = { k[0][0], k[1][1], k[0][2], k[1][2] };
+	bool offset = k[0][3] != 0 || k[1][3] != 0 || k[2][3] != 0;
+
+	(void)row;
+	if (!offset && k[0][1] == 0) {
+		put_numbers(p, four, 4);
+		return;
+	}
+	put_open(p, "[");
+	for (int i = 0; i < 3; i++)
+		put_numbers(p, k[i], offset ? 4 : 3);
+	put_close(p, "]");
+}
+
+const struct type type_intrinsics = { "4 numbers, K or P", read_intrinsics,
+	print_intrinsics, 0 };
