@@ -69,6 +69,7 @@ check_loops() {
 	done
 }
 
+tested=
 [ $# -gt 0 ] || set -- arm64 s390x riscv64 i386 musl
 for name; do
 	flags='' emulator=''
@@ -90,4 +91,10 @@ for name; do
 	has "$cc" "$cxx" $emulator || continue
 	check
 	[ "$name" != arm64 ] || check_loops
+	tested=yes
 done
+[ -n "$tested" ] || {
+	echo "foreign: nothing was tested; 'make deps foreign' installs what is" \
+	    'missing' >&2
+	exit 1
+}
