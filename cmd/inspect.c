@@ -176,11 +176,10 @@ void run_inspect(const struct command *c, const struct options *o)
 	struct printer p = { .at = text,
 		.style = one_style(o, "what inspect prints"),
 		.between = "" };
-	bool tolerance = o->tolerances.n > 0;
 	struct document d;
 
 	read_document(c, o, &d);
-	if (d.flat && tolerance)
+	if (d.flat && o->tolerance > 0)
 		document_refuse(&d,
 		    "/projection: missing; -t is about its error bounds, of "
 		    "which a window has none");
@@ -188,7 +187,7 @@ void run_inspect(const struct command *c, const struct options *o)
 	if (d.flat)
 		put_plane(&p, &d);
 	else
-		put_spatial(&p, &d, tolerance ? o->tolerances.least : 0.5);
+		put_spatial(&p, &d, o->tolerance > 0 ? o->tolerance : 0.5);
 	put_text(&p, "\n}\n");
 	put_all(text, (size_t)(p.at - text));
 }

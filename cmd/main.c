@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include <fenv.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -154,6 +155,8 @@ int main(int argc, char **argv)
 	struct run run = { .options = { .params = "-", .separator = ',' } };
 	struct options *o = &run.options;
 
+	/* -ffast-math at link time adds startup code that flushes subnormals. */
+	fesetenv(FE_DFL_ENV);
 	options_first(argv + 1);
 	if (argc < 2)
 		die(EXIT_USAGE, "no command; 'projcalc help' lists them");

@@ -26,7 +26,7 @@ static void trace_carry(const struct job *j, const struct chunk *c,
 
 	for (int k = 0; k < t->in; k++)
 		in[k][0] = bad ? (double)NAN : c->in[k][p];
-	points_carry(t, &j->accuracy, from, to, 1);
+	points_carry(t, j->precision, from, to, 1);
 	for (int k = 0; k < t->out; k++)
 		image[k] = isfinite(out[k][0]) ? out[k][0] : (double)NAN;
 }

@@ -26,18 +26,18 @@ enum { ORDINARY, FAR, DISTANCES };
 
 struct entry {
 	const char *name;
-	const struct peer *peer; /* NULL: ours, with this accuracy */
-	struct accuracy accuracy;
+	const struct peer *peer; /* NULL: ours, in this precision */
+	enum precision precision;
 	double times[RUNS];
 	double error[DISTANCES];
 };
 
 static struct entry entries[ENTRIES_MAX] = {
-	{ .name = "projcalc, exact", .accuracy.precision = PRECISION_EXACT },
+	{ .name = "projcalc, exact", .precision = PRECISION_EXACT },
 	{ .name = "projcalc, -p double",
-	    .accuracy.precision = PRECISION_DOUBLE },
+	    .precision = PRECISION_DOUBLE },
 	{ .name = "projcalc, -p single",
-	    .accuracy.precision = PRECISION_SINGLE },
+	    .precision = PRECISION_SINGLE },
 };
 static int n_entries = 3;
 
@@ -146,7 +146,7 @@ static void carry(const struct entry *e, const struct transform *t, size_t n)
 	double *const to[4] = { out[0], out[1], out[2], out[3] };
 
 	if (e->peer == NULL)
-		points_carry(t, &e->accuracy, from, to, n);
+		points_carry(t, e->precision, from, to, n);
 	else
 		e->peer->carry(peer_in, peer_out, n);
 }

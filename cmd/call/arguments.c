@@ -86,46 +86,6 @@ struct styles styles_of(const char *option, enum number_kind kind, char *list,
 	return s;
 }
 
-/* 10 to the minus so many is at most the number that word is, as it is typed: they
- * are its places after the point, up to its first digit that is not 0. */
-static int decimals_of(const char *word)
-{
-	const char *first = word + strspn(word, "+0.");
-	const char *point = word + strcspn(word, ".eE");
-	const char *e = strpbrk(word, "eE");
-	long power = point - first - (first < point) +
-	    (e != NULL ? strtol(e + 1, NULL, 10) : 0);
-
-	return power < 0 ? (int)-power : 0;
-}
-
-struct tolerances tolerances_of(const char *option, char *list)
-{
-	struct tolerances t = { .least = MAGNITUDE_MAX };
-
-	while (list != NULL) {
-		char *word = cut_word(&list);
-
-		if (t.n == COORDINATES_MAX)
-			die(EXIT_USAGE, "--%s: more than six tolerances",
-			    option);
-		t.within[t.n] = positive_number(option, word);
-		t.decimals[t.n] = decimals_of(word);
-		t.least = fmin(t.least, t.within[t.n++]);
-	}
-	for (int k = t.n; k < COORDINATES_MAX; k++) {
-		t.within[k] = t.within[t.n - 1];
-		t.decimals[k] = t.decimals[t.n - 1];
-	}
-	return t;
-}
-
-/* The tolerance is half an ulp off, and at least twice what is taken from it. */
-double tolerance_left(const struct tolerances *t, int k)
-{
-	return (t->within[k] - pow(10, -t->decimals[k]) / 2) * (1 - 0x1p-50);
-}
-
 void numbers_of(const char *option, const char *what, const char *example,
     const char *word, int n, double v[])
 {

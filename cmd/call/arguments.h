@@ -27,21 +27,6 @@ struct styles {
 struct styles styles_of(const char *option, enum number_kind, char *list,
     int min, int max);
 
-/* From --tolerance: one for each coordinate printed, the last for the rest. */
-struct tolerances {
-	int n; /* 0: none */
-	double within[COORDINATES_MAX];
-	int decimals[COORDINATES_MAX]; /* the fewest with 10^-decimals <= it */
-	double least;
-};
-
-/* "T,T", each from 1e-150 to 1e150. Cuts the list at its commas. */
-struct tolerances tolerances_of(const char *option, char *list);
-
-/* What a number's error may be, so that it is within the k-th tolerance also when
- * it has been rounded to so many decimals. */
-double tolerance_left(const struct tolerances *, int k);
-
 /* So many numbers up to 1e150 in magnitude, between commas. what and example say what
  * is wanted: "X,Y", "320,240". */
 void numbers_of(const char *option, const char *what, const char *example,

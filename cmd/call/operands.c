@@ -224,11 +224,6 @@ static void check_layout(const struct options *o, const struct layout *l)
 		die(EXIT_USAGE,
 		    "--flags: binary points have no room for words; say "
 		    "-o text");
-	if (o->tolerances.n > l->writes)
-		die(EXIT_USAGE,
-		    "--tolerance: %d tolerances; %d coordinates are "
-		    "printed here",
-		    o->tolerances.n, l->writes);
 	if (o->styles.n > l->writes)
 		die(EXIT_USAGE,
 		    "--%s: %d numbers; %d coordinates are printed here",
@@ -252,19 +247,6 @@ static void choose_kernels(void)
 		    cpu);
 }
 
-/* Text is rounded, and what is computed leaves room for that. */
-static void set_tolerances(struct job *j, const struct tolerances *t)
-{
-	bool text = !is_binary(j->layout.out.format);
-
-	for (int k = 0; k < COORDINATES_MAX; k++)
-		j->layout.style[k] = (struct number_style){ NUMBER_WITHIN,
-			t->decimals[k] };
-	for (int k = 0; k < 3; k++)
-		j->accuracy.tolerance[k] = text ? tolerance_left(t, k) :
-						  t->within[k] * (1 - 0x1p-52);
-}
-
 void prepare_job(struct job *j, const struct options *o)
 {
 	/* a ray's position; its point and direction */
@@ -285,9 +267,7 @@ void prepare_job(struct job *j, const struct options *o)
 	j->layout.columns.by_header = o->columns.n == 0;
 	for (int k = 0; k < COORDINATES_MAX; k++)
 		j->layout.style[k] = o->styles.style[k];
-	j->accuracy = (struct accuracy){ .precision = o->precision };
-	if (o->tolerances.n > 0)
-		set_tolerances(j, &o->tolerances);
+	j->precision = o->precision;
 	j->flags = o->flags;
 	j->visible = o->visible;
 	j->keep_going = o->keep_going;

@@ -70,7 +70,7 @@ static void set_digits(struct options *o, char *word)
 
 static void set_tolerance(struct options *o, char *word)
 {
-	o->tolerances = tolerances_of("tolerance", word);
+	o->tolerance = positive_number("tolerance", word);
 }
 
 static void set_at(struct options *o, char *word)
@@ -119,8 +119,8 @@ static void set_color(struct options *o, char *word)
 /* Kinds of commands that share options, as unions of enum command_kind. */
 enum {
 	PLANES = PROJECT | TRACE | PLANAR, /* ask what points are outside of */
-	WITHIN = MATRIX | PLANES,          /* to a precision or tolerance */
-	PRINTED = WITHIN | PICK,           /* print points */
+	IMAGES = MATRIX | PLANES,          /* print points' images */
+	PRINTED = IMAGES | PICK,           /* print points */
 	POINTS = PRINTED | FIT,            /* read them */
 	NUMBERS = PRINTED | INSPECT,       /* print numbers to be rounded */
 	ALL = POINTS | INSPECT,
@@ -153,13 +153,12 @@ const struct option_row option_rows[] = {
 	    .argument = "N,...", .set = set_decimals },
 	{ "digits", 0, NUMBERS, "round to N significant digits, the same",
 	    .argument = "N,...", .set = set_digits },
-	{ "precision", 'p', WITHIN,
+	{ "precision", 'p', IMAGES,
 	    "exact (default), double or single",
-	    .argument = "NAME", ON(has_precision),
-	    WORD(precision, "precision", precision_names) },
-	{ "tolerance", 't', WITHIN | INSPECT,
-	    "within T of the exact value, a list for x,y,z",
-	    .argument = "T,...", .set = set_tolerance },
+	    .argument = "NAME", WORD(precision, "precision", precision_names) },
+	{ "tolerance", 't', INSPECT,
+	    "the error that the -p told may have; default 0.5",
+	    .argument = "T", .set = set_tolerance },
 	{ "from", 0, PROJECT | TRACE, "model, world, view, clip, ndc or device",
 	    .argument = "SPACE", ON(has_from), WORD(from, "space", space_names) },
 	{ "to", 0, PROJECT, "the same; default device, else ndc",

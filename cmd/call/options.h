@@ -17,8 +17,7 @@ struct options {
 	struct columns columns; /* of POINTS, by --columns */
 	struct styles styles;
 	enum precision precision;
-	bool has_precision;
-	struct tolerances tolerances;
+	double tolerance; /* of inspect; 0 where it isn't said */
 	bool has_from, has_to;
 	enum space from, to;
 	bool homogeneous, matrix, ray, flags, visible, keep_going, progress;

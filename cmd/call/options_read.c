@@ -147,6 +147,11 @@ static _Noreturn void refuse_here(const struct command *c,
 	char list[LISTED];
 	int n = 0;
 
+	if (r->letter == 't')
+		die(EXIT_USAGE,
+		    "%s: -t is for inspect, which tells the -p that a "
+		    "tolerance needs",
+		    c->name);
 	for (unsigned i = 0; i < sizeof names / sizeof *names; i++)
 		if (r->commands >> i & 1)
 			takers[n++] = names[i];
@@ -169,28 +174,6 @@ static void take_option(const struct command *c, const struct option_row *r,
 		r->set(o, optarg);
 	if (r->on != 0)
 		*(bool *)((char *)o + r->on) = true;
-}
-
-/* What -t says of itself: the precision, the digits, and that they be enough. */
-static void check_tolerances(const struct command *c, const struct options *o)
-{
-	if (o->has_precision)
-		die(EXIT_USAGE,
-		    "%s: -p and -t exclude each other; -t chooses "
-		    "the precision",
-		    c->name);
-	if (o->styles.n > 0 && c->kind != INSPECT)
-		die(EXIT_USAGE,
-		    "%s: %s and -t exclude each other; -t says how many "
-		    "decimals there are",
-		    c->name,
-		    o->styles.style[0].kind == NUMBER_DIGITS ? "--digits" :
-							       "-d");
-	if ((o->has_out ? o->out : o->in) == FORMAT_F32)
-		die(EXIT_USAGE,
-		    "%s: floats are not within a tolerance; with -t say "
-		    "-o f64 or -o text",
-		    c->name);
 }
 
 /* What is traced is text or JSON. */
@@ -248,8 +231,6 @@ void options_read(const struct command *c, int argc, char **argv,
 	}
 	if (c->kind == TRACE)
 		choose_output(c, o);
-	if (o->tolerances.n > 0)
-		check_tolerances(c, o);
 	while (optind < argc)
 		*operand++ = argv[optind++];
 	o->n_points = (int)(operand - argv) - 1;

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* Any bytes as a document, for libFuzzer; linked without talk.c. The first
  * byte says what is wanted of it. */
+#include <cjson/cJSON.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "../stream/piece.h"
 #include "../scene/convention_member.h"
 #include "../scene/document.h"
 #include "../message/message.h"
@@ -35,6 +37,48 @@ void vdie_at(int status, const struct place *place, const char *format,
 {
 	(void)args;
 	die_at(status, place, "%s", format);
+}
+
+/* All that a refusal leaves, to be freed here: what cJSON has. */
+static struct block {
+	struct block *next;
+	_Alignas(max_align_t) char bytes[];
+} * blocks;
+
+static void *hold(size_t size)
+{
+	struct block *b = malloc(sizeof *b + size + PIECE_MARGIN);
+
+	if (b == NULL)
+		abort();
+	b->next = blocks;
+	blocks = b;
+	return b->bytes;
+}
+
+static void keep(void *p)
+{
+	(void)p;
+}
+
+static void drop_all(void)
+{
+	while (blocks != NULL) {
+		struct block *b = blocks;
+
+		blocks = b->next;
+		free(b);
+	}
+}
+
+/* A copy of a part, which is freed before anything is refused. */
+void *need(void *old, size_t size)
+{
+	void *p = realloc(old, size);
+
+	if (p == NULL)
+		abort();
+	return p;
 }
 
 static void check_point_lines(const char *points, size_t size)
@@ -87,13 +131,14 @@ static void run(char *text, size_t size, int mode)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-	/* exactly as long, so that a byte too far is seen */
-	char *const text = malloc(size);
+	cJSON_InitHooks(&(cJSON_Hooks){ hold, keep });
+	if (size > 0 && setjmp(refused) == 0) {
+		/* exactly as long, so that a byte too far is seen */
+		char *text = hold(size - 1);
 
-	if (size > 0 && text != NULL && setjmp(refused) == 0) {
 		memcpy(text, data + 1, size - 1);
 		run(text, size - 1, data[0]);
 	}
-	free(text);
+	drop_all();
 	return 0;
 }

@@ -196,12 +196,8 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 	j->flags = j->layout.flags;
 	j->visible = !j->rays && b & 1;
 	j->count_imageless = !j->flags && !j->visible;
-	j->accuracy.precision = (enum precision)(b / 2 % 3);
-	for (int k = 0; k < 3 && b & 64 && j->layout.out.format != FORMAT_F32;
-	     k++)
-		j->accuracy.tolerance[k] = 0.5;
-	j->layout.single = j->accuracy.precision == PRECISION_SINGLE &&
-	    !(j->accuracy.tolerance[0] > 0);
+	j->precision = (enum precision)(b / 2 % 3);
+	j->layout.single = j->precision == PRECISION_SINGLE;
 }
 
 /* Does what stream_file and answer.c do, on a single chunk. As there, a newline

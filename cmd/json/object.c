@@ -197,7 +197,7 @@ static void refuse_misplaced(const struct value *v, const struct member *table)
 			value_refuse(v, "unknown member; \"%s\" has %s",
 			    s->name, described(row, all));
 	}
-	if (v->in->named && table != scene &&
+	if (v->in->name != NULL && table != scene &&
 	    member_of(scene, 0, v->name) != NULL)
 		value_refuse(v, "unknown member; it stands beside \"%s\"",
 		    v->in->name);
@@ -229,16 +229,14 @@ static _Noreturn void refuse_unknown(const struct value *v,
 	    list_words(all, names, " and ", "\""));
 }
 
-/* Reads what a member is without being given, to where it stands or, for
- * comparison, elsewhere. */
+/* Reads the value that a member has without being given, to where the member stands
+ * or, for comparison, elsewhere. */
 static void read_usual(const struct member *row, void *to)
 {
-	const struct source source = {
-		.end = row->usual + strlen(row->usual),
-	};
+	static const struct source source;
+	struct value usual = value_literal(&source, row->usual);
 
-	row->type->read(&(struct value){ .source = &source, .s = row->usual },
-	    row, to);
+	row->type->read(&usual, row, to);
 }
 
 uint64_t object_read(const struct value *v, const struct member *table,
@@ -254,7 +252,7 @@ uint64_t object_read(const struct value *v, const struct member *table,
 			read_usual(row, (char *)base + row->at);
 	struct value m = value_child(v);
 
-	for (; m.s != NULL; value_next(&m)) {
+	for (; m.item != NULL; value_next(&m)) {
 		if (is_ignored(m.name))
 			continue;
 		uint64_t bit = member_bit(table, kind, m.name);

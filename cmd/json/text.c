@@ -13,6 +13,40 @@ static bool is_digit(char c)
 	return c >= '0' && c <= '9';
 }
 
+/* Whether the number that number_read reads from s to stop is one of JSON,
+ * apart from its exponent. */
+static bool is_narrow(const char *s, const char *stop)
+{
+	s += *s == '-';
+	const char *first = s;
+
+	while (s < stop && is_digit(*s))
+		s++;
+	if (s == first || (*first == '0' && s > first + 1))
+		return false;
+	return s == stop || *s != '.' || (s + 1 < stop && is_digit(s[1]));
+}
+
+static bool has_exponent(const char *s, const char *stop)
+{
+	while (s < stop && *s != 'e' && *s != 'E')
+		s++;
+	return s < stop;
+}
+
+const char *json_number(const char *s, const char *end, double *v)
+{
+	const char *stop = number_read(s, end, v);
+
+	if (stop == NULL || !is_narrow(s, stop))
+		return NULL;
+	/* where 1e stands, number_read reads the 1 alone */
+	if (stop < end && (*stop == 'e' || *stop == 'E') &&
+	    !has_exponent(s, stop))
+		return NULL;
+	return stop;
+}
+
 /* Past the digits at s; NULL where there is none. */
 static const char *digits(const char *s, const char *end)
 {
@@ -41,15 +75,6 @@ const char *json_number_end(const char *s, const char *end)
 	s++;
 	s += s < end && (*s == '+' || *s == '-');
 	return digits(s, end);
-}
-
-const char *json_number(const char *s, const char *end, double *v)
-{
-	const char *stop = json_number_end(s, end);
-
-	if (stop != NULL)
-		number_read(s, stop, v);
-	return stop;
 }
 
 const char *json_string(const char *s, const char *end)
@@ -84,6 +109,22 @@ const char *json_skip(const char *s, const char *end)
 		s++;
 	}
 	return end;
+}
+
+const char *json_next(const char *at, const char *end, const char **value)
+{
+	if (*at == ']' || *at == '}')
+		return NULL;
+	at = json_space(at + 1, end);
+	if (*at == ']' || *at == '}')
+		return NULL;
+	*value = at;
+	if (*at == '"') {
+		at = json_space(json_string(at, end), end);
+		if (*at == ':')
+			*value = at = json_space(at + 1, end);
+	}
+	return json_skip(at, end);
 }
 
 static int hex_digit(char c)
@@ -138,22 +179,4 @@ const char *json_unescape(const char *s, const char *end, char out[4], int *n)
 	s = unescape_unicode(s + 2, end, &code);
 	*n = utf8_write(code, out);
 	return s;
-}
-
-void json_string_copy(const char *s, const char *end, char *out, size_t room)
-{
-	char character[4];
-
-	for (s++; *s != '"';) {
-		int n = 1;
-
-		character[0] = *s;
-		s = *s == '\\' ? json_unescape(s, end, character, &n) : s + 1;
-		if ((size_t)n >= room)
-			break;
-		memcpy(out, character, (size_t)n);
-		out += n;
-		room -= (size_t)n;
-	}
-	*out = '\0';
 }

@@ -5,8 +5,6 @@
 #ifndef JSON_TEXT_H
 #define JSON_TEXT_H
 
-#include <stddef.h>
-
 /* Reads the number that begins at s, as number_read does, and returns where it
  * ends. NULL where none begins, or one that JSON doesn't have: +1, 01, 1., .5,
  * 1e, inf. */
@@ -33,6 +31,11 @@ const char *json_string(const char *s, const char *end);
  * unchecked text, quotes and brackets alone say what belongs together. */
 const char *json_skip(const char *s, const char *end);
 
+/* Goes through an array or object of checked text. at is its opening bracket or
+ * what the last call returned. Sets *value to where the next value begins, and
+ * returns the comma or bracket after it; NULL where there is no next one. */
+const char *json_next(const char *at, const char *end, const char **value);
+
 /* Past the hexadecimal digits that begin at s, four at most. */
 const char *json_hex4(const char *s, const char *end, unsigned *code);
 
@@ -43,9 +46,5 @@ enum { FIRST_HALF = 0xd800 >> 10, SECOND_HALF = 0xdc00 >> 10 };
  * text, as *n bytes of UTF-8, and returns where the escape ends. Half of a
  * surrogate pair becomes U+FFFD. */
 const char *json_unescape(const char *s, const char *end, char out[4], int *n);
-
-/* Writes to out[0..room) the string of checked text whose opening quote is at s,
- * without its escapes and cut to what there is room for, and ends it with NUL. */
-void json_string_copy(const char *s, const char *end, char *out, size_t room);
 
 #endif

@@ -1,14 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 #include "value.h"
 
+#include <cjson/cJSON.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "../../core/scene/scene.h"
 #include "../message/nearest.h"
 #include "../number/number.h"
+#include "../message/escape.h"
 #include "../message/message.h"
 #include "text.h"
 
@@ -22,114 +25,189 @@ const struct value_range range_positive = { .min = SIZE_MIN,
 
 static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 
-struct value value_parse(struct source *source, const char *name, char *text,
-    size_t size)
+/* cJSON takes no more characters than these for a number, and what follows for
+ * something else. */
+enum { CJSON_NUMBER_MAX = 63 };
+
+/* Puts the shortest text of v in the place of a number of n characters, and
+ * blanks after it. */
+static void shorten(char *number, size_t n, double v)
 {
-	struct value v = { .source = source };
+	char text[NUMBER_MAX] = "1e999", *end = text + 5;
+
+	if (isfinite(v))
+		end = number_write(text, v, shortest);
+	memset(number, ' ', n);
+	memcpy(number, text, (size_t)(end - text));
+}
+
+/* Makes checked text such that cJSON reads every number in it. */
+static void shorten_numbers(char *text, size_t size)
+{
+	const char *end = text + size, *next;
+	double v;
+
+	for (char *s = text; s < end; s += next - s) {
+		next = *s == '"' ? json_string(s, end) :
+				   json_number(s, end, &v);
+		if (next == NULL)
+			next = s + 1;
+		else if (*s != '"' && next - s > CJSON_NUMBER_MAX)
+			shorten(s, (size_t)(next - s), v);
+	}
+}
+
+/* cJSON takes whatever passes the check; where it fails, memory is short. */
+static const struct cJSON *parse(char *text, size_t size)
+{
+	shorten_numbers(text, size);
+	const cJSON *item = cJSON_ParseWithLength(text, size);
+
+	if (item == NULL)
+		die(EXIT_SYSTEM, "out of memory");
+	return item;
+}
+
+/* Checks a document and finds a part of it. */
+static void check(const struct source *source, const char *name, char *text,
+    size_t size, struct span *part)
+{
 	struct json_error e;
 
 	if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
 		memset(text, ' ', 3); /* a byte order mark */
-	source->end = text + size;
-	if (!json_check_part(text, source->end, source->line + 1, name,
-		&source->array, &e))
+	if (!json_check_part(text, text + size, source->line + 1, name, part,
+		&e))
 		die_at(EXIT_INPUT,
 		    &(struct place){ .file = source->name, .line = e.line },
 		    "%s", e.reason);
-	if (source->array.s != NULL && *source->array.s != '[')
-		source->array.s = NULL;
-	v.s = json_space(text, source->end);
+}
+
+/* A copy of a text with [] in the place of a part; sets *size. */
+static char *without(const char *text, const char *end, const struct span *part,
+    size_t *size)
+{
+	size_t before = (size_t)(part->s - text);
+	size_t after = (size_t)(end - part->end);
+	char *copy = need(NULL, before + 2 + after);
+
+	memcpy(copy, text, before);
+	memcpy(copy + before, "[]", 2);
+	memcpy(copy + before + 2, part->end, after);
+	*size = before + 2 + after;
+	return copy;
+}
+
+struct value value_parse_without(const struct source *source, const char *name,
+    char *text, size_t size, struct span *array)
+{
+	struct value v = { .source = source };
+
+	check(source, name, text, size, array);
+	if (array->s == NULL || *array->s != '[') {
+		array->s = NULL;
+		v.item = parse(text, size);
+		return v;
+	}
+	char *rest = without(text, text + size, array, &size);
+
+	v.item = parse(rest, size);
+	free(rest);
 	return v;
 }
 
-/* Moves *v to the value behind at, an opening bracket, or a comma or bracket behind a
- * value. */
-static void value_move(struct value *v, const char *at)
+void value_parse_part(struct value *v, const char *s, const char *end)
 {
-	const char *end = v->source->end;
-	const struct span *array = &v->source->array;
-	const char *s = at;
+	size_t size = (size_t)(end - s);
+	char *copy = need(NULL, size);
 
-	v->s = NULL;
-	if (*s == ']' || *s == '}')
-		return;
-	s = json_space(s + 1, end);
-	if (*s == ']' || *s == '}')
-		return;
-	if (v->named) {
-		json_string_copy(s, end, v->name, NAME_ROOM);
-		s = json_space(json_string(s, end), end);
-		s = json_space(s + 1, end);
+	memcpy(copy, s, size);
+	v->item = parse(copy, size);
+	free(copy);
+}
+
+struct value value_literal(const struct source *source, const char *text)
+{
+	static struct {
+		const char *text;
+		const struct cJSON *item;
+	} known[LITERALS];
+	size_t i = 0;
+
+	while (known[i].text != NULL && known[i].text != text)
+		i++;
+	if (known[i].text == NULL) {
+		known[i].text = text;
+		known[i].item = cJSON_Parse(text);
 	}
-	v->s = s;
-	v->after = json_skip(s == array->s ? array->end : s, end);
+	return (struct value){ .source = source, .item = known[i].item };
+}
+
+void value_free(const struct value *v)
+{
+	cJSON_Delete((cJSON *)v->item);
 }
 
 struct value value_child(const struct value *v)
 {
-	struct value child = { .source = v->source,
-		.in = v,
-		.unused = v->unused,
-		.named = *v->s == '{' };
+	const cJSON *item = v->item->child;
 
-	if (*v->s == '{' || *v->s == '[')
-		value_move(&child, v->s);
-	return child;
+	return (struct value){ .source = v->source,
+		.in = v,
+		.name = item != NULL ? item->string : NULL,
+		.unused = v->unused,
+		.item = item };
 }
 
 void value_next(struct value *v)
 {
+	v->item = v->item->next;
 	v->index++;
-	value_move(v, v->after);
+	v->name = v->item != NULL ? v->item->string : NULL;
 }
 
 struct value value_missing(const struct value *in, const char *name)
 {
-	struct value v = { .source = in->source, .in = in, .named = true };
-
-	strcpy(v.name, name);
-	return v;
+	return (struct value){ .source = in->source, .in = in, .name = name };
 }
 
 bool value_member(const struct value *object, const char *name,
     struct value *member)
 {
 	*member = value_child(object);
-	while (member->s != NULL && strcmp(member->name, name) != 0)
+	while (member->item != NULL && strcmp(member->name, name) != 0)
 		value_next(member);
-	return member->s != NULL;
+	return member->item != NULL;
 }
 
 bool value_is_object(const struct value *v)
 {
-	return *v->s == '{';
+	return cJSON_IsObject(v->item);
 }
 
 bool value_is_array(const struct value *v)
 {
-	return *v->s == '[';
+	return cJSON_IsArray(v->item);
 }
 
 bool value_is_null(const struct value *v)
 {
-	return *v->s == 'n';
+	return cJSON_IsNull(v->item);
 }
 
-const char *value_string(const struct value *v, char out[NAME_ROOM])
+const char *value_string(const struct value *v)
 {
-	if (*v->s != '"')
-		return NULL;
-	json_string_copy(v->s, v->source->end, out, NAME_ROOM);
-	return out;
+	return cJSON_GetStringValue(v->item);
 }
 
 size_t value_count(const struct value *v)
 {
-	struct value e = value_child(v);
+	size_t n = 0;
 
-	while (e.s != NULL)
-		value_next(&e);
-	return e.index;
+	for (const cJSON *item = v->item->child; item != NULL;
+	     item = item->next)
+		n++;
+	return n;
 }
 
 /* A step of a pointer: ~ is ~0, / is ~1 (RFC 6901). */
@@ -159,7 +237,7 @@ static char *pointer(const struct value *v, char *out)
 	if (v->in == NULL)
 		return out;
 	out = pointer(v->in, out);
-	if (v->named)
+	if (v->name != NULL)
 		step(name, v->name);
 	else
 		snprintf(name, sizeof name, "%zu", v->index);
@@ -181,28 +259,23 @@ void value_refuse(const struct value *v, const char *format, ...)
 
 void value_wrong(const struct value *v, const char *wanted)
 {
-	const char *is = "a number";
+	static const struct {
+		int type;
+		const char *name;
+	} names[] = {
+		{ cJSON_False, "false" },
+		{ cJSON_True, "true" },
+		{ cJSON_NULL, "null" },
+		{ cJSON_Number, "a number" },
+		{ cJSON_String, "a string" },
+		{ cJSON_Array, "an array" },
+	};
+	const char *name = "an object";
 
-	switch (*v->s) {
-	case 'f':
-		is = "false";
-		break;
-	case 't':
-		is = "true";
-		break;
-	case 'n':
-		is = "null";
-		break;
-	case '"':
-		is = "a string";
-		break;
-	case '[':
-		is = "an array";
-		break;
-	case '{':
-		is = "an object";
-	}
-	value_refuse(v, "is %s; %s is wanted", is, wanted);
+	for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+		if ((v->item->type & 0xff) == names[i].type)
+			name = names[i].name;
+	value_refuse(v, "is %s; %s is wanted", name, wanted);
 }
 
 void value_want_object(const struct value *v)
@@ -273,14 +346,14 @@ double value_number(const struct value *v, const struct value_range *range)
 {
 	bool by_pi = is_by_pi(range, v->source->unit);
 	char wanted[WANTED_ROOM];
-	char text[NUMBER_MAX], word[NAME_ROOM];
-	double x;
+	double x = v->item->valuedouble;
+	char text[NUMBER_MAX];
 
-	if (value_string(v, word) != NULL && strcmp(word, "infinity") == 0)
+	if (cJSON_IsString(v->item) &&
+	    strcmp(v->item->valuestring, "infinity") == 0)
 		value_refuse(v, "only \"far\" of \"persp\" can be infinite");
-	if (strchr("-0123456789", *v->s) == NULL)
+	if (!cJSON_IsNumber(v->item))
 		value_wrong(v, "a number");
-	number_read(v->s, v->source->end, &x);
 	if (v->unused || is_within(x, range, by_pi))
 		return x;
 	write_wanted(wanted, range, by_pi);
@@ -293,9 +366,9 @@ double value_number(const struct value *v, const struct value_range *range)
 
 bool value_flag(const struct value *v)
 {
-	if (*v->s != 't' && *v->s != 'f')
+	if (!cJSON_IsBool(v->item))
 		value_wrong(v, "true or false");
-	return *v->s == 't';
+	return cJSON_IsTrue(v->item);
 }
 
 void value_numbers(const struct value *v, const struct value_range *range,
@@ -311,7 +384,7 @@ void value_numbers(const struct value *v, const struct value_range *range,
 		    value_count(v), value_count(v) == 1 ? "" : "s", wanted);
 	struct value e = value_child(v);
 
-	for (; e.s != NULL; value_next(&e))
+	for (; e.item != NULL; value_next(&e))
 		*out++ = value_number(&e, range);
 }
 
@@ -334,8 +407,8 @@ const char *list_words(char out[LISTED], const char *const *words,
 
 int value_word(const struct value *v, const char *const *words)
 {
-	char all[LISTED], shown[ESCAPED_MAX], word[NAME_ROOM];
-	const char *s = value_string(v, word), *near;
+	const char *s = value_string(v), *near;
+	char all[LISTED], shown[ESCAPED_MAX];
 
 	list_words(all, words, " or ", "\"");
 	if (s == NULL)

@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /* Values of a JSON document, and messages that say with a pointer, such as
- * /camera/eye/0, where in it they stand. */
+ * /camera/eye/0, where in it they stand. No other file knows cJSON. */
 #ifndef VALUE_H
 #define VALUE_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "../message/escape.h"
 #include "check.h"
 
-/* The document that values come from, and what their readers have to know. */
+/* Where values come from, and what their readers have to know. */
 struct source {
 	const char *name; /* of the file, for messages */
 	long line;        /* of the file, before the text */
@@ -19,26 +18,17 @@ struct source {
 	bool fit;         /* what the command fit finds may be missing */
 	bool flat;        /* the document is of two dimensions */
 	const struct member *scene; /* a scene's members, to suggest one */
-	const char *end;            /* of the text, which has been checked */
-	struct span array;          /* what value_parse found */
 };
 
-/* A longer name or string is cut to this: no name of a member, and no word, is as
- * long, and messages show less. */
-enum { NAME_ROOM = 2 * ESCAPED_MAX };
-
-/* A value is the place in the text where it begins. */
 struct value {
 	const struct source *source;
 	const struct value *in; /* NULL: the document itself */
+	const char *name;       /* of a member, else NULL */
 	size_t index;           /* its place in the array or object, from 0 */
 	/* It stands in a member that the command doesn't use: its numbers may
 	 * be out of range. */
 	bool unused;
-	const char *s;     /* NULL: there is no such value */
-	const char *after; /* the comma or bracket behind it */
-	bool named;        /* it is a member of an object */
-	char name[NAME_ROOM];
+	const struct cJSON *item;
 };
 
 /* The numbers that a member may be. A least of 1e-150 is told as "above 0". */
@@ -51,13 +41,25 @@ struct value_range {
 /* Numbers up to 1e150 in magnitude, and angles; sizes, from 1e-150 to 1e150. */
 extern const struct value_range range_any, range_turn, range_positive;
 
-/* Checks a document and returns it as a value; refuses what is no JSON. Sets
- * source->array to the document's member of that name, or where name is NULL to the
- * document itself, if that is an array; it may be large, and is passed over at once. */
-struct value value_parse(struct source *, const char *name, char *text,
-    size_t size);
+/* Parses a document, and changes the text; refuses what is no JSON. But the array,
+ * large perhaps, that the document's member of that name is, or where name is NULL
+ * the document itself, is an empty one among the values, and *array is its text,
+ * which does not change. */
+struct value value_parse_without(const struct source *, const char *name,
+    char *text, size_t size, struct span *array);
 
-/* The first element or member, and the next; s is NULL if there is none. */
+/* Makes of *v, whose text was left out so, the value that it is. */
+void value_parse_part(struct value *v, const char *s, const char *end);
+
+/* Returns the value of a literal of the program, of which there are at most
+ * LITERALS. Each is parsed once and kept. */
+enum { LITERALS = 64 };
+struct value value_literal(const struct source *, const char *text);
+
+/* Frees what was parsed. */
+void value_free(const struct value *);
+
+/* The first element or member, and the next; item is NULL if there is none. */
 struct value value_child(const struct value *);
 void value_next(struct value *);
 
@@ -70,9 +72,7 @@ bool value_member(const struct value *object, const char *name, struct value *);
 bool value_is_object(const struct value *);
 bool value_is_array(const struct value *);
 bool value_is_null(const struct value *);
-
-/* Writes a string to out without its escapes. Returns out; NULL if it is none. */
-const char *value_string(const struct value *, char out[NAME_ROOM]);
+const char *value_string(const struct value *); /* or NULL */
 size_t value_count(const struct value *);
 
 /* Prints "projcalc: NAME: /pointer: ..." and exits with 1. */

@@ -61,7 +61,7 @@ void number_texts(const double *v, size_t n, bool single,
     struct number_style style, struct number_text *t);
 
 /* Which copy of their loops number_texts and plain_reader's run from now on: the
- * best for this processor, or at most the named one, as core/kernel names them.
+ * best for this processor, or the named one, as core/points/kernel names them.
  * Before any call there are no texts and no reader. False if there is none of that
  * name. */
 bool number_choose(const char *name);

@@ -117,7 +117,7 @@ static void check_point(const struct value *v, int coordinates)
 
 	if (!value_is_array(v))
 		value_wrong(v, "an array of coordinates");
-	for (e = value_child(v); e.s != NULL; value_next(&e), n++) {
+	for (e = value_child(v); e.item != NULL; value_next(&e), n++) {
 		if (n < coordinates && !value_is_null(&e))
 			value_number(&e, &range_any);
 		if (value_is_array(&e) || value_is_object(&e))
@@ -165,7 +165,8 @@ static const char *pass_point(const char *s, const char *end, int coordinates)
 	return n >= coordinates ? s + 1 : NULL;
 }
 
-/* The same for the point v, whose text begins at s; but refuses what is none. */
+/* The same for the point v, whose text was left out of the values; but refuses
+ * what is none. */
 static const char *point_end(const struct value *v, const char *s,
     const char *end, int coordinates)
 {
@@ -175,7 +176,8 @@ static const char *point_end(const struct value *v, const char *s,
 	if (stop != NULL)
 		return stop;
 	stop = json_skip(s, end);
-	looked_at.s = s;
+	value_parse_part(&looked_at, s, stop);
+	/* ends the program: nothing need be freed */
 	check_point(&looked_at, coordinates);
 	return stop;
 }
@@ -200,18 +202,23 @@ static char *copy_value(const char *s, const char *end, char *out)
 	return out;
 }
 
+/* The text of points, which only an array has. */
+static char *text_of(const struct value *v, const struct span *array)
+{
+	if (array->s == NULL)
+		value_wrong(v, "an array of points");
+	return (char *)array->s;
+}
+
 /* Makes lines of the points that an array is, or the one point, in its place:
  * no point's line is longer than the point with the comma or bracket before it,
  * but for the newline of a lone one, which is behind the text if that ends with it.
  * Returns how many bytes that is. */
-static size_t take_points(const struct value *v, int coordinates)
+static size_t take_points(const struct value *v, const struct span *array,
+    int coordinates)
 {
-	const struct span *array = &v->source->array;
-	char *const lines = (char *)array->s;
+	char *const lines = text_of(v, array);
 	char *out = lines;
-
-	if (lines == NULL)
-		value_wrong(v, "an array of points");
 	const char *s = json_space(lines + 1, array->end), *stop;
 	struct value e = { .source = v->source, .in = v, .unused = v->unused };
 
@@ -237,7 +244,7 @@ static bool is_bare(const struct value *v, enum scene_member bare)
 {
 	struct value m = value_child(v);
 
-	for (; m.s != NULL; value_next(&m))
+	for (; m.item != NULL; value_next(&m))
 		if ((member_bit(scene_members, 0, m.name) &
 			~(unsigned)SCENE_ANGLE_UNIT) != 0)
 			return false;
@@ -338,13 +345,13 @@ static void read_scene(struct document *d, const struct document_wants *w,
 }
 
 static void read_points(struct document *d, const struct value *v,
-    int coordinates)
+    const struct span *array, int coordinates)
 {
-	size_t size = take_points(v, coordinates);
+	size_t size = take_points(v, array, coordinates);
 
 	if (coordinates == 0)
 		return;
-	d->points = v->source->array.s;
+	d->points = array->s;
 	d->points_size = size;
 }
 
@@ -354,7 +361,9 @@ void document_read(struct document *d, const char *name, char *text,
 	struct source source = { .name = name,
 		.line = wants->line,
 		.scene = scene_members };
-	struct value root = value_parse(&source, "points", text, size);
+	struct span points;
+	struct value root = value_parse_without(&source, "points", text, size,
+	    &points);
 	struct value m[SCENE_MEMBERS];
 
 	source.fit = wants->fit;
@@ -384,17 +393,21 @@ void document_read(struct document *d, const char *name, char *text,
 	check_needed(&root, w, seen);
 	read_scene(d, w, m, seen);
 	if (seen & SCENE_POINTS)
-		read_points(d, &m[POINTS], w->coordinates);
+		read_points(d, &m[POINTS], &points, w->coordinates);
+	value_free(&root);
 }
 
 char *document_points(const char *name, char *text, size_t size,
     int coordinates, size_t *points_size)
 {
 	struct source source = { .name = name, .scene = scene_members };
-	struct value root = value_parse(&source, NULL, text, size);
+	struct span points;
+	struct value root = value_parse_without(&source, NULL, text, size,
+	    &points);
 
-	*points_size = take_points(&root, coordinates);
-	return (char *)source.array.s;
+	*points_size = take_points(&root, &points, coordinates);
+	value_free(&root);
+	return (char *)points.s;
 }
 
 void document_refuse(const struct document *d, const char *why)

@@ -102,7 +102,7 @@ static void read_scale(const struct value *v, const struct member *row,
 	s->is = SCALE_GIVEN;
 	if (value_is_array(v))
 		value_numbers(v, &range_positive, 2, s->by);
-	else if (*v->s != '"')
+	else if (value_string(v) == NULL)
 		value_wrong(v, "\"fill\", \"uniform\" or 2 numbers");
 	else
 		s->is = (unsigned)value_word(v, row->words);

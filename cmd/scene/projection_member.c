@@ -378,7 +378,7 @@ static _Noreturn void refuse_type(const struct value *v, const char *is,
 /* The type decides which members there are, so it is looked for first. */
 static void find_type(const struct value *v, int implied, struct projection *p)
 {
-	struct value m, missing = value_missing(v, "type");
+	struct value m = value_child(v), missing = value_missing(v, "type");
 	char all[LISTED];
 
 	if (value_member(v, "type", &m))

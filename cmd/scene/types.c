@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "../message/escape.h"
+
 const char *const angle_units[] = { "degrees", "radians", NULL };
 
 static void read_numbers(const struct value *v, const struct member *row,
@@ -95,8 +97,8 @@ const struct type type_convention = { "a name or an object", read_later, NULL,
 
 static void read_far(const struct value *v, const struct member *row, void *out)
 {
-	char word[NAME_ROOM], shown[ESCAPED_MAX];
-	const char *s = value_string(v, word);
+	char shown[ESCAPED_MAX];
+	const char *s = value_string(v);
 
 	if (s != NULL && strcmp(s, "infinity") == 0)
 		*(double *)out = HUGE_VAL;
@@ -160,7 +162,7 @@ static void read_rows(const struct value *v, size_t columns, bool column,
 	struct value row = value_child(v);
 	double e[4];
 
-	for (int i = 0; row.s != NULL; i++, value_next(&row)) {
+	for (int i = 0; row.item != NULL; i++, value_next(&row)) {
 		value_numbers(&row, &range_any, columns, e);
 		for (size_t j = 0; j < columns; j++)
 			m[column ? j : (size_t)i][column ? (size_t)i : j] =
@@ -174,7 +176,7 @@ static bool is_column(const struct printed *p, size_t rows, size_t columns)
 {
 	bool column = rows < columns, whole = rows == columns;
 
-	if (p->vectors.s == NULL)
+	if (p->vectors.item == NULL)
 		return whole ? p->matrix.source->column : column;
 	bool said = value_word(&p->vectors, vector_names) == 1;
 

@@ -72,7 +72,7 @@ static float narrowed(const struct job *j, const struct chunk *c, size_t p,
 {
 	double in[4];
 
-	if (j->rays || j->accuracy.precision != PRECISION_EXACT)
+	if (j->rays || j->precision != PRECISION_EXACT)
 		return (float)v;
 	for (int i = 0; i < 4; i++)
 		in[i] = c->in[i][p];

@@ -13,7 +13,7 @@
  * rounded to floats. */
 static void cast_rays(const struct job *j, struct chunk *c, size_t n)
 {
-	bool single = j->accuracy.precision == PRECISION_SINGLE ||
+	bool single = j->precision == PRECISION_SINGLE ||
 	    j->layout.out.format == FORMAT_F32;
 	const double *const at[2] = { c->in[0], c->in[1] };
 	double *const image[6] = { c->image[0], c->image[1], c->image[2],
@@ -31,7 +31,7 @@ static void carry(const struct job *j, struct chunk *c, size_t n)
 	if (j->rays)
 		cast_rays(j, c, n);
 	else
-		points_carry(&j->transform, &j->accuracy, in, out, n);
+		points_carry(&j->transform, j->precision, in, out, n);
 }
 
 /* The source ends within a binary point: that counts as a bad line. */

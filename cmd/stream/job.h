@@ -10,7 +10,7 @@
 
 struct job {
 	struct transform transform;
-	struct accuracy accuracy;
+	enum precision precision;
 	struct layout layout;
 	struct frustum frustum; /* for flags and visible alone */
 	struct ray_maker ray;   /* for rays alone */

@@ -179,7 +179,7 @@ sub make_points {
 		add('exact', @c);
 		add('double', @c, '-p', 'double');
 		add('single', @c, '-p', 'single');
-		add('tolerance', @c, '-t', pick('1e-9', '1e-3', '0.5'));
+		add('decimals', @c, '-d', pick(9, 3, 1));
 	}
 }
 
@@ -205,26 +205,13 @@ sub make_options {
 		    for @conventions;
 		add('any bits', 'project', '-i', 'f64', '--keep-going', $scene,
 		    "$tmp/any.f64", @$_) for [], ['-p', 'double'], ['-p', 'single'],
-		    ['-t', 1e-6], ['-o', 'f32'], ['--flags', '-o', 'text'];
-	}
-}
-
-# Tolerances about as large as the errors that double is known to make, up or down
-# to where it is used everywhere or nowhere: which points are computed again tells.
-sub make_margins {
-	for my $type (@types) {
-		my $scene = scene($type);
-		for my $e (-60 .. -30) {
-			add('margins', 'project', '-i', 'f64', '--keep-going',
-			    '-t', 1.37 * 2 ** $e, $scene, "$tmp/3.f64");
-		}
+		    ['-o', 'f32'], ['--flags', '-o', 'text'];
 	}
 }
 
 sub make_streams {
 	my $scene = scene('persp');
 	add('text stream', 'project', $scene, "$tmp/many");
-	add('mixed stream', 'project', '-t', '0.01', $scene, "$tmp/many");
 	add('binary stream', 'project', '-i', 'f64', $scene, "$tmp/many.f64");
 }
 
@@ -235,7 +222,6 @@ sub make_windows {
 		    for ["$tmp/2.text", '--flags'], ["$tmp/2.csv", '--visible'],
 		    ['-p', 'double', "$tmp/2.text"],
 		    ['-p', 'single', "$tmp/2.text"],
-		    ['-t', '0.01', "$tmp/2.text"],
 		    map { ['-i', $_, "$tmp/2.$_"] } qw(json f64 f32);
 	}
 }
@@ -260,7 +246,6 @@ make_points();
 make_options();
 make_streams();
 make_windows();
-make_margins();
 open STDERR, '>', '/dev/null' if !$ENV{SHOW};
 
 if ($write) {

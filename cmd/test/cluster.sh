@@ -124,16 +124,17 @@ until_written() {
 	done
 }
 
-# usage: is_whole NAME: the image is that of one process, and says so.
+# usage: is_whole NAME [ONE]: the image is that of one process, and says so.
 is_whole() {
-	cmp one image || die "$1: not the image of one process"
+	cmp "${2-one}" image || die "$1: not the image of one process"
 	rm -f image*
 	echo "ok - $1" >&3
 }
 
+three=host1,host2,host3
+
 # A host that was killed is started again where the next run needs it.
 parallel_runs() {
-	three=host1,host2,host3
 	parallel --pipe --block 1M -k -q -S $three --basefile scene.json \
 	    projcalc project -j1 scene.json - <points >image
 	is_whole 'parallel --pipe'
@@ -157,6 +158,44 @@ parallel_runs() {
 	wait $!
 	is_whole 'parallel, each task with its own part, a host less'
 	host 3
+}
+
+# A table, whose first piece alone has the header, and JSON. parallel and the script
+# of Slurm replace the single quotes' {#}, {} and $n.
+by_number='projcalc project -j1 -i csv --columns 2,3,4'
+make_tables() {
+	awk 'BEGIN { print "t,x,y,z" } !/^#/ { print $4 "," $1 "," $2 "," $3 }' \
+	    points >points.csv
+	awk '!/^#/ { print "{\"x\":" $1 ",\"y\":" $2 ",\"t\":" $4 ",\"z\":" $3 "}" }' \
+	    points >points.json
+	projcalc project -i csv scene.json points.csv >one.csv
+	projcalc project -i csv -o json scene.json points.csv >one.rows
+	projcalc project -i json scene.json points.json >one.json
+}
+
+table_runs() {
+	parallel --pipe --block 1M -k -S $three --basefile scene.json \
+	    "$by_number \$([ {#} = 1 ] || echo --no-header) scene.json -" \
+	    <points.csv >image
+	is_whole 'parallel --pipe, a table' one.csv
+	parallel --pipepart -a points.csv --block 1M -k \
+	    "$by_number \$([ {#} = 1 ] || echo --no-header) scene.json -" >image
+	is_whole 'parallel --pipepart, a table' one.csv
+	parallel --pipe --header : --block 1M -k -q -S $three \
+	    --basefile scene.json projcalc project -j1 -i csv -o json \
+	    scene.json - <points.csv >image
+	is_whole 'parallel --header, a table to JSON' one.rows
+	seq 40 | parallel --retries 3 -k -S $three "cd '$PWD' &&
+	    split -n l/{}/40 points.csv |
+	    $by_number \$([ {} = 1 ] || echo --no-header) scene.json -" >image
+	is_whole 'parallel, each task with its own part of a table' one.csv
+	parallel --pipe --block 1M -k -q -S $three --basefile scene.json \
+	    projcalc project -j1 -i json scene.json - <points.json >image
+	is_whole 'parallel --pipe, JSON' one.json
+	seq 40 | parallel --retries 3 -k -S $three "cd '$PWD' &&
+	    split -n l/{}/40 points.json |
+	    projcalc project -j1 -i json scene.json -" >image
+	is_whole 'parallel, each task with its own part of JSON' one.json
 }
 
 slurm_conf() {
@@ -238,6 +277,27 @@ slurm_run() {
 	is_whole 'a Slurm array, a host less'
 }
 
+# The same as a Slurm array, on all hosts that are left.
+slurm_tables() {
+	cat >job <<-END
+		#!/bin/sh
+		#SBATCH --array=1-20
+		#SBATCH --requeue
+		#SBATCH --output=/dev/null
+		n=\$SLURM_ARRAY_TASK_ID
+		split -n l/\$n/20 points.csv |
+		$by_number \$([ \$n = 1 ] || echo --no-header) \
+		    scene.json - >image.\$n
+		split -n l/\$n/20 points.json |
+		projcalc project -j1 -i json scene.json - >json.\$n
+	END
+	sbatch --wait job >"$tmp/sbatch"
+	for n in $(seq 20); do cat "image.$n"; done >image
+	is_whole 'a Slurm array, a table' one.csv
+	for n in $(seq 20); do cat "json.$n"; done >image
+	is_whole 'a Slurm array, JSON' one.json
+}
+
 exec 3>&1
 system
 for n in 1 2 3; do host $n; done
@@ -246,10 +306,13 @@ yes testdata/bunny.xyz | head -n 300 | xargs cat |
 cp testdata/demo.json "$tmp/shared/scene.json"
 cd "$tmp/shared"
 projcalc project scene.json points >one
+make_tables
 parallel_runs
+table_runs
 if command -v slurmctld >/dev/null; then
 	start_slurm
 	slurm_run
+	slurm_tables
 else
 	echo 'skip - no slurmctld' >&3
 fi

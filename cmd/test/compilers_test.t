@@ -1,7 +1,8 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
 # gcc and clang build everything without a warning, and what clang builds
-# prints the same bytes: the transcripts are of the program in build.
+# prints the same bytes: the transcripts are of the program in build. What they
+# build is hardened, and prints subnormals, linked with -ffast-math, too.
 use strict;
 use warnings;
 use FindBin;
@@ -16,16 +17,43 @@ sub succeeds {
 	is($?, 0, $name) or diag($said =~ s/^ok .*\n//mgr);
 }
 
+sub hardened {
+	my ($program) = @_;
+	my $elf = `readelf -hldW --dyn-syms $program`;
+	like($elf, $_->[1], "$_->[0] of $program") for
+	    ['PIE', qr/^  Type: +DYN /m], ['RELRO', qr/^  GNU_RELRO /m],
+	    ['bound at the start', qr/FLAGS_1.* NOW/],
+	    ['stack protector', qr/__stack_chk_fail/],
+	    ['FORTIFY', qr/__memcpy_chk/];
+}
+
+# Linked so, a program begins with a processor that takes subnormals for 0.
+sub keeps_subnormals {
+	my ($make, $build) = @_;
+	unlink "$build/projcalc" or die "$build/projcalc: $!\n";
+	succeeds("$make $build/projcalc LDFLAGS=-ffast-math", 'link with -ffast-math');
+	my $scene = '{"camera": {"eye": [0,0,0], "gaze": [0,0,1]}}';
+	for my $precision (qw(exact double)) {
+		is(scalar(`printf '5e-324 1e-310 1\n%.0s' 1 2 3 |
+		    $build/projcalc project -j2 -p $precision --to view '$scene'`),
+		    "5e-324 1e-310 1\n" x 3, "subnormals, $precision");
+	}
+	unlink "$build/projcalc";
+	succeeds("$make $build/projcalc", 'link again');
+}
+
 for my $cc (sort keys %compilers) {
 	my ($cxx, $build) = ($compilers{$cc}, "$build/$cc");
 	SKIP: {
-		skip "no $cc", 3 if missing($cc, $cxx);
-		succeeds("make -sj2 programs BUILD=$build CC=$cc CXX=$cxx " .
-		    'WERROR=1', "build with $cc");
+		skip "no $cc", 12 if missing($cc, $cxx);
+		my $make = "make -sj2 BUILD=$build CC=$cc CXX=$cxx WERROR=1";
+		succeeds("$make programs", "build with $cc");
 		succeeds("$^X cmd/test/transcripts_test.t $build",
 		    "transcripts with $cc");
 		succeeds("$^X cmd/test/bits_test.t $build",
 		    "the same bits with $cc");
+		hardened("$build/projcalc");
+		keeps_subnormals($make, $build);
 	}
 }
 done_testing();

@@ -145,7 +145,7 @@ sub options_of {
 	my @all = ([@k], [], ['-j', 1, @k], ['-j', 3, @k], ['w2n', @k],
 	    ['--from', 'clip', @k], ['-H', @k], ['--flags', @k],
 	    ['--visible', @k], ['-d', 3, @k], ['-o', 'f64', @k],
-	    ['-t', '0.01', @k], ['--columns', '2,3,4', @k],
+	    ['--columns', '2,3,4', @k],
 	    ['--columns', '4,1,2', @k], ['--columns', '1,3,2', '--flags', @k]);
 	push @all, map { ['-o', $_, @k], ['-o', $_, '--flags', @k],
 	    ['-o', $_, '--columns', '3,2,1', @k] } qw(text csv json);

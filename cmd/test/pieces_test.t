@@ -99,20 +99,6 @@ for my $n (map { 9000 + int rand 31000 } 1 .. 4) {
 	same('-i f32', "$n points of floats", 1, 2, 5);
 }
 
-# Doubles go straight from rows to rows, but those with a tolerance, and those after
-# one without an image: here the one that is behind the eye. So small a tolerance is
-# exact.
-for my $behind ('nowhere', 0, 17, 5000, 39999) {
-	my @some = map { [@$_] } @points;
-	$some[$behind][2] = -9 if $behind ne 'nowhere';
-	spew("$tmp/in", pack 'd<*', map { @$_ } @some);
-	my $run = "$project -i f64 scene.json - <$tmp/in";
-	my @want = run("$run -t 1e-150");
-	my @got = run($run);
-	is(length $want[1], 960000, '40000 images');
-	ok("@got" eq "@want", "rows to rows, behind the eye: $behind");
-}
-
 # Where a file is read from, and where it is left.
 my $lines = join '', map { line_of(20 + $_ % 50, $_) } 1 .. 9000;
 spew("$tmp/in", "0 0 first\n$lines");

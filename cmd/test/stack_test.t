@@ -31,7 +31,7 @@ spew("$tmp/json", join '', map { tr/ /,/r =~ s/^(.*)$/[$1,"a"]/r } @points);
 spew("$tmp/f64", pack 'd<*', map { split } @points);
 spew("$tmp/f32", pack 'f<*', map { split } @points);
 
-my @options = ('', '-t 0.01', '-t 1e-9', '-p double', '-p single', '--flags',
+my @options = ('', '-p double', '-p single', '--flags',
     '--visible', '-H', '-H -p single', '--ray', '--from clip', '--to view',
     '-d 3', '--digits 20');
 my @runs = map {

@@ -43,7 +43,7 @@ cp "$tmp/text" "$tmp/pipe"
 } >"$tmp/document"
 
 check project scene.json "$tmp/text" "$tmp/text" '[1,2,3]' "$tmp/text"
-check project --flags -t 0.01 scene.json "$tmp/text"
+check project --flags -p double scene.json "$tmp/text"
 check project scene.json "$tmp/text" "$tmp/bad"
 check project --keep-going scene.json "$tmp/bad" "$tmp/text"
 check project -i csv --columns z,y,x -o json scene.json "$tmp/csv" "$tmp/csv"

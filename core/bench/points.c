@@ -13,12 +13,6 @@ enum { RUNS = 101, CALLS = 4, PRECISIONS = 3, CASES = 4, COPIES = 4 };
 static const char *const copies[COPIES] = { "baseline", "avx2", "avx512",
 	"neon" };
 
-static const struct accuracy precisions[PRECISIONS] = {
-	{ .precision = PRECISION_EXACT },
-	{ .precision = PRECISION_DOUBLE },
-	{ .precision = PRECISION_SINGLE },
-};
-
 static const struct scene scene = {
 	.has_camera = true,
 	.camera = { .by = CAMERA_AT,
@@ -87,7 +81,7 @@ static const char *make_cases(void)
 	return NULL;
 }
 
-static double measure(const struct sample *s, const struct accuracy *a)
+static double measure(const struct sample *s, enum precision p)
 {
 	static COLUMN_ALIGNED double image[4][POINTS_BLOCK];
 	const double *const in[4] = { s->in[0], s->in[1], s->in[2] };
@@ -95,7 +89,7 @@ static double measure(const struct sample *s, const struct accuracy *a)
 	double start = clock_ns();
 
 	for (int i = 0; i < CALLS; i++)
-		points_carry(&s->transform, a, in, out, POINTS_BLOCK);
+		points_carry(&s->transform, p, in, out, POINTS_BLOCK);
 	return (clock_ns() - start) / (CALLS * POINTS_BLOCK);
 }
 
@@ -106,17 +100,17 @@ static void measure_all(int run)
 		if (!points_choose(copies[copy]))
 			continue;
 		for (int c = 0; c < CASES; c++)
-			for (int p = 0; p < PRECISIONS; p++)
-				cases[c].times[copy][p][run] =
-				    measure(&cases[c], &precisions[p]);
+			for (int e = 0; e < PRECISIONS; e++)
+				cases[c].times[copy][e][run] =
+				    measure(&cases[c], (enum precision)e);
 	}
 }
 
 static void print_row(struct sample *s, int copy)
 {
 	printf("| %s | %s |", s->name, copies[copy]);
-	for (int p = 0; p < PRECISIONS; p++) {
-		struct timing t = timing_of(s->times[copy][p], RUNS);
+	for (int e = 0; e < PRECISIONS; e++) {
+		struct timing t = timing_of(s->times[copy][e], RUNS);
 
 		printf(" %.2f (%.2f) |", t.min, t.median);
 	}

@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "depth.h"
 
+#include <math.h>
+
+#include "../exact/vec3.h"
+
 /* Depth is linear in 1/w, which is inverse[0] on the near and inverse[1] on the
  * far plane, times a common factor. With L the distance between them, a share d
  * of the depth range inward from plane a reaches
@@ -10,120 +14,62 @@
  * from it, and span / under = L inverse[a] inverse[b] is finite where a plane
  * lies at infinity. */
 struct slab {
-	ex inverse[2];
-	ex span, under;
+	struct sum inverse[2];
+	struct sum span, under;
 };
 
-/* Of a bare matrix: c2 and c3 are cofactors of its inverse's last column, and
- * 1/w = (c2 z + c3) / det for ndc z on the axis through the device's middle. */
-static void matrix_slab(const double matrix[4][4], bool minus_one,
-    bool reversed, struct slab *s)
-{
-	struct map m;
-	ex g[3], z[3];
-	bool parallel = true;
-
-	map_of_doubles(matrix, &m);
-	for (int i = 0; i < 3; i++) {
-		ex a = m.m[i][3].value, b = m.m[i][2].value;
-
-		g[i] = ex_mul(a, a);
-		z[i] = ex_mul(b, b);
-		parallel &= ex_sign(a) == 0;
-	}
-	ex c2 = ex_neg(map_minor(3, m.m, 8, 4).value);
-	ex c3 = map_minor(3, m.m, 8, 8).value;
-	ex det = map_minor(4, m.m, 0, 0).value;
-	ex *normal = parallel ? z : g;
-
-	for (int k = 0; k < 2; k++) {
-		ex at = ex_add(c3,
-		    (k == 1) != reversed ? c2 :
-					   ex_scale(c2, minus_one ? -1 : 0));
-
-		s->inverse[k] = ex_sign(det) < 0 ? ex_neg(at) : at;
-	}
-	s->span = ex_abs(ex_mul(parallel ? c3 : c2, det));
-	s->span = ex_scale(s->span, minus_one ? 2 : 1);
-	s->under = ex_sqrt(ex_add(ex_add(normal[0], normal[1]), normal[2]));
-}
-
-static void persp_slab(double near, double far, struct slab *s)
-{
-	ex n = ex_of(near);
-
-	s->inverse[0] = ex_of(1);
-	s->inverse[1] = (ex){ 0 };
-	s->span = n;
-	if (isinf(far))
-		return;
-	s->inverse[0] = ex_of(far);
-	s->inverse[1] = n;
-	s->span = ex_mul(ex_mul(n, ex_of(far)), ex_diff(far, near));
-}
-
-/* w is a multiple of 1 - q z. */
-static void volume_slab(const struct projection *p, struct slab *s)
-{
-	struct sum over, under;
-
-	projection_inverse_eye_z(p, &over, &under);
-	ex q = over.value, one = under.value;
-
-	s->inverse[0] = ex_abs(ex_sub(one, ex_scale(q, p->z_far)));
-	s->inverse[1] = ex_abs(ex_sub(one, ex_scale(q, p->z_near)));
-	s->span = ex_mul(ex_mul(s->inverse[0], s->inverse[1]),
-	    ex_abs(ex_diff(p->z_far, p->z_near)));
-}
-
+/* c2 and c3 are cofactors of the inverse's last column, and 1/w = (c2 z + c3) / det
+ * for ndc z on the axis through the device's middle. Distances run along the gradient
+ * of w or, where w is constant, of z. */
 static void slab_of(const struct scene *s, bool reversed, struct slab *r)
 {
-	const struct projection *p = &s->projection;
-	bool minus_one = s->convention.minus_one;
+	double first = s->convention.minus_one ? -1 : 0;
+	struct sum w[3], z[3];
+	struct map m;
 
-	r->inverse[0] = r->inverse[1] = r->under = ex_of(1);
-	switch (p->type) {
-	case PROJECTION_NONE:
-		r->span = ex_of(minus_one ? 2 : 1);
-		break;
-	case PROJECTION_PERSP:
-		persp_slab(p->near, p->far, r);
-		r->under = projection_w_slope(p).value;
-		break;
-	case PROJECTION_ORTHO:
-	case PROJECTION_OBLIQUE:
-		r->span = ex_abs(ex_diff(p->far, p->near));
-		break;
-	case PROJECTION_VOLUME:
-		volume_slab(p, r);
-		break;
-	case PROJECTION_MATRIX:
-		matrix_slab(p->matrix, minus_one, reversed, r);
-		break;
+	/* whose reasons the scene has not, as it is not degenerate */
+	projection_map(&s->projection, &s->convention, false, &m);
+	for (int i = 0; i < 3; i++) {
+		w[i] = m.m[i][3];
+		z[i] = m.m[i][2];
 	}
+	bool parallel = vec3_is_zero(w);
+	struct sum c2 = sum_neg(map_minor(3, m.m, 8, 4));
+	struct sum c3 = map_minor(3, m.m, 8, 8), det = map_minor(4, m.m, 0, 0);
+
+	for (int k = 0; k < 2; k++) {
+		double depth = (k == 1) != reversed ? 1 : first;
+		struct sum at = sum_add(c3, sum_scale(c2, depth));
+
+		r->inverse[k] = sum_negated_if(sum_sign(det) < 0, at);
+	}
+	r->span = sum_scale(sum_abs(sum_mul(parallel ? c3 : c2, det)),
+	    1 - first);
+	r->under = vec3_length(parallel ? z : w);
 }
 
 /* The distance of a share over / under of the depth range, inward from plane
  * a. */
-static double distance(const struct slab *s, int a, ex over, ex under)
+static double distance(const struct slab *s, int a, struct sum over,
+    struct sum under)
 {
-	ex at = ex_add(ex_mul(s->inverse[a], ex_sub(under, over)),
-	    ex_mul(s->inverse[1 - a], over));
+	struct sum at = sum_add(sum_mul(s->inverse[a], sum_sub(under, over)),
+	    sum_mul(s->inverse[1 - a], over));
 
-	if (ex_sign(s->span) == 0 || ex_sign(s->inverse[a]) <= 0 ||
-	    ex_sign(at) <= 0)
+	if (sum_sign(s->span) == 0 || sum_sign(s->inverse[a]) <= 0 ||
+	    sum_sign(at) <= 0)
 		return (double)NAN;
-	ex far = ex_mul(ex_mul(s->inverse[a], at), s->under);
-	double d = ex_div(ex_mul(over, s->span), far).hi;
-
-	return isfinite(d) ? d : (double)NAN;
+	return sum_over_or_nan(sum_mul(over, s->span),
+	    sum_mul(sum_mul(s->inverse[a], at), s->under));
 }
 
-/* The whole number nearest to z most, clamped: z most = hi + lo exactly. */
+/* The whole number nearest to z most, for z clamped to 0..1. The product and its rest
+ * are exact. */
 static double whole_nearest(double z, double most)
 {
-	dd p = two_prod(fmin(fmax(z, 0), 1), most);
-	double whole = floor(p.hi), beyond = (p.hi - whole - 0.5) + p.lo;
+	double clamped = fmin(fmax(z, 0), 1), product = clamped * most;
+	double rest = fma(clamped, most, -product);
+	double whole = floor(product), beyond = (product - whole - 0.5) + rest;
 
 	if (beyond > 0 || (beyond == 0 && fmod(whole, 2) != 0))
 		whole++;
@@ -132,13 +78,13 @@ static double whole_nearest(double z, double most)
 
 /* Where from z towards other the stored value changes, as a quotient: halfway
  * to the next one. False where it does not. */
-static bool whole_boundary(double z, double other, double most, ex *over,
-    ex *under)
+static bool whole_boundary(double z, double other, double most,
+    struct sum *over, struct sum *under)
 {
 	double k = whole_nearest(z, most);
 
-	*over = ex_of(2 * k + (other > z ? 1 : -1));
-	*under = ex_of(2 * most);
+	*over = sum_of_double(2 * k + (other > z ? 1 : -1));
+	*under = sum_of_double(2 * most);
 	return whole_nearest(other, most) != k;
 }
 
@@ -148,12 +94,14 @@ static double float_value(float a)
 	return isinf(a) ? copysign(0x1p128, (double)a) : (double)a;
 }
 
-static bool float_boundary(double z, double other, ex *over, ex *under)
+static bool float_boundary(double z, double other, struct sum *over,
+    struct sum *under)
 {
 	float f = (float)z, end = (float)other;
 
-	*over = ex_of((float_value(f) + float_value(nextafterf(f, end))) / 2);
-	*under = ex_of(1);
+	*over = sum_of_double(
+	    (float_value(f) + float_value(nextafterf(f, end))) / 2);
+	*under = sum_of_double(1);
 	return f != end;
 }
 
@@ -170,7 +118,7 @@ void depth_steps(const struct scene *s, bool reversed, double step[BUFFERS][2])
 	for (int b = 0; b < BUFFERS; b++)
 		for (int k = 0; k < 2; k++) {
 			double from = z[k ^ reversed], to = z[!(k ^ reversed)];
-			ex over, under;
+			struct sum over, under;
 			bool any = b == BUFFER_FLOAT32 ?
 			    float_boundary(from, to, &over, &under) :
 			    whole_boundary(from, to,
@@ -178,10 +126,10 @@ void depth_steps(const struct scene *s, bool reversed, double step[BUFFERS][2])
 				&under);
 
 			step[b][k] = (double)NAN;
-			if (!any)
+			if (!any || projection_is_open(&s->projection))
 				continue;
-			over = ex_abs(ex_sub(over, ex_scale(under, from)));
+			over = sum_abs(sum_sub(over, sum_scale(under, from)));
 			step[b][k] = distance(&slab, k, over,
-			    ex_mul(under, ex_abs(ex_diff(to, from))));
+			    sum_mul(under, sum_abs(sum_diff(to, from))));
 		}
 }

@@ -6,18 +6,13 @@
 #include "frustum.h"
 #include "fit_camera.h"
 
-static bool less(struct sum a, struct sum b)
-{
-	return sum_sign(sum_sub(a, b)) < 0;
-}
-
 /* How far the eye may go along the gaze while near - t is at least near_ratio
  * (far - t). */
 static struct sum reach_near(const struct extents *r, double ratio)
 {
 	struct sum far = sum_mul(r->high[2], sum_of_double(ratio));
 
-	return sum_quotient(sum_sub(r->low[2], far), sum_of(ex_diff(1, ratio)));
+	return sum_quotient(sum_sub(r->low[2], far), sum_diff(1, ratio));
 }
 
 /* By how much the side planes let go of the bounds as the eye moves along the
@@ -63,7 +58,7 @@ static const char *reach(const struct scene *s, const struct bounds *b,
 						   &model.sides.map, k, false),
 		    slope[k]);
 
-		if (less(most, *t))
+		if (sum_compare(most, *t) < 0)
 			*t = most;
 	}
 	return fabs(sum_double(*t)) <= MAGNITUDE_MAX ? NULL : BOUNDS_BEYOND;
@@ -72,10 +67,9 @@ static const char *reach(const struct scene *s, const struct bounds *b,
 /* a to / from, rounded away from 0 so that nothing is cut off. */
 static double rescaled(double a, double to, double from)
 {
-	dd q = ex_div(ex_mul(ex_of(a), ex_of(to)), ex_of(from));
-	bool beyond = q.lo != 0 && (q.lo > 0) == (q.hi > 0);
+	struct sum product = sum_mul(sum_of_double(fabs(a)), sum_of_double(to));
 
-	return beyond ? nextafter(q.hi, q.hi > 0 ? HUGE_VAL : -HUGE_VAL) : q.hi;
+	return copysign(least_over(product, sum_of_double(from)), a);
 }
 
 static void keep_slopes(struct projection *p, double near)
@@ -93,7 +87,7 @@ static bool far_off(const struct projection *p)
 	struct sum least = sum_mul(sum_of_double(p->near_ratio),
 	    sum_of_double(p->far));
 
-	return !less(sum_of_double(p->near), least);
+	return sum_compare(sum_of_double(p->near), least) >= 0;
 }
 
 /* Closes near and far round the bounds, as seen from where the eye is. *held
@@ -218,7 +212,7 @@ static const char *close_sides(struct scene *s, const struct bounds *b)
 	view_limits(s, half, scale);
 	for (int j = 0; j < 2; j++) {
 		struct sum left = sum_neg(r.low[j]), right = r.high[j];
-		struct sum most = less(left, right) ? right : left;
+		struct sum most = sum_compare(left, right) < 0 ? right : left;
 
 		*size[j] = 2 * sum_over(sum_mul(most, scale[j]), half[j]);
 		if (!(*size[j] > 0))

@@ -20,11 +20,18 @@ const char *bounds_check(const struct bounds *b, int dimensions)
 	return NULL;
 }
 
+double least_over(struct sum n, struct sum d)
+{
+	double v = sum_over(n, d);
+
+	return sum_compare(sum_scale(d, v), n) < 0 ? nextafter(v, HUGE_VAL) : v;
+}
+
 void sides_widen(double *width, double *height, double across, double up)
 {
-	ex w = ex_of(across), h = ex_of(up);
-	double wide = ex_div(ex_mul(ex_of(*height), w), h).hi;
-	double high = ex_div(ex_mul(ex_of(*width), h), w).hi;
+	struct sum w = sum_of_double(across), h = sum_of_double(up);
+	double wide = sum_over(sum_scale(w, *height), h);
+	double high = sum_over(sum_scale(h, *width), w);
 
 	if (wide > *width)
 		*width = wide;

@@ -27,6 +27,9 @@ static inline bool is_size(double v)
 	return v >= SIZE_MIN && v <= MAGNITUDE_MAX;
 }
 
+/* The least double that times d, which is above 0, is not below n. */
+double least_over(struct sum n, struct sum d);
+
 /* Widens the side that is too short for a shape, across wide and up high, to the
  * nearest double. */
 void sides_widen(double *width, double *height, double across, double up);

@@ -4,54 +4,44 @@
 #include <math.h>
 
 struct range {
-	ex low, high;
+	struct sum low, high;
 };
 
 static struct range range_of(const struct bounds *b, int axis)
 {
 	double c = b->center[axis], r = b->radius;
 
-	return b->sphere ?
-	    (struct range){ ex_diff(c, r), ex_diff(c, -r) } :
-	    (struct range){ ex_of(b->min[axis]), ex_of(b->max[axis]) };
+	return b->sphere ? (struct range){ sum_diff(c, r), sum_diff(c, -r) } :
+			   (struct range){ sum_of_double(b->min[axis]),
+				   sum_of_double(b->max[axis]) };
 }
 
-static ex extent(const struct range *r)
+static struct sum extent(const struct range *r)
 {
-	return ex_sub(r->high, r->low);
+	return sum_sub(r->high, r->low);
 }
 
 /* Half of 2^-20 of the other axis on each side. */
-static void widen_none(struct range *r, ex other)
+static void widen_none(struct range *r, struct sum other)
 {
-	ex half = ex_shift(other, -21);
+	struct sum half = sum_scale(other, 0x1p-21);
 
-	if (ex_sign(extent(r)) > 0)
+	if (sum_sign(extent(r)) > 0)
 		return;
-	r->low = ex_sub(r->low, half);
-	r->high = ex_add(r->high, half);
-}
-
-/* The least double that times d is not below n: the nearest to the quotient, or the
- * one after it. */
-static double least_over(ex n, ex d)
-{
-	double v = ex_double(ex_quotient(n, d));
-
-	return ex_compare(ex_mul(ex_of(v), d), n) < 0 ? nextafter(v, HUGE_VAL) :
-							v;
+	r->low = sum_sub(r->low, half);
+	r->high = sum_add(r->high, half);
 }
 
 /* The side is twice what is farthest from the center, which may be rounded. */
 static void close_axis(const struct range *r, double margin, double *center,
     double *side)
 {
-	*center = ex_double(ex_scale(ex_add(r->low, r->high), 0.5));
-	ex c = ex_of(*center);
-	ex below = ex_sub(c, r->low), above = ex_sub(r->high, c);
-	ex most = ex_compare(below, above) > 0 ? below : above;
+	*center = sum_double(sum_scale(sum_add(r->low, r->high), 0.5));
+	struct sum c = sum_of_double(*center);
+	struct sum below = sum_sub(c, r->low), above = sum_sub(r->high, c);
+	struct sum most = sum_compare(below, above) > 0 ? below : above;
 
-	*side = least_over(ex_scale(most, 2), ex_diff(1, 2 * margin));
+	*side = least_over(sum_scale(most, 2), sum_diff(1, 2 * margin));
 }
 
 const char *fit_window(struct scene *s, const struct bounds *b)
@@ -62,7 +52,7 @@ const char *fit_window(struct scene *s, const struct bounds *b)
 
 	if (why != NULL)
 		return why;
-	if (ex_sign(extent(&x)) == 0 && ex_sign(extent(&y)) == 0)
+	if (sum_sign(extent(&x)) == 0 && sum_sign(extent(&y)) == 0)
 		return BOUNDS_SINGLE;
 	widen_none(&x, extent(&y));
 	widen_none(&y, extent(&x));

@@ -10,7 +10,7 @@ void view_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
 {
 	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
 	for (int k = 0; k < 2 && s->margin > 0; k++)
-		half[k] = sum_mul(half[k], sum_of(ex_diff(1, 2 * s->margin)));
+		half[k] = sum_mul(half[k], sum_diff(1, 2 * s->margin));
 }
 
 /* Column j of r becomes sign a x + b w, of x = column k and w = column 3 of m. */
@@ -78,7 +78,7 @@ const char *flat_frustum_of(const struct scene *s, enum flat from,
 	f->sides = (struct transform){ .map = m, .in = 2 };
 	for (int k = 0; k < 4; k++)
 		combine(&f->sides.map, k, &m, k & 1, k / 2, one, one);
-	kernel_map_of(&f->sides.map, &f->sides.for_kernel);
+	transform_prepare(&f->sides);
 	return NULL;
 }
 

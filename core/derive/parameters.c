@@ -22,12 +22,6 @@ struct upright {
 	bool turned, leftward;
 };
 
-/* a b - c d */
-static struct sum minor(struct sum a, struct sum b, struct sum c, struct sum d)
-{
-	return sum_sub(sum_mul(a, b), sum_mul(c, d));
-}
-
 /* Whether world to view has a mirror in it where the camera is a rotation. */
 static bool is_mirrored(const struct scene *s)
 {
@@ -54,7 +48,7 @@ static bool upright_of(const struct map *map, const struct scene *s,
 	*u = (struct upright){ m[0][0], m[1][0], m[1][1], m[2][0], m[2][1],
 		m[2][2], m[2][3], m[3][0], m[3][1], m[3][2], m[3][3],
 		.turned = turned, .leftward = leftward };
-	u->det = minor(u->tw, u->zz, u->tz, u->zw);
+	u->det = sum_minor(u->tw, u->zz, u->tz, u->zw);
 	for (int i = 0; i < 2; i++)
 		for (int j = i == 0 ? 1 : 2; j < 4; j++)
 			if (sum_sign(m[i][j]) != 0)
@@ -97,7 +91,8 @@ static double side_at(const struct upright *u, const struct plane *p, int axis,
 {
 	struct sum z = axis == 0 ? u->zx : u->zy, t = axis == 0 ? u->tx : u->ty;
 	struct sum off = sum_add(sum_mul(z, p->n), sum_mul(t, p->d));
-	struct sum n = minor(sum_negated_if(minus, half), u->det, scale, off);
+	struct sum n = sum_minor(sum_negated_if(minus, half), u->det, scale,
+	    off);
 	struct sum x = axis == 0 ? u->x : u->y;
 
 	return sum_over_or_nan(n, sum_mul(sum_mul(scale, x), p->d));

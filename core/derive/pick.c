@@ -3,58 +3,53 @@
 
 #include <math.h>
 
-/* Where the near plane is on the axis of view space, and whether the gaze goes
- * toward larger z. */
-static const char *near_plane(const struct scene *s, struct sum *near,
-    bool *upward)
+/* Where the near plane is on the axis of view space, z = n / d, and whether the gaze
+ * goes toward larger z. As z leaves the plane, n / d moves by n' d - n d' over
+ * something positive. Where there are no planes distances are from the eye. Of a tilted P
+ * z is that of its level space. */
+static const char *near_plane(const struct scene *s, struct sum *n,
+    struct sum *d, bool *upward)
 {
 	const struct projection *p = &s->projection;
 	const struct convention *c = &s->convention;
 	bool reversed = projection_is_reversed(p, c);
-	struct sum z = sum_of_double(reversed ? 1 : c->minus_one ? -1 : 0);
+	double depth = reversed ? 1 : c->minus_one ? -1 : 0;
 	struct map back;
 
-	*upward = looks_back(c) == (p->near > p->far);
-	*near = sum_of(ex_diff(p->near, projection_w_at_eye(p)));
-	if (looks_back(c))
-		*near = sum_neg(*near);
-	switch (p->type) {
-	case PROJECTION_PERSP:
-	case PROJECTION_ORTHO:
-	case PROJECTION_OBLIQUE:
+	if (projection_is_open(p) || projection_is_tilted(p)) {
+		*upward = !looks_back(c);
+		*n = sum_sub(sum_of_double(p->near),
+		    sum_of_double(projection_w_at_eye(p)));
+		*n = sum_negated_if(!*upward, *n);
+		*d = sum_of_double(1);
 		return NULL;
-	case PROJECTION_VOLUME:
-		*upward = p->z_far > p->z_near;
-		*near = sum_of_double(p->z_near);
-		return NULL;
-	default:
-		break;
 	}
-	/* On the axis view z = N(z)/D(z) of ndc z; as z leaves the near plane that
-	 * moves by N' D - N D' over something positive. */
-	const char *why = scene_map(s, SPACE_NDC, SPACE_VIEW, &back);
+	const char *why = projection_map(p, c, true, &back);
+	const struct sum(*m)[4] = back.m;
 
 	if (why != NULL)
 		return why;
-	const struct sum(*m)[4] = back.m;
-	struct sum n = sum_add(sum_mul(m[2][2], z), m[3][2]);
-	struct sum d = sum_add(sum_mul(m[2][3], z), m[3][3]);
-
-	*near = sum_quotient(n, d);
-	*upward = (sum_sign(sum_sub(sum_mul(m[2][2], d), sum_mul(n, m[2][3]))) >
-		      0) == !reversed;
+	*n = sum_add(sum_scale(m[2][2], depth), m[3][2]);
+	*d = sum_add(sum_scale(m[2][3], depth), m[3][3]);
+	*upward = (sum_sign(sum_minor(m[2][2], *d, *n, m[2][3])) > 0) ==
+	    !reversed;
 	return NULL;
 }
 
-/* Of a tilted P depth is w, which is z of its level space. */
-static void make_level(const struct scene *s, struct map *view)
+/* Puts w, which is the depth of a tilted P, in the place of view z: both are negative
+ * where the camera looks along -z. */
+static void view_by_w(const struct scene *s, struct map *view)
 {
-	double m[4][4];
-	struct map given = *view, level;
+	double level[4][4];
 
-	projection_level(&s->projection, &s->convention, m);
-	map_of_doubles(m, &level);
-	map_then(&given, &level, view);
+	projection_level(&s->projection, &s->convention, level);
+	for (int i = 0; i < 4; i++) {
+		struct sum w = sum_of_double(0);
+
+		for (int k = 0; k < 4; k++)
+			w = sum_add(w, sum_scale(view->m[i][k], level[k][2]));
+		view->m[i][2] = w;
+	}
 }
 
 /* Distances are the same in every convention; they are measured in the scene's. */
@@ -62,25 +57,29 @@ const char *picker_of(const struct scene *given,
     const struct transform *to_device, struct picker *k)
 {
 	struct scene own = *given;
-	const struct scene *s = &own;
 	struct map *view = &k->depth.map;
-	struct sum near;
+	struct sum n, d;
 	bool upward;
 
 	own.answer = NULL;
-	const char *why = near_plane(s, &near, &upward);
-
 	k->to_device = to_device;
+	const char *why = near_plane(&own, &n, &d, &upward);
+
 	if (why == NULL)
-		why = scene_map(s, SPACE_MODEL, SPACE_VIEW, view);
+		why = scene_map(&own, SPACE_MODEL, SPACE_VIEW, view);
 	if (why != NULL)
 		return why;
-	if (projection_is_tilted(&s->projection))
-		make_level(s, view);
-	view->m[3][2] = sum_sub(view->m[3][2], sum_mul(near, view->divisor));
-	for (int i = 0; i < 4 && !upward; i++)
-		view->m[i][2] = sum_neg(view->m[i][2]);
-	map_column_over(view, 2, projection_w_slope(&s->projection));
+	if (projection_is_tilted(&own.projection))
+		view_by_w(&own, view);
+	for (int i = 0; i < 4; i++) {
+		struct sum z = sum_mul(view->m[i][2], d);
+
+		if (i == 3)
+			z = sum_sub(z, sum_mul(n, view->divisor));
+		view->m[i][2] = sum_negated_if(!upward, z);
+	}
+	map_column_over(view, 2, d);
+	map_column_over(view, 2, projection_w_slope(&own.projection));
 	transform_init(&k->depth, SPACE_MODEL, SPACE_VIEW, false);
 	return NULL;
 }

@@ -17,49 +17,45 @@
  * m_23, what z multiplies is m_2j m_23 - m_2j m_23 = 0, and the direction is
  * affine in x and y:
  *
- *	sum of p_i (m_2j m_i3 - m_ij m_23), i = 0, 1, 3 */
-static void set_along(const struct map *view, const struct map *turn,
-    bool against, struct map *along)
+ *	sum of p_i (m_2j m_i3 - m_ij m_23), i = 0, 1, 3
+ *
+ * *r is the map from device to view, and becomes that. */
+static void set_along(const struct map *turn, bool against, struct map *r)
 {
-	const struct sum(*m)[4] = view->m;
+	struct sum(*m)[4] = r->m;
 
-	memset(along, 0, sizeof *along);
-	along->divisor = sum_of_double(1);
-	memcpy(along->origin, view->origin, 2 * sizeof *view->origin);
+	r->divisor = sum_of_double(1);
+	r->origin[2] = 0;
 	for (int i = 0; i < 4; i++) {
 		struct sum d[3];
 
-		for (int j = 0; j < 3 && i != 2; j++) {
-			d[j] = sum_sub(sum_mul(m[2][j], m[i][3]),
-			    sum_mul(m[i][j], m[2][3]));
-			if (against)
-				d[j] = sum_neg(d[j]);
-		}
+		for (int j = 0; j < 3 && i != 2; j++)
+			d[j] = sum_negated_if(against,
+			    sum_minor(m[2][j], m[i][3], m[i][j], m[2][3]));
 		for (int j = 0; j < 3 && i != 2; j++) {
 			const struct sum column[3] = { turn->m[0][j],
 				turn->m[1][j], turn->m[2][j] };
 
-			along->m[i][j] = vec3_dot(d, column);
+			m[i][j] = vec3_dot(d, column);
 		}
 	}
+	memset(m[2], 0, sizeof m[2]);
+	for (int i = 0; i < 4; i++)
+		m[i][3] = m[2][3];
 }
 
-/* Without a near plane every ray begins at the eye, where clip x, y and w are 0. */
-static const char *from_eye(const struct scene *s, struct transform *t)
+/* Without a near plane every ray begins at the eye, where clip x, y and w are 0. No
+ * reason can come, as the way from the device leads through clip space. */
+static void from_eye(const struct scene *s, struct transform *t)
 {
-	struct map back;
-	const char *why = scene_map(s, SPACE_CLIP, SPACE_WORLD, &back);
+	struct sum(*m)[4] = t->map.m;
 
-	if (why != NULL)
-		return why;
-	memset(&t->map, 0, sizeof t->map);
-	t->map.divisor = back.divisor;
+	scene_map(s, SPACE_CLIP, SPACE_WORLD, &t->map);
 	for (int j = 0; j < 4; j++)
-		t->map.m[3][j] = sum_sign(back.m[2][3]) < 0 ?
-		    sum_neg(back.m[2][j]) :
-		    back.m[2][j];
+		m[3][j] = sum_negated_if(sum_sign(m[2][3]) < 0, m[2][j]);
+	memset(m, 0, 3 * sizeof *m);
+	memset(t->map.origin, 0, sizeof t->map.origin);
 	transform_init(t, SPACE_DEVICE, SPACE_WORLD, false);
-	return NULL;
 }
 
 const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
@@ -68,21 +64,22 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 	const struct viewport *v = &s->viewport;
 	/* device depth falls away from the eye */
 	bool against = (v->max_z > v->min_z) == reversed;
-	struct map view, turn;
+	struct map turn;
 	const char *why = scene_transform(s, SPACE_DEVICE, SPACE_WORLD, false,
 	    &r->to_world);
 
-	if (why == NULL && projection_is_open(&s->projection))
-		why = from_eye(s, &r->to_world);
 	if (why == NULL)
-		why = scene_map(s, SPACE_DEVICE, SPACE_VIEW, &view);
+		why = scene_map(s, SPACE_DEVICE, SPACE_VIEW, &r->along.map);
 	if (why == NULL)
 		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &turn);
 	if (why != NULL)
 		return why;
+	if (projection_is_open(&s->projection))
+		from_eye(s, &r->to_world);
 	r->depth = reversed ? v->max_z : v->min_z;
-	set_along(&view, &turn, against, &r->along);
-	kernel_map_of(&r->along, &r->for_kernel);
+	r->along.in = 2;
+	set_along(&turn, against, &r->along.map);
+	transform_prepare(&r->along);
 	return NULL;
 }
 
@@ -96,14 +93,10 @@ static double over(struct sum n, struct sum d, bool single)
 static void set_direction(const struct ray_maker *r, const double in[4],
     bool single, double direction[3])
 {
-	const struct sum p[4] = { sum_of_double(in[0]), sum_of_double(in[1]),
-		sum_of_double(0), sum_of_double(1) };
 	struct sum to[3];
 
-	for (int j = 0; j < 3; j++) {
-		map_column(&r->along, j, p, &to[j]);
-		to[j] = sum_settled(to[j]);
-	}
+	for (int j = 0; j < 3; j++)
+		to[j] = sum_settled(point_column(&r->along, j, in));
 	struct sum length = vec3_length(to);
 
 	for (int j = 0; j < 3; j++)
@@ -155,16 +148,15 @@ void rays_cast(const struct ray_maker *r, bool single,
     const double *const at[2], double *const point[3],
     double *const direction[3], size_t n)
 {
-	static const struct accuracy exact = { .precision = PRECISION_EXACT };
 	double depth[POINTS_BLOCK];
 	const double *const in[4] = { at[0], at[1], depth };
 	double *const out[4] = { point[0], point[1], point[2] };
 
 	for (size_t i = 0; i < POINTS_BLOCK; i++)
 		depth[i] = r->depth;
-	points_carry(&r->to_world, &exact, in, out, n);
-	points_kernels()->exact[KERNEL_DIRECTION](&r->for_kernel, at, direction,
-	    n);
+	points_carry(&r->to_world, PRECISION_EXACT, in, out, n);
+	points_kernels()->exact[KERNEL_DIRECTION](&r->along.for_kernel, at,
+	    direction, n);
 	for (size_t i = 0; i < n; i++) {
 		const double p[4] = { at[0][i], at[1][i], r->depth, 1 };
 		double ray[2][3];
@@ -202,8 +194,7 @@ static void set_row(const struct map *m, int i, const struct sum p[4],
 			if (k != j)
 				s = sum_add(s,
 				    sum_mul(p[k],
-					sum_sub(sum_mul(a[j], b[k]),
-					    sum_mul(b[j], a[k]))));
+					sum_minor(a[j], b[k], b[j], a[k])));
 		r->m[i][j] = s;
 	}
 }
@@ -249,7 +240,7 @@ const char *ray_plane_transform(const struct scene *s, enum space from,
 	t->divide = t->front = true;
 	t->reciprocal = false;
 	t->kind = KERNEL_PROJECTIVE;
-	kernel_map_of(r, &t->for_kernel);
+	transform_prepare(t);
 	return map_is_finite(r) ? NULL :
 				  "the plane is too near to the eye, or the "
 				  "scene too large, for the range of doubles";

@@ -8,10 +8,7 @@
 struct ray_maker {
 	struct transform to_world; /* from the device, to where rays begin */
 	double depth;              /* the near plane's, on the device */
-	/* From (x, y, any, 1) on the device to a vector along the ray, in the
-	 * first three columns. */
-	struct map along;
-	struct kernel_map for_kernel;
+	struct transform along; /* from the device, to a vector along the ray */
 };
 
 /* Returns NULL, or the member and the reason. */

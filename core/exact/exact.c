@@ -93,13 +93,13 @@ static int compare_magnitudes(const ex *a, const ex *b)
 	return 0;
 }
 
-/* a + b for b of a's sign; a - b, for |a| >= |b|, otherwise. */
-static void combine(ex *r, const ex *a, const ex *b)
+/* a + b where sign, that of b, is a's; a - b, for |a| >= |b|, otherwise. */
+static void combine(const ex *a, const ex *b, int sign, ex *r)
 {
 	uint64_t w[EX_WORDS + 1], carry = 0;
 	int low = a->e < b->e ? a->e : b->e;
 	int high = top(a) > top(b) ? top(a) : top(b);
-	bool minus = a->sign != b->sign;
+	bool minus = a->sign != sign;
 
 	if (high - low > EX_WORDS)
 		low = high - EX_WORDS;
@@ -113,21 +113,26 @@ static void combine(ex *r, const ex *a, const ex *b)
 	set(r, a->sign, w, high - low + 1, low);
 }
 
-static void add(ex *r, const ex *a, const ex *b)
+void ex_plus(const ex *a, const ex *b, int sign, ex *r)
 {
-	if (a->n == 0 || b->n == 0)
-		*r = a->n == 0 ? *b : *a;
-	else if (compare_magnitudes(a, b) >= 0)
-		combine(r, a, b);
-	else
-		combine(r, b, a);
+	ex turned;
+
+	if (b->n == 0) {
+		*r = *a;
+	} else if (a->n > 0 && compare_magnitudes(a, b) >= 0) {
+		combine(a, b, sign * b->sign, r);
+	} else {
+		turned = *b;
+		turned.sign *= sign;
+		combine(&turned, a, a->sign, r);
+	}
 }
 
 ex ex_add(ex a, ex b)
 {
 	ex r;
 
-	add(&r, &a, &b);
+	ex_plus(&a, &b, 1, &r);
 	return r;
 }
 
@@ -147,8 +152,7 @@ ex ex_sub(ex a, ex b)
 {
 	ex r;
 
-	b.sign = -b.sign;
-	add(&r, &a, &b);
+	ex_plus(&a, &b, -1, &r);
 	return r;
 }
 
@@ -167,19 +171,13 @@ static void multiply(uint64_t *w, const ex *a, const ex *b)
 	}
 }
 
-static void mul(ex *r, const ex *a, const ex *b)
-{
-	uint64_t w[2 * EX_WORDS];
-
-	multiply(w, a, b);
-	set(r, a->sign * b->sign, w, a->n + b->n, a->e + b->e);
-}
-
 ex ex_mul(ex a, ex b)
 {
+	uint64_t w[2 * EX_WORDS];
 	ex r;
 
-	mul(&r, &a, &b);
+	multiply(w, &a, &b);
+	set(&r, a.sign * b.sign, w, a.n + b.n, a.e + b.e);
 	return r;
 }
 
@@ -199,7 +197,7 @@ static void accumulate(uint64_t *sum, int low, int high, int sign,
 	}
 }
 
-/* How many of n words from 2^(64 low) on ex_from leaves out. */
+/* How many of n words from 2^(64 low) on ex_cut leaves out. */
 static int words_below(int least, int low, int n)
 {
 	int most = n > EX_KEPT ? n - EX_KEPT : 0;
@@ -251,40 +249,12 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 	set(r, minus ? -1 : 1, sum + rest, n_words - rest, low + rest);
 }
 
-ex ex_scale(ex a, double b)
-{
-	return ex_mul(a, ex_of(b));
-}
-
-static void shift(ex *r, const ex *a, int e)
-{
-	ex power;
-
-	if (e % 64 == 0) {
-		*r = *a;
-		r->e += a->n > 0 ? e / 64 : 0;
-		return;
-	}
-	set_whole(&power, 1, 1, e);
-	mul(r, a, &power);
-}
-
 ex ex_shift(ex a, int e)
 {
-	ex r;
-
-	shift(&r, &a, e);
-	return r;
-}
-
-ex ex_diff(double a, double b)
-{
-	return ex_sub(ex_of(a), ex_of(b));
-}
-
-int ex_sign(ex a)
-{
-	return a.sign;
+	if (e % 64 != 0)
+		return ex_mul(a, whole(1, 1, e));
+	a.e += a.n > 0 ? e / 64 : 0;
+	return a;
 }
 
 int ex_compare(ex a, ex b)
@@ -303,9 +273,12 @@ ex ex_first(ex a, int n)
 	return r;
 }
 
-ex ex_from(ex a, int least)
+void ex_cut(ex *a, int least)
 {
-	return ex_first(a, a.n - words_below(least, a.e, a.n));
+	int rest = words_below(least, a->e, a->n);
+
+	if (rest > 0)
+		set(a, a->sign, a->word + rest, a->n - rest, a->e + rest);
 }
 
 /* Whether a b > high 2^64 + low. */
@@ -470,9 +443,4 @@ dd ex_round(ex a)
 	if (isinf(hi))
 		return (dd){ hi, 0 };
 	return (dd){ hi, ex_double(ex_sub(a, ex_of(hi))) };
-}
-
-dd ex_div(ex a, ex b)
-{
-	return ex_round(ex_quotient(a, b));
 }

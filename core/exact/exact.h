@@ -16,12 +16,12 @@
 
 #include "dd.h"
 
-/* What is 2^-3100 of the largest term of a sum or product is lost: 1e150 times
- * itself three times is 2^1993, and nothing below 2^-1075 is printed. A divisor
- * that all terms have in common changes nothing in that. Only of two matrices with
- * elements 1e300 apart, both inverted, do terms span more; there what cancels to
- * 2^-3100 of them is not known. */
-enum { EX_WORDS = 50 };
+/* What is 2^-6900 of the largest term of a sum or product is lost. A number of a
+ * document, or of a point, is from 2^-1074 to 2^499: the terms of a point through
+ * three matrices span 2^6292. A divisor that all terms have in common changes nothing
+ * in that. Only of matrices that are inverted, with elements 1e300 apart, do terms
+ * span more; there what cancels to 2^-6900 of them is not known. */
+enum { EX_WORDS = 110 };
 
 /* sign times the sum of word[i] 2^(64 (e + i)); neither end is 0. */
 typedef struct {
@@ -30,15 +30,12 @@ typedef struct {
 } ex;
 
 ex ex_of(double a);
-void ex_set(ex *, double a);
 ex ex_neg(ex a);
 ex ex_abs(ex a);
 ex ex_add(ex a, ex b);
 ex ex_sub(ex a, ex b);
 ex ex_mul(ex a, ex b);
-ex ex_scale(ex a, double b);    /* a b */
-ex ex_shift(ex a, int e);       /* a 2^e */
-ex ex_diff(double a, double b); /* a - b */
+ex ex_shift(ex a, int e); /* a 2^e */
 
 /* Relative. What has five words or less is exact. A quotient by 0 is beyond the
  * range of doubles. The first of its words can be as small as 1. */
@@ -48,25 +45,26 @@ enum { EX_QUOTIENT = 6 };
 ex ex_quotient(ex a, ex b);
 ex ex_sqrt(ex a);
 
-int ex_sign(ex a);          /* -1, 0, 1 */
 int ex_compare(ex a, ex b); /* the sign of a - b */
 ex ex_first(ex a, int n);   /* the n first words, toward 0 */
 
-/* Those from 2^(64 least) on, but EX_KEPT of them in any case, for what becomes of a
- * number in which much has cancelled: of its square the size is that of its terms
- * squared. */
+/* Cuts off the words below 2^(64 least), but leaves EX_KEPT in any case, for what
+ * becomes of a number in which much has cancelled: of its square the size is that of
+ * its terms squared. */
 enum { EX_KEPT = 7 };
 
-ex ex_from(ex a, int least);
+void ex_cut(ex *, int least);
 
 /* The nearest double or float, ties to even, also among the subnormal ones;
  * infinite beyond. */
 double ex_double(ex a);
 
-/* What every point needs, without copies: a sum of products, cut as by ex_from; a
- * quotient of so many words or one more, whose last bit is 1 where something remains,
+/* What every point needs, without copies: a double; a + sign b; a sum of products, cut
+ * as by ex_cut; a quotient of so many words or one more, whose last bit is 1 where something remains,
  * so that it is rounded as the exact one (it says whether none does); the nearest
  * double or float. */
+void ex_set(ex *, double a);
+void ex_plus(const ex *a, const ex *b, int sign, ex *);
 void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *);
 bool ex_divide(const ex *a, const ex *b, int words, ex *);
 double ex_nearest(const ex *, bool single);
@@ -79,6 +77,5 @@ uint64_t ex_behind(const ex *a, int bits);
 #define EX_BOUND 0.5
 
 dd ex_round(ex a);
-dd ex_div(ex a, ex b);
 
 #endif

@@ -30,16 +30,11 @@ static void divide(struct sum *a, const struct sum *d)
 		*a = sum_quotient(*a, *d);
 }
 
-/* What is divided exactly needs no divisor. */
+/* A power of two divides the elements and leaves the divisor 1. */
 void map_over(struct map *r, struct sum d)
 {
 	struct sum power = sum_of_double(d.value.sign);
 
-	if (d.size.m > 0) {
-		for (int i = 0; i < 16; i++)
-			divide(&r->m[i / 4][i % 4], &d);
-		return;
-	}
 	r->divisor = sum_mul(r->divisor, sum_abs(d));
 	if (sum_is_power_of_two(&r->divisor)) {
 		power = sum_mul(power, r->divisor);

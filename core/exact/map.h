@@ -25,7 +25,8 @@ void map_identity(struct map *);
 /* Of a matrix of given numbers; the origin is 0. */
 void map_of_doubles(const double m[4][4], struct map *);
 
-/* Divides, or a column, by what goes into the divisor where it is exact. */
+/* Divides by an exact number; or a column by any, which goes into the divisor where it
+ * is exact. */
 void map_over(struct map *, struct sum d);
 void map_column_over(struct map *, int j, struct sum d);
 

@@ -96,7 +96,16 @@ struct sum sum_of(ex exact)
 
 struct sum sum_of_double(double exact)
 {
-	return sum_of(ex_of(exact));
+	struct sum r;
+
+	ex_set(&r.value, exact);
+	r.size = (struct magnitude){ 0, 0 };
+	return r;
+}
+
+struct sum sum_diff(double a, double b)
+{
+	return sum_sub(sum_of_double(a), sum_of_double(b));
 }
 
 struct sum sum_inexact(ex value)
@@ -121,31 +130,33 @@ struct sum sum_abs(struct sum a)
 	return a;
 }
 
-static struct sum cut(ex value, struct magnitude size)
+static void add(const struct sum *a, const struct sum *b, int sign,
+    struct sum *r)
 {
-	return (struct sum){ ex_from(value, least_word(size)), size };
+	r->size = plus(a->size, b->size);
+	ex_plus(&a->value, &b->value, sign, &r->value);
+	ex_cut(&r->value, least_word(r->size));
 }
 
 struct sum sum_add(struct sum a, struct sum b)
 {
-	return cut(ex_add(a.value, b.value), plus(a.size, b.size));
+	struct sum r;
+
+	add(&a, &b, 1, &r);
+	return r;
 }
 
 struct sum sum_sub(struct sum a, struct sum b)
 {
-	return sum_add(a, sum_neg(b));
+	struct sum r;
+
+	add(&a, &b, -1, &r);
+	return r;
 }
 
 bool sum_is_nothing(const struct sum *a)
 {
 	return a->value.n == 0 && a->size.m == 0;
-}
-
-struct sum sum_mul(struct sum a, struct sum b)
-{
-	if (sum_is_nothing(&a) || sum_is_nothing(&b))
-		return sum_of_double(0);
-	return cut(ex_mul(a.value, b.value), size_of_product(&a, &b));
 }
 
 void sum_dot(int n, const struct sum *const a[], const struct sum *const b[],
@@ -162,6 +173,25 @@ void sum_dot(int n, const struct sum *const a[], const struct sum *const b[],
 	}
 	ex_dot(n, x, y, least_word(size), &r->value);
 	r->size = size;
+}
+
+struct sum sum_mul(struct sum a, struct sum b)
+{
+	const struct sum *const x[] = { &a }, *const y[] = { &b };
+	struct sum r;
+
+	sum_dot(1, x, y, &r);
+	return r;
+}
+
+struct sum sum_scale(struct sum a, double by)
+{
+	return sum_mul(a, sum_of_double(by));
+}
+
+struct sum sum_minor(struct sum a, struct sum b, struct sum c, struct sum d)
+{
+	return sum_sub(sum_mul(a, b), sum_mul(c, d));
 }
 
 bool sum_is_one(const struct sum *a)
@@ -223,6 +253,11 @@ static bool is_none(const ex *difference, struct magnitude size)
 int sum_sign(struct sum a)
 {
 	return is_none(&a.value, a.size) ? 0 : a.value.sign;
+}
+
+int sum_compare(struct sum a, struct sum b)
+{
+	return sum_sign(sum_sub(a, b));
 }
 
 struct sum sum_settled(struct sum a)

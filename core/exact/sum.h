@@ -25,6 +25,7 @@ struct sum {
 
 struct sum sum_of(ex exact);
 struct sum sum_of_double(double exact);
+struct sum sum_diff(double a, double b); /* a - b */
 
 /* Something within 2^-319 of itself. */
 struct sum sum_inexact(ex value);
@@ -35,7 +36,11 @@ struct sum sum_abs(struct sum);
 struct sum sum_add(struct sum, struct sum);
 struct sum sum_sub(struct sum, struct sum);
 struct sum sum_mul(struct sum, struct sum);
+struct sum sum_scale(struct sum, double);
 struct sum sum_quotient(struct sum, struct sum);
+
+/* a b - c d */
+struct sum sum_minor(struct sum a, struct sum b, struct sum c, struct sum d);
 
 /* The sum of n <= 4 products. */
 void sum_dot(int n, const struct sum *const a[], const struct sum *const b[],
@@ -44,8 +49,9 @@ void sum_dot(int n, const struct sum *const a[], const struct sum *const b[],
 /* Of something not negative; exact where the root is short. */
 struct sum sum_sqrt(struct sum);
 
-/* -1, 0 or 1. */
+/* -1, 0 or 1; and the sign of a - b. */
 int sum_sign(struct sum);
+int sum_compare(struct sum a, struct sum b);
 
 /* What counts for nothing in any sum; 1, exactly; and that by which anything is
  * divided exactly, however many digits it has. */

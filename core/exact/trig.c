@@ -36,7 +36,7 @@ static ex series(ex x, int n)
 	const ex *const a[] = { &c, &s }, *const b[] = { &step, &minus };
 
 	for (int k = n + 62; k > n; k -= 2) {
-		ex_set(&step, (double)(k * (k - 1)));
+		step = ex_of((double)(k * (k - 1)));
 		ex_dot(2, a, b, INT_MAX, &s);
 		ex_dot(1, a, b, INT_MIN, &c);
 	}
@@ -85,7 +85,7 @@ static void reduce_degrees(double angle, struct reduced *r)
 	double rest = fmod(angle, 360), q = rint(rest / 90);
 
 	r->degrees = rest - 90 * q;
-	r->radians = ex_first(ex_scale(RADIAN, r->degrees), WORDS);
+	r->radians = ex_first(ex_mul(RADIAN, ex_of(r->degrees)), WORDS);
 	r->turns = (unsigned)(int)q;
 }
 
@@ -109,19 +109,19 @@ static void reduce_radians(double angle, struct reduced *r)
 
 static struct sum sin_small(const struct reduced *r)
 {
-	if (ex_sign(r->radians) == 0)
+	if (r->radians.sign == 0)
 		return sum_of_double(0);
 	if (fabs(r->degrees) == 30)
 		return sum_of_double(copysign(0.5, r->degrees));
 	if (fabs(r->degrees) == 45)
-		return sum_inexact(
-		    ex_scale(ex_sqrt(ex_of(0.5)), copysign(1, r->degrees)));
+		return sum_inexact(ex_mul(ex_sqrt(ex_of(0.5)),
+		    ex_of(copysign(1, r->degrees))));
 	return sum_inexact(ex_mul(r->radians, series(r->radians, 1)));
 }
 
 static struct sum cos_small(const struct reduced *r)
 {
-	if (ex_sign(r->radians) == 0)
+	if (r->radians.sign == 0)
 		return sum_of_double(1);
 	if (fabs(r->degrees) == 45)
 		return sum_inexact(ex_sqrt(ex_of(0.5)));

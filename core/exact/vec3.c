@@ -17,7 +17,7 @@ void vec3_cross(const struct sum a[3], const struct sum b[3], struct sum r[3])
 	for (int i = 0; i < 3; i++) {
 		int j = (i + 1) % 3, k = (i + 2) % 3;
 
-		r[i] = sum_sub(sum_mul(a[j], b[k]), sum_mul(a[k], b[j]));
+		r[i] = sum_minor(a[j], b[k], a[k], b[j]);
 	}
 }
 

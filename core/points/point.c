@@ -5,17 +5,26 @@
 
 #include "kernel/midway.h"
 
-/* The point as the map takes it. */
+/* The point relative to the map's origin. Where its last coordinate is not 1, as in
+ * clip space, that is 0. */
 static void set_point(const struct transform *t, const double in[4],
     struct sum p[4])
 {
-	double w = t->in == 4 && !t->reciprocal ? in[3] : 1;
+	for (int i = 0; i < 3; i++)
+		p[i] = sum_diff(i < t->in ? in[i] : 0, t->map.origin[i]);
+	p[3] = sum_of_double(t->in == 4 && !t->reciprocal ? in[3] : 1);
+}
 
-	for (int i = 0; i < 4; i++) {
-		ex_set(&p[i].value, i == 3 ? w : i < t->in ? in[i] : 0);
-		p[i].size.m = 0;
-		p[i].size.e = 0;
-	}
+/* Column j of the image of such a point. */
+static void find_column(const struct transform *t, int j, const struct sum p[4],
+    struct sum *r)
+{
+	const struct sum(*m)[4] = t->map.m;
+	const struct sum *const x[4] = { &p[0], &p[1], &p[2], &p[3] };
+	const struct sum *const y[4] = { &m[0][j], &m[1][j], &m[2][j],
+		&t->image[j] };
+
+	sum_dot(4, x, y, r);
 }
 
 struct sum point_column(const struct transform *t, int j, const double in[4])
@@ -23,7 +32,7 @@ struct sum point_column(const struct transform *t, int j, const double in[4])
 	struct sum p[4], r;
 
 	set_point(t, in, p);
-	map_column(&t->map, j, p, &r);
+	find_column(t, j, p, &r);
 	return r;
 }
 
@@ -45,7 +54,7 @@ static bool find_divisor(const struct transform *t, const double in[4],
 	if (t->reciprocal && t->out == 4)
 		*d = sum_mul(*d, sum_of_double(in[3]));
 	else
-		map_column(&t->map, 3, p, d);
+		find_column(t, 3, p, d);
 	int sign = sum_sign(*d);
 
 	return t->front ? sign > 0 : sign != 0;
@@ -63,7 +72,7 @@ void point_exact(const struct transform *t, const double in[4], double out[4])
 	if (!find_divisor(t, in, p, &d))
 		return;
 	for (int j = 0; j < t->out; j++) {
-		map_column(&t->map, j, p, &q);
+		find_column(t, j, p, &q);
 		double v = sum_nearest(&q, &d, false);
 
 		if (isfinite(v))
@@ -82,7 +91,7 @@ float point_single(const struct transform *t, const double in[4], int j,
 	set_point(t, in, p);
 	if (!find_divisor(t, in, p, &d))
 		return (float)image;
-	map_column(&t->map, j, p, &q);
+	find_column(t, j, p, &q);
 	return (float)sum_nearest(&q, &d, true);
 }
 

@@ -166,8 +166,7 @@ static void carry_run(const struct transform *t, bool single,
 }
 
 /* A point that in a kernel's precision is behind the eye, or whose w has underflowed
- * there, is computed exactly, which says whether it has an image; and so is one that
- * is not within its tolerance. */
+ * there, is computed exactly, which says whether it has an image. */
 static void carry_rest(const struct transform *t, bool single,
     const double *const in[4], double *const out[4], size_t n)
 {
@@ -197,32 +196,16 @@ static void carry_plain(const struct transform *t, enum precision precision,
 	}
 }
 
-static void carry_within(const struct transform *t, const double tolerance[3],
-    const double *const in[4], double *const out[4], size_t n)
-{
-	within_kernel fast = kernels->within[t->kind];
-
-	for (int j = 0; j < t->out && j < 3; j++)
-		if (!(tolerance[j] >= 0x1p-1000))
-			fast = NULL;
-	if (fast == NULL)
-		carry_exact(t, in, out, n);
-	else if (!fast(&t->for_kernel, in, out, n, tolerance))
-		carry_rest(t, false, in, out, n);
-}
-
-void points_carry(const struct transform *t, const struct accuracy *a,
+void points_carry(const struct transform *t, enum precision precision,
     const double *const given[4], double *const out[4], size_t n)
 {
 	const double *const in[4] = { given[0], given[1], given[third(t)],
 		given[3] };
 
-	if (a->tolerance[0] > 0)
-		carry_within(t, a->tolerance, in, out, n);
-	else if (a->precision == PRECISION_EXACT)
+	if (precision == PRECISION_EXACT)
 		carry_exact(t, in, out, n);
 	else
-		carry_plain(t, a->precision, in, out, n);
+		carry_plain(t, precision, in, out, n);
 }
 
 bool points_split(const char *rows, bool wide, int numbers,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Points through a transform, block by block: each by the fastest loop that
- * its accuracy allows, and by point_exact where that loop gives up. */
+ * its precision allows, and by point_exact where that loop gives up. */
 #ifndef POINTS_H
 #define POINTS_H
 
@@ -13,18 +13,10 @@
 bool points_choose(const char *name);
 const struct kernels *points_kernels(void);
 
-/* What points are computed in: a precision; or, with tolerances above 0, double
- * for each point of which that alone says that its error is at most tolerance[j] in
- * every coordinate j, else exact. Four coordinates are exact then. */
-struct accuracy {
-	enum precision precision;
-	double tolerance[3];
-};
-
 /* Images of n <= POINTS_BLOCK points, a column of POINTS_BLOCK each for x, y,
  * z, w. What has no image, or one beyond the range of doubles, is nan. In
  * PRECISION_SINGLE they are floats, unless beyond the range of these. */
-void points_carry(const struct transform *, const struct accuracy *,
+void points_carry(const struct transform *, enum precision,
     const double *const in[4], double *const out[4], size_t n);
 
 /* Rows of so many numbers, 2 to 4, doubles if wide, else floats, to columns.

@@ -13,34 +13,49 @@ static dd rounded(struct sum s)
 	return e.hi == 0 ? (dd){ sum_sign(s) * 0x1p-1074, 0 } : e;
 }
 
-void kernel_map_of(const struct map *m, struct kernel_map *k)
+/* Row i of the map for points relative to its origin. */
+static const struct sum *row(const struct transform *t, int i)
 {
-	struct map seen = *m;
+	return i < 3 ? t->map.m[i] : t->image;
+}
+
+static void round_column(const struct transform *t, int j, struct kernel_map *k)
+{
+	k->most[j] = k->none[j] = 0;
+	for (int i = 0; i < 4; i++) {
+		struct sum a = row(t, i)[j];
+
+		if (!sum_is_nothing(&a))
+			a = sum_quotient(a, t->map.divisor);
+		dd e = rounded(a);
+
+		k->exact[i][j] = a.size.m == 0 && e.lo == 0 &&
+		    sum_compare(a, sum_of_double(e.hi)) == 0;
+		k->hi[i][j] = e.hi;
+		k->lo[i][j] = e.lo;
+		k->none[j] += 0x1p-189 * sum_most(a);
+		if (i < 3)
+			k->most[j] = fmax(k->most[j], fabs(e.hi));
+	}
+	k->image[j] = fabs(k->hi[3][j]);
+	/* of 1 times it */
+	k->surely_none[j] = sum_surely_none(&t->image[j], &t->map.divisor);
+}
+
+void transform_prepare(struct transform *t)
+{
+	struct kernel_map *k = &t->for_kernel;
 	struct sum origin[4] = { [3] = sum_of_double(1) };
 
 	k->a_hi = k->a_lo = k->b_hi = k->b_lo = 0;
 	for (int i = 0; i < 3; i++) {
-		k->origin[i] = seen.origin[i];
-		origin[i] = sum_of_double(seen.origin[i]);
+		k->origin[i] = t->map.origin[i];
+		origin[i] = sum_of_double(k->origin[i]);
 	}
 	for (int j = 0; j < 4; j++) {
-		k->most[j] = k->none[j] = 0;
-		map_column(m, j, origin, &seen.m[3][j]);
-		for (int i = 0; i < 4; i++) {
-			struct sum image = map_element(&seen, i, j);
-			dd e = rounded(image);
-
-			k->exact[i][j] = image.size.m == 0 && e.lo == 0 &&
-			    ex_compare(image.value, ex_of(e.hi)) == 0;
-			k->hi[i][j] = e.hi;
-			k->lo[i][j] = e.lo;
-			k->none[j] += 0x1p-189 * sum_most(image);
-			if (i < 3)
-				k->most[j] = fmax(k->most[j], fabs(e.hi));
-		}
-		k->image[j] = fabs(k->hi[3][j]);
-		/* of 1 times it */
-		k->surely_none[j] = sum_surely_none(&m->m[3][j], &m->divisor);
+		map_column(&t->map, j, origin, &t->image[j]);
+		t->image[j] = sum_settled(t->image[j]);
+		round_column(t, j, k);
 	}
 }
 
@@ -62,7 +77,7 @@ void transform_init(struct transform *t, enum space from, enum space to,
 	t->kind = t->in != 3 || t->out != 3 ? KERNEL_NONE :
 	    t->divide                       ? KERNEL_PROJECTIVE :
 					      KERNEL_AFFINE;
-	kernel_map_of(&t->map, &t->for_kernel);
+	transform_prepare(t);
 }
 
 /* Where view z alone determines w and depth, depth = a + b / w. */
@@ -113,6 +128,6 @@ const char *flat_transform(const struct scene *s, enum flat from, enum flat to,
 	t->divide = t->front = t->reciprocal = false;
 	t->kind = KERNEL_FLAT;
 	if (why == NULL)
-		kernel_map_of(&t->map, &t->for_kernel);
+		transform_prepare(t);
 	return why;
 }

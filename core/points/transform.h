@@ -10,6 +10,9 @@
 /* A point's image is (p, 1) m, divided by its w where divide says. */
 struct transform {
 	struct map map;
+	/* Row 3 of the map for points relative to its origin. Settled: what is 0 by
+	 * its formula has no error beside the difference of a near point. */
+	struct sum image[4];
 	int in, out; /* coordinates: 2, 3, or 4 for clip and homogeneous ones */
 	bool divide;
 	/* Only w > 0 has an image (the point is in front of the eye). If
@@ -18,7 +21,7 @@ struct transform {
 	/* The fourth number read is 1/w, of a device point. */
 	bool reciprocal;
 	enum kernel_kind kind;
-	struct kernel_map for_kernel; /* unless the kind is KERNEL_NONE */
+	struct kernel_map for_kernel;
 };
 
 /* The transform between two spaces; homogeneous keeps x y z w undivided or,
@@ -34,7 +37,7 @@ const char *flat_transform(const struct scene *, enum flat from, enum flat to,
 void transform_init(struct transform *, enum space from, enum space to,
     bool homogeneous);
 
-/* Rounds a map, seen from its origin. */
-void kernel_map_of(const struct map *, struct kernel_map *);
+/* Finds the image of the map's origin, and the map that the kernels take. */
+void transform_prepare(struct transform *);
 
 #endif

@@ -54,16 +54,14 @@ sub told {
 
 sub claims {
 	my ($core) = @_;
-	my ($exact, $quick) = ("$core/points/kernel/exact.h", "$core/quick.h");
+	my $exact = "$core/points/kernel/exact.h";
 	my %claim = (EX_BOUND => macro("$core/exact/exact.h", 'EX_BOUND'),
 	    COLUMN_UNITS => told($exact, 'columns', qr/together (\d+(?:\.\d+)?) u/),
 	    COLUMN_LOW => told($exact, 'low parts', qr{above (\d+(?:\.\d+)?) times 2\^-26 B}),
 	    QUOTIENT_LOW => told($exact, 'quotients of low parts', qr/(\d+) u of what low parts/),
 	    QUOTIENT_BOUND => claimed($exact, 'quotient'),
-	    QUICK_COLUMN => told($quick, 'columns', qr/a column by (\d+(?:\.\d+)?)/),
 	    LENGTH_BOUND => claimed($exact, 'length_of'),
 	    LENGTH_LOW => told($exact, 'lengths', qr/low part is up to (\d+) u/));
-	$claim{uc $_} = claimed("$core/exact/dd.h", $_) for qw(dd_add dd_mul dd_div);
 	return map { "-D$_=$claim{$_}" } sort keys %claim;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-/* Counts the errors of dd.h, quick.h, kernel/exact.h and kernel/plain.h and compares them
- * with the bounds that are claimed there. A line for each:
+/* Counts the errors of kernel/exact.h and kernel/plain.h and compares them with the
+ * bounds that are claimed there. A line for each:
  *
  *	claim, claimed, found, proved or refused
  */
@@ -65,16 +65,10 @@ static bool isfinite(number)
 #define R_STORE(p, a) (*(p) = (a))
 #define R_ALL(a) (number(a))
 #define R_FMA(a, b, c) fma(a, b, c)
-#define R_ABS(a) fabs(a)
-#define R_MAX(a, b) (a)
 #define R_POSITIVE(a, b) (b)
-#define ROUNDOFF 0x1p-53
-#define TINY 0
 #define MOST 1
 #define NAME(x) counted_##x
 #include "points/kernel/plain.h"
-
-#include "quick.h"
 
 #undef double
 
@@ -111,7 +105,7 @@ static void fresh(void)
 	count::divisions.clear();
 	count::nodes.clear();
 	count::relative = false;
-	count::lost = count::head = 0;
+	count::lost = 0;
 	count::answers = -1;
 }
 
@@ -125,64 +119,12 @@ static poly minus(const poly &a, const poly &b)
 	return count::plus(a, b, -1);
 }
 
-/* ---- dd.h, in units of u^2 of the result ---- */
-
-/* Heads x and y in a box, low parts as large as they can be. Powers of two and
- * signs change nothing. */
-struct box {
-	double x0, x1, y0, y1;
-};
-
-static dd word(double low, double high)
-{
-	return dd{ given(high, low, -52), given(U) };
-}
-
-static poly sum_of(dd a)
-{
-	return plus(a.hi->is, a.lo->is);
-}
-
-static double dd_error(bool divide, const box &at)
+/* What the first double leaves of 1 is rounded again. */
+static void prove_round(void)
 {
 	fresh();
-	dd a = word(at.x0, at.x1 - 2 * U), b = word(at.y0, at.y1 - 2 * U);
-
-	count::head = divide ? 0.5 : 1;
-	if (!divide)
-		return bound(minus(sum_of(dd_mul(a, b)),
-			   times(sum_of(a), sum_of(b)))) /
-		    (at.x0 * at.y0 * (1 - 2 * U));
-	return bound(minus(times(sum_of(dd_div(a, b)), sum_of(b)), sum_of(a))) /
-	    (at.x0 * (1 - U));
-}
-
-/* Halves a box where its bound is above the claim, until one shows that this
- * isn't for want of halving. */
-static double worst_dd(bool divide, double claim, const box &at)
-{
-	double e = dd_error(divide, at) / (U * U), worst = 0;
-	double x = (at.x0 + at.x1) / 2, y = (at.y0 + at.y1) / 2;
-	const box parts[] = { { at.x0, x, at.y0, y }, { at.x0, x, y, at.y1 },
-		{ x, at.x1, at.y0, y }, { x, at.x1, y, at.y1 } };
-
-	if (e <= claim || at.x1 - at.x0 < 0x1p-24)
-		return e;
-	for (int i = 0; i < 4 && worst <= claim * MILLIONTH; i++)
-		worst = std::fmax(worst, worst_dd(divide, claim, parts[i]));
-	return worst;
-}
-
-static void prove_dd(void)
-{
-	fresh();
-	/* what its first double leaves of 1, rounded again */
 	say("ex_round: EX_BOUND", EX_BOUND, count::half_ulp(U) / (U * U),
 	    "u^2");
-	const box all = { 1, 2, 1, 2 };
-
-	say("dd_mul", DD_MUL, worst_dd(false, DD_MUL, all), "u^2");
-	say("dd_div", DD_DIV, worst_dd(true, DD_DIV, all), "u^2");
 }
 
 /* ---- kernel/exact.h ---- */
@@ -464,7 +406,7 @@ static void run_plain(enum kernel_kind kind)
 	const number *const from[3] = { in, in + 1, in + 2 };
 	number *const to[3] = { out, out + 1, out + 2 };
 
-	counted_plain(&map, from, to, 1, NULL, kind);
+	counted_plain(&map, from, to, 1, kind);
 }
 
 /* An element as it is cast: rounded once. */
@@ -571,48 +513,9 @@ static void prove_estimate(void)
 	say("estimate: ESTIMATE_BOUND", ESTIMATE_BOUND / U, most / U, "u");
 }
 
-/* ---- quick.h, in units of u^2 of sums of products' magnitudes ---- */
-
-/* Term i of a column. */
-static double quick_column_error(int i)
-{
-	fresh();
-	count::relative = true;
-	/* that sums are in order for fast_two_sum is proved of dd_add in the
-	 * papers, and tried in toy arithmetic */
-	count::head = HUGE_VAL;
-	give_map(small, small);
-	give_points(small);
-	map.hi[i][0] = given(1);
-	map.lo[i][0] = given(U);
-	if (i < 3)
-		count::bounds[difference[i].begin()->first[0]] = 1;
-	dd p[4];
-
-	for (int k = 0; k < 3; k++)
-		p[k] = two_sum(in[k], -map.origin[k]);
-	p[3] = dd{ 1, 0 };
-	return bound(
-	    minus(sum_of(quick_column(&map, 0, p).value), column_of(0, 3)));
-}
-
-static void prove_quick(void)
-{
-	double column = 0;
-
-	for (int i = 0; i < 4; i++)
-		column = std::fmax(column, quick_column_error(i));
-	/* with what elements are rounded by */
-	column = column / (U * U) + EX_BOUND;
-	say("quick: a column", QUICK_COLUMN, column, "u^2");
-	say("quick: QUICK_BOUND", QUICK_BOUND / (U * U), column + DD_DIV,
-	    "u^2");
-}
-
 int main()
 {
-	prove_quick();
-	prove_dd();
+	prove_round();
 	prove_exact();
 	prove_ends();
 	prove_plain();

@@ -153,9 +153,6 @@ static std::vector<node> nodes;
 static bool relative;
 /* Each rounding loses so much more where it can underflow, or 0. */
 static double lost;
-/* The least that the first operand of a fast_two_sum is; 0 if it may be less
- * than the second. */
-static double head;
 /* What comparisons of a magnitude with a constant answer, the first in the lowest
  * bit: 1 where it is less. */
 static int answers = -1;
@@ -350,17 +347,6 @@ static number operator-(number a, number b)
 {
 	if (is_zero(b))
 		return a;
-	/* a - (s - x) for s = x + a, |x| >= |a| */
-	if (head > 0 && b->op == DIFFERENCE && is(b->a, SUM, b->b, a.id)) {
-		if (a->most > head)
-			refuse("fast_two_sum of operands in the wrong order");
-		node low = *error_of(b->a);
-
-		low.op = DIFFERENCE; /* which two_sum has, too */
-		low.a = a.id;
-		low.b = b.id;
-		return number::add(low);
-	}
 	poly p = plus(a->is, b->is, -1);
 	double most = a->most + b->most;
 

@@ -1,7 +1,7 @@
 (* SPDX-License-Identifier: MIT *)
-(* Of the transformations in core/exact/dd.h without error: each operation is rounded to
-   the nearest double, ties to even, subnormal ones among them; nothing
-   overflows. Flocq's theorems are of the same operations in its own order of
+(* The sums and products of core/points/kernel/exact.h whose low parts are exact:
+   each operation is rounded to the nearest double, ties to even, subnormal ones
+   among them; nothing overflows. Flocq's theorems are of the same operations in its own order of
    signs. *)
 From Coq Require Import Reals ZArith Lia Lra.
 From Flocq Require Import Core Pff2Flocq Mult_error.

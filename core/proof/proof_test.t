@@ -24,10 +24,6 @@ sub holds {
 	note($said) if $well;
 }
 
-for my $digits (4, 5, 6) {
-	holds("dd.h in $digits digits",
-	    outcome(compiled('toy_dd.cc', $core, "-DP=$digits")));
-}
 for my $way ('', '-DFUSED') {
 	for my $digits (7, 16, 24, 53) {
 		holds("the exact kernel in $digits digits $way",
@@ -39,9 +35,8 @@ holds('errors counted', count_errors($core));
 
 # File, what is changed there, and who finds it: a program of toy arithmetic with
 # so many digits, or the claim of which the count finds more.
-my $exact = 'kernel/exact.h';
+my $exact = 'points/kernel/exact.h';
 my @toy = ('toy_exact.cc', '-DP=53');
-my @toy_dd = ('toy_dd.cc', '-DP=6');
 my @mutations = (
 	[$exact, 'a term that is forgotten',
 	    'lo = MADD(cut[k], ALL(c->rest[k]), lo)', 'lo = lo',
@@ -76,20 +71,12 @@ my @mutations = (
 	    'MADD(ABS(q), w_bound, bound);', 'bound;', @toy],
 	[$exact, 'a length whose squares are rounded',
 	    'low = low + FMA(a[k].hi, a[k].hi, -square[k])', 'low = low', @toy],
-	['quick.h', 'a sum that is off', 's.lo, t.lo);', 's.lo, 0);', @toy_dd],
-	['quick.h', 'a sum that is said to be exact', 'u.lo == 0 && v.lo == 0',
-	    'u.lo == 0', @toy_dd],
-	['dd.h', 'a product without one of its terms',
-	    'fma(a.lo, b.hi, fma(a.hi, b.lo, a.lo * b.lo))',
-	    'fma(a.lo, b.hi, a.lo * b.lo)', @toy_dd],
-	['dd.h', 'a low part with the wrong sign', 'fma(-q, b.lo, a.lo)',
-	    'fma(q, b.lo, a.lo)', @toy_dd],
 );
 # All in one.
 my @counted = (
 	[$exact, 'an origin that is subtracted too near',
 	    'POINT_CUT - 3', '1', 'column, of 2^-79 B'],
-	['kernel/plain.h', 'one rounding more',
+	['points/kernel/plain.h', 'one rounding more',
 	    'R_FMA(b, r, a)', 'b * r + a', 'plain depth, of b/w: PLAIN_BOUND'],
 	[$exact, 'a length without its low part', '(rest * ALL(0.5))',
 	    '(rest * ALL(0))', 'length'],
@@ -99,14 +86,12 @@ my @bounds = (
 	    'POINT_CUT - 3', 'POINT_CUT + 3', 'column, of 2^-79 B'],
 	[$exact, 'a bound of an eighth', 'COLUMN_BOUND 0x1p-72',
 	    'COLUMN_BOUND 0x1p-75', 'quotient: share of its error'],
-	['kernel/kernel.h', 'a plain bound that is too small',
+	['points/kernel/kernel.h', 'a plain bound that is too small',
 	    'PLAIN_BOUND 10', 'PLAIN_BOUND 8',
 	    'plain depth, of b/w: PLAIN_BOUND'],
-	['kernel/kernel.h', 'a bound of estimates that is too small',
+	['points/kernel/kernel.h', 'a bound of estimates that is too small',
 	    'ESTIMATE_BOUND 0x1p-50', 'ESTIMATE_BOUND 0x1p-51',
 	    'estimate: ESTIMATE_BOUND'],
-	['quick.h', 'a bound of sums that is too small', '0x1p-101', '0x1p-102',
-	    'quick: QUICK_BOUND'],
 );
 
 my @loose = (
@@ -114,22 +99,20 @@ my @loose = (
 	    'COLUMN_BOUND 0x1p-71', 'share of its error'],
 	[$exact, 'a bound of depth that is too large', 'DEPTH_BOUND 0x1p-88',
 	    'DEPTH_BOUND 0x1p-87', 'DEPTH_BOUND'],
-	['kernel/kernel.h', 'a plain bound that is too large', 'PLAIN_BOUND 10',
+	['points/kernel/kernel.h', 'a plain bound that is too large', 'PLAIN_BOUND 10',
 	    'PLAIN_BOUND 20', 'PLAIN_BOUND'],
-	['kernel/kernel.h', 'a bound of estimates that is too large',
+	['points/kernel/kernel.h', 'a bound of estimates that is too large',
 	    'ESTIMATE_BOUND 0x1p-50', 'ESTIMATE_BOUND 0x1p-49',
 	    'ESTIMATE_BOUND'],
-	['quick.h', 'a bound of sums that is too large', '0x1p-101', '0x1p-100',
-	    'QUICK_BOUND'],
 );
 
 # A copy of core's headers with these changes.
 sub mutant {
 	my $copy = "$tmp/mutant";
 	remove_tree($copy);
-	make_path("$copy/kernel");
-	for my $header (qw(dd.h exact.h quick.h kernel/exact.h
-	    kernel/plain.h kernel/kernel.h)) {
+	make_path("$copy/exact", "$copy/points/kernel");
+	for my $header (qw(exact/dd.h exact/exact.h points/kernel/exact.h
+	    points/kernel/plain.h points/kernel/kernel.h)) {
 		spew("$copy/$header", slurp("$core/$header"));
 	}
 	for my $m (@_) {

@@ -110,8 +110,6 @@ transformations();
 my ($well, $said) = count_errors($core);
 print $said;
 $refused++ if !$well;
-printf "%-36s %8.6g %17s taken from its papers; toy arithmetic has 2.5\n",
-    'dd_add', claimed("$core/exact/dd.h", 'dd_add'), 'u^2          ';
 quotients();
 trigonometry();
 if ($refused) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Numbers of P binary digits in the name of doubles, P <= 24, so that nearly all
+/* Numbers of P binary digits in the name of doubles, P <= 24, so that many
  * operands can be tried. What is tested is the headers themselves: they are
  * included with double as the name of these. Exponents have no limits. Where P is
  * 53 they are doubles. */

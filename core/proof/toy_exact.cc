@@ -225,7 +225,8 @@ static int quotients(int tries)
 
 		if (at(n.hi) == 0 || at(w.hi) == 0)
 			continue;
-		w = at(w.hi) < 0 ? dd_neg(w) : w;
+		if (at(w.hi) < 0)
+			w = dd{ -w.hi, -w.lo };
 		n_bound = nearest(std::fabs(at(n.hi)) * least);
 		w_bound = nearest(at(w.hi) * least);
 		toy sure = 1;

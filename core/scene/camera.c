@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "rotation.h"
+#include "../exact/rotation.h"
 #include "../exact/vec3.h"
 
 /* An axis is v / length. The two are kept apart, as v is an exact polynomial of
@@ -31,8 +31,7 @@ static const char *look(const struct camera *c,
 	bool at = c->by == CAMERA_AT;
 
 	for (int i = 0; i < 3; i++) {
-		z->v[i] = sum_of(
-		    at ? ex_diff(c->at[i], c->eye[i]) : ex_of(c->at[i]));
+		z->v[i] = sum_diff(c->at[i], at ? c->eye[i] : 0);
 		if (convention->right_handed)
 			z->v[i] = sum_neg(z->v[i]);
 		up[i] = sum_of_double(c->up[i]);
@@ -49,9 +48,9 @@ static const char *look(const struct camera *c,
 	vec3_cross(z->v, x->v, y->v);
 	struct sum xx = vec3_dot(x->v, x->v), zz = vec3_dot(z->v, z->v);
 	/* |sin| of the angle between up and gaze is below 2^-50 */
-	ex bound = ex_mul(vec3_dot(up, up).value, zz.value);
+	struct sum bound = sum_mul(vec3_dot(up, up), zz);
 
-	if (ex_compare(xx.value, ex_shift(bound, -100)) < 0)
+	if (sum_compare(xx, sum_scale(bound, 0x1p-100)) < 0)
 		return "/camera/up: parallel to the gaze; "
 		       "choose another up vector";
 	x->length = sum_sqrt(xx);

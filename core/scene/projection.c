@@ -19,11 +19,6 @@ struct elements {
 	struct sum by, tz_by, zz_by;
 };
 
-static struct sum difference(double a, double b)
-{
-	return sum_of(ex_diff(a, b));
-}
-
 /* One of x and y is s / over; the other follows from the aspect w / h. */
 static void by_aspect(const double aspect[2], bool given_x, struct sum s,
     struct sum over, struct elements *f)
@@ -123,10 +118,10 @@ static const char *cross_section(const struct projection *p, double d,
 		break;
 	case EXTENT_EDGES:
 		f->x = f->y = sum_of_double(2 * d);
-		f->dx = difference(p->right, p->left);
-		f->dy = difference(p->top, p->bottom);
-		off[0] = difference(p->left, -p->right);
-		off[1] = difference(p->bottom, -p->top);
+		f->dx = sum_diff(p->right, p->left);
+		f->dy = sum_diff(p->top, p->bottom);
+		off[0] = sum_diff(p->left, -p->right);
+		off[1] = sum_diff(p->bottom, -p->top);
 		if (sum_sign(f->dx) == 0)
 			return "/projection/right: equal to left; "
 			       "the edges must differ";
@@ -156,8 +151,8 @@ static void find_depth(const struct projection *p, bool minus_one,
 		double a = p->reverse_z ? p->far : n;
 		double b = p->reverse_z ? n : p->far;
 
-		f->dz = difference(b, a);
-		f->zz = minus_one ? difference(b, -a) : sum_of_double(b);
+		f->dz = sum_diff(b, a);
+		f->zz = minus_one ? sum_diff(b, -a) : sum_of_double(b);
 		f->tz = sum_mul(sum_of_double(-k * a), sum_of_double(b));
 	}
 }
@@ -200,13 +195,13 @@ static const char *ortho(const struct projection *p, const struct convention *c,
 	if (why != NULL)
 		return why;
 	f->d = sum_of_double(1);
-	f->dz = difference(b, a);
+	f->dz = sum_diff(b, a);
 	if (sum_sign(f->dz) == 0)
 		return "/projection/far: equal to near; "
 		       "the planes must differ";
 	f->zz = sum_negated_if(looks_back(c),
 	    sum_of_double(c->minus_one ? 2 : 1));
-	f->tz = c->minus_one ? difference(-a, b) : sum_of_double(-a);
+	f->tz = c->minus_one ? sum_diff(-a, b) : sum_of_double(-a);
 	f->tx = sum_neg(off[0]);
 	f->ty = sum_neg(off[1]);
 	f->tw = sum_of_double(1);
@@ -362,7 +357,7 @@ static const char *volume(const struct projection *p,
 	halves_of(p, half);
 	f->dx = half[0].n;
 	f->dy = half[1].n;
-	f->dz = difference(p->z_near, p->z_far);
+	f->dz = sum_diff(p->z_near, p->z_far);
 	if (sum_sign(f->dz) == 0)
 		return "/projection/z_far: equal to z_near; "
 		       "the planes must differ";
@@ -413,12 +408,6 @@ static void map_of_elements(const struct elements *f, struct map *r)
 	map_column_over(r, 2, f->dz);
 }
 
-/* a b - c d */
-static struct sum minor(struct sum a, struct sum b, struct sum c, struct sum d)
-{
-	return sum_sub(sum_mul(a, b), sum_mul(c, d));
-}
-
 /* Block by block: 1/x and 1/y; the inverse of zz zw, tz tw; and what makes the
  * lower left one cancel. What columns were divided by, rows are multiplied by. Where y
  * goes into x, the first column is over x y. */
@@ -432,17 +421,18 @@ static struct elements inverse_elements(const struct elements *f)
 		zz = f->zz_by;
 		det = sum_of_double(1);
 	}
-	struct sum zx = minor(f->tw, f->zx, f->zw, f->tx), y = sum_of_double(1);
-	struct sum zy = minor(f->tw, f->zy, f->zw, f->ty);
-	struct sum tx = minor(tz, f->zx, zz, f->tx);
-	struct sum ty = minor(tz, f->zy, zz, f->ty);
+	struct sum zx = sum_minor(f->tw, f->zx, f->zw, f->tx),
+		   y = sum_of_double(1);
+	struct sum zy = sum_minor(f->tw, f->zy, f->zw, f->ty);
+	struct sum tx = sum_minor(tz, f->zx, zz, f->tx);
+	struct sum ty = sum_minor(tz, f->zy, zz, f->ty);
 	struct sum z = sum_mul(by, f->dz), minus_z = sum_neg(z);
 	struct sum x = sum_mul(f->d, det);
 
 	if (sum_sign(f->yx) != 0) {
 		y = f->y;
-		zx = minor(zx, y, f->yx, zy);
-		tx = minor(tx, y, f->yx, ty);
+		zx = sum_minor(zx, y, f->yx, zy);
+		tx = sum_minor(tx, y, f->yx, ty);
 	}
 	return (struct elements){
 		.x = sum_mul(f->dx, sum_mul(y, x)),
@@ -674,7 +664,7 @@ static bool plane_z(const struct projection *p, const struct convention *c,
 	if (p->type == PROJECTION_VOLUME) {
 		*z = sum_of_double(far ? p->z_far : p->z_near);
 	} else if (isfinite(at)) {
-		*z = difference(at, projection_w_at_eye(p));
+		*z = sum_diff(at, projection_w_at_eye(p));
 		*z = sum_negated_if(looks_back(c), *z);
 	}
 	return p->type == PROJECTION_VOLUME || isfinite(at);

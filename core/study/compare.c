@@ -52,7 +52,7 @@ static void carry_in(enum precision precision, const struct transform *t,
 
 	fill(&b, in);
 	memset(b.out, 0, sizeof b.out);
-	carry(t, (struct accuracy){ .precision = precision }, &b, MANY);
+	carry(t, precision, &b, MANY);
 	for (int i = 0; i < MANY; i++) {
 		for (int j = 0; j < 3; j++)
 			out[i][j] = b.out[j][i];

@@ -136,8 +136,7 @@ static void bounds_hold(void **state)
 		for (int i = 0; i < 3; i++) {
 			if (isnan(bound[i]))
 				continue;
-			carry(&t, (struct accuracy){ (enum precision)i, { 0 } },
-			    &b, POINTS);
+			carry(&t, (enum precision)i, &b, POINTS);
 			double w = worst_of(&s, &t, &truth, &b, bound[i],
 			    &n[i]);
 

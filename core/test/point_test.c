@@ -89,9 +89,6 @@ static void assert_image(const struct transform *t, double x, double y,
 	point_exact(t, p, q);
 	for (int j = 0; j < 3; j++)
 		assert_true(q[j] == expected[j]);
-	if (point_quick(t, p, q))
-		for (int j = 0; j < 3; j++)
-			assert_true(q[j] == expected[j]);
 	for (; copy < copies + COPIES; copy++) {
 		if (!points_choose(*copy))
 			continue;
@@ -127,45 +124,8 @@ static void sums_of_given_numbers(void **state)
 	assert_image(&t, 1, -0x1p-60, 0, (double[]){ 3, 1, 1 - 0x1p-53 });
 }
 
-static double of_any_bits(void)
-{
-	return 1 + sample_unit() + 0x1p-30 * sample_unit();
-}
-
-/* a b x + c y + d, where a b is known as hi + lo and its product with x no longer
- * exactly; that c and d cancel most of it or nothing. What is not sure is left. */
-static void quick_points(void **state)
-{
-	int sure = 0;
-
-	(void)state;
-	sample_seed(3);
-	for (int k = 0; k < 3000; k++) {
-		const double p[4] = { of_any_bits(), of_any_bits(), 0 };
-		double a = of_any_bits(), b = of_any_bits();
-		double c = k % 3 == 0 ? 0 : of_any_bits(), out[4];
-		double d = -(a * b * p[0] + c * p[1]);
-		double m[4][4] = { { 0, 0, 0, 0 }, { c, 0, 0, 0 },
-			{ 0, 0, 0, 0 }, { k % 2 == 0 ? d : 0, 0, 0, 1 } };
-		static struct transform t;
-		int mark = real_mark();
-		real exact = add(mul(mul(number(a), number(b)), number(p[0])),
-		    add(mul(number(c), number(p[1])), number(m[3][0])));
-
-		map_of_doubles(m, &t.map);
-		t.map.m[0][0] = sum_mul(sum_of_double(a), sum_of_double(b));
-		transform_init(&t, SPACE_MODEL, SPACE_WORLD, false);
-		if (point_quick(&t, p, out)) {
-			assert_true(out[0] == mpfr_get_d(exact, MPFR_RNDN));
-			sure++;
-		}
-		real_release(mark);
-	}
-	assert_true(sure > 1000);
-}
-
-/* 1 is no difference beside 2^200 times what is one between irrational numbers. */
-static void quick_nothing(void **state)
+/* 1 is no difference beside 2^200 times what is none between irrational numbers. */
+static void nothing_beside_more(void **state)
 {
 	struct sum root = sum_sqrt(sum_of_double(2));
 	struct sum none = sum_sub(sum_mul(root, root), sum_of_double(2));
@@ -186,7 +146,6 @@ static void quick_nothing(void **state)
 			transform_init(&t, SPACE_MODEL, SPACE_WORLD, false);
 			point_exact(&t, p, out);
 			assert_true(out[0] == 0);
-			assert_false(point_quick(&t, p, out));
 		}
 }
 
@@ -373,8 +332,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(random_points),
 		cmocka_unit_test(sums_of_given_numbers),
-		cmocka_unit_test(quick_points),
-		cmocka_unit_test(quick_nothing),
+		cmocka_unit_test(nothing_beside_more),
 		cmocka_unit_test(quotients_of_given_numbers),
 		cmocka_unit_test(underflow),
 		cmocka_unit_test(ties_of_irrational_parts),

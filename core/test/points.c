@@ -4,18 +4,18 @@
 #include <math.h>
 #include <stdio.h>
 
-void carry(const struct transform *t, struct accuracy a, struct block *b,
+void carry(const struct transform *t, enum precision precision, struct block *b,
     size_t n)
 {
 	const double *const in[4] = { b->in[0], b->in[1], b->in[2], b->in[3] };
 	double *const out[4] = { b->out[0], b->out[1], b->out[2], b->out[3] };
 
-	points_carry(t, &a, in, out, n);
+	points_carry(t, precision, in, out, n);
 }
 
 void carry_all(const struct transform *t, struct block *b, size_t n)
 {
-	carry(t, (struct accuracy){ PRECISION_EXACT, { 0 } }, b, n);
+	carry(t, PRECISION_EXACT, b, n);
 }
 
 void point_of(const struct block *b, size_t i, double p[4])

@@ -18,7 +18,7 @@ static const char *const copies[] = { "baseline", "avx2", "avx512", "neon" };
 
 enum { COPIES = sizeof copies / sizeof *copies };
 
-void carry(const struct transform *, struct accuracy, struct block *, size_t n);
+void carry(const struct transform *, enum precision, struct block *, size_t n);
 
 /* Carries exactly. */
 void carry_all(const struct transform *, struct block *, size_t n);

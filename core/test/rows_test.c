@@ -144,7 +144,6 @@ static void what_is_not_plain_is_told(void **state)
  * float. */
 static void floats_come_out_as_of_doubles(void **state)
 {
-	const struct accuracy single = { .precision = PRECISION_SINGLE };
 	static struct block b;
 	static struct transform t;
 	struct truth truth = { 0 };
@@ -171,7 +170,7 @@ static void floats_come_out_as_of_doubles(void **state)
 		if (!points_carry_floats(&t, rows + 1, back + 1, n))
 			continue;
 		assert_true(points_split(rows + 1, false, t.in, b.in, n));
-		carry(&t, single, &b, n);
+		carry(&t, PRECISION_SINGLE, &b, n);
 		for (size_t i = 0; i < n * (size_t)t.out; i++)
 			assert_true(got(false, i) ==
 			    b.out[i % (size_t)t.out][i / (size_t)t.out]);
@@ -181,108 +180,12 @@ static void floats_come_out_as_of_doubles(void **state)
 	assert_true(carried > 200);
 }
 
-/* To the bits of points_carry with columns, -0 as 0; where it gives up, one point has
- * no image. */
-static void doubles_come_out_as_of_columns(void **state)
-{
-	const struct accuracy exact = { .precision = PRECISION_EXACT };
-	static struct block b;
-	static struct transform t;
-	struct truth truth = { 0 };
-	struct scene s;
-	enum space from;
-	size_t carried = 0;
-
-	(void)state;
-	sample_seed(82);
-	for (int k = 0; k < 6000; k++) {
-		size_t n = 16 + 16 * sample_below(3);
-		int mark = real_mark();
-
-		points_choose(copies[k % COPIES]);
-		truth.n = 0;
-		bool any = sample_transform(k % 3 * 4, &s, &from, &t, &truth);
-
-		real_release(mark);
-		if (!any || t.in != 3 || t.out != 3)
-			continue;
-		sample_points(&s, from, &b, n);
-		for (size_t i = 0; i < n * 3; i++)
-			put(true, i, b.in[i % 3][i / 3]);
-		/* of nan: what is not known is computed, but no row more */
-		memset(back, 0xff, sizeof back);
-		if (!points_carry_doubles(&t, rows + 1, back + 1, n))
-			continue;
-		carry(&t, exact, &b, n);
-		for (size_t i = 0; i < n * 3; i++) {
-			double v = got(true, i);
-
-			assert_true(v == b.out[i % 3][i / 3]);
-			assert_true(v != 0 || !signbit(v));
-		}
-		assert_int_equal(back[0] & 0xff, 0xff);
-		for (size_t i = 24 * n + 1; i < sizeof back; i++)
-			assert_int_equal(back[i] & 0xff, 0xff);
-		carried++;
-	}
-	print_message("%zu blocks of doubles were carried\n", carried);
-	assert_true(carried > 200);
-}
-
-/* Whether points of 1 2 3 are carried by a map, but that number i is v, and what is
- * behind them is none. */
-static bool carries(const struct transform *t, size_t i, double v)
-{
-	for (size_t k = 0; k < 48 * 3; k++)
-		put(true, k, k == i ? v : (double)(1 + k % 3));
-	for (size_t k = 48 * 3; k < 4 * ROWS; k++)
-		put(true, k, 1e300);
-	return points_carry_doubles(t, rows + 1, back + 1, 48);
-}
-
-/* Wherever the one stands that is beyond the range, nan or behind the eye. */
-static void doubles_are_left_where_one_is_not_plain(void **state)
-{
-	const struct scene scene = {
-		.has_camera = true,
-		.camera = { .by = CAMERA_AT,
-		    .eye = { 0, 0, 10 },
-		    .up = { 0, 1 } },
-		.projection = { .type = PROJECTION_PERSP,
-		    .extent = EXTENT_FOVY,
-		    .angle = 60,
-		    .aspect = { 4, 3 },
-		    .near = 1,
-		    .far = 100 },
-	};
-	static struct transform view, seen;
-
-	(void)state;
-	assert_null(
-	    scene_transform(&scene, SPACE_WORLD, SPACE_VIEW, false, &view));
-	assert_null(
-	    scene_transform(&scene, SPACE_WORLD, SPACE_NDC, false, &seen));
-	for (int c = 0; c < COPIES; c++)
-		for (size_t i = 0; i < 48 * 3 && points_choose(copies[c]);
-		     i++) {
-			assert_true(carries(&view, i, -5));
-			assert_true(carries(&seen, i, -5));
-			assert_false(carries(&view, i, 1.1e150));
-			assert_false(carries(&seen, i, -HUGE_VAL));
-			assert_false(carries(&view, i, (double)NAN));
-			assert_false(carries(&seen, i, (double)NAN));
-			assert_true(carries(&seen, i, 20) == (i % 3 != 2));
-		}
-}
-
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(numbers_keep_their_places),
 		cmocka_unit_test(what_is_not_plain_is_told),
 		cmocka_unit_test(floats_come_out_as_of_doubles),
-		cmocka_unit_test(doubles_come_out_as_of_columns),
-		cmocka_unit_test(doubles_are_left_where_one_is_not_plain),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -4,6 +4,7 @@
 #include <immintrin.h>
 
 #define COPY kernels_avx2
+#define PROCESSOR PROCESSOR_AVX2
 
 #define V __m256d
 #define WIDTH 4
@@ -41,8 +42,6 @@
 #define F_FAR(p, o) _mm256_set_m128(F_FAR_HALF((p) + 4, o), F_FAR_HALF(p, o))
 #define F_ALL(a) _mm256_set1_ps(a)
 #define F_FMA(a, b, c) _mm256_fmadd_ps(a, b, c)
-#define F_ABS(a) _mm256_andnot_ps(_mm256_set1_ps(-0.0f), a)
-#define F_MAX(a, b) _mm256_max_ps(a, b)
 #define F_POSITIVE(a, b)                         \
 	_mm256_blendv_ps(_mm256_set1_ps(NAN), b, \
 	    _mm256_cmp_ps(a, _mm256_setzero_ps(), _CMP_GT_OQ))

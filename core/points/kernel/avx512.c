@@ -4,6 +4,7 @@
 #include <immintrin.h>
 
 #define COPY kernels_avx512
+#define PROCESSOR PROCESSOR_AVX512
 
 #define V __m512d
 #define WIDTH 8
@@ -47,8 +48,6 @@
 #define F_FAR(p, o) F_JOIN(F_FAR_HALF(p, o), F_FAR_HALF((p) + 8, o))
 #define F_ALL(a) _mm512_set1_ps(a)
 #define F_FMA(a, b, c) _mm512_fmadd_ps(a, b, c)
-#define F_ABS(a) _mm512_abs_ps(a)
-#define F_MAX(a, b) _mm512_max_ps(a, b)
 #define F_POSITIVE(a, b)                                                \
 	_mm512_mask_blend_ps(_mm512_cmp_ps_mask(a, _mm512_setzero_ps(), \
 				 _CMP_GT_OQ),                           \

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #define COPY kernels_baseline
+#define PROCESSOR PROCESSOR_BASELINE
 
 #define V double
 #define WIDTH 1
@@ -29,8 +30,6 @@
 #define F_FAR(p, o) ((float)((double)*(p) - (o)))
 #define F_ALL(a) ((float)(a))
 #define F_FMA(a, b, c) fmaf(a, b, c)
-#define F_ABS(a) fabsf(a)
-#define F_MAX(a, b) ((a) > (b) ? (a) : (b))
 #define F_POSITIVE(a, b) ((a) > 0 ? (b) : NAN)
 
 #include "copy.h"

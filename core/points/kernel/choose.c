@@ -4,42 +4,62 @@
 #include <stdbool.h>
 #include <string.h>
 
-static const struct {
-	const char *name;
-	const struct kernels *copy;
-} copies[] = {
-/* the best first */
+/* The best first. */
+static const struct kernels *const copies[] = {
 #ifdef __x86_64__
-	{ "avx512", &kernels_avx512 },
-	{ "avx2", &kernels_avx2 },
+	&kernels_avx512,
+	&kernels_avx2,
 #endif
 #ifdef __AARCH64EL__
-	{ "neon", &kernels_neon },
+	&kernels_neon,
 #endif
-	{ "baseline", &kernels_baseline },
+	&kernels_baseline,
 };
 
-static bool runs(const char *name)
+/* Whether this processor has what the copies for one kind of processor take, here and
+ * in cmd/number/vector. */
+static bool is_here(enum processor processor)
 {
+	switch (processor) {
+	case PROCESSOR_BASELINE:
+	case PROCESSOR_NEON:
+		return true;
 #ifdef __x86_64__
-	if (strcmp(name, "avx512") == 0)
-		return __builtin_cpu_supports("avx512f") != 0;
-	if (strcmp(name, "avx2") == 0)
+	case PROCESSOR_AVX2:
 		return __builtin_cpu_supports("avx2") &&
 		    __builtin_cpu_supports("fma");
+	case PROCESSOR_AVX512:
+		return __builtin_cpu_supports("avx512f") &&
+		    __builtin_cpu_supports("avx512bw") &&
+		    __builtin_cpu_supports("avx512cd") &&
+		    __builtin_cpu_supports("avx512dq") &&
+		    __builtin_cpu_supports("avx512vl") &&
+		    __builtin_cpu_supports("fma");
+#else
+	case PROCESSOR_AVX2:
+	case PROCESSOR_AVX512:
 #endif
-#ifdef __AARCH64EL__
-	if (strcmp(name, "neon") == 0)
-		return true;
-#endif
-	return strcmp(name, "baseline") == 0;
+	case PROCESSORS:
+		break;
+	}
+	return false;
 }
 
 const struct kernels *kernels_find(const char *name)
 {
-	for (size_t i = 0; i < sizeof copies / sizeof *copies; i++)
-		if ((name == NULL || strcmp(copies[i].name, name) == 0) &&
-		    runs(copies[i].name))
-			return copies[i].copy;
+	static const char *const names[PROCESSORS] = {
+		[PROCESSOR_BASELINE] = "baseline",
+		[PROCESSOR_AVX2] = "avx2",
+		[PROCESSOR_AVX512] = "avx512",
+		[PROCESSOR_NEON] = "neon",
+	};
+
+	for (size_t i = 0; i < sizeof copies / sizeof *copies; i++) {
+		enum processor processor = copies[i]->processor;
+
+		if ((name == NULL || strcmp(names[processor], name) == 0) &&
+		    is_here(processor))
+			return copies[i];
+	}
 	return NULL;
 }

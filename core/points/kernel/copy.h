@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The loops for one kind of processor. A file that includes this defines:
  *
- *	COPY		the name of its struct kernels
+ *	COPY, PROCESSOR	the name of its struct kernels, and what it is for
  *	V, WIDTH	a vector of doubles, and how many it holds
  *	LOAD, STORE	from and to any address
  *	ALL(a)		a in each lane
@@ -13,7 +13,7 @@
  *	CHOOSE(a, b, c)	a > 0 ? b : c
  *	IS_POSITIVE(a)	whether all of a are above 0
  *
- * and the same of FMA, ABS and MAX for floats, F and F_..., but that F_NEAR(p, o)
+ * and the same of FMA for floats, F and F_..., but that F_NEAR(p, o)
  * reads doubles and gives their difference from o rounded to floats, F_STORE
  * writes doubles, and F_POSITIVE(a, b) is a > 0 ? b : nan. F_LOAD and F_SAVE are
  * from and to floats, and F_FAR(p, o) is F_NEAR of what is floats in memory.
@@ -33,27 +33,11 @@
 #define R_STORE(p, a) STORE(p, a)
 #define R_ALL(a) ALL(a)
 #define R_FMA(a, b, c) FMA(a, b, c)
-#define R_ABS(a) ABS(a)
-#define R_MAX(a, b) MAX(a, b)
 #define R_POSITIVE(a, b) CHOOSE(a, b, ALL((double)NAN))
-#define ROUNDOFF 0x1p-53
-#define TINY 0x1p-1022
 #define MOST 0x1p1000
 #define NAME(x) double_##x
 #include "plain.h"
 
-#define LOOP(KIND, name)                                                       \
-	static int name(const struct kernel_map *m, const double *const in[3], \
-	    double *const out[3], size_t n, const double tolerance[3])         \
-	{                                                                      \
-		return double_plain(m, in, out, n, tolerance, KIND);           \
-	}
-
-LOOP(KERNEL_FLAT, within_flat)
-LOOP(KERNEL_AFFINE, within_affine)
-LOOP(KERNEL_DEPTH, within_depth)
-LOOP(KERNEL_PROJECTIVE, within_projective)
-#undef LOOP
 #undef REAL
 #undef R
 #undef R_WIDTH
@@ -61,11 +45,7 @@ LOOP(KERNEL_PROJECTIVE, within_projective)
 #undef R_STORE
 #undef R_ALL
 #undef R_FMA
-#undef R_ABS
-#undef R_MAX
 #undef R_POSITIVE
-#undef ROUNDOFF
-#undef TINY
 #undef MOST
 #undef NAME
 
@@ -76,11 +56,7 @@ LOOP(KERNEL_PROJECTIVE, within_projective)
 #define R_STORE(p, a) F_STORE(p, a)
 #define R_ALL(a) F_ALL(a)
 #define R_FMA(a, b, c) F_FMA(a, b, c)
-#define R_ABS(a) F_ABS(a)
-#define R_MAX(a, b) F_MAX(a, b)
 #define R_POSITIVE(a, b) F_POSITIVE(a, b)
-#define ROUNDOFF 0x1p-24f
-#define TINY 0x1p-126
 #define MOST 0x1p120
 #define NAME(x) single_##x
 #include "plain.h"
@@ -111,12 +87,12 @@ LOOP(KERNEL_PROJECTIVE, within_projective)
 	}
 
 const struct kernels COPY = {
+	.processor = PROCESSOR,
 	.exact = { KERNELS_OF(exact), [KERNEL_DIRECTION] = exact_direction },
 	.plain = {
 		[PRECISION_DOUBLE] = { KERNELS_OF(double) },
 		[PRECISION_SINGLE] = { KERNELS_OF(single) },
 	},
-	.within = { KERNELS_OF(within) },
 	.floats = { KERNELS_OF(floats) },
 	.signs = signs,
 	.split = { ROWS_OF(split_narrow), ROWS_OF(split_wide) },

@@ -73,12 +73,6 @@ typedef int (*plain_kernel)(const struct kernel_map *,
 typedef int (*float_kernel)(const struct kernel_map *, const float *const in[3],
     float *const out[3], size_t n);
 
-/* The same in double; the first coordinate is nan, too, where the error could be
- * larger than the tolerance in any of them. These are at least 2^-1000. */
-typedef int (*within_kernel)(const struct kernel_map *,
-    const double *const in[3], double *const out[3], size_t n,
-    const double tolerance[3]);
-
 /* The bound of the plain kernels' errors, in units of roundoff; derived and
  * claimed in plain.h. */
 #define PLAIN_BOUND 10
@@ -120,11 +114,20 @@ static inline double estimate_column(const double m[4][4], int j, double x,
 typedef void (*signs_kernel)(const struct estimate *, int columns,
     double weight, const double *const in[3], double *word, size_t n);
 
+/* The kinds of processors that the loops are compiled for. */
+enum processor {
+	PROCESSOR_BASELINE,
+	PROCESSOR_AVX2,
+	PROCESSOR_AVX512,
+	PROCESSOR_NEON,
+	PROCESSORS,
+};
+
 struct kernels {
+	enum processor processor;
 	exact_kernel exact[KERNELS];
 	plain_kernel plain[3][KERNELS]; /* by precision */
-	within_kernel within[KERNELS];
-	float_kernel floats[KERNELS]; /* single, to the same bits */
+	float_kernel floats[KERNELS];   /* single, to the same bits */
 	signs_kernel signs;
 	/* By whether rows are of doubles, and how many. */
 	split_kernel split[2][5];
@@ -139,8 +142,8 @@ struct kernels {
 extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512,
     kernels_neon;
 
-/* The copy for this processor, or the named one (baseline, avx2, avx512, neon);
- * NULL where the processor cannot run it or there is none of that name. */
+/* The best copy that this processor runs, or the named one (baseline, avx2, avx512,
+ * neon); NULL where it can't run that or there is none of that name. */
 const struct kernels *kernels_find(const char *name);
 
 #endif

@@ -4,6 +4,7 @@
 #include <arm_neon.h>
 
 #define COPY kernels_neon
+#define PROCESSOR PROCESSOR_NEON
 
 #define V float64x2_t
 #define WIDTH 2
@@ -37,8 +38,6 @@
 #define F_FAR(p, o) vcombine_f32(F_FAR_HALF(p, o), F_FAR_HALF((p) + 2, o))
 #define F_ALL(a) vdupq_n_f32(a)
 #define F_FMA(a, b, c) vfmaq_f32(c, a, b)
-#define F_ABS(a) vabsq_f32(a)
-#define F_MAX(a, b) vbslq_f32(vcgtq_f32(a, b), a, b)
 #define F_POSITIVE(a, b) vbslq_f32(vcgtzq_f32(a), b, vdupq_n_f32(NAN))
 
 #include "copy.h"

@@ -3,7 +3,7 @@
 #ifndef ROTATION_H
 #define ROTATION_H
 
-#include "../exact/map.h"
+#include "map.h"
 
 /* The rotation about a vector by its length, in radians: row i of r is axis i of the
  * turned space in the other. False where that is beyond 2 pi. */
