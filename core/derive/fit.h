@@ -3,7 +3,7 @@
 #ifndef FIT_H
 #define FIT_H
 
-#include "fit_bounds.h"
+#include "fit_points.h"
 
 /* Of a volume finds z_near and z_far alone: they close round the bounds along the
  * convention's gaze, near no nearer to an eye before it than near_ratio of the eye's
@@ -28,5 +28,10 @@
  * for which that is so, unless the bounds lie so far from the eye that they are
  * not known to the last bit. Returns NULL, or the member and the reason. */
 const char *fit_scene(struct scene *, bool has_eye, const struct bounds *);
+
+/* The directions in which points have to be the farthest of all for bounds of them to
+ * stand for all. Returns NULL, or the member and the reason. */
+const char *fit_directions(const struct scene *, bool has_eye,
+    struct directions *);
 
 #endif

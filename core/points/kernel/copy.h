@@ -22,6 +22,7 @@
 #include <math.h>
 
 #include "exact.h"
+#include "farthest.h"
 #include "rows.h"
 #include "signs.h"
 
@@ -119,6 +120,7 @@ const struct kernels COPY = {
 	.within = { KERNELS_OF(within) },
 	.floats = { KERNELS_OF(floats) },
 	.signs = signs,
+	.farthest = farthest,
 	.split = { ROWS_OF(split_narrow), ROWS_OF(split_wide) },
 	.join = { ROWS_OF(join_narrow), ROWS_OF(join_wide) },
 	.split_floats = ROWS_OF(split_floats),

@@ -120,12 +120,20 @@ static inline double estimate_column(const double m[4][4], int j, double x,
 typedef void (*signs_kernel)(const struct estimate *, int columns,
     double weight, const double *const in[3], double *word, size_t n);
 
+/* Finds for each direction j the greatest m[j][0] x + m[j][1] y + m[j][2] z, with
+ * four roundings, and for each coordinate the greatest magnitude, among n points and
+ * those behind them up to the next multiple of 16; -infinity or 0 where all are
+ * nan. */
+typedef void (*farthest_kernel)(const double (*m)[3], int directions,
+    const double *const in[3], size_t n, double *most, double largest[3]);
+
 struct kernels {
 	exact_kernel exact[KERNELS];
 	plain_kernel plain[3][KERNELS]; /* by precision */
 	within_kernel within[KERNELS];
 	float_kernel floats[KERNELS]; /* single, to the same bits */
 	signs_kernel signs;
+	farthest_kernel farthest;
 	/* By whether rows are of doubles, and how many. */
 	split_kernel split[2][5];
 	join_kernel join[2][5];

@@ -1,0 +1,168 @@
+/* SPDX-License-Identifier: MIT */
+#include "fit_points.h"
+
+#include <math.h>
+
+#include "../points/points.h"
+
+void directions_add(struct directions *all, const struct map *map, int j,
+    bool minus)
+{
+	struct direction *d = &all->of[all->n];
+	struct sum largest = sum_of_double(0);
+
+	for (int i = 0; i < 3; i++) {
+		d->m[i] = sum_settled(sum_negated_if(minus, map->m[i][j]));
+		if (sum_sign(sum_sub(sum_abs(d->m[i]), largest)) > 0)
+			largest = sum_abs(d->m[i]);
+	}
+	for (int i = 0; i < 3; i++) {
+		int sign = sum_sign(d->m[i]);
+		dd over = { 0, 0 };
+
+		if (sign != 0)
+			over = sum_dd(sum_quotient(d->m[i], largest));
+		if (sign != 0 && over.hi == 0)
+			over.hi = sign * 0x1p-1074;
+		d->hi[i] = all->hi[all->n][i] = over.hi;
+		d->lo[i] = over.lo;
+	}
+	all->n++;
+}
+
+/* An upper bound of the error of a direction's value at a point whose coordinates are
+ * at most so large. An element, a product and two sums round: 4 u of the sum of the
+ * products' magnitudes. Twice as much leaves room for the sums that compare a value
+ * with the bound; and the rest for what underflows. */
+static double bound_of(const double m[3], const double largest[3])
+{
+	double sum = 0x1p-1000;
+
+	for (int i = 0; i < 3; i++)
+		sum += (fabs(m[i]) + 0x1p-1000) * largest[i];
+	return 0x1p-50 * sum;
+}
+
+/* a + b = hi + lo */
+static dd two_sum(double a, double b)
+{
+	double s = a + b, t = s - a;
+
+	return (dd){ s, (a - (s - t)) + (b - t) };
+}
+
+/* How much farther p is than q in double-double, and in *size the sum of the products'
+ * magnitudes. */
+static double farther_by(const struct direction *d, const double p[3],
+    const double q[3], double *size)
+{
+	double high = 0, low = 0;
+
+	*size = 0;
+	for (int i = 0; i < 3; i++) {
+		dd step = two_sum(p[i], -q[i]);
+		dd product = two_prod(d->hi[i], step.hi);
+		dd sum = two_sum(high, product.hi);
+
+		high = sum.hi;
+		low += sum.lo + product.lo + d->hi[i] * step.lo +
+		    d->lo[i] * step.hi;
+		*size += fabs(product.hi) + 0x1p-900 * fabs(step.hi);
+	}
+	return high + low;
+}
+
+/* 1 where p is farther than q, -1 where q is, 0 where they are as far. Low parts are at
+ * most 6 u of the products' magnitudes, and their 12 sums round: with what products
+ * and elements lose that is less than 80 u^2, or 2^-99. */
+static int compare_along(const struct direction *d, const double p[3],
+    const double q[3])
+{
+	struct sum sum = sum_of_double(0);
+	bool same = true;
+	double size;
+
+	for (int i = 0; i < 3; i++)
+		same &= d->hi[i] == 0 || p[i] == q[i];
+	if (same)
+		return 0;
+	double by = farther_by(d, p, q, &size);
+
+	if (fabs(by) > 0x1p-98 * size + 0x1p-1000)
+		return by > 0 ? 1 : -1;
+	for (int i = 0; i < 3; i++)
+		sum = sum_add(sum,
+		    sum_mul(d->m[i], sum_of(ex_diff(p[i], q[i]))));
+	return sum_sign(sum);
+}
+
+/* Of two points that are as far, the one with the greater coordinates is taken. */
+static bool is_farther(const struct direction *d, const double p[3],
+    const double q[3])
+{
+	int order = compare_along(d, p, q);
+
+	for (int i = 0; i < 3 && order == 0; i++)
+		order = (p[i] > q[i]) - (p[i] < q[i]);
+	return order > 0;
+}
+
+static void add_point(struct farthest *f, const struct direction *d,
+    const double p[3], double bound)
+{
+	double value = p[0] * d->hi[0] + p[1] * d->hi[1] + p[2] * d->hi[2];
+	double least = value - bound, most = value + bound;
+
+	/* false of nan, too */
+	if (!f->any ? isnan(value) : !(most >= f->value - f->bound))
+		return;
+	if (f->any && !(least > f->value + f->bound) &&
+	    !is_farther(d, p, f->point))
+		return;
+	*f = (struct farthest){ true, { p[0], p[1], p[2] }, value, bound };
+}
+
+void extremes_add(struct extremes *e, const struct directions *all,
+    const double *const in[3], size_t n)
+{
+	double most[BOUNDS_POINTS], largest[3];
+
+	points_kernels()->farthest(all->hi, all->n, in, n, most, largest);
+	for (int j = 0; j < all->n; j++) {
+		double bound = bound_of(all->hi[j], largest);
+		struct farthest *f = &e->of[j];
+
+		if (f->any && most[j] + bound < f->value - f->bound)
+			continue;
+		for (size_t i = 0; i < n; i++) {
+			const double p[3] = { in[0][i], in[1][i], in[2][i] };
+
+			add_point(f, &all->of[j], p, bound);
+		}
+	}
+}
+
+void extremes_merge(struct extremes *e, const struct directions *all,
+    const struct extremes *other)
+{
+	for (int j = 0; j < all->n; j++)
+		if (other->of[j].any)
+			add_point(&e->of[j], &all->of[j], other->of[j].point,
+			    other->of[j].bound);
+}
+
+bool extremes_bounds(const struct extremes *e, const struct directions *all,
+    struct bounds *b)
+{
+	*b = (struct bounds){ .n = all->n };
+	for (int j = 0; j < all->n; j++) {
+		const double *p = e->of[j].point;
+
+		for (int i = 0; i < 3; i++) {
+			b->point[j][i] = p[i];
+			b->min[i] = j == 0 ? p[i] : fmin(b->min[i], p[i]);
+			b->max[i] = j == 0 ? p[i] : fmax(b->max[i], p[i]);
+		}
+	}
+	return all->n > 0 && e->of[0].any;
+}
