@@ -26,12 +26,11 @@ static void take_block(const struct job *j, struct chunk *c, size_t n)
 		memset(chunk_reserve(c, sizeof fit->extremes), 0,
 		    sizeof fit->extremes);
 	c->size = sizeof fit->extremes;
-	/* kernels read whole vectors */
+	/* as extremes_add wants them */
 	for (size_t i = n; i % 16 != 0; i++)
 		for (int k = 0; k < j->transform.in; k++)
 			c->in[k][i] = c->in[k][0];
-	if (n > 0)
-		extremes_add((void *)c->out, &fit->directions, in, n);
+	extremes_add((void *)c->out, &fit->directions, in, n);
 }
 
 static void collect(const struct job *j, const struct chunk *c,

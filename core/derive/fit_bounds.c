@@ -32,17 +32,8 @@ void sides_widen(double *width, double *height, double across, double up)
 		*height = fmax(*height, high);
 }
 
-static int corners(const struct bounds *b)
-{
-	return b->n > 0 ? b->n : 8;
-}
-
-static double corner(const struct bounds *b, int k, int i)
-{
-	return b->n > 0 ? b->point[k][i] : k >> i & 1 ? b->max[i] : b->min[i];
-}
-
-/* A sphere is lowest by its radius times the length of the slope below its centre. */
+/* A box is lowest at a corner; a sphere by its radius times the length of the
+ * slope below its centre. */
 struct sum bounds_lowest(const struct bounds *b, const struct map *m, int j,
     bool minus)
 {
@@ -50,11 +41,14 @@ struct sum bounds_lowest(const struct bounds *b, const struct map *m, int j,
 
 	for (int i = 0; i < 3; i++)
 		slope[i] = sum_negated_if(minus, m->m[i][j]);
-	for (int k = 0; k < (b->sphere ? 1 : corners(b)); k++) {
+	for (int k = 0; k == 0 || k < b->n; k++) {
 		struct sum sum = sum_negated_if(minus, m->m[3][j]);
 
 		for (int i = 0; i < 3; i++) {
-			double at = b->sphere ? b->center[i] : corner(b, k, i);
+			double at = b->n > 0       ? b->point[k][i] :
+			    b->sphere              ? b->center[i] :
+			    sum_sign(slope[i]) > 0 ? b->min[i] :
+						     b->max[i];
 
 			sum = sum_add(sum,
 			    sum_mul(slope[i], sum_of_double(at)));
@@ -165,11 +159,14 @@ const char *bounds_out(const struct bounds *b, const struct scene *s,
 	/* no test reaches this: the sizes that fit closes are valid */
 	if (why != NULL)
 		return why;
-	for (int k = 0; k < corners(b) && !b->sphere; k++) {
-		const double at[4] = { corner(b, k, 0), corner(b, k, 1),
-			corner(b, k, 2), 1 };
+	for (int k = 0; k < (b->n > 0 ? b->n : 8) && !b->sphere; k++) {
+		double corner[4] = { [3] = 1 };
 
-		*out |= frustum_out(&f, at);
+		for (int i = 0; i < 3; i++)
+			corner[i] = b->n > 0 ? b->point[k][i] :
+			    k >> i & 1       ? b->max[i] :
+					       b->min[i];
+		*out |= frustum_out(&f, corner);
 	}
 	for (int k = 0; k < 7 && b->sphere; k++) {
 		const struct map *m = k < 4 ? &f.sides.map : &f.ends.map;

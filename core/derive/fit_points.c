@@ -72,13 +72,27 @@ static double farther_by(const struct direction *d, const double p[3],
 	return high + low;
 }
 
+static int compare_exactly(const struct direction *d, const double p[3],
+    const double q[3])
+{
+	const struct sum *m[3], *step[3];
+	struct sum steps[3], by;
+
+	for (int i = 0; i < 3; i++) {
+		steps[i] = sum_of(ex_diff(p[i], q[i]));
+		step[i] = &steps[i];
+		m[i] = &d->m[i];
+	}
+	sum_dot(3, m, step, &by);
+	return sum_sign(by);
+}
+
 /* 1 where p is farther than q, -1 where q is, 0 where they are as far. Low parts are at
  * most 6 u of the products' magnitudes, and their 12 sums round: with what products
  * and elements lose that is less than 80 u^2, or 2^-99. */
 static int compare_along(const struct direction *d, const double p[3],
     const double q[3])
 {
-	struct sum sum = sum_of_double(0);
 	bool same = true;
 	double size;
 
@@ -90,10 +104,7 @@ static int compare_along(const struct direction *d, const double p[3],
 
 	if (fabs(by) > 0x1p-98 * size + 0x1p-1000)
 		return by > 0 ? 1 : -1;
-	for (int i = 0; i < 3; i++)
-		sum = sum_add(sum,
-		    sum_mul(d->m[i], sum_of(ex_diff(p[i], q[i]))));
-	return sum_sign(sum);
+	return compare_exactly(d, p, q);
 }
 
 /* Of two points that are as far, the one with the greater coordinates is taken. */
@@ -107,38 +118,59 @@ static bool is_farther(const struct direction *d, const double p[3],
 	return order > 0;
 }
 
+static double value_of(const struct direction *d, const double p[3])
+{
+	return p[0] * d->hi[0] + p[1] * d->hi[1] + p[2] * d->hi[2];
+}
+
 static void add_point(struct farthest *f, const struct direction *d,
     const double p[3], double bound)
 {
-	double value = p[0] * d->hi[0] + p[1] * d->hi[1] + p[2] * d->hi[2];
-	double least = value - bound, most = value + bound;
+	double value = value_of(d, p);
 
-	/* false of nan, too */
-	if (!f->any ? isnan(value) : !(most >= f->value - f->bound))
-		return;
-	if (f->any && !(least > f->value + f->bound) &&
-	    !is_farther(d, p, f->point))
-		return;
-	*f = (struct farthest){ true, { p[0], p[1], p[2] }, value, bound };
+	if (!f->any || value - bound > f->value + f->bound ||
+	    (value + bound >= f->value - f->bound &&
+		is_farther(d, p, f->point)))
+		*f = (struct farthest){ true, { p[0], p[1], p[2] }, value,
+			bound };
 }
 
-void extremes_add(struct extremes *e, const struct directions *all,
+/* Points of which one is looked at only if it could be the farthest: fewer take more of
+ * the kernel's time, more are looked at again more often. */
+enum { FEW = 128 };
+
+/* Only points whose values are within the bounds of the farthest can be that. */
+static void add_few(struct extremes *e, const struct directions *all,
     const double *const in[3], size_t n)
 {
 	double most[BOUNDS_POINTS], largest[3];
 
 	points_kernels()->farthest(all->hi, all->n, in, n, most, largest);
 	for (int j = 0; j < all->n; j++) {
-		double bound = bound_of(all->hi[j], largest);
+		const struct direction *d = &all->of[j];
 		struct farthest *f = &e->of[j];
+		double bound = bound_of(d->hi, largest);
+		double least = most[j] - 2 * bound;
 
 		if (f->any && most[j] + bound < f->value - f->bound)
 			continue;
 		for (size_t i = 0; i < n; i++) {
 			const double p[3] = { in[0][i], in[1][i], in[2][i] };
 
-			add_point(f, &all->of[j], p, bound);
+			/* no nan is */
+			if (value_of(d, p) >= least)
+				add_point(f, d, p, bound);
 		}
+	}
+}
+
+void extremes_add(struct extremes *e, const struct directions *all,
+    const double *const in[3], size_t n)
+{
+	for (size_t i = 0; i < n; i += FEW) {
+		const double *const at[3] = { in[0] + i, in[1] + i, in[2] + i };
+
+		add_few(e, all, at, n - i < FEW ? n - i : FEW);
 	}
 }
 

@@ -34,9 +34,8 @@ struct extremes {
 	struct farthest of[BOUNDS_POINTS];
 };
 
-/* Adds n > 0 points, a column for each coordinate. Leaves out points that have a nan.
- * Columns have room for n rounded up to 16; numbers there that are no point's, unless
- * they are larger than points', cost no time. */
+/* Adds n points, a column for each coordinate. Leaves out points that have a nan. A
+ * column goes on to the next multiple of 16 with numbers of any of the points. */
 void extremes_add(struct extremes *, const struct directions *,
     const double *const in[3], size_t n);
 

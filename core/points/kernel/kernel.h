@@ -121,9 +121,8 @@ typedef void (*signs_kernel)(const struct estimate *, int columns,
     double weight, const double *const in[3], double *word, size_t n);
 
 /* Finds for each direction j the greatest m[j][0] x + m[j][1] y + m[j][2] z, with
- * four roundings, and for each coordinate the greatest magnitude, among n points and
- * those behind them up to the next multiple of 16; -infinity or 0 where all are
- * nan. */
+ * four roundings, and for each coordinate the greatest magnitude; -infinity or 0
+ * where all are nan. Reads n numbers of a column, rounded up to 16. */
 typedef void (*farthest_kernel)(const double (*m)[3], int directions,
     const double *const in[3], size_t n, double *most, double largest[3]);
 
