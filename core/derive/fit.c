@@ -396,9 +396,10 @@ const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 	return why != NULL || in_range(s) ? why : BOUNDS_BEYOND;
 }
 
-/* bounds_extents asks how far bounds reach along three axes, and bounds_out and reach()
- * about the planes. Where sizes on the near plane are rounded as near moves, slopes of
- * side planes grow by less than that. */
+/* bounds_extents asks how far bounds reach along three axes; reach() and bounds_out
+ * ask about planes, which keep their directions as the eye moves. But keep_slopes
+ * rounds sizes on the near plane, outward: side planes then hold all that they held,
+ * though of a margin a rounding of the edges may be missing. */
 const char *fit_directions(const struct scene *given, bool has_eye,
     struct directions *all)
 {
