@@ -416,9 +416,9 @@ const char *fit_directions(const struct scene *given, bool has_eye,
 		s.camera.eye[k] = 0;
 	if (why == NULL)
 		why = scene_map(&s, SPACE_MODEL, SPACE_VIEW, &view);
-	clip = view;
-	if (why == NULL && sheared)
-		why = scene_map(&s, SPACE_MODEL, SPACE_CLIP, &clip);
+	if (why == NULL)
+		why = scene_map(&s, SPACE_MODEL,
+		    sheared ? SPACE_CLIP : SPACE_VIEW, &clip);
 	if (why == NULL && persp)
 		why = frustum_of(&s, SPACE_MODEL, false, &f);
 	if (why != NULL)

@@ -192,10 +192,72 @@ static void none_is_farther(void **state)
 	farthest_many(100, 60);
 }
 
+/* p is farther than q along m by a hair, or as far and greater. */
+static void assert_farther(const double m[3], const double p[3],
+    const double q[3])
+{
+	const double columns[4][4] = { { m[0] }, { m[1] }, { m[2] } };
+	struct map map;
+	struct directions d = { 0 };
+
+	map_of_doubles(columns, &map);
+	directions_add(&d, &map, 0, false);
+	for (int k = 0; k < 2; k++) {
+		struct cloud c = { .n = 2 };
+		struct extremes e;
+
+		memcpy(c.p[k], p, sizeof c.p[k]);
+		memcpy(c.p[!k], q, sizeof c.p[k]);
+		add_cloud(&c, &d, &e);
+		for (int i = 0; i < 3; i++)
+			assert_true(e.of[0].point[i] == p[i]);
+	}
+}
+
+static void hairs_count(void **state)
+{
+	static const double cases[][3][3] = {
+		/* only all digits tell */
+		{ { 1, 0x1p-110, 1 }, { -1, 1, 1 }, { 0, 0, 0 } },
+		{ { 1, -0x1p-110, 1 }, { 0, 0, 0 }, { 1, 1, -1 } },
+		/* what a difference of coordinates leaves */
+		{ { 1, 1, 1 }, { 0x1p-60, 1, 0 }, { 1, 0, 0x1p-70 } },
+		/* and a sum of products */
+		{ { 1, 1, 1 }, { 0, 0x1p-60, 1 }, { 1, 0, 0x1p-70 } },
+		/* what of 1/3 is beyond a double */
+		{ { 3, 1, 3 }, { 0, 0, 0 }, { 1, -3, -0x1p-60 } },
+		{ { 3, 1, 3 }, { -1, 3, 0x1p-60 }, { 0, 0, 0 } },
+		/* what of a product is */
+		{ { 1 + 0x1p-40, 1, 1 }, { 0, 1 + 0x1p-30 + 0x1p-40, 0 },
+		    { 1 + 0x1p-30, 0, -0x1p-60 } },
+		/* as far */
+		{ { 3, 1, 0 }, { 1, -3, 0 }, { 0, 0, 0 } },
+		{ { 3, -1, 0 }, { 1, 3, 0 }, { 0, 0, 0 } },
+		{ { -3, 1, 0 }, { 1, 3, 0 }, { 0, 0, 0 } },
+		{ { -3, -1, 0 }, { 1, -3, 0 }, { 0, 0, 0 } },
+		{ { 7, 11, 0 }, { 11, -7, 0 }, { -22, 14, 0 } },
+		{ { -7, -11, 0 }, { 11, -7, 0 }, { -22, 14, 0 } },
+		{ { 0, 0, 1 }, { 1, 2, 3 }, { 1, -2, 3 } },
+		{ { 0, 0, 0 }, { 1, 2, 3 }, { 1, 2, -3 } },
+		/* nearly nothing, and nearly too much */
+		{ { 1e-300, 0, 1e8 }, { 1e150, 0, 0 }, { -1e150, 0, 0 } },
+		{ { -1e-300, 0, 1e100 }, { -1, 0, 0 }, { 1, 0, 0 } },
+		{ { 1e150, 1e150, 1e150 }, { 1e150, 1e150, 1e150 },
+		    { -1e150, -1e150, -1e150 } },
+	};
+
+	(void)state;
+	sample_seed(1);
+	points_choose("baseline");
+	for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+		assert_farther(cases[i][0], cases[i][1], cases[i][2]);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(none_is_farther),
+		cmocka_unit_test(hairs_count),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -436,6 +436,12 @@ static int fit_many(int n, int e, bool points)
 		bool has_eye = sample_below(2);
 
 		sample_fit(&f.s, e);
+		if (points && sample_below(4) == 0) {
+			f.s.projection.type = PROJECTION_PERSP;
+			f.s.projection.extent = EXTENT_INTRINSICS;
+			f.s.margin = 0;
+			sample_calibrated(&f.s);
+		}
 		if (!points)
 			sample_bounds(&b, e);
 		else if (!sample_cloud(&f.s, has_eye, e, &f, &b))
