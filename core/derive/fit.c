@@ -299,7 +299,7 @@ static const char *fit_volume(struct scene *s, const struct bounds *b)
 	return why;
 }
 
-static const char *check(const struct scene *s, const struct bounds *b)
+static const char *fit_check(const struct scene *s, const struct bounds *b)
 {
 	const char *why = bounds_check(b, 3);
 
@@ -311,38 +311,18 @@ static const char *check(const struct scene *s, const struct bounds *b)
 	case PROJECTION_OBLIQUE:
 	case PROJECTION_VOLUME:
 		return NULL;
-	default:
-		return "/projection/type: has nothing that can be fitted; "
-		       "\"persp\", \"ortho\", \"oblique\" or \"volume\" is "
-		       "wanted";
+	case PROJECTION_NONE:
+	case PROJECTION_MATRIX:
+		break;
 	}
-}
-
-/* Whether a document may hold these numbers. */
-static bool in_range(const struct scene *s)
-{
-	const struct projection *p = &s->projection;
-	bool good = fabs(p->near) <= MAGNITUDE_MAX &&
-	    fabs(p->far) <= MAGNITUDE_MAX;
-
-	for (int k = 0; k < 3; k++)
-		good &= fabs(s->camera.eye[k]) <= MAGNITUDE_MAX;
-	if (p->type == PROJECTION_VOLUME)
-		return good && fabs(p->z_near) <= MAGNITUDE_MAX &&
-		    fabs(p->z_far) <= MAGNITUDE_MAX;
-	if (p->type == PROJECTION_PERSP)
-		good &= is_size(p->near);
-	if (p->extent == EXTENT_SIZE)
-		good &= is_size(p->width) && is_size(p->height);
-	if (p->extent == EXTENT_EDGES)
-		good &= is_size(fabs(p->right)) && is_size(fabs(p->top)) &&
-		    is_size(fabs(p->left)) && is_size(fabs(p->bottom));
-	return good;
+	return "/projection/type: has nothing that can be fitted; "
+	       "\"persp\", \"ortho\", \"oblique\" or \"volume\" is "
+	       "wanted";
 }
 
 const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 {
-	const char *why = check(s, b);
+	const char *why = fit_check(s, b);
 
 	if (why == NULL)
 		why = gaze_of(s);
@@ -354,5 +334,5 @@ const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 		why = fit_volume(s, b);
 	else if (why == NULL)
 		why = fit_parallel(s, has_eye, b);
-	return why != NULL || in_range(s) ? why : BOUNDS_BEYOND;
+	return why != NULL || scene_is_valid(s) ? why : BOUNDS_BEYOND;
 }

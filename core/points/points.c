@@ -81,7 +81,7 @@ static void carry_exact(const struct transform *t, const double *const in[4],
 /* Where no kernel fits: a point with four coordinates in or out, in double or,
  * rounding each operation to float, in single. It is as this precision has it: what
  * is behind the eye there, or whose w underflows to 0, has no image. */
-static double rounded(double a, bool single)
+static double plain_rounded(double a, bool single)
 {
 	return single ? (double)(float)a : a;
 }
@@ -92,25 +92,28 @@ static void point_plain(const struct transform *t, bool single,
 	double p[4] = { 0, 0, 0, 1 }, q[4], w = 1;
 
 	for (int i = 0; i < t->in && i < 3; i++)
-		p[i] = rounded(in[i] - t->for_kernel.origin[i], single);
+		p[i] = plain_rounded(in[i] - t->for_kernel.origin[i], single);
 	if (t->in == 4 && !t->reciprocal)
-		p[3] = rounded(in[3], single);
+		p[3] = plain_rounded(in[3], single);
 	for (int j = 0; j < 4; j++) {
 		q[j] = 0;
 		for (int i = 3; i >= 0; i--) {
-			double a = rounded(t->for_kernel.hi[i][j], single);
+			double a = plain_rounded(t->for_kernel.hi[i][j],
+			    single);
 
-			q[j] = rounded(q[j] + rounded(p[i] * a, single),
+			q[j] = plain_rounded(q[j] +
+				plain_rounded(p[i] * a, single),
 			    single);
 		}
 	}
 	if (t->divide)
-		w = t->reciprocal && t->out == 4 ? rounded(in[3], single) :
-						   q[3];
+		w = t->reciprocal && t->out == 4 ?
+		    plain_rounded(in[3], single) :
+		    q[3];
 	bool image = t->front ? w > 0 : w != 0;
 
 	for (int j = 0; j < t->out; j++)
-		out[j] = image ? rounded(q[j] / w, single) : (double)NAN;
+		out[j] = image ? plain_rounded(q[j] / w, single) : (double)NAN;
 }
 
 /* Points that a kernel could not be trusted with, gathered for the exact one: those
@@ -156,7 +159,7 @@ static void carry_run(const struct transform *t, bool single,
 		carry_exact(t, in2, out2, r.n);
 	for (size_t k = 0; k < r.n; k++)
 		for (int j = 0; j < t->out; j++)
-			out[j][r.which[k]] = rounded(r.out[j][k], single);
+			out[j][r.which[k]] = plain_rounded(r.out[j][k], single);
 }
 
 /* A point that in a kernel's precision is behind the eye, or whose w has underflowed
