@@ -176,19 +176,17 @@ static void set_camera_axis(const struct map *m, int j, bool minus, double v[3])
 		v[k] = sum_over_or_nan(a[k], vec3_length(a));
 }
 
-/* A perspective's eye is where its projectors meet. */
-static const char *set_camera(const struct scene *s, const struct upright *u,
+/* A perspective's eye is where its projectors meet. No reason can come: taxonomy_of
+ * has composed both maps. */
+static void set_camera(const struct scene *s, const struct upright *u,
     const struct taxonomy *t, struct parameters *r)
 {
 	struct camera *c = &r->scene.camera;
 	const struct convention *convention = answer_convention(s);
 	struct map view, back;
-	const char *why = scene_map(s, SPACE_WORLD, SPACE_VIEW, &view);
 
-	if (why == NULL)
-		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &back);
-	if (why != NULL)
-		return why;
+	scene_map(s, SPACE_WORLD, SPACE_VIEW, &view);
+	scene_map(s, SPACE_VIEW, SPACE_WORLD, &back);
 	*c = (struct camera){ .by = CAMERA_GAZE };
 	r->scene.has_camera = true;
 	r->has_scene &= is_rotation(&view, is_mirrored(s));
@@ -198,7 +196,6 @@ static const char *set_camera(const struct scene *s, const struct upright *u,
 		    map_nearest(&back, 3, k, false);
 	set_camera_axis(&view, 2, u->turned != looks_back(convention), c->at);
 	set_camera_axis(&view, 1, convention->view_y_down, c->up);
-	return NULL;
 }
 
 /* As seen from the eye at distance det / (zw d): (side zw - zx) det / (zw d x). */
@@ -353,7 +350,7 @@ const char *parameters_of(const struct scene *s, const struct taxonomy *t,
 	r->scene.convention = *c;
 	set_projection(s, &u, plane, r);
 	r->has_scene = sum_sign(u.zw) != 0 || sum_sign(u.tw) > 0;
-	why = set_camera(s, &u, t, r);
+	set_camera(s, &u, t, r);
 	r->has_scene &= scene_is_valid(&r->scene);
-	return why;
+	return NULL;
 }

@@ -324,6 +324,7 @@ static double decide(const struct sum *n, const struct sum *d, const ex *q,
 	struct magnitude size = magnitude_plus(n->size,
 	    magnitude_times(of(&middle), d->size));
 
+	/* no test reaches this: beyond the largest there is no other */
 	if (!isfinite(other))
 		return near;
 	if (is_none(&rest, size))

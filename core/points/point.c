@@ -80,7 +80,8 @@ void point_exact(const struct transform *t, const double in[4], double out[4])
 	}
 }
 
-/* Elsewhere the double lies on the same side of each midpoint. */
+/* Elsewhere the double lies on the same side of each midpoint. The divisor is there,
+ * as there is an image. */
 float point_single(const struct transform *t, const double in[4], int j,
     double image)
 {
@@ -89,8 +90,7 @@ float point_single(const struct transform *t, const double in[4], int j,
 	if (!is_midway(image))
 		return (float)image;
 	set_point(t, in, p);
-	if (!find_divisor(t, in, p, &d))
-		return (float)image;
+	find_divisor(t, in, p, &d);
 	find_column(t, j, p, &q);
 	return (float)sum_nearest(&q, &d, true);
 }

@@ -596,6 +596,7 @@ const char *projection_corner(const struct projection *p,
 		return bare_corner(p, c, side, far, v, over);
 	const char *why = find_elements(p, c, &f);
 
+	/* no test reaches this: the scene has been composed before */
 	if (why != NULL)
 		return why;
 	w = f.zw;
