@@ -19,35 +19,6 @@ const struct kernels *points_kernels(void)
 	return kernels;
 }
 
-/* x y z w, undivided, from two turns of the affine kernel: w's column stands
- * for each of the others in the second. */
-static bool carry_four(const struct transform *t, const double *const in[4],
-    double *const out[4], size_t n)
-{
-	exact_kernel affine = kernels->exact[KERNEL_AFFINE];
-	struct kernel_map w = t->for_kernel;
-	double unused[2][POINTS_BLOCK];
-	double *const last[3] = { out[3], unused[0], unused[1] };
-
-	for (int j = 0; j < 3; j++) {
-		w.none[j] = w.none[3];
-		w.surely_none[j] = w.surely_none[3];
-		for (int i = 0; i < 4; i++) {
-			w.hi[i][j] = w.hi[i][3];
-			w.exact[i][j] = w.exact[i][3];
-			w.lo[i][j] = w.lo[i][3];
-		}
-	}
-	bool done = affine(&t->for_kernel, in, out, n);
-
-	if (affine(&w, in, last, n))
-		return done;
-	for (size_t i = 0; i < n; i++)
-		if (isnan(out[3][i]))
-			out[0][i] = (double)NAN;
-	return false;
-}
-
 static void carry_one(const struct transform *t, const double *const in[4],
     double *const out[4], size_t i)
 {
@@ -64,14 +35,11 @@ static void carry_exact(const struct transform *t, const double *const in[4],
     double *const out[4], size_t n)
 {
 	exact_kernel fast = kernels->exact[t->kind];
-	bool four = t->in == 3 && t->out == 4 && !t->divide;
-	bool tried = fast != NULL || four;
 
-	if (fast != NULL ? fast(&t->for_kernel, in, out, n) :
-			   four && carry_four(t, in, out, n))
+	if (fast != NULL && fast(&t->for_kernel, in, out, n))
 		return;
 	for (size_t i = 0; i < n; i++)
-		if (!tried || isnan(out[0][i]))
+		if (fast == NULL || isnan(out[0][i]))
 			carry_one(t, in, out, i);
 		else if (isinf(out[0][i]))
 			for (int j = 0; j < t->out; j++)

@@ -74,9 +74,10 @@ void transform_init(struct transform *t, enum space from, enum space to,
 	    (t->out == 3 && (from == SPACE_CLIP || !map_is_affine(&t->map)));
 	t->front = !t->reciprocal &&
 	    (from != SPACE_CLIP || to == SPACE_NDC || to == SPACE_DEVICE);
-	t->kind = t->in != 3 || t->out != 3 ? KERNEL_NONE :
-	    t->divide                       ? KERNEL_PROJECTIVE :
-					      KERNEL_AFFINE;
+	t->kind = t->in != 3 ? KERNEL_NONE :
+	    t->divide        ? KERNEL_PROJECTIVE :
+	    t->out == 4      ? KERNEL_FOUR :
+			       KERNEL_AFFINE;
 	transform_prepare(t);
 }
 

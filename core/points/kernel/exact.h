@@ -421,11 +421,12 @@ static inline V depth(const struct depth *d, vdd w, V reciprocal, V w_bound,
 /* Rounds columns that are not divided again, without an error where they are exact:
  * these are often midway between two doubles. Returns whether all are sure. */
 static V round_exact(const struct kernel_block *b, const V cut[3],
-    const V rest[3], int terms, V q[3])
+    const V rest[3], enum kernel_kind kind, V q[])
 {
+	const int terms = kernel_terms(kind);
 	V sure = ALL(b->moderate);
 
-	for (int k = 0; k < terms; k++) {
+	for (int k = 0; k < kernel_columns(kind); k++) {
 		const struct column_cut *c = &b->cut[k];
 		vdd s = column(c, cut, rest, terms);
 		V lost = lost_by(c, s, cut, rest, terms);
@@ -440,7 +441,7 @@ static V round_exact(const struct kernel_block *b, const V cut[3],
  * exact_kernel has it. Those that are sure are finite: columns are below 2^202, and
  * w above 2^-274. */
 static inline __attribute__((always_inline)) bool
-image_of(const struct kernel_block *b, const V p[3], V q[3],
+image_of(const struct kernel_block *b, const V p[3], V q[],
     enum kernel_kind kind)
 {
 	const int terms = kernel_terms(kind), columns = kernel_columns(kind);
@@ -468,7 +469,7 @@ image_of(const struct kernel_block *b, const V p[3], V q[3],
 	if (divide)
 		sure = MIN(w_sum - ALL(b->least), sure);
 	if (!divide && !IS_POSITIVE(sure))
-		sure = round_exact(b, cut, rest, terms, q);
+		sure = round_exact(b, cut, rest, kind, q);
 	if (IS_POSITIVE(sure))
 		return true;
 	V none = CHOOSE(-(w_sum + bound), ALL(b->moderate), ALL(0));
@@ -480,21 +481,22 @@ image_of(const struct kernel_block *b, const V p[3], V q[3],
 
 static inline __attribute__((always_inline)) int
 exact(const struct kernel_map *m, const double *const in[3],
-    double *const out[3], size_t n, enum kernel_kind kind)
+    double *const out[], size_t n, enum kernel_kind kind)
 {
-	const int terms = kernel_terms(kind);
+	const int terms = kernel_terms(kind), outputs = kernel_outputs(kind);
 	const struct kernel_block b = block_of_columns(m, in, n, kind);
 	const double *const from[3] = { in[0], in[1], in[terms - 1] };
-	double *const to[3] = { out[0], out[1], out[terms - 1] };
+	double *const to[4] = { out[0], out[1], out[outputs > 2 ? 2 : 1],
+		out[outputs - 1] };
 	int done = 1;
 
 	for (size_t i = 0; i < n; i += WIDTH) {
-		V p[3], q[3];
+		V p[3], q[4];
 
 		for (int k = 0; k < terms; k++)
 			p[k] = LOAD(from[k] + i);
 		done &= image_of(&b, p, q, kind);
-		for (int k = 0; k < terms; k++)
+		for (int k = 0; k < outputs; k++)
 			STORE(to[k] + i, q[k]);
 	}
 	return done;
@@ -528,7 +530,7 @@ static inline vdd length_of(const vdd a[3], V *reciprocal)
  * column's is of the column. Of a length below its bound some quotient is below its
  * own, so that it is not sure. */
 static int exact_direction(const struct kernel_map *m,
-    const double *const in[3], double *const out[3], size_t n)
+    const double *const in[3], double *const out[], size_t n)
 {
 	const struct kernel_block b = block_of_columns(m, in, n,
 	    KERNEL_DIRECTION);
@@ -560,13 +562,14 @@ static int exact_direction(const struct kernel_map *m,
 
 #define LOOP(KIND, name)                                                       \
 	static int name(const struct kernel_map *m, const double *const in[3], \
-	    double *const out[3], size_t n)                                    \
+	    double *const out[], size_t n)                                     \
 	{                                                                      \
 		return exact(m, in, out, n, KIND);                             \
 	}
 
 LOOP(KERNEL_FLAT, exact_flat)
 LOOP(KERNEL_AFFINE, exact_affine)
+LOOP(KERNEL_FOUR, exact_four)
 LOOP(KERNEL_DEPTH, exact_depth)
 LOOP(KERNEL_PROJECTIVE, exact_projective)
 #undef LOOP
