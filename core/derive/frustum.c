@@ -89,40 +89,34 @@ static bool is_flat(const struct frustum *f)
 	return f->sides.in == 2;
 }
 
-/* The signs of the first n columns. */
-static void find_signs(const struct transform *t, int n, const double in[4],
-    int sign[4])
+static int column_sign(const struct transform *t, int j, const double in[4])
 {
-	double value[4];
-	bool sure = point_estimate(t, in, n, value);
-
-	for (int j = 0; j < n; j++)
-		sign[j] = sure ? (value[j] > 0) - (value[j] < 0) :
-				 sum_sign(point_column(t, j, in));
+	return sum_sign(point_column(t, j, in));
 }
 
 unsigned frustum_out(const struct frustum *f, const double in[4])
 {
-	int side[4], end[4];
 	unsigned out = 0;
 
 	for (int i = 0; i < f->sides.in; i++)
 		if (isnan(in[i]))
 			return OUT_NAN;
-	find_signs(&f->sides, 4, in, side);
-	for (int k = 0; k < 4; k++)
-		out |= side[k] < 0 ? 1u << k : 0;
-	if (is_flat(f))
-		return out;
-	find_signs(&f->ends, 3, in, end);
-	if (end[2] <= 0 || (f->sides.reciprocal && !(in[3] > 0)))
+	if (!is_flat(f) &&
+	    (column_sign(&f->ends, 2, in) <= 0 ||
+		(f->sides.reciprocal && !(in[3] > 0))))
 		return OUT_BEHIND;
-	for (int k = 0; k < 2; k++)
-		out |= end[k] < 0 ? (unsigned)OUT_NEAR << k : 0;
+	for (int k = 0; k < 4; k++)
+		out |= column_sign(&f->sides, k, in) < 0 ? 1u << k : 0;
+	for (int k = 0; k < 2 && !is_flat(f); k++)
+		out |= column_sign(&f->ends, k, in) < 0 ?
+		    (unsigned)OUT_NEAR << k :
+		    0;
 	return out;
 }
 
-/* As point_estimate takes them, which says why. */
+/* A column is within ESTIMATE_BOUND of its size while nothing overflows. What
+ * underflows, an element that is rounded up to 2^-1074 among them, is off by less
+ * than 2^-1025 of what it is multiplied by. */
 static struct estimate estimate_of(const struct transform *t, int columns)
 {
 	const struct kernel_map *k = &t->for_kernel;

@@ -84,59 +84,26 @@ static void point_plain(const struct transform *t, bool single,
 		out[j] = image ? plain_rounded(q[j] / w, single) : (double)NAN;
 }
 
-/* Points that a kernel could not be trusted with, gathered for the exact one: those
- * of a run, as threads may have little stack. */
+/* Computes exactly those of up to RUN points that a kernel has not: of which a
+ * coordinate is behind the eye in its precision, or beyond its range, or whose w has
+ * underflowed there. Exact says whether they have an image. Runs are short, as threads
+ * may have little stack. */
 enum { RUN = 256 };
 
-struct rest {
-	size_t n, which[RUN];
-	COLUMN_ALIGNED double in[3][RUN];
-	COLUMN_ALIGNED double out[3][RUN];
-};
-
-/* Those of the points from first to before end. */
-static void gather(const struct transform *t, const double *const in[4],
-    double *const out[4], size_t first, size_t end, struct rest *r)
+static void carry_run(const struct transform *t, bool single,
+    const double *const in[4], double *const out[4], size_t n)
 {
-	r->n = 0;
-	for (size_t i = first; i < end; i++) {
+	COLUMN_ALIGNED double image[3][RUN];
+	double *const to[4] = { image[0], image[1], image[2] };
+
+	carry_exact(t, in, to, n);
+	for (size_t i = 0; i < n; i++) {
 		if (isfinite(out[0][i]) && isfinite(out[1][i]) &&
 		    (t->out == 2 || isfinite(out[2][i])))
 			continue;
-		r->which[r->n] = i;
-		for (int j = 0; j < t->in; j++)
-			r->in[j][r->n] = in[j][i];
-		r->n++;
-	}
-	/* kernels read whole vectors */
-	for (size_t k = r->n; k % 16 != 0; k++)
-		for (int j = 0; j < t->in; j++)
-			r->in[j][k] = r->in[j][0];
-}
-
-static void carry_run(const struct transform *t, bool single,
-    const double *const in[4], double *const out[4], size_t first, size_t end)
-{
-	struct rest r;
-
-	gather(t, in, out, first, end, &r);
-	const double *const in2[4] = { r.in[0], r.in[1], r.in[2] };
-	double *const out2[4] = { r.out[0], r.out[1], r.out[2] };
-
-	if (r.n > 0)
-		carry_exact(t, in2, out2, r.n);
-	for (size_t k = 0; k < r.n; k++)
 		for (int j = 0; j < t->out; j++)
-			out[j][r.which[k]] = plain_rounded(r.out[j][k], single);
-}
-
-/* A point that in a kernel's precision is behind the eye, or whose w has underflowed
- * there, is computed exactly, which says whether it has an image. */
-static void carry_rest(const struct transform *t, bool single,
-    const double *const in[4], double *const out[4], size_t n)
-{
-	for (size_t i = 0; i < n; i += RUN)
-		carry_run(t, single, in, out, i, n - i < RUN ? n : i + RUN);
+			out[j][i] = plain_rounded(image[j][i], single);
+	}
 }
 
 static void carry_plain(const struct transform *t, enum precision precision,
@@ -146,8 +113,17 @@ static void carry_plain(const struct transform *t, enum precision precision,
 	bool single = precision == PRECISION_SINGLE;
 
 	if (fast != NULL) {
-		if (!fast(&t->for_kernel, in, out, n))
-			carry_rest(t, single, in, out, n);
+		bool done = fast(&t->for_kernel, in, out, n);
+
+		for (size_t i = 0; i < n && !done; i += RUN) {
+			const double *const from[4] = { in[0] + i, in[1] + i,
+				in[t->in - 1] + i };
+			double *const to[4] = { out[0] + i, out[1] + i,
+				out[t->out - 1] + i };
+
+			carry_run(t, single, from, to,
+			    n - i < RUN ? n - i : RUN);
+		}
 		return;
 	}
 	for (size_t i = 0; i < n; i++) {
