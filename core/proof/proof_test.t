@@ -62,7 +62,7 @@ my @mutations = (
 	[$exact, 'columns held for exact whose sums are not',
 	    ' + ABS(s.lo)', '', @toy],
 	[$exact, 'columns held for exact whose products are not',
-	    'ABS(FMA(a, ALL(b), -p))', 'ALL(0)', @toy, '-DFUSED'],
+	    'ABS(FMA(a, ALL(b), -p))', 'ALL(0)', @toy],
 	[$exact, 'points without an image that are not told',
 	    'if (IS_POSITIVE(sure))
 		return', 'if (!IS_POSITIVE(-r))

@@ -251,5 +251,5 @@ static int quotients(int tries)
 int main()
 {
 	return quotients(60000) || loops(50000, false) ||
-	    (P == 53 && loops(300000, true));
+	    (P == 53 && loops(500000, true));
 }
