@@ -77,7 +77,9 @@ const char *flat_frustum_of(const struct scene *s, enum flat from,
 
 	if (why != NULL)
 		return why;
-	f->sides = (struct transform){ .map = m, .in = 2 };
+	memset(f, 0, sizeof *f);
+	f->sides.map = m;
+	f->sides.in = 2;
 	for (int k = 0; k < 4; k++)
 		combine_columns(&f->sides.map, k, &m, k & 1, k / 2, one, one);
 	transform_prepare(&f->sides);
