@@ -69,7 +69,7 @@ static const char *look(const struct camera *c,
 	return NULL;
 }
 
-static struct sum twice(struct sum a)
+static struct sum doubled(struct sum a)
 {
 	return sum_add(a, a);
 }
@@ -91,8 +91,8 @@ static void turn(const struct sum q[4], struct axis axis[3])
 
 		axis[i].length = norm;
 		axis[i].v[i] = sum_sub(along, sum_add(p[j][j], p[k][k]));
-		axis[i].v[j] = twice(sum_add(p[i][j], p[k][3]));
-		axis[i].v[k] = twice(sum_sub(p[i][k], p[j][3]));
+		axis[i].v[j] = doubled(sum_add(p[i][j], p[k][3]));
+		axis[i].v[k] = doubled(sum_sub(p[i][k], p[j][3]));
 	}
 }
 
@@ -238,7 +238,7 @@ static void stand(const struct stand *s, bool inverse, struct map *r)
 	map_over(r, d);
 }
 
-static void transpose(struct axis axis[3])
+static void transpose_axes(struct axis axis[3])
 {
 	for (int i = 0; i < 3; i++)
 		for (int k = 0; k < i; k++) {
@@ -251,7 +251,8 @@ static void transpose(struct axis axis[3])
 
 /* The matrix or pose as it is given, or its nearest rotation above its last
  * row. A pose leads from view to the world, and must lead back. */
-static const char *bare(const struct camera *c, bool inverse, struct map *r)
+static const char *camera_bare(const struct camera *c, bool inverse,
+    struct map *r)
 {
 	bool pose = c->by == CAMERA_POSE;
 	struct stand s = { .at = c->matrix[3], .by_origin = !pose };
@@ -275,7 +276,7 @@ static const char *bare(const struct camera *c, bool inverse, struct map *r)
 	if (why != NULL)
 		return why;
 	if (pose)
-		transpose(s.axis);
+		transpose_axes(s.axis);
 	stand(&s, inverse, r);
 	return NULL;
 }
@@ -312,7 +313,7 @@ const char *camera_map(const struct camera *c,
 	};
 
 	if (c->by == CAMERA_MATRIX || c->by == CAMERA_POSE)
-		return bare(c, inverse, r);
+		return camera_bare(c, inverse, r);
 	const char *why = find_axes(c, convention, s.axis);
 
 	if (why == NULL)
