@@ -8,7 +8,7 @@
 #include <stdint.h>
 
 #include "../number/number.h"
-#include "field.h"
+#include "formats.h"
 
 /* The most that are written, a ray's: a point and a direction. No more than
  * four are read. */
@@ -83,6 +83,27 @@ struct numbers {
 	size_t step, text_step;
 };
 
+/* Writes number k at s as number_put does, or the word that the format out has for
+ * a number that is not known. */
+static inline char *line_put(const struct layout *l, const struct numbers *n,
+    int k, char *s)
+{
+	const struct number_text *t = &n->text[(size_t)k * n->text_step];
+	double v = n->v[(size_t)k * n->step];
+
+	if (__builtin_expect(t->layout == 0 && v != v, 0)) {
+		const char *unknown = format_of(l->out)->unknown;
+		size_t size = strlen(unknown);
+
+		memcpy(s, unknown, size);
+		return s + size;
+	}
+	return number_put(s, t, v, l->single, l->style[k]);
+}
+
+/* Room for the separator, and in an object the name, before a value that is added. */
+enum { ADDED_ROOM = 64 };
+
 enum { WORD_MAX = 48 };
 
 /* What is written after them. */
@@ -109,15 +130,26 @@ static inline struct part line_part(const struct line *line, struct span f)
 		(uint32_t)(f.end - line->s) };
 }
 
-enum { REASON_MAX = 320 };
+/* Returns what coordinate i is called. */
+static inline const char *coordinate_name(int i)
+{
+	static const char names[][2] = { "x", "y", "z", "w" };
 
-/* Reads the coordinates v of the line that text is. For a bad line, reason says
- * what is wrong and what would be right. While *first is true the source's first
- * line that counts is still to come: a byte order mark may stand before it, and in
- * csv it may be a header, which says in the layout where the columns are. Bytes
- * after the line, up to readable, may be looked at, which is faster. */
-void line_read(struct layout *, struct span text, const char *readable,
-    bool *first, struct line *, double v[4], char reason[REASON_MAX]);
+	return names[i];
+}
+
+/* Returns the name or pointer of coordinate i in an object of JSON. */
+static inline const char *layout_path(const struct layout *l, int i)
+{
+	return l->columns.n > 0 ? l->columns.name[i] : coordinate_name(i);
+}
+
+/* Reads the coordinates v of a line. For a bad line, reason says what is wrong and
+ * what would be right. While *first is true the source's first line that counts is
+ * still to come: a byte order mark may stand before it, and in csv it may be a
+ * header, which says in the layout where the columns are. */
+void line_read(struct layout *, struct span text, bool *first, struct line *,
+    double v[4], char reason[REASON_MAX]);
 
 /* The most bytes that line_write may touch for so many lines of so many bytes
  * in all. */

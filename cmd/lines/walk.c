@@ -3,8 +3,6 @@
 
 #include <string.h>
 
-#include "line_bad.h"
-
 /* So that there is a copy of the walk for each format, of which what does not concern
  * it falls away. */
 #define INLINE static inline __attribute__((always_inline))
@@ -62,7 +60,7 @@ static void plan_members(const struct layout *l, struct walk *w)
 		    (c->name[i] != NULL && *c->name[i] != '/');
 		if (!w->objects)
 			break;
-		w->name[i] = path_of(l, i);
+		w->name[i] = layout_path(l, i);
 		w->name_size[i] = strlen(w->name[i]);
 	}
 }

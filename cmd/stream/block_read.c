@@ -19,7 +19,7 @@ static bool read_line(struct block *b, struct span text, bool newline)
 	char reason[REASON_MAX];
 	double v[4];
 
-	line_read(&b->job->layout, text, c->end, &c->first, line, v, reason);
+	line_read(&b->job->layout, text, &c->first, line, v, reason);
 	line->newline = newline;
 	if (line_is_bad(line)) {
 		chunk_complain(c, c->n_lines, reason);
