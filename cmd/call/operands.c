@@ -199,7 +199,6 @@ void prepare_job(struct job *j, const struct options *o)
 	j->accuracy = (struct accuracy){ .precision = o->precision };
 	if (o->tolerances.n > 0)
 		set_tolerances(j, &o->tolerances);
-	j->flags = o->flags;
 	j->visible = o->visible;
 	j->keep_going = o->keep_going;
 	j->threads = o->jobs > 0 ? o->jobs : threads_processors();

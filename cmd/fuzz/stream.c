@@ -193,9 +193,8 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 		frustum_of(s, from, false, &j->frustum);
 	if (j->rays)
 		j->layout.flags = false;
-	j->flags = j->layout.flags;
 	j->visible = !j->rays && b & 1;
-	j->count_imageless = !j->flags && !j->visible;
+	j->count_imageless = !j->layout.flags && !j->visible;
 	j->accuracy.precision = (enum precision)(b / 2 % 3);
 	for (int k = 0; k < 3 && b & 64 && j->layout.out.format != FORMAT_F32;
 	     k++)

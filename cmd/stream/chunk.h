@@ -32,8 +32,7 @@ struct chunk {
 	size_t n_complaints, complaints_room;
 	char *reasons;
 	size_t reasons_size, reasons_room;
-	size_t n_passed;  /* complaints of lines before chunk_mark's last */
-	size_t imageless; /* points without image */
+	size_t imageless;       /* points without image */
 	size_t first_imageless; /* the line of the first of them */
 
 	/* The block in hand: its lines of text, and its points, a column for
@@ -61,14 +60,5 @@ char *chunk_reserve(struct chunk *, size_t more);
 
 /* Notes what is wrong with a line; the reason is copied. */
 void chunk_complain(struct chunk *, size_t line, const char *reason);
-
-/* Of the largest float and 2^128, which is none, and to which it is rounded. */
-#define MIDWAY_TO_INFINITY 0x1.ffffffp127
-
-/* Makes nan of each coordinate of the image of point p that is not finite, or
- * is written as a float and not finite as one. If there is any, counts the
- * point as one without image, unless its line was complained of. To be called
- * in the order of lines. */
-void chunk_mark(struct chunk *, const struct layout *, size_t p, size_t line);
 
 #endif
