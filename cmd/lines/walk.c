@@ -1,7 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "walk.h"
 
+#include <math.h>
 #include <string.h>
+
+#include "../../core/scene/scene.h"
+#include "../json/scan.h"
 
 /* So that there is a copy of the walk for each format, of which what does not concern
  * it falls away. */
@@ -164,13 +168,31 @@ INLINE bool pass_separator(struct place *p, struct dialect d)
 	return p->comma || (text && !stands(p, '\n'));
 }
 
-/* Past a string of JSON with nothing in it that would have to be looked at. */
-INLINE bool pass_string(struct place *p)
+/* Returns whether an escape begins at the backslash s, and passes what it escapes. */
+static bool pass_escape(struct place *p, const char *s)
+{
+	if (*++s == '"' || *s == '\\') {
+		p->stop++;
+		return true;
+	}
+	if (*s != 'u')
+		return *s != '\0' && strchr("/bfnrt", *s) != NULL;
+	unsigned code;
+
+	return json_hex4(s + 1, s + 5, &code) == s + 5;
+}
+
+/* Passes a string of JSON. The string of a name may have no escapes, which could
+ * spell the name of a coordinate. */
+INLINE bool pass_string(struct place *p, bool name)
 {
 	for (p->stop++; p->text[*p->stop] != '"'; p->stop++) {
-		char c = p->text[*p->stop];
+		const char *s = &p->text[*p->stop];
 
-		if (c == '\\' || (unsigned char)c < ' ')
+		if (__builtin_expect(*s == '\\', 0) && !name &&
+		    pass_escape(p, s))
+			continue;
+		if (*s == '\\' || (unsigned char)*s < ' ')
 			return false;
 	}
 	p->at = *p->stop++ + 1u;
@@ -194,7 +216,7 @@ static bool is_word(const char *s, size_t n)
 	    (n == 4 && memcmp(s, "null", 4) == 0);
 }
 
-/* Whether it is a number without an exponent, or a word of JSON. */
+/* Returns whether it is a number or a word of JSON. */
 static bool is_scalar(const char *s, const char *end)
 {
 	const char *first = s;
@@ -204,7 +226,8 @@ static bool is_scalar(const char *s, const char *end)
 		points += *s == '.';
 		digits += *s >= '0' && *s <= '9';
 		if (*s != '.' && (*s < '0' || *s > '9'))
-			return is_word(first, (size_t)(end - first));
+			return is_word(first, (size_t)(end - first)) ||
+			    json_number_end(first, end) == end;
 	}
 	return digits > 0 && points < 2 && is_narrow(first, end);
 }
@@ -215,7 +238,7 @@ INLINE bool pass_field(struct place *p, struct dialect d)
 	uint32_t from = p->at;
 
 	if (d.format == FORMAT_JSON && stands(p, '"'))
-		return pass_string(p);
+		return pass_string(p, false);
 	if (d.format == FORMAT_CSV)
 		while (is_blank_of(d, p->text[*p->stop]))
 			p->stop++;
@@ -287,7 +310,7 @@ INLINE int pass_name(struct place *p, const struct walk *w, struct dialect d)
 {
 	uint32_t from = p->at + 1, to;
 
-	if (!stands(p, '"') || !pass_string(p))
+	if (!stands(p, '"') || !pass_string(p, true))
 		return -2;
 	to = p->at - 1;
 	pass_blanks(p, d);
@@ -488,4 +511,38 @@ size_t walk_lines(struct stretch *s, const struct walk *walk, size_t n,
 		    (struct dialect){ FORMAT_TEXT, ' ' }, n, lines, places,
 		    left);
 	}
+}
+
+/* Reads a number that is not plain, such as 1e-3. Returns false where only line_read
+ * can tell what it is. */
+static bool read_number(struct dialect d, struct span f, const char *readable,
+    double *v)
+{
+	const char *end = d.format == FORMAT_JSON ?
+	    json_number(f.s, f.end, v) :
+	    number_read(f.s, readable, v);
+
+	return end == f.end && !(fabs(*v) > MAGNITUDE_MAX);
+}
+
+uint64_t walk_numbers(const struct walk *walk, const struct line *lines,
+    size_t n, const struct plain_places at[4], uint64_t left,
+    const char *readable, double v[4][PLAIN_BATCH])
+{
+	uint64_t odd[4], some = 0;
+
+	for (int k = 0; k < walk->n; k++)
+		some |= odd[k] = plain_reader()->read(&at[k], n, v[k]);
+	for (some &= ~left; some != 0; some &= some - 1) {
+		int i = __builtin_ctzll(some);
+		bool ok = true;
+
+		for (int k = 0; k < walk->n && ok; k++)
+			ok = (odd[k] >> i & 1) == 0 ||
+			    read_number(walk->in, line_at(&lines[i], k),
+				readable, &v[k][i]);
+		if (!ok)
+			left |= (uint64_t)1 << i;
+	}
+	return left;
 }

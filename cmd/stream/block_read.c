@@ -86,8 +86,7 @@ static bool read_walked(struct block *b, const struct walk *walk)
 
 	n = walk_lines(&c->stretch, walk, n < PLAIN_BATCH ? n : PLAIN_BATCH,
 	    &c->line[b->lines], at, &left);
-	for (int k = 0; k < walk->n; k++)
-		left |= plain_reader()->read(&at[k], n, v[k]);
+	left = walk_numbers(walk, &c->line[b->lines], n, at, left, c->end, v);
 	c->text = c->stretch.text + c->stretch.at;
 	return take_lines(b, n, left, v);
 }
