@@ -106,7 +106,7 @@ static void choose_by_path(struct cut c, int reads, const struct paths *paths,
 			    &inside, out);
 	}
 	for (int i = 0; i < reads; i++)
-		if (seen[i] > out->times[i] && out->times[i] > 0)
+		if (seen[i] > 1)
 			out->times[i] = seen[i];
 }
 

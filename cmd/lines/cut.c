@@ -35,21 +35,20 @@ bool cut_next(struct cut *c, struct field *f)
 	return true;
 }
 
-struct cut cut_behind(struct cut c, const char *s)
+void cut_behind(struct cut *c, const char *s)
 {
-	const char *after = skip_blanks(c.in, s + (s < c.end && *s == '"'),
-	    c.end);
+	const char *end = c->end, *after;
 
-	c.from = s;
-	if (format_of(c.in)->blanks)
-		after = skip_separator(s, c.end);
-	else
-		after = after < c.end && *after == c.in.separator ? after + 1 :
-								    NULL;
-	c.s = after == c.end ? NULL : after;
-	if (c.s != NULL && c.bracket != NULL)
-		c.s = json_space(c.s, c.end);
-	return c;
+	c->from = s;
+	if (format_of(c->in)->blanks) {
+		after = skip_separator(s, end);
+		c->s = after < end ? after : NULL;
+		return;
+	}
+	after = skip_blanks(c->in, s + (s < end && *s == '"'), end);
+	c->s = after < end && *after == c->in.separator ? after + 1 : NULL;
+	if (c->s != NULL && c->bracket != NULL)
+		c->s = json_space(c->s, end);
 }
 
 struct span cut_out(const struct field *f)

@@ -12,8 +12,8 @@ struct cut cut_line(struct dialect, struct span line);
 /* Returns the cut of a value inside a line of JSON, an array or object. */
 struct cut cut_value(struct span value, const char *end);
 
-/* Returns the cut from behind the field whose value ends at s. */
-struct cut cut_behind(struct cut, const char *s);
+/* Passes the fields up to that whose value ends at s. */
+void cut_behind(struct cut *, const char *s);
 
 /* Takes the next field. Returns false where there is none. */
 bool cut_next(struct cut *, struct field *);

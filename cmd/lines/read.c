@@ -79,9 +79,10 @@ static bool can_be_added(const char *path)
 static bool can_be_kept(const struct layout *l, bool members,
     const struct chosen *c)
 {
-	for (int i = 0; i < l->reads && members; i++)
+	for (int i = 0; i < l->reads; i++)
 		if (c->times[i] > 1 ||
-		    (c->times[i] == 0 && !can_be_added(layout_path(l, i))))
+		    (c->times[i] == 0 && members &&
+			!can_be_added(layout_path(l, i))))
 			return false;
 	return !choose_overlaps(l, c);
 }

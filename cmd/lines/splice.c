@@ -232,12 +232,13 @@ static void splice(struct splice *w)
 	copy_to(w, w->line->s + w->line->size);
 }
 
-char *line_rest(const struct layout *l, const struct line *line, char *out)
+/* Writes each field that holds no coordinate behind a separator of the format out. */
+static char *put_rest_of(const struct splice *w, char *out)
 {
-	const struct format_row *from = format_of(l->in),
-				*to = format_of(l->out);
+	const struct layout *l = w->l;
+	const struct line *line = w->line;
+	const struct format_row *from = format_of(l->in), *to = format_of(l->out);
 	bool first = line->kind == LINE_POINT && l->columns.n == 0;
-	struct splice w = { .l = l, .line = line };
 	struct field f;
 
 	if (line->kind == LINE_LOST || line->object || is_binary(l->in.format))
@@ -246,23 +247,21 @@ char *line_rest(const struct layout *l, const struct line *line, char *out)
 
 	/* most often the coordinates come first */
 	if (first)
-		c = cut_behind(c, line_at(line, l->reads - 1).end);
-	if (first && from->blanks && to->blanks) {
-		struct span rest = { c.s, c.end };
+		cut_behind(&c, w->at[l->reads - 1].end);
+	if (first && from->blanks && to->blanks && c.s != NULL) {
+		struct span rest = trimmed(l->in, (struct span){ c.s, c.end });
 
-		rest = c.s != NULL ? trimmed(l->in, rest) : rest;
-		return c.s != NULL && rest.s < rest.end ?
-		    append(append_string(out, " "), rest.s, rest.end) :
-		    out;
+		*out = ' ';
+		return rest.s < rest.end ? append(out + 1, rest.s, rest.end) :
+					   out;
 	}
-	find_coordinates(&w);
 	while (cut_next(&c, &f)) {
 		/* csv's empty fields become "" in JSON, so that the fields
 		 * after them keep their place in the array */
 		bool kept = f.whole.s < f.whole.end ||
 		    (from->header && !to->blanks);
 
-		if (!kept || coordinate_in(&w, f.whole.s, f.whole.end) >= 0)
+		if (!kept || coordinate_in(w, f.whole.s, f.whole.end) >= 0)
 			continue;
 		*out++ = l->out.separator;
 		out = format_convert(l->in, l->out, f.whole, out);
@@ -270,53 +269,76 @@ char *line_rest(const struct layout *l, const struct line *line, char *out)
 	return out;
 }
 
+char *line_rest(const struct layout *l, const struct line *line, char *out)
+{
+	struct splice w = { .l = l, .line = line };
+
+	find_coordinates(&w);
+	return put_rest_of(&w, out);
+}
+
 /* Writes the values first, then all other fields, as the format out is another or
  * the line can't be taken apart. */
 static void convert(struct splice *w)
 {
-	const struct format_row *to = format_of(w->l->out);
-	bool members = w->line->object && w->l->out.format == w->l->in.format;
+	const struct layout *l = w->l;
+	char open = *format_of(l->out)->open, close = *format_of(l->out)->close;
+	bool members = w->line->object && l->out.format == l->in.format;
 
-	w->separator = (struct span){ &w->l->out.separator,
-		&w->l->out.separator + 1 };
-	w->out = append_string(w->out, members ? "{" : to->open);
+	w->separator = (struct span){ &l->out.separator, &l->out.separator + 1 };
+	*w->out = members ? '{' : open;
+	w->out += open != '\0';
 	put_others(w, 0, members);
-	w->out = line_rest(w->l, w->line, w->out);
-	w->out = append_string(w->out, members ? "}" : to->close);
+	w->out = put_rest_of(w, w->out);
+	*w->out = members ? '}' : close;
+	w->out += close != '\0';
+}
+
+/* Writes the names of what is added, and of what is kept. */
+static void write_header(struct splice *w)
+{
+	static const struct word word = { "flags", 5 };
+	const struct layout *l = w->l;
+	struct line named = *w->line;
+
+	header_places(l, line_text(&named), &named);
+	w->line = &named;
+	w->numbers = NULL;
+	w->flags = l->flags ? &word : NULL;
+	find_coordinates(w);
+	if (same_dialect(l->in, l->out)) {
+		splice(w);
+		return;
+	}
+	if (format_of(l->out)->blanks)
+		w->out = append_string(w->out, "# ");
+	convert(w);
 }
 
 char *line_write(const struct layout *l, const struct line *line,
     const struct numbers *numbers, const struct word *flags, char *out)
 {
-	static const struct word word = { "flags", 5 };
-	bool brackets = *format_of(l->in)->open != '\0' ||
-	    *format_of(l->out)->open != '\0';
-	bool header = line->kind == LINE_HEADER;
-	struct line named = *line;
 	struct splice w = { .l = l,
 		.line = line,
 		.numbers = numbers,
 		.flags = flags,
 		.separator = { &l->in.separator, &l->in.separator + 1 },
 		.out = out };
+	bool copy = line->kind == LINE_COPY, header = line->kind == LINE_HEADER;
 
-	if (brackets && (line->kind == LINE_COPY || header))
+	if ((copy || header) &&
+	    (*format_of(l->in)->open != '\0' || *format_of(l->out)->open != '\0'))
 		return out;
-	if (header) {
-		header_places(l, line_text(line), &named);
-		w.line = &named;
-		w.numbers = NULL;
-		w.flags = l->flags ? &word : NULL;
-	}
-	find_coordinates(&w);
-	if (line->kind == LINE_COPY) {
+	if (copy) {
 		w.out = append(out, line->s, line->s + line->size);
-	} else if (line->kind != LINE_LOST && same_dialect(l->in, l->out)) {
-		splice(&w);
+	} else if (header) {
+		write_header(&w);
 	} else {
-		if (header && format_of(l->out)->blanks)
-			w.out = append_string(w.out, "# ");
-		convert(&w);
+		find_coordinates(&w);
+		if (line->kind != LINE_LOST && same_dialect(l->in, l->out))
+			splice(&w);
+		else
+			convert(&w);
 	}
 	if (line->newline)
 		*w.out++ = '\n';
