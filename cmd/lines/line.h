@@ -83,24 +83,6 @@ struct numbers {
 	size_t step, text_step;
 };
 
-/* Writes number k at s as number_put does, or the word that the format out has for
- * a number that is not known. */
-static inline char *line_put(const struct layout *l, const struct numbers *n,
-    int k, char *s)
-{
-	const struct number_text *t = &n->text[(size_t)k * n->text_step];
-	double v = n->v[(size_t)k * n->step];
-
-	if (__builtin_expect(t->layout == 0 && v != v, 0)) {
-		const char *unknown = format_of(l->out)->unknown;
-		size_t size = strlen(unknown);
-
-		memcpy(s, unknown, size);
-		return s + size;
-	}
-	return number_put(s, t, v, l->single, l->style[k]);
-}
-
 /* Room for the separator, and in an object the name, before a value that is added. */
 enum { ADDED_ROOM = 64 };
 
@@ -150,6 +132,19 @@ static inline const char *layout_path(const struct layout *l, int i)
  * header, which says in the layout where the columns are. */
 void line_read(struct layout *, struct span text, bool *first, struct line *,
     double v[4], char reason[REASON_MAX]);
+
+/* Writes v, number k, of which no text was made, and returns where it ends: in the
+ * format's own word, if it is not known. */
+char *line_put_rare(const struct layout *, int k, double v, char *out);
+
+/* Writes v, number k, from its text. */
+static inline char *line_put(const struct layout *l, int k,
+    const struct number_text *text, double v, char *out)
+{
+	if (__builtin_expect(text->layout == 0, 0))
+		return line_put_rare(l, k, v, out);
+	return number_put(out, text, v, l->single, l->style[k]);
+}
 
 /* The most bytes that line_write may touch for so many lines of so many bytes
  * in all. */

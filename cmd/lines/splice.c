@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* A line on its way out: numbers take the place of others, or stand behind them. */
+#include <math.h>
+#include <string.h>
+
 #include "choose.h"
 #include "header.h"
 
@@ -28,6 +31,16 @@ size_t lines_room(const struct layout *l, size_t lines, size_t bytes)
 	    lines *
 	    ((size_t)l->writes * (NUMBER_MAX + ADDED_ROOM) + ADDED_ROOM + 2 +
 		WORD_MAX + 2 + 1);
+}
+
+char *line_put_rare(const struct layout *l, int k, double v, char *out)
+{
+	const char *unknown = format_of(l->out)->unknown;
+
+	if (isnan(v))
+		return stpcpy(out, unknown);
+	return l->single ? number_write_float(out, (float)v, l->style[k]) :
+			   number_write(out, v, l->style[k]);
 }
 
 static char *append(char *out, const char *s, const char *end)
@@ -77,7 +90,9 @@ static char *put_value(const struct splice *w, int k, char *out)
 		    format_convert(l->in, l->out, w->at[k], out) :
 		    append_string(out, value_name(w, k));
 	if (k < FLAGS)
-		return line_put(l, w->numbers, k, out);
+		return line_put(l, k,
+		    &w->numbers->text[(size_t)k * w->numbers->text_step],
+		    w->numbers->v[(size_t)k * w->numbers->step], out);
 	bool quoted = *format_of(l->out)->open != '\0';
 
 	*out = '"';
@@ -237,7 +252,8 @@ static char *put_rest_of(const struct splice *w, char *out)
 {
 	const struct layout *l = w->l;
 	const struct line *line = w->line;
-	const struct format_row *from = format_of(l->in), *to = format_of(l->out);
+	const struct format_row *from = format_of(l->in),
+				*to = format_of(l->out);
 	bool first = line->kind == LINE_POINT && l->columns.n == 0;
 	struct field f;
 
@@ -285,7 +301,8 @@ static void convert(struct splice *w)
 	char open = *format_of(l->out)->open, close = *format_of(l->out)->close;
 	bool members = w->line->object && l->out.format == l->in.format;
 
-	w->separator = (struct span){ &l->out.separator, &l->out.separator + 1 };
+	w->separator = (struct span){ &l->out.separator,
+		&l->out.separator + 1 };
 	*w->out = members ? '{' : open;
 	w->out += open != '\0';
 	put_others(w, 0, members);
@@ -327,7 +344,8 @@ char *line_write(const struct layout *l, const struct line *line,
 	bool copy = line->kind == LINE_COPY, header = line->kind == LINE_HEADER;
 
 	if ((copy || header) &&
-	    (*format_of(l->in)->open != '\0' || *format_of(l->out)->open != '\0'))
+	    (*format_of(l->in)->open != '\0' ||
+		*format_of(l->out)->open != '\0'))
 		return out;
 	if (copy) {
 		w.out = append(out, line->s, line->s + line->size);

@@ -75,12 +75,18 @@ const struct word *word_for(struct chunk *c, unsigned outside)
 	return w;
 }
 
-/* Finds the order in which the coordinates stand on a line, most often that of the line
- * before. */
-static inline void find_order(struct block *b, const struct line *line, int n)
+/* Returns whether the n coordinates of a line stand in their order. */
+static inline bool is_in_order(const struct line *line, int n)
 {
-	int *order = b->order;
+	for (int k = 1; k < n; k++)
+		if (line->at[k].from < line->at[k - 1].from)
+			return false;
+	return true;
+}
 
+/* Finds the order in which they stand, most often that of the line before. */
+static void find_order(const struct line *line, int n, int order[4])
+{
 	for (int i = 1; i < n; i++)
 		for (int k = i; k > 0 &&
 		     line->at[order[k - 1]].from > line->at[order[k]].from;
@@ -94,15 +100,11 @@ static inline void find_order(struct block *b, const struct line *line, int n)
 
 /* Returns whether what is added behind the last of n numbers, which stand in their
  * order, has the usual separator before it, and no quote. */
-static inline bool takes_more(const struct block *b, const struct line *line,
+static inline bool takes_more(const struct layout *l, const struct line *line,
     int n)
 {
-	const struct layout *l = &b->job->layout;
 	uint32_t last = line->at[n - 1].to;
 
-	for (int k = 1; k < n; k++)
-		if (b->order[k - 1] > b->order[k])
-			return false;
 	if (format_of(l->out)->blanks)
 		return line->at[n - 1].from - line->at[n - 2].to == 1;
 	return !line->object &&
@@ -133,11 +135,18 @@ static inline char *put_word(const struct layout *l, const struct line *line,
 	return at + quoted;
 }
 
+/* Writes coordinate k of the image of point p. */
+static inline char *put_number(const struct block *b, int k, size_t p, char *at)
+{
+	return line_put(&b->job->layout, k, &b->texts.text[k][p % BATCH],
+	    b->chunk->image[k][p], at);
+}
+
 /* Copies what stands before coordinate k, done being where the one before it
  * ended, and writes its image. As most gaps are of one byte, a byte is copied even
  * where there is none. */
-static inline char *replace(const struct layout *l, const struct line *line,
-    const struct numbers *n, int k, uint32_t done, char *at)
+static inline char *replace(const struct block *b, const struct line *line,
+    int k, uint32_t done, size_t p, char *at)
 {
 	const char *gap = line->s + done;
 	uint32_t size = line->at[k].from - done;
@@ -145,7 +154,7 @@ static inline char *replace(const struct layout *l, const struct line *line,
 	*at = *gap;
 	if (size > 1)
 		memcpy(at, gap, size);
-	return line_put(l, n, k, at + size);
+	return put_number(b, k, p, at + size);
 }
 
 static inline char *put_rest(const struct line *line, uint32_t done, char *at)
@@ -161,20 +170,19 @@ static inline char *put_rest(const struct line *line, uint32_t done, char *at)
 	return at + line->newline;
 }
 
-/* Writes what line_write would, without a look at what cannot be. */
-static char *put_in_place(struct block *b, const struct line *line,
-    const struct numbers *n, size_t p, char *at)
+/* Writes what line_write would where numbers stand in their order, without a look at
+ * what cannot be. */
+static inline char *put_in_order(struct block *b, const struct line *line,
+    size_t p, char *at)
 {
 	const struct layout *l = &b->job->layout;
 	uint32_t done = 0;
 
-	for (int i = 0; i < l->reads; i++) {
-		at = replace(l, line, n, b->order[i], done, at);
-		done = line->at[b->order[i]].to;
-	}
+	for (int k = 0; k < l->reads; done = line->at[k++].to)
+		at = replace(b, line, k, done, p, at);
 	for (int k = l->reads; k < l->writes; k++) {
 		*at++ = separator(l, line, l->reads);
-		at = line_put(l, n, k, at);
+		at = put_number(b, k, p, at);
 	}
 	if (l->flags)
 		at = put_word(l, line, l->reads,
@@ -182,22 +190,42 @@ static char *put_in_place(struct block *b, const struct line *line,
 	return put_rest(line, done, at);
 }
 
-/* Writes the line of point p with its image. */
-static char *put_image(struct block *b, const struct line *line, size_t p,
+/* Writes what line_write would where numbers stand in any order, and none is added. */
+static char *put_in_place(struct block *b, const struct line *line, size_t p,
+    char *at)
+{
+	int reads = b->job->layout.reads;
+	uint32_t done = 0;
+
+	find_order(line, reads, b->order);
+	for (int i = 0; i < reads; done = line->at[b->order[i++]].to)
+		at = replace(b, line, b->order[i], done, p, at);
+	return put_rest(line, done, at);
+}
+
+static char *put_spliced(struct block *b, const struct line *line, size_t p,
     char *at)
 {
 	const struct layout *l = &b->job->layout;
 	const struct numbers n = { &b->chunk->image[0][p],
 		&b->texts.text[0][p % BATCH], POINTS_BLOCK, BATCH };
 
-	need_texts(b, p);
-	if (b->in_place) {
-		find_order(b, line, l->reads);
-		if (!b->adds || takes_more(b, line, l->reads))
-			return put_in_place(b, line, &n, p, at);
-	}
 	return line_write(l, line, &n,
 	    l->flags ? word_for(b->chunk, b->outside[p]) : NULL, at);
+}
+
+/* Writes the line of point p with its image. */
+static char *put_image(struct block *b, const struct line *line, size_t p,
+    char *at)
+{
+	const struct layout *l = &b->job->layout;
+
+	need_texts(b, p);
+	if (b->in_place && is_in_order(line, l->reads) &&
+	    (!b->adds || takes_more(l, line, l->reads)))
+		return put_in_order(b, line, p, at);
+	return b->in_place && !b->adds ? put_in_place(b, line, p, at) :
+					 put_spliced(b, line, p, at);
 }
 
 /* Writes a line that is no point: a comment or a header as it is, a bad line as
