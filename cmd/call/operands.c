@@ -9,7 +9,6 @@
 #include "mistaken.h"
 #include "params.h"
 #include "../stream/progress.h"
-#include "../stream/threads.h"
 #include "../message/message.h"
 
 void check_operands(const struct command *c, const struct options *o)
@@ -201,7 +200,7 @@ void prepare_job(struct job *j, const struct options *o)
 		set_tolerances(j, &o->tolerances);
 	j->visible = o->visible;
 	j->keep_going = o->keep_going;
-	j->threads = o->jobs > 0 ? o->jobs : threads_processors();
+	j->threads = o->jobs > 0 ? o->jobs : stream_processors();
 	progress_start(o->progress);
 	widen_pipe(STDOUT_FILENO, PIPE_ROOM);
 	choose_kernels();

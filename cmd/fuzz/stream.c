@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Any bytes as a source of points that arrives bit by bit, for libFuzzer, with
- * the threads of threads.c, and talk.c's functions replaced: the same bytes and
+ * the threads of stream.c, and talk.c's functions replaced: the same bytes and
  * messages come out as if it came at once, and the same from the scalar code as
  * by the vector. Linked with --wrap=read and --wrap=poll. */
 #include <errno.h>

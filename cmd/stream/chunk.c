@@ -26,7 +26,7 @@ struct chunk *chunk_new(void)
 
 void chunk_free(struct chunk *c)
 {
-	piece_free(&c->piece);
+	free(c->piece.text);
 	free(c->out);
 	free(c->complaints);
 	free(c->reasons);

@@ -5,7 +5,7 @@
 #define CHUNK_H
 
 #include "../../core/points/points.h"
-#include "piece.h"
+#include "source.h"
 #include "../lines/walk.h"
 
 /* What is wrong with a line. */
@@ -19,12 +19,9 @@ struct chunk {
 	const char *name;       /* of the source */
 	size_t number;          /* in the source, from 0 */
 	const char *text, *end; /* what is left to read */
-	size_t bytes;           /* of text at the beginning, for the progress */
 	size_t n_lines;         /* read so far */
 	bool first; /* the first line that counts is still to come */
-	enum piece_state state; /* what comes after it in the source */
-	int error;              /* the errno of PIECE_FAILED */
-	bool done;              /* it waits to be answered */
+	bool done;  /* it waits to be answered */
 
 	char *out;
 	size_t size, room;            /* of out: used, allocated */
@@ -44,7 +41,7 @@ struct chunk {
 
 	struct word word[256]; /* for each set of planes; empty until needed */
 
-	struct piece piece; /* what was read, if the source is a file */
+	struct piece piece;
 };
 
 struct chunk *chunk_new(void);
