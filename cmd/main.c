@@ -140,12 +140,13 @@ struct call {
 	struct options options;
 };
 
-static void run_scenes(void *with)
+static void *run_scenes(void *with)
 {
 	struct call *call = with;
 
 	while (params_next(&call->options))
 		call->command->run(call->command, &call->options);
+	return NULL;
 }
 
 int main(int argc, char **argv)

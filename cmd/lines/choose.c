@@ -5,22 +5,30 @@
 
 #include "../json/scan.h"
 
-bool choose_is_name(struct span f, const char *name, size_t n)
+bool choose_is_name(struct span f, struct span name, bool pointer)
 {
-	const char *s = f.s + 1, *stop = f.end - 1, *end = name + n;
+	const char *s = f.s + 1, *stop = f.end - 1;
 	char character[4];
-	int size;
 
-	for (; s < stop && name < end; name += size) {
+	while (s < stop) {
+		int size = 1;
+
 		character[0] = *s;
-		size = 1;
 		s = *s == '\\' ? json_unescape(s, stop, character, &size) :
 				 s + 1;
-		if (end - name < size ||
-		    memcmp(name, character, (size_t)size) != 0)
-			return false;
+		for (int i = 0; i < size; i++, name.s++) {
+			if (name.s == name.end)
+				return false;
+			char c = *name.s;
+
+			if (pointer && c == '~' &&
+			    (name.s[1] == '0' || name.s[1] == '1'))
+				c = *++name.s == '0' ? '~' : '/';
+			if (c != character[i])
+				return false;
+		}
 	}
-	return s == stop && name == end;
+	return name.s == name.end;
 }
 
 /* The rest of the path to each coordinate, inside a value; NULL where the path does
@@ -29,31 +37,13 @@ struct paths {
 	const char *to[4];
 };
 
-enum { TOKEN_ROOM = 1024 };
-
-/* Takes the next part of a pointer without its escapes: ~1 is /, ~0 is ~. Returns
- * what comes behind it, or NULL where it is too long. */
-static const char *next_token(const char *s, char token[TOKEN_ROOM], size_t *n)
-{
-	for (*n = 0; *s != '\0' && *s != '/'; s++) {
-		if (*n == TOKEN_ROOM)
-			return NULL;
-		token[*n] = *s;
-		if (*s == '~' && (s[1] == '0' || s[1] == '1'))
-			token[*n] = *++s == '0' ? '~' : '/';
-		++*n;
-	}
-	return s;
-}
-
 /* Returns whether the token is the number k of an element, without a 0 before it. */
-static bool is_index(const char *token, size_t n, long k)
+static bool is_index(struct span token, long k)
 {
-	while (n > 1 && token[n - 1] == '0' + k % 10 && k >= 10) {
-		k /= 10;
-		n--;
-	}
-	return n == 1 && k < 10 && *token == '0' + k;
+	for (; k >= 10 && token.end > token.s && token.end[-1] == '0' + k % 10;
+	     k /= 10)
+		token.end--;
+	return k < 10 && token.end - token.s == 1 && *token.s == '0' + k;
 }
 
 /* Returns whether the path, a name or a pointer, leads to field k of the cut, or
@@ -61,17 +51,14 @@ static bool is_index(const char *token, size_t n, long k)
 static bool leads_to(const char *path, const struct cut *c,
     const struct field *f, long k, const char **rest)
 {
-	char token[TOKEN_ROOM];
-	size_t n;
+	bool pointer = *path == '/';
 
-	*rest = "";
-	if (*path != '/')
-		return c->members &&
-		    choose_is_name(f->name, path, strlen(path));
-	*rest = next_token(path + 1, token, &n);
-	return *rest != NULL &&
-	    (c->members ? choose_is_name(f->name, token, n) :
-			  is_index(token, n, k));
+	path += pointer;
+	*rest = path + (pointer ? strcspn(path, "/") : strlen(path));
+	struct span token = { path, *rest };
+
+	return c->members ? choose_is_name(f->name, token, pointer) :
+			    pointer && is_index(token, k);
 }
 
 /* Finds the values to which the paths lead: enters each value once, for all paths

@@ -64,7 +64,7 @@ static void say_no_json(struct dialect json, struct span line,
 			     "a line: jq -c '.[]'");
 }
 
-static bool check_json(struct dialect d, struct span line,
+static bool json_line_check(struct dialect d, struct span line,
     char reason[REASON_MAX])
 {
 	const char *s = skip_blanks(d, line.s, line.end);
@@ -143,7 +143,7 @@ static void next_of_json(struct cut *c, struct field *f)
 }
 
 /* Returns whether each quote that opens a field is closed on the line. */
-static bool check_csv(struct dialect d, struct span line,
+static bool csv_check(struct dialect d, struct span line,
     char reason[REASON_MAX])
 {
 	struct cut c = { .in = d, .s = line.s, .end = line.end };
@@ -194,7 +194,7 @@ static bool stands_in_json(struct dialect d, struct span f)
 #define LINES .open = "", .close = "", .unknown = "nan"
 #define CSV                                                                    \
 	LINES, .quote = '"', .escape = '"', .header = true,                    \
-	       .check = check_csv, .next = next_of_csv, .number = number_read, \
+	       .check = csv_check, .next = next_of_csv, .number = number_read, \
 	       .stands = stands_in_csv
 
 const struct format_row format_rows[] = {
@@ -205,8 +205,8 @@ const struct format_row format_rows[] = {
 	[FORMAT_TSV] = { FORMAT_CSV, '\t', CSV },
 	[FORMAT_JSON] = { FORMAT_JSON, ',', .open = "[", .close = "]",
 	    .unknown = "null", .quote = '"', .escape = '\\',
-	    .check = check_json, .next = next_of_json, .number = json_value,
-	    .stands = stands_in_json },
+	    .check = json_line_check, .next = next_of_json,
+	    .number = json_value, .stands = stands_in_json },
 	[FORMAT_F64] = { FORMAT_F64, ',', LINES, .size = sizeof(double) },
 	[FORMAT_F32] = { FORMAT_F32, ',', LINES, .size = sizeof(float) },
 };

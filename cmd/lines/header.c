@@ -38,7 +38,8 @@ static int find_name(struct dialect d, struct span header, const char *name,
 	return -1;
 }
 
-static bool twice(const struct columns *c, int i, char reason[REASON_MAX])
+static bool header_repeats(const struct columns *c, int i,
+    char reason[REASON_MAX])
 {
 	for (int k = 0; k < i; k++)
 		if (c->field[k] == c->field[i]) {
@@ -69,7 +70,7 @@ static bool find_columns(struct layout *l, struct span header,
 		say_names(cut_line(l->in, header), c->name[i], reason);
 	}
 	for (int i = 1; i < c->n && found; i++)
-		found = !twice(c, i, reason);
+		found = !header_repeats(c, i, reason);
 	for (int i = 0; i < c->n && !found; i++)
 		c->field[i] = -1;
 	return found;

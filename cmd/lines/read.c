@@ -36,7 +36,7 @@ static void say_missing(const struct layout *l, int i, struct cut cut,
 }
 
 /* Reads the numbers of the coordinates; says which is the first that is none. */
-static bool read_numbers(const struct layout *l, struct cut cut,
+static bool read_coordinates(const struct layout *l, struct cut cut,
     const struct chosen *c, double v[4], char reason[REASON_MAX])
 {
 	const struct format_row *in = format_of(l->in);
@@ -88,7 +88,7 @@ static bool can_be_kept(const struct layout *l, bool members,
 }
 
 /* Returns whether --columns says how to find the coordinates in a line of JSON. */
-static bool check_columns(const struct layout *l, bool members,
+static bool columns_fit(const struct layout *l, bool members,
     char reason[REASON_MAX])
 {
 	bool named = l->columns.n > 0, numbered = named;
@@ -121,10 +121,10 @@ static void read_fields(const struct layout *l, struct span text,
 		return;
 	struct cut cut = cut_line(l->in, text);
 
-	if (cut.bracket != NULL && !check_columns(l, cut.members, reason))
+	if (cut.bracket != NULL && !columns_fit(l, cut.members, reason))
 		return;
 	choose(l, cut, &c);
-	bool ok = read_numbers(l, cut, &c, v, reason);
+	bool ok = read_coordinates(l, cut, &c, v, reason);
 
 	if (ok && cut.bracket != NULL && choose_overlaps(l, &c)) {
 		ok = false;

@@ -43,22 +43,22 @@ char *line_put_rare(const struct layout *l, int k, double v, char *out)
 			   number_write(out, v, l->style[k]);
 }
 
-static char *append(char *out, const char *s, const char *end)
+static char *splice_text(char *out, const char *s, const char *end)
 {
 	memcpy(out, s, (size_t)(end - s));
 	return out + (end - s);
 }
 
-static char *append_string(char *out, const char *s)
+static char *splice_string(char *out, const char *s)
 {
-	return append(out, s, s + strlen(s));
+	return splice_text(out, s, s + strlen(s));
 }
 
 /* Copies the line up to s. */
-static void copy_to(struct splice *w, const char *s)
+static void splice_to(struct splice *w, const char *s)
 {
 	if (s > w->done) {
-		w->out = append(w->out, w->done, s);
+		w->out = splice_text(w->out, w->done, s);
 		w->done = s;
 	}
 }
@@ -88,7 +88,7 @@ static char *put_value(const struct splice *w, int k, char *out)
 	if (w->numbers == NULL)
 		return k < l->reads && w->at[k].s < w->at[k].end ?
 		    format_convert(l->in, l->out, w->at[k], out) :
-		    append_string(out, value_name(w, k));
+		    splice_string(out, value_name(w, k));
 	if (k < FLAGS)
 		return line_put(l, k,
 		    &w->numbers->text[(size_t)k * w->numbers->text_step],
@@ -96,7 +96,8 @@ static char *put_value(const struct splice *w, int k, char *out)
 	bool quoted = *format_of(l->out)->open != '\0';
 
 	*out = '"';
-	out = append(out + quoted, w->flags->s, w->flags->s + w->flags->size);
+	out = splice_text(out + quoted, w->flags->s,
+	    w->flags->s + w->flags->size);
 	*out = '"';
 	return out + quoted;
 }
@@ -109,11 +110,11 @@ static void put_others(struct splice *w, int k, bool members)
 		if (!is_written(w, k) || (w->put >> k & 1) != 0)
 			continue;
 		if (w->fields++ > 0)
-			w->out = append(w->out, w->separator.s,
+			w->out = splice_text(w->out, w->separator.s,
 			    w->separator.end);
 		if (members) {
 			*w->out++ = '"';
-			w->out = append_string(w->out, value_name(w, k));
+			w->out = splice_string(w->out, value_name(w, k));
 			*w->out++ = '"';
 			*w->out++ = ':';
 		}
@@ -137,12 +138,17 @@ static int value_of(const struct splice *w, const struct field *f, bool outer)
 {
 	int i = coordinate_in(w, f->whole.s, f->value.s);
 
-	for (int k = w->l->reads;
-	     k <= FLAGS && i < 0 && outer && f->name.s != NULL; k++)
-		if (is_written(w, k) &&
-		    choose_is_name(f->name, value_name(w, k),
-			strlen(value_name(w, k))))
+	if (f->name.s == NULL || !outer)
+		return i;
+	for (int k = w->l->reads; k <= FLAGS && i < 0; k++) {
+		if (!is_written(w, k))
+			continue;
+		const char *name = value_name(w, k);
+		struct span added = { name, name + strlen(name) };
+
+		if (choose_is_name(f->name, added, false))
 			return k;
+	}
 	return i;
 }
 
@@ -176,7 +182,7 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 		if (k >= 0 && (!is_written(w, k) || (w->put >> k & 1) != 0)) {
 			struct span gone = cut_out(&f);
 
-			copy_to(w, gone.s);
+			splice_to(w, gone.s);
 			w->done = gone.end > w->done ? gone.end : w->done;
 			found++;
 			continue;
@@ -195,12 +201,12 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 		if (w->numbers != NULL) {
 			struct span at = k < w->l->reads ? w->at[k] : f.value;
 
-			copy_to(w, at.s);
+			splice_to(w, at.s);
 			w->out = put_value(w, k, w->out);
 			w->done = at.end;
 		}
 		if (k == last) {
-			copy_to(w, trimmed(c.in, f.whole).end);
+			splice_to(w, trimmed(c.in, f.whole).end);
 			put_others(w, w->l->reads, false);
 		}
 		if (outer && last >= 0 && ++found == w->l->reads)
@@ -208,7 +214,7 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 	}
 	if (outer) {
 		if (c.from != NULL || c.bracket != NULL)
-			copy_to(w, c.from != NULL ? c.from : c.bracket);
+			splice_to(w, c.from != NULL ? c.from : c.bracket);
 		put_others(w, 0, c.members);
 	}
 }
@@ -226,7 +232,7 @@ static struct cut cut_of(const struct layout *l, const struct line *line)
 	return c;
 }
 
-static void find_coordinates(struct splice *w)
+static void splice_places(struct splice *w)
 {
 	for (int i = 0; i < w->l->reads; i++)
 		w->at[i] = is_missing(w->line->at[i]) ? (struct span){ 0 } :
@@ -244,7 +250,7 @@ static void splice(struct splice *w)
 			last = -1; /* what is added stands at the end */
 	w->done = w->line->s;
 	splice_fields(w, c, true, last);
-	copy_to(w, w->line->s + w->line->size);
+	splice_to(w, w->line->s + w->line->size);
 }
 
 /* Writes each field that holds no coordinate behind a separator of the format out. */
@@ -268,8 +274,9 @@ static char *put_rest_of(const struct splice *w, char *out)
 		struct span rest = trimmed(l->in, (struct span){ c.s, c.end });
 
 		*out = ' ';
-		return rest.s < rest.end ? append(out + 1, rest.s, rest.end) :
-					   out;
+		return rest.s < rest.end ?
+		    splice_text(out + 1, rest.s, rest.end) :
+		    out;
 	}
 	while (cut_next(&c, &f)) {
 		/* csv's empty fields become "" in JSON, so that the fields
@@ -289,7 +296,7 @@ char *line_rest(const struct layout *l, const struct line *line, char *out)
 {
 	struct splice w = { .l = l, .line = line };
 
-	find_coordinates(&w);
+	splice_places(&w);
 	return put_rest_of(&w, out);
 }
 
@@ -322,13 +329,13 @@ static void write_header(struct splice *w)
 	w->line = &named;
 	w->numbers = NULL;
 	w->flags = l->flags ? &word : NULL;
-	find_coordinates(w);
+	splice_places(w);
 	if (same_dialect(l->in, l->out)) {
 		splice(w);
 		return;
 	}
 	if (format_of(l->out)->blanks)
-		w->out = append_string(w->out, "# ");
+		w->out = splice_string(w->out, "# ");
 	convert(w);
 }
 
@@ -348,11 +355,11 @@ char *line_write(const struct layout *l, const struct line *line,
 		*format_of(l->out)->open != '\0'))
 		return out;
 	if (copy) {
-		w.out = append(out, line->s, line->s + line->size);
+		w.out = splice_text(out, line->s, line->s + line->size);
 	} else if (header) {
 		write_header(&w);
 	} else {
-		find_coordinates(&w);
+		splice_places(&w);
 		if (line->kind != LINE_LOST && same_dialect(l->in, l->out))
 			splice(&w);
 		else

@@ -28,7 +28,7 @@ static void make_lines(const struct job *j, struct chunk *c, const char *text,
 
 /* Complains of line i of the block, which becomes a bad one. Returns whether the
  * job goes on; else the chunk ends. */
-static bool refuse(const struct job *j, struct chunk *c, size_t i,
+static bool binary_refuse(const struct job *j, struct chunk *c, size_t i,
     const char *reason)
 {
 	c->line[i].kind = LINE_LOST;
@@ -53,7 +53,7 @@ static size_t refuse_beyond(const struct job *j, struct chunk *c, size_t n,
 		}
 		*points += within;
 		if (!within &&
-		    !refuse(j, c, i,
+		    !binary_refuse(j, c, i,
 			"a coordinate is beyond 1e150 in magnitude; choose "
 			"another unit"))
 			return i;
@@ -82,7 +82,7 @@ size_t binary_read(const struct job *j, struct chunk *c, size_t *points)
 		    "ends within a point; a point is %zu bytes", size);
 		make_lines(j, c, text, 1);
 		c->text = c->end;
-		return refuse(j, c, 0, reason);
+		return binary_refuse(j, c, 0, reason);
 	}
 	bool within = points_split(text, size / (size_t)j->layout.reads == 8,
 	    j->layout.reads, c->in, n);

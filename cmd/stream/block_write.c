@@ -136,7 +136,8 @@ static inline char *put_word(const struct layout *l, const struct line *line,
 }
 
 /* Writes coordinate k of the image of point p. */
-static inline char *put_number(const struct block *b, int k, size_t p, char *at)
+static inline char *block_put_number(const struct block *b, int k, size_t p,
+    char *at)
 {
 	return line_put(&b->job->layout, k, &b->texts.text[k][p % BATCH],
 	    b->chunk->image[k][p], at);
@@ -154,7 +155,7 @@ static inline char *replace(const struct block *b, const struct line *line,
 	*at = *gap;
 	if (size > 1)
 		memcpy(at, gap, size);
-	return put_number(b, k, p, at + size);
+	return block_put_number(b, k, p, at + size);
 }
 
 static inline char *put_rest(const struct line *line, uint32_t done, char *at)
@@ -182,7 +183,7 @@ static inline char *put_in_order(struct block *b, const struct line *line,
 		at = replace(b, line, k, done, p, at);
 	for (int k = l->reads; k < l->writes; k++) {
 		*at++ = separator(l, line, l->reads);
-		at = put_number(b, k, p, at);
+		at = block_put_number(b, k, p, at);
 	}
 	if (l->flags)
 		at = put_word(l, line, l->reads,
@@ -215,7 +216,7 @@ static char *put_spliced(struct block *b, const struct line *line, size_t p,
 }
 
 /* Writes the line of point p with its image. */
-static char *put_image(struct block *b, const struct line *line, size_t p,
+static char *block_put_image(struct block *b, const struct line *line, size_t p,
     char *at)
 {
 	const struct layout *l = &b->job->layout;
@@ -255,7 +256,7 @@ static char *put_line(struct block *b, const struct line *line, size_t p,
 	if (is_binary(j->layout.out.format))
 		return point || bad ? binary_put(j, b->chunk, point, p, at) :
 				      at;
-	return point ? put_image(b, line, p, at) :
+	return point ? block_put_image(b, line, p, at) :
 		       put_other(&j->layout, line, at);
 }
 

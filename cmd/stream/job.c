@@ -18,7 +18,7 @@ static void cast_rays(const struct job *j, struct chunk *c, size_t n)
 	rays_cast(&j->ray, single, at, image, image + 3, n);
 }
 
-static void carry(const struct job *j, struct chunk *c, size_t n)
+static void job_carry(const struct job *j, struct chunk *c, size_t n)
 {
 	const double *const in[4] = { c->in[0], c->in[1], c->in[2], c->in[3] };
 	double *const out[4] = { c->image[0], c->image[1], c->image[2],
@@ -32,7 +32,8 @@ static void carry(const struct job *j, struct chunk *c, size_t n)
 
 /* Shows each line of the block that is a point, or bad, or a header, to the command
  * that wants to see them. number is that of the first. */
-static void show(const struct job *j, struct chunk *c, size_t n, size_t number)
+static void job_show(const struct job *j, struct chunk *c, size_t n,
+    size_t number)
 {
 	size_t p = 0;
 
@@ -62,9 +63,9 @@ void job_do(struct job *j, struct chunk *c)
 			continue;
 		n = binary ? binary_read(j, c, &points) :
 			     block_read(j, c, &points);
-		carry(j, c, points);
+		job_carry(j, c, points);
 		if (j->take != NULL)
-			show(j, c, n, number);
+			job_show(j, c, n, number);
 		else if (!(whole && n == points && binary_join(j, c, n)))
 			block_write(j, c, n, points, number);
 	}

@@ -94,7 +94,7 @@ static void call_thread(void)
 		start_thread();
 }
 
-static struct chunk *begin(void)
+static struct chunk *stream_begin(void)
 {
 	struct chunk **c = &ring.unused[--ring.n_unused];
 
@@ -117,7 +117,7 @@ static struct chunk *begin(void)
 
 /* Answers the chunks that are next, as far as they are done. What was read
  * behind the end of a file that changes meanwhile doesn't count. */
-static void answer(void)
+static void stream_answer(void)
 {
 	struct chunk *c;
 
@@ -148,7 +148,7 @@ static bool is_finished(void)
 
 static void do_chunk(void)
 {
-	struct chunk *c = begin();
+	struct chunk *c = stream_begin();
 
 	ring.open = ring.open && c->piece.state < PIECE_LAST;
 	/* where a stream has no more yet, this thread may be back in time */
@@ -163,7 +163,7 @@ static void do_chunk(void)
 	ring.open = ring.open && c->piece.state < PIECE_LAST;
 	ring.first = c->first;
 	c->done = true;
-	answer();
+	stream_answer();
 	if (is_finished())
 		pthread_cond_signal(&ring.all_answered);
 }
