@@ -16,8 +16,9 @@ struct cut cut_value(struct span value, const char *end)
 
 struct cut cut_line(struct dialect in, struct span line)
 {
+	line.s = skip_blanks(in, line.s, line.end);
 	if (*format_of(in)->open != '\0')
-		return cut_value(trimmed(in, line), line.end);
+		return cut_value(line, line.end);
 	return (struct cut){ .in = in, .s = line.s, .end = line.end };
 }
 

@@ -84,7 +84,7 @@ static bool json_line_check(struct dialect d, struct span line,
 /* Finds a field of text: up to a blank or, unless it is one of words, a comma. */
 static void next_of_text(struct cut *c, struct field *f)
 {
-	const char *s = skip_blanks(c->in, c->s, c->end), *after;
+	const char *s = c->s, *after;
 
 	f->value.s = s;
 	while (s < c->end && !is_blank(*s) && (c->words || *s != ','))

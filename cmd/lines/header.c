@@ -247,13 +247,12 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 	return true;
 }
 
-void header_places(const struct layout *l, struct span text, struct line *line)
+void header_places(const struct layout *l, struct span text, struct span at[4])
 {
 	struct chosen c;
 
 	choose(l, cut_line(l->in, header_names(l->in, text)), &c);
 	for (int i = 0; i < l->reads; i++)
-		line->at[i] = c.times[i] > 0 ?
-		    line_part(line, c.field[i].value) :
-		    part_missing;
+		if (c.times[i] > 0)
+			at[i] = trimmed(l->in, c.field[i].whole);
 }

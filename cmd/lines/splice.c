@@ -235,8 +235,8 @@ static struct cut cut_of(const struct layout *l, const struct line *line)
 static void splice_places(struct splice *w)
 {
 	for (int i = 0; i < w->l->reads; i++)
-		w->at[i] = is_missing(w->line->at[i]) ? (struct span){ 0 } :
-							line_at(w->line, i);
+		if (!is_missing(w->line->at[i]))
+			w->at[i] = line_at(w->line, i);
 }
 
 static void splice(struct splice *w)
@@ -323,13 +323,10 @@ static void write_header(struct splice *w)
 {
 	static const struct word word = { "flags", 5 };
 	const struct layout *l = w->l;
-	struct line named = *w->line;
 
-	header_places(l, line_text(&named), &named);
-	w->line = &named;
+	header_places(l, line_text(w->line), w->at);
 	w->numbers = NULL;
 	w->flags = l->flags ? &word : NULL;
-	splice_places(w);
 	if (same_dialect(l->in, l->out)) {
 		splice(w);
 		return;
