@@ -11,7 +11,6 @@
 #include "input.h"
 #include "params.h"
 #include "../stream/progress.h"
-#include "../stream/threads.h"
 #include "../message/message.h"
 
 /* Refuses an operand that is no file but an option without its dashes, or with
@@ -268,10 +267,9 @@ void prepare_job(struct job *j, const struct options *o)
 	for (int k = 0; k < COORDINATES_MAX; k++)
 		j->layout.style[k] = o->styles.style[k];
 	j->precision = o->precision;
-	j->flags = o->flags;
 	j->visible = o->visible;
 	j->keep_going = o->keep_going;
-	j->threads = o->jobs > 0 ? o->jobs : threads_processors();
+	j->threads = o->jobs > 0 ? o->jobs : stream_processors();
 	progress_start(o->progress);
 	widen_pipe(STDOUT_FILENO, PIPE_ROOM);
 	choose_kernels();
