@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include <math.h>
 #include <string.h>
 
 #include "../core/derive/fit.h"
@@ -9,62 +8,62 @@
 #include "scene/print_scene.h"
 #include "message/message.h"
 
-static const struct bounds nothing = {
-	.min = { HUGE_VAL, HUGE_VAL, HUGE_VAL },
-	.max = { -HUGE_VAL, -HUGE_VAL, -HUGE_VAL },
+/* What the threads share, and what they have found. */
+struct fit {
+	struct directions directions;
+	struct extremes extremes;
 };
 
-static void widen(struct bounds *box, const double min[3], const double max[3])
+/* Adds a block of points to the extremes that are the chunk's output. */
+static void take_extremes(const struct job *j, struct chunk *c, size_t n)
 {
-	for (int i = 0; i < 3; i++) {
-		box->min[i] = fmin(box->min[i], min[i]);
-		box->max[i] = fmax(box->max[i], max[i]);
-	}
-}
+	const struct fit *fit = j->with;
+	bool flat = j->transform.in == 2;
+	/* directions of a plane have no z */
+	const double *const in[3] = { c->in[0], c->in[1], c->in[flat ? 0 : 2] };
 
-/* Widens the box that is the chunk's output by a point. */
-static void take_into_box(const struct job *j, struct chunk *c,
-    const struct line *line, size_t p, size_t number)
-{
-	double z = j->transform.in > 2 ? c->in[2][p] : 0;
-	double at[3] = { c->in[0][p], c->in[1][p], z };
-
-	(void)number;
-	if (line->kind != LINE_POINT)
-		return;
 	if (c->size == 0)
-		memcpy(chunk_reserve(c, sizeof nothing), &nothing,
-		    sizeof nothing);
-	c->size = sizeof nothing;
-	if (!isnan(at[0]) && !isnan(at[1]) && !isnan(at[2]))
-		widen((void *)c->out, at, at);
+		memset(chunk_reserve(c, sizeof fit->extremes), 0,
+		    sizeof fit->extremes);
+	c->size = sizeof fit->extremes;
+	/* as extremes_add wants them */
+	for (size_t i = n; i % 16 != 0; i++)
+		for (int k = 0; k < j->transform.in; k++)
+			c->in[k][i] = c->in[k][0];
+	extremes_add((void *)c->out, &fit->directions, in, n);
 }
 
-static void collect_box(const struct job *j, const struct chunk *c,
+static void collect_extremes(const struct job *j, const struct chunk *c,
     long long first_line)
 {
-	const struct bounds *box = (const void *)c->out;
+	struct fit *fit = j->with;
 
 	(void)first_line;
 	if (c->size > 0)
-		widen(j->with, box->min, box->max);
+		extremes_merge(&fit->extremes, &fit->directions,
+		    (const void *)c->out);
 }
 
-static void read_box(const struct options *o, const struct document *d,
-    struct job *j)
+static void read_points(const struct options *o, struct document *d)
 {
-	struct bounds *box = j->with;
+	static struct fit fit;
+	static struct job j = { .take_block = take_extremes,
+		.collect = collect_extremes,
+		.with = &fit };
 
-	*box = nothing;
+	memset(&fit.extremes, 0, sizeof fit.extremes);
 	if (d->flat) {
-		flat_transform(&d->scene, FLAT_NDC, FLAT_NDC, &j->transform);
+		flat_transform(&d->scene, FLAT_NDC, FLAT_NDC, &j.transform);
+		window_directions(&fit.directions);
 	} else {
-		map_identity(&j->transform.map);
-		transform_init(&j->transform, SPACE_MODEL, SPACE_WORLD, false);
+		map_identity(&j.transform.map);
+		transform_init(&j.transform, SPACE_MODEL, SPACE_WORLD, false);
+		document_check(d,
+		    fit_directions(&d->scene, d->has_eye, &fit.directions));
 	}
-	prepare_job(j, o);
-	do_points(o, d, j);
-	if (!(box->min[0] <= box->max[0]))
+	prepare_job(&j, o);
+	do_points(o, d, &j);
+	if (!extremes_bounds(&fit.extremes, &fit.directions, &d->bounds))
 		document_refuse(d,
 		    "/bounds: missing, and there are no points to "
 		    "take them from");
@@ -96,9 +95,7 @@ static _Noreturn void refuse_fit(const struct options *o,
 void run_fit(const struct command *c, const struct options *o)
 {
 	struct document d;
-	static struct job j = { .take = take_into_box, .collect = collect_box };
 
-	j.with = &d.bounds;
 	read_document(c, o, &d);
 	if (d.scene.answer != NULL)
 		document_refuse(&d,
@@ -116,7 +113,7 @@ void run_fit(const struct command *c, const struct options *o)
 			     "{\"min\": [-1,-1,-1], \"max\": "
 			     "[1,1,1]}" OR_POINTS);
 	if (!d.has_bounds)
-		read_box(o, &d, &j);
+		read_points(o, &d);
 	const char *why = d.flat ? fit_window(&d.scene, &d.bounds) :
 				   fit_scene(&d.scene, d.has_eye, &d.bounds);
 

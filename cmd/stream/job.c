@@ -46,7 +46,7 @@ static void cut_short(const struct job *j, struct chunk *c, size_t size)
 	c->text = c->end;
 	if (j->keep_going && j->take != NULL)
 		j->take(j, c, &line, 0, c->n_lines);
-	else if (j->keep_going)
+	else if (j->keep_going && j->take_block == NULL)
 		block_write_nan(j, c);
 }
 
@@ -80,7 +80,7 @@ void job_do(struct job *j, struct chunk *c)
 	/* a block of images goes out as it is: every point becomes as many
 	 * bytes, and no command wants to see it */
 	bool whole = binary && is_binary(j->layout.out.format) &&
-	    j->take == NULL && !j->visible && !j->rays;
+	    j->take == NULL && j->take_block == NULL && !j->visible && !j->rays;
 	bool direct = whole && same_dialect(j->layout.in, j->layout.out) &&
 	    j->layout.in.format == FORMAT_F32 && j->layout.single;
 
@@ -100,6 +100,10 @@ void job_do(struct job *j, struct chunk *c)
 			n = points = binary_read(j, c);
 		else
 			n = block_read(j, c, &points);
+		if (j->take_block != NULL) {
+			j->take_block(j, c, points);
+			continue;
+		}
 		carry(j, c, points);
 		if (whole)
 			binary_write_block(j, c, n, number);

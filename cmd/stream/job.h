@@ -29,9 +29,11 @@ struct job {
 	 * append to the chunk's out, and runs in any thread. collect gets the
 	 * chunks in order, with the source's number of their first line. flush
 	 * prints what was collected, after the last of them or before a bad line
-	 * ends the program. */
+	 * ends the program. take_block gets the points of a block, in place of
+	 * take, before they are carried. */
 	void (*take)(const struct job *, struct chunk *, const struct line *,
 	    size_t p, size_t number);
+	void (*take_block)(const struct job *, struct chunk *, size_t n);
 	void (*collect)(const struct job *, const struct chunk *,
 	    long long first_line);
 	void (*flush)(const struct job *);

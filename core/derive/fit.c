@@ -17,13 +17,13 @@ static struct sum reach_near(const struct extents *r, double ratio)
 
 /* By how much the side planes let go of the bounds as the eye moves along the
  * gaze. */
-static const char *find_slopes(const struct scene *s, struct sum slope[4])
+static const char *find_slopes(const struct scene *s, struct frustum *view,
+    struct sum slope[4])
 {
-	struct frustum view;
-	const char *why = frustum_of(s, SPACE_VIEW, false, &view);
+	const char *why = frustum_of(s, SPACE_VIEW, false, view);
 
 	for (int k = 0; k < 4 && why == NULL; k++) {
-		slope[k] = map_element(&view.sides.map, 2, k);
+		slope[k] = map_element(&view->sides.map, 2, k);
 		if (looks_back(&s->convention))
 			slope[k] = sum_neg(slope[k]);
 		if (sum_sign(slope[k]) <= 0)
@@ -35,33 +35,65 @@ static const char *find_slopes(const struct scene *s, struct sum slope[4])
 	return why;
 }
 
-/* How far the eye may go along the gaze before a side plane touches the bounds,
- * or near is too close: as the eye moves by t, the distance of a plane to the
- * bounds shrinks by t times the plane's slope in depth. */
-static const char *reach(const struct scene *s, const struct bounds *b,
-    struct sum *t)
+/* Moves the eye across the gaze to where the planes of either pair are as far from the
+ * bounds. A plane's value at its lowest shrinks by the step times the plane's normal,
+ * and y is the same in both planes of the first pair but for skew. */
+static void balance(const struct map *sides, const struct sum lowest[4],
+    struct sum step[3])
 {
-	struct frustum model;
-	struct sum slope[4];
+	for (int j = 1; j >= 0; j--) {
+		struct sum normal[3];
+		struct sum gap = sum_sub(lowest[2 * j], lowest[2 * j + 1]);
+
+		for (int i = 2; i >= j; i--) {
+			normal[i] = sum_sub(map_element(sides, i, 2 * j),
+			    map_element(sides, i, 2 * j + 1));
+			if (i > j)
+				gap = sum_sub(gap, sum_mul(normal[i], step[i]));
+		}
+		step[j] = sum_quotient(gap, normal[j]);
+	}
+}
+
+/* Finds the step in view space that takes the eye as far along the gaze as a side
+ * plane, or near_ratio, allows: as the eye moves by t, the distance of a plane to the
+ * bounds shrinks by t times the plane's slope in depth. Where the eye is free to move
+ * across the gaze, too, what the planes of a pair leave free is shared by both. */
+static const char *reach(const struct scene *s, const struct bounds *b,
+    bool free, struct sum step[3])
+{
+	struct frustum model, view;
+	struct sum slope[4], lowest[4];
 	struct extents r;
 	const char *why = bounds_extents(b, s, &r);
 
 	if (why == NULL)
-		why = find_slopes(s, slope);
+		why = find_slopes(s, &view, slope);
 	if (why == NULL)
 		why = frustum_of(s, SPACE_MODEL, false, &model);
 	if (why != NULL)
 		return why;
-	*t = reach_near(&r, s->projection.near_ratio);
-	for (int k = 0; k < 4; k++) {
-		struct sum most = sum_quotient(bounds_lowest(b,
-						   &model.sides.map, k, false),
-		    slope[k]);
+	struct sum t = reach_near(&r, s->projection.near_ratio);
 
-		if (sum_compare(most, *t) < 0)
-			*t = most;
+	for (int k = 0; k < 4; k++)
+		lowest[k] = bounds_lowest(b, &model.sides.map, k, false);
+	for (int k = 0; k < 4; k += free ? 2 : 1) {
+		struct sum gap = lowest[k], closing = slope[k];
+
+		if (free) {
+			gap = sum_add(gap, lowest[k + 1]);
+			closing = sum_add(closing, slope[k + 1]);
+		}
+		struct sum most = sum_quotient(gap, closing);
+
+		if (sum_compare(most, t) < 0)
+			t = most;
 	}
-	return fabs(sum_double(*t)) <= MAGNITUDE_MAX ? NULL : BOUNDS_BEYOND;
+	step[0] = step[1] = sum_of_double(0);
+	step[2] = sum_negated_if(looks_back(&s->convention), t);
+	if (free)
+		balance(&view.sides.map, lowest, step);
+	return fabs(sum_double(t)) <= MAGNITUDE_MAX ? NULL : BOUNDS_BEYOND;
 }
 
 /* a to / from, rounded away from 0 so that nothing is cut off. */
@@ -119,18 +151,18 @@ static const char *close_persp(struct scene *s, const struct bounds *b,
  * rounded, which can put bounds outside: then it steps back by 2^-53 of its
  * largest coordinate, by twice that, and so on. */
 static const char *step_back(struct scene *s, const struct bounds *b,
-    const struct map *back, struct sum t)
+    const struct map *back, const struct sum to[3])
 {
 	const struct projection given = s->projection;
-	struct sum step[3] = { 0 };
+	struct sum step[3] = { to[0], to[1] };
+	double outward = looks_back(&s->convention) ? 1 : -1;
 	const double *eye = s->camera.eye;
 	double off = 0;
 
 	for (int tries = 0; tries < 100; tries++) {
-		struct sum by = sum_sub(t, sum_of_double(off));
 		bool held;
 
-		step[2] = looks_back(&s->convention) ? sum_neg(by) : by;
+		step[2] = sum_add(to[2], sum_of_double(outward * off));
 		s->projection = given;
 		eye_move(back, step, s->camera.eye);
 		const char *why = close_persp(s, b, &held);
@@ -139,25 +171,20 @@ static const char *step_back(struct scene *s, const struct bounds *b,
 			return why;
 		for (int k = 0; k < 3 && tries == 0; k++)
 			off = fmax(off, 0x1p-54 * fabs(eye[k]));
-		off = off > 0 ? 2 * off : 0x1p-53 * fabs(sum_double(t));
+		off = off > 0 ? 2 * off : 0x1p-53 * fabs(sum_double(to[2]));
 	}
 	return BOUNDS_BEYOND;
 }
 
-static const char *fit_persp(struct scene *s, const struct bounds *b)
+static const char *fit_persp(struct scene *s, bool free, const struct bounds *b)
 {
-	struct projection *p = &s->projection;
-	struct sum t;
+	struct sum step[3];
 	struct map back;
-
-	if (!projection_is_by_near(p))
-		p->near = 1;
-	p->far = 2 * p->near;
-	const char *why = reach(s, b, &t);
+	const char *why = reach(s, b, free, step);
 
 	if (why == NULL)
 		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &back);
-	return why != NULL ? why : step_back(s, b, &back, t);
+	return why != NULL ? why : step_back(s, b, &back, step);
 }
 
 /* Moves the eye so that the bounds are in the middle of the picture. Where no
@@ -242,22 +269,16 @@ static void to_edges(struct projection *p, const struct projection *given)
 }
 
 static const char *fit_parallel(struct scene *s, bool has_eye,
-    const struct bounds *b)
+    const struct projection *given, const struct bounds *b)
 {
-	struct projection *p = &s->projection, given = *p;
-
-	p->extent = EXTENT_SIZE;
-	p->width = p->height = 2;
-	p->near = 0;
-	p->far = 1;
 	const char *why = center(s, has_eye, b);
 
 	if (why == NULL)
 		why = bounds_close_depth(b, s);
 	if (why == NULL)
 		why = close_sides(s, b);
-	if (given.extent == EXTENT_EDGES)
-		to_edges(p, &given);
+	if (given->extent == EXTENT_EDGES)
+		to_edges(&s->projection, given);
 	return why;
 }
 
@@ -299,23 +320,34 @@ static const char *fit_volume(struct scene *s, const struct bounds *b)
 	return why;
 }
 
-static const char *check(const struct scene *s, const struct bounds *b)
+/* Brings the camera to its gaze, and sets what of the projection is to be found to
+ * something valid. */
+static const char *begin(struct scene *s)
 {
-	const char *why = bounds_check(b, 3);
+	struct projection *p = &s->projection;
 
-	if (why != NULL)
-		return why;
-	switch (s->projection.type) {
+	switch (p->type) {
 	case PROJECTION_PERSP:
+		if (!projection_is_by_near(p))
+			p->near = 1;
+		p->far = 2 * p->near;
+		break;
 	case PROJECTION_ORTHO:
 	case PROJECTION_OBLIQUE:
+		p->extent = EXTENT_SIZE;
+		p->width = p->height = 2;
+		p->near = 0;
+		p->far = 1;
+		break;
 	case PROJECTION_VOLUME:
-		return NULL;
-	default:
+		break;
+	case PROJECTION_NONE:
+	case PROJECTION_MATRIX:
 		return "/projection/type: has nothing that can be fitted; "
 		       "\"persp\", \"ortho\", \"oblique\" or \"volume\" is "
 		       "wanted";
 	}
+	return gaze_of(s);
 }
 
 /* Whether a document may hold these numbers. */
@@ -342,17 +374,53 @@ static bool in_range(const struct scene *s)
 
 const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 {
-	const char *why = check(s, b);
+	const struct projection given = s->projection;
+	const char *why = bounds_check(b, 3);
 
 	if (why == NULL)
-		why = gaze_of(s);
+		why = begin(s);
 	if (why == NULL && !has_eye)
 		why = bounds_center(b, s, s->camera.eye);
-	if (why == NULL && s->projection.type == PROJECTION_PERSP)
-		why = fit_persp(s, b);
-	else if (why == NULL && s->projection.type == PROJECTION_VOLUME)
+	if (why == NULL && given.type == PROJECTION_PERSP)
+		why = fit_persp(s, !has_eye && b->n > 0, b);
+	else if (why == NULL && given.type == PROJECTION_VOLUME)
 		why = fit_volume(s, b);
 	else if (why == NULL)
-		why = fit_parallel(s, has_eye, b);
+		why = fit_parallel(s, has_eye, &given, b);
 	return why != NULL || in_range(s) ? why : BOUNDS_BEYOND;
+}
+
+/* bounds_extents asks how far bounds reach along three axes; reach() and bounds_out
+ * ask about planes, which keep their directions as the eye moves. But keep_slopes
+ * rounds sizes on the near plane, outward: side planes then hold all that they held,
+ * though of a margin a rounding of the edges may be missing. */
+const char *fit_directions(const struct scene *given, bool has_eye,
+    struct directions *all)
+{
+	struct scene s = *given;
+	const struct projection *p = &s.projection;
+	bool persp = p->type == PROJECTION_PERSP;
+	bool sheared = p->type == PROJECTION_ORTHO ||
+	    p->type == PROJECTION_OBLIQUE;
+	struct frustum f;
+	struct map view, clip;
+	const char *why = begin(&s);
+
+	for (int k = 0; k < 3 && !has_eye; k++)
+		s.camera.eye[k] = 0;
+	if (why == NULL)
+		why = scene_map(&s, SPACE_MODEL, SPACE_VIEW, &view);
+	if (why == NULL)
+		why = scene_map(&s, SPACE_MODEL,
+		    sheared ? SPACE_CLIP : SPACE_VIEW, &clip);
+	if (why == NULL && persp)
+		why = frustum_of(&s, SPACE_MODEL, false, &f);
+	if (why != NULL)
+		return why;
+	all->n = 0;
+	for (int k = 0; k < 6; k++)
+		directions_add(all, k < 4 ? &clip : &view, k / 2, k & 1);
+	for (int k = 0; k < 4 && persp; k++)
+		directions_add(all, &f.sides.map, k, true);
+	return NULL;
 }

@@ -44,27 +44,40 @@ void sides_widen(double *width, double *height, double across, double up)
 struct sum bounds_lowest(const struct bounds *b, const struct map *m, int j,
     bool minus)
 {
-	struct sum slope[3], sum = minus ? sum_neg(m->m[3][j]) : m->m[3][j];
+	struct sum slope[3], lowest = sum_of_double(0);
 
-	for (int i = 0; i < 3; i++) {
-		slope[i] = minus ? sum_neg(m->m[i][j]) : m->m[i][j];
-		double at = b->sphere      ? b->center[i] :
-		    sum_sign(slope[i]) > 0 ? b->min[i] :
-					     b->max[i];
+	for (int i = 0; i < 3; i++)
+		slope[i] = sum_negated_if(minus, m->m[i][j]);
+	for (int k = 0; k == 0 || k < b->n; k++) {
+		struct sum sum = sum_negated_if(minus, m->m[3][j]);
 
-		sum = sum_add(sum, sum_mul(slope[i], sum_of_double(at)));
+		for (int i = 0; i < 3; i++) {
+			double at = b->n > 0       ? b->point[k][i] :
+			    b->sphere              ? b->center[i] :
+			    sum_sign(slope[i]) > 0 ? b->min[i] :
+						     b->max[i];
+
+			sum = sum_add(sum,
+			    sum_mul(slope[i], sum_of_double(at)));
+		}
+		if (k == 0 || sum_sign(sum_sub(sum, lowest)) < 0)
+			lowest = sum;
 	}
 	if (b->sphere)
-		sum = sum_sub(sum,
+		lowest = sum_sub(lowest,
 		    sum_mul(vec3_length(slope), sum_of_double(b->radius)));
-	return sum_settled(sum_quotient(sum, m->divisor));
+	return sum_settled(sum_quotient(lowest, m->divisor));
 }
 
-/* Highest less lowest, roughly; 0 only where the bounds have no extent. */
-static double width(const struct bounds *b, const struct map *m, int j)
+/* Highest less lowest, of a box or a sphere roughly; 0 only where the bounds have no
+ * extent. */
+static double width(const struct bounds *b, const struct map *m, int j,
+    const struct extents *r)
 {
 	double length = 0, sum = 0;
 
+	if (b->n > 0)
+		return sum_double(sum_sub(r->high[j], r->low[j]));
 	for (int i = 0; i < 3; i++) {
 		double slope = fabs(map_nearest(m, i, j, false));
 
@@ -123,7 +136,7 @@ const char *bounds_extents(const struct bounds *b, const struct scene *s,
 		    j == 1 && parallel && s->convention.ndc_y_down;
 
 		range(b, m, j, turned, r);
-		widths[j] = width(b, m, j);
+		widths[j] = width(b, m, j, r);
 		largest = fmax(largest, widths[j]);
 	}
 	if (largest == 0)
@@ -153,11 +166,13 @@ const char *bounds_out(const struct bounds *b, const struct scene *s,
 	/* no test reaches this: the sizes that fit closes are valid */
 	if (why != NULL)
 		return why;
-	for (int k = 0; k < 8 && !b->sphere; k++) {
+	for (int k = 0; k < (b->n > 0 ? b->n : 8) && !b->sphere; k++) {
 		double corner[4] = { [3] = 1 };
 
 		for (int i = 0; i < 3; i++)
-			corner[i] = k >> i & 1 ? b->max[i] : b->min[i];
+			corner[i] = b->n > 0 ? b->point[k][i] :
+			    k >> i & 1       ? b->max[i] :
+					       b->min[i];
 		*out |= frustum_out(&f, corner);
 	}
 	for (int k = 0; k < 7 && b->sphere; k++) {

@@ -5,12 +5,18 @@
 
 #include "../scene/scene.h"
 
-/* In model space; the world matrix makes an ellipsoid of a sphere. A window's have
- * no third coordinate, and the sphere is a circle. */
+enum { BOUNDS_POINTS = 10 };
+
+/* A sphere, a box, or where n is not 0 the points among many that lie farthest in the
+ * directions that count, and the box about these. In model space; the world matrix
+ * makes an ellipsoid of a sphere. A window's have no third coordinate, and the sphere
+ * is a circle. */
 struct bounds {
 	bool sphere;
 	double center[3], radius;
-	double min[3], max[3]; /* of a box */
+	double min[3], max[3];
+	int n;
+	double point[BOUNDS_POINTS][3];
 };
 
 #define BOUNDS_SINGLE "/bounds: a single point; what has an extent is wanted"
@@ -59,7 +65,7 @@ const char *bounds_center(const struct bounds *, const struct scene *,
     double center[3]);
 
 /* The planes of the view volume that some of the bounds is outside of: some
- * corner as frustum_out says, or some point of a sphere. */
+ * corner or point as frustum_out says, or some point of a sphere. */
 const char *bounds_out(const struct bounds *, const struct scene *,
     unsigned *out);
 

@@ -65,3 +65,13 @@ const char *fit_window(struct scene *s, const struct bounds *b)
 	s->has_window = true;
 	return is_size(w->width) && is_size(w->height) ? NULL : BOUNDS_BEYOND;
 }
+
+void window_directions(struct directions *all)
+{
+	struct map identity;
+
+	map_identity(&identity);
+	all->n = 0;
+	for (int k = 0; k < 4; k++)
+		directions_add(all, &identity, k / 2, k & 1);
+}

@@ -3,7 +3,7 @@
 #ifndef FIT_WINDOW_H
 #define FIT_WINDOW_H
 
-#include "fit_bounds.h"
+#include "fit_points.h"
 
 /* Gives the scene a window by center, width and height, in the place of any other,
  * that holds the bounds' x and y. The center is the double nearest to the middle of
@@ -13,5 +13,9 @@
  * no extent along one axis is taken to be 2^-20 of the other. Returns NULL, or the
  * member and the reason. */
 const char *fit_window(struct scene *, const struct bounds *);
+
+/* The directions in which a window closes on points: the box about those that are
+ * farthest in them is the box about all. */
+void window_directions(struct directions *);
 
 #endif

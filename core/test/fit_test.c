@@ -1,9 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* What fit makes holds its bounds, exactly, and no double is tighter. */
+/* What fit makes holds its bounds, or all points of a cloud, exactly, and no double is
+ * tighter. */
 #include "../derive/fit.h"
 
 #include "claims.h"
 #include "../derive/frustum.h"
+
+/* The columns go on to a multiple of 16. */
+struct cloud {
+	size_t n;
+	COLUMN_ALIGNED double in[3][32];
+};
 
 /* A linear function of model space. */
 struct plane {
@@ -32,9 +39,30 @@ static struct plane combine(const struct plane *a, double sign,
 	return p;
 }
 
-/* Its least value over the bounds. */
-static struct form least(const struct plane *p, const struct bounds *b)
+static struct form at_point(const struct plane *p, const struct cloud *c,
+    size_t n)
 {
+	struct form v = p->slope[3];
+
+	for (int i = 0; i < 3; i++)
+		v = form_add(v, form_mul(form_of(c->in[i][n]), p->slope[i]));
+	return v;
+}
+
+/* Its least value over the bounds, or over all points. */
+static struct form least(const struct plane *p, const struct bounds *b,
+    const struct cloud *c)
+{
+	struct form lowest = p->slope[3];
+
+	for (size_t n = 0; n < c->n; n++) {
+		struct form at = at_point(p, c, n);
+
+		if (n == 0 || mpfr_less_p(at.value, lowest.value))
+			lowest = at;
+	}
+	if (c->n > 0)
+		return lowest;
 	struct form v = p->slope[3];
 
 	for (int i = 0; i < 3; i++) {
@@ -62,6 +90,7 @@ static double value(real a)
 struct fitted {
 	struct scene s;
 	const struct bounds *b;
+	struct cloud cloud; /* without points the bounds are given */
 	struct form gap[6];
 };
 
@@ -100,7 +129,7 @@ static void measure_sides(struct fitted *f)
 				    number(2 / (k < 2 ? p->width : p->height));
 
 		x = combine(&x, k % 2 ? -1 : 1, &w, limit[k / 2]);
-		f->gap[k] = least(&x, f->b);
+		f->gap[k] = least(&x, f->b, &f->cloud);
 		f->gap[k].value = over(f->gap[k].value, unit);
 		f->gap[k].size = over(f->gap[k].size, unit);
 	}
@@ -118,7 +147,7 @@ static void measure(struct fitted *f)
 		struct plane z = column(&t, 2);
 
 		z = combine(&z, sign, &z, number(0));
-		f->gap[k] = form_add(least(&z, f->b),
+		f->gap[k] = form_add(least(&z, f->b, &f->cloud),
 		    form_of(k == 4 ? -s->projection.near : s->projection.far));
 		/* intrinsics may have w = z + pw */
 		if (s->projection.type == PROJECTION_PERSP &&
@@ -148,6 +177,24 @@ static bool is_tight(struct form gap, double v, double inward)
 
 	ulp.value = magnitude(ulp.value);
 	return truth_sign(form_sub(ulp, gap), &doubtful) > 0 || doubtful;
+}
+
+/* Whether something is between two planes that are so far apart, and not their gaps
+ * alone: else their distance is 2^-20 of another. */
+static bool is_filled(const struct fitted *f, int k, double distance)
+{
+	real gaps = add(f->gap[k].value, f->gap[k + 1].value);
+
+	return value(gaps) < distance * (1 - 0x1p-30);
+}
+
+static bool depth_tight(const struct fitted *f)
+{
+	const struct projection *p = &f->s.projection;
+
+	return !is_filled(f, 4, p->far - p->near) ||
+	    (is_tight(f->gap[4], p->near, HUGE_VAL) &&
+		is_tight(f->gap[5], p->far, -HUGE_VAL));
 }
 
 /* What an eye that is rounded can cost. */
@@ -183,9 +230,9 @@ static bool sides_tight(const struct fitted *f)
 		real twice = over(number(2), limit[j]);
 
 		/* gap / limit is half of what the side has too much */
-		tight[j] = is_tight(form_mul(less,
-					(struct form){ twice, twice }),
-		    side, 0);
+		tight[j] = !is_filled(f, 2 * j, side * value(limit[j])) ||
+		    is_tight(form_mul(less, (struct form){ twice, twice }),
+			side, 0);
 	}
 	if (p->aspect[1] == 0 || (tight[0] && tight[1]))
 		return tight[0] && tight[1];
@@ -211,11 +258,47 @@ static bool eye_tight(const struct fitted *f)
 	return p->near - p->near_ratio * p->far <= 0x1p-48 * terms(f, 5);
 }
 
-static unsigned flags(const struct scene *s, const struct bounds *b)
+/* The planes of a pair leave as much free, seen along their normals' axis, and those of
+ * one pair nothing, or near is as near as it may be. */
+static bool is_balanced(const struct fitted *f)
 {
-	unsigned out;
+	real limit[2];
+	bool touches = false;
 
-	assert_null(bounds_out(b, s, &out));
+	truth_limits(&f->s, limit);
+	for (int k = 0; k < 4; k += 2) {
+		real low = mul(f->gap[k].value, slope(&f->s, k, limit[k / 2]));
+		real high = mul(f->gap[k + 1].value,
+		    slope(&f->s, k + 1, limit[k / 2]));
+		real all = add(mul(number(terms(f, k)),
+				   slope(&f->s, k, limit[k / 2])),
+		    mul(number(terms(f, k + 1)),
+			slope(&f->s, k + 1, limit[k / 2])));
+
+		if (fabs(value(sub(low, high))) > 0x1p-48 * value(all))
+			return false;
+		touches |= value(low) <= 0x1p-48 * value(all);
+	}
+	return touches ||
+	    f->s.projection.near -
+		f->s.projection.near_ratio * f->s.projection.far <=
+	    0x1p-48 * terms(f, 5);
+}
+
+static unsigned flags(const struct scene *s, const struct fitted *f)
+{
+	struct frustum frustum;
+	unsigned out = 0;
+
+	if (f->cloud.n == 0) {
+		assert_null(bounds_out(f->b, s, &out));
+		return out;
+	}
+	assert_null(frustum_of(s, SPACE_MODEL, false, &frustum));
+	for (size_t n = 0; n < f->cloud.n; n++)
+		out |= frustum_out(&frustum,
+		    (double[4]){ f->cloud.in[0][n], f->cloud.in[1][n],
+			f->cloud.in[2][n] });
 	return out;
 }
 
@@ -227,10 +310,11 @@ static bool flags_tight(const struct fitted *f)
 
 	near.projection.near = nextafter(near.projection.near, HUGE_VAL);
 	far.projection.far = nextafter(far.projection.far, -HUGE_VAL);
-	if (!(near.projection.near < far.projection.far))
+	if (!(near.projection.near < far.projection.far) ||
+	    !is_filled(f, 4, far.projection.far - near.projection.near))
 		return true;
-	return (f->s.projection.near == 0 || flags(&near, f->b) & OUT_NEAR) &&
-	    (f->s.projection.far == 0 || flags(&far, f->b) & OUT_FAR);
+	return (f->s.projection.near == 0 || flags(&near, f) & OUT_NEAR) &&
+	    (f->s.projection.far == 0 || flags(&far, f) & OUT_FAR);
 }
 
 static void sample_bounds(struct bounds *b, int e)
@@ -247,6 +331,37 @@ static void sample_bounds(struct bounds *b, int e)
 			b->max[i] = ceil(b->max[i]);
 		}
 	}
+}
+
+/* Points at random, on a lattice, on a line, or on a plane of the world, some of them
+ * more than once; and what is left of them when the scene is known. */
+static bool sample_cloud(const struct scene *s, bool has_eye, int e,
+    struct fitted *f, struct bounds *b)
+{
+	struct cloud *c = &f->cloud;
+	unsigned kind = sample_below(5);
+	struct directions d;
+	struct extremes extremes = { 0 };
+	const double *const in[3] = { c->in[0], c->in[1], c->in[2] };
+	double along[3] = { 1, sample_number(1), sample_number(1) };
+
+	c->n = 2 + sample_below(19);
+	for (size_t n = 0; n < 32; n++) {
+		double t = sample_number(e > 0 ? e : 1);
+		size_t as = n > 1 ? sample_below(2) : 0;
+
+		for (int i = 0; i < 3; i++)
+			c->in[i][n] = n >= c->n || (n > 0 && kind == 4) ?
+			    c->in[i][as] :
+			    kind == 1           ? sample_below(4) :
+			    kind == 2           ? t * along[i] :
+			    kind == 3 && i == 2 ? along[1] :
+						  sample_number(e > 0 ? e : 1);
+	}
+	if (fit_directions(s, has_eye, &d) != NULL)
+		return false;
+	extremes_add(&extremes, &d, in, c->n);
+	return extremes_bounds(&extremes, &d, b);
 }
 
 /* About the gaze. */
@@ -309,7 +424,7 @@ static void sample_fit(struct scene *s, int e)
 
 /* Fits many scenes; what is refused is not looked at. Returns how many hold in
  * every way. */
-static int fit_many(int n, int e)
+static int fit_many(int n, int e, bool points)
 {
 	int fitted = 0;
 
@@ -318,17 +433,28 @@ static int fit_many(int n, int e)
 		struct fitted f = { .b = &b };
 		const struct projection *p = &f.s.projection;
 		int mark = real_mark();
+		bool has_eye = sample_below(2);
 
 		sample_fit(&f.s, e);
-		sample_bounds(&b, e);
-		if (fit_scene(&f.s, sample_below(2), &b) != NULL)
+		if (points && sample_below(4) == 0) {
+			f.s.projection.type = PROJECTION_PERSP;
+			f.s.projection.extent = EXTENT_INTRINSICS;
+			f.s.margin = 0;
+			sample_calibrated(&f.s);
+		}
+		if (!points)
+			sample_bounds(&b, e);
+		else if (!sample_cloud(&f.s, has_eye, e, &f, &b))
+			continue;
+		if (fit_scene(&f.s, has_eye, &b) != NULL)
 			continue;
 		measure(&f);
 		assert_true(holds(&f));
-		assert_int_equal(flags(&f.s, &b), 0);
-		assert_true(is_tight(f.gap[4], p->near, HUGE_VAL));
-		assert_true(is_tight(f.gap[5], p->far, -HUGE_VAL));
-		if (p->type == PROJECTION_PERSP)
+		assert_int_equal(flags(&f.s, &f), 0);
+		assert_true(depth_tight(&f));
+		if (p->type == PROJECTION_PERSP && points && !has_eye)
+			assert_true(is_balanced(&f));
+		else if (p->type == PROJECTION_PERSP)
 			assert_true(eye_tight(&f));
 		else
 			assert_true(is_centered(&f) && sides_tight(&f));
@@ -343,14 +469,22 @@ static void test_ordinary(void **state)
 {
 	(void)state;
 	sample_seed(1);
-	assert_in_range(fit_many(300, 0), 225, 300);
+	assert_in_range(fit_many(300, 0, false), 225, 300);
 }
 
 static void test_mixed(void **state)
 {
 	(void)state;
 	sample_seed(2);
-	assert_in_range(fit_many(250, 4), 150, 250);
+	assert_in_range(fit_many(250, 4, false), 150, 250);
+}
+
+static void test_points(void **state)
+{
+	(void)state;
+	sample_seed(3);
+	assert_in_range(fit_many(300, 0, true), 150, 300);
+	assert_in_range(fit_many(200, 4, true), 80, 200);
 }
 
 int main(void)
@@ -358,6 +492,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(test_ordinary),
 		cmocka_unit_test(test_mixed),
+		cmocka_unit_test(test_points),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -22,6 +22,7 @@
 #include <math.h>
 
 #include "exact.h"
+#include "farthest.h"
 #include "rows.h"
 #include "signs.h"
 
@@ -95,6 +96,7 @@ const struct kernels COPY = {
 	},
 	.floats = { KERNELS_OF(floats) },
 	.signs = signs,
+	.farthest = farthest,
 	.split = { ROWS_OF(split_narrow), ROWS_OF(split_wide) },
 	.join = { ROWS_OF(join_narrow), ROWS_OF(join_wide) },
 	.split_floats = ROWS_OF(split_floats),

@@ -123,12 +123,19 @@ enum processor {
 	PROCESSORS,
 };
 
+/* Finds for each direction j the greatest m[j][0] x + m[j][1] y + m[j][2] z, with
+ * four roundings, and for each coordinate the greatest magnitude; -infinity or 0
+ * where all are nan. Reads n numbers of a column, rounded up to 16. */
+typedef void (*farthest_kernel)(const double (*m)[3], int directions,
+    const double *const in[3], size_t n, double *most, double largest[3]);
+
 struct kernels {
 	enum processor processor;
 	exact_kernel exact[KERNELS];
 	plain_kernel plain[3][KERNELS]; /* by precision */
 	float_kernel floats[KERNELS];   /* single, to the same bits */
 	signs_kernel signs;
+	farthest_kernel farthest;
 	/* By whether rows are of doubles, and how many. */
 	split_kernel split[2][5];
 	join_kernel join[2][5];

@@ -1,0 +1,161 @@
+/* SPDX-License-Identifier: MIT */
+#include "fit_points.h"
+
+#include <math.h>
+
+#include "../points/points.h"
+
+void directions_add(struct directions *all, const struct map *map, int j,
+    bool minus)
+{
+	struct direction *d = &all->of[all->n];
+	struct sum largest = sum_of_double(0);
+
+	for (int i = 0; i < 3; i++) {
+		d->m[i] = sum_settled(sum_negated_if(minus, map->m[i][j]));
+		if (sum_sign(sum_sub(sum_abs(d->m[i]), largest)) > 0)
+			largest = sum_abs(d->m[i]);
+	}
+	for (int i = 0; i < 3; i++) {
+		int sign = sum_sign(d->m[i]);
+		double over = 0;
+
+		if (sign != 0)
+			over = sum_over(d->m[i], largest);
+		if (sign != 0 && over == 0)
+			over = sign * 0x1p-1074;
+		d->hi[i] = all->hi[all->n][i] = over;
+	}
+	all->n++;
+}
+
+/* An upper bound of the error of a direction's value at a point whose coordinates are
+ * at most so large. An element, a product and two sums round: 4 u of the sum of the
+ * products' magnitudes. Twice as much leaves room for the sums that compare a value
+ * with the bound; and the rest for what underflows. */
+static double bound_of(const double m[3], const double largest[3])
+{
+	double sum = 0x1p-1000;
+
+	for (int i = 0; i < 3; i++)
+		sum += (fabs(m[i]) + 0x1p-1000) * largest[i];
+	return 0x1p-50 * sum;
+}
+
+static int compare_exactly(const struct direction *d, const double p[3],
+    const double q[3])
+{
+	const struct sum *m[3], *step[3];
+	struct sum steps[3], by;
+
+	for (int i = 0; i < 3; i++) {
+		steps[i] = sum_diff(p[i], q[i]);
+		step[i] = &steps[i];
+		m[i] = &d->m[i];
+	}
+	sum_dot(3, m, step, &by);
+	return sum_sign(by);
+}
+
+/* Returns 1 where p is farther than q, -1 where q is, 0 where they are as far. */
+static int compare_along(const struct direction *d, const double p[3],
+    const double q[3])
+{
+	bool same = true;
+
+	for (int i = 0; i < 3; i++)
+		same &= d->hi[i] == 0 || p[i] == q[i];
+	return same ? 0 : compare_exactly(d, p, q);
+}
+
+/* Of two points that are as far, the one with the greater coordinates is taken. */
+static bool is_farther(const struct direction *d, const double p[3],
+    const double q[3])
+{
+	int order = compare_along(d, p, q);
+
+	for (int i = 0; i < 3 && order == 0; i++)
+		order = (p[i] > q[i]) - (p[i] < q[i]);
+	return order > 0;
+}
+
+static double value_of(const struct direction *d, const double p[3])
+{
+	return p[0] * d->hi[0] + p[1] * d->hi[1] + p[2] * d->hi[2];
+}
+
+static void add_point(struct farthest *f, const struct direction *d,
+    const double p[3], double bound)
+{
+	double value = value_of(d, p);
+
+	if (!f->any || value - bound > f->value + f->bound ||
+	    (value + bound >= f->value - f->bound &&
+		is_farther(d, p, f->point)))
+		*f = (struct farthest){ true, { p[0], p[1], p[2] }, value,
+			bound };
+}
+
+/* Points of which one is looked at only if it could be the farthest: fewer take more of
+ * the kernel's time, more are looked at again more often. */
+enum { FEW = 128 };
+
+/* Only points whose values are within the bounds of the farthest can be that. */
+static void add_few(struct extremes *e, const struct directions *all,
+    const double *const in[3], size_t n)
+{
+	double most[BOUNDS_POINTS], largest[3];
+
+	points_kernels()->farthest(all->hi, all->n, in, n, most, largest);
+	for (int j = 0; j < all->n; j++) {
+		const struct direction *d = &all->of[j];
+		struct farthest *f = &e->of[j];
+		double bound = bound_of(d->hi, largest);
+		double least = most[j] - 2 * bound;
+
+		if (f->any && most[j] + bound < f->value - f->bound)
+			continue;
+		for (size_t i = 0; i < n; i++) {
+			const double p[3] = { in[0][i], in[1][i], in[2][i] };
+
+			/* no nan is */
+			if (value_of(d, p) >= least)
+				add_point(f, d, p, bound);
+		}
+	}
+}
+
+void extremes_add(struct extremes *e, const struct directions *all,
+    const double *const in[3], size_t n)
+{
+	for (size_t i = 0; i < n; i += FEW) {
+		const double *const at[3] = { in[0] + i, in[1] + i, in[2] + i };
+
+		add_few(e, all, at, n - i < FEW ? n - i : FEW);
+	}
+}
+
+void extremes_merge(struct extremes *e, const struct directions *all,
+    const struct extremes *other)
+{
+	for (int j = 0; j < all->n; j++)
+		if (other->of[j].any)
+			add_point(&e->of[j], &all->of[j], other->of[j].point,
+			    other->of[j].bound);
+}
+
+bool extremes_bounds(const struct extremes *e, const struct directions *all,
+    struct bounds *b)
+{
+	*b = (struct bounds){ .n = all->n };
+	for (int j = 0; j < all->n; j++) {
+		const double *p = e->of[j].point;
+
+		for (int i = 0; i < 3; i++) {
+			b->point[j][i] = p[i];
+			b->min[i] = j == 0 ? p[i] : fmin(b->min[i], p[i]);
+			b->max[i] = j == 0 ? p[i] : fmax(b->max[i], p[i]);
+		}
+	}
+	return all->n > 0 && e->of[0].any;
+}

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT */
+/* How far a block of points reaches along some directions. */
+#include "kernel.h"
+
+static double greatest(V a)
+{
+	double all[WIDTH], r;
+
+	STORE(all, a);
+	r = all[0];
+	for (int i = 1; i < WIDTH; i++)
+		r = all[i] > r ? all[i] : r;
+	return r;
+}
+
+/* Two vectors at a time, as one maximum would wait for the other. */
+static double farthest_along(const double m[3], const double *const in[3],
+    size_t n)
+{
+	const V a = ALL(m[0]), b = ALL(m[1]), c = ALL(m[2]);
+	V even = ALL(-HUGE_VAL), odd = even;
+
+	for (size_t i = 0; i < n; i += 2 * WIDTH) {
+		const double *x = in[0] + i, *y = in[1] + i, *z = in[2] + i;
+		V v = MADD(a, LOAD(x), MADD(b, LOAD(y), c * LOAD(z)));
+		V w = MADD(a, LOAD(x + WIDTH),
+		    MADD(b, LOAD(y + WIDTH), c * LOAD(z + WIDTH)));
+
+		even = MAX(v, even);
+		odd = MAX(w, odd);
+	}
+	return greatest(MAX(even, odd));
+}
+
+static double largest_of(const double *in, size_t n)
+{
+	V even = ALL(0.0), odd = even;
+
+	for (size_t i = 0; i < n; i += 2 * WIDTH) {
+		even = MAX(ABS(LOAD(in + i)), even);
+		odd = MAX(ABS(LOAD(in + i + WIDTH)), odd);
+	}
+	return greatest(MAX(even, odd));
+}
+
+static void farthest(const double (*m)[3], int directions,
+    const double *const in[3], size_t n, double *most, double largest[3])
+{
+	for (int j = 0; j < directions; j++)
+		most[j] = farthest_along(m[j], in, n);
+	for (int k = 0; k < 3; k++)
+		largest[k] = largest_of(in[k], n);
+}
