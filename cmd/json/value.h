@@ -17,6 +17,7 @@ struct source {
 	unsigned unit;    /* of angles */
 	bool fit;         /* what the command fit finds may be missing */
 	bool flat;        /* the document is of two dimensions */
+	bool axes;        /* a convention says which way the axes of view go */
 	const struct member *scene; /* a scene's members, to suggest one */
 };
 

@@ -50,7 +50,8 @@ static const struct value_range margins = { .min = 0,
 const struct member scene_members[SCENE_MEMBERS + 1] = {
 	MEMBER(CONVENTION, "convention", type_convention, convention_members,
 	    NULL, .example = "\"d3d\"", .words = convention_names,
-	    .usual = "\"d3d\"", .about = "how the document is read, all of it",
+	    .usual = "\"d3d\"", .before = "-c's",
+	    .about = "how the document is read, all of it",
 	    .command = "lookat '{\"convention\": \"gl\", "
 		       "\"camera\": " CAMERA_LIKE "}'"),
 	MEMBER(ANGLE_UNIT, "angle_unit", type_value, NULL,
@@ -332,8 +333,9 @@ static void read_scene(struct document *d, const struct document_wants *w,
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);
 	if (s->has_window)
 		read_window(&m[WINDOW], &s->window);
-	if (s->has_device)
-		read_device(&m[DEVICE], &s->device);
+	if (s->has_device && !read_device(&m[DEVICE], &s->device))
+		find_origin(seen & SCENE_CONVENTION ? &m[CONVENTION] : NULL,
+		    w->convention, &s->device.top_left);
 	if (d->has_bounds)
 		read_bounds(&m[BOUNDS], &d->bounds);
 	if (seen & SCENE_PICK)
@@ -380,8 +382,10 @@ void document_read(struct document *d, const char *name, char *text,
 	d->scene.convention = w->convention != NULL ?
 	    *w->convention :
 	    conventions[CONVENTION_D3D];
+	source.axes = w->convention != NULL;
 	if (seen & SCENE_CONVENTION)
-		read_convention(&m[CONVENTION], &d->scene.convention);
+		source.axes |= read_convention(&m[CONVENTION],
+		    &d->scene.convention);
 	if (w->convention != NULL &&
 	    !same_convention(w->convention, &d->scene.convention))
 		d->scene.answer = w->convention;
