@@ -267,7 +267,7 @@ void prepare_job(struct job *j, const struct options *o)
 
 	j->layout = (struct layout){
 		.in = dialect_of(o->in, o->separator),
-		.out = dialect_of(o->has_out ? o->out : o->in, o->separator),
+		.out = dialect_of(options_output(o), o->separator),
 		.header = o->header ? HEADER_FIRST :
 		    o->no_header    ? HEADER_NONE :
 				      HEADER_MAYBE,
@@ -374,7 +374,7 @@ void do_points(const struct options *o, const struct document *d, struct job *j)
 		    "them");
 	check_columns(o, d);
 	if (o->n_points == 0 && d->points != NULL)
-		do_json(j, d->name, d->points, d->points_size);
+		do_json(j, d->source.name, d->points, d->points_size);
 	else if (o->n_points == 0)
 		do_operand(o, j, 0);
 	/* points that are typed wrong are refused before those of the first

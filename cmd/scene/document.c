@@ -178,7 +178,6 @@ static const char *point_end(const struct value *v, const char *s,
 		return stop;
 	stop = json_skip(s, end);
 	value_parse_part(&looked_at, s, stop);
-	/* ends the program: nothing need be freed */
 	check_point(&looked_at, coordinates);
 	return stop;
 }
@@ -362,6 +361,7 @@ void document_read(struct document *d, const char *name, char *text,
 {
 	struct source source = { .name = name,
 		.line = wants->line,
+		.before = wants->column,
 		.scene = scene_members };
 	struct span points;
 	struct value root = value_parse_without(&source, "points", text, size,
@@ -369,7 +369,7 @@ void document_read(struct document *d, const char *name, char *text,
 	struct value m[SCENE_MEMBERS];
 
 	source.fit = wants->fit;
-	*d = (struct document){ .name = name };
+	*d = (struct document){ .source = source };
 	unsigned seen = read_members(d, &root, wants, m);
 
 	d->flat = (seen & SCENE_PROJECTION) == 0 && (seen & wants->flat) != 0;
@@ -398,19 +398,19 @@ void document_read(struct document *d, const char *name, char *text,
 	read_scene(d, w, m, seen);
 	if (seen & SCENE_POINTS)
 		read_points(d, &m[POINTS], &points, w->coordinates);
-	value_free(&root);
 }
 
 char *document_points(const char *name, char *text, size_t size,
     int coordinates, size_t *points_size)
 {
-	struct source source = { .name = name, .scene = scene_members };
+	struct source source = { .name = name,
+		.operand = true,
+		.scene = scene_members };
 	struct span points;
 	struct value root = value_parse_without(&source, NULL, text, size,
 	    &points);
 
 	*points_size = take_points(&root, &points, coordinates);
-	value_free(&root);
 	return (char *)points.s;
 }
 
@@ -428,8 +428,9 @@ void document_refuse(const struct document *d, const char *why)
 		n -= bare + 1;
 	}
 	snprintf(pointer, sizeof pointer, "%.*s", (int)n, why);
-	die_at(EXIT_INPUT,
-	    &(struct place){ .file = d->name, .pointer = pointer }, "%s", what);
+	const struct place place = source_place(&d->source, pointer);
+
+	refuse_at(&place, "%s", what);
 }
 
 void document_check(const struct document *d, const char *why)

@@ -419,6 +419,15 @@ SKIP: {
 	$peak = peak("projcalc project -j2 $tmp/document");
 	cmp_ok($peak, '<', $size + 20000,
 	    "a document of $size kilobytes of points in 20 MB more");
+	for my $notes ('"_notes": [' . join(',', ('{"a": [1, "_b"]}') x 5e5) . ']',
+	    join(',', map { "\"_$_\": 0" } 1 .. 8e5)) {
+		spew("$tmp/document", "{$notes, \"camera\": {\"eye\": [0,0,0], " .
+		    "\"at\": [0,0,1], $notes}}");
+		$size = int((-s "$tmp/document") / 1024);
+		$peak = peak("projcalc lookat $tmp/document");
+		cmp_ok($peak, '<', $size + 5000,
+		    "$size kilobytes of notes in 5 MB more");
+	}
 	sparse("$tmp/zeros", 504000000);
 	$peak = peak("$project -j2 -i f64 $tmp/zeros");
 	cmp_ok($peak, '<', 20000, '21 million binary points in 20 MB');
