@@ -142,10 +142,9 @@ struct run {
 	struct options options;
 };
 
-static void run_scenes(void *with)
+static void *run_scenes(void *with)
 {
 	struct run *run = with;
-
 	const struct options *o = &run->options;
 	jmp_buf bad;
 
@@ -155,6 +154,7 @@ static void run_scenes(void *with)
 		answer_no_scene(options_output(o));
 	while (params_next(o))
 		run->command->run(run->command, o);
+	return NULL;
 }
 
 int main(int argc, char **argv)

@@ -86,8 +86,7 @@ static const struct text refused[] = {
 	TEXT("[\x01]", "1: expected a value, not '\\u0001'"),
 	TEXT("[\xff]", "1: expected a value, not '\\xff'"),
 	TEXT("[\xc2\xa0]",
-	    "1: expected a value, not '\\u00a0' (U+00A0 in "
-	    "it can't be seen)"),
+	    "1: expected a value, not '\\u00a0' (U+00A0 in it can't be seen)"),
 	TEXT("[\f1]", "1: expected a value, not '\\u000c'"),
 	TEXT("{\n[1", "2: expected a member's name in quotes, not '['"),
 	TEXT("{\n\"a\":[1\n\n", "4: the text ends; add ']' for '[' of line 2"),
