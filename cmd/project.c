@@ -108,5 +108,6 @@ void run_project(const struct command *c, const struct options *o)
 		return;
 	}
 	prepare_job(&j, o);
+	j.layout.two = d.source.two;
 	do_points(o, &d, &j);
 }

@@ -75,16 +75,23 @@ static void check_file(const struct command *c, const struct options *o,
 	    c->kind == PICK ? "; where to look is --at 320,240" : "");
 }
 
-#define USE_RAY                                                              \
-	"; --ray takes x y to the ray through it, --plane A,B,C,D to where " \
-	"that ray meets a plane"
+#define USE_RAY                                                      \
+	"--ray takes x y to the ray through it, --plane A,B,C,D to " \
+	"where that ray meets a plane"
 
 /* Returns whether points of two coordinates are positions on the device for which
  * project has --ray and --plane. */
 static bool lacks_depth(const struct options *o)
 {
 	return o->has_from && o->from == SPACE_DEVICE && !o->homogeneous &&
-	    (!o->has_to || o->to == SPACE_WORLD);
+	    !o->ray && !o->has_plane && (!o->has_to || o->to == SPACE_WORLD);
+}
+
+/* Returns what a message says of points of two numbers, or NULL. */
+static const char *two_of(const struct command *c, const struct options *o)
+{
+	return c->kind == PROJECT && lacks_depth(o) ? "; " USE_RAY :
+						      NULL;
 }
 
 /* Refuses a typed position on the device in place of a point, or of the first of a
@@ -106,7 +113,7 @@ static void check_position(const struct command *c, const struct options *o,
 		    "'%.*s' is no point; where to look is --at 320,240", n,
 		    points);
 	if (c->kind == PROJECT && lacks_depth(o))
-		die(EXIT_USAGE, "'%.*s' has no depth" USE_RAY, n, points);
+		die(EXIT_USAGE, "'%.*s' has no depth; " USE_RAY, n, points);
 }
 
 void check_operands(const struct command *c, const struct options *o)
@@ -142,6 +149,7 @@ void read_document(const struct command *c, const struct options *o,
 	struct document_wants wants = c->wants;
 
 	wants.convention = o->convention;
+	wants.two = two_of(c, o);
 	/* the document's points are not read if points are operands */
 	if (command_reads_points(c) && !o->matrix && o->n_points == 0)
 		wants.coordinates = coordinates_of(c, o);

@@ -125,8 +125,9 @@ static void check_point(const struct value *v, int coordinates)
 			value_wrong(&e, "a number, a string or null");
 	}
 	if (n < coordinates)
-		value_refuse(v, "has %d element%s; %d coordinates are wanted",
-		    n, n == 1 ? "" : "s", coordinates);
+		value_refuse(v, "has %d element%s; %d coordinates are wanted%s",
+		    n, n == 1 ? "" : "s", coordinates,
+		    n == 2 && v->source->two != NULL ? v->source->two : "");
 }
 
 /* Past the coordinate or other element at s of a point; NULL where it isn't one
@@ -309,6 +310,21 @@ static void check_needed(const struct value *root,
 	}
 }
 
+/* Refuses a document of two dimensions alone where the command is of three. */
+static void refuse_flat(const struct value *root,
+    const struct document_wants *w, unsigned seen)
+{
+	const char *name = seen & SCENE_WINDOW ? "window" : "device";
+	struct value v = value_missing(root, name);
+
+	if (w->flat == 0 && (w->used & SCENE_SPATIAL) == SCENE_SPATIAL &&
+	    (seen & SCENE_SPATIAL) == 0 &&
+	    (seen & (SCENE_WINDOW | SCENE_DEVICE)) != 0)
+		value_refuse(&v,
+		    "is of two dimensions, and the command of three; the "
+		    "commands w2n, n2w, n2d, d2n, w2d and d2w are of two");
+}
+
 static void read_scene(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_MEMBERS], unsigned seen)
 {
@@ -362,6 +378,7 @@ void document_read(struct document *d, const char *name, char *text,
 	struct source source = { .name = name,
 		.line = wants->line,
 		.before = wants->column,
+		.two = wants->two,
 		.scene = scene_members };
 	struct span points;
 	struct value root = value_parse_without(&source, "points", text, size,
@@ -377,6 +394,7 @@ void document_read(struct document *d, const char *name, char *text,
 	const struct document_wants *w = d->flat ? &narrowed : wants;
 
 	source.flat = d->flat;
+	refuse_flat(&root, wants, seen);
 	for (int i = 0; i < SCENE_MEMBERS; i++)
 		m[i].unused = (w->used >> i & 1) == 0;
 	d->scene.convention = w->convention != NULL ?

@@ -81,6 +81,9 @@ struct document_wants {
 	/* Lines of the file before the text, and bytes before it on its first line. */
 	long line;
 	size_t column;
+	/* What a message says of points of two numbers, beside how many are wanted;
+	 * or NULL. */
+	const char *two;
 	/* How many each point has; 0 if the command doesn't read them from the
 	 * document. */
 	int coordinates;
