@@ -90,8 +90,7 @@ static bool lacks_depth(const struct options *o)
 /* Returns what a message says of points of two numbers, or NULL. */
 static const char *two_of(const struct command *c, const struct options *o)
 {
-	return c->kind == PROJECT && lacks_depth(o) ? "; " USE_RAY :
-						      NULL;
+	return c->kind == PROJECT && lacks_depth(o) ? "; " USE_RAY : NULL;
 }
 
 /* Refuses a typed position on the device in place of a point, or of the first of a
