@@ -319,7 +319,7 @@ static void refuse_flat(const struct value *root,
 
 	if (w->flat == 0 && (w->used & SCENE_SPATIAL) == SCENE_SPATIAL &&
 	    (seen & SCENE_SPATIAL) == 0 &&
-	    (seen & (SCENE_WINDOW | SCENE_DEVICE)) != 0)
+	    (seen & ~w->used & (SCENE_WINDOW | SCENE_DEVICE)) != 0)
 		value_refuse(&v,
 		    "is of two dimensions, and the command of three; the "
 		    "commands w2n, n2w, n2d, d2n, w2d and d2w are of two");
