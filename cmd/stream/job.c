@@ -37,40 +37,28 @@ static void carry(const struct job *j, struct chunk *c, size_t n)
 /* The source ends within a binary point: that counts as a bad line. */
 static void cut_short(const struct job *j, struct chunk *c, size_t size)
 {
-	const struct line line = { "", .kind = LINE_LOST, .newline = true };
 	char reason[REASON_MAX];
 
 	snprintf(reason, sizeof reason,
 	    "ends within a point; a point is %zu bytes", size);
 	chunk_complain(c, c->n_lines, reason);
 	c->text = c->end;
-	if (j->keep_going && j->take != NULL)
-		j->take(j, c, &line, 0, c->n_lines);
-	else if (j->keep_going && j->take_block == NULL)
+	if (j->keep_going && j->take != NULL) {
+		c->line[0] = (struct line){ .s = "", .kind = LINE_LOST };
+		j->take(j, c, 1, 0);
+	} else if (j->keep_going) {
 		block_write_nan(j, c);
+	}
 }
 
-/* Shows each point of a block of n lines, or binary points, to the command that
- * wants to see them. number is that of the first; where points are binary, the
- * first begins at text. */
-static void show(const struct job *j, struct chunk *c, size_t n, size_t number,
+/* Makes lines of n binary points of the size, the first of which begins at text. */
+static void show_points(struct chunk *c, size_t n, size_t size,
     const char *text)
 {
-	bool binary = is_binary(j->layout.in.format);
-	size_t size = point_size(j->layout.in.format, j->layout.reads), p = 0;
-	struct line point = { .kind = LINE_POINT,
-		.size = (uint32_t)size,
-		.newline = true };
-
-	for (size_t i = 0; i < n; i++) {
-		const struct line *line = binary ? &point : &c->line[i];
-
-		point.s = text + i * size;
-		if (line->kind == LINE_POINT)
-			j->take(j, c, line, p++, number + i);
-		else if (line_is_bad(line) || line->kind == LINE_HEADER)
-			j->take(j, c, line, 0, number + i);
-	}
+	for (size_t i = 0; i < n; i++)
+		c->line[i] = (struct line){ .s = text + i * size,
+			.size = (uint32_t)size,
+			.kind = LINE_POINT };
 }
 
 void job_do(struct job *j, struct chunk *c)
@@ -80,7 +68,7 @@ void job_do(struct job *j, struct chunk *c)
 	/* a block of images goes out as it is: every point becomes as many
 	 * bytes, and no command wants to see it */
 	bool whole = binary && is_binary(j->layout.out.format) &&
-	    j->take == NULL && j->take_block == NULL && !j->visible && !j->rays;
+	    j->take == NULL && !j->visible && !j->rays;
 	bool direct = whole && same_dialect(j->layout.in, j->layout.out) &&
 	    j->layout.in.format == FORMAT_F32 && j->layout.single;
 
@@ -100,15 +88,15 @@ void job_do(struct job *j, struct chunk *c)
 			n = points = binary_read(j, c);
 		else
 			n = block_read(j, c, &points);
-		if (j->take_block != NULL) {
-			j->take_block(j, c, points);
+		if (j->take != NULL) {
+			if (binary)
+				show_points(c, n, size, text);
+			j->take(j, c, n, points);
 			continue;
 		}
 		carry(j, c, points);
 		if (whole)
 			binary_write_block(j, c, n, number);
-		else if (j->take != NULL)
-			show(j, c, n, number, text);
 		else
 			block_write(j, c, n, points, number);
 	}
