@@ -11,15 +11,6 @@
 /* The rows and columns of a map that are printed: in 2D z is left out. */
 static const int SPATIAL[4] = { 0, 1, 2, 3 }, FLAT[3] = { 0, 1, 3 };
 
-static void refuse_wide(const struct document *d, double m[4][4], int n)
-{
-	for (int i = 0; i < n * n; i++)
-		if (!isfinite((float)m[i / n][i % n]))
-			document_refuse(d,
-			    "the matrix has elements beyond the range of "
-			    "floats; print doubles");
-}
-
 /* In memory order, which for row vectors goes row by row and for column vectors
  * column by column: those are the same numbers, and m's. */
 static void print_binary(double m[4][4], int n, bool wide)
@@ -61,17 +52,6 @@ static void put_json(struct printer *p, double m[4][4], int n, bool column)
 	put_close(p, "}\n");
 }
 
-static void transpose_rows(double m[4][4], int n)
-{
-	for (int i = 0; i < n; i++)
-		for (int j = 0; j < i; j++) {
-			double v = m[i][j];
-
-			m[i][j] = m[j][i];
-			m[j][i] = v;
-		}
-}
-
 void print_matrix(const struct options *o, const struct document *d,
     const struct map *map, bool flat)
 {
@@ -91,16 +71,22 @@ void print_matrix(const struct options *o, const struct document *d,
 	double m[4][4];
 
 	for (int i = 0; i < n; i++)
-		for (int j = 0; j < n; j++)
-			m[i][j] = map_nearest(map, pick[i], pick[j], floats);
-	if (floats)
-		refuse_wide(d, m, n);
+		for (int j = 0; j < n; j++) {
+			double v = map_nearest(map, pick[i], pick[j], floats);
+
+			if (floats && !isfinite((float)v))
+				document_refuse(d,
+				    "the matrix has elements beyond the range "
+				    "of floats; print doubles");
+			if (column && !is_binary(o->out))
+				m[j][i] = v;
+			else
+				m[i][j] = v;
+		}
 	if (is_binary(o->out)) {
 		print_binary(m, n, o->out == FORMAT_F64);
 		return;
 	}
-	if (column)
-		transpose_rows(m, n);
 	if (o->out == FORMAT_JSON)
 		put_json(&p, m, n, column);
 	else
