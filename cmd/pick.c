@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include <float.h>
 #include <math.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -11,15 +10,11 @@
 #include "message/message.h"
 
 /* A point that was hit, or a csv header, whose distance is -infinity. Behind it
- * stands the text of its line or, where JSON is printed, a struct hit_json. */
+ * stands the text of its line or, where JSON is printed, the device position. */
 struct hit {
-	double distance, point[3];
-	size_t size; /* of what stands behind it */
-};
-
-struct hit_json {
+	double distance, point[4];
 	long long line;
-	double device[3];
+	size_t size; /* of what stands behind it */
 };
 
 /* What is sorted: a distance, and where in text its struct hit stands. */
@@ -32,6 +27,7 @@ struct hits {
 	struct number_style style;
 	struct picker picker;
 	bool json;
+	bool near; /* the near plane is not at infinity */
 	struct key *key;
 	size_t n, room;
 	char *text;
@@ -47,74 +43,53 @@ static void hits_append(struct chunk *c, struct hit hit, const void *behind)
 	c->size += sizeof hit + hit.size;
 }
 
-/* Moves the points that lie within the radius to the beginning of their columns;
- * line[p] becomes the place in the block of the line of point p. Returns how many
- * there are. */
-static size_t hits_gather(const struct hits *h, struct chunk *c, size_t n,
-    uint16_t line[POINTS_BLOCK])
-{
-	size_t hits = 0, p = 0;
-
-	for (size_t i = 0; i < n; i++) {
-		if (c->line[i].kind != LINE_POINT)
-			continue;
-		const double in[4] = { c->in[0][p], c->in[1][p], c->in[2][p] };
-		const double device[3] = { c->image[0][p], c->image[1][p],
-			c->image[2][p] };
-
-		p++;
-		if (isnan(device[0]) || isnan(device[1]) ||
-		    !pick_holds(&h->picker, in, device))
-			continue;
-		for (int k = 0; k < 3; k++) {
-			c->in[k][hits] = in[k];
-			c->image[k][hits] = device[k];
-		}
-		line[hits++] = (uint16_t)i;
-	}
-	return hits;
-}
-
 /* Appends the points of a block that are hit, and its headers. */
 static void hits_take(const struct job *j, struct chunk *c, size_t n,
     size_t points)
 {
 	const struct hits *h = j->with;
 	const double *const in[4] = { c->in[0], c->in[1], c->in[2] };
-	double *const device[4] = { c->image[0], c->image[1], c->image[2] };
-	/* a near plane at infinity is infinitely far */
-	const bool near = sum_sign(h->picker.depth.map.divisor) != 0;
-	double *const view[4] = { c->image[3], c->image[4], c->image[5] };
-	uint16_t line[POINTS_BLOCK];
+	double(*v)[POINTS_BLOCK] = c->image;
+	double *const device[4] = { v[0], v[1], v[2] };
+	double *const view[4] = { v[3], v[4], v[5] };
 	unsigned char outside[POINTS_BLOCK];
+	bool known = false; /* outside, and view where that is finite */
 
-	for (size_t i = 0; i < n && !h->json; i++)
-		if (c->line[i].kind == LINE_HEADER)
+	points_carry(&j->transform, j->precision, in, device, points);
+	for (size_t i = 0, p = 0; i < n; i++) {
+		const struct line *line = &c->line[i];
+		size_t at = p, number = c->n_lines - n + i;
+
+		if (line->kind == LINE_HEADER && !h->json)
 			hits_append(c,
 			    (struct hit){ .distance = (double)-INFINITY,
-				.size = c->line[i].size },
-			    c->line[i].s);
-	points_carry(&j->transform, j->precision, in, device, points);
-	points = hits_gather(h, c, n, line);
-	frustum_out_all(&j->frustum, in, outside, points);
-	if (near)
-		points_carry(&h->picker.depth, PRECISION_EXACT, in, view,
-		    points);
-	for (size_t p = 0; p < points; p++) {
-		const struct line *l = &c->line[line[p]];
-		struct hit hit = { near ? view[2][p] : (double)INFINITY,
-			{ in[0][p], in[1][p], in[2][p] }, l->size };
-		struct hit_json json = { (long long)(c->n_lines - n + line[p]),
-			{ device[0][p], device[1][p], device[2][p] } };
-
-		if (outside[p] != 0)
+				.size = line->size },
+			    line->s);
+		if (line->kind != LINE_POINT)
 			continue;
+		p++;
+		const double to[3] = { v[0][at], v[1][at], v[2][at] };
+		struct hit hit = { .point = { in[0][at], in[1][at], in[2][at],
+				       1 },
+			.line = (long long)number,
+			.size = h->json ? sizeof to : line->size };
+
+		if (isnan(to[0]) || isnan(to[1]) ||
+		    !pick_holds(&h->picker, hit.point, to))
+			continue;
+		if (!known) {
+			frustum_out_all(&j->frustum, in, outside, points);
+			if (h->near)
+				points_carry(&h->picker.depth, PRECISION_EXACT,
+				    in, view, points);
+			known = true;
+		}
+		if (outside[at] != 0)
+			continue;
+		hit.distance = h->near ? v[5][at] : (double)INFINITY;
 		if (isnan(hit.distance))
-			hit.distance = pick_distance(&h->picker,
-			    (double[4]){ in[0][p], in[1][p], in[2][p], 1 });
-		if (h->json)
-			hit.size = sizeof json;
-		hits_append(c, hit, h->json ? (const void *)&json : l->s);
+			hit.distance = pick_distance(&h->picker, hit.point);
+		hits_append(c, hit, h->json ? (const void *)to : line->s);
 	}
 }
 
@@ -123,7 +98,6 @@ static void hits_collect(const struct job *j, const struct chunk *c,
 {
 	struct hits *h = j->with;
 	struct hit hit;
-	long long line;
 
 	if (h->size + c->size > h->text_room) {
 		h->text_room = h->text_room / 2 + h->size + c->size;
@@ -134,24 +108,27 @@ static void hits_collect(const struct job *j, const struct chunk *c,
 	for (size_t end = h->size + c->size; h->size < end;
 	     h->size += sizeof hit + hit.size) {
 		memcpy(&hit, h->text + h->size, sizeof hit);
+		hit.line += first_line;
+		memcpy(h->text + h->size, &hit, sizeof hit);
 		if (h->n == h->room) {
 			h->room += h->room / 2 + 64;
 			h->key = need(h->key, h->room * sizeof *h->key);
 		}
 		h->key[h->n++] = (struct key){ hit.distance, h->size };
-		if (h->json) {
-			char *at = h->text + h->size + sizeof hit;
-
-			memcpy(&line, at, sizeof line);
-			line += first_line;
-			memcpy(at, &line, sizeof line);
-		}
 	}
 }
 
 static bool is_header(struct key k)
 {
 	return k.distance < -DBL_MAX;
+}
+
+static struct hit hit_at(const struct hits *h, struct key k)
+{
+	struct hit hit;
+
+	memcpy(&hit, h->text + k.at, sizeof hit);
+	return hit;
 }
 
 /* For qsort, which hands nothing on. */
@@ -170,12 +147,9 @@ static int key_compare(const void *a, const void *b)
 static int key_compare_exactly(const void *a, const void *b)
 {
 	const struct key *p = a, *q = b;
-	double one[4] = { [3] = 1 }, other[4] = { [3] = 1 };
-	size_t point = offsetof(struct hit, point);
-
-	memcpy(one, comparing->text + p->at + point, 3 * sizeof *one);
-	memcpy(other, comparing->text + q->at + point, 3 * sizeof *other);
-	int order = pick_compare(&comparing->picker, one, other);
+	const struct hit one = hit_at(comparing, *p);
+	const struct hit other = hit_at(comparing, *q);
+	int order = pick_compare(&comparing->picker, one.point, other.point);
 
 	return order != 0 ? order : key_compare(a, b);
 }
@@ -207,27 +181,18 @@ static void hits_sort(const struct hits *h)
 	}
 }
 
-static struct hit hit_at(const struct hits *h, struct key k)
-{
-	struct hit hit;
-
-	memcpy(&hit, h->text + k.at, sizeof hit);
-	return hit;
-}
-
 /* Of several sources one header is enough, and none if they differ. */
 static bool hits_wants(const struct hits *h, size_t i)
 {
 	if (!is_header(h->key[i]))
 		return true;
-	/* their sizes stand before their texts */
-	const size_t from = offsetof(struct hit, size);
-	const size_t size = sizeof(struct hit) - from +
-	    hit_at(h, h->key[0]).size;
+	const struct hit first = hit_at(h, h->key[0]);
+	const char *text = h->text + h->key[0].at + sizeof first;
 
 	for (size_t k = 1; k < h->n && is_header(h->key[k]); k++)
-		if (memcmp(h->text + h->key[k].at + from,
-			h->text + h->key[0].at + from, size) != 0)
+		if (hit_at(h, h->key[k]).size != first.size ||
+		    memcmp(h->text + h->key[k].at + sizeof first, text,
+			first.size) != 0)
 			return false;
 	return i == 0;
 }
@@ -253,19 +218,21 @@ static void hits_put(struct output *out, const char *s, size_t n)
 }
 
 static void print_json(struct output *out, const struct hit *h,
-    const struct hit_json *json, struct number_style style)
+    const char *behind, struct number_style style)
 {
 	char text[8 * NUMBER_MAX + 128];
+	double device[3];
 	struct printer p = { .at = text, .compact = true, .between = "" };
 
+	memcpy(device, behind, sizeof device);
 	put_open(&p, "{");
 	put_name(&p, "line");
-	put_number(&p, (double)json->line);
+	put_number(&p, (double)h->line);
 	p.style = style;
 	put_name(&p, "distance");
 	put_number(&p, h->distance);
 	put_name(&p, "device");
-	put_numbers(&p, json->device, 3);
+	put_numbers(&p, device, 3);
 	put_name(&p, "point");
 	put_numbers(&p, h->point, 3);
 	put_close(&p, "}\n");
@@ -276,7 +243,6 @@ static void print_hits(const struct job *j)
 {
 	static struct output out;
 	struct hits *h = j->with;
-	struct hit_json json;
 
 	hits_sort(h);
 	for (size_t i = 0; i < h->n; i++) {
@@ -284,8 +250,7 @@ static void print_hits(const struct job *j)
 		const char *behind = h->text + h->key[i].at + sizeof hit;
 
 		if (h->json) {
-			memcpy(&json, behind, sizeof json);
-			print_json(&out, &hit, &json, h->style);
+			print_json(&out, &hit, behind, h->style);
 		} else if (hits_wants(h, i)) {
 			hits_put(&out, behind, hit.size);
 			if (!is_binary(j->layout.in.format))
@@ -339,6 +304,7 @@ void run_pick(const struct command *c, const struct options *o)
 		die(EXIT_USAGE,
 		    "pick prints lines as they were read, or "
 		    "-o json");
+	hits.near = sum_sign(hits.picker.depth.map.divisor) != 0;
 	prepare_job(&j, o);
 	do_points(o, &d, &j);
 }
