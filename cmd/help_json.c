@@ -17,26 +17,22 @@ static void put_told(struct printer *p, const char *name, const char *s)
 		put_null(p);
 }
 
-static void put_words(struct printer *p, const char *name,
-    const char *const *words)
-{
-	put_name(p, name);
-	put_open(p, "[");
-	for (; words != NULL && *words != NULL; words++)
-		put_string(p, *words);
-	put_close(p, "]");
-}
-
-/* Those of some words that bits are. */
+/* Puts those of some words, which may be NULL, that bits are. */
 static void put_chosen(struct printer *p, const char *name,
     const char *const *words, unsigned bits)
 {
 	put_name(p, name);
 	put_open(p, "[");
-	for (int i = 0; words[i] != NULL; i++)
+	for (int i = 0; words != NULL && words[i] != NULL; i++)
 		if (bits >> i & 1)
 			put_string(p, words[i]);
 	put_close(p, "]");
+}
+
+static void put_words(struct printer *p, const char *name,
+    const char *const *words)
+{
+	put_chosen(p, name, words, ~0u);
 }
 
 /* An array's next element is an object in a line of its own. */
