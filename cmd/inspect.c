@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
+#include <stdio.h>
 
 #include "../core/derive/depth.h"
 #include "../core/derive/error_bound.h"
@@ -95,15 +96,47 @@ static void put_planes(struct printer *p, const struct taxonomy *t,
 	put_close(p, "]");
 }
 
-static void put_depth_steps(struct printer *p, double step[BUFFERS][2])
+/* Refuses a distance that is not from near to far, in either order. */
+static void check_distances(const struct document *d, const struct options *o,
+    const struct depth *z)
 {
+	double near = depth_distance(z, false), far = depth_distance(z, true);
+	char why[160];
+
+	if (isnan(far)) /* behind the eye, beyond infinity */
+		far = HUGE_VAL;
+	for (int i = 0; i < o->n_distances && !z->open; i++) {
+		double at = o->distance[i];
+
+		if ((at >= near && at <= far) || (at >= far && at <= near))
+			continue;
+		snprintf(why, sizeof why,
+		    "/projection: --distances: %.17g is not from near, %.17g, "
+		    "to far, %.17g",
+		    at, near, far);
+		document_refuse(d, why);
+	}
+}
+
+/* At the near and far plane, and at distances. */
+static void put_depth_steps(struct printer *p, const struct scene *s,
+    const struct options *o, const struct depth *z)
+{
+	const struct viewport *v = s->has_viewport ? &s->viewport : NULL;
+
+	if (o->n_distances > 0) {
+		put_name_on_new_line(p, "distances");
+		put_numbers(p, o->distance, o->n_distances);
+	}
 	put_name_on_new_line(p, "depth_step");
 	put_open(p, "{");
-	for (int b = 0; b < BUFFERS; b++) {
+	for (enum buffer b = 0; b < BUFFERS; b++) {
 		put_name(p, buffers[b]);
 		put_open(p, "[");
-		put_number(p, step[b][0]);
-		put_number(p, step[b][1]);
+		put_number(p, depth_step(z, v, b, false));
+		put_number(p, depth_step(z, v, b, true));
+		for (int i = 0; i < o->n_distances; i++)
+			put_number(p, depth_step_at(z, v, b, o->distance[i]));
 		put_close(p, "]");
 	}
 	put_close(p, "}");
@@ -149,20 +182,22 @@ static void put_plane(struct printer *p, const struct document *d)
 
 /* Of all others. */
 static void put_spatial(struct printer *p, const struct document *d,
-    double tolerance)
+    const struct options *o)
 {
 	struct taxonomy t;
 	static struct parameters r;
-	double step[BUFFERS][2], bound[3];
+	struct depth z;
+	double bound[3];
 
 	document_check(d, taxonomy_of(&d->scene, &t));
 	document_check(d, parameters_of(&d->scene, &t, &r));
 	document_check(d, error_bounds(&d->scene, bound));
-	depth_steps(&d->scene, t.reversed, step);
+	depth_of(&d->scene, t.reversed, &z);
+	check_distances(d, o, &z);
 	put_taxonomy(p, &t);
 	put_planes(p, &t, &r);
-	put_depth_steps(p, step);
-	put_bounds(p, bound, tolerance);
+	put_depth_steps(p, &d->scene, o, &z);
+	put_bounds(p, bound, o->tolerance > 0 ? o->tolerance : 0.5);
 	put_name_on_new_line(p, "scene");
 	if (r.has_scene)
 		put_scene(p, &r.scene);
@@ -172,7 +207,7 @@ static void put_spatial(struct printer *p, const struct document *d,
 
 void run_inspect(const struct command *c, const struct options *o)
 {
-	static char text[160 * NUMBER_MAX + 4096];
+	static char text[320 * NUMBER_MAX + 4096];
 	struct printer p = { .at = text,
 		.style = one_style(o, "what inspect prints"),
 		.between = "" };
@@ -183,11 +218,15 @@ void run_inspect(const struct command *c, const struct options *o)
 		document_refuse(&d,
 		    "/projection: missing; -t is about its error bounds, of "
 		    "which a window has none");
+	if (d.flat && o->n_distances > 0)
+		document_refuse(&d,
+		    "/projection: missing; --distances is about its depth, of "
+		    "which a window has none");
 	put_open(&p, "{");
 	if (d.flat)
 		put_plane(&p, &d);
 	else
-		put_spatial(&p, &d, o->tolerance > 0 ? o->tolerance : 0.5);
+		put_spatial(&p, &d, o);
 	put_text(&p, "\n}\n");
 	put_all(text, (size_t)(p.at - text));
 }

@@ -30,6 +30,13 @@ struct styles styles_of(const char *option, enum number_kind, char *list,
 /* "X,Y", up to 1e150 in magnitude. */
 void position(const char *option, const char *word, double xy[2]);
 
+/* "D,D,...", as many as there is room for, up to 1e150 in magnitude. Returns how
+ * many. */
+enum { DISTANCES_MAX = 32 };
+
+int distances_of(const char *option, const char *word,
+    double distance[DISTANCES_MAX]);
+
 /* A character that can separate fields; or the word tab. */
 char separator_of(const char *option, const char *word);
 
