@@ -19,6 +19,39 @@ static const char *const kinds[] = { "multiview", "isometric", "dimetric",
 	"three-point" };
 static const char *const buffers[] = { "unorm16", "unorm24", "float32" };
 
+/* In the order of enum note: what it means, and what to try. */
+static const char *const notes[NOTES] = {
+	"mirrored: the picture is a mirror image, as the determinant says; "
+	"negate what makes x or y, or try another \"convention\"",
+	"the projection is of the other handedness: it looks against the "
+	"convention's gaze, and mirrors; try the \"convention\" that it is "
+	"from, or negate the third row",
+	"the projection looks away: w grows against the convention's gaze, "
+	"and the picture is of what is behind the camera; turn the camera, or "
+	"negate the matrix's x and z rows",
+	"the projection's matrix is transposed in all likelihood, as its last "
+	"row says what its last column should; transpose it, or try another "
+	"\"vectors\" in \"convention\"",
+	"near is beyond far: the eye or the gaze is on the other side; swap "
+	"them, or for reversed depth say \"reverse_z\": true",
+	"depth falls along the convention's gaze: it is reversed, or the "
+	"projection is of the other handedness; if reversed depth is not "
+	"meant, try another \"convention\"",
+	"scene is null, as the camera's matrix is not a rotation to 2^-20; "
+	"try \"orthonormalize\": true, or take the scale out of it",
+	"near, far and scene are null, as the planes of equal depth are "
+	"tilted against the picture by more than 2^-40; give the matrix with "
+	"all 17 digits, not as floats, and look whether it is a product in the "
+	"order of its \"vectors\"",
+	"scene is null, as w is negative everywhere; negate the matrix",
+	"scene is null, as only intrinsics say that x depends on y or that "
+	"there are no planes, of a perspective that does not mirror, with a "
+	"viewport that it fills; add a viewport, or give near and far, or a "
+	"matrix with all 17 digits",
+	"scene is null, as a plane lies behind the eye or a number is out of "
+	"range; look at near, far and eye",
+};
+
 /* A vector. Where there is none, its first element is nan: prints null. */
 static void put_vector(struct printer *p, const double *v, int n)
 {
@@ -55,11 +88,11 @@ static void put_taxonomy(struct printer *p, const struct taxonomy *t)
 	put_vector(p, t->gaze, 3);
 }
 
+static const char *const sides[6] = { "left", "right", "bottom", "top", "near",
+	"far" };
+
 static void put_sides(struct printer *p, const char *name, const double at[4])
 {
-	static const char *const sides[4] = { "left", "right", "bottom",
-		"top" };
-
 	put_name_on_new_line(p, name);
 	put_open(p, "{");
 	for (int k = 0; k < 4; k++) {
@@ -90,19 +123,43 @@ static void put_planes(struct printer *p, const struct taxonomy *t,
 		put_vector(p, t->corner[i], 3);
 	put_close(p, "]");
 	put_name_on_new_line(p, "frustum_planes");
-	put_open(p, "[");
-	for (int k = 0; k < 6; k++)
+	put_open(p, "{");
+	for (int k = 0; k < 6; k++) {
+		put_name(p, sides[k]);
 		put_vector(p, r->frustum_plane[k], 4);
+	}
+	put_close(p, "}");
+	put_name_on_new_line(p, "intrinsics");
+	if (isnan(r->intrinsics[0][0])) {
+		put_null(p);
+		return;
+	}
+	put_open(p, "[");
+	for (int i = 0; i < 3; i++)
+		put_numbers(p, r->intrinsics[i], 3);
+	put_close(p, "]");
+}
+
+static void put_notes(struct printer *p, unsigned bits)
+{
+	put_name_on_new_line(p, "notes");
+	put_open(p, "[");
+	for (int i = 0; i < NOTES; i++)
+		if (bits >> i & 1)
+			put_string(p, notes[i]);
 	put_close(p, "]");
 }
 
 /* Refuses a distance that is not from near to far, in either order. */
 static void check_distances(const struct document *d, const struct options *o,
-    const struct depth *z)
+    const struct depth *z, double near, double far)
 {
-	double near = depth_distance(z, false), far = depth_distance(z, true);
 	char why[160];
 
+	if (isnan(near))
+		near = depth_distance(z, false);
+	if (isnan(far))
+		far = depth_distance(z, true);
 	if (isnan(far)) /* behind the eye, beyond infinity */
 		far = HUGE_VAL;
 	for (int i = 0; i < o->n_distances && !z->open; i++) {
@@ -193,7 +250,7 @@ static void put_spatial(struct printer *p, const struct document *d,
 	document_check(d, parameters_of(&d->scene, &t, &r));
 	document_check(d, error_bounds(&d->scene, bound));
 	depth_of(&d->scene, t.reversed, &z);
-	check_distances(d, o, &z);
+	check_distances(d, o, &z, r.near, r.far);
 	put_taxonomy(p, &t);
 	put_planes(p, &t, &r);
 	put_depth_steps(p, &d->scene, o, &z);
@@ -202,12 +259,13 @@ static void put_spatial(struct printer *p, const struct document *d,
 	if (r.has_scene)
 		put_scene(p, &r.scene);
 	else
-		put_number(p, (double)NAN);
+		put_null(p);
+	put_notes(p, r.notes);
 }
 
 void run_inspect(const struct command *c, const struct options *o)
 {
-	static char text[320 * NUMBER_MAX + 4096];
+	static char text[320 * NUMBER_MAX + (1 << 14)];
 	struct printer p = { .at = text,
 		.style = one_style(o, "what inspect prints"),
 		.between = "" };

@@ -27,8 +27,8 @@ static void find_inverse_w(const struct map *m, struct sum c[2],
 }
 
 /* A perspective's distance is w over the length of the gradient of w. A parallel
- * projection's is that of clip z, along the convention's gaze or, where view z
- * is not the only coordinate that depth depends on, where depth grows. */
+ * projection's is that of clip z, along the convention's gaze or, of a
+ * matrix, from near to far. */
 void depth_of(const struct scene *s, bool reversed, struct depth *d)
 {
 	struct sum w[3], z[3], det;
@@ -54,12 +54,10 @@ void depth_of(const struct scene *s, bool reversed, struct depth *d)
 			    sum_negated_if(sum_sign(det) < 0, d->under[i]));
 		return;
 	}
-	bool along = sum_sign(z[0]) == 0 && sum_sign(z[1]) == 0;
-	bool against = along ?
-	    sum_sign(z[2]) * (looks_back(&s->convention) ? -1 : 1) < 0 :
-	    sum_sign(m.m[3][3]) < 0;
-
 	bool behind = sum_sign(m.m[3][3]) < 0;
+	bool against = s->projection.type == PROJECTION_MATRIX ?
+	    reversed != behind :
+	    sum_sign(z[2]) * (looks_back(&s->convention) ? -1 : 1) < 0;
 
 	d->over[0] = sum_negated_if(against != behind, m.m[3][3]);
 	d->over[1] = sum_negated_if(against == behind, m.m[3][2]);
