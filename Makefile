@@ -121,7 +121,7 @@ FLAGS += $(if $(filter s390x%,$(MACHINE)),$(if \
 
 # The inner loops: binary points take a fifth less time than at -O2. Those for
 # AVX2 and AVX-512 are chosen when the program runs; NEON is in every arm64.
-$(addprefix $(BUILD)/cmd/,stream/binary.o stream/block_write.o lines/walk.o) \
+$(addprefix $(BUILD)/cmd/,lines/splice.o lines/walk.o stream/block_write.o) \
     $(call objects,core/points/kernel cmd/number/vector): FLAGS += -O3
 VECTOR = $(BUILD)/cmd/number/vector
 $(BUILD)/core/points/kernel/avx2.o $(VECTOR)/write_avx2.o $(VECTOR)/read_avx2.o: \
@@ -154,7 +154,7 @@ $(BENCHES): $(BUILD)/%: $(BUILD)/%.o $(PEERS) $(TRUTH) $(BUT_MAIN)
 	$(CXX) -pthread $(hardening_link) $(LDFLAGS) -o $@ $^ $(TRUTH_LIBS) $(LIBS)
 
 # A fuzzer has its own functions in place of message.c's, and of the read and poll
-# that piece.c calls. Of an archive only what is called is linked.
+# that source.c calls. Of an archive only what is called is linked.
 $(BUILD)/program.a: $(filter-out %/message.o,$(BUT_MAIN))
 	rm -f $@
 	$(AR) rcs $@ $^

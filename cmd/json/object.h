@@ -65,11 +65,11 @@ struct member {
  * way, in whole, and has no member that is only in another. */
 struct ways {
 	const char *hint; /* says what the ways are; NULL ends a list */
-	const char *way[9];
+	const char *way[11];
 	/* The same for the command fit; where fit_hint is NULL, there is no other
 	 * way. Where fit_way has none, fit takes any. */
 	const char *fit_hint;
-	const char *fit_way[8];
+	const char *fit_way[9];
 	unsigned kinds; /* that have these ways; 0 for all */
 };
 

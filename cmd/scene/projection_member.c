@@ -181,7 +181,8 @@ const struct member projection_members[] = {
 		       "principalpoint skew",
 	    .note = "[fx, fy, cx, cy], K or P, in pixels",
 	    .unit = "device units",
-	    .about = "[fx, fy, cx, cy], 3 rows of 3, or 3 rows of 4"),
+	    .about =
+		"[fx, fy, cx, cy], K or P, in rows or one after the other"),
 	OF(PERSP, "edges_at", type_numbers, edges_at, .range = &range_positive,
 	    .aliases = "distance", .unit = "view units",
 	    .about = "where width or edges are measured, else near"),
@@ -220,9 +221,9 @@ const struct member projection_members[] = {
 	{ .name = NULL },
 };
 
-#define SECTION_HINT                                         \
-	"\"width\" and \"height\", or \"left\", \"right\", " \
-	"\"bottom\" and \"top\""
+#define SECTION_HINT                                                          \
+	"\"width\" and \"height\", one of them and \"aspect\", or \"left\", " \
+	"\"right\", \"bottom\" and \"top\""
 
 /* Rows of projection_ways. */
 enum {
@@ -245,13 +246,15 @@ const struct ways projection_ways[] = {
 			 "\"intrinsics\"",
 	    { "fovy aspect?", "fovx aspect?", "view_angle aspect?",
 		"field aspect?", "width height edges_at?",
+		"width aspect? edges_at?", "height aspect? edges_at?",
 		"left right bottom top edges_at?", "angles", "intrinsics" },
 	    .kinds = PERSP },
-	[WAYS_PARALLEL] = { "give \"height\" and \"aspect\", " SECTION_HINT,
-	    { "width height", "height aspect?", "left right bottom top" },
-	    "give \"aspect\" with \"height\" or without, " SECTION_HINT
-	    ", or nothing",
-	    { "width? height?", "height? aspect?", "left right bottom top" },
+	[WAYS_PARALLEL] = { "give " SECTION_HINT,
+	    { "width height", "width aspect?", "height aspect?",
+		"left right bottom top" },
+	    "give " SECTION_HINT ", or \"aspect\" alone, or nothing",
+	    { "width? height?", "width? aspect?", "height? aspect?",
+		"left right bottom top" },
 	    PARALLEL },
 	[WAYS_SHEAR] = { "give \"kind\" (\"cavalier\" or \"cabinet\") or "
 			 "\"angle\"",
@@ -282,17 +285,16 @@ static const struct ways open_ways = {
 
 static const struct ways near_ways = {
 	.hint =
-	    "give it: width and height, or the edges, are on the near plane, "
-	    "unless "
+	    "give it: width, height or the edges are on the near plane, unless "
 	    "\"edges_at\" says where",
 	.way = { "near far?" },
 };
 
 static const enum extent persp_extents[] = { EXTENT_FOVY, EXTENT_FOVX,
-	EXTENT_VIEW_ANGLE, EXTENT_FIELD, EXTENT_SIZE, EXTENT_EDGES,
-	EXTENT_ANGLES, EXTENT_INTRINSICS };
-static const enum extent parallel_extents[] = { EXTENT_SIZE, EXTENT_HEIGHT,
-	EXTENT_EDGES };
+	EXTENT_VIEW_ANGLE, EXTENT_FIELD, EXTENT_SIZE, EXTENT_WIDTH,
+	EXTENT_HEIGHT, EXTENT_EDGES, EXTENT_ANGLES, EXTENT_INTRINSICS };
+static const enum extent parallel_extents[] = { EXTENT_SIZE, EXTENT_WIDTH,
+	EXTENT_HEIGHT, EXTENT_EDGES };
 
 static int take_way(const struct value *v, const struct projection *p,
     uint64_t seen, const struct ways *ways)
@@ -343,7 +345,8 @@ static void find_aspect(const struct value *v, const struct viewport *viewport,
 
 	if (v->unused)
 		return;
-	if (!widens && p->extent >= EXTENT_SIZE && p->extent != EXTENT_HEIGHT)
+	if (!widens && p->extent >= EXTENT_SIZE && p->extent != EXTENT_WIDTH &&
+	    p->extent != EXTENT_HEIGHT)
 		return;
 	if (widens && viewport == NULL && p->aspect[0] == 0)
 		return;

@@ -15,13 +15,13 @@ static const struct document_wants either = { WANTS, .needed = SCENE_PROJECTION,
 	"\"right\", \"bottom\" and \"top\""
 #define BOUNDS_HINT "give \"min\" and \"max\", or \"center\" and \"radius\""
 #define CAMERA_HINT                                                       \
-	"give \"gaze\" or \"orientation\", with an \"eye\" or without, "  \
-	"or \"eye\" and \"at\", or \"translation\" and \"orientation\", " \
-	"or \"pose\" or \"matrix\" alone"
+	"give \"gaze\", \"orientation\" or \"rvec\", with an \"eye\" or " \
+	"without, or \"eye\" and \"at\", or \"translation\" and "         \
+	"\"orientation\" or \"rvec\", or \"pose\" or \"matrix\" alone"
 #define SIDES "\"left\", \"right\", \"bottom\" and \"top\""
-#define PARALLEL_HINT                                  \
-	"give \"aspect\" with \"height\" or without, " \
-	"\"width\" and \"height\", or " SIDES ", or nothing"
+#define PARALLEL_HINT                                                          \
+	"give \"width\" and \"height\", one of them and \"aspect\", or " SIDES \
+	", or \"aspect\" alone, or nothing"
 
 static const struct refusal refusals[] = {
 	{ &fit, "{" BOX "}",
@@ -49,7 +49,8 @@ static const struct refusal refusals[] = {
 	{ &fit, "{\"projection\":{\"type\":\"ortho\",\"left\":1}}",
 	    "/projection/right: missing; " PARALLEL_HINT },
 	{ &fit,
-	    "{\"projection\":{\"type\":\"ortho\",\"aspect\":1,\"width\":1}}",
+	    "{\"projection\":{\"type\":\"ortho\",\"aspect\":1,\"width\":1,"
+	    "\"height\":1}}",
 	    "/projection/aspect: not together with \"width\"; " PARALLEL_HINT },
 	{ &fit, "{\"projection\":{\"type\":\"oblique\"}}",
 	    "/projection/kind: missing; give \"kind\" (\"cavalier\" or "
@@ -58,8 +59,8 @@ static const struct refusal refusals[] = {
 	    "/projection/aspect: missing; give it, or a \"viewport\"" },
 	{ &fit,
 	    "{\"projection\":{\"type\":\"persp\",\"width\":1,\"height\":1}}",
-	    "/projection/near: missing; give it: width and height, or the "
-	    "edges, are on the near plane, unless \"edges_at\" says where" },
+	    "/projection/near: missing; give it: width, height or the edges "
+	    "are on the near plane, unless \"edges_at\" says where" },
 	{ &either, "{\"camera\":{}}",
 	    "/projection: missing; add \"projection\": {\"type\": \"persp\", "
 	    "\"fovy\": 60, \"aspect\": 1.5, \"near\": 1, \"far\": 10}, or for "

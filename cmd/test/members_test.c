@@ -11,8 +11,9 @@ static const struct document_wants w2n = { .bare = SCENE_WINDOW,
 static const struct document_wants project = { WANTS };
 
 #define CAMERA_HINT                                                         \
-	"give \"eye\" and one of \"at\", \"gaze\" and \"orientation\", or " \
-	"\"translation\" and \"orientation\", or \"pose\" or \"matrix\" alone"
+	"give \"eye\" and one of \"at\", \"gaze\", \"orientation\" and "    \
+	"\"rvec\", or \"translation\" and \"orientation\" or \"rvec\", or " \
+	"\"pose\" or \"matrix\" alone"
 #define SIDES "\"left\", \"right\", \"bottom\" and \"top\""
 #define WINDOW_HINT "give \"center\", \"width\" and \"height\", or " SIDES
 #define POSITIVE "a number from 1e-150 to 1e150 is wanted"
@@ -46,7 +47,8 @@ static const struct refusal cameras[] = {
 	    "/roll: not together with \"pose\"; " CAMERA_HINT },
 	{ &lookat, "{\"translation\":[0,0,0]}",
 	    "/translation: is where the world's origin is in view space, and "
-	    "needs an \"orientation\"; where the camera stands is \"eye\"" },
+	    "needs an \"orientation\" or \"rvec\"; where the camera stands is "
+	    "\"eye\"" },
 	{ &lookat,
 	    "{" EYE ",\"orientation\":[0,0,0,1],\"translation\":[0,0,0]}",
 	    "/translation: not together with \"eye\"; " CAMERA_HINT },

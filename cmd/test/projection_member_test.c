@@ -18,13 +18,15 @@ static const struct document_wants volume = { .bare = SCENE_PROJECTION,
 static const struct document_wants project = { WANTS };
 
 #define SIDES "\"left\", \"right\", \"bottom\" and \"top\""
-#define PERSP_HINT                                                          \
-	"give one of \"fovy\", \"fovx\", \"view_angle\" and \"field\", or " \
-	"\"width\" and \"height\", or " SIDES                               \
-	", or \"angles\" or \"intrinsics\""
-#define ORTHO_HINT \
-	"give \"height\" and \"aspect\", \"width\" and \"height\", or " SIDES
-#define FORMS "[fx, fy, cx, cy], 3 rows of 3, K, or 3 rows of 4, P"
+#define SECTION \
+	"\"width\" and \"height\", one of them and \"aspect\", or " SIDES
+#define PERSP_HINT                                                       \
+	"give one of \"fovy\", \"fovx\", \"view_angle\" and \"field\", " \
+	"or " SECTION ", or \"angles\" or \"intrinsics\""
+#define ORTHO_HINT "give " SECTION
+#define FORMS                                                         \
+	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
+	"rows of 4 or 12 numbers"
 #define POSITIVE "a number from 1e-150 to 1e150 is wanted"
 #define PLANES "\"near\":1,\"far\":2"
 #define SIZE "\"width\":1,\"height\":1"
@@ -50,9 +52,10 @@ static const struct refusal projections[] = {
 	{ &persp, "{" PLANES "}", "/fovy: missing; " PERSP_HINT },
 	{ &persp, "{" PLANES ",\"fovy\":60}",
 	    "/aspect: missing; give it, or a \"viewport\"" },
-	{ &persp, "{" PLANES ",\"width\":1}", "/height: missing; " PERSP_HINT },
-	{ &persp, "{" PLANES ",\"height\":1,\"aspect\":1}",
-	    "/width: missing; " PERSP_HINT },
+	{ &persp, "{" PLANES ",\"width\":1}",
+	    "/aspect: missing; give it, or a \"viewport\"" },
+	{ &persp, "{" PLANES ",\"height\":1}",
+	    "/aspect: missing; give it, or a \"viewport\"" },
 	{ &persp, "{" PLANES ",\"left\":1,\"right\":2,\"top\":2}",
 	    "/bottom: missing; " PERSP_HINT },
 	{ &persp, "{" PLANES ",\"fovy\":60,\"fovx\":60}",
@@ -171,11 +174,11 @@ static const struct refusal projections[] = {
 	{ &project, SEEN("\"intrinsics\":[[1,0,0],[0,-1,0],[0,0,1]]", ""),
 	    "/projection/intrinsics/1/1: -1 is not positive; " POSITIVE },
 	{ &project, SEEN("\"intrinsics\":[[1,0,0],[0,1,0],[0,0,2]]", ""),
-	    "/projection/intrinsics/2/2: its last row begins 0, 0, 1; is it a "
-	    "camera's K or P, and not transposed?" },
+	    "/projection/intrinsics/2/2: the last row of K is 0, 0, 1; is it a "
+	    "camera's K, and not transposed?" },
 	{ &project, SEEN("\"intrinsics\":[[1,0,0],[0,1,0],[5,5,1]]", ""),
-	    "/projection/intrinsics/2/0: its last row begins 0, 0, 1; is it a "
-	    "camera's K or P, and not transposed?" },
+	    "/projection/intrinsics/2/0: the last row of K is 0, 0, 1; is it a "
+	    "camera's K, and not transposed?" },
 	{ &project, SEEN("\"intrinsics\":[[1,0,0],[3,1,0],[0,0,1]]", ""),
 	    "/projection/intrinsics/1/0: under the diagonal of K there is 0; "
 	    "is "
@@ -196,7 +199,8 @@ static const struct refusal projections[] = {
 	    "is wanted" },
 	{ &persp,
 	    "{\"angles\":[-1,1.6,-1,1]," PLANES ",\"angle_unit\":\"radians\"}",
-	    "/angles/1: 1.6 is out of range; an angle above -pi/2 and below pi/2 "
+	    "/angles/1: 1.6 is out of range; an angle above -pi/2 and below "
+	    "pi/2 "
 	    "radians is wanted" },
 	{ &persp, "{\"angles\":[-1,1,-1,1]}",
 	    "/near: missing; give \"near\" and \"far\"" },
@@ -308,6 +312,12 @@ static void test_intrinsics(void **state)
 	assert_rows(&p, 0, 1.0, 2.0, 3.0, -4.0, 0.0, 5.0, 6.0, 7.0, 0.0, 0.0,
 	    1.0, 8.0);
 	assert_true(p.far == 9 && p.reverse_z);
+	p = CALIBRATED("[1,2,3, 0,4,5, 0,0,1]");
+	assert_rows(&p, 1, 1.0, 2.0, 3.0, 0.0, 0.0, 4.0, 5.0, 0.0, 0.0, 0.0,
+	    1.0, 0.0);
+	p = CALIBRATED("[-1,2,3,4, 5,6,7,8, 9,10,11,12]");
+	assert_rows(&p, 1, -1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0,
+	    11.0, 12.0);
 }
 
 static void test_angles(void **state)
@@ -320,6 +330,11 @@ static void test_angles(void **state)
 	p = PERSP("\"width\":2,\"height\":3,\"edges_at\":0.5");
 	assert_int_equal(p.extent, EXTENT_SIZE);
 	assert_true(p.edges_at == 0.5);
+	p = PERSP("\"width\":2,\"aspect\":3,\"edges_at\":0.5");
+	assert_int_equal(p.extent, EXTENT_WIDTH);
+	p = PERSP("\"height\":2,\"aspect\":3");
+	assert_int_equal(p.extent, EXTENT_HEIGHT);
+	assert_numbers(p.aspect, 2, 3.0, 1.0);
 	p = PERSP("\"left\":-1,\"right\":2,\"bottom\":-3,\"top\":4,"
 		  "\"edges_at\":1");
 	assert_int_equal(p.extent, EXTENT_EDGES);
