@@ -168,8 +168,8 @@ static void check_distances(const struct document *d, const struct options *o,
 		if ((at >= near && at <= far) || (at >= far && at <= near))
 			continue;
 		snprintf(why, sizeof why,
-		    "/projection: --distances: %.17g is not from near, %.17g, "
-		    "to far, %.17g",
+		    "/projection: --distances: %.15g is not from near, %.15g, "
+		    "to far, %.15g",
 		    at, near, far);
 		document_refuse(d, why);
 	}
@@ -268,6 +268,8 @@ void run_inspect(const struct command *c, const struct options *o)
 	static char text[320 * NUMBER_MAX + (1 << 14)];
 	struct printer p = { .at = text,
 		.style = one_style(o, "what inspect prints"),
+		.on_line = o->out == FORMAT_JSON,
+		.compact = o->out == FORMAT_JSON,
 		.between = "" };
 	struct document d;
 
@@ -285,6 +287,6 @@ void run_inspect(const struct command *c, const struct options *o)
 		put_plane(&p, &d);
 	else
 		put_spatial(&p, &d, o);
-	put_text(&p, "\n}\n");
+	put_text(&p, p.on_line ? "}\n" : "\n}\n");
 	put_all(text, (size_t)(p.at - text));
 }

@@ -364,25 +364,6 @@ static bool comma(struct check *s, const char *open, char close)
 	    fail(s, "trailing comma before '%c'; remove it", close);
 }
 
-/* Whether the string of checked text that begins at s is that name. */
-static bool is_name(const char *s, const char *end, const char *name)
-{
-	char c[4];
-	int n;
-
-	for (s++; *s != '"'; name += n) {
-		if (*s == '\\') {
-			s = json_unescape(s, end, c, &n);
-		} else {
-			c[0] = *s++;
-			n = 1;
-		}
-		if (strncmp(name, c, (size_t)n) != 0)
-			return false;
-	}
-	return *name == '\0';
-}
-
 static bool member(struct check *s)
 {
 	const char *quoted = s->p, *start;
@@ -393,7 +374,7 @@ static bool member(struct check *s)
 	if (!value(s))
 		return false;
 	if (s->level == 1 && s->name != NULL && s->part.s == NULL &&
-	    is_name(quoted, s->end, s->name))
+	    json_is_name(quoted, s->end, s->name))
 		s->part = (struct span){ start, s->p };
 	return true;
 }

@@ -2,6 +2,7 @@
 #include "text.h"
 
 #include <stdbool.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "../number/eight.h"
@@ -178,5 +179,65 @@ const char *json_unescape(const char *s, const char *end, char out[4], int *n)
 		return s + 2;
 	s = unescape_unicode(s + 2, end, &code);
 	*n = utf8_write(code, out);
+	return s;
+}
+
+bool json_is_name(const char *s, const char *end, const char *name)
+{
+	char c[4];
+	int n;
+
+	for (s++; *s != '"'; name += n) {
+		if (*s == '\\') {
+			s = json_unescape(s, end, c, &n);
+		} else {
+			c[0] = *s++;
+			n = 1;
+		}
+		if (strncmp(name, c, (size_t)n) != 0)
+			return false;
+	}
+	return *name == '\0';
+}
+
+/* Writes the first step of a pointer without its escapes; returns the rest. */
+static const char *pointer_step(const char *pointer, char *out, size_t room)
+{
+	while (*++pointer != '\0' && *pointer != '/') {
+		bool escape = *pointer == '~';
+
+		pointer += escape;
+		if (room-- > 1)
+			*out++ = !escape    ? *pointer :
+			    *pointer == '1' ? '/' :
+					      '~';
+	}
+	*out = '\0';
+	return pointer;
+}
+
+const char *json_at(const char *s, const char *end, const char *pointer)
+{
+	char name[256];
+
+	s = json_space(s, end);
+	while (*pointer == '/' && (*s == '{' || *s == '[')) {
+		const char *at = s, *value = NULL, *key = NULL;
+		bool found = false;
+
+		pointer = pointer_step(pointer, name, sizeof name);
+		long index = *s == '[' ? strtol(name, NULL, 10) : -1;
+
+		do {
+			key = json_space(at + 1, end);
+			at = json_next(at, end, &value);
+			found = at != NULL &&
+			    (*s == '[' ? index-- == 0 :
+					 json_is_name(key, end, name));
+		} while (at != NULL && !found);
+		if (!found)
+			return s;
+		s = value;
+	}
 	return s;
 }

@@ -5,6 +5,8 @@
 #ifndef JSON_TEXT_H
 #define JSON_TEXT_H
 
+#include <stdbool.h>
+
 /* Reads the number that begins at s, as number_read does, and returns where it
  * ends. NULL where none begins, or one that JSON doesn't have: +1, 01, 1., .5,
  * 1e, inf. */
@@ -35,6 +37,13 @@ const char *json_skip(const char *s, const char *end);
  * what the last call returned. Sets *value to where the next value begins, and
  * returns the comma or bracket after it; NULL where there is no next one. */
 const char *json_next(const char *at, const char *end, const char **value);
+
+/* Returns whether the string of checked text that begins at s is that name. */
+bool json_is_name(const char *s, const char *end, const char *name);
+
+/* Returns where in checked text the value stands to which a pointer leads (RFC 6901),
+ * or the last one on the way there. */
+const char *json_at(const char *s, const char *end, const char *pointer);
 
 /* Past the hexadecimal digits that begin at s, four at most. */
 const char *json_hex4(const char *s, const char *end, unsigned *code);

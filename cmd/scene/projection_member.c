@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "../message/escape.h"
+#include "convention_member.h"
 
 static const struct value_range opening = { .min = SIZE_MIN,
 	.max = 180,
@@ -329,6 +330,7 @@ static void find_sides(const struct value *v, const struct viewport *viewport,
 		    "not together with the viewport's \"scale\"; "
 		    "leave that out");
 	} else {
+		check_axes(v, "intrinsics");
 		p->width = viewport->width;
 		p->height = viewport->height;
 	}
@@ -375,19 +377,47 @@ static _Noreturn void refuse_type(const struct value *v, const char *is,
 	    is, command, other, command);
 }
 
+/* Refuses a projection without a type; names the types that have all of its
+ * members. */
+static _Noreturn void refuse_typeless(const struct value *v)
+{
+	struct value missing = value_missing(v, "type"), m = value_child(v);
+	const char *names[6];
+	unsigned of = SECTIONED | VOLUME | MATRIX;
+	char all[LISTED];
+	int n = 0;
+
+	for (; m.item != NULL; value_next(&m)) {
+		const struct member *row = projection_members;
+		unsigned has = 0;
+
+		for (; row->name != NULL; row++)
+			if (strcmp(row->name, m.name) == 0)
+				has |= row->kinds;
+		if ((of & has) != 0)
+			of &= has;
+	}
+	for (int i = 0; projection_types[i] != NULL; i++)
+		if (of >> i & 1)
+			names[n++] = projection_types[i];
+	names[n] = NULL;
+	list_words(all, names, " or ", "\"");
+	if (n == 1)
+		value_refuse(&missing, "missing; add \"type\": %s", all);
+	value_refuse(&missing, "missing; it is %s", all);
+}
+
 /* The type decides which members there are, so it is looked for first. */
 static void find_type(const struct value *v, int implied, struct projection *p)
 {
-	struct value m = value_child(v), missing = value_missing(v, "type");
-	char all[LISTED];
+	struct value m = value_child(v);
 
 	if (value_member(v, "type", &m))
 		type_word.read(&m, projection_members, &p->type);
 	else if (implied != PROJECTION_NONE)
 		p->type = (unsigned)implied;
 	else
-		value_refuse(&missing, "missing; it is %s",
-		    list_words(all, projection_types, " or ", "\""));
+		refuse_typeless(v);
 	if (implied != PROJECTION_NONE && p->type != (unsigned)implied)
 		refuse_type(&m, projection_types[p->type - 1],
 		    projection_types[implied - 1]);
@@ -445,6 +475,10 @@ void read_projection(const struct value *v, int implied,
 	*p = (struct projection){
 		.unit = (enum angle_unit)v->source->unit,
 	};
+	if (value_is_array(v))
+		value_refuse(v,
+		    "is an array; a matrix is {\"type\": \"matrix\", "
+		    "\"matrix\": [...]}");
 	value_want_object(v);
 	find_type(v, implied, p);
 	/* kinds are in the order of projection_types */
