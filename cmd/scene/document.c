@@ -346,6 +346,7 @@ static void read_scene(struct document *d, const struct document_wants *w,
 	if (seen & SCENE_PROJECTION)
 		read_projection(&m[PROJECTION], w->projection,
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);
+	s->projection.alone = !s->has_camera;
 	if (s->has_window)
 		read_window(&m[WINDOW], &s->window);
 	if (s->has_device && !read_device(&m[DEVICE], &s->device))
