@@ -13,40 +13,6 @@ static bool is_digit(char c)
 	return c >= '0' && c <= '9';
 }
 
-/* Whether the number that number_read reads from s to stop is one of JSON,
- * apart from its exponent. */
-static bool is_narrow(const char *s, const char *stop)
-{
-	s += *s == '-';
-	const char *first = s;
-
-	while (s < stop && is_digit(*s))
-		s++;
-	if (s == first || (*first == '0' && s > first + 1))
-		return false;
-	return s == stop || *s != '.' || (s + 1 < stop && is_digit(s[1]));
-}
-
-static bool has_exponent(const char *s, const char *stop)
-{
-	while (s < stop && *s != 'e' && *s != 'E')
-		s++;
-	return s < stop;
-}
-
-const char *json_number(const char *s, const char *end, double *v)
-{
-	const char *stop = number_read(s, end, v);
-
-	if (stop == NULL || !is_narrow(s, stop))
-		return NULL;
-	/* where 1e stands, number_read reads the 1 alone */
-	if (stop < end && (*stop == 'e' || *stop == 'E') &&
-	    !has_exponent(s, stop))
-		return NULL;
-	return stop;
-}
-
 /* Past the digits at s; NULL where there is none. */
 static const char *digits(const char *s, const char *end)
 {
@@ -75,6 +41,13 @@ const char *json_number_end(const char *s, const char *end)
 	s++;
 	s += s < end && (*s == '+' || *s == '-');
 	return digits(s, end);
+}
+
+const char *json_number(const char *s, const char *end, double *v)
+{
+	const char *stop = json_number_end(s, end);
+
+	return stop != NULL ? number_read(s, stop, v) : NULL;
 }
 
 const char *json_string(const char *s, const char *end)
@@ -111,22 +84,6 @@ const char *json_skip(const char *s, const char *end)
 	return end;
 }
 
-const char *json_next(const char *at, const char *end, const char **value)
-{
-	if (*at == ']' || *at == '}')
-		return NULL;
-	at = json_space(at + 1, end);
-	if (*at == ']' || *at == '}')
-		return NULL;
-	*value = at;
-	if (*at == '"') {
-		at = json_space(json_string(at, end), end);
-		if (*at == ':')
-			*value = at = json_space(at + 1, end);
-	}
-	return json_skip(at, end);
-}
-
 static int hex_digit(char c)
 {
 	int lower = c | 0x20;
@@ -136,13 +93,17 @@ static int hex_digit(char c)
 	return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
 }
 
-const char *json_hex4(const char *s, const char *end, unsigned *code)
+/* Past the hexadecimal digits that begin at s, four at most. */
+static const char *hex4(const char *s, const char *end, unsigned *code)
 {
 	*code = 0;
 	for (int i = 0; i < 4 && s < end && hex_digit(*s) >= 0; i++)
 		*code = *code * 16 + (unsigned)hex_digit(*s++);
 	return s;
 }
+
+/* code >> 10 of the halves of a surrogate pair. */
+enum { FIRST_HALF = 0xd800 >> 10, SECOND_HALF = 0xdc00 >> 10 };
 
 /* Past the digits after \u, and past a second half if they are a first one. */
 static const char *unescape_unicode(const char *s, const char *end,
@@ -151,10 +112,10 @@ static const char *unescape_unicode(const char *s, const char *end,
 	const char *after;
 	unsigned second;
 
-	s = json_hex4(s, end, code);
+	s = hex4(s, end, code);
 	if (*code >> 10 == FIRST_HALF && s < end && s[0] == '\\' &&
 	    s[1] == 'u') {
-		after = json_hex4(s + 2, end, &second);
+		after = hex4(s + 2, end, &second);
 		if (second >> 10 == SECOND_HALF) {
 			*code = 0x10000 + ((*code & 0x3ff) << 10) +
 			    (second & 0x3ff);

@@ -31,20 +31,10 @@ const char *json_string(const char *s, const char *end);
  * unchecked text, quotes and brackets alone say what belongs together. */
 const char *json_skip(const char *s, const char *end);
 
-/* Goes through an array or object of checked text. at is its opening bracket or
- * what the last call returned. Sets *value to where the next value begins, and
- * returns the comma or bracket after it; NULL where there is no next one. */
-const char *json_next(const char *at, const char *end, const char **value);
-
-/* Past the hexadecimal digits that begin at s, four at most. */
-const char *json_hex4(const char *s, const char *end, unsigned *code);
-
-/* code >> 10 of the halves of a surrogate pair. */
-enum { FIRST_HALF = 0xd800 >> 10, SECOND_HALF = 0xdc00 >> 10 };
-
 /* Writes the character for which the escape at s stands, in a string of checked
  * text, as *n bytes of UTF-8, and returns where the escape ends. Half of a
- * surrogate pair becomes U+FFFD. */
+ * surrogate pair becomes U+FFFD. Of text that is not checked, fewer than four
+ * digits may follow \u. */
 const char *json_unescape(const char *s, const char *end, char out[4], int *n);
 
 #endif
