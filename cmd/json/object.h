@@ -64,11 +64,9 @@ struct member {
  * with blanks between them; those with ? may be missing. An object takes one
  * way, in whole, and has no member that is only in another. */
 struct ways {
-	const char *hint; /* says what the ways are; NULL ends a list */
-	const char *way[9];
-	/* The same for the command fit; where fit_hint is NULL, there is no other
-	 * way. Where fit_way has none, fit takes any. */
-	const char *fit_hint;
+	const char *way[9]; /* none ends a list of ways */
+	/* For the command fit, where they are others; none if fit takes any. */
+	bool fit;
 	const char *fit_way[8];
 	unsigned kinds; /* that have these ways; 0 for all */
 };

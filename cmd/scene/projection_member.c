@@ -220,10 +220,6 @@ const struct member projection_members[] = {
 	{ .name = NULL },
 };
 
-#define SECTION_HINT                                         \
-	"\"width\" and \"height\", or \"left\", \"right\", " \
-	"\"bottom\" and \"top\""
-
 /* Rows of projection_ways. */
 enum {
 	WAYS_PERSP,
@@ -236,56 +232,34 @@ enum {
 	WAYS_MATRIX,
 };
 
-/* With fit_hint "" fit finds what is missing. It finds width and height; if an aspect is
- * given, they keep to it. The first two are in the order of enum extent. */
+/* fit finds width and height; if an aspect is given, they keep to it. The first two
+ * are in the order of enum extent. */
 const struct ways projection_ways[] = {
-	[WAYS_PERSP] = { "give one of \"fovy\", \"fovx\", \"view_angle\" and "
-			 "\"field\", "
-			 "or " SECTION_HINT ", or \"angles\" or "
-			 "\"intrinsics\"",
-	    { "fovy aspect?", "fovx aspect?", "view_angle aspect?",
-		"field aspect?", "width height edges_at?",
-		"left right bottom top edges_at?", "angles", "intrinsics" },
+	[WAYS_PERSP] = { { "fovy aspect?", "fovx aspect?", "view_angle aspect?",
+			     "field aspect?", "width height edges_at?",
+			     "left right bottom top edges_at?", "angles",
+			     "intrinsics" },
 	    .kinds = PERSP },
-	[WAYS_PARALLEL] = { "give \"height\" and \"aspect\", " SECTION_HINT,
-	    { "width height", "height aspect?", "left right bottom top" },
-	    "give \"aspect\" with \"height\" or without, " SECTION_HINT
-	    ", or nothing",
+	[WAYS_PARALLEL] = { { "width height", "height aspect?",
+				"left right bottom top" },
+	    true,
 	    { "width? height?", "height? aspect?", "left right bottom top" },
 	    PARALLEL },
-	[WAYS_SHEAR] = { "give \"kind\" (\"cavalier\" or \"cabinet\") or "
-			 "\"angle\"",
-	    { "kind", "angle" }, .kinds = OBLIQUE },
-	[WAYS_DEPTH] = { "give \"near\" and \"far\"", { "near far" }, "",
-	    { NULL }, PARALLEL },
-	[WAYS_VOLUME] = { "give \"half_width\" and \"half_height\", or "
-			  "\"size\" "
-			  "and \"aspect\"",
-	    { "half_width half_height", "size aspect?" }, .kinds = VOLUME },
-	[WAYS_EYE] = { "give \"eye\", or \"inverse_eye_z\" or \"view_angle\" "
-		       "and \"tan_skew\"",
-	    { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
+	[WAYS_SHEAR] = { { "kind", "angle" }, .kinds = OBLIQUE },
+	[WAYS_DEPTH] = { { "near far" }, true, { NULL }, PARALLEL },
+	[WAYS_VOLUME] = { { "half_width half_height", "size aspect?" },
 	    .kinds = VOLUME },
-	[WAYS_VOLUME_DEPTH] = { "give \"z_near\" and \"z_far\"",
-	    { "z_near z_far" }, "", { NULL }, VOLUME },
-	[WAYS_MATRIX] = { "give \"matrix\"", { "matrix" }, .kinds = MATRIX },
-	{ .hint = NULL },
+	[WAYS_EYE] = { { "inverse_eye_z? tan_skew?", "eye",
+			   "view_angle tan_skew?" },
+	    .kinds = VOLUME },
+	[WAYS_VOLUME_DEPTH] = { { "z_near z_far" }, true, { NULL }, VOLUME },
+	[WAYS_MATRIX] = { { "matrix" }, .kinds = MATRIX },
+	{ { NULL } },
 };
 
 /* In the order of their way: both, or neither. */
 static const struct ways open_ways = {
-	.hint =
-	    "give \"near\", with \"far\" or without, or neither; \"far\" and "
-	    "\"reverse_z\" need it",
 	.way = { "near far? reverse_z?", "" },
-};
-
-static const struct ways near_ways = {
-	.hint =
-	    "give it: width and height, or the edges, are on the near plane, "
-	    "unless "
-	    "\"edges_at\" says where",
-	.way = { "near far?" },
 };
 
 static const enum extent persp_extents[] = { EXTENT_FOVY, EXTENT_FOVX,
@@ -390,6 +364,17 @@ static void find_type(const struct value *v, int implied, struct projection *p)
 		    projection_types[implied - 1]);
 }
 
+/* fit does not find near where the section is measured on it. */
+static void need_near(const struct value *v, uint64_t seen)
+{
+	struct value m = value_missing(v, "near");
+
+	if ((seen & member_bit(projection_members, 0, "near")) == 0)
+		value_refuse(&m,
+		    "missing; the section is on the near plane, unless "
+		    "\"edges_at\" says where");
+}
+
 /* fit finds near and far, unless the section is measured on the near plane. */
 static void read_persp(const struct value *v, uint64_t seen,
     const struct viewport *viewport, struct projection *p)
@@ -399,7 +384,7 @@ static void read_persp(const struct value *v, uint64_t seen,
 
 	p->extent = persp_extents[way];
 	if (v->source->fit && projection_is_by_near(p))
-		take_way(v, p, seen, &near_ways);
+		need_near(v, seen);
 	else if (!v->source->fit && p->extent == EXTENT_INTRINSICS)
 		read_open(v, seen, p);
 	else

@@ -145,15 +145,7 @@ static const struct member printed_members[] = {
 #define ANY "16 numbers or 4 rows of 4"
 #define AFFINE "16 numbers, or 4 rows of 4 or 3, or 3 rows of 4"
 
-static const struct ways any_ways = {
-	.hint = "give \"matrix\", " ANY,
-	.way = { "matrix vectors?" },
-};
-
-static const struct ways affine_ways = {
-	.hint = "give \"matrix\", " AFFINE,
-	.way = { "matrix vectors?" },
-};
+static const struct ways printed_ways = { .way = { "matrix vectors?" } };
 
 /* The rows that there are, to a unit matrix or its transpose. */
 static void read_rows(const struct value *v, size_t columns, bool column,
@@ -198,8 +190,7 @@ static void read_elements(const struct value *v, bool affine, double m[4][4])
 	if (value_is_object(v)) {
 		uint64_t seen = object_read(v, printed_members, 0, &p);
 
-		object_way(v, printed_members, 0, seen,
-		    affine ? &affine_ways : &any_ways);
+		object_way(v, printed_members, 0, seen, &printed_ways);
 	}
 	if (!value_is_array(&p.matrix))
 		value_wrong(&p.matrix,
