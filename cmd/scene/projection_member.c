@@ -6,24 +6,27 @@
 
 #include "../message/escape.h"
 
-static const struct value_range opening = { .min = SIZE_MIN,
-	.max = 180,
-	.below = true,
-	.angle = true };
-static const struct value_range taper = { .min = 0,
-	.max = 180,
-	.below = true,
-	.angle = true };
-static const struct value_range slope = { .min = SIZE_MIN,
-	.max = 90,
-	.angle = true };
-static const struct value_range acute = { .min = -90,
-	.max = 90,
-	.above = true,
-	.below = true,
-	.angle = true };
+/* An angle between limits, which degrees and radians say. */
+#define ANGLE(label, least, most, degrees, radians, ...)           \
+	static const struct value_range label = { .min = least,    \
+		.max = most,                                       \
+		.says = "an angle " degrees " degrees is wanted",  \
+		.by_pi = "an angle " radians " radians is wanted", \
+		.angle = true,                                     \
+		__VA_ARGS__ }
+
+ANGLE(opening, SIZE_MIN, 180, "above 0 and below 180", "above 0 and below pi",
+    .below = true);
+ANGLE(taper, 0, 180, "from 0 to below 180", "from 0 to below pi",
+    .below = true);
+ANGLE(slope, SIZE_MIN, 90, "above 0 and up to 90", "above 0 and up to pi/2",
+    .below = false);
+ANGLE(acute, -90, 90, "above -90 and below 90", "above -pi/2 and below pi/2",
+    .above = true, .below = true);
+
 static const struct value_range fraction = { .min = SIZE_MIN,
 	.max = 1,
+	.says = "a number above 0 and below 1 is wanted",
 	.below = true };
 
 const char *const projection_types[] = { "persp", "ortho", "oblique", "volume",
