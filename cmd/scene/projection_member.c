@@ -48,83 +48,6 @@ enum {
 #define OF(of, label, is, field, ...) \
 	ROW(projection, label, is, field, .kinds = of, __VA_ARGS__)
 
-/* Of struct projection. */
-struct direction {
-	double angle;
-	enum angle_unit unit;
-};
-
-_Static_assert(AT(direction_unit) ==
-	AT(direction) + offsetof(struct direction, unit),
-    "its unit stands behind direction");
-
-/* Where it is not given it is 45 degrees in any unit. */
-static void read_direction(const struct value *v, const struct member *row,
-    void *out)
-{
-	struct direction *d = out;
-
-	d->angle = value_number(v, row->range);
-	d->unit = (enum angle_unit)v->source->unit;
-}
-
-static void print_direction(struct printer *p, const struct member *row,
-    const void *at)
-{
-	(void)row;
-	put_number(p, ((const struct direction *)at)->angle);
-}
-
-static const struct type type_direction = { NULL, read_direction,
-	print_direction, offsetof(struct direction, unit) + sizeof(unsigned) };
-
-/* The smaller side of a volume, of which half is half the width and height. */
-static void read_size(const struct value *v, const struct member *row,
-    void *out)
-{
-	double *half = out;
-
-	half[0] = half[1] = value_number(v, row->range) / 2;
-}
-
-static void print_size(struct printer *p, const struct member *row,
-    const void *at)
-{
-	(void)row;
-	put_number(p, 2 * *(const double *)at);
-}
-
-_Static_assert(AT(half_height) == AT(half_width) + sizeof(double),
-    "the height stands behind the width");
-
-static const struct type type_size = { NULL, read_size, print_size, 0 };
-
-/* left, right, bottom and top. */
-static void read_angles(const struct value *v, const struct member *row,
-    void *out)
-{
-	double *a = out;
-
-	value_numbers(v, row->range, row->n, a);
-	struct value e = value_child(v);
-
-	for (size_t i = 0; i < row->n; i++, value_next(&e))
-		if (i % 2 && !(a[i - 1] < a[i]))
-			value_refuse(&e,
-			    "not greater than the one before it; the "
-			    "order is left, right, bottom, top");
-}
-
-static void print_angles(struct printer *p, const struct member *row,
-    const void *at)
-{
-	put_numbers(p, at, (int)row->n);
-}
-
-_Static_assert(AT(top) == AT(left) + 3 * sizeof(double), "the edges are four");
-
-static const struct type type_angles = { NULL, read_angles, print_angles, 0 };
-
 /* In the order in which they are printed. */
 const struct member projection_members[] = {
 	OF(0, "type", type_word, type, .words = projection_types,
@@ -135,8 +58,8 @@ const struct member projection_members[] = {
 	    .about = "receding lines keep their length, or half of it"),
 	OF(OBLIQUE, "angle", type_numbers, projector, .range = &slope,
 	    .about = "between projectors and picture, instead of kind"),
-	OF(OBLIQUE, "direction", type_direction, direction,
-	    .range = &range_turn, .usual = "45",
+	OF(OBLIQUE, "direction", type_numbers, direction, .range = &range_turn,
+	    .usual = "45", .shown = true,
 	    .about = "in which receding lines run"),
 	OF(OBLIQUE, "plane", type_numbers, plane, .unit = "view units",
 	    .usual = "0", .about = "the depth that stays where it is"),
@@ -156,7 +79,7 @@ const struct member projection_members[] = {
 	OF(VOLUME, "half_height", type_numbers, half_height,
 	    .range = &range_positive, .unit = "view units",
 	    .about = "of the same"),
-	OF(VOLUME, "size", type_size, half_width, .range = &range_positive,
+	OF(VOLUME, "size", type_numbers, half_width, .range = &range_positive,
 	    .unit = "view units", .about = "its smaller side, instead"),
 	OF(SECTIONED, "width", type_numbers, width, .range = &range_positive,
 	    .unit = "view units",
@@ -174,7 +97,7 @@ const struct member projection_members[] = {
 	    .about = "an edge"),
 	OF(SECTIONED, "top", type_numbers, top, .unit = "view units",
 	    .about = "other than bottom"),
-	OF(PERSP, "angles", type_angles, left, .n = 4, .range = &acute,
+	OF(PERSP, "angles", type_numbers, left, .n = 4, .range = &acute,
 	    .aliases = "angleleft angleright angleup angledown",
 	    .note = "[left, right, bottom, top] from the gaze",
 	    .about = "left, right, bottom, top from the gaze"),
@@ -277,12 +200,18 @@ static int take_way(const struct value *v, const struct projection *p,
 	return object_way(v, projection_members, (int)p->type - 1, seen, ways);
 }
 
+static bool has(const struct projection *p, uint64_t seen, const char *name)
+{
+	return (seen &
+		   member_bit(projection_members, (int)p->type - 1, name)) != 0;
+}
+
 /* Intrinsics may do without near and far, or without far. */
 static void read_open(const struct value *v, uint64_t seen,
     struct projection *p)
 {
 	p->reverse_z |= take_way(v, p, seen, &open_ways) == 1;
-	if ((seen & member_bit(projection_members, 0, "far")) == 0)
+	if (!has(p, seen, "far"))
 		p->far = HUGE_VAL;
 }
 
@@ -367,12 +296,26 @@ static void find_type(const struct value *v, int implied, struct projection *p)
 		    projection_types[implied - 1]);
 }
 
+static void check_angles(const struct value *v, const struct projection *p)
+{
+	struct value m = value_missing(v, "angles");
+	struct value e = { .source = v->source,
+		.in = &m,
+		.index = p->left < p->right ? 3 : 1 };
+
+	if (!(p->left < p->right && p->bottom < p->top))
+		value_refuse(&e,
+		    "not greater than the one before it; the order is left, "
+		    "right, bottom, top");
+}
+
 /* fit does not find near where the section is measured on it. */
-static void need_near(const struct value *v, uint64_t seen)
+static void need_near(const struct value *v, uint64_t seen,
+    const struct projection *p)
 {
 	struct value m = value_missing(v, "near");
 
-	if ((seen & member_bit(projection_members, 0, "near")) == 0)
+	if (!has(p, seen, "near"))
 		value_refuse(&m,
 		    "missing; the section is on the near plane, unless "
 		    "\"edges_at\" says where");
@@ -387,11 +330,13 @@ static void read_persp(const struct value *v, uint64_t seen,
 
 	p->extent = persp_extents[way];
 	if (v->source->fit && projection_is_by_near(p))
-		need_near(v, seen);
+		need_near(v, seen, p);
 	else if (!v->source->fit && p->extent == EXTENT_INTRINSICS)
 		read_open(v, seen, p);
 	else
 		take_way(v, p, seen, depth);
+	if (p->extent == EXTENT_ANGLES)
+		check_angles(v, p);
 	if (p->extent == EXTENT_INTRINSICS)
 		find_sides(v, viewport, p);
 	else
@@ -406,6 +351,9 @@ static void read_parallel(const struct value *v, uint64_t seen,
 	p->extent = parallel_extents[way];
 	if (p->type == PROJECTION_OBLIQUE)
 		take_way(v, p, seen, &projection_ways[WAYS_SHEAR]);
+	/* the usual direction is 45 degrees in any unit */
+	if (has(p, seen, "direction"))
+		p->direction_unit = p->unit;
 	take_way(v, p, seen, &projection_ways[WAYS_DEPTH]);
 	find_aspect(v, viewport, p);
 }
@@ -417,8 +365,11 @@ static void read_seven(const struct value *v, uint64_t seen,
 	int section = take_way(v, p, seen, &projection_ways[WAYS_VOLUME]);
 	int eye = take_way(v, p, seen, &projection_ways[WAYS_EYE]);
 
-	if (section == 1)
+	if (section == 1) {
+		p->half_width /= 2; /* of the size */
+		p->half_height = p->half_width;
 		find_aspect(v, viewport, p);
+	}
 	take_way(v, p, seen, &projection_ways[WAYS_VOLUME_DEPTH]);
 	p->has_eye = eye == 1;
 	p->has_angle = eye == 2;
@@ -482,6 +433,7 @@ static void keep_extent(uint64_t *bits, const struct projection *p, int ways,
 void print_projection(struct printer *printer, const struct projection *p,
     const struct viewport *viewport)
 {
+	struct projection shown = *p;
 	uint64_t bits = ~UINT64_C(0);
 
 	if (viewport != NULL && p->aspect[1] != 1)
@@ -500,6 +452,8 @@ void print_projection(struct printer *printer, const struct projection *p,
 		break;
 	case PROJECTION_OBLIQUE:
 		keep_way(&bits, p, WAYS_SHEAR, p->kind == OBLIQUE_ANGLE);
+		if (p->direction == 45 && p->direction_unit == DEGREES)
+			leave_out(&bits, p, "direction");
 		keep_extent(&bits, p, WAYS_PARALLEL, parallel_extents);
 		break;
 	case PROJECTION_ORTHO:
@@ -507,10 +461,13 @@ void print_projection(struct printer *printer, const struct projection *p,
 		break;
 	case PROJECTION_VOLUME:
 		keep_way(&bits, p, WAYS_VOLUME, p->aspect[1] != 0);
+		if (p->aspect[1] != 0)
+			shown.half_width *= 2; /* the size */
 		keep_way(&bits, p, WAYS_EYE,
 		    p->has_eye       ? 1 :
 			p->has_angle ? 2 :
 				       0);
 	}
-	object_print(printer, projection_members, (int)p->type - 1, bits, p);
+	object_print(printer, projection_members, (int)p->type - 1, bits,
+	    &shown);
 }
