@@ -11,8 +11,6 @@
 /* The most rows of a table: members are bits. */
 enum { MEMBERS_MAX = 64 };
 
-#define ALL (~UINT64_C(0))
-
 static bool is_ignored(const char *name)
 {
 	return *name == '_' || strcmp(name, "$schema") == 0;
@@ -140,7 +138,7 @@ static const struct member *meant(const struct member *table, int kind,
 
 	if (row != NULL)
 		return row;
-	list_names(table, kind, ALL, names);
+	list_names(table, kind, ALL_MEMBERS, names);
 	const char *near = nearest(name, names);
 
 	return near != NULL ? member_of(table, kind, near) : NULL;
@@ -223,7 +221,7 @@ static _Noreturn void refuse_unknown(const struct value *v,
 	if (row != NULL)
 		value_refuse(v, "unknown member; did you mean %s?",
 		    described(row, all));
-	list_names(table, kind, ALL, names);
+	list_names(table, kind, ALL_MEMBERS, names);
 	value_refuse(v, "unknown member; there are %s",
 	    list_words(all, names, " and ", "\""));
 }

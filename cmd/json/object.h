@@ -11,6 +11,9 @@
 
 struct member;
 
+/* Of an object, as bits. */
+#define ALL_MEMBERS (~UINT64_C(0))
+
 /* What a member's value is made of. Both functions get the place in the struct. */
 struct type {
 	const char *says; /* for the help; NULL: what range, n and words tell */

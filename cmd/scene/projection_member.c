@@ -266,18 +266,6 @@ static void find_aspect(const struct value *v, const struct viewport *viewport,
 	}
 }
 
-static _Noreturn void refuse_type(const struct value *v, const char *is,
-    const char *command)
-{
-	/* no command is called matrix */
-	const char *other = strcmp(is, "matrix") == 0 ? "project" : is;
-
-	value_refuse(v,
-	    "\"%s\", but the command is %s; use the command %s, or "
-	    "\"type\": \"%s\"",
-	    is, command, other, command);
-}
-
 /* The type decides which members there are, so it is looked for first. */
 static void find_type(const struct value *v, int implied, struct projection *p)
 {
@@ -292,7 +280,9 @@ static void find_type(const struct value *v, int implied, struct projection *p)
 		value_refuse(&missing, "missing; it is %s",
 		    list_words(all, projection_types, " or ", "\""));
 	if (implied != PROJECTION_NONE && p->type != (unsigned)implied)
-		refuse_type(&m, projection_types[p->type - 1],
+		value_refuse(&m, "is \"%s\"; the command %s wants \"%s\"",
+		    projection_types[p->type - 1],
+		    projection_types[implied - 1],
 		    projection_types[implied - 1]);
 }
 
@@ -434,7 +424,7 @@ void print_projection(struct printer *printer, const struct projection *p,
     const struct viewport *viewport)
 {
 	struct projection shown = *p;
-	uint64_t bits = ~UINT64_C(0);
+	uint64_t bits = ALL_MEMBERS;
 
 	if (viewport != NULL && p->aspect[1] != 1)
 		leave_out(&bits, p, "aspect");

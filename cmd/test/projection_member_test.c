@@ -31,11 +31,9 @@ static const struct refusal projections[] = {
 	    "/projection: missing; add \"projection\": {\"type\": \"persp\", "
 	    "\"fovy\": 60, \"aspect\": 1.5, \"near\": 1, \"far\": 10}" },
 	{ &persp, "{\"type\":\"ortho\"}",
-	    "/type: \"ortho\", but the command is persp; use the command ortho,"
-	    " or \"type\": \"persp\"" },
+	    "/type: is \"ortho\"; the command persp wants \"persp\"" },
 	{ &persp, "{\"type\":\"matrix\"}",
-	    "/type: \"matrix\", but the command is persp; use the command "
-	    "project, or \"type\": \"persp\"" },
+	    "/type: is \"matrix\"; the command persp wants \"persp\"" },
 	{ &project, "{\"projection\":{}}",
 	    "/projection/type: missing; it is \"persp\", \"ortho\", "
 	    "\"oblique\", \"volume\" or \"matrix\"" },
