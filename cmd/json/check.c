@@ -151,7 +151,7 @@ static bool escape(struct check *s)
 		return expected(s, "four hexadecimal digits after \\u", NULL);
 	if (p[1] == 'u' && s->kind == JSON_DOCUMENT) {
 		if (c[0] == '\0')
-			return expected(s, "text in a string", "leave it out");
+			return expected(s, "text in a string", "leave \\u0000 out");
 		/* U+FFFD for \ud800 to \udfff */
 		if (c[0] == '\xef' && (p[2] | 0x20) == 'd')
 			return expected(s, "both halves of a surrogate pair",
