@@ -154,7 +154,7 @@ $(BENCHES): $(BUILD)/%: $(BUILD)/%.o $(PEERS) $(TRUTH) $(BUT_MAIN)
 	$(CXX) -pthread $(hardening_link) $(LDFLAGS) -o $@ $^ $(TRUTH_LIBS) $(LIBS)
 
 # A fuzzer has its own functions in place of message.c's, and of the read and poll
-# that piece.c calls. Of an archive only what is called is linked.
+# that source.c calls. Of an archive only what is called is linked.
 $(BUILD)/program.a: $(filter-out %/message.o,$(BUT_MAIN))
 	rm -f $@
 	$(AR) rcs $@ $^

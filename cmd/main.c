@@ -142,12 +142,13 @@ struct run {
 	struct options options;
 };
 
-static void run_scenes(void *with)
+static void *run_scenes(void *with)
 {
 	struct run *run = with;
 
 	while (params_next(&run->options))
 		run->command->run(run->command, &run->options);
+	return NULL;
 }
 
 int main(int argc, char **argv)

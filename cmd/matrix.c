@@ -36,7 +36,7 @@ void run_matrix(const struct command *c, const struct options *o)
 		    c->name, o->flags ? "flags" : "visible");
 	matrix_transform(c, o, &d, points ? c->points_to : c->to, &j);
 	if (!points) {
-		print_matrix(o, &d, &j.transform.map, c->kind == PLANAR);
+		print_matrix(o, &d, &j.transform);
 		return;
 	}
 	prepare_job(&j, o);

@@ -5,10 +5,10 @@
 
 #include "call/options.h"
 
-/* Prints the matrix of a map, 4x4 or, if flat, 3x3, for row or column vectors
- * as the convention of the answer says, in the format and precision of the
- * options. */
+/* Prints the matrix of a transform's map, without rows and columns for z where it
+ * takes or makes two coordinates, for row or column vectors as the convention of the
+ * answer says, in the format and precision of the options. */
 void print_matrix(const struct options *, const struct document *,
-    const struct map *, bool flat);
+    const struct transform *);
 
 #endif

@@ -14,6 +14,29 @@ static void project_check_ray(const struct options *o)
 		    "--visible");
 }
 
+static void project_check_plane(const struct options *o)
+{
+	if ((o->has_from && o->from < SPACE_NDC) ||
+	    (o->has_to && o->to > SPACE_VIEW))
+		die(EXIT_USAGE,
+		    "--plane goes from device or ndc to model, world or view");
+	if (o->ray || o->homogeneous || o->flags || o->visible)
+		die(EXIT_USAGE,
+		    "--plane stands alone: no --ray, -H, --flags or "
+		    "--visible");
+}
+
+static void project_plane(const struct document *d, const struct options *o,
+    struct job *j)
+{
+	enum space from = o->has_from ? o->from : SPACE_DEVICE;
+	enum space to = o->has_to ? o->to : SPACE_WORLD;
+
+	document_check(d,
+	    ray_plane_transform(&d->scene, from, to, o->plane, &j->transform));
+	j->count_imageless = true;
+}
+
 static void project_rays(const struct document *d, struct job *j)
 {
 	j->rays = true;
@@ -40,7 +63,9 @@ void run_project(const struct command *c, const struct options *o)
 	struct document d;
 	static struct job j;
 
-	if (o->ray)
+	if (o->has_plane)
+		project_check_plane(o);
+	else if (o->ray)
 		project_check_ray(o);
 	read_document(c, o, &d);
 
@@ -48,12 +73,14 @@ void run_project(const struct command *c, const struct options *o)
 	    d.scene.has_viewport  ? SPACE_DEVICE :
 				    SPACE_NDC;
 
-	if (o->ray)
+	if (o->has_plane)
+		project_plane(&d, o, &j);
+	else if (o->ray)
 		project_rays(&d, &j);
 	else
 		project_transform(&d, o, from, to, &j);
 	if (o->matrix) {
-		print_matrix(o, &d, &j.transform.map, false);
+		print_matrix(o, &d, &j.transform);
 		return;
 	}
 	prepare_job(&j, o);

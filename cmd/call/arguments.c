@@ -86,18 +86,24 @@ struct styles styles_of(const char *option, enum number_kind kind, char *list,
 	return s;
 }
 
-void position(const char *option, const char *word, double xy[2])
+void numbers_of(const char *option, const char *what, const char *example,
+    const char *word, int n, double v[])
 {
-	const char *end = word + strlen(word);
-	const char *comma = number_read(word, end, &xy[0]);
+	const char *at = word, *end = word + strlen(word);
+	bool good = true, within = true;
 
-	if (comma == NULL || *comma != ',' ||
-	    number_read(comma + 1, end, &xy[1]) != end)
+	for (int k = 0; k < n && good; k++) {
+		at = number_read(at, end, &v[k]);
+		good = at != NULL &&
+		    (k < n - 1 ? at < end && *at++ == ',' : at == end);
+		within &= good && fabs(v[k]) <= MAGNITUDE_MAX;
+	}
+	if (!good)
 		die(EXIT_USAGE,
-		    "--%s: '%s' is not X,Y; write two numbers and a comma: "
-		    "--%s 320,240",
-		    option, word, option);
-	if (!(fabs(xy[0]) <= MAGNITUDE_MAX && fabs(xy[1]) <= MAGNITUDE_MAX))
+		    "--%s: '%s' is not %s; write %d numbers with commas "
+		    "between them: --%s %s",
+		    option, word, what, n, option, example);
+	if (!within)
 		die(EXIT_USAGE,
 		    "--%s: %s is out of range; numbers go up to 1e150", option,
 		    word);

@@ -27,8 +27,10 @@ struct styles {
 struct styles styles_of(const char *option, enum number_kind, char *list,
     int min, int max);
 
-/* "X,Y", up to 1e150 in magnitude. */
-void position(const char *option, const char *word, double xy[2]);
+/* So many numbers up to 1e150 in magnitude, between commas. what and example say what
+ * is wanted: "X,Y", "320,240". */
+void numbers_of(const char *option, const char *what, const char *example,
+    const char *word, int n, double v[]);
 
 /* A character that can separate fields; or the word tab. */
 char separator_of(const char *option, const char *word);

@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "../stream/piece.h"
+#include "../stream/source.h"
 #include "../message/message.h"
 
 bool is_stdin(const char *operand)

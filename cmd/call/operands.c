@@ -11,7 +11,6 @@
 #include "input.h"
 #include "params.h"
 #include "../stream/progress.h"
-#include "../stream/threads.h"
 #include "../message/message.h"
 
 /* Refuses an operand that is no file but an option without its dashes, or with
@@ -157,9 +156,11 @@ static bool is_added(const struct options *o, const struct layout *l,
 	static const char *const added[] = { "z", "dx", "dy", "dz" };
 	bool is = o->flags && leads_into(name, "flags");
 
-	for (int i = 0; i < 4 && l->writes > 4; i++)
+	int n = l->writes > 4 ? 4 : l->reads == 2 && l->writes == 3;
+
+	for (int i = 0; i < n; i++)
 		is |= leads_into(name, added[i]);
-	return is || (l->reads < l->writes && leads_into(name, "w"));
+	return is || (l->writes == 4 && l->reads == 3 && leads_into(name, "w"));
 }
 
 static void check_columns_of(const struct options *o, const struct layout *l)
@@ -266,10 +267,9 @@ void prepare_job(struct job *j, const struct options *o)
 	for (int k = 0; k < COORDINATES_MAX; k++)
 		j->layout.style[k] = o->styles.style[k];
 	j->precision = o->precision;
-	j->flags = o->flags;
 	j->visible = o->visible;
 	j->keep_going = o->keep_going;
-	j->threads = o->jobs > 0 ? o->jobs : threads_processors();
+	j->threads = o->jobs > 0 ? o->jobs : stream_processors();
 	progress_start(o->progress);
 	widen_pipe(STDOUT_FILENO, PIPE_ROOM);
 	choose_kernels();

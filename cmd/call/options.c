@@ -75,7 +75,19 @@ static void set_tolerance(struct options *o, char *word)
 
 static void set_at(struct options *o, char *word)
 {
-	position("at", word, o->at);
+	numbers_of("at", "X,Y", "320,240", word, 2, o->at);
+}
+
+static void set_plane(struct options *o, char *word)
+{
+	const double *p = o->plane;
+
+	numbers_of("plane", "A,B,C,D", "0,0,1,0", word, 4, o->plane);
+	if (p[0] == 0 && p[1] == 0 && p[2] == 0)
+		die(EXIT_USAGE,
+		    "--plane: %s is no plane; A, B or C is other than 0: "
+		    "--plane 0,0,1,0",
+		    word);
 }
 
 static void set_radius(struct options *o, char *word)
@@ -162,6 +174,9 @@ const struct option_row option_rows[] = {
 	{ "ray", 0, PROJECT,
 	    "x y on the device: point on the near plane, direction",
 	    ON(ray) },
+	{ "plane", 0, PROJECT,
+	    "x y: where their ray meets a x + b y + c z + d = 0",
+	    .argument = "A,B,C,D", .set = set_plane, ON(has_plane) },
 	{ "flags", 0, PLANES,
 	    "add in, or the planes that the point is outside of",
 	    ON(flags) },
@@ -224,7 +239,7 @@ void options_first(char **words)
 
 int coordinates_of(const struct command *c, const struct options *o)
 {
-	if (c->kind == PLANAR || o->ray)
+	if (c->kind == PLANAR || o->ray || o->has_plane)
 		return 2;
 	return o->from == SPACE_CLIP ||
 		(o->from == SPACE_DEVICE && o->homogeneous) ?

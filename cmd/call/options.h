@@ -24,9 +24,11 @@ struct options {
 	int jobs; /* 0: as many as there are cores */
 	bool has_at;
 	double at[2], radius; /* of pick; radius is 0 where it isn't said */
-	bool scenes;          /* params has any number of documents */
-	bool json;            /* of help */
-	const char *params;   /* operand, "-" by default */
+	bool has_plane;
+	double plane[4];
+	bool scenes;        /* params has any number of documents */
+	bool json;          /* of help */
+	const char *params; /* operand, "-" by default */
 	int n_points;
 	char **points; /* operands */
 };

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../stream/piece.h"
+#include "../stream/source.h"
 #include "../scene/convention_member.h"
 #include "../scene/document.h"
 #include "../message/message.h"

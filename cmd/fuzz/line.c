@@ -49,7 +49,7 @@ static void check_back(const struct layout *l, const double v[],
 	back.reads = l->writes > 4 ? 3 : l->writes;
 	if (!same_dialect(l->in, l->out))
 		back.columns.n = 0;
-	line_read(&back, text, text.end, &header, &line, read, reason);
+	line_read(&back, text, &header, &line, read, reason);
 	/* what an object holds twice is read only where it doesn't count */
 	if (line.object && strncmp(reason, "has two", 7) == 0)
 		return;
@@ -113,7 +113,7 @@ static void check_line(struct layout *l, struct span text, const char *end,
 	struct line line = { 0 };
 	double v[4];
 
-	line_read(l, text, end, header, &line, v, reason);
+	line_read(l, text, header, &line, v, reason);
 	line.newline = text.end < end;
 	if (line.kind == LINE_POINT)
 		check_spans(l, &line, text);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Any bytes as a source of points that arrives bit by bit, for libFuzzer, with
- * the threads of threads.c, and talk.c's functions replaced: the same bytes and
+ * the threads of stream.c, and talk.c's functions replaced: the same bytes and
  * messages come out as if it came at once, and the same from the scalar code as
  * by the vector. Linked with --wrap=read and --wrap=poll. */
 #include <errno.h>
@@ -193,9 +193,8 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 		frustum_of(s, from, false, &j->frustum);
 	if (j->rays)
 		j->layout.flags = false;
-	j->flags = j->layout.flags;
 	j->visible = !j->rays && b & 1;
-	j->count_imageless = !j->flags && !j->visible;
+	j->count_imageless = !j->layout.flags && !j->visible;
 	j->precision = (enum precision)(b / 2 % 3);
 	j->layout.single = j->precision == PRECISION_SINGLE;
 }

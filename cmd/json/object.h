@@ -67,10 +67,10 @@ struct member {
  * with blanks between them; those with ? may be missing. An object takes one
  * way, in whole, and has no member that is only in another. */
 struct ways {
-	const char *way[9]; /* none ends a list of ways */
+	const char *way[11]; /* none ends a list of ways */
 	/* For the command fit, where they are others; none if fit takes any. */
 	bool fit;
-	const char *fit_way[8];
+	const char *fit_way[9];
 	unsigned kinds; /* that have these ways; 0 for all */
 };
 

@@ -93,8 +93,7 @@ static int hex_digit(char c)
 	return lower >= 'a' && lower <= 'f' ? lower - 'a' + 10 : -1;
 }
 
-/* Past the hexadecimal digits that begin at s, four at most. */
-static const char *hex4(const char *s, const char *end, unsigned *code)
+const char *json_hex4(const char *s, const char *end, unsigned *code)
 {
 	*code = 0;
 	for (int i = 0; i < 4 && s < end && hex_digit(*s) >= 0; i++)
@@ -112,10 +111,10 @@ static const char *unescape_unicode(const char *s, const char *end,
 	const char *after;
 	unsigned second;
 
-	s = hex4(s, end, code);
+	s = json_hex4(s, end, code);
 	if (*code >> 10 == FIRST_HALF && s < end && s[0] == '\\' &&
 	    s[1] == 'u') {
-		after = hex4(s + 2, end, &second);
+		after = json_hex4(s + 2, end, &second);
 		if (second >> 10 == SECOND_HALF) {
 			*code = 0x10000 + ((*code & 0x3ff) << 10) +
 			    (second & 0x3ff);

@@ -31,6 +31,9 @@ const char *json_string(const char *s, const char *end);
  * unchecked text, quotes and brackets alone say what belongs together. */
 const char *json_skip(const char *s, const char *end);
 
+/* Past the hexadecimal digits that begin at s, four at most. */
+const char *json_hex4(const char *s, const char *end, unsigned *code);
+
 /* Writes the character for which the escape at s stands, in a string of checked
  * text, as *n bytes of UTF-8, and returns where the escape ends. Half of a
  * surrogate pair becomes U+FFFD. Of text that is not checked, fewer than four

@@ -138,8 +138,10 @@ struct value value_literal(const struct source *source, const char *text)
 	while (known[i].text != NULL && known[i].text != text)
 		i++;
 	if (known[i].text == NULL) {
-		known[i].text = text;
 		known[i].item = cJSON_Parse(text);
+		if (known[i].item == NULL)
+			die(EXIT_SYSTEM, "out of memory");
+		known[i].text = text;
 	}
 	return (struct value){ .source = source, .item = known[i].item };
 }

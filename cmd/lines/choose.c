@@ -1,80 +1,68 @@
 /* SPDX-License-Identifier: MIT */
 #include "choose.h"
 
-#include <stdio.h>
-#include <string.h>
+#include <limits.h>
 
 #include "../json/text.h"
-#include "line_bad.h"
 
-bool choose_is_name(struct span f, const char *name, size_t n)
+bool choose_is_name(struct span f, struct span name, bool pointer)
 {
-	const char *s = f.s + 1, *stop = f.end - 1, *end = name + n;
+	const char *s = f.s + 1, *stop = f.end - 1;
 	char character[4];
-	int size;
 
-	for (; s < stop && name < end; name += size) {
+	while (s < stop) {
+		int size = 1;
+
 		character[0] = *s;
-		size = 1;
 		s = *s == '\\' ? json_unescape(s, stop, character, &size) :
 				 s + 1;
-		if (end - name < size ||
-		    memcmp(name, character, (size_t)size) != 0)
-			return false;
+		for (int i = 0; i < size; i++, name.s++) {
+			if (name.s == name.end)
+				return false;
+			char c = *name.s;
+
+			if (pointer && c == '~' &&
+			    (name.s[1] == '0' || name.s[1] == '1'))
+				c = *++name.s == '0' ? '~' : '/';
+			if (c != character[i])
+				return false;
+		}
 	}
-	return s == stop && name == end;
+	return name.s == name.end;
 }
 
-/* What is left of the path to each coordinate inside a value; NULL where it does
- * not lead there. */
+/* The rest of the path to each coordinate, inside a value; NULL where the path does
+ * not lead into the value. */
 struct paths {
 	const char *to[4];
 };
 
-enum { TOKEN_ROOM = 1024 };
-
-/* The next part of a pointer without its escapes: ~1 is /, ~0 is ~. Returns what
- * comes behind it, or NULL where it is too long. */
-static const char *next_token(const char *s, char token[TOKEN_ROOM], size_t *n)
+/* Returns whether the token is the number k of an element, without a 0 before it. */
+static bool is_index(struct span token, long k)
 {
-	for (*n = 0; *s != '\0' && *s != '/'; s++) {
-		if (*n == TOKEN_ROOM)
-			return NULL;
-		token[*n] = *s;
-		if (*s == '~' && (s[1] == '0' || s[1] == '1'))
-			token[*n] = *++s == '0' ? '~' : '/';
-		++*n;
-	}
-	return s;
+	for (; k >= 10 && token.end > token.s && token.end[-1] == '0' + k % 10;
+	     k /= 10)
+		token.end--;
+	return k < 10 && token.end - token.s == 1 && *token.s == '0' + k;
 }
 
-/* Whether the token is the number k of an element. */
-static bool is_index(const char *token, size_t n, long k)
-{
-	char text[24];
-
-	return (size_t)sprintf(text, "%ld", k) == n &&
-	    memcmp(token, text, n) == 0;
-}
-
-/* Whether the path, a name or a pointer, leads to field k of the cut, or into it;
- * *rest is what is left of it then. */
+/* Returns whether the path, a name or a pointer, leads to field k of the cut, or
+ * into it; *rest is the rest of the path then. */
 static bool leads_to(const char *path, const struct cut *c,
     const struct field *f, long k, const char **rest)
 {
-	char token[TOKEN_ROOM];
-	size_t n;
+	bool pointer = *path == '/';
 
-	*rest = "";
-	if (*path != '/')
-		return c->members && choose_is_name(f->name, path, strlen(path));
-	*rest = next_token(path + 1, token, &n);
-	return *rest != NULL &&
-	    (c->members ? choose_is_name(f->name, token, n) :
-			  is_index(token, n, k));
+	path += pointer;
+	*rest = path + (pointer ? strcspn(path, "/") : strlen(path));
+	struct span token = { path, *rest };
+
+	return c->members ? choose_is_name(f->name, token, pointer) :
+			    pointer && is_index(token, k);
 }
 
-/* The values to which the paths lead. */
+/* Finds the values to which the paths lead: enters each value once, for all paths
+ * that lead into it. */
 static void choose_by_path(struct cut c, int reads, const struct paths *paths,
     struct chosen *out)
 {
@@ -105,41 +93,40 @@ static void choose_by_path(struct cut c, int reads, const struct paths *paths,
 			    &inside, out);
 	}
 	for (int i = 0; i < reads; i++)
-		if (seen[i] > out->times[i] && out->times[i] > 0)
+		if (seen[i] > 1)
 			out->times[i] = seen[i];
 }
 
-/* Whether the number behind the last coordinate counts as another would: behind two
- * coordinates, or where a comma alone is between. */
+/* Returns whether the separator before the field behind the last coordinate counts
+ * as one between coordinates: the field is a number, behind two coordinates or a
+ * comma alone. */
 static bool counts_on(const struct layout *l, const struct field *f)
 {
 	double v;
 
 	return number_read(f->value.s, f->value.end, &v) == f->value.end &&
-	    (l->reads == 2 ||
-		(f->value.s == f->from + 1 && *f->from == ','));
+	    (l->reads == 2 || (f->value.s == f->from + 1 && *f->from == ','));
 }
 
 static void choose_by_place(const struct layout *l, struct cut c,
     struct chosen *out)
 {
-	int first = -1, last = -1, commas = 0, separators = 0;
+	int place[4], first = INT_MAX, last = -1, commas = 0, separators = 0;
+	bool text = format_of(l->in)->blanks;
 	struct field f;
 
 	for (int i = 0; i < l->reads; i++) {
-		int k = l->columns.n > 0 ? l->columns.field[i] : i;
-
-		first = first < 0 || k < first ? k : first;
-		last = k > last ? k : last;
+		place[i] = l->columns.n > 0 ? l->columns.field[i] : i;
+		first = place[i] < first ? place[i] : first;
+		last = place[i] > last ? place[i] : last;
 	}
-	for (int k = 0; k <= last + 1 && cut_next(&c, &f); k++) {
+	for (int k = 0; k <= last + text && cut_next(&c, &f); k++) {
 		for (int i = 0; i < l->reads; i++)
-			if (k ==
-			    (l->columns.n > 0 ? l->columns.field[i] : i)) {
+			if (k == place[i]) {
 				out->field[i] = f;
 				out->times[i] = 1;
 			}
-		if (k > first && f.value.s < c.end &&
+		if (text && k > first && f.value.s < c.end &&
 		    (k <= last || counts_on(l, &f))) {
 			separators++;
 			commas += f.comma;
@@ -152,12 +139,13 @@ void choose(const struct layout *l, struct cut c, struct chosen *out)
 {
 	struct paths paths = { { NULL } };
 	bool by_path = c.members ||
-	    (l->columns.n > 0 && l->columns.name[0] != NULL &&
-		l->in.format == FORMAT_JSON);
+	    (c.bracket != NULL && l->columns.n > 0 &&
+		l->columns.name[0] != NULL);
 
-	memset(out, 0, sizeof *out);
+	memset(out->times, 0, sizeof out->times);
+	out->mixed = false;
 	for (int i = 0; i < l->reads && by_path; i++)
-		paths.to[i] = path_of(l, i);
+		paths.to[i] = layout_path(l, i);
 	if (by_path)
 		choose_by_path(c, l->reads, &paths, out);
 	else

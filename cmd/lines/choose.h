@@ -7,18 +7,19 @@
 #include "line.h"
 
 struct chosen {
-	struct field field[4];
-	int times[4]; /* how often each was found; 0: it is missing */
-	bool mixed;   /* in text, some separators have a comma, others have not */
+	struct field field[4]; /* of those that were found */
+	int times[4];          /* how often each was found; 0: it is missing */
+	bool mixed; /* in text, some separators have a comma, others have not */
 };
 
-/* Finds the coordinates in one pass over the fields, as far as they stand. */
+/* Finds the coordinates in one pass over the fields. */
 void choose(const struct layout *, struct cut, struct chosen *);
 
-/* Whether one of them stands in another, as pointers can say. */
+/* Returns whether one coordinate stands in another, as pointers can say. */
 bool choose_overlaps(const struct layout *, const struct chosen *);
 
-/* Whether the name, a string of JSON with its quotes, is name[0..n). */
-bool choose_is_name(struct span string, const char *name, size_t n);
+/* Returns whether a string of JSON, with its quotes, is the name, which may be of a
+ * pointer: ~1 is /, ~0 is ~. */
+bool choose_is_name(struct span string, struct span name, bool pointer);
 
 #endif

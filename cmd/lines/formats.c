@@ -1,35 +1,312 @@
 /* SPDX-License-Identifier: MIT */
 #include "formats.h"
 
-const char *const format_names[] = { "text", "csv", "tsv", "json", "f64", "f32",
-	NULL };
+#include <math.h>
+#include <stdio.h>
+
+#include "../json/check.h"
+#include "../json/text.h"
+#include "../message/utf8.h"
+#include "../number/number.h"
 
 struct dialect dialect_of(enum format f, char separator)
 {
-	switch (f) {
-	case FORMAT_TEXT:
-		return (struct dialect){ f, ' ' };
-	case FORMAT_CSV:
-		return (struct dialect){ f, separator };
-	case FORMAT_TSV:
-		return (struct dialect){ FORMAT_CSV, '\t' };
-	default:
-		return (struct dialect){ f, ',' };
+	const struct format_row *row = &format_rows[f];
+
+	return (struct dialect){ row->alike,
+		row->separator != 0 ? row->separator : separator };
+}
+
+bool format_is_old(struct dialect d, struct span line, char reason[REASON_MAX])
+{
+	const char *s = line.s;
+	bool fields = format_of(d)->escape == '"' &&
+	    *skip_blanks(d, s, line.end) != '#';
+	/* as in next_of_csv, a quote counts where it opens a field */
+	bool quoted = false, opens = fields;
+
+	for (; s < line.end && (*s != '\r' || quoted); s++) {
+		if (*s == '"' && quoted && s + 1 < line.end && s[1] == '"')
+			s++;
+		else if (*s == '"')
+			quoted = opens && !quoted;
+		opens = quoted ||
+		    (fields && (*s == d.separator || (opens && is_blank(*s))));
+	}
+	while (s < line.end && is_blank(*s))
+		s++;
+	if (s == line.end)
+		return false;
+	snprintf(reason, REASON_MAX,
+	    "has carriage returns alone for line ends; make them newlines: tr "
+	    "'\\r' '\\n'");
+	return true;
+}
+
+/* Says why the line, which begins as an array or object, is no JSON. */
+static void say_no_json(struct dialect json, struct span line,
+    const struct json_error *e, char reason[REASON_MAX])
+{
+	const char *s = skip_blanks(json, line.s, line.end);
+	bool object = *s == '{';
+
+	/* what is in it need not be JSON */
+	for (s = json_skip(s + 1, line.end); s < line.end && *s == ',';)
+		s = json_skip(s + 1, line.end);
+	if (s < line.end && *s == (object ? '}' : ']') &&
+	    skip_blanks(json, s + 1, line.end) == line.end)
+		snprintf(reason, REASON_MAX, "is no JSON: %s", e->reason);
+	else if (!format_is_old(json, line, reason))
+		snprintf(reason, REASON_MAX,
+		    object ? "the object does not end with the line; one "
+			     "object a line: jq -c ." :
+			     "the array does not end with the line; one array "
+			     "a line: jq -c '.[]'");
+}
+
+static bool json_line_check(struct dialect d, struct span line,
+    char reason[REASON_MAX])
+{
+	const char *s = skip_blanks(d, line.s, line.end);
+	struct json_error e;
+
+	if (*s != '[' && *s != '{')
+		snprintf(reason, REASON_MAX,
+		    "is neither a JSON array nor an object; one a line: jq -c "
+		    "'.[]'");
+	else if (!json_check(JSON_LINE, line.s, line.end, &e))
+		say_no_json(d, line, &e, reason);
+	else
+		return true;
+	return false;
+}
+
+/* Finds a field of text: up to a blank or, unless it is one of words, a comma. */
+static void next_of_text(struct cut *c, struct field *f)
+{
+	const char *s = c->s, *after;
+
+	f->value.s = s;
+	while (s < c->end && !is_blank(*s) && (c->words || *s != ','))
+		s++;
+	f->value.end = s;
+	f->whole = f->value;
+	after = c->words ? skip_blanks(c->in, s, c->end) :
+			   skip_separator(s, c->end);
+	c->comma = !c->words && memchr(s, ',', (size_t)(after - s)) != NULL;
+	f->next = after == c->end && !c->comma ? NULL : after;
+}
+
+/* Finds a field of csv. If it begins with a quote, separators up to the closing quote
+ * are part of it; "" stands for a quote and doesn't close it. In a field that does not
+ * begin with one, as in 5" pipe, a quote is like any other character. */
+static void next_of_csv(struct cut *c, struct field *f)
+{
+	const char *s = skip_blanks(c->in, c->s, c->end), *end = c->end;
+
+	f->whole.s = c->s;
+	f->open = s < end && *s == '"';
+	for (s += f->open; s < end && f->open; s++)
+		if (*s == '"' && (s + 1 == end || *++s != '"')) {
+			f->open = false;
+			break;
+		}
+	s = s < end ? memchr(s, c->in.separator, (size_t)(end - s)) : NULL;
+	f->next = s != NULL ? s + 1 : NULL;
+	f->whole.end = s != NULL ? s : end;
+	if (s == NULL && end > c->s && end[-1] == '\r')
+		f->whole.end--;
+	f->value = trimmed(c->in, f->whole);
+	if (f->value.end - f->value.s >= 2 && *f->value.s == '"' &&
+	    f->value.end[-1] == '"') {
+		f->value.s++;
+		f->value.end--;
 	}
 }
 
-bool same_dialect(struct dialect a, struct dialect b)
+/* Finds an element of an array, or a member of an object. */
+static void next_of_json(struct cut *c, struct field *f)
 {
-	return a.format == b.format && a.separator == b.separator;
+	const char *s = c->s;
+
+	f->whole.s = s;
+	if (c->members) {
+		f->name = (struct span){ s, json_string(s, c->end) };
+		s = json_space(f->name.end, c->end);
+		s = json_space(s + 1, c->end);
+	}
+	const char *after = json_skip(s, c->end);
+
+	f->value = trimmed(c->in, (struct span){ s, after });
+	f->whole.end = f->value.end;
+	f->next = *after == ',' ? json_space(after + 1, c->end) : NULL;
 }
 
-bool is_binary(enum format f)
+/* Returns whether each quote that opens a field is closed on the line. */
+static bool csv_check(struct dialect d, struct span line,
+    char reason[REASON_MAX])
 {
-	return f == FORMAT_F64 || f == FORMAT_F32;
+	struct cut c = { .in = d, .s = line.s, .end = line.end };
+	struct field f = { .open = false };
+
+	if (memchr(line.s, '"', (size_t)(line.end - line.s)) == NULL)
+		return true;
+	for (; c.s != NULL && !f.open; c.s = f.next)
+		next_of_csv(&c, &f);
+	if (f.open)
+		snprintf(reason, REASON_MAX,
+		    "a quote is not closed on the line; a field with a newline "
+		    "in it can't be read");
+	return !f.open;
 }
 
-size_t point_size(enum format f, int coordinates)
+static const char *json_value(const char *s, const char *end, double *v)
 {
-	return (size_t)coordinates *
-	    (f == FORMAT_F64 ? sizeof(double) : sizeof(float));
+	if (end - s != 4 || memcmp(s, "null", 4) != 0)
+		return json_number(s, end, v);
+	*v = (double)NAN;
+	return end;
+}
+
+static bool stands_in_text(struct dialect d, struct span f)
+{
+	(void)d;
+	(void)f;
+	return true;
+}
+
+static bool stands_in_csv(struct dialect d, struct span f)
+{
+	size_t n = (size_t)(f.end - f.s);
+
+	return memchr(f.s, '"', n) == NULL &&
+	    memchr(f.s, d.separator, n) == NULL;
+}
+
+static bool stands_in_json(struct dialect d, struct span f)
+{
+	double v;
+
+	(void)d;
+	return json_number(f.s, f.end, &v) == f.end && isfinite(v);
+}
+
+#define LINES .open = "", .close = "", .unknown = "nan"
+#define CSV                                                                    \
+	LINES, .quote = '"', .escape = '"', .header = true,                    \
+	       .check = csv_check, .next = next_of_csv, .number = number_read, \
+	       .stands = stands_in_csv
+
+const struct format_row format_rows[] = {
+	[FORMAT_TEXT] = { FORMAT_TEXT, ' ', LINES, .blanks = true,
+	    .next = next_of_text, .number = number_read,
+	    .stands = stands_in_text },
+	[FORMAT_CSV] = { FORMAT_CSV, CSV },
+	[FORMAT_TSV] = { FORMAT_CSV, '\t', CSV },
+	[FORMAT_JSON] = { FORMAT_JSON, ',', .open = "[", .close = "]",
+	    .unknown = "null", .quote = '"', .escape = '\\',
+	    .check = json_line_check, .next = next_of_json,
+	    .number = json_value, .stands = stands_in_json },
+	[FORMAT_F64] = { FORMAT_F64, ',', LINES, .size = sizeof(double) },
+	[FORMAT_F32] = { FORMAT_F32, ',', LINES, .size = sizeof(float) },
+};
+
+const char *const format_names[] = { "text", "csv", "tsv", "json", "f64", "f32",
+	NULL };
+
+/* Goes through the characters of a field, without the quotes and escapes of its
+ * format. */
+struct decoder {
+	char escape; /* 0 where the field has no quotes */
+	bool utf8;   /* U+FFFD stands for a byte that is not UTF-8 */
+	const char *s, *end;
+	char character[4]; /* the last one, in UTF-8 */
+};
+
+/* Takes the next character, and returns its length in bytes. */
+static int decode(struct decoder *d)
+{
+	int n = 1;
+
+	if (d->escape == '\\' && *d->s == '\\') {
+		d->s = json_unescape(d->s, d->end, d->character, &n);
+		return n;
+	}
+	if (d->utf8)
+		n = utf8_length(d->s, d->end);
+	if (n == 0) {
+		d->s++;
+		return utf8_write(0xfffd, d->character);
+	}
+	memcpy(d->character, d->s, (size_t)n);
+	d->s += n;
+	if (d->escape == '"' && d->character[0] == '"' && d->s < d->end &&
+	    *d->s == '"')
+		d->s++;
+	return n;
+}
+
+/* Writes a control character, which would break the line of text or csv: a blank
+ * stands for it there, but for a tab in quotes. */
+static char *put_control(const struct format_row *out, char c, char *at)
+{
+	static const char from[] = "\b\f\n\r\t", to[] = "bfnrt";
+	static const char hex[] = "0123456789abcdef";
+	const char *simple = memchr(from, c, 5);
+
+	if (out->escape != '\\') {
+		*at++ = out->quote != 0 && c == '\t' ? c : ' ';
+		return at;
+	}
+	*at++ = '\\';
+	if (simple != NULL) {
+		*at++ = to[simple - from];
+		return at;
+	}
+	memcpy(at, "u00", 3);
+	at[3] = hex[c >> 4];
+	at[4] = hex[c & 15];
+	return at + 5;
+}
+
+static char *put_quoted(const struct format_row *out, struct decoder *d,
+    char *at)
+{
+	*at = out->quote;
+	at += out->quote != 0;
+	while (d->s < d->end) {
+		int n = decode(d);
+		char c = d->character[0];
+
+		if ((unsigned char)c < ' ') {
+			at = put_control(out, c, at);
+			continue;
+		}
+		if (out->quote != 0 && (c == out->quote || c == out->escape))
+			*at++ = out->escape;
+		memcpy(at, d->character, (size_t)n);
+		at += n;
+	}
+	*at = out->quote;
+	return at + (out->quote != 0);
+}
+
+char *format_convert(struct dialect in, struct dialect out, struct span f,
+    char *at)
+{
+	const struct format_row *from = format_of(in), *to = format_of(out);
+	struct span inner = from->header ? trimmed(in, f) : f;
+	bool quoted = from->quote != 0 && inner.end - inner.s >= 2 &&
+	    *inner.s == '"' && inner.end[-1] == '"';
+	struct decoder d = { 0, to->escape == '\\', f.s, f.end, "" };
+
+	if (quoted) {
+		d.escape = from->escape;
+		d.s = inner.s + 1;
+		d.end = inner.end - 1;
+	}
+	if (quoted || !to->stands(out, f))
+		return put_quoted(to, &d, at);
+	memcpy(at, f.s, (size_t)(f.end - f.s));
+	return at + (f.end - f.s);
 }

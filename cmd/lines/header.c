@@ -7,14 +7,7 @@
 
 #include "../message/escape.h"
 #include "choose.h"
-#include "line_bad.h"
-#include "names.h"
-
-/* A field without its quotes, and the blanks around it and in them. */
-static struct span unquoted(struct dialect d, const struct field *f)
-{
-	return trimmed(d, f->value);
-}
+#include "say.h"
 
 /* Past the mark of a text and that of a comment. */
 struct span header_names(struct dialect d, struct span text)
@@ -28,36 +21,25 @@ struct span header_names(struct dialect d, struct span text)
 
 typedef int comparison(const char *, const char *, size_t);
 
-/* The number of the first field of that name, or -1. */
+/* Returns the number of the first field of that name, or -1. */
 static int find_name(struct dialect d, struct span header, const char *name,
     comparison *compare)
 {
 	struct cut c = cut_line(d, header);
+	size_t n = strlen(name);
 	struct field field;
 
 	for (int k = 0; cut_next(&c, &field); k++) {
-		struct span f = unquoted(d, &field);
-		size_t n = (size_t)(f.end - f.s);
+		struct span f = trimmed(d, field.value);
 
-		if (n == strlen(name) && compare(f.s, name, n) == 0)
+		if ((size_t)(f.end - f.s) == n && compare(f.s, name, n) == 0)
 			return k;
 	}
 	return -1;
 }
 
-static void say_header(struct dialect d, struct span header, const char *wanted,
+static bool header_repeats(const struct columns *c, int i,
     char reason[REASON_MAX])
-{
-	struct names names = { 0 };
-	struct cut c = cut_line(d, header);
-	struct field field;
-
-	while (cut_next(&c, &field))
-		names_add(&names, unquoted(d, &field));
-	names_say(&names, wanted, reason);
-}
-
-static bool twice(const struct columns *c, int i, char reason[REASON_MAX])
 {
 	for (int k = 0; k < i; k++)
 		if (c->field[k] == c->field[i]) {
@@ -85,10 +67,10 @@ static bool find_columns(struct layout *l, struct span header,
 		found = false;
 		snprintf(reason, REASON_MAX, "the header has no column '%s'",
 		    escaped(word, c->name[i], strlen(c->name[i])));
-		say_header(l->in, header, c->name[i], reason);
+		say_names(cut_line(l->in, header), c->name[i], reason);
 	}
 	for (int i = 1; i < c->n && found; i++)
-		found = !twice(c, i, reason);
+		found = !header_repeats(c, i, reason);
 	for (int i = 0; i < c->n && !found; i++)
 		c->field[i] = -1;
 	return found;
@@ -121,7 +103,8 @@ static bool find_axes(struct layout *l, struct span header,
 	int missing = -1;
 
 	for (int i = l->reads - 1; i >= 0; i--) {
-		c->field[i] = find_name(l->in, header, axis(i), strncasecmp);
+		c->field[i] = find_name(l->in, header, coordinate_name(i),
+		    strncasecmp);
 		if (c->field[i] < 0)
 			missing = i;
 	}
@@ -137,7 +120,7 @@ static bool find_axes(struct layout *l, struct span header,
 		snprintf(reason, REASON_MAX,
 		    "the header has no column '%s', but '%s'; say with "
 		    "--columns which the coordinates are",
-		    axis(missing), axis(c->field[0] < 0));
+		    coordinate_name(missing), coordinate_name(c->field[0] < 0));
 	c->n = l->reads;
 	for (int i = 0; i < c->n; i++)
 		c->field[i] = -1;
@@ -175,9 +158,10 @@ static bool looks_like_header(const struct layout *l, struct span text)
 		struct span f;
 		double v;
 
-		if (c.field[i].whole.s == c.field[i].whole.end)
+		if (c.times[i] == 0 ||
+		    c.field[i].whole.s == c.field[i].whole.end)
 			continue;
-		f = unquoted(l->in, &c.field[i]);
+		f = trimmed(l->in, c.field[i].value);
 		if (f.s < f.end && number_read(f.s, f.end, &v) == f.end)
 			return false;
 		unknown &= is_unknown(f);
@@ -223,11 +207,12 @@ bool header_in_comment(struct layout *l, struct span text)
 	const struct columns *c = &l->columns;
 	bool named = false;
 
-	if (l->in.format != FORMAT_CSV || l->header == HEADER_NONE)
+	if (!format_of(l->in)->header || l->header == HEADER_NONE)
 		return false;
 	text = header_names(l->in, text);
 	for (int i = 0; i < l->reads; i++) {
-		const char *name = c->by_header ? axis(i) : c->name[i];
+		const char *name = c->by_header ? coordinate_name(i) :
+						  c->name[i];
 
 		named |= name != NULL;
 		if (l->header == HEADER_MAYBE && name != NULL &&
@@ -262,13 +247,12 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 	return true;
 }
 
-void header_places(const struct layout *l, struct span text, struct line *line)
+void header_places(const struct layout *l, struct span text, struct span at[4])
 {
 	struct chosen c;
 
 	choose(l, cut_line(l->in, header_names(l->in, text)), &c);
 	for (int i = 0; i < l->reads; i++)
-		line->at[i] = c.times[i] > 0 ?
-		    line_part(line, c.field[i].value) :
-		    part_missing;
+		if (c.times[i] > 0)
+			at[i] = trimmed(l->in, c.field[i].whole);
 }

@@ -19,7 +19,7 @@ bool header_read(struct layout *, struct span text, struct line *,
 /* The names on the line: past the mark of a text and that of a comment. */
 struct span header_names(struct dialect, struct span text);
 
-/* Where in the header, which text is, the names of the coordinates stand. */
-void header_places(const struct layout *, struct span text, struct line *);
+/* Finds the names of the coordinates in a header; s is NULL where there is none. */
+void header_places(const struct layout *, struct span text, struct span at[4]);
 
 #endif

@@ -8,7 +8,7 @@
 #include <stdint.h>
 
 #include "../number/number.h"
-#include "field.h"
+#include "formats.h"
 
 /* The most that are written, a ray's: a point and a direction. No more than
  * four are read. */
@@ -83,6 +83,9 @@ struct numbers {
 	size_t step, text_step;
 };
 
+/* Room for the separator, and in an object the name, before a value that is added. */
+enum { ADDED_ROOM = 64 };
+
 enum { WORD_MAX = 48 };
 
 /* What is written after them. */
@@ -109,15 +112,39 @@ static inline struct part line_part(const struct line *line, struct span f)
 		(uint32_t)(f.end - line->s) };
 }
 
-enum { REASON_MAX = 320 };
+/* Returns what coordinate i is called. */
+static inline const char *coordinate_name(int i)
+{
+	static const char names[][2] = { "x", "y", "z", "w" };
 
-/* Reads the coordinates v of the line that text is. For a bad line, reason says
- * what is wrong and what would be right. While *first is true the source's first
- * line that counts is still to come: a byte order mark may stand before it, and in
- * csv it may be a header, which says in the layout where the columns are. Bytes
- * after the line, up to readable, may be looked at, which is faster. */
-void line_read(struct layout *, struct span text, const char *readable,
-    bool *first, struct line *, double v[4], char reason[REASON_MAX]);
+	return names[i];
+}
+
+/* Returns the name or pointer of coordinate i in an object of JSON. */
+static inline const char *layout_path(const struct layout *l, int i)
+{
+	return l->columns.n > 0 ? l->columns.name[i] : coordinate_name(i);
+}
+
+/* Reads the coordinates v of a line. For a bad line, reason says what is wrong and
+ * what would be right. While *first is true the source's first line that counts is
+ * still to come: a byte order mark may stand before it, and in csv it may be a
+ * header, which says in the layout where the columns are. */
+void line_read(struct layout *, struct span text, bool *first, struct line *,
+    double v[4], char reason[REASON_MAX]);
+
+/* Writes v, number k, of which no text was made, and returns where it ends: in the
+ * format's own word, if it is not known. */
+char *line_put_rare(const struct layout *, int k, double v, char *out);
+
+/* Writes v, number k, from its text. */
+static inline char *line_put(const struct layout *l, int k,
+    const struct number_text *text, double v, char *out)
+{
+	if (__builtin_expect(text->layout == 0, 0))
+		return line_put_rare(l, k, v, out);
+	return number_put(out, text, v, l->single, l->style[k]);
+}
 
 /* The most bytes that line_write may touch for so many lines of so many bytes
  * in all. */

@@ -1,26 +1,22 @@
 /* SPDX-License-Identifier: MIT */
-/* A line on its way out: values take the place of others, or stand behind them. */
+/* A line on its way out: numbers take the place of others, or stand behind them. */
 #include <math.h>
 #include <string.h>
 
 #include "choose.h"
-#include "field_convert.h"
 #include "header.h"
-#include "line_bad.h"
 
-/* A longer separator of text is not repeated before what is added. */
-enum { SEPARATOR_MAX = 64 };
-
-/* The word's number where coordinates are numbered. */
+/* The number of the word in the order of what is written. */
 enum { FLAGS = COORDINATES_MAX };
 
 struct splice {
 	const struct layout *l;
 	const struct line *line;
+	struct span at[4];             /* the coordinates; s is NULL: missing */
 	const struct numbers *numbers; /* NULL: the line is a header */
 	const struct word *flags;      /* NULL: none is written */
 	struct span separator;         /* before what is added */
-	const char *done;              /* what of the line was dealt with */
+	const char *done;              /* the line up to here is dealt with */
 	char *out;
 	unsigned put;  /* the values that were written, as bits */
 	size_t fields; /* how many fields are in out */
@@ -33,41 +29,51 @@ size_t lines_room(const struct layout *l, size_t lines, size_t bytes)
 	 * quotes. Then for each value a separator, and a name in an object. */
 	return (same_dialect(l->in, l->out) ? bytes : 6 * bytes) +
 	    lines *
-	    ((size_t)l->writes * (NUMBER_MAX + SEPARATOR_MAX) + SEPARATOR_MAX +
-		2 + WORD_MAX + 2 + 1);
+	    ((size_t)l->writes * (NUMBER_MAX + ADDED_ROOM) + ADDED_ROOM + 2 +
+		WORD_MAX + 2 + 1);
 }
 
-static char *put(char *out, const char *s, const char *end)
+char *line_put_rare(const struct layout *l, int k, double v, char *out)
+{
+	const char *unknown = format_of(l->out)->unknown;
+
+	if (isnan(v))
+		return stpcpy(out, unknown);
+	return l->single ? number_write_float(out, (float)v, l->style[k]) :
+			   number_write(out, v, l->style[k]);
+}
+
+static char *splice_text(char *out, const char *s, const char *end)
 {
 	memcpy(out, s, (size_t)(end - s));
 	return out + (end - s);
 }
 
-static char *put_string(char *out, const char *s)
+static char *splice_string(char *out, const char *s)
 {
-	return put(out, s, s + strlen(s));
+	return splice_text(out, s, s + strlen(s));
 }
 
 /* Copies the line up to s. */
-static void copy_to(struct splice *w, const char *s)
+static void splice_to(struct splice *w, const char *s)
 {
 	if (s > w->done) {
-		w->out = put(w->out, w->done, s);
+		w->out = splice_text(w->out, w->done, s);
 		w->done = s;
 	}
 }
 
-/* What value k is called: a coordinate that is read, one that is added, or the word. */
-static const char *name_of(const struct splice *w, int k)
+/* Returns what value k is called: a coordinate that is read, one that is added, or
+ * the word. */
+static const char *value_name(const struct splice *w, int k)
 {
-	static const char *const names[] = { "x", "y", "z", "w" };
 	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };
 
 	if (k == FLAGS)
 		return "flags";
 	if (k < w->l->reads && w->line->object && w->line->kind == LINE_BAD)
-		return path_of(w->l, k);
-	return w->l->writes > 4 ? ray[k] : names[k];
+		return layout_path(w->l, k);
+	return w->l->writes > 4 ? ray[k] : coordinate_name(k);
 }
 
 static bool is_written(const struct splice *w, int k)
@@ -78,43 +84,37 @@ static bool is_written(const struct splice *w, int k)
 static char *put_value(const struct splice *w, int k, char *out)
 {
 	const struct layout *l = w->l;
-	bool json = l->out.format == FORMAT_JSON;
 
-	if (w->numbers == NULL) {
-		struct part at = w->line->at[k < l->reads ? k : 0];
+	if (w->numbers == NULL)
+		return k < l->reads && w->at[k].s < w->at[k].end ?
+		    format_convert(l->in, l->out, w->at[k], out) :
+		    splice_string(out, value_name(w, k));
+	if (k < FLAGS)
+		return line_put(l, k,
+		    &w->numbers->text[(size_t)k * w->numbers->text_step],
+		    w->numbers->v[(size_t)k * w->numbers->step], out);
+	bool quoted = *format_of(l->out)->open != '\0';
 
-		return k < l->reads && at.from < at.to ?
-		    field_convert(l->in, l->out, line_at(w->line, k), out) :
-		    put_string(out, name_of(w, k));
-	}
-	if (k == FLAGS) {
-		*out = '"';
-		out = put(out + json, w->flags->s,
-		    w->flags->s + w->flags->size);
-		*out = '"';
-		return out + json;
-	}
-	double v = w->numbers->v[(size_t)k * w->numbers->step];
-
-	if (json && isnan(v))
-		return put_string(out, "null");
-	return number_put(out,
-	    &w->numbers->text[(size_t)k * w->numbers->text_step], v, l->single,
-	    l->style[k]);
+	*out = '"';
+	out = splice_text(out + quoted, w->flags->s,
+	    w->flags->s + w->flags->size);
+	*out = '"';
+	return out + quoted;
 }
 
-/* Writes every value from k on that was not yet: each behind a separator, but for the
- * first of the line, and in an object behind its name. */
+/* Writes every value from k on that was not written yet: behind a separator, but for
+ * the first of the line, and in an object behind its name. */
 static void put_others(struct splice *w, int k, bool members)
 {
 	for (; k <= FLAGS; k++) {
 		if (!is_written(w, k) || (w->put >> k & 1) != 0)
 			continue;
 		if (w->fields++ > 0)
-			w->out = put(w->out, w->separator.s, w->separator.end);
+			w->out = splice_text(w->out, w->separator.s,
+			    w->separator.end);
 		if (members) {
 			*w->out++ = '"';
-			w->out = put_string(w->out, name_of(w, k));
+			w->out = splice_string(w->out, value_name(w, k));
 			*w->out++ = '"';
 			*w->out++ = ':';
 		}
@@ -123,58 +123,54 @@ static void put_others(struct splice *w, int k, bool members)
 	}
 }
 
-/* Which value stands in the field, or -1: a coordinate, or in an object one that is
- * added and has its name. */
-static int value_of(const struct splice *w, const struct field *f, bool outer)
+/* Returns the coordinate that begins from s up to end, or -1. */
+static int coordinate_in(const struct splice *w, const char *s, const char *end)
 {
-	for (int i = 0; i < w->l->reads; i++) {
-		struct span at = line_at(w->line, i);
-
-		if (!is_missing(w->line->at[i]) && at.s <= f->value.s &&
-		    at.s >= f->whole.s && at.end >= f->value.end &&
-		    at.end <= f->whole.end)
+	for (int i = 0; i < w->l->reads; i++)
+		if (w->at[i].s >= s && w->at[i].s <= end)
 			return i;
-	}
-	for (int k = w->l->reads; k <= FLAGS && outer && f->name.s != NULL; k++)
-		if (is_written(w, k) &&
-		    choose_is_name(f->name, name_of(w, k),
-			strlen(name_of(w, k))))
-			return k;
 	return -1;
 }
 
-/* Whether a coordinate stands somewhere in the span, or the span in one. */
-static bool touches(const struct splice *w, struct span f)
+/* Returns which value stands in the field, or -1: a coordinate, or in an object one
+ * that is added and has its name. */
+static int value_of(const struct splice *w, const struct field *f, bool outer)
 {
-	for (int i = 0; i < w->l->reads; i++) {
-		struct span at = line_at(w->line, i);
+	int i = coordinate_in(w, f->whole.s, f->value.s);
 
-		if (!is_missing(w->line->at[i]) &&
-		    ((at.s >= f.s && at.end <= f.end) ||
-			(f.s >= at.s && f.end <= at.end)))
-			return true;
+	if (f->name.s == NULL || !outer)
+		return i;
+	for (int k = w->l->reads; k <= FLAGS && i < 0; k++) {
+		if (!is_written(w, k))
+			continue;
+		const char *name = value_name(w, k);
+		struct span added = { name, name + strlen(name) };
+
+		if (choose_is_name(f->name, added, false))
+			return k;
 	}
-	return false;
+	return i;
 }
 
-/* The separator that is repeated behind the field f: in text the one before it, or
- * behind it if it is the first. */
+/* Returns the separator that is repeated behind the field f: in text the one before
+ * it, or behind it if it is the first. */
 static struct span separator_at(const struct layout *l, const struct field *f)
 {
 	struct span one = { &l->in.separator, &l->in.separator + 1 };
 	struct span found = { f->from, f->value.s };
 
-	if (l->in.format != FORMAT_TEXT)
+	if (!format_of(l->in)->blanks)
 		return one;
 	if (f->from == NULL)
 		found = (struct span){ f->whole.end, f->next };
-	return found.s < found.end && found.end - found.s <= SEPARATOR_MAX ?
+	return found.s < found.end && found.end - found.s <= ADDED_ROOM ?
 	    found :
 	    one;
 }
 
 /* Goes through the fields of a line, or of a value in it: writes each value in the
- * place of the one that was read, and leaves out coordinates that are not written. */
+ * place of the one that was read, and leaves out coordinates that are not written,
+ * and members that have the name of one that was added. */
 static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 {
 	struct field f;
@@ -183,17 +179,18 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 	while (cut_next(&c, &f)) {
 		int k = value_of(w, &f, outer);
 
-		if (k >= 0 && !is_written(w, k)) {
-			struct span gone = field_drop(&f);
+		if (k >= 0 && (!is_written(w, k) || (w->put >> k & 1) != 0)) {
+			struct span gone = cut_out(&f);
 
-			copy_to(w, gone.s);
+			splice_to(w, gone.s);
 			w->done = gone.end > w->done ? gone.end : w->done;
 			found++;
 			continue;
 		}
 		w->fields += outer;
 		if (k < 0) {
-			if (c.in.format == FORMAT_JSON && touches(w, f.value))
+			if (c.bracket != NULL &&
+			    coordinate_in(w, f.value.s, f.value.end) >= 0)
 				splice_fields(w, cut_value(f.value, c.end),
 				    false, -1);
 			continue;
@@ -202,14 +199,14 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 			w->separator = separator_at(w->l, &f);
 		w->put |= 1u << k;
 		if (w->numbers != NULL) {
-			struct span at = k < w->l->reads ? line_at(w->line, k) : f.value;
+			struct span at = k < w->l->reads ? w->at[k] : f.value;
 
-			copy_to(w, at.s);
+			splice_to(w, at.s);
 			w->out = put_value(w, k, w->out);
 			w->done = at.end;
 		}
 		if (k == last) {
-			copy_to(w, trimmed(c.in, f.whole).end);
+			splice_to(w, trimmed(c.in, f.whole).end);
 			put_others(w, w->l->reads, false);
 		}
 		if (outer && last >= 0 && ++found == w->l->reads)
@@ -217,12 +214,12 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 	}
 	if (outer) {
 		if (c.from != NULL || c.bracket != NULL)
-			copy_to(w, c.from != NULL ? c.from : c.bracket);
+			splice_to(w, c.from != NULL ? c.from : c.bracket);
 		put_others(w, 0, c.members);
 	}
 }
 
-/* The line's fields, or names, as it was read. */
+/* Returns the cut of the line, or of the names in a header. */
 static struct cut cut_of(const struct layout *l, const struct line *line)
 {
 	struct span text = line_text(line);
@@ -235,6 +232,13 @@ static struct cut cut_of(const struct layout *l, const struct line *line)
 	return c;
 }
 
+static void splice_places(struct splice *w)
+{
+	for (int i = 0; i < w->l->reads; i++)
+		if (!is_missing(w->line->at[i]))
+			w->at[i] = line_at(w->line, i);
+}
+
 static void splice(struct splice *w)
 {
 	const struct layout *l = w->l;
@@ -242,105 +246,122 @@ static void splice(struct splice *w)
 	struct cut c = cut_of(l, w->line);
 
 	for (int i = 0; i < l->reads; i++)
-		if (is_missing(w->line->at[i]) || c.members)
+		if (w->at[i].s == NULL || c.members)
 			last = -1; /* what is added stands at the end */
 	w->done = w->line->s;
 	splice_fields(w, c, true, last);
-	copy_to(w, w->line->s + w->line->size);
+	splice_to(w, w->line->s + w->line->size);
 }
 
-char *line_rest(const struct layout *l, const struct line *line, char *out)
+/* Writes each field that holds no coordinate behind a separator of the format out. */
+static char *put_rest_of(const struct splice *w, char *out)
 {
-	const struct splice w = { .l = l, .line = line };
-	const char *end = line->s + line->size, *s;
+	const struct layout *l = w->l;
+	const struct line *line = w->line;
+	const struct format_row *from = format_of(l->in),
+				*to = format_of(l->out);
+	bool first = line->kind == LINE_POINT && l->columns.n == 0;
 	struct field f;
 
 	if (line->kind == LINE_LOST || line->object || is_binary(l->in.format))
 		return out;
-	if (line->kind == LINE_POINT && l->columns.n == 0 &&
-	    l->in.format == FORMAT_TEXT && l->out.format == FORMAT_TEXT) {
-		s = skip_separator(line_at(line, l->reads - 1).end, end);
-		while (end > s && is_blank(end[-1]))
-			end--;
-		return s < end ? put(put_string(out, " "), s, end) : out;
-	}
 	struct cut c = cut_of(l, line);
 
 	/* most often the coordinates come first */
-	if (line->kind == LINE_POINT && l->columns.n == 0)
-		c = cut_behind(c, line_at(line, l->reads - 1).end);
+	if (first)
+		cut_behind(&c, w->at[l->reads - 1].end);
+	if (first && from->blanks && to->blanks && c.s != NULL) {
+		struct span rest = trimmed(l->in, (struct span){ c.s, c.end });
+
+		*out = ' ';
+		return rest.s < rest.end ?
+		    splice_text(out + 1, rest.s, rest.end) :
+		    out;
+	}
 	while (cut_next(&c, &f)) {
 		/* csv's empty fields become "" in JSON, so that the fields
 		 * after them keep their place in the array */
 		bool kept = f.whole.s < f.whole.end ||
-		    (l->in.format == FORMAT_CSV &&
-			l->out.format != FORMAT_TEXT);
+		    (from->header && !to->blanks);
 
-		if (!kept || touches(&w, f.whole))
+		if (!kept || coordinate_in(w, f.whole.s, f.whole.end) >= 0)
 			continue;
 		*out++ = l->out.separator;
-		out = field_convert(l->in, l->out, f.whole, out);
+		out = format_convert(l->in, l->out, f.whole, out);
 	}
 	return out;
 }
 
-/* The format out is another, or the line can't be taken apart: the values go first,
- * then all other fields. */
+char *line_rest(const struct layout *l, const struct line *line, char *out)
+{
+	struct splice w = { .l = l, .line = line };
+
+	splice_places(&w);
+	return put_rest_of(&w, out);
+}
+
+/* Writes the values first, then all other fields, as the format out is another or
+ * the line can't be taken apart. */
 static void convert(struct splice *w)
 {
 	const struct layout *l = w->l;
-	bool json = l->out.format == FORMAT_JSON;
-	bool members = json && l->in.format == FORMAT_JSON && w->line->object;
+	char open = *format_of(l->out)->open, close = *format_of(l->out)->close;
+	bool members = w->line->object && l->out.format == l->in.format;
 
-	w->separator = (struct span){ &l->out.separator, &l->out.separator + 1 };
-	if (json)
-		*w->out++ = members ? '{' : '[';
+	w->separator = (struct span){ &l->out.separator,
+		&l->out.separator + 1 };
+	*w->out = members ? '{' : open;
+	w->out += open != '\0';
 	put_others(w, 0, members);
-	w->out = line_rest(l, w->line, w->out);
-	if (json)
-		*w->out++ = members ? '}' : ']';
+	w->out = put_rest_of(w, w->out);
+	*w->out = members ? '}' : close;
+	w->out += close != '\0';
 }
 
-static void copy_header(struct splice *w)
+/* Writes the names of what is added, and of what is kept. */
+static void write_header(struct splice *w)
 {
 	static const struct word word = { "flags", 5 };
 	const struct layout *l = w->l;
-	struct line named = *w->line;
 
-	header_places(l, line_text(w->line), &named);
-	w->line = &named;
+	header_places(l, line_text(w->line), w->at);
 	w->numbers = NULL;
 	w->flags = l->flags ? &word : NULL;
 	if (same_dialect(l->in, l->out)) {
 		splice(w);
 		return;
 	}
-	if (l->out.format == FORMAT_TEXT)
-		w->out = put_string(w->out, "# ");
+	if (format_of(l->out)->blanks)
+		w->out = splice_string(w->out, "# ");
 	convert(w);
 }
 
 char *line_write(const struct layout *l, const struct line *line,
     const struct numbers *numbers, const struct word *flags, char *out)
 {
-	bool json = l->in.format == FORMAT_JSON || l->out.format == FORMAT_JSON;
 	struct splice w = { .l = l,
 		.line = line,
 		.numbers = numbers,
 		.flags = flags,
 		.separator = { &l->in.separator, &l->in.separator + 1 },
 		.out = out };
+	bool copy = line->kind == LINE_COPY, header = line->kind == LINE_HEADER;
 
-	if (json && (line->kind == LINE_COPY || line->kind == LINE_HEADER))
+	if ((copy || header) &&
+	    (*format_of(l->in)->open != '\0' ||
+		*format_of(l->out)->open != '\0'))
 		return out;
-	if (line->kind == LINE_COPY)
-		w.out = put(out, line->s, line->s + line->size);
-	else if (line->kind == LINE_HEADER)
-		copy_header(&w);
-	else if (line->kind == LINE_LOST || !same_dialect(l->in, l->out))
-		convert(&w);
-	else
-		splice(&w);
+	if (copy) {
+		w.out = splice_text(out, line->s, line->s + line->size);
+	} else if (header) {
+		write_header(&w);
+	} else {
+		splice_places(&w);
+		if (line->kind != LINE_LOST && same_dialect(l->in, l->out))
+			splice(&w);
+		else
+			convert(&w);
+	}
 	if (line->newline)
 		*w.out++ = '\n';
 	return w.out;

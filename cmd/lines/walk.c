@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "walk.h"
 
+#include <math.h>
 #include <string.h>
 
-#include "line_bad.h"
+#include "../../core/scene/scene.h"
+#include "../json/text.h"
 
 /* So that there is a copy of the walk for each format, of which what does not concern
  * it falls away. */
@@ -62,7 +64,7 @@ static void plan_members(const struct layout *l, struct walk *w)
 		    (c->name[i] != NULL && *c->name[i] != '/');
 		if (!w->objects)
 			break;
-		w->name[i] = path_of(l, i);
+		w->name[i] = layout_path(l, i);
 		w->name_size[i] = strlen(w->name[i]);
 	}
 }
@@ -120,25 +122,25 @@ bool stretch_open(struct stretch *w, const struct walk *walk, const char *text,
 
 /* On the way through a line: at and the first stop from there on, which is never
  * beyond the newline. */
-struct place {
+struct walker {
 	const char *text;
 	uint32_t at;
 	const uint16_t *stop;
 	bool comma; /* in the separator that was passed last */
 };
 
-INLINE bool stands(const struct place *p, char c)
+INLINE bool stands(const struct walker *p, char c)
 {
 	return *p->stop == p->at && p->text[p->at] == c;
 }
 
-INLINE void pass(struct place *p)
+INLINE void pass(struct walker *p)
 {
 	p->at++;
 	p->stop++;
 }
 
-INLINE void pass_blanks(struct place *p, struct dialect d)
+INLINE void pass_blanks(struct walker *p, struct dialect d)
 {
 	while (*p->stop == p->at && is_blank_of(d, p->text[p->at]))
 		pass(p);
@@ -146,7 +148,7 @@ INLINE void pass_blanks(struct place *p, struct dialect d)
 
 /* As skip_separator in text; elsewhere something has to separate. Most separators
  * are of one byte. */
-INLINE bool pass_separator(struct place *p, struct dialect d)
+INLINE bool pass_separator(struct walker *p, struct dialect d)
 {
 	bool text = d.format == FORMAT_TEXT;
 	char comma = text ? ',' : d.separator, c = p->text[p->at];
@@ -166,13 +168,31 @@ INLINE bool pass_separator(struct place *p, struct dialect d)
 	return p->comma || (text && !stands(p, '\n'));
 }
 
-/* Past a string of JSON with nothing in it that would have to be looked at. */
-INLINE bool pass_string(struct place *p)
+/* Returns whether an escape begins at the backslash s, and passes what it escapes. */
+static bool pass_escape(struct walker *p, const char *s)
+{
+	if (*++s == '"' || *s == '\\') {
+		p->stop++;
+		return true;
+	}
+	if (*s != 'u')
+		return *s != '\0' && strchr("/bfnrt", *s) != NULL;
+	unsigned code;
+
+	return json_hex4(s + 1, s + 5, &code) == s + 5;
+}
+
+/* Passes a string of JSON. The string of a name may have no escapes, which could
+ * spell the name of a coordinate. */
+INLINE bool pass_string(struct walker *p, bool name)
 {
 	for (p->stop++; p->text[*p->stop] != '"'; p->stop++) {
-		char c = p->text[*p->stop];
+		const char *s = &p->text[*p->stop];
 
-		if (c == '\\' || (unsigned char)c < ' ')
+		if (__builtin_expect(*s == '\\', 0) && !name &&
+		    pass_escape(p, s))
+			continue;
+		if (*s == '\\' || (unsigned char)*s < ' ')
 			return false;
 	}
 	p->at = *p->stop++ + 1u;
@@ -189,35 +209,24 @@ INLINE bool is_narrow(const char *s, const char *end)
 	    (end[-1] == '.'));
 }
 
-static bool is_word(const char *s, size_t n)
+/* Returns whether it is a number or a word of JSON. */
+static bool is_scalar(const char *s, const char *end)
 {
-	return (n == 4 && memcmp(s, "true", 4) == 0) ||
+	size_t n = (size_t)(end - s);
+
+	return json_number_end(s, end) == end ||
+	    (n == 4 && memcmp(s, "true", 4) == 0) ||
 	    (n == 5 && memcmp(s, "false", 5) == 0) ||
 	    (n == 4 && memcmp(s, "null", 4) == 0);
 }
 
-/* Whether it is a number without an exponent, or a word of JSON. */
-static bool is_scalar(const char *s, const char *end)
-{
-	const char *first = s;
-	int points = 0, digits = 0;
-
-	for (s += s < end && *s == '-'; s < end; s++) {
-		points += *s == '.';
-		digits += *s >= '0' && *s <= '9';
-		if (*s != '.' && (*s < '0' || *s > '9'))
-			return is_word(first, (size_t)(end - first));
-	}
-	return digits > 0 && points < 2 && is_narrow(first, end);
-}
-
 /* Past a field that is no coordinate. */
-INLINE bool pass_field(struct place *p, struct dialect d)
+INLINE bool pass_field(struct walker *p, struct dialect d)
 {
 	uint32_t from = p->at;
 
 	if (d.format == FORMAT_JSON && stands(p, '"'))
-		return pass_string(p);
+		return pass_string(p, false);
 	if (d.format == FORMAT_CSV)
 		while (is_blank_of(d, p->text[*p->stop]))
 			p->stop++;
@@ -229,7 +238,7 @@ INLINE bool pass_field(struct place *p, struct dialect d)
 
 /* Past the last coordinate: whether all up to the newline is right, too. In text
  * and csv, anything is that begins with a separator. */
-INLINE bool pass_rest(struct place *p, struct dialect d)
+INLINE bool pass_rest(struct walker *p, struct dialect d)
 {
 	if (d.format != FORMAT_TEXT)
 		pass_blanks(p, d);
@@ -257,7 +266,7 @@ struct target {
 };
 
 /* Past coordinate k; false where it can't be a plain number. */
-INLINE bool pass_coordinate(struct place *p, struct dialect d,
+INLINE bool pass_coordinate(struct walker *p, struct dialect d,
     const struct target *t, int k)
 {
 	uint32_t from = p->at, to = *p->stop;
@@ -285,11 +294,11 @@ INLINE int coordinate_of(const struct walk *w, const char *name, size_t n)
 
 /* Past a name and its colon: which coordinate it is, or -1; -2 where it isn't as
  * usual. */
-INLINE int pass_name(struct place *p, const struct walk *w, struct dialect d)
+INLINE int pass_name(struct walker *p, const struct walk *w, struct dialect d)
 {
 	uint32_t from = p->at + 1, to;
 
-	if (!stands(p, '"') || !pass_string(p))
+	if (!stands(p, '"') || !pass_string(p, true))
 		return -2;
 	to = p->at - 1;
 	pass_blanks(p, d);
@@ -302,7 +311,7 @@ INLINE int pass_name(struct place *p, const struct walk *w, struct dialect d)
 
 /* Where the coordinates stand in an object whose values are numbers, words and
  * strings; false where it is to be left. */
-INLINE bool find_members(struct place *p, const struct walk *w,
+INLINE bool find_members(struct walker *p, const struct walk *w,
     struct dialect d, int n, const struct target *t)
 {
 	unsigned seen = 0, all = (1u << n) - 1;
@@ -336,7 +345,7 @@ enum shape { FIELDS, COLUMNS, MEMBERS };
 
 /* Where the coordinates of a line stand; false where it is to be left. That some
  * separators of text have a comma and others have not is left as well. */
-INLINE bool find_coordinates(struct place *p, const struct walk *w,
+INLINE bool walk_coordinates(struct walker *p, const struct walk *w,
     struct dialect d, int n, enum shape shape, const struct target *t)
 {
 	const bool text = d.format == FORMAT_TEXT, columns = shape == COLUMNS;
@@ -382,7 +391,7 @@ INLINE bool find_coordinates(struct place *p, const struct walk *w,
 
 /* To the newline, over quotes that open right behind a separator and close right
  * before one; false where they don't, as "" in quotes and 5" without. */
-INLINE bool pass_quotes(struct place *p, char separator)
+INLINE bool pass_quotes(struct walker *p, char separator)
 {
 	bool open = false, odd = false;
 
@@ -410,11 +419,11 @@ static void no_numbers(int n, size_t i, struct plain_places places[4])
 	}
 }
 
-INLINE size_t take_lines(struct stretch *s, const struct walk *walk,
+INLINE size_t walk_take(struct stretch *s, const struct walk *walk,
     struct dialect d, int n, enum shape shape, size_t max, struct line *lines,
     struct plain_places places[4], uint64_t *left)
 {
-	struct place p = { s->text, s->at, s->next, false };
+	struct walker p = { s->text, s->at, s->next, false };
 	uint32_t end = s->end;
 	size_t i;
 
@@ -425,7 +434,7 @@ INLINE size_t take_lines(struct stretch *s, const struct walk *walk,
 
 		lines[i].object = lines[i].words = lines[i].mark = false;
 		bool found = p.text + begin - s->readable >= PLAIN_BEFORE &&
-		    find_coordinates(&p, walk, d, n, shape, &t) &&
+		    walk_coordinates(&p, walk, d, n, shape, &t) &&
 		    (d.format != FORMAT_CSV || pass_quotes(&p, d.separator));
 
 		while (p.text[*p.stop] != '\n')
@@ -453,12 +462,12 @@ INLINE size_t take_dialect(struct stretch *s, const struct walk *walk,
     struct plain_places places[4], uint64_t *left)
 {
 	if (walk->n != 3)
-		return take_lines(s, walk, d, walk->n, COLUMNS, max, lines,
+		return walk_take(s, walk, d, walk->n, COLUMNS, max, lines,
 		    places, left);
 	if (walk->columns)
-		return take_lines(s, walk, d, 3, COLUMNS, max, lines, places,
+		return walk_take(s, walk, d, 3, COLUMNS, max, lines, places,
 		    left);
-	return take_lines(s, walk, d, 3, FIELDS, max, lines, places, left);
+	return walk_take(s, walk, d, 3, FIELDS, max, lines, places, left);
 }
 
 /* Lines of JSON are mostly like the first of them. */
@@ -468,7 +477,7 @@ static size_t take_json(struct stretch *s, const struct walk *walk, size_t max,
 	const struct dialect d = { FORMAT_JSON, ',' };
 
 	if (walk->objects && (s->text[s->at] == '{' || !walk->arrays))
-		return take_lines(s, walk, d, walk->n, MEMBERS, max, lines,
+		return walk_take(s, walk, d, walk->n, MEMBERS, max, lines,
 		    places, left);
 	return take_dialect(s, walk, d, max, lines, places, left);
 }
@@ -490,4 +499,38 @@ size_t walk_lines(struct stretch *s, const struct walk *walk, size_t n,
 		    (struct dialect){ FORMAT_TEXT, ' ' }, n, lines, places,
 		    left);
 	}
+}
+
+/* Reads a number that is not plain, such as 1e-3. Returns false where only line_read
+ * can tell what it is. */
+static bool read_number(struct dialect d, struct span f, const char *readable,
+    double *v)
+{
+	const char *end = d.format == FORMAT_JSON ?
+	    json_number(f.s, f.end, v) :
+	    number_read(f.s, readable, v);
+
+	return end == f.end && !(fabs(*v) > MAGNITUDE_MAX);
+}
+
+uint64_t walk_numbers(const struct walk *walk, const struct line *lines,
+    size_t n, const struct plain_places at[4], uint64_t left,
+    const char *readable, double v[4][PLAIN_BATCH])
+{
+	uint64_t odd[4], some = 0;
+
+	for (int k = 0; k < walk->n; k++)
+		some |= odd[k] = plain_reader()->read(&at[k], n, v[k]);
+	for (some &= ~left; some != 0; some &= some - 1) {
+		int i = __builtin_ctzll(some);
+		bool ok = true;
+
+		for (int k = 0; k < walk->n && ok; k++)
+			ok = (odd[k] >> i & 1) == 0 ||
+			    read_number(walk->in, line_at(&lines[i], k),
+				readable, &v[k][i]);
+		if (!ok)
+			left |= (uint64_t)1 << i;
+	}
+	return left;
 }

@@ -45,9 +45,15 @@ bool stretch_open(struct stretch *, const struct walk *, const char *text,
 
 /* Takes up to n <= PLAIN_BATCH lines: where their numbers stand, by coordinate.
  * Bit i of *left says that line i has to be left to line_read; else it is
- * a point if its numbers are plain. Returns how many, at least one while at is
+ * a point if walk_numbers says so. Returns how many, at least one while at is
  * before end. */
 size_t walk_lines(struct stretch *, const struct walk *, size_t n,
     struct line[PLAIN_BATCH], struct plain_places[4], uint64_t *left);
+
+/* Reads the numbers of the n lines that walk_lines took, but for those that are left.
+ * Returns which lines are left then. Bytes up to readable may be looked at. */
+uint64_t walk_numbers(const struct walk *, const struct line *, size_t n,
+    const struct plain_places[4], uint64_t left, const char *readable,
+    double v[4][PLAIN_BATCH]);
 
 #endif

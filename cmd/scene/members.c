@@ -20,6 +20,10 @@ const struct member camera_members[] = {
 	    .note = "x, y, z, w from view to world axes; of w, x, y, z from "
 		    "world to view that is -x, -y, -z, w",
 	    .about = "quaternion x, y, z, w: view to world axes"),
+	ROW(camera, "rvec", type_numbers, rvec, .n = 3,
+	    .aliases = "rotationvector rodrigues",
+	    .note = "world to view about it, by its length", .unit = "radians",
+	    .about = "rotation vector: world to view axes"),
 	ROW(camera, "translation", type_numbers, eye, .n = 3,
 	    .aliases = "tvec t",
 	    .note = "where the world's origin is in view space",
@@ -29,7 +33,7 @@ const struct member camera_members[] = {
 		       "camtoworld c2w",
 	    .note = "view to world", .about = "view to world"),
 	ROW(camera, "matrix", type_affine, matrix,
-	    .aliases = "view viewmatrix extrinsic extrinsics r rt rvec "
+	    .aliases = "view viewmatrix extrinsic extrinsics r rt "
 		       "rotationmatrix worldtocamera worldtocam w2c",
 	    .note = "world to view, [R|t]", .about = "world to view, [R|t]"),
 	ROW(camera, "up", type_numbers, up, .n = 3, .usual = "[0, 1, 0]",
@@ -45,11 +49,13 @@ const struct member camera_members[] = {
 const struct ways camera_ways[] = {
 	{
 	    .way = { "eye at up? roll?", "eye gaze up? roll?",
-		"eye orientation roll?", "translation orientation roll?",
+		"eye orientation roll?", "eye rvec roll?",
+		"translation orientation roll?", "translation rvec roll?",
 		"pose orthonormalize?", "matrix orthonormalize?" },
 	    .fit = true,
 	    .fit_way = { "eye at up? roll?", "eye? gaze up? roll?",
-		"eye? orientation roll?", "translation orientation roll?",
+		"eye? orientation roll?", "eye? rvec roll?",
+		"translation orientation roll?", "translation rvec roll?",
 		"pose orthonormalize?", "matrix orthonormalize?" },
 	},
 	{ .way = { NULL } },
@@ -226,12 +232,16 @@ const struct member pick_members[] = {
 static void check_translation(const struct value *v, uint64_t seen)
 {
 	struct value m = value_missing(v, "translation");
+	uint64_t turn = member_bit(camera_members, 0, "orientation") |
+	    member_bit(camera_members, 0, "rvec");
 
 	if ((seen & member_bit(camera_members, 0, "translation")) != 0 &&
-	    (seen & member_bit(camera_members, 0, "orientation")) == 0)
+	    (seen & turn) == 0)
 		value_refuse(&m,
 		    "is where the world's origin is in view space, and needs "
-		    "an \"orientation\"; where the camera stands is \"eye\"");
+		    "an \"orientation\" or \"rvec\"; where the camera stands "
+		    "is "
+		    "\"eye\"");
 }
 
 bool read_camera(const struct value *v, struct camera *c)

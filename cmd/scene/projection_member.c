@@ -107,7 +107,8 @@ const struct member projection_members[] = {
 		       "principalpoint skew",
 	    .note = "[fx, fy, cx, cy], K or P, in pixels",
 	    .unit = "device units",
-	    .about = "[fx, fy, cx, cy], 3 rows of 3, or 3 rows of 4"),
+	    .about =
+		"[fx, fy, cx, cy], K or P, in rows or one after the other"),
 	OF(PERSP, "edges_at", type_numbers, edges_at, .range = &range_positive,
 	    .aliases = "distance", .unit = "view units",
 	    .about = "where width or edges are measured, else near"),
@@ -163,13 +164,16 @@ enum {
 const struct ways projection_ways[] = {
 	[WAYS_PERSP] = { { "fovy aspect?", "fovx aspect?", "view_angle aspect?",
 			     "field aspect?", "width height edges_at?",
+			     "width aspect? edges_at?",
+			     "height aspect? edges_at?",
 			     "left right bottom top edges_at?", "angles",
 			     "intrinsics" },
 	    .kinds = PERSP },
-	[WAYS_PARALLEL] = { { "width height", "height aspect?",
+	[WAYS_PARALLEL] = { { "width height", "width aspect?", "height aspect?",
 				"left right bottom top" },
 	    true,
-	    { "width? height?", "height? aspect?", "left right bottom top" },
+	    { "width? height?", "width? aspect?", "height? aspect?",
+		"left right bottom top" },
 	    PARALLEL },
 	[WAYS_SHEAR] = { { "kind", "angle" }, .kinds = OBLIQUE },
 	[WAYS_DEPTH] = { { "near far" }, true, { NULL }, PARALLEL },
@@ -189,10 +193,10 @@ static const struct ways open_ways = {
 };
 
 static const enum extent persp_extents[] = { EXTENT_FOVY, EXTENT_FOVX,
-	EXTENT_VIEW_ANGLE, EXTENT_FIELD, EXTENT_SIZE, EXTENT_EDGES,
-	EXTENT_ANGLES, EXTENT_INTRINSICS };
-static const enum extent parallel_extents[] = { EXTENT_SIZE, EXTENT_HEIGHT,
-	EXTENT_EDGES };
+	EXTENT_VIEW_ANGLE, EXTENT_FIELD, EXTENT_SIZE, EXTENT_WIDTH,
+	EXTENT_HEIGHT, EXTENT_EDGES, EXTENT_ANGLES, EXTENT_INTRINSICS };
+static const enum extent parallel_extents[] = { EXTENT_SIZE, EXTENT_WIDTH,
+	EXTENT_HEIGHT, EXTENT_EDGES };
 
 static int take_way(const struct value *v, const struct projection *p,
     uint64_t seen, const struct ways *ways)
@@ -249,7 +253,8 @@ static void find_aspect(const struct value *v, const struct viewport *viewport,
 
 	if (v->unused)
 		return;
-	if (!widens && p->extent >= EXTENT_SIZE && p->extent != EXTENT_HEIGHT)
+	if (!widens && p->extent >= EXTENT_SIZE && p->extent != EXTENT_WIDTH &&
+	    p->extent != EXTENT_HEIGHT)
 		return;
 	if (widens && viewport == NULL && p->aspect[0] == 0)
 		return;

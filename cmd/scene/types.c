@@ -211,15 +211,18 @@ void read_affine(const struct value *v, const struct member *row, void *out)
 const struct type type_matrix = { "matrix", read_matrix, NULL, 0 };
 const struct type type_affine = { "matrix", read_affine, NULL, 0 };
 
-#define FORMS "[fx, fy, cx, cy], 3 rows of 3, K, or 3 rows of 4, P"
+#define FORMS                                                         \
+	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
+	"rows of 4 or 12 numbers"
 
-/* fx and fy are sizes; below the diagonal there is 0, and in the last row 1 on it. */
-static void check_element(const struct value *e, int i, size_t j, double a)
+/* Of K: fx and fy are sizes; below the diagonal there is 0, and in the last row 1 on
+ * it. */
+static void check_k(const struct value *e, int i, size_t j, double a)
 {
-	if (i == 2 && j < 3 && a != (j == 2))
+	if (i == 2 && a != (j == 2))
 		value_refuse(e,
-		    "its last row begins 0, 0, 1; is it a camera's "
-		    "K or P, and not transposed?");
+		    "the last row of K is 0, 0, 1; is it a camera's K, and "
+		    "not transposed?");
 	if (j < (size_t)i && a != 0)
 		value_refuse(e,
 		    "under the diagonal of K there is 0; is it "
@@ -228,14 +231,40 @@ static void check_element(const struct value *e, int i, size_t j, double a)
 		value_number(e, &range_positive);
 }
 
-static void read_k_row(const struct value *row, int i, size_t n, double k[4])
+/* Row i, whose first element is *e, which goes on to the next row's. */
+static void read_k_row(struct value *e, int i, size_t n, double k[4])
 {
-	value_numbers(row, &range_any, n, k);
-	struct value e = value_child(row);
+	for (size_t j = 0; j < n; j++, value_next(e)) {
+		k[j] = value_number(e, &range_any);
+		if (n == 3 && !e->unused)
+			check_k(e, i, j, k[j]);
+	}
+}
 
-	for (size_t j = 0; j < n; j++, value_next(&e))
-		if (!row->unused)
-			check_element(&e, i, j, k[j]);
+/* K where n is 3, P where it is 4: rows, or one row after the other. */
+static void read_k_or_p(const struct value *v, size_t n, bool nested,
+    double k[3][4])
+{
+	struct value e = value_child(v);
+
+	for (int i = 0; i < 3; i++) {
+		struct value row = e;
+
+		if (!nested) {
+			read_k_row(&e, i, n, k[i]);
+			continue;
+		}
+		value_numbers(&row, &range_any, n, k[i]);
+		struct value first = value_child(&row);
+
+		read_k_row(&first, i, n, k[i]);
+		value_next(&e);
+	}
+	if (n == 4 && k[2][0] == 0 && k[2][1] == 0 && k[2][2] == 0 &&
+	    !v->unused)
+		value_refuse(v,
+		    "the last row of P begins 0, 0, 0; a perspective divides "
+		    "by more than one number");
 }
 
 static void read_intrinsics(const struct value *v, const struct member *row,
@@ -248,14 +277,16 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 	if (!value_is_array(v))
 		value_wrong(v, FORMS ",");
 	first = value_child(v);
-	if (value_count(v) == 3 && value_is_array(&first)) {
-		size_t n = value_count(&first) == 4 ? 4 : 3;
+	size_t n = value_count(v);
+	bool nested = value_is_array(&first);
 
-		for (int i = 0; i < 3; i++, value_next(&first))
-			read_k_row(&first, i, n, k[i]);
+	if (nested ? n == 3 : n == 9 || n == 12) {
+		size_t columns = nested ? value_count(&first) : n / 3;
+
+		read_k_or_p(v, columns == 4 ? 4 : 3, nested, k);
 		return;
 	}
-	if (value_count(v) != 4 || value_is_array(&first))
+	if (n != 4 || nested)
 		value_refuse(v, "is none of " FORMS);
 	value_numbers(v, &range_any, 4, four);
 	for (int i = 0; i < 2; i++, value_next(&first)) {
@@ -266,22 +297,24 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 	k[2][2] = 1;
 }
 
-/* As P, or where there is no offset K, or without skew four numbers. */
+/* As P, or where the rest is that of K as K, or without skew as four numbers. */
 static void print_intrinsics(struct printer *p, const struct member *row,
     const void *at)
 {
 	const double(*k)[4] = at;
 	const double four[4] = { k[0][0], k[1][1], k[0][2], k[1][2] };
-	bool offset = k[0][3] != 0 || k[1][3] != 0 || k[2][3] != 0;
+	bool is_p = k[0][3] != 0 || k[1][3] != 0 || k[2][3] != 0 ||
+	    k[1][0] != 0 || k[2][0] != 0 || k[2][1] != 0 || k[2][2] != 1 ||
+	    !(k[0][0] > 0 && k[1][1] > 0);
 
 	(void)row;
-	if (!offset && k[0][1] == 0) {
+	if (!is_p && k[0][1] == 0) {
 		put_numbers(p, four, 4);
 		return;
 	}
 	put_open(p, "[");
 	for (int i = 0; i < 3; i++)
-		put_numbers(p, k[i], offset ? 4 : 3);
+		put_numbers(p, k[i], is_p ? 4 : 3);
 	put_close(p, "]");
 }
 

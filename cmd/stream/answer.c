@@ -93,10 +93,10 @@ static _Noreturn void stop(const struct job *j, const struct chunk *c)
 		j->flush(j);
 	progress_clear();
 	say_imageless();
-	if (c->state == PIECE_TOO_LONG)
+	if (c->piece.state == PIECE_TOO_LONG)
 		die_at(EXIT_INPUT, &p, "a line of more than 64 MiB");
 	p.line = 0;
-	die_at(EXIT_SYSTEM, &p, "%s", strerror(c->error));
+	die_at(EXIT_SYSTEM, &p, "%s", strerror(c->piece.error));
 }
 
 void answer_chunk(const struct job *j, const struct chunk *c)
@@ -110,8 +110,8 @@ void answer_chunk(const struct job *j, const struct chunk *c)
 	if (c->n_complaints > 0)
 		complain(j, c);
 	answer.next_line += (long long)c->n_lines;
-	progress_add(c->n_lines, c->bytes);
-	if (c->state == PIECE_TOO_LONG || c->state == PIECE_FAILED)
+	progress_add(c->n_lines, (size_t)(c->piece.got.end - c->piece.got.s));
+	if (c->piece.state == PIECE_TOO_LONG || c->piece.state == PIECE_FAILED)
 		stop(j, c);
 }
 

@@ -5,26 +5,29 @@
 
 #include "job.h"
 
-/* Reads points, up to POINTS_BLOCK, into the chunk's columns. Returns how
- * many. */
-size_t binary_read(const struct job *, struct chunk *);
+/* Returns whether blocks of images are written as they are: every binary point
+ * becomes as many bytes, and no command wants to see it. */
+bool binary_is_whole(const struct job *);
+
+/* As block_read does; but the chunk has no lines if all is well and
+ * binary_is_whole. */
+size_t binary_read(const struct job *, struct chunk *, size_t *points);
 
 /* Transforms the next points, at most a block, from floats to floats in single
  * precision. Returns false, with nothing done, where one has no image. */
 bool binary_carry(const struct job *, struct chunk *);
 
-/* chunk_mark; but a double midway to infinity counts as the float that the exact image
- * is rounded to. */
-void binary_mark(const struct job *, struct chunk *, size_t p, size_t line);
+/* Appends the images of the n binary points that were read last, of four coordinates
+ * at most. Returns false, with nothing done but the chunk's lines, where one has no
+ * image or is to be looked at. */
+bool binary_join(const struct job *, struct chunk *, size_t n);
 
-/* Writes v, the image of point p of the block. Where v is nan, p does not
- * matter. */
-void binary_write(const struct job *, struct chunk *, size_t p,
-    const double *v);
+/* Returns v, coordinate k of the image of point p, as a float. */
+float binary_float(const struct job *, const struct chunk *, size_t p, int k,
+    double v);
 
-/* Writes the images of the block's n points, of four coordinates at most, after
- * chunk_mark of those that have none; first_line is the number of the first. */
-void binary_write_block(const struct job *, struct chunk *, size_t n,
-    size_t first_line);
+/* Writes the image of point p, or nan if it has none, and returns where it ends. */
+char *binary_put(const struct job *, const struct chunk *, bool image, size_t p,
+    char *at);
 
 #endif

@@ -4,7 +4,7 @@
 #include <string.h>
 
 /* What of a block has been read. */
-struct block {
+struct block_in {
 	struct job *job;
 	struct chunk *chunk;
 	size_t lines, points;
@@ -12,14 +12,14 @@ struct block {
 
 /* Reads a line as line_read does, and takes its point. Returns false where
  * a bad line ends the chunk. */
-static bool read_line(struct block *b, struct span text, bool newline)
+static bool read_line(struct block_in *b, struct span text, bool newline)
 {
 	struct chunk *c = b->chunk;
 	struct line *line = &c->line[b->lines];
 	char reason[REASON_MAX];
 	double v[4];
 
-	line_read(&b->job->layout, text, c->end, &c->first, line, v, reason);
+	line_read(&b->job->layout, text, &c->first, line, v, reason);
 	line->newline = newline;
 	if (line_is_bad(line)) {
 		chunk_complain(c, c->n_lines, reason);
@@ -38,7 +38,7 @@ static bool read_line(struct block *b, struct span text, bool newline)
 	return true;
 }
 
-static bool read_next(struct block *b)
+static bool read_next(struct block_in *b)
 {
 	struct chunk *c = b->chunk;
 	const char *newline = memchr(c->text, '\n', (size_t)(c->end - c->text));
@@ -50,7 +50,7 @@ static bool read_next(struct block *b)
 
 /* Takes n lines that were walked, with their numbers v, but those of left one by
  * one. */
-static bool take_lines(struct block *b, size_t n, uint64_t left,
+static bool block_take(struct block_in *b, size_t n, uint64_t left,
     double v[4][PLAIN_BATCH])
 {
 	struct chunk *c = b->chunk;
@@ -76,7 +76,7 @@ static bool take_lines(struct block *b, size_t n, uint64_t left,
 }
 
 /* Reads some of the next lines by way of the stretch. */
-static bool read_walked(struct block *b, const struct walk *walk)
+static bool read_walked(struct block_in *b, const struct walk *walk)
 {
 	struct chunk *c = b->chunk;
 	size_t n = POINTS_BLOCK - b->lines;
@@ -86,15 +86,14 @@ static bool read_walked(struct block *b, const struct walk *walk)
 
 	n = walk_lines(&c->stretch, walk, n < PLAIN_BATCH ? n : PLAIN_BATCH,
 	    &c->line[b->lines], at, &left);
-	for (int k = 0; k < walk->n; k++)
-		left |= plain_reader()->read(&at[k], n, v[k]);
+	left = walk_numbers(walk, &c->line[b->lines], n, at, left, c->end, v);
 	c->text = c->stretch.text + c->stretch.at;
-	return take_lines(b, n, left, v);
+	return block_take(b, n, left, v);
 }
 
 size_t block_read(struct job *j, struct chunk *c, size_t *points)
 {
-	struct block b = { j, c, 0, 0 };
+	struct block_in b = { j, c, 0, 0 };
 	struct stretch *s = &c->stretch;
 	bool more = true, planned = false, walks = false;
 	struct walk walk;

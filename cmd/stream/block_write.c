@@ -21,7 +21,9 @@ struct block {
 	const struct job *job;
 	struct chunk *chunk;
 	size_t points;
-	bool in_order;                       /* its lines are for put_in_order */
+	bool in_place; /* only numbers change, or stand behind the others */
+	bool adds;     /* numbers or a word, behind those that were read */
+	int order[4];  /* in which coordinates stand on the line before */
 	unsigned char outside[POINTS_BLOCK]; /* of which planes each is */
 	struct texts texts;
 };
@@ -73,62 +75,55 @@ const struct word *word_for(struct chunk *c, unsigned outside)
 	return w;
 }
 
-/* Whether point p is to be written. */
-static bool is_wanted(const struct block *b, size_t p)
+/* Returns whether the n coordinates of a line stand in their order. */
+static inline bool is_in_order(const struct line *line, int n)
 {
-	return !b->job->visible || b->outside[p] == 0;
-}
-
-static char *put_point(struct block *b, const struct line *line, size_t p,
-    char *at)
-{
-	struct chunk *c = b->chunk;
-	const struct numbers n = { &c->image[0][p],
-		&b->texts.text[0][p % BATCH], POINTS_BLOCK, BATCH };
-
-	return line_write(&b->job->layout, line, &n,
-	    b->job->flags ? word_for(c, b->outside[p]) : NULL, at);
-}
-
-/* Whether in all lines that are points only numbers change, in their order, and what
- * is added, numbers or a word, stands behind them. */
-static bool is_in_order(const struct layout *l)
-{
-	const struct columns *c = &l->columns;
-
-	bool members = l->in.format == FORMAT_JSON && c->name[0] != NULL;
-
-	for (int k = 1; k < c->n && !members; k++)
-		if (c->field[k - 1] >= c->field[k])
+	for (int k = 1; k < n; k++)
+		if (line->at[k].from < line->at[k - 1].from)
 			return false;
-	return same_dialect(l->in, l->out) && l->reads <= l->writes;
+	return true;
 }
 
-/* Whether what is added after the last of n numbers has the usual separator before
- * it, and no quote. */
+/* Finds the order in which they stand, most often that of the line before. */
+static void find_order(const struct line *line, int n, int order[4])
+{
+	for (int i = 1; i < n; i++)
+		for (int k = i; k > 0 &&
+		     line->at[order[k - 1]].from > line->at[order[k]].from;
+		     k--) {
+			int after = order[k];
+
+			order[k] = order[k - 1];
+			order[k - 1] = after;
+		}
+}
+
+/* Returns whether what is added behind the last of n numbers, which stand in their
+ * order, has the usual separator before it, and no quote. */
 static inline bool takes_more(const struct layout *l, const struct line *line,
     int n)
 {
 	uint32_t last = line->at[n - 1].to;
 
-	return l->out.format == FORMAT_JSON ||
-	    (l->out.format == FORMAT_TEXT ?
-		    line->at[n - 1].from - line->at[n - 2].to == 1 :
-		    last == line->size || line->s[last] != '"');
+	if (format_of(l->out)->blanks)
+		return line->at[n - 1].from - line->at[n - 2].to == 1;
+	return !line->object &&
+	    (!format_of(l->out)->header || last == line->size ||
+		line->s[last] != '"');
 }
 
-/* What it is then. */
+/* Returns that separator. */
 static inline char separator(const struct layout *l, const struct line *line,
     int n)
 {
-	return l->out.format == FORMAT_TEXT ? line->s[line->at[n - 2].to] :
-					      l->out.separator;
+	return format_of(l->out)->blanks ? line->s[line->at[n - 2].to] :
+					   l->out.separator;
 }
 
 static inline char *put_word(const struct layout *l, const struct line *line,
     int n, const struct word *w, char *at)
 {
-	bool quoted = l->out.format == FORMAT_JSON;
+	bool quoted = *format_of(l->out)->open != '\0';
 
 	*at++ = separator(l, line, n);
 	*at = '"';
@@ -140,21 +135,27 @@ static inline char *put_word(const struct layout *l, const struct line *line,
 	return at + quoted;
 }
 
+/* Writes coordinate k of the image of point p. */
+static inline char *block_put_number(const struct block *b, int k, size_t p,
+    char *at)
+{
+	return line_put(&b->job->layout, k, &b->texts.text[k][p % BATCH],
+	    b->chunk->image[k][p], at);
+}
+
 /* Copies what stands before coordinate k, done being where the one before it
  * ended, and writes its image. As most gaps are of one byte, a byte is copied even
  * where there is none. */
 static inline char *replace(const struct block *b, const struct line *line,
     int k, uint32_t done, size_t p, char *at)
 {
-	const struct layout *l = &b->job->layout;
 	const char *gap = line->s + done;
 	uint32_t size = line->at[k].from - done;
 
 	*at = *gap;
 	if (size > 1)
 		memcpy(at, gap, size);
-	return number_put(at + size, &b->texts.text[k][p % BATCH],
-	    b->chunk->image[k][p], l->single, l->style[k]);
+	return block_put_number(b, k, p, at + size);
 }
 
 static inline char *put_rest(const struct line *line, uint32_t done, char *at)
@@ -170,9 +171,10 @@ static inline char *put_rest(const struct line *line, uint32_t done, char *at)
 	return at + line->newline;
 }
 
-/* What line_write does then, without a look at what cannot be. */
-static char *put_in_order(struct block *b, const struct line *line, size_t p,
-    char *at)
+/* Writes what line_write would where numbers stand in their order, without a look at
+ * what cannot be. */
+static inline char *put_in_order(struct block *b, const struct line *line,
+    size_t p, char *at)
 {
 	const struct layout *l = &b->job->layout;
 	uint32_t done = 0;
@@ -181,102 +183,102 @@ static char *put_in_order(struct block *b, const struct line *line, size_t p,
 		at = replace(b, line, k, done, p, at);
 	for (int k = l->reads; k < l->writes; k++) {
 		*at++ = separator(l, line, l->reads);
-		at = number_put(at, &b->texts.text[k][p % BATCH],
-		    b->chunk->image[k][p], l->single, l->style[k]);
+		at = block_put_number(b, k, p, at);
 	}
-	if (b->job->flags)
+	if (l->flags)
 		at = put_word(l, line, l->reads,
 		    word_for(b->chunk, b->outside[p]), at);
 	return put_rest(line, done, at);
 }
 
-/* Whether in the object only numbers change, in their order. */
-static bool is_plain_object(const struct job *j, const struct line *line)
-{
-	for (int k = 1; k < j->layout.reads; k++)
-		if (line->at[k].from < line->at[k - 1].from)
-			return false;
-	return !j->flags && j->layout.reads == j->layout.writes;
-}
-
-/* Writes the line of point p with its image, if it is wanted. */
-static char *put_image(struct block *b, const struct line *line, size_t p,
+/* Writes what line_write would where numbers stand in any order, and none is added. */
+static char *put_in_place(struct block *b, const struct line *line, size_t p,
     char *at)
 {
-	const struct job *j = b->job;
-	const struct layout *l = &j->layout;
+	int reads = b->job->layout.reads;
+	uint32_t done = 0;
 
-	if (!is_wanted(b, p))
-		return at;
+	find_order(line, reads, b->order);
+	for (int i = 0; i < reads; done = line->at[b->order[i++]].to)
+		at = replace(b, line, b->order[i], done, p, at);
+	return put_rest(line, done, at);
+}
+
+static char *put_spliced(struct block *b, const struct line *line, size_t p,
+    char *at)
+{
+	const struct layout *l = &b->job->layout;
+	const struct numbers n = { &b->chunk->image[0][p],
+		&b->texts.text[0][p % BATCH], POINTS_BLOCK, BATCH };
+
+	return line_write(l, line, &n,
+	    l->flags ? word_for(b->chunk, b->outside[p]) : NULL, at);
+}
+
+/* Writes the line of point p with its image. */
+static char *block_put_image(struct block *b, const struct line *line, size_t p,
+    char *at)
+{
+	const struct layout *l = &b->job->layout;
+
 	need_texts(b, p);
-	if (line->object && !is_plain_object(j, line))
-		return put_point(b, line, p, at);
-	return b->in_order && takes_more(l, line, l->reads) ?
-	    put_in_order(b, line, p, at) :
-	    put_point(b, line, p, at);
+	if (b->in_place && is_in_order(line, l->reads) &&
+	    (!b->adds || takes_more(l, line, l->reads)))
+		return put_in_order(b, line, p, at);
+	return b->in_place && !b->adds ? put_in_place(b, line, p, at) :
+					 put_spliced(b, line, p, at);
 }
 
 /* Writes a line that is no point: a comment or a header as it is, a bad line as
  * nan in each coordinate. */
-static char *put_other(const struct job *j, const struct line *line, char *at)
+static char *put_other(const struct layout *l, const struct line *line,
+    char *at)
 {
 	static const double nan = (double)NAN;
 	static const struct number_text none = { .layout = 0 };
 	static const struct word flag = { "nan", 3 };
 	const struct numbers n = { &nan, &none, 0, 0 };
-	bool bad = line_is_bad(line);
 
-	if (bad && j->visible)
-		return at;
-	return line_write(&j->layout, line, &n, bad && j->flags ? &flag : NULL,
-	    at);
+	return line_write(l, line, &n,
+	    line_is_bad(line) && l->flags ? &flag : NULL, at);
 }
 
-/* Lines i to end - 1 of the chunk's, whose first point is p. Returns the point
+/* Writes a line, or the binary point that takes its place. If it is a point, that is
+ * point p. */
+static char *put_line(struct block *b, const struct line *line, size_t p,
+    char *at)
+{
+	const struct job *j = b->job;
+	bool point = line->kind == LINE_POINT, bad = line_is_bad(line);
+
+	if (j->visible && (point ? b->outside[p] != 0 : bad))
+		return at;
+	if (is_binary(j->layout.out.format))
+		return point || bad ? binary_put(j, b->chunk, point, p, at) :
+				      at;
+	return point ? block_put_image(b, line, p, at) :
+		       put_other(&j->layout, line, at);
+}
+
+/* Writes lines i to end - 1 of the chunk's, whose first point is p. Returns the point
  * after them. */
 static size_t write_lines(struct block *b, size_t i, size_t end, size_t p)
 {
+	const struct layout *l = &b->job->layout;
 	struct chunk *c = b->chunk;
 	const struct line *last = &c->line[end - 1];
 	size_t bytes = (size_t)(last->s + last->size - c->line[i].s);
 	char *at = chunk_reserve(c,
-	    lines_room(&b->job->layout, end - i, bytes));
+	    is_binary(l->out.format) ?
+		(end - i) * point_size(l->out.format, l->writes) :
+		lines_room(l, end - i, bytes));
 
-	for (; i < end; i++)
-		at = c->line[i].kind == LINE_POINT ?
-		    put_image(b, &c->line[i], p++, at) :
-		    put_other(b->job, &c->line[i], at);
+	for (; i < end; i++) {
+		at = put_line(b, &c->line[i], p, at);
+		p += c->line[i].kind == LINE_POINT;
+	}
 	c->size = (size_t)(at - c->out);
 	return p;
-}
-
-/* Points i to end - 1, each on a line of its own; no bytes of theirs are kept. */
-static void write_points(struct block *b, size_t i, size_t end)
-{
-	const struct line line = { "", .kind = LINE_POINT, .newline = true };
-	struct chunk *c = b->chunk;
-	char *at = chunk_reserve(c, lines_room(&b->job->layout, end - i, 0));
-
-	for (; i < end; i++)
-		at = put_image(b, &line, i, at);
-	c->size = (size_t)(at - c->out);
-}
-
-static void write_binary(struct block *b, const struct line *line, size_t p)
-{
-	const double nan = (double)NAN;
-	double v[COORDINATES_MAX] = { nan, nan, nan, nan, nan, nan };
-
-	if (line != NULL && line->kind != LINE_POINT) {
-		if (line_is_bad(line) && !b->job->visible)
-			binary_write(b->job, b->chunk, 0, v);
-		return;
-	}
-	if (!is_wanted(b, p))
-		return;
-	for (int k = 0; k < b->job->layout.writes; k++)
-		v[k] = b->chunk->image[k][p];
-	binary_write(b->job, b->chunk, p, v);
 }
 
 /* Whether all images are finite, as they are written. The bits of a double without
@@ -298,27 +300,49 @@ static bool all_finite(const struct chunk *c, const struct layout *l, size_t n)
 	return (any & top) == 0;
 }
 
-/* Marks the points without image; number is that of the first line. Returns
- * whether there is none. */
-static bool mark(struct block *b, size_t n, size_t number)
+/* Midway between the largest float and 2^128, to which it is rounded. */
+#define MIDWAY_TO_INFINITY 0x1.ffffffp127
+
+/* Makes nan of each coordinate of the image of point p that is not finite, or is
+ * written as a float and not finite as one. Returns whether there is any. A double
+ * midway to infinity counts as the float that the exact image is rounded to. */
+static bool mark_point(struct block *b, size_t p)
 {
 	const struct layout *l = &b->job->layout;
+	bool nan = false, narrow = l->out.format == FORMAT_F32;
+
+	for (int k = 0; k < l->writes; k++) {
+		double *v = &b->chunk->image[k][p];
+
+		if (narrow && fabs(*v) == MIDWAY_TO_INFINITY)
+			*v = (double)binary_float(b->job, b->chunk, p, k, *v);
+		if (isfinite(*v) && !(narrow && fabs(*v) > MIDWAY_TO_INFINITY))
+			continue;
+		*v = (double)NAN;
+		nan = true;
+	}
+	return nan;
+}
+
+/* Marks and counts the points without image; number is that of the first line. */
+static void mark(struct block *b, size_t n, size_t number)
+{
 	struct chunk *c = b->chunk;
-	bool lines = !is_binary(l->in.format);
 	size_t p = 0;
 
-	if (all_finite(c, l, b->points))
-		return true;
+	if (all_finite(c, &b->job->layout, b->points))
+		return;
 	for (size_t i = 0; i < n; i++)
-		if (!lines || c->line[i].kind == LINE_POINT)
-			binary_mark(b->job, c, p++, number + i);
-	return false;
+		if (c->line[i].kind == LINE_POINT && mark_point(b, p++) &&
+		    c->imageless++ == 0)
+			c->first_imageless = number + i;
 }
 
 void block_write(const struct job *j, struct chunk *c, size_t n, size_t points,
     size_t number)
 {
-	bool lines = !is_binary(j->layout.in.format);
+	const struct layout *l = &j->layout;
+	const struct columns *columns = &l->columns;
 	struct block b; /* of which its texts would take long to be cleared */
 	const double *const in[4] = { c->in[0], c->in[1], c->in[2], c->in[3] };
 	size_t p = 0;
@@ -327,43 +351,16 @@ void block_write(const struct job *j, struct chunk *c, size_t n, size_t points,
 	b.chunk = c;
 	b.points = points;
 	b.texts.from = SIZE_MAX;
-	bool finite = mark(&b, n, number);
-
-	/* to JSON, nan goes as null */
-	b.in_order = is_in_order(&j->layout) &&
-	    (finite || j->layout.out.format != FORMAT_JSON);
-	if (j->flags || j->visible)
+	for (int k = 0; k < 4; k++)
+		b.order[k] = k;
+	b.adds = l->flags || l->reads < l->writes;
+	/* what is added to a value in a line does not stand behind it */
+	b.in_place = same_dialect(l->in, l->out) && l->reads <= l->writes &&
+	    !(b.adds && *format_of(l->in)->open != '\0' && columns->n > 0 &&
+		columns->name[0] != NULL);
+	mark(&b, n, number);
+	if (l->flags || j->visible)
 		frustum_out_all(&j->frustum, in, b.outside, points);
-	for (size_t i = 0; i < n; i += BATCH) {
-		size_t end = n - i < BATCH ? n : i + BATCH;
-
-		if (is_binary(j->layout.out.format))
-			for (size_t k = i; k < end; k++) {
-				const struct line *line = lines ? &c->line[k] :
-								  NULL;
-
-				write_binary(&b, line, p);
-				p += !lines || line->kind == LINE_POINT;
-			}
-		else if (lines)
-			p = write_lines(&b, i, end, p);
-		else
-			write_points(&b, i, end);
-	}
-}
-
-void block_write_nan(const struct job *j, struct chunk *c)
-{
-	const struct line line = { "", .kind = LINE_LOST, .newline = true };
-	struct block b = { .job = j, .chunk = c };
-
-	if (j->take != NULL)
-		return;
-	if (is_binary(j->layout.out.format)) {
-		write_binary(&b, &line, 0);
-		return;
-	}
-	char *at = chunk_reserve(c, lines_room(&j->layout, 1, 0));
-
-	c->size = (size_t)(put_other(j, &line, at) - c->out);
+	for (size_t i = 0; i < n; i += BATCH)
+		p = write_lines(&b, i, n - i < BATCH ? n : i + BATCH, p);
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "chunk.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -27,7 +26,7 @@ struct chunk *chunk_new(void)
 
 void chunk_free(struct chunk *c)
 {
-	piece_free(&c->piece);
+	free(c->piece.text);
 	free(c->out);
 	free(c->complaints);
 	free(c->reasons);
@@ -49,7 +48,7 @@ static void *keep_small(void *p, size_t *room, size_t size)
 
 void chunk_clear(struct chunk *c)
 {
-	c->n_lines = c->size = c->n_complaints = c->n_passed = 0;
+	c->n_lines = c->size = c->n_complaints = 0;
 	c->imageless = c->reasons_size = 0;
 	c->out = keep_small(c->out, &c->room, 1);
 	c->reasons = keep_small(c->reasons, &c->reasons_room, 1);
@@ -90,29 +89,4 @@ void chunk_complain(struct chunk *c, size_t line, const char *reason)
 		memcpy(c->reasons + at, reason, size);
 	}
 	c->complaints[n] = (struct complaint){ line, at };
-}
-
-static bool was_refused(struct chunk *c, size_t line)
-{
-	while (c->n_passed < c->n_complaints &&
-	    c->complaints[c->n_passed].line < line)
-		c->n_passed++;
-	return c->n_passed < c->n_complaints &&
-	    c->complaints[c->n_passed].line == line;
-}
-
-void chunk_mark(struct chunk *c, const struct layout *l, size_t p, size_t line)
-{
-	bool nan = false, narrow = l->out.format == FORMAT_F32;
-
-	for (int k = 0; k < l->writes; k++) {
-		double v = c->image[k][p];
-
-		if (!isfinite(v) || (narrow && fabs(v) > MIDWAY_TO_INFINITY)) {
-			c->image[k][p] = (double)NAN;
-			nan = true;
-		}
-	}
-	if (nan && !was_refused(c, line) && c->imageless++ == 0)
-		c->first_imageless = line;
 }

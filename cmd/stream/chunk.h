@@ -5,7 +5,7 @@
 #define CHUNK_H
 
 #include "../../core/points/points.h"
-#include "piece.h"
+#include "source.h"
 #include "../lines/walk.h"
 
 /* What is wrong with a line. */
@@ -19,12 +19,9 @@ struct chunk {
 	const char *name;       /* of the source */
 	size_t number;          /* in the source, from 0 */
 	const char *text, *end; /* what is left to read */
-	size_t bytes;           /* of text at the beginning, for the progress */
 	size_t n_lines;         /* read so far */
 	bool first; /* the first line that counts is still to come */
-	enum piece_state state; /* what comes after it in the source */
-	int error;              /* the errno of PIECE_FAILED */
-	bool done;              /* it waits to be answered */
+	bool done;  /* it waits to be answered */
 
 	char *out;
 	size_t size, room;            /* of out: used, allocated */
@@ -32,8 +29,7 @@ struct chunk {
 	size_t n_complaints, complaints_room;
 	char *reasons;
 	size_t reasons_size, reasons_room;
-	size_t n_passed;  /* complaints of lines before chunk_mark's last */
-	size_t imageless; /* points without image */
+	size_t imageless;       /* points without image */
 	size_t first_imageless; /* the line of the first of them */
 
 	/* The block in hand: its lines of text, and its points, a column for
@@ -45,7 +41,7 @@ struct chunk {
 
 	struct word word[256]; /* for each set of planes; empty until needed */
 
-	struct piece piece; /* what was read, if the source is a file */
+	struct piece piece;
 };
 
 struct chunk *chunk_new(void);
@@ -61,14 +57,5 @@ char *chunk_reserve(struct chunk *, size_t more);
 
 /* Notes what is wrong with a line; the reason is copied. */
 void chunk_complain(struct chunk *, size_t line, const char *reason);
-
-/* Of the largest float and 2^128, which is none, and to which it is rounded. */
-#define MIDWAY_TO_INFINITY 0x1.ffffffp127
-
-/* Makes nan of each coordinate of the image of point p that is not finite, or
- * is written as a float and not finite as one. If there is any, counts the
- * point as one without image, unless its line was complained of. To be called
- * in the order of lines. */
-void chunk_mark(struct chunk *, const struct layout *, size_t p, size_t line);
 
 #endif

@@ -14,7 +14,6 @@ struct job {
 	struct layout layout;
 	struct frustum frustum; /* for flags and visible alone */
 	struct ray_maker ray;   /* for rays alone */
-	bool flags;             /* print a word after each point */
 	bool visible;           /* print only points in the view volume */
 	bool rays;              /* print rays in the place of images */
 	bool keep_going;        /* after bad lines */

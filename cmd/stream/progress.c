@@ -45,7 +45,7 @@ void progress_source(long long size)
 	progress.size = size;
 }
 
-static void show(double time)
+static void progress_show(double time)
 {
 	double rate = (double)progress.lines / (time - progress.start);
 	char share[16] = "";
@@ -75,7 +75,7 @@ void progress_add(size_t lines, size_t bytes)
 	double time = now();
 
 	if (time - progress.start > PATIENCE && time - progress.last > PAUSE)
-		show(time);
+		progress_show(time);
 }
 
 void progress_clear(void)
@@ -88,7 +88,7 @@ void progress_clear(void)
 void progress_end(void)
 {
 	if (progress.asked)
-		show(now());
+		progress_show(now());
 	if (progress.shown && progress.asked)
 		fputc('\n', stderr);
 	else

@@ -35,22 +35,8 @@ static bool stack_is_small(void)
 	    limit.rlim_cur < STACK_SIZE;
 }
 
-struct call {
-	void (*run)(void *);
-	void *with;
-};
-
-static void *run_call(void *with)
+void call_with_stack(void *(*run)(void *), void *with)
 {
-	const struct call *call = with;
-
-	call->run(call->with);
-	return NULL;
-}
-
-void call_with_stack(void (*run)(void *), void *with)
-{
-	struct call call = { run, with };
 	pthread_t t;
 	int error;
 
@@ -58,7 +44,7 @@ void call_with_stack(void (*run)(void *), void *with)
 		run(with);
 		return;
 	}
-	error = start_with_stack(&t, run_call, &call);
+	error = start_with_stack(&t, run, with);
 	if (error != 0)
 		die(EXIT_SYSTEM, "the stack is too small, and a thread: %s",
 		    strerror(error));

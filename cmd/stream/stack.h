@@ -11,6 +11,6 @@ int start_with_stack(pthread_t *, void *(*run)(void *), void *with);
 
 /* Calls run, in a thread where the program's own stack may be too small, and returns
  * when it does. */
-void call_with_stack(void (*run)(void *), void *with);
+void call_with_stack(void *(*run)(void *), void *with);
 
 #endif

@@ -1,9 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Sources of points through a job, by several threads. */
+/* Sources of points through a job, by several threads, which take a source's chunks,
+ * do the job on them, and answer them in order. */
 #ifndef STREAM_H
 #define STREAM_H
 
 #include "job.h"
+
+/* Returns how many processors the program may run on. */
+int stream_processors(void);
 
 /* Does the job on the points of one source, which is a file or a text in
  * memory, with PIECE_MARGIN bytes behind it. All that has been read is answered

@@ -134,7 +134,7 @@ static const struct text refused[] = {
 	TEXT("[\"\\u12",
 	    "1: expected four hexadecimal digits after \\u, not '\\u12'"),
 	TEXT("{\"\\u0000\":1}",
-	    "1: expected text in a string, not '\\u0000'; leave it out"),
+	    "1: expected text in a string, not '\\u0000'; leave \\u0000 out"),
 	TEXT("[\"\\ud800\"]",
 	    "1: expected both halves of a surrogate pair, not '\\ud800'"),
 	TEXT("[\"\\ud800\\ud800\"]",

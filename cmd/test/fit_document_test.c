@@ -30,27 +30,32 @@ static const struct refusal refusals[] = {
 	    "/bounds/max: not together with \"center\"; " BOUNDS_HINT },
 	{ &fit, "{\"projection\":{\"type\":\"ortho\"},\"camera\":{}}",
 	    "/camera/eye: missing; give \"eye\" and \"at\", or \"gaze\", or "
-	    "\"orientation\", or \"orientation\" and \"translation\", or "
-	    "\"pose\", or \"matrix\"" },
+	    "\"orientation\", or \"rvec\", or \"orientation\" and "
+	    "\"translation\", or \"rvec\" and \"translation\", or \"pose\", or "
+	    "\"matrix\"" },
 	{ &fit,
 	    "{\"projection\":{\"type\":\"ortho\"},"
 	    "\"camera\":{\"at\":[0,0,0]}}",
 	    "/camera/eye: missing; give \"eye\" and \"at\", or \"gaze\", or "
-	    "\"orientation\", or \"orientation\" and \"translation\", or "
-	    "\"pose\", or \"matrix\"" },
+	    "\"orientation\", or \"rvec\", or \"orientation\" and "
+	    "\"translation\", or \"rvec\" and \"translation\", or \"pose\", or "
+	    "\"matrix\"" },
 	{ &fit,
 	    "{\"projection\":{\"type\":\"ortho\"},"
 	    "\"camera\":{\"eye\":[0,0,0]}}",
 	    "/camera/at: missing; give \"eye\" and \"at\", or \"eye\" and "
-	    "\"gaze\", or \"eye\" and \"orientation\", or \"orientation\" and "
+	    "\"gaze\", or \"eye\" and \"orientation\", or \"eye\" and "
+	    "\"rvec\", or \"orientation\" and \"translation\", or \"rvec\" and "
 	    "\"translation\", or \"pose\", or \"matrix\"" },
 	{ &fit, "{\"projection\":{\"type\":\"ortho\",\"left\":1}}",
 	    "/projection/right: missing; give none of them, or none of them, "
-	    "or \"left\", \"right\", \"bottom\" and \"top\"" },
+	    "or none of them, or \"left\", \"right\", \"bottom\" and \"top\"" },
 	{ &fit,
-	    "{\"projection\":{\"type\":\"ortho\",\"aspect\":1,\"width\":1}}",
-	    "/projection/aspect: not together with \"width\"; give \"width\", "
-	    "or \"aspect\", or \"left\", \"right\", \"bottom\" and \"top\"" },
+	    "{\"projection\":{\"type\":\"ortho\",\"aspect\":1,\"width\":1,"
+	    "\"height\":1}}",
+	    "/projection/aspect: not together with \"width\"; give \"width\" "
+	    "and \"height\", or \"width\" and \"aspect\", or \"height\" and "
+	    "\"aspect\", or \"left\", \"right\", \"bottom\" and \"top\"" },
 	{ &fit, "{\"projection\":{\"type\":\"oblique\"}}",
 	    "/projection/kind: missing; give \"kind\", or \"angle\"" },
 	{ &fit, "{\"projection\":{\"type\":\"persp\",\"fovy\":60}}",

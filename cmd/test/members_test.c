@@ -25,63 +25,77 @@ static const struct refusal cameras[] = {
 	{ &lookat, "[]", "is an array; an object, {...}, is wanted" },
 	{ &lookat, "{}",
 	    "/eye: missing; give \"eye\" and \"at\", or \"eye\" and \"gaze\", "
-	    "or \"eye\" and \"orientation\", or \"orientation\" and "
+	    "or \"eye\" and \"orientation\", or \"eye\" and \"rvec\", or "
+	    "\"orientation\" and \"translation\", or \"rvec\" and "
 	    "\"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{\"_note\":1}",
 	    "/eye: missing; give \"eye\" and \"at\", or \"eye\" and \"gaze\", "
-	    "or \"eye\" and \"orientation\", or \"orientation\" and "
+	    "or \"eye\" and \"orientation\", or \"eye\" and \"rvec\", or "
+	    "\"orientation\" and \"translation\", or \"rvec\" and "
 	    "\"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{\"camera\":{}}",
 	    "/camera/eye: missing; give \"eye\" and \"at\", or \"eye\" and "
-	    "\"gaze\", or \"eye\" and \"orientation\", or \"orientation\" and "
+	    "\"gaze\", or \"eye\" and \"orientation\", or \"eye\" and "
+	    "\"rvec\", or \"orientation\" and \"translation\", or \"rvec\" and "
 	    "\"translation\", or \"pose\", or \"matrix\"" },
 	{ &project, "{\"camera\":{}}",
 	    "/camera/eye: missing; give \"eye\" and \"at\", or \"eye\" and "
-	    "\"gaze\", or \"eye\" and \"orientation\", or \"orientation\" and "
+	    "\"gaze\", or \"eye\" and \"orientation\", or \"eye\" and "
+	    "\"rvec\", or \"orientation\" and \"translation\", or \"rvec\" and "
 	    "\"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{" EYE "}",
 	    "/at: missing; give \"eye\" and \"at\", or \"eye\" and \"gaze\", "
-	    "or \"eye\" and \"orientation\", or \"orientation\" and "
+	    "or \"eye\" and \"orientation\", or \"eye\" and \"rvec\", or "
+	    "\"orientation\" and \"translation\", or \"rvec\" and "
 	    "\"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{" AT "}",
 	    "/eye: missing; give \"eye\" and \"at\", or \"eye\" and \"gaze\", "
-	    "or \"eye\" and \"orientation\", or \"orientation\" and "
+	    "or \"eye\" and \"orientation\", or \"eye\" and \"rvec\", or "
+	    "\"orientation\" and \"translation\", or \"rvec\" and "
 	    "\"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{\"up\":[0,1,0],\"orientation\":[0,0,0,1]}",
 	    "/eye: missing; give \"eye\", \"at\" and \"up\", or \"eye\", "
-	    "\"gaze\" and \"up\", or \"eye\" and \"orientation\", or "
-	    "\"orientation\" and \"translation\", or \"pose\", or \"matrix\"" },
+	    "\"gaze\" and \"up\", or \"eye\" and \"orientation\", or \"eye\" "
+	    "and \"rvec\", or \"orientation\" and \"translation\", or \"rvec\" "
+	    "and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{" EYE "," AT ",\"gaze\":[0,0,1]}",
 	    "/gaze: not together with \"at\"; give \"eye\" and \"at\", or "
-	    "\"eye\" and \"gaze\", or \"eye\" and \"orientation\", or "
-	    "\"orientation\" and \"translation\", or \"pose\", or \"matrix\"" },
+	    "\"eye\" and \"gaze\", or \"eye\" and \"orientation\", or \"eye\" "
+	    "and \"rvec\", or \"orientation\" and \"translation\", or \"rvec\" "
+	    "and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{" EYE ",\"orientation\":[0,0,0,1],\"up\":[0,1,0]}",
 	    "/up: not together with \"orientation\"; give \"eye\", \"at\" and "
 	    "\"up\", or \"eye\", \"gaze\" and \"up\", or \"eye\" and "
-	    "\"orientation\", or \"orientation\" and \"translation\", or "
-	    "\"pose\", or \"matrix\"" },
+	    "\"orientation\", or \"eye\" and \"rvec\", or \"orientation\" and "
+	    "\"translation\", or \"rvec\" and \"translation\", or \"pose\", or "
+	    "\"matrix\"" },
 	{ &lookat, "{\"matrix\":" M16 ",\"roll\":0}",
 	    "/roll: not together with \"matrix\"; give \"eye\", \"at\" and "
 	    "\"roll\", or \"eye\", \"gaze\" and \"roll\", or \"eye\", "
-	    "\"orientation\" and \"roll\", or \"orientation\", \"translation\" "
-	    "and \"roll\", or \"pose\", or \"matrix\"" },
+	    "\"orientation\" and \"roll\", or \"eye\", \"rvec\" and \"roll\", "
+	    "or \"orientation\", \"translation\" and \"roll\", or \"rvec\", "
+	    "\"translation\" and \"roll\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{\"matrix\":" M16 ",\"pose\":" M16 "}",
 	    "/matrix: not together with \"pose\"; give \"eye\" and \"at\", or "
-	    "\"eye\" and \"gaze\", or \"eye\" and \"orientation\", or "
-	    "\"orientation\" and \"translation\", or \"pose\", or \"matrix\"" },
+	    "\"eye\" and \"gaze\", or \"eye\" and \"orientation\", or \"eye\" "
+	    "and \"rvec\", or \"orientation\" and \"translation\", or \"rvec\" "
+	    "and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{\"pose\":" M16 ",\"roll\":0}",
 	    "/roll: not together with \"pose\"; give \"eye\", \"at\" and "
 	    "\"roll\", or \"eye\", \"gaze\" and \"roll\", or \"eye\", "
-	    "\"orientation\" and \"roll\", or \"orientation\", \"translation\" "
-	    "and \"roll\", or \"pose\", or \"matrix\"" },
+	    "\"orientation\" and \"roll\", or \"eye\", \"rvec\" and \"roll\", "
+	    "or \"orientation\", \"translation\" and \"roll\", or \"rvec\", "
+	    "\"translation\" and \"roll\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{\"translation\":[0,0,0]}",
 	    "/translation: is where the world's origin is in view space, and "
-	    "needs an \"orientation\"; where the camera stands is \"eye\"" },
+	    "needs an \"orientation\" or \"rvec\"; where the camera stands is "
+	    "\"eye\"" },
 	{ &lookat,
 	    "{" EYE ",\"orientation\":[0,0,0,1],\"translation\":[0,0,0]}",
 	    "/translation: not together with \"eye\"; give \"eye\" and \"at\", "
 	    "or \"eye\" and \"gaze\", or \"eye\" and \"orientation\", or "
-	    "\"orientation\" and \"translation\", or \"pose\", or \"matrix\"" },
+	    "\"eye\" and \"rvec\", or \"orientation\" and \"translation\", or "
+	    "\"rvec\" and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{\"quaternion\":[1,0,0,0]," EYE "}",
 	    "/quaternion: unknown member; did you mean \"orientation\" (x, y, "
 	    "z, "
@@ -98,12 +112,14 @@ static const struct refusal cameras[] = {
 	    "/position: unknown member; did you mean \"eye\"?" },
 	{ &lookat, "{\"matrix\":" M16 "," EYE "}",
 	    "/eye: not together with \"matrix\"; give \"eye\" and \"at\", or "
-	    "\"eye\" and \"gaze\", or \"eye\" and \"orientation\", or "
-	    "\"orientation\" and \"translation\", or \"pose\", or \"matrix\"" },
+	    "\"eye\" and \"gaze\", or \"eye\" and \"orientation\", or \"eye\" "
+	    "and \"rvec\", or \"orientation\" and \"translation\", or \"rvec\" "
+	    "and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{" EYE "," AT ",\"orthonormalize\":true}",
 	    "/orthonormalize: not together with \"eye\"; give \"eye\" and "
 	    "\"at\", or \"eye\" and \"gaze\", or \"eye\" and \"orientation\", "
-	    "or \"orientation\" and \"translation\", or \"pose\" and "
+	    "or \"eye\" and \"rvec\", or \"orientation\" and \"translation\", "
+	    "or \"rvec\" and \"translation\", or \"pose\" and "
 	    "\"orthonormalize\", or \"matrix\" and \"orthonormalize\"" },
 	{ &lookat, "{\"matrix\":[1,2]}",
 	    "/matrix: has 2 elements; " AFFINE " are wanted" },

@@ -111,7 +111,8 @@ static const struct refusal names[] = {
 	    "/camera/near: unknown member; it belongs in \"projection\"" },
 	{ &lookat, "{\"q\":1}",
 	    "/q: unknown member; there are \"eye\", \"at\", \"gaze\", "
-	    "\"orientation\", \"translation\", \"pose\", \"matrix\", \"up\", "
+	    "\"orientation\", \"rvec\", \"translation\", \"pose\", \"matrix\", "
+	    "\"up\", "
 	    "\"roll\" and "
 	    "\"orthonormalize\"" },
 	{ &project, "{\"qqq\":1}",
@@ -124,7 +125,8 @@ static const struct refusal names[] = {
 	    "\"projection\"" },
 	{ &lookat, "{\"qq~/\\u001b\\u009b\\n\":1}",
 	    "/qq~0~1\\u001b\\u009b\\u000a: unknown member; there are \"eye\", "
-	    "\"at\", \"gaze\", \"orientation\", \"translation\", \"pose\", "
+	    "\"at\", \"gaze\", \"orientation\", \"rvec\", \"translation\", "
+	    "\"pose\", "
 	    "\"matrix\", \"up\", \"roll\" "
 	    "and \"orthonormalize\"" },
 	{ &lookat, "{" EYE "," AT "," EYE "}", "/eye: repeated; give it once" },

@@ -12,7 +12,7 @@ $ENV{PATH} = "$build:$ENV{PATH}";
 chdir 'testdata' or die "testdata: $!\n";
 my $project = 'projcalc project --keep-going';
 
-# What piece.c reads at a time, and how much of that begins in the piece.
+# What source.c reads at a time, and how much of that begins in the piece.
 my ($room, $range) = (1 << 17, (1 << 17) - (1 << 12));
 
 # The file by ranges, as a stream and from memory, with one thread and with

@@ -23,12 +23,12 @@ static void sample_fitted(struct document *d)
 	p->type = PROJECTION_PERSP + sample_below(4);
 	enum extent sampled = p->extent;
 
-	p->extent = sample_below(2) ? EXTENT_SIZE : EXTENT_EDGES;
+	p->extent = EXTENT_SIZE + sample_below(4);
 	if (p->type == PROJECTION_PERSP && sample_below(2))
 		p->extent = sample_below(4);
 	if (sampled >= EXTENT_ANGLES && p->type == PROJECTION_PERSP)
 		p->extent = sampled;
-	if (p->extent != EXTENT_SIZE && p->extent != EXTENT_EDGES)
+	if (p->extent < EXTENT_SIZE || p->extent > EXTENT_EDGES)
 		p->edges_at = 0;
 	if (p->extent == EXTENT_INTRINSICS)
 		s->has_viewport = true;

@@ -17,11 +17,16 @@ static const struct document_wants volume = { .bare = SCENE_PROJECTION,
 	.projection = PROJECTION_VOLUME };
 static const struct document_wants project = { WANTS };
 
-#define PERSP_HINT                                                          \
-	"give \"fovy\", or \"fovx\", or \"view_angle\", or \"field\", or "  \
-	"\"width\" and \"height\", or \"left\", \"right\", \"bottom\" and " \
-	"\"top\", or \"angles\", or \"intrinsics\""
-#define FORMS "[fx, fy, cx, cy], 3 rows of 3, K, or 3 rows of 4, P"
+#define SIDES "\"left\", \"right\", \"bottom\" and \"top\""
+#define SECTION \
+	"\"width\" and \"height\", one of them and \"aspect\", or " SIDES
+#define PERSP_HINT                                                             \
+	"give \"fovy\", or \"fovx\", or \"view_angle\", or \"field\", or "     \
+	"\"width\" and \"height\", or \"width\", or \"height\", or \"left\", " \
+	"\"right\", \"bottom\" and \"top\", or \"angles\", or \"intrinsics\""
+#define FORMS                                                         \
+	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
+	"rows of 4 or 12 numbers"
 #define POSITIVE "a number from 1e-150 to 1e150 is wanted"
 #define PLANES "\"near\":1,\"far\":2"
 #define SIZE "\"width\":1,\"height\":1"
@@ -44,40 +49,36 @@ static const struct refusal projections[] = {
 	    "\"volume\" or \"matrix\" is wanted" },
 	{ &persp, "{" PLANES "}",
 	    "/fovy: missing; give \"fovy\", or \"fovx\", or \"view_angle\", or "
-	    "\"field\", or \"width\" and \"height\", or \"left\", \"right\", "
-	    "\"bottom\" and \"top\", or \"angles\", or \"intrinsics\"" },
+	    "\"field\", or \"width\" and \"height\", or \"width\", or "
+	    "\"height\", or \"left\", \"right\", \"bottom\" and \"top\", or "
+	    "\"angles\", or \"intrinsics\"" },
 	{ &persp, "{" PLANES ",\"fovy\":60}",
 	    "/aspect: missing; give it, or a \"viewport\"" },
 	{ &persp, "{" PLANES ",\"width\":1}",
-	    "/height: missing; give \"fovy\", or \"fovx\", or \"view_angle\", "
-	    "or \"field\", or \"width\" and \"height\", or \"left\", "
-	    "\"right\", \"bottom\" and \"top\", or \"angles\", or "
-	    "\"intrinsics\"" },
-	{ &persp, "{" PLANES ",\"height\":1,\"aspect\":1}",
-	    "/width: missing; give \"fovy\" and \"aspect\", or \"fovx\" and "
-	    "\"aspect\", or \"view_angle\" and \"aspect\", or \"field\" and "
-	    "\"aspect\", or \"width\" and \"height\", or \"left\", \"right\", "
-	    "\"bottom\" and \"top\", or \"angles\", or \"intrinsics\"" },
+	    "/aspect: missing; give it, or a \"viewport\"" },
+	{ &persp, "{" PLANES ",\"height\":1}",
+	    "/aspect: missing; give it, or a \"viewport\"" },
 	{ &persp, "{" PLANES ",\"left\":1,\"right\":2,\"top\":2}",
 	    "/bottom: missing; give \"fovy\", or \"fovx\", or \"view_angle\", "
-	    "or \"field\", or \"width\" and \"height\", or \"left\", "
-	    "\"right\", \"bottom\" and \"top\", or \"angles\", or "
-	    "\"intrinsics\"" },
+	    "or \"field\", or \"width\" and \"height\", or \"width\", or "
+	    "\"height\", or \"left\", \"right\", \"bottom\" and \"top\", or "
+	    "\"angles\", or \"intrinsics\"" },
 	{ &persp, "{" PLANES ",\"fovy\":60,\"fovx\":60}",
 	    "/fovx: not together with \"fovy\"; give \"fovy\", or \"fovx\", or "
 	    "\"view_angle\", or \"field\", or \"width\" and \"height\", or "
-	    "\"left\", \"right\", \"bottom\" and \"top\", or \"angles\", or "
-	    "\"intrinsics\"" },
+	    "\"width\", or \"height\", or \"left\", \"right\", \"bottom\" and "
+	    "\"top\", or \"angles\", or \"intrinsics\"" },
 	{ &persp, "{" PLANES ",\"fovy\":60,\"height\":60}",
 	    "/height: not together with \"fovy\"; give \"fovy\", or \"fovx\", "
 	    "or \"view_angle\", or \"field\", or \"width\" and \"height\", or "
-	    "\"left\", \"right\", \"bottom\" and \"top\", or \"angles\", or "
-	    "\"intrinsics\"" },
+	    "\"width\", or \"height\", or \"left\", \"right\", \"bottom\" and "
+	    "\"top\", or \"angles\", or \"intrinsics\"" },
 	{ &persp, "{" PLANES "," SIZE ",\"aspect\":1}",
 	    "/aspect: not together with \"width\"; give \"fovy\" and "
 	    "\"aspect\", or \"fovx\" and \"aspect\", or \"view_angle\" and "
 	    "\"aspect\", or \"field\" and \"aspect\", or \"width\" and "
-	    "\"height\", or \"left\", \"right\", \"bottom\" and \"top\", or "
+	    "\"height\", or \"width\" and \"aspect\", or \"height\" and "
+	    "\"aspect\", or \"left\", \"right\", \"bottom\" and \"top\", or "
 	    "\"angles\", or \"intrinsics\"" },
 	{ &persp, "{\"fovy\":180}",
 	    "/fovy: 180 is out of range; an angle above 0 and below 180 "
@@ -105,8 +106,8 @@ static const struct refusal projections[] = {
 	{ &ortho, "{\"far\":\"infinity\"}",
 	    "/far: only \"far\" of \"persp\" can be infinite" },
 	{ &ortho, "{" PLANES "}",
-	    "/width: missing; give \"width\" and \"height\", or \"height\", or "
-	    "\"left\", \"right\", \"bottom\" and \"top\"" },
+	    "/width: missing; give \"width\" and \"height\", or \"width\", or "
+	    "\"height\", or \"left\", \"right\", \"bottom\" and \"top\"" },
 	{ &ortho, "{" PLANES ",\"height\":1}",
 	    "/aspect: missing; give it, or a \"viewport\"" },
 #define OBLIQUE(rest) \
@@ -191,11 +192,11 @@ static const struct refusal projections[] = {
 	{ &project, SEEN("\"intrinsics\":[[1,0,0],[0,-1,0],[0,0,1]]", ""),
 	    "/projection/intrinsics/1/1: -1 is not positive; " POSITIVE },
 	{ &project, SEEN("\"intrinsics\":[[1,0,0],[0,1,0],[0,0,2]]", ""),
-	    "/projection/intrinsics/2/2: its last row begins 0, 0, 1; is it a "
-	    "camera's K or P, and not transposed?" },
+	    "/projection/intrinsics/2/2: the last row of K is 0, 0, 1; is it a "
+	    "camera's K, and not transposed?" },
 	{ &project, SEEN("\"intrinsics\":[[1,0,0],[0,1,0],[5,5,1]]", ""),
-	    "/projection/intrinsics/2/0: its last row begins 0, 0, 1; is it a "
-	    "camera's K or P, and not transposed?" },
+	    "/projection/intrinsics/2/0: the last row of K is 0, 0, 1; is it a "
+	    "camera's K, and not transposed?" },
 	{ &project, SEEN("\"intrinsics\":[[1,0,0],[3,1,0],[0,0,1]]", ""),
 	    "/projection/intrinsics/1/0: under the diagonal of K there is 0; "
 	    "is "
@@ -224,6 +225,7 @@ static const struct refusal projections[] = {
 	{ &persp, "{\"fovy\":60,\"edges_at\":1}",
 	    "/edges_at: not together with \"fovy\"; give \"fovy\", or "
 	    "\"fovx\", or \"view_angle\", or \"field\", or \"width\", "
+	    "\"height\" and \"edges_at\", or \"width\" and \"edges_at\", or "
 	    "\"height\" and \"edges_at\", or \"left\", \"right\", \"bottom\", "
 	    "\"top\" and \"edges_at\", or \"angles\", or \"intrinsics\"" },
 	{ &ortho, "{\"edges_at\":1}",
@@ -332,6 +334,12 @@ static void test_intrinsics(void **state)
 	assert_rows(&p, 0, 1.0, 2.0, 3.0, -4.0, 0.0, 5.0, 6.0, 7.0, 0.0, 0.0,
 	    1.0, 8.0);
 	assert_true(p.far == 9 && p.reverse_z);
+	p = CALIBRATED("[1,2,3, 0,4,5, 0,0,1]");
+	assert_rows(&p, 1, 1.0, 2.0, 3.0, 0.0, 0.0, 4.0, 5.0, 0.0, 0.0, 0.0,
+	    1.0, 0.0);
+	p = CALIBRATED("[-1,2,3,4, 5,6,7,8, 9,10,11,12]");
+	assert_rows(&p, 1, -1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0,
+	    11.0, 12.0);
 }
 
 static void test_angles(void **state)
@@ -344,6 +352,11 @@ static void test_angles(void **state)
 	p = PERSP("\"width\":2,\"height\":3,\"edges_at\":0.5");
 	assert_int_equal(p.extent, EXTENT_SIZE);
 	assert_true(p.edges_at == 0.5);
+	p = PERSP("\"width\":2,\"aspect\":3,\"edges_at\":0.5");
+	assert_int_equal(p.extent, EXTENT_WIDTH);
+	p = PERSP("\"height\":2,\"aspect\":3");
+	assert_int_equal(p.extent, EXTENT_HEIGHT);
+	assert_numbers(p.aspect, 2, 3.0, 1.0);
 	p = PERSP("\"left\":-1,\"right\":2,\"bottom\":-3,\"top\":4,"
 		  "\"edges_at\":1");
 	assert_int_equal(p.extent, EXTENT_EDGES);

@@ -36,8 +36,8 @@ END
 # Why a schema can't refuse: it compares no numbers, counts no members, inverts
 # no matrices, doesn't know the command, and sees no points but the member.
 my $beyond = qr{
-	equal\ to | not\ less\ than | not\ greater\ than | greater\ than\ max |
-	less\ than\ min | single\ point | parallel\ to | does\ not\ run |
+	equal\ to | longer\ than | not\ less\ than | not\ greater\ than | greater\ than\ max |
+	less\ than\ min | single\ point | parallel\ to | does\ not\ run | does\ not\ begin |
 	what\ holds\ them | no\ points\ to | crosses\ the\ volume |
 	repeated; | all\ but\ vanished |
 	singular | determinant | last\ column | transposed | of\ -c; | pi\S*\ radians | too\ far\ from |

@@ -79,9 +79,14 @@ static const struct example arrays[] = {
 	{ "[1,2.,3]", NULL },
 	{ "[1,2,-.5]", NULL },
 	{ "[1,2,.5]", NULL },
-	{ "[1,2,3,\"\\n\"]", NULL },
+	{ "[1,2,3,\"\\n\\\\\\\"\\u00e9\\/\"]", "1|2|3|" },
+	{ "[1,2,3,\"\\a\"]", NULL },
+	{ "[1,2,3,\"\\u00g9\"]", NULL },
+	{ "[1,2,3,\"\\\"]", NULL },
 	{ "[1,2,3,[4]]", NULL },
-	{ "[1,2,3,1e5]", NULL },
+	{ "[1,2,3,1e5,-2.5E-7]", "1|2|3|" },
+	{ "[1,2,3,1e]", NULL },
+	{ "[1,2,3,+1e5]", NULL },
 	{ "[1,2,3,tru]", NULL },
 	{ "[1,2,3,-]", NULL },
 	{ "[1,2,3,1.2.3]", NULL },
@@ -109,6 +114,7 @@ static const struct example objects[] = {
 	{ "{\"x\":1,\"y\":2,\"z\":3,\"x\":4}", NULL },
 	{ "{\"x\":1,\"y\":2,\"z\":3,\"a\":[]}", NULL },
 	{ "{\"x\":1,\"y\":2,\"z\":3,\"\\u0061\":0}", NULL },
+	{ "{\"x\":1,\"y\":2,\"z\":3,\"a\":\"\\u0061\"}", "1|2|3|" },
 	{ "{\"x\":1,\"y\":2,\"z\":3,\"a\" 0}", NULL },
 	{ "{\"x\":01,\"y\":2,\"z\":3}", NULL },
 	{ "{\"x\":1,\"y\":2,\"z\":3", NULL },
@@ -197,10 +203,41 @@ static void usual_lines_are_walked(void **state)
 	check(&l, objects, "{\"x\":11,\"y\":12,\"z\":13}");
 }
 
+/* The first number of each line is not plain; what it is, or that the line is left. */
+static void numbers_with_exponents_are_read(void **state)
+{
+	static const char all[] = "1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n"
+				  "1e-3 2 3\n+4 2 3\nnan 2 3\n1e200 2 3\n"
+				  "1e 2 3\n0x1 2 3\n5 6 7e1\n";
+	const struct layout l = { .in = { FORMAT_TEXT, ' ' }, .reads = 3 };
+	static struct stretch s;
+	struct walk walk;
+	struct line lines[PLAIN_BATCH];
+	struct plain_places places[4];
+	double v[4][PLAIN_BATCH];
+	const char *end = all + sizeof all - 1;
+	uint64_t left;
+
+	(void)state;
+	if (!number_choose(NULL) || plain_reader() == NULL)
+		skip();
+	assert_true(walk_plan(&l, &walk));
+	s.readable = all;
+	assert_true(stretch_open(&s, &walk, all, end));
+	size_t n = walk_lines(&s, &walk, PLAIN_BATCH, lines, places, &left);
+
+	assert_int_equal(n, 13);
+	left = walk_numbers(&walk, lines, n, places, left, end, v);
+	assert_int_equal(left >> 6, 0x38);
+	assert_true(v[0][6] == 1e-3 && v[0][7] == 4 && v[0][8] != v[0][8]);
+	assert_true(v[0][12] == 5 && v[1][12] == 6 && v[2][12] == 70);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(usual_lines_are_walked),
+		cmocka_unit_test(numbers_with_exponents_are_read),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -5,7 +5,8 @@
 
 /* Where the near plane is on the axis of view space, z = n / d, and whether the gaze
  * goes toward larger z. As z leaves the plane, n / d moves by n' d - n d' over
- * something positive. Where there are no planes distances are from the eye. */
+ * something positive. Where there are no planes distances are from the eye. Of a tilted P
+ * z is that of its level space. */
 static const char *near_plane(const struct scene *s, struct sum *n,
     struct sum *d, bool *upward)
 {
@@ -15,10 +16,11 @@ static const char *near_plane(const struct scene *s, struct sum *n,
 	double depth = reversed ? 1 : c->minus_one ? -1 : 0;
 	struct map back;
 
-	if (projection_is_open(p)) {
+	if (projection_is_open(p) || projection_is_tilted(p)) {
 		*upward = !looks_back(c);
-		*n = sum_of_double(projection_w_at_eye(p));
-		*n = sum_negated_if(*upward, *n);
+		*n = sum_sub(sum_of_double(p->near),
+		    sum_of_double(projection_w_at_eye(p)));
+		*n = sum_negated_if(!*upward, *n);
 		*d = sum_of_double(1);
 		return NULL;
 	}
@@ -32,6 +34,22 @@ static const char *near_plane(const struct scene *s, struct sum *n,
 	*upward = (sum_sign(sum_minor(m[2][2], *d, *n, m[2][3])) > 0) ==
 	    !reversed;
 	return NULL;
+}
+
+/* Puts w, which is the depth of a tilted P, in the place of view z: both are negative
+ * where the camera looks along -z. */
+static void view_by_w(const struct scene *s, struct map *view)
+{
+	double level[4][4];
+
+	projection_level(&s->projection, &s->convention, level);
+	for (int i = 0; i < 4; i++) {
+		struct sum w = sum_of_double(0);
+
+		for (int k = 0; k < 4; k++)
+			w = sum_add(w, sum_scale(view->m[i][k], level[k][2]));
+		view->m[i][2] = w;
+	}
 }
 
 /* Distances are the same in every convention; they are measured in the scene's. */
@@ -51,6 +69,8 @@ const char *picker_of(const struct scene *given,
 		why = scene_map(&own, SPACE_MODEL, SPACE_VIEW, view);
 	if (why != NULL)
 		return why;
+	if (projection_is_tilted(&own.projection))
+		view_by_w(&own, view);
 	for (int i = 0; i < 4; i++) {
 		struct sum z = sum_mul(view->m[i][2], d);
 
@@ -59,6 +79,7 @@ const char *picker_of(const struct scene *given,
 		view->m[i][2] = sum_negated_if(!upward, z);
 	}
 	map_column_over(view, 2, d);
+	map_column_over(view, 2, projection_w_slope(&own.projection));
 	transform_init(&k->depth, SPACE_MODEL, SPACE_VIEW, false);
 	return NULL;
 }

@@ -83,14 +83,14 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 	return NULL;
 }
 
-static double over(struct sum n, struct sum d, bool single)
+static double ray_over(struct sum n, struct sum d, bool single)
 {
 	double q = single ? (double)sum_over_float(n, d) : sum_over(n, d);
 
 	return isfinite(q) ? q : (double)NAN;
 }
 
-static void set_direction(const struct ray_maker *r, const double in[4],
+static void ray_direction(const struct ray_maker *r, const double in[4],
     bool single, double direction[3])
 {
 	struct sum to[3];
@@ -100,7 +100,7 @@ static void set_direction(const struct ray_maker *r, const double in[4],
 	struct sum length = vec3_length(to);
 
 	for (int j = 0; j < 3; j++)
-		direction[j] = over(to[j], length, single);
+		direction[j] = ray_over(to[j], length, single);
 }
 
 /* Points that have an image may yet have no coordinate within the range. */
@@ -123,15 +123,15 @@ static void round_to_floats(const struct ray_maker *r, const double in[4],
 	}
 	if (is_midway(direction[0]) || is_midway(direction[1]) ||
 	    is_midway(direction[2]))
-		set_direction(r, in, true, direction);
+		ray_direction(r, in, true, direction);
 	for (int j = 0; j < 3; j++)
 		direction[j] = (double)(float)direction[j];
 }
 
 /* What the kernels have left undone of a ray, whose direction is nan where it is
  * not known. */
-static void finish(const struct ray_maker *r, const double in[4], bool single,
-    double point[3], double direction[3])
+static void ray_finish(const struct ray_maker *r, const double in[4],
+    bool single, double point[3], double direction[3])
 {
 	if (!has_point(r, in, point)) {
 		for (int j = 0; j < 3; j++)
@@ -139,7 +139,7 @@ static void finish(const struct ray_maker *r, const double in[4], bool single,
 		return;
 	}
 	if (isnan(direction[0]))
-		set_direction(r, in, false, direction);
+		ray_direction(r, in, false, direction);
 	if (single)
 		round_to_floats(r, in, point, direction);
 }
@@ -167,10 +167,81 @@ void rays_cast(const struct ray_maker *r, bool single,
 			ray[0][j] = point[j][i];
 			ray[1][j] = direction[j][i];
 		}
-		finish(r, p, single, ray[0], ray[1]);
+		ray_finish(r, p, single, ray[0], ray[1]);
 		for (int j = 0; j < 3; j++) {
 			point[j][i] = ray[0][j];
 			direction[j][i] = ray[1][j];
 		}
 	}
+}
+
+/* Row i of the map from a position, times what z of the position has to be there.
+ * With P the image of a position x, y, z the plane's p . P = 0 is linear in z:
+ *
+ *	z = -sum of p_i (m_i . p) / (m_2 . p),    i = 0, 1, 3
+ *
+ * and P = sum of p_i (m_i - m_2 (m_i . p) / (m_2 . p)), in which the terms of p_j
+ * cancel in column j. */
+static void set_row(const struct map *m, int i, const struct sum p[4],
+    struct map *r)
+{
+	const struct sum *a = m->m[i], *b = m->m[2];
+
+	for (int j = 0; j < 4; j++) {
+		struct sum s = sum_of_double(0);
+
+		for (int k = 0; k < 4; k++)
+			if (k != j)
+				s = sum_add(s,
+				    sum_mul(p[k],
+					sum_minor(a[j], b[k], b[j], a[k])));
+		r->m[i][j] = s;
+	}
+}
+
+/* Whether w is the same everywhere. */
+static bool is_even(const struct map *m)
+{
+	return sum_sign(m->m[0][3]) == 0 && sum_sign(m->m[1][3]) == 0 &&
+	    sum_sign(m->m[2][3]) == 0;
+}
+
+/* What rays have in common, m_2, is the eye or, where they are parallel, their
+ * direction. Clip w is 0 there and 1 for every other image, so that the quotient
+ * has its sign. */
+const char *ray_plane_transform(const struct scene *s, enum space from,
+    enum space to, const double plane[4], struct transform *t)
+{
+	struct sum p[4], through = sum_of_double(0);
+	struct map m, *r = &t->map;
+	const char *why = scene_map(s, from, to, &m);
+
+	if (why != NULL)
+		return why;
+	for (int k = 0; k < 4; k++) {
+		p[k] = sum_of_double(plane[k]);
+		through = sum_add(through, sum_mul(m.m[2][k], p[k]));
+	}
+	if (sum_sign(through) == 0)
+		return sum_sign(m.m[2][3]) == 0 ?
+		    "the plane is parallel to all rays; choose another" :
+		    "the plane goes through the eye; choose another";
+	memset(r, 0, sizeof *r);
+	r->divisor = sum_of_double(1);
+	memcpy(r->origin, m.origin, 2 * sizeof *m.origin);
+	for (int i = 0; i < 4; i++)
+		if (i != 2)
+			set_row(&m, i, p, r);
+	if (is_even(&m) && sum_sign(m.m[3][3]) < 0)
+		through = sum_neg(through);
+	map_over(r, sum_mul(through, m.divisor));
+	t->in = 2;
+	t->out = 3;
+	t->divide = t->front = true;
+	t->reciprocal = false;
+	t->kind = KERNEL_PROJECTIVE;
+	transform_prepare(t);
+	return map_is_finite(r) ? NULL :
+				  "the plane is too near to the eye, or the "
+				  "scene too large, for the range of doubles";
 }

@@ -21,4 +21,11 @@ const char *ray_maker_of(const struct scene *, struct ray_maker *);
 void rays_cast(const struct ray_maker *, bool single, const double *const at[2],
     double *const point[3], double *const direction[3], size_t n);
 
+/* The transform from x and y of the device, or of ndc, to where the ray through them
+ * meets the plane a x + b y + c z + d = 0 of another space, the world's or one before
+ * or behind it. In front of the eye w is positive. Returns NULL, or the member and the
+ * reason. */
+const char *ray_plane_transform(const struct scene *, enum space from,
+    enum space to, const double plane[4], struct transform *);
+
 #endif

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "../exact/trig.h"
+
 /* The symmetric matrix K with q K q = trace(Q' M) for the rotation Q of the
  * unit quaternion q: the nearest rotation to M belongs to the eigenvector of
  * its largest eigenvalue (Horn, "Closed-form solution of absolute orientation
@@ -101,4 +103,30 @@ enum rotation nearest_rotation(const double matrix[4][4], struct sum q[4])
 		k[i][i] = sum_sub(k[i][i], sum_of(x));
 	eigenvector(k, q);
 	return ROTATION_FOUND;
+}
+
+/* Rodrigues' formula with a = sin t / t and b = (1 - cos t) / t^2, in which no length
+ * is needed: I + a [v] + b [v]^2, where [v] p = v x p. */
+bool rotation_about(const double vector[3], struct sum r[3][3])
+{
+	struct sum v[3], square[3], a, b, all = sum_of_double(0);
+
+	for (int i = 0; i < 3; i++) {
+		v[i] = sum_of_double(vector[i]);
+		square[i] = sum_mul(v[i], v[i]);
+		all = sum_add(all, square[i]);
+	}
+	if (!sinc_of_square(all, &a, &b))
+		return false;
+	for (int i = 0; i < 3; i++) {
+		int j = (i + 1) % 3, k = (i + 2) % 3;
+		struct sum both = sum_mul(b, sum_mul(v[i], v[j]));
+		struct sum turn = sum_mul(a, v[k]);
+
+		r[i][i] = sum_sub(sum_of_double(1),
+		    sum_mul(b, sum_add(square[j], square[k])));
+		r[i][j] = sum_sub(both, turn);
+		r[j][i] = sum_add(both, turn);
+	}
+	return true;
 }

@@ -1,9 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* The rotation that is nearest to a matrix. */
+/* Rotations about a vector, and that which is nearest to a matrix. */
 #ifndef ROTATION_H
 #define ROTATION_H
 
 #include "map.h"
+
+/* The rotation about a vector by its length, in radians: row i of r is axis i of the
+ * turned space in the other. False where that is beyond 2 pi. */
+bool rotation_about(const double vector[3], struct sum r[3][3]);
 
 /* None where the determinant is not positive, many where two directions have all but
  * vanished. */

@@ -23,6 +23,10 @@ struct sum cos_of(double angle, enum angle_unit);
 struct sum cot_of(double angle, enum angle_unit);
 struct sum cot_half_of(double angle, enum angle_unit);
 
+/* sin x / x and (1 - cos x) / x^2 of radians x, from x^2, which is exact. False where x is
+ * beyond 2 pi. */
+bool sinc_of_square(struct sum square, struct sum *sinc, struct sum *versinc);
+
 /* An angle in radians. */
 struct sum in_degrees(struct sum angle);
 

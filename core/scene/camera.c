@@ -69,7 +69,7 @@ static const char *look(const struct camera *c,
 	return NULL;
 }
 
-static struct sum twice(struct sum a)
+static struct sum doubled(struct sum a)
 {
 	return sum_add(a, a);
 }
@@ -91,8 +91,8 @@ static void turn(const struct sum q[4], struct axis axis[3])
 
 		axis[i].length = norm;
 		axis[i].v[i] = sum_sub(along, sum_add(p[j][j], p[k][k]));
-		axis[i].v[j] = twice(sum_add(p[i][j], p[k][3]));
-		axis[i].v[k] = twice(sum_sub(p[i][k], p[j][3]));
+		axis[i].v[j] = doubled(sum_add(p[i][j], p[k][3]));
+		axis[i].v[k] = doubled(sum_sub(p[i][k], p[j][3]));
 	}
 }
 
@@ -106,6 +106,20 @@ static const char *orient(const struct camera *c, struct axis axis[3])
 		return "/camera/orientation: is zero; "
 		       "no turn is [0, 0, 0, 1]";
 	turn(q, axis);
+	return NULL;
+}
+
+static const char *turn_about(const struct camera *c, struct axis axis[3])
+{
+	struct sum r[3][3];
+
+	if (!rotation_about(c->rvec, r))
+		return "/camera/rvec: is longer than 2 pi; its length is the "
+		       "angle in radians";
+	for (int i = 0; i < 3; i++) {
+		memcpy(axis[i].v, r[i], sizeof r[i]);
+		axis[i].length = sum_of_double(1);
+	}
 	return NULL;
 }
 
@@ -224,7 +238,7 @@ static void stand(const struct stand *s, bool inverse, struct map *r)
 	map_over(r, d);
 }
 
-static void transpose(struct axis axis[3])
+static void transpose_axes(struct axis axis[3])
 {
 	for (int i = 0; i < 3; i++)
 		for (int k = 0; k < i; k++) {
@@ -237,7 +251,8 @@ static void transpose(struct axis axis[3])
 
 /* The matrix or pose as it is given, or its nearest rotation above its last
  * row. A pose leads from view to the world, and must lead back. */
-static const char *bare(const struct camera *c, bool inverse, struct map *r)
+static const char *camera_bare(const struct camera *c, bool inverse,
+    struct map *r)
 {
 	bool pose = c->by == CAMERA_POSE;
 	struct stand s = { .at = c->matrix[3], .by_origin = !pose };
@@ -261,8 +276,28 @@ static const char *bare(const struct camera *c, bool inverse, struct map *r)
 	if (why != NULL)
 		return why;
 	if (pose)
-		transpose(s.axis);
+		transpose_axes(s.axis);
 	stand(&s, inverse, r);
+	return NULL;
+}
+
+static const char *find_axes(const struct camera *c,
+    const struct convention *convention, struct axis axis[3])
+{
+	switch (c->by) {
+	case CAMERA_AT:
+	case CAMERA_GAZE:
+		return look(c, convention, axis);
+	case CAMERA_ORIENTATION:
+	case CAMERA_TRANSLATION:
+		return orient(c, axis);
+	case CAMERA_RVEC:
+	case CAMERA_RVEC_TRANSLATION:
+		return turn_about(c, axis);
+	case CAMERA_POSE:
+	case CAMERA_MATRIX: /* bare() */
+		break;
+	}
 	return NULL;
 }
 
@@ -271,16 +306,15 @@ const char *camera_map(const struct camera *c,
 {
 	struct stand s = {
 		.at = c->eye,
-		.by_origin = c->by == CAMERA_TRANSLATION,
+		.by_origin = c->by == CAMERA_TRANSLATION ||
+		    c->by == CAMERA_RVEC_TRANSLATION,
 		.roll = convention->view_y_down ? -c->roll : c->roll,
 		.unit = c->unit,
 	};
 
 	if (c->by == CAMERA_MATRIX || c->by == CAMERA_POSE)
-		return bare(c, inverse, r);
-	const char *why = c->by == CAMERA_AT || c->by == CAMERA_GAZE ?
-	    look(c, convention, s.axis) :
-	    orient(c, s.axis);
+		return camera_bare(c, inverse, r);
+	const char *why = find_axes(c, convention, s.axis);
 
 	if (why == NULL)
 		stand(&s, inverse, r);

@@ -11,8 +11,10 @@ struct camera {
 	enum {
 		CAMERA_AT,
 		CAMERA_GAZE,
-		CAMERA_ORIENTATION, /* and eye */
-		CAMERA_TRANSLATION, /* and orientation */
+		CAMERA_ORIENTATION,      /* and eye */
+		CAMERA_RVEC,             /* and eye */
+		CAMERA_TRANSLATION,      /* and orientation */
+		CAMERA_RVEC_TRANSLATION, /* and rvec */
 		CAMERA_POSE,
 		CAMERA_MATRIX,
 	} by;
@@ -20,8 +22,9 @@ struct camera {
 	double at[3];  /* or the gaze, a direction of any length */
 	double up[3];
 	double orientation[4]; /* x y z w, view axes to world axes, any norm */
-	double roll;           /* image counterclockwise */
-	enum angle_unit unit;  /* of roll */
+	double rvec[3]; /* world to view: about it, by its length in radians */
+	double roll;    /* image counterclockwise */
+	enum angle_unit unit; /* of roll */
 	/* World to view, row vectors, affine; or the pose, view to world. */
 	double matrix[4][4];
 	bool orthonormalize;

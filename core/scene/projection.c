@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "../exact/vec3.h"
+
 /* The matrix of every projection that is made of parameters:
  *	 x   0   0   0
  *	 yx  y   0   0
@@ -96,8 +98,12 @@ static const char *cross_section(const struct projection *p, double d,
 		    sum_of_double(p->angle), f);
 		break;
 	case EXTENT_HEIGHT:
-		by_aspect(p->aspect, false, sum_of_double(2),
+		by_aspect(p->aspect, false, sum_of_double(2 * d),
 		    sum_of_double(p->height), f);
+		break;
+	case EXTENT_WIDTH:
+		by_aspect(p->aspect, true, sum_of_double(2 * d),
+		    sum_of_double(p->width), f);
 		break;
 	case EXTENT_SIZE:
 		f->x = f->y = sum_of_double(2 * d);
@@ -131,7 +137,7 @@ static const char *cross_section(const struct projection *p, double d,
  * to -1..1 A = (f + n) / (f - n), B = -2 n f / (f - n); an infinite far is the
  * limit; reversed, near and far trade places. Without planes it is 1 / w, as of a
  * reversed one with n = 1. */
-static void find_depth(const struct projection *p, bool minus_one,
+static void depth_elements(const struct projection *p, bool minus_one,
     struct elements *f)
 {
 	double k = minus_one ? 2 : 1, n = projection_is_open(p) ? 1 : p->near;
@@ -152,8 +158,8 @@ static void find_depth(const struct projection *p, bool minus_one,
 }
 
 /* w = depth + tw, where intrinsics have an offset. det = -zw B. */
-static const char *persp(const struct projection *p, const struct convention *c,
-    struct elements *f)
+static const char *persp_elements(const struct projection *p,
+    const struct convention *c, struct elements *f)
 {
 	double at = p->edges_at > 0 ? p->edges_at : p->near;
 	bool back = looks_back(c);
@@ -168,7 +174,7 @@ static const char *persp(const struct projection *p, const struct convention *c,
 	f->d = sum_of_double(1);
 	if (p->extent == EXTENT_INTRINSICS)
 		pixels(p, c->bottom_left, f, off);
-	find_depth(p, c->minus_one, f);
+	depth_elements(p, c->minus_one, f);
 	f->det = sum_negated_if(!back, f->tz);
 	f->tz = sum_add(f->tz, sum_mul(f->zz, f->tw));
 	f->zx = sum_negated_if(!back, off[0]);
@@ -178,8 +184,8 @@ static const char *persp(const struct projection *p, const struct convention *c,
 	return NULL;
 }
 
-static const char *ortho(const struct projection *p, const struct convention *c,
-    struct elements *f)
+static const char *ortho_elements(const struct projection *p,
+    const struct convention *c, struct elements *f)
 {
 	double a = p->reverse_z ? p->far : p->near;
 	double b = p->reverse_z ? p->near : p->far;
@@ -204,10 +210,10 @@ static const char *ortho(const struct projection *p, const struct convention *c,
 }
 
 /* ortho after x' = x + cot cos(direction) (depth - plane), y' likewise. */
-static const char *oblique(const struct projection *p,
+static const char *oblique_elements(const struct projection *p,
     const struct convention *c, struct elements *f)
 {
-	const char *why = ortho(p, c, f);
+	const char *why = ortho_elements(p, c, f);
 	struct sum cot = sum_of_double(p->kind == OBLIQUE_CABINET ? 0.5 : 1);
 
 	if (why != NULL)
@@ -342,7 +348,7 @@ static void negate_matrix(struct elements *f)
 
 /* All is over q's denominator, so that a parallel projection, q = 0, is no special
  * case. */
-static const char *volume(const struct projection *p,
+static const char *volume_elements(const struct projection *p,
     const struct convention *c, struct elements *f)
 {
 	struct eye e;
@@ -469,7 +475,8 @@ static bool is_transposed(const double m[4][4])
 	return is_w_of_z(m, true) && !is_w_of_z(m, false) && !is_affine;
 }
 
-static const char *bare(const struct projection *p, bool inverse, struct map *r)
+static const char *projection_bare(const struct projection *p, bool inverse,
+    struct map *r)
 {
 	map_of_doubles(p->matrix, r);
 	if (is_transposed(p->matrix))
@@ -482,37 +489,105 @@ static const char *bare(const struct projection *p, bool inverse, struct map *r)
 	return NULL;
 }
 
-static const char *find_upright(const struct projection *p,
-    const struct convention *c, struct elements *f)
+/* Whether P is no K with an offset, or K is singular. */
+static bool is_any_p(const struct projection *p)
 {
-	switch (p->type) {
-	case PROJECTION_PERSP:
-		return persp(p, c, f);
-	case PROJECTION_ORTHO:
-		return ortho(p, c, f);
-	case PROJECTION_OBLIQUE:
-		return oblique(p, c, f);
-	default:
-		return volume(p, c, f);
+	const double(*k)[4] = p->intrinsics;
+
+	return projection_is_tilted(p) ||
+	    (projection_is_by_p(p) &&
+		(k[1][0] != 0 || k[0][0] == 0 || k[1][1] == 0));
+}
+
+struct sum projection_w_slope(const struct projection *p)
+{
+	struct sum w[3];
+
+	if (!projection_is_tilted(p))
+		return sum_of_double(1);
+	for (int j = 0; j < 3; j++)
+		w[j] = sum_of_double(p->intrinsics[2][j]);
+	return vec3_length(w);
+}
+
+/* X, Y and Z are view x, y and z but for their signs, on both sides. */
+void projection_level(const struct projection *p, const struct convention *c,
+    double level[4][4])
+{
+	const double sign[4] = { 1, c->bottom_left == c->view_y_down ? -1 : 1,
+		looks_back(c) ? -1 : 1, 1 };
+
+	for (int i = 0; i < 4; i++) {
+		for (int j = 0; j < 3; j++)
+			level[i][j] = sign[i] * sign[j] * p->intrinsics[j][i];
+		level[i][3] = i == 3;
 	}
+}
+
+/* Level, and on by 1 0 0, 0 1 0, 0 0 1 in the place of P. */
+static struct projection leveled(const struct projection *p)
+{
+	struct projection own = *p;
+
+	for (int i = 0; i < 12; i++)
+		own.intrinsics[i / 4][i % 4] = i / 4 == i % 4;
+	return own;
+}
+
+static const char *any_p(const struct projection *p, const struct convention *c,
+    bool inverse, struct map *r)
+{
+	struct projection on = leveled(p);
+	double m[4][4];
+	struct map level, stage;
+
+	projection_level(p, c, m);
+	map_of_doubles(m, &level);
+	if (inverse && !map_inverse(m, &level))
+		return "/projection/intrinsics: the left three columns of P "
+		       "are singular; it can't be inverted";
+	const char *why = projection_map(&on, c, inverse, &stage);
+
+	if (why != NULL)
+		return why;
+	map_then(inverse ? &stage : &level, inverse ? &level : &stage, r);
+	memset(r->origin, 0, sizeof r->origin);
+	return NULL;
+}
+
+static bool has_elements(const struct projection *p)
+{
+	return p->type != PROJECTION_NONE && p->type != PROJECTION_MATRIX;
 }
 
 /* Where y is down in view space, a volume is skewed that way too. */
 static const char *find_elements(const struct projection *p,
     const struct convention *c, struct elements *f)
 {
-	const char *why = find_upright(p, c, f);
+	const char *why = NULL;
 
+	switch (p->type) {
+	case PROJECTION_PERSP:
+		why = persp_elements(p, c, f);
+		break;
+	case PROJECTION_ORTHO:
+		why = ortho_elements(p, c, f);
+		break;
+	case PROJECTION_OBLIQUE:
+		why = oblique_elements(p, c, f);
+		break;
+	case PROJECTION_VOLUME:
+		why = volume_elements(p, c, f);
+		break;
+	case PROJECTION_NONE:
+	case PROJECTION_MATRIX:
+		break;
+	}
 	f->y = sum_negated_if(c->view_y_down, f->y);
 	f->yx = sum_negated_if(c->view_y_down, f->yx);
 	f->zy = sum_negated_if(c->view_y_down && p->type == PROJECTION_VOLUME,
 	    f->zy);
 	return why;
-}
-
-static bool has_elements(const struct projection *p)
-{
-	return p->type != PROJECTION_NONE && p->type != PROJECTION_MATRIX;
 }
 
 const char *projection_map(const struct projection *p,
@@ -523,9 +598,11 @@ const char *projection_map(const struct projection *p,
 	if (p->type == PROJECTION_NONE)
 		map_identity(r);
 	if (p->type == PROJECTION_MATRIX)
-		return bare(p, inverse, r);
+		return projection_bare(p, inverse, r);
 	if (!has_elements(p))
 		return NULL;
+	if (is_any_p(p))
+		return any_p(p, c, inverse, r);
 	const char *why = find_elements(p, c, &f);
 
 	if (why != NULL)
@@ -561,6 +638,26 @@ static const char *bare_corner(const struct projection *p,
 	return why;
 }
 
+/* That of the level space, back from there. */
+static const char *any_corner(const struct projection *p,
+    const struct convention *c, const struct sum side[3], bool far,
+    struct sum v[4], struct sum *over)
+{
+	struct projection on = leveled(p);
+	struct sum level[4];
+	double m[4][4];
+	struct map back;
+	const char *why = projection_corner(&on, c, side, far, level, over);
+
+	projection_level(p, c, m);
+	if (why != NULL || !map_inverse(m, &back))
+		return why;
+	for (int j = 0; j < 4; j++)
+		map_column(&back, j, level, &v[j]);
+	*over = sum_mul(*over, back.divisor);
+	return NULL;
+}
+
 /* View z of the near or far plane; false where that is at infinity. */
 static bool plane_z(const struct projection *p, const struct convention *c,
     bool far, struct sum *z)
@@ -591,8 +688,11 @@ const char *projection_corner(const struct projection *p,
 
 	if (!has_elements(p))
 		return bare_corner(p, c, side, far, v, over);
+	if (is_any_p(p))
+		return any_corner(p, c, side, far, v, over);
 	const char *why = find_elements(p, c, &f);
 
+	/* no test reaches this: the scene has been composed before */
 	if (why != NULL)
 		return why;
 	w = f.zw;

@@ -15,6 +15,7 @@ enum extent {
 	EXTENT_FIELD,      /* half the larger side at unit distance, aspect */
 	EXTENT_SIZE,       /* width, height */
 	EXTENT_HEIGHT,     /* height, aspect */
+	EXTENT_WIDTH,      /* width, aspect */
 	EXTENT_EDGES,
 	EXTENT_ANGLES,     /* of the edges from the gaze */
 	EXTENT_INTRINSICS, /* what makes pixels of a point in view space */
@@ -37,8 +38,8 @@ struct projection {
 	double width, height; /* with intrinsics, the viewport's */
 	double left, right, bottom, top;
 	double edges_at; /* the distance where they are measured, or 0: near */
-	/* A point X right, Y as device y increases, Z along the gaze is taken to u w,
-	 * v w, w by these columns; pixels u and v count from the viewport's
+	/* P: a point X right, Y as device y increases, Z along the gaze is taken to
+	 * u w, v w, w by these rows; pixels u and v count from the viewport's
 	 * corner. near and far are values of w. */
 	double intrinsics[3][4];
 	/* far may be INFINITY in persp; where near is 0 there are no such planes,
@@ -75,17 +76,37 @@ static inline bool projection_is_open(const struct projection *p)
 static inline bool projection_is_by_near(const struct projection *p)
 {
 	return p->type == PROJECTION_PERSP && p->edges_at == 0 &&
-	    (p->extent == EXTENT_SIZE || p->extent == EXTENT_EDGES);
+	    p->extent >= EXTENT_SIZE && p->extent <= EXTENT_EDGES;
 }
 
-/* w less the distance along the gaze. */
+static inline bool projection_is_by_p(const struct projection *p)
+{
+	return p->type == PROJECTION_PERSP && p->extent == EXTENT_INTRINSICS;
+}
+
+/* Whether w is another thing than the distance along the gaze and an offset: the last
+ * row of P does not begin 0 0 1. */
+static inline bool projection_is_tilted(const struct projection *p)
+{
+	const double *w = p->intrinsics[2];
+
+	return projection_is_by_p(p) && (w[0] != 0 || w[1] != 0 || w[2] != 1);
+}
+
+/* w less the distance along the gaze; 0 where P is tilted. */
 static inline double projection_w_at_eye(const struct projection *p)
 {
-	bool intrinsics = p->type == PROJECTION_PERSP &&
-	    p->extent == EXTENT_INTRINSICS;
+	bool offset = projection_is_by_p(p) && !projection_is_tilted(p);
 
-	return intrinsics ? p->intrinsics[2][3] : 0;
+	return offset ? p->intrinsics[2][3] : 0;
 }
+
+/* How much w grows in a unit of length across the projection plane, in a persp. */
+struct sum projection_w_slope(const struct projection *);
+
+/* Of a tilted P, view space to a space in which P is K = 1 0 0, 0 1 0, 0 0 1. */
+void projection_level(const struct projection *, const struct convention *,
+    double level[4][4]);
 
 /* Of a volume: 1/z of the eye, as a quotient of which the denominator is exact. The
  * angle is that across the smaller side, seen from before the near plane. */

@@ -371,6 +371,11 @@ static void all_refused(void **state)
 	refused(c, false, "/camera/orientation");
 	c.by = CAMERA_TRANSLATION;
 	refused(c, true, "/camera/orientation");
+	c.by = CAMERA_RVEC;
+	c.rvec[1] = nextafter(2 * PI, 7);
+	refused(c, false, "/camera/rvec: is longer than 2 pi");
+	c.by = CAMERA_RVEC_TRANSLATION;
+	refused(c, true, "/camera/rvec: is longer than 2 pi");
 	set_diagonal(&c, 1, 1, -1);
 	refused(c, false, "/camera/matrix: its determinant is not positive");
 	c.by = CAMERA_POSE;

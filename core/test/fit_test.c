@@ -396,12 +396,10 @@ static void sample_fit(struct scene *s, int e)
 	if (p->type == PROJECTION_VOLUME && p->aspect[1] == 0)
 		p->aspect[0] = p->aspect[1] = 1;
 	p->type = PROJECTION_PERSP + sample_below(3);
-	p->extent = sample_below(p->type == PROJECTION_PERSP ? 9 : 7);
+	p->extent = sample_below(p->type == PROJECTION_PERSP ? 10 : 8);
 	p->edges_at = sample_below(2) ? 0 : sample_size(1);
 	if (p->type != PROJECTION_PERSP)
 		p->aspect[1] = sample_below(2) ? p->aspect[1] : 0;
-	else if (p->extent == EXTENT_HEIGHT)
-		p->extent = EXTENT_SIZE;
 	if (p->extent < EXTENT_FIELD && !(p->angle < 180))
 		p->angle = 60;
 	p->near_ratio = sample_below(2) ? 0.0005 : sample_between(0, 0.5);

@@ -9,7 +9,8 @@
  * same. */
 struct distance {
 	struct truth view;
-	struct form near;
+	int column; /* of the point's image that is the depth */
+	struct form near, over;
 	bool upward;
 };
 
@@ -25,6 +26,16 @@ static void distance_of(const struct scene *s, struct distance *d)
 
 	own.answer = NULL;
 	truth_scene(&own, SPACE_MODEL, SPACE_VIEW, &d->view);
+	d->column = 2;
+	d->over = form_of(1);
+	if (projection_is_tilted(p)) {
+		truth_scene(&own, SPACE_MODEL, SPACE_CLIP, &d->view);
+		d->column = 3;
+		d->near = form_of(p->near);
+		d->upward = p->far > p->near;
+		d->over = truth_slope(p);
+		return;
+	}
 	/* where w is near, or 0 */
 	double w = p->type == PROJECTION_PERSP &&
 		p->extent == EXTENT_INTRINSICS ?
@@ -39,7 +50,7 @@ static void distance_of(const struct scene *s, struct distance *d)
 
 static struct form distance_at(const struct distance *d, const double p[4])
 {
-	struct form z = truth_column(&d->view, 2, p);
+	struct form z = truth_column(&d->view, d->column, p);
 
 	return d->upward ? form_sub(z, d->near) : form_sub(d->near, z);
 }
@@ -67,7 +78,7 @@ static void check_distances(const struct picker *k, const struct distance *d,
 		bool doubtful;
 		int order;
 
-		verdicts[truth_verdict(pick_distance(k, p), at, form_of(1),
+		verdicts[truth_verdict(pick_distance(k, p), at, d->over,
 		    false)]++;
 		order = truth_sign(form_sub(at, distance_at(d, q)), &doubtful);
 		if (order == 0 || !doubtful)

@@ -184,12 +184,127 @@ static void no_position_no_ray(void **state)
 		assert_true(isnan(b.ray[j][0]));
 }
 
+/* Where the plane is met, before the division: of the line through the images a and b
+ * of two depths, a (p . b) - b (p . a). Seen if clip w there has the sign of w, or
+ * rays are parallel and w is the same everywhere. */
+static void truth_meeting(const struct truth *back, const struct truth *clip,
+    const double plane[4], const double at[2], struct image *image)
+{
+	const double p[2][4] = { { at[0], at[1], 0, 1 }, { 0, 0, 1, 0 } };
+	struct form h[2][4], through[2], w = form_of(0);
+	bool even = true, doubtful;
+
+	for (int k = 0; k < 2; k++) {
+		through[k] = form_of(0);
+		for (int j = 0; j < 4; j++) {
+			h[k][j] = truth_column(back, j, p[k]);
+			through[k] = form_add(through[k],
+			    form_mul(form_of(plane[j]), h[k][j]));
+		}
+	}
+	for (int j = 0; j < 4; j++) {
+		struct form n = form_of(0);
+
+		for (int k = 0; k < 4; k++)
+			if (k != j)
+				n = form_add(n,
+				    form_mul(form_of(plane[k]),
+					form_sub(form_mul(h[0][j], h[1][k]),
+					    form_mul(h[1][j], h[0][k]))));
+		if (j < 3)
+			image->n[j] = n;
+		else
+			image->d = n;
+		w = form_add(w, form_mul(n, truth_element(clip, j, 3)));
+	}
+	for (int i = 0; i < 3; i++)
+		even &= truth_sign(truth_element(clip, i, 3), NULL) == 0;
+	int side = truth_sign(w, NULL), over = truth_sign(image->d, &doubtful);
+
+	image->doubtful = doubtful;
+	image->seen = over != 0 && (even || side == over);
+}
+
+static void judge_meetings(const struct scene *s, enum space from,
+    enum space to, const double plane[4], const struct transform *t,
+    struct tally *tally)
+{
+	static struct rays b;
+	static struct block block;
+	struct truth back = { 0 }, clip = { 0 };
+	double depth = sample_unit();
+
+	truth_scene(s, from, to, &back);
+	truth_scene(s, to, SPACE_CLIP, &clip);
+	sample_positions(&s->viewport, POINTS, &b);
+	memcpy(block.in, b.at, sizeof b.at);
+	for (size_t i = 0; i < POINTS && from == SPACE_NDC; i++)
+		for (int k = 0; k < 2; k++)
+			block.in[k][i] = sample_between(-1, 1) * depth;
+	carry_all(t, &block, POINTS);
+	for (size_t i = 0; i < POINTS; i++) {
+		const double at[2] = { block.in[0][i], block.in[1][i] };
+		double got[3] = { block.out[0][i], block.out[1][i],
+			block.out[2][i] };
+		int mark = real_mark();
+		struct image image;
+
+		truth_meeting(&back, &clip, plane, at, &image);
+		judge_image(&image, 3, got, false, tally);
+		real_release(mark);
+	}
+}
+
+/* Planes beside the origin, or through it, or far. */
+static void sample_plane(int e, double plane[4])
+{
+	do
+		for (int k = 0; k < 4; k++)
+			plane[k] = e > 0    ? sample_number(e) :
+			    sample_below(2) ? (double)sample_below(5) - 2 :
+					      sample_between(-5, 5);
+	while (plane[0] == 0 && plane[1] == 0 && plane[2] == 0);
+}
+
+static void planes_are_met(void **state)
+{
+	struct scene s;
+	struct tally tally = { { 0 } };
+	static struct transform t;
+	int n = 0;
+
+	(void)state;
+	points_choose(NULL);
+	sample_seed(6);
+	for (int k = 0; k < 600; k++) {
+		enum space from = sample_below(2) ? SPACE_DEVICE : SPACE_NDC;
+		enum space to = (enum space)sample_below(3);
+		double plane[4];
+		int mark = real_mark();
+
+		sample_scene(&s, k % 3 * 4);
+		sample_answer(&s);
+		sample_plane(k % 3 * 2, plane);
+		if (ray_plane_transform(&s, from, to, plane, &t) != NULL)
+			continue;
+		judge_meetings(&s, from, to, plane, &t, &tally);
+		real_release(mark);
+		n++;
+	}
+	print_message("%d planes, %zu numbers, %zu by the 2^-190 rule\n", n,
+	    tally.n[NEAREST] + tally.n[RULED], tally.n[RULED]);
+	assert_true(n > 300 && tally.n[NEAREST] > 10000);
+	assert_true(tally.n[RULED] < tally.n[NEAREST] / 100);
+	assert_int_equal(tally.n[WRONG], 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(rays_are_exact),
 		cmocka_unit_test(copies_give_the_same_rays),
 		cmocka_unit_test(no_position_no_ray),
+		cmocka_unit_test(planes_are_met),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

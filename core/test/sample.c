@@ -120,11 +120,28 @@ static void look_along(struct camera *c)
 	}
 }
 
+/* Hostile: of elements of mixed magnitudes, of which some have a length next to a
+ * multiple of pi / 2, where elements are 0. */
+static void rotation_vector(double v[3], int e)
+{
+	double square = 0, length = PI / 2 * (1 + sample_below(4));
+
+	for (int i = 0; i < 3; i++) {
+		v[i] = e > 0 ? sample_number(e) : sample_between(-3.6, 3.6);
+		if (fabs(v[i]) > 3.6)
+			v[i] = 1 / v[i];
+		square += v[i] * v[i];
+	}
+	if (e > 0 && square > 0 && sample_below(2))
+		for (int i = 0; i < 3; i++)
+			v[i] *= length / sqrt(square);
+}
+
 void sample_camera(struct camera *c, int e)
 {
 
 	memset(c, 0, sizeof *c);
-	c->by = sample_below(6);
+	c->by = sample_below(8);
 	vector(c->eye, e);
 	vector(c->at, e);
 	vector(c->up, e);
@@ -132,6 +149,8 @@ void sample_camera(struct camera *c, int e)
 		memcpy(c->up, (double[]){ 0, 1, 0 }, sizeof c->up);
 	for (int i = 0; i < 4; i++)
 		c->orientation[i] = e > 0 ? sample_number(e) : ordinary();
+	if (c->by == CAMERA_RVEC || c->by == CAMERA_RVEC_TRANSLATION)
+		rotation_vector(c->rvec, e);
 	sample_affine(c->matrix, e);
 	if (e > 0 && c->by == CAMERA_AT && sample_below(2))
 		stand_far(c);
@@ -306,6 +325,14 @@ static void four_angles(struct projection *p, int e)
 	}
 }
 
+/* Any number in the lower rows, or in all. */
+static void any_p(double k[3][4], int e)
+{
+	for (int i = (int)sample_below(3); i < 3; i++)
+		for (int j = 0; j < 4; j++)
+			k[i][j] = e > 0 ? sample_number(e) : ordinary();
+}
+
 /* As [fx, fy, cx, cy], K or P; with planes, without or with an infinite far. */
 static void intrinsics(struct projection *p, int e)
 {
@@ -326,6 +353,8 @@ static void intrinsics(struct projection *p, int e)
 		k[0][1] = 0;
 	if (sample_below(2))
 		k[0][3] = k[1][3] = k[2][3] = 0;
+	if (sample_below(3) == 0)
+		any_p(k, e);
 	if (sample_below(4) > 0)
 		return;
 	p->near = 0;
@@ -338,9 +367,7 @@ void sample_projection(struct projection *p, int e)
 
 	memset(p, 0, sizeof *p);
 	p->type = 1 + sample_below(5);
-	p->extent = sample_below(9);
-	if (p->type == PROJECTION_PERSP && p->extent == EXTENT_HEIGHT)
-		p->extent = EXTENT_SIZE;
+	p->extent = sample_below(10);
 	if (p->type != PROJECTION_PERSP &&
 	    (p->extent < EXTENT_SIZE || p->extent > EXTENT_EDGES))
 		p->extent = EXTENT_EDGES;

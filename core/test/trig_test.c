@@ -117,6 +117,68 @@ static void every_radian(void **state)
 	    sum_double(cot_half_of(PI, RADIANS)) == 0x1.1a62633145c07p-54);
 }
 
+/* Against MPFR's sine and cosine of the root, of sums of squares of three doubles, also
+ * those that are next to a multiple of pi. */
+static void check_square(struct sum square)
+{
+	int mark = real_mark();
+	real s = number(0), c = number(0), x = root(number_ex(square.value));
+	struct sum sinc, versinc;
+
+	mpfr_sin_cos(s, c, x, MPFR_RNDN);
+	assert_true(sinc_of_square(square, &sinc, &versinc));
+	check(sinc, over(s, x));
+	check(versinc, over(sub(number(1), c), mul(x, x)));
+	real_release(mark);
+}
+
+static struct sum square_of(double a)
+{
+	return sum_mul(sum_of_double(a), sum_of_double(a));
+}
+
+/* Squares of three doubles whose sum is all but that of pi or 2 pi. */
+static struct sum square_near(double turns)
+{
+	int mark = real_mark();
+	struct sum square = sum_of_double(0);
+	real rest = number(0);
+
+	mpfr_const_pi(rest, MPFR_RNDN);
+	rest = mul(rest, number(turns));
+	double part = mpfr_get_d(rest, MPFR_RNDD) * sample_unit();
+
+	rest = mul(rest, rest);
+	for (int i = 0; i < 3; i++) {
+		if (i > 0)
+			part = mpfr_get_d(root(rest), MPFR_RNDD);
+		square = sum_add(square, square_of(part));
+		rest = sub(rest, mul(number(part), number(part)));
+	}
+	real_release(mark);
+	return square;
+}
+
+static void every_square(void **state)
+{
+	struct sum s, c;
+
+	(void)state;
+	worst = 0;
+	sample_seed(4);
+	for (int i = 1; i <= 628; i++)
+		check_square(square_of(i / 100.0));
+	for (int i = 1; i < 150; i++)
+		check_square(square_of(pow(10, -i)));
+	for (int i = 0; i < 200; i++)
+		check_square(square_near(i % 2 + 1));
+	claim("of squares", worst, TRIG_BOUND);
+	assert_true(sinc_of_square(sum_of_double(0), &s, &c));
+	assert_true(sum_double(s) == 1 && sum_double(c) == 0.5);
+	assert_true(sinc_of_square(square_of(2 * PI), &s, &c));
+	assert_false(sinc_of_square(square_of(nextafter(2 * PI, 7)), &s, &c));
+}
+
 static void exact_ones(void **state)
 {
 	static const double sines[12] = { 0, 0.5, 2, 1, 2, 0.5, 0, -0.5, 2, -1,
@@ -166,6 +228,7 @@ int main(void)
 		cmocka_unit_test(every_angle),
 		cmocka_unit_test(every_cotangent),
 		cmocka_unit_test(every_radian),
+		cmocka_unit_test(every_square),
 		cmocka_unit_test(exact_ones),
 		cmocka_unit_test(angles_of_nothing),
 	};

@@ -65,6 +65,9 @@ struct form form_dot(const struct form a[3], const struct form b[3]);
 /* As far as v is off, its length is at most. */
 struct form form_length(const struct form v[3]);
 
+/* The length of the first three numbers of P's last row. */
+struct form truth_slope(const struct projection *);
+
 /* Column j of the image of (p[0], p[1], p[2], p[3]). */
 struct form truth_column(const struct truth *, int j, const double p[4]);
 struct form truth_element(const struct truth *, int i, int j);

@@ -69,7 +69,10 @@ static void cross_section(const struct projection *p, real n, real s[2],
 		by_aspect(p, wide, over(ONE, number(p->angle)), s);
 		break;
 	case EXTENT_HEIGHT:
-		by_aspect(p, false, over(TWO, number(p->height)), s);
+		by_aspect(p, false, over(mul(TWO, n), number(p->height)), s);
+		break;
+	case EXTENT_WIDTH:
+		by_aspect(p, true, over(mul(TWO, n), number(p->width)), s);
 		break;
 	case EXTENT_SIZE:
 		s[0] = over(mul(TWO, n), number(p->width));
@@ -258,17 +261,17 @@ static void pixels(struct truth *t, const struct projection *p,
 {
 	struct truth_stage *s = truth_stage(t);
 	double up = c->bottom_left ? 1 : -1;
-	real pw = number(p->intrinsics[2][3]), a, b;
+	static const int column[3] = { 0, 1, 3 };
+	real a, b;
 
-	for (int j = 0; j < 2; j++)
+	for (int j = 0; j < 3; j++)
 		for (int i = 0; i < 4; i++)
-			s->m[i][j] = number(
+			s->m[i][column[j]] = number(
 			    p->intrinsics[j][i] * (i == 1 ? up : 1));
 	depth(p, c->minus_one, &a, &b);
-	s->m[2][2] = a;
-	s->m[3][2] = add(mul(a, pw), b);
-	s->m[2][3] = ONE;
-	s->m[3][3] = pw;
+	for (int i = 0; i < 4; i++)
+		s->m[i][2] = mul(a, s->m[i][3]);
+	s->m[3][2] = add(s->m[3][2], b);
 	s = truth_stage(t);
 	s->m[0][0] = over(TWO, number(p->width));
 	s->m[1][1] = over(number(2 * up), number(p->height));
@@ -325,4 +328,13 @@ void truth_projection(struct truth *t, const struct projection *p,
 	for (int i = 0; i < 4 && down; i++)
 		if (p->type != PROJECTION_MATRIX && p->type != PROJECTION_NONE)
 			s->m[i][1] = negative(s->m[i][1]);
+}
+
+struct form truth_slope(const struct projection *p)
+{
+	struct form w[3];
+
+	for (int j = 0; j < 3; j++)
+		w[j] = form_of(p->intrinsics[2][j]);
+	return form_length(w);
 }

@@ -68,6 +68,32 @@ static void turn(const double orientation[4], real m[4][4])
 	}
 }
 
+/* cv::Rodrigues: cos I + (1 - cos) u u' + sin [u]x of a point's column, here of rows. */
+static void turn_about(const double rvec[3], struct truth_stage *stage)
+{
+	real(*m)[4] = stage->m;
+	real u[3], angle, c = number(0), s = number(0);
+
+	set(u, 3, rvec);
+	angle = root(dot(u, u, 3));
+	if (mpfr_zero_p(angle))
+		return;
+	normalise(u, 3);
+	mpfr_sin_cos(s, c, angle, MPFR_RNDN);
+	for (int i = 0; i < 3; i++) {
+		int j = (i + 1) % 3, k = (i + 2) % 3;
+		real both = mul(sub(ONE, c), mul(u[i], u[j]));
+		real turn = mul(s, u[k]);
+
+		m[i][i] = add(c, mul(sub(ONE, c), mul(u[i], u[i])));
+		m[j][i] = sub(both, turn);
+		m[i][j] = add(both, turn);
+		stage->size[i][i] = TWO;
+		stage->size[i][j] = add(magnitude(both), magnitude(turn));
+		stage->size[j][i] = stage->size[i][j];
+	}
+}
+
 static void reverse(struct truth *);
 
 /* Of a matrix or pose. */
@@ -92,16 +118,19 @@ static void camera(struct truth *t, const struct camera *c,
 		return;
 	}
 	bool down = convention->view_y_down, by_axes = c->by > CAMERA_GAZE;
-	bool by_eye = c->by != CAMERA_TRANSLATION;
+	bool by_eye = c->by < CAMERA_TRANSLATION;
+	bool by_rvec = c->by == CAMERA_RVEC || c->by == CAMERA_RVEC_TRANSLATION;
 	struct truth_stage *eye = truth_stage(t), *view = truth_stage(t);
 	struct truth_stage *origin = truth_stage(t);
 
-	if (!by_axes || c->roll != 0)
+	if (!by_axes || by_rvec || c->roll != 0)
 		t->irrational = true;
 	for (int i = 0; i < 3; i++)
 		(by_eye ? eye : origin)->m[3][i] = number(
 		    by_eye ? -c->eye[i] : c->eye[i]);
-	if (by_axes)
+	if (by_rvec)
+		turn_about(c->rvec, view);
+	else if (by_axes)
 		turn(c->orientation, view->m);
 	else
 		look(c, convention->right_handed, view->m);

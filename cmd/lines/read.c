@@ -1,0 +1,218 @@
+/* SPDX-License-Identifier: MIT */
+#include <stdio.h>
+
+#include "choose.h"
+#include "header.h"
+#include "say.h"
+#include "../message/escape.h"
+
+/* Says why coordinate i was not found, or not once. */
+static void say_missing(const struct layout *l, int i, struct cut cut,
+    const struct chosen *c, char reason[REASON_MAX])
+{
+	const char *path = cut.members ? layout_path(l, i) : NULL;
+	int k = l->columns.field[i];
+	char word[ESCAPED_MAX];
+
+	if (path != NULL && c->times[i] > 1) {
+		snprintf(reason, REASON_MAX, "has two members '%s'",
+		    escaped(word, path, strlen(path)));
+	} else if (path != NULL) {
+		snprintf(reason, REASON_MAX, "has no member '%s'%s",
+		    escaped(word, path, strlen(path)),
+		    l->columns.n > 0 ? "" :
+				       "; --columns names the coordinates");
+		say_names(cut, path, reason);
+	} else if (l->columns.n == 0) {
+		say_field(l, i, (struct span){ NULL, NULL }, reason);
+	} else {
+		snprintf(reason, REASON_MAX,
+		    k < 0 ? "%s is missing: the header has no such column" :
+			c->times[i] == 0 ?
+			    "%s is missing: there is no field %d" :
+			    "%s is missing: field %d is empty",
+		    coordinate_name(i), k + 1);
+	}
+}
+
+/* Reads the numbers of the coordinates; says which is the first that is none. */
+static bool read_coordinates(const struct layout *l, struct cut cut,
+    const struct chosen *c, double v[4], char reason[REASON_MAX])
+{
+	const struct format_row *in = format_of(l->in);
+
+	for (int i = 0; i < l->reads; i++) {
+		const struct field *f = &c->field[i];
+
+		if (c->times[i] != 1 ||
+		    (f->whole.s == f->whole.end && l->columns.n > 0)) {
+			say_missing(l, i, cut, c, reason);
+			return false;
+		}
+		if (f->value.s == f->value.end ||
+		    in->number(f->value.s, f->value.end, &v[i]) !=
+			f->value.end) {
+			/* a message shows csv's quotes */
+			say_field(l, i, in->header ? f->whole : f->value,
+			    reason);
+			return false;
+		}
+		if (!say_range(i, v[i], reason))
+			return false;
+	}
+	return true;
+}
+
+/* Returns whether a member can be added by that path: it is a name, short and
+ * without what would have to be escaped. */
+static bool can_be_added(const char *path)
+{
+	bool plain = *path != '/' && strlen(path) < ADDED_ROOM - 8;
+
+	for (; *path != '\0'; path++)
+		plain &= *path != '"' && *path != '\\' &&
+		    (unsigned char)*path >= ' ';
+	return plain;
+}
+
+/* Returns whether the other fields of a bad line can be kept. */
+static bool can_be_kept(const struct layout *l, bool members,
+    const struct chosen *c)
+{
+	for (int i = 0; i < l->reads; i++)
+		if (c->times[i] > 1 ||
+		    (c->times[i] == 0 && members &&
+			!can_be_added(layout_path(l, i))))
+			return false;
+	return !choose_overlaps(l, c);
+}
+
+/* Returns whether --columns says how to find the coordinates in a line of JSON. */
+static bool columns_fit(const struct layout *l, bool members,
+    char reason[REASON_MAX])
+{
+	bool named = l->columns.n > 0, numbered = named;
+
+	for (int i = 0; i < l->columns.n; i++) {
+		named &= l->columns.name[i] != NULL;
+		numbered &= l->columns.name[i] == NULL;
+	}
+	if (l->columns.n == 0 || (members ? named : numbered))
+		return true;
+	snprintf(reason, REASON_MAX,
+	    members ?
+		"is an object; --columns is to name its members: x,y,z, or "
+		"/position/0" :
+		"is an array; --columns is to number its elements: 2,3,4");
+	return false;
+}
+
+/* Finds the coordinates of a line and reads them. Its kind, which is LINE_LOST,
+ * becomes LINE_POINT or LINE_BAD. */
+static void read_fields(const struct layout *l, struct span text,
+    struct line *line, double v[4], char reason[REASON_MAX])
+{
+	const struct format_row *in = format_of(l->in);
+	struct chosen c;
+
+	line->object = *in->open != '\0' &&
+	    *skip_blanks(l->in, text.s, text.end) == '{';
+	if (in->check != NULL && !in->check(l->in, text, reason))
+		return;
+	struct cut cut = cut_line(l->in, text);
+
+	if (cut.bracket != NULL && !columns_fit(l, cut.members, reason))
+		return;
+	choose(l, cut, &c);
+	bool ok = read_coordinates(l, cut, &c, v, reason);
+
+	if (ok && cut.bracket != NULL && choose_overlaps(l, &c)) {
+		ok = false;
+		snprintf(reason, REASON_MAX,
+		    "has a coordinate in another; --columns names values "
+		    "apart");
+	}
+	if (c.mixed) {
+		if (ok)
+			snprintf(reason, REASON_MAX,
+			    "has commas between some numbers and not between "
+			    "others; is the comma a decimal point? write 1.5 "
+			    "for 1,5");
+		ok = false;
+		cut.words = line->words = l->columns.n == 0;
+		choose(l, cut, &c);
+	}
+	if (!ok &&
+	    ((cut.s == NULL && !cut.members) ||
+		!can_be_kept(l, cut.members, &c)))
+		return;
+	line->kind = ok ? LINE_POINT : LINE_BAD;
+	for (int i = 0; i < l->reads; i++) {
+		const struct field *f = &c.field[i];
+
+		/* nan goes without the quotes that csv's bad number has */
+		line->at[i] = c.times[i] == 0 ?
+		    part_missing :
+		    ok || !in->header ?
+		    line_part(line, f->value) :
+		    line_part(line, trimmed(l->in, f->whole));
+	}
+}
+
+/* Returns false where the first line that counts is not to be read as a point. In
+ * JSON a carriage return is a blank like others. */
+static bool read_first_line(struct layout *l, struct span text,
+    struct line *line, char reason[REASON_MAX])
+{
+	const struct format_row *in = format_of(l->in);
+	const char *s = skip_blanks(l->in, text.s, text.end);
+
+	if ((*in->open == '\0' || *s == '#') &&
+	    format_is_old(l->in, text, reason))
+		return false;
+	if (!in->header)
+		return true;
+	if (*s != '{')
+		return !header_read(l, text, line, reason);
+	snprintf(reason, REASON_MAX, "looks like JSON; say -i json");
+	return false;
+}
+
+/* Returns whether the line, of which s is the first character that is no blank, is
+ * copied as it is: a comment, but not one that is a header, or a whole file. */
+static bool is_comment(struct layout *l, struct span text, const char *s,
+    bool first)
+{
+	char reason[REASON_MAX];
+
+	return *s == '#' &&
+	    !(first &&
+		(header_in_comment(l, text) ||
+		    format_is_old(l->in, text, reason)));
+}
+
+void line_read(struct layout *l, struct span text, bool *first,
+    struct line *line, double v[4], char reason[REASON_MAX])
+{
+	bool was_first = *first;
+
+	*line = (struct line){ .s = text.s,
+		.size = (uint32_t)(text.end - text.s),
+		.kind = LINE_COPY };
+	if (was_first) {
+		text.s = skip_mark(text.s, text.end);
+		line->mark = text.s > line->s;
+	}
+	const char *s = skip_blanks(l->in, text.s, text.end);
+
+	if (s == text.end || is_comment(l, text, s, was_first))
+		return;
+	*first = false;
+	line->kind = LINE_LOST;
+	if (was_first && !read_first_line(l, text, line, reason))
+		return;
+	read_fields(l, text, line, v, reason);
+	if (was_first && line_is_bad(line) && format_of(l->in)->blanks &&
+	    l->columns.n == 0)
+		say_text_header(l, text, reason);
+}
