@@ -285,9 +285,8 @@ static void find_type(const struct value *v, int implied, struct projection *p)
 		value_refuse(&missing, "missing; it is %s",
 		    list_words(all, projection_types, " or ", "\""));
 	if (implied != PROJECTION_NONE && p->type != (unsigned)implied)
-		value_refuse(&m, "is \"%s\"; the command %s wants \"%s\"",
+		value_refuse(&m, "is \"%s\", but the command is %s",
 		    projection_types[p->type - 1],
-		    projection_types[implied - 1],
 		    projection_types[implied - 1]);
 }
 

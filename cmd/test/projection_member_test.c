@@ -36,9 +36,9 @@ static const struct refusal projections[] = {
 	    "/projection: missing; add \"projection\": {\"type\": \"persp\", "
 	    "\"fovy\": 60, \"aspect\": 1.5, \"near\": 1, \"far\": 10}" },
 	{ &persp, "{\"type\":\"ortho\"}",
-	    "/type: is \"ortho\"; the command persp wants \"persp\"" },
+	    "/type: is \"ortho\", but the command is persp" },
 	{ &persp, "{\"type\":\"matrix\"}",
-	    "/type: is \"matrix\"; the command persp wants \"persp\"" },
+	    "/type: is \"matrix\", but the command is persp" },
 	{ &project, "{\"projection\":{}}",
 	    "/projection/type: missing; it is \"persp\", \"ortho\", "
 	    "\"oblique\", \"volume\" or \"matrix\"" },
