@@ -151,7 +151,8 @@ static bool escape(struct check *s)
 		return expected(s, "four hexadecimal digits after \\u", NULL);
 	if (p[1] == 'u' && s->kind == JSON_DOCUMENT) {
 		if (c[0] == '\0')
-			return expected(s, "text in a string", "leave \\u0000 out");
+			return expected(s, "text in a string",
+			    "leave \\u0000 out");
 		/* U+FFFD for \ud800 to \udfff */
 		if (c[0] == '\xef' && (p[2] | 0x20) == 'd')
 			return expected(s, "both halves of a surrogate pair",
@@ -278,33 +279,16 @@ static bool no_name(struct check *s)
 		NULL);
 }
 
-/* Whether the string of checked text that begins at s is that name. */
-static bool is_name(const char *s, const char *end, const char *name)
-{
-	char c[4];
-	int n;
-
-	for (s++; *s != '"'; name += n) {
-		if (*s == '\\') {
-			s = json_unescape(s, end, c, &n);
-		} else {
-			c[0] = *s++;
-			n = 1;
-		}
-		if (strncmp(name, c, (size_t)n) != 0)
-			return false;
-	}
-	return *name == '\0';
-}
-
 static bool member(struct check *s)
 {
-	const char *quoted = s->p, *start;
+	struct span quoted = { .s = s->p };
+	const char *start;
 
 	if (!at(s, '"'))
 		return no_name(s);
 	if (!string(s))
 		return false;
+	quoted.end = s->p;
 	blanks(s);
 	if (!at(s, ':'))
 		return expected(s, "':' after the member's name", NULL);
@@ -313,9 +297,12 @@ static bool member(struct check *s)
 	start = s->p;
 	if (!value(s))
 		return false;
-	if (s->level == 1 && s->name != NULL && s->part.s == NULL &&
-	    is_name(quoted, s->end, s->name))
-		s->part = (struct span){ start, s->p };
+	if (s->level == 1 && s->name != NULL && s->part.s == NULL) {
+		struct span name = { s->name, s->name + strlen(s->name) };
+
+		if (json_is_name(quoted, name, false))
+			s->part = (struct span){ start, s->p };
+	}
 	return true;
 }
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "text.h"
 
-#include <stdbool.h>
 #include <string.h>
 
 #include "../number/eight.h"
@@ -139,4 +138,30 @@ const char *json_unescape(const char *s, const char *end, char out[4], int *n)
 	s = unescape_unicode(s + 2, end, &code);
 	*n = utf8_write(code, out);
 	return s;
+}
+
+bool json_is_name(struct span f, struct span name, bool pointer)
+{
+	const char *s = f.s + 1, *stop = f.end - 1;
+	char character[4];
+
+	while (s < stop) {
+		int size = 1;
+
+		character[0] = *s;
+		s = *s == '\\' ? json_unescape(s, stop, character, &size) :
+				 s + 1;
+		for (int i = 0; i < size; i++, name.s++) {
+			if (name.s == name.end)
+				return false;
+			char c = *name.s;
+
+			if (pointer && c == '~' &&
+			    (name.s[1] == '0' || name.s[1] == '1'))
+				c = *++name.s == '0' ? '~' : '/';
+			if (c != character[i])
+				return false;
+		}
+	}
+	return name.s == name.end;
 }

@@ -5,6 +5,10 @@
 #ifndef JSON_TEXT_H
 #define JSON_TEXT_H
 
+#include <stdbool.h>
+
+#include "../message/span.h"
+
 /* Reads the number that begins at s, as number_read does, and returns where it
  * ends. NULL where none begins, or one that JSON doesn't have: +1, 01, 1., .5,
  * 1e, inf. */
@@ -39,5 +43,9 @@ const char *json_hex4(const char *s, const char *end, unsigned *code);
  * surrogate pair becomes U+FFFD. Of text that is not checked, fewer than four
  * digits may follow \u. */
 const char *json_unescape(const char *s, const char *end, char out[4], int *n);
+
+/* Returns whether a string of JSON, with its quotes, is the name, which may be of a
+ * pointer: ~1 is /, ~0 is ~. */
+bool json_is_name(struct span string, struct span name, bool pointer);
 
 #endif

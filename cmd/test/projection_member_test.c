@@ -18,8 +18,6 @@ static const struct document_wants volume = { .bare = SCENE_PROJECTION,
 static const struct document_wants project = { WANTS };
 
 #define SIDES "\"left\", \"right\", \"bottom\" and \"top\""
-#define SECTION \
-	"\"width\" and \"height\", one of them and \"aspect\", or " SIDES
 #define PERSP_HINT                                                             \
 	"give \"fovy\", or \"fovx\", or \"view_angle\", or \"field\", or "     \
 	"\"width\" and \"height\", or \"width\", or \"height\", or \"left\", " \
