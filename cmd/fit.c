@@ -79,15 +79,14 @@ static _Noreturn void refuse_fit(const struct options *o,
 
 	if (d->has_bounds || strncmp(why, bounds, n) != 0)
 		document_refuse(d, why);
+	const struct place points = source_place(&d->source, "/points");
+
 	if (o->n_points == 0)
-		die_at(EXIT_INPUT,
-		    &(struct place){ .file = d->name, .pointer = "/points" },
-		    "%s", why + n);
+		refuse_at(&points, "%s", why + n);
 	bool typed = o->n_points > 1 || first_char(o->points[0]) == '[';
 
-	die_at(EXIT_INPUT,
-	    &(struct place){ .file = typed ? "POINTS" : o->points[0] }, "%s",
-	    why + n);
+	refuse_at(&(struct place){ .file = typed ? "POINTS" : o->points[0] },
+	    "%s", why + n);
 }
 
 #define OR_POINTS ", or points: a file, or - for standard input"
@@ -119,5 +118,5 @@ void run_fit(const struct command *c, const struct options *o)
 
 	if (why != NULL)
 		refuse_fit(o, &d, why);
-	print_scene(&d);
+	print_scene(&d, o->out == FORMAT_JSON);
 }

@@ -127,6 +127,7 @@ static void put_member(struct printer *p, const struct member *row,
 	put_name(p, "default");
 	put_open(p, row->usual != NULL ? row->usual : "null");
 	put_close(p, "");
+	put_told(p, "before", row->before);
 	put_told(p, "about", row->about);
 	put_words(p, "words", row->words);
 	if (row->kinds != 0)

@@ -175,6 +175,8 @@ void run_inspect(const struct command *c, const struct options *o)
 	static char text[160 * NUMBER_MAX + 4096];
 	struct printer p = { .at = text,
 		.style = one_style(o, "what inspect prints"),
+		.on_line = o->out == FORMAT_JSON,
+		.compact = o->out == FORMAT_JSON,
 		.between = "" };
 	struct document d;
 
@@ -188,6 +190,6 @@ void run_inspect(const struct command *c, const struct options *o)
 		put_plane(&p, &d);
 	else
 		put_spatial(&p, &d, o->tolerance > 0 ? o->tolerance : 0.5);
-	put_text(&p, "\n}\n");
+	put_text(&p, p.on_line ? "}\n" : "\n}\n");
 	put_all(text, (size_t)(p.at - text));
 }

@@ -139,7 +139,7 @@ const struct option_row option_rows[] = {
 	{ "input", 'i', POINTS,
 	    "of points: text (default), csv, tsv, json, f64, f32",
 	    .argument = "FORMAT", .set = set_input, .words = format_names },
-	{ "output", 'o', PRINTED, "the same; default the input's",
+	{ "output", 'o', ALL, "the same; default the input's",
 	    .argument = "FORMAT", .set = set_output, .words = format_names,
 	    ON(has_out) },
 	{ "separator", 0, POINTS, "between fields of csv: a character, or tab",
@@ -182,7 +182,7 @@ const struct option_row option_rows[] = {
 	    ON(flags) },
 	{ "visible", 0, PLANES,
 	    "print only points in the view volume or window", ON(visible) },
-	{ "keep-going", 0, POINTS, "print nan for a bad line and go on",
+	{ "keep-going", 0, ALL, "print nan for a bad line, go on after a bad scene",
 	    ON(keep_going) },
 	{ "jobs", 'j', POINTS, "threads; default all cores",
 	    .argument = "N", .set = set_jobs },
@@ -245,6 +245,11 @@ int coordinates_of(const struct command *c, const struct options *o)
 		(o->from == SPACE_DEVICE && o->homogeneous) ?
 	    4 :
 	    3;
+}
+
+enum format options_output(const struct options *o)
+{
+	return o->has_out ? o->out : o->in;
 }
 
 struct number_style one_style(const struct options *o, const char *what)

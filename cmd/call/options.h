@@ -72,6 +72,9 @@ bool option_is_for(const struct option_row *, const struct command *);
  * the plane. */
 int coordinates_of(const struct command *, const struct options *);
 
+/* Returns the format in which the command answers. */
+enum format options_output(const struct options *);
+
 /* How to round what is to be rounded alike: refuses a list of -d or --digits. what
  * is printed, for the message. */
 struct number_style one_style(const struct options *, const char *what);

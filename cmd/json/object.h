@@ -40,6 +40,8 @@ struct member {
 	 * only where it is another, or shown is set. Angles are degrees. */
 	const char *usual;
 	bool shown;
+	/* What holds before that, for the help; or NULL. */
+	const char *before;
 	/* What else people call it, divided by blanks: in lower case, without
 	 * _ and -. */
 	const char *aliases;

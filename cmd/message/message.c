@@ -94,7 +94,7 @@ static void buffer_place(struct buffer *t, const struct place *p)
 		buffer_add(t, "scene %ld, line %ld: ", s->number, s->line);
 	if (p->file != NULL)
 		buffer_add(t, "%.*s", MESSAGE_MAX, p->file);
-	if (p->line > 0)
+	if (p->line > 0 && !pointer)
 		buffer_add(t, p->of_points ? ": point %lld" : ":%lld", p->line);
 	if (p->file != NULL && !behind)
 		buffer_add(t, ": ");
@@ -150,6 +150,8 @@ static void write_json(int status, const struct place *p, const char *message,
 	if (p->line > 0)
 		buffer_add(&t, ",\"%s\":%lld", p->of_points ? "point" : "line",
 		    p->line);
+	if (p->column > 0)
+		buffer_add(&t, ",\"column\":%zu", p->column);
 	if (p->pointer != NULL && *p->pointer != '\0')
 		buffer_string(&t, "pointer", p->pointer, strlen(p->pointer));
 	buffer_string(&t, "reason", message, reason);
@@ -261,6 +263,30 @@ void vdie_at(int status, const struct place *place, const char *format,
 	be_last();
 	print_line(status, place, format, args);
 	exit(status);
+}
+
+static jmp_buf *refused;
+
+void refusals_go_to(jmp_buf *where)
+{
+	refused = where;
+}
+
+void vrefuse_at(const struct place *place, const char *format, va_list args)
+{
+	if (refused == NULL)
+		vdie_at(EXIT_INPUT, place, format, args);
+	print_line(EXIT_INPUT, place, format, args);
+	longjmp(*refused, 1);
+}
+
+void refuse_at(const struct place *place, const char *format, ...)
+{
+	va_list args;
+
+	va_start(args, format);
+	vrefuse_at(place, format, args);
+	va_end(args);
 }
 
 void die_at(int status, const struct place *place, const char *format, ...)

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "members.h"
 
+#include "convention_member.h"
+
 static const char *const origins[] = { "bottom-left", "top-left", NULL };
 static const char *const scales[] = { "fill", "uniform", NULL };
 const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
@@ -131,7 +133,8 @@ const struct member viewport_members[] = {
 const struct member device_members[] = {
 	RECTANGLE(device),
 	ROW(device, "origin", type_second, top_left, .words = origins,
-	    .usual = "\"bottom-left\"",
+	    .usual = "\"bottom-left\"", .shown = true,
+	    .before = "-c's or the convention's",
 	    .about = "the corner where x and y are least"),
 	{ .name = NULL },
 };
@@ -251,6 +254,8 @@ bool read_camera(const struct value *v, struct camera *c)
 
 	check_translation(v, seen);
 	c->by = (unsigned)object_way(v, camera_members, 0, seen, camera_ways);
+	if ((seen & member_bit(camera_members, 0, "rvec")) != 0)
+		check_axes(v, "rvec");
 	return c->by >= CAMERA_TRANSLATION ||
 	    (seen & member_bit(camera_members, 0, "eye")) != 0;
 }
@@ -263,12 +268,13 @@ void read_viewport(const struct value *v, struct viewport *w)
 	object_way(v, viewport_members, 0, seen, rectangle_ways);
 }
 
-void read_device(const struct value *v, struct device *d)
+bool read_device(const struct value *v, struct device *d)
 {
 	*d = (struct device){ 0 };
 	uint64_t seen = object_read(v, device_members, 0, d);
 
 	object_way(v, device_members, 0, seen, rectangle_ways);
+	return (seen & member_bit(device_members, 0, "origin")) != 0;
 }
 
 /* fit finds only the window of a document that is flat. */

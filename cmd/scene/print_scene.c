@@ -69,18 +69,23 @@ static void put_stages(struct printer *p, const struct scene *s)
 
 void put_scene(struct printer *p, const struct scene *s)
 {
+	const bool on_line = p->on_line;
+
 	put_open(p, "{");
 	p->on_line = true;
 	put_convention(p, &s->convention);
 	put_stages(p, s);
-	p->on_line = false;
+	p->on_line = on_line;
 	put_close(p, "}");
 }
 
-void print_scene(const struct document *d)
+void print_scene(const struct document *d, bool on_line)
 {
 	static char text[1 << 16];
-	struct printer p = { .at = text, .between = "" };
+	struct printer p = { .at = text,
+		.on_line = on_line,
+		.compact = on_line,
+		.between = "" };
 	const struct scene *s = &d->scene;
 	const struct pick *k = &d->pick;
 
@@ -109,6 +114,6 @@ void print_scene(const struct document *d)
 		put_name_on_new_line(&p, "margin");
 		put_number(&p, s->margin);
 	}
-	put_text(&p, "\n}\n");
+	put_text(&p, on_line ? "}\n" : "\n}\n");
 	put_all(text, (size_t)(p.at - text));
 }

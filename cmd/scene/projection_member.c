@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "../message/escape.h"
+#include "convention_member.h"
 
 /* An angle between limits, which degrees and radians say. */
 #define ANGLE(label, least, most, degrees, radians, ...)           \
@@ -204,7 +205,8 @@ static int take_way(const struct value *v, const struct projection *p,
 	return object_way(v, projection_members, (int)p->type - 1, seen, ways);
 }
 
-static bool has(const struct projection *p, uint64_t seen, const char *name)
+static bool is_given(const struct projection *p, uint64_t seen,
+    const char *name)
 {
 	return (seen &
 		   member_bit(projection_members, (int)p->type - 1, name)) != 0;
@@ -215,7 +217,7 @@ static void read_open(const struct value *v, uint64_t seen,
     struct projection *p)
 {
 	p->reverse_z |= take_way(v, p, seen, &open_ways) == 1;
-	if (!has(p, seen, "far"))
+	if (!is_given(p, seen, "far"))
 		p->far = HUGE_VAL;
 }
 
@@ -237,6 +239,7 @@ static void find_sides(const struct value *v, const struct viewport *viewport,
 		    "not together with the viewport's \"scale\"; "
 		    "leave that out");
 	} else {
+		check_axes(v, "intrinsics");
 		p->width = viewport->width;
 		p->height = viewport->height;
 	}
@@ -271,19 +274,47 @@ static void find_aspect(const struct value *v, const struct viewport *viewport,
 	}
 }
 
+/* Refuses a projection without a type; names the types that have all of its
+ * members. */
+static _Noreturn void refuse_typeless(const struct value *v)
+{
+	struct value missing = value_missing(v, "type"), m = value_child(v);
+	const char *names[6];
+	unsigned of = SECTIONED | VOLUME | MATRIX;
+	char all[LISTED];
+	int n = 0;
+
+	for (; m.item != NULL; value_next(&m)) {
+		const struct member *row = projection_members;
+		unsigned has = 0;
+
+		for (; row->name != NULL; row++)
+			if (strcmp(row->name, m.name) == 0)
+				has |= row->kinds;
+		if ((of & has) != 0)
+			of &= has;
+	}
+	for (int i = 0; projection_types[i] != NULL; i++)
+		if (of >> i & 1)
+			names[n++] = projection_types[i];
+	names[n] = NULL;
+	list_words(all, names, " or ", "\"");
+	if (n == 1)
+		value_refuse(&missing, "missing; add \"type\": %s", all);
+	value_refuse(&missing, "missing; it is %s", all);
+}
+
 /* The type decides which members there are, so it is looked for first. */
 static void find_type(const struct value *v, int implied, struct projection *p)
 {
-	struct value m = value_child(v), missing = value_missing(v, "type");
-	char all[LISTED];
+	struct value m = value_child(v);
 
 	if (value_member(v, "type", &m))
 		type_word.read(&m, projection_members, &p->type);
 	else if (implied != PROJECTION_NONE)
 		p->type = (unsigned)implied;
 	else
-		value_refuse(&missing, "missing; it is %s",
-		    list_words(all, projection_types, " or ", "\""));
+		refuse_typeless(v);
 	if (implied != PROJECTION_NONE && p->type != (unsigned)implied)
 		value_refuse(&m, "is \"%s\", but the command is %s",
 		    projection_types[p->type - 1],
@@ -309,7 +340,7 @@ static void need_near(const struct value *v, uint64_t seen,
 {
 	struct value m = value_missing(v, "near");
 
-	if (!has(p, seen, "near"))
+	if (!is_given(p, seen, "near"))
 		value_refuse(&m,
 		    "missing; the section is on the near plane, unless "
 		    "\"edges_at\" says where");
@@ -346,7 +377,7 @@ static void read_parallel(const struct value *v, uint64_t seen,
 	if (p->type == PROJECTION_OBLIQUE)
 		take_way(v, p, seen, &projection_ways[WAYS_SHEAR]);
 	/* the usual direction is 45 degrees in any unit */
-	if (has(p, seen, "direction"))
+	if (is_given(p, seen, "direction"))
 		p->direction_unit = p->unit;
 	take_way(v, p, seen, &projection_ways[WAYS_DEPTH]);
 	find_aspect(v, viewport, p);
@@ -375,6 +406,10 @@ void read_projection(const struct value *v, int implied,
 	*p = (struct projection){
 		.unit = (enum angle_unit)v->source->unit,
 	};
+	if (value_is_array(v))
+		value_refuse(v,
+		    "is an array; a matrix is {\"type\": \"matrix\", "
+		    "\"matrix\": [...]}");
 	value_want_object(v);
 	find_type(v, implied, p);
 	/* kinds are in the order of projection_types */

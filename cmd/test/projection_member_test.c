@@ -173,6 +173,10 @@ static const struct refusal projections[] = {
 	    "/projection/intrinsics: not together with the viewport's "
 	    "\"scale\"; "
 	    "leave that out" },
+	{ &project, SEEN("\"intrinsics\":[1,1,0,0]", ""),
+	    "/projection/intrinsics: needs a \"convention\"; of x, y and z in "
+	    "view space, opencv is right, down, forward and webgpu right, up, "
+	    "backward" },
 	{ &project, SEEN("\"intrinsics\":[1,1,0,0],\"fovy\":60", ""),
 	    "/projection/intrinsics: not together with \"fovy\"; " PERSP_HINT },
 	{ &project, SEEN("\"intrinsics\":[1,1,0,0],\"far\":1", ""),
@@ -312,10 +316,11 @@ static void assert_rows(const struct projection *p, int n, ...)
 
 static void test_intrinsics(void **state)
 {
-#define CALIBRATED(members)                                                    \
-	scene_of("{\"projection\":{\"type\":\"persp\",\"intrinsics\":" members \
-		 "},\"viewport\":{\"width\":640,\"height\":480,\"x\":-0.5,"    \
-		 "\"scale\":\"fill\"}}")                                       \
+#define CALIBRATED(members)                                                 \
+	scene_of("{\"convention\":\"d3d\",\"projection\":{\"type\":"        \
+		 "\"persp\",\"intrinsics\":" members                        \
+		 "},\"viewport\":{\"width\":640,\"height\":480,\"x\":-0.5," \
+		 "\"scale\":\"fill\"}}")                                    \
 	    .projection
 	struct projection p = CALIBRATED("[1,2,3,4]");
 
