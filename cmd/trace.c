@@ -103,10 +103,13 @@ static void trace_take(const struct job *j, struct chunk *c,
 	const struct layout *l = &j->layout;
 	bool bad = line_is_bad(line);
 	double in[4] = { c->in[0][p], c->in[1][p], c->in[2][p], c->in[3][p] };
-	unsigned outside = bad ? OUT_NAN : frustum_out(&j->frustum, in);
+	const double *const at[4] = { &in[0], &in[1], &in[2], &in[3] };
+	unsigned char outside = OUT_NAN;
 	size_t most = SPACES * 4 * (NUMBER_MAX + 16) + 6 * (size_t)line->size;
 
 	(void)number;
+	if (!bad)
+		frustum_out_all(&j->frustum, at, &outside, 1);
 	if (line->kind == LINE_HEADER || (j->visible && outside != 0))
 		return;
 	struct printer print = { .at = chunk_reserve(c, most + WORD_MAX),

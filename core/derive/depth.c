@@ -50,7 +50,7 @@ static void slab_of(const struct scene *s, bool reversed, struct slab *r)
 
 /* The distance of a share over / under of the depth range, inward from plane
  * a. */
-static double distance(const struct slab *s, int a, struct sum over,
+static double slab_distance(const struct slab *s, int a, struct sum over,
     struct sum under)
 {
 	struct sum at = sum_add(sum_mul(s->inverse[a], sum_sub(under, over)),
@@ -129,7 +129,7 @@ void depth_steps(const struct scene *s, bool reversed, double step[BUFFERS][2])
 			if (!any || projection_is_open(&s->projection))
 				continue;
 			over = sum_abs(sum_sub(over, sum_scale(under, from)));
-			step[b][k] = distance(&slab, k, over,
+			step[b][k] = slab_distance(&slab, k, over,
 			    sum_mul(under, sum_abs(sum_diff(to, from))));
 		}
 }

@@ -69,7 +69,8 @@ static void set_size(const struct scene *s, double size[3])
 
 /* The sum of the magnitudes of column j's products, over w, in a corner, as
  * kernel/plain.h counts it with what underflows. */
-static double sum(const struct volume *v, int corner, int j, double tiny)
+static double bound_column(const struct volume *v, int corner, int j,
+    double tiny)
 {
 	const struct corner *c = &v->corner[corner];
 	const struct kernel_map *k = &v->t->for_kernel;
@@ -91,7 +92,7 @@ static double largest_inverse(const struct volume *v)
 
 /* nan where w could be unknown or 1/w beyond the range; other sums that could be
  * are computed exactly. */
-static double plain(const struct volume *v, const struct arithmetic *a)
+static double bound_plain(const struct volume *v, const struct arithmetic *a)
 {
 	const struct transform *t = v->t;
 	const struct kernel_map *k = &t->for_kernel;
@@ -99,11 +100,11 @@ static double plain(const struct volume *v, const struct arithmetic *a)
 	double inverse = largest_inverse(v), size = 0;
 
 	for (int i = 0; i < 8; i++) {
-		double s3 = sum(v, i, 3, a->tiny);
+		double s3 = bound_column(v, i, 3, a->tiny);
 
 		w = fmax(w, s3);
 		for (int j = 0; j < 3; j++) {
-			double s = sum(v, i, j, a->tiny);
+			double s = bound_column(v, i, j, a->tiny);
 
 			size = fmax(size, v->size[j]);
 			if (t->divide)
@@ -123,7 +124,7 @@ static double plain(const struct volume *v, const struct arithmetic *a)
 }
 
 /* Half a unit in the last place of the largest coordinate. */
-static double exact(const struct volume *v)
+static double bound_exact(const struct volume *v)
 {
 	double worst = 0;
 
@@ -153,8 +154,10 @@ const char *error_bounds(const struct scene *s, double bound[3])
 	    set_corners(s, &from_view, &v) != NULL)
 		return why;
 	set_size(s, v.size);
-	bound[PRECISION_EXACT] = exact(&v);
-	bound[PRECISION_DOUBLE] = plain(&v, &arithmetic[PRECISION_DOUBLE]);
-	bound[PRECISION_SINGLE] = plain(&v, &arithmetic[PRECISION_SINGLE]);
+	bound[PRECISION_EXACT] = bound_exact(&v);
+	bound[PRECISION_DOUBLE] = bound_plain(&v,
+	    &arithmetic[PRECISION_DOUBLE]);
+	bound[PRECISION_SINGLE] = bound_plain(&v,
+	    &arithmetic[PRECISION_SINGLE]);
 	return NULL;
 }

@@ -305,6 +305,8 @@ static const char *fit_volume(struct scene *s, const struct bounds *b)
 	struct extents r;
 	const char *why = bounds_extents(b, s, &r);
 
+	/* no test reaches this: a world of numbers up to 1e150 is finite through
+	 * a rotation */
 	if (why != NULL)
 		return why;
 	double low = sum_double(r.low[2]), high = sum_double(r.high[2]);
@@ -350,28 +352,6 @@ static const char *begin(struct scene *s)
 	return gaze_of(s);
 }
 
-/* Whether a document may hold these numbers. */
-static bool in_range(const struct scene *s)
-{
-	const struct projection *p = &s->projection;
-	bool good = fabs(p->near) <= MAGNITUDE_MAX &&
-	    fabs(p->far) <= MAGNITUDE_MAX;
-
-	for (int k = 0; k < 3; k++)
-		good &= fabs(s->camera.eye[k]) <= MAGNITUDE_MAX;
-	if (p->type == PROJECTION_VOLUME)
-		return good && fabs(p->z_near) <= MAGNITUDE_MAX &&
-		    fabs(p->z_far) <= MAGNITUDE_MAX;
-	if (p->type == PROJECTION_PERSP)
-		good &= is_size(p->near);
-	if (p->extent == EXTENT_SIZE)
-		good &= is_size(p->width) && is_size(p->height);
-	if (p->extent == EXTENT_EDGES)
-		good &= is_size(fabs(p->right)) && is_size(fabs(p->top)) &&
-		    is_size(fabs(p->left)) && is_size(fabs(p->bottom));
-	return good;
-}
-
 const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 {
 	const struct projection given = s->projection;
@@ -387,7 +367,7 @@ const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 		why = fit_volume(s, b);
 	else if (why == NULL)
 		why = fit_parallel(s, has_eye, &given, b);
-	return why != NULL || in_range(s) ? why : BOUNDS_BEYOND;
+	return why != NULL || scene_is_valid(s) ? why : BOUNDS_BEYOND;
 }
 
 /* bounds_extents asks how far bounds reach along three axes; reach() and bounds_out

@@ -27,12 +27,6 @@ struct bounds {
 /* NULL, or the coordinate that is less in max than in min, and the reason. */
 const char *bounds_check(const struct bounds *, int dimensions);
 
-/* Whether a document may hold that as a size. */
-static inline bool is_size(double v)
-{
-	return v >= SIZE_MIN && v <= MAGNITUDE_MAX;
-}
-
 /* The least double that times d, which is above 0, is not below n. */
 double least_over(struct sum n, struct sum d);
 

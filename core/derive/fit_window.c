@@ -3,26 +3,27 @@
 
 #include <math.h>
 
-struct range {
+struct axis_range {
 	struct sum low, high;
 };
 
-static struct range range_of(const struct bounds *b, int axis)
+static struct axis_range axis_range_of(const struct bounds *b, int axis)
 {
 	double c = b->center[axis], r = b->radius;
 
-	return b->sphere ? (struct range){ sum_diff(c, r), sum_diff(c, -r) } :
-			   (struct range){ sum_of_double(b->min[axis]),
-				   sum_of_double(b->max[axis]) };
+	return b->sphere ?
+	    (struct axis_range){ sum_diff(c, r), sum_diff(c, -r) } :
+	    (struct axis_range){ sum_of_double(b->min[axis]),
+		    sum_of_double(b->max[axis]) };
 }
 
-static struct sum extent(const struct range *r)
+static struct sum extent(const struct axis_range *r)
 {
 	return sum_sub(r->high, r->low);
 }
 
 /* Half of 2^-20 of the other axis on each side. */
-static void widen_none(struct range *r, struct sum other)
+static void widen_none(struct axis_range *r, struct sum other)
 {
 	struct sum half = sum_scale(other, 0x1p-21);
 
@@ -33,8 +34,8 @@ static void widen_none(struct range *r, struct sum other)
 }
 
 /* The side is twice what is farthest from the center, which may be rounded. */
-static void close_axis(const struct range *r, double margin, double *center,
-    double *side)
+static void close_axis(const struct axis_range *r, double margin,
+    double *center, double *side)
 {
 	*center = sum_double(sum_scale(sum_add(r->low, r->high), 0.5));
 	struct sum c = sum_of_double(*center);
@@ -47,7 +48,7 @@ static void close_axis(const struct range *r, double margin, double *center,
 const char *fit_window(struct scene *s, const struct bounds *b)
 {
 	struct window *w = &s->window;
-	struct range x = range_of(b, 0), y = range_of(b, 1);
+	struct axis_range x = axis_range_of(b, 0), y = axis_range_of(b, 1);
 	const char *why = bounds_check(b, 2);
 
 	if (why != NULL)
@@ -63,7 +64,9 @@ const char *fit_window(struct scene *s, const struct bounds *b)
 		sides_widen(&w->width, &w->height, s->device.width,
 		    s->device.height);
 	s->has_window = true;
-	return is_size(w->width) && is_size(w->height) ? NULL : BOUNDS_BEYOND;
+	return scene_is_size(w->width) && scene_is_size(w->height) ?
+	    NULL :
+	    BOUNDS_BEYOND;
 }
 
 void window_directions(struct directions *all)

@@ -14,8 +14,8 @@ void view_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
 }
 
 /* Column j of r becomes sign a x + b w, of x = column k and w = column 3 of m. */
-static void combine(struct map *r, int j, const struct map *m, bool minus,
-    int k, struct sum a, struct sum b)
+static void combine_columns(struct map *r, int j, const struct map *m,
+    bool minus, int k, struct sum a, struct sum b)
 {
 	for (int i = 0; i < 4; i++) {
 		struct sum x = sum_mul(a, m->m[i][k]);
@@ -39,10 +39,12 @@ static void planes(const struct scene *s, const struct map *m,
 	for (int k = 0; k < 4; k++) {
 		bool high = (k & 1) ^ (k >= 2 && c->ndc_y_down);
 
-		combine(sides, k, m, high, k / 2, scale[k / 2], half[k / 2]);
+		combine_columns(sides, k, m, high, k / 2, scale[k / 2],
+		    half[k / 2]);
 	}
-	combine(ends, reversed, m, false, 2, one, sum_of_double(c->minus_one));
-	combine(ends, !reversed, m, true, 2, one, one);
+	combine_columns(ends, reversed, m, false, 2, one,
+	    sum_of_double(c->minus_one));
+	combine_columns(ends, !reversed, m, true, 2, one, one);
 	for (int i = 0; i < 4 && projection_is_open(&s->projection); i++)
 		ends->m[i][0] = ends->m[i][1] = sum_of_double(i == 3);
 }
@@ -77,7 +79,7 @@ const char *flat_frustum_of(const struct scene *s, enum flat from,
 		return why;
 	f->sides = (struct transform){ .map = m, .in = 2 };
 	for (int k = 0; k < 4; k++)
-		combine(&f->sides.map, k, &m, k & 1, k / 2, one, one);
+		combine_columns(&f->sides.map, k, &m, k & 1, k / 2, one, one);
 	transform_prepare(&f->sides);
 	return NULL;
 }
@@ -87,40 +89,34 @@ static bool is_flat(const struct frustum *f)
 	return f->sides.in == 2;
 }
 
-/* The signs of the first n columns. */
-static void signs(const struct transform *t, int n, const double in[4],
-    int sign[4])
+static int column_sign(const struct transform *t, int j, const double in[4])
 {
-	double value[4];
-	bool sure = point_estimate(t, in, n, value);
-
-	for (int j = 0; j < n; j++)
-		sign[j] = sure ? (value[j] > 0) - (value[j] < 0) :
-				 sum_sign(point_column(t, j, in));
+	return sum_sign(point_column(t, j, in));
 }
 
 unsigned frustum_out(const struct frustum *f, const double in[4])
 {
-	int side[4], end[4];
 	unsigned out = 0;
 
 	for (int i = 0; i < f->sides.in; i++)
 		if (isnan(in[i]))
 			return OUT_NAN;
-	signs(&f->sides, 4, in, side);
-	for (int k = 0; k < 4; k++)
-		out |= side[k] < 0 ? 1u << k : 0;
-	if (is_flat(f))
-		return out;
-	signs(&f->ends, 3, in, end);
-	if (end[2] <= 0 || (f->sides.reciprocal && !(in[3] > 0)))
+	if (!is_flat(f) &&
+	    (column_sign(&f->ends, 2, in) <= 0 ||
+		(f->sides.reciprocal && !(in[3] > 0))))
 		return OUT_BEHIND;
-	for (int k = 0; k < 2; k++)
-		out |= end[k] < 0 ? (unsigned)OUT_NEAR << k : 0;
+	for (int k = 0; k < 4; k++)
+		out |= column_sign(&f->sides, k, in) < 0 ? 1u << k : 0;
+	for (int k = 0; k < 2 && !is_flat(f); k++)
+		out |= column_sign(&f->ends, k, in) < 0 ?
+		    (unsigned)OUT_NEAR << k :
+		    0;
 	return out;
 }
 
-/* As point_estimate takes them, which says why. */
+/* A column is within ESTIMATE_BOUND of its size while nothing overflows. What
+ * underflows, an element that is rounded up to 2^-1074 among them, is off by less
+ * than 2^-1025 of what it is multiplied by. */
 static struct estimate estimate_of(const struct transform *t, int columns)
 {
 	const struct kernel_map *k = &t->for_kernel;

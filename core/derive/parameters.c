@@ -71,7 +71,7 @@ static struct plane plane_of(const struct upright *u, double k)
 
 /* From the eye, where w = 0, it is D + tw / zw = det / (zw d): infinite, or behind
  * the eye and none. */
-static double distance(const struct upright *u, const struct plane *p)
+static double plane_distance(const struct upright *u, const struct plane *p)
 {
 	struct sum d = sum_mul(u->zw, p->d);
 
@@ -166,7 +166,7 @@ static bool is_rotation(const struct map *m, bool mirrored)
 	return sum_sign(map_minor(3, m->m, 8, 8)) == (mirrored ? -1 : 1);
 }
 
-static void set_direction(const struct map *m, int j, bool minus, double v[3])
+static void set_camera_axis(const struct map *m, int j, bool minus, double v[3])
 {
 	struct sum a[3];
 
@@ -176,19 +176,17 @@ static void set_direction(const struct map *m, int j, bool minus, double v[3])
 		v[k] = sum_over_or_nan(a[k], vec3_length(a));
 }
 
-/* A perspective's eye is where its projectors meet. */
-static const char *set_camera(const struct scene *s, const struct upright *u,
+/* A perspective's eye is where its projectors meet. No reason can come: taxonomy_of
+ * has composed both maps. */
+static void set_camera(const struct scene *s, const struct upright *u,
     const struct taxonomy *t, struct parameters *r)
 {
 	struct camera *c = &r->scene.camera;
 	const struct convention *convention = answer_convention(s);
 	struct map view, back;
-	const char *why = scene_map(s, SPACE_WORLD, SPACE_VIEW, &view);
 
-	if (why == NULL)
-		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &back);
-	if (why != NULL)
-		return why;
+	scene_map(s, SPACE_WORLD, SPACE_VIEW, &view);
+	scene_map(s, SPACE_VIEW, SPACE_WORLD, &back);
 	*c = (struct camera){ .by = CAMERA_GAZE };
 	r->scene.has_camera = true;
 	r->has_scene &= is_rotation(&view, is_mirrored(s));
@@ -196,9 +194,8 @@ static const char *set_camera(const struct scene *s, const struct upright *u,
 		c->eye[k] = sum_sign(u->zw) != 0 ?
 		    t->eye[k] :
 		    map_nearest(&back, 3, k, false);
-	set_direction(&view, 2, u->turned != looks_back(convention), c->at);
-	set_direction(&view, 1, convention->view_y_down, c->up);
-	return NULL;
+	set_camera_axis(&view, 2, u->turned != looks_back(convention), c->at);
+	set_camera_axis(&view, 1, convention->view_y_down, c->up);
 }
 
 /* As seen from the eye at distance det / (zw d): (side zw - zx) det / (zw d x). */
@@ -321,40 +318,6 @@ static void set_projection(const struct scene *s, const struct upright *u,
 		set_edges(u, &plane[p->type == PROJECTION_PERSP && swap], p);
 }
 
-static bool is_number(double v)
-{
-	return fabs(v) <= MAGNITUDE_MAX;
-}
-
-static bool is_size(double v)
-{
-	return v >= SIZE_MIN && is_number(v);
-}
-
-/* Whether a document may hold it. */
-static bool is_valid(const struct scene *s)
-{
-	const struct projection *p = &s->projection;
-	const double(*k)[4] = p->intrinsics;
-	bool persp = p->type == PROJECTION_PERSP, good = true;
-
-	for (int i = 0; i < 3; i++)
-		good &= is_number(s->camera.eye[i]);
-	if (!projection_is_open(p))
-		good &= persp ? is_size(p->near) && p->near < p->far &&
-			(isinf(p->far) || is_size(p->far)) :
-				is_number(p->near) && is_number(p->far) &&
-			p->near != p->far;
-	if (p->extent == EXTENT_INTRINSICS)
-		return good && s->has_viewport &&
-		    s->viewport.scale == SCALE_FILL && is_size(k[0][0]) &&
-		    is_size(k[1][1]) && is_number(k[0][1]) &&
-		    is_number(k[0][2]) && is_number(k[1][2]);
-	return good && is_number(p->left) && is_number(p->right) &&
-	    is_number(p->bottom) && is_number(p->top) && p->left != p->right &&
-	    p->bottom != p->top;
-}
-
 const char *parameters_of(const struct scene *s, const struct taxonomy *t,
     struct parameters *r)
 {
@@ -378,8 +341,8 @@ const char *parameters_of(const struct scene *s, const struct taxonomy *t,
 		plane_of(&u, t->reversed ? first : 1) };
 
 	if (!projection_is_open(&s->projection)) {
-		r->near = distance(&u, &plane[0]);
-		r->far = distance(&u, &plane[1]);
+		r->near = plane_distance(&u, &plane[0]);
+		r->far = plane_distance(&u, &plane[1]);
 	}
 	set_planes(s, &u, &plane[0], r);
 	r->scene = *s;
@@ -387,7 +350,7 @@ const char *parameters_of(const struct scene *s, const struct taxonomy *t,
 	r->scene.convention = *c;
 	set_projection(s, &u, plane, r);
 	r->has_scene = sum_sign(u.zw) != 0 || sum_sign(u.tw) > 0;
-	why = set_camera(s, &u, t, r);
-	r->has_scene &= is_valid(&r->scene);
-	return why;
+	set_camera(s, &u, t, r);
+	r->has_scene &= scene_is_valid(&r->scene);
+	return NULL;
 }

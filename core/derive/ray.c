@@ -83,14 +83,14 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 	return NULL;
 }
 
-static double over(struct sum n, struct sum d, bool single)
+static double ray_over(struct sum n, struct sum d, bool single)
 {
 	double q = single ? (double)sum_over_float(n, d) : sum_over(n, d);
 
 	return isfinite(q) ? q : (double)NAN;
 }
 
-static void set_direction(const struct ray_maker *r, const double in[4],
+static void ray_direction(const struct ray_maker *r, const double in[4],
     bool single, double direction[3])
 {
 	struct sum to[3];
@@ -100,7 +100,7 @@ static void set_direction(const struct ray_maker *r, const double in[4],
 	struct sum length = vec3_length(to);
 
 	for (int j = 0; j < 3; j++)
-		direction[j] = over(to[j], length, single);
+		direction[j] = ray_over(to[j], length, single);
 }
 
 /* Points that have an image may yet have no coordinate within the range. */
@@ -123,15 +123,15 @@ static void round_to_floats(const struct ray_maker *r, const double in[4],
 	}
 	if (is_midway(direction[0]) || is_midway(direction[1]) ||
 	    is_midway(direction[2]))
-		set_direction(r, in, true, direction);
+		ray_direction(r, in, true, direction);
 	for (int j = 0; j < 3; j++)
 		direction[j] = (double)(float)direction[j];
 }
 
 /* What the kernels have left undone of a ray, whose direction is nan where it is
  * not known. */
-static void finish(const struct ray_maker *r, const double in[4], bool single,
-    double point[3], double direction[3])
+static void ray_finish(const struct ray_maker *r, const double in[4],
+    bool single, double point[3], double direction[3])
 {
 	if (!has_point(r, in, point)) {
 		for (int j = 0; j < 3; j++)
@@ -139,7 +139,7 @@ static void finish(const struct ray_maker *r, const double in[4], bool single,
 		return;
 	}
 	if (isnan(direction[0]))
-		set_direction(r, in, false, direction);
+		ray_direction(r, in, false, direction);
 	if (single)
 		round_to_floats(r, in, point, direction);
 }
@@ -167,7 +167,7 @@ void rays_cast(const struct ray_maker *r, bool single,
 			ray[0][j] = point[j][i];
 			ray[1][j] = direction[j][i];
 		}
-		finish(r, p, single, ray[0], ray[1]);
+		ray_finish(r, p, single, ray[0], ray[1]);
 		for (int j = 0; j < 3; j++) {
 			point[j][i] = ray[0][j];
 			direction[j][i] = ray[1][j];

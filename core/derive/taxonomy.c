@@ -61,7 +61,7 @@ static const char *lens_of(const struct scene *s, struct lens *l)
 	return NULL;
 }
 
-static enum kind axonometric(const double f[3])
+static enum kind axonometric_kind(const double f[3])
 {
 	double most = fmax(fmax(f[0], f[1]), f[2]);
 	int same = 0;
@@ -77,7 +77,7 @@ static enum kind axonometric(const double f[3])
 }
 
 /* From the cotangent of the angle between projectors and plane. */
-static enum kind oblique(double cot)
+static enum kind oblique_kind(double cot)
 {
 	if (alike(cot, 1))
 		return KIND_CAVALIER;
@@ -111,11 +111,12 @@ static void name_parallel(const struct lens *l, struct taxonomy *t)
 	double cot = sum_over_or_nan(vec3_length(across), nd);
 
 	t->taxon = cot <= ALIKE ? TAXON_ORTHOGRAPHIC : TAXON_OBLIQUE;
-	t->kind = cot <= ALIKE ? axonometric(t->foreshortening) : oblique(cot);
+	t->kind = cot <= ALIKE ? axonometric_kind(t->foreshortening) :
+				 oblique_kind(cot);
 }
 
 /* As many points as axes meet the projection plane: at least one. */
-static enum kind points(const struct lens *l)
+static enum kind perspective_kind(const struct lens *l)
 {
 	struct sum gradient = vec3_length(l->gradient[3]);
 	int n = 0;
@@ -171,7 +172,7 @@ static void name_perspective(const struct lens *l, const struct scene *s,
 	bool falls = sum_sign(l->eye[3]) > 0;
 
 	t->taxon = falls == t->reversed ? TAXON_PERSPECTIVE : TAXON_REVERSE;
-	t->kind = points(l);
+	t->kind = perspective_kind(l);
 	set_fov(l, s, t->fov);
 	set_vanishing_points(l, t->vanishing_point);
 }
@@ -195,7 +196,7 @@ static void set_gaze(const struct lens *l, const struct taxonomy *t,
 }
 
 /* A point from its homogeneous coordinates; nan where w is not positive. */
-static void set_point(const struct sum h[4], double p[3])
+static void taxonomy_point(const struct sum h[4], double p[3])
 {
 	for (int j = 0; j < 3; j++)
 		p[j] = sum_sign(h[3]) > 0 ? sum_over_or_nan(h[j], h[3]) :
@@ -209,10 +210,10 @@ static void set_eye(const struct lens *l, double eye[3])
 
 	for (int j = 0; j < 4; j++)
 		h[j] = sum_sign(l->eye[3]) < 0 ? sum_neg(l->eye[j]) : l->eye[j];
-	set_point(h, eye);
+	taxonomy_point(h, eye);
 }
 
-static const char *set_corners(const struct scene *s, struct taxonomy *t)
+static const char *taxonomy_corners(const struct scene *s, struct taxonomy *t)
 {
 	struct map from_view;
 	const char *why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &from_view);
@@ -222,7 +223,7 @@ static const char *set_corners(const struct scene *s, struct taxonomy *t)
 
 		why = view_corner(s, &from_view, i, h, &over);
 		if (why == NULL)
-			set_point(h, t->corner[i]);
+			taxonomy_point(h, t->corner[i]);
 	}
 	return why;
 }
@@ -249,5 +250,5 @@ const char *taxonomy_of(const struct scene *s, struct taxonomy *t)
 		name_perspective(&l, s, t);
 	set_gaze(&l, t, t->gaze);
 	set_eye(&l, t->eye);
-	return set_corners(s, t);
+	return taxonomy_corners(s, t);
 }

@@ -8,7 +8,7 @@
 
 /* Sets *r to sign w[0..n) 2^(64 e), with no zeros at either end, as far as there
  * is room. */
-static void set(ex *r, int sign, const uint64_t *w, int n, int e)
+static void ex_put(ex *r, int sign, const uint64_t *w, int n, int e)
 {
 	while (n > 0 && w[n - 1] == 0)
 		n--;
@@ -30,19 +30,19 @@ static void set(ex *r, int sign, const uint64_t *w, int n, int e)
 }
 
 /* sign m 2^e */
-static void set_whole(ex *r, int sign, uint64_t m, int e)
+static void ex_put_whole(ex *r, int sign, uint64_t m, int e)
 {
 	int words = e >= 0 ? e / 64 : -((63 - e) / 64), bits = e - 64 * words;
 	uint64_t w[2] = { m << bits, bits > 0 ? m >> (64 - bits) : 0 };
 
-	set(r, sign, w, 2, words);
+	ex_put(r, sign, w, 2, words);
 }
 
-static ex whole(int sign, uint64_t m, int e)
+static ex ex_whole(int sign, uint64_t m, int e)
 {
 	ex r;
 
-	set_whole(&r, sign, m, e);
+	ex_put_whole(&r, sign, m, e);
 	return r;
 }
 
@@ -55,7 +55,7 @@ void ex_set(ex *r, double a)
 	uint64_t m = bits & (one - 1);
 
 	/* a subnormal number has the exponent 1, too, but no leading one */
-	set_whole(r, bits >> 63 ? -1 : 1, e > 0 ? m | one : m,
+	ex_put_whole(r, bits >> 63 ? -1 : 1, e > 0 ? m | one : m,
 	    (e > 0 ? e : 1) - 1075);
 }
 
@@ -94,7 +94,7 @@ static int compare_magnitudes(const ex *a, const ex *b)
 }
 
 /* a + b where sign, that of b, is a's; a - b, for |a| >= |b|, otherwise. */
-static void combine(const ex *a, const ex *b, int sign, ex *r)
+static void ex_combine(const ex *a, const ex *b, int sign, ex *r)
 {
 	uint64_t w[EX_WORDS + 1], carry = 0;
 	int low = a->e < b->e ? a->e : b->e;
@@ -110,7 +110,7 @@ static void combine(const ex *a, const ex *b, int sign, ex *r)
 				     add_carry(x, y, &carry);
 	}
 	w[high - low] = minus ? 0 : carry;
-	set(r, a->sign, w, high - low + 1, low);
+	ex_put(r, a->sign, w, high - low + 1, low);
 }
 
 void ex_plus(const ex *a, const ex *b, int sign, ex *r)
@@ -120,11 +120,11 @@ void ex_plus(const ex *a, const ex *b, int sign, ex *r)
 	if (b->n == 0) {
 		*r = *a;
 	} else if (a->n > 0 && compare_magnitudes(a, b) >= 0) {
-		combine(a, b, sign * b->sign, r);
+		ex_combine(a, b, sign * b->sign, r);
 	} else {
 		turned = *b;
 		turned.sign *= sign;
-		combine(&turned, a, a->sign, r);
+		ex_combine(&turned, a, a->sign, r);
 	}
 }
 
@@ -177,7 +177,7 @@ ex ex_mul(ex a, ex b)
 	ex r;
 
 	multiply(w, &a, &b);
-	set(&r, a.sign * b.sign, w, a.n + b.n, a.e + b.e);
+	ex_put(&r, a.sign * b.sign, w, a.n + b.n, a.e + b.e);
 	return r;
 }
 
@@ -246,13 +246,13 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 		n_words--;
 	int rest = words_below(least, low, n_words);
 
-	set(r, minus ? -1 : 1, sum + rest, n_words - rest, low + rest);
+	ex_put(r, minus ? -1 : 1, sum + rest, n_words - rest, low + rest);
 }
 
 ex ex_shift(ex a, int e)
 {
 	if (e % 64 != 0)
-		return ex_mul(a, whole(1, 1, e));
+		return ex_mul(a, ex_whole(1, 1, e));
 	a.e += a.n > 0 ? e / 64 : 0;
 	return a;
 }
@@ -269,7 +269,7 @@ ex ex_first(ex a, int n)
 	int rest = a.n > n ? a.n - n : 0;
 	ex r;
 
-	set(&r, a.sign, a.word + rest, a.n - rest, a.e + rest);
+	ex_put(&r, a.sign, a.word + rest, a.n - rest, a.e + rest);
 	return r;
 }
 
@@ -278,7 +278,7 @@ void ex_cut(ex *a, int least)
 	int rest = words_below(least, a->e, a->n);
 
 	if (rest > 0)
-		set(a, a->sign, a->word + rest, a->n - rest, a->e + rest);
+		ex_put(a, a->sign, a->word + rest, a->n - rest, a->e + rest);
 }
 
 /* Whether a b > high 2^64 + low. */
@@ -326,7 +326,7 @@ static uint64_t divide_word(uint64_t *u, const uint64_t *d, int n)
 }
 
 /* The same of a 2^bits, for bits from 0 to 63. */
-static uint64_t shifted(const ex *a, int at, int bits)
+static uint64_t ex_shifted(const ex *a, int at, int bits)
 {
 	return word_at(a, at) << bits | word_at(a, at - 1) >> 1 >> (63 - bits);
 }
@@ -345,16 +345,16 @@ bool ex_divide(const ex *a, const ex *b, int words, ex *r)
 	int n = b->n + words;
 
 	if (b->n == 0 || a->n == 0) {
-		set_whole(r, 1, b->n == 0, BEYOND);
+		ex_put_whole(r, 1, b->n == 0, BEYOND);
 		return a->n == 0;
 	}
 	/* so that d's top bit is set, as the division wants it */
 	int bits = leading_zeros(b);
 
 	for (int i = 0; i < b->n; i++)
-		d[i] = shifted(b, b->e + i, bits);
+		d[i] = ex_shifted(b, b->e + i, bits);
 	for (int i = 0; i <= n; i++)
-		u[i] = shifted(a, top(a) - n + i, bits);
+		u[i] = ex_shifted(a, top(a) - n + i, bits);
 	for (int i = words; i >= 0; i--)
 		q[i] = divide_word(u + i, d, b->n);
 	uint64_t rest = a->n > n;
@@ -362,7 +362,7 @@ bool ex_divide(const ex *a, const ex *b, int words, ex *r)
 	for (int i = 0; i < b->n; i++)
 		rest |= u[i];
 	q[0] |= rest != 0;
-	set(r, a->sign * b->sign, q, words + 1, top(a) - words - top(b));
+	ex_put(r, a->sign * b->sign, q, words + 1, top(a) - words - top(b));
 	return rest == 0;
 }
 
@@ -388,7 +388,7 @@ ex ex_sqrt(ex a)
 
 	for (int i = 0; i < 3; i++)
 		r = ex_shift(ex_add(r, ex_quotient(m, r)), -1);
-	r = ex_add(r, whole(1, 1, 64 * (top(&r) - EX_QUOTIENT) - 1));
+	r = ex_add(r, ex_whole(1, 1, 64 * (top(&r) - EX_QUOTIENT) - 1));
 	return ex_shift(ex_first(r, EX_QUOTIENT), e);
 }
 
@@ -402,7 +402,7 @@ static uint64_t bits_from(const ex *a, int e)
 }
 
 /* To so many bits, but none below 2^least. */
-static double rounded(const ex *a, int bits, int least)
+static double ex_rounded(const ex *a, int bits, int least)
 {
 	if (a->n == 0)
 		return 0;
@@ -426,8 +426,8 @@ uint64_t ex_behind(const ex *a, int bits)
 
 double ex_nearest(const ex *a, bool single)
 {
-	return (single ? (double)(float)rounded(a, 24, -149) :
-			 rounded(a, 53, -1074)) +
+	return (single ? (double)(float)ex_rounded(a, 24, -149) :
+			 ex_rounded(a, 53, -1074)) +
 	    0.0; /* -0 is 0 */
 }
 

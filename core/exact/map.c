@@ -24,7 +24,7 @@ void map_of_doubles(const double m[4][4], struct map *r)
 			r->m[i][j] = sum_of_double(m[i][j]);
 }
 
-static void divide(struct sum *a, const struct sum *d)
+static void divide_element(struct sum *a, const struct sum *d)
 {
 	if (!sum_is_nothing(a) && !sum_is_one(d))
 		*a = sum_quotient(*a, *d);
@@ -41,7 +41,7 @@ void map_over(struct map *r, struct sum d)
 		r->divisor = sum_of_double(1);
 	}
 	for (int i = 0; i < 16 && !sum_is_one(&power); i++)
-		divide(&r->m[i / 4][i % 4], &power);
+		divide_element(&r->m[i / 4][i % 4], &power);
 }
 
 void map_column_over(struct map *r, int j, struct sum d)
@@ -49,7 +49,7 @@ void map_column_over(struct map *r, int j, struct sum d)
 	bool divides = d.size.m > 0 || sum_is_power_of_two(&d);
 
 	for (int i = 0; i < 4 && divides; i++)
-		divide(&r->m[i][j], &d);
+		divide_element(&r->m[i][j], &d);
 	if (divides)
 		return;
 	for (int i = 0; i < 16; i++) {
@@ -133,7 +133,7 @@ struct sum map_element(const struct map *a, int i, int j)
 {
 	struct sum e = a->m[i][j];
 
-	divide(&e, &a->divisor);
+	divide_element(&e, &a->divisor);
 	return e;
 }
 

@@ -12,7 +12,7 @@ static const struct sum one = { { 1, 1, 0, { 1 } }, { 0, 0 } };
 
 /* m 2^e, where m is a product or quotient of two such, or a sum of some words: no
  * subnormal number. */
-static struct magnitude normal(double m, int e)
+static struct magnitude magnitude_of(double m, int e)
 {
 	uint64_t bits;
 
@@ -25,23 +25,24 @@ static struct magnitude normal(double m, int e)
 	return (struct magnitude){ m, e };
 }
 
-static struct magnitude times(struct magnitude a, struct magnitude b)
+static struct magnitude magnitude_times(struct magnitude a, struct magnitude b)
 {
-	return normal(a.m * b.m, a.e + b.e);
+	return magnitude_of(a.m * b.m, a.e + b.e);
 }
 
-static struct magnitude plus(struct magnitude a, struct magnitude b)
+static struct magnitude magnitude_plus(struct magnitude a, struct magnitude b)
 {
 	if (a.m == 0 || b.m == 0)
 		return a.m == 0 ? b : a;
 	if (a.e < b.e)
-		return plus(b, a);
-	return normal(a.m + (a.e - b.e < 60 ? ldexp(b.m, b.e - a.e) : 0), a.e);
+		return magnitude_plus(b, a);
+	return magnitude_of(a.m + (a.e - b.e < 60 ? ldexp(b.m, b.e - a.e) : 0),
+	    a.e);
 }
 
-static struct magnitude over(struct magnitude a, struct magnitude b)
+static struct magnitude magnitude_over(struct magnitude a, struct magnitude b)
 {
-	return normal(a.m / b.m, a.e - b.e);
+	return magnitude_of(a.m / b.m, a.e - b.e);
 }
 
 static struct magnitude of(const ex *a)
@@ -50,11 +51,12 @@ static struct magnitude of(const ex *a)
 
 	if (a->n == 0)
 		return (struct magnitude){ 0, 0 };
-	return normal((double)w[-1] + (a->n > 1 ? 0x1p-64 * (double)w[-2] : 0),
+	return magnitude_of((double)w[-1] +
+		(a->n > 1 ? 0x1p-64 * (double)w[-2] : 0),
 	    64 * (a->e + a->n - 1));
 }
 
-static struct magnitude greater(struct magnitude a, struct magnitude b)
+static struct magnitude magnitude_max(struct magnitude a, struct magnitude b)
 {
 	bool first = b.m == 0 ||
 	    (a.m > 0 && (a.e != b.e ? a.e > b.e : a.m > b.m));
@@ -66,7 +68,7 @@ static struct magnitude greater(struct magnitude a, struct magnitude b)
  * of it than the others' magnitudes. */
 static struct magnitude most(const struct sum *a)
 {
-	return greater(a->size, of(&a->value));
+	return magnitude_max(a->size, of(&a->value));
 }
 
 /* Of a product's terms those that are not exact; some of both factors' exact ones
@@ -75,9 +77,9 @@ static struct magnitude size_of_product(const struct sum *a,
     const struct sum *b)
 {
 	if (a->size.m == 0 || b->size.m == 0)
-		return a->size.m > 0 ? times(a->size, of(&b->value)) :
-				       times(of(&a->value), b->size);
-	return times(most(a), most(b));
+		return a->size.m > 0 ? magnitude_times(a->size, of(&b->value)) :
+				       magnitude_times(of(&a->value), b->size);
+	return magnitude_times(most(a), most(b));
 }
 
 /* A value with an error needs no words below 2^-320 of its size, which is in
@@ -130,10 +132,10 @@ struct sum sum_abs(struct sum a)
 	return a;
 }
 
-static void add(const struct sum *a, const struct sum *b, int sign,
+static void sum_put(const struct sum *a, const struct sum *b, int sign,
     struct sum *r)
 {
-	r->size = plus(a->size, b->size);
+	r->size = magnitude_plus(a->size, b->size);
 	ex_plus(&a->value, &b->value, sign, &r->value);
 	ex_cut(&r->value, least_word(r->size));
 }
@@ -142,7 +144,7 @@ struct sum sum_add(struct sum a, struct sum b)
 {
 	struct sum r;
 
-	add(&a, &b, 1, &r);
+	sum_put(&a, &b, 1, &r);
 	return r;
 }
 
@@ -150,7 +152,7 @@ struct sum sum_sub(struct sum a, struct sum b)
 {
 	struct sum r;
 
-	add(&a, &b, -1, &r);
+	sum_put(&a, &b, -1, &r);
 	return r;
 }
 
@@ -169,7 +171,8 @@ void sum_dot(int n, const struct sum *const a[], const struct sum *const b[],
 		x[k] = &a[k]->value;
 		y[k] = &b[k]->value;
 		if (!sum_is_nothing(a[k]) && !sum_is_nothing(b[k]))
-			size = plus(size, size_of_product(a[k], b[k]));
+			size = magnitude_plus(size,
+			    size_of_product(a[k], b[k]));
 	}
 	ex_dot(n, x, y, least_word(size), &r->value);
 	r->size = size;
@@ -216,14 +219,15 @@ struct sum sum_quotient(struct sum a, struct sum b)
 		ex q = ex_shift(a.value, 1 - d.e);
 
 		return (struct sum){ b.value.sign < 0 ? ex_neg(q) : q,
-			over(a.size, d) };
+			magnitude_over(a.size, d) };
 	}
 	ex q;
 	bool exact = ex_divide(&a.value, &b.value, EX_QUOTIENT, &q);
-	struct magnitude size = over(most(&a), d);
+	struct magnitude size = magnitude_over(most(&a), d);
 
 	if (b.size.m > 0)
-		size = plus(size, over(times(of(&q), b.size), d));
+		size = magnitude_plus(size,
+		    magnitude_over(magnitude_times(of(&q), b.size), d));
 	else if (a.size.m == 0 && exact)
 		size.m = 0;
 	return (struct sum){ q, size };
@@ -234,7 +238,7 @@ struct sum sum_sqrt(struct sum a)
 	ex r = ex_sqrt(a.value);
 
 	if (a.size.m > 0)
-		return (struct sum){ r, over(most(&a), of(&r)) };
+		return (struct sum){ r, magnitude_over(most(&a), of(&r)) };
 	return ex_compare(ex_mul(r, r), a.value) == 0 ? sum_of(r) :
 							sum_inexact(r);
 }
@@ -317,8 +321,10 @@ static double decide(const struct sum *n, const struct sum *d, const ex *q,
 	    single);
 	ex middle = ex_shift(ex_add(ex_of(near), ex_of(other)), -1);
 	ex rest = ex_sub(n->value, ex_mul(middle, d->value));
-	struct magnitude size = plus(n->size, times(of(&middle), d->size));
+	struct magnitude size = magnitude_plus(n->size,
+	    magnitude_times(of(&middle), d->size));
 
+	/* no test reaches this: beyond the largest there is no other */
 	if (!isfinite(other))
 		return near;
 	if (is_none(&rest, size))
@@ -377,7 +383,7 @@ dd sum_dd(struct sum a)
 
 double sum_most(struct sum a)
 {
-	struct magnitude s = plus(of(&a.value), a.size);
+	struct magnitude s = magnitude_plus(of(&a.value), a.size);
 
 	return ldexp(s.m, s.e) * (1 + 0x1p-50);
 }
@@ -387,6 +393,6 @@ double sum_surely_none(const struct sum *n, const struct sum *d)
 	struct magnitude s = { 0, 0 };
 
 	if (n->size.m > 0)
-		s = over(n->size, of(&d->value));
+		s = magnitude_over(n->size, of(&d->value));
 	return ldexp(s.m, s.e - 191);
 }

@@ -80,7 +80,8 @@ void point_exact(const struct transform *t, const double in[4], double out[4])
 	}
 }
 
-/* Elsewhere the double lies on the same side of each midpoint. */
+/* Elsewhere the double lies on the same side of each midpoint. The divisor is there,
+ * as there is an image. */
 float point_single(const struct transform *t, const double in[4], int j,
     double image)
 {
@@ -89,31 +90,7 @@ float point_single(const struct transform *t, const double in[4], int j,
 	if (!is_midway(image))
 		return (float)image;
 	set_point(t, in, p);
-	if (!find_divisor(t, in, p, &d))
-		return (float)image;
+	find_divisor(t, in, p, &d);
 	find_column(t, j, p, &q);
 	return (float)sum_nearest(&q, &d, true);
-}
-
-/* Within ESTIMATE_BOUND, while nothing overflows. What underflows, an element that is
- * rounded up to 2^-1074 among them, is off by less than 2^-1025 of what it is
- * multiplied by. */
-bool point_estimate(const struct transform *t, const double in[], int n,
-    double value[4])
-{
-	const struct kernel_map *k = &t->for_kernel;
-	double x = in[0] - k->origin[0], y = in[1] - k->origin[1];
-	double z = t->in == 2 ? 0 : in[2] - k->origin[2];
-	double all = fabs(x) + fabs(y) + fabs(z);
-	bool sure = t->in <= 3;
-
-	for (int j = 0; j < n; j++) {
-		double size = k->most[j] * all + k->image[j];
-
-		value[j] = estimate_column(k->hi, j, x, y, z);
-		sure &= fabs(value[j]) > ESTIMATE_BOUND * size +
-			    2 * (k->none[j] + 0x1p-1020) * (all + 1) &&
-		    size > 0x1p-900 && size < 0x1p1000;
-	}
-	return sure;
 }

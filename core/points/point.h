@@ -18,10 +18,4 @@ float point_single(const struct transform *, const double in[4], int j,
 /* Column j of the map at a point, exactly, times the map's divisor. */
 struct sum point_column(const struct transform *, int j, const double in[4]);
 
-/* The first n columns of a map of two or three coordinates in plain double, for
- * what only asks for signs and sizes: value is within a 32nd of itself. False
- * where that can't be said of all. */
-bool point_estimate(const struct transform *, const double in[], int n,
-    double value[4]);
-
 #endif

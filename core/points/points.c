@@ -19,35 +19,6 @@ const struct kernels *points_kernels(void)
 	return kernels;
 }
 
-/* x y z w, undivided, from two turns of the affine kernel: w's column stands
- * for each of the others in the second. */
-static bool carry_four(const struct transform *t, const double *const in[4],
-    double *const out[4], size_t n)
-{
-	exact_kernel affine = kernels->exact[KERNEL_AFFINE];
-	struct kernel_map w = t->for_kernel;
-	double unused[2][POINTS_BLOCK];
-	double *const last[3] = { out[3], unused[0], unused[1] };
-
-	for (int j = 0; j < 3; j++) {
-		w.none[j] = w.none[3];
-		w.surely_none[j] = w.surely_none[3];
-		for (int i = 0; i < 4; i++) {
-			w.hi[i][j] = w.hi[i][3];
-			w.exact[i][j] = w.exact[i][3];
-			w.lo[i][j] = w.lo[i][3];
-		}
-	}
-	bool done = affine(&t->for_kernel, in, out, n);
-
-	if (affine(&w, in, last, n))
-		return done;
-	for (size_t i = 0; i < n; i++)
-		if (isnan(out[3][i]))
-			out[0][i] = (double)NAN;
-	return false;
-}
-
 static void carry_one(const struct transform *t, const double *const in[4],
     double *const out[4], size_t i)
 {
@@ -64,14 +35,11 @@ static void carry_exact(const struct transform *t, const double *const in[4],
     double *const out[4], size_t n)
 {
 	exact_kernel fast = kernels->exact[t->kind];
-	bool four = t->in == 3 && t->out == 4 && !t->divide;
-	bool tried = fast != NULL || four;
 
-	if (fast != NULL ? fast(&t->for_kernel, in, out, n) :
-			   four && carry_four(t, in, out, n))
+	if (fast != NULL && fast(&t->for_kernel, in, out, n))
 		return;
 	for (size_t i = 0; i < n; i++)
-		if (!tried || isnan(out[0][i]))
+		if (fast == NULL || isnan(out[0][i]))
 			carry_one(t, in, out, i);
 		else if (isinf(out[0][i]))
 			for (int j = 0; j < t->out; j++)
@@ -81,7 +49,7 @@ static void carry_exact(const struct transform *t, const double *const in[4],
 /* Where no kernel fits: a point with four coordinates in or out, in double or,
  * rounding each operation to float, in single. It is as this precision has it: what
  * is behind the eye there, or whose w underflows to 0, has no image. */
-static double rounded(double a, bool single)
+static double plain_rounded(double a, bool single)
 {
 	return single ? (double)(float)a : a;
 }
@@ -92,80 +60,50 @@ static void point_plain(const struct transform *t, bool single,
 	double p[4] = { 0, 0, 0, 1 }, q[4], w = 1;
 
 	for (int i = 0; i < t->in && i < 3; i++)
-		p[i] = rounded(in[i] - t->for_kernel.origin[i], single);
+		p[i] = plain_rounded(in[i] - t->for_kernel.origin[i], single);
 	if (t->in == 4 && !t->reciprocal)
-		p[3] = rounded(in[3], single);
+		p[3] = plain_rounded(in[3], single);
 	for (int j = 0; j < 4; j++) {
 		q[j] = 0;
 		for (int i = 3; i >= 0; i--) {
-			double a = rounded(t->for_kernel.hi[i][j], single);
+			double a = plain_rounded(t->for_kernel.hi[i][j],
+			    single);
 
-			q[j] = rounded(q[j] + rounded(p[i] * a, single),
+			q[j] = plain_rounded(q[j] +
+				plain_rounded(p[i] * a, single),
 			    single);
 		}
 	}
 	if (t->divide)
-		w = t->reciprocal && t->out == 4 ? rounded(in[3], single) :
-						   q[3];
+		w = t->reciprocal && t->out == 4 ?
+		    plain_rounded(in[3], single) :
+		    q[3];
 	bool image = t->front ? w > 0 : w != 0;
 
 	for (int j = 0; j < t->out; j++)
-		out[j] = image ? rounded(q[j] / w, single) : (double)NAN;
+		out[j] = image ? plain_rounded(q[j] / w, single) : (double)NAN;
 }
 
-/* Points that a kernel could not be trusted with, gathered for the exact one: those
- * of a run, as threads may have little stack. */
+/* Computes exactly those of up to RUN points that a kernel has not: of which a
+ * coordinate is behind the eye in its precision, or beyond its range, or whose w has
+ * underflowed there. Exact says whether they have an image. Runs are short, as threads
+ * may have little stack. */
 enum { RUN = 256 };
 
-struct rest {
-	size_t n, which[RUN];
-	COLUMN_ALIGNED double in[3][RUN];
-	COLUMN_ALIGNED double out[3][RUN];
-};
-
-/* Those of the points from first to before end. */
-static void gather(const struct transform *t, const double *const in[4],
-    double *const out[4], size_t first, size_t end, struct rest *r)
+static void carry_run(const struct transform *t, bool single,
+    const double *const in[4], double *const out[4], size_t n)
 {
-	r->n = 0;
-	for (size_t i = first; i < end; i++) {
+	COLUMN_ALIGNED double image[3][RUN];
+	double *const to[4] = { image[0], image[1], image[2] };
+
+	carry_exact(t, in, to, n);
+	for (size_t i = 0; i < n; i++) {
 		if (isfinite(out[0][i]) && isfinite(out[1][i]) &&
 		    (t->out == 2 || isfinite(out[2][i])))
 			continue;
-		r->which[r->n] = i;
-		for (int j = 0; j < t->in; j++)
-			r->in[j][r->n] = in[j][i];
-		r->n++;
-	}
-	/* kernels read whole vectors */
-	for (size_t k = r->n; k % 16 != 0; k++)
-		for (int j = 0; j < t->in; j++)
-			r->in[j][k] = r->in[j][0];
-}
-
-static void carry_run(const struct transform *t, bool single,
-    const double *const in[4], double *const out[4], size_t first, size_t end)
-{
-	struct rest r;
-
-	gather(t, in, out, first, end, &r);
-	const double *const in2[4] = { r.in[0], r.in[1], r.in[2] };
-	double *const out2[4] = { r.out[0], r.out[1], r.out[2] };
-
-	if (r.n > 0)
-		carry_exact(t, in2, out2, r.n);
-	for (size_t k = 0; k < r.n; k++)
 		for (int j = 0; j < t->out; j++)
-			out[j][r.which[k]] = rounded(r.out[j][k], single);
-}
-
-/* A point that in a kernel's precision is behind the eye, or whose w has underflowed
- * there, is computed exactly, which says whether it has an image. */
-static void carry_rest(const struct transform *t, bool single,
-    const double *const in[4], double *const out[4], size_t n)
-{
-	for (size_t i = 0; i < n; i += RUN)
-		carry_run(t, single, in, out, i, n - i < RUN ? n : i + RUN);
+			out[j][i] = plain_rounded(image[j][i], single);
+	}
 }
 
 static void carry_plain(const struct transform *t, enum precision precision,
@@ -175,8 +113,17 @@ static void carry_plain(const struct transform *t, enum precision precision,
 	bool single = precision == PRECISION_SINGLE;
 
 	if (fast != NULL) {
-		if (!fast(&t->for_kernel, in, out, n))
-			carry_rest(t, single, in, out, n);
+		bool done = fast(&t->for_kernel, in, out, n);
+
+		for (size_t i = 0; i < n && !done; i += RUN) {
+			const double *const from[4] = { in[0] + i, in[1] + i,
+				in[t->in - 1] + i };
+			double *const to[4] = { out[0] + i, out[1] + i,
+				out[t->out - 1] + i };
+
+			carry_run(t, single, from, to,
+			    n - i < RUN ? n - i : RUN);
+		}
 		return;
 	}
 	for (size_t i = 0; i < n; i++) {

@@ -6,7 +6,7 @@
 
 /* What is below all doubles becomes the smallest, so that only what is 0 counts
  * for nothing. */
-static dd rounded(struct sum s)
+static dd element_rounded(struct sum s)
 {
 	dd e = sum_dd(s);
 
@@ -27,7 +27,7 @@ static void round_column(const struct transform *t, int j, struct kernel_map *k)
 
 		if (!sum_is_nothing(&a))
 			a = sum_quotient(a, t->map.divisor);
-		dd e = rounded(a);
+		dd e = element_rounded(a);
 
 		k->exact[i][j] = a.size.m == 0 && e.lo == 0 &&
 		    sum_compare(a, sum_of_double(e.hi)) == 0;
@@ -74,14 +74,15 @@ void transform_init(struct transform *t, enum space from, enum space to,
 	    (t->out == 3 && (from == SPACE_CLIP || !map_is_affine(&t->map)));
 	t->front = !t->reciprocal &&
 	    (from != SPACE_CLIP || to == SPACE_NDC || to == SPACE_DEVICE);
-	t->kind = t->in != 3 || t->out != 3 ? KERNEL_NONE :
-	    t->divide                       ? KERNEL_PROJECTIVE :
-					      KERNEL_AFFINE;
+	t->kind = t->in != 3 ? KERNEL_NONE :
+	    t->divide        ? KERNEL_PROJECTIVE :
+	    t->out == 4      ? KERNEL_FOUR :
+			       KERNEL_AFFINE;
 	transform_prepare(t);
 }
 
 /* Where view z alone determines w and depth, depth = a + b / w. */
-static void find_depth(const struct map *projection, struct transform *t)
+static void find_depth_kernel(const struct map *projection, struct transform *t)
 {
 	const struct sum(*m)[4] = projection->m;
 	struct kernel_map *k = &t->for_kernel;
@@ -115,7 +116,7 @@ const char *scene_transform(const struct scene *s, enum space from,
 	transform_init(t, from, to, homogeneous);
 	if (t->kind == KERNEL_PROJECTIVE && by_view &&
 	    map_is_finite(&projection))
-		find_depth(&projection, t);
+		find_depth_kernel(&projection, t);
 	return NULL;
 }
 

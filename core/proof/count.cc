@@ -221,7 +221,7 @@ static double normal_column_error(int far)
 	count::answers = ~far;
 	give_map(1, 1);
 	give_points(1);
-	const struct block b = block_of_columns(&map, from, 1,
+	const struct kernel_block b = block_of_columns(&map, from, 1,
 	    KERNEL_DIRECTION);
 
 	cut_points(&b, in, 2, cut, rest);
@@ -278,7 +278,7 @@ static double depth_error(double a, double b, double low_of_w)
 	fresh();
 	sized w = sum_with(1, low_of_w);
 	number sure = 1;
-	struct range range[3];
+	struct kernel_range range[3];
 
 	map.a_hi = given(a, a / 2);
 	map.a_lo = given(a * U);

@@ -69,7 +69,7 @@ static const char *look(const struct camera *c,
 	return NULL;
 }
 
-static struct sum twice(struct sum a)
+static struct sum doubled(struct sum a)
 {
 	return sum_add(a, a);
 }
@@ -91,8 +91,8 @@ static void turn(const struct sum q[4], struct axis axis[3])
 
 		axis[i].length = norm;
 		axis[i].v[i] = sum_sub(along, sum_add(p[j][j], p[k][k]));
-		axis[i].v[j] = twice(sum_add(p[i][j], p[k][3]));
-		axis[i].v[k] = twice(sum_sub(p[i][k], p[j][3]));
+		axis[i].v[j] = doubled(sum_add(p[i][j], p[k][3]));
+		axis[i].v[k] = doubled(sum_sub(p[i][k], p[j][3]));
 	}
 }
 
@@ -224,7 +224,7 @@ static void stand(const struct stand *s, bool inverse, struct map *r)
 	map_over(r, d);
 }
 
-static void transpose(struct axis axis[3])
+static void transpose_axes(struct axis axis[3])
 {
 	for (int i = 0; i < 3; i++)
 		for (int k = 0; k < i; k++) {
@@ -237,7 +237,8 @@ static void transpose(struct axis axis[3])
 
 /* The matrix or pose as it is given, or its nearest rotation above its last
  * row. A pose leads from view to the world, and must lead back. */
-static const char *bare(const struct camera *c, bool inverse, struct map *r)
+static const char *camera_bare(const struct camera *c, bool inverse,
+    struct map *r)
 {
 	bool pose = c->by == CAMERA_POSE;
 	struct stand s = { .at = c->matrix[3], .by_origin = !pose };
@@ -261,7 +262,7 @@ static const char *bare(const struct camera *c, bool inverse, struct map *r)
 	if (why != NULL)
 		return why;
 	if (pose)
-		transpose(s.axis);
+		transpose_axes(s.axis);
 	stand(&s, inverse, r);
 	return NULL;
 }
@@ -277,7 +278,7 @@ const char *camera_map(const struct camera *c,
 	};
 
 	if (c->by == CAMERA_MATRIX || c->by == CAMERA_POSE)
-		return bare(c, inverse, r);
+		return camera_bare(c, inverse, r);
 	const char *why = c->by == CAMERA_AT || c->by == CAMERA_GAZE ?
 	    look(c, convention, s.axis) :
 	    orient(c, s.axis);

@@ -131,7 +131,7 @@ static const char *cross_section(const struct projection *p, double d,
  * to -1..1 A = (f + n) / (f - n), B = -2 n f / (f - n); an infinite far is the
  * limit; reversed, near and far trade places. Without planes it is 1 / w, as of a
  * reversed one with n = 1. */
-static void find_depth(const struct projection *p, bool minus_one,
+static void depth_elements(const struct projection *p, bool minus_one,
     struct elements *f)
 {
 	double k = minus_one ? 2 : 1, n = projection_is_open(p) ? 1 : p->near;
@@ -152,8 +152,8 @@ static void find_depth(const struct projection *p, bool minus_one,
 }
 
 /* w = depth + tw, where intrinsics have an offset. det = -zw B. */
-static const char *persp(const struct projection *p, const struct convention *c,
-    struct elements *f)
+static const char *persp_elements(const struct projection *p,
+    const struct convention *c, struct elements *f)
 {
 	double at = p->edges_at > 0 ? p->edges_at : p->near;
 	bool back = looks_back(c);
@@ -168,7 +168,7 @@ static const char *persp(const struct projection *p, const struct convention *c,
 	f->d = sum_of_double(1);
 	if (p->extent == EXTENT_INTRINSICS)
 		pixels(p, c->bottom_left, f, off);
-	find_depth(p, c->minus_one, f);
+	depth_elements(p, c->minus_one, f);
 	f->det = sum_negated_if(!back, f->tz);
 	f->tz = sum_add(f->tz, sum_mul(f->zz, f->tw));
 	f->zx = sum_negated_if(!back, off[0]);
@@ -178,8 +178,8 @@ static const char *persp(const struct projection *p, const struct convention *c,
 	return NULL;
 }
 
-static const char *ortho(const struct projection *p, const struct convention *c,
-    struct elements *f)
+static const char *ortho_elements(const struct projection *p,
+    const struct convention *c, struct elements *f)
 {
 	double a = p->reverse_z ? p->far : p->near;
 	double b = p->reverse_z ? p->near : p->far;
@@ -204,10 +204,10 @@ static const char *ortho(const struct projection *p, const struct convention *c,
 }
 
 /* ortho after x' = x + cot cos(direction) (depth - plane), y' likewise. */
-static const char *oblique(const struct projection *p,
+static const char *oblique_elements(const struct projection *p,
     const struct convention *c, struct elements *f)
 {
-	const char *why = ortho(p, c, f);
+	const char *why = ortho_elements(p, c, f);
 	struct sum cot = sum_of_double(p->kind == OBLIQUE_CABINET ? 0.5 : 1);
 
 	if (why != NULL)
@@ -342,7 +342,7 @@ static void negate_matrix(struct elements *f)
 
 /* All is over q's denominator, so that a parallel projection, q = 0, is no special
  * case. */
-static const char *volume(const struct projection *p,
+static const char *volume_elements(const struct projection *p,
     const struct convention *c, struct elements *f)
 {
 	struct eye e;
@@ -469,7 +469,8 @@ static bool is_transposed(const double m[4][4])
 	return is_w_of_z(m, true) && !is_w_of_z(m, false) && !is_affine;
 }
 
-static const char *bare(const struct projection *p, bool inverse, struct map *r)
+static const char *projection_bare(const struct projection *p, bool inverse,
+    struct map *r)
 {
 	map_of_doubles(p->matrix, r);
 	if (is_transposed(p->matrix))
@@ -482,37 +483,39 @@ static const char *bare(const struct projection *p, bool inverse, struct map *r)
 	return NULL;
 }
 
-static const char *find_upright(const struct projection *p,
-    const struct convention *c, struct elements *f)
+static bool has_elements(const struct projection *p)
 {
-	switch (p->type) {
-	case PROJECTION_PERSP:
-		return persp(p, c, f);
-	case PROJECTION_ORTHO:
-		return ortho(p, c, f);
-	case PROJECTION_OBLIQUE:
-		return oblique(p, c, f);
-	default:
-		return volume(p, c, f);
-	}
+	return p->type != PROJECTION_NONE && p->type != PROJECTION_MATRIX;
 }
 
 /* Where y is down in view space, a volume is skewed that way too. */
 static const char *find_elements(const struct projection *p,
     const struct convention *c, struct elements *f)
 {
-	const char *why = find_upright(p, c, f);
+	const char *why = NULL;
 
+	switch (p->type) {
+	case PROJECTION_PERSP:
+		why = persp_elements(p, c, f);
+		break;
+	case PROJECTION_ORTHO:
+		why = ortho_elements(p, c, f);
+		break;
+	case PROJECTION_OBLIQUE:
+		why = oblique_elements(p, c, f);
+		break;
+	case PROJECTION_VOLUME:
+		why = volume_elements(p, c, f);
+		break;
+	case PROJECTION_NONE:
+	case PROJECTION_MATRIX:
+		break;
+	}
 	f->y = sum_negated_if(c->view_y_down, f->y);
 	f->yx = sum_negated_if(c->view_y_down, f->yx);
 	f->zy = sum_negated_if(c->view_y_down && p->type == PROJECTION_VOLUME,
 	    f->zy);
 	return why;
-}
-
-static bool has_elements(const struct projection *p)
-{
-	return p->type != PROJECTION_NONE && p->type != PROJECTION_MATRIX;
 }
 
 const char *projection_map(const struct projection *p,
@@ -523,7 +526,7 @@ const char *projection_map(const struct projection *p,
 	if (p->type == PROJECTION_NONE)
 		map_identity(r);
 	if (p->type == PROJECTION_MATRIX)
-		return bare(p, inverse, r);
+		return projection_bare(p, inverse, r);
 	if (!has_elements(p))
 		return NULL;
 	const char *why = find_elements(p, c, &f);
@@ -593,6 +596,7 @@ const char *projection_corner(const struct projection *p,
 		return bare_corner(p, c, side, far, v, over);
 	const char *why = find_elements(p, c, &f);
 
+	/* no test reaches this: the scene has been composed before */
 	if (why != NULL)
 		return why;
 	w = f.zw;

@@ -3,6 +3,63 @@
 
 #include <string.h>
 
+static bool is_number(double v)
+{
+	return fabs(v) <= MAGNITUDE_MAX;
+}
+
+bool scene_is_size(double v)
+{
+	return v >= SIZE_MIN && v <= MAGNITUDE_MAX;
+}
+
+static bool has_valid_section(const struct scene *s)
+{
+	const struct projection *p = &s->projection;
+	const double(*k)[4] = p->intrinsics;
+
+	switch (p->extent) {
+	case EXTENT_INTRINSICS:
+		return s->has_viewport && s->viewport.scale == SCALE_FILL &&
+		    scene_is_size(k[0][0]) && scene_is_size(k[1][1]) &&
+		    is_number(k[0][1]) && is_number(k[0][2]) &&
+		    is_number(k[1][2]);
+	case EXTENT_SIZE:
+		return scene_is_size(p->width) && scene_is_size(p->height);
+	case EXTENT_EDGES:
+		return is_number(p->left) && is_number(p->right) &&
+		    is_number(p->bottom) && is_number(p->top) &&
+		    p->left != p->right && p->bottom != p->top;
+	case EXTENT_FOVY:
+	case EXTENT_FOVX:
+	case EXTENT_VIEW_ANGLE:
+	case EXTENT_FIELD:
+	case EXTENT_HEIGHT:
+	case EXTENT_ANGLES:
+		break;
+	}
+	return true;
+}
+
+bool scene_is_valid(const struct scene *s)
+{
+	const struct projection *p = &s->projection;
+
+	for (int k = 0; k < 3; k++)
+		if (!is_number(s->camera.eye[k]))
+			return false;
+	if (p->type == PROJECTION_VOLUME)
+		return is_number(p->z_near) && is_number(p->z_far);
+	if (projection_is_open(p))
+		return has_valid_section(s);
+	bool planes = p->type == PROJECTION_PERSP ?
+	    scene_is_size(p->near) && p->near < p->far &&
+		(isinf(p->far) || scene_is_size(p->far)) :
+	    is_number(p->near) && is_number(p->far) && p->near != p->far;
+
+	return planes && has_valid_section(s);
+}
+
 static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 {
 	map_identity(r);
@@ -47,7 +104,7 @@ static void across(enum space space, const struct convention *from,
 
 /* What leads from the space low to high, or back, as the scene's convention has
  * them, in that of the answer. */
-static void answer(const struct scene *s, enum space low, enum space high,
+static void scene_answer(const struct scene *s, enum space low, enum space high,
     bool inverse, struct map *r)
 {
 	const struct convention *c = &s->convention;
@@ -61,23 +118,24 @@ static void answer(const struct scene *s, enum space low, enum space high,
 	then(r, &after, false);
 }
 
-static const char *camera(const struct scene *s, bool inverse, struct map *r)
+static const char *camera_stage(const struct scene *s, bool inverse,
+    struct map *r)
 {
 	const char *why = s->has_camera ?
 	    camera_map(&s->camera, &s->convention, inverse, r) :
 	    NULL;
 
-	answer(s, SPACE_WORLD, SPACE_VIEW, inverse, r);
+	scene_answer(s, SPACE_WORLD, SPACE_VIEW, inverse, r);
 	return why;
 }
 
-static const char *projection(const struct scene *s, bool inverse,
+static const char *projection_stage(const struct scene *s, bool inverse,
     struct map *r)
 {
 	const char *why = projection_map(&s->projection, &s->convention,
 	    inverse, r);
 
-	answer(s, SPACE_VIEW, SPACE_CLIP, inverse, r);
+	scene_answer(s, SPACE_VIEW, SPACE_CLIP, inverse, r);
 	return why;
 }
 
@@ -90,18 +148,20 @@ static const char *stage_map(const struct scene *s, enum space below,
 	case SPACE_MODEL:
 		return world_map(s, inverse, r);
 	case SPACE_WORLD:
-		return camera(s, inverse, r);
+		return camera_stage(s, inverse, r);
 	case SPACE_VIEW:
-		return projection(s, inverse, r);
+		return projection_stage(s, inverse, r);
 	case SPACE_NDC:
 		if (!s->has_viewport)
 			return "/viewport: missing; device coordinates need "
 			       "one, or use the space ndc";
 		return viewport_map(&s->viewport, answer_convention(s), inverse,
 		    r);
-	default: /* clip to ndc: only the division */
-		return NULL;
+	case SPACE_CLIP: /* to ndc: only the division */
+	case SPACE_DEVICE:
+		break;
 	}
+	return NULL;
 }
 
 /* The stages multiplied out, whatever the range. */

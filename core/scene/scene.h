@@ -49,6 +49,11 @@ static inline const struct convention *answer_convention(const struct scene *s)
 	return s->answer != NULL ? s->answer : &s->convention;
 }
 
+bool scene_is_size(double);
+
+/* Whether a document may hold the scene's eye and projection, which were computed. */
+bool scene_is_valid(const struct scene *);
+
 /* The composed map between any two spaces: the stages, from their parameters
  * in either direction, multiplied out as sums over a divisor (mat.h).
  * Points come out homogeneous; see points.h for the division. Returns NULL,

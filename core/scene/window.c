@@ -6,15 +6,15 @@ struct quotient {
 	struct sum n, d;
 };
 
-static struct quotient whole(struct sum a)
+static struct quotient quotient_of(struct sum a)
 {
 	return (struct quotient){ a, sum_of_double(1) };
 }
 
 /* One axis, x' = (x - from) s + to, where from or to is 0; the denominators go into
  * the map's divisor. */
-static void put(struct map *r, int i, struct quotient from, struct quotient s,
-    struct quotient to)
+static void window_put(struct map *r, int i, struct quotient from,
+    struct quotient s, struct quotient to)
 {
 	r->origin[i] = sum_over(from.n, from.d);
 	bool back = sum_sign(to.n) != 0;
@@ -28,21 +28,22 @@ static void put(struct map *r, int i, struct quotient from, struct quotient s,
 }
 
 /* x' = (x - center) s + offset, or back. */
-static void axis(struct map *r, int i, struct quotient center,
+static void window_axis(struct map *r, int i, struct quotient center,
     struct quotient s, struct quotient offset, bool inverse)
 {
 	if (inverse)
-		put(r, i, offset, (struct quotient){ s.d, s.n }, center);
+		window_put(r, i, offset, (struct quotient){ s.d, s.n }, center);
 	else
-		put(r, i, center, s, offset);
+		window_put(r, i, center, s, offset);
 }
 
 /* From ndc, x' = x n / d + offset, or back. */
 static void from_ndc(struct map *r, int i, struct sum n, double d,
     struct sum offset, bool inverse)
 {
-	axis(r, i, whole(sum_of_double(0)),
-	    (struct quotient){ n, sum_of_double(d) }, whole(offset), inverse);
+	window_axis(r, i, quotient_of(sum_of_double(0)),
+	    (struct quotient){ n, sum_of_double(d) }, quotient_of(offset),
+	    inverse);
 }
 
 /* Two sides and the centre, panned, as exact sums. */
@@ -97,7 +98,8 @@ const char *window_map(const struct window *w, const struct device *d,
 
 	if (why != NULL)
 		return why;
-	struct quotient size[2] = { whole(side[0]), whole(side[1]) };
+	struct quotient size[2] = { quotient_of(side[0]),
+		quotient_of(side[1]) };
 
 	if (w->adapt != ADAPT_STRETCH) {
 		if (d == NULL)
@@ -115,7 +117,7 @@ const char *window_map(const struct window *w, const struct device *d,
 			size[i].n };
 
 		c.n = sum_add(sum_sub(c.n, about), sum_scale(about, w->zoom));
-		axis(r, i, c, s, whole(sum_of_double(0)), inverse);
+		window_axis(r, i, c, s, quotient_of(sum_of_double(0)), inverse);
 	}
 	return NULL;
 }

@@ -148,7 +148,7 @@ static void judge_copies(const struct hill *h, struct block *b, size_t n,
     struct count *c)
 {
 	const double *const in[3] = { b->in[0], b->in[1], b->in[2] };
-	double *const out[3] = { b->out[0], b->out[1], b->out[2] };
+	double *const out[4] = { b->out[0], b->out[1], b->out[2], b->out[3] };
 
 	for (int k = 0; k < COPIES; k++) {
 		if (!points_choose(copies[k]))

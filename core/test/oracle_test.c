@@ -22,7 +22,7 @@ static void count_accurate(const struct transform *t, const char *copy,
     struct block *b, struct count *c)
 {
 	const double *const in[3] = { b->in[0], b->in[1], b->in[2] };
-	double *const out[3] = { b->out[0], b->out[1], b->out[2] };
+	double *const out[4] = { b->out[0], b->out[1], b->out[2], b->out[3] };
 	exact_kernel fast = kernels_find(copy)->exact[t->kind];
 
 	if (fast == NULL)

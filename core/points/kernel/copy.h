@@ -89,7 +89,7 @@
 
 const struct kernels COPY = {
 	.processor = PROCESSOR,
-	.exact = { KERNELS_OF(exact), [KERNEL_DIRECTION] = exact_direction },
+	.exact = { KERNELS_OF(exact), [KERNEL_FOUR] = exact_four, [KERNEL_DIRECTION] = exact_direction },
 	.plain = {
 		[PRECISION_DOUBLE] = { KERNELS_OF(double) },
 		[PRECISION_SINGLE] = { KERNELS_OF(single) },

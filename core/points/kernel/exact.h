@@ -82,7 +82,7 @@ static bool is_product(double a, double b, double product)
  * times as large as the differences from it, points are cut like it, and the high
  * parts subtracted; what the rest moves is the column's. Else points lie so near to
  * each other and to it that the whole difference is exact: near. */
-struct range {
+struct kernel_range {
 	double largest; /* of the differences, a little up */
 	int e;          /* below 2^e */
 	double rounder; /* to multiples of 2^(e-26) */
@@ -122,9 +122,9 @@ static struct extent extent_of(const double *in, size_t n)
 	return (struct extent){ least(low[0]), -least(-high[0]) };
 }
 
-static struct range range_of(struct extent x, double origin)
+static struct kernel_range range_of(struct extent x, double origin)
 {
-	struct range r = { 0, 0, 0, 0, 0, 0 };
+	struct kernel_range r = { 0, 0, 0, 0, 0, 0 };
 	double high = 0;
 
 	r.largest = fmax(fabs(x.high - origin), fabs(origin - x.low)) *
@@ -143,7 +143,7 @@ static struct range range_of(struct extent x, double origin)
 
 /* What is no difference between a column's images (see struct sum). */
 static double none_of(const struct kernel_map *m, int j, int terms,
-    const struct range *range)
+    const struct kernel_range *range)
 {
 	double largest = 1;
 
@@ -154,7 +154,7 @@ static double none_of(const struct kernel_map *m, int j, int terms,
 
 /* A column's elements, and its origin's image, cut for a block of points. Where all
  * of them are held for 0, the column is 0. */
-struct cut {
+struct column_cut {
 	double high[4], rest[4], all[4];
 	double bound; /* of the error */
 	/* Where it is exact, rests are without elements' low parts, as these
@@ -165,7 +165,7 @@ struct cut {
 
 /* Whether all low parts of column j make a difference of none, or there are none. */
 static bool has_short_elements(const struct kernel_map *m, int j, int terms,
-    const struct range *range)
+    const struct kernel_range *range)
 {
 	double all = 0;
 
@@ -179,7 +179,7 @@ static bool has_short_elements(const struct kernel_map *m, int j, int terms,
 
 /* False where that is beyond the range. */
 static int cut_column(const struct kernel_map *m, int j, int terms,
-    const struct range *range, struct cut *c)
+    const struct kernel_range *range, struct column_cut *c)
 {
 	double most = fabs(m->hi[3][j]);
 	int f = 0;
@@ -227,7 +227,7 @@ struct depth {
 };
 
 static struct depth depth_of(const struct kernel_map *m,
-    const struct range *range)
+    const struct kernel_range *range)
 {
 	double a = fabs(m->a_hi);
 	struct depth d = { .b_hi = m->b_hi, .b_lo = m->b_lo };
@@ -248,20 +248,20 @@ static struct depth depth_of(const struct kernel_map *m,
 }
 
 /* A block of points as the map's columns need it. */
-struct block {
-	struct range range[3];
-	struct cut cut[4];
+struct kernel_block {
+	struct kernel_range range[3];
+	struct column_cut cut[4];
 	struct depth depth;
 	int moderate;
 	bool near;    /* in some coordinate */
 	double least; /* of w, for an image that is sure */
 };
 
-static struct block block_of(const struct kernel_map *m,
+static struct kernel_block block_of(const struct kernel_map *m,
     const struct extent extent[3], enum kernel_kind kind)
 {
 	const int terms = kernel_terms(kind);
-	struct block b = { .moderate = 1 };
+	struct kernel_block b = { .moderate = 1 };
 
 	for (int k = 0; k < terms; k++) {
 		b.range[k] = range_of(extent[k], m->origin[k]);
@@ -301,7 +301,7 @@ static inline vdd normalise(vdd a)
 }
 
 /* Of columns. */
-static struct block block_of_columns(const struct kernel_map *m,
+static struct kernel_block block_of_columns(const struct kernel_map *m,
     const double *const in[3], size_t n, enum kernel_kind kind)
 {
 	struct extent extent[3];
@@ -312,11 +312,11 @@ static struct block block_of_columns(const struct kernel_map *m,
 }
 
 /* Coordinates relative to the origin. */
-static inline void cut_points(const struct block *b, const V p[3], int terms,
-    V cut[3], V rest[3])
+static inline void cut_points(const struct kernel_block *b, const V p[3],
+    int terms, V cut[3], V rest[3])
 {
 	for (int k = 0; k < terms; k++) {
-		const struct range *o = &b->range[k];
+		const struct kernel_range *o = &b->range[k];
 		V x = p[k];
 
 		if (b->near)
@@ -328,8 +328,8 @@ static inline void cut_points(const struct block *b, const V p[3], int terms,
 	}
 }
 
-static inline vdd column(const struct cut *c, const V cut[3], const V rest[3],
-    int terms)
+static inline vdd column(const struct column_cut *c, const V cut[3],
+    const V rest[3], int terms)
 {
 	V hi = ALL(c->high[3]), lo = ALL(c->rest[3]);
 
@@ -352,7 +352,7 @@ static inline V lost_if_tiny(V a, double tiny)
  * none to its rounding, too: from what lies midway the sum differs by 0, or by no
  * less than half a unit of itself or 2^-53 lo. Of a product that may underflow it
  * isn't known. */
-static inline V lost_by(const struct cut *c, vdd is, const V cut[3],
+static inline V lost_by(const struct column_cut *c, vdd is, const V cut[3],
     const V rest[3], int terms)
 {
 	V lo = ALL(c->rest[3]), lost = ALL(c->exact ? 0 : 1);
@@ -420,13 +420,14 @@ static inline V depth(const struct depth *d, vdd w, V reciprocal, V w_bound,
 
 /* Rounds columns that are not divided again, without an error where they are exact:
  * these are often midway between two doubles. Returns whether all are sure. */
-static V round_exact(const struct block *b, const V cut[3], const V rest[3],
-    int terms, V q[3])
+static V round_exact(const struct kernel_block *b, const V cut[3],
+    const V rest[3], enum kernel_kind kind, V q[])
 {
+	const int terms = kernel_terms(kind);
 	V sure = ALL(b->moderate);
 
-	for (int k = 0; k < terms; k++) {
-		const struct cut *c = &b->cut[k];
+	for (int k = 0; k < kernel_columns(kind); k++) {
+		const struct column_cut *c = &b->cut[k];
 		vdd s = column(c, cut, rest, terms);
 		V lost = lost_by(c, s, cut, rest, terms);
 
@@ -440,7 +441,8 @@ static V round_exact(const struct block *b, const V cut[3], const V rest[3],
  * exact_kernel has it. Those that are sure are finite: columns are below 2^202, and
  * w above 2^-274. */
 static inline __attribute__((always_inline)) bool
-image_of(const struct block *b, const V p[3], V q[3], enum kernel_kind kind)
+image_of(const struct kernel_block *b, const V p[3], V q[],
+    enum kernel_kind kind)
 {
 	const int terms = kernel_terms(kind), columns = kernel_columns(kind);
 	const int divide = kernel_divides(kind);
@@ -467,7 +469,7 @@ image_of(const struct block *b, const V p[3], V q[3], enum kernel_kind kind)
 	if (divide)
 		sure = MIN(w_sum - ALL(b->least), sure);
 	if (!divide && !IS_POSITIVE(sure))
-		sure = round_exact(b, cut, rest, terms, q);
+		sure = round_exact(b, cut, rest, kind, q);
 	if (IS_POSITIVE(sure))
 		return true;
 	V none = CHOOSE(-(w_sum + bound), ALL(b->moderate), ALL(0));
@@ -479,21 +481,22 @@ image_of(const struct block *b, const V p[3], V q[3], enum kernel_kind kind)
 
 static inline __attribute__((always_inline)) int
 exact(const struct kernel_map *m, const double *const in[3],
-    double *const out[3], size_t n, enum kernel_kind kind)
+    double *const out[], size_t n, enum kernel_kind kind)
 {
-	const int terms = kernel_terms(kind);
-	const struct block b = block_of_columns(m, in, n, kind);
+	const int terms = kernel_terms(kind), outputs = kernel_outputs(kind);
+	const struct kernel_block b = block_of_columns(m, in, n, kind);
 	const double *const from[3] = { in[0], in[1], in[terms - 1] };
-	double *const to[3] = { out[0], out[1], out[terms - 1] };
+	double *const to[4] = { out[0], out[1], out[outputs > 2 ? 2 : 1],
+		out[outputs - 1] };
 	int done = 1;
 
 	for (size_t i = 0; i < n; i += WIDTH) {
-		V p[3], q[3];
+		V p[3], q[4];
 
 		for (int k = 0; k < terms; k++)
 			p[k] = LOAD(from[k] + i);
 		done &= image_of(&b, p, q, kind);
-		for (int k = 0; k < terms; k++)
+		for (int k = 0; k < outputs; k++)
 			STORE(to[k] + i, q[k]);
 	}
 	return done;
@@ -527,9 +530,10 @@ static inline vdd length_of(const vdd a[3], V *reciprocal)
  * column's is of the column. Of a length below its bound some quotient is below its
  * own, so that it is not sure. */
 static int exact_direction(const struct kernel_map *m,
-    const double *const in[3], double *const out[3], size_t n)
+    const double *const in[3], double *const out[], size_t n)
 {
-	const struct block b = block_of_columns(m, in, n, KERNEL_DIRECTION);
+	const struct kernel_block b = block_of_columns(m, in, n,
+	    KERNEL_DIRECTION);
 	const V bound = ALL(b.cut[0].bound + b.cut[1].bound + b.cut[2].bound);
 	int done = 1;
 
@@ -558,13 +562,14 @@ static int exact_direction(const struct kernel_map *m,
 
 #define LOOP(KIND, name)                                                       \
 	static int name(const struct kernel_map *m, const double *const in[3], \
-	    double *const out[3], size_t n)                                    \
+	    double *const out[], size_t n)                                     \
 	{                                                                      \
 		return exact(m, in, out, n, KIND);                             \
 	}
 
 LOOP(KERNEL_FLAT, exact_flat)
 LOOP(KERNEL_AFFINE, exact_affine)
+LOOP(KERNEL_FOUR, exact_four)
 LOOP(KERNEL_DEPTH, exact_depth)
 LOOP(KERNEL_PROJECTIVE, exact_projective)
 #undef LOOP

@@ -18,21 +18,28 @@ enum kernel_kind {
 	KERNEL_NONE,       /* none of these: point by point */
 	KERNEL_FLAT,       /* two coordinates, no division */
 	KERNEL_AFFINE,     /* no division */
+	KERNEL_FOUR,       /* x, y, z and w, not divided; of exact alone */
 	KERNEL_DEPTH,      /* x and y divided by w, depth = a + b / w */
 	KERNEL_PROJECTIVE, /* x, y, z divided by w */
 	KERNEL_DIRECTION, /* two coordinates to three, divided by their length */
 	KERNELS,
 };
 
-/* Coordinates in and out, columns among them, and whether they are divided. */
+/* Coordinates in; coordinates out, of which some are columns; and whether these are
+ * divided. */
 static inline int kernel_terms(enum kernel_kind kind)
 {
 	return kind == KERNEL_FLAT || kind == KERNEL_DIRECTION ? 2 : 3;
 }
 
+static inline int kernel_outputs(enum kernel_kind kind)
+{
+	return kind == KERNEL_FLAT ? 2 : kind == KERNEL_FOUR ? 4 : 3;
+}
+
 static inline int kernel_columns(enum kernel_kind kind)
 {
-	return kind == KERNEL_FLAT || kind == KERNEL_DEPTH ? 2 : 3;
+	return kind == KERNEL_DEPTH ? 2 : kernel_outputs(kind);
 }
 
 static inline bool kernel_divides(enum kernel_kind kind)
@@ -63,7 +70,7 @@ struct kernel_map {
  * image. Returns whether neither was. Columns have room for a whole number of
  * vectors: n rounded up to 16. */
 typedef int (*exact_kernel)(const struct kernel_map *,
-    const double *const in[3], double *const out[3], size_t n);
+    const double *const in[3], double *const out[], size_t n);
 
 /* Where there is no image, or something on the way was beyond the precision's
  * range, a coordinate is nan or infinite. Returns whether that is surely nowhere so,
