@@ -146,8 +146,12 @@ static void run_scenes(void *with)
 {
 	struct run *run = with;
 
-	while (params_next(&run->options))
+	while (params_next(&run->options)) {
 		run->command->run(run->command, &run->options);
+		if (sum_has_lost())
+			die(EXIT_INPUT, "what is printed is not exact: "
+			    SCENE_TOO_WIDE);
+	}
 }
 
 int main(int argc, char **argv)
