@@ -291,9 +291,10 @@ static bool is_even(double a, bool single)
 	return ((single ? few : many) & 1) == 0;
 }
 
-/* Whether q, which is a value but for 2^-120 of it, is surely rounded as that: it
- * is a normal number, and the 64 bits behind those that are kept are not those
- * on either side of a midpoint. */
+/* Whether q, which is within 2^-117 of a value, is surely rounded as that: it is a
+ * normal number, and the 64 bits behind those that are kept are not those on either
+ * side of a midpoint, whose last one is above 2^-117 of q. `make prove` counts n's
+ * error, d's and the quotient's. */
 static bool is_clear(const ex *q, bool single)
 {
 	const uint64_t half = (uint64_t)1 << 63;
@@ -303,10 +304,10 @@ static bool is_clear(const ex *q, bool single)
 	    behind != half - 1;
 }
 
-/* Whether the error is below 2^-124 of the value. */
+/* Whether the error is below 2^-119 of the value. */
 static bool is_well_known(const struct sum *a)
 {
-	return a->error.m == 0 || a->error.e - of(&a->value).e < -125;
+	return a->error.m == 0 || a->error.e - of(&a->value).e < -119;
 }
 
 /* n / d is within 2^-128 of q, which can be at or on the wrong side of the

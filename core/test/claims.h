@@ -30,7 +30,7 @@ static inline void claim_bound(const char *what, const struct worst *w,
 {
 	const int *n = w->verdicts;
 
-	print_message("%s: %d numbers, %d within the errors of roots\n", what,
+	print_message("%s: %d numbers, %d within the rule\n", what,
 	    n[NEAREST] + n[RULED], n[RULED]);
 	assert_int_equal(n[WRONG], 0);
 	assert_true(n[NEAREST] > 0 && n[RULED] <= n[NEAREST] / 100);

@@ -48,7 +48,7 @@ static void random_points(void **state)
 		}
 		real_release(mark);
 	}
-	print_message("%zu numbers, %zu within the errors of roots\n", tally.n[NEAREST],
+	print_message("%zu numbers, %zu within the rule\n", tally.n[NEAREST],
 	    tally.n[RULED]);
 	assert_int_equal(tally.n[WRONG], 0);
 	assert_true(tally.n[NEAREST] > 10000);

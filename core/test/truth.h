@@ -70,7 +70,7 @@ struct form truth_column(const struct truth *, int j, const double p[4]);
 struct form truth_element(const struct truth *, int i, int j);
 
 /* -1, 0 or 1; 0 where all but rounding errors has cancelled. *doubtful, unless
- * it is NULL: within the errors of roots it may be 0, too. */
+ * it is NULL: within the rule it may be 0, too. */
 int truth_sign(struct form, bool *doubtful);
 
 /* The part of its terms' magnitudes by which a number with a root or an angle in it
@@ -98,8 +98,8 @@ double element(const struct map *, int i, int j);
 struct worst {
 	int verdicts[VERDICTS]; /* of elements as doubles and as floats */
 	double error;           /* of an element's dd, in units of 2^-106 */
-	double bound; /* of a sum's error, in units of the rule's */
-	int beyond;   /* elements that are not within their error */
+	double bound;           /* of a sum's error, in units of the rule's */
+	int beyond;             /* elements that are not within their error */
 	int ghosts;             /* elements not 0 that ought to be */
 };
 
