@@ -178,8 +178,8 @@ struct sum in_degrees(struct sum angle)
 
 #define DEGREE 57.29577951308232
 
-/* atan2's, and the arc tangent of what that leaves, which is below 2^-50, so that two
- * terms of its series are within 2^-250. */
+/* atan2's, and the arc tangent of what that leaves: of its series two terms, and the
+ * third as their error. */
 double degrees_of(struct sum y, struct sum x)
 {
 	x = sum_settled(x);
@@ -193,10 +193,9 @@ double degrees_of(struct sum y, struct sum x)
 	struct sum s = sin_of(a, DEGREES), c = cos_of(a, DEGREES);
 	struct sum tan = sum_quotient(sum_sub(sum_mul(y, c), sum_mul(x, s)),
 	    sum_add(sum_mul(x, c), sum_mul(y, s)));
-	/* whose error is nothing beside that of tan */
-	ex cube = ex_mul(ex_mul(tan.value, tan.value), tan.value);
-	struct sum third = sum_of(ex_quotient(cube, ex_of(3)));
+	struct sum square = sum_mul(tan, tan), cube = sum_mul(square, tan);
+	struct sum rest = sum_sub(tan, sum_quotient(cube, sum_of_double(3)));
 
-	return sum_double(
-	    sum_add(sum_of_double(a), in_degrees(sum_sub(tan, third))));
+	rest = sum_off_by(rest, sum_mul(cube, square));
+	return sum_double(sum_add(sum_of_double(a), in_degrees(rest)));
 }

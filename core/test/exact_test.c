@@ -226,8 +226,8 @@ static void range(void **state)
 	assert_true(!isfinite(ex_round(ex_quotient(big, ex_of(0))).hi));
 }
 
-/* Terms that are farther apart than there is room for: what is below 2^-6900 of the
- * largest is lost, and nothing else. */
+/* Terms that are farther apart than there is room for: words below the EX_WORDS of
+ * the largest are lost, and nothing else. */
 static void apart(void **state)
 {
 	ex one = ex_add(ex_of(1), ex_shift(ex_of(1), 70)), r;
