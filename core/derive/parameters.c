@@ -69,7 +69,7 @@ static bool is_slight(struct sum a, struct sum of)
 
 /* By Gram and Schmidt: the gaze where w grows or, where that is constant, from near to
  * far; then Y where y grows. X is such that the camera is of the answer's handedness. */
-static void find_axes(const struct scene *s, const struct sum g[4][3],
+static void find_rq_axes(const struct scene *s, const struct sum g[4][3],
     bool parallel, bool reversed, struct upright *u)
 {
 	const struct sum *n = g[parallel ? 2 : 3];
@@ -93,7 +93,7 @@ static void find_axes(const struct scene *s, const struct sum g[4][3],
 }
 
 /* Of axes that are found. From the eye, where x, y and w are 0, z is as by Cramer. */
-static void settle(const struct map *m, bool parallel, struct upright *u)
+static void settle_axes(const struct map *m, bool parallel, struct upright *u)
 {
 	struct sum none = sum_of_double(0);
 
@@ -123,7 +123,7 @@ static void set_elements(const struct sum g[4][3], struct upright *u)
 
 /* Whether a matrix has a camera in it that is turned by half: the picture is upside
  * down, where the scene has none, or near to far is against the gaze. */
-static bool has_camera(const struct scene *s, bool parallel, bool reversed,
+static bool hides_camera(const struct scene *s, bool parallel, bool reversed,
     const struct upright *u)
 {
 	if (s->projection.type != PROJECTION_MATRIX)
@@ -151,13 +151,13 @@ static void upright_of(const struct scene *s, bool reversed, struct map *m,
 		.tw = m->m[3][3] };
 	u->own = set_own_axes(s, m, u);
 	set_elements(g, u);
-	if (!u->own || has_camera(s, parallel, reversed, u)) {
+	if (!u->own || hides_camera(s, parallel, reversed, u)) {
 		u->own = false;
-		find_axes(s, g, parallel, reversed, u);
+		find_rq_axes(s, g, parallel, reversed, u);
 		set_elements(g, u);
 	}
 	if (!u->own)
-		settle(m, parallel, u);
+		settle_axes(m, parallel, u);
 	u->det = sum_minor(u->tw, u->zz, u->tz, u->zw);
 }
 
@@ -446,7 +446,7 @@ static double squared(double a, double b, double c)
 /* Of a perspective's matrix a transpose has the gaze, a unit vector, in its last row,
  * and the image of the origin in its last column; of a parallel one's the last
  * row is 0 0 0 1. */
-static bool is_transposed(const double m[4][4])
+static bool seems_transposed(const double m[4][4])
 {
 	double row = squared(m[3][0], m[3][1], m[3][2]);
 	double column = squared(m[0][3], m[1][3], m[2][3]);
@@ -474,7 +474,7 @@ static unsigned notes_of(const struct scene *s, const struct upright *u,
 	bool fills = s->has_viewport && s->viewport.scale == SCALE_FILL;
 	const bool is[NOTES] = {
 		[NOTE_TRANSPOSED] = p->type == PROJECTION_MATRIX &&
-		    is_transposed(p->matrix),
+		    seems_transposed(p->matrix),
 		[NOTE_NEAR_BEYOND] = r->near > r->far,
 		[NOTE_BACKWARD] = p->type == PROJECTION_MATRIX && u->own &&
 		    parallel && r->reverse_z,
