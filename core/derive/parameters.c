@@ -189,15 +189,14 @@ static double plane_distance(const struct upright *u, const struct plane *p)
 	return at > 0 ? at : NONE;
 }
 
-/* Where a side plane x = side w meets that one, as half / scale is the side: w there
- * is det / d. */
+/* Where a side plane x = side w meets that one, as half / scale is the side. */
 static double side_at(const struct upright *u, const struct plane *p, int axis,
     bool minus, struct sum half, struct sum scale)
 {
 	struct sum z = axis == 0 ? u->zx : u->zy, t = axis == 0 ? u->tx : u->ty;
 	struct sum off = sum_add(sum_mul(z, p->n), sum_mul(t, p->d));
-	struct sum n = sum_minor(sum_negated_if(minus, half), u->det, scale,
-	    off);
+	struct sum w = sum_add(sum_mul(u->zw, p->n), sum_mul(u->tw, p->d));
+	struct sum n = sum_minor(sum_negated_if(minus, half), w, scale, off);
 	struct sum x = axis == 0 ? u->x : u->y;
 
 	return sum_over_or_nan(n, sum_mul(sum_mul(scale, x), p->d));
@@ -304,31 +303,6 @@ static void set_camera(const struct scene *s, const struct upright *u,
 	set_camera_axis(&view, u->axis[1], c->up);
 }
 
-/* As seen from the eye at distance det / (zw d): (side zw - zx) det / (zw d x). */
-static double edge(const struct upright *u, const struct plane *near, int axis,
-    int side)
-{
-	struct sum w = sum_mul(sum_of_double(side), u->zw);
-	struct sum x = sum_mul(axis == 0 ? u->x : u->y,
-	    sum_mul(u->zw, near->d));
-
-	return sum_over_or_nan(sum_mul(sum_sub(w, axis == 0 ? u->zx : u->zy),
-				   u->det),
-	    x);
-}
-
-/* At the depth that is not sheared: (side tw - t - z plane) / x. */
-static double parallel_edge(const struct upright *u, double plane, int axis,
-    int side)
-{
-	struct sum z = axis == 0 ? u->zx : u->zy, t = axis == 0 ? u->tx : u->ty;
-	struct sum off = sum_add(t, sum_mul(z, sum_of_double(plane)));
-
-	return sum_over_or_nan(sum_sub(sum_mul(sum_of_double(side), u->tw),
-				   off),
-	    axis == 0 ? u->x : u->y);
-}
-
 /* x = x X + yx Y + zx D and w = zw D from the eye, and pixels are scale x / w and half
  * a side from the corner; y of pixels runs downward where they count from the top. X is
  * to the right in the picture, also where the world's handedness is not the answer's. */
@@ -366,19 +340,23 @@ static void set_pixels(const struct scene *s, const struct parameters *r,
 		    sizeof r->intrinsics[i]);
 }
 
+/* At near, seen from the eye at a distance of det / (zw d), or in a parallel projection
+ * at the depth that is not sheared. */
 static void set_edges(const struct upright *u, const struct plane *near,
     struct projection *p)
 {
 	double *const edges[4] = { &p->left, &p->right, &p->bottom, &p->top };
+	struct sum one = sum_of_double(1);
+	struct plane at = { sum_of_double(p->plane), one };
+	struct upright seen = *u;
 
 	p->extent = EXTENT_EDGES;
-	for (int k = 0; k < 4; k++) {
-		int side = k % 2 ? 1 : -1;
-
-		*edges[k] = p->type == PROJECTION_PERSP ?
-		    edge(u, near, k / 2, side) :
-		    parallel_edge(u, p->plane, k / 2, side);
+	if (p->type == PROJECTION_PERSP) {
+		at = (struct plane){ u->det, sum_mul(u->zw, near->d) };
+		seen.tx = seen.ty = seen.tw = sum_of_double(0);
 	}
+	for (int k = 0; k < 4; k++)
+		*edges[k] = side_at(&seen, &at, k / 2, k % 2 == 0, one, one);
 }
 
 /* cot cos(direction) and cot sin(direction) are zx / x and zy / y. */
