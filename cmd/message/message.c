@@ -161,43 +161,21 @@ static void write_json(int status, const struct place *p, const char *message,
 	fwrite(t.s, 1, t.n, stderr);
 }
 
-/* The first "; " of a message outside of quotes, or NULL. An apostrophe does not
- * stand behind a blank. */
-static const char *find_hint(const char *message)
+/* How long a message is up to its hint, which follows the first "; " outside of
+ * quotes. An apostrophe does not stand behind a blank. */
+static size_t reason_length(const char *message)
 {
+	const char *s;
 	char quote = '\0';
 
-	for (const char *s = message; *s != '\0'; s++)
+	for (s = message; *s != '\0'; s++)
 		if (quote != '\0')
 			quote = *s == quote ? '\0' : quote;
 		else if (strchr("'\"", *s) && (s == message || s[-1] == ' '))
 			quote = *s;
 		else if (strncmp(s, "; ", 2) == 0)
-			return s;
-	return NULL;
-}
-
-/* How long a message is up to its hint, if it has one. "; " of the format divides
- * them, and none that the user wrote; only a message that was made elsewhere has to
- * be looked at itself. */
-static size_t reason_length(const char *format, va_list args,
-    const char *message)
-{
-	const size_t all = strlen(message);
-	const char *hint = strstr(format, "; ");
-	char head[512];
-
-	if (strcmp(format, "%s") == 0) {
-		hint = find_hint(message);
-		return hint != NULL ? (size_t)(hint - message) : all;
-	}
-	if (hint == NULL || (size_t)(hint - format) >= sizeof head)
-		return all;
-	*stpncpy(head, format, (size_t)(hint - format)) = '\0';
-
-	size_t n = (size_t)vsnprintf(NULL, 0, head, args);
-
-	return n < all ? n : all;
+			break;
+	return (size_t)(s - message);
 }
 
 /* Adds to a message which character cannot be seen in it or in its place. */
@@ -219,23 +197,19 @@ static void print_line(int status, const struct place *place,
 {
 	struct place p = { 0 };
 	char message[MESSAGE_MAX];
-	va_list again;
 
 	if (place != NULL)
 		p = *place;
 	if (p.scene.number == 0)
 		p.scene = scene;
-	va_copy(again, args);
 	vsnprintf(message, sizeof message, format, args);
 	name_unseen(&p, message);
 	flockfile(stderr);
 	if (json)
-		write_json(status, &p, message,
-		    reason_length(format, again, message));
+		write_json(status, &p, message, reason_length(message));
 	else
 		write_text(status, &p, message);
 	funlockfile(stderr);
-	va_end(again);
 }
 
 void say_at(int status, const struct place *place, const char *format, ...)

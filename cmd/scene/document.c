@@ -45,6 +45,7 @@ enum {
 
 static const struct value_range margins = { .min = 0,
 	.max = 0.5,
+	.says = "a number from 0 to below 0.5 is wanted",
 	.below = true };
 
 const struct member scene_members[SCENE_MEMBERS + 1] = {
