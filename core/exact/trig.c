@@ -159,11 +159,25 @@ struct sum cos_of(double angle, enum angle_unit unit)
 	return sine(angle, unit, 1);
 }
 
+/* Keeps the last cotangent: a projection asks for its own several times, and many
+ * scenes have the same angle of view. */
 struct sum cot_of(double angle, enum angle_unit unit)
 {
+	static _Thread_local struct {
+		double angle;
+		enum angle_unit unit;
+		struct sum cot;
+	} last;
+
 	if (unit == DEGREES && angle == 45)
 		return sum_of_double(1);
-	return sum_quotient(cos_of(angle, unit), sin_of(angle, unit));
+	if (angle != last.angle || unit != last.unit) {
+		last.cot = sum_quotient(cos_of(angle, unit),
+		    sin_of(angle, unit));
+		last.angle = angle;
+		last.unit = unit;
+	}
+	return last.cot;
 }
 
 struct sum cot_half_of(double angle, enum angle_unit unit)
