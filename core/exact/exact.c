@@ -397,7 +397,7 @@ ex ex_sqrt(ex a)
 	e = 32 * (top(&a) - 1);
 	ex m = ex_shift(a, -2 * e), r = ex_of(sqrt(ex_double(m)));
 
-	for (int i = 0; i < 3; i++)
+	for (int i = 0; i < 4; i++)
 		r = ex_shift(ex_add(r, ex_quotient(m, r)), -1);
 	r = ex_add(r, ex_whole(1, 1, 64 * (top(&r) - EX_QUOTIENT) - 1));
 	return ex_shift(ex_first(r, EX_QUOTIENT), e);

@@ -41,8 +41,8 @@ ex ex_shift(ex a, int e); /* a 2^e */
 
 /* Relative. What has five words or less is exact. A quotient by 0 is beyond the
  * range of doubles. The first of its words can be as small as 1. */
-#define EX_ERROR 0x1p-319
-enum { EX_QUOTIENT = 6 };
+#define EX_ERROR 0x1p-703
+enum { EX_QUOTIENT = 12 };
 
 ex ex_quotient(ex a, ex b);
 ex ex_sqrt(ex a);

@@ -97,10 +97,10 @@ struct sum sum_diff(double a, double b)
 	return sum_sub(sum_of_double(a), sum_of_double(b));
 }
 
-struct sum sum_inexact(ex value)
+struct sum sum_inexact(ex value, double error)
 {
 	return (struct sum){ value,
-		magnitude_times(of(&value), magnitude_of(SUM_ERROR, 0)) };
+		magnitude_times(of(&value), magnitude_of(error, 0)) };
 }
 
 struct sum sum_off_by(struct sum a, struct sum by)
@@ -223,7 +223,9 @@ struct sum sum_quotient(struct sum a, struct sum b)
 	error = magnitude_over(error, d);
 	error.e += b.error.m > 0;
 	return (struct sum){ q,
-		exact ? error : magnitude_plus(error, sum_inexact(q).error) };
+		exact ?
+		    error :
+		    magnitude_plus(error, sum_inexact(q, SUM_ERROR).error) };
 }
 
 struct sum sum_sqrt(struct sum a)
@@ -232,7 +234,7 @@ struct sum sum_sqrt(struct sum a)
 	    0) /* 0 to the error, of which half the exponent is left */
 		return (struct sum){ ex_of(0),
 			{ a.error.m > 0 ? 0.5 : 0, a.error.e / 2 + 2 } };
-	struct sum r = sum_inexact(ex_sqrt(a.value));
+	struct sum r = sum_inexact(ex_sqrt(a.value), SUM_ERROR);
 
 	if (a.error.m > 0)
 		r.error = magnitude_plus(r.error,

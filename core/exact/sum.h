@@ -21,10 +21,12 @@ struct magnitude {
  *
  * An operation rounds its bound by less than 2^-45, and cuts off words that are below
  * 2^-20 of the error: together they make the true error at most 1 + 2^-19 times as
- * large as the bound says. Roots and quotients are within 2^-313 of themselves, and
- * count as if they were within SUM_ERROR: that has room for four million operations in
+ * large as the bound says. Roots and quotients are within 2^-703 of themselves,
+ * sines and cosines within 2^-313, and count as if they were within SUM_ERROR and
+ * SUM_TRIG_ERROR: that has room for four million operations in
  * a row. */
-#define SUM_ERROR 0x1p-300
+#define SUM_ERROR 0x1p-690
+#define SUM_TRIG_ERROR 0x1p-300
 
 struct sum {
 	ex value;
@@ -35,8 +37,8 @@ struct sum sum_of(ex exact);
 struct sum sum_of_double(double exact);
 struct sum sum_diff(double a, double b); /* a - b */
 
-/* A value that is within 2^-313 of itself; and a sum that is off by |by| more. */
-struct sum sum_inexact(ex value);
+/* A value that is within so much of itself; and a sum that is off by |by| more. */
+struct sum sum_inexact(ex value, double error);
 struct sum sum_off_by(struct sum, struct sum by);
 
 struct sum sum_neg(struct sum);

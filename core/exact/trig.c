@@ -115,8 +115,10 @@ static struct sum sin_small(const struct reduced *r)
 		return sum_of_double(copysign(0.5, r->degrees));
 	if (fabs(r->degrees) == 45)
 		return sum_inexact(ex_mul(ex_sqrt(ex_of(0.5)),
-		    ex_of(copysign(1, r->degrees))));
-	return sum_inexact(ex_mul(r->radians, series(r->radians, 1)));
+				       ex_of(copysign(1, r->degrees))),
+		    SUM_ERROR);
+	return sum_inexact(ex_mul(r->radians, series(r->radians, 1)),
+	    SUM_TRIG_ERROR);
 }
 
 static struct sum cos_small(const struct reduced *r)
@@ -124,8 +126,8 @@ static struct sum cos_small(const struct reduced *r)
 	if (r->radians.sign == 0)
 		return sum_of_double(1);
 	if (fabs(r->degrees) == 45)
-		return sum_inexact(ex_sqrt(ex_of(0.5)));
-	return sum_inexact(series(r->radians, 0));
+		return sum_inexact(ex_sqrt(ex_of(0.5)), SUM_ERROR);
+	return sum_inexact(series(r->radians, 0), SUM_TRIG_ERROR);
 }
 
 /* The sine of so many right angles more. */
@@ -187,7 +189,7 @@ struct sum cot_half_of(double angle, enum angle_unit unit)
 
 struct sum in_degrees(struct sum angle)
 {
-	return sum_quotient(angle, sum_inexact(RADIAN));
+	return sum_quotient(angle, sum_inexact(RADIAN, SUM_TRIG_ERROR));
 }
 
 #define DEGREE 57.29577951308232

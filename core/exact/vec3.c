@@ -29,7 +29,7 @@ struct sum vec3_length(const struct sum a[3])
 
 	if (r.error.m == 0)
 		return r;
-	struct sum off = sum_inexact(r.value);
+	struct sum off = sum_inexact(r.value, SUM_ERROR);
 
 	for (int i = 0; i < 3; i++)
 		off = sum_add(off, (struct sum){ ex_of(0), a[i].error });

@@ -137,8 +137,8 @@ static void divided(void **state)
 		    0);
 		real_release(mark);
 	}
-	claim("ex_quotient, in 2^-319", quotient * 0x1p319, 1);
-	claim("ex_sqrt, in 2^-319", square * 0x1p319, 1);
+	claim("ex_quotient, in 2^-703", quotient * 0x1p703, 1);
+	claim("ex_sqrt, in 2^-703", square * 0x1p703, 1);
 }
 
 /* To doubles and floats, normal and subnormal, at and near midpoints. */
