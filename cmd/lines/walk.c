@@ -220,6 +220,57 @@ static bool is_scalar(const char *s, const char *end)
 	    (n == 4 && memcmp(s, "null", 4) == 0);
 }
 
+/* Passes a value of JSON. Returns false where line_read is to look at it. */
+static bool pass_value(struct walker *p, struct dialect d, int levels)
+{
+	uint32_t from = p->at;
+	bool members = stands(p, '{');
+	const char close = members ? '}' : ']';
+	bool empty = true;
+
+	if (stands(p, '"'))
+		return pass_string(p, false);
+	if (!members && !stands(p, '[')) {
+		p->at = *p->stop;
+		return is_scalar(p->text + from, p->text + p->at);
+	}
+	do {
+		pass(p);
+		pass_blanks(p, d);
+		if (empty && stands(p, close))
+			break;
+		empty = false;
+		if (members) {
+			if (!stands(p, '"') || !pass_string(p, false))
+				return false;
+			pass_blanks(p, d);
+			if (p->text[p->at++] != ':')
+				return false;
+			pass_blanks(p, d);
+		}
+		if (levels == 0 || !pass_value(p, d, levels - 1))
+			return false;
+		pass_blanks(p, d);
+	} while (stands(p, ','));
+	if (!stands(p, close))
+		return false;
+	pass(p);
+	return true;
+}
+
+/* Passes a field of csv in quotes in which no quote stands. */
+INLINE bool pass_quoted(struct walker *p)
+{
+	for (p->stop++; p->text[*p->stop] != '"'; p->stop++)
+		if (p->text[*p->stop] == '\n')
+			return false;
+	p->at = *p->stop++ + 1u;
+	return !stands(p, '"');
+}
+
+/* How deep values that are passed may be nested. */
+enum { LEVELS = 8 };
+
 /* Past a field that is no coordinate. */
 INLINE bool pass_field(struct walker *p, struct dialect d)
 {
@@ -227,6 +278,10 @@ INLINE bool pass_field(struct walker *p, struct dialect d)
 
 	if (d.format == FORMAT_JSON && stands(p, '"'))
 		return pass_string(p, false);
+	if (d.format == FORMAT_JSON && (stands(p, '{') || stands(p, '[')))
+		return pass_value(p, d, LEVELS);
+	if (d.format == FORMAT_CSV && stands(p, '"'))
+		return pass_quoted(p);
 	if (d.format == FORMAT_CSV)
 		while (is_blank_of(d, p->text[*p->stop]))
 			p->stop++;
@@ -279,6 +334,21 @@ INLINE bool pass_coordinate(struct walker *p, struct dialect d,
 	t->places[k].end[t->i] = p->text + to;
 	t->places[k].size[t->i] = (uint8_t)(to - from);
 	p->at = to;
+	return true;
+}
+
+/* Past coordinate k of a line of fields, which in csv may stand in quotes. */
+INLINE bool pass_place(struct walker *p, struct dialect d,
+    const struct target *t, int k)
+{
+	bool quoted = d.format == FORMAT_CSV && stands(p, '"');
+
+	if (__builtin_expect(!quoted, 1))
+		return pass_coordinate(p, d, t, k);
+	pass(p);
+	if (!pass_coordinate(p, d, t, k) || !stands(p, '"'))
+		return false;
+	pass(p);
 	return true;
 }
 
@@ -369,7 +439,7 @@ INLINE bool walk_coordinates(struct walker *p, const struct walk *w,
 			if (!pass_field(p, d) || !pass_separator(p, d) ||
 			    (text && m > 0 && p->comma != comma))
 				return false;
-		if (!pass_coordinate(p, d, t, columns ? w->coordinate[m] : m))
+		if (!pass_place(p, d, t, columns ? w->coordinate[m] : m))
 			return false;
 		if (m + 1 == n)
 			break;
