@@ -58,13 +58,14 @@ static void plan_members(const struct layout *l, struct walk *w)
 	const struct columns *c = &l->columns;
 
 	w->arrays = c->n == 0 || c->name[0] == NULL;
-	w->objects = l->in.format == FORMAT_JSON;
+	w->objects = c->n == 0 || c->name[0] != NULL;
 	for (int i = 0; i < l->reads && w->objects; i++) {
-		w->objects = c->n == 0 ||
-		    (c->name[i] != NULL && *c->name[i] != '/');
-		if (!w->objects)
-			break;
-		w->name[i] = layout_path(l, i);
+		const char *name = layout_path(l, i);
+		bool pointer = *name == '/';
+
+		w->paths |= pointer;
+		w->objects = !strchr(name + pointer, pointer ? '~' : '/');
+		w->name[i] = name + pointer;
 		w->name_size[i] = strlen(w->name[i]);
 	}
 }
@@ -127,6 +128,7 @@ struct walker {
 	uint32_t at;
 	const uint16_t *stop;
 	bool comma; /* in the separator that was passed last */
+	int found;  /* coordinates that paths led to */
 };
 
 INLINE bool stands(const struct walker *p, char c)
@@ -220,39 +222,125 @@ static bool is_scalar(const char *s, const char *end)
 	    (n == 4 && memcmp(s, "null", 4) == 0);
 }
 
-/* Passes a value of JSON. Returns false where line_read is to look at it. */
-static bool pass_value(struct walker *p, struct dialect d, int levels)
-{
-	uint32_t from = p->at;
-	bool members = stands(p, '{');
-	const char close = members ? '}' : ']';
-	bool empty = true;
+/* The line of which coordinates are found, with number i. */
+struct target {
+	struct line *line;
+	uint32_t begin;
+	size_t i;
+	struct plain_places *places;
+};
 
-	if (stands(p, '"'))
-		return pass_string(p, false);
-	if (!members && !stands(p, '[')) {
-		p->at = *p->stop;
-		return is_scalar(p->text + from, p->text + p->at);
+/* Past coordinate k; false where it can't be a plain number. */
+INLINE bool pass_coordinate(struct walker *p, struct dialect d,
+    const struct target *t, int k)
+{
+	uint32_t from = p->at, to = *p->stop;
+
+	if (to - from - 1 >= PLAIN_MAX ||
+	    (d.format == FORMAT_JSON &&
+		!is_narrow(p->text + from, p->text + to)))
+		return false;
+	t->line->at[k] = (struct part){ from - t->begin, to - t->begin };
+	t->places[k].end[t->i] = p->text + to;
+	t->places[k].size[t->i] = (uint8_t)(to - from);
+	p->at = to;
+	return true;
+}
+
+/* How deep values that are passed may be nested. */
+enum { LEVELS = 8 };
+
+/* What stands at the end of a path into a value. */
+enum { NOTHING = -1, MORE = -2, ODD = -3 };
+
+/* Returns the coordinate whose path ends at the member, or at element k if the member
+ * has no name; MORE if paths lead into it, with what is left of them in rest. */
+static int follow(const struct walk *w, const char *const path[4],
+    struct span name, int k, unsigned *led, const char *rest[4])
+{
+	const char digit = (char)('0' + k);
+	int found = NOTHING;
+
+	if (name.s == NULL && k > 9)
+		return ODD;
+	if (name.s == NULL)
+		name = (struct span){ &digit, &digit + 1 };
+	size_t n = (size_t)(name.end - name.s);
+	bool slash = memchr(name.s, '/', n) != NULL;
+
+	for (int i = 0; i < w->n; i++) {
+		rest[i] = NULL;
+		if (path[i] == NULL || slash || strncmp(path[i], name.s, n) != 0 ||
+		    (path[i][n] != '\0' && path[i][n] != '/'))
+			continue;
+		int what = path[i][n] == '\0' ? i : MORE;
+
+		if ((*led >> i & 1) != 0 ||
+		    (found != NOTHING && (found != MORE || what != MORE)))
+			return ODD;
+		*led |= 1u << i;
+		found = what;
+		if (what == MORE)
+			rest[i] = path[i] + n + 1;
 	}
-	do {
+	return found;
+}
+
+/* Where paths lead into a value; path is NULL where none does. */
+struct trail {
+	const struct walk *walk;
+	const struct target *target;
+	const char *const *path;
+	int levels; /* how deep the value may be nested */
+};
+
+/* Passes a value of JSON, and the coordinates in it. Returns false where line_read is
+ * to look at it. */
+static bool pass_value(struct walker *p, struct dialect d, struct trail t)
+{
+	bool members = stands(p, '{'), ok = true;
+	const char close = members ? '}' : ']', *rest[4];
+	const struct trail none = { .levels = t.levels - 1 },
+			   inside = { t.walk, t.target, rest, t.levels - 1 };
+	uint32_t from = p->at;
+	unsigned led = 0;
+
+	if (!members && !stands(p, '[')) {
+		if (stands(p, '"'))
+			return t.path == NULL && pass_string(p, false);
+		p->at = *p->stop;
+		return t.path == NULL &&
+		    is_scalar(p->text + from, p->text + p->at);
+	}
+	for (int k = 0; ok && (k == 0 || stands(p, ',')); k++) {
+		struct span name = { NULL, NULL };
+
 		pass(p);
 		pass_blanks(p, d);
-		if (empty && stands(p, close))
+		if (k == 0 && stands(p, close))
 			break;
-		empty = false;
 		if (members) {
-			if (!stands(p, '"') || !pass_string(p, false))
+			name.s = p->text + p->at + 1;
+			if (!stands(p, '"') || !pass_string(p, t.path != NULL))
 				return false;
+			name.end = p->text + p->at - 1;
 			pass_blanks(p, d);
 			if (p->text[p->at++] != ':')
 				return false;
 			pass_blanks(p, d);
 		}
-		if (levels == 0 || !pass_value(p, d, levels - 1))
-			return false;
+		int what = t.path == NULL ?
+		    NOTHING :
+		    follow(t.walk, t.path, name, k, &led, rest);
+
+		p->found += what >= 0;
+		ok = what != ODD && t.levels > 0 &&
+		    (what >= 0 ?
+			    pass_coordinate(p, d, t.target, what) :
+			    pass_value(p, d, what == MORE ? inside : none));
 		pass_blanks(p, d);
-	} while (stands(p, ','));
-	if (!stands(p, close))
+	}
+	if (!ok || !stands(p, close))
 		return false;
 	pass(p);
 	return true;
@@ -268,9 +356,6 @@ INLINE bool pass_quoted(struct walker *p)
 	return !stands(p, '"');
 }
 
-/* How deep values that are passed may be nested. */
-enum { LEVELS = 8 };
-
 /* Past a field that is no coordinate. */
 INLINE bool pass_field(struct walker *p, struct dialect d)
 {
@@ -279,7 +364,7 @@ INLINE bool pass_field(struct walker *p, struct dialect d)
 	if (d.format == FORMAT_JSON && stands(p, '"'))
 		return pass_string(p, false);
 	if (d.format == FORMAT_JSON && (stands(p, '{') || stands(p, '[')))
-		return pass_value(p, d, LEVELS);
+		return pass_value(p, d, (struct trail){ .levels = LEVELS });
 	if (d.format == FORMAT_CSV && stands(p, '"'))
 		return pass_quoted(p);
 	if (d.format == FORMAT_CSV)
@@ -310,31 +395,6 @@ INLINE bool pass_rest(struct walker *p, struct dialect d)
 	pass(p);
 	pass_blanks(p, d);
 	return stands(p, '\n');
-}
-
-/* The line of which coordinates are found, with number i. */
-struct target {
-	struct line *line;
-	uint32_t begin;
-	size_t i;
-	struct plain_places *places;
-};
-
-/* Past coordinate k; false where it can't be a plain number. */
-INLINE bool pass_coordinate(struct walker *p, struct dialect d,
-    const struct target *t, int k)
-{
-	uint32_t from = p->at, to = *p->stop;
-
-	if (to - from - 1 >= PLAIN_MAX ||
-	    (d.format == FORMAT_JSON &&
-		!is_narrow(p->text + from, p->text + to)))
-		return false;
-	t->line->at[k] = (struct part){ from - t->begin, to - t->begin };
-	t->places[k].end[t->i] = p->text + to;
-	t->places[k].size[t->i] = (uint8_t)(to - from);
-	p->at = to;
-	return true;
 }
 
 /* Past coordinate k of a line of fields, which in csv may stand in quotes. */
@@ -410,8 +470,25 @@ INLINE bool find_members(struct walker *p, const struct walk *w,
 	return stands(p, '\n');
 }
 
+/* Where the coordinates stand in an object that paths lead into. */
+static bool find_paths(struct walker *p, const struct walk *w, struct dialect d,
+    const struct target *t)
+{
+	const struct trail trail = { w, t, w->name, LEVELS };
+
+	pass_blanks(p, d);
+	if (!stands(p, '{'))
+		return false;
+	t->line->object = true;
+	p->found = 0;
+	if (!pass_value(p, d, trail) || p->found != w->n)
+		return false;
+	pass_blanks(p, d);
+	return stands(p, '\n');
+}
+
 /* What the coordinates are of a line. */
-enum shape { FIELDS, COLUMNS, MEMBERS };
+enum shape { FIELDS, COLUMNS, MEMBERS, PATHS };
 
 /* Where the coordinates of a line stand; false where it is to be left. That some
  * separators of text have a comma and others have not is left as well. */
@@ -423,6 +500,8 @@ INLINE bool walk_coordinates(struct walker *p, const struct walk *w,
 
 	if (shape == MEMBERS)
 		return find_members(p, w, d, n, t);
+	if (shape == PATHS)
+		return find_paths(p, w, d, t);
 
 	pass_blanks(p, d);
 	if (p->text[p->at] == '#')
@@ -493,7 +572,7 @@ INLINE size_t walk_take(struct stretch *s, const struct walk *walk,
     struct dialect d, int n, enum shape shape, size_t max, struct line *lines,
     struct plain_places places[4], uint64_t *left)
 {
-	struct walker p = { s->text, s->at, s->next, false };
+	struct walker p = { s->text, s->at, s->next, false, 0 };
 	uint32_t end = s->end;
 	size_t i;
 
@@ -546,6 +625,9 @@ static size_t take_json(struct stretch *s, const struct walk *walk, size_t max,
 {
 	const struct dialect d = { FORMAT_JSON, ',' };
 
+	if (walk->objects && walk->paths)
+		return walk_take(s, walk, d, walk->n, PATHS, max, lines, places,
+		    left);
 	if (walk->objects && (s->text[s->at] == '{' || !walk->arrays))
 		return walk_take(s, walk, d, walk->n, MEMBERS, max, lines,
 		    places, left);
