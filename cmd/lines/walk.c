@@ -270,7 +270,8 @@ static int follow(const struct walk *w, const char *const path[4],
 
 	for (int i = 0; i < w->n; i++) {
 		rest[i] = NULL;
-		if (path[i] == NULL || slash || strncmp(path[i], name.s, n) != 0 ||
+		if (path[i] == NULL || slash ||
+		    strncmp(path[i], name.s, n) != 0 ||
 		    (path[i][n] != '\0' && path[i][n] != '/'))
 			continue;
 		int what = path[i][n] == '\0' ? i : MORE;
