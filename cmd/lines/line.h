@@ -32,6 +32,7 @@ struct layout {
 	struct columns columns;
 	int reads, writes; /* how many coordinates */
 	bool flags;        /* a word is written after them */
+	const char *two;   /* as struct document_wants has it */
 	bool single;       /* they are floats, and written as such */
 	struct number_style style[COORDINATES_MAX];
 };
