@@ -18,6 +18,13 @@ void choose(const struct layout *, struct cut, struct chosen *);
 /* Returns whether one coordinate stands in another, as pointers can say. */
 bool choose_overlaps(const struct layout *, const struct chosen *);
 
+/* Returns whether a column of a header or a member of an object has a name that
+ * --append adds; says which then. */
+bool choose_clashes(const struct layout *, struct cut, char reason[REASON_MAX]);
+
+/* Returns whether an object may have such a member: false is sure. */
+bool choose_may_clash(const struct layout *, struct span line);
+
 /* Returns whether a string of JSON, with its quotes, is the name, which may be of a
  * pointer: ~1 is /, ~0 is ~. */
 bool choose_is_name(struct span string, struct span name, bool pointer);

@@ -241,7 +241,8 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 	    c->by_header   ? find_axes(l, text, reason) :
 			     true;
 
-	if (has_other_separator(l->in, text, reason))
+	if (has_other_separator(l->in, text, reason) ||
+	    (found && choose_clashes(l, cut_line(l->in, text), reason)))
 		found = false;
 	line->kind = found ? LINE_HEADER : LINE_LOST;
 	return true;

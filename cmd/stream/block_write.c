@@ -75,18 +75,12 @@ const struct word *word_for(struct chunk *c, unsigned outside)
 	return w;
 }
 
-/* Returns whether the n coordinates of a line stand in their order. */
-static inline bool is_in_order(const struct line *line, int n)
+/* Finds the order in which the n coordinates stand, most often that of the line
+ * before. Returns whether it is their own. */
+static inline bool find_order(const struct line *line, int n, int order[4])
 {
-	for (int k = 1; k < n; k++)
-		if (line->at[k].from < line->at[k - 1].from)
-			return false;
-	return true;
-}
+	bool own = true;
 
-/* Finds the order in which they stand, most often that of the line before. */
-static void find_order(const struct line *line, int n, int order[4])
-{
 	for (int i = 1; i < n; i++)
 		for (int k = i; k > 0 &&
 		     line->at[order[k - 1]].from > line->at[order[k]].from;
@@ -96,6 +90,9 @@ static void find_order(const struct line *line, int n, int order[4])
 			order[k] = order[k - 1];
 			order[k - 1] = after;
 		}
+	for (int i = 0; i < n; i++)
+		own &= order[i] == i;
+	return own;
 }
 
 /* Returns whether what is added behind the last of n numbers, which stand in their
@@ -171,16 +168,16 @@ static inline char *put_rest(const struct line *line, uint32_t done, char *at)
 	return at + line->newline;
 }
 
-/* Writes what line_write would where numbers stand in their order, without a look at
- * what cannot be. */
-static inline char *put_in_order(struct block *b, const struct line *line,
+/* Writes what line_write would where numbers change in place, in the order in which
+ * they stand, and what is added follows the last, without a look at what cannot be. */
+static inline char *put_in_place(struct block *b, const struct line *line,
     size_t p, char *at)
 {
 	const struct layout *l = &b->job->layout;
 	uint32_t done = 0;
 
-	for (int k = 0; k < l->reads; done = line->at[k++].to)
-		at = replace(b, line, k, done, p, at);
+	for (int i = 0; i < l->reads; done = line->at[b->order[i++]].to)
+		at = replace(b, line, b->order[i], done, p, at);
 	for (int k = l->reads; k < l->writes; k++) {
 		*at++ = separator(l, line, l->reads);
 		at = block_put_number(b, k, p, at);
@@ -188,19 +185,6 @@ static inline char *put_in_order(struct block *b, const struct line *line,
 	if (l->flags)
 		at = put_word(l, line, l->reads,
 		    word_for(b->chunk, b->outside[p]), at);
-	return put_rest(line, done, at);
-}
-
-/* Writes what line_write would where numbers stand in any order, and none is added. */
-static char *put_in_place(struct block *b, const struct line *line, size_t p,
-    char *at)
-{
-	int reads = b->job->layout.reads;
-	uint32_t done = 0;
-
-	find_order(line, reads, b->order);
-	for (int i = 0; i < reads; done = line->at[b->order[i++]].to)
-		at = replace(b, line, b->order[i], done, p, at);
 	return put_rest(line, done, at);
 }
 
@@ -222,11 +206,13 @@ static char *block_put_image(struct block *b, const struct line *line, size_t p,
 	const struct layout *l = &b->job->layout;
 
 	need_texts(b, p);
-	if (b->in_place && is_in_order(line, l->reads) &&
-	    (!b->adds || takes_more(l, line, l->reads)))
-		return put_in_order(b, line, p, at);
-	return b->in_place && !b->adds ? put_in_place(b, line, p, at) :
-					 put_spliced(b, line, p, at);
+	if (!b->in_place)
+		return put_spliced(b, line, p, at);
+	bool in_order = find_order(line, l->reads, b->order);
+
+	return !b->adds || (in_order && takes_more(l, line, l->reads)) ?
+	    put_in_place(b, line, p, at) :
+	    put_spliced(b, line, p, at);
 }
 
 /* Writes a line that is no point: a comment or a header as it is, a bad line as
@@ -254,8 +240,7 @@ static char *put_line(struct block *b, const struct line *line, size_t p,
 	if (j->visible && (point ? b->outside[p] != 0 : bad))
 		return at;
 	if (is_binary(j->layout.out.format))
-		return point || bad ? binary_put(j, b->chunk, point, p, at) :
-				      at;
+		return point || bad ? binary_put(j, b->chunk, line, p, at) : at;
 	return point ? block_put_image(b, line, p, at) :
 		       put_other(&j->layout, line, at);
 }
@@ -269,9 +254,8 @@ static size_t write_lines(struct block *b, size_t i, size_t end, size_t p)
 	const struct line *last = &c->line[end - 1];
 	size_t bytes = (size_t)(last->s + last->size - c->line[i].s);
 	char *at = chunk_reserve(c,
-	    is_binary(l->out.format) ?
-		(end - i) * point_size(l->out.format, l->writes) :
-		lines_room(l, end - i, bytes));
+	    is_binary(l->out.format) ? (end - i) * binary_written(l) :
+				       lines_room(l, end - i, bytes));
 
 	for (; i < end; i++) {
 		at = put_line(b, &c->line[i], p, at);
@@ -355,7 +339,8 @@ void block_write(const struct job *j, struct chunk *c, size_t n, size_t points,
 		b.order[k] = k;
 	b.adds = l->flags || l->reads < l->writes;
 	/* what is added to a value in a line does not stand behind it */
-	b.in_place = same_dialect(l->in, l->out) && l->reads <= l->writes &&
+	b.in_place = same_dialect(l->in, l->out) && !l->append &&
+	    l->reads <= l->writes &&
 	    !(b.adds && *format_of(l->in)->open != '\0' && columns->n > 0 &&
 		columns->name[0] != NULL);
 	mark(&b, n, number);
