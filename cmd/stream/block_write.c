@@ -75,12 +75,18 @@ const struct word *word_for(struct chunk *c, unsigned outside)
 	return w;
 }
 
-/* Finds the order in which the n coordinates stand, most often that of the line
- * before. Returns whether it is their own. */
-static inline bool find_order(const struct line *line, int n, int order[4])
+/* Returns whether the n coordinates of a line stand in their order. */
+static inline bool is_in_order(const struct line *line, int n)
 {
-	bool own = true;
+	for (int k = 1; k < n; k++)
+		if (line->at[k].from < line->at[k - 1].from)
+			return false;
+	return true;
+}
 
+/* Finds the order in which they stand, most often that of the line before. */
+static void find_order(const struct line *line, int n, int order[4])
+{
 	for (int i = 1; i < n; i++)
 		for (int k = i; k > 0 &&
 		     line->at[order[k - 1]].from > line->at[order[k]].from;
@@ -90,23 +96,28 @@ static inline bool find_order(const struct line *line, int n, int order[4])
 			order[k] = order[k - 1];
 			order[k - 1] = after;
 		}
-	for (int i = 0; i < n; i++)
-		own &= order[i] == i;
-	return own;
 }
 
 /* Returns whether what is added behind the last of n numbers, which stand in their
- * order, has the usual separator before it, and no quote. */
+ * order, or by --append behind the line, has the usual separator before it, and no
+ * quote or blank. */
 static inline bool takes_more(const struct layout *l, const struct line *line,
     int n)
 {
 	uint32_t last = line->at[n - 1].to;
+	bool closes = *format_of(l->out)->close != '\0';
 
+	if (l->append &&
+	    (is_blank(line->s[line->size - 1]) ||
+		(closes && is_blank(line->s[line->size - 2])) ||
+		(line->object && l->flags)))
+		return false;
 	if (format_of(l->out)->blanks)
 		return line->at[n - 1].from - line->at[n - 2].to == 1;
-	return !line->object &&
-	    (!format_of(l->out)->header || last == line->size ||
-		line->s[last] != '"');
+	return l->append ||
+	    (!line->object &&
+		(!format_of(l->out)->header || last == line->size ||
+		    line->s[last] != '"'));
 }
 
 /* Returns that separator. */
@@ -168,18 +179,40 @@ static inline char *put_rest(const struct line *line, uint32_t done, char *at)
 	return at + line->newline;
 }
 
-/* Writes what line_write would where numbers change in place, in the order in which
- * they stand, and what is added follows the last, without a look at what cannot be. */
-static inline char *put_in_place(struct block *b, const struct line *line,
-    size_t p, char *at)
+/* Writes the name of a member that --append adds. */
+static inline char *put_added(const char *name, char *at)
+{
+	*at++ = '"';
+	at = stpcpy(at, name);
+	*at++ = '"';
+	*at++ = ':';
+	return at;
+}
+
+/* Writes what line_write would where numbers change in place, in an order of their
+ * own or NULL, and what is added follows them or the line, without a look at what
+ * cannot be. */
+static inline __attribute__((always_inline)) char *put_in_place(struct block *b,
+    const struct line *line, const int *order, bool append, size_t p, char *at)
 {
 	const struct layout *l = &b->job->layout;
 	uint32_t done = 0;
 
-	for (int i = 0; i < l->reads; done = line->at[b->order[i++]].to)
-		at = replace(b, line, b->order[i], done, p, at);
-	for (int k = l->reads; k < l->writes; k++) {
+	for (int i = 0; i < l->reads && !append; i++) {
+		int k = order != NULL ? order[i] : i;
+
+		at = replace(b, line, k, done, p, at);
+		done = line->at[k].to;
+	}
+	if (append) {
+		done = line->size - (*format_of(l->out)->close != '\0');
+		memcpy(at, line->s, done);
+		at += done;
+	}
+	for (int k = append ? 0 : l->reads; k < l->writes; k++) {
 		*at++ = separator(l, line, l->reads);
+		if (append && line->object)
+			at = put_added(l->added[k], at);
 		at = block_put_number(b, k, p, at);
 	}
 	if (l->flags)
@@ -206,13 +239,14 @@ static char *block_put_image(struct block *b, const struct line *line, size_t p,
 	const struct layout *l = &b->job->layout;
 
 	need_texts(b, p);
-	if (!b->in_place)
+	if (b->in_place && is_in_order(line, l->reads) &&
+	    (!b->adds || takes_more(l, line, l->reads)))
+		return l->append ? put_in_place(b, line, NULL, true, p, at) :
+				   put_in_place(b, line, NULL, false, p, at);
+	if (!b->in_place || b->adds)
 		return put_spliced(b, line, p, at);
-	bool in_order = find_order(line, l->reads, b->order);
-
-	return !b->adds || (in_order && takes_more(l, line, l->reads)) ?
-	    put_in_place(b, line, p, at) :
-	    put_spliced(b, line, p, at);
+	find_order(line, l->reads, b->order);
+	return put_in_place(b, line, b->order, false, p, at);
 }
 
 /* Writes a line that is no point: a comment or a header as it is, a bad line as
@@ -337,10 +371,9 @@ void block_write(const struct job *j, struct chunk *c, size_t n, size_t points,
 	b.texts.from = SIZE_MAX;
 	for (int k = 0; k < 4; k++)
 		b.order[k] = k;
-	b.adds = l->flags || l->reads < l->writes;
+	b.adds = l->flags || l->append || l->reads < l->writes;
 	/* what is added to a value in a line does not stand behind it */
-	b.in_place = same_dialect(l->in, l->out) && !l->append &&
-	    l->reads <= l->writes &&
+	b.in_place = same_dialect(l->in, l->out) && l->reads <= l->writes &&
 	    !(b.adds && *format_of(l->in)->open != '\0' && columns->n > 0 &&
 		columns->name[0] != NULL);
 	mark(&b, n, number);
