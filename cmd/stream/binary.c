@@ -19,45 +19,32 @@ size_t binary_written(const struct layout *l)
 			  point_size(l->out.format, l->writes);
 }
 
-/* Numbers of points in memory: coordinate k of point i begins at
- * s + i * step + at[k]. */
-struct rows {
-	char *s;
-	size_t step, at[4];
-};
-
-static struct rows rows_of(const struct layout *l, char *s, bool records)
+/* Copies the coordinates of n points, numbers of so many bytes, from records to where
+ * they stand one after another; or back. */
+static inline void copy_numbers(const struct layout *l, size_t size,
+    char *records, char *points, bool back, size_t n)
 {
-	struct rows r = { s,
-		records ? layout_record(l) : point_size(l->in.format, l->reads),
-		{ 0 } };
+	size_t record = layout_record(l), point = size * (size_t)l->reads;
+	size_t step = back ? point : record, to_step = back ? record : point;
 
-	for (int k = 0; k < l->reads; k++)
-		r.at[k] = point_size(l->in.format,
-		    records ? layout_field(l, k) : k);
-	return r;
-}
-
-/* Copies coordinates of n points, each of so many bytes. */
-static inline void copy_rows(const struct layout *l, size_t size,
-    const struct rows *to, const struct rows *from, size_t n)
-{
 	for (int k = 0; k < l->reads; k++) {
-		const char *s = from->s + from->at[k];
-		char *t = to->s + to->at[k];
+		char *in_record = records + size * (size_t)layout_field(l, k);
+		char *alone = points + size * (size_t)k;
+		const char *s = back ? alone : in_record;
+		char *to = back ? in_record : alone;
 
 		for (size_t i = 0; i < n; i++)
-			memcpy(t + i * to->step, s + i * from->step, size);
+			memcpy(to + i * to_step, s + i * step, size);
 	}
 }
 
-static void binary_copy(const struct layout *l, const struct rows *to,
-    const struct rows *from, size_t n)
+static void copy_coordinates(const struct layout *l, char *records,
+    char *points, bool back, size_t n)
 {
 	if (l->in.format == FORMAT_F32)
-		copy_rows(l, sizeof(float), to, from, n);
+		copy_numbers(l, sizeof(float), records, points, back, n);
 	else
-		copy_rows(l, sizeof(double), to, from, n);
+		copy_numbers(l, sizeof(double), records, points, back, n);
 }
 
 /* Returns the coordinates of the next n points, one after another: where they were
@@ -65,13 +52,12 @@ static void binary_copy(const struct layout *l, const struct rows *to,
 static const char *binary_rows(const struct layout *l, struct chunk *c,
     size_t n)
 {
+	char *rows = (char *)c->image;
+
 	if (l->record == 0)
 		return c->text;
-	const struct rows from = rows_of(l, (char *)c->text, true);
-	const struct rows to = rows_of(l, (char *)c->image, false);
-
-	binary_copy(l, &to, &from, n);
-	return to.s;
+	copy_coordinates(l, (char *)c->text, rows, false, n);
+	return rows;
 }
 
 /* Makes room for the images of n points, and returns where they go, one after
@@ -80,8 +66,7 @@ static char *images_begin(const struct layout *l, struct chunk *c, size_t n)
 {
 	size_t size = n * binary_written(l);
 
-	return l->keeps ? chunk_reserve(c, 2 * size) + size :
-			  chunk_reserve(c, size);
+	return chunk_reserve(c, 2 * size) + (l->keeps ? size : 0);
 }
 
 /* Appends these images, of records that begin at text with what else is in them. */
@@ -91,14 +76,11 @@ static void images_end(const struct layout *l, struct chunk *c,
 	size_t size = n * binary_written(l);
 	char *out = c->out + c->size;
 
+	if (l->keeps) {
+		memcpy(out, text, size);
+		copy_coordinates(l, out, images, true, n);
+	}
 	c->size += size;
-	if (!l->keeps)
-		return;
-	const struct rows to = rows_of(l, out, true);
-	const struct rows from = rows_of(l, images, false);
-
-	memcpy(out, text, size);
-	binary_copy(l, &to, &from, n);
 }
 
 /* Makes lines of the n points of so many bytes that begin at text. */
