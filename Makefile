@@ -121,7 +121,7 @@ FLAGS += $(if $(filter s390x%,$(MACHINE)),$(if \
 
 # The inner loops: binary points take a fifth less time than at -O2. Those for
 # AVX2 and AVX-512 are chosen when the program runs; NEON is in every arm64.
-$(addprefix $(BUILD)/cmd/,stream/binary.o stream/block_write.o lines/walk.o) \
+$(addprefix $(BUILD)/cmd/,lines/splice.o lines/walk.o stream/block_write.o) \
     $(call objects,core/points/kernel cmd/number/vector): FLAGS += -O3
 VECTOR = $(BUILD)/cmd/number/vector
 $(BUILD)/core/points/kernel/avx2.o $(VECTOR)/write_avx2.o $(VECTOR)/read_avx2.o: \

@@ -15,22 +15,24 @@ struct fit {
 };
 
 /* Adds a block of points to the extremes that are the chunk's output. */
-static void take_extremes(const struct job *j, struct chunk *c, size_t n)
+static void take_extremes(const struct job *j, struct chunk *c, size_t n,
+    size_t points)
 {
 	const struct fit *fit = j->with;
 	bool flat = j->transform.in == 2;
 	/* directions of a plane have no z */
 	const double *const in[3] = { c->in[0], c->in[1], c->in[flat ? 0 : 2] };
 
+	(void)n;
 	if (c->size == 0)
 		memset(chunk_reserve(c, sizeof fit->extremes), 0,
 		    sizeof fit->extremes);
 	c->size = sizeof fit->extremes;
 	/* as extremes_add wants them */
-	for (size_t i = n; i % 16 != 0; i++)
+	for (size_t i = points; i % 16 != 0; i++)
 		for (int k = 0; k < j->transform.in; k++)
 			c->in[k][i] = c->in[k][0];
-	extremes_add((void *)c->out, &fit->directions, in, n);
+	extremes_add((void *)c->out, &fit->directions, in, points);
 }
 
 static void collect_extremes(const struct job *j, const struct chunk *c,
@@ -47,7 +49,7 @@ static void collect_extremes(const struct job *j, const struct chunk *c,
 static void read_points(const struct options *o, struct document *d)
 {
 	static struct fit fit;
-	static struct job j = { .take_block = take_extremes,
+	static struct job j = { .take = take_extremes,
 		.collect = collect_extremes,
 		.with = &fit };
 
@@ -79,15 +81,14 @@ static _Noreturn void refuse_fit(const struct options *o,
 
 	if (d->has_bounds || strncmp(why, bounds, n) != 0)
 		document_refuse(d, why);
+	const struct place points = source_place(&d->source, "/points");
+
 	if (o->n_points == 0)
-		die_at(EXIT_INPUT,
-		    &(struct place){ .file = d->name, .pointer = "/points" },
-		    "%s", why + n);
+		refuse_at(&points, "%s", why + n);
 	bool typed = o->n_points > 1 || first_char(o->points[0]) == '[';
 
-	die_at(EXIT_INPUT,
-	    &(struct place){ .file = typed ? "POINTS" : o->points[0] }, "%s",
-	    why + n);
+	refuse_at(&(struct place){ .file = typed ? "POINTS" : o->points[0] },
+	    "%s", why + n);
 }
 
 #define OR_POINTS ", or points: a file, or - for standard input"
@@ -119,5 +120,5 @@ void run_fit(const struct command *c, const struct options *o)
 
 	if (why != NULL)
 		refuse_fit(o, &d, why);
-	print_scene(&d);
+	print_scene(&d, o->out == FORMAT_JSON);
 }

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "call/options.h"
+#include "scene/convention_member.h"
 #include "scene/members.h"
 #include "message/message.h"
 
@@ -45,7 +46,10 @@ static void print_member(const struct member *row, const char *const *types)
 		width = 0;
 	}
 	print("%*s %s", NAME_WIDTH + 2 + TYPE_WIDTH - width, "", row->about);
-	if (row->usual != NULL)
+	if (row->before != NULL)
+		print("; default %s, else %.*s", row->before,
+		    (int)strlen(row->usual) - 2, row->usual + 1);
+	else if (row->usual != NULL)
 		print("; default %s", row->usual);
 	for (int i = 0; types != NULL && types[i] != NULL; i++)
 		if (row->kinds >> i & 1) {
@@ -136,6 +140,36 @@ void help_command(const struct command *c)
 		example(c->name, c->example);
 }
 
+/* Returns how wide the column of a convention's member is; the last has no blanks
+ * behind it. */
+static int convention_width(const struct member *m)
+{
+	size_t n = strlen(m->name);
+
+	for (int i = 0; i < 2; i++)
+		n = strlen(m->words[i]) > n ? strlen(m->words[i]) : n;
+	return m[1].name != NULL ? (int)n : 0;
+}
+
+/* Prints what each convention that has a name says, in columns. */
+static void print_conventions(void)
+{
+	const struct member *m;
+
+	print("  %-8s", "");
+	for (m = convention_members; m->name != NULL; m++)
+		print(" %-*s", convention_width(m), m->name);
+	for (int i = 0; i < CONVENTIONS; i++) {
+		const bool *says = (const bool *)&conventions[i];
+
+		print("\n  %-8s", convention_names[i]);
+		for (m = convention_members; m->name != NULL; m++)
+			print(" %-*s", convention_width(m),
+			    m->words[says[m->at]]);
+	}
+	print("\n");
+}
+
 static void help_scene_member(const struct member *row)
 {
 	heading(row->name);
@@ -149,6 +183,10 @@ static void help_scene_member(const struct member *row)
 		print("\n");
 	if (row->members != NULL)
 		print_members(row->members, -1);
+	if (row->members == convention_members) {
+		print("\n");
+		print_conventions();
+	}
 	example(NULL, row->command);
 }
 

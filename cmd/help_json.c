@@ -17,26 +17,22 @@ static void put_told(struct printer *p, const char *name, const char *s)
 		put_null(p);
 }
 
-static void put_words(struct printer *p, const char *name,
-    const char *const *words)
-{
-	put_name(p, name);
-	put_open(p, "[");
-	for (; words != NULL && *words != NULL; words++)
-		put_string(p, *words);
-	put_close(p, "]");
-}
-
-/* Those of some words that bits are. */
+/* Puts those of some words, which may be NULL, that bits are. */
 static void put_chosen(struct printer *p, const char *name,
     const char *const *words, unsigned bits)
 {
 	put_name(p, name);
 	put_open(p, "[");
-	for (int i = 0; words[i] != NULL; i++)
+	for (int i = 0; words != NULL && words[i] != NULL; i++)
 		if (bits >> i & 1)
 			put_string(p, words[i]);
 	put_close(p, "]");
+}
+
+static void put_words(struct printer *p, const char *name,
+    const char *const *words)
+{
+	put_chosen(p, name, words, ~0u);
 }
 
 /* An array's next element is an object in a line of its own. */
@@ -127,6 +123,7 @@ static void put_member(struct printer *p, const struct member *row,
 	put_name(p, "default");
 	put_open(p, row->usual != NULL ? row->usual : "null");
 	put_close(p, "");
+	put_told(p, "before", row->before);
 	put_told(p, "about", row->about);
 	put_words(p, "words", row->words);
 	if (row->kinds != 0)
@@ -141,7 +138,7 @@ static void put_ways(struct printer *p, const char *in, const struct ways *w,
 	open_line(p);
 	put_told(p, "in", in);
 	put_words(p, "ways", w->way);
-	if (w->fit_hint != NULL)
+	if (w->fit)
 		put_words(p, "fit", w->fit_way);
 	if (w->kinds != 0)
 		put_chosen(p, "types", types, w->kinds);
@@ -162,7 +159,7 @@ static void put_members(struct printer *p)
 	put_close(p, "]");
 	open_list(p, "ways");
 	for (s = scene_members; s->name != NULL; s++)
-		for (w = s->ways; w != NULL && w->hint != NULL; w++)
+		for (w = s->ways; w != NULL && w->way[0] != NULL; w++)
 			put_ways(p, s->name, w, s->members->words);
 	put_close(p, "]");
 }

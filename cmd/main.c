@@ -145,9 +145,15 @@ struct run {
 static void *run_scenes(void *with)
 {
 	struct run *run = with;
+	const struct options *o = &run->options;
+	jmp_buf bad;
 
-	while (params_next(&run->options))
-		run->command->run(run->command, &run->options);
+	if (o->scenes && o->keep_going && !is_binary(options_output(o)))
+		refusals_go_to(&bad);
+	if (setjmp(bad) != 0)
+		answer_no_scene(options_output(o));
+	while (params_next(o))
+		run->command->run(run->command, o);
 	return NULL;
 }
 

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,117 +9,190 @@
 #include "call/operands.h"
 #include "message/message.h"
 
-/* A point that was hit, or a csv header: its line, and where the text of that line
- * begins in hits.text, and its size. */
+/* A point that was hit, or a csv header, whose distance is -infinity. Behind it
+ * stands the text of its line or, where JSON is printed, the device position. */
 struct hit {
-	double distance, device[3], point[4];
+	double distance, point[4];
 	long long line;
-	size_t text, size;
-	bool header; /* printed before all points */
+	size_t size; /* of what stands behind it */
+};
+
+/* What is sorted: a distance, and where in text its struct hit stands. */
+struct key {
+	double distance;
+	size_t at;
 };
 
 struct hits {
-	const struct options *o;
 	struct number_style style;
 	struct picker picker;
-	struct hit *hit;
+	bool json;
+	bool near; /* the near plane is not at infinity */
+	struct key *key;
 	size_t n, room;
 	char *text;
 	size_t size, text_room;
 };
 
-/* Appends a struct hit to the chunk's output, then the text of its line. */
-static void hits_append(struct chunk *c, const struct line *line,
-    struct hit hit)
+static void hits_append(struct chunk *c, struct hit hit, const void *behind)
 {
-	hit.size = line->size;
 	char *at = chunk_reserve(c, sizeof hit + hit.size);
 
 	memcpy(at, &hit, sizeof hit);
-	memcpy(at + sizeof hit, line->s, hit.size);
+	memcpy(at + sizeof hit, behind, hit.size);
 	c->size += sizeof hit + hit.size;
 }
 
-/* Takes a point that is hit, or a header. */
-static void hits_take(const struct job *j, struct chunk *c,
-    const struct line *line, size_t p, size_t number)
+/* Appends the points of a block that are hit, and its headers. */
+static void hits_take(const struct job *j, struct chunk *c, size_t n,
+    size_t points)
 {
 	const struct hits *h = j->with;
-	double in[4] = { c->in[0][p], c->in[1][p], c->in[2][p], 1 };
-	struct hit hit = { .line = (long long)number, .point = { [3] = 1 } };
+	const double *const in[4] = { c->in[0], c->in[1], c->in[2] };
+	double(*v)[POINTS_BLOCK] = c->image;
+	double *const device[4] = { v[0], v[1], v[2] };
+	double *const view[4] = { v[3], v[4], v[5] };
+	unsigned char outside[POINTS_BLOCK];
+	bool known = false; /* outside, and view where that is finite */
 
-	if (line->kind == LINE_HEADER)
-		hits_append(c, line, (struct hit){ .header = true });
-	if (line->kind != LINE_POINT)
-		return;
-	for (int i = 0; i < 3; i++) {
-		hit.device[i] = c->image[i][p];
-		hit.point[i] = in[i];
+	points_carry(&j->transform, j->precision, in, device, points);
+	for (size_t i = 0, p = 0; i < n; i++) {
+		const struct line *line = &c->line[i];
+		size_t at = p, number = c->n_lines - n + i;
+
+		if (line->kind == LINE_HEADER && !h->json)
+			hits_append(c,
+			    (struct hit){ .distance = (double)-INFINITY,
+				.size = line->size },
+			    line->s);
+		if (line->kind != LINE_POINT)
+			continue;
+		p++;
+		const double to[3] = { v[0][at], v[1][at], v[2][at] };
+		struct hit hit = { .point = { in[0][at], in[1][at], in[2][at],
+				       1 },
+			.line = (long long)number,
+			.size = h->json ? sizeof to : line->size };
+
+		if (isnan(to[0]) || isnan(to[1]) ||
+		    !pick_holds(&h->picker, hit.point, to))
+			continue;
+		if (!known) {
+			frustum_out_all(&j->frustum, in, outside, points);
+			if (h->near)
+				points_carry(&h->picker.depth, PRECISION_EXACT,
+				    in, view, points);
+			known = true;
+		}
+		if (outside[at] != 0)
+			continue;
+		hit.distance = h->near ? v[5][at] : (double)INFINITY;
+		if (isnan(hit.distance))
+			hit.distance = pick_distance(&h->picker, hit.point);
+		hits_append(c, hit, h->json ? (const void *)to : line->s);
 	}
-	if (isnan(hit.device[0]) || isnan(hit.device[1]) ||
-	    !pick_holds(&h->picker, in, hit.device) ||
-	    frustum_out(&j->frustum, in) != 0)
-		return;
-	hit.distance = pick_distance(&h->picker, in);
-	hits_append(c, line, hit);
 }
 
 static void hits_collect(const struct job *j, const struct chunk *c,
     long long first_line)
 {
 	struct hits *h = j->with;
+	struct hit hit;
 
-	for (size_t i = 0; i < c->size;) {
-		struct hit hit;
-
-		memcpy(&hit, c->out + i, sizeof hit);
-		hit.text = h->size;
+	if (h->size + c->size > h->text_room) {
+		h->text_room = h->text_room / 2 + h->size + c->size;
+		h->text = need(h->text, h->text_room);
+	}
+	if (c->size > 0)
+		memcpy(h->text + h->size, c->out, c->size);
+	for (size_t end = h->size + c->size; h->size < end;
+	     h->size += sizeof hit + hit.size) {
+		memcpy(&hit, h->text + h->size, sizeof hit);
 		hit.line += first_line;
+		memcpy(h->text + h->size, &hit, sizeof hit);
 		if (h->n == h->room) {
-			h->room = 2 * h->room + 64;
-			h->hit = need(h->hit, h->room * sizeof hit);
+			h->room += h->room / 2 + 64;
+			h->key = need(h->key, h->room * sizeof *h->key);
 		}
-		if (h->size + hit.size > h->text_room) {
-			h->text_room = 2 * (h->size + hit.size);
-			h->text = need(h->text, h->text_room);
-		}
-		memcpy(h->text + h->size, c->out + i + sizeof hit, hit.size);
-		h->size += hit.size;
-		h->hit[h->n++] = hit;
-		i += sizeof hit + hit.size;
+		h->key[h->n++] = (struct key){ hit.distance, h->size };
 	}
 }
 
-/* For qsort, which hands nothing on. */
-static const struct picker *comparing;
-
-/* Nearest first, then as they came; distances that are printed alike can
- * differ. */
-static int hits_compare(const void *a, const void *b)
+static bool is_header(struct key k)
 {
-	const struct hit *p = a, *q = b;
-	int order = q->header - p->header;
+	return k.distance < -DBL_MAX;
+}
 
-	if (order == 0)
-		order = (p->distance > q->distance) -
-		    (p->distance < q->distance);
+static struct hit hit_at(const struct hits *h, struct key k)
+{
+	struct hit hit;
 
-	if (order == 0)
-		order = pick_compare(comparing, p->point, q->point);
-	return order != 0 ? order : p->text < q->text ? -1 : p->text > q->text;
+	memcpy(&hit, h->text + k.at, sizeof hit);
+	return hit;
+}
+
+/* For qsort, which hands nothing on. */
+static const struct hits *comparing;
+
+static int key_compare(const void *a, const void *b)
+{
+	const struct key *p = a, *q = b;
+
+	if (p->distance < q->distance || p->distance > q->distance)
+		return p->distance < q->distance ? -1 : 1;
+	return p->at < q->at ? -1 : p->at > q->at;
+}
+
+/* The same of distances whose nearest doubles are equal. */
+static int key_compare_exactly(const void *a, const void *b)
+{
+	const struct key *p = a, *q = b;
+	const struct hit one = hit_at(comparing, *p);
+	const struct hit other = hit_at(comparing, *q);
+	int order = pick_compare(&comparing->picker, one.point, other.point);
+
+	return order != 0 ? order : key_compare(a, b);
+}
+
+/* Sorts the nearest first, then as they came. Exact distances are compared only
+ * where their nearest doubles are equal; most often they are equal then, too, and
+ * stay in their order. */
+static void hits_sort(const struct hits *h)
+{
+	size_t end;
+
+	if (h->n == 0)
+		return;
+	comparing = h;
+	qsort(h->key, h->n, sizeof *h->key, key_compare);
+	for (size_t i = 0; i < h->n; i = end) {
+		bool sorted = true;
+
+		for (end = i + 1;
+		     end < h->n && h->key[end].distance == h->key[i].distance;
+		     end++)
+			sorted = sorted &&
+			    (is_header(h->key[i]) ||
+				key_compare_exactly(&h->key[end - 1],
+				    &h->key[end]) < 0);
+		if (!sorted)
+			qsort(h->key + i, end - i, sizeof *h->key,
+			    key_compare_exactly);
+	}
 }
 
 /* Of several sources one header is enough, and none if they differ. */
 static bool hits_wants(const struct hits *h, size_t i)
 {
-	const struct hit *hit = &h->hit[i];
-
-	if (!hit->header)
+	if (!is_header(h->key[i]))
 		return true;
-	for (size_t k = 0; k < h->n && h->hit[k].header; k++)
-		if (h->hit[k].size != hit->size ||
-		    memcmp(h->text + h->hit[k].text, h->text + hit->text,
-			hit->size) != 0)
+	const struct hit first = hit_at(h, h->key[0]);
+	const char *text = h->text + h->key[0].at + sizeof first;
+
+	for (size_t k = 1; k < h->n && is_header(h->key[k]); k++)
+		if (hit_at(h, h->key[k]).size != first.size ||
+		    memcmp(h->text + h->key[k].at + sizeof first, text,
+			first.size) != 0)
 			return false;
 	return i == 0;
 }
@@ -144,11 +218,13 @@ static void hits_put(struct output *out, const char *s, size_t n)
 }
 
 static void print_json(struct output *out, const struct hit *h,
-    struct number_style style)
+    const char *behind, struct number_style style)
 {
 	char text[8 * NUMBER_MAX + 128];
+	double device[3];
 	struct printer p = { .at = text, .compact = true, .between = "" };
 
+	memcpy(device, behind, sizeof device);
 	put_open(&p, "{");
 	put_name(&p, "line");
 	put_number(&p, (double)h->line);
@@ -156,7 +232,7 @@ static void print_json(struct output *out, const struct hit *h,
 	put_name(&p, "distance");
 	put_number(&p, h->distance);
 	put_name(&p, "device");
-	put_numbers(&p, h->device, 3);
+	put_numbers(&p, device, 3);
 	put_name(&p, "point");
 	put_numbers(&p, h->point, 3);
 	put_close(&p, "}\n");
@@ -167,24 +243,19 @@ static void print_hits(const struct job *j)
 {
 	static struct output out;
 	struct hits *h = j->with;
-	const struct options *o = h->o;
 
-	if (h->n > 0) {
-		comparing = &h->picker;
-		qsort(h->hit, h->n, sizeof *h->hit, hits_compare);
-	}
+	hits_sort(h);
 	for (size_t i = 0; i < h->n; i++) {
-		const struct hit *hit = &h->hit[i];
+		const struct hit hit = hit_at(h, h->key[i]);
+		const char *behind = h->text + h->key[i].at + sizeof hit;
 
-		if (!hits_wants(h, i) || (hit->header && o->out == FORMAT_JSON))
-			continue;
-		if (o->has_out && o->out == FORMAT_JSON) {
-			print_json(&out, hit, h->style);
-			continue;
+		if (h->json) {
+			print_json(&out, &hit, behind, h->style);
+		} else if (hits_wants(h, i)) {
+			hits_put(&out, behind, hit.size);
+			if (!is_binary(j->layout.in.format))
+				hits_put(&out, "\n", 1);
 		}
-		hits_put(&out, h->text + hit->text, hit->size);
-		if (!is_binary(o->in))
-			hits_put(&out, "\n", 1);
 	}
 	put_all(out.text, out.n);
 	out.n = 0;
@@ -218,7 +289,7 @@ void run_pick(const struct command *c, const struct options *o)
 		.flush = print_hits,
 		.with = &hits };
 
-	hits.o = o;
+	hits.json = o->has_out && o->out == FORMAT_JSON;
 	hits.style = one_style(o, "what pick prints");
 	hits.n = hits.size = 0;
 	read_document(c, o, &d);
@@ -229,11 +300,12 @@ void run_pick(const struct command *c, const struct options *o)
 	document_check(&d,
 	    frustum_of(&d.scene, SPACE_MODEL, false, &j.frustum));
 	document_check(&d, picker_of(&d.scene, &j.transform, &hits.picker));
-	if (o->has_out && o->out != FORMAT_JSON &&
+	if (o->has_out && !hits.json &&
 	    (o->out != o->in || o->out_record != o->in_record))
 		die(EXIT_USAGE,
 		    "pick prints lines as they were read, or "
 		    "-o json");
+	hits.near = sum_sign(hits.picker.depth.map.divisor) != 0;
 	prepare_job(&j, o);
 	do_points(o, &d, &j);
 }

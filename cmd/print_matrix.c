@@ -11,20 +11,10 @@
 /* The rows and columns of a map that are printed, of 3 or 4: in 2D z is left out. */
 static const int PICKED[2][4] = { { 0, 1, 3 }, { 0, 1, 2, 3 } };
 
-/* As they are printed for row vectors. */
 struct elements {
 	int rows, columns;
 	double at[4][4];
 };
-
-static void refuse_wide(const struct document *d, const struct elements *m)
-{
-	for (int i = 0; i < m->rows * m->columns; i++)
-		if (!isfinite((float)m->at[i / m->columns][i % m->columns]))
-			document_refuse(d,
-			    "the matrix has elements beyond the range of "
-			    "floats; print doubles");
-}
 
 /* In memory order, which for row vectors goes row by row and for column vectors
  * column by column: those are the same numbers. */
@@ -67,25 +57,25 @@ static void put_json(struct printer *p, const struct elements *m, bool column)
 	put_close(p, "}\n");
 }
 
-static struct elements transposed(const struct elements *m)
+/* The elements for row vectors or, turned, for column vectors; as floats, all of
+ * which have to be finite, or doubles. */
+static struct elements elements_of(const struct document *d,
+    const struct transform *t, bool floats, bool turned)
 {
-	struct elements r = { .rows = m->columns, .columns = m->rows };
+	const int n[2] = { t->in == 2 ? 3 : 4, t->out == 2 ? 3 : 4 };
+	struct elements m = { .rows = n[turned], .columns = n[!turned] };
 
-	for (int i = 0; i < r.rows; i++)
-		for (int j = 0; j < r.columns; j++)
-			r.at[i][j] = m->at[j][i];
-	return r;
-}
+	for (int i = 0; i < n[0]; i++)
+		for (int j = 0; j < n[1]; j++) {
+			double v = map_nearest(&t->map, PICKED[n[0] - 3][i],
+			    PICKED[n[1] - 3][j], floats);
 
-static struct elements elements_of(const struct transform *t, bool floats)
-{
-	struct elements m = { .rows = t->in == 2 ? 3 : 4,
-		.columns = t->out == 2 ? 3 : 4 };
-
-	for (int i = 0; i < m.rows; i++)
-		for (int j = 0; j < m.columns; j++)
-			m.at[i][j] = map_nearest(&t->map, PICKED[m.rows - 3][i],
-			    PICKED[m.columns - 3][j], floats);
+			if (floats && !isfinite((float)v))
+				document_refuse(d,
+				    "the matrix has elements beyond the range "
+				    "of floats; print doubles");
+			m.at[turned ? j : i][turned ? i : j] = v;
+		}
 	return m;
 }
 
@@ -103,16 +93,13 @@ void print_matrix(const struct options *o, const struct document *d,
 		.between = "" };
 	const char between[] = { dialect_of(o->out, o->separator).separator,
 		'\0' };
-	struct elements m = elements_of(t, floats);
+	struct elements m = elements_of(d, t, floats,
+	    column && !is_binary(o->out));
 
-	if (floats)
-		refuse_wide(d, &m);
 	if (is_binary(o->out)) {
 		print_binary(&m, o->out == FORMAT_F64);
 		return;
 	}
-	if (column)
-		m = transposed(&m);
 	if (o->out == FORMAT_JSON)
 		put_json(&p, &m, column);
 	else

@@ -56,6 +56,28 @@ static void project_transform(const struct document *d, const struct options *o,
 	    to != SPACE_CLIP;
 }
 
+/* Refuses one of --from and --to that leads from its space to the same space. */
+static void project_check_half(const struct options *o, enum space from,
+    enum space to)
+{
+	const char *name = space_names[from];
+
+	if (from != to || o->has_from == o->has_to)
+		return;
+	if (o->has_to)
+		die(EXIT_USAGE,
+		    "--to %s alone goes from %s to %s; write --from %s --to "
+		    "world, or --from world --to %s",
+		    name, name, name, name, name);
+	die(EXIT_USAGE,
+	    "--from %s alone goes from %s to %s; write --from %s --to world%s",
+	    name, name, name, name,
+	    from == SPACE_DEVICE ?
+		", --ray for the ray of each x y, or --plane A,B,C,D for where "
+		"that ray meets a plane" :
+		"");
+}
+
 void run_project(const struct command *c, const struct options *o)
 {
 	enum space from = o->has_from ? o->from : SPACE_MODEL;
@@ -73,17 +95,20 @@ void run_project(const struct command *c, const struct options *o)
 	    d.scene.has_viewport   ? SPACE_DEVICE :
 				     SPACE_NDC;
 
-	if (o->has_plane)
+	if (o->has_plane) {
 		project_plane(&d, o, to, &j);
-	else if (o->ray)
+	} else if (o->ray) {
 		project_rays(&d, &j);
-	else
+	} else {
+		project_check_half(o, from, to);
 		project_transform(&d, o, from, to, &j);
+	}
 	if (o->matrix) {
 		print_matrix(o, &d, &j.transform);
 		return;
 	}
 	j.space = space_names[to];
 	prepare_job(&j, o);
+	j.layout.two = d.source.two;
 	do_points(o, &d, &j);
 }

@@ -1,133 +1,129 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "json/print.h"
 #include "call/operands.h"
 #include "stream/block_write.h"
 #include "message/message.h"
 
-enum { SPACES = SPACE_DEVICE + 1, NAME_WIDTH = 8 };
+enum { SPACES = SPACE_DEVICE + 1, BATCH = NUMBER_BATCH };
 
 struct trace {
 	int n;                       /* spaces: without a viewport no device */
 	struct transform to[SPACES]; /* from the one that points are given in */
+	char label[SPACES][16];      /* what stands before an image */
 	bool printed;                /* a point */
 };
 
-/* The image of point p; nan for a bad line. */
-static void trace_carry(const struct job *j, const struct chunk *c,
-    const struct transform *t, bool bad, size_t p, double image[4])
-{
-	/* kernels read and write whole vectors */
-	COLUMN_ALIGNED double in[4][16] = { { 0 } }, out[4][16];
-	const double *const from[4] = { in[0], in[1], in[2], in[3] };
-	double *const to[4] = { out[0], out[1], out[2], out[3] };
+/* The images of a batch of points in all spaces. */
+struct images {
+	COLUMN_ALIGNED double v[SPACES][4][BATCH];
+	struct number_text text[SPACES][4][BATCH];
+	unsigned char outside[BATCH];
+};
 
-	for (int k = 0; k < t->in; k++)
-		in[k][0] = bad ? (double)NAN : c->in[k][p];
-	points_carry(t, j->precision, from, to, 1);
-	for (int k = 0; k < t->out; k++)
-		image[k] = isfinite(out[k][0]) ? out[k][0] : (double)NAN;
-}
-
-/* Puts n numbers, between brackets in JSON; null for what has no image. */
-static void trace_image(struct printer *p, const struct layout *l, int n,
-    const double v[4])
-{
-	bool json = l->out.format == FORMAT_JSON, none = true;
-
-	for (int k = 0; k < n; k++)
-		none &= isnan(v[k]);
-	if (json && none) {
-		put_number(p, (double)NAN);
-		return;
-	}
-	if (json)
-		put_open(p, "[");
-	for (int k = 0; k < n; k++) {
-		p->style = l->style[k];
-		if (json || !isnan(v[k])) {
-			put_number(p, v[k]);
-		} else {
-			put_text(p, p->between);
-			put_text(p, "nan");
-		}
-		if (!json)
-			p->between = " ";
-	}
-	if (json)
-		put_close(p, "]");
-}
-
-static void trace_space(struct printer *p, const struct layout *l,
-    enum space space, int n, const double v[4])
-{
-	const char *name = space_names[space];
-
-	if (l->out.format == FORMAT_JSON) {
-		put_name(p, name);
-		trace_image(p, l, n, v);
-	} else if (n > 0) {
-		put_text(p, name);
-		for (size_t k = strlen(name); k < NAME_WIDTH; k++)
-			put_text(p, " ");
-		p->between = "";
-		trace_image(p, l, n, v);
-		put_text(p, "\n");
-	}
-}
-
-/* The planes that the point is outside of and, in text, the rest of its line. */
-static void trace_last(struct printer *p, const struct layout *l,
-    const struct line *line, const struct word *word)
-{
-	bool json = l->out.format == FORMAT_JSON;
-
-	if (json) {
-		put_name(p, "flags");
-		put_text(p, "\"");
-	}
-	memcpy(p->at, word->s, word->size);
-	p->at += word->size;
-	if (!json)
-		p->at = line_rest(l, line, p->at);
-	put_text(p, json ? "\"}\n" : "\n");
-}
-
-/* Appends what is to be printed of a point, in text after a blank line. */
-static void trace_take(const struct job *j, struct chunk *c,
-    const struct line *line, size_t p, size_t number)
+/* Carries n points, the first of which is c's point p, to all spaces. */
+static void images_carry(struct images *m, const struct job *j,
+    const struct chunk *c, size_t p, size_t n)
 {
 	const struct trace *trace = j->with;
-	const struct layout *l = &j->layout;
-	bool bad = line_is_bad(line);
-	double in[4] = { c->in[0][p], c->in[1][p], c->in[2][p], c->in[3][p] };
-	const double *const at[4] = { &in[0], &in[1], &in[2], &in[3] };
-	unsigned char outside = OUT_NAN;
-	size_t most = SPACES * 4 * (NUMBER_MAX + 16) + 6 * (size_t)line->size;
+	const double *const from[4] = { &c->in[0][p], &c->in[1][p],
+		&c->in[2][p], &c->in[3][p] };
 
-	(void)number;
-	if (!bad)
-		frustum_out_all(&j->frustum, at, &outside, 1);
-	if (line->kind == LINE_HEADER || (j->visible && outside != 0))
-		return;
-	struct printer print = { .at = chunk_reserve(c, most + WORD_MAX),
-		.single = l->single,
-		.compact = true,
-		.between = "" };
+	for (int s = 0; s < trace->n; s++) {
+		double(*v)[BATCH] = m->v[s];
+		double *const to[4] = { v[0], v[1], v[2], v[3] };
 
-	put_text(&print, l->out.format == FORMAT_JSON ? "{" : "\n");
-	for (int s = 0; s < SPACES; s++) {
-		int n = s < trace->n ? trace->to[s].out : 0;
-		double image[4];
-
-		if (n > 0)
-			trace_carry(j, c, &trace->to[s], bad, p, image);
-		trace_space(&print, l, (enum space)s, n, image);
+		points_carry(&trace->to[s], j->precision, from, to, n);
+		for (int k = 0; k < trace->to[s].out; k++)
+			number_texts(v[k], n, j->layout.single,
+			    j->layout.style[k], m->text[s][k]);
 	}
-	trace_last(&print, l, line, word_for(c, outside));
-	c->size = (size_t)(print.at - c->out);
+	frustum_out_all(&j->frustum, from, m->outside, n);
+}
+
+/* Puts point p's image in a space, between brackets in JSON; null or nan for what is
+ * beyond the range of what is printed. Without m there is no image. */
+static char *put_image(char *at, const struct job *j, const struct images *m,
+    int s, size_t p)
+{
+	const struct layout *l = &j->layout;
+	int n = ((const struct trace *)j->with)->to[s].out, finite = 0;
+	bool json = l->out.format == FORMAT_JSON;
+
+	for (int k = 0; m != NULL && k < n; k++)
+		finite += l->single ? isfinite((float)m->v[s][k][p]) != 0 :
+				      isfinite(m->v[s][k][p]) != 0;
+	if (json && finite == 0)
+		return stpcpy(at, "null");
+	if (json)
+		*at++ = '[';
+	for (int k = 0; k < n; k++) {
+		if (k > 0)
+			*at++ = json ? ',' : ' ';
+		if (finite < n && (m == NULL || !isfinite(m->v[s][k][p])))
+			at = stpcpy(at, json ? "null" : "nan");
+		else
+			at = number_put(at, &m->text[s][k][p], m->v[s][k][p],
+			    l->single, l->style[k]);
+	}
+	if (json)
+		*at++ = ']';
+	return at;
+}
+
+/* Appends what is to be printed of a line with point p of m, or of a bad one without
+ * m; in text after a blank line. */
+static void put_trace(const struct job *j, struct chunk *c,
+    const struct line *line, const struct images *m, size_t p)
+{
+	const struct trace *trace = j->with;
+	unsigned outside = m != NULL ? m->outside[p] : OUT_NAN;
+	const struct word *word = word_for(c, outside);
+	bool json = j->layout.out.format == FORMAT_JSON;
+	char *at;
+
+	if (j->visible && outside != 0)
+		return;
+	at = chunk_reserve(c,
+	    SPACES * 4 * (NUMBER_MAX + 16) + 6 * (size_t)line->size + WORD_MAX);
+	*at++ = json ? '{' : '\n';
+	for (int s = 0; s < (json ? SPACES : trace->n); s++) {
+		at = put_image(stpcpy(at, trace->label[s]), j, m, s, p);
+		*at++ = json ? ',' : '\n';
+	}
+	if (json)
+		at = stpcpy(at, "\"flags\":\"");
+	memcpy(at, word->s, word->size);
+	at += word->size;
+	at = json ? stpcpy(at, "\"}") : line_rest(&j->layout, line, at);
+	*at++ = '\n';
+	c->size = (size_t)(at - c->out);
+}
+
+static void trace_take(const struct job *j, struct chunk *c, size_t n,
+    size_t points)
+{
+	/* too large for a thread's stack */
+	struct images *m = aligned_alloc(_Alignof(struct images), sizeof *m);
+
+	if (m == NULL)
+		die(EXIT_SYSTEM, "out of memory");
+	for (size_t i = 0, p = 0; i < n; i++) {
+		const struct line *line = &c->line[i];
+
+		if (line_is_bad(line))
+			put_trace(j, c, line, NULL, 0);
+		if (line->kind != LINE_POINT)
+			continue;
+		if (p % BATCH == 0)
+			images_carry(m, j, c, p,
+			    points - p < BATCH ? points - p : BATCH);
+		put_trace(j, c, line, m, p++ % BATCH);
+	}
+	free(m);
 }
 
 /* The first point has no blank line before it. */
@@ -154,7 +150,7 @@ void run_trace(const struct command *c, const struct options *o)
 	struct document d;
 
 	read_document(c, o, &d);
-	trace.printed = false;
+	memset(&trace, 0, sizeof trace);
 	trace.n = d.scene.has_viewport || from == SPACE_DEVICE ? SPACES :
 								 SPACES - 1;
 	for (int s = 0; s < trace.n; s++)
@@ -164,5 +160,9 @@ void run_trace(const struct command *c, const struct options *o)
 	document_check(&d, frustum_of(&d.scene, from, false, &j.frustum));
 	j.transform = trace.to[SPACE_CLIP];
 	prepare_job(&j, o);
+	for (int s = 0; s < SPACES; s++)
+		snprintf(trace.label[s], sizeof trace.label[s],
+		    j.layout.out.format == FORMAT_JSON ? "\"%s\":" : "%-8s",
+		    space_names[s]);
 	do_points(o, &d, &j);
 }

@@ -46,8 +46,10 @@ sub shape {
 sub member {
 	my ($row) = @_;
 	my $unit = $row->{unit} ? ", in $row->{unit}" : '';
+	my $before = $row->{before} ?
+	    "; default $row->{before}, else $row->{default}" : '';
 	return {%{shape($row->{type}, $row)},
-	    description => ucfirst "$row->{about}$unit",
+	    description => ucfirst "$row->{about}$unit$before",
 	    defined $row->{default} ? (default => $row->{default}) : ()};
 }
 

@@ -34,10 +34,8 @@ struct entry {
 
 static struct entry entries[ENTRIES_MAX] = {
 	{ .name = "projcalc, exact", .precision = PRECISION_EXACT },
-	{ .name = "projcalc, -p double",
-	    .precision = PRECISION_DOUBLE },
-	{ .name = "projcalc, -p single",
-	    .precision = PRECISION_SINGLE },
+	{ .name = "projcalc, -p double", .precision = PRECISION_DOUBLE },
+	{ .name = "projcalc, -p single", .precision = PRECISION_SINGLE },
 };
 static int n_entries = 3;
 

@@ -45,17 +45,40 @@ static int open_file(const char *name)
 	return fd;
 }
 
-int open_input(const char *name)
+/* Refuses an input that is a directory, or the regular file that standard output
+ * is: what is written there would be read again. */
+static void refuse_input(const char *name, const struct stat *in)
 {
 	const struct place place = { .file = name };
+	struct stat out;
+
+	if (S_ISDIR(in->st_mode))
+		die_at(EXIT_USAGE, &place, "is a directory");
+	if (S_ISREG(in->st_mode) && fstat(STDOUT_FILENO, &out) == 0 &&
+	    out.st_dev == in->st_dev && out.st_ino == in->st_ino)
+		die_at(EXIT_USAGE, &place,
+		    "is also the output; write to another file");
+}
+
+int open_input(const char *name)
+{
 	struct stat st;
 	int fd = is_stdin(name) ? STDIN_FILENO : open_file(name);
 
 	if (fd < 0 || fstat(fd, &st) != 0)
-		die_at(EXIT_USAGE, &place, "%s", strerror(errno));
-	if (S_ISDIR(st.st_mode))
-		die_at(EXIT_USAGE, &place, "is a directory");
+		die_at(EXIT_USAGE, &(struct place){ .file = name }, "%s",
+		    strerror(errno));
+	refuse_input(name, &st);
 	return fd;
+}
+
+void check_input(const char *name)
+{
+	struct stat st;
+
+	if (is_stdin(name) ? fstat(STDIN_FILENO, &st) == 0 :
+			     stat(name, &st) == 0)
+		refuse_input(name, &st);
 }
 
 void close_input(int fd)

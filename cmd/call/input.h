@@ -21,7 +21,12 @@ char first_char(const char *);
 /* Whether a text is of numbers, and of what stands between and around them. */
 bool is_numbers(const char *);
 
-/* What can't be opened is refused with exit status 2. */
+/* Refuses a directory, and the regular file that standard output is, with exit
+ * status 2; leaves what is not there to open_input. */
+void check_input(const char *name);
+
+/* Returns a file descriptor. What check_input refuses, or what can't be opened, is
+ * refused with exit status 2. */
 int open_input(const char *name);
 void close_input(int fd);
 

@@ -5,7 +5,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "input.h"
@@ -62,10 +61,8 @@ static void check_file(const struct command *c, const struct options *o,
 {
 	const struct place place = { .file = name };
 	const int n = 2 * coordinates_of(c, o) + 1;
-	struct stat st;
 
-	if (stat(name, &st) == 0 && S_ISDIR(st.st_mode))
-		die_at(EXIT_USAGE, &place, "is a directory");
+	check_input(name);
 	if (access(name, R_OK) == 0)
 		return;
 	const char *why = strerror(errno);
@@ -78,24 +75,44 @@ static void check_file(const struct command *c, const struct options *o,
 	    c->kind == PICK ? "; where to look is --at 320,240" : "");
 }
 
-/* Refuses a typed position on the device in place of a point: pick has an option
- * for it, and project one that takes it back. */
+#define USE_RAY                                                      \
+	"--ray takes x y to the ray through it, --plane A,B,C,D to " \
+	"where that ray meets a plane"
+
+/* Returns whether points of two coordinates are positions on the device for which
+ * project has --ray and --plane. */
+static bool lacks_depth(const struct options *o)
+{
+	return o->has_from && o->from == SPACE_DEVICE && !o->homogeneous &&
+	    !o->ray && !o->has_plane && (!o->has_to || o->to == SPACE_WORLD);
+}
+
+/* Returns what a message says of points of two numbers, or NULL. */
+static const char *two_of(const struct command *c, const struct options *o)
+{
+	return c->kind == PROJECT && lacks_depth(o) ? "; " USE_RAY : NULL;
+}
+
+/* Refuses a typed position on the device in place of a point, or of the first of a
+ * list: pick and project have options for it. */
 static void check_position(const struct command *c, const struct options *o,
     const char *points)
 {
 	double v;
-	int n = 0;
+	int from = 0, n = 0;
 
-	if (sscanf(points, " [%lf ,%lf ]%n", &v, &v, &n) < 2 || n == 0)
+	if ((sscanf(points, " [%lf ,%lf ]%n", &v, &v, &n) < 2 || n == 0) &&
+	    (sscanf(points, " [ %n[%lf ,%lf ]%n", &from, &v, &v, &n) < 2 ||
+		n == 0))
 		return;
+	points += from;
+	n -= from;
 	if (c->kind == PICK)
 		die(EXIT_USAGE,
-		    "'%s' is no point; where to look is --at 320,240", points);
-	if (c->kind == PROJECT && o->from == SPACE_DEVICE && !o->ray &&
-	    !o->homogeneous && (!o->has_to || o->to == SPACE_WORLD))
-		die(EXIT_USAGE,
-		    "'%s' has no depth; --ray takes it to the ray behind it",
+		    "'%.*s' is no point; where to look is --at 320,240", n,
 		    points);
+	if (c->kind == PROJECT && lacks_depth(o))
+		die(EXIT_USAGE, "'%.*s' has no depth; " USE_RAY, n, points);
 }
 
 void check_operands(const struct command *c, const struct options *o)
@@ -103,6 +120,8 @@ void check_operands(const struct command *c, const struct options *o)
 	int from_stdin = is_stdin(o->params);
 
 	check_params(c, o);
+	if (first_char(o->params) != '{')
+		check_input(o->params);
 	if (o->n_points > 0 && !command_reads_points(c))
 		die(EXIT_USAGE, "%s reads no points; leave them out", c->name);
 	for (int i = 0; i < o->n_points && !o->matrix; i++) {
@@ -116,7 +135,9 @@ void check_operands(const struct command *c, const struct options *o)
 				"standard input is named twice");
 		if (first_char(name) == '[')
 			check_position(c, o, name);
-		else if (!is_stdin(name))
+		else if (is_stdin(name))
+			check_input(name);
+		else
 			check_file(c, o, name);
 	}
 }
@@ -127,6 +148,7 @@ void read_document(const struct command *c, const struct options *o,
 	struct document_wants wants = c->wants;
 
 	wants.convention = o->convention;
+	wants.two = two_of(c, o);
 	/* the document's points are not read if points are operands */
 	if (command_reads_points(c) && !o->matrix && o->n_points == 0)
 		wants.coordinates = coordinates_of(c, o);
@@ -317,7 +339,7 @@ void prepare_job(struct job *j, const struct options *o)
 
 	j->layout = (struct layout){
 		.in = dialect_of(o->in, o->separator),
-		.out = dialect_of(o->has_out ? o->out : o->in, o->separator),
+		.out = dialect_of(options_output(o), o->separator),
 		.header = o->header ? HEADER_FIRST :
 		    o->no_header    ? HEADER_NONE :
 				      HEADER_MAYBE,
@@ -345,7 +367,7 @@ void prepare_job(struct job *j, const struct options *o)
 	widen_pipe(STDOUT_FILENO, PIPE_ROOM);
 	choose_kernels();
 	check_layout(o, &j->layout);
-	check_record(o, &j->layout, j->take == NULL && j->take_block == NULL);
+	check_record(o, &j->layout, j->take == NULL);
 }
 
 /* Points as document_points and document_read give them are lines of JSON,
@@ -436,7 +458,7 @@ void do_points(const struct options *o, const struct document *d, struct job *j)
 		    "them");
 	check_columns(o, d);
 	if (o->n_points == 0 && d->points != NULL)
-		do_json(j, d->name, d->points, d->points_size);
+		do_json(j, d->source.name, d->points, d->points_size);
 	else if (o->n_points == 0)
 		do_operand(o, j, 0);
 	/* points that are typed wrong are refused before those of the first

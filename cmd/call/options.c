@@ -86,6 +86,11 @@ static void set_tolerance(struct options *o, char *word)
 	o->tolerance = positive_number("tolerance", word);
 }
 
+static void set_distances(struct options *o, char *word)
+{
+	o->n_distances = distances_of("distances", word, o->distance);
+}
+
 static void set_at(struct options *o, char *word)
 {
 	numbers_of("at", "X,Y", "320,240", word, 2, o->at);
@@ -152,7 +157,7 @@ const struct option_row option_rows[] = {
 	{ "input", 'i', POINTS,
 	    "of points: text (default), csv, tsv, json, f64, f32, f32x4",
 	    .argument = "FORMAT", .set = set_input, .words = format_names },
-	{ "output", 'o', PRINTED, "the same; default the input's",
+	{ "output", 'o', ALL, "the same; default the input's",
 	    .argument = "FORMAT", .set = set_output, .words = format_names,
 	    ON(has_out) },
 	{ "separator", 0, POINTS, "between fields of csv: a character, or tab",
@@ -172,6 +177,9 @@ const struct option_row option_rows[] = {
 	{ "tolerance", 't', INSPECT,
 	    "the error that the -p told may have; default 0.5",
 	    .argument = "T", .set = set_tolerance },
+	{ "distances", 0, INSPECT,
+	    "add the depth_step toward the eye at these distances",
+	    .argument = "D,...", .set = set_distances },
 	{ "from", 0, PROJECT | TRACE, "model, world, view, clip, ndc or device",
 	    .argument = "SPACE", ON(has_from), WORD(from, "space", space_names) },
 	{ "to", 0, PROJECT, "the same; default device, else ndc",
@@ -198,7 +206,7 @@ const struct option_row option_rows[] = {
 	    ON(flags) },
 	{ "visible", 0, PLANES,
 	    "print only points in the view volume or window", ON(visible) },
-	{ "keep-going", 0, POINTS, "print nan for a bad line and go on",
+	{ "keep-going", 0, ALL, "print nan for a bad line, go on after a bad scene",
 	    ON(keep_going) },
 	{ "jobs", 'j', POINTS, "threads; default all cores",
 	    .argument = "N", .set = set_jobs },
@@ -261,6 +269,11 @@ int coordinates_of(const struct command *c, const struct options *o)
 		(o->from == SPACE_DEVICE && o->homogeneous) ?
 	    4 :
 	    3;
+}
+
+enum format options_output(const struct options *o)
+{
+	return o->has_out ? o->out : o->in;
 }
 
 struct number_style one_style(const struct options *o, const char *what)

@@ -19,6 +19,8 @@ struct options {
 	struct styles styles;
 	enum precision precision;
 	double tolerance; /* of inspect; 0 where it isn't said */
+	int n_distances;
+	double distance[DISTANCES_MAX]; /* of inspect */
 	bool has_from, has_to;
 	enum space from, to;
 	bool homogeneous, matrix, ray, append, flags, visible, keep_going,
@@ -73,6 +75,9 @@ bool option_is_for(const struct option_row *, const struct command *);
 /* How many numbers are read of a point. Fit learns only from the scene that it is in
  * the plane. */
 int coordinates_of(const struct command *, const struct options *);
+
+/* Returns the format in which the command answers. */
+enum format options_output(const struct options *);
 
 /* How to round what is to be rounded alike: refuses a list of -d or --digits. what
  * is printed, for the message. */

@@ -176,11 +176,13 @@ static void take_option(const struct command *c, const struct option_row *r,
 		*(bool *)((char *)o + r->on) = true;
 }
 
-/* What is traced is text or JSON. */
+/* Trace, inspect and fit print text, or JSON; trace, of points as JSON, that. */
 static void choose_output(const struct command *c, struct options *o)
 {
 	if (!o->has_out)
-		o->out = o->in == FORMAT_JSON ? FORMAT_JSON : FORMAT_TEXT;
+		o->out = c->kind == TRACE && o->in == FORMAT_JSON ?
+		    FORMAT_JSON :
+		    FORMAT_TEXT;
 	o->has_out = true;
 	if (o->out != FORMAT_TEXT && o->out != FORMAT_JSON)
 		die(EXIT_USAGE, "%s prints -o text or -o json", c->name);
@@ -229,7 +231,7 @@ void options_read(const struct command *c, int argc, char **argv,
 		if (o->help || o->version)
 			return;
 	}
-	if (c->kind == TRACE)
+	if ((c->kind & (TRACE | INSPECT | FIT)) != 0)
 		choose_output(c, o);
 	while (optind < argc)
 		*operand++ = argv[optind++];

@@ -20,6 +20,8 @@ static struct {
 	 * whatever else is wrong with it. */
 	size_t begin, end;
 	long line, lines; /* where it begins, from 1; that it goes on for */
+	size_t column;    /* bytes before begin on its line */
+	size_t tail;      /* and before end on that line */
 	long level;
 	bool quoted, escaped;
 } params = { .line = 1 };
@@ -70,13 +72,17 @@ static void skip_spaces(void)
 	const char *end = params.text.s + params.text.have;
 
 	for (;;) {
-		if (s < end && is_space(*s))
-			params.line += *s++ == '\n';
-		else if (end - s >= 3 && memcmp(s, MARK, 3) == 0)
+		if (s < end && is_space(*s)) {
+			params.line += *s == '\n';
+			params.tail = *s++ == '\n' ? 0 : params.tail + 1;
+		} else if (end - s >= 3 && memcmp(s, MARK, 3) == 0) {
 			s += 3;
-		else
+			params.tail += 3;
+		} else {
 			break;
+		}
 	}
+	params.column = params.tail;
 	params.begin = params.end = (size_t)(s - params.text.s);
 }
 
@@ -104,6 +110,7 @@ static bool find_end(void)
 			return true;
 		params.end++;
 		params.lines += c == '\n';
+		params.tail = c == '\n' ? 0 : params.tail + 1;
 		if (params.escaped) {
 			params.escaped = false;
 		} else if (params.quoted) {
@@ -203,6 +210,7 @@ void params_read(const struct options *o, const struct document_wants *wants,
 		check_points(o, wants);
 	}
 	w.line = params.line - 1;
+	w.column = params.column;
 	document_read(d, params.name, params.text.s + params.begin,
 	    params.end - params.begin, &w);
 	if (!o->scenes && d->points == NULL)

@@ -9,6 +9,7 @@ unset CDPATH
 export LC_ALL=C
 build=$(cd "$1" && pwd)
 svg=$2
+case $svg in /*) ;; *) svg=$PWD/$svg ;; esac
 cd "$(dirname "$0")/../../testdata"
 PATH=$build:$PATH
 

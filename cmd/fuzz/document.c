@@ -11,6 +11,7 @@
 #include "../stream/source.h"
 #include "../scene/convention_member.h"
 #include "../scene/document.h"
+#include "../scene/members.h"
 #include "../message/message.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -129,9 +130,28 @@ static void run(char *text, size_t size, int mode)
 		check_camera(&d.scene.camera);
 }
 
+/* Parses the literals of a table's rows, which the program keeps. */
+static void keep_literals(const struct member *row)
+{
+	static const struct source source;
+
+	for (; row != NULL && row->name != NULL; row++) {
+		if (row->usual != NULL)
+			value_literal(&source, row->usual);
+		keep_literals(row->members);
+	}
+}
+
+int LLVMFuzzerInitialize(int *argc, char ***argv)
+{
+	(void)argc, (void)argv;
+	keep_literals(scene_members);
+	cJSON_InitHooks(&(cJSON_Hooks){ hold, keep });
+	return 0;
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-	cJSON_InitHooks(&(cJSON_Hooks){ hold, keep });
 	if (size > 0 && setjmp(refused) == 0) {
 		/* exactly as long, so that a byte too far is seen */
 		char *text = hold(size - 1);

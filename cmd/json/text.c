@@ -2,6 +2,7 @@
 #include "text.h"
 
 #include <stdbool.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "../number/eight.h"
@@ -11,40 +12,6 @@
 static bool is_digit(char c)
 {
 	return c >= '0' && c <= '9';
-}
-
-/* Whether the number that number_read reads from s to stop is one of JSON,
- * apart from its exponent. */
-static bool is_narrow(const char *s, const char *stop)
-{
-	s += *s == '-';
-	const char *first = s;
-
-	while (s < stop && is_digit(*s))
-		s++;
-	if (s == first || (*first == '0' && s > first + 1))
-		return false;
-	return s == stop || *s != '.' || (s + 1 < stop && is_digit(s[1]));
-}
-
-static bool has_exponent(const char *s, const char *stop)
-{
-	while (s < stop && *s != 'e' && *s != 'E')
-		s++;
-	return s < stop;
-}
-
-const char *json_number(const char *s, const char *end, double *v)
-{
-	const char *stop = number_read(s, end, v);
-
-	if (stop == NULL || !is_narrow(s, stop))
-		return NULL;
-	/* where 1e stands, number_read reads the 1 alone */
-	if (stop < end && (*stop == 'e' || *stop == 'E') &&
-	    !has_exponent(s, stop))
-		return NULL;
-	return stop;
 }
 
 /* Past the digits at s; NULL where there is none. */
@@ -75,6 +42,13 @@ const char *json_number_end(const char *s, const char *end)
 	s++;
 	s += s < end && (*s == '+' || *s == '-');
 	return digits(s, end);
+}
+
+const char *json_number(const char *s, const char *end, double *v)
+{
+	const char *stop = json_number_end(s, end);
+
+	return stop != NULL ? number_read(s, stop, v) : NULL;
 }
 
 const char *json_string(const char *s, const char *end)
@@ -144,6 +118,9 @@ const char *json_hex4(const char *s, const char *end, unsigned *code)
 	return s;
 }
 
+/* code >> 10 of the halves of a surrogate pair. */
+enum { FIRST_HALF = 0xd800 >> 10, SECOND_HALF = 0xdc00 >> 10 };
+
 /* Past the digits after \u, and past a second half if they are a first one. */
 static const char *unescape_unicode(const char *s, const char *end,
     unsigned *code)
@@ -178,5 +155,59 @@ const char *json_unescape(const char *s, const char *end, char out[4], int *n)
 		return s + 2;
 	s = unescape_unicode(s + 2, end, &code);
 	*n = utf8_write(code, out);
+	return s;
+}
+
+bool json_is_name(struct span f, struct span name, bool pointer)
+{
+	const char *s = f.s + 1, *stop = f.end - 1;
+	char character[4];
+
+	while (s < stop) {
+		int size = 1;
+
+		character[0] = *s;
+		s = *s == '\\' ? json_unescape(s, stop, character, &size) :
+				 s + 1;
+		for (int i = 0; i < size; i++, name.s++) {
+			if (name.s == name.end)
+				return false;
+			char c = *name.s;
+
+			if (pointer && c == '~' &&
+			    (name.s[1] == '0' || name.s[1] == '1'))
+				c = *++name.s == '0' ? '~' : '/';
+			if (c != character[i])
+				return false;
+		}
+	}
+	return name.s == name.end;
+}
+
+const char *json_at(const char *s, const char *end, const char *pointer)
+{
+	s = json_space(s, end);
+	while (*pointer == '/' && (*s == '{' || *s == '[')) {
+		const char *at = s, *value = NULL, *key;
+		struct span step = { pointer + 1, NULL };
+		bool found = false;
+
+		pointer = step.end = step.s + strcspn(step.s, "/");
+		long index = *s == '[' ? strtol(step.s, NULL, 10) : -1;
+
+		do {
+			key = json_space(at + 1, end);
+			at = json_next(at, end, &value);
+			if (at != NULL && *s == '[')
+				found = index-- == 0;
+			else if (at != NULL)
+				found = json_is_name(
+				    (struct span){ key, json_string(key, end) },
+				    step, true);
+		} while (at != NULL && !found);
+		if (!found)
+			return s;
+		s = value;
+	}
 	return s;
 }

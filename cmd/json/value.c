@@ -15,13 +15,14 @@
 #include "../message/message.h"
 #include "text.h"
 
-const struct value_range range_any = { .min = -MAGNITUDE_MAX,
-	.max = MAGNITUDE_MAX };
-const struct value_range range_turn = { .min = -MAGNITUDE_MAX,
-	.max = MAGNITUDE_MAX,
-	.angle = true };
-const struct value_range range_positive = { .min = SIZE_MIN,
-	.max = MAGNITUDE_MAX };
+#define UP_TO "numbers go up to 1e150"
+
+const struct value_range range_any = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
+	.says = UP_TO };
+const struct value_range range_turn = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
+	.says = UP_TO, .angle = true };
+const struct value_range range_positive = { SIZE_MIN, MAGNITUDE_MAX,
+	.says = "a number from 1e-150 to 1e150 is wanted" };
 
 static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 
@@ -29,101 +30,162 @@ static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
  * something else. */
 enum { CJSON_NUMBER_MAX = 63 };
 
-/* Puts the shortest text of v in the place of a number of n characters, and
- * blanks after it. */
-static void shorten(char *number, size_t n, double v)
+/* A text that grows. */
+struct copy {
+	char *s;
+	size_t n, room;
+};
+
+static void copy_add(struct copy *c, const char *s, size_t n)
+{
+	if (c->room - c->n < n) {
+		c->room = 2 * c->room + n;
+		c->s = need(c->s, c->room);
+	}
+	memcpy(c->s + c->n, s, n);
+	c->n += n;
+}
+
+/* Adds a number, which is v, or where cJSON does not take all of its n characters the
+ * shortest text of v. */
+static void copy_number(struct copy *c, const char *s, size_t n, double v)
 {
 	char text[NUMBER_MAX] = "1e999", *end = text + 5;
 
-	if (isfinite(v))
+	if (n > CJSON_NUMBER_MAX && isfinite(v))
 		end = number_write(text, v, shortest);
-	memset(number, ' ', n);
-	memcpy(number, text, (size_t)(end - text));
+	if (n > CJSON_NUMBER_MAX)
+		copy_add(c, text, (size_t)(end - text));
+	else
+		copy_add(c, s, n);
 }
 
-/* Makes checked text such that cJSON reads every number in it. */
-static void shorten_numbers(char *text, size_t size)
+/* Returns where a member ends, with the comma behind it, whose name is the string from s
+ * to stop and begins with _; NULL where no such member is there. */
+static const char *pass_hidden(const char *s, const char *stop, const char *end)
 {
-	const char *end = text + size, *next;
+	char first[4] = { s[1] };
+	int n;
+
+	if (first[0] == '\\')
+		json_unescape(s + 1, end, first, &n);
+	stop = json_space(stop, end);
+	if (first[0] != '_' || stop == end || *stop != ':')
+		return NULL;
+	stop = json_skip(stop, end);
+	return stop + (*stop == ',');
+}
+
+/* Parses checked text but for a part, which becomes [], and for members whose names
+ * begin with _, so that they take no memory. cJSON takes whatever passes the check;
+ * where it fails, memory is short. */
+static const struct cJSON *parse(const char *s, const char *end,
+    const struct span *part)
+{
+	struct copy c = { 0 };
+	const char *next;
 	double v;
 
-	for (char *s = text; s < end; s += next - s) {
-		next = *s == '"' ? json_string(s, end) :
-				   json_number(s, end, &v);
-		if (next == NULL)
-			next = s + 1;
-		else if (*s != '"' && next - s > CJSON_NUMBER_MAX)
-			shorten(s, (size_t)(next - s), v);
-	}
-}
+	for (; s < end; s = next) {
+		next = s + 1;
+		if (s == part->s) {
+			copy_add(&c, "[]", 2);
+			next = part->end;
+		} else if (*s == '"') {
+			const char *stop = json_string(s, end);
 
-/* cJSON takes whatever passes the check; where it fails, memory is short. */
-static const struct cJSON *parse(char *text, size_t size)
-{
-	shorten_numbers(text, size);
-	const cJSON *item = cJSON_ParseWithLength(text, size);
+			next = pass_hidden(s, stop, end);
+			if (next == NULL)
+				copy_add(&c, s, (size_t)(stop - s));
+			else if (*next == '}' && c.s[c.n - 1] == ',')
+				c.n--;
+			if (next == NULL)
+				next = stop;
+		} else if (json_number(s, end, &v) != NULL) {
+			next = json_number(s, end, &v);
+			copy_number(&c, s, (size_t)(next - s), v);
+		} else if ((unsigned char)*s > ' ') {
+			copy_add(&c, s, 1);
+		}
+	}
+	const cJSON *item = cJSON_ParseWithLength(c.s, c.n);
 
 	if (item == NULL)
 		die(EXIT_SYSTEM, "out of memory");
+	free(c.s);
 	return item;
 }
 
-/* Checks a document and finds a part of it. */
-static void check(const struct source *source, const char *name, char *text,
-    size_t size, struct span *part)
+/* Keeps the text of a document, or of an operand, where messages tell its lines. */
+static void source_keep(struct source *source, const char *text, size_t size)
+{
+	static char *kept[2];
+	char **copy = &kept[source->operand];
+
+	if (!says_json())
+		return;
+	*copy = memcpy(need(*copy, size), text, size);
+	source->text = *copy;
+	source->end = *copy + size;
+}
+
+/* Says in which line and column a byte of the text stands. */
+static void source_count(const struct source *source, size_t offset,
+    struct place *p)
+{
+	p->line = source->line + 1;
+	p->column = source->before + offset + 1;
+	for (size_t i = 0; i < offset; i++)
+		if (source->text[i] == '\n') {
+			p->line++;
+			p->column = offset - i;
+		}
+}
+
+struct place source_place(const struct source *source, const char *pointer)
+{
+	struct place p = { .file = source->name, .pointer = pointer };
+
+	if (source->text != NULL)
+		source_count(source,
+		    (size_t)(json_at(source->text, source->end, pointer) -
+			source->text),
+		    &p);
+	return p;
+}
+
+/* The values that were parsed last; a refusal does not come back to free them. */
+static const struct cJSON *parsed;
+
+struct value value_parse_without(struct source *source, const char *name,
+    char *text, size_t size, struct span *array)
 {
 	struct json_error e;
 
 	if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
 		memset(text, ' ', 3); /* a byte order mark */
-	if (!json_check_part(text, text + size, source->line + 1, name, part,
-		&e))
-		die_at(EXIT_INPUT,
-		    &(struct place){ .file = source->name, .line = e.line },
-		    "%s", e.reason);
-}
+	source_keep(source, text, size);
+	if (!json_check_part(text, text + size, source->line + 1, name, array,
+		&e)) {
+		struct place place = { .file = source->name, .line = e.line };
 
-/* A copy of a text with [] in the place of a part; sets *size. */
-static char *without(const char *text, const char *end, const struct span *part,
-    size_t *size)
-{
-	size_t before = (size_t)(part->s - text);
-	size_t after = (size_t)(end - part->end);
-	char *copy = need(NULL, before + 2 + after);
-
-	memcpy(copy, text, before);
-	memcpy(copy + before, "[]", 2);
-	memcpy(copy + before + 2, part->end, after);
-	*size = before + 2 + after;
-	return copy;
-}
-
-struct value value_parse_without(const struct source *source, const char *name,
-    char *text, size_t size, struct span *array)
-{
-	struct value v = { .source = source };
-
-	check(source, name, text, size, array);
-	if (array->s == NULL || *array->s != '[') {
-		array->s = NULL;
-		v.item = parse(text, size);
-		return v;
+		if (source->text != NULL)
+			source_count(source, (size_t)(e.at - text), &place);
+		die_at(EXIT_INPUT, &place, "%s", e.reason);
 	}
-	char *rest = without(text, text + size, array, &size);
-
-	v.item = parse(rest, size);
-	free(rest);
-	return v;
+	if (array->s == NULL || *array->s != '[')
+		array->s = NULL;
+	cJSON_Delete((cJSON *)parsed);
+	parsed = parse(text, text + size, array);
+	return (struct value){ .source = source, .item = parsed };
 }
 
 void value_parse_part(struct value *v, const char *s, const char *end)
 {
-	size_t size = (size_t)(end - s);
-	char *copy = need(NULL, size);
+	static const struct cJSON *part;
 
-	memcpy(copy, s, size);
-	v->item = parse(copy, size);
-	free(copy);
+	cJSON_Delete((cJSON *)part);
+	v->item = part = parse(s, end, &(struct span){ NULL, NULL });
 }
 
 struct value value_literal(const struct source *source, const char *text)
@@ -143,11 +205,6 @@ struct value value_literal(const struct source *source, const char *text)
 		known[i].text = text;
 	}
 	return (struct value){ .source = source, .item = known[i].item };
-}
-
-void value_free(const struct value *v)
-{
-	cJSON_Delete((cJSON *)v->item);
 }
 
 struct value value_child(const struct value *v)
@@ -252,10 +309,12 @@ void value_refuse(const struct value *v, const char *format, ...)
 	va_list args;
 
 	*pointer(v, way) = '\0';
+	const struct place place = source_place(v->source, way);
+
 	va_start(args, format);
-	vdie_at(EXIT_INPUT,
-	    &(struct place){ .file = v->source->name, .pointer = way }, format,
-	    args);
+	if (v->source->operand)
+		vdie_at(EXIT_INPUT, &place, format, args);
+	vrefuse_at(&place, format, args);
 	va_end(args);
 }
 
@@ -286,12 +345,6 @@ void value_want_object(const struct value *v)
 		value_wrong(v, "an object");
 }
 
-/* Whether a range's limits are parts of pi: radians, of an angle that has limits. */
-static bool is_by_pi(const struct value_range *r, unsigned unit)
-{
-	return r->angle && unit == RADIANS && r->max < MAGNITUDE_MAX;
-}
-
 /* PI and its half are the largest doubles below what they stand for. */
 static bool is_within(double x, const struct value_range *r, bool by_pi)
 {
@@ -305,49 +358,10 @@ static bool is_within(double x, const struct value_range *r, bool by_pi)
 	    (x < max || (x == max && (by_pi || !r->below)));
 }
 
-enum { LIMIT_ROOM = 24, WANTED_ROOM = 100 };
-
-static void write_limit(char out[LIMIT_ROOM], double v, bool by_pi)
-{
-	if (v == SIZE_MIN)
-		strcpy(out, "0");
-	else if (!by_pi || v == 0)
-		snprintf(out, LIMIT_ROOM, "%g", v);
-	else
-		snprintf(out, LIMIT_ROOM, "%spi%s", v < 0 ? "-" : "",
-		    fabs(v) == 90 ? "/2" : "");
-}
-
-/* Writes the sentence that tells a range. */
-static void write_wanted(char out[WANTED_ROOM], const struct value_range *r,
-    bool by_pi)
-{
-	bool above = r->above || r->min == SIZE_MIN;
-	char min[LIMIT_ROOM], max[LIMIT_ROOM];
-
-	write_limit(min, r->min, by_pi);
-	write_limit(max, r->max, by_pi);
-	if (r->max == MAGNITUDE_MAX)
-		strcpy(out,
-		    r->min < 0 ? "numbers go up to 1e150" :
-				 "a number from 1e-150 to 1e150 is wanted");
-	else
-		snprintf(out, WANTED_ROOM, "%s %s %s %s%s%s%s is wanted",
-		    r->angle ? "an angle" : "a number",
-		    above ? "above" : "from", min,
-		    !above       ? "to " :
-			r->below ? "and " :
-				   "and up to ",
-		    r->below ? "below " : "", max,
-		    !r->angle ? "" :
-			by_pi ? " radians" :
-				" degrees");
-}
-
 double value_number(const struct value *v, const struct value_range *range)
 {
-	bool by_pi = is_by_pi(range, v->source->unit);
-	char wanted[WANTED_ROOM];
+	bool by_pi = range->by_pi != NULL && v->source->unit == RADIANS;
+	const char *wanted = by_pi ? range->by_pi : range->says;
 	double x = v->item->valuedouble;
 	char text[NUMBER_MAX];
 
@@ -358,7 +372,6 @@ double value_number(const struct value *v, const struct value_range *range)
 		value_wrong(v, "a number");
 	if (v->unused || is_within(x, range, by_pi))
 		return x;
-	write_wanted(wanted, range, by_pi);
 	if (isinf(x))
 		value_refuse(v, "is beyond the range of doubles; %s", wanted);
 	*number_write(text, x, shortest) = '\0';

@@ -7,16 +7,24 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "../message/message.h"
 #include "check.h"
 
 /* Where values come from, and what their readers have to know. */
 struct source {
 	const char *name; /* of the file, for messages */
 	long line;        /* of the file, before the text */
-	bool column;      /* nested rows of a matrix: for column vectors */
-	unsigned unit;    /* of angles */
-	bool fit;         /* what the command fit finds may be missing */
-	bool flat;        /* the document is of two dimensions */
+	size_t before;    /* bytes of its first line before the text */
+	/* A copy of the text, as points change it; NULL where no message tells a line
+	 * and a column. */
+	const char *text, *end;
+	bool column;     /* nested rows of a matrix: for column vectors */
+	unsigned unit;   /* of angles */
+	bool fit;        /* what the command fit finds may be missing */
+	bool flat;       /* the document is of two dimensions */
+	bool axes;       /* a convention says which way the axes of view go */
+	const char *two; /* what to do with points of two numbers; or NULL */
+	bool operand;    /* what is wrong with it ends the program */
 	const struct member *scene; /* a scene's members, to suggest one */
 };
 
@@ -31,9 +39,11 @@ struct value {
 	const struct cJSON *item;
 };
 
-/* The numbers that a member may be. A least of 1e-150 is told as "above 0". */
+/* The numbers that a member may be. */
 struct value_range {
 	double min, max;
+	const char *says;  /* for a message: which they are */
+	const char *by_pi; /* the same in radians, where the limits are too */
 	bool above, below; /* min, or max, is not among them */
 	bool angle;        /* the limits are degrees */
 };
@@ -41,12 +51,13 @@ struct value_range {
 /* Numbers up to 1e150 in magnitude, and angles; sizes, from 1e-150 to 1e150. */
 extern const struct value_range range_any, range_turn, range_positive;
 
-/* Parses a document, and changes the text; refuses what is no JSON. But the array,
+/* Parses a document; refuses what is no JSON. The values are there until the next is
+ * parsed. But the array,
  * large perhaps, that the document's member of that name is, or where name is NULL
  * the document itself, is an empty one among the values, and *array is its text,
  * which does not change. */
-struct value value_parse_without(const struct source *, const char *name,
-    char *text, size_t size, struct span *array);
+struct value value_parse_without(struct source *, const char *name, char *text,
+    size_t size, struct span *array);
 
 /* Makes of *v, whose text was left out so, the value that it is. */
 void value_parse_part(struct value *v, const char *s, const char *end);
@@ -55,9 +66,6 @@ void value_parse_part(struct value *v, const char *s, const char *end);
  * LITERALS. Each is parsed once and kept. */
 enum { LITERALS = 64 };
 struct value value_literal(const struct source *, const char *text);
-
-/* Frees what was parsed. */
-void value_free(const struct value *);
 
 /* The first element or member, and the next; item is NULL if there is none. */
 struct value value_child(const struct value *);
@@ -75,7 +83,11 @@ bool value_is_null(const struct value *);
 const char *value_string(const struct value *); /* or NULL */
 size_t value_count(const struct value *);
 
-/* Prints "projcalc: NAME: /pointer: ..." and exits with 1. */
+/* Returns the place of the value to which a pointer leads, or that lacks it. */
+struct place source_place(const struct source *, const char *pointer);
+
+/* Prints "projcalc: NAME: /pointer: ..." and exits with 1, or where another scene may
+ * follow goes on to that. */
 _Noreturn void value_refuse(const struct value *, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 

@@ -25,8 +25,4 @@ bool choose_clashes(const struct layout *, struct cut, char reason[REASON_MAX]);
 /* Returns whether an object may have such a member: false is sure. */
 bool choose_may_clash(const struct layout *, struct span line);
 
-/* Returns whether a string of JSON, with its quotes, is the name, which may be of a
- * pointer: ~1 is /, ~0 is ~. */
-bool choose_is_name(struct span string, struct span name, bool pointer);
-
 #endif

@@ -16,9 +16,8 @@ struct cut cut_value(struct span value, const char *end)
 
 struct cut cut_line(struct dialect in, struct span line)
 {
-	line.s = skip_blanks(in, line.s, line.end);
 	if (*format_of(in)->open != '\0')
-		return cut_value(line, line.end);
+		return cut_value(trimmed(in, line), line.end);
 	return (struct cut){ .in = in, .s = line.s, .end = line.end };
 }
 
@@ -32,7 +31,6 @@ bool cut_next(struct cut *c, struct field *f)
 	f->comma = c->comma;
 	format_of(c->in)->next(c, f);
 	c->s = f->next;
-	c->from = trimmed(c->in, f->whole).end;
 	return true;
 }
 

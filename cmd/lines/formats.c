@@ -84,13 +84,14 @@ static bool json_line_check(struct dialect d, struct span line,
 /* Finds a field of text: up to a blank or, unless it is one of words, a comma. */
 static void next_of_text(struct cut *c, struct field *f)
 {
-	const char *s = c->s, *after;
+	const char *s = skip_blanks(c->in, c->s, c->end), *after;
 
 	f->value.s = s;
 	while (s < c->end && !is_blank(*s) && (c->words || *s != ','))
 		s++;
 	f->value.end = s;
 	f->whole = f->value;
+	c->from = s;
 	after = c->words ? skip_blanks(c->in, s, c->end) :
 			   skip_separator(s, c->end);
 	c->comma = !c->words && memchr(s, ',', (size_t)(after - s)) != NULL;
@@ -117,6 +118,7 @@ static void next_of_csv(struct cut *c, struct field *f)
 	if (s == NULL && end > c->s && end[-1] == '\r')
 		f->whole.end--;
 	f->value = trimmed(c->in, f->whole);
+	c->from = f->value.end;
 	if (f->value.end - f->value.s >= 2 && *f->value.s == '"' &&
 	    f->value.end[-1] == '"') {
 		f->value.s++;
@@ -138,7 +140,7 @@ static void next_of_json(struct cut *c, struct field *f)
 	const char *after = json_skip(s, c->end);
 
 	f->value = trimmed(c->in, (struct span){ s, after });
-	f->whole.end = f->value.end;
+	f->whole.end = c->from = f->value.end;
 	f->next = *after == ',' ? json_space(after + 1, c->end) : NULL;
 }
 

@@ -68,7 +68,8 @@ struct format_row {
 	 * can be. */
 	bool (
 	    *check)(struct dialect, struct span line, char reason[REASON_MAX]);
-	/* Finds the field at c->s: all of it but from and the comma before it. */
+	/* Finds the field at c->s: all of it but from and the comma before it; and
+	 * c->from, its end. */
 	void (*next)(struct cut *c, struct field *);
 	/* Reads the number at s, and returns where it ends; NULL: none begins. */
 	const char *(*number)(const char *s, const char *end, double *);

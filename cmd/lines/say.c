@@ -85,8 +85,9 @@ void say_field(const struct layout *l, int i, struct span f,
 		    coordinate_name(i));
 	else if (n == 0)
 		snprintf(reason, REASON_MAX,
-		    "%s is missing; %d numbers are wanted", coordinate_name(i),
-		    l->reads);
+		    "%s is missing; %d numbers are wanted%s",
+		    coordinate_name(i), l->reads,
+		    i == 2 && l->two != NULL ? l->two : "");
 	else
 		snprintf(reason, REASON_MAX, "%s is '%s'%s", coordinate_name(i),
 		    escaped(word, f.s, n), hint(l, i, f));

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "../../core/points/kernel/little.h"
+#include "../json/text.h"
 #include "choose.h"
 #include "header.h"
 
@@ -149,7 +150,7 @@ static int value_of(const struct splice *w, const struct field *f, bool outer)
 		const char *name = value_name(w, k);
 		struct span added = { name, name + strlen(name) };
 
-		if (choose_is_name(f->name, added, false))
+		if (json_is_name(f->name, added, false))
 			return k;
 	}
 	return i;
@@ -222,14 +223,16 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 	}
 }
 
-/* Returns the cut of the line, or of the names in a header. */
+/* Returns the cut of the line, past its leading blanks, or of the names in a header. */
 static struct cut cut_of(const struct layout *l, const struct line *line)
 {
 	struct span text = line_text(line);
 
 	text.s += line->mark ? 3 : 0;
-	struct cut c = cut_line(l->in,
-	    line->kind == LINE_HEADER ? header_names(l->in, text) : text);
+	if (line->kind == LINE_HEADER)
+		text = header_names(l->in, text);
+	text.s = skip_blanks(l->in, text.s, text.end);
+	struct cut c = cut_line(l->in, text);
 
 	c.words = line->words;
 	return c;
@@ -336,11 +339,16 @@ static char *put_rest_of(struct splice *w, char *out)
 		return put_rest_of_record(l, line, out);
 	if (line->kind == LINE_LOST || line->object)
 		return out;
-	struct cut c = cut_of(l, line);
+	struct cut c;
 
-	/* most often the coordinates come first */
-	if (first)
+	if (first) { /* nothing else stands before the coordinates */
+		c = (struct cut){ .in = l->in,
+			.end = line->s + line->size,
+			.bracket = *from->open != '\0' ? line->s : NULL };
 		cut_behind(&c, w->at[l->reads - 1].end);
+	} else {
+		c = cut_of(l, line);
+	}
 	if (first && from->blanks && to->blanks && c.s != NULL) {
 		struct span rest = trimmed(l->in, (struct span){ c.s, c.end });
 

@@ -168,18 +168,17 @@ INLINE bool pass_separator(struct walker *p, struct dialect d)
 	return p->comma || (text && !stands(p, '\n'));
 }
 
-/* Returns whether an escape begins at the backslash s, and passes what it escapes. */
-static bool pass_escape(struct walker *p, const char *s)
+/* Returns how many stops the escape at the backslash s has behind that; -1 if it is
+ * none. */
+static int escaped_stops(const char *s)
 {
-	if (*++s == '"' || *s == '\\') {
-		p->stop++;
-		return true;
-	}
-	if (*s != 'u')
-		return *s != '\0' && strchr("/bfnrt", *s) != NULL;
 	unsigned code;
 
-	return json_hex4(s + 1, s + 5, &code) == s + 5;
+	if (s[1] == 'u')
+		return json_hex4(s + 2, s + 6, &code) == s + 6 ? 0 : -1;
+	if (s[1] == '"' || s[1] == '\\')
+		return 1;
+	return s[1] != '\0' && strchr("/bfnrt", s[1]) != NULL ? 0 : -1;
 }
 
 /* Passes a string of JSON. The string of a name may have no escapes, which could
@@ -188,12 +187,13 @@ INLINE bool pass_string(struct walker *p, bool name)
 {
 	for (p->stop++; p->text[*p->stop] != '"'; p->stop++) {
 		const char *s = &p->text[*p->stop];
+		int stops = -1;
 
-		if (__builtin_expect(*s == '\\', 0) && !name &&
-		    pass_escape(p, s))
-			continue;
-		if (*s == '\\' || (unsigned char)*s < ' ')
+		if (__builtin_expect(*s == '\\', 0) && !name)
+			stops = escaped_stops(s);
+		if (stops < 0 && (*s == '\\' || (unsigned char)*s < ' '))
 			return false;
+		p->stop += stops > 0;
 	}
 	p->at = *p->stop++ + 1u;
 	return true;

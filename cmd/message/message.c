@@ -94,7 +94,7 @@ static void buffer_place(struct buffer *t, const struct place *p)
 		buffer_add(t, "scene %ld, line %ld: ", s->number, s->line);
 	if (p->file != NULL)
 		buffer_add(t, "%.*s", MESSAGE_MAX, p->file);
-	if (p->line > 0)
+	if (p->line > 0 && !pointer)
 		buffer_add(t, p->of_points ? ": point %lld" : ":%lld", p->line);
 	if (p->file != NULL && !behind)
 		buffer_add(t, ": ");
@@ -150,6 +150,8 @@ static void write_json(int status, const struct place *p, const char *message,
 	if (p->line > 0)
 		buffer_add(&t, ",\"%s\":%lld", p->of_points ? "point" : "line",
 		    p->line);
+	if (p->column > 0)
+		buffer_add(&t, ",\"column\":%zu", p->column);
 	if (p->pointer != NULL && *p->pointer != '\0')
 		buffer_string(&t, "pointer", p->pointer, strlen(p->pointer));
 	buffer_string(&t, "reason", message, reason);
@@ -159,43 +161,21 @@ static void write_json(int status, const struct place *p, const char *message,
 	fwrite(t.s, 1, t.n, stderr);
 }
 
-/* The first "; " of a message outside of quotes, or NULL. An apostrophe does not
- * stand behind a blank. */
-static const char *find_hint(const char *message)
+/* How long a message is up to its hint, which follows the first "; " outside of
+ * quotes. An apostrophe does not stand behind a blank. */
+static size_t reason_length(const char *message)
 {
+	const char *s;
 	char quote = '\0';
 
-	for (const char *s = message; *s != '\0'; s++)
+	for (s = message; *s != '\0'; s++)
 		if (quote != '\0')
 			quote = *s == quote ? '\0' : quote;
 		else if (strchr("'\"", *s) && (s == message || s[-1] == ' '))
 			quote = *s;
 		else if (strncmp(s, "; ", 2) == 0)
-			return s;
-	return NULL;
-}
-
-/* How long a message is up to its hint, if it has one. "; " of the format divides
- * them, and none that the user wrote; only a message that was made elsewhere has to
- * be looked at itself. */
-static size_t reason_length(const char *format, va_list args,
-    const char *message)
-{
-	const size_t all = strlen(message);
-	const char *hint = strstr(format, "; ");
-	char head[512];
-
-	if (strcmp(format, "%s") == 0) {
-		hint = find_hint(message);
-		return hint != NULL ? (size_t)(hint - message) : all;
-	}
-	if (hint == NULL || (size_t)(hint - format) >= sizeof head)
-		return all;
-	*stpncpy(head, format, (size_t)(hint - format)) = '\0';
-
-	size_t n = (size_t)vsnprintf(NULL, 0, head, args);
-
-	return n < all ? n : all;
+			break;
+	return (size_t)(s - message);
 }
 
 /* Adds to a message which character cannot be seen in it or in its place. */
@@ -217,23 +197,19 @@ static void print_line(int status, const struct place *place,
 {
 	struct place p = { 0 };
 	char message[MESSAGE_MAX];
-	va_list again;
 
 	if (place != NULL)
 		p = *place;
 	if (p.scene.number == 0)
 		p.scene = scene;
-	va_copy(again, args);
 	vsnprintf(message, sizeof message, format, args);
 	name_unseen(&p, message);
 	flockfile(stderr);
 	if (json)
-		write_json(status, &p, message,
-		    reason_length(format, again, message));
+		write_json(status, &p, message, reason_length(message));
 	else
 		write_text(status, &p, message);
 	funlockfile(stderr);
-	va_end(again);
 }
 
 void say_at(int status, const struct place *place, const char *format, ...)
@@ -261,6 +237,30 @@ void vdie_at(int status, const struct place *place, const char *format,
 	be_last();
 	print_line(status, place, format, args);
 	exit(status);
+}
+
+static jmp_buf *refused;
+
+void refusals_go_to(jmp_buf *where)
+{
+	refused = where;
+}
+
+void vrefuse_at(const struct place *place, const char *format, va_list args)
+{
+	if (refused == NULL)
+		vdie_at(EXIT_INPUT, place, format, args);
+	print_line(EXIT_INPUT, place, format, args);
+	longjmp(*refused, 1);
+}
+
+void refuse_at(const struct place *place, const char *format, ...)
+{
+	va_list args;
+
+	va_start(args, format);
+	vrefuse_at(place, format, args);
+	va_end(args);
 }
 
 void die_at(int status, const struct place *place, const char *format, ...)

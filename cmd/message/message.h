@@ -3,6 +3,7 @@
 #ifndef TALK_H
 #define TALK_H
 
+#include <setjmp.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -18,7 +19,8 @@ struct scene_place {
 /* What a message is about, as far as that is known. */
 struct place {
 	const char *file; /* or NULL */
-	long long line;   /* from 1, or 0 */
+	long long line;   /* from 1, or 0; in text it gives way to a pointer */
+	size_t column;    /* in bytes from 1, or 0; of messages as JSON */
 	bool of_points;   /* it counts binary points */
 	/* Of a JSON document, "/camera/eye": or NULL or "". */
 	const char *pointer;
@@ -57,6 +59,18 @@ _Noreturn void die_at(int status, const struct place *, const char *format, ...)
 _Noreturn void vdie_at(int status, const struct place *, const char *format,
     va_list) __attribute__((format(printf, 3, 0)));
 _Noreturn void die(int status, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+
+/* Where refuse_at goes on after its message, in place of the program's end; NULL: it
+ * ends. */
+void refusals_go_to(jmp_buf *);
+
+/* The same as vdie_at with exit status 1, of a scene: another one may follow. Only the
+ * first thread may call it, while there is no other. */
+_Noreturn void vrefuse_at(const struct place *, const char *format, va_list)
+    __attribute__((format(printf, 2, 0)));
+
+_Noreturn void refuse_at(const struct place *, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Exits. Any thread may call it. */

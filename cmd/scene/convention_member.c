@@ -60,10 +60,36 @@ bool same_convention(const struct convention *a, const struct convention *b)
 	return memcmp(a, b, sizeof *a) == 0;
 }
 
-void read_convention(const struct value *v, struct convention *c)
+bool read_convention(const struct value *v, struct convention *c)
 {
 	if (value_is_object(v))
-		object_read(v, convention_members, 0, c);
-	else
-		*c = conventions[value_word(v, convention_names)];
+		return object_read(v, convention_members, 0, c) != 0;
+	*c = conventions[value_word(v, convention_names)];
+	return true;
+}
+
+void check_axes(const struct value *in, const char *name)
+{
+	struct value m = value_missing(in, name);
+
+	if (!in->unused && !in->source->axes)
+		value_refuse(&m,
+		    "needs a \"convention\"; of x, y and z in view space, "
+		    "opencv is right, down, forward and webgpu right, up, "
+		    "backward");
+}
+
+void find_origin(const struct value *v, const struct convention *answer,
+    bool *top_left)
+{
+	struct convention c;
+	struct value origin;
+
+	if (answer != NULL) {
+		*top_left = !answer->bottom_left;
+	} else if (v != NULL &&
+	    (!value_is_object(v) || value_member(v, "origin", &origin))) {
+		read_convention(v, &c);
+		*top_left = !c.bottom_left;
+	}
 }

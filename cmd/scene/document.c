@@ -45,12 +45,14 @@ enum {
 
 static const struct value_range margins = { .min = 0,
 	.max = 0.5,
+	.says = "a number from 0 to below 0.5 is wanted",
 	.below = true };
 
 const struct member scene_members[SCENE_MEMBERS + 1] = {
 	MEMBER(CONVENTION, "convention", type_convention, convention_members,
 	    NULL, .example = "\"d3d\"", .words = convention_names,
-	    .usual = "\"d3d\"", .about = "how the document is read, all of it",
+	    .usual = "\"d3d\"", .before = "-c's",
+	    .about = "how the document is read, all of it",
 	    .command = "lookat '{\"convention\": \"gl\", "
 		       "\"camera\": " CAMERA_LIKE "}'"),
 	MEMBER(ANGLE_UNIT, "angle_unit", type_value, NULL,
@@ -124,8 +126,9 @@ static void check_point(const struct value *v, int coordinates)
 			value_wrong(&e, "a number, a string or null");
 	}
 	if (n < coordinates)
-		value_refuse(v, "has %d element%s; %d coordinates are wanted",
-		    n, n == 1 ? "" : "s", coordinates);
+		value_refuse(v, "has %d element%s; %d coordinates are wanted%s",
+		    n, n == 1 ? "" : "s", coordinates,
+		    n == 2 && v->source->two != NULL ? v->source->two : "");
 }
 
 /* Past the coordinate or other element at s of a point; NULL where it isn't one
@@ -177,7 +180,6 @@ static const char *point_end(const struct value *v, const char *s,
 		return stop;
 	stop = json_skip(s, end);
 	value_parse_part(&looked_at, s, stop);
-	/* ends the program: nothing need be freed */
 	check_point(&looked_at, coordinates);
 	return stop;
 }
@@ -309,6 +311,21 @@ static void check_needed(const struct value *root,
 	}
 }
 
+/* Refuses a document of two dimensions alone where the command is of three. */
+static void refuse_flat(const struct value *root,
+    const struct document_wants *w, unsigned seen)
+{
+	const char *name = seen & SCENE_WINDOW ? "window" : "device";
+	struct value v = value_missing(root, name);
+
+	if (w->flat == 0 && (w->used & SCENE_SPATIAL) == SCENE_SPATIAL &&
+	    (seen & SCENE_SPATIAL) == 0 &&
+	    (seen & ~w->used & (SCENE_WINDOW | SCENE_DEVICE)) != 0)
+		value_refuse(&v,
+		    "is of two dimensions, and the command of three; the "
+		    "commands w2n, n2w, n2d, d2n, w2d and d2w are of two");
+}
+
 static void read_scene(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_MEMBERS], unsigned seen)
 {
@@ -330,10 +347,12 @@ static void read_scene(struct document *d, const struct document_wants *w,
 	if (seen & SCENE_PROJECTION)
 		read_projection(&m[PROJECTION], w->projection,
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);
+	s->projection.alone = !s->has_camera;
 	if (s->has_window)
 		read_window(&m[WINDOW], &s->window);
-	if (s->has_device)
-		read_device(&m[DEVICE], &s->device);
+	if (s->has_device && !read_device(&m[DEVICE], &s->device))
+		find_origin(seen & SCENE_CONVENTION ? &m[CONVENTION] : NULL,
+		    w->convention, &s->device.top_left);
 	if (d->has_bounds)
 		read_bounds(&m[BOUNDS], &d->bounds);
 	if (seen & SCENE_PICK)
@@ -360,6 +379,8 @@ void document_read(struct document *d, const char *name, char *text,
 {
 	struct source source = { .name = name,
 		.line = wants->line,
+		.before = wants->column,
+		.two = wants->two,
 		.scene = scene_members };
 	struct span points;
 	struct value root = value_parse_without(&source, "points", text, size,
@@ -367,7 +388,7 @@ void document_read(struct document *d, const char *name, char *text,
 	struct value m[SCENE_MEMBERS];
 
 	source.fit = wants->fit;
-	*d = (struct document){ .name = name };
+	*d = (struct document){ .source = source };
 	unsigned seen = read_members(d, &root, wants, m);
 
 	d->flat = (seen & SCENE_PROJECTION) == 0 && (seen & wants->flat) != 0;
@@ -375,13 +396,16 @@ void document_read(struct document *d, const char *name, char *text,
 	const struct document_wants *w = d->flat ? &narrowed : wants;
 
 	source.flat = d->flat;
+	refuse_flat(&root, wants, seen);
 	for (int i = 0; i < SCENE_MEMBERS; i++)
 		m[i].unused = (w->used >> i & 1) == 0;
 	d->scene.convention = w->convention != NULL ?
 	    *w->convention :
 	    conventions[CONVENTION_D3D];
+	source.axes = w->convention != NULL;
 	if (seen & SCENE_CONVENTION)
-		read_convention(&m[CONVENTION], &d->scene.convention);
+		source.axes |= read_convention(&m[CONVENTION],
+		    &d->scene.convention);
 	if (w->convention != NULL &&
 	    !same_convention(w->convention, &d->scene.convention))
 		d->scene.answer = w->convention;
@@ -394,19 +418,19 @@ void document_read(struct document *d, const char *name, char *text,
 	read_scene(d, w, m, seen);
 	if (seen & SCENE_POINTS)
 		read_points(d, &m[POINTS], &points, w->coordinates);
-	value_free(&root);
 }
 
 char *document_points(const char *name, char *text, size_t size,
     int coordinates, size_t *points_size)
 {
-	struct source source = { .name = name, .scene = scene_members };
+	struct source source = { .name = name,
+		.operand = true,
+		.scene = scene_members };
 	struct span points;
 	struct value root = value_parse_without(&source, NULL, text, size,
 	    &points);
 
 	*points_size = take_points(&root, &points, coordinates);
-	value_free(&root);
 	return (char *)points.s;
 }
 
@@ -424,8 +448,9 @@ void document_refuse(const struct document *d, const char *why)
 		n -= bare + 1;
 	}
 	snprintf(pointer, sizeof pointer, "%.*s", (int)n, why);
-	die_at(EXIT_INPUT,
-	    &(struct place){ .file = d->name, .pointer = pointer }, "%s", what);
+	const struct place place = source_place(&d->source, pointer);
+
+	refuse_at(&place, "%s", what);
 }
 
 void document_check(const struct document *d, const char *why)

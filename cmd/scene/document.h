@@ -7,6 +7,7 @@
 #include <stddef.h>
 
 #include "../../core/derive/fit_bounds.h"
+#include "../json/value.h"
 
 /* The members of a scene, as bits, to say which of them a command uses. */
 enum scene_member {
@@ -42,7 +43,7 @@ struct document {
 	/* for fit: whether bounds are given, and whether the camera's eye is */
 	bool has_bounds, has_eye;
 	struct bounds bounds;
-	const char *name; /* for messages: the file, "-" or "PARAMS" */
+	struct source source; /* for messages */
 	/* The member as which an object with none of a scene's members was
 	 * read, or NULL. Messages leave it out of their pointers. */
 	const char *bare;
@@ -77,8 +78,12 @@ struct document_wants {
 	/* The convention of the answer, and of a document that has none; or
 	 * NULL. */
 	const struct convention *convention;
-	/* Lines of the file before the text. */
+	/* Lines of the file before the text, and bytes before it on its first line. */
 	long line;
+	size_t column;
+	/* What a message says of points of two numbers, beside how many are wanted;
+	 * or NULL. */
+	const char *two;
 	/* How many each point has; 0 if the command doesn't read them from the
 	 * document. */
 	int coordinates;

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "members.h"
 
+#include "convention_member.h"
+
 static const char *const origins[] = { "bottom-left", "top-left", NULL };
 static const char *const scales[] = { "fill", "uniform", NULL };
 const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
@@ -48,24 +50,17 @@ const struct member camera_members[] = {
 /* In the order of the values of struct camera's by. */
 const struct ways camera_ways[] = {
 	{
-	    .hint = "give \"eye\" and one of \"at\", \"gaze\", "
-		    "\"orientation\" and \"rvec\", or \"translation\" and "
-		    "\"orientation\" or \"rvec\", or \"pose\" or \"matrix\" "
-		    "alone",
 	    .way = { "eye at up? roll?", "eye gaze up? roll?",
 		"eye orientation roll?", "eye rvec roll?",
 		"translation orientation roll?", "translation rvec roll?",
 		"pose orthonormalize?", "matrix orthonormalize?" },
-	    .fit_hint = "give \"gaze\", \"orientation\" or \"rvec\", with an "
-			"\"eye\" or without, or \"eye\" and \"at\", or "
-			"\"translation\" and \"orientation\" or \"rvec\", or "
-			"\"pose\" or \"matrix\" alone",
+	    .fit = true,
 	    .fit_way = { "eye at up? roll?", "eye? gaze up? roll?",
 		"eye? orientation roll?", "eye? rvec roll?",
 		"translation orientation roll?", "translation rvec roll?",
 		"pose orthonormalize?", "matrix orthonormalize?" },
 	},
-	{ .hint = NULL },
+	{ .way = { NULL } },
 };
 
 #define SIZE(in, label, field, ...)                                   \
@@ -138,17 +133,17 @@ const struct member viewport_members[] = {
 const struct member device_members[] = {
 	RECTANGLE(device),
 	ROW(device, "origin", type_second, top_left, .words = origins,
-	    .usual = "\"bottom-left\"",
+	    .usual = "\"bottom-left\"", .shown = true,
+	    .before = "-c's or the convention's",
 	    .about = "the corner where x and y are least"),
 	{ .name = NULL },
 };
 
 const struct ways rectangle_ways[] = {
 	{
-	    .hint = "give \"width\" and \"height\"",
 	    .way = { "width height" },
 	},
-	{ .hint = NULL },
+	{ .way = { NULL } },
 };
 
 const struct member window_members[] = {
@@ -181,17 +176,12 @@ const struct member window_members[] = {
 
 const struct ways window_ways[] = {
 	{
-	    .hint = "give \"center\", \"width\" and \"height\", or \"left\", "
-		    "\"right\", "
-		    "\"bottom\" and \"top\"",
 	    .way = { "center width height", "left right bottom top" },
-	    .fit_hint = "give \"center\", \"width\" and \"height\", or "
-			"\"left\", \"right\", "
-			"\"bottom\" and \"top\", or nothing",
+	    .fit = true,
 	    .fit_way = { "center? width? height?",
 		"left? right? bottom? top?" },
 	},
-	{ .hint = NULL },
+	{ .way = { NULL } },
 };
 
 /* A point of space; or of the plane, where the document is flat. Where bounds are
@@ -228,10 +218,9 @@ const struct member bounds_members[] = {
 
 const struct ways bounds_ways[] = {
 	{
-	    .hint = "give \"min\" and \"max\", or \"center\" and \"radius\"",
 	    .way = { "min max", "center radius" },
 	},
-	{ .hint = NULL },
+	{ .way = { NULL } },
 };
 
 const struct member pick_members[] = {
@@ -265,6 +254,8 @@ bool read_camera(const struct value *v, struct camera *c)
 
 	check_translation(v, seen);
 	c->by = (unsigned)object_way(v, camera_members, 0, seen, camera_ways);
+	if ((seen & member_bit(camera_members, 0, "rvec")) != 0)
+		check_axes(v, "rvec");
 	return c->by >= CAMERA_TRANSLATION ||
 	    (seen & member_bit(camera_members, 0, "eye")) != 0;
 }
@@ -277,12 +268,13 @@ void read_viewport(const struct value *v, struct viewport *w)
 	object_way(v, viewport_members, 0, seen, rectangle_ways);
 }
 
-void read_device(const struct value *v, struct device *d)
+bool read_device(const struct value *v, struct device *d)
 {
 	*d = (struct device){ 0 };
 	uint64_t seen = object_read(v, device_members, 0, d);
 
 	object_way(v, device_members, 0, seen, rectangle_ways);
+	return (seen & member_bit(device_members, 0, "origin")) != 0;
 }
 
 /* fit finds only the window of a document that is flat. */
@@ -290,8 +282,7 @@ void read_window(const struct value *v, struct window *w)
 {
 	struct ways ways = window_ways[0];
 
-	if (!v->source->flat)
-		ways.fit_hint = NULL;
+	ways.fit = v->source->flat;
 	*w = (struct window){ 0 };
 	uint64_t seen = object_read(v, window_members, 0, w);
 

@@ -26,7 +26,8 @@ extern const char *const projection_types[], *const oblique_kinds[],
 bool read_camera(const struct value *, struct camera *);
 void read_viewport(const struct value *, struct viewport *);
 void read_window(const struct value *, struct window *);
-void read_device(const struct value *, struct device *);
+/* Returns whether it has an origin. */
+bool read_device(const struct value *, struct device *);
 void read_bounds(const struct value *, struct bounds *);
 void read_pick(const struct value *, struct pick *);
 

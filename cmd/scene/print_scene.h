@@ -7,11 +7,11 @@
 #include "document.h"
 
 /* Prints a document that reads back as the same scene and pick: a member a
- * line, without what has its default. The camera must be given by its gaze; the
+ * line, or on_line all, without what has its default. The camera must be given by its gaze; the
  * projection must not be a matrix, and its cross-section not given by height and
  * aspect: so fit leaves them. Of a flat document it leaves out what is of three
  * dimensions. */
-void print_scene(const struct document *);
+void print_scene(const struct document *, bool on_line);
 
 /* Puts what leads from model space to the device, in one line. */
 void put_scene(struct printer *, const struct scene *);

@@ -12,7 +12,8 @@ static struct {
 	long long next_line; /* of the source, from 1 */
 	bool unended;        /* the last line printed has no newline yet */
 	size_t bad;          /* lines */
-	bool of_points;      /* of binary ones, that is */
+	bool bad_scene;
+	bool of_points; /* of binary ones, that is */
 	bool keeps_going;
 	size_t imageless;   /* points */
 	struct place where; /* the first of them */
@@ -23,10 +24,26 @@ void answer_source(void)
 	answer.next_line = 1;
 }
 
+static void end_line(void)
+{
+	if (answer.unended)
+		put_all("\n", 1);
+	answer.unended = false;
+}
+
+void answer_no_scene(enum format out)
+{
+	answer.bad_scene = true;
+	if (out != FORMAT_JSON)
+		return;
+	end_line();
+	put_all("null\n", 5);
+}
+
 static void print_chunk(const struct job *j, const struct chunk *c)
 {
-	if (c->size > 0 && answer.unended)
-		put_all("\n", 1);
+	if (c->size > 0)
+		end_line();
 	if (c->size > 0)
 		answer.unended = !is_binary(j->layout.out.format) &&
 		    c->out[c->size - 1] != '\n';
@@ -124,5 +141,5 @@ int answer_end(void)
 		    answer.of_points ? "point" : "line",
 		    answer.bad == 1 ? "" : "s");
 	close_output();
-	return answer.bad > 0 ? EXIT_INPUT : EXIT_OK;
+	return answer.bad > 0 || answer.bad_scene ? EXIT_INPUT : EXIT_OK;
 }

@@ -15,6 +15,9 @@ void answer_source(void);
  * two at a time. */
 void answer_chunk(const struct job *, const struct chunk *);
 
+/* Answers a scene that was refused: by null in JSON, else by nothing. */
+void answer_no_scene(enum format);
+
 /* At the end: says how many points had no image, and closes standard output.
  * Returns the exit status. */
 int answer_end(void);

@@ -30,23 +30,6 @@ static void job_carry(const struct job *j, struct chunk *c, size_t n)
 		points_carry(&j->transform, j->precision, in, out, n);
 }
 
-/* Shows each line of the block that is a point, or bad, or a header, to the command
- * that wants to see them. number is that of the first. */
-static void job_show(const struct job *j, struct chunk *c, size_t n,
-    size_t number)
-{
-	size_t p = 0;
-
-	for (size_t i = 0; i < n; i++) {
-		const struct line *line = &c->line[i];
-
-		if (line->kind == LINE_POINT)
-			j->take(j, c, line, p++, number + i);
-		else if (line->kind != LINE_COPY)
-			j->take(j, c, line, 0, number + i);
-	}
-}
-
 void job_do(struct job *j, struct chunk *c)
 {
 	const struct layout *l = &j->layout;
@@ -63,14 +46,12 @@ void job_do(struct job *j, struct chunk *c)
 			continue;
 		n = binary ? binary_read(j, c, &points) :
 			     block_read(j, c, &points);
-		if (j->take_block != NULL) {
-			j->take_block(j, c, points);
+		if (j->take != NULL) {
+			j->take(j, c, n, points);
 			continue;
 		}
 		job_carry(j, c, points);
-		if (j->take != NULL)
-			job_show(j, c, n, number);
-		else if (!(whole && n == points && binary_join(j, c, n)))
+		if (!(whole && n == points && binary_join(j, c, n)))
 			block_write(j, c, n, points, number);
 	}
 }

@@ -22,18 +22,14 @@ struct job {
 	int threads;
 
 	/* For the commands that do not print a line for each point, else NULL.
-	 * take gets every point: the line that it stands on, that line's
-	 * number in the chunk, and p, its place in the chunk's columns; and,
-	 * without such a place, headers and, if the job keeps going, bad lines.
-	 * It may
+	 * take gets a block before it is carried: n lines, the last that were
+	 * read, and in the columns the points of those that are points. It may
 	 * append to the chunk's out, and runs in any thread. collect gets the
 	 * chunks in order, with the source's number of their first line. flush
 	 * prints what was collected, after the last of them or before a bad line
-	 * ends the program. take_block gets the points of a block, in place of
-	 * take, before they are carried. */
-	void (*take)(const struct job *, struct chunk *, const struct line *,
-	    size_t p, size_t number);
-	void (*take_block)(const struct job *, struct chunk *, size_t n);
+	 * ends the program. */
+	void (
+	    *take)(const struct job *, struct chunk *, size_t n, size_t points);
 	void (*collect)(const struct job *, const struct chunk *,
 	    long long first_line);
 	void (*flush)(const struct job *);

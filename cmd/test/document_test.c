@@ -75,7 +75,7 @@ static void test_bare(void **state)
 
 	(void)state;
 	assert_string_equal(d.bare, "camera");
-	assert_string_equal(d.name, "s.json");
+	assert_string_equal(d.source.name, "s.json");
 	assert_true(d.scene.has_camera);
 	assert_false(d.scene.has_world);
 	assert_null(d.points);
@@ -272,7 +272,7 @@ struct reason {
 static void refuse(const void *argument)
 {
 	const struct reason *r = argument;
-	struct document d = { .name = "-", .bare = r->bare };
+	struct document d = { .source.name = "-", .bare = r->bare };
 
 	document_refuse(&d, r->why);
 }

@@ -54,6 +54,7 @@ spew("$tmp/few.json", $few =~ tr/ /,/r =~ s/^(.*)$/[$1]/mgr);
 spew("$tmp/few.f64", pack 'd<*', split ' ', $few);
 spew("$tmp/points.f64", pack 'd<*', split ' ', $lines);
 spew("$tmp/bad", "$few# no point\n1 2\n$few");
+spew("$tmp/scenes", slurp('scene.json') x 3);
 my $project = 'projcalc project scene.json';
 
 my @commands = (
@@ -63,7 +64,11 @@ my @commands = (
 	'projcalc project points.json', "$project -j1 $tmp/few", "$project -j2 $tmp/points",
 	"$project -j2 -i csv -o json --flags $tmp/points.csv",
 	"projcalc pick --at 320,240 --radius 1e5 scene.json $tmp/few",
-	'projcalc inspect scene.json',
+	'projcalc inspect scene.json', 'projcalc help --json', 'projcalc help camera',
+	"projcalc lookat --scenes $tmp/scenes",
+	"$project -j2 --scenes --keep-going -o json $tmp/scenes $tmp/few" =~
+	    s/ scene.json//r,
+	"projcalc trace -j2 scene.json $tmp/few",
 );
 
 # Each call in turn, until one is not made any more.
@@ -87,7 +92,7 @@ sub system_failed {
 	return sub {
 		my ($whole, $status, $out, $err) = @_;
 		return $status == 3 && starts($whole, $out) &&
-		    $err =~ /\Aprojcalc: $reason\n\z/;
+		    $err =~ /\Aprojcalc: (?:scene \d, line \d+: )?$reason\n\z/;
 	};
 }
 
@@ -148,10 +153,8 @@ SKIP: {
 	skip 'nothing can be preloaded', 1 if !$has_shim;
 	for my $command (@commands) {
 		every('malloc', 12, $command, system_failed('out of memory'));
-		# stdio has a way to write of its own
 		every('write', 28, $command,
-		    system_failed('standard output: No space left on device'))
-		    if $command !~ /help/;
+		    system_failed('standard output: No space left on device'));
 		every('close', 5, $command,
 		    system_failed('standard output: Input/output error'));
 		every('read', 5, $command,
@@ -200,9 +203,11 @@ SKIP: {
 # A full disk, and streams that are closed.
 for my $command (@commands) {
 	my ($status, $out, $err) = run("$command >/dev/full");
+	$err =~ s/scene 1, line 1: //;
 	is("$status $err", "3 projcalc: standard output: No space left on " .
 	    "device\n", "full: $command");
 	($status, $out, $err) = run("$command >&-");
+	$err =~ s/scene 1, line 1: //;
 	is("$status $err", "3 projcalc: standard output: Bad file " .
 	    "descriptor\n", "closed: $command");
 }
@@ -419,6 +424,15 @@ SKIP: {
 	$peak = peak("projcalc project -j2 $tmp/document");
 	cmp_ok($peak, '<', $size + 20000,
 	    "a document of $size kilobytes of points in 20 MB more");
+	for my $notes ('"_notes": [' . join(',', ('{"a": [1, "_b"]}') x 5e5) . ']',
+	    join(',', map { "\"_$_\": 0" } 1 .. 8e5)) {
+		spew("$tmp/document", "{$notes, \"camera\": {\"eye\": [0,0,0], " .
+		    "\"at\": [0,0,1], $notes}}");
+		$size = int((-s "$tmp/document") / 1024);
+		$peak = peak("projcalc lookat $tmp/document");
+		cmp_ok($peak, '<', $size + 5000,
+		    "$size kilobytes of notes in 5 MB more");
+	}
 	sparse("$tmp/zeros", 504000000);
 	$peak = peak("$project -j2 -i f64 $tmp/zeros");
 	cmp_ok($peak, '<', 20000, '21 million binary points in 20 MB');

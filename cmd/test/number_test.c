@@ -135,8 +135,7 @@ static void reads_doubles(void **unused)
 		int size = snprintf(text, sizeof text, formats[below(8)],
 		    random_double());
 
-		/* Enough characters after the number for number_read's fast
-		 * way, or too few. */
+		/* characters after the number are not read */
 		sprintf(text + size, "%.*s", below(24),
 		    " 1.000000 2.000000 -3.000000");
 		check_read(text);

@@ -52,7 +52,7 @@ static void sample_fitted(struct document *d)
 
 static void print_it(const void *d)
 {
-	print_scene(d);
+	print_scene(d, false);
 }
 
 static void assert_same_map(const struct map *a, const struct map *b)

@@ -45,7 +45,7 @@ my $beyond = qr{
 	    (?!;\ numbers) |
 	missing;\ (?:add|it\ is|device|say|-t) |
 	but\ the\ command\ is | coordinates\ are\ wanted | not\ together\ with\ PO |
-	can't\ be\ taken\ back | nothing\ that\ can\ be\ fitted |
+	can't\ be\ taken\ back | nothing\ that\ can\ be\ fitted | --distances |
 	^projcalc:\ POINTS:
 }x;
 

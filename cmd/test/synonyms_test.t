@@ -12,7 +12,7 @@ use Projcalc;
 # What stands behind an option that is suggested without its argument, and
 # operands with which calls work.
 my %argument = (columns => '1,2,3', output => 'json', to => 'view', jobs => 1,
-    decimals => 2, tolerance => 1, separator => "','", convention => 'gl',
+    decimals => 2, tolerance => 1, precision => 'double', separator => "','", convention => 'gl',
     color => 'auto');
 my $scene = '{"camera":{"eye":[0,0,-5],"at":[0,0,0]},"projection":{"type":' .
     '"persp","fovy":60,"near":1,"far":10},"viewport":{"width":640,"height":480}}';

@@ -22,9 +22,8 @@ static bool has_valid_section(const struct scene *s)
 	case EXTENT_INTRINSICS:
 		return s->has_viewport && s->viewport.scale == SCALE_FILL &&
 		    scene_is_size(fabs(k[0][0])) &&
-		    scene_is_size(fabs(k[1][1])) &&
-		    is_number(k[0][1]) && is_number(k[0][2]) &&
-		    is_number(k[1][2]);
+		    scene_is_size(fabs(k[1][1])) && is_number(k[0][1]) &&
+		    is_number(k[0][2]) && is_number(k[1][2]);
 	case EXTENT_SIZE:
 		return scene_is_size(p->width) && scene_is_size(p->height);
 	case EXTENT_WIDTH:

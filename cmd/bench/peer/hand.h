@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: MIT
+/* SPDX-License-Identifier: MIT */
 // Numbers read and written by hand: eight digits at a time in a word of 64 bits,
 // and the shortest digits from dragonbox, written where they stay.
 #ifndef HAND_BENCH_H

@@ -3,27 +3,17 @@
 
 #include "../../../core/points/kernel/kernel.h"
 
-/* For any processor: number_write makes every text. */
-static void no_texts(const double *v, size_t n, bool single,
-    struct number_style style, struct number_text *t)
-{
-	(void)v, (void)single, (void)style;
-	memset(t, 0, n * sizeof *t);
-}
-
-static const struct number_vector number_baseline = { no_texts };
-
+/* Without a writer number_write makes every text. */
 static const struct {
-	const struct number_vector *vector;
+	number_writer *writer;
 	const struct plain_reader *reader;
 } copies[PROCESSORS] = {
-	[PROCESSOR_BASELINE] = { &number_baseline, NULL },
 #ifdef __x86_64__
-	[PROCESSOR_AVX512] = { &number_avx512, &plain_avx512 },
-	[PROCESSOR_AVX2] = { &number_avx2, &plain_avx2 },
+	[PROCESSOR_AVX512] = { number_texts_avx512, &plain_avx512 },
+	[PROCESSOR_AVX2] = { number_texts_avx2, &plain_avx2 },
 #endif
 #ifdef __AARCH64EL__
-	[PROCESSOR_NEON] = { &number_neon, &plain_neon },
+	[PROCESSOR_NEON] = { number_texts_neon, &plain_neon },
 #endif
 };
 
@@ -41,8 +31,12 @@ bool number_choose(const char *name)
 void number_texts(const double *v, size_t n, bool single,
     struct number_style style, struct number_text *t)
 {
-	copies[processor].vector->texts(v, (n + TEXTS - 1) / TEXTS * TEXTS,
-	    single, style, t);
+	number_writer *write = copies[processor].writer;
+
+	if (write != NULL)
+		write(v, (n + TEXTS - 1) / TEXTS * TEXTS, single, style, t);
+	else
+		memset(t, 0, n * sizeof *t);
 }
 
 const struct plain_reader *plain_reader(void)

@@ -55,7 +55,5 @@ static inline void eights(const uint8_t *rows, void *first, void *rest)
 	_mm256_storeu_si256(rest, _mm256_srli_epi64(y, 32));
 }
 
-#include "read_row.h"
-
 #include "read_body.h"
 #endif

@@ -12,7 +12,7 @@
  *	DIFFERENT(a, b)	bit i: whether a and b differ in lane i, as nan does
  *
  * and set_rows, which sets the rows of n numbers, whole groups, and says how each
- * group looks; or for that of read_row.h, which it includes then,
+ * group looks; or for that of read_rows.h
  *
  *	DOTS(row)	bit i: whether row[i] is a point, of 32 bytes
  *	ANY_TOP_BIT(row)	whether the top bit of any byte is set

@@ -80,7 +80,5 @@ static inline void eights(const uint8_t *rows, void *first, void *rest)
 	vst1q_u64(rest, vzip2q_u64(a, b));
 }
 
-#include "read_row.h"
-
 #include "read_body.h"
 #endif

@@ -11,13 +11,11 @@
 
 enum { TEXTS = NUMBER_BATCH };
 
-struct number_vector {
-	/* as number_texts, but that n is a multiple of TEXTS */
-	void (*texts)(const double *v, size_t n, bool single,
-	    struct number_style style, struct number_text *t);
-};
+/* As number_texts, but that n is a multiple of TEXTS. */
+typedef void number_writer(const double *v, size_t n, bool single,
+    struct number_style style, struct number_text *t);
 
-extern const struct number_vector number_avx512, number_avx2, number_neon;
+extern number_writer number_texts_avx512, number_texts_avx2, number_texts_neon;
 
 extern const struct plain_reader plain_avx512, plain_avx2, plain_neon;
 

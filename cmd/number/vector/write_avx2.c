@@ -83,7 +83,6 @@ static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
 	_mm_storeu_si128(TO(3), _mm256_extracti128_si256(b, 1));
 }
 
+#define WRITER number_texts_avx2
 #include "write_body.h"
-
-const struct number_vector number_avx2 = { write_body };
 #endif

@@ -97,7 +97,6 @@ static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
 	_mm_storeu_si128(TO(7), _mm512_extracti32x4_epi32(b, 3));
 }
 
+#define WRITER number_texts_avx512
 #include "write_body.h"
-
-const struct number_vector number_avx512 = { write_body };
 #endif

@@ -6,6 +6,7 @@
  *
  * A file that includes this defines:
  *
+ *	WRITER		the name of its number_writer
  *	V, WIDTH	a vector of doubles, and how many it holds
  *	I		the same bytes as integers of 64 bits
  *	M		a yes or no for each lane, with & | ~
@@ -185,7 +186,7 @@ INLINE void write_all(const double *v, size_t count, enum number_kind kind,
 }
 
 /* Loops of their own for each kind, and for the shortest of doubles and of floats. */
-static void write_body(const double *v, size_t count, bool single,
+void WRITER(const double *v, size_t count, bool single,
     struct number_style style, struct number_text *t)
 {
 	if (style.kind == NUMBER_SHORTEST && single)

@@ -90,7 +90,6 @@ static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
 	vst1q_u8((uint8_t *)to + step, vorrq_u8(BYTES(b), vdupq_n_u8('0')));
 }
 
+#define WRITER number_texts_neon
 #include "write_body.h"
-
-const struct number_vector number_neon = { write_body };
 #endif
