@@ -135,9 +135,7 @@ static inline char *put_word(const struct layout *l, const struct line *line,
 
 	*at++ = separator(l, line, n);
 	*at = '"';
-	memcpy(at + quoted, w->s, 16);
-	if (w->size > 16)
-		memcpy(at + quoted, w->s, sizeof w->s);
+	memcpy(at + quoted, w->s, sizeof w->s);
 	at += quoted + w->size;
 	*at = '"';
 	return at + quoted;
