@@ -118,7 +118,7 @@ static struct at on_ndc(const struct depth *d, const struct viewport *v,
 		sum_mul(z->d, range) };
 }
 
-static int compare(const struct at *a, const struct at *b)
+static int compare_depths(const struct at *a, const struct at *b)
 {
 	return sum_sign(sum_minor(a->n, b->d, b->n, a->d)) * sum_sign(a->d) *
 	    sum_sign(b->d);
@@ -133,7 +133,7 @@ static bool next_float(const struct at *z, int up, struct at *next)
 	next->d = sum_of_double(1);
 	if (isfinite(f))
 		next->n = sum_of_double((double)f);
-	if (!isfinite(f) || compare(next, z) * up <= 0)
+	if (!isfinite(f) || compare_depths(next, z) * up <= 0)
 		next->n = sum_of_double((double)(f = nextafterf(f, to)));
 	return isfinite(f) != 0;
 }
@@ -169,7 +169,7 @@ static double between(const struct depth *d, const struct at *a,
 }
 
 /* From ndc depth z a step up or down in ndc, to the limit at most. */
-static double step(const struct depth *d, const struct viewport *v,
+static double step_from(const struct depth *d, const struct viewport *v,
     enum buffer b, const struct at *z, int up, const struct at *limit)
 {
 	static const struct viewport whole = { .max_z = 1 };
@@ -180,7 +180,7 @@ static double step(const struct depth *d, const struct viewport *v,
 	if (d->open || deeper == 0 || !next_depth(&from, b, up * deeper, &to))
 		return (double)NAN;
 	to = on_ndc(d, view, &to);
-	if (limit != NULL && compare(&to, limit) * up > 0)
+	if (limit != NULL && compare_depths(&to, limit) * up > 0)
 		return (double)NAN;
 	return between(d, z, &to);
 }
@@ -190,7 +190,7 @@ double depth_step(const struct depth *d, const struct viewport *v,
 {
 	struct at from = plane(d, far), to = plane(d, !far);
 
-	return step(d, v, b, &from, far != d->reversed ? -1 : 1, &to);
+	return step_from(d, v, b, &from, far != d->reversed ? -1 : 1, &to);
 }
 
 double depth_step_at(const struct depth *d, const struct viewport *v,
@@ -201,5 +201,5 @@ double depth_step_at(const struct depth *d, const struct viewport *v,
 	struct sum det = sum_minor(d->over[0], d->under[1], d->over[1],
 	    d->under[0]);
 
-	return step(d, v, b, &z, -sum_sign(det), NULL);
+	return step_from(d, v, b, &z, -sum_sign(det), NULL);
 }

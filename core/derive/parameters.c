@@ -69,7 +69,7 @@ static bool is_slight(struct sum a, struct sum of)
 
 /* By Gram and Schmidt: the gaze where w grows or, where that is constant, from near to
  * far; then Y where y grows. X is such that the camera is of the answer's handedness. */
-static void find_axes(const struct scene *s, const struct sum g[4][3],
+static void find_rq_axes(const struct scene *s, const struct sum g[4][3],
     bool parallel, bool reversed, struct upright *u)
 {
 	const struct sum *n = g[parallel ? 2 : 3];
@@ -93,7 +93,7 @@ static void find_axes(const struct scene *s, const struct sum g[4][3],
 }
 
 /* Of axes that are found. From the eye, where x, y and w are 0, z is as by Cramer. */
-static void settle(const struct map *m, bool parallel, struct upright *u)
+static void settle_axes(const struct map *m, bool parallel, struct upright *u)
 {
 	struct sum none = sum_of_double(0);
 
@@ -123,7 +123,7 @@ static void set_elements(const struct sum g[4][3], struct upright *u)
 
 /* Whether a matrix has a camera in it that is turned by half: the picture is upside
  * down, where the scene has none, or near to far is against the gaze. */
-static bool has_camera(const struct scene *s, bool parallel, bool reversed,
+static bool hides_camera(const struct scene *s, bool parallel, bool reversed,
     const struct upright *u)
 {
 	if (s->projection.type != PROJECTION_MATRIX)
@@ -151,13 +151,13 @@ static void upright_of(const struct scene *s, bool reversed, struct map *m,
 		.tw = m->m[3][3] };
 	u->own = set_own_axes(s, m, u);
 	set_elements(g, u);
-	if (!u->own || has_camera(s, parallel, reversed, u)) {
+	if (!u->own || hides_camera(s, parallel, reversed, u)) {
 		u->own = false;
-		find_axes(s, g, parallel, reversed, u);
+		find_rq_axes(s, g, parallel, reversed, u);
 		set_elements(g, u);
 	}
 	if (!u->own)
-		settle(m, parallel, u);
+		settle_axes(m, parallel, u);
 	u->det = sum_minor(u->tw, u->zz, u->tz, u->zw);
 }
 
@@ -189,15 +189,14 @@ static double plane_distance(const struct upright *u, const struct plane *p)
 	return at > 0 ? at : NONE;
 }
 
-/* Where a side plane x = side w meets that one, as half / scale is the side: w there
- * is det / d. */
+/* Where a side plane x = side w meets that one, as half / scale is the side. */
 static double side_at(const struct upright *u, const struct plane *p, int axis,
     bool minus, struct sum half, struct sum scale)
 {
 	struct sum z = axis == 0 ? u->zx : u->zy, t = axis == 0 ? u->tx : u->ty;
 	struct sum off = sum_add(sum_mul(z, p->n), sum_mul(t, p->d));
-	struct sum n = sum_minor(sum_negated_if(minus, half), u->det, scale,
-	    off);
+	struct sum w = sum_add(sum_mul(u->zw, p->n), sum_mul(u->tw, p->d));
+	struct sum n = sum_minor(sum_negated_if(minus, half), w, scale, off);
 	struct sum x = axis == 0 ? u->x : u->y;
 
 	return sum_over_or_nan(n, sum_mul(sum_mul(scale, x), p->d));
@@ -304,31 +303,6 @@ static void set_camera(const struct scene *s, const struct upright *u,
 	set_camera_axis(&view, u->axis[1], c->up);
 }
 
-/* As seen from the eye at distance det / (zw d): (side zw - zx) det / (zw d x). */
-static double edge(const struct upright *u, const struct plane *near, int axis,
-    int side)
-{
-	struct sum w = sum_mul(sum_of_double(side), u->zw);
-	struct sum x = sum_mul(axis == 0 ? u->x : u->y,
-	    sum_mul(u->zw, near->d));
-
-	return sum_over_or_nan(sum_mul(sum_sub(w, axis == 0 ? u->zx : u->zy),
-				   u->det),
-	    x);
-}
-
-/* At the depth that is not sheared: (side tw - t - z plane) / x. */
-static double parallel_edge(const struct upright *u, double plane, int axis,
-    int side)
-{
-	struct sum z = axis == 0 ? u->zx : u->zy, t = axis == 0 ? u->tx : u->ty;
-	struct sum off = sum_add(t, sum_mul(z, sum_of_double(plane)));
-
-	return sum_over_or_nan(sum_sub(sum_mul(sum_of_double(side), u->tw),
-				   off),
-	    axis == 0 ? u->x : u->y);
-}
-
 /* x = x X + yx Y + zx D and w = zw D from the eye, and pixels are scale x / w and half
  * a side from the corner; y of pixels runs downward where they count from the top. X is
  * to the right in the picture, also where the world's handedness is not the answer's. */
@@ -366,19 +340,23 @@ static void set_pixels(const struct scene *s, const struct parameters *r,
 		    sizeof r->intrinsics[i]);
 }
 
+/* At near, seen from the eye at a distance of det / (zw d), or in a parallel projection
+ * at the depth that is not sheared. */
 static void set_edges(const struct upright *u, const struct plane *near,
     struct projection *p)
 {
 	double *const edges[4] = { &p->left, &p->right, &p->bottom, &p->top };
+	struct sum one = sum_of_double(1);
+	struct plane at = { sum_of_double(p->plane), one };
+	struct upright seen = *u;
 
 	p->extent = EXTENT_EDGES;
-	for (int k = 0; k < 4; k++) {
-		int side = k % 2 ? 1 : -1;
-
-		*edges[k] = p->type == PROJECTION_PERSP ?
-		    edge(u, near, k / 2, side) :
-		    parallel_edge(u, p->plane, k / 2, side);
+	if (p->type == PROJECTION_PERSP) {
+		at = (struct plane){ u->det, sum_mul(u->zw, near->d) };
+		seen.tx = seen.ty = seen.tw = sum_of_double(0);
 	}
+	for (int k = 0; k < 4; k++)
+		*edges[k] = side_at(&seen, &at, k / 2, k % 2 == 0, one, one);
 }
 
 /* cot cos(direction) and cot sin(direction) are zx / x and zy / y. */
@@ -446,7 +424,7 @@ static double squared(double a, double b, double c)
 /* Of a perspective's matrix a transpose has the gaze, a unit vector, in its last row,
  * and the image of the origin in its last column; of a parallel one's the last
  * row is 0 0 0 1. */
-static bool is_transposed(const double m[4][4])
+static bool seems_transposed(const double m[4][4])
 {
 	double row = squared(m[3][0], m[3][1], m[3][2]);
 	double column = squared(m[0][3], m[1][3], m[2][3]);
@@ -474,7 +452,7 @@ static unsigned notes_of(const struct scene *s, const struct upright *u,
 	bool fills = s->has_viewport && s->viewport.scale == SCALE_FILL;
 	const bool is[NOTES] = {
 		[NOTE_TRANSPOSED] = p->type == PROJECTION_MATRIX &&
-		    is_transposed(p->matrix),
+		    seems_transposed(p->matrix),
 		[NOTE_NEAR_BEYOND] = r->near > r->far,
 		[NOTE_BACKWARD] = p->type == PROJECTION_MATRIX && u->own &&
 		    parallel && r->reverse_z,
