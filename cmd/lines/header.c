@@ -164,7 +164,10 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 	    (l->header == HEADER_MAYBE && (c->by_header || !is_named(l)) &&
 		!looks_like_header(l, text)))
 		return false;
-	line->kind = find_columns(l, text, reason) ? LINE_HEADER : LINE_REFUSED;
+	line->kind = find_columns(l, text, reason) &&
+		!choose_clashes(l, cut_line(l->in, text), reason) ?
+	    LINE_HEADER :
+	    LINE_REFUSED;
 	return true;
 }
 

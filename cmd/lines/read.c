@@ -117,6 +117,8 @@ static void read_fields(const struct layout *l, struct span text,
 
 	if (cut.bracket != NULL && !columns_fit(l, cut.members, reason))
 		return;
+	if (cut.members && choose_clashes(l, cut, reason))
+		return;
 	choose(l, cut, &c);
 	bool ok = read_coordinates(l, cut, &c, v, reason);
 
@@ -136,7 +138,7 @@ static void read_fields(const struct layout *l, struct span text,
 		cut.words = line->words = l->columns.n == 0;
 		choose(l, cut, &c);
 	}
-	if (!ok &&
+	if (!ok && !l->append &&
 	    ((cut.s == NULL && !cut.members) ||
 		!can_be_kept(l, cut.members, &c)))
 		return;

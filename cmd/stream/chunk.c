@@ -6,22 +6,15 @@
 
 #include "../message/message.h"
 
-/* As need() does, where columns want to be. */
-static void *need_aligned(size_t size)
-{
-	void *p;
-
-	if (posix_memalign(&p, _Alignof(struct chunk), size) != 0)
-		die(EXIT_SYSTEM, "out of memory");
-	return p;
-}
-
 struct chunk *chunk_new(void)
 {
-	struct chunk *c = need_aligned(sizeof *c);
+	void *c;
 
-	memset(c, 0, sizeof *c);
-	return c;
+	/* columns want to be aligned */
+	if (posix_memalign(&c, _Alignof(struct chunk), sizeof(struct chunk)) !=
+	    0)
+		die(EXIT_SYSTEM, "out of memory");
+	return memset(c, 0, sizeof(struct chunk));
 }
 
 void chunk_free(struct chunk *c)
