@@ -40,6 +40,21 @@ void vdie_at(int status, const struct place *place, const char *format,
 	die_at(status, place, "%s", format);
 }
 
+void vrefuse_at(const struct place *place, const char *format, va_list args)
+{
+	vdie_at(EXIT_INPUT, place, format, args);
+}
+
+void refuse_at(const struct place *place, const char *format, ...)
+{
+	die_at(EXIT_INPUT, place, "%s", format);
+}
+
+bool says_json(void)
+{
+	return false;
+}
+
 /* All that a refusal leaves, to be freed here: what cJSON has. */
 static struct block {
 	struct block *next;

@@ -149,6 +149,16 @@ void vdie_at(int status, const struct place *place, const char *format,
 	die_at(status, place, "%s", format);
 }
 
+void vrefuse_at(const struct place *place, const char *format, va_list args)
+{
+	vdie_at(EXIT_INPUT, place, format, args);
+}
+
+void refuse_at(const struct place *place, const char *format, ...)
+{
+	die_at(EXIT_INPUT, place, "%s", format);
+}
+
 void quit(int status)
 {
 	(void)status;

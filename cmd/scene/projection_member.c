@@ -185,7 +185,7 @@ const struct ways projection_ways[] = {
 	    .kinds = VOLUME },
 	[WAYS_VOLUME_DEPTH] = { { "z_near z_far" }, true, { NULL }, VOLUME },
 	[WAYS_MATRIX] = { { "matrix" }, .kinds = MATRIX },
-	{ { NULL } },
+	{ .way = { NULL } },
 };
 
 /* In the order of their way: both, or neither. */

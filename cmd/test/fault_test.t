@@ -413,7 +413,7 @@ SKIP: {
 	for my $n (1 << 28, (1 << 28) + 1) {
 		sparse("$tmp/zeros", $n);
 		my $why = $n > 1 << 28 ? qr/ a document of more than 256 MiB; / :
-		    qr/:1: a NUL byte; JSON is UTF-8 text/;
+		    qr/:1: expected a value, not '\\u0000'; JSON is UTF-8 text/;
 		like((run("projcalc lookat $tmp/zeros"))[2],
 		    qr/\Aprojcalc: $tmp\/zeros:?$why/, "a document of $n bytes");
 	}
