@@ -138,7 +138,7 @@ static void put_ways(struct printer *p, const char *in, const struct ways *w,
 	open_line(p);
 	put_told(p, "in", in);
 	put_words(p, "ways", w->way);
-	if (w->fit_hint != NULL)
+	if (w->fit)
 		put_words(p, "fit", w->fit_way);
 	if (w->kinds != 0)
 		put_chosen(p, "types", types, w->kinds);
@@ -159,7 +159,7 @@ static void put_members(struct printer *p)
 	put_close(p, "]");
 	open_list(p, "ways");
 	for (s = scene_members; s->name != NULL; s++)
-		for (w = s->ways; w != NULL && w->hint != NULL; w++)
+		for (w = s->ways; w != NULL && w->way[0] != NULL; w++)
 			put_ways(p, s->name, w, s->members->words);
 	put_close(p, "]");
 }

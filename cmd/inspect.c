@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
+#include <stdio.h>
 
 #include "../core/derive/depth.h"
 #include "../core/derive/error_bound.h"
@@ -17,6 +18,39 @@ static const char *const kinds[] = { "multiview", "isometric", "dimetric",
 	"trimetric", "cavalier", "cabinet", "general", "one-point", "two-point",
 	"three-point" };
 static const char *const buffers[] = { "unorm16", "unorm24", "float32" };
+
+/* In the order of enum note: what it means, and what to try. */
+static const char *const notes[NOTES] = {
+	"mirrored: the picture is a mirror image, as the determinant says; "
+	"negate what makes x or y, or try another \"convention\"",
+	"the projection is of the other handedness: it looks against the "
+	"convention's gaze, and mirrors; try the \"convention\" that it is "
+	"from, or negate the third row",
+	"the projection looks away: w grows against the convention's gaze, "
+	"and the picture is of what is behind the camera; turn the camera, or "
+	"negate the matrix's x and z rows",
+	"the projection's matrix is transposed in all likelihood, as its last "
+	"row says what its last column should; transpose it, or try another "
+	"\"vectors\" in \"convention\"",
+	"near is beyond far: the eye or the gaze is on the other side; swap "
+	"them, or for reversed depth say \"reverse_z\": true",
+	"depth falls along the convention's gaze: it is reversed, or the "
+	"projection is of the other handedness; if reversed depth is not "
+	"meant, try another \"convention\"",
+	"scene is null, as the camera's matrix is not a rotation to 2^-20; "
+	"try \"orthonormalize\": true, or take the scale out of it",
+	"near, far and scene are null, as the planes of equal depth are "
+	"tilted against the picture by more than 2^-40; give the matrix with "
+	"all 17 digits, not as floats, and look whether it is a product in the "
+	"order of its \"vectors\"",
+	"scene is null, as w is negative everywhere; negate the matrix",
+	"scene is null, as only intrinsics say that x depends on y or that "
+	"there are no planes, of a perspective that does not mirror, with a "
+	"viewport that it fills; add a viewport, or give near and far, or a "
+	"matrix with all 17 digits",
+	"scene is null, as a plane lies behind the eye or a number is out of "
+	"range; look at near, far and eye",
+};
 
 /* A vector. Where there is none, its first element is nan: prints null. */
 static void put_vector(struct printer *p, const double *v, int n)
@@ -54,11 +88,11 @@ static void put_taxonomy(struct printer *p, const struct taxonomy *t)
 	put_vector(p, t->gaze, 3);
 }
 
+static const char *const sides[6] = { "left", "right", "bottom", "top", "near",
+	"far" };
+
 static void put_sides(struct printer *p, const char *name, const double at[4])
 {
-	static const char *const sides[4] = { "left", "right", "bottom",
-		"top" };
-
 	put_name_on_new_line(p, name);
 	put_open(p, "{");
 	for (int k = 0; k < 4; k++) {
@@ -89,21 +123,77 @@ static void put_planes(struct printer *p, const struct taxonomy *t,
 		put_vector(p, t->corner[i], 3);
 	put_close(p, "]");
 	put_name_on_new_line(p, "frustum_planes");
-	put_open(p, "[");
-	for (int k = 0; k < 6; k++)
+	put_open(p, "{");
+	for (int k = 0; k < 6; k++) {
+		put_name(p, sides[k]);
 		put_vector(p, r->frustum_plane[k], 4);
+	}
+	put_close(p, "}");
+	put_name_on_new_line(p, "intrinsics");
+	if (isnan(r->intrinsics[0][0])) {
+		put_null(p);
+		return;
+	}
+	put_open(p, "[");
+	for (int i = 0; i < 3; i++)
+		put_numbers(p, r->intrinsics[i], 3);
 	put_close(p, "]");
 }
 
-static void put_depth_steps(struct printer *p, double step[BUFFERS][2])
+static void put_notes(struct printer *p, unsigned bits)
 {
+	put_name_on_new_line(p, "notes");
+	put_open(p, "[");
+	for (int i = 0; i < NOTES; i++)
+		if (bits >> i & 1)
+			put_string(p, notes[i]);
+	put_close(p, "]");
+}
+
+/* Refuses a distance that is not from near to far, in either order. */
+static void check_distances(const struct document *d, const struct options *o,
+    const struct depth *z, double near, double far)
+{
+	char why[160];
+
+	if (isnan(near))
+		near = depth_distance(z, false);
+	if (isnan(far))
+		far = depth_distance(z, true);
+	if (isnan(far)) /* behind the eye, beyond infinity */
+		far = HUGE_VAL;
+	for (int i = 0; i < o->n_distances && !z->open; i++) {
+		double at = o->distance[i];
+
+		if ((at >= near && at <= far) || (at >= far && at <= near))
+			continue;
+		snprintf(why, sizeof why,
+		    "/projection: --distances: %.15g is not from near, %.15g, "
+		    "to far, %.15g",
+		    at, near, far);
+		document_refuse(d, why);
+	}
+}
+
+/* At the near and far plane, and at distances. */
+static void put_depth_steps(struct printer *p, const struct scene *s,
+    const struct options *o, const struct depth *z)
+{
+	const struct viewport *v = s->has_viewport ? &s->viewport : NULL;
+
+	if (o->n_distances > 0) {
+		put_name_on_new_line(p, "distances");
+		put_numbers(p, o->distance, o->n_distances);
+	}
 	put_name_on_new_line(p, "depth_step");
 	put_open(p, "{");
-	for (int b = 0; b < BUFFERS; b++) {
+	for (enum buffer b = 0; b < BUFFERS; b++) {
 		put_name(p, buffers[b]);
 		put_open(p, "[");
-		put_number(p, step[b][0]);
-		put_number(p, step[b][1]);
+		put_number(p, depth_step(z, v, b, false));
+		put_number(p, depth_step(z, v, b, true));
+		for (int i = 0; i < o->n_distances; i++)
+			put_number(p, depth_step_at(z, v, b, o->distance[i]));
 		put_close(p, "]");
 	}
 	put_close(p, "}");
@@ -149,30 +239,33 @@ static void put_plane(struct printer *p, const struct document *d)
 
 /* Of all others. */
 static void put_spatial(struct printer *p, const struct document *d,
-    double tolerance)
+    const struct options *o)
 {
 	struct taxonomy t;
 	static struct parameters r;
-	double step[BUFFERS][2], bound[3];
+	struct depth z;
+	double bound[3];
 
 	document_check(d, taxonomy_of(&d->scene, &t));
 	document_check(d, parameters_of(&d->scene, &t, &r));
 	document_check(d, error_bounds(&d->scene, bound));
-	depth_steps(&d->scene, t.reversed, step);
+	depth_of(&d->scene, t.reversed, &z);
+	check_distances(d, o, &z, r.near, r.far);
 	put_taxonomy(p, &t);
 	put_planes(p, &t, &r);
-	put_depth_steps(p, step);
-	put_bounds(p, bound, tolerance);
+	put_depth_steps(p, &d->scene, o, &z);
+	put_bounds(p, bound, o->tolerance > 0 ? o->tolerance : 0.5);
 	put_name_on_new_line(p, "scene");
 	if (r.has_scene)
 		put_scene(p, &r.scene);
 	else
-		put_number(p, (double)NAN);
+		put_null(p);
+	put_notes(p, r.notes);
 }
 
 void run_inspect(const struct command *c, const struct options *o)
 {
-	static char text[160 * NUMBER_MAX + 4096];
+	static char text[320 * NUMBER_MAX + (1 << 14)];
 	struct printer p = { .at = text,
 		.style = one_style(o, "what inspect prints"),
 		.on_line = o->out == FORMAT_JSON,
@@ -185,11 +278,15 @@ void run_inspect(const struct command *c, const struct options *o)
 		document_refuse(&d,
 		    "/projection: missing; -t is about its error bounds, of "
 		    "which a window has none");
+	if (d.flat && o->n_distances > 0)
+		document_refuse(&d,
+		    "/projection: missing; --distances is about its depth, of "
+		    "which a window has none");
 	put_open(&p, "{");
 	if (d.flat)
 		put_plane(&p, &d);
 	else
-		put_spatial(&p, &d, o->tolerance > 0 ? o->tolerance : 0.5);
+		put_spatial(&p, &d, o);
 	put_text(&p, p.on_line ? "}\n" : "\n}\n");
 	put_all(text, (size_t)(p.at - text));
 }

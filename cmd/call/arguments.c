@@ -109,6 +109,26 @@ void numbers_of(const char *option, const char *what, const char *example,
 		    word);
 }
 
+int distances_of(const char *option, const char *word,
+    double distance[DISTANCES_MAX])
+{
+	const char *at = word, *end = word + strlen(word);
+
+	for (int n = 0; n < DISTANCES_MAX; n++) {
+		at = number_read(at, end, &distance[n]);
+		if (at == NULL || !(fabs(distance[n]) <= MAGNITUDE_MAX))
+			break;
+		if (at == end)
+			return n + 1;
+		if (*at++ != ',')
+			break;
+	}
+	die(EXIT_USAGE,
+	    "--%s: '%s' is not a list of up to %d numbers to 1e150; write --%s "
+	    "10,1000",
+	    option, word, DISTANCES_MAX, option);
+}
+
 char separator_of(const char *option, const char *word)
 {
 	if (strcmp(word, "tab") == 0 || strcmp(word, "\\t") == 0)

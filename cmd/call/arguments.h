@@ -32,6 +32,13 @@ struct styles styles_of(const char *option, enum number_kind, char *list,
 void numbers_of(const char *option, const char *what, const char *example,
     const char *word, int n, double v[]);
 
+/* "D,D,...", as many as there is room for, up to 1e150 in magnitude. Returns how
+ * many. */
+enum { DISTANCES_MAX = 32 };
+
+int distances_of(const char *option, const char *word,
+    double distance[DISTANCES_MAX]);
+
 /* A character that can separate fields; or the word tab. */
 char separator_of(const char *option, const char *word);
 

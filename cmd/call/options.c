@@ -73,6 +73,11 @@ static void set_tolerance(struct options *o, char *word)
 	o->tolerance = positive_number("tolerance", word);
 }
 
+static void set_distances(struct options *o, char *word)
+{
+	o->n_distances = distances_of("distances", word, o->distance);
+}
+
 static void set_at(struct options *o, char *word)
 {
 	numbers_of("at", "X,Y", "320,240", word, 2, o->at);
@@ -159,6 +164,9 @@ const struct option_row option_rows[] = {
 	{ "tolerance", 't', INSPECT,
 	    "the error that the -p told may have; default 0.5",
 	    .argument = "T", .set = set_tolerance },
+	{ "distances", 0, INSPECT,
+	    "add the depth_step toward the eye at these distances",
+	    .argument = "D,...", .set = set_distances },
 	{ "from", 0, PROJECT | TRACE, "model, world, view, clip, ndc or device",
 	    .argument = "SPACE", ON(has_from), WORD(from, "space", space_names) },
 	{ "to", 0, PROJECT, "the same; default device, else ndc",

@@ -18,6 +18,8 @@ struct options {
 	struct styles styles;
 	enum precision precision;
 	double tolerance; /* of inspect; 0 where it isn't said */
+	int n_distances;
+	double distance[DISTANCES_MAX]; /* of inspect */
 	bool has_from, has_to;
 	enum space from, to;
 	bool homogeneous, matrix, ray, flags, visible, keep_going, progress;

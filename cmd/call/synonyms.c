@@ -352,14 +352,15 @@ static _Noreturn void refuse_word(const struct command *commands,
 	char named[CALL_MAX], call[CALL_MAX];
 	const char *is = meaning(commands, word, topic, named);
 
-	if (is == NULL)
-		die(EXIT_USAGE, "unknown %s '%s'; 'projcalc help' lists %s",
-		    what, word, topic ? "commands" : "them");
-	if (is_remark(is))
+	if (is != NULL && is_remark(is))
 		die(EXIT_USAGE, "unknown %s '%s'; %s", what, word, is + 2);
-	write_call(call, is, topic);
-	die(EXIT_USAGE, "unknown %s '%s'; did you mean '%s'?", what, word,
-	    call);
+	if (is != NULL) {
+		write_call(call, is, topic);
+		die(EXIT_USAGE, "unknown %s '%s'; did you mean '%s'?", what,
+		    word, call);
+	}
+	die(EXIT_USAGE, "unknown %s '%s'; 'projcalc help' lists %s", what, word,
+	    topic ? "commands" : "them");
 }
 
 void synonym_topic(const struct command *commands, const char *word)

@@ -117,13 +117,14 @@ const char *member_unit(const struct member *row)
 	return angle ? "degrees" : row->unit;
 }
 
-static void list_names(const struct member *row, int kind,
+/* The names of those members of bits that objects of that kind have. */
+static void list_names(const struct member *row, int kind, uint64_t bits,
     const char *names[MEMBERS_MAX + 1])
 {
 	int n = 0;
 
-	for (; row->name != NULL; row++)
-		if (member_is_of(row, kind))
+	for (; row->name != NULL; row++, bits >>= 1)
+		if ((bits & 1) != 0 && member_is_of(row, kind))
 			names[n++] = row->name;
 	names[n] = NULL;
 }
@@ -137,7 +138,7 @@ static const struct member *meant(const struct member *table, int kind,
 
 	if (row != NULL)
 		return row;
-	list_names(table, kind, names);
+	list_names(table, kind, ALL_MEMBERS, names);
 	const char *near = nearest(name, names);
 
 	return near != NULL ? member_of(table, kind, near) : NULL;
@@ -167,36 +168,32 @@ static void refuse_other_kind(const struct value *v, const struct member *table,
 	    table->words[kind], table->words[other]);
 }
 
-/* Refuses a member that other objects of the scene have, and names those whose
- * first kind has it; if there are none, those of which any kind has it; if
- * there are none either, the first that has it as an alias; and one of the scene
- * itself. */
+/* Refuses a member that other objects of the scene have, or the first of them as
+ * an alias, or the scene itself. */
 static void refuse_misplaced(const struct value *v, const struct member *table)
 {
-	const char *names[MEMBERS_MAX + 1];
-	const struct member *scene = v->source->scene, *row, *s;
+	const char *names[MEMBERS_MAX + 1], *in = NULL;
+	const struct member *scene = v->source->scene, *row = NULL, *s;
 	char all[LISTED];
-	int n = 0, how;
+	int n = 0;
 
-	for (how = 0; how < 2 && n == 0; how++)
-		for (s = scene; s->name != NULL; s++)
-			if (s->members != NULL && s->members != table &&
-			    (how == 0 ? member_of(s->members, 0, v->name) :
-					member_of(s->members, ANY_KIND,
-					    v->name)) != NULL)
-				names[n++] = s->name;
+	for (s = scene; s->name != NULL; s++) {
+		if (s->members == NULL || s->members == table)
+			continue;
+		if (member_of(s->members, ANY_KIND, v->name) != NULL)
+			names[n++] = s->name;
+		if (row == NULL) {
+			row = find_alias(s->members, 0, v->name);
+			in = s->name;
+		}
+	}
 	names[n] = NULL;
 	if (n > 0)
 		value_refuse(v, "unknown member; it belongs in %s",
 		    list_words(all, names, " or ", "\""));
-	for (s = scene; s->name != NULL; s++) {
-		if (s->members == NULL || s->members == table)
-			continue;
-		row = find_alias(s->members, 0, v->name);
-		if (row != NULL)
-			value_refuse(v, "unknown member; \"%s\" has %s",
-			    s->name, described(row, all));
-	}
+	if (row != NULL)
+		value_refuse(v, "unknown member; \"%s\" has %s", in,
+		    described(row, all));
 	if (v->in->name != NULL && table != scene &&
 	    member_of(scene, 0, v->name) != NULL)
 		value_refuse(v, "unknown member; it stands beside \"%s\"",
@@ -224,7 +221,7 @@ static _Noreturn void refuse_unknown(const struct value *v,
 	if (row != NULL)
 		value_refuse(v, "unknown member; did you mean %s?",
 		    described(row, all));
-	list_names(table, kind, names);
+	list_names(table, kind, ALL_MEMBERS, names);
 	value_refuse(v, "unknown member; there are %s",
 	    list_words(all, names, " and ", "\""));
 }
@@ -358,35 +355,57 @@ static const struct member *lowest(const struct member *table, uint64_t bits)
 	return table;
 }
 
+/* Writes which members to give, those seen among them that may be missing. */
+static const char *hint(char out[LISTED], const struct member *table, int kind,
+    const char *const *way, uint64_t seen)
+{
+	const char *names[MEMBERS_MAX + 1];
+	char all[LISTED];
+	uint64_t must;
+	size_t n = 0;
+
+	for (int i = 0; way[i] != NULL && n < LISTED; i++) {
+		uint64_t bits = way_bits(table, kind, way[i], &must);
+
+		list_names(table, kind, bits & (must | seen), names);
+		list_words(all, names, " and ", "\"");
+		n += (size_t)snprintf(out + n, LISTED - n, "%s%s",
+		    i > 0 ? ", or " : "give ",
+		    *all != '\0' ? all : "none of them");
+	}
+	return out;
+}
+
 /* Refuses the first of the extra members, which are not of the way taken: "not
  * together with" a member taken that stands in no way with it, if there is one,
  * else with the first member taken. */
 static _Noreturn void refuse_extra(const struct value *v,
     const struct member *table, int kind, uint64_t taken, uint64_t extra,
-    const char *const *way, const char *hint)
+    const char *const *way)
 {
-	uint64_t must, rivals = taken;
+	uint64_t must, rivals = taken, seen = taken | extra;
+	char all[LISTED];
 
 	extra &= ~extra + 1;
-	for (; *way != NULL; way++) {
-		uint64_t all = way_bits(table, kind, *way, &must);
+	for (int i = 0; way[i] != NULL; i++) {
+		uint64_t bits = way_bits(table, kind, way[i], &must);
 
-		if (all & extra)
-			rivals &= ~all;
+		if (bits & extra)
+			rivals &= ~bits;
 	}
 	struct value m = value_missing(v, lowest(table, extra)->name);
 
 	value_refuse(&m, "not together with \"%s\"; %s",
-	    lowest(table, rivals != 0 ? rivals : taken)->name, hint);
+	    lowest(table, rivals != 0 ? rivals : taken)->name,
+	    hint(all, table, kind, way, seen));
 }
 
 int object_way(const struct value *v, const struct member *table, int kind,
     uint64_t seen, const struct ways *w)
 {
-	bool fit = v->source->fit && w->fit_hint != NULL;
-	const char *const *way = fit ? w->fit_way : w->way;
-	const char *hint = fit ? w->fit_hint : w->hint;
+	const char *const *way = v->source->fit && w->fit ? w->fit_way : w->way;
 	uint64_t taken = 0, extra = 0, lacking = 0, must, all;
+	char said[LISTED];
 
 	seen &= ways_bits(table, kind, way);
 	for (int i = 0; way[i] != NULL; i++) {
@@ -403,10 +422,10 @@ int object_way(const struct value *v, const struct member *table, int kind,
 	if (way[0] == NULL)
 		return 0;
 	if (extra != 0)
-		refuse_extra(v, table, kind, taken, extra, way, hint);
+		refuse_extra(v, table, kind, taken, extra, way);
 	if (lacking == 0)
 		way_bits(table, kind, way[0], &lacking);
 	struct value m = value_missing(v, lowest(table, lacking)->name);
 
-	value_refuse(&m, "missing; %s", hint);
+	value_refuse(&m, "missing; %s", hint(said, table, kind, way, seen));
 }

@@ -11,6 +11,9 @@
 
 struct member;
 
+/* Of an object, as bits. */
+#define ALL_MEMBERS (~UINT64_C(0))
+
 /* What a member's value is made of. Both functions get the place in the struct. */
 struct type {
 	const char *says; /* for the help; NULL: what range, n and words tell */
@@ -66,11 +69,9 @@ struct member {
  * with blanks between them; those with ? may be missing. An object takes one
  * way, in whole, and has no member that is only in another. */
 struct ways {
-	const char *hint; /* says what the ways are; NULL ends a list */
-	const char *way[11];
-	/* The same for the command fit; where fit_hint is NULL, there is no other
-	 * way. Where fit_way has none, fit takes any. */
-	const char *fit_hint;
+	const char *way[11]; /* none ends a list of ways */
+	/* For the command fit, where they are others; none if fit takes any. */
+	bool fit;
 	const char *fit_way[9];
 	unsigned kinds; /* that have these ways; 0 for all */
 };

@@ -14,40 +14,6 @@ static bool is_digit(char c)
 	return c >= '0' && c <= '9';
 }
 
-/* Whether the number that number_read reads from s to stop is one of JSON,
- * apart from its exponent. */
-static bool is_narrow(const char *s, const char *stop)
-{
-	s += *s == '-';
-	const char *first = s;
-
-	while (s < stop && is_digit(*s))
-		s++;
-	if (s == first || (*first == '0' && s > first + 1))
-		return false;
-	return s == stop || *s != '.' || (s + 1 < stop && is_digit(s[1]));
-}
-
-static bool has_exponent(const char *s, const char *stop)
-{
-	while (s < stop && *s != 'e' && *s != 'E')
-		s++;
-	return s < stop;
-}
-
-const char *json_number(const char *s, const char *end, double *v)
-{
-	const char *stop = number_read(s, end, v);
-
-	if (stop == NULL || !is_narrow(s, stop))
-		return NULL;
-	/* where 1e stands, number_read reads the 1 alone */
-	if (stop < end && (*stop == 'e' || *stop == 'E') &&
-	    !has_exponent(s, stop))
-		return NULL;
-	return stop;
-}
-
 /* Past the digits at s; NULL where there is none. */
 static const char *digits(const char *s, const char *end)
 {
@@ -76,6 +42,13 @@ const char *json_number_end(const char *s, const char *end)
 	s++;
 	s += s < end && (*s == '+' || *s == '-');
 	return digits(s, end);
+}
+
+const char *json_number(const char *s, const char *end, double *v)
+{
+	const char *stop = json_number_end(s, end);
+
+	return stop != NULL ? number_read(s, stop, v) : NULL;
 }
 
 const char *json_string(const char *s, const char *end)
@@ -145,6 +118,9 @@ const char *json_hex4(const char *s, const char *end, unsigned *code)
 	return s;
 }
 
+/* code >> 10 of the halves of a surrogate pair. */
+enum { FIRST_HALF = 0xd800 >> 10, SECOND_HALF = 0xdc00 >> 10 };
+
 /* Past the digits after \u, and past a second half if they are a first one. */
 static const char *unescape_unicode(const char *s, const char *end,
     unsigned *code)
@@ -182,58 +158,52 @@ const char *json_unescape(const char *s, const char *end, char out[4], int *n)
 	return s;
 }
 
-bool json_is_name(const char *s, const char *end, const char *name)
+bool json_is_name(struct span f, struct span name, bool pointer)
 {
-	char c[4];
-	int n;
+	const char *s = f.s + 1, *stop = f.end - 1;
+	char character[4];
 
-	for (s++; *s != '"'; name += n) {
-		if (*s == '\\') {
-			s = json_unescape(s, end, c, &n);
-		} else {
-			c[0] = *s++;
-			n = 1;
+	while (s < stop) {
+		int size = 1;
+
+		character[0] = *s;
+		s = *s == '\\' ? json_unescape(s, stop, character, &size) :
+				 s + 1;
+		for (int i = 0; i < size; i++, name.s++) {
+			if (name.s == name.end)
+				return false;
+			char c = *name.s;
+
+			if (pointer && c == '~' &&
+			    (name.s[1] == '0' || name.s[1] == '1'))
+				c = *++name.s == '0' ? '~' : '/';
+			if (c != character[i])
+				return false;
 		}
-		if (strncmp(name, c, (size_t)n) != 0)
-			return false;
 	}
-	return *name == '\0';
-}
-
-/* Writes the first step of a pointer without its escapes; returns the rest. */
-static const char *pointer_step(const char *pointer, char *out, size_t room)
-{
-	while (*++pointer != '\0' && *pointer != '/') {
-		bool escape = *pointer == '~';
-
-		pointer += escape;
-		if (room-- > 1)
-			*out++ = !escape    ? *pointer :
-			    *pointer == '1' ? '/' :
-					      '~';
-	}
-	*out = '\0';
-	return pointer;
+	return name.s == name.end;
 }
 
 const char *json_at(const char *s, const char *end, const char *pointer)
 {
-	char name[256];
-
 	s = json_space(s, end);
 	while (*pointer == '/' && (*s == '{' || *s == '[')) {
-		const char *at = s, *value = NULL, *key = NULL;
+		const char *at = s, *value = NULL, *key;
+		struct span step = { pointer + 1, NULL };
 		bool found = false;
 
-		pointer = pointer_step(pointer, name, sizeof name);
-		long index = *s == '[' ? strtol(name, NULL, 10) : -1;
+		pointer = step.end = step.s + strcspn(step.s, "/");
+		long index = *s == '[' ? strtol(step.s, NULL, 10) : -1;
 
 		do {
 			key = json_space(at + 1, end);
 			at = json_next(at, end, &value);
-			found = at != NULL &&
-			    (*s == '[' ? index-- == 0 :
-					 json_is_name(key, end, name));
+			if (at != NULL && *s == '[')
+				found = index-- == 0;
+			else if (at != NULL)
+				found = json_is_name(
+				    (struct span){ key, json_string(key, end) },
+				    step, true);
 		} while (at != NULL && !found);
 		if (!found)
 			return s;

@@ -7,6 +7,8 @@
 
 #include <stdbool.h>
 
+#include "../message/span.h"
+
 /* Reads the number that begins at s, as number_read does, and returns where it
  * ends. NULL where none begins, or one that JSON doesn't have: +1, 01, 1., .5,
  * 1e, inf. */
@@ -38,9 +40,6 @@ const char *json_skip(const char *s, const char *end);
  * returns the comma or bracket after it; NULL where there is no next one. */
 const char *json_next(const char *at, const char *end, const char **value);
 
-/* Returns whether the string of checked text that begins at s is that name. */
-bool json_is_name(const char *s, const char *end, const char *name);
-
 /* Returns where in checked text the value stands to which a pointer leads (RFC 6901),
  * or the last one on the way there. */
 const char *json_at(const char *s, const char *end, const char *pointer);
@@ -48,12 +47,14 @@ const char *json_at(const char *s, const char *end, const char *pointer);
 /* Past the hexadecimal digits that begin at s, four at most. */
 const char *json_hex4(const char *s, const char *end, unsigned *code);
 
-/* code >> 10 of the halves of a surrogate pair. */
-enum { FIRST_HALF = 0xd800 >> 10, SECOND_HALF = 0xdc00 >> 10 };
-
 /* Writes the character for which the escape at s stands, in a string of checked
  * text, as *n bytes of UTF-8, and returns where the escape ends. Half of a
- * surrogate pair becomes U+FFFD. */
+ * surrogate pair becomes U+FFFD. Of text that is not checked, fewer than four
+ * digits may follow \u. */
 const char *json_unescape(const char *s, const char *end, char out[4], int *n);
+
+/* Returns whether a string of JSON, with its quotes, is the name, which may be of a
+ * pointer: ~1 is /, ~0 is ~. */
+bool json_is_name(struct span string, struct span name, bool pointer);
 
 #endif

@@ -15,13 +15,14 @@
 #include "../message/message.h"
 #include "text.h"
 
-const struct value_range range_any = { .min = -MAGNITUDE_MAX,
-	.max = MAGNITUDE_MAX };
-const struct value_range range_turn = { .min = -MAGNITUDE_MAX,
-	.max = MAGNITUDE_MAX,
-	.angle = true };
-const struct value_range range_positive = { .min = SIZE_MIN,
-	.max = MAGNITUDE_MAX };
+#define UP_TO "numbers go up to 1e150"
+
+const struct value_range range_any = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
+	.says = UP_TO };
+const struct value_range range_turn = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
+	.says = UP_TO, .angle = true };
+const struct value_range range_positive = { SIZE_MIN, MAGNITUDE_MAX,
+	.says = "a number from 1e-150 to 1e150 is wanted" };
 
 static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 
@@ -344,12 +345,6 @@ void value_want_object(const struct value *v)
 		value_wrong(v, "an object");
 }
 
-/* Whether a range's limits are parts of pi: radians, of an angle that has limits. */
-static bool is_by_pi(const struct value_range *r, unsigned unit)
-{
-	return r->angle && unit == RADIANS && r->max < MAGNITUDE_MAX;
-}
-
 /* PI and its half are the largest doubles below what they stand for. */
 static bool is_within(double x, const struct value_range *r, bool by_pi)
 {
@@ -363,49 +358,10 @@ static bool is_within(double x, const struct value_range *r, bool by_pi)
 	    (x < max || (x == max && (by_pi || !r->below)));
 }
 
-enum { LIMIT_ROOM = 24, WANTED_ROOM = 100 };
-
-static void write_limit(char out[LIMIT_ROOM], double v, bool by_pi)
-{
-	if (v == SIZE_MIN)
-		strcpy(out, "0");
-	else if (!by_pi || v == 0)
-		snprintf(out, LIMIT_ROOM, "%g", v);
-	else
-		snprintf(out, LIMIT_ROOM, "%spi%s", v < 0 ? "-" : "",
-		    fabs(v) == 90 ? "/2" : "");
-}
-
-/* Writes the sentence that tells a range. */
-static void write_wanted(char out[WANTED_ROOM], const struct value_range *r,
-    bool by_pi)
-{
-	bool above = r->above || r->min == SIZE_MIN;
-	char min[LIMIT_ROOM], max[LIMIT_ROOM];
-
-	write_limit(min, r->min, by_pi);
-	write_limit(max, r->max, by_pi);
-	if (r->max == MAGNITUDE_MAX)
-		strcpy(out,
-		    r->min < 0 ? "numbers go up to 1e150" :
-				 "a number from 1e-150 to 1e150 is wanted");
-	else
-		snprintf(out, WANTED_ROOM, "%s %s %s %s%s%s%s is wanted",
-		    r->angle ? "an angle" : "a number",
-		    above ? "above" : "from", min,
-		    !above       ? "to " :
-			r->below ? "and " :
-				   "and up to ",
-		    r->below ? "below " : "", max,
-		    !r->angle ? "" :
-			by_pi ? " radians" :
-				" degrees");
-}
-
 double value_number(const struct value *v, const struct value_range *range)
 {
-	bool by_pi = is_by_pi(range, v->source->unit);
-	char wanted[WANTED_ROOM];
+	bool by_pi = range->by_pi != NULL && v->source->unit == RADIANS;
+	const char *wanted = by_pi ? range->by_pi : range->says;
 	double x = v->item->valuedouble;
 	char text[NUMBER_MAX];
 
@@ -416,7 +372,6 @@ double value_number(const struct value *v, const struct value_range *range)
 		value_wrong(v, "a number");
 	if (v->unused || is_within(x, range, by_pi))
 		return x;
-	write_wanted(wanted, range, by_pi);
 	if (isinf(x))
 		value_refuse(v, "is beyond the range of doubles; %s", wanted);
 	*number_write(text, x, shortest) = '\0';

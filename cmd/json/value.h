@@ -39,9 +39,11 @@ struct value {
 	const struct cJSON *item;
 };
 
-/* The numbers that a member may be. A least of 1e-150 is told as "above 0". */
+/* The numbers that a member may be. */
 struct value_range {
 	double min, max;
+	const char *says;  /* for a message: which they are */
+	const char *by_pi; /* the same in radians, where the limits are too */
 	bool above, below; /* min, or max, is not among them */
 	bool angle;        /* the limits are degrees */
 };

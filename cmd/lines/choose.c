@@ -5,32 +5,6 @@
 
 #include "../json/text.h"
 
-bool choose_is_name(struct span f, struct span name, bool pointer)
-{
-	const char *s = f.s + 1, *stop = f.end - 1;
-	char character[4];
-
-	while (s < stop) {
-		int size = 1;
-
-		character[0] = *s;
-		s = *s == '\\' ? json_unescape(s, stop, character, &size) :
-				 s + 1;
-		for (int i = 0; i < size; i++, name.s++) {
-			if (name.s == name.end)
-				return false;
-			char c = *name.s;
-
-			if (pointer && c == '~' &&
-			    (name.s[1] == '0' || name.s[1] == '1'))
-				c = *++name.s == '0' ? '~' : '/';
-			if (c != character[i])
-				return false;
-		}
-	}
-	return name.s == name.end;
-}
-
 /* The rest of the path to each coordinate, inside a value; NULL where the path does
  * not lead into the value. */
 struct paths {
@@ -57,7 +31,7 @@ static bool leads_to(const char *path, const struct cut *c,
 	*rest = path + (pointer ? strcspn(path, "/") : strlen(path));
 	struct span token = { path, *rest };
 
-	return c->members ? choose_is_name(f->name, token, pointer) :
+	return c->members ? json_is_name(f->name, token, pointer) :
 			    pointer && is_index(token, k);
 }
 

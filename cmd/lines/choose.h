@@ -18,8 +18,4 @@ void choose(const struct layout *, struct cut, struct chosen *);
 /* Returns whether one coordinate stands in another, as pointers can say. */
 bool choose_overlaps(const struct layout *, const struct chosen *);
 
-/* Returns whether a string of JSON, with its quotes, is the name, which may be of a
- * pointer: ~1 is /, ~0 is ~. */
-bool choose_is_name(struct span string, struct span name, bool pointer);
-
 #endif

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../json/text.h"
 #include "choose.h"
 #include "header.h"
 
@@ -146,7 +147,7 @@ static int value_of(const struct splice *w, const struct field *f, bool outer)
 		const char *name = value_name(w, k);
 		struct span added = { name, name + strlen(name) };
 
-		if (choose_is_name(f->name, added, false))
+		if (json_is_name(f->name, added, false))
 			return k;
 	}
 	return i;

@@ -68,6 +68,8 @@ static const struct {
 	{ "eye", "view" },
 	{ "object", "model" },
 	{ "local", "model" },
+	{ "none", "null" },
+	{ "undefined", "null" },
 	{ "txt", "text" },
 	{ "double", "f64" },
 	{ "float", "f32" },

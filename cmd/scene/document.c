@@ -45,6 +45,7 @@ enum {
 
 static const struct value_range margins = { .min = 0,
 	.max = 0.5,
+	.says = "a number from 0 to below 0.5 is wanted",
 	.below = true };
 
 const struct member scene_members[SCENE_MEMBERS + 1] = {
@@ -346,6 +347,7 @@ static void read_scene(struct document *d, const struct document_wants *w,
 	if (seen & SCENE_PROJECTION)
 		read_projection(&m[PROJECTION], w->projection,
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);
+	s->projection.alone = !s->has_camera;
 	if (s->has_window)
 		read_window(&m[WINDOW], &s->window);
 	if (s->has_device && !read_device(&m[DEVICE], &s->device))

@@ -50,24 +50,17 @@ const struct member camera_members[] = {
 /* In the order of the values of struct camera's by. */
 const struct ways camera_ways[] = {
 	{
-	    .hint = "give \"eye\" and one of \"at\", \"gaze\", "
-		    "\"orientation\" and \"rvec\", or \"translation\" and "
-		    "\"orientation\" or \"rvec\", or \"pose\" or \"matrix\" "
-		    "alone",
 	    .way = { "eye at up? roll?", "eye gaze up? roll?",
 		"eye orientation roll?", "eye rvec roll?",
 		"translation orientation roll?", "translation rvec roll?",
 		"pose orthonormalize?", "matrix orthonormalize?" },
-	    .fit_hint = "give \"gaze\", \"orientation\" or \"rvec\", with an "
-			"\"eye\" or without, or \"eye\" and \"at\", or "
-			"\"translation\" and \"orientation\" or \"rvec\", or "
-			"\"pose\" or \"matrix\" alone",
+	    .fit = true,
 	    .fit_way = { "eye at up? roll?", "eye? gaze up? roll?",
 		"eye? orientation roll?", "eye? rvec roll?",
 		"translation orientation roll?", "translation rvec roll?",
 		"pose orthonormalize?", "matrix orthonormalize?" },
 	},
-	{ .hint = NULL },
+	{ .way = { NULL } },
 };
 
 #define SIZE(in, label, field, ...)                                   \
@@ -148,10 +141,9 @@ const struct member device_members[] = {
 
 const struct ways rectangle_ways[] = {
 	{
-	    .hint = "give \"width\" and \"height\"",
 	    .way = { "width height" },
 	},
-	{ .hint = NULL },
+	{ .way = { NULL } },
 };
 
 const struct member window_members[] = {
@@ -184,17 +176,12 @@ const struct member window_members[] = {
 
 const struct ways window_ways[] = {
 	{
-	    .hint = "give \"center\", \"width\" and \"height\", or \"left\", "
-		    "\"right\", "
-		    "\"bottom\" and \"top\"",
 	    .way = { "center width height", "left right bottom top" },
-	    .fit_hint = "give \"center\", \"width\" and \"height\", or "
-			"\"left\", \"right\", "
-			"\"bottom\" and \"top\", or nothing",
+	    .fit = true,
 	    .fit_way = { "center? width? height?",
 		"left? right? bottom? top?" },
 	},
-	{ .hint = NULL },
+	{ .way = { NULL } },
 };
 
 /* A point of space; or of the plane, where the document is flat. Where bounds are
@@ -231,10 +218,9 @@ const struct member bounds_members[] = {
 
 const struct ways bounds_ways[] = {
 	{
-	    .hint = "give \"min\" and \"max\", or \"center\" and \"radius\"",
 	    .way = { "min max", "center radius" },
 	},
-	{ .hint = NULL },
+	{ .way = { NULL } },
 };
 
 const struct member pick_members[] = {
@@ -296,8 +282,7 @@ void read_window(const struct value *v, struct window *w)
 {
 	struct ways ways = window_ways[0];
 
-	if (!v->source->flat)
-		ways.fit_hint = NULL;
+	ways.fit = v->source->flat;
 	*w = (struct window){ 0 };
 	uint64_t seen = object_read(v, window_members, 0, w);
 

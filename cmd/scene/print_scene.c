@@ -32,33 +32,23 @@ static void put_world(struct printer *p, const double m[4][4], bool column)
 	put_close(p, "]");
 }
 
-static void put_window(struct printer *p, const struct window *w)
+static void put_object(struct printer *p, const char *name,
+    const struct member *table, uint64_t bits, const void *base)
 {
-	uint64_t bits = object_shown(window_members, 0, window_ways,
-	    w->by_edges);
+	put_name_on_new_line(p, name);
+	object_print(p, table, 0, bits, base);
+}
 
-	if (!w->has_about)
-		bits &= ~member_bit(window_members, 0, "about");
-	put_name_on_new_line(p, "window");
-	object_print(p, window_members, 0, bits, w);
+/* Those bits but for a member's, unless that is there. */
+static uint64_t less(uint64_t bits, const struct member *table,
+    const char *name, bool there)
+{
+	return there ? bits : bits & ~member_bit(table, 0, name);
 }
 
 void put_device(struct printer *p, const struct device *d)
 {
-	put_name_on_new_line(p, "device");
-	object_print(p, device_members, 0, ~UINT64_C(0), d);
-}
-
-static void put_pick(struct printer *p, const struct pick *k)
-{
-	uint64_t bits = ~UINT64_C(0);
-
-	if (!k->has_at)
-		bits &= ~member_bit(pick_members, 0, "at");
-	if (k->radius == 0)
-		bits &= ~member_bit(pick_members, 0, "radius");
-	put_name_on_new_line(p, "pick");
-	object_print(p, pick_members, 0, bits, k);
+	put_object(p, "device", device_members, ALL_MEMBERS, d);
 }
 
 /* What leads from model space to the device. */
@@ -66,17 +56,15 @@ static void put_stages(struct printer *p, const struct scene *s)
 {
 	if (s->has_world)
 		put_world(p, s->world, s->convention.column);
-	put_name_on_new_line(p, "camera");
-	object_print(p, camera_members, 0,
+	put_object(p, "camera", camera_members,
 	    object_shown(camera_members, 0, camera_ways, CAMERA_GAZE),
 	    &s->camera);
 	put_name_on_new_line(p, "projection");
 	print_projection(p, &s->projection,
 	    s->has_viewport ? &s->viewport : NULL);
-	if (!s->has_viewport)
-		return;
-	put_name_on_new_line(p, "viewport");
-	object_print(p, viewport_members, 0, ~UINT64_C(0), &s->viewport);
+	if (s->has_viewport)
+		put_object(p, "viewport", viewport_members, ALL_MEMBERS,
+		    &s->viewport);
 }
 
 void put_scene(struct printer *p, const struct scene *s)
@@ -99,6 +87,7 @@ void print_scene(const struct document *d, bool on_line)
 		.compact = on_line,
 		.between = "" };
 	const struct scene *s = &d->scene;
+	const struct pick *k = &d->pick;
 
 	put_open(&p, "{");
 	put_convention(&p, &s->convention);
@@ -109,11 +98,18 @@ void print_scene(const struct document *d, bool on_line)
 	if (!d->flat)
 		put_stages(&p, s);
 	if (s->has_window)
-		put_window(&p, &s->window);
+		put_object(&p, "window", window_members,
+		    less(object_shown(window_members, 0, window_ways,
+			     s->window.by_edges),
+			window_members, "about", s->window.has_about),
+		    &s->window);
 	if (s->has_device)
 		put_device(&p, &s->device);
-	if (d->pick.has_at || d->pick.radius > 0)
-		put_pick(&p, &d->pick);
+	if (k->has_at || k->radius > 0)
+		put_object(&p, "pick", pick_members,
+		    less(less(ALL_MEMBERS, pick_members, "at", k->has_at),
+			pick_members, "radius", k->radius > 0),
+		    k);
 	if (s->margin > 0) {
 		put_name_on_new_line(&p, "margin");
 		put_number(&p, s->margin);

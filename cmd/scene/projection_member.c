@@ -7,24 +7,27 @@
 #include "../message/escape.h"
 #include "convention_member.h"
 
-static const struct value_range opening = { .min = SIZE_MIN,
-	.max = 180,
-	.below = true,
-	.angle = true };
-static const struct value_range taper = { .min = 0,
-	.max = 180,
-	.below = true,
-	.angle = true };
-static const struct value_range slope = { .min = SIZE_MIN,
-	.max = 90,
-	.angle = true };
-static const struct value_range acute = { .min = -90,
-	.max = 90,
-	.above = true,
-	.below = true,
-	.angle = true };
+/* An angle between limits, which degrees and radians say. */
+#define ANGLE(label, least, most, degrees, radians, ...)           \
+	static const struct value_range label = { .min = least,    \
+		.max = most,                                       \
+		.says = "an angle " degrees " degrees is wanted",  \
+		.by_pi = "an angle " radians " radians is wanted", \
+		.angle = true,                                     \
+		__VA_ARGS__ }
+
+ANGLE(opening, SIZE_MIN, 180, "above 0 and below 180", "above 0 and below pi",
+    .below = true);
+ANGLE(taper, 0, 180, "from 0 to below 180", "from 0 to below pi",
+    .below = true);
+ANGLE(slope, SIZE_MIN, 90, "above 0 and up to 90", "above 0 and up to pi/2",
+    .below = false);
+ANGLE(acute, -90, 90, "above -90 and below 90", "above -pi/2 and below pi/2",
+    .above = true, .below = true);
+
 static const struct value_range fraction = { .min = SIZE_MIN,
 	.max = 1,
+	.says = "a number above 0 and below 1 is wanted",
 	.below = true };
 
 const char *const projection_types[] = { "persp", "ortho", "oblique", "volume",
@@ -46,83 +49,6 @@ enum {
 #define OF(of, label, is, field, ...) \
 	ROW(projection, label, is, field, .kinds = of, __VA_ARGS__)
 
-/* Of struct projection. */
-struct direction {
-	double angle;
-	enum angle_unit unit;
-};
-
-_Static_assert(AT(direction_unit) ==
-	AT(direction) + offsetof(struct direction, unit),
-    "its unit stands behind direction");
-
-/* Where it is not given it is 45 degrees in any unit. */
-static void read_direction(const struct value *v, const struct member *row,
-    void *out)
-{
-	struct direction *d = out;
-
-	d->angle = value_number(v, row->range);
-	d->unit = (enum angle_unit)v->source->unit;
-}
-
-static void print_direction(struct printer *p, const struct member *row,
-    const void *at)
-{
-	(void)row;
-	put_number(p, ((const struct direction *)at)->angle);
-}
-
-static const struct type type_direction = { NULL, read_direction,
-	print_direction, offsetof(struct direction, unit) + sizeof(unsigned) };
-
-/* The smaller side of a volume, of which half is half the width and height. */
-static void read_size(const struct value *v, const struct member *row,
-    void *out)
-{
-	double *half = out;
-
-	half[0] = half[1] = value_number(v, row->range) / 2;
-}
-
-static void print_size(struct printer *p, const struct member *row,
-    const void *at)
-{
-	(void)row;
-	put_number(p, 2 * *(const double *)at);
-}
-
-_Static_assert(AT(half_height) == AT(half_width) + sizeof(double),
-    "the height stands behind the width");
-
-static const struct type type_size = { NULL, read_size, print_size, 0 };
-
-/* left, right, bottom and top. */
-static void read_angles(const struct value *v, const struct member *row,
-    void *out)
-{
-	double *a = out;
-
-	value_numbers(v, row->range, row->n, a);
-	struct value e = value_child(v);
-
-	for (size_t i = 0; i < row->n; i++, value_next(&e))
-		if (i % 2 && !(a[i - 1] < a[i]))
-			value_refuse(&e,
-			    "not greater than the one before it; the "
-			    "order is left, right, bottom, top");
-}
-
-static void print_angles(struct printer *p, const struct member *row,
-    const void *at)
-{
-	put_numbers(p, at, (int)row->n);
-}
-
-_Static_assert(AT(top) == AT(left) + 3 * sizeof(double), "the edges are four");
-
-static const struct type type_angles = { NULL, read_angles, print_angles, 0 };
-
 /* In the order in which they are printed. */
 const struct member projection_members[] = {
 	OF(0, "type", type_word, type, .words = projection_types,
@@ -133,8 +59,8 @@ const struct member projection_members[] = {
 	    .about = "receding lines keep their length, or half of it"),
 	OF(OBLIQUE, "angle", type_numbers, projector, .range = &slope,
 	    .about = "between projectors and picture, instead of kind"),
-	OF(OBLIQUE, "direction", type_direction, direction,
-	    .range = &range_turn, .usual = "45",
+	OF(OBLIQUE, "direction", type_numbers, direction, .range = &range_turn,
+	    .usual = "45", .shown = true,
 	    .about = "in which receding lines run"),
 	OF(OBLIQUE, "plane", type_numbers, plane, .unit = "view units",
 	    .usual = "0", .about = "the depth that stays where it is"),
@@ -154,7 +80,7 @@ const struct member projection_members[] = {
 	OF(VOLUME, "half_height", type_numbers, half_height,
 	    .range = &range_positive, .unit = "view units",
 	    .about = "of the same"),
-	OF(VOLUME, "size", type_size, half_width, .range = &range_positive,
+	OF(VOLUME, "size", type_numbers, half_width, .range = &range_positive,
 	    .unit = "view units", .about = "its smaller side, instead"),
 	OF(SECTIONED, "width", type_numbers, width, .range = &range_positive,
 	    .unit = "view units",
@@ -172,7 +98,7 @@ const struct member projection_members[] = {
 	    .about = "an edge"),
 	OF(SECTIONED, "top", type_numbers, top, .unit = "view units",
 	    .about = "other than bottom"),
-	OF(PERSP, "angles", type_angles, left, .n = 4, .range = &acute,
+	OF(PERSP, "angles", type_numbers, left, .n = 4, .range = &acute,
 	    .aliases = "angleleft angleright angleup angledown",
 	    .note = "[left, right, bottom, top] from the gaze",
 	    .about = "left, right, bottom, top from the gaze"),
@@ -222,10 +148,6 @@ const struct member projection_members[] = {
 	{ .name = NULL },
 };
 
-#define SECTION_HINT                                                          \
-	"\"width\" and \"height\", one of them and \"aspect\", or \"left\", " \
-	"\"right\", \"bottom\" and \"top\""
-
 /* Rows of projection_ways. */
 enum {
 	WAYS_PERSP,
@@ -238,57 +160,37 @@ enum {
 	WAYS_MATRIX,
 };
 
-/* With fit_hint "" fit finds what is missing. It finds width and height; if an aspect is
- * given, they keep to it. The first two are in the order of enum extent. */
+/* fit finds width and height; if an aspect is given, they keep to it. The first two
+ * are in the order of enum extent. */
 const struct ways projection_ways[] = {
-	[WAYS_PERSP] = { "give one of \"fovy\", \"fovx\", \"view_angle\" and "
-			 "\"field\", "
-			 "or " SECTION_HINT ", or \"angles\" or "
-			 "\"intrinsics\"",
-	    { "fovy aspect?", "fovx aspect?", "view_angle aspect?",
-		"field aspect?", "width height edges_at?",
-		"width aspect? edges_at?", "height aspect? edges_at?",
-		"left right bottom top edges_at?", "angles", "intrinsics" },
+	[WAYS_PERSP] = { { "fovy aspect?", "fovx aspect?", "view_angle aspect?",
+			     "field aspect?", "width height edges_at?",
+			     "width aspect? edges_at?",
+			     "height aspect? edges_at?",
+			     "left right bottom top edges_at?", "angles",
+			     "intrinsics" },
 	    .kinds = PERSP },
-	[WAYS_PARALLEL] = { "give " SECTION_HINT,
-	    { "width height", "width aspect?", "height aspect?",
-		"left right bottom top" },
-	    "give " SECTION_HINT ", or \"aspect\" alone, or nothing",
+	[WAYS_PARALLEL] = { { "width height", "width aspect?", "height aspect?",
+				"left right bottom top" },
+	    true,
 	    { "width? height?", "width? aspect?", "height? aspect?",
 		"left right bottom top" },
 	    PARALLEL },
-	[WAYS_SHEAR] = { "give \"kind\" (\"cavalier\" or \"cabinet\") or "
-			 "\"angle\"",
-	    { "kind", "angle" }, .kinds = OBLIQUE },
-	[WAYS_DEPTH] = { "give \"near\" and \"far\"", { "near far" }, "",
-	    { NULL }, PARALLEL },
-	[WAYS_VOLUME] = { "give \"half_width\" and \"half_height\", or "
-			  "\"size\" "
-			  "and \"aspect\"",
-	    { "half_width half_height", "size aspect?" }, .kinds = VOLUME },
-	[WAYS_EYE] = { "give \"eye\", or \"inverse_eye_z\" or \"view_angle\" "
-		       "and \"tan_skew\"",
-	    { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
+	[WAYS_SHEAR] = { { "kind", "angle" }, .kinds = OBLIQUE },
+	[WAYS_DEPTH] = { { "near far" }, true, { NULL }, PARALLEL },
+	[WAYS_VOLUME] = { { "half_width half_height", "size aspect?" },
 	    .kinds = VOLUME },
-	[WAYS_VOLUME_DEPTH] = { "give \"z_near\" and \"z_far\"",
-	    { "z_near z_far" }, "", { NULL }, VOLUME },
-	[WAYS_MATRIX] = { "give \"matrix\"", { "matrix" }, .kinds = MATRIX },
-	{ .hint = NULL },
+	[WAYS_EYE] = { { "inverse_eye_z? tan_skew?", "eye",
+			   "view_angle tan_skew?" },
+	    .kinds = VOLUME },
+	[WAYS_VOLUME_DEPTH] = { { "z_near z_far" }, true, { NULL }, VOLUME },
+	[WAYS_MATRIX] = { { "matrix" }, .kinds = MATRIX },
+	{ { NULL } },
 };
 
 /* In the order of their way: both, or neither. */
 static const struct ways open_ways = {
-	.hint =
-	    "give \"near\", with \"far\" or without, or neither; \"far\" and "
-	    "\"reverse_z\" need it",
 	.way = { "near far? reverse_z?", "" },
-};
-
-static const struct ways near_ways = {
-	.hint =
-	    "give it: width, height or the edges are on the near plane, unless "
-	    "\"edges_at\" says where",
-	.way = { "near far?" },
 };
 
 static const enum extent persp_extents[] = { EXTENT_FOVY, EXTENT_FOVX,
@@ -303,12 +205,19 @@ static int take_way(const struct value *v, const struct projection *p,
 	return object_way(v, projection_members, (int)p->type - 1, seen, ways);
 }
 
+static bool is_given(const struct projection *p, uint64_t seen,
+    const char *name)
+{
+	return (seen &
+		   member_bit(projection_members, (int)p->type - 1, name)) != 0;
+}
+
 /* Intrinsics may do without near and far, or without far. */
 static void read_open(const struct value *v, uint64_t seen,
     struct projection *p)
 {
 	p->reverse_z |= take_way(v, p, seen, &open_ways) == 1;
-	if ((seen & member_bit(projection_members, 0, "far")) == 0)
+	if (!is_given(p, seen, "far"))
 		p->far = HUGE_VAL;
 }
 
@@ -365,18 +274,6 @@ static void find_aspect(const struct value *v, const struct viewport *viewport,
 	}
 }
 
-static _Noreturn void refuse_type(const struct value *v, const char *is,
-    const char *command)
-{
-	/* no command is called matrix */
-	const char *other = strcmp(is, "matrix") == 0 ? "project" : is;
-
-	value_refuse(v,
-	    "\"%s\", but the command is %s; use the command %s, or "
-	    "\"type\": \"%s\"",
-	    is, command, other, command);
-}
-
 /* Refuses a projection without a type; names the types that have all of its
  * members. */
 static _Noreturn void refuse_typeless(const struct value *v)
@@ -419,8 +316,34 @@ static void find_type(const struct value *v, int implied, struct projection *p)
 	else
 		refuse_typeless(v);
 	if (implied != PROJECTION_NONE && p->type != (unsigned)implied)
-		refuse_type(&m, projection_types[p->type - 1],
+		value_refuse(&m, "is \"%s\", but the command is %s",
+		    projection_types[p->type - 1],
 		    projection_types[implied - 1]);
+}
+
+static void check_angles(const struct value *v, const struct projection *p)
+{
+	struct value m = value_missing(v, "angles");
+	struct value e = { .source = v->source,
+		.in = &m,
+		.index = p->left < p->right ? 3 : 1 };
+
+	if (!(p->left < p->right && p->bottom < p->top))
+		value_refuse(&e,
+		    "not greater than the one before it; the order is left, "
+		    "right, bottom, top");
+}
+
+/* fit does not find near where the section is measured on it. */
+static void need_near(const struct value *v, uint64_t seen,
+    const struct projection *p)
+{
+	struct value m = value_missing(v, "near");
+
+	if (!is_given(p, seen, "near"))
+		value_refuse(&m,
+		    "missing; the section is on the near plane, unless "
+		    "\"edges_at\" says where");
 }
 
 /* fit finds near and far, unless the section is measured on the near plane. */
@@ -432,11 +355,13 @@ static void read_persp(const struct value *v, uint64_t seen,
 
 	p->extent = persp_extents[way];
 	if (v->source->fit && projection_is_by_near(p))
-		take_way(v, p, seen, &near_ways);
+		need_near(v, seen, p);
 	else if (!v->source->fit && p->extent == EXTENT_INTRINSICS)
 		read_open(v, seen, p);
 	else
 		take_way(v, p, seen, depth);
+	if (p->extent == EXTENT_ANGLES)
+		check_angles(v, p);
 	if (p->extent == EXTENT_INTRINSICS)
 		find_sides(v, viewport, p);
 	else
@@ -451,6 +376,9 @@ static void read_parallel(const struct value *v, uint64_t seen,
 	p->extent = parallel_extents[way];
 	if (p->type == PROJECTION_OBLIQUE)
 		take_way(v, p, seen, &projection_ways[WAYS_SHEAR]);
+	/* the usual direction is 45 degrees in any unit */
+	if (is_given(p, seen, "direction"))
+		p->direction_unit = p->unit;
 	take_way(v, p, seen, &projection_ways[WAYS_DEPTH]);
 	find_aspect(v, viewport, p);
 }
@@ -462,8 +390,11 @@ static void read_seven(const struct value *v, uint64_t seen,
 	int section = take_way(v, p, seen, &projection_ways[WAYS_VOLUME]);
 	int eye = take_way(v, p, seen, &projection_ways[WAYS_EYE]);
 
-	if (section == 1)
+	if (section == 1) {
+		p->half_width /= 2; /* of the size */
+		p->half_height = p->half_width;
 		find_aspect(v, viewport, p);
+	}
 	take_way(v, p, seen, &projection_ways[WAYS_VOLUME_DEPTH]);
 	p->has_eye = eye == 1;
 	p->has_angle = eye == 2;
@@ -531,7 +462,8 @@ static void keep_extent(uint64_t *bits, const struct projection *p, int ways,
 void print_projection(struct printer *printer, const struct projection *p,
     const struct viewport *viewport)
 {
-	uint64_t bits = ~UINT64_C(0);
+	struct projection shown = *p;
+	uint64_t bits = ALL_MEMBERS;
 
 	if (viewport != NULL && p->aspect[1] != 1)
 		leave_out(&bits, p, "aspect");
@@ -549,6 +481,8 @@ void print_projection(struct printer *printer, const struct projection *p,
 		break;
 	case PROJECTION_OBLIQUE:
 		keep_way(&bits, p, WAYS_SHEAR, p->kind == OBLIQUE_ANGLE);
+		if (p->direction == 45 && p->direction_unit == DEGREES)
+			leave_out(&bits, p, "direction");
 		keep_extent(&bits, p, WAYS_PARALLEL, parallel_extents);
 		break;
 	case PROJECTION_ORTHO:
@@ -556,10 +490,13 @@ void print_projection(struct printer *printer, const struct projection *p,
 		break;
 	case PROJECTION_VOLUME:
 		keep_way(&bits, p, WAYS_VOLUME, p->aspect[1] != 0);
+		if (p->aspect[1] != 0)
+			shown.half_width *= 2; /* the size */
 		keep_way(&bits, p, WAYS_EYE,
 		    p->has_eye       ? 1 :
 			p->has_angle ? 2 :
 				       0);
 	}
-	object_print(printer, projection_members, (int)p->type - 1, bits, p);
+	object_print(printer, projection_members, (int)p->type - 1, bits,
+	    &shown);
 }

@@ -34,22 +34,27 @@ static void print_numbers(struct printer *p, const struct member *row,
 const struct type type_numbers = { NULL, read_numbers, print_numbers,
 	sizeof(double) };
 
-static void read_flag(const struct value *v, const struct member *row,
+static void read_bool(const struct value *v, const struct member *row,
     void *out)
 {
-	(void)row;
-	*(bool *)out = value_flag(v);
+	*(bool *)out = row->words != NULL ? value_word(v, row->words) == 1 :
+					    value_flag(v);
 }
 
-static void print_flag(struct printer *p, const struct member *row,
+static void print_bool(struct printer *p, const struct member *row,
     const void *at)
 {
-	(void)row;
-	put_flag(p, *(const bool *)at);
+	const bool is = *(const bool *)at;
+
+	if (row->words != NULL)
+		put_string(p, row->words[is]);
+	else
+		put_flag(p, is);
 }
 
-const struct type type_flag = { "true or false", read_flag, print_flag,
+const struct type type_flag = { "true or false", read_bool, print_bool,
 	sizeof(bool) };
+const struct type type_second = { NULL, read_bool, print_bool, sizeof(bool) };
 
 static void read_word(const struct value *v, const struct member *row,
     void *out)
@@ -64,21 +69,6 @@ static void print_word(struct printer *p, const struct member *row,
 }
 
 const struct type type_word = { NULL, read_word, print_word, sizeof(unsigned) };
-
-static void read_second(const struct value *v, const struct member *row,
-    void *out)
-{
-	*(bool *)out = value_word(v, row->words) == 1;
-}
-
-static void print_second(struct printer *p, const struct member *row,
-    const void *at)
-{
-	put_string(p, row->words[*(const bool *)at]);
-}
-
-const struct type type_second = { NULL, read_second, print_second,
-	sizeof(bool) };
 
 static void read_later(const struct value *v, const struct member *row,
     void *out)
@@ -145,30 +135,7 @@ static const struct member printed_members[] = {
 #define ANY "16 numbers or 4 rows of 4"
 #define AFFINE "16 numbers, or 4 rows of 4 or 3, or 3 rows of 4"
 
-static const struct ways any_ways = {
-	.hint = "give \"matrix\", " ANY,
-	.way = { "matrix vectors?" },
-};
-
-static const struct ways affine_ways = {
-	.hint = "give \"matrix\", " AFFINE,
-	.way = { "matrix vectors?" },
-};
-
-/* The rows that there are, to a unit matrix or its transpose. */
-static void read_rows(const struct value *v, size_t columns, bool column,
-    double m[4][4])
-{
-	struct value row = value_child(v);
-	double e[4];
-
-	for (int i = 0; row.item != NULL; i++, value_next(&row)) {
-		value_numbers(&row, &range_any, columns, e);
-		for (size_t j = 0; j < columns; j++)
-			m[column ? j : (size_t)i][column ? (size_t)i : j] =
-			    e[j];
-	}
-}
+static const struct ways printed_ways = { .way = { "matrix vectors?" } };
 
 /* Whether rows are for column vectors, as the object that they stand in says, or
  * their shape, or the document. */
@@ -193,13 +160,11 @@ static bool is_column(const struct printed *p, size_t rows, size_t columns)
 static void read_elements(const struct value *v, bool affine, double m[4][4])
 {
 	struct printed p = { .matrix = *v };
-	const char *wanted = affine ? AFFINE : ANY;
 
 	if (value_is_object(v)) {
 		uint64_t seen = object_read(v, printed_members, 0, &p);
 
-		object_way(v, printed_members, 0, seen,
-		    affine ? &affine_ways : &any_ways);
+		object_way(v, printed_members, 0, seen, &printed_ways);
 	}
 	if (!value_is_array(&p.matrix))
 		value_wrong(&p.matrix,
@@ -211,19 +176,23 @@ static void read_elements(const struct value *v, bool affine, double m[4][4])
 	    3 :
 	    4;
 	bool column = is_column(&p, rows, columns);
-	double all[16];
+	double e[4];
 
-	for (int i = 0; i < 16; i++)
-		m[i / 4][i % 4] = i / 4 == i % 4;
-	if (n == rows)
-		read_rows(&p.matrix, columns, column, m);
-	else if (n == 16)
-		value_numbers(&p.matrix, &range_any, 16, all);
-	else
+	if (n != rows && n != 16)
 		value_refuse(&p.matrix, "has %zu element%s; %s are wanted", n,
-		    n == 1 ? "" : "s", wanted);
-	for (int i = 0; i < 16 && n == 16; i++)
-		m[i / 4][i % 4] = all[i];
+		    n == 1 ? "" : "s", affine ? AFFINE : ANY);
+	if (n == 16)
+		value_numbers(&p.matrix, &range_any, 16, m[0]);
+	for (size_t i = 0; i < 4 && n != 16; i++) {
+		for (size_t j = 0; j < 4; j++)
+			e[j] = i == j;
+		if (i < rows)
+			value_numbers(&row, &range_any, columns, e);
+		for (size_t j = 0; j < 4; j++)
+			m[column ? j : i][column ? i : j] = e[j];
+		if (i < rows)
+			value_next(&row);
+	}
 }
 
 static void read_matrix(const struct value *v, const struct member *row,

@@ -14,14 +14,6 @@ static const struct document_wants either = { WANTS, .needed = SCENE_PROJECTION,
 	"give \"center\", \"width\" and \"height\", or \"left\", " \
 	"\"right\", \"bottom\" and \"top\""
 #define BOUNDS_HINT "give \"min\" and \"max\", or \"center\" and \"radius\""
-#define CAMERA_HINT                                                       \
-	"give \"gaze\", \"orientation\" or \"rvec\", with an \"eye\" or " \
-	"without, or \"eye\" and \"at\", or \"translation\" and "         \
-	"\"orientation\" or \"rvec\", or \"pose\" or \"matrix\" alone"
-#define SIDES "\"left\", \"right\", \"bottom\" and \"top\""
-#define PARALLEL_HINT                                                          \
-	"give \"width\" and \"height\", one of them and \"aspect\", or " SIDES \
-	", or \"aspect\" alone, or nothing"
 
 static const struct refusal refusals[] = {
 	{ &fit, "{" BOX "}",
@@ -37,30 +29,41 @@ static const struct refusal refusals[] = {
 	    "{\"bounds\":{\"center\":[0,0,0],\"radius\":1,\"max\":[1,1,1]}}",
 	    "/bounds/max: not together with \"center\"; " BOUNDS_HINT },
 	{ &fit, "{\"projection\":{\"type\":\"ortho\"},\"camera\":{}}",
-	    "/camera/eye: missing; " CAMERA_HINT },
+	    "/camera/eye: missing; give \"eye\" and \"at\", or \"gaze\", or "
+	    "\"orientation\", or \"rvec\", or \"orientation\" and "
+	    "\"translation\", or \"rvec\" and \"translation\", or \"pose\", or "
+	    "\"matrix\"" },
 	{ &fit,
 	    "{\"projection\":{\"type\":\"ortho\"},"
 	    "\"camera\":{\"at\":[0,0,0]}}",
-	    "/camera/eye: missing; " CAMERA_HINT },
+	    "/camera/eye: missing; give \"eye\" and \"at\", or \"gaze\", or "
+	    "\"orientation\", or \"rvec\", or \"orientation\" and "
+	    "\"translation\", or \"rvec\" and \"translation\", or \"pose\", or "
+	    "\"matrix\"" },
 	{ &fit,
 	    "{\"projection\":{\"type\":\"ortho\"},"
 	    "\"camera\":{\"eye\":[0,0,0]}}",
-	    "/camera/at: missing; " CAMERA_HINT },
+	    "/camera/at: missing; give \"eye\" and \"at\", or \"eye\" and "
+	    "\"gaze\", or \"eye\" and \"orientation\", or \"eye\" and "
+	    "\"rvec\", or \"orientation\" and \"translation\", or \"rvec\" and "
+	    "\"translation\", or \"pose\", or \"matrix\"" },
 	{ &fit, "{\"projection\":{\"type\":\"ortho\",\"left\":1}}",
-	    "/projection/right: missing; " PARALLEL_HINT },
+	    "/projection/right: missing; give none of them, or none of them, "
+	    "or none of them, or \"left\", \"right\", \"bottom\" and \"top\"" },
 	{ &fit,
 	    "{\"projection\":{\"type\":\"ortho\",\"aspect\":1,\"width\":1,"
 	    "\"height\":1}}",
-	    "/projection/aspect: not together with \"width\"; " PARALLEL_HINT },
+	    "/projection/aspect: not together with \"width\"; give \"width\" "
+	    "and \"height\", or \"width\" and \"aspect\", or \"height\" and "
+	    "\"aspect\", or \"left\", \"right\", \"bottom\" and \"top\"" },
 	{ &fit, "{\"projection\":{\"type\":\"oblique\"}}",
-	    "/projection/kind: missing; give \"kind\" (\"cavalier\" or "
-	    "\"cabinet\") or \"angle\"" },
+	    "/projection/kind: missing; give \"kind\", or \"angle\"" },
 	{ &fit, "{\"projection\":{\"type\":\"persp\",\"fovy\":60}}",
 	    "/projection/aspect: missing; give it, or a \"viewport\"" },
 	{ &fit,
 	    "{\"projection\":{\"type\":\"persp\",\"width\":1,\"height\":1}}",
-	    "/projection/near: missing; give it: width, height or the edges "
-	    "are on the near plane, unless \"edges_at\" says where" },
+	    "/projection/near: missing; the section is on the near plane, "
+	    "unless \"edges_at\" says where" },
 	{ &either, "{\"camera\":{}}",
 	    "/projection: missing; add \"projection\": {\"type\": \"persp\", "
 	    "\"fovy\": 60, \"aspect\": 1.5, \"near\": 1, \"far\": 10}, or for "
@@ -72,8 +75,8 @@ static const struct refusal refusals[] = {
 	    "/bounds/center: is not an array of 2 numbers, as a "
 	    "window's are; for three dimensions add a \"projection\"" },
 	{ &either, "{\"window\":{\"left\":1,\"width\":1}}",
-	    "/window/left: not together with \"width\"; " WINDOW_HINT
-	    ", or nothing" },
+	    "/window/left: not together with \"width\"; give \"width\", or "
+	    "\"left\"" },
 	{ &either, "{\"window\":{},\"projection\":{\"type\":\"ortho\"}}",
 	    "/window/center: missing; " WINDOW_HINT },
 	{ &either, "{\"device\":{\"width\":1,\"height\":1},\"points\":[[1]]}",

@@ -10,10 +10,6 @@ static const struct document_wants w2n = { .bare = SCENE_WINDOW,
 	.coordinates = 2 };
 static const struct document_wants project = { WANTS };
 
-#define CAMERA_HINT                                                         \
-	"give \"eye\" and one of \"at\", \"gaze\", \"orientation\" and "    \
-	"\"rvec\", or \"translation\" and \"orientation\" or \"rvec\", or " \
-	"\"pose\" or \"matrix\" alone"
 #define SIDES "\"left\", \"right\", \"bottom\" and \"top\""
 #define WINDOW_HINT "give \"center\", \"width\" and \"height\", or " SIDES
 #define POSITIVE "a number from 1e-150 to 1e150 is wanted"
@@ -27,31 +23,79 @@ static const struct document_wants project = { WANTS };
 
 static const struct refusal cameras[] = {
 	{ &lookat, "[]", "is an array; an object, {...}, is wanted" },
-	{ &lookat, "{}", "/eye: missing; " CAMERA_HINT },
-	{ &lookat, "{\"_note\":1}", "/eye: missing; " CAMERA_HINT },
-	{ &lookat, "{\"camera\":{}}", "/camera/eye: missing; " CAMERA_HINT },
-	{ &project, "{\"camera\":{}}", "/camera/eye: missing; " CAMERA_HINT },
-	{ &lookat, "{" EYE "}", "/at: missing; " CAMERA_HINT },
-	{ &lookat, "{" AT "}", "/eye: missing; " CAMERA_HINT },
+	{ &lookat, "{}",
+	    "/eye: missing; give \"eye\" and \"at\", or \"eye\" and \"gaze\", "
+	    "or \"eye\" and \"orientation\", or \"eye\" and \"rvec\", or "
+	    "\"orientation\" and \"translation\", or \"rvec\" and "
+	    "\"translation\", or \"pose\", or \"matrix\"" },
+	{ &lookat, "{\"_note\":1}",
+	    "/eye: missing; give \"eye\" and \"at\", or \"eye\" and \"gaze\", "
+	    "or \"eye\" and \"orientation\", or \"eye\" and \"rvec\", or "
+	    "\"orientation\" and \"translation\", or \"rvec\" and "
+	    "\"translation\", or \"pose\", or \"matrix\"" },
+	{ &lookat, "{\"camera\":{}}",
+	    "/camera/eye: missing; give \"eye\" and \"at\", or \"eye\" and "
+	    "\"gaze\", or \"eye\" and \"orientation\", or \"eye\" and "
+	    "\"rvec\", or \"orientation\" and \"translation\", or \"rvec\" and "
+	    "\"translation\", or \"pose\", or \"matrix\"" },
+	{ &project, "{\"camera\":{}}",
+	    "/camera/eye: missing; give \"eye\" and \"at\", or \"eye\" and "
+	    "\"gaze\", or \"eye\" and \"orientation\", or \"eye\" and "
+	    "\"rvec\", or \"orientation\" and \"translation\", or \"rvec\" and "
+	    "\"translation\", or \"pose\", or \"matrix\"" },
+	{ &lookat, "{" EYE "}",
+	    "/at: missing; give \"eye\" and \"at\", or \"eye\" and \"gaze\", "
+	    "or \"eye\" and \"orientation\", or \"eye\" and \"rvec\", or "
+	    "\"orientation\" and \"translation\", or \"rvec\" and "
+	    "\"translation\", or \"pose\", or \"matrix\"" },
+	{ &lookat, "{" AT "}",
+	    "/eye: missing; give \"eye\" and \"at\", or \"eye\" and \"gaze\", "
+	    "or \"eye\" and \"orientation\", or \"eye\" and \"rvec\", or "
+	    "\"orientation\" and \"translation\", or \"rvec\" and "
+	    "\"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{\"up\":[0,1,0],\"orientation\":[0,0,0,1]}",
-	    "/eye: missing; " CAMERA_HINT },
+	    "/eye: missing; give \"eye\", \"at\" and \"up\", or \"eye\", "
+	    "\"gaze\" and \"up\", or \"eye\" and \"orientation\", or \"eye\" "
+	    "and \"rvec\", or \"orientation\" and \"translation\", or \"rvec\" "
+	    "and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{" EYE "," AT ",\"gaze\":[0,0,1]}",
-	    "/gaze: not together with \"at\"; " CAMERA_HINT },
+	    "/gaze: not together with \"at\"; give \"eye\" and \"at\", or "
+	    "\"eye\" and \"gaze\", or \"eye\" and \"orientation\", or \"eye\" "
+	    "and \"rvec\", or \"orientation\" and \"translation\", or \"rvec\" "
+	    "and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{" EYE ",\"orientation\":[0,0,0,1],\"up\":[0,1,0]}",
-	    "/up: not together with \"orientation\"; " CAMERA_HINT },
+	    "/up: not together with \"orientation\"; give \"eye\", \"at\" and "
+	    "\"up\", or \"eye\", \"gaze\" and \"up\", or \"eye\" and "
+	    "\"orientation\", or \"eye\" and \"rvec\", or \"orientation\" and "
+	    "\"translation\", or \"rvec\" and \"translation\", or \"pose\", or "
+	    "\"matrix\"" },
 	{ &lookat, "{\"matrix\":" M16 ",\"roll\":0}",
-	    "/roll: not together with \"matrix\"; " CAMERA_HINT },
+	    "/roll: not together with \"matrix\"; give \"eye\", \"at\" and "
+	    "\"roll\", or \"eye\", \"gaze\" and \"roll\", or \"eye\", "
+	    "\"orientation\" and \"roll\", or \"eye\", \"rvec\" and \"roll\", "
+	    "or \"orientation\", \"translation\" and \"roll\", or \"rvec\", "
+	    "\"translation\" and \"roll\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{\"matrix\":" M16 ",\"pose\":" M16 "}",
-	    "/matrix: not together with \"pose\"; " CAMERA_HINT },
+	    "/matrix: not together with \"pose\"; give \"eye\" and \"at\", or "
+	    "\"eye\" and \"gaze\", or \"eye\" and \"orientation\", or \"eye\" "
+	    "and \"rvec\", or \"orientation\" and \"translation\", or \"rvec\" "
+	    "and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{\"pose\":" M16 ",\"roll\":0}",
-	    "/roll: not together with \"pose\"; " CAMERA_HINT },
+	    "/roll: not together with \"pose\"; give \"eye\", \"at\" and "
+	    "\"roll\", or \"eye\", \"gaze\" and \"roll\", or \"eye\", "
+	    "\"orientation\" and \"roll\", or \"eye\", \"rvec\" and \"roll\", "
+	    "or \"orientation\", \"translation\" and \"roll\", or \"rvec\", "
+	    "\"translation\" and \"roll\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{\"translation\":[0,0,0]}",
 	    "/translation: is where the world's origin is in view space, and "
 	    "needs an \"orientation\" or \"rvec\"; where the camera stands is "
 	    "\"eye\"" },
 	{ &lookat,
 	    "{" EYE ",\"orientation\":[0,0,0,1],\"translation\":[0,0,0]}",
-	    "/translation: not together with \"eye\"; " CAMERA_HINT },
+	    "/translation: not together with \"eye\"; give \"eye\" and \"at\", "
+	    "or \"eye\" and \"gaze\", or \"eye\" and \"orientation\", or "
+	    "\"eye\" and \"rvec\", or \"orientation\" and \"translation\", or "
+	    "\"rvec\" and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{\"quaternion\":[1,0,0,0]," EYE "}",
 	    "/quaternion: unknown member; did you mean \"orientation\" (x, y, "
 	    "z, "
@@ -67,9 +111,16 @@ static const struct refusal cameras[] = {
 	{ &lookat, "{\"position\":[0,0,0]," AT "}",
 	    "/position: unknown member; did you mean \"eye\"?" },
 	{ &lookat, "{\"matrix\":" M16 "," EYE "}",
-	    "/eye: not together with \"matrix\"; " CAMERA_HINT },
+	    "/eye: not together with \"matrix\"; give \"eye\" and \"at\", or "
+	    "\"eye\" and \"gaze\", or \"eye\" and \"orientation\", or \"eye\" "
+	    "and \"rvec\", or \"orientation\" and \"translation\", or \"rvec\" "
+	    "and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{" EYE "," AT ",\"orthonormalize\":true}",
-	    "/orthonormalize: not together with \"eye\"; " CAMERA_HINT },
+	    "/orthonormalize: not together with \"eye\"; give \"eye\" and "
+	    "\"at\", or \"eye\" and \"gaze\", or \"eye\" and \"orientation\", "
+	    "or \"eye\" and \"rvec\", or \"orientation\" and \"translation\", "
+	    "or \"rvec\" and \"translation\", or \"pose\" and "
+	    "\"orthonormalize\", or \"matrix\" and \"orthonormalize\"" },
 	{ &lookat, "{\"matrix\":[1,2]}",
 	    "/matrix: has 2 elements; " AFFINE " are wanted" },
 	{ &lookat, "{\"matrix\":[1,2,3,4]}",
@@ -96,7 +147,7 @@ static const struct refusal cameras[] = {
 	{ &project, "{\"world\":1}",
 	    "/world: is a number; an array of " AFFINE " is wanted" },
 	{ &project, "{\"world\":{}}",
-	    "/world/matrix: missing; give \"matrix\", " AFFINE },
+	    "/world/matrix: missing; give \"matrix\"" },
 	{ &project, "{\"world\":[[0,0,0,0],[0,0,0,\"a\"],[],[]]}",
 	    "/world/1/3: is a string; a number is wanted" },
 	{ &lookat, "{\"eye\":[0,0,true]," AT "}",

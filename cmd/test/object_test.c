@@ -98,7 +98,8 @@ static const struct refusal names[] = {
 	    "/near: unknown member; did you mean \"z_near\"?" },
 	{ &w2n, "{\"x\":1}", "/x: unknown member; did you mean \"center\"?" },
 	{ &lookat, "{\"convention\":\"gl\"," EYE "}",
-	    "/eye: unknown member; it belongs in \"camera\"" },
+	    "/eye: unknown member; it belongs in \"camera\" or "
+	    "\"projection\"" },
 	{ &project, "{\"target\":1}",
 	    "/target: unknown member; \"camera\" has \"at\"" },
 	{ &project, "{\"half_width\":1}",

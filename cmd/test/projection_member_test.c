@@ -18,12 +18,10 @@ static const struct document_wants volume = { .bare = SCENE_PROJECTION,
 static const struct document_wants project = { WANTS };
 
 #define SIDES "\"left\", \"right\", \"bottom\" and \"top\""
-#define SECTION \
-	"\"width\" and \"height\", one of them and \"aspect\", or " SIDES
-#define PERSP_HINT                                                       \
-	"give one of \"fovy\", \"fovx\", \"view_angle\" and \"field\", " \
-	"or " SECTION ", or \"angles\" or \"intrinsics\""
-#define ORTHO_HINT "give " SECTION
+#define PERSP_HINT                                                             \
+	"give \"fovy\", or \"fovx\", or \"view_angle\", or \"field\", or "     \
+	"\"width\" and \"height\", or \"width\", or \"height\", or \"left\", " \
+	"\"right\", \"bottom\" and \"top\", or \"angles\", or \"intrinsics\""
 #define FORMS                                                         \
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
 	"rows of 4 or 12 numbers"
@@ -36,11 +34,9 @@ static const struct refusal projections[] = {
 	    "/projection: missing; add \"projection\": {\"type\": \"persp\", "
 	    "\"fovy\": 60, \"aspect\": 1.5, \"near\": 1, \"far\": 10}" },
 	{ &persp, "{\"type\":\"ortho\"}",
-	    "/type: \"ortho\", but the command is persp; use the command ortho,"
-	    " or \"type\": \"persp\"" },
+	    "/type: is \"ortho\", but the command is persp" },
 	{ &persp, "{\"type\":\"matrix\"}",
-	    "/type: \"matrix\", but the command is persp; use the command "
-	    "project, or \"type\": \"persp\"" },
+	    "/type: is \"matrix\", but the command is persp" },
 	{ &project, "{\"projection\":{}}",
 	    "/projection/type: missing; it is \"persp\", \"ortho\", "
 	    "\"oblique\", \"volume\" or \"matrix\"" },
@@ -49,7 +45,11 @@ static const struct refusal projections[] = {
 	{ &project, "{\"projection\":{\"type\":1}}",
 	    "/projection/type: is a number; \"persp\", \"ortho\", \"oblique\", "
 	    "\"volume\" or \"matrix\" is wanted" },
-	{ &persp, "{" PLANES "}", "/fovy: missing; " PERSP_HINT },
+	{ &persp, "{" PLANES "}",
+	    "/fovy: missing; give \"fovy\", or \"fovx\", or \"view_angle\", or "
+	    "\"field\", or \"width\" and \"height\", or \"width\", or "
+	    "\"height\", or \"left\", \"right\", \"bottom\" and \"top\", or "
+	    "\"angles\", or \"intrinsics\"" },
 	{ &persp, "{" PLANES ",\"fovy\":60}",
 	    "/aspect: missing; give it, or a \"viewport\"" },
 	{ &persp, "{" PLANES ",\"width\":1}",
@@ -57,13 +57,27 @@ static const struct refusal projections[] = {
 	{ &persp, "{" PLANES ",\"height\":1}",
 	    "/aspect: missing; give it, or a \"viewport\"" },
 	{ &persp, "{" PLANES ",\"left\":1,\"right\":2,\"top\":2}",
-	    "/bottom: missing; " PERSP_HINT },
+	    "/bottom: missing; give \"fovy\", or \"fovx\", or \"view_angle\", "
+	    "or \"field\", or \"width\" and \"height\", or \"width\", or "
+	    "\"height\", or \"left\", \"right\", \"bottom\" and \"top\", or "
+	    "\"angles\", or \"intrinsics\"" },
 	{ &persp, "{" PLANES ",\"fovy\":60,\"fovx\":60}",
-	    "/fovx: not together with \"fovy\"; " PERSP_HINT },
+	    "/fovx: not together with \"fovy\"; give \"fovy\", or \"fovx\", or "
+	    "\"view_angle\", or \"field\", or \"width\" and \"height\", or "
+	    "\"width\", or \"height\", or \"left\", \"right\", \"bottom\" and "
+	    "\"top\", or \"angles\", or \"intrinsics\"" },
 	{ &persp, "{" PLANES ",\"fovy\":60,\"height\":60}",
-	    "/height: not together with \"fovy\"; " PERSP_HINT },
+	    "/height: not together with \"fovy\"; give \"fovy\", or \"fovx\", "
+	    "or \"view_angle\", or \"field\", or \"width\" and \"height\", or "
+	    "\"width\", or \"height\", or \"left\", \"right\", \"bottom\" and "
+	    "\"top\", or \"angles\", or \"intrinsics\"" },
 	{ &persp, "{" PLANES "," SIZE ",\"aspect\":1}",
-	    "/aspect: not together with \"width\"; " PERSP_HINT },
+	    "/aspect: not together with \"width\"; give \"fovy\" and "
+	    "\"aspect\", or \"fovx\" and \"aspect\", or \"view_angle\" and "
+	    "\"aspect\", or \"field\" and \"aspect\", or \"width\" and "
+	    "\"height\", or \"width\" and \"aspect\", or \"height\" and "
+	    "\"aspect\", or \"left\", \"right\", \"bottom\" and \"top\", or "
+	    "\"angles\", or \"intrinsics\"" },
 	{ &persp, "{\"fovy\":180}",
 	    "/fovy: 180 is out of range; an angle above 0 and below 180 "
 	    "degrees is wanted" },
@@ -89,13 +103,16 @@ static const struct refusal projections[] = {
 	    "/far: is null; a number or \"infinity\" is wanted" },
 	{ &ortho, "{\"far\":\"infinity\"}",
 	    "/far: only \"far\" of \"persp\" can be infinite" },
-	{ &ortho, "{" PLANES "}", "/width: missing; " ORTHO_HINT },
+	{ &ortho, "{" PLANES "}",
+	    "/width: missing; give \"width\" and \"height\", or \"width\", or "
+	    "\"height\", or \"left\", \"right\", \"bottom\" and \"top\"" },
 	{ &ortho, "{" PLANES ",\"height\":1}",
 	    "/aspect: missing; give it, or a \"viewport\"" },
 #define OBLIQUE(rest) \
 	"{\"projection\":{\"type\":\"oblique\"," PLANES "," SIZE rest "}}"
-#define SHEAR "give \"kind\" (\"cavalier\" or \"cabinet\") or \"angle\""
-	{ &project, OBLIQUE(), "/projection/kind: missing; " SHEAR },
+#define SHEAR "give \"kind\", or \"angle\""
+	{ &project, OBLIQUE(),
+	    "/projection/kind: missing; give \"kind\", or \"angle\"" },
 	{ &project, OBLIQUE(",\"kind\":\"cabinet\",\"angle\":45"),
 	    "/projection/angle: not together with \"kind\"; " SHEAR },
 	{ &project, OBLIQUE(",\"kind\":\"military\""),
@@ -104,26 +121,26 @@ static const struct refusal projections[] = {
 	{ &project, OBLIQUE(",\"angle\":90.5"),
 	    "/projection/angle: 90.5 is out of range; an angle above 0 and up "
 	    "to 90 degrees is wanted" },
-#define RECTANGLE \
-	"give \"half_width\" and \"half_height\", or \"size\" and \"aspect\""
 #define BOX "\"half_width\":1,\"half_height\":1,\"z_near\":1"
 	{ &volume, "{" BOX "}",
 	    "/z_far: missing; give \"z_near\" and \"z_far\"" },
 	{ &volume, "{\"half_width\":1,\"z_near\":1,\"z_far\":0}",
-	    "/half_height: missing; " RECTANGLE },
+	    "/half_height: missing; give \"half_width\" and \"half_height\", "
+	    "or \"size\"" },
 	{ &volume, "{" BOX ",\"z_far\":0,\"size\":1}",
-	    "/size: not together with \"half_width\"; " RECTANGLE },
+	    "/size: not together with \"half_width\"; give \"half_width\" and "
+	    "\"half_height\", or \"size\"" },
 	{ &volume, "{\"size\":1,\"z_near\":1,\"z_far\":0}",
 	    "/aspect: missing; give it, or a \"viewport\"" },
 	{ &volume, "{" BOX ",\"z_far\":0,\"view_angle\":180}",
 	    "/view_angle: 180 is out of range; an angle from 0 to below 180 "
 	    "degrees is wanted" },
 	{ &volume, "{" BOX ",\"z_far\":0,\"view_angle\":1,\"inverse_eye_z\":1}",
-	    "/view_angle: not together with \"inverse_eye_z\"; give \"eye\", "
-	    "or \"inverse_eye_z\" or \"view_angle\" and \"tan_skew\"" },
+	    "/view_angle: not together with \"inverse_eye_z\"; give "
+	    "\"inverse_eye_z\", or \"eye\", or \"view_angle\"" },
 	{ &volume, "{" BOX ",\"z_far\":2,\"eye\":[0,0,1],\"tan_skew\":[0,0]}",
-	    "/eye: not together with \"tan_skew\"; give \"eye\", or "
-	    "\"inverse_eye_z\" or \"view_angle\" and \"tan_skew\"" },
+	    "/eye: not together with \"tan_skew\"; give \"tan_skew\", or "
+	    "\"eye\", or \"view_angle\" and \"tan_skew\"" },
 	{ &persp, "{\"angle_unit\":\"radians\",\"fovy\":3.2}",
 	    "/fovy: 3.2 is out of range; an angle above 0 and below pi radians "
 	    "is wanted" },
@@ -148,9 +165,6 @@ static const struct refusal projections[] = {
 #define SEEN(members, rest)                            \
 	"{\"projection\":{\"type\":\"persp\"," members \
 	"},\"viewport\":{" SIZE rest "}}"
-#define OPEN                                                               \
-	"give \"near\", with \"far\" or without, or neither; \"far\" and " \
-	"\"reverse_z\" need it"
 	{ &persp, "{\"intrinsics\":[1,1,0,0]}",
 	    "/intrinsics: needs a \"viewport\", in whose units it is; write "
 	    "{\"projection\": {...}, \"viewport\": {\"width\": 640, "
@@ -166,9 +180,11 @@ static const struct refusal projections[] = {
 	{ &project, SEEN("\"intrinsics\":[1,1,0,0],\"fovy\":60", ""),
 	    "/projection/intrinsics: not together with \"fovy\"; " PERSP_HINT },
 	{ &project, SEEN("\"intrinsics\":[1,1,0,0],\"far\":1", ""),
-	    "/projection/near: missing; " OPEN },
+	    "/projection/near: missing; give \"near\" and \"far\", or none of "
+	    "them" },
 	{ &project, SEEN("\"intrinsics\":[1,1,0,0],\"reverse_z\":true", ""),
-	    "/projection/near: missing; " OPEN },
+	    "/projection/near: missing; give \"near\" and \"reverse_z\", or "
+	    "none of them" },
 	{ &project, SEEN("\"intrinsics\":[1,1,0]", ""),
 	    "/projection/intrinsics: is none of " FORMS },
 	{ &project, SEEN("\"intrinsics\":1", ""),
@@ -209,7 +225,11 @@ static const struct refusal projections[] = {
 	{ &persp, "{\"angles\":[-1,1,-1,1]}",
 	    "/near: missing; give \"near\" and \"far\"" },
 	{ &persp, "{\"fovy\":60,\"edges_at\":1}",
-	    "/edges_at: not together with \"fovy\"; " PERSP_HINT },
+	    "/edges_at: not together with \"fovy\"; give \"fovy\", or "
+	    "\"fovx\", or \"view_angle\", or \"field\", or \"width\", "
+	    "\"height\" and \"edges_at\", or \"width\" and \"edges_at\", or "
+	    "\"height\" and \"edges_at\", or \"left\", \"right\", \"bottom\", "
+	    "\"top\" and \"edges_at\", or \"angles\", or \"intrinsics\"" },
 	{ &ortho, "{\"edges_at\":1}",
 	    "/edges_at: not a member of \"ortho\"; \"persp\" has it" },
 #define MEANS(name, right)                                             \

@@ -41,11 +41,11 @@ my $beyond = qr{
 	what\ holds\ them | no\ points\ to | crosses\ the\ volume |
 	repeated; | all\ but\ vanished |
 	singular | determinant | last\ column | transposed | of\ -c; | pi\S*\ radians | too\ far\ from |
-	beyond\ the\ range\ of\ doubles
+	beyond\ the\ range\ of\ doubles | --distances
 	    (?!;\ numbers) |
 	missing;\ (?:add|it\ is|device|say|-t) |
 	but\ the\ command\ is | coordinates\ are\ wanted | not\ together\ with\ PO |
-	can't\ be\ taken\ back | nothing\ that\ can\ be\ fitted |
+	can't\ be\ taken\ back | nothing\ that\ can\ be\ fitted | --distances |
 	^projcalc:\ POINTS:
 }x;
 

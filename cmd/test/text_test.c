@@ -115,30 +115,6 @@ static void test_skip(void **state)
 	}
 }
 
-/* The values of an array or object, each with the blanks after it. */
-static void assert_values(const char *text, const char *wanted)
-{
-	const char *end = text + strlen(text), *s, *next = text;
-	char got[100], *at = got;
-
-	while ((next = json_next(next, end, &s)) != NULL)
-		at += sprintf(at, "<%.*s>", (int)(next - s), s);
-	*at = '\0';
-	assert_string_equal(got, wanted);
-}
-
-static void test_next(void **state)
-{
-	(void)state;
-	assert_values("[]", "");
-	assert_values("{ \n}", "");
-	assert_values("[1]", "<1>");
-	assert_values("[ \"a:,\" , [2, {}],\n\t{\"b\":3} ]",
-	    "<\"a:,\" ><[2, {}]><{\"b\":3} >");
-	assert_values("{\"a\":1, \"\\\"}\" : [2], \"c\":\"d\"}",
-	    "<1><[2]><\"d\">");
-}
-
 static void test_unescape(void **state)
 {
 	static const struct pair escapes[] = {
@@ -176,7 +152,6 @@ int main(void)
 		cmocka_unit_test(test_digits),
 		cmocka_unit_test(test_number_end),
 		cmocka_unit_test(test_skip),
-		cmocka_unit_test(test_next),
 		cmocka_unit_test(test_unescape),
 	};
 

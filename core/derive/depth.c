@@ -5,26 +5,33 @@
 
 #include "../exact/vec3.h"
 
-/* Depth is linear in 1/w, which is inverse[0] on the near and inverse[1] on the
- * far plane, times a common factor. With L the distance between them, a share d
- * of the depth range inward from plane a reaches
- *
- *	d L inverse[b] / (inverse[a] (1 - d) + inverse[b] d)
- *
- * from it, and span / under = L inverse[a] inverse[b] is finite where a plane
- * lies at infinity. */
-struct slab {
-	struct sum inverse[2];
-	struct sum span, under;
-};
-
-/* c2 and c3 are cofactors of the inverse's last column, and 1/w = (c2 z + c3) / det
- * for ndc z on the axis through the device's middle. Distances run along the gradient
- * of w or, where w is constant, of z. */
-static void slab_of(const struct scene *s, bool reversed, struct slab *r)
+/* With clip z = zz D + tz and w = zw D + tw along the one axis that both depend on,
+ * 1/w = (zz - zw z) / (tw zz - tz zw) for ndc z. Else it is the inverse's last column
+ * that says so on the axis through the device's middle: (c2 z + c3) / det. */
+static void find_inverse_w(const struct map *m, struct sum c[2],
+    struct sum *det)
 {
-	double first = s->convention.minus_one ? -1 : 0;
-	struct sum w[3], z[3];
+	bool square = true;
+
+	for (int i = 0; i < 4; i++)
+		square &= sum_sign(m->m[i / 2][2 + i % 2]) == 0;
+	if (square) {
+		c[0] = sum_neg(m->m[2][3]);
+		c[1] = m->m[2][2];
+		*det = sum_minor(m->m[3][3], c[1], m->m[3][2], m->m[2][3]);
+	} else {
+		c[0] = sum_neg(map_minor(3, m->m, 8, 4));
+		c[1] = map_minor(3, m->m, 8, 8);
+		*det = map_minor(4, m->m, 0, 0);
+	}
+}
+
+/* A perspective's distance is w over the length of the gradient of w. A parallel
+ * projection's is that of clip z, along the convention's gaze or, of a
+ * matrix, from near to far. */
+void depth_of(const struct scene *s, bool reversed, struct depth *d)
+{
+	struct sum w[3], z[3], det;
 	struct map m;
 
 	/* whose reasons the scene has not, as it is not degenerate */
@@ -33,103 +40,166 @@ static void slab_of(const struct scene *s, bool reversed, struct slab *r)
 		w[i] = m.m[i][3];
 		z[i] = m.m[i][2];
 	}
-	bool parallel = vec3_is_zero(w);
-	struct sum c2 = sum_neg(map_minor(3, m.m, 8, 4));
-	struct sum c3 = map_minor(3, m.m, 8, 8), det = map_minor(4, m.m, 0, 0);
+	d->first = s->convention.minus_one ? -1 : 0;
+	d->reversed = reversed;
+	d->open = projection_is_open(&s->projection);
+	if (!vec3_is_zero(w)) {
+		struct sum length = vec3_length(w);
 
-	for (int k = 0; k < 2; k++) {
-		double depth = (k == 1) != reversed ? 1 : first;
-		struct sum at = sum_add(c3, sum_scale(c2, depth));
-
-		r->inverse[k] = sum_negated_if(sum_sign(det) < 0, at);
+		find_inverse_w(&m, d->under, &det);
+		d->over[0] = sum_of_double(0);
+		d->over[1] = sum_abs(det);
+		for (int i = 0; i < 2; i++)
+			d->under[i] = sum_mul(length,
+			    sum_negated_if(sum_sign(det) < 0, d->under[i]));
+		return;
 	}
-	r->span = sum_scale(sum_abs(sum_mul(parallel ? c3 : c2, det)),
-	    1 - first);
-	r->under = vec3_length(parallel ? z : w);
+	bool behind = sum_sign(m.m[3][3]) < 0;
+	bool against = s->projection.type == PROJECTION_MATRIX ?
+	    reversed != behind :
+	    sum_sign(z[2]) * (looks_back(&s->convention) ? -1 : 1) < 0;
+
+	d->over[0] = sum_negated_if(against != behind, m.m[3][3]);
+	d->over[1] = sum_negated_if(against == behind, m.m[3][2]);
+	d->under[0] = sum_of_double(0);
+	d->under[1] = sum_negated_if(behind, vec3_length(z));
 }
 
-/* The distance of a share over / under of the depth range, inward from plane
- * a. */
-static double slab_distance(const struct slab *s, int a, struct sum over,
-    struct sum under)
-{
-	struct sum at = sum_add(sum_mul(s->inverse[a], sum_sub(under, over)),
-	    sum_mul(s->inverse[1 - a], over));
+/* A depth, as an exact quotient. */
+struct at {
+	struct sum n, d;
+};
 
-	if (sum_sign(s->span) == 0 || sum_sign(s->inverse[a]) <= 0 ||
-	    sum_sign(at) <= 0)
+static struct sum at_depth(const struct sum line[2], const struct at *z)
+{
+	return sum_add(sum_mul(line[0], z->n), sum_mul(line[1], z->d));
+}
+
+static struct at plane(const struct depth *d, bool far)
+{
+	return (struct at){ sum_of_double(far != d->reversed ? 1 : d->first),
+		sum_of_double(1) };
+}
+
+double depth_distance(const struct depth *d, bool far)
+{
+	struct at z = plane(d, far);
+	struct sum under = at_depth(d->under, &z);
+
+	if (d->open || sum_sign(under) < 0)
 		return (double)NAN;
-	return sum_over_or_nan(sum_mul(over, s->span),
-	    sum_mul(sum_mul(s->inverse[a], at), s->under));
+	return sum_sign(under) == 0 ?
+	    HUGE_VAL :
+	    sum_over_or_nan(at_depth(d->over, &z), under);
 }
 
-/* The whole number nearest to z most, for z clamped to 0..1. The product and its rest
- * are exact. */
-static double whole_nearest(double z, double most)
+/* The viewport's depth, from ndc's. */
+static struct at on_device(const struct depth *d, const struct viewport *v,
+    const struct at *z)
 {
-	double clamped = fmin(fmax(z, 0), 1), product = clamped * most;
-	double rest = fma(clamped, most, -product);
-	double whole = floor(product), beyond = (product - whole - 0.5) + rest;
+	struct sum range = sum_of_double(1 - d->first);
+	struct sum share = sum_sub(z->n, sum_scale(z->d, d->first));
 
-	if (beyond > 0 || (beyond == 0 && fmod(whole, 2) != 0))
-		whole++;
-	return whole;
+	return (
+	    struct at){ sum_add(sum_mul(sum_diff(v->max_z, v->min_z), share),
+			    sum_mul(sum_scale(z->d, v->min_z), range)),
+		sum_mul(z->d, range) };
 }
 
-/* Where from z towards other the stored value changes, as a quotient: halfway
- * to the next one. False where it does not. */
-static bool whole_boundary(double z, double other, double most,
-    struct sum *over, struct sum *under)
+/* And back. */
+static struct at on_ndc(const struct depth *d, const struct viewport *v,
+    const struct at *z)
 {
-	double k = whole_nearest(z, most);
+	struct sum range = sum_diff(v->max_z, v->min_z);
+	struct sum share = sum_sub(z->n, sum_scale(z->d, v->min_z));
 
-	*over = sum_of_double(2 * k + (other > z ? 1 : -1));
-	*under = sum_of_double(2 * most);
-	return whole_nearest(other, most) != k;
+	return (struct at){ sum_add(sum_scale(share, 1 - d->first),
+				sum_mul(sum_scale(z->d, d->first), range)),
+		sum_mul(z->d, range) };
 }
 
-/* Beyond the largest float the next is 2^128, which is stored as infinity. */
-static double float_value(float a)
+static int compare_depths(const struct at *a, const struct at *b)
 {
-	return isinf(a) ? copysign(0x1p128, (double)a) : (double)a;
+	return sum_sign(sum_minor(a->n, b->d, b->n, a->d)) * sum_sign(a->d) *
+	    sum_sign(b->d);
 }
 
-static bool float_boundary(double z, double other, struct sum *over,
-    struct sum *under)
+/* The next float above or below z, strictly. False where there is none. */
+static bool next_float(const struct at *z, int up, struct at *next)
 {
-	float f = (float)z, end = (float)other;
+	float f = sum_over_float(z->n, z->d),
+	      to = up > 0 ? HUGE_VALF : -HUGE_VALF;
 
-	*over = sum_of_double(
-	    (float_value(f) + float_value(nextafterf(f, end))) / 2);
-	*under = sum_of_double(1);
-	return f != end;
+	next->d = sum_of_double(1);
+	if (isfinite(f))
+		next->n = sum_of_double((double)f);
+	if (!isfinite(f) || compare_depths(next, z) * up <= 0)
+		next->n = sum_of_double((double)(f = nextafterf(f, to)));
+	return isfinite(f) != 0;
 }
 
-void depth_steps(const struct scene *s, bool reversed, double step[BUFFERS][2])
+/* The depth a step above or below z, on the device. */
+static bool next_depth(const struct at *z, enum buffer b, int up,
+    struct at *next)
 {
-	double z[2] = { 0, 1 };
-	struct slab slab;
+	double most = b == BUFFER_UNORM16 ? 0xffff : 0xffffff;
 
-	if (s->has_viewport) {
-		z[0] = s->viewport.min_z;
-		z[1] = s->viewport.max_z;
-	}
-	slab_of(s, reversed, &slab);
-	for (int b = 0; b < BUFFERS; b++)
-		for (int k = 0; k < 2; k++) {
-			double from = z[k ^ reversed], to = z[!(k ^ reversed)];
-			struct sum over, under;
-			bool any = b == BUFFER_FLOAT32 ?
-			    float_boundary(from, to, &over, &under) :
-			    whole_boundary(from, to,
-				b == BUFFER_UNORM16 ? 0xffff : 0xffffff, &over,
-				&under);
+	if (b == BUFFER_FLOAT32)
+		return next_float(z, up, next);
+	*next = (struct at){ sum_add(sum_scale(z->n, most),
+				 sum_scale(z->d, up)),
+		sum_scale(z->d, most) };
+	return true;
+}
 
-			step[b][k] = (double)NAN;
-			if (!any || projection_is_open(&s->projection))
-				continue;
-			over = sum_abs(sum_sub(over, sum_scale(under, from)));
-			step[b][k] = slab_distance(&slab, k, over,
-			    sum_mul(under, sum_abs(sum_diff(to, from))));
-		}
+/* How far it is from one ndc depth to another. */
+static double between(const struct depth *d, const struct at *a,
+    const struct at *b)
+{
+	struct sum det = sum_minor(d->over[0], d->under[1], d->over[1],
+	    d->under[0]);
+	struct sum under[2] = { at_depth(d->under, a), at_depth(d->under, b) };
+
+	if (sum_sign(det) == 0 || sum_sign(under[0]) * sum_sign(a->d) <= 0 ||
+	    sum_sign(under[1]) * sum_sign(b->d) <= 0)
+		return (double)NAN;
+	return sum_over_or_nan(sum_abs(sum_mul(det,
+				   sum_minor(a->n, b->d, b->n, a->d))),
+	    sum_mul(sum_abs(under[0]), sum_abs(under[1])));
+}
+
+/* From ndc depth z a step up or down in ndc, to the limit at most. */
+static double step_from(const struct depth *d, const struct viewport *v,
+    enum buffer b, const struct at *z, int up, const struct at *limit)
+{
+	static const struct viewport whole = { .max_z = 1 };
+	const struct viewport *view = v != NULL ? v : &whole;
+	struct at from = on_device(d, view, z), to;
+	int deeper = (view->max_z > view->min_z) - (view->max_z < view->min_z);
+
+	if (d->open || deeper == 0 || !next_depth(&from, b, up * deeper, &to))
+		return (double)NAN;
+	to = on_ndc(d, view, &to);
+	if (limit != NULL && compare_depths(&to, limit) * up > 0)
+		return (double)NAN;
+	return between(d, z, &to);
+}
+
+double depth_step(const struct depth *d, const struct viewport *v,
+    enum buffer b, bool far)
+{
+	struct at from = plane(d, far), to = plane(d, !far);
+
+	return step_from(d, v, b, &from, far != d->reversed ? -1 : 1, &to);
+}
+
+double depth_step_at(const struct depth *d, const struct viewport *v,
+    enum buffer b, double at)
+{
+	struct at z = { sum_sub(d->over[1], sum_scale(d->under[1], at)),
+		sum_sub(sum_scale(d->under[0], at), d->over[0]) };
+	struct sum det = sum_minor(d->over[0], d->under[1], d->over[1],
+	    d->under[0]);
+
+	return step_from(d, v, b, &z, -sum_sign(det), NULL);
 }

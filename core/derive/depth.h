@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* How finely a depth buffer tells distances apart. */
+/* Distances along the gaze, and how finely a depth buffer tells them apart. */
 #ifndef DEPTH_H
 #define DEPTH_H
 
@@ -7,14 +7,34 @@
 
 enum buffer { BUFFER_UNORM16, BUFFER_UNORM24, BUFFER_FLOAT32, BUFFERS };
 
-/* The least distance, in view units along the gaze, inward from the near and
- * from the far plane beyond which device z is stored differently, rounded to
- * nearest even after it was clamped to what the buffer holds; the correctly
- * rounded value of a polynomial quotient of the parameters. nan at infinity and
- * where the whole volume is stored alike. Without a viewport device z runs from
- * 0 to 1. Where planes of equal depth are not parallel to the projection plane
- * it holds on the projector through the middle of the device. reversed: the
- * near plane has the larger depth. The scene is not degenerate. */
-void depth_steps(const struct scene *, bool reversed, double step[BUFFERS][2]);
+/* The distance of ndc depth z is (over[0] z + over[1]) / (under[0] z + under[1]),
+ * along the gaze from the eye, where under[0] is not 0, or from the origin of view
+ * space. Depth lies in front where the denominator is positive. Where planes
+ * of equal depth are not parallel to the projection plane it holds on the projector
+ * through the middle of the device. */
+struct depth {
+	struct sum over[2], under[2];
+	double first; /* the least ndc depth; the greatest is 1 */
+	bool reversed,
+	    open; /* the near plane has the larger depth; there is none */
+};
+
+/* The scene is not degenerate. */
+void depth_of(const struct scene *, bool reversed, struct depth *);
+
+/* The distance of the near or far plane: nan where it lies behind, infinite at
+ * infinity. */
+double depth_distance(const struct depth *, bool far);
+
+/* The distance, inward from the near or far plane, at which the viewport's depth
+ * has changed by one step of the buffer, or has reached the next float: nan at
+ * infinity, without the plane, and where the whole range is less than a step.
+ * Without a viewport depth runs from 0 to 1. */
+double depth_step(const struct depth *, const struct viewport *, enum buffer,
+    bool far);
+
+/* The same from a distance toward the eye. */
+double depth_step_at(const struct depth *, const struct viewport *, enum buffer,
+    double at);
 
 #endif

@@ -8,18 +8,23 @@
 
 #define NONE ((double)NAN)
 
+/* What is no more than a rounding of given numbers, of a direction. */
+#define SLIGHT 0x1p-40
+
 /* A map from view to clip space of which z and w depend on depth alone: of a point
  * X to the right, Y upward and D along the gaze
  *	x = x X + yx Y + zx D + tx, y = y Y + zy D + ty,
  *	z = zz D + tz, w = zw D + tw,
  * all times the map's divisor, which cancels. In a perspective the gaze is where w
- * grows; turned says that this is against the convention's. leftward: X is minus that
- * of view space, as where the gaze is turned half around Y; or, for one, where the
- * answer is of the other handedness, whose camera has its x there. */
+ * grows. own: X, Y and D are view space's axes, or turned half around Y where w grows
+ * against the convention's gaze; X is the other way where the answer is of the other
+ * handedness, whose camera has its x there. Else they are found by RQ, and a
+ * perspective's D begins at the eye. */
 struct upright {
 	struct sum x, yx, y, zx, zy, zz, zw, tx, ty, tz, tw;
-	struct sum det; /* tw zz - tz zw */
-	bool turned, leftward;
+	struct sum det;        /* tw zz - tz zw */
+	struct sum axis[3][3]; /* X, Y and D in view space */
+	bool own, turned, tilted;
 };
 
 /* Whether world to view has a mirror in it where the camera is a rotation. */
@@ -29,31 +34,131 @@ static bool is_mirrored(const struct scene *s)
 }
 
 /* False where x, y, z or w depend on what they should not. */
-static bool upright_of(const struct map *map, const struct scene *s,
+static bool set_own_axes(const struct scene *s, const struct map *m,
     struct upright *u)
 {
 	const struct convention *c = answer_convention(s);
-	struct sum m[4][4];
-	bool turned, leftward;
+	bool own = sum_sign(m->m[0][1]) == 0;
 
-	memcpy(m, map->m, sizeof m);
-	turned = sum_sign(m[2][3]) * (looks_back(c) ? -1 : 1) < 0;
-	leftward = turned != is_mirrored(s);
-	for (int j = 0; j < 4; j++) {
-		m[0][j] = sum_negated_if(leftward, m[0][j]);
-		m[1][j] = sum_negated_if(c->view_y_down, m[1][j]);
-		m[2][j] = sum_negated_if(turned != looks_back(c), m[2][j]);
-		m[j][1] = sum_negated_if(c->ndc_y_down, m[j][1]);
+	u->turned = sum_sign(m->m[2][3]) * (looks_back(c) ? -1 : 1) < 0;
+	const bool minus[3] = { u->turned != is_mirrored(s), c->view_y_down,
+		u->turned != looks_back(c) };
+
+	for (int i = 0; i < 9; i++)
+		u->axis[i / 3][i % 3] = sum_of_double(i / 3 != i % 3 ? 0 :
+			minus[i / 3]                                 ? -1 :
+								       1);
+	for (int i = 0; i < 4; i++)
+		own &= sum_sign(m->m[i / 2][2 + i % 2]) == 0;
+	return own && sum_sign(m->m[0][0]) != 0 && sum_sign(m->m[1][1]) != 0;
+}
+
+static void normalise(struct sum v[3])
+{
+	struct sum length = vec3_length(v);
+
+	for (int i = 0; i < 3; i++)
+		v[i] = sum_quotient(v[i], length);
+}
+
+/* a as the length of another goes, is below SLIGHT. */
+static bool is_slight(struct sum a, struct sum of)
+{
+	return sum_compare(sum_abs(a), sum_scale(sum_abs(of), SLIGHT)) <= 0;
+}
+
+/* By Gram and Schmidt: the gaze where w grows or, where that is constant, from near to
+ * far; then Y where y grows. X is such that the camera is of the answer's handedness. */
+static void find_rq_axes(const struct scene *s, const struct sum g[4][3],
+    bool parallel, bool reversed, struct upright *u)
+{
+	const struct sum *n = g[parallel ? 2 : 3];
+	struct sum nn = vec3_dot(n, n), yn = vec3_dot(g[1], n), tilt[3];
+	bool against = answer_convention(s)->right_handed != is_mirrored(s);
+
+	for (int i = 0; i < 3; i++) {
+		u->axis[2][i] = sum_negated_if(parallel &&
+			reversed != (sum_sign(u->tw) < 0),
+		    n[i]);
+		u->axis[1][i] = sum_minor(g[1][i], nn, n[i], yn);
 	}
-	*u = (struct upright){ m[0][0], m[1][0], m[1][1], m[2][0], m[2][1],
-		m[2][2], m[2][3], m[3][0], m[3][1], m[3][2], m[3][3],
-		.turned = turned, .leftward = leftward };
+	normalise(u->axis[2]);
+	normalise(u->axis[1]);
+	vec3_cross(u->axis[1], u->axis[2], u->axis[0]);
+	for (int i = 0; i < 3; i++)
+		u->axis[0][i] = sum_negated_if(against, u->axis[0][i]);
+	vec3_cross(g[2], g[3], tilt);
+	u->tilted = !is_slight(vec3_length(tilt),
+	    sum_mul(vec3_length(g[2]), vec3_length(n)));
+}
+
+/* Of axes that are found. From the eye, where x, y and w are 0, z is as by Cramer. */
+static void settle_axes(const struct map *m, bool parallel, struct upright *u)
+{
+	struct sum none = sum_of_double(0);
+
+	if (is_slight(u->yx, u->x))
+		u->yx = none;
+	if (parallel && is_slight(u->zx, u->x))
+		u->zx = none;
+	if (parallel && is_slight(u->zy, u->y))
+		u->zy = none;
+	if (parallel)
+		return;
+	u->tx = u->ty = u->tw = none;
+	u->tz = sum_neg(
+	    sum_quotient(map_minor(4, m->m, 0, 0), map_minor(3, m->m, 8, 4)));
+}
+
+static void set_elements(const struct sum g[4][3], struct upright *u)
+{
+	u->x = vec3_dot(g[0], u->axis[0]);
+	u->yx = vec3_dot(g[0], u->axis[1]);
+	u->y = vec3_dot(g[1], u->axis[1]);
+	u->zx = vec3_dot(g[0], u->axis[2]);
+	u->zy = vec3_dot(g[1], u->axis[2]);
+	u->zz = vec3_dot(g[2], u->axis[2]);
+	u->zw = vec3_dot(g[3], u->axis[2]);
+}
+
+/* Whether a matrix has a camera in it that is turned by half: the picture is upside
+ * down, where the scene has none, or near to far is against the gaze. */
+static bool hides_camera(const struct scene *s, bool parallel, bool reversed,
+    const struct upright *u)
+{
+	if (s->projection.type != PROJECTION_MATRIX)
+		return false;
+	if (parallel && (sum_sign(u->zz) * sum_sign(u->tw) < 0) != reversed)
+		return true;
+	return s->projection.alone && sum_sign(u->x) < 0 && sum_sign(u->y) < 0;
+}
+
+static void upright_of(const struct scene *s, bool reversed, struct map *m,
+    struct upright *u)
+{
+	struct sum g[4][3];
+
+	for (int i = 0; i < 4; i++)
+		m->m[i][1] = sum_negated_if(answer_convention(s)->ndc_y_down,
+		    m->m[i][1]);
+	for (int i = 0; i < 12; i++)
+		g[i % 4][i / 4] = m->m[i / 4][i % 4];
+	bool parallel = vec3_is_zero(g[3]);
+
+	*u = (struct upright){ .tx = m->m[3][0],
+		.ty = m->m[3][1],
+		.tz = m->m[3][2],
+		.tw = m->m[3][3] };
+	u->own = set_own_axes(s, m, u);
+	set_elements(g, u);
+	if (!u->own || hides_camera(s, parallel, reversed, u)) {
+		u->own = false;
+		find_rq_axes(s, g, parallel, reversed, u);
+		set_elements(g, u);
+	}
+	if (!u->own)
+		settle_axes(m, parallel, u);
 	u->det = sum_minor(u->tw, u->zz, u->tz, u->zw);
-	for (int i = 0; i < 2; i++)
-		for (int j = i == 0 ? 1 : 2; j < 4; j++)
-			if (sum_sign(m[i][j]) != 0)
-				return false;
-	return sum_sign(u->x) != 0 && sum_sign(u->y) != 0;
 }
 
 /* The plane of ndc depth k: D = n / d. */
@@ -84,15 +189,14 @@ static double plane_distance(const struct upright *u, const struct plane *p)
 	return at > 0 ? at : NONE;
 }
 
-/* Where a side plane x = side w meets that one, as half / scale is the side: w there
- * is det / d. */
+/* Where a side plane x = side w meets that one, as half / scale is the side. */
 static double side_at(const struct upright *u, const struct plane *p, int axis,
     bool minus, struct sum half, struct sum scale)
 {
 	struct sum z = axis == 0 ? u->zx : u->zy, t = axis == 0 ? u->tx : u->ty;
 	struct sum off = sum_add(sum_mul(z, p->n), sum_mul(t, p->d));
-	struct sum n = sum_minor(sum_negated_if(minus, half), u->det, scale,
-	    off);
+	struct sum w = sum_add(sum_mul(u->zw, p->n), sum_mul(u->tw, p->d));
+	struct sum n = sum_minor(sum_negated_if(minus, half), w, scale, off);
 	struct sum x = axis == 0 ? u->x : u->y;
 
 	return sum_over_or_nan(n, sum_mul(sum_mul(scale, x), p->d));
@@ -104,13 +208,12 @@ static void set_planes(const struct scene *s, const struct upright *u,
 	struct sum half[2], scale[2];
 
 	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
-	for (int k = 0; k < 4 && !isnan(r->near); k++) {
-		bool minus = k < 2 ? u->leftward :
-				     answer_convention(s)->view_y_down;
+	for (int k = 0; k < 4 && u->own && !isnan(r->near); k++) {
+		double toward = (double)u->axis[k / 2][k / 2].value.sign;
 
 		r->plane[k] = side_at(u, near, k / 2, k % 2 == 0, half[k / 2],
 				  scale[k / 2]) *
-			(minus ? -1 : 1) +
+			toward +
 		    0.0;
 		if (k < 2 && sum_sign(u->yx) != 0)
 			r->plane[k] = NONE;
@@ -166,12 +269,14 @@ static bool is_rotation(const struct map *m, bool mirrored)
 	return sum_sign(map_minor(3, m->m, 8, 8)) == (mirrored ? -1 : 1);
 }
 
-static void set_camera_axis(const struct map *m, int j, bool minus, double v[3])
+/* A direction of view space in the world. */
+static void set_camera_axis(const struct map *m, const struct sum axis[3],
+    double v[3])
 {
 	struct sum a[3];
 
 	for (int k = 0; k < 3; k++)
-		a[k] = sum_negated_if(minus, m->m[k][j]);
+		a[k] = sum_settled(vec3_dot(m->m[k], axis));
 	for (int k = 0; k < 3; k++)
 		v[k] = sum_over_or_nan(a[k], vec3_length(a));
 }
@@ -182,82 +287,76 @@ static void set_camera(const struct scene *s, const struct upright *u,
     const struct taxonomy *t, struct parameters *r)
 {
 	struct camera *c = &r->scene.camera;
-	const struct convention *convention = answer_convention(s);
 	struct map view, back;
 
 	scene_map(s, SPACE_WORLD, SPACE_VIEW, &view);
 	scene_map(s, SPACE_VIEW, SPACE_WORLD, &back);
 	*c = (struct camera){ .by = CAMERA_GAZE };
 	r->scene.has_camera = true;
-	r->has_scene &= is_rotation(&view, is_mirrored(s));
+	if (!is_rotation(&view, is_mirrored(s)))
+		r->notes |= 1u << NOTE_NO_ROTATION;
 	for (int k = 0; k < 3; k++)
 		c->eye[k] = sum_sign(u->zw) != 0 ?
 		    t->eye[k] :
 		    map_nearest(&back, 3, k, false);
-	set_camera_axis(&view, 2, u->turned != looks_back(convention), c->at);
-	set_camera_axis(&view, 1, convention->view_y_down, c->up);
+	set_camera_axis(&view, u->axis[2], c->at);
+	set_camera_axis(&view, u->axis[1], c->up);
 }
 
-/* As seen from the eye at distance det / (zw d): (side zw - zx) det / (zw d x). */
-static double edge(const struct upright *u, const struct plane *near, int axis,
-    int side)
+/* x = x X + yx Y + zx D and w = zw D from the eye, and pixels are scale x / w and half
+ * a side from the corner; y of pixels runs downward where they count from the top. X is
+ * to the right in the picture, also where the world's handedness is not the answer's. */
+static void set_intrinsics(const struct scene *s, const struct upright *u,
+    double k[3][3])
 {
-	struct sum w = sum_mul(sum_of_double(side), u->zw);
-	struct sum x = sum_mul(axis == 0 ? u->x : u->y,
-	    sum_mul(u->zw, near->d));
+	bool down = !answer_convention(s)->bottom_left;
+	struct sum half[2], scale[2], x = sum_negated_if(is_mirrored(s), u->x);
 
-	return sum_over_or_nan(sum_mul(sum_sub(w, axis == 0 ? u->zx : u->zy),
-				   u->det),
-	    x);
-}
+	viewport_limits(&s->viewport, half, scale);
+	struct sum yx = sum_negated_if(down, u->yx);
+	struct sum zy = sum_negated_if(down, u->zy);
 
-/* At the depth that is not sheared: (side tw - t - z plane) / x. */
-static double parallel_edge(const struct upright *u, double plane, int axis,
-    int side)
-{
-	struct sum z = axis == 0 ? u->zx : u->zy, t = axis == 0 ? u->tx : u->ty;
-	struct sum off = sum_add(t, sum_mul(z, sum_of_double(plane)));
-
-	return sum_over_or_nan(sum_sub(sum_mul(sum_of_double(side), u->tw),
-				   off),
-	    axis == 0 ? u->x : u->y);
-}
-
-/* x = x X + yx Y + zx D and w = zw D from the eye, x from -1 to 1 over the width; y
- * of pixels runs downward where they count from the top. */
-static void set_intrinsics(const struct upright *u, const struct viewport *v,
-    bool upward, struct projection *p)
-{
-	struct sum two = sum_add(u->zw, u->zw);
-	struct sum w = sum_of_double(v->width), h = sum_of_double(v->height);
-	double(*k)[4] = p->intrinsics;
-
-	p->extent = EXTENT_INTRINSICS;
-	p->width = v->width;
-	p->height = v->height;
-	k[0][0] = sum_over_or_nan(sum_mul(u->x, w), two);
-	k[0][1] = sum_over_or_nan(sum_mul(sum_negated_if(!upward, u->yx), w),
-	    two);
-	k[0][2] = sum_over_or_nan(sum_mul(sum_add(u->zw, u->zx), w), two);
-	k[1][1] = sum_over_or_nan(sum_mul(u->y, h), two);
-	k[1][2] = sum_over_or_nan(
-	    sum_mul(sum_add(u->zw, sum_negated_if(!upward, u->zy)), h), two);
+	memset(k, 0, 9 * sizeof(double));
+	k[0][0] = sum_over_or_nan(sum_mul(x, scale[0]), u->zw);
+	k[0][1] = sum_over_or_nan(sum_mul(yx, scale[0]), u->zw);
+	k[0][2] = sum_over_or_nan(sum_add(sum_mul(u->zw, half[0]),
+				      sum_mul(u->zx, scale[0])),
+	    u->zw);
+	k[1][1] = sum_over_or_nan(sum_mul(u->y, scale[1]), u->zw);
+	k[1][2] = sum_over_or_nan(sum_add(sum_mul(u->zw, half[1]),
+				      sum_mul(zy, scale[1])),
+	    u->zw);
 	k[2][2] = 1;
 }
 
+static void set_pixels(const struct scene *s, const struct parameters *r,
+    struct projection *p)
+{
+	p->extent = EXTENT_INTRINSICS;
+	p->width = s->viewport.width;
+	p->height = s->viewport.height;
+	for (int i = 0; i < 3; i++)
+		memcpy(p->intrinsics[i], r->intrinsics[i],
+		    sizeof r->intrinsics[i]);
+}
+
+/* At near, seen from the eye at a distance of det / (zw d), or in a parallel projection
+ * at the depth that is not sheared. */
 static void set_edges(const struct upright *u, const struct plane *near,
     struct projection *p)
 {
 	double *const edges[4] = { &p->left, &p->right, &p->bottom, &p->top };
+	struct sum one = sum_of_double(1);
+	struct plane at = { sum_of_double(p->plane), one };
+	struct upright seen = *u;
 
 	p->extent = EXTENT_EDGES;
-	for (int k = 0; k < 4; k++) {
-		int side = k % 2 ? 1 : -1;
-
-		*edges[k] = p->type == PROJECTION_PERSP ?
-		    edge(u, near, k / 2, side) :
-		    parallel_edge(u, p->plane, k / 2, side);
+	if (p->type == PROJECTION_PERSP) {
+		at = (struct plane){ u->det, sum_mul(u->zw, near->d) };
+		seen.tx = seen.ty = seen.tw = sum_of_double(0);
 	}
+	for (int k = 0; k < 4; k++)
+		*edges[k] = side_at(&seen, &at, k / 2, k % 2 == 0, one, one);
 }
 
 /* cot cos(direction) and cot sin(direction) are zx / x and zy / y. */
@@ -312,61 +411,108 @@ static void set_projection(const struct scene *s, const struct upright *u,
 		p->far = HUGE_VAL;
 	}
 	if (open || sum_sign(u->yx) != 0)
-		set_intrinsics(u, &s->viewport,
-		    answer_convention(s)->bottom_left, p);
+		set_pixels(s, r, p);
 	else
 		set_edges(u, &plane[p->type == PROJECTION_PERSP && swap], p);
 }
 
-/* Of intrinsics whose planes stand at values of w. */
-static void set_distances(const struct projection *p, struct parameters *r)
+static double squared(double a, double b, double c)
 {
-	struct sum slope = projection_w_slope(p);
+	return a * a + b * b + c * c;
+}
 
-	if (!projection_is_by_p(p) || projection_is_open(p))
-		return;
-	r->near = sum_over_or_nan(sum_of_double(p->near), slope);
-	r->far = isinf(p->far) ? p->far :
-				 sum_over_or_nan(sum_of_double(p->far), slope);
+/* Of a perspective's matrix a transpose has the gaze, a unit vector, in its last row,
+ * and the image of the origin in its last column; of a parallel one's the last
+ * row is 0 0 0 1. */
+static bool seems_transposed(const double m[4][4])
+{
+	double row = squared(m[3][0], m[3][1], m[3][2]);
+	double column = squared(m[0][3], m[1][3], m[2][3]);
+	bool unit = fabs(row - 1) < 0x1p-20 && fabs(column - 1) > 0x1p-20;
+
+	return column > 0 && (unit || (row == 0 && m[3][3] == 1));
+}
+
+/* Against what the convention says, of its own axes. */
+static enum note wrong_side(const struct scene *s, const struct upright *u,
+    bool mirrored)
+{
+	if (u->own && u->turned && (mirrored || s->has_camera))
+		return mirrored ? NOTE_HANDED : NOTE_AWAY;
+	return mirrored ? NOTE_MIRRORED : NOTES;
+}
+
+static unsigned notes_of(const struct scene *s, const struct upright *u,
+    const struct parameters *r)
+{
+	const struct projection *p = &s->projection;
+	bool parallel = sum_sign(u->zw) == 0;
+	bool pixels = sum_sign(u->yx) != 0 || projection_is_open(p);
+	bool mirrored = (sum_sign(u->x) * sum_sign(u->y) < 0) != is_mirrored(s);
+	bool fills = s->has_viewport && s->viewport.scale == SCALE_FILL;
+	const bool is[NOTES] = {
+		[NOTE_TRANSPOSED] = p->type == PROJECTION_MATRIX &&
+		    seems_transposed(p->matrix),
+		[NOTE_NEAR_BEYOND] = r->near > r->far,
+		[NOTE_BACKWARD] = p->type == PROJECTION_MATRIX && u->own &&
+		    parallel && r->reverse_z,
+		[NOTE_TILTED] = u->tilted,
+		[NOTE_BEHIND] = parallel && sum_sign(u->tw) < 0,
+		[NOTE_SKEWED] = pixels &&
+		    (parallel || !fills || sum_sign(u->x) < 0),
+	};
+	unsigned notes = is[NOTE_TRANSPOSED] ? 0 :
+					       1u << wrong_side(s, u, mirrored);
+
+	for (int i = 0; i < NOTES; i++)
+		notes |= (unsigned)is[i] << i;
+	return notes & ((1u << NOTES) - 1);
+}
+
+static void set_scene(const struct scene *s, const struct taxonomy *t,
+    const struct upright *u, const struct plane plane[2], struct parameters *r)
+{
+	r->scene = *s;
+	r->scene.answer = NULL;
+	r->scene.convention = *answer_convention(s);
+	set_projection(s, u, plane, r);
+	set_camera(s, u, t, r);
+
+	if (r->notes >> NOTE_NO_ROTATION == 0 && !scene_is_valid(&r->scene))
+		r->notes |= 1u << NOTE_RANGE;
+	r->has_scene = r->notes >> NOTE_NO_ROTATION == 0;
 }
 
 const char *parameters_of(const struct scene *s, const struct taxonomy *t,
     struct parameters *r)
 {
-	const struct convention *c = answer_convention(s);
+	double first = answer_convention(s)->minus_one ? -1 : 0;
 	struct upright u;
 	struct map clip;
 
 	*r = (struct parameters){ .near = NONE,
 		.far = NONE,
-		.aspect = NONE,
 		.reverse_z = t->reversed,
-		.plane = { NONE, NONE, NONE, NONE } };
+		.plane = { NONE, NONE, NONE, NONE },
+		.intrinsics = { { NONE } } };
 	const char *why = set_frustum_planes(s, r->frustum_plane);
 
 	if (why == NULL)
 		why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip);
 	if (why != NULL)
 		return why;
-	if (!upright_of(&clip, s, &u)) {
-		set_distances(&s->projection, r);
-		return NULL;
-	}
-	double first = c->minus_one ? -1 : 0;
+	upright_of(s, t->reversed, &clip, &u);
 	struct plane plane[2] = { plane_of(&u, t->reversed ? 1 : first),
 		plane_of(&u, t->reversed ? first : 1) };
 
-	if (!projection_is_open(&s->projection)) {
+	if (!projection_is_open(&s->projection) && !u.tilted) {
 		r->near = plane_distance(&u, &plane[0]);
 		r->far = plane_distance(&u, &plane[1]);
 	}
 	set_planes(s, &u, &plane[0], r);
-	r->scene = *s;
-	r->scene.answer = NULL;
-	r->scene.convention = *c;
-	set_projection(s, &u, plane, r);
-	r->has_scene = sum_sign(u.zw) != 0 || sum_sign(u.tw) > 0;
-	set_camera(s, &u, t, r);
-	r->has_scene &= scene_is_valid(&r->scene);
+	if (s->has_viewport && sum_sign(u.zw) != 0)
+		set_intrinsics(s, &u, r->intrinsics);
+	r->notes = notes_of(s, &u, r);
+	set_scene(s, t, &u, plane, r);
 	return NULL;
 }

@@ -716,6 +716,18 @@ const char *projection_corner(const struct projection *p,
 	return NULL;
 }
 
+/* Whether a parallel projection has a camera in it, as what only a turn makes of it
+ * says: x or y goes into depth, x into y; or half a turn mirrors x or y. */
+static bool has_camera(const struct projection *p, const struct convention *c)
+{
+	const double(*m)[4] = p->matrix;
+	bool down = c->ndc_y_down != c->view_y_down;
+	bool mirrors = ((m[0][0] < 0) != (m[1][1] < 0)) != down;
+
+	return m[0][1] != 0 || m[0][2] != 0 || m[1][2] != 0 ||
+	    (p->alone && mirrors);
+}
+
 /* 1/w = z m[2][3] + m[3][3] on the axis, for m the inverse: it is larger nearby. */
 bool projection_is_reversed(const struct projection *p,
     const struct convention *c)
@@ -729,5 +741,7 @@ bool projection_is_reversed(const struct projection *p,
 	int grows = sum_sign(back.m[2][3]);
 	int along_z = sum_sign(back.m[2][2]) * sum_sign(back.m[3][3]);
 
+	if (grows == 0 && has_camera(p, c))
+		return false;
 	return grows != 0 ? grows > 0 : along_z == (looks_back(c) ? 1 : -1);
 }

@@ -64,6 +64,8 @@ struct projection {
 	double eye[3]; /* in view space, instead of all three */
 
 	double matrix[4][4];
+	bool
+	    alone; /* a matrix without a camera, so that it may have one in it */
 };
 
 /* A persp without planes. */
@@ -120,7 +122,8 @@ const char *projection_map(const struct projection *, const struct convention *,
 
 /* Whether the near plane is that of ndc depth 1. A matrix, or the identity where
  * there is no projection, doesn't say: its near plane is that of the smaller
- * positive w or, where w is constant, the first along the convention's gaze. */
+ * positive w or, where w is constant, the first along the convention's gaze. But
+ * in a parallel one with a camera in it, which is turned or mirrored, depth grows. */
 bool projection_is_reversed(const struct projection *,
     const struct convention *);
 

@@ -22,20 +22,24 @@ struct projector {
 	real from[3], along[3]; /* unit distance along the gaze */
 	real m[4][4];           /* view to device */
 	double z;               /* of the device, where it begins */
+	bool up;                /* whether that grows inward */
 };
 
-static double stored(real z, enum buffer b)
+/* The depth of the next step, up or down. */
+static real target(double z, enum buffer b, bool up)
 {
-	if (b == BUFFER_FLOAT32)
-		return (double)mpfr_get_flt(z, MPFR_RNDN);
-	real whole = mul(z, number(most[b]));
+	float f = (float)z;
 
-	mpfr_roundeven(whole, whole);
-	return fmin(fmax(mpfr_get_d(whole, MPFR_RNDN), 0), most[b]);
+	if (b < BUFFER_FLOAT32)
+		return add(number(z),
+		    over(number(up ? 1 : -1), number(most[b])));
+	if (isinf(f) || (up ? (double)f <= z : (double)f >= z))
+		f = nextafterf(f, up ? HUGE_VALF : -HUGE_VALF);
+	return number((double)f);
 }
 
-static double stored_at(const struct projector *p, double distance,
-    enum buffer b)
+/* Whether depth at a distance from the plane has reached the next step. */
+static bool reached(const struct projector *p, double distance, enum buffer b)
 {
 	int mark = real_mark();
 	real z = p->m[3][2], w = p->m[3][3];
@@ -46,10 +50,11 @@ static double stored_at(const struct projector *p, double distance,
 		z = add(z, mul(x, p->m[i][2]));
 		w = add(w, mul(x, p->m[i][3]));
 	}
-	double value = stored(over(z, w), b);
+	real off = sub(over(z, w), target(p->z, b, p->up));
+	bool is = p->up ? mpfr_sgn(off) >= 0 : mpfr_sgn(off) <= 0;
 
 	real_release(mark);
-	return value;
+	return is;
 }
 
 /* Under the inverse, ndc z = a of x = y = 0; false where it is not seen. */
@@ -92,14 +97,14 @@ static bool projector_of(const struct scene *s, const struct taxonomy *t,
 	for (int i = 0; i < 3; i++)
 		p->along[i] = over(p->along[i], height);
 	p->z = deep ? s->viewport.max_z : s->viewport.min_z;
+	p->up = deep == (s->viewport.max_z < s->viewport.min_z);
 	return true;
 }
 
-/* The least double distance at which something else is stored, found by
- * halving its bits. */
+/* The least double distance at which the next step is reached, found by halving its
+ * bits. */
 static double search(const struct projector *p, enum buffer b, double end)
 {
-	double first = stored(number(p->z), b);
 	uint64_t low = 0, high;
 
 	memcpy(&high, &end, sizeof high);
@@ -108,13 +113,19 @@ static double search(const struct projector *p, enum buffer b, double end)
 		double d;
 
 		memcpy(&d, &middle, sizeof d);
-		if (stored_at(p, d, b) == first)
-			low = middle;
-		else
+		if (reached(p, d, b))
 			high = middle;
+		else
+			low = middle;
 	}
 	memcpy(&end, &high, sizeof end);
 	return end;
+}
+
+static double step_of(const struct depth *z, const struct scene *s,
+    enum buffer b, bool far)
+{
+	return depth_step(z, &s->viewport, b, far);
 }
 
 /* What was rounded to nearest lies at the first such distance or just before
@@ -128,16 +139,16 @@ static void steps_are_the_first(void **state)
 	(void)state;
 	sample_seed(32);
 	for (int k = 0; k < 250; k++) {
-		double step[BUFFERS][2];
+		struct depth z;
 
 		sample_scene(&s, k % 5 == 0 ? 2 : 0);
 		sample_answer(&s);
 		if (taxonomy_of(&s, &t) != NULL)
 			continue;
-		depth_steps(&s, t.reversed, step);
+		depth_of(&s, t.reversed, &z);
 		for (int i = 0; i < 6; i++) {
-			double d = step[i / 2][i % 2], least;
 			enum buffer b = (enum buffer)(i / 2);
+			double d = step_of(&z, &s, b, i % 2), least;
 			int mark = real_mark();
 			struct projector p;
 
@@ -176,48 +187,61 @@ static struct scene near_and_far(double near, double far)
 static void depth_without_end(void **state)
 {
 	struct scene s = near_and_far(1, HUGE_VAL);
-	double step[BUFFERS][2];
+	struct depth z;
 
 	(void)state;
-	/* depth = 1 - 1 / z is 1/131070 at 131070/131069 */
-	depth_steps(&s, false, step);
-	assert_true(step[BUFFER_UNORM16][0] == 1.0 / 131069);
-	assert_true(step[BUFFER_FLOAT32][0] == 0x1p-150);
-	for (int b = 0; b < BUFFERS; b++)
-		assert_true(isnan(step[b][1]) != 0);
-	/* reversed, 1 / z is 1 - 2^-25 at 1 / (1 - 2^-25) */
+	/* depth = 1 - 1 / z is 1/65535 at 65535/65534 */
+	depth_of(&s, false, &z);
+	assert_true(step_of(&z, &s, BUFFER_UNORM16, false) == 1.0 / 65534);
+	assert_true(step_of(&z, &s, BUFFER_FLOAT32, false) == 0x1p-149);
+	for (enum buffer b = 0; b < BUFFERS; b++)
+		assert_true(isnan(step_of(&z, &s, b, true)) != 0);
+	/* from z = 2, depth 1/2, to 1/2 - 1/65535 and 1/2 - 2^-25 */
+	assert_true(
+	    depth_step_at(&z, &s.viewport, BUFFER_UNORM16, 2) == 4.0 / 65537);
+	assert_true(depth_step_at(&z, &s.viewport, BUFFER_FLOAT32, 2) ==
+	    0x1p-23 / (1 + 0x1p-24));
+	/* reversed, 1 / z is 1 - 2^-24 at 1 / (1 - 2^-24) */
 	s.projection.reverse_z = true;
-	depth_steps(&s, true, step);
-	assert_true(step[BUFFER_FLOAT32][0] == 1.0 / 0x1.ffffffp24);
+	depth_of(&s, true, &z);
+	assert_true(step_of(&z, &s, BUFFER_FLOAT32, false) == 1 / 0xffffffp0);
+	/* 1/3 is between two floats */
+	float up = (float)(1.0 / 3);
+
+	assert_true((double)up > 1.0 / 3);
+	double step = depth_step_at(&z, &s.viewport, BUFFER_FLOAT32, 3);
+
+	/* 3 - 1/up = (3 up - 1) / up, of which no difference is rounded */
+	assert_true(step == fma(3, (double)up, -1) / (double)up);
 }
 
-static void what_is_stored_alike_has_no_step(void **state)
+static void a_range_below_a_step_has_none(void **state)
 {
 	struct scene s = near_and_far(1, 2);
-	double step[BUFFERS][2];
+	struct depth z;
 
 	(void)state;
-	s.viewport.min_z = 1;
-	depth_steps(&s, false, step);
-	for (int i = 0; i < 6; i++)
-		assert_true(isnan(step[i / 2][i % 2]) != 0);
-	/* 32767.5 is stored as 32768 */
-	s.viewport.min_z = 0.5;
-	s.viewport.max_z = 0.5 - 0x1p-22;
-	depth_steps(&s, false, step);
-	assert_true(step[BUFFER_UNORM16][0] == 0);
-	assert_true(step[BUFFER_FLOAT32][1] > 0);
-	s.viewport.min_z = 0.25;
-	s.viewport.max_z = 0.25 + 0x1p-22;
-	depth_steps(&s, false, step);
-	assert_true(isnan(step[BUFFER_UNORM16][0]) != 0);
-	assert_true(isnan(step[BUFFER_UNORM16][1]) != 0);
-	/* a float that is infinite, and integers that are clamped */
+	depth_of(&s, false, &z);
+	for (int i = 0; i < 6; i++) {
+		enum buffer b = (enum buffer)(i / 2);
+
+		s.viewport.min_z = 1;
+		assert_true(isnan(step_of(&z, &s, b, i % 2)) != 0);
+		s.viewport.min_z = 1 - 0x1p-24;
+		assert_true(
+		    isnan(step_of(&z, &s, b, i % 2)) == (b != BUFFER_FLOAT32));
+		s.viewport.min_z = 1 - 0x1p-23;
+		assert_true(
+		    isnan(step_of(&z, &s, b, i % 2)) == (b == BUFFER_UNORM16));
+	}
+	/* the next float above -1e39 is the least; above 1e38 none is below this */
 	s.viewport.min_z = -1e39;
 	s.viewport.max_z = -1;
-	depth_steps(&s, false, step);
-	assert_true(isnan(step[BUFFER_UNORM24][0]) != 0);
-	assert_true(step[BUFFER_FLOAT32][0] > 0);
+	assert_true(step_of(&z, &s, BUFFER_FLOAT32, false) > 0);
+	s.viewport.min_z = 1e38;
+	s.viewport.max_z = nextafter(1e38, 2e38);
+	assert_true(isnan(step_of(&z, &s, BUFFER_FLOAT32, false)) != 0);
+	assert_true(isnan(step_of(&z, &s, BUFFER_FLOAT32, true)) != 0);
 }
 
 int main(void)
@@ -225,7 +249,7 @@ int main(void)
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(steps_are_the_first),
 		cmocka_unit_test(depth_without_end),
-		cmocka_unit_test(what_is_stored_alike_has_no_step),
+		cmocka_unit_test(a_range_below_a_step_has_none),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);

@@ -31,7 +31,7 @@ static struct form limit_of(real limit)
 }
 
 /* The one the manual says; of a matrix, near has the smaller positive w or,
- * where w is constant, is the first along the gaze. Depth is linear in 1/w. */
+ * where w is constant, is the first along the gaze, or has the smaller depth. Depth is linear in 1/w. */
 static bool is_reversed(const struct scene *s)
 {
 	struct truth back = { 0 };
@@ -49,6 +49,11 @@ static bool is_reversed(const struct scene *s)
 	/* 1/w is the same for both, and of any sign */
 	struct form z = form_sub(truth_column(&back, 2, far),
 	    truth_column(&back, 2, near));
+	const double(*m)[4] = s->projection.matrix;
+
+	/* with a camera in it depth grows */
+	if (m[0][1] != 0 || m[0][2] != 0 || m[1][2] != 0)
+		return false;
 	int along = truth_sign(form_mul(z, truth_column(&back, 3, near)), NULL);
 
 	return along == -truth_gaze(truth_answer(s));

@@ -366,6 +366,137 @@ static void parameters_come_home(void **state)
 	assert_true(n > 300);
 }
 
+/* Every element of the matrix that has the camera in it, the nearest double. */
+static void to_one_matrix(struct scene *s)
+{
+	struct map clip;
+
+	s->answer = NULL;
+	assert_null(scene_map(s, SPACE_WORLD, SPACE_CLIP, &clip));
+	for (int i = 0; i < 16; i++)
+		s->projection.matrix[i / 4][i % 4] = element(&clip, i / 4,
+		    i % 4);
+	s->projection.type = PROJECTION_MATRIX;
+	s->projection.alone = true;
+	s->has_camera = false;
+}
+
+static real at(real gradient[4], real point[3])
+{
+	return add(dot(gradient, point, 3), gradient[3]);
+}
+
+static void check_real(double got, real exact, int tally[2])
+{
+	tally[got == mpfr_get_d(exact, MPFR_RNDN)]++;
+}
+
+/* A perspective, for given columns x, y, z and w: the eye is where x, y and w are 0, and
+ * D on from it along the unit gaze, w / |w'|, depth k is where z(eye) + D z' n = k D
+ * |w'|; the edges there are (side |w'| - x' n) D / (x' right), and y's alike. */
+static void check_combined(const struct scene *s, const struct parameters *r,
+    int tally[2])
+{
+	const struct convention *c = &s->convention;
+	const struct projection *p = &r->scene.projection;
+	const struct camera *camera = &r->scene.camera;
+	const double edge[4] = { p->left, p->right, p->bottom, p->top };
+	const double first = c->minus_one ? -1 : 0,
+		     distance[2] = { r->near, r->far };
+	real g[4][4], m[4][4], back[4][4], eye[3], n[3], up[3], right[3];
+
+	for (int i = 0; i < 16; i++)
+		m[i / 4][i % 4] = number(s->projection.matrix[i / 4][i % 4]);
+	for (int i = 0; i < 4 && c->ndc_y_down; i++)
+		m[i][1] = negative(m[i][1]);
+	set_inverse(back, m);
+	for (int i = 0; i < 16; i++)
+		g[i / 4][i % 4] = m[i % 4][i / 4];
+	for (int i = 0; i < 3; i++) {
+		eye[i] = over(back[2][i], back[2][3]);
+		n[i] = g[3][i];
+	}
+	real w = root(dot(n, n, 3)), depth = at(g[2], eye);
+
+	normalise(n, 3);
+	for (int i = 0; i < 3; i++)
+		up[i] = sub(g[1][i], mul(n[i], dot(g[1], n, 3)));
+	normalise(up, 3);
+	cross(up, n, right);
+	for (int i = 0; i < 3; i++) {
+		right[i] = c->right_handed ? negative(right[i]) : right[i];
+		check_real(camera->eye[i], eye[i], tally);
+		check_real(camera->at[i], n[i], tally);
+		check_real(camera->up[i], up[i], tally);
+	}
+	real d[2];
+
+	for (int i = 0; i < 2; i++) {
+		double k = (i == 1) != r->reverse_z ? 1 : first;
+
+		d[i] = over(depth, sub(mul(number(k), w), dot(g[2], n, 3)));
+		if (!isinf(distance[i]))
+			check_real(distance[i], d[i], tally);
+	}
+	for (int i = 0; i < 4; i++) {
+		real *axis = i < 2 ? right : up, *x = g[i / 2];
+		real off = sub(mul(number(i % 2 ? 1 : -1), w), dot(x, n, 3));
+
+		check_real(edge[i], over(mul(off, d[0]), dot(x, axis, 3)),
+		    tally);
+	}
+}
+
+/* What has the camera in it is taken apart, to the nearest doubles. */
+static void cameras_are_found_in_matrices(void **state)
+{
+	int tally[2] = { 0 }, parallel = 0;
+	struct scene s;
+	struct taxonomy t;
+	static struct parameters was, is;
+
+	(void)state;
+	sample_seed(21);
+	for (int k = 0; k < 1500; k++) {
+		int mark = real_mark();
+
+		sample_scene(&s, 0);
+		s.answer = NULL;
+		if (s.projection.type > PROJECTION_OBLIQUE ||
+		    s.projection.type == PROJECTION_NONE ||
+		    projection_is_open(&s.projection) ||
+		    s.projection.extent == EXTENT_INTRINSICS ||
+		    taxonomy_of(&s, &t) != NULL)
+			continue;
+		assert_null(parameters_of(&s, &t, &was));
+		if (!was.has_scene || !(was.near < was.far) ||
+		    was.far - was.near < 1e-3 * fabs(was.near) ||
+		    fabs(was.near) < 1e-3)
+			continue;
+		to_one_matrix(&s);
+		assert_null(taxonomy_of(&s, &t));
+		assert_null(parameters_of(&s, &t, &is));
+		if (is.notes >> NOTE_NO_ROTATION != 0)
+			print_message("%d: notes %x\n", k, is.notes);
+		assert_true(is.has_scene);
+		assert_true(most_off(&s, &is.scene, &t) < 1e-6);
+		if (is.scene.projection.type == PROJECTION_PERSP) {
+			assert_true(is.reverse_z == was.reverse_z);
+			assert_true(fabs(is.near - was.near) <=
+				1e-9 * (fabs(was.near) + fabs(was.far)) ||
+			    isinf(was.far));
+			check_combined(&s, &is, tally);
+		} else {
+			parallel++;
+		}
+		real_release(mark);
+	}
+	print_message("%d numbers are nearest, %d are not; %d parallel\n",
+	    tally[1], tally[0], parallel);
+	assert_true(tally[1] > 500 && parallel > 50);
+	assert_int_equal(tally[0], 0);
+}
+
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
@@ -373,6 +504,7 @@ int main(void)
 		cmocka_unit_test(matrices_are_told),
 		cmocka_unit_test(numbers_are_true),
 		cmocka_unit_test(parameters_come_home),
+		cmocka_unit_test(cameras_are_found_in_matrices),
 	};
 
 	return cmocka_run_group_tests(tests, NULL, NULL);
