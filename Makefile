@@ -193,8 +193,9 @@ chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures; READ
 	mv $(BUILD)/bench.md testdata/charts/bench.md
 	perl -i cmd/bench/short.pl testdata/charts/bench.md README.md
 
-oracle: $(BUILD)/core/test/oracle_test ## random scenes and points against MPFR
+oracle: $(BUILD)/core/test/oracle_test $(BUILD)/core/test/integers_test ## random scenes, points and integers against MPFR and GMP
 	@$< 1000000
+	@$(BUILD)/core/test/integers_test 1000
 digits: $(BUILD)/cmd/test/texts_test ## the vector's digits against number_write
 	@$< 3000000
 programs: $(BUILD)/projcalc $(TESTS) ## the program and its tests

@@ -152,8 +152,12 @@ static void *run_scenes(void *with)
 		refusals_go_to(&bad);
 	if (setjmp(bad) != 0)
 		answer_no_scene(options_output(o));
-	while (params_next(o))
+	while (params_next(o)) {
 		run->command->run(run->command, o);
+		if (sum_has_lost())
+			die(EXIT_INPUT,
+			    "what is printed is not exact: " SCENE_TOO_WIDE);
+	}
 	return NULL;
 }
 

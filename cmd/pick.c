@@ -300,7 +300,8 @@ void run_pick(const struct command *c, const struct options *o)
 	document_check(&d,
 	    frustum_of(&d.scene, SPACE_MODEL, false, &j.frustum));
 	document_check(&d, picker_of(&d.scene, &j.transform, &hits.picker));
-	if (o->has_out && !hits.json && o->out != o->in)
+	if (o->has_out && !hits.json &&
+	    (o->out != o->in || o->out_record != o->in_record))
 		die(EXIT_USAGE,
 		    "pick prints lines as they were read, or "
 		    "-o json");

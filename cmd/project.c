@@ -27,10 +27,9 @@ static void project_check_plane(const struct options *o)
 }
 
 static void project_plane(const struct document *d, const struct options *o,
-    struct job *j)
+    enum space to, struct job *j)
 {
 	enum space from = o->has_from ? o->from : SPACE_DEVICE;
-	enum space to = o->has_to ? o->to : SPACE_WORLD;
 
 	document_check(d,
 	    ray_plane_transform(&d->scene, from, to, o->plane, &j->transform));
@@ -91,12 +90,13 @@ void run_project(const struct command *c, const struct options *o)
 		project_check_ray(o);
 	read_document(c, o, &d);
 
-	enum space to = o->has_to ? o->to :
-	    d.scene.has_viewport  ? SPACE_DEVICE :
-				    SPACE_NDC;
+	enum space to = o->has_to  ? o->to :
+	    o->ray || o->has_plane ? SPACE_WORLD :
+	    d.scene.has_viewport   ? SPACE_DEVICE :
+				     SPACE_NDC;
 
 	if (o->has_plane) {
-		project_plane(&d, o, &j);
+		project_plane(&d, o, to, &j);
 	} else if (o->ray) {
 		project_rays(&d, &j);
 	} else {
@@ -107,6 +107,7 @@ void run_project(const struct command *c, const struct options *o)
 		print_matrix(o, &d, &j.transform);
 		return;
 	}
+	j.space = space_names[to];
 	prepare_job(&j, o);
 	j.layout.two = d.source.two;
 	do_points(o, &d, &j);

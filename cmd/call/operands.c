@@ -176,13 +176,17 @@ static bool is_added(const struct options *o, const struct layout *l,
     const char *name)
 {
 	static const char *const added[] = { "z", "dx", "dy", "dz" };
-	bool is = o->flags && leads_into(name, "flags");
+	bool is = o->flags && !l->append && leads_into(name, "flags");
 
-	int n = l->writes > 4 ? 4 : l->reads == 2 && l->writes == 3;
+	int n = l->append ? 0 :
+	    l->writes > 4 ? 4 :
+			    l->reads == 2 && l->writes == 3;
 
 	for (int i = 0; i < n; i++)
 		is |= leads_into(name, added[i]);
-	return is || (l->writes == 4 && l->reads == 3 && leads_into(name, "w"));
+	return is ||
+	    (l->writes == 4 && l->reads == 3 && !l->append &&
+		leads_into(name, "w"));
 }
 
 static void check_columns_of(const struct options *o, const struct layout *l)
@@ -208,8 +212,11 @@ static void check_columns_of(const struct options *o, const struct layout *l)
 			    "array's elements, or names, of an object's "
 			    "members, not both");
 	}
-	if (o->columns.n > 0 && is_binary(o->in))
-		die(EXIT_USAGE, "--columns: binary points have no fields");
+	if (o->columns.n > 0 && is_binary(o->in) && l->record == 0)
+		die(EXIT_USAGE,
+		    "--columns: binary points have no other fields; records "
+		    "of four numbers are -i %sx4",
+		    format_names[o->in]);
 	if (o->columns.n > 0 && o->columns.n != l->reads)
 		die(EXIT_USAGE,
 		    "--columns: %d field%s; %d coordinates are read here, as "
@@ -237,10 +244,53 @@ static void check_csv(const struct options *o, const struct layout *l)
 			    o->columns.name[i]);
 }
 
+static void check_append(const struct options *o, const struct layout *l)
+{
+	if (!l->append)
+		return;
+	if (is_binary(o->in) || is_binary(l->out.format))
+		die(EXIT_USAGE,
+		    "--append: binary points have no lines to stand behind; "
+		    "say -o text without it");
+	if (o->has_out && o->out != o->in)
+		die(EXIT_USAGE,
+		    "--append keeps lines as they were read; leave -o out");
+}
+
+/* Refuses what binary records can't hold, or have not. Whether points are printed says
+ * whether images have to fit in. */
+static void check_record(const struct options *o, const struct layout *l,
+    bool printed)
+{
+	const char *name = format_names[o->in];
+
+	if (l->record == 0)
+		return;
+	if (l->record < l->reads)
+		die(EXIT_USAGE, "-i %sx%d: %d coordinates are read here", name,
+		    l->record, l->reads);
+	for (int i = 0; i < l->columns.n; i++)
+		if (l->columns.field[i] >= l->record)
+			die(EXIT_USAGE,
+			    "--columns: there is no field %d in the %d numbers "
+			    "of -i %sx%d",
+			    l->columns.field[i] + 1, l->record, name,
+			    l->record);
+	if (printed && o->flags)
+		die(EXIT_USAGE, "-i %sx%d: records take no --flags", name,
+		    l->record);
+	if (printed && l->reads != l->writes)
+		die(EXIT_USAGE,
+		    "-i %sx%d: records keep the number of coordinates; here "
+		    "%d are read and %d written",
+		    name, l->record, l->reads, l->writes);
+}
+
 static void check_layout(const struct options *o, const struct layout *l)
 {
 	check_columns_of(o, l);
 	check_csv(o, l);
+	check_append(o, l);
 	if (o->flags && is_binary(l->out.format))
 		die(EXIT_USAGE,
 		    "--flags: binary points have no room for words; say "
@@ -268,6 +318,20 @@ static void choose_kernels(void)
 		    cpu);
 }
 
+/* Names what --append adds: x, y, z and w of a space; and the direction of a ray. */
+static void name_added(struct layout *l, const char *space)
+{
+	for (int k = 0; k < l->writes; k++)
+		if (l->writes > 4 && k >= 3)
+			snprintf(l->added[k], sizeof *l->added, "d%c",
+			    "xyz"[k - 3]);
+		else
+			snprintf(l->added[k], sizeof *l->added, "%s_%s", space,
+			    coordinate_name(k));
+	if (l->flags)
+		strcpy(l->added[COORDINATES_MAX], "flags");
+}
+
 void prepare_job(struct job *j, const struct options *o)
 {
 	/* a ray's position; its point and direction */
@@ -283,11 +347,18 @@ void prepare_job(struct job *j, const struct options *o)
 		.reads = j->rays ? ray_reads : j->transform.in,
 		.writes = j->rays ? ray_writes : j->transform.out,
 		.flags = o->flags,
+		.append = o->append,
+		.record = o->in_record,
+		.keeps = o->in_record > 0 &&
+		    (!o->has_out ||
+			(o->out_record == o->in_record && o->out == o->in)),
 		.single = o->precision == PRECISION_SINGLE,
 	};
 	j->layout.columns.by_header = o->columns.n == 0;
 	for (int k = 0; k < COORDINATES_MAX; k++)
 		j->layout.style[k] = o->styles.style[k];
+	if (o->append)
+		name_added(&j->layout, j->space);
 	j->precision = o->precision;
 	j->visible = o->visible;
 	j->keep_going = o->keep_going;
@@ -296,6 +367,7 @@ void prepare_job(struct job *j, const struct options *o)
 	widen_pipe(STDOUT_FILENO, PIPE_ROOM);
 	choose_kernels();
 	check_layout(o, &j->layout);
+	check_record(o, &j->layout, j->take == NULL);
 }
 
 /* Points as document_points and document_read give them are lines of JSON,
@@ -311,13 +383,18 @@ static void do_json(struct job *j, const char *name, const char *text,
 	j->layout = of_files;
 }
 
-/* Refuses --columns for points that are typed: it is of lines of a file. */
+/* Refuses --columns and records for points that are typed: these are of a file. */
 static void check_columns(const struct options *o, const struct document *d)
 {
 	bool typed = o->n_points == 0 && d->points != NULL;
 
 	for (int i = 0; i < o->n_points; i++)
 		typed |= first_char(o->points[i]) == '[';
+	if (typed && o->in_record > 0)
+		die(EXIT_USAGE,
+		    "-i %sx%d: points that are typed, or in the document, are "
+		    "no records; name a file",
+		    format_names[o->in], o->in_record);
 	if (typed && o->columns.n > 0)
 		die(EXIT_USAGE,
 		    "--columns: points that are typed, or in the document, "

@@ -20,6 +20,19 @@ static void set_convention(struct options *o, char *word)
 	    &conventions[one_of(convention_names, "convention", word)];
 }
 
+/* Reads the name of a format, and in *record the numbers of a binary record. */
+static enum format format_of_word(const char *option, char *word, int *record)
+{
+	const int record_max = 64;
+
+	*record = 0;
+	if (strncmp(word, "f32x", 4) == 0 || strncmp(word, "f64x", 4) == 0) {
+		*record = whole_number(option, word + 4, 2, record_max);
+		word[3] = '\0';
+	}
+	return (enum format)one_of(format_names, "format", word);
+}
+
 static void set_input(struct options *o, char *word)
 {
 	if (strpbrk(word, "./") != NULL)
@@ -27,7 +40,7 @@ static void set_input(struct options *o, char *word)
 		    "unknown format '%s'; a file of points stands after the "
 		    "scene, without an option",
 		    word);
-	o->in = (enum format)one_of(format_names, "format", word);
+	o->in = format_of_word("input", word, &o->in_record);
 }
 
 static void set_output(struct options *o, char *word)
@@ -35,7 +48,7 @@ static void set_output(struct options *o, char *word)
 	if (strpbrk(word, "./") != NULL)
 		die(EXIT_USAGE, "unknown format '%s'; to write a file use > %s",
 		    word, word);
-	o->out = (enum format)one_of(format_names, "format", word);
+	o->out = format_of_word("output", word, &o->out_record);
 }
 
 static void set_separator(struct options *o, char *word)
@@ -142,7 +155,7 @@ const struct option_row option_rows[] = {
 	    .argument = "NAME", .set = set_convention,
 	    .words = convention_names },
 	{ "input", 'i', POINTS,
-	    "of points: text (default), csv, tsv, json, f64, f32",
+	    "of points: text (default), csv, tsv, json, f64, f32, f32x4",
 	    .argument = "FORMAT", .set = set_input, .words = format_names },
 	{ "output", 'o', ALL, "the same; default the input's",
 	    .argument = "FORMAT", .set = set_output, .words = format_names,
@@ -185,6 +198,9 @@ const struct option_row option_rows[] = {
 	{ "plane", 0, PROJECT,
 	    "x y: where their ray meets a x + b y + c z + d = 0",
 	    .argument = "A,B,C,D", .set = set_plane, ON(has_plane) },
+	{ "append", 0, MATRIX | PROJECT | PLANAR,
+	    "keep the line whole, and print the image behind it",
+	    ON(append) },
 	{ "flags", 0, PLANES,
 	    "add in, or the planes that the point is outside of",
 	    ON(flags) },

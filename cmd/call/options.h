@@ -11,6 +11,7 @@ struct options {
 	const struct convention *convention; /* NULL: the document's */
 	bool help, version;
 	enum format in, out;
+	int in_record, out_record; /* numbers of a record, by f32x4; else 0 */
 	bool has_out;   /* else out is the same as in, or text for a matrix */
 	char separator; /* of csv, a comma by default */
 	bool header, no_header; /* of csv: the first line is one, or none */
@@ -22,7 +23,8 @@ struct options {
 	double distance[DISTANCES_MAX]; /* of inspect */
 	bool has_from, has_to;
 	enum space from, to;
-	bool homogeneous, matrix, ray, flags, visible, keep_going, progress;
+	bool homogeneous, matrix, ray, append, flags, visible, keep_going,
+	    progress;
 	int jobs; /* 0: as many as there are cores */
 	bool has_at;
 	double at[2], radius; /* of pick; radius is 0 where it isn't said */

@@ -240,4 +240,11 @@ void options_read(const struct command *c, int argc, char **argv,
 		o->n_points = 0;
 	else
 		o->params = *o->points++;
+	if (o->out_record > 0 &&
+	    (o->out_record != o->in_record || o->out != o->in || o->matrix))
+		die(EXIT_USAGE,
+		    "-o %sx%d: records are read and written alike; say "
+		    "-i %sx%d, or -o %s for coordinates alone",
+		    format_names[o->out], o->out_record, format_names[o->out],
+		    o->out_record, format_names[o->out]);
 }

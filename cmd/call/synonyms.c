@@ -87,9 +87,6 @@ static const struct synonym {
 	    ": projcalc has no lens distortion; undistort points first" },
 	{ "lens", ": projcalc has no lens distortion; undistort points first" },
 	{ "k1", ": projcalc has no lens distortion; undistort points first" },
-	{ "append",
-	    ": images replace the coordinates, and what else is on a line "
-	    "stays; paste -d, puts files side by side" },
 	{ "stdin", ": standard input is - in place of PARAMS or POINTS" },
 	{ "quiet", ": notes go to standard error; 2>/dev/null hides them" },
 };

@@ -2,6 +2,7 @@
 #include "choose.h"
 
 #include <limits.h>
+#include <stdio.h>
 
 #include "../json/text.h"
 
@@ -134,5 +135,53 @@ bool choose_overlaps(const struct layout *l, const struct chosen *c)
 			    c->field[i].value.s < c->field[k].value.end &&
 			    c->field[k].value.s < c->field[i].value.end)
 				return true;
+	return false;
+}
+
+bool choose_clashes(const struct layout *l, struct cut c,
+    char reason[REASON_MAX])
+{
+	struct field f;
+
+	while (l->append && cut_next(&c, &f))
+		for (int k = 0; k <= COORDINATES_MAX; k++) {
+			struct span added = { l->added[k],
+				l->added[k] + strlen(l->added[k]) };
+			struct span s = trimmed(c.in, f.value);
+			size_t n = (size_t)(added.end - added.s);
+
+			if (n == 0 ||
+			    !(c.members ? json_is_name(f.name, added, false) :
+					  (size_t)(s.end - s.s) == n &&
+					memcmp(s.s, added.s, n) == 0))
+				continue;
+			snprintf(reason, REASON_MAX,
+			    "%s '%s', which --append adds; give it another "
+			    "name",
+			    c.members ? "has a member" :
+					"the header has a column",
+			    added.s);
+			return true;
+		}
+	return false;
+}
+
+bool choose_may_clash(const struct layout *l, struct span line)
+{
+	size_t size = (size_t)(line.end - line.s);
+
+	if (memchr(line.s, '\\', size) != NULL)
+		return true;
+	/* names of a space have it, and the others are few */
+	if (!l->flags && l->writes <= 4 && memchr(line.s, '_', size) == NULL)
+		return false;
+	while ((line.s = memchr(line.s, '"', size)) != NULL) {
+		size = (size_t)(line.end - ++line.s);
+		for (int k = 0; k <= COORDINATES_MAX; k++)
+			if (size > 0 && *line.s == l->added[k][0] &&
+			    strncmp(line.s, l->added[k],
+				strlen(l->added[k])) == 0)
+				return true;
+	}
 	return false;
 }

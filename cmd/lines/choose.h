@@ -18,4 +18,11 @@ void choose(const struct layout *, struct cut, struct chosen *);
 /* Returns whether one coordinate stands in another, as pointers can say. */
 bool choose_overlaps(const struct layout *, const struct chosen *);
 
+/* Returns whether a column of a header or a member of an object has a name that
+ * --append adds; says which then. */
+bool choose_clashes(const struct layout *, struct cut, char reason[REASON_MAX]);
+
+/* Returns whether an object may have such a member: false is sure. */
+bool choose_may_clash(const struct layout *, struct span line);
+
 #endif

@@ -18,7 +18,7 @@ enum { COORDINATES_MAX = 6 };
  * members of JSON objects, of which those that begin with / are pointers. */
 struct columns {
 	int n; /* 0: the first fields are the coordinates, or the members x, y, z, w */
-	int field[4];        /* -1: the header has none of that name */
+	int field[4];
 	const char *name[4]; /* NULL if a field is given by its number */
 	bool by_header;      /* nobody said: the header's x, y, z, w */
 };
@@ -32,6 +32,12 @@ struct layout {
 	struct columns columns;
 	int reads, writes; /* how many coordinates */
 	bool flags;        /* a word is written after them */
+	/* By --append, what is written stands behind the whole line, under these
+	 * names; those that are not needed are "". */
+	bool append;
+	char added[COORDINATES_MAX + 1][16];
+	int record;  /* numbers of a binary record; 0: the coordinates alone */
+	bool keeps;  /* binary records are written whole */
 	const char *two;   /* as struct document_wants has it */
 	bool single;       /* they are floats, and written as such */
 	struct number_style style[COORDINATES_MAX];
@@ -43,7 +49,8 @@ enum line_kind {
 	LINE_COPY, /* blank or comment */
 	LINE_HEADER,
 	LINE_BAD, /* its coordinates have places, but for those that are missing */
-	LINE_LOST, /* bad, and not to be taken apart */
+	LINE_LOST,    /* bad, and not to be taken apart */
+	LINE_REFUSED, /* a header that lacks a coordinate: no line is read */
 };
 
 /* Of a line's text, counted from its beginning. With its newline a line is at most
@@ -73,7 +80,7 @@ static inline bool is_missing(struct part p)
 
 static inline bool line_is_bad(const struct line *line)
 {
-	return line->kind == LINE_BAD || line->kind == LINE_LOST;
+	return line->kind >= LINE_BAD;
 }
 
 /* The coordinates that are written in a line. Number k is v[k * step], and its
@@ -111,6 +118,18 @@ static inline struct part line_part(const struct line *line, struct span f)
 {
 	return (struct part){ (uint32_t)(f.s - line->s),
 		(uint32_t)(f.end - line->s) };
+}
+
+/* Returns the bytes of one binary point, with what else is in its record. */
+static inline size_t layout_record(const struct layout *l)
+{
+	return point_size(l->in.format, l->record > 0 ? l->record : l->reads);
+}
+
+/* Returns the number of the field that coordinate i is, from 0. */
+static inline int layout_field(const struct layout *l, int i)
+{
+	return l->columns.n > 0 ? l->columns.field[i] : i;
 }
 
 /* Returns what coordinate i is called. */
@@ -151,8 +170,9 @@ static inline char *line_put(const struct layout *l, int k,
  * in all. */
 size_t lines_room(const struct layout *, size_t lines, size_t bytes);
 
-/* Writes the line with the numbers in the place of those it was read with, and
- * the word flags after them unless that is NULL; returns where it ends. A bad
+/* Writes the line with the numbers in the place of those it was read with, or behind
+ * them by --append, and the word flags after them unless that is NULL; returns where
+ * it ends. A bad
  * line that was not to be taken apart becomes the numbers alone. Blank lines and
  * comments stay as they are, and headers but for the names of what is added and left
  * out; in text those are comments. All are left out from JSON and to JSON. */

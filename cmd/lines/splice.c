@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../../core/points/kernel/little.h"
 #include "../json/text.h"
 #include "choose.h"
 #include "header.h"
@@ -70,6 +71,8 @@ static const char *value_name(const struct splice *w, int k)
 {
 	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };
 
+	if (w->l->append)
+		return w->l->added[k];
 	if (k == FLAGS)
 		return "flags";
 	if (k < w->l->reads && w->line->object && w->line->kind == LINE_BAD)
@@ -256,17 +259,85 @@ static void splice(struct splice *w)
 	splice_to(w, w->line->s + w->line->size);
 }
 
-/* Writes each field that holds no coordinate behind a separator of the format out. */
-static char *put_rest_of(const struct splice *w, char *out)
+/* Returns the separator before the coordinate that stands last on a line of text. */
+static struct span separator_of_text(const struct splice *w)
+{
+	struct span line = trimmed(w->l->in, line_text(w->line));
+	struct span found = { line.s, line.s };
+	bool comma = false;
+
+	for (int i = 0; i < w->l->reads; i++)
+		if (w->at[i].s > found.end)
+			found.end = w->at[i].s;
+	for (found.s = found.end; found.s > line.s; comma |= *--found.s == ',')
+		if (!is_blank(found.s[-1]) && (found.s[-1] != ',' || comma))
+			break;
+	return found.s > line.s && found.end - found.s <= ADDED_ROOM ?
+	    found :
+	    w->separator;
+}
+
+/* Writes the line whole, and the values before its end or its closing bracket. */
+static void append(struct splice *w)
+{
+	const struct layout *l = w->l;
+	const struct format_row *in = format_of(l->in);
+	struct span line = line_text(w->line), s = line;
+
+	if (in->header) /* the blanks at the end are of the last field */
+		s.end -= s.end > s.s && s.end[-1] == '\r';
+	else
+		s = trimmed(l->in, s);
+	if (*in->close != '\0')
+		s = trimmed(l->in, (struct span){ s.s, s.end - 1 });
+	w->fields = *in->close == '\0' || s.end - s.s > 1;
+	if (in->blanks)
+		w->separator = separator_of_text(w);
+	w->done = line.s;
+	splice_to(w, s.end);
+	put_others(w, 0, w->line->object);
+	splice_to(w, line.end);
+}
+
+/* Writes the numbers of a binary record that are no coordinates. */
+static char *put_rest_of_record(const struct layout *l, const struct line *line,
+    char *out)
+{
+	const struct number_style shortest = { NUMBER_SHORTEST, 0 };
+	const bool single = l->in.format == FORMAT_F32;
+
+	for (int i = 0; i < l->record && line->size == layout_record(l); i++) {
+		const char *s = line->s + point_size(l->in.format, i);
+		double v = single ? (double)little_float(s) : little_double(s);
+		bool coordinate = false;
+
+		for (int k = 0; k < l->reads; k++)
+			coordinate |= layout_field(l, k) == i;
+		if (coordinate)
+			continue;
+		*out++ = l->out.separator;
+		out = !isfinite(v) ? stpcpy(out, format_of(l->out)->unknown) :
+		    single ? number_write_float(out, (float)v, shortest) :
+			     number_write(out, v, shortest);
+	}
+	return out;
+}
+
+/* Writes each field that holds no coordinate, or by --append each one, behind a
+ * separator of the format out but for the first of the line. */
+static char *put_rest_of(struct splice *w, char *out)
 {
 	const struct layout *l = w->l;
 	const struct line *line = w->line;
 	const struct format_row *from = format_of(l->in),
 				*to = format_of(l->out);
-	bool first = line->kind == LINE_POINT && l->columns.n == 0;
+	bool first = line->kind == LINE_POINT && l->columns.n == 0 &&
+	    !l->append;
 	struct field f;
 
-	if (line->kind == LINE_LOST || line->object || is_binary(l->in.format))
+	if (is_binary(l->in.format))
+		return put_rest_of_record(l, line, out);
+	if (line->kind == LINE_LOST || line->object)
 		return out;
 	struct cut c;
 
@@ -292,9 +363,12 @@ static char *put_rest_of(const struct splice *w, char *out)
 		bool kept = f.whole.s < f.whole.end ||
 		    (from->header && !to->blanks);
 
-		if (!kept || coordinate_in(w, f.whole.s, f.whole.end) >= 0)
+		if (!kept ||
+		    (!l->append &&
+			coordinate_in(w, f.whole.s, f.whole.end) >= 0))
 			continue;
-		*out++ = l->out.separator;
+		if (w->fields++ > 0)
+			*out++ = l->out.separator;
 		out = format_convert(l->in, l->out, f.whole, out);
 	}
 	return out;
@@ -302,14 +376,14 @@ static char *put_rest_of(const struct splice *w, char *out)
 
 char *line_rest(const struct layout *l, const struct line *line, char *out)
 {
-	struct splice w = { .l = l, .line = line };
+	struct splice w = { .l = l, .line = line, .fields = 1 };
 
 	splice_places(&w);
 	return put_rest_of(&w, out);
 }
 
-/* Writes the values first, then all other fields, as the format out is another or
- * the line can't be taken apart. */
+/* Writes the values first, then all other fields, or by --append the other way, as the
+ * format out is another or the line can't be taken apart. */
 static void convert(struct splice *w)
 {
 	const struct layout *l = w->l;
@@ -320,8 +394,11 @@ static void convert(struct splice *w)
 		&l->out.separator + 1 };
 	*w->out = members ? '{' : open;
 	w->out += open != '\0';
+	if (l->append)
+		w->out = put_rest_of(w, w->out);
 	put_others(w, 0, members);
-	w->out = put_rest_of(w, w->out);
+	if (!l->append)
+		w->out = put_rest_of(w, w->out);
 	*w->out = members ? '}' : close;
 	w->out += close != '\0';
 }
@@ -332,9 +409,13 @@ static void write_header(struct splice *w)
 	static const struct word word = { "flags", 5 };
 	const struct layout *l = w->l;
 
-	header_places(l, line_text(w->line), w->at);
 	w->numbers = NULL;
 	w->flags = l->flags ? &word : NULL;
+	if (l->append) {
+		append(w);
+		return;
+	}
+	header_places(l, line_text(w->line), w->at);
 	if (same_dialect(l->in, l->out)) {
 		splice(w);
 		return;
@@ -365,10 +446,12 @@ char *line_write(const struct layout *l, const struct line *line,
 		write_header(&w);
 	} else {
 		splice_places(&w);
-		if (line->kind != LINE_LOST && same_dialect(l->in, l->out))
-			splice(&w);
-		else
+		if (line->kind == LINE_LOST || !same_dialect(l->in, l->out))
 			convert(&w);
+		else if (l->append)
+			append(&w);
+		else
+			splice(&w);
 	}
 	if (line->newline)
 		*w.out++ = '\n';

@@ -13,12 +13,79 @@ bool binary_is_whole(const struct job *j)
 	    !j->rays;
 }
 
-/* Makes lines of the n points that begin at text. */
-static void make_lines(const struct job *j, struct chunk *c, const char *text,
+size_t binary_written(const struct layout *l)
+{
+	return l->keeps ? layout_record(l) :
+			  point_size(l->out.format, l->writes);
+}
+
+/* Copies the coordinates of n points, numbers of so many bytes, from records to where
+ * they stand one after another; or back. */
+static inline void copy_numbers(const struct layout *l, size_t size,
+    char *records, char *points, bool back, size_t n)
+{
+	size_t record = layout_record(l), point = size * (size_t)l->reads;
+	size_t step = back ? point : record, to_step = back ? record : point;
+
+	for (int k = 0; k < l->reads; k++) {
+		char *in_record = records + size * (size_t)layout_field(l, k);
+		char *alone = points + size * (size_t)k;
+		const char *s = back ? alone : in_record;
+		char *to = back ? in_record : alone;
+
+		for (size_t i = 0; i < n; i++)
+			memcpy(to + i * to_step, s + i * step, size);
+	}
+}
+
+static void copy_coordinates(const struct layout *l, char *records,
+    char *points, bool back, size_t n)
+{
+	if (l->in.format == FORMAT_F32)
+		copy_numbers(l, sizeof(float), records, points, back, n);
+	else
+		copy_numbers(l, sizeof(double), records, points, back, n);
+}
+
+/* Returns the coordinates of the next n points, one after another: where they were
+ * read, or of records in the columns of images, which are not made yet. */
+static const char *binary_rows(const struct layout *l, struct chunk *c,
     size_t n)
 {
-	size_t size = point_size(j->layout.in.format, j->layout.reads);
+	char *rows = (char *)c->image;
 
+	if (l->record == 0)
+		return c->text;
+	copy_coordinates(l, (char *)c->text, rows, false, n);
+	return rows;
+}
+
+/* Makes room for the images of n points, and returns where they go, one after
+ * another. */
+static char *images_begin(const struct layout *l, struct chunk *c, size_t n)
+{
+	size_t size = n * binary_written(l);
+
+	return chunk_reserve(c, 2 * size) + (l->keeps ? size : 0);
+}
+
+/* Appends these images, of records that begin at text with what else is in them. */
+static void images_end(const struct layout *l, struct chunk *c,
+    const char *text, char *images, size_t n)
+{
+	size_t size = n * binary_written(l);
+	char *out = c->out + c->size;
+
+	if (l->keeps) {
+		memcpy(out, text, size);
+		copy_coordinates(l, out, images, true, n);
+	}
+	c->size += size;
+}
+
+/* Makes lines of the n points of so many bytes that begin at text. */
+static void make_lines(struct chunk *c, const char *text, size_t size, size_t n)
+{
 	for (size_t i = 0; i < n; i++)
 		c->line[i] = (struct line){ .s = text + i * size,
 			.size = (uint32_t)size,
@@ -64,15 +131,15 @@ static size_t refuse_beyond(const struct job *j, struct chunk *c, size_t n,
 /* Returns how many whole points are left, at most a block. */
 static size_t count_points(const struct job *j, const struct chunk *c)
 {
-	size_t n = (size_t)(c->end - c->text) /
-	    point_size(j->layout.in.format, j->layout.reads);
+	size_t n = (size_t)(c->end - c->text) / layout_record(&j->layout);
 
 	return n < POINTS_BLOCK ? n : POINTS_BLOCK;
 }
 
 size_t binary_read(const struct job *j, struct chunk *c, size_t *points)
 {
-	size_t size = point_size(j->layout.in.format, j->layout.reads);
+	const struct layout *l = &j->layout;
+	size_t size = layout_record(l);
 	size_t n = *points = count_points(j, c);
 	const char *text = c->text;
 	char reason[REASON_MAX];
@@ -80,16 +147,16 @@ size_t binary_read(const struct job *j, struct chunk *c, size_t *points)
 	if (n == 0) { /* the source ends within a point */
 		snprintf(reason, sizeof reason,
 		    "ends within a point; a point is %zu bytes", size);
-		make_lines(j, c, text, 1);
+		make_lines(c, text, (size_t)(c->end - text), 1);
 		c->text = c->end;
 		return binary_refuse(j, c, 0, reason);
 	}
-	bool within = points_split(text, size / (size_t)j->layout.reads == 8,
-	    j->layout.reads, c->in, n);
+	bool within = points_split(binary_rows(l, c, n),
+	    l->in.format == FORMAT_F64, l->reads, c->in, n);
 
 	c->text += n * size;
 	if (!within || !binary_is_whole(j))
-		make_lines(j, c, text, n);
+		make_lines(c, text, size, n);
 	if (!within)
 		n = refuse_beyond(j, c, n, points);
 	c->n_lines += n;
@@ -98,30 +165,32 @@ size_t binary_read(const struct job *j, struct chunk *c, size_t *points)
 
 bool binary_carry(const struct job *j, struct chunk *c)
 {
+	const struct layout *l = &j->layout;
 	size_t n = count_points(j, c);
-	size_t size = n * point_size(j->layout.in.format, j->layout.reads);
+	char *images = images_begin(l, c, n);
 
 	if (n == 0 ||
-	    !points_carry_floats(&j->transform, c->text, chunk_reserve(c, size),
+	    !points_carry_floats(&j->transform, binary_rows(l, c, n), images,
 		n))
 		return false;
-	c->size += size;
-	c->text += size;
+	images_end(l, c, c->text, images, n);
+	c->text += n * layout_record(l);
 	c->n_lines += n;
 	return true;
 }
 
 bool binary_join(const struct job *j, struct chunk *c, size_t n)
 {
-	size_t size = n * point_size(j->layout.in.format, j->layout.reads);
-	size_t more = n * point_size(j->layout.out.format, j->layout.writes);
+	const struct layout *l = &j->layout;
+	const char *text = c->text - n * layout_record(l);
+	char *images = images_begin(l, c, n);
 
-	if (points_join(c->image, chunk_reserve(c, more),
-		j->layout.out.format == FORMAT_F64, j->layout.writes, n)) {
-		c->size += more;
+	if (points_join(c->image, images, l->out.format == FORMAT_F64,
+		l->writes, n)) {
+		images_end(l, c, text, images, n);
 		return true;
 	}
-	make_lines(j, c, c->text - size, n);
+	make_lines(c, text, layout_record(l), n);
 	return false;
 }
 
@@ -139,21 +208,30 @@ float binary_float(const struct job *j, const struct chunk *c, size_t p, int k,
 	return point_single(&j->transform, in, k, v);
 }
 
-char *binary_put(const struct job *j, const struct chunk *c, bool image,
-    size_t p, char *at)
+char *binary_put(const struct job *j, const struct chunk *c,
+    const struct line *line, size_t p, char *at)
 {
-	for (int k = 0; k < j->layout.writes; k++) {
-		/* -0 is 0 */
-		double v = image ? c->image[k][p] + 0.0 : (double)NAN;
+	const struct layout *l = &j->layout;
+	size_t size = point_size(l->out.format, 1), written = binary_written(l);
+	bool copied = l->keeps && line->size == written;
 
-		if (j->layout.out.format == FORMAT_F64) {
-			put_little_double(at, v);
-			at += sizeof(double);
-		} else {
-			put_little_float(at,
+	if (copied)
+		memcpy(at, line->s, written);
+	/* of a record that the source's end cuts, no number is known */
+	int n = copied ? l->writes : (int)(written / size);
+
+	for (int k = 0; k < n; k++) {
+		/* -0 is 0 */
+		double v = line->kind == LINE_POINT ? c->image[k][p] + 0.0 :
+						      (double)NAN;
+		char *to = at +
+		    size * (size_t)(copied ? layout_field(l, k) : k);
+
+		if (l->out.format == FORMAT_F64)
+			put_little_double(to, v);
+		else
+			put_little_float(to,
 			    binary_float(j, c, p, k, v) + 0.0f);
-			at += sizeof(float);
-		}
 	}
-	return at;
+	return at + written;
 }

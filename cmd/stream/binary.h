@@ -26,8 +26,12 @@ bool binary_join(const struct job *, struct chunk *, size_t n);
 float binary_float(const struct job *, const struct chunk *, size_t p, int k,
     double v);
 
-/* Writes the image of point p, or nan if it has none, and returns where it ends. */
-char *binary_put(const struct job *, const struct chunk *, bool image, size_t p,
-    char *at);
+/* Returns how many bytes are written for each point. */
+size_t binary_written(const struct layout *);
+
+/* Writes the image of a line that is point p, or nan for a bad one, and returns where
+ * it ends. */
+char *binary_put(const struct job *, const struct chunk *, const struct line *,
+    size_t p, char *at);
 
 #endif

@@ -3,6 +3,8 @@
 
 #include <string.h>
 
+#include "../lines/choose.h"
+
 /* What of a block has been read. */
 struct block_in {
 	struct job *job;
@@ -23,7 +25,8 @@ static bool read_line(struct block_in *b, struct span text, bool newline)
 	line->newline = newline;
 	if (line_is_bad(line)) {
 		chunk_complain(c, c->n_lines, reason);
-		if (!b->job->keep_going) {
+		c->refused = line->kind == LINE_REFUSED;
+		if (!b->job->keep_going || c->refused) {
 			c->text = c->end;
 			return false;
 		}
@@ -87,6 +90,11 @@ static bool read_walked(struct block_in *b, const struct walk *walk)
 	n = walk_lines(&c->stretch, walk, n < PLAIN_BATCH ? n : PLAIN_BATCH,
 	    &c->line[b->lines], at, &left);
 	left = walk_numbers(walk, &c->line[b->lines], n, at, left, c->end, v);
+	for (size_t i = 0; i < n && b->job->layout.append; i++)
+		if (c->line[b->lines + i].object &&
+		    choose_may_clash(&b->job->layout,
+			line_text(&c->line[b->lines + i])))
+			left |= 1ull << i;
 	c->text = c->stretch.text + c->stretch.at;
 	return block_take(b, n, left, v);
 }

@@ -99,17 +99,25 @@ static void find_order(const struct line *line, int n, int order[4])
 }
 
 /* Returns whether what is added behind the last of n numbers, which stand in their
- * order, has the usual separator before it, and no quote. */
+ * order, or by --append behind the line, has the usual separator before it, and no
+ * quote or blank. */
 static inline bool takes_more(const struct layout *l, const struct line *line,
     int n)
 {
 	uint32_t last = line->at[n - 1].to;
+	bool closes = *format_of(l->out)->close != '\0';
 
+	if (l->append &&
+	    (is_blank(line->s[line->size - 1]) ||
+		(closes && is_blank(line->s[line->size - 2])) ||
+		(line->object && l->flags)))
+		return false;
 	if (format_of(l->out)->blanks)
 		return line->at[n - 1].from - line->at[n - 2].to == 1;
-	return !line->object &&
-	    (!format_of(l->out)->header || last == line->size ||
-		line->s[last] != '"');
+	return l->append ||
+	    (!line->object &&
+		(!format_of(l->out)->header || last == line->size ||
+		    line->s[last] != '"'));
 }
 
 /* Returns that separator. */
@@ -127,9 +135,7 @@ static inline char *put_word(const struct layout *l, const struct line *line,
 
 	*at++ = separator(l, line, n);
 	*at = '"';
-	memcpy(at + quoted, w->s, 16);
-	if (w->size > 16)
-		memcpy(at + quoted, w->s, sizeof w->s);
+	memcpy(at + quoted, w->s, sizeof w->s);
 	at += quoted + w->size;
 	*at = '"';
 	return at + quoted;
@@ -171,36 +177,45 @@ static inline char *put_rest(const struct line *line, uint32_t done, char *at)
 	return at + line->newline;
 }
 
-/* Writes what line_write would where numbers stand in their order, without a look at
- * what cannot be. */
-static inline char *put_in_order(struct block *b, const struct line *line,
-    size_t p, char *at)
+/* Writes the name of a member that --append adds. */
+static inline char *put_added(const char *name, char *at)
+{
+	*at++ = '"';
+	at = stpcpy(at, name);
+	*at++ = '"';
+	*at++ = ':';
+	return at;
+}
+
+/* Writes what line_write would where numbers change in place, in an order of their
+ * own or NULL, and what is added follows them or the line, without a look at what
+ * cannot be. */
+static inline __attribute__((always_inline)) char *put_in_place(struct block *b,
+    const struct line *line, const int *order, bool append, size_t p, char *at)
 {
 	const struct layout *l = &b->job->layout;
 	uint32_t done = 0;
 
-	for (int k = 0; k < l->reads; done = line->at[k++].to)
+	for (int i = 0; i < l->reads && !append; i++) {
+		int k = order != NULL ? order[i] : i;
+
 		at = replace(b, line, k, done, p, at);
-	for (int k = l->reads; k < l->writes; k++) {
+		done = line->at[k].to;
+	}
+	if (append) {
+		done = line->size - (*format_of(l->out)->close != '\0');
+		memcpy(at, line->s, done);
+		at += done;
+	}
+	for (int k = append ? 0 : l->reads; k < l->writes; k++) {
 		*at++ = separator(l, line, l->reads);
+		if (append && line->object)
+			at = put_added(l->added[k], at);
 		at = block_put_number(b, k, p, at);
 	}
 	if (l->flags)
 		at = put_word(l, line, l->reads,
 		    word_for(b->chunk, b->outside[p]), at);
-	return put_rest(line, done, at);
-}
-
-/* Writes what line_write would where numbers stand in any order, and none is added. */
-static char *put_in_place(struct block *b, const struct line *line, size_t p,
-    char *at)
-{
-	int reads = b->job->layout.reads;
-	uint32_t done = 0;
-
-	find_order(line, reads, b->order);
-	for (int i = 0; i < reads; done = line->at[b->order[i++]].to)
-		at = replace(b, line, b->order[i], done, p, at);
 	return put_rest(line, done, at);
 }
 
@@ -224,9 +239,12 @@ static char *block_put_image(struct block *b, const struct line *line, size_t p,
 	need_texts(b, p);
 	if (b->in_place && is_in_order(line, l->reads) &&
 	    (!b->adds || takes_more(l, line, l->reads)))
-		return put_in_order(b, line, p, at);
-	return b->in_place && !b->adds ? put_in_place(b, line, p, at) :
-					 put_spliced(b, line, p, at);
+		return l->append ? put_in_place(b, line, NULL, true, p, at) :
+				   put_in_place(b, line, NULL, false, p, at);
+	if (!b->in_place || b->adds)
+		return put_spliced(b, line, p, at);
+	find_order(line, l->reads, b->order);
+	return put_in_place(b, line, b->order, false, p, at);
 }
 
 /* Writes a line that is no point: a comment or a header as it is, a bad line as
@@ -254,8 +272,7 @@ static char *put_line(struct block *b, const struct line *line, size_t p,
 	if (j->visible && (point ? b->outside[p] != 0 : bad))
 		return at;
 	if (is_binary(j->layout.out.format))
-		return point || bad ? binary_put(j, b->chunk, point, p, at) :
-				      at;
+		return point || bad ? binary_put(j, b->chunk, line, p, at) : at;
 	return point ? block_put_image(b, line, p, at) :
 		       put_other(&j->layout, line, at);
 }
@@ -269,9 +286,8 @@ static size_t write_lines(struct block *b, size_t i, size_t end, size_t p)
 	const struct line *last = &c->line[end - 1];
 	size_t bytes = (size_t)(last->s + last->size - c->line[i].s);
 	char *at = chunk_reserve(c,
-	    is_binary(l->out.format) ?
-		(end - i) * point_size(l->out.format, l->writes) :
-		lines_room(l, end - i, bytes));
+	    is_binary(l->out.format) ? (end - i) * binary_written(l) :
+				       lines_room(l, end - i, bytes));
 
 	for (; i < end; i++) {
 		at = put_line(b, &c->line[i], p, at);
@@ -353,7 +369,7 @@ void block_write(const struct job *j, struct chunk *c, size_t n, size_t points,
 	b.texts.from = SIZE_MAX;
 	for (int k = 0; k < 4; k++)
 		b.order[k] = k;
-	b.adds = l->flags || l->reads < l->writes;
+	b.adds = l->flags || l->append || l->reads < l->writes;
 	/* what is added to a value in a line does not stand behind it */
 	b.in_place = same_dialect(l->in, l->out) && l->reads <= l->writes &&
 	    !(b.adds && *format_of(l->in)->open != '\0' && columns->n > 0 &&

@@ -6,22 +6,15 @@
 
 #include "../message/message.h"
 
-/* As need() does, where columns want to be. */
-static void *need_aligned(size_t size)
-{
-	void *p;
-
-	if (posix_memalign(&p, _Alignof(struct chunk), size) != 0)
-		die(EXIT_SYSTEM, "out of memory");
-	return p;
-}
-
 struct chunk *chunk_new(void)
 {
-	struct chunk *c = need_aligned(sizeof *c);
+	void *c;
 
-	memset(c, 0, sizeof *c);
-	return c;
+	/* columns want to be aligned */
+	if (posix_memalign(&c, _Alignof(struct chunk), sizeof(struct chunk)) !=
+	    0)
+		die(EXIT_SYSTEM, "out of memory");
+	return memset(c, 0, sizeof(struct chunk));
 }
 
 void chunk_free(struct chunk *c)
@@ -50,6 +43,7 @@ void chunk_clear(struct chunk *c)
 {
 	c->n_lines = c->size = c->n_complaints = 0;
 	c->imageless = c->reasons_size = 0;
+	c->refused = false;
 	c->out = keep_small(c->out, &c->room, 1);
 	c->reasons = keep_small(c->reasons, &c->reasons_room, 1);
 	c->complaints = keep_small(c->complaints, &c->complaints_room,

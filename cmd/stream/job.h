@@ -12,6 +12,7 @@ struct job {
 	struct transform transform;
 	enum precision precision;
 	struct layout layout;
+	const char *space;      /* of the images, for --append */
 	struct frustum frustum; /* for flags and visible alone */
 	struct ray_maker ray;   /* for rays alone */
 	bool visible;           /* print only points in the view volume */

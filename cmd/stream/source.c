@@ -65,7 +65,7 @@ static void take_in(struct piece *p, const struct layout *l, size_t n)
 	size_t end = p->have + n, whole;
 
 	if (is_binary(l->in.format))
-		whole = end - end % point_size(l->in.format, l->reads);
+		whole = end - end % layout_record(l);
 	else
 		whole = last_line_end(p->text, p->have, end);
 	if (whole > 0)
@@ -173,7 +173,7 @@ static enum piece_state cut_file(struct piece *p, const struct layout *l,
 	bool binary = is_binary(l->in.format);
 	size_t before = k > 0 && !binary;
 	size_t range = PIECE_ROOM - LINE_REST;
-	size_t point = binary ? point_size(l->in.format, l->reads) : 1;
+	size_t point = binary ? layout_record(l) : 1;
 
 	range -= range % point;
 	reserve_text(p, binary ? range : PIECE_ROOM);
@@ -196,8 +196,7 @@ static enum piece_state cut_text(const struct layout *l, const char *text,
 	size_t all = *size, end = 0, line = 0;
 
 	if (all > PIECE_ROOM && is_binary(l->in.format)) {
-		*size = PIECE_ROOM -
-		    PIECE_ROOM % point_size(l->in.format, l->reads);
+		*size = PIECE_ROOM - PIECE_ROOM % layout_record(l);
 		return PIECE_FULL;
 	}
 	if (all > PIECE_ROOM) {

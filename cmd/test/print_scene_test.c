@@ -63,7 +63,8 @@ static void assert_same_map(const struct map *a, const struct map *b)
 		const struct sum *y = &b->m[i / 4][i % 4];
 
 		assert_int_equal(ex_compare(x->value, y->value), 0);
-		assert_true(x->size.m == y->size.m && x->size.e == y->size.e);
+		assert_true(x->error.m == y->error.m &&
+		    x->error.e == y->error.e);
 	}
 }
 

@@ -2,9 +2,17 @@
 #include "exact.h"
 
 #include <limits.h>
+#include <stdatomic.h>
 #include <string.h>
 
 #include "wide.h"
+
+static atomic_bool ex_lost;
+
+bool ex_has_lost(void)
+{
+	return atomic_exchange(&ex_lost, false);
+}
 
 /* Sets *r to sign w[0..n) 2^(64 e), with no zeros at either end, as far as there
  * is room. */
@@ -12,15 +20,16 @@ static void ex_put(ex *r, int sign, const uint64_t *w, int n, int e)
 {
 	while (n > 0 && w[n - 1] == 0)
 		n--;
-	if (n > EX_WORDS) {
-		w += n - EX_WORDS;
-		e += n - EX_WORDS;
-		n = EX_WORDS;
-	}
 	while (n > 0 && *w == 0) {
 		w++;
 		e++;
 		n--;
+	}
+	if (n > EX_WORDS) {
+		w += n - EX_WORDS;
+		e += n - EX_WORDS;
+		n = EX_WORDS;
+		ex_lost = true;
 	}
 	r->sign = n > 0 ? sign : 0;
 	r->n = n;
@@ -93,16 +102,27 @@ static int compare_magnitudes(const ex *a, const ex *b)
 	return 0;
 }
 
+/* How many of n words from 2^(64 low) on are left out. */
+static int words_below(int least, int low, int n)
+{
+	int most = n > EX_KEPT ? n - EX_KEPT : 0;
+
+	return least <= low ? 0 : least > low + most ? most : least - low;
+}
+
 /* a + b where sign, that of b, is a's; a - b, for |a| >= |b|, otherwise. */
-static void ex_combine(const ex *a, const ex *b, int sign, ex *r)
+static void ex_combine(const ex *a, const ex *b, int sign, int least, ex *r)
 {
 	uint64_t w[EX_WORDS + 1], carry = 0;
 	int low = a->e < b->e ? a->e : b->e;
 	int high = top(a) > top(b) ? top(a) : top(b);
 	bool minus = a->sign != sign;
 
-	if (high - low > EX_WORDS)
+	if (high - low > EX_WORDS) {
 		low = high - EX_WORDS;
+		if (low > least)
+			ex_lost = true;
+	}
 	for (int i = low; i < high; i++) {
 		uint64_t x = word_at(a, i), y = word_at(b, i);
 
@@ -110,29 +130,33 @@ static void ex_combine(const ex *a, const ex *b, int sign, ex *r)
 				     add_carry(x, y, &carry);
 	}
 	w[high - low] = minus ? 0 : carry;
-	ex_put(r, a->sign, w, high - low + 1, low);
+	int n = high - low + 1;
+
+	while (n > 0 && w[n - 1] == 0)
+		n--;
+	int rest = words_below(least, low, n);
+
+	ex_put(r, a->sign, w + rest, n - rest, low + rest);
 }
 
-void ex_plus(const ex *a, const ex *b, int sign, ex *r)
+void ex_plus(const ex *a, const ex *b, int sign, int least, ex *r)
 {
-	ex turned;
+	ex turned = *b;
 
-	if (b->n == 0) {
-		*r = *a;
-	} else if (a->n > 0 && compare_magnitudes(a, b) >= 0) {
-		ex_combine(a, b, sign * b->sign, r);
-	} else {
-		turned = *b;
-		turned.sign *= sign;
-		ex_combine(&turned, a, a->sign, r);
-	}
+	turned.sign *= sign;
+	if (a->n == 0 || b->n == 0)
+		*r = b->n == 0 ? *a : turned;
+	else if (compare_magnitudes(a, b) >= 0)
+		ex_combine(a, &turned, turned.sign, least, r);
+	else
+		ex_combine(&turned, a, a->sign, least, r);
 }
 
 ex ex_add(ex a, ex b)
 {
 	ex r;
 
-	ex_plus(&a, &b, 1, &r);
+	ex_plus(&a, &b, 1, INT_MIN, &r);
 	return r;
 }
 
@@ -152,7 +176,7 @@ ex ex_sub(ex a, ex b)
 {
 	ex r;
 
-	ex_plus(&a, &b, -1, &r);
+	ex_plus(&a, &b, -1, INT_MIN, &r);
 	return r;
 }
 
@@ -197,14 +221,6 @@ static void accumulate(uint64_t *sum, int low, int high, int sign,
 	}
 }
 
-/* How many of n words from 2^(64 low) on ex_cut leaves out. */
-static int words_below(int least, int low, int n)
-{
-	int most = n > EX_KEPT ? n - EX_KEPT : 0;
-
-	return least <= low ? 0 : least > low + most ? most : least - low;
-}
-
 void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 {
 	uint64_t sum[2 * EX_WORDS + 1], w[2 * EX_WORDS];
@@ -222,8 +238,11 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 		r->sign = r->n = r->e = 0;
 		return;
 	}
-	if (high - low > 2 * EX_WORDS)
+	if (high - low > 2 * EX_WORDS) {
 		low = high - 2 * EX_WORDS;
+		if (low > least)
+			ex_lost = true;
+	}
 	for (int i = 0; i < high - low; i++)
 		sum[i] = 0;
 	for (int k = 0; k < n; k++) {
@@ -271,14 +290,6 @@ ex ex_first(ex a, int n)
 
 	ex_put(&r, a.sign, a.word + rest, a.n - rest, a.e + rest);
 	return r;
-}
-
-void ex_cut(ex *a, int least)
-{
-	int rest = words_below(least, a->e, a->n);
-
-	if (rest > 0)
-		ex_put(a, a->sign, a->word + rest, a->n - rest, a->e + rest);
 }
 
 /* Whether a b > high 2^64 + low. */
@@ -386,7 +397,7 @@ ex ex_sqrt(ex a)
 	e = 32 * (top(&a) - 1);
 	ex m = ex_shift(a, -2 * e), r = ex_of(sqrt(ex_double(m)));
 
-	for (int i = 0; i < 3; i++)
+	for (int i = 0; i < 4; i++)
 		r = ex_shift(ex_add(r, ex_quotient(m, r)), -1);
 	r = ex_add(r, ex_whole(1, 1, 64 * (top(&r) - EX_QUOTIENT) - 1));
 	return ex_shift(ex_first(r, EX_QUOTIENT), e);

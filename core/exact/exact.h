@@ -16,11 +16,13 @@
 
 #include "dd.h"
 
-/* What is 2^-6900 of the largest term of a sum or product is lost. A number of a
- * document, or of a point, is from 2^-1074 to 2^499: the terms of a point through
- * three matrices span 2^6292. A divisor that all terms have in common changes nothing
- * in that. Only of matrices that are inverted, with elements 1e300 apart, do terms
- * span more; there what cancels to 2^-6900 of them is not known. */
+/* A number of a document, or of a point, is a multiple of 2^-1074 below 2^499. A sum
+ * of products of four of them, as the map of three matrices and its image of a point
+ * are, or of a matrix's determinant, spans 4 * 1573 bits and few more of carries: 99
+ * words, and two where its ends lie within words. Sums of products of more can span
+ * more. What has no room is cut off, and ex_has_lost says so: scenes that make such a
+ * map are refused (core/scene/scene.c), and maps that leave too little room for points
+ * (core/points/transform.c). */
 enum { EX_WORDS = 110 };
 
 /* sign times the sum of word[i] 2^(64 (e + i)); neither end is 0. */
@@ -39,8 +41,8 @@ ex ex_shift(ex a, int e); /* a 2^e */
 
 /* Relative. What has five words or less is exact. A quotient by 0 is beyond the
  * range of doubles. The first of its words can be as small as 1. */
-#define EX_ERROR 0x1p-319
-enum { EX_QUOTIENT = 6 };
+#define EX_ERROR 0x1p-703
+enum { EX_QUOTIENT = 12 };
 
 ex ex_quotient(ex a, ex b);
 ex ex_sqrt(ex a);
@@ -48,23 +50,23 @@ ex ex_sqrt(ex a);
 int ex_compare(ex a, ex b); /* the sign of a - b */
 ex ex_first(ex a, int n);   /* the n first words, toward 0 */
 
-/* Cuts off the words below 2^(64 least), but leaves EX_KEPT in any case, for what
- * becomes of a number in which much has cancelled: of its square the size is that of
- * its terms squared. */
-enum { EX_KEPT = 7 };
+/* Whether a number had no room since the last call, in any thread. */
+bool ex_has_lost(void);
 
-void ex_cut(ex *, int least);
+/* So many words are left in any case of a number whose words below 2^(64 least) are
+ * not wanted. */
+enum { EX_KEPT = 7 };
 
 /* The nearest double or float, ties to even, also among the subnormal ones;
  * infinite beyond. */
 double ex_double(ex a);
 
-/* What every point needs, without copies: a double; a + sign b; a sum of products, cut
- * as by ex_cut; a quotient of so many words or one more, whose last bit is 1 where something remains,
- * so that it is rounded as the exact one (it says whether none does); the nearest
- * double or float. */
+/* What every point needs, without copies: a double; a + sign b, and a sum of products,
+ * without the words below 2^(64 least); a quotient of so many words or one more, whose
+ * last bit is 1 where something remains, so that it is rounded as the exact one (it
+ * says whether none does); the nearest double or float. */
 void ex_set(ex *, double a);
-void ex_plus(const ex *a, const ex *b, int sign, ex *);
+void ex_plus(const ex *a, const ex *b, int sign, int least, ex *);
 void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *);
 bool ex_divide(const ex *a, const ex *b, int words, ex *);
 double ex_nearest(const ex *, bool single);

@@ -46,7 +46,7 @@ void map_over(struct map *r, struct sum d)
 
 void map_column_over(struct map *r, int j, struct sum d)
 {
-	bool divides = d.size.m > 0 || sum_is_power_of_two(&d);
+	bool divides = d.error.m > 0 || sum_is_power_of_two(&d);
 
 	for (int i = 0; i < 4 && divides; i++)
 		divide_element(&r->m[i][j], &d);
@@ -84,7 +84,7 @@ static bool is_identity(const struct map *a)
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
 			if (i == j ? !sum_is_one(&a->m[i][j]) :
-				     a->m[i][j].value.sign != 0)
+				     !sum_is_nothing(&a->m[i][j]))
 				return false;
 	return sum_is_one(&a->divisor);
 }
@@ -164,7 +164,7 @@ struct sum map_minor(int n, const struct sum m[4][4], unsigned rows,
 	for (int j = 0; j < 4 && n > 0; j++) {
 		if (columns >> j & 1)
 			continue;
-		if (m[i][j].value.sign != 0) {
+		if (!sum_is_nothing(&m[i][j])) {
 			struct sum p = sum_mul(m[i][j],
 			    map_minor(n - 1, m, rows | 1u << i,
 				columns | 1u << j));

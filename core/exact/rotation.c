@@ -56,6 +56,7 @@ static bool largest_root(ex s, ex d, ex k, ex *x)
 /* The largest column of the adjugate of K - x, which is a multiple of q q'. */
 static void eigenvector(const struct sum k[4][4], struct sum q[4])
 {
+	struct sum norm = sum_of_double(0);
 	double most = 0;
 	int best = 0;
 
@@ -71,9 +72,12 @@ static void eigenvector(const struct sum k[4][4], struct sum q[4])
 	for (int i = 0; i < 4; i++) {
 		struct sum c = map_minor(3, k, 1u << best, 1u << i);
 
-		q[i] = sum_inexact(
+		q[i] = sum_of(
 		    ex_first((best + i) % 2 ? ex_neg(c.value) : c.value, 8));
+		norm = sum_add(norm, sum_abs(q[i]));
 	}
+	for (int i = 0; i < 4; i++)
+		q[i] = sum_off_by(q[i], sum_scale(norm, 0x1p-250));
 }
 
 enum rotation nearest_rotation(const double matrix[4][4], struct sum q[4])

@@ -56,39 +56,26 @@ static struct magnitude of(const ex *a)
 	    64 * (a->e + a->n - 1));
 }
 
-static struct magnitude magnitude_max(struct magnitude a, struct magnitude b)
-{
-	bool first = b.m == 0 ||
-	    (a.m > 0 && (a.e != b.e ? a.e > b.e : a.m > b.m));
-
-	return first ? a : b;
-}
-
-/* All that a value's terms come to at most: exact ones beside others can make more
- * of it than the others' magnitudes. */
-static struct magnitude most(const struct sum *a)
-{
-	return magnitude_max(a->size, of(&a->value));
-}
-
-/* Of a product's terms those that are not exact; some of both factors' exact ones
- * are counted, too, where neither is exact. */
-static struct magnitude size_of_product(const struct sum *a,
+/* |a| times b's error, |b| times a's, and the product of both errors. */
+static struct magnitude error_of_product(const struct sum *a,
     const struct sum *b)
 {
-	if (a->size.m == 0 || b->size.m == 0)
-		return a->size.m > 0 ? magnitude_times(a->size, of(&b->value)) :
-				       magnitude_times(of(&a->value), b->size);
-	return magnitude_times(most(a), most(b));
+	struct magnitude r = { 0, 0 };
+
+	if (a->error.m > 0)
+		r = magnitude_times(a->error,
+		    magnitude_plus(of(&b->value), b->error));
+	if (b->error.m > 0)
+		r = magnitude_plus(r, magnitude_times(of(&a->value), b->error));
+	return r;
 }
 
-/* A value with an error needs no words below 2^-320 of its size, which is in
- * [2^(e-1), 2^e). */
-static int least_word(struct magnitude size)
+/* The words below this one are below 2^-20 of an error, which is at least 2^(e-1). */
+static int least_word(struct magnitude error)
 {
-	int e = size.e - 321;
+	int e = error.e - 21;
 
-	return size.m > 0 ? (e >= 0 ? e / 64 : -((63 - e) / 64)) : INT_MIN;
+	return error.m > 0 ? (e >= 0 ? e / 64 : -((63 - e) / 64)) : INT_MIN;
 }
 
 struct sum sum_of(ex exact)
@@ -101,7 +88,7 @@ struct sum sum_of_double(double exact)
 	struct sum r;
 
 	ex_set(&r.value, exact);
-	r.size = (struct magnitude){ 0, 0 };
+	r.error = (struct magnitude){ 0, 0 };
 	return r;
 }
 
@@ -110,9 +97,17 @@ struct sum sum_diff(double a, double b)
 	return sum_sub(sum_of_double(a), sum_of_double(b));
 }
 
-struct sum sum_inexact(ex value)
+struct sum sum_inexact(ex value, double error)
 {
-	return (struct sum){ value, of(&value) };
+	return (struct sum){ value,
+		magnitude_times(of(&value), magnitude_of(error, 0)) };
+}
+
+struct sum sum_off_by(struct sum a, struct sum by)
+{
+	a.error = magnitude_plus(a.error,
+	    magnitude_plus(of(&by.value), by.error));
+	return a;
 }
 
 struct sum sum_neg(struct sum a)
@@ -135,9 +130,8 @@ struct sum sum_abs(struct sum a)
 static void sum_put(const struct sum *a, const struct sum *b, int sign,
     struct sum *r)
 {
-	r->size = magnitude_plus(a->size, b->size);
-	ex_plus(&a->value, &b->value, sign, &r->value);
-	ex_cut(&r->value, least_word(r->size));
+	r->error = magnitude_plus(a->error, b->error);
+	ex_plus(&a->value, &b->value, sign, least_word(r->error), &r->value);
 }
 
 struct sum sum_add(struct sum a, struct sum b)
@@ -158,24 +152,24 @@ struct sum sum_sub(struct sum a, struct sum b)
 
 bool sum_is_nothing(const struct sum *a)
 {
-	return a->value.n == 0 && a->size.m == 0;
+	return a->value.n == 0 && a->error.m == 0;
 }
 
 void sum_dot(int n, const struct sum *const a[], const struct sum *const b[],
     struct sum *r)
 {
 	const ex *x[4], *y[4];
-	struct magnitude size = { 0, 0 };
+	struct magnitude error = { 0, 0 };
 
 	for (int k = 0; k < n; k++) {
 		x[k] = &a[k]->value;
 		y[k] = &b[k]->value;
 		if (!sum_is_nothing(a[k]) && !sum_is_nothing(b[k]))
-			size = magnitude_plus(size,
-			    size_of_product(a[k], b[k]));
+			error = magnitude_plus(error,
+			    error_of_product(a[k], b[k]));
 	}
-	ex_dot(n, x, y, least_word(size), &r->value);
-	r->size = size;
+	ex_dot(n, x, y, least_word(error), &r->value);
+	r->error = error;
 }
 
 struct sum sum_mul(struct sum a, struct sum b)
@@ -199,19 +193,19 @@ struct sum sum_minor(struct sum a, struct sum b, struct sum c, struct sum d)
 
 bool sum_is_one(const struct sum *a)
 {
-	return a->size.m == 0 && a->value.sign == 1 && a->value.n == 1 &&
+	return a->error.m == 0 && a->value.sign == 1 && a->value.n == 1 &&
 	    a->value.e == 0 && a->value.word[0] == 1;
 }
 
 bool sum_is_power_of_two(const struct sum *a)
 {
-	return a->size.m == 0 && a->value.n == 1 &&
+	return a->error.m == 0 && a->value.n == 1 &&
 	    (a->value.word[0] & (a->value.word[0] - 1)) == 0;
 }
 
 struct sum sum_quotient(struct sum a, struct sum b)
 {
-	struct magnitude d = of(&b.value);
+	struct magnitude d = of(&b.value), error;
 
 	if (sum_is_nothing(&a))
 		return a;
@@ -219,44 +213,49 @@ struct sum sum_quotient(struct sum a, struct sum b)
 		ex q = ex_shift(a.value, 1 - d.e);
 
 		return (struct sum){ b.value.sign < 0 ? ex_neg(q) : q,
-			magnitude_over(a.size, d) };
+			magnitude_over(a.error, d) };
 	}
 	ex q;
 	bool exact = ex_divide(&a.value, &b.value, EX_QUOTIENT, &q);
-	struct magnitude size = magnitude_over(most(&a), d);
 
-	if (b.size.m > 0)
-		size = magnitude_plus(size,
-		    magnitude_over(magnitude_times(of(&q), b.size), d));
-	else if (a.size.m == 0 && exact)
-		size.m = 0;
-	return (struct sum){ q, size };
+	/* b's error is at most half of b, or b is none */
+	error = magnitude_plus(a.error, magnitude_times(of(&q), b.error));
+	error = magnitude_over(error, d);
+	error.e += b.error.m > 0;
+	return (struct sum){ q,
+		exact ?
+		    error :
+		    magnitude_plus(error, sum_inexact(q, SUM_ERROR).error) };
 }
 
 struct sum sum_sqrt(struct sum a)
 {
-	ex r = ex_sqrt(a.value);
+	if (a.value.sign <=
+	    0) /* 0 to the error, of which half the exponent is left */
+		return (struct sum){ ex_of(0),
+			{ a.error.m > 0 ? 0.5 : 0, a.error.e / 2 + 2 } };
+	struct sum r = sum_inexact(ex_sqrt(a.value), SUM_ERROR);
 
-	if (a.size.m > 0)
-		return (struct sum){ r, magnitude_over(most(&a), of(&r)) };
-	return ex_compare(ex_mul(r, r), a.value) == 0 ? sum_of(r) :
-							sum_inexact(r);
+	if (a.error.m > 0)
+		r.error = magnitude_plus(r.error,
+		    magnitude_over(a.error, of(&r.value)));
+	else if (ex_compare(ex_mul(r.value, r.value), a.value) == 0)
+		r.error.m = 0;
+	return r;
 }
 
-/* Whether so much is no difference. */
-static bool is_none(const ex *difference, struct magnitude size)
+/* Whether a difference is not above its error. */
+static bool is_none(const ex *difference, struct magnitude error)
 {
 	struct magnitude d = of(difference);
 
-	/* m 2^e <= M 2^(E - 190), of which the exponents decide most */
 	return difference->n == 0 ||
-	    (size.m > 0 &&
-		(d.e != size.e - 190 ? d.e < size.e - 190 : d.m <= size.m));
+	    (error.m > 0 && (d.e != error.e ? d.e < error.e : d.m <= error.m));
 }
 
 int sum_sign(struct sum a)
 {
-	return is_none(&a.value, a.size) ? 0 : a.value.sign;
+	return is_none(&a.value, a.error) ? 0 : a.value.sign;
 }
 
 int sum_compare(struct sum a, struct sum b)
@@ -267,6 +266,11 @@ int sum_compare(struct sum a, struct sum b)
 struct sum sum_settled(struct sum a)
 {
 	return sum_sign(a) == 0 ? sum_of_double(0) : a;
+}
+
+bool sum_has_lost(void)
+{
+	return ex_has_lost();
 }
 
 /* The next double or float, from 0 away or toward it. */
@@ -289,9 +293,10 @@ static bool is_even(double a, bool single)
 	return ((single ? few : many) & 1) == 0;
 }
 
-/* Whether q, which is a value but for 2^-120 of it, is surely rounded as that: it
- * is a normal number, and the 64 bits behind those that are kept are not those
- * on either side of a midpoint. */
+/* Whether q, which is within 2^-117 of a value, is surely rounded as that: it is a
+ * normal number, and the 64 bits behind those that are kept are not those on either
+ * side of a midpoint, whose last one is above 2^-117 of q. `make prove` counts n's
+ * error, d's and the quotient's. */
 static bool is_clear(const ex *q, bool single)
 {
 	const uint64_t half = (uint64_t)1 << 63;
@@ -301,10 +306,10 @@ static bool is_clear(const ex *q, bool single)
 	    behind != half - 1;
 }
 
-/* Whether its size tells it to 2^-125. */
+/* Whether the error is below 2^-119 of the value. */
 static bool is_well_known(const struct sum *a)
 {
-	return a->size.m == 0 || a->size.e - of(&a->value).e < 60;
+	return a->error.m == 0 || a->error.e - of(&a->value).e < -119;
 }
 
 /* n / d is within 2^-128 of q, which can be at or on the wrong side of the
@@ -321,13 +326,13 @@ static double decide(const struct sum *n, const struct sum *d, const ex *q,
 	    single);
 	ex middle = ex_shift(ex_add(ex_of(near), ex_of(other)), -1);
 	ex rest = ex_sub(n->value, ex_mul(middle, d->value));
-	struct magnitude size = magnitude_plus(n->size,
-	    magnitude_times(of(&middle), d->size));
+	struct magnitude error = magnitude_plus(n->error,
+	    magnitude_times(of(&middle), d->error));
 
 	/* no test reaches this: beyond the largest there is no other */
 	if (!isfinite(other))
 		return near;
-	if (is_none(&rest, size))
+	if (is_none(&rest, error))
 		return is_even(near, single) ? near : other;
 	bool beyond = rest.sign * d->value.sign == q->sign;
 
@@ -336,11 +341,11 @@ static double decide(const struct sum *n, const struct sum *d, const ex *q,
 
 double sum_nearest(const struct sum *n, const struct sum *d, bool single)
 {
-	bool exact = n->size.m == 0 && d->size.m == 0;
+	bool exact = n->error.m == 0 && d->error.m == 0;
 	ex quotient;
 	const ex *q = &quotient;
 
-	if (is_none(&n->value, n->size))
+	if (is_none(&n->value, n->error))
 		return 0;
 	if (sum_is_one(d))
 		q = &n->value;
@@ -381,18 +386,16 @@ dd sum_dd(struct sum a)
 	return ex_round(sum_settled(a).value);
 }
 
-double sum_most(struct sum a)
+double sum_error(const struct sum *a)
 {
-	struct magnitude s = magnitude_plus(of(&a.value), a.size);
+	double e = ldexp(a->error.m, a->error.e) * (1 + 0x1p-50);
 
-	return ldexp(s.m, s.e) * (1 + 0x1p-50);
+	return a->error.m > 0 ? e + 0x1p-1022 : 0;
 }
 
-double sum_surely_none(const struct sum *n, const struct sum *d)
+double sum_least_error(const struct sum *n, const struct sum *d)
 {
-	struct magnitude s = { 0, 0 };
+	struct magnitude s = magnitude_over(n->error, of(&d->value));
 
-	if (n->size.m > 0)
-		s = magnitude_over(n->size, of(&d->value));
-	return ldexp(s.m, s.e - 191);
+	return ldexp(s.m, s.e) * (1 - 0x1p-50);
 }

@@ -12,23 +12,34 @@ struct magnitude {
 	int e;
 };
 
-/* Where size is 0 the value is exact. Otherwise an irrational number is in it, or a
- * quotient that was not left to a map's divisor; multiplied out into the parameters
- * it is a sum of terms, of which those that are not exact have magnitudes that sum
- * to size. It is within 2^-250 size, and a difference of at most 2^-190 size from
- * anything is taken for none: so what is 0 by its formula is 0, and what lies midway
- * between two doubles is rounded to even, although a square root was on the way. */
+/* The value is within error of the exact one. Where error is 0 the value is exact.
+ * Otherwise an irrational number is in it, or a quotient that was not left to a map's
+ * divisor, and each operation bounds what its result is off by. A difference from
+ * anything that is not above the error is taken for none: so a number that is 0 by its
+ * formula is 0, and one that lies midway between two doubles is rounded to even,
+ * although a square root was on the way.
+ *
+ * An operation rounds its bound by less than 2^-45, and cuts off words that are below
+ * 2^-20 of the error: together they make the true error at most 1 + 2^-19 times as
+ * large as the bound says. Roots and quotients are within 2^-703 of themselves,
+ * sines and cosines within 2^-313, and count as if they were within SUM_ERROR and
+ * SUM_TRIG_ERROR: that has room for four million operations in
+ * a row. */
+#define SUM_ERROR 0x1p-690
+#define SUM_TRIG_ERROR 0x1p-300
+
 struct sum {
 	ex value;
-	struct magnitude size;
+	struct magnitude error;
 };
 
 struct sum sum_of(ex exact);
 struct sum sum_of_double(double exact);
 struct sum sum_diff(double a, double b); /* a - b */
 
-/* Something within 2^-319 of itself. */
-struct sum sum_inexact(ex value);
+/* A value that is within so much of itself; and a sum that is off by |by| more. */
+struct sum sum_inexact(ex value, double error);
+struct sum sum_off_by(struct sum, struct sum by);
 
 struct sum sum_neg(struct sum);
 struct sum sum_negated_if(bool, struct sum);
@@ -46,20 +57,23 @@ struct sum sum_minor(struct sum a, struct sum b, struct sum c, struct sum d);
 void sum_dot(int n, const struct sum *const a[], const struct sum *const b[],
     struct sum *);
 
-/* Of something not negative; exact where the root is short. */
+/* The root of a sum that is not negative; exact where the root is short. */
 struct sum sum_sqrt(struct sum);
 
 /* -1, 0 or 1; and the sign of a - b. */
 int sum_sign(struct sum);
 int sum_compare(struct sum a, struct sum b);
 
-/* What counts for nothing in any sum; 1, exactly; and that by which anything is
- * divided exactly, however many digits it has. */
+/* Exact zero; exact 1; and an exact power of two, by which every sum is divided
+ * without an error. */
 bool sum_is_nothing(const struct sum *);
 bool sum_is_one(const struct sum *);
 bool sum_is_power_of_two(const struct sum *);
 
-/* The same, or exactly 0 where that is its sign. */
+/* Whether a number had no room since the last call, in any thread (see EX_WORDS). */
+bool sum_has_lost(void);
+
+/* The sum, or exact zero where its sign is 0. */
 struct sum sum_settled(struct sum);
 
 /* The nearest double or float, ties to even; infinite beyond their range: of n / d,
@@ -75,10 +89,8 @@ double sum_over_or_nan(struct sum n, struct sum d);
 /* Within EX_BOUND u^2, as ex_round. */
 dd sum_dd(struct sum);
 
-/* An upper bound of |value| and size, in doubles. */
-double sum_most(struct sum);
-
-/* So much of n / d, where d is exact, is none, or half of it, in doubles. */
-double sum_surely_none(const struct sum *n, const struct sum *d);
+/* An upper bound of the error; and a lower one of the error of n / d, for an exact d. */
+double sum_error(const struct sum *);
+double sum_least_error(const struct sum *n, const struct sum *d);
 
 #endif

@@ -67,8 +67,9 @@ bool sinc_of_square(struct sum square, struct sum *sinc, struct sum *versinc)
 
 	if (ex_compare(square.value, most) > 0)
 		return false;
-	*sinc = sum_inexact(long_series(square.value, 1));
-	*versinc = sum_inexact(ex_shift(long_series(square.value, 2), -1));
+	*sinc = sum_inexact(long_series(square.value, 1), SUM_TRIG_ERROR);
+	*versinc = sum_inexact(ex_shift(long_series(square.value, 2), -1),
+	    SUM_TRIG_ERROR);
 	return true;
 }
 
@@ -115,8 +116,10 @@ static struct sum sin_small(const struct reduced *r)
 		return sum_of_double(copysign(0.5, r->degrees));
 	if (fabs(r->degrees) == 45)
 		return sum_inexact(ex_mul(ex_sqrt(ex_of(0.5)),
-		    ex_of(copysign(1, r->degrees))));
-	return sum_inexact(ex_mul(r->radians, series(r->radians, 1)));
+				       ex_of(copysign(1, r->degrees))),
+		    SUM_ERROR);
+	return sum_inexact(ex_mul(r->radians, series(r->radians, 1)),
+	    SUM_TRIG_ERROR);
 }
 
 static struct sum cos_small(const struct reduced *r)
@@ -124,8 +127,8 @@ static struct sum cos_small(const struct reduced *r)
 	if (r->radians.sign == 0)
 		return sum_of_double(1);
 	if (fabs(r->degrees) == 45)
-		return sum_inexact(ex_sqrt(ex_of(0.5)));
-	return sum_inexact(series(r->radians, 0));
+		return sum_inexact(ex_sqrt(ex_of(0.5)), SUM_ERROR);
+	return sum_inexact(series(r->radians, 0), SUM_TRIG_ERROR);
 }
 
 /* The sine of so many right angles more. */
@@ -159,11 +162,25 @@ struct sum cos_of(double angle, enum angle_unit unit)
 	return sine(angle, unit, 1);
 }
 
+/* Keeps the last cotangent: a projection asks for its own several times, and many
+ * scenes have the same angle of view. */
 struct sum cot_of(double angle, enum angle_unit unit)
 {
+	static _Thread_local struct {
+		double angle;
+		enum angle_unit unit;
+		struct sum cot;
+	} last;
+
 	if (unit == DEGREES && angle == 45)
 		return sum_of_double(1);
-	return sum_quotient(cos_of(angle, unit), sin_of(angle, unit));
+	if (angle != last.angle || unit != last.unit) {
+		last.cot = sum_quotient(cos_of(angle, unit),
+		    sin_of(angle, unit));
+		last.angle = angle;
+		last.unit = unit;
+	}
+	return last.cot;
 }
 
 struct sum cot_half_of(double angle, enum angle_unit unit)
@@ -173,13 +190,13 @@ struct sum cot_half_of(double angle, enum angle_unit unit)
 
 struct sum in_degrees(struct sum angle)
 {
-	return sum_quotient(angle, sum_inexact(RADIAN));
+	return sum_quotient(angle, sum_inexact(RADIAN, SUM_TRIG_ERROR));
 }
 
 #define DEGREE 57.29577951308232
 
-/* atan2's, and the arc tangent of what that leaves, which is below 2^-50, so that two
- * terms of its series are within 2^-250. */
+/* atan2's, and the arc tangent of what that leaves: of its series two terms, and the
+ * third as their error. */
 double degrees_of(struct sum y, struct sum x)
 {
 	x = sum_settled(x);
@@ -193,10 +210,9 @@ double degrees_of(struct sum y, struct sum x)
 	struct sum s = sin_of(a, DEGREES), c = cos_of(a, DEGREES);
 	struct sum tan = sum_quotient(sum_sub(sum_mul(y, c), sum_mul(x, s)),
 	    sum_add(sum_mul(x, c), sum_mul(y, s)));
-	/* whose error is nothing beside that of tan */
-	ex cube = ex_mul(ex_mul(tan.value, tan.value), tan.value);
-	struct sum third = sum_of(ex_quotient(cube, ex_of(3)));
+	struct sum square = sum_mul(tan, tan), cube = sum_mul(square, tan);
+	struct sum rest = sum_sub(tan, sum_quotient(cube, sum_of_double(3)));
 
-	return sum_double(
-	    sum_add(sum_of_double(a), in_degrees(sum_sub(tan, third))));
+	rest = sum_off_by(rest, sum_mul(cube, square));
+	return sum_double(sum_add(sum_of_double(a), in_degrees(rest)));
 }

@@ -27,13 +27,13 @@ struct sum vec3_length(const struct sum a[3])
 {
 	struct sum r = sum_sqrt(vec3_dot(a, a));
 
-	if (r.size.m == 0)
+	if (r.error.m == 0)
 		return r;
-	struct sum size = sum_inexact(r.value);
+	struct sum off = sum_inexact(r.value, SUM_ERROR);
 
 	for (int i = 0; i < 3; i++)
-		size = sum_add(size, (struct sum){ ex_of(0), a[i].size });
-	r.size = size.size;
+		off = sum_add(off, (struct sum){ ex_of(0), a[i].error });
+	r.error = off.error;
 	return r;
 }
 

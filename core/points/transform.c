@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "transform.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -29,17 +30,16 @@ static void round_column(const struct transform *t, int j, struct kernel_map *k)
 			a = sum_quotient(a, t->map.divisor);
 		dd e = element_rounded(a);
 
-		k->exact[i][j] = a.size.m == 0 && e.lo == 0 &&
+		k->exact[i][j] = a.error.m == 0 && e.lo == 0 &&
 		    sum_compare(a, sum_of_double(e.hi)) == 0;
 		k->hi[i][j] = e.hi;
 		k->lo[i][j] = e.lo;
-		k->none[j] += 0x1p-189 * sum_most(a);
+		k->none[j] += 2 * sum_error(&a);
 		if (i < 3)
 			k->most[j] = fmax(k->most[j], fabs(e.hi));
 	}
 	k->image[j] = fabs(k->hi[3][j]);
-	/* of 1 times it */
-	k->surely_none[j] = sum_surely_none(&t->image[j], &t->map.divisor);
+	k->surely_none[j] = sum_least_error(&t->image[j], &t->map.divisor);
 }
 
 void transform_prepare(struct transform *t)
@@ -57,6 +57,37 @@ void transform_prepare(struct transform *t)
 		t->image[j] = sum_settled(t->image[j]);
 		round_column(t, j, k);
 	}
+}
+
+/* A point's difference from the origin is a multiple of 2^-1074. Of its product with
+ * a column, the map's divisor, and a midpoint times that, no word may be lost. */
+static const char *transform_check(const struct transform *t)
+{
+	double most = MAGNITUDE_MAX;
+	int e;
+
+	for (int k = 0; k < 3; k++)
+		most = fmax(most, fabs(t->map.origin[k]));
+	frexp(most, &e);
+	int room = EX_WORDS - ((e + 1 + 1074) / 64 + 5);
+	bool fits = t->map.divisor.value.n <= room;
+
+	for (int j = 0; j < 4; j++) {
+		int low = INT_MAX, high = INT_MIN;
+
+		for (int i = 0; i < 4; i++) {
+			const ex *a = &row(t, i)[j].value;
+
+			if (a->n > 0 && a->e < low)
+				low = a->e;
+			if (a->n > 0 && a->e + a->n > high)
+				high = a->e + a->n;
+		}
+		fits &= low > high || high - low <= room;
+	}
+	return fits && !sum_has_lost() ? NULL :
+	    t->kind == KERNEL_FLAT     ? "/window: " SCENE_TOO_WIDE :
+					 "/projection: " SCENE_TOO_WIDE;
 }
 
 void transform_init(struct transform *t, enum space from, enum space to,
@@ -117,7 +148,7 @@ const char *scene_transform(const struct scene *s, enum space from,
 	if (t->kind == KERNEL_PROJECTIVE && by_view &&
 	    map_is_finite(&projection))
 		find_depth_kernel(&projection, t);
-	return NULL;
+	return transform_check(t);
 }
 
 const char *flat_transform(const struct scene *s, enum flat from, enum flat to,
@@ -128,7 +159,8 @@ const char *flat_transform(const struct scene *s, enum flat from, enum flat to,
 	t->in = t->out = 2;
 	t->divide = t->front = t->reciprocal = false;
 	t->kind = KERNEL_FLAT;
-	if (why == NULL)
-		transform_prepare(t);
-	return why;
+	if (why != NULL)
+		return why;
+	transform_prepare(t);
+	return transform_check(t);
 }

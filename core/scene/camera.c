@@ -60,7 +60,7 @@ static const char *look(const struct camera *c,
 		y->v[i] = sum_neg(y->v[i]);
 		z->v[i] = sum_neg(z->v[i]);
 	}
-	if (y->length.size.m == 0) {
+	if (y->length.error.m == 0) {
 		struct sum along = x->length;
 
 		lengthen(x, z->length);
@@ -138,8 +138,8 @@ static const char *const refusals[][2] = {
 
 static const char *const singular[2] = BOTH("singular; it can't be inverted");
 
-/* The nearest rotation to the upper 3x3, of which nothing is left that may be no
- * more than the error of its quaternion. */
+/* The nearest rotation to the upper 3x3. An element that is not above the error of
+ * the quaternion is 0. */
 static const char *orthonormal(const struct camera *c, struct axis axis[3])
 {
 	struct sum q[4];
@@ -151,7 +151,6 @@ static const char *orthonormal(const struct camera *c, struct axis axis[3])
 	for (int i = 0; i < 9; i++) {
 		struct sum *v = &axis[i / 3].v[i % 3];
 
-		v->size = axis[i / 3].length.size;
 		*v = sum_settled(*v);
 	}
 	return NULL;
@@ -169,7 +168,7 @@ struct stand {
 
 static bool is_exact(const struct stand *s)
 {
-	return s->axis[1].length.size.m == 0;
+	return s->axis[1].length.error.m == 0;
 }
 
 /* Minus the products of what is at with the axes, or with their transpose: an exact

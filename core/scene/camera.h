@@ -34,7 +34,7 @@ struct camera {
  * = unit(-gaze); then roll; where y is down in view space y and z are negated. Every element is the exact value for the given
  * doubles rounded once, within EX_BOUND u^2 of its sum, however near up is to
  * the gaze, the eye to what it looks at, and however far a matrix has drifted
- * from its nearest rotation (of which elements below 2^-190 are 0). Roll turns
+ * from its nearest rotation (of which elements below 2^-248 are 0). Roll turns
  * about the eye, and a translation with the axes. The eye is the map's origin.
  * Returns NULL, or why there is no such view: the
  * member and the reason. */

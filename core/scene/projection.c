@@ -274,7 +274,7 @@ static void by_view_angle(const struct projection *p, struct sum *over,
 
 	*over = sum_negated_if(p->z_near < p->z_far, least->d);
 	*under = sum_mul(least->n, cot);
-	if (under->size.m > 0) {
+	if (under->error.m > 0) {
 		*over = sum_quotient(*over, *under);
 		*under = sum_of_double(1);
 	}
@@ -299,10 +299,8 @@ static const char *eye_of(const struct projection *p, struct eye *e)
 		return "/projection/eye: its z is 0, in the rectangle's "
 		       "plane; move the eye off it";
 	projection_inverse_eye_z(p, &e->qn, &e->qd);
-	struct sum one = e->qn.size.m > 0 ? sum_inexact(e->qd.value) : e->qd;
-
-	e->an = sum_sub(one, sum_mul(e->qn, sum_of_double(p->z_far)));
-	e->bn = sum_sub(one, sum_mul(e->qn, sum_of_double(p->z_near)));
+	e->an = sum_sub(e->qd, sum_mul(e->qn, sum_of_double(p->z_far)));
+	e->bn = sum_sub(e->qd, sum_mul(e->qn, sum_of_double(p->z_near)));
 	for (int k = 0; k < 2; k++)
 		e->skew[k] = p->has_eye ?
 		    sum_of_double(p->eye[k]) :
@@ -379,7 +377,7 @@ static const char *volume_elements(const struct projection *p,
 		f->tz = sum_add(f->tz, sum_mul(e.bn, sum_of_double(p->z_far)));
 		f->det = sum_mul(f->det, sum_of_double(2));
 	}
-	if (f->det.size.m > 0)
+	if (f->det.error.m > 0)
 		divide_by_det(p, &e, c->minus_one, f);
 	if (sum_sign(e.an) == sum_sign(e.qd))
 		return NULL;
@@ -415,7 +413,7 @@ static struct elements inverse_elements(const struct elements *f)
 {
 	struct sum by = f->d, tz = f->tz, zz = f->zz, det = f->det;
 
-	if (det.size.m > 0) {
+	if (det.error.m > 0) {
 		by = sum_mul(by, f->by);
 		tz = f->tz_by;
 		zz = f->zz_by;

@@ -188,6 +188,8 @@ static const char *compose(const struct scene *s, enum space from,
 
 static const char *want_finite(const struct map *r)
 {
+	if (sum_has_lost())
+		return "/projection: " SCENE_TOO_WIDE;
 	return map_is_finite(r) ?
 	    NULL :
 	    "/projection: the scene's composed matrix has elements beyond "
@@ -234,6 +236,8 @@ const char *scene_flat_map(const struct scene *s, enum flat from, enum flat to,
 		why = device_map(&s->device, back, &stage);
 		then(r, &stage, back);
 	}
+	if (why == NULL && sum_has_lost())
+		return "/window: " SCENE_TOO_WIDE;
 	return why != NULL || map_is_finite(r) ?
 	    why :
 	    "/window: the composed matrix has elements beyond the range of "

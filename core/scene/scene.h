@@ -11,6 +11,10 @@
  * sizes are at least SIZE_MIN: products of a few of them stay within
  * the range of doubles. */
 #define MAGNITUDE_MAX 1e150
+
+#define SCENE_TOO_WIDE                                                       \
+	"the scene's numbers lie too far from one another to be multiplied " \
+	"without a loss; bring the largest and the least ones nearer"
 #define SIZE_MIN 1e-150
 
 enum space {

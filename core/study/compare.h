@@ -20,7 +20,7 @@ struct row {
 	/* How often exact is not the nearest double, nan or a number where the
 	 * truth is the other. */
 	int wrong;
-	/* How often it is that only by the 2^-190 rule of sum.h. */
+	/* How often it is that only within the rule. */
 	int ruled;
 	/* The share of the points that its fast phase leaves undecided. */
 	double accurate;

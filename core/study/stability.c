@@ -178,7 +178,7 @@ static int test(void)
 
 		failed += !kept || !shown;
 		printf("%s %d - %s: exact within %.3f ulps, %d numbers by the "
-		       "2^-190 rule, up to %.0f %% of the points in the "
+		       "rule of errors, up to %.0f %% of the points in the "
 		       "accurate phase%s%s\n",
 		    kept && shown ? "ok" : "not ok", i + 1, r->title,
 		    w.cell[EXACT].ulps, w.ruled, 100 * w.accurate,

@@ -67,7 +67,7 @@ static void orthonormalized(const char *what, int e, int tries)
 		sample_orthonormalize(&c, e);
 		compare(&c, &d3d, &w);
 	}
-	claim_maps(what, &w);
+	claim_bound(what, &w, 0x1p-245 / TRUTH_RULE);
 }
 
 static void nearest_rotation(void **state)
@@ -218,7 +218,7 @@ static void no_nearest_ghosts(void **state)
 			    sizeof drifted[i][k]);
 		assert_true(compare(&c, &d3d, &w));
 	}
-	claim_maps("a rotation with one 0", &w);
+	claim_bound("a rotation with one 0", &w, 0x1p-245 / TRUTH_RULE);
 }
 
 /* From eye (1,2,3) to the origin x . eye and y . eye are 0. */

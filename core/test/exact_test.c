@@ -137,8 +137,8 @@ static void divided(void **state)
 		    0);
 		real_release(mark);
 	}
-	claim("ex_quotient, in 2^-319", quotient * 0x1p319, 1);
-	claim("ex_sqrt, in 2^-319", square * 0x1p319, 1);
+	claim("ex_quotient, in 2^-703", quotient * 0x1p703, 1);
+	claim("ex_sqrt, in 2^-703", square * 0x1p703, 1);
 }
 
 /* To doubles and floats, normal and subnormal, at and near midpoints. */
@@ -226,8 +226,8 @@ static void range(void **state)
 	assert_true(!isfinite(ex_round(ex_quotient(big, ex_of(0))).hi));
 }
 
-/* Terms that are farther apart than there is room for: what is below 2^-6900 of the
- * largest is lost, and nothing else. */
+/* Terms that are farther apart than there is room for: words below the EX_WORDS of
+ * the largest are lost, and nothing else. */
 static void apart(void **state)
 {
 	ex one = ex_add(ex_of(1), ex_shift(ex_of(1), 70)), r;

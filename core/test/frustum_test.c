@@ -193,7 +193,7 @@ static void planes_are_told(void **state)
 		}
 		real_release(mark);
 	}
-	print_message("%zu planes, on %zu of them the point; %zu by the 2^-190 "
+	print_message("%zu planes, on %zu of them the point; %zu within the "
 		      "rule\n",
 	    c.planes, c.on, c.doubtful);
 	assert_true(

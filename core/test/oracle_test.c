@@ -73,7 +73,7 @@ static size_t try_scenes(int e, size_t coordinates)
 	if (e >= 0)
 		snprintf(what, sizeof what, "10^%d", e);
 	printf("%s - %s: of %zu coordinates %zu not the nearest, %zu "
-	       "by the 2^-190 rule; %.3g %% of the kernels' points took the "
+	       "within the rule; %.3g %% of the kernels' points took the "
 	       "accurate phase\n",
 	    n[WRONG] == 0 ? "ok" : "not ok", what,
 	    n[NEAREST] + n[RULED] + n[WRONG], n[WRONG], n[RULED],

@@ -316,7 +316,7 @@ static void numbers_are_true(void **state)
 		real_release(mark);
 	}
 	for (int i = 0; i < 4; i++)
-		print_message("%s: %d numbers, %d by the 2^-190 rule, %d "
+		print_message("%s: %d numbers, %d within the rule, %d "
 			      "wrong\n",
 		    what[i], tally[i][NEAREST] + tally[i][RULED],
 		    tally[i][RULED], tally[i][WRONG]);

@@ -163,7 +163,7 @@ static void random_scenes(void **state)
 		check_radius(&k, &truth, &b, n);
 		real_release(mark);
 	}
-	print_message("%d distances, %d by the 2^-190 rule; %zu points within, "
+	print_message("%d distances, %d within the rule; %zu points within, "
 		      "%zu not\n",
 	    verdicts[NEAREST] + verdicts[RULED], verdicts[RULED], n[1], n[0]);
 	assert_int_equal(verdicts[WRONG], 0);

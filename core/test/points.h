@@ -43,7 +43,7 @@ bool sample_transform(int e, struct scene *, enum space *from,
 struct image {
 	struct form n[4], d;
 	bool seen;     /* there is one */
-	bool doubtful; /* by the 2^-190 rule it may be the other way round */
+	bool doubtful; /* within the rule it may be the other way round */
 };
 
 void image_of(const struct truth *, const struct transform *, const double p[4],

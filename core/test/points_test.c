@@ -146,7 +146,7 @@ static void none_is_of_what_is_irrational(void **state)
 	assert_null(scene_transform(&s, SPACE_MODEL, SPACE_NDC, false, &t));
 	assert_true(t.for_kernel.hi[3][0] == 0x1p195);
 	assert_true(t.for_kernel.surely_none[0] > 0);
-	assert_true(t.for_kernel.surely_none[0] < 0x1p-190);
+	assert_true(t.for_kernel.surely_none[0] < TRUTH_RULE);
 }
 
 int main(void)

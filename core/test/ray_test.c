@@ -125,7 +125,7 @@ static void rays_are_exact(void **state)
 		}
 		real_release(mark);
 	}
-	print_message("%d numbers, %d by the 2^-190 rule\n",
+	print_message("%d numbers, %d within the rule\n",
 	    verdicts[NEAREST] + verdicts[RULED], verdicts[RULED]);
 	assert_int_equal(verdicts[WRONG], 0);
 	assert_true(verdicts[NEAREST] > 20000 && verdicts[RULED] < 10);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What a sum that is not exact counts for: its size goes with it, and 2^-190 of that
- * is none. */
+/* A sum's error goes with it through each operation, and a difference that is not
+ * above the error is none. */
 #include "../exact/sum.h"
 
 #include <math.h>
@@ -11,18 +11,18 @@
 
 #include <cmocka.h>
 
-/* 0 that is not exact, and of size 1. */
+/* 0 that is known to SUM_ERROR. */
 static struct sum nothing_of_one(void)
 {
-	struct sum one = sum_inexact(ex_of(1));
+	struct sum one = sum_inexact(ex_of(1), SUM_ERROR);
 
 	return sum_sub(one, sum_of_double(1));
 }
 
-/* The greatest that is none beside a sum of size 2^e, and what is just above it. */
-static void assert_size(struct sum nothing, int e)
+/* An error of 2^e SUM_ERROR: that is the greatest difference which is none. */
+static void assert_error(struct sum nothing, int e)
 {
-	double none = ldexp(1, e - 190);
+	double none = ldexp(SUM_ERROR, e);
 
 	for (int minus = 0; minus < 2; minus++) {
 		struct sum least = sum_of_double(nextafter(none, HUGE_VAL));
@@ -39,29 +39,28 @@ static void assert_size(struct sum nothing, int e)
 	}
 }
 
-static void sizes_go_with_sums(void **state)
+static void errors_go_with_sums(void **state)
 {
 	const struct sum nothing = nothing_of_one();
 	const struct sum eight = sum_of_double(-8);
 
 	(void)state;
-	assert_size(nothing, 0);
-	assert_size(sum_mul(nothing, eight), 3);
-	assert_size(sum_mul(eight, nothing), 3);
-	assert_size(sum_quotient(nothing, eight), -3);
-	assert_size(sum_add(nothing, nothing), 1);
-	assert_size(sum_sub(nothing, sum_neg(nothing)), 1);
-	assert_size(sum_mul(sum_mul(nothing, eight), eight), 6);
-	/* each of two that are not exact takes part with all of its terms */
-	assert_size(sum_mul(sum_add(nothing, sum_of_double(4)), nothing), 2);
-	assert_size(sum_mul(nothing, nothing), 0);
+	assert_error(nothing, 0);
+	assert_error(sum_mul(nothing, eight), 3);
+	assert_error(sum_mul(eight, nothing), 3);
+	assert_error(sum_quotient(nothing, eight), -3);
+	assert_error(sum_add(nothing, nothing), 1);
+	assert_error(sum_sub(nothing, sum_neg(nothing)), 1);
+	assert_error(sum_mul(sum_mul(nothing, eight), eight), 6);
+	assert_error(sum_mul(sum_add(nothing, sum_of_double(4)), nothing), 2);
+	assert_error(sum_mul(nothing, nothing), -690);
 	for (int n = 1; n <= 4; n++) {
 		const struct sum *a[4] = { &eight, &nothing, &eight, &nothing };
 		const struct sum *b[4] = { &nothing, &eight, &nothing, &eight };
 		struct sum r;
 
 		sum_dot(n, a, b, &r);
-		assert_size(sum_quotient(r, sum_of_double(n)), 3);
+		assert_error(sum_quotient(r, sum_of_double(n)), 3);
 	}
 }
 
@@ -87,18 +86,18 @@ static void what_is_nothing(void **state)
 	assert_false(sum_is_power_of_two(&one));
 }
 
-/* Roots that are short are exact, as are quotients; others have their own size. */
+/* Roots that are short are exact, as are quotients; others have an error. */
 static void what_is_exact(void **state)
 {
 	(void)state;
-	assert_true(sum_sqrt(sum_of_double(2.25)).size.m == 0);
+	assert_true(sum_sqrt(sum_of_double(2.25)).error.m == 0);
 	assert_true(
-	    sum_quotient(sum_of_double(6), sum_of_double(3)).size.m == 0);
+	    sum_quotient(sum_of_double(6), sum_of_double(3)).error.m == 0);
 	struct sum root = sum_sqrt(sum_of_double(4 + 0x1p-50));
 	struct sum third = sum_quotient(sum_of_double(1), sum_of_double(3));
 
-	assert_int_equal(root.size.e, 2);
-	assert_int_equal(third.size.e, -1);
+	assert_int_equal(root.error.e, 2 - 690);
+	assert_int_equal(third.error.e, -1 - 690);
 	assert_int_equal(sum_sign(sum_sub(sum_mul(root, root),
 			     sum_of_double(4 + 0x1p-50))),
 	    0);
@@ -110,7 +109,7 @@ static void what_is_exact(void **state)
 int main(void)
 {
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(sizes_go_with_sums),
+		cmocka_unit_test(errors_go_with_sums),
 		cmocka_unit_test(what_is_nothing),
 		cmocka_unit_test(what_is_exact),
 	};

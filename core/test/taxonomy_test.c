@@ -229,7 +229,7 @@ static void numbers_are_true(void **state)
 	for (int i = 0; i < 5; i++) {
 		const int *v = tally[i].n;
 
-		print_message("%s: %d numbers, %d by the 2^-190 rule, %d "
+		print_message("%s: %d numbers, %d within the rule, %d "
 			      "wrong\n",
 		    what[i], v[NEAREST] + v[RULED], v[RULED], v[WRONG]);
 	}

@@ -80,7 +80,7 @@ static void every_cotangent(void **state)
 static void equals(struct sum got, double expected)
 {
 	assert_int_equal(ex_compare(got.value, ex_of(expected)), 0);
-	assert_true(got.size.m == 0);
+	assert_true(got.error.m == 0);
 }
 
 /* As other programs write them, next to where one of them is 0, and the one that is

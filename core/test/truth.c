@@ -98,10 +98,10 @@ struct form truth_element(const struct truth *t, int i, int j)
 	return (struct form){ t->all.m[i][j], t->all.size[i][j] };
 }
 
-/* Twice as much as sum.h takes for none: sizes are counted in other ways. */
+/* More than sum.h takes for none, which knows each sum's own error. */
 static real rule(real size)
 {
-	return mul(size, number(0x1p-189));
+	return mul(size, number(TRUTH_RULE));
 }
 
 int truth_sign(struct form a, bool *doubtful)
@@ -187,7 +187,8 @@ static void compare(const struct map *m, int i, int j, const struct truth *t,
 	struct form exact = truth_element(t, i, j), one = form_of(1);
 	struct sum got = map_element(m, i, j);
 	dd pair = sum_dd(got);
-	real size = number(got.size.m);
+	real bound = number(got.error.m);
+	real off = magnitude(sub(number_ex(got.value), exact.value));
 
 	for (int single = 0; single < 2; single++) {
 		enum verdict v = truth_verdict(map_nearest(m, i, j, single),
@@ -201,10 +202,14 @@ static void compare(const struct map *m, int i, int j, const struct truth *t,
 		keep_worst(&w->error,
 		    u2_error(pair, exact.value,
 			mpfr_get_d(magnitude(exact.value), MPFR_RNDN)));
-	mpfr_mul_2si(size, size, got.size.e, MPFR_RNDN);
-	if (!mpfr_zero_p(size))
-		keep_worst(&w->size,
-		    mpfr_get_d(over(size, exact.size), MPFR_RNDU));
+	mpfr_mul_2si(bound, bound, got.error.e, MPFR_RNDN);
+	/* the truth is rounded, too, and its sine of 180 degrees is not 0 */
+	off = sub(off, mul(exact.size, number(0x1p-1000)));
+	if (!t->irrational || !mpfr_zero_p(bound))
+		w->beyond += mpfr_cmp(off, bound) > 0;
+	if (!mpfr_zero_p(bound))
+		keep_worst(&w->bound,
+		    mpfr_get_d(over(bound, rule(exact.size)), MPFR_RNDU));
 }
 
 void truth_compare(const struct truth *t, const struct map *r, struct worst *w)

@@ -73,14 +73,18 @@ struct form truth_column(const struct truth *, int j, const double p[4]);
 struct form truth_element(const struct truth *, int i, int j);
 
 /* -1, 0 or 1; 0 where all but rounding errors has cancelled. *doubtful, unless
- * it is NULL: by the 2^-190 rule of sum.h it may be 0, too. */
+ * it is NULL: within the rule it may be 0, too. */
 int truth_sign(struct form, bool *doubtful);
+
+/* The part of its terms' magnitudes by which a number with a root or an angle in it
+ * may be off where it is compared with 0 and with midpoints. Each sum knows its own
+ * error, which is less (core/exact/sum.h). */
+#define TRUTH_RULE 0x1p-290
 
 /* How a number came out. */
 enum verdict {
 	NEAREST, /* ties to even */
-	RULED,   /* not, but what it is nearest to is no other number by the
-	          * 2^-190 rule of sum.h */
+	RULED,   /* nearest to a number that differs by less than TRUTH_RULE */
 	WRONG,
 	VERDICTS,
 };
@@ -92,12 +96,13 @@ enum verdict truth_verdict(double printed, struct form n, struct form d,
 /* The double nearest to an element. */
 double element(const struct map *, int i, int j);
 
-/* The worst of many maps. What the 2^-190 rule excuses is wrong where all is
+/* The worst of many maps. What TRUTH_RULE excuses is wrong where all is
  * rational. */
 struct worst {
 	int verdicts[VERDICTS]; /* of elements as doubles and as floats */
 	double error;           /* of an element's dd, in units of 2^-106 */
-	double size;            /* a map's size over the truth's */
+	double bound;           /* of a sum's error, in units of the rule's */
+	int beyond;             /* elements that are not within their error */
 	int ghosts;             /* elements not 0 that ought to be */
 };
 
