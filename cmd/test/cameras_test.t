@@ -58,6 +58,7 @@ sub inverse {
 	return map { my $i = $_; [map { minor($_, $i, @m) / $det } 0 .. 2] } 0 .. 2;
 }
 
+sub divided { return [$_[0] / $_[2], $_[1] / $_[2]] }
 sub minus { my ($p, $q) = @_; return [map { $p->[$_] - $q->[$_] } 0 .. 2] }
 
 sub tangent {
@@ -199,6 +200,78 @@ for my $p (qw(P0 P1 P2)) {
 		[$c[0] / $c[2], $c[1] / $c[2]]
 	} @lidar);
 }
+
+# OpenCV: the board, turned by Rodrigues' formula.
+my $pnp = document('pnp.json');
+my ($rvec, $tvec, $k9) = map { [numbers(@{$pnp->{$_}{data}})] }
+    qw(rvec tvec camera_matrix);
+my $angle = dot($rvec, $rvec)->bsqrt;
+my @axis = map { $_ / $angle } @$rvec;
+my @board = grid([0, 0.1, 0.25], [0, 0.175], [0, -0.02]);
+compare('OpenCV, rvec', [printed($recipe{'pnp.json'}[0], \@board)], map {
+	my @p = numbers(@$_);
+	my $along = dot(\@axis, \@p) * (1 - $angle->copy->bcos);
+	my @c = map {
+		my ($i, $j) = (($_ + 1) % 3, ($_ + 2) % 3);
+		$p[$_] * $angle->copy->bcos + $axis[$_] * $along + $tvec->[$_] +
+		    ($axis[$i] * $p[$j] - $axis[$j] * $p[$i]) * $angle->copy->bsin
+	} 0 .. 2;
+	divided(through(\@c, rows(3, @$k9)))
+} @board);
+
+# ROS and DTU: P.
+my @p12 = ([camera_info => 'json', numbers(@{document('camera_info.json')->{p}})],
+    [pos_001 => 'txt', numbers(map { split } lines('pos_001.txt'))]);
+for my $p (@p12) {
+	my ($name, $kind, @p) = @$p;
+	my @points = grid([-0.5, 70], [0.25, 90.5], [2, 300]);
+	compare("P of $name", [printed($recipe{"$name.$kind"}[0], \@points)],
+	    map { divided(through([numbers(@$_, 1)], rows(4, @p))) } @points);
+}
+
+# RealSense: ppx + fx x / z.
+my ($ppx, $ppy, $fx, $fy) = numbers((lines('realsense.txt'))[0] =~ /(\d+\.\d+)/g);
+my @near = grid([-0.3, 0, 0.4], [-0.2, 0.1], [0.5, 3]);
+compare('RealSense', [printed($recipe{'realsense.txt'}[0], \@near)], map {
+	my ($x, $y, $z) = numbers(@$_);
+	[$ppx + $fx * $x / $z, $ppy + $fy * $y / $z]
+} @near);
+
+# ARKit: the transform's inverse; x right, y up, z backward.
+my $arkit = document('arkit.json');
+my @columns = map { [numbers(@$_)] } @{$arkit->{transform}};
+my @toward = inverse(transposed(@columns[0 .. 2]));
+my @lens = map { [numbers(@$_)] } @{$arkit->{intrinsics}};
+my @room = grid([-0.9, -0.6], [1.5, 2], [-3, -2.5]);
+compare('ARKit', [printed($recipe{'arkit.json'}[0], \@room)], map {
+	my @c = through(minus([numbers(@$_)], $columns[3]), @toward);
+	divided(through([$c[0], -$c[1], -$c[2]], transposed(@lens)))
+} @room);
+
+# Blender: millimetres of a sensor as wide as the larger side, which the shift moves.
+my $blender = document('blender.json');
+my @world = map { [numbers(@$_)] } @{$blender->{matrix_world}};
+my @object = inverse(map { [@$_[0 .. 2]] } @world[0 .. 2]);
+my @cube = grid([-1, 1], [-1, 1], [0, 1]);
+compare('Blender', [printed($recipe{'blender.json'}[0], \@cube)], map {
+	my @c = through(minus([numbers(@$_)], [map { $_->[3] } @world]), @object);
+	my ($x, $y) = map { -number($blender->{lens}) * $_ / $c[2] /
+	    number($blender->{sensor_width}) } @c[0, 1];
+	[960 + 1920 * ($x - number($blender->{shift_x})),
+	    540 - 1920 * ($y - number($blender->{shift_y}))]
+} @cube);
+
+# Unity: its two matrices, e with row and column; pixels from the bottom left.
+my $unity = document('unity.json');
+my @crowd = grid([-1, 2.5], [0, 1.75], [0, 4]);
+compare('Unity', [printed($recipe{'unity.json'}[0], \@crowd)], map {
+	my $c = [numbers(@$_, 1)];
+	for my $m (@$unity{qw(worldToCameraMatrix projectionMatrix)}) {
+		$c = [through($c, map { my $i = $_;
+		    [numbers(map { $m->{"e$i$_"} } 0 .. 3)] } 0 .. 3)];
+	}
+	[640 + 640 * $c->[0] / $c->[3], 360 + 360 * $c->[1] / $c->[3]]
+} @crowd);
 
 # OpenXR: from tangent to tangent ndc goes from -1 to 1, in Vulkan y downward.
 my $fov = document('fov.json');
