@@ -179,8 +179,8 @@ bool choose_may_clash(const struct layout *l, struct span line)
 		size = (size_t)(line.end - ++line.s);
 		for (int k = 0; k <= COORDINATES_MAX; k++)
 			if (size > 0 && *line.s == l->added[k][0] &&
-			    strncmp(line.s, l->added[k],
-				strlen(l->added[k])) == 0)
+			    strncmp(line.s, l->added[k], strlen(l->added[k])) ==
+				0)
 				return true;
 	}
 	return false;

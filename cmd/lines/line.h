@@ -36,10 +36,10 @@ struct layout {
 	 * names; those that are not needed are "". */
 	bool append;
 	char added[COORDINATES_MAX + 1][16];
-	int record;  /* numbers of a binary record; 0: the coordinates alone */
-	bool keeps;  /* binary records are written whole */
-	const char *two;   /* as struct document_wants has it */
-	bool single;       /* they are floats, and written as such */
+	int record; /* numbers of a binary record; 0: the coordinates alone */
+	bool keeps; /* binary records are written whole */
+	const char *two; /* as struct document_wants has it */
+	bool single;     /* they are floats, and written as such */
 	struct number_style style[COORDINATES_MAX];
 };
 
