@@ -119,7 +119,8 @@ static void check_line(struct layout *l, struct span text, const char *end,
 		check_spans(l, &line, text);
 	if (line_is_bad(&line))
 		want(*reason != '\0' && strchr(reason, '\n') == NULL);
-	write_back(l, &line, v);
+	if (line.kind != LINE_REFUSED)
+		write_back(l, &line, v);
 }
 
 /* Where the line at s ends: at its newline, or at end. */

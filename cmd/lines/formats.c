@@ -120,10 +120,9 @@ static void next_of_csv(struct cut *c, struct field *f)
 	f->value = trimmed(c->in, f->whole);
 	c->from = f->value.end;
 	if (f->value.end - f->value.s >= 2 && *f->value.s == '"' &&
-	    f->value.end[-1] == '"') {
-		f->value.s++;
-		f->value.end--;
-	}
+	    f->value.end[-1] == '"')
+		f->value = trimmed(c->in,
+		    (struct span){ f->value.s + 1, f->value.end - 1 });
 }
 
 /* Finds an element of an array, or a member of an object. */
@@ -162,6 +161,30 @@ static bool csv_check(struct dialect d, struct span line,
 	return !f.open;
 }
 
+/* Reads a number, or a word that stands for a missing value; nan is a number. */
+static const char *text_value(const char *s, const char *end, double *v)
+{
+	static const char words[][5] = { "NA", "N/A", "n/a", "na", "null",
+		"NULL" };
+	const char *after = number_read(s, end, v);
+
+	for (size_t i = 0; i < 6 && after == NULL; i++)
+		if (strlen(words[i]) == (size_t)(end - s) &&
+		    memcmp(words[i], s, (size_t)(end - s)) == 0) {
+			*v = (double)NAN;
+			after = end;
+		}
+	return after;
+}
+
+static const char *csv_value(const char *s, const char *end, double *v)
+{
+	if (s < end)
+		return text_value(s, end, v);
+	*v = (double)NAN;
+	return end;
+}
+
 static const char *json_value(const char *s, const char *end, double *v)
 {
 	if (end - s != 4 || memcmp(s, "null", 4) != 0)
@@ -194,14 +217,14 @@ static bool stands_in_json(struct dialect d, struct span f)
 }
 
 #define LINES .open = "", .close = "", .unknown = "nan"
-#define CSV                                                                    \
-	LINES, .quote = '"', .escape = '"', .header = true,                    \
-	       .check = csv_check, .next = next_of_csv, .number = number_read, \
+#define CSV                                                                  \
+	LINES, .quote = '"', .escape = '"', .header = true,                  \
+	       .check = csv_check, .next = next_of_csv, .number = csv_value, \
 	       .stands = stands_in_csv
 
 const struct format_row format_rows[] = {
 	[FORMAT_TEXT] = { FORMAT_TEXT, ' ', LINES, .blanks = true,
-	    .next = next_of_text, .number = number_read,
+	    .next = next_of_text, .number = text_value,
 	    .stands = stands_in_text },
 	[FORMAT_CSV] = { FORMAT_CSV, CSV },
 	[FORMAT_TSV] = { FORMAT_CSV, '\t', CSV },

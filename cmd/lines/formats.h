@@ -71,7 +71,8 @@ struct format_row {
 	/* Finds the field at c->s: all of it but from and the comma before it; and
 	 * c->from, its end. */
 	void (*next)(struct cut *c, struct field *);
-	/* Reads the number at s, and returns where it ends; NULL: none begins. */
+	/* Reads the number at s, nan for a missing value. Returns where it ends;
+	 * NULL: none begins. */
 	const char *(*number)(const char *s, const char *end, double *);
 	/* Returns whether a field means the same as it stands. */
 	bool (*stands)(struct dialect, struct span);

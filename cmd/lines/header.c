@@ -2,6 +2,7 @@
 #include "header.h"
 
 #include <ctype.h>
+#include <math.h>
 #include <stdio.h>
 #include <strings.h>
 
@@ -9,134 +10,105 @@
 #include "choose.h"
 #include "say.h"
 
-/* Past the mark of a text and that of a comment. */
+/* A # is a field of its own where a separator follows; a blank separates it from
+ * nothing, as in "# x y z". */
 struct span header_names(struct dialect d, struct span text)
 {
-	const char *s = skip_mark(text.s, text.end);
-	const char *mark = skip_blanks(d, s, text.end);
+	text.s = skip_mark(text.s, text.end);
+	const char *s = skip_blanks(d, text.s, text.end);
 
-	text.s = mark < text.end && *mark == '#' ? mark + 1 : s;
+	if (s == text.end || *s++ != '#')
+		return text;
+	if (d.separator == ' ')
+		while (s < text.end && is_blank(*s))
+			s++;
+	const char *next = skip_blanks(d, s, text.end);
+
+	if (d.separator == ' ' || next == text.end || *next != d.separator)
+		text.s = s;
 	return text;
 }
 
-typedef int comparison(const char *, const char *, size_t);
-
-/* Returns the number of the first field of that name, or -1. */
-static int find_name(struct dialect d, struct span header, const char *name,
-    comparison *compare)
+/* Returns the name that coordinate i is looked for by; NULL: a number says it. */
+static const char *name_of(const struct columns *c, int i)
 {
-	struct cut c = cut_line(d, header);
+	return c->by_header ? coordinate_name(i) : c->name[i];
+}
+
+/* Returns the number of the first field that has the name of coordinate i, or -1.
+ * Names that nobody typed are found in either case. */
+static int find_name(const struct layout *l, struct span header, int i)
+{
+	const char *name = name_of(&l->columns, i);
+	struct cut c = cut_line(l->in, header);
 	size_t n = strlen(name);
 	struct field field;
 
 	for (int k = 0; cut_next(&c, &field); k++) {
-		struct span f = trimmed(d, field.value);
+		struct span f = field.value;
 
-		if ((size_t)(f.end - f.s) == n && compare(f.s, name, n) == 0)
+		if ((size_t)(f.end - f.s) == n &&
+		    (l->columns.by_header ? strncasecmp(f.s, name, n) :
+					    strncmp(f.s, name, n)) == 0)
 			return k;
 	}
 	return -1;
 }
 
-static bool header_repeats(const struct columns *c, int i,
-    char reason[REASON_MAX])
+/* Finds the fields of the coordinates. Returns the first that the header lacks, or
+ * the number of coordinates. */
+static int find_names(const struct layout *l, struct span header, int field[4])
 {
-	for (int k = 0; k < i; k++)
-		if (c->field[k] == c->field[i]) {
-			snprintf(reason, REASON_MAX,
-			    "two coordinates are column %d", c->field[i] + 1);
+	int i;
+
+	for (i = 0; i < l->reads; i++) {
+		field[i] = name_of(&l->columns, i) != NULL ?
+		    find_name(l, header, i) :
+		    l->columns.field[i];
+		if (field[i] < 0)
+			break;
+	}
+	return i;
+}
+
+static bool is_named(const struct layout *l)
+{
+	for (int i = 0; i < l->reads; i++)
+		if (name_of(&l->columns, i) != NULL)
 			return true;
-		}
 	return false;
 }
 
-/* Turns the names of --columns into field numbers. */
+/* Finds the columns of the coordinates; says which is not there. */
 static bool find_columns(struct layout *l, struct span header,
     char reason[REASON_MAX])
 {
 	struct columns *c = &l->columns;
 	char word[ESCAPED_MAX];
-	bool found = true;
+	int field[4], i = find_names(l, header, field);
 
-	for (int i = 0; i < c->n; i++) {
-		if (c->name[i] == NULL)
-			continue;
-		c->field[i] = find_name(l->in, header, c->name[i], strncmp);
-		if (c->field[i] >= 0 || !found)
-			continue;
-		found = false;
+	if (i < l->reads) {
+		const char *name = name_of(c, i);
+
 		snprintf(reason, REASON_MAX, "the header has no column '%s'",
-		    escaped(word, c->name[i], strlen(c->name[i])));
-		say_names(cut_line(l->in, header), c->name[i], reason);
+		    escaped(word, name, strlen(name)));
+		if (c->by_header)
+			say_columns(l, cut_line(l->in, header), reason);
+		else
+			say_names(cut_line(l->in, header), name, reason);
+		return false;
 	}
-	for (int i = 1; i < c->n && found; i++)
-		found = !header_repeats(c, i, reason);
-	for (int i = 0; i < c->n && !found; i++)
-		c->field[i] = -1;
-	return found;
-}
-
-/* No number that identifies is a coordinate. */
-static bool begins_with_id(struct dialect d, struct span header,
-    char reason[REASON_MAX])
-{
-	static const char *const ids[] = { "id", "fid" };
-
-	for (int i = 0; i < 2; i++)
-		if (find_name(d, header, ids[i], strncasecmp) == 0) {
-			snprintf(reason, REASON_MAX,
-			    "the first column is '%s'; say with --columns "
-			    "which the coordinates are",
-			    ids[i]);
-			return true;
-		}
-	return false;
-}
-
-/* Where nobody said which columns the coordinates are: those named x, y, z, w, if
- * all that are read have one; the first ones if neither x nor y does, unless the first
- * is an id. */
-static bool find_axes(struct layout *l, struct span header,
-    char reason[REASON_MAX])
-{
-	struct columns *c = &l->columns;
-	int missing = -1;
-
-	for (int i = l->reads - 1; i >= 0; i--) {
-		c->field[i] = find_name(l->in, header, coordinate_name(i),
-		    strncasecmp);
-		if (c->field[i] < 0)
-			missing = i;
-	}
-	bool none = c->field[0] < 0 && c->field[1] < 0;
-
-	c->n = none && missing >= 0 ? 0 : l->reads;
-	if (missing < 0 ||
-	    (none &&
-		(l->header == HEADER_FIRST ||
-		    !begins_with_id(l->in, header, reason))))
-		return true;
-	if (!none)
-		snprintf(reason, REASON_MAX,
-		    "the header has no column '%s', but '%s'; say with "
-		    "--columns which the coordinates are",
-		    coordinate_name(missing), coordinate_name(c->field[0] < 0));
+	for (i = 1; i < l->reads; i++)
+		for (int k = 0; k < i; k++)
+			if (field[k] == field[i]) {
+				snprintf(reason, REASON_MAX,
+				    "two coordinates are column %d",
+				    field[i] + 1);
+				return false;
+			}
+	memcpy(c->field, field, sizeof field);
 	c->n = l->reads;
-	for (int i = 0; i < c->n; i++)
-		c->field[i] = -1;
-	return false;
-}
-
-/* What stands for a number that isn't known. */
-static bool is_unknown(struct span f)
-{
-	static const char *const words[] = { "n/a", "na", "nan", "null", "" };
-	size_t n = (size_t)(f.end - f.s);
-
-	for (int i = 0; i < 5; i++)
-		if (strlen(words[i]) == n && strncasecmp(words[i], f.s, n) == 0)
-			return true;
-	return false;
+	return true;
 }
 
 static bool begins_with_digit(struct span f)
@@ -146,8 +118,8 @@ static bool begins_with_digit(struct span f)
 	return f.s < f.end && isdigit((unsigned char)*f.s);
 }
 
-/* Whether none of the coordinates is a number; and not all of them begin as one, as
- * 1,5 does, or stand for one. */
+/* Returns whether none of the coordinates is a number; and not all of them begin as
+ * one, as 1,5 does, or are missing values. */
 static bool looks_like_header(const struct layout *l, struct span text)
 {
 	bool unknown = true, odd = true;
@@ -155,72 +127,29 @@ static bool looks_like_header(const struct layout *l, struct span text)
 
 	choose(l, cut_line(l->in, text), &c);
 	for (int i = 0; i < l->reads; i++) {
-		struct span f;
+		struct span f = c.field[i].value;
 		double v;
 
-		if (c.times[i] == 0 ||
-		    c.field[i].whole.s == c.field[i].whole.end)
+		if (c.times[i] == 0)
 			continue;
-		f = trimmed(l->in, c.field[i].value);
-		if (f.s < f.end && number_read(f.s, f.end, &v) == f.end)
+		if (format_of(l->in)->number(f.s, f.end, &v) != f.end)
+			unknown = false;
+		else if (!isnan(v))
 			return false;
-		unknown &= is_unknown(f);
 		odd &= begins_with_digit(f);
 	}
 	return !unknown && !odd;
 }
 
-/* A header of one field, in which something else could separate others. */
-static bool has_other_separator(struct dialect d, struct span text,
-    char reason[REASON_MAX])
+bool header_in_comment(const struct layout *l, struct span text)
 {
-	struct cut c = cut_line(d, text);
-	struct field field;
+	struct span names = header_names(l->in, text);
+	int field[4];
 
-	cut_next(&c, &field);
-	struct span f = field.whole;
-	size_t n = (size_t)(f.end - f.s);
-
-	if (d.separator != ',' || field.next != NULL || n == 0 || *f.s == '"')
-		return false;
-	if (memchr(f.s, ';', n) != NULL)
-		snprintf(reason, REASON_MAX,
-		    "has ; and no comma; say --separator ';'");
-	else if (memchr(f.s, '\t', n) != NULL)
-		snprintf(reason, REASON_MAX,
-		    "has tabs and no comma; say -i tsv, or --separator tab");
-	else
-		return false;
-	return true;
-}
-
-static bool is_named(const struct columns *c)
-{
-	for (int i = 0; i < c->n; i++)
-		if (c->name[i] != NULL)
-			return true;
-	return false;
-}
-
-bool header_in_comment(struct layout *l, struct span text)
-{
-	const struct columns *c = &l->columns;
-	bool named = false;
-
-	if (!format_of(l->in)->header || l->header == HEADER_NONE)
-		return false;
-	text = header_names(l->in, text);
-	for (int i = 0; i < l->reads; i++) {
-		const char *name = c->by_header ? coordinate_name(i) :
-						  c->name[i];
-
-		named |= name != NULL;
-		if (l->header == HEADER_MAYBE && name != NULL &&
-		    find_name(l->in, text, name,
-			c->by_header ? strncasecmp : strncmp) < 0)
-			return false;
-	}
-	return named || l->header == HEADER_FIRST;
+	return format_of(l->in)->header &&
+	    (names.s == skip_mark(text.s, text.end) ||
+		(l->header != HEADER_NONE && is_named(l) &&
+		    find_names(l, names, field) == l->reads));
 }
 
 bool header_read(struct layout *l, struct span text, struct line *line,
@@ -231,20 +160,14 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 	text = header_names(l->in, text);
 	if (c->by_header)
 		c->n = 0;
-	bool named = is_named(c);
-
 	if (l->header == HEADER_NONE ||
-	    (l->header == HEADER_MAYBE && !named &&
+	    (l->header == HEADER_MAYBE && (c->by_header || !is_named(l)) &&
 		!looks_like_header(l, text)))
 		return false;
-	bool found = named ? find_columns(l, text, reason) :
-	    c->by_header   ? find_axes(l, text, reason) :
-			     true;
-
-	if (has_other_separator(l->in, text, reason) ||
-	    (found && choose_clashes(l, cut_line(l->in, text), reason)))
-		found = false;
-	line->kind = found ? LINE_HEADER : LINE_LOST;
+	line->kind = find_columns(l, text, reason) &&
+		!choose_clashes(l, cut_line(l->in, text), reason) ?
+	    LINE_HEADER :
+	    LINE_REFUSED;
 	return true;
 }
 

@@ -18,7 +18,7 @@ enum { COORDINATES_MAX = 6 };
  * members of JSON objects, of which those that begin with / are pointers. */
 struct columns {
 	int n; /* 0: the first fields are the coordinates, or the members x, y, z, w */
-	int field[4];        /* -1: the header has none of that name */
+	int field[4];
 	const char *name[4]; /* NULL if a field is given by its number */
 	bool by_header;      /* nobody said: the header's x, y, z, w */
 };
@@ -49,7 +49,8 @@ enum line_kind {
 	LINE_COPY, /* blank or comment */
 	LINE_HEADER,
 	LINE_BAD, /* its coordinates have places, but for those that are missing */
-	LINE_LOST, /* bad, and not to be taken apart */
+	LINE_LOST,    /* bad, and not to be taken apart */
+	LINE_REFUSED, /* a header that lacks a coordinate: no line is read */
 };
 
 /* Of a line's text, counted from its beginning. With its newline a line is at most
@@ -79,7 +80,7 @@ static inline bool is_missing(struct part p)
 
 static inline bool line_is_bad(const struct line *line)
 {
-	return line->kind == LINE_BAD || line->kind == LINE_LOST;
+	return line->kind >= LINE_BAD;
 }
 
 /* The coordinates that are written in a line. Number k is v[k * step], and its

@@ -11,7 +11,6 @@ static void say_missing(const struct layout *l, int i, struct cut cut,
     const struct chosen *c, char reason[REASON_MAX])
 {
 	const char *path = cut.members ? layout_path(l, i) : NULL;
-	int k = l->columns.field[i];
 	char word[ESCAPED_MAX];
 
 	if (path != NULL && c->times[i] > 1) {
@@ -27,11 +26,8 @@ static void say_missing(const struct layout *l, int i, struct cut cut,
 		say_field(l, i, (struct span){ NULL, NULL }, reason);
 	} else {
 		snprintf(reason, REASON_MAX,
-		    k < 0 ? "%s is missing: the header has no such column" :
-			c->times[i] == 0 ?
-			    "%s is missing: there is no field %d" :
-			    "%s is missing: field %d is empty",
-		    coordinate_name(i), k + 1);
+		    "%s is missing: there is no field %d", coordinate_name(i),
+		    l->columns.field[i] + 1);
 	}
 }
 
@@ -44,14 +40,12 @@ static bool read_coordinates(const struct layout *l, struct cut cut,
 	for (int i = 0; i < l->reads; i++) {
 		const struct field *f = &c->field[i];
 
-		if (c->times[i] != 1 ||
-		    (f->whole.s == f->whole.end && l->columns.n > 0)) {
+		if (c->times[i] != 1) {
 			say_missing(l, i, cut, c, reason);
 			return false;
 		}
-		if (f->value.s == f->value.end ||
-		    in->number(f->value.s, f->value.end, &v[i]) !=
-			f->value.end) {
+		if (in->number(f->value.s, f->value.end, &v[i]) !=
+		    f->value.end) {
 			/* a message shows csv's quotes */
 			say_field(l, i, in->header ? f->whole : f->value,
 			    reason);

@@ -58,13 +58,14 @@ static void plan_members(const struct layout *l, struct walk *w)
 	const struct columns *c = &l->columns;
 
 	w->arrays = c->n == 0 || c->name[0] == NULL;
-	w->objects = l->in.format == FORMAT_JSON;
+	w->objects = c->n == 0 || c->name[0] != NULL;
 	for (int i = 0; i < l->reads && w->objects; i++) {
-		w->objects = c->n == 0 ||
-		    (c->name[i] != NULL && *c->name[i] != '/');
-		if (!w->objects)
-			break;
-		w->name[i] = layout_path(l, i);
+		const char *name = layout_path(l, i);
+		bool pointer = *name == '/';
+
+		w->paths |= pointer;
+		w->objects = !strchr(name + pointer, pointer ? '~' : '/');
+		w->name[i] = name + pointer;
 		w->name_size[i] = strlen(w->name[i]);
 	}
 }
@@ -127,6 +128,7 @@ struct walker {
 	uint32_t at;
 	const uint16_t *stop;
 	bool comma; /* in the separator that was passed last */
+	int found;  /* coordinates that paths led to */
 };
 
 INLINE bool stands(const struct walker *p, char c)
@@ -220,6 +222,141 @@ static bool is_scalar(const char *s, const char *end)
 	    (n == 4 && memcmp(s, "null", 4) == 0);
 }
 
+/* The line of which coordinates are found, with number i. */
+struct target {
+	struct line *line;
+	uint32_t begin;
+	size_t i;
+	struct plain_places *places;
+};
+
+/* Past coordinate k; false where it can't be a plain number. */
+INLINE bool pass_coordinate(struct walker *p, struct dialect d,
+    const struct target *t, int k)
+{
+	uint32_t from = p->at, to = *p->stop;
+
+	if (to - from - 1 >= PLAIN_MAX ||
+	    (d.format == FORMAT_JSON &&
+		!is_narrow(p->text + from, p->text + to)))
+		return false;
+	t->line->at[k] = (struct part){ from - t->begin, to - t->begin };
+	t->places[k].end[t->i] = p->text + to;
+	t->places[k].size[t->i] = (uint8_t)(to - from);
+	p->at = to;
+	return true;
+}
+
+/* How deep values that are passed may be nested. */
+enum { LEVELS = 8 };
+
+/* What stands at the end of a path into a value. */
+enum { NOTHING = -1, MORE = -2, ODD = -3 };
+
+/* Returns the coordinate whose path ends at the member, or at element k if the member
+ * has no name; MORE if paths lead into it, with what is left of them in rest. */
+static int follow(const struct walk *w, const char *const path[4],
+    struct span name, int k, unsigned *led, const char *rest[4])
+{
+	const char digit = (char)('0' + k);
+	int found = NOTHING;
+
+	if (name.s == NULL && k > 9)
+		return ODD;
+	if (name.s == NULL)
+		name = (struct span){ &digit, &digit + 1 };
+	size_t n = (size_t)(name.end - name.s);
+	bool slash = memchr(name.s, '/', n) != NULL;
+
+	for (int i = 0; i < w->n; i++) {
+		rest[i] = NULL;
+		if (path[i] == NULL || slash ||
+		    strncmp(path[i], name.s, n) != 0 ||
+		    (path[i][n] != '\0' && path[i][n] != '/'))
+			continue;
+		int what = path[i][n] == '\0' ? i : MORE;
+
+		if ((*led >> i & 1) != 0 ||
+		    (found != NOTHING && (found != MORE || what != MORE)))
+			return ODD;
+		*led |= 1u << i;
+		found = what;
+		if (what == MORE)
+			rest[i] = path[i] + n + 1;
+	}
+	return found;
+}
+
+/* Where paths lead into a value; path is NULL where none does. */
+struct trail {
+	const struct walk *walk;
+	const struct target *target;
+	const char *const *path;
+	int levels; /* how deep the value may be nested */
+};
+
+/* Passes a value of JSON, and the coordinates in it. Returns false where line_read is
+ * to look at it. */
+static bool pass_value(struct walker *p, struct dialect d, struct trail t)
+{
+	bool members = stands(p, '{'), ok = true;
+	const char close = members ? '}' : ']', *rest[4];
+	const struct trail none = { .levels = t.levels - 1 },
+			   inside = { t.walk, t.target, rest, t.levels - 1 };
+	uint32_t from = p->at;
+	unsigned led = 0;
+
+	if (!members && !stands(p, '[')) {
+		if (stands(p, '"'))
+			return t.path == NULL && pass_string(p, false);
+		p->at = *p->stop;
+		return t.path == NULL &&
+		    is_scalar(p->text + from, p->text + p->at);
+	}
+	for (int k = 0; ok && (k == 0 || stands(p, ',')); k++) {
+		struct span name = { NULL, NULL };
+
+		pass(p);
+		pass_blanks(p, d);
+		if (k == 0 && stands(p, close))
+			break;
+		if (members) {
+			name.s = p->text + p->at + 1;
+			if (!stands(p, '"') || !pass_string(p, t.path != NULL))
+				return false;
+			name.end = p->text + p->at - 1;
+			pass_blanks(p, d);
+			if (p->text[p->at++] != ':')
+				return false;
+			pass_blanks(p, d);
+		}
+		int what = t.path == NULL ?
+		    NOTHING :
+		    follow(t.walk, t.path, name, k, &led, rest);
+
+		p->found += what >= 0;
+		ok = what != ODD && t.levels > 0 &&
+		    (what >= 0 ?
+			    pass_coordinate(p, d, t.target, what) :
+			    pass_value(p, d, what == MORE ? inside : none));
+		pass_blanks(p, d);
+	}
+	if (!ok || !stands(p, close))
+		return false;
+	pass(p);
+	return true;
+}
+
+/* Passes a field of csv in quotes in which no quote stands. */
+INLINE bool pass_quoted(struct walker *p)
+{
+	for (p->stop++; p->text[*p->stop] != '"'; p->stop++)
+		if (p->text[*p->stop] == '\n')
+			return false;
+	p->at = *p->stop++ + 1u;
+	return !stands(p, '"');
+}
+
 /* Past a field that is no coordinate. */
 INLINE bool pass_field(struct walker *p, struct dialect d)
 {
@@ -227,6 +364,10 @@ INLINE bool pass_field(struct walker *p, struct dialect d)
 
 	if (d.format == FORMAT_JSON && stands(p, '"'))
 		return pass_string(p, false);
+	if (d.format == FORMAT_JSON && (stands(p, '{') || stands(p, '[')))
+		return pass_value(p, d, (struct trail){ .levels = LEVELS });
+	if (d.format == FORMAT_CSV && stands(p, '"'))
+		return pass_quoted(p);
 	if (d.format == FORMAT_CSV)
 		while (is_blank_of(d, p->text[*p->stop]))
 			p->stop++;
@@ -257,28 +398,18 @@ INLINE bool pass_rest(struct walker *p, struct dialect d)
 	return stands(p, '\n');
 }
 
-/* The line of which coordinates are found, with number i. */
-struct target {
-	struct line *line;
-	uint32_t begin;
-	size_t i;
-	struct plain_places *places;
-};
-
-/* Past coordinate k; false where it can't be a plain number. */
-INLINE bool pass_coordinate(struct walker *p, struct dialect d,
+/* Past coordinate k of a line of fields, which in csv may stand in quotes. */
+INLINE bool pass_place(struct walker *p, struct dialect d,
     const struct target *t, int k)
 {
-	uint32_t from = p->at, to = *p->stop;
+	bool quoted = d.format == FORMAT_CSV && stands(p, '"');
 
-	if (to - from - 1 >= PLAIN_MAX ||
-	    (d.format == FORMAT_JSON &&
-		!is_narrow(p->text + from, p->text + to)))
+	if (__builtin_expect(!quoted, 1))
+		return pass_coordinate(p, d, t, k);
+	pass(p);
+	if (!pass_coordinate(p, d, t, k) || !stands(p, '"'))
 		return false;
-	t->line->at[k] = (struct part){ from - t->begin, to - t->begin };
-	t->places[k].end[t->i] = p->text + to;
-	t->places[k].size[t->i] = (uint8_t)(to - from);
-	p->at = to;
+	pass(p);
 	return true;
 }
 
@@ -340,8 +471,25 @@ INLINE bool find_members(struct walker *p, const struct walk *w,
 	return stands(p, '\n');
 }
 
+/* Where the coordinates stand in an object that paths lead into. */
+static bool find_paths(struct walker *p, const struct walk *w, struct dialect d,
+    const struct target *t)
+{
+	const struct trail trail = { w, t, w->name, LEVELS };
+
+	pass_blanks(p, d);
+	if (!stands(p, '{'))
+		return false;
+	t->line->object = true;
+	p->found = 0;
+	if (!pass_value(p, d, trail) || p->found != w->n)
+		return false;
+	pass_blanks(p, d);
+	return stands(p, '\n');
+}
+
 /* What the coordinates are of a line. */
-enum shape { FIELDS, COLUMNS, MEMBERS };
+enum shape { FIELDS, COLUMNS, MEMBERS, PATHS };
 
 /* Where the coordinates of a line stand; false where it is to be left. That some
  * separators of text have a comma and others have not is left as well. */
@@ -353,6 +501,8 @@ INLINE bool walk_coordinates(struct walker *p, const struct walk *w,
 
 	if (shape == MEMBERS)
 		return find_members(p, w, d, n, t);
+	if (shape == PATHS)
+		return find_paths(p, w, d, t);
 
 	pass_blanks(p, d);
 	if (p->text[p->at] == '#')
@@ -369,7 +519,7 @@ INLINE bool walk_coordinates(struct walker *p, const struct walk *w,
 			if (!pass_field(p, d) || !pass_separator(p, d) ||
 			    (text && m > 0 && p->comma != comma))
 				return false;
-		if (!pass_coordinate(p, d, t, columns ? w->coordinate[m] : m))
+		if (!pass_place(p, d, t, columns ? w->coordinate[m] : m))
 			return false;
 		if (m + 1 == n)
 			break;
@@ -423,7 +573,7 @@ INLINE size_t walk_take(struct stretch *s, const struct walk *walk,
     struct dialect d, int n, enum shape shape, size_t max, struct line *lines,
     struct plain_places places[4], uint64_t *left)
 {
-	struct walker p = { s->text, s->at, s->next, false };
+	struct walker p = { s->text, s->at, s->next, false, 0 };
 	uint32_t end = s->end;
 	size_t i;
 
@@ -476,6 +626,9 @@ static size_t take_json(struct stretch *s, const struct walk *walk, size_t max,
 {
 	const struct dialect d = { FORMAT_JSON, ',' };
 
+	if (walk->objects && walk->paths)
+		return walk_take(s, walk, d, walk->n, PATHS, max, lines, places,
+		    left);
 	if (walk->objects && (s->text[s->at] == '{' || !walk->arrays))
 		return walk_take(s, walk, d, walk->n, MEMBERS, max, lines,
 		    places, left);

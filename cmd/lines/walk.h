@@ -29,6 +29,7 @@ struct walk {
 	/* Which lines of JSON are walked, and what an object's members are
 	 * called; the rest is of lines of fields. */
 	bool arrays, objects;
+	bool paths; /* names may lead into values, as a/b and c */
 	const char *name[4];
 	size_t name_size[4];
 	bool columns;      /* else they are the first fields */

@@ -83,7 +83,9 @@ enum { TOLD = 10 };
 
 static void complain(const struct job *j, const struct chunk *c)
 {
-	if (!j->keep_going && j->flush != NULL)
+	bool ends = !j->keep_going || c->refused;
+
+	if (ends && j->flush != NULL)
 		j->flush(j);
 	progress_clear();
 	for (size_t i = 0; i < c->n_complaints && answer.bad + i < TOLD; i++) {
@@ -95,7 +97,7 @@ static void complain(const struct job *j, const struct chunk *c)
 	answer.bad += c->n_complaints;
 	answer.keeps_going = j->keep_going;
 	answer.of_points = is_binary(j->layout.in.format);
-	if (!j->keep_going) {
+	if (ends) {
 		say_imageless();
 		close_output();
 		quit(EXIT_INPUT);
@@ -120,7 +122,7 @@ void answer_chunk(const struct job *j, const struct chunk *c)
 {
 	if (j->collect != NULL)
 		j->collect(j, c, answer.next_line);
-	else
+	else if (!c->refused)
 		print_chunk(j, c);
 	if (j->count_imageless)
 		count_imageless(j, c);

@@ -25,7 +25,8 @@ static bool read_line(struct block_in *b, struct span text, bool newline)
 	line->newline = newline;
 	if (line_is_bad(line)) {
 		chunk_complain(c, c->n_lines, reason);
-		if (!b->job->keep_going) {
+		c->refused = line->kind == LINE_REFUSED;
+		if (!b->job->keep_going || c->refused) {
 			c->text = c->end;
 			return false;
 		}

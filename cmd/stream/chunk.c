@@ -43,6 +43,7 @@ void chunk_clear(struct chunk *c)
 {
 	c->n_lines = c->size = c->n_complaints = 0;
 	c->imageless = c->reasons_size = 0;
+	c->refused = false;
 	c->out = keep_small(c->out, &c->room, 1);
 	c->reasons = keep_small(c->reasons, &c->reasons_room, 1);
 	c->complaints = keep_small(c->complaints, &c->complaints_room,

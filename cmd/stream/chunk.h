@@ -20,8 +20,9 @@ struct chunk {
 	size_t number;          /* in the source, from 0 */
 	const char *text, *end; /* what is left to read */
 	size_t n_lines;         /* read so far */
-	bool first; /* the first line that counts is still to come */
-	bool done;  /* it waits to be answered */
+	bool first;   /* the first line that counts is still to come */
+	bool refused; /* a header says that no line can be read */
+	bool done;    /* it waits to be answered */
 
 	char *out;
 	size_t size, room;            /* of out: used, allocated */

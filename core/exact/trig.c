@@ -67,8 +67,9 @@ bool sinc_of_square(struct sum square, struct sum *sinc, struct sum *versinc)
 
 	if (ex_compare(square.value, most) > 0)
 		return false;
-	*sinc = sum_inexact(long_series(square.value, 1));
-	*versinc = sum_inexact(ex_shift(long_series(square.value, 2), -1));
+	*sinc = sum_inexact(long_series(square.value, 1), SUM_TRIG_ERROR);
+	*versinc = sum_inexact(ex_shift(long_series(square.value, 2), -1),
+	    SUM_TRIG_ERROR);
 	return true;
 }
 
