@@ -210,8 +210,9 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 }
 
 /* Does what stream_file and answer.c do, on a single chunk. As there, a newline
- * comes before the output if the last line of the source before had none. */
-static void do_at_once(struct job *j, const char *text, size_t size)
+ * comes before the output if the last line of the source before had none. Returns
+ * false where a header is refused, which ends the program. */
+static bool do_at_once(struct job *j, const char *text, size_t size)
 {
 	static bool unended;
 	static size_t bad;
@@ -221,6 +222,8 @@ static void do_at_once(struct job *j, const char *text, size_t size)
 	c->text = text;
 	c->end = text + size;
 	job_do(j, c);
+	bool refused = c->refused;
+
 	if (c->size > 0) {
 		add(&printed, "\n", unended);
 		unended = !is_binary(j->layout.out.format) &&
@@ -234,8 +237,10 @@ static void do_at_once(struct job *j, const char *text, size_t size)
 		say_at(EXIT_INPUT, &p, "%s",
 		    c->reasons + c->complaints[i].reason);
 	}
-	bad += c->n_complaints;
+	if (!refused)
+		bad += c->n_complaints;
 	chunk_free(c);
+	return !refused;
 }
 
 static void compare(struct buffer *b, const struct buffer *was)
@@ -262,10 +267,16 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	struct layout layout = j.layout;
 
 	number_choose(data[3] & 32 ? "baseline" : NULL);
-	do_at_once(&j, (const char *)data + HEADER, size - HEADER);
+	bool whole_source = do_at_once(&j, (const char *)data + HEADER,
+	    size - HEADER);
 	struct buffer whole = printed, messages = said;
 
 	printed = said = (struct buffer){ 0 };
+	if (!whole_source) {
+		free(whole.s);
+		free(messages.s);
+		return 0;
+	}
 	number_choose(data[3] & 32 ? NULL : "baseline");
 	j.layout = layout;
 	state = 1 + data[3];
