@@ -37,8 +37,10 @@ static const char *const notes[NOTES] = {
 	"depth falls along the convention's gaze: it is reversed, or the "
 	"projection is of the other handedness; if reversed depth is not "
 	"meant, try another \"convention\"",
-	"scene is null, as the camera's matrix is not a rotation to 2^-20; "
-	"try \"orthonormalize\": true, or take the scale out of it",
+	"scene is null, as the camera's matrix is not a rotation to 2^-20: it "
+	"scales, shears or mirrors; take the scale out of it, try "
+	"\"orthonormalize\": true where the determinant is positive, or the "
+	"\"convention\" that the matrix is from where it is negative",
 	"near, far and scene are null, as the planes of equal depth are "
 	"tilted against the picture by more than 2^-40; give the matrix with "
 	"all 17 digits, not as floats, and look whether it is a product in the "
