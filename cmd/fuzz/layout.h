@@ -34,7 +34,7 @@ static inline struct layout layout_of(const uint8_t *b)
 	int columns = b[1] / 12 % 6;
 
 	for (int k = 0; k < COORDINATES_MAX; k++) {
-		l.style[k].kind = b[2] % 4;
+		l.style[k].kind = b[2] % 3;
 		l.style[k].n = b[2] / 4 % 3 == 1 ? 100 : 1 + (b[2] + k) % 17;
 	}
 	if (is_binary(in) || columns == 0)

@@ -224,7 +224,7 @@ static bool do_at_once(struct job *j, const char *text, size_t size)
 	job_do(j, c);
 	bool refused = c->refused;
 
-	if (c->size > 0) {
+	if (c->size > 0 && !refused) {
 		add(&printed, "\n", unended);
 		unended = !is_binary(j->layout.out.format) &&
 		    c->out[c->size - 1] != '\n';
