@@ -138,6 +138,16 @@ bool choose_overlaps(const struct layout *l, const struct chosen *c)
 	return false;
 }
 
+size_t choose_count(struct cut c)
+{
+	struct field f;
+	size_t n = 0;
+
+	while (cut_next(&c, &f))
+		n++;
+	return n;
+}
+
 bool choose_clashes(const struct layout *l, struct cut c,
     char reason[REASON_MAX])
 {

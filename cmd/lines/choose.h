@@ -25,4 +25,7 @@ bool choose_clashes(const struct layout *, struct cut, char reason[REASON_MAX]);
 /* Returns whether an object may have such a member: false is sure. */
 bool choose_may_clash(const struct layout *, struct span line);
 
+/* Returns the number of fields that are left of a cut. */
+size_t choose_count(struct cut);
+
 #endif

@@ -158,6 +158,7 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 	struct columns *c = &l->columns;
 
 	text = header_names(l->in, text);
+	l->fields = 0;
 	if (c->by_header)
 		c->n = 0;
 	if (l->header == HEADER_NONE ||
@@ -168,6 +169,8 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 		!choose_clashes(l, cut_line(l->in, text), reason) ?
 	    LINE_HEADER :
 	    LINE_REFUSED;
+	if (l->append)
+		l->fields = choose_count(cut_line(l->in, text));
 	return true;
 }
 

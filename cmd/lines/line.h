@@ -36,6 +36,7 @@ struct layout {
 	 * names; those that are not needed are "". */
 	bool append;
 	char added[COORDINATES_MAX + 1][16];
+	size_t fields; /* of the header, by --append; 0: there is none */
 	int record; /* numbers of a binary record; 0: the coordinates alone */
 	bool keeps; /* binary records are written whole */
 	const char *two; /* as struct document_wants has it */

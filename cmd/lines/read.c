@@ -122,6 +122,14 @@ static void read_fields(const struct layout *l, struct span text,
 	choose(l, cut, &c);
 	bool ok = read_coordinates(l, cut, &c, v, reason);
 
+	if (ok && l->fields > 0 && choose_count(cut) != l->fields) {
+		ok = false;
+		snprintf(reason, REASON_MAX,
+		    "has %zu fields and the header %zu; --append would put the "
+		    "image below other names",
+		    choose_count(cut), l->fields);
+	}
+
 	if (ok && cut.bracket != NULL && choose_overlaps(l, &c)) {
 		ok = false;
 		snprintf(reason, REASON_MAX,

@@ -90,11 +90,16 @@ static bool read_walked(struct block_in *b, const struct walk *walk)
 	n = walk_lines(&c->stretch, walk, n < PLAIN_BATCH ? n : PLAIN_BATCH,
 	    &c->line[b->lines], at, &left);
 	left = walk_numbers(walk, &c->line[b->lines], n, at, left, c->end, v);
-	for (size_t i = 0; i < n && b->job->layout.append; i++)
-		if (c->line[b->lines + i].object &&
-		    choose_may_clash(&b->job->layout,
-			line_text(&c->line[b->lines + i])))
+	const struct layout *l = &b->job->layout;
+
+	for (size_t i = 0; i < n && l->append; i++) {
+		struct span text = line_text(&c->line[b->lines + i]);
+
+		if (c->line[b->lines + i].object ? choose_may_clash(l, text) :
+						   l->fields > 0 &&
+			    choose_count(cut_line(l->in, text)) != l->fields)
 			left |= 1ull << i;
+	}
 	c->text = c->stretch.text + c->stretch.at;
 	return block_take(b, n, left, v);
 }
