@@ -8,8 +8,8 @@
 
 enum { BATCH = NUMBER_BATCH };
 
-/* The texts of the points from from on, made many at a time, but few enough to stay
- * in the nearest cache. */
+/* The texts of a batch of points, the first of which is point from: many enough to be
+ * made by vectors, few enough to stay in the nearest cache. */
 struct texts {
 	size_t from;
 	struct number_text text[COORDINATES_MAX][BATCH];
@@ -23,11 +23,12 @@ struct block {
 	bool in_place; /* numbers change where they stand */
 	bool adds;     /* numbers or a word follow those that were read */
 	int order[4];  /* in which coordinates stand on the line before */
-	unsigned char outside[POINTS_BLOCK]; /* of which planes each is */
+	unsigned char
+	    outside[POINTS_BLOCK]; /* the planes each point is outside of */
 	struct texts texts;
 };
 
-/* Those of point p and of its neighbours, unless there are. */
+/* Makes the texts of the batch of point p, unless they are there. */
 static void need_texts(struct block *b, size_t p)
 {
 	const struct layout *l = &b->job->layout;
@@ -43,7 +44,7 @@ static void need_texts(struct block *b, size_t p)
 	t->from = from;
 }
 
-/* "in", or the planes that the point is outside of, as left+near. */
+/* Returns "in", or the planes that the point is outside of, as left+near. */
 static struct word make_word(unsigned outside)
 {
 	static const struct word names[] = { { "left", 4 }, { "right", 5 },
@@ -64,7 +65,7 @@ static struct word make_word(unsigned outside)
 	return w;
 }
 
-/* Kept, as there are few and each is needed often. */
+/* The chunk keeps its words, as there are few and each is needed often. */
 const struct word *word_for(struct chunk *c, unsigned outside)
 {
 	struct word *w = &c->word[outside];
@@ -179,7 +180,7 @@ static inline __attribute__((always_inline)) char *put_in_place(struct block *b,
 }
 
 /* Writes the line of point p with its image. */
-static char *put_image(struct block *b, const struct line *line, size_t p,
+static char *block_put_image(struct block *b, const struct line *line, size_t p,
     char *at)
 {
 	const struct layout *l = &b->job->layout;
@@ -227,7 +228,7 @@ static char *put_line(struct block *b, const struct line *line, size_t p,
 		return point || bad ?
 		    binary_put(&j->layout, b->chunk, line, p, at) :
 		    at;
-	return point ? put_image(b, line, p, at) :
+	return point ? block_put_image(b, line, p, at) :
 		       put_other(&j->layout, line, at);
 }
 
