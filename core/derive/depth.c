@@ -3,7 +3,6 @@
 
 #include <math.h>
 
-#include "../exact/vec3.h"
 
 /* With clip z = zz D + tz and w = zw D + tw along the one axis that both depend on,
  * 1/w = (zz - zw z) / (tw zz - tz zw) for ndc z. Else it is the inverse's last column

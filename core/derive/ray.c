@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "../points/kernel/midway.h"
-#include "../exact/vec3.h"
 
 /* View space is N(z) / D(z) at device depth z, for each row i of the map m from
  * device to view and p = (x, y, z, 1):

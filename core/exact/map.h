@@ -8,6 +8,12 @@
 
 #include "sum.h"
 
+/* Vectors of three. */
+struct sum vec3_dot(const struct sum a[3], const struct sum b[3]);
+void vec3_cross(const struct sum a[3], const struct sum b[3], struct sum r[3]);
+struct sum vec3_length(const struct sum a[3]);
+bool vec3_is_zero(const struct sum a[3]);
+
 /* (p, 1) m / divisor is the image of a point p. The elements of m are as exact as
  * sum.h says, and the divisor is exact and positive: a map that is made of given
  * numbers without an angle or a length is exact in either direction. One divisor

@@ -21,39 +21,20 @@ static const ex QUARTERS = { 1, 10, -10,
 	    0xfe5163abdebbc561, 0xdb6295993c439041, 0xfc2757d1f534ddc0,
 	    0xa2f9836e4e441529 } };
 
-/* Words that the terms of a series keep. */
+/* Words that are kept of an angle, and of the terms of its series. */
 enum { WORDS = 6 };
 
-/* 1 - x^2/((n+1)(n+2)) + x^4/((n+1)...(n+4)) - ..., for the sine (n = 1) or the
- * cosine (n = 0) of |x| <= pi/4. Over the common denominator all coefficients are
- * whole numbers. The first term that is left out, x^64/64!, is below 2^-317; what
- * is cut off of x^2, and 32 times of a sum, which keeps EX_KEPT words, is below
- * 2^-319. */
-static ex series(ex x, int n)
+/* 1 - y/((n+1)(n+2)) + y^2/((n+1)...(n+4)) - ..., which for y = x^2 is the cosine (n = 0),
+ * or the sine by x (n = 1), up to y^(last/2). Over the common denominator all
+ * coefficients are whole numbers. What is cut off of y, and of a sum at each term, is
+ * less than the last of so many words. */
+static ex series(ex y, int n, int last, int words)
 {
-	ex minus = ex_neg(ex_first(ex_mul(x, x), WORDS));
+	ex minus = ex_neg(ex_first(y, words));
 	ex c = ex_of(1), s = c, step;
 	const ex *const a[] = { &c, &s }, *const b[] = { &step, &minus };
 
-	for (int k = n + 62; k > n; k -= 2) {
-		step = ex_of((double)(k * (k - 1)));
-		ex_dot(2, a, b, INT_MAX, &s);
-		ex_dot(1, a, b, INT_MIN, &c);
-	}
-	return ex_quotient(s, c);
-}
-
-/* The same series of x^2 <= 4 pi^2, to 2^-500 of 1: the sum is up to 2^8 times as small
- * as its terms or, for doubles whose squares sum to nearly pi^2, 2^160 times. The
- * first term that is left out, x^170/170!, is below 2^-560. */
-static ex long_series(ex square, int n)
-{
-	const int words = 11;
-	ex minus = ex_neg(ex_first(square, words));
-	ex c = ex_of(1), s = c, step;
-	const ex *const a[] = { &c, &s }, *const b[] = { &step, &minus };
-
-	for (int k = n + 168; k > n; k -= 2) {
+	for (int k = n + last; k > n; k -= 2) {
 		ex_set(&step, (double)(k * (k - 1)));
 		ex_dot(2, a, b, c.e + c.n - words, &s);
 		ex_dot(1, a, b, INT_MIN, &c);
@@ -61,15 +42,26 @@ static ex long_series(ex square, int n)
 	return ex_quotient(s, c);
 }
 
+/* Of |x| <= pi / 4. The first term that is left out, x^64/64!, is below 2^-317; what is
+ * cut off of x^2, and 32 times of a sum, is below 2^-319. */
+enum { SHORT = 62 };
+
+/* Of x^2 <= 4 pi^2, to 2^-500 of 1: the sum is up to 2^8 times as small as its terms
+ * or, for doubles whose squares sum to nearly pi^2, 2^160 times. The first term that is
+ * left out, x^170/170!, is below 2^-560. */
+enum { LONG = 168, LONG_WORDS = 11 };
+
 bool sinc_of_square(struct sum square, struct sum *sinc, struct sum *versinc)
 {
 	ex most = ex_shift(ex_mul(QUARTER, QUARTER), 4);
 
 	if (ex_compare(square.value, most) > 0)
 		return false;
-	*sinc = sum_inexact(long_series(square.value, 1), SUM_TRIG_ERROR);
-	*versinc = sum_inexact(ex_shift(long_series(square.value, 2), -1),
-	    SUM_TRIG_ERROR);
+	ex s = series(square.value, 1, LONG, LONG_WORDS);
+	ex v = series(square.value, 2, LONG, LONG_WORDS);
+
+	*sinc = sum_inexact(s, SUM_TRIG_ERROR);
+	*versinc = sum_inexact(ex_shift(v, -1), SUM_TRIG_ERROR);
 	return true;
 }
 
@@ -108,27 +100,17 @@ static void reduce_radians(double angle, struct reduced *r)
 		r->turns = 0 - r->turns;
 }
 
-static struct sum sin_small(const struct reduced *r)
+/* Of the sine, n = 1, or the cosine, n = 0. A sine of 0 is exact, as all that is off is
+ * relative to it. */
+static struct sum of_reduced(const struct reduced *r, int n)
 {
-	if (r->radians.sign == 0)
-		return sum_of_double(0);
-	if (fabs(r->degrees) == 30)
-		return sum_of_double(copysign(0.5, r->degrees));
-	if (fabs(r->degrees) == 45)
-		return sum_inexact(ex_mul(ex_sqrt(ex_of(0.5)),
-				       ex_of(copysign(1, r->degrees))),
-		    SUM_ERROR);
-	return sum_inexact(ex_mul(r->radians, series(r->radians, 1)),
-	    SUM_TRIG_ERROR);
-}
-
-static struct sum cos_small(const struct reduced *r)
-{
-	if (r->radians.sign == 0)
+	if (n == 0 && r->radians.sign == 0)
 		return sum_of_double(1);
-	if (fabs(r->degrees) == 45)
-		return sum_inexact(ex_sqrt(ex_of(0.5)), SUM_ERROR);
-	return sum_inexact(series(r->radians, 0), SUM_TRIG_ERROR);
+	if (n == 1 && fabs(r->degrees) == 30)
+		return sum_of_double(copysign(0.5, r->degrees));
+	ex s = series(ex_mul(r->radians, r->radians), n, SHORT, WORDS);
+
+	return sum_inexact(n == 1 ? ex_mul(r->radians, s) : s, SUM_TRIG_ERROR);
 }
 
 /* The sine of so many right angles more. */
@@ -140,16 +122,8 @@ static struct sum sine(double angle, enum angle_unit unit, unsigned turns)
 		reduce_radians(angle, &r);
 	else
 		reduce_degrees(angle, &r);
-	switch ((r.turns + turns) & 3) {
-	case 0:
-		return sin_small(&r);
-	case 1:
-		return cos_small(&r);
-	case 2:
-		return sum_neg(sin_small(&r));
-	default:
-		return sum_neg(cos_small(&r));
-	}
+	turns += r.turns;
+	return sum_negated_if(turns & 2, of_reduced(&r, ~turns & 1));
 }
 
 struct sum sin_of(double angle, enum angle_unit unit)
@@ -162,30 +136,11 @@ struct sum cos_of(double angle, enum angle_unit unit)
 	return sine(angle, unit, 1);
 }
 
-/* Keeps the last cotangent: a projection asks for its own several times, and many
- * scenes have the same angle of view. */
 struct sum cot_of(double angle, enum angle_unit unit)
 {
-	static _Thread_local struct {
-		double angle;
-		enum angle_unit unit;
-		struct sum cot;
-	} last;
-
 	if (unit == DEGREES && angle == 45)
 		return sum_of_double(1);
-	if (angle != last.angle || unit != last.unit) {
-		last.cot = sum_quotient(cos_of(angle, unit),
-		    sin_of(angle, unit));
-		last.angle = angle;
-		last.unit = unit;
-	}
-	return last.cot;
-}
-
-struct sum cot_half_of(double angle, enum angle_unit unit)
-{
-	return cot_of(angle / 2, unit);
+	return sum_quotient(cos_of(angle, unit), sin_of(angle, unit));
 }
 
 struct sum in_degrees(struct sum angle)

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "../exact/rotation.h"
-#include "../exact/vec3.h"
 
 /* An axis is v / length. The two are kept apart, as v is an exact polynomial of
  * the parameters, in sums of which terms cancel exactly. Where the second's length
