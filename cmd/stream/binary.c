@@ -151,8 +151,10 @@ size_t binary_read(const struct job *j, struct chunk *c, size_t *points)
 		c->text = c->end;
 		return binary_refuse(j, c, 0, reason);
 	}
-	bool within = points_split(binary_rows(l, c, n),
-	    l->in.format == FORMAT_F64, l->reads, c->in, n);
+	const bool wide = l->in.format == FORMAT_F64;
+	bool within = points_kernels()->split[wide][l->reads](binary_rows(l, c,
+								  n),
+	    c->in, n, MAGNITUDE_MAX);
 
 	c->text += n * size;
 	if (!within || !binary_is_whole(j))
@@ -185,8 +187,10 @@ bool binary_join(const struct job *j, struct chunk *c, size_t n)
 	const char *text = c->text - n * layout_record(l);
 	char *images = images_begin(l, c, n);
 
-	if (points_join(c->image, images, l->out.format == FORMAT_F64,
-		l->writes, n)) {
+	const bool wide = l->out.format == FORMAT_F64;
+
+	/* false if a number is not finite, or floats are to be asked of point_single */
+	if (points_kernels()->join[wide][l->writes](c->image, images, n)) {
 		images_end(l, c, text, images, n);
 		return true;
 	}

@@ -84,7 +84,7 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 
 static double ray_over(struct sum n, struct sum d, bool single)
 {
-	double q = single ? (double)sum_over_float(n, d) : sum_over(n, d);
+	double q = sum_nearest(&n, &d, single);
 
 	return isfinite(q) ? q : (double)NAN;
 }

@@ -14,15 +14,10 @@ static const struct sum minus_one = { { -1, 1, 0, { 1 } }, { 0, 0 } };
  * subnormal number. */
 static struct magnitude magnitude_of(double m, int e)
 {
-	uint64_t bits;
+	int more;
 
-	if (m == 0)
-		return (struct magnitude){ 0, 0 };
-	memcpy(&bits, &m, sizeof bits);
-	e += (int)(bits >> 52) - 1022;
-	bits = (bits & 0xfffffffffffff) | (uint64_t)1022 << 52;
-	memcpy(&m, &bits, sizeof m);
-	return (struct magnitude){ m, e };
+	m = frexp(m, &more);
+	return (struct magnitude){ m, e + more };
 }
 
 static struct magnitude magnitude_times(struct magnitude a, struct magnitude b)
@@ -62,11 +57,6 @@ static int least_word(struct magnitude error)
 	int e = error.e - 21;
 
 	return error.m > 0 ? ex_word_of(e) : INT_MIN;
-}
-
-struct sum sum_of(ex exact)
-{
-	return (struct sum){ exact, { 0, 0 } };
 }
 
 struct sum sum_of_double(double exact)
@@ -336,11 +326,6 @@ double sum_over_or_nan(struct sum n, struct sum d)
 	double q = sum_over(n, d);
 
 	return isfinite(q) ? q : (double)NAN;
-}
-
-float sum_over_float(struct sum n, struct sum d)
-{
-	return (float)sum_nearest(&n, &d, true);
 }
 
 double sum_double(struct sum a)

@@ -33,7 +33,6 @@ struct sum {
 	struct magnitude error;
 };
 
-struct sum sum_of(ex exact);
 struct sum sum_of_double(double exact);
 struct sum sum_diff(double a, double b); /* a - b */
 
@@ -78,7 +77,6 @@ struct sum sum_settled(struct sum);
 double sum_double(struct sum);
 double sum_nearest(const struct sum *n, const struct sum *d, bool single);
 double sum_over(struct sum n, struct sum d);
-float sum_over_float(struct sum n, struct sum d);
 
 /* sum_over; nan where that is infinite, or none. */
 double sum_over_or_nan(struct sum n, struct sum d);

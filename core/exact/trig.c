@@ -3,23 +3,13 @@
 
 #include <limits.h>
 
-/* pi / 180, within 2^-378 relative. */
-static const ex RADIAN = { 1, 6, -6,
-	{ 0x38862864b4ea8a06, 0x95b7b08b3c0c88a4, 0xc728154da64a6428,
-	    0xc805bd77a80daf35, 0x70762fb374a42e26, 0x0477d1a894a74e45 } };
-
-/* pi / 2, within 2^-963 relative, and its inverse, within 2^-640. */
+/* pi / 2, within 2^-963 relative. */
 static const ex QUARTER = { 1, 16, -15,
 	{ 0x8400f97142c77e0b, 0x9250cca3d9c8b67b, 0x5d3e4822f8963fcc,
 	    0xdc70d7f6b5133f4b, 0x17feb96de80d6fdb, 0xe89885d34c6fdad6,
 	    0xc90b6aecc4bcfd8d, 0x9fc26adadaa3848b, 0x605614dbe4be286e,
 	    0xdf2a33679a748636, 0xa29410f31c6809bb, 0x04177d4c76273644,
 	    0x52049c1114cf98e8, 0x898cc51701b839a2, 0x921fb54442d18469, 1 } };
-static const ex QUARTERS = { 1, 10, -10,
-	{ 0x3991d639835339f5, 0xe99c7026b45f7e41, 0xe88235f52ebb4484,
-	    0xfe1deb1cb129a73e, 0x06492eea09d1921c, 0xb7246e3a424dd2e0,
-	    0xfe5163abdebbc561, 0xdb6295993c439041, 0xfc2757d1f534ddc0,
-	    0xa2f9836e4e441529 } };
 
 /* Words that are kept of an angle, and of the terms of its series. */
 enum { WORDS = 6 };
@@ -78,7 +68,8 @@ static void reduce_degrees(double angle, struct reduced *r)
 	double rest = fmod(angle, 360), q = rint(rest / 90);
 
 	r->degrees = rest - 90 * q;
-	r->radians = ex_first(ex_mul(RADIAN, ex_of(r->degrees)), WORDS);
+	r->radians = ex_quotient(ex_mul(QUARTER, ex_of(r->degrees)), ex_of(90));
+	r->radians = ex_first(r->radians, WORDS);
 	r->turns = (unsigned)(int)q;
 }
 
@@ -89,7 +80,7 @@ static void reduce_degrees(double angle, struct reduced *r)
 static void reduce_radians(double angle, struct reduced *r)
 {
 	ex a = ex_of(fabs(angle));
-	ex q = ex_add(ex_mul(a, QUARTERS), ex_of(0.5));
+	ex q = ex_add(ex_quotient(a, QUARTER), ex_of(0.5));
 
 	q = ex_first(q, q.e + q.n > 0 ? q.e + q.n : 0);
 	a = ex_first(ex_sub(a, ex_mul(q, QUARTER)), WORDS);
@@ -145,7 +136,8 @@ struct sum cot_of(double angle, enum angle_unit unit)
 
 struct sum in_degrees(struct sum angle)
 {
-	return sum_quotient(angle, sum_inexact(RADIAN, SUM_TRIG_ERROR));
+	return sum_quotient(sum_scale(angle, 90),
+	    sum_inexact(QUARTER, SUM_TRIG_ERROR));
 }
 
 #define DEGREE 57.29577951308232

@@ -155,18 +155,6 @@ void points_carry(const struct transform *t, enum precision precision,
 		carry_plain(t, precision, in, out, n);
 }
 
-bool points_split(const char *rows, bool wide, int numbers,
-    double (*columns)[POINTS_BLOCK], size_t n)
-{
-	return kernels->split[wide][numbers](rows, columns, n, MAGNITUDE_MAX);
-}
-
-bool points_join(double (*columns)[POINTS_BLOCK], char *rows, bool wide,
-    int numbers, size_t n)
-{
-	return kernels->join[wide][numbers](columns, rows, n);
-}
-
 bool points_carry_floats(const struct transform *t, const char *in, char *out,
     size_t n)
 {
