@@ -106,16 +106,6 @@ bool map_is_affine(const struct map *a)
 	return ex_compare(a->m[3][3].value, a->divisor.value) == 0;
 }
 
-const char *map_not_affine(const struct map *a, const char *transposed,
-    const char *other)
-{
-	const struct sum *last = a->m[3];
-
-	if (map_is_affine(a))
-		return NULL;
-	return vec3_is_zero(last) && sum_is_one(&last[3]) ? transposed : other;
-}
-
 static bool is_identity(const struct map *a)
 {
 	for (int i = 0; i < 4; i++)

@@ -57,18 +57,11 @@ void map_column(const struct map *, int j, const struct sum p[4], struct sum *);
 /* Whether the last column is 0 0 0 1. */
 bool map_is_affine(const struct map *);
 
-/* Of given numbers. NULL where it is affine; else why it must be refused: the first
- * where its transpose would be, or the other. */
-const char *map_not_affine(const struct map *, const char *transposed,
-    const char *other);
-
-#define WANT_AFFINE(map, member)                                           \
-	map_not_affine(map,                                                \
-	    member ": is transposed; in memory order the translation is "  \
-		   "numbers 13, 14 and 15, and rows stand as \"vectors\" " \
-		   "says",                                                 \
-	    member ": its last column is not 0 0 0 1, or as column "       \
-		   "vectors its last row")
+/* Why a map that is not affine is refused where it must be. */
+#define NOT_AFFINE                                                    \
+	"its last column, as column vectors its last row, is not "    \
+	"0 0 0 1; in memory order the translation is numbers 13, 14 " \
+	"and 15, and rows stand as \"vectors\" says"
 
 /* Whether each element is in the range of doubles. */
 bool map_is_finite(const struct map *);

@@ -69,10 +69,8 @@ static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 	if (!s->has_world)
 		return NULL;
 	map_of_doubles(s->world, r);
-	const char *why = WANT_AFFINE(r, "/world");
-
-	if (why != NULL)
-		return why;
+	if (!map_is_affine(r))
+		return "/world: " NOT_AFFINE;
 	if (inverse && !map_inverse(s->world, r))
 		return "/world: singular; it can't be inverted";
 	return NULL;
