@@ -229,10 +229,12 @@ static uint64_t divide_word(uint64_t *u, const uint64_t *d, int n)
 	return q;
 }
 
-/* The same of a 2^bits, for bits from 0 to 63. */
-static uint64_t ex_shifted(const ex *a, int at, int bits)
+/* The 64 bits from 2^e on. */
+static uint64_t bits_from(const ex *a, int e)
 {
-	return word_at(a, at) << bits | word_at(a, at - 1) >> 1 >> (63 - bits);
+	int at = ex_word_of(e), bits = e & 63;
+
+	return word_at(a, at) >> bits | word_at(a, at + 1) << 1 << (63 - bits);
 }
 
 static int leading_zeros(const ex *a)
@@ -256,9 +258,9 @@ bool ex_divide(const ex *a, const ex *b, int words, ex *r)
 	int bits = leading_zeros(b);
 
 	for (int i = 0; i < b->n; i++)
-		d[i] = ex_shifted(b, b->e + i, bits);
+		d[i] = bits_from(b, 64 * (b->e + i) - bits);
 	for (int i = 0; i <= n; i++)
-		u[i] = ex_shifted(a, top(a) - n + i, bits);
+		u[i] = bits_from(a, 64 * (top(a) - n + i) - bits);
 	for (int i = words; i >= 0; i--)
 		q[i] = divide_word(u + i, d, b->n);
 	uint64_t rest = a->n > n;
@@ -294,14 +296,6 @@ ex ex_sqrt(ex a)
 		r = ex_shift(ex_add(r, ex_quotient(m, r)), -1);
 	r = ex_add(r, ex_shift(one, 64 * (top(&r) - EX_QUOTIENT) - 1));
 	return ex_shift(ex_first(r, EX_QUOTIENT), e);
-}
-
-/* The 64 bits from 2^e on. */
-static uint64_t bits_from(const ex *a, int e)
-{
-	int at = ex_word_of(e), bits = e & 63;
-
-	return word_at(a, at) >> bits | word_at(a, at + 1) << 1 << (63 - bits);
 }
 
 /* To so many bits, but none below 2^least. */

@@ -180,7 +180,7 @@ struct sum map_minor(int n, const struct sum m[4][4], unsigned rows,
 			    map_minor(n - 1, m, rows | 1u << i,
 				columns | 1u << j));
 
-			s = sum_add(s, minus ? sum_neg(p) : p);
+			s = sum_add(s, sum_negated_if(minus, p));
 		}
 		minus = !minus;
 	}
@@ -200,8 +200,7 @@ bool map_inverse(const double m[4][4], struct map *inverse)
 		for (int j = 0; j < 4; j++) {
 			struct sum c = map_minor(3, a.m, 1u << j, 1u << i);
 
-			c = (i + j) % 2 ? sum_neg(c) : c;
-			inverse->m[i][j] = c;
+			inverse->m[i][j] = sum_negated_if((i + j) % 2, c);
 		}
 	inverse->divisor = sum_of_double(1);
 	map_over(inverse, det);
