@@ -30,9 +30,9 @@ static double plain_rounded(double a, bool single)
 static void point_plain(const struct transform *t, bool single,
     const double in[4], double out[4])
 {
-	double p[4] = { 0, 0, 0, 1 }, q[4], w = 1;
+	double p[4] = { [3] = 1 }, q[4], w = 1;
 
-	for (int i = 0; i < t->in && i < 3; i++)
+	for (int i = 0; i < 3; i++)
 		p[i] = plain_rounded(in[i] - t->for_kernel.origin[i], single);
 	if (t->in == 4 && !t->reciprocal)
 		p[3] = plain_rounded(in[3], single);
@@ -51,7 +51,7 @@ static void point_plain(const struct transform *t, bool single,
 		w = t->reciprocal && t->out == 4 ?
 		    plain_rounded(in[3], single) :
 		    q[3];
-	bool image = t->front ? w > 0 : w != 0;
+	bool image = !t->front || w > 0;
 
 	for (int j = 0; j < t->out; j++)
 		out[j] = image ? plain_rounded(q[j] / w, single) : (double)NAN;
