@@ -172,6 +172,7 @@ $(COMPLETIONS): $(BUILD)/completion/%: $(BUILD)/projcalc man/completion.pl
 
 prove: ## machine-checked error counting: each bound that core claims
 	@perl core/proof/prove.pl
+	@perl cmd/test/digits_test.t
 demo: | $(FIRST) ## the Stanford bunny, seen in a terminal
 	@+$(PARALLEL) all
 	@sh cmd/demo/demo.sh $(BUILD)

@@ -111,12 +111,14 @@ size_t binary_read(const struct job *j, struct chunk *c, size_t *points)
 		c->text = c->end;
 		return binary_refuse(j, c, 0, reason);
 	}
+	const bool wide = l->in.format == FORMAT_F64;
+
 	if (l->record > 0) { /* rows stand where images will */
 		rows = (char *)c->image;
 		copy_coordinates(l, (char *)text, (char *)rows, false, n);
 	}
-	bool within = points_split(rows, l->in.format == FORMAT_F64, l->reads,
-	    c->in, n);
+	bool within = points_kernels()->split[wide][l->reads](rows, c->in, n,
+	    MAGNITUDE_MAX);
 
 	c->text += n * size;
 	if (!within || !binary_is_whole(j))
@@ -150,9 +152,10 @@ bool binary_join(const struct job *j, struct chunk *c, const char *text,
 	size_t size = n * binary_written(l);
 	char *out = chunk_reserve(c, 2 * size);
 	char *images = out + (l->keeps ? size : 0);
+	const bool wide = l->out.format == FORMAT_F64;
 
-	if (!points_join(c->image, images, l->out.format == FORMAT_F64,
-		l->writes, n)) {
+	/* false if a number is not finite, or floats are to be asked of point_single */
+	if (!points_kernels()->join[wide][l->writes](c->image, images, n)) {
 		make_lines(c, text, layout_record(l), n);
 		return false;
 	}

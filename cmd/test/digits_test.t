@@ -214,6 +214,21 @@ sub check_eight {
 	    ten_to(-8) - $over > half_unit(2 ** 53 / 1e8 + 1));
 }
 
+# A reader's integer has at most so many in front of 16 digits, and is two doubles. A
+# correction c has two roundings, and each end one: they must be farther off.
+sub check_reader {
+	my ($text) = @_;
+	my ($most) = $text =~ /\(I\)rest > (\d+)\)/;
+	my ($place) = $text =~ /double_of\(rest\) \* 1e(\d+);/;
+	my ($off) = $text =~ /off = c \* 0x1p-(\d+);/;
+	check('the digits in front are exact', $place == 16 &&
+	    Math::BigInt->new(5)->bpow($place) * $most < two_to(53));
+	check('the integer is below 2^64',
+	    ($most + 1) * ten_to($place) < two_to(64));
+	check('the ends are farther than the error',
+	    2 ** -$off >= (2 + 1.02) * 2 ** -53);
+}
+
 # All of it; returns the largest error.
 sub prove {
 	my ($text) = @_;
@@ -225,11 +240,13 @@ sub prove {
 	check_quotient('two digits', 10 ** 4, 100, $c->{twos}, 19);
 	check_quotient('one digit', 100, 10, $c->{ones}, 16);
 	check_eight($c);
+	check_reader($text);
 	return $worst[0] > $worst[1] ? $worst[0] : $worst[1];
 }
 
 my $headers = join '', map { slurp("$vector/$_") }
-    qw(powers.h vector.h write_find.h write_body.h);
+    qw(powers.h vector.h write_find.h write_body.h
+    read_body.h);
 my $worst = prove($headers);
 is_deeply(\@refused, [], 'the table, the constants and the margin');
 my $units = $worst * 2 ** 53;
@@ -252,6 +269,8 @@ for my $m (
 	['109951163', '109951162', 'four digits'],
 	['5243', '5242', 'two digits'],
 	['6554 *', '6553 *', 'one digit'],
+	['rest > 999', 'rest > 9999', 'below 2^64'],
+	['c * 0x1p-50', 'c * 0x1p-52', 'farther than the error'],
 	['ALL(1e-8)', 'ALL(9.999999999999999e-9)', '1e-8 is not too'],
 ) {
 	my ($from, $to, $refused) = @$m;

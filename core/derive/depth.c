@@ -3,8 +3,6 @@
 
 #include <math.h>
 
-#include "../exact/vec3.h"
-
 /* With clip z = zz D + tz and w = zw D + tw along the one axis that both depend on,
  * 1/w = (zz - zw z) / (tw zz - tz zw) for ndc z. Else it is the inverse's last column
  * that says so on the axis through the device's middle: (c2 z + c3) / det. */
@@ -127,7 +125,7 @@ static int compare_depths(const struct at *a, const struct at *b)
 /* The next float above or below z, strictly. False where there is none. */
 static bool next_float(const struct at *z, int up, struct at *next)
 {
-	float f = sum_over_float(z->n, z->d),
+	float f = (float)sum_nearest(&z->n, &z->d, true),
 	      to = up > 0 ? HUGE_VALF : -HUGE_VALF;
 
 	next->d = sum_of_double(1);

@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "frustum.h"
-#include "../exact/vec3.h"
 
 const char *bounds_check(const struct bounds *b, int dimensions)
 {

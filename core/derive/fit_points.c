@@ -45,15 +45,11 @@ static double bound_of(const double m[3], const double largest[3])
 static int compare_exactly(const struct direction *d, const double p[3],
     const double q[3])
 {
-	const struct sum *m[3], *step[3];
-	struct sum steps[3], by;
+	struct sum step[3], by;
 
-	for (int i = 0; i < 3; i++) {
-		steps[i] = sum_diff(p[i], q[i]);
-		step[i] = &steps[i];
-		m[i] = &d->m[i];
-	}
-	sum_dot(3, m, step, &by);
+	for (int i = 0; i < 3; i++)
+		step[i] = sum_diff(p[i], q[i]);
+	sum_dot(3, d->m, step, 1, &by);
 	return sum_sign(by);
 }
 

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "frustum.h"
-#include "../exact/vec3.h"
 
 #define NONE ((double)NAN)
 

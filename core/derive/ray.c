@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "../points/kernel/midway.h"
-#include "../exact/vec3.h"
 
 /* View space is N(z) / D(z) at device depth z, for each row i of the map m from
  * device to view and p = (x, y, z, 1):
@@ -85,7 +84,7 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 
 static double ray_over(struct sum n, struct sum d, bool single)
 {
-	double q = single ? (double)sum_over_float(n, d) : sum_over(n, d);
+	double q = sum_nearest(&n, &d, single);
 
 	return isfinite(q) ? q : (double)NAN;
 }

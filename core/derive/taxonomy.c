@@ -5,7 +5,6 @@
 
 #include "frustum.h"
 #include "../exact/trig.h"
-#include "../exact/vec3.h"
 
 /* What is equal, zero or parallel, relative to what it is compared with. */
 #define ALIKE 0x1p-40

@@ -7,6 +7,8 @@
 
 #include "wide.h"
 
+static const ex one = { 1, 1, 0, { 1 } };
+
 static atomic_bool ex_lost;
 
 bool ex_has_lost(void)
@@ -38,34 +40,26 @@ static void ex_put(ex *r, int sign, const uint64_t *w, int n, int e)
 		r->word[i] = w[i];
 }
 
-/* sign m 2^e */
-static void ex_put_whole(ex *r, int sign, uint64_t m, int e)
+/* The word that has the bit 2^e. */
+int ex_word_of(int e)
 {
-	int words = e >= 0 ? e / 64 : -((63 - e) / 64), bits = e - 64 * words;
-	uint64_t w[2] = { m << bits, bits > 0 ? m >> (64 - bits) : 0 };
-
-	ex_put(r, sign, w, 2, words);
-}
-
-static ex ex_whole(int sign, uint64_t m, int e)
-{
-	ex r;
-
-	ex_put_whole(&r, sign, m, e);
-	return r;
+	return (e - (e & 63)) / 64;
 }
 
 void ex_set(ex *r, double a)
 {
-	uint64_t bits, one = (uint64_t)1 << 52;
+	uint64_t bits, leading = (uint64_t)1 << 52;
 
 	memcpy(&bits, &a, sizeof bits);
 	int e = (int)(bits >> 52 & 0x7ff);
-	uint64_t m = bits & (one - 1);
+	uint64_t m = bits & (leading - 1);
 
 	/* a subnormal number has the exponent 1, too, but no leading one */
-	ex_put_whole(r, bits >> 63 ? -1 : 1, e > 0 ? m | one : m,
-	    (e > 0 ? e : 1) - 1075);
+	m = e > 0 ? m | leading : m;
+	e = (e > 0 ? e : 1) - 1075;
+	uint64_t w[2] = { m << (e & 63), m >> 1 >> (63 - (e & 63)) };
+
+	ex_put(r, bits >> 63 ? -1 : 1, w, 2, ex_word_of(e));
 }
 
 ex ex_of(double a)
@@ -87,97 +81,10 @@ static int top(const ex *a)
 	return a->e + a->n;
 }
 
-static int compare_magnitudes(const ex *a, const ex *b)
-{
-	int low = a->e < b->e ? a->e : b->e;
-
-	if (a->n == 0 || b->n == 0 || top(a) != top(b))
-		return a->n == 0    ? -(b->n > 0) :
-		    b->n == 0       ? 1 :
-		    top(a) > top(b) ? 1 :
-				      -1;
-	for (int i = top(a) - 1; i >= low; i--)
-		if (word_at(a, i) != word_at(b, i))
-			return word_at(a, i) > word_at(b, i) ? 1 : -1;
-	return 0;
-}
-
-/* How many of n words from 2^(64 low) on are left out. */
-static int words_below(int least, int low, int n)
-{
-	int most = n > EX_KEPT ? n - EX_KEPT : 0;
-
-	return least <= low ? 0 : least > low + most ? most : least - low;
-}
-
-/* a + b where sign, that of b, is a's; a - b, for |a| >= |b|, otherwise. */
-static void ex_combine(const ex *a, const ex *b, int sign, int least, ex *r)
-{
-	uint64_t w[EX_WORDS + 1], carry = 0;
-	int low = a->e < b->e ? a->e : b->e;
-	int high = top(a) > top(b) ? top(a) : top(b);
-	bool minus = a->sign != sign;
-
-	if (high - low > EX_WORDS) {
-		low = high - EX_WORDS;
-		if (low > least)
-			ex_lost = true;
-	}
-	for (int i = low; i < high; i++) {
-		uint64_t x = word_at(a, i), y = word_at(b, i);
-
-		w[i - low] = minus ? subtract_borrow(x, y, &carry) :
-				     add_carry(x, y, &carry);
-	}
-	w[high - low] = minus ? 0 : carry;
-	int n = high - low + 1;
-
-	while (n > 0 && w[n - 1] == 0)
-		n--;
-	int rest = words_below(least, low, n);
-
-	ex_put(r, a->sign, w + rest, n - rest, low + rest);
-}
-
-void ex_plus(const ex *a, const ex *b, int sign, int least, ex *r)
-{
-	ex turned = *b;
-
-	turned.sign *= sign;
-	if (a->n == 0 || b->n == 0)
-		*r = b->n == 0 ? *a : turned;
-	else if (compare_magnitudes(a, b) >= 0)
-		ex_combine(a, &turned, turned.sign, least, r);
-	else
-		ex_combine(&turned, a, a->sign, least, r);
-}
-
-ex ex_add(ex a, ex b)
-{
-	ex r;
-
-	ex_plus(&a, &b, 1, INT_MIN, &r);
-	return r;
-}
-
 ex ex_neg(ex a)
 {
 	a.sign = -a.sign;
 	return a;
-}
-
-ex ex_abs(ex a)
-{
-	a.sign = a.n > 0;
-	return a;
-}
-
-ex ex_sub(ex a, ex b)
-{
-	ex r;
-
-	ex_plus(&a, &b, -1, INT_MIN, &r);
-	return r;
 }
 
 /* |a| |b| into w[0..a->n + b->n). */
@@ -193,16 +100,6 @@ static void multiply(uint64_t *w, const ex *a, const ex *b)
 			    w[i + j], &carry);
 		w[i + b->n] = carry;
 	}
-}
-
-ex ex_mul(ex a, ex b)
-{
-	uint64_t w[2 * EX_WORDS];
-	ex r;
-
-	multiply(w, &a, &b);
-	ex_put(&r, a.sign * b.sign, w, a.n + b.n, a.e + b.e);
-	return r;
 }
 
 /* Adds sign w[0..n) 2^(64 e), or what of it is not below low, to a number in two's
@@ -255,32 +152,48 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 	bool minus = sum[high - low - 1] >> 63;
 	uint64_t carry = minus;
 
-	for (int i = 0; i < high - low && minus; i++) {
-		sum[i] = ~sum[i] + carry;
-		carry &= sum[i] == 0;
-	}
-	int n_words = high - low;
+	for (int i = 0; i < high - low && minus; i++)
+		sum[i] = add_carry(~sum[i], 0, &carry);
+	while (high > low && sum[high - low - 1] == 0)
+		high--;
+	int rest = high - low - EX_KEPT;
 
-	while (n_words > 0 && sum[n_words - 1] == 0)
-		n_words--;
-	int rest = words_below(least, low, n_words);
+	rest = rest < 0 || least <= low ? 0 :
+	    least - low < rest          ? least - low :
+					  rest;
+	ex_put(r, minus ? -1 : 1, sum + rest, high - low - rest, low + rest);
+}
 
-	ex_put(r, minus ? -1 : 1, sum + rest, n_words - rest, low + rest);
+ex ex_mul(ex a, ex b)
+{
+	const ex *const x[] = { &a }, *const y[] = { &b };
+
+	ex_dot(1, x, y, INT_MIN, &a);
+	return a;
+}
+
+ex ex_add(ex a, ex b)
+{
+	const ex *const x[] = { &a, &b }, *const y[] = { &one, &one };
+
+	ex_dot(2, x, y, INT_MIN, &a);
+	return a;
+}
+
+ex ex_sub(ex a, ex b)
+{
+	return ex_add(a, ex_neg(b));
 }
 
 ex ex_shift(ex a, int e)
 {
-	if (e % 64 != 0)
-		return ex_mul(a, ex_whole(1, 1, e));
-	a.e += a.n > 0 ? e / 64 : 0;
-	return a;
+	a.e += a.n > 0 ? ex_word_of(e) : 0;
+	return e & 63 ? ex_mul(a, ex_of(ldexp(1, e & 63))) : a;
 }
 
 int ex_compare(ex a, ex b)
 {
-	if (a.sign != b.sign)
-		return a.sign < b.sign ? -1 : 1;
-	return a.sign * compare_magnitudes(&a, &b);
+	return ex_sub(a, b).sign;
 }
 
 ex ex_first(ex a, int n)
@@ -292,54 +205,36 @@ ex ex_first(ex a, int n)
 	return r;
 }
 
-/* Whether a b > high 2^64 + low. */
-static bool is_product_above(uint64_t a, uint64_t b, uint64_t high,
-    uint64_t low)
-{
-	uint64_t top = 0, p = multiply_add(a, b, 0, &top);
-
-	return top > high || (top == high && p > low);
-}
-
 /* One word of the long division of u[0..n] by d[0..n), whose top bit is set:
  * Knuth, The Art of Computer Programming, volume 2, 4.3.1, algorithm D. u
- * becomes the remainder, and u[n] <= d[n - 1]. */
+ * becomes the remainder, and u[n] <= d[n - 1]. The quotient of the first words is at
+ * most 2 too large (theorem B there); u is below 0 as long as it is. */
 static uint64_t divide_word(uint64_t *u, const uint64_t *d, int n)
 {
-	uint64_t q = UINT64_MAX, rest = u[n - 1] + d[n - 1], carry = 0;
-	bool done = rest < d[n - 1];
+	uint64_t carry = 0, q = UINT64_MAX;
 
-	if (u[n] < d[n - 1]) {
-		q = divide_two(u[n], u[n - 1], d[n - 1], &rest);
-		done = false;
-	}
-	while (
-	    n > 1 && !done && is_product_above(q, d[n - 2], rest, u[n - 2])) {
-		q--;
-		rest += d[n - 1];
-		done = rest < d[n - 1];
-	}
+	if (u[n] < d[n - 1])
+		q = divide_two(u[n], u[n - 1], d[n - 1]);
 	for (int i = 0; i < n; i++) {
 		uint64_t p = multiply_add(q, d[i], 0, &carry);
 
 		carry += u[i] < p;
 		u[i] -= p;
 	}
-	bool fits = u[n] >= carry;
-
-	u[n] -= carry;
-	if (fits)
-		return q;
-	carry = 0;
-	for (int i = 0; i <= n; i++)
-		u[i] = add_carry(u[i], i < n ? d[i] : 0, &carry);
-	return q - 1;
+	for (u[n] -= carry; u[n] != 0; q--) {
+		carry = 0;
+		for (int i = 0; i <= n; i++)
+			u[i] = add_carry(u[i], i < n ? d[i] : 0, &carry);
+	}
+	return q;
 }
 
-/* The same of a 2^bits, for bits from 0 to 63. */
-static uint64_t ex_shifted(const ex *a, int at, int bits)
+/* The 64 bits from 2^e on. */
+static uint64_t bits_from(const ex *a, int e)
 {
-	return word_at(a, at) << bits | word_at(a, at - 1) >> 1 >> (63 - bits);
+	int at = ex_word_of(e), bits = e & 63;
+
+	return word_at(a, at) >> bits | word_at(a, at + 1) << 1 << (63 - bits);
 }
 
 static int leading_zeros(const ex *a)
@@ -356,16 +251,16 @@ bool ex_divide(const ex *a, const ex *b, int words, ex *r)
 	int n = b->n + words;
 
 	if (b->n == 0 || a->n == 0) {
-		ex_put_whole(r, 1, b->n == 0, BEYOND);
+		*r = ex_shift(ex_of(b->n == 0), BEYOND);
 		return a->n == 0;
 	}
 	/* so that d's top bit is set, as the division wants it */
 	int bits = leading_zeros(b);
 
 	for (int i = 0; i < b->n; i++)
-		d[i] = ex_shifted(b, b->e + i, bits);
+		d[i] = bits_from(b, 64 * (b->e + i) - bits);
 	for (int i = 0; i <= n; i++)
-		u[i] = ex_shifted(a, top(a) - n + i, bits);
+		u[i] = bits_from(a, 64 * (top(a) - n + i) - bits);
 	for (int i = words; i >= 0; i--)
 		q[i] = divide_word(u + i, d, b->n);
 	uint64_t rest = a->n > n;
@@ -399,17 +294,8 @@ ex ex_sqrt(ex a)
 
 	for (int i = 0; i < 4; i++)
 		r = ex_shift(ex_add(r, ex_quotient(m, r)), -1);
-	r = ex_add(r, ex_whole(1, 1, 64 * (top(&r) - EX_QUOTIENT) - 1));
+	r = ex_add(r, ex_shift(one, 64 * (top(&r) - EX_QUOTIENT) - 1));
 	return ex_shift(ex_first(r, EX_QUOTIENT), e);
-}
-
-/* The 64 bits from 2^e on. */
-static uint64_t bits_from(const ex *a, int e)
-{
-	int at = e >= 0 ? e / 64 : -((63 - e) / 64), bits = e - 64 * at;
-	uint64_t low = word_at(a, at), high = word_at(a, at + 1);
-
-	return bits == 0 ? low : low >> bits | high << (64 - bits);
 }
 
 /* To so many bits, but none below 2^least. */
@@ -428,11 +314,6 @@ static double ex_rounded(const ex *a, int bits, int least)
 
 	m += half & ((m & 1) | (lowest < last - 1));
 	return a->sign * ldexp((double)m, last);
-}
-
-uint64_t ex_behind(const ex *a, int bits)
-{
-	return bits_from(a, 64 * top(a) - leading_zeros(a) - bits - 64);
 }
 
 double ex_nearest(const ex *a, bool single)

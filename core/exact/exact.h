@@ -33,7 +33,6 @@ typedef struct {
 
 ex ex_of(double a);
 ex ex_neg(ex a);
-ex ex_abs(ex a);
 ex ex_add(ex a, ex b);
 ex ex_sub(ex a, ex b);
 ex ex_mul(ex a, ex b);
@@ -61,18 +60,17 @@ enum { EX_KEPT = 7 };
  * infinite beyond. */
 double ex_double(ex a);
 
-/* What every point needs, without copies: a double; a + sign b, and a sum of products,
- * without the words below 2^(64 least); a quotient of so many words or one more, whose
+/* The word that has the bit 2^e. */
+int ex_word_of(int e);
+
+/* What every point needs, without copies: a double; a sum of products, without the
+ * words below 2^(64 least); a quotient of so many words or one more, whose
  * last bit is 1 where something remains, so that it is rounded as the exact one (it
  * says whether none does); the nearest double or float. */
 void ex_set(ex *, double a);
-void ex_plus(const ex *a, const ex *b, int sign, int least, ex *);
 void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *);
 bool ex_divide(const ex *a, const ex *b, int words, ex *);
 double ex_nearest(const ex *, bool single);
-
-/* The 64 bits that follow the first so many. */
-uint64_t ex_behind(const ex *a, int bits);
 
 /* The nearest double, and the double nearest to what that leaves: within
  * EX_BOUND u^2 while that is no less than 2^-1022. */

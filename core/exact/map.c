@@ -3,7 +3,44 @@
 
 #include <string.h>
 
-#include "vec3.h"
+struct sum vec3_dot(const struct sum a[3], const struct sum b[3])
+{
+	struct sum r;
+
+	sum_dot(3, a, b, 1, &r);
+	return r;
+}
+
+void vec3_cross(const struct sum a[3], const struct sum b[3], struct sum r[3])
+{
+	for (int i = 0; i < 3; i++) {
+		int j = (i + 1) % 3, k = (i + 2) % 3;
+
+		r[i] = sum_minor(a[j], b[k], a[k], b[j]);
+	}
+}
+
+/* As far as a is off, its length is at most. So its size is the sum of the
+ * elements', and not of their squares. */
+struct sum vec3_length(const struct sum a[3])
+{
+	struct sum r = sum_sqrt(vec3_dot(a, a));
+
+	if (r.error.m == 0)
+		return r;
+	struct sum off = sum_inexact(r.value, SUM_ERROR);
+
+	for (int i = 0; i < 3; i++)
+		off = sum_add(off, (struct sum){ ex_of(0), a[i].error });
+	r.error = off.error;
+	return r;
+}
+
+bool vec3_is_zero(const struct sum a[3])
+{
+	return sum_sign(a[0]) == 0 && sum_sign(a[1]) == 0 &&
+	    sum_sign(a[2]) == 0;
+}
 
 void map_identity(struct map *r)
 {
@@ -69,16 +106,6 @@ bool map_is_affine(const struct map *a)
 	return ex_compare(a->m[3][3].value, a->divisor.value) == 0;
 }
 
-const char *map_not_affine(const struct map *a, const char *transposed,
-    const char *other)
-{
-	const struct sum *last = a->m[3];
-
-	if (map_is_affine(a))
-		return NULL;
-	return vec3_is_zero(last) && sum_is_one(&last[3]) ? transposed : other;
-}
-
 static bool is_identity(const struct map *a)
 {
 	for (int i = 0; i < 4; i++)
@@ -104,16 +131,10 @@ bool map_is_finite(const struct map *a)
 	return true;
 }
 
-static void set_element(struct map *r, int i, int j, const struct map *a,
-    const struct map *b)
+void map_column(const struct map *m, int j, const struct sum p[4],
+    struct sum *r)
 {
-	const struct sum *x[4], *y[4];
-
-	for (int k = 0; k < 4; k++) {
-		x[k] = &a->m[i][k];
-		y[k] = &b->m[k][j];
-	}
-	sum_dot(4, x, y, &r->m[i][j]);
+	sum_dot(4, p, &m->m[0][j], 4, r);
 }
 
 void map_then(const struct map *a, const struct map *b, struct map *r)
@@ -126,7 +147,7 @@ void map_then(const struct map *a, const struct map *b, struct map *r)
 	r->divisor = sum_mul(a->divisor, b->divisor);
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
-			set_element(r, i, j, a, b);
+			map_column(b, j, a->m[i], &r->m[i][j]);
 }
 
 struct sum map_element(const struct map *a, int i, int j)
@@ -140,16 +161,6 @@ struct sum map_element(const struct map *a, int i, int j)
 double map_nearest(const struct map *a, int i, int j, bool single)
 {
 	return sum_nearest(&a->m[i][j], &a->divisor, single);
-}
-
-void map_column(const struct map *m, int j, const struct sum p[4],
-    struct sum *r)
-{
-	const struct sum *const x[4] = { &p[0], &p[1], &p[2], &p[3] };
-	const struct sum *const y[4] = { &m->m[0][j], &m->m[1][j], &m->m[2][j],
-		&m->m[3][j] };
-
-	sum_dot(4, x, y, r);
 }
 
 struct sum map_minor(int n, const struct sum m[4][4], unsigned rows,
@@ -169,7 +180,7 @@ struct sum map_minor(int n, const struct sum m[4][4], unsigned rows,
 			    map_minor(n - 1, m, rows | 1u << i,
 				columns | 1u << j));
 
-			s = sum_add(s, minus ? sum_neg(p) : p);
+			s = sum_add(s, sum_negated_if(minus, p));
 		}
 		minus = !minus;
 	}
@@ -189,8 +200,7 @@ bool map_inverse(const double m[4][4], struct map *inverse)
 		for (int j = 0; j < 4; j++) {
 			struct sum c = map_minor(3, a.m, 1u << j, 1u << i);
 
-			c = (i + j) % 2 ? sum_neg(c) : c;
-			inverse->m[i][j] = c;
+			inverse->m[i][j] = sum_negated_if((i + j) % 2, c);
 		}
 	inverse->divisor = sum_of_double(1);
 	map_over(inverse, det);

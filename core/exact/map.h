@@ -8,6 +8,12 @@
 
 #include "sum.h"
 
+/* Vectors of three. */
+struct sum vec3_dot(const struct sum a[3], const struct sum b[3]);
+void vec3_cross(const struct sum a[3], const struct sum b[3], struct sum r[3]);
+struct sum vec3_length(const struct sum a[3]);
+bool vec3_is_zero(const struct sum a[3]);
+
 /* (p, 1) m / divisor is the image of a point p. The elements of m are as exact as
  * sum.h says, and the divisor is exact and positive: a map that is made of given
  * numbers without an angle or a length is exact in either direction. One divisor
@@ -51,18 +57,11 @@ void map_column(const struct map *, int j, const struct sum p[4], struct sum *);
 /* Whether the last column is 0 0 0 1. */
 bool map_is_affine(const struct map *);
 
-/* Of given numbers. NULL where it is affine; else why it must be refused: the first
- * where its transpose would be, or the other. */
-const char *map_not_affine(const struct map *, const char *transposed,
-    const char *other);
-
-#define WANT_AFFINE(map, member)                                           \
-	map_not_affine(map,                                                \
-	    member ": is transposed; in memory order the translation is "  \
-		   "numbers 13, 14 and 15, and rows stand as \"vectors\" " \
-		   "says",                                                 \
-	    member ": its last column is not 0 0 0 1, or as column "       \
-		   "vectors its last row")
+/* Why a map that is not affine is refused where it must be. */
+#define NOT_AFFINE                                                    \
+	"its last column, as column vectors its last row, is not "    \
+	"0 0 0 1; in memory order the translation is numbers 13, 14 " \
+	"and 15, and rows stand as \"vectors\" says"
 
 /* Whether each element is in the range of doubles. */
 bool map_is_finite(const struct map *);

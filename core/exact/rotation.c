@@ -72,8 +72,8 @@ static void eigenvector(const struct sum k[4][4], struct sum q[4])
 	for (int i = 0; i < 4; i++) {
 		struct sum c = map_minor(3, k, 1u << best, 1u << i);
 
-		q[i] = sum_of(
-		    ex_first((best + i) % 2 ? ex_neg(c.value) : c.value, 8));
+		q[i] = sum_inexact(
+		    ex_first((best + i) % 2 ? ex_neg(c.value) : c.value, 8), 0);
 		norm = sum_add(norm, sum_abs(q[i]));
 	}
 	for (int i = 0; i < 4; i++)
@@ -93,7 +93,7 @@ enum rotation nearest_rotation(const double matrix[4][4], struct sum q[4])
 	for (int i = 0; i < 9; i++) {
 		struct sum *a = &m[i / 3][i % 3];
 
-		*a = sum_of(ex_shift(ex_of(matrix[i / 3][i % 3]), -e));
+		*a = sum_inexact(ex_shift(ex_of(matrix[i / 3][i % 3]), -e), 0);
 		s = sum_add(s, sum_mul(*a, *a));
 	}
 	struct sum det = map_minor(3, m, 8, 8);
@@ -104,7 +104,7 @@ enum rotation nearest_rotation(const double matrix[4][4], struct sum q[4])
 	if (!largest_root(s.value, det.value, map_minor(4, k, 0, 0).value, &x))
 		return ROTATION_MANY;
 	for (int i = 0; i < 4; i++)
-		k[i][i] = sum_sub(k[i][i], sum_of(x));
+		k[i][i] = sum_sub(k[i][i], sum_inexact(x, 0));
 	eigenvector(k, q);
 	return ROTATION_FOUND;
 }

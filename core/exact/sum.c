@@ -4,25 +4,20 @@
 #include <limits.h>
 #include <string.h>
 
-/* A quotient that is rounded needs one whole word and whether anything remains, or
- * two where that does not tell. */
-enum { EXACT = 2, CLEAR = 3 };
+/* A quotient that is rounded needs one whole word, and whether anything remains. */
+enum { ROUNDED = 2 };
 
 static const struct sum one = { { 1, 1, 0, { 1 } }, { 0, 0 } };
+static const struct sum minus_one = { { -1, 1, 0, { 1 } }, { 0, 0 } };
 
 /* m 2^e, where m is a product or quotient of two such, or a sum of some words: no
  * subnormal number. */
 static struct magnitude magnitude_of(double m, int e)
 {
-	uint64_t bits;
+	int more;
 
-	if (m == 0)
-		return (struct magnitude){ 0, 0 };
-	memcpy(&bits, &m, sizeof bits);
-	e += (int)(bits >> 52) - 1022;
-	bits = (bits & 0xfffffffffffff) | (uint64_t)1022 << 52;
-	memcpy(&m, &bits, sizeof m);
-	return (struct magnitude){ m, e };
+	m = frexp(m, &more);
+	return (struct magnitude){ m, e + more };
 }
 
 static struct magnitude magnitude_times(struct magnitude a, struct magnitude b)
@@ -56,31 +51,12 @@ static struct magnitude of(const ex *a)
 	    64 * (a->e + a->n - 1));
 }
 
-/* |a| times b's error, |b| times a's, and the product of both errors. */
-static struct magnitude error_of_product(const struct sum *a,
-    const struct sum *b)
-{
-	struct magnitude r = { 0, 0 };
-
-	if (a->error.m > 0)
-		r = magnitude_times(a->error,
-		    magnitude_plus(of(&b->value), b->error));
-	if (b->error.m > 0)
-		r = magnitude_plus(r, magnitude_times(of(&a->value), b->error));
-	return r;
-}
-
 /* The words below this one are below 2^-20 of an error, which is at least 2^(e-1). */
 static int least_word(struct magnitude error)
 {
 	int e = error.e - 21;
 
-	return error.m > 0 ? (e >= 0 ? e / 64 : -((63 - e) / 64)) : INT_MIN;
-}
-
-struct sum sum_of(ex exact)
-{
-	return (struct sum){ exact, { 0, 0 } };
+	return error.m > 0 ? ex_word_of(e) : INT_MIN;
 }
 
 struct sum sum_of_double(double exact)
@@ -123,31 +99,7 @@ struct sum sum_negated_if(bool yes, struct sum a)
 
 struct sum sum_abs(struct sum a)
 {
-	a.value = ex_abs(a.value);
-	return a;
-}
-
-static void sum_put(const struct sum *a, const struct sum *b, int sign,
-    struct sum *r)
-{
-	r->error = magnitude_plus(a->error, b->error);
-	ex_plus(&a->value, &b->value, sign, least_word(r->error), &r->value);
-}
-
-struct sum sum_add(struct sum a, struct sum b)
-{
-	struct sum r;
-
-	sum_put(&a, &b, 1, &r);
-	return r;
-}
-
-struct sum sum_sub(struct sum a, struct sum b)
-{
-	struct sum r;
-
-	sum_put(&a, &b, -1, &r);
-	return r;
+	return sum_negated_if(a.value.sign < 0, a);
 }
 
 bool sum_is_nothing(const struct sum *a)
@@ -155,30 +107,64 @@ bool sum_is_nothing(const struct sum *a)
 	return a->value.n == 0 && a->error.m == 0;
 }
 
-void sum_dot(int n, const struct sum *const a[], const struct sum *const b[],
+/* Of n <= 4 products. Of each the error is |a| times b's, |b| times a's, and the
+ * product of both. */
+static void dot(int n, const struct sum *const a[], const struct sum *const b[],
     struct sum *r)
 {
 	const ex *x[4], *y[4];
 	struct magnitude error = { 0, 0 };
 
 	for (int k = 0; k < n; k++) {
+		struct magnitude off_a = a[k]->error, off_b = b[k]->error;
+
 		x[k] = &a[k]->value;
 		y[k] = &b[k]->value;
-		if (!sum_is_nothing(a[k]) && !sum_is_nothing(b[k]))
+		if (off_a.m > 0)
 			error = magnitude_plus(error,
-			    error_of_product(a[k], b[k]));
+			    magnitude_times(off_a,
+				magnitude_plus(of(y[k]), off_b)));
+		if (off_b.m > 0)
+			error = magnitude_plus(error,
+			    magnitude_times(of(x[k]), off_b));
 	}
 	ex_dot(n, x, y, least_word(error), &r->value);
 	r->error = error;
 }
 
+void sum_dot(int n, const struct sum *a, const struct sum *b, int step,
+    struct sum *r)
+{
+	const struct sum *x[4], *y[4];
+
+	for (int k = 0; k < n; k++) {
+		x[k] = &a[k];
+		y[k] = &b[k * step];
+	}
+	dot(n, x, y, r);
+}
+
+struct sum sum_add(struct sum a, struct sum b)
+{
+	const struct sum *const x[] = { &a, &b }, *const y[] = { &one, &one };
+
+	dot(2, x, y, &a);
+	return a;
+}
+
+struct sum sum_sub(struct sum a, struct sum b)
+{
+	const struct sum *const x[] = { &a, &b };
+	const struct sum *const y[] = { &one, &minus_one };
+
+	dot(2, x, y, &a);
+	return a;
+}
+
 struct sum sum_mul(struct sum a, struct sum b)
 {
-	const struct sum *const x[] = { &a }, *const y[] = { &b };
-	struct sum r;
-
-	sum_dot(1, x, y, &r);
-	return r;
+	sum_dot(1, &a, &b, 1, &a);
+	return a;
 }
 
 struct sum sum_scale(struct sum a, double by)
@@ -188,7 +174,11 @@ struct sum sum_scale(struct sum a, double by)
 
 struct sum sum_minor(struct sum a, struct sum b, struct sum c, struct sum d)
 {
-	return sum_sub(sum_mul(a, b), sum_mul(c, d));
+	const struct sum *const x[] = { &a, &c }, *const y[] = { &b, &d };
+
+	c.value.sign = -c.value.sign;
+	dot(2, x, y, &a);
+	return a;
 }
 
 bool sum_is_one(const struct sum *a)
@@ -268,11 +258,6 @@ struct sum sum_settled(struct sum a)
 	return sum_sign(a) == 0 ? sum_of_double(0) : a;
 }
 
-bool sum_has_lost(void)
-{
-	return ex_has_lost();
-}
-
 /* The next double or float, from 0 away or toward it. */
 static double next(double a, bool away, bool single)
 {
@@ -282,58 +267,35 @@ static double next(double a, bool away, bool single)
 			nextafter(a, to);
 }
 
-static bool is_even(double a, bool single)
-{
-	float narrow = (float)a;
-	uint32_t few;
-	uint64_t many;
-
-	memcpy(&few, &narrow, sizeof few);
-	memcpy(&many, &a, sizeof many);
-	return ((single ? few : many) & 1) == 0;
-}
-
-/* Whether q, which is within 2^-117 of a value, is surely rounded as that: it is a
- * normal number, and the 64 bits behind those that are kept are not those on either
- * side of a midpoint, whose last one is above 2^-117 of q. `make prove` counts n's
- * error, d's and the quotient's. */
-static bool is_clear(const ex *q, bool single)
-{
-	const uint64_t half = (uint64_t)1 << 63;
-	uint64_t behind = ex_behind(q, single ? 24 : 53);
-
-	return of(q).e > (single ? -126 : -1022) && behind != half &&
-	    behind != half - 1;
-}
-
-/* Whether the error is below 2^-119 of the value. */
-static bool is_well_known(const struct sum *a)
-{
-	return a->error.m == 0 || a->error.e - of(&a->value).e < -119;
-}
-
-/* n / d is within 2^-128 of q, which can be at or on the wrong side of the
- * midpoint that is next to it; n tells from the midpoint times d. */
+/* Of a quotient q of values with an error, which can be on the wrong side of the
+ * midpoint that is next to it: n tells from the midpoint times d. */
 static double decide(const struct sum *n, const struct sum *d, const ex *q,
     bool single)
 {
-	double near = ex_nearest(q, single);
-	int side = ex_compare(ex_abs(*q), ex_of(fabs(near)));
+	const double near = ex_nearest(q, single);
+	ex rest, two = ex_of(2), a = ex_of(-near), b;
+
+	ex_dot(2, (const ex *[]){ q, &a }, (const ex *[]){ &two, &two },
+	    INT_MIN, &rest);
+	int side = rest.sign * q->sign;
 
 	if (!isfinite(near) || side == 0)
 		return near;
 	double other = next(near == 0 ? copysign(0, q->sign) : near, side > 0,
 	    single);
-	ex middle = ex_shift(ex_add(ex_of(near), ex_of(other)), -1);
-	ex rest = ex_sub(n->value, ex_mul(middle, d->value));
-	struct magnitude error = magnitude_plus(n->error,
-	    magnitude_times(of(&middle), d->error));
 
-	/* no test reaches this: beyond the largest there is no other */
-	if (!isfinite(other))
-		return near;
-	if (is_none(&rest, error))
-		return is_even(near, single) ? near : other;
+	ex_set(&b, -other);
+	ex_dot(3, (const ex *[]){ &n->value, &d->value, &d->value },
+	    (const ex *[]){ &two, &a, &b }, INT_MIN, &rest);
+	struct magnitude error = magnitude_plus(magnitude_times(of(&two),
+						    n->error),
+	    magnitude_times(magnitude_plus(of(&a), of(&b)), d->error));
+
+	if (is_none(&rest, error)) {
+		ex middle = ex_shift(ex_add(a, b), -1);
+
+		return -ex_nearest(&middle, single);
+	}
 	bool beyond = rest.sign * d->value.sign == q->sign;
 
 	return beyond == (side > 0) ? other : near;
@@ -350,13 +312,8 @@ double sum_nearest(const struct sum *n, const struct sum *d, bool single)
 	if (sum_is_one(d))
 		q = &n->value;
 	else
-		ex_divide(&n->value, &d->value, exact ? EXACT : CLEAR,
-		    &quotient);
-	if (exact)
-		return ex_nearest(q, single);
-	if (is_clear(q, single) && is_well_known(n) && is_well_known(d))
-		return ex_nearest(q, single);
-	return decide(n, d, q, single);
+		ex_divide(&n->value, &d->value, ROUNDED, &quotient);
+	return exact ? ex_nearest(q, single) : decide(n, d, q, single);
 }
 
 double sum_over(struct sum n, struct sum d)
@@ -369,11 +326,6 @@ double sum_over_or_nan(struct sum n, struct sum d)
 	double q = sum_over(n, d);
 
 	return isfinite(q) ? q : (double)NAN;
-}
-
-float sum_over_float(struct sum n, struct sum d)
-{
-	return (float)sum_nearest(&n, &d, true);
 }
 
 double sum_double(struct sum a)

@@ -33,7 +33,6 @@ struct sum {
 	struct magnitude error;
 };
 
-struct sum sum_of(ex exact);
 struct sum sum_of_double(double exact);
 struct sum sum_diff(double a, double b); /* a - b */
 
@@ -53,8 +52,8 @@ struct sum sum_quotient(struct sum, struct sum);
 /* a b - c d */
 struct sum sum_minor(struct sum a, struct sum b, struct sum c, struct sum d);
 
-/* The sum of n <= 4 products. */
-void sum_dot(int n, const struct sum *const a[], const struct sum *const b[],
+/* The sum of n <= 4 products a[k] b[step k]. */
+void sum_dot(int n, const struct sum *a, const struct sum *b, int step,
     struct sum *);
 
 /* The root of a sum that is not negative; exact where the root is short. */
@@ -70,9 +69,6 @@ bool sum_is_nothing(const struct sum *);
 bool sum_is_one(const struct sum *);
 bool sum_is_power_of_two(const struct sum *);
 
-/* Whether a number had no room since the last call, in any thread (see EX_WORDS). */
-bool sum_has_lost(void);
-
 /* The sum, or exact zero where its sign is 0. */
 struct sum sum_settled(struct sum);
 
@@ -81,7 +77,6 @@ struct sum sum_settled(struct sum);
 double sum_double(struct sum);
 double sum_nearest(const struct sum *n, const struct sum *d, bool single);
 double sum_over(struct sum n, struct sum d);
-float sum_over_float(struct sum n, struct sum d);
 
 /* sum_over; nan where that is infinite, or none. */
 double sum_over_or_nan(struct sum n, struct sum d);

@@ -3,57 +3,28 @@
 
 #include <limits.h>
 
-/* pi / 180, within 2^-378 relative. */
-static const ex RADIAN = { 1, 6, -6,
-	{ 0x38862864b4ea8a06, 0x95b7b08b3c0c88a4, 0xc728154da64a6428,
-	    0xc805bd77a80daf35, 0x70762fb374a42e26, 0x0477d1a894a74e45 } };
-
-/* pi / 2, within 2^-963 relative, and its inverse, within 2^-640. */
+/* pi / 2, within 2^-963 relative. */
 static const ex QUARTER = { 1, 16, -15,
 	{ 0x8400f97142c77e0b, 0x9250cca3d9c8b67b, 0x5d3e4822f8963fcc,
 	    0xdc70d7f6b5133f4b, 0x17feb96de80d6fdb, 0xe89885d34c6fdad6,
 	    0xc90b6aecc4bcfd8d, 0x9fc26adadaa3848b, 0x605614dbe4be286e,
 	    0xdf2a33679a748636, 0xa29410f31c6809bb, 0x04177d4c76273644,
 	    0x52049c1114cf98e8, 0x898cc51701b839a2, 0x921fb54442d18469, 1 } };
-static const ex QUARTERS = { 1, 10, -10,
-	{ 0x3991d639835339f5, 0xe99c7026b45f7e41, 0xe88235f52ebb4484,
-	    0xfe1deb1cb129a73e, 0x06492eea09d1921c, 0xb7246e3a424dd2e0,
-	    0xfe5163abdebbc561, 0xdb6295993c439041, 0xfc2757d1f534ddc0,
-	    0xa2f9836e4e441529 } };
 
-/* Words that the terms of a series keep. */
+/* Words that are kept of an angle, and of the terms of its series. */
 enum { WORDS = 6 };
 
-/* 1 - x^2/((n+1)(n+2)) + x^4/((n+1)...(n+4)) - ..., for the sine (n = 1) or the
- * cosine (n = 0) of |x| <= pi/4. Over the common denominator all coefficients are
- * whole numbers. The first term that is left out, x^64/64!, is below 2^-317; what
- * is cut off of x^2, and 32 times of a sum, which keeps EX_KEPT words, is below
- * 2^-319. */
-static ex series(ex x, int n)
+/* 1 - y/((n+1)(n+2)) + y^2/((n+1)...(n+4)) - ..., which for y = x^2 is the cosine (n = 0),
+ * or the sine by x (n = 1), up to y^(last/2). Over the common denominator all
+ * coefficients are whole numbers. What is cut off of y, and of a sum at each term, is
+ * less than the last of so many words. */
+static ex series(ex y, int n, int last, int words)
 {
-	ex minus = ex_neg(ex_first(ex_mul(x, x), WORDS));
+	ex minus = ex_neg(ex_first(y, words));
 	ex c = ex_of(1), s = c, step;
 	const ex *const a[] = { &c, &s }, *const b[] = { &step, &minus };
 
-	for (int k = n + 62; k > n; k -= 2) {
-		step = ex_of((double)(k * (k - 1)));
-		ex_dot(2, a, b, INT_MAX, &s);
-		ex_dot(1, a, b, INT_MIN, &c);
-	}
-	return ex_quotient(s, c);
-}
-
-/* The same series of x^2 <= 4 pi^2, to 2^-500 of 1: the sum is up to 2^8 times as small
- * as its terms or, for doubles whose squares sum to nearly pi^2, 2^160 times. The
- * first term that is left out, x^170/170!, is below 2^-560. */
-static ex long_series(ex square, int n)
-{
-	const int words = 11;
-	ex minus = ex_neg(ex_first(square, words));
-	ex c = ex_of(1), s = c, step;
-	const ex *const a[] = { &c, &s }, *const b[] = { &step, &minus };
-
-	for (int k = n + 168; k > n; k -= 2) {
+	for (int k = n + last; k > n; k -= 2) {
 		ex_set(&step, (double)(k * (k - 1)));
 		ex_dot(2, a, b, c.e + c.n - words, &s);
 		ex_dot(1, a, b, INT_MIN, &c);
@@ -61,15 +32,26 @@ static ex long_series(ex square, int n)
 	return ex_quotient(s, c);
 }
 
+/* Of |x| <= pi / 4. The first term that is left out, x^64/64!, is below 2^-317; what is
+ * cut off of x^2, and 32 times of a sum, is below 2^-319. */
+enum { SHORT = 62 };
+
+/* Of x^2 <= 4 pi^2, to 2^-500 of 1: the sum is up to 2^8 times as small as its terms
+ * or, for doubles whose squares sum to nearly pi^2, 2^160 times. The first term that is
+ * left out, x^170/170!, is below 2^-560. */
+enum { LONG = 168, LONG_WORDS = 11 };
+
 bool sinc_of_square(struct sum square, struct sum *sinc, struct sum *versinc)
 {
 	ex most = ex_shift(ex_mul(QUARTER, QUARTER), 4);
 
 	if (ex_compare(square.value, most) > 0)
 		return false;
-	*sinc = sum_inexact(long_series(square.value, 1), SUM_TRIG_ERROR);
-	*versinc = sum_inexact(ex_shift(long_series(square.value, 2), -1),
-	    SUM_TRIG_ERROR);
+	ex s = series(square.value, 1, LONG, LONG_WORDS);
+	ex v = series(square.value, 2, LONG, LONG_WORDS);
+
+	*sinc = sum_inexact(s, SUM_TRIG_ERROR);
+	*versinc = sum_inexact(ex_shift(v, -1), SUM_TRIG_ERROR);
 	return true;
 }
 
@@ -86,7 +68,8 @@ static void reduce_degrees(double angle, struct reduced *r)
 	double rest = fmod(angle, 360), q = rint(rest / 90);
 
 	r->degrees = rest - 90 * q;
-	r->radians = ex_first(ex_mul(RADIAN, ex_of(r->degrees)), WORDS);
+	r->radians = ex_quotient(ex_mul(QUARTER, ex_of(r->degrees)), ex_of(90));
+	r->radians = ex_first(r->radians, WORDS);
 	r->turns = (unsigned)(int)q;
 }
 
@@ -97,7 +80,7 @@ static void reduce_degrees(double angle, struct reduced *r)
 static void reduce_radians(double angle, struct reduced *r)
 {
 	ex a = ex_of(fabs(angle));
-	ex q = ex_add(ex_mul(a, QUARTERS), ex_of(0.5));
+	ex q = ex_add(ex_quotient(a, QUARTER), ex_of(0.5));
 
 	q = ex_first(q, q.e + q.n > 0 ? q.e + q.n : 0);
 	a = ex_first(ex_sub(a, ex_mul(q, QUARTER)), WORDS);
@@ -108,27 +91,17 @@ static void reduce_radians(double angle, struct reduced *r)
 		r->turns = 0 - r->turns;
 }
 
-static struct sum sin_small(const struct reduced *r)
+/* Of the sine, n = 1, or the cosine, n = 0. A sine of 0 is exact, as all that is off is
+ * relative to it. */
+static struct sum of_reduced(const struct reduced *r, int n)
 {
-	if (r->radians.sign == 0)
-		return sum_of_double(0);
-	if (fabs(r->degrees) == 30)
-		return sum_of_double(copysign(0.5, r->degrees));
-	if (fabs(r->degrees) == 45)
-		return sum_inexact(ex_mul(ex_sqrt(ex_of(0.5)),
-				       ex_of(copysign(1, r->degrees))),
-		    SUM_ERROR);
-	return sum_inexact(ex_mul(r->radians, series(r->radians, 1)),
-	    SUM_TRIG_ERROR);
-}
-
-static struct sum cos_small(const struct reduced *r)
-{
-	if (r->radians.sign == 0)
+	if (n == 0 && r->radians.sign == 0)
 		return sum_of_double(1);
-	if (fabs(r->degrees) == 45)
-		return sum_inexact(ex_sqrt(ex_of(0.5)), SUM_ERROR);
-	return sum_inexact(series(r->radians, 0), SUM_TRIG_ERROR);
+	if (n == 1 && fabs(r->degrees) == 30)
+		return sum_of_double(copysign(0.5, r->degrees));
+	ex s = series(ex_mul(r->radians, r->radians), n, SHORT, WORDS);
+
+	return sum_inexact(n == 1 ? ex_mul(r->radians, s) : s, SUM_TRIG_ERROR);
 }
 
 /* The sine of so many right angles more. */
@@ -140,16 +113,8 @@ static struct sum sine(double angle, enum angle_unit unit, unsigned turns)
 		reduce_radians(angle, &r);
 	else
 		reduce_degrees(angle, &r);
-	switch ((r.turns + turns) & 3) {
-	case 0:
-		return sin_small(&r);
-	case 1:
-		return cos_small(&r);
-	case 2:
-		return sum_neg(sin_small(&r));
-	default:
-		return sum_neg(cos_small(&r));
-	}
+	turns += r.turns;
+	return sum_negated_if(turns & 2, of_reduced(&r, ~turns & 1));
 }
 
 struct sum sin_of(double angle, enum angle_unit unit)
@@ -162,35 +127,17 @@ struct sum cos_of(double angle, enum angle_unit unit)
 	return sine(angle, unit, 1);
 }
 
-/* Keeps the last cotangent: a projection asks for its own several times, and many
- * scenes have the same angle of view. */
 struct sum cot_of(double angle, enum angle_unit unit)
 {
-	static _Thread_local struct {
-		double angle;
-		enum angle_unit unit;
-		struct sum cot;
-	} last;
-
 	if (unit == DEGREES && angle == 45)
 		return sum_of_double(1);
-	if (angle != last.angle || unit != last.unit) {
-		last.cot = sum_quotient(cos_of(angle, unit),
-		    sin_of(angle, unit));
-		last.angle = angle;
-		last.unit = unit;
-	}
-	return last.cot;
-}
-
-struct sum cot_half_of(double angle, enum angle_unit unit)
-{
-	return cot_of(angle / 2, unit);
+	return sum_quotient(cos_of(angle, unit), sin_of(angle, unit));
 }
 
 struct sum in_degrees(struct sum angle)
 {
-	return sum_quotient(angle, sum_inexact(RADIAN, SUM_TRIG_ERROR));
+	return sum_quotient(sum_scale(angle, 90),
+	    sum_inexact(QUARTER, SUM_TRIG_ERROR));
 }
 
 #define DEGREE 57.29577951308232

@@ -18,10 +18,8 @@ enum angle_unit { DEGREES, RADIANS };
 struct sum sin_of(double angle, enum angle_unit);
 struct sum cos_of(double angle, enum angle_unit);
 
-/* Cotangent of an angle above 0 and up to a right one; of half an angle above 0 and
- * below two right ones, with all its digits also near those. */
+/* Cotangent of an angle above 0 and up to a right one. */
 struct sum cot_of(double angle, enum angle_unit);
-struct sum cot_half_of(double angle, enum angle_unit);
 
 /* sin x / x and (1 - cos x) / x^2 of radians x, from x^2, which is exact. False where x is
  * beyond 2 pi. */

@@ -15,15 +15,6 @@ static inline uint64_t add_carry(uint64_t a, uint64_t b, uint64_t *carry)
 	return t;
 }
 
-/* a - b - *borrow, likewise. */
-static inline uint64_t subtract_borrow(uint64_t a, uint64_t b, uint64_t *borrow)
-{
-	uint64_t d = a - b, t = d - *borrow;
-
-	*borrow = (a < b) | (d < *borrow);
-	return t;
-}
-
 /* a b + c + *carry, which becomes the upper word. That has room for it: (B - 1)^2 +
  * 2 (B - 1) = B^2 - 1; and so have B = 2^32's products here. */
 static inline uint64_t multiply_add(uint64_t a, uint64_t b, uint64_t c,
@@ -45,15 +36,11 @@ static inline uint64_t multiply_add(uint64_t a, uint64_t b, uint64_t c,
 #endif
 }
 
-/* The quotient of high 2^64 + low by d > high, and what remains. */
-static inline uint64_t divide_two(uint64_t high, uint64_t low, uint64_t d,
-    uint64_t *rest)
+/* The quotient of high 2^64 + low by d > high. */
+static inline uint64_t divide_two(uint64_t high, uint64_t low, uint64_t d)
 {
 #ifdef __SIZEOF_INT128__
-	uint64_t q = (uint64_t)(((unsigned __int128)high << 64 | low) / d);
-
-	*rest = low - q * d;
-	return q;
+	return (uint64_t)(((unsigned __int128)high << 64 | low) / d);
 #else
 	for (int i = 0; i < 64; i++) {
 		uint64_t top = high >> 63;
@@ -65,7 +52,6 @@ static inline uint64_t divide_two(uint64_t high, uint64_t low, uint64_t d,
 			low |= 1;
 		}
 	}
-	*rest = high;
 	return low;
 #endif
 }

@@ -19,12 +19,7 @@ static void set_point(const struct transform *t, const double in[4],
 static void find_column(const struct transform *t, int j, const struct sum p[4],
     struct sum *r)
 {
-	const struct sum(*m)[4] = t->map.m;
-	const struct sum *const x[4] = { &p[0], &p[1], &p[2], &p[3] };
-	const struct sum *const y[4] = { &m[0][j], &m[1][j], &m[2][j],
-		&t->image[j] };
-
-	sum_dot(4, x, y, r);
+	sum_dot(4, p, &t->relative[0][j], 4, r);
 }
 
 struct sum point_column(const struct transform *t, int j, const double in[4])

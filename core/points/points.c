@@ -19,39 +19,6 @@ const struct kernels *points_kernels(void)
 	return kernels;
 }
 
-/* Which column a kernel takes for z, by which it multiplies 0 where there is none. */
-static int third(const struct transform *t)
-{
-	return t->in == 2 ? 1 : 2;
-}
-
-static void carry_one(const struct transform *t, const double *const in[4],
-    double *const out[4], size_t i)
-{
-	double p[4], q[4];
-
-	for (int j = 0; j < t->in; j++)
-		p[j] = in[j][i];
-	point_exact(t, p, q);
-	for (int j = 0; j < t->out; j++)
-		out[j][i] = q[j];
-}
-
-static void carry_exact(const struct transform *t, const double *const in[4],
-    double *const out[4], size_t n)
-{
-	exact_kernel fast = kernels->exact[t->kind];
-
-	if (fast != NULL && fast(&t->for_kernel, in, out, n))
-		return;
-	for (size_t i = 0; i < n; i++)
-		if (fast == NULL || isnan(out[0][i]))
-			carry_one(t, in, out, i);
-		else if (isinf(out[0][i]))
-			for (int j = 0; j < t->out; j++)
-				out[j][i] = (double)NAN;
-}
-
 /* Where no kernel fits: a point with four coordinates in or out, in double or,
  * rounding each operation to float, in single. It is as this precision has it: what
  * is behind the eye there, or whose w underflows to 0, has no image. */
@@ -63,9 +30,9 @@ static double plain_rounded(double a, bool single)
 static void point_plain(const struct transform *t, bool single,
     const double in[4], double out[4])
 {
-	double p[4] = { 0, 0, 0, 1 }, q[4], w = 1;
+	double p[4] = { [3] = 1 }, q[4], w = 1;
 
-	for (int i = 0; i < t->in && i < 3; i++)
+	for (int i = 0; i < 3; i++)
 		p[i] = plain_rounded(in[i] - t->for_kernel.origin[i], single);
 	if (t->in == 4 && !t->reciprocal)
 		p[3] = plain_rounded(in[3], single);
@@ -84,10 +51,40 @@ static void point_plain(const struct transform *t, bool single,
 		w = t->reciprocal && t->out == 4 ?
 		    plain_rounded(in[3], single) :
 		    q[3];
-	bool image = t->front ? w > 0 : w != 0;
+	bool image = !t->front || w > 0;
 
 	for (int j = 0; j < t->out; j++)
 		out[j] = image ? plain_rounded(q[j] / w, single) : (double)NAN;
+}
+
+static void carry_one(const struct transform *t, enum precision precision,
+    const double *const in[4], double *const out[4], size_t i)
+{
+	double p[4], q[4];
+
+	for (int j = 0; j < t->in; j++)
+		p[j] = in[j][i];
+	if (precision == PRECISION_EXACT)
+		point_exact(t, p, q);
+	else
+		point_plain(t, precision == PRECISION_SINGLE, p, q);
+	for (int j = 0; j < t->out; j++)
+		out[j][i] = q[j];
+}
+
+static void carry_exact(const struct transform *t, const double *const in[4],
+    double *const out[4], size_t n)
+{
+	exact_kernel fast = kernels->exact[t->kind];
+
+	if (fast != NULL && fast(&t->for_kernel, in, out, n))
+		return;
+	for (size_t i = 0; i < n; i++)
+		if (fast == NULL || isnan(out[0][i]))
+			carry_one(t, PRECISION_EXACT, in, out, i);
+		else if (isinf(out[0][i]))
+			for (int j = 0; j < t->out; j++)
+				out[j][i] = (double)NAN;
 }
 
 /* Computes exactly those of up to RUN points that a kernel has not: of which a
@@ -116,55 +113,32 @@ static void carry_plain(const struct transform *t, enum precision precision,
     const double *const in[4], double *const out[4], size_t n)
 {
 	plain_kernel fast = kernels->plain[precision][t->kind];
-	bool single = precision == PRECISION_SINGLE;
+	bool done = fast != NULL && fast(&t->for_kernel, in, out, n);
 
-	if (fast != NULL) {
-		bool done = fast(&t->for_kernel, in, out, n);
+	for (size_t i = 0; i < n && fast == NULL; i++)
+		carry_one(t, precision, in, out, i);
+	for (size_t i = 0; i < n && fast != NULL && !done; i += RUN) {
+		const double *const from[4] = { in[0] + i, in[1] + i,
+			in[t->in - 1] + i };
+		double *const to[4] = { out[0] + i, out[1] + i,
+			out[t->out - 1] + i };
 
-		for (size_t i = 0; i < n && !done; i += RUN) {
-			const double *const from[4] = { in[0] + i, in[1] + i,
-				in[t->in - 1] + i };
-			double *const to[4] = { out[0] + i, out[1] + i,
-				out[t->out - 1] + i };
-
-			carry_run(t, single, from, to,
-			    n - i < RUN ? n - i : RUN);
-		}
-		return;
-	}
-	for (size_t i = 0; i < n; i++) {
-		double p[4], q[4];
-
-		for (int j = 0; j < t->in; j++)
-			p[j] = in[j][i];
-		point_plain(t, single, p, q);
-		for (int j = 0; j < t->out; j++)
-			out[j][i] = q[j];
+		carry_run(t, precision == PRECISION_SINGLE, from, to,
+		    n - i < RUN ? n - i : RUN);
 	}
 }
 
 void points_carry(const struct transform *t, enum precision precision,
     const double *const given[4], double *const out[4], size_t n)
 {
-	const double *const in[4] = { given[0], given[1], given[third(t)],
-		given[3] };
+	/* of two coordinates a kernel multiplies the third by 0 */
+	const double *const in[4] = { given[0], given[1],
+		given[t->in == 2 ? 1 : 2], given[3] };
 
 	if (precision == PRECISION_EXACT)
 		carry_exact(t, in, out, n);
 	else
 		carry_plain(t, precision, in, out, n);
-}
-
-bool points_split(const char *rows, bool wide, int numbers,
-    double (*columns)[POINTS_BLOCK], size_t n)
-{
-	return kernels->split[wide][numbers](rows, columns, n, MAGNITUDE_MAX);
-}
-
-bool points_join(double (*columns)[POINTS_BLOCK], char *rows, bool wide,
-    int numbers, size_t n)
-{
-	return kernels->join[wide][numbers](columns, rows, n);
 }
 
 bool points_carry_floats(const struct transform *t, const char *in, char *out,

@@ -19,16 +19,6 @@ const struct kernels *points_kernels(void);
 void points_carry(const struct transform *, enum precision,
     const double *const in[4], double *const out[4], size_t n);
 
-/* Rows of so many numbers, 2 to 4, doubles if wide, else floats, to columns.
- * Returns whether none is beyond MAGNITUDE_MAX. */
-bool points_split(const char *rows, bool wide, int numbers,
-    double (*columns)[POINTS_BLOCK], size_t n);
-
-/* And back. False if a number is not finite, or floats are to be asked of
- * point_single. */
-bool points_join(double (*columns)[POINTS_BLOCK], char *rows, bool wide,
-    int numbers, size_t n);
-
 /* From rows of floats to rows of floats, in PRECISION_SINGLE; false where one has no
  * image, or the whole needs points_carry. */
 bool points_carry_floats(const struct transform *, const char *in, char *out,

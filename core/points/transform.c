@@ -14,17 +14,11 @@ static dd element_rounded(struct sum s)
 	return e.hi == 0 ? (dd){ sum_sign(s) * 0x1p-1074, 0 } : e;
 }
 
-/* Row i of the map for points relative to its origin. */
-static const struct sum *row(const struct transform *t, int i)
-{
-	return i < 3 ? t->map.m[i] : t->image;
-}
-
 static void round_column(const struct transform *t, int j, struct kernel_map *k)
 {
 	k->most[j] = k->none[j] = 0;
 	for (int i = 0; i < 4; i++) {
-		struct sum a = row(t, i)[j];
+		struct sum a = t->relative[i][j];
 
 		if (!sum_is_nothing(&a))
 			a = sum_quotient(a, t->map.divisor);
@@ -39,7 +33,8 @@ static void round_column(const struct transform *t, int j, struct kernel_map *k)
 			k->most[j] = fmax(k->most[j], fabs(e.hi));
 	}
 	k->image[j] = fabs(k->hi[3][j]);
-	k->surely_none[j] = sum_least_error(&t->image[j], &t->map.divisor);
+	k->surely_none[j] = sum_least_error(&t->relative[3][j],
+	    &t->map.divisor);
 }
 
 void transform_prepare(struct transform *t)
@@ -47,14 +42,15 @@ void transform_prepare(struct transform *t)
 	struct kernel_map *k = &t->for_kernel;
 	struct sum origin[4] = { [3] = sum_of_double(1) };
 
+	memcpy(t->relative, t->map.m, sizeof t->relative);
 	k->a_hi = k->a_lo = k->b_hi = k->b_lo = 0;
 	for (int i = 0; i < 3; i++) {
 		k->origin[i] = t->map.origin[i];
 		origin[i] = sum_of_double(k->origin[i]);
 	}
 	for (int j = 0; j < 4; j++) {
-		map_column(&t->map, j, origin, &t->image[j]);
-		t->image[j] = sum_settled(t->image[j]);
+		map_column(&t->map, j, origin, &t->relative[3][j]);
+		t->relative[3][j] = sum_settled(t->relative[3][j]);
 		round_column(t, j, k);
 	}
 }
@@ -76,7 +72,7 @@ static const char *transform_check(const struct transform *t)
 		int low = INT_MAX, high = INT_MIN;
 
 		for (int i = 0; i < 4; i++) {
-			const ex *a = &row(t, i)[j].value;
+			const ex *a = &t->relative[i][j].value;
 
 			if (a->n > 0 && a->e < low)
 				low = a->e;
@@ -85,9 +81,9 @@ static const char *transform_check(const struct transform *t)
 		}
 		fits &= low > high || high - low <= room;
 	}
-	return fits && !sum_has_lost() ? NULL :
-	    t->kind == KERNEL_FLAT     ? "/window: " SCENE_TOO_WIDE :
-					 "/projection: " SCENE_TOO_WIDE;
+	return fits && !ex_has_lost() ? NULL :
+	    t->kind == KERNEL_FLAT    ? "/window: " SCENE_TOO_WIDE :
+					"/projection: " SCENE_TOO_WIDE;
 }
 
 void transform_init(struct transform *t, enum space from, enum space to,

@@ -10,9 +10,9 @@
 /* A point's image is (p, 1) m, divided by its w where divide says. */
 struct transform {
 	struct map map;
-	/* Row 3 of the map for points relative to its origin. Settled: what is 0 by
-	 * its formula has no error beside the difference of a near point. */
-	struct sum image[4];
+	/* The map for points relative to its origin. Row 3 is settled: what is 0 by its
+	 * formula has no error beside the difference of a near point. */
+	struct sum relative[4][4];
 	int in, out; /* coordinates: 2, 3, or 4 for clip and homogeneous ones */
 	bool divide;
 	/* Only w > 0 has an image (the point is in front of the eye). If

@@ -248,8 +248,62 @@ static int quotients(int tries)
 	return sure_of == 0 && P > 13 ? failed("never sure") : 0;
 }
 
+/* Every x m + b + t of numbers of P digits, x and m from 1 to 2, where t is 0 or a bit
+ * far below, as what is midway is decided by it; and blocks that are cut elsewhere, as
+ * they have a point 2^far times as large. */
+enum { HEADS = 1 << (P == 6 ? P - 1 : 0) };
+
+static int ties_of(double m, double b, double t, int far, int count[2])
+{
+	static toy x[2][HEADS + 1], q[2][HEADS + 1];
+	const toy *const from[3] = { x[0], x[1], x[1] };
+	toy *const to[4] = { q[0], q[1], q[1], q[1] };
+
+	for (int i = 0; i <= HEADS; i++) {
+		x[0][i] = i < HEADS ? 1 + i * LAST : std::ldexp(1, far);
+		x[1][i] = 1;
+	}
+	map.hi[0][0] = m;
+	map.hi[1][0] = t;
+	map.hi[3][0] = b;
+	exact(&map, from, to, HEADS + 1, KERNEL_FLAT);
+	for (int i = 0; i < HEADS; i++) {
+		double is = at(x[0][i]) * m + b + t, up = is * (1 + 0x1p-40);
+		bool tie = nearest(up) != nearest(is * (1 - 0x1p-40));
+
+		if (!std::isnan(at(q[0][i])) && at(q[0][i]) != nearest(is))
+			return failed("a tie is surely wrong");
+		if (tie && t == 0)
+			count[std::isnan(at(q[0][i]))]++;
+	}
+	return 0;
+}
+
+static int ties()
+{
+	int count[2] = { 0, 0 };
+
+	map = kernel_map();
+	for (auto &row : map.exact)
+		for (auto &exact : row)
+			exact = true;
+	for (int k = 0; k < HEADS * HEADS; k++)
+		for (int e = -2 * P; e <= 2 * P; e++)
+			for (int way = 0; way < 12; way++) {
+				double b = ldexp(1 + k % HEADS * LAST, e);
+				double t = std::ldexp(way / 2 % 3 - 1, -3 * P);
+
+				if (ties_of(1 + k / HEADS * LAST,
+					way & 1 ? -b : b, t, way / 6 * P / 2,
+					count))
+					return 1;
+			}
+	printf("# P = %d, ties: %d decided, %d left\n", P, count[0], count[1]);
+	return count[0] == 0 ? failed("no tie is decided") : 0;
+}
+
 int main()
 {
-	return quotients(60000) || loops(50000, false) ||
+	return quotients(60000) || (P == 6 && ties()) || loops(50000, false) ||
 	    (P == 53 && loops(500000, true));
 }

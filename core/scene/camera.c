@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "../exact/rotation.h"
-#include "../exact/vec3.h"
 
 /* An axis is v / length. The two are kept apart, as v is an exact polynomial of
  * the parameters, in sums of which terms cancel exactly. Where the second's length
@@ -136,6 +135,7 @@ static const char *const refusals[][2] = {
 			       "no rotation is the nearest"),
 };
 
+static const char *const not_affine[2] = BOTH(NOT_AFFINE);
 static const char *const singular[2] = BOTH("singular; it can't be inverted");
 
 /* The nearest rotation to the upper 3x3. An element that is not above the error of
@@ -257,11 +257,8 @@ static const char *camera_bare(const struct camera *c, bool inverse,
 	struct stand s = { .at = c->matrix[3], .by_origin = !pose };
 
 	map_of_doubles(c->matrix, r);
-	const char *why = pose ? WANT_AFFINE(r, "/camera/pose") :
-				 WANT_AFFINE(r, "/camera/matrix");
-
-	if (why != NULL)
-		return why;
+	if (!map_is_affine(r))
+		return not_affine[pose];
 	if (!c->orthonormalize) {
 		struct map back;
 		bool regular = (!pose && !inverse) ||
@@ -271,7 +268,8 @@ static const char *camera_bare(const struct camera *c, bool inverse,
 			*r = back;
 		return regular ? NULL : singular[pose];
 	}
-	why = orthonormal(c, s.axis);
+	const char *why = orthonormal(c, s.axis);
+
 	if (why != NULL)
 		return why;
 	if (pose)

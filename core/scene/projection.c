@@ -3,8 +3,6 @@
 
 #include <string.h>
 
-#include "../exact/vec3.h"
-
 /* The matrix of every projection that is made of parameters:
  *	 x   0   0   0
  *	 yx  y   0   0
@@ -82,7 +80,7 @@ static const char *cross_section(const struct projection *p, double d,
 
 	off[0] = off[1] = sum_of_double(0);
 	if (p->extent <= EXTENT_VIEW_ANGLE)
-		cot = cot_half_of(p->angle, p->unit);
+		cot = cot_of(p->angle / 2, p->unit);
 	switch (p->extent) {
 	case EXTENT_FOVY:
 		by_aspect(p->aspect, false, cot, sum_of_double(1), f);
@@ -270,7 +268,7 @@ static void by_view_angle(const struct projection *p, struct sum *over,
 	bool high = sum_sign(sum_sub(sum_mul(half[0].n, half[1].d),
 			sum_mul(half[1].n, half[0].d))) <= 0;
 	struct half *least = &half[!high];
-	struct sum cot = cot_half_of(p->angle, p->unit);
+	struct sum cot = cot_of(p->angle / 2, p->unit);
 
 	*over = sum_negated_if(p->z_near < p->z_far, least->d);
 	*under = sum_mul(least->n, cot);

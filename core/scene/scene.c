@@ -69,10 +69,8 @@ static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 	if (!s->has_world)
 		return NULL;
 	map_of_doubles(s->world, r);
-	const char *why = WANT_AFFINE(r, "/world");
-
-	if (why != NULL)
-		return why;
+	if (!map_is_affine(r))
+		return "/world: " NOT_AFFINE;
 	if (inverse && !map_inverse(s->world, r))
 		return "/world: singular; it can't be inverted";
 	return NULL;
@@ -188,7 +186,7 @@ static const char *compose(const struct scene *s, enum space from,
 
 static const char *want_finite(const struct map *r)
 {
-	if (sum_has_lost())
+	if (ex_has_lost())
 		return "/projection: " SCENE_TOO_WIDE;
 	return map_is_finite(r) ?
 	    NULL :
@@ -236,7 +234,7 @@ const char *scene_flat_map(const struct scene *s, enum flat from, enum flat to,
 		why = device_map(&s->device, back, &stage);
 		then(r, &stage, back);
 	}
-	if (why == NULL && sum_has_lost())
+	if (why == NULL && ex_has_lost())
 		return "/window: " SCENE_TOO_WIDE;
 	return why != NULL || map_is_finite(r) ?
 	    why :

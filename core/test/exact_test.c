@@ -5,6 +5,12 @@
 
 enum { TRIES = 3000 };
 
+static ex positive(ex a)
+{
+	a.sign = a.n > 0;
+	return a;
+}
+
 /* A polynomial of numbers from 10^-e to 10^e, whose last steps may cancel all
  * but the smallest of its terms. */
 static ex polynomial(int e, real *exact)
@@ -53,7 +59,6 @@ static void exact(void **state)
 		assert_true(mpfr_equal_p(number_ex(a), r));
 		assert_int_equal(a.sign, mpfr_sgn(r));
 		assert_true(mpfr_equal_p(number_ex(ex_neg(a)), negative(r)));
-		assert_true(mpfr_equal_p(number_ex(ex_abs(a)), magnitude(r)));
 		assert_int_equal(ex_sub(a, a).sign, 0);
 		real_release(mark);
 	}
@@ -125,7 +130,7 @@ static void divided(void **state)
 			quotient = fmax(quotient,
 			    relative(number_ex(ex_quotient(a, b)), over(x, y)));
 		square = fmax(square,
-		    relative(number_ex(ex_sqrt(ex_abs(a))),
+		    relative(number_ex(ex_sqrt(positive(a))),
 			root(magnitude(x))));
 		a = ex_first(a, 2);
 		b = ex_first(b, 3);
@@ -133,7 +138,7 @@ static void divided(void **state)
 			assert_int_equal(ex_compare(a,
 					     ex_quotient(ex_mul(a, b), b)),
 			    0);
-		assert_int_equal(ex_compare(ex_abs(b), ex_sqrt(ex_mul(b, b))),
+		assert_int_equal(ex_compare(positive(b), ex_sqrt(ex_mul(b, b))),
 		    0);
 		real_release(mark);
 	}

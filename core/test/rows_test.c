@@ -39,6 +39,17 @@ static double got(bool wide, size_t i)
 	return wide ? v : (double)narrow;
 }
 
+static bool split(bool wide, int numbers, size_t n)
+{
+	return points_kernels()->split[wide][numbers](rows + 1, columns, n,
+	    MAGNITUDE_MAX);
+}
+
+static bool join(bool wide, int numbers, size_t n)
+{
+	return points_kernels()->join[wide][numbers](columns, back + 1, n);
+}
+
 /* Each number goes to its place and, -0 as 0, back there; and nothing else is
  * touched. */
 static void check_places(bool wide, int numbers, size_t n)
@@ -49,8 +60,8 @@ static void check_places(bool wide, int numbers, size_t n)
 		put(wide, i, i % 7 == 0 ? -0.0 : (double)i - 9.25);
 	memset(columns, 1, sizeof columns);
 	memset(back, 1, sizeof back);
-	assert_true(points_split(rows + 1, wide, numbers, columns, n));
-	assert_true(points_join(columns, back + 1, wide, numbers, n));
+	assert_true(split(wide, numbers, n));
+	assert_true(join(wide, numbers, n));
 	for (size_t i = 0; i < all; i++) {
 		double v = i % 7 == 0 ? 0 : (double)i - 9.25;
 
@@ -85,9 +96,7 @@ static void check_split(bool wide, double v, bool within)
 		for (size_t i = 0; i < ROWS * (size_t)numbers; i++) {
 			for (size_t k = 0; k < ROWS * (size_t)numbers; k++)
 				put(wide, k, k == i ? v : 1);
-			assert_int_equal(points_split(rows + 1, wide, numbers,
-					     columns, ROWS),
-			    within);
+			assert_int_equal(split(wide, numbers, ROWS), within);
 		}
 }
 
@@ -98,9 +107,7 @@ static void check_join(bool wide, double v, bool sure)
 			for (size_t k = 0; k < ROWS * (size_t)numbers; k++)
 				columns[k % (size_t)numbers]
 				       [k / (size_t)numbers] = k == i ? v : 1;
-			assert_int_equal(points_join(columns, back + 1, wide,
-					     numbers, ROWS),
-			    sure);
+			assert_int_equal(join(wide, numbers, ROWS), sure);
 		}
 }
 
@@ -169,7 +176,8 @@ static void floats_come_out_as_of_doubles(void **state)
 			put(false, i, b.in[i % (size_t)t.in][i / (size_t)t.in]);
 		if (!points_carry_floats(&t, rows + 1, back + 1, n))
 			continue;
-		assert_true(points_split(rows + 1, false, t.in, b.in, n));
+		assert_true(points_kernels()->split[false][t.in](rows + 1, b.in,
+		    n, MAGNITUDE_MAX));
 		carry(&t, PRECISION_SINGLE, &b, n);
 		for (size_t i = 0; i < n * (size_t)t.out; i++)
 			assert_true(got(false, i) ==

@@ -37,11 +37,9 @@ static void sums(void **state)
 	sample_seed(1);
 	for (int i = 0; i < TRIES; i++) {
 		uint64_t a = any_word(), b = any_word(), c = sample_below(2);
-		uint64_t carry = c, borrow = c, s = add_carry(a, b, &carry);
-		uint64_t d = subtract_borrow(a, b, &borrow);
+		uint64_t carry = c, s = add_carry(a, b, &carry);
 
 		assert_true(both(carry, s) == (wide)a + b + c);
-		assert_true((wide)d - both(borrow, 0) == (wide)a - b - c);
 	}
 }
 
@@ -64,11 +62,9 @@ static void quotients(void **state)
 	sample_seed(3);
 	for (int i = 0; i < TRIES; i++) {
 		uint64_t d = any_word() | 1, high = any_word() % d;
-		uint64_t low = any_word(), rest;
-		uint64_t q = divide_two(high, low, d, &rest);
+		uint64_t low = any_word(), q = divide_two(high, low, d);
 
-		assert_true(rest < d);
-		assert_true((wide)q * d + rest == both(high, low));
+		assert_true(q == both(high, low) / d);
 	}
 }
 #endif
