@@ -26,32 +26,5 @@
 				 _CMP_GT_OQ),                           \
 	    c, b)
 
-#define F __m512
-#define F_WIDTH 16
-#define F_HALF(p, o) \
-	_mm512_cvtpd_ps(_mm512_sub_pd(_mm512_loadu_pd(p), _mm512_set1_pd(o)))
-#define F_JOIN(a, b)                                                        \
-	_mm512_castpd_ps(                                                   \
-	    _mm512_insertf64x4(_mm512_castps_pd(_mm512_castps256_ps512(a)), \
-		_mm256_castps_pd(b), 1))
-#define F_NEAR(p, o) F_JOIN(F_HALF(p, o), F_HALF((p) + 8, o))
-#define F_STORE(p, a)                                                     \
-	(_mm512_storeu_pd(p, _mm512_cvtps_pd(_mm512_castps512_ps256(a))), \
-	    _mm512_storeu_pd((p) + 8,                                     \
-		_mm512_cvtps_pd(_mm256_castpd_ps(                         \
-		    _mm512_extractf64x4_pd(_mm512_castps_pd(a), 1)))))
-#define F_LOAD(p) _mm512_loadu_ps(p)
-#define F_SAVE(p, a) _mm512_storeu_ps(p, a)
-#define F_FAR_HALF(p, o)                                                   \
-	_mm512_cvtpd_ps(_mm512_sub_pd(_mm512_cvtps_pd(_mm256_loadu_ps(p)), \
-	    _mm512_set1_pd(o)))
-#define F_FAR(p, o) F_JOIN(F_FAR_HALF(p, o), F_FAR_HALF((p) + 8, o))
-#define F_ALL(a) _mm512_set1_ps(a)
-#define F_FMA(a, b, c) _mm512_fmadd_ps(a, b, c)
-#define F_POSITIVE(a, b)                                                \
-	_mm512_mask_blend_ps(_mm512_cmp_ps_mask(a, _mm512_setzero_ps(), \
-				 _CMP_GT_OQ),                           \
-	    _mm512_set1_ps(NAN), b)
-
 #include "copy.h"
 #endif

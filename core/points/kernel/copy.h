@@ -28,51 +28,25 @@
 
 #define COLUMN double
 #define REAL double
-#define R V
-#define R_WIDTH WIDTH
-#define R_NEAR(p, o) (LOAD(p) - ALL(o))
-#define R_STORE(p, a) STORE(p, a)
-#define R_ALL(a) ALL(a)
-#define R_FMA(a, b, c) FMA(a, b, c)
-#define R_POSITIVE(a, b) CHOOSE(a, b, ALL((double)NAN))
+#define R_FMA fma
 #define MOST 0x1p1000
 #define NAME(x) double_##x
 #include "plain.h"
 
 #undef REAL
-#undef R
-#undef R_WIDTH
-#undef R_NEAR
-#undef R_STORE
-#undef R_ALL
 #undef R_FMA
-#undef R_POSITIVE
 #undef MOST
 #undef NAME
 
 #define REAL float
-#define R F
-#define R_WIDTH F_WIDTH
-#define R_NEAR(p, o) F_NEAR(p, o)
-#define R_STORE(p, a) F_STORE(p, a)
-#define R_ALL(a) F_ALL(a)
-#define R_FMA(a, b, c) F_FMA(a, b, c)
-#define R_POSITIVE(a, b) F_POSITIVE(a, b)
-#define MOST 0x1p120
+#define R_FMA fmaf
+#define MOST 0x1p120f
 #define NAME(x) single_##x
 #include "plain.h"
 
-/* Columns of floats, to the same bits. Where the difference of two floats has no room
- * in a double, they are so far apart that it is the larger one, as a float: to round
- * once or twice is the same. */
+/* Columns of floats, to the same bits. */
 #undef COLUMN
 #define COLUMN float
-#undef R_NEAR
-#define R_NEAR(p, o)                                                      \
-	((double)(float)(o) == (o) ? (F)(F_LOAD(p) - F_ALL((float)(o))) : \
-				     F_FAR(p, o))
-#undef R_STORE
-#define R_STORE(p, a) F_SAVE(p, a)
 #undef NAME
 #define NAME(x) floats_##x
 #include "plain.h"

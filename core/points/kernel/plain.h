@@ -20,73 +20,82 @@
  * unless w does, whose reciprocal would be 0. */
 
 /* Column k of the map. */
-static inline R NAME(
-    column)(const struct kernel_map *m, int k, const R p[3], int terms)
+static inline REAL NAME(
+    column)(const struct kernel_map *m, int k, const REAL p[3], int terms)
 {
-	R c = R_ALL((REAL)m->hi[3][k]);
+	REAL c = (REAL)m->hi[3][k];
 
 	for (int l = 0; l < terms; l++)
-		c = R_FMA(p[l], R_ALL((REAL)m->hi[l][k]), c);
+		c = R_FMA(p[l], (REAL)m->hi[l][k], c);
 	return c;
 }
 
-static inline int NAME(all_finite)(R a)
+/* Whether coordinates of the origin are a column's type of number. */
+static bool NAME(fits)(const double o[3])
 {
-	COLUMN all[R_WIDTH];
-	int finite = 1;
-
-	R_STORE(all, a);
-	for (int i = 0; i < R_WIDTH; i++)
-		finite &= isfinite(all[i]);
-	return finite;
+	return (double)(COLUMN)o[0] == o[0] && (double)(COLUMN)o[1] == o[1] &&
+	    (double)(COLUMN)o[2] == o[2];
 }
 
+/* fits says that the origin fits a column. The difference of two floats that has no
+ * room in a double is the larger float: rounding once or twice is the same. */
 static inline __attribute__((always_inline)) int NAME(
     plain)(const struct kernel_map *m, const COLUMN *const in[3],
-    COLUMN *const out[3], size_t n, enum kernel_kind kind)
+    COLUMN *restrict x, COLUMN *restrict y, COLUMN *restrict z, size_t n,
+    enum kernel_kind kind, bool fits)
 {
 	const int terms = kernel_terms(kind), columns = kernel_columns(kind);
 	const int divide = kernel_divides(kind);
 	/* copies, as for the compiler what is stored could change the map */
 	const struct kernel_map own = *m;
-	R sum = R_ALL(0);
+	const COLUMN *const from[3] = { in[0], in[1], in[2] };
+	int beyond = 0;
 
-	m = &own;
-	for (size_t i = 0; i < n; i += R_WIDTH) {
-		R p[3], q[3], w = R_ALL(1), r = w;
+	for (size_t i = 0; i < n; i++) {
+		REAL p[3], q[3], w = 1, r = 1;
 
-		for (int k = 0; k < terms; k++)
-			p[k] = R_NEAR(in[k] + i, m->origin[k]);
+		for (int k = 0; k < terms; k++) {
+			COLUMN a = from[k][i];
+			double o = own.origin[k];
+
+			p[k] = fits ? (REAL)(a - (COLUMN)o) :
+				      (REAL)((double)a - o);
+		}
 		if (divide) {
-			w = NAME(column)(m, 3, p, terms);
-			r = R_ALL(1) / w;
+			w = NAME(column)(&own, 3, p, terms);
+			r = 1 / w;
 		}
 		for (int k = 0; k < columns; k++) {
-			q[k] = NAME(column)(m, k, p, terms);
+			q[k] = NAME(column)(&own, k, p, terms);
 			if (divide)
 				q[k] = q[k] * r;
 		}
-		if (kind == KERNEL_DEPTH) {
-			R a = R_ALL((REAL)m->a_hi), b = R_ALL((REAL)m->b_hi);
+		if (kind == KERNEL_DEPTH)
+			q[2] = R_FMA((REAL)own.b_hi, r, (REAL)own.a_hi);
+		if (divide) {
+			REAL near = w < MOST ? 0 : (REAL)NAN;
 
-			q[2] = R_FMA(b, r, a);
+			q[0] += w > 0 ? near : (REAL)NAN;
 		}
-		if (divide)
-			q[0] = R_POSITIVE(w,
-			    R_POSITIVE(R_ALL((REAL)MOST) - w, q[0]));
-		for (int k = 0; k < terms; k++) {
-			R_STORE(out[k] + i, q[k]);
-			sum += q[k];
-		}
+		x[i] = q[0];
+		y[i] = q[1];
+		if (terms > 2)
+			z[i] = q[2];
+		for (int k = 0; k < terms; k++)
+			beyond |= q[k] - q[k] == 0 ? 0 : -1;
 	}
-	return NAME(all_finite)(sum);
+	return beyond == 0;
 }
 
 #define LOOP(KIND, name)                                               \
 	static int NAME(name)(const struct kernel_map *m,              \
 	    const COLUMN *const in[3], COLUMN *const out[3], size_t n) \
 	{                                                              \
-		return NAME(plain)(m, in, out, n, KIND);               \
+		if (NAME(fits)(m->origin))                             \
+			return NAME(plain)(m, in, out[0], out[1],      \
+			    out[2], n, KIND, true);                    \
+		return NAME(plain)(m, in, out[0], out[1], out[2], n,   \
+		    KIND, false);                                      \
 	}
 
 LOOP(KERNEL_FLAT, flat)
