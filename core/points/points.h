@@ -30,7 +30,7 @@ bool points_join(double (*columns)[POINTS_BLOCK], char *rows, bool wide,
     int numbers, size_t n);
 
 /* From rows of floats to rows of floats, in PRECISION_SINGLE; false where one has no
- * image, or the whole needs points_carry. */
+ * image, or the whole needs points_carry: then what out holds is no matter. */
 bool points_carry_floats(const struct transform *, const char *in, char *out,
     size_t n);
 

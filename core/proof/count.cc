@@ -54,7 +54,6 @@ static number same(number up, number, number sure)
 #include "points/kernel/exact.h"
 
 #define restrict
-#define COLUMN number
 #define REAL number
 #define R_FMA(a, b, c) fma(a, b, c)
 #define MOST 1
@@ -396,7 +395,7 @@ static void run_plain(enum kernel_kind kind)
 {
 	const number *const from[3] = { in, in + 1, in + 2 };
 
-	counted_plain(&map, from, out, out + 1, out + 2, 1, kind, true);
+	counted_plain(&map, from, out, out + 1, out + 2, 1, kind);
 }
 
 /* An element as it is cast: rounded once. */

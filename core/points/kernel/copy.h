@@ -26,7 +26,6 @@
 #include "rows.h"
 #include "signs.h"
 
-#define COLUMN double
 #define REAL double
 #define R_FMA fma
 #define MOST 0x1p1000
@@ -44,12 +43,7 @@
 #define NAME(x) single_##x
 #include "plain.h"
 
-/* Columns of floats, to the same bits. */
-#undef COLUMN
-#define COLUMN float
-#undef NAME
-#define NAME(x) floats_##x
-#include "plain.h"
+#include "floats.h"
 
 #define KERNELS_OF(prefix)                                                \
 	[KERNEL_FLAT] = prefix##_flat, [KERNEL_AFFINE] = prefix##_affine, \
@@ -73,6 +67,4 @@ const struct kernels COPY = {
 	.farthest = farthest,
 	.split = { ROWS_OF(split_narrow), ROWS_OF(split_wide) },
 	.join = { ROWS_OF(join_narrow), ROWS_OF(join_wide) },
-	.split_floats = ROWS_OF(split_floats),
-	.join_floats = ROWS_OF(join_floats),
 };

@@ -30,72 +30,62 @@ static inline REAL NAME(
 	return c;
 }
 
-/* Whether coordinates of the origin are a column's type of number. */
-static bool NAME(fits)(const double o[3])
-{
-	return (double)(COLUMN)o[0] == o[0] && (double)(COLUMN)o[1] == o[1] &&
-	    (double)(COLUMN)o[2] == o[2];
-}
-
-/* fits says that the origin fits a column. The difference of two floats that has no
- * room in a double is the larger float: rounding once or twice is the same. */
-static inline __attribute__((always_inline)) int NAME(
-    plain)(const struct kernel_map *m, const COLUMN *const in[3],
-    COLUMN *restrict x, COLUMN *restrict y, COLUMN *restrict z, size_t n,
-    enum kernel_kind kind, bool fits)
+/* The image q of a point whose differences from the origin are p. */
+static inline __attribute__((always_inline)) void NAME(
+    image)(const struct kernel_map *m, const REAL p[3], REAL q[3],
+    enum kernel_kind kind)
 {
 	const int terms = kernel_terms(kind), columns = kernel_columns(kind);
-	const int divide = kernel_divides(kind);
-	/* copies, as for the compiler what is stored could change the map */
+	REAL w = 1, r = 1;
+
+	if (kernel_divides(kind)) {
+		w = NAME(column)(m, 3, p, terms);
+		r = 1 / w;
+	}
+	for (int k = 0; k < columns; k++)
+		q[k] = NAME(column)(m, k, p, terms) * r;
+	if (kind == KERNEL_DEPTH)
+		q[2] = R_FMA((REAL)m->b_hi, r, (REAL)m->a_hi);
+	if (kernel_divides(kind)) {
+		REAL near = w < MOST ? 0 : (REAL)NAN;
+
+		q[0] += w > 0 ? near : (REAL)NAN;
+	}
+}
+
+static inline __attribute__((always_inline)) int NAME(
+    plain)(const struct kernel_map *m, const double *const in[3],
+    double *restrict x, double *restrict y, double *restrict z, size_t n,
+    enum kernel_kind kind)
+{
+	const int terms = kernel_terms(kind);
+	/* copies, as for the compiler what is stored could change them */
+	const double *const from[3] = { in[0], in[1], in[2] };
 	const struct kernel_map own = *m;
-	const COLUMN *const from[3] = { in[0], in[1], in[2] };
 	int beyond = 0;
 
 	for (size_t i = 0; i < n; i++) {
-		REAL p[3], q[3], w = 1, r = 1;
+		REAL p[3], q[3], sum = 0;
 
-		for (int k = 0; k < terms; k++) {
-			COLUMN a = from[k][i];
-			double o = own.origin[k];
-
-			p[k] = fits ? (REAL)(a - (COLUMN)o) :
-				      (REAL)((double)a - o);
-		}
-		if (divide) {
-			w = NAME(column)(&own, 3, p, terms);
-			r = 1 / w;
-		}
-		for (int k = 0; k < columns; k++) {
-			q[k] = NAME(column)(&own, k, p, terms);
-			if (divide)
-				q[k] = q[k] * r;
-		}
-		if (kind == KERNEL_DEPTH)
-			q[2] = R_FMA((REAL)own.b_hi, r, (REAL)own.a_hi);
-		if (divide) {
-			REAL near = w < MOST ? 0 : (REAL)NAN;
-
-			q[0] += w > 0 ? near : (REAL)NAN;
-		}
-		x[i] = q[0];
-		y[i] = q[1];
-		if (terms > 2)
-			z[i] = q[2];
 		for (int k = 0; k < terms; k++)
-			beyond |= q[k] - q[k] == 0 ? 0 : -1;
+			p[k] = (REAL)(from[k][i] - own.origin[k]);
+		NAME(image)(&own, p, q, kind);
+		x[i] = (double)q[0];
+		y[i] = (double)q[1];
+		if (terms > 2)
+			z[i] = (double)q[2];
+		for (int k = 0; k < terms; k++)
+			sum += q[k];
+		beyond |= sum - sum == 0 ? 0 : -1;
 	}
 	return beyond == 0;
 }
 
-#define LOOP(KIND, name)                                               \
-	static int NAME(name)(const struct kernel_map *m,              \
-	    const COLUMN *const in[3], COLUMN *const out[3], size_t n) \
-	{                                                              \
-		if (NAME(fits)(m->origin))                             \
-			return NAME(plain)(m, in, out[0], out[1],      \
-			    out[2], n, KIND, true);                    \
-		return NAME(plain)(m, in, out[0], out[1], out[2], n,   \
-		    KIND, false);                                      \
+#define LOOP(KIND, name)                                                    \
+	static int NAME(name)(const struct kernel_map *m,                   \
+	    const double *const in[3], double *const out[3], size_t n)      \
+	{                                                                   \
+		return NAME(plain)(m, in, out[0], out[1], out[2], n, KIND); \
 	}
 
 LOOP(KERNEL_FLAT, flat)
