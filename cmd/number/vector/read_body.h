@@ -6,16 +6,22 @@
  *	LANES		how many doubles a vector D of them holds
  *	IN_SET(set, s)	bit i: whether s[i] is in the set, of 64 bytes
  *	EIGHTS(rows, high, low)
- *			of LANES rows of 16 digits each, the integers that the
- *			first and the last eight are, in lanes of 64 bits
+ *			of 16 digits in each of LANES rows, 32 bytes apart, the
+ *			integers that the first and the last eight are, in lanes
+ *			of 64 bits
  *	NEGATED_FMA(a, b, c)	c - a b, rounded once
  *	DIFFERENT(a, b)	bit i: whether a and b differ in lane i, as nan does
  *
- * and set_rows, which sets the rows of n numbers, whole groups, and says how each
- * group looks; or for that of read_rows.h
- *
  *	DOTS(row)	bit i: whether row[i] is a point, of 32 bytes
+ *	LARGER(a, b)	of rows, byte by byte
  *	ANY_TOP_BIT(row)	whether the top bit of any byte is set
+ *
+ * and may define, where read_rows.h has it by other operations,
+ *
+ *	LAST(n)		a mask of the last n <= 32 bytes of a row
+ *	PICK(m, a, b)	m ? a : b
+ *	KEEP(m, a)	m ? a : 0
+ *	LEADING_ZEROS(x)	of integers of 32 bits
  *
  * All else is arithmetic of the compiler's vectors. Whatever the width, every
  * lane goes through the same operations of IEEE 754. */
@@ -45,7 +51,7 @@ static inline struct integer short_integer(const struct rows *r, size_t i)
 {
 	U first, rest;
 
-	EIGHTS(r->low[i], first, rest);
+	EIGHTS(r->digits[i] + 16, first, rest);
 	D high = double_of(first) * 1e8;
 
 	return (struct integer){ .hi = high + double_of(rest) };
@@ -60,13 +66,13 @@ static inline struct integer long_integer(const struct rows *r, size_t i)
 	struct integer m = { 0 };
 	U first, rest;
 
-	EIGHTS(r->high[i], first, rest);
+	EIGHTS(r->digits[i], first, rest);
 	I more = ((I)first > 0) | ((I)rest > 999);
 
 	m.bad = DIFFERENT((D)more, (D){ 0 }); /* all bits set are a nan */
 	D top = double_of(rest) * 1e16;
 
-	EIGHTS(r->low[i], first, rest);
+	EIGHTS(r->digits[i] + 16, first, rest);
 	D a = double_of(first) * 1e8, b = double_of(rest);
 	D s = top + a;
 
@@ -101,8 +107,8 @@ static inline unsigned not_digits(const struct rows *r, size_t i)
 	unsigned bad = 0;
 
 	for (size_t k = 0; k < LANES; k++)
-		for (size_t b = 0; b < 16; b++)
-			if (r->low[i + k][b] > 9 || r->high[i + k][b] > 9)
+		for (size_t b = 0; b < 32; b++)
+			if (r->digits[i + k][b] > 9)
 				bad |= 1u << k;
 	return bad;
 }

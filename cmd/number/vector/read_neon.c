@@ -12,6 +12,7 @@
 	((uint64_t)bits(in_set(set, (s) + 32), in_set(set, (s) + 48)) << 32 | \
 	    bits(in_set(set, s), in_set(set, (s) + 16)))
 #define DOTS(x) row_dots((const uint8_t *)&(x))
+#define LARGER(a, b) PICK((row)((a) > (b)), a, b)
 #define ANY_TOP_BIT(x) any_top_bit((const uint8_t *)&(x))
 #define NEGATED_FMA(a, b, c) ((D)vfmsq_f64(c, a, b))
 #define DIFFERENT(a, b) different(a, b)
@@ -74,7 +75,7 @@ static inline uint64x2_t eights_of(const uint8_t *row)
 
 static inline void eights(const uint8_t *rows, void *first, void *rest)
 {
-	uint64x2_t a = eights_of(rows), b = eights_of(rows + 16);
+	uint64x2_t a = eights_of(rows), b = eights_of(rows + 32);
 
 	vst1q_u64(first, vzip1q_u64(a, b));
 	vst1q_u64(rest, vzip2q_u64(a, b));
