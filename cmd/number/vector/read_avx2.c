@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* For x86-64 with AVX2 and FMA: compile with -mavx2 -mfma. */
 #ifdef __AVX2__
-#include <immintrin.h>
+#include "../../../core/points/kernel/simd_avx2.h"
 
 #define READER plain_avx2
 #define READ read_avx2
 #define FIND find_avx2
-#define LANES 4
 
 #define IN_SET(set, s) ((uint64_t)in_set(set, (s) + 32) << 32 | in_set(set, s))
 #define DOTS(x)                          \
@@ -14,9 +13,6 @@
 	    _mm256_cmpeq_epi8((__m256i)(x), _mm256_set1_epi8('.'))))
 #define LARGER(a, b) ((row)_mm256_max_epu8((__m256i)(a), (__m256i)(b)))
 #define ANY_TOP_BIT(x) (_mm256_movemask_epi8((__m256i)(x)) != 0)
-#define NEGATED_FMA(a, b, c) ((D)_mm256_fnmadd_pd(a, b, c))
-#define DIFFERENT(a, b) \
-	((unsigned)_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_NEQ_UQ)))
 #define EIGHTS(rows, first, rest) eights(rows, &(first), &(rest))
 
 #include "../plain.h"

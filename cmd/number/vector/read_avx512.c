@@ -2,16 +2,13 @@
 /* For x86-64 with AVX-512: compile with -mavx512f -mavx512bw -mavx512cd -mavx512dq
  * -mavx512vl -mfma. */
 #ifdef __AVX512BW__
-#include <immintrin.h>
+#include "../../../core/points/kernel/simd_avx512.h"
 
 #define READER plain_avx512
 #define READ read_avx512
 #define FIND find_avx512
-#define LANES 8
 
 #define IN_SET(set, s) in_set(set, s)
-#define NEGATED_FMA(a, b, c) ((D)_mm512_fnmadd_pd(a, b, c))
-#define DIFFERENT(a, b) ((unsigned)_mm512_cmp_pd_mask(a, b, _CMP_NEQ_UQ))
 #define EIGHTS(rows, first, rest) eights(rows, &(first), &(rest))
 
 #define LAST(n) ((__mmask32)(0xffffffff00000000 >> (n)))

@@ -1,16 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* The reader of plain numbers for one kind of processor. A file that includes
- * this defines:
+ * this has the vectors of doubles of core/points/kernel/copy.h, and defines:
  *
  *	READER		the name of its struct plain_reader
- *	LANES		how many doubles a vector D of them holds
  *	IN_SET(set, s)	bit i: whether s[i] is in the set, of 64 bytes
  *	EIGHTS(rows, high, low)
- *			of 16 digits in each of LANES rows, 32 bytes apart, the
+ *			of 16 digits in each of WIDTH rows, 32 bytes apart, the
  *			integers that the first and the last eight are, in lanes
  *			of 64 bits
- *	NEGATED_FMA(a, b, c)	c - a b, rounded once
- *	DIFFERENT(a, b)	bit i: whether a and b differ in lane i, as nan does
  *
  *	DOTS(row)	bit i: whether row[i] is a point, of 32 bytes
  *	LARGER(a, b)	of rows, byte by byte
@@ -27,9 +24,15 @@
  * lane goes through the same operations of IEEE 754. */
 #include "read_rows.h"
 
-typedef uint64_t U __attribute__((vector_size(LANES * 8)));
-typedef int64_t I __attribute__((vector_size(LANES * 8)));
-typedef double D __attribute__((vector_size(LANES * 8)));
+typedef uint64_t U __attribute__((vector_size(WIDTH * 8)));
+typedef int64_t I __attribute__((vector_size(WIDTH * 8)));
+typedef double D __attribute__((vector_size(WIDTH * 8)));
+
+/* Bit i: whether a and b differ in lane i, as nan does. */
+static inline unsigned different(D a, D b)
+{
+	return LANES_OF(EQUAL(a, b)) ^ ((1u << WIDTH) - 1);
+}
 
 /* Integers below 2^52 as doubles: with the bits of 2^52 before them they are
  * 2^52 too large. */
@@ -69,7 +72,7 @@ static inline struct integer long_integer(const struct rows *r, size_t i)
 	EIGHTS(r->digits[i], first, rest);
 	I more = ((I)first > 0) | ((I)rest > 999);
 
-	m.bad = DIFFERENT((D)more, (D){ 0 }); /* all bits set are a nan */
+	m.bad = different((D)more, (D){ 0 }); /* all bits set are a nan */
 	D top = double_of(rest) * 1e16;
 
 	EIGHTS(r->digits[i] + 16, first, rest);
@@ -92,12 +95,12 @@ static inline D divide(struct integer *m, D p)
 {
 	D q = m->hi / p;
 
-	if (DIFFERENT(m->lo, (D){ 0 }) == 0)
+	if (different(m->lo, (D){ 0 }) == 0)
 		return q;
-	D c = (NEGATED_FMA(q, p, m->hi) + m->lo) / p, off = c * 0x1p-50;
+	D c = (FMA(-q, p, m->hi) + m->lo) / p, off = c * 0x1p-50;
 	D one = q + (c - off), other = q + (c + off);
 
-	m->bad |= DIFFERENT(one, other);
+	m->bad |= different(one, other);
 	return (D)((U)one | ((U)p & 1ull << 63)); /* -0 + 0 is 0 */
 }
 
@@ -106,7 +109,7 @@ static inline unsigned not_digits(const struct rows *r, size_t i)
 {
 	unsigned bad = 0;
 
-	for (size_t k = 0; k < LANES; k++)
+	for (size_t k = 0; k < WIDTH; k++)
 		for (size_t b = 0; b < 32; b++)
 			if (r->digits[i + k][b] > 9)
 				bad |= 1u << k;
@@ -119,7 +122,7 @@ static inline uint64_t read_group(const struct rows *r, size_t i,
 {
 	uint64_t bad = 0;
 
-	for (size_t k = 0; k < PLAIN_GROUP; k += LANES) {
+	for (size_t k = 0; k < PLAIN_GROUP; k += WIDTH) {
 		struct integer m = look.many ? long_integer(r, i + k) :
 					       short_integer(r, i + k);
 		D p, q;
@@ -127,7 +130,7 @@ static inline uint64_t read_group(const struct rows *r, size_t i,
 		memcpy(&p, r->scale + i + k, sizeof p);
 		q = divide(&m, p);
 		memcpy(v + i + k, &q, sizeof q);
-		m.bad |= DIFFERENT(q, q);
+		m.bad |= different(q, q);
 		m.bad |= look.others ? not_digits(r, i + k) : 0;
 		bad |= (uint64_t)m.bad << k;
 	}

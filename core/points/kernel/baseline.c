@@ -17,8 +17,10 @@
 #define MIN(a, b) ((a) < (b) ? (a) : (b))
 #define MAX(a, b) ((a) > (b) ? (a) : (b))
 #define MADD(a, b, c) ((a) * (b) + (c))
-#define SAME(a, b, c) ((a) == (b) ? (c) : 0)
-#define IS_POSITIVE(a) ((a) > 0)
-#define CHOOSE(a, b, c) ((a) > 0 ? (b) : (c))
+#define LESS(a, b) ((a) < (b))
+#define EQUAL(a, b) ((a) == (b))
+#define LANES_OF(m) ((unsigned)(m))
+#define SELECT(m, a, b) ((m) ? (a) : (b))
+#define ONLY(m, a) ((m) ? (a) : 0)
 
 #include "copy.h"

@@ -2,24 +2,29 @@
 /* The loops for one kind of processor. A file that includes this defines:
  *
  *	COPY, PROCESSOR	the name of its struct kernels, and what it is for
+ *	MADD(a, b, c)	FMA, or the product rounded before: what is faster
+ *
+ * and, as simd_avx2.h and its like do,
+ *
  *	V, WIDTH	a vector of doubles, and how many it holds
+ *	M		a yes or no for each lane, with & | ~
  *	LOAD, STORE	from and to any address
  *	ALL(a)		a in each lane
  *	FMA(a, b, c)	a b + c, rounded once
- *	MADD(a, b, c)	the same, or the product rounded before: what is faster
  *	ABS SQRT
  *	MIN MAX		MIN is a < b ? a : b, MAX a > b ? a : b, nan or not
- *	SAME(a, b, c)	a == b ? c : 0
- *	CHOOSE(a, b, c)	a > 0 ? b : c
- *	IS_POSITIVE(a)	whether all of a are above 0
+ *	LESS, EQUAL	an M; no where one is nan
+ *	LANES_OF(m)	bit i: whether it is yes in lane i
+ *	SELECT(m, a, b)	m ? a : b
+ *	ONLY(m, a)	m ? a : 0
  *
- * and the same of FMA for floats, F and F_..., but that F_NEAR(p, o)
- * reads doubles and gives their difference from o rounded to floats, F_STORE
- * writes doubles, and F_POSITIVE(a, b) is a > 0 ? b : nan. F_LOAD and F_SAVE are
- * from and to floats, and F_FAR(p, o) is F_NEAR of what is floats in memory.
  * Vectors have +, -, * and /. Every operation is one rounding of IEEE 754 in each
  * lane. */
 #include <math.h>
+
+#define SAME(a, b, c) ONLY(EQUAL(a, b), c)
+#define CHOOSE(a, b, c) SELECT(LESS(ALL(0), a), b, c)
+#define IS_POSITIVE(a) (LANES_OF(LESS(ALL(0), a)) == (1u << WIDTH) - 1)
 
 #include "exact.h"
 #include "farthest.h"
