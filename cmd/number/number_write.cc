@@ -27,8 +27,7 @@ enum { DIGITS = 17 };
 static const uint64_t power[] = { 1, 10, 100, 1000, 10000, 100000, 1000000,
 	10000000, 100000000, 1000000000, 10000000000, 100000000000,
 	1000000000000, 10000000000000, 100000000000000, 1000000000000000,
-	10000000000000000, 100000000000000000, 1000000000000000000,
-	10000000000000000000u };
+	10000000000000000, 100000000000000000 };
 
 /* The text of 0 to 999: three digits at a time take a seventh less time than
  * two. */
@@ -162,34 +161,6 @@ static uint64_t bits_of(double v)
 	return bits;
 }
 
-/* v * 10^p rounded to an integer, ties to even, for 0 <= v < 10^15 and p <= 19,
- * with v * 10^p below 2^63. v is m / 2^k with m < 2^53 and k > 0, and m * 10^p
- * is below 2^117: where k > 117, the result is less than a half, 0. That holds
- * for zero and subnormals, too. */
-static uint64_t scaled(double v, int p)
-{
-	uint64_t bits = bits_of(v);
-	int k = 1075 - int(bits >> 52);
-	if (k > 117)
-		return 0;
-	uint64_t m = (bits & ((1ull << 52) - 1)) | 1ull << 52;
-	uint64_t high = 0, low = multiply_add(m, power[p], 0, &high);
-	uint64_t carry = shifted(high, low, k) & 1;
-	/* plus all bits below the half, and one more where that is odd */
-	low = add_carry(low, k > 64 ? UINT64_MAX : (1ull << (k - 1)) - 1,
-	    &carry);
-	high = add_carry(high, k > 64 ? (1ull << (k - 65)) - 1 : 0, &carry);
-	return shifted(high, low, k);
-}
-
-/* 1233 / 2^12 is log10(2): n is the number of digits or one less. */
-static int count_digits(uint64_t x)
-{
-	int n = (64 - __builtin_clzll(x | 1)) * 1233 >> 12;
-
-	return n + (x >= power[n]);
-}
-
 /* printf writes a point, and not a comma, as nobody calls setlocale. A text of
  * zeros alone loses its minus. */
 static char *print_decimals(char *s, double v, int n)
@@ -201,81 +172,77 @@ static char *print_decimals(char *s, double v, int n)
 	return s + size;
 }
 
-/* Writes the n decimals of the fraction high 2^-64 + low 2^-128 at s, and returns
- * whether what is left of it rounds the last of them up, ties to even. */
-static bool write_fraction(char *s, uint64_t high, uint64_t low, int n)
+/* Multiplies the fraction high 2^-64 + low 2^-128 by 10^n, and returns what comes before
+ * its point. */
+static inline uint64_t times_ten(uint64_t *high, uint64_t *low, int n)
 {
-	uint64_t digits = 0;
-	char d[64];
+	uint64_t carry = 0;
 
-	for (int count; n > 0; n -= count, s += count) {
-		uint64_t carry = 0;
-
-		count = n < DIGITS ? n : DIGITS;
-		low = multiply_add(low, power[count], 0, &carry);
-		high = multiply_add(high, power[count], 0, &carry);
-		digits = carry;
-		write_digits(d, digits);
-		memcpy(s, d + DIGITS - count, DIGITS);
-	}
-	return high >> 63 && (high << 1 | low | (digits & 1)) != 0;
+	*low = multiply_add(*low, power[n], 0, &carry);
+	*high = multiply_add(*high, power[n], 0, &carry);
+	return carry;
 }
 
-/* Writes v to n > 0 decimals where it is below 2^53 and its last bit is not below
- * 2^-127; else returns NULL. */
-static char *write_long(char *s, double v, int n)
+/* Writes v rounded to n decimals, ties to even, at d: digits, and a null byte. Returns
+ * how many are before the point, at least one; 0 where v is 2^53 or more, or its last
+ * bit is below 2^-127 and n too large for it to be 0. The first DIGITS are of the whole
+ * part, and all decimals if there is room for them and what rounding carries. */
+static inline int find_digits(char d[192], double v, int n)
 {
-	uint64_t bits = bits_of(std::fabs(v));
-	uint64_t m = (bits & ((1ull << 52) - 1)) | 1ull << 52;
-	int k = 1075 - int(bits >> 52);
-	char d[192];
+	uint64_t m = (bits_of(v) & ((1ull << 52) - 1)) | 1ull << 52;
+	uint64_t high = 0, low = 0, digits = 0;
+	int k = 1075 - int(bits_of(v) >> 52), point = DIGITS;
+	char t[64];
 
-	if (n == 0 || k < 1 || k > 127)
-		return nullptr;
-	/* the fraction's highest bit is the highest of a word */
-	uint64_t high = k <= 64 ? m << (64 - k) : m >> (k - 64);
-	uint64_t low = k <= 64 ? 0 : m << (128 - k);
-
-	write_digits(d, k < 64 ? m >> k : 0);
-	if (write_fraction(d + DIGITS, high, low, n)) {
-		char *p = d + DIGITS + n - 1;
-
-		for (; *p == '9'; p--)
-			*p = '0';
-		++*p;
+	if (k < 1 || (k > 127 && n > 22)) /* 2^-75 10^22 < 1/2 */
+		return 0;
+	if (k <= 127) { /* the fraction is high 2^-64 + low 2^-128 */
+		digits = k < 64 ? m >> k : 0;
+		high = k <= 64 ? m << (64 - k) : m >> (k - 64);
+		low = k <= 64 ? 0 : m << (128 - k);
 	}
-	d[DIGITS + n] = '\0';
-	int zeros = 0;
-
-	while (zeros < DIGITS - 1 && d[zeros] == '0')
-		zeros++;
-	*s = '-';
-	s += v < 0 && strspn(d, "0") < size_t(DIGITS + n);
-	memcpy(s, d + zeros, DIGITS);
-	s += DIGITS - zeros;
-	*s++ = '.';
-	memcpy(s, d + DIGITS, size_t(n));
-	return s + n;
+	if (n < DIGITS - 1 && digits < power[DIGITS - 1 - n]) {
+		digits = times_ten(&high, &low, n) + digits * power[n];
+		point -= n;
+		n = 0;
+	}
+	write_digits(d, digits);
+	d += DIGITS;
+	for (int count; n > 0; n -= count, d += count) {
+		count = n < DIGITS ? n : DIGITS;
+		digits = times_ten(&high, &low, count);
+		write_digits(t, digits);
+		memcpy(d, t + DIGITS - count, DIGITS);
+	}
+	*d = '\0';
+	if (high >> 63 && (high << 1 | low | (digits & 1)) != 0) {
+		while (*--d == '9')
+			*d = '0';
+		++*d;
+	}
+	return point;
 }
 
 static char *write_decimals(char *s, double v, int n)
 {
-	double size = std::fabs(v);
-	char d[64];
+	char d[192];
+	int zeros = 0, point = find_digits(d, std::fabs(v), n);
 
-	if (n > 15 || size >= double(power[15 - n])) {
-		char *end = write_long(s, v, n);
-
-		return end != nullptr ? end : print_decimals(s, v, n);
-	}
-	uint64_t q = scaled(size, n);
+	if (point == 0)
+		return print_decimals(s, v, n);
+	while (zeros < point - 1 && d[zeros] == '0')
+		zeros++;
 	*s = '-';
-	s += v < 0 && q != 0;
-	write_digits(d, q);
-	int count = q == 0 ? 1 : count_digits(q);
-	if (count <= n)
-		count = n + 1;
-	return plain<24>(s, d + DIGITS - count, count, count - n);
+	s += v < 0 &&
+	    (d[zeros] != '0' || strpbrk(d + zeros, "123456789") != nullptr);
+	memcpy(s, d + zeros, DIGITS);
+	s += point - zeros;
+	*s = '.';
+	s += n > 0;
+	memcpy(s, d + point, 24);
+	if (n > 24)
+		memcpy(s, d + point, size_t(n));
+	return s + n;
 }
 
 static char *print_significant(char *s, double v, int n)
@@ -295,25 +262,27 @@ static char *print_significant(char *s, double v, int n)
 	return layout<104>(s, d, n, 1 + (minus ? -exponent : exponent));
 }
 
-/* The exponent of ten is guessed from that of two, with 78913 / 2^18 for
- * log10(2): it is right or one too small. If too small, q has a digit too many,
- * and v is scaled anew, as q is rounded already. If q has that digit because v
- * was rounded up to a power of ten, the result is right as well. */
+/* The exponent of ten is guessed from that of two, with 78913 / 2^18 for log10(2): it
+ * is right or one too small. If too small, there is a digit too many, and v is rounded
+ * anew. If there is that digit because v was rounded up to a power of ten, the result
+ * is right as well. */
 static char *write_significant(char *s, double v, int n)
 {
-	char d[64];
-	int log2 = int(bits_of(v) >> 52) - 1023;
-	int exponent = log2 * 78913 >> 18, p = n - 1 - exponent;
+	char d[192];
+	int log2 = int(bits_of(v) >> 52) - 1023, point = 0;
+	int decimals = n - 1 - (log2 * 78913 >> 18);
 
-	if (n > DIGITS || v >= 1e15 || p < 1 || p > 19)
+	if (n <= DIGITS && decimals > 0 && v > 1e-20)
+		point = find_digits(d, v, decimals);
+	if (point == 0)
 		return print_significant(s, v, n);
-	uint64_t q = scaled(v, p);
-	if (q >= power[n]) {
-		q = scaled(v, p - 1);
-		exponent++;
+	int zeros = int(strspn(d, "0"));
+
+	if (point + decimals - zeros > n) {
+		point = find_digits(d, v, decimals - 1);
+		zeros = int(strspn(d, "0"));
 	}
-	write_digits(d, q);
-	return layout<24>(s, d + DIGITS - n, n, exponent + 1);
+	return layout<24>(s, d + zeros, n, point - zeros);
 }
 
 template <class Float>

@@ -145,19 +145,7 @@ bool points_carry_floats(const struct transform *t, const char *in, char *out,
     size_t n)
 {
 	float_kernel fast = kernels->floats[t->kind];
-	COLUMN_ALIGNED float p[3][POINTS_BLOCK], q[3][POINTS_BLOCK];
-	const float *const from[3] = { p[0], p[1], p[2] };
-	float *const to[3] = { q[0], q[1], q[2] };
 
-	if (fast == NULL || t->in != kernel_terms(t->kind))
-		return false;
-	kernels->split_floats[t->in](in, p, n);
-	/* kernels read whole vectors */
-	for (size_t i = n; i % 16 != 0; i++)
-		for (int k = 0; k < t->in; k++)
-			p[k][i] = p[k][0];
-	if (!fast(&t->for_kernel, from, to, n))
-		return false;
-	kernels->join_floats[t->out](q, out, n);
-	return true;
+	return fast != NULL && t->in == kernel_terms(t->kind) &&
+	    fast(&t->for_kernel, in, out, n);
 }

@@ -20,7 +20,7 @@ void points_carry(const struct transform *, enum precision,
     const double *const in[4], double *const out[4], size_t n);
 
 /* From rows of floats to rows of floats, in PRECISION_SINGLE; false where one has no
- * image, or the whole needs points_carry. */
+ * image, or the whole needs points_carry: then what out holds is no matter. */
 bool points_carry_floats(const struct transform *, const char *in, char *out,
     size_t n);
 

@@ -53,19 +53,9 @@ static number same(number up, number, number sure)
 #include "exact/dd.h"
 #include "points/kernel/exact.h"
 
-static bool isfinite(number)
-{
-	return true;
-}
-#define COLUMN number
+#define restrict
 #define REAL number
-#define R number
-#define R_WIDTH 1
-#define R_NEAR(p, o) (*(p) - (o))
-#define R_STORE(p, a) (*(p) = (a))
-#define R_ALL(a) (number(a))
 #define R_FMA(a, b, c) fma(a, b, c)
-#define R_POSITIVE(a, b) (b)
 #define MOST 1
 #define NAME(x) counted_##x
 #include "points/kernel/plain.h"
@@ -404,9 +394,8 @@ static void prove_exact(void)
 static void run_plain(enum kernel_kind kind)
 {
 	const number *const from[3] = { in, in + 1, in + 2 };
-	number *const to[3] = { out, out + 1, out + 2 };
 
-	counted_plain(&map, from, to, 1, kind);
+	counted_plain(&map, from, out, out + 1, out + 2, 1, kind);
 }
 
 /* An element as it is cast: rounded once. */

@@ -78,7 +78,8 @@ my @counted = (
 	[$exact, 'an origin that is subtracted too near',
 	    'POINT_CUT - 3', '1', 'column, of 2^-79 B'],
 	['points/kernel/plain.h', 'one rounding more',
-	    'R_FMA(b, r, a)', 'b * r + a', 'plain depth, of b/w: PLAIN_BOUND'],
+	    'R_FMA((REAL)m->b_hi, r, (REAL)m->a_hi)',
+	    '(REAL)m->b_hi * r + (REAL)m->a_hi', 'plain depth, of b/w: PLAIN_BOUND'],
 	[$exact, 'a length without its low part', '(rest * ALL(0.5))',
 	    '(rest * ALL(0))', 'length'],
 );

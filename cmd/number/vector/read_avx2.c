@@ -1,21 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /* For x86-64 with AVX2 and FMA: compile with -mavx2 -mfma. */
 #ifdef __AVX2__
-#include <immintrin.h>
+#include "../../../core/points/kernel/simd_avx2.h"
 
 #define READER plain_avx2
 #define READ read_avx2
 #define FIND find_avx2
-#define LANES 4
 
 #define IN_SET(set, s) ((uint64_t)in_set(set, (s) + 32) << 32 | in_set(set, s))
 #define DOTS(x)                          \
 	((uint32_t)_mm256_movemask_epi8( \
 	    _mm256_cmpeq_epi8((__m256i)(x), _mm256_set1_epi8('.'))))
+#define LARGER(a, b) ((row)_mm256_max_epu8((__m256i)(a), (__m256i)(b)))
 #define ANY_TOP_BIT(x) (_mm256_movemask_epi8((__m256i)(x)) != 0)
-#define NEGATED_FMA(a, b, c) ((D)_mm256_fnmadd_pd(a, b, c))
-#define DIFFERENT(a, b) \
-	((unsigned)_mm256_movemask_pd(_mm256_cmp_pd(a, b, _CMP_NEQ_UQ)))
 #define EIGHTS(rows, first, rest) eights(rows, &(first), &(rest))
 
 #include "../plain.h"
@@ -43,7 +40,8 @@ static inline void eights(const uint8_t *rows, void *first, void *rest)
 	__m256i x[2], y;
 
 	for (int k = 0; k < 2; k++) {
-		x[k] = _mm256_loadu_si256((const void *)(rows + 32 * k));
+		x[k] = _mm256_loadu2_m128i((const void *)(rows + 64 * k + 32),
+		    (const void *)(rows + 64 * k));
 		x[k] = _mm256_maddubs_epi16(x[k], _mm256_set1_epi16(0x010a));
 		x[k] = _mm256_madd_epi16(x[k], _mm256_set1_epi32(0x00010064));
 	}

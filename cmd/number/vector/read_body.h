@@ -1,29 +1,38 @@
 /* SPDX-License-Identifier: MIT */
 /* The reader of plain numbers for one kind of processor. A file that includes
- * this defines:
+ * this has the vectors of doubles of core/points/kernel/copy.h, and defines:
  *
  *	READER		the name of its struct plain_reader
- *	LANES		how many doubles a vector D of them holds
  *	IN_SET(set, s)	bit i: whether s[i] is in the set, of 64 bytes
  *	EIGHTS(rows, high, low)
- *			of LANES rows of 16 digits each, the integers that the
- *			first and the last eight are, in lanes of 64 bits
- *	NEGATED_FMA(a, b, c)	c - a b, rounded once
- *	DIFFERENT(a, b)	bit i: whether a and b differ in lane i, as nan does
- *
- * and set_rows, which sets the rows of n numbers, whole groups, and says how each
- * group looks; or for that of read_rows.h
+ *			of 16 digits in each of WIDTH rows, 32 bytes apart, the
+ *			integers that the first and the last eight are, in lanes
+ *			of 64 bits
  *
  *	DOTS(row)	bit i: whether row[i] is a point, of 32 bytes
+ *	LARGER(a, b)	of rows, byte by byte
  *	ANY_TOP_BIT(row)	whether the top bit of any byte is set
+ *
+ * and may define, where read_rows.h has it by other operations,
+ *
+ *	LAST(n)		a mask of the last n <= 32 bytes of a row
+ *	PICK(m, a, b)	m ? a : b
+ *	KEEP(m, a)	m ? a : 0
+ *	LEADING_ZEROS(x)	of integers of 32 bits
  *
  * All else is arithmetic of the compiler's vectors. Whatever the width, every
  * lane goes through the same operations of IEEE 754. */
 #include "read_rows.h"
 
-typedef uint64_t U __attribute__((vector_size(LANES * 8)));
-typedef int64_t I __attribute__((vector_size(LANES * 8)));
-typedef double D __attribute__((vector_size(LANES * 8)));
+typedef uint64_t U __attribute__((vector_size(WIDTH * 8)));
+typedef int64_t I __attribute__((vector_size(WIDTH * 8)));
+typedef double D __attribute__((vector_size(WIDTH * 8)));
+
+/* Bit i: whether a and b differ in lane i, as nan does. */
+static inline unsigned different(D a, D b)
+{
+	return LANES_OF(EQUAL(a, b)) ^ ((1u << WIDTH) - 1);
+}
 
 /* Integers below 2^52 as doubles: with the bits of 2^52 before them they are
  * 2^52 too large. */
@@ -45,7 +54,7 @@ static inline struct integer short_integer(const struct rows *r, size_t i)
 {
 	U first, rest;
 
-	EIGHTS(r->low[i], first, rest);
+	EIGHTS(r->digits[i] + 16, first, rest);
 	D high = double_of(first) * 1e8;
 
 	return (struct integer){ .hi = high + double_of(rest) };
@@ -60,13 +69,13 @@ static inline struct integer long_integer(const struct rows *r, size_t i)
 	struct integer m = { 0 };
 	U first, rest;
 
-	EIGHTS(r->high[i], first, rest);
+	EIGHTS(r->digits[i], first, rest);
 	I more = ((I)first > 0) | ((I)rest > 999);
 
-	m.bad = DIFFERENT((D)more, (D){ 0 }); /* all bits set are a nan */
+	m.bad = different((D)more, (D){ 0 }); /* all bits set are a nan */
 	D top = double_of(rest) * 1e16;
 
-	EIGHTS(r->low[i], first, rest);
+	EIGHTS(r->digits[i] + 16, first, rest);
 	D a = double_of(first) * 1e8, b = double_of(rest);
 	D s = top + a;
 
@@ -86,12 +95,12 @@ static inline D divide(struct integer *m, D p)
 {
 	D q = m->hi / p;
 
-	if (DIFFERENT(m->lo, (D){ 0 }) == 0)
+	if (different(m->lo, (D){ 0 }) == 0)
 		return q;
-	D c = (NEGATED_FMA(q, p, m->hi) + m->lo) / p, off = c * 0x1p-50;
+	D c = (FMA(-q, p, m->hi) + m->lo) / p, off = c * 0x1p-50;
 	D one = q + (c - off), other = q + (c + off);
 
-	m->bad |= DIFFERENT(one, other);
+	m->bad |= different(one, other);
 	return (D)((U)one | ((U)p & 1ull << 63)); /* -0 + 0 is 0 */
 }
 
@@ -100,9 +109,9 @@ static inline unsigned not_digits(const struct rows *r, size_t i)
 {
 	unsigned bad = 0;
 
-	for (size_t k = 0; k < LANES; k++)
-		for (size_t b = 0; b < 16; b++)
-			if (r->low[i + k][b] > 9 || r->high[i + k][b] > 9)
+	for (size_t k = 0; k < WIDTH; k++)
+		for (size_t b = 0; b < 32; b++)
+			if (r->digits[i + k][b] > 9)
 				bad |= 1u << k;
 	return bad;
 }
@@ -113,7 +122,7 @@ static inline uint64_t read_group(const struct rows *r, size_t i,
 {
 	uint64_t bad = 0;
 
-	for (size_t k = 0; k < PLAIN_GROUP; k += LANES) {
+	for (size_t k = 0; k < PLAIN_GROUP; k += WIDTH) {
 		struct integer m = look.many ? long_integer(r, i + k) :
 					       short_integer(r, i + k);
 		D p, q;
@@ -121,7 +130,7 @@ static inline uint64_t read_group(const struct rows *r, size_t i,
 		memcpy(&p, r->scale + i + k, sizeof p);
 		q = divide(&m, p);
 		memcpy(v + i + k, &q, sizeof q);
-		m.bad |= DIFFERENT(q, q);
+		m.bad |= different(q, q);
 		m.bad |= look.others ? not_digits(r, i + k) : 0;
 		bad |= (uint64_t)m.bad << k;
 	}

@@ -1,20 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /* For arm64. */
 #ifdef __AARCH64EL__
-#include <arm_neon.h>
+#include "../../../core/points/kernel/simd_neon.h"
 
 #define READER plain_neon
 #define READ read_neon
 #define FIND find_neon
-#define LANES 2
 
 #define IN_SET(set, s)                                                        \
 	((uint64_t)bits(in_set(set, (s) + 32), in_set(set, (s) + 48)) << 32 | \
 	    bits(in_set(set, s), in_set(set, (s) + 16)))
 #define DOTS(x) row_dots((const uint8_t *)&(x))
+#define LARGER(a, b) PICK((row)((a) > (b)), a, b)
 #define ANY_TOP_BIT(x) any_top_bit((const uint8_t *)&(x))
-#define NEGATED_FMA(a, b, c) ((D)vfmsq_f64(c, a, b))
-#define DIFFERENT(a, b) different(a, b)
 #define EIGHTS(rows, first, rest) eights(rows, &(first), &(rest))
 
 #include "../plain.h"
@@ -51,14 +49,6 @@ static inline int any_top_bit(const uint8_t *x)
 	return vmaxvq_u8(vorrq_u8(vld1q_u8(x), vld1q_u8(x + 16))) > 127;
 }
 
-static inline unsigned different(float64x2_t a, float64x2_t b)
-{
-	uint64x2_t same = vceqq_f64(a, b);
-
-	return (unsigned)(~vgetq_lane_u64(same, 0) & 1) |
-	    (unsigned)(~vgetq_lane_u64(same, 1) & 2);
-}
-
 /* Two digits, then four, then eight by multiplication and addition. */
 static inline uint64x2_t eights_of(const uint8_t *row)
 {
@@ -74,7 +64,7 @@ static inline uint64x2_t eights_of(const uint8_t *row)
 
 static inline void eights(const uint8_t *rows, void *first, void *rest)
 {
-	uint64x2_t a = eights_of(rows), b = eights_of(rows + 16);
+	uint64x2_t a = eights_of(rows), b = eights_of(rows + 32);
 
 	vst1q_u64(first, vzip1q_u64(a, b));
 	vst1q_u64(rest, vzip2q_u64(a, b));

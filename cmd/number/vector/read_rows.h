@@ -9,10 +9,10 @@
 
 #include "../plain.h"
 
-/* Digits, right-aligned, the last 16 of them in low, and what the number that they
- * make is divided by. What is no digit shows as a byte above 9. */
+/* Digits, right-aligned, and what the number that they make is divided by. What is no
+ * digit shows as a byte above 9. */
 struct rows {
-	uint8_t low[PLAIN_BATCH][16], high[PLAIN_BATCH][16];
+	uint8_t digits[PLAIN_BATCH][32];
 	double scale[PLAIN_BATCH];
 };
 
@@ -26,17 +26,13 @@ struct look {
  * without digits, a number is not for this reader; 32 stands for no point. */
 enum { NO_POINT = 32, UNREAD = 23 };
 #define NO (double)NAN
-static const double power[2][NO_POINT + 1] = {
-	{ 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12,
-	    1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22, NO, NO,
-	    NO, NO, NO, NO, NO, NO, NO, 1e0 },
-	{ -1e0, -1e1, -1e2, -1e3, -1e4, -1e5, -1e6, -1e7, -1e8, -1e9, -1e10,
-	    -1e11, -1e12, -1e13, -1e14, -1e15, -1e16, -1e17, -1e18, -1e19,
-	    -1e20, -1e21, -1e22, NO, NO, NO, NO, NO, NO, NO, NO, NO, -1e0 },
-};
+static const double power[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8,
+	1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
+	1e21, 1e22, NO, NO, NO, NO, NO, NO, NO, NO, NO, 1e0, -1e0, -1e1, -1e2,
+	-1e3, -1e4, -1e5, -1e6, -1e7, -1e8, -1e9, -1e10, -1e11, -1e12, -1e13,
+	-1e14, -1e15, -1e16, -1e17, -1e18, -1e19, -1e20, -1e21, -1e22, NO, NO,
+	NO, NO, NO, NO, NO, NO, NO, -1e0 };
 
-#ifdef DOTS
-/* The rows of a group are set one after the other. */
 typedef uint8_t row __attribute__((vector_size(32)));
 
 static inline row row_at(const void *p)
@@ -47,6 +43,10 @@ static inline row row_at(const void *p)
 	return r;
 }
 
+#ifndef LAST
+#define LAST(n) last(n)
+#define PICK(m, a, b) (((a) & (m)) | ((b) & ~(m)))
+#define KEEP(m, a) ((a) & (m))
 #define EIGHT 255, 255, 255, 255, 255, 255, 255, 255
 static const uint8_t window[64] = { [32] = EIGHT, EIGHT, EIGHT, EIGHT };
 
@@ -55,50 +55,100 @@ static inline row last(size_t n)
 {
 	return row_at(window + n);
 }
+#endif
 
-/* Loads what stands before end twice, one byte apart: the decimals of the first
- * and the whole digits of the second are side by side, without the point. Returns
- * the digits. */
-static inline row set_row(struct rows *r, size_t i, const char *end, size_t n,
-    size_t *digits)
+/* Of each number: bits for the points among the 32 bytes before its end, whether it
+ * has a minus, how many digits follow the point, how many there are (its size, before
+ * they are counted), and where its divisor stands in power. */
+struct marks {
+	uint32_t points[PLAIN_BATCH], minus[PLAIN_BATCH];
+	uint32_t decimals[PLAIN_BATCH], digits[PLAIN_BATCH],
+	    divisor[PLAIN_BATCH];
+};
+
+typedef uint32_t counts __attribute__((vector_size(4 * PLAIN_GROUP)));
+#ifndef LEADING_ZEROS
+/* Of 0 or one bit; other numbers are not plain. The exponent of a float tells it. */
+typedef int32_t ints __attribute__((vector_size(4 * PLAIN_GROUP)));
+typedef float reals __attribute__((vector_size(4 * PLAIN_GROUP)));
+#define LEADING_ZEROS(x) leading_zeros(x)
+static inline counts leading_zeros(counts x)
 {
-	row x = row_at(end - 32), before = row_at(end - 33);
-	uint64_t dots = DOTS(x) & (uint32_t)(0xffffffff00000000 >> n);
-	size_t decimals = (size_t)__builtin_clzll(dots << 32 | 0x80000000);
-	size_t minus = end[-(ptrdiff_t)n] == '-';
-	row fraction = last(decimals);
+	const counts zero = { 0 };
+	counts e = (counts) __builtin_convertvector((ints)x, reals) >> 23 & 255;
 
-	*digits = n - minus - (dots != 0);
-	x = ((x & fraction) | (before & ~fraction)) - '0';
-	x &= last(*digits);
-	memcpy(r->high[i], &x, 16);
-	memcpy(r->low[i], (const uint8_t *)&x + 16, 16);
-	r->scale[i] = power[minus][*digits == 0 ? UNREAD : decimals];
-	return x;
-}
-
-static inline struct look set_group(struct rows *r, size_t i,
-    const struct plain_places *at)
-{
-	size_t any = 0;
-	row odd = { 0 };
-
-	for (size_t end = i + PLAIN_GROUP; i < end; i++) {
-		size_t digits;
-		row x = set_row(r, i, at->end[i], at->size[i], &digits);
-
-		odd |= x | (x + (128 - 10));
-		any |= digits;
-	}
-	return (struct look){ .others = ANY_TOP_BIT(odd), .many = any > 15 };
-}
-
-static inline void set_rows(struct rows *r, struct look *look, size_t n,
-    const struct plain_places *at)
-{
-	for (size_t i = 0; i < n; i += PLAIN_GROUP)
-		look[i / PLAIN_GROUP] = set_group(r, i, at);
+	return ((158 - e) & (counts)(x != zero)) + (32 & (counts)(x == zero));
 }
 #endif
 
+static inline counts counts_at(const uint32_t *p)
+{
+	counts c;
+
+	memcpy(&c, p, sizeof c);
+	return c;
+}
+
+static inline void count(struct marks *m, size_t i)
+{
+	const counts zero = { 0 };
+	counts n = counts_at(m->digits + i), start = 32 - n;
+	counts points = counts_at(m->points + i) & (~zero << start);
+	counts minus = counts_at(m->minus + i);
+	counts decimals = LEADING_ZEROS(points);
+	counts digits = n - minus + (counts)(points != zero);
+	counts none = (counts)(digits == zero);
+	counts divisor = (decimals & ~none) + (none & UNREAD) +
+	    minus * (NO_POINT + 1);
+
+	memcpy(m->decimals + i, &decimals, sizeof decimals);
+	memcpy(m->digits + i, &digits, sizeof digits);
+	memcpy(m->divisor + i, &divisor, sizeof divisor);
+}
+
+/* Loads what stands before the end twice, one byte apart: the decimals of the first
+ * and the whole digits of the second are side by side, without the point. */
+static inline row set_row(struct rows *r, size_t i, const char *end,
+    const struct marks *m)
+{
+	row x = PICK(LAST(m->decimals[i]), row_at(end - 32), row_at(end - 33));
+
+	x = KEEP(LAST(m->digits[i]), x - '0');
+	memcpy(r->digits[i], &x, sizeof x);
+	r->scale[i] = power[m->divisor[i]];
+	return x;
+}
+
+/* One after the other, for all numbers: what has just been stored one by one would
+ * have to be waited for as a vector. */
+static inline void set_rows(struct rows *r, struct look *look, size_t n,
+    const struct plain_places *at)
+{
+	struct marks m;
+
+	for (size_t i = 0; i < n; i++)
+		m.digits[i] = at->size[i];
+	for (size_t i = 0; i < n; i++) {
+		row x = row_at(at->end[i] - 32);
+
+		m.points[i] = DOTS(x);
+		m.minus[i] = at->end[i][-(ptrdiff_t)at->size[i]] == '-';
+	}
+	for (size_t i = 0; i < n; i += PLAIN_GROUP)
+		count(&m, i);
+	for (size_t i = 0; i < n; i += PLAIN_GROUP) {
+		uint32_t any = 0;
+		row odd = { 0 };
+
+		for (size_t k = i; k < i + PLAIN_GROUP; k++) {
+			odd = LARGER(odd, set_row(r, k, at->end[k], &m));
+			any |= m.digits[k];
+		}
+		odd |= odd + (128 - 10);
+		look[i / PLAIN_GROUP] = (struct look){
+			.others = ANY_TOP_BIT(odd),
+			.many = any > 15,
+		};
+	}
+}
 #endif

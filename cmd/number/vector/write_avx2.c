@@ -1,37 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /* For x86-64 with AVX2 and FMA: compile with -mavx2 -mfma. */
 #ifdef __AVX2__
-#include <immintrin.h>
-
+#include "../../../core/points/kernel/simd_avx2.h"
 #include "powers.h"
 #include "vector.h"
 
-#define V __m256d
 #define I __m256i
-#define M __m256i
-#define WIDTH 4
-#define LOAD(p) _mm256_loadu_pd(p)
-#define STORE(p, a) _mm256_storeu_pd(p, a)
 #define STORE_INTS(p, a) _mm_storeu_si128((__m128i *)(p), _mm256_cvtpd_epi32(a))
-#define ALL(a) _mm256_set1_pd(a)
-#define FMA(a, b, c) _mm256_fmadd_pd(a, b, c)
 #define FLOOR(a) _mm256_floor_pd(a)
 #define NEAREST(a) \
 	_mm256_round_pd(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC)
-#define ABS(a) _mm256_andnot_pd(_mm256_set1_pd(-0.0), a)
-#define MIN(a, b) _mm256_min_pd(a, b)
-#define LESS(a, b) _mm256_castpd_si256(_mm256_cmp_pd(a, b, _CMP_LT_OQ))
-#define EQUAL(a, b) _mm256_castpd_si256(_mm256_cmp_pd(a, b, _CMP_EQ_OQ))
-#define EVERY(m) (_mm256_movemask_pd(_mm256_castsi256_pd(m)) == 15)
-#define CHOOSE(m, a, b) _mm256_blendv_pd(b, a, _mm256_castsi256_pd(m))
-#define ONLY(m, a) _mm256_and_pd(_mm256_castsi256_pd(m), a)
-#define UNLESS(m, a) _mm256_andnot_pd(_mm256_castsi256_pd(m), a)
-#define BITS(a) _mm256_castpd_si256(a)
-#define DOUBLES(a) _mm256_castsi256_pd(a)
 #define ALL_BITS(a) _mm256_set1_epi64x((long long)(a))
 #define REGISTER "x"
-#define MINUS(a, b) _mm256_sub_epi64(a, b)
-#define SHL(a, n) _mm256_slli_epi64(a, n)
 #define SHR(a, n) _mm256_srli_epi64(a, n)
 #define SHR16(a, n) _mm256_srli_epi16(a, n)
 #define MUL32(a, b) _mm256_mul_epu32(a, b)

@@ -1,39 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 /* For x86-64 with AVX-512F, BW, DQ and VL. */
 #ifdef __AVX512F__
-#include <immintrin.h>
-
+#include "../../../core/points/kernel/simd_avx512.h"
 #include "powers.h"
 #include "vector.h"
 
-#define V __m512d
 #define I __m512i
-#define M __mmask8
-#define WIDTH 8
-#define LOAD(p) _mm512_loadu_pd(p)
-#define STORE(p, a) _mm512_storeu_pd(p, a)
 #define STORE_INTS(p, a) \
 	_mm256_storeu_si256((__m256i *)(p), _mm512_cvtpd_epi32(a))
-#define ALL(a) _mm512_set1_pd(a)
-#define FMA(a, b, c) _mm512_fmadd_pd(a, b, c)
 #define FLOOR(a) \
 	_mm512_roundscale_pd(a, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC)
 #define NEAREST(a) \
 	_mm512_roundscale_pd(a, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC)
-#define ABS(a) _mm512_abs_pd(a)
-#define MIN(a, b) _mm512_min_pd(a, b)
-#define LESS(a, b) _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ)
-#define EQUAL(a, b) _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ)
-#define EVERY(m) ((m) == 255)
-#define CHOOSE(m, a, b) _mm512_mask_blend_pd((M)(m), b, a)
-#define ONLY(m, a) _mm512_maskz_mov_pd((M)(m), a)
-#define UNLESS(m, a) _mm512_maskz_mov_pd((M) ~(m), a)
-#define BITS(a) _mm512_castpd_si512(a)
-#define DOUBLES(a) _mm512_castsi512_pd(a)
 #define ALL_BITS(a) _mm512_set1_epi64((long long)(a))
 #define REGISTER "v"
-#define MINUS(a, b) _mm512_sub_epi64(a, b)
-#define SHL(a, n) _mm512_slli_epi64(a, n)
 #define SHR(a, n) _mm512_srli_epi64(a, n)
 #define SHR16(a, n) _mm512_srli_epi16(a, n)
 #define MUL32(a, b) _mm512_mul_epu32(a, b)
@@ -65,11 +45,11 @@ static inline struct tens load_tens(void)
 /* The index stands in the lowest bits of 2^52 + index. */
 static inline void power_of_ten(const struct tens *t, V scale, V *hi, V *lo)
 {
-	I k = BITS(scale + ALL(0x1p52 - (double)POWER_MIN));
+	I k = (I)(scale + ALL(0x1p52 - (double)POWER_MIN));
 	M upper = _mm512_test_epi64_mask(k, ALL_BITS(16));
 
 	*lo = _mm512_maskz_permutex2var_pd((M)~upper, t->lo[0], k, t->lo[1]);
-	*hi = CHOOSE(upper, _mm512_permutex2var_pd(t->hi[2], k, t->hi[3]),
+	*hi = SELECT(upper, _mm512_permutex2var_pd(t->hi[2], k, t->hi[3]),
 	    _mm512_permutex2var_pd(t->hi[0], k, t->hi[1]));
 }
 

@@ -4,33 +4,21 @@
  * The digits are found (write_find.h) and written where they always stand in a text;
  * number_put copies them from there with a point among them.
  *
- * A file that includes this defines:
+ * A file that includes this has the vectors of doubles of core/points/kernel/copy.h,
+ * and defines:
  *
  *	WRITER		the name of its number_writer
- *	V, WIDTH	a vector of doubles, and how many it holds
- *	I		the same bytes as integers of 64 bits
- *	M		a yes or no for each lane, with & | ~
- *	LOAD, STORE	of a V, from and to any address
+ *	I		the bytes of a V as integers of 64 bits
  *	STORE_INTS(p, a) a's lanes, which are whole, as int32_t
- *	ALL(a)		a in each lane
- *	FMA(a, b, c)	a b + c, rounded once
  *	FLOOR, NEAREST	to a whole number; NEAREST has ties to even
- *	ABS, MIN	MIN is any number where one is nan
- *	LESS, EQUAL	an M; no where one is nan
- *	EVERY(m)	whether it is yes in each lane
- *	CHOOSE(m, a, b)	m ? a : b
- *	ONLY(m, a)	m ? a : 0
- *	UNLESS(m, a)	m ? 0 : a
- *	BITS, DOUBLES	V as I and back
  *	ALL_BITS(a)	a in each lane of an I
  *	REGISTER	what asm calls a register of an I
- *	MINUS(a, b)	of an I's lanes, modulo 2^64
- *	SHL, SHR(a, n)	of them, zeros shifted in
+ *	SHR(a, n)	of its lanes, zeros shifted in
  *	SHR16(a, n)	of its quarters, 16 bits
  *	MUL32(a, b)	the products of its lanes' lower halves
  *	MUL16, HIGH16	the lower and the upper half of its quarters' products
  *
- * where V has + - *, I and M have & |, lane by lane, and
+ * where I has - & | <<, lane by lane, and
  *
  *	struct tens, load_tens, power_of_ten
  *			10^POWER_MIN to 10^POWER_MAX, where they are soon found
@@ -65,7 +53,7 @@ INLINE I fours(I x)
 {
 	I a = SHR(MUL32(x, ALL_BITS(109951163)), 40);
 
-	return MINUS(SHL(x, 16), MUL32(a, ALL_BITS((10000 << 16) - 1)));
+	return (x << 16) - MUL32(a, ALL_BITS((10000 << 16) - 1));
 }
 
 /* Of four digits in each quarter, two and two in its bytes. */
@@ -74,7 +62,7 @@ INLINE I twos(I x)
 	const uint64_t each = 0x0001000100010001;
 	I a = SHR16(HIGH16(x, ALL_BITS(5243 * each)), 3);
 
-	return a | SHL(MINUS(x, MUL16(a, UNKNOWN(100 * each))), 8);
+	return a | (x - MUL16(a, UNKNOWN(100 * each))) << 8;
 }
 
 /* Of two digits in the upper half of each quarter, one and one in its bytes. */
@@ -83,7 +71,7 @@ INLINE I ones(I x)
 	const uint64_t each = 0x0001000100010001;
 	I a = SHR16(HIGH16(x, ALL_BITS(6554 * each)), 8);
 
-	return MINUS(x, MUL16(a, UNKNOWN(((10 << 8) - 1) * each)));
+	return x - MUL16(a, UNKNOWN(((10 << 8) - 1) * each));
 }
 
 /* The quotient by 10^8 is right below 2^53: 1e-8 is 2.1e-25 more than 10^-8, so
@@ -98,8 +86,8 @@ INLINE void write_digits(struct number_text *t, uint16_t *nonzero,
 		V whole = LOAD(f->whole + i);
 		V high = FLOOR(whole * ALL(1e-8));
 		V low = FMA(high, ALL(-1e8), whole);
-		I x = twos(fours(BITS(high + lowest_bits)) |
-		    SHL(fours(BITS(low + lowest_bits)), 32));
+		I x = twos(fours((I)(high + lowest_bits)) |
+		    (fours((I)(low + lowest_bits)) << 32));
 
 		store_digits(t[i].b + BEFORE, sizeof *t, nonzero + i,
 		    ones(BYTES_LOW(x)), ones(BYTES_HIGH(x)));

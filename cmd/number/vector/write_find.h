@@ -61,7 +61,7 @@ INLINE V nearest(struct scaled x, V *rest)
 	*rest = (x.p - x.i - ALL(0.5)) + x.e;
 	V i = x.i + ONLY(LESS(ALL(0), *rest), ALL(1));
 
-	return CHOOSE(EQUAL(*rest, ALL(0)), NEAREST(x.p), i);
+	return SELECT(EQUAL(*rest, ALL(0)), NEAREST(x.p), i);
 }
 
 struct digits {
@@ -122,7 +122,7 @@ INLINE struct digits shortest(V a, V two, V scale, V hi, struct scaled x,
 		sure = sure & (exact | LESS(ALL(WRITE_MARGIN), margin));
 	return (struct digits){
 		.whole = x.i + j + ONLY(above, one),
-		.digit = UNLESS(there, digit),
+		.digit = ONLY(~there, digit),
 		.sure = sure,
 	};
 }
@@ -130,14 +130,14 @@ INLINE struct digits shortest(V a, V two, V scale, V hi, struct scaled x,
 /* The exponent of a power of two, less place: in the lowest bits of 2^52. */
 INLINE V log2_less(V two, double place)
 {
-	V biased = DOUBLES(SHR(BITS(two), 52) | BITS(ALL(0x1p52)));
+	V biased = (V)(SHR((I)(two), 52) | (I)(ALL(0x1p52)));
 
 	return biased - ALL(0x1p52 + 1023 + place);
 }
 
 INLINE V power_of_two_in(V a)
 {
-	return DOUBLES(BITS(a) & BITS(ALL((double)INFINITY)));
+	return (V)((I)(a) & (I)(ALL((double)INFINITY)));
 }
 
 INLINE void store_found(struct found *f, size_t i, V v, struct digits d,
@@ -148,7 +148,7 @@ INLINE void store_found(struct found *f, size_t i, V v, struct digits d,
 	STORE(f->whole + i, d.whole);
 	STORE_INTS(f->digit + i, d.digit);
 	STORE_INTS(f->scale + i, scale);
-	STORE_INTS(f->sign + i, ONLY(d.sure, CHOOSE(minus, ALL(-1), ALL(1))));
+	STORE_INTS(f->sign + i, ONLY(d.sure, SELECT(minus, ALL(-1), ALL(1))));
 }
 
 INLINE void find_decimals(struct found *f, size_t i, int n,
@@ -175,11 +175,11 @@ INLINE void find_significant(struct found *f, size_t i, int n,
 	const V zero = ALL(0), one = ALL(1);
 	V a = ABS(v), hi, lo, rest;
 	M in_range = LESS(a, ALL(1e15)) & ~LESS(a, ALL(1e-6));
-	V two = power_of_two_in(CHOOSE(in_range, a, one));
+	V two = power_of_two_in(SELECT(in_range, a, one));
 	V log10 = FLOOR(log2_less(two, 0) * ALL(78913 * 0x1p-18));
 
 	power_of_ten(tens, log10 + one, &hi, &lo);
-	log10 = log10 + UNLESS(LESS(a, hi) | ~in_range, one);
+	log10 = log10 + ONLY(~(LESS(a, hi) | ~in_range), one);
 	V scale = ALL(n - 1) - log10;
 	M exact = LESS(ALL(-0.5), scale);
 	M in_table = LESS(ALL(-MOST_ZEROS - 0.5), scale);
@@ -205,7 +205,7 @@ INLINE void find_in_range(struct found *f, size_t i, bool single, bool usual,
 	V a = ABS(v), hi, lo;
 	M in_range = LESS(a, ALL(single ? 0x1p60 : 1e21)) &
 	    ~LESS(a, ALL(0x1p-17));
-	V two = power_of_two_in(usual ? a : CHOOSE(in_range, a, one));
+	V two = power_of_two_in(usual ? a : SELECT(in_range, a, one));
 	V q = log2_less(two, single ? 23 : 52);
 	V scale = -one - FLOOR(q * ALL(0.30102999566398120));
 
@@ -230,7 +230,7 @@ INLINE void find_shortest(struct found *f, size_t i, bool single,
 	M usual = LESS(a, ALL(single ? 0x1p23 : 0x1p52)) &
 	    ~LESS(a, ALL(0x1p-17));
 
-	if (EVERY(usual))
+	if (LANES_OF(usual) == (1u << WIDTH) - 1)
 		find_in_range(f, i, single, true, tens, v);
 	else
 		find_in_range(f, i, single, false, tens, v);

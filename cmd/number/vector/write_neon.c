@@ -1,36 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /* For AArch64, of which NEON is a part. */
 #ifdef __AARCH64EL__
-#include <arm_neon.h>
-
+#include "../../../core/points/kernel/simd_neon.h"
 #include "powers.h"
 #include "vector.h"
 
-#define V float64x2_t
 #define I uint64x2_t
-#define M uint64x2_t
-#define WIDTH 2
-#define LOAD(p) vld1q_f64(p)
-#define STORE(p, a) vst1q_f64(p, a)
 #define STORE_INTS(p, a) vst1_s32(p, vmovn_s64(vcvtq_s64_f64(a)))
-#define ALL(a) vdupq_n_f64(a)
-#define FMA(a, b, c) vfmaq_f64(c, a, b)
 #define FLOOR(a) vrndmq_f64(a)
 #define NEAREST(a) vrndnq_f64(a)
-#define ABS(a) vabsq_f64(a)
-#define MIN(a, b) vminq_f64(a, b)
-#define LESS(a, b) vcltq_f64(a, b)
-#define EQUAL(a, b) vceqq_f64(a, b)
-#define EVERY(m) (vminvq_u32(vreinterpretq_u32_u64(m)) != 0)
-#define CHOOSE(m, a, b) vbslq_f64(m, a, b)
-#define ONLY(m, a) DOUBLES((m)&BITS(a))
-#define UNLESS(m, a) DOUBLES(vbicq_u64(BITS(a), m))
-#define BITS(a) vreinterpretq_u64_f64(a)
-#define DOUBLES(a) vreinterpretq_f64_u64(a)
 #define ALL_BITS(a) vdupq_n_u64((uint64_t)(a))
 #define REGISTER "w"
-#define MINUS(a, b) vsubq_u64(a, b)
-#define SHL(a, n) vshlq_n_u64(a, n)
 #define SHR(a, n) vshrq_n_u64(a, n)
 #define QUARTERS(a) vreinterpretq_u16_u64(a)
 #define WHOLE(a) vreinterpretq_u64_u16(a)

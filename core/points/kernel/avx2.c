@@ -1,50 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* For x86-64 with AVX2 and FMA: compile with -mavx2 -mfma. */
 #ifdef __AVX2__
-#include <immintrin.h>
+#include "simd_avx2.h"
 
 #define COPY kernels_avx2
 #define PROCESSOR PROCESSOR_AVX2
 
-#define V __m256d
-#define WIDTH 4
-#define LOAD(p) _mm256_loadu_pd(p)
-#define STORE(p, a) _mm256_storeu_pd(p, a)
-#define ALL(a) _mm256_set1_pd(a)
-#define FMA(a, b, c) _mm256_fmadd_pd(a, b, c)
-#define SQRT(a) _mm256_sqrt_pd(a)
-#define ABS(a) _mm256_andnot_pd(_mm256_set1_pd(-0.0), a)
-#define MIN(a, b) _mm256_min_pd(a, b)
-#define MAX(a, b) _mm256_max_pd(a, b)
 #define MADD FMA
-#define SAME(a, b, c) _mm256_and_pd(c, _mm256_cmp_pd(a, b, _CMP_EQ_OQ))
-#define IS_POSITIVE(a)       \
-	(_mm256_movemask_pd( \
-	     _mm256_cmp_pd(a, _mm256_setzero_pd(), _CMP_GT_OQ)) == 0xf)
-#define CHOOSE(a, b, c)        \
-	_mm256_blendv_pd(c, b, \
-	    _mm256_cmp_pd(a, _mm256_setzero_pd(), _CMP_GT_OQ))
-
-#define F __m256
-#define F_WIDTH 8
-#define F_HALF(p, o) \
-	_mm256_cvtpd_ps(_mm256_sub_pd(_mm256_loadu_pd(p), _mm256_set1_pd(o)))
-#define F_NEAR(p, o) _mm256_set_m128(F_HALF((p) + 4, o), F_HALF(p, o))
-#define F_STORE(p, a)                                                     \
-	(_mm256_storeu_pd(p, _mm256_cvtps_pd(_mm256_castps256_ps128(a))), \
-	    _mm256_storeu_pd((p) + 4,                                     \
-		_mm256_cvtps_pd(_mm256_extractf128_ps(a, 1))))
-#define F_LOAD(p) _mm256_loadu_ps(p)
-#define F_SAVE(p, a) _mm256_storeu_ps(p, a)
-#define F_FAR_HALF(p, o)                                                \
-	_mm256_cvtpd_ps(_mm256_sub_pd(_mm256_cvtps_pd(_mm_loadu_ps(p)), \
-	    _mm256_set1_pd(o)))
-#define F_FAR(p, o) _mm256_set_m128(F_FAR_HALF((p) + 4, o), F_FAR_HALF(p, o))
-#define F_ALL(a) _mm256_set1_ps(a)
-#define F_FMA(a, b, c) _mm256_fmadd_ps(a, b, c)
-#define F_POSITIVE(a, b)                         \
-	_mm256_blendv_ps(_mm256_set1_ps(NAN), b, \
-	    _mm256_cmp_ps(a, _mm256_setzero_ps(), _CMP_GT_OQ))
-
 #include "copy.h"
 #endif

@@ -17,19 +17,10 @@
 #define MIN(a, b) ((a) < (b) ? (a) : (b))
 #define MAX(a, b) ((a) > (b) ? (a) : (b))
 #define MADD(a, b, c) ((a) * (b) + (c))
-#define SAME(a, b, c) ((a) == (b) ? (c) : 0)
-#define IS_POSITIVE(a) ((a) > 0)
-#define CHOOSE(a, b, c) ((a) > 0 ? (b) : (c))
-
-#define F float
-#define F_WIDTH 1
-#define F_NEAR(p, o) ((float)(*(p) - (o)))
-#define F_STORE(p, a) (*(p) = (double)(a))
-#define F_LOAD(p) (*(p))
-#define F_SAVE(p, a) (*(p) = (a))
-#define F_FAR(p, o) ((float)((double)*(p) - (o)))
-#define F_ALL(a) ((float)(a))
-#define F_FMA(a, b, c) fmaf(a, b, c)
-#define F_POSITIVE(a, b) ((a) > 0 ? (b) : NAN)
+#define LESS(a, b) ((a) < (b))
+#define EQUAL(a, b) ((a) == (b))
+#define LANES_OF(m) ((unsigned)(m))
+#define SELECT(m, a, b) ((m) ? (a) : (b))
+#define ONLY(m, a) ((m) ? (a) : 0)
 
 #include "copy.h"

@@ -2,80 +2,53 @@
 /* The loops for one kind of processor. A file that includes this defines:
  *
  *	COPY, PROCESSOR	the name of its struct kernels, and what it is for
+ *	MADD(a, b, c)	FMA, or the product rounded before: what is faster
+ *
+ * and, as simd_avx2.h and its like do,
+ *
  *	V, WIDTH	a vector of doubles, and how many it holds
+ *	M		a yes or no for each lane, with & | ~
  *	LOAD, STORE	from and to any address
  *	ALL(a)		a in each lane
  *	FMA(a, b, c)	a b + c, rounded once
- *	MADD(a, b, c)	the same, or the product rounded before: what is faster
  *	ABS SQRT
  *	MIN MAX		MIN is a < b ? a : b, MAX a > b ? a : b, nan or not
- *	SAME(a, b, c)	a == b ? c : 0
- *	CHOOSE(a, b, c)	a > 0 ? b : c
- *	IS_POSITIVE(a)	whether all of a are above 0
+ *	LESS, EQUAL	an M; no where one is nan
+ *	LANES_OF(m)	bit i: whether it is yes in lane i
+ *	SELECT(m, a, b)	m ? a : b
+ *	ONLY(m, a)	m ? a : 0
  *
- * and the same of FMA for floats, F and F_..., but that F_NEAR(p, o)
- * reads doubles and gives their difference from o rounded to floats, F_STORE
- * writes doubles, and F_POSITIVE(a, b) is a > 0 ? b : nan. F_LOAD and F_SAVE are
- * from and to floats, and F_FAR(p, o) is F_NEAR of what is floats in memory.
  * Vectors have +, -, * and /. Every operation is one rounding of IEEE 754 in each
  * lane. */
 #include <math.h>
+
+#define SAME(a, b, c) ONLY(EQUAL(a, b), c)
+#define CHOOSE(a, b, c) SELECT(LESS(ALL(0), a), b, c)
+#define IS_POSITIVE(a) (LANES_OF(LESS(ALL(0), a)) == (1u << WIDTH) - 1)
 
 #include "exact.h"
 #include "farthest.h"
 #include "rows.h"
 #include "signs.h"
 
-#define COLUMN double
 #define REAL double
-#define R V
-#define R_WIDTH WIDTH
-#define R_NEAR(p, o) (LOAD(p) - ALL(o))
-#define R_STORE(p, a) STORE(p, a)
-#define R_ALL(a) ALL(a)
-#define R_FMA(a, b, c) FMA(a, b, c)
-#define R_POSITIVE(a, b) CHOOSE(a, b, ALL((double)NAN))
+#define R_FMA fma
 #define MOST 0x1p1000
 #define NAME(x) double_##x
 #include "plain.h"
 
 #undef REAL
-#undef R
-#undef R_WIDTH
-#undef R_NEAR
-#undef R_STORE
-#undef R_ALL
 #undef R_FMA
-#undef R_POSITIVE
 #undef MOST
 #undef NAME
 
 #define REAL float
-#define R F
-#define R_WIDTH F_WIDTH
-#define R_NEAR(p, o) F_NEAR(p, o)
-#define R_STORE(p, a) F_STORE(p, a)
-#define R_ALL(a) F_ALL(a)
-#define R_FMA(a, b, c) F_FMA(a, b, c)
-#define R_POSITIVE(a, b) F_POSITIVE(a, b)
-#define MOST 0x1p120
+#define R_FMA fmaf
+#define MOST 0x1p120f
 #define NAME(x) single_##x
 #include "plain.h"
 
-/* Columns of floats, to the same bits. Where the difference of two floats has no room
- * in a double, they are so far apart that it is the larger one, as a float: to round
- * once or twice is the same. */
-#undef COLUMN
-#define COLUMN float
-#undef R_NEAR
-#define R_NEAR(p, o)                                                      \
-	((double)(float)(o) == (o) ? (F)(F_LOAD(p) - F_ALL((float)(o))) : \
-				     F_FAR(p, o))
-#undef R_STORE
-#define R_STORE(p, a) F_SAVE(p, a)
-#undef NAME
-#define NAME(x) floats_##x
-#include "plain.h"
+#include "floats.h"
 
 #define KERNELS_OF(prefix)                                                \
 	[KERNEL_FLAT] = prefix##_flat, [KERNEL_AFFINE] = prefix##_affine, \
@@ -99,6 +72,4 @@ const struct kernels COPY = {
 	.farthest = farthest,
 	.split = { ROWS_OF(split_narrow), ROWS_OF(split_wide) },
 	.join = { ROWS_OF(join_narrow), ROWS_OF(join_wide) },
-	.split_floats = ROWS_OF(split_floats),
-	.join_floats = ROWS_OF(join_floats),
 };

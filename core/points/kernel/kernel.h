@@ -73,12 +73,13 @@ typedef int (*exact_kernel)(const struct kernel_map *,
     const double *const in[3], double *const out[], size_t n);
 
 /* Where there is no image, or something on the way was beyond the precision's
- * range, a coordinate is nan or infinite. Returns whether that is surely nowhere so,
- * but for lanes past n. */
+ * range, a coordinate is nan or infinite. Returns whether that is surely nowhere so. */
 typedef int (*plain_kernel)(const struct kernel_map *,
     const double *const in[3], double *const out[3], size_t n);
-typedef int (*float_kernel)(const struct kernel_map *, const float *const in[3],
-    float *const out[3], size_t n);
+
+/* The same in single, from rows of floats to rows of floats, -0 as 0. */
+typedef int (*float_kernel)(const struct kernel_map *, const char *in,
+    char *out, size_t n);
 
 /* The bound of the plain kernels' errors, in units of roundoff; derived and
  * claimed in plain.h. */
@@ -140,17 +141,12 @@ struct kernels {
 	enum processor processor;
 	exact_kernel exact[KERNELS];
 	plain_kernel plain[3][KERNELS]; /* by precision */
-	float_kernel floats[KERNELS];   /* single, to the same bits */
+	float_kernel floats[KERNELS];
 	signs_kernel signs;
 	farthest_kernel farthest;
 	/* By whether rows are of doubles, and how many. */
 	split_kernel split[2][5];
 	join_kernel join[2][5];
-	/* From rows of floats to columns of floats and back. */
-	void (*split_floats[5])(const char *rows,
-	    float (*columns)[POINTS_BLOCK], size_t n);
-	void (*join_floats[5])(float (*columns)[POINTS_BLOCK], char *rows,
-	    size_t n);
 };
 
 extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512,

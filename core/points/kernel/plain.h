@@ -20,73 +20,72 @@
  * unless w does, whose reciprocal would be 0. */
 
 /* Column k of the map. */
-static inline R NAME(
-    column)(const struct kernel_map *m, int k, const R p[3], int terms)
+static inline REAL NAME(
+    column)(const struct kernel_map *m, int k, const REAL p[3], int terms)
 {
-	R c = R_ALL((REAL)m->hi[3][k]);
+	REAL c = (REAL)m->hi[3][k];
 
 	for (int l = 0; l < terms; l++)
-		c = R_FMA(p[l], R_ALL((REAL)m->hi[l][k]), c);
+		c = R_FMA(p[l], (REAL)m->hi[l][k], c);
 	return c;
 }
 
-static inline int NAME(all_finite)(R a)
+/* The image q of a point whose differences from the origin are p. */
+static inline __attribute__((always_inline)) void NAME(
+    image)(const struct kernel_map *m, const REAL p[3], REAL q[3],
+    enum kernel_kind kind)
 {
-	COLUMN all[R_WIDTH];
-	int finite = 1;
+	const int terms = kernel_terms(kind), columns = kernel_columns(kind);
+	REAL w = 1, r = 1;
 
-	R_STORE(all, a);
-	for (int i = 0; i < R_WIDTH; i++)
-		finite &= isfinite(all[i]);
-	return finite;
+	if (kernel_divides(kind)) {
+		w = NAME(column)(m, 3, p, terms);
+		r = 1 / w;
+	}
+	for (int k = 0; k < columns; k++)
+		q[k] = NAME(column)(m, k, p, terms) * r;
+	if (kind == KERNEL_DEPTH)
+		q[2] = R_FMA((REAL)m->b_hi, r, (REAL)m->a_hi);
+	if (kernel_divides(kind)) {
+		REAL near = w < MOST ? 0 : (REAL)NAN;
+
+		q[0] += w > 0 ? near : (REAL)NAN;
+	}
 }
 
 static inline __attribute__((always_inline)) int NAME(
-    plain)(const struct kernel_map *m, const COLUMN *const in[3],
-    COLUMN *const out[3], size_t n, enum kernel_kind kind)
+    plain)(const struct kernel_map *m, const double *const in[3],
+    double *restrict x, double *restrict y, double *restrict z, size_t n,
+    enum kernel_kind kind)
 {
-	const int terms = kernel_terms(kind), columns = kernel_columns(kind);
-	const int divide = kernel_divides(kind);
-	/* copies, as for the compiler what is stored could change the map */
+	const int terms = kernel_terms(kind);
+	/* copies, as for the compiler what is stored could change them */
+	const double *const from[3] = { in[0], in[1], in[2] };
 	const struct kernel_map own = *m;
-	R sum = R_ALL(0);
+	int beyond = 0;
 
-	m = &own;
-	for (size_t i = 0; i < n; i += R_WIDTH) {
-		R p[3], q[3], w = R_ALL(1), r = w;
+	for (size_t i = 0; i < n; i++) {
+		REAL p[3], q[3], sum = 0;
 
 		for (int k = 0; k < terms; k++)
-			p[k] = R_NEAR(in[k] + i, m->origin[k]);
-		if (divide) {
-			w = NAME(column)(m, 3, p, terms);
-			r = R_ALL(1) / w;
-		}
-		for (int k = 0; k < columns; k++) {
-			q[k] = NAME(column)(m, k, p, terms);
-			if (divide)
-				q[k] = q[k] * r;
-		}
-		if (kind == KERNEL_DEPTH) {
-			R a = R_ALL((REAL)m->a_hi), b = R_ALL((REAL)m->b_hi);
-
-			q[2] = R_FMA(b, r, a);
-		}
-		if (divide)
-			q[0] = R_POSITIVE(w,
-			    R_POSITIVE(R_ALL((REAL)MOST) - w, q[0]));
-		for (int k = 0; k < terms; k++) {
-			R_STORE(out[k] + i, q[k]);
+			p[k] = (REAL)(from[k][i] - own.origin[k]);
+		NAME(image)(&own, p, q, kind);
+		x[i] = (double)q[0];
+		y[i] = (double)q[1];
+		if (terms > 2)
+			z[i] = (double)q[2];
+		for (int k = 0; k < terms; k++)
 			sum += q[k];
-		}
+		beyond |= sum - sum == 0 ? 0 : -1;
 	}
-	return NAME(all_finite)(sum);
+	return beyond == 0;
 }
 
-#define LOOP(KIND, name)                                               \
-	static int NAME(name)(const struct kernel_map *m,              \
-	    const COLUMN *const in[3], COLUMN *const out[3], size_t n) \
-	{                                                              \
-		return NAME(plain)(m, in, out, n, KIND);               \
+#define LOOP(KIND, name)                                                    \
+	static int NAME(name)(const struct kernel_map *m,                   \
+	    const double *const in[3], double *const out[3], size_t n)      \
+	{                                                                   \
+		return NAME(plain)(m, in, out[0], out[1], out[2], n, KIND); \
 	}
 
 LOOP(KERNEL_FLAT, flat)

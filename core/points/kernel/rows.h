@@ -70,61 +70,22 @@ join(double (*restrict columns)[POINTS_BLOCK], char *restrict rows, size_t n,
 	return unsure == 0;
 }
 
-static inline __attribute__((always_inline)) void
-split_single(const char *restrict rows, float (*restrict columns)[POINTS_BLOCK],
-    size_t n, size_t numbers)
-{
-	for (size_t i = 0; i < n; i++)
-		for (size_t k = 0; k < numbers; k++)
-			columns[k][i] = little_float(
-			    rows + 4 * (numbers * i + k));
-}
-
-static inline __attribute__((always_inline)) void
-join_single(float (*restrict columns)[POINTS_BLOCK], char *restrict rows,
-    size_t n, size_t numbers)
-{
-	for (size_t i = 0; i < n; i++)
-		for (size_t k = 0; k < numbers; k++) {
-			float v = columns[k][i] + 0.0f;
-
-			put_little_float(rows + 4 * (numbers * i + k), v);
-		}
-}
-
-#define ROWS(N)                                                                \
-	static int split_narrow_##N(const char *rows,                          \
-	    double(*columns)[POINTS_BLOCK], size_t n, double most)             \
-	{                                                                      \
-		return split(rows, columns, n, most, N, 0);                    \
-	}                                                                      \
-	static int split_wide_##N(const char *rows,                            \
-	    double(*columns)[POINTS_BLOCK], size_t n, double most)             \
-	{                                                                      \
-		return split(rows, columns, n, most, N, 1);                    \
-	}                                                                      \
-	static int join_narrow_##N(double(*columns)[POINTS_BLOCK], char *rows, \
-	    size_t n)                                                          \
-	{                                                                      \
-		return join(columns, rows, n, N, 0);                           \
-	}                                                                      \
-	static int join_wide_##N(double(*columns)[POINTS_BLOCK], char *rows,   \
-	    size_t n)                                                          \
-	{                                                                      \
-		return join(columns, rows, n, N, 1);                           \
-	}                                                                      \
-	static void split_floats_##N(const char *rows,                         \
-	    float(*columns)[POINTS_BLOCK], size_t n)                           \
-	{                                                                      \
-		split_single(rows, columns, n, N);                             \
-	}                                                                      \
-	static void join_floats_##N(float(*columns)[POINTS_BLOCK], char *rows, \
-	    size_t n)                                                          \
-	{                                                                      \
-		join_single(columns, rows, n, N);                              \
+#define ROWS(name, numbers, wide)                                          \
+	static int split_##name(const char *rows,                          \
+	    double(*columns)[POINTS_BLOCK], size_t n, double most)         \
+	{                                                                  \
+		return split(rows, columns, n, most, numbers, wide);       \
+	}                                                                  \
+	static int join_##name(double(*columns)[POINTS_BLOCK], char *rows, \
+	    size_t n)                                                      \
+	{                                                                  \
+		return join(columns, rows, n, numbers, wide);              \
 	}
 
-ROWS(2)
-ROWS(3)
-ROWS(4)
+ROWS(narrow_2, 2, 0)
+ROWS(narrow_3, 3, 0)
+ROWS(narrow_4, 4, 0)
+ROWS(wide_2, 2, 1)
+ROWS(wide_3, 3, 1)
+ROWS(wide_4, 4, 1)
 #undef ROWS
