@@ -178,11 +178,9 @@ static void check_distances(const struct document *d, const struct options *o,
 }
 
 /* At the near and far plane, and at distances. */
-static void put_depth_steps(struct printer *p, const struct scene *s,
-    const struct options *o, const struct depth *z)
+static void put_depth_steps(struct printer *p, const struct options *o,
+    const struct depth *z)
 {
-	const struct viewport *v = s->has_viewport ? &s->viewport : NULL;
-
 	if (o->n_distances > 0) {
 		put_name_on_new_line(p, "distances");
 		put_numbers(p, o->distance, o->n_distances);
@@ -192,10 +190,10 @@ static void put_depth_steps(struct printer *p, const struct scene *s,
 	for (enum buffer b = 0; b < BUFFERS; b++) {
 		put_name(p, buffers[b]);
 		put_open(p, "[");
-		put_number(p, depth_step(z, v, b, false));
-		put_number(p, depth_step(z, v, b, true));
+		put_number(p, depth_step(z, b, false));
+		put_number(p, depth_step(z, b, true));
 		for (int i = 0; i < o->n_distances; i++)
-			put_number(p, depth_step_at(z, v, b, o->distance[i]));
+			put_number(p, depth_step_at(z, b, o->distance[i]));
 		put_close(p, "]");
 	}
 	put_close(p, "}");
@@ -255,7 +253,7 @@ static void put_spatial(struct printer *p, const struct document *d,
 	check_distances(d, o, &z, r.near, r.far);
 	put_taxonomy(p, &t);
 	put_planes(p, &t, &r);
-	put_depth_steps(p, &d->scene, o, &z);
+	put_depth_steps(p, o, &z);
 	put_bounds(p, bound, o->tolerance > 0 ? o->tolerance : 0.5);
 	put_name_on_new_line(p, "scene");
 	if (r.has_scene)

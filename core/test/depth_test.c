@@ -122,10 +122,13 @@ static double search(const struct projector *p, enum buffer b, double end)
 	return end;
 }
 
-static double step_of(const struct depth *z, const struct scene *s,
-    enum buffer b, bool far)
+static double step_of(const struct scene *s, bool reversed, enum buffer b,
+    bool far)
 {
-	return depth_step(z, &s->viewport, b, far);
+	struct depth z;
+
+	depth_of(s, reversed, &z);
+	return depth_step(&z, b, far);
 }
 
 /* What was rounded to nearest lies at the first such distance or just before
@@ -139,16 +142,13 @@ static void steps_are_the_first(void **state)
 	(void)state;
 	sample_seed(32);
 	for (int k = 0; k < 250; k++) {
-		struct depth z;
-
 		sample_scene(&s, k % 5 == 0 ? 2 : 0);
 		sample_answer(&s);
 		if (taxonomy_of(&s, &t) != NULL)
 			continue;
-		depth_of(&s, t.reversed, &z);
 		for (int i = 0; i < 6; i++) {
 			enum buffer b = (enum buffer)(i / 2);
-			double d = step_of(&z, &s, b, i % 2), least;
+			double d = step_of(&s, t.reversed, b, i % 2), least;
 			int mark = real_mark();
 			struct projector p;
 
@@ -192,24 +192,23 @@ static void depth_without_end(void **state)
 	(void)state;
 	/* depth = 1 - 1 / z is 1/65535 at 65535/65534 */
 	depth_of(&s, false, &z);
-	assert_true(step_of(&z, &s, BUFFER_UNORM16, false) == 1.0 / 65534);
-	assert_true(step_of(&z, &s, BUFFER_FLOAT32, false) == 0x1p-149);
+	assert_true(step_of(&s, false, BUFFER_UNORM16, false) == 1.0 / 65534);
+	assert_true(step_of(&s, false, BUFFER_FLOAT32, false) == 0x1p-149);
 	for (enum buffer b = 0; b < BUFFERS; b++)
-		assert_true(isnan(step_of(&z, &s, b, true)) != 0);
+		assert_true(isnan(step_of(&s, false, b, true)) != 0);
 	/* from z = 2, depth 1/2, to 1/2 - 1/65535 and 1/2 - 2^-25 */
+	assert_true(depth_step_at(&z, BUFFER_UNORM16, 2) == 4.0 / 65537);
 	assert_true(
-	    depth_step_at(&z, &s.viewport, BUFFER_UNORM16, 2) == 4.0 / 65537);
-	assert_true(depth_step_at(&z, &s.viewport, BUFFER_FLOAT32, 2) ==
-	    0x1p-23 / (1 + 0x1p-24));
+	    depth_step_at(&z, BUFFER_FLOAT32, 2) == 0x1p-23 / (1 + 0x1p-24));
 	/* reversed, 1 / z is 1 - 2^-24 at 1 / (1 - 2^-24) */
 	s.projection.reverse_z = true;
 	depth_of(&s, true, &z);
-	assert_true(step_of(&z, &s, BUFFER_FLOAT32, false) == 1 / 0xffffffp0);
+	assert_true(step_of(&s, true, BUFFER_FLOAT32, false) == 1 / 0xffffffp0);
 	/* 1/3 is between two floats */
 	float up = (float)(1.0 / 3);
 
 	assert_true((double)up > 1.0 / 3);
-	double step = depth_step_at(&z, &s.viewport, BUFFER_FLOAT32, 3);
+	double step = depth_step_at(&z, BUFFER_FLOAT32, 3);
 
 	/* 3 - 1/up = (3 up - 1) / up, of which no difference is rounded */
 	assert_true(step == fma(3, (double)up, -1) / (double)up);
@@ -218,30 +217,28 @@ static void depth_without_end(void **state)
 static void a_range_below_a_step_has_none(void **state)
 {
 	struct scene s = near_and_far(1, 2);
-	struct depth z;
 
 	(void)state;
-	depth_of(&s, false, &z);
 	for (int i = 0; i < 6; i++) {
 		enum buffer b = (enum buffer)(i / 2);
 
 		s.viewport.min_z = 1;
-		assert_true(isnan(step_of(&z, &s, b, i % 2)) != 0);
+		assert_true(isnan(step_of(&s, false, b, i % 2)) != 0);
 		s.viewport.min_z = 1 - 0x1p-24;
-		assert_true(
-		    isnan(step_of(&z, &s, b, i % 2)) == (b != BUFFER_FLOAT32));
+		assert_true(isnan(step_of(&s, false, b, i % 2)) ==
+		    (b != BUFFER_FLOAT32));
 		s.viewport.min_z = 1 - 0x1p-23;
-		assert_true(
-		    isnan(step_of(&z, &s, b, i % 2)) == (b == BUFFER_UNORM16));
+		assert_true(isnan(step_of(&s, false, b, i % 2)) ==
+		    (b == BUFFER_UNORM16));
 	}
 	/* the next float above -1e39 is the least; above 1e38 none is below this */
 	s.viewport.min_z = -1e39;
 	s.viewport.max_z = -1;
-	assert_true(step_of(&z, &s, BUFFER_FLOAT32, false) > 0);
+	assert_true(step_of(&s, false, BUFFER_FLOAT32, false) > 0);
 	s.viewport.min_z = 1e38;
 	s.viewport.max_z = nextafter(1e38, 2e38);
-	assert_true(isnan(step_of(&z, &s, BUFFER_FLOAT32, false)) != 0);
-	assert_true(isnan(step_of(&z, &s, BUFFER_FLOAT32, true)) != 0);
+	assert_true(isnan(step_of(&s, false, BUFFER_FLOAT32, false)) != 0);
+	assert_true(isnan(step_of(&s, false, BUFFER_FLOAT32, true)) != 0);
 }
 
 int main(void)
