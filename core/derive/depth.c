@@ -19,19 +19,20 @@ static void line_on_device(struct sum line[2], double first,
 	line[0] = sum_negated_if(falls, sum_scale(line[0], 1 - first));
 }
 
-/* A perspective's distance is w over the length of the gradient of w, where 1/w is
- * (c2 z + c3) / det by the inverse's last column, on the axis through the device's
- * middle. */
-static void set_perspective(const struct map *m, const struct sum w[3],
-    struct depth *d)
+/* A perspective's distance D is w over the length of the gradient of w. Along that
+ * gradient n from the eye, where x, y and w are 0 and clip z is -det / (x y w) by Cramer,
+ * (z n) D / |n| - det / (x y w) = ndc z |n| D. */
+static void set_perspective(const struct map *m, const struct sum z[3],
+    const struct sum w[3], struct depth *d)
 {
 	struct sum det = map_minor(4, m->m, 0, 0);
-	struct sum length = sum_negated_if(sum_sign(det) < 0, vec3_length(w));
+	struct sum xyw = sum_negated_if(sum_sign(det) > 0,
+	    map_minor(3, m->m, 8, 4));
 
 	d->over[0] = sum_of_double(0);
-	d->over[1] = sum_abs(det);
-	d->under[0] = sum_neg(sum_mul(length, map_minor(3, m->m, 8, 4)));
-	d->under[1] = sum_mul(length, map_minor(3, m->m, 8, 8));
+	d->over[1] = sum_mul(vec3_length(w), sum_abs(det));
+	d->under[0] = sum_mul(xyw, vec3_dot(w, w));
+	d->under[1] = sum_neg(sum_mul(xyw, vec3_dot(w, z)));
 }
 
 /* A parallel projection's is that of clip z, along the convention's gaze or, of a
@@ -72,7 +73,7 @@ void depth_of(const struct scene *s, bool reversed, struct depth *d)
 	if (vec3_is_zero(w))
 		set_parallel(s, &m, z, d);
 	else
-		set_perspective(&m, w, d);
+		set_perspective(&m, z, w, d);
 	line_on_device(d->over, first, d);
 	line_on_device(d->under, first, d);
 }

@@ -11,7 +11,7 @@ enum buffer { BUFFER_UNORM16, BUFFER_UNORM24, BUFFER_FLOAT32, BUFFERS };
  * (over[0] z + over[1]) / (under[0] z + under[1]), along the gaze from the eye, where
  * under[0] is not 0, or from the origin of view space. Depth lies in front where the
  * denominator is positive. Where planes of equal depth are not parallel to the
- * projection plane it holds on the projector through the middle of the device. */
+ * projection plane it holds on the normal of that through the eye. */
 struct depth {
 	struct sum over[2], under[2];
 	double low, high; /* of ndc depth 0 or -1, and 1 */

@@ -16,8 +16,8 @@
 
 static const double most[BUFFERS] = { 65535, 16777215, 0 };
 
-/* The projector through the middle of the device, from one plane towards the
- * other, and what the device makes of it. */
+/* The normal of the projection plane, in a perspective through the eye, from one plane
+ * towards the other, and what the device makes of it. */
 struct projector {
 	real from[3], along[3]; /* unit distance along the gaze */
 	real m[4][4];           /* view to device */
@@ -57,48 +57,65 @@ static bool reached(const struct projector *p, double distance, enum buffer b)
 	return is;
 }
 
-/* Under the inverse, ndc z = a of x = y = 0; false where it is not seen. */
-static bool place(real inverse[4][4], double a, real h[4])
-{
-	real size = magnitude(inverse[3][3]);
+/* How far along the normal from its origin ndc z = a is, n / d, where d > 0 if that is
+ * seen: z + slope n / d is a w n / d in a perspective, whose eye has w = 0, else a w. */
+struct place {
+	real n, d;
+};
 
-	for (int j = 0; j < 4; j++)
-		h[j] = add(mul(number(a), inverse[2][j]), inverse[3][j]);
-	return mpfr_sgn(h[3]) > 0 && !is_zero(h[3], size);
+static struct place place(real z, real slope, real w, bool parallel, double a)
+{
+	struct place p = { z, sub(mul(number(a), w), slope) };
+
+	if (parallel)
+		p = (struct place){ sub(mul(number(a), w), z), slope };
+	if (mpfr_sgn(parallel ? p.d : p.n) < 0)
+		p = (struct place){ sub(number(0), p.n), sub(number(0), p.d) };
+	if (is_zero(p.d, slope))
+		p.d = number(0);
+	return p;
 }
 
 /* Plane 0 is near, 1 far. False where it lies at infinity or behind. */
 static bool projector_of(const struct scene *s, const struct taxonomy *t,
     int plane, struct projector *p)
 {
-	bool minus_one = truth_answer(s)->minus_one;
-	double low = minus_one ? -1 : 0;
+	double low = truth_answer(s)->minus_one ? -1 : 0;
 	bool deep = plane == 1 ? !t->reversed : t->reversed;
-	real inverse[4][4], a[4], b[4], normal[3];
 	bool parallel = t->taxon <= TAXON_OBLIQUE;
+	real inverse[4][4], normal[3], gradient[3];
 
 	truth_matrix(s, SPACE_CLIP, SPACE_VIEW, inverse);
 	truth_matrix(s, SPACE_VIEW, SPACE_CLIP, p->m);
-	for (int i = 0; i < 3; i++)
-		normal[i] = p->m[i][parallel ? 2 : 3];
-	truth_matrix(s, SPACE_VIEW, SPACE_DEVICE, p->m);
-	place(inverse, deep ? low : 1, b);
-	if (!place(inverse, deep ? 1 : low, a))
-		return false;
-	for (int i = 0; i < 3; i++) {
-		p->from[i] = over(a[i], a[3]);
-		p->along[i] = sub(mul(b[i], a[3]), mul(a[i], b[3]));
-	}
-	normalise(normal, 3);
-	real height = magnitude(dot(p->along, normal, 3));
+	real *eye = inverse[parallel ? 3 : 2], z = p->m[3][2];
 
-	if (mpfr_zero_p(height))
+	for (int i = 0; i < 3; i++) {
+		gradient[i] = p->m[i][2];
+		normal[i] = p->m[i][parallel ? 2 : 3];
+		p->from[i] = over(eye[i], eye[3]);
+		z = add(z, mul(p->from[i], gradient[i]));
+	}
+	real w = p->m[3][3];
+
+	if (!parallel)
+		w = root(dot(normal, normal, 3));
+	normalise(normal, 3);
+	real slope = dot(gradient, normal, 3);
+	struct place at = place(z, slope, w, parallel, deep ? 1 : low);
+	struct place to = place(z, slope, w, parallel, deep ? low : 1);
+
+	if (mpfr_sgn(at.d) <= 0 || (parallel && mpfr_sgn(w) <= 0))
 		return false;
-	for (int i = 0; i < 3; i++)
-		p->along[i] = over(p->along[i], height);
+	int inward = mpfr_sgn(sub(mul(to.n, at.d), mul(at.n, to.d)));
+
+	for (int i = 0; i < 3; i++) {
+		p->from[i] = add(p->from[i], mul(normal[i], over(at.n, at.d)));
+		p->along[i] = mul(normal[i], number(inward));
+	}
+	truth_matrix(s, SPACE_VIEW, SPACE_DEVICE, p->m);
 	p->z = deep ? s->viewport.max_z : s->viewport.min_z;
 	p->up = deep == (s->viewport.max_z < s->viewport.min_z);
-	return true;
+	return inward != 0;
 }
 
 /* The least double distance at which the next step is reached, found by halving its
