@@ -28,44 +28,47 @@ static void combine_columns(struct map *r, int j, const struct map *m,
 /* left: x scale >= -half w, right: x scale <= half w, and so on; y's sign is
  * turned where ndc y points down, near and far where depth is reversed. Where there
  * are no planes everything is between them. */
-static void planes(const struct scene *s, const struct map *m,
+const char *view_planes(const struct scene *s, enum space from,
     struct map *sides, struct map *ends)
 {
 	const struct convention *c = answer_convention(s);
 	bool reversed = projection_is_reversed(&s->projection, &s->convention);
 	struct sum half[2], scale[2], one = sum_of_double(1);
-
-	view_limits(s, half, scale);
-	for (int k = 0; k < 4; k++) {
-		bool high = (k & 1) ^ (k >= 2 && c->ndc_y_down);
-
-		combine_columns(sides, k, m, high, k / 2, scale[k / 2],
-		    half[k / 2]);
-	}
-	combine_columns(ends, reversed, m, false, 2, one,
-	    sum_of_double(c->minus_one));
-	combine_columns(ends, !reversed, m, true, 2, one, one);
-	for (int i = 0; i < 4 && projection_is_open(&s->projection); i++)
-		ends->m[i][0] = ends->m[i][1] = sum_of_double(i == 3);
-}
-
-const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
-    struct frustum *f)
-{
 	struct map m;
 	const char *why = scene_map(s, from, SPACE_CLIP, &m);
 
 	if (why != NULL)
 		return why;
-	f->sides.map = f->ends.map = m;
-	planes(s, &m, &f->sides.map, &f->ends.map);
+	*sides = *ends = m;
+	view_limits(s, half, scale);
+	for (int k = 0; k < 4; k++) {
+		bool high = (k & 1) ^ (k >= 2 && c->ndc_y_down);
+
+		combine_columns(sides, k, &m, high, k / 2, scale[k / 2],
+		    half[k / 2]);
+	}
+	combine_columns(ends, reversed, &m, false, 2, one,
+	    sum_of_double(c->minus_one));
+	combine_columns(ends, !reversed, &m, true, 2, one, one);
+	for (int i = 0; i < 4 && projection_is_open(&s->projection); i++)
+		ends->m[i][0] = ends->m[i][1] = sum_of_double(i == 3);
 	if (from == SPACE_NDC || from == SPACE_DEVICE)
 		why = scene_map(s, from, SPACE_VIEW, &m);
 	for (int i = 0; i < 4; i++)
-		f->ends.map.m[i][2] = m.m[i][3];
+		ends->m[i][2] = m.m[i][3];
+	return why;
+}
+
+const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
+    struct frustum *f)
+{
+	const char *why = view_planes(s, from, &f->sides.map, &f->ends.map);
+
+	if (why != NULL)
+		return why;
 	transform_init(&f->sides, from, SPACE_CLIP, homogeneous);
 	transform_init(&f->ends, from, SPACE_CLIP, homogeneous);
-	return why;
+	return NULL;
 }
 
 const char *flat_frustum_of(const struct scene *s, enum flat from,

@@ -28,8 +28,10 @@ struct frustum {
  * half: the viewport's limits, less the margin. */
 void view_limits(const struct scene *, struct sum half[2], struct sum scale[2]);
 
-/* The planes as seen from one space, with its viewport's limits. Returns NULL,
- * or the member and the reason. */
+/* The planes as seen from one space, with its viewport's limits, as columns. Returns
+ * NULL, or the member and the reason. */
+const char *view_planes(const struct scene *, enum space from,
+    struct map *sides, struct map *ends);
 const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
     struct frustum *);
 

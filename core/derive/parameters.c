@@ -190,11 +190,11 @@ static void set_planes(const struct scene *s, const struct upright *u,
 
 static const char *set_frustum_planes(const struct scene *s, double plane[6][4])
 {
-	struct frustum f;
-	const char *why = frustum_of(s, SPACE_WORLD, false, &f);
+	struct map sides, ends;
+	const char *why = view_planes(s, SPACE_WORLD, &sides, &ends);
 
 	for (int k = 0; k < 6 && why == NULL; k++) {
-		const struct map *m = k < 4 ? &f.sides.map : &f.ends.map;
+		const struct map *m = k < 4 ? &sides : &ends;
 		struct sum v[4];
 
 		for (int i = 0; i < 4; i++)
