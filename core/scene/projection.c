@@ -3,8 +3,6 @@
 
 #include <string.h>
 
-#include "../exact/vec3.h"
-
 /* The matrix of every projection that is made of parameters:
  *	 x   0   0   0
  *	 yx  y   0   0
@@ -497,20 +495,10 @@ static bool is_any_p(const struct projection *p)
 		(k[1][0] != 0 || k[0][0] == 0 || k[1][1] == 0));
 }
 
-struct sum projection_w_slope(const struct projection *p)
-{
-	struct sum w[3];
-
-	if (!projection_is_tilted(p))
-		return sum_of_double(1);
-	for (int j = 0; j < 3; j++)
-		w[j] = sum_of_double(p->intrinsics[2][j]);
-	return vec3_length(w);
-}
-
-/* X, Y and Z are view x, y and z but for their signs, on both sides. */
-void projection_level(const struct projection *p, const struct convention *c,
-    double level[4][4])
+/* Of a tilted P, view space to a space in which P is K = 1 0 0, 0 1 0, 0 0 1. X, Y and
+ * Z are view x, y and z but for their signs, on both sides. */
+static void projection_level(const struct projection *p,
+    const struct convention *c, double level[4][4])
 {
 	const double sign[4] = { 1, c->bottom_left == c->view_y_down ? -1 : 1,
 		looks_back(c) ? -1 : 1, 1 };

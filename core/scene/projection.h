@@ -103,13 +103,6 @@ static inline double projection_w_at_eye(const struct projection *p)
 	return offset ? p->intrinsics[2][3] : 0;
 }
 
-/* How much w grows in a unit of length across the projection plane, in a persp. */
-struct sum projection_w_slope(const struct projection *);
-
-/* Of a tilted P, view space to a space in which P is K = 1 0 0, 0 1 0, 0 0 1. */
-void projection_level(const struct projection *, const struct convention *,
-    double level[4][4]);
-
 /* Of a volume: 1/z of the eye, as a quotient of which the denominator is exact. The
  * angle is that across the smaller side, seen from before the near plane. */
 void projection_inverse_eye_z(const struct projection *, struct sum *over,
