@@ -8,7 +8,7 @@
 enum { BOUNDS_POINTS = 10 };
 
 /* A sphere, a box, or where n is not 0 the points among many that lie farthest in the
- * directions that count, and the box about these. In model space; the world matrix
+ * directions that count. In model space; the world matrix
  * makes an ellipsoid of a sphere. A window's have no third coordinate, and the sphere
  * is a circle. */
 struct bounds {
@@ -18,11 +18,6 @@ struct bounds {
 	int n;
 	double point[BOUNDS_POINTS][3];
 };
-
-#define BOUNDS_SINGLE "/bounds: a single point; what has an extent is wanted"
-#define BOUNDS_BEYOND                                                       \
-	"/bounds: what holds them has numbers beyond 1e150 or sizes below " \
-	"1e-150; choose another unit"
 
 /* What is within a radius of the convex hull of some points. */
 struct hull {
