@@ -2,7 +2,6 @@
 #include <string.h>
 
 #include "../core/derive/fit.h"
-#include "../core/derive/fit_window.h"
 #include "call/input.h"
 #include "call/operands.h"
 #include "scene/print_scene.h"

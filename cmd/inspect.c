@@ -2,7 +2,6 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "../core/derive/depth.h"
 #include "../core/derive/error_bound.h"
 #include "../core/derive/parameters.h"
 #include "json/print.h"
@@ -154,14 +153,11 @@ static void put_notes(struct printer *p, unsigned bits)
 
 /* Refuses a distance that is not from near to far, in either order. */
 static void check_distances(const struct document *d, const struct options *o,
-    const struct depth *z, double near, double far)
+    const struct depth *z)
 {
+	double near = depth_distance(z, false), far = depth_distance(z, true);
 	char why[160];
 
-	if (isnan(near))
-		near = depth_distance(z, false);
-	if (isnan(far))
-		far = depth_distance(z, true);
 	if (isnan(far)) /* behind the eye, beyond infinity */
 		far = HUGE_VAL;
 	for (int i = 0; i < o->n_distances && !z->open; i++) {
@@ -178,11 +174,9 @@ static void check_distances(const struct document *d, const struct options *o,
 }
 
 /* At the near and far plane, and at distances. */
-static void put_depth_steps(struct printer *p, const struct scene *s,
-    const struct options *o, const struct depth *z)
+static void put_depth_steps(struct printer *p, const struct options *o,
+    const struct depth *z)
 {
-	const struct viewport *v = s->has_viewport ? &s->viewport : NULL;
-
 	if (o->n_distances > 0) {
 		put_name_on_new_line(p, "distances");
 		put_numbers(p, o->distance, o->n_distances);
@@ -192,10 +186,10 @@ static void put_depth_steps(struct printer *p, const struct scene *s,
 	for (enum buffer b = 0; b < BUFFERS; b++) {
 		put_name(p, buffers[b]);
 		put_open(p, "[");
-		put_number(p, depth_step(z, v, b, false));
-		put_number(p, depth_step(z, v, b, true));
+		put_number(p, depth_step(z, b, false));
+		put_number(p, depth_step(z, b, true));
 		for (int i = 0; i < o->n_distances; i++)
-			put_number(p, depth_step_at(z, v, b, o->distance[i]));
+			put_number(p, depth_step_at(z, b, o->distance[i]));
 		put_close(p, "]");
 	}
 	put_close(p, "}");
@@ -245,17 +239,15 @@ static void put_spatial(struct printer *p, const struct document *d,
 {
 	struct taxonomy t;
 	static struct parameters r;
-	struct depth z;
 	double bound[3];
 
 	document_check(d, taxonomy_of(&d->scene, &t));
 	document_check(d, parameters_of(&d->scene, &t, &r));
 	document_check(d, error_bounds(&d->scene, bound));
-	depth_of(&d->scene, t.reversed, &z);
-	check_distances(d, o, &z, r.near, r.far);
+	check_distances(d, o, &r.depth);
 	put_taxonomy(p, &t);
 	put_planes(p, &t, &r);
-	put_depth_steps(p, &d->scene, o, &z);
+	put_depth_steps(p, o, &r.depth);
 	put_bounds(p, bound, o->tolerance > 0 ? o->tolerance : 0.5);
 	put_name_on_new_line(p, "scene");
 	if (r.has_scene)

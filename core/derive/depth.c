@@ -3,33 +3,58 @@
 
 #include <math.h>
 
-/* With clip z = zz D + tz and w = zw D + tw along the one axis that both depend on,
- * 1/w = (zz - zw z) / (tw zz - tz zw) for ndc z. Else it is the inverse's last column
- * that says so on the axis through the device's middle: (c2 z + c3) / det. */
-static void find_inverse_w(const struct map *m, struct sum c[2],
-    struct sum *det)
+/* Takes a line in ndc depth, of which first is the least, to one in the device's,
+ * times its range. */
+static void line_on_device(struct sum line[2], double first,
+    const struct depth *d)
 {
-	bool square = true;
+	struct sum range = sum_diff(d->high, d->low);
+	struct sum at = sum_diff(first * d->high, d->low);
+	bool falls = d->high < d->low;
 
-	for (int i = 0; i < 4; i++)
-		square &= sum_sign(m->m[i / 2][2 + i % 2]) == 0;
-	if (square) {
-		c[0] = sum_neg(m->m[2][3]);
-		c[1] = m->m[2][2];
-		*det = sum_minor(m->m[3][3], c[1], m->m[3][2], m->m[2][3]);
-	} else {
-		c[0] = sum_neg(map_minor(3, m->m, 8, 4));
-		c[1] = map_minor(3, m->m, 8, 8);
-		*det = map_minor(4, m->m, 0, 0);
-	}
+	line[1] = sum_negated_if(falls,
+	    sum_add(sum_mul(line[0], at), sum_mul(line[1], range)));
+	line[0] = sum_negated_if(falls, sum_scale(line[0], 1 - first));
 }
 
-/* A perspective's distance is w over the length of the gradient of w. A parallel
- * projection's is that of clip z, along the convention's gaze or, of a
+/* A perspective's distance D is w over the length of the gradient of w. Along that
+ * gradient n from the eye, where x, y and w are 0 and clip z is -det / (x y w) by Cramer,
+ * (z n) D / |n| - det / (x y w) = ndc z |n| D. */
+static void set_perspective(const struct map *m, const struct sum z[3],
+    const struct sum w[3], struct depth *d)
+{
+	struct sum det = map_minor(4, m->m, 0, 0);
+	struct sum xyw = sum_negated_if(sum_sign(det) > 0,
+	    map_minor(3, m->m, 8, 4));
+
+	d->over[0] = sum_of_double(0);
+	d->over[1] = sum_mul(vec3_length(w), sum_abs(det));
+	d->under[0] = sum_mul(xyw, vec3_dot(w, w));
+	d->under[1] = sum_neg(sum_mul(xyw, vec3_dot(w, z)));
+}
+
+/* A parallel projection's is that of clip z, along the convention's gaze or, of a
  * matrix, from near to far. */
+static void set_parallel(const struct scene *s, const struct map *m,
+    const struct sum z[3], struct depth *d)
+{
+	bool behind = sum_sign(m->m[3][3]) < 0;
+	bool against = s->projection.type == PROJECTION_MATRIX ?
+	    d->reversed != behind :
+	    sum_sign(z[2]) * (looks_back(&s->convention) ? -1 : 1) < 0;
+
+	d->over[0] = sum_negated_if(against != behind, m->m[3][3]);
+	d->over[1] = sum_negated_if(against == behind, m->m[3][2]);
+	d->under[0] = sum_of_double(0);
+	d->under[1] = sum_negated_if(behind, vec3_length(z));
+}
+
 void depth_of(const struct scene *s, bool reversed, struct depth *d)
 {
-	struct sum w[3], z[3], det;
+	const struct viewport *v = &s->viewport;
+	bool ranges = s->has_viewport && v->min_z != v->max_z;
+	double first = s->convention.minus_one ? -1 : 0;
+	struct sum w[3], z[3];
 	struct map m;
 
 	/* whose reasons the scene has not, as it is not degenerate */
@@ -38,29 +63,17 @@ void depth_of(const struct scene *s, bool reversed, struct depth *d)
 		w[i] = m.m[i][3];
 		z[i] = m.m[i][2];
 	}
-	d->first = s->convention.minus_one ? -1 : 0;
+	d->low = ranges ? v->min_z : 0;
+	d->high = ranges ? v->max_z : 1;
 	d->reversed = reversed;
 	d->open = projection_is_open(&s->projection);
-	if (!vec3_is_zero(w)) {
-		struct sum length = vec3_length(w);
-
-		find_inverse_w(&m, d->under, &det);
-		d->over[0] = sum_of_double(0);
-		d->over[1] = sum_abs(det);
-		for (int i = 0; i < 2; i++)
-			d->under[i] = sum_mul(length,
-			    sum_negated_if(sum_sign(det) < 0, d->under[i]));
-		return;
-	}
-	bool behind = sum_sign(m.m[3][3]) < 0;
-	bool against = s->projection.type == PROJECTION_MATRIX ?
-	    reversed != behind :
-	    sum_sign(z[2]) * (looks_back(&s->convention) ? -1 : 1) < 0;
-
-	d->over[0] = sum_negated_if(against != behind, m.m[3][3]);
-	d->over[1] = sum_negated_if(against == behind, m.m[3][2]);
-	d->under[0] = sum_of_double(0);
-	d->under[1] = sum_negated_if(behind, vec3_length(z));
+	d->flat = s->has_viewport && !ranges;
+	if (vec3_is_zero(w))
+		set_parallel(s, &m, z, d);
+	else
+		set_perspective(&m, z, w, d);
+	line_on_device(d->over, first, d);
+	line_on_device(d->under, first, d);
 }
 
 /* A depth, as an exact quotient. */
@@ -75,45 +88,28 @@ static struct sum at_depth(const struct sum line[2], const struct at *z)
 
 static struct at plane(const struct depth *d, bool far)
 {
-	return (struct at){ sum_of_double(far != d->reversed ? 1 : d->first),
+	return (
+	    struct at){ sum_of_double(far != d->reversed ? d->high : d->low),
 		sum_of_double(1) };
+}
+
+void depth_quotient(const struct depth *d, bool far, struct sum *over,
+    struct sum *under)
+{
+	struct at z = plane(d, far);
+
+	*over = at_depth(d->over, &z);
+	*under = at_depth(d->under, &z);
 }
 
 double depth_distance(const struct depth *d, bool far)
 {
-	struct at z = plane(d, far);
-	struct sum under = at_depth(d->under, &z);
+	struct sum over, under;
 
+	depth_quotient(d, far, &over, &under);
 	if (d->open || sum_sign(under) < 0)
 		return (double)NAN;
-	return sum_sign(under) == 0 ?
-	    HUGE_VAL :
-	    sum_over_or_nan(at_depth(d->over, &z), under);
-}
-
-/* The viewport's depth, from ndc's. */
-static struct at on_device(const struct depth *d, const struct viewport *v,
-    const struct at *z)
-{
-	struct sum range = sum_of_double(1 - d->first);
-	struct sum share = sum_sub(z->n, sum_scale(z->d, d->first));
-
-	return (
-	    struct at){ sum_add(sum_mul(sum_diff(v->max_z, v->min_z), share),
-			    sum_mul(sum_scale(z->d, v->min_z), range)),
-		sum_mul(z->d, range) };
-}
-
-/* And back. */
-static struct at on_ndc(const struct depth *d, const struct viewport *v,
-    const struct at *z)
-{
-	struct sum range = sum_diff(v->max_z, v->min_z);
-	struct sum share = sum_sub(z->n, sum_scale(z->d, v->min_z));
-
-	return (struct at){ sum_add(sum_scale(share, 1 - d->first),
-				sum_mul(sum_scale(z->d, d->first), range)),
-		sum_mul(z->d, range) };
+	return sum_sign(under) == 0 ? HUGE_VAL : sum_over_or_nan(over, under);
 }
 
 static int compare_depths(const struct at *a, const struct at *b)
@@ -136,7 +132,7 @@ static bool next_float(const struct at *z, int up, struct at *next)
 	return isfinite(f) != 0;
 }
 
-/* The depth a step above or below z, on the device. */
+/* The depth a step above or below z. */
 static bool next_depth(const struct at *z, enum buffer b, int up,
     struct at *next)
 {
@@ -150,54 +146,46 @@ static bool next_depth(const struct at *z, enum buffer b, int up,
 	return true;
 }
 
-/* How far it is from one ndc depth to another. */
+/* How far it is from one depth to another; nan where that is nothing. */
 static double between(const struct depth *d, const struct at *a,
     const struct at *b)
 {
-	struct sum det = sum_minor(d->over[0], d->under[1], d->over[1],
-	    d->under[0]);
 	struct sum under[2] = { at_depth(d->under, a), at_depth(d->under, b) };
+	struct sum way = sum_minor(at_depth(d->over, b), under[0],
+	    at_depth(d->over, a), under[1]);
 
-	if (sum_sign(det) == 0 || sum_sign(under[0]) * sum_sign(a->d) <= 0 ||
+	if (sum_sign(way) == 0 || sum_sign(under[0]) * sum_sign(a->d) <= 0 ||
 	    sum_sign(under[1]) * sum_sign(b->d) <= 0)
 		return (double)NAN;
-	return sum_over_or_nan(sum_abs(sum_mul(det,
-				   sum_minor(a->n, b->d, b->n, a->d))),
-	    sum_mul(sum_abs(under[0]), sum_abs(under[1])));
+	return sum_over_or_nan(sum_abs(way),
+	    sum_abs(sum_mul(under[0], under[1])));
 }
 
-/* From ndc depth z a step up or down in ndc, to the limit at most. */
-static double step_from(const struct depth *d, const struct viewport *v,
-    enum buffer b, const struct at *z, int up, const struct at *limit)
+/* From depth z a step up or down, to the limit at most. */
+static double step_from(const struct depth *d, enum buffer b,
+    const struct at *z, int up, const struct at *limit)
 {
-	static const struct viewport whole = { .max_z = 1 };
-	const struct viewport *view = v != NULL ? v : &whole;
-	struct at from = on_device(d, view, z), to;
-	int deeper = (view->max_z > view->min_z) - (view->max_z < view->min_z);
+	struct at to;
 
-	if (d->open || deeper == 0 || !next_depth(&from, b, up * deeper, &to))
-		return (double)NAN;
-	to = on_ndc(d, view, &to);
-	if (limit != NULL && compare_depths(&to, limit) * up > 0)
+	if (d->open || d->flat || !next_depth(z, b, up, &to) ||
+	    (limit != NULL && compare_depths(&to, limit) * up > 0))
 		return (double)NAN;
 	return between(d, z, &to);
 }
 
-double depth_step(const struct depth *d, const struct viewport *v,
-    enum buffer b, bool far)
+double depth_step(const struct depth *d, enum buffer b, bool far)
 {
 	struct at from = plane(d, far), to = plane(d, !far);
 
-	return step_from(d, v, b, &from, far != d->reversed ? -1 : 1, &to);
+	return step_from(d, b, &from, compare_depths(&to, &from), &to);
 }
 
-double depth_step_at(const struct depth *d, const struct viewport *v,
-    enum buffer b, double at)
+double depth_step_at(const struct depth *d, enum buffer b, double at)
 {
 	struct at z = { sum_sub(d->over[1], sum_scale(d->under[1], at)),
 		sum_sub(sum_scale(d->under[0], at), d->over[0]) };
 	struct sum det = sum_minor(d->over[0], d->under[1], d->over[1],
 	    d->under[0]);
 
-	return step_from(d, v, b, &z, -sum_sign(det), NULL);
+	return step_from(d, b, &z, -sum_sign(det), NULL);
 }

@@ -7,34 +7,34 @@
 
 enum buffer { BUFFER_UNORM16, BUFFER_UNORM24, BUFFER_FLOAT32, BUFFERS };
 
-/* The distance of ndc depth z is (over[0] z + over[1]) / (under[0] z + under[1]),
- * along the gaze from the eye, where under[0] is not 0, or from the origin of view
- * space. Depth lies in front where the denominator is positive. Where planes
- * of equal depth are not parallel to the projection plane it holds on the projector
- * through the middle of the device. */
+/* The distance of depth z on the device, or where there is none from 0 to 1, is
+ * (over[0] z + over[1]) / (under[0] z + under[1]), along the gaze from the eye, where
+ * under[0] is not 0, or from the origin of view space. Depth lies in front where the
+ * denominator is positive. Where planes of equal depth are not parallel to the
+ * projection plane it holds on the normal of that through the eye. */
 struct depth {
 	struct sum over[2], under[2];
-	double first; /* the least ndc depth; the greatest is 1 */
-	bool reversed,
-	    open; /* the near plane has the larger depth; there is none */
+	double low, high; /* of ndc depth 0 or -1, and 1 */
+	bool reversed;    /* the near plane has the larger ndc depth */
+	bool open;        /* there is no near plane */
+	bool flat; /* the viewport has one depth; low and high are 0 and 1 */
 };
 
 /* The scene is not degenerate. */
 void depth_of(const struct scene *, bool reversed, struct depth *);
 
-/* The distance of the near or far plane: nan where it lies behind, infinite at
- * infinity. */
+/* The distance of the near or far plane, also as a quotient: nan where it lies behind,
+ * infinite at infinity. */
+void depth_quotient(const struct depth *, bool far, struct sum *over,
+    struct sum *under);
 double depth_distance(const struct depth *, bool far);
 
-/* The distance, inward from the near or far plane, at which the viewport's depth
- * has changed by one step of the buffer, or has reached the next float: nan at
- * infinity, without the plane, and where the whole range is less than a step.
- * Without a viewport depth runs from 0 to 1. */
-double depth_step(const struct depth *, const struct viewport *, enum buffer,
-    bool far);
+/* The distance, inward from the near or far plane, at which depth has changed by one
+ * step of the buffer, or has reached the next float: nan at infinity, without the
+ * plane, and where the whole range is less than a step. */
+double depth_step(const struct depth *, enum buffer, bool far);
 
 /* The same from a distance toward the eye. */
-double depth_step_at(const struct depth *, const struct viewport *, enum buffer,
-    double at);
+double depth_step_at(const struct depth *, enum buffer, double at);
 
 #endif

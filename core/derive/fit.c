@@ -4,7 +4,112 @@
 #include <math.h>
 
 #include "frustum.h"
-#include "fit_camera.h"
+
+#define BEYOND                                                              \
+	"/bounds: what holds them has numbers beyond 1e150 or sizes below " \
+	"1e-150; choose another unit"
+
+/* The rows of view to world are the axes and the eye. Of a matrix or pose the eye
+ * is its own, the axes are those of the rotation nearest to it. */
+static const char *from_axes(struct camera *c,
+    const struct convention *convention)
+{
+	double along = looks_back(convention) ? -1 : 1;
+	double upward = convention->view_y_down ? -1 : 1;
+	struct camera turned = *c;
+	struct map back;
+	const char *why = camera_map(c, convention, true, &back);
+
+	if (why == NULL && c->by >= CAMERA_TRANSLATION)
+		for (int k = 0; k < 3; k++)
+			c->eye[k] = map_nearest(&back, 3, k, false);
+	turned.roll = 0;
+	turned.orthonormalize = true;
+	if (why == NULL)
+		why = camera_map(&turned, convention, true, &back);
+	for (int k = 0; k < 3 && why == NULL; k++) {
+		c->at[k] = along * map_nearest(&back, 2, k, false);
+		c->up[k] = upward * map_nearest(&back, 1, k, false);
+	}
+	if (c->by >= CAMERA_POSE)
+		c->roll = 0;
+	return why;
+}
+
+/* at - eye, rounded; a direction may be halved, so that what a document must
+ * not say it does not say. */
+static void from_at(struct camera *c)
+{
+	double largest = 0;
+
+	for (int k = 0; k < 3; k++) {
+		c->at[k] -= c->eye[k];
+		largest = fmax(largest, fabs(c->at[k]));
+	}
+	for (int k = 0; k < 3 && largest > MAGNITUDE_MAX; k++)
+		c->at[k] /= 2;
+}
+
+/* Makes the camera one of CAMERA_GAZE. A gaze keeps its numbers; at - eye is
+ * rounded, and so are the axes of an orientation and of the rotation nearest to
+ * a matrix. A scene without a camera gets one at 0 that looks along view space's
+ * own axis. */
+static const char *gaze_of(struct scene *s)
+{
+	struct camera *c = &s->camera;
+	const struct convention *convention = &s->convention;
+	struct map view;
+
+	if (!s->has_camera)
+		*c = (struct camera){ .by = CAMERA_GAZE,
+			.at = { 0, 0, looks_back(convention) ? -1 : 1 },
+			.up = { 0, convention->view_y_down ? -1 : 1, 0 } };
+	s->has_camera = true;
+	const char *why = camera_map(c, convention, false, &view);
+
+	if (why == NULL && c->by >= CAMERA_ORIENTATION)
+		why = from_axes(c, convention);
+	else if (c->by == CAMERA_AT)
+		from_at(c);
+	c->by = CAMERA_GAZE;
+	return why;
+}
+
+/* Where the eye is, in the world, after a step in view space; back leads from
+ * view to world. */
+static void eye_move(const struct map *back, const struct sum step[3],
+    double eye[3])
+{
+	for (int k = 0; k < 3; k++) {
+		struct sum sum = back->m[3][k];
+
+		for (int i = 0; i < 3; i++)
+			sum = sum_add(sum, sum_mul(step[i], back->m[i][k]));
+		eye[k] = sum_over(sum, back->divisor);
+	}
+}
+
+/* The least double that times d, which is above 0, is not below n. */
+static double least_over(struct sum n, struct sum d)
+{
+	double v = sum_over(n, d);
+
+	return sum_compare(sum_scale(d, v), n) < 0 ? nextafter(v, HUGE_VAL) : v;
+}
+
+/* Widens the side that is too short for a shape, across wide and up high, to the
+ * nearest double. */
+static void widen_sides(double *width, double *height, double across, double up)
+{
+	struct sum w = sum_of_double(across), h = sum_of_double(up);
+	double wide = sum_over(sum_scale(w, *height), h);
+	double high = sum_over(sum_scale(h, *width), w);
+
+	if (wide > *width)
+		*width = wide;
+	else
+		*height = fmax(*height, high);
+}
 
 /* How far the eye may go along the gaze while near - t is at least near_ratio
  * (far - t). */
@@ -17,13 +122,14 @@ static struct sum reach_near(const struct extents *r, double ratio)
 
 /* By how much the side planes let go of the bounds as the eye moves along the
  * gaze. */
-static const char *find_slopes(const struct scene *s, struct frustum *view,
+static const char *find_slopes(const struct scene *s, struct map *sides,
     struct sum slope[4])
 {
-	const char *why = frustum_of(s, SPACE_VIEW, false, view);
+	struct map ends;
+	const char *why = view_planes(s, SPACE_VIEW, sides, &ends);
 
 	for (int k = 0; k < 4 && why == NULL; k++) {
-		slope[k] = map_element(&view->sides.map, 2, k);
+		slope[k] = map_element(sides, 2, k);
 		if (looks_back(&s->convention))
 			slope[k] = sum_neg(slope[k]);
 		if (sum_sign(slope[k]) <= 0)
@@ -59,24 +165,24 @@ static void balance(const struct map *sides, const struct sum lowest[4],
  * plane, or near_ratio, allows: as the eye moves by t, the distance of a plane to the
  * bounds shrinks by t times the plane's slope in depth. Where the eye is free to move
  * across the gaze, too, what the planes of a pair leave free is shared by both. */
-static const char *reach(const struct scene *s, const struct bounds *b,
-    bool free, struct sum step[3])
+static const char *reach(const struct scene *s, const struct hull *h, bool free,
+    struct sum step[3])
 {
-	struct frustum model, view;
+	struct map model, view, ends;
 	struct sum slope[4], lowest[4];
 	struct extents r;
-	const char *why = bounds_extents(b, s, &r);
+	const char *why = hull_extents(h, s, &r);
 
 	if (why == NULL)
 		why = find_slopes(s, &view, slope);
 	if (why == NULL)
-		why = frustum_of(s, SPACE_MODEL, false, &model);
+		why = view_planes(s, SPACE_MODEL, &model, &ends);
 	if (why != NULL)
 		return why;
 	struct sum t = reach_near(&r, s->projection.near_ratio);
 
 	for (int k = 0; k < 4; k++)
-		lowest[k] = bounds_lowest(b, &model.sides.map, k, false);
+		lowest[k] = hull_lowest(h, &model, k, false);
 	for (int k = 0; k < 4; k += free ? 2 : 1) {
 		struct sum gap = lowest[k], closing = slope[k];
 
@@ -92,8 +198,8 @@ static const char *reach(const struct scene *s, const struct bounds *b,
 	step[0] = step[1] = sum_of_double(0);
 	step[2] = sum_negated_if(looks_back(&s->convention), t);
 	if (free)
-		balance(&view.sides.map, lowest, step);
-	return fabs(sum_double(t)) <= MAGNITUDE_MAX ? NULL : BOUNDS_BEYOND;
+		balance(&view, lowest, step);
+	return fabs(sum_double(t)) <= MAGNITUDE_MAX ? NULL : BEYOND;
 }
 
 /* a to / from, rounded away from 0 so that nothing is cut off. */
@@ -122,35 +228,26 @@ static bool far_off(const struct projection *p)
 	return sum_compare(sum_of_double(p->near), least) >= 0;
 }
 
-/* Closes near and far round the bounds, as seen from where the eye is. *held
- * says whether the bounds then are inside and near is far enough off the eye. */
-static const char *close_persp(struct scene *s, const struct bounds *b,
-    bool *held)
+/* Closes near and far round the bounds, as seen from where the eye is. Returns whether
+ * the bounds then are inside and near is far enough off the eye. */
+static bool close_persp(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
 	double near = p->near;
 	struct extents r;
-	unsigned out;
-	const char *why = bounds_extents(b, s, &r);
 
-	*held = why == NULL && sum_sign(r.low[2]) > 0;
-	if (!*held)
-		return why;
-	why = bounds_close_depth(b, s);
-	/* no test reaches this: reach() has composed the scene, and closing its
-	 * planes makes no element larger */
-	if (why != NULL)
-		return why;
+	hull_extents(h, s, &r);
+	if (sum_sign(r.low[2]) <= 0)
+		return false;
+	hull_close_depth(h, s);
 	keep_slopes(p, near);
-	why = bounds_out(b, s, &out);
-	*held = out == 0 && far_off(p);
-	return why;
+	return hull_out(h, s) == 0 && far_off(p);
 }
 
 /* Tries the eye where a plane would touch the bounds. The eye's coordinates are
  * rounded, which can put bounds outside: then it steps back by 2^-53 of its
  * largest coordinate, by twice that, and so on. */
-static const char *step_back(struct scene *s, const struct bounds *b,
+static const char *step_back(struct scene *s, const struct hull *h,
     const struct map *back, const struct sum to[3])
 {
 	const struct projection given = s->projection;
@@ -160,44 +257,40 @@ static const char *step_back(struct scene *s, const struct bounds *b,
 	double off = 0;
 
 	for (int tries = 0; tries < 100; tries++) {
-		bool held;
-
 		step[2] = sum_add(to[2], sum_of_double(outward * off));
 		s->projection = given;
 		eye_move(back, step, s->camera.eye);
-		const char *why = close_persp(s, b, &held);
-
-		if (why != NULL || held)
-			return why;
+		if (close_persp(s, h))
+			return NULL;
 		for (int k = 0; k < 3 && tries == 0; k++)
 			off = fmax(off, 0x1p-54 * fabs(eye[k]));
 		off = off > 0 ? 2 * off : 0x1p-53 * fabs(sum_double(to[2]));
 	}
-	return BOUNDS_BEYOND;
+	return BEYOND;
 }
 
-static const char *fit_persp(struct scene *s, bool free, const struct bounds *b)
+static const char *fit_persp(struct scene *s, bool free, const struct hull *h)
 {
 	struct sum step[3];
 	struct map back;
-	const char *why = reach(s, b, free, step);
+	const char *why = reach(s, h, free, step);
 
 	if (why == NULL)
 		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &back);
-	return why != NULL ? why : step_back(s, b, &back, step);
+	return why != NULL ? why : step_back(s, h, &back, step);
 }
 
 /* Moves the eye so that the bounds are in the middle of the picture. Where no
  * eye was given its depth is free, too: it stands before the middle of the
  * bounds by as much as they are deep. Where depth shears the picture, a step in
  * depth is made up for by one to the side. */
-static const char *center(struct scene *s, bool has_eye, const struct bounds *b)
+static const char *center(struct scene *s, bool has_eye, const struct hull *h)
 {
 	const struct convention *c = &s->convention;
 	struct sum step[3] = { 0 };
 	struct map back, clip;
 	struct extents r;
-	const char *why = bounds_extents(b, s, &r);
+	const char *why = hull_extents(h, s, &r);
 
 	if (why == NULL)
 		why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip);
@@ -225,15 +318,14 @@ static const char *center(struct scene *s, bool has_eye, const struct bounds *b)
 	return NULL;
 }
 
-static const char *close_sides(struct scene *s, const struct bounds *b)
+static const char *close_sides(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
 	double *const size[2] = { &p->width, &p->height };
 	struct sum half[2], scale[2];
 	struct extents r;
-	const char *why = bounds_extents(b, s, &r);
+	const char *why = hull_extents(h, s, &r);
 
-	/* no test reaches this: bounds_close_depth has composed the same */
 	if (why != NULL)
 		return why;
 	view_limits(s, half, scale);
@@ -246,13 +338,11 @@ static const char *close_sides(struct scene *s, const struct bounds *b)
 			return "/camera/eye: too far from the bounds to tell "
 			       "their size; leave it out, or move it nearer";
 	}
-	why = bounds_close(b, s, &p->width, HUGE_VAL, OUT_LEFT | OUT_RIGHT);
-	if (why == NULL)
-		why = bounds_close(b, s, &p->height, HUGE_VAL,
-		    OUT_BOTTOM | OUT_TOP);
+	hull_close(h, s, &p->width, HUGE_VAL, OUT_LEFT | OUT_RIGHT);
+	hull_close(h, s, &p->height, HUGE_VAL, OUT_BOTTOM | OUT_TOP);
 	if (p->aspect[1] != 0)
-		sides_widen(&p->width, &p->height, p->aspect[0], p->aspect[1]);
-	return why;
+		widen_sides(&p->width, &p->height, p->aspect[0], p->aspect[1]);
+	return NULL;
 }
 
 /* Edges that were given as edges come out as such, mirrored where they were. */
@@ -269,14 +359,14 @@ static void to_edges(struct projection *p, const struct projection *given)
 }
 
 static const char *fit_parallel(struct scene *s, bool has_eye,
-    const struct projection *given, const struct bounds *b)
+    const struct projection *given, const struct hull *h)
 {
-	const char *why = center(s, has_eye, b);
+	const char *why = center(s, has_eye, h);
 
-	if (why == NULL)
-		why = bounds_close_depth(b, s);
-	if (why == NULL)
-		why = close_sides(s, b);
+	if (why != NULL)
+		return why;
+	hull_close_depth(h, s);
+	why = close_sides(s, h);
 	if (given->extent == EXTENT_EDGES)
 		to_edges(&s->projection, given);
 	return why;
@@ -297,16 +387,15 @@ static void keep_off_eye(struct projection *p)
 }
 
 /* The planes alone, as the rectangle and the eye are given in view space. */
-static const char *fit_volume(struct scene *s, const struct bounds *b)
+static const char *fit_volume(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
 	bool back = looks_back(&s->convention);
 	double outward = back ? HUGE_VAL : -HUGE_VAL;
 	struct extents r;
-	const char *why = bounds_extents(b, s, &r);
+	struct map clip;
+	const char *why = hull_extents(h, s, &r);
 
-	/* no test reaches this: a world of numbers up to 1e150 is finite through
-	 * a rotation */
 	if (why != NULL)
 		return why;
 	double low = sum_double(r.low[2]), high = sum_double(r.high[2]);
@@ -316,10 +405,12 @@ static const char *fit_volume(struct scene *s, const struct bounds *b)
 	keep_off_eye(p);
 	double near = p->z_near;
 
-	why = bounds_close(b, s, &p->z_far, -outward, OUT_FAR);
-	if (why == NULL && near == (back ? -low : low))
-		why = bounds_close(b, s, &p->z_near, outward, OUT_NEAR);
-	return why;
+	if ((why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip)) != NULL)
+		return why;
+	hull_close(h, s, &p->z_far, -outward, OUT_FAR);
+	if (near == (back ? -low : low))
+		hull_close(h, s, &p->z_near, outward, OUT_NEAR);
+	return NULL;
 }
 
 /* Brings the camera to its gaze, and sets what of the projection is to be found to
@@ -356,25 +447,40 @@ static const char *fit_begin(struct scene *s)
 	return gaze_of(s);
 }
 
+/* Puts the eye into the middle of the bounds in the world, axis by axis. */
+static const char *eye_center(struct scene *s, const struct hull *h)
+{
+	struct map world;
+	struct extents r;
+	const char *why = scene_map(s, SPACE_MODEL, SPACE_WORLD, &world);
+
+	for (int k = 0; k < 3 && why == NULL; k++) {
+		extents_of(&r, k, h, &world, false);
+		s->camera.eye[k] = sum_double(extents_middle(&r, k));
+	}
+	return why;
+}
+
 const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 {
 	const struct projection given = s->projection;
-	const char *why = bounds_check(b, 3);
+	struct hull h;
+	const char *why = hull_of(b, 3, &h);
 
 	if (why == NULL)
 		why = fit_begin(s);
 	if (why == NULL && !has_eye)
-		why = bounds_center(b, s, s->camera.eye);
+		why = eye_center(s, &h);
 	if (why == NULL && given.type == PROJECTION_PERSP)
-		why = fit_persp(s, !has_eye && b->n > 0, b);
+		why = fit_persp(s, !has_eye && b->n > 0, &h);
 	else if (why == NULL && given.type == PROJECTION_VOLUME)
-		why = fit_volume(s, b);
+		why = fit_volume(s, &h);
 	else if (why == NULL)
-		why = fit_parallel(s, has_eye, &given, b);
-	return why != NULL || scene_is_valid(s) ? why : BOUNDS_BEYOND;
+		why = fit_parallel(s, has_eye, &given, &h);
+	return why != NULL || scene_is_valid(s) ? why : BEYOND;
 }
 
-/* bounds_extents asks how far bounds reach along three axes; reach() and bounds_out
+/* hull_extents asks how far bounds reach along three axes; reach() and hull_out
  * ask about planes, which keep their directions as the eye moves. But keep_slopes
  * rounds sizes on the near plane, outward: side planes then hold all that they held,
  * though of a margin a rounding of the edges may be missing. */
@@ -386,8 +492,7 @@ const char *fit_directions(const struct scene *given, bool has_eye,
 	bool persp = p->type == PROJECTION_PERSP;
 	bool sheared = p->type == PROJECTION_ORTHO ||
 	    p->type == PROJECTION_OBLIQUE;
-	struct frustum f;
-	struct map view, clip;
+	struct map view, clip, sides, ends;
 	const char *why = fit_begin(&s);
 
 	for (int k = 0; k < 3 && !has_eye; k++)
@@ -398,13 +503,62 @@ const char *fit_directions(const struct scene *given, bool has_eye,
 		why = scene_map(&s, SPACE_MODEL,
 		    sheared ? SPACE_CLIP : SPACE_VIEW, &clip);
 	if (why == NULL && persp)
-		why = frustum_of(&s, SPACE_MODEL, false, &f);
+		why = view_planes(&s, SPACE_MODEL, &sides, &ends);
 	if (why != NULL)
 		return why;
 	all->n = 0;
 	for (int k = 0; k < 6; k++)
 		directions_add(all, k < 4 ? &clip : &view, k / 2, k & 1);
 	for (int k = 0; k < 4 && persp; k++)
-		directions_add(all, &f.sides.map, k, true);
+		directions_add(all, &sides, k, true);
 	return NULL;
+}
+
+/* The side is twice what is farthest from the center, which may be rounded. */
+static void close_axis(const struct extents *r, int j, double margin,
+    double *center, double *side)
+{
+	*center = sum_double(extents_middle(r, j));
+	struct sum c = sum_of_double(*center);
+	struct sum below = sum_sub(c, r->low[j]),
+		   above = sum_sub(r->high[j], c);
+	struct sum most = sum_compare(below, above) > 0 ? below : above;
+
+	*side = least_over(sum_scale(most, 2), sum_diff(1, 2 * margin));
+}
+
+const char *fit_window(struct scene *s, const struct bounds *b)
+{
+	struct window *w = &s->window;
+	struct map identity;
+	struct extents r;
+	struct hull h;
+	const char *why = hull_of(b, 2, &h);
+
+	if (why != NULL)
+		return why;
+	map_identity(&identity);
+	for (int k = 0; k < 2; k++)
+		extents_of(&r, k, &h, &identity, false);
+	if ((why = extents_widen(&r, 2)) != NULL)
+		return why;
+	*w = (struct window){ .zoom = 1 };
+	close_axis(&r, 0, s->margin, &w->center[0], &w->width);
+	close_axis(&r, 1, s->margin, &w->center[1], &w->height);
+	if (s->has_device)
+		widen_sides(&w->width, &w->height, s->device.width,
+		    s->device.height);
+	s->has_window = true;
+	return scene_is_size(w->width) && scene_is_size(w->height) ? NULL :
+								     BEYOND;
+}
+
+void window_directions(struct directions *all)
+{
+	struct map identity;
+
+	map_identity(&identity);
+	all->n = 0;
+	for (int k = 0; k < 4; k++)
+		directions_add(all, &identity, k / 2, k & 1);
 }

@@ -8,7 +8,7 @@
 enum { BOUNDS_POINTS = 10 };
 
 /* A sphere, a box, or where n is not 0 the points among many that lie farthest in the
- * directions that count, and the box about these. In model space; the world matrix
+ * directions that count. In model space; the world matrix
  * makes an ellipsoid of a sphere. A window's have no third coordinate, and the sphere
  * is a circle. */
 struct bounds {
@@ -19,60 +19,56 @@ struct bounds {
 	double point[BOUNDS_POINTS][3];
 };
 
-#define BOUNDS_SINGLE "/bounds: a single point; what has an extent is wanted"
-#define BOUNDS_BEYOND                                                       \
-	"/bounds: what holds them has numbers beyond 1e150 or sizes below " \
-	"1e-150; choose another unit"
-
-/* NULL, or the coordinate that is less in max than in min, and the reason. */
-const char *bounds_check(const struct bounds *, int dimensions);
-
-/* The least double that times d, which is above 0, is not below n. */
-double least_over(struct sum n, struct sum d);
-
-/* Widens the side that is too short for a shape, across wide and up high, to the
- * nearest double. */
-void sides_widen(double *width, double *height, double across, double up);
-
-/* The support function: the least value of column j of a map, or of minus that, over
- * the bounds. */
-struct sum bounds_lowest(const struct bounds *, const struct map *, int j,
-    bool minus);
-
-/* The ranges of x, y and depth of some bounds as seen from the eye: depth along
- * the gaze, in a perspective w; x and y of a perspective or a volume in view space, of
- * another parallel projection in clip space, where it is taken to be 2 wide and high, y
- * upward. */
-struct extents {
-	struct sum low[3], high[3];
+/* What is within a radius of the convex hull of some points. */
+struct hull {
+	int n;
+	double point[BOUNDS_POINTS][3], radius;
 };
 
-/* A range of no width is widened to 2^-20 of the largest. Returns NULL, or the
- * member and the reason. */
-const char *bounds_extents(const struct bounds *, const struct scene *,
-    struct extents *);
+/* Makes the hull of bounds of two or three coordinates. Returns NULL, or the coordinate
+ * that is less in max than in min, and the reason. */
+const char *hull_of(const struct bounds *, int dimensions, struct hull *);
+
+/* The support function: the least value of column j of a map, or of minus that. */
+struct sum hull_lowest(const struct hull *, const struct map *, int j,
+    bool minus);
+
+/* How far a hull reaches along each axis. */
+struct extents {
+	struct sum low[3], high[3], size[3];
+};
+
+/* The extent along axis j is that of column j of a map, or of minus that. */
+void extents_of(struct extents *, int j, const struct hull *,
+    const struct map *, bool minus);
 
 struct sum extents_middle(const struct extents *, int j);
 
-/* The middle of the bounds in the world, axis by axis. */
-const char *bounds_center(const struct bounds *, const struct scene *,
-    double center[3]);
+/* Widens extents along n axes that are none to 2^-20 of the largest. Returns NULL, or
+ * why there is no extent at all. */
+const char *extents_widen(struct extents *, int n);
 
-/* The planes of the view volume that some of the bounds is outside of: some
- * corner or point as frustum_out says, or some point of a sphere. */
-const char *bounds_out(const struct bounds *, const struct scene *,
-    unsigned *out);
+/* x, y and depth as seen from the eye, widened: depth along the gaze, in a perspective
+ * w; x and y of a perspective or a volume in view space, of another parallel projection
+ * in clip space, where it is taken to be 2 wide and high, y upward. Returns NULL, or the
+ * member and the reason. */
+const char *hull_extents(const struct hull *, const struct scene *,
+    struct extents *);
+
+/* The planes of the view volume that some of the hull is outside of, as frustum_out has
+ * them; all where the scene has none. */
+unsigned hull_out(const struct hull *, const struct scene *);
 
 /* Moves *v, a number of the scene that some planes depend on, outward until the
- * bounds are inside of those planes. It starts at the double nearest to where
- * it closes on the bounds, so that at most one unit in the last place is
- * missing, unless the bounds are known to less than that. Stops beyond
+ * hull is inside of those planes. It starts at the double nearest to where
+ * it closes on the hull, so that at most one unit in the last place is
+ * missing, unless the hull is known to less than that. Stops beyond
  * MAGNITUDE_MAX. */
-const char *bounds_close(const struct bounds *, const struct scene *, double *v,
+void hull_close(const struct hull *, const struct scene *, double *v,
     double outward, unsigned planes);
 
-/* Sets near to the greatest and far to the least double that hold the bounds.
+/* Sets near to the greatest and far to the least double that hold the hull.
  * Before the call near and far must be valid: near less than far. */
-const char *bounds_close_depth(const struct bounds *, struct scene *);
+void hull_close_depth(const struct hull *, struct scene *);
 
 #endif

@@ -2,6 +2,7 @@
 #include "fit_points.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "../points/points.h"
 
@@ -144,14 +145,7 @@ bool extremes_bounds(const struct extremes *e, const struct directions *all,
     struct bounds *b)
 {
 	*b = (struct bounds){ .n = all->n };
-	for (int j = 0; j < all->n; j++) {
-		const double *p = e->of[j].point;
-
-		for (int i = 0; i < 3; i++) {
-			b->point[j][i] = p[i];
-			b->min[i] = j == 0 ? p[i] : fmin(b->min[i], p[i]);
-			b->max[i] = j == 0 ? p[i] : fmax(b->max[i], p[i]);
-		}
-	}
+	for (int j = 0; j < all->n; j++)
+		memcpy(b->point[j], e->of[j].point, sizeof b->point[j]);
 	return all->n > 0 && e->of[0].any;
 }

@@ -13,15 +13,14 @@
 /* A map from view to clip space of which z and w depend on depth alone: of a point
  * X to the right, Y upward and D along the gaze
  *	x = x X + yx Y + zx D + tx, y = y Y + zy D + ty,
- *	z = zz D + tz, w = zw D + tw,
+ *	z = zz D + ..., w = zw D + tw,
  * all times the map's divisor, which cancels. In a perspective the gaze is where w
  * grows. own: X, Y and D are view space's axes, or turned half around Y where w grows
  * against the convention's gaze; X is the other way where the answer is of the other
  * handedness, whose camera has its x there. Else they are found by RQ, and a
  * perspective's D begins at the eye. */
 struct upright {
-	struct sum x, yx, y, zx, zy, zz, zw, tx, ty, tz, tw;
-	struct sum det;        /* tw zz - tz zw */
+	struct sum x, yx, y, zx, zy, zz, zw, tx, ty, tw;
 	struct sum axis[3][3]; /* X, Y and D in view space */
 	bool own, turned, tilted;
 };
@@ -91,8 +90,8 @@ static void find_rq_axes(const struct scene *s, const struct sum g[4][3],
 	    sum_mul(vec3_length(g[2]), vec3_length(n)));
 }
 
-/* Of axes that are found. From the eye, where x, y and w are 0, z is as by Cramer. */
-static void settle_axes(const struct map *m, bool parallel, struct upright *u)
+/* Of axes that are found. At the eye x, y and w are 0. */
+static void settle_axes(bool parallel, struct upright *u)
 {
 	struct sum none = sum_of_double(0);
 
@@ -102,11 +101,8 @@ static void settle_axes(const struct map *m, bool parallel, struct upright *u)
 		u->zx = none;
 	if (parallel && is_slight(u->zy, u->y))
 		u->zy = none;
-	if (parallel)
-		return;
-	u->tx = u->ty = u->tw = none;
-	u->tz = sum_neg(
-	    sum_quotient(map_minor(4, m->m, 0, 0), map_minor(3, m->m, 8, 4)));
+	if (!parallel)
+		u->tx = u->ty = u->tw = none;
 }
 
 static void set_elements(const struct sum g[4][3], struct upright *u)
@@ -146,7 +142,6 @@ static void upright_of(const struct scene *s, bool reversed, struct map *m,
 
 	*u = (struct upright){ .tx = m->m[3][0],
 		.ty = m->m[3][1],
-		.tz = m->m[3][2],
 		.tw = m->m[3][3] };
 	u->own = set_own_axes(s, m, u);
 	set_elements(g, u);
@@ -156,67 +151,36 @@ static void upright_of(const struct scene *s, bool reversed, struct map *m,
 		set_elements(g, u);
 	}
 	if (!u->own)
-		settle_axes(m, parallel, u);
-	u->det = sum_minor(u->tw, u->zz, u->tz, u->zw);
+		settle_axes(parallel, u);
 }
 
-/* The plane of ndc depth k: D = n / d. */
-struct plane {
-	struct sum n, d;
-};
-
-static struct plane plane_of(const struct upright *u, double k)
-{
-	return (struct plane){
-		sum_sub(sum_mul(sum_of_double(k), u->tw), u->tz),
-		sum_sub(u->zz, sum_mul(sum_of_double(k), u->zw)),
-	};
-}
-
-/* From the eye, where w = 0, it is D + tw / zw = det / (zw d): infinite, or behind
- * the eye and none. */
-static double plane_distance(const struct upright *u, const struct plane *p)
-{
-	struct sum d = sum_mul(u->zw, p->d);
-
-	if (sum_sign(u->zw) == 0)
-		return sum_over_or_nan(p->n, p->d);
-	if (sum_sign(d) == 0)
-		return HUGE_VAL;
-	double at = sum_over_or_nan(u->det, d);
-
-	return at > 0 ? at : NONE;
-}
-
-/* Where a side plane x = side w meets that one, as half / scale is the side. */
-static double side_at(const struct upright *u, const struct plane *p, int axis,
-    bool minus, struct sum half, struct sum scale)
+/* Where a side plane x = w or -w meets the depth D = n / d. */
+static double side_at(const struct upright *u, struct sum n, struct sum d,
+    int axis, bool minus)
 {
 	struct sum z = axis == 0 ? u->zx : u->zy, t = axis == 0 ? u->tx : u->ty;
-	struct sum off = sum_add(sum_mul(z, p->n), sum_mul(t, p->d));
-	struct sum w = sum_add(sum_mul(u->zw, p->n), sum_mul(u->tw, p->d));
-	struct sum n = sum_minor(sum_negated_if(minus, half), w, scale, off);
 	struct sum x = axis == 0 ? u->x : u->y;
+	struct sum off = sum_add(sum_mul(z, n), sum_mul(t, d));
+	struct sum w = sum_add(sum_mul(u->zw, n), sum_mul(u->tw, d));
 
-	return sum_over_or_nan(n, sum_mul(sum_mul(scale, x), p->d));
+	return sum_over_or_nan(sum_sub(sum_negated_if(minus, w), off),
+	    sum_mul(x, d));
 }
 
+/* The planes through two opposite corners, where they are along view space's axes. */
 static void set_planes(const struct scene *s, const struct upright *u,
-    const struct plane *near, struct parameters *r)
+    struct parameters *r)
 {
-	struct sum half[2], scale[2];
+	struct sum half[2], scale[2], h[4];
+	struct map back;
 
-	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
+	scene_map(s, SPACE_CLIP, SPACE_VIEW, &back);
 	for (int k = 0; k < 4 && u->own && !isnan(r->near); k++) {
-		double toward = (double)u->axis[k / 2][k / 2].value.sign;
-
-		r->plane[k] = side_at(u, near, k / 2, k % 2 == 0, half[k / 2],
-				  scale[k / 2]) *
-			toward +
-		    0.0;
-		if (k < 2 && sum_sign(u->yx) != 0)
-			r->plane[k] = NONE;
+		view_corner(s, &back, k % 2 == 0 ? 0 : 2, h);
+		if (k >= 2 || sum_sign(u->yx) == 0)
+			r->plane[k] = sum_over_or_nan(h[k / 2], h[3]);
 	}
+	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
 	struct sum wide = sum_mul(sum_mul(u->y, half[0]), scale[1]);
 	struct sum high = sum_mul(sum_mul(u->x, half[1]), scale[0]);
 
@@ -225,11 +189,11 @@ static void set_planes(const struct scene *s, const struct upright *u,
 
 static const char *set_frustum_planes(const struct scene *s, double plane[6][4])
 {
-	struct frustum f;
-	const char *why = frustum_of(s, SPACE_WORLD, false, &f);
+	struct map sides, ends;
+	const char *why = view_planes(s, SPACE_WORLD, &sides, &ends);
 
 	for (int k = 0; k < 6 && why == NULL; k++) {
-		const struct map *m = k < 4 ? &f.sides.map : &f.ends.map;
+		const struct map *m = k < 4 ? &sides : &ends;
 		struct sum v[4];
 
 		for (int i = 0; i < 4; i++)
@@ -339,23 +303,22 @@ static void set_pixels(const struct scene *s, const struct parameters *r,
 		    sizeof r->intrinsics[i]);
 }
 
-/* At near, seen from the eye at a distance of det / (zw d), or in a parallel projection
- * at the depth that is not sheared. */
-static void set_edges(const struct upright *u, const struct plane *near,
+/* On the near or far plane, seen from the eye, or in a parallel projection at the depth
+ * that is not sheared. */
+static void set_edges(const struct upright *u, const struct depth *z, bool far,
     struct projection *p)
 {
 	double *const edges[4] = { &p->left, &p->right, &p->bottom, &p->top };
-	struct sum one = sum_of_double(1);
-	struct plane at = { sum_of_double(p->plane), one };
+	struct sum n = sum_of_double(p->plane), d = sum_of_double(1);
 	struct upright seen = *u;
 
 	p->extent = EXTENT_EDGES;
 	if (p->type == PROJECTION_PERSP) {
-		at = (struct plane){ u->det, sum_mul(u->zw, near->d) };
+		depth_quotient(z, far, &n, &d);
 		seen.tx = seen.ty = seen.tw = sum_of_double(0);
 	}
 	for (int k = 0; k < 4; k++)
-		*edges[k] = side_at(&seen, &at, k / 2, k % 2 == 0, one, one);
+		*edges[k] = side_at(&seen, n, d, k / 2, k % 2 == 0);
 }
 
 /* cot cos(direction) and cot sin(direction) are zx / x and zy / y. */
@@ -384,7 +347,7 @@ static void set_shear(const struct upright *u, const struct projection *given,
 /* Of a perspective's two planes the nearer one is near, also where the eye lies
  * beyond far. */
 static void set_projection(const struct scene *s, const struct upright *u,
-    const struct plane plane[2], struct parameters *r)
+    struct parameters *r)
 {
 	struct projection *p = &r->scene.projection;
 	const struct projection *given = &s->projection;
@@ -412,7 +375,7 @@ static void set_projection(const struct scene *s, const struct upright *u,
 	if (open || sum_sign(u->yx) != 0)
 		set_pixels(s, r, p);
 	else
-		set_edges(u, &plane[p->type == PROJECTION_PERSP && swap], p);
+		set_edges(u, &r->depth, swap, p);
 }
 
 static double squared(double a, double b, double c)
@@ -468,24 +431,9 @@ static unsigned notes_of(const struct scene *s, const struct upright *u,
 	return notes & ((1u << NOTES) - 1);
 }
 
-static void set_scene(const struct scene *s, const struct taxonomy *t,
-    const struct upright *u, const struct plane plane[2], struct parameters *r)
-{
-	r->scene = *s;
-	r->scene.answer = NULL;
-	r->scene.convention = *answer_convention(s);
-	set_projection(s, u, plane, r);
-	set_camera(s, u, t, r);
-
-	if (r->notes >> NOTE_NO_ROTATION == 0 && !scene_is_valid(&r->scene))
-		r->notes |= 1u << NOTE_RANGE;
-	r->has_scene = r->notes >> NOTE_NO_ROTATION == 0;
-}
-
 const char *parameters_of(const struct scene *s, const struct taxonomy *t,
     struct parameters *r)
 {
-	double first = answer_convention(s)->minus_one ? -1 : 0;
 	struct upright u;
 	struct map clip;
 
@@ -493,7 +441,8 @@ const char *parameters_of(const struct scene *s, const struct taxonomy *t,
 		.far = NONE,
 		.reverse_z = t->reversed,
 		.plane = { NONE, NONE, NONE, NONE },
-		.intrinsics = { { NONE } } };
+		.intrinsics = { { NONE } },
+		.scene = *s };
 	const char *why = set_frustum_planes(s, r->frustum_plane);
 
 	if (why == NULL)
@@ -501,17 +450,21 @@ const char *parameters_of(const struct scene *s, const struct taxonomy *t,
 	if (why != NULL)
 		return why;
 	upright_of(s, t->reversed, &clip, &u);
-	struct plane plane[2] = { plane_of(&u, t->reversed ? 1 : first),
-		plane_of(&u, t->reversed ? first : 1) };
-
-	if (!projection_is_open(&s->projection) && !u.tilted) {
-		r->near = plane_distance(&u, &plane[0]);
-		r->far = plane_distance(&u, &plane[1]);
+	depth_of(s, t->reversed, &r->depth);
+	if (!u.tilted) {
+		r->near = depth_distance(&r->depth, false);
+		r->far = depth_distance(&r->depth, true);
 	}
-	set_planes(s, &u, &plane[0], r);
+	set_planes(s, &u, r);
 	if (s->has_viewport && sum_sign(u.zw) != 0)
 		set_intrinsics(s, &u, r->intrinsics);
 	r->notes = notes_of(s, &u, r);
-	set_scene(s, t, &u, plane, r);
+	r->scene.answer = NULL;
+	r->scene.convention = *answer_convention(s);
+	set_projection(s, &u, r);
+	set_camera(s, &u, t, r);
+	if (r->notes >> NOTE_NO_ROTATION == 0 && !scene_is_valid(&r->scene))
+		r->notes |= 1u << NOTE_RANGE;
+	r->has_scene = r->notes >> NOTE_NO_ROTATION == 0;
 	return NULL;
 }

@@ -4,6 +4,7 @@
 #ifndef PARAMETERS_H
 #define PARAMETERS_H
 
+#include "depth.h"
 #include "taxonomy.h"
 
 /* What is unusual about a scene, and why there is none in parameters. */
@@ -28,6 +29,7 @@ struct parameters {
 	/* From the eye, in a parallel projection from the origin of view space along
 	 * the convention's gaze. far may be infinite. */
 	double near, far;
+	struct depth depth;
 	double aspect;
 	bool reverse_z;
 	/* left, right, bottom and top where they meet the near plane: x or y of

@@ -3,83 +3,32 @@
 
 #include <math.h>
 
-/* Where the near plane is on the axis of view space, z = n / d, and whether the gaze
- * goes toward larger z. As z leaves the plane, n / d moves by n' d - n d' over
- * something positive. Where there are no planes distances are from the eye. Of a tilted P
- * z is that of its level space. */
-static const char *near_plane(const struct scene *s, struct sum *n,
-    struct sum *d, bool *upward)
-{
-	const struct projection *p = &s->projection;
-	const struct convention *c = &s->convention;
-	bool reversed = projection_is_reversed(p, c);
-	double depth = reversed ? 1 : c->minus_one ? -1 : 0;
-	struct map back;
+#include "frustum.h"
 
-	if (projection_is_open(p) || projection_is_tilted(p)) {
-		*upward = !looks_back(c);
-		*n = sum_sub(sum_of_double(p->near),
-		    sum_of_double(projection_w_at_eye(p)));
-		*n = sum_negated_if(!*upward, *n);
-		*d = sum_of_double(1);
-		return NULL;
-	}
-	const char *why = projection_map(p, c, true, &back);
-	const struct sum(*m)[4] = back.m;
+/* Distances are those of a plane: its value over the length of its gradient in view
+ * space. Without planes they are from where w is 0. */
+const char *picker_of(const struct scene *s, const struct transform *to_device,
+    struct picker *k)
+{
+	int plane = projection_is_open(&s->projection) ? 2 : 0;
+	struct map *m = &k->depth.map, sides;
+	struct sum gradient[3], divisor;
+	const char *why = view_planes(s, SPACE_VIEW, &sides, m);
 
 	if (why != NULL)
 		return why;
-	*n = sum_add(sum_scale(m[2][2], depth), m[3][2]);
-	*d = sum_add(sum_scale(m[2][3], depth), m[3][3]);
-	*upward = (sum_sign(sum_minor(m[2][2], *d, *n, m[2][3])) > 0) ==
-	    !reversed;
-	return NULL;
-}
-
-/* Puts w, which is the depth of a tilted P, in the place of view z: both are negative
- * where the camera looks along -z. */
-static void view_by_w(const struct scene *s, struct map *view)
-{
-	double level[4][4];
-
-	projection_level(&s->projection, &s->convention, level);
-	for (int i = 0; i < 4; i++) {
-		struct sum w = sum_of_double(0);
-
-		for (int k = 0; k < 4; k++)
-			w = sum_add(w, sum_scale(view->m[i][k], level[k][2]));
-		view->m[i][2] = w;
-	}
-}
-
-/* Distances are the same in every convention; they are measured in the scene's. */
-const char *picker_of(const struct scene *given,
-    const struct transform *to_device, struct picker *k)
-{
-	struct scene own = *given;
-	struct map *view = &k->depth.map;
-	struct sum n, d;
-	bool upward;
-
-	own.answer = NULL;
+	for (int i = 0; i < 3; i++)
+		gradient[i] = m->m[i][plane];
+	divisor = m->divisor;
+	if ((why = view_planes(s, SPACE_MODEL, &sides, m)) != NULL)
+		return why;
 	k->to_device = to_device;
-	const char *why = near_plane(&own, &n, &d, &upward);
-
-	if (why == NULL)
-		why = scene_map(&own, SPACE_MODEL, SPACE_VIEW, view);
-	if (why != NULL)
-		return why;
-	if (projection_is_tilted(&own.projection))
-		view_by_w(&own, view);
-	for (int i = 0; i < 4; i++) {
-		struct sum z = sum_mul(view->m[i][2], d);
-
-		if (i == 3)
-			z = sum_sub(z, sum_mul(n, view->divisor));
-		view->m[i][2] = sum_negated_if(!upward, z);
-	}
-	map_column_over(view, 2, d);
-	map_column_over(view, 2, projection_w_slope(&own.projection));
+	for (int i = 0; i < 4; i++)
+		m->m[i][2] = sum_mul(m->m[i][plane], divisor);
+	map_column_over(m, 2, vec3_length(gradient));
+	/* as of an affine map */
+	for (int i = 0; i < 4; i++)
+		m->m[i][3] = i < 3 ? sum_of_double(0) : m->divisor;
 	transform_init(&k->depth, SPACE_MODEL, SPACE_VIEW, false);
 	return NULL;
 }

@@ -6,41 +6,26 @@
 
 #include "../points/kernel/midway.h"
 
-/* View space is N(z) / D(z) at device depth z, for each row i of the map m from
- * device to view and p = (x, y, z, 1):
+/* A ray lies in the planes x w = X and y w = Y, with X, Y and w columns of the map from
+ * the world to the device. It runs along the product of their normals, in which x y
+ * cancels:
  *
- *	N_j = sum of p_i m_ij, j < 3,    D = sum of p_i m_i3
+ *	(x w - X) x (y w - Y) = x (Y x w) + y (w x X) + X x Y
  *
- * The direction is the derivative's numerator N' D - N D', as D^2 > 0, turned to
- * the world: there the eye's place would have to cancel. As N' = m_2j and D' =
- * m_23, what z multiplies is m_2j m_23 - m_2j m_23 = 0, and the direction is
- * affine in x and y:
- *
- *	sum of p_i (m_2j m_i3 - m_ij m_23), i = 0, 1, 3
- *
- * *r is the map from device to view, and becomes that. */
-static void set_along(const struct map *turn, bool against, struct map *r)
+ * and depth grows along it where the map's determinant is positive. */
+static void set_along(const struct map *device, bool against, struct map *r)
 {
-	struct sum(*m)[4] = r->m;
+	static const int of[4][2] = { { 1, 3 }, { 3, 0 }, { 0, 0 }, { 0, 1 } };
+	bool turned = (sum_sign(map_minor(4, device->m, 0, 0)) < 0) != against;
+	struct sum normal[4][3];
 
-	r->divisor = sum_of_double(1);
-	r->origin[2] = 0;
-	for (int i = 0; i < 4; i++) {
-		struct sum d[3];
-
-		for (int j = 0; j < 3 && i != 2; j++)
-			d[j] = sum_negated_if(against,
-			    sum_minor(m[2][j], m[i][3], m[i][j], m[2][3]));
-		for (int j = 0; j < 3 && i != 2; j++) {
-			const struct sum column[3] = { turn->m[0][j],
-				turn->m[1][j], turn->m[2][j] };
-
-			m[i][j] = vec3_dot(d, column);
-		}
-	}
-	memset(m[2], 0, sizeof m[2]);
+	for (int i = 0; i < 12; i++)
+		normal[i % 4][i / 4] = device->m[i / 4][i % 4];
+	memset(r->m, 0, sizeof r->m);
 	for (int i = 0; i < 4; i++)
-		m[i][3] = m[2][3];
+		if (i != 2)
+			vec3_cross(normal[of[i][turned]],
+			    normal[of[i][!turned]], r->m[i]);
 }
 
 /* Without a near plane every ray begins at the eye, where clip x, y and w are 0. No
@@ -63,21 +48,21 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 	const struct viewport *v = &s->viewport;
 	/* device depth falls away from the eye */
 	bool against = (v->max_z > v->min_z) == reversed;
-	struct map turn;
+	struct map device;
 	const char *why = scene_transform(s, SPACE_DEVICE, SPACE_WORLD, false,
 	    &r->to_world);
 
 	if (why == NULL)
-		why = scene_map(s, SPACE_DEVICE, SPACE_VIEW, &r->along.map);
-	if (why == NULL)
-		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &turn);
+		why = scene_map(s, SPACE_WORLD, SPACE_DEVICE, &device);
 	if (why != NULL)
 		return why;
+	r->along.map.divisor = sum_of_double(1);
+	memcpy(r->along.map.origin, r->to_world.map.origin, 2 * sizeof(double));
 	if (projection_is_open(&s->projection))
 		from_eye(s, &r->to_world);
 	r->depth = reversed ? v->max_z : v->min_z;
 	r->along.in = 2;
-	set_along(&turn, against, &r->along.map);
+	set_along(&device, against, &r->along.map);
 	transform_prepare(&r->along);
 	return NULL;
 }

@@ -495,20 +495,10 @@ static bool is_any_p(const struct projection *p)
 		(k[1][0] != 0 || k[0][0] == 0 || k[1][1] == 0));
 }
 
-struct sum projection_w_slope(const struct projection *p)
-{
-	struct sum w[3];
-
-	if (!projection_is_tilted(p))
-		return sum_of_double(1);
-	for (int j = 0; j < 3; j++)
-		w[j] = sum_of_double(p->intrinsics[2][j]);
-	return vec3_length(w);
-}
-
-/* X, Y and Z are view x, y and z but for their signs, on both sides. */
-void projection_level(const struct projection *p, const struct convention *c,
-    double level[4][4])
+/* Of a tilted P, view space to a space in which P is K = 1 0 0, 0 1 0, 0 0 1. X, Y and
+ * Z are view x, y and z but for their signs, on both sides. */
+static void projection_level(const struct projection *p,
+    const struct convention *c, double level[4][4])
 {
 	const double sign[4] = { 1, c->bottom_left == c->view_y_down ? -1 : 1,
 		looks_back(c) ? -1 : 1, 1 };
@@ -611,104 +601,6 @@ const char *projection_map(const struct projection *p,
 	if (inverse)
 		f = inverse_elements(&f);
 	map_of_elements(&f, r);
-	return NULL;
-}
-
-/* As ndc has it, through the inverse. */
-static const char *bare_corner(const struct projection *p,
-    const struct convention *c, const struct sum side[3], bool far,
-    struct sum v[4], struct sum *over)
-{
-	bool one = far != projection_is_reversed(p, c);
-	struct sum depth = sum_of_double(one ? 1 : c->minus_one ? -1 : 0);
-	const struct sum clip[4] = { side[0],
-		c->ndc_y_down ? sum_neg(side[1]) : side[1],
-		sum_mul(depth, side[2]), side[2] };
-	struct map back;
-	const char *why = projection_map(p, c, true, &back);
-
-	for (int j = 0; j < 4 && why == NULL; j++)
-		map_column(&back, j, clip, &v[j]);
-	if (why == NULL)
-		*over = sum_mul(side[2], back.divisor);
-	return why;
-}
-
-/* That of the level space, back from there. */
-static const char *any_corner(const struct projection *p,
-    const struct convention *c, const struct sum side[3], bool far,
-    struct sum v[4], struct sum *over)
-{
-	struct projection on = leveled(p);
-	struct sum level[4];
-	double m[4][4];
-	struct map back;
-	const char *why = projection_corner(&on, c, side, far, level, over);
-
-	projection_level(p, c, m);
-	if (why != NULL || !map_inverse(m, &back))
-		return why;
-	for (int j = 0; j < 4; j++)
-		map_column(&back, j, level, &v[j]);
-	*over = sum_mul(*over, back.divisor);
-	return NULL;
-}
-
-/* View z of the near or far plane; false where that is at infinity. */
-static bool plane_z(const struct projection *p, const struct convention *c,
-    bool far, struct sum *z)
-{
-	double at = far ? p->far : p->near;
-
-	if (p->type == PROJECTION_VOLUME) {
-		*z = sum_of_double(far ? p->z_far : p->z_near);
-	} else if (isfinite(at)) {
-		*z = sum_diff(at, projection_w_at_eye(p));
-		*z = sum_negated_if(looks_back(c), *z);
-	}
-	return p->type == PROJECTION_VOLUME || isfinite(at);
-}
-
-/* From the elements, with view z and clip w of the plane and W = side[2]:
- *
- *	d dy Y w = W (y v_y + zy z + ty),  d dx X w = W (x v_x + yx v_y + zx z + tx)
- *
- * times d, x y w and W, so that nothing is divided. An infinite far plane is that of
- * z / w = 1 / zw and 1 / w = 0; so is one that there isn't. */
-const char *projection_corner(const struct projection *p,
-    const struct convention *c, const struct sum side[3], bool far,
-    struct sum v[4], struct sum *over)
-{
-	struct elements f = { 0 };
-	struct sum z = sum_of_double(1), one = sum_of_double(0), w, x, y;
-
-	if (!has_elements(p))
-		return bare_corner(p, c, side, far, v, over);
-	if (is_any_p(p))
-		return any_corner(p, c, side, far, v, over);
-	const char *why = find_elements(p, c, &f);
-
-	/* no test reaches this: the scene has been composed before */
-	if (why != NULL)
-		return why;
-	w = f.zw;
-	if (!projection_is_open(p) && plane_z(p, c, far, &z)) {
-		one = sum_of_double(1);
-		w = sum_add(sum_mul(f.zw, z), f.tw);
-	}
-	z = sum_mul(f.d, z);
-	one = sum_mul(f.d, one);
-	y = sum_sub(sum_mul(sum_mul(sum_mul(f.d, f.dy), side[1]), w),
-	    sum_mul(side[2], sum_add(sum_mul(f.zy, z), sum_mul(f.ty, one))));
-	x = sum_sub(sum_mul(sum_mul(sum_mul(f.d, f.dx), side[0]), w),
-	    sum_mul(side[2], sum_add(sum_mul(f.zx, z), sum_mul(f.tx, one))));
-	struct sum all = sum_mul(side[2], sum_mul(f.x, f.y));
-
-	v[0] = sum_sub(sum_mul(f.y, x), sum_mul(f.yx, y));
-	v[1] = sum_mul(f.x, y);
-	v[2] = sum_mul(all, z);
-	v[3] = sum_mul(all, one);
-	*over = sum_mul(all, w);
 	return NULL;
 }
 

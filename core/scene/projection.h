@@ -103,13 +103,6 @@ static inline double projection_w_at_eye(const struct projection *p)
 	return offset ? p->intrinsics[2][3] : 0;
 }
 
-/* How much w grows in a unit of length across the projection plane, in a persp. */
-struct sum projection_w_slope(const struct projection *);
-
-/* Of a tilted P, view space to a space in which P is K = 1 0 0, 0 1 0, 0 0 1. */
-void projection_level(const struct projection *, const struct convention *,
-    double level[4][4]);
-
 /* Of a volume: 1/z of the eye, as a quotient of which the denominator is exact. The
  * angle is that across the smaller side, seen from before the near plane. */
 void projection_inverse_eye_z(const struct projection *, struct sum *over,
@@ -126,12 +119,5 @@ const char *projection_map(const struct projection *, const struct convention *,
  * in a parallel one with a camera in it, which is turned or mirrored, depth grows. */
 bool projection_is_reversed(const struct projection *,
     const struct convention *);
-
-/* Where the near or far plane meets the sides x and y of ndc, y upward, which are
- * side[0] and side[1] over side[2]: in view space, homogeneous, and what that is over
- * where clip w is 1. Returns NULL, or the member and the reason. */
-const char *projection_corner(const struct projection *,
-    const struct convention *, const struct sum side[3], bool far,
-    struct sum v[4], struct sum *over);
 
 #endif

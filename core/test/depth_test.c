@@ -16,8 +16,8 @@
 
 static const double most[BUFFERS] = { 65535, 16777215, 0 };
 
-/* The projector through the middle of the device, from one plane towards the
- * other, and what the device makes of it. */
+/* The normal of the projection plane, in a perspective through the eye, from one plane
+ * towards the other, and what the device makes of it. */
 struct projector {
 	real from[3], along[3]; /* unit distance along the gaze */
 	real m[4][4];           /* view to device */
@@ -57,48 +57,65 @@ static bool reached(const struct projector *p, double distance, enum buffer b)
 	return is;
 }
 
-/* Under the inverse, ndc z = a of x = y = 0; false where it is not seen. */
-static bool place(real inverse[4][4], double a, real h[4])
-{
-	real size = magnitude(inverse[3][3]);
+/* How far along the normal from its origin ndc z = a is, n / d, where d > 0 if that is
+ * seen: z + slope n / d is a w n / d in a perspective, whose eye has w = 0, else a w. */
+struct place {
+	real n, d;
+};
 
-	for (int j = 0; j < 4; j++)
-		h[j] = add(mul(number(a), inverse[2][j]), inverse[3][j]);
-	return mpfr_sgn(h[3]) > 0 && !is_zero(h[3], size);
+static struct place place(real z, real slope, real w, bool parallel, double a)
+{
+	struct place p = { z, sub(mul(number(a), w), slope) };
+
+	if (parallel)
+		p = (struct place){ sub(mul(number(a), w), z), slope };
+	if (mpfr_sgn(parallel ? p.d : p.n) < 0)
+		p = (struct place){ sub(number(0), p.n), sub(number(0), p.d) };
+	if (is_zero(p.d, slope))
+		p.d = number(0);
+	return p;
 }
 
 /* Plane 0 is near, 1 far. False where it lies at infinity or behind. */
 static bool projector_of(const struct scene *s, const struct taxonomy *t,
     int plane, struct projector *p)
 {
-	bool minus_one = truth_answer(s)->minus_one;
-	double low = minus_one ? -1 : 0;
+	double low = truth_answer(s)->minus_one ? -1 : 0;
 	bool deep = plane == 1 ? !t->reversed : t->reversed;
-	real inverse[4][4], a[4], b[4], normal[3];
 	bool parallel = t->taxon <= TAXON_OBLIQUE;
+	real inverse[4][4], normal[3], gradient[3];
 
 	truth_matrix(s, SPACE_CLIP, SPACE_VIEW, inverse);
 	truth_matrix(s, SPACE_VIEW, SPACE_CLIP, p->m);
-	for (int i = 0; i < 3; i++)
-		normal[i] = p->m[i][parallel ? 2 : 3];
-	truth_matrix(s, SPACE_VIEW, SPACE_DEVICE, p->m);
-	place(inverse, deep ? low : 1, b);
-	if (!place(inverse, deep ? 1 : low, a))
-		return false;
-	for (int i = 0; i < 3; i++) {
-		p->from[i] = over(a[i], a[3]);
-		p->along[i] = sub(mul(b[i], a[3]), mul(a[i], b[3]));
-	}
-	normalise(normal, 3);
-	real height = magnitude(dot(p->along, normal, 3));
+	real *eye = inverse[parallel ? 3 : 2], z = p->m[3][2];
 
-	if (mpfr_zero_p(height))
+	for (int i = 0; i < 3; i++) {
+		gradient[i] = p->m[i][2];
+		normal[i] = p->m[i][parallel ? 2 : 3];
+		p->from[i] = over(eye[i], eye[3]);
+		z = add(z, mul(p->from[i], gradient[i]));
+	}
+	real w = p->m[3][3];
+
+	if (!parallel)
+		w = root(dot(normal, normal, 3));
+	normalise(normal, 3);
+	real slope = dot(gradient, normal, 3);
+	struct place at = place(z, slope, w, parallel, deep ? 1 : low);
+	struct place to = place(z, slope, w, parallel, deep ? low : 1);
+
+	if (mpfr_sgn(at.d) <= 0 || (parallel && mpfr_sgn(w) <= 0))
 		return false;
-	for (int i = 0; i < 3; i++)
-		p->along[i] = over(p->along[i], height);
+	int inward = mpfr_sgn(sub(mul(to.n, at.d), mul(at.n, to.d)));
+
+	for (int i = 0; i < 3; i++) {
+		p->from[i] = add(p->from[i], mul(normal[i], over(at.n, at.d)));
+		p->along[i] = mul(normal[i], number(inward));
+	}
+	truth_matrix(s, SPACE_VIEW, SPACE_DEVICE, p->m);
 	p->z = deep ? s->viewport.max_z : s->viewport.min_z;
 	p->up = deep == (s->viewport.max_z < s->viewport.min_z);
-	return true;
+	return inward != 0;
 }
 
 /* The least double distance at which the next step is reached, found by halving its
@@ -122,10 +139,13 @@ static double search(const struct projector *p, enum buffer b, double end)
 	return end;
 }
 
-static double step_of(const struct depth *z, const struct scene *s,
-    enum buffer b, bool far)
+static double step_of(const struct scene *s, bool reversed, enum buffer b,
+    bool far)
 {
-	return depth_step(z, &s->viewport, b, far);
+	struct depth z;
+
+	depth_of(s, reversed, &z);
+	return depth_step(&z, b, far);
 }
 
 /* What was rounded to nearest lies at the first such distance or just before
@@ -139,16 +159,13 @@ static void steps_are_the_first(void **state)
 	(void)state;
 	sample_seed(32);
 	for (int k = 0; k < 250; k++) {
-		struct depth z;
-
 		sample_scene(&s, k % 5 == 0 ? 2 : 0);
 		sample_answer(&s);
 		if (taxonomy_of(&s, &t) != NULL)
 			continue;
-		depth_of(&s, t.reversed, &z);
 		for (int i = 0; i < 6; i++) {
 			enum buffer b = (enum buffer)(i / 2);
-			double d = step_of(&z, &s, b, i % 2), least;
+			double d = step_of(&s, t.reversed, b, i % 2), least;
 			int mark = real_mark();
 			struct projector p;
 
@@ -192,24 +209,23 @@ static void depth_without_end(void **state)
 	(void)state;
 	/* depth = 1 - 1 / z is 1/65535 at 65535/65534 */
 	depth_of(&s, false, &z);
-	assert_true(step_of(&z, &s, BUFFER_UNORM16, false) == 1.0 / 65534);
-	assert_true(step_of(&z, &s, BUFFER_FLOAT32, false) == 0x1p-149);
+	assert_true(step_of(&s, false, BUFFER_UNORM16, false) == 1.0 / 65534);
+	assert_true(step_of(&s, false, BUFFER_FLOAT32, false) == 0x1p-149);
 	for (enum buffer b = 0; b < BUFFERS; b++)
-		assert_true(isnan(step_of(&z, &s, b, true)) != 0);
+		assert_true(isnan(step_of(&s, false, b, true)) != 0);
 	/* from z = 2, depth 1/2, to 1/2 - 1/65535 and 1/2 - 2^-25 */
+	assert_true(depth_step_at(&z, BUFFER_UNORM16, 2) == 4.0 / 65537);
 	assert_true(
-	    depth_step_at(&z, &s.viewport, BUFFER_UNORM16, 2) == 4.0 / 65537);
-	assert_true(depth_step_at(&z, &s.viewport, BUFFER_FLOAT32, 2) ==
-	    0x1p-23 / (1 + 0x1p-24));
+	    depth_step_at(&z, BUFFER_FLOAT32, 2) == 0x1p-23 / (1 + 0x1p-24));
 	/* reversed, 1 / z is 1 - 2^-24 at 1 / (1 - 2^-24) */
 	s.projection.reverse_z = true;
 	depth_of(&s, true, &z);
-	assert_true(step_of(&z, &s, BUFFER_FLOAT32, false) == 1 / 0xffffffp0);
+	assert_true(step_of(&s, true, BUFFER_FLOAT32, false) == 1 / 0xffffffp0);
 	/* 1/3 is between two floats */
 	float up = (float)(1.0 / 3);
 
 	assert_true((double)up > 1.0 / 3);
-	double step = depth_step_at(&z, &s.viewport, BUFFER_FLOAT32, 3);
+	double step = depth_step_at(&z, BUFFER_FLOAT32, 3);
 
 	/* 3 - 1/up = (3 up - 1) / up, of which no difference is rounded */
 	assert_true(step == fma(3, (double)up, -1) / (double)up);
@@ -218,30 +234,28 @@ static void depth_without_end(void **state)
 static void a_range_below_a_step_has_none(void **state)
 {
 	struct scene s = near_and_far(1, 2);
-	struct depth z;
 
 	(void)state;
-	depth_of(&s, false, &z);
 	for (int i = 0; i < 6; i++) {
 		enum buffer b = (enum buffer)(i / 2);
 
 		s.viewport.min_z = 1;
-		assert_true(isnan(step_of(&z, &s, b, i % 2)) != 0);
+		assert_true(isnan(step_of(&s, false, b, i % 2)) != 0);
 		s.viewport.min_z = 1 - 0x1p-24;
-		assert_true(
-		    isnan(step_of(&z, &s, b, i % 2)) == (b != BUFFER_FLOAT32));
+		assert_true(isnan(step_of(&s, false, b, i % 2)) ==
+		    (b != BUFFER_FLOAT32));
 		s.viewport.min_z = 1 - 0x1p-23;
-		assert_true(
-		    isnan(step_of(&z, &s, b, i % 2)) == (b == BUFFER_UNORM16));
+		assert_true(isnan(step_of(&s, false, b, i % 2)) ==
+		    (b == BUFFER_UNORM16));
 	}
 	/* the next float above -1e39 is the least; above 1e38 none is below this */
 	s.viewport.min_z = -1e39;
 	s.viewport.max_z = -1;
-	assert_true(step_of(&z, &s, BUFFER_FLOAT32, false) > 0);
+	assert_true(step_of(&s, false, BUFFER_FLOAT32, false) > 0);
 	s.viewport.min_z = 1e38;
 	s.viewport.max_z = nextafter(1e38, 2e38);
-	assert_true(isnan(step_of(&z, &s, BUFFER_FLOAT32, false)) != 0);
-	assert_true(isnan(step_of(&z, &s, BUFFER_FLOAT32, true)) != 0);
+	assert_true(isnan(step_of(&s, false, BUFFER_FLOAT32, false)) != 0);
+	assert_true(isnan(step_of(&s, false, BUFFER_FLOAT32, true)) != 0);
 }
 
 int main(void)

@@ -291,8 +291,10 @@ static unsigned flags(const struct scene *s, const struct fitted *f)
 	unsigned out = 0;
 
 	if (f->cloud.n == 0) {
-		assert_null(bounds_out(f->b, s, &out));
-		return out;
+		struct hull h;
+
+		assert_null(hull_of(f->b, 3, &h));
+		return hull_out(&h, s);
 	}
 	assert_null(frustum_of(s, SPACE_MODEL, false, &frustum));
 	for (size_t n = 0; n < f->cloud.n; n++)

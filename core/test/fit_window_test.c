@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The window that fit gives holds its bounds, and no double is tighter: by MPFR and
  * by the flags. What a window shows. */
-#include "../derive/fit_window.h"
+#include "../derive/fit.h"
 
 #include "../derive/frustum.h"
 #include "claims.h"
