@@ -160,8 +160,8 @@ enum {
 	WAYS_MATRIX,
 };
 
-/* fit finds width and height; if an aspect is given, they keep to it. The first two
- * are in the order of enum extent. */
+/* fit finds width and height; if an aspect is given, they keep to it. The ways of persp
+ * are in the order of enum extent, those of a parallel one from EXTENT_SIZE on. */
 const struct ways projection_ways[] = {
 	[WAYS_PERSP] = { { "fovy aspect?", "fovx aspect?", "view_angle aspect?",
 			     "field aspect?", "width height edges_at?",
@@ -192,12 +192,6 @@ const struct ways projection_ways[] = {
 static const struct ways open_ways = {
 	.way = { "near far? reverse_z?", "" },
 };
-
-static const enum extent persp_extents[] = { EXTENT_FOVY, EXTENT_FOVX,
-	EXTENT_VIEW_ANGLE, EXTENT_FIELD, EXTENT_SIZE, EXTENT_WIDTH,
-	EXTENT_HEIGHT, EXTENT_EDGES, EXTENT_ANGLES, EXTENT_INTRINSICS };
-static const enum extent parallel_extents[] = { EXTENT_SIZE, EXTENT_WIDTH,
-	EXTENT_HEIGHT, EXTENT_EDGES };
 
 static int take_way(const struct value *v, const struct projection *p,
     uint64_t seen, const struct ways *ways)
@@ -351,9 +345,8 @@ static void read_persp(const struct value *v, uint64_t seen,
     const struct viewport *viewport, struct projection *p)
 {
 	const struct ways *depth = &projection_ways[WAYS_DEPTH];
-	int way = take_way(v, p, seen, &projection_ways[WAYS_PERSP]);
 
-	p->extent = persp_extents[way];
+	p->extent = take_way(v, p, seen, &projection_ways[WAYS_PERSP]);
 	if (v->source->fit && projection_is_by_near(p))
 		need_near(v, seen, p);
 	else if (!v->source->fit && p->extent == EXTENT_INTRINSICS)
@@ -371,9 +364,8 @@ static void read_persp(const struct value *v, uint64_t seen,
 static void read_parallel(const struct value *v, uint64_t seen,
     const struct viewport *viewport, struct projection *p)
 {
-	int way = take_way(v, p, seen, &projection_ways[WAYS_PARALLEL]);
-
-	p->extent = parallel_extents[way];
+	p->extent = EXTENT_SIZE +
+	    take_way(v, p, seen, &projection_ways[WAYS_PARALLEL]);
 	if (p->type == PROJECTION_OBLIQUE)
 		take_way(v, p, seen, &projection_ways[WAYS_SHEAR]);
 	/* the usual direction is 45 degrees in any unit */
@@ -449,16 +441,6 @@ static void keep_way(uint64_t *bits, const struct projection *p, int ways,
 	    &projection_ways[ways], way);
 }
 
-static void keep_extent(uint64_t *bits, const struct projection *p, int ways,
-    const enum extent *extents)
-{
-	int way = 0;
-
-	while (extents[way] != p->extent)
-		way++;
-	keep_way(bits, p, ways, way);
-}
-
 void print_projection(struct printer *printer, const struct projection *p,
     const struct viewport *viewport)
 {
@@ -472,7 +454,7 @@ void print_projection(struct printer *printer, const struct projection *p,
 	case PROJECTION_MATRIX:
 		break;
 	case PROJECTION_PERSP:
-		keep_extent(&bits, p, WAYS_PERSP, persp_extents);
+		keep_way(&bits, p, WAYS_PERSP, (int)p->extent);
 		if (p->edges_at == 0)
 			leave_out(&bits, p, "edges_at");
 		if (projection_is_open(p))
@@ -483,10 +465,12 @@ void print_projection(struct printer *printer, const struct projection *p,
 		keep_way(&bits, p, WAYS_SHEAR, p->kind == OBLIQUE_ANGLE);
 		if (p->direction == 45 && p->direction_unit == DEGREES)
 			leave_out(&bits, p, "direction");
-		keep_extent(&bits, p, WAYS_PARALLEL, parallel_extents);
+		keep_way(&bits, p, WAYS_PARALLEL,
+		    (int)p->extent - EXTENT_SIZE);
 		break;
 	case PROJECTION_ORTHO:
-		keep_extent(&bits, p, WAYS_PARALLEL, parallel_extents);
+		keep_way(&bits, p, WAYS_PARALLEL,
+		    (int)p->extent - EXTENT_SIZE);
 		break;
 	case PROJECTION_VOLUME:
 		keep_way(&bits, p, WAYS_VOLUME, p->aspect[1] != 0);

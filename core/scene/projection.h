@@ -7,15 +7,16 @@
 #include "../exact/map.h"
 #include "../exact/trig.h"
 
-/* The cross-section of persp (on the near plane), ortho and oblique. */
+/* The cross-section of persp (on the near plane), ortho and oblique, in the order of
+ * the ways of their members. */
 enum extent {
 	EXTENT_FOVY, /* angle, aspect */
 	EXTENT_FOVX,
 	EXTENT_VIEW_ANGLE, /* of the smaller side */
 	EXTENT_FIELD,      /* half the larger side at unit distance, aspect */
 	EXTENT_SIZE,       /* width, height */
-	EXTENT_HEIGHT,     /* height, aspect */
 	EXTENT_WIDTH,      /* width, aspect */
+	EXTENT_HEIGHT,     /* height, aspect */
 	EXTENT_EDGES,
 	EXTENT_ANGLES,     /* of the edges from the gaze */
 	EXTENT_INTRINSICS, /* what makes pixels of a point in view space */
@@ -55,8 +56,7 @@ struct projection {
 	enum angle_unit direction_unit;
 	double plane; /* depth that stays unsheared */
 
-	/* volume; the larger half side is half_width or half_height times the
-	 * aspect, where there is one */
+	/* volume; with an aspect both halves are those of the smaller side */
 	double half_width, half_height, z_near, z_far;
 	double inverse_eye_z, tan_skew[2];
 	bool has_angle; /* instead of inverse_eye_z; 0 is parallel */
@@ -64,8 +64,7 @@ struct projection {
 	double eye[3]; /* in view space, instead of all three */
 
 	double matrix[4][4];
-	bool
-	    alone; /* a matrix without a camera, so that it may have one in it */
+	bool alone; /* without a camera, which the matrix may have in it */
 };
 
 /* A persp without planes. */
@@ -106,7 +105,8 @@ static inline double projection_w_at_eye(const struct projection *p)
 /* How much w grows in a unit of length across the projection plane, in a persp. */
 struct sum projection_w_slope(const struct projection *);
 
-/* Of a tilted P, view space to a space in which P is K = 1 0 0, 0 1 0, 0 0 1. */
+/* Of intrinsics, view space to its level space, in which they are 1 0 0, 0 1 0,
+ * 0 0 1. */
 void projection_level(const struct projection *, const struct convention *,
     double level[4][4]);
 

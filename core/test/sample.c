@@ -276,6 +276,8 @@ static void seven(struct projection *p, int e)
 		p->angle = 0;
 	if (sample_below(2))
 		p->aspect[0] = p->aspect[1] = 0;
+	else
+		p->half_height = p->half_width; /* the smaller side's */
 }
 
 /* About as wide, and as near to a right angle, in degrees, as in radians. */
