@@ -68,6 +68,28 @@ bool read_convention(const struct value *v, struct convention *c)
 	return true;
 }
 
+static void read_it(const struct value *v, const struct member *row, void *out)
+{
+	(void)row;
+	read_convention(v, out);
+}
+
+/* By name, or by what differs from d3d. */
+static void print_convention(struct printer *p, const struct member *row,
+    const void *at)
+{
+	(void)row;
+	for (int i = 0; i < CONVENTIONS; i++)
+		if (same_convention(at, &conventions[i])) {
+			put_string(p, convention_names[i]);
+			return;
+		}
+	object_print(p, convention_members, 0, ALL_MEMBERS, at);
+}
+
+const struct type type_convention = { "a name or an object", read_it,
+	print_convention, 0 };
+
 void check_axes(const struct value *in, const char *name)
 {
 	struct value m = value_missing(in, name);

@@ -28,6 +28,9 @@ bool same_convention(const struct convention *, const struct convention *);
  * that says nothing. */
 bool read_convention(const struct value *, struct convention *);
 
+/* A name or such an object. */
+extern const struct type type_convention;
+
 /* Refuses the member of that name where neither the document nor the call says
  * which way the axes of view go, on which the member depends. */
 void check_axes(const struct value *in, const char *name);

@@ -70,18 +70,62 @@ static void print_word(struct printer *p, const struct member *row,
 
 const struct type type_word = { NULL, read_word, print_word, sizeof(unsigned) };
 
-static void read_later(const struct value *v, const struct member *row,
-    void *out)
+const struct type type_points = { "a point or a list", NULL, NULL, 0 };
+
+/* Returns those of a list of ways, or of those behind it, that are for the kind; NULL at
+ * the end. */
+static const struct ways *ways_of(const struct ways *w, int kind)
 {
-	(void)row;
-	*(struct value *)out = *v;
+	while (w != NULL && w->way[0] != NULL && w->kinds != 0 &&
+	    (w->kinds >> kind & 1) == 0)
+		w++;
+	return w != NULL && w->way[0] != NULL ? w : NULL;
 }
 
-const struct type type_value = { NULL, read_later, NULL, 0 };
-const struct type type_later_matrix = { "matrix", read_later, NULL, 0 };
-const struct type type_points = { "a point or a list", read_later, NULL, 0 };
-const struct type type_convention = { "a name or an object", read_later, NULL,
-	0 };
+void take_ways(const struct value *v, const struct member *row, int kind,
+    uint64_t seen, void *base)
+{
+	const struct ways *w = row->ways;
+
+	for (; (w = ways_of(w, kind)) != NULL; w++) {
+		int way = object_way(v, row->members, kind, seen, w);
+
+		if (w->at != 0)
+			*(unsigned *)((char *)base + w->at) = w->first +
+			    (unsigned)way;
+	}
+}
+
+uint64_t taken_ways(const struct member *row, int kind, const void *base)
+{
+	uint64_t bits = ALL_MEMBERS;
+	const struct ways *w = row->ways;
+
+	for (; (w = ways_of(w, kind)) != NULL; w++) {
+		const void *way = (const char *)base + w->at;
+
+		if (w->at != 0)
+			bits &= object_shown(row->members, kind, w,
+			    (int)(*(const unsigned *)way - w->first));
+	}
+	return bits;
+}
+
+static void read_object(const struct value *v, const struct member *row,
+    void *out)
+{
+	uint64_t seen = object_read(v, row->members, 0, out);
+
+	take_ways(v, row, 0, seen, out);
+}
+
+static void print_object(struct printer *p, const struct member *row,
+    const void *at)
+{
+	object_print(p, row->members, 0, taken_ways(row, 0, at), at);
+}
+
+const struct type type_object = { NULL, read_object, print_object, 0 };
 
 #define FAR "a number or \"infinity\""
 
@@ -120,6 +164,15 @@ const struct type type_far = { "size or \"infinity\"", read_far, print_far,
 	sizeof(double) };
 
 const char *const vector_names[] = { "row", "column", NULL };
+
+static void read_later(const struct value *v, const struct member *row,
+    void *out)
+{
+	(void)row;
+	*(struct value *)out = *v;
+}
+
+static const struct type type_value = { NULL, read_later, NULL, 0 };
 
 /* The object that -o json prints a matrix in. */
 struct printed {
@@ -202,14 +255,32 @@ static void read_matrix(const struct value *v, const struct member *row,
 	read_elements(v, false, out);
 }
 
-void read_affine(const struct value *v, const struct member *row, void *out)
+static void read_affine(const struct value *v, const struct member *row,
+    void *out)
 {
 	(void)row;
 	read_elements(v, true, out);
 }
 
+static void print_rows(struct printer *p, const struct member *row,
+    const void *at)
+{
+	const double(*m)[4] = at;
+
+	(void)row;
+	put_open(p, "[");
+	for (int i = 0; i < 4; i++) {
+		double e[4];
+
+		for (int j = 0; j < 4; j++)
+			e[j] = p->column ? m[j][i] : m[i][j];
+		put_numbers(p, e, 4);
+	}
+	put_close(p, "]");
+}
+
 const struct type type_matrix = { "matrix", read_matrix, NULL, 0 };
-const struct type type_affine = { "matrix", read_affine, NULL, 0 };
+const struct type type_affine = { "matrix", read_affine, print_rows, 0 };
 
 #define FORMS                                                         \
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \

@@ -236,26 +236,27 @@ static void by_view_angle(const struct projection *p, struct sum *over,
 void projection_inverse_eye_z(const struct projection *p, struct sum *over,
     struct sum *under)
 {
-	if (p->has_angle && p->angle > 0) {
+	if (p->eye_by == EYE_BY_ANGLE && p->angle > 0) {
 		by_view_angle(p, over, under);
 		return;
 	}
-	*over = sum_of_double(p->has_eye ? 1 :
-		p->has_angle             ? 0 :
-					   p->inverse_eye_z);
-	*under = sum_of_double(p->has_eye ? p->eye[2] : 1);
+	*over = sum_of_double(p->eye_by == EYE_GIVEN ? 1 :
+		p->eye_by == EYE_BY_ANGLE            ? 0 :
+						       p->inverse_eye_z);
+	*under = sum_of_double(p->eye_by == EYE_GIVEN ? p->eye[2] : 1);
 }
 
 static const char *eye_plane_crosses(const struct projection *p)
 {
-	if (p->has_angle)
+	if (p->eye_by == EYE_BY_ANGLE)
 		return "/projection/view_angle: the eye plane crosses the "
 		       "volume; choose a smaller one, or move z_near";
-	return p->has_eye ? "/projection/eye: its plane crosses the volume; "
-			    "move it before z_near or beyond z_far" :
-			    "/projection/inverse_eye_z: the eye plane crosses "
-			    "the volume; it must lie before z_near or "
-			    "beyond z_far";
+	return p->eye_by == EYE_GIVEN ?
+	    "/projection/eye: its plane crosses the volume; "
+	    "move it before z_near or beyond z_far" :
+	    "/projection/inverse_eye_z: the eye plane crosses "
+	    "the volume; it must lie before z_near or "
+	    "beyond z_far";
 }
 
 /* With q = qn / qd the inverse of the eye's z, an / qd = 1 - zf q and bn / qd =
@@ -272,7 +273,7 @@ static const char *volume_elements(const struct projection *p,
 	if (sum_sign(f->dz) == 0)
 		return "/projection/z_far: equal to z_near; "
 		       "the planes must differ";
-	if (p->has_eye && p->eye[2] == 0)
+	if (p->eye_by == EYE_GIVEN && p->eye[2] == 0)
 		return "/projection/eye: its z is 0, in the rectangle's "
 		       "plane; move the eye off it";
 	projection_inverse_eye_z(p, &qn, &qd);
@@ -282,7 +283,7 @@ static const char *volume_elements(const struct projection *p,
 	if (sum_sign(an) * sum_sign(bn) <= 0)
 		return eye_plane_crosses(p);
 	for (int k = 0; k < 2; k++)
-		skew[k] = p->has_eye ?
+		skew[k] = p->eye_by == EYE_GIVEN ?
 		    sum_of_double(p->eye[k]) :
 		    sum_mul(sum_of_double(p->tan_skew[k]), qd);
 	f->zx = sum_neg(sum_mul(skew[0], f->x));

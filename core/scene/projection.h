@@ -59,9 +59,10 @@ struct projection {
 	/* volume; with an aspect both halves are those of the smaller side */
 	double half_width, half_height, z_near, z_far;
 	double inverse_eye_z, tan_skew[2];
-	bool has_angle; /* instead of inverse_eye_z; 0 is parallel */
-	bool has_eye;
-	double eye[3]; /* in view space, instead of all three */
+	double eye[3]; /* in view space */
+	/* Whether the eye is by inverse_eye_z, at eye, or by the angle, of which 0
+	 * is parallel. In the order of the ways of their members. */
+	enum { EYE_BY_Z, EYE_GIVEN, EYE_BY_ANGLE } eye_by;
 
 	double matrix[4][4];
 	bool alone; /* without a camera, which the matrix may have in it */
