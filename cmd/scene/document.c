@@ -120,14 +120,6 @@ static char *copy_value(const char *s, const char *end, char *out)
 	return out;
 }
 
-/* The text of points, which only an array has. */
-static char *text_of(const struct value *v, const struct span *array)
-{
-	if (array->s == NULL)
-		value_wrong(v, "an array of points");
-	return (char *)array->s;
-}
-
 /* Makes lines of the points that an array is, or the one point, in its place:
  * no point's line is longer than the point with the comma or bracket before it,
  * but for the newline of a lone one, which is behind the text if that ends with it.
@@ -135,7 +127,9 @@ static char *text_of(const struct value *v, const struct span *array)
 static size_t take_points(const struct value *v, const struct span *array,
     int coordinates)
 {
-	char *const lines = text_of(v, array);
+	if (array->s == NULL)
+		value_wrong(v, "an array of points");
+	char *const lines = (char *)array->s;
 	char *out = lines;
 	const char *s = json_space(lines + 1, array->end), *stop;
 	struct value e = { .source = v->source, .in = v, .unused = v->unused };
@@ -247,6 +241,28 @@ static void refuse_flat(const struct value *root,
 		    "commands w2n, n2w, n2d, d2n, w2d and d2w are of two");
 }
 
+/* Returns whether the document's convention says anything. */
+static bool read_convention(const struct value *v, struct document *d)
+{
+	object_read_member(v, &scene_members[CONVENTION], d);
+	return !value_is_object(v) ||
+	    object_read(v, convention_members, 0, NULL) != 0;
+}
+
+/* A device's corner that is not given is that of the answer's convention, else of the
+ * document's, where that is a name or has an origin. */
+static void find_origin(const struct document_wants *w, const struct value *v,
+    const struct convention *c, struct device *device)
+{
+	struct value given;
+
+	if (w->convention != NULL)
+		device->top_left = !w->convention->bottom_left;
+	else if (v->item != NULL &&
+	    (!value_is_object(v) || value_member(v, "origin", &given)))
+		device->top_left = !c->bottom_left;
+}
+
 /* What one member says of another. */
 static void complete_scene(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_MEMBERS], unsigned seen)
@@ -266,8 +282,7 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 		projection_complete(&m[PROJECTION],
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);
 	if (s->has_device && !value_member(&m[DEVICE], "origin", &given))
-		find_origin(seen & SCENE_CONVENTION ? &m[CONVENTION] : NULL,
-		    w->convention, &s->device.top_left);
+		find_origin(w, &m[CONVENTION], &s->convention, &s->device);
 	if ((w->used & SCENE_MARGIN) == 0)
 		s->margin = 0;
 }
@@ -313,8 +328,7 @@ void document_read(struct document *d, const char *name, char *text,
 		d->scene.convention = *w->convention;
 	source.axes = w->convention != NULL;
 	if (seen & SCENE_CONVENTION)
-		source.axes |= read_convention(&m[CONVENTION],
-		    &d->scene.convention);
+		source.axes |= read_convention(&m[CONVENTION], d);
 	if (w->convention != NULL &&
 	    !same_convention(w->convention, &d->scene.convention))
 		d->scene.answer = w->convention;

@@ -2,7 +2,6 @@
 #include "members.h"
 
 #include "convention_member.h"
-#include "examples.h"
 
 static const char *const origins[] = { "bottom-left", "top-left", NULL };
 static const char *const scales[] = { "fill", "uniform", NULL };
