@@ -5,33 +5,13 @@
 
 #include "../exact/vec3.h"
 
-/* With clip z = zz D + tz and w = zw D + tw along the one axis that both depend on,
- * 1/w = (zz - zw z) / (tw zz - tz zw) for ndc z. Else it is the inverse's last column
- * that says so on the axis through the device's middle: (c2 z + c3) / det. */
-static void find_inverse_w(const struct map *m, struct sum c[2],
-    struct sum *det)
-{
-	bool square = true;
-
-	for (int i = 0; i < 4; i++)
-		square &= sum_sign(m->m[i / 2][2 + i % 2]) == 0;
-	if (square) {
-		c[0] = sum_neg(m->m[2][3]);
-		c[1] = m->m[2][2];
-		*det = sum_minor(m->m[3][3], c[1], m->m[3][2], m->m[2][3]);
-	} else {
-		c[0] = sum_neg(map_minor(3, m->m, 8, 4));
-		c[1] = map_minor(3, m->m, 8, 8);
-		*det = map_minor(4, m->m, 0, 0);
-	}
-}
-
-/* A perspective's distance is w over the length of the gradient of w. A parallel
- * projection's is that of clip z, along the convention's gaze or, of a
- * matrix, from near to far. */
+/* A perspective's distance is w over the length of the gradient of w, where 1/w is
+ * (c2 z + c3) / det by the inverse's last column, on the axis through the device's
+ * middle. A parallel projection's is that of clip z, along the convention's gaze or, of
+ * a matrix, from near to far. */
 void depth_of(const struct scene *s, bool reversed, struct depth *d)
 {
-	struct sum w[3], z[3], det;
+	struct sum w[3], z[3];
 	struct map m;
 
 	/* whose reasons the scene has not, as it is not degenerate */
@@ -44,14 +24,14 @@ void depth_of(const struct scene *s, bool reversed, struct depth *d)
 	d->reversed = reversed;
 	d->open = projection_is_open(&s->projection);
 	if (!vec3_is_zero(w)) {
-		struct sum length = vec3_length(w);
+		struct sum det = map_minor(4, m.m, 0, 0);
+		struct sum length = sum_negated_if(sum_sign(det) < 0,
+		    vec3_length(w));
 
-		find_inverse_w(&m, d->under, &det);
 		d->over[0] = sum_of_double(0);
 		d->over[1] = sum_abs(det);
-		for (int i = 0; i < 2; i++)
-			d->under[i] = sum_mul(length,
-			    sum_negated_if(sum_sign(det) < 0, d->under[i]));
+		d->under[0] = sum_neg(sum_mul(length, map_minor(3, m.m, 8, 4)));
+		d->under[1] = sum_mul(length, map_minor(3, m.m, 8, 8));
 		return;
 	}
 	bool behind = sum_sign(m.m[3][3]) < 0;
@@ -81,16 +61,23 @@ static struct at plane(const struct depth *d, bool far)
 		sum_of_double(1) };
 }
 
-double depth_distance(const struct depth *d, bool far)
+void depth_quotient(const struct depth *d, bool far, struct sum *over,
+    struct sum *under)
 {
 	struct at z = plane(d, far);
-	struct sum under = at_depth(d->under, &z);
 
+	*over = at_depth(d->over, &z);
+	*under = at_depth(d->under, &z);
+}
+
+double depth_distance(const struct depth *d, bool far)
+{
+	struct sum over, under;
+
+	depth_quotient(d, far, &over, &under);
 	if (d->open || sum_sign(under) < 0)
 		return (double)NAN;
-	return sum_sign(under) == 0 ?
-	    HUGE_VAL :
-	    sum_over_or_nan(at_depth(d->over, &z), under);
+	return sum_sign(under) == 0 ? HUGE_VAL : sum_over_or_nan(over, under);
 }
 
 /* The viewport's depth, from ndc's. */
@@ -152,20 +139,19 @@ static bool next_depth(const struct at *z, enum buffer b, int up,
 	return true;
 }
 
-/* How far it is from one ndc depth to another. */
+/* How far it is from one ndc depth to another; nan where that is nothing. */
 static double between(const struct depth *d, const struct at *a,
     const struct at *b)
 {
-	struct sum det = sum_minor(d->over[0], d->under[1], d->over[1],
-	    d->under[0]);
 	struct sum under[2] = { at_depth(d->under, a), at_depth(d->under, b) };
+	struct sum way = sum_minor(at_depth(d->over, b), under[0],
+	    at_depth(d->over, a), under[1]);
 
-	if (sum_sign(det) == 0 || sum_sign(under[0]) * sum_sign(a->d) <= 0 ||
+	if (sum_sign(way) == 0 || sum_sign(under[0]) * sum_sign(a->d) <= 0 ||
 	    sum_sign(under[1]) * sum_sign(b->d) <= 0)
 		return (double)NAN;
-	return sum_over_or_nan(sum_abs(sum_mul(det,
-				   sum_minor(a->n, b->d, b->n, a->d))),
-	    sum_mul(sum_abs(under[0]), sum_abs(under[1])));
+	return sum_over_or_nan(sum_abs(way),
+	    sum_abs(sum_mul(under[0], under[1])));
 }
 
 /* From ndc depth z a step up or down in ndc, to the limit at most. */

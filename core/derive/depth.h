@@ -22,8 +22,10 @@ struct depth {
 /* The scene is not degenerate. */
 void depth_of(const struct scene *, bool reversed, struct depth *);
 
-/* The distance of the near or far plane: nan where it lies behind, infinite at
- * infinity. */
+/* The distance of the near or far plane, also as a quotient: nan where it lies behind,
+ * infinite at infinity. */
+void depth_quotient(const struct depth *, bool far, struct sum *over,
+    struct sum *under);
 double depth_distance(const struct depth *, bool far);
 
 /* The distance, inward from the near or far plane, at which the viewport's depth

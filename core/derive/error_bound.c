@@ -30,64 +30,44 @@ struct corner {
 struct volume {
 	const struct transform *t;
 	struct corner corner[8];
-	double size[3]; /* of the coordinates that come out */
+	double size[3], largest; /* of the coordinates that come out */
 };
 
-static const char *set_corners(const struct scene *s,
-    const struct map *from_view, struct volume *v)
+static void set_corner(const struct scene *s, const struct map *from_clip,
+    const double origin[3], int i, struct corner *c)
 {
-	const double *origin = v->t->for_kernel.origin;
+	struct sum h[4], over = view_corner(s, from_clip, i, h);
 
-	for (int i = 0; i < 8; i++) {
-		struct corner *c = &v->corner[i];
-		struct sum h[4], over;
-		const char *why = view_corner(s, from_view, i, h, &over);
-
-		if (why != NULL)
-			return why;
-		for (int j = 0; j < 3; j++) {
-			struct sum o = sum_mul(h[3], sum_of_double(origin[j]));
-
-			c->p[j] = fabs(sum_over(sum_sub(h[j], o), over));
-		}
-		c->inverse = sum_over(h[3], over);
-	}
-	return NULL;
+	for (int j = 0; j < 3; j++)
+		c->p[j] = fabs(
+		    sum_over(sum_sub(h[j], sum_scale(h[3], origin[j])), over));
+	c->inverse = sum_over(h[3], over);
 }
 
-static void set_size(const struct scene *s, double size[3])
+static void set_size(const struct scene *s, struct volume *to)
 {
 	const struct viewport *v = &s->viewport;
+	double *size = to->size;
 
 	size[0] = size[1] = size[2] = 1;
-	if (!s->has_viewport)
-		return;
-	size[0] = fmax(fabs(v->x), fabs(v->x + v->width)) * ROUNDED_UP;
-	size[1] = fmax(fabs(v->y), fabs(v->y + v->height)) * ROUNDED_UP;
-	size[2] = fmax(fabs(v->min_z), fabs(v->max_z));
+	if (s->has_viewport) {
+		size[0] = fmax(fabs(v->x), fabs(v->x + v->width)) * ROUNDED_UP;
+		size[1] = fmax(fabs(v->y), fabs(v->y + v->height)) * ROUNDED_UP;
+		size[2] = fmax(fabs(v->min_z), fabs(v->max_z));
+	}
+	to->largest = fmax(fmax(size[0], size[1]), size[2]);
 }
 
 /* The sum of the magnitudes of column j's products, over w, in a corner, as
  * kernel/plain.h counts it with what underflows. */
-static double bound_column(const struct volume *v, int corner, int j,
-    double tiny)
+static double bound_column(const struct kernel_map *k, const struct corner *c,
+    int j, double tiny)
 {
-	const struct corner *c = &v->corner[corner];
-	const struct kernel_map *k = &v->t->for_kernel;
 	double s = c->inverse * (k->image[j] + tiny * (4 + 3 * k->most[j]));
 
 	for (int i = 0; i < 3; i++)
 		s += c->p[i] * (fabs(k->hi[i][j]) + tiny);
 	return s;
-}
-
-static double largest_inverse(const struct volume *v)
-{
-	double inverse = 0;
-
-	for (int i = 0; i < 8; i++)
-		inverse = fmax(inverse, v->corner[i].inverse);
-	return inverse;
 }
 
 /* nan where w could be unknown or 1/w beyond the range; other sums that could be
@@ -96,68 +76,52 @@ static double bound_plain(const struct volume *v, const struct arithmetic *a)
 {
 	const struct transform *t = v->t;
 	const struct kernel_map *k = &t->for_kernel;
-	double cu = PLAIN_BOUND * a->u, worst = 0, w = 0;
-	double inverse = largest_inverse(v), size = 0;
+	double cu = PLAIN_BOUND * a->u, worst = 0, w = 0, inverse = 0;
 
 	for (int i = 0; i < 8; i++) {
-		double s3 = bound_column(v, i, 3, a->tiny);
+		const struct corner *c = &v->corner[i];
+		double s3 = bound_column(k, c, 3, a->tiny);
 
 		w = fmax(w, s3);
-		for (int j = 0; j < 3; j++) {
-			double s = bound_column(v, i, j, a->tiny);
-
-			size = fmax(size, v->size[j]);
-			if (t->divide)
-				s += v->size[j] * s3;
-			if (j < 2 || t->kind != KERNEL_DEPTH)
-				worst = fmax(worst, s);
-		}
+		inverse = fmax(inverse, c->inverse);
+		for (int j = 0; j < (t->kind == KERNEL_DEPTH ? 2 : 3); j++)
+			worst = fmax(worst,
+			    bound_column(k, c, j, a->tiny) +
+				(t->divide ? v->size[j] * s3 : 0));
 	}
 	if (t->kind == KERNEL_DEPTH)
 		worst = fmax(worst,
 		    fabs(k->a_hi) + fabs(k->b_hi) * inverse * w);
-	if (!(inverse <= a->most) || !(size <= a->most) ||
+	if (!(inverse <= a->most) || !(v->largest <= a->most) ||
 	    !(fabs(k->a_hi) <= a->most) || !(fabs(k->b_hi) <= a->most) ||
 	    (t->divide && !(cu * w < 0x1p-4)))
 		return (double)NAN;
 	return (cu * worst + 4 * a->tiny * a->u) * ROUNDED_UP;
 }
 
-/* Half a unit in the last place of the largest coordinate. */
-static double bound_exact(const struct volume *v)
-{
-	double worst = 0;
-
-	for (int j = 0; j < 3; j++) {
-		int e;
-
-		frexp(v->size[j], &e);
-		worst = fmax(worst, ldexp(1, e - 54));
-	}
-	return worst;
-}
-
 const char *error_bounds(const struct scene *s, double bound[3])
 {
 	enum space to = s->has_viewport ? SPACE_DEVICE : SPACE_NDC;
 	struct transform t;
-	struct map from_view;
+	struct map from_clip;
 	struct volume v = { .t = &t };
 	const char *why = scene_transform(s, SPACE_MODEL, to, false, &t);
+	int e;
 
 	for (int i = 0; i < 3; i++)
 		bound[i] = (double)NAN;
 	/* where the world matrix is singular the volume has no end, nor where
 	 * there are no planes */
 	if (why != NULL || projection_is_open(&s->projection) ||
-	    scene_map(s, SPACE_VIEW, SPACE_MODEL, &from_view) != NULL ||
-	    set_corners(s, &from_view, &v) != NULL)
+	    scene_map(s, SPACE_CLIP, SPACE_MODEL, &from_clip) != NULL)
 		return why;
-	set_size(s, v.size);
-	bound[PRECISION_EXACT] = bound_exact(&v);
-	bound[PRECISION_DOUBLE] = bound_plain(&v,
-	    &arithmetic[PRECISION_DOUBLE]);
-	bound[PRECISION_SINGLE] = bound_plain(&v,
-	    &arithmetic[PRECISION_SINGLE]);
+	for (int i = 0; i < 8; i++)
+		set_corner(s, &from_clip, t.for_kernel.origin, i, &v.corner[i]);
+	set_size(s, &v);
+	/* half a unit in the last place of the largest coordinate */
+	frexp(v.largest, &e);
+	bound[PRECISION_EXACT] = ldexp(1, e - 54);
+	for (int i = PRECISION_DOUBLE; i <= PRECISION_SINGLE; i++)
+		bound[i] = bound_plain(&v, &arithmetic[i]);
 	return NULL;
 }

@@ -189,37 +189,27 @@ void frustum_out_all(const struct frustum *f, const double *const in[4],
 	}
 }
 
-const char *view_corner(const struct scene *s, const struct map *from_view,
-    int corner, struct sum h[4], struct sum *over)
+/* Without planes both ends are at infinity, where depth is least. */
+struct sum view_corner(const struct scene *s, const struct map *from_clip,
+    int corner, struct sum h[4])
 {
-	static const int right[4] = { -1, 1, 1, -1 }, up[4] = { -1, -1, 1, 1 };
-	struct sum half[2], scale[2], v[4];
+	const struct convention *c = answer_convention(s);
+	bool right = corner % 4 == 1 || corner % 4 == 2, top = corner % 4 > 1;
+	bool deep = (corner >= 4 || projection_is_open(&s->projection)) !=
+	    projection_is_reversed(&s->projection, &s->convention);
+	struct sum half[2], scale[2];
 
 	view_limits(s, half, scale);
-	struct sum side[3] = { sum_mul(half[0], scale[1]),
-		sum_mul(half[1], scale[0]), sum_mul(scale[0], scale[1]) };
+	struct sum w = sum_mul(scale[0], scale[1]);
+	const struct sum clip[4] = {
+		sum_negated_if(!right, sum_mul(half[0], scale[1])),
+		sum_negated_if(top == c->ndc_y_down,
+		    sum_mul(half[1], scale[0])),
+		sum_scale(w, deep ? 1 : -c->minus_one),
+		w,
+	};
 
-	if (right[corner % 4] < 0)
-		side[0] = sum_neg(side[0]);
-	if (up[corner % 4] < 0)
-		side[1] = sum_neg(side[1]);
-	const struct convention *given = &s->convention;
-	const struct convention *answer = answer_convention(s);
-	const char *why = projection_corner(&s->projection, given, side,
-	    corner >= 4, v, over);
-
-	if (why != NULL)
-		return why;
-	if (given->view_y_down != answer->view_y_down)
-		v[1] = sum_neg(v[1]);
-	if (looks_back(given) != looks_back(answer))
-		v[2] = sum_neg(v[2]);
-	bool minus = sum_sign(*over) < 0;
-
-	*over = sum_mul(sum_abs(*over), from_view->divisor);
-	for (int j = 0; j < 4; j++) {
-		map_column(from_view, j, v, &h[j]);
-		h[j] = minus ? sum_neg(h[j]) : h[j];
-	}
-	return NULL;
+	for (int j = 0; j < 4; j++)
+		map_column(from_clip, j, clip, &h[j]);
+	return sum_mul(w, from_clip->divisor);
 }

@@ -45,11 +45,10 @@ unsigned frustum_out(const struct frustum *, const double in[4]);
 void frustum_out_all(const struct frustum *, const double *const in[4],
     unsigned char *out, size_t n);
 
-/* Corner 0..7 of the view volume, near, then far, each left-bottom, right-bottom,
- * right-top, left-top, through a map from view space: homogeneous, and what
- * that is over where clip w is 1, above 0. Returns NULL, or the member and the
- * reason. */
-const char *view_corner(const struct scene *, const struct map *from_view,
-    int corner, struct sum h[4], struct sum *over);
+/* Finds corner 0..7 of the view volume, near, then far, each left-bottom, right-bottom,
+ * right-top, left-top, through a map from clip space: homogeneous. Returns the
+ * positive number by which that is larger than where clip w is 1. */
+struct sum view_corner(const struct scene *, const struct map *from_clip,
+    int corner, struct sum h[4]);
 
 #endif

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "taxonomy.h"
 
-#include <string.h>
-
 #include "frustum.h"
 #include "../exact/trig.h"
 #include "../exact/vec3.h"
@@ -10,18 +8,14 @@
 /* What is equal, zero or parallel, relative to what it is compared with. */
 #define ALIKE 0x1p-40
 
-/* The maps of a scene, and the gradients of clip x, y, z and w in view space:
- * the projectors run across those of x and y; the projection plane is across
- * that of w or, where w is constant, of z. */
+/* The gradients of clip x, y, z and w in view space: the projectors run across those
+ * of x and y; the projection plane is across that of w or, where w is constant, of
+ * z. */
 struct lens {
-	struct sum gradient[4][3], divisor; /* of all four */
-	int w;                              /* its sign, where it is constant */
+	struct sum gradient[4][3];
 	bool parallel;
-	struct sum axis[3][3];  /* the world's, in view space */
-	struct sum depth[2][3]; /* clip z and w along them */
-	struct sum image[3]
-			[3]; /* x, y and w on the device of their directions */
-	struct sum eye[4];   /* in the world, homogeneous */
+	struct sum axis[3][3], divisor;  /* the world's axes in view space */
+	struct map to_screen, from_clip; /* from the world, and to it */
 };
 
 static bool alike(double a, double b)
@@ -32,32 +26,23 @@ static bool alike(double a, double b)
 static const char *lens_of(const struct scene *s, struct lens *l)
 {
 	enum space screen = s->has_viewport ? SPACE_DEVICE : SPACE_NDC;
-	static const int columns[3] = { 0, 1, 3 };
-	struct map m;
-	const char *why;
+	struct map clip, view;
+	const char *why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip);
 
-	if ((why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &m)) != NULL)
+	if (why == NULL)
+		why = scene_map(s, SPACE_WORLD, SPACE_VIEW, &view);
+	if (why == NULL)
+		why = scene_map(s, SPACE_CLIP, SPACE_WORLD, &l->from_clip);
+	if (why == NULL)
+		why = scene_map(s, SPACE_WORLD, screen, &l->to_screen);
+	if (why != NULL)
 		return why;
 	for (int i = 0; i < 12; i++)
-		l->gradient[i % 4][i / 4] = m.m[i / 4][i % 4];
-	l->divisor = m.divisor;
+		l->gradient[i % 4][i / 4] = clip.m[i / 4][i % 4];
+	for (int i = 0; i < 9; i++)
+		l->axis[i / 3][i % 3] = view.m[i / 3][i % 3];
+	l->divisor = view.divisor;
 	l->parallel = vec3_is_zero(l->gradient[3]);
-	l->w = sum_sign(m.m[3][3]);
-	if ((why = scene_map(s, SPACE_WORLD, SPACE_VIEW, &m)) != NULL)
-		return why;
-	for (int i = 0; i < 9; i++)
-		l->axis[i / 3][i % 3] = map_element(&m, i / 3, i % 3);
-	if ((why = scene_map(s, SPACE_WORLD, SPACE_CLIP, &m)) != NULL)
-		return why;
-	for (int i = 0; i < 6; i++)
-		l->depth[i % 2][i / 2] = map_element(&m, i / 2, 2 + i % 2);
-	if ((why = scene_map(s, SPACE_CLIP, SPACE_WORLD, &m)) != NULL)
-		return why;
-	memcpy(l->eye, m.m[2], sizeof l->eye);
-	if ((why = scene_map(s, SPACE_WORLD, screen, &m)) != NULL)
-		return why;
-	for (int i = 0; i < 9; i++)
-		l->image[i / 3][i % 3] = m.m[i / 3][columns[i % 3]];
 	return NULL;
 }
 
@@ -92,23 +77,21 @@ static void name_parallel(const struct lens *l, struct taxonomy *t)
 	struct sum d[3], across[3], v[3];
 
 	vec3_cross(l->gradient[0], l->gradient[1], d);
-	struct sum nd = sum_abs(vec3_dot(n, d));
+	struct sum nd = vec3_dot(n, d), size = sum_abs(nd);
 
 	for (int i = 0; i < 3; i++) {
 		const struct sum *a = l->axis[i];
 		struct sum na = vec3_dot(n, a);
 
-		if (sum_sign(vec3_dot(n, d)) < 0)
-			na = sum_neg(na);
 		for (int k = 0; k < 3; k++)
-			v[k] = sum_settled(
-			    sum_sub(sum_mul(a[k], nd), sum_mul(d[k], na)));
-		t->foreshortening[i] = sum_over_or_nan(vec3_length(v), nd);
+			v[k] = sum_settled(sum_minor(a[k], nd, d[k], na));
+		t->foreshortening[i] = sum_over_or_nan(vec3_length(v),
+		    sum_mul(size, l->divisor));
 	}
 	vec3_cross(d, n, across);
 	for (int k = 0; k < 3; k++)
 		across[k] = sum_settled(across[k]);
-	double cot = sum_over_or_nan(vec3_length(across), nd);
+	double cot = sum_over_or_nan(vec3_length(across), size);
 
 	t->taxon = cot <= ALIKE ? TAXON_ORTHOGRAPHIC : TAXON_OBLIQUE;
 	t->kind = cot <= ALIKE ? axonometric_kind(t->foreshortening) :
@@ -118,16 +101,13 @@ static void name_parallel(const struct lens *l, struct taxonomy *t)
 /* As many points as axes meet the projection plane: at least one. */
 static enum kind perspective_kind(const struct lens *l)
 {
-	struct sum gradient = vec3_length(l->gradient[3]);
+	const struct sum *g = l->gradient[3];
+	struct sum gradient = vec3_length(g);
 	int n = 0;
 
-	for (int i = 0; i < 3; i++) {
-		struct sum most = sum_mul(vec3_length(l->axis[i]), gradient);
-
-		n += sum_over_or_nan(sum_mul(sum_abs(l->depth[1][i]),
-					 l->divisor),
-			 most) > ALIKE;
-	}
+	for (int i = 0; i < 3; i++)
+		n += sum_over_or_nan(sum_abs(vec3_dot(l->axis[i], g)),
+			 sum_mul(vec3_length(l->axis[i]), gradient)) > ALIKE;
 	if (n < 2)
 		return KIND_ONE_POINT;
 	return n < 3 ? KIND_TWO_POINT : KIND_THREE_POINT;
@@ -137,95 +117,58 @@ static enum kind perspective_kind(const struct lens *l)
  * and limit g - one a: their cross product over their scalar one, negated. */
 static void set_fov(const struct lens *l, const struct scene *s, double fov[2])
 {
-	const struct sum *g = l->gradient[3], two = sum_of_double(2);
-	struct sum half[2], scale[2];
+	struct sum limit[2], one[2];
 
-	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
+	viewport_limits(s->has_viewport ? &s->viewport : NULL, limit, one);
 	for (int k = 0; k < 2; k++) {
-		const struct sum *a = l->gradient[k];
-		struct sum limit = half[k], one = scale[k], v[3];
+		struct sum g[3], a[3], v[3];
 
+		for (int i = 0; i < 3; i++) {
+			g[i] = sum_mul(limit[k], l->gradient[3][i]);
+			a[i] = sum_mul(one[k], l->gradient[k][i]);
+		}
 		vec3_cross(a, g, v);
-		struct sum y = sum_mul(sum_mul(limit, one), vec3_length(v));
-		struct sum aa = sum_mul(sum_mul(one, one), vec3_dot(a, a));
-		struct sum gg = sum_mul(sum_mul(limit, limit), vec3_dot(g, g));
-
-		fov[k] = degrees_of(sum_mul(y, two), sum_sub(aa, gg));
+		fov[k] = degrees_of(sum_scale(vec3_length(v), 2),
+		    sum_sub(vec3_dot(a, a), vec3_dot(g, g)));
 	}
 }
 
-/* An axis's direction has no origin: it is w = 0. */
-static void set_vanishing_points(const struct lens *l, double point[3][2])
-{
-	for (int i = 0; i < 3; i++)
-		for (int k = 0; k < 2; k++)
-			if (sum_sign(l->image[i][2]) != 0)
-				point[i][k] = sum_over_or_nan(l->image[i][k],
-				    l->image[i][2]);
-}
-
-/* A perspective is reversed where w shrinks from near to far: the eye lies beyond
- * far. */
+/* A perspective is reversed where w shrinks from near to far: the eye, where clip x, y
+ * and w are 0, lies beyond far. An axis's direction has no origin: it is w = 0. */
 static void name_perspective(const struct lens *l, const struct scene *s,
     struct taxonomy *t)
 {
-	bool falls = sum_sign(l->eye[3]) > 0;
+	bool falls = sum_sign(l->from_clip.m[2][3]) > 0;
 
 	t->taxon = falls == t->reversed ? TAXON_PERSPECTIVE : TAXON_REVERSE;
 	t->kind = perspective_kind(l);
 	set_fov(l, s, t->fov);
-	set_vanishing_points(l, t->vanishing_point);
+	for (int i = 0; i < 3; i++) {
+		const struct sum *m = l->to_screen.m[i];
+
+		for (int k = 0; k < 2 && sum_sign(m[3]) != 0; k++)
+			t->vanishing_point[i][k] = sum_over_or_nan(m[k], m[3]);
+	}
 }
 
 /* From near to far: with depth, unless that is reversed, or with or against
  * w. */
-static void set_gaze(const struct lens *l, const struct taxonomy *t,
-    double gaze[3])
+static void set_gaze(const struct lens *l, bool against, double gaze[3])
 {
-	bool against = l->parallel ? (l->w < 0) != t->reversed :
-				     t->taxon == TAXON_REVERSE;
 	struct sum n[3];
 
-	for (int i = 0; i < 3; i++) {
-		n[i] = l->depth[l->parallel ? 0 : 1][i];
-		if (against)
-			n[i] = sum_neg(n[i]);
-	}
+	for (int i = 0; i < 3; i++)
+		n[i] = sum_negated_if(against,
+		    vec3_dot(l->axis[i], l->gradient[l->parallel ? 2 : 3]));
 	for (int i = 0; i < 3; i++)
 		gaze[i] = sum_over_or_nan(n[i], vec3_length(n));
 }
 
-/* A point from its homogeneous coordinates; nan where w is not positive. */
-static void taxonomy_point(const struct sum h[4], double p[3])
+/* A point from its homogeneous coordinates; nan where there is none. */
+static void taxonomy_point(const struct sum h[4], bool is, double p[3])
 {
 	for (int j = 0; j < 3; j++)
-		p[j] = sum_sign(h[3]) > 0 ? sum_over_or_nan(h[j], h[3]) :
-					    (double)NAN;
-}
-
-/* Where clip x, y and w are 0. */
-static void set_eye(const struct lens *l, double eye[3])
-{
-	struct sum h[4];
-
-	for (int j = 0; j < 4; j++)
-		h[j] = sum_sign(l->eye[3]) < 0 ? sum_neg(l->eye[j]) : l->eye[j];
-	taxonomy_point(h, eye);
-}
-
-static const char *taxonomy_corners(const struct scene *s, struct taxonomy *t)
-{
-	struct map from_view;
-	const char *why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &from_view);
-
-	for (int i = 0; i < 8 && why == NULL; i++) {
-		struct sum h[4], over;
-
-		why = view_corner(s, &from_view, i, h, &over);
-		if (why == NULL)
-			taxonomy_point(h, t->corner[i]);
-	}
-	return why;
+		p[j] = is ? sum_over_or_nan(h[j], h[3]) : (double)NAN;
 }
 
 const char *taxonomy_of(const struct scene *s, struct taxonomy *t)
@@ -248,7 +191,18 @@ const char *taxonomy_of(const struct scene *s, struct taxonomy *t)
 		name_parallel(&l, t);
 	else
 		name_perspective(&l, s, t);
-	set_gaze(&l, t, t->gaze);
-	set_eye(&l, t->eye);
-	return taxonomy_corners(s, t);
+	const struct sum *eye = l.from_clip.m[2];
+	bool behind = sum_sign(l.from_clip.m[3][3]) < 0;
+
+	set_gaze(&l,
+	    l.parallel ? behind != t->reversed : t->taxon == TAXON_REVERSE,
+	    t->gaze);
+	taxonomy_point(eye, sum_sign(eye[3]) != 0, t->eye);
+	for (int i = 0; i < 8; i++) {
+		struct sum h[4];
+
+		view_corner(s, &l.from_clip, i, h);
+		taxonomy_point(h, sum_sign(h[3]) > 0, t->corner[i]);
+	}
+	return NULL;
 }

@@ -487,27 +487,6 @@ const char *projection_map(const struct projection *p,
 	return projection_is_by_p(p) ? from_level(p, c, inverse, r) : NULL;
 }
 
-/* Without planes both are at infinity. */
-const char *projection_corner(const struct projection *p,
-    const struct convention *c, const struct sum side[3], bool far,
-    struct sum v[4], struct sum *over)
-{
-	bool one = (far || projection_is_open(p)) !=
-	    projection_is_reversed(p, c);
-	struct sum depth = sum_of_double(one ? 1 : c->minus_one ? -1 : 0);
-	const struct sum clip[4] = { side[0],
-		sum_negated_if(c->ndc_y_down, side[1]), sum_mul(depth, side[2]),
-		side[2] };
-	struct map back;
-	const char *why = projection_map(p, c, true, &back);
-
-	for (int j = 0; j < 4 && why == NULL; j++)
-		map_column(&back, j, clip, &v[j]);
-	if (why == NULL)
-		*over = sum_mul(side[2], back.divisor);
-	return why;
-}
-
 /* Whether a parallel projection has a camera in it, as what only a turn makes of it
  * says: x or y goes into depth, x into y; or half a turn mirrors x or y. */
 static bool has_camera(const struct projection *p, const struct convention *c)

@@ -128,11 +128,4 @@ const char *projection_map(const struct projection *, const struct convention *,
 bool projection_is_reversed(const struct projection *,
     const struct convention *);
 
-/* Where the near or far plane meets the sides x and y of ndc, y upward, which are
- * side[0] and side[1] over side[2]: in view space, homogeneous, and what that is over
- * where clip w is 1. Returns NULL, or the member and the reason. */
-const char *projection_corner(const struct projection *,
-    const struct convention *, const struct sum side[3], bool far,
-    struct sum v[4], struct sum *over);
-
 #endif
