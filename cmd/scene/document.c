@@ -120,6 +120,14 @@ static char *copy_value(const char *s, const char *end, char *out)
 	return out;
 }
 
+/* The text of points, which only an array has. */
+static char *text_of(const struct value *v, const struct span *array)
+{
+	if (array->s == NULL)
+		value_wrong(v, "an array of points");
+	return (char *)array->s;
+}
+
 /* Makes lines of the points that an array is, or the one point, in its place:
  * no point's line is longer than the point with the comma or bracket before it,
  * but for the newline of a lone one, which is behind the text if that ends with it.
@@ -127,9 +135,7 @@ static char *copy_value(const char *s, const char *end, char *out)
 static size_t take_points(const struct value *v, const struct span *array,
     int coordinates)
 {
-	if (array->s == NULL)
-		value_wrong(v, "an array of points");
-	char *const lines = (char *)array->s;
+	char *const lines = text_of(v, array);
 	char *out = lines;
 	const char *s = json_space(lines + 1, array->end), *stop;
 	struct value e = { .source = v->source, .in = v, .unused = v->unused };
@@ -150,19 +156,6 @@ static size_t take_points(const struct value *v, const struct span *array,
 	}
 }
 
-/* Whether an object is to be read as the member bare of a scene: if it has none
- * of a scene's members itself, but for the unit of its angles. */
-static bool is_bare(const struct value *v, enum scene_member bare)
-{
-	struct value m = value_child(v);
-
-	for (; m.item != NULL; value_next(&m))
-		if ((member_bit(scene_members, 0, m.name) &
-			~(unsigned)SCENE_ANGLE_UNIT) != 0)
-			return false;
-	return bare != 0;
-}
-
 /* Finds the members in m; returns those that there are, as bits. An object with none of
  * a scene's members is one of them itself, beside which may stand the unit of angles. */
 static unsigned find_members(struct document *d, const struct value *root,
@@ -172,21 +165,19 @@ static unsigned find_members(struct document *d, const struct value *root,
 
 	if (!value_is_object(root))
 		value_wrong(root, "an object, {...},");
-	bool bare = is_bare(root, w->bare);
-
-	if (!bare)
-		object_read(root, scene_members, 0, NULL);
-	for (int i = 0; i < SCENE_MEMBERS; i++) {
-		const struct member *row = &scene_members[i];
-		bool is = bare && w->bare == 1u << i;
-
-		m[i] = *root;
-		if (is)
-			d->bare = row->name;
-		if (is || value_member(root, row->name, &m[i]))
+	for (int i = 0; i < SCENE_MEMBERS; i++)
+		if (value_member(root, scene_members[i].name, &m[i]))
 			seen |= 1u << i;
+	if (w->bare == 0 || (seen & ~(unsigned)SCENE_ANGLE_UNIT) != 0) {
+		object_read(root, scene_members, 0, NULL);
+		return seen;
 	}
-	return seen;
+	for (int i = 0; i < SCENE_MEMBERS; i++)
+		if (w->bare == 1u << i) {
+			d->bare = scene_members[i].name;
+			m[i] = *root;
+		}
+	return seen | w->bare;
 }
 
 unsigned document_reads(const struct document_wants *w)
@@ -287,17 +278,6 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 		s->margin = 0;
 }
 
-static void read_points(struct document *d, const struct value *v,
-    const struct span *array, int coordinates)
-{
-	size_t size = take_points(v, array, coordinates);
-
-	if (coordinates == 0)
-		return;
-	d->points = array->s;
-	d->points_size = size;
-}
-
 void document_read(struct document *d, const char *name, char *text,
     size_t size, const struct document_wants *wants)
 {
@@ -344,7 +324,11 @@ void document_read(struct document *d, const char *name, char *text,
 			object_read_member(&m[i], &scene_members[i], d);
 	complete_scene(d, w, m, seen);
 	if (seen & SCENE_POINTS)
-		read_points(d, &m[POINTS], &points, w->coordinates);
+		size = take_points(&m[POINTS], &points, w->coordinates);
+	if (seen & SCENE_POINTS && w->coordinates > 0) {
+		d->points = points.s;
+		d->points_size = size;
+	}
 }
 
 char *document_points(const char *name, char *text, size_t size,

@@ -9,7 +9,7 @@
 /* Of struct document; row i has bit i in enum scene_member. */
 extern const struct member scene_members[];
 
-/* How members of a projection can be combined. */
+/* Of a projection, and how they can be combined. */
 extern const struct member projection_members[];
 extern const struct ways projection_ways[];
 extern const struct type type_projection;

@@ -165,14 +165,14 @@ const struct ways projection_ways[] = {
 		"left right bottom top" },
 	    PARALLEL, AT(extent), EXTENT_SIZE },
 	[WAYS_SHEAR] = { { "kind", "angle" }, .kinds = OBLIQUE },
-	[WAYS_DEPTH] = { { "near far" }, true, { NULL }, PARALLEL },
+	[WAYS_DEPTH] = { { "near far" }, .fit = true, .kinds = PARALLEL },
 	[WAYS_VOLUME] = { { "half_width half_height", "size aspect?" },
 	    .kinds = VOLUME },
 	{ { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
 	    .kinds = VOLUME, .at = AT(eye_by) },
-	{ { "z_near z_far" }, true, { NULL }, VOLUME },
+	{ { "z_near z_far" }, .fit = true, .kinds = VOLUME },
 	/* fit refuses a matrix, whatever it has */
-	{ { "matrix" }, true, { NULL }, MATRIX },
+	{ { "matrix" }, .fit = true, .kinds = MATRIX },
 	{ .way = { NULL } },
 };
 
@@ -315,18 +315,20 @@ static void find_sides(const struct value *v, const struct viewport *viewport,
 {
 	struct value m = value_missing(v, "intrinsics");
 
-	if (viewport == NULL)
+	if (viewport == NULL) {
 		value_refuse(&m,
 		    "needs a \"viewport\", in whose units it is; "
 		    "write {\"projection\": {...}, \"viewport\": "
 		    "{\"width\": 640, \"height\": 480}}");
-	if (viewport->scale != SCALE_FILL)
+	} else if (viewport->scale != SCALE_FILL) {
 		value_refuse(&m,
 		    "not together with the viewport's \"scale\"; "
 		    "leave that out");
-	check_axes(v, "intrinsics");
-	p->width = viewport->width;
-	p->height = viewport->height;
+	} else {
+		check_axes(v, "intrinsics");
+		p->width = viewport->width;
+		p->height = viewport->height;
+	}
 }
 
 /* Whether an aspect says what is missing. fit widens a parallel section to one. */
@@ -355,12 +357,14 @@ void projection_complete(const struct value *v, const struct viewport *viewport,
 	p->aspect[1] = 1;
 	if (p->aspect[0] > 0)
 		return;
-	if (viewport == NULL)
+	if (viewport == NULL) {
 		value_refuse(&missing, "missing; give it, or a \"viewport\"");
-	bool uniform = viewport->scale == SCALE_UNIFORM;
-
-	p->aspect[0] = uniform ? 1 : viewport->width;
-	p->aspect[1] = uniform ? 1 : viewport->height;
+	} else if (viewport->scale == SCALE_UNIFORM) {
+		p->aspect[0] = 1;
+	} else {
+		p->aspect[0] = viewport->width;
+		p->aspect[1] = viewport->height;
+	}
 }
 
 static void print_projection(struct printer *printer, const struct member *row,
