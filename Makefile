@@ -129,7 +129,7 @@ $(BUILD)/core/points/kernel/avx2.o $(VECTOR)/write_avx2.o $(VECTOR)/read_avx2.o:
 $(BUILD)/core/points/kernel/avx512.o: FLAGS += $(call x86,-mavx512f -mfma)
 $(VECTOR)/write_avx512.o $(VECTOR)/read_avx512.o: FLAGS += $(call x86, \
     -mavx512f -mavx512bw -mavx512cd -mavx512dq -mavx512vl -mfma)
-# Threads run these, on the stacks of cmd/stream/stack.c, and their frames are not to
+# Threads run these, on the stacks of cmd/stream/stream.c, and their frames are not to
 # grow unseen. At link time clang makes one frame, of up to 49 KB, of a command's
 # functions in several files.
 FRAME = $(if $(findstring -flto,$(CFLAGS)),65536,32768)

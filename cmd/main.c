@@ -12,7 +12,7 @@
 #include "call/synonyms.h"
 #include "stream/answer.h"
 #include "scene/members.h"
-#include "stream/stack.h"
+#include "stream/stream.h"
 #include "message/message.h"
 
 #define VERSION "0.3.0"

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "call/operands.h"
-#include "stream/block_write.h"
 #include "message/message.h"
 
 enum { SPACES = SPACE_DEVICE + 1, BATCH = NUMBER_BATCH };

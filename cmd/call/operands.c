@@ -9,7 +9,7 @@
 
 #include "input.h"
 #include "params.h"
-#include "../stream/progress.h"
+#include "../stream/answer.h"
 #include "../message/message.h"
 
 /* Refuses an operand that is no file but an option without its dashes, or with
@@ -362,8 +362,8 @@ void prepare_job(struct job *j, const struct options *o)
 	j->precision = o->precision;
 	j->visible = o->visible;
 	j->keep_going = o->keep_going;
-	j->threads = o->jobs > 0 ? o->jobs : stream_processors();
-	progress_start(o->progress);
+	j->threads = o->jobs;
+	answer_progress(o->progress);
 	widen_pipe(STDOUT_FILENO, PIPE_ROOM);
 	choose_kernels();
 	check_layout(o, &j->layout);

@@ -14,7 +14,6 @@
 
 #include "../scene/document.h"
 #include "layout.h"
-#include "../stream/job.h"
 #include "../stream/stream.h"
 #include "../message/message.h"
 
@@ -219,8 +218,8 @@ static bool do_at_once(struct job *j, const char *text, size_t size)
 	struct chunk *c = chunk_new();
 
 	c->first = !is_binary(j->layout.in.format);
-	c->text = text;
-	c->end = text + size;
+	c->piece.text = memcpy(need(NULL, size + PIECE_MARGIN), text, size);
+	c->piece.whole = size;
 	job_do(j, c);
 	bool refused = c->refused;
 
@@ -230,16 +229,17 @@ static bool do_at_once(struct job *j, const char *text, size_t size)
 		    c->out[c->size - 1] != '\n';
 	}
 	add(&printed, c->out, c->size);
-	for (size_t i = 0; i < c->n_complaints && bad + i < 10; i++) {
-		struct place p = { .line = 1 + (long)c->complaints[i].line,
+	for (size_t i = 0; i < c->n_complaints && bad + i < TOLD; i++) {
+		struct place p = { .line = 1 + (long)c->complaint[i].line,
 			.of_points = is_binary(j->layout.in.format) };
 
-		say_at(EXIT_INPUT, &p, "%s",
-		    c->reasons + c->complaints[i].reason);
+		say_at(EXIT_INPUT, &p, "%s", c->complaint[i].reason);
 	}
 	if (!refused)
 		bad += c->n_complaints;
-	chunk_free(c);
+	free(c->piece.text);
+	free(c->out);
+	free(c);
 	return !refused;
 }
 

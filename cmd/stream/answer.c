@@ -3,25 +3,97 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <time.h>
+#include <unistd.h>
 
-#include "progress.h"
 #include "../message/message.h"
 
-/* Of all chunks so far. It needs no lock, as no two are answered at a time. */
+/* The answers to all chunks so far. They need no lock, as no two chunks are answered
+ * at a time. */
 static struct {
 	long long next_line; /* of the source, from 1 */
 	bool unended;        /* the last line printed has no newline yet */
 	size_t bad;          /* lines */
 	bool bad_scene;
-	bool of_points; /* of binary ones, that is */
-	bool keeps_going;
+	bool of_points;     /* the bad lines are binary points */
 	size_t imageless;   /* points */
 	struct place where; /* the first of them */
 } answer;
 
-void answer_source(void)
+/* Seconds until progress is shown first, and between two times. */
+#define PATIENCE 0.5
+#define PAUSE 0.2
+
+static struct {
+	bool on, asked;
+	bool terminal; /* one line of a terminal is written again and again */
+	bool shown;    /* that line stands there */
+	double start, last;    /* seconds: the beginning, when it was shown */
+	long long lines;       /* of all sources */
+	long long bytes, size; /* of this source: done; in all, or 0 */
+} progress;
+
+static double now(void)
+{
+	struct timespec t;
+
+	clock_gettime(CLOCK_MONOTONIC, &t);
+	return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
+}
+
+void answer_progress(bool asked)
+{
+	if (progress.start > 0)
+		return;
+	progress.asked = asked;
+	progress.terminal = isatty(STDERR_FILENO) && !says_json();
+	progress.on = asked || (progress.terminal && !isatty(STDOUT_FILENO));
+	progress.start = progress.last = now();
+}
+
+void answer_source(long long size)
 {
 	answer.next_line = 1;
+	progress.bytes = 0;
+	progress.size = size;
+}
+
+/* Takes the line off the terminal, before anything else is said. */
+static void clear_progress(void)
+{
+	if (progress.shown)
+		fputs("\r\033[K", stderr);
+	progress.shown = false;
+}
+
+static void show_progress(double time)
+{
+	double rate = (double)progress.lines / (time - progress.start);
+	char text[96], share[16] = "";
+
+	if (progress.size > 0)
+		snprintf(share, sizeof share, ", %.0f %%",
+		    100 * (double)progress.bytes / (double)progress.size);
+	snprintf(text, sizeof text, "%lld lines, %.3g a second%s",
+	    progress.lines, rate, share);
+	if (progress.terminal)
+		fprintf(stderr, "\r\033[Kprojcalc: %s", text);
+	else
+		say_at(EXIT_OK, NULL, "%s", text);
+	progress.shown = progress.terminal;
+	progress.last = time;
+}
+
+static void add_progress(const struct chunk *c)
+{
+	progress.lines += (long long)c->n_lines;
+	progress.bytes += (long long)c->piece.whole;
+	if (!progress.on)
+		return;
+	double time = now();
+
+	if (time - progress.start > PATIENCE && time - progress.last > PAUSE)
+		show_progress(time);
 }
 
 static void end_line(void)
@@ -42,15 +114,15 @@ void answer_no_scene(enum format out)
 
 static void print_chunk(const struct job *j, const struct chunk *c)
 {
-	if (c->size > 0)
-		end_line();
-	if (c->size > 0)
-		answer.unended = !is_binary(j->layout.out.format) &&
-		    c->out[c->size - 1] != '\n';
+	if (c->size == 0)
+		return;
+	end_line();
+	answer.unended = !is_binary(j->layout.out.format) &&
+	    c->out[c->size - 1] != '\n';
 	put_all(c->out, c->size);
 }
 
-/* Of a line of the chunk, from 0. */
+/* Returns the place of a line of the chunk, counted from 0. */
 static struct place place_of(const struct job *j, const struct chunk *c,
     size_t line)
 {
@@ -78,44 +150,36 @@ static void say_imageless(void)
 		    answer.imageless);
 }
 
-/* Of more bad lines than that only the number is told. */
-enum { TOLD = 10 };
-
+/* Says what is wrong with the chunk's lines, and with its source if that can't be
+ * read any further. Ends the program then, and where the job does not keep going. */
 static void complain(const struct job *j, const struct chunk *c)
 {
-	bool ends = !j->keep_going || c->refused;
+	bool refused = c->refused || (c->n_complaints > 0 && !j->keep_going);
+	bool ends = refused || c->piece.state > PIECE_LAST;
+	struct place end = place_of(j, c, c->n_lines);
 
 	if (ends && j->flush != NULL)
 		j->flush(j);
-	progress_clear();
-	for (size_t i = 0; i < c->n_complaints && answer.bad + i < TOLD; i++) {
-		struct place p = place_of(j, c, c->complaints[i].line);
+	clear_progress();
+	for (size_t i = 0; i < c->n_complaints && i < TOLD; i++) {
+		struct place p = place_of(j, c, c->complaint[i].line);
 
-		say_at(EXIT_INPUT, &p, "%s",
-		    c->reasons + c->complaints[i].reason);
+		if (answer.bad + i < TOLD || refused)
+			say_at(EXIT_INPUT, &p, "%s", c->complaint[i].reason);
 	}
 	answer.bad += c->n_complaints;
-	answer.keeps_going = j->keep_going;
-	answer.of_points = is_binary(j->layout.in.format);
-	if (ends) {
-		say_imageless();
+	answer.of_points = end.of_points;
+	if (!ends)
+		return;
+	say_imageless();
+	if (refused) {
 		close_output();
 		quit(EXIT_INPUT);
 	}
-}
-
-static _Noreturn void stop(const struct job *j, const struct chunk *c)
-{
-	struct place p = place_of(j, c, 0);
-
-	if (j->flush != NULL)
-		j->flush(j);
-	progress_clear();
-	say_imageless();
 	if (c->piece.state == PIECE_TOO_LONG)
-		die_at(EXIT_INPUT, &p, "a line of more than 64 MiB");
-	p.line = 0;
-	die_at(EXIT_SYSTEM, &p, "%s", strerror(c->piece.error));
+		die_at(EXIT_INPUT, &end, "a line of more than 64 MiB");
+	end.line = 0;
+	die_at(EXIT_SYSTEM, &end, "%s", strerror(c->piece.error));
 }
 
 void answer_chunk(const struct job *j, const struct chunk *c)
@@ -126,19 +190,22 @@ void answer_chunk(const struct job *j, const struct chunk *c)
 		print_chunk(j, c);
 	if (j->count_imageless)
 		count_imageless(j, c);
-	if (c->n_complaints > 0)
+	if (c->n_complaints > 0 || c->piece.state > PIECE_LAST)
 		complain(j, c);
 	answer.next_line += (long long)c->n_lines;
-	progress_add(c->n_lines, (size_t)(c->piece.got.end - c->piece.got.s));
-	if (c->piece.state == PIECE_TOO_LONG || c->piece.state == PIECE_FAILED)
-		stop(j, c);
+	add_progress(c);
 }
 
 int answer_end(void)
 {
-	progress_end();
+	if (progress.asked)
+		show_progress(now());
+	if (progress.asked && progress.shown)
+		fputc('\n', stderr);
+	else
+		clear_progress();
 	say_imageless();
-	if (answer.keeps_going)
+	if (answer.bad > 0)
 		say_at(EXIT_INPUT, NULL, "%zu bad %s%s", answer.bad,
 		    answer.of_points ? "point" : "line",
 		    answer.bad == 1 ? "" : "s");

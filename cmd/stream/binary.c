@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-#include "binary.h"
-
+/* Blocks of points as binary numbers in a row. */
 #include <math.h>
 #include <stdio.h>
 
 #include "../../core/points/kernel/little.h"
+#include "job.h"
 
 bool binary_is_whole(const struct job *j)
 {
@@ -19,71 +19,43 @@ size_t binary_written(const struct layout *l)
 			  point_size(l->out.format, l->writes);
 }
 
-/* Copies the coordinates of n points, numbers of so many bytes, from records to where
- * they stand one after another; or back. */
+/* Copies the coordinates of n points, numbers of a size, from records to rows that
+ * have no others; or back. */
 static inline void copy_numbers(const struct layout *l, size_t size,
-    char *records, char *points, bool back, size_t n)
+    char *records, char *rows, bool back, size_t n)
 {
-	size_t record = layout_record(l), point = size * (size_t)l->reads;
-	size_t step = back ? point : record, to_step = back ? record : point;
+	size_t record = layout_record(l), row = size * (size_t)l->reads;
+	size_t step = back ? row : record, to_step = back ? record : row;
 
 	for (int k = 0; k < l->reads; k++) {
 		char *in_record = records + size * (size_t)layout_field(l, k);
-		char *alone = points + size * (size_t)k;
-		const char *s = back ? alone : in_record;
-		char *to = back ? in_record : alone;
+		char *in_row = rows + size * (size_t)k;
+		const char *s = back ? in_row : in_record;
+		char *to = back ? in_record : in_row;
 
 		for (size_t i = 0; i < n; i++)
 			memcpy(to + i * to_step, s + i * step, size);
 	}
 }
 
-static void copy_coordinates(const struct layout *l, char *records,
-    char *points, bool back, size_t n)
+static void copy_coordinates(const struct layout *l, char *records, char *rows,
+    bool back, size_t n)
 {
 	if (l->in.format == FORMAT_F32)
-		copy_numbers(l, sizeof(float), records, points, back, n);
+		copy_numbers(l, sizeof(float), records, rows, back, n);
 	else
-		copy_numbers(l, sizeof(double), records, points, back, n);
+		copy_numbers(l, sizeof(double), records, rows, back, n);
 }
 
-/* Returns the coordinates of the next n points, one after another: where they were
- * read, or of records in the columns of images, which are not made yet. */
-static const char *binary_rows(const struct layout *l, struct chunk *c,
-    size_t n)
+/* Returns how many whole points are left, at most a block. */
+static size_t count_points(const struct job *j, const struct chunk *c)
 {
-	char *rows = (char *)c->image;
+	size_t n = (size_t)(c->end - c->text) / layout_record(&j->layout);
 
-	if (l->record == 0)
-		return c->text;
-	copy_coordinates(l, (char *)c->text, rows, false, n);
-	return rows;
+	return n < POINTS_BLOCK ? n : POINTS_BLOCK;
 }
 
-/* Makes room for the images of n points, and returns where they go, one after
- * another. */
-static char *images_begin(const struct layout *l, struct chunk *c, size_t n)
-{
-	size_t size = n * binary_written(l);
-
-	return chunk_reserve(c, 2 * size) + (l->keeps ? size : 0);
-}
-
-/* Appends these images, of records that begin at text with what else is in them. */
-static void images_end(const struct layout *l, struct chunk *c,
-    const char *text, char *images, size_t n)
-{
-	size_t size = n * binary_written(l);
-	char *out = c->out + c->size;
-
-	if (l->keeps) {
-		memcpy(out, text, size);
-		copy_coordinates(l, out, images, true, n);
-	}
-	c->size += size;
-}
-
-/* Makes lines of the n points of so many bytes that begin at text. */
+/* Makes lines of the n points that begin at text, each of so many bytes. */
 static void make_lines(struct chunk *c, const char *text, size_t size, size_t n)
 {
 	for (size_t i = 0; i < n; i++)
@@ -93,16 +65,13 @@ static void make_lines(struct chunk *c, const char *text, size_t size, size_t n)
 			.newline = true };
 }
 
-/* Complains of line i of the block, which becomes a bad one. Returns whether the
- * job goes on; else the chunk ends. */
+/* Complains of line i of the block, which becomes a bad one. Returns whether the job
+ * goes on. */
 static bool binary_refuse(const struct job *j, struct chunk *c, size_t i,
     const char *reason)
 {
 	c->line[i].kind = LINE_LOST;
-	chunk_complain(c, c->n_lines + i, reason);
-	if (!j->keep_going)
-		c->text = c->end;
-	return j->keep_going;
+	return chunk_complain(j, c, c->n_lines + i, reason);
 }
 
 /* Refuses points beyond the range, whose place those behind them take. Returns how
@@ -128,20 +97,11 @@ static size_t refuse_beyond(const struct job *j, struct chunk *c, size_t n,
 	return n;
 }
 
-/* Returns how many whole points are left, at most a block. */
-static size_t count_points(const struct job *j, const struct chunk *c)
-{
-	size_t n = (size_t)(c->end - c->text) / layout_record(&j->layout);
-
-	return n < POINTS_BLOCK ? n : POINTS_BLOCK;
-}
-
 size_t binary_read(const struct job *j, struct chunk *c, size_t *points)
 {
 	const struct layout *l = &j->layout;
-	size_t size = layout_record(l);
-	size_t n = *points = count_points(j, c);
-	const char *text = c->text;
+	size_t size = layout_record(l), n = *points = count_points(j, c);
+	const char *text = c->text, *rows = text;
 	char reason[REASON_MAX];
 
 	if (n == 0) { /* the source ends within a point */
@@ -151,8 +111,12 @@ size_t binary_read(const struct job *j, struct chunk *c, size_t *points)
 		c->text = c->end;
 		return binary_refuse(j, c, 0, reason);
 	}
-	bool within = points_split(binary_rows(l, c, n),
-	    l->in.format == FORMAT_F64, l->reads, c->in, n);
+	if (l->record > 0) { /* rows stand where images will */
+		rows = (char *)c->image;
+		copy_coordinates(l, (char *)text, (char *)rows, false, n);
+	}
+	bool within = points_split(rows, l->in.format == FORMAT_F64, l->reads,
+	    c->in, n);
 
 	c->text += n * size;
 	if (!within || !binary_is_whole(j))
@@ -167,51 +131,42 @@ bool binary_carry(const struct job *j, struct chunk *c)
 {
 	const struct layout *l = &j->layout;
 	size_t n = count_points(j, c);
-	char *images = images_begin(l, c, n);
+	char *images = chunk_reserve(c, n * binary_written(l));
 
-	if (n == 0 ||
-	    !points_carry_floats(&j->transform, binary_rows(l, c, n), images,
-		n))
+	if (l->in.format != FORMAT_F32 || l->out.format != FORMAT_F32 ||
+	    !l->single || l->record > 0 || n == 0 ||
+	    !points_carry_floats(&j->transform, c->text, images, n))
 		return false;
-	images_end(l, c, c->text, images, n);
+	c->size += n * binary_written(l);
 	c->text += n * layout_record(l);
 	c->n_lines += n;
 	return true;
 }
 
-bool binary_join(const struct job *j, struct chunk *c, size_t n)
+bool binary_join(const struct job *j, struct chunk *c, const char *text,
+    size_t n)
 {
 	const struct layout *l = &j->layout;
-	const char *text = c->text - n * layout_record(l);
-	char *images = images_begin(l, c, n);
+	size_t size = n * binary_written(l);
+	char *out = chunk_reserve(c, 2 * size);
+	char *images = out + (l->keeps ? size : 0);
 
-	if (points_join(c->image, images, l->out.format == FORMAT_F64,
+	if (!points_join(c->image, images, l->out.format == FORMAT_F64,
 		l->writes, n)) {
-		images_end(l, c, text, images, n);
-		return true;
+		make_lines(c, text, layout_record(l), n);
+		return false;
 	}
-	make_lines(c, text, layout_record(l), n);
-	return false;
+	if (l->keeps) {
+		memcpy(out, text, size);
+		copy_coordinates(l, out, images, true, n);
+	}
+	c->size += size;
+	return true;
 }
 
-/* With precision exact it is computed anew: what is rounded to a double and then to a
- * float may not be the nearest float. */
-float binary_float(const struct job *j, const struct chunk *c, size_t p, int k,
-    double v)
-{
-	double in[4];
-
-	if (isnan(v) || j->rays || j->precision != PRECISION_EXACT)
-		return (float)v;
-	for (int i = 0; i < 4; i++)
-		in[i] = c->in[i][p];
-	return point_single(&j->transform, in, k, v);
-}
-
-char *binary_put(const struct job *j, const struct chunk *c,
+char *binary_put(const struct layout *l, const struct chunk *c,
     const struct line *line, size_t p, char *at)
 {
-	const struct layout *l = &j->layout;
 	size_t size = point_size(l->out.format, 1), written = binary_written(l);
 	bool copied = l->keeps && line->size == written;
 
@@ -221,17 +176,16 @@ char *binary_put(const struct job *j, const struct chunk *c,
 	int n = copied ? l->writes : (int)(written / size);
 
 	for (int k = 0; k < n; k++) {
-		/* -0 is 0 */
-		double v = line->kind == LINE_POINT ? c->image[k][p] + 0.0 :
+		double v = line->kind == LINE_POINT ? c->image[k][p] :
 						      (double)NAN;
 		char *to = at +
 		    size * (size_t)(copied ? layout_field(l, k) : k);
 
+		/* -0 is 0 */
 		if (l->out.format == FORMAT_F64)
-			put_little_double(to, v);
+			put_little_double(to, v + 0.0);
 		else
-			put_little_float(to,
-			    binary_float(j, c, p, k, v) + 0.0f);
+			put_little_float(to, (float)v + 0.0f);
 	}
 	return at + written;
 }

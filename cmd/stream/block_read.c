@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "block_read.h"
-
+/* The lines of a block, and the points on them. */
 #include <string.h>
 
 #include "../lines/choose.h"
+#include "job.h"
 
 /* What of a block has been read. */
 struct block_in {
@@ -23,14 +23,9 @@ static bool read_line(struct block_in *b, struct span text, bool newline)
 
 	line_read(&b->job->layout, text, &c->first, line, v, reason);
 	line->newline = newline;
-	if (line_is_bad(line)) {
-		chunk_complain(c, c->n_lines, reason);
-		c->refused = line->kind == LINE_REFUSED;
-		if (!b->job->keep_going || c->refused) {
-			c->text = c->end;
-			return false;
-		}
-	}
+	c->refused = line->kind == LINE_REFUSED;
+	if (line_is_bad(line) && !chunk_complain(b->job, c, c->n_lines, reason))
+		return false;
 	if (line->kind == LINE_POINT) {
 		for (int i = 0; i < b->job->layout.reads; i++)
 			c->in[i][b->points] = v[i];

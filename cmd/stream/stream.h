@@ -6,13 +6,14 @@
 
 #include "job.h"
 
-/* Returns how many processors the program may run on. */
-int stream_processors(void);
+/* Calls run, in a thread where the program's own stack may be too small, and returns
+ * when it does. */
+void call_with_stack(void *(*run)(void *), void *with);
 
-/* Does the job on the points of one source, which is a file or a text in
- * memory, with PIECE_MARGIN bytes behind it. All that has been read is answered
- * before more is waited for. Errors are printed and end the program. The job must
- * be the same at each call; its contents may change in between. */
+/* Does the job on the points of one source, which is a file or a text in memory.
+ * All that has been read is answered before more is waited for. Errors are printed
+ * and end the program. The job must be the same at each call; its contents may
+ * change in between. */
 void stream_file(struct job *, const char *name, int fd);
 void stream_text(struct job *, const char *name, const char *text, size_t size);
 

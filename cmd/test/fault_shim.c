@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /* Preloaded by fault_test.t, between the program and the C library.
  *   FAULT="CALL N ERROR"  the N-th CALL fails with that error number;
- *       of malloc (with realloc and calloc), read (with pread), open, thread,
- *       write and close, the last two of standard output
+ *       of malloc (with realloc and calloc), read, open, thread, write and close,
+ *       the last two of standard output
  *   FAULT="torn N ERROR"  the N-th read takes a few bytes, the one after it fails
  *   FAULT="short"  reads and writes take a few bytes, or are interrupted, and
  *       poll often says that nothing is there
  *   FAULT="cut N FILE"  the N-th read finds FILE truncated
- *   FAULT="late N FILE"  the same, after the one that follows it has read
  *   FAULT="stack N"  a thread that asks for a stack of less than N bytes, or for
  *       none, ends the program
  *   FAULT="clock N T"  N milliseconds pass from one look at the clock to the
@@ -18,7 +17,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <pthread.h>
-#include <sched.h>
 #include <stdarg.h>
 #include <stdatomic.h>
 #include <stdbool.h>
@@ -34,7 +32,6 @@ extern void *__libc_malloc(size_t), *__libc_calloc(size_t, size_t),
 static char call[16], file[256];
 static int at, error;
 static atomic_int calls;
-static atomic_bool next_is_done;
 
 __attribute__((constructor)) static void set_up(void)
 {
@@ -118,30 +115,7 @@ ssize_t read(int fd, void *to, size_t n)
 	return some < 0 ? -1 : real(fd, to, (size_t)some);
 }
 
-ssize_t pread(int fd, void *to, size_t n, off_t from)
-{
-	static ssize_t (*real)(int, void *, size_t, off_t);
-
-	if (real == NULL)
-		real = (ssize_t(*)(int, void *, size_t, off_t))dlsym(RTLD_NEXT,
-		    "pread");
-	ssize_t some = before_read(n);
-	int k = is("late") ? atomic_fetch_add(&calls, 1) + 1 : 0;
-
-	if (some < 0)
-		return -1;
-	while (k > 0 && k == at && !next_is_done)
-		sched_yield();
-	if (k > 0 && k == at && truncate(file, 100) != 0)
-		return -1;
-	some = real(fd, to, (size_t)some, from);
-	if (k == at + 1)
-		next_is_done = true;
-	return some;
-}
-
 /* What programs call that say _FILE_OFFSET_BITS=64. */
-ssize_t pread64(int, void *, size_t, off_t) __attribute__((alias("pread")));
 int open64(const char *, int, ...) __attribute__((alias("open")));
 
 ssize_t write(int fd, const void *from, size_t n)
