@@ -4,7 +4,7 @@
 #include "../core/derive/fit.h"
 #include "call/input.h"
 #include "call/operands.h"
-#include "scene/print_scene.h"
+#include "scene/document.h"
 #include "message/message.h"
 
 /* What the threads share, and what they have found. */

@@ -6,7 +6,7 @@
 #include "../core/derive/parameters.h"
 #include "json/print.h"
 #include "call/operands.h"
-#include "scene/print_scene.h"
+#include "scene/document.h"
 #include "scene/types.h"
 #include "message/message.h"
 
@@ -223,12 +223,11 @@ static void put_plane(struct printer *p, const struct document *d)
 
 	document_check(d, scene_shown(s, &w));
 	put_sides(p, "window", w.edge);
-	if (s->has_device) {
+	put_name_on_new_line(p, "device");
+	if (s->has_device)
 		put_device(p, &s->device);
-	} else {
-		put_name_on_new_line(p, "device");
-		put_number(p, (double)NAN);
-	}
+	else
+		put_null(p);
 	put_name_on_new_line(p, "scale");
 	put_numbers(p, w.scale, 2);
 }

@@ -11,7 +11,7 @@
 #include "call/params.h"
 #include "call/synonyms.h"
 #include "stream/answer.h"
-#include "scene/examples.h"
+#include "scene/members.h"
 #include "stream/stream.h"
 #include "message/message.h"
 

@@ -55,6 +55,13 @@ bool says_json(void)
 	return false;
 }
 
+/* Nothing is printed. */
+void put_all(const char *text, size_t n)
+{
+	(void)text, (void)n;
+	abort();
+}
+
 /* All that a refusal leaves, to be freed here: what cJSON has. */
 static struct block {
 	struct block *next;

@@ -236,6 +236,14 @@ static void read_usual(const struct member *row, void *to)
 	row->type->read(&usual, row, to);
 }
 
+void object_read_member(const struct value *v, const struct member *row,
+    void *base)
+{
+	row->type->read(v, row, (char *)base + row->at);
+	if (row->has != 0)
+		*(bool *)((char *)base + row->has) = true;
+}
+
 uint64_t object_read(const struct value *v, const struct member *table,
     int kind, void *base)
 {
@@ -244,7 +252,7 @@ uint64_t object_read(const struct value *v, const struct member *table,
 
 	value_want_object(v);
 	for (const struct member *row = table; row->name != NULL; row++)
-		if (row->usual != NULL && row->type->size > 0 &&
+		if (base != NULL && row->usual != NULL && row->type->size > 0 &&
 		    member_is_of(row, kind))
 			read_usual(row, (char *)base + row->at);
 	struct value m = value_child(v);
@@ -261,11 +269,9 @@ uint64_t object_read(const struct value *v, const struct member *table,
 			value_refuse(&m, "repeated; give it once");
 		seen |= bit;
 		beside |= other;
-		if (other)
-			continue;
-		const struct member *row = member_of(table, kind, m.name);
-
-		row->type->read(&m, row, (char *)base + row->at);
+		if (!other && base != NULL)
+			object_read_member(&m, member_of(table, kind, m.name),
+			    base);
 	}
 	return seen;
 }
@@ -276,7 +282,9 @@ static bool is_usual(const struct member *row, const void *at)
 	const double *v = at;
 	double usual[4];
 
-	if (row->usual == NULL || row->shown)
+	if (row->usual == NULL && row->range == &range_positive)
+		return *v == 0; /* it was not given */
+	if (row->usual == NULL || row->shown || row->type->size == 0)
 		return false;
 	read_usual(row, usual);
 	if (row->type->size != sizeof *v)
@@ -287,19 +295,28 @@ static bool is_usual(const struct member *row, const void *at)
 	return true;
 }
 
+void object_put(struct printer *p, const struct member *row, int kind,
+    uint64_t bits, const void *base,
+    void (*put)(struct printer *, const char *name))
+{
+	const char *at = base;
+
+	for (; row->name != NULL; row++, bits >>= 1) {
+		bool has = row->has == 0 || *(const bool *)(at + row->has);
+
+		if ((bits & 1) == 0 || !has || !member_is_of(row, kind) ||
+		    is_usual(row, at + row->at))
+			continue;
+		put(p, row->name);
+		row->type->print(p, row, at + row->at);
+	}
+}
+
 void object_print(struct printer *p, const struct member *row, int kind,
     uint64_t bits, const void *base)
 {
 	put_open(p, "{");
-	for (; row->name != NULL; row++, bits >>= 1) {
-		const char *at = (const char *)base + row->at;
-
-		if ((bits & 1) == 0 || !member_is_of(row, kind) ||
-		    is_usual(row, at))
-			continue;
-		put_name(p, row->name);
-		row->type->print(p, row, at);
-	}
+	object_put(p, row, kind, bits, base, put_name);
 	put_close(p, "}");
 }
 
@@ -403,7 +420,8 @@ static _Noreturn void refuse_extra(const struct value *v,
 int object_way(const struct value *v, const struct member *table, int kind,
     uint64_t seen, const struct ways *w)
 {
-	const char *const *way = v->source->fit && w->fit ? w->fit_way : w->way;
+	bool fit = v->source->fit && w->fit && !v->unused;
+	const char *const *way = fit ? w->fit_way : w->way;
 	uint64_t taken = 0, extra = 0, lacking = 0, must, all;
 	char said[LISTED];
 

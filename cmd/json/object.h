@@ -27,7 +27,10 @@ struct member {
 	const char *name; /* NULL ends a table */
 	const struct type *type;
 	size_t at; /* where in the struct it stands */
-	size_t n;  /* of numbers in an array; 0: one number */
+	/* Where the struct has a bool that is set where the member is read, and
+	 * without which it is not printed; 0: nowhere. */
+	size_t has;
+	size_t n; /* of numbers in an array; 0: one number */
 	const struct value_range *range; /* of numbers; NULL: range_any */
 	const char *const *words;        /* of a string; NULL ends them */
 	unsigned first;                  /* what words[0] stands for */
@@ -74,20 +77,32 @@ struct ways {
 	bool fit;
 	const char *fit_way[9];
 	unsigned kinds; /* that have these ways; 0 for all */
+	/* Where the struct has the index of the way taken, an unsigned, and what that
+	 * is for the first way; 0: nowhere. */
+	size_t at;
+	unsigned first;
 };
 
 /* Reads an object of that kind, 0 where there are no kinds, into the struct at
- * base, where first all members get what is usual. Returns the members it has, as bits
+ * base, where first all members get what is usual; NULL: reads no values. Returns the members it has, as bits
  * in the order of the table. Members that begin with _, $schema, and what may stand
  * beside, are passed over; any other that is unknown, of another kind, or repeated is
  * refused. */
 uint64_t object_read(const struct value *, const struct member *, int kind,
     void *base);
 
+/* Reads the value of a member to its place in the struct at base. */
+void object_read_member(const struct value *, const struct member *,
+    void *base);
+
 /* Prints an object of those members that bits are and objects of that kind have, but
- * for what is usual. */
+ * for what is usual, or a size of 0, which was not given; or its members alone, each
+ * name by put. */
 void object_print(struct printer *, const struct member *, int kind,
     uint64_t bits, const void *base);
+void object_put(struct printer *, const struct member *, int kind,
+    uint64_t bits, const void *base,
+    void (*put)(struct printer *, const char *name));
 
 /* Returns as bits the members of that way, and all that are in none. */
 uint64_t object_shown(const struct member *, int kind, const struct ways *,

@@ -13,6 +13,7 @@ struct printer {
 	bool single;  /* numbers are floats */
 	bool compact; /* no blanks after commas and colons */
 	bool on_line; /* members stay on their object's line */
+	bool column;  /* rows of a matrix are for column vectors */
 	/* What stands before the next value: "" before the first of an array
 	 * or object and at the beginning, else a comma. */
 	const char *between;

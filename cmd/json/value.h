@@ -18,13 +18,14 @@ struct source {
 	/* A copy of the text, as points change it; NULL where no message tells a line
 	 * and a column. */
 	const char *text, *end;
-	bool column;     /* nested rows of a matrix: for column vectors */
-	unsigned unit;   /* of angles */
-	bool fit;        /* what the command fit finds may be missing */
-	bool flat;       /* the document is of two dimensions */
-	bool axes;       /* a convention says which way the axes of view go */
-	const char *two; /* what to do with points of two numbers; or NULL */
-	bool operand;    /* what is wrong with it ends the program */
+	bool column;      /* nested rows of a matrix: for column vectors */
+	unsigned unit;    /* of angles */
+	unsigned implied; /* the type of a projection without one; or 0 */
+	bool fit;         /* what the command fit finds may be missing */
+	bool flat;        /* the document is of two dimensions */
+	bool axes;        /* a convention says which way the axes of view go */
+	const char *two;  /* what to do with points of two numbers; or NULL */
+	bool operand;     /* what is wrong with it ends the program */
 	const struct member *scene; /* a scene's members, to suggest one */
 };
 

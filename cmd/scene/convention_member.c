@@ -60,13 +60,30 @@ bool same_convention(const struct convention *a, const struct convention *b)
 	return memcmp(a, b, sizeof *a) == 0;
 }
 
-bool read_convention(const struct value *v, struct convention *c)
+static void read_convention(const struct value *v, const struct member *row,
+    void *out)
 {
 	if (value_is_object(v))
-		return object_read(v, convention_members, 0, c) != 0;
-	*c = conventions[value_word(v, convention_names)];
-	return true;
+		object_read(v, row->members, 0, out);
+	else
+		*(struct convention *)out =
+		    conventions[value_word(v, row->words)];
 }
+
+/* By name, or by what differs from d3d. */
+static void print_convention(struct printer *p, const struct member *row,
+    const void *at)
+{
+	for (int i = 0; i < CONVENTIONS; i++)
+		if (same_convention(at, &conventions[i])) {
+			put_string(p, convention_names[i]);
+			return;
+		}
+	object_print(p, row->members, 0, ALL_MEMBERS, at);
+}
+
+const struct type type_convention = { "a name or an object", read_convention,
+	print_convention, 0 };
 
 void check_axes(const struct value *in, const char *name)
 {
@@ -77,19 +94,4 @@ void check_axes(const struct value *in, const char *name)
 		    "needs a \"convention\"; of x, y and z in view space, "
 		    "opencv is right, down, forward and webgpu right, up, "
 		    "backward");
-}
-
-void find_origin(const struct value *v, const struct convention *answer,
-    bool *top_left)
-{
-	struct convention c;
-	struct value origin;
-
-	if (answer != NULL) {
-		*top_left = !answer->bottom_left;
-	} else if (v != NULL &&
-	    (!value_is_object(v) || value_member(v, "origin", &origin))) {
-		read_convention(v, &c);
-		*top_left = !c.bottom_left;
-	}
 }

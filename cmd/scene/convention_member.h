@@ -24,18 +24,11 @@ extern const struct member convention_members[];
 
 bool same_convention(const struct convention *, const struct convention *);
 
-/* Reads a name, or an object of what differs from d3d. Returns false for an object
- * that says nothing. */
-bool read_convention(const struct value *, struct convention *);
+/* A name or such an object. */
+extern const struct type type_convention;
 
 /* Refuses the member of that name where neither the document nor the call says
  * which way the axes of view go, on which the member depends. */
 void check_axes(const struct value *in, const char *name);
-
-/* Sets a corner that is not given: to that of the answer's convention, else of the
- * document's, where *v is a name or has an origin. v is NULL where the document has
- * no convention. */
-void find_origin(const struct value *v, const struct convention *answer,
-    bool *top_left);
 
 #endif

@@ -8,7 +8,6 @@
 #include "../json/text.h"
 #include "../number/number.h"
 #include "convention_member.h"
-#include "examples.h"
 #include "members.h"
 #include "../message/message.h"
 
@@ -27,89 +26,6 @@ enum {
 	PICK,
 	MARGIN,
 	SCENE_MEMBERS,
-};
-
-/* A document may have its members in any order, but read_scene needs some
- * before others: each is first kept as a struct value. */
-#define MEMBER(row, label, of, table, other, ...)   \
-	[row] = { .name = label,                    \
-		.type = &(of),                      \
-		.at = (row) * sizeof(struct value), \
-		.members = table,                   \
-		.aliases = other,                   \
-		__VA_ARGS__ }
-
-#define WORLD_LIKE "[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]"
-#define BOUNDS_LIKE "{\"min\": [-1,-1,-1], \"max\": [1,1,1]}"
-#define PICK_LIKE "{\"at\": [320,240], \"radius\": 3}"
-
-static const struct value_range margins = { .min = 0,
-	.max = 0.5,
-	.says = "a number from 0 to below 0.5 is wanted",
-	.below = true };
-
-const struct member scene_members[SCENE_MEMBERS + 1] = {
-	MEMBER(CONVENTION, "convention", type_convention, convention_members,
-	    NULL, .example = "\"d3d\"", .words = convention_names,
-	    .usual = "\"d3d\"", .before = "-c's",
-	    .about = "how the document is read, all of it",
-	    .command = "lookat '{\"convention\": \"gl\", "
-		       "\"camera\": " CAMERA_LIKE "}'"),
-	MEMBER(ANGLE_UNIT, "angle_unit", type_value, NULL,
-	    "angleunits unit units angles", .words = angle_units,
-	    .beside = true, .usual = "\"degrees\"",
-	    .about = "of all angles of the scene",
-	    .command = "persp '{\"angle_unit\": \"radians\", \"fovy\": 1, "
-		       "\"aspect\": 1.5, \"near\": 1, \"far\": 10}'"),
-	MEMBER(WORLD, "world", type_later_matrix, NULL, "model",
-	    .example = WORLD_LIKE, .usual = WORLD_LIKE,
-	    .about = "model to world, affine",
-	    .command = "project --to world '{\"world\": "
-		       "[1,0,0,0, 0,1,0,0, 0,0,1,0, 10,20,30,1]}' "
-		       "'[1,2,3]'"),
-	MEMBER(CAMERA, "camera", type_value, camera_members, "view",
-	    .ways = camera_ways, .example = CAMERA_LIKE,
-	    .about = "world to view",
-	    .command = "lookat '{\"camera\": " CAMERA_LIKE "}'"),
-	MEMBER(PROJECTION, "projection", type_value, projection_members,
-	    "lens perspective", .ways = projection_ways, .example = LENS_LIKE,
-	    .about = "view to clip",
-	    .command = "persp '{\"projection\": " LENS_LIKE "}'"),
-	MEMBER(VIEWPORT, "viewport", type_value, viewport_members, "screen",
-	    .ways = rectangle_ways, .example = RECTANGLE_LIKE,
-	    .about = "ndc to device, in 3D",
-	    .command = "project --from ndc '{\"viewport\": " RECTANGLE_LIKE
-		       "}' '[0,0.5,1]'"),
-	MEMBER(WINDOW, "window", type_value, window_members, NULL,
-	    .ways = window_ways, .example = WINDOW_LIKE,
-	    .about = "a rectangle of a 2D world",
-	    .command = "w2n '{\"window\": " WINDOW_LIKE "}'"),
-	MEMBER(DEVICE, "device", type_value, device_members, NULL,
-	    .ways = rectangle_ways, .example = RECTANGLE_LIKE,
-	    .about = "where a window is shown",
-	    .command = "n2d '{\"device\": " RECTANGLE_LIKE "}'"),
-	MEMBER(POINTS, "points", type_points, NULL, "point",
-	    .example = "[[0,0,0], [1,1,1]]",
-	    .about = "unless there are operands POINTS",
-	    .command = "lookat '{\"camera\": " CAMERA_LIKE
-		       ", \"points\": [[0,0,0], [1,1,1]]}'"),
-	MEMBER(BOUNDS, "bounds", type_value, bounds_members, NULL,
-	    .ways = bounds_ways, .example = BOUNDS_LIKE, .unit = "model units",
-	    .about = "what fit is to hold, else the points",
-	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
-		       "\"bounds\": " BOUNDS_LIKE "}'"),
-	MEMBER(PICK, "pick", type_value, pick_members, NULL,
-	    .example = PICK_LIKE,
-	    .about = "where pick looks, else --at, --radius",
-	    .command = "pick '{\"camera\": " CAMERA_LIKE
-		       ", \"projection\": " LENS_LIKE
-		       ", \"viewport\": " RECTANGLE_LIKE
-		       ", \"pick\": " PICK_LIKE "}' '[[0,0,0], [1,1,1]]'"),
-	MEMBER(MARGIN, "margin", type_value, NULL, "padding border",
-	    .example = "0.1", .range = &margins, .usual = "0",
-	    .about = "share of the picture left free at each side",
-	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
-		       "\"bounds\": " BOUNDS_LIKE ", \"margin\": 0.1}'"),
 };
 
 static void check_point(const struct value *v, int coordinates)
@@ -240,38 +156,28 @@ static size_t take_points(const struct value *v, const struct span *array,
 	}
 }
 
-/* Whether an object is to be read as the member bare of a scene: if it has none
- * of a scene's members itself, but for the unit of its angles. */
-static bool is_bare(const struct value *v, enum scene_member bare)
-{
-	struct value m = value_child(v);
-
-	for (; m.item != NULL; value_next(&m))
-		if ((member_bit(scene_members, 0, m.name) &
-			~(unsigned)SCENE_ANGLE_UNIT) != 0)
-			return false;
-	return bare != 0;
-}
-
-/* Keeps the members in m; returns those that there are, as bits. */
-static unsigned read_members(struct document *d, const struct value *root,
+/* Finds the members in m; returns those that there are, as bits. An object with none of
+ * a scene's members is one of them itself, beside which may stand the unit of angles. */
+static unsigned find_members(struct document *d, const struct value *root,
     const struct document_wants *w, struct value m[SCENE_MEMBERS])
 {
-	unsigned seen = w->bare;
+	unsigned seen = 0;
 
 	if (!value_is_object(root))
 		value_wrong(root, "an object, {...},");
-	if (!is_bare(root, w->bare))
-		seen = (unsigned)object_read(root, scene_members, 0, m);
-	else
-		for (int i = 0; i < SCENE_MEMBERS; i++)
-			if (w->bare == 1u << i) {
-				d->bare = scene_members[i].name;
-				m[i] = *root;
-			}
-	if (d->bare != NULL && value_member(root, "angle_unit", &m[ANGLE_UNIT]))
-		seen |= SCENE_ANGLE_UNIT;
-	return seen;
+	for (int i = 0; i < SCENE_MEMBERS; i++)
+		if (value_member(root, scene_members[i].name, &m[i]))
+			seen |= 1u << i;
+	if (w->bare == 0 || (seen & ~(unsigned)SCENE_ANGLE_UNIT) != 0) {
+		object_read(root, scene_members, 0, NULL);
+		return seen;
+	}
+	for (int i = 0; i < SCENE_MEMBERS; i++)
+		if (w->bare == 1u << i) {
+			d->bare = scene_members[i].name;
+			m[i] = *root;
+		}
+	return seen | w->bare;
 }
 
 unsigned document_reads(const struct document_wants *w)
@@ -326,52 +232,50 @@ static void refuse_flat(const struct value *root,
 		    "commands w2n, n2w, n2d, d2n, w2d and d2w are of two");
 }
 
-static void read_scene(struct document *d, const struct document_wants *w,
+/* Returns whether the document's convention says anything. */
+static bool read_convention(const struct value *v, struct document *d)
+{
+	object_read_member(v, &scene_members[CONVENTION], d);
+	return !value_is_object(v) ||
+	    object_read(v, convention_members, 0, NULL) != 0;
+}
+
+/* A device's corner that is not given is that of the answer's convention, else of the
+ * document's, where that is a name or has an origin. */
+static void find_origin(const struct document_wants *w, const struct value *v,
+    const struct convention *c, struct device *device)
+{
+	struct value given;
+
+	if (w->convention != NULL)
+		device->top_left = !w->convention->bottom_left;
+	else if (v->item != NULL &&
+	    (!value_is_object(v) || value_member(v, "origin", &given)))
+		device->top_left = !c->bottom_left;
+}
+
+/* What one member says of another. */
+static void complete_scene(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_MEMBERS], unsigned seen)
 {
 	struct scene *s = &d->scene;
-	double margin = 0;
+	struct value given;
 
-	s->has_world = seen & SCENE_WORLD;
-	s->has_camera = seen & SCENE_CAMERA;
-	s->has_viewport = seen & SCENE_VIEWPORT;
-	s->has_window = seen & SCENE_WINDOW;
-	s->has_device = seen & SCENE_DEVICE;
-	d->has_bounds = seen & SCENE_BOUNDS;
-	if (s->has_world)
-		read_affine(&m[WORLD], &scene_members[WORLD], s->world);
-	if (s->has_camera)
-		d->has_eye = read_camera(&m[CAMERA], &s->camera);
-	if (s->has_viewport)
-		read_viewport(&m[VIEWPORT], &s->viewport);
-	if (seen & SCENE_PROJECTION)
-		read_projection(&m[PROJECTION], w->projection,
-		    s->has_viewport ? &s->viewport : NULL, &s->projection);
+	s->camera.unit = d->unit;
 	s->projection.alone = !s->has_camera;
-	if (s->has_window)
-		read_window(&m[WINDOW], &s->window);
-	if (s->has_device && !read_device(&m[DEVICE], &s->device))
-		find_origin(seen & SCENE_CONVENTION ? &m[CONVENTION] : NULL,
-		    w->convention, &s->device.top_left);
-	if (d->has_bounds)
-		read_bounds(&m[BOUNDS], &d->bounds);
-	if (seen & SCENE_PICK)
-		read_pick(&m[PICK], &d->pick);
-	if (seen & SCENE_MARGIN)
-		margin = value_number(&m[MARGIN], &margins);
-	if (w->used & SCENE_MARGIN)
-		s->margin = margin;
-}
-
-static void read_points(struct document *d, const struct value *v,
-    const struct span *array, int coordinates)
-{
-	size_t size = take_points(v, array, coordinates);
-
-	if (coordinates == 0)
-		return;
-	d->points = array->s;
-	d->points_size = size;
+	d->has_eye = s->has_camera &&
+	    (s->camera.by >= CAMERA_TRANSLATION ||
+		value_member(&m[CAMERA], "eye", &given));
+	if (s->camera.by == CAMERA_RVEC ||
+	    s->camera.by == CAMERA_RVEC_TRANSLATION)
+		check_axes(&m[CAMERA], "rvec");
+	if (seen & SCENE_PROJECTION)
+		projection_complete(&m[PROJECTION],
+		    s->has_viewport ? &s->viewport : NULL, &s->projection);
+	if (s->has_device && !value_member(&m[DEVICE], "origin", &given))
+		find_origin(w, &m[CONVENTION], &s->convention, &s->device);
+	if ((w->used & SCENE_MARGIN) == 0)
+		s->margin = 0;
 }
 
 void document_read(struct document *d, const char *name, char *text,
@@ -389,7 +293,7 @@ void document_read(struct document *d, const char *name, char *text,
 
 	source.fit = wants->fit;
 	*d = (struct document){ .source = source };
-	unsigned seen = read_members(d, &root, wants, m);
+	unsigned seen = find_members(d, &root, wants, m);
 
 	d->flat = (seen & SCENE_PROJECTION) == 0 && (seen & wants->flat) != 0;
 	const struct document_wants narrowed = in_plane(wants);
@@ -399,25 +303,32 @@ void document_read(struct document *d, const char *name, char *text,
 	refuse_flat(&root, wants, seen);
 	for (int i = 0; i < SCENE_MEMBERS; i++)
 		m[i].unused = (w->used >> i & 1) == 0;
-	d->scene.convention = w->convention != NULL ?
-	    *w->convention :
-	    conventions[CONVENTION_D3D];
+	d->scene.convention = conventions[CONVENTION_D3D];
+	if (w->convention != NULL)
+		d->scene.convention = *w->convention;
 	source.axes = w->convention != NULL;
 	if (seen & SCENE_CONVENTION)
-		source.axes |= read_convention(&m[CONVENTION],
-		    &d->scene.convention);
+		source.axes |= read_convention(&m[CONVENTION], d);
 	if (w->convention != NULL &&
 	    !same_convention(w->convention, &d->scene.convention))
 		d->scene.answer = w->convention;
 	source.column = d->scene.convention.column;
+	source.implied = (unsigned)w->projection;
 	if (seen & SCENE_ANGLE_UNIT)
-		d->unit = (enum angle_unit)value_word(&m[ANGLE_UNIT],
-		    angle_units);
+		object_read_member(&m[ANGLE_UNIT], &scene_members[ANGLE_UNIT],
+		    d);
 	source.unit = d->unit;
 	check_needed(&root, w, seen);
-	read_scene(d, w, m, seen);
+	for (int i = WORLD; i < SCENE_MEMBERS; i++)
+		if (seen >> i & 1 && i != POINTS)
+			object_read_member(&m[i], &scene_members[i], d);
+	complete_scene(d, w, m, seen);
 	if (seen & SCENE_POINTS)
-		read_points(d, &m[POINTS], &points, w->coordinates);
+		size = take_points(&m[POINTS], &points, w->coordinates);
+	if (seen & SCENE_POINTS && w->coordinates > 0) {
+		d->points = points.s;
+		d->points_size = size;
+	}
 }
 
 char *document_points(const char *name, char *text, size_t size,
@@ -457,4 +368,43 @@ void document_check(const struct document *d, const char *why)
 {
 	if (why != NULL)
 		document_refuse(d, why);
+}
+
+/* Puts the members of a document's scene that bits are. */
+static void put_members(struct printer *p, const struct document *d,
+    unsigned bits)
+{
+	p->column = d->scene.convention.column;
+	put_open(p, "{");
+	object_put(p, scene_members, 0, bits, d, put_name_on_new_line);
+}
+
+void put_scene(struct printer *p, const struct scene *s)
+{
+	const struct document d = { .scene = *s };
+	const bool on_line = p->on_line;
+
+	p->on_line = true;
+	put_members(p, &d, SCENE_CONVENTION | SCENE_SPATIAL);
+	p->on_line = on_line;
+	put_close(p, "}");
+}
+
+void put_device(struct printer *p, const struct device *d)
+{
+	scene_members[DEVICE].type->print(p, &scene_members[DEVICE], d);
+}
+
+void print_scene(const struct document *d, bool on_line)
+{
+	static char text[1 << 16];
+	struct printer p = { .at = text,
+		.on_line = on_line,
+		.compact = on_line,
+		.between = "" };
+	unsigned unprinted = SCENE_POINTS | SCENE_BOUNDS;
+
+	put_members(&p, d, ~(unprinted | (d->flat ? SCENE_SPATIAL : 0u)));
+	put_text(&p, on_line ? "}\n" : "\n}\n");
+	put_all(text, (size_t)(p.at - text));
 }

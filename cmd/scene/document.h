@@ -7,6 +7,7 @@
 #include <stddef.h>
 
 #include "../../core/derive/fit_bounds.h"
+#include "../json/print.h"
 #include "../json/value.h"
 
 /* The members of a scene, as bits, to say which of them a command uses. */
@@ -31,8 +32,8 @@ enum scene_member {
 
 /* Where on the device to pick, and how far around: 0 if that isn't given. */
 struct pick {
-	bool has_at;
 	double at[2], radius;
+	bool has_at;
 };
 
 struct document {
@@ -41,7 +42,7 @@ struct document {
 	enum angle_unit unit; /* of all its angles */
 	struct pick pick;
 	/* for fit: whether bounds are given, and whether the camera's eye is */
-	bool has_bounds, has_eye;
+	bool has_bounds, has_eye, has_pick;
 	struct bounds bounds;
 	struct source source; /* for messages */
 	/* The member as which an object with none of a scene's members was
@@ -110,5 +111,16 @@ _Noreturn void document_refuse(const struct document *d, const char *why);
 
 /* The same where why is not NULL. */
 void document_check(const struct document *d, const char *why);
+
+/* Prints a document that reads back as the same scene and pick: a member a line, or
+ * on_line all, without what has its default. The camera must be given by its gaze, and
+ * the projection must not be a matrix: so fit leaves them. Of a flat document it leaves
+ * out what is of three dimensions. */
+void print_scene(const struct document *, bool on_line);
+
+/* Puts what leads from model space to the device, in one line. */
+void put_scene(struct printer *, const struct scene *);
+
+void put_device(struct printer *, const struct device *);
 
 #endif

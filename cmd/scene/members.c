@@ -7,7 +7,7 @@ static const char *const origins[] = { "bottom-left", "top-left", NULL };
 static const char *const scales[] = { "fill", "uniform", NULL };
 const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
 
-const struct member camera_members[] = {
+static const struct member camera_members[] = {
 	ROW(camera, "eye", type_numbers, eye, .n = 3,
 	    .aliases = "position pos from origin", .unit = "world units",
 	    .about = "where the camera stands"),
@@ -48,7 +48,7 @@ const struct member camera_members[] = {
 };
 
 /* In the order of the values of struct camera's by. */
-const struct ways camera_ways[] = {
+static const struct ways camera_ways[] = {
 	{
 	    .way = { "eye at up? roll?", "eye gaze up? roll?",
 		"eye orientation roll?", "eye rvec roll?",
@@ -59,6 +59,7 @@ const struct ways camera_ways[] = {
 		"eye? orientation roll?", "eye? rvec roll?",
 		"translation orientation roll?", "translation rvec roll?",
 		"pose orthonormalize?", "matrix orthonormalize?" },
+	    .at = offsetof(struct camera, by),
 	},
 	{ .way = { NULL } },
 };
@@ -117,7 +118,7 @@ static void print_scale(struct printer *p, const struct member *row,
 static const struct type type_scale = { "fill, uniform or 2 sizes", read_scale,
 	print_scale, sizeof(unsigned) };
 
-const struct member viewport_members[] = {
+static const struct member viewport_members[] = {
 	RECTANGLE(viewport),
 	ROW(viewport, "min_z", type_numbers, min_z,
 	    .aliases = "near mindepth zmin minz", .unit = "device units",
@@ -130,7 +131,7 @@ const struct member viewport_members[] = {
 	{ .name = NULL },
 };
 
-const struct member device_members[] = {
+static const struct member device_members[] = {
 	RECTANGLE(device),
 	ROW(device, "origin", type_second, top_left, .words = origins,
 	    .usual = "\"bottom-left\"", .shown = true,
@@ -139,14 +140,14 @@ const struct member device_members[] = {
 	{ .name = NULL },
 };
 
-const struct ways rectangle_ways[] = {
+static const struct ways rectangle_ways[] = {
 	{
 	    .way = { "width height" },
 	},
 	{ .way = { NULL } },
 };
 
-const struct member window_members[] = {
+static const struct member window_members[] = {
 	ROW(window, "center", type_numbers, center, .n = 2,
 	    .aliases = "centre x y position", .unit = "window units",
 	    .about = "with width and height"),
@@ -167,19 +168,20 @@ const struct member window_members[] = {
 	SIZE(window, "zoom", zoom, .usual = "1",
 	    .about = "of which 2 shows half the extent"),
 	ROW(window, "about", type_numbers, about, .n = 2,
-	    .unit = "window units",
+	    .has = offsetof(struct window, has_about), .unit = "window units",
 	    .about = "what zoom leaves where it is, else the centre"),
 	ROW(window, "adapt", type_word, adapt, .words = adapt_names,
 	    .usual = "\"stretch\"", .about = "to a device of another shape"),
 	{ .name = NULL },
 };
 
-const struct ways window_ways[] = {
+static const struct ways window_ways[] = {
 	{
 	    .way = { "center width height", "left right bottom top" },
 	    .fit = true,
 	    .fit_way = { "center? width? height?",
 		"left? right? bottom? top?" },
+	    .at = offsetof(struct window, by_edges),
 	},
 	{ .way = { NULL } },
 };
@@ -207,7 +209,7 @@ static const struct type type_corner = { "3 numbers, or 2 of a window",
 	ROW(bounds, label, type_corner, field, .aliases = other, \
 	    .unit = "model units", .about = what)
 
-const struct member bounds_members[] = {
+static const struct member bounds_members[] = {
 	CORNER("center", center, "centre position", "of a sphere"),
 	SIZE(bounds, "radius", radius, .unit = "model units",
 	    .about = "of a sphere"),
@@ -216,90 +218,104 @@ const struct member bounds_members[] = {
 	{ .name = NULL },
 };
 
-const struct ways bounds_ways[] = {
+static const struct ways bounds_ways[] = {
 	{
 	    .way = { "min max", "center radius" },
+	    .at = offsetof(struct bounds, sphere),
 	},
 	{ .way = { NULL } },
 };
 
-const struct member pick_members[] = {
-	ROW(pick, "at", type_numbers, at, .n = 2, .aliases = "position center",
+static const struct member pick_members[] = {
+	ROW(pick, "at", type_numbers, at, .n = 2,
+	    .has = offsetof(struct pick, has_at), .aliases = "position center",
 	    .unit = "device units", .about = "where to look"),
 	SIZE(pick, "radius", radius, .unit = "device units",
 	    .about = "how far around it"),
 	{ .name = NULL },
 };
 
-/* What others call so is often where the camera stands. */
-static void check_translation(const struct value *v, uint64_t seen)
-{
-	struct value m = value_missing(v, "translation");
-	uint64_t turn = member_bit(camera_members, 0, "orientation") |
-	    member_bit(camera_members, 0, "rvec");
+#define WORLD_LIKE "[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]"
+#define BOUNDS_LIKE "{\"min\": [-1,-1,-1], \"max\": [1,1,1]}"
+#define PICK_LIKE "{\"at\": [320,240], \"radius\": 3}"
 
-	if ((seen & member_bit(camera_members, 0, "translation")) != 0 &&
-	    (seen & turn) == 0)
-		value_refuse(&m,
-		    "is where the world's origin is in view space, and needs "
-		    "an \"orientation\" or \"rvec\"; where the camera stands "
-		    "is "
-		    "\"eye\"");
-}
+static const struct value_range margins = { .min = 0,
+	.max = 0.5,
+	.says = "a number from 0 to below 0.5 is wanted",
+	.below = true };
 
-bool read_camera(const struct value *v, struct camera *c)
-{
-	*c = (struct camera){ .unit = (enum angle_unit)v->source->unit };
-	uint64_t seen = object_read(v, camera_members, 0, c);
+/* An object of a scene, which says whether it has one. */
+#define PART(label, field, table, like, ...)                            \
+	ROW(document, label, type_object, scene.field, .example = like, \
+	    .has = offsetof(struct document, scene.has_##field),        \
+	    .members = table, __VA_ARGS__)
 
-	check_translation(v, seen);
-	c->by = (unsigned)object_way(v, camera_members, 0, seen, camera_ways);
-	if ((seen & member_bit(camera_members, 0, "rvec")) != 0)
-		check_axes(v, "rvec");
-	return c->by >= CAMERA_TRANSLATION ||
-	    (seen & member_bit(camera_members, 0, "eye")) != 0;
-}
-
-void read_viewport(const struct value *v, struct viewport *w)
-{
-	*w = (struct viewport){ 0 };
-	uint64_t seen = object_read(v, viewport_members, 0, w);
-
-	object_way(v, viewport_members, 0, seen, rectangle_ways);
-}
-
-bool read_device(const struct value *v, struct device *d)
-{
-	*d = (struct device){ 0 };
-	uint64_t seen = object_read(v, device_members, 0, d);
-
-	object_way(v, device_members, 0, seen, rectangle_ways);
-	return (seen & member_bit(device_members, 0, "origin")) != 0;
-}
-
-/* fit finds only the window of a document that is flat. */
-void read_window(const struct value *v, struct window *w)
-{
-	struct ways ways = window_ways[0];
-
-	ways.fit = v->source->flat;
-	*w = (struct window){ 0 };
-	uint64_t seen = object_read(v, window_members, 0, w);
-
-	w->by_edges = object_way(v, window_members, 0, seen, &ways) == 1;
-	w->has_about = (seen & member_bit(window_members, 0, "about")) != 0;
-}
-
-void read_bounds(const struct value *v, struct bounds *b)
-{
-	uint64_t seen = object_read(v, bounds_members, 0, b);
-
-	b->sphere = object_way(v, bounds_members, 0, seen, bounds_ways) == 1;
-}
-
-void read_pick(const struct value *v, struct pick *p)
-{
-	uint64_t seen = object_read(v, pick_members, 0, p);
-
-	p->has_at = (seen & member_bit(pick_members, 0, "at")) != 0;
-}
+const struct member scene_members[] = {
+	ROW(document, "convention", type_convention, scene.convention,
+	    .members = convention_members, .example = "\"d3d\"",
+	    .words = convention_names, .usual = "\"d3d\"", .shown = true,
+	    .before = "-c's", .about = "how the document is read, all of it",
+	    .command = "lookat '{\"convention\": \"gl\", "
+		       "\"camera\": " CAMERA_LIKE "}'"),
+	ROW(document, "angle_unit", type_word, unit,
+	    .aliases = "angleunits unit units angles", .words = angle_units,
+	    .beside = true, .usual = "\"degrees\"",
+	    .about = "of all angles of the scene",
+	    .command = "persp '{\"angle_unit\": \"radians\", \"fovy\": 1, "
+		       "\"aspect\": 1.5, \"near\": 1, \"far\": 10}'"),
+	ROW(document, "world", type_affine, scene.world, .aliases = "model",
+	    .has = offsetof(struct document, scene.has_world),
+	    .example = WORLD_LIKE, .usual = WORLD_LIKE,
+	    .about = "model to world, affine",
+	    .command = "project --to world '{\"world\": "
+		       "[1,0,0,0, 0,1,0,0, 0,0,1,0, 10,20,30,1]}' "
+		       "'[1,2,3]'"),
+	PART("camera", camera, camera_members, CAMERA_LIKE, .ways = camera_ways,
+	    .aliases = "view", .about = "world to view",
+	    .command = "lookat '{\"camera\": " CAMERA_LIKE "}'"),
+	ROW(document, "projection", type_projection, scene.projection,
+	    .members = projection_members, .aliases = "lens perspective",
+	    .ways = projection_ways, .example = LENS_LIKE,
+	    .about = "view to clip",
+	    .command = "persp '{\"projection\": " LENS_LIKE "}'"),
+	PART("viewport", viewport, viewport_members, RECTANGLE_LIKE,
+	    .ways = rectangle_ways, .aliases = "screen",
+	    .about = "ndc to device, in 3D",
+	    .command = "project --from ndc '{\"viewport\": " RECTANGLE_LIKE
+		       "}' '[0,0.5,1]'"),
+	PART("window", window, window_members, WINDOW_LIKE, .ways = window_ways,
+	    .about = "a rectangle of a 2D world",
+	    .command = "w2n '{\"window\": " WINDOW_LIKE "}'"),
+	PART("device", device, device_members, RECTANGLE_LIKE,
+	    .ways = rectangle_ways, .about = "where a window is shown",
+	    .command = "n2d '{\"device\": " RECTANGLE_LIKE "}'"),
+	{ .name = "points",
+	    .type = &type_points,
+	    .aliases = "point",
+	    .example = "[[0,0,0], [1,1,1]]",
+	    .about = "unless there are operands POINTS",
+	    .command = "lookat '{\"camera\": " CAMERA_LIKE
+		       ", \"points\": [[0,0,0], [1,1,1]]}'" },
+	ROW(document, "bounds", type_object, bounds,
+	    .has = offsetof(struct document, has_bounds),
+	    .members = bounds_members, .ways = bounds_ways,
+	    .example = BOUNDS_LIKE, .unit = "model units",
+	    .about = "what fit is to hold, else the points",
+	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
+		       "\"bounds\": " BOUNDS_LIKE "}'"),
+	ROW(document, "pick", type_object, pick,
+	    .has = offsetof(struct document, has_pick), .members = pick_members,
+	    .example = PICK_LIKE,
+	    .about = "where pick looks, else --at, --radius",
+	    .command = "pick '{\"camera\": " CAMERA_LIKE
+		       ", \"projection\": " LENS_LIKE
+		       ", \"viewport\": " RECTANGLE_LIKE
+		       ", \"pick\": " PICK_LIKE "}' '[[0,0,0], [1,1,1]]'"),
+	ROW(document, "margin", type_numbers, scene.margin,
+	    .aliases = "padding border", .example = "0.1", .range = &margins,
+	    .usual = "0",
+	    .about = "share of the picture left free at each side",
+	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
+		       "\"bounds\": " BOUNDS_LIKE ", \"margin\": 0.1}'"),
+	{ .name = NULL },
+};

@@ -6,39 +6,33 @@
 #include "document.h"
 #include "types.h"
 
-/* The first is of the scene itself, in the order of the bits of SCENE_CONVENTION and
- * so on. */
-extern const struct member scene_members[], camera_members[],
-    projection_members[], viewport_members[], window_members[],
-    device_members[], bounds_members[], pick_members[];
+/* Of struct document; row i has bit i in enum scene_member. */
+extern const struct member scene_members[];
 
-/* How their members can be combined. */
-extern const struct ways camera_ways[], projection_ways[], rectangle_ways[],
-    window_ways[], bounds_ways[];
+/* Of a projection, and how they can be combined. */
+extern const struct member projection_members[];
+extern const struct ways projection_ways[];
+extern const struct type type_projection;
 
-/* What some of these may be, in the order of their enums; NULL ends each. Types
- * begin with PROJECTION_PERSP, kinds with OBLIQUE_CAVALIER. */
-extern const char *const projection_types[], *const oblique_kinds[],
-						 *const adapt_names[];
+/* Names of types, from PROJECTION_PERSP on; NULL ends them. */
+extern const char *const projection_types[];
 
-/* Returns whether the camera says where its eye is, which a translation, a pose
- * and a matrix do as well. Only fit may do without. */
-bool read_camera(const struct value *, struct camera *);
-void read_viewport(const struct value *, struct viewport *);
-void read_window(const struct value *, struct window *);
-/* Returns whether it has an origin. */
-bool read_device(const struct value *, struct device *);
-void read_bounds(const struct value *, struct bounds *);
-void read_pick(const struct value *, struct pick *);
+/* Completes a projection that was read from a value by what the viewport, or NULL, says
+ * of the aspect that is not given, and of pixels. */
+void projection_complete(const struct value *, const struct viewport *,
+    struct projection *);
 
-/* implied is the only type that the command takes, which need not be given
- * then, or PROJECTION_NONE. An aspect that is not given is the viewport's,
- * unless that is NULL. */
-void read_projection(const struct value *, int implied,
-    const struct viewport *viewport, struct projection *);
+/* Examples of members. The viewport gives the scene its aspect. */
+#define CAMERA_LIKE "{\"eye\": [0,0,-5], \"at\": [0,0,0]}"
+#define LENS_LIKE                                               \
+	"{\"type\": \"persp\", \"fovy\": 60, \"aspect\": 1.5, " \
+	"\"near\": 1, \"far\": 10}"
+#define RECTANGLE_LIKE "{\"width\": 640, \"height\": 480}"
+#define WINDOW_LIKE "{\"center\": [20,30], \"width\": 10, \"height\": 10}"
 
-/* Prints what reads back as the same, without an aspect that is the viewport's. */
-void print_projection(struct printer *, const struct projection *,
-    const struct viewport *);
+#define SCENE_LIKE                                                            \
+	"{\"camera\": " CAMERA_LIKE ", \"projection\": {\"type\": \"persp\"," \
+	" \"fovy\": 60, \"near\": 1, \"far\": 10}, "                          \
+	"\"viewport\": " RECTANGLE_LIKE "}"
 
 #endif

@@ -32,7 +32,7 @@ static const struct value_range fraction = { .min = SIZE_MIN,
 
 const char *const projection_types[] = { "persp", "ortho", "oblique", "volume",
 	"matrix", NULL };
-const char *const oblique_kinds[] = { "cavalier", "cabinet", NULL };
+static const char *const oblique_kinds[] = { "cavalier", "cabinet", NULL };
 
 /* Types as bits, in the order of projection_types. */
 enum {
@@ -149,42 +149,30 @@ const struct member projection_members[] = {
 };
 
 /* Rows of projection_ways. */
-enum {
-	WAYS_PERSP,
-	WAYS_PARALLEL,
-	WAYS_SHEAR,
-	WAYS_DEPTH,
-	WAYS_VOLUME,
-	WAYS_EYE,
-	WAYS_VOLUME_DEPTH,
-	WAYS_MATRIX,
-};
+enum { WAYS_SHEAR = 2, WAYS_DEPTH, WAYS_VOLUME };
 
-/* fit finds width and height; if an aspect is given, they keep to it. The first two
- * are in the order of enum extent. */
+/* fit finds width and height; if an aspect is given, they keep to it. */
 const struct ways projection_ways[] = {
-	[WAYS_PERSP] = { { "fovy aspect?", "fovx aspect?", "view_angle aspect?",
-			     "field aspect?", "width height edges_at?",
-			     "width aspect? edges_at?",
-			     "height aspect? edges_at?",
-			     "left right bottom top edges_at?", "angles",
-			     "intrinsics" },
-	    .kinds = PERSP },
-	[WAYS_PARALLEL] = { { "width height", "width aspect?", "height aspect?",
-				"left right bottom top" },
+	{ { "fovy aspect?", "fovx aspect?", "view_angle aspect?",
+	      "field aspect?", "width height edges_at?",
+	      "width aspect? edges_at?", "height aspect? edges_at?",
+	      "left right bottom top edges_at?", "angles", "intrinsics" },
+	    .kinds = PERSP, .at = AT(extent) },
+	{ { "width height", "width aspect?", "height aspect?",
+	      "left right bottom top" },
 	    true,
 	    { "width? height?", "width? aspect?", "height? aspect?",
 		"left right bottom top" },
-	    PARALLEL },
+	    PARALLEL, AT(extent), EXTENT_SIZE },
 	[WAYS_SHEAR] = { { "kind", "angle" }, .kinds = OBLIQUE },
-	[WAYS_DEPTH] = { { "near far" }, true, { NULL }, PARALLEL },
+	[WAYS_DEPTH] = { { "near far" }, .fit = true, .kinds = PARALLEL },
 	[WAYS_VOLUME] = { { "half_width half_height", "size aspect?" },
 	    .kinds = VOLUME },
-	[WAYS_EYE] = { { "inverse_eye_z? tan_skew?", "eye",
-			   "view_angle tan_skew?" },
-	    .kinds = VOLUME },
-	[WAYS_VOLUME_DEPTH] = { { "z_near z_far" }, true, { NULL }, VOLUME },
-	[WAYS_MATRIX] = { { "matrix" }, .kinds = MATRIX },
+	{ { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
+	    .kinds = VOLUME, .at = AT(eye_by) },
+	{ { "z_near z_far" }, .fit = true, .kinds = VOLUME },
+	/* fit refuses a matrix, whatever it has */
+	{ { "matrix" }, .fit = true, .kinds = MATRIX },
 	{ .way = { NULL } },
 };
 
@@ -193,85 +181,11 @@ static const struct ways open_ways = {
 	.way = { "near far? reverse_z?", "" },
 };
 
-static const enum extent persp_extents[] = { EXTENT_FOVY, EXTENT_FOVX,
-	EXTENT_VIEW_ANGLE, EXTENT_FIELD, EXTENT_SIZE, EXTENT_WIDTH,
-	EXTENT_HEIGHT, EXTENT_EDGES, EXTENT_ANGLES, EXTENT_INTRINSICS };
-static const enum extent parallel_extents[] = { EXTENT_SIZE, EXTENT_WIDTH,
-	EXTENT_HEIGHT, EXTENT_EDGES };
-
-static int take_way(const struct value *v, const struct projection *p,
-    uint64_t seen, const struct ways *ways)
-{
-	return object_way(v, projection_members, (int)p->type - 1, seen, ways);
-}
-
 static bool is_given(const struct projection *p, uint64_t seen,
     const char *name)
 {
 	return (seen &
 		   member_bit(projection_members, (int)p->type - 1, name)) != 0;
-}
-
-/* Intrinsics may do without near and far, or without far. */
-static void read_open(const struct value *v, uint64_t seen,
-    struct projection *p)
-{
-	p->reverse_z |= take_way(v, p, seen, &open_ways) == 1;
-	if (!is_given(p, seen, "far"))
-		p->far = HUGE_VAL;
-}
-
-/* Intrinsics are in units of the viewport, whose sides they need. */
-static void find_sides(const struct value *v, const struct viewport *viewport,
-    struct projection *p)
-{
-	struct value m = value_missing(v, "intrinsics");
-
-	if (v->unused)
-		return;
-	if (viewport == NULL) {
-		value_refuse(&m,
-		    "needs a \"viewport\", in whose units it is; "
-		    "write {\"projection\": {...}, \"viewport\": "
-		    "{\"width\": 640, \"height\": 480}}");
-	} else if (viewport->scale != SCALE_FILL) {
-		value_refuse(&m,
-		    "not together with the viewport's \"scale\"; "
-		    "leave that out");
-	} else {
-		check_axes(v, "intrinsics");
-		p->width = viewport->width;
-		p->height = viewport->height;
-	}
-}
-
-/* Completes the aspect, a quotient: that which is given, over 1, else the
- * viewport's width over its height. aspect[1] stays 0 if fit may choose one. */
-static void find_aspect(const struct value *v, const struct viewport *viewport,
-    struct projection *p)
-{
-	struct value missing = value_missing(v, "aspect");
-	bool widens = v->source->fit &&
-	    (p->type == PROJECTION_ORTHO || p->type == PROJECTION_OBLIQUE);
-
-	if (v->unused)
-		return;
-	if (!widens && p->extent >= EXTENT_SIZE && p->extent != EXTENT_WIDTH &&
-	    p->extent != EXTENT_HEIGHT)
-		return;
-	if (widens && viewport == NULL && p->aspect[0] == 0)
-		return;
-	p->aspect[1] = 1;
-	if (p->aspect[0] > 0)
-		return;
-	if (viewport == NULL) {
-		value_refuse(&missing, "missing; give it, or a \"viewport\"");
-	} else if (viewport->scale == SCALE_UNIFORM) {
-		p->aspect[0] = 1;
-	} else {
-		p->aspect[0] = viewport->width;
-		p->aspect[1] = viewport->height;
-	}
 }
 
 /* Refuses a projection without a type; names the types that have all of its
@@ -305,17 +219,17 @@ static _Noreturn void refuse_typeless(const struct value *v)
 }
 
 /* The type decides which members there are, so it is looked for first. */
-static void find_type(const struct value *v, int implied, struct projection *p)
+static void find_type(const struct value *v, struct projection *p)
 {
-	struct value m = value_child(v);
+	unsigned implied = v->source->implied;
+	struct value m;
 
+	p->type = implied;
 	if (value_member(v, "type", &m))
 		type_word.read(&m, projection_members, &p->type);
-	else if (implied != PROJECTION_NONE)
-		p->type = (unsigned)implied;
-	else
+	else if (implied == PROJECTION_NONE)
 		refuse_typeless(v);
-	if (implied != PROJECTION_NONE && p->type != (unsigned)implied)
+	if (implied != PROJECTION_NONE && p->type != implied)
 		value_refuse(&m, "is \"%s\", but the command is %s",
 		    projection_types[p->type - 1],
 		    projection_types[implied - 1]);
@@ -346,157 +260,138 @@ static void need_near(const struct value *v, uint64_t seen,
 		    "\"edges_at\" says where");
 }
 
-/* fit finds near and far, unless the section is measured on the near plane. */
-static void read_persp(const struct value *v, uint64_t seen,
-    const struct viewport *viewport, struct projection *p)
+/* fit finds near and far, unless the section is measured on the near plane.
+ * Intrinsics may do without near and far, or without far. */
+static void read_planes(const struct value *v, uint64_t seen,
+    struct projection *p)
 {
-	const struct ways *depth = &projection_ways[WAYS_DEPTH];
-	int way = take_way(v, p, seen, &projection_ways[WAYS_PERSP]);
+	bool open = p->extent == EXTENT_INTRINSICS && !v->source->fit;
+	int way = 0;
 
-	p->extent = persp_extents[way];
 	if (v->source->fit && projection_is_by_near(p))
 		need_near(v, seen, p);
-	else if (!v->source->fit && p->extent == EXTENT_INTRINSICS)
-		read_open(v, seen, p);
 	else
-		take_way(v, p, seen, depth);
-	if (p->extent == EXTENT_ANGLES)
-		check_angles(v, p);
-	if (p->extent == EXTENT_INTRINSICS)
-		find_sides(v, viewport, p);
-	else
-		find_aspect(v, viewport, p);
+		way = object_way(v, projection_members, 0, seen,
+		    open ? &open_ways : &projection_ways[WAYS_DEPTH]);
+	p->reverse_z |= way == 1;
+	if (open && !is_given(p, seen, "far"))
+		p->far = HUGE_VAL;
 }
 
-static void read_parallel(const struct value *v, uint64_t seen,
-    const struct viewport *viewport, struct projection *p)
+static void read_projection(const struct value *v, const struct member *row,
+    void *out)
 {
-	int way = take_way(v, p, seen, &projection_ways[WAYS_PARALLEL]);
+	struct projection *p = out;
 
-	p->extent = parallel_extents[way];
-	if (p->type == PROJECTION_OBLIQUE)
-		take_way(v, p, seen, &projection_ways[WAYS_SHEAR]);
-	/* the usual direction is 45 degrees in any unit */
-	if (is_given(p, seen, "direction"))
-		p->direction_unit = p->unit;
-	take_way(v, p, seen, &projection_ways[WAYS_DEPTH]);
-	find_aspect(v, viewport, p);
-}
-
-/* The seven numbers of a volume, or what they are made of. */
-static void read_seven(const struct value *v, uint64_t seen,
-    const struct viewport *viewport, struct projection *p)
-{
-	int section = take_way(v, p, seen, &projection_ways[WAYS_VOLUME]);
-	int eye = take_way(v, p, seen, &projection_ways[WAYS_EYE]);
-
-	if (section == 1) {
-		p->half_width /= 2; /* of the size */
-		p->half_height = p->half_width;
-		find_aspect(v, viewport, p);
-	}
-	take_way(v, p, seen, &projection_ways[WAYS_VOLUME_DEPTH]);
-	p->has_eye = eye == 1;
-	p->has_angle = eye == 2;
-}
-
-void read_projection(const struct value *v, int implied,
-    const struct viewport *viewport, struct projection *p)
-{
-	*p = (struct projection){
-		.unit = (enum angle_unit)v->source->unit,
-	};
 	if (value_is_array(v))
 		value_refuse(v,
 		    "is an array; a matrix is {\"type\": \"matrix\", "
 		    "\"matrix\": [...]}");
 	value_want_object(v);
-	find_type(v, implied, p);
+	find_type(v, p);
 	/* kinds are in the order of projection_types */
-	uint64_t seen = object_read(v, projection_members, (int)p->type - 1, p);
+	int kind = (int)p->type - 1;
+	uint64_t seen = object_read(v, row->members, kind, p);
 
-	switch (p->type) {
-	case PROJECTION_NONE:
-		break;
-	case PROJECTION_PERSP:
-		read_persp(v, seen, viewport, p);
-		break;
-	case PROJECTION_ORTHO:
-	case PROJECTION_OBLIQUE:
-		read_parallel(v, seen, viewport, p);
-		break;
-	case PROJECTION_VOLUME:
-		read_seven(v, seen, viewport, p);
-		break;
-	case PROJECTION_MATRIX:
-		/* fit refuses a matrix, whatever it has */
-		if (!v->source->fit)
-			take_way(v, p, seen, &projection_ways[WAYS_MATRIX]);
+	take_ways(v, row, kind, seen, p);
+	p->unit = (enum angle_unit)v->source->unit;
+	/* the usual direction is 45 degrees in any unit */
+	if (is_given(p, seen, "direction"))
+		p->direction_unit = p->unit;
+	if (p->type == PROJECTION_PERSP)
+		read_planes(v, seen, p);
+	if (p->extent == EXTENT_ANGLES)
+		check_angles(v, p);
+	if (is_given(p, seen, "size")) {
+		p->half_width /= 2;
+		p->half_height = p->half_width;
+		p->aspect[1] = 1;
 	}
 }
 
-static void leave_out(uint64_t *bits, const struct projection *p,
-    const char *name)
+/* Refuses intrinsics without the viewport in whose units they are. */
+static void find_sides(const struct value *v, const struct viewport *viewport,
+    struct projection *p)
 {
-	*bits &= ~member_bit(projection_members, (int)p->type - 1, name);
-}
+	struct value m = value_missing(v, "intrinsics");
 
-/* Leaves the members that are in the way taken and in no other. */
-static void keep_way(uint64_t *bits, const struct projection *p, int ways,
-    int way)
-{
-	*bits &= object_shown(projection_members, (int)p->type - 1,
-	    &projection_ways[ways], way);
-}
-
-static void keep_extent(uint64_t *bits, const struct projection *p, int ways,
-    const enum extent *extents)
-{
-	int way = 0;
-
-	while (extents[way] != p->extent)
-		way++;
-	keep_way(bits, p, ways, way);
-}
-
-void print_projection(struct printer *printer, const struct projection *p,
-    const struct viewport *viewport)
-{
-	struct projection shown = *p;
-	uint64_t bits = ALL_MEMBERS;
-
-	if (viewport != NULL && p->aspect[1] != 1)
-		leave_out(&bits, p, "aspect");
-	switch (p->type) {
-	case PROJECTION_NONE:
-	case PROJECTION_MATRIX:
-		break;
-	case PROJECTION_PERSP:
-		keep_extent(&bits, p, WAYS_PERSP, persp_extents);
-		if (p->edges_at == 0)
-			leave_out(&bits, p, "edges_at");
-		if (projection_is_open(p))
-			bits &= object_shown(projection_members, 0, &open_ways,
-			    1);
-		break;
-	case PROJECTION_OBLIQUE:
-		keep_way(&bits, p, WAYS_SHEAR, p->kind == OBLIQUE_ANGLE);
-		if (p->direction == 45 && p->direction_unit == DEGREES)
-			leave_out(&bits, p, "direction");
-		keep_extent(&bits, p, WAYS_PARALLEL, parallel_extents);
-		break;
-	case PROJECTION_ORTHO:
-		keep_extent(&bits, p, WAYS_PARALLEL, parallel_extents);
-		break;
-	case PROJECTION_VOLUME:
-		keep_way(&bits, p, WAYS_VOLUME, p->aspect[1] != 0);
-		if (p->aspect[1] != 0)
-			shown.half_width *= 2; /* the size */
-		keep_way(&bits, p, WAYS_EYE,
-		    p->has_eye       ? 1 :
-			p->has_angle ? 2 :
-				       0);
+	if (viewport == NULL) {
+		value_refuse(&m,
+		    "needs a \"viewport\", in whose units it is; "
+		    "write {\"projection\": {...}, \"viewport\": "
+		    "{\"width\": 640, \"height\": 480}}");
+	} else if (viewport->scale != SCALE_FILL) {
+		value_refuse(&m,
+		    "not together with the viewport's \"scale\"; "
+		    "leave that out");
+	} else {
+		check_axes(v, "intrinsics");
+		p->width = viewport->width;
+		p->height = viewport->height;
 	}
-	object_print(printer, projection_members, (int)p->type - 1, bits,
-	    &shown);
 }
+
+/* Whether an aspect says what is missing. fit widens a parallel section to one. */
+static bool needs_aspect(const struct value *v, const struct viewport *viewport,
+    const struct projection *p)
+{
+	if (p->type == PROJECTION_VOLUME)
+		return p->aspect[1] != 0;
+	if (v->source->fit && p->type != PROJECTION_PERSP)
+		return viewport != NULL || p->aspect[0] > 0;
+	return p->extent < EXTENT_SIZE || p->extent == EXTENT_WIDTH ||
+	    p->extent == EXTENT_HEIGHT;
+}
+
+void projection_complete(const struct value *v, const struct viewport *viewport,
+    struct projection *p)
+{
+	struct value missing = value_missing(v, "aspect");
+
+	if (v->unused || p->type == PROJECTION_MATRIX)
+		return;
+	if (projection_is_by_p(p))
+		find_sides(v, viewport, p);
+	if (!needs_aspect(v, viewport, p))
+		return;
+	p->aspect[1] = 1;
+	if (p->aspect[0] > 0)
+		return;
+	if (viewport == NULL) {
+		value_refuse(&missing, "missing; give it, or a \"viewport\"");
+	} else if (viewport->scale == SCALE_UNIFORM) {
+		p->aspect[0] = 1;
+	} else {
+		p->aspect[0] = viewport->width;
+		p->aspect[1] = viewport->height;
+	}
+}
+
+static void print_projection(struct printer *printer, const struct member *row,
+    const void *at)
+{
+	struct projection p = *(const struct projection *)at;
+	int kind = (int)p.type - 1;
+	bool sized = p.aspect[1] != 0;
+	uint64_t bits = taken_ways(row, kind, at);
+
+	/* the viewport's aspect, and the usual direction in any unit */
+	if (p.aspect[1] != 1)
+		bits &= ~member_bit(row->members, kind, "aspect");
+	if (p.direction == 45 && p.direction_unit == DEGREES)
+		bits &= ~member_bit(row->members, kind, "direction");
+	if (projection_is_open(&p))
+		bits &= object_shown(row->members, kind, &open_ways, 1);
+	if (p.type == PROJECTION_OBLIQUE)
+		bits &= object_shown(row->members, kind,
+		    &projection_ways[WAYS_SHEAR], p.kind == OBLIQUE_ANGLE);
+	if (p.type == PROJECTION_VOLUME)
+		bits &= object_shown(row->members, kind,
+		    &projection_ways[WAYS_VOLUME], sized);
+	if (sized)
+		p.half_width *= 2; /* the size */
+	object_print(printer, row->members, kind, bits, &p);
+}
+
+const struct type type_projection = { NULL, read_projection, print_projection,
+	0 };

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../../core/scene/scene.h"
 #include "../message/escape.h"
 
 const char *const angle_units[] = { "degrees", "radians", NULL };
@@ -70,18 +71,62 @@ static void print_word(struct printer *p, const struct member *row,
 
 const struct type type_word = { NULL, read_word, print_word, sizeof(unsigned) };
 
-static void read_later(const struct value *v, const struct member *row,
-    void *out)
+const struct type type_points = { "a point or a list", NULL, NULL, 0 };
+
+/* Returns those of a list of ways, or of those behind it, that are for the kind; NULL at
+ * the end. */
+static const struct ways *ways_of(const struct ways *w, int kind)
 {
-	(void)row;
-	*(struct value *)out = *v;
+	while (w != NULL && w->way[0] != NULL && w->kinds != 0 &&
+	    (w->kinds >> kind & 1) == 0)
+		w++;
+	return w != NULL && w->way[0] != NULL ? w : NULL;
 }
 
-const struct type type_value = { NULL, read_later, NULL, 0 };
-const struct type type_later_matrix = { "matrix", read_later, NULL, 0 };
-const struct type type_points = { "a point or a list", read_later, NULL, 0 };
-const struct type type_convention = { "a name or an object", read_later, NULL,
-	0 };
+void take_ways(const struct value *v, const struct member *row, int kind,
+    uint64_t seen, void *base)
+{
+	const struct ways *w = row->ways;
+
+	for (; (w = ways_of(w, kind)) != NULL; w++) {
+		int way = object_way(v, row->members, kind, seen, w);
+
+		if (w->at != 0)
+			*(unsigned *)((char *)base + w->at) = w->first +
+			    (unsigned)way;
+	}
+}
+
+uint64_t taken_ways(const struct member *row, int kind, const void *base)
+{
+	uint64_t bits = ALL_MEMBERS;
+	const struct ways *w = row->ways;
+
+	for (; (w = ways_of(w, kind)) != NULL; w++) {
+		const void *way = (const char *)base + w->at;
+
+		if (w->at != 0)
+			bits &= object_shown(row->members, kind, w,
+			    (int)(*(const unsigned *)way - w->first));
+	}
+	return bits;
+}
+
+static void read_object(const struct value *v, const struct member *row,
+    void *out)
+{
+	uint64_t seen = object_read(v, row->members, 0, out);
+
+	take_ways(v, row, 0, seen, out);
+}
+
+static void print_object(struct printer *p, const struct member *row,
+    const void *at)
+{
+	object_print(p, row->members, 0, taken_ways(row, 0, at), at);
+}
+
+const struct type type_object = { NULL, read_object, print_object, 0 };
 
 #define FAR "a number or \"infinity\""
 
@@ -122,15 +167,8 @@ const struct type type_far = { "size or \"infinity\"", read_far, print_far,
 const char *const vector_names[] = { "row", "column", NULL };
 
 /* The object that -o json prints a matrix in. */
-struct printed {
-	struct value matrix, vectors;
-};
-
-static const struct member printed_members[] = {
-	ROW(printed, "matrix", type_value, matrix, .n = 0),
-	ROW(printed, "vectors", type_value, vectors, .n = 0),
-	{ .name = NULL },
-};
+static const struct member printed_members[] = { { .name = "matrix" },
+	{ .name = "vectors" }, { .name = NULL } };
 
 #define ANY "16 numbers or 4 rows of 4"
 #define AFFINE "16 numbers, or 4 rows of 4 or 3, or 3 rows of 4"
@@ -139,16 +177,17 @@ static const struct ways printed_ways = { .way = { "matrix vectors?" } };
 
 /* Whether rows are for column vectors, as the object that they stand in says, or
  * their shape, or the document. */
-static bool is_column(const struct printed *p, size_t rows, size_t columns)
+static bool is_column(const struct value *v, size_t rows, size_t columns)
 {
 	bool column = rows < columns, whole = rows == columns;
+	struct value vectors;
 
-	if (p->vectors.item == NULL)
-		return whole ? p->matrix.source->column : column;
-	bool said = value_word(&p->vectors, vector_names) == 1;
+	if (!value_is_object(v) || !value_member(v, "vectors", &vectors))
+		return whole ? v->source->column : column;
+	bool said = value_word(&vectors, vector_names) == 1;
 
 	if (!whole && said != column)
-		value_refuse(&p->vectors,
+		value_refuse(&vectors,
 		    "is \"%s\"; %zu rows of %zu are for %s vectors",
 		    vector_names[said], rows, columns, vector_names[column]);
 	return said;
@@ -159,30 +198,31 @@ static bool is_column(const struct printed *p, size_t rows, size_t columns)
  * nested rows depend on which vectors it is for. */
 static void read_elements(const struct value *v, bool affine, double m[4][4])
 {
-	struct printed p = { .matrix = *v };
+	struct value all = *v;
 
 	if (value_is_object(v)) {
-		uint64_t seen = object_read(v, printed_members, 0, &p);
+		uint64_t seen = object_read(v, printed_members, 0, NULL);
 
 		object_way(v, printed_members, 0, seen, &printed_ways);
+		value_member(v, "matrix", &all);
 	}
-	if (!value_is_array(&p.matrix))
-		value_wrong(&p.matrix,
+	if (!value_is_array(&all))
+		value_wrong(&all,
 		    affine ? "an array of " AFFINE : "an array of " ANY);
-	struct value row = value_child(&p.matrix);
-	size_t n = value_count(&p.matrix), rows = affine && n == 3 ? 3 : 4;
+	struct value row = value_child(&all);
+	size_t n = value_count(&all), rows = affine && n == 3 ? 3 : 4;
 	size_t columns = affine && n == 4 && value_is_array(&row) &&
 		value_count(&row) == 3 ?
 	    3 :
 	    4;
-	bool column = is_column(&p, rows, columns);
+	bool column = is_column(v, rows, columns);
 	double e[4];
 
 	if (n != rows && n != 16)
-		value_refuse(&p.matrix, "has %zu element%s; %s are wanted", n,
+		value_refuse(&all, "has %zu element%s; %s are wanted", n,
 		    n == 1 ? "" : "s", affine ? AFFINE : ANY);
 	if (n == 16)
-		value_numbers(&p.matrix, &range_any, 16, m[0]);
+		value_numbers(&all, &range_any, 16, m[0]);
 	for (size_t i = 0; i < 4 && n != 16; i++) {
 		for (size_t j = 0; j < 4; j++)
 			e[j] = i == j;
@@ -202,64 +242,84 @@ static void read_matrix(const struct value *v, const struct member *row,
 	read_elements(v, false, out);
 }
 
-void read_affine(const struct value *v, const struct member *row, void *out)
+static void read_affine(const struct value *v, const struct member *row,
+    void *out)
 {
 	(void)row;
 	read_elements(v, true, out);
 }
 
+static void print_rows(struct printer *p, const struct member *row,
+    const void *at)
+{
+	const double(*m)[4] = at;
+
+	(void)row;
+	put_open(p, "[");
+	for (int i = 0; i < 4; i++) {
+		double e[4];
+
+		for (int j = 0; j < 4; j++)
+			e[j] = p->column ? m[j][i] : m[i][j];
+		put_numbers(p, e, 4);
+	}
+	put_close(p, "]");
+}
+
 const struct type type_matrix = { "matrix", read_matrix, NULL, 0 };
-const struct type type_affine = { "matrix", read_affine, NULL, 0 };
+const struct type type_affine = { "matrix", read_affine, print_rows, 0 };
 
 #define FORMS                                                         \
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
 	"rows of 4 or 12 numbers"
 
-/* Of K: fx and fy are sizes; below the diagonal there is 0, and in the last row 1 on
- * it. */
-static void check_k(const struct value *e, int i, size_t j, double a)
+static void refuse_element(const struct value *v, bool nested, size_t i,
+    size_t j, const char *why)
 {
-	if (i == 2 && a != (j == 2))
-		value_refuse(e,
-		    "the last row of K is 0, 0, 1; is it a camera's K, and "
-		    "not transposed?");
-	if (j < (size_t)i && a != 0)
-		value_refuse(e,
-		    "under the diagonal of K there is 0; is it "
-		    "transposed?");
-	if (i < 2 && j == (size_t)i)
-		value_number(e, &range_positive);
+	struct value row = { .source = v->source, .in = v, .index = i };
+	struct value e = { .source = v->source,
+		.in = nested ? &row : v,
+		.index = nested ? j : 3 * i + j };
+
+	value_refuse(&e, "%s", why);
 }
 
-/* Row i, whose first element is *e, which goes on to the next row's. */
-static void read_k_row(struct value *e, int i, size_t n, double k[4])
+/* Of K: fx and fy are sizes; below the diagonal there is 0, and in the last row 1 on
+ * it. */
+static void check_k(const struct value *v, bool nested, const double k[3][4])
 {
-	for (size_t j = 0; j < n; j++, value_next(e)) {
-		k[j] = value_number(e, &range_any);
-		if (n == 3 && !e->unused)
-			check_k(e, i, j, k[j]);
-	}
+	for (size_t i = 0; i < 3; i++)
+		for (size_t j = 0; j <= i; j++)
+			if (i == 2 && k[i][j] != (j == 2))
+				refuse_element(v, nested, i, j,
+				    "the last row of K is 0, 0, 1; is it a "
+				    "camera's K, and not transposed?");
+			else if (j < i && k[i][j] != 0)
+				refuse_element(v, nested, i, j,
+				    "under the diagonal of K there is 0; is it "
+				    "transposed?");
+			else if (j == i && !scene_is_size(k[i][j]))
+				refuse_element(v, nested, i, j,
+				    "is not positive, as fx and fy of K are");
 }
 
 /* K where n is 3, P where it is 4: rows, or one row after the other. */
 static void read_k_or_p(const struct value *v, size_t n, bool nested,
     double k[3][4])
 {
-	struct value e = value_child(v);
+	struct value row = value_child(v);
+	double e[12];
 
-	for (int i = 0; i < 3; i++) {
-		struct value row = e;
-
-		if (!nested) {
-			read_k_row(&e, i, n, k[i]);
-			continue;
-		}
-		value_numbers(&row, &range_any, n, k[i]);
-		struct value first = value_child(&row);
-
-		read_k_row(&first, i, n, k[i]);
-		value_next(&e);
+	if (!nested)
+		value_numbers(v, &range_any, 3 * n, e);
+	for (size_t i = 0; i < 3; i++) {
+		if (nested)
+			value_numbers(&row, &range_any, n, e + i * n);
+		value_next(&row);
+		memcpy(k[i], e + i * n, n * sizeof *e);
 	}
+	if (n == 3 && !v->unused)
+		check_k(v, nested, k);
 	if (n == 4 && k[2][0] == 0 && k[2][1] == 0 && k[2][2] == 0 &&
 	    !v->unused)
 		value_refuse(v,

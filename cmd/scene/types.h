@@ -26,7 +26,6 @@ extern const char *const vector_names[];
  * says itself which vectors it is for. An affine one may be without what they all have:
  * 3 rows of 4 for column vectors, 4 rows of 3 for row vectors. */
 extern const struct type type_matrix, type_affine;
-void read_affine(const struct value *, const struct member *, void *);
 
 /* What a calibrated camera makes of a point in view space, in pixels: double[3][4]. */
 extern const struct type type_intrinsics;
@@ -35,8 +34,17 @@ extern const struct type type_intrinsics;
 extern const struct type type_far;
 void put_distance(struct printer *, double);
 
-/* A value that is read later: struct value. */
-extern const struct type type_value, type_later_matrix, type_points,
-    type_convention;
+/* An object of the row's members and ways. */
+extern const struct type type_object;
+
+/* Checks by which of a row's ways an object of that kind takes its members, and keeps the
+ * indices in the struct; and returns, as bits, the members of these ways, and those in
+ * none. */
+void take_ways(const struct value *, const struct member *, int kind,
+    uint64_t seen, void *base);
+uint64_t taken_ways(const struct member *, int kind, const void *base);
+
+/* Points, which are read as lines of text. */
+extern const struct type type_points;
 
 #endif

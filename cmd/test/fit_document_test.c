@@ -77,8 +77,6 @@ static const struct refusal refusals[] = {
 	{ &either, "{\"window\":{\"left\":1,\"width\":1}}",
 	    "/window/left: not together with \"width\"; give \"width\", or "
 	    "\"left\"" },
-	{ &either, "{\"window\":{},\"projection\":{\"type\":\"ortho\"}}",
-	    "/window/center: missing; " WINDOW_HINT },
 	{ &either, "{\"device\":{\"width\":1,\"height\":1},\"points\":[[1]]}",
 	    "/points/0: has 1 element; 2 coordinates are wanted" },
 	{ &project, "{\"window\":{}}",

@@ -87,9 +87,10 @@ static const struct refusal cameras[] = {
 	    "or \"orientation\", \"translation\" and \"roll\", or \"rvec\", "
 	    "\"translation\" and \"roll\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{\"translation\":[0,0,0]}",
-	    "/translation: is where the world's origin is in view space, and "
-	    "needs an \"orientation\" or \"rvec\"; where the camera stands is "
-	    "\"eye\"" },
+	    "/orientation: missing; give \"eye\" and \"at\", or \"eye\" and "
+	    "\"gaze\", or \"eye\" and \"orientation\", or \"eye\" and "
+	    "\"rvec\", or \"orientation\" and \"translation\", or \"rvec\" "
+	    "and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat,
 	    "{" EYE ",\"orientation\":[0,0,0,1],\"translation\":[0,0,0]}",
 	    "/translation: not together with \"eye\"; give \"eye\" and \"at\", "

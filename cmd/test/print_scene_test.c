@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "../scene/print_scene.h"
+#include "../scene/document.h"
 
 #include "../../core/test/sample.h"
 #include "document.h"
@@ -20,6 +20,7 @@ static void sample_fitted(struct document *d)
 	s->has_device = sample_below(2);
 	s->convention.column = sample_below(2);
 	s->camera.by = CAMERA_GAZE;
+	s->has_camera = true;
 	p->type = PROJECTION_PERSP + sample_below(4);
 	enum extent sampled = p->extent;
 
@@ -40,7 +41,6 @@ static void sample_fitted(struct document *d)
 	p->far = p->near * 3;
 	p->aspect[0] = 1.25;
 	p->aspect[1] = p->type != PROJECTION_VOLUME || sample_below(2);
-	p->has_angle = !p->has_eye && sample_below(2);
 	if (p->aspect[1] == 1)
 		p->half_width = p->half_height;
 	p->near_ratio = sample_below(2) ? 0.0005 : 0.25;
@@ -48,6 +48,7 @@ static void sample_fitted(struct document *d)
 	d->pick.has_at = sample_below(2);
 	d->pick.at[0] = 7;
 	d->pick.radius = sample_below(2);
+	d->has_pick = d->pick.has_at || d->pick.radius > 0;
 }
 
 static void print_it(const void *d)

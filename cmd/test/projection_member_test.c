@@ -192,7 +192,8 @@ static const struct refusal projections[] = {
 	{ &project, SEEN("\"intrinsics\":[1,0,0,0]", ""),
 	    "/projection/intrinsics/1: 0 is not positive; " POSITIVE },
 	{ &project, SEEN("\"intrinsics\":[[1,0,0],[0,-1,0],[0,0,1]]", ""),
-	    "/projection/intrinsics/1/1: -1 is not positive; " POSITIVE },
+	    "/projection/intrinsics/1/1: is not positive, as fx and fy of "
+	    "K are" },
 	{ &project, SEEN("\"intrinsics\":[[1,0,0],[0,1,0],[0,0,2]]", ""),
 	    "/projection/intrinsics/2/2: the last row of K is 0, 0, 1; is it a "
 	    "camera's K, and not transposed?" },
@@ -441,20 +442,22 @@ static void test_volume(void **state)
 	(void)state;
 	assert_int_equal(p.type, PROJECTION_VOLUME);
 	assert_numbers(&p.half_width, 4, 1.0, 2.0, -3.0, 4.0);
-	assert_true(!p.has_eye && p.inverse_eye_z == 0);
+	assert_true(p.eye_by == EYE_BY_Z && p.inverse_eye_z == 0);
 	p = VOLUME(",\"inverse_eye_z\":-0.1,\"tan_skew\":[5,6]");
-	assert_true(!p.has_eye && p.inverse_eye_z == -0.1);
+	assert_true(p.eye_by == EYE_BY_Z && p.inverse_eye_z == -0.1);
 	assert_numbers(p.tan_skew, 2, 5.0, 6.0);
 	p = VOLUME(",\"eye\":[7,8,-9]");
-	assert_true(p.has_eye);
+	assert_true(p.eye_by == EYE_GIVEN);
 	assert_numbers(p.eye, 3, 7.0, 8.0, -9.0);
 	p = VOLUME(",\"view_angle\":0,\"tan_skew\":[5,6]");
-	assert_true(p.has_angle && p.angle == 0 && p.aspect[1] == 0);
+	assert_true(
+	    p.eye_by == EYE_BY_ANGLE && p.angle == 0 && p.aspect[1] == 0);
 	p = scene_of("{\"angle_unit\":\"radians\",\"projection\":{\"type\":"
 		     "\"volume\",\"size\":3,\"view_angle\":3,\"z_near\":1,"
 		     "\"z_far\":0},\"viewport\":{\"width\":4,\"height\":2}}")
 		.projection;
-	assert_true(p.has_angle && p.angle == 3 && p.unit == RADIANS);
+	assert_true(
+	    p.eye_by == EYE_BY_ANGLE && p.angle == 3 && p.unit == RADIANS);
 	assert_numbers(&p.half_width, 4, 1.5, 1.5, 1.0, 0.0);
 	assert_true(p.aspect[0] == 4 && p.aspect[1] == 2);
 }

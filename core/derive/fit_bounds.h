@@ -12,8 +12,8 @@ enum { BOUNDS_POINTS = 10 };
  * makes an ellipsoid of a sphere. A window's have no third coordinate, and the sphere
  * is a circle. */
 struct bounds {
-	bool sphere;
 	double center[3], radius;
+	unsigned sphere; /* 1: a sphere, 0: a box or points */
 	double min[3], max[3];
 	int n;
 	double point[BOUNDS_POINTS][3];

@@ -68,11 +68,6 @@ static const char *look(const struct camera *c,
 	return NULL;
 }
 
-static struct sum doubled(struct sum a)
-{
-	return sum_add(a, a);
-}
-
 /* The columns of the rotation matrix of a quaternion, times its norm. */
 static void turn(const struct sum q[4], struct axis axis[3])
 {
@@ -90,8 +85,8 @@ static void turn(const struct sum q[4], struct axis axis[3])
 
 		axis[i].length = norm;
 		axis[i].v[i] = sum_sub(along, sum_add(p[j][j], p[k][k]));
-		axis[i].v[j] = doubled(sum_add(p[i][j], p[k][3]));
-		axis[i].v[k] = doubled(sum_sub(p[i][k], p[j][3]));
+		axis[i].v[j] = sum_scale(sum_add(p[i][j], p[k][3]), 2);
+		axis[i].v[k] = sum_scale(sum_sub(p[i][k], p[j][3]), 2);
 	}
 }
 
@@ -156,164 +151,102 @@ static const char *orthonormal(const struct camera *c, struct axis axis[3])
 	return NULL;
 }
 
-/* Where a camera stands: its axes, and in the world the eye, or in view space the
- * world's origin. */
-struct stand {
-	struct axis axis[3];
-	const double *at;
-	bool by_origin;
-	double roll; /* from x to y of view space */
-	enum angle_unit unit;
-};
-
-static bool is_exact(const struct stand *s)
+/* Makes the map to view, p axes + origin, or back, p axes' + eye. Of origin and eye
+ * one is given, at, and the other is minus the products of at with the axes, or with
+ * their transpose: an exact polynomial, divided once. So for an eye (1,2,3) that looks
+ * at the origin x . eye is 0, where rounded axes would give -4.9e-32. */
+static void camera_stand(const struct axis a[3], const double at[3],
+    bool by_origin, bool inverse, struct map *r)
 {
-	return s->axis[1].length.error.m == 0;
-}
-
-/* Minus the products of what is at with the axes, or with their transpose: an exact
- * polynomial, divided once. So for an eye (1,2,3) that looks at the origin x . eye
- * is 0, where rounded axes would give -4.9e-32. */
-static void find_image(const struct stand *s, struct sum image[3])
-{
-	const struct axis *a = s->axis;
-	struct sum p[3];
+	bool exact = a[1].length.error.m == 0;
+	struct sum d = exact ? a[1].length : sum_of_double(1), minus[3];
 
 	for (int i = 0; i < 3; i++)
-		p[i] = sum_of_double(-s->at[i]);
+		minus[i] = sum_of_double(-at[i]);
+	map_identity(r);
 	for (int i = 0; i < 3; i++) {
 		const struct sum across[3] = { a[0].v[i], a[1].v[i],
 			a[2].v[i] };
+		struct sum given = sum_mul(d, sum_of_double(at[i]));
+		struct sum found = vec3_dot(by_origin ? across : a[i].v, minus);
 
-		image[i] = vec3_dot(s->by_origin ? across : a[i].v, p);
-		if (!is_exact(s))
-			image[i] = sum_quotient(image[i], a[i].length);
-	}
-}
-
-/* Times [cos sin; -sin cos]. */
-static void turn_image(double roll, enum angle_unit unit, struct sum e[4][3])
-{
-	struct sum s = sin_of(roll, unit), c = cos_of(roll, unit);
-
-	for (int k = 0; k < 4; k++) {
-		struct sum x = e[k][0], y = e[k][1];
-
-		e[k][0] = sum_sub(sum_mul(x, c), sum_mul(y, s));
-		e[k][1] = sum_add(sum_mul(y, c), sum_mul(x, s));
-	}
-}
-
-/* To view p axes + origin, or back p axes' + eye; of the two one is given, the
- * other found. */
-static void stand(const struct stand *s, bool inverse, struct map *r)
-{
-	struct sum d = is_exact(s) ? s->axis[1].length : sum_of_double(1);
-	struct sum e[4][3], given[3], found[3];
-
-	find_image(s, found);
-	for (int i = 0; i < 3; i++) {
-		given[i] = sum_mul(d, sum_of_double(s->at[i]));
-		e[3][i] = s->by_origin ? given[i] : found[i];
-		for (int k = 0; k < 3; k++) {
-			e[k][i] = s->axis[i].v[k];
-			if (!is_exact(s))
-				e[k][i] = sum_quotient(e[k][i],
-				    s->axis[i].length);
-		}
-	}
-	if (s->roll != 0)
-		turn_image(s->roll, s->unit, e);
-	map_identity(r);
-	for (int i = 0; i < 3; i++) {
-		struct sum eye = s->by_origin ? found[i] : given[i];
-
+		if (!exact)
+			found = sum_quotient(found, a[i].length);
 		for (int k = 0; k < 3; k++)
-			r->m[inverse ? i : k][inverse ? k : i] = e[k][i];
-		r->m[3][i] = inverse ? eye : e[3][i];
-		r->origin[i] = inverse ? 0 : sum_over(eye, d);
+			r->m[inverse ? i : k][inverse ? k : i] = exact ?
+			    a[i].v[k] :
+			    sum_quotient(a[i].v[k], a[i].length);
+		r->m[3][i] = by_origin == inverse ? found : given;
+		r->origin[i] = inverse ? 0 :
+					 sum_over(by_origin ? found : given, d);
 	}
 	r->m[3][3] = d;
 	map_over(r, d);
 }
 
-static void transpose_axes(struct axis axis[3])
+/* Turns view space about its z. */
+static void camera_roll(double roll, enum angle_unit unit, bool inverse,
+    struct map *r)
 {
-	for (int i = 0; i < 3; i++)
-		for (int k = 0; k < i; k++) {
-			struct sum t = axis[i].v[k];
+	struct sum s = sin_of(roll, unit);
+	struct map turn, stage = *r;
 
-			axis[i].v[k] = axis[k].v[i];
-			axis[k].v[i] = t;
-		}
+	map_identity(&turn);
+	turn.m[0][0] = turn.m[1][1] = cos_of(roll, unit);
+	turn.m[0][1] = sum_negated_if(inverse, s);
+	turn.m[1][0] = sum_negated_if(!inverse, s);
+	map_then(inverse ? &turn : &stage, inverse ? &stage : &turn, r);
 }
 
-/* The matrix or pose as it is given, or its nearest rotation above its last
- * row. A pose leads from view to the world, and must lead back. */
+/* Makes the map of the matrix or pose as it is given, or of its nearest rotation above
+ * its last row. A pose is a matrix that leads back. */
 static const char *camera_bare(const struct camera *c, bool inverse,
     struct map *r)
 {
-	bool pose = c->by == CAMERA_POSE;
-	struct stand s = { .at = c->matrix[3], .by_origin = !pose };
+	bool pose = c->by == CAMERA_POSE, back = inverse != pose;
+	struct axis axis[3];
 
 	map_of_doubles(c->matrix, r);
 	if (!map_is_affine(r))
 		return not_affine[pose];
 	if (!c->orthonormalize) {
-		struct map back;
-		bool regular = (!pose && !inverse) ||
-		    map_inverse(c->matrix, &back);
+		struct map regular;
 
-		if (regular && inverse != pose)
-			*r = back;
-		return regular ? NULL : singular[pose];
+		if ((pose || inverse) && !map_inverse(c->matrix, &regular))
+			return singular[pose];
+		if (back)
+			*r = regular;
+		return NULL;
 	}
-	const char *why = orthonormal(c, s.axis);
+	const char *why = orthonormal(c, axis);
 
 	if (why != NULL)
 		return why;
-	if (pose)
-		transpose_axes(s.axis);
-	stand(&s, inverse, r);
-	return NULL;
-}
-
-static const char *find_axes(const struct camera *c,
-    const struct convention *convention, struct axis axis[3])
-{
-	switch (c->by) {
-	case CAMERA_AT:
-	case CAMERA_GAZE:
-		return look(c, convention, axis);
-	case CAMERA_ORIENTATION:
-	case CAMERA_TRANSLATION:
-		return orient(c, axis);
-	case CAMERA_RVEC:
-	case CAMERA_RVEC_TRANSLATION:
-		return turn_about(c, axis);
-	case CAMERA_POSE:
-	case CAMERA_MATRIX: /* bare() */
-		break;
-	}
+	camera_stand(axis, c->matrix[3], true, back, r);
+	for (int i = 0; i < 3 && pose; i++)
+		r->origin[i] = inverse ? 0 : c->matrix[3][i];
 	return NULL;
 }
 
 const char *camera_map(const struct camera *c,
     const struct convention *convention, bool inverse, struct map *r)
 {
-	struct stand s = {
-		.at = c->eye,
-		.by_origin = c->by == CAMERA_TRANSLATION ||
-		    c->by == CAMERA_RVEC_TRANSLATION,
-		.roll = convention->view_y_down ? -c->roll : c->roll,
-		.unit = c->unit,
-	};
+	bool by_origin = c->by == CAMERA_TRANSLATION ||
+	    c->by == CAMERA_RVEC_TRANSLATION;
+	bool by_rvec = c->by == CAMERA_RVEC || c->by == CAMERA_RVEC_TRANSLATION;
+	struct axis axis[3];
 
 	if (c->by == CAMERA_MATRIX || c->by == CAMERA_POSE)
 		return camera_bare(c, inverse, r);
-	const char *why = find_axes(c, convention, s.axis);
+	const char *why = c->by <= CAMERA_GAZE ? look(c, convention, axis) :
+	    by_rvec                            ? turn_about(c, axis) :
+						 orient(c, axis);
 
-	if (why == NULL)
-		stand(&s, inverse, r);
-	return why;
+	if (why != NULL)
+		return why;
+	camera_stand(axis, c->eye, by_origin, inverse, r);
+	if (c->roll != 0)
+		camera_roll(convention->view_y_down ? -c->roll : c->roll,
+		    c->unit, inverse, r);
+	return NULL;
 }

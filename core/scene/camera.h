@@ -8,6 +8,7 @@
 #include "../exact/trig.h"
 
 struct camera {
+	double eye[3]; /* or the translation: the world's origin in view */
 	enum {
 		CAMERA_AT,
 		CAMERA_GAZE,
@@ -18,8 +19,7 @@ struct camera {
 		CAMERA_POSE,
 		CAMERA_MATRIX,
 	} by;
-	double eye[3]; /* or the translation: the world's origin in view */
-	double at[3];  /* or the gaze, a direction of any length */
+	double at[3]; /* or the gaze, a direction of any length */
 	double up[3];
 	double orientation[4]; /* x y z w, view axes to world axes, any norm */
 	double rvec[3]; /* world to view: about it, by its length in radians */

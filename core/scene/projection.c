@@ -3,30 +3,34 @@
 
 #include <string.h>
 
+
 /* The matrix of every projection that is made of parameters:
  *	 x   0   0   0
- *	 yx  y   0   0
+ *	 0   y   0   0
  *	 zx  zy  zz  zw
  *	 tx  ty  tz  tw
  * whose columns are divided by dx, dy, dz and 1, and all of them by d. z, w and d are
  * exact but for a volume's angle, and so is det = zz tw - zw tz, as a product of
  * parameters, without cancellation. */
 struct elements {
-	struct sum x, yx, y, zx, zy, zz, zw, tx, ty, tz, tw, dx, dy, dz, d, det;
-	/* of a volume by its angle, whose det is inexact: 1, tz and zz over that */
-	struct sum by, tz_by, zz_by;
+	struct sum x, y, zx, zy, zz, zw, tx, ty, tz, tw, dx, dy, dz, d, det;
 };
 
-/* One of x and y is s / over; the other follows from the aspect w / h. */
+/* Sets x / dx and y / dy: one of them to s / over, the other by the aspect w / h. */
 static void by_aspect(const double aspect[2], bool given_x, struct sum s,
-    struct sum over, struct elements *f)
+    double over, struct elements *f)
 {
 	struct sum w = sum_of_double(aspect[0]), h = sum_of_double(aspect[1]);
 
-	f->x = given_x ? s : sum_mul(s, h);
-	f->dx = given_x ? over : sum_mul(over, w);
-	f->y = given_x ? sum_mul(s, w) : s;
-	f->dy = given_x ? sum_mul(over, h) : over;
+	f->dx = f->dy = sum_of_double(over);
+	f->x = f->y = s;
+	if (given_x) {
+		f->y = sum_mul(s, w);
+		f->dy = sum_mul(f->dy, h);
+	} else {
+		f->x = sum_mul(s, h);
+		f->dx = sum_mul(f->dx, w);
+	}
 }
 
 /* With edges a and b at 1, the tangents of angles, all times both cosines. */
@@ -42,80 +46,46 @@ static void tangents(double a, double b, enum angle_unit unit,
 	*off = sum_add(left, right);
 }
 
-/* 2 a - b c, for ndc from pixels. */
-static struct sum doubled_less(double a, double b, double c)
-{
-	return sum_sub(sum_of_double(2 * a),
-	    sum_mul(sum_of_double(b), sum_of_double(c)));
-}
-
-/* From what is u w, v w and w, with u and v from 0 to a viewport's sides, to -w to w:
- * x over the width, y, upward, over the height. */
-static void pixels(const struct projection *p, bool upward, struct elements *f,
-    struct sum off[2])
-{
-	const double(*k)[4] = p->intrinsics;
-	double pw = k[2][3];
-
-	f->dx = sum_of_double(p->width);
-	f->dy = sum_of_double(p->height);
-	f->x = sum_of_double(2 * k[0][0]);
-	f->y = sum_of_double(2 * k[1][1]);
-	f->yx = sum_negated_if(!upward, sum_of_double(2 * k[0][1]));
-	off[0] = sum_neg(doubled_less(k[0][2], p->width, 1));
-	off[1] = sum_negated_if(upward, doubled_less(k[1][2], p->height, 1));
-	f->tx = doubled_less(k[0][3], p->width, pw);
-	f->ty = sum_negated_if(!upward, doubled_less(k[1][3], p->height, pw));
-	f->tw = sum_of_double(pw);
-}
-
-/* Sets x, y and by how much the centre is off; d is the distance of the plane
- * in which width, height and edges are given: near for persp, 1 otherwise. From a to
- * b a side is seen at 2 d / (b - a), and off by (a + b) / (b - a). */
+/* Sets x, y and by how much the centre is off. From a to b at the distance d a side
+ * is seen at 2 d / (b - a), and off by (a + b) / (b - a). */
 static const char *cross_section(const struct projection *p, double d,
     struct elements *f, struct sum off[2])
 {
-	bool wide = p->aspect[0] >= p->aspect[1];
-	struct sum cot = sum_of_double(0);
+	bool wide = p->aspect[0] >= p->aspect[1], given_x = false;
 
 	off[0] = off[1] = sum_of_double(0);
-	if (p->extent <= EXTENT_VIEW_ANGLE)
-		cot = cot_of(p->angle / 2, p->unit);
+	f->x = f->y = sum_of_double(2 * d);
+	f->dx = sum_of_double(p->width);
+	f->dy = sum_of_double(p->height);
 	switch (p->extent) {
 	case EXTENT_FOVY:
-		by_aspect(p->aspect, false, cot, sum_of_double(1), f);
-		break;
 	case EXTENT_FOVX:
-		by_aspect(p->aspect, true, cot, sum_of_double(1), f);
-		break;
 	case EXTENT_VIEW_ANGLE:
-		by_aspect(p->aspect, !wide, cot, sum_of_double(1), f);
+		given_x = p->extent == EXTENT_FOVX ||
+		    (p->extent == EXTENT_VIEW_ANGLE && !wide);
+		by_aspect(p->aspect, given_x, cot_of(p->angle / 2, p->unit), 1,
+		    f);
 		break;
 	case EXTENT_FIELD:
-		by_aspect(p->aspect, wide, sum_of_double(1),
-		    sum_of_double(p->angle), f);
-		break;
-	case EXTENT_HEIGHT:
-		by_aspect(p->aspect, false, sum_of_double(2 * d),
-		    sum_of_double(p->height), f);
+		by_aspect(p->aspect, wide, sum_of_double(1), p->angle, f);
 		break;
 	case EXTENT_WIDTH:
-		by_aspect(p->aspect, true, sum_of_double(2 * d),
-		    sum_of_double(p->width), f);
+		by_aspect(p->aspect, true, f->x, p->width, f);
+		break;
+	case EXTENT_HEIGHT:
+		by_aspect(p->aspect, false, f->y, p->height, f);
 		break;
 	case EXTENT_SIZE:
-		f->x = f->y = sum_of_double(2 * d);
-		f->dx = sum_of_double(p->width);
-		f->dy = sum_of_double(p->height);
 		break;
 	case EXTENT_ANGLES:
 		tangents(p->left, p->right, p->unit, &f->x, &f->dx, &off[0]);
 		tangents(p->bottom, p->top, p->unit, &f->y, &f->dy, &off[1]);
 		break;
-	case EXTENT_INTRINSICS: /* pixels() */
+	case EXTENT_INTRINSICS: /* pixels count from a corner */
+		off[0] = f->dx;
+		off[1] = f->dy;
 		break;
 	case EXTENT_EDGES:
-		f->x = f->y = sum_of_double(2 * d);
 		f->dx = sum_diff(p->right, p->left);
 		f->dy = sum_diff(p->top, p->bottom);
 		off[0] = sum_diff(p->left, -p->right);
@@ -155,12 +125,15 @@ static void depth_elements(const struct projection *p, bool minus_one,
 	}
 }
 
-/* w = depth + tw, where intrinsics have an offset. det = -zw B. */
+/* det = -zw B. Intrinsics go on from the level space, see projection_level. */
 static const char *persp_elements(const struct projection *p,
     const struct convention *c, struct elements *f)
 {
-	double at = p->edges_at > 0 ? p->edges_at : p->near;
+	double at = projection_is_by_p(p) ? 1 :
+	    p->edges_at > 0               ? p->edges_at :
+					    p->near;
 	bool back = looks_back(c);
+	bool down = projection_is_by_p(p) && !c->bottom_left;
 	struct sum off[2];
 	const char *why = cross_section(p, at, f, off);
 
@@ -170,13 +143,10 @@ static const char *persp_elements(const struct projection *p,
 		return "/projection/near: not less than far; for reversed "
 		       "depth say \"reverse_z\": true";
 	f->d = sum_of_double(1);
-	if (p->extent == EXTENT_INTRINSICS)
-		pixels(p, c->bottom_left, f, off);
 	depth_elements(p, c->minus_one, f);
 	f->det = sum_negated_if(!back, f->tz);
-	f->tz = sum_add(f->tz, sum_mul(f->zz, f->tw));
 	f->zx = sum_negated_if(!back, off[0]);
-	f->zy = sum_negated_if(!back, off[1]);
+	f->zy = sum_negated_if(back == down, off[1]);
 	f->zz = sum_negated_if(back, f->zz);
 	f->zw = sum_negated_if(back, sum_of_double(1));
 	return NULL;
@@ -232,46 +202,30 @@ static const char *oblique_elements(const struct projection *p,
 	return NULL;
 }
 
-/* With q = qn / qd the inverse of the eye's z, an / qd = 1 - zf q and bn / qd =
- * 1 - zn q are w on the far and the near plane: one sign, or the eye plane lies
- * inside. */
-struct eye {
-	struct sum qn, qd, an, bn;
-	struct sum skew[2]; /* times qd */
-};
-
-/* Half a side of a volume, an exact quotient. */
-struct half {
-	struct sum n, d;
-};
-
-static void halves_of(const struct projection *p, struct half half[2])
+/* Half a side of a volume is dx / x, or dy / y. */
+static void halves(const struct projection *p, struct elements *f)
 {
-	bool sized = p->aspect[1] != 0;
 	bool wide = p->aspect[0] >= p->aspect[1];
-	struct sum w = sum_of_double(sized && wide ? p->aspect[0] : 1);
-	struct sum h = sum_of_double(sized && !wide ? p->aspect[1] : 1);
 
-	half[0].n = sum_mul(sum_of_double(p->half_width), w);
-	half[0].d = sum_of_double(sized && wide ? p->aspect[1] : 1);
-	half[1].n = sum_mul(sum_of_double(p->half_height), h);
-	half[1].d = sum_of_double(sized && !wide ? p->aspect[0] : 1);
+	f->x = f->y = sum_of_double(1);
+	f->dx = sum_of_double(p->half_width);
+	f->dy = sum_of_double(p->half_height);
+	if (p->aspect[1] != 0)
+		by_aspect(p->aspect, !wide, f->x, p->half_width, f);
 }
 
 /* cot(angle / 2) = |z| / least half side; 0 is at infinity. */
 static void by_view_angle(const struct projection *p, struct sum *over,
     struct sum *under)
 {
-	struct half half[2];
+	struct elements f;
 
-	halves_of(p, half);
-	bool high = sum_sign(sum_sub(sum_mul(half[0].n, half[1].d),
-			sum_mul(half[1].n, half[0].d))) <= 0;
-	struct half *least = &half[!high];
+	halves(p, &f);
+	bool high = sum_sign(sum_minor(f.dx, f.y, f.dy, f.x)) <= 0;
 	struct sum cot = cot_of(p->angle / 2, p->unit);
 
-	*over = sum_negated_if(p->z_near < p->z_far, least->d);
-	*under = sum_mul(least->n, cot);
+	*over = sum_negated_if(p->z_near < p->z_far, high ? f.x : f.y);
+	*under = sum_mul(high ? f.dx : f.dy, cot);
 	if (under->error.m > 0) {
 		*over = sum_quotient(*over, *under);
 		*under = sum_of_double(1);
@@ -281,107 +235,71 @@ static void by_view_angle(const struct projection *p, struct sum *over,
 void projection_inverse_eye_z(const struct projection *p, struct sum *over,
     struct sum *under)
 {
-	if (p->has_angle && p->angle > 0) {
+	if (p->eye_by == EYE_BY_ANGLE && p->angle > 0) {
 		by_view_angle(p, over, under);
 		return;
 	}
-	*over = sum_of_double(p->has_eye ? 1 :
-		p->has_angle             ? 0 :
-					   p->inverse_eye_z);
-	*under = sum_of_double(p->has_eye ? p->eye[2] : 1);
+	*over = sum_of_double(p->eye_by == EYE_GIVEN ? 1 :
+		p->eye_by == EYE_BY_ANGLE            ? 0 :
+						       p->inverse_eye_z);
+	*under = sum_of_double(p->eye_by == EYE_GIVEN ? p->eye[2] : 1);
 }
 
-static const char *eye_of(const struct projection *p, struct eye *e)
+static const char *eye_plane_crosses(const struct projection *p)
 {
-	if (p->has_eye && p->eye[2] == 0)
-		return "/projection/eye: its z is 0, in the rectangle's "
-		       "plane; move the eye off it";
-	projection_inverse_eye_z(p, &e->qn, &e->qd);
-	e->an = sum_sub(e->qd, sum_mul(e->qn, sum_of_double(p->z_far)));
-	e->bn = sum_sub(e->qd, sum_mul(e->qn, sum_of_double(p->z_near)));
-	for (int k = 0; k < 2; k++)
-		e->skew[k] = p->has_eye ?
-		    sum_of_double(p->eye[k]) :
-		    sum_mul(sum_of_double(p->tan_skew[k]), e->qd);
-	if (sum_sign(e->an) * sum_sign(e->bn) > 0)
-		return NULL;
-	if (p->has_angle)
+	if (p->eye_by == EYE_BY_ANGLE)
 		return "/projection/view_angle: the eye plane crosses the "
 		       "volume; choose a smaller one, or move z_near";
-	return p->has_eye ? "/projection/eye: its plane crosses the volume; "
-			    "move it before z_near or beyond z_far" :
-			    "/projection/inverse_eye_z: the eye plane crosses "
-			    "the volume; it must lie before z_near or "
-			    "beyond z_far";
+	return p->eye_by == EYE_GIVEN ?
+	    "/projection/eye: its plane crosses the volume; "
+	    "move it before z_near or beyond z_far" :
+	    "/projection/inverse_eye_z: the eye plane crosses "
+	    "the volume; it must lie before z_near or "
+	    "beyond z_far";
 }
 
-/* What an and bn have in common with det cancels. */
-static void divide_by_det(const struct projection *p, const struct eye *e,
-    bool minus_one, struct elements *f)
-{
-	struct sum half = sum_of_double(minus_one ? 0.5 : 1);
-	struct sum a = sum_quotient(half, e->an);
-	struct sum b = sum_quotient(half, e->bn);
-
-	f->by = sum_neg(sum_quotient(a, e->bn));
-	f->tz_by = sum_neg(sum_mul(b, sum_of_double(p->z_near)));
-	f->zz_by = b;
-	if (minus_one) {
-		f->tz_by = sum_sub(f->tz_by,
-		    sum_mul(a, sum_of_double(p->z_far)));
-		f->zz_by = sum_add(a, b);
-	}
-}
-
-static void negate_matrix(struct elements *f)
-{
-	struct sum *const all[] = { &f->x, &f->yx, &f->y, &f->zx, &f->zy,
-		&f->zz, &f->zw, &f->tx, &f->ty, &f->tz, &f->tw };
-
-	for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-		*all[i] = sum_neg(*all[i]);
-}
-
-/* All is over q's denominator, so that a parallel projection, q = 0, is no special
- * case. */
+/* With q = qn / qd the inverse of the eye's z, an / qd = 1 - zf q and bn / qd =
+ * 1 - zn q are w on the far and the near plane: one sign, or the eye plane lies
+ * inside. All is over qd, so that a parallel projection, q = 0, is no special case. */
 static const char *volume_elements(const struct projection *p,
     const struct convention *c, struct elements *f)
 {
-	struct eye e;
-	struct half half[2];
+	struct sum zn = sum_of_double(p->z_near), zf = sum_of_double(p->z_far);
+	struct sum qn, qd, skew[2];
 
-	halves_of(p, half);
-	f->dx = half[0].n;
-	f->dy = half[1].n;
-	f->dz = sum_diff(p->z_near, p->z_far);
+	halves(p, f);
+	f->dz = sum_sub(zn, zf);
 	if (sum_sign(f->dz) == 0)
 		return "/projection/z_far: equal to z_near; "
 		       "the planes must differ";
-	const char *why = eye_of(p, &e);
+	if (p->eye_by == EYE_GIVEN && p->eye[2] == 0)
+		return "/projection/eye: its z is 0, in the rectangle's "
+		       "plane; move the eye off it";
+	projection_inverse_eye_z(p, &qn, &qd);
+	struct sum an = sum_sub(qd, sum_mul(qn, zf));
+	struct sum bn = sum_sub(qd, sum_mul(qn, zn));
 
-	if (why != NULL)
-		return why;
-	f->d = f->tw = e.qd;
-	f->x = sum_mul(e.qd, half[0].d);
-	f->y = sum_mul(e.qd, half[1].d);
-	f->zx = sum_neg(sum_mul(e.skew[0], half[0].d));
-	f->zy = sum_neg(sum_mul(e.skew[1], half[1].d));
-	f->zz = sum_neg(e.an);
-	f->zw = sum_neg(e.qn);
-	f->tz = sum_mul(e.an, sum_of_double(p->z_near));
-	f->det = sum_neg(sum_mul(e.an, e.bn));
+	if (sum_sign(an) * sum_sign(bn) <= 0)
+		return eye_plane_crosses(p);
+	for (int k = 0; k < 2; k++)
+		skew[k] = p->eye_by == EYE_GIVEN ?
+		    sum_of_double(p->eye[k]) :
+		    sum_mul(sum_of_double(p->tan_skew[k]), qd);
+	f->zx = sum_neg(sum_mul(skew[0], f->x));
+	f->zy = sum_neg(sum_mul(skew[1], f->y));
+	f->x = sum_mul(qd, f->x);
+	f->y = sum_mul(qd, f->y);
+	f->tw = qd;
+	f->d = sum_negated_if(sum_sign(an) != sum_sign(qd), qd);
+	f->zz = sum_neg(an);
+	f->zw = sum_neg(qn);
+	f->tz = sum_mul(an, zn);
+	f->det = sum_neg(sum_mul(an, bn));
 	if (c->minus_one) {
-		f->zz = sum_sub(f->zz, e.bn);
-		f->tz = sum_add(f->tz, sum_mul(e.bn, sum_of_double(p->z_far)));
+		f->zz = sum_sub(f->zz, bn);
+		f->tz = sum_add(f->tz, sum_mul(bn, zf));
 		f->det = sum_mul(f->det, sum_of_double(2));
 	}
-	if (f->det.error.m > 0)
-		divide_by_det(p, &e, c->minus_one, f);
-	if (sum_sign(e.an) == sum_sign(e.qd))
-		return NULL;
-	negate_matrix(f);
-	f->tz_by = sum_neg(f->tz_by);
-	f->zz_by = sum_neg(f->zz_by);
 	return NULL;
 }
 
@@ -390,7 +308,7 @@ static void map_of_elements(const struct elements *f, struct map *r)
 	const struct sum z = sum_of_double(0);
 	const struct sum m[4][4] = {
 		{ f->x, z, z, z },
-		{ f->yx, f->y, z, z },
+		{ z, f->y, z, z },
 		{ f->zx, f->zy, f->zz, f->zw },
 		{ f->tx, f->ty, f->tz, f->tw },
 	};
@@ -405,46 +323,32 @@ static void map_of_elements(const struct elements *f, struct map *r)
 }
 
 /* Block by block: 1/x and 1/y; the inverse of zz zw, tz tw; and what makes the
- * lower left one cancel. What columns were divided by, rows are multiplied by. Where y
- * goes into x, the first column is over x y. */
+ * lower left one cancel. What columns were divided by, rows are multiplied by. */
 static struct elements inverse_elements(const struct elements *f)
 {
-	struct sum by = f->d, tz = f->tz, zz = f->zz, det = f->det;
+	struct sum one = sum_of_double(1), det = f->det, d = f->d;
 
 	if (det.error.m > 0) {
-		by = sum_mul(by, f->by);
-		tz = f->tz_by;
-		zz = f->zz_by;
-		det = sum_of_double(1);
+		d = sum_quotient(d, det);
+		det = one;
 	}
-	struct sum zx = sum_minor(f->tw, f->zx, f->zw, f->tx),
-		   y = sum_of_double(1);
-	struct sum zy = sum_minor(f->tw, f->zy, f->zw, f->ty);
-	struct sum tx = sum_minor(tz, f->zx, zz, f->tx);
-	struct sum ty = sum_minor(tz, f->zy, zz, f->ty);
-	struct sum z = sum_mul(by, f->dz), minus_z = sum_neg(z);
-	struct sum x = sum_mul(f->d, det);
+	struct sum x = sum_mul(f->d, det), z = sum_mul(d, f->dz);
+	struct sum minus_z = sum_neg(z);
 
-	if (sum_sign(f->yx) != 0) {
-		y = f->y;
-		zx = sum_minor(zx, y, f->yx, zy);
-		tx = sum_minor(tx, y, f->yx, ty);
-	}
 	return (struct elements){
-		.x = sum_mul(f->dx, sum_mul(y, x)),
-		.yx = sum_neg(sum_mul(f->dy, sum_mul(f->yx, x))),
+		.x = sum_mul(f->dx, x),
 		.y = sum_mul(f->dy, x),
-		.zx = sum_mul(minus_z, zx),
-		.zy = sum_mul(minus_z, zy),
+		.zx = sum_mul(minus_z, sum_minor(f->tw, f->zx, f->zw, f->tx)),
+		.zy = sum_mul(minus_z, sum_minor(f->tw, f->zy, f->zw, f->ty)),
 		.zz = sum_mul(z, f->tw),
 		.zw = sum_mul(minus_z, f->zw),
-		.tx = sum_mul(f->d, tx),
-		.ty = sum_mul(f->d, ty),
-		.tz = sum_neg(sum_mul(f->d, tz)),
-		.tw = sum_mul(f->d, zz),
-		.dx = sum_mul(f->x, y),
+		.tx = sum_mul(d, sum_minor(f->tz, f->zx, f->zz, f->tx)),
+		.ty = sum_mul(d, sum_minor(f->tz, f->zy, f->zz, f->ty)),
+		.tz = sum_neg(sum_mul(d, f->tz)),
+		.tw = sum_mul(d, f->zz),
+		.dx = f->x,
 		.dy = f->y,
-		.dz = sum_of_double(1),
+		.dz = one,
 		.d = det,
 	};
 }
@@ -485,16 +389,6 @@ static const char *projection_bare(const struct projection *p, bool inverse,
 	return NULL;
 }
 
-/* Whether P is no K with an offset, or K is singular. */
-static bool is_any_p(const struct projection *p)
-{
-	const double(*k)[4] = p->intrinsics;
-
-	return projection_is_tilted(p) ||
-	    (projection_is_by_p(p) &&
-		(k[1][0] != 0 || k[0][0] == 0 || k[1][1] == 0));
-}
-
 /* Of a tilted P, view space to a space in which P is K = 1 0 0, 0 1 0, 0 0 1. X, Y and
  * Z are view x, y and z but for their signs, on both sides. */
 static void projection_level(const struct projection *p,
@@ -510,40 +404,21 @@ static void projection_level(const struct projection *p,
 	}
 }
 
-/* Level, and on by 1 0 0, 0 1 0, 0 0 1 in the place of P. */
-static struct projection leveled(const struct projection *p)
+/* Takes the map of the level space to clip space, or back, to that of view space. */
+static const char *from_level(const struct projection *p,
+    const struct convention *c, bool inverse, struct map *r)
 {
-	struct projection own = *p;
-
-	for (int i = 0; i < 12; i++)
-		own.intrinsics[i / 4][i % 4] = i / 4 == i % 4;
-	return own;
-}
-
-static const char *any_p(const struct projection *p, const struct convention *c,
-    bool inverse, struct map *r)
-{
-	struct projection on = leveled(p);
 	double m[4][4];
-	struct map level, stage;
+	struct map level, stage = *r;
 
 	projection_level(p, c, m);
 	map_of_doubles(m, &level);
 	if (inverse && !map_inverse(m, &level))
 		return "/projection/intrinsics: the left three columns of P "
 		       "are singular; it can't be inverted";
-	const char *why = projection_map(&on, c, inverse, &stage);
-
-	if (why != NULL)
-		return why;
 	map_then(inverse ? &stage : &level, inverse ? &level : &stage, r);
 	memset(r->origin, 0, sizeof r->origin);
 	return NULL;
-}
-
-static bool has_elements(const struct projection *p)
-{
-	return p->type != PROJECTION_NONE && p->type != PROJECTION_MATRIX;
 }
 
 /* Where y is down in view space, a volume is skewed that way too. */
@@ -570,9 +445,13 @@ static const char *find_elements(const struct projection *p,
 		break;
 	}
 	f->y = sum_negated_if(c->view_y_down, f->y);
-	f->yx = sum_negated_if(c->view_y_down, f->yx);
 	f->zy = sum_negated_if(c->view_y_down && p->type == PROJECTION_VOLUME,
 	    f->zy);
+	if (c->ndc_y_down) {
+		f->y = sum_neg(f->y);
+		f->zy = sum_neg(f->zy);
+		f->ty = sum_neg(f->ty);
+	}
 	return why;
 }
 
@@ -581,27 +460,20 @@ const char *projection_map(const struct projection *p,
 {
 	struct elements f = { 0 };
 
-	if (p->type == PROJECTION_NONE)
+	if (p->type == PROJECTION_NONE) {
 		map_identity(r);
+		return NULL;
+	}
 	if (p->type == PROJECTION_MATRIX)
 		return projection_bare(p, inverse, r);
-	if (!has_elements(p))
-		return NULL;
-	if (is_any_p(p))
-		return any_p(p, c, inverse, r);
 	const char *why = find_elements(p, c, &f);
 
 	if (why != NULL)
 		return why;
-	if (c->ndc_y_down) {
-		f.y = sum_neg(f.y);
-		f.zy = sum_neg(f.zy);
-		f.ty = sum_neg(f.ty);
-	}
 	if (inverse)
 		f = inverse_elements(&f);
 	map_of_elements(&f, r);
-	return NULL;
+	return projection_is_by_p(p) ? from_level(p, c, inverse, r) : NULL;
 }
 
 /* Whether a parallel projection has a camera in it, as what only a turn makes of it

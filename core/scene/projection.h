@@ -7,15 +7,16 @@
 #include "../exact/map.h"
 #include "../exact/trig.h"
 
-/* The cross-section of persp (on the near plane), ortho and oblique. */
+/* The cross-section of persp (on the near plane), ortho and oblique, in the order of
+ * the ways of their members. */
 enum extent {
 	EXTENT_FOVY, /* angle, aspect */
 	EXTENT_FOVX,
 	EXTENT_VIEW_ANGLE, /* of the smaller side */
 	EXTENT_FIELD,      /* half the larger side at unit distance, aspect */
 	EXTENT_SIZE,       /* width, height */
-	EXTENT_HEIGHT,     /* height, aspect */
 	EXTENT_WIDTH,      /* width, aspect */
+	EXTENT_HEIGHT,     /* height, aspect */
 	EXTENT_EDGES,
 	EXTENT_ANGLES,     /* of the edges from the gaze */
 	EXTENT_INTRINSICS, /* what makes pixels of a point in view space */
@@ -55,17 +56,16 @@ struct projection {
 	enum angle_unit direction_unit;
 	double plane; /* depth that stays unsheared */
 
-	/* volume; the larger half side is half_width or half_height times the
-	 * aspect, where there is one */
+	/* volume; with an aspect both halves are those of the smaller side */
 	double half_width, half_height, z_near, z_far;
 	double inverse_eye_z, tan_skew[2];
-	bool has_angle; /* instead of inverse_eye_z; 0 is parallel */
-	bool has_eye;
-	double eye[3]; /* in view space, instead of all three */
+	double eye[3]; /* in view space */
+	/* Whether the eye is by inverse_eye_z, at eye, or by the angle, of which 0
+	 * is parallel. In the order of the ways of their members. */
+	enum { EYE_BY_Z, EYE_GIVEN, EYE_BY_ANGLE } eye_by;
 
 	double matrix[4][4];
-	bool
-	    alone; /* a matrix without a camera, so that it may have one in it */
+	bool alone; /* without a camera, which the matrix may have in it */
 };
 
 /* A persp without planes. */

@@ -3,64 +3,50 @@
 
 #include <string.h>
 
-static bool is_number(double v)
-{
-	return fabs(v) <= MAGNITUDE_MAX;
-}
-
 bool scene_is_size(double v)
 {
 	return v >= SIZE_MIN && v <= MAGNITUDE_MAX;
 }
 
+static bool are_numbers(int n, const double *v)
+{
+	bool are = true;
+
+	for (int i = 0; i < n; i++)
+		are &= fabs(v[i]) <= MAGNITUDE_MAX;
+	return are;
+}
+
+/* Of the sections that are computed; a document's own have been checked. */
 static bool has_valid_section(const struct scene *s)
 {
 	const struct projection *p = &s->projection;
 	const double(*k)[4] = p->intrinsics;
 
-	switch (p->extent) {
-	case EXTENT_INTRINSICS:
-		return s->has_viewport && s->viewport.scale == SCALE_FILL &&
-		    scene_is_size(fabs(k[0][0])) &&
-		    scene_is_size(fabs(k[1][1])) && is_number(k[0][1]) &&
-		    is_number(k[0][2]) && is_number(k[1][2]);
-	case EXTENT_SIZE:
+	if (p->extent == EXTENT_SIZE)
 		return scene_is_size(p->width) && scene_is_size(p->height);
-	case EXTENT_WIDTH:
-		return scene_is_size(p->width);
-	case EXTENT_HEIGHT:
-		return scene_is_size(p->height);
-	case EXTENT_EDGES:
-		return is_number(p->left) && is_number(p->right) &&
-		    is_number(p->bottom) && is_number(p->top) &&
-		    p->left != p->right && p->bottom != p->top;
-	case EXTENT_FOVY:
-	case EXTENT_FOVX:
-	case EXTENT_VIEW_ANGLE:
-	case EXTENT_FIELD:
-	case EXTENT_ANGLES:
-		break;
-	}
-	return true;
+	if (p->extent == EXTENT_EDGES)
+		return are_numbers(4, &p->left) && p->left != p->right &&
+		    p->bottom != p->top;
+	return p->extent != EXTENT_INTRINSICS ||
+	    (s->has_viewport && s->viewport.scale == SCALE_FILL &&
+		scene_is_size(fabs(k[0][0])) && scene_is_size(fabs(k[1][1])) &&
+		are_numbers(8, k[0]));
 }
 
 bool scene_is_valid(const struct scene *s)
 {
 	const struct projection *p = &s->projection;
+	bool planes = are_numbers(2, &p->near) && p->near != p->far;
 
-	for (int k = 0; k < 3; k++)
-		if (!is_number(s->camera.eye[k]))
-			return false;
 	if (p->type == PROJECTION_VOLUME)
-		return is_number(p->z_near) && is_number(p->z_far);
-	if (projection_is_open(p))
-		return has_valid_section(s);
-	bool planes = p->type == PROJECTION_PERSP ?
-	    scene_is_size(p->near) && p->near < p->far &&
-		(isinf(p->far) || scene_is_size(p->far)) :
-	    is_number(p->near) && is_number(p->far) && p->near != p->far;
-
-	return planes && has_valid_section(s);
+		planes = are_numbers(2, &p->z_near);
+	else if (p->type == PROJECTION_PERSP)
+		planes = projection_is_open(p) ||
+		    (scene_is_size(p->near) && p->near < p->far &&
+			(isinf(p->far) || scene_is_size(p->far)));
+	return are_numbers(3, s->camera.eye) && planes &&
+	    (p->type == PROJECTION_VOLUME || has_valid_section(s));
 }
 
 static const char *world_map(const struct scene *s, bool inverse, struct map *r)
@@ -103,55 +89,43 @@ static void across(enum space space, const struct convention *from,
 	}
 }
 
-/* What leads from the space low to high, or back, as the scene's convention has
- * them, in that of the answer. */
-static void scene_answer(const struct scene *s, enum space low, enum space high,
-    bool inverse, struct map *r)
+/* Takes the map from the space below to the one above, or back, as the scene's
+ * convention has them, to that of the answer. */
+static void scene_answer(const struct scene *s, enum space below, bool inverse,
+    struct map *r)
 {
 	const struct convention *c = &s->convention;
+	enum space from = below + inverse, to = below + !inverse;
 	struct map before, after;
 
 	if (s->answer == NULL)
 		return;
-	across(inverse ? high : low, s->answer, c, &before);
-	across(inverse ? low : high, c, s->answer, &after);
+	across(from, s->answer, c, &before);
+	across(to, c, s->answer, &after);
 	then(r, &before, true);
 	then(r, &after, false);
-}
-
-static const char *camera_stage(const struct scene *s, bool inverse,
-    struct map *r)
-{
-	const char *why = s->has_camera ?
-	    camera_map(&s->camera, &s->convention, inverse, r) :
-	    NULL;
-
-	scene_answer(s, SPACE_WORLD, SPACE_VIEW, inverse, r);
-	return why;
-}
-
-static const char *projection_stage(const struct scene *s, bool inverse,
-    struct map *r)
-{
-	const char *why = projection_map(&s->projection, &s->convention,
-	    inverse, r);
-
-	scene_answer(s, SPACE_VIEW, SPACE_CLIP, inverse, r);
-	return why;
 }
 
 /* The map of one stage, from the space below to the one above or back. */
 static const char *stage_map(const struct scene *s, enum space below,
     bool inverse, struct map *r)
 {
+	const struct convention *c = &s->convention;
+	const char *why = NULL;
+
 	map_identity(r);
 	switch (below) {
 	case SPACE_MODEL:
 		return world_map(s, inverse, r);
 	case SPACE_WORLD:
-		return camera_stage(s, inverse, r);
+		if (s->has_camera)
+			why = camera_map(&s->camera, c, inverse, r);
+		scene_answer(s, below, inverse, r);
+		break;
 	case SPACE_VIEW:
-		return projection_stage(s, inverse, r);
+		why = projection_map(&s->projection, c, inverse, r);
+		scene_answer(s, below, inverse, r);
+		break;
 	case SPACE_NDC:
 		if (!s->has_viewport)
 			return "/viewport: missing; device coordinates need "
@@ -162,7 +136,7 @@ static const char *stage_map(const struct scene *s, enum space below,
 	case SPACE_DEVICE:
 		break;
 	}
-	return NULL;
+	return why;
 }
 
 /* The stages multiplied out, whatever the range. */

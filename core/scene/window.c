@@ -1,123 +1,90 @@
 /* SPDX-License-Identifier: MIT */
 #include "window.h"
 
-/* An exact quotient. */
-struct quotient {
-	struct sum n, d;
-};
-
-static struct quotient quotient_of(struct sum a)
+/* Sets one axis to x' = (x n + t) / d, or back; the denominators go into the map's
+ * divisor. */
+static void window_axis(struct map *r, int i, struct sum n, struct sum t,
+    struct sum d, bool inverse)
 {
-	return (struct quotient){ a, sum_of_double(1) };
-}
-
-/* One axis, x' = (x - from) s + to, where from or to is 0; the denominators go into
- * the map's divisor. */
-static void window_put(struct map *r, int i, struct quotient from,
-    struct quotient s, struct quotient to)
-{
-	r->origin[i] = sum_over(from.n, from.d);
-	bool back = sum_sign(to.n) != 0;
-	struct sum d = back ? to.d : from.d;
-	struct sum at = back ? sum_mul(to.n, s.d) :
-			       sum_neg(sum_mul(from.n, s.n));
-
-	r->m[i][i] = sum_mul(r->divisor, sum_mul(s.n, d));
-	r->m[3][i] = sum_mul(r->divisor, at);
-	map_column_over(r, i, sum_mul(s.d, d));
-}
-
-/* x' = (x - center) s + offset, or back. */
-static void window_axis(struct map *r, int i, struct quotient center,
-    struct quotient s, struct quotient offset, bool inverse)
-{
-	if (inverse)
-		window_put(r, i, offset, (struct quotient){ s.d, s.n }, center);
-	else
-		window_put(r, i, center, s, offset);
+	r->m[i][i] = sum_mul(r->divisor, inverse ? d : n);
+	r->m[3][i] = sum_mul(r->divisor, sum_negated_if(inverse, t));
+	map_column_over(r, i, inverse ? n : d);
 }
 
 /* From ndc, x' = x n / d + offset, or back. */
 static void from_ndc(struct map *r, int i, struct sum n, double d,
     struct sum offset, bool inverse)
 {
-	window_axis(r, i, quotient_of(sum_of_double(0)),
-	    (struct quotient){ n, sum_of_double(d) }, quotient_of(offset),
-	    inverse);
+	window_axis(r, i, n, sum_scale(offset, d), sum_of_double(d), inverse);
+	r->origin[i] = inverse ? sum_double(offset) : 0;
 }
 
 /* Two sides and the centre, panned, as exact sums. */
 static const char *shape(const struct window *w, struct sum size[2],
     struct sum center[2])
 {
-	struct sum pan[2] = { sum_of_double(w->pan[0]),
-		sum_of_double(w->pan[1]) };
+	const double low[2] = { w->left, w->bottom };
+	const double high[2] = { w->right, w->top };
 
-	if (w->by_edges) {
-		if (!(w->left < w->right))
-			return "/window/right: not greater than left; "
-			       "a window's edges stand in order";
-		if (!(w->bottom < w->top))
-			return "/window/top: not greater than bottom; "
-			       "a window's edges stand in order";
-		size[0] = sum_diff(w->right, w->left);
-		size[1] = sum_diff(w->top, w->bottom);
-		center[0] = sum_scale(sum_diff(w->left, -w->right), 0.5);
-		center[1] = sum_scale(sum_diff(w->bottom, -w->top), 0.5);
-	} else {
-		size[0] = sum_of_double(w->width);
-		size[1] = sum_of_double(w->height);
-		center[0] = sum_of_double(w->center[0]);
-		center[1] = sum_of_double(w->center[1]);
+	if (w->by_edges && !(w->left < w->right))
+		return "/window/right: not greater than left; "
+		       "a window's edges stand in order";
+	if (w->by_edges && !(w->bottom < w->top))
+		return "/window/top: not greater than bottom; "
+		       "a window's edges stand in order";
+	size[0] = sum_of_double(w->width);
+	size[1] = sum_of_double(w->height);
+	for (int i = 0; i < 2; i++) {
+		center[i] = sum_of_double(w->center[i]);
+		if (w->by_edges) {
+			size[i] = sum_diff(high[i], low[i]);
+			center[i] = sum_scale(sum_diff(low[i], -high[i]), 0.5);
+		}
+		center[i] = sum_add(center[i], sum_of_double(w->pan[i]));
 	}
-	for (int i = 0; i < 2; i++)
-		center[i] = sum_add(center[i], pan[i]);
 	return NULL;
 }
 
-/* Grow widens the side that is too short for the device's shape, so that all
- * that was seen is; shrink narrows the one that is too long. */
+/* Divides a side by over. Grow widens the side that is too short for the device's
+ * shape, so that all that was seen is; shrink narrows the one that is too long. */
 static void adapt(const struct window *w, const struct device *d,
-    struct quotient size[2])
+    struct sum size[2], double over[2])
 {
-	struct sum wide = sum_scale(size[0].n, d->height);
-	struct sum high = sum_scale(size[1].n, d->width);
-	bool wider = sum_sign(sum_sub(high, wide)) > 0;
+	struct sum wide = sum_scale(size[0], d->height);
+	struct sum high = sum_scale(size[1], d->width);
+	int side = (sum_compare(high, wide) > 0) != (w->adapt == ADAPT_GROW);
 
-	if (wider == (w->adapt == ADAPT_GROW))
-		size[0] = (struct quotient){ high, sum_of_double(d->height) };
-	else
-		size[1] = (struct quotient){ wide, sum_of_double(d->width) };
+	size[side] = side == 0 ? high : wide;
+	over[side] = side == 0 ? d->height : d->width;
 }
 
 const char *window_map(const struct window *w, const struct device *d,
     bool inverse, struct map *r)
 {
-	struct sum side[2], center[2];
-	const char *why = shape(w, side, center);
+	struct sum size[2], center[2];
+	double over[2] = { 1, 1 };
+	const char *why = shape(w, size, center);
 
 	if (why != NULL)
 		return why;
-	struct quotient size[2] = { quotient_of(side[0]),
-		quotient_of(side[1]) };
-
-	if (w->adapt != ADAPT_STRETCH) {
-		if (d == NULL)
-			return "/window/adapt: there is no device to adapt "
-			       "to; add \"device\"";
-		adapt(w, d, size);
-	}
+	if (w->adapt != ADAPT_STRETCH && d == NULL)
+		return "/window/adapt: there is no device to adapt "
+		       "to; add \"device\"";
+	if (w->adapt != ADAPT_STRETCH)
+		adapt(w, d, size, over);
 	map_identity(r);
 	for (int i = 0; i < 2; i++) {
-		/* about + (c - about) / zoom */
-		struct quotient c = { center[i], sum_of_double(w->zoom) };
+		/* c / zoom = about + (center - about) / zoom */
 		struct sum about = w->has_about ? sum_of_double(w->about[i]) :
 						  center[i];
-		struct quotient s = { sum_scale(size[i].d, 2 * w->zoom),
-			size[i].n };
+		struct sum c = sum_add(sum_sub(center[i], about),
+		    sum_scale(about, w->zoom));
+		struct sum n = sum_scale(sum_of_double(2 * over[i]), w->zoom);
 
-		c.n = sum_add(sum_sub(c.n, about), sum_scale(about, w->zoom));
-		window_axis(r, i, c, s, quotient_of(sum_of_double(0)), inverse);
+		window_axis(r, i, sum_scale(n, w->zoom), sum_neg(sum_mul(c, n)),
+		    sum_scale(size[i], w->zoom), inverse);
+		r->origin[i] = inverse ? 0 :
+					 sum_over(c, sum_of_double(w->zoom));
 	}
 	return NULL;
 }

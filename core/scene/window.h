@@ -8,8 +8,8 @@
 #include "../exact/map.h"
 
 struct window {
-	bool by_edges;
 	double center[2], width, height;
+	unsigned by_edges; /* 1: by its edges, 0: by its centre */
 	double left, right, bottom, top;
 	double pan[2];
 	double zoom; /* 2 shows half the extent; 1 where not given */

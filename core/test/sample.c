@@ -268,14 +268,17 @@ static void seven(struct projection *p, int e)
 	vector(p->eye, e);
 	memcpy(p->tan_skew, p->eye, sizeof p->tan_skew);
 	p->eye[2] *= e > 0 ? 1 : 10;
-	p->has_eye = sample_below(2);
+	p->eye_by = sample_below(2);
 	if (p->type != PROJECTION_VOLUME)
 		return;
-	p->has_angle = !p->has_eye && sample_below(2);
-	if (p->has_angle && sample_below(4) == 0)
+	if (p->eye_by == EYE_BY_Z && sample_below(2))
+		p->eye_by = EYE_BY_ANGLE;
+	if (p->eye_by == EYE_BY_ANGLE && sample_below(4) == 0)
 		p->angle = 0;
 	if (sample_below(2))
 		p->aspect[0] = p->aspect[1] = 0;
+	else
+		p->half_height = p->half_width; /* the smaller side's */
 }
 
 /* About as wide, and as near to a right angle, in degrees, as in radians. */
@@ -286,7 +289,8 @@ static void in_radians(struct projection *p)
 	p->unit = sample_below(4) == 0 ? RADIANS : DEGREES;
 	p->direction_unit = p->unit;
 	for (int i = 0; i < 3 && p->unit == RADIANS; i++)
-		if (i > 0 || p->extent <= EXTENT_VIEW_ANGLE || p->has_angle)
+		if (i > 0 || p->extent <= EXTENT_VIEW_ANGLE ||
+		    p->eye_by == EYE_BY_ANGLE)
 			*angles[i] = fmin(*angles[i] * (PI / 180),
 			    i == 0     ? PI :
 				i == 1 ? PI / 2 :

@@ -227,9 +227,9 @@ static void volume(const struct projection *p, bool minus_one,
 		else
 			hh = over(hh, aspect);
 	}
-	if (p->has_angle)
+	if (p->eye_by == EYE_BY_ANGLE)
 		q = p->angle > 0 ? taper(p, hw, hh) : number(0);
-	if (p->has_eye) {
+	if (p->eye_by == EYE_GIVEN) {
 		q = over(ONE, number(p->eye[2]));
 		tx = mul(number(p->eye[0]), q);
 		ty = mul(number(p->eye[1]), q);
@@ -249,7 +249,7 @@ static void volume(const struct projection *p, bool minus_one,
 
 	for (int i = 0; i < 16 && behind; i++)
 		m[i / 4][i % 4] = negative(m[i / 4][i % 4]);
-	if (p->has_angle)
+	if (p->eye_by == EYE_BY_ANGLE)
 		size_depth(p, minus_one, q, s);
 }
 
@@ -296,7 +296,7 @@ void truth_projection(struct truth *t, const struct projection *p,
 	    p->extent == EXTENT_INTRINSICS;
 
 	if (p->type == PROJECTION_OBLIQUE ||
-	    (p->type == PROJECTION_VOLUME && p->has_angle) ||
+	    (p->type == PROJECTION_VOLUME && p->eye_by == EYE_BY_ANGLE) ||
 	    (sized &&
 		(p->extent <= EXTENT_VIEW_ANGLE || p->extent == EXTENT_ANGLES)))
 		t->irrational = true;
