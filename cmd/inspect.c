@@ -164,8 +164,8 @@ static void check_distances(const struct document *d, const struct options *o,
 		far = depth_distance(z, true);
 	if (isnan(far)) /* behind the eye, beyond infinity */
 		far = HUGE_VAL;
-	for (int i = 0; i < o->n_distances && !z->open; i++) {
-		double at = o->distance[i];
+	for (int i = 0; i < o->distances.n && !z->open; i++) {
+		double at = o->distances.v[i];
 
 		if ((at >= near && at <= far) || (at >= far && at <= near))
 			continue;
@@ -183,9 +183,9 @@ static void put_depth_steps(struct printer *p, const struct scene *s,
 {
 	const struct viewport *v = s->has_viewport ? &s->viewport : NULL;
 
-	if (o->n_distances > 0) {
+	if (o->distances.n > 0) {
 		put_name_on_new_line(p, "distances");
-		put_numbers(p, o->distance, o->n_distances);
+		put_numbers(p, o->distances.v, o->distances.n);
 	}
 	put_name_on_new_line(p, "depth_step");
 	put_open(p, "{");
@@ -194,8 +194,8 @@ static void put_depth_steps(struct printer *p, const struct scene *s,
 		put_open(p, "[");
 		put_number(p, depth_step(z, v, b, false));
 		put_number(p, depth_step(z, v, b, true));
-		for (int i = 0; i < o->n_distances; i++)
-			put_number(p, depth_step_at(z, v, b, o->distance[i]));
+		for (int i = 0; i < o->distances.n; i++)
+			put_number(p, depth_step_at(z, v, b, o->distances.v[i]));
 		put_close(p, "]");
 	}
 	put_close(p, "}");
@@ -280,7 +280,7 @@ void run_inspect(const struct command *c, const struct options *o)
 		document_refuse(&d,
 		    "/projection: missing; -t is about its error bounds, of "
 		    "which a window has none");
-	if (d.flat && o->n_distances > 0)
+	if (d.flat && o->distances.n > 0)
 		document_refuse(&d,
 		    "/projection: missing; --distances is about its depth, of "
 		    "which a window has none");

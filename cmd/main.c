@@ -179,7 +179,7 @@ int main(int argc, char **argv)
 	if (c == NULL && !o->version)
 		synonym_command(commands, argv + 1);
 	if (c != NULL)
-		options_read(c, argc - 1, argv + 1, o);
+		options_read(c, argv + 2, o);
 	if (o->version) {
 		print("projcalc " VERSION "\n");
 		main_finish();

@@ -267,7 +267,7 @@ static void aim(const struct document *d, const struct options *o,
 {
 	const struct pick *p = &d->pick;
 
-	if (!o->has_at && !p->has_at)
+	if (o->pick_at.n == 0 && !p->has_at)
 		document_refuse(d,
 		    "/pick/at: missing; say where on the device "
 		    "with \"at\": [x, y] or --at X,Y");
@@ -276,7 +276,7 @@ static void aim(const struct document *d, const struct options *o,
 		    "/pick/radius: missing; say how far around "
 		    "with \"radius\" or --radius R");
 	for (int i = 0; i < 2; i++)
-		h->picker.at[i] = o->has_at ? o->at[i] : p->at[i];
+		h->picker.at[i] = o->pick_at.n > 0 ? o->pick_at.v[i] : p->at[i];
 	h->picker.radius = o->radius > 0 ? o->radius : p->radius;
 }
 

@@ -20,6 +20,9 @@ static void project_check_plane(const struct options *o)
 	    (o->has_to && o->to > SPACE_VIEW))
 		die(EXIT_USAGE,
 		    "--plane goes from device or ndc to model, world or view");
+	if (o->plane.v[0] == 0 && o->plane.v[1] == 0 && o->plane.v[2] == 0)
+		die(EXIT_USAGE,
+		    "--plane: A, B or C is other than 0, as in 0,0,1,0");
 	if (o->ray || o->homogeneous || o->flags || o->visible)
 		die(EXIT_USAGE,
 		    "--plane stands alone: no --ray, -H, --flags or "
@@ -32,7 +35,7 @@ static void project_plane(const struct document *d, const struct options *o,
 	enum space from = o->has_from ? o->from : SPACE_DEVICE;
 
 	document_check(d,
-	    ray_plane_transform(&d->scene, from, to, o->plane, &j->transform));
+	    ray_plane_transform(&d->scene, from, to, o->plane.v, &j->transform));
 	j->count_imageless = true;
 }
 
@@ -84,18 +87,18 @@ void run_project(const struct command *c, const struct options *o)
 	struct document d;
 	static struct job j;
 
-	if (o->has_plane)
+	if (o->plane.n > 0)
 		project_check_plane(o);
 	else if (o->ray)
 		project_check_ray(o);
 	read_document(c, o, &d);
 
 	enum space to = o->has_to  ? o->to :
-	    o->ray || o->has_plane ? SPACE_WORLD :
+	    o->ray || o->plane.n > 0 ? SPACE_WORLD :
 	    d.scene.has_viewport   ? SPACE_DEVICE :
 				     SPACE_NDC;
 
-	if (o->has_plane) {
+	if (o->plane.n > 0) {
 		project_plane(&d, o, to, &j);
 	} else if (o->ray) {
 		project_rays(&d, &j);

@@ -84,7 +84,7 @@ static void check_file(const struct command *c, const struct options *o,
 static bool lacks_depth(const struct options *o)
 {
 	return o->has_from && o->from == SPACE_DEVICE && !o->homogeneous &&
-	    !o->ray && !o->has_plane && (!o->has_to || o->to == SPACE_WORLD);
+	    !o->ray && o->plane.n == 0 && (!o->has_to || o->to == SPACE_WORLD);
 }
 
 /* Returns what a message says of points of two numbers, or NULL. */

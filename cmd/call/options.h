@@ -4,8 +4,24 @@
 #define OPTIONS_H
 
 #include "../../core/points/points.h"
-#include "arguments.h"
+#include "../json/value.h"
+#include "../lines/line.h"
 #include "command.h"
+
+/* From --decimals or --digits: one for each coordinate printed, the last for the
+ * rest. */
+struct styles {
+	int n; /* 0: none, all are the shortest */
+	struct number_style style[COORDINATES_MAX];
+};
+
+/* Numbers up to 1e150 in magnitude. */
+enum { NUMBERS_SAID_MAX = 32 };
+
+struct numbers_said {
+	int n; /* 0: the option was not given */
+	double v[NUMBERS_SAID_MAX];
+};
 
 struct options {
 	const struct convention *convention; /* NULL: the document's */
@@ -19,17 +35,14 @@ struct options {
 	struct styles styles;
 	enum precision precision;
 	double tolerance; /* of inspect; 0 where it isn't said */
-	int n_distances;
-	double distance[DISTANCES_MAX]; /* of inspect */
+	struct numbers_said distances; /* of inspect */
 	bool has_from, has_to;
 	enum space from, to;
 	bool homogeneous, matrix, ray, append, flags, visible, keep_going,
 	    progress;
 	int jobs; /* 0: as many as there are cores */
-	bool has_at;
-	double at[2], radius; /* of pick; radius is 0 where it isn't said */
-	bool has_plane;
-	double plane[4];
+	struct numbers_said pick_at, plane;
+	double radius;      /* of pick; 0 where it isn't said */
 	bool scenes;        /* params has any number of documents */
 	bool json;          /* of help */
 	const char *params; /* operand, "-" by default */
@@ -45,14 +58,14 @@ struct option_row {
 	char letter;       /* or 0 */
 	unsigned commands; /* the kinds that take it, as bits */
 	const char *about; /* one line of help */
-	/* With an argument: what the help calls that; and what reads it, or
-	 * else the words that it may be, what they are names of, and the
-	 * offset of the enum, in their order, that is set. */
+	/* Of an option with an argument: what the help calls that; what reads it;
+	 * the offset in struct options of what is set. */
 	const char *argument;
-	void (*set)(struct options *, char *word);
-	const char *const *words;
-	const char *what;
+	void (*read)(struct options *, const struct option_row *, char *word);
 	size_t at;
+	const char *const *words; /* that it may be; NULL ends them */
+	int min, max; /* of a whole number; how many numbers there may be */
+	const char *example;
 	/* The offset of a bool of struct options that becomes true; or 0. */
 	size_t on;
 };
@@ -69,6 +82,9 @@ void options_first(char **words);
 /* The option of that name, behind which a value may stand, after = or a blank;
  * or NULL. */
 const struct option_row *option_named(const char *name);
+
+/* Writes the commands that take an option: "project and trace". Returns list. */
+const char *option_takers(const struct option_row *, char list[LISTED]);
 
 bool option_is_for(const struct option_row *, const struct command *);
 

@@ -4,9 +4,8 @@
 
 #include "options.h"
 
-/* Reads a command's options and operands; argv[0] is its name. Stops as soon as
+/* Reads the options and operands that follow a command's name. Stops as soon as
  * the help or the version is asked for. */
-void options_read(const struct command *, int argc, char **argv,
-    struct options *);
+void options_read(const struct command *, char **words, struct options *);
 
 #endif
