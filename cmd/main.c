@@ -133,7 +133,7 @@ static _Noreturn void help(const struct options *o)
 	else if (c != NULL)
 		help_command(c);
 	else if (!help_member(what))
-		synonym_topic(commands, what);
+		synonym_word(commands, true, what);
 	main_finish();
 }
 

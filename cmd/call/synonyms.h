@@ -10,8 +10,9 @@
  * The table of commands ends with a name that is NULL. */
 _Noreturn void synonym_command(const struct command *commands, char **words);
 
-/* Refuses a word of which help knows nothing. */
-_Noreturn void synonym_topic(const struct command *commands, const char *word);
+/* Refuses a word that is no command, or of which as a topic help knows nothing. */
+_Noreturn void synonym_word(const struct command *commands, bool topic,
+    const char *word);
 
 /* Refuses a word that is no option, "--eye=0,0,5" or "-eye", if it has a synonym
  * or is a member of a scene; else returns. */

@@ -56,7 +56,7 @@ const struct member scene_members[SCENE_MEMBERS + 1] = {
 	    .command = "lookat '{\"convention\": \"gl\", "
 		       "\"camera\": " CAMERA_LIKE "}'"),
 	MEMBER(ANGLE_UNIT, "angle_unit", type_value, NULL,
-	    "angleunits unit units angles", .words = angle_units,
+	    "angleunits unit units angles radians degrees", .words = angle_units,
 	    .beside = true, .usual = "\"degrees\"",
 	    .about = "of all angles of the scene",
 	    .command = "persp '{\"angle_unit\": \"radians\", \"fovy\": 1, "
@@ -93,7 +93,7 @@ const struct member scene_members[SCENE_MEMBERS + 1] = {
 	    .about = "unless there are operands POINTS",
 	    .command = "lookat '{\"camera\": " CAMERA_LIKE
 		       ", \"points\": [[0,0,0], [1,1,1]]}'"),
-	MEMBER(BOUNDS, "bounds", type_value, bounds_members, NULL,
+	MEMBER(BOUNDS, "bounds", type_value, bounds_members, "extent",
 	    .ways = bounds_ways, .example = BOUNDS_LIKE, .unit = "model units",
 	    .about = "what fit is to hold, else the points",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
