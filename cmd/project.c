@@ -112,6 +112,5 @@ void run_project(const struct command *c, const struct options *o)
 	}
 	j.space = space_names[to];
 	prepare_job(&j, o);
-	j.layout.two = d.source.two;
 	do_points(o, &d, &j);
 }

@@ -12,10 +12,12 @@
 #include "../stream/progress.h"
 #include "../message/message.h"
 
-/* Refuses an operand that is no file but an option without its dashes, or with
- * those that editors make of them, U+2010 to U+2015 in UTF-8. */
-static void check_option(const struct command *c, const char *word)
+/* Refuses an operand that is no file: an option without its dashes, or with those
+ * that editors make of them, U+2010 to U+2015 in UTF-8; or what hint is about. */
+static _Noreturn void refuse_operand(const struct command *c, const char *word,
+    const char *why, const char *hint)
 {
+	const struct place place = { .file = word };
 	const struct option_row *r;
 	const char *name = word;
 
@@ -23,96 +25,61 @@ static void check_option(const struct command *c, const char *word)
 		name += 3;
 	r = option_named(name);
 	if (r != NULL && option_is_for(r, c))
-		die_at(EXIT_USAGE, &(struct place){ .file = word },
-		    "%s; the option is --%s", strerror(ENOENT), name);
+		die_at(EXIT_USAGE, &place, "%s; the option is --%s", why, name);
+	die_at(EXIT_USAGE, &place, "%s; %s", why, hint);
 }
 
-/* Whether the shell has taken JSON apart: {"eye": [0,0,5]} without quotes. */
-static bool is_torn(const struct options *o)
-{
-	if (strchr(o->params, '}') != NULL)
-		return false;
-	for (int i = 0; i < o->n_points; i++)
-		if (strchr(o->points[i], '}') != NULL)
-			return true;
-	return false;
-}
-
-/* Refuses PARAMS that are neither a file nor JSON. */
+/* Refuses PARAMS that are neither a file nor JSON, which the shell takes apart where
+ * it has no quotes. */
 static void check_params(const struct command *c, const struct options *o)
 {
 	const char *name = o->params;
 	bool typed = first_char(name) == '{';
+	char hint[160];
 
-	if (is_stdin(name) || (typed ? !is_torn(o) : access(name, F_OK) == 0))
+	snprintf(hint, sizeof hint,
+	    "PARAMS is a JSON file, - or JSON in quotes, as 'projcalc help %s' "
+	    "shows",
+	    c->name);
+	if (typed && o->n_points > 0 && strchr(name, '}') == NULL)
+		refuse_operand(c, name, "has no }", hint);
+	if (typed)
 		return;
-	check_option(c, name);
-	if (typed || is_numbers(name) || strpbrk(name, "\":{=") != NULL ||
-	    strcmp(name, "help") == 0)
-		die(EXIT_USAGE,
-		    "'%s' is no scene; PARAMS is a JSON file, - or JSON in "
-		    "quotes: projcalc %s %s",
-		    name, c->name, c->example);
+	check_input(name);
+	if (!is_stdin(name) && access(name, F_OK) != 0)
+		refuse_operand(c, name, strerror(errno), hint);
 }
+
+#define USE_AT "; where to look is --at 320,240"
 
 /* Refuses a file of points that can't be read. */
 static void check_file(const struct command *c, const struct options *o,
     const char *name)
 {
-	const struct place place = { .file = name };
-	const int n = 2 * coordinates_of(c, o) + 1;
+	char hint[160];
 
 	check_input(name);
-	if (access(name, R_OK) == 0)
+	if (is_stdin(name) || access(name, R_OK) == 0)
 		return;
 	const char *why = strerror(errno);
 
-	check_option(c, name);
-	if (!is_numbers(name) && strpbrk(name, "{\"") == NULL)
-		die_at(EXIT_USAGE, &place, "%s", why);
-	die_at(EXIT_USAGE, &place, "%s; POINTS are a file, - or '[%.*s]'%s",
-	    why, n, "1.5,2,3,4",
-	    c->kind == PICK ? "; where to look is --at 320,240" : "");
+	snprintf(hint, sizeof hint, "POINTS are a file, - or '[%.*s]'%s",
+	    2 * coordinates_of(c, o) + 1, "1.5,2,3,4",
+	    c->kind == PICK ? USE_AT : "");
+	refuse_operand(c, name, why, hint);
 }
 
-#define USE_RAY                                                      \
-	"--ray takes x y to the ray through it, --plane A,B,C,D to " \
-	"where that ray meets a plane"
-
-/* Returns whether points of two coordinates are positions on the device for which
- * project has --ray and --plane. */
-static bool lacks_depth(const struct options *o)
-{
-	return o->has_from && o->from == SPACE_DEVICE && !o->homogeneous &&
-	    !o->ray && o->plane.n == 0 && (!o->has_to || o->to == SPACE_WORLD);
-}
-
-/* Returns what a message says of points of two numbers, or NULL. */
+/* Returns what a message says of points of two numbers, or NULL: they may be positions
+ * on the device, for which pick and project have options. */
 static const char *two_of(const struct command *c, const struct options *o)
 {
-	return c->kind == PROJECT && lacks_depth(o) ? "; " USE_RAY : NULL;
-}
-
-/* Refuses a typed position on the device in place of a point, or of the first of a
- * list: pick and project have options for it. */
-static void check_position(const struct command *c, const struct options *o,
-    const char *points)
-{
-	double v;
-	int from = 0, n = 0;
-
-	if ((sscanf(points, " [%lf ,%lf ]%n", &v, &v, &n) < 2 || n == 0) &&
-	    (sscanf(points, " [ %n[%lf ,%lf ]%n", &from, &v, &v, &n) < 2 ||
-		n == 0))
-		return;
-	points += from;
-	n -= from;
 	if (c->kind == PICK)
-		die(EXIT_USAGE,
-		    "'%.*s' is no point; where to look is --at 320,240", n,
-		    points);
-	if (c->kind == PROJECT && lacks_depth(o))
-		die(EXIT_USAGE, "'%.*s' has no depth; " USE_RAY, n, points);
+		return USE_AT;
+	if (c->kind != PROJECT || !o->has_from || o->from != SPACE_DEVICE ||
+	    o->homogeneous || (o->has_to && o->to != SPACE_WORLD))
+		return NULL;
+	return "; --ray takes x y to the ray through it, --plane A,B,C,D to "
+	       "where that ray meets a plane";
 }
 
 void check_operands(const struct command *c, const struct options *o)
@@ -120,8 +87,6 @@ void check_operands(const struct command *c, const struct options *o)
 	int from_stdin = is_stdin(o->params);
 
 	check_params(c, o);
-	if (first_char(o->params) != '{')
-		check_input(o->params);
 	if (o->n_points > 0 && !command_reads_points(c))
 		die(EXIT_USAGE, "%s reads no points; leave them out", c->name);
 	for (int i = 0; i < o->n_points && !o->matrix; i++) {
@@ -133,11 +98,7 @@ void check_operands(const struct command *c, const struct options *o)
 				"PARAMS and POINTS are both standard input; "
 				"name a file for one of them" :
 				"standard input is named twice");
-		if (first_char(name) == '[')
-			check_position(c, o, name);
-		else if (is_stdin(name))
-			check_input(name);
-		else
+		if (first_char(name) != '[')
 			check_file(c, o, name);
 	}
 }
@@ -160,33 +121,33 @@ bool has_points(const struct options *o, const struct document *d)
 	return o->n_points > 0 || d->points != NULL;
 }
 
-/* Whether path is the name, or a pointer to that member or into it. */
-static bool leads_into(const char *path, const char *name)
+/* Returns what value k is called that is added to what was read: a coordinate, of a
+ * ray, or the word of --flags. */
+static const char *added_name(const struct layout *l, int k)
 {
-	size_t n = strlen(name);
-	bool pointer = *path == '/';
+	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };
 
-	path += pointer;
-	return strncmp(path, name, n) == 0 &&
-	    (path[n] == '\0' || (pointer && path[n] == '/'));
+	return k == COORDINATES_MAX ? "flags" :
+	    l->writes > 4           ? ray[k] :
+				      coordinate_name(k);
 }
 
-/* What is added to an object has names of its own. */
-static bool is_added(const struct options *o, const struct layout *l,
-    const char *name)
+/* Returns whether a member is added that has this name, or that this is a pointer to
+ * or into. */
+static bool is_added(const struct layout *l, const char *path)
 {
-	static const char *const added[] = { "z", "dx", "dy", "dz" };
-	bool is = o->flags && !l->append && leads_into(name, "flags");
+	const bool pointer = *path == '/';
+	const size_t n = pointer ? strcspn(path + 1, "/") : strlen(path);
 
-	int n = l->append ? 0 :
-	    l->writes > 4 ? 4 :
-			    l->reads == 2 && l->writes == 3;
+	for (int k = l->reads; k <= COORDINATES_MAX && !l->append; k++) {
+		const char *name = added_name(l, k);
 
-	for (int i = 0; i < n; i++)
-		is |= leads_into(name, added[i]);
-	return is ||
-	    (l->writes == 4 && l->reads == 3 && !l->append &&
-		leads_into(name, "w"));
+		if ((k < COORDINATES_MAX ? k < l->writes : l->flags) &&
+		    strlen(name) == n &&
+		    strncmp(path + pointer, name, n) == 0)
+			return true;
+	}
+	return false;
 }
 
 static void check_columns_of(const struct options *o, const struct layout *l)
@@ -201,7 +162,7 @@ static void check_columns_of(const struct options *o, const struct layout *l)
 			    "--columns: '%s' is a name, and names are for -i "
 			    "csv, tsv and json; write numbers: 2,3,4",
 			    name);
-		if (name != NULL && json && is_added(o, l, name))
+		if (name != NULL && json && is_added(l, name))
 			die(EXIT_USAGE,
 			    "--columns: '%s' is also what a number is called "
 			    "that is added",
@@ -321,13 +282,12 @@ static void choose_kernels(void)
 /* Names what --append adds: x, y, z and w of a space; and the direction of a ray. */
 static void name_added(struct layout *l, const char *space)
 {
-	for (int k = 0; k < l->writes; k++)
-		if (l->writes > 4 && k >= 3)
-			snprintf(l->added[k], sizeof *l->added, "d%c",
-			    "xyz"[k - 3]);
-		else
-			snprintf(l->added[k], sizeof *l->added, "%s_%s", space,
-			    coordinate_name(k));
+	for (int k = 0; k < l->writes; k++) {
+		bool point = k < 3 || l->writes <= 4;
+
+		snprintf(l->added[k], sizeof *l->added, "%s%s%s",
+		    point ? space : "", point ? "_" : "", added_name(l, k));
+	}
 	if (l->flags)
 		strcpy(l->added[COORDINATES_MAX], "flags");
 }
@@ -403,12 +363,13 @@ static void check_columns(const struct options *o, const struct document *d)
 
 /* Does the job on points typed as an operand; or where there is none, only
  * refuses what is wrong with them. */
-static void do_typed(struct job *j, const char *operand, int reads)
+static void do_typed(struct job *j, const char *operand,
+    const struct layout *l)
 {
 	struct text t = copy_operand(operand);
 	size_t size;
-	const char *points = document_points("POINTS", t.s, t.have, reads,
-	    &size);
+	const char *points = document_points("POINTS", t.s, t.have, l->reads,
+	    l->two, &size);
 
 	if (j != NULL)
 		do_json(j, "POINTS", points, size);
@@ -436,7 +397,7 @@ static void do_operand(const struct options *o, struct job *j, int i)
 	const char *operand = i < o->n_points ? o->points[i] : "-";
 
 	if (first_char(operand) == '[') {
-		do_typed(j, operand, j->layout.reads);
+		do_typed(j, operand, &j->layout);
 		return;
 	}
 	if (o->scenes) {
@@ -457,6 +418,7 @@ void do_points(const struct options *o, const struct document *d, struct job *j)
 		    "and the document has no points; name a file for one of "
 		    "them");
 	check_columns(o, d);
+	j->layout.two = d->source.two;
 	if (o->n_points == 0 && d->points != NULL)
 		do_json(j, d->source.name, d->points, d->points_size);
 	else if (o->n_points == 0)
@@ -465,7 +427,7 @@ void do_points(const struct options *o, const struct document *d, struct job *j)
 	 * operand are printed */
 	for (int i = 1; i < o->n_points; i++)
 		if (first_char(o->points[i]) == '[')
-			do_typed(NULL, o->points[i], j->layout.reads);
+			do_typed(NULL, o->points[i], &j->layout);
 	for (int i = 0; i < o->n_points; i++)
 		do_operand(o, j, i);
 	if (j->flush != NULL)
