@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 #include "call/operands.h"
-#include "print_matrix.h"
 #include "message/message.h"
 
 static void project_check_ray(const struct options *o)

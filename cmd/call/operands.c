@@ -143,8 +143,7 @@ static bool is_added(const struct layout *l, const char *path)
 		const char *name = added_name(l, k);
 
 		if ((k < COORDINATES_MAX ? k < l->writes : l->flags) &&
-		    strlen(name) == n &&
-		    strncmp(path + pointer, name, n) == 0)
+		    strlen(name) == n && strncmp(path + pointer, name, n) == 0)
 			return true;
 	}
 	return false;
@@ -363,8 +362,7 @@ static void check_columns(const struct options *o, const struct document *d)
 
 /* Does the job on points typed as an operand; or where there is none, only
  * refuses what is wrong with them. */
-static void do_typed(struct job *j, const char *operand,
-    const struct layout *l)
+static void do_typed(struct job *j, const char *operand, const struct layout *l)
 {
 	struct text t = copy_operand(operand);
 	size_t size;

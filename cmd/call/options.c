@@ -39,7 +39,8 @@ static unsigned word_index(const struct option_row *r, const char *word)
 	    word, list_words(all, r->words, " or ", ""));
 }
 
-static void option_word(struct options *o, const struct option_row *r, char *word)
+static void option_word(struct options *o, const struct option_row *r,
+    char *word)
 {
 	*(unsigned *)option_place(o, r) = word_index(r, word);
 }
@@ -103,7 +104,8 @@ static void option_format(struct options *o, const struct option_row *r,
 }
 
 /* Reads a number in the range of sizes. */
-static void option_size(struct options *o, const struct option_row *r, char *word)
+static void option_size(struct options *o, const struct option_row *r,
+    char *word)
 {
 	const char *end = word + strlen(word);
 	double *v = option_place(o, r);
@@ -200,7 +202,8 @@ static void option_columns(struct options *o, const struct option_row *r,
 		if (c->n == 4)
 			die(EXIT_USAGE, "--%s: more than four fields", r->name);
 		if (strspn(word, "0123456789") == strlen(word))
-			c->field[c->n] = whole_number(r, word, 1, fields_max) - 1;
+			c->field[c->n] = whole_number(r, word, 1, fields_max) -
+			    1;
 		else
 			c->name[c->n] = word;
 		for (int i = 0; i < c->n; i++)

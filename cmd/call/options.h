@@ -34,7 +34,7 @@ struct options {
 	struct columns columns; /* of POINTS, by --columns */
 	struct styles styles;
 	enum precision precision;
-	double tolerance; /* of inspect; 0 where it isn't said */
+	double tolerance;              /* of inspect; 0 where it isn't said */
 	struct numbers_said distances; /* of inspect */
 	bool has_from, has_to;
 	enum space from, to;

@@ -92,8 +92,9 @@ static void take_option(const struct command *c, const struct option_row *r,
 
 	if (!option_is_for(r, c)) {
 		synonym_member(c, word);
-		die(EXIT_USAGE, "%s: --%s is not for this command; it is for %s",
-		    c->name, r->name, option_takers(r, list));
+		die(EXIT_USAGE,
+		    "%s: --%s is not for this command; it is for %s", c->name,
+		    r->name, option_takers(r, list));
 	}
 	if (r->argument == NULL && value != NULL)
 		die(EXIT_USAGE, "%s: --%s takes no argument", c->name, r->name);

@@ -225,8 +225,8 @@ static const char *nearest_word(const struct command *commands, bool members,
 
 	for (const struct command *c = commands; c->name != NULL; c++)
 		names[n++] = c->name;
-	for (const struct member *s = scene_members;
-	     members && s->name != NULL; s++) {
+	for (const struct member *s = scene_members; members && s->name != NULL;
+	     s++) {
 		names[n++] = s->name;
 		for (const struct member *m = s->members;
 		     m != NULL && m->name != NULL && n < NAMES_MAX; m++)
