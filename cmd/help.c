@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include "call/options.h"
+#include "call/synonyms.h"
 #include "scene/convention_member.h"
 #include "scene/members.h"
 #include "message/message.h"
@@ -190,30 +191,15 @@ static void help_scene_member(const struct member *row)
 	example(NULL, row->command);
 }
 
-/* The first object that has a member of that name, or with that alias; or NULL. */
-static const struct member *object_with(const char *name, bool alias)
-{
-	for (const struct member *s = scene_members; s->name != NULL; s++)
-		if (s->members != NULL &&
-		    (alias ? member_named(s->members, ANY_KIND, name) :
-			     member_of(s->members, ANY_KIND, name)) != NULL)
-			return s;
-	return NULL;
-}
-
 bool help_member(const char *name)
 {
-	const struct member *row;
+	const struct member *object;
 
-	if (strcmp(name, "scene") == 0) {
+	if (strcmp(name, "scene") == 0)
 		print_scene_members(~0u);
-		return true;
-	}
-	row = member_named(scene_members, ANY_KIND, name);
-	for (int aliases = 0; row == NULL && aliases < 2; aliases++)
-		row = object_with(name, aliases);
-	if (row == NULL)
+	else if (synonym_find(name, &object) != NULL)
+		help_scene_member(object);
+	else
 		return false;
-	help_scene_member(row);
 	return true;
 }

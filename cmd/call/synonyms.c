@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 #include <unistd.h>
 
 #include "input.h"
@@ -29,6 +30,9 @@ static const struct synonym {
 	{ "viewport", "project --from ndc --to device" },
 	{ "camera", "lookat" },
 	{ "view", "lookat" },
+	{ "lookat", "lookat" },
+	{ "look_at", "lookat" },
+	{ "look-at", "lookat" },
 	{ "perspective", "persp" },
 	{ "projection", "persp" },
 	{ "frustum",
@@ -77,7 +81,6 @@ static const struct synonym {
 	{ "k1", ": projcalc has no lens distortion; undistort points first" },
 	{ "stdin", ": standard input is - in place of PARAMS or POINTS" },
 	{ "-V", ": the version is told by --version" },
-	{ "-v", ": the version is told by --version" },
 	{ "quiet", ": notes go to standard error; 2>/dev/null hides them" },
 };
 
@@ -89,8 +92,7 @@ enum {
 };
 
 /* Returns the member of that name, or that has that alias, in one of the objects that
- * bits are; or such an object itself; or NULL. The later object goes first: the
- * viewport has a width, and the projection another. */
+ * bits are; or such an object itself; or NULL. */
 static const struct member *find_member(unsigned bits, int kind,
     const char *name, bool alias, const struct member **object)
 {
@@ -109,6 +111,17 @@ static const struct member *find_member(unsigned bits, int kind,
 			return m;
 	}
 	return NULL;
+}
+
+const struct member *synonym_find(const char *name,
+    const struct member **object)
+{
+	const struct member *m = NULL;
+
+	for (int i = 0; i < 4 && m == NULL; i++)
+		m = find_member(SCENE_ALL, i % 2 == 0 ? 0 : ANY_KIND, name,
+		    i >= 2, object);
+	return m;
 }
 
 /* Refuses a word, which unknown says, that is a member: shows how it is written where
@@ -133,20 +146,6 @@ static _Noreturn void refuse_member(const char *unknown, unsigned reads,
 	    unknown, quoted, of, where, object->name, object->example);
 }
 
-/* Refuses the word if objects that bits are have a member of that name or, where
- * aliases is true, with that alias. reads are those that the command reads. */
-static void try_members(const char *unknown, unsigned reads, unsigned bits,
-    int kind, bool aliases, const char *name)
-{
-	const struct member *m, *object;
-
-	for (int alias = 0; alias <= aliases; alias++) {
-		m = find_member(bits, kind, name, alias, &object);
-		if (m != NULL)
-			refuse_member(unknown, reads, m, object);
-	}
-}
-
 /* Refuses the word by what it is called here. An option of other commands than c, or
  * where that is NULL of any, is told with its commands. */
 static _Noreturn void refuse_by(const struct command *c, const char *unknown,
@@ -169,7 +168,7 @@ static void try_rows(const struct command *c, const char *unknown,
     const char *name)
 {
 	for (int i = 0; i < SYNONYMS; i++)
-		if (strcmp(synonyms[i].word, name) == 0)
+		if (strcasecmp(synonyms[i].word, name) == 0)
 			refuse_by(c, unknown, synonyms[i].is);
 }
 
@@ -183,41 +182,51 @@ static void name_option(const struct command *c, const char *option,
 	snprintf(name, NAME_SHOWN, "%.*s", (int)strcspn(option, "="), option);
 }
 
-/* The kind of projection that a command is of, or else persp. */
-static int own_kind(const struct command *c)
+/* Refuses an option that is a member of objects that bits are; or an alias, where
+ * aliases is true. */
+static void try_members(const struct command *c, const char *unknown,
+    unsigned bits, bool aliases, const char *name)
 {
-	return c->wants.projection > 0 ? c->wants.projection - 1 : 0;
+	/* of a projection that is any, persp is the usual kind */
+	const int own = c->wants.projection > 0 ? c->wants.projection - 1 : 0;
+	const struct member *m, *object;
+
+	for (int alias = 0; alias <= aliases; alias++) {
+		m = find_member(bits, own, name, alias, &object);
+		if (m != NULL)
+			refuse_member(unknown, bits, m, object);
+	}
 }
 
 void synonym_member(const struct command *c, const char *option)
 {
-	const struct document_wants *w = &c->wants;
 	/* project --at is rather meant for pick than for the camera */
-	const unsigned bits = w->bare |
-	    (document_reads(w) & ~(unsigned)SCENE_SPATIAL);
+	const unsigned bits = c->wants.bare |
+	    (document_reads(&c->wants) & ~(unsigned)SCENE_SPATIAL);
 	char name[NAME_SHOWN], unknown[UNKNOWN_MAX];
 
 	name_option(c, option, name, unknown);
-	try_members(unknown, bits, bits, own_kind(c), false, name);
+	try_members(c, unknown, bits, false, name);
 	try_rows(c, unknown, name);
 }
 
 void synonym_option(const struct command *c, const char *option)
 {
 	const unsigned reads = document_reads(&c->wants);
-	const int own = own_kind(c);
+	const struct member *m, *object;
 	char name[NAME_SHOWN], unknown[UNKNOWN_MAX];
 
 	name_option(c, option, name, unknown);
-	try_members(unknown, reads, c->wants.bare, own, true, name);
-	try_members(unknown, reads, reads, own, true, name);
+	try_members(c, unknown, c->wants.bare, true, name);
+	try_members(c, unknown, reads, true, name);
 	try_rows(c, unknown, name);
-	try_members(unknown, reads, SCENE_ALL, own, true, name);
-	try_members(unknown, reads, SCENE_ALL, ANY_KIND, true, name);
+	m = synonym_find(name, &object);
+	if (m != NULL)
+		refuse_member(unknown, reads, m, object);
 }
 
-/* Returns the nearest of commands and, where members is true, members; or NULL. */
-static const char *nearest_word(const struct command *commands, bool members,
+/* Returns the nearest of all commands and members, or NULL. */
+static const char *nearest_word(const struct command *commands,
     const char *word)
 {
 	const char *names[NAMES_MAX + 1] = { "--help", "--version" };
@@ -225,8 +234,7 @@ static const char *nearest_word(const struct command *commands, bool members,
 
 	for (const struct command *c = commands; c->name != NULL; c++)
 		names[n++] = c->name;
-	for (const struct member *s = scene_members; members && s->name != NULL;
-	     s++) {
+	for (const struct member *s = scene_members; s->name != NULL; s++) {
 		names[n++] = s->name;
 		for (const struct member *m = s->members;
 		     m != NULL && m->name != NULL && n < NAMES_MAX; m++)
@@ -238,8 +246,8 @@ static const char *nearest_word(const struct command *commands, bool members,
 
 void synonym_word(const struct command *commands, bool topic, const char *word)
 {
-	const unsigned all = SCENE_ALL;
-	const char *near;
+	const char *near = nearest_word(commands, word);
+	const struct member *m, *object;
 	char unknown[UNKNOWN_MAX], is[UNKNOWN_MAX];
 
 	snprintf(unknown, sizeof unknown, "unknown %s '%s'",
@@ -248,12 +256,9 @@ void synonym_word(const struct command *commands, bool topic, const char *word)
 	snprintf(is, sizeof is, "--%s", word);
 	if (option_named(word) != NULL)
 		refuse_by(NULL, unknown, is);
-	try_members(unknown, all, all, ANY_KIND, false, word);
-	near = nearest_word(commands, false, word);
-	if (near == NULL) {
-		try_members(unknown, all, all, ANY_KIND, true, word);
-		near = nearest_word(commands, true, word);
-	}
+	m = synonym_find(word, &object);
+	if (m != NULL)
+		refuse_member(unknown, SCENE_ALL, m, object);
 	if (near == NULL)
 		die(EXIT_USAGE, "%s; 'projcalc help' lists commands", unknown);
 	topic |= *near != '-' && find_command(commands, near) == NULL;

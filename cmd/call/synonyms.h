@@ -6,6 +6,14 @@
 
 #include "options.h"
 
+struct member;
+
+/* Returns the member that has a name or, where there is none, an alias, and in *object
+ * the scene's member that has it or is it; or NULL. The later object goes first: the
+ * viewport has a width, and the projection another. */
+const struct member *synonym_find(const char *name,
+    const struct member **object);
+
 /* Refuses words[0], which stands where a command should. A command may follow.
  * The table of commands ends with a name that is NULL. */
 _Noreturn void synonym_command(const struct command *commands, char **words);
