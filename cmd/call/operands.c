@@ -149,17 +149,19 @@ static bool is_added(const struct layout *l, const char *path)
 	return false;
 }
 
-static void check_columns_of(const struct options *o, const struct layout *l)
+static void check_columns(const struct options *o, const struct layout *l)
 {
-	bool csv = l->in.format == FORMAT_CSV, json = o->in == FORMAT_JSON;
+	const bool csv = l->in.format == FORMAT_CSV,
+		   json = o->in == FORMAT_JSON;
+	const int n = o->columns.n;
 
-	for (int i = 0; i < o->columns.n; i++) {
+	for (int i = 0; i < n; i++) {
 		const char *name = o->columns.name[i];
 
-		if (name != NULL && !csv && !json)
+		if (name != NULL && !json && (!csv || o->no_header))
 			die(EXIT_USAGE,
-			    "--columns: '%s' is a name, and names are for -i "
-			    "csv, tsv and json; write numbers: 2,3,4",
+			    "--columns: '%s' is a name, and names are for csv "
+			    "with a header, and json; write numbers: 2,3,4",
 			    name);
 		if (name != NULL && json && is_added(l, name))
 			die(EXIT_USAGE,
@@ -171,95 +173,65 @@ static void check_columns_of(const struct options *o, const struct layout *l)
 			    "--columns: in JSON they are numbers, of an "
 			    "array's elements, or names, of an object's "
 			    "members, not both");
+		if (l->record > 0 && o->columns.field[i] >= l->record)
+			die(EXIT_USAGE,
+			    "--columns: there is no field %d in records of %d",
+			    o->columns.field[i] + 1, l->record);
 	}
-	if (o->columns.n > 0 && is_binary(o->in) && l->record == 0)
-		die(EXIT_USAGE,
-		    "--columns: binary points have no other fields; records "
-		    "of four numbers are -i %sx4",
-		    format_names[o->in]);
-	if (o->columns.n > 0 && o->columns.n != l->reads)
+	if (n > 0 && n != l->reads && !(is_binary(o->in) && l->record == 0))
 		die(EXIT_USAGE,
 		    "--columns: %d field%s; %d coordinates are read here, as "
 		    "%.*s or %.*s%s%.*s",
-		    o->columns.n, o->columns.n == 1 ? "" : "s", l->reads,
-		    2 * l->reads - 1, "2,3,4,5", 2 * l->reads - 1, "x,y,z,w",
-		    json ? " or " : "", json ? 5 * l->reads - 1 : 0,
-		    "/p/0,/p/1,/p/2,/p/3");
+		    n, n == 1 ? "" : "s", l->reads, 2 * l->reads - 1, "2,3,4,5",
+		    2 * l->reads - 1, "x,y,z,w", json ? " or " : "",
+		    json ? 5 * l->reads - 1 : 0, "/p/0,/p/1,/p/2,/p/3");
 }
 
-static void check_csv(const struct options *o, const struct layout *l)
-{
-	if (o->separator != ',' && o->in != FORMAT_CSV && o->out != FORMAT_CSV)
-		die(EXIT_USAGE, "--separator is of csv; say -i csv, or -o csv");
-	if ((o->header || o->no_header) && l->in.format != FORMAT_CSV)
-		die(EXIT_USAGE, "--%s is of csv; say -i csv or -i tsv",
-		    o->header ? "header" : "no-header");
-	if (o->header && o->no_header)
-		die(EXIT_USAGE, "--header and --no-header exclude each other");
-	for (int i = 0; i < o->columns.n && o->no_header; i++)
-		if (o->columns.name[i] != NULL)
-			die(EXIT_USAGE,
-			    "--columns: '%s' is a name, and with --no-header "
-			    "there are none; write numbers: 2,3,4",
-			    o->columns.name[i]);
-}
-
-static void check_append(const struct options *o, const struct layout *l)
-{
-	if (!l->append)
-		return;
-	if (is_binary(o->in) || is_binary(l->out.format))
-		die(EXIT_USAGE,
-		    "--append: binary points have no lines to stand behind; "
-		    "say -o text without it");
-	if (o->has_out && o->out != o->in)
-		die(EXIT_USAGE,
-		    "--append keeps lines as they were read; leave -o out");
-}
-
-/* Refuses what binary records can't hold, or have not. Whether points are printed says
- * whether images have to fit in. */
-static void check_record(const struct options *o, const struct layout *l,
+/* Refuses what does not go together. Whether points are printed says whether images
+ * have to fit into binary records. */
+static void check_layout(const struct options *o, const struct layout *l,
     bool printed)
 {
-	const char *name = format_names[o->in];
+	const bool record = l->record > 0, binary = is_binary(l->out.format);
+	const struct {
+		bool is;
+		const char *wrong;
+	} rows[] = {
+		{ o->separator != ',' && o->in != FORMAT_CSV &&
+			o->out != FORMAT_CSV,
+		    "--separator is of csv; say -i csv, or -o csv" },
+		{ (o->header || o->no_header) && l->in.format != FORMAT_CSV,
+		    "--header and --no-header are of csv; say -i csv or -i "
+		    "tsv" },
+		{ o->header && o->no_header,
+		    "--header and --no-header exclude each other" },
+		{ l->append && (binary || is_binary(o->in)),
+		    "--append: binary points have no lines to stand behind; "
+		    "say -o text without it" },
+		{ l->append && o->has_out && o->out != o->in,
+		    "--append keeps lines as they were read; leave -o out" },
+		{ o->flags && (binary || (printed && record)),
+		    "--flags: binary points and records have no room for "
+		    "words; say -o text, and no f32x4" },
+		{ o->columns.n > 0 && is_binary(o->in) && !record,
+		    "--columns: binary points have no other fields; records "
+		    "of four numbers are -i f32x4 or f64x4" },
+		{ record && l->record < l->reads,
+		    "--input: records of fewer numbers than the coordinates "
+		    "that are read here" },
+		{ record && printed && l->reads != l->writes,
+		    "--input: records keep the number of coordinates; here it "
+		    "changes" },
+	};
 
-	if (l->record == 0)
-		return;
-	if (l->record < l->reads)
-		die(EXIT_USAGE, "-i %sx%d: %d coordinates are read here", name,
-		    l->record, l->reads);
-	for (int i = 0; i < l->columns.n; i++)
-		if (l->columns.field[i] >= l->record)
-			die(EXIT_USAGE,
-			    "--columns: there is no field %d in the %d numbers "
-			    "of -i %sx%d",
-			    l->columns.field[i] + 1, l->record, name,
-			    l->record);
-	if (printed && o->flags)
-		die(EXIT_USAGE, "-i %sx%d: records take no --flags", name,
-		    l->record);
-	if (printed && l->reads != l->writes)
-		die(EXIT_USAGE,
-		    "-i %sx%d: records keep the number of coordinates; here "
-		    "%d are read and %d written",
-		    name, l->record, l->reads, l->writes);
-}
-
-static void check_layout(const struct options *o, const struct layout *l)
-{
-	check_columns_of(o, l);
-	check_csv(o, l);
-	check_append(o, l);
-	if (o->flags && is_binary(l->out.format))
-		die(EXIT_USAGE,
-		    "--flags: binary points have no room for words; say "
-		    "-o text");
+	check_columns(o, l);
+	for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+		if (rows[i].is)
+			die(EXIT_USAGE, "%s", rows[i].wrong);
 	if (o->styles.n > l->writes)
 		die(EXIT_USAGE,
-		    "--%s: %d numbers; %d coordinates are printed here",
-		    o->styles.style[0].kind == NUMBER_DIGITS ? "digits" :
-							       "decimals",
+		    "--decimals or --digits: %d numbers; %d coordinates are "
+		    "printed here",
 		    o->styles.n, l->writes);
 }
 
@@ -325,8 +297,7 @@ void prepare_job(struct job *j, const struct options *o)
 	progress_start(o->progress);
 	widen_pipe(STDOUT_FILENO, PIPE_ROOM);
 	choose_kernels();
-	check_layout(o, &j->layout);
-	check_record(o, &j->layout, j->take == NULL);
+	check_layout(o, &j->layout, j->take == NULL);
 }
 
 /* Points as document_points and document_read give them are lines of JSON,
@@ -343,21 +314,17 @@ static void do_json(struct job *j, const char *name, const char *text,
 }
 
 /* Refuses --columns and records for points that are typed: these are of a file. */
-static void check_columns(const struct options *o, const struct document *d)
+static void check_typed(const struct options *o, const struct document *d)
 {
 	bool typed = o->n_points == 0 && d->points != NULL;
 
 	for (int i = 0; i < o->n_points; i++)
 		typed |= first_char(o->points[i]) == '[';
-	if (typed && o->in_record > 0)
+	if (typed && (o->in_record > 0 || o->columns.n > 0))
 		die(EXIT_USAGE,
-		    "-i %sx%d: points that are typed, or in the document, are "
-		    "no records; name a file",
-		    format_names[o->in], o->in_record);
-	if (typed && o->columns.n > 0)
-		die(EXIT_USAGE,
-		    "--columns: points that are typed, or in the document, "
-		    "begin with their coordinates; name a file");
+		    "--%s: points that are typed, or in the document, begin "
+		    "with their coordinates; name a file",
+		    o->in_record > 0 ? "input" : "columns");
 }
 
 /* Does the job on points typed as an operand; or where there is none, only
@@ -415,7 +382,7 @@ void do_points(const struct options *o, const struct document *d, struct job *j)
 		    "PARAMS and POINTS are both standard input, "
 		    "and the document has no points; name a file for one of "
 		    "them");
-	check_columns(o, d);
+	check_typed(o, d);
 	j->layout.two = d->source.two;
 	if (o->n_points == 0 && d->points != NULL)
 		do_json(j, d->source.name, d->points, d->points_size);
