@@ -7,8 +7,6 @@
 #include "help.h"
 #include "call/input.h"
 #include "call/operands.h"
-#include "call/options_read.h"
-#include "call/params.h"
 #include "call/synonyms.h"
 #include "stream/answer.h"
 #include "scene/examples.h"

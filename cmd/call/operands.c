@@ -8,9 +8,9 @@
 #include <unistd.h>
 
 #include "input.h"
-#include "params.h"
 #include "../stream/progress.h"
 #include "../message/message.h"
+#include "../scene/convention_member.h"
 
 /* Refuses an operand that is no file: an option without its dashes, or with those
  * that editors make of them, U+2010 to U+2015 in UTF-8; or what hint is about. */
@@ -108,7 +108,8 @@ void read_document(const struct command *c, const struct options *o,
 {
 	struct document_wants wants = c->wants;
 
-	wants.convention = o->convention;
+	if (o->has_convention)
+		wants.convention = &conventions[o->convention];
 	wants.two = two_of(c, o);
 	/* the document's points are not read if points are operands */
 	if (command_reads_points(c) && !o->matrix && o->n_points == 0)

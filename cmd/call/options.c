@@ -45,26 +45,6 @@ static void option_word(struct options *o, const struct option_row *r,
 	*(unsigned *)option_place(o, r) = word_index(r, word);
 }
 
-static void option_convention(struct options *o, const struct option_row *r,
-    char *word)
-{
-	o->convention = &conventions[word_index(r, word)];
-}
-
-static void option_errors(struct options *o, const struct option_row *r,
-    char *word)
-{
-	(void)o;
-	say_in_json(word_index(r, word) == 1);
-}
-
-static void option_color(struct options *o, const struct option_row *r,
-    char *word)
-{
-	(void)o;
-	message_color((enum color)word_index(r, word));
-}
-
 static int whole_number(const struct option_row *r, const char *word, int min,
     int max)
 {
@@ -215,7 +195,6 @@ static void option_columns(struct options *o, const struct option_row *r,
 	}
 }
 
-/* How messages are said, and coloured. */
 static const char *const message_forms[] = { "text", "json", NULL };
 static const char *const color_names[] = { "auto", "always", "never", NULL };
 
@@ -236,7 +215,8 @@ enum {
 /* clang-format off */
 const struct option_row option_rows[] = {
 	{ "convention", 'c', ALL, "of the answer: d3d, gl, vulkan, webgpu or opencv",
-	    "NAME", option_convention, .words = convention_names },
+	    "NAME", option_word, AT(convention), .words = convention_names,
+	    ON(has_convention) },
 	{ "input", 'i', POINTS,
 	    "of points: text (default), csv, tsv, json, f64, f32, f32x4",
 	    "FORMAT", option_format, AT(in), .words = format_names },
@@ -301,9 +281,9 @@ const struct option_row option_rows[] = {
 	{ "json", 0, HELP, "all that the program says of itself, for programs",
 	    ON(json) },
 	{ "errors", 0, EVERY, "messages as text (default), or json, one a line",
-	    "FORM", option_errors, .words = message_forms },
+	    "FORM", option_word, AT(errors), .words = message_forms },
 	{ "color", 0, EVERY, "messages and help: auto (default), always, never",
-	    "WHEN", option_color, .words = color_names },
+	    "WHEN", option_word, AT(color), .words = color_names },
 	{ "help", 'h', EVERY, "this help", ON(help) },
 	{ "version", 0, EVERY, "the version", ON(version) },
 	{ .name = NULL },
@@ -343,9 +323,15 @@ bool option_is_for(const struct option_row *r, const struct command *c)
 	return (r->commands & c->kind) != 0;
 }
 
+void options_say(const struct options *o)
+{
+	say_in_json(o->errors == 1);
+	message_color(o->color);
+}
+
 void options_first(char **words)
 {
-	struct options none = { 0 };
+	struct options first = { .errors = 0 };
 
 	for (char **w = words; *w != NULL && strcmp(*w, "--") != 0; w++) {
 		const struct option_row *r = strncmp(*w, "--", 2) == 0 ?
@@ -355,8 +341,9 @@ void options_first(char **words)
 		char *argument = equals != NULL ? equals + 1 : w[1];
 
 		if (r != NULL && argument != NULL &&
-		    (r->read == option_errors || r->read == option_color))
-			r->read(&none, r, argument);
+		    (r->words == message_forms || r->words == color_names))
+			r->read(&first, r, argument);
+		options_say(&first);
 	}
 }
 

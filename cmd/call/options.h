@@ -24,7 +24,10 @@ struct numbers_said {
 };
 
 struct options {
-	const struct convention *convention; /* NULL: the document's */
+	unsigned convention; /* index in conventions */
+	bool has_convention; /* else it is the document's */
+	unsigned errors;     /* 1: messages are JSON */
+	enum color color;
 	bool help, version;
 	enum format in, out;
 	int in_record, out_record; /* numbers of a record, by f32x4; else 0 */
@@ -76,7 +79,10 @@ enum { OPTIONS_MAX = 40 };
 /* All of them; name is NULL after the last. */
 extern const struct option_row option_rows[];
 
-/* Sets how messages are printed, before anything else can be wrong. */
+/* Sets how messages are printed. */
+void options_say(const struct options *);
+
+/* The same, before anything else can be wrong. */
 void options_first(char **words);
 
 /* The option of that name, behind which a value may stand, after = or a blank;
@@ -87,6 +93,10 @@ const struct option_row *option_named(const char *name);
 const char *option_takers(const struct option_row *, char list[LISTED]);
 
 bool option_is_for(const struct option_row *, const struct command *);
+
+/* Reads the options and operands that follow a command's name. Stops as soon as
+ * the help or the version is asked for. */
+void options_read(const struct command *, char **words, struct options *);
 
 /* How many numbers are read of a point. Fit learns only from the scene that it is in
  * the plane. */

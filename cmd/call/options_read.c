@@ -1,6 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-#include "options_read.h"
-
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -105,6 +103,7 @@ static void take_option(const struct command *c, const struct option_row *r,
 		r->read(o, r, value != NULL ? value : *(*next)++);
 	if (r->on != 0)
 		*(bool *)((char *)o + r->on) = true;
+	options_say(o);
 }
 
 /* Takes the options in a word that begins with a dash: "--name=value" or "-mdvalue". */
