@@ -21,46 +21,54 @@ static const char *const buffers[] = { "unorm16", "unorm24", "float32" };
 
 /* In the order of enum note: what it means, and what to try. */
 static const char *const notes[NOTES] = {
-	"mirrored: the picture is a mirror image, as the determinant says; "
-	"negate what makes x or y, or try another \"convention\"",
-	"the projection is of the other handedness: it looks against the "
-	"convention's gaze, and mirrors; try the \"convention\" that it is "
-	"from, or negate the third row",
-	"the projection looks away: w grows against the convention's gaze, "
-	"and the picture is of what is behind the camera; turn the camera, or "
-	"negate the matrix's x and z rows",
-	"the projection's matrix is transposed in all likelihood, as its last "
-	"row says what its last column should; transpose it, or try another "
-	"\"vectors\" in \"convention\"",
+	"mirrored: the picture is a mirror image; negate what makes x or y, or "
+	"try another \"convention\"",
+	"the projection is of the other handedness, and mirrors; try the "
+	"\"convention\" that it is from, or negate the third row",
+	"the projection looks away: the picture is of what is behind the "
+	"camera; turn the camera, or negate the matrix's x and z rows",
+	"the projection's matrix is transposed in all likelihood; transpose "
+	"it, or try another \"vectors\" in \"convention\"",
 	"near is beyond far: the eye or the gaze is on the other side; swap "
 	"them, or for reversed depth say \"reverse_z\": true",
-	"depth falls along the convention's gaze: it is reversed, or the "
-	"projection is of the other handedness; if reversed depth is not "
-	"meant, try another \"convention\"",
-	"scene is null, as the camera's matrix is not a rotation to 2^-20: it "
-	"scales, shears or mirrors; take the scale out of it, try "
-	"\"orthonormalize\": true where the determinant is positive, or the "
-	"\"convention\" that the matrix is from where it is negative",
-	"near, far and scene are null, as the planes of equal depth are "
-	"tilted against the picture by more than 2^-40; give the matrix with "
-	"all 17 digits, not as floats, and look whether it is a product in the "
-	"order of its \"vectors\"",
-	"scene is null, as w is negative everywhere; negate the matrix",
-	"scene is null, as only intrinsics say that x depends on y or that "
-	"there are no planes, of a perspective that does not mirror, with a "
-	"viewport that it fills; add a viewport, or give near and far, or a "
-	"matrix with all 17 digits",
-	"scene is null, as a plane lies behind the eye or a number is out of "
+	"depth falls along the convention's gaze: it is reversed; if that is "
+	"not meant, try another \"convention\"",
+	"scene is null: the camera's matrix scales, shears or mirrors by more "
+	"than 2^-20; take the scale out of it, or try \"orthonormalize\": "
+	"true, or of a mirror the \"convention\" that it is from",
+	"near, far and scene are null: the planes of equal depth are tilted "
+	"against the picture by more than 2^-40; give all 17 digits, and look "
+	"whether it is a product in the order of its \"vectors\"",
+	"scene is null: w is negative everywhere; negate the matrix",
+	"scene is null: only intrinsics say it, which need a perspective that "
+	"does not mirror and a viewport that it fills; add a viewport, or give "
+	"near and far, or all 17 digits",
+	"scene is null: a plane lies behind the eye or a number is out of "
 	"range; look at near, far and eye",
 };
 
-/* A vector. Where there is none, its first element is nan: prints null. */
+/* Puts a vector, or null where its first element is nan: there is none. */
 static void put_vector(struct printer *p, const double *v, int n)
 {
 	if (isnan(v[0]))
 		put_number(p, v[0]);
 	else
 		put_numbers(p, v, n);
+}
+
+/* Puts rows of n numbers each; or null where there are none. */
+static void put_rows(struct printer *p, const char *name, const double *v,
+    int rows, int n, bool none)
+{
+	put_name_on_new_line(p, name);
+	if (none) {
+		put_null(p);
+		return;
+	}
+	put_open(p, "[");
+	for (int i = 0; i < rows; i++)
+		put_vector(p, v + i * n, n);
+	put_close(p, "]");
 }
 
 static void put_taxonomy(struct printer *p, const struct taxonomy *t)
@@ -71,15 +79,8 @@ static void put_taxonomy(struct printer *p, const struct taxonomy *t)
 	put_string(p, kinds[t->kind]);
 	put_name_on_new_line(p, "foreshortening");
 	put_vector(p, t->foreshortening, 3);
-	put_name_on_new_line(p, "vanishing_points");
-	if (t->taxon <= TAXON_OBLIQUE) {
-		put_number(p, (double)NAN);
-	} else {
-		put_open(p, "[");
-		for (int i = 0; i < 3; i++)
-			put_vector(p, t->vanishing_point[i], 2);
-		put_close(p, "]");
-	}
+	put_rows(p, "vanishing_points", t->vanishing_point[0], 3, 2,
+	    t->taxon <= TAXON_OBLIQUE);
 	put_name_on_new_line(p, "fovx");
 	put_number(p, t->fov[0]);
 	put_name_on_new_line(p, "fovy");
@@ -119,11 +120,7 @@ static void put_planes(struct printer *p, const struct taxonomy *t,
 	else
 		put_flag(p, r->reverse_z);
 	put_sides(p, "planes", r->plane);
-	put_name_on_new_line(p, "frustum");
-	put_open(p, "[");
-	for (int i = 0; i < 8; i++)
-		put_vector(p, t->corner[i], 3);
-	put_close(p, "]");
+	put_rows(p, "frustum", t->corner[0], 8, 3, false);
 	put_name_on_new_line(p, "frustum_planes");
 	put_open(p, "{");
 	for (int k = 0; k < 6; k++) {
@@ -131,15 +128,8 @@ static void put_planes(struct printer *p, const struct taxonomy *t,
 		put_vector(p, r->frustum_plane[k], 4);
 	}
 	put_close(p, "}");
-	put_name_on_new_line(p, "intrinsics");
-	if (isnan(r->intrinsics[0][0])) {
-		put_null(p);
-		return;
-	}
-	put_open(p, "[");
-	for (int i = 0; i < 3; i++)
-		put_numbers(p, r->intrinsics[i], 3);
-	put_close(p, "]");
+	put_rows(p, "intrinsics", r->intrinsics[0], 3, 3,
+	    isnan(r->intrinsics[0][0]));
 }
 
 static void put_notes(struct printer *p, unsigned bits)
@@ -195,7 +185,8 @@ static void put_depth_steps(struct printer *p, const struct scene *s,
 		put_number(p, depth_step(z, v, b, false));
 		put_number(p, depth_step(z, v, b, true));
 		for (int i = 0; i < o->distances.n; i++)
-			put_number(p, depth_step_at(z, v, b, o->distances.v[i]));
+			put_number(p,
+			    depth_step_at(z, v, b, o->distances.v[i]));
 		put_close(p, "]");
 	}
 	put_close(p, "}");
@@ -276,14 +267,10 @@ void run_inspect(const struct command *c, const struct options *o)
 	struct document d;
 
 	read_document(c, o, &d);
-	if (d.flat && o->tolerance > 0)
+	if (d.flat && (o->tolerance > 0 || o->distances.n > 0))
 		document_refuse(&d,
-		    "/projection: missing; -t is about its error bounds, of "
-		    "which a window has none");
-	if (d.flat && o->distances.n > 0)
-		document_refuse(&d,
-		    "/projection: missing; --distances is about its depth, of "
-		    "which a window has none");
+		    "/projection: missing; -t and --distances are about its "
+		    "errors and depth, of which a window has none");
 	put_open(&p, "{");
 	if (d.flat)
 		put_plane(&p, &d);

@@ -173,9 +173,10 @@ int main(int argc, char **argv)
 		argv[1] = "help";
 	const struct command *c = run.command = find_command(commands, argv[1]);
 
-	o->version = strcmp(argv[1], "--version") == 0;
+	o->version = strcmp(argv[1], "--version") == 0 ||
+	    strcmp(argv[1], "-V") == 0;
 	if (c == NULL && !o->version)
-		synonym_command(commands, argv + 1);
+		synonym_command(commands, argv[1]);
 	if (c != NULL)
 		options_read(c, argv + 2, o);
 	if (o->version) {

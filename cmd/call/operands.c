@@ -171,9 +171,8 @@ static void check_columns(const struct options *o, const struct layout *l)
 			    name);
 		if (json && (name == NULL) != (o->columns.name[0] == NULL))
 			die(EXIT_USAGE,
-			    "--columns: in JSON they are numbers, of an "
-			    "array's elements, or names, of an object's "
-			    "members, not both");
+			    "--columns: numbers are of JSON's arrays and names "
+			    "of its objects; not both");
 		if (l->record > 0 && o->columns.field[i] >= l->record)
 			die(EXIT_USAGE,
 			    "--columns: there is no field %d in records of %d",
@@ -181,11 +180,8 @@ static void check_columns(const struct options *o, const struct layout *l)
 	}
 	if (n > 0 && n != l->reads && !(is_binary(o->in) && l->record == 0))
 		die(EXIT_USAGE,
-		    "--columns: %d field%s; %d coordinates are read here, as "
-		    "%.*s or %.*s%s%.*s",
-		    n, n == 1 ? "" : "s", l->reads, 2 * l->reads - 1, "2,3,4,5",
-		    2 * l->reads - 1, "x,y,z,w", json ? " or " : "",
-		    json ? 5 * l->reads - 1 : 0, "/p/0,/p/1,/p/2,/p/3");
+		    "--columns: %d field%s; %d coordinates are read here", n,
+		    n == 1 ? "" : "s", l->reads);
 }
 
 /* Refuses what does not go together. Whether points are printed says whether images
@@ -328,17 +324,14 @@ static void check_typed(const struct options *o, const struct document *d)
 		    o->in_record > 0 ? "input" : "columns");
 }
 
-/* Does the job on points typed as an operand; or where there is none, only
- * refuses what is wrong with them. */
-static void do_typed(struct job *j, const char *operand, const struct layout *l)
+static void do_typed(struct job *j, const char *operand)
 {
 	struct text t = copy_operand(operand);
 	size_t size;
-	const char *points = document_points("POINTS", t.s, t.have, l->reads,
-	    l->two, &size);
+	const char *points = document_points("POINTS", t.s, t.have,
+	    j->layout.reads, j->layout.two, &size);
 
-	if (j != NULL)
-		do_json(j, "POINTS", points, size);
+	do_json(j, "POINTS", points, size);
 	text_free(&t);
 }
 
@@ -363,7 +356,7 @@ static void do_operand(const struct options *o, struct job *j, int i)
 	const char *operand = i < o->n_points ? o->points[i] : "-";
 
 	if (first_char(operand) == '[') {
-		do_typed(j, operand, &j->layout);
+		do_typed(j, operand);
 		return;
 	}
 	if (o->scenes) {
@@ -389,11 +382,6 @@ void do_points(const struct options *o, const struct document *d, struct job *j)
 		do_json(j, d->source.name, d->points, d->points_size);
 	else if (o->n_points == 0)
 		do_operand(o, j, 0);
-	/* points that are typed wrong are refused before those of the first
-	 * operand are printed */
-	for (int i = 1; i < o->n_points; i++)
-		if (first_char(o->points[i]) == '[')
-			do_typed(NULL, o->points[i], &j->layout);
 	for (int i = 0; i < o->n_points; i++)
 		do_operand(o, j, i);
 	if (j->flush != NULL)

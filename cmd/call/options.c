@@ -285,7 +285,7 @@ const struct option_row option_rows[] = {
 	{ "color", 0, EVERY, "messages and help: auto (default), always, never",
 	    "WHEN", option_word, AT(color), .words = color_names },
 	{ "help", 'h', EVERY, "this help", ON(help) },
-	{ "version", 0, EVERY, "the version", ON(version) },
+	{ "version", 'V', EVERY, "the version", ON(version) },
 	{ .name = NULL },
 };
 /* clang-format on */

@@ -80,7 +80,6 @@ static const struct synonym {
 	{ "lens", ": projcalc has no lens distortion; undistort points first" },
 	{ "k1", ": projcalc has no lens distortion; undistort points first" },
 	{ "stdin", ": standard input is - in place of PARAMS or POINTS" },
-	{ "-V", ": the version is told by --version" },
 	{ "quiet", ": notes go to standard error; 2>/dev/null hides them" },
 };
 
@@ -266,24 +265,19 @@ void synonym_word(const struct command *commands, bool topic, const char *word)
 	    topic ? "help " : "", near);
 }
 
-void synonym_command(const struct command *commands, char **words)
+void synonym_command(const struct command *commands, const char *word)
 {
-	const char *word = *words, first = first_char(word);
+	const char first = first_char(word);
 	bool operand = first == '{' || first == '[' ||
 	    strpbrk(word, "./") != NULL || access(word, R_OK) == 0;
 
-	for (char **w = words + 1; *w != NULL; w++)
-		if ((*word == '-' || operand) &&
-		    find_command(commands, *w) != NULL)
-			die(EXIT_USAGE,
-			    "'%s' stands before the command; write projcalc "
-			    "%s %s ...",
-			    word, *w, word);
-	if (!operand &&
-	    (strncmp(word, "--", 2) != 0 || option_named(word + 2) == NULL))
-		synonym_word(commands, false, word);
-	die(EXIT_USAGE,
-	    "'%s' is no command; one comes first, such as project or lookat; "
-	    "'projcalc help' lists them",
-	    word);
+	if (operand ||
+	    (*word == '-' &&
+		(word[1] != '-' || option_named(word + 2) != NULL)))
+		die(EXIT_USAGE,
+		    "'%s' is no command; one comes first, such as project "
+		    "or lookat, and all else behind it; 'projcalc help' lists "
+		    "them",
+		    word);
+	synonym_word(commands, false, word);
 }

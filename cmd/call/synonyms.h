@@ -14,9 +14,10 @@ struct member;
 const struct member *synonym_find(const char *name,
     const struct member **object);
 
-/* Refuses words[0], which stands where a command should. A command may follow.
- * The table of commands ends with a name that is NULL. */
-_Noreturn void synonym_command(const struct command *commands, char **words);
+/* Refuses a word that stands where a command should. The table of commands ends with
+ * a name that is NULL. */
+_Noreturn void synonym_command(const struct command *commands,
+    const char *word);
 
 /* Refuses a word that is no command, or of which as a topic help knows nothing. */
 _Noreturn void synonym_word(const struct command *commands, bool topic,
