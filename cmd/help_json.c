@@ -2,7 +2,6 @@
 #include <stdio.h>
 
 #include "call/options.h"
-#include "help.h"
 #include "message/message.h"
 #include "scene/convention_member.h"
 #include "scene/members.h"

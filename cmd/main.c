@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "call/command.h"
-#include "help.h"
 #include "call/input.h"
 #include "call/operands.h"
 #include "call/synonyms.h"
@@ -119,11 +118,9 @@ static _Noreturn void help(const struct options *o)
 	const char *what = o->params;
 	const struct command *c = find_command(commands, what);
 
-	if (o->n_points > 0)
-		die(EXIT_USAGE, "help: one word at a time; '%s' is too many",
-		    o->points[0]);
-	if (o->json && !is_stdin(what))
-		die(EXIT_USAGE, "help: --json tells all; leave '%s' out", what);
+	if (o->n_points > 0 || (o->json && !is_stdin(what)))
+		die(EXIT_USAGE, "help: '%s' is too many; one word, or --json",
+		    o->n_points > 0 ? o->points[0] : what);
 	if (o->json)
 		help_json(commands, VERSION);
 	else if (is_stdin(what))

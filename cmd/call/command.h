@@ -53,6 +53,14 @@ void run_inspect(const struct command *, const struct options *);
 void print_matrix(const struct options *, const struct document *,
     const struct transform *);
 
+/* Print what the program says of itself, which stands in the rows that it goes by: of
+ * all commands, to one with a name of NULL; of one; of a member of a scene or of its
+ * objects, false if there is none; and everything as one JSON object. */
+void help_all(const struct command *);
+void help_command(const struct command *);
+bool help_member(const char *name);
+void help_json(const struct command *, const char *version);
+
 /* The command of that name, or NULL: in a table that a name of NULL ends. */
 static inline const struct command *find_command(const struct command *c,
     const char *name)

@@ -73,12 +73,10 @@ static const struct synonym {
 	{ "webgpu", "--convention webgpu" },
 	{ "opencv", "--convention opencv" },
 
-	{ "distortion",
-	    ": projcalc has no lens distortion; undistort points first" },
-	{ "undistort",
-	    ": projcalc has no lens distortion; undistort points first" },
-	{ "lens", ": projcalc has no lens distortion; undistort points first" },
-	{ "k1", ": projcalc has no lens distortion; undistort points first" },
+	{ "distortion", ": lenses are not modelled; undistort points first" },
+	{ "undistort", ": lenses are not modelled; undistort points first" },
+	{ "lens", ": lenses are not modelled; undistort points first" },
+	{ "k1", ": lenses are not modelled; undistort points first" },
 	{ "stdin", ": standard input is - in place of PARAMS or POINTS" },
 	{ "quiet", ": notes go to standard error; 2>/dev/null hides them" },
 };
@@ -171,16 +169,6 @@ static void try_rows(const struct command *c, const char *unknown,
 			refuse_by(c, unknown, synonyms[i].is);
 }
 
-/* Writes the name in an option, "--eye=0,0,5" or "-eye", and that it is unknown. */
-static void name_option(const struct command *c, const char *option,
-    char name[NAME_SHOWN], char unknown[UNKNOWN_MAX])
-{
-	snprintf(unknown, UNKNOWN_MAX, "%s: unknown option %.*s", c->name,
-	    (int)strcspn(option, "="), option);
-	option += strspn(option, "-");
-	snprintf(name, NAME_SHOWN, "%.*s", (int)strcspn(option, "="), option);
-}
-
 /* Refuses an option that is a member of objects that bits are; or an alias, where
  * aliases is true. */
 static void try_members(const struct command *c, const char *unknown,
@@ -197,29 +185,22 @@ static void try_members(const struct command *c, const char *unknown,
 	}
 }
 
-void synonym_member(const struct command *c, const char *option)
+void synonym_option(const struct command *c, const char *option, bool elsewhere)
 {
 	/* project --at is rather meant for pick than for the camera */
-	const unsigned bits = c->wants.bare |
-	    (document_reads(&c->wants) & ~(unsigned)SCENE_SPATIAL);
-	char name[NAME_SHOWN], unknown[UNKNOWN_MAX];
-
-	name_option(c, option, name, unknown);
-	try_members(c, unknown, bits, false, name);
-	try_rows(c, unknown, name);
-}
-
-void synonym_option(const struct command *c, const char *option)
-{
-	const unsigned reads = document_reads(&c->wants);
+	const unsigned reads = document_reads(&c->wants) &
+	    (elsewhere ? ~(unsigned)SCENE_SPATIAL : ~0u);
+	const char *word = option + strspn(option, "-");
 	const struct member *m, *object;
 	char name[NAME_SHOWN], unknown[UNKNOWN_MAX];
 
-	name_option(c, option, name, unknown);
-	try_members(c, unknown, c->wants.bare, true, name);
-	try_members(c, unknown, reads, true, name);
+	snprintf(unknown, sizeof unknown, "%s: unknown option %.*s", c->name,
+	    (int)strcspn(option, "="), option);
+	snprintf(name, sizeof name, "%.*s", (int)strcspn(word, "="), word);
+	try_members(c, unknown, c->wants.bare, !elsewhere, name);
+	try_members(c, unknown, reads, !elsewhere, name);
 	try_rows(c, unknown, name);
-	m = synonym_find(name, &object);
+	m = elsewhere ? NULL : synonym_find(name, &object);
 	if (m != NULL)
 		refuse_member(unknown, reads, m, object);
 }

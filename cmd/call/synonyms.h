@@ -23,12 +23,9 @@ _Noreturn void synonym_command(const struct command *commands,
 _Noreturn void synonym_word(const struct command *commands, bool topic,
     const char *word);
 
-/* Refuses a word that is no option, "--eye=0,0,5" or "-eye", if it has a synonym
- * or is a member of a scene; else returns. */
-void synonym_option(const struct command *, const char *word);
-
-/* Refuses an option of other commands if it is a member that this command
- * reads, as --at is of lookat; else returns. */
-void synonym_member(const struct command *, const char *word);
+/* Refuses an option, "--eye=0,0,5" or "-eye", that has a synonym or is a member of a
+ * scene; else returns. One that is elsewhere, of other commands, is refused where it is
+ * a member that this command reads, as --at is of lookat. */
+void synonym_option(const struct command *, const char *option, bool elsewhere);
 
 #endif
