@@ -249,7 +249,7 @@ void run_pick(const struct command *c, const struct options *o)
 		.with = &hits };
 
 	hits.json = o->has_out && o->out == FORMAT_JSON;
-	hits.style = one_style(o, "what pick prints");
+	hits.style = one_style(o);
 	hits.n = hits.size = 0;
 	read_document(c, o, &d);
 	aim(&d, o, &hits);

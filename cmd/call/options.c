@@ -18,31 +18,23 @@ const char *const precision_names[] = { "exact", "double", "single", NULL };
 const char *const space_names[] = { "model", "world", "view", "clip", "ndc",
 	"device", NULL };
 
-/* The member of *o that an option sets. */
-static void *option_place(struct options *o, const struct option_row *r)
-{
-	return (char *)o + r->at;
-}
-
-static unsigned word_index(const struct option_row *r, const char *word)
+/* Reads one of the words of a row: sets its index. */
+static void option_word(struct options *o, const struct option_row *r,
+    char *word)
 {
 	const char *near = nearest(word, r->words);
 	char all[LISTED];
 
 	for (unsigned i = 0; r->words[i] != NULL; i++)
-		if (strcmp(r->words[i], word) == 0)
-			return i;
+		if (strcmp(r->words[i], word) == 0) {
+			*(unsigned *)((char *)o + r->at) = i;
+			return;
+		}
 	if (near != NULL)
 		die(EXIT_USAGE, "--%s: unknown word '%s'; did you mean '%s'?",
 		    r->name, word, near);
 	die(EXIT_USAGE, "--%s: unknown word '%s'; it is one of %s", r->name,
 	    word, list_words(all, r->words, " or ", ""));
-}
-
-static void option_word(struct options *o, const struct option_row *r,
-    char *word)
-{
-	*(unsigned *)option_place(o, r) = word_index(r, word);
 }
 
 static int whole_number(const struct option_row *r, const char *word, int min,
@@ -61,7 +53,7 @@ static int whole_number(const struct option_row *r, const char *word, int min,
 static void option_whole(struct options *o, const struct option_row *r,
     char *word)
 {
-	*(int *)option_place(o, r) = whole_number(r, word, r->min, r->max);
+	*(int *)((char *)o + r->at) = whole_number(r, word, r->min, r->max);
 }
 
 /* Reads the name of a format, or of binary records: "f32x4". */
@@ -88,7 +80,7 @@ static void option_size(struct options *o, const struct option_row *r,
     char *word)
 {
 	const char *end = word + strlen(word);
-	double *v = option_place(o, r);
+	double *v = (void *)((char *)o + r->at);
 
 	if (number_read(word, end, v) != end ||
 	    !(*v >= SIZE_MIN && *v <= MAGNITUDE_MAX))
@@ -101,7 +93,7 @@ static void option_size(struct options *o, const struct option_row *r,
 static void option_numbers(struct options *o, const struct option_row *r,
     char *word)
 {
-	struct numbers_said *said = option_place(o, r);
+	struct numbers_said *said = (void *)((char *)o + r->at);
 	const char *at = word, *end = word + strlen(word);
 
 	for (int n = 0; n < r->max; n++) {
@@ -362,13 +354,12 @@ enum format options_output(const struct options *o)
 	return o->has_out ? o->out : o->in;
 }
 
-struct number_style one_style(const struct options *o, const char *what)
+struct number_style one_style(const struct options *o)
 {
-	const struct number_style *style = &o->styles.style[0];
-
 	if (o->styles.n > 1)
-		die(EXIT_USAGE, "--%s: %d numbers; %s is rounded alike, by one",
-		    style->kind == NUMBER_DIGITS ? "digits" : "decimals",
-		    o->styles.n, what);
-	return *style;
+		die(EXIT_USAGE,
+		    "--decimals or --digits: %d numbers; what is no list of "
+		    "points is rounded by one",
+		    o->styles.n);
+	return o->styles.style[0];
 }

@@ -105,8 +105,7 @@ int coordinates_of(const struct command *, const struct options *);
 /* Returns the format in which the command answers. */
 enum format options_output(const struct options *);
 
-/* How to round what is to be rounded alike: refuses a list of -d or --digits. what
- * is printed, for the message. */
-struct number_style one_style(const struct options *, const char *what);
+/* Returns how to round what is rounded alike; refuses a list of -d or --digits. */
+struct number_style one_style(const struct options *);
 
 #endif

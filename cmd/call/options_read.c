@@ -178,8 +178,7 @@ void options_read(const struct command *c, char **words, struct options *o)
 	if (o->out_record > 0 &&
 	    (o->out_record != o->in_record || o->out != o->in || o->matrix))
 		die(EXIT_USAGE,
-		    "-o %sx%d: records are read and written alike; say "
-		    "-i %sx%d, or -o %s for coordinates alone",
-		    format_names[o->out], o->out_record, format_names[o->out],
-		    o->out_record, format_names[o->out]);
+		    "--output: records are read and written alike, of points; "
+		    "for coordinates alone say -o %s",
+		    format_names[o->out]);
 }
