@@ -21,29 +21,36 @@ static const char *const buffers[] = { "unorm16", "unorm24", "float32" };
 
 /* In the order of enum note: what it means, and what to try. */
 static const char *const notes[NOTES] = {
-	"mirrored: the picture is a mirror image; negate what makes x or y, or "
-	"try another \"convention\"",
-	"the projection is of the other handedness, and mirrors; try the "
-	"\"convention\" that it is from, or negate the third row",
-	"the projection looks away: the picture is of what is behind the "
-	"camera; turn the camera, or negate the matrix's x and z rows",
-	"the projection's matrix is transposed in all likelihood; transpose "
-	"it, or try another \"vectors\" in \"convention\"",
+	"mirrored: the picture is a mirror image, as the determinant says; "
+	"negate what makes x or y, or try another \"convention\"",
+	"the projection is of the other handedness: it looks against the "
+	"convention's gaze, and mirrors; try the \"convention\" that it is "
+	"from, or negate the third row",
+	"the projection looks away: w grows against the convention's gaze, "
+	"and the picture is of what is behind the camera; turn the camera, or "
+	"negate the matrix's x and z rows",
+	"the projection's matrix is transposed in all likelihood, as its last "
+	"row says what its last column should; transpose it, or try another "
+	"\"vectors\" in \"convention\"",
 	"near is beyond far: the eye or the gaze is on the other side; swap "
 	"them, or for reversed depth say \"reverse_z\": true",
-	"depth falls along the convention's gaze: it is reversed; if that is "
-	"not meant, try another \"convention\"",
-	"scene is null: the camera's matrix scales, shears or mirrors by more "
-	"than 2^-20; take the scale out of it, or try \"orthonormalize\": "
-	"true, or of a mirror the \"convention\" that it is from",
-	"near, far and scene are null: the planes of equal depth are tilted "
-	"against the picture by more than 2^-40; give all 17 digits, and look "
-	"whether it is a product in the order of its \"vectors\"",
-	"scene is null: w is negative everywhere; negate the matrix",
-	"scene is null: only intrinsics say it, which need a perspective that "
-	"does not mirror and a viewport that it fills; add a viewport, or give "
-	"near and far, or all 17 digits",
-	"scene is null: a plane lies behind the eye or a number is out of "
+	"depth falls along the convention's gaze: it is reversed, or the "
+	"projection is of the other handedness; if reversed depth is not "
+	"meant, try another \"convention\"",
+	"scene is null, as the camera's matrix is not a rotation to 2^-20: it "
+	"scales, shears or mirrors; take the scale out of it, try "
+	"\"orthonormalize\": true where the determinant is positive, or the "
+	"\"convention\" that the matrix is from where it is negative",
+	"near, far and scene are null, as the planes of equal depth are "
+	"tilted against the picture by more than 2^-40; give the matrix with "
+	"all 17 digits, not as floats, and look whether it is a product in the "
+	"order of its \"vectors\"",
+	"scene is null, as w is negative everywhere; negate the matrix",
+	"scene is null, as only intrinsics say that x depends on y or that "
+	"there are no planes, of a perspective that does not mirror, with a "
+	"viewport that it fills; add a viewport, or give near and far, or a "
+	"matrix with all 17 digits",
+	"scene is null, as a plane lies behind the eye or a number is out of "
 	"range; look at near, far and eye",
 };
 

@@ -56,8 +56,8 @@ const struct member scene_members[SCENE_MEMBERS + 1] = {
 	    .command = "lookat '{\"convention\": \"gl\", "
 		       "\"camera\": " CAMERA_LIKE "}'"),
 	MEMBER(ANGLE_UNIT, "angle_unit", type_value, NULL,
-	    "angleunits unit units angles radians degrees", .words = angle_units,
-	    .beside = true, .usual = "\"degrees\"",
+	    "angleunits unit units angles radians degrees",
+	    .words = angle_units, .beside = true, .usual = "\"degrees\"",
 	    .about = "of all angles of the scene",
 	    .command = "persp '{\"angle_unit\": \"radians\", \"fovy\": 1, "
 		       "\"aspect\": 1.5, \"near\": 1, \"far\": 10}'"),
