@@ -178,7 +178,7 @@ static void try_members(const struct command *c, const char *unknown,
 	const int own = c->wants.projection > 0 ? c->wants.projection - 1 : 0;
 	const struct member *m, *object;
 
-	for (int alias = 0; alias <= aliases; alias++) {
+	for (int alias = 0; alias < (aliases ? 2 : 1); alias++) {
 		m = find_member(bits, own, name, alias, &object);
 		if (m != NULL)
 			refuse_member(unknown, bits, m, object);
@@ -239,11 +239,13 @@ void synonym_word(const struct command *commands, bool topic, const char *word)
 	m = synonym_find(word, &object);
 	if (m != NULL)
 		refuse_member(unknown, SCENE_ALL, m, object);
-	if (near == NULL)
-		die(EXIT_USAGE, "%s; 'projcalc help' lists commands", unknown);
-	topic |= *near != '-' && find_command(commands, near) == NULL;
-	die(EXIT_USAGE, "%s; did you mean 'projcalc %s%s'?", unknown,
-	    topic ? "help " : "", near);
+	if (near != NULL && *near != '-' &&
+	    find_command(commands, near) == NULL)
+		topic = true;
+	if (near != NULL)
+		die(EXIT_USAGE, "%s; did you mean 'projcalc %s%s'?", unknown,
+		    topic ? "help " : "", near);
+	die(EXIT_USAGE, "%s; 'projcalc help' lists commands", unknown);
 }
 
 void synonym_command(const struct command *commands, const char *word)
