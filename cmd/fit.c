@@ -76,21 +76,17 @@ static _Noreturn void refuse_fit(const struct options *o,
     const struct document *d, const char *why)
 {
 	const char bounds[] = "/bounds: ";
-	size_t n = strlen(bounds);
+	const size_t n = strlen(bounds);
+	struct place place = source_place(&d->source, "/points");
 
 	if (d->has_bounds || strncmp(why, bounds, n) != 0)
 		document_refuse(d, why);
-	const struct place points = source_place(&d->source, "/points");
-
-	if (o->n_points == 0)
-		refuse_at(&points, "%s", why + n);
-	bool typed = o->n_points > 1 || first_char(o->points[0]) == '[';
-
-	refuse_at(&(struct place){ .file = typed ? "POINTS" : o->points[0] },
-	    "%s", why + n);
+	if (o->n_points == 1 && first_char(o->points[0]) != '[')
+		place = (struct place){ .file = o->points[0] };
+	else if (o->n_points > 0)
+		place = (struct place){ .file = "POINTS" };
+	refuse_at(&place, "%s", why + n);
 }
-
-#define OR_POINTS ", or points: a file, or - for standard input"
 
 void run_fit(const struct command *c, const struct options *o)
 {
@@ -107,11 +103,10 @@ void run_fit(const struct command *c, const struct options *o)
 		    "the one or the other");
 	if (!d.has_bounds && !has_points(o, &d))
 		document_refuse(&d,
-		    d.flat ? "/bounds: missing; add \"bounds\": "
-			     "{\"min\": [-1,-1], \"max\": [1,1]}" OR_POINTS :
-			     "/bounds: missing; add \"bounds\": "
-			     "{\"min\": [-1,-1,-1], \"max\": "
-			     "[1,1,1]}" OR_POINTS);
+		    d.flat ? "/bounds: missing; add \"bounds\": {\"min\": "
+			     "[-1,-1], \"max\": [1,1]}, or POINTS" :
+			     "/bounds: missing; add \"bounds\": {\"min\": "
+			     "[-1,-1,-1], \"max\": [1,1,1]}, or POINTS");
 	if (!d.has_bounds)
 		read_points(o, &d);
 	const char *why = d.flat ? fit_window(&d.scene, &d.bounds) :

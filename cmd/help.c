@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-#include "help.h"
-
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "call/options.h"
+#include "call/synonyms.h"
 #include "scene/convention_member.h"
 #include "scene/members.h"
 #include "message/message.h"
@@ -16,15 +15,6 @@ static void heading(const char *text)
 
 	print("%s%s%s", colored ? "\033[1m" : "", text,
 	    colored ? "\033[0m" : "");
-}
-
-/* A command, if that is not NULL, and what stands behind it. */
-static void example(const char *command, const char *call)
-{
-	print("\n");
-	heading("example:");
-	print(" projcalc %s%s%s\n", command != NULL ? command : "",
-	    command != NULL ? " " : "", call);
 }
 
 enum { NAME_WIDTH = 15, TYPE_WIDTH = 23 };
@@ -114,12 +104,11 @@ static void print_params(const struct command *c)
 		if (w->bare >> i & 1 || strcmp(row->name, c->name) == 0) {
 			print("\n");
 			heading(row->name);
-			heading(":\n");
+			print(":\n");
 			print_members(row->members, w->projection - 1);
 		}
 	}
-	print("\n");
-	heading("scene:\n");
+	heading("\nscene:\n");
 	print_scene_members(document_reads(w));
 	print("projcalc help NAME tells of a member that is an object.\n");
 }
@@ -136,36 +125,27 @@ void help_command(const struct command *c)
 	print_options(c);
 	if (c->kind != HELP)
 		print_params(c);
-	if (c->example != NULL)
-		example(c->name, c->example);
+	heading("\nexample:");
+	print(" projcalc %s %s\n", c->name, c->example);
 }
 
-/* Returns how wide the column of a convention's member is; the last has no blanks
- * behind it. */
-static int convention_width(const struct member *m)
+/* Prints a row of the table of conventions: what one says, or the members' names where
+ * says is NULL. */
+static void print_convention(const char *name, const bool *says)
 {
-	size_t n = strlen(m->name);
+	int blanks = 10 - print("  %s", name);
 
-	for (int i = 0; i < 2; i++)
-		n = strlen(m->words[i]) > n ? strlen(m->words[i]) : n;
-	return m[1].name != NULL ? (int)n : 0;
-}
+	for (const struct member *m = convention_members; m->name != NULL;
+	     m++) {
+		size_t width = strlen(m->name);
 
-/* Prints what each convention that has a name says, in columns. */
-static void print_conventions(void)
-{
-	const struct member *m;
-
-	print("  %-8s", "");
-	for (m = convention_members; m->name != NULL; m++)
-		print(" %-*s", convention_width(m), m->name);
-	for (int i = 0; i < CONVENTIONS; i++) {
-		const bool *says = (const bool *)&conventions[i];
-
-		print("\n  %-8s", convention_names[i]);
-		for (m = convention_members; m->name != NULL; m++)
-			print(" %-*s", convention_width(m),
-			    m->words[says[m->at]]);
+		for (int i = 0; i < 2; i++)
+			if (strlen(m->words[i]) > width)
+				width = strlen(m->words[i]);
+		blanks = (int)width -
+		    print("%*s %s", blanks, "",
+			says != NULL ? m->words[says[m->at]] : m->name) +
+		    blanks + 1;
 	}
 	print("\n");
 }
@@ -185,35 +165,24 @@ static void help_scene_member(const struct member *row)
 		print_members(row->members, -1);
 	if (row->members == convention_members) {
 		print("\n");
-		print_conventions();
+		print_convention("", NULL);
+		for (int i = 0; i < CONVENTIONS; i++)
+			print_convention(convention_names[i],
+			    (const bool *)&conventions[i]);
 	}
-	example(NULL, row->command);
-}
-
-/* The first object that has a member of that name, or with that alias; or NULL. */
-static const struct member *object_with(const char *name, bool alias)
-{
-	for (const struct member *s = scene_members; s->name != NULL; s++)
-		if (s->members != NULL &&
-		    (alias ? member_named(s->members, ANY_KIND, name) :
-			     member_of(s->members, ANY_KIND, name)) != NULL)
-			return s;
-	return NULL;
+	heading("\nexample:");
+	print(" projcalc %s\n", row->command);
 }
 
 bool help_member(const char *name)
 {
-	const struct member *row;
+	const struct member *object;
 
-	if (strcmp(name, "scene") == 0) {
+	if (strcmp(name, "scene") == 0)
 		print_scene_members(~0u);
-		return true;
-	}
-	row = member_named(scene_members, ANY_KIND, name);
-	for (int aliases = 0; row == NULL && aliases < 2; aliases++)
-		row = object_with(name, aliases);
-	if (row == NULL)
+	else if (synonym_find(name, &object) != NULL)
+		help_scene_member(object);
+	else
 		return false;
-	help_scene_member(row);
 	return true;
 }

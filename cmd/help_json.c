@@ -2,7 +2,6 @@
 #include <stdio.h>
 
 #include "call/options.h"
-#include "help.h"
 #include "message/message.h"
 #include "scene/convention_member.h"
 #include "scene/members.h"
@@ -27,12 +26,6 @@ static void put_chosen(struct printer *p, const char *name,
 		if (bits >> i & 1)
 			put_string(p, words[i]);
 	put_close(p, "]");
-}
-
-static void put_words(struct printer *p, const char *name,
-    const char *const *words)
-{
-	put_chosen(p, name, words, ~0u);
 }
 
 /* An array's next element is an object in a line of its own. */
@@ -86,7 +79,7 @@ static void put_option(struct printer *p, const struct option_row *r,
 	put_told(p, "name", r->name);
 	put_told(p, "letter", r->letter != 0 ? letter : NULL);
 	put_told(p, "argument", r->argument);
-	put_words(p, "words", r->words);
+	put_chosen(p, "words", r->words, ~0u);
 	put_told(p, "about", r->about);
 	put_name(p, "commands");
 	put_open(p, "[");
@@ -125,7 +118,7 @@ static void put_member(struct printer *p, const struct member *row,
 	put_close(p, "");
 	put_told(p, "before", row->before);
 	put_told(p, "about", row->about);
-	put_words(p, "words", row->words);
+	put_chosen(p, "words", row->words, ~0u);
 	if (row->kinds != 0)
 		put_chosen(p, "types", types, row->kinds);
 	put_close(p, "}");
@@ -137,9 +130,9 @@ static void put_ways(struct printer *p, const char *in, const struct ways *w,
 {
 	open_line(p);
 	put_told(p, "in", in);
-	put_words(p, "ways", w->way);
+	put_chosen(p, "ways", w->way, ~0u);
 	if (w->fit)
-		put_words(p, "fit", w->fit_way);
+		put_chosen(p, "fit", w->fit_way, ~0u);
 	if (w->kinds != 0)
 		put_chosen(p, "types", types, w->kinds);
 	put_close(p, "}");
@@ -198,9 +191,9 @@ void help_json(const struct command *commands, const char *version)
 	put_members(&p);
 	put_conventions(&p);
 	p.between = ",\n  ";
-	put_words(&p, "formats", format_names);
+	put_chosen(&p, "formats", format_names, ~0u);
 	p.between = ",\n  ";
-	put_words(&p, "spaces", space_names);
+	put_chosen(&p, "spaces", space_names, ~0u);
 	put_text(&p, "\n}\n");
 	print("%s", text);
 }

@@ -53,13 +53,28 @@ static const char *const notes[NOTES] = {
 	"range; look at near, far and eye",
 };
 
-/* A vector. Where there is none, its first element is nan: prints null. */
+/* Puts a vector, or null where its first element is nan: there is none. */
 static void put_vector(struct printer *p, const double *v, int n)
 {
 	if (isnan(v[0]))
 		put_number(p, v[0]);
 	else
 		put_numbers(p, v, n);
+}
+
+/* Puts rows of n numbers each; or null where there are none. */
+static void put_rows(struct printer *p, const char *name, const double *v,
+    int rows, int n, bool none)
+{
+	put_name_on_new_line(p, name);
+	if (none) {
+		put_null(p);
+		return;
+	}
+	put_open(p, "[");
+	for (int i = 0; i < rows; i++)
+		put_vector(p, v + i * n, n);
+	put_close(p, "]");
 }
 
 static void put_taxonomy(struct printer *p, const struct taxonomy *t)
@@ -70,15 +85,8 @@ static void put_taxonomy(struct printer *p, const struct taxonomy *t)
 	put_string(p, kinds[t->kind]);
 	put_name_on_new_line(p, "foreshortening");
 	put_vector(p, t->foreshortening, 3);
-	put_name_on_new_line(p, "vanishing_points");
-	if (t->taxon <= TAXON_OBLIQUE) {
-		put_number(p, (double)NAN);
-	} else {
-		put_open(p, "[");
-		for (int i = 0; i < 3; i++)
-			put_vector(p, t->vanishing_point[i], 2);
-		put_close(p, "]");
-	}
+	put_rows(p, "vanishing_points", t->vanishing_point[0], 3, 2,
+	    t->taxon <= TAXON_OBLIQUE);
 	put_name_on_new_line(p, "fovx");
 	put_number(p, t->fov[0]);
 	put_name_on_new_line(p, "fovy");
@@ -118,11 +126,7 @@ static void put_planes(struct printer *p, const struct taxonomy *t,
 	else
 		put_flag(p, r->reverse_z);
 	put_sides(p, "planes", r->plane);
-	put_name_on_new_line(p, "frustum");
-	put_open(p, "[");
-	for (int i = 0; i < 8; i++)
-		put_vector(p, t->corner[i], 3);
-	put_close(p, "]");
+	put_rows(p, "frustum", t->corner[0], 8, 3, false);
 	put_name_on_new_line(p, "frustum_planes");
 	put_open(p, "{");
 	for (int k = 0; k < 6; k++) {
@@ -130,15 +134,8 @@ static void put_planes(struct printer *p, const struct taxonomy *t,
 		put_vector(p, r->frustum_plane[k], 4);
 	}
 	put_close(p, "}");
-	put_name_on_new_line(p, "intrinsics");
-	if (isnan(r->intrinsics[0][0])) {
-		put_null(p);
-		return;
-	}
-	put_open(p, "[");
-	for (int i = 0; i < 3; i++)
-		put_numbers(p, r->intrinsics[i], 3);
-	put_close(p, "]");
+	put_rows(p, "intrinsics", r->intrinsics[0], 3, 3,
+	    isnan(r->intrinsics[0][0]));
 }
 
 static void put_notes(struct printer *p, unsigned bits)
@@ -160,8 +157,8 @@ static void check_distances(const struct document *d, const struct options *o,
 
 	if (isnan(far)) /* behind the eye, beyond infinity */
 		far = HUGE_VAL;
-	for (int i = 0; i < o->n_distances && !z->open; i++) {
-		double at = o->distance[i];
+	for (int i = 0; i < o->distances.n && !z->open; i++) {
+		double at = o->distances.v[i];
 
 		if ((at >= near && at <= far) || (at >= far && at <= near))
 			continue;
@@ -177,9 +174,9 @@ static void check_distances(const struct document *d, const struct options *o,
 static void put_depth_steps(struct printer *p, const struct options *o,
     const struct depth *z)
 {
-	if (o->n_distances > 0) {
+	if (o->distances.n > 0) {
 		put_name_on_new_line(p, "distances");
-		put_numbers(p, o->distance, o->n_distances);
+		put_numbers(p, o->distances.v, o->distances.n);
 	}
 	put_name_on_new_line(p, "depth_step");
 	put_open(p, "{");
@@ -188,8 +185,8 @@ static void put_depth_steps(struct printer *p, const struct options *o,
 		put_open(p, "[");
 		put_number(p, depth_step(z, b, false));
 		put_number(p, depth_step(z, b, true));
-		for (int i = 0; i < o->n_distances; i++)
-			put_number(p, depth_step_at(z, b, o->distance[i]));
+		for (int i = 0; i < o->distances.n; i++)
+			put_number(p, depth_step_at(z, b, o->distances.v[i]));
 		put_close(p, "]");
 	}
 	put_close(p, "}");
@@ -260,21 +257,17 @@ void run_inspect(const struct command *c, const struct options *o)
 {
 	static char text[320 * NUMBER_MAX + (1 << 14)];
 	struct printer p = { .at = text,
-		.style = one_style(o, "what inspect prints"),
+		.style = one_style(o),
 		.on_line = o->out == FORMAT_JSON,
 		.compact = o->out == FORMAT_JSON,
 		.between = "" };
 	struct document d;
 
 	read_document(c, o, &d);
-	if (d.flat && o->tolerance > 0)
+	if (d.flat && (o->tolerance > 0 || o->distances.n > 0))
 		document_refuse(&d,
-		    "/projection: missing; -t is about its error bounds, of "
-		    "which a window has none");
-	if (d.flat && o->n_distances > 0)
-		document_refuse(&d,
-		    "/projection: missing; --distances is about its depth, of "
-		    "which a window has none");
+		    "/projection: missing; -t and --distances are about its "
+		    "errors and depth, of which a window has none");
 	put_open(&p, "{");
 	if (d.flat)
 		put_plane(&p, &d);

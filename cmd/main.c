@@ -4,11 +4,8 @@
 #include <string.h>
 
 #include "call/command.h"
-#include "help.h"
 #include "call/input.h"
 #include "call/operands.h"
-#include "call/options_read.h"
-#include "call/params.h"
 #include "call/synonyms.h"
 #include "stream/answer.h"
 #include "scene/members.h"
@@ -121,11 +118,9 @@ static _Noreturn void help(const struct options *o)
 	const char *what = o->params;
 	const struct command *c = find_command(commands, what);
 
-	if (o->n_points > 0)
-		die(EXIT_USAGE, "help: one word at a time; '%s' is too many",
-		    o->points[0]);
-	if (o->json && !is_stdin(what))
-		die(EXIT_USAGE, "help: --json tells all; leave '%s' out", what);
+	if (o->n_points > 0 || (o->json && !is_stdin(what)))
+		die(EXIT_USAGE, "help: '%s' is too many; one word, or --json",
+		    o->n_points > 0 ? o->points[0] : what);
 	if (o->json)
 		help_json(commands, VERSION);
 	else if (is_stdin(what))
@@ -133,7 +128,7 @@ static _Noreturn void help(const struct options *o)
 	else if (c != NULL)
 		help_command(c);
 	else if (!help_member(what))
-		synonym_topic(commands, what);
+		synonym_word(commands, true, what);
 	main_finish();
 }
 
@@ -175,11 +170,12 @@ int main(int argc, char **argv)
 		argv[1] = "help";
 	const struct command *c = run.command = find_command(commands, argv[1]);
 
-	o->version = strcmp(argv[1], "--version") == 0;
+	o->version = strcmp(argv[1], "--version") == 0 ||
+	    strcmp(argv[1], "-V") == 0;
 	if (c == NULL && !o->version)
-		synonym_command(commands, argv + 1);
+		synonym_command(commands, argv[1]);
 	if (c != NULL)
-		options_read(c, argc - 1, argv + 1, o);
+		options_read(c, argv + 2, o);
 	if (o->version) {
 		print("projcalc " VERSION "\n");
 		main_finish();

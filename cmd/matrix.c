@@ -1,7 +1,107 @@
 /* SPDX-License-Identifier: MIT */
+#include <math.h>
+
+#include "../core/points/kernel/little.h"
 #include "call/operands.h"
-#include "print_matrix.h"
+#include "json/print.h"
 #include "message/message.h"
+#include "scene/types.h"
+
+/* The rows and columns of a map that are printed, of 3 or 4: in 2D z is left out. */
+static const int PICKED[2][4] = { { 0, 1, 3 }, { 0, 1, 2, 3 } };
+
+struct elements {
+	int rows, columns;
+	double at[4][4];
+};
+
+/* In memory order, which for row vectors goes row by row and for column vectors
+ * column by column: those are the same numbers. */
+static void print_binary(const struct elements *m, bool wide)
+{
+	for (int i = 0; i < m->rows * m->columns; i++) {
+		double v = m->at[i / m->columns][i % m->columns];
+		char number[8];
+
+		if (wide)
+			put_little_double(number, v);
+		else
+			put_little_float(number, (float)v);
+		put_all(number, wide ? 8 : 4);
+	}
+}
+
+static void put_lines(struct printer *p, const struct elements *m,
+    char separator)
+{
+	for (int i = 0; i < m->rows; i++)
+		for (int j = 0; j < m->columns; j++) {
+			p->between = "";
+			put_number(p, m->at[i][j]);
+			*p->at++ = j + 1 < m->columns ? separator : '\n';
+		}
+}
+
+static void put_json(struct printer *p, const struct elements *m, bool column)
+{
+	put_open(p, "{");
+	put_name(p, "matrix");
+	put_open(p, "[");
+	for (int i = 0; i < m->rows; i++)
+		put_numbers(p, m->at[i], m->columns);
+	put_close(p, "]");
+	put_name(p, "vectors");
+	put_string(p, vector_names[column]);
+	put_close(p, "}\n");
+}
+
+/* The elements for row vectors or, turned, for column vectors; as floats, all of
+ * which have to be finite, or doubles. */
+static struct elements elements_of(const struct document *d,
+    const struct transform *t, bool floats, bool turned)
+{
+	const int n[2] = { t->in == 2 ? 3 : 4, t->out == 2 ? 3 : 4 };
+	struct elements m = { .rows = n[turned], .columns = n[!turned] };
+
+	for (int i = 0; i < n[0]; i++)
+		for (int j = 0; j < n[1]; j++) {
+			double v = map_nearest(&t->map, PICKED[n[0] - 3][i],
+			    PICKED[n[1] - 3][j], floats);
+
+			if (floats && !isfinite((float)v))
+				document_refuse(d,
+				    "the matrix has elements beyond the range "
+				    "of floats; print doubles");
+			m.at[turned ? j : i][turned ? i : j] = v;
+		}
+	return m;
+}
+
+void print_matrix(const struct options *o, const struct document *d,
+    const struct transform *t)
+{
+	static char text[16 * (NUMBER_MAX + 2) + 64];
+	bool single = o->precision == PRECISION_SINGLE;
+	bool floats = single || o->out == FORMAT_F32;
+	bool column = answer_convention(&d->scene)->column;
+	struct printer p = { .at = text,
+		.style = one_style(o),
+		.single = single,
+		.compact = true,
+		.between = "" };
+	struct elements m = elements_of(d, t, floats,
+	    column && !is_binary(o->out));
+
+	if (is_binary(o->out)) {
+		print_binary(&m, o->out == FORMAT_F64);
+		return;
+	}
+	if (o->out == FORMAT_JSON)
+		put_json(&p, &m, column);
+	else
+		put_lines(&p, &m, dialect_of(o->out, o->separator).separator);
+	put_all(text, (size_t)(p.at - text));
+}
 
 /* In the order of enum flat. */
 static const char *const flat_names[] = { "window", "ndc", "device" };

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,18 +10,12 @@
 #include "call/operands.h"
 #include "message/message.h"
 
-/* A point that was hit, or a csv header, whose distance is -infinity. Behind it
- * stands the text of its line or, where JSON is printed, the device position. */
+/* A point that was hit, or a csv header, whose distance is -infinity; and where in
+ * the text of hits stands what is printed of it. */
 struct hit {
 	double distance, point[4];
 	long long line;
-	size_t size; /* of what stands behind it */
-};
-
-/* What is sorted: a distance, and where in text its struct hit stands. */
-struct key {
-	double distance;
-	size_t at;
+	size_t at, size;
 };
 
 struct hits {
@@ -28,18 +23,42 @@ struct hits {
 	struct picker picker;
 	bool json;
 	bool near; /* the near plane is not at infinity */
-	struct key *key;
+	struct hit *hit;
 	size_t n, room;
 	char *text;
 	size_t size, text_room;
 };
 
-static void hits_append(struct chunk *c, struct hit hit, const void *behind)
+/* Appends a hit, and behind it what is printed of it: its line or, in JSON, what
+ * follows the line's number. */
+static void hits_append(const struct job *j, struct chunk *c, struct hit hit,
+    const struct line *line, const double device[3])
 {
-	char *at = chunk_reserve(c, sizeof hit + hit.size);
+	const struct hits *h = j->with;
+	char *at = chunk_reserve(c,
+	    sizeof hit + line->size + 8 * NUMBER_MAX + 128);
+	char *const text = at + sizeof hit;
+	struct printer p = { .at = text,
+		.style = h->style,
+		.compact = true,
+		.between = "" };
 
+	if (h->json) {
+		put_name(&p, "distance");
+		put_number(&p, hit.distance);
+		put_name(&p, "device");
+		put_numbers(&p, device, 3);
+		put_name(&p, "point");
+		put_numbers(&p, hit.point, 3);
+		put_text(&p, "}\n");
+	} else {
+		memcpy(p.at, line->s, line->size);
+		p.at += line->size;
+		*p.at = '\n';
+		p.at += !is_binary(j->layout.in.format);
+	}
+	hit.size = (size_t)(p.at - text);
 	memcpy(at, &hit, sizeof hit);
-	memcpy(at + sizeof hit, behind, hit.size);
 	c->size += sizeof hit + hit.size;
 }
 
@@ -61,18 +80,16 @@ static void hits_take(const struct job *j, struct chunk *c, size_t n,
 		size_t at = p, number = c->n_lines - n + i;
 
 		if (line->kind == LINE_HEADER && !h->json)
-			hits_append(c,
-			    (struct hit){ .distance = (double)-INFINITY,
-				.size = line->size },
-			    line->s);
+			hits_append(j, c,
+			    (struct hit){ .distance = (double)-INFINITY }, line,
+			    NULL);
 		if (line->kind != LINE_POINT)
 			continue;
 		p++;
 		const double to[3] = { v[0][at], v[1][at], v[2][at] };
 		struct hit hit = { .point = { in[0][at], in[1][at], in[2][at],
 				       1 },
-			.line = (long long)number,
-			.size = h->json ? sizeof to : line->size };
+			.line = (long long)number };
 
 		if (isnan(to[0]) || isnan(to[1]) ||
 		    !pick_holds(&h->picker, hit.point, to))
@@ -89,7 +106,7 @@ static void hits_take(const struct job *j, struct chunk *c, size_t n,
 		hit.distance = h->near ? v[5][at] : (double)INFINITY;
 		if (isnan(hit.distance))
 			hit.distance = pick_distance(&h->picker, hit.point);
-		hits_append(c, hit, h->json ? (const void *)to : line->s);
+		hits_append(j, c, hit, line, to);
 	}
 }
 
@@ -103,55 +120,44 @@ static void hits_collect(const struct job *j, const struct chunk *c,
 		h->text_room = h->text_room / 2 + h->size + c->size;
 		h->text = need(h->text, h->text_room);
 	}
-	if (c->size > 0)
-		memcpy(h->text + h->size, c->out, c->size);
-	for (size_t end = h->size + c->size; h->size < end;
-	     h->size += sizeof hit + hit.size) {
-		memcpy(&hit, h->text + h->size, sizeof hit);
+	for (size_t at = 0; at < c->size; at += sizeof hit + hit.size) {
+		memcpy(&hit, c->out + at, sizeof hit);
+		memcpy(h->text + h->size, c->out + at + sizeof hit, hit.size);
 		hit.line += first_line;
-		memcpy(h->text + h->size, &hit, sizeof hit);
+		hit.at = h->size;
+		h->size += hit.size;
 		if (h->n == h->room) {
 			h->room += h->room / 2 + 64;
-			h->key = need(h->key, h->room * sizeof *h->key);
+			h->hit = need(h->hit, h->room * sizeof *h->hit);
 		}
-		h->key[h->n++] = (struct key){ hit.distance, h->size };
+		h->hit[h->n++] = hit;
 	}
 }
 
-static bool is_header(struct key k)
+static bool is_header(const struct hit *hit)
 {
-	return k.distance < -DBL_MAX;
+	return hit->distance < -DBL_MAX;
 }
 
-static struct hit hit_at(const struct hits *h, struct key k)
+static int hit_compare(const void *a, const void *b)
 {
-	struct hit hit;
-
-	memcpy(&hit, h->text + k.at, sizeof hit);
-	return hit;
-}
-
-/* For qsort, which hands nothing on. */
-static const struct hits *comparing;
-
-static int key_compare(const void *a, const void *b)
-{
-	const struct key *p = a, *q = b;
+	const struct hit *p = a, *q = b;
 
 	if (p->distance < q->distance || p->distance > q->distance)
 		return p->distance < q->distance ? -1 : 1;
 	return p->at < q->at ? -1 : p->at > q->at;
 }
 
-/* The same of distances whose nearest doubles are equal. */
-static int key_compare_exactly(const void *a, const void *b)
-{
-	const struct key *p = a, *q = b;
-	const struct hit one = hit_at(comparing, *p);
-	const struct hit other = hit_at(comparing, *q);
-	int order = pick_compare(&comparing->picker, one.point, other.point);
+/* For qsort, which hands nothing on. */
+static const struct picker *comparing;
 
-	return order != 0 ? order : key_compare(a, b);
+/* The same of distances whose nearest doubles are equal. */
+static int hit_compare_exactly(const void *a, const void *b)
+{
+	const struct hit *p = a, *q = b;
+	int order = pick_compare(comparing, p->point, q->point);
+
+	return order != 0 ? order : hit_compare(a, b);
 }
 
 /* Sorts the nearest first, then as they came. Exact distances are compared only
@@ -159,106 +165,59 @@ static int key_compare_exactly(const void *a, const void *b)
  * stay in their order. */
 static void hits_sort(const struct hits *h)
 {
+	struct hit *const hit = h->hit;
 	size_t end;
 
 	if (h->n == 0)
 		return;
-	comparing = h;
-	qsort(h->key, h->n, sizeof *h->key, key_compare);
+	comparing = &h->picker;
+	qsort(hit, h->n, sizeof *hit, hit_compare);
 	for (size_t i = 0; i < h->n; i = end) {
 		bool sorted = true;
 
 		for (end = i + 1;
-		     end < h->n && h->key[end].distance == h->key[i].distance;
-		     end++)
+		     end < h->n && hit[end].distance == hit[i].distance; end++)
 			sorted = sorted &&
-			    (is_header(h->key[i]) ||
-				key_compare_exactly(&h->key[end - 1],
-				    &h->key[end]) < 0);
+			    (is_header(&hit[i]) ||
+				hit_compare_exactly(&hit[end - 1], &hit[end]) <
+				    0);
 		if (!sorted)
-			qsort(h->key + i, end - i, sizeof *h->key,
-			    key_compare_exactly);
+			qsort(hit + i, end - i, sizeof *hit,
+			    hit_compare_exactly);
 	}
 }
 
-/* Of several sources one header is enough, and none if they differ. */
-static bool hits_wants(const struct hits *h, size_t i)
+/* Returns the hits that are printed from: of several sources one header is enough,
+ * and none if they differ. */
+static size_t hits_headers(const struct hits *h)
 {
-	if (!is_header(h->key[i]))
-		return true;
-	const struct hit first = hit_at(h, h->key[0]);
-	const char *text = h->text + h->key[0].at + sizeof first;
+	size_t n = 0;
+	bool differ = false;
 
-	for (size_t k = 1; k < h->n && is_header(h->key[k]); k++)
-		if (hit_at(h, h->key[k]).size != first.size ||
-		    memcmp(h->text + h->key[k].at + sizeof first, text,
-			first.size) != 0)
-			return false;
-	return i == 0;
-}
-
-/* Gathers what is to be printed, so that there are few writes. */
-struct output {
-	size_t n;
-	char text[1 << 16];
-};
-
-static void hits_put(struct output *out, const char *s, size_t n)
-{
-	if (n > sizeof out->text - out->n) {
-		put_all(out->text, out->n);
-		out->n = 0;
-	}
-	if (n > sizeof out->text) {
-		put_all(s, n);
-		return;
-	}
-	memcpy(out->text + out->n, s, n);
-	out->n += n;
-}
-
-static void print_json(struct output *out, const struct hit *h,
-    const char *behind, struct number_style style)
-{
-	char text[8 * NUMBER_MAX + 128];
-	double device[3];
-	struct printer p = { .at = text, .compact = true, .between = "" };
-
-	memcpy(device, behind, sizeof device);
-	put_open(&p, "{");
-	put_name(&p, "line");
-	put_number(&p, (double)h->line);
-	p.style = style;
-	put_name(&p, "distance");
-	put_number(&p, h->distance);
-	put_name(&p, "device");
-	put_numbers(&p, device, 3);
-	put_name(&p, "point");
-	put_numbers(&p, h->point, 3);
-	put_close(&p, "}\n");
-	hits_put(out, text, (size_t)(p.at - text));
+	for (; n < h->n && is_header(&h->hit[n]); n++)
+		differ |= h->hit[n].size != h->hit[0].size ||
+		    memcmp(h->text + h->hit[n].at, h->text + h->hit[0].at,
+			h->hit[0].size) != 0;
+	return differ || n == 0 ? n : n - 1;
 }
 
 static void print_hits(const struct job *j)
 {
-	static struct output out;
+	const size_t line_max = 40;
 	struct hits *h = j->with;
+	char *const out = need(NULL, h->size + h->n * line_max), *at = out;
 
 	hits_sort(h);
-	for (size_t i = 0; i < h->n; i++) {
-		const struct hit hit = hit_at(h, h->key[i]);
-		const char *behind = h->text + h->key[i].at + sizeof hit;
+	for (size_t i = hits_headers(h); i < h->n; i++) {
+		const struct hit *hit = &h->hit[i];
 
-		if (h->json) {
-			print_json(&out, &hit, behind, h->style);
-		} else if (hits_wants(h, i)) {
-			hits_put(&out, behind, hit.size);
-			if (!is_binary(j->layout.in.format))
-				hits_put(&out, "\n", 1);
-		}
+		if (h->json)
+			at += sprintf(at, "{\"line\":%lld,", hit->line);
+		memcpy(at, h->text + hit->at, hit->size);
+		at += hit->size;
 	}
-	put_all(out.text, out.n);
-	out.n = 0;
+	put_all(out, (size_t)(at - out));
+	free(out);
 }
 
 /* Options win over the document's member "pick". */
@@ -267,7 +226,7 @@ static void aim(const struct document *d, const struct options *o,
 {
 	const struct pick *p = &d->pick;
 
-	if (!o->has_at && !p->has_at)
+	if (o->pick_at.n == 0 && !p->has_at)
 		document_refuse(d,
 		    "/pick/at: missing; say where on the device "
 		    "with \"at\": [x, y] or --at X,Y");
@@ -276,7 +235,7 @@ static void aim(const struct document *d, const struct options *o,
 		    "/pick/radius: missing; say how far around "
 		    "with \"radius\" or --radius R");
 	for (int i = 0; i < 2; i++)
-		h->picker.at[i] = o->has_at ? o->at[i] : p->at[i];
+		h->picker.at[i] = o->pick_at.n > 0 ? o->pick_at.v[i] : p->at[i];
 	h->picker.radius = o->radius > 0 ? o->radius : p->radius;
 }
 
@@ -290,7 +249,7 @@ void run_pick(const struct command *c, const struct options *o)
 		.with = &hits };
 
 	hits.json = o->has_out && o->out == FORMAT_JSON;
-	hits.style = one_style(o, "what pick prints");
+	hits.style = one_style(o);
 	hits.n = hits.size = 0;
 	read_document(c, o, &d);
 	aim(&d, o, &hits);

@@ -8,6 +8,7 @@
 #include "../scene/document.h"
 
 struct options;
+struct transform;
 
 /* Commands of one kind take the same options. Kinds are bits, so that an option
  * can list the kinds that take it. */
@@ -45,6 +46,20 @@ void run_trace(const struct command *, const struct options *);
 void run_pick(const struct command *, const struct options *);
 void run_fit(const struct command *, const struct options *);
 void run_inspect(const struct command *, const struct options *);
+
+/* Prints the matrix of a transform's map, without rows and columns for z where it
+ * takes or makes two coordinates, for row or column vectors as the convention of the
+ * answer says, in the format and precision of the options. */
+void print_matrix(const struct options *, const struct document *,
+    const struct transform *);
+
+/* Print what the program says of itself, which stands in the rows that it goes by: of
+ * all commands, to one with a name of NULL; of one; of a member of a scene or of its
+ * objects, false if there is none; and everything as one JSON object. */
+void help_all(const struct command *);
+void help_command(const struct command *);
+bool help_member(const char *name);
+void help_json(const struct command *, const char *version);
 
 /* The command of that name, or NULL: in a table that a name of NULL ends. */
 static inline const struct command *find_command(const struct command *c,

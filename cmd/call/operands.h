@@ -13,6 +13,16 @@ void check_operands(const struct command *, const struct options *);
 void read_document(const struct command *, const struct options *,
     struct document *);
 
+/* Goes on to the next document of PARAMS: with --scenes there are any number of them,
+ * one after another; false where there is none. What is said from now on is about
+ * that scene. */
+bool params_next(const struct options *);
+
+/* Reads the document, which may leave points in the text: they are there until
+ * params_next. */
+void params_read(const struct options *, const struct document_wants *,
+    struct document *);
+
 /* Whether points are given: as operands or in the document. */
 bool has_points(const struct options *, const struct document *);
 

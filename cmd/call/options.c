@@ -1,12 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 #include "options.h"
 
-#include <stdio.h>
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "../../core/scene/scene.h"
 #include "../json/value.h"
-#include "../scene/convention_member.h"
 #include "../message/message.h"
+#include "../message/nearest.h"
+#include "../scene/convention_member.h"
 
 const char *const precision_names[] = { "exact", "double", "single", NULL };
 
@@ -14,125 +18,177 @@ const char *const precision_names[] = { "exact", "double", "single", NULL };
 const char *const space_names[] = { "model", "world", "view", "clip", "ndc",
 	"device", NULL };
 
-static void set_convention(struct options *o, char *word)
+/* Reads one of the words of a row: sets its index. */
+static void option_word(struct options *o, const struct option_row *r,
+    char *word)
 {
-	o->convention =
-	    &conventions[one_of(convention_names, "convention", word)];
+	const char *near = nearest(word, r->words);
+	char all[LISTED];
+
+	for (unsigned i = 0; r->words[i] != NULL; i++)
+		if (strcmp(r->words[i], word) == 0) {
+			*(unsigned *)((char *)o + r->at) = i;
+			return;
+		}
+	if (near != NULL)
+		die(EXIT_USAGE, "--%s: unknown word '%s'; did you mean '%s'?",
+		    r->name, word, near);
+	die(EXIT_USAGE, "--%s: unknown word '%s'; it is one of %s", r->name,
+	    word, list_words(all, r->words, " or ", ""));
 }
 
-/* Reads the name of a format, and in *record the numbers of a binary record. */
-static enum format format_of_word(const char *option, char *word, int *record)
+static int whole_number(const struct option_row *r, const char *word, int min,
+    int max)
+{
+	char *end;
+	long n = strtol(word, &end, 10);
+
+	if (end == word || *end != '\0' || n < min || n > max)
+		die(EXIT_USAGE,
+		    "--%s: '%s' is not a whole number from %d to %d", r->name,
+		    word, min, max);
+	return (int)n;
+}
+
+static void option_whole(struct options *o, const struct option_row *r,
+    char *word)
+{
+	*(int *)((char *)o + r->at) = whole_number(r, word, r->min, r->max);
+}
+
+/* Reads the name of a format, or of binary records: "f32x4". */
+static void option_format(struct options *o, const struct option_row *r,
+    char *word)
 {
 	const int record_max = 64;
+	int *record = r->letter == 'o' ? &o->out_record : &o->in_record;
 
+	if (strpbrk(word, "./") != NULL)
+		die(EXIT_USAGE, "--%s: '%s' is no format; %s", r->name, word,
+		    r->letter == 'o' ? "to write a file use >" :
+				       "files of points stand after PARAMS");
 	*record = 0;
 	if (strncmp(word, "f32x", 4) == 0 || strncmp(word, "f64x", 4) == 0) {
-		*record = whole_number(option, word + 4, 2, record_max);
+		*record = whole_number(r, word + 4, 2, record_max);
 		word[3] = '\0';
 	}
-	return (enum format)one_of(format_names, "format", word);
+	option_word(o, r, word);
 }
 
-static void set_input(struct options *o, char *word)
+/* Reads a number in the range of sizes. */
+static void option_size(struct options *o, const struct option_row *r,
+    char *word)
 {
-	if (strpbrk(word, "./") != NULL)
+	const char *end = word + strlen(word);
+	double *v = (void *)((char *)o + r->at);
+
+	if (number_read(word, end, v) != end ||
+	    !(*v >= SIZE_MIN && *v <= MAGNITUDE_MAX))
 		die(EXIT_USAGE,
-		    "unknown format '%s'; a file of points stands after the "
-		    "scene, without an option",
+		    "--%s: '%s' is not a number from 1e-150 to 1e150", r->name,
 		    word);
-	o->in = format_of_word("input", word, &o->in_record);
 }
 
-static void set_output(struct options *o, char *word)
+/* Reads min to max numbers with commas between them. */
+static void option_numbers(struct options *o, const struct option_row *r,
+    char *word)
 {
-	if (strpbrk(word, "./") != NULL)
-		die(EXIT_USAGE, "unknown format '%s'; to write a file use > %s",
-		    word, word);
-	o->out = format_of_word("output", word, &o->out_record);
+	struct numbers_said *said = (void *)((char *)o + r->at);
+	const char *at = word, *end = word + strlen(word);
+
+	for (int n = 0; n < r->max; n++) {
+		at = number_read(at, end, &said->v[n]);
+		if (at == NULL || !(fabs(said->v[n]) <= MAGNITUDE_MAX))
+			break;
+		said->n = n + 1;
+		if (at == end && said->n >= r->min)
+			return;
+		if (*at++ != ',')
+			break;
+	}
+	die(EXIT_USAGE,
+	    "--%s: '%s' is not %s; these are numbers up to 1e150 with commas "
+	    "between them: --%s %s",
+	    r->name, word, r->argument, r->name, r->example);
 }
 
-static void set_separator(struct options *o, char *word)
+/* Reads a character that can separate fields, or the word tab. */
+static void option_separator(struct options *o, const struct option_row *r,
+    char *word)
 {
-	o->separator = separator_of("separator", word);
+	if (strcmp(word, "tab") == 0 || strcmp(word, "\\t") == 0)
+		o->separator = '\t';
+	else if (strlen(word) != 1 || (unsigned char)*word >= 0x7f ||
+	    strchr("\"'+-.#_\r\n\v\f", *word) != NULL || isalnum(*word))
+		die(EXIT_USAGE,
+		    "--%s: '%s' can't separate fields; it is one character "
+		    "such as ; or |, or tab",
+		    r->name, word);
+	else
+		o->separator = *word;
 }
 
-static void set_columns(struct options *o, char *word)
+/* Cuts the first word off *list, which becomes NULL behind the last. */
+static char *cut_word(char **list)
 {
-	o->columns = columns_of("columns", word);
+	char *word = *list;
+
+	*list = strchr(word, ',');
+	if (*list != NULL)
+		*(*list)++ = '\0';
+	return word;
 }
 
-static void set_styles(struct options *o, enum number_kind kind,
-    const char *option, char *word, int min)
+static void option_styles(struct options *o, const struct option_row *r,
+    char *list)
 {
-	if (o->styles.n > 0 && o->styles.style[0].kind != kind)
+	enum number_kind kind = r->letter == 'd' ? NUMBER_DECIMALS :
+						   NUMBER_DIGITS;
+	struct styles *s = &o->styles;
+
+	if (s->n > 0 && s->style[0].kind != kind)
 		die(EXIT_USAGE,
 		    "--decimals and --digits exclude each other; give one "
 		    "number for each coordinate to either");
-	o->styles = styles_of(option, kind, word, min, 100);
+	for (s->n = 0; list != NULL; s->n++) {
+		int n = whole_number(r, cut_word(&list), r->min, r->max);
+
+		if (s->n == COORDINATES_MAX)
+			die(EXIT_USAGE, "--%s: more than six numbers", r->name);
+		for (int k = s->n; k < COORDINATES_MAX; k++)
+			s->style[k] = (struct number_style){ .kind = kind,
+				.n = n };
+	}
 }
 
-static void set_decimals(struct options *o, char *word)
+/* Reads fields by their number, from 1, or by their name: "2,z". */
+static void option_columns(struct options *o, const struct option_row *r,
+    char *list)
 {
-	set_styles(o, NUMBER_DECIMALS, "decimals", word, 0);
+	const int fields_max = 1000000;
+	struct columns *c = &o->columns;
+
+	for (*c = (struct columns){ 0 }; list != NULL; c->n++) {
+		char *word = cut_word(&list);
+
+		if (c->n == 4)
+			die(EXIT_USAGE, "--%s: more than four fields", r->name);
+		if (strspn(word, "0123456789") == strlen(word))
+			c->field[c->n] = whole_number(r, word, 1, fields_max) -
+			    1;
+		else
+			c->name[c->n] = word;
+		for (int i = 0; i < c->n; i++)
+			if (c->field[i] == c->field[c->n] &&
+			    strcmp(c->name[i] != NULL ? c->name[i] : "",
+				c->name[c->n] != NULL ? word : "") == 0)
+				die(EXIT_USAGE, "--%s: '%s' stands twice",
+				    r->name, word);
+	}
 }
 
-static void set_digits(struct options *o, char *word)
-{
-	set_styles(o, NUMBER_DIGITS, "digits", word, 1);
-}
-
-static void set_tolerance(struct options *o, char *word)
-{
-	o->tolerance = positive_number("tolerance", word);
-}
-
-static void set_distances(struct options *o, char *word)
-{
-	o->n_distances = distances_of("distances", word, o->distance);
-}
-
-static void set_at(struct options *o, char *word)
-{
-	numbers_of("at", "X,Y", "320,240", word, 2, o->at);
-}
-
-static void set_plane(struct options *o, char *word)
-{
-	const double *p = o->plane;
-
-	numbers_of("plane", "A,B,C,D", "0,0,1,0", word, 4, o->plane);
-	if (p[0] == 0 && p[1] == 0 && p[2] == 0)
-		die(EXIT_USAGE,
-		    "--plane: %s is no plane; A, B or C is other than 0: "
-		    "--plane 0,0,1,0",
-		    word);
-}
-
-static void set_radius(struct options *o, char *word)
-{
-	o->radius = positive_number("radius", word);
-}
-
-static void set_jobs(struct options *o, char *word)
-{
-	o->jobs = whole_number("jobs", word, 1, 256);
-}
-
-/* How messages are said, and coloured. */
 static const char *const message_forms[] = { "text", "json", NULL };
 static const char *const color_names[] = { "auto", "always", "never", NULL };
-
-static void set_errors(struct options *o, char *word)
-{
-	(void)o;
-	say_in_json(one_of(message_forms, "--errors", word) == 1);
-}
-
-static void set_color(struct options *o, char *word)
-{
-	(void)o;
-	message_color((enum color)one_of(color_names, "--color", word));
-}
 
 /* Kinds of commands that share options, as unions of enum command_kind. */
 enum {
@@ -146,58 +202,58 @@ enum {
 };
 
 #define ON(member) .on = offsetof(struct options, member)
-#define WORD(member, kind, names) \
-	.words = names, .what = kind, .at = offsetof(struct options, member)
+#define AT(member) .at = offsetof(struct options, member)
 
 /* clang-format off */
 const struct option_row option_rows[] = {
 	{ "convention", 'c', ALL, "of the answer: d3d, gl, vulkan, webgpu or opencv",
-	    .argument = "NAME", .set = set_convention,
-	    .words = convention_names },
+	    "NAME", option_word, AT(convention), .words = convention_names,
+	    ON(has_convention) },
 	{ "input", 'i', POINTS,
 	    "of points: text (default), csv, tsv, json, f64, f32, f32x4",
-	    .argument = "FORMAT", .set = set_input, .words = format_names },
+	    "FORMAT", option_format, AT(in), .words = format_names },
 	{ "output", 'o', ALL, "the same; default the input's",
-	    .argument = "FORMAT", .set = set_output, .words = format_names,
-	    ON(has_out) },
+	    "FORMAT", option_format, AT(out), .words = format_names, ON(has_out) },
 	{ "separator", 0, POINTS, "between fields of csv: a character, or tab",
-	    .argument = "C", .set = set_separator },
+	    "C", .read = option_separator },
 	{ "header", 0, POINTS, "the first line of csv is a header", ON(header) },
 	{ "no-header", 0, POINTS, "it is not", ON(no_header) },
 	{ "columns", 0, POINTS,
 	    "the coordinates: fields 2,3,4, or names in csv and JSON",
-	    .argument = "LIST", .set = set_columns },
+	    "LIST", .read = option_columns },
 	{ "decimals", 'd', NUMBERS, "round to N decimals, a list for x,y,z",
-	    .argument = "N,...", .set = set_decimals },
+	    "N,...", option_styles, .min = 0, .max = 100 },
 	{ "digits", 0, NUMBERS, "round to N significant digits, the same",
-	    .argument = "N,...", .set = set_digits },
-	{ "precision", 'p', IMAGES,
-	    "exact (default), double or single",
-	    .argument = "NAME", WORD(precision, "precision", precision_names) },
+	    "N,...", option_styles, .min = 1, .max = 100 },
+	{ "precision", 'p', IMAGES, "exact (default), double or single",
+	    "NAME", option_word, AT(precision), .words = precision_names },
 	{ "tolerance", 't', INSPECT,
 	    "the error that the -p told may have; default 0.5",
-	    .argument = "T", .set = set_tolerance },
+	    "T", option_size, AT(tolerance) },
 	{ "distances", 0, INSPECT,
 	    "add the depth_step toward the eye at these distances",
-	    .argument = "D,...", .set = set_distances },
+	    "D,...", option_numbers, AT(distances), .min = 1,
+	    .max = NUMBERS_SAID_MAX, .example = "10,1000" },
 	{ "from", 0, PROJECT | TRACE, "model, world, view, clip, ndc or device",
-	    .argument = "SPACE", ON(has_from), WORD(from, "space", space_names) },
+	    "SPACE", option_word, AT(from), .words = space_names, ON(has_from) },
 	{ "to", 0, PROJECT, "the same; default device, else ndc",
-	    .argument = "SPACE", ON(has_to), WORD(to, "space", space_names) },
+	    "SPACE", option_word, AT(to), .words = space_names, ON(has_to) },
 	{ "homogeneous", 'H', PROJECT, "x y z w, not divided",
 	    ON(homogeneous) },
 	{ "matrix", 'm', MATRIX | PROJECT | PLANAR,
 	    "print the matrix, read no points", ON(matrix) },
 	{ "at", 0, PICK, "the device position",
-	    .argument = "X,Y", .set = set_at, ON(has_at) },
+	    "X,Y", option_numbers, AT(pick_at), .min = 2, .max = 2,
+	    .example = "320,240" },
 	{ "radius", 0, PICK, "how far around it, in device units",
-	    .argument = "R", .set = set_radius },
+	    "R", option_size, AT(radius) },
 	{ "ray", 0, PROJECT,
 	    "x y on the device: point on the near plane, direction",
 	    ON(ray) },
 	{ "plane", 0, PROJECT,
 	    "x y: where their ray meets a x + b y + c z + d = 0",
-	    .argument = "A,B,C,D", .set = set_plane, ON(has_plane) },
+	    "A,B,C,D", option_numbers, AT(plane), .min = 4, .max = 4,
+	    .example = "0,0,1,0" },
 	{ "append", 0, MATRIX | PROJECT | PLANAR,
 	    "keep the line whole, and print the image behind it",
 	    ON(append) },
@@ -209,7 +265,7 @@ const struct option_row option_rows[] = {
 	{ "keep-going", 0, ALL, "print nan for a bad line, go on after a bad scene",
 	    ON(keep_going) },
 	{ "jobs", 'j', POINTS, "threads; default all cores",
-	    .argument = "N", .set = set_jobs },
+	    "N", option_whole, AT(jobs), .min = 1, .max = 256 },
 	{ "progress", 0, POINTS, "tell how far it is, also in a file or pipe",
 	    ON(progress) },
 	{ "scenes", 0, ALL, "PARAMS is any number of scenes in a row",
@@ -217,11 +273,11 @@ const struct option_row option_rows[] = {
 	{ "json", 0, HELP, "all that the program says of itself, for programs",
 	    ON(json) },
 	{ "errors", 0, EVERY, "messages as text (default), or json, one a line",
-	    .argument = "FORM", .set = set_errors, .words = message_forms },
+	    "FORM", option_word, AT(errors), .words = message_forms },
 	{ "color", 0, EVERY, "messages and help: auto (default), always, never",
-	    .argument = "WHEN", .set = set_color, .words = color_names },
+	    "WHEN", option_word, AT(color), .words = color_names },
 	{ "help", 'h', EVERY, "this help", ON(help) },
-	{ "version", 0, EVERY, "the version", ON(version) },
+	{ "version", 'V', EVERY, "the version", ON(version) },
 	{ .name = NULL },
 };
 /* clang-format on */
@@ -239,14 +295,35 @@ const struct option_row *option_named(const char *name)
 	return NULL;
 }
 
+const char *option_takers(const struct option_row *r, char list[LISTED])
+{
+	/* in the order of the bits of enum command_kind */
+	static const char *const names[] = { "the 3D matrix commands",
+		"project", "pick", "fit", "inspect", "trace", "the 2D commands",
+		"help" };
+	const char *takers[sizeof names / sizeof *names + 1] = { NULL };
+	int n = 0;
+
+	for (unsigned i = 0; i < sizeof names / sizeof *names; i++)
+		if (r->commands >> i & 1)
+			takers[n++] = names[i];
+	return list_words(list, takers, " and ", "");
+}
+
 bool option_is_for(const struct option_row *r, const struct command *c)
 {
 	return (r->commands & c->kind) != 0;
 }
 
+void options_say(const struct options *o)
+{
+	say_in_json(o->errors == 1);
+	message_color(o->color);
+}
+
 void options_first(char **words)
 {
-	struct options none = { 0 };
+	struct options first = { .errors = 0 };
 
 	for (char **w = words; *w != NULL && strcmp(*w, "--") != 0; w++) {
 		const struct option_row *r = strncmp(*w, "--", 2) == 0 ?
@@ -256,14 +333,15 @@ void options_first(char **words)
 		char *argument = equals != NULL ? equals + 1 : w[1];
 
 		if (r != NULL && argument != NULL &&
-		    (r->set == set_errors || r->set == set_color))
-			r->set(&none, argument);
+		    (r->words == message_forms || r->words == color_names))
+			r->read(&first, r, argument);
+		options_say(&first);
 	}
 }
 
 int coordinates_of(const struct command *c, const struct options *o)
 {
-	if (c->kind == PLANAR || o->ray || o->has_plane)
+	if (c->kind == PLANAR || o->ray || o->plane.n > 0)
 		return 2;
 	return o->from == SPACE_CLIP ||
 		(o->from == SPACE_DEVICE && o->homogeneous) ?
@@ -276,13 +354,12 @@ enum format options_output(const struct options *o)
 	return o->has_out ? o->out : o->in;
 }
 
-struct number_style one_style(const struct options *o, const char *what)
+struct number_style one_style(const struct options *o)
 {
-	const struct number_style *style = &o->styles.style[0];
-
 	if (o->styles.n > 1)
-		die(EXIT_USAGE, "--%s: %d numbers; %s is rounded alike, by one",
-		    style->kind == NUMBER_DIGITS ? "digits" : "decimals",
-		    o->styles.n, what);
-	return *style;
+		die(EXIT_USAGE,
+		    "--decimals or --digits: %d numbers; what is no list of "
+		    "points is rounded by one",
+		    o->styles.n);
+	return o->styles.style[0];
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "params.h"
+#include "operands.h"
 
 #include <string.h>
 

@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 #include <unistd.h>
 
 #include "input.h"
@@ -10,10 +11,8 @@
 #include "../message/nearest.h"
 #include "../scene/members.h"
 
-/* What others call by a word. The form of "is" says what it is: "--jobs" is an
- * option, "camera.eye" a member of that object, "scene.camera" one of the scene
- * itself, ": ..." a remark; anything else is a call. Of a word's rows the first
- * that is legal where the word stands is taken. */
+/* What others call by a word: an option, "--jobs"; a remark, ": ..."; or a call.
+ * What others call a member stands in the tables of members. */
 static const struct synonym {
 	const char *word, *is;
 } synonyms[] = {
@@ -31,6 +30,9 @@ static const struct synonym {
 	{ "viewport", "project --from ndc --to device" },
 	{ "camera", "lookat" },
 	{ "view", "lookat" },
+	{ "lookat", "lookat" },
+	{ "look_at", "lookat" },
+	{ "look-at", "lookat" },
 	{ "perspective", "persp" },
 	{ "projection", "persp" },
 	{ "frustum",
@@ -44,18 +46,14 @@ static const struct synonym {
 	{ "bounds", "fit" },
 	{ "zoom", "fit" },
 	{ "extent", "fit" },
-	{ "extent", "scene.bounds" },
 	{ "info", "inspect" },
 	{ "click", "pick" },
 	{ "explain", "trace" },
 	{ "usage", "help" },
 	{ "man", "help" },
-	{ "-V", "--version" },
-	{ "-v", "--version" },
 
 	{ "format", "--output" },
 	{ "json", "--output json" },
-	{ "json", ": it prints JSON as it is" },
 	{ "csv", "--input csv" },
 	{ "delimiter", "--separator" },
 	{ "cols", "--columns" },
@@ -75,18 +73,10 @@ static const struct synonym {
 	{ "webgpu", "--convention webgpu" },
 	{ "opencv", "--convention opencv" },
 
-	{ "radians", "scene.angle_unit" },
-	{ "transpose", "convention.vectors" },
-	{ "column-major", "convention.vectors" },
-	{ "near_far", "projection.near" },
-	{ "near-far", "projection.near" },
-
-	{ "distortion",
-	    ": projcalc has no lens distortion; undistort points first" },
-	{ "undistort",
-	    ": projcalc has no lens distortion; undistort points first" },
-	{ "lens", ": projcalc has no lens distortion; undistort points first" },
-	{ "k1", ": projcalc has no lens distortion; undistort points first" },
+	{ "distortion", ": lenses are not modelled; undistort points first" },
+	{ "undistort", ": lenses are not modelled; undistort points first" },
+	{ "lens", ": lenses are not modelled; undistort points first" },
+	{ "k1", ": lenses are not modelled; undistort points first" },
 	{ "stdin", ": standard input is - in place of PARAMS or POINTS" },
 	{ "quiet", ": notes go to standard error; 2>/dev/null hides them" },
 };
@@ -94,38 +84,17 @@ static const struct synonym {
 enum {
 	SYNONYMS = sizeof synonyms / sizeof *synonyms,
 	NAMES_MAX = 240, /* of commands, members of a scene, and theirs */
-	CALL_MAX = 80,
+	UNKNOWN_MAX = 512,
 	NAME_SHOWN = 64,
 };
 
-static bool is_remark(const char *is)
-{
-	return *is == ':';
-}
-
-/* The member that a row names, "camera.eye", and in *object the scene's member
- * that has it or is it; or NULL. */
-static const struct member *member_at(const char *is,
-    const struct member **object)
-{
-	char of[NAME_SHOWN], name[NAME_SHOWN];
-
-	if (sscanf(is, "%63[a-z_].%63s", of, name) < 2)
-		return NULL;
-	if (strcmp(of, "scene") == 0)
-		return *object = member_of(scene_members, ANY_KIND, name);
-	*object = member_of(scene_members, ANY_KIND, of);
-	return member_of((*object)->members, ANY_KIND, name);
-}
-
-/* The member of that name, or where aliases is true also that others call so,
- * in one of the objects that bits are; or such an object itself. The later
- * object has it rather: the viewport its width, the projection has another. */
-static const struct member *find_in(unsigned bits, int kind, const char *name,
-    bool aliases, const struct member **object)
+/* Returns the member of that name, or that has that alias, in one of the objects that
+ * bits are; or such an object itself; or NULL. */
+static const struct member *find_member(unsigned bits, int kind,
+    const char *name, bool alias, const struct member **object)
 {
 	const struct member *(*find)(const struct member *, int,
-	    const char *) = aliases ? member_named : member_of;
+	    const char *) = alias ? member_named : member_of;
 
 	for (int k = 31; k >= 0; k--) {
 		const struct member *s = *object = &scene_members[k], *m;
@@ -141,173 +110,111 @@ static const struct member *find_in(unsigned bits, int kind, const char *name,
 	return NULL;
 }
 
-/* The member that an option is meant for, and its object; or NULL. By its exact
- * name it is looked for in what the command reads, less what but says; else
- * also in the camera, which is what others give options for, and anywhere. */
-static const struct member *find_member(const struct command *c,
-    const char *name, bool exact, unsigned but, const struct member **object)
+const struct member *synonym_find(const char *name,
+    const struct member **object)
 {
-	const struct document_wants *w = &c->wants;
-	const int own = w->projection > 0 ? w->projection - 1 : 0;
-	const struct {
-		unsigned bits;
-		int kind;
-	} tries[] = { { w->bare, own }, { w->used & ~but, own },
-		{ document_reads(w) & ~but, own }, { SCENE_CAMERA, own },
-		{ SCENE_SPATIAL, own }, { w->used, ANY_KIND },
-		{ SCENE_ALL, ANY_KIND } };
 	const struct member *m = NULL;
 
-	for (int i = 0; m == NULL && i < (exact ? 3 : 7); i++)
-		for (int alias = 0; m == NULL && alias < 2 - exact; alias++)
-			m = find_in(tries[i].bits, tries[i].kind, name, alias,
-			    object);
+	for (int i = 0; i < 4 && m == NULL; i++)
+		m = find_member(SCENE_ALL, i % 2 == 0 ? 0 : ANY_KIND, name,
+		    i >= 2, object);
 	return m;
 }
 
-/* An option in messages: without its value. */
-static int shown_length(const char *option)
-{
-	return (int)strcspn(option, "=");
-}
-
-#define UNKNOWN "%s: unknown option %.*s; "
-#define MEMBER UNKNOWN "\"%s\" is a member of the %s"
-
-/* Refuses an option that is a member, and shows how it is written where an
- * example has it: the command's, if it reads the object alone, or the row's. */
-static _Noreturn void refuse_member(const struct command *c, const char *option,
+/* Refuses a word, which unknown says, that is a member: shows how it is written where
+ * its object's example has it. */
+static _Noreturn void refuse_member(const char *unknown, unsigned reads,
     const struct member *m, const struct member *object)
 {
 	const char *of = m == object ? "scene" : object->name;
-	const unsigned bit = 1u << (object - scene_members);
-	bool alone = m != object && (c->wants.bare & bit) != 0;
-	const char *example = alone ? c->example : object->example;
-	const int n = shown_length(option);
+	const char *where = reads >> (object - scene_members) & 1 ?
+	    "in PARAMS" :
+	    "for other commands";
 	char quoted[NAME_SHOWN];
 
 	snprintf(quoted, sizeof quoted, "\"%s\"", m->name);
-	if (bit == SCENE_POINTS)
+	if (object->example == NULL ||
+	    (m != object && strstr(object->example, quoted) == NULL))
 		die(EXIT_USAGE,
-		    UNKNOWN "POINTS stand after PARAMS: projcalc %s scene.json "
-			    "points.txt",
-		    c->name, n, option, c->name);
-	if ((document_reads(&c->wants) & bit) == 0)
-		die(EXIT_USAGE,
-		    MEMBER " that %s does not read; 'projcalc help %s' tells "
-			   "of it",
-		    c->name, n, option, m->name, of, c->name, object->name);
-	if (example == NULL || (m != object && !strstr(example, quoted)))
-		die(EXIT_USAGE, MEMBER "; 'projcalc help %s' tells of it",
-		    c->name, n, option, m->name, of, object->name);
-	if (alone)
-		die(EXIT_USAGE, MEMBER ": projcalc %s %s", c->name, n, option,
-		    m->name, of, c->name, example);
-	die(EXIT_USAGE, MEMBER ": \"%s\": %s", c->name, n, option, m->name, of,
-	    object->name, example);
+		    "%s; %s is a member of the %s %s; 'projcalc help %s' "
+		    "tells of it",
+		    unknown, quoted, of, where, object->name);
+	die(EXIT_USAGE, "%s; %s is a member of the %s %s: '{\"%s\": %s}'",
+	    unknown, quoted, of, where, object->name, object->example);
 }
 
-/* Writes what may stand behind "projcalc", for a row that is no remark. */
-static void write_call(char out[CALL_MAX], const char *is, bool topic)
+/* Refuses the word by what it is called here. An option of other commands than c, or
+ * where that is NULL of any, is told with its commands. */
+static _Noreturn void refuse_by(const struct command *c, const char *unknown,
+    const char *is)
 {
-	const struct member *object;
 	const struct option_row *r = *is == '-' ? option_named(is + 2) : NULL;
-	const char *taker = "";
+	char list[LISTED];
 
-	if (r != NULL && (r->argument != NULL || !(r->commands & HELP)))
-		taker = (r->commands & PROJECT) ? "project " :
-		    (r->commands & PICK)        ? "pick " :
-						  "inspect ";
-	else if (member_at(is, &object) != NULL)
-		taker = "help ", is = object->name;
-	else if (topic && r == NULL && strchr(is, ' ') == NULL)
-		taker = "help ";
-	snprintf(out, CALL_MAX, "%s%s", taker, is);
+	if (*is == ':')
+		die(EXIT_USAGE, "%s; %s", unknown, is + 2);
+	if (r != NULL && c != NULL && option_is_for(r, c))
+		die(EXIT_USAGE, "%s; did you mean %s?", unknown, is);
+	if (r != NULL)
+		die(EXIT_USAGE, "%s; %s is an option of %s", unknown, is,
+		    option_takers(r, list));
+	die(EXIT_USAGE, "%s; did you mean 'projcalc %s'?", unknown, is);
 }
 
-/* Refuses an option by a row that is legal here: an option of this command, a
- * call of it, a member that it reads, or a remark. A call of another command
- * is taken if elsewhere is true. */
-static void try_row(const struct command *c, const char *option, const char *is,
-    bool elsewhere)
-{
-	const size_t length = strlen(c->name);
-	const struct option_row *r = *is == '-' ? option_named(is + 2) : NULL;
-	const struct member *object, *m = member_at(is, &object);
-	const int n = shown_length(option);
-	char call[CALL_MAX];
-
-	if (strncmp(is, c->name, length) == 0 && is[length] == ' ')
-		is += length + 1;
-	if (is_remark(is))
-		die(EXIT_USAGE, UNKNOWN "%s", c->name, n, option, is + 2);
-	if (*is == '-' && (r == NULL || option_is_for(r, c)))
-		die(EXIT_USAGE, UNKNOWN "did you mean %s?", c->name, n, option,
-		    is);
-	if (m != NULL &&
-	    (elsewhere ||
-		document_reads(&c->wants) >> (object - scene_members) & 1))
-		refuse_member(c, option, m, object);
-	if (!elsewhere || strcmp(is, c->name) == 0)
-		return;
-	write_call(call, is, false);
-	die(EXIT_USAGE, UNKNOWN "did you mean 'projcalc %s'?", c->name, n,
-	    option, call);
-}
-
-static void try_rows(const struct command *c, const char *option,
-    const char *name, bool elsewhere)
+static void try_rows(const struct command *c, const char *unknown,
+    const char *name)
 {
 	for (int i = 0; i < SYNONYMS; i++)
-		if (strcmp(synonyms[i].word, name) == 0)
-			try_row(c, option, synonyms[i].is, elsewhere);
+		if (strcasecmp(synonyms[i].word, name) == 0)
+			refuse_by(c, unknown, synonyms[i].is);
 }
 
-/* The name in an option, "--eye=0,0,5" or "-eye". */
-static void name_of_option(char out[NAME_SHOWN], const char *option)
+/* Refuses an option that is a member of objects that bits are; or an alias, where
+ * aliases is true. */
+static void try_members(const struct command *c, const char *unknown,
+    unsigned bits, bool aliases, const char *name)
 {
-	option += strspn(option, "-");
-	snprintf(out, NAME_SHOWN, "%.*s", shown_length(option), option);
-}
-
-void synonym_member(const struct command *c, const char *option)
-{
+	/* of a projection that is any, persp is the usual kind */
+	const int own = c->wants.projection > 0 ? c->wants.projection - 1 : 0;
 	const struct member *m, *object;
-	char name[NAME_SHOWN];
 
-	name_of_option(name, option);
-	try_rows(c, option, name, false);
-	/* project --at is rather meant for pick than for the camera */
-	m = find_member(c, name, true, SCENE_SPATIAL, &object);
-	if (m != NULL)
-		refuse_member(c, option, m, object);
-}
-
-void synonym_option(const struct command *c, const char *option)
-{
-	const struct member *m, *object;
-	char name[NAME_SHOWN];
-
-	name_of_option(name, option);
-	for (int exact = 1; exact >= 0; exact--) {
-		m = find_member(c, name, exact, 0, &object);
+	for (int alias = 0; alias < (aliases ? 2 : 1); alias++) {
+		m = find_member(bits, own, name, alias, &object);
 		if (m != NULL)
-			refuse_member(c, option, m, object);
-		try_rows(c, option, name, !exact);
+			refuse_member(unknown, bits, m, object);
 	}
 }
 
-/* The nearest command, or else, where members is true, member. */
-static const char *nearest_word(const struct command *commands, bool members,
+void synonym_option(const struct command *c, const char *option, bool elsewhere)
+{
+	/* project --at is rather meant for pick than for the camera */
+	const unsigned reads = document_reads(&c->wants) &
+	    (elsewhere ? ~(unsigned)SCENE_SPATIAL : ~0u);
+	const char *word = option + strspn(option, "-");
+	const struct member *m, *object;
+	char name[NAME_SHOWN], unknown[UNKNOWN_MAX];
+
+	snprintf(unknown, sizeof unknown, "%s: unknown option %.*s", c->name,
+	    (int)strcspn(option, "="), option);
+	snprintf(name, sizeof name, "%.*s", (int)strcspn(word, "="), word);
+	try_members(c, unknown, c->wants.bare, !elsewhere, name);
+	try_members(c, unknown, reads, !elsewhere, name);
+	try_rows(c, unknown, name);
+	m = elsewhere ? NULL : synonym_find(name, &object);
+	if (m != NULL)
+		refuse_member(unknown, reads, m, object);
+}
+
+/* Returns the nearest of all commands and members, or NULL. */
+static const char *nearest_word(const struct command *commands,
     const char *word)
 {
 	const char *names[NAMES_MAX + 1] = { "--help", "--version" };
-	const struct member *s = scene_members;
 	int n = 2;
 
 	for (const struct command *c = commands; c->name != NULL; c++)
 		names[n++] = c->name;
-	for (; members && s->name != NULL; s++) {
+	for (const struct member *s = scene_members; s->name != NULL; s++) {
 		names[n++] = s->name;
 		for (const struct member *m = s->members;
 		     m != NULL && m->name != NULL && n < NAMES_MAX; m++)
@@ -317,79 +224,43 @@ static const char *nearest_word(const struct command *commands, bool members,
 	return nearest(word, names);
 }
 
-/* What a word is called here, as a row of the table says it; or NULL. Members
- * are topics of help. */
-static const char *meaning(const struct command *commands, const char *word,
-    bool topic, char out[CALL_MAX])
+void synonym_word(const struct command *commands, bool topic, const char *word)
 {
-	const struct member *object;
-	const char *near;
+	const char *near = nearest_word(commands, word);
+	const struct member *m, *object;
+	char unknown[UNKNOWN_MAX], is[UNKNOWN_MAX];
 
-	for (int i = 0; i < SYNONYMS; i++)
-		if (strcmp(synonyms[i].word, word) == 0)
-			return synonyms[i].is;
-	if (option_named(word) != NULL) {
-		snprintf(out, CALL_MAX, "--%s", word);
-		return out;
-	}
-	if (find_in(SCENE_ALL, ANY_KIND, word, false, &object) == NULL) {
-		near = nearest_word(commands, topic, word);
-		if (near != NULL || topic ||
-		    find_in(SCENE_ALL, ANY_KIND, word, true, &object) == NULL)
-			return near;
-	}
-	snprintf(out, CALL_MAX, "help %s", word);
-	return out;
+	snprintf(unknown, sizeof unknown, "unknown %s '%s'",
+	    topic ? "topic" : "command", word);
+	try_rows(NULL, unknown, word);
+	snprintf(is, sizeof is, "--%s", word);
+	if (option_named(word) != NULL)
+		refuse_by(NULL, unknown, is);
+	m = synonym_find(word, &object);
+	if (m != NULL)
+		refuse_member(unknown, SCENE_ALL, m, object);
+	if (near != NULL && *near != '-' &&
+	    find_command(commands, near) == NULL)
+		topic = true;
+	if (near != NULL)
+		die(EXIT_USAGE, "%s; did you mean 'projcalc %s%s'?", unknown,
+		    topic ? "help " : "", near);
+	die(EXIT_USAGE, "%s; 'projcalc help' lists commands", unknown);
 }
 
-static _Noreturn void refuse_word(const struct command *commands,
-    const char *word, bool topic)
+void synonym_command(const struct command *commands, const char *word)
 {
-	const char *what = topic ? "topic" : "command";
-	char named[CALL_MAX], call[CALL_MAX];
-	const char *is = meaning(commands, word, topic, named);
+	const char first = first_char(word);
+	bool operand = first == '{' || first == '[' ||
+	    strpbrk(word, "./") != NULL || access(word, R_OK) == 0;
 
-	if (is != NULL && is_remark(is))
-		die(EXIT_USAGE, "unknown %s '%s'; %s", what, word, is + 2);
-	if (is != NULL) {
-		write_call(call, is, topic);
-		die(EXIT_USAGE, "unknown %s '%s'; did you mean '%s'?", what,
-		    word, call);
-	}
-	die(EXIT_USAGE, "unknown %s '%s'; 'projcalc help' lists %s", what, word,
-	    topic ? "commands" : "them");
-}
-
-void synonym_topic(const struct command *commands, const char *word)
-{
-	refuse_word(commands, word, true);
-}
-
-/* Whether a word is rather an operand. */
-static bool is_operand(const char *word)
-{
-	char first = first_char(word);
-
-	return first == '{' || first == '[' || strpbrk(word, "./") != NULL ||
-	    access(word, R_OK) == 0;
-}
-
-void synonym_command(const struct command *commands, char **words)
-{
-	const char *word = *words;
-
-	for (char **w = words + 1; *w != NULL; w++)
-		if ((*word == '-' || is_operand(word)) &&
-		    find_command(commands, *w) != NULL)
-			die(EXIT_USAGE,
-			    "'%s' stands before the command; write projcalc "
-			    "%s %s ...",
-			    word, *w, word);
-	if (!is_operand(word) &&
-	    (strncmp(word, "--", 2) != 0 || option_named(word + 2) == NULL))
-		refuse_word(commands, word, false);
-	die(EXIT_USAGE,
-	    "'%s' is no command; one comes first, such as project or lookat; "
-	    "'projcalc help' lists them",
-	    word);
+	if (operand ||
+	    (*word == '-' &&
+		(word[1] != '-' || option_named(word + 2) != NULL)))
+		die(EXIT_USAGE,
+		    "'%s' is no command; one comes first, such as project "
+		    "or lookat, and all else behind it; 'projcalc help' lists "
+		    "them",
+		    word);
+	synonym_word(commands, false, word);
 }

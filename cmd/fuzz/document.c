@@ -141,7 +141,7 @@ static void run(char *text, size_t size, int mode)
 
 	if (mode & 128) {
 		d.points = document_points("a", text, size, 2 + (mode & 1),
-		    &d.points_size);
+		    NULL, &d.points_size);
 		check_point_lines(d.points, d.points_size);
 		return;
 	}

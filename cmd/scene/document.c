@@ -332,9 +332,10 @@ void document_read(struct document *d, const char *name, char *text,
 }
 
 char *document_points(const char *name, char *text, size_t size,
-    int coordinates, size_t *points_size)
+    int coordinates, const char *two, size_t *points_size)
 {
 	struct source source = { .name = name,
+		.two = two,
 		.operand = true,
 		.scene = scene_members };
 	struct span points;

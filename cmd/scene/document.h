@@ -101,9 +101,9 @@ void document_read(struct document *d, const char *name, char *text,
 /* Reads text[0..size), which becomes what is left of it, as a point or a list
  * of points. Returns them as lines in the text, a JSON array each, which begins
  * with as many numbers or nulls as coordinates says. The text of each element
- * stays as it is. */
+ * stays as it is. two is as in struct document_wants. */
 char *document_points(const char *name, char *text, size_t size,
-    int coordinates, size_t *points_size);
+    int coordinates, const char *two, size_t *points_size);
 
 /* Prints "projcalc: FILE: WHY" and exits with 1. why is a refusal of core/,
  * which begins with a pointer: "/camera/up: ...". */

@@ -258,8 +258,8 @@ const struct member scene_members[] = {
 	    .command = "lookat '{\"convention\": \"gl\", "
 		       "\"camera\": " CAMERA_LIKE "}'"),
 	ROW(document, "angle_unit", type_word, unit,
-	    .aliases = "angleunits unit units angles", .words = angle_units,
-	    .beside = true, .usual = "\"degrees\"",
+	    .aliases = "angleunits unit units angles radians degrees",
+	    .words = angle_units, .beside = true, .usual = "\"degrees\"",
 	    .about = "of all angles of the scene",
 	    .command = "persp '{\"angle_unit\": \"radians\", \"fovy\": 1, "
 		       "\"aspect\": 1.5, \"near\": 1, \"far\": 10}'"),
@@ -298,7 +298,7 @@ const struct member scene_members[] = {
 		       ", \"points\": [[0,0,0], [1,1,1]]}'" },
 	ROW(document, "bounds", type_object, bounds,
 	    .has = offsetof(struct document, has_bounds),
-	    .members = bounds_members, .ways = bounds_ways,
+	    .aliases = "extent", .members = bounds_members, .ways = bounds_ways,
 	    .example = BOUNDS_LIKE, .unit = "model units",
 	    .about = "what fit is to hold, else the points",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "

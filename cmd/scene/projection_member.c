@@ -114,7 +114,7 @@ const struct member projection_members[] = {
 	    .aliases = "distance", .unit = "view units",
 	    .about = "where width or edges are measured, else near"),
 	OF(PERSP, "near", type_numbers, near, .range = &range_positive,
-	    .aliases = "znear nearplane", .unit = "view units",
+	    .aliases = "znear nearplane nearfar", .unit = "view units",
 	    .about = "distance of the near plane"),
 	OF(PARALLEL, "near", type_numbers, near, .aliases = "znear nearplane",
 	    .unit = "view units", .about = "distance of the near plane"),

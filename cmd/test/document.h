@@ -21,7 +21,7 @@ static inline void read_text(const void *argument)
 
 	memcpy(text, r->text, size);
 	if (r->wants == NULL)
-		document_points("s.json", text, size, 3, &n);
+		document_points("s.json", text, size, 3, NULL, &n);
 	else
 		document_read(&d, "s.json", text, size, r->wants);
 	free(text);

@@ -23,7 +23,8 @@ my %params = (lookat => '{"eye":[0,0,-5],"at":[0,0,0]}', persp => $lens,
 
 my ($table) = slurp('cmd/call/synonyms.c') =~ /synonyms\[\] = \{(.*?)\n\};/s;
 my %words = map { $_ => 1 } $table =~ /^\t\{ "([^"]+)"/mg,
-    qw(pan rvec rotation flags columns fovy zoom eye lookAt);
+    qw(pan rvec rotation flags columns fovy zoom eye lookAt
+    radians transpose column-major near_far near-far extent);
 
 # The status and what is said, of words of the shell.
 sub try {
@@ -52,6 +53,7 @@ sub suggested {
 	return if $said !~ /unknown (?:command|topic|option)|is no scene/;
 	my @calls = map { s/^projcalc //r } $said =~ /did you mean '([^']*)'\?/g;
 	push @calls, map { "$command $_" } $said =~ /did you mean (-[^?]*)\?/g;
+	push @calls, map { "project $_" } $said =~ /; (--.*) is an option of .*project/;
 	push @calls, $said =~ /'projcalc (help \S+)'/g;
 	push @calls, $1 if $said =~ /: projcalc (\w+ .*'[\[{].*)/;
 	return @calls;
