@@ -228,79 +228,90 @@ INLINE bool pass_coordinate(struct walker *p, struct dialect d,
 	return true;
 }
 
-/* Passes a field of csv that is no coordinate, in quotes if no quote stands in them.
- * Where one stands elsewhere, the separator or newline is not found behind it. */
-INLINE bool pass_field_of_csv(struct walker *p, struct dialect d)
+/* Passes a field of text or csv that is no coordinate. In csv it may stand in quotes
+ * if no quote stands in them; where one stands elsewhere, no separator or newline is
+ * found behind it. */
+INLINE bool pass_other(struct walker *p, struct dialect d)
 {
-	if (!stands(p, '"')) {
-		while (is_blank_of(d, p->text[*p->stop]))
-			p->stop++;
-		p->at = *p->stop;
-		return true;
-	}
-	for (p->stop++; p->text[*p->stop] != '"'; p->stop++)
-		if (p->text[*p->stop] == '\n')
-			return false;
-	p->at = *p->stop++ + 1u;
+	bool csv = d.format == FORMAT_CSV, quoted = csv && stands(p, '"');
+
+	if (quoted)
+		for (p->stop++; p->text[*p->stop] != '"'; p->stop++)
+			if (p->text[*p->stop] == '\n')
+				return false;
+	while (csv && !quoted && is_blank_of(d, p->text[*p->stop]))
+		p->stop++;
+	p->at = *p->stop;
+	if (quoted)
+		pass(p);
 	return true;
 }
 
 /* How the coordinates of a line are found: as its first fields, or by number, or by
- * name and pointer. */
-enum shape { FIELDS, COLUMNS, MEMBERS };
+ * name and pointer; or there are none among the fields. */
+enum shape { FIELDS, COLUMNS, PATHS, NONE };
 
 static bool pass_nested(struct walker *, const struct target *,
-    const struct trail *, int levels);
-
-/* Passes a value of JSON that is no coordinate; those to which the trail leads are
- * in it. Returns false where there are none, or line_read is to look at it. */
-INLINE bool pass_value(struct walker *p, const struct target *t,
-    const struct trail *trail, int levels)
-{
-	uint32_t from = p->at;
-
-	if (stands(p, '{') || stands(p, '['))
-		return pass_nested(p, t, trail, levels);
-	if (stands(p, '"'))
-		return trail == NULL && pass_string(p, false);
-	p->at = *p->stop;
-	return trail == NULL && is_scalar(p->text + from, p->text + p->at);
-}
+    const struct trail *, unsigned led, int levels);
 
 /* What stands at the end of a path into a value. */
 enum { NOTHING = -1, MORE = -2, ODD = -3 };
 
-/* Returns the coordinate whose path ends at the member; MORE if paths lead into it,
- * with what is left of them in rest. A member to which a path has led before, or at
- * which one path ends and another does not, is ODD. */
-INLINE int follow(const struct trail *t, int n, struct span name, unsigned *led,
-    struct trail *rest)
+/* Returns the paths that lead on behind their first token, of those whose bits are
+ * set. */
+static struct trail trail_inside(const struct trail *t, unsigned led)
+{
+	struct trail rest;
+
+	for (int i = 0; i < 4; i++) {
+		bool leads = (led >> i & 1) != 0;
+
+		rest.path[i] = leads ? t->path[i] + t->size[i] + 1 : "";
+		rest.size[i] = leads ? token_size(rest.path[i]) : SIZE_MAX;
+	}
+	return rest;
+}
+
+/* Returns the coordinate whose path ends at the member, or MORE if paths lead into it,
+ * those whose bits are set in led. */
+INLINE int follow(const struct trail *t, int n, struct span name, unsigned *led)
 {
 	size_t size = (size_t)(name.end - name.s);
-	int found = NOTHING;
 
+	*led = 0;
 	for (int i = 0; i < n; i++) {
 		const char *path = t->path[i];
 
 		if (t->size[i] != size || *path != *name.s ||
 		    (size > 1 && memcmp(path, name.s, size) != 0))
 			continue;
-		bool more = path[size] == '/';
-
-		if ((*led >> i & 1) != 0 ||
-		    (found != NOTHING && !(more && found == MORE)))
-			return ODD;
 		*led |= 1u << i;
-		if (more && found == NOTHING)
-			for (int k = 0; k < 4; k++)
-				rest->size[k] = SIZE_MAX;
-		found = more ? MORE : i;
-		if (more) {
-			rest->path[i] = path + size + 1;
-			rest->size[i] = token_size(rest->path[i]);
-		}
+		if (path[size] != '/')
+			return i;
 	}
-	return found;
+	return *led != 0 ? MORE : NOTHING;
+}
+
+/* Passes a value of JSON that is no coordinate. Coordinates are in it if paths have
+ * led there. Returns false where they can't be, or line_read is to look at it. */
+INLINE bool pass_value(struct walker *p, const struct target *t,
+    const struct trail *trail, unsigned led, int levels)
+{
+	uint32_t from = p->at;
+
+	if (stands(p, '{') || stands(p, '[')) {
+		struct walker inside = *p; /* p stays in registers */
+		bool ok = pass_nested(&inside, t, trail, led, levels);
+
+		*p = inside;
+		return ok;
+	}
+	if (led != 0)
+		return false;
+	if (stands(p, '"'))
+		return pass_string(p, false);
+	p->at = *p->stop;
+	return is_scalar(p->text + from, p->text + p->at);
 }
 
 /* Passes the name of a member and its colon. Its string may have no escapes if it may
@@ -340,67 +351,97 @@ INLINE bool ends_text(struct walker *p, struct dialect d, int n, bool comma)
 	return stands(p, '\n') || p->comma == comma;
 }
 
-/* Passes the fields of a line, to the last coordinate of text, else to the end; or
- * those of an array or object to its bracket. Returns false where line_read is to
- * look at them, also where some separators of text have a comma and others have not. */
-INLINE bool pass_fields(struct walker *p, struct dialect d, int n,
-    enum shape shape, bool members, const struct target *t,
-    const struct trail *trail, int levels)
+/* The fields that are passed: those of a line, an array, or an object. */
+struct fields {
+	int n; /* of coordinates */
+	enum shape shape;
+	bool members;
+	const struct trail *trail;
+	int levels;             /* how deep values may be nested */
+	unsigned led;           /* paths that have led to a field, as bits */
+	int separators, commas; /* of text, behind the first coordinate */
+};
+
+/* Returns the coordinate that field k is, behind its name if it has one. */
+INLINE int pass_to_value(struct walker *p, struct dialect d, struct fields *f,
+    const struct walk *w, int k, unsigned *led)
+{
+	const char digit = (char)('0' + k);
+	struct span name = { &digit, &digit + 1 };
+
+	*led = 0;
+	if (f->members && !pass_name(p, d, f->shape == NONE, &name))
+		return ODD;
+	if (f->shape == FIELDS)
+		return k < f->n ? k : NOTHING;
+	if (f->shape == COLUMNS)
+		return coordinate_of(w, f->n, k);
+	if (f->shape == NONE)
+		return NOTHING;
+	int i = f->members || k < 10 ? follow(f->trail, f->n, name, led) : ODD;
+	bool again = (f->led & *led) != 0;
+
+	f->led |= *led;
+	return again ? ODD : i;
+}
+
+/* Passes field k, and the separator behind it unless it is the last. Returns MORE,
+ * NOTHING behind the last, or ODD where line_read is to look at the line. */
+INLINE int pass_field(struct walker *p, struct dialect d, struct fields *f,
+    const struct target *t, int k)
 {
 	const bool text = d.format == FORMAT_TEXT;
-	int separators = 0, commas = 0;
-	unsigned led = 0;
+	unsigned led;
+	int i = pass_to_value(p, d, f, t->walk, k, &led);
 
-	for (int k = 0;; k++) {
-		const char digit = (char)('0' + k);
-		struct span name = { &digit, &digit + 1 };
-		struct trail rest;
-		int i = NOTHING;
+	if (i == ODD)
+		return ODD;
+	if (i >= 0 ? !pass_coordinate(p, d, t, i) :
+		d.format == FORMAT_JSON ?
+		     !pass_value(p, t, f->trail, led, f->levels) :
+		     !pass_other(p, d))
+		return ODD;
+	if (text && p->found == f->n)
+		return NOTHING;
+	if (!pass_separator(p, d))
+		return NOTHING;
+	f->separators += p->found > 0;
+	f->commas += p->found > 0 && p->comma;
+	return MORE;
+}
 
-		if (members && !pass_name(p, d, trail == NULL, &name))
-			return false;
-		if (shape == FIELDS)
-			i = k < n ? k : NOTHING;
-		else if (shape == COLUMNS)
-			i = coordinate_of(t->walk, n, k);
-		else if (trail != NULL)
-			i = members || k < 10 ?
-			    follow(trail, n, name, &led, &rest) :
-			    ODD;
-		if (i == ODD)
-			return false;
-		if (i >= 0 ?
-			!pass_coordinate(p, d, t, i) :
-			d.format == FORMAT_JSON ?
-			!pass_value(p, t, i == MORE ? &rest : NULL, levels) :
-			d.format == FORMAT_CSV && !pass_field_of_csv(p, d))
-			return false;
-		if (text && i < 0)
-			p->at = *p->stop;
-		if (text && p->found == n)
-			return (commas == 0 || commas == separators) &&
-			    ends_text(p, d, n, commas > 0);
-		if (!pass_separator(p, d))
-			return !text;
-		separators += p->found > 0;
-		commas += p->found > 0 && p->comma;
-	}
+/* Passes the fields up to the newline or a bracket, in text up to the last coordinate.
+ * Returns false where line_read is to look at the line. */
+INLINE bool pass_fields(struct walker *p, struct dialect d, struct fields f,
+    const struct target *t)
+{
+	const int usual = f.shape == FIELDS ? f.n : 0;
+	int more = MORE, k = 0;
+
+#pragma GCC unroll 4
+	for (; k < usual && more == MORE; k++)
+		more = pass_field(p, d, &f, t, k);
+	for (; more == MORE; k++)
+		more = pass_field(p, d, &f, t, k);
+	if (d.format != FORMAT_TEXT || more == ODD)
+		return more == NOTHING;
+	return p->found == f.n && (f.commas == 0 || f.commas == f.separators) &&
+	    ends_text(p, d, f.n, f.commas > 0);
 }
 
 /* Passes an array or object. */
-INLINE bool pass_brackets(struct walker *p, int n, enum shape shape,
-    bool members, const struct target *t, const struct trail *trail, int levels)
+INLINE bool pass_brackets(struct walker *p, struct fields f,
+    const struct target *t)
 {
 	const struct dialect json = { FORMAT_JSON, ',' };
-	const char close = members ? '}' : ']';
+	const char close = f.members ? '}' : ']';
 
-	if (!stands(p, members ? '{' : '['))
+	if (!stands(p, f.members ? '{' : '['))
 		return false;
 	pass(p);
 	pass_blanks(p, json);
 	if (!stands(p, close) &&
-	    (!pass_fields(p, json, n, shape, members, t, trail, levels) ||
-		!stands(p, close)))
+	    (!pass_fields(p, json, f, t) || !stands(p, close)))
 		return false;
 	pass(p);
 	pass_blanks(p, json);
@@ -408,11 +449,19 @@ INLINE bool pass_brackets(struct walker *p, int n, enum shape shape,
 }
 
 static bool pass_nested(struct walker *p, const struct target *t,
-    const struct trail *trail, int levels)
+    const struct trail *trail, unsigned led, int levels)
 {
-	return levels > 0 &&
-	    pass_brackets(p, t->walk->n, MEMBERS, stands(p, '{'), t, trail,
-		levels - 1);
+	struct trail inside;
+
+	if (led != 0)
+		inside = trail_inside(trail, led);
+	const struct fields f = { .n = t->walk->n,
+		.shape = led != 0 ? PATHS : NONE,
+		.members = stands(p, '{'),
+		.trail = &inside,
+		.levels = levels - 1 };
+
+	return levels > 0 && pass_brackets(p, f, t);
 }
 
 /* How deep values that are passed may be nested. */
@@ -423,18 +472,20 @@ enum { LEVELS = 8 };
 INLINE bool pass_line(struct walker *p, struct dialect d, int n,
     enum shape shape, const struct target *t)
 {
-	bool members = shape == MEMBERS;
+	const struct fields f = { .n = n,
+		.shape = shape,
+		.members = shape == PATHS,
+		.trail = &t->walk->trail,
+		.levels = LEVELS };
 
 	p->found = 0;
+	t->line->object = f.members;
 	pass_blanks(p, d);
-	if (p->text[p->at] == '#' ||
-	    !(d.format == FORMAT_JSON ?
-		    pass_brackets(p, n, shape, members, t,
-			members ? &t->walk->trail : NULL, LEVELS) :
-		    pass_fields(p, d, n, shape, false, t, NULL, 0)))
-		return false;
-	t->line->object = members;
-	return d.format == FORMAT_TEXT || (p->found == n && stands(p, '\n'));
+	if (d.format == FORMAT_JSON)
+		return pass_brackets(p, f, t) && p->found == n &&
+		    stands(p, '\n');
+	return p->text[p->at] != '#' && pass_fields(p, d, f, t) &&
+	    (d.format == FORMAT_TEXT || (p->found == n && stands(p, '\n')));
 }
 
 /* What stands for the numbers of a line that is left. */
@@ -513,7 +564,7 @@ size_t walk_lines(struct stretch *s, const struct walk *walk, size_t n,
 	if (format_of(walk->in)->header)
 		return take_dialect(s, walk, csv, n, lines, places, left);
 	if (walk->objects && (s->text[s->at] == '{' || !walk->arrays))
-		return walk_take(s, walk, json, walk->n, MEMBERS, n, lines,
+		return walk_take(s, walk, json, walk->n, PATHS, n, lines,
 		    places, left);
 	return take_dialect(s, walk, json, n, lines, places, left);
 }
