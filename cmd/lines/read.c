@@ -21,7 +21,7 @@ static void say_missing(const struct layout *l, int i, struct cut cut,
 		    escaped(word, path, strlen(path)),
 		    l->columns.n > 0 ? "" :
 				       "; --columns names the coordinates");
-		say_names(cut, path, reason);
+		say_names(l, cut, path, reason);
 	} else if (l->columns.n == 0) {
 		say_field(l, i, (struct span){ NULL, NULL }, reason);
 	} else {
