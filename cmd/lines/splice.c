@@ -265,30 +265,14 @@ static void splice(struct splice *w)
 	splice_to(w, w->line->s + w->line->size);
 }
 
-/* Returns the separator before the coordinate that stands last on a line of text. */
-static struct span separator_of_text(const struct splice *w)
-{
-	struct span line = trimmed(w->l->in, line_text(w->line));
-	struct span found = { line.s, line.s };
-	bool comma = false;
-
-	for (int i = 0; i < w->l->reads; i++)
-		if (w->at[i].s > found.end)
-			found.end = w->at[i].s;
-	for (found.s = found.end; found.s > line.s; comma |= *--found.s == ',')
-		if (!is_blank(found.s[-1]) && (found.s[-1] != ',' || comma))
-			break;
-	return found.s > line.s && found.end - found.s <= ADDED_ROOM ?
-	    found :
-	    w->separator;
-}
-
 /* Writes the line whole, and the values before its end or its closing bracket. */
 static void append(struct splice *w)
 {
 	const struct layout *l = w->l;
 	const struct format_row *in = format_of(l->in);
 	struct span line = line_text(w->line), s = line;
+	struct cut c = cut_of(l, w->line);
+	struct field f;
 
 	if (in->header) /* the blanks at the end are of the last field */
 		s.end -= s.end > s.s && s.end[-1] == '\r';
@@ -297,8 +281,9 @@ static void append(struct splice *w)
 	if (*in->close != '\0')
 		s = trimmed(l->in, (struct span){ s.s, s.end - 1 });
 	w->fields = *in->close == '\0' || s.end - s.s > 1;
-	if (in->blanks)
-		w->separator = separator_of_text(w);
+	while (in->blanks && cut_next(&c, &f))
+		if (coordinate_in(w, f.whole.s, f.value.s) >= 0)
+			w->separator = separator_at(l, &f);
 	w->done = line.s;
 	splice_to(w, s.end);
 	put_others(w, 0, w->line->object);
