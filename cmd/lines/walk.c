@@ -119,10 +119,12 @@ INLINE bool pass_separator(struct walker *p, struct dialect d)
 	bool text = d.format == FORMAT_TEXT;
 	char comma = text ? ',' : d.separator, c = p->text[p->at];
 
-	if (p->stop[1] > p->at + 1 && *p->stop == p->at &&
-	    (text ? c != '\n' : c == comma)) {
+	if (*p->stop == p->at &&
+	    (text ? c != '\n' && p->stop[1] > p->at + 1 : c == comma)) {
 		p->comma = c == comma;
 		pass(p);
+		if (!text)
+			pass_blanks(p, d);
 		return true;
 	}
 	pass_blanks(p, d);
@@ -403,7 +405,7 @@ INLINE int pass_field(struct walker *p, struct dialect d, struct fields *f,
 		return ODD;
 	if (text && p->found == f->n)
 		return NOTHING;
-	if (!pass_separator(p, d))
+	if (stands(p, '\n') || !pass_separator(p, d))
 		return NOTHING;
 	f->separators += p->found > 0;
 	f->commas += p->found > 0 && p->comma;
@@ -549,6 +551,17 @@ INLINE size_t take_dialect(struct stretch *s, const struct walk *walk,
 	return walk_take(s, walk, d, 3, FIELDS, max, lines, places, left);
 }
 
+/* Each copy is a function of its own, as one with all of them has too few registers. */
+#define NOINLINE static __attribute__((noinline))
+
+NOINLINE size_t take_objects(struct stretch *s, const struct walk *walk,
+    size_t max, struct line *lines, struct plain_places places[4],
+    uint64_t *left)
+{
+	return walk_take(s, walk, (struct dialect){ FORMAT_JSON, ',' }, walk->n,
+	    PATHS, max, lines, places, left);
+}
+
 size_t walk_lines(struct stretch *s, const struct walk *walk, size_t n,
     struct line lines[PLAIN_BATCH], struct plain_places places[4],
     uint64_t *left)
@@ -564,8 +577,7 @@ size_t walk_lines(struct stretch *s, const struct walk *walk, size_t n,
 	if (format_of(walk->in)->header)
 		return take_dialect(s, walk, csv, n, lines, places, left);
 	if (walk->objects && (s->text[s->at] == '{' || !walk->arrays))
-		return walk_take(s, walk, json, walk->n, PATHS, n, lines,
-		    places, left);
+		return take_objects(s, walk, n, lines, places, left);
 	return take_dialect(s, walk, json, n, lines, places, left);
 }
 
