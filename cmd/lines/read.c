@@ -123,7 +123,6 @@ static void read_fields(const struct layout *l, struct span text,
 		    "image below other names",
 		    choose_count(cut), l->fields);
 	}
-
 	if (ok && cut.bracket != NULL && choose_overlaps(l, &c)) {
 		ok = false;
 		snprintf(reason, REASON_MAX,

@@ -37,12 +37,6 @@ static struct byte_set stops_of(struct dialect d)
 	return set;
 }
 
-/* Returns the bytes of the first token of a pointer, which path is behind a /. */
-static size_t token_size(const char *path)
-{
-	return strcspn(path, "/");
-}
-
 bool walk_plan(const struct layout *l, struct walk *w)
 {
 	const struct columns *c = &l->columns;
@@ -63,7 +57,7 @@ bool walk_plan(const struct layout *l, struct walk *w)
 		name += pointer;
 		w->objects = !pointer || strchr(name, '~') == NULL;
 		w->trail.path[i] = name;
-		w->trail.size[i] = pointer ? token_size(name) : strlen(name);
+		w->trail.size[i] = pointer ? strcspn(name, "/") : strlen(name);
 	}
 	return w->arrays || w->objects;
 }
@@ -269,7 +263,7 @@ static struct trail trail_inside(const struct trail *t, unsigned led)
 		bool leads = (led >> i & 1) != 0;
 
 		rest.path[i] = leads ? t->path[i] + t->size[i] + 1 : "";
-		rest.size[i] = leads ? token_size(rest.path[i]) : SIZE_MAX;
+		rest.size[i] = leads ? strcspn(rest.path[i], "/") : SIZE_MAX;
 	}
 	return rest;
 }
