@@ -43,27 +43,6 @@ bool format_is_old(struct dialect d, struct span line, char reason[REASON_MAX])
 	return true;
 }
 
-/* Says why the line, which begins as an array or object, is no JSON. */
-static void say_no_json(struct dialect json, struct span line,
-    const struct json_error *e, char reason[REASON_MAX])
-{
-	const char *s = skip_blanks(json, line.s, line.end);
-	bool object = *s == '{';
-
-	/* what is in it need not be JSON */
-	for (s = json_skip(s + 1, line.end); s < line.end && *s == ',';)
-		s = json_skip(s + 1, line.end);
-	if (s < line.end && *s == (object ? '}' : ']') &&
-	    skip_blanks(json, s + 1, line.end) == line.end)
-		snprintf(reason, REASON_MAX, "is no JSON: %s", e->reason);
-	else if (!format_is_old(json, line, reason))
-		snprintf(reason, REASON_MAX,
-		    object ? "the object does not end with the line; one "
-			     "object a line: jq -c ." :
-			     "the array does not end with the line; one array "
-			     "a line: jq -c '.[]'");
-}
-
 static bool json_line_check(struct dialect d, struct span line,
     char reason[REASON_MAX])
 {
@@ -74,10 +53,18 @@ static bool json_line_check(struct dialect d, struct span line,
 		snprintf(reason, REASON_MAX,
 		    "is neither a JSON array nor an object; one a line: jq -c "
 		    "'.[]'");
-	else if (!json_check(JSON_LINE, line.s, line.end, &e))
-		say_no_json(d, line, &e, reason);
-	else
+	else if (json_check(JSON_LINE, line.s, line.end, &e))
 		return true;
+	else if (format_is_old(d, line, reason))
+		return false;
+	else if (e.at == line.end)
+		snprintf(reason, REASON_MAX,
+		    "the %s does not end with the line; one %s a line: jq -c "
+		    "%s",
+		    *s == '{' ? "object" : "array",
+		    *s == '{' ? "object" : "array", *s == '{' ? "." : "'.[]'");
+	else
+		snprintf(reason, REASON_MAX, "is no JSON: %s", e.reason);
 	return false;
 }
 

@@ -92,10 +92,8 @@ static bool find_columns(struct layout *l, struct span header,
 
 		snprintf(reason, REASON_MAX, "the header has no column '%s'",
 		    escaped(word, name, strlen(name)));
-		if (c->by_header)
-			say_columns(l, cut_line(l->in, header), reason);
-		else
-			say_names(cut_line(l->in, header), name, reason);
+		say_names(l, cut_line(l->in, header),
+		    c->by_header ? NULL : name, reason);
 		return false;
 	}
 	for (i = 1; i < l->reads; i++)

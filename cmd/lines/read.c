@@ -21,7 +21,7 @@ static void say_missing(const struct layout *l, int i, struct cut cut,
 		    escaped(word, path, strlen(path)),
 		    l->columns.n > 0 ? "" :
 				       "; --columns names the coordinates");
-		say_names(cut, path, reason);
+		say_names(l, cut, path, reason);
 	} else if (l->columns.n == 0) {
 		say_field(l, i, (struct span){ NULL, NULL }, reason);
 	} else {
@@ -61,12 +61,11 @@ static bool read_coordinates(const struct layout *l, struct cut cut,
  * without what would have to be escaped. */
 static bool can_be_added(const char *path)
 {
-	bool plain = *path != '/' && strlen(path) < ADDED_ROOM - 8;
+	char shown[ESCAPED_MAX];
 
-	for (; *path != '\0'; path++)
-		plain &= *path != '"' && *path != '\\' &&
-		    (unsigned char)*path >= ' ';
-	return plain;
+	return *path != '/' && strlen(path) < ADDED_ROOM - 8 &&
+	    strpbrk(path, "\"\\") == NULL &&
+	    strcmp(escaped(shown, path, strlen(path)), path) == 0;
 }
 
 /* Returns whether the other fields of a bad line can be kept. */
@@ -81,17 +80,12 @@ static bool can_be_kept(const struct layout *l, bool members,
 	return !choose_overlaps(l, c);
 }
 
-/* Returns whether --columns says how to find the coordinates in a line of JSON. */
+/* Returns whether --columns, which gives names or numbers alone, says how to find the
+ * coordinates in a line of JSON. */
 static bool columns_fit(const struct layout *l, bool members,
     char reason[REASON_MAX])
 {
-	bool named = l->columns.n > 0, numbered = named;
-
-	for (int i = 0; i < l->columns.n; i++) {
-		named &= l->columns.name[i] != NULL;
-		numbered &= l->columns.name[i] == NULL;
-	}
-	if (l->columns.n == 0 || (members ? named : numbered))
+	if (l->columns.n == 0 || members == (l->columns.name[0] != NULL))
 		return true;
 	snprintf(reason, REASON_MAX,
 	    members ?
@@ -129,7 +123,6 @@ static void read_fields(const struct layout *l, struct span text,
 		    "image below other names",
 		    choose_count(cut), l->fields);
 	}
-
 	if (ok && cut.bracket != NULL && choose_overlaps(l, &c)) {
 		ok = false;
 		snprintf(reason, REASON_MAX,

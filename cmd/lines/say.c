@@ -2,6 +2,7 @@
 #include "say.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <strings.h>
 
@@ -22,104 +23,112 @@ bool say_range(int i, double v, char reason[REASON_MAX])
 	return false;
 }
 
-static int count(struct span f, char c)
+/* Writes to the end of the reason, as far as there is room. */
+static void __attribute__((format(printf, 2, 3)))
+say_more(char reason[REASON_MAX], const char *format, ...)
 {
-	int n = 0;
+	size_t n = strlen(reason);
+	va_list arguments;
 
-	for (; f.s < f.end; f.s++)
-		n += *f.s == c;
-	return n;
+	va_start(arguments, format);
+	vsnprintf(reason + n, REASON_MAX - n, format, arguments);
+	va_end(arguments);
 }
 
-static bool has(struct span f, char c)
-{
-	return count(f, c) > 0;
-}
+/* What may separate fields, and the option that says so. */
+struct separator {
+	char c;
+	const char *shown, *option;
+};
 
-/* Returns what to say if another separator than that of csv stands in f, which is
- * all of a line or a field of several; else NULL. */
-static const char *other_separator(const struct layout *l, struct span f,
-    bool alone)
+/* Returns the first separator, other than the layout's, that stands in f; NULL: none.
+ * A comma and a blank, which are usual in a field, count only where it is alone. */
+static const struct separator *find_separator(const struct layout *l,
+    struct span f, bool alone)
 {
-	char used = format_of(l->in)->header ? l->in.separator : ',';
+	static const struct separator rows[] = {
+		{ ';', ";", "-i csv --separator ';'" },
+		{ '|', "|", "-i csv --separator '|'" },
+		{ '\t', "a tab", "-i tsv" },
+		{ ',', "a comma", "-i csv --separator ," },
+		{ ' ', "a blank", "-i csv --separator ' '" },
+	};
 
-	if (used != ';' && has(f, ';'))
-		return "; is ; the separator? say -i csv --separator ';'";
-	if (used != '|' && has(f, '|'))
-		return "; is | the separator? say -i csv --separator '|'";
-	if (used != '\t' && has(f, '\t'))
-		return "; is a tab the separator? say -i tsv";
-	if (used != ',' && alone && has(f, ','))
-		return "; is a comma the separator? say -i csv alone";
-	if (used != ' ' && alone && has(f, ' '))
-		return "; are blanks the separator? say --separator ' '";
+	for (int k = 0; k < (alone ? 5 : 3); k++)
+		if (rows[k].c != l->in.separator &&
+		    memchr(f.s, rows[k].c, (size_t)(f.end - f.s)) != NULL)
+			return &rows[k];
 	return NULL;
 }
 
-/* Returns what would be right in the place of f. If a number begins there, what
- * comes after it is wrong. */
-static const char *hint(const struct layout *l, int i, struct span f)
+static void say_separator(const struct separator *other,
+    char reason[REASON_MAX])
+{
+	say_more(reason, "; is %s the separator? say %s", other->shown,
+	    other->option);
+}
+
+/* Says what would be right in the place of f, coordinate i. If a number begins there,
+ * what comes after it is wrong. */
+static void say_right(const struct layout *l, int i, struct span f,
+    char reason[REASON_MAX])
 {
 	const struct format_row *in = format_of(l->in);
-	bool json = *in->open != '\0';
 	double v;
-	bool begins = number_read(f.s, f.end, &v) != NULL;
+	const char *after = number_read(f.s, f.end, &v);
+	const struct separator *other = find_separator(l, f,
+	    in->header && after != NULL);
 
-	if (in->header && l->in.separator != ',' && has(f, ','))
-		return count(f, ',') == 1 ?
-		    "; a decimal point is a point: 1.5" :
-		    "; is a comma the separator? say -i csv alone";
-	const char *other = other_separator(l, f, false);
-
-	if (!json && other != NULL)
-		return other;
-	if (in->header && has(f, ' ') && begins)
-		return "; are blanks the separator? leave -i csv out";
-	if (begins)
-		return json ?
-		    "; a number is wanted, as JSON writes it" :
-		    in->header ?
-		    "; a number is wanted, and nothing else in the field" :
-		    "; a number is wanted, with a blank or comma behind it";
-	if (!json && l->columns.n == 0 && i == 0)
-		return "; a number is wanted; --columns says which fields the "
-		       "coordinates are";
-	return "; a number is wanted";
+	if (*in->open != '\0')
+		say_more(reason, "; a number is wanted%s",
+		    after != NULL ?
+			", as JSON writes it" :
+			*f.s == '[' || *f.s == '{' ?
+			"; one array or object a line: jq -c '.[]'" :
+			"");
+	else if (other != NULL && other->c == ',' &&
+	    number_read(after + 1, f.end, &v) == f.end)
+		say_more(reason, "; a decimal point is a point: 1.5");
+	else if (other != NULL)
+		say_separator(other, reason);
+	else
+		say_more(reason, "; a number is wanted%s",
+		    after != NULL ?
+			", and nothing else in the field" :
+			l->columns.n == 0 && i == 0 ?
+			"; --columns says which fields the coordinates are" :
+			"");
 }
 
 void say_field(const struct layout *l, int i, struct span f,
     char reason[REASON_MAX])
 {
-	size_t n = (size_t)(f.end - f.s);
-	bool nested = n > 0 && (*f.s == '[' || *f.s == '{');
+	const bool json = *format_of(l->in)->open != '\0';
 	char word[ESCAPED_MAX];
 
-	if (nested && *format_of(l->in)->open == '\0')
-		snprintf(reason, REASON_MAX,
-		    "looks like JSON; say -i json, with one array or object a "
-		    "line: jq -c '%s'",
-		    *f.s == '[' ? ".[]" : ".points[]");
-	else if (nested)
-		snprintf(reason, REASON_MAX,
-		    "%s is not a number; one array or object a line: jq -c "
-		    "'.[]'",
-		    coordinate_name(i));
-	else if (n == 0)
-		snprintf(reason, REASON_MAX,
-		    "%s is missing; %d numbers are wanted%s",
+	*reason = '\0';
+	if (f.s == f.end) {
+		say_more(reason, "%s is missing; %d numbers are wanted%s",
 		    coordinate_name(i), l->reads,
 		    i == 2 && l->two != NULL ? l->two : "");
-	else
-		snprintf(reason, REASON_MAX, "%s is '%s'%s", coordinate_name(i),
-		    escaped(word, f.s, n), hint(l, i, f));
+	} else if (!json && (*f.s == '[' || *f.s == '{')) {
+		say_more(reason,
+		    "looks like JSON; say -i json, with one array or object a "
+		    "line: jq -c '.[]'");
+	} else {
+		say_more(reason, "%s is '%s'", coordinate_name(i),
+		    escaped(word, f.s, (size_t)(f.end - f.s)));
+		say_right(l, i, f, reason);
+	}
 }
 
 enum { NAMES_MAX = 32, NAME_ROOM = 64 };
 
-/* The names of columns or members: the first of them, without long ones. */
+/* The names of columns or members: the first of them, without long ones. NULL ends
+ * the list. */
 struct names {
 	char name[NAMES_MAX][NAME_ROOM];
-	int field[NAMES_MAX];
+	const char *list[NAMES_MAX + 1];
 	int n;
 	bool more; /* there are others */
 };
@@ -130,7 +139,7 @@ static void names_of(struct cut c, struct names *names)
 
 	names->n = 0;
 	names->more = false;
-	for (int k = 0; cut_next(&c, &f); k++) {
+	while (cut_next(&c, &f)) {
 		struct span all = c.members ?
 		    (struct span){ f.name.s + 1, f.name.end - 1 } :
 		    f.value;
@@ -140,199 +149,114 @@ static void names_of(struct cut c, struct names *names)
 			names->more = true;
 			continue;
 		}
-		memcpy(names->name[names->n], all.s, size);
-		names->name[names->n][size] = '\0';
-		names->field[names->n++] = k;
+		char *name = names->name[names->n];
+
+		memcpy(name, all.s, size);
+		name[size] = '\0';
+		names->list[names->n++] = name;
 	}
+	names->list[names->n] = NULL;
 }
 
-/* Writes to the end of the reason, as far as there is room. */
-static void say_more(char reason[REASON_MAX], const char *before,
-    const char *name, const char *after)
+/* Returns the name that begins as a does up to the byte, and goes on with the word;
+ * NULL: none. */
+static const char *name_beside(const struct names *names, const char *a,
+    size_t at, const char *word)
 {
-	char shown[ESCAPED_MAX];
-	size_t n = strlen(reason);
-
-	snprintf(reason + n, REASON_MAX - n, "%s%s%s", before,
-	    escaped(shown, name, strlen(name)), after);
+	for (int i = 0; i < names->n; i++)
+		if (strncmp(names->list[i], a, at) == 0 &&
+		    strcasecmp(names->list[i] + at, word) == 0)
+			return names->list[i];
+	return NULL;
 }
 
-static void say_list(const struct names *names, char reason[REASON_MAX])
-{
-	const size_t room = REASON_MAX - ESCAPED_MAX - 8;
-	int i = 0;
-
-	for (; i < names->n && strlen(reason) < room; i++)
-		say_more(reason, i > 0 ? ", " : " it has ", names->name[i], "");
-	if (i < names->n || names->more)
-		say_more(reason, i > 0 ? ", ..." : " it has ...", "", "");
-}
-
-void say_names(struct cut c, const char *wanted, char reason[REASON_MAX])
-{
-	const char *list[NAMES_MAX + 1] = { NULL }, *near;
-	struct names names;
-
-	names_of(c, &names);
-	if (names.n == 0 && !names.more)
-		return;
-	for (int i = 0; i < names.n; i++)
-		list[i] = names.name[i];
-	near = nearest(wanted, list);
-	if (near != NULL)
-		say_more(reason, "; did you mean '", near, "'?");
-	else
-		say_more(reason, ";", "", "");
-	say_list(&names, reason);
-}
-
-/* Returns which name is a, with the word at a + at of size bytes exchanged for
- * another; -1: none. */
-static int find_exchanged(const struct names *names, const char *a, size_t at,
-    size_t size, const char *word)
-{
-	size_t n = strlen(word);
-
-	for (int i = 0; i < names->n && *word != '\0'; i++) {
-		const char *b = names->name[i];
-
-		if (strlen(b) == strlen(a) - size + n &&
-		    strncasecmp(a, b, at) == 0 &&
-		    strncasecmp(b + at, word, n) == 0 &&
-		    strcasecmp(a + at + size, b + at + n) == 0)
-			return i;
-	}
-	return -1;
-}
-
-/* Returns the first name of a height, beside a horizontal one a as above. */
-static int find_height(const struct names *names, const char *a, size_t at,
-    size_t size)
-{
-	static const char *const heights[] = { "z", "altitude", "alt",
-		"elevation", "elev", "ele", "height", "h", "up" };
-	int found = -1;
-
-	for (int k = 0; k < 9 && found < 0; k++) {
-		found = find_exchanged(names, a, at, size, heights[k]);
-		if (found < 0)
-			found = find_exchanged(names, "", 0, 0, heights[k]);
-	}
-	return found;
-}
-
-/* The words that tell names of one point's coordinates apart. */
-static const char *const axes[][4] = { { "x", "y", "z", "w" },
-	{ "longitude", "latitude", "", "" }, { "lon", "lat", "", "" },
-	{ "long", "lat", "", "" }, { "lng", "lat", "", "" },
-	{ "easting", "northing", "", "" }, { "east", "north", "", "" },
-	{ "e", "n", "", "" }, { "u", "v", "w", "" } };
-
-/* Returns how many coordinates have names that are alike but for a word, as gps_lon
- * and gps_lat are, where the first is field[0] with the word at the byte. */
-static int find_alike(const struct names *names, const char *const axis[4],
-    size_t at, int reads, int field[4])
-{
-	const char *a = names->name[field[0]];
-	size_t size = strlen(axis[0]);
-	int n = 1;
-
-	if (strncasecmp(a + at, axis[0], size) != 0)
-		return 0;
-	for (; n < reads; n++) {
-		field[n] = find_exchanged(names, a, at, size, axis[n]);
-		if (field[n] < 0 && n == 2)
-			field[n] = find_height(names, a, at, size);
-		if (field[n] < 0)
-			break;
-	}
-	return n;
-}
-
-/* Finds which names the coordinates have in all likelihood. Returns how many, from
- * the first on: at least two, or none. */
-static int guess_columns(const struct names *names, int reads, int found[4])
-{
-	int best = 1, field[4];
-
-	for (size_t r = 0; r < sizeof axes / sizeof *axes; r++)
-		for (int i = 0; i < names->n; i++)
-			for (size_t at = 0; names->name[i][at] != '\0'; at++) {
-				field[0] = i;
-				int n = find_alike(names, axes[r], at, reads,
-				    field);
-
-				if (n > best)
-					memcpy(found, field, sizeof field);
-				best = n > best ? n : best;
-			}
-	return best > 1 ? best : 0;
-}
-
-/* Returns whether --columns and a shell's single quotes can hold the name. */
+/* Returns whether --columns can hold the name, and a shell leaves it as it is. */
 static bool can_be_typed(const char *name)
 {
 	char shown[ESCAPED_MAX];
 
-	return name[strspn(name, "0123456789")] != '\0' &&
-	    strpbrk(name, ",'") == NULL &&
+	return strpbrk(name, " ,'\"\\$`()[]{}<>|&;*?#~!") == NULL &&
 	    strcmp(escaped(shown, name, strlen(name)), name) == 0;
 }
 
-/* Says --columns for the names that were guessed: by number if one can't be typed. */
-static void say_guessed(const struct names *names, const int *found, int n,
-    int reads, char reason[REASON_MAX])
+/* Says --columns for names that end in what is usual for the first two coordinates
+ * and begin alike, as gps_lon and gps_lat. Returns whether there are two. */
+static bool say_guess(const struct names *names, int reads,
+    char reason[REASON_MAX])
 {
-	bool typed = true, quoted = false;
+	static const char *const axes[][2] = { { "x", "y" },
+		{ "longitude", "latitude" }, { "lon", "lat" },
+		{ "long", "lat" }, { "lng", "lat" }, { "easting", "northing" },
+		{ "east", "north" }, { "e", "n" }, { "u", "v" } };
+	static const char *const heights[] = { "z", "altitude", "alt",
+		"elevation", "elev", "ele", "height", "h", "up", "w" };
 
-	for (int i = 0; i < n; i++) {
-		const char *name = names->name[found[i]];
+	for (int k = 0; k < 9 * names->n; k++) {
+		const char *a = names->list[k % names->n];
+		const char *const *axis = axes[k / names->n], *third = NULL;
+		size_t n = strlen(a), size = strlen(axis[0]), at = n - size;
 
-		typed &= can_be_typed(name);
-		quoted |= strpbrk(name, " \t\"\\$`()[]{}<>|&;*?#~!") != NULL;
+		if (n < size || strcasecmp(a + at, axis[0]) != 0 ||
+		    !can_be_typed(a))
+			continue;
+		const char *b = name_beside(names, a, at, axis[1]);
+
+		for (int i = 0; i < 10 && third == NULL; i++)
+			third = name_beside(names, a, at, heights[i]);
+		for (int i = 0; i < 10 && third == NULL; i++)
+			third = name_beside(names, "", 0, heights[i]);
+		if (b == NULL)
+			continue;
+		say_more(reason, "; say --columns %s,%s", a, b);
+		if (reads > 2)
+			say_more(reason, ",%s", third != NULL ? third : "NAME");
+		if (reads > 3)
+			say_more(reason, ",NAME");
+		return true;
 	}
-	const char *quote = typed && quoted ? "'" : "";
-
-	say_more(reason, "; say --columns ", quote, "");
-	for (int i = 0; i < reads; i++) {
-		char number[16];
-
-		snprintf(number, sizeof number, "%d",
-		    i < n ? names->field[found[i]] + 1 : 0);
-		say_more(reason, i > 0 ? "," : "",
-		    i >= n    ? "NAME" :
-			typed ? names->name[found[i]] :
-				number,
-		    "");
-	}
-	say_more(reason, quote, ";", "");
+	return false;
 }
 
-void say_columns(const struct layout *l, struct cut c, char reason[REASON_MAX])
+void say_names(const struct layout *l, struct cut c, const char *wanted,
+    char reason[REASON_MAX])
 {
-	struct span header = { c.s, c.end };
+	const size_t room = REASON_MAX - ESCAPED_MAX - 8;
+	const struct span header = { c.s, c.end };
+	char shown[ESCAPED_MAX];
 	struct names names;
-	int found[4];
+	int i = 0;
 
 	names_of(c, &names);
-	int n = guess_columns(&names, l->reads, found);
-	const char *other = other_separator(l, header, names.n == 1);
+	const char *near = nearest(wanted != NULL ? wanted : "", names.list);
 
-	if (n < l->reads && other != NULL) {
-		say_more(reason, other, "", "");
-		return;
-	}
-	if (n > 0)
-		say_guessed(&names, found, n, l->reads, reason);
-	else
+	if (wanted != NULL && near != NULL) {
+		say_more(reason, "; did you mean '%s'?",
+		    escaped(shown, near, strlen(near)));
+	} else if (wanted == NULL && !say_guess(&names, l->reads, reason)) {
+		const struct separator *other = find_separator(l, header,
+		    names.n == 1);
+
+		if (other != NULL) {
+			say_separator(other, reason);
+			return;
+		}
 		say_more(reason,
-		    "; say with --columns which the coordinates are;", "", "");
-	say_list(&names, reason);
+		    "; say with --columns which the coordinates are");
+	}
+	if (names.n > 0 || names.more)
+		say_more(reason, "%s it has ",
+		    near != NULL && wanted ? "" : ";");
+	for (; i < names.n && strlen(reason) < room; i++)
+		say_more(reason, "%s%s", i > 0 ? ", " : "",
+		    escaped(shown, names.list[i], strlen(names.list[i])));
+	if (i < names.n || names.more)
+		say_more(reason, i > 0 ? ", ..." : "...");
 }
 
 void say_text_header(const struct layout *l, struct span line,
     char reason[REASON_MAX])
 {
+	const struct separator *other = find_separator(l, line, true);
 	struct cut c = cut_line(l->in, line);
 	struct field f;
 
@@ -344,9 +268,7 @@ void say_text_header(const struct layout *l, struct span line,
 		    (i == 0 && (*f.value.s == '[' || *f.value.s == '{')))
 			return;
 	}
-	snprintf(reason, REASON_MAX, "looks like a header; say %s",
-	    has(line, ',')      ? "-i csv" :
-		has(line, '\t') ? "-i tsv" :
-		has(line, ';')  ? "-i csv --separator ';'" :
-				  "-i csv --separator ' ', or put # before it");
+	snprintf(reason, REASON_MAX,
+	    "looks like a header; say %s, or put # before it",
+	    other != NULL ? other->option : "-i csv --separator ' '");
 }

@@ -14,12 +14,10 @@ void say_field(const struct layout *, int i, struct span f,
     char reason[REASON_MAX]);
 
 /* Writes "; did you mean 'x'? it has x, y, z" to the end of the reason: the names in
- * a csv header, or of the members of an object. */
-void say_names(struct cut, const char *wanted, char reason[REASON_MAX]);
-
-/* Writes "; say --columns lon,lat,h; it has h, lat, lon" to the end of the reason: of
- * a csv header that lacks x, y, z or w. */
-void say_columns(const struct layout *, struct cut, char reason[REASON_MAX]);
+ * a csv header, or of the members of an object. Where no name is wanted, as the header
+ * lacks x, y, z or w, "; say --columns lon,lat,h; it has h, lat, lon". */
+void say_names(const struct layout *, struct cut, const char *wanted,
+    char reason[REASON_MAX]);
 
 /* Says that the first line of text looks like a header, if it has no number where
  * coordinates should be. */

@@ -51,11 +51,6 @@ static char *splice_text(char *out, const char *s, const char *end)
 	return out + (end - s);
 }
 
-static char *splice_string(char *out, const char *s)
-{
-	return splice_text(out, s, s + strlen(s));
-}
-
 /* Copies the line up to s. */
 static void splice_to(struct splice *w, const char *s)
 {
@@ -85,6 +80,16 @@ static bool is_written(const struct splice *w, int k)
 	return k == FLAGS ? w->flags != NULL : k < w->l->writes;
 }
 
+static char *put_word(const struct layout *l, const struct word *w, char *out)
+{
+	bool quoted = *format_of(l->out)->open != '\0';
+
+	*out = '"';
+	out = splice_text(out + quoted, w->s, w->s + w->size);
+	*out = '"';
+	return out + quoted;
+}
+
 static char *put_value(const struct splice *w, int k, char *out)
 {
 	const struct layout *l = w->l;
@@ -92,39 +97,40 @@ static char *put_value(const struct splice *w, int k, char *out)
 	if (w->numbers == NULL)
 		return k < l->reads && w->at[k].s < w->at[k].end ?
 		    format_convert(l->in, l->out, w->at[k], out) :
-		    splice_string(out, value_name(w, k));
+		    stpcpy(out, value_name(w, k));
 	if (k < FLAGS)
 		return line_put(l, k,
 		    &w->numbers->text[(size_t)k * w->numbers->text_step],
 		    w->numbers->v[(size_t)k * w->numbers->step], out);
-	bool quoted = *format_of(l->out)->open != '\0';
-
-	*out = '"';
-	out = splice_text(out + quoted, w->flags->s,
-	    w->flags->s + w->flags->size);
-	*out = '"';
-	return out + quoted;
+	return put_word(l, w->flags, out);
 }
 
 /* Writes every value from k on that was not written yet: behind a separator, but for
  * the first of the line, and in an object behind its name. */
 static void put_others(struct splice *w, int k, bool members)
 {
+	size_t gap = (size_t)(w->separator.end - w->separator.s);
+	char *out = w->out;
+
 	for (; k <= FLAGS; k++) {
 		if (!is_written(w, k) || (w->put >> k & 1) != 0)
 			continue;
-		if (w->fields++ > 0)
-			w->out = splice_text(w->out, w->separator.s,
-			    w->separator.end);
-		if (members) {
-			*w->out++ = '"';
-			w->out = splice_string(w->out, value_name(w, k));
-			*w->out++ = '"';
-			*w->out++ = ':';
+		if (w->fields++ > 0) {
+			*out = *w->separator.s;
+			if (gap > 1)
+				memcpy(out, w->separator.s, gap);
+			out += gap;
 		}
-		w->out = put_value(w, k, w->out);
+		if (members) {
+			*out++ = '"';
+			out = stpcpy(out, value_name(w, k));
+			*out++ = '"';
+			*out++ = ':';
+		}
+		out = put_value(w, k, out);
 		w->put |= 1u << k;
 	}
+	w->out = out;
 }
 
 /* Returns the coordinate that begins from s up to end, or -1. */
@@ -259,30 +265,14 @@ static void splice(struct splice *w)
 	splice_to(w, w->line->s + w->line->size);
 }
 
-/* Returns the separator before the coordinate that stands last on a line of text. */
-static struct span separator_of_text(const struct splice *w)
-{
-	struct span line = trimmed(w->l->in, line_text(w->line));
-	struct span found = { line.s, line.s };
-	bool comma = false;
-
-	for (int i = 0; i < w->l->reads; i++)
-		if (w->at[i].s > found.end)
-			found.end = w->at[i].s;
-	for (found.s = found.end; found.s > line.s; comma |= *--found.s == ',')
-		if (!is_blank(found.s[-1]) && (found.s[-1] != ',' || comma))
-			break;
-	return found.s > line.s && found.end - found.s <= ADDED_ROOM ?
-	    found :
-	    w->separator;
-}
-
 /* Writes the line whole, and the values before its end or its closing bracket. */
 static void append(struct splice *w)
 {
 	const struct layout *l = w->l;
 	const struct format_row *in = format_of(l->in);
 	struct span line = line_text(w->line), s = line;
+	struct cut c = cut_of(l, w->line);
+	struct field f;
 
 	if (in->header) /* the blanks at the end are of the last field */
 		s.end -= s.end > s.s && s.end[-1] == '\r';
@@ -291,8 +281,9 @@ static void append(struct splice *w)
 	if (*in->close != '\0')
 		s = trimmed(l->in, (struct span){ s.s, s.end - 1 });
 	w->fields = *in->close == '\0' || s.end - s.s > 1;
-	if (in->blanks)
-		w->separator = separator_of_text(w);
+	while (in->blanks && cut_next(&c, &f))
+		if (coordinate_in(w, f.whole.s, f.value.s) >= 0)
+			w->separator = separator_at(l, &f);
 	w->done = line.s;
 	splice_to(w, s.end);
 	put_others(w, 0, w->line->object);
@@ -323,47 +314,18 @@ static char *put_rest_of_record(const struct layout *l, const struct line *line,
 	return out;
 }
 
-/* Writes each field that holds no coordinate, or by --append each one, behind a
- * separator of the format out but for the first of the line. */
-static char *put_rest_of(struct splice *w, char *out)
+/* Writes each field of the cut that holds no coordinate, or by --append each one,
+ * behind a separator of the format out but for the first of the line. */
+static char *put_fields(struct splice *w, struct cut c, char *out)
 {
 	const struct layout *l = w->l;
-	const struct line *line = w->line;
-	const struct format_row *from = format_of(l->in),
-				*to = format_of(l->out);
-	bool first = line->kind == LINE_POINT && l->columns.n == 0 &&
-	    !l->append;
+	/* csv's empty fields become "" in JSON, so that the fields after them keep
+	 * their place in the array */
+	bool empty = format_of(l->in)->header && !format_of(l->out)->blanks;
 	struct field f;
 
-	if (is_binary(l->in.format))
-		return put_rest_of_record(l, line, out);
-	if (line->kind == LINE_LOST || line->object)
-		return out;
-	struct cut c;
-
-	if (first) { /* nothing else stands before the coordinates */
-		c = (struct cut){ .in = l->in,
-			.end = line->s + line->size,
-			.bracket = *from->open != '\0' ? line->s : NULL };
-		cut_behind(&c, w->at[l->reads - 1].end);
-	} else {
-		c = cut_of(l, line);
-	}
-	if (first && from->blanks && to->blanks && c.s != NULL) {
-		struct span rest = trimmed(l->in, (struct span){ c.s, c.end });
-
-		*out = ' ';
-		return rest.s < rest.end ?
-		    splice_text(out + 1, rest.s, rest.end) :
-		    out;
-	}
 	while (cut_next(&c, &f)) {
-		/* csv's empty fields become "" in JSON, so that the fields
-		 * after them keep their place in the array */
-		bool kept = f.whole.s < f.whole.end ||
-		    (from->header && !to->blanks);
-
-		if (!kept ||
+		if ((f.whole.s == f.whole.end && !empty) ||
 		    (!l->append &&
 			coordinate_in(w, f.whole.s, f.whole.end) >= 0))
 			continue;
@@ -374,12 +336,71 @@ static char *put_rest_of(struct splice *w, char *out)
 	return out;
 }
 
+/* Writes all fields of a line that hold no coordinate. */
+static char *put_rest_of(struct splice *w, char *out)
+{
+	return w->line->kind == LINE_LOST || w->line->object ?
+	    out :
+	    put_fields(w, cut_of(w->l, w->line), out);
+}
+
 char *line_rest(const struct layout *l, const struct line *line, char *out)
 {
+	const struct format_row *in = format_of(l->in);
+
+	if (is_binary(l->in.format))
+		return put_rest_of_record(l, line, out);
+	if (line->kind != LINE_POINT || line->object || l->columns.n > 0) {
+		struct splice w = { .l = l, .line = line, .fields = 1 };
+
+		splice_places(&w);
+		return put_rest_of(&w, out);
+	}
+	/* nothing else stands before the coordinates */
+	struct cut c = { .in = l->in,
+		.end = line->s + line->size,
+		.bracket = *in->open != '\0' ? line->s : NULL };
+
+	cut_behind(&c, line_at(line, l->reads - 1).end);
+	if (c.s == NULL)
+		return out;
+	if (in->blanks && format_of(l->out)->blanks) {
+		struct span rest = trimmed(l->in, (struct span){ c.s, c.end });
+
+		*out = ' ';
+		return rest.s < rest.end ?
+		    splice_text(out + 1, rest.s, rest.end) :
+		    out;
+	}
 	struct splice w = { .l = l, .line = line, .fields = 1 };
 
-	splice_places(&w);
-	return put_rest_of(&w, out);
+	return put_fields(&w, c, out);
+}
+
+/* Writes a point in another format: its image, then all other fields. */
+static char *convert_point(const struct layout *l, const struct line *line,
+    const struct numbers *n, const struct word *flags, char *out)
+{
+	const struct format_row *to = format_of(l->out);
+	const struct number_text *text = n->text;
+	const double *v = n->v;
+
+	*out = *to->open;
+	out += *to->open != '\0';
+	for (int k = 0; k < l->writes;
+	     k++, text += n->text_step, v += n->step) {
+		*out = l->out.separator;
+		out = line_put(l, k, text, *v, out + (k > 0));
+	}
+	if (flags != NULL) {
+		*out = l->out.separator;
+		out = put_word(l, flags, out + 1);
+	}
+	out = line_rest(l, line, out);
+	*out = *to->close;
+	out += *to->close != '\0';
+	*out = '\n';
+	return out + line->newline;
 }
 
 /* Writes the values first, then all other fields, or by --append the other way, as the
@@ -421,13 +442,16 @@ static void write_header(struct splice *w)
 		return;
 	}
 	if (format_of(l->out)->blanks)
-		w->out = splice_string(w->out, "# ");
+		w->out = stpcpy(w->out, "# ");
 	convert(w);
 }
 
 char *line_write(const struct layout *l, const struct line *line,
     const struct numbers *numbers, const struct word *flags, char *out)
 {
+	if (line->kind == LINE_POINT && !l->append &&
+	    !same_dialect(l->in, l->out))
+		return convert_point(l, line, numbers, flags, out);
 	struct splice w = { .l = l,
 		.line = line,
 		.numbers = numbers,

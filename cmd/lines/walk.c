@@ -11,24 +11,25 @@
  * it falls away. */
 #define INLINE static inline __attribute__((always_inline))
 
-/* What can end a field: blanks, newlines and commas; in csv quotes, where the
- * field is to be left; in JSON brackets, and what strings hold but rarely. */
-#define TEXT_STOPS "\t\n\v\f\r ,"
-#define CONTROLS                                                  \
-	"\0\1\2\3\4\5\6\7\10\16\17\20\21\22\23\24\25\26\27\30\31" \
-	"\32\33\34\35\36\37"
-static const char text_stops[] = TEXT_STOPS,
-		  json_stops[] = TEXT_STOPS "\"[]{}\\" CONTROLS;
-
-/* A bit for each value of the upper four: there may be eight of these. */
-static struct byte_set set_of(const char *bytes, size_t n)
+/* Returns the bytes that can end a field of the dialect, or where it is to be left. */
+static struct byte_set stops_of(struct dialect d)
 {
+	const struct format_row *row = format_of(d);
+	const bool json = *row->open != '\0';
 	struct byte_set set = { { 0 }, { 0 } };
 	int bits = 0;
 
-	for (size_t i = 0; i < n; i++) {
-		uint8_t b = (uint8_t)bytes[i], *bit = &set.high[b >> 4];
+	for (int b = 0; b < 256; b++) {
+		/* a bit for each value of the upper four: there may be eight */
+		uint8_t *bit = &set.high[b >> 4];
+		char c = (char)b;
 
+		if (c != '\n' && !is_blank(c) && c != d.separator &&
+		    !(row->blanks && c == ',') &&
+		    (row->quote == 0 ||
+			(c != row->quote && c != row->escape)) &&
+		    !(json && (b < ' ' || strchr("[]{}", c) != NULL)))
+			continue;
 		if (*bit == 0)
 			*bit = (uint8_t)(1 << bits++);
 		set.low[b & 15] |= *bit;
@@ -36,72 +37,29 @@ static struct byte_set set_of(const char *bytes, size_t n)
 	return set;
 }
 
-static struct byte_set stops_of(struct dialect d)
-{
-	const char csv_stops[] = { '\t', '\n', '\v', '\f', '\r', ' ', '"',
-		d.separator };
-
-	switch (d.format) {
-	case FORMAT_CSV:
-		return set_of(csv_stops, sizeof csv_stops);
-	case FORMAT_JSON:
-		return set_of(json_stops, sizeof json_stops - 1);
-	default:
-		return set_of(text_stops, sizeof text_stops - 1);
-	}
-}
-
-/* In JSON names are of an object's members, and numbers of an array's elements;
- * where there are neither, lines may be either. */
-static void plan_members(const struct layout *l, struct walk *w)
+bool walk_plan(const struct layout *l, struct walk *w)
 {
 	const struct columns *c = &l->columns;
+	const bool json = l->in.format == FORMAT_JSON;
 
-	w->arrays = c->n == 0 || c->name[0] == NULL;
-	w->objects = c->n == 0 || c->name[0] != NULL;
+	*w = (struct walk){ .in = l->in,
+		.stops = stops_of(l->in),
+		.n = l->reads,
+		.arrays = !json || c->n == 0 || c->name[0] == NULL,
+		.objects = json && (c->n == 0 || c->name[0] != NULL),
+		.columns = c->n > 0 };
+	for (int i = 0; i < l->reads; i++)
+		w->field[i] = layout_field(l, i);
 	for (int i = 0; i < l->reads && w->objects; i++) {
 		const char *name = layout_path(l, i);
 		bool pointer = *name == '/';
 
-		w->paths |= pointer;
-		w->objects = !strchr(name + pointer, pointer ? '~' : '/');
-		w->name[i] = name + pointer;
-		w->name_size[i] = strlen(w->name[i]);
+		name += pointer;
+		w->objects = !pointer || strchr(name, '~') == NULL;
+		w->trail.path[i] = name;
+		w->trail.size[i] = pointer ? strcspn(name, "/") : strlen(name);
 	}
-}
-
-bool walk_plan(const struct layout *l, struct walk *w)
-{
-	const int *field = l->columns.field;
-	int n = l->reads, last = -1;
-
-	*w = (struct walk){ .in = l->in,
-		.stops = stops_of(l->in),
-		.n = n,
-		.arrays = true,
-		.columns = l->columns.n > 0 };
-	for (int i = 0; i < n; i++)
-		w->coordinate[i] = i;
-	if (l->in.format == FORMAT_JSON)
-		plan_members(l, w);
-	if (!w->arrays)
-		return w->objects;
-	if (!w->columns)
-		return true;
-	for (int i = 0; i < n; i++) {
-		int k = i;
-
-		for (; k > 0 && field[w->coordinate[k - 1]] > field[i]; k--)
-			w->coordinate[k] = w->coordinate[k - 1];
-		w->coordinate[k] = i;
-	}
-	for (int i = 0; i < n; i++) {
-		w->skip[i] = field[w->coordinate[i]] - last - 1;
-		last = field[w->coordinate[i]];
-		if (w->skip[i] < 0)
-			return false;
-	}
-	return true;
+	return w->arrays || w->objects;
 }
 
 bool stretch_open(struct stretch *w, const struct walk *walk, const char *text,
@@ -128,7 +86,7 @@ struct walker {
 	uint32_t at;
 	const uint16_t *stop;
 	bool comma; /* in the separator that was passed last */
-	int found;  /* coordinates that paths led to */
+	int found;  /* coordinates that were passed */
 };
 
 INLINE bool stands(const struct walker *p, char c)
@@ -155,10 +113,12 @@ INLINE bool pass_separator(struct walker *p, struct dialect d)
 	bool text = d.format == FORMAT_TEXT;
 	char comma = text ? ',' : d.separator, c = p->text[p->at];
 
-	if (p->stop[1] > p->at + 1 && *p->stop == p->at &&
-	    (text ? c != '\n' : c == comma)) {
+	if (*p->stop == p->at &&
+	    (text ? c != '\n' && p->stop[1] > p->at + 1 : c == comma)) {
 		p->comma = c == comma;
 		pass(p);
+		if (!text)
+			pass_blanks(p, d);
 		return true;
 	}
 	pass_blanks(p, d);
@@ -224,14 +184,15 @@ static bool is_scalar(const char *s, const char *end)
 
 /* The line of which coordinates are found, with number i. */
 struct target {
+	const struct walk *walk;
 	struct line *line;
 	uint32_t begin;
 	size_t i;
 	struct plain_places *places;
 };
 
-/* Past coordinate k; false where it can't be a plain number. */
-INLINE bool pass_coordinate(struct walker *p, struct dialect d,
+/* Passes coordinate k. Returns false where it can't be a plain number. */
+INLINE bool pass_number(struct walker *p, struct dialect d,
     const struct target *t, int k)
 {
 	uint32_t from = p->at, to = *p->stop;
@@ -244,318 +205,283 @@ INLINE bool pass_coordinate(struct walker *p, struct dialect d,
 	t->places[k].end[t->i] = p->text + to;
 	t->places[k].size[t->i] = (uint8_t)(to - from);
 	p->at = to;
+	p->found++;
 	return true;
 }
 
-/* How deep values that are passed may be nested. */
-enum { LEVELS = 8 };
-
-/* What stands at the end of a path into a value. */
-enum { NOTHING = -1, MORE = -2, ODD = -3 };
-
-/* Returns the coordinate whose path ends at the member, or at element k if the member
- * has no name; MORE if paths lead into it, with what is left of them in rest. */
-static int follow(const struct walk *w, const char *const path[4],
-    struct span name, int k, unsigned *led, const char *rest[4])
-{
-	const char digit = (char)('0' + k);
-	int found = NOTHING;
-
-	if (name.s == NULL && k > 9)
-		return ODD;
-	if (name.s == NULL)
-		name = (struct span){ &digit, &digit + 1 };
-	size_t n = (size_t)(name.end - name.s);
-	bool slash = memchr(name.s, '/', n) != NULL;
-
-	for (int i = 0; i < w->n; i++) {
-		rest[i] = NULL;
-		if (path[i] == NULL || slash ||
-		    strncmp(path[i], name.s, n) != 0 ||
-		    (path[i][n] != '\0' && path[i][n] != '/'))
-			continue;
-		int what = path[i][n] == '\0' ? i : MORE;
-
-		if ((*led >> i & 1) != 0 ||
-		    (found != NOTHING && (found != MORE || what != MORE)))
-			return ODD;
-		*led |= 1u << i;
-		found = what;
-		if (what == MORE)
-			rest[i] = path[i] + n + 1;
-	}
-	return found;
-}
-
-/* Where paths lead into a value; path is NULL where none does. */
-struct trail {
-	const struct walk *walk;
-	const struct target *target;
-	const char *const *path;
-	int levels; /* how deep the value may be nested */
-};
-
-/* Passes a value of JSON, and the coordinates in it. Returns false where line_read is
- * to look at it. */
-static bool pass_value(struct walker *p, struct dialect d, struct trail t)
-{
-	bool members = stands(p, '{'), ok = true;
-	const char close = members ? '}' : ']', *rest[4];
-	const struct trail none = { .levels = t.levels - 1 },
-			   inside = { t.walk, t.target, rest, t.levels - 1 };
-	uint32_t from = p->at;
-	unsigned led = 0;
-
-	if (!members && !stands(p, '[')) {
-		if (stands(p, '"'))
-			return t.path == NULL && pass_string(p, false);
-		p->at = *p->stop;
-		return t.path == NULL &&
-		    is_scalar(p->text + from, p->text + p->at);
-	}
-	for (int k = 0; ok && (k == 0 || stands(p, ',')); k++) {
-		struct span name = { NULL, NULL };
-
-		pass(p);
-		pass_blanks(p, d);
-		if (k == 0 && stands(p, close))
-			break;
-		if (members) {
-			name.s = p->text + p->at + 1;
-			if (!stands(p, '"') || !pass_string(p, t.path != NULL))
-				return false;
-			name.end = p->text + p->at - 1;
-			pass_blanks(p, d);
-			if (p->text[p->at++] != ':')
-				return false;
-			pass_blanks(p, d);
-		}
-		int what = t.path == NULL ?
-		    NOTHING :
-		    follow(t.walk, t.path, name, k, &led, rest);
-
-		p->found += what >= 0;
-		ok = what != ODD && t.levels > 0 &&
-		    (what >= 0 ?
-			    pass_coordinate(p, d, t.target, what) :
-			    pass_value(p, d, what == MORE ? inside : none));
-		pass_blanks(p, d);
-	}
-	if (!ok || !stands(p, close))
-		return false;
-	pass(p);
-	return true;
-}
-
-/* Passes a field of csv in quotes in which no quote stands. */
-INLINE bool pass_quoted(struct walker *p)
-{
-	for (p->stop++; p->text[*p->stop] != '"'; p->stop++)
-		if (p->text[*p->stop] == '\n')
-			return false;
-	p->at = *p->stop++ + 1u;
-	return !stands(p, '"');
-}
-
-/* Past a field that is no coordinate. */
-INLINE bool pass_field(struct walker *p, struct dialect d)
-{
-	uint32_t from = p->at;
-
-	if (d.format == FORMAT_JSON && stands(p, '"'))
-		return pass_string(p, false);
-	if (d.format == FORMAT_JSON && (stands(p, '{') || stands(p, '[')))
-		return pass_value(p, d, (struct trail){ .levels = LEVELS });
-	if (d.format == FORMAT_CSV && stands(p, '"'))
-		return pass_quoted(p);
-	if (d.format == FORMAT_CSV)
-		while (is_blank_of(d, p->text[*p->stop]))
-			p->stop++;
-	p->at = *p->stop;
-	return p->text[p->at] != '"' &&
-	    (d.format != FORMAT_JSON ||
-		is_scalar(p->text + from, p->text + p->at));
-}
-
-/* Past the last coordinate: whether all up to the newline is right, too. In text
- * and csv, anything is that begins with a separator. */
-INLINE bool pass_rest(struct walker *p, struct dialect d)
-{
-	if (d.format != FORMAT_TEXT)
-		pass_blanks(p, d);
-	if (d.format != FORMAT_JSON)
-		return *p->stop == p->at && p->text[p->at] != '"';
-	while (stands(p, ',')) {
-		pass_separator(p, d);
-		if (!pass_field(p, d))
-			return false;
-		pass_blanks(p, d);
-	}
-	if (!stands(p, ']'))
-		return false;
-	pass(p);
-	pass_blanks(p, d);
-	return stands(p, '\n');
-}
-
-/* Past coordinate k of a line of fields, which in csv may stand in quotes. */
-INLINE bool pass_place(struct walker *p, struct dialect d,
+/* Passes coordinate k, which in csv may stand in quotes. */
+INLINE bool pass_coordinate(struct walker *p, struct dialect d,
     const struct target *t, int k)
 {
 	bool quoted = d.format == FORMAT_CSV && stands(p, '"');
 
 	if (__builtin_expect(!quoted, 1))
-		return pass_coordinate(p, d, t, k);
+		return pass_number(p, d, t, k);
 	pass(p);
-	if (!pass_coordinate(p, d, t, k) || !stands(p, '"'))
+	if (!pass_number(p, d, t, k) || !stands(p, '"'))
 		return false;
 	pass(p);
 	return true;
 }
 
-/* Which coordinate has that name, or -1. */
-INLINE int coordinate_of(const struct walk *w, const char *name, size_t n)
+/* Passes a field of text or csv that is no coordinate. In csv it may stand in quotes
+ * if no quote stands in them; where one stands elsewhere, no separator or newline is
+ * found behind it. */
+INLINE bool pass_other(struct walker *p, struct dialect d)
 {
-	for (int k = 0; k < w->n; k++)
-		if (w->name_size[k] == n && w->name[k][0] == *name &&
-		    (n == 1 || memcmp(w->name[k], name, n) == 0))
-			return k;
-	return -1;
-}
+	bool csv = d.format == FORMAT_CSV, quoted = csv && stands(p, '"');
 
-/* Past a name and its colon: which coordinate it is, or -1; -2 where it isn't as
- * usual. */
-INLINE int pass_name(struct walker *p, const struct walk *w, struct dialect d)
-{
-	uint32_t from = p->at + 1, to;
-
-	if (!stands(p, '"') || !pass_string(p, true))
-		return -2;
-	to = p->at - 1;
-	pass_blanks(p, d);
-	if (p->text[p->at] != ':')
-		return -2;
-	p->at++;
-	pass_blanks(p, d);
-	return to > from ? coordinate_of(w, p->text + from, to - from) : -1;
-}
-
-/* Where the coordinates stand in an object whose values are numbers, words and
- * strings; false where it is to be left. */
-INLINE bool find_members(struct walker *p, const struct walk *w,
-    struct dialect d, int n, const struct target *t)
-{
-	unsigned seen = 0, all = (1u << n) - 1;
-
-	pass_blanks(p, d);
-	if (!stands(p, '{'))
-		return false;
-	t->line->object = true;
-	do {
-		pass(p);
-		pass_blanks(p, d);
-		int k = pass_name(p, w, d);
-
-		if (k == -2 || (k >= 0 && (seen >> k & 1) != 0))
-			return false;
-		if (k >= 0)
-			seen |= 1u << k;
-		if (k >= 0 ? !pass_coordinate(p, d, t, k) : !pass_field(p, d))
-			return false;
-		pass_blanks(p, d);
-	} while (stands(p, ','));
-	if (!stands(p, '}') || seen != all)
-		return false;
-	pass(p);
-	pass_blanks(p, d);
-	return stands(p, '\n');
-}
-
-/* Where the coordinates stand in an object that paths lead into. */
-static bool find_paths(struct walker *p, const struct walk *w, struct dialect d,
-    const struct target *t)
-{
-	const struct trail trail = { w, t, w->name, LEVELS };
-
-	pass_blanks(p, d);
-	if (!stands(p, '{'))
-		return false;
-	t->line->object = true;
-	p->found = 0;
-	if (!pass_value(p, d, trail) || p->found != w->n)
-		return false;
-	pass_blanks(p, d);
-	return stands(p, '\n');
-}
-
-/* What the coordinates are of a line. */
-enum shape { FIELDS, COLUMNS, MEMBERS, PATHS };
-
-/* Where the coordinates of a line stand; false where it is to be left. That some
- * separators of text have a comma and others have not is left as well. */
-INLINE bool walk_coordinates(struct walker *p, const struct walk *w,
-    struct dialect d, int n, enum shape shape, const struct target *t)
-{
-	const bool text = d.format == FORMAT_TEXT, columns = shape == COLUMNS;
-	bool comma = false;
-
-	if (shape == MEMBERS)
-		return find_members(p, w, d, n, t);
-	if (shape == PATHS)
-		return find_paths(p, w, d, t);
-
-	pass_blanks(p, d);
-	if (p->text[p->at] == '#')
-		return false;
-	if (d.format == FORMAT_JSON) {
-		if (!stands(p, '['))
-			return false;
-		pass(p);
-		pass_blanks(p, d);
-	}
-#pragma GCC unroll 3
-	for (int m = 0; m < n; m++) {
-		for (int skip = columns ? w->skip[m] : 0; skip > 0; skip--)
-			if (!pass_field(p, d) || !pass_separator(p, d) ||
-			    (text && m > 0 && p->comma != comma))
+	if (quoted)
+		for (p->stop++; p->text[*p->stop] != '"'; p->stop++)
+			if (p->text[*p->stop] == '\n')
 				return false;
-		if (!pass_place(p, d, t, columns ? w->coordinate[m] : m))
-			return false;
-		if (m + 1 == n)
-			break;
-		if (!pass_separator(p, d) ||
-		    (text && m > 0 && p->comma != comma))
-			return false;
-		comma = p->comma;
+	while (csv && !quoted && is_blank_of(d, p->text[*p->stop]))
+		p->stop++;
+	p->at = *p->stop;
+	if (quoted)
+		pass(p);
+	return true;
+}
+
+/* How the coordinates of a line are found: as its first fields, or by number, or by
+ * name and pointer; or there are none among the fields. */
+enum shape { FIELDS, COLUMNS, PATHS, NONE };
+
+static bool pass_nested(struct walker *, const struct target *,
+    const struct trail *, unsigned led, int levels);
+
+/* What stands at the end of a path into a value. */
+enum { NOTHING = -1, MORE = -2, ODD = -3 };
+
+/* Returns the paths that lead on behind their first token, of those whose bits are
+ * set. */
+static struct trail trail_inside(const struct trail *t, unsigned led)
+{
+	struct trail rest;
+
+	for (int i = 0; i < 4; i++) {
+		bool leads = (led >> i & 1) != 0;
+
+		rest.path[i] = leads ? t->path[i] + t->size[i] + 1 : "";
+		rest.size[i] = leads ? strcspn(rest.path[i], "/") : SIZE_MAX;
 	}
-	if (!pass_rest(p, d))
+	return rest;
+}
+
+/* Returns the coordinate whose path ends at the member, or MORE if paths lead into it,
+ * those whose bits are set in led. */
+INLINE int follow(const struct trail *t, int n, struct span name, unsigned *led)
+{
+	size_t size = (size_t)(name.end - name.s);
+
+	*led = 0;
+	for (int i = 0; i < n; i++) {
+		const char *path = t->path[i];
+
+		if (t->size[i] != size || *path != *name.s ||
+		    (size > 1 && memcmp(path, name.s, size) != 0))
+			continue;
+		*led |= 1u << i;
+		if (path[size] != '/')
+			return i;
+	}
+	return *led != 0 ? MORE : NOTHING;
+}
+
+/* Passes a value of JSON that is no coordinate. Coordinates are in it if paths have
+ * led there. Returns false where they can't be, or line_read is to look at it. */
+INLINE bool pass_value(struct walker *p, const struct target *t,
+    const struct trail *trail, unsigned led, int levels)
+{
+	uint32_t from = p->at;
+
+	if (stands(p, '{') || stands(p, '[')) {
+		struct walker inside = *p; /* p stays in registers */
+		bool ok = pass_nested(&inside, t, trail, led, levels);
+
+		*p = inside;
+		return ok;
+	}
+	if (led != 0)
 		return false;
-	/* what comes next may be a number */
-	if (!text || stands(p, '\n'))
-		return true;
+	if (stands(p, '"'))
+		return pass_string(p, false);
+	p->at = *p->stop;
+	return is_scalar(p->text + from, p->text + p->at);
+}
+
+/* Passes the name of a member and its colon. Its string may have no escapes if it may
+ * be that of a coordinate. */
+INLINE bool pass_name(struct walker *p, struct dialect d, bool may_have_escapes,
+    struct span *name)
+{
+	name->s = p->text + p->at + 1;
+	if (!stands(p, '"') || !pass_string(p, !may_have_escapes))
+		return false;
+	name->end = p->text + p->at - 1;
+	pass_blanks(p, d);
+	if (p->text[p->at++] != ':')
+		return false;
+	pass_blanks(p, d);
+	return true;
+}
+
+/* Returns the coordinate that is field k, or NOTHING. */
+INLINE int coordinate_of(const struct walk *w, int n, int k)
+{
+	for (int i = 0; i < n; i++)
+		if (w->field[i] == k)
+			return i;
+	return NOTHING;
+}
+
+/* Returns whether what follows the coordinates of a line of text begins as the
+ * separators between them do, if it may be a number. */
+INLINE bool ends_text(struct walker *p, struct dialect d, int n, bool comma)
+{
+	if (*p->stop != p->at || stands(p, '\n'))
+		return *p->stop == p->at;
 	if (n != 2)
 		return comma || !stands(p, ',');
 	pass_separator(p, d);
 	return stands(p, '\n') || p->comma == comma;
 }
 
-/* To the newline, over quotes that open right behind a separator and close right
- * before one; false where they don't, as "" in quotes and 5" without. */
-INLINE bool pass_quotes(struct walker *p, char separator)
+/* The fields that are passed: those of a line, an array, or an object. */
+struct fields {
+	int n; /* of coordinates */
+	enum shape shape;
+	bool members;
+	const struct trail *trail;
+	int levels;             /* how deep values may be nested */
+	unsigned led;           /* paths that have led to a field, as bits */
+	int separators, commas; /* of text, behind the first coordinate */
+};
+
+/* Returns the coordinate that field k is, behind its name if it has one. */
+INLINE int pass_to_value(struct walker *p, struct dialect d, struct fields *f,
+    const struct walk *w, int k, unsigned *led)
 {
-	bool open = false, odd = false;
+	const char digit = (char)('0' + k);
+	struct span name = { &digit, &digit + 1 };
 
-	for (; p->text[*p->stop] != '\n'; p->stop++) {
-		const char *s = p->text + *p->stop;
+	*led = 0;
+	if (f->members && !pass_name(p, d, f->shape == NONE, &name))
+		return ODD;
+	if (f->shape == FIELDS)
+		return k < f->n ? k : NOTHING;
+	if (f->shape == COLUMNS)
+		return coordinate_of(w, f->n, k);
+	if (f->shape == NONE)
+		return NOTHING;
+	int i = f->members || k < 10 ? follow(f->trail, f->n, name, led) : ODD;
+	bool again = (f->led & *led) != 0;
 
-		if (*s != '"')
-			continue;
-		odd |= open ?
-		    s[1] != separator && s[1] != '\n' && s[1] != '\r' :
-		    s[-1] != separator;
-		open = !open;
-	}
-	return !open && !odd;
+	f->led |= *led;
+	return again ? ODD : i;
+}
+
+/* Passes field k, and the separator behind it unless it is the last. Returns MORE,
+ * NOTHING behind the last, or ODD where line_read is to look at the line. */
+INLINE int pass_field(struct walker *p, struct dialect d, struct fields *f,
+    const struct target *t, int k)
+{
+	const bool text = d.format == FORMAT_TEXT;
+	unsigned led;
+	int i = pass_to_value(p, d, f, t->walk, k, &led);
+
+	if (i == ODD)
+		return ODD;
+	if (i >= 0 ? !pass_coordinate(p, d, t, i) :
+		d.format == FORMAT_JSON ?
+		     !pass_value(p, t, f->trail, led, f->levels) :
+		     !pass_other(p, d))
+		return ODD;
+	if (text && p->found == f->n)
+		return NOTHING;
+	if (stands(p, '\n') || !pass_separator(p, d))
+		return NOTHING;
+	f->separators += p->found > 0;
+	f->commas += p->found > 0 && p->comma;
+	return MORE;
+}
+
+/* Passes the fields up to the newline or a bracket, in text up to the last coordinate.
+ * Returns false where line_read is to look at the line. */
+INLINE bool pass_fields(struct walker *p, struct dialect d, struct fields f,
+    const struct target *t)
+{
+	const int usual = f.shape == FIELDS ? f.n : 0;
+	int more = MORE, k = 0;
+
+#pragma GCC unroll 4
+	for (; k < usual && more == MORE; k++)
+		more = pass_field(p, d, &f, t, k);
+	for (; more == MORE; k++)
+		more = pass_field(p, d, &f, t, k);
+	if (d.format != FORMAT_TEXT || more == ODD)
+		return more == NOTHING;
+	return p->found == f.n && (f.commas == 0 || f.commas == f.separators) &&
+	    ends_text(p, d, f.n, f.commas > 0);
+}
+
+/* Passes an array or object. */
+INLINE bool pass_brackets(struct walker *p, struct fields f,
+    const struct target *t)
+{
+	const struct dialect json = { FORMAT_JSON, ',' };
+	const char close = f.members ? '}' : ']';
+
+	if (!stands(p, f.members ? '{' : '['))
+		return false;
+	pass(p);
+	pass_blanks(p, json);
+	if (!stands(p, close) &&
+	    (!pass_fields(p, json, f, t) || !stands(p, close)))
+		return false;
+	pass(p);
+	pass_blanks(p, json);
+	return true;
+}
+
+static bool pass_nested(struct walker *p, const struct target *t,
+    const struct trail *trail, unsigned led, int levels)
+{
+	struct trail inside;
+
+	if (led != 0)
+		inside = trail_inside(trail, led);
+	const struct fields f = { .n = t->walk->n,
+		.shape = led != 0 ? PATHS : NONE,
+		.members = stands(p, '{'),
+		.trail = &inside,
+		.levels = levels - 1 };
+
+	return levels > 0 && pass_brackets(p, f, t);
+}
+
+/* How deep values that are passed may be nested. */
+enum { LEVELS = 8 };
+
+/* Finds where the coordinates of a line stand. Returns false where it is to be
+ * left. */
+INLINE bool pass_line(struct walker *p, struct dialect d, int n,
+    enum shape shape, const struct target *t)
+{
+	const struct fields f = { .n = n,
+		.shape = shape,
+		.members = shape == PATHS,
+		.trail = &t->walk->trail,
+		.levels = LEVELS };
+
+	p->found = 0;
+	t->line->object = f.members;
+	pass_blanks(p, d);
+	if (d.format == FORMAT_JSON)
+		return pass_brackets(p, f, t) && p->found == n &&
+		    stands(p, '\n');
+	return p->text[p->at] != '#' && pass_fields(p, d, f, t) &&
+	    (d.format == FORMAT_TEXT || (p->found == n && stands(p, '\n')));
 }
 
 /* What stands for the numbers of a line that is left. */
@@ -580,12 +506,11 @@ INLINE size_t walk_take(struct stretch *s, const struct walk *walk,
 	*left = 0;
 	for (i = 0; i < max && p.at < end; i++) {
 		uint32_t begin = p.at;
-		const struct target t = { &lines[i], begin, i, places };
+		const struct target t = { walk, &lines[i], begin, i, places };
 
 		lines[i].object = lines[i].words = lines[i].mark = false;
 		bool found = p.text + begin - s->readable >= PLAIN_BEFORE &&
-		    walk_coordinates(&p, walk, d, n, shape, &t) &&
-		    (d.format != FORMAT_CSV || pass_quotes(&p, d.separator));
+		    pass_line(&p, d, n, shape, &t);
 
 		while (p.text[*p.stop] != '\n')
 			p.stop++;
@@ -620,38 +545,34 @@ INLINE size_t take_dialect(struct stretch *s, const struct walk *walk,
 	return walk_take(s, walk, d, 3, FIELDS, max, lines, places, left);
 }
 
-/* Lines of JSON are mostly like the first of them. */
-static size_t take_json(struct stretch *s, const struct walk *walk, size_t max,
-    struct line *lines, struct plain_places places[4], uint64_t *left)
-{
-	const struct dialect d = { FORMAT_JSON, ',' };
+/* Each copy is a function of its own, as one with all of them has too few registers. */
+#define NOINLINE static __attribute__((noinline))
 
-	if (walk->objects && walk->paths)
-		return walk_take(s, walk, d, walk->n, PATHS, max, lines, places,
-		    left);
-	if (walk->objects && (s->text[s->at] == '{' || !walk->arrays))
-		return walk_take(s, walk, d, walk->n, MEMBERS, max, lines,
-		    places, left);
-	return take_dialect(s, walk, d, max, lines, places, left);
+NOINLINE size_t take_objects(struct stretch *s, const struct walk *walk,
+    size_t max, struct line *lines, struct plain_places places[4],
+    uint64_t *left)
+{
+	return walk_take(s, walk, (struct dialect){ FORMAT_JSON, ',' }, walk->n,
+	    PATHS, max, lines, places, left);
 }
 
 size_t walk_lines(struct stretch *s, const struct walk *walk, size_t n,
     struct line lines[PLAIN_BATCH], struct plain_places places[4],
     uint64_t *left)
 {
-	/* so that each format's copy is made with it as a constant */
-	switch (walk->in.format) {
-	case FORMAT_CSV:
-		return take_dialect(s, walk,
-		    (struct dialect){ FORMAT_CSV, walk->in.separator }, n,
-		    lines, places, left);
-	case FORMAT_JSON:
-		return take_json(s, walk, n, lines, places, left);
-	default:
-		return take_dialect(s, walk,
-		    (struct dialect){ FORMAT_TEXT, ' ' }, n, lines, places,
-		    left);
-	}
+	const struct dialect json = { FORMAT_JSON, ',' },
+			     text = { FORMAT_TEXT, ' ' },
+			     csv = { FORMAT_CSV, walk->in.separator };
+
+	/* A copy is made for each format with it as a constant. Lines of JSON are
+	 * mostly like the first of them. */
+	if (format_of(walk->in)->blanks)
+		return take_dialect(s, walk, text, n, lines, places, left);
+	if (format_of(walk->in)->header)
+		return take_dialect(s, walk, csv, n, lines, places, left);
+	if (walk->objects && (s->text[s->at] == '{' || !walk->arrays))
+		return take_objects(s, walk, n, lines, places, left);
+	return take_dialect(s, walk, json, n, lines, places, left);
 }
 
 /* Reads a number that is not plain, such as 1e-3. Returns false where only line_read

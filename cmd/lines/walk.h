@@ -21,20 +21,22 @@ struct stretch {
 	uint16_t stop[STRETCH + 128];
 };
 
-/* The order in which the coordinates stand on a line. */
+/* What is left of the path to each coordinate, inside a value: the first token
+ * is of size bytes, SIZE_MAX where the path does not lead into the value. */
+struct trail {
+	const char *path[4];
+	size_t size[4];
+};
+
+/* Where the coordinates stand on a line. */
 struct walk {
 	struct dialect in;
 	struct byte_set stops; /* what can end a field */
 	int n;
-	/* Which lines of JSON are walked, and what an object's members are
-	 * called; the rest is of lines of fields. */
-	bool arrays, objects;
-	bool paths; /* names may lead into values, as a/b and c */
-	const char *name[4];
-	size_t name_size[4];
-	bool columns;      /* else they are the first fields */
-	int skip[4];       /* fields before each that are none */
-	int coordinate[4]; /* which it is */
+	bool arrays, objects; /* which lines of JSON are walked */
+	struct trail trail;   /* to members of objects */
+	bool columns;         /* else they are the first fields */
+	int field[4];
 };
 
 /* False where lines of that layout are not to be walked. */
