@@ -9,7 +9,6 @@
 
 #include "../../core/scene/scene.h"
 #include "../json/value.h"
-#include "../message/nearest.h"
 #include "../message/message.h"
 
 int one_of(const char *const *names, const char *what, const char *word)
@@ -19,11 +18,6 @@ int one_of(const char *const *names, const char *what, const char *word)
 	for (int i = 0; names[i] != NULL; i++)
 		if (strcmp(names[i], word) == 0)
 			return i;
-	const char *near = nearest(word, names);
-
-	if (near != NULL)
-		die(EXIT_USAGE, "unknown %s '%s'; did you mean '%s'?", what,
-		    word, near);
 	die(EXIT_USAGE, "unknown %s '%s'; it is one of %s", what, word,
 	    list_words(all, names, " or ", ""));
 }

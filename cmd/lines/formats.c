@@ -45,7 +45,7 @@ bool format_is_old(struct dialect d, struct span line, char reason[REASON_MAX])
 
 /* Says why the line, which begins as an array or object, is no JSON. */
 static void say_no_json(struct dialect json, struct span line,
-    const struct json_error *e, char reason[REASON_MAX])
+    const char *why, char reason[REASON_MAX])
 {
 	const char *s = skip_blanks(json, line.s, line.end);
 	bool object = *s == '{';
@@ -55,7 +55,7 @@ static void say_no_json(struct dialect json, struct span line,
 		s = json_skip(s + 1, line.end);
 	if (s < line.end && *s == (object ? '}' : ']') &&
 	    skip_blanks(json, s + 1, line.end) == line.end)
-		snprintf(reason, REASON_MAX, "is no JSON: %s", e->reason);
+		snprintf(reason, REASON_MAX, "is no JSON: %s", why);
 	else if (!format_is_old(json, line, reason))
 		snprintf(reason, REASON_MAX,
 		    object ? "the object does not end with the line; one "
@@ -68,14 +68,16 @@ static bool json_line_check(struct dialect d, struct span line,
     char reason[REASON_MAX])
 {
 	const char *s = skip_blanks(d, line.s, line.end);
-	struct json_error e;
+	struct json_check c = { .kind = JSON_LINE,
+		.text = line.s,
+		.end = line.end };
 
 	if (*s != '[' && *s != '{')
 		snprintf(reason, REASON_MAX,
 		    "is neither a JSON array nor an object; one a line: jq -c "
 		    "'.[]'");
-	else if (!json_check(JSON_LINE, line.s, line.end, &e))
-		say_no_json(d, line, &e, reason);
+	else if (!json_check(&c))
+		say_no_json(d, line, c.reason, reason);
 	else
 		return true;
 	return false;

@@ -383,7 +383,7 @@ void document_read(struct document *d, const char *name, char *text,
 		.two = wants->two,
 		.scene = scene_members };
 	struct span points;
-	struct value root = value_parse_without(&source, "points", text, size,
+	struct value root = value_parse_without(&source, "/points", text, size,
 	    &points);
 	struct value m[SCENE_MEMBERS];
 
@@ -427,7 +427,7 @@ char *document_points(const char *name, char *text, size_t size,
 		.operand = true,
 		.scene = scene_members };
 	struct span points;
-	struct value root = value_parse_without(&source, NULL, text, size,
+	struct value root = value_parse_without(&source, "", text, size,
 	    &points);
 
 	*points_size = take_points(&root, &points, coordinates);

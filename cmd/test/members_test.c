@@ -143,7 +143,7 @@ static const struct refusal cameras[] = {
 	    "/projection/matrix/0: has 3 elements; an array of 4 numbers is "
 	    "wanted" },
 	{ &lookat, "{\"matrix\":{\"matrix\":" M16 ",\"vectors\":\"rows\"}}",
-	    "/matrix/vectors: is \"rows\"; did you mean \"row\"?" },
+	    "/matrix/vectors: is \"rows\"; \"row\" or \"column\" is wanted" },
 	{ &project, "{\"world\":1}",
 	    "/world: is a number; an array of " AFFINE " is wanted" },
 	{ &project, "{\"world\":{}}",
@@ -180,7 +180,8 @@ static const struct refusal others[] = {
 	{ &project, "{\"viewport\":{" SIZE ",\"scale\":[1,-1]}}",
 	    "/viewport/scale/1: -1 is not positive; " POSITIVE },
 	{ &project, "{\"device\":{" SIZE ",\"origin\":\"top\"}}",
-	    "/device/origin: is \"top\"; did you mean \"top-left\"?" },
+	    "/device/origin: is \"top\"; \"bottom-left\" or \"top-left\" is "
+	    "wanted" },
 	{ &w2n, "{}", "/center: missing; " WINDOW_HINT },
 	{ &w2n, "{\"left\":1,\"width\":1}", "/center: missing; " WINDOW_HINT },
 	{ &w2n, "{\"center\":[0,0]," SIZE ",\"top\":1}",

@@ -41,7 +41,8 @@ static const struct refusal projections[] = {
 	    "/projection/type: missing; it is \"persp\", \"ortho\", "
 	    "\"oblique\", \"volume\" or \"matrix\"" },
 	{ &project, "{\"projection\":{\"type\":\"perspective\"}}",
-	    "/projection/type: is \"perspective\"; did you mean \"persp\"?" },
+	    "/projection/type: is \"perspective\"; \"persp\", \"ortho\", "
+	    "\"oblique\", \"volume\" or \"matrix\" is wanted" },
 	{ &project, "{\"projection\":{\"type\":1}}",
 	    "/projection/type: is a number; \"persp\", \"ortho\", \"oblique\", "
 	    "\"volume\" or \"matrix\" is wanted" },
@@ -94,7 +95,7 @@ static const struct refusal projections[] = {
 	{ &persp, "{\"fovy\":60,\"far\":1}",
 	    "/near: missing; give \"near\" and \"far\"" },
 	{ &persp, "{\"near\":\"infinity\"}",
-	    "/near: only \"far\" of \"persp\" can be infinite" },
+	    "/near: is a string; a number is wanted" },
 	{ &persp, "{\"near\":\"1\"}",
 	    "/near: is a string; a number is wanted" },
 	{ &persp, "{\"far\":\"inf\"}",
@@ -102,7 +103,7 @@ static const struct refusal projections[] = {
 	{ &persp, "{\"far\":null}",
 	    "/far: is null; a number or \"infinity\" is wanted" },
 	{ &ortho, "{\"far\":\"infinity\"}",
-	    "/far: only \"far\" of \"persp\" can be infinite" },
+	    "/far: is a string; a number is wanted" },
 	{ &ortho, "{" PLANES "}",
 	    "/width: missing; give \"width\" and \"height\", or \"width\", or "
 	    "\"height\", or \"left\", \"right\", \"bottom\" and \"top\"" },
