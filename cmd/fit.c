@@ -84,10 +84,12 @@ static _Noreturn void refuse_fit(const struct options *o,
 	const struct place points = source_place(&d->source, "/points");
 
 	if (o->n_points == 0)
-		refuse_at(&points, "%s", why + n);
+		die_at(EXIT_INPUT, &points, "%s", why + n);
 	bool typed = o->n_points > 1 || first_char(o->points[0]) == '[';
 
-	refuse_at(&(struct place){ .file = typed ? "POINTS" : o->points[0] },
+	die_at(EXIT_INPUT,
+	    &(struct place){ .file = typed ? "POINTS" : o->points[0],
+		.of_scene = true },
 	    "%s", why + n);
 }
 

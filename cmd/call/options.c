@@ -125,13 +125,14 @@ static const char *const color_names[] = { "auto", "always", "never", NULL };
 static void set_errors(struct options *o, char *word)
 {
 	(void)o;
-	say_in_json(one_of(message_forms, "--errors", word) == 1);
+	message_state.json = one_of(message_forms, "--errors", word) == 1;
 }
 
 static void set_color(struct options *o, char *word)
 {
 	(void)o;
-	message_color((enum color)one_of(color_names, "--color", word));
+	message_state.color = (enum color)one_of(color_names, "--color",
+	    word);
 }
 
 /* Kinds of commands that share options, as unions of enum command_kind. */

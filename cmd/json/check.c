@@ -62,7 +62,8 @@ static bool in_token(char c)
 static const char *token_end(const struct json_check *s)
 {
 	const char *p = s->at;
-	int n = utf8_length(p, s->end);
+	unsigned code;
+	int n = utf8_read(p, s->end, &code);
 
 	while (p < s->end && in_token(*p))
 		p++;
@@ -95,12 +96,13 @@ static const char *hint_of(const struct json_check *s)
 {
 	const char *p = s->at;
 	char next = s->end - p > 1 ? p[1] : '\0';
+	unsigned code;
 
 	if (*p == '#' || (*p == '/' && (next == '/' || next == '*')))
 		return "comments are not JSON; use a member \"_comment\"";
 	if (*p == '\'')
 		return "JSON has \"double quotes\" alone";
-	if (*p == '\0' || utf8_length(p, s->end) == 0)
+	if (*p == '\0' || utf8_read(p, s->end, &code) == 0)
 		return "JSON is UTF-8 text";
 	if ((*p == ']' || *p == '}') && after_comma(s))
 		return "remove the comma before it";
@@ -147,7 +149,8 @@ static bool escape(struct json_check *s)
 /* At a character of a string. */
 static bool character(struct json_check *s)
 {
-	int n = s->kind == JSON_DOCUMENT ? utf8_length(s->at, s->end) : 1;
+	unsigned code;
+	int n = s->kind == JSON_DOCUMENT ? utf8_read(s->at, s->end, &code) : 1;
 
 	if (*s->at == '\\')
 		return escape(s);

@@ -55,7 +55,7 @@ void put_string(struct printer *p, const char *s)
 	size_t n = strlen(s);
 
 	put_open(p, "\"");
-	p->at += escape_json(p->at, JSON_ESCAPE_MAX * n + 1, s, n);
+	p->at += escape_copy(p->at, JSON_ESCAPE_MAX * n + 1, s, n, true, "");
 	put_close(p, "\"");
 }
 

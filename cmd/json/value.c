@@ -47,6 +47,7 @@ struct place source_place(const struct source *source, const char *pointer)
 	if (source->text != NULL && json_check(&c))
 		p = place_of(source, c.text, c.found.s);
 	p.pointer = pointer;
+	p.of_scene = !source->operand;
 	return p;
 }
 
@@ -78,13 +79,14 @@ struct value value_parse_without(struct source *source, const char *pointer,
 
 	if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
 		memset(text, ' ', 3); /* a byte order mark */
-	if (says_json()) {
+	if (message_state.json) {
 		source->text = *keep = memcpy(need(*keep, size), text, size);
 		source->end = source->text + size;
 	}
 	if (!json_check(&c)) {
 		const struct place place = place_of(source, text, c.at);
 
+		free(copy);
 		die_at(EXIT_INPUT, &place, "%s", c.reason);
 	}
 	*array = (struct span){ *c.found.s == '[' ? c.found.s : NULL,
@@ -224,10 +226,7 @@ void value_refuse(const struct value *v, const char *format, ...)
 	const struct place place = source_place(v->source, way);
 
 	va_start(args, format);
-	if (v->source->operand)
-		vdie_at(EXIT_INPUT, &place, format, args);
-	vrefuse_at(&place, format, args);
-	va_end(args);
+	vdie_at(EXIT_INPUT, &place, format, args);
 }
 
 void value_wrong(const struct value *v, const char *wanted)

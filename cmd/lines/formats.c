@@ -253,6 +253,7 @@ struct decoder {
 /* Takes the next character, and returns its length in bytes. */
 static int decode(struct decoder *d)
 {
+	unsigned code;
 	int n = 1;
 
 	if (d->escape == '\\' && *d->s == '\\') {
@@ -260,7 +261,7 @@ static int decode(struct decoder *d)
 		return n;
 	}
 	if (d->utf8)
-		n = utf8_length(d->s, d->end);
+		n = utf8_read(d->s, d->end, &code);
 	if (n == 0) {
 		d->s++;
 		return utf8_write(0xfffd, d->character);

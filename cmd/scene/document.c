@@ -450,7 +450,7 @@ void document_refuse(const struct document *d, const char *why)
 	snprintf(pointer, sizeof pointer, "%.*s", (int)n, why);
 	const struct place place = source_place(&d->source, pointer);
 
-	refuse_at(&place, "%s", what);
+	die_at(EXIT_INPUT, &place, "%s", what);
 }
 
 void document_check(const struct document *d, const char *why)

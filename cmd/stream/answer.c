@@ -63,7 +63,7 @@ static void count_imageless(const struct job *j, const struct chunk *c)
 {
 	if (c->imageless > 0 && answer.imageless == 0) {
 		answer.where = place_of(j, c, c->first_imageless);
-		answer.where.scene = said_scene();
+		answer.where.scene = message_state.scene;
 	}
 	answer.imageless += c->imageless;
 }

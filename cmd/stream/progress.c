@@ -34,7 +34,7 @@ void progress_start(bool asked)
 	if (progress.start > 0)
 		return;
 	progress.asked = asked;
-	progress.terminal = isatty(STDERR_FILENO) && !says_json();
+	progress.terminal = isatty(STDERR_FILENO) && !message_state.json;
 	progress.on = asked || (progress.terminal && !isatty(STDOUT_FILENO));
 	progress.start = progress.last = now();
 }
@@ -53,7 +53,7 @@ static void progress_show(double time)
 	if (progress.size > 0)
 		snprintf(share, sizeof share, ", %.0f %%",
 		    100 * (double)progress.bytes / (double)progress.size);
-	if (says_json()) {
+	if (message_state.json) {
 		say_at(EXIT_OK, NULL, "%lld lines, %.3g a second%s",
 		    progress.lines, rate, share);
 		progress.last = time;
