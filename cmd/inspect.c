@@ -117,7 +117,7 @@ static void put_planes(struct printer *p, const struct taxonomy *t,
 	if (projection_is_open(&r->scene.projection))
 		put_number(p, (double)NAN); /* no plane is near */
 	else
-		put_flag(p, r->reverse_z);
+		put_word(p, r->reverse_z ? "true" : "false");
 	put_sides(p, "planes", r->plane);
 	put_name_on_new_line(p, "frustum");
 	put_open(p, "[");
@@ -133,7 +133,7 @@ static void put_planes(struct printer *p, const struct taxonomy *t,
 	put_close(p, "}");
 	put_name_on_new_line(p, "intrinsics");
 	if (isnan(r->intrinsics[0][0])) {
-		put_null(p);
+		put_word(p, "null");
 		return;
 	}
 	put_open(p, "[");
@@ -261,7 +261,7 @@ static void put_spatial(struct printer *p, const struct document *d,
 	if (r.has_scene)
 		put_scene(p, &r.scene);
 	else
-		put_null(p);
+		put_word(p, "null");
 	put_notes(p, r.notes);
 }
 

@@ -202,13 +202,28 @@ static const char *scalar_end(const char *p, const char *end)
 	return json_number_end(p, end);
 }
 
+/* Copies the number up to end; where cJSON does not take all of it, its shortest text. */
+static void copy_number(struct json_check *s, const char *end)
+{
+	const struct number_style shortest = { NUMBER_SHORTEST, 0 };
+	char text[NUMBER_MAX];
+	double v;
+
+	if (end - s->at <= CJSON_NUMBER_MAX) {
+		copy(s, s->at, (size_t)(end - s->at));
+		return;
+	}
+	number_read(s->at, end, &v);
+	if (isfinite(v))
+		copy(s, text, (size_t)(number_write(text, v, shortest) - text));
+	else
+		copy(s, "1e999", 5);
+}
+
 /* At what is no string, array or object. */
 static bool scalar(struct json_check *s)
 {
-	const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 	const char *end = scalar_end(s->at, s->end), *hint = NULL;
-	char text[NUMBER_MAX] = "1e999", *stop = text + 5;
-	double v;
 
 	if (end == NULL || (end < s->end && in_token(*end))) {
 		if (s->at < s->end && strchr("+-.0123456789", *s->at))
@@ -218,14 +233,8 @@ static bool scalar(struct json_check *s)
 			       "quotes";
 		return expected(s, "a value", hint);
 	}
-	if (end - s->at <= CJSON_NUMBER_MAX) {
-		copy(s, s->at, (size_t)(end - s->at));
-	} else if (s->copy != NULL) {
-		number_read(s->at, end, &v);
-		if (isfinite(v))
-			stop = number_write(text, v, shortest);
-		copy(s, text, (size_t)(stop - text));
-	}
+	if (s->copy != NULL)
+		copy_number(s, end);
 	s->at = end;
 	return true;
 }

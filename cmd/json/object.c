@@ -231,13 +231,15 @@ static uint64_t way_bits(const struct member *table, int kind, const char *way,
 {
 	uint64_t all = 0;
 	char name[ESCAPED_MAX];
-	int n;
 
-	for (*must = 0; sscanf(way, "%63[^ ?]%n", name, &n) == 1;
-	     way += strspn(way, " ?")) {
+	for (*must = 0; *way != '\0'; way += strspn(way, " ?")) {
+		size_t n = strcspn(way, " ?");
+
+		memcpy(name, way, n);
+		name[n] = '\0';
+		way += n;
 		uint64_t bit = member_bit(table, kind, name);
 
-		way += n;
 		all |= bit;
 		if (*way != '?')
 			*must |= bit;

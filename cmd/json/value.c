@@ -10,7 +10,6 @@
 
 #include "../../core/scene/scene.h"
 #include "../number/number.h"
-#include "../message/escape.h"
 #include "../message/message.h"
 #include "text.h"
 
@@ -183,43 +182,35 @@ size_t value_count(const struct value *v)
 	return (size_t)cJSON_GetArraySize(v->item);
 }
 
-/* A step of a pointer: ~ is ~0, / is ~1 (RFC 6901). */
-static void step(char out[ESCAPED_MAX], const char *name)
-{
-	char way[2 * ESCAPED_MAX];
-	size_t n = 0;
+/* No value is looked at that is deeper than /camera/matrix/matrix/3/3. Of a name only
+ * so many bytes are shown. */
+enum { STEPS_MAX = 5, STEP_MAX = 64 };
 
-	for (; *name != '\0' && n + 2 <= sizeof way; name++) {
-		if (*name == '~' || *name == '/')
-			way[n++] = '~';
-		char c = *name;
-
-		way[n++] = c == '~' ? '0' : c == '/' ? '1' : c;
-	}
-	escaped(out, way, n);
-}
-
-/* No value is looked at that is deeper than /camera/matrix/matrix/3/3. */
-enum { STEPS_MAX = 5 };
-
-/* Writes the pointer to a value, as /camera/eye/0; returns where it ends. */
+/* Writes the pointer to a value, as /camera/eye/0, in which ~ is ~0 and / is ~1 (RFC
+ * 6901). Returns where it ends. */
 static char *pointer(const struct value *v, char *out)
 {
-	char name[ESCAPED_MAX];
-
 	if (v->in == NULL)
 		return out;
 	out = pointer(v->in, out);
-	if (v->name != NULL)
-		step(name, v->name);
-	else
-		snprintf(name, sizeof name, "%zu", v->index);
-	return out + sprintf(out, "/%s", name);
+	if (v->name == NULL)
+		return out + sprintf(out, "/%zu", v->index);
+	const char *const start = out;
+
+	*out++ = '/';
+	for (const char *s = v->name; *s != '\0'; s++) {
+		if (out - start > STEP_MAX - 6)
+			return stpcpy(out, "...");
+		if (*s == '~' || *s == '/')
+			*out++ = '~';
+		*out++ = *s == '~' ? '0' : *s == '/' ? '1' : *s;
+	}
+	return out;
 }
 
 void value_refuse(const struct value *v, const char *format, ...)
 {
-	char way[STEPS_MAX * ESCAPED_MAX + 1];
+	char way[STEPS_MAX * STEP_MAX + 1];
 	va_list args;
 
 	*pointer(v, way) = '\0';
@@ -302,11 +293,6 @@ void value_numbers(const struct value *v, const struct value_range *range,
 		*out++ = value_number(&e, range);
 }
 
-static const char *between(const char *const *rest, const char *last)
-{
-	return rest[0] == NULL ? "" : rest[1] == NULL ? last : ", ";
-}
-
 const char *list_words(char out[LISTED], const char *const *words,
     const char *last, const char *quote)
 {
@@ -314,15 +300,18 @@ const char *list_words(char out[LISTED], const char *const *words,
 
 	*out = '\0';
 	for (int i = 0; words[i] != NULL && at < LISTED; i++)
-		at += (size_t)snprintf(out + at, LISTED - at, "%s%s%s%s", quote,
-		    words[i], quote, between(words + i + 1, last));
+		at += (size_t)snprintf(out + at, LISTED - at, "%s%s%s%s",
+		    i == 0                   ? "" :
+			words[i + 1] == NULL ? last :
+					       ", ",
+		    quote, words[i], quote);
 	return out;
 }
 
 int value_word(const struct value *v, const char *const *words)
 {
 	const char *s = value_string(v);
-	char all[LISTED], shown[ESCAPED_MAX];
+	char all[LISTED];
 
 	list_words(all, words, " or ", "\"");
 	if (s == NULL)
@@ -330,6 +319,5 @@ int value_word(const struct value *v, const char *const *words)
 	for (int i = 0; words[i] != NULL; i++)
 		if (strcmp(s, words[i]) == 0)
 			return i;
-	value_refuse(v, "is \"%s\"; %s is wanted", escaped(shown, s, strlen(s)),
-	    all);
+	value_refuse(v, "is \"%.60s\"; %s is wanted", s, all);
 }
