@@ -131,8 +131,7 @@ static void set_errors(struct options *o, char *word)
 static void set_color(struct options *o, char *word)
 {
 	(void)o;
-	message_state.color = (enum color)one_of(color_names, "--color",
-	    word);
+	message_state.color = (enum color)one_of(color_names, "--color", word);
 }
 
 /* Kinds of commands that share options, as unions of enum command_kind. */

@@ -218,6 +218,7 @@ void value_refuse(const struct value *v, const char *format, ...)
 
 	va_start(args, format);
 	vdie_at(EXIT_INPUT, &place, format, args);
+	va_end(args);
 }
 
 void value_wrong(const struct value *v, const char *wanted)

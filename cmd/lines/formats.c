@@ -44,8 +44,8 @@ bool format_is_old(struct dialect d, struct span line, char reason[REASON_MAX])
 }
 
 /* Says why the line, which begins as an array or object, is no JSON. */
-static void say_no_json(struct dialect json, struct span line,
-    const char *why, char reason[REASON_MAX])
+static void say_no_json(struct dialect json, struct span line, const char *why,
+    char reason[REASON_MAX])
 {
 	const char *s = skip_blanks(json, line.s, line.end);
 	bool object = *s == '{';
