@@ -85,7 +85,8 @@ static _Noreturn void refuse_fit(const struct options *o,
 		place = (struct place){ .file = o->points[0] };
 	else if (o->n_points > 0)
 		place = (struct place){ .file = "POINTS" };
-	refuse_at(&place, "%s", why + n);
+	place.of_scene = true;
+	die_at(EXIT_INPUT, &place, "%s", why + n);
 }
 
 void run_fit(const struct command *c, const struct options *o)

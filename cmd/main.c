@@ -144,7 +144,7 @@ static void *run_scenes(void *with)
 	jmp_buf bad;
 
 	if (o->scenes && o->keep_going && !is_binary(options_output(o)))
-		refusals_go_to(&bad);
+		message_state.refused = &bad;
 	if (setjmp(bad) != 0)
 		answer_no_scene(options_output(o));
 	while (params_next(o)) {

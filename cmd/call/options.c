@@ -22,7 +22,6 @@ const char *const space_names[] = { "model", "world", "view", "clip", "ndc",
 static void option_word(struct options *o, const struct option_row *r,
     char *word)
 {
-	const char *near = nearest(word, r->words);
 	char all[LISTED];
 
 	for (unsigned i = 0; r->words[i] != NULL; i++)
@@ -30,9 +29,6 @@ static void option_word(struct options *o, const struct option_row *r,
 			*(unsigned *)((char *)o + r->at) = i;
 			return;
 		}
-	if (near != NULL)
-		die(EXIT_USAGE, "--%s: unknown word '%s'; did you mean '%s'?",
-		    r->name, word, near);
 	die(EXIT_USAGE, "--%s: unknown word '%s'; it is one of %s", r->name,
 	    word, list_words(all, r->words, " or ", ""));
 }
@@ -317,8 +313,8 @@ bool option_is_for(const struct option_row *r, const struct command *c)
 
 void options_say(const struct options *o)
 {
-	say_in_json(o->errors == 1);
-	message_color(o->color);
+	message_state.json = o->errors == 1;
+	message_state.color = (enum color)o->color;
 }
 
 void options_first(char **words)

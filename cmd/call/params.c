@@ -133,7 +133,8 @@ static bool next_scene(void)
 	params.line += params.lines;
 	params.level = params.lines = 0;
 	params.quoted = params.escaped = false;
-	say_scene((struct scene_place){ params.number, params.line });
+	message_state.scene = (struct scene_place){ params.number,
+		params.line };
 	while (!find_end())
 		if (!more()) {
 			params.end = params.text.have;
@@ -152,8 +153,8 @@ bool params_next(const struct options *o)
 		return true;
 	bool found = next_scene();
 
-	say_scene(
-	    (struct scene_place){ found ? params.number : 0, params.line });
+	message_state.scene = (struct scene_place){ found ? params.number : 0,
+		params.line };
 	return found;
 }
 

@@ -18,6 +18,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 static jmp_buf refused;
 
+struct message_state message_state;
+
 /* No input may end the program but by being refused. */
 void die(int status, const char *format, ...)
 {
@@ -38,28 +40,6 @@ void vdie_at(int status, const struct place *place, const char *format,
 {
 	(void)args;
 	die_at(status, place, "%s", format);
-}
-
-void vrefuse_at(const struct place *place, const char *format, va_list args)
-{
-	vdie_at(EXIT_INPUT, place, format, args);
-}
-
-void refuse_at(const struct place *place, const char *format, ...)
-{
-	die_at(EXIT_INPUT, place, "%s", format);
-}
-
-bool says_json(void)
-{
-	return false;
-}
-
-/* Nothing is printed. */
-void put_all(const char *text, size_t n)
-{
-	(void)text, (void)n;
-	abort();
 }
 
 /* All that a refusal leaves, to be freed here: what cJSON has. */

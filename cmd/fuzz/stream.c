@@ -116,15 +116,7 @@ void say_at(int status, const struct place *place, const char *format, ...)
 	add(&said, text, strlen(text) + 1);
 }
 
-bool says_json(void)
-{
-	return false;
-}
-
-struct scene_place said_scene(void)
-{
-	return (struct scene_place){ 0 };
-}
+struct message_state message_state;
 
 void die(int status, const char *format, ...)
 {
@@ -146,16 +138,6 @@ void vdie_at(int status, const struct place *place, const char *format,
 {
 	(void)args;
 	die_at(status, place, "%s", format);
-}
-
-void vrefuse_at(const struct place *place, const char *format, va_list args)
-{
-	vdie_at(EXIT_INPUT, place, format, args);
-}
-
-void refuse_at(const struct place *place, const char *format, ...)
-{
-	die_at(EXIT_INPUT, place, "%s", format);
 }
 
 void quit(int status)

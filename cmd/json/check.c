@@ -2,30 +2,24 @@
 #include "check.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "../message/escape.h"
-#include "../message/nearest.h"
-#include "../number/number.h"
 #include "../message/utf8.h"
+#include "../number/number.h"
 #include "text.h"
 
-enum { LEVELS_MAX = 100 };
-
-/* A text that is right up to p. The functions below check what stands at p,
- * move p past it and return true; or set *error, leave p where the text goes
- * wrong and return false. */
-struct check {
-	enum json_kind kind;
-	const char *text, *p, *end;
-	long line; /* where it begins */
-	int level;
-	struct json_error *error;
-	const char *name; /* of the member to be found, or NULL */
-	struct span part;
+enum {
+	LEVELS_MAX = 100,
+	/* cJSON takes no more characters than these for a number, and what
+	 * follows for something else. */
+	CJSON_NUMBER_MAX = 63,
 };
+
+/* The functions below check what stands at s->at, move it past that and return true;
+ * or say why it is wrong, leave s->at where it goes wrong and return false. */
 
 static bool is_letter(char c)
 {
@@ -37,18 +31,25 @@ static bool is_blank(char c)
 	return c == ' ' || c == '\n' || c == '\t' || c == '\r';
 }
 
-static bool at(const struct check *s, char c)
+static bool at(const struct json_check *s, char c)
 {
-	return s->p < s->end && *s->p == c;
+	return s->at < s->end && *s->at == c;
 }
 
-static void blanks(struct check *s)
+static void blanks(struct json_check *s)
 {
-	const char *p = s->p;
+	const char *p = s->at;
 
 	while (p < s->end && is_blank(*p))
 		p++;
-	s->p = p;
+	s->at = p;
+}
+
+/* Adds to the copy, if there is one. */
+static void copy(struct json_check *s, const char *from, size_t n)
+{
+	if (s->copy != NULL)
+		s->copy = (char *)memcpy(s->copy, from, n) + n;
 }
 
 /* Whether c can be part of a word or number. */
@@ -57,36 +58,33 @@ static bool in_token(char c)
 	return (unsigned char)c > ' ' && strchr(",:[]{}\"'/#", c) == NULL;
 }
 
-/* Where the word, number or other character at s->p ends. */
-static const char *token_end(const struct check *s)
+/* Where the word, number or other character at s->at ends. */
+static const char *token_end(const struct json_check *s)
 {
-	const char *p = s->p;
-	int n = utf8_length(p, s->end);
+	const char *p = s->at;
+	unsigned code;
+	int n = utf8_read(p, s->end, &code);
 
 	while (p < s->end && in_token(*p))
 		p++;
-	return p > s->p ? p : p + (n > 0 ? n : 1);
+	return p > s->at ? p : p + (n > 0 ? n : 1);
 }
 
-/* What stands at s->p, for a message. */
-static const char *token(const struct check *s, char out[ESCAPED_MAX])
+void json_count(const char *text, const char *at, long long *line,
+    size_t *column)
 {
-	return escaped(out, s->p, (size_t)(token_end(s) - s->p));
+	*column += (size_t)(at - text);
+	for (const char *s = text; s < at; s++)
+		if (*s == '\n') {
+			++*line;
+			*column = (size_t)(at - s);
+		}
 }
 
-static long line_of(const struct check *s, const char *p)
+/* Whether a comma stands before s->at and blanks. */
+static bool after_comma(const struct json_check *s)
 {
-	long line = s->line;
-
-	for (const char *c = s->text; c < p; c++)
-		line += *c == '\n';
-	return line;
-}
-
-/* Whether a comma stands before s->p and blanks. */
-static bool after_comma(const struct check *s)
-{
-	const char *p = s->p;
+	const char *p = s->at;
 
 	while (p > s->text && is_blank(p[-1]))
 		p--;
@@ -94,92 +92,73 @@ static bool after_comma(const struct check *s)
 }
 
 /* What to do with a character that stands nowhere in JSON, or not there; or NULL. */
-static const char *hint_of(const struct check *s)
+static const char *hint_of(const struct json_check *s)
 {
-	const char *p = s->p;
+	const char *p = s->at;
 	char next = s->end - p > 1 ? p[1] : '\0';
+	unsigned code;
 
 	if (*p == '#' || (*p == '/' && (next == '/' || next == '*')))
 		return "comments are not JSON; use a member \"_comment\"";
 	if (*p == '\'')
 		return "JSON has \"double quotes\" alone";
-	if (*p == '\0' || utf8_length(p, s->end) == 0)
+	if (*p == '\0' || utf8_read(p, s->end, &code) == 0)
 		return "JSON is UTF-8 text";
 	if ((*p == ']' || *p == '}') && after_comma(s))
 		return "remove the comma before it";
 	return NULL;
 }
 
-/* Says what is wanted at s->p, what stands there, and a hint, unless that is NULL.
+/* Says what is wanted at s->at, what stands there, and a hint, unless that is NULL.
  * Returns false. */
-static bool expected(struct check *s, const char *wanted, const char *hint, ...)
-    __attribute__((format(printf, 3, 4)));
-
-static bool expected(struct check *s, const char *wanted, const char *hint, ...)
+static bool expected(struct json_check *s, const char *wanted, const char *hint)
 {
-	const bool ends = s->p == s->end;
+	const bool ends = s->at == s->end;
 	const char *other = ends ? NULL : hint_of(s);
-	struct json_error *e = s->error;
-	char what[ESCAPED_MAX] = "", said[100] = "";
-	va_list args;
+	char what[ESCAPED_MAX] = "";
 
-	va_start(args, hint);
 	if (other != NULL)
-		snprintf(said, sizeof said, "; %s", other);
-	else if (hint != NULL)
-		vsnprintf(stpcpy(said, "; "), sizeof said - 2, hint, args);
-	va_end(args);
-	snprintf(e->reason, sizeof e->reason, "expected %s,%s%s%s%s", wanted,
-	    ends ? " but the text ends" : " not '", ends ? "" : token(s, what),
-	    ends ? "" : "'", said);
-	e->at = s->p;
-	e->line = line_of(s, s->p);
+		hint = other;
+	if (!ends)
+		escaped(what, s->at, (size_t)(token_end(s) - s->at));
+	snprintf(s->reason, sizeof s->reason, "expected %s,%s%s%s%s%s", wanted,
+	    ends ? " but the text ends" : " not '", what, ends ? "" : "'",
+	    hint != NULL ? "; " : "", hint != NULL ? hint : "");
 	return false;
 }
 
-/* At a backslash. */
-static bool escape(struct check *s)
+/* At a backslash. Half of a surrogate pair, \ud800 to \udfff, becomes U+FFFD. */
+static bool escape(struct json_check *s)
 {
-	const char *p = s->p, *next;
+	const char *p = s->at, *next = p;
+	bool is_u = s->end - p > 1 && p[1] == 'u';
 	char c[4];
 	int n;
 
-	if (s->end - p < 2 || memchr("\"\\/bfnrtu", p[1], 9) == NULL)
-		return expected(s, "an escape of JSON", "a backslash is \\\\");
-	next = json_unescape(p, s->end, c, &n);
-	if (p[1] == 'u' && next - p < 6)
-		return expected(s, "four hexadecimal digits after \\u", NULL);
-	if (p[1] == 'u' && s->kind == JSON_DOCUMENT) {
-		if (c[0] == '\0')
-			return expected(s, "text in a string",
-			    "leave \\u0000 out");
-		/* U+FFFD for \ud800 to \udfff */
-		if (c[0] == '\xef' && (p[2] | 0x20) == 'd')
-			return expected(s, "both halves of a surrogate pair",
-			    NULL);
-	}
-	s->p = next;
+	if (s->end - p > 1 && memchr("\"\\/bfnrtu", p[1], 9) != NULL)
+		next = json_unescape(p, s->end, c, &n);
+	if (next - p < (is_u ? 6 : 2) ||
+	    (is_u && s->kind == JSON_DOCUMENT &&
+		(c[0] == '\0' || (c[0] == '\xef' && (p[2] | 0x20) == 'd'))))
+		return expected(s, "an escape for a character",
+		    "a backslash itself is \\\\");
+	s->at = next;
 	return true;
 }
 
 /* At a character of a string. */
-static bool character(struct check *s)
+static bool character(struct json_check *s)
 {
-	unsigned char c = (unsigned char)*s->p;
-	int n = 1;
+	unsigned code;
+	int n = s->kind == JSON_DOCUMENT ? utf8_read(s->at, s->end, &code) : 1;
 
-	if (c == '\\')
+	if (*s->at == '\\')
 		return escape(s);
-	if (c == '\n' || c == '\r')
-		return expected(s, "'\"' at the end of a string",
-		    "a string ends on its line");
-	if (c < ' ')
-		return expected(s, "text in a string",
+	if (n == 0 || (unsigned char)*s->at < ' ')
+		return expected(s, "text or '\"' in a string",
 		    "write a control character as this escape");
-	if (s->kind == JSON_DOCUMENT)
-		n = utf8_length(s->p, s->end);
-	s->p += n;
-	return n > 0 || expected(s, "text in a string", NULL);
+	s->at += n;
+	return true;
 }
 
 /* Whether c is any character of a string but a quotation mark, and needs no
@@ -190,198 +169,194 @@ static bool passes_unseen(char c)
 }
 
 /* At a quotation mark. */
-static bool string(struct check *s)
+static bool string(struct json_check *s)
 {
-	for (s->p++;;) {
-		while (s->p < s->end && passes_unseen(*s->p))
-			s->p++;
+	const char *start = s->at++;
+
+	for (;;) {
+		while (s->at < s->end && passes_unseen(*s->at))
+			s->at++;
 		if (at(s, '"'))
 			break;
-		if (s->p == s->end)
-			return expected(s, "'\"' at the end of a string", NULL);
+		if (s->at == s->end)
+			return expected(s, "text or '\"' in a string", NULL);
 		if (!character(s))
 			return false;
 	}
-	s->p++;
+	s->at++;
+	copy(s, start, (size_t)(s->at - start));
 	return true;
 }
 
-static const char *const words[] = { "true", "false", "null", NULL };
-
-/* Refuses what stands in the place of a value. If it is a number or a word of a
- * programming language, says how JSON writes it. */
-static bool no_value(struct check *s)
+/* Where true, false, null or the number at p ends; NULL if none stands there. */
+static const char *scalar_end(const char *p, const char *end)
 {
-	const struct number_style shortest = { NUMBER_SHORTEST, 0 };
-	const char *wanted = "a value", *near;
-	char what[ESCAPED_MAX], text[NUMBER_MAX];
-	double v;
+	static const char *const words[] = { "true", "false", "null" };
 
-	if (s->p == s->end ||
-	    !(is_letter(*s->p) || strchr("+-.0123456789", *s->p) != NULL))
-		return expected(s, wanted, NULL);
-	if (number_read(s->p, token_end(s), &v) != token_end(s)) {
-		near = nearest(token(s, what), words);
-		if (near != NULL)
-			return expected(s, wanted, "write %s", near);
-		return expected(s, wanted,
-		    is_letter(*s->p) ? "text needs \"double quotes\"" :
-				       "a number is like -1.5e-3");
-	}
-	if (isnan(v))
-		return expected(s, wanted, "an unknown coordinate is null");
-	if (isinf(v))
-		return expected(s, wanted, "only \"far\" can be \"infinity\"");
-	*number_write(text, v, shortest) = '\0';
-	return expected(s, wanted, "write %s", text);
-}
-
-/* Where true, false, null or the number at s ends; NULL if none stands there. */
-static const char *scalar_end(const char *s, const char *end)
-{
-	for (int i = 0; i < 3 && s < end && is_letter(*s); i++) {
+	for (int i = 0; i < 3 && p < end && is_letter(*p); i++) {
 		size_t n = strlen(words[i]);
 
-		if ((size_t)(end - s) >= n && memcmp(s, words[i], n) == 0)
-			return s + n;
+		if ((size_t)(end - p) >= n && memcmp(p, words[i], n) == 0)
+			return p + n;
 	}
-	return json_number_end(s, end);
+	return json_number_end(p, end);
 }
 
-static bool list(struct check *s);
-
-static bool value(struct check *s)
+/* Copies the number up to end; where cJSON does not take all of it, its shortest text. */
+static void copy_number(struct json_check *s, const char *end)
 {
-	const char *end;
+	const struct number_style shortest = { NUMBER_SHORTEST, 0 };
+	char text[NUMBER_MAX];
+	double v;
 
-	if (at(s, '{') || at(s, '['))
-		return list(s);
-	if (at(s, '"'))
-		return string(s);
-	end = scalar_end(s->p, s->end);
-	if (end == NULL || (end < s->end && in_token(*end)))
-		return no_value(s);
-	s->p = end;
+	if (end - s->at <= CJSON_NUMBER_MAX) {
+		copy(s, s->at, (size_t)(end - s->at));
+		return;
+	}
+	number_read(s->at, end, &v);
+	if (isfinite(v))
+		copy(s, text, (size_t)(number_write(text, v, shortest) - text));
+	else
+		copy(s, "1e999", 5);
+}
+
+/* At what is no string, array or object. */
+static bool scalar(struct json_check *s)
+{
+	const char *end = scalar_end(s->at, s->end), *hint = NULL;
+
+	if (end == NULL || (end < s->end && in_token(*end))) {
+		if (s->at < s->end && strchr("+-.0123456789", *s->at))
+			hint = "a number is like -1.5e-3";
+		else if (s->at < s->end && is_letter(*s->at))
+			hint = "a word is true, false, null or \"text\" in "
+			       "quotes";
+		return expected(s, "a value", hint);
+	}
+	if (s->copy != NULL)
+		copy_number(s, end);
+	s->at = end;
 	return true;
 }
 
-/* Refuses what stands in the place of a member's name. */
-static bool no_name(struct check *s)
-{
-	const char *wanted = "a member's name in quotes";
-	char what[ESCAPED_MAX];
+static bool list(struct json_check *s, const char *way);
 
-	if (s->p < s->end && (is_letter(*s->p) || *s->p == '_'))
-		return expected(s, wanted, "write \"%s\"", token(s, what));
-	return expected(s, wanted,
-	    after_comma(s) && json_number_end(s->p, s->end) != NULL ?
-		"several numbers stand in brackets: [1,2,3]" :
-		NULL);
+/* way is what is left of the pointer; NULL where it does not lead here. */
+static bool value(struct json_check *s, const char *way)
+{
+	const char *start = s->at;
+	bool good;
+
+	if (way != NULL)
+		s->found.s = start;
+	if (at(s, '{') || at(s, '['))
+		good = list(s, way);
+	else
+		good = at(s, '"') ? string(s) : scalar(s);
+	if (s->found.s == start)
+		s->found.end = s->at;
+	return good;
 }
 
-static bool member(struct check *s)
+/* Returns what is left of the pointer behind its first step, where that is the name,
+ * or if name.s is NULL the index; else NULL. */
+static const char *way_on(const char *way, struct span name, long index)
 {
-	struct span quoted = { .s = s->p };
-	const char *start;
+	struct span step = { way, way };
+
+	if (way == NULL || *way == '\0')
+		return NULL;
+	step.end += strcspn(++step.s, "/") + 1;
+	return (name.s != NULL ? json_is_name(name, step, true) :
+				 strtol(step.s, NULL, 10) == index) ?
+	    step.end :
+	    NULL;
+}
+
+static bool member(struct json_check *s, const char *way)
+{
+	struct span name = { .s = s->at };
 
 	if (!at(s, '"'))
-		return no_name(s);
+		return expected(s, "a member's name in \"double quotes\"",
+		    after_comma(s) && json_number_end(s->at, s->end) != NULL ?
+			"several numbers stand in brackets: [1,2,3]" :
+			NULL);
 	if (!string(s))
 		return false;
-	quoted.end = s->p;
+	name.end = s->at;
 	blanks(s);
 	if (!at(s, ':'))
 		return expected(s, "':' after the member's name", NULL);
-	s->p++;
+	copy(s, s->at++, 1);
 	blanks(s);
-	start = s->p;
-	if (!value(s))
-		return false;
-	if (s->level == 1 && s->name != NULL && s->part.s == NULL) {
-		struct span name = { s->name, s->name + strlen(s->name) };
-
-		if (json_is_name(quoted, name, false))
-			s->part = (struct span){ start, s->p };
-	}
-	return true;
+	return value(s, way_on(way, name, 0));
 }
 
 /* Refuses what stands behind a value in the list that begins at open. */
-static bool no_comma(struct check *s, const char *open)
+static bool no_comma(struct json_check *s, const char *open)
 {
 	const char *wanted = *open == '{' ? "',' or '}'" : "',' or ']'";
+	long long line = s->line;
+	size_t column = 0;
+	char hint[60];
 
-	if (s->p == s->end)
-		return expected(s, wanted, "the '%c' is on line %ld", *open,
-		    line_of(s, open));
-	return expected(s, wanted,
-	    memchr("/*+", *s->p, 3) != NULL ? "JSON has no arithmetic" : NULL);
+	if (s->at < s->end)
+		return expected(s, wanted,
+		    strchr("/*+", *s->at) ? "JSON has no arithmetic" : NULL);
+	json_count(s->text, open, &line, &column);
+	snprintf(hint, sizeof hint, "the '%c' is on line %lld", *open, line);
+	return expected(s, wanted, hint);
 }
 
 /* An array or object, at its opening bracket or brace. */
-static bool list(struct check *s)
+static bool list(struct json_check *s, const char *way)
 {
-	const char *open = s->p;
-	char close = *open == '{' ? '}' : ']';
+	const char *open = s->at;
+	const bool object = *open == '{';
+	const char close = object ? '}' : ']';
 
 	if (++s->level > LEVELS_MAX)
 		return expected(s, "at most 100 levels of brackets", NULL);
-	s->p++;
+	copy(s, s->at++, 1);
 	blanks(s);
+
+	/* what is left out is not copied, nor the comma before it */
+	char *const first = s->copy;
+	bool found = way != NULL && *way == '\0' && !object;
+	long index = 0;
+
 	for (bool empty = at(s, close); !empty; blanks(s)) {
-		if (!(close == '}' ? member(s) : value(s)))
+		char *before = s->copy;
+
+		if (found || (object && s->end - s->at > 1 && s->at[1] == '_'))
+			s->copy = NULL;
+		else if (before != first)
+			copy(s, ",", 1);
+		if (!(object ?
+			    member(s, way) :
+			    value(s, way_on(way, (struct span){ 0 }, index++))))
 			return false;
+		if (s->copy == NULL)
+			s->copy = before;
 		blanks(s);
 		if (at(s, close))
 			break;
 		if (!at(s, ','))
 			return no_comma(s, open);
-		s->p++;
+		s->at++;
 	}
-	s->p++;
+	copy(s, s->at++, 1);
 	s->level--;
 	return true;
 }
 
-static bool check_text(struct check *s)
+bool json_check(struct json_check *s)
 {
-	const char *start;
-
+	s->at = s->text;
 	blanks(s);
-	start = s->p;
-	if (!value(s))
+	if (!value(s, s->pointer))
 		return false;
-	if (s->name == NULL)
-		s->part = (struct span){ start, s->p };
 	blanks(s);
-	return s->p == s->end || expected(s, "the end of the text", NULL);
-}
-
-bool json_check(enum json_kind kind, const char *text, const char *end,
-    struct json_error *error)
-{
-	struct check s = { .kind = kind,
-		.text = text,
-		.p = text,
-		.end = end,
-		.line = 1,
-		.error = error };
-
-	return check_text(&s);
-}
-
-bool json_check_part(const char *text, const char *end, long line,
-    const char *name, struct span *part, struct json_error *error)
-{
-	struct check s = { .kind = JSON_DOCUMENT,
-		.text = text,
-		.p = text,
-		.end = end,
-		.line = line,
-		.error = error,
-		.name = name };
-	bool ok = check_text(&s);
-
-	*part = s.part;
-	return ok;
+	return s->at == s->end || expected(s, "the end of the text", NULL);
 }

@@ -31,14 +31,12 @@ const struct member *member_of(const struct member *row, int kind,
 	return NULL;
 }
 
-/* Whether the member of a document that is an object alone is the scene's. */
-static bool is_beside(const struct value *v, const struct member *table)
+/* Whether a member of a document that is an object alone is the scene's. */
+static bool is_beside(const struct value *v)
 {
-	const struct member *scene = v->source->scene;
-
-	if (v->in->in != NULL || table == scene)
-		return false;
-	const struct member *row = member_of(scene, 0, v->name);
+	const struct member *row = v->in->in != NULL ?
+	    NULL :
+	    member_of(v->source->scene, 0, v->name);
 
 	return row != NULL && row->beside;
 }
@@ -50,36 +48,25 @@ uint64_t member_bit(const struct member *table, int kind, const char *name)
 	return row != NULL ? UINT64_C(1) << (row - table) : 0;
 }
 
-/* Whether a word is in a list of words with blanks between them. */
-static bool listed(const char *list, const char *word)
-{
-	size_t n = strlen(word);
-
-	for (; list != NULL && *list != '\0'; list += strspn(list, " ")) {
-		size_t m = strcspn(list, " ");
-
-		if (m == n && memcmp(list, word, n) == 0)
-			return true;
-		list += m;
-	}
-	return false;
-}
-
 /* The member with that alias, or NULL. The name's case and its _ and - don't
  * count: LookAt, look_at and look-at are lookat. */
 static const struct member *find_alias(const struct member *row, int kind,
     const char *name)
 {
-	char plain[ESCAPED_MAX];
-	size_t n = 0;
+	char plain[ESCAPED_MAX] = " ", all[LISTED];
+	size_t n = 1;
 
-	for (; *name != '\0' && n + 1 < sizeof plain; name++)
+	for (; *name != '\0' && n + 2 < sizeof plain; name++)
 		if (*name != '_' && *name != '-')
 			plain[n++] = (char)tolower((unsigned char)*name);
-	plain[n] = '\0';
-	for (; row->name != NULL; row++)
-		if (member_is_of(row, kind) && listed(row->aliases, plain))
+	strcpy(plain + n, " ");
+	for (; row->name != NULL; row++) {
+		if (row->aliases == NULL || !member_is_of(row, kind))
+			continue;
+		snprintf(all, sizeof all, " %s ", row->aliases);
+		if (strstr(all, plain) != NULL)
 			return row;
+	}
 	return NULL;
 }
 
@@ -129,99 +116,38 @@ static void list_names(const struct member *row, int kind, uint64_t bits,
 	names[n] = NULL;
 }
 
-/* The member that was probably meant by a wrong name, or NULL. */
-static const struct member *meant(const struct member *table, int kind,
-    const char *name)
+/* Says which member has that alias, which other objects have such a member or that
+ * the scene has it, which name is nearest, or all names. */
+static _Noreturn void refuse_unknown(const struct value *v,
+    const struct member *table, int kind)
 {
+	const struct member *row = find_alias(table, kind, v->name);
+	const struct member *s = v->source->scene;
 	const char *names[MEMBERS_MAX + 1];
-	const struct member *row = find_alias(table, kind, name);
-
-	if (row != NULL)
-		return row;
-	list_names(table, kind, ALL_MEMBERS, names);
-	const char *near = nearest(name, names);
-
-	return near != NULL ? member_of(table, kind, near) : NULL;
-}
-
-/* Its name in quotes, and what it is. Returns out. */
-static const char *described(const struct member *row, char out[LISTED])
-{
-	bool note = row->note != NULL;
-
-	snprintf(out, LISTED, "\"%s\"%s%s%s", row->name, note ? " (" : "",
-	    note ? row->note : "", note ? ")" : "");
-	return out;
-}
-
-static void refuse_other_kind(const struct value *v, const struct member *table,
-    int kind)
-{
-	const struct member *row = member_of(table, ANY_KIND, v->name);
-	int other = 0;
-
-	if (row == NULL)
-		return;
-	while ((row->kinds >> other & 1) == 0)
-		other++;
-	value_refuse(v, "not a member of \"%s\"; \"%s\" has it",
-	    table->words[kind], table->words[other]);
-}
-
-/* Refuses a member that other objects of the scene have, or the first of them as
- * an alias, or the scene itself. */
-static void refuse_misplaced(const struct value *v, const struct member *table)
-{
-	const char *names[MEMBERS_MAX + 1], *in = NULL;
-	const struct member *scene = v->source->scene, *row = NULL, *s;
 	char all[LISTED];
 	int n = 0;
 
-	for (s = scene; s->name != NULL; s++) {
-		if (s->members == NULL || s->members == table)
-			continue;
-		if (member_of(s->members, ANY_KIND, v->name) != NULL)
+	if (row != NULL)
+		value_refuse(v, "unknown member; did you mean \"%s\"%s%s%s?",
+		    row->name, row->note != NULL ? " (" : "",
+		    row->note != NULL ? row->note : "",
+		    row->note != NULL ? ")" : "");
+	for (; s->name != NULL; s++)
+		if (s->members != NULL && s->members != table &&
+		    member_named(s->members, ANY_KIND, v->name) != NULL)
 			names[n++] = s->name;
-		if (row == NULL) {
-			row = find_alias(s->members, 0, v->name);
-			in = s->name;
-		}
-	}
 	names[n] = NULL;
 	if (n > 0)
 		value_refuse(v, "unknown member; it belongs in %s",
 		    list_words(all, names, " or ", "\""));
-	if (row != NULL)
-		value_refuse(v, "unknown member; \"%s\" has %s", in,
-		    described(row, all));
-	if (v->in->name != NULL && table != scene &&
-	    member_of(scene, 0, v->name) != NULL)
+	if (v->in->in != NULL && member_of(v->source->scene, 0, v->name))
 		value_refuse(v, "unknown member; it stands beside \"%s\"",
 		    v->in->name);
-}
-
-static _Noreturn void refuse_unknown(const struct value *v,
-    const struct member *table, int kind)
-{
-	const struct member *scene = v->source->scene;
-	const struct member *row = NULL;
-	const char *names[MEMBERS_MAX + 1];
-	char all[LISTED];
-
-	/* In a document for lookat, a misspelt "camera" looks like a member of
-	 * a camera. */
-	if (v->in->in == NULL && table != scene && value_is_object(v))
-		row = meant(scene, 0, v->name);
-	if (row == NULL && find_alias(table, kind, v->name) == NULL) {
-		refuse_other_kind(v, table, kind);
-		refuse_misplaced(v, table);
-	}
-	if (row == NULL)
-		row = meant(table, kind, v->name);
-	if (row != NULL)
-		value_refuse(v, "unknown member; did you mean %s?",
-		    described(row, all));
 	list_names(table, kind, ALL_MEMBERS, names);
+	const char *near = nearest(v->name, names);
+
+	if (near != NULL)
+		value_refuse(v, "unknown member; did you mean \"%s\"?", near);
 	value_refuse(v, "unknown member; there are %s",
 	    list_words(all, names, " and ", "\""));
 }
@@ -248,30 +174,29 @@ uint64_t object_read(const struct value *v, const struct member *table,
     int kind, void *base)
 {
 	uint64_t seen = 0;
-	bool beside = false;
 
 	value_want_object(v);
 	for (const struct member *row = table; row->name != NULL; row++)
 		if (base != NULL && row->usual != NULL && row->type->size > 0 &&
 		    member_is_of(row, kind))
 			read_usual(row, (char *)base + row->at);
-	struct value m = value_child(v);
+	struct value m = value_child(v), first;
 
 	for (; m.item != NULL; value_next(&m)) {
+		const struct member *row = member_of(table, kind, m.name);
+
 		if (is_ignored(m.name))
 			continue;
-		uint64_t bit = member_bit(table, kind, m.name);
-		bool other = is_beside(&m, table);
-
-		if (bit == 0 && !other)
+		if (row == NULL && !is_beside(&m))
 			refuse_unknown(&m, table, kind);
-		if (other ? beside : (seen & bit) != 0)
+		value_member(v, m.name, &first);
+		if (first.item != m.item)
 			value_refuse(&m, "repeated; give it once");
-		seen |= bit;
-		beside |= other;
-		if (!other && base != NULL)
-			object_read_member(&m, member_of(table, kind, m.name),
-			    base);
+		if (row == NULL)
+			continue;
+		seen |= UINT64_C(1) << (row - table);
+		if (base != NULL)
+			object_read_member(&m, row, base);
 	}
 	return seen;
 }
@@ -362,18 +287,8 @@ uint64_t object_shown(const struct member *table, int kind,
 	    way_bits(table, kind, w->way[way], &must);
 }
 
-/* The first member of bits. */
-static const struct member *lowest(const struct member *table, uint64_t bits)
-{
-	while ((bits & 1) == 0) {
-		bits >>= 1;
-		table++;
-	}
-	return table;
-}
-
 /* Writes which members to give, those seen among them that may be missing. */
-static const char *hint(char out[LISTED], const struct member *table, int kind,
+static void hint(char out[LISTED], const struct member *table, int kind,
     const char *const *way, uint64_t seen)
 {
 	const char *names[MEMBERS_MAX + 1];
@@ -390,31 +305,6 @@ static const char *hint(char out[LISTED], const struct member *table, int kind,
 		    i > 0 ? ", or " : "give ",
 		    *all != '\0' ? all : "none of them");
 	}
-	return out;
-}
-
-/* Refuses the first of the extra members, which are not of the way taken: "not
- * together with" a member taken that stands in no way with it, if there is one,
- * else with the first member taken. */
-static _Noreturn void refuse_extra(const struct value *v,
-    const struct member *table, int kind, uint64_t taken, uint64_t extra,
-    const char *const *way)
-{
-	uint64_t must, rivals = taken, seen = taken | extra;
-	char all[LISTED];
-
-	extra &= ~extra + 1;
-	for (int i = 0; way[i] != NULL; i++) {
-		uint64_t bits = way_bits(table, kind, way[i], &must);
-
-		if (bits & extra)
-			rivals &= ~bits;
-	}
-	struct value m = value_missing(v, lowest(table, extra)->name);
-
-	value_refuse(&m, "not together with \"%s\"; %s",
-	    lowest(table, rivals != 0 ? rivals : taken)->name,
-	    hint(all, table, kind, way, seen));
 }
 
 int object_way(const struct value *v, const struct member *table, int kind,
@@ -422,7 +312,7 @@ int object_way(const struct value *v, const struct member *table, int kind,
 {
 	bool fit = v->source->fit && w->fit && !v->unused;
 	const char *const *way = fit ? w->fit_way : w->way;
-	uint64_t taken = 0, extra = 0, lacking = 0, must, all;
+	uint64_t extra = 0, lacking = 0, must, all;
 	char said[LISTED];
 
 	seen &= ways_bits(table, kind, way);
@@ -430,20 +320,20 @@ int object_way(const struct value *v, const struct member *table, int kind,
 		all = way_bits(table, kind, way[i], &must);
 		if ((must & ~seen) == 0 && (seen & ~all) == 0)
 			return i;
-		if ((must & ~seen) == 0 && (all & seen) != 0 && extra == 0) {
-			taken = seen & all;
+		if ((must & ~seen) == 0 && (all & seen) != 0 && extra == 0)
 			extra = seen & ~all;
-		}
 		if ((must & seen) != 0 && lacking == 0)
 			lacking = must & ~seen;
 	}
 	if (way[0] == NULL)
 		return 0;
-	if (extra != 0)
-		refuse_extra(v, table, kind, taken, extra, way);
-	if (lacking == 0)
+	if (extra == 0 && lacking == 0)
 		way_bits(table, kind, way[0], &lacking);
-	struct value m = value_missing(v, lowest(table, lacking)->name);
+	hint(said, table, kind, way, seen);
+	for (all = extra != 0 ? extra : lacking; (all & 1) == 0; all >>= 1)
+		table++;
+	struct value m = value_missing(v, table->name);
 
-	value_refuse(&m, "missing; %s", hint(said, table, kind, way, seen));
+	value_refuse(&m, "%s; %s",
+	    extra != 0 ? "does not go with the others" : "missing", said);
 }

@@ -8,18 +8,7 @@
 
 void put_text(struct printer *p, const char *s)
 {
-	/* a copy, as for the compiler any char stored could change p->at */
-	char *at = p->at;
-
-	while (*s != '\0')
-		*at++ = *s++;
-	p->at = at;
-}
-
-/* After a whole value. */
-static void put_comma_next(struct printer *p)
-{
-	p->between = p->compact ? "," : ", ";
+	p->at = stpcpy(p->at, s);
 }
 
 void put_open(struct printer *p, const char *bracket)
@@ -32,7 +21,7 @@ void put_open(struct printer *p, const char *bracket)
 void put_close(struct printer *p, const char *bracket)
 {
 	put_text(p, bracket);
-	put_comma_next(p);
+	p->between = p->compact ? "," : ", ";
 }
 
 void put_name(struct printer *p, const char *name)
@@ -55,32 +44,24 @@ void put_string(struct printer *p, const char *s)
 	size_t n = strlen(s);
 
 	put_open(p, "\"");
-	p->at += escape_json(p->at, JSON_ESCAPE_MAX * n + 1, s, n);
+	p->at += escape_copy(p->at, JSON_ESCAPE_MAX * n + 1, s, n, true, "");
 	put_close(p, "\"");
 }
 
-void put_null(struct printer *p)
+void put_word(struct printer *p, const char *word)
 {
-	put_open(p, "null");
-	put_close(p, "");
-}
-
-void put_flag(struct printer *p, bool flag)
-{
-	put_open(p, flag ? "true" : "false");
+	put_open(p, word);
 	put_close(p, "");
 }
 
 void put_number(struct printer *p, double v)
 {
-	put_text(p, p->between);
-	if (!isfinite(v))
-		put_text(p, "null");
-	else if (p->single)
+	put_open(p, isfinite(v) ? "" : "null");
+	if (isfinite(v) && p->single)
 		p->at = number_write_float(p->at, (float)v, p->style);
-	else
+	else if (isfinite(v))
 		p->at = number_write(p->at, v, p->style);
-	put_comma_next(p);
+	put_close(p, "");
 }
 
 void put_numbers(struct printer *p, const double *v, int n)

@@ -26,15 +26,14 @@ void put_text(struct printer *, const char *);
 void put_open(struct printer *, const char *bracket);
 void put_close(struct printer *, const char *bracket);
 
-/* A member's name, which needs no escapes, on this line or a new one, unless all is on_line; its value is to be
- * put next. */
+/* A member's name, which needs no escapes, on this line or a new one, unless all is
+ * on_line; its value is to be put next. */
 void put_name(struct printer *, const char *name);
 void put_name_on_new_line(struct printer *, const char *name);
 
 void put_string(struct printer *, const char *);
-void put_null(struct printer *);
-void put_flag(struct printer *, bool);
-void put_number(struct printer *, double v); /* null where not finite */
+void put_word(struct printer *, const char *word); /* null, true or false */
+void put_number(struct printer *, double v);       /* null where not finite */
 void put_numbers(struct printer *, const double *v, int n);
 
 #endif

@@ -85,22 +85,6 @@ const char *json_skip(const char *s, const char *end)
 	return end;
 }
 
-const char *json_next(const char *at, const char *end, const char **value)
-{
-	if (*at == ']' || *at == '}')
-		return NULL;
-	at = json_space(at + 1, end);
-	if (*at == ']' || *at == '}')
-		return NULL;
-	*value = at;
-	if (*at == '"') {
-		at = json_space(json_string(at, end), end);
-		if (*at == ':')
-			*value = at = json_space(at + 1, end);
-	}
-	return json_skip(at, end);
-}
-
 static int hex_digit(char c)
 {
 	int lower = c | 0x20;
@@ -182,32 +166,4 @@ bool json_is_name(struct span f, struct span name, bool pointer)
 		}
 	}
 	return name.s == name.end;
-}
-
-const char *json_at(const char *s, const char *end, const char *pointer)
-{
-	s = json_space(s, end);
-	while (*pointer == '/' && (*s == '{' || *s == '[')) {
-		const char *at = s, *value = NULL, *key;
-		struct span step = { pointer + 1, NULL };
-		bool found = false;
-
-		pointer = step.end = step.s + strcspn(step.s, "/");
-		long index = *s == '[' ? strtol(step.s, NULL, 10) : -1;
-
-		do {
-			key = json_space(at + 1, end);
-			at = json_next(at, end, &value);
-			if (at != NULL && *s == '[')
-				found = index-- == 0;
-			else if (at != NULL)
-				found = json_is_name(
-				    (struct span){ key, json_string(key, end) },
-				    step, true);
-		} while (at != NULL && !found);
-		if (!found)
-			return s;
-		s = value;
-	}
-	return s;
 }

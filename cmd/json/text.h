@@ -35,15 +35,6 @@ const char *json_string(const char *s, const char *end);
  * unchecked text, quotes and brackets alone say what belongs together. */
 const char *json_skip(const char *s, const char *end);
 
-/* Goes through an array or object of checked text. at is its opening bracket or
- * what the last call returned. Sets *value to where the next value begins, and
- * returns the comma or bracket after it; NULL where there is no next one. */
-const char *json_next(const char *at, const char *end, const char **value);
-
-/* Returns where in checked text the value stands to which a pointer leads (RFC 6901),
- * or the last one on the way there. */
-const char *json_at(const char *s, const char *end, const char *pointer);
-
 /* Past the hexadecimal digits that begin at s, four at most. */
 const char *json_hex4(const char *s, const char *end, unsigned *code);
 

@@ -9,9 +9,7 @@
 #include <string.h>
 
 #include "../../core/scene/scene.h"
-#include "../message/nearest.h"
 #include "../number/number.h"
-#include "../message/escape.h"
 #include "../message/message.h"
 #include "text.h"
 
@@ -26,166 +24,86 @@ const struct value_range range_positive = { SIZE_MIN, MAGNITUDE_MAX,
 
 static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 
-/* cJSON takes no more characters than these for a number, and what follows for
- * something else. */
-enum { CJSON_NUMBER_MAX = 63 };
-
-/* A text that grows. */
-struct copy {
-	char *s;
-	size_t n, room;
-};
-
-static void copy_add(struct copy *c, const char *s, size_t n)
+/* Returns the place of what stands at a byte of the source's text. */
+static struct place place_of(const struct source *source, const char *text,
+    const char *at)
 {
-	if (c->room - c->n < n) {
-		c->room = 2 * c->room + n;
-		c->s = need(c->s, c->room);
-	}
-	memcpy(c->s + c->n, s, n);
-	c->n += n;
-}
+	struct place p = { .file = source->name,
+		.line = source->line + 1,
+		.column = source->before + 1 };
 
-/* Adds a number, which is v, or where cJSON does not take all of its n characters the
- * shortest text of v. */
-static void copy_number(struct copy *c, const char *s, size_t n, double v)
-{
-	char text[NUMBER_MAX] = "1e999", *end = text + 5;
-
-	if (n > CJSON_NUMBER_MAX && isfinite(v))
-		end = number_write(text, v, shortest);
-	if (n > CJSON_NUMBER_MAX)
-		copy_add(c, text, (size_t)(end - text));
-	else
-		copy_add(c, s, n);
-}
-
-/* Returns where a member ends, with the comma behind it, whose name is the string from s
- * to stop and begins with _; NULL where no such member is there. */
-static const char *pass_hidden(const char *s, const char *stop, const char *end)
-{
-	char first[4] = { s[1] };
-	int n;
-
-	if (first[0] == '\\')
-		json_unescape(s + 1, end, first, &n);
-	stop = json_space(stop, end);
-	if (first[0] != '_' || stop == end || *stop != ':')
-		return NULL;
-	stop = json_skip(stop, end);
-	return stop + (*stop == ',');
-}
-
-/* Parses checked text but for a part, which becomes [], and for members whose names
- * begin with _, so that they take no memory. cJSON takes whatever passes the check;
- * where it fails, memory is short. */
-static const struct cJSON *parse(const char *s, const char *end,
-    const struct span *part)
-{
-	struct copy c = { 0 };
-	const char *next;
-	double v;
-
-	for (; s < end; s = next) {
-		next = s + 1;
-		if (s == part->s) {
-			copy_add(&c, "[]", 2);
-			next = part->end;
-		} else if (*s == '"') {
-			const char *stop = json_string(s, end);
-
-			next = pass_hidden(s, stop, end);
-			if (next == NULL)
-				copy_add(&c, s, (size_t)(stop - s));
-			else if (*next == '}' && c.s[c.n - 1] == ',')
-				c.n--;
-			if (next == NULL)
-				next = stop;
-		} else if (json_number(s, end, &v) != NULL) {
-			next = json_number(s, end, &v);
-			copy_number(&c, s, (size_t)(next - s), v);
-		} else if ((unsigned char)*s > ' ') {
-			copy_add(&c, s, 1);
-		}
-	}
-	const cJSON *item = cJSON_ParseWithLength(c.s, c.n);
-
-	if (item == NULL)
-		die(EXIT_SYSTEM, "out of memory");
-	free(c.s);
-	return item;
-}
-
-/* Keeps the text of a document, or of an operand, where messages tell its lines. */
-static void source_keep(struct source *source, const char *text, size_t size)
-{
-	static char *kept[2];
-	char **copy = &kept[source->operand];
-
-	if (!says_json())
-		return;
-	*copy = memcpy(need(*copy, size), text, size);
-	source->text = *copy;
-	source->end = *copy + size;
-}
-
-/* Says in which line and column a byte of the text stands. */
-static void source_count(const struct source *source, size_t offset,
-    struct place *p)
-{
-	p->line = source->line + 1;
-	p->column = source->before + offset + 1;
-	for (size_t i = 0; i < offset; i++)
-		if (source->text[i] == '\n') {
-			p->line++;
-			p->column = offset - i;
-		}
+	json_count(text, at, &p.line, &p.column);
+	return p;
 }
 
 struct place source_place(const struct source *source, const char *pointer)
 {
-	struct place p = { .file = source->name, .pointer = pointer };
+	struct json_check c = { .text = source->text,
+		.end = source->end,
+		.pointer = pointer };
+	struct place p = { .file = source->name };
 
-	if (source->text != NULL)
-		source_count(source,
-		    (size_t)(json_at(source->text, source->end, pointer) -
-			source->text),
-		    &p);
+	if (source->text != NULL && json_check(&c))
+		p = place_of(source, c.text, c.found.s);
+	p.pointer = pointer;
+	p.of_scene = !source->operand;
 	return p;
+}
+
+/* Returns the values of checked text, which was copied to s, and frees the copy. cJSON
+ * takes whatever passes the check; where it fails, memory is short. */
+static const struct cJSON *parse(char *s, const struct json_check *checked)
+{
+	cJSON *item = cJSON_ParseWithLength(s, (size_t)(checked->copy - s));
+
+	if (item == NULL)
+		die(EXIT_SYSTEM, "out of memory");
+	free(s);
+	return item;
 }
 
 /* The values that were parsed last; a refusal does not come back to free them. */
 static const struct cJSON *parsed;
 
-struct value value_parse_without(struct source *source, const char *name,
+struct value value_parse_without(struct source *source, const char *pointer,
     char *text, size_t size, struct span *array)
 {
-	struct json_error e;
+	static char *kept[2];
+	char **keep = &kept[source->operand], *copy = need(NULL, size);
+	struct json_check c = { .text = text,
+		.end = text + size,
+		.line = source->line + 1,
+		.pointer = pointer,
+		.copy = copy };
 
 	if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
 		memset(text, ' ', 3); /* a byte order mark */
-	source_keep(source, text, size);
-	if (!json_check_part(text, text + size, source->line + 1, name, array,
-		&e)) {
-		struct place place = { .file = source->name, .line = e.line };
-
-		if (source->text != NULL)
-			source_count(source, (size_t)(e.at - text), &place);
-		die_at(EXIT_INPUT, &place, "%s", e.reason);
+	if (message_state.json) {
+		source->text = *keep = memcpy(need(*keep, size), text, size);
+		source->end = source->text + size;
 	}
-	if (array->s == NULL || *array->s != '[')
-		array->s = NULL;
+	if (!json_check(&c)) {
+		const struct place place = place_of(source, text, c.at);
+
+		free(copy);
+		die_at(EXIT_INPUT, &place, "%s", c.reason);
+	}
+	*array = (struct span){ *c.found.s == '[' ? c.found.s : NULL,
+		c.found.end };
 	cJSON_Delete((cJSON *)parsed);
-	parsed = parse(text, text + size, array);
+	parsed = parse(copy, &c);
 	return (struct value){ .source = source, .item = parsed };
 }
 
 void value_parse_part(struct value *v, const char *s, const char *end)
 {
 	static const struct cJSON *part;
+	char *copy = need(NULL, (size_t)(end - s));
+	struct json_check c = { .text = s, .end = end, .copy = copy };
 
+	json_check(&c);
 	cJSON_Delete((cJSON *)part);
-	v->item = part = parse(s, end, &(struct span){ NULL, NULL });
+	v->item = part = parse(copy, &c);
 }
 
 struct value value_literal(const struct source *source, const char *text)
@@ -261,82 +179,58 @@ const char *value_string(const struct value *v)
 
 size_t value_count(const struct value *v)
 {
-	size_t n = 0;
-
-	for (const cJSON *item = v->item->child; item != NULL;
-	     item = item->next)
-		n++;
-	return n;
+	return (size_t)cJSON_GetArraySize(v->item);
 }
 
-/* A step of a pointer: ~ is ~0, / is ~1 (RFC 6901). */
-static void step(char out[ESCAPED_MAX], const char *name)
-{
-	char way[2 * ESCAPED_MAX];
-	size_t n = 0;
+/* No value is looked at that is deeper than /camera/matrix/matrix/3/3. Of a name only
+ * so many bytes are shown. */
+enum { STEPS_MAX = 5, STEP_MAX = 64 };
 
-	for (; *name != '\0' && n + 2 <= sizeof way; name++) {
-		if (*name == '~' || *name == '/')
-			way[n++] = '~';
-		char c = *name;
-
-		way[n++] = c == '~' ? '0' : c == '/' ? '1' : c;
-	}
-	escaped(out, way, n);
-}
-
-/* No value is looked at that is deeper than /camera/matrix/matrix/3/3. */
-enum { STEPS_MAX = 5 };
-
-/* Writes the pointer to a value, as /camera/eye/0; returns where it ends. */
+/* Writes the pointer to a value, as /camera/eye/0, in which ~ is ~0 and / is ~1 (RFC
+ * 6901). Returns where it ends. */
 static char *pointer(const struct value *v, char *out)
 {
-	char name[ESCAPED_MAX];
-
 	if (v->in == NULL)
 		return out;
 	out = pointer(v->in, out);
-	if (v->name != NULL)
-		step(name, v->name);
-	else
-		snprintf(name, sizeof name, "%zu", v->index);
-	return out + sprintf(out, "/%s", name);
+	if (v->name == NULL)
+		return out + sprintf(out, "/%zu", v->index);
+	const char *const start = out;
+
+	*out++ = '/';
+	for (const char *s = v->name; *s != '\0'; s++) {
+		if (out - start > STEP_MAX - 6)
+			return stpcpy(out, "...");
+		if (*s == '~' || *s == '/')
+			*out++ = '~';
+		*out++ = *s == '~' ? '0' : *s == '/' ? '1' : *s;
+	}
+	return out;
 }
 
 void value_refuse(const struct value *v, const char *format, ...)
 {
-	char way[STEPS_MAX * ESCAPED_MAX + 1];
+	char way[STEPS_MAX * STEP_MAX + 1];
 	va_list args;
 
 	*pointer(v, way) = '\0';
 	const struct place place = source_place(v->source, way);
 
 	va_start(args, format);
-	if (v->source->operand)
-		vdie_at(EXIT_INPUT, &place, format, args);
-	vrefuse_at(&place, format, args);
+	vdie_at(EXIT_INPUT, &place, format, args);
 	va_end(args);
 }
 
 void value_wrong(const struct value *v, const char *wanted)
 {
-	static const struct {
-		int type;
-		const char *name;
-	} names[] = {
-		{ cJSON_False, "false" },
-		{ cJSON_True, "true" },
-		{ cJSON_NULL, "null" },
-		{ cJSON_Number, "a number" },
-		{ cJSON_String, "a string" },
-		{ cJSON_Array, "an array" },
-	};
-	const char *name = "an object";
+	/* in the order of cJSON's bits */
+	static const char *const names[] = { "false", "true", "null",
+		"a number", "a string", "an array", "an object" };
+	int i = 0;
 
-	for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-		if ((v->item->type & 0xff) == names[i].type)
-			name = names[i].name;
-	value_refuse(v, "is %s; %s is wanted", name, wanted);
+	while ((v->item->type >> i & 1) == 0)
+		i++;
+	value_refuse(v, "is %s; %s is wanted", names[i], wanted);
 }
 
 void value_want_object(const struct value *v)
@@ -365,9 +259,6 @@ double value_number(const struct value *v, const struct value_range *range)
 	double x = v->item->valuedouble;
 	char text[NUMBER_MAX];
 
-	if (cJSON_IsString(v->item) &&
-	    strcmp(v->item->valuestring, "infinity") == 0)
-		value_refuse(v, "only \"far\" of \"persp\" can be infinite");
 	if (!cJSON_IsNumber(v->item))
 		value_wrong(v, "a number");
 	if (v->unused || is_within(x, range, by_pi))
@@ -403,11 +294,6 @@ void value_numbers(const struct value *v, const struct value_range *range,
 		*out++ = value_number(&e, range);
 }
 
-static const char *between(const char *const *rest, const char *last)
-{
-	return rest[0] == NULL ? "" : rest[1] == NULL ? last : ", ";
-}
-
 const char *list_words(char out[LISTED], const char *const *words,
     const char *last, const char *quote)
 {
@@ -415,15 +301,18 @@ const char *list_words(char out[LISTED], const char *const *words,
 
 	*out = '\0';
 	for (int i = 0; words[i] != NULL && at < LISTED; i++)
-		at += (size_t)snprintf(out + at, LISTED - at, "%s%s%s%s", quote,
-		    words[i], quote, between(words + i + 1, last));
+		at += (size_t)snprintf(out + at, LISTED - at, "%s%s%s%s",
+		    i == 0                   ? "" :
+			words[i + 1] == NULL ? last :
+					       ", ",
+		    quote, words[i], quote);
 	return out;
 }
 
 int value_word(const struct value *v, const char *const *words)
 {
-	const char *s = value_string(v), *near;
-	char all[LISTED], shown[ESCAPED_MAX];
+	const char *s = value_string(v);
+	char all[LISTED];
 
 	list_words(all, words, " or ", "\"");
 	if (s == NULL)
@@ -431,9 +320,5 @@ int value_word(const struct value *v, const char *const *words)
 	for (int i = 0; words[i] != NULL; i++)
 		if (strcmp(s, words[i]) == 0)
 			return i;
-	near = nearest(s, words);
-	escaped(shown, s, strlen(s));
-	if (near != NULL)
-		value_refuse(v, "is \"%s\"; did you mean \"%s\"?", shown, near);
-	value_refuse(v, "is \"%s\"; %s is wanted", shown, all);
+	value_refuse(v, "is \"%.60s\"; %s is wanted", s, all);
 }

@@ -53,12 +53,11 @@ struct value_range {
 extern const struct value_range range_any, range_turn, range_positive;
 
 /* Parses a document; refuses what is no JSON. The values are there until the next is
- * parsed. But the array,
- * large perhaps, that the document's member of that name is, or where name is NULL
- * the document itself, is an empty one among the values, and *array is its text,
- * which does not change. */
-struct value value_parse_without(struct source *, const char *name, char *text,
-    size_t size, struct span *array);
+ * parsed. But an array to which the pointer leads, large perhaps, is an empty one
+ * among the values, and *array is its text, which does not change; else array->s is
+ * NULL. */
+struct value value_parse_without(struct source *, const char *pointer,
+    char *text, size_t size, struct span *array);
 
 /* Makes of *v, whose text was left out so, the value that it is. */
 void value_parse_part(struct value *v, const char *s, const char *end);

@@ -47,24 +47,26 @@ static bool json_line_check(struct dialect d, struct span line,
     char reason[REASON_MAX])
 {
 	const char *s = skip_blanks(d, line.s, line.end);
-	struct json_error e;
+	struct json_check c = { .kind = JSON_LINE,
+		.text = line.s,
+		.end = line.end };
 
 	if (*s != '[' && *s != '{')
 		snprintf(reason, REASON_MAX,
 		    "is neither a JSON array nor an object; one a line: jq -c "
 		    "'.[]'");
-	else if (json_check(JSON_LINE, line.s, line.end, &e))
+	else if (json_check(&c))
 		return true;
 	else if (format_is_old(d, line, reason))
 		return false;
-	else if (e.at == line.end)
+	else if (c.at == line.end)
 		snprintf(reason, REASON_MAX,
 		    "the %s does not end with the line; one %s a line: jq -c "
 		    "%s",
 		    *s == '{' ? "object" : "array",
 		    *s == '{' ? "object" : "array", *s == '{' ? "." : "'.[]'");
 	else
-		snprintf(reason, REASON_MAX, "is no JSON: %s", e.reason);
+		snprintf(reason, REASON_MAX, "is no JSON: %s", c.reason);
 	return false;
 }
 
@@ -238,6 +240,7 @@ struct decoder {
 /* Takes the next character, and returns its length in bytes. */
 static int decode(struct decoder *d)
 {
+	unsigned code;
 	int n = 1;
 
 	if (d->escape == '\\' && *d->s == '\\') {
@@ -245,7 +248,7 @@ static int decode(struct decoder *d)
 		return n;
 	}
 	if (d->utf8)
-		n = utf8_length(d->s, d->end);
+		n = utf8_read(d->s, d->end, &code);
 	if (n == 0) {
 		d->s++;
 		return utf8_write(0xfffd, d->character);

@@ -1,27 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 #include "escape.h"
 
-#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "utf8.h"
-
-/* The longest piece is "\u0000". */
-enum { PIECE_MAX = 6 };
-
-/* The code of the character that is n bytes long (RFC 3629, section 3). */
-static unsigned code_of(const char *s, int n)
-{
-	unsigned code = (unsigned char)s[0];
-
-	if (n == 1)
-		return code;
-	code &= 0xffu >> (n + 1);
-	for (int i = 1; i < n; i++)
-		code = code << 6 | ((unsigned char)s[i] & 0x3f);
-	return code;
-}
 
 /* Whether a character looks like a blank or nothing: no-break spaces, the soft
  * hyphen, joiners of zero width, invisible operators, and the byte order mark. */
@@ -45,26 +28,20 @@ static bool is_control(unsigned code)
 
 unsigned escape_unseen(const char *s)
 {
-	const char *end = s + strlen(s);
 	unsigned code;
 
-	while (s < end) {
-		int n = utf8_length(s, end);
-
-		if (sscanf(s, "\\u%4x", &code) < 1)
-			code = n > 0 ? code_of(s, n) : 0;
-		if (is_unseen(code))
+	for (; (s = strstr(s, "\\u")) != NULL; s++)
+		if (sscanf(s, "\\u%4x", &code) == 1 && is_unseen(code))
 			return code;
-		s += n > 0 ? n : 1;
-	}
 	return 0;
 }
 
 /* Writes a piece for the character at *s, and goes past it. Returns its length. */
-static size_t piece(char out[PIECE_MAX + 1], const char **s, const char *end,
-    bool json)
+static size_t piece(char out[JSON_ESCAPE_MAX + 1], const char **s,
+    const char *end, bool json)
 {
-	int n = utf8_length(*s, end);
+	unsigned code;
+	int n = utf8_read(*s, end, &code);
 	const char *c = *s;
 
 	*s += n > 0 ? n : 1;
@@ -72,9 +49,7 @@ static size_t piece(char out[PIECE_MAX + 1], const char **s, const char *end,
 		return (size_t)sprintf(out, "\\ufffd");
 	if (n == 0)
 		return (
-		    size_t)sprintf(out, "\\x%02x", (unsigned)(unsigned char)*c);
-	unsigned code = code_of(c, n);
-
+		    size_t)sprintf(out, "\\x%02x", (unsigned char)*c & 0xffu);
 	if (is_control(code) || is_unseen(code))
 		return (size_t)sprintf(out, "\\u%04x", code);
 	if (json && (*c == '"' || *c == '\\'))
@@ -83,48 +58,29 @@ static size_t piece(char out[PIECE_MAX + 1], const char **s, const char *end,
 	return (size_t)n;
 }
 
-const char *escaped(char out[ESCAPED_MAX], const char *s, size_t n)
+size_t escape_copy(char *out, size_t room, const char *s, size_t n, bool json,
+    const char *more)
 {
 	const char *end = s + n;
+	char one[JSON_ESCAPE_MAX + 1];
 	size_t at = 0;
 
 	while (s < end) {
-		/* a piece, the rest "..." and NUL */
-		if (at + PIECE_MAX + 4 > ESCAPED_MAX) {
-			at += (size_t)sprintf(out + at, "...");
+		size_t length = piece(one, &s, end, json);
+
+		if (at + length + strlen(more) >= room) {
+			at += (size_t)sprintf(out + at, "%s", more);
 			break;
 		}
-		at += piece(out + at, &s, end, false);
-	}
-	out[at] = '\0';
-	return out;
-}
-
-/* As many pieces as there is room for with a NUL. */
-static size_t pieces(char *out, size_t room, const char *s, const char *end,
-    bool json)
-{
-	char one[PIECE_MAX + 1];
-	size_t at = 0;
-
-	while (s < end) {
-		size_t n = piece(one, &s, end, json);
-
-		if (at + n >= room)
-			break;
-		memcpy(out + at, one, n);
-		at += n;
+		memcpy(out + at, one, length);
+		at += length;
 	}
 	out[at] = '\0';
 	return at;
 }
 
-size_t escape_text(char *out, size_t room, const char *s, size_t n)
+const char *escaped(char out[ESCAPED_MAX], const char *s, size_t n)
 {
-	return pieces(out, room, s, s + n, false);
-}
-
-size_t escape_json(char *out, size_t room, const char *s, size_t n)
-{
-	return pieces(out, room, s, s + n, true);
+	escape_copy(out, ESCAPED_MAX, s, n, false, "...");
+	return out;
 }

@@ -15,41 +15,14 @@
 
 #include "escape.h"
 
-static struct scene_place scene;
-static bool json;
-static enum color color;
-
-void say_scene(struct scene_place s)
-{
-	scene = s;
-}
-
-struct scene_place said_scene(void)
-{
-	return scene;
-}
-
-void say_in_json(bool on)
-{
-	json = on;
-}
-
-bool says_json(void)
-{
-	return json;
-}
-
-void message_color(enum color when)
-{
-	color = when;
-}
+struct message_state message_state;
 
 bool is_colored(int fd)
 {
 	const char *no = getenv("NO_COLOR"), *term = getenv("TERM");
 
-	if (color != COLOR_AUTO)
-		return color == COLOR_ALWAYS;
+	if (message_state.color != COLOR_AUTO)
+		return message_state.color == COLOR_ALWAYS;
 	return (no == NULL || *no == '\0') && term != NULL &&
 	    strcmp(term, "dumb") != 0 && isatty(fd);
 }
@@ -59,106 +32,68 @@ bool is_colored(int fd)
  * message and two of its place, and less than a fourth of what is fixed. */
 enum {
 	MESSAGE_MAX = 4096,
-	ESCAPE_MAX = 6,
-	LINE_ROOM = 4 * ESCAPE_MAX * MESSAGE_MAX,
+	LINE_ROOM = 4 * JSON_ESCAPE_MAX * MESSAGE_MAX,
 };
 
 /* One line, which is written at once, as others may write there too. It is too large
  * for a thread's stack: the lock of stderr guards it. */
-struct buffer {
+static struct {
 	char s[LINE_ROOM];
 	size_t n;
-};
+} line;
 
-static void buffer_add(struct buffer *t, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
+static void add(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-static void buffer_add(struct buffer *t, const char *format, ...)
+static void add(const char *format, ...)
 {
 	va_list args;
 
 	va_start(args, format);
-	t->n += (size_t)vsnprintf(t->s + t->n, LINE_ROOM - t->n, format, args);
+	line.n += (size_t)vsnprintf(line.s + line.n, LINE_ROOM - line.n, format,
+	    args);
 	va_end(args);
 }
 
-static void buffer_place(struct buffer *t, const struct place *p)
+static void add_escaped(const char *s, size_t n)
+{
+	line.n += escape_copy(line.s + line.n, LINE_ROOM - line.n, s,
+	    n < MESSAGE_MAX ? n : MESSAGE_MAX, message_state.json, "");
+}
+
+static void add_place(const struct place *p, struct scene_place scene)
 {
 	bool behind = p->join != NULL;
 	bool pointer = p->pointer != NULL && *p->pointer != '\0';
-	const struct scene_place *s = &p->scene;
 
 	if (behind)
-		buffer_add(t, "%s", p->join);
-	if (s->number > 0)
-		buffer_add(t, "scene %ld, line %ld: ", s->number, s->line);
+		add("%s", p->join);
+	if (scene.number > 0)
+		add("scene %ld, line %ld: ", scene.number, scene.line);
 	if (p->file != NULL)
-		buffer_add(t, "%.*s", MESSAGE_MAX, p->file);
+		add_escaped(p->file, strlen(p->file));
 	if (p->line > 0 && !pointer)
-		buffer_add(t, p->of_points ? ": point %lld" : ":%lld", p->line);
+		add(p->of_points ? ": point %lld" : ":%lld", p->line);
 	if (p->file != NULL && !behind)
-		buffer_add(t, ": ");
+		add(": ");
 	if (pointer)
-		buffer_add(t, "%.1000s%s", p->pointer, behind ? "" : ": ");
+		add_escaped(p->pointer, strlen(p->pointer));
+	if (pointer && !behind)
+		add(": ");
 }
 
-/* Control characters are escaped, even of a file's name that has newlines. */
-static void write_text(int status, const struct place *p, const char *message)
+static void add_text(int status, const struct place *p,
+    struct scene_place scene, const char *message)
 {
 	bool colored = is_colored(STDERR_FILENO);
 	static const char *const paint[] = { "\033[1m", "\033[1;31m" };
-	static struct buffer raw, line;
 
-	raw.n = line.n = 0;
-	if (p->join == NULL)
-		buffer_place(&raw, p);
-	buffer_add(&raw, "%s", message);
-	if (p->join != NULL)
-		buffer_place(&raw, p);
-	buffer_add(&line, "%sprojcalc:%s ", colored ? paint[status > 0] : "",
+	add("%sprojcalc:%s ", colored ? paint[status > 0] : "",
 	    colored ? "\033[0m" : "");
-	line.n += escape_text(line.s + line.n, LINE_ROOM - line.n - 1, raw.s,
-	    raw.n);
-	line.s[line.n++] = '\n';
-	fwrite(line.s, 1, line.n, stderr);
-}
-
-static void buffer_string(struct buffer *t, const char *name, const char *s,
-    size_t n)
-{
-	if (n > MESSAGE_MAX)
-		n = MESSAGE_MAX;
-	buffer_add(t, "%s\"%s\":\"", t->n > 1 ? "," : "", name);
-	t->n += escape_json(t->s + t->n, LINE_ROOM - t->n, s, n);
-	buffer_add(t, "\"");
-}
-
-/* The reason is the message up to a hint. */
-static void write_json(int status, const struct place *p, const char *message,
-    size_t reason)
-{
-	static struct buffer t;
-	size_t n = strlen(message);
-
-	t.n = 0;
-	buffer_add(&t, "{");
-	if (p->scene.number > 0)
-		buffer_add(&t, "\"scene\":%ld,\"scene_line\":%ld",
-		    p->scene.number, p->scene.line);
-	if (p->file != NULL)
-		buffer_string(&t, "file", p->file, strlen(p->file));
-	if (p->line > 0)
-		buffer_add(&t, ",\"%s\":%lld", p->of_points ? "point" : "line",
-		    p->line);
-	if (p->column > 0)
-		buffer_add(&t, ",\"column\":%zu", p->column);
-	if (p->pointer != NULL && *p->pointer != '\0')
-		buffer_string(&t, "pointer", p->pointer, strlen(p->pointer));
-	buffer_string(&t, "reason", message, reason);
-	if (reason + 2 < n)
-		buffer_string(&t, "hint", message + reason + 2, n - reason - 2);
-	buffer_add(&t, ",\"status\":%d}\n", status);
-	fwrite(t.s, 1, t.n, stderr);
+	if (p->join == NULL)
+		add_place(p, scene);
+	add_escaped(message, strlen(message));
+	if (p->join != NULL)
+		add_place(p, scene);
 }
 
 /* How long a message is up to its hint, which follows the first "; " outside of
@@ -178,37 +113,67 @@ static size_t reason_length(const char *message)
 	return (size_t)(s - message);
 }
 
-/* Adds to a message which character cannot be seen in it or in its place. */
-static void name_unseen(const struct place *p, char message[MESSAGE_MAX])
+/* Adds a member whose string is not closed yet. */
+static void add_member(const char *name, const char *s, size_t n)
 {
-	const char *texts[] = { message, p->file, p->pointer };
-	const size_t n = strlen(message);
-	unsigned code = 0;
+	add("%s\"%s\":\"", line.n > 1 ? "," : "", name);
+	add_escaped(s, n);
+}
 
-	for (int i = 0; i < 3 && code == 0; i++)
-		code = texts[i] != NULL ? escape_unseen(texts[i]) : 0;
-	if (code != 0)
-		snprintf(message + n, MESSAGE_MAX - n,
-		    " (U+%04X in it can't be seen)", code);
+/* Adds the members up to the reason or hint. */
+static void add_json(const struct place *p, struct scene_place scene,
+    const char *message)
+{
+	const size_t reason = reason_length(message);
+
+	add("{");
+	if (scene.number > 0)
+		add("\"scene\":%ld,\"scene_line\":%ld", scene.number,
+		    scene.line);
+	if (p->file != NULL) {
+		add_member("file", p->file, strlen(p->file));
+		add("\"");
+	}
+	if (p->line > 0)
+		add(",\"%s\":%lld", p->of_points ? "point" : "line", p->line);
+	if (p->column > 0)
+		add(",\"column\":%zu", p->column);
+	if (p->pointer != NULL && *p->pointer != '\0') {
+		add_member("pointer", p->pointer, strlen(p->pointer));
+		add("\"");
+	}
+	add_member("reason", message, reason);
+	if (message[reason] != '\0') {
+		add("\"");
+		message += reason + 2;
+		add_member("hint", message, strlen(message));
+	}
 }
 
 static void print_line(int status, const struct place *place,
     const char *format, va_list args)
 {
-	struct place p = { 0 };
+	static const struct place nowhere;
+	const struct place *p = place != NULL ? place : &nowhere;
+	struct scene_place scene = p->scene.number > 0 ? p->scene :
+							 message_state.scene;
 	char message[MESSAGE_MAX];
 
-	if (place != NULL)
-		p = *place;
-	if (p.scene.number == 0)
-		p.scene = scene;
 	vsnprintf(message, sizeof message, format, args);
-	name_unseen(&p, message);
 	flockfile(stderr);
-	if (json)
-		write_json(status, &p, message, reason_length(message));
+	line.n = 0;
+	if (message_state.json)
+		add_json(p, scene, message);
 	else
-		write_text(status, &p, message);
+		add_text(status, p, scene, message);
+	unsigned unseen = escape_unseen(line.s);
+
+	if (unseen != 0)
+		add(" (U+%04X in it can't be seen)", unseen);
+	if (message_state.json)
+		add("\",\"status\":%d}", status);
+	add("\n");
+	fwrite(line.s, 1, line.n, stderr);
 	funlockfile(stderr);
 }
 
@@ -234,33 +199,13 @@ static void be_last(void)
 void vdie_at(int status, const struct place *place, const char *format,
     va_list args)
 {
+	if (place != NULL && place->of_scene && message_state.refused != NULL) {
+		print_line(status, place, format, args);
+		longjmp(*message_state.refused, 1);
+	}
 	be_last();
 	print_line(status, place, format, args);
 	exit(status);
-}
-
-static jmp_buf *refused;
-
-void refusals_go_to(jmp_buf *where)
-{
-	refused = where;
-}
-
-void vrefuse_at(const struct place *place, const char *format, va_list args)
-{
-	if (refused == NULL)
-		vdie_at(EXIT_INPUT, place, format, args);
-	print_line(EXIT_INPUT, place, format, args);
-	longjmp(*refused, 1);
-}
-
-void refuse_at(const struct place *place, const char *format, ...)
-{
-	va_list args;
-
-	va_start(args, format);
-	vrefuse_at(place, format, args);
-	va_end(args);
 }
 
 void die_at(int status, const struct place *place, const char *format, ...)

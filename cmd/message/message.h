@@ -24,8 +24,9 @@ struct place {
 	bool of_points;   /* it counts binary points */
 	/* Of a JSON document, "/camera/eye": or NULL or "". */
 	const char *pointer;
-	/* Where number is 0: what say_scene said. */
-	struct scene_place scene;
+	struct scene_place scene; /* where number is 0, message_state's */
+	/* It is of a scene, behind which another may follow. */
+	bool of_scene;
 	/* In text the place stands before the message; or, where this is not
 	 * NULL, behind it, after these words. */
 	const char *join;
@@ -37,17 +38,18 @@ struct place {
 void say_at(int status, const struct place *, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* Everything that is said from now on is about that scene. */
-void say_scene(struct scene_place);
-struct scene_place said_scene(void);
-
-/* Messages become objects of JSON, one a line. */
-void say_in_json(bool);
-bool says_json(void);
-
 /* Whether to colour what goes to a terminal. */
 enum color { COLOR_AUTO, COLOR_ALWAYS, COLOR_NEVER };
-void message_color(enum color);
+
+extern struct message_state {
+	bool json; /* messages become objects of JSON, one a line */
+	enum color color;
+	struct scene_place scene; /* that everything said is about */
+	/* Where die_at goes on after a message of_scene, in place of the program's
+	 * end; NULL: it ends. Only the first thread may say such, while there is
+	 * no other. */
+	jmp_buf *refused;
+} message_state;
 
 /* Whether what goes to fd is coloured: with COLOR_AUTO where it is a terminal that
  * can, and NO_COLOR (no-color.org) is not set. */
@@ -59,18 +61,6 @@ _Noreturn void die_at(int status, const struct place *, const char *format, ...)
 _Noreturn void vdie_at(int status, const struct place *, const char *format,
     va_list) __attribute__((format(printf, 3, 0)));
 _Noreturn void die(int status, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
-
-/* Where refuse_at goes on after its message, in place of the program's end; NULL: it
- * ends. */
-void refusals_go_to(jmp_buf *);
-
-/* The same as vdie_at with exit status 1, of a scene: another one may follow. Only the
- * first thread may call it, while there is no other. */
-_Noreturn void vrefuse_at(const struct place *, const char *format, va_list)
-    __attribute__((format(printf, 2, 0)));
-
-_Noreturn void refuse_at(const struct place *, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Exits. Any thread may call it. */

@@ -1,36 +1,30 @@
 /* SPDX-License-Identifier: MIT */
 #include "utf8.h"
 
-/* RFC 3629, section 4: the first byte gives the length and the range of the
- * second, so that overlong forms, surrogates and what lies beyond U+10FFFF
- * are refused. */
-int utf8_length(const char *s, const char *end)
+/* RFC 3629, section 4: no longer form than is needed, no half of a surrogate pair,
+ * nothing beyond U+10FFFF. */
+int utf8_read(const char *s, const char *end, unsigned *code)
 {
-	const unsigned char *u = (const unsigned char *)s;
-	unsigned low = 0x80, high = 0xbf;
-	int n = 1;
+	static const unsigned least[] = { 0, 0, 0x80, 0x800, 0x10000 };
+	unsigned first = (unsigned char)*s;
+	int n = first < 0x80 ? 1 :
+	    first < 0xc0     ? 0 :
+	    first < 0xe0     ? 2 :
+	    first < 0xf0     ? 3 :
+	    first < 0xf8     ? 4 :
+			       0;
 
-	if (u[0] < 0x80)
-		return 1;
-	if (u[0] < 0xc2 || u[0] > 0xf4)
+	if (n == 0 || end - s < n)
 		return 0;
-	n = u[0] < 0xe0 ? 2 : u[0] < 0xf0 ? 3 : 4;
-	if (end - s < n)
-		return 0;
-	if (u[0] == 0xe0)
-		low = 0xa0;
-	else if (u[0] == 0xed)
-		high = 0x9f;
-	else if (u[0] == 0xf0)
-		low = 0x90;
-	else if (u[0] == 0xf4)
-		high = 0x8f;
-	if (u[1] < low || u[1] > high)
-		return 0;
-	for (int i = 2; i < n; i++)
-		if ((u[i] & 0xc0) != 0x80)
+	*code = n == 1 ? first : first & 0xffu >> (n + 1);
+	for (int i = 1; i < n; i++) {
+		if ((s[i] & 0xc0) != 0x80)
 			return 0;
-	return n;
+		*code = *code << 6 | (s[i] & 0x3f);
+	}
+	return *code >= least[n] && *code <= 0x10ffff && *code >> 11 != 0x1b ?
+	    n :
+	    0;
 }
 
 /* RFC 3629, section 3. */

@@ -287,7 +287,7 @@ void document_read(struct document *d, const char *name, char *text,
 		.two = wants->two,
 		.scene = scene_members };
 	struct span points;
-	struct value root = value_parse_without(&source, "points", text, size,
+	struct value root = value_parse_without(&source, "/points", text, size,
 	    &points);
 	struct value m[SCENE_MEMBERS];
 
@@ -339,7 +339,7 @@ char *document_points(const char *name, char *text, size_t size,
 		.operand = true,
 		.scene = scene_members };
 	struct span points;
-	struct value root = value_parse_without(&source, NULL, text, size,
+	struct value root = value_parse_without(&source, "", text, size,
 	    &points);
 
 	*points_size = take_points(&root, &points, coordinates);
@@ -362,7 +362,7 @@ void document_refuse(const struct document *d, const char *why)
 	snprintf(pointer, sizeof pointer, "%.*s", (int)n, why);
 	const struct place place = source_place(&d->source, pointer);
 
-	refuse_at(&place, "%s", what);
+	die_at(EXIT_INPUT, &place, "%s", what);
 }
 
 void document_check(const struct document *d, const char *why)

@@ -46,7 +46,7 @@ void answer_progress(bool asked)
 	if (progress.start > 0)
 		return;
 	progress.asked = asked;
-	progress.terminal = isatty(STDERR_FILENO) && !says_json();
+	progress.terminal = isatty(STDERR_FILENO) && !message_state.json;
 	progress.on = asked || (progress.terminal && !isatty(STDOUT_FILENO));
 	progress.start = progress.last = now();
 }
@@ -135,7 +135,7 @@ static void count_imageless(const struct job *j, const struct chunk *c)
 {
 	if (c->imageless > 0 && answer.imageless == 0) {
 		answer.where = place_of(j, c, c->first_imageless);
-		answer.where.scene = said_scene();
+		answer.where.scene = message_state.scene;
 	}
 	answer.imageless += c->imageless;
 }

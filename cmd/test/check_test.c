@@ -26,7 +26,7 @@ static void check(const void *argument)
 	memcpy(copy, t->s, t->size);
 	struct span none;
 
-	value_parse_without(&source, "none", copy, t->size, &none);
+	value_parse_without(&source, "/none", copy, t->size, &none);
 	free(copy);
 }
 
@@ -34,12 +34,15 @@ static const struct text refused[] = {
 	TEXT("", "1: expected a value, but the text ends"),
 	TEXT(" \n", "2: expected a value, but the text ends"),
 	TEXT("\xef\xbb\xbf", "1: expected a value, but the text ends"),
-	TEXT("{\n\"a\":\n01}", "3: expected a value, not '01'; write 1"),
-	TEXT("[-012.50]", "1: expected a value, not '-012.50'; write -12.5"),
-	TEXT("[1.]", "1: expected a value, not '1.'; write 1"),
-	TEXT("[+1]", "1: expected a value, not '+1'; write 1"),
-	TEXT("[.5]", "1: expected a value, not '.5'; write 0.5"),
-	TEXT("[1.e5]", "1: expected a value, not '1.e5'; write 100000"),
+	TEXT("{\n\"a\":\n01}",
+	    "3: expected a value, not '01'; a number is like -1.5e-3"),
+	TEXT("[-012.50]",
+	    "1: expected a value, not '-012.50'; a number is like -1.5e-3"),
+	TEXT("[1.]", "1: expected a value, not '1.'; a number is like -1.5e-3"),
+	TEXT("[+1]", "1: expected a value, not '+1'; a number is like -1.5e-3"),
+	TEXT("[.5]", "1: expected a value, not '.5'; a number is like -1.5e-3"),
+	TEXT("[1.e5]",
+	    "1: expected a value, not '1.e5'; a number is like -1.5e-3"),
 	TEXT("[-]", "1: expected a value, not '-'; a number is like -1.5e-3"),
 	TEXT("[1e]", "1: expected a value, not '1e'; a number is like -1.5e-3"),
 	TEXT("[0x1]",
@@ -47,43 +50,53 @@ static const struct text refused[] = {
 	TEXT("[6\xc2\xb0]",
 	    "1: expected a value, not '6\xc2\xb0'; a number is like -1.5e-3"),
 	TEXT("[NaN]",
-	    "1: expected a value, not 'NaN'; an unknown coordinate is null"),
+	    "1: expected a value, not 'NaN'; a word is true, false, null or "
+	    "\"text\" in quotes"),
 	TEXT("[-nan]",
-	    "1: expected a value, not '-nan'; an unknown coordinate is null"),
+	    "1: expected a value, not '-nan'; a number is like -1.5e-3"),
 	TEXT("[Infinity]",
-	    "1: expected a value, not 'Infinity'; only \"far\" can be "
-	    "\"infinity\""),
+	    "1: expected a value, not 'Infinity'; a word is true, false, null "
+	    "or \"text\" in quotes"),
 	TEXT("[-Infinity]",
-	    "1: expected a value, not '-Infinity'; only \"far\" can be "
-	    "\"infinity\""),
+	    "1: expected a value, not '-Infinity'; a number is like -1.5e-3"),
 	TEXT("[inf]",
-	    "1: expected a value, not 'inf'; only \"far\" can be \"infinity\""),
-	TEXT("[True]", "1: expected a value, not 'True'; write true"),
-	TEXT("[None]", "1: expected a value, not 'None'; write null"),
+	    "1: expected a value, not 'inf'; a word is true, false, null or "
+	    "\"text\" in quotes"),
+	TEXT("[True]",
+	    "1: expected a value, not 'True'; a word is true, false, null or "
+	    "\"text\" in quotes"),
+	TEXT("[None]",
+	    "1: expected a value, not 'None'; a word is true, false, null or "
+	    "\"text\" in quotes"),
 	TEXT("[gl]",
-	    "1: expected a value, not 'gl'; text needs \"double quotes\""),
-	TEXT("[truefalse]", "1: expected a value, not 'truefalse'; write true"),
+	    "1: expected a value, not 'gl'; a word is true, false, null or "
+	    "\"text\" in quotes"),
+	TEXT("[truefalse]",
+	    "1: expected a value, not 'truefalse'; a word is true, false, null "
+	    "or \"text\" in quotes"),
 	TEXT("['a']",
 	    "1: expected a value, not '''; JSON has \"double quotes\" alone"),
 	TEXT("{'a':1}",
-	    "1: expected a member's name in quotes, not '''; JSON has \"double "
-	    "quotes\" alone"),
+	    "1: expected a member's name in \"double quotes\", not '''; JSON "
+	    "has \"double quotes\" alone"),
 	TEXT("{eye:1}",
-	    "1: expected a member's name in quotes, not 'eye'; write \"eye\""),
-	TEXT("{1:1}", "1: expected a member's name in quotes, not '1'"),
+	    "1: expected a member's name in \"double quotes\", not 'eye'"),
+	TEXT("{1:1}",
+	    "1: expected a member's name in \"double quotes\", not '1'"),
 	TEXT("{\"a\":0,\n 1}",
-	    "2: expected a member's name in quotes, not '1'; several numbers "
-	    "stand in brackets: [1,2,3]"),
+	    "2: expected a member's name in \"double quotes\", not '1'; "
+	    "several numbers stand in brackets: [1,2,3]"),
 	TEXT("{\"a\":16/9}",
 	    "1: expected ',' or '}', not '/'; JSON has no arithmetic"),
 	TEXT("{\"a\":1,\n}",
-	    "2: expected a member's name in quotes, not '}'; remove the comma "
-	    "before it"),
+	    "2: expected a member's name in \"double quotes\", not '}'; remove "
+	    "the comma before it"),
 	TEXT("[1,]",
 	    "1: expected a value, not ']'; remove the comma before it"),
 	TEXT("[1,,2]", "1: expected a value, not ','"),
 	TEXT("[,]", "1: expected a value, not ','"),
-	TEXT("{,}", "1: expected a member's name in quotes, not ','"),
+	TEXT("{,}",
+	    "1: expected a member's name in \"double quotes\", not ','"),
 	TEXT("{\"a\" 1}", "1: expected ':' after the member's name, not '1'"),
 	TEXT("{\"a\":}", "1: expected a value, not '}'"),
 	TEXT("{\"a\":1\n\"b\":2}", "2: expected ',' or '}', not '\"'"),
@@ -96,7 +109,8 @@ static const struct text refused[] = {
 	TEXT("[\xc2\xa0]",
 	    "1: expected a value, not '\\u00a0' (U+00A0 in it can't be seen)"),
 	TEXT("[\f1]", "1: expected a value, not '\\u000c'"),
-	TEXT("{\n[1", "2: expected a member's name in quotes, not '['"),
+	TEXT("{\n[1",
+	    "2: expected a member's name in \"double quotes\", not '['"),
 	TEXT("{\n\"a\":[1\n\n",
 	    "4: expected ',' or ']', but the text ends; the '[' is on line 2"),
 	TEXT("{\"a\":1",
@@ -115,8 +129,8 @@ static const struct text refused[] = {
 	    "1: expected the end of the text, not '/'; comments are not JSON; "
 	    "use a member \"_comment\""),
 	TEXT("{\n/* x */}",
-	    "2: expected a member's name in quotes, not '/'; comments are not "
-	    "JSON; use a member \"_comment\""),
+	    "2: expected a member's name in \"double quotes\", not '/'; "
+	    "comments are not JSON; use a member \"_comment\""),
 	TEXT("# x\n{}",
 	    "1: expected a value, not '#'; comments are not JSON; use a member "
 	    "\"_comment\""),
@@ -124,65 +138,73 @@ static const struct text refused[] = {
 	    "1: expected ',' or ']', not '/'; comments are not JSON; use a "
 	    "member \"_comment\""),
 	TEXT("[\"\\x\"]",
-	    "1: expected an escape of JSON, not '\\x'; a backslash is \\\\"),
+	    "1: expected an escape for a character, not '\\x'; a backslash "
+	    "itself is \\\\"),
 	TEXT("[\"\\",
-	    "1: expected an escape of JSON, not '\\'; a backslash is \\\\"),
+	    "1: expected an escape for a character, not '\\'; a backslash "
+	    "itself is \\\\"),
 	TEXT("[\"\\u12g4\"]",
-	    "1: expected four hexadecimal digits after \\u, not '\\u12g4'"),
+	    "1: expected an escape for a character, not '\\u12g4'; a backslash "
+	    "itself is \\\\"),
 	TEXT("[\"\\u12",
-	    "1: expected four hexadecimal digits after \\u, not '\\u12'"),
+	    "1: expected an escape for a character, not '\\u12'; a backslash "
+	    "itself is \\\\"),
 	TEXT("{\"\\u0000\":1}",
-	    "1: expected text in a string, not '\\u0000'; leave \\u0000 out"),
+	    "1: expected an escape for a character, not '\\u0000'; a backslash "
+	    "itself is \\\\"),
 	TEXT("[\"\\ud800\"]",
-	    "1: expected both halves of a surrogate pair, not '\\ud800'"),
+	    "1: expected an escape for a character, not '\\ud800'; a backslash "
+	    "itself is \\\\"),
 	TEXT("[\"\\ud800\\ud800\"]",
-	    "1: expected both halves of a surrogate pair, not "
-	    "'\\ud800\\ud800'"),
+	    "1: expected an escape for a character, not '\\ud800\\ud800'; a "
+	    "backslash itself is \\\\"),
 	TEXT("[\"\\uDC00\\uD800\"]",
-	    "1: expected both halves of a surrogate pair, not "
-	    "'\\uDC00\\uD800'"),
+	    "1: expected an escape for a character, not '\\uDC00\\uD800'; a "
+	    "backslash itself is \\\\"),
 	TEXT("[\"\\ud83d\\ude00",
-	    "1: expected '\"' at the end of a string, but the text ends"),
+	    "1: expected text or '\"' in a string, but the text ends"),
 	TEXT("[\"\\ud83d\\ude0",
-	    "1: expected both halves of a surrogate pair, not '\\ud83d\\ude0'"),
+	    "1: expected an escape for a character, not '\\ud83d\\ude0'; a "
+	    "backslash itself is \\\\"),
 	TEXT("[\"a\n\"]",
-	    "1: expected '\"' at the end of a string, not '\\u000a'; a string "
-	    "ends on its line"),
+	    "1: expected text or '\"' in a string, not '\\u000a'; write a "
+	    "control character as this escape"),
 	TEXT("[\"a\r\"]",
-	    "1: expected '\"' at the end of a string, not '\\u000d'; a string "
-	    "ends on its line"),
-	TEXT("[\"a",
-	    "1: expected '\"' at the end of a string, but the text ends"),
+	    "1: expected text or '\"' in a string, not '\\u000d'; write a "
+	    "control character as this escape"),
+	TEXT("[\"a", "1: expected text or '\"' in a string, but the text ends"),
 	TEXT("[\"\t\"]",
-	    "1: expected text in a string, not '\\u0009'; write a control "
-	    "character as this escape"),
+	    "1: expected text or '\"' in a string, not '\\u0009'; write a "
+	    "control character as this escape"),
 	TEXT("\n{\"a\":\0}",
 	    "2: expected a value, not '\\u0000'; JSON is UTF-8 text"),
 	TEXT("[\"\x80\"]",
-	    "1: expected text in a string, not '\\x80'; JSON is UTF-8 text"),
-	TEXT("[\"\xc0\x80\"]",
-	    "1: expected text in a string, not '\\xc0\\x80'; JSON is UTF-8 "
-	    "text"), /* an overlong NUL */
-	TEXT("[\"\xc3\"]",
-	    "1: expected text in a string, not '\\xc3'; JSON is UTF-8 text"),
-	TEXT("[\"\xe0\x80\x80\"]",
-	    "1: expected text in a string, not '\\xe0\\x80\\x80'; JSON is "
-	    "UTF-8 text"),
-	TEXT("[\"\xed\xa0\x80\"]",
-	    "1: expected text in a string, not '\\xed\\xa0\\x80'; JSON is "
-	    "UTF-8 text"), /* a surrogate */
-	TEXT("[\"\xf0\x8f\xbf\xbf\"]",
-	    "1: expected text in a string, not '\\xf0\\x8f\\xbf\\xbf'; JSON is "
-	    "UTF-8 text"),
-	TEXT("[\"\xf4\x90\x80\x80\"]",
-	    "1: expected text in a string, not '\\xf4\\x90\\x80\\x80'; JSON is "
-	    "UTF-8 text"), /* U+110000 */
-	TEXT("[\"\xf5\x80\x80\x80\"]",
-	    "1: expected text in a string, not '\\xf5\\x80\\x80\\x80'; JSON is "
-	    "UTF-8 text"),
-	TEXT("[\"\xe2\x82",
-	    "1: expected text in a string, not '\\xe2\\x82'; JSON is UTF-8 "
+	    "1: expected text or '\"' in a string, not '\\x80'; JSON is UTF-8 "
 	    "text"),
+	TEXT("[\"\xc0\x80\"]",
+	    "1: expected text or '\"' in a string, not '\\xc0\\x80'; JSON is "
+	    "UTF-8 text"), /* an overlong NUL */
+	TEXT("[\"\xc3\"]",
+	    "1: expected text or '\"' in a string, not '\\xc3'; JSON is UTF-8 "
+	    "text"),
+	TEXT("[\"\xe0\x80\x80\"]",
+	    "1: expected text or '\"' in a string, not '\\xe0\\x80\\x80'; JSON "
+	    "is UTF-8 text"),
+	TEXT("[\"\xed\xa0\x80\"]",
+	    "1: expected text or '\"' in a string, not '\\xed\\xa0\\x80'; JSON "
+	    "is UTF-8 text"), /* a surrogate */
+	TEXT("[\"\xf0\x8f\xbf\xbf\"]",
+	    "1: expected text or '\"' in a string, not '\\xf0\\x8f\\xbf\\xbf'; "
+	    "JSON is UTF-8 text"),
+	TEXT("[\"\xf4\x90\x80\x80\"]",
+	    "1: expected text or '\"' in a string, not '\\xf4\\x90\\x80\\x80'; "
+	    "JSON is UTF-8 text"), /* U+110000 */
+	TEXT("[\"\xf5\x80\x80\x80\"]",
+	    "1: expected text or '\"' in a string, not '\\xf5\\x80\\x80\\x80'; "
+	    "JSON is UTF-8 text"),
+	TEXT("[\"\xe2\x82",
+	    "1: expected text or '\"' in a string, not '\\xe2\\x82'; JSON is "
+	    "UTF-8 text"),
 };
 
 static void test_refused(void **state)
@@ -288,12 +310,14 @@ static void test_lines(void **state)
 	(void)state;
 	for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
 		const char *s = lines[i].text, *end = s + strlen(s);
-		struct json_error e = { NULL, 0, "" };
-		bool ok = json_check(JSON_LINE, s, end, &e);
+		struct json_check c = { .kind = JSON_LINE,
+			.text = s,
+			.end = end };
+		bool ok = json_check(&c);
 
 		assert_int_equal(ok, lines[i].left == NULL);
 		if (!ok)
-			assert_string_equal(e.at, lines[i].left);
+			assert_string_equal(c.at, lines[i].left);
 	}
 }
 

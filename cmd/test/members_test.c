@@ -59,29 +59,29 @@ static const struct refusal cameras[] = {
 	    "and \"rvec\", or \"orientation\" and \"translation\", or \"rvec\" "
 	    "and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{" EYE "," AT ",\"gaze\":[0,0,1]}",
-	    "/gaze: not together with \"at\"; give \"eye\" and \"at\", or "
+	    "/gaze: does not go with the others; give \"eye\" and \"at\", or "
 	    "\"eye\" and \"gaze\", or \"eye\" and \"orientation\", or \"eye\" "
 	    "and \"rvec\", or \"orientation\" and \"translation\", or \"rvec\" "
 	    "and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{" EYE ",\"orientation\":[0,0,0,1],\"up\":[0,1,0]}",
-	    "/up: not together with \"orientation\"; give \"eye\", \"at\" and "
+	    "/up: does not go with the others; give \"eye\", \"at\" and "
 	    "\"up\", or \"eye\", \"gaze\" and \"up\", or \"eye\" and "
 	    "\"orientation\", or \"eye\" and \"rvec\", or \"orientation\" and "
 	    "\"translation\", or \"rvec\" and \"translation\", or \"pose\", or "
 	    "\"matrix\"" },
 	{ &lookat, "{\"matrix\":" M16 ",\"roll\":0}",
-	    "/roll: not together with \"matrix\"; give \"eye\", \"at\" and "
+	    "/roll: does not go with the others; give \"eye\", \"at\" and "
 	    "\"roll\", or \"eye\", \"gaze\" and \"roll\", or \"eye\", "
 	    "\"orientation\" and \"roll\", or \"eye\", \"rvec\" and \"roll\", "
 	    "or \"orientation\", \"translation\" and \"roll\", or \"rvec\", "
 	    "\"translation\" and \"roll\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{\"matrix\":" M16 ",\"pose\":" M16 "}",
-	    "/matrix: not together with \"pose\"; give \"eye\" and \"at\", or "
+	    "/matrix: does not go with the others; give \"eye\" and \"at\", or "
 	    "\"eye\" and \"gaze\", or \"eye\" and \"orientation\", or \"eye\" "
 	    "and \"rvec\", or \"orientation\" and \"translation\", or \"rvec\" "
 	    "and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{\"pose\":" M16 ",\"roll\":0}",
-	    "/roll: not together with \"pose\"; give \"eye\", \"at\" and "
+	    "/roll: does not go with the others; give \"eye\", \"at\" and "
 	    "\"roll\", or \"eye\", \"gaze\" and \"roll\", or \"eye\", "
 	    "\"orientation\" and \"roll\", or \"eye\", \"rvec\" and \"roll\", "
 	    "or \"orientation\", \"translation\" and \"roll\", or \"rvec\", "
@@ -93,10 +93,10 @@ static const struct refusal cameras[] = {
 	    "and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat,
 	    "{" EYE ",\"orientation\":[0,0,0,1],\"translation\":[0,0,0]}",
-	    "/translation: not together with \"eye\"; give \"eye\" and \"at\", "
-	    "or \"eye\" and \"gaze\", or \"eye\" and \"orientation\", or "
-	    "\"eye\" and \"rvec\", or \"orientation\" and \"translation\", or "
-	    "\"rvec\" and \"translation\", or \"pose\", or \"matrix\"" },
+	    "/translation: does not go with the others; give \"eye\" and "
+	    "\"at\", or \"eye\" and \"gaze\", or \"eye\" and \"orientation\", "
+	    "or \"eye\" and \"rvec\", or \"orientation\" and \"translation\", "
+	    "or \"rvec\" and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{\"quaternion\":[1,0,0,0]," EYE "}",
 	    "/quaternion: unknown member; did you mean \"orientation\" (x, y, "
 	    "z, "
@@ -112,12 +112,12 @@ static const struct refusal cameras[] = {
 	{ &lookat, "{\"position\":[0,0,0]," AT "}",
 	    "/position: unknown member; did you mean \"eye\"?" },
 	{ &lookat, "{\"matrix\":" M16 "," EYE "}",
-	    "/eye: not together with \"matrix\"; give \"eye\" and \"at\", or "
+	    "/eye: does not go with the others; give \"eye\" and \"at\", or "
 	    "\"eye\" and \"gaze\", or \"eye\" and \"orientation\", or \"eye\" "
 	    "and \"rvec\", or \"orientation\" and \"translation\", or \"rvec\" "
 	    "and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{" EYE "," AT ",\"orthonormalize\":true}",
-	    "/orthonormalize: not together with \"eye\"; give \"eye\" and "
+	    "/orthonormalize: does not go with the others; give \"eye\" and "
 	    "\"at\", or \"eye\" and \"gaze\", or \"eye\" and \"orientation\", "
 	    "or \"eye\" and \"rvec\", or \"orientation\" and \"translation\", "
 	    "or \"rvec\" and \"translation\", or \"pose\" and "
@@ -144,7 +144,7 @@ static const struct refusal cameras[] = {
 	    "/projection/matrix/0: has 3 elements; an array of 4 numbers is "
 	    "wanted" },
 	{ &lookat, "{\"matrix\":{\"matrix\":" M16 ",\"vectors\":\"rows\"}}",
-	    "/matrix/vectors: is \"rows\"; did you mean \"row\"?" },
+	    "/matrix/vectors: is \"rows\"; \"row\" or \"column\" is wanted" },
 	{ &project, "{\"world\":1}",
 	    "/world: is a number; an array of " AFFINE " is wanted" },
 	{ &project, "{\"world\":{}}",
@@ -181,11 +181,12 @@ static const struct refusal others[] = {
 	{ &project, "{\"viewport\":{" SIZE ",\"scale\":[1,-1]}}",
 	    "/viewport/scale/1: -1 is not positive; " POSITIVE },
 	{ &project, "{\"device\":{" SIZE ",\"origin\":\"top\"}}",
-	    "/device/origin: is \"top\"; did you mean \"top-left\"?" },
+	    "/device/origin: is \"top\"; \"bottom-left\" or \"top-left\" is "
+	    "wanted" },
 	{ &w2n, "{}", "/center: missing; " WINDOW_HINT },
 	{ &w2n, "{\"left\":1,\"width\":1}", "/center: missing; " WINDOW_HINT },
 	{ &w2n, "{\"center\":[0,0]," SIZE ",\"top\":1}",
-	    "/top: not together with \"center\"; " WINDOW_HINT },
+	    "/top: does not go with the others; " WINDOW_HINT },
 	{ &w2n, "{\"zoom\":0}", "/zoom: 0 is not positive; " POSITIVE },
 	{ &project, "{\"camera\":{" EYE "," AT ",\"roll\":\"\"}}",
 	    "/camera/roll: is a string; a number is wanted" },

@@ -93,7 +93,9 @@ static const struct refusal names[] = {
 	MEANT("Camera", "camera"),
 	MEANT("point", "points"),
 	{ &lookat, "{\"camra\":{}}",
-	    "/camra: unknown member; did you mean \"camera\"?" },
+	    "/camra: unknown member; there are \"eye\", \"at\", \"gaze\", "
+	    "\"orientation\", \"rvec\", \"translation\", \"pose\", \"matrix\", "
+	    "\"up\", \"roll\" and \"orthonormalize\"" },
 	{ &volume, "{\"near\":1}",
 	    "/near: unknown member; did you mean \"z_near\"?" },
 	{ &w2n, "{\"x\":1}", "/x: unknown member; did you mean \"center\"?" },
@@ -101,14 +103,15 @@ static const struct refusal names[] = {
 	    "/eye: unknown member; it belongs in \"camera\" or "
 	    "\"projection\"" },
 	{ &project, "{\"target\":1}",
-	    "/target: unknown member; \"camera\" has \"at\"" },
+	    "/target: unknown member; it belongs in \"camera\"" },
 	{ &project, "{\"half_width\":1}",
 	    "/half_width: unknown member; it belongs in \"projection\"" },
 	{ &w2d, "{\"width\":1}",
 	    "/width: unknown member; it belongs in \"projection\", "
 	    "\"viewport\", \"window\" or \"device\"" },
 	{ &project, "{\"camera\":{\"near\":1}}",
-	    "/camera/near: unknown member; it belongs in \"projection\"" },
+	    "/camera/near: unknown member; it belongs in \"projection\" or "
+	    "\"viewport\"" },
 	{ &lookat, "{\"q\":1}",
 	    "/q: unknown member; there are \"eye\", \"at\", \"gaze\", "
 	    "\"orientation\", \"rvec\", \"translation\", \"pose\", \"matrix\", "
@@ -133,9 +136,15 @@ static const struct refusal names[] = {
 	{ &project, "{\"camera\":{},\"camera\":{}}",
 	    "/camera: repeated; give it once" },
 	{ &ortho, "{\"fovy\":1}",
-	    "/fovy: not a member of \"ortho\"; \"persp\" has it" },
+	    "/fovy: unknown member; there are \"type\", \"width\", \"height\", "
+	    "\"aspect\", \"left\", \"right\", \"bottom\", \"top\", \"near\", "
+	    "\"far\" and \"reverse_z\"" },
 	{ &persp, "{\"plane\":1}",
-	    "/plane: not a member of \"persp\"; \"oblique\" has it" },
+	    "/plane: unknown member; there are \"type\", \"fovy\", \"fovx\", "
+	    "\"view_angle\", \"field\", \"width\", \"height\", \"aspect\", "
+	    "\"left\", \"right\", \"bottom\", \"top\", \"angles\", "
+	    "\"intrinsics\", \"edges_at\", \"near\", \"far\", \"reverse_z\" "
+	    "and \"near_ratio\"" },
 };
 
 REFUSES(names)

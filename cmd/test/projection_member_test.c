@@ -41,7 +41,8 @@ static const struct refusal projections[] = {
 	    "/projection/type: missing; it is \"persp\", \"ortho\", "
 	    "\"oblique\", \"volume\" or \"matrix\"" },
 	{ &project, "{\"projection\":{\"type\":\"perspective\"}}",
-	    "/projection/type: is \"perspective\"; did you mean \"persp\"?" },
+	    "/projection/type: is \"perspective\"; \"persp\", \"ortho\", "
+	    "\"oblique\", \"volume\" or \"matrix\" is wanted" },
 	{ &project, "{\"projection\":{\"type\":1}}",
 	    "/projection/type: is a number; \"persp\", \"ortho\", \"oblique\", "
 	    "\"volume\" or \"matrix\" is wanted" },
@@ -62,17 +63,17 @@ static const struct refusal projections[] = {
 	    "\"height\", or \"left\", \"right\", \"bottom\" and \"top\", or "
 	    "\"angles\", or \"intrinsics\"" },
 	{ &persp, "{" PLANES ",\"fovy\":60,\"fovx\":60}",
-	    "/fovx: not together with \"fovy\"; give \"fovy\", or \"fovx\", or "
-	    "\"view_angle\", or \"field\", or \"width\" and \"height\", or "
+	    "/fovx: does not go with the others; give \"fovy\", or \"fovx\", "
+	    "or \"view_angle\", or \"field\", or \"width\" and \"height\", or "
 	    "\"width\", or \"height\", or \"left\", \"right\", \"bottom\" and "
 	    "\"top\", or \"angles\", or \"intrinsics\"" },
 	{ &persp, "{" PLANES ",\"fovy\":60,\"height\":60}",
-	    "/height: not together with \"fovy\"; give \"fovy\", or \"fovx\", "
+	    "/height: does not go with the others; give \"fovy\", or \"fovx\", "
 	    "or \"view_angle\", or \"field\", or \"width\" and \"height\", or "
 	    "\"width\", or \"height\", or \"left\", \"right\", \"bottom\" and "
 	    "\"top\", or \"angles\", or \"intrinsics\"" },
 	{ &persp, "{" PLANES "," SIZE ",\"aspect\":1}",
-	    "/aspect: not together with \"width\"; give \"fovy\" and "
+	    "/aspect: does not go with the others; give \"fovy\" and "
 	    "\"aspect\", or \"fovx\" and \"aspect\", or \"view_angle\" and "
 	    "\"aspect\", or \"field\" and \"aspect\", or \"width\" and "
 	    "\"height\", or \"width\" and \"aspect\", or \"height\" and "
@@ -94,7 +95,7 @@ static const struct refusal projections[] = {
 	{ &persp, "{\"fovy\":60,\"far\":1}",
 	    "/near: missing; give \"near\" and \"far\"" },
 	{ &persp, "{\"near\":\"infinity\"}",
-	    "/near: only \"far\" of \"persp\" can be infinite" },
+	    "/near: is a string; a number is wanted" },
 	{ &persp, "{\"near\":\"1\"}",
 	    "/near: is a string; a number is wanted" },
 	{ &persp, "{\"far\":\"inf\"}",
@@ -102,7 +103,7 @@ static const struct refusal projections[] = {
 	{ &persp, "{\"far\":null}",
 	    "/far: is null; a number or \"infinity\" is wanted" },
 	{ &ortho, "{\"far\":\"infinity\"}",
-	    "/far: only \"far\" of \"persp\" can be infinite" },
+	    "/far: is a string; a number is wanted" },
 	{ &ortho, "{" PLANES "}",
 	    "/width: missing; give \"width\" and \"height\", or \"width\", or "
 	    "\"height\", or \"left\", \"right\", \"bottom\" and \"top\"" },
@@ -114,7 +115,7 @@ static const struct refusal projections[] = {
 	{ &project, OBLIQUE(),
 	    "/projection/kind: missing; give \"kind\", or \"angle\"" },
 	{ &project, OBLIQUE(",\"kind\":\"cabinet\",\"angle\":45"),
-	    "/projection/angle: not together with \"kind\"; " SHEAR },
+	    "/projection/angle: does not go with the others; " SHEAR },
 	{ &project, OBLIQUE(",\"kind\":\"military\""),
 	    "/projection/kind: is \"military\"; \"cavalier\" or \"cabinet\" is "
 	    "wanted" },
@@ -128,7 +129,7 @@ static const struct refusal projections[] = {
 	    "/half_height: missing; give \"half_width\" and \"half_height\", "
 	    "or \"size\"" },
 	{ &volume, "{" BOX ",\"z_far\":0,\"size\":1}",
-	    "/size: not together with \"half_width\"; give \"half_width\" and "
+	    "/size: does not go with the others; give \"half_width\" and "
 	    "\"half_height\", or \"size\"" },
 	{ &volume, "{\"size\":1,\"z_near\":1,\"z_far\":0}",
 	    "/aspect: missing; give it, or a \"viewport\"" },
@@ -136,10 +137,10 @@ static const struct refusal projections[] = {
 	    "/view_angle: 180 is out of range; an angle from 0 to below 180 "
 	    "degrees is wanted" },
 	{ &volume, "{" BOX ",\"z_far\":0,\"view_angle\":1,\"inverse_eye_z\":1}",
-	    "/view_angle: not together with \"inverse_eye_z\"; give "
+	    "/view_angle: does not go with the others; give "
 	    "\"inverse_eye_z\", or \"eye\", or \"view_angle\"" },
 	{ &volume, "{" BOX ",\"z_far\":2,\"eye\":[0,0,1],\"tan_skew\":[0,0]}",
-	    "/eye: not together with \"tan_skew\"; give \"tan_skew\", or "
+	    "/eye: does not go with the others; give \"tan_skew\", or "
 	    "\"eye\", or \"view_angle\" and \"tan_skew\"" },
 	{ &persp, "{\"angle_unit\":\"radians\",\"fovy\":3.2}",
 	    "/fovy: 3.2 is out of range; an angle above 0 and below pi radians "
@@ -178,7 +179,8 @@ static const struct refusal projections[] = {
 	    "view space, opencv is right, down, forward and webgpu right, up, "
 	    "backward" },
 	{ &project, SEEN("\"intrinsics\":[1,1,0,0],\"fovy\":60", ""),
-	    "/projection/intrinsics: not together with \"fovy\"; " PERSP_HINT },
+	    "/projection/intrinsics: does not go with the "
+	    "others; " PERSP_HINT },
 	{ &project, SEEN("\"intrinsics\":[1,1,0,0],\"far\":1", ""),
 	    "/projection/near: missing; give \"near\" and \"far\", or none of "
 	    "them" },
@@ -226,13 +228,15 @@ static const struct refusal projections[] = {
 	{ &persp, "{\"angles\":[-1,1,-1,1]}",
 	    "/near: missing; give \"near\" and \"far\"" },
 	{ &persp, "{\"fovy\":60,\"edges_at\":1}",
-	    "/edges_at: not together with \"fovy\"; give \"fovy\", or "
+	    "/edges_at: does not go with the others; give \"fovy\", or "
 	    "\"fovx\", or \"view_angle\", or \"field\", or \"width\", "
 	    "\"height\" and \"edges_at\", or \"width\" and \"edges_at\", or "
 	    "\"height\" and \"edges_at\", or \"left\", \"right\", \"bottom\", "
 	    "\"top\" and \"edges_at\", or \"angles\", or \"intrinsics\"" },
 	{ &ortho, "{\"edges_at\":1}",
-	    "/edges_at: not a member of \"ortho\"; \"persp\" has it" },
+	    "/edges_at: unknown member; there are \"type\", \"width\", "
+	    "\"height\", \"aspect\", \"left\", \"right\", \"bottom\", \"top\", "
+	    "\"near\", \"far\" and \"reverse_z\"" },
 #define MEANS(name, right)                                             \
 	{                                                              \
 		&persp, "{\"" name "\":1}",                            \
@@ -252,13 +256,9 @@ static const struct refusal projections[] = {
 	MEANS("angleLeft",
 	    "angles\" ([left, right, bottom, top] from the gaze)?"),
 	{ &project, "{\"K\":[[1,0,0],[0,1,0],[0,0,1]]}",
-	    "/K: unknown member; \"projection\" has \"intrinsics\" ([fx, fy, "
-	    "cx, "
-	    "cy], K or P, in pixels)" },
+	    "/K: unknown member; it belongs in \"projection\"" },
 	{ &project, "{\"transform_matrix\":1}",
-	    "/transform_matrix: unknown member; \"camera\" has \"pose\" (view "
-	    "to "
-	    "world)" },
+	    "/transform_matrix: unknown member; it belongs in \"camera\"" },
 };
 
 REFUSES(projections)

@@ -19,7 +19,7 @@ my $scene = '{"camera":{"eye":[0,0,-5],"at":[0,0,0]},"projection":{"type":' .
 my $lens = '{"fovy":60,"aspect":1,"near":1,"far":10}';
 my %params = (lookat => '{"eye":[0,0,-5],"at":[0,0,0]}', persp => $lens,
     w2n => '{"center":[0,0],"width":1,"height":1}',
-    n2d => '{"width":1,"height":1}', ortho => '{"size":1}');
+    n2d => '{"width":1,"height":1}', ortho => '{"width":1,"height":1,"near":0,"far":1}');
 
 my ($table) = slurp('cmd/call/synonyms.c') =~ /synonyms\[\] = \{(.*?)\n\};/s;
 my %words = map { $_ => 1 } $table =~ /^\t\{ "([^"]+)"/mg,
