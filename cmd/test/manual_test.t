@@ -20,9 +20,11 @@ my $schema = decode_json(scalar `$^X man/schema.pl $program man/scene.rules.json
 # Options by command, the short name where there is one.
 my %synopsis;
 my ($text) = $manual =~ /^\.Sh SYNOPSIS\n(.*?)^\.Sh/ms;
-for my $call (split /^\.Nm\n/m, $text) {
+my ($calls, $shared) = split /^\.Pp\n/m, $text;
+for my $call (split /^\.Nm\n/m, $calls) {
 	my ($commands) = $call =~ /^\.Cm (.*)/ or next;
 	# the options of every command are not in it
+	$call .= $shared if $call =~ /^\.Op Ar shared options$/m;
 	my @options = $call =~ /\bFl (\S+)/g;
 	$synopsis{$_} = sorted(@options) for split / \| /, $commands;
 }
