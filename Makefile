@@ -178,6 +178,10 @@ demo: | $(FIRST) ## the Stanford bunny, seen in a terminal
 views: all ## the bunny in four views, as an SVG
 	sh cmd/demo/views.sh $(BUILD) testdata/charts/views.svg
 
+html: ## the manual and the charts as pages for a browser, build/html
+	@mkdir -p $(BUILD)/html
+	@perl man/html.pl $(BUILD)/html
+
 bench: $(BUILD)/projcalc $(BENCHES) ## speed and errors, beside other programs
 	@perl cmd/bench/bench.pl $(BUILD)
 stability: $(STABILITY) ## where double breaks and exact does not
