@@ -28,6 +28,7 @@ my $ours = join '|', map { quotemeta } @pages;
 for my $page (@pages) {
 	my $html = `mandoc -T html -O toc,style=style.css,man=%N.%S.html man/$page`;
 	die "mandoc fails\n" if $?;
+	$html =~ s|<body>|<body>\n<p><a href="index.html">projcalc</a></p>|;
 	write_file("$page.html", $html =~
 	    s|href="(?!(?:$ours)\.)([\w-]+\.\d)\.html"|href="https://manpages.debian.org/$1"|gr);
 }
