@@ -63,7 +63,8 @@ for my $c (@{$all->{commands}}) {
 	    /^  (?:-\w, |    )--([\w-]+)/mg), "options of $c->{name} in JSON");
 	# and the command to paste
 	my @said = run($c->{example});
-	ok($said[0] == 0 && $said[1] ne '' && $said[2] eq '', $c->{example});
+	is("$said[0]$said[2]", 0, "$c->{example} succeeds");
+	isnt($said[1], '', 'and prints');
 	like(`$program help $c->{name}`, qr/^example: \Q$c->{example}\E$/m,
 	    "the help shows it");
 }
@@ -148,7 +149,8 @@ for my $row (rows()) {
 	}
 	my ($example) = $help =~ /^example: (.*)$/m;
 	my @said = run($example);
-	ok($said[0] == 0 && $said[1] ne '' && $said[2] eq '', $example);
+	is("$said[0]$said[2]", 0, "$example succeeds");
+	isnt($said[1], '', 'and prints');
 }
 for my $name (qw(camera viewport window device bounds pick)) {
 	is(on_page($name), members($name), "$name on the page");
