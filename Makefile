@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# make builds build/projcalc. make help lists what else there is: the targets
-# below with ## after them. What GNU make skips, and other makes read:
+# make builds build/projcalc. make help lists the other targets: those below that have
+# ## after them. GNU make skips this condition; other makes read the line in it.
 ifeq 'GNU:' 'other'
 .error projcalc is built by GNU make, which may be called gmake here
 endif
@@ -14,20 +14,20 @@ ZSHDIR = $(DATADIR)/zsh/site-functions
 FISHDIR = $(DATADIR)/fish/vendor_completions.d
 DESTDIR =
 
-# Everything that is made goes here.
+# All output goes into this folder.
 BUILD = build
 CFLAGS = -O2 -g
 CXXFLAGS = $(CFLAGS)
 LDFLAGS =
 
-# What is always wanted stands apart from CFLAGS and LDFLAGS, as those of the
-# command line would replace it. The same bytes come from every compiler: no
-# multiply-add is fused unless it is written so, sums stay in their order, -0 is not
-# 0; and two faults of gcc 12 are kept out, of which core/test/compiler_test.c has an
-# example each. It leaves out what rounds two doubles to floats and back where it
-# makes a vector of them (and stores the halves of a span to reload them as one, which
-# stalls). And it counts some loops' addresses from a literal 0, whose accesses it then
-# takes for unreachable (PR 110702), unless a null pointer might be one.
+# FLAGS are needed in every build, so they are not in CFLAGS, which the command line
+# replaces. They make every compiler give the same bytes: no multiply-add is fused
+# unless it is written so, sums keep their order, and -0 differs from 0.
+# -fno-tree-slp-vectorize and -fno-delete-null-pointer-checks avoid two faults of gcc
+# 12, for which core/test/compiler_test.c has examples. When gcc makes a vector of two
+# doubles, it drops their rounding to float (and stores the halves of a span that it
+# loads as one, which stalls). And it addresses some loops from a literal 0, whose
+# accesses it takes for unreachable (PR 110702) unless null pointers may be valid.
 FLAGS = -ffp-contract=off -fno-fast-math -fno-unsafe-math-optimizations \
 	-fno-reciprocal-math -fsigned-zeros -fno-tree-slp-vectorize \
 	-fno-delete-null-pointer-checks -pthread -MMD -MP -Wall \
@@ -35,13 +35,13 @@ FLAGS = -ffp-contract=off -fno-fast-math -fno-unsafe-math-optimizations \
 	$(if $(WERROR),-Werror)
 C_FLAGS = -std=c11 -D_POSIX_C_SOURCE=200809L -D_FILE_OFFSET_BITS=64 \
 	-Wstrict-prototypes
-# Debian keeps dragonbox in a directory that is named after its version.
+# Debian's directory of dragonbox has the version in its name.
 CXX_FLAGS = -std=c++17 -fno-exceptions -fno-rtti \
 	$(addprefix -isystem,$(wildcard /usr/include/dragonbox-*))
-# Debian's packages are hardened so. The user's flags come later and win, and
-# HARDENING= leaves all of it out. glibc fortifies optimized code only and warns
-# otherwise; sanitizers see less of fortified code; two different definitions of
-# _FORTIFY_SOURCE draw a warning, so one in the user's flags stays alone.
+# HARDENING is that of Debian's packages. The user's flags come later and win, and
+# HARDENING= leaves it out. _FORTIFY_SOURCE is left out without optimization, where
+# glibc warns of it; with sanitizers, which see less of fortified code; and if the
+# user's flags define it, as two definitions draw a warning.
 fortify = $(if $(filter-out -O0,$(filter -O%,$1)),$(if $(findstring \
 	_FORTIFY_SOURCE,$1 $(CPPFLAGS))$(findstring -fsanitize,$1),, \
 	-U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2))
@@ -49,13 +49,13 @@ PROTECTOR = -fstack-protector-strong
 HARDENING = -fPIE $(PROTECTOR) $(call fortify,$1)
 HARDENING_LINK = -pie -Wl,-z,relro -Wl,-z,now
 hardening_link = $(if $(HARDENING),$(HARDENING_LINK))
-# The C++ is of headers alone, so the C compiler links.
+# The C compiler links, as the C++ files use no C++ library.
 LINK = $(CC) -pthread $(hardening_link) $(LDFLAGS)
 LIBS = -lcjson -lm
 TRUTH_LIBS = -lcmocka -lmpfr -lgmp
 
-# The program is all there is in the folders of CORE and PROGRAM. The other
-# folders test, study, measure and show it.
+# The program is all files in the folders of CORE and PROGRAM. The other folders test,
+# study, measure and show it.
 objects = $(addprefix $(BUILD)/,$(addsuffix .o,$(basename \
 	$(wildcard $(foreach folder,$1,$(folder)/*.c $(folder)/*.cc)))))
 programs = $(basename $(call objects,$1))
@@ -73,24 +73,24 @@ BENCHES = $(call programs,core/bench cmd/bench)
 FUZZERS = $(call programs,cmd/fuzz)
 COMPLETIONS = $(addprefix $(BUILD)/completion/,bash zsh fish)
 
-# As many jobs as there are cores, unless the caller has said how many.
+# One job for each processor, unless the caller gives a number.
 JOBS = $(shell nproc 2>/dev/null || echo 2)
 PARALLEL = $(MAKE) -s --no-print-directory \
 	$(if $(filter -j%,$(MAKEFLAGS)),,-j$(JOBS))
 
-# Goals that make others write the same files, each with all processors.
+# Several goals run one after another: their jobs would write the same files.
 ifneq ($(word 2,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
 endif
 
-# In `make deps demo` nothing is built before what it needs is installed.
+# `make deps demo` installs before it builds.
 FIRST = $(filter deps,$(MAKECMDGOALS))
 
 all: $(BUILD)/projcalc ## the program, build/projcalc
 $(BUILD)/projcalc: $(PROGRAM)
 	$(LINK) -o $@ $^ $(LIBS)
 
-# A compiler or a header that is missing is named, and what installs it.
+# Names a compiler or a header that is missing, and the target that installs it.
 $(BUILD)/has/%: | $(FIRST)
 	@mkdir -p $(@D)
 	@for tool in $(firstword $(CC)) $(firstword $(CXX)); do \
@@ -111,16 +111,16 @@ $(BUILD)/%.o: %.cc | $(FIRST)
 	@mkdir -p $(@D)
 	$(CXX) $(CXX_FLAGS) $(call HARDENING,$(CXXFLAGS)) $(CXXFLAGS) $(FLAGS) $(CPPFLAGS) -c -o $@ $<
 
-# Asked when something is compiled, as `make deps` may bring the compiler, but once.
+# The compiler is asked once, and not before it compiles: `make deps` may install it.
 MACHINE = $(eval MACHINE := $(shell $(CC) -dumpmachine 2>/dev/null))$(MACHINE)
 x86 = $(if $(filter x86_64% amd64%,$(MACHINE)),$1)
 
-# Where a C standard is asked for, gcc makes doubles of s390x's floats.
+# With -std=c11, gcc for s390x would compute floats as doubles.
 FLAGS += $(if $(filter s390x%,$(MACHINE)),$(if \
 	$(findstring clang,$(CC)),,-fexcess-precision=fast))
 
-# The inner loops: binary points take a fifth less time than at -O2. Those for
-# AVX2 and AVX-512 are chosen when the program runs; NEON is in every arm64.
+# The inner loops are compiled with -O3. The program chooses between AVX2 and AVX-512
+# when it starts; every arm64 has NEON.
 $(addprefix $(BUILD)/cmd/,lines/splice.o lines/walk.o stream/block_write.o) \
     $(call objects,core/points/kernel cmd/number/vector): FLAGS += -O3
 VECTOR = $(BUILD)/cmd/number/vector
@@ -129,19 +129,19 @@ $(BUILD)/core/points/kernel/avx2.o $(VECTOR)/write_avx2.o $(VECTOR)/read_avx2.o:
 $(BUILD)/core/points/kernel/avx512.o: FLAGS += $(call x86,-mavx512f -mfma)
 $(VECTOR)/write_avx512.o $(VECTOR)/read_avx512.o: FLAGS += $(call x86, \
     -mavx512f -mavx512bw -mavx512cd -mavx512dq -mavx512vl -mfma)
-# Threads run these, on the stacks of cmd/stream/stream.c, and their frames are not to
-# grow unseen. At link time clang makes one frame, of up to 49 KB, of a command's
-# functions in several files.
+# These files run on threads, on the stacks of cmd/stream/stream.c, so the size of
+# their frames is limited. With -flto clang merges a command's functions of several
+# files into one frame of up to 49 KB.
 FRAME = $(if $(findstring -flto,$(CFLAGS)),65536,32768)
 $(addprefix $(BUILD)/core/,exact/exact.o exact/map.o exact/sum.o derive/frustum.o \
     derive/pick.o derive/ray.o) \
     $(call objects,core/points core/points/kernel cmd cmd/call cmd/message cmd/json \
     cmd/lines cmd/stream cmd/number cmd/number/vector): \
     FLAGS += -Wframe-larger-than=$(FRAME)
-# Exact numbers have a fixed length and hold no text: the protector finds nothing
-# there, and costs 2 % of a scene.
+# core/exact has no buffers of variable length, so the stack protector would find
+# nothing there.
 $(call objects,core/exact): PROTECTOR =
-# Others' libraries at their best, for this very processor.
+# Other libraries are compiled for this processor, to be at their best.
 $(PEERS): FLAGS += -O3 -march=native -ffp-contract=fast -ftree-slp-vectorize
 
 $(STABILITY): $(call objects,core/study)
@@ -153,8 +153,8 @@ $(CMD_TESTS): $(BUILD)/%: $(BUILD)/%.o $(TRUTH) $(BUT_MAIN)
 $(BENCHES): $(BUILD)/%: $(BUILD)/%.o $(PEERS) $(TRUTH) $(BUT_MAIN)
 	$(CXX) -pthread $(hardening_link) $(LDFLAGS) -o $@ $^ $(TRUTH_LIBS) $(LIBS)
 
-# A fuzzer has its own functions in place of message.c's, and of the read and poll
-# that source.c calls. Of an archive only what is called is linked.
+# A fuzzer replaces the functions of message.c, and the read and poll that source.c
+# calls. The linker takes from an archive only the objects that are called.
 $(BUILD)/program.a: $(filter-out %/message.o,$(BUT_MAIN))
 	rm -f $@
 	$(AR) rcs $@ $^
@@ -170,7 +170,7 @@ $(COMPLETIONS): $(BUILD)/completion/%: $(BUILD)/projcalc man/completion.pl
 	@mkdir -p $(@D)
 	perl man/completion.pl $< $* >$@
 
-prove: ## machine-checked error counting: each bound that core claims
+prove: ## each bound that core claims, checked by machine
 	@perl core/proof/prove.pl
 	@perl cmd/test/digits_test.t
 demo: | $(FIRST) ## the Stanford bunny, seen in a terminal
@@ -179,11 +179,15 @@ demo: | $(FIRST) ## the Stanford bunny, seen in a terminal
 views: all ## the bunny in four views, as an SVG
 	sh cmd/demo/views.sh $(BUILD) testdata/charts/views.svg
 
-bench: $(BUILD)/projcalc $(BENCHES) ## speed and errors, beside other programs
+html: ## the manual and the charts as pages for a browser, build/html
+	@mkdir -p $(BUILD)/html
+	@perl man/html.pl $(BUILD)/html
+
+bench: $(BUILD)/projcalc $(BENCHES) ## speed and errors of projcalc and other programs
 	@perl cmd/bench/bench.pl $(BUILD)
-stability: $(STABILITY) ## where double breaks and exact does not
+stability: $(STABILITY) ## scenes where double fails, and the errors there
 	@$< table
-chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures; README's figures
+chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## bench and stability as pictures, and README's figures
 	$< data > $<.dat
 	gnuplot -e "data='$<.dat'" core/study/stability.gp \
 	    > testdata/charts/stability.svg
@@ -197,7 +201,7 @@ chart: $(STABILITY) $(BUILD)/projcalc $(BENCHES) ## these two, as pictures; READ
 oracle: $(BUILD)/core/test/oracle_test $(BUILD)/core/test/integers_test ## random scenes, points and integers against MPFR and GMP
 	@$< 1000000
 	@$(BUILD)/core/test/integers_test 1000
-digits: $(BUILD)/cmd/test/texts_test ## the vector's digits against number_write
+digits: $(BUILD)/cmd/test/texts_test ## compare the digits of vector/ with number_write
 	@$< 3000000
 programs: $(BUILD)/projcalc $(TESTS) ## the program and its tests
 SCRIPTS = $(sort $(wildcard cmd/test/*_test.t core/proof/*_test.t))
@@ -205,18 +209,19 @@ test: | $(FIRST) ## all tests
 	@+$(PARALLEL) programs
 	@BUILD=$(BUILD) perl cmd/test/run_tests.pl $(JOBS) $(TESTS) $(SCRIPTS)
 
-# After a change that is meant to change bits; the transcripts say which. Read the
-# diff before you commit it.
+# These two are for a change that is meant to change the output. Read the diff before
+# you commit it.
 bits: all ## rewrite the digests of what tests compute
 	perl cmd/test/bits_test.t -w
 transcripts: all ## rewrite what testdata/transcripts expect
 	perl cmd/test/transcripts_test.t -w
 
-layers: programs ## what includes and calls what; how long functions are
+layers: programs ## check includes, calls and the length of functions
 	@perl cmd/test/layers_test.t $(BUILD)
 
-# Other versions of clang-format break lines elsewhere. Of variables the compilers
-# know more than cppcheck does, and memory may be out in tests and benches.
+# clang-format is run in version 14 alone, as other versions break lines elsewhere.
+# cppcheck does not check variables, which compilers know better, nor whether memory
+# is out in tests and benches.
 lint: ## the manual, the style, the scripts, the C
 	mandoc -T lint -W warning man/*.[15]
 	! clang-format --version | grep -q 'version 14\.' || \
@@ -230,15 +235,15 @@ lint: ## the manual, the style, the scripts, the C
 	    normalCheckLevelMaxBranches) \
 	    -icore/proof -icmd/bench/peer/cglm.c -UCPU_COUNT
 
-# make with the flags $1, in a folder named after the target. Of the scripts it
-# runs those that test the program of that folder.
+# Runs make with the flags $1 in a folder named after the target, and of the scripts
+# those that test the program of that folder.
 rebuilt = $(PARALLEL) BUILD=$(BUILD)/$@ CFLAGS='$1' LDFLAGS='$1' \
 	SCRIPTS='$(patsubst %,cmd/test/%_test.t,transcripts recorded bits)'
 THREAD = -O1 -g -fno-sanitize-recover=all -fsanitize=thread
 ADDRESS = -O1 -g -fno-sanitize-recover=all -fsanitize=address,undefined
 FUZZ_SECONDS = 60
 
-# Memory that the program needs to its end is never freed: no leak is reported.
+# Leaks are not reported: the program does not free memory that it needs to its end.
 asan: ## the tests under the address and undefined behaviour sanitizers
 	@+ASAN_OPTIONS=detect_leaks=0 $(call rebuilt,$(ADDRESS)) test
 tsan: ## streams of points under the thread sanitizer
@@ -257,17 +262,17 @@ fuzz: ## clang's libFuzzer, FUZZ_SECONDS=60 in all
 	    $(FUZZERS:$(BUILD)/%=$(BUILD)/fuzz/%)
 valgrind: all ## one call of each command under valgrind
 	@sh cmd/test/valgrind.sh $(BUILD)
-levels: ## the same bits from both compilers at each level of optimization
+levels: ## compare bits: both compilers, each level of optimization
 	@sh cmd/test/levels.sh $(BUILD)/levels
-foreign: | $(FIRST) ## the same bits from other processors, emulated, and musl
+foreign: | $(FIRST) ## compare bits: other processors, emulated, and musl
 	@sh cmd/test/foreign.sh $(BUILD)/foreign
-mutants: ## whether tests find what is changed in the program: N=400 SEED=1
+mutants: ## changes of the program that no test finds: N=400 SEED=1
 	@perl cmd/test/mutants.pl $(BUILD) \
 	    $(patsubst $(BUILD)/%/,%,$(sort $(dir $(PROGRAM))))
-cluster: all ## GNU parallel and Slurm, over hosts that are killed half-way
+cluster: all ## GNU parallel and Slurm over hosts that are killed midway
 	@sh cmd/test/cluster.sh $(BUILD)
 
-# What is installed, and where.
+# MADE are the files that are installed, INSTALLED their places.
 MADE = $(BUILD)/projcalc man/projcalc.1 man/projcalc-scene.5 \
 	$(SCHEMA) .debian/copyright $(COMPLETIONS)
 INSTALLED = $(BINDIR)/projcalc $(MANDIR)/man1/projcalc.1 \
@@ -276,7 +281,7 @@ INSTALLED = $(BINDIR)/projcalc $(MANDIR)/man1/projcalc.1 \
 	$(DATADIR)/doc/projcalc/copyright $(BASHDIR)/projcalc \
 	$(ZSHDIR)/_projcalc $(FISHDIR)/projcalc.fish
 
-# The manual says where the schema is.
+# The manual names the place of the schema, so the installed pages are edited.
 one_word = $(if $(word 2,$1),$(error no blanks in DESTDIR or PREFIX, please: $1))
 install: $(MADE) ## to PREFIX=/usr/local, below DESTDIR
 	$(call one_word,$(DESTDIR)$(PREFIX))
@@ -293,17 +298,17 @@ install: $(MADE) ## to PREFIX=/usr/local, below DESTDIR
 		rm $$page.orig; \
 	done
 
-uninstall: ## take it away
+uninstall: ## remove the installed files
 	$(call one_word,$(DESTDIR)$(PREFIX))
 	rm -f $(addprefix $(DESTDIR),$(INSTALLED))
 	-rmdir $(addprefix $(DESTDIR)$(DATADIR)/,projcalc doc/projcalc)
 
-# A release has the date of its heading in NEWS.md.
+# The date of a release is in its heading in NEWS.md.
 VERSION = $(shell sed -n 's/^\#define VERSION "\(.*\)"/\1/p' cmd/*.c)
 DATE = $(shell sed -n 's/^\#\# $(VERSION), //p' NEWS.md)
 DIST = projcalc-$(VERSION)
-# The files that git tracks; in a tarball's tree, all but what was made. The same
-# bytes from the same files, whoever packs them, and when.
+# The tarball has the files that git tracks, or in an unpacked tarball all files but
+# the output. The same files give the same bytes.
 dist: ## a tarball
 	@test -n '$(DATE)' || \
 	    { echo 'NEWS.md has no date for $(VERSION)' >&2; exit 1; }
@@ -319,25 +324,25 @@ distcheck: dist ## build, test, install, uninstall and pack from the tarball
 	@sh cmd/test/dist.sh $(BUILD) $(DIST)
 deb: ## a Debian package, and the manual's examples run from it
 	@sh .debian/build $(BUILD) $(VERSION) $(DATE)
-release: lint distcheck deb ## all of it, with sums
+release: lint distcheck deb ## lint, distcheck and deb, with sums
 	cd $(BUILD) && sha256sum $(DIST).tar.gz projcalc_$(VERSION)_*.deb
 
-clean: ## remove what was made
+clean: ## remove the output
 	rm -rf $(BUILD)
-deps: ## install what is missing for demo, test or foreign, with apt-get
+deps: ## install the packages that demo, test or foreign need, with apt-get
 	@sh .debian/deps $(BUILD) $(filter-out deps,$(MAKECMDGOALS))
-deps-all: ## and for asan to fuzz, bench and chart
+deps-all: ## the packages of all targets, asan to fuzz, bench and chart
 	@sh .debian/deps $(BUILD) deps-all
-help: ## this
+help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.* ## /make \1	/p' $(firstword $(MAKEFILE_LIST)) | \
 	    expand -t 18
 
-# All that have a ## above, and fuzzers.
+# The targets with ##, and fuzzers.
 .PHONY: fuzzers $(shell sed -n 's/^\([a-z0-9-]*\):.* \#\# .*/\1/p' \
 	$(firstword $(MAKEFILE_LIST)))
 # Objects of test programs are kept.
 .SECONDARY:
-# A file that a failed command has half written must not look made.
+# A file that a failed command has half written is removed.
 .DELETE_ON_ERROR:
 
 -include $(wildcard $(BUILD)/*/*.d $(BUILD)/*/*/*.d $(BUILD)/*/*/*/*.d)

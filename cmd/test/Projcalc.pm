@@ -19,7 +19,8 @@ our $build = abs_path(@ARGV && -d $ARGV[0] ? shift @ARGV :
     $ENV{BUILD} // "$top/build");
 our $tmp = tempdir(CLEANUP => 1);
 our @EXPORT = (qw($top $write $build $tmp slurp spew missing run sorted
-    below pick),
+    below pick
+    done_or),
     @Test::More::EXPORT);
 
 $ENV{LC_ALL} = 'C';
@@ -57,6 +58,14 @@ sub missing {
 		return $tool if system("command -v $tool >/dev/null") != 0;
 	}
 	return;
+}
+
+# Ends a test. If a case has failed, says how what it expects is rewritten.
+sub done_or {
+	my ($how) = @_;
+	diag("If the change is meant: $how; then read the diff.")
+	    unless Test::More->builder->is_passing;
+	done_testing();
 }
 
 sub sorted { join ' ', sort @_ }

@@ -51,4 +51,4 @@ for my $part (split /\n\n/, slurp('.debian/copyright')) {
 }
 is(sorted(keys %named), sorted(grep { $told{$_} } keys %told),
     'licenses that are named');
-done_testing();
+done_or('perl cmd/test/credits_test.t -w');

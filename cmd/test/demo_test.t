@@ -1,8 +1,8 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
 # The drawing that README.md shows is the one that views.sh draws, and no corner
-# of a triangle comes within 10 pixels of the edge of its view. README.md has the
-# picture of make demo, which examples_test.t compares.
+# of a triangle comes within 10 pixels of the edge of its view. `make demo` prints what
+# testdata/views/demo.txt has.
 use strict;
 use warnings;
 use FindBin;
@@ -32,4 +32,7 @@ while ($svg =~ /d="M(\d+) (\d+)l(-?\d+) (-?\d+) (-?\d+) (-?\d+)z"/g) {
 }
 is(sorted(keys %triangles), '00 01 10 11', 'four views');
 is("@near", '', 'none is cut, nor near an edge');
-done_testing();
+
+is((run("sh cmd/demo/demo.sh '$build'"))[1], slurp('testdata/views/demo.txt'),
+    'make demo');
+done_or('make views; sh cmd/demo/demo.sh build >testdata/views/demo.txt');

@@ -21,4 +21,4 @@ for my $case (map { examples($_) } glob 'man/*.[15] README.md') {
 		    $name);
 	}
 }
-done_testing();
+done_or('write what came into the page');

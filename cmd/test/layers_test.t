@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: MIT
 # The house: what a file includes and calls lies below it, core only computes,
 # one file knows cJSON, functions fit a screen. What a file calls is what its
-# object in BUILD leaves undefined.
+# object in BUILD leaves undefined. CONTRIBUTING's picture of the folders is made of it.
 # usage: layers_test.t [BUILD]
+#        layers_test.t -w, which draws that picture anew
 use strict;
 use warnings;
 use File::Basename;
@@ -20,6 +21,7 @@ my %computes = map { $_ => 1 } qw(atan2 copysign fabs floor fma fmaf fmax fmin
     __cpu_model __cpu_indicator_init __stack_chk_fail _GLOBAL_OFFSET_TABLE_);
 
 chdir dirname($0) . '/../..' or die "$0: $!\n";
+my $draw = @ARGV && $ARGV[0] eq '-w' && shift;
 my $build = $ARGV[0] // $ENV{BUILD} // 'build';
 my $n = 0;
 my $failed = 0;
@@ -106,6 +108,34 @@ sub floor {
 	    grep { !$reach{$_}{$file} } keys %{$needs{$file}});
 }
 
+# The folders of the program, and an arrow to each that a folder needs, but where a
+# longer way leads there, too.
+sub picture {
+	my %below;
+	for my $file (grep { !m{$wing} } keys %needs) {
+		for my $other (grep { !m{$wing} } keys %{$needs{$file}}) {
+			$below{dirname($file)}{dirname($other)} = 1
+			    if dirname($file) ne dirname($other);
+		}
+	}
+	my %all;
+	my $descend;
+	$descend = sub {
+		my ($folder) = @_;
+		return $all{$folder} //= {map { $_ => 1, %{$descend->($_)} }
+		    keys %{$below{$folder}}};
+	};
+	$descend->($_) for keys %below;
+	my $lines = '';
+	for my $folder (sort keys %below) {
+		for my $other (sort keys %{$below{$folder}}) {
+			$lines .= "  $folder --> $other\n" unless
+			    grep { $all{$_}{$other} } keys %{$below{$folder}};
+		}
+	}
+	return "```mermaid\ngraph TD\n$lines```\n";
+}
+
 # Lines from a function's name to its closing brace.
 sub functions {
 	my ($file) = @_;
@@ -131,6 +161,19 @@ check("the median of " . @functions . " functions is $median lines",
     $median < 15 ? () : 'under 15 is wanted');
 check('no function is over 60 lines',
     map { "$_->[1]: $_->[0] lines" } grep { $_->[0] > 60 } @functions);
+
+my $tour = '.github/CONTRIBUTING.md';
+my $picture = picture();
+my ($drawn) = slurp($tour) =~ /^(```mermaid\n.*?^```\n)/ms;
+if ($draw) {
+	my $text = slurp($tour) =~ s/^```mermaid\n.*?^```\n/$picture/msr;
+	open my $file, '>', $tour or die "$tour: $!\n";
+	print $file $text;
+	close $file or die "$tour: $!\n";
+	exit;
+}
+check("the picture in $tour is that of the code", $drawn eq $picture ? () :
+    'perl cmd/test/layers_test.t -w draws it; read the diff');
 
 for my $room (sort { $a cmp $b } uniq(map { dirname($_) } keys %text)) {
 	my @files = grep { dirname($_) eq $room } keys %text;

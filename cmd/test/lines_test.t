@@ -183,4 +183,4 @@ if ($write) {
 	spew($digests, $new);
 	exit;
 }
-done_testing();
+done_or('perl cmd/test/lines_test.t -w');

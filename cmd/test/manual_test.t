@@ -20,9 +20,11 @@ my $schema = decode_json(scalar `$^X man/schema.pl $program man/scene.rules.json
 # Options by command, the short name where there is one.
 my %synopsis;
 my ($text) = $manual =~ /^\.Sh SYNOPSIS\n(.*?)^\.Sh/ms;
-for my $call (split /^\.Nm\n/m, $text) {
+my ($calls, $shared) = split /^\.Pp\n/m, $text;
+for my $call (split /^\.Nm\n/m, $calls) {
 	my ($commands) = $call =~ /^\.Cm (.*)/ or next;
 	# the options of every command are not in it
+	$call .= $shared if $call =~ /^\.Op Ar shared options$/m;
 	my @options = $call =~ /\bFl (\S+)/g;
 	$synopsis{$_} = sorted(@options) for split / \| /, $commands;
 }
@@ -61,7 +63,8 @@ for my $c (@{$all->{commands}}) {
 	    /^  (?:-\w, |    )--([\w-]+)/mg), "options of $c->{name} in JSON");
 	# and the command to paste
 	my @said = run($c->{example});
-	ok($said[0] == 0 && $said[1] ne '' && $said[2] eq '', $c->{example});
+	is("$said[0]$said[2]", 0, "$c->{example} succeeds");
+	isnt($said[1], '', 'and prints');
 	like(`$program help $c->{name}`, qr/^example: \Q$c->{example}\E$/m,
 	    "the help shows it");
 }
@@ -146,7 +149,8 @@ for my $row (rows()) {
 	}
 	my ($example) = $help =~ /^example: (.*)$/m;
 	my @said = run($example);
-	ok($said[0] == 0 && $said[1] ne '' && $said[2] eq '', $example);
+	is("$said[0]$said[2]", 0, "$example succeeds");
+	isnt($said[1], '', 'and prints');
 }
 for my $name (qw(camera viewport window device bounds pick)) {
 	is(on_page($name), members($name), "$name on the page");

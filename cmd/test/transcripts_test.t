@@ -62,4 +62,4 @@ for my $i (0 .. $#files) {
 		}
 	}
 }
-done_testing();
+done_or('make transcripts');
