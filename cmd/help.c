@@ -110,7 +110,7 @@ static void print_params(const struct command *c)
 	}
 	heading("\nscene:\n");
 	print_scene_members(document_reads(w));
-	print("projcalc help NAME tells of a member that is an object.\n");
+	print("projcalc help NAME describes a member that is an object.\n");
 }
 
 void help_command(const struct command *c)
