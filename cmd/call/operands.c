@@ -122,17 +122,6 @@ bool has_points(const struct options *o, const struct document *d)
 	return o->n_points > 0 || d->points != NULL;
 }
 
-/* Returns what value k is called that is added to what was read: a coordinate, of a
- * ray, or the word of --flags. */
-static const char *added_name(const struct layout *l, int k)
-{
-	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };
-
-	return k == COORDINATES_MAX ? "flags" :
-	    l->writes > 4           ? ray[k] :
-				      coordinate_name(k);
-}
-
 /* Returns whether a member is added that has this name, or that this is a pointer to
  * or into. */
 static bool is_added(const struct layout *l, const char *path)
@@ -141,7 +130,7 @@ static bool is_added(const struct layout *l, const char *path)
 	const size_t n = pointer ? strcspn(path + 1, "/") : strlen(path);
 
 	for (int k = l->reads; k <= COORDINATES_MAX && !l->append; k++) {
-		const char *name = added_name(l, k);
+		const char *name = layout_added_name(l, k);
 
 		if ((k < COORDINATES_MAX ? k < l->writes : l->flags) &&
 		    strlen(name) == n && strncmp(path + pointer, name, n) == 0)
@@ -254,7 +243,8 @@ static void name_added(struct layout *l, const char *space)
 		bool point = k < 3 || l->writes <= 4;
 
 		snprintf(l->added[k], sizeof *l->added, "%s%s%s",
-		    point ? space : "", point ? "_" : "", added_name(l, k));
+		    point ? space : "", point ? "_" : "",
+		    layout_added_name(l, k));
 	}
 	if (l->flags)
 		strcpy(l->added[COORDINATES_MAX], "flags");

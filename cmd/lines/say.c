@@ -212,6 +212,8 @@ static bool say_guess(const struct names *names, int reads,
 			say_more(reason, ",%s", third != NULL ? third : "NAME");
 		if (reads > 3)
 			say_more(reason, ",NAME");
+		if (reads > 3 || (reads > 2 && third == NULL))
+			say_more(reason, ", where NAME is another column");
 		return true;
 	}
 	return false;
