@@ -24,7 +24,7 @@ static _Noreturn void refuse_name(const struct command *c, const char *word)
 			names[count++] = r->name;
 	names[count] = NULL;
 	snprintf(name, sizeof name, "%.*s", n - 2, word + 2);
-	near = nearest(name, names);
+	near = nearest_word(name, names);
 	if (near != NULL)
 		die(EXIT_USAGE, "%s: unknown option %.*s; did you mean --%s?",
 		    c->name, n, word, near);

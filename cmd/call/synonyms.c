@@ -206,7 +206,7 @@ void synonym_option(const struct command *c, const char *option, bool elsewhere)
 }
 
 /* Returns the nearest of all commands and members, or NULL. */
-static const char *nearest_word(const struct command *commands,
+static const char *nearest_known(const struct command *commands,
     const char *word)
 {
 	const char *names[NAMES_MAX + 1] = { "--help", "--version" };
@@ -221,12 +221,12 @@ static const char *nearest_word(const struct command *commands,
 			names[n++] = m->name;
 	}
 	names[n] = NULL;
-	return nearest(word, names);
+	return nearest_word(word, names);
 }
 
 void synonym_word(const struct command *commands, bool topic, const char *word)
 {
-	const char *near = nearest_word(commands, word);
+	const char *near = nearest_known(commands, word);
 	const struct member *m, *object;
 	char unknown[UNKNOWN_MAX], is[UNKNOWN_MAX];
 

@@ -144,7 +144,7 @@ static _Noreturn void refuse_unknown(const struct value *v,
 		value_refuse(v, "unknown member; it stands beside \"%s\"",
 		    v->in->name);
 	list_names(table, kind, ALL_MEMBERS, names);
-	const char *near = nearest(v->name, names);
+	const char *near = nearest_word(v->name, names);
 
 	if (near != NULL)
 		value_refuse(v, "unknown member; did you mean \"%s\"?", near);

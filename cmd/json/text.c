@@ -7,7 +7,6 @@
 
 #include "../number/eight.h"
 #include "../number/number.h"
-#include "../message/utf8.h"
 
 static bool is_digit(char c)
 {

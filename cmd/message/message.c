@@ -166,7 +166,7 @@ static void print_line(int status, const struct place *place,
 		add_json(p, scene, message);
 	else
 		add_text(status, p, scene, message);
-	unsigned unseen = escape_unseen(line.s);
+	unsigned unseen = escape_invisible(line.s);
 
 	if (unseen != 0)
 		add(" (U+%04X in it can't be seen)", unseen);
