@@ -274,5 +274,5 @@ void run_inspect(const struct command *c, const struct options *o)
 	else
 		put_spatial(&p, &d, o);
 	put_text(&p, p.on_line ? "}\n" : "\n}\n");
-	put_all(text, (size_t)(p.at - text));
+	output_write(text, (size_t)(p.at - text));
 }

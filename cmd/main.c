@@ -108,8 +108,8 @@ static const struct command commands[] = {
 
 static _Noreturn void main_finish(void)
 {
-	put_printed();
-	close_output();
+	print_flush();
+	output_close();
 	exit(EXIT_OK);
 }
 

@@ -27,7 +27,7 @@ static void print_binary(const struct elements *m, bool wide)
 			put_little_double(number, v);
 		else
 			put_little_float(number, (float)v);
-		put_all(number, wide ? 8 : 4);
+		output_write(number, wide ? 8 : 4);
 	}
 }
 
@@ -100,7 +100,7 @@ void print_matrix(const struct options *o, const struct document *d,
 		put_json(&p, &m, column);
 	else
 		put_lines(&p, &m, dialect_of(o->out, o->separator).separator);
-	put_all(text, (size_t)(p.at - text));
+	output_write(text, (size_t)(p.at - text));
 }
 
 /* In the order of enum flat. */

@@ -138,7 +138,7 @@ static void hits_collect(const struct job *j, const struct chunk *c,
 
 	if (end > h->text_room) {
 		h->text_room = h->text_room / 2 + end;
-		h->text = need(h->text, h->text_room);
+		h->text = xrealloc(h->text, h->text_room);
 	}
 	if (c->size > 0)
 		memcpy(h->text + h->size, c->out, c->size);
@@ -148,7 +148,7 @@ static void hits_collect(const struct job *j, const struct chunk *c,
 		hit->line += first_line;
 		if (h->n == h->room) {
 			h->room += h->room / 2 + 64;
-			h->key = need(h->key, h->room * sizeof *h->key);
+			h->key = xrealloc(h->key, h->room * sizeof *h->key);
 		}
 		h->key[h->n++] = (struct hit_key){ hit->distance, h->size };
 		h->size += hit_stride(hit->size);
@@ -232,7 +232,7 @@ static void print_hits(const struct job *j)
 {
 	struct hits *h = j->with;
 	/* the number of a line is shorter than the struct before its text */
-	char *const out = need(NULL, h->size), *at = out;
+	char *const out = xrealloc(NULL, h->size), *at = out;
 
 	hits_sort(h);
 	for (size_t i = hits_first(h); i < h->n; i++) {
@@ -243,7 +243,7 @@ static void print_hits(const struct job *j)
 		memcpy(at, hit->text, hit->size);
 		at += hit->size;
 	}
-	put_all(out, (size_t)(at - out));
+	output_write(out, (size_t)(at - out));
 	free(out);
 }
 

@@ -135,7 +135,7 @@ static void trace_collect(const struct job *j, const struct chunk *c,
 	(void)first_line;
 	if (c->size == 0)
 		return;
-	put_all(c->out + first, c->size - first);
+	output_write(c->out + first, c->size - first);
 	trace->printed = true;
 }
 

@@ -89,7 +89,7 @@ void close_input(int fd)
 
 static void reserve(struct text *t, size_t room)
 {
-	t->s = need(t->s, room + PIECE_MARGIN);
+	t->s = xrealloc(t->s, room + PIECE_MARGIN);
 	t->room = room;
 }
 
@@ -104,7 +104,7 @@ bool read_more(struct text *t, int fd, const char *name)
 	/* some systems refuse to read more than an int says at once */
 	do
 		n = read(fd, t->s + t->have, left < INT_MAX ? left : INT_MAX);
-	while (n < 0 && go_on(fd, POLLIN));
+	while (n < 0 && io_retry(fd, POLLIN));
 	if (n < 0)
 		die_at(EXIT_SYSTEM, &(struct place){ .file = name }, "%s",
 		    strerror(errno));

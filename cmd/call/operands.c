@@ -282,7 +282,7 @@ void prepare_job(struct job *j, const struct options *o)
 	j->keep_going = o->keep_going;
 	j->threads = o->jobs;
 	answer_progress(o->progress);
-	widen_pipe(STDOUT_FILENO, PIPE_ROOM);
+	pipe_enlarge(STDOUT_FILENO, PIPE_ROOM);
 	choose_kernels();
 	check_layout(o, &j->layout, j->take == NULL);
 }
@@ -334,7 +334,7 @@ static void do_kept(const struct options *o, struct job *j, int i,
 	if (kept == NULL) {
 		size_t size = ((size_t)o->n_points + 1) * sizeof *kept;
 
-		kept = memset(need(NULL, size), 0, size);
+		kept = memset(xrealloc(NULL, size), 0, size);
 	}
 	if (kept[i].s == NULL)
 		kept[i] = read_whole(name);

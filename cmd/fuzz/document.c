@@ -75,7 +75,7 @@ static void drop_all(void)
 }
 
 /* A copy of a part, which is freed before anything is refused. */
-void *need(void *old, size_t size)
+void *xrealloc(void *old, size_t size)
 {
 	void *p = realloc(old, size);
 

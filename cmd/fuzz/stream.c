@@ -81,24 +81,24 @@ static void add(struct buffer *b, const char *s, size_t n)
 	b->n += n;
 }
 
-bool go_on(int fd, short events)
+bool io_retry(int fd, short events)
 {
 	(void)fd;
 	(void)events;
 	return errno == EINTR;
 }
 
-void widen_pipe(int fd, int room)
+void pipe_enlarge(int fd, int room)
 {
 	(void)fd, (void)room;
 }
 
-void put_all(const char *s, size_t n)
+void output_write(const char *s, size_t n)
 {
 	add(&printed, s, n);
 }
 
-void close_output(void)
+void output_close(void)
 {
 	abort();
 }
@@ -146,7 +146,7 @@ void quit(int status)
 	abort();
 }
 
-void *need(void *old, size_t size)
+void *xrealloc(void *old, size_t size)
 {
 	return realloc(old, size);
 }
@@ -200,7 +200,7 @@ static bool do_at_once(struct job *j, const char *text, size_t size)
 	struct chunk *c = chunk_new();
 
 	c->first = !is_binary(j->layout.in.format);
-	c->piece.text = memcpy(need(NULL, size + PIECE_MARGIN), text, size);
+	c->piece.text = memcpy(xrealloc(NULL, size + PIECE_MARGIN), text, size);
 	c->piece.whole = size;
 	job_do(j, c);
 	bool refused = c->refused;
