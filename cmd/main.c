@@ -128,7 +128,7 @@ static _Noreturn void help(const struct options *o)
 	else if (c != NULL)
 		help_command(c);
 	else if (!help_member(what))
-		synonym_word(commands, true, what);
+		synonym_refuse_word(commands, true, what);
 	main_finish();
 }
 
@@ -173,7 +173,7 @@ int main(int argc, char **argv)
 	o->version = strcmp(argv[1], "--version") == 0 ||
 	    strcmp(argv[1], "-V") == 0;
 	if (c == NULL && !o->version)
-		synonym_command(commands, argv[1]);
+		synonym_refuse_command(commands, argv[1]);
 	if (c != NULL)
 		options_read(c, argv + 2, o);
 	if (o->version) {

@@ -18,7 +18,7 @@ static _Noreturn void refuse_name(const struct command *c, const char *word)
 	char name[64];
 	int count = 0;
 
-	synonym_option(c, word, false);
+	synonym_check_option(c, word, false);
 	for (const struct option_row *r = option_rows; r->name != NULL; r++)
 		if (option_is_for(r, c))
 			names[count++] = r->name;
@@ -73,7 +73,7 @@ static const struct option_row *letter_option(const struct command *c,
 		die(EXIT_USAGE, "%s: unknown option %s; did you mean --%s?",
 		    c->name, word, r->name);
 	if (word[2] != '\0')
-		synonym_option(c, word, false);
+		synonym_check_option(c, word, false);
 	for (r = option_rows; r->name != NULL; r++)
 		if (r->letter == *letter)
 			return r;
@@ -89,7 +89,7 @@ static void take_option(const struct command *c, const struct option_row *r,
 	char list[LISTED];
 
 	if (!option_is_for(r, c)) {
-		synonym_option(c, word, true);
+		synonym_check_option(c, word, true);
 		die(EXIT_USAGE,
 		    "%s: --%s is not for this command; it is for %s", c->name,
 		    r->name, option_takers(r, list));

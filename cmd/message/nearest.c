@@ -2,7 +2,6 @@
 #include "nearest.h"
 
 #include <ctype.h>
-#include <stdbool.h>
 #include <string.h>
 #include <strings.h>
 
@@ -51,4 +50,20 @@ const char *nearest_word(const char *word, const char *const *words)
 		if (begins(word, *words) || begins(*words, word))
 			return *words;
 	return NULL;
+}
+
+bool word_is_one_of(const char *word, const char *words)
+{
+	char sought[64];
+	size_t n = 0, length;
+
+	for (; *word != '\0' && n < sizeof sought; word++)
+		if (*word != '_' && *word != '-')
+			sought[n++] = (char)tolower((unsigned char)*word);
+	for (; *words != '\0'; words += length + (words[length] == ' ')) {
+		length = strcspn(words, " ");
+		if (length == n && memcmp(words, sought, n) == 0)
+			return true;
+	}
+	return false;
 }
