@@ -63,7 +63,7 @@ static void read_points(const struct options *o, struct document *d)
 		    fit_directions(&d->scene, d->has_eye, &fit.directions));
 	}
 	prepare_job(&j, o);
-	do_points(o, d, &j);
+	run_points(o, d, &j);
 	if (!extremes_bounds(&fit.extremes, &fit.directions, &d->bounds))
 		document_refuse(d,
 		    "/bounds: missing, and there are no points to "

@@ -186,7 +186,7 @@ int main(int argc, char **argv)
 	}
 	if (c->kind == HELP)
 		help(o);
-	check_operands(c, o);
+	operands_check(c, o);
 	call_with_stack(run_scenes, &run);
 	return answer_end();
 }

@@ -148,5 +148,5 @@ void run_matrix(const struct command *c, const struct options *o)
 	j.space = c->kind == PLANAR ? flat_names[c->points_to] :
 				      space_names[c->points_to];
 	prepare_job(&j, o);
-	do_points(o, &d, &j);
+	run_points(o, &d, &j);
 }

@@ -293,5 +293,5 @@ void run_pick(const struct command *c, const struct options *o)
 		    "-o json");
 	hits.near = sum_sign(hits.picker.depth.map.divisor) != 0;
 	prepare_job(&j, o);
-	do_points(o, &d, &j);
+	run_points(o, &d, &j);
 }

@@ -91,5 +91,5 @@ void run_project(const struct command *c, const struct options *o)
 	}
 	j.space = space_names[to];
 	prepare_job(&j, o);
-	do_points(o, &d, &j);
+	run_points(o, &d, &j);
 }

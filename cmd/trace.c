@@ -163,5 +163,5 @@ void run_trace(const struct command *c, const struct options *o)
 		snprintf(trace.label[s], sizeof trace.label[s],
 		    j.layout.out.format == FORMAT_JSON ? "\"%s\":" : "%-8s",
 		    space_names[s]);
-	do_points(o, &d, &j);
+	run_points(o, &d, &j);
 }
