@@ -257,7 +257,7 @@ void run_inspect(const struct command *c, const struct options *o)
 {
 	static char text[320 * NUMBER_MAX + (1 << 14)];
 	struct printer p = { .at = text,
-		.style = one_style(o),
+		.style = options_style(o),
 		.on_line = o->out == FORMAT_JSON,
 		.compact = o->out == FORMAT_JSON,
 		.between = "" };

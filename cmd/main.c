@@ -163,7 +163,7 @@ int main(int argc, char **argv)
 
 	/* -ffast-math at link time adds startup code that flushes subnormals. */
 	fesetenv(FE_DFL_ENV);
-	options_first(argv + 1);
+	options_read_first(argv + 1);
 	if (argc < 2)
 		die(EXIT_USAGE, "no command; 'projcalc help' lists them");
 	if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)

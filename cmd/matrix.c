@@ -85,7 +85,7 @@ void print_matrix(const struct options *o, const struct document *d,
 	bool floats = single || o->out == FORMAT_F32;
 	bool column = answer_convention(&d->scene)->column;
 	struct printer p = { .at = text,
-		.style = one_style(o),
+		.style = options_style(o),
 		.single = single,
 		.compact = true,
 		.between = "" };

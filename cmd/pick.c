@@ -276,7 +276,7 @@ void run_pick(const struct command *c, const struct options *o)
 		.with = &hits };
 
 	hits.json = o->has_out && o->out == FORMAT_JSON;
-	hits.style = one_style(o);
+	hits.style = options_style(o);
 	hits.n = hits.size = 0;
 	read_document(c, o, &d);
 	hits_aim(&d, o, &hits);
