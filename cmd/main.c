@@ -20,7 +20,7 @@
 #define FLAT_LIKE "'{\"window\": " WINDOW_LIKE                                 \
 	", \"device\": " DEVICE_LIKE "}'"
 
-/* A command for one type of projection. A viewport may give the aspect. */
+/* A command for one type of projection. A viewport may determine the aspect. */
 #define VIEW_TO_CLIP(type)                                                 \
 	MATRIX, run_matrix,                                                \
 	.wants = { .bare = SCENE_PROJECTION, .needed = SCENE_PROJECTION,   \
@@ -28,7 +28,7 @@
 	    .projection = type },                                          \
 	.from = SPACE_VIEW, .to = SPACE_CLIP, .points_to = SPACE_NDC
 
-/* A window may adapt to the device, where there is one. */
+/* A window adapts to the device if there is one. */
 #define WINDOW_ALONE                                                       \
 	.bare = SCENE_WINDOW, .needed = SCENE_WINDOW,                      \
 	.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS
@@ -119,7 +119,9 @@ static _Noreturn void help(const struct options *o)
 	const struct command *c = find_command(commands, what);
 
 	if (o->n_points > 0 || (o->json && !is_stdin(what)))
-		die(EXIT_USAGE, "help: '%s' is too many; one word, or --json",
+		die(EXIT_USAGE,
+		    "help: '%s' is one word too many; give one command or "
+		    "member, or --json",
 		    o->n_points > 0 ? o->points[0] : what);
 	if (o->json)
 		help_json(commands, VERSION);
