@@ -18,7 +18,8 @@ const char *const space_names[] = { "model", "world", "view", "clip", "ndc",
 	"device", NULL };
 
 /* Reads one of the words of a row, and sets its index. */
-static void read_word(struct options *o, const struct option_row *r, char *word)
+static void option_read_word(struct options *o, const struct option_row *r,
+    char *word)
 {
 	char all[LISTED];
 
@@ -44,14 +45,14 @@ static int whole_number(const struct option_row *r, const char *word, int min,
 	return (int)n;
 }
 
-static void read_whole_number(struct options *o, const struct option_row *r,
-    char *word)
+static void option_read_whole_number(struct options *o,
+    const struct option_row *r, char *word)
 {
 	*(int *)((char *)o + r->at) = whole_number(r, word, r->min, r->max);
 }
 
 /* Reads the name of a format, or of binary records, "f32x4". */
-static void read_format(struct options *o, const struct option_row *r,
+static void option_read_format(struct options *o, const struct option_row *r,
     char *word)
 {
 	const int record_max = 64;
@@ -66,11 +67,12 @@ static void read_format(struct options *o, const struct option_row *r,
 		*record = whole_number(r, word + 4, 2, record_max);
 		word[3] = '\0';
 	}
-	read_word(o, r, word);
+	option_read_word(o, r, word);
 }
 
 /* Reads a number from SIZE_MIN to MAGNITUDE_MAX. */
-static void read_size(struct options *o, const struct option_row *r, char *word)
+static void option_read_size(struct options *o, const struct option_row *r,
+    char *word)
 {
 	const char *end = word + strlen(word);
 	double *v = (void *)((char *)o + r->at);
@@ -83,7 +85,7 @@ static void read_size(struct options *o, const struct option_row *r, char *word)
 }
 
 /* Reads a list of r->min to r->max numbers with commas between them. */
-static void read_numbers(struct options *o, const struct option_row *r,
+static void option_read_numbers(struct options *o, const struct option_row *r,
     char *word)
 {
 	struct numbers_said *said = (void *)((char *)o + r->at);
@@ -106,7 +108,7 @@ static void read_numbers(struct options *o, const struct option_row *r,
 }
 
 /* Reads a character that can't be part of a number or a name, or the word tab. */
-static void read_separator(struct options *o, const struct option_row *r,
+static void option_read_separator(struct options *o, const struct option_row *r,
     char *word)
 {
 	if (strcmp(word, "tab") == 0 || strcmp(word, "\\t") == 0)
@@ -133,7 +135,7 @@ static char *cut_word(char **list)
 	return word;
 }
 
-static void read_styles(struct options *o, const struct option_row *r,
+static void option_read_styles(struct options *o, const struct option_row *r,
     char *list)
 {
 	enum number_kind kind = r->letter == 'd' ? NUMBER_DECIMALS :
@@ -156,7 +158,7 @@ static void read_styles(struct options *o, const struct option_row *r,
 }
 
 /* Reads fields by their number, from 1, or by their name: "2,z". */
-static void read_columns(struct options *o, const struct option_row *r,
+static void option_read_columns(struct options *o, const struct option_row *r,
     char *list)
 {
 	const int fields_max = 1000000;
@@ -202,55 +204,55 @@ enum {
 const struct option_row option_rows[] = {
 	{ "convention", 'c', ALL, 
 	    "convention of the answer: d3d, gl, vulkan, webgpu or opencv",
-	    "NAME", read_word, AT(convention), .words = convention_names,
+	    "NAME", option_read_word, AT(convention), .words = convention_names,
 	    ON(has_convention) },
 	{ "input", 'i', POINTS,
 	    "format of the points: text (default), csv, tsv, json, f64, f32, f32x4",
-	    "FORMAT", read_format, AT(in), .words = format_names },
+	    "FORMAT", option_read_format, AT(in), .words = format_names },
 	{ "output", 'o', ALL, "format of the output; default that of the input",
-	    "FORMAT", read_format, AT(out), .words = format_names, ON(has_out) },
+	    "FORMAT", option_read_format, AT(out), .words = format_names, ON(has_out) },
 	{ "separator", 0, POINTS, "character between fields of csv, or tab",
-	    "C", .read = read_separator },
+	    "C", .read = option_read_separator },
 	{ "header", 0, POINTS, "the first line of csv is a header", ON(header) },
 	{ "no-header", 0, POINTS, "the first line of csv is no header", ON(no_header) },
 	{ "columns", 0, POINTS,
 	    "fields of the coordinates: 2,3,4, or names in csv and JSON",
-	    "LIST", .read = read_columns },
+	    "LIST", .read = option_read_columns },
 	{ "decimals", 'd', NUMBERS, "print N decimals; of points also a list for x,y,z",
-	    "N,...", read_styles, .min = 0, .max = 100 },
+	    "N,...", option_read_styles, .min = 0, .max = 100 },
 	{ "digits", 0, NUMBERS, 
 	    "print at most N significant digits; of points also a list",
-	    "N,...", read_styles, .min = 1, .max = 100 },
+	    "N,...", option_read_styles, .min = 1, .max = 100 },
 	{ "precision", 'p', IMAGES, 
 	    "arithmetic for points: exact (default), double or single",
-	    "NAME", read_word, AT(precision), .words = precision_names },
+	    "NAME", option_read_word, AT(precision), .words = precision_names },
 	{ "tolerance", 't', INSPECT,
 	    "error for which to name the cheapest precision; default 0.5",
-	    "T", read_size, AT(tolerance) },
+	    "T", option_read_size, AT(tolerance) },
 	{ "distances", 0, INSPECT,
 	    "distances from near to far at which to print depth_step, too",
-	    "D,...", read_numbers, AT(distances), .min = 1,
+	    "D,...", option_read_numbers, AT(distances), .min = 1,
 	    .max = NUMBERS_SAID_MAX, .example = "10,1000" },
 	{ "from", 0, PROJECT | TRACE, 
 	    "space of the input: model, world, view, clip, ndc or device",
-	    "SPACE", read_word, AT(from), .words = space_names, ON(has_from) },
+	    "SPACE", option_read_word, AT(from), .words = space_names, ON(has_from) },
 	{ "to", 0, PROJECT, "space of the output; default device, or ndc without a viewport",
-	    "SPACE", read_word, AT(to), .words = space_names, ON(has_to) },
+	    "SPACE", option_read_word, AT(to), .words = space_names, ON(has_to) },
 	{ "homogeneous", 'H', PROJECT, "print x y z w without division",
 	    ON(homogeneous) },
 	{ "matrix", 'm', MATRIX | PROJECT | PLANAR,
 	    "print the matrix and read no points", ON(matrix) },
 	{ "at", 0, PICK, "position on the device around which to look",
-	    "X,Y", read_numbers, AT(pick_at), .min = 2, .max = 2,
+	    "X,Y", option_read_numbers, AT(pick_at), .min = 2, .max = 2,
 	    .example = "320,240" },
 	{ "radius", 0, PICK, "radius around the position of --at, in device units",
-	    "R", read_size, AT(radius) },
+	    "R", option_read_size, AT(radius) },
 	{ "ray", 0, PROJECT,
 	    "read x y on the device, print its ray: point, direction",
 	    ON(ray) },
 	{ "plane", 0, PROJECT,
 	    "read x y, print where its ray meets a x + b y + c z + d = 0",
-	    "A,B,C,D", read_numbers, AT(plane), .min = 4, .max = 4,
+	    "A,B,C,D", option_read_numbers, AT(plane), .min = 4, .max = 4,
 	    .example = "0,0,1,0" },
 	{ "append", 0, MATRIX | PROJECT | PLANAR,
 	    "keep each line whole and add the image behind it",
@@ -263,7 +265,7 @@ const struct option_row option_rows[] = {
 	{ "keep-going", 0, ALL, "go on after a bad line, printed as nan, or a wrong scene",
 	    ON(keep_going) },
 	{ "jobs", 'j', POINTS, "number of threads; default one for each processor",
-	    "N", read_whole_number, AT(jobs), .min = 1, .max = 256 },
+	    "N", option_read_whole_number, AT(jobs), .min = 1, .max = 256 },
 	{ "progress", 0, POINTS, "report on standard error how many lines are done",
 	    ON(progress) },
 	{ "scenes", 0, ALL, "PARAMS is any number of scenes, one after another",
@@ -271,9 +273,9 @@ const struct option_row option_rows[] = {
 	{ "json", 0, HELP, "print all that the program knows of itself as JSON",
 	    ON(json) },
 	{ "errors", 0, EVERY, "form of messages: text (default) or json",
-	    "FORM", read_word, AT(errors), .words = message_forms },
+	    "FORM", option_read_word, AT(errors), .words = message_forms },
 	{ "color", 0, EVERY, "colour messages and help: auto (default), always or never",
-	    "WHEN", read_word, AT(color), .words = color_names },
+	    "WHEN", option_read_word, AT(color), .words = color_names },
 	{ "help", 'h', EVERY, "print this help", ON(help) },
 	{ "version", 'V', EVERY, "print the version", ON(version) },
 	{ .name = NULL },
