@@ -3,6 +3,7 @@
  * to all of the project: where one of these fails, nothing that this compiler made
  * is to be trusted. */
 #include "claims.h"
+#include "numbers.h"
 
 /* Nothing of a function is known where it is called: gcc's word, and clang's. */
 #if __has_attribute(noipa)
@@ -56,8 +57,8 @@ static void loops_store(void **state)
 	for (int k = 0; k < 4; k++)
 		combine(&r, k, &m, k);
 	for (int i = 0; i < 20; i++) {
-		assert_true(r.m[i / 4][i % 4].hi == 3);
-		assert_true(r.sum[i / 4][i % 4] == 10);
+		assert_number(r.m[i / 4][i % 4].hi, 3);
+		assert_number(r.sum[i / 4][i % 4], 10);
 	}
 }
 

@@ -4,6 +4,7 @@
 
 #include "claims.h"
 #include "points.h"
+#include "numbers.h"
 
 /* Its lower and upper corner in ndc. */
 static void corners_of(const struct scene *s, real low[3], real high[3])
@@ -219,7 +220,7 @@ static void bounds_of_x_and_y_are_alike(void **state)
 	assert_null(error_bounds(&right, a));
 	assert_null(error_bounds(&above, b));
 	for (int i = 0; i < 3; i++)
-		assert_true(a[i] == b[i]);
+		assert_number(a[i], b[i]);
 }
 
 int main(void)

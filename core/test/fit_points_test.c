@@ -6,6 +6,7 @@
 #include "../points/points.h"
 #include "claims.h"
 #include "points.h"
+#include "numbers.h"
 
 enum { CLOUD = 300, ROOM = 304, PIECES = 3 };
 
@@ -210,7 +211,7 @@ static void assert_farther(const double m[3], const double p[3],
 		memcpy(c.p[!k], q, sizeof c.p[k]);
 		add_cloud(&c, &d, &e);
 		for (int i = 0; i < 3; i++)
-			assert_true(e.of[0].point[i] == p[i]);
+			assert_number(e.of[0].point[i], p[i]);
 	}
 }
 

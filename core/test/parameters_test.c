@@ -4,6 +4,7 @@
 #include "../points/point.h"
 
 #include "claims.h"
+#include "numbers.h"
 
 /* The same picture: the map from the world to ndc is the same but for a factor, so
  * far as the numbers of parameters are rounded: points of the view volume are where
@@ -359,9 +360,10 @@ static void parameters_come_home(void **state)
 		    1 :
 		    -1;
 
-		assert_true(q->left == mirror * p->left);
-		assert_true(q->right == mirror * p->right);
-		assert_true(q->bottom == p->bottom && q->top == p->top);
+		assert_number(q->left, mirror * p->left);
+		assert_number(q->right, mirror * p->right);
+		assert_number(q->bottom, p->bottom);
+		assert_number(q->top, p->top);
 	}
 	assert_true(n > 300);
 }
@@ -481,7 +483,7 @@ static void cameras_are_found_in_matrices(void **state)
 		assert_true(is.has_scene);
 		assert_true(most_off(&s, &is.scene, &t) < 1e-6);
 		if (is.scene.projection.type == PROJECTION_PERSP) {
-			assert_true(is.reverse_z == was.reverse_z);
+			assert_number(is.reverse_z, was.reverse_z);
 			assert_true(fabs(is.near - was.near) <=
 				1e-9 * (fabs(was.near) + fabs(was.far)) ||
 			    isinf(was.far));

@@ -4,6 +4,7 @@
 
 #include "claims.h"
 #include "points.h"
+#include "numbers.h"
 
 /* Along the gaze from the near plane, of model points: in every convention the
  * same. */
@@ -229,7 +230,8 @@ static void what_rounds_onto_the_edge_is_outside(void **state)
 	assert_null(scene_transform(&s, SPACE_MODEL, SPACE_DEVICE, false, &t));
 	assert_null(picker_of(&s, &t, &k));
 	point_exact(&t, p, device);
-	assert_true(device[0] == 1 && device[1] == 1);
+	assert_number(device[0], 1);
+	assert_number(device[1], 1);
 	k.at[0] = 0;
 	k.at[1] = 1;
 	k.radius = 1;

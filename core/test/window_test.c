@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Windows, devices and viewports against MPFR. */
 #include "claims.h"
+#include "numbers.h"
 
 static void flat(const char *what, int e, int tries)
 {
@@ -74,9 +75,9 @@ static void check_shown(const struct window *w, const struct device *d,
 	struct map m;
 
 	assert_null(window_map(w, d, false, &m));
-	assert_true(element(&m, 0, 0) == 1 / half);
-	assert_true(m.origin[0] == center);
-	assert_true(element(&m, 3, 0) == -center / half);
+	assert_number(element(&m, 0, 0), 1 / half);
+	assert_number(m.origin[0], center);
+	assert_number(element(&m, 3, 0), -center / half);
 }
 
 static void shapes(void **state)
@@ -110,8 +111,8 @@ static void assert_limits(const struct viewport *v, double x, double y)
 	struct sum half[2], scale[2];
 
 	viewport_limits(v, half, scale);
-	assert_true(sum_over(half[0], scale[0]) == x);
-	assert_true(sum_over(half[1], scale[1]) == y);
+	assert_number(sum_over(half[0], scale[0]), x);
+	assert_number(sum_over(half[1], scale[1]), y);
 }
 
 /* A uniform scale cuts the sides that do not fit. */
