@@ -90,7 +90,8 @@ static void set_diagonal(struct camera *c, double a, double b, double d)
 	c->matrix[3][3] = 1;
 }
 
-/* The same rotation, to 0 and 1, wherever it is what a matrix is nearest to. */
+/* The nearest rotation is exact, in zeros and ones, for every matrix that is
+ * near it. */
 static void nearest_exactly(void **state)
 {
 	static const double stretched[][3] = { { 1, 1, 1 }, { 3, 2, 1 },

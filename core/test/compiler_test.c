@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What gcc 12 makes wrong code of, unless it has the flags that the Makefile gives
- * to all of the project: where one of these fails, nothing that this compiler made
- * is to be trusted. */
+/* gcc 12 compiles this code wrongly without the flags of the Makefile. If one
+ * of these tests fails, no output of this compiler is to be trusted. */
 #include "claims.h"
 #include "numbers.h"
 

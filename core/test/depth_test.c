@@ -39,7 +39,8 @@ static real target(double z, enum buffer b, bool up)
 	return number((double)f);
 }
 
-/* Whether depth at a distance from the plane has reached the next step. */
+/* Returns whether depth at a distance from the plane has reached the next
+ * step. */
 static bool reached(const struct projector *p, double distance, enum buffer b)
 {
 	int mark = real_mark();
@@ -149,8 +150,8 @@ static double step_of(const struct scene *s, bool reversed, enum buffer b,
 	return depth_step(&z, b, far);
 }
 
-/* What was rounded to nearest lies at the first such distance or just before
- * it. */
+/* A step that is rounded to nearest is the first distance with the next depth,
+ * or the double before it. */
 static void steps_are_the_first(void **state)
 {
 	int found = 0, none = 0;

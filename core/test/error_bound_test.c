@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What inspect claims as bounds: no point of the view volume is further off. */
+/* No point of the view volume has an error above the bound that inspect
+ * prints. */
 #include "../derive/error_bound.h"
 
 #include "claims.h"
@@ -153,7 +154,7 @@ static void bounds_hold(void **state)
 	}
 }
 
-/* Of 640 x 480 pixels, and beyond the range of floats. */
+/* The scenes have 640 x 480 pixels, or lie beyond the range of floats. */
 static void ordinary_bounds_are_small(void **state)
 {
 	struct scene s = { .has_viewport = true,

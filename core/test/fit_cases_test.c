@@ -149,7 +149,7 @@ static void test_ortho(void **state)
 	assert_number(s.projection.top, 2);
 }
 
-/* Of a 640 x 480 viewport with one scale, 0.75 of the height is seen. */
+/* A viewport of 640 x 480 with one scale shows 0.75 of the height. */
 static void test_viewport(void **state)
 {
 	struct bounds b = box(1, 3, 1);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Of many points the farthest along a direction: no other is farther, by MPFR, whatever
- * the order they come in, the pieces they come in, and the processor. */
+/* No point is farther along a direction than the one that is found, by MPFR,
+ * for any order of the points, any pieces and any processor. */
 #include "../derive/fit.h"
 
 #include "../points/points.h"
@@ -142,7 +142,7 @@ static void claim_farthest(const struct cloud *c, const struct directions *d,
 	}
 }
 
-/* Of 0 and -0 either is taken. */
+/* Either of 0 and -0 may be found. */
 static bool are_same(const struct extremes *a, const struct extremes *b, int n)
 {
 	bool same = true;

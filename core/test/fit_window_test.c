@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The window that fit gives holds its bounds, and no double is tighter: by MPFR and
- * by the flags. What a window shows. */
+/* The window that fit finds holds its bounds, and no double is tighter, by MPFR
+ * and by the flags. */
 #include "../derive/fit.h"
 
 #include "../derive/frustum.h"
@@ -20,7 +20,8 @@ static void range_of(const struct bounds *b, int axis, real *low, real *high)
 	*high = b->sphere ? add(c, r) : number(b->max[axis]);
 }
 
-/* What is twice as far from the center as the bounds, in what the margin leaves. */
+/* The corners are twice as far from the center as the bounds, less the
+ * margin. */
 static double least_side(real low, real high, double center, double margin)
 {
 	real below = sub(number(center), low),
@@ -159,7 +160,7 @@ static void windows_are_the_least(void **state)
 	fit_many(149, 500);
 }
 
-/* Where the other end is lost beside the middle: the exact side is a hair more than
+/* The other end is lost beside the middle: the exact side is slightly more than
  * a double. */
 static void a_hair_counts(void **state)
 {

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* What inspect tells in parameters, against MPFR. */
+/* The parameters that inspect prints, against MPFR. */
 #include "../derive/parameters.h"
 #include "../points/point.h"
 
 #include "claims.h"
 #include "numbers.h"
 
-/* The same picture: the map from the world to ndc is the same but for a factor, so
- * far as the numbers of parameters are rounded: points of the view volume are where
- * they were. */
+/* The scene that inspect prints makes the same picture: its map from world to
+ * ndc is the given one times a factor, to the rounding of its parameters, so
+ * points of the view volume stay where they were. */
 static double most_off(const struct scene *s, const struct scene *r,
     const struct taxonomy *t)
 {
@@ -77,7 +77,8 @@ static void scenes_make_the_same_picture(void **state)
 	assert_true(made > 800 && types[PROJECTION_PERSP] > 150);
 }
 
-/* The same in matrices, each element the nearest double. */
+/* A projection by parameters and its matrix give the same parameters, each the
+ * nearest double. */
 static void to_matrices(struct scene *s)
 {
 	struct map camera, projection;
@@ -95,8 +96,8 @@ static void to_matrices(struct scene *s)
 	s->projection.type = PROJECTION_MATRIX;
 }
 
-/* What is made of parameters in matrices is recovered, as far as their digits say
- * it. */
+/* The parameters of a matrix are those that it was made of, to the digits of
+ * the matrix. */
 static void matrices_are_told(void **state)
 {
 	struct scene s;
@@ -167,8 +168,8 @@ static void corner_of(const struct scene *s, const struct truth *back,
 	corner_at(s, back, limit, reversed, far, side, h);
 }
 
-/* But for their signs: where ndc is 1 on the plane that is nearer, less where the eye
- * is. */
+/* The edges agree except for their signs: ndc is 1 on the nearer plane, and
+ * less at the eye. */
 static void check_edges(const struct scene *s, const struct truth *back,
     const struct parameters *r, int tally[VERDICTS])
 {
@@ -449,7 +450,7 @@ static void check_combined(const struct scene *s, const struct parameters *r,
 	}
 }
 
-/* What has the camera in it is taken apart, to the nearest doubles. */
+/* A matrix that contains the camera is taken apart, to the nearest doubles. */
 static void cameras_are_found_in_matrices(void **state)
 {
 	int tally[2] = { 0 }, parallel = 0;

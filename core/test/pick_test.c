@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What lies within a radius, how far and in which order: as MPFR has it. */
+/* The points within a radius, their distances and their order, against MPFR. */
 #include "../derive/pick.h"
 
 #include "claims.h"
@@ -15,8 +15,8 @@ struct distance {
 	bool upward;
 };
 
-/* Of a matrix, near is where MPFR has the point of the axis of the ndc plane that
- * frustum_test knows; here there are none. */
+/* The near plane of a matrix is where MPFR finds the point of the axis on the
+ * ndc plane that frustum_test knows. These scenes have no matrix. */
 static void distance_of(const struct scene *s, struct distance *d)
 {
 	const struct projection *p = &s->projection;

@@ -88,7 +88,7 @@ static void assert_image(const struct transform *t, double x, double y,
 	}
 }
 
-/* Of given numbers alone nothing is too small to count. */
+/* No sum of given numbers is too small to count. */
 static void sums_of_given_numbers(void **state)
 {
 	static const double cancelling[3][4] = { { 1, 1, 1, 0 },
@@ -137,8 +137,8 @@ static void one_beside_a_zero_of_roots(void **state)
 		}
 }
 
-/* What such sums are divided by is found, too, on the way back, through any scene of round
- * numbers. */
+/* The divisor of such sums is exact on the way back, too, through any scene of
+ * round numbers. */
 static void quotients_of_given_numbers(void **state)
 {
 	static struct transform t;
@@ -232,8 +232,8 @@ static void ties_of_irrational_parts(void **state)
 	}
 }
 
-/* And turned by 45 degrees before a parallel projection: x = (z - y) / 2, of a
- * sine times the root of 1/2. */
+/* The scene turns by 45 degrees before a parallel projection: x = (z - y) / 2
+ * comes from a sine times the root of 1/2. */
 static void ties_of_different_irrational_parts(void **state)
 {
 	struct scene s = { .has_camera = true,

@@ -124,8 +124,8 @@ static void points_depend_on_nothing_else(void **state)
 	}
 }
 
-/* Of x' = x + 2^195 + z cot(45) cos(45) - cot(45) cos(45) over a divisor, 20: what is
- * exact makes nothing none. */
+/* x' = x + 2^195 + z cot(45) cos(45) - cot(45) cos(45) over a divisor of 20:
+ * exact terms do not make the difference zero. */
 static void none_is_of_what_is_irrational(void **state)
 {
 	const struct scene s = {

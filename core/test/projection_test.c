@@ -136,7 +136,7 @@ static void map_for(const struct projection *p, struct map *m)
 	assert_null(projection_map(p, &d3d, false, m));
 }
 
-/* What is whole is whole, and digits from bc. */
+/* Whole elements are exact; the digits of the others are from bc. */
 static void recorded(void **state)
 {
 	struct projection p = { .type = PROJECTION_PERSP,
@@ -237,8 +237,8 @@ static void refusals(void **state)
 	refused(&p, true, "/projection/matrix");
 }
 
-/* Of a perspective's transpose the last row is 0 0 1 0; so may be that of a
- * perspective with w = z, and of an affine matrix. */
+/* The last row of the transpose of a perspective is 0 0 1 0. A perspective with
+ * w = z, and an affine matrix, may have that row, too. */
 static void transposed(void **state)
 {
 	static const struct {

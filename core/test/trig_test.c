@@ -84,8 +84,8 @@ static void equals(struct sum got, double expected)
 	assert_number(got.error.m, 0);
 }
 
-/* As other programs write them, next to where one of them is 0, and the one that is
- * nearest to such of all doubles. */
+/* The angles are written as in other programs: next to zeros of a function, and
+ * the double that is nearest of all to one. */
 static void every_radian(void **state)
 {
 	(void)state;
@@ -200,7 +200,8 @@ static void exact_ones(void **state)
 	equals(cos_of(360 * 0x1p400, DEGREES), 1);
 }
 
-/* What is none is 0: roots of 2, 3 and 5 by themselves, less these. */
+/* A sum below its error is 0: the roots of 2, 3 and 5 times themselves, less
+ * these numbers. */
 static void angles_of_nothing(void **state)
 {
 	(void)state;

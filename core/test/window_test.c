@@ -68,7 +68,8 @@ static void random_viewports(void **state)
 	viewports("hostile, to 1e150", 150, 1000);
 }
 
-/* What the window shows of the x axis, as its centre and half its width. */
+/* Computes the part of the x axis that the window shows, as its centre and half
+ * its width. */
 static void check_shown(const struct window *w, const struct device *d,
     double center, double half)
 {
