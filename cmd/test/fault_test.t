@@ -137,7 +137,7 @@ sub progress {
 	shares();
 }
 
-# Of each file anew.
+# The header is read again for each file.
 sub shares {
 	my $n = 60000;
 	spew("$tmp/lines", "0 0 0\n" x $n);

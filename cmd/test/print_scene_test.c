@@ -7,7 +7,7 @@
 
 static const struct document_wants project = { WANTS };
 
-/* As fit leaves it. */
+/* The scene as fit leaves it. */
 static void sample_fitted(struct document *d)
 {
 	struct scene *s = &d->scene;

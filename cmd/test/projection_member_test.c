@@ -404,7 +404,8 @@ static void test_parallel(void **state)
 	assert_number(p.projector, 90);
 }
 
-/* Of the scene, wherever it stands in it, or beside the members of one alone. */
+/* The members of the scene, wherever the projection stands in it, or beside the
+ * members of a projection alone. */
 static void test_angle_unit(void **state)
 {
 #define LENS "\"fovy\":3,\"aspect\":1," PLANES
