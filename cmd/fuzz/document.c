@@ -43,7 +43,7 @@ void vdie_at(int status, const struct place *place, const char *format,
 }
 
 /* Nothing is printed. */
-void put_all(const char *text, size_t n)
+void output_write(const char *text, size_t n)
 {
 	(void)text, (void)n;
 	abort();

@@ -79,7 +79,8 @@ struct value value_parse_without(struct source *source, const char *pointer,
 	if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
 		memset(text, ' ', 3); /* a byte order mark */
 	if (message_state.json) {
-		source->text = *keep = memcpy(xrealloc(*keep, size), text, size);
+		source->text = *keep = memcpy(xrealloc(*keep, size), text,
+		    size);
 		source->end = source->text + size;
 	}
 	if (!json_check(&c)) {

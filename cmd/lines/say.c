@@ -229,7 +229,8 @@ void say_names(const struct layout *l, struct cut c, const char *wanted,
 	int i = 0;
 
 	names_of(c, &names);
-	const char *near = nearest_word(wanted != NULL ? wanted : "", names.list);
+	const char *near = nearest_word(wanted != NULL ? wanted : "",
+	    names.list);
 
 	if (wanted != NULL && near != NULL) {
 		say_more(reason, "; did you mean '%s'?",
