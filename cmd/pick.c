@@ -20,7 +20,7 @@ struct hit {
 	    []; /* what is printed; in JSON what follows the line's number */
 };
 
-/* What the hits are sorted by: the distance, and the record's place in the text. */
+/* The sort key of a hit: its distance, then its record's place in the text. */
 struct hit_key {
 	double distance;
 	size_t at;
@@ -82,7 +82,7 @@ static void hits_append(const struct job *j, struct chunk *c, struct hit hit,
 	c->size += hit_stride(hit.size);
 }
 
-/* Appends the points of a block that are hit, and its headers. */
+/* Appends the points of a block that are within the radius, and its csv headers. */
 static void hits_take(const struct job *j, struct chunk *c, size_t n,
     size_t points)
 {
@@ -92,7 +92,7 @@ static void hits_take(const struct job *j, struct chunk *c, size_t n,
 	double *const device[4] = { v[0], v[1], v[2] };
 	double *const view[4] = { v[3], v[4], v[5] };
 	unsigned char outside[POINTS_BLOCK];
-	bool known = false; /* outside, and view where that is finite */
+	bool known = false; /* outside and, if near, view are computed */
 
 	points_carry(&j->transform, j->precision, in, device, points);
 	for (size_t i = 0, p = 0; i < n; i++) {
@@ -214,14 +214,13 @@ static void hits_sort(const struct hits *h)
  * sources are printed once, and headers that differ not at all. */
 static size_t hits_first(const struct hits *h)
 {
-	const struct hit *first = NULL;
 	size_t n = 0;
 	bool differ = false;
 
 	for (; n < h->n && is_header(&h->key[n]); n++) {
 		const struct hit *hit = hit_at(h->text, h->key[n].at);
+		const struct hit *first = hit_at(h->text, h->key[0].at);
 
-		first = first != NULL ? first : hit;
 		differ |= hit->size != first->size ||
 		    memcmp(hit->text, first->text, hit->size) != 0;
 	}
@@ -255,12 +254,12 @@ static void hits_aim(const struct document *d, const struct options *o,
 
 	if (o->pick_at.n == 0 && !p->has_at)
 		document_refuse(d,
-		    "/pick/at: missing; say where on the device "
+		    "/pick/at: missing; give the position on the device "
 		    "with \"at\": [x, y] or --at X,Y");
 	if (!(o->radius > 0) && !(p->radius > 0))
 		document_refuse(d,
-		    "/pick/radius: missing; say how far around "
-		    "with \"radius\" or --radius R");
+		    "/pick/radius: missing; give the radius in device units "
+		    "with \"radius\": r or --radius R");
 	for (int i = 0; i < 2; i++)
 		h->picker.at[i] = o->pick_at.n > 0 ? o->pick_at.v[i] : p->at[i];
 	h->picker.radius = o->radius > 0 ? o->radius : p->radius;
@@ -289,8 +288,8 @@ void run_pick(const struct command *c, const struct options *o)
 	if (o->has_out && !hits.json &&
 	    (o->out != o->in || o->out_record != o->in_record))
 		die(EXIT_USAGE,
-		    "pick prints lines as they were read, or "
-		    "-o json");
+		    "pick prints lines as they were read; leave -o out, or "
+		    "use -o json");
 	hits.near = sum_sign(hits.picker.depth.map.divisor) != 0;
 	prepare_job(&j, o);
 	run_points(o, &d, &j);
