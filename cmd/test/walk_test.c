@@ -2,6 +2,7 @@
 /* Which lines are walked and which are left to line_read, and where numbers stand on
  * those that are. That a line is left changes nothing that is printed; that usual ones
  * are not is why there is a walk. */
+#include "../../core/points/points.h"
 #include "../lines/walk.h"
 
 #include <setjmp.h>
@@ -223,7 +224,7 @@ static void usual_lines_are_walked(void **state)
 	struct layout l = { .in = { FORMAT_TEXT, 0 }, .reads = 3 };
 
 	(void)state;
-	if (!number_choose(NULL) || plain_reader() == NULL)
+	if (!points_choose(NULL) || plain_reader() == NULL)
 		skip();
 	check(&l, text, "11 12 13");
 	l.reads = 2;
@@ -245,7 +246,7 @@ static void usual_lines_are_walked(void **state)
 /* The first number of each line is not plain; what it is, or that the line is left. */
 static void numbers_with_exponents_are_read(void **state)
 {
-	static const char all[] = "1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n"
+	static const char all[] = "1 2 30\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n"
 				  "1e-3 2 3\n+4 2 3\nnan 2 3\n1e200 2 3\n"
 				  "1e 2 3\n0x1 2 3\n5 6 7e1\n";
 	const struct layout l = { .in = { FORMAT_TEXT, ' ' }, .reads = 3 };
@@ -258,7 +259,7 @@ static void numbers_with_exponents_are_read(void **state)
 	uint64_t left;
 
 	(void)state;
-	if (!number_choose(NULL) || plain_reader() == NULL)
+	if (!points_choose(NULL) || plain_reader() == NULL)
 		skip();
 	assert_true(walk_plan(&l, &walk));
 	s.readable = all;

@@ -20,8 +20,8 @@
  *
  * where I has - & | <<, lane by lane, and
  *
- *	struct tens, load_tens, power_of_ten
- *			10^POWER_MIN to 10^POWER_MAX, where they are soon found
+ *	power_of_ten(scale, &hi, &lo)
+ *			looks 10^scale up, from POWER_MIN to POWER_MAX
  *	BYTES_LOW, BYTES_HIGH(a)
  *			the upper halves of quarters, the others 0: the bytes of
  *			the lanes 0, 2, ... or 1, 3, ..., in two lanes each
@@ -150,7 +150,6 @@ INLINE void write_around(struct number_text *t, const uint32_t *layout,
 INLINE void write_all(const double *v, size_t count, enum number_kind kind,
     int n, bool single, struct number_text *t)
 {
-	const struct tens tens = load_tens();
 	const bool decimals = kind == NUMBER_DECIMALS;
 	const bool ninth = single && kind == NUMBER_SHORTEST;
 	struct found f;
@@ -160,12 +159,11 @@ INLINE void write_all(const double *v, size_t count, enum number_kind kind,
 	for (; count > 0; count -= TEXTS, v += TEXTS, t += TEXTS) {
 		for (size_t i = 0; i < TEXTS; i += WIDTH)
 			if (decimals)
-				find_decimals(&f, i, n, &tens, LOAD(v + i));
+				find_decimals(&f, i, n, LOAD(v + i));
 			else if (kind == NUMBER_DIGITS)
-				find_significant(&f, i, n, &tens, LOAD(v + i));
+				find_significant(&f, i, n, LOAD(v + i));
 			else
-				find_shortest(&f, i, single, &tens,
-				    LOAD(v + i));
+				find_shortest(&f, i, single, LOAD(v + i));
 		write_digits(t, nonzero, &f);
 		lay_out(layout, nonzero, &f, ninth ? DIGITS / 2 : DIGITS,
 		    decimals);

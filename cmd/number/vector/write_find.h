@@ -151,12 +151,11 @@ INLINE void store_found(struct found *f, size_t i, V v, struct digits d,
 	STORE_INTS(f->sign + i, ONLY(d.sure, SELECT(minus, ALL(-1), ALL(1))));
 }
 
-INLINE void find_decimals(struct found *f, size_t i, int n,
-    const struct tens *tens, V v)
+INLINE void find_decimals(struct found *f, size_t i, int n, V v)
 {
 	V scale = ALL(n), hi, lo, rest;
 
-	power_of_ten(tens, scale, &hi, &lo);
+	power_of_ten(scale, &hi, &lo);
 	struct scaled x = scaled(ABS(v), hi, lo, true);
 	struct digits d = { nearest(x, &rest), ALL(0), LESS(x.p, ALL(0x1p53)) };
 
@@ -169,8 +168,7 @@ INLINE void find_decimals(struct found *f, size_t i, int n,
  * equal to it, taken for either side, gives the same text, as its n digits round to a
  * one and zeros. Where scale < 0 the product is rounded, by less than WRITE_MARGIN
  * (see shortest), and what lies nearer to a tie is left to number_write. */
-INLINE void find_significant(struct found *f, size_t i, int n,
-    const struct tens *tens, V v)
+INLINE void find_significant(struct found *f, size_t i, int n, V v)
 {
 	const V zero = ALL(0), one = ALL(1);
 	V a = ABS(v), hi, lo, rest;
@@ -178,14 +176,14 @@ INLINE void find_significant(struct found *f, size_t i, int n,
 	V two = power_of_two_in(SELECT(in_range, a, one));
 	V log10 = FLOOR(log2_less(two, 0) * ALL(78913 * 0x1p-18));
 
-	power_of_ten(tens, log10 + one, &hi, &lo);
+	power_of_ten(log10 + one, &hi, &lo);
 	log10 = log10 + ONLY(~(LESS(a, hi) | ~in_range), one);
 	V scale = ALL(n - 1) - log10;
 	M exact = LESS(ALL(-0.5), scale);
 	M in_table = LESS(ALL(-MOST_ZEROS - 0.5), scale);
 
 	scale = ONLY(in_table, scale);
-	power_of_ten(tens, scale, &hi, &lo);
+	power_of_ten(scale, &hi, &lo);
 	struct scaled x = scaled(a, hi, lo, false);
 	struct digits d = { nearest(x, &rest), zero,
 		(in_range & in_table) | EQUAL(a, zero) };
@@ -199,7 +197,7 @@ INLINE void find_significant(struct found *f, size_t i, int n,
  * range two is 1, so that the table is not left. usual says that all are in it and
  * have scale >= 0: then nothing is rounded, and much need not be asked. */
 INLINE void find_in_range(struct found *f, size_t i, bool single, bool usual,
-    const struct tens *tens, V v)
+    V v)
 {
 	const V one = ALL(1);
 	V a = ABS(v), hi, lo;
@@ -209,7 +207,7 @@ INLINE void find_in_range(struct found *f, size_t i, bool single, bool usual,
 	V q = log2_less(two, single ? 23 : 52);
 	V scale = -one - FLOOR(q * ALL(0.30102999566398120));
 
-	power_of_ten(tens, scale, &hi, &lo);
+	power_of_ten(scale, &hi, &lo);
 	struct scaled x = scaled(a, hi, lo, usual);
 	struct digits d = shortest(a, two, scale, hi, x, single, usual);
 
@@ -223,17 +221,16 @@ INLINE void find_in_range(struct found *f, size_t i, bool single, bool usual,
 }
 
 /* A loop for what is usual, which every lane must be. */
-INLINE void find_shortest(struct found *f, size_t i, bool single,
-    const struct tens *tens, V v)
+INLINE void find_shortest(struct found *f, size_t i, bool single, V v)
 {
 	V a = ABS(v);
 	M usual = LESS(a, ALL(single ? 0x1p23 : 0x1p52)) &
 	    ~LESS(a, ALL(0x1p-17));
 
 	if (LANES_OF(usual) == (1u << WIDTH) - 1)
-		find_in_range(f, i, single, true, tens, v);
+		find_in_range(f, i, single, true, v);
 	else
-		find_in_range(f, i, single, false, tens, v);
+		find_in_range(f, i, single, false, v);
 }
 
 #endif
