@@ -138,8 +138,6 @@ static inline row set_row(struct rows *r, size_t i, const char *const *end,
 
 	x = KEEP(LAST(m->digits + i), x - '0');
 	memcpy(r->digits[i], &x, sizeof x);
-	for (size_t k = i; k < i + ROW_NUMBERS; k++)
-		r->divisor[k] = divisors[m->divisor[k]];
 	return x;
 }
 
@@ -162,6 +160,8 @@ static inline void set_rows(struct rows *r, struct look *look, size_t n,
 	}
 	for (size_t i = 0; i < n; i += PLAIN_GROUP)
 		look[i / PLAIN_GROUP].many = count_digits(&m, i);
+	for (size_t i = 0; i < n; i++)
+		r->divisor[i] = divisors[m.divisor[i]];
 	for (size_t i = 0; i < n; i += PLAIN_GROUP) {
 		row odd = { 0 };
 
