@@ -65,7 +65,8 @@
 
 const struct kernels COPY = {
 	.processor = PROCESSOR,
-	.exact = { KERNELS_OF(exact), [KERNEL_FOUR] = exact_four, [KERNEL_DIRECTION] = exact_direction },
+	.exact = { KERNELS_OF(exact), [KERNEL_FOUR] = exact_four,
+	    [KERNEL_DIRECTION] = exact_direction },
 	.plain = {
 		[PRECISION_DOUBLE] = { KERNELS_OF(double) },
 		[PRECISION_SINGLE] = { KERNELS_OF(single) },

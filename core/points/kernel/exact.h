@@ -245,8 +245,8 @@ static struct depth depth_of(const struct kernel_map *m,
 	return d;
 }
 
-/* A block of points as the map's columns need it. For directions cut[3].bound is that of
- * the length. */
+/* A block of points as the map's columns need it. For directions cut[3].bound is that
+ * of the length. */
 struct kernel_block {
 	struct kernel_range range[3];
 	struct column_cut cut[4];

@@ -87,8 +87,8 @@ typedef int (*float_kernel)(const struct kernel_map *, const char *in,
  * claimed in plain.h. */
 #define PLAIN_BOUND 10
 
-/* Copies points in rows, of floats or doubles, to columns of doubles. Returns true if no
- * magnitude is above most, as nan is not. */
+/* Copies points in rows, of floats or doubles, to columns of doubles. Returns true if
+ * no magnitude is above most, as nan is not. */
 typedef int (*split_kernel)(const char *rows, double (*columns)[POINTS_BLOCK],
     size_t n, double most);
 
