@@ -111,11 +111,9 @@ static int put_sort(int sort, char *s)
 	}
 }
 
-enum {
-	SORTS = 10,
-	ALL_READ = 4
-}; /* of the sorts below, all but few are read */
+enum { SORTS = 10, ALL_READ = 4 }; /* nearly all of the first sorts are read */
 
+/* Returns true at the end of the text, or at an exponent that read may take. */
 static bool is_exponent(const char *s)
 {
 	return *s == '\0' ||
