@@ -232,7 +232,7 @@ static void choose_kernels(void)
 
 	if (cpu != NULL && *cpu == '\0')
 		cpu = NULL;
-	if (!points_choose(cpu) || !number_choose(cpu))
+	if (!points_choose(cpu))
 		die(EXIT_USAGE,
 		    "PROJCALC_CPU=%s: not a kind that this processor can "
 		    "run; there are baseline, avx2, avx512 and neon",

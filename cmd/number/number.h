@@ -56,15 +56,10 @@ struct number_text {
 enum { NUMBER_BATCH = 64 };
 
 /* The texts of n numbers, which are floats where single says so. There is room
- * in t and v for n rounded up to NUMBER_BATCH; what v holds there is read, and no matter. */
+ * in t and v for n rounded up to NUMBER_BATCH; what v holds there is read, and no matter.
+ * points_choose chooses the loops; before, there are no texts. */
 void number_texts(const double *v, size_t n, bool single,
     struct number_style style, struct number_text *t);
-
-/* Which copy of their loops number_texts and plain_reader's run from now on: the
- * best for this processor, or the named one, as core/points/kernel names them.
- * Before any call there are no texts and no reader. False if there is none of that
- * name. */
-bool number_choose(const char *name);
 
 /* Writes v at s from its text t, or as number_write does where it has none, and
  * returns where the text ends. What is behind that, up to NUMBER_MAX bytes from s,

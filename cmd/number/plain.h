@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Plain numbers, [-] digits [. digits], many at a time: first where the bytes
- * stand that can end one, then what the numbers between them are. Whatever else
- * is legal is left to number_read. */
+/* Plain numbers, [-] digits [. digits], many at a time: first the places of the bytes
+ * that can end one, then the numbers between these; among them those that end in an
+ * exponent as %e writes it. number_read reads the other numbers that are legal. */
 #ifndef PLAIN_H
 #define PLAIN_H
 
@@ -16,34 +16,36 @@ struct byte_set {
 };
 
 enum {
-	PLAIN_MAX = 32,    /* characters of a plain number that are read */
-	PLAIN_BEFORE = 33, /* bytes before its end that are looked at */
+	PLAIN_MAX = 32,    /* most characters of a plain number */
+	PLAIN_BEFORE = 37, /* bytes before a number's end that are read */
 	PLAIN_BATCH = NUMBER_BATCH,
-	PLAIN_GROUP = 8, /* so many are read in one go */
+	PLAIN_GROUP = 8, /* numbers that are read together */
 };
 
-/* Where numbers stand: before end, 1 to PLAIN_MAX characters each. */
+/* Numbers: size[i] characters, 1 to PLAIN_MAX, before end[i]. */
 struct plain_places {
 	const char *end[PLAIN_BATCH];
 	uint8_t size[PLAIN_BATCH];
 };
 
 struct plain_reader {
-	/* Where in text[0] to text[size - 1] the bytes of the set stand; at has
-	 * room for size rounded up to 64, and 64 more. Returns how many. */
+	/* Writes to at the places of the bytes of the set in text[0] to
+	 * text[size - 1], and returns their number. There is room in at for size
+	 * rounded up to 64, and 64 more. */
 	size_t (*find)(const struct byte_set *, const char *text, size_t size,
 	    uint16_t *at);
-	/* The first n numbers, rounded to nearest. Places there are for n
-	 * rounded up to PLAIN_GROUP. Bit i of what it returns says that the i-th
-	 * is left: it is not plain, has more than 22 decimals or, from the first
+	/* Reads the first n numbers, rounded to nearest. There are places for n
+	 * rounded up to PLAIN_GROUP. Returns bit i if v[i] is not set, as the
+	 * number is not plain, has more than 22 decimals or, from the first digit
 	 * that is not 0 on, 19 digits, or lies midway between two doubles or too
-	 * near to that; v[i] says nothing then. */
+	 * near to that. An exponent of a sign and two digits is read if
+	 * the decimals less the exponent are 0 to 22. */
 	uint64_t (*read)(const struct plain_places *, size_t n,
 	    double v[PLAIN_BATCH]);
 };
 
-/* What reads for the processor that number_choose has chosen; NULL where that is
- * the scalar code. */
+/* Returns the reader for the processor that points_choose has chosen; NULL for
+ * baseline. */
 const struct plain_reader *plain_reader(void);
 
 #endif
