@@ -143,11 +143,15 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 	for (int i = 0; i < high - low; i++)
 		sum[i] = 0;
 	for (int k = 0; k < n; k++) {
+		bool by_one = b[k]->n == 1 && b[k]->word[0] == 1;
+
 		if (a[k]->n == 0 || b[k]->n == 0)
 			continue;
-		multiply(w, a[k], b[k]);
-		accumulate(sum, low, high, a[k]->sign * b[k]->sign, w,
-		    a[k]->n + b[k]->n, a[k]->e + b[k]->e);
+		if (!by_one)
+			multiply(w, a[k], b[k]);
+		accumulate(sum, low, high, a[k]->sign * b[k]->sign,
+		    by_one ? a[k]->word : w, a[k]->n + (by_one ? 0 : b[k]->n),
+		    a[k]->e + b[k]->e);
 	}
 	bool minus = sum[high - low - 1] >> 63;
 	uint64_t carry = minus;
@@ -183,12 +187,6 @@ ex ex_add(ex a, ex b)
 ex ex_sub(ex a, ex b)
 {
 	return ex_add(a, ex_neg(b));
-}
-
-ex ex_shift(ex a, int e)
-{
-	a.e += a.n > 0 ? ex_word_of(e) : 0;
-	return e & 63 ? ex_mul(a, ex_of(ldexp(1, e & 63))) : a;
 }
 
 int ex_compare(ex a, ex b)
@@ -235,6 +233,16 @@ static uint64_t bits_from(const ex *a, int e)
 	int at = ex_word_of(e), bits = e & 63;
 
 	return word_at(a, at) >> bits | word_at(a, at + 1) << 1 << (63 - bits);
+}
+
+ex ex_shift(ex a, int e)
+{
+	uint64_t w[EX_WORDS + 1];
+
+	for (int i = 0; i <= a.n; i++)
+		w[i] = bits_from(&a, 64 * (a.e + i) - (e & 63));
+	ex_put(&a, a.sign, w, a.n + 1, a.e + ex_word_of(e));
+	return a;
 }
 
 static int leading_zeros(const ex *a)
@@ -292,8 +300,12 @@ ex ex_sqrt(ex a)
 	e = 32 * (top(&a) - 1);
 	ex m = ex_shift(a, -2 * e), r = ex_of(sqrt(ex_double(m)));
 
-	for (int i = 0; i < 4; i++)
-		r = ex_shift(ex_add(r, ex_quotient(m, r)), -1);
+	for (int words = 2; words < 2 * EX_QUOTIENT; words *= 2) {
+		ex q;
+
+		ex_divide(&m, &r, words < EX_QUOTIENT ? words : EX_QUOTIENT, &q);
+		r = ex_shift(ex_add(r, q), -1);
+	}
 	r = ex_add(r, ex_shift(one, 64 * (top(&r) - EX_QUOTIENT) - 1));
 	return ex_shift(ex_first(r, EX_QUOTIENT), e);
 }

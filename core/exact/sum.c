@@ -229,7 +229,8 @@ struct sum sum_sqrt(struct sum a)
 	if (a.error.m > 0)
 		r.error = magnitude_plus(r.error,
 		    magnitude_over(a.error, of(&r.value)));
-	else if (ex_compare(ex_mul(r.value, r.value), a.value) == 0)
+	else if (2 * r.value.n <= a.value.n + 2 &&
+	    ex_compare(ex_mul(r.value, r.value), a.value) == 0)
 		r.error.m = 0;
 	return r;
 }
