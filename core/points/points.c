@@ -128,7 +128,7 @@ static void carry_plain(const struct transform *t, enum precision precision,
 	}
 }
 
-void points_carry(const struct transform *t, enum precision precision,
+void points_map(const struct transform *t, enum precision precision,
     const double *const given[4], double *const out[4], size_t n)
 {
 	/* of two coordinates a kernel multiplies the third by 0 */
@@ -141,7 +141,7 @@ void points_carry(const struct transform *t, enum precision precision,
 		carry_plain(t, precision, in, out, n);
 }
 
-bool points_carry_floats(const struct transform *t, const char *in, char *out,
+bool points_map_floats(const struct transform *t, const char *in, char *out,
     size_t n)
 {
 	float_kernel fast = kernels->floats[t->kind];

@@ -20,7 +20,7 @@ static void round_column(const struct transform *t, int j, struct kernel_map *k)
 	for (int i = 0; i < 4; i++) {
 		struct sum a = t->relative[i][j];
 
-		if (!sum_is_nothing(&a))
+		if (!sum_is_exact_zero(&a))
 			a = sum_quotient(a, t->map.divisor);
 		dd e = element_rounded(a);
 
@@ -49,8 +49,8 @@ void transform_prepare(struct transform *t)
 		origin[i] = sum_of_double(k->origin[i]);
 	}
 	for (int j = 0; j < 4; j++) {
-		map_column(&t->map, j, origin, &t->relative[3][j]);
-		t->relative[3][j] = sum_settled(t->relative[3][j]);
+		map_image(&t->map, j, origin, &t->relative[3][j]);
+		t->relative[3][j] = sum_snap_zero(t->relative[3][j]);
 		round_column(t, j, k);
 	}
 }
@@ -81,9 +81,9 @@ static const char *transform_check(const struct transform *t)
 		}
 		fits &= low > high || high - low <= room;
 	}
-	return fits && !ex_has_lost() ? NULL :
-	    t->kind == KERNEL_FLAT    ? "/window: " SCENE_TOO_WIDE :
-					"/projection: " SCENE_TOO_WIDE;
+	return fits && !ex_has_overflowed() ? NULL :
+	    t->kind == KERNEL_FLAT          ? "/window: " SCENE_TOO_WIDE :
+					      "/projection: " SCENE_TOO_WIDE;
 }
 
 void transform_init(struct transform *t, enum space from, enum space to,

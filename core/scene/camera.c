@@ -27,7 +27,7 @@ static const char *look(const struct camera *c,
 {
 	struct sum up[3];
 	struct axis *x = &axis[0], *y = &axis[1], *z = &axis[2];
-	bool at = c->by == CAMERA_AT;
+	bool at = c->kind == CAMERA_AT;
 
 	for (int i = 0; i < 3; i++) {
 		z->v[i] = sum_diff(c->at[i], at ? c->eye[i] : 0);
@@ -138,15 +138,15 @@ static const char *const singular[2] = BOTH("singular; it can't be inverted");
 static const char *orthonormal(const struct camera *c, struct axis axis[3])
 {
 	struct sum q[4];
-	enum rotation found = nearest_rotation(c->matrix, q);
+	enum rotation found = rotation_nearest(c->matrix, q);
 
 	if (found != ROTATION_FOUND)
-		return refusals[found][c->by == CAMERA_POSE];
+		return refusals[found][c->kind == CAMERA_POSE];
 	turn(q, axis);
 	for (int i = 0; i < 9; i++) {
 		struct sum *v = &axis[i / 3].v[i % 3];
 
-		*v = sum_settled(*v);
+		*v = sum_snap_zero(*v);
 	}
 	return NULL;
 }
@@ -177,25 +177,26 @@ static void camera_stand(const struct axis a[3], const double at[3],
 			    a[i].v[k] :
 			    sum_quotient(a[i].v[k], a[i].length);
 		r->m[3][i] = by_origin == inverse ? found : given;
-		r->origin[i] = inverse ? 0 :
-					 sum_over(by_origin ? found : given, d);
+		r->origin[i] = inverse ?
+		    0 :
+		    sum_ratio(by_origin ? found : given, d);
 	}
 	r->m[3][3] = d;
-	map_over(r, d);
+	map_divide(r, d);
 }
 
 /* Turns view space about its z. */
 static void camera_roll(double roll, enum angle_unit unit, bool inverse,
     struct map *r)
 {
-	struct sum s = sin_of(roll, unit);
-	struct map turn, stage = *r;
+	struct sum s = trig_sin(roll, unit);
+	struct map turn;
 
 	map_identity(&turn);
-	turn.m[0][0] = turn.m[1][1] = cos_of(roll, unit);
+	turn.m[0][0] = turn.m[1][1] = trig_cos(roll, unit);
 	turn.m[0][1] = sum_negated_if(inverse, s);
 	turn.m[1][0] = sum_negated_if(!inverse, s);
-	map_then(inverse ? &turn : &stage, inverse ? &stage : &turn, r);
+	map_append(r, &turn, inverse);
 }
 
 /* Makes the map of the matrix or pose as it is given, or of its nearest rotation above
@@ -203,7 +204,7 @@ static void camera_roll(double roll, enum angle_unit unit, bool inverse,
 static const char *camera_bare(const struct camera *c, bool inverse,
     struct map *r)
 {
-	bool pose = c->by == CAMERA_POSE, back = inverse != pose;
+	bool pose = c->kind == CAMERA_POSE, back = inverse != pose;
 	struct axis axis[3];
 
 	map_of_doubles(c->matrix, r);
@@ -231,16 +232,17 @@ static const char *camera_bare(const struct camera *c, bool inverse,
 const char *camera_map(const struct camera *c,
     const struct convention *convention, bool inverse, struct map *r)
 {
-	bool by_origin = c->by == CAMERA_TRANSLATION ||
-	    c->by == CAMERA_RVEC_TRANSLATION;
-	bool by_rvec = c->by == CAMERA_RVEC || c->by == CAMERA_RVEC_TRANSLATION;
+	bool by_origin = c->kind == CAMERA_TRANSLATION ||
+	    c->kind == CAMERA_RVEC_TRANSLATION;
+	bool by_rvec = c->kind == CAMERA_RVEC ||
+	    c->kind == CAMERA_RVEC_TRANSLATION;
 	struct axis axis[3];
 
-	if (c->by == CAMERA_MATRIX || c->by == CAMERA_POSE)
+	if (c->kind == CAMERA_MATRIX || c->kind == CAMERA_POSE)
 		return camera_bare(c, inverse, r);
-	const char *why = c->by <= CAMERA_GAZE ? look(c, convention, axis) :
-	    by_rvec                            ? turn_about(c, axis) :
-						 orient(c, axis);
+	const char *why = c->kind <= CAMERA_GAZE ? look(c, convention, axis) :
+	    by_rvec                              ? turn_about(c, axis) :
+						   orient(c, axis);
 
 	if (why != NULL)
 		return why;

@@ -18,7 +18,7 @@ struct camera {
 		CAMERA_RVEC_TRANSLATION, /* and rvec */
 		CAMERA_POSE,
 		CAMERA_MATRIX,
-	} by;
+	} kind;
 	double at[3]; /* or the gaze, a direction of any length */
 	double up[3];
 	double orientation[4]; /* x y z w, view axes to world axes, any norm */

@@ -3,7 +3,6 @@
 
 #include <string.h>
 
-
 /* The matrix of every projection that is made of parameters:
  *	 x   0   0   0
  *	 0   y   0   0
@@ -37,9 +36,9 @@ static void by_aspect(const double aspect[2], bool given_x, struct sum s,
 static void tangents(double a, double b, enum angle_unit unit,
     struct sum *scale, struct sum *size, struct sum *off)
 {
-	struct sum ca = cos_of(a, unit), cb = cos_of(b, unit);
-	struct sum left = sum_mul(sin_of(a, unit), cb);
-	struct sum right = sum_mul(sin_of(b, unit), ca);
+	struct sum ca = trig_cos(a, unit), cb = trig_cos(b, unit);
+	struct sum left = sum_mul(trig_sin(a, unit), cb);
+	struct sum right = sum_mul(trig_sin(b, unit), ca);
 
 	*scale = sum_mul(sum_of_double(2), sum_mul(ca, cb));
 	*size = sum_sub(right, left);
@@ -63,8 +62,8 @@ static const char *cross_section(const struct projection *p, double d,
 	case EXTENT_VIEW_ANGLE:
 		given_x = p->extent == EXTENT_FOVX ||
 		    (p->extent == EXTENT_VIEW_ANGLE && !wide);
-		by_aspect(p->aspect, given_x, cot_of(p->angle / 2, p->unit), 1,
-		    f);
+		by_aspect(p->aspect, given_x, trig_cot(p->angle / 2, p->unit),
+		    1, f);
 		break;
 	case EXTENT_FIELD:
 		by_aspect(p->aspect, wide, sum_of_double(1), p->angle, f);
@@ -187,12 +186,12 @@ static const char *oblique_elements(const struct projection *p,
 	if (why != NULL)
 		return why;
 	if (p->kind == OBLIQUE_ANGLE)
-		cot = cot_of(p->projector, p->unit);
+		cot = trig_cot(p->projector, p->unit);
 	struct sum zx = sum_mul(sum_mul(cot,
-				    cos_of(p->direction, p->direction_unit)),
+				    trig_cos(p->direction, p->direction_unit)),
 	    f->x);
 	struct sum zy = sum_mul(sum_mul(cot,
-				    sin_of(p->direction, p->direction_unit)),
+				    trig_sin(p->direction, p->direction_unit)),
 	    f->y);
 
 	f->tx = sum_sub(f->tx, sum_mul(zx, sum_of_double(p->plane)));
@@ -222,7 +221,7 @@ static void by_view_angle(const struct projection *p, struct sum *over,
 
 	halves(p, &f);
 	bool high = sum_sign(sum_minor(f.dx, f.y, f.dy, f.x)) <= 0;
-	struct sum cot = cot_of(p->angle / 2, p->unit);
+	struct sum cot = trig_cot(p->angle / 2, p->unit);
 
 	*over = sum_negated_if(p->z_near < p->z_far, high ? f.x : f.y);
 	*under = sum_mul(high ? f.dx : f.dy, cot);
@@ -316,10 +315,10 @@ static void map_of_elements(const struct elements *f, struct map *r)
 	memset(r, 0, sizeof *r);
 	memcpy(r->m, m, sizeof m);
 	r->divisor = sum_of_double(1);
-	map_over(r, f->d);
-	map_column_over(r, 0, f->dx);
-	map_column_over(r, 1, f->dy);
-	map_column_over(r, 2, f->dz);
+	map_divide(r, f->d);
+	map_divide_column(r, 0, f->dx);
+	map_divide_column(r, 1, f->dy);
+	map_divide_column(r, 2, f->dz);
 }
 
 /* Block by block: 1/x and 1/y; the inverse of zz zw, tz tw; and what makes the
@@ -409,14 +408,14 @@ static const char *from_level(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {
 	double m[4][4];
-	struct map level, stage = *r;
+	struct map level;
 
 	projection_level(p, c, m);
 	map_of_doubles(m, &level);
 	if (inverse && !map_inverse(m, &level))
 		return "/projection/intrinsics: the left three columns of P "
 		       "are singular; it can't be inverted";
-	map_then(inverse ? &stage : &level, inverse ? &level : &stage, r);
+	map_append(r, &level, !inverse);
 	memset(r->origin, 0, sizeof r->origin);
 	return NULL;
 }

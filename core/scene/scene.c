@@ -62,13 +62,6 @@ static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 	return NULL;
 }
 
-static void then(struct map *r, const struct map *stage, bool back)
-{
-	struct map before = *r;
-
-	map_then(back ? stage : &before, back ? &before : stage, r);
-}
-
 /* A space from one convention to another: axes of view point the other way, and so
  * may y of clip space, where depth from 0 to w is 2 z - w from -w to w. Other spaces
  * are the same. */
@@ -102,8 +95,8 @@ static void scene_answer(const struct scene *s, enum space below, bool inverse,
 		return;
 	across(from, s->answer, c, &before);
 	across(to, c, s->answer, &after);
-	then(r, &before, true);
-	then(r, &after, false);
+	map_append(r, &before, true);
+	map_append(r, &after, false);
 }
 
 /* The map of one stage, from the space below to the one above or back. */
@@ -153,14 +146,14 @@ static const char *compose(const struct scene *s, enum space from,
 
 		if (why != NULL)
 			return why;
-		then(r, &stage, back);
+		map_append(r, &stage, back);
 	}
 	return NULL;
 }
 
 static const char *want_finite(const struct map *r)
 {
-	if (ex_has_lost())
+	if (ex_has_overflowed())
 		return "/projection: " SCENE_TOO_WIDE;
 	return map_is_finite(r) ?
 	    NULL :
@@ -186,7 +179,7 @@ const char *scene_map_by_view(const struct scene *s, enum space from,
 		why = compose(s, SPACE_VIEW, to, from_view);
 	if (why != NULL)
 		return why;
-	then(r, from_view, false);
+	map_append(r, from_view, false);
 	return want_finite(r);
 }
 
@@ -206,9 +199,9 @@ const char *scene_flat_map(const struct scene *s, enum flat from, enum flat to,
 		why = window_map(&s->window, d, back, r);
 	if (why == NULL && high == FLAT_DEVICE) {
 		why = device_map(&s->device, back, &stage);
-		then(r, &stage, back);
+		map_append(r, &stage, back);
 	}
-	if (why == NULL && ex_has_lost())
+	if (why == NULL && ex_has_overflowed())
 		return "/window: " SCENE_TOO_WIDE;
 	return why != NULL || map_is_finite(r) ?
 	    why :
@@ -229,7 +222,7 @@ const char *scene_shown(const struct scene *s, struct shown *w)
 		struct sum edge = sum_add(back.m[3][k / 2],
 		    k & 1 ? half : sum_neg(half));
 
-		w->edge[k] = sum_over(edge, back.divisor);
+		w->edge[k] = sum_ratio(edge, back.divisor);
 		w->scale[k / 2] = map_nearest(&out, k / 2, k / 2, false);
 	}
 	return why;

@@ -8,7 +8,7 @@ static void window_axis(struct map *r, int i, struct sum n, struct sum t,
 {
 	r->m[i][i] = sum_mul(r->divisor, inverse ? d : n);
 	r->m[3][i] = sum_mul(r->divisor, sum_negated_if(inverse, t));
-	map_column_over(r, i, inverse ? n : d);
+	map_divide_column(r, i, inverse ? n : d);
 }
 
 /* From ndc, x' = x n / d + offset, or back. */
@@ -84,7 +84,7 @@ const char *window_map(const struct window *w, const struct device *d,
 		window_axis(r, i, sum_scale(n, w->zoom), sum_neg(sum_mul(c, n)),
 		    sum_scale(size[i], w->zoom), inverse);
 		r->origin[i] = inverse ? 0 :
-					 sum_over(c, sum_of_double(w->zoom));
+					 sum_ratio(c, sum_of_double(w->zoom));
 	}
 	return NULL;
 }

@@ -110,8 +110,8 @@ static void assert_limits(const struct viewport *v, double x, double y)
 	struct sum half[2], scale[2];
 
 	viewport_limits(v, half, scale);
-	assert_true(sum_over(half[0], scale[0]) == x);
-	assert_true(sum_over(half[1], scale[1]) == y);
+	assert_true(sum_ratio(half[0], scale[0]) == x);
+	assert_true(sum_ratio(half[1], scale[1]) == y);
 }
 
 /* A uniform scale cuts the sides that do not fit. */
