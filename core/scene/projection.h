@@ -29,7 +29,7 @@ struct projection {
 		PROJECTION_ORTHO,
 		PROJECTION_OBLIQUE,
 		PROJECTION_VOLUME,
-		PROJECTION_MATRIX,
+		PROJECTION_MATRIX, /* the last: tests sample the types up to it */
 	} type;
 
 	enum angle_unit unit; /* of angles but the direction */

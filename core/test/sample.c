@@ -370,7 +370,7 @@ void sample_projection(struct projection *p, int e)
 {
 
 	memset(p, 0, sizeof *p);
-	p->type = 1 + sample_below(5);
+	p->type = 1 + sample_below(PROJECTION_MATRIX);
 	p->extent = sample_below(10);
 	if (p->type != PROJECTION_PERSP &&
 	    (p->extent < EXTENT_SIZE || p->extent > EXTENT_EDGES))
