@@ -209,7 +209,7 @@ static void camera_roll(double roll, enum angle_unit unit, bool inverse,
 
 /* Computes the map of the matrix, or of a pose, which is a matrix from view to world. If
  * orthonormalize is set, the nearest rotation replaces the upper 3x3. */
-static const char *map_of_matrix(const struct camera *c, bool inverse,
+static const char *camera_matrix_map(const struct camera *c, bool inverse,
     struct map *r)
 {
 	bool pose = c->kind == CAMERA_POSE, back = inverse != pose;
@@ -247,7 +247,7 @@ const char *camera_map(const struct camera *c,
 	struct axis axis[3];
 
 	if (c->kind == CAMERA_MATRIX || c->kind == CAMERA_POSE)
-		return map_of_matrix(c, inverse, r);
+		return camera_matrix_map(c, inverse, r);
 	const char *why = c->kind <= CAMERA_GAZE ?
 	    axes_of_gaze(c, convention, axis) :
 	    by_rvec ? axes_of_rvec(c, axis) :

@@ -378,8 +378,8 @@ static bool is_transposed(const double m[4][4])
 	return is_w_of_z(m, true) && !is_w_of_z(m, false) && !is_affine;
 }
 
-static const char *map_of_matrix(const struct projection *p, bool inverse,
-    struct map *r)
+static const char *projection_matrix_map(const struct projection *p,
+    bool inverse, struct map *r)
 {
 	map_of_doubles(p->matrix, r);
 	if (is_transposed(p->matrix))
@@ -468,7 +468,7 @@ const char *projection_map(const struct projection *p,
 		return NULL;
 	}
 	if (p->type == PROJECTION_MATRIX)
-		return map_of_matrix(p, inverse, r);
+		return projection_matrix_map(p, inverse, r);
 	const char *why = scaled_of_projection(p, c, &f);
 
 	if (why != NULL)
