@@ -151,7 +151,7 @@ static void *run_scenes(void *with)
 		answer_no_scene(options_output(o));
 	while (params_next(o)) {
 		run->command->run(run->command, o);
-		if (ex_has_lost())
+		if (ex_has_overflowed())
 			die(EXIT_INPUT,
 			    "what is printed is not exact: " SCENE_TOO_WIDE);
 	}

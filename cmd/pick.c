@@ -94,7 +94,7 @@ static void hits_take(const struct job *j, struct chunk *c, size_t n,
 	unsigned char outside[POINTS_BLOCK];
 	bool known = false; /* outside and, if near, view are computed */
 
-	points_carry(&j->transform, j->precision, in, device, points);
+	points_map(&j->transform, j->precision, in, device, points);
 	for (size_t i = 0, p = 0; i < n; i++) {
 		const struct line *line = &c->line[i];
 		size_t at = p, number = c->n_lines - n + i;
@@ -117,7 +117,7 @@ static void hits_take(const struct job *j, struct chunk *c, size_t n,
 		if (!known) {
 			frustum_out_all(&j->frustum, in, outside, points);
 			if (h->near)
-				points_carry(&h->picker.depth, PRECISION_EXACT,
+				points_map(&h->picker.depth, PRECISION_EXACT,
 				    in, view, points);
 			known = true;
 		}

@@ -35,7 +35,7 @@ static void images_transform(struct images *m, const struct job *j,
 		double(*v)[BATCH] = m->v[s];
 		double *const to[4] = { v[0], v[1], v[2], v[3] };
 
-		points_carry(&trace->to[s], j->precision, from, to, n);
+		points_map(&trace->to[s], j->precision, from, to, n);
 		for (int k = 0; k < trace->to[s].out; k++)
 			number_texts(v[k], n, j->layout.single,
 			    j->layout.style[k], m->text[s][k]);

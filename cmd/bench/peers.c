@@ -144,7 +144,7 @@ static void carry(const struct entry *e, const struct transform *t, size_t n)
 	double *const to[4] = { out[0], out[1], out[2], out[3] };
 
 	if (e->peer == NULL)
-		points_carry(t, e->precision, from, to, n);
+		points_map(t, e->precision, from, to, n);
 	else
 		e->peer->carry(peer_in, peer_out, n);
 }

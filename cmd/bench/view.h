@@ -24,7 +24,7 @@ static inline struct scene scene_of(const struct view *v)
 {
 	struct scene s = {
 		.has_camera = true,
-		.camera = { .by = CAMERA_AT },
+		.camera = { .kind = CAMERA_AT },
 		.projection = { .type = PROJECTION_PERSP,
 		    .extent = EXTENT_FOVY,
 		    .angle = v->fovy,

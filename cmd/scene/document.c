@@ -264,10 +264,10 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 	s->camera.unit = d->unit;
 	s->projection.alone = !s->has_camera;
 	d->has_eye = s->has_camera &&
-	    (s->camera.by >= CAMERA_TRANSLATION ||
+	    (s->camera.kind >= CAMERA_TRANSLATION ||
 		value_member(&m[CAMERA], "eye", &given));
-	if (s->camera.by == CAMERA_RVEC ||
-	    s->camera.by == CAMERA_RVEC_TRANSLATION)
+	if (s->camera.kind == CAMERA_RVEC ||
+	    s->camera.kind == CAMERA_RVEC_TRANSLATION)
 		check_axes(&m[CAMERA], "rvec");
 	if (seen & SCENE_PROJECTION)
 		projection_complete(&m[PROJECTION],

@@ -59,7 +59,7 @@ static const struct ways camera_ways[] = {
 		"eye? orientation roll?", "eye? rvec roll?",
 		"translation orientation roll?", "translation rvec roll?",
 		"pose orthonormalize?", "matrix orthonormalize?" },
-	    .at = offsetof(struct camera, by),
+	    .at = offsetof(struct camera, kind),
 	},
 	{ .way = { NULL } },
 };

@@ -335,6 +335,8 @@ static void find_sides(const struct value *v, const struct viewport *viewport,
 static bool needs_aspect(const struct value *v, const struct viewport *viewport,
     const struct projection *p)
 {
+	if (member_bit(projection_members, (int)p->type - 1, "aspect") == 0)
+		return false;
 	if (p->type == PROJECTION_VOLUME)
 		return p->aspect[1] != 0;
 	if (v->source->fit && p->type != PROJECTION_PERSP)
@@ -348,7 +350,7 @@ void projection_complete(const struct value *v, const struct viewport *viewport,
 {
 	struct value missing = value_missing(v, "aspect");
 
-	if (v->unused || p->type == PROJECTION_MATRIX)
+	if (v->unused)
 		return;
 	if (projection_is_by_p(p))
 		find_sides(v, viewport, p);

@@ -137,7 +137,7 @@ bool binary_carry(const struct job *j, struct chunk *c)
 
 	if (l->in.format != FORMAT_F32 || l->out.format != FORMAT_F32 ||
 	    !l->single || l->record > 0 || n == 0 ||
-	    !points_carry_floats(&j->transform, c->text, images, n))
+	    !points_map_floats(&j->transform, c->text, images, n))
 		return false;
 	c->size += n * binary_written(l);
 	c->text += n * layout_record(l);

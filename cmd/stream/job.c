@@ -14,7 +14,7 @@ static void job_carry(const struct job *j, struct chunk *c, size_t n)
 	if (j->rays)
 		rays_cast(&j->ray, single, in, out, out + 3, n);
 	else
-		points_carry(&j->transform, j->precision, in, out, n);
+		points_map(&j->transform, j->precision, in, out, n);
 }
 
 void job_do(struct job *j, struct chunk *c)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Measures nanoseconds a point of points_carry, for every copy of the kernels that this
+/* Measures nanoseconds a point of points_map, for every copy of the kernels that this
  * processor runs, every precision and every kind of transform, on a block that lies in
  * the cache. Prints a table in markdown. */
 #include <stdio.h>
@@ -15,7 +15,7 @@ static const char *const copies[COPIES] = { "baseline", "avx2", "avx512",
 
 static const struct scene scene = {
 	.has_camera = true,
-	.camera = { .by = CAMERA_AT,
+	.camera = { .kind = CAMERA_AT,
 	    .eye = { 1, 2, -5 },
 	    .at = { 0.1, 0.2, 0.3 },
 	    .up = { 0, 1, 0 } },
@@ -89,7 +89,7 @@ static double measure(const struct sample *s, enum precision p)
 	double start = clock_ns();
 
 	for (int i = 0; i < CALLS; i++)
-		points_carry(&s->transform, p, in, out, POINTS_BLOCK);
+		points_map(&s->transform, p, in, out, POINTS_BLOCK);
 	return (clock_ns() - start) / (CALLS * POINTS_BLOCK);
 }
 

@@ -109,7 +109,7 @@ double depth_distance(const struct depth *d, bool far)
 	depth_quotient(d, far, &over, &under);
 	if (d->open || sum_sign(under) < 0)
 		return (double)NAN;
-	return sum_sign(under) == 0 ? HUGE_VAL : sum_over_or_nan(over, under);
+	return sum_sign(under) == 0 ? HUGE_VAL : sum_ratio_or_nan(over, under);
 }
 
 static int compare_depths(const struct at *a, const struct at *b)
@@ -157,7 +157,7 @@ static double between(const struct depth *d, const struct at *a,
 	if (sum_sign(way) == 0 || sum_sign(under[0]) * sum_sign(a->d) <= 0 ||
 	    sum_sign(under[1]) * sum_sign(b->d) <= 0)
 		return (double)NAN;
-	return sum_over_or_nan(sum_abs(way),
+	return sum_ratio_or_nan(sum_abs(way),
 	    sum_abs(sum_mul(under[0], under[1])));
 }
 

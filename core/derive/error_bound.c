@@ -40,8 +40,8 @@ static void set_corner(const struct scene *s, const struct map *from_clip,
 
 	for (int j = 0; j < 3; j++)
 		c->p[j] = fabs(
-		    sum_over(sum_sub(h[j], sum_scale(h[3], origin[j])), over));
-	c->inverse = sum_over(h[3], over);
+		    sum_ratio(sum_sub(h[j], sum_scale(h[3], origin[j])), over));
+	c->inverse = sum_ratio(h[3], over);
 }
 
 static void set_size(const struct scene *s, struct volume *to)

@@ -20,7 +20,7 @@ static const char *from_axes(struct camera *c,
 	struct map back;
 	const char *why = camera_map(c, convention, true, &back);
 
-	if (why == NULL && c->by >= CAMERA_TRANSLATION)
+	if (why == NULL && c->kind >= CAMERA_TRANSLATION)
 		for (int k = 0; k < 3; k++)
 			c->eye[k] = map_nearest(&back, 3, k, false);
 	turned.roll = 0;
@@ -31,7 +31,7 @@ static const char *from_axes(struct camera *c,
 		c->at[k] = along * map_nearest(&back, 2, k, false);
 		c->up[k] = upward * map_nearest(&back, 1, k, false);
 	}
-	if (c->by >= CAMERA_POSE)
+	if (c->kind >= CAMERA_POSE)
 		c->roll = 0;
 	return why;
 }
@@ -61,17 +61,17 @@ static const char *gaze_of(struct scene *s)
 	struct map view;
 
 	if (!s->has_camera)
-		*c = (struct camera){ .by = CAMERA_GAZE,
+		*c = (struct camera){ .kind = CAMERA_GAZE,
 			.at = { 0, 0, looks_back(convention) ? -1 : 1 },
 			.up = { 0, convention->view_y_down ? -1 : 1, 0 } };
 	s->has_camera = true;
 	const char *why = camera_map(c, convention, false, &view);
 
-	if (why == NULL && c->by >= CAMERA_ORIENTATION)
+	if (why == NULL && c->kind >= CAMERA_ORIENTATION)
 		why = from_axes(c, convention);
-	else if (c->by == CAMERA_AT)
+	else if (c->kind == CAMERA_AT)
 		from_at(c);
-	c->by = CAMERA_GAZE;
+	c->kind = CAMERA_GAZE;
 	return why;
 }
 
@@ -85,14 +85,14 @@ static void eye_move(const struct map *back, const struct sum step[3],
 
 		for (int i = 0; i < 3; i++)
 			sum = sum_add(sum, sum_mul(step[i], back->m[i][k]));
-		eye[k] = sum_over(sum, back->divisor);
+		eye[k] = sum_ratio(sum, back->divisor);
 	}
 }
 
 /* The least double that times d, which is above 0, is not below n. */
 static double least_over(struct sum n, struct sum d)
 {
-	double v = sum_over(n, d);
+	double v = sum_ratio(n, d);
 
 	return sum_compare(sum_scale(d, v), n) < 0 ? nextafter(v, HUGE_VAL) : v;
 }
@@ -102,8 +102,8 @@ static double least_over(struct sum n, struct sum d)
 static void widen_sides(double *width, double *height, double across, double up)
 {
 	struct sum w = sum_of_double(across), h = sum_of_double(up);
-	double wide = sum_over(sum_scale(w, *height), h);
-	double high = sum_over(sum_scale(h, *width), w);
+	double wide = sum_ratio(sum_scale(w, *height), h);
+	double high = sum_ratio(sum_scale(h, *width), w);
 
 	if (wide > *width)
 		*width = wide;
@@ -333,7 +333,7 @@ static const char *close_sides(struct scene *s, const struct hull *h)
 		struct sum left = sum_neg(r.low[j]), right = r.high[j];
 		struct sum most = sum_compare(left, right) < 0 ? right : left;
 
-		*size[j] = 2 * sum_over(sum_mul(most, scale[j]), half[j]);
+		*size[j] = 2 * sum_ratio(sum_mul(most, scale[j]), half[j]);
 		if (!(*size[j] > 0))
 			return "/camera/eye: too far from the bounds to tell "
 			       "their size; leave it out, or move it nearer";
@@ -378,7 +378,7 @@ static void keep_off_eye(struct projection *p)
 	struct sum over, under;
 
 	projection_inverse_eye_z(p, &over, &under);
-	double eye = sum_sign(over) == 0 ? (double)NAN : sum_over(under, over);
+	double eye = sum_sign(over) == 0 ? (double)NAN : sum_ratio(under, over);
 	double least = eye - p->near_ratio * (eye - p->z_far);
 
 	if (p->z_near > p->z_far ? eye > p->z_far && least < p->z_near :

@@ -62,9 +62,9 @@ struct sum hull_lowest(const struct hull *h, const struct map *m, int j,
 
 	for (int i = 0; i < 3; i++)
 		p[i] = sum_of_double(h->point[0][i]);
-	map_column(m, j, p, &at);
+	map_image(m, j, p, &at);
 	at = sum_add(sum_negated_if(minus, at), lowest_step(h, m, j, minus));
-	return sum_settled(sum_quotient(at, m->divisor));
+	return sum_snap_zero(sum_quotient(at, m->divisor));
 }
 
 /* The size is made of steps, as it may be below the errors of low and high. */

@@ -13,7 +13,7 @@ void directions_add(struct directions *all, const struct map *map, int j,
 	struct sum largest = sum_of_double(0);
 
 	for (int i = 0; i < 3; i++) {
-		d->m[i] = sum_settled(sum_negated_if(minus, map->m[i][j]));
+		d->m[i] = sum_snap_zero(sum_negated_if(minus, map->m[i][j]));
 		if (sum_sign(sum_sub(sum_abs(d->m[i]), largest)) > 0)
 			largest = sum_abs(d->m[i]);
 	}
@@ -22,7 +22,7 @@ void directions_add(struct directions *all, const struct map *map, int j,
 		double over = 0;
 
 		if (sign != 0)
-			over = sum_over(d->m[i], largest);
+			over = sum_ratio(d->m[i], largest);
 		if (sign != 0 && over == 0)
 			over = sign * 0x1p-1074;
 		d->hi[i] = all->hi[all->n][i] = over;

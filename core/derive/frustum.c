@@ -213,6 +213,6 @@ struct sum view_corner(const struct scene *s, const struct map *from_clip,
 	};
 
 	for (int j = 0; j < 4; j++)
-		map_column(from_clip, j, clip, &h[j]);
+		map_image(from_clip, j, clip, &h[j]);
 	return sum_mul(w, from_clip->divisor);
 }

@@ -163,7 +163,7 @@ static double side_at(const struct upright *u, struct sum n, struct sum d,
 	struct sum off = sum_add(sum_mul(z, n), sum_mul(t, d));
 	struct sum w = sum_add(sum_mul(u->zw, n), sum_mul(u->tw, d));
 
-	return sum_over_or_nan(sum_sub(sum_negated_if(minus, w), off),
+	return sum_ratio_or_nan(sum_sub(sum_negated_if(minus, w), off),
 	    sum_mul(x, d));
 }
 
@@ -178,13 +178,13 @@ static void set_planes(const struct scene *s, const struct upright *u,
 	for (int k = 0; k < 4 && u->own && !isnan(r->near); k++) {
 		view_corner(s, &back, k % 2 == 0 ? 0 : 2, h);
 		if (k >= 2 || sum_sign(u->yx) == 0)
-			r->plane[k] = sum_over_or_nan(h[k / 2], h[3]);
+			r->plane[k] = sum_ratio_or_nan(h[k / 2], h[3]);
 	}
 	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
 	struct sum wide = sum_mul(sum_mul(u->y, half[0]), scale[1]);
 	struct sum high = sum_mul(sum_mul(u->x, half[1]), scale[0]);
 
-	r->aspect = sum_over_or_nan(sum_abs(wide), sum_abs(high));
+	r->aspect = sum_ratio_or_nan(sum_abs(wide), sum_abs(high));
 }
 
 static const char *set_frustum_planes(const struct scene *s, double plane[6][4])
@@ -202,7 +202,7 @@ static const char *set_frustum_planes(const struct scene *s, double plane[6][4])
 
 		for (int i = 0; i < 4; i++)
 			plane[k][i] = sum_sign(length) != 0 ?
-			    sum_over_or_nan(v[i], length) :
+			    sum_ratio_or_nan(v[i], length) :
 			    NONE;
 	}
 	return why;
@@ -239,9 +239,9 @@ static void set_camera_axis(const struct map *m, const struct sum axis[3],
 	struct sum a[3];
 
 	for (int k = 0; k < 3; k++)
-		a[k] = sum_settled(vec3_dot(m->m[k], axis));
+		a[k] = sum_snap_zero(vec3_dot(m->m[k], axis));
 	for (int k = 0; k < 3; k++)
-		v[k] = sum_over_or_nan(a[k], vec3_length(a));
+		v[k] = sum_ratio_or_nan(a[k], vec3_length(a));
 }
 
 /* A perspective's eye is where its projectors meet. No reason can come: taxonomy_of
@@ -254,7 +254,7 @@ static void set_camera(const struct scene *s, const struct upright *u,
 
 	scene_map(s, SPACE_WORLD, SPACE_VIEW, &view);
 	scene_map(s, SPACE_VIEW, SPACE_WORLD, &back);
-	*c = (struct camera){ .by = CAMERA_GAZE };
+	*c = (struct camera){ .kind = CAMERA_GAZE };
 	r->scene.has_camera = true;
 	if (!is_rotation(&view, is_mirrored(s)))
 		r->notes |= 1u << NOTE_NO_ROTATION;
@@ -280,14 +280,14 @@ static void set_intrinsics(const struct scene *s, const struct upright *u,
 	struct sum zy = sum_negated_if(down, u->zy);
 
 	memset(k, 0, 9 * sizeof(double));
-	k[0][0] = sum_over_or_nan(sum_mul(x, scale[0]), u->zw);
-	k[0][1] = sum_over_or_nan(sum_mul(yx, scale[0]), u->zw);
-	k[0][2] = sum_over_or_nan(sum_add(sum_mul(u->zw, half[0]),
-				      sum_mul(u->zx, scale[0])),
+	k[0][0] = sum_ratio_or_nan(sum_mul(x, scale[0]), u->zw);
+	k[0][1] = sum_ratio_or_nan(sum_mul(yx, scale[0]), u->zw);
+	k[0][2] = sum_ratio_or_nan(sum_add(sum_mul(u->zw, half[0]),
+				       sum_mul(u->zx, scale[0])),
 	    u->zw);
-	k[1][1] = sum_over_or_nan(sum_mul(u->y, scale[1]), u->zw);
-	k[1][2] = sum_over_or_nan(sum_add(sum_mul(u->zw, half[1]),
-				      sum_mul(zy, scale[1])),
+	k[1][1] = sum_ratio_or_nan(sum_mul(u->y, scale[1]), u->zw);
+	k[1][2] = sum_ratio_or_nan(sum_add(sum_mul(u->zw, half[1]),
+				       sum_mul(zy, scale[1])),
 	    u->zw);
 	k[2][2] = 1;
 }
@@ -337,9 +337,9 @@ static void set_shear(const struct upright *u, const struct projection *given,
 		p->plane = given->plane;
 		p->kind = given->kind;
 	}
-	p->projector = degrees_of(sum_abs(sum_mul(u->x, u->y)),
+	p->projector = trig_degrees(sum_abs(sum_mul(u->x, u->y)),
 	    vec3_length(both));
-	p->direction = degrees_of(sum_abs(y), x);
+	p->direction = trig_degrees(sum_abs(y), x);
 	if (sum_sign(y) < 0)
 		p->direction = -p->direction;
 }

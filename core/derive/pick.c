@@ -25,7 +25,7 @@ const char *picker_of(const struct scene *s, const struct transform *to_device,
 	k->to_device = to_device;
 	for (int i = 0; i < 4; i++)
 		m->m[i][2] = sum_mul(m->m[i][plane], divisor);
-	map_column_over(m, 2, vec3_length(gradient));
+	map_divide_column(m, 2, vec3_length(gradient));
 	/* as of an affine map */
 	for (int i = 0; i < 4; i++)
 		m->m[i][3] = i < 3 ? sum_of_double(0) : m->divisor;
@@ -66,7 +66,7 @@ bool pick_holds(const struct picker *k, const double in[4],
 
 double pick_distance(const struct picker *k, const double in[4])
 {
-	return sum_over(point_column(&k->depth, 2, in), k->depth.map.divisor);
+	return sum_ratio(point_column(&k->depth, 2, in), k->depth.map.divisor);
 }
 
 int pick_compare(const struct picker *k, const double p[4], const double q[4])

@@ -80,7 +80,7 @@ static void ray_direction(const struct ray_maker *r, const double in[4],
 	struct sum to[3];
 
 	for (int j = 0; j < 3; j++)
-		to[j] = sum_settled(point_column(&r->along, j, in));
+		to[j] = sum_snap_zero(point_column(&r->along, j, in));
 	struct sum length = vec3_length(to);
 
 	for (int j = 0; j < 3; j++)
@@ -138,7 +138,7 @@ void rays_cast(const struct ray_maker *r, bool single,
 
 	for (size_t i = 0; i < POINTS_BLOCK; i++)
 		depth[i] = r->depth;
-	points_carry(&r->to_world, PRECISION_EXACT, in, out, n);
+	points_map(&r->to_world, PRECISION_EXACT, in, out, n);
 	points_kernels()->exact[KERNEL_DIRECTION](&r->along.for_kernel, at,
 	    direction, n);
 	for (size_t i = 0; i < n; i++) {
@@ -218,7 +218,7 @@ const char *ray_plane_transform(const struct scene *s, enum space from,
 			set_row(&m, i, p, r);
 	if (is_even(&m) && sum_sign(m.m[3][3]) < 0)
 		through = sum_neg(through);
-	map_over(r, sum_mul(through, m.divisor));
+	map_divide(r, sum_mul(through, m.divisor));
 	t->in = 2;
 	t->out = 3;
 	t->divide = t->front = true;

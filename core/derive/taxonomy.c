@@ -83,14 +83,14 @@ static void name_parallel(const struct lens *l, struct taxonomy *t)
 		struct sum na = vec3_dot(n, a);
 
 		for (int k = 0; k < 3; k++)
-			v[k] = sum_settled(sum_minor(a[k], nd, d[k], na));
-		t->foreshortening[i] = sum_over_or_nan(vec3_length(v),
+			v[k] = sum_snap_zero(sum_minor(a[k], nd, d[k], na));
+		t->foreshortening[i] = sum_ratio_or_nan(vec3_length(v),
 		    sum_mul(size, l->divisor));
 	}
 	vec3_cross(d, n, across);
 	for (int k = 0; k < 3; k++)
-		across[k] = sum_settled(across[k]);
-	double cot = sum_over_or_nan(vec3_length(across), size);
+		across[k] = sum_snap_zero(across[k]);
+	double cot = sum_ratio_or_nan(vec3_length(across), size);
 
 	t->taxon = cot <= ALIKE ? TAXON_ORTHOGRAPHIC : TAXON_OBLIQUE;
 	t->kind = cot <= ALIKE ? axonometric_kind(t->foreshortening) :
@@ -105,7 +105,7 @@ static enum kind perspective_kind(const struct lens *l)
 	int n = 0;
 
 	for (int i = 0; i < 3; i++)
-		n += sum_over_or_nan(sum_abs(vec3_dot(l->axis[i], g)),
+		n += sum_ratio_or_nan(sum_abs(vec3_dot(l->axis[i], g)),
 			 sum_mul(vec3_length(l->axis[i]), gradient)) > ALIKE;
 	if (n < 2)
 		return KIND_ONE_POINT;
@@ -127,7 +127,7 @@ static void set_fov(const struct lens *l, const struct scene *s, double fov[2])
 			a[i] = sum_mul(one[k], l->gradient[k][i]);
 		}
 		vec3_cross(a, g, v);
-		fov[k] = degrees_of(sum_scale(vec3_length(v), 2),
+		fov[k] = trig_degrees(sum_scale(vec3_length(v), 2),
 		    sum_sub(vec3_dot(a, a), vec3_dot(g, g)));
 	}
 }
@@ -146,7 +146,7 @@ static void name_perspective(const struct lens *l, const struct scene *s,
 		const struct sum *m = l->to_screen.m[i];
 
 		for (int k = 0; k < 2 && sum_sign(m[3]) != 0; k++)
-			t->vanishing_point[i][k] = sum_over_or_nan(m[k], m[3]);
+			t->vanishing_point[i][k] = sum_ratio_or_nan(m[k], m[3]);
 	}
 }
 
@@ -160,14 +160,14 @@ static void set_gaze(const struct lens *l, bool against, double gaze[3])
 		n[i] = sum_negated_if(against,
 		    vec3_dot(l->axis[i], l->gradient[l->parallel ? 2 : 3]));
 	for (int i = 0; i < 3; i++)
-		gaze[i] = sum_over_or_nan(n[i], vec3_length(n));
+		gaze[i] = sum_ratio_or_nan(n[i], vec3_length(n));
 }
 
 /* A point from its homogeneous coordinates; nan where there is none. */
 static void taxonomy_point(const struct sum h[4], bool is, double p[3])
 {
 	for (int j = 0; j < 3; j++)
-		p[j] = is ? sum_over_or_nan(h[j], h[3]) : (double)NAN;
+		p[j] = is ? sum_ratio_or_nan(h[j], h[3]) : (double)NAN;
 }
 
 const char *taxonomy_of(const struct scene *s, struct taxonomy *t)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A double and what it leaves of a number. Compile with -ffp-contract=off: each
- * operation of the program is one rounding, and fma appears only where it is
- * written. */
+/* Double-double numbers, and the floating-point environment that the program needs.
+ * Compile with -ffp-contract=off: each operation is rounded once, and fma stands only
+ * where the source calls it. */
 #ifndef DD_H
 #define DD_H
 
@@ -12,14 +12,14 @@
     defined __RECIPROCAL_MATH__ ||                           \
     (defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__)
 #error compile without -ffast-math and -Ofast, as with -O2: \
-they leave out operations that the bounds here count on
+they remove operations that the error bounds count
 #endif
 #if FLT_EVAL_METHOD != 0
-#error doubles are to be rounded to doubles: on x86 compile with \
+#error each operation must round to double: on x86 compile with \
 -msse2 -mfpmath=sse
 #endif
 
-/* hi + lo, unevaluated, where hi is the double nearest to the sum. */
+/* The unevaluated sum hi + lo, where hi is the double nearest to the sum. */
 typedef struct {
 	double hi, lo;
 } dd;

@@ -9,15 +9,15 @@
 
 static const ex one = { 1, 1, 0, { 1 } };
 
-static atomic_bool ex_lost;
+static atomic_bool ex_overflowed;
 
-bool ex_has_lost(void)
+bool ex_has_overflowed(void)
 {
-	return atomic_exchange(&ex_lost, false);
+	return atomic_exchange(&ex_overflowed, false);
 }
 
-/* Sets *r to sign w[0..n) 2^(64 e), with no zeros at either end, as far as there
- * is room. */
+/* Sets *r to sign w[0..n) 2^(64 e) without zeros at either end. Only the EX_WORDS highest
+ * words are kept. */
 static void ex_put(ex *r, int sign, const uint64_t *w, int n, int e)
 {
 	while (n > 0 && w[n - 1] == 0)
@@ -31,7 +31,7 @@ static void ex_put(ex *r, int sign, const uint64_t *w, int n, int e)
 		w += n - EX_WORDS;
 		e += n - EX_WORDS;
 		n = EX_WORDS;
-		ex_lost = true;
+		ex_overflowed = true;
 	}
 	r->sign = n > 0 ? sign : 0;
 	r->n = n;
@@ -40,10 +40,9 @@ static void ex_put(ex *r, int sign, const uint64_t *w, int n, int e)
 		r->word[i] = w[i];
 }
 
-/* The word that has the bit 2^e. */
-int ex_word_of(int e)
+int ex_word_index(int bit)
 {
-	return (e - (e & 63)) / 64;
+	return (bit - (bit & 63)) / 64;
 }
 
 void ex_set(ex *r, double a)
@@ -54,12 +53,13 @@ void ex_set(ex *r, double a)
 	int e = (int)(bits >> 52 & 0x7ff);
 	uint64_t m = bits & (leading - 1);
 
-	/* a subnormal number has the exponent 1, too, but no leading one */
+	/* a subnormal number has no leading bit, and the exponent of the least normal
+	 * one */
 	m = e > 0 ? m | leading : m;
 	e = (e > 0 ? e : 1) - 1075;
 	uint64_t w[2] = { m << (e & 63), m >> 1 >> (63 - (e & 63)) };
 
-	ex_put(r, bits >> 63 ? -1 : 1, w, 2, ex_word_of(e));
+	ex_put(r, bits >> 63 ? -1 : 1, w, 2, ex_word_index(e));
 }
 
 ex ex_of(double a)
@@ -70,7 +70,7 @@ ex ex_of(double a)
 	return r;
 }
 
-/* The word of 2^(64 at). */
+/* Returns the word of 2^(64 at). */
 static uint64_t word_at(const ex *a, int at)
 {
 	return at >= a->e && at < a->e + a->n ? a->word[at - a->e] : 0;
@@ -87,7 +87,7 @@ ex ex_neg(ex a)
 	return a;
 }
 
-/* |a| |b| into w[0..a->n + b->n). */
+/* Writes |a| |b| to w[0..a->n + b->n). */
 static void multiply(uint64_t *w, const ex *a, const ex *b)
 {
 	for (int i = 0; i < a->n + b->n; i++)
@@ -102,8 +102,8 @@ static void multiply(uint64_t *w, const ex *a, const ex *b)
 	}
 }
 
-/* Adds sign w[0..n) 2^(64 e), or what of it is not below low, to a number in two's
- * complement from low to high. */
+/* Adds sign w[0..n) 2^(64 e), without its words below low, to a number in two's complement
+ * whose words are low to high - 1. */
 static void accumulate(uint64_t *sum, int low, int high, int sign,
     const uint64_t *w, int n, int e)
 {
@@ -138,16 +138,20 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 	if (high - low > 2 * EX_WORDS) {
 		low = high - 2 * EX_WORDS;
 		if (low > least)
-			ex_lost = true;
+			ex_overflowed = true;
 	}
 	for (int i = 0; i < high - low; i++)
 		sum[i] = 0;
 	for (int k = 0; k < n; k++) {
+		bool by_one = b[k]->n == 1 && b[k]->word[0] == 1;
+
 		if (a[k]->n == 0 || b[k]->n == 0)
 			continue;
-		multiply(w, a[k], b[k]);
-		accumulate(sum, low, high, a[k]->sign * b[k]->sign, w,
-		    a[k]->n + b[k]->n, a[k]->e + b[k]->e);
+		if (!by_one)
+			multiply(w, a[k], b[k]);
+		accumulate(sum, low, high, a[k]->sign * b[k]->sign,
+		    by_one ? a[k]->word : w, a[k]->n + (by_one ? 0 : b[k]->n),
+		    a[k]->e + b[k]->e);
 	}
 	bool minus = sum[high - low - 1] >> 63;
 	uint64_t carry = minus;
@@ -156,7 +160,7 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 		sum[i] = add_carry(~sum[i], 0, &carry);
 	while (high > low && sum[high - low - 1] == 0)
 		high--;
-	int rest = high - low - EX_KEPT;
+	int rest = high - low - EX_MIN_WORDS;
 
 	rest = rest < 0 || least <= low ? 0 :
 	    least - low < rest          ? least - low :
@@ -185,18 +189,12 @@ ex ex_sub(ex a, ex b)
 	return ex_add(a, ex_neg(b));
 }
 
-ex ex_shift(ex a, int e)
-{
-	a.e += a.n > 0 ? ex_word_of(e) : 0;
-	return e & 63 ? ex_mul(a, ex_of(ldexp(1, e & 63))) : a;
-}
-
 int ex_compare(ex a, ex b)
 {
 	return ex_sub(a, b).sign;
 }
 
-ex ex_first(ex a, int n)
+ex ex_truncate(ex a, int n)
 {
 	int rest = a.n > n ? a.n - n : 0;
 	ex r;
@@ -205,10 +203,10 @@ ex ex_first(ex a, int n)
 	return r;
 }
 
-/* One word of the long division of u[0..n] by d[0..n), whose top bit is set:
- * Knuth, The Art of Computer Programming, volume 2, 4.3.1, algorithm D. u
- * becomes the remainder, and u[n] <= d[n - 1]. The quotient of the first words is at
- * most 2 too large (theorem B there); u is below 0 as long as it is. */
+/* Returns one word of the long division of u[0..n] by d[0..n), and leaves the remainder
+ * in u: Knuth, The Art of Computer Programming, volume 2, 4.3.1, algorithm D. The top
+ * bit of d is set, and u[n] <= d[n - 1]. The quotient of the highest words is at most 2
+ * too large (theorem B there); while it is too large, u is negative. */
 static uint64_t divide_word(uint64_t *u, const uint64_t *d, int n)
 {
 	uint64_t carry = 0, q = UINT64_MAX;
@@ -229,12 +227,22 @@ static uint64_t divide_word(uint64_t *u, const uint64_t *d, int n)
 	return q;
 }
 
-/* The 64 bits from 2^e on. */
+/* Returns the 64 bits of |a| from 2^e upwards. */
 static uint64_t bits_from(const ex *a, int e)
 {
-	int at = ex_word_of(e), bits = e & 63;
+	int at = ex_word_index(e), bits = e & 63;
 
 	return word_at(a, at) >> bits | word_at(a, at + 1) << 1 << (63 - bits);
+}
+
+ex ex_shift(ex a, int e)
+{
+	uint64_t w[EX_WORDS + 1];
+
+	for (int i = 0; i <= a.n; i++)
+		w[i] = bits_from(&a, 64 * (a.e + i) - (e & 63));
+	ex_put(&a, a.sign, w, a.n + 1, a.e + ex_word_index(e));
+	return a;
 }
 
 static int leading_zeros(const ex *a)
@@ -242,7 +250,7 @@ static int leading_zeros(const ex *a)
 	return __builtin_clzll(a->word[a->n - 1]);
 }
 
-/* An exponent that no quotient of numbers that a scene is made of has. */
+/* The exponent of a quotient by 0: above that of all quotients of a scene's numbers. */
 enum { BEYOND = 1 << 20 };
 
 bool ex_divide(const ex *a, const ex *b, int words, ex *r)
@@ -254,7 +262,7 @@ bool ex_divide(const ex *a, const ex *b, int words, ex *r)
 		*r = ex_shift(ex_of(b->n == 0), BEYOND);
 		return a->n == 0;
 	}
-	/* so that d's top bit is set, as the division wants it */
+	/* the shift that sets the top bit of d */
 	int bits = leading_zeros(b);
 
 	for (int i = 0; i < b->n; i++)
@@ -280,9 +288,9 @@ ex ex_quotient(ex a, ex b)
 	return r;
 }
 
-/* Newton's iteration doubles the 50 digits of a double's root until there are
- * more than are kept; what is beyond these rounds a root of few digits to
- * itself. */
+/* Newton's iteration doubles the bits of the root, which begins with a double's 50: a
+ * step's quotient therefore needs 2, 4, 8, and at last EX_QUOTIENT words. After rounding
+ * to the words kept, a root of few words is exact. */
 ex ex_sqrt(ex a)
 {
 	int e;
@@ -292,13 +300,18 @@ ex ex_sqrt(ex a)
 	e = 32 * (top(&a) - 1);
 	ex m = ex_shift(a, -2 * e), r = ex_of(sqrt(ex_double(m)));
 
-	for (int i = 0; i < 4; i++)
-		r = ex_shift(ex_add(r, ex_quotient(m, r)), -1);
+	for (int words = 2; words < 2 * EX_QUOTIENT; words *= 2) {
+		ex q;
+
+		ex_divide(&m, &r, words < EX_QUOTIENT ? words : EX_QUOTIENT,
+		    &q);
+		r = ex_shift(ex_add(r, q), -1);
+	}
 	r = ex_add(r, ex_shift(one, 64 * (top(&r) - EX_QUOTIENT) - 1));
-	return ex_shift(ex_first(r, EX_QUOTIENT), e);
+	return ex_shift(ex_truncate(r, EX_QUOTIENT), e);
 }
 
-/* To so many bits, but none below 2^least. */
+/* Returns a rounded to a number of bits, of which none is below 2^least. */
 static double ex_rounded(const ex *a, int bits, int least)
 {
 	if (a->n == 0)

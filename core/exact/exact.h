@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Exact arithmetic for the few numbers that a scene is made of, and for the few
- * points that double-double cannot decide: integers times a power of two. Sums
- * and products are exact, so a polynomial of the parameters, its sign and its
- * zeros are; quotients and roots are within EX_ERROR; what is made of them is
- * rounded once.
+/* Exact arithmetic on integers times a power of two. It computes the maps of a scene,
+ * and the few points that double-double cannot round with certainty. Sums and products
+ * are exact. A polynomial of the parameters is therefore exact, as are its sign and
+ * its zeros. Quotients and roots are within EX_ERROR.
  *
- * Integers and not sums of doubles that do not overlap, as these need a range of
- * exponents and a rounding mode to be exact in, several times the time, and a
- * proof that their terms are few. */
+ * The other representation, a sum of doubles that do not overlap, would need a wider
+ * range of exponents, a fixed rounding mode, several times the time, and a proof that
+ * its terms are few. */
 #ifndef EXACT_H
 #define EXACT_H
 
@@ -16,16 +15,17 @@
 
 #include "dd.h"
 
-/* A number of a document, or of a point, is a multiple of 2^-1074 below 2^499. A sum
- * of products of four of them, as the map of three matrices and its image of a point
- * are, or of a matrix's determinant, spans 4 * 1573 bits and few more of carries: 99
- * words, and two where its ends lie within words. Sums of products of more can span
- * more. What has no room is cut off, and ex_has_lost says so: scenes that make such a
- * map are refused (core/scene/scene.c), and maps that leave too little room for points
- * (core/points/transform.c). */
+/* A number of a document or of a point is a multiple of 2^-1074 below 2^499. A sum of
+ * products of four such numbers spans 4 * 1573 bits and a few of carries: 99 words, and
+ * two more where its ends lie within words. Such sums are the determinant of a matrix,
+ * and the image of a point by a product of three matrices. Sums of longer products can
+ * span more: their lowest words are cut off, and ex_has_overflowed returns true. Scenes
+ * with such a map are refused (core/scene/scene.c), and so are maps that leave too few
+ * words for points (core/points/transform.c). */
 enum { EX_WORDS = 110 };
 
-/* sign times the sum of word[i] 2^(64 (e + i)); neither end is 0. */
+/* sign times the sum of word[i] 2^(64 (e + i)) over the n words; the first and the last
+ * word are not 0. The number 0 has sign, n and e 0. */
 typedef struct {
 	int sign, n, e;
 	uint64_t word[EX_WORDS];
@@ -38,42 +38,45 @@ ex ex_sub(ex a, ex b);
 ex ex_mul(ex a, ex b);
 ex ex_shift(ex a, int e); /* a 2^e */
 
-/* Relative. What has five words or less is exact. A quotient by 0 is beyond the
- * range of doubles. The first of its words can be as small as 1. */
+/* The bound of the relative error of quotients and roots. A quotient keeps EX_QUOTIENT
+ * words, of which the first can be as small as 1. Results of five words or fewer are
+ * exact. A quotient by 0 is beyond the range of doubles. */
 #define EX_ERROR 0x1p-703
 enum { EX_QUOTIENT = 12 };
 
 ex ex_quotient(ex a, ex b);
 ex ex_sqrt(ex a);
 
-int ex_compare(ex a, ex b); /* the sign of a - b */
-ex ex_first(ex a, int n);   /* the n first words, toward 0 */
+int ex_compare(ex a, ex b);  /* the sign of a - b */
+ex ex_truncate(ex a, int n); /* the n highest words */
 
-/* Whether a number had no room since the last call, in any thread. */
-bool ex_has_lost(void);
+/* Returns whether a number had more than EX_WORDS words since the last call, in any
+ * thread. */
+bool ex_has_overflowed(void);
 
-/* So many words are left in any case of a number whose words below 2^(64 least) are
- * not wanted. */
-enum { EX_KEPT = 7 };
+/* Returns the e of the word 2^(64 e) that holds the bit 2^bit. */
+int ex_word_index(int bit);
 
-/* The nearest double or float, ties to even, also among the subnormal ones;
- * infinite beyond. */
+/* The functions below take pointers, as each point calls them. */
+void ex_set(ex *, double a);
+
+/* Computes the sum of n products a[k] b[k]. Words below 2^(64 least) are dropped as long
+ * as EX_MIN_WORDS remain. */
+enum { EX_MIN_WORDS = 7 };
+
+void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *);
+
+/* Computes a / b to words or words + 1 words. Returns whether the quotient is exact; if
+ * not, its last bit is set, so that it rounds as the exact quotient does. */
+bool ex_divide(const ex *a, const ex *b, int words, ex *);
+
+/* Returns the nearest double or, as single says, float; ties go to even, also among
+ * subnormal numbers. A number beyond the range gives an infinity, 0 gives +0. */
+double ex_nearest(const ex *, bool single);
 double ex_double(ex a);
 
-/* The word that has the bit 2^e. */
-int ex_word_of(int e);
-
-/* What every point needs, without copies: a double; a sum of products, without the
- * words below 2^(64 least); a quotient of so many words or one more, whose
- * last bit is 1 where something remains, so that it is rounded as the exact one (it
- * says whether none does); the nearest double or float. */
-void ex_set(ex *, double a);
-void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *);
-bool ex_divide(const ex *a, const ex *b, int words, ex *);
-double ex_nearest(const ex *, bool single);
-
-/* The nearest double, and the double nearest to what that leaves: within
- * EX_BOUND u^2 while that is no less than 2^-1022. */
+/* Returns the nearest double and the double nearest to the remainder: within EX_BOUND
+ * u^2, u = 2^-53, while the bound is at least 2^-1022. */
 #define EX_BOUND 0.5
 
 dd ex_round(ex a);

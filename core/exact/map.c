@@ -20,19 +20,17 @@ void vec3_cross(const struct sum a[3], const struct sum b[3], struct sum r[3])
 	}
 }
 
-/* As far as a is off, its length is at most. So its size is the sum of the
- * elements', and not of their squares. */
+/* The error of a length is at most that of the vector, and so at most the sum of the
+ * errors of its elements: the root of a square would lose this bound. */
 struct sum vec3_length(const struct sum a[3])
 {
 	struct sum r = sum_sqrt(vec3_dot(a, a));
 
 	if (r.error.m == 0)
 		return r;
-	struct sum off = sum_inexact(r.value, SUM_ERROR);
-
+	r = sum_with_error(r.value, SUM_ERROR);
 	for (int i = 0; i < 3; i++)
-		off = sum_add(off, (struct sum){ ex_of(0), a[i].error });
-	r.error = off.error;
+		r = sum_add(r, (struct sum){ ex_of(0), a[i].error });
 	return r;
 }
 
@@ -63,12 +61,12 @@ void map_of_doubles(const double m[4][4], struct map *r)
 
 static void divide_element(struct sum *a, const struct sum *d)
 {
-	if (!sum_is_nothing(a) && !sum_is_one(d))
+	if (!sum_is_exact_zero(a) && !sum_is_one(d))
 		*a = sum_quotient(*a, *d);
 }
 
 /* A power of two divides the elements and leaves the divisor 1. */
-void map_over(struct map *r, struct sum d)
+void map_divide(struct map *r, struct sum d)
 {
 	struct sum power = sum_of_double(d.value.sign);
 
@@ -81,7 +79,7 @@ void map_over(struct map *r, struct sum d)
 		divide_element(&r->m[i / 4][i % 4], &power);
 }
 
-void map_column_over(struct map *r, int j, struct sum d)
+void map_divide_column(struct map *r, int j, struct sum d)
 {
 	bool divides = d.error.m > 0 || sum_is_power_of_two(&d);
 
@@ -92,10 +90,10 @@ void map_column_over(struct map *r, int j, struct sum d)
 	for (int i = 0; i < 16; i++) {
 		struct sum *m = &r->m[i / 4][i % 4];
 
-		if (i % 4 != j && !sum_is_nothing(m))
+		if (i % 4 != j && !sum_is_exact_zero(m))
 			*m = sum_mul(*m, d);
 	}
-	map_over(r, d);
+	map_divide(r, d);
 }
 
 bool map_is_affine(const struct map *a)
@@ -111,12 +109,12 @@ static bool is_identity(const struct map *a)
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
 			if (i == j ? !sum_is_one(&a->m[i][j]) :
-				     !sum_is_nothing(&a->m[i][j]))
+				     !sum_is_exact_zero(&a->m[i][j]))
 				return false;
 	return sum_is_one(&a->divisor);
 }
 
-/* Elements below 2^960 surely are. */
+/* An element below 2^960 needs no rounding to be known as finite. */
 bool map_is_finite(const struct map *a)
 {
 	int most = a->divisor.value.e + a->divisor.value.n + 14;
@@ -131,23 +129,27 @@ bool map_is_finite(const struct map *a)
 	return true;
 }
 
-void map_column(const struct map *m, int j, const struct sum p[4],
-    struct sum *r)
+void map_image(const struct map *m, int j, const struct sum p[4], struct sum *r)
 {
 	sum_dot(4, p, &m->m[0][j], 4, r);
 }
 
-void map_then(const struct map *a, const struct map *b, struct map *r)
+void map_append(struct map *r, const struct map *stage, bool before)
 {
-	if (is_identity(a) || is_identity(b)) {
-		*r = is_identity(a) ? *b : *a;
+	const struct map old = *r;
+	const struct map *a = before ? stage : &old, *b = before ? &old : stage;
+
+	if (is_identity(stage))
+		return;
+	if (is_identity(&old)) {
+		*r = *stage;
 		return;
 	}
 	memcpy(r->origin, a->origin, sizeof r->origin);
 	r->divisor = sum_mul(a->divisor, b->divisor);
 	for (int i = 0; i < 4; i++)
 		for (int j = 0; j < 4; j++)
-			map_column(b, j, a->m[i], &r->m[i][j]);
+			map_image(b, j, a->m[i], &r->m[i][j]);
 }
 
 struct sum map_element(const struct map *a, int i, int j)
@@ -175,7 +177,7 @@ struct sum map_minor(int n, const struct sum m[4][4], unsigned rows,
 	for (int j = 0; j < 4 && n > 0; j++) {
 		if (columns >> j & 1)
 			continue;
-		if (!sum_is_nothing(&m[i][j])) {
+		if (!sum_is_exact_zero(&m[i][j])) {
 			struct sum p = sum_mul(m[i][j],
 			    map_minor(n - 1, m, rows | 1u << i,
 				columns | 1u << j));
@@ -203,7 +205,7 @@ bool map_inverse(const double m[4][4], struct map *inverse)
 			inverse->m[i][j] = sum_negated_if((i + j) % 2, c);
 		}
 	inverse->divisor = sum_of_double(1);
-	map_over(inverse, det);
+	map_divide(inverse, det);
 	for (int k = 0; k < 3; k++)
 		inverse->origin[k] = map_is_affine(&a) ? m[3][k] : 0;
 	return true;

@@ -5,9 +5,9 @@
 
 #include "../exact/trig.h"
 
-/* The symmetric matrix K with q K q = trace(Q' M) for the rotation Q of the
- * unit quaternion q: the nearest rotation to M belongs to the eigenvector of
- * its largest eigenvalue (Horn, "Closed-form solution of absolute orientation
+/* Computes the symmetric matrix K with q K q = trace(Q' M) for the rotation Q of the unit
+ * quaternion q. The rotation nearest to M is the eigenvector of the largest eigenvalue
+ * of K (Horn, "Closed-form solution of absolute orientation
  * using unit quaternions", 1987). */
 static void horn(const struct sum m[4][4], struct sum k[4][4])
 {
@@ -23,12 +23,12 @@ static void horn(const struct sum m[4][4], struct sum k[4][4])
 	}
 }
 
-/* The largest root of x^4 - 2 s x^2 - 8 d x + k, the characteristic polynomial
- * of K with s = |M|^2, d = det M, k = det K. From above, at sqrt(3 s), Newton's
- * steps descend to it, halving the distance until that is less than the gap to
- * the next root, then squaring it. The slope is the product of the distances to
- * the other roots, gap * 4 x^2 within a factor of 3; the last step leaves an
- * error below 2^-260 gap. False where the gap is below 2^-400 x. */
+/* Computes the largest root of x^4 - 2 s x^2 - 8 d x + k, the characteristic polynomial
+ * of K with s = |M|^2, d = det M, k = det K. Newton's iteration descends to it from
+ * sqrt(3 s). A step halves the distance until the distance is less than the gap to the
+ * next root, and squares it from then on. The slope is the product of the distances to
+ * the other roots, gap * 4 x^2 within a factor of 3. The last step leaves an error
+ * below 2^-260 gap. Returns false where the gap is below 2^-400 x. */
 static bool largest_root(ex s, ex d, ex k, ex *x)
 {
 	double step, slope, x1;
@@ -48,12 +48,13 @@ static bool largest_root(ex s, ex d, ex k, ex *x)
 		x1 = ex_double(*x);
 		if (!(slope > 0x1p-398 * x1 * x1 * x1))
 			return false;
-		*x = ex_first(ex_sub(*x, whole), 16);
+		*x = ex_truncate(ex_sub(*x, whole), 16);
 	} while (fabs(step) > 0x1p-154 * slope / (x1 * x1));
 	return true;
 }
 
-/* The largest column of the adjugate of K - x, which is a multiple of q q'. */
+/* Computes the eigenvector q: the largest column of the adjugate of K - x, which is a
+ * multiple of q q'. */
 static void eigenvector(const struct sum k[4][4], struct sum q[4])
 {
 	struct sum norm = sum_of_double(0);
@@ -72,15 +73,16 @@ static void eigenvector(const struct sum k[4][4], struct sum q[4])
 	for (int i = 0; i < 4; i++) {
 		struct sum c = map_minor(3, k, 1u << best, 1u << i);
 
-		q[i] = sum_inexact(
-		    ex_first((best + i) % 2 ? ex_neg(c.value) : c.value, 8), 0);
+		q[i] = sum_with_error(
+		    ex_truncate((best + i) % 2 ? ex_neg(c.value) : c.value, 8),
+		    0);
 		norm = sum_add(norm, sum_abs(q[i]));
 	}
 	for (int i = 0; i < 4; i++)
-		q[i] = sum_off_by(q[i], sum_scale(norm, 0x1p-250));
+		q[i] = sum_add_error(q[i], sum_scale(norm, 0x1p-250));
 }
 
-enum rotation nearest_rotation(const double matrix[4][4], struct sum q[4])
+enum rotation rotation_nearest(const double matrix[4][4], struct sum q[4])
 {
 	struct sum m[4][4], k[4][4], s = sum_of_double(0);
 	double largest = 0;
@@ -93,7 +95,8 @@ enum rotation nearest_rotation(const double matrix[4][4], struct sum q[4])
 	for (int i = 0; i < 9; i++) {
 		struct sum *a = &m[i / 3][i % 3];
 
-		*a = sum_inexact(ex_shift(ex_of(matrix[i / 3][i % 3]), -e), 0);
+		*a = sum_with_error(ex_shift(ex_of(matrix[i / 3][i % 3]), -e),
+		    0);
 		s = sum_add(s, sum_mul(*a, *a));
 	}
 	struct sum det = map_minor(3, m, 8, 8);
@@ -104,13 +107,13 @@ enum rotation nearest_rotation(const double matrix[4][4], struct sum q[4])
 	if (!largest_root(s.value, det.value, map_minor(4, k, 0, 0).value, &x))
 		return ROTATION_MANY;
 	for (int i = 0; i < 4; i++)
-		k[i][i] = sum_sub(k[i][i], sum_inexact(x, 0));
+		k[i][i] = sum_sub(k[i][i], sum_with_error(x, 0));
 	eigenvector(k, q);
 	return ROTATION_FOUND;
 }
 
-/* Rodrigues' formula with a = sin t / t and b = (1 - cos t) / t^2, in which no length
- * is needed: I + a [v] + b [v]^2, where [v] p = v x p. */
+/* Rodrigues' formula without the length t of v: I + a [v] + b [v]^2, where [v] p =
+ * v x p, a = sin t / t and b = (1 - cos t) / t^2. */
 bool rotation_about(const double vector[3], struct sum r[3][3])
 {
 	struct sum v[3], square[3], a, b, all = sum_of_double(0);
@@ -120,7 +123,7 @@ bool rotation_about(const double vector[3], struct sum r[3][3])
 		square[i] = sum_mul(v[i], v[i]);
 		all = sum_add(all, square[i]);
 	}
-	if (!sinc_of_square(all, &a, &b))
+	if (!trig_sinc(all, &a, &b))
 		return false;
 	for (int i = 0; i < 3; i++) {
 		int j = (i + 1) % 3, k = (i + 2) % 3;

@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* Rotations about a vector, and that which is nearest to a matrix. */
+/* The rotation about a vector, and the rotation nearest to a matrix. */
 #ifndef ROTATION_H
 #define ROTATION_H
 
 #include "map.h"
 
-/* The rotation about a vector by its length, in radians: row i of r is axis i of the
- * turned space in the other. False where that is beyond 2 pi. */
+/* Computes the rotation about a vector by its length in radians: row i of r is axis i of
+ * the rotated space. Returns false where the length is above 2 pi. */
 bool rotation_about(const double vector[3], struct sum r[3][3]);
 
-/* None where the determinant is not positive, many where two directions have all but
- * vanished. */
+/* No rotation is the nearest where the determinant is not positive. Many are where two
+ * singular values are too near 0. */
 enum rotation { ROTATION_FOUND, ROTATION_NONE, ROTATION_MANY };
 
-/* The quaternion x y z w, of any norm and within 2^-250 of it, of the rotation
- * nearest to the upper 3x3 of a matrix: its polar factor. */
-enum rotation nearest_rotation(const double matrix[4][4], struct sum q[4]);
+/* Computes the rotation nearest to the upper 3x3 of a matrix, its polar factor, as a
+ * quaternion x y z w of any norm. The error is within 2^-250 of the norm. */
+enum rotation rotation_nearest(const double matrix[4][4], struct sum q[4]);
 
 #endif

@@ -1,29 +1,29 @@
 /* SPDX-License-Identifier: MIT */
-/* A number that is a sum of products of a scene's parameters, exactly or all
- * but exactly, and its rounding to what is printed. */
+/* Numbers with a bound of their error: sums of products of a scene's parameters, and
+ * their rounding to what is printed. */
 #ifndef SUM_H
 #define SUM_H
 
 #include "exact.h"
 
-/* m 2^e with 1/2 <= m < 1, or 0: never too small or large for a double. */
+/* The number m 2^e with 1/2 <= m < 1, or 0. Its range is wider than a double's. */
 struct magnitude {
 	double m;
 	int e;
 };
 
-/* The value is within error of the exact one. Where error is 0 the value is exact.
- * Otherwise an irrational number is in it, or a quotient that was not left to a map's
- * divisor, and each operation bounds what its result is off by. A difference from
- * anything that is not above the error is taken for none: so a number that is 0 by its
- * formula is 0, and one that lies midway between two doubles is rounded to even,
- * although a square root was on the way.
+/* A value within error of the exact number; error 0 means that the value is exact. An
+ * error comes from an irrational number, or from a quotient that was not put into a
+ * map's divisor, and each operation bounds the error of its result.
  *
- * An operation rounds its bound by less than 2^-45, and cuts off words that are below
- * 2^-20 of the error: together they make the true error at most 1 + 2^-19 times as
- * large as the bound says. Roots and quotients are within 2^-703 of themselves,
- * sines and cosines within 2^-313, and count as if they were within SUM_ERROR and
- * SUM_TRIG_ERROR: that has room for four million operations in
+ * A difference that is not above its error counts as 0. A number that is 0 by its
+ * formula is therefore 0, and a number midway between two doubles is rounded to even,
+ * although a square root was computed on the way.
+ *
+ * An operation rounds its bound by less than 2^-45, and drops words below 2^-20 of the
+ * error. The true error is therefore at most 1 + 2^-19 times the bound. Roots and
+ * quotients have relative errors of 2^-703, sines and cosines of 2^-313. They count as
+ * SUM_ERROR and SUM_TRIG_ERROR, which leaves room for four million operations in
  * a row. */
 #define SUM_ERROR 0x1p-690
 #define SUM_TRIG_ERROR 0x1p-300
@@ -36,9 +36,11 @@ struct sum {
 struct sum sum_of_double(double exact);
 struct sum sum_diff(double a, double b); /* a - b */
 
-/* A value that is within so much of itself; and a sum that is off by |by| more. */
-struct sum sum_inexact(ex value, double error);
-struct sum sum_off_by(struct sum, struct sum by);
+/* Returns the value with a relative error. */
+struct sum sum_with_error(ex value, double relative);
+
+/* Returns the sum with an error that is larger by |more|. */
+struct sum sum_add_error(struct sum, struct sum more);
 
 struct sum sum_neg(struct sum);
 struct sum sum_negated_if(bool, struct sum);
@@ -49,43 +51,46 @@ struct sum sum_mul(struct sum, struct sum);
 struct sum sum_scale(struct sum, double);
 struct sum sum_quotient(struct sum, struct sum);
 
-/* a b - c d */
+/* Returns the minor a b - c d. */
 struct sum sum_minor(struct sum a, struct sum b, struct sum c, struct sum d);
 
-/* The sum of n <= 4 products a[k] b[step k]. */
-void sum_dot(int n, const struct sum *a, const struct sum *b, int step,
+/* Computes the sum of n <= 4 products a[k] b[k stride]. */
+void sum_dot(int n, const struct sum *a, const struct sum *b, int stride,
     struct sum *);
 
-/* The root of a sum that is not negative; exact where the root is short. */
+/* Returns the root of a number that is not negative. The root is exact where it has
+ * five words or fewer. */
 struct sum sum_sqrt(struct sum);
 
-/* -1, 0 or 1; and the sign of a - b. */
+/* Returns the sign, of the sum or of a - b: -1, 0 or 1. */
 int sum_sign(struct sum);
 int sum_compare(struct sum a, struct sum b);
 
-/* Exact zero; exact 1; and an exact power of two, by which every sum is divided
- * without an error. */
-bool sum_is_nothing(const struct sum *);
+/* Return whether a sum is exact and 0, 1, or a power of two with either sign. A quotient
+ * by a power of two is exact. */
+bool sum_is_exact_zero(const struct sum *);
 bool sum_is_one(const struct sum *);
 bool sum_is_power_of_two(const struct sum *);
 
-/* The sum, or exact zero where its sign is 0. */
-struct sum sum_settled(struct sum);
+/* Returns the sum, or exact zero where the sign of the sum is 0. */
+struct sum sum_snap_zero(struct sum);
 
-/* The nearest double or float, ties to even; infinite beyond their range: of n / d,
- * and so on. */
+/* Return the double, or float if single, that is nearest to the sum or to n / d. Ties go
+ * to even; a number beyond the range is infinite. */
 double sum_double(struct sum);
+double sum_ratio(struct sum n, struct sum d);
 double sum_nearest(const struct sum *n, const struct sum *d, bool single);
-double sum_over(struct sum n, struct sum d);
 
-/* sum_over; nan where that is infinite, or none. */
-double sum_over_or_nan(struct sum n, struct sum d);
+/* Returns sum_ratio, or nan where d is 0 or the ratio is beyond the range. */
+double sum_ratio_or_nan(struct sum n, struct sum d);
 
-/* Within EX_BOUND u^2, as ex_round. */
+/* Returns the sum as ex_round does: within EX_BOUND u^2 of its value. */
 dd sum_dd(struct sum);
 
-/* An upper bound of the error; and a lower one of the error of n / d, for an exact d. */
+/* Returns an upper bound of the error. */
 double sum_error(const struct sum *);
+
+/* Returns a lower bound of the error of n / d, where d is exact. */
 double sum_least_error(const struct sum *n, const struct sum *d);
 
 #endif

@@ -11,16 +11,16 @@ static const ex QUARTER = { 1, 16, -15,
 	    0xdf2a33679a748636, 0xa29410f31c6809bb, 0x04177d4c76273644,
 	    0x52049c1114cf98e8, 0x898cc51701b839a2, 0x921fb54442d18469, 1 } };
 
-/* Words that are kept of an angle, and of the terms of its series. */
+/* The words kept of an angle, and of the terms of its series. */
 enum { WORDS = 6 };
 
-/* 1 - y/((n+1)(n+2)) + y^2/((n+1)...(n+4)) - ..., which for y = x^2 is the cosine (n = 0),
- * or the sine by x (n = 1), up to y^(last/2). Over the common denominator all
- * coefficients are whole numbers. What is cut off of y, and of a sum at each term, is
- * less than the last of so many words. */
+/* Returns 1 - y/((n+1)(n+2)) + y^2/((n+1)...(n+4)) - ... up to y^(last/2). For y = x^2
+ * this is cos x (n = 0), or sin x / x (n = 1). Over the common denominator all
+ * coefficients are whole numbers. y, and the sum after each term, are truncated by less
+ * than the last of their words. */
 static ex series(ex y, int n, int last, int words)
 {
-	ex minus = ex_neg(ex_first(y, words));
+	ex minus = ex_neg(ex_truncate(y, words));
 	ex c = ex_of(1), s = c, step;
 	const ex *const a[] = { &c, &s }, *const b[] = { &step, &minus };
 
@@ -32,16 +32,17 @@ static ex series(ex y, int n, int last, int words)
 	return ex_quotient(s, c);
 }
 
-/* Of |x| <= pi / 4. The first term that is left out, x^64/64!, is below 2^-317; what is
- * cut off of x^2, and 32 times of a sum, is below 2^-319. */
+/* The last power of x for |x| <= pi / 4. The first term left out, x^64/64!, is below
+ * 2^-317; the truncations, of x^2 and 32 times of the sum, are below 2^-319. */
 enum { SHORT = 62 };
 
-/* Of x^2 <= 4 pi^2, to 2^-500 of 1: the sum is up to 2^8 times as small as its terms
- * or, for doubles whose squares sum to nearly pi^2, 2^160 times. The first term that is
- * left out, x^170/170!, is below 2^-560. */
+/* The last power of x for x^2 <= 4 pi^2, and the words of its terms, for an absolute error
+ * of 2^-500. The sum is up to 2^8 times as small as its terms or, for doubles whose
+ * squares sum to nearly pi^2, 2^160 times. The first term left out, x^170/170!, is below
+ * 2^-560. */
 enum { LONG = 168, LONG_WORDS = 11 };
 
-bool sinc_of_square(struct sum square, struct sum *sinc, struct sum *versinc)
+bool trig_sinc(struct sum square, struct sum *sinc, struct sum *versinc)
 {
 	ex most = ex_shift(ex_mul(QUARTER, QUARTER), 4);
 
@@ -50,50 +51,50 @@ bool sinc_of_square(struct sum square, struct sum *sinc, struct sum *versinc)
 	ex s = series(square.value, 1, LONG, LONG_WORDS);
 	ex v = series(square.value, 2, LONG, LONG_WORDS);
 
-	*sinc = sum_inexact(s, SUM_TRIG_ERROR);
-	*versinc = sum_inexact(ex_shift(v, -1), SUM_TRIG_ERROR);
+	*sinc = sum_with_error(s, SUM_TRIG_ERROR);
+	*versinc = sum_with_error(ex_shift(v, -1), SUM_TRIG_ERROR);
 	return true;
 }
 
-/* An angle of at most 45 degrees on either side of a multiple of 90. */
+/* An angle as quarters times 90 degrees, modulo 360, and a rest of at most 45 degrees. */
 struct reduced {
-	double degrees; /* nan where they were not given */
-	ex radians;
-	unsigned turns;
+	double degrees; /* the rest; nan where the angle is given in radians */
+	ex radians;     /* the rest */
+	unsigned quarters;
 };
 
-/* fmod is exact, and so is r - 90 q, by Sterbenz. */
+/* fmod is exact, and so is rest - 90 q, by Sterbenz's lemma. */
 static void reduce_degrees(double angle, struct reduced *r)
 {
 	double rest = fmod(angle, 360), q = rint(rest / 90);
 
 	r->degrees = rest - 90 * q;
 	r->radians = ex_quotient(ex_mul(QUARTER, ex_of(r->degrees)), ex_of(90));
-	r->radians = ex_first(r->radians, WORDS);
-	r->turns = (unsigned)(int)q;
+	r->radians = ex_truncate(r->radians, WORDS);
+	r->quarters = (unsigned)(int)q;
 }
 
-/* The whole number of quarters that is nearest; what is left of an angle below
- * 2^500 is within 2^-460, and no double but 0 is closer than 2^-64 to a multiple of
- * pi / 2 and farther from 0 than that (J.-M. Muller, "Elementary Functions", on range
- * reduction): within 2^-396 relative. */
+/* The rest of an angle below 2^500 has an error within 2^-460. A double that is not below
+ * 2^-64 is no closer than 2^-64 to a multiple of pi / 2 other than 0 (J.-M. Muller,
+ * "Elementary Functions", on range reduction). The relative error is therefore within
+ * 2^-396. */
 static void reduce_radians(double angle, struct reduced *r)
 {
 	ex a = ex_of(fabs(angle));
 	ex q = ex_add(ex_quotient(a, QUARTER), ex_of(0.5));
 
-	q = ex_first(q, q.e + q.n > 0 ? q.e + q.n : 0);
-	a = ex_first(ex_sub(a, ex_mul(q, QUARTER)), WORDS);
+	q = ex_truncate(q, q.e + q.n > 0 ? q.e + q.n : 0);
+	a = ex_truncate(ex_sub(a, ex_mul(q, QUARTER)), WORDS);
 	r->degrees = (double)NAN;
 	r->radians = angle < 0 ? ex_neg(a) : a;
-	r->turns = q.n > 0 && q.e == 0 ? (unsigned)q.word[0] & 3 : 0;
+	r->quarters = q.n > 0 && q.e == 0 ? (unsigned)q.word[0] & 3 : 0;
 	if (angle < 0)
-		r->turns = 0 - r->turns;
+		r->quarters = 0 - r->quarters;
 }
 
-/* Of the sine, n = 1, or the cosine, n = 0. A sine of 0 is exact, as all that is off is
- * relative to it. */
-static struct sum of_reduced(const struct reduced *r, int n)
+/* Returns the sine (n = 1) or the cosine (n = 0) of the rest. The sine of 0 is exact, as its
+ * error is relative. */
+static struct sum sine_of_rest(const struct reduced *r, int n)
 {
 	if (n == 0 && r->radians.sign == 0)
 		return sum_of_double(1);
@@ -101,11 +102,12 @@ static struct sum of_reduced(const struct reduced *r, int n)
 		return sum_of_double(copysign(0.5, r->degrees));
 	ex s = series(ex_mul(r->radians, r->radians), n, SHORT, WORDS);
 
-	return sum_inexact(n == 1 ? ex_mul(r->radians, s) : s, SUM_TRIG_ERROR);
+	return sum_with_error(n == 1 ? ex_mul(r->radians, s) : s,
+	    SUM_TRIG_ERROR);
 }
 
-/* The sine of so many right angles more. */
-static struct sum sine(double angle, enum angle_unit unit, unsigned turns)
+/* Returns the sine of the angle and a number of quarters, of 90 degrees. */
+static struct sum sine(double angle, enum angle_unit unit, unsigned quarters)
 {
 	struct reduced r;
 
@@ -113,53 +115,53 @@ static struct sum sine(double angle, enum angle_unit unit, unsigned turns)
 		reduce_radians(angle, &r);
 	else
 		reduce_degrees(angle, &r);
-	turns += r.turns;
-	return sum_negated_if(turns & 2, of_reduced(&r, ~turns & 1));
+	quarters += r.quarters;
+	return sum_negated_if(quarters & 2, sine_of_rest(&r, ~quarters & 1));
 }
 
-struct sum sin_of(double angle, enum angle_unit unit)
+struct sum trig_sin(double angle, enum angle_unit unit)
 {
 	return sine(angle, unit, 0);
 }
 
-struct sum cos_of(double angle, enum angle_unit unit)
+struct sum trig_cos(double angle, enum angle_unit unit)
 {
 	return sine(angle, unit, 1);
 }
 
-struct sum cot_of(double angle, enum angle_unit unit)
+struct sum trig_cot(double angle, enum angle_unit unit)
 {
 	if (unit == DEGREES && angle == 45)
 		return sum_of_double(1);
-	return sum_quotient(cos_of(angle, unit), sin_of(angle, unit));
+	return sum_quotient(trig_cos(angle, unit), trig_sin(angle, unit));
 }
 
-struct sum in_degrees(struct sum angle)
+static struct sum to_degrees(struct sum angle)
 {
 	return sum_quotient(sum_scale(angle, 90),
-	    sum_inexact(QUARTER, SUM_TRIG_ERROR));
+	    sum_with_error(QUARTER, SUM_TRIG_ERROR));
 }
 
 #define DEGREE 57.29577951308232
 
-/* atan2's, and the arc tangent of what that leaves: of its series two terms, and the
- * third as their error. */
-double degrees_of(struct sum y, struct sum x)
+/* The C library's atan2, corrected by the arc tangent of the remaining angle: two terms
+ * of its series, with a third as their error. */
+double trig_degrees(struct sum y, struct sum x)
 {
-	x = sum_settled(x);
-	y = sum_settled(y);
+	x = sum_snap_zero(x);
+	y = sum_snap_zero(y);
 	struct sum size = sum_abs(x);
 	struct sum most = ex_compare(y.value, size.value) > 0 ? y : size;
 
 	if (sum_sign(most) == 0)
 		return (double)NAN;
-	double a = atan2(sum_over(y, most), sum_over(x, most)) * DEGREE;
-	struct sum s = sin_of(a, DEGREES), c = cos_of(a, DEGREES);
+	double a = atan2(sum_ratio(y, most), sum_ratio(x, most)) * DEGREE;
+	struct sum s = trig_sin(a, DEGREES), c = trig_cos(a, DEGREES);
 	struct sum tan = sum_quotient(sum_sub(sum_mul(y, c), sum_mul(x, s)),
 	    sum_add(sum_mul(x, c), sum_mul(y, s)));
 	struct sum square = sum_mul(tan, tan), cube = sum_mul(square, tan);
 	struct sum rest = sum_sub(tan, sum_quotient(cube, sum_of_double(3)));
 
-	rest = sum_off_by(rest, sum_mul(cube, square));
-	return sum_double(sum_add(sum_of_double(a), in_degrees(rest)));
+	rest = sum_add_error(rest, sum_mul(cube, square));
+	return sum_double(sum_add(sum_of_double(a), to_degrees(rest)));
 }

@@ -1,35 +1,32 @@
 /* SPDX-License-Identifier: MIT */
-/* Sine, cosine and cotangent, with more digits than are printed of what is made of
- * them. Of degrees, which are reduced exactly, what is rational is exact. */
+/* Sine, cosine and cotangent to 300 bits and more, and the arc tangent as a double.
+ * Degrees are reduced exactly, and rational values of degrees are exact. */
 #ifndef TRIG_H
 #define TRIG_H
 
 #include "sum.h"
 
-/* Relative, where the result is not exact. */
+/* The bound of the relative error, where a result is not exact. */
 #define TRIG_BOUND 0x1p-313
 
-/* The double nearest to pi, and the largest below it. */
+/* The double nearest to pi; it is below pi. */
 #define PI 0x1.921fb54442d18p+1
 
 enum angle_unit { DEGREES, RADIANS };
 
-/* Any angle of degrees; radians up to 2^500. */
-struct sum sin_of(double angle, enum angle_unit);
-struct sum cos_of(double angle, enum angle_unit);
+/* Take any angle in degrees, or an angle up to 2^500 in radians. */
+struct sum trig_sin(double angle, enum angle_unit);
+struct sum trig_cos(double angle, enum angle_unit);
 
-/* Cotangent of an angle above 0 and up to a right one. */
-struct sum cot_of(double angle, enum angle_unit);
+/* Returns the cotangent of an angle above 0 and up to 90 degrees. */
+struct sum trig_cot(double angle, enum angle_unit);
 
-/* sin x / x and (1 - cos x) / x^2 of radians x, from x^2, which is exact. False where x is
- * beyond 2 pi. */
-bool sinc_of_square(struct sum square, struct sum *sinc, struct sum *versinc);
+/* Computes sinc = sin x / x and versinc = (1 - cos x) / x^2 of x radians from square =
+ * x^2, which is exact. Returns false where x is above 2 pi. */
+bool trig_sinc(struct sum square, struct sum *sinc, struct sum *versinc);
 
-/* An angle in radians. */
-struct sum in_degrees(struct sum angle);
-
-/* The nearest double to the angle in degrees whose tangent is y / x, from 0 to 180, for
- * y >= 0; nan where both are 0. */
-double degrees_of(struct sum y, struct sum x);
+/* Returns the double nearest to the angle in degrees whose tangent is y / x, from 0 to
+ * 180, for y >= 0; nan where both are 0. */
+double trig_degrees(struct sum y, struct sum x);
 
 #endif

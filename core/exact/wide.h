@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Words of 64 bits and what they carry, also where compilers have no integers of
- * 128 bits, as for 32-bit processors. */
+/* Arithmetic on words of 64 bits with carries, also for compilers without integers of
+ * 128 bits, as those for 32-bit processors. */
 #ifndef WIDE_H
 #define WIDE_H
 
 #include <stdint.h>
 
-/* a + b + *carry, which is 0 or 1, and becomes what the sum carries. */
+/* Returns the low word of a + b + *carry, and sets *carry, 0 or 1, to the high word. */
 static inline uint64_t add_carry(uint64_t a, uint64_t b, uint64_t *carry)
 {
 	uint64_t s = a + b, t = s + *carry;
@@ -15,8 +15,9 @@ static inline uint64_t add_carry(uint64_t a, uint64_t b, uint64_t *carry)
 	return t;
 }
 
-/* a b + c + *carry, which becomes the upper word. That has room for it: (B - 1)^2 +
- * 2 (B - 1) = B^2 - 1; and so have B = 2^32's products here. */
+/* Returns the low word of a b + c + *carry, and sets *carry to the high word. Two words
+ * hold the sum: for B = 2^64, (B - 1)^2 + 2 (B - 1) = B^2 - 1. The same holds for the
+ * half words, B = 2^32, below. */
 static inline uint64_t multiply_add(uint64_t a, uint64_t b, uint64_t c,
     uint64_t *carry)
 {
@@ -36,7 +37,7 @@ static inline uint64_t multiply_add(uint64_t a, uint64_t b, uint64_t c,
 #endif
 }
 
-/* The quotient of high 2^64 + low by d > high. */
+/* Returns the quotient, rounded down, of high 2^64 + low by d > high. */
 static inline uint64_t divide_two(uint64_t high, uint64_t low, uint64_t d)
 {
 #ifdef __SIZEOF_INT128__

@@ -5,8 +5,8 @@
 
 #include "kernel/midway.h"
 
-/* The point relative to the map's origin. Where its last coordinate is not 1, as in
- * clip space, that is 0. */
+/* Computes the homogeneous point relative to the map's origin, which is 0 in clip space, where
+ * w is not 1. */
 static void set_point(const struct transform *t, const double in[4],
     struct sum p[4])
 {
@@ -15,7 +15,7 @@ static void set_point(const struct transform *t, const double in[4],
 	p[3] = sum_of_double(t->in == 4 && !t->reciprocal ? in[3] : 1);
 }
 
-/* Column j of the image of such a point. */
+/* Computes coordinate j of the image of the relative point p, times the map's divisor. */
 static void find_column(const struct transform *t, int j, const struct sum p[4],
     struct sum *r)
 {
@@ -39,7 +39,7 @@ static bool has_nan(const struct transform *t, const double in[4])
 	return false;
 }
 
-/* What the image of p is divided by. False where there is no image. */
+/* Computes the divisor of the image's coordinates. Returns false where p has no image. */
 static bool find_divisor(const struct transform *t, const double in[4],
     const struct sum p[4], struct sum *d)
 {
@@ -75,8 +75,8 @@ void point_exact(const struct transform *t, const double in[4], double out[4])
 	}
 }
 
-/* Elsewhere the double lies on the same side of each midpoint. The divisor is there,
- * as there is an image. */
+/* A double that is not midway between two floats lies on the exact image's side of each
+ * midpoint, and rounds as the image does. */
 float point_single(const struct transform *t, const double in[4], int j,
     double image)
 {

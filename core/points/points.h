@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Points through a transform, block by block: each by the fastest loop that
- * its precision allows, and by point_exact where that loop gives up. */
+/* The transform of blocks of points by the fastest loop that the precision allows. The loop
+ * leaves points that it cannot decide to point_exact. */
 #ifndef POINTS_H
 #define POINTS_H
 
@@ -8,20 +8,23 @@
 
 #include "point.h"
 
-/* Chooses the kernels: the best for this processor, or those named. False
- * where it cannot run them. */
+/* Chooses the kernels of this name or, if NULL, the best ones for this processor. Returns
+ * false where the processor cannot run them. */
 bool points_choose(const char *name);
+
+/* Returns the kernels chosen. */
 const struct kernels *points_kernels(void);
 
-/* Images of n <= POINTS_BLOCK points, a column of POINTS_BLOCK each for x, y,
- * z, w. What has no image, or one beyond the range of doubles, is nan. In
- * PRECISION_SINGLE they are floats, unless beyond the range of these. */
-void points_carry(const struct transform *, enum precision,
+/* Computes the images of n <= POINTS_BLOCK points. x, y, z and w are columns of POINTS_BLOCK
+ * numbers each. A point without an image is nan, and so is a coordinate beyond the range
+ * of doubles. In PRECISION_SINGLE the coordinates are floats, or infinite beyond the
+ * floats' range. */
+void points_map(const struct transform *, enum precision,
     const double *const in[4], double *const out[4], size_t n);
 
-/* From rows of floats to rows of floats, in PRECISION_SINGLE; false where one has no
- * image, or the whole needs points_carry: then what out holds is no matter. */
-bool points_carry_floats(const struct transform *, const char *in, char *out,
+/* Computes the images of rows of floats as rows of floats, in PRECISION_SINGLE. Returns false
+ * where the rows need points_map, as when a point has no image; out is then undefined. */
+bool points_map_floats(const struct transform *, const char *in, char *out,
     size_t n);
 
 #endif

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-/* What is below all doubles becomes the smallest, so that only what is 0 counts
- * for nothing. */
+/* Returns the element as two doubles. An element other than 0 that rounds to 0 becomes the
+ * smallest double. */
 static dd element_rounded(struct sum s)
 {
 	dd e = sum_dd(s);
@@ -20,7 +20,7 @@ static void round_column(const struct transform *t, int j, struct kernel_map *k)
 	for (int i = 0; i < 4; i++) {
 		struct sum a = t->relative[i][j];
 
-		if (!sum_is_nothing(&a))
+		if (!sum_is_exact_zero(&a))
 			a = sum_quotient(a, t->map.divisor);
 		dd e = element_rounded(a);
 
@@ -49,14 +49,15 @@ void transform_prepare(struct transform *t)
 		origin[i] = sum_of_double(k->origin[i]);
 	}
 	for (int j = 0; j < 4; j++) {
-		map_column(&t->map, j, origin, &t->relative[3][j]);
-		t->relative[3][j] = sum_settled(t->relative[3][j]);
+		map_image(&t->map, j, origin, &t->relative[3][j]);
+		t->relative[3][j] = sum_snap_zero(t->relative[3][j]);
 		round_column(t, j, k);
 	}
 }
 
-/* A point's difference from the origin is a multiple of 2^-1074. Of its product with
- * a column, the map's divisor, and a midpoint times that, no word may be lost. */
+/* Returns NULL, or the member and the reason why points would need more than EX_WORDS words.
+ * A point's difference from the origin is a multiple of 2^-1074. Its product with a column,
+ * and the product of the map's divisor with a midpoint, must be exact. */
 static const char *transform_check(const struct transform *t)
 {
 	double most = MAGNITUDE_MAX;
@@ -81,9 +82,9 @@ static const char *transform_check(const struct transform *t)
 		}
 		fits &= low > high || high - low <= room;
 	}
-	return fits && !ex_has_lost() ? NULL :
-	    t->kind == KERNEL_FLAT    ? "/window: " SCENE_TOO_WIDE :
-					"/projection: " SCENE_TOO_WIDE;
+	return fits && !ex_has_overflowed() ? NULL :
+	    t->kind == KERNEL_FLAT          ? "/window: " SCENE_TOO_WIDE :
+					      "/projection: " SCENE_TOO_WIDE;
 }
 
 void transform_init(struct transform *t, enum space from, enum space to,
@@ -93,7 +94,7 @@ void transform_init(struct transform *t, enum space from, enum space to,
 	t->reciprocal = homogeneous && from == SPACE_DEVICE;
 	if (from == SPACE_CLIP || t->reciprocal)
 		t->in = 4;
-	if (from == SPACE_CLIP) /* whose w is not 1 */
+	if (from == SPACE_CLIP) /* no origin, as w is not 1 */
 		memset(t->map.origin, 0, sizeof t->map.origin);
 	if (to == SPACE_CLIP || (homogeneous && !t->reciprocal))
 		t->out = 4;
@@ -108,8 +109,10 @@ void transform_init(struct transform *t, enum space from, enum space to,
 	transform_prepare(t);
 }
 
-/* Where view z alone determines w and depth, depth = a + b / w. */
-static void find_depth_kernel(const struct map *projection, struct transform *t)
+/* Chooses KERNEL_DEPTH where z of view space alone determines w and depth, as depth is then
+ * a + b / w. projection is the map from view space. */
+static void choose_depth_kernel(const struct map *projection,
+    struct transform *t)
 {
 	const struct sum(*m)[4] = projection->m;
 	struct kernel_map *k = &t->for_kernel;
@@ -143,7 +146,7 @@ const char *scene_transform(const struct scene *s, enum space from,
 	transform_init(t, from, to, homogeneous);
 	if (t->kind == KERNEL_PROJECTIVE && by_view &&
 	    map_is_finite(&projection))
-		find_depth_kernel(&projection, t);
+		choose_depth_kernel(&projection, t);
 	return transform_check(t);
 }
 

@@ -5,29 +5,29 @@
 
 #include "../exact/rotation.h"
 
-/* An axis is v / length. The two are kept apart, as v is an exact polynomial of
- * the parameters, in sums of which terms cancel exactly. Where the second's length
- * is exact all lengths are the same, by which the map divides. */
+/* The unit vector v / length. v is an exact polynomial of the parameters, in which terms
+ * cancel exactly, and so is kept undivided. Where the length of axis y is exact, the three
+ * lengths are the same, and become the map's divisor. */
 struct axis {
 	struct sum v[3];
 	struct sum length;
 };
 
-static void lengthen(struct axis *a, struct sum by)
+static void axis_scale(struct axis *a, struct sum s)
 {
 	for (int i = 0; i < 3; i++)
-		a->v[i] = sum_mul(a->v[i], by);
-	a->length = sum_mul(a->length, by);
+		a->v[i] = sum_mul(a->v[i], s);
+	a->length = sum_mul(a->length, s);
 }
 
-/* x = up x z and y = z x x before either is normalised: exact polynomials of
- * lengths |up x z| and |z| |up x z|. */
-static const char *look(const struct camera *c,
+/* Computes the axes of projcalc(1), FORMULAS, lookat: z = +-gaze, x = up x z, y = z x x,
+ * of lengths |z|, |up x z| and |z| |up x z|. */
+static const char *axes_of_gaze(const struct camera *c,
     const struct convention *convention, struct axis axis[3])
 {
 	struct sum up[3];
 	struct axis *x = &axis[0], *y = &axis[1], *z = &axis[2];
-	bool at = c->by == CAMERA_AT;
+	bool at = c->kind == CAMERA_AT;
 
 	for (int i = 0; i < 3; i++) {
 		z->v[i] = sum_diff(c->at[i], at ? c->eye[i] : 0);
@@ -46,10 +46,10 @@ static const char *look(const struct camera *c,
 	vec3_cross(up, z->v, x->v);
 	vec3_cross(z->v, x->v, y->v);
 	struct sum xx = vec3_dot(x->v, x->v), zz = vec3_dot(z->v, z->v);
-	/* |sin| of the angle between up and gaze is below 2^-50 */
-	struct sum bound = sum_mul(vec3_dot(up, up), zz);
+	/* the sine of the angle between up and gaze, |x| / (|up| |z|) */
+	struct sum most = sum_mul(vec3_dot(up, up), zz);
 
-	if (sum_compare(xx, sum_scale(bound, 0x1p-100)) < 0)
+	if (sum_compare(xx, sum_scale(most, 0x1p-100)) < 0)
 		return "/camera/up: parallel to the gaze; "
 		       "choose another up vector";
 	x->length = sum_sqrt(xx);
@@ -62,14 +62,14 @@ static const char *look(const struct camera *c,
 	if (y->length.error.m == 0) {
 		struct sum along = x->length;
 
-		lengthen(x, z->length);
-		lengthen(z, along);
+		axis_scale(x, z->length);
+		axis_scale(z, along);
 	}
 	return NULL;
 }
 
-/* The columns of the rotation matrix of a quaternion, times its norm. */
-static void turn(const struct sum q[4], struct axis axis[3])
+/* Computes the columns of the rotation matrix of a quaternion, times its norm. */
+static void axes_of_quaternion(const struct sum q[4], struct axis axis[3])
 {
 	struct sum p[4][4];
 
@@ -90,7 +90,8 @@ static void turn(const struct sum q[4], struct axis axis[3])
 	}
 }
 
-static const char *orient(const struct camera *c, struct axis axis[3])
+static const char *axes_of_orientation(const struct camera *c,
+    struct axis axis[3])
 {
 	struct sum q[4];
 
@@ -99,11 +100,11 @@ static const char *orient(const struct camera *c, struct axis axis[3])
 	if (vec3_is_zero(q) && sum_sign(q[3]) == 0)
 		return "/camera/orientation: is zero; "
 		       "no turn is [0, 0, 0, 1]";
-	turn(q, axis);
+	axes_of_quaternion(q, axis);
 	return NULL;
 }
 
-static const char *turn_about(const struct camera *c, struct axis axis[3])
+static const char *axes_of_rvec(const struct camera *c, struct axis axis[3])
 {
 	struct sum r[3][3];
 
@@ -117,46 +118,53 @@ static const char *turn_about(const struct camera *c, struct axis axis[3])
 	return NULL;
 }
 
-/* What is wrong with a matrix, and with a pose. */
-#define BOTH(reason)                                               \
+/* A refusal of a matrix, and of a pose. */
+#define REFUSALS(reason)                                           \
 	{                                                          \
 		"/camera/matrix: " reason, "/camera/pose: " reason \
 	}
 
 static const char *const refusals[][2] = {
-	[ROTATION_NONE] = BOTH("its determinant is not positive; "
-			       "a rotation's is 1"),
-	[ROTATION_MANY] = BOTH("two directions have all but vanished; "
-			       "no rotation is the nearest"),
+	[ROTATION_NONE] = REFUSALS("its determinant is not positive; "
+				   "a rotation's is 1"),
+	[ROTATION_MANY] = REFUSALS("two directions have all but vanished; "
+				   "no rotation is the nearest"),
 };
 
-static const char *const not_affine[2] = BOTH(NOT_AFFINE);
-static const char *const singular[2] = BOTH("singular; it can't be inverted");
+static const char *const not_affine[2] = REFUSALS(NOT_AFFINE);
+static const char *const singular[2] = REFUSALS(
+    "singular; it can't be inverted");
 
-/* The nearest rotation to the upper 3x3. An element that is not above the error of
- * the quaternion is 0. */
-static const char *orthonormal(const struct camera *c, struct axis axis[3])
+/* Computes the axes of the rotation nearest to the upper 3x3. An element that is not above
+ * the error of the quaternion becomes 0. */
+static const char *axes_of_matrix(const struct camera *c, struct axis axis[3])
 {
 	struct sum q[4];
-	enum rotation found = nearest_rotation(c->matrix, q);
+	enum rotation found = rotation_nearest(c->matrix, q);
 
 	if (found != ROTATION_FOUND)
-		return refusals[found][c->by == CAMERA_POSE];
-	turn(q, axis);
+		return refusals[found][c->kind == CAMERA_POSE];
+	axes_of_quaternion(q, axis);
 	for (int i = 0; i < 9; i++) {
 		struct sum *v = &axis[i / 3].v[i % 3];
 
-		*v = sum_settled(*v);
+		*v = sum_snap_zero(*v);
 	}
 	return NULL;
 }
 
-/* Makes the map to view, p axes + origin, or back, p axes' + eye. Of origin and eye
- * one is given, at, and the other is minus the products of at with the axes, or with
- * their transpose: an exact polynomial, divided once. So for an eye (1,2,3) that looks
- * at the origin x . eye is 0, where rounded axes would give -4.9e-32. */
-static void camera_stand(const struct axis a[3], const double at[3],
-    bool by_origin, bool inverse, struct map *r)
+/* Computes the map to view space, whose rows are the transposed axes and the origin, or its
+ * inverse, whose rows are the axes and the eye:
+ *	 x0  y0  z0  0		 x0  x1  x2  0
+ *	 x1  y1  z1  0		 y0  y1  y2  0
+ *	 x2  y2  z2  0		 z0  z1  z2  0
+ *	 origin      1		 eye         1
+ * at is the eye or, if at_is_origin, the origin. The other is -x.eye, -y.eye, -z.eye, or
+ * -x origin0 - y origin1 - z origin2: an exact polynomial, divided once. For an eye (1,2,3)
+ * that looks at the origin, x.eye is therefore 0, where rounded axes would give
+ * -4.9e-32. */
+static void map_of_axes(const struct axis a[3], const double at[3],
+    bool at_is_origin, bool inverse, struct map *r)
 {
 	bool exact = a[1].length.error.m == 0;
 	struct sum d = exact ? a[1].length : sum_of_double(1), minus[3];
@@ -165,10 +173,9 @@ static void camera_stand(const struct axis a[3], const double at[3],
 		minus[i] = sum_of_double(-at[i]);
 	map_identity(r);
 	for (int i = 0; i < 3; i++) {
-		const struct sum across[3] = { a[0].v[i], a[1].v[i],
-			a[2].v[i] };
+		const struct sum row[3] = { a[0].v[i], a[1].v[i], a[2].v[i] };
 		struct sum given = sum_mul(d, sum_of_double(at[i]));
-		struct sum found = vec3_dot(by_origin ? across : a[i].v, minus);
+		struct sum found = vec3_dot(at_is_origin ? row : a[i].v, minus);
 
 		if (!exact)
 			found = sum_quotient(found, a[i].length);
@@ -176,34 +183,36 @@ static void camera_stand(const struct axis a[3], const double at[3],
 			r->m[inverse ? i : k][inverse ? k : i] = exact ?
 			    a[i].v[k] :
 			    sum_quotient(a[i].v[k], a[i].length);
-		r->m[3][i] = by_origin == inverse ? found : given;
-		r->origin[i] = inverse ? 0 :
-					 sum_over(by_origin ? found : given, d);
+		r->m[3][i] = at_is_origin == inverse ? found : given;
+		r->origin[i] = inverse ?
+		    0 :
+		    sum_ratio(at_is_origin ? found : given, d);
 	}
 	r->m[3][3] = d;
-	map_over(r, d);
+	map_divide(r, d);
 }
 
-/* Turns view space about its z. */
+/* Rotates view space about its z axis. */
 static void camera_roll(double roll, enum angle_unit unit, bool inverse,
     struct map *r)
 {
-	struct sum s = sin_of(roll, unit);
-	struct map turn, stage = *r;
+	const struct sum o = sum_of_double(0), l = sum_of_double(1);
+	const struct sum c = trig_cos(roll, unit);
+	const struct sum s = sum_negated_if(inverse, trig_sin(roll, unit));
+	const struct map turn = { .m = { { c, s, o, o },
+				      { sum_neg(s), c, o, o }, { o, o, l, o },
+				      { o, o, o, l } },
+		.divisor = l };
 
-	map_identity(&turn);
-	turn.m[0][0] = turn.m[1][1] = cos_of(roll, unit);
-	turn.m[0][1] = sum_negated_if(inverse, s);
-	turn.m[1][0] = sum_negated_if(!inverse, s);
-	map_then(inverse ? &turn : &stage, inverse ? &stage : &turn, r);
+	map_append(r, &turn, inverse);
 }
 
-/* Makes the map of the matrix or pose as it is given, or of its nearest rotation above
- * its last row. A pose is a matrix that leads back. */
-static const char *camera_bare(const struct camera *c, bool inverse,
+/* Computes the map of the matrix, or of a pose, which is a matrix from view to world. If
+ * orthonormalize is set, the nearest rotation replaces the upper 3x3. */
+static const char *camera_matrix_map(const struct camera *c, bool inverse,
     struct map *r)
 {
-	bool pose = c->by == CAMERA_POSE, back = inverse != pose;
+	bool pose = c->kind == CAMERA_POSE, back = inverse != pose;
 	struct axis axis[3];
 
 	map_of_doubles(c->matrix, r);
@@ -218,11 +227,11 @@ static const char *camera_bare(const struct camera *c, bool inverse,
 			*r = regular;
 		return NULL;
 	}
-	const char *why = orthonormal(c, axis);
+	const char *why = axes_of_matrix(c, axis);
 
 	if (why != NULL)
 		return why;
-	camera_stand(axis, c->matrix[3], true, back, r);
+	map_of_axes(axis, c->matrix[3], true, back, r);
 	for (int i = 0; i < 3 && pose; i++)
 		r->origin[i] = inverse ? 0 : c->matrix[3][i];
 	return NULL;
@@ -231,20 +240,22 @@ static const char *camera_bare(const struct camera *c, bool inverse,
 const char *camera_map(const struct camera *c,
     const struct convention *convention, bool inverse, struct map *r)
 {
-	bool by_origin = c->by == CAMERA_TRANSLATION ||
-	    c->by == CAMERA_RVEC_TRANSLATION;
-	bool by_rvec = c->by == CAMERA_RVEC || c->by == CAMERA_RVEC_TRANSLATION;
+	bool at_is_origin = c->kind == CAMERA_TRANSLATION ||
+	    c->kind == CAMERA_RVEC_TRANSLATION;
+	bool by_rvec = c->kind == CAMERA_RVEC ||
+	    c->kind == CAMERA_RVEC_TRANSLATION;
 	struct axis axis[3];
 
-	if (c->by == CAMERA_MATRIX || c->by == CAMERA_POSE)
-		return camera_bare(c, inverse, r);
-	const char *why = c->by <= CAMERA_GAZE ? look(c, convention, axis) :
-	    by_rvec                            ? turn_about(c, axis) :
-						 orient(c, axis);
+	if (c->kind == CAMERA_MATRIX || c->kind == CAMERA_POSE)
+		return camera_matrix_map(c, inverse, r);
+	const char *why = c->kind <= CAMERA_GAZE ?
+	    axes_of_gaze(c, convention, axis) :
+	    by_rvec ? axes_of_rvec(c, axis) :
+		      axes_of_orientation(c, axis);
 
 	if (why != NULL)
 		return why;
-	camera_stand(axis, c->eye, by_origin, inverse, r);
+	map_of_axes(axis, c->eye, at_is_origin, inverse, r);
 	if (c->roll != 0)
 		camera_roll(convention->view_y_down ? -c->roll : c->roll,
 		    c->unit, inverse, r);

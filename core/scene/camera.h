@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The camera: world to view and back. */
+/* The camera: the map from world to view space and back. */
 #ifndef CAMERA_H
 #define CAMERA_H
 
@@ -8,7 +8,8 @@
 #include "../exact/trig.h"
 
 struct camera {
-	double eye[3]; /* or the translation: the world's origin in view */
+	double
+	    eye[3]; /* or the translation: the world's origin in view space */
 	enum {
 		CAMERA_AT,
 		CAMERA_GAZE,
@@ -18,26 +19,25 @@ struct camera {
 		CAMERA_RVEC_TRANSLATION, /* and rvec */
 		CAMERA_POSE,
 		CAMERA_MATRIX,
-	} by;
+	} kind;
 	double at[3]; /* or the gaze, a direction of any length */
 	double up[3];
-	double orientation[4]; /* x y z w, view axes to world axes, any norm */
-	double rvec[3]; /* world to view: about it, by its length in radians */
-	double roll;    /* image counterclockwise */
+	double orientation[4]; /* x y z w, view to world axes, of any norm */
+	double
+	    rvec[3]; /* the rotation from world to view: axis times radians */
+	double roll; /* of the image, counterclockwise */
 	enum angle_unit unit; /* of roll */
 	/* World to view, row vectors, affine; or the pose, view to world. */
 	double matrix[4][4];
 	bool orthonormalize;
 };
 
-/* Left-handed: z = unit(gaze), x = unit(up x z), y = z x x; right-handed: z
- * = unit(-gaze); then roll; where y is down in view space y and z are negated. Every element is the exact value for the given
- * doubles rounded once, within EX_BOUND u^2 of its sum, however near up is to
- * the gaze, the eye to what it looks at, and however far a matrix has drifted
- * from its nearest rotation (of which elements below 2^-248 are 0). Roll turns
- * about the eye, and a translation with the axes. The eye is the map's origin.
- * Returns NULL, or why there is no such view: the
- * member and the reason. */
+/* Computes the matrix of projcalc(1), FORMULAS, lookat, or its inverse. Its elements are
+ * sums, exact or with a bound of their error, however near up is to the gaze, the eye is
+ * to the point it looks at, and however far a matrix is from its nearest rotation.
+ * Elements of a nearest rotation below 2^-248 are 0. A roll turns about the eye, and turns
+ * a translation with the axes. The origin of the map is the eye. Returns NULL, or the
+ * member and the reason why there is no such view. */
 const char *camera_map(const struct camera *, const struct convention *,
     bool inverse, struct map *);
 

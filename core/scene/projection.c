@@ -3,21 +3,22 @@
 
 #include <string.h>
 
-/* The matrix of every projection that is made of parameters:
+/* The matrix of a projection that is given by parameters:
  *	 x   0   0   0
  *	 0   y   0   0
  *	 zx  zy  zz  zw
  *	 tx  ty  tz  tw
- * whose columns are divided by dx, dy, dz and 1, and all of them by d. z, w and d are
- * exact but for a volume's angle, and so is det = zz tw - zw tz, as a product of
- * parameters, without cancellation. */
-struct elements {
+ * Its columns are divided by dx, dy, dz and 1, and the whole matrix by d. The columns z and
+ * w and d are exact, except with the view angle of a volume. So is det = zz tw - zw tz,
+ * which is set as a product of parameters. */
+struct scaled_matrix {
 	struct sum x, y, zx, zy, zz, zw, tx, ty, tz, tw, dx, dy, dz, d, det;
 };
 
-/* Sets x / dx and y / dy: one of them to s / over, the other by the aspect w / h. */
-static void by_aspect(const double aspect[2], bool given_x, struct sum s,
-    double over, struct elements *f)
+/* Sets x / dx = s / over and y / dy = x / dx aspect, if given_x; else y / dy = s / over and
+ * x / dx = y / dy / aspect. */
+static void set_scales(const double aspect[2], bool given_x, struct sum s,
+    double over, struct scaled_matrix *f)
 {
 	struct sum w = sum_of_double(aspect[0]), h = sum_of_double(aspect[1]);
 
@@ -32,23 +33,24 @@ static void by_aspect(const double aspect[2], bool given_x, struct sum s,
 	}
 }
 
-/* With edges a and b at 1, the tangents of angles, all times both cosines. */
+/* Computes scale = 2, size = r - l and off = l + r for edges at distance 1, l = tan a and
+ * r = tan b, each times cos a cos b. */
 static void tangents(double a, double b, enum angle_unit unit,
     struct sum *scale, struct sum *size, struct sum *off)
 {
-	struct sum ca = cos_of(a, unit), cb = cos_of(b, unit);
-	struct sum left = sum_mul(sin_of(a, unit), cb);
-	struct sum right = sum_mul(sin_of(b, unit), ca);
+	struct sum ca = trig_cos(a, unit), cb = trig_cos(b, unit);
+	struct sum left = sum_mul(trig_sin(a, unit), cb);
+	struct sum right = sum_mul(trig_sin(b, unit), ca);
 
 	*scale = sum_mul(sum_of_double(2), sum_mul(ca, cb));
 	*size = sum_sub(right, left);
 	*off = sum_add(left, right);
 }
 
-/* Sets x, y and by how much the centre is off. From a to b at the distance d a side
- * is seen at 2 d / (b - a), and off by (a + b) / (b - a). */
+/* Sets x / dx = 2 d / (r - l), off[0] = l + r, and y / dy and off[1] likewise from b and t,
+ * for a cross-section at the distance d. */
 static const char *cross_section(const struct projection *p, double d,
-    struct elements *f, struct sum off[2])
+    struct scaled_matrix *f, struct sum off[2])
 {
 	bool wide = p->aspect[0] >= p->aspect[1], given_x = false;
 
@@ -62,17 +64,17 @@ static const char *cross_section(const struct projection *p, double d,
 	case EXTENT_VIEW_ANGLE:
 		given_x = p->extent == EXTENT_FOVX ||
 		    (p->extent == EXTENT_VIEW_ANGLE && !wide);
-		by_aspect(p->aspect, given_x, cot_of(p->angle / 2, p->unit), 1,
-		    f);
+		set_scales(p->aspect, given_x, trig_cot(p->angle / 2, p->unit),
+		    1, f);
 		break;
 	case EXTENT_FIELD:
-		by_aspect(p->aspect, wide, sum_of_double(1), p->angle, f);
+		set_scales(p->aspect, wide, sum_of_double(1), p->angle, f);
 		break;
 	case EXTENT_WIDTH:
-		by_aspect(p->aspect, true, f->x, p->width, f);
+		set_scales(p->aspect, true, f->x, p->width, f);
 		break;
 	case EXTENT_HEIGHT:
-		by_aspect(p->aspect, false, f->y, p->height, f);
+		set_scales(p->aspect, false, f->y, p->height, f);
 		break;
 	case EXTENT_SIZE:
 		break;
@@ -80,7 +82,7 @@ static const char *cross_section(const struct projection *p, double d,
 		tangents(p->left, p->right, p->unit, &f->x, &f->dx, &off[0]);
 		tangents(p->bottom, p->top, p->unit, &f->y, &f->dy, &off[1]);
 		break;
-	case EXTENT_INTRINSICS: /* pixels count from a corner */
+	case EXTENT_INTRINSICS: /* edges are 0 and the viewport's size */
 		off[0] = f->dx;
 		off[1] = f->dy;
 		break;
@@ -100,12 +102,11 @@ static const char *cross_section(const struct projection *p, double d,
 	return NULL;
 }
 
-/* Of depth' = A + B / w sets A and B, over dz: A = f / (f - n), B = -n f / (f - n), or
- * to -1..1 A = (f + n) / (f - n), B = -2 n f / (f - n); an infinite far is the
- * limit; reversed, near and far trade places. Without planes it is 1 / w, as of a
- * reversed one with n = 1. */
-static void depth_elements(const struct projection *p, bool minus_one,
-    struct elements *f)
+/* Sets zz / dz = f/(f-n) and tz / dz = -nf/(f-n) or, for depth -1 to 1, (f+n)/(f-n) and
+ * -2nf/(f-n). An infinite far gives the limits; reverse_z exchanges near and far. Without
+ * planes, depth 1/w is the reversed depth of n = 1 and an infinite far. */
+static void depth_column(const struct projection *p, bool minus_one,
+    struct scaled_matrix *f)
 {
 	double k = minus_one ? 2 : 1, n = projection_is_open(p) ? 1 : p->near;
 
@@ -124,9 +125,10 @@ static void depth_elements(const struct projection *p, bool minus_one,
 	}
 }
 
-/* det = -zw B. Intrinsics go on from the level space, see projection_level. */
-static const char *persp_elements(const struct projection *p,
-    const struct convention *c, struct elements *f)
+/* The rows (x 0 0 0), (0 y 0 0), (-(l+r), -(b+t), zz, 1), (0 0 tz 0). Those of intrinsics map
+ * from the space that intrinsics_matrix leads to. */
+static const char *persp_matrix(const struct projection *p,
+    const struct convention *c, struct scaled_matrix *f)
 {
 	double at = projection_is_by_p(p) ? 1 :
 	    p->edges_at > 0               ? p->edges_at :
@@ -142,7 +144,7 @@ static const char *persp_elements(const struct projection *p,
 		return "/projection/near: not less than far; for reversed "
 		       "depth say \"reverse_z\": true";
 	f->d = sum_of_double(1);
-	depth_elements(p, c->minus_one, f);
+	depth_column(p, c->minus_one, f);
 	f->det = sum_negated_if(!back, f->tz);
 	f->zx = sum_negated_if(!back, off[0]);
 	f->zy = sum_negated_if(back == down, off[1]);
@@ -151,8 +153,8 @@ static const char *persp_elements(const struct projection *p,
 	return NULL;
 }
 
-static const char *ortho_elements(const struct projection *p,
-    const struct convention *c, struct elements *f)
+static const char *ortho_matrix(const struct projection *p,
+    const struct convention *c, struct scaled_matrix *f)
 {
 	double a = p->reverse_z ? p->far : p->near;
 	double b = p->reverse_z ? p->near : p->far;
@@ -176,22 +178,23 @@ static const char *ortho_elements(const struct projection *p,
 	return NULL;
 }
 
-/* ortho after x' = x + cot cos(direction) (depth - plane), y' likewise. */
-static const char *oblique_elements(const struct projection *p,
-    const struct convention *c, struct elements *f)
+/* ortho after x' = x + cot(angle) cos(direction) (depth - plane) and
+ * y' = y + cot(angle) sin(direction) (depth - plane). */
+static const char *oblique_matrix(const struct projection *p,
+    const struct convention *c, struct scaled_matrix *f)
 {
-	const char *why = ortho_elements(p, c, f);
+	const char *why = ortho_matrix(p, c, f);
 	struct sum cot = sum_of_double(p->kind == OBLIQUE_CABINET ? 0.5 : 1);
 
 	if (why != NULL)
 		return why;
 	if (p->kind == OBLIQUE_ANGLE)
-		cot = cot_of(p->projector, p->unit);
+		cot = trig_cot(p->projector, p->unit);
 	struct sum zx = sum_mul(sum_mul(cot,
-				    cos_of(p->direction, p->direction_unit)),
+				    trig_cos(p->direction, p->direction_unit)),
 	    f->x);
 	struct sum zy = sum_mul(sum_mul(cot,
-				    sin_of(p->direction, p->direction_unit)),
+				    trig_sin(p->direction, p->direction_unit)),
 	    f->y);
 
 	f->tx = sum_sub(f->tx, sum_mul(zx, sum_of_double(p->plane)));
@@ -201,8 +204,8 @@ static const char *oblique_elements(const struct projection *p,
 	return NULL;
 }
 
-/* Half a side of a volume is dx / x, or dy / y. */
-static void halves(const struct projection *p, struct elements *f)
+/* Sets x / dx = 1/hw and y / dy = 1/hh. */
+static void volume_section(const struct projection *p, struct scaled_matrix *f)
 {
 	bool wide = p->aspect[0] >= p->aspect[1];
 
@@ -210,38 +213,38 @@ static void halves(const struct projection *p, struct elements *f)
 	f->dx = sum_of_double(p->half_width);
 	f->dy = sum_of_double(p->half_height);
 	if (p->aspect[1] != 0)
-		by_aspect(p->aspect, !wide, f->x, p->half_width, f);
+		set_scales(p->aspect, !wide, f->x, p->half_width, f);
 }
 
-/* cot(angle / 2) = |z| / least half side; 0 is at infinity. */
-static void by_view_angle(const struct projection *p, struct sum *over,
-    struct sum *under)
+/* Computes q = +-tan(angle/2)/min(hw, hh), with the sign of zn - zf. */
+static void inverse_eye_of_angle(const struct projection *p,
+    struct sum *numerator, struct sum *denominator)
 {
-	struct elements f;
+	struct scaled_matrix f;
 
-	halves(p, &f);
+	volume_section(p, &f);
 	bool high = sum_sign(sum_minor(f.dx, f.y, f.dy, f.x)) <= 0;
-	struct sum cot = cot_of(p->angle / 2, p->unit);
+	struct sum cot = trig_cot(p->angle / 2, p->unit);
 
-	*over = sum_negated_if(p->z_near < p->z_far, high ? f.x : f.y);
-	*under = sum_mul(high ? f.dx : f.dy, cot);
-	if (under->error.m > 0) {
-		*over = sum_quotient(*over, *under);
-		*under = sum_of_double(1);
+	*numerator = sum_negated_if(p->z_near < p->z_far, high ? f.x : f.y);
+	*denominator = sum_mul(high ? f.dx : f.dy, cot);
+	if (denominator->error.m > 0) {
+		*numerator = sum_quotient(*numerator, *denominator);
+		*denominator = sum_of_double(1);
 	}
 }
 
-void projection_inverse_eye_z(const struct projection *p, struct sum *over,
-    struct sum *under)
+void projection_inverse_eye_z(const struct projection *p, struct sum *numerator,
+    struct sum *denominator)
 {
 	if (p->eye_by == EYE_BY_ANGLE && p->angle > 0) {
-		by_view_angle(p, over, under);
+		inverse_eye_of_angle(p, numerator, denominator);
 		return;
 	}
-	*over = sum_of_double(p->eye_by == EYE_GIVEN ? 1 :
-		p->eye_by == EYE_BY_ANGLE            ? 0 :
-						       p->inverse_eye_z);
-	*under = sum_of_double(p->eye_by == EYE_GIVEN ? p->eye[2] : 1);
+	*numerator = sum_of_double(p->eye_by == EYE_GIVEN ? 1 :
+		p->eye_by == EYE_BY_ANGLE                 ? 0 :
+							    p->inverse_eye_z);
+	*denominator = sum_of_double(p->eye_by == EYE_GIVEN ? p->eye[2] : 1);
 }
 
 static const char *eye_plane_crosses(const struct projection *p)
@@ -257,16 +260,16 @@ static const char *eye_plane_crosses(const struct projection *p)
 	    "beyond z_far";
 }
 
-/* With q = qn / qd the inverse of the eye's z, an / qd = 1 - zf q and bn / qd =
- * 1 - zn q are w on the far and the near plane: one sign, or the eye plane lies
- * inside. All is over qd, so that a parallel projection, q = 0, is no special case. */
-static const char *volume_elements(const struct projection *p,
-    const struct convention *c, struct elements *f)
+/* For q = qn / qd, w is an / qd = 1 - zf q on the far plane and bn / qd = 1 - zn q on the near
+ * plane. Where their signs differ, the eye plane is inside the volume. The rows, times qd:
+ * (x 0 0 0), (0 y 0 0), (-tx x, -ty y, -an, -qn), (0, 0, an zn, qd). */
+static const char *volume_matrix(const struct projection *p,
+    const struct convention *c, struct scaled_matrix *f)
 {
 	struct sum zn = sum_of_double(p->z_near), zf = sum_of_double(p->z_far);
 	struct sum qn, qd, skew[2];
 
-	halves(p, f);
+	volume_section(p, f);
 	f->dz = sum_sub(zn, zf);
 	if (sum_sign(f->dz) == 0)
 		return "/projection/z_far: equal to z_near; "
@@ -302,7 +305,7 @@ static const char *volume_elements(const struct projection *p,
 	return NULL;
 }
 
-static void map_of_elements(const struct elements *f, struct map *r)
+static void map_of_scaled(const struct scaled_matrix *f, struct map *r)
 {
 	const struct sum z = sum_of_double(0);
 	const struct sum m[4][4] = {
@@ -315,15 +318,16 @@ static void map_of_elements(const struct elements *f, struct map *r)
 	memset(r, 0, sizeof *r);
 	memcpy(r->m, m, sizeof m);
 	r->divisor = sum_of_double(1);
-	map_over(r, f->d);
-	map_column_over(r, 0, f->dx);
-	map_column_over(r, 1, f->dy);
-	map_column_over(r, 2, f->dz);
+	map_divide(r, f->d);
+	map_divide_column(r, 0, f->dx);
+	map_divide_column(r, 1, f->dy);
+	map_divide_column(r, 2, f->dz);
 }
 
-/* Block by block: 1/x and 1/y; the inverse of zz zw, tz tw; and what makes the
- * lower left one cancel. What columns were divided by, rows are multiplied by. */
-static struct elements inverse_elements(const struct elements *f)
+/* The inverse by blocks of 2x2: the inverse of the diagonal block x 0, 0 y; of the block
+ * zz zw, tz tw; and minus the product of both with the block zx zy, tx ty. The divisors of
+ * columns become factors of rows. */
+static struct scaled_matrix scaled_inverse(const struct scaled_matrix *f)
 {
 	struct sum one = sum_of_double(1), det = f->det, d = f->d;
 
@@ -334,7 +338,7 @@ static struct elements inverse_elements(const struct elements *f)
 	struct sum x = sum_mul(f->d, det), z = sum_mul(d, f->dz);
 	struct sum minus_z = sum_neg(z);
 
-	return (struct elements){
+	return (struct scaled_matrix){
 		.x = sum_mul(f->dx, x),
 		.y = sum_mul(f->dy, x),
 		.zx = sum_mul(minus_z, sum_minor(f->tw, f->zx, f->zw, f->tx)),
@@ -352,7 +356,7 @@ static struct elements inverse_elements(const struct elements *f)
 	};
 }
 
-/* Whether the last row, or else the last column, has nothing but w = z or -z. */
+/* Returns whether the last row, else the last column, is 0 0 1 0 or 0 0 -1 0. */
 static bool is_w_of_z(const double m[4][4], bool row)
 {
 	bool is = true;
@@ -365,7 +369,7 @@ static bool is_w_of_z(const double m[4][4], bool row)
 	return is;
 }
 
-/* What a perspective's transpose would be. */
+/* Returns whether the matrix looks like a perspective's transpose. */
 static bool is_transposed(const double m[4][4])
 {
 	bool is_affine = m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 &&
@@ -374,8 +378,8 @@ static bool is_transposed(const double m[4][4])
 	return is_w_of_z(m, true) && !is_w_of_z(m, false) && !is_affine;
 }
 
-static const char *projection_bare(const struct projection *p, bool inverse,
-    struct map *r)
+static const char *projection_matrix_map(const struct projection *p,
+    bool inverse, struct map *r)
 {
 	map_of_doubles(p->matrix, r);
 	if (is_transposed(p->matrix))
@@ -388,9 +392,9 @@ static const char *projection_bare(const struct projection *p, bool inverse,
 	return NULL;
 }
 
-/* Of a tilted P, view space to a space in which P is K = 1 0 0, 0 1 0, 0 0 1. X, Y and
- * Z are view x, y and z but for their signs, on both sides. */
-static void projection_level(const struct projection *p,
+/* Computes the affine matrix from view space to the space in which P has the rows 1 0 0 0,
+ * 0 1 0 0, 0 0 1 0. X, Y and Z differ from x, y and z of both spaces by their signs. */
+static void intrinsics_matrix(const struct projection *p,
     const struct convention *c, double level[4][4])
 {
 	const double sign[4] = { 1, c->bottom_left == c->view_y_down ? -1 : 1,
@@ -403,41 +407,41 @@ static void projection_level(const struct projection *p,
 	}
 }
 
-/* Takes the map of the level space to clip space, or back, to that of view space. */
-static const char *from_level(const struct projection *p,
+/* Puts the map of intrinsics_matrix before r or, inverse, behind it. */
+static const char *append_intrinsics(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {
 	double m[4][4];
-	struct map level, stage = *r;
+	struct map level;
 
-	projection_level(p, c, m);
+	intrinsics_matrix(p, c, m);
 	map_of_doubles(m, &level);
 	if (inverse && !map_inverse(m, &level))
 		return "/projection/intrinsics: the left three columns of P "
 		       "are singular; it can't be inverted";
-	map_then(inverse ? &stage : &level, inverse ? &level : &stage, r);
+	map_append(r, &level, !inverse);
 	memset(r->origin, 0, sizeof r->origin);
 	return NULL;
 }
 
-/* Where y is down in view space, a volume is skewed that way too. */
-static const char *find_elements(const struct projection *p,
-    const struct convention *c, struct elements *f)
+/* Computes the matrix of a projection given by parameters. */
+static const char *scaled_of_projection(const struct projection *p,
+    const struct convention *c, struct scaled_matrix *f)
 {
 	const char *why = NULL;
 
 	switch (p->type) {
 	case PROJECTION_PERSP:
-		why = persp_elements(p, c, f);
+		why = persp_matrix(p, c, f);
 		break;
 	case PROJECTION_ORTHO:
-		why = ortho_elements(p, c, f);
+		why = ortho_matrix(p, c, f);
 		break;
 	case PROJECTION_OBLIQUE:
-		why = oblique_elements(p, c, f);
+		why = oblique_matrix(p, c, f);
 		break;
 	case PROJECTION_VOLUME:
-		why = volume_elements(p, c, f);
+		why = volume_matrix(p, c, f);
 		break;
 	case PROJECTION_NONE:
 	case PROJECTION_MATRIX:
@@ -457,27 +461,29 @@ static const char *find_elements(const struct projection *p,
 const char *projection_map(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {
-	struct elements f = { 0 };
+	struct scaled_matrix f = { 0 };
 
 	if (p->type == PROJECTION_NONE) {
 		map_identity(r);
 		return NULL;
 	}
 	if (p->type == PROJECTION_MATRIX)
-		return projection_bare(p, inverse, r);
-	const char *why = find_elements(p, c, &f);
+		return projection_matrix_map(p, inverse, r);
+	const char *why = scaled_of_projection(p, c, &f);
 
 	if (why != NULL)
 		return why;
 	if (inverse)
-		f = inverse_elements(&f);
-	map_of_elements(&f, r);
-	return projection_is_by_p(p) ? from_level(p, c, inverse, r) : NULL;
+		f = scaled_inverse(&f);
+	map_of_scaled(&f, r);
+	return projection_is_by_p(p) ? append_intrinsics(p, c, inverse, r) :
+				       NULL;
 }
 
-/* Whether a parallel projection has a camera in it, as what only a turn makes of it
- * says: x or y goes into depth, x into y; or half a turn mirrors x or y. */
-static bool has_camera(const struct projection *p, const struct convention *c)
+/* Returns whether the matrix of a parallel projection contains a camera that is turned: depth
+ * depends on x or y, or y on x; or, without a camera, x or y is mirrored by half a turn. */
+static bool contains_camera(const struct projection *p,
+    const struct convention *c)
 {
 	const double(*m)[4] = p->matrix;
 	bool down = c->ndc_y_down != c->view_y_down;
@@ -487,7 +493,7 @@ static bool has_camera(const struct projection *p, const struct convention *c)
 	    (p->alone && mirrors);
 }
 
-/* 1/w = z m[2][3] + m[3][3] on the axis, for m the inverse: it is larger nearby. */
+/* On the axis 1/w = z m[2][3] + m[3][3], where m is the inverse; it is larger nearby. */
 bool projection_is_reversed(const struct projection *p,
     const struct convention *c)
 {
@@ -500,7 +506,7 @@ bool projection_is_reversed(const struct projection *p,
 	int grows = sum_sign(back.m[2][3]);
 	int along_z = sum_sign(back.m[2][2]) * sum_sign(back.m[3][3]);
 
-	if (grows == 0 && has_camera(p, c))
+	if (grows == 0 && contains_camera(p, c))
 		return false;
 	return grows != 0 ? grows > 0 : along_z == (looks_back(c) ? 1 : -1);
 }

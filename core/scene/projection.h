@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Projections: view to clip and back. */
+/* The projection: the map from view to clip space and back. */
 #ifndef PROJECTION_H
 #define PROJECTION_H
 
@@ -7,19 +7,19 @@
 #include "../exact/map.h"
 #include "../exact/trig.h"
 
-/* The cross-section of persp (on the near plane), ortho and oblique, in the order of
- * the ways of their members. */
+/* The members that give the cross-section of persp (on the near plane), ortho and oblique, in
+ * the order of the table of their members. */
 enum extent {
 	EXTENT_FOVY, /* angle, aspect */
 	EXTENT_FOVX,
-	EXTENT_VIEW_ANGLE, /* of the smaller side */
+	EXTENT_VIEW_ANGLE, /* across the smaller side, aspect */
 	EXTENT_FIELD,      /* half the larger side at unit distance, aspect */
 	EXTENT_SIZE,       /* width, height */
 	EXTENT_WIDTH,      /* width, aspect */
 	EXTENT_HEIGHT,     /* height, aspect */
 	EXTENT_EDGES,
-	EXTENT_ANGLES,     /* of the edges from the gaze */
-	EXTENT_INTRINSICS, /* what makes pixels of a point in view space */
+	EXTENT_ANGLES,     /* between the edges and the gaze */
+	EXTENT_INTRINSICS, /* the matrix from view space to pixels */
 };
 
 struct projection {
@@ -29,65 +29,66 @@ struct projection {
 		PROJECTION_ORTHO,
 		PROJECTION_OBLIQUE,
 		PROJECTION_VOLUME,
-		PROJECTION_MATRIX,
+		PROJECTION_MATRIX, /* the last: tests sample the types up to it */
 	} type;
 
 	enum angle_unit unit; /* of angles but the direction */
 	enum extent extent;
-	double angle;         /* or the field; or a volume's */
-	double aspect[2];     /* width over height as a quotient; [1] 0: none */
-	double width, height; /* with intrinsics, the viewport's */
+	double angle;         /* or the field, or the view angle of a volume */
+	double aspect[2];     /* width / height; [1] is 0 where not given */
+	double width, height; /* with intrinsics, of the viewport */
 	double left, right, bottom, top;
-	double edges_at; /* the distance where they are measured, or 0: near */
-	/* P: a point X right, Y as device y increases, Z along the gaze is taken to
-	 * u w, v w, w by these rows; pixels u and v count from the viewport's
-	 * corner. near and far are values of w. */
+	double edges_at; /* the distance where edges are measured, or 0: near */
+	/* The rows of P, which maps a point with X to the right, Y in the direction
+	 * of device y, and Z along the gaze to u w, v w, w. The pixels u and v are
+	 * relative to the viewport's corner. near and far are values of w. */
 	double intrinsics[3][4];
-	/* far may be INFINITY in persp; where near is 0 there are no such planes,
-	 * and depth is 1/w, reversed. */
+	/* In persp, far may be INFINITY. near 0 means no planes: depth is 1/w,
+	 * reversed. */
 	double near, far;
 	bool reverse_z;
 	double near_ratio; /* for fit */
 
 	/* oblique */
 	enum { OBLIQUE_ANGLE, OBLIQUE_CAVALIER, OBLIQUE_CABINET } kind;
-	double projector; /* angle between projectors and plane */
-	double direction; /* angle from +x in which receding lines run */
+	double projector; /* the angle between projectors and plane */
+	double direction; /* the angle from +x to receding lines */
 	enum angle_unit direction_unit;
-	double plane; /* depth that stays unsheared */
+	double plane; /* the depth that the shear keeps */
 
-	/* volume; with an aspect both halves are those of the smaller side */
+	/* volume; if an aspect is given, both halves are of the smaller side */
 	double half_width, half_height, z_near, z_far;
 	double inverse_eye_z, tan_skew[2];
 	double eye[3]; /* in view space */
-	/* Whether the eye is by inverse_eye_z, at eye, or by the angle, of which 0
-	 * is parallel. In the order of the ways of their members. */
+	/* The member that gives the eye: inverse_eye_z, eye, or view_angle, of
+	 * which 0 means parallel. In the order of the table of their members. */
 	enum { EYE_BY_Z, EYE_GIVEN, EYE_BY_ANGLE } eye_by;
 
 	double matrix[4][4];
-	bool alone; /* without a camera, which the matrix may have in it */
+	bool alone; /* no camera: the matrix may contain one */
 };
 
-/* A persp without planes. */
+/* Returns whether it is a persp without planes. */
 static inline bool projection_is_open(const struct projection *p)
 {
 	return p->type == PROJECTION_PERSP && p->near == 0;
 }
 
-/* A persp whose section is measured on its near plane. */
+/* Returns whether it is a persp whose cross-section is given on its near plane. */
 static inline bool projection_is_by_near(const struct projection *p)
 {
 	return p->type == PROJECTION_PERSP && p->edges_at == 0 &&
 	    p->extent >= EXTENT_SIZE && p->extent <= EXTENT_EDGES;
 }
 
+/* Returns whether it is a persp by the intrinsics P. */
 static inline bool projection_is_by_p(const struct projection *p)
 {
 	return p->type == PROJECTION_PERSP && p->extent == EXTENT_INTRINSICS;
 }
 
-/* Whether w is another thing than the distance along the gaze and an offset: the last
- * row of P does not begin 0 0 1. */
+/* Returns whether w is not the distance along the gaze plus an offset: whether the last row
+ * of P does not begin with 0 0 1. */
 static inline bool projection_is_tilted(const struct projection *p)
 {
 	const double *w = p->intrinsics[2];
@@ -95,7 +96,7 @@ static inline bool projection_is_tilted(const struct projection *p)
 	return projection_is_by_p(p) && (w[0] != 0 || w[1] != 0 || w[2] != 1);
 }
 
-/* w less the distance along the gaze; 0 where P is tilted. */
+/* Returns w minus the distance along the gaze; 0 where P is tilted. */
 static inline double projection_w_at_eye(const struct projection *p)
 {
 	bool offset = projection_is_by_p(p) && !projection_is_tilted(p);
@@ -103,20 +104,19 @@ static inline double projection_w_at_eye(const struct projection *p)
 	return offset ? p->intrinsics[2][3] : 0;
 }
 
-/* Of a volume: 1/z of the eye, as a quotient of which the denominator is exact. The
- * angle is that across the smaller side, seen from before the near plane. */
-void projection_inverse_eye_z(const struct projection *, struct sum *over,
-    struct sum *under);
+/* Computes 1/z of the eye of a volume, as a quotient whose denominator is exact. */
+void projection_inverse_eye_z(const struct projection *, struct sum *numerator,
+    struct sum *denominator);
 
-/* The matrices of projcalc(1), FORMULAS, and their inverses, from formulas in
- * the parameters. Returns NULL, or the member and the reason. */
+/* Computes the matrix of projcalc(1), FORMULAS, or its inverse. Returns NULL, or the member
+ * and the reason. */
 const char *projection_map(const struct projection *, const struct convention *,
     bool inverse, struct map *);
 
-/* Whether the near plane is that of ndc depth 1. A matrix, or the identity where
- * there is no projection, doesn't say: its near plane is that of the smaller
- * positive w or, where w is constant, the first along the convention's gaze. But
- * in a parallel one with a camera in it, which is turned or mirrored, depth grows. */
+/* Returns whether the near plane has ndc depth 1. A matrix, or the identity without a
+ * projection, does not define it: its near plane is then the plane of the smaller positive
+ * w or, where w is constant, the first plane along the convention's gaze. But the depth of a
+ * parallel projection that contains a camera grows, as the camera is turned or mirrored. */
 bool projection_is_reversed(const struct projection *,
     const struct convention *);
 

@@ -17,7 +17,8 @@ static bool are_numbers(int n, const double *v)
 	return are;
 }
 
-/* Of the sections that are computed; a document's own have been checked. */
+/* Checks the cross-sections that are computed. Those of a document were checked when they
+ * were read. */
 static bool has_valid_section(const struct scene *s)
 {
 	const struct projection *p = &s->projection;
@@ -62,35 +63,30 @@ static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 	return NULL;
 }
 
-static void then(struct map *r, const struct map *stage, bool back)
-{
-	struct map before = *r;
-
-	map_then(back ? stage : &before, back ? &before : stage, r);
-}
-
-/* A space from one convention to another: axes of view point the other way, and so
- * may y of clip space, where depth from 0 to w is 2 z - w from -w to w. Other spaces
- * are the same. */
-static void across(enum space space, const struct convention *from,
+/* Computes the map of view or clip space from one convention to another; it is the identity
+ * for other spaces. y and the z of view space change their signs. The depth z from 0 to w
+ * of clip space becomes 2 z - w from -w to w, and back (z + w) / 2. */
+static void convention_map(enum space space, const struct convention *from,
     const struct convention *to, struct map *r)
 {
 	bool view = space == SPACE_VIEW, clip = space == SPACE_CLIP;
+	bool flips_y = (view && from->view_y_down != to->view_y_down) ||
+	    (clip && from->ndc_y_down != to->ndc_y_down);
+	bool flips_z = view && looks_back(from) != looks_back(to);
+	bool depth = clip && from->minus_one != to->minus_one;
+	double y = flips_y ? -1 : 1, t = !depth ? 0 : to->minus_one ? -1 : 0.5;
+	double z = flips_z ? -1 : !depth ? 1 : to->minus_one ? 2 : 0.5;
+	const double m[4][4] = {
+		{ 1, 0, 0, 0 },
+		{ 0, y, 0, 0 },
+		{ 0, 0, z, 0 },
+		{ 0, 0, t, 1 },
+	};
 
-	map_identity(r);
-	if ((view && from->view_y_down != to->view_y_down) ||
-	    (clip && from->ndc_y_down != to->ndc_y_down))
-		r->m[1][1] = sum_of_double(-1);
-	if (view && looks_back(from) != looks_back(to))
-		r->m[2][2] = sum_of_double(-1);
-	if (clip && from->minus_one != to->minus_one) {
-		r->m[2][2] = sum_of_double(to->minus_one ? 2 : 0.5);
-		r->m[3][2] = sum_of_double(to->minus_one ? -1 : 0.5);
-	}
+	map_of_doubles(m, r);
 }
 
-/* Takes the map from the space below to the one above, or back, as the scene's
- * convention has them, to that of the answer. */
+/* Changes the map of a stage, or its inverse, from the scene's convention to the answer's. */
 static void scene_answer(const struct scene *s, enum space below, bool inverse,
     struct map *r)
 {
@@ -100,13 +96,13 @@ static void scene_answer(const struct scene *s, enum space below, bool inverse,
 
 	if (s->answer == NULL)
 		return;
-	across(from, s->answer, c, &before);
-	across(to, c, s->answer, &after);
-	then(r, &before, true);
-	then(r, &after, false);
+	convention_map(from, s->answer, c, &before);
+	convention_map(to, c, s->answer, &after);
+	map_append(r, &before, true);
+	map_append(r, &after, false);
 }
 
-/* The map of one stage, from the space below to the one above or back. */
+/* Computes the map of a stage: from the space below to the next one, or its inverse. */
 static const char *stage_map(const struct scene *s, enum space below,
     bool inverse, struct map *r)
 {
@@ -132,14 +128,13 @@ static const char *stage_map(const struct scene *s, enum space below,
 			       "one, or use the space ndc";
 		return viewport_map(&s->viewport, answer_convention(s), inverse,
 		    r);
-	case SPACE_CLIP: /* to ndc: only the division */
+	case SPACE_CLIP: /* ndc is clip space divided by w */
 	case SPACE_DEVICE:
 		break;
 	}
 	return why;
 }
 
-/* The stages multiplied out, whatever the range. */
 static const char *compose(const struct scene *s, enum space from,
     enum space to, struct map *r)
 {
@@ -153,14 +148,14 @@ static const char *compose(const struct scene *s, enum space from,
 
 		if (why != NULL)
 			return why;
-		then(r, &stage, back);
+		map_append(r, &stage, back);
 	}
 	return NULL;
 }
 
-static const char *want_finite(const struct map *r)
+static const char *check_range(const struct map *r)
 {
-	if (ex_has_lost())
+	if (ex_has_overflowed())
 		return "/projection: " SCENE_TOO_WIDE;
 	return map_is_finite(r) ?
 	    NULL :
@@ -174,7 +169,7 @@ const char *scene_map(const struct scene *s, enum space from, enum space to,
 {
 	const char *why = compose(s, from, to, r);
 
-	return why != NULL ? why : want_finite(r);
+	return why != NULL ? why : check_range(r);
 }
 
 const char *scene_map_by_view(const struct scene *s, enum space from,
@@ -186,8 +181,8 @@ const char *scene_map_by_view(const struct scene *s, enum space from,
 		why = compose(s, SPACE_VIEW, to, from_view);
 	if (why != NULL)
 		return why;
-	then(r, from_view, false);
-	return want_finite(r);
+	map_append(r, from_view, false);
+	return check_range(r);
 }
 
 const char *scene_flat_map(const struct scene *s, enum flat from, enum flat to,
@@ -206,9 +201,9 @@ const char *scene_flat_map(const struct scene *s, enum flat from, enum flat to,
 		why = window_map(&s->window, d, back, r);
 	if (why == NULL && high == FLAT_DEVICE) {
 		why = device_map(&s->device, back, &stage);
-		then(r, &stage, back);
+		map_append(r, &stage, back);
 	}
-	if (why == NULL && ex_has_lost())
+	if (why == NULL && ex_has_overflowed())
 		return "/window: " SCENE_TOO_WIDE;
 	return why != NULL || map_is_finite(r) ?
 	    why :
@@ -229,7 +224,7 @@ const char *scene_shown(const struct scene *s, struct shown *w)
 		struct sum edge = sum_add(back.m[3][k / 2],
 		    k & 1 ? half : sum_neg(half));
 
-		w->edge[k] = sum_over(edge, back.divisor);
+		w->edge[k] = sum_ratio(edge, back.divisor);
 		w->scale[k / 2] = map_nearest(&out, k / 2, k / 2, false);
 	}
 	return why;

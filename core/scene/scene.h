@@ -7,9 +7,8 @@
 #include "projection.h"
 #include "window.h"
 
-/* Numbers of a document, and coordinates of points, are at most MAGNITUDE_MAX,
- * sizes are at least SIZE_MIN: products of a few of them stay within
- * the range of doubles. */
+/* Numbers of a document and coordinates of points are at most MAGNITUDE_MAX, and sizes at
+ * least SIZE_MIN. Products of two of them are in the range of doubles. */
 #define MAGNITUDE_MAX 1e150
 
 #define SCENE_TOO_WIDE                                                       \
@@ -26,25 +25,26 @@ enum space {
 	SPACE_DEVICE,
 };
 
-/* The spaces of the 2D window commands, two coordinates each. */
+/* The spaces of the 2D window commands, with two coordinates each. */
 enum flat { FLAT_WINDOW, FLAT_NDC, FLAT_DEVICE };
 
-/* A document, as it was read; members that were not there have has_... false
- * or their default. */
+/* A document as it was read. A member that the document lacks has its default, or its
+ * has_... false. */
 struct scene {
-	struct convention convention; /* by which all its numbers are read */
-	/* By which view, clip and ndc space and the device are wanted, where that
-	 * is another; else NULL. */
+	struct convention convention; /* of the document's numbers */
+	/* The convention of view, clip and ndc space and the device in what is
+	 * read and printed, if it is another one; else NULL. */
 	const struct convention *answer;
 	bool has_world, has_camera, has_viewport, has_window, has_device;
 	double world[4][4]; /* model to world, row vectors, affine */
 	struct camera camera;
-	struct projection projection; /* type NONE where there is none */
+	struct projection
+	    projection; /* PROJECTION_NONE if the document has none */
 	struct viewport viewport;
 	struct window window;
 	struct device device;
-	/* For fit: the share of the picture's width and height that stays free at
-	 * each side; 0 for all else. */
+	/* For fit, the share of the picture's width and height that stays free at
+	 * each side; 0 for all other commands. */
 	double margin;
 };
 
@@ -53,31 +53,34 @@ static inline const struct convention *answer_convention(const struct scene *s)
 	return s->answer != NULL ? s->answer : &s->convention;
 }
 
+/* Returns whether a number is from SIZE_MIN to MAGNITUDE_MAX. */
 bool scene_is_size(double);
 
-/* Whether a document may hold the scene's eye and projection, which were computed. */
+/* Returns whether a document may hold the scene's computed eye and projection: whether their
+ * numbers are in range, and planes and edges differ. */
 bool scene_is_valid(const struct scene *);
 
-/* The composed map between any two spaces: the stages, from their parameters
- * in either direction, multiplied out as sums over a divisor (mat.h).
- * Points come out homogeneous; see points.h for the division. Returns NULL,
- * or the member (a JSON pointer) and the reason. */
+/* Compute the map between two spaces, the product of the maps of its stages. The images of
+ * points are homogeneous (transform.h divides them). Return NULL, or the member, as a JSON
+ * pointer, and the reason. */
 const char *scene_map(const struct scene *, enum space from, enum space to,
     struct map *);
 const char *scene_flat_map(const struct scene *, enum flat from, enum flat to,
     struct map *);
 
-/* What a 2D window shows, by its edges left, right, bottom, top; and how far on the
- * device, or in ndc where there is none, one unit of the window leads along x and y.
- * The nearest doubles. Returns NULL, or the member and the reason. */
+/* The part of the plane that a 2D window shows, in nearest doubles. */
 struct shown {
-	double edge[4], scale[2];
+	double edge[4]; /* left, right, bottom, top */
+	double scale
+	    [2]; /* device units, or ndc units, for a window unit in x and y */
 };
 
+/* Computes what the window shows. Returns NULL, or the member and the reason. */
 const char *scene_shown(const struct scene *, struct shown *);
 
-/* As scene_map, where from is no later than view space and to is later; and the
- * part from there, which may have elements beyond the range of doubles. */
+/* Computes the map as scene_map does, from model, world or view space to a later space than
+ * view, and the part of it that leads from view space. That part may have elements beyond
+ * the range of doubles. */
 const char *scene_map_by_view(const struct scene *, enum space from,
     enum space to, struct map *, struct map *from_view);
 

@@ -1,26 +1,26 @@
 /* SPDX-License-Identifier: MIT */
 #include "window.h"
 
-/* Sets one axis to x' = (x n + t) / d, or back; the denominators go into the map's
- * divisor. */
+/* Sets coordinate i to x' = (x n + t) / d, or its inverse x = (x' d - t) / n. The denominator
+ * becomes a factor of the map's divisor. */
 static void window_axis(struct map *r, int i, struct sum n, struct sum t,
     struct sum d, bool inverse)
 {
 	r->m[i][i] = sum_mul(r->divisor, inverse ? d : n);
 	r->m[3][i] = sum_mul(r->divisor, sum_negated_if(inverse, t));
-	map_column_over(r, i, inverse ? n : d);
+	map_divide_column(r, i, inverse ? n : d);
 }
 
-/* From ndc, x' = x n / d + offset, or back. */
-static void from_ndc(struct map *r, int i, struct sum n, double d,
+/* Sets coordinate i to x' = x n / d + offset for an ndc coordinate x, or its inverse. */
+static void ndc_axis(struct map *r, int i, struct sum n, double d,
     struct sum offset, bool inverse)
 {
 	window_axis(r, i, n, sum_scale(offset, d), sum_of_double(d), inverse);
 	r->origin[i] = inverse ? sum_double(offset) : 0;
 }
 
-/* Two sides and the centre, panned, as exact sums. */
-static const char *shape(const struct window *w, struct sum size[2],
+/* Computes the size and the centre, after pan. */
+static const char *window_shape(const struct window *w, struct sum size[2],
     struct sum center[2])
 {
 	const double low[2] = { w->left, w->bottom };
@@ -45,25 +45,25 @@ static const char *shape(const struct window *w, struct sum size[2],
 	return NULL;
 }
 
-/* Divides a side by over. Grow widens the side that is too short for the device's
- * shape, so that all that was seen is; shrink narrows the one that is too long. */
-static void adapt(const struct window *w, const struct device *d,
-    struct sum size[2], double over[2])
+/* Gives the window the aspect of the device, as size / divisor: grow enlarges the side that
+ * is too short, and shrink reduces the side that is too long. */
+static void window_adapt(const struct window *w, const struct device *d,
+    struct sum size[2], double divisor[2])
 {
 	struct sum wide = sum_scale(size[0], d->height);
 	struct sum high = sum_scale(size[1], d->width);
 	int side = (sum_compare(high, wide) > 0) != (w->adapt == ADAPT_GROW);
 
 	size[side] = side == 0 ? high : wide;
-	over[side] = side == 0 ? d->height : d->width;
+	divisor[side] = side == 0 ? d->height : d->width;
 }
 
 const char *window_map(const struct window *w, const struct device *d,
     bool inverse, struct map *r)
 {
 	struct sum size[2], center[2];
-	double over[2] = { 1, 1 };
-	const char *why = shape(w, size, center);
+	double divisor[2] = { 1, 1 };
+	const char *why = window_shape(w, size, center);
 
 	if (why != NULL)
 		return why;
@@ -71,7 +71,7 @@ const char *window_map(const struct window *w, const struct device *d,
 		return "/window/adapt: there is no device to adapt "
 		       "to; add \"device\"";
 	if (w->adapt != ADAPT_STRETCH)
-		adapt(w, d, size, over);
+		window_adapt(w, d, size, divisor);
 	map_identity(r);
 	for (int i = 0; i < 2; i++) {
 		/* c / zoom = about + (center - about) / zoom */
@@ -79,12 +79,13 @@ const char *window_map(const struct window *w, const struct device *d,
 						  center[i];
 		struct sum c = sum_add(sum_sub(center[i], about),
 		    sum_scale(about, w->zoom));
-		struct sum n = sum_scale(sum_of_double(2 * over[i]), w->zoom);
+		struct sum n = sum_scale(sum_of_double(2 * divisor[i]),
+		    w->zoom);
 
 		window_axis(r, i, sum_scale(n, w->zoom), sum_neg(sum_mul(c, n)),
 		    sum_scale(size[i], w->zoom), inverse);
 		r->origin[i] = inverse ? 0 :
-					 sum_over(c, sum_of_double(w->zoom));
+					 sum_ratio(c, sum_of_double(w->zoom));
 	}
 	return NULL;
 }
@@ -94,9 +95,9 @@ const char *device_map(const struct device *d, bool inverse, struct map *r)
 	struct sum high = sum_of_double(d->top_left ? -d->height : d->height);
 
 	map_identity(r);
-	from_ndc(r, 0, sum_of_double(d->width), 2,
+	ndc_axis(r, 0, sum_of_double(d->width), 2,
 	    sum_diff(d->x, -d->width / 2), inverse);
-	from_ndc(r, 1, high, 2, sum_diff(d->y, -d->height / 2), inverse);
+	ndc_axis(r, 1, high, 2, sum_diff(d->y, -d->height / 2), inverse);
 	return NULL;
 }
 
@@ -142,10 +143,10 @@ const char *viewport_map(const struct viewport *v, const struct convention *c,
 	if (c->minus_one)
 		min = sum_scale(sum_diff(v->min_z, -v->max_z), 0.5);
 	map_identity(r);
-	from_ndc(r, 0, sum_of_double(s[0]), 1, sum_diff(v->x, -v->width / 2),
+	ndc_axis(r, 0, sum_of_double(s[0]), 1, sum_diff(v->x, -v->width / 2),
 	    inverse);
-	from_ndc(r, 1, sum_of_double(s[1]), 1, sum_diff(v->y, -v->height / 2),
+	ndc_axis(r, 1, sum_of_double(s[1]), 1, sum_diff(v->y, -v->height / 2),
 	    inverse);
-	from_ndc(r, 2, depth, c->minus_one ? 2 : 1, min, inverse);
+	ndc_axis(r, 2, depth, c->minus_one ? 2 : 1, min, inverse);
 	return NULL;
 }

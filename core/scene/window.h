@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The flat end of the pipeline: the 2D window, the device and the 3D viewport.
- * 2D maps leave z alone. */
+/* The maps of the 2D window, the 2D device and the 3D viewport. 2D maps keep z. */
 #ifndef WINDOW_H
 #define WINDOW_H
 
@@ -9,12 +8,13 @@
 
 struct window {
 	double center[2], width, height;
-	unsigned by_edges; /* 1: by its edges, 0: by its centre */
+	unsigned
+	    by_edges; /* 1: given by its edges, 0: by its centre and size */
 	double left, right, bottom, top;
 	double pan[2];
-	double zoom; /* 2 shows half the extent; 1 where not given */
+	double zoom; /* 2 shows half the extent; the default is 1 */
 	bool has_about;
-	double about[2]; /* the point that zoom leaves where it is */
+	double about[2]; /* the fixed point of the zoom */
 	enum { ADAPT_STRETCH, ADAPT_GROW, ADAPT_SHRINK } adapt;
 };
 
@@ -29,20 +29,19 @@ struct viewport {
 	double scales[2];
 };
 
-/* Window to NDC after pan, zoom and adapt; device may be NULL where
- * adapt is ADAPT_STRETCH. */
+/* Computes the map from window to ndc, with pan, zoom and adapt, or its inverse. The device
+ * may be NULL with ADAPT_STRETCH. Returns NULL, or the member and the reason. */
 const char *window_map(const struct window *, const struct device *,
     bool inverse, struct map *);
 
-/* NDC to device. */
+/* Compute the map from ndc to the 2D device, or to the 3D viewport with the convention's
+ * depth range and origin, or its inverse. Return NULL, or the member and the reason. */
 const char *device_map(const struct device *, bool inverse, struct map *);
-
-/* NDC to device in space, from the convention's depth range and origin. */
 const char *viewport_map(const struct viewport *, const struct convention *,
     bool inverse, struct map *);
 
-/* A point is on the viewport where |x| scale and |y| scale are at most half its sides;
- * on ndc's square, where there is none (NULL), at most 1. */
+/* Computes the limits of ndc coordinates on the viewport: |x| scale[0] <= half[0], and the
+ * same for y. Without a viewport (NULL) all are 1. */
 void viewport_limits(const struct viewport *, struct sum half[2],
     struct sum scale[2]);
 

@@ -71,7 +71,7 @@ static void orthonormalized(const char *what, int e, int tries)
 	claim_bound(what, &w, 0x1p-245 / TRUTH_RULE);
 }
 
-static void nearest_rotation(void **state)
+static void rotation_nearest(void **state)
 {
 	(void)state;
 	sample_seed(2);
@@ -82,7 +82,7 @@ static void nearest_rotation(void **state)
 static void set_diagonal(struct camera *c, double a, double b, double d)
 {
 	memset(c, 0, sizeof *c);
-	c->by = CAMERA_MATRIX;
+	c->kind = CAMERA_MATRIX;
 	c->orthonormalize = true;
 	c->matrix[0][0] = a;
 	c->matrix[1][1] = b;
@@ -149,7 +149,7 @@ static void check_zeros(const int eye[3], const int gaze[3], const int up[3],
 
 static void whole_number(int eye_number, const int up[3], int *zeros)
 {
-	struct camera c = { .by = CAMERA_AT };
+	struct camera c = { .kind = CAMERA_AT };
 	int eye[3], gaze[3];
 	struct map m;
 
@@ -261,7 +261,7 @@ static void parallel(void **state)
 	(void)state;
 	sample_seed(4);
 	for (int i = 0; i < 500; i++) {
-		struct camera c = { .by = CAMERA_GAZE };
+		struct camera c = { .kind = CAMERA_GAZE };
 		int mark = real_mark();
 		struct map m;
 
@@ -293,10 +293,10 @@ static void pose_is_the_inverse(void **state)
 		struct map m, back;
 
 		sample_orthonormalize(&c, i % 2 ? 5 : 0);
-		c.by = CAMERA_MATRIX;
+		c.kind = CAMERA_MATRIX;
 		c.orthonormalize = i % 4 < 2;
 		pose = c;
-		pose.by = CAMERA_POSE;
+		pose.kind = CAMERA_POSE;
 		for (int inverse = 0; inverse < 2; inverse++) {
 			if (camera_map(&c, &d3d, inverse, &m) != NULL)
 				continue;
@@ -366,25 +366,25 @@ static void all_refused(void **state)
 	refused(c, true, "/camera/up");
 	memset(c.up, 0, sizeof c.up);
 	refused(c, false, "/camera/up");
-	c.by = CAMERA_GAZE;
+	c.kind = CAMERA_GAZE;
 	memset(c.at, 0, sizeof c.at);
 	refused(c, false, "/camera/gaze");
-	c.by = CAMERA_ORIENTATION;
+	c.kind = CAMERA_ORIENTATION;
 	refused(c, false, "/camera/orientation");
-	c.by = CAMERA_TRANSLATION;
+	c.kind = CAMERA_TRANSLATION;
 	refused(c, true, "/camera/orientation");
-	c.by = CAMERA_RVEC;
+	c.kind = CAMERA_RVEC;
 	c.rvec[1] = nextafter(2 * PI, 7);
 	refused(c, false, "/camera/rvec: is longer than 2 pi");
-	c.by = CAMERA_RVEC_TRANSLATION;
+	c.kind = CAMERA_RVEC_TRANSLATION;
 	refused(c, true, "/camera/rvec: is longer than 2 pi");
 	set_diagonal(&c, 1, 1, -1);
 	refused(c, false, "/camera/matrix: its determinant is not positive");
-	c.by = CAMERA_POSE;
+	c.kind = CAMERA_POSE;
 	refused(c, true, "/camera/pose: its determinant is not positive");
 	set_diagonal(&c, 1, 1, 0);
 	refused(c, false, "/camera/matrix");
-	c.by = CAMERA_POSE;
+	c.kind = CAMERA_POSE;
 	refused(c, false, "/camera/pose");
 	c.orthonormalize = false;
 	refused(c, false, "/camera/pose: singular");
@@ -392,7 +392,7 @@ static void all_refused(void **state)
 	c.matrix[0][3] = 1;
 	refused(c, true, "/camera/pose: " NOT_AFFINE);
 	c.matrix[0][3] = 0;
-	c.by = CAMERA_MATRIX;
+	c.kind = CAMERA_MATRIX;
 	c.orthonormalize = false;
 	refused(c, true, "/camera/matrix");
 	c.matrix[2][2] = 1;
@@ -408,7 +408,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(random_ones),
-		cmocka_unit_test(nearest_rotation),
+		cmocka_unit_test(rotation_nearest),
 		cmocka_unit_test(nearest_exactly),
 		cmocka_unit_test(turns_of_a_cube),
 		cmocka_unit_test(no_ghosts),

@@ -133,8 +133,8 @@ static void divided(void **state)
 		square = fmax(square,
 		    relative(number_ex(ex_sqrt(positive(a))),
 			root(magnitude(x))));
-		a = ex_first(a, 2);
-		b = ex_first(b, 3);
+		a = ex_truncate(a, 2);
+		b = ex_truncate(b, 3);
 		if (b.sign != 0)
 			assert_int_equal(ex_compare(a,
 					     ex_quotient(ex_mul(a, b), b)),
@@ -183,11 +183,11 @@ static void rounded(void **state)
 		ex a = polynomial(i % 20, &x);
 
 		round = fmax(round, relative(number_dd(ex_round(a)), x));
-		first = fmax(first, relative(number_ex(ex_first(a, 3)), x));
+		first = fmax(first, relative(number_ex(ex_truncate(a, 3)), x));
 		real_release(mark);
 	}
 	claim("ex_round", round * 0x1p106, EX_BOUND);
-	claim("ex_first of 3", first, 0x1p-128);
+	claim("ex_truncate of 3", first, 0x1p-128);
 	for (int i = 0; i < 20 * TRIES; i++) {
 		int mark = real_mark(), e = (int)sample_below(2300) - 1150;
 		double d = ldexp(1 + sample_unit(), e);

@@ -94,7 +94,8 @@ static void products(void **state)
 			any_matrix(&p, sample_below(2), magnitudes[i % 3]);
 			map_of_doubles(p.matrix, &next);
 			before = m;
-			map_then(&before, &next, &m);
+			m = before;
+			map_append(&m, &next, false);
 			truth_projection(&t, &p, &d3d);
 		}
 		truth_compose(&t);
@@ -117,7 +118,8 @@ static void round_trips(void **state)
 		map_of_doubles(p.matrix, &there);
 		if (!map_inverse(p.matrix, &back))
 			continue;
-		map_then(&there, &back, &m);
+		m = there;
+		map_append(&m, &back, false);
 		for (int k = 0; k < 16; k++)
 			assert_true(
 			    element(&m, k / 4, k % 4) == (k / 4 == k % 4));
@@ -142,9 +144,11 @@ static void identity(void **state)
 	sample_scene(&s, 2);
 	map_identity(&one);
 	assert_null(scene_map(&s, SPACE_WORLD, SPACE_VIEW, &a));
-	map_then(&one, &a, &b);
+	b = one;
+	map_append(&b, &a, false);
 	assert_same(&a, &b);
-	map_then(&a, &one, &b);
+	b = a;
+	map_append(&b, &one, false);
 	assert_same(&a, &b);
 }
 

@@ -91,7 +91,7 @@ static void to_matrices(struct scene *s)
 		s->projection.matrix[i / 4][i % 4] = element(&projection, i / 4,
 		    i % 4);
 	}
-	s->camera.by = CAMERA_MATRIX;
+	s->camera.kind = CAMERA_MATRIX;
 	s->camera.orthonormalize = false;
 	s->projection.type = PROJECTION_MATRIX;
 }

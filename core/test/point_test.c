@@ -196,7 +196,7 @@ static void underflow(void **state)
 static void ties_of_irrational_parts(void **state)
 {
 	struct scene s = { .has_camera = true,
-		.camera = { .by = CAMERA_GAZE,
+		.camera = { .kind = CAMERA_GAZE,
 		    .at = { 0, 1, 1 },
 		    .up = { 0, 1, 0 } },
 		.projection = { .type = PROJECTION_PERSP,
@@ -237,7 +237,7 @@ static void ties_of_irrational_parts(void **state)
 static void ties_of_different_irrational_parts(void **state)
 {
 	struct scene s = { .has_camera = true,
-		.camera = { .by = CAMERA_GAZE,
+		.camera = { .kind = CAMERA_GAZE,
 		    .at = { 0, 1, 1 },
 		    .up = { 0, 1, 0 },
 		    .roll = 45 },

@@ -10,7 +10,7 @@ void carry(const struct transform *t, enum precision precision, struct block *b,
 	const double *const in[4] = { b->in[0], b->in[1], b->in[2], b->in[3] };
 	double *const out[4] = { b->out[0], b->out[1], b->out[2], b->out[3] };
 
-	points_carry(t, precision, in, out, n);
+	points_map(t, precision, in, out, n);
 }
 
 void carry_all(const struct transform *t, struct block *b, size_t n)
@@ -33,7 +33,7 @@ static double coordinate(const struct scene *s, enum space from, int j)
 	if (sample_below(6) == 0)
 		d = rint(d);
 	if (j < 3 && from <= SPACE_WORLD && s->has_camera &&
-	    s->camera.by < CAMERA_TRANSLATION)
+	    s->camera.kind < CAMERA_TRANSLATION)
 		d += s->camera.eye[j];
 	return d;
 }

@@ -147,7 +147,7 @@ static void what_is_not_plain_is_told(void **state)
 	}
 }
 
-/* To the bits of points_carry with columns of doubles, also where the origin is no
+/* To the bits of points_map with columns of doubles, also where the origin is no
  * float. */
 static void floats_come_out_as_of_doubles(void **state)
 {
@@ -174,7 +174,7 @@ static void floats_come_out_as_of_doubles(void **state)
 		sample_points(&s, from, &b, n);
 		for (size_t i = 0; i < n * (size_t)t.in; i++)
 			put(false, i, b.in[i % (size_t)t.in][i / (size_t)t.in]);
-		if (!points_carry_floats(&t, rows + 1, back + 1, n))
+		if (!points_map_floats(&t, rows + 1, back + 1, n))
 			continue;
 		assert_true(points_kernels()->split[false][t.in](rows + 1, b.in,
 		    n, MAGNITUDE_MAX));

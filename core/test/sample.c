@@ -114,7 +114,7 @@ static void look_along(struct camera *c)
 	for (int i = 0; i < 3; i++) {
 		double gaze = c->at[i];
 
-		if (c->by == CAMERA_AT)
+		if (c->kind == CAMERA_AT)
 			gaze -= c->eye[i];
 		c->up[i] = gaze * (1 + near * sample_between(-1, 1));
 	}
@@ -141,7 +141,7 @@ void sample_camera(struct camera *c, int e)
 {
 
 	memset(c, 0, sizeof *c);
-	c->by = sample_below(8);
+	c->kind = sample_below(8);
 	vector(c->eye, e);
 	vector(c->at, e);
 	vector(c->up, e);
@@ -149,12 +149,12 @@ void sample_camera(struct camera *c, int e)
 		memcpy(c->up, (double[]){ 0, 1, 0 }, sizeof c->up);
 	for (int i = 0; i < 4; i++)
 		c->orientation[i] = e > 0 ? sample_number(e) : ordinary();
-	if (c->by == CAMERA_RVEC || c->by == CAMERA_RVEC_TRANSLATION)
+	if (c->kind == CAMERA_RVEC || c->kind == CAMERA_RVEC_TRANSLATION)
 		rotation_vector(c->rvec, e);
 	sample_affine(c->matrix, e);
-	if (e > 0 && c->by == CAMERA_AT && sample_below(2))
+	if (e > 0 && c->kind == CAMERA_AT && sample_below(2))
 		stand_far(c);
-	if (e > 0 && c->by < CAMERA_ORIENTATION && sample_below(2))
+	if (e > 0 && c->kind < CAMERA_ORIENTATION && sample_below(2))
 		look_along(c);
 	c->unit = sample_below(4) == 0 ? RADIANS : DEGREES;
 	if (sample_below(3) == 0)
@@ -174,7 +174,7 @@ void sample_orthonormalize(struct camera *c, int e)
 	double drift = sample_below(2) ? 1e-7 : 0.5;
 
 	memset(c, 0, sizeof *c);
-	c->by = sample_below(2) ? CAMERA_MATRIX : CAMERA_POSE;
+	c->kind = sample_below(2) ? CAMERA_MATRIX : CAMERA_POSE;
 	c->orthonormalize = true;
 	for (int i = 0; i < 4; i++) {
 		q[i] = sample_between(-1, 1);
@@ -371,7 +371,7 @@ void sample_projection(struct projection *p, int e)
 {
 
 	memset(p, 0, sizeof *p);
-	p->type = 1 + sample_below(5);
+	p->type = 1 + sample_below(PROJECTION_MATRIX);
 	p->extent = sample_below(10);
 	if (p->type != PROJECTION_PERSP &&
 	    (p->extent < EXTENT_SIZE || p->extent > EXTENT_EDGES))
@@ -486,7 +486,7 @@ void sample_round_scene(struct scene *s)
 	while (p->type == PROJECTION_OBLIQUE);
 	round_matrix(s->world, 3);
 	s->has_camera = sample_below(2);
-	s->camera.by = CAMERA_MATRIX;
+	s->camera.kind = CAMERA_MATRIX;
 	s->camera.orthonormalize = false;
 	round_matrix(s->camera.matrix, 3);
 	round_matrix(p->matrix, 4);

@@ -55,7 +55,7 @@ static void far_away(void **state)
 
 		sample_scene(&s, 0);
 		s.has_world = true;
-		s.camera.by = CAMERA_AT;
+		s.camera.kind = CAMERA_AT;
 		for (int k = 0; k < 3; k++) {
 			s.world[3][k] = 1e15 * sample_between(-1, 1);
 			s.camera.eye[k] = s.world[3][k] +
@@ -89,7 +89,7 @@ static void around_all_conventions(void **state)
 		struct scene s = {
 			.convention = known[k % 5],
 			.has_camera = true,
-			.camera = { .by = CAMERA_MATRIX,
+			.camera = { .kind = CAMERA_MATRIX,
 			    .matrix = { { 0, 3, 4, 0 }, { 5, 0, 1, 0 },
 				{ 1, 2, 3, 0 }, { 7, -8, 9, 1 } } },
 			.projection = { .type = PROJECTION_MATRIX,

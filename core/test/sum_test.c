@@ -15,7 +15,7 @@
 /* 0 that is known to SUM_ERROR. */
 static struct sum nothing_of_one(void)
 {
-	struct sum one = sum_inexact(ex_of(1), SUM_ERROR);
+	struct sum one = sum_with_error(ex_of(1), SUM_ERROR);
 
 	return sum_sub(one, sum_of_double(1));
 }
@@ -31,7 +31,7 @@ static void assert_error(struct sum nothing, int e)
 
 		assert_int_equal(sum_sign(off), 0);
 		assert_number(sum_double(off), 0);
-		assert_true(sum_settled(off).value.n == 0);
+		assert_true(sum_snap_zero(off).value.n == 0);
 		off = sum_add(nothing, sum_negated_if(minus, least));
 		assert_int_equal(sum_sign(off), minus ? -1 : 1);
 		assert_true(sum_double(off) ==
@@ -71,13 +71,13 @@ static void what_is_nothing(void **state)
 	struct sum one = sum_of_double(1);
 
 	(void)state;
-	assert_true(sum_is_nothing(&zero));
-	assert_false(sum_is_nothing(&nothing));
-	assert_false(sum_is_nothing(&one));
+	assert_true(sum_is_exact_zero(&zero));
+	assert_false(sum_is_exact_zero(&nothing));
+	assert_false(sum_is_exact_zero(&one));
 	zero = sum_mul(zero, nothing);
-	assert_true(sum_is_nothing(&zero));
+	assert_true(sum_is_exact_zero(&zero));
 	zero = sum_sub(one, one);
-	assert_true(sum_is_nothing(&zero));
+	assert_true(sum_is_exact_zero(&zero));
 	assert_true(sum_is_one(&one));
 	assert_true(sum_is_power_of_two(&one));
 	one = sum_add(one, nothing);

@@ -68,7 +68,7 @@ static void make_scene(const struct regime *r, struct scene *s)
 {
 	*s = (struct scene){ .has_world = true,
 		.has_camera = true,
-		.camera = { .by = CAMERA_GAZE, .up = { 0, 1, 0.25 } },
+		.camera = { .kind = CAMERA_GAZE, .up = { 0, 1, 0.25 } },
 		.projection = { .type = PROJECTION_PERSP,
 		    .extent = EXTENT_EDGES,
 		    .left = -1.25,

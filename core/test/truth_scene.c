@@ -34,7 +34,7 @@ static void look(const struct camera *c, bool right_handed, real m[4][4])
 	set(eye, 3, c->eye);
 	set(z, 3, c->at);
 	for (int i = 0; i < 3; i++) {
-		if (c->by == CAMERA_AT)
+		if (c->kind == CAMERA_AT)
 			z[i] = sub(z[i], eye[i]);
 		if (right_handed)
 			z[i] = negative(z[i]);
@@ -102,7 +102,7 @@ static void bare(struct truth *t, const struct camera *c)
 	struct truth r = { 0 };
 
 	affine(&r, c->matrix, c->orthonormalize);
-	if (c->by == CAMERA_POSE)
+	if (c->kind == CAMERA_POSE)
 		reverse(&r);
 	t->irrational |= r.irrational;
 	for (int i = 0; i < r.n; i++)
@@ -113,13 +113,14 @@ static void bare(struct truth *t, const struct camera *c)
 static void camera(struct truth *t, const struct camera *c,
     const struct convention *convention)
 {
-	if (c->by >= CAMERA_POSE) {
+	if (c->kind >= CAMERA_POSE) {
 		bare(t, c);
 		return;
 	}
-	bool down = convention->view_y_down, by_axes = c->by > CAMERA_GAZE;
-	bool by_eye = c->by < CAMERA_TRANSLATION;
-	bool by_rvec = c->by == CAMERA_RVEC || c->by == CAMERA_RVEC_TRANSLATION;
+	bool down = convention->view_y_down, by_axes = c->kind > CAMERA_GAZE;
+	bool by_eye = c->kind < CAMERA_TRANSLATION;
+	bool by_rvec = c->kind == CAMERA_RVEC ||
+	    c->kind == CAMERA_RVEC_TRANSLATION;
 	struct truth_stage *eye = truth_stage(t), *view = truth_stage(t);
 	struct truth_stage *origin = truth_stage(t);
 

@@ -112,8 +112,8 @@ static void assert_limits(const struct viewport *v, double x, double y)
 	struct sum half[2], scale[2];
 
 	viewport_limits(v, half, scale);
-	assert_number(sum_over(half[0], scale[0]), x);
-	assert_number(sum_over(half[1], scale[1]), y);
+	assert_number(sum_ratio(half[0], scale[0]), x);
+	assert_number(sum_ratio(half[1], scale[1]), y);
 }
 
 /* A uniform scale cuts the sides that do not fit. */
