@@ -17,20 +17,24 @@ static void line_on_device(struct sum line[2], double first,
 	line[0] = sum_negated_if(falls, sum_scale(line[0], 1 - first));
 }
 
-/* A perspective's distance D is w over the length of the gradient of w. Along that
- * gradient n from the eye, where x, y and w are 0 and clip z is -det / (x y w) by Cramer,
- * (z n) D / |n| - det / (x y w) = ndc z |n| D. */
-static void set_perspective(const struct map *m, const struct sum z[3],
-    const struct sum w[3], struct depth *d)
+/* In a perspective the distance D is w over the length of the gradient n of w. The eye,
+ * where clip x, y and w are 0, is the inverse map's image of 0, 0, 1, 0: clip z is the
+ * product of the two divisors over the image's fourth coordinate there. Along n from
+ * the eye z(D) = z(eye) + (gradient of z . n) D / |n| = ndc z |n| D. */
+static void set_perspective(const struct scene *s, const struct map *m,
+    const struct sum z[3], const struct sum w[3], struct depth *d)
 {
-	struct sum det = map_minor(4, m->m, 0, 0);
-	struct sum xyw = sum_negated_if(sum_sign(det) > 0,
-	    map_minor(3, m->m, 8, 4));
+	struct map back;
+
+	projection_map(&s->projection, &s->convention, true, &back);
+	struct sum eye = sum_quotient(sum_mul(back.divisor, m->divisor),
+	    back.m[2][3]);
+	bool minus = sum_sign(eye) < 0;
 
 	d->over[0] = sum_of_double(0);
-	d->over[1] = sum_mul(vec3_length(w), sum_abs(det));
-	d->under[0] = sum_mul(xyw, vec3_dot(w, w));
-	d->under[1] = sum_neg(sum_mul(xyw, vec3_dot(w, z)));
+	d->over[1] = sum_mul(vec3_length(w), sum_abs(eye));
+	d->under[0] = sum_negated_if(minus, vec3_dot(w, w));
+	d->under[1] = sum_negated_if(!minus, vec3_dot(w, z));
 }
 
 /* A parallel projection's is that of clip z, along the convention's gaze or, of a
@@ -71,7 +75,7 @@ void depth_of(const struct scene *s, bool reversed, struct depth *d)
 	if (vec3_is_zero(w))
 		set_parallel(s, &m, z, d);
 	else
-		set_perspective(&m, z, w, d);
+		set_perspective(s, &m, z, w, d);
 	line_on_device(d->over, first, d);
 	line_on_device(d->under, first, d);
 }
@@ -107,7 +111,7 @@ double depth_distance(const struct depth *d, bool far)
 	struct sum over, under;
 
 	depth_quotient(d, far, &over, &under);
-	if (d->open || sum_sign(under) < 0)
+	if (d->open || (sum_sign(under) < 0 && sum_sign(d->under[0]) != 0))
 		return (double)NAN;
 	return sum_sign(under) == 0 ? HUGE_VAL : sum_over_or_nan(over, under);
 }
@@ -146,13 +150,20 @@ static bool next_depth(const struct at *z, enum buffer b, int up,
 	return true;
 }
 
-/* How far it is from one depth to another; nan where that is nothing. */
+/* Determinant of the distance as a function of depth: the sign of its slope. */
+static struct sum determinant(const struct depth *d)
+{
+	return sum_minor(d->over[0], d->under[1], d->over[1], d->under[0]);
+}
+
+/* Returns the distance between two depths, nan where it is 0 or one of them is behind:
+ * the determinant times the difference of the depths, over both denominators. */
 static double between(const struct depth *d, const struct at *a,
     const struct at *b)
 {
 	struct sum under[2] = { at_depth(d->under, a), at_depth(d->under, b) };
-	struct sum way = sum_minor(at_depth(d->over, b), under[0],
-	    at_depth(d->over, a), under[1]);
+	struct sum way = sum_mul(determinant(d),
+	    sum_minor(b->n, a->d, a->n, b->d));
 
 	if (sum_sign(way) == 0 || sum_sign(under[0]) * sum_sign(a->d) <= 0 ||
 	    sum_sign(under[1]) * sum_sign(b->d) <= 0)
@@ -184,8 +195,6 @@ double depth_step_at(const struct depth *d, enum buffer b, double at)
 {
 	struct at z = { sum_sub(d->over[1], sum_scale(d->under[1], at)),
 		sum_sub(sum_scale(d->under[0], at), d->over[0]) };
-	struct sum det = sum_minor(d->over[0], d->under[1], d->over[1],
-	    d->under[0]);
 
-	return step_from(d, b, &z, -sum_sign(det), NULL);
+	return step_from(d, b, &z, -sum_sign(determinant(d)), NULL);
 }

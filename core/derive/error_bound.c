@@ -27,16 +27,16 @@ struct corner {
 	double inverse; /* 1/w */
 };
 
-struct volume {
+struct analysis {
 	const struct transform *t;
 	struct corner corner[8];
 	double size[3], largest; /* of the coordinates that come out */
 };
 
-static void set_corner(const struct scene *s, const struct map *from_clip,
-    const double origin[3], int i, struct corner *c)
+static void set_corner(const struct volume *seen, const double origin[3], int i,
+    struct corner *c)
 {
-	struct sum h[4], over = view_corner(s, from_clip, i, h);
+	struct sum h[4], over = volume_corner(seen, i, h);
 
 	for (int j = 0; j < 3; j++)
 		c->p[j] = fabs(
@@ -44,7 +44,7 @@ static void set_corner(const struct scene *s, const struct map *from_clip,
 	c->inverse = sum_over(h[3], over);
 }
 
-static void set_size(const struct scene *s, struct volume *to)
+static void set_size(const struct scene *s, struct analysis *to)
 {
 	const struct viewport *v = &s->viewport;
 	double *size = to->size;
@@ -72,7 +72,7 @@ static double bound_column(const struct kernel_map *k, const struct corner *c,
 
 /* nan where w could be unknown or 1/w beyond the range; other sums that could be
  * are computed exactly. */
-static double bound_plain(const struct volume *v, const struct arithmetic *a)
+static double bound_plain(const struct analysis *v, const struct arithmetic *a)
 {
 	const struct transform *t = v->t;
 	const struct kernel_map *k = &t->for_kernel;
@@ -103,8 +103,8 @@ const char *error_bounds(const struct scene *s, double bound[3])
 {
 	enum space to = s->has_viewport ? SPACE_DEVICE : SPACE_NDC;
 	struct transform t;
-	struct map from_clip;
-	struct volume v = { .t = &t };
+	struct volume seen;
+	struct analysis v = { .t = &t };
 	const char *why = scene_transform(s, SPACE_MODEL, to, false, &t);
 	int e;
 
@@ -113,10 +113,10 @@ const char *error_bounds(const struct scene *s, double bound[3])
 	/* where the world matrix is singular the volume has no end, nor where
 	 * there are no planes */
 	if (why != NULL || projection_is_open(&s->projection) ||
-	    scene_map(s, SPACE_CLIP, SPACE_MODEL, &from_clip) != NULL)
+	    volume_of(s, SPACE_MODEL, &seen) != NULL)
 		return why;
 	for (int i = 0; i < 8; i++)
-		set_corner(s, &from_clip, t.for_kernel.origin, i, &v.corner[i]);
+		set_corner(&seen, t.for_kernel.origin, i, &v.corner[i]);
 	set_size(s, &v);
 	/* half a unit in the last place of the largest coordinate */
 	frexp(v.largest, &e);

@@ -192,27 +192,67 @@ void frustum_out_all(const struct frustum *f, const double *const in[4],
 	}
 }
 
-/* Without planes both ends are at infinity, where depth is least. */
-struct sum view_corner(const struct scene *s, const struct map *from_clip,
-    int corner, struct sum h[4])
+const char *volume_of(const struct scene *s, enum space to, struct volume *v)
 {
-	const struct convention *c = answer_convention(s);
-	bool right = corner % 4 == 1 || corner % 4 == 2, top = corner % 4 > 1;
-	bool deep = (corner >= 4 || projection_is_open(&s->projection)) !=
-	    projection_is_reversed(&s->projection, &s->convention);
-	struct sum half[2], scale[2];
+	/* the map back refuses a singular projection */
+	const char *why = scene_map(s, SPACE_CLIP, to, &v->from_view);
 
-	view_limits(s, half, scale);
-	struct sum w = sum_mul(scale[0], scale[1]);
-	const struct sum clip[4] = {
-		sum_negated_if(!right, sum_mul(half[0], scale[1])),
-		sum_negated_if(top == c->ndc_y_down,
-		    sum_mul(half[1], scale[0])),
-		sum_scale(w, deep ? 1 : -c->minus_one),
-		w,
-	};
+	if (why == NULL)
+		why = view_planes(s, SPACE_VIEW, &v->sides, &v->ends);
+	return why != NULL ? why : scene_map(s, SPACE_VIEW, to, &v->from_view);
+}
 
+void planes_meet(const struct sum plane[3][4], struct sum h[4])
+{
+	struct sum m[4][4];
+
+	memcpy(m, plane, 3 * sizeof *m);
+	for (int i = 0; i < 4; i++)
+		h[i] = sum_negated_if(i & 1, map_minor(3, m, 8, 1u << i));
+}
+
+/* Writes where column a and b of the sides meet column c of a map: in view space. */
+static void volume_meet(const struct volume *v, int a, int b,
+    const struct map *other, int c, struct sum h[4])
+{
+	struct sum plane[3][4];
+
+	for (int i = 0; i < 4; i++) {
+		plane[0][i] = v->sides.m[i][a];
+		plane[1][i] = v->sides.m[i][b];
+		plane[2][i] = other->m[i][c];
+	}
+	planes_meet(plane, h);
+}
+
+static void volume_image(const struct volume *v, const struct sum view[4],
+    struct sum h[4])
+{
 	for (int j = 0; j < 4; j++)
-		map_column(from_clip, j, clip, &h[j]);
-	return sum_mul(w, from_clip->divisor);
+		map_column(&v->from_view, j, view, &h[j]);
+}
+
+struct sum volume_corner(const struct volume *v, int corner, struct sum h[4])
+{
+	bool right = corner % 4 == 1 || corner % 4 == 2, top = corner % 4 > 1;
+	struct sum view[4], w;
+
+	volume_meet(v, right, 2 + top, &v->ends, corner > 3, view);
+	map_column(&v->ends, 2, view, &w);
+	for (int i = 0; i < 4; i++)
+		view[i] = sum_negated_if(sum_sign(w) < 0, view[i]);
+	volume_image(v, view, h);
+	return sum_quotient(sum_mul(sum_abs(w), v->from_view.divisor),
+	    v->ends.divisor);
+}
+
+/* x and w are 0 where the left and the right plane meet. */
+int volume_eye(const struct volume *v, struct sum h[4])
+{
+	struct sum view[4], far;
+
+	volume_meet(v, 0, 1, &v->sides, 2, view);
+	map_column(&v->ends, 1, view, &far);
+	volume_image(v, view, h);
+	return sum_sign(far) * sum_sign(view[3]);
 }

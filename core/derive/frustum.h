@@ -47,10 +47,28 @@ unsigned frustum_out(const struct frustum *, const double in[4]);
 void frustum_out_all(const struct frustum *, const double *const in[4],
     unsigned char *out, size_t n);
 
-/* Finds corner 0..7 of the view volume, near, then far, each left-bottom, right-bottom,
- * right-top, left-top, through a map from clip space: homogeneous. Returns the
- * positive number by which that is larger than where clip w is 1. */
-struct sum view_corner(const struct scene *, const struct map *from_clip,
-    int corner, struct sum h[4]);
+/* The planes of the view volume in view space, and the map from there to another space. A
+ * corner is where three of the planes meet: the inverse of a map from view space would
+ * lose to its errors a corner that is small beside the rest of the volume. */
+struct volume {
+	struct map sides, ends, from_view;
+};
+
+/* Returns NULL, or the member and the reason. */
+const char *volume_of(const struct scene *, enum space to, struct volume *);
+
+/* Writes the homogeneous image of corner 0..7 of the view volume: near, then far, each
+ * left-bottom, right-bottom, right-top, left-top. Without near and far planes all are at
+ * infinity. Returns the positive factor by which the image is larger than that of the
+ * corner's point of clip w 1. */
+struct sum volume_corner(const struct volume *, int corner, struct sum h[4]);
+
+/* Writes the homogeneous image of the eye, where clip x, y and w are 0. Returns 1 where
+ * the eye is on the inner side of the far plane, -1 beyond it, 0 at infinity. */
+int volume_eye(const struct volume *, struct sum h[4]);
+
+/* Writes the homogeneous point where three planes a x + b y + c z + d = 0 meet: all 0
+ * where more than one point is on them. */
+void planes_meet(const struct sum plane[3][4], struct sum h[4]);
 
 #endif

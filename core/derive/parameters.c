@@ -160,10 +160,10 @@ static double side_at(const struct upright *u, struct sum n, struct sum d,
 {
 	struct sum z = axis == 0 ? u->zx : u->zy, t = axis == 0 ? u->tx : u->ty;
 	struct sum x = axis == 0 ? u->x : u->y;
-	struct sum off = sum_add(sum_mul(z, n), sum_mul(t, d));
-	struct sum w = sum_add(sum_mul(u->zw, n), sum_mul(u->tw, d));
+	struct sum slope = sum_sub(sum_negated_if(minus, u->zw), z);
+	struct sum offset = sum_sub(sum_negated_if(minus, u->tw), t);
 
-	return sum_over_or_nan(sum_sub(sum_negated_if(minus, w), off),
+	return sum_over_or_nan(sum_add(sum_mul(slope, n), sum_mul(offset, d)),
 	    sum_mul(x, d));
 }
 
@@ -172,11 +172,11 @@ static void set_planes(const struct scene *s, const struct upright *u,
     struct parameters *r)
 {
 	struct sum half[2], scale[2], h[4];
-	struct map back;
+	struct volume v;
 
-	scene_map(s, SPACE_CLIP, SPACE_VIEW, &back);
+	volume_of(s, SPACE_VIEW, &v);
 	for (int k = 0; k < 4 && u->own && !isnan(r->near); k++) {
-		view_corner(s, &back, k % 2 == 0 ? 0 : 2, h);
+		volume_corner(&v, k % 2 == 0 ? 0 : 2, h);
 		if (k >= 2 || sum_sign(u->yx) == 0)
 			r->plane[k] = sum_over_or_nan(h[k / 2], h[3]);
 	}
@@ -184,7 +184,10 @@ static void set_planes(const struct scene *s, const struct upright *u,
 	struct sum wide = sum_mul(sum_mul(u->y, half[0]), scale[1]);
 	struct sum high = sum_mul(sum_mul(u->x, half[1]), scale[0]);
 
-	r->aspect = sum_over_or_nan(sum_abs(wide), sum_abs(high));
+	/* 0 / 0 of a picture that is a line */
+	r->aspect = sum_sign(high) == 0 ?
+	    NONE :
+	    sum_over_or_nan(sum_abs(wide), sum_abs(high));
 }
 
 static const char *set_frustum_planes(const struct scene *s, double plane[6][4])

@@ -13,8 +13,9 @@
 struct lens {
 	struct sum gradient[4][3];
 	bool parallel;
-	struct sum axis[3][3], divisor;  /* the world's axes in view space */
-	struct map to_screen, from_clip; /* from the world, and to it */
+	struct sum axis[3][3], divisor; /* the world's axes in view space */
+	struct map to_screen;           /* from the world */
+	struct volume volume;           /* in the world */
 };
 
 static bool alike(double a, double b)
@@ -31,7 +32,7 @@ static const char *lens_of(const struct scene *s, struct lens *l)
 	if (why == NULL)
 		why = scene_map(s, SPACE_WORLD, SPACE_VIEW, &view);
 	if (why == NULL)
-		why = scene_map(s, SPACE_CLIP, SPACE_WORLD, &l->from_clip);
+		why = volume_of(s, SPACE_WORLD, &l->volume);
 	if (why == NULL)
 		why = scene_map(s, SPACE_WORLD, screen, &l->to_screen);
 	if (why != NULL)
@@ -132,14 +133,11 @@ static void set_fov(const struct lens *l, const struct scene *s, double fov[2])
 	}
 }
 
-/* A perspective is reversed where w shrinks from near to far: the eye, where clip x, y
- * and w are 0, lies beyond far. An axis's direction has no origin: it is w = 0. */
+/* The point at infinity of an axis is the image of its direction, with w = 0. */
 static void name_perspective(const struct lens *l, const struct scene *s,
-    struct taxonomy *t)
+    bool beyond_far, struct taxonomy *t)
 {
-	bool falls = sum_sign(l->from_clip.m[2][3]) > 0;
-
-	t->taxon = falls == t->reversed ? TAXON_PERSPECTIVE : TAXON_REVERSE;
+	t->taxon = beyond_far ? TAXON_REVERSE : TAXON_PERSPECTIVE;
 	t->kind = perspective_kind(l);
 	set_fov(l, s, t->fov);
 	for (int i = 0; i < 3; i++) {
@@ -186,21 +184,21 @@ const char *taxonomy_of(const struct scene *s, struct taxonomy *t)
 		    { none, none } },
 		.fov = { none, none },
 	};
+	struct sum h[4];
+	int side = volume_eye(&l.volume, h);
+
+	taxonomy_point(h, side != 0, t->eye);
 	if (l.parallel)
 		name_parallel(&l, t);
 	else
-		name_perspective(&l, s, t);
-	const struct sum *eye = l.from_clip.m[2];
-	bool behind = sum_sign(l.from_clip.m[3][3]) < 0;
+		name_perspective(&l, s, side < 0, t);
+	bool behind = sum_sign(l.volume.ends.m[3][2]) < 0;
 
 	set_gaze(&l,
 	    l.parallel ? behind != t->reversed : t->taxon == TAXON_REVERSE,
 	    t->gaze);
-	taxonomy_point(eye, sum_sign(eye[3]) != 0, t->eye);
 	for (int i = 0; i < 8; i++) {
-		struct sum h[4];
-
-		view_corner(s, &l.from_clip, i, h);
+		volume_corner(&l.volume, i, h);
 		taxonomy_point(h, sum_sign(h[3]) > 0, t->corner[i]);
 	}
 	return NULL;
