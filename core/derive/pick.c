@@ -13,8 +13,11 @@ const char *picker_of(const struct scene *s, const struct transform *to_device,
 	int plane = projection_is_open(&s->projection) ? 2 : 0;
 	struct map *m = &k->depth.map, sides;
 	struct sum gradient[3], divisor;
-	const char *why = view_planes(s, SPACE_VIEW, &sides, m);
+	/* the map back refuses a singular projection */
+	const char *why = scene_map(s, SPACE_CLIP, SPACE_VIEW, m);
 
+	if (why == NULL)
+		why = view_planes(s, SPACE_VIEW, &sides, m);
 	if (why != NULL)
 		return why;
 	for (int i = 0; i < 3; i++)

@@ -7,25 +7,36 @@
 #include "../points/kernel/midway.h"
 
 /* A ray lies in the planes x w = X and y w = Y, with X, Y and w columns of the map from
- * the world to the device. It runs along the product of their normals, in which x y
+ * view space to the device. It runs along the product of their normals, in which x y
  * cancels:
  *
  *	(x w - X) x (y w - Y) = x (Y x w) + y (w x X) + X x Y
  *
- * and depth grows along it where the map's determinant is positive. */
-static void set_along(const struct map *device, bool against, struct map *r)
+ * and depth grows along it where the map's determinant is positive. In view space the
+ * product is exact, even if the camera is not: rows of r take it to the world. */
+static const char *set_along(const struct scene *s, bool against, struct map *r)
 {
 	static const int of[4][2] = { { 1, 3 }, { 3, 0 }, { 0, 0 }, { 0, 1 } };
-	bool turned = (sum_sign(map_minor(4, device->m, 0, 0)) < 0) != against;
-	struct sum normal[4][3];
+	struct sum normal[4][3], view[3];
+	struct map m;
+	const char *why = scene_map(s, SPACE_VIEW, SPACE_DEVICE, &m);
+
+	if (why != NULL)
+		return why;
+	bool turned = (sum_sign(map_minor(4, m.m, 0, 0)) < 0) != against;
 
 	for (int i = 0; i < 12; i++)
-		normal[i % 4][i / 4] = device->m[i / 4][i % 4];
+		normal[i % 4][i / 4] = m.m[i / 4][i % 4];
+	why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &m);
 	memset(r->m, 0, sizeof r->m);
-	for (int i = 0; i < 4; i++)
-		if (i != 2)
-			vec3_cross(normal[of[i][turned]],
-			    normal[of[i][!turned]], r->m[i]);
+	for (int i = 0; i < 4; i++) {
+		if (i == 2)
+			continue;
+		vec3_cross(normal[of[i][turned]], normal[of[i][!turned]], view);
+		for (int j = 0; j < 3; j++)
+			sum_dot(3, view, &m.m[0][j], 4, &r->m[i][j]);
+	}
+	return why;
 }
 
 /* Without a near plane every ray begins at the eye, where clip x, y and w are 0. No
@@ -48,12 +59,11 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 	const struct viewport *v = &s->viewport;
 	/* device depth falls away from the eye */
 	bool against = (v->max_z > v->min_z) == reversed;
-	struct map device;
 	const char *why = scene_transform(s, SPACE_DEVICE, SPACE_WORLD, false,
 	    &r->to_world);
 
 	if (why == NULL)
-		why = scene_map(s, SPACE_WORLD, SPACE_DEVICE, &device);
+		why = set_along(s, against, &r->along.map);
 	if (why != NULL)
 		return why;
 	r->along.map.divisor = sum_of_double(1);
@@ -62,7 +72,6 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 		from_eye(s, &r->to_world);
 	r->depth = reversed ? v->max_z : v->min_z;
 	r->along.in = 2;
-	set_along(&device, against, &r->along.map);
 	transform_prepare(&r->along);
 	return NULL;
 }
