@@ -5,10 +5,10 @@
 
 #include "frustum.h"
 
-/* Unit roundoff; the least number with all its digits; and what 1/w and the image
- * may be. */
 struct arithmetic {
-	double u, tiny, most;
+	double u;    /* unit roundoff */
+	double tiny; /* least normal number */
+	double most; /* upper limit of 1/w and of the image */
 };
 
 static const struct arithmetic arithmetic[] = {
@@ -19,18 +19,17 @@ static const struct arithmetic arithmetic[] = {
 /* The bounds below are computed in double. */
 #define ROUNDED_UP (1 + 0x1p-46)
 
-/* A corner of the view volume, seen from the map's origin. A sum of |products|
- * over w is a convex function of the position in ndc, and so is largest in a
- * corner, also in one that lies at infinity. */
+/* A corner of the view volume. A sum of magnitudes of products over w is a convex function
+ * of the position in ndc, and so is largest in a corner, also in one at infinity. */
 struct corner {
-	double p[3];    /* |p - origin| / w */
+	double p[3];    /* |p - origin| / w, for the map's origin */
 	double inverse; /* 1/w */
 };
 
 struct analysis {
 	const struct transform *t;
 	struct corner corner[8];
-	double size[3], largest; /* of the coordinates that come out */
+	double size[3], largest; /* bounds of the image's coordinates */
 };
 
 static void set_corner(const struct volume *seen, const double origin[3], int i,
@@ -58,8 +57,8 @@ static void set_size(const struct scene *s, struct analysis *to)
 	to->largest = fmax(fmax(size[0], size[1]), size[2]);
 }
 
-/* The sum of the magnitudes of column j's products, over w, in a corner, as
- * kernel/plain.h counts it with what underflows. */
+/* Returns S / w of column j in a corner: S is the sum of magnitudes of products that
+ * kernel/plain.h defines, with what underflows. */
 static double bound_column(const struct kernel_map *k, const struct corner *c,
     int j, double tiny)
 {
@@ -70,8 +69,8 @@ static double bound_column(const struct kernel_map *k, const struct corner *c,
 	return s;
 }
 
-/* nan where w could be unknown or 1/w beyond the range; other sums that could be
- * are computed exactly. */
+/* Returns the bound of double or single, or nan where w could be less than its error or
+ * 1/w beyond the range. Other sums beyond the range are computed exactly. */
 static double bound_plain(const struct analysis *v, const struct arithmetic *a)
 {
 	const struct transform *t = v->t;
@@ -110,15 +109,14 @@ const char *error_bounds(const struct scene *s, double bound[3])
 
 	for (int i = 0; i < 3; i++)
 		bound[i] = (double)NAN;
-	/* where the world matrix is singular the volume has no end, nor where
-	 * there are no planes */
+	/* a singular world matrix, or no planes, make the volume infinite */
 	if (why != NULL || projection_is_open(&s->projection) ||
 	    volume_of(s, SPACE_MODEL, &seen) != NULL)
 		return why;
 	for (int i = 0; i < 8; i++)
 		set_corner(&seen, t.for_kernel.origin, i, &v.corner[i]);
 	set_size(s, &v);
-	/* half a unit in the last place of the largest coordinate */
+	/* half an ulp of the largest coordinate */
 	frexp(v.largest, &e);
 	bound[PRECISION_EXACT] = ldexp(1, e - 54);
 	for (int i = PRECISION_DOUBLE; i <= PRECISION_SINGLE; i++)

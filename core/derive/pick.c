@@ -5,8 +5,8 @@
 
 #include "frustum.h"
 
-/* Distances are those of a plane: its value over the length of its gradient in view
- * space. Without planes they are from where w is 0. */
+/* The distance from a plane is its value over the length of its gradient in view space.
+ * Without near and far planes it is the distance from the plane w = 0. */
 const char *picker_of(const struct scene *s, const struct transform *to_device,
     struct picker *k)
 {
@@ -29,7 +29,7 @@ const char *picker_of(const struct scene *s, const struct transform *to_device,
 	for (int i = 0; i < 4; i++)
 		m->m[i][2] = sum_mul(m->m[i][plane], divisor);
 	map_column_over(m, 2, vec3_length(gradient));
-	/* as of an affine map */
+	/* w is 1: the map is affine */
 	for (int i = 0; i < 4; i++)
 		m->m[i][3] = i < 3 ? sum_of_double(0) : m->divisor;
 	transform_init(&k->depth, SPACE_MODEL, SPACE_VIEW, false);
@@ -41,10 +41,10 @@ static struct sum square(struct sum a)
 	return sum_mul(a, a);
 }
 
-/* The device position is N / w: (N - at w)^2 <= (r w)^2. The device
- * position is within a few u of its size; where the radius is above 2^-40 of
- * that, d2 is within 2^-10 of itself, and doubles decide what lies farther
- * than 2^-8 from the circle. */
+/* The device position is N / w: it is within the radius if (N - at w)^2 <= (r w)^2. Its
+ * double is within a few u of its size; where the radius is above 2^-40 of that size, d2
+ * has a relative error below 2^-10, and doubles decide for points that are
+ * farther than 2^-8, relative, from the circle. */
 bool pick_holds(const struct picker *k, const double in[4],
     const double device[2])
 {

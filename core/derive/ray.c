@@ -39,8 +39,8 @@ static const char *set_along(const struct scene *s, bool against, struct map *r)
 	return why;
 }
 
-/* Without a near plane every ray begins at the eye, where clip x, y and w are 0. No
- * reason can come, as the way from the device leads through clip space. */
+/* Makes every ray begin at the eye, where clip x, y and w are 0. scene_map can't fail, as
+ * the map from the device is a product of this one. */
 static void from_eye(const struct scene *s, struct transform *t)
 {
 	struct sum(*m)[4] = t->map.m;
@@ -96,7 +96,8 @@ static void ray_direction(const struct ray_maker *r, const double in[4],
 		direction[j] = ray_over(to[j], length, single);
 }
 
-/* Points that have an image may yet have no coordinate within the range. */
+/* Returns whether a device position has a point: one whose coordinates are all beyond the
+ * range of doubles is nan, too. */
 static bool has_point(const struct ray_maker *r, const double in[4],
     const double point[3])
 {
@@ -121,8 +122,7 @@ static void round_to_floats(const struct ray_maker *r, const double in[4],
 		direction[j] = (double)(float)direction[j];
 }
 
-/* What the kernels have left undone of a ray, whose direction is nan where it is
- * not known. */
+/* Computes what the kernels could not: a direction that is nan, and floats. */
 static void ray_finish(const struct ray_maker *r, const double in[4],
     bool single, double point[3], double direction[3])
 {
@@ -168,8 +168,9 @@ void rays_cast(const struct ray_maker *r, bool single,
 	}
 }
 
-/* Row i of the map from a position, times what z of the position has to be there.
- * With P the image of a position x, y, z the plane's p . P = 0 is linear in z:
+/* Writes row i of the map from p = x, y, z, 1 to a point of the plane, with z such that
+ * the point is on it. m_i are the rows of the map from device or ndc space; for a point
+ * P the equation of the plane, p . P = 0, is linear in z:
  *
  *	z = -sum of p_i (m_i . p) / (m_2 . p),    i = 0, 1, 3
  *
@@ -192,16 +193,15 @@ static void set_row(const struct map *m, int i, const struct sum p[4],
 	}
 }
 
-/* Whether w is the same everywhere. */
-static bool is_even(const struct map *m)
+/* Returns whether w is the same everywhere. */
+static bool has_constant_w(const struct map *m)
 {
 	return sum_sign(m->m[0][3]) == 0 && sum_sign(m->m[1][3]) == 0 &&
 	    sum_sign(m->m[2][3]) == 0;
 }
 
-/* What rays have in common, m_2, is the eye or, where they are parallel, their
- * direction. Clip w is 0 there and 1 for every other image, so that the quotient
- * has its sign. */
+/* Row m_2 is the homogeneous point that all rays share: the eye or, of parallel rays,
+ * their direction. */
 const char *ray_plane_transform(const struct scene *s, enum space from,
     enum space to, const double plane[4], struct transform *t)
 {
@@ -225,7 +225,7 @@ const char *ray_plane_transform(const struct scene *s, enum space from,
 	for (int i = 0; i < 4; i++)
 		if (i != 2)
 			set_row(&m, i, p, r);
-	if (is_even(&m) && sum_sign(m.m[3][3]) < 0)
+	if (has_constant_w(&m) && sum_sign(m.m[3][3]) < 0)
 		through = sum_neg(through);
 	map_over(r, sum_mul(through, m.divisor));
 	t->in = 2;

@@ -4,12 +4,12 @@
 #include "frustum.h"
 #include "../exact/trig.h"
 
-/* What is equal, zero or parallel, relative to what it is compared with. */
+/* Relative tolerance of equal, zero and parallel. */
 #define ALIKE 0x1p-40
 
-/* The gradients of clip x, y, z and w in view space: the projectors run across those
- * of x and y; the projection plane is across that of w or, where w is constant, of
- * z. */
+/* The gradients of clip x, y, z and w in view space. Projectors are perpendicular to those
+ * of x and y where they are parallel. The projection plane is perpendicular to the
+ * gradient of w or, where w is constant, of z. */
 struct lens {
 	struct sum gradient[4][3];
 	bool parallel;
@@ -61,7 +61,7 @@ static enum kind axonometric_kind(const double f[3])
 	return same > 0 ? KIND_DIMETRIC : KIND_TRIMETRIC;
 }
 
-/* From the cotangent of the angle between projectors and plane. */
+/* Returns the kind by the cotangent of the angle between projectors and plane. */
 static enum kind oblique_kind(double cot)
 {
 	if (alike(cot, 1))
@@ -98,7 +98,7 @@ static void name_parallel(const struct lens *l, struct taxonomy *t)
 				 oblique_kind(cot);
 }
 
-/* As many points as axes meet the projection plane: at least one. */
+/* Counts the vanishing points: one for each world axis that meets the projection plane. */
 static enum kind perspective_kind(const struct lens *l)
 {
 	const struct sum *g = l->gradient[3];
@@ -148,8 +148,8 @@ static void name_perspective(const struct lens *l, const struct scene *s,
 	}
 }
 
-/* From near to far: with depth, unless that is reversed, or with or against
- * w. */
+/* Writes the unit normal of the projection plane: against the gradient of w or z, or
+ * along it. */
 static void set_gaze(const struct lens *l, bool against, double gaze[3])
 {
 	struct sum n[3];
@@ -161,11 +161,11 @@ static void set_gaze(const struct lens *l, bool against, double gaze[3])
 		gaze[i] = sum_over_or_nan(n[i], vec3_length(n));
 }
 
-/* A point from its homogeneous coordinates; nan where there is none. */
-static void taxonomy_point(const struct sum h[4], bool is, double p[3])
+/* Writes a point of homogeneous coordinates h, or nan where the point does not exist. */
+static void taxonomy_point(const struct sum h[4], bool exists, double p[3])
 {
 	for (int j = 0; j < 3; j++)
-		p[j] = is ? sum_over_or_nan(h[j], h[3]) : (double)NAN;
+		p[j] = exists ? sum_over_or_nan(h[j], h[3]) : (double)NAN;
 }
 
 const char *taxonomy_of(const struct scene *s, struct taxonomy *t)
