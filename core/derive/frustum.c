@@ -13,7 +13,8 @@ void view_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
 		half[k] = sum_mul(half[k], sum_diff(1, 2 * s->margin));
 }
 
-/* Column j of r becomes sign a x + b w, of x = column k and w = column 3 of m. */
+/* Sets column j of r to a x + b w, or -a x + b w, with x = column k and w = column 3 of
+ * m. */
 static void combine_columns(struct map *r, int j, const struct map *m,
     bool minus, int k, struct sum a, struct sum b)
 {
@@ -25,9 +26,9 @@ static void combine_columns(struct map *r, int j, const struct map *m,
 	}
 }
 
-/* left: x scale >= -half w, right: x scale <= half w, and so on; y's sign is
- * turned where ndc y points down, near and far where depth is reversed. Where there
- * are no planes everything is between them. */
+/* left: x scale >= -half w, right: x scale <= half w, and so on. Bottom and top are swapped
+ * where ndc y points down, near and far where depth is reversed. Without near and far
+ * planes every point is between them. */
 const char *view_planes(const struct scene *s, enum space from,
     struct map *sides, struct map *ends)
 {
@@ -119,9 +120,9 @@ unsigned frustum_out(const struct frustum *f, const double in[4])
 	return out;
 }
 
-/* A column is within ESTIMATE_BOUND of its size while nothing overflows. What
- * underflows, an element that is rounded up to 2^-1074 among them, is off by less
- * than 2^-1025 of what it is multiplied by. */
+/* A column has a relative error of at most ESTIMATE_BOUND while nothing overflows. An
+ * underflow, also of an element that is rounded up to 2^-1074, adds less than 2^-1025 of
+ * the other factor. */
 static struct estimate estimate_of(const struct transform *t, int columns)
 {
 	const struct kernel_map *k = &t->for_kernel;
@@ -130,12 +131,14 @@ static struct estimate estimate_of(const struct transform *t, int columns)
 	for (int i = 0; i < 3; i++)
 		e.origin[i] = k->origin[i];
 	for (int j = 0; j < columns; j++) {
-		double none = 2 * (k->none[j] + 0x1p-1020);
+		double underflow = 2 * (k->none[j] + 0x1p-1020);
 
 		for (int i = 0; i < 4; i++)
 			e.m[i][j] = k->hi[i][j];
-		e.slope = fmax(e.slope, ESTIMATE_BOUND * k->most[j] + none);
-		e.floor = fmax(e.floor, ESTIMATE_BOUND * k->image[j] + none);
+		e.slope = fmax(e.slope,
+		    ESTIMATE_BOUND * k->most[j] + underflow);
+		e.floor = fmax(e.floor,
+		    ESTIMATE_BOUND * k->image[j] + underflow);
 		if (!(k->image[j] > 0x1p-899))
 			e.low = fmax(e.low, 0x1p-899 / k->most[j]);
 		e.high = fmin(e.high, (0x1p999 - k->image[j]) / k->most[j]);
@@ -143,6 +146,7 @@ static struct estimate estimate_of(const struct transform *t, int columns)
 	return e;
 }
 
+/* Points of a block on the stack. */
 enum { FEW = 256 };
 
 static void out_few(const struct frustum *f, const struct estimate *sides,
@@ -169,7 +173,7 @@ static void out_few(const struct frustum *f, const struct estimate *sides,
 void frustum_out_all(const struct frustum *f, const double *const in[4],
     unsigned char *out, size_t n)
 {
-	/* of two coordinates any column is the third, as its slopes are 0 */
+	/* in 2D any column serves as z, as the slopes of z are 0 */
 	const double *z = in[is_flat(f) ? 0 : 2];
 	struct estimate sides = estimate_of(&f->sides, 4), ends = { 0 };
 
@@ -211,7 +215,8 @@ void planes_meet(const struct sum plane[3][4], struct sum h[4])
 		h[i] = sum_negated_if(i & 1, map_minor(3, m, 8, 1u << i));
 }
 
-/* Writes where column a and b of the sides meet column c of a map: in view space. */
+/* Writes the point of view space where planes a and b of the sides and plane c of a map
+ * meet. */
 static void volume_meet(const struct volume *v, int a, int b,
     const struct map *other, int c, struct sum h[4])
 {
