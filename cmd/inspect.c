@@ -18,7 +18,7 @@ static const char *const kinds[] = { "multiview", "isometric", "dimetric",
 	"three-point" };
 static const char *const buffers[] = { "unorm16", "unorm24", "float32" };
 
-/* In the order of enum note: what it means, and what to try. */
+/* The meaning of each note and a remedy, in the order of enum note. */
 static const char *const notes[NOTES] = {
 	"mirrored: the picture is a mirror image, as the determinant says; "
 	"negate what makes x or y, or try another \"convention\"",
@@ -53,7 +53,7 @@ static const char *const notes[NOTES] = {
 	"range; look at near, far and eye",
 };
 
-/* Puts a vector, or null where its first element is nan: there is none. */
+/* Prints a vector, or null where its first element is nan. */
 static void put_vector(struct printer *p, const double *v, int n)
 {
 	if (isnan(v[0]))
@@ -62,12 +62,12 @@ static void put_vector(struct printer *p, const double *v, int n)
 		put_numbers(p, v, n);
 }
 
-/* Puts rows of n numbers each; or null where there are none. */
+/* Prints rows of n numbers each, or null. */
 static void put_rows(struct printer *p, const char *name, const double *v,
-    int rows, int n, bool none)
+    int rows, int n, bool is_null)
 {
 	put_name_on_new_line(p, name);
-	if (none) {
+	if (is_null) {
 		put_word(p, "null");
 		return;
 	}
@@ -170,7 +170,7 @@ static void check_distances(const struct document *d, const struct options *o,
 	}
 }
 
-/* At the near and far plane, and at distances. */
+/* Prints the steps at the near and far plane, and at the distances. */
 static void put_depth_steps(struct printer *p, const struct options *o,
     const struct depth *z)
 {
@@ -192,8 +192,8 @@ static void put_depth_steps(struct printer *p, const struct options *o,
 	put_close(p, "}");
 }
 
-/* The error bounds, the cheapest precision's first; then the name of the
- * cheapest precision whose bound is within tolerance. */
+/* Prints the error bounds, from the cheapest precision on, and the name of the cheapest
+ * precision whose bound is within tolerance. */
 static void put_bounds(struct printer *p, const double bound[3],
     double tolerance)
 {
@@ -212,7 +212,7 @@ static void put_bounds(struct printer *p, const double bound[3],
 	put_string(p, precision_names[precision]);
 }
 
-/* Of a document without a projection, the window. */
+/* Prints what a document without a projection has: the 2D window. */
 static void put_plane(struct printer *p, const struct document *d)
 {
 	const struct scene *s = &d->scene;
@@ -229,7 +229,7 @@ static void put_plane(struct printer *p, const struct document *d)
 	put_numbers(p, w.scale, 2);
 }
 
-/* Of all others. */
+/* Prints all members of a document with a projection. */
 static void put_spatial(struct printer *p, const struct document *d,
     const struct options *o)
 {

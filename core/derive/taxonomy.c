@@ -13,9 +13,9 @@
 struct lens {
 	struct sum gradient[4][3];
 	bool parallel;
-	struct sum axis[3][3], divisor; /* the world's axes in view space */
-	struct map to_screen;           /* from the world */
-	struct volume volume;           /* in the world */
+	struct map to_view;   /* from the world, whose axes are its rows */
+	struct map to_screen; /* from the world */
+	struct volume volume; /* in the world */
 };
 
 static bool alike(double a, double b)
@@ -26,11 +26,11 @@ static bool alike(double a, double b)
 static const char *lens_of(const struct scene *s, struct lens *l)
 {
 	enum space screen = s->has_viewport ? SPACE_DEVICE : SPACE_NDC;
-	struct map clip, view;
+	struct map clip;
 	const char *why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip);
 
 	if (why == NULL)
-		why = scene_map(s, SPACE_WORLD, SPACE_VIEW, &view);
+		why = scene_map(s, SPACE_WORLD, SPACE_VIEW, &l->to_view);
 	if (why == NULL)
 		why = volume_of(s, SPACE_WORLD, &l->volume);
 	if (why == NULL)
@@ -39,9 +39,6 @@ static const char *lens_of(const struct scene *s, struct lens *l)
 		return why;
 	for (int i = 0; i < 12; i++)
 		l->gradient[i % 4][i / 4] = clip.m[i / 4][i % 4];
-	for (int i = 0; i < 9; i++)
-		l->axis[i / 3][i % 3] = view.m[i / 3][i % 3];
-	l->divisor = view.divisor;
 	l->parallel = vec3_is_zero(l->gradient[3]);
 	return NULL;
 }
@@ -80,13 +77,13 @@ static void name_parallel(const struct lens *l, struct taxonomy *t)
 	struct sum nd = vec3_dot(n, d), size = sum_abs(nd);
 
 	for (int i = 0; i < 3; i++) {
-		const struct sum *a = l->axis[i];
+		const struct sum *a = l->to_view.m[i];
 		struct sum na = vec3_dot(n, a);
 
 		for (int k = 0; k < 3; k++)
 			v[k] = sum_settled(sum_minor(a[k], nd, d[k], na));
 		t->foreshortening[i] = sum_over_or_nan(vec3_length(v),
-		    sum_mul(size, l->divisor));
+		    sum_mul(size, l->to_view.divisor));
 	}
 	vec3_cross(d, n, across);
 	for (int k = 0; k < 3; k++)
@@ -106,8 +103,9 @@ static enum kind perspective_kind(const struct lens *l)
 	int n = 0;
 
 	for (int i = 0; i < 3; i++)
-		n += sum_over_or_nan(sum_abs(vec3_dot(l->axis[i], g)),
-			 sum_mul(vec3_length(l->axis[i]), gradient)) > ALIKE;
+		n += sum_over_or_nan(sum_abs(vec3_dot(l->to_view.m[i], g)),
+			 sum_mul(vec3_length(l->to_view.m[i]), gradient)) >
+		    ALIKE;
 	if (n < 2)
 		return KIND_ONE_POINT;
 	return n < 3 ? KIND_TWO_POINT : KIND_THREE_POINT;
@@ -156,7 +154,8 @@ static void set_gaze(const struct lens *l, bool against, double gaze[3])
 
 	for (int i = 0; i < 3; i++)
 		n[i] = sum_negated_if(against,
-		    vec3_dot(l->axis[i], l->gradient[l->parallel ? 2 : 3]));
+		    vec3_dot(l->to_view.m[i],
+			l->gradient[l->parallel ? 2 : 3]));
 	for (int i = 0; i < 3; i++)
 		gaze[i] = sum_over_or_nan(n[i], vec3_length(n));
 }
