@@ -223,13 +223,7 @@ static bool is_rotation(const struct map *m, bool mirrored)
 	struct sum most = sum_mul(one, sum_of_double(0x1p-20));
 
 	for (int i = 0; i < 9; i++) {
-		struct sum a[3], b[3];
-
-		for (int k = 0; k < 3; k++) {
-			a[k] = m->m[k][i / 3];
-			b[k] = m->m[k][i % 3];
-		}
-		struct sum off = vec3_dot(a, b);
+		struct sum off = vec3_dot(m->m[i / 3], m->m[i % 3]);
 
 		if (i / 3 == i % 3)
 			off = sum_sub(off, one);
