@@ -199,7 +199,7 @@ void frustum_out_all(const struct frustum *f, const double *const in[4],
 const char *volume_of(const struct scene *s, enum space to, struct volume *v)
 {
 	/* the map back refuses a singular projection */
-	const char *why = scene_map(s, SPACE_CLIP, to, &v->from_view);
+	const char *why = scene_map(s, SPACE_CLIP, SPACE_VIEW, &v->from_view);
 
 	if (why == NULL)
 		why = view_planes(s, SPACE_VIEW, &v->sides, &v->ends);
