@@ -3,9 +3,9 @@
 
 #include <math.h>
 
-/* Takes a line in ndc depth, of which first is the least, to one in the device's,
- * times its range. */
-static void line_on_device(struct sum line[2], double first,
+/* Makes a linear function of ndc depth, whose least value is first, one of device depth,
+ * times |high - low|. */
+static void depth_on_device(struct sum line[2], double first,
     const struct depth *d)
 {
 	struct sum range = sum_diff(d->high, d->low);
@@ -17,24 +17,28 @@ static void line_on_device(struct sum line[2], double first,
 	line[0] = sum_negated_if(falls, sum_scale(line[0], 1 - first));
 }
 
-/* A perspective's distance D is w over the length of the gradient of w. Along that
- * gradient n from the eye, where x, y and w are 0 and clip z is -det / (x y w) by Cramer,
- * (z n) D / |n| - det / (x y w) = ndc z |n| D. */
-static void set_perspective(const struct map *m, const struct sum z[3],
-    const struct sum w[3], struct depth *d)
+/* In a perspective the distance D is w over the length of the gradient n of w. The eye,
+ * where clip x, y and w are 0, is the inverse map's image of 0, 0, 1, 0: clip z is the
+ * product of the two divisors over the image's fourth coordinate there. Along n from
+ * the eye z(D) = z(eye) + (gradient of z . n) D / |n| = ndc z |n| D. */
+static void set_perspective(const struct scene *s, const struct map *m,
+    const struct sum z[3], const struct sum w[3], struct depth *d)
 {
-	struct sum det = map_minor(4, m->m, 0, 0);
-	struct sum xyw = sum_negated_if(sum_sign(det) > 0,
-	    map_minor(3, m->m, 8, 4));
+	struct map back;
+
+	projection_map(&s->projection, &s->convention, true, &back);
+	struct sum eye = sum_quotient(sum_mul(back.divisor, m->divisor),
+	    back.m[2][3]);
+	bool minus = sum_sign(eye) < 0;
 
 	d->over[0] = sum_of_double(0);
-	d->over[1] = sum_mul(vec3_length(w), sum_abs(det));
-	d->under[0] = sum_mul(xyw, vec3_dot(w, w));
-	d->under[1] = sum_neg(sum_mul(xyw, vec3_dot(w, z)));
+	d->over[1] = sum_mul(vec3_length(w), sum_abs(eye));
+	d->under[0] = sum_negated_if(minus, vec3_dot(w, w));
+	d->under[1] = sum_negated_if(!minus, vec3_dot(w, z));
 }
 
-/* A parallel projection's is that of clip z, along the convention's gaze or, of a
- * matrix, from near to far. */
+/* In a parallel projection the distance is clip z, less its value at the origin, over the
+ * length of its gradient: along the convention's gaze or, of a matrix, from near to far. */
 static void set_parallel(const struct scene *s, const struct map *m,
     const struct sum z[3], struct depth *d)
 {
@@ -57,7 +61,7 @@ void depth_of(const struct scene *s, bool reversed, struct depth *d)
 	struct sum w[3], z[3];
 	struct map m;
 
-	/* whose reasons the scene has not, as it is not degenerate */
+	/* can't fail, as the scene's maps are invertible */
 	projection_map(&s->projection, &s->convention, false, &m);
 	for (int i = 0; i < 3; i++) {
 		w[i] = m.m[i][3];
@@ -71,32 +75,33 @@ void depth_of(const struct scene *s, bool reversed, struct depth *d)
 	if (vec3_is_zero(w))
 		set_parallel(s, &m, z, d);
 	else
-		set_perspective(&m, z, w, d);
-	line_on_device(d->over, first, d);
-	line_on_device(d->under, first, d);
+		set_perspective(s, &m, z, w, d);
+	depth_on_device(d->over, first, d);
+	depth_on_device(d->under, first, d);
 }
 
-/* A depth, as an exact quotient. */
-struct at {
+/* A depth, as a quotient. */
+struct depth_value {
 	struct sum n, d;
 };
 
-static struct sum at_depth(const struct sum line[2], const struct at *z)
+static struct sum at_depth(const struct sum line[2],
+    const struct depth_value *z)
 {
 	return sum_add(sum_mul(line[0], z->n), sum_mul(line[1], z->d));
 }
 
-static struct at plane(const struct depth *d, bool far)
+static struct depth_value depth_of_plane(const struct depth *d, bool far)
 {
-	return (
-	    struct at){ sum_of_double(far != d->reversed ? d->high : d->low),
+	return (struct depth_value){ sum_of_double(
+					 far != d->reversed ? d->high : d->low),
 		sum_of_double(1) };
 }
 
 void depth_quotient(const struct depth *d, bool far, struct sum *over,
     struct sum *under)
 {
-	struct at z = plane(d, far);
+	struct depth_value z = depth_of_plane(d, far);
 
 	*over = at_depth(d->over, &z);
 	*under = at_depth(d->under, &z);
@@ -107,19 +112,21 @@ double depth_distance(const struct depth *d, bool far)
 	struct sum over, under;
 
 	depth_quotient(d, far, &over, &under);
-	if (d->open || sum_sign(under) < 0)
+	if (d->open || (sum_sign(under) < 0 && sum_sign(d->under[0]) != 0))
 		return (double)NAN;
 	return sum_sign(under) == 0 ? HUGE_VAL : sum_ratio_or_nan(over, under);
 }
 
-static int compare_depths(const struct at *a, const struct at *b)
+static int compare_depths(const struct depth_value *a,
+    const struct depth_value *b)
 {
 	return sum_sign(sum_minor(a->n, b->d, b->n, a->d)) * sum_sign(a->d) *
 	    sum_sign(b->d);
 }
 
-/* The next float above or below z, strictly. False where there is none. */
-static bool next_float(const struct at *z, int up, struct at *next)
+/* Finds the next float above or below z, strictly. Returns false where there is none. */
+static bool next_float(const struct depth_value *z, int up,
+    struct depth_value *next)
 {
 	float f = (float)sum_nearest(&z->n, &z->d, true),
 	      to = up > 0 ? HUGE_VALF : -HUGE_VALF;
@@ -132,60 +139,68 @@ static bool next_float(const struct at *z, int up, struct at *next)
 	return isfinite(f) != 0;
 }
 
-/* The depth a step above or below z. */
-static bool next_depth(const struct at *z, enum buffer b, int up,
-    struct at *next)
+/* Finds the depth a step above or below z. Returns false where there is none. */
+static bool next_depth(const struct depth_value *z, enum buffer b, int up,
+    struct depth_value *next)
 {
 	double most = b == BUFFER_UNORM16 ? 0xffff : 0xffffff;
 
 	if (b == BUFFER_FLOAT32)
 		return next_float(z, up, next);
-	*next = (struct at){ sum_add(sum_scale(z->n, most),
-				 sum_scale(z->d, up)),
+	*next = (struct depth_value){ sum_add(sum_scale(z->n, most),
+					  sum_scale(z->d, up)),
 		sum_scale(z->d, most) };
 	return true;
 }
 
-/* How far it is from one depth to another; nan where that is nothing. */
-static double between(const struct depth *d, const struct at *a,
-    const struct at *b)
+/* Determinant of the distance as a function of depth: the sign of its slope. */
+static struct sum determinant(const struct depth *d)
+{
+	return sum_minor(d->over[0], d->under[1], d->over[1], d->under[0]);
+}
+
+/* Returns the distance between two depths, nan where it is 0 or one of them is behind:
+ * the determinant times the difference of the depths, over both denominators. */
+static double distance_between(const struct depth *d,
+    const struct depth_value *a, const struct depth_value *b)
 {
 	struct sum under[2] = { at_depth(d->under, a), at_depth(d->under, b) };
-	struct sum way = sum_minor(at_depth(d->over, b), under[0],
-	    at_depth(d->over, a), under[1]);
+	struct sum difference = sum_mul(determinant(d),
+	    sum_minor(b->n, a->d, a->n, b->d));
 
-	if (sum_sign(way) == 0 || sum_sign(under[0]) * sum_sign(a->d) <= 0 ||
+	if (sum_sign(difference) == 0 ||
+	    sum_sign(under[0]) * sum_sign(a->d) <= 0 ||
 	    sum_sign(under[1]) * sum_sign(b->d) <= 0)
 		return (double)NAN;
-	return sum_ratio_or_nan(sum_abs(way),
+	return sum_ratio_or_nan(sum_abs(difference),
 	    sum_abs(sum_mul(under[0], under[1])));
 }
 
-/* From depth z a step up or down, to the limit at most. */
+/* Returns the distance of a step from depth z up or down: nan beyond the limit. */
 static double step_from(const struct depth *d, enum buffer b,
-    const struct at *z, int up, const struct at *limit)
+    const struct depth_value *z, int up, const struct depth_value *limit)
 {
-	struct at to;
+	struct depth_value to;
 
 	if (d->open || d->flat || !next_depth(z, b, up, &to) ||
 	    (limit != NULL && compare_depths(&to, limit) * up > 0))
 		return (double)NAN;
-	return between(d, z, &to);
+	return distance_between(d, z, &to);
 }
 
 double depth_step(const struct depth *d, enum buffer b, bool far)
 {
-	struct at from = plane(d, far), to = plane(d, !far);
+	struct depth_value from = depth_of_plane(d, far),
+			   to = depth_of_plane(d, !far);
 
 	return step_from(d, b, &from, compare_depths(&to, &from), &to);
 }
 
 double depth_step_at(const struct depth *d, enum buffer b, double at)
 {
-	struct at z = { sum_sub(d->over[1], sum_scale(d->under[1], at)),
+	struct depth_value z = { sum_sub(d->over[1],
+				     sum_scale(d->under[1], at)),
 		sum_sub(sum_scale(d->under[0], at), d->over[0]) };
-	struct sum det = sum_minor(d->over[0], d->under[1], d->over[1],
-	    d->under[0]);
 
-	return step_from(d, b, &z, -sum_sign(det), NULL);
+	return step_from(d, b, &z, -sum_sign(determinant(d)), NULL);
 }

@@ -5,10 +5,10 @@
 
 #include "frustum.h"
 
-/* Unit roundoff; the least number with all its digits; and what 1/w and the image
- * may be. */
 struct arithmetic {
-	double u, tiny, most;
+	double u;    /* unit roundoff */
+	double tiny; /* least normal number */
+	double most; /* upper limit of 1/w and of the image */
 };
 
 static const struct arithmetic arithmetic[] = {
@@ -19,24 +19,23 @@ static const struct arithmetic arithmetic[] = {
 /* The bounds below are computed in double. */
 #define ROUNDED_UP (1 + 0x1p-46)
 
-/* A corner of the view volume, seen from the map's origin. A sum of |products|
- * over w is a convex function of the position in ndc, and so is largest in a
- * corner, also in one that lies at infinity. */
+/* A corner of the view volume. A sum of magnitudes of products over w is a convex function
+ * of the position in ndc, and so is largest in a corner, also in one at infinity. */
 struct corner {
-	double p[3];    /* |p - origin| / w */
+	double p[3];    /* |p - origin| / w, for the map's origin */
 	double inverse; /* 1/w */
 };
 
-struct volume {
+struct analysis {
 	const struct transform *t;
 	struct corner corner[8];
-	double size[3], largest; /* of the coordinates that come out */
+	double size[3], largest; /* bounds of the image's coordinates */
 };
 
-static void set_corner(const struct scene *s, const struct map *from_clip,
-    const double origin[3], int i, struct corner *c)
+static void set_corner(const struct volume *seen, const double origin[3], int i,
+    struct corner *c)
 {
-	struct sum h[4], over = view_corner(s, from_clip, i, h);
+	struct sum h[4], over = volume_corner(seen, i, h);
 
 	for (int j = 0; j < 3; j++)
 		c->p[j] = fabs(
@@ -44,7 +43,7 @@ static void set_corner(const struct scene *s, const struct map *from_clip,
 	c->inverse = sum_ratio(h[3], over);
 }
 
-static void set_size(const struct scene *s, struct volume *to)
+static void set_size(const struct scene *s, struct analysis *to)
 {
 	const struct viewport *v = &s->viewport;
 	double *size = to->size;
@@ -58,8 +57,8 @@ static void set_size(const struct scene *s, struct volume *to)
 	to->largest = fmax(fmax(size[0], size[1]), size[2]);
 }
 
-/* The sum of the magnitudes of column j's products, over w, in a corner, as
- * kernel/plain.h counts it with what underflows. */
+/* Returns S / w of column j in a corner: S is the sum of magnitudes of products that
+ * kernel/plain.h defines, with what underflows. */
 static double bound_column(const struct kernel_map *k, const struct corner *c,
     int j, double tiny)
 {
@@ -70,9 +69,9 @@ static double bound_column(const struct kernel_map *k, const struct corner *c,
 	return s;
 }
 
-/* nan where w could be unknown or 1/w beyond the range; other sums that could be
- * are computed exactly. */
-static double bound_plain(const struct volume *v, const struct arithmetic *a)
+/* Returns the bound of double or single, or nan where w could be less than its error or
+ * 1/w beyond the range. Other sums beyond the range are computed exactly. */
+static double bound_plain(const struct analysis *v, const struct arithmetic *a)
 {
 	const struct transform *t = v->t;
 	const struct kernel_map *k = &t->for_kernel;
@@ -103,22 +102,21 @@ const char *error_bounds(const struct scene *s, double bound[3])
 {
 	enum space to = s->has_viewport ? SPACE_DEVICE : SPACE_NDC;
 	struct transform t;
-	struct map from_clip;
-	struct volume v = { .t = &t };
+	struct volume seen;
+	struct analysis v = { .t = &t };
 	const char *why = scene_transform(s, SPACE_MODEL, to, false, &t);
 	int e;
 
 	for (int i = 0; i < 3; i++)
 		bound[i] = (double)NAN;
-	/* where the world matrix is singular the volume has no end, nor where
-	 * there are no planes */
+	/* a singular world matrix, or no planes, make the volume infinite */
 	if (why != NULL || projection_is_open(&s->projection) ||
-	    scene_map(s, SPACE_CLIP, SPACE_MODEL, &from_clip) != NULL)
+	    volume_of(s, SPACE_MODEL, &seen) != NULL)
 		return why;
 	for (int i = 0; i < 8; i++)
-		set_corner(s, &from_clip, t.for_kernel.origin, i, &v.corner[i]);
+		set_corner(&seen, t.for_kernel.origin, i, &v.corner[i]);
 	set_size(s, &v);
-	/* half a unit in the last place of the largest coordinate */
+	/* half an ulp of the largest coordinate */
 	frexp(v.largest, &e);
 	bound[PRECISION_EXACT] = ldexp(1, e - 54);
 	for (int i = PRECISION_DOUBLE; i <= PRECISION_SINGLE; i++)

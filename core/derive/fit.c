@@ -9,8 +9,9 @@
 	"/bounds: what holds them has numbers beyond 1e150 or sizes below " \
 	"1e-150; choose another unit"
 
-/* The rows of view to world are the axes and the eye. Of a matrix or pose the eye
- * is its own, the axes are those of the rotation nearest to it. */
+/* Sets gaze and up, and the eye of a matrix or pose, by the rows of the map from view to
+ * world space: the axes and the eye. Of a matrix the axes are those of the nearest
+ * rotation. */
 static const char *from_axes(struct camera *c,
     const struct convention *convention)
 {
@@ -36,8 +37,8 @@ static const char *from_axes(struct camera *c,
 	return why;
 }
 
-/* at - eye, rounded; a direction may be halved, so that what a document must
- * not say it does not say. */
+/* Makes a gaze of at: at - eye, rounded, and halved if it is beyond the range of a
+ * document's numbers. */
 static void from_at(struct camera *c)
 {
 	double largest = 0;
@@ -50,10 +51,9 @@ static void from_at(struct camera *c)
 		c->at[k] /= 2;
 }
 
-/* Makes the camera one of CAMERA_GAZE. A gaze keeps its numbers; at - eye is
- * rounded, and so are the axes of an orientation and of the rotation nearest to
- * a matrix. A scene without a camera gets one at 0 that looks along view space's
- * own axis. */
+/* Gives the camera the form CAMERA_GAZE. A gaze keeps its numbers; other forms are rounded
+ * to doubles. A scene without a camera gets one at 0 that looks along the axis of view
+ * space. */
 static const char *gaze_of(struct scene *s)
 {
 	struct camera *c = &s->camera;
@@ -75,8 +75,7 @@ static const char *gaze_of(struct scene *s)
 	return why;
 }
 
-/* Where the eye is, in the world, after a step in view space; back leads from
- * view to world. */
+/* Writes the eye in the world after a step in view space, with back from view to world. */
 static void eye_move(const struct map *back, const struct sum step[3],
     double eye[3])
 {
@@ -89,7 +88,7 @@ static void eye_move(const struct map *back, const struct sum step[3],
 	}
 }
 
-/* The least double that times d, which is above 0, is not below n. */
+/* Returns the least double v with v d >= n, for d > 0. */
 static double least_over(struct sum n, struct sum d)
 {
 	double v = sum_ratio(n, d);
@@ -97,11 +96,10 @@ static double least_over(struct sum n, struct sum d)
 	return sum_compare(sum_scale(d, v), n) < 0 ? nextafter(v, HUGE_VAL) : v;
 }
 
-/* Widens the side that is too short for a shape, across wide and up high, to the
- * nearest double. */
-static void widen_sides(double *width, double *height, double across, double up)
+/* Widens the side that is too short for a shape to the nearest double. */
+static void widen_sides(double *width, double *height, const double shape[2])
 {
-	struct sum w = sum_of_double(across), h = sum_of_double(up);
+	struct sum w = sum_of_double(shape[0]), h = sum_of_double(shape[1]);
 	double wide = sum_ratio(sum_scale(w, *height), h);
 	double high = sum_ratio(sum_scale(h, *width), w);
 
@@ -111,7 +109,7 @@ static void widen_sides(double *width, double *height, double across, double up)
 		*height = fmax(*height, high);
 }
 
-/* How far the eye may go along the gaze while near - t is at least near_ratio
+/* Returns the largest step t of the eye along the gaze with near - t >= near_ratio
  * (far - t). */
 static struct sum reach_near(const struct extents *r, double ratio)
 {
@@ -120,8 +118,8 @@ static struct sum reach_near(const struct extents *r, double ratio)
 	return sum_quotient(sum_sub(r->low[2], far), sum_diff(1, ratio));
 }
 
-/* By how much the side planes let go of the bounds as the eye moves along the
- * gaze. */
+/* Finds the slopes of the side planes: by how much their values at the bounds fall as the
+ * eye moves along the gaze by 1. */
 static const char *find_slopes(const struct scene *s, struct map *sides,
     struct sum slope[4])
 {
@@ -141,10 +139,10 @@ static const char *find_slopes(const struct scene *s, struct map *sides,
 	return why;
 }
 
-/* Moves the eye across the gaze to where the planes of either pair are as far from the
- * bounds. A plane's value at its lowest shrinks by the step times the plane's normal,
- * and y is the same in both planes of the first pair but for skew. */
-static void balance(const struct map *sides, const struct sum lowest[4],
+/* Finds the step across the gaze after which the two planes of each pair are at equal
+ * distances from the bounds. A plane's lowest value falls by the step times the plane's
+ * normal; y cancels in the first pair, left and right, except for skew. */
+static void center_pairs(const struct map *sides, const struct sum lowest[4],
     struct sum step[3])
 {
 	for (int j = 1; j >= 0; j--) {
@@ -161,12 +159,12 @@ static void balance(const struct map *sides, const struct sum lowest[4],
 	}
 }
 
-/* Finds the step in view space that takes the eye as far along the gaze as a side
- * plane, or near_ratio, allows: as the eye moves by t, the distance of a plane to the
- * bounds shrinks by t times the plane's slope in depth. Where the eye is free to move
- * across the gaze, too, what the planes of a pair leave free is shared by both. */
-static const char *reach(const struct scene *s, const struct hull *h, bool free,
-    struct sum step[3])
+/* Finds the step in view space that takes the eye as far along the gaze as a side plane or
+ * near_ratio allows: as the eye moves by t, a plane's lowest value falls by t times the
+ * slope. If the eye is free to move across the gaze, too, the two planes of a pair share
+ * the sum of their distances. */
+static const char *find_step(const struct scene *s, const struct hull *h,
+    bool free, struct sum step[3])
 {
 	struct map model, view, ends;
 	struct sum slope[4], lowest[4];
@@ -198,11 +196,11 @@ static const char *reach(const struct scene *s, const struct hull *h, bool free,
 	step[0] = step[1] = sum_of_double(0);
 	step[2] = sum_negated_if(looks_back(&s->convention), t);
 	if (free)
-		balance(&view, lowest, step);
+		center_pairs(&view, lowest, step);
 	return fabs(sum_double(t)) <= MAGNITUDE_MAX ? NULL : BEYOND;
 }
 
-/* a to / from, rounded away from 0 so that nothing is cut off. */
+/* Returns a to / from, rounded away from 0 so that the volume does not shrink. */
 static double rescaled(double a, double to, double from)
 {
 	struct sum product = sum_mul(sum_of_double(fabs(a)), sum_of_double(to));
@@ -219,8 +217,8 @@ static void keep_slopes(struct projection *p, double near)
 		*sizes[i] = rescaled(*sizes[i], p->near, near);
 }
 
-/* near >= near_ratio far, exactly. */
-static bool far_off(const struct projection *p)
+/* Returns whether near >= near_ratio far, decided exactly. */
+static bool is_off_eye(const struct projection *p)
 {
 	struct sum least = sum_mul(sum_of_double(p->near_ratio),
 	    sum_of_double(p->far));
@@ -228,8 +226,8 @@ static bool far_off(const struct projection *p)
 	return sum_compare(sum_of_double(p->near), least) >= 0;
 }
 
-/* Closes near and far round the bounds, as seen from where the eye is. Returns whether
- * the bounds then are inside and near is far enough off the eye. */
+/* Closes near and far on the bounds, as the eye sees them. Returns whether the bounds are
+ * inside then, and near is at least near_ratio times far. */
 static bool close_persp(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
@@ -241,12 +239,12 @@ static bool close_persp(struct scene *s, const struct hull *h)
 		return false;
 	hull_close_depth(h, s);
 	keep_slopes(p, near);
-	return hull_out(h, s) == 0 && far_off(p);
+	return hull_out(h, s) == 0 && is_off_eye(p);
 }
 
-/* Tries the eye where a plane would touch the bounds. The eye's coordinates are
- * rounded, which can put bounds outside: then it steps back by 2^-53 of its
- * largest coordinate, by twice that, and so on. */
+/* Moves the eye to where a plane touches the bounds. As its coordinates are rounded, bounds
+ * can be outside: then the eye steps back by 2^-53 of its largest coordinate, by twice
+ * that, and so on. */
 static const char *step_back(struct scene *s, const struct hull *h,
     const struct map *back, const struct sum to[3])
 {
@@ -273,18 +271,19 @@ static const char *fit_persp(struct scene *s, bool free, const struct hull *h)
 {
 	struct sum step[3];
 	struct map back;
-	const char *why = reach(s, h, free, step);
+	const char *why = find_step(s, h, free, step);
 
 	if (why == NULL)
 		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &back);
 	return why != NULL ? why : step_back(s, h, &back, step);
 }
 
-/* Moves the eye so that the bounds are in the middle of the picture. Where no
- * eye was given its depth is free, too: it stands before the middle of the
- * bounds by as much as they are deep. Where depth shears the picture, a step in
- * depth is made up for by one to the side. */
-static const char *center(struct scene *s, bool has_eye, const struct hull *h)
+/* Moves the eye so that the bounds are in the middle of the picture. Without has_eye the
+ * eye moves along the gaze, too, to a distance from the middle of the bounds that equals
+ * their depth. Where depth shears the picture, a step in depth is balanced by a step to
+ * the side. */
+static const char *center_eye(struct scene *s, bool has_eye,
+    const struct hull *h)
 {
 	const struct convention *c = &s->convention;
 	struct sum step[3] = { 0 };
@@ -341,12 +340,13 @@ static const char *close_sides(struct scene *s, const struct hull *h)
 	hull_close(h, s, &p->width, HUGE_VAL, OUT_LEFT | OUT_RIGHT);
 	hull_close(h, s, &p->height, HUGE_VAL, OUT_BOTTOM | OUT_TOP);
 	if (p->aspect[1] != 0)
-		widen_sides(&p->width, &p->height, p->aspect[0], p->aspect[1]);
+		widen_sides(&p->width, &p->height, p->aspect);
 	return NULL;
 }
 
-/* Edges that were given as edges come out as such, mirrored where they were. */
-static void to_edges(struct projection *p, const struct projection *given)
+/* Turns width and height into edges, if the projection was given by edges: mirrored if it
+ * was. */
+static void restore_edges(struct projection *p, const struct projection *given)
 {
 	double x = given->left > given->right ? -p->width : p->width;
 	double y = given->bottom > given->top ? -p->height : p->height;
@@ -361,18 +361,18 @@ static void to_edges(struct projection *p, const struct projection *given)
 static const char *fit_parallel(struct scene *s, bool has_eye,
     const struct projection *given, const struct hull *h)
 {
-	const char *why = center(s, has_eye, h);
+	const char *why = center_eye(s, has_eye, h);
 
 	if (why != NULL)
 		return why;
 	hull_close_depth(h, s);
 	why = close_sides(s, h);
 	if (given->extent == EXTENT_EDGES)
-		to_edges(&s->projection, given);
+		restore_edges(&s->projection, given);
 	return why;
 }
 
-/* Where the eye is before near, near is moved off it. */
+/* Moves near off the eye, if the eye is before it. */
 static void keep_off_eye(struct projection *p)
 {
 	struct sum over, under;
@@ -386,7 +386,8 @@ static void keep_off_eye(struct projection *p)
 		p->z_near = least;
 }
 
-/* The planes alone, as the rectangle and the eye are given in view space. */
+/* Sets z_near and z_far alone: the rectangle and the eye of a volume are given in view
+ * space. */
 static const char *fit_volume(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
@@ -413,8 +414,8 @@ static const char *fit_volume(struct scene *s, const struct hull *h)
 	return NULL;
 }
 
-/* Brings the camera to its gaze, and sets what of the projection is to be found to
- * something valid. */
+/* Gives the camera the form CAMERA_GAZE, and sets members of the projection that are to be
+ * found to valid numbers. */
 static const char *fit_begin(struct scene *s)
 {
 	struct projection *p = &s->projection;
@@ -447,7 +448,7 @@ static const char *fit_begin(struct scene *s)
 	return gaze_of(s);
 }
 
-/* Puts the eye into the middle of the bounds in the world, axis by axis. */
+/* Puts the eye at the middle of the bounds in the world, axis by axis. */
 static const char *eye_center(struct scene *s, const struct hull *h)
 {
 	struct map world;
@@ -480,10 +481,10 @@ const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 	return why != NULL || scene_is_valid(s) ? why : BEYOND;
 }
 
-/* hull_extents asks how far bounds reach along three axes; reach() and hull_out
- * ask about planes, which keep their directions as the eye moves. But keep_slopes
- * rounds sizes on the near plane, outward: side planes then hold all that they held,
- * though of a margin a rounding of the edges may be missing. */
+/* hull_extents measures bounds along three axes, find_step and hull_out along the normals
+ * of planes, which stay as the eye moves. But keep_slopes rounds sizes on the near plane,
+ * outward: the side planes then hold all that they held, though the margin may be
+ * smaller by a rounding of the edges. */
 const char *fit_directions(const struct scene *given, bool has_eye,
     struct directions *all)
 {
@@ -514,7 +515,7 @@ const char *fit_directions(const struct scene *given, bool has_eye,
 	return NULL;
 }
 
-/* The side is twice what is farthest from the center, which may be rounded. */
+/* Sets the center, rounded, and the side: twice the larger distance from the center. */
 static void close_axis(const struct extents *r, int j, double margin,
     double *center, double *side)
 {
@@ -546,8 +547,8 @@ const char *fit_window(struct scene *s, const struct bounds *b)
 	close_axis(&r, 0, s->margin, &w->center[0], &w->width);
 	close_axis(&r, 1, s->margin, &w->center[1], &w->height);
 	if (s->has_device)
-		widen_sides(&w->width, &w->height, s->device.width,
-		    s->device.height);
+		widen_sides(&w->width, &w->height,
+		    (const double[]){ s->device.width, s->device.height });
 	s->has_window = true;
 	return scene_is_size(w->width) && scene_is_size(w->height) ? NULL :
 								     BEYOND;

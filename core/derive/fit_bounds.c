@@ -32,8 +32,9 @@ const char *hull_of(const struct bounds *b, int dimensions, struct hull *h)
 	return NULL;
 }
 
-/* The least value of column j, or of minus that, less that of the first point. A sphere
- * is lowest by its radius times the length of the slope below its centre. */
+/* Returns the least value of column j, or of its negative, less the value of the first
+ * point. The least value of a sphere is that of its centre less its radius times the length
+ * of the gradient. */
 static struct sum lowest_step(const struct hull *h, const struct map *m, int j,
     bool minus)
 {
@@ -44,10 +45,10 @@ static struct sum lowest_step(const struct hull *h, const struct map *m, int j,
 	for (int k = 1; k < h->n; k++) {
 		for (int i = 0; i < 3; i++)
 			step[i] = sum_diff(h->point[k][i], h->point[0][i]);
-		struct sum by = vec3_dot(slope, step);
+		struct sum value = vec3_dot(slope, step);
 
-		if (sum_compare(by, lowest) < 0)
-			lowest = by;
+		if (sum_compare(value, lowest) < 0)
+			lowest = value;
 	}
 	if (h->radius > 0)
 		lowest = sum_sub(lowest,
@@ -67,7 +68,7 @@ struct sum hull_lowest(const struct hull *h, const struct map *m, int j,
 	return sum_snap_zero(sum_quotient(at, m->divisor));
 }
 
-/* The size is made of steps, as it may be below the errors of low and high. */
+/* The size is the sum of two steps, as high - low may be below the errors of both. */
 void extents_of(struct extents *r, int j, const struct hull *h,
     const struct map *m, bool minus)
 {

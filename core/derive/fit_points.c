@@ -30,10 +30,10 @@ void directions_add(struct directions *all, const struct map *map, int j,
 	all->n++;
 }
 
-/* An upper bound of the error of a direction's value at a point whose coordinates are
- * at most so large. An element, a product and two sums round: 4 u of the sum of the
- * products' magnitudes. Twice as much leaves room for the sums that compare a value
- * with the bound; and the rest for what underflows. */
+/* Returns an upper bound of the error of a direction's value at points whose coordinates
+ * have at most these magnitudes. An element, a product and two sums round: 4 u of the sum
+ * of the products' magnitudes. Twice as much has room for the sums that compare a value
+ * with the bound; 2^-1000 is for underflow. */
 static double bound_of(const double m[3], const double largest[3])
 {
 	double sum = 0x1p-1000;
@@ -43,29 +43,22 @@ static double bound_of(const double m[3], const double largest[3])
 	return 0x1p-50 * sum;
 }
 
-static int compare_exactly(const struct direction *d, const double p[3],
-    const double q[3])
-{
-	struct sum step[3], by;
-
-	for (int i = 0; i < 3; i++)
-		step[i] = sum_diff(p[i], q[i]);
-	sum_dot(3, d->m, step, 1, &by);
-	return sum_sign(by);
-}
-
 /* Returns 1 where p is farther than q, -1 where q is, 0 where they are as far. */
 static int compare_along(const struct direction *d, const double p[3],
     const double q[3])
 {
+	struct sum step[3];
 	bool same = true;
 
 	for (int i = 0; i < 3; i++)
 		same &= d->hi[i] == 0 || p[i] == q[i];
-	return same ? 0 : compare_exactly(d, p, q);
+	for (int i = 0; i < 3 && !same; i++)
+		step[i] = sum_diff(p[i], q[i]);
+	return same ? 0 : sum_sign(vec3_dot(d->m, step));
 }
 
-/* Of two points that are as far, the one with the greater coordinates is taken. */
+/* Returns whether p is farther than q or, where both are as far, has the greater
+ * coordinates: so the result does not depend on the order of points. */
 static bool is_farther(const struct direction *d, const double p[3],
     const double q[3])
 {
@@ -93,11 +86,12 @@ static void add_point(struct farthest *f, const struct direction *d,
 			bound };
 }
 
-/* Points of which one is looked at only if it could be the farthest: fewer take more of
- * the kernel's time, more are looked at again more often. */
+/* Points of a call of the kernel. Fewer make more calls; more are compared one by one more
+ * often, as a farthest point among them is more likely. */
 enum { FEW = 128 };
 
-/* Only points whose values are within the bounds of the farthest can be that. */
+/* Adds at most FEW points: those whose values are within the bounds of the farthest are
+ * compared exactly. */
 static void add_few(struct extremes *e, const struct directions *all,
     const double *const in[3], size_t n)
 {
@@ -115,7 +109,7 @@ static void add_few(struct extremes *e, const struct directions *all,
 		for (size_t i = 0; i < n; i++) {
 			const double p[3] = { in[0][i], in[1][i], in[2][i] };
 
-			/* no nan is */
+			/* false for nan */
 			if (value_of(d, p) >= least)
 				add_point(f, d, p, bound);
 		}

@@ -13,7 +13,8 @@ void view_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
 		half[k] = sum_mul(half[k], sum_diff(1, 2 * s->margin));
 }
 
-/* Column j of r becomes sign a x + b w, of x = column k and w = column 3 of m. */
+/* Sets column j of r to a x + b w, or -a x + b w, with x = column k and w = column 3 of
+ * m. */
 static void combine_columns(struct map *r, int j, const struct map *m,
     bool minus, int k, struct sum a, struct sum b)
 {
@@ -25,9 +26,9 @@ static void combine_columns(struct map *r, int j, const struct map *m,
 	}
 }
 
-/* left: x scale >= -half w, right: x scale <= half w, and so on; y's sign is
- * turned where ndc y points down, near and far where depth is reversed. Where there
- * are no planes everything is between them. */
+/* left: x scale >= -half w, right: x scale <= half w, and so on. Bottom and top are swapped
+ * where ndc y points down, near and far where depth is reversed. Without near and far
+ * planes every point is between them. */
 const char *view_planes(const struct scene *s, enum space from,
     struct map *sides, struct map *ends)
 {
@@ -119,9 +120,9 @@ unsigned frustum_out(const struct frustum *f, const double in[4])
 	return out;
 }
 
-/* A column is within ESTIMATE_BOUND of its size while nothing overflows. What
- * underflows, an element that is rounded up to 2^-1074 among them, is off by less
- * than 2^-1025 of what it is multiplied by. */
+/* A column has a relative error of at most ESTIMATE_BOUND while nothing overflows. An
+ * underflow, also of an element that is rounded up to 2^-1074, adds less than 2^-1025 of
+ * the other factor. */
 static struct estimate estimate_of(const struct transform *t, int columns)
 {
 	const struct kernel_map *k = &t->for_kernel;
@@ -130,12 +131,14 @@ static struct estimate estimate_of(const struct transform *t, int columns)
 	for (int i = 0; i < 3; i++)
 		e.origin[i] = k->origin[i];
 	for (int j = 0; j < columns; j++) {
-		double none = 2 * (k->none[j] + 0x1p-1020);
+		double underflow = 2 * (k->none[j] + 0x1p-1020);
 
 		for (int i = 0; i < 4; i++)
 			e.m[i][j] = k->hi[i][j];
-		e.slope = fmax(e.slope, ESTIMATE_BOUND * k->most[j] + none);
-		e.floor = fmax(e.floor, ESTIMATE_BOUND * k->image[j] + none);
+		e.slope = fmax(e.slope,
+		    ESTIMATE_BOUND * k->most[j] + underflow);
+		e.floor = fmax(e.floor,
+		    ESTIMATE_BOUND * k->image[j] + underflow);
 		if (!(k->image[j] > 0x1p-899))
 			e.low = fmax(e.low, 0x1p-899 / k->most[j]);
 		e.high = fmin(e.high, (0x1p999 - k->image[j]) / k->most[j]);
@@ -143,6 +146,7 @@ static struct estimate estimate_of(const struct transform *t, int columns)
 	return e;
 }
 
+/* Points of a block on the stack. */
 enum { FEW = 256 };
 
 static void out_few(const struct frustum *f, const struct estimate *sides,
@@ -169,7 +173,7 @@ static void out_few(const struct frustum *f, const struct estimate *sides,
 void frustum_out_all(const struct frustum *f, const double *const in[4],
     unsigned char *out, size_t n)
 {
-	/* of two coordinates any column is the third, as its slopes are 0 */
+	/* in 2D any column serves as z, as the slopes of z are 0 */
 	const double *z = in[is_flat(f) ? 0 : 2];
 	struct estimate sides = estimate_of(&f->sides, 4), ends = { 0 };
 
@@ -192,27 +196,68 @@ void frustum_out_all(const struct frustum *f, const double *const in[4],
 	}
 }
 
-/* Without planes both ends are at infinity, where depth is least. */
-struct sum view_corner(const struct scene *s, const struct map *from_clip,
-    int corner, struct sum h[4])
+const char *volume_of(const struct scene *s, enum space to, struct volume *v)
 {
-	const struct convention *c = answer_convention(s);
-	bool right = corner % 4 == 1 || corner % 4 == 2, top = corner % 4 > 1;
-	bool deep = (corner >= 4 || projection_is_open(&s->projection)) !=
-	    projection_is_reversed(&s->projection, &s->convention);
-	struct sum half[2], scale[2];
+	/* the map back refuses a singular projection */
+	const char *why = scene_map(s, SPACE_CLIP, SPACE_VIEW, &v->from_view);
 
-	view_limits(s, half, scale);
-	struct sum w = sum_mul(scale[0], scale[1]);
-	const struct sum clip[4] = {
-		sum_negated_if(!right, sum_mul(half[0], scale[1])),
-		sum_negated_if(top == c->ndc_y_down,
-		    sum_mul(half[1], scale[0])),
-		sum_scale(w, deep ? 1 : -c->minus_one),
-		w,
-	};
+	if (why == NULL)
+		why = view_planes(s, SPACE_VIEW, &v->sides, &v->ends);
+	return why != NULL ? why : scene_map(s, SPACE_VIEW, to, &v->from_view);
+}
 
+void planes_meet(const struct sum plane[3][4], struct sum h[4])
+{
+	struct sum m[4][4];
+
+	memcpy(m, plane, 3 * sizeof *m);
+	for (int i = 0; i < 4; i++)
+		h[i] = sum_negated_if(i & 1, map_minor(3, m, 8, 1u << i));
+}
+
+/* Writes the point of view space where planes a and b of the sides and plane c of a map
+ * meet. */
+static void volume_meet(const struct volume *v, int a, int b,
+    const struct map *other, int c, struct sum h[4])
+{
+	struct sum plane[3][4];
+
+	for (int i = 0; i < 4; i++) {
+		plane[0][i] = v->sides.m[i][a];
+		plane[1][i] = v->sides.m[i][b];
+		plane[2][i] = other->m[i][c];
+	}
+	planes_meet(plane, h);
+}
+
+static void volume_image(const struct volume *v, const struct sum view[4],
+    struct sum h[4])
+{
 	for (int j = 0; j < 4; j++)
-		map_image(from_clip, j, clip, &h[j]);
-	return sum_mul(w, from_clip->divisor);
+		map_image(&v->from_view, j, view, &h[j]);
+}
+
+struct sum volume_corner(const struct volume *v, int corner, struct sum h[4])
+{
+	bool right = corner % 4 == 1 || corner % 4 == 2, top = corner % 4 > 1;
+	struct sum view[4], w;
+
+	volume_meet(v, right, 2 + top, &v->ends, corner > 3, view);
+	map_image(&v->ends, 2, view, &w);
+	for (int i = 0; i < 4; i++)
+		view[i] = sum_negated_if(sum_sign(w) < 0, view[i]);
+	volume_image(v, view, h);
+	return sum_quotient(sum_mul(sum_abs(w), v->from_view.divisor),
+	    v->ends.divisor);
+}
+
+/* x and w are 0 where the left and the right plane meet. */
+int volume_eye(const struct volume *v, struct sum h[4])
+{
+	struct sum view[4], far;
+
+	volume_meet(v, 0, 1, &v->sides, 2, view);
+	map_image(&v->ends, 1, view, &far);
+	volume_image(v, view, h);
+	return sum_sign(far) * sum_sign(view[3]);
 }

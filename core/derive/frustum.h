@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The view volume: its corners, and which of its planes, or of a 2D window's
- * edges, a point is outside of. */
+/* The view volume: its planes and corners; the planes, or edges of a 2D window, that a
+ * point is outside of. */
 #ifndef FRUSTUM_H
 #define FRUSTUM_H
 
@@ -17,40 +17,60 @@ enum {
 	OUT_NAN = 128,
 };
 
-/* A point is inside where all columns of both are at least 0; of two coordinates
- * (sides.in is 2) it has no ends. */
+/* A point is inside where all columns of both transforms are at least 0. A 2D window
+ * (sides.in is 2) has no ends. */
 struct frustum {
 	struct transform sides; /* left right bottom top */
 	struct transform ends;  /* near far w */
 };
 
-/* A point is between the side planes where |x| scale and |y| scale of ndc are at most
- * half: the viewport's limits, less the margin. */
+/* Finds the limits of ndc x and y: a point is between the side planes if |x| scale[0] <=
+ * half[0] and |y| scale[1] <= half[1]. half is the viewport's, less the margin. */
 void view_limits(const struct scene *, struct sum half[2], struct sum scale[2]);
 
-/* The planes as seen from one space, with its viewport's limits, as columns. Returns
- * NULL, or the member and the reason. */
+/* Makes the planes of the view volume, as functions of a point of one space: columns of
+ * sides are left, right, bottom and top, those of ends near, far and w. Returns NULL, or
+ * the member and the reason. */
 const char *view_planes(const struct scene *, enum space from,
     struct map *sides, struct map *ends);
 const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
     struct frustum *);
 
-/* The edges of the 2D window, which are those of the device and of ndc's square,
- * as seen from one of these spaces. */
+/* Makes the edges of the 2D window, which are those of the device and of the ndc square, as
+ * functions of a point of one of these spaces. */
 const char *flat_frustum_of(const struct scene *, enum flat from,
     struct frustum *);
 
-/* 0 where the point is inside or on a plane, exactly; behind comes alone. */
+/* Returns the planes that a point is outside of, decided exactly; 0 if it is inside or on
+ * a plane. OUT_BEHIND and OUT_NAN exclude all others. */
 unsigned frustum_out(const struct frustum *, const double in[4]);
 
-/* The same for each of n points, a column for each coordinate. */
+/* Does so for n points, a column for each coordinate. */
 void frustum_out_all(const struct frustum *, const double *const in[4],
     unsigned char *out, size_t n);
 
-/* Finds corner 0..7 of the view volume, near, then far, each left-bottom, right-bottom,
- * right-top, left-top, through a map from clip space: homogeneous. Returns the
- * positive number by which that is larger than where clip w is 1. */
-struct sum view_corner(const struct scene *, const struct map *from_clip,
-    int corner, struct sum h[4]);
+/* The planes of the view volume in view space, and the map from there to another space. A
+ * corner is where three of the planes meet: the inverse of a map from view space would
+ * lose to its errors a corner that is small beside the rest of the volume. */
+struct volume {
+	struct map sides, ends, from_view;
+};
+
+/* Returns NULL, or the member and the reason. */
+const char *volume_of(const struct scene *, enum space to, struct volume *);
+
+/* Writes the homogeneous image of corner 0..7 of the view volume: near, then far, each
+ * left-bottom, right-bottom, right-top, left-top. Without near and far planes all are at
+ * infinity. Returns the positive factor by which the image is larger than that of the
+ * corner's point of clip w 1. */
+struct sum volume_corner(const struct volume *, int corner, struct sum h[4]);
+
+/* Writes the homogeneous image of the eye, where clip x, y and w are 0. Returns 1 where
+ * the eye is on the inner side of the far plane, -1 beyond it, 0 at infinity. */
+int volume_eye(const struct volume *, struct sum h[4]);
+
+/* Writes the homogeneous point where three planes a x + b y + c z + d = 0 meet: all 0
+ * where more than one point is on them. */
+void planes_meet(const struct sum plane[3][4], struct sum h[4]);
 
 #endif

@@ -7,31 +7,33 @@
 
 #define NONE ((double)NAN)
 
-/* What is no more than a rounding of given numbers, of a direction. */
+/* A part of a direction that is below this share of its length counts as a rounding of
+ * the given numbers. */
 #define SLIGHT 0x1p-40
 
-/* A map from view to clip space of which z and w depend on depth alone: of a point
- * X to the right, Y upward and D along the gaze
+/* A map from view to clip space in axes of its own. For a point X to the right, Y upward
+ * and D along the gaze
  *	x = x X + yx Y + zx D + tx, y = y Y + zy D + ty,
  *	z = zz D + ..., w = zw D + tw,
- * all times the map's divisor, which cancels. In a perspective the gaze is where w
- * grows. own: X, Y and D are view space's axes, or turned half around Y where w grows
- * against the convention's gaze; X is the other way where the answer is of the other
- * handedness, whose camera has its x there. Else they are found by RQ, and a
- * perspective's D begins at the eye. */
+ * all times the map's divisor, which cancels. In a perspective w grows along the gaze.
+ * own: X, Y and D are the axes of view space; turned: turned by 180 degrees about Y, as w
+ * grows against the convention's gaze; X is negated if the answer is of the other
+ * handedness. Otherwise the axes are found by RQ, and D of a perspective is 0 at the
+ * eye. tilted: z depends on X or Y, too. */
 struct upright {
 	struct sum x, yx, y, zx, zy, zz, zw, tx, ty, tw;
 	struct sum axis[3][3]; /* X, Y and D in view space */
 	bool own, turned, tilted;
 };
 
-/* Whether world to view has a mirror in it where the camera is a rotation. */
+/* Returns whether the map from world to view space mirrors if the camera is a rotation. */
 static bool is_mirrored(const struct scene *s)
 {
 	return s->convention.right_handed != answer_convention(s)->right_handed;
 }
 
-/* False where x, y, z or w depend on what they should not. */
+/* Sets the axes to those of view space. Returns false where the map does not have the form
+ * above in them. */
 static bool set_own_axes(const struct scene *s, const struct map *m,
     struct upright *u)
 {
@@ -59,14 +61,15 @@ static void normalise(struct sum v[3])
 		v[i] = sum_quotient(v[i], length);
 }
 
-/* a as the length of another goes, is below SLIGHT. */
-static bool is_slight(struct sum a, struct sum of)
+/* Returns whether |a| is at most SLIGHT of a length. */
+static bool is_slight(struct sum a, struct sum length)
 {
-	return sum_compare(sum_abs(a), sum_scale(sum_abs(of), SLIGHT)) <= 0;
+	return sum_compare(sum_abs(a), sum_scale(sum_abs(length), SLIGHT)) <= 0;
 }
 
-/* By Gram and Schmidt: the gaze where w grows or, where that is constant, from near to
- * far; then Y where y grows. X is such that the camera is of the answer's handedness. */
+/* Finds axes by the method of Gram and Schmidt: D along the gradient of w or, where w is
+ * constant, from near to far; Y along that of y; X so that the camera is of the answer's
+ * handedness. */
 static void find_rq_axes(const struct scene *s, const struct sum g[4][3],
     bool parallel, bool reversed, struct upright *u)
 {
@@ -90,8 +93,8 @@ static void find_rq_axes(const struct scene *s, const struct sum g[4][3],
 	    sum_mul(vec3_length(g[2]), vec3_length(n)));
 }
 
-/* Of axes that are found. At the eye x, y and w are 0. */
-static void settle_axes(bool parallel, struct upright *u)
+/* Sets elements to 0 that are roundings or, as D begins at the eye, 0 by definition. */
+static void clear_roundings(bool parallel, struct upright *u)
 {
 	struct sum none = sum_of_double(0);
 
@@ -116,8 +119,8 @@ static void set_elements(const struct sum g[4][3], struct upright *u)
 	u->zw = vec3_dot(g[3], u->axis[2]);
 }
 
-/* Whether a matrix has a camera in it that is turned by half: the picture is upside
- * down, where the scene has none, or near to far is against the gaze. */
+/* Returns whether a matrix contains a camera that is turned by 180 degrees: the picture of
+ * a scene without a camera is upside down, or far is against the gaze. */
 static bool hides_camera(const struct scene *s, bool parallel, bool reversed,
     const struct upright *u)
 {
@@ -151,32 +154,33 @@ static void upright_of(const struct scene *s, bool reversed, struct map *m,
 		set_elements(g, u);
 	}
 	if (!u->own)
-		settle_axes(parallel, u);
+		clear_roundings(parallel, u);
 }
 
-/* Where a side plane x = w or -w meets the depth D = n / d. */
+/* Returns X or Y, by axis, where the side plane x = w or -w meets the depth D = n / d. */
 static double side_at(const struct upright *u, struct sum n, struct sum d,
     int axis, bool minus)
 {
 	struct sum z = axis == 0 ? u->zx : u->zy, t = axis == 0 ? u->tx : u->ty;
 	struct sum x = axis == 0 ? u->x : u->y;
-	struct sum off = sum_add(sum_mul(z, n), sum_mul(t, d));
-	struct sum w = sum_add(sum_mul(u->zw, n), sum_mul(u->tw, d));
+	struct sum slope = sum_sub(sum_negated_if(minus, u->zw), z);
+	struct sum offset = sum_sub(sum_negated_if(minus, u->tw), t);
 
-	return sum_ratio_or_nan(sum_sub(sum_negated_if(minus, w), off),
+	return sum_ratio_or_nan(sum_add(sum_mul(slope, n), sum_mul(offset, d)),
 	    sum_mul(x, d));
 }
 
-/* The planes through two opposite corners, where they are along view space's axes. */
+/* Sets the side planes by two opposite corners, if they are along view space's axes, and
+ * the aspect. */
 static void set_planes(const struct scene *s, const struct upright *u,
     struct parameters *r)
 {
 	struct sum half[2], scale[2], h[4];
-	struct map back;
+	struct volume v;
 
-	scene_map(s, SPACE_CLIP, SPACE_VIEW, &back);
+	volume_of(s, SPACE_VIEW, &v);
 	for (int k = 0; k < 4 && u->own && !isnan(r->near); k++) {
-		view_corner(s, &back, k % 2 == 0 ? 0 : 2, h);
+		volume_corner(&v, k % 2 == 0 ? 0 : 2, h);
 		if (k >= 2 || sum_sign(u->yx) == 0)
 			r->plane[k] = sum_ratio_or_nan(h[k / 2], h[3]);
 	}
@@ -184,7 +188,10 @@ static void set_planes(const struct scene *s, const struct upright *u,
 	struct sum wide = sum_mul(sum_mul(u->y, half[0]), scale[1]);
 	struct sum high = sum_mul(sum_mul(u->x, half[1]), scale[0]);
 
-	r->aspect = sum_ratio_or_nan(sum_abs(wide), sum_abs(high));
+	/* the picture is a line */
+	r->aspect = sum_sign(high) == 0 ?
+	    NONE :
+	    sum_ratio_or_nan(sum_abs(wide), sum_abs(high));
 }
 
 static const char *set_frustum_planes(const struct scene *s, double plane[6][4])
@@ -208,21 +215,15 @@ static const char *set_frustum_planes(const struct scene *s, double plane[6][4])
 	return why;
 }
 
-/* Whether the upper 3x3, over the divisor, times its transpose is the identity to
- * 2^-20, and it is no mirror image, or is one. */
+/* Returns whether the upper 3x3, over the divisor, times its transpose is the identity to
+ * 2^-20, and its determinant is positive or, if mirrored, negative. */
 static bool is_rotation(const struct map *m, bool mirrored)
 {
 	struct sum one = sum_mul(m->divisor, m->divisor);
 	struct sum most = sum_mul(one, sum_of_double(0x1p-20));
 
 	for (int i = 0; i < 9; i++) {
-		struct sum a[3], b[3];
-
-		for (int k = 0; k < 3; k++) {
-			a[k] = m->m[k][i / 3];
-			b[k] = m->m[k][i % 3];
-		}
-		struct sum off = vec3_dot(a, b);
+		struct sum off = vec3_dot(m->m[i / 3], m->m[i % 3]);
 
 		if (i / 3 == i % 3)
 			off = sum_sub(off, one);
@@ -232,7 +233,7 @@ static bool is_rotation(const struct map *m, bool mirrored)
 	return sum_sign(map_minor(3, m->m, 8, 8)) == (mirrored ? -1 : 1);
 }
 
-/* A direction of view space in the world. */
+/* Writes the unit vector in the world of a direction of view space. */
 static void set_camera_axis(const struct map *m, const struct sum axis[3],
     double v[3])
 {
@@ -244,7 +245,7 @@ static void set_camera_axis(const struct map *m, const struct sum axis[3],
 		v[k] = sum_ratio_or_nan(a[k], vec3_length(a));
 }
 
-/* A perspective's eye is where its projectors meet. No reason can come: taxonomy_of
+/* The eye of a perspective is where its projectors meet. scene_map can't fail: taxonomy_of
  * has composed both maps. */
 static void set_camera(const struct scene *s, const struct upright *u,
     const struct taxonomy *t, struct parameters *r)
@@ -266,9 +267,9 @@ static void set_camera(const struct scene *s, const struct upright *u,
 	set_camera_axis(&view, u->axis[1], c->up);
 }
 
-/* x = x X + yx Y + zx D and w = zw D from the eye, and pixels are scale x / w and half
- * a side from the corner; y of pixels runs downward where they count from the top. X is
- * to the right in the picture, also where the world's handedness is not the answer's. */
+/* From the eye x = x X + yx Y + zx D and w = zw D; a pixel is half + scale x / w from the
+ * corner. y of pixels runs downward if they count from the top. X is to the right in the
+ * picture, also if the world is not of the answer's handedness. */
 static void set_intrinsics(const struct scene *s, const struct upright *u,
     double k[3][3])
 {
@@ -283,11 +284,11 @@ static void set_intrinsics(const struct scene *s, const struct upright *u,
 	k[0][0] = sum_ratio_or_nan(sum_mul(x, scale[0]), u->zw);
 	k[0][1] = sum_ratio_or_nan(sum_mul(yx, scale[0]), u->zw);
 	k[0][2] = sum_ratio_or_nan(sum_add(sum_mul(u->zw, half[0]),
-				       sum_mul(u->zx, scale[0])),
+				      sum_mul(u->zx, scale[0])),
 	    u->zw);
 	k[1][1] = sum_ratio_or_nan(sum_mul(u->y, scale[1]), u->zw);
 	k[1][2] = sum_ratio_or_nan(sum_add(sum_mul(u->zw, half[1]),
-				       sum_mul(zy, scale[1])),
+				      sum_mul(zy, scale[1])),
 	    u->zw);
 	k[2][2] = 1;
 }
@@ -303,8 +304,8 @@ static void set_pixels(const struct scene *s, const struct parameters *r,
 		    sizeof r->intrinsics[i]);
 }
 
-/* On the near or far plane, seen from the eye, or in a parallel projection at the depth
- * that is not sheared. */
+/* Sets the edges on the near or far plane, relative to the eye, or in a parallel projection
+ * at the depth that is not sheared. */
 static void set_edges(const struct upright *u, const struct depth *z, bool far,
     struct projection *p)
 {
@@ -321,7 +322,7 @@ static void set_edges(const struct upright *u, const struct depth *z, bool far,
 		*edges[k] = side_at(&seen, n, d, k / 2, k % 2 == 0);
 }
 
-/* cot cos(direction) and cot sin(direction) are zx / x and zy / y. */
+/* With cot = cot(projector), cot cos(direction) is zx / x and cot sin(direction) zy / y. */
 static void set_shear(const struct upright *u, const struct projection *given,
     struct projection *p)
 {
@@ -344,8 +345,7 @@ static void set_shear(const struct upright *u, const struct projection *given,
 		p->direction = -p->direction;
 }
 
-/* Of a perspective's two planes the nearer one is near, also where the eye lies
- * beyond far. */
+/* The nearer one of a perspective's planes becomes near, also if the eye is beyond far. */
 static void set_projection(const struct scene *s, const struct upright *u,
     struct parameters *r)
 {
@@ -383,9 +383,9 @@ static double squared(double a, double b, double c)
 	return a * a + b * b + c * c;
 }
 
-/* Of a perspective's matrix a transpose has the gaze, a unit vector, in its last row,
- * and the image of the origin in its last column; of a parallel one's the last
- * row is 0 0 0 1. */
+/* The transpose of a perspective's matrix has the gaze, a unit vector, in its last row and
+ * the image of the origin in its last column. That of a parallel projection's has the last
+ * row 0 0 0 1. */
 static bool seems_transposed(const double m[4][4])
 {
 	double row = squared(m[3][0], m[3][1], m[3][2]);
@@ -395,7 +395,8 @@ static bool seems_transposed(const double m[4][4])
 	return column > 0 && (unit || (row == 0 && m[3][3] == 1));
 }
 
-/* Against what the convention says, of its own axes. */
+/* Returns the note on a projection that mirrors or looks against the convention's gaze, or
+ * NOTES. */
 static enum note wrong_side(const struct scene *s, const struct upright *u,
     bool mirrored)
 {

@@ -5,16 +5,19 @@
 
 #include "frustum.h"
 
-/* Distances are those of a plane: its value over the length of its gradient in view
- * space. Without planes they are from where w is 0. */
+/* The distance from a plane is its value over the length of its gradient in view space.
+ * Without near and far planes it is the distance from the plane w = 0. */
 const char *picker_of(const struct scene *s, const struct transform *to_device,
     struct picker *k)
 {
 	int plane = projection_is_open(&s->projection) ? 2 : 0;
 	struct map *m = &k->depth.map, sides;
 	struct sum gradient[3], divisor;
-	const char *why = view_planes(s, SPACE_VIEW, &sides, m);
+	/* the map back refuses a singular projection */
+	const char *why = scene_map(s, SPACE_CLIP, SPACE_VIEW, m);
 
+	if (why == NULL)
+		why = view_planes(s, SPACE_VIEW, &sides, m);
 	if (why != NULL)
 		return why;
 	for (int i = 0; i < 3; i++)
@@ -26,7 +29,7 @@ const char *picker_of(const struct scene *s, const struct transform *to_device,
 	for (int i = 0; i < 4; i++)
 		m->m[i][2] = sum_mul(m->m[i][plane], divisor);
 	map_divide_column(m, 2, vec3_length(gradient));
-	/* as of an affine map */
+	/* w is 1: the map is affine */
 	for (int i = 0; i < 4; i++)
 		m->m[i][3] = i < 3 ? sum_of_double(0) : m->divisor;
 	transform_init(&k->depth, SPACE_MODEL, SPACE_VIEW, false);
@@ -38,10 +41,10 @@ static struct sum square(struct sum a)
 	return sum_mul(a, a);
 }
 
-/* The device position is N / w: (N - at w)^2 <= (r w)^2. The device
- * position is within a few u of its size; where the radius is above 2^-40 of
- * that, d2 is within 2^-10 of itself, and doubles decide what lies farther
- * than 2^-8 from the circle. */
+/* The device position is N / w: it is within the radius if (N - at w)^2 <= (r w)^2. Its
+ * double is within a few u of its size; where the radius is above 2^-40 of that size, d2
+ * has a relative error below 2^-10, and doubles decide for points that are
+ * farther than 2^-8, relative, from the circle. */
 bool pick_holds(const struct picker *k, const double in[4],
     const double device[2])
 {

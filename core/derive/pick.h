@@ -1,28 +1,26 @@
 /* SPDX-License-Identifier: MIT */
-/* What lies under a position on the device, and how far from the near plane. */
+/* The points near a position on the device, and their distances from the near plane. */
 #ifndef PICK_H
 #define PICK_H
 
 #include "../points/point.h"
 
-/* From model space: to the device, and along the gaze from the near plane; and
- * where on the device, within which radius. */
 struct picker {
-	const struct transform *to_device;
-	struct transform depth; /* its z */
-	double at[2], radius;
+	const struct transform *to_device; /* from model space */
+	struct transform depth; /* to z, the distance from the near plane */
+	double at[2], radius;   /* on the device */
 };
 
-/* Returns NULL, or the member and the reason. */
+/* Prepares all but at and radius. Returns NULL, or the member and the reason. */
 const char *picker_of(const struct scene *, const struct transform *to_device,
     struct picker *);
 
-/* Whether a point, whose image's nearest doubles are given, is no further than
- * radius from at on the device, exactly. */
+/* Returns whether the image of a point is within radius of at, decided exactly; device is
+ * the image rounded to nearest. */
 bool pick_holds(const struct picker *, const double in[4],
     const double device[2]);
 
-/* The distance's nearest double; and the sign of that of p less that of q. */
+/* Returns the distance's nearest double; the sign of p's distance less q's. */
 double pick_distance(const struct picker *, const double in[4]);
 int pick_compare(const struct picker *, const double p[4], const double q[4]);
 

@@ -7,29 +7,40 @@
 #include "../points/kernel/midway.h"
 
 /* A ray lies in the planes x w = X and y w = Y, with X, Y and w columns of the map from
- * the world to the device. It runs along the product of their normals, in which x y
+ * view space to the device. It runs along the product of their normals, in which x y
  * cancels:
  *
  *	(x w - X) x (y w - Y) = x (Y x w) + y (w x X) + X x Y
  *
- * and depth grows along it where the map's determinant is positive. */
-static void set_along(const struct map *device, bool against, struct map *r)
+ * and depth grows along it where the map's determinant is positive. In view space the
+ * product is exact, even if the camera is not: rows of r take it to the world. */
+static const char *set_along(const struct scene *s, bool against, struct map *r)
 {
 	static const int of[4][2] = { { 1, 3 }, { 3, 0 }, { 0, 0 }, { 0, 1 } };
-	bool turned = (sum_sign(map_minor(4, device->m, 0, 0)) < 0) != against;
-	struct sum normal[4][3];
+	struct sum normal[4][3], view[3];
+	struct map m;
+	const char *why = scene_map(s, SPACE_VIEW, SPACE_DEVICE, &m);
+
+	if (why != NULL)
+		return why;
+	bool turned = (sum_sign(map_minor(4, m.m, 0, 0)) < 0) != against;
 
 	for (int i = 0; i < 12; i++)
-		normal[i % 4][i / 4] = device->m[i / 4][i % 4];
+		normal[i % 4][i / 4] = m.m[i / 4][i % 4];
+	why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &m);
 	memset(r->m, 0, sizeof r->m);
-	for (int i = 0; i < 4; i++)
-		if (i != 2)
-			vec3_cross(normal[of[i][turned]],
-			    normal[of[i][!turned]], r->m[i]);
+	for (int i = 0; i < 4; i++) {
+		if (i == 2)
+			continue;
+		vec3_cross(normal[of[i][turned]], normal[of[i][!turned]], view);
+		for (int j = 0; j < 3; j++)
+			sum_dot(3, view, &m.m[0][j], 4, &r->m[i][j]);
+	}
+	return why;
 }
 
-/* Without a near plane every ray begins at the eye, where clip x, y and w are 0. No
- * reason can come, as the way from the device leads through clip space. */
+/* Makes every ray begin at the eye, where clip x, y and w are 0. scene_map can't fail, as
+ * the map from the device is a product of this one. */
 static void from_eye(const struct scene *s, struct transform *t)
 {
 	struct sum(*m)[4] = t->map.m;
@@ -48,12 +59,11 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 	const struct viewport *v = &s->viewport;
 	/* device depth falls away from the eye */
 	bool against = (v->max_z > v->min_z) == reversed;
-	struct map device;
 	const char *why = scene_transform(s, SPACE_DEVICE, SPACE_WORLD, false,
 	    &r->to_world);
 
 	if (why == NULL)
-		why = scene_map(s, SPACE_WORLD, SPACE_DEVICE, &device);
+		why = set_along(s, against, &r->along.map);
 	if (why != NULL)
 		return why;
 	r->along.map.divisor = sum_of_double(1);
@@ -62,7 +72,6 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 		from_eye(s, &r->to_world);
 	r->depth = reversed ? v->max_z : v->min_z;
 	r->along.in = 2;
-	set_along(&device, against, &r->along.map);
 	transform_prepare(&r->along);
 	return NULL;
 }
@@ -87,7 +96,8 @@ static void ray_direction(const struct ray_maker *r, const double in[4],
 		direction[j] = ray_over(to[j], length, single);
 }
 
-/* Points that have an image may yet have no coordinate within the range. */
+/* Returns whether a device position has a point: one whose coordinates are all beyond the
+ * range of doubles is nan, too. */
 static bool has_point(const struct ray_maker *r, const double in[4],
     const double point[3])
 {
@@ -112,8 +122,7 @@ static void round_to_floats(const struct ray_maker *r, const double in[4],
 		direction[j] = (double)(float)direction[j];
 }
 
-/* What the kernels have left undone of a ray, whose direction is nan where it is
- * not known. */
+/* Computes what the kernels could not: a direction that is nan, and floats. */
 static void ray_finish(const struct ray_maker *r, const double in[4],
     bool single, double point[3], double direction[3])
 {
@@ -159,8 +168,9 @@ void rays_cast(const struct ray_maker *r, bool single,
 	}
 }
 
-/* Row i of the map from a position, times what z of the position has to be there.
- * With P the image of a position x, y, z the plane's p . P = 0 is linear in z:
+/* Writes row i of the map from p = x, y, z, 1 to a point of the plane, with z such that
+ * the point is on it. m_i are the rows of the map from device or ndc space; for a point
+ * P the equation of the plane, p . P = 0, is linear in z:
  *
  *	z = -sum of p_i (m_i . p) / (m_2 . p),    i = 0, 1, 3
  *
@@ -183,16 +193,15 @@ static void set_row(const struct map *m, int i, const struct sum p[4],
 	}
 }
 
-/* Whether w is the same everywhere. */
-static bool is_even(const struct map *m)
+/* Returns whether w is the same everywhere. */
+static bool has_constant_w(const struct map *m)
 {
 	return sum_sign(m->m[0][3]) == 0 && sum_sign(m->m[1][3]) == 0 &&
 	    sum_sign(m->m[2][3]) == 0;
 }
 
-/* What rays have in common, m_2, is the eye or, where they are parallel, their
- * direction. Clip w is 0 there and 1 for every other image, so that the quotient
- * has its sign. */
+/* Row m_2 is the homogeneous point that all rays share: the eye or, of parallel rays,
+ * their direction. */
 const char *ray_plane_transform(const struct scene *s, enum space from,
     enum space to, const double plane[4], struct transform *t)
 {
@@ -216,7 +225,7 @@ const char *ray_plane_transform(const struct scene *s, enum space from,
 	for (int i = 0; i < 4; i++)
 		if (i != 2)
 			set_row(&m, i, p, r);
-	if (is_even(&m) && sum_sign(m.m[3][3]) < 0)
+	if (has_constant_w(&m) && sum_sign(m.m[3][3]) < 0)
 		through = sum_neg(through);
 	map_divide(r, sum_mul(through, m.divisor));
 	t->in = 2;

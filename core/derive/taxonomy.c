@@ -4,17 +4,18 @@
 #include "frustum.h"
 #include "../exact/trig.h"
 
-/* What is equal, zero or parallel, relative to what it is compared with. */
+/* Relative tolerance of equal, zero and parallel. */
 #define ALIKE 0x1p-40
 
-/* The gradients of clip x, y, z and w in view space: the projectors run across those
- * of x and y; the projection plane is across that of w or, where w is constant, of
- * z. */
+/* The gradients of clip x, y, z and w in view space. Projectors are perpendicular to those
+ * of x and y where they are parallel. The projection plane is perpendicular to the
+ * gradient of w or, where w is constant, of z. */
 struct lens {
 	struct sum gradient[4][3];
 	bool parallel;
-	struct sum axis[3][3], divisor;  /* the world's axes in view space */
-	struct map to_screen, from_clip; /* from the world, and to it */
+	struct map to_view;   /* from the world, whose axes are its rows */
+	struct map to_screen; /* from the world */
+	struct volume volume; /* in the world */
 };
 
 static bool alike(double a, double b)
@@ -25,22 +26,19 @@ static bool alike(double a, double b)
 static const char *lens_of(const struct scene *s, struct lens *l)
 {
 	enum space screen = s->has_viewport ? SPACE_DEVICE : SPACE_NDC;
-	struct map clip, view;
+	struct map clip;
 	const char *why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip);
 
 	if (why == NULL)
-		why = scene_map(s, SPACE_WORLD, SPACE_VIEW, &view);
+		why = scene_map(s, SPACE_WORLD, SPACE_VIEW, &l->to_view);
 	if (why == NULL)
-		why = scene_map(s, SPACE_CLIP, SPACE_WORLD, &l->from_clip);
+		why = volume_of(s, SPACE_WORLD, &l->volume);
 	if (why == NULL)
 		why = scene_map(s, SPACE_WORLD, screen, &l->to_screen);
 	if (why != NULL)
 		return why;
 	for (int i = 0; i < 12; i++)
 		l->gradient[i % 4][i / 4] = clip.m[i / 4][i % 4];
-	for (int i = 0; i < 9; i++)
-		l->axis[i / 3][i % 3] = view.m[i / 3][i % 3];
-	l->divisor = view.divisor;
 	l->parallel = vec3_is_zero(l->gradient[3]);
 	return NULL;
 }
@@ -60,7 +58,7 @@ static enum kind axonometric_kind(const double f[3])
 	return same > 0 ? KIND_DIMETRIC : KIND_TRIMETRIC;
 }
 
-/* From the cotangent of the angle between projectors and plane. */
+/* Returns the kind by the cotangent of the angle between projectors and plane. */
 static enum kind oblique_kind(double cot)
 {
 	if (alike(cot, 1))
@@ -79,13 +77,13 @@ static void name_parallel(const struct lens *l, struct taxonomy *t)
 	struct sum nd = vec3_dot(n, d), size = sum_abs(nd);
 
 	for (int i = 0; i < 3; i++) {
-		const struct sum *a = l->axis[i];
+		const struct sum *a = l->to_view.m[i];
 		struct sum na = vec3_dot(n, a);
 
 		for (int k = 0; k < 3; k++)
 			v[k] = sum_snap_zero(sum_minor(a[k], nd, d[k], na));
 		t->foreshortening[i] = sum_ratio_or_nan(vec3_length(v),
-		    sum_mul(size, l->divisor));
+		    sum_mul(size, l->to_view.divisor));
 	}
 	vec3_cross(d, n, across);
 	for (int k = 0; k < 3; k++)
@@ -97,7 +95,7 @@ static void name_parallel(const struct lens *l, struct taxonomy *t)
 				 oblique_kind(cot);
 }
 
-/* As many points as axes meet the projection plane: at least one. */
+/* Counts the vanishing points: one for each world axis that meets the projection plane. */
 static enum kind perspective_kind(const struct lens *l)
 {
 	const struct sum *g = l->gradient[3];
@@ -105,8 +103,9 @@ static enum kind perspective_kind(const struct lens *l)
 	int n = 0;
 
 	for (int i = 0; i < 3; i++)
-		n += sum_ratio_or_nan(sum_abs(vec3_dot(l->axis[i], g)),
-			 sum_mul(vec3_length(l->axis[i]), gradient)) > ALIKE;
+		n += sum_ratio_or_nan(sum_abs(vec3_dot(l->to_view.m[i], g)),
+			 sum_mul(vec3_length(l->to_view.m[i]), gradient)) >
+		    ALIKE;
 	if (n < 2)
 		return KIND_ONE_POINT;
 	return n < 3 ? KIND_TWO_POINT : KIND_THREE_POINT;
@@ -132,14 +131,11 @@ static void set_fov(const struct lens *l, const struct scene *s, double fov[2])
 	}
 }
 
-/* A perspective is reversed where w shrinks from near to far: the eye, where clip x, y
- * and w are 0, lies beyond far. An axis's direction has no origin: it is w = 0. */
+/* The point at infinity of an axis is the image of its direction, with w = 0. */
 static void name_perspective(const struct lens *l, const struct scene *s,
-    struct taxonomy *t)
+    bool beyond_far, struct taxonomy *t)
 {
-	bool falls = sum_sign(l->from_clip.m[2][3]) > 0;
-
-	t->taxon = falls == t->reversed ? TAXON_PERSPECTIVE : TAXON_REVERSE;
+	t->taxon = beyond_far ? TAXON_REVERSE : TAXON_PERSPECTIVE;
 	t->kind = perspective_kind(l);
 	set_fov(l, s, t->fov);
 	for (int i = 0; i < 3; i++) {
@@ -150,24 +146,25 @@ static void name_perspective(const struct lens *l, const struct scene *s,
 	}
 }
 
-/* From near to far: with depth, unless that is reversed, or with or against
- * w. */
+/* Writes the unit normal of the projection plane: against the gradient of w or z, or
+ * along it. */
 static void set_gaze(const struct lens *l, bool against, double gaze[3])
 {
 	struct sum n[3];
 
 	for (int i = 0; i < 3; i++)
 		n[i] = sum_negated_if(against,
-		    vec3_dot(l->axis[i], l->gradient[l->parallel ? 2 : 3]));
+		    vec3_dot(l->to_view.m[i],
+			l->gradient[l->parallel ? 2 : 3]));
 	for (int i = 0; i < 3; i++)
 		gaze[i] = sum_ratio_or_nan(n[i], vec3_length(n));
 }
 
-/* A point from its homogeneous coordinates; nan where there is none. */
-static void taxonomy_point(const struct sum h[4], bool is, double p[3])
+/* Writes a point of homogeneous coordinates h, or nan where the point does not exist. */
+static void taxonomy_point(const struct sum h[4], bool exists, double p[3])
 {
 	for (int j = 0; j < 3; j++)
-		p[j] = is ? sum_ratio_or_nan(h[j], h[3]) : (double)NAN;
+		p[j] = exists ? sum_ratio_or_nan(h[j], h[3]) : (double)NAN;
 }
 
 const char *taxonomy_of(const struct scene *s, struct taxonomy *t)
@@ -186,21 +183,21 @@ const char *taxonomy_of(const struct scene *s, struct taxonomy *t)
 		    { none, none } },
 		.fov = { none, none },
 	};
+	struct sum h[4];
+	int side = volume_eye(&l.volume, h);
+
+	taxonomy_point(h, side != 0, t->eye);
 	if (l.parallel)
 		name_parallel(&l, t);
 	else
-		name_perspective(&l, s, t);
-	const struct sum *eye = l.from_clip.m[2];
-	bool behind = sum_sign(l.from_clip.m[3][3]) < 0;
+		name_perspective(&l, s, side < 0, t);
+	bool behind = sum_sign(l.volume.ends.m[3][2]) < 0;
 
 	set_gaze(&l,
 	    l.parallel ? behind != t->reversed : t->taxon == TAXON_REVERSE,
 	    t->gaze);
-	taxonomy_point(eye, sum_sign(eye[3]) != 0, t->eye);
 	for (int i = 0; i < 8; i++) {
-		struct sum h[4];
-
-		view_corner(s, &l.from_clip, i, h);
+		volume_corner(&l.volume, i, h);
 		taxonomy_point(h, sum_sign(h[3]) > 0, t->corner[i]);
 	}
 	return NULL;

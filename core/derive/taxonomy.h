@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What a scene's projection is: its place in the taxonomy of planar
- * projections, and what of it can be seen from the world. */
+/* The place of a scene's projection in the taxonomy of planar projections; its eye, gaze
+ * and corners in world space. */
 #ifndef TAXONOMY_H
 #define TAXONOMY_H
 
@@ -26,24 +26,23 @@ enum kind {
 	KIND_THREE_POINT,
 };
 
-/* nan stands for what such a projection has not. All are the
- * nearest doubles. */
+/* Nearest doubles; nan where a projection of this taxon has no such number. */
 struct taxonomy {
 	enum taxon taxon;
 	enum kind kind;
 	bool reversed; /* the near plane has the larger depth */
-	/* lengths of the world's unit axes' images in the projection plane, in
-	 * view units, of a parallel projection */
+	/* of a parallel projection: lengths of the images of the world's unit axes
+	 * in the projection plane, in view units */
 	double foreshortening[3];
-	/* of the world's axes, in device or else ndc units */
+	/* of the world's axes, in device units or, without a viewport, in ndc */
 	double vanishing_point[3][2];
 	double fov[2];       /* degrees across x and y */
 	double eye[3];       /* in world space */
 	double gaze[3];      /* unit normal of the projection plane */
-	double corner[8][3]; /* in world space, see view_corner */
+	double corner[8][3]; /* in world space, in the order of volume_corner */
 };
 
-/* Returns NULL, or the member and the reason. */
+/* Classifies a scene. Returns NULL, or the member and the reason. */
 const char *taxonomy_of(const struct scene *, struct taxonomy *);
 
 #endif
