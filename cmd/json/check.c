@@ -1,25 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "../message/escape.h"
+#include "../message/message.h"
 #include "../message/utf8.h"
 #include "../number/number.h"
 #include "text.h"
 
-enum {
-	LEVELS_MAX = 100,
-	/* cJSON takes no more characters than these for a number, and what
-	 * follows for something else. */
-	CJSON_NUMBER_MAX = 63,
-};
-
-/* The functions below check what stands at s->at, move it past that and return true;
- * or say why it is wrong, leave s->at where it goes wrong and return false. */
+enum { LEVELS_MAX = 100 };
 
 static bool is_letter(char c)
 {
@@ -36,7 +28,7 @@ static bool at(const struct json_check *s, char c)
 	return s->at < s->end && *s->at == c;
 }
 
-static void blanks(struct json_check *s)
+static void pass_blanks(struct json_check *s)
 {
 	const char *p = s->at;
 
@@ -45,20 +37,13 @@ static void blanks(struct json_check *s)
 	s->at = p;
 }
 
-/* Adds to the copy, if there is one. */
-static void copy(struct json_check *s, const char *from, size_t n)
-{
-	if (s->copy != NULL)
-		s->copy = (char *)memcpy(s->copy, from, n) + n;
-}
-
-/* Whether c can be part of a word or number. */
+/* Returns whether c can be part of a word or number. */
 static bool in_token(char c)
 {
 	return (unsigned char)c > ' ' && strchr(",:[]{}\"'/#", c) == NULL;
 }
 
-/* Where the word, number or other character at s->at ends. */
+/* Returns the end of the word, number or other character at s->at. */
 static const char *token_end(const struct json_check *s)
 {
 	const char *p = s->at;
@@ -81,7 +66,7 @@ void json_count(const char *text, const char *at, long long *line,
 		}
 }
 
-/* Whether a comma stands before s->at and blanks. */
+/* Returns whether the last character before s->at that is not blank is a comma. */
 static bool after_comma(const struct json_check *s)
 {
 	const char *p = s->at;
@@ -91,7 +76,8 @@ static bool after_comma(const struct json_check *s)
 	return p > s->text && p[-1] == ',';
 }
 
-/* What to do with a character that stands nowhere in JSON, or not there; or NULL. */
+/* Returns what to do with the character at s->at, which JSON does not have or not
+ * there; or NULL. */
 static const char *hint_of(const struct json_check *s)
 {
 	const char *p = s->at;
@@ -109,8 +95,8 @@ static const char *hint_of(const struct json_check *s)
 	return NULL;
 }
 
-/* Says what is wanted at s->at, what stands there, and a hint, unless that is NULL.
- * Returns false. */
+/* Sets the reason: JSON wants this at s->at, and the text has another character or ends.
+ * A hint that is not NULL follows. Returns false. */
 static bool expected(struct json_check *s, const char *wanted, const char *hint)
 {
 	const bool ends = s->at == s->end;
@@ -127,8 +113,12 @@ static bool expected(struct json_check *s, const char *wanted, const char *hint)
 	return false;
 }
 
-/* At a backslash. Half of a surrogate pair, \ud800 to \udfff, becomes U+FFFD. */
-static bool escape(struct json_check *s)
+/* Each function pass_x checks the x at s->at, sets s->at to the x's end and returns true;
+ * or sets s->at to the first wrong character and the reason, and returns false. */
+
+/* json_unescape writes half of a surrogate pair, \ud800 to \udfff, as U+FFFD, which
+ * begins with \xef. */
+static bool pass_escape(struct json_check *s)
 {
 	const char *p = s->at, *next = p;
 	bool is_u = s->end - p > 1 && p[1] == 'u';
@@ -146,14 +136,13 @@ static bool escape(struct json_check *s)
 	return true;
 }
 
-/* At a character of a string. */
-static bool character(struct json_check *s)
+static bool pass_character(struct json_check *s)
 {
 	unsigned code;
 	int n = s->kind == JSON_DOCUMENT ? utf8_read(s->at, s->end, &code) : 1;
 
 	if (*s->at == '\\')
-		return escape(s);
+		return pass_escape(s);
 	if (n == 0 || (unsigned char)*s->at < ' ')
 		return expected(s, "text or '\"' in a string",
 		    "write a control character as this escape");
@@ -161,34 +150,30 @@ static bool character(struct json_check *s)
 	return true;
 }
 
-/* Whether c is any character of a string but a quotation mark, and needs no
- * look at what is around it. */
-static bool passes_unseen(char c)
+/* Returns whether c is a character of a string, whatever stands around it. */
+static bool is_simple(char c)
 {
 	return c >= ' ' && c != '"' && c != '\\' && (unsigned char)c < 0x80;
 }
 
-/* At a quotation mark. */
-static bool string(struct json_check *s)
+static bool pass_string(struct json_check *s)
 {
-	const char *start = s->at++;
-
+	s->at++;
 	for (;;) {
-		while (s->at < s->end && passes_unseen(*s->at))
+		while (s->at < s->end && is_simple(*s->at))
 			s->at++;
 		if (at(s, '"'))
 			break;
 		if (s->at == s->end)
 			return expected(s, "text or '\"' in a string", NULL);
-		if (!character(s))
+		if (!pass_character(s))
 			return false;
 	}
 	s->at++;
-	copy(s, start, (size_t)(s->at - start));
 	return true;
 }
 
-/* Where true, false, null or the number at p ends; NULL if none stands there. */
+/* Returns the end of true, false, null or the number at p; NULL if there is none. */
 static const char *scalar_end(const char *p, const char *end)
 {
 	static const char *const words[] = { "true", "false", "null" };
@@ -202,26 +187,8 @@ static const char *scalar_end(const char *p, const char *end)
 	return json_number_end(p, end);
 }
 
-/* Copies the number up to end; where cJSON does not take all of it, its shortest text. */
-static void copy_number(struct json_check *s, const char *end)
-{
-	const struct number_style shortest = { NUMBER_SHORTEST, 0 };
-	char text[NUMBER_MAX];
-	double v;
-
-	if (end - s->at <= CJSON_NUMBER_MAX) {
-		copy(s, s->at, (size_t)(end - s->at));
-		return;
-	}
-	number_read(s->at, end, &v);
-	if (isfinite(v))
-		copy(s, text, (size_t)(number_write(text, v, shortest) - text));
-	else
-		copy(s, "1e999", 5);
-}
-
-/* At what is no string, array or object. */
-static bool scalar(struct json_check *s)
+/* A scalar is true, false, null or a number. */
+static bool pass_scalar(struct json_check *s)
 {
 	const char *end = scalar_end(s->at, s->end), *hint = NULL;
 
@@ -233,47 +200,98 @@ static bool scalar(struct json_check *s)
 			       "quotes";
 		return expected(s, "a value", hint);
 	}
-	if (s->copy != NULL)
-		copy_number(s, end);
 	s->at = end;
 	return true;
 }
 
-static bool list(struct json_check *s, const char *way);
+/* Adds a value of zeros, and returns its index. */
+static size_t add_value(struct json_values *made)
+{
+	if (made->n == made->room) {
+		made->room = 2 * made->room + 64;
+		made->value = need(made->value,
+		    made->room * sizeof *made->value);
+	}
+	made->value[made->n] = (struct json_value){ 0 };
+	return made->n++;
+}
 
-/* way is what is left of the pointer; NULL where it does not lead here. */
-static bool value(struct json_check *s, const char *way)
+/* Adds the characters that a string of JSON stands for, and returns them. They take less
+ * room than the string, as its quotes have two bytes and the NUL one. */
+static const char *add_string(struct json_values *made, const char *s,
+    const char *end)
+{
+	char *const start = made->end;
+	int n;
+
+	for (s++; s < end - 1; made->end += n)
+		if (*s == '\\') {
+			s = json_unescape(s, end, made->end, &n);
+		} else {
+			*made->end = *s++;
+			n = 1;
+		}
+	*made->end++ = '\0';
+	return start;
+}
+
+/* Completes value i, which was checked from start to s->at. */
+static void finish_value(const struct json_check *s, size_t i,
+    const char *start)
+{
+	struct json_values *made = s->made;
+	struct json_value *v = &made->value[i];
+	static const char types[] = "ftn-\"[{"; /* in the order of json_type */
+	const char *type = strchr(types, *start);
+
+	v->type = type != NULL ? (enum json_type)(type - types) : JSON_NUMBER;
+	v->size = made->n - i;
+	if (v->type == JSON_NUMBER)
+		number_read(start, s->at, &v->number);
+	if (v->type == JSON_STRING)
+		v->string = add_string(made, start, s->at);
+}
+
+static bool pass_list(struct json_check *s, const char *pointer);
+
+/* pointer is the rest of s->pointer that leads on from this value; NULL if the value is
+ * not on its path. */
+static bool pass_value(struct json_check *s, const char *pointer)
 {
 	const char *start = s->at;
+	size_t i = s->made != NULL ? add_value(s->made) : 0;
 	bool good;
 
-	if (way != NULL)
+	if (pointer != NULL)
 		s->found.s = start;
 	if (at(s, '{') || at(s, '['))
-		good = list(s, way);
+		good = pass_list(s, pointer);
 	else
-		good = at(s, '"') ? string(s) : scalar(s);
+		good = at(s, '"') ? pass_string(s) : pass_scalar(s);
 	if (s->found.s == start)
 		s->found.end = s->at;
+	if (good && s->made != NULL)
+		finish_value(s, i, start);
 	return good;
 }
 
-/* Returns what is left of the pointer behind its first step, where that is the name,
- * or if name.s is NULL the index; else NULL. */
-static const char *way_on(const char *way, struct span name, long index)
+/* Returns the rest of the pointer after its first token, if that is the name, or where
+ * name.s is NULL the index; else NULL. */
+static const char *pointer_next(const char *pointer, struct span name,
+    long index)
 {
-	struct span step = { way, way };
+	struct span token = { pointer, pointer };
 
-	if (way == NULL || *way == '\0')
+	if (pointer == NULL || *pointer == '\0')
 		return NULL;
-	step.end += strcspn(++step.s, "/") + 1;
-	return (name.s != NULL ? json_is_name(name, step, true) :
-				 strtol(step.s, NULL, 10) == index) ?
-	    step.end :
+	token.end += strcspn(++token.s, "/") + 1;
+	return (name.s != NULL ? json_is_name(name, token, true) :
+				 strtol(token.s, NULL, 10) == index) ?
+	    token.end :
 	    NULL;
 }
 
-static bool member(struct json_check *s, const char *way)
+static bool pass_member(struct json_check *s, const char *pointer)
 {
 	struct span name = { .s = s->at };
 
@@ -282,19 +300,26 @@ static bool member(struct json_check *s, const char *way)
 		    after_comma(s) && json_number_end(s->at, s->end) != NULL ?
 			"several numbers stand in brackets: [1,2,3]" :
 			NULL);
-	if (!string(s))
+	if (!pass_string(s))
 		return false;
 	name.end = s->at;
-	blanks(s);
+	pass_blanks(s);
 	if (!at(s, ':'))
 		return expected(s, "':' after the member's name", NULL);
-	copy(s, s->at++, 1);
-	blanks(s);
-	return value(s, way_on(way, name, 0));
+	s->at++;
+	pass_blanks(s);
+	size_t i = s->made != NULL ? s->made->n : 0;
+
+	if (!pass_value(s, pointer_next(pointer, name, 0)))
+		return false;
+	if (s->made != NULL)
+		s->made->value[i].name = add_string(s->made, name.s, name.end);
+	return true;
 }
 
-/* Refuses what stands behind a value in the list that begins at open. */
-static bool no_comma(struct json_check *s, const char *open)
+/* Sets the reason where no comma follows a value of the list that begins at open. Returns
+ * false. */
+static bool expected_comma(struct json_check *s, const char *open)
 {
 	const char *wanted = *open == '{' ? "',' or '}'" : "',' or ']'";
 	long long line = s->line;
@@ -309,54 +334,54 @@ static bool no_comma(struct json_check *s, const char *open)
 	return expected(s, wanted, hint);
 }
 
-/* An array or object, at its opening bracket or brace. */
-static bool list(struct json_check *s, const char *way)
+/* A list is an array or object. */
+static bool pass_list(struct json_check *s, const char *pointer)
 {
 	const char *open = s->at;
 	const bool object = *open == '{';
 	const char close = object ? '}' : ']';
+	struct json_values *const made = s->made;
+	bool found = pointer != NULL && *pointer == '\0' && !object;
+	long index = 0;
 
 	if (++s->level > LEVELS_MAX)
 		return expected(s, "at most 100 levels of brackets", NULL);
-	copy(s, s->at++, 1);
-	blanks(s);
+	s->at++;
+	pass_blanks(s);
+	for (bool empty = at(s, close); !empty; pass_blanks(s)) {
+		bool hidden = object && s->end - s->at > 1 && s->at[1] == '_';
 
-	/* what is left out is not copied, nor the comma before it */
-	char *const first = s->copy;
-	bool found = way != NULL && *way == '\0' && !object;
-	long index = 0;
-
-	for (bool empty = at(s, close); !empty; blanks(s)) {
-		char *before = s->copy;
-
-		if (found || (object && s->end - s->at > 1 && s->at[1] == '_'))
-			s->copy = NULL;
-		else if (before != first)
-			copy(s, ",", 1);
-		if (!(object ?
-			    member(s, way) :
-			    value(s, way_on(way, (struct span){ 0 }, index++))))
+		s->made = found || hidden ? NULL : made;
+		if (!(object ? pass_member(s, pointer) :
+			       pass_value(s,
+				   pointer_next(pointer, (struct span){ 0 },
+				       index++))))
 			return false;
-		if (s->copy == NULL)
-			s->copy = before;
-		blanks(s);
+		pass_blanks(s);
 		if (at(s, close))
 			break;
 		if (!at(s, ','))
-			return no_comma(s, open);
+			return expected_comma(s, open);
 		s->at++;
 	}
-	copy(s, s->at++, 1);
+	s->made = made;
+	s->at++;
 	s->level--;
 	return true;
 }
 
 bool json_check(struct json_check *s)
 {
+	if (s->made != NULL) {
+		s->made->strings = need(s->made->strings,
+		    (size_t)(s->end - s->text));
+		s->made->end = s->made->strings;
+		s->made->n = 0;
+	}
 	s->at = s->text;
-	blanks(s);
-	if (!value(s, s->pointer))
+	pass_blanks(s);
+	if (!pass_value(s, s->pointer))
 		return false;
-	blanks(s);
+	pass_blanks(s);
 	return s->at == s->end || expected(s, "the end of the text", NULL);
 }

@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 #include "value.h"
 
-#include <cjson/cJSON.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "../../core/scene/scene.h"
@@ -16,17 +14,17 @@
 #define UP_TO "numbers go up to 1e150"
 
 const struct value_range range_any = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
-	.says = UP_TO };
+	.wanted = UP_TO };
 const struct value_range range_turn = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
-	.says = UP_TO, .angle = true };
+	.wanted = UP_TO, .angle = true };
 const struct value_range range_positive = { SIZE_MIN, MAGNITUDE_MAX,
-	.says = "a number from 1e-150 to 1e150 is wanted" };
+	.wanted = "a number from 1e-150 to 1e150 is wanted" };
 
 static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 
-/* Returns the place of what stands at a byte of the source's text. */
-static struct place place_of(const struct source *source, const char *text,
-    const char *at)
+/* Returns the place of a byte of the source's text. */
+static struct place source_place_at(const struct source *source,
+    const char *text, const char *at)
 {
 	struct place p = { .file = source->name,
 		.line = source->line + 1,
@@ -44,37 +42,23 @@ struct place source_place(const struct source *source, const char *pointer)
 	struct place p = { .file = source->name };
 
 	if (source->text != NULL && json_check(&c))
-		p = place_of(source, c.text, c.found.s);
+		p = source_place_at(source, c.text, c.found.s);
 	p.pointer = pointer;
 	p.of_scene = !source->operand;
 	return p;
 }
 
-/* Returns the values of checked text, which was copied to s, and frees the copy. cJSON
- * takes whatever passes the check; where it fails, memory is short. */
-static const struct cJSON *parse(char *s, const struct json_check *checked)
-{
-	cJSON *item = cJSON_ParseWithLength(s, (size_t)(checked->copy - s));
-
-	if (item == NULL)
-		die(EXIT_SYSTEM, "out of memory");
-	free(s);
-	return item;
-}
-
-/* The values that were parsed last; a refusal does not come back to free them. */
-static const struct cJSON *parsed;
-
 struct value value_parse_without(struct source *source, const char *pointer,
     char *text, size_t size, struct span *array)
 {
+	static struct json_values values;
 	static char *kept[2];
-	char **keep = &kept[source->operand], *copy = need(NULL, size);
+	char **keep = &kept[source->operand];
 	struct json_check c = { .text = text,
 		.end = text + size,
 		.line = source->line + 1,
 		.pointer = pointer,
-		.copy = copy };
+		.made = &values };
 
 	if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
 		memset(text, ' ', 3); /* a byte order mark */
@@ -83,64 +67,67 @@ struct value value_parse_without(struct source *source, const char *pointer,
 		source->end = source->text + size;
 	}
 	if (!json_check(&c)) {
-		const struct place place = place_of(source, text, c.at);
+		const struct place place = source_place_at(source, text, c.at);
 
-		free(copy);
 		die_at(EXIT_INPUT, &place, "%s", c.reason);
 	}
 	*array = (struct span){ *c.found.s == '[' ? c.found.s : NULL,
 		c.found.end };
-	cJSON_Delete((cJSON *)parsed);
-	parsed = parse(copy, &c);
-	return (struct value){ .source = source, .item = parsed };
+	return (struct value){ .source = source, .item = values.value };
+}
+
+/* Returns the value of checked text. */
+static const struct json_value *parse_checked(struct json_values *values,
+    const char *s, const char *end)
+{
+	struct json_check c = { .text = s, .end = end, .made = values };
+
+	json_check(&c);
+	return values->value;
 }
 
 void value_parse_part(struct value *v, const char *s, const char *end)
 {
-	static const struct cJSON *part;
-	char *copy = need(NULL, (size_t)(end - s));
-	struct json_check c = { .text = s, .end = end, .copy = copy };
+	static struct json_values part;
 
-	json_check(&c);
-	cJSON_Delete((cJSON *)part);
-	v->item = part = parse(copy, &c);
+	v->item = parse_checked(&part, s, end);
 }
 
 struct value value_literal(const struct source *source, const char *text)
 {
 	static struct {
 		const char *text;
-		const struct cJSON *item;
+		struct json_values values;
 	} known[LITERALS];
 	size_t i = 0;
 
 	while (known[i].text != NULL && known[i].text != text)
 		i++;
-	if (known[i].text == NULL) {
-		known[i].item = cJSON_Parse(text);
-		if (known[i].item == NULL)
-			die(EXIT_SYSTEM, "out of memory");
-		known[i].text = text;
-	}
-	return (struct value){ .source = source, .item = known[i].item };
+	if (known[i].text == NULL)
+		parse_checked(&known[i].values, text, text + strlen(text));
+	known[i].text = text;
+	return (
+	    struct value){ .source = source, .item = known[i].values.value };
 }
 
 struct value value_child(const struct value *v)
 {
-	const cJSON *item = v->item->child;
+	const struct json_value *item = v->item->size > 1 ? v->item + 1 : NULL;
 
 	return (struct value){ .source = v->source,
 		.in = v,
-		.name = item != NULL ? item->string : NULL,
+		.name = item != NULL ? item->name : NULL,
 		.unused = v->unused,
 		.item = item };
 }
 
 void value_next(struct value *v)
 {
-	v->item = v->item->next;
+	v->item += v->item->size;
+	if (v->item == v->in->item + v->in->item->size)
+		v->item = NULL;
 	v->index++;
-	v->name = v->item != NULL ? v->item->string : NULL;
+	v->name = v->item != NULL ? v->item->name : NULL;
 }
 
 struct value value_missing(const struct value *in, const char *name)
@@ -157,49 +144,43 @@ bool value_member(const struct value *object, const char *name,
 	return member->item != NULL;
 }
 
-bool value_is_object(const struct value *v)
+bool value_is(const struct value *v, enum json_type type)
 {
-	return cJSON_IsObject(v->item);
-}
-
-bool value_is_array(const struct value *v)
-{
-	return cJSON_IsArray(v->item);
-}
-
-bool value_is_null(const struct value *v)
-{
-	return cJSON_IsNull(v->item);
+	return v->item->type == type;
 }
 
 const char *value_string(const struct value *v)
 {
-	return cJSON_GetStringValue(v->item);
+	return v->item->string;
 }
 
 size_t value_count(const struct value *v)
 {
-	return (size_t)cJSON_GetArraySize(v->item);
+	size_t n = 0;
+
+	for (struct value e = value_child(v); e.item != NULL; value_next(&e))
+		n++;
+	return n;
 }
 
-/* No value is looked at that is deeper than /camera/matrix/matrix/3/3. Of a name only
- * so many bytes are shown. */
-enum { STEPS_MAX = 5, STEP_MAX = 64 };
+/* A pointer has at most TOKENS_MAX tokens, as in /camera/matrix/matrix/3/3. A token with
+ * its / has at most TOKEN_MAX bytes: a longer name is cut. */
+enum { TOKENS_MAX = 5, TOKEN_MAX = 64 };
 
-/* Writes the pointer to a value, as /camera/eye/0, in which ~ is ~0 and / is ~1 (RFC
- * 6901). Returns where it ends. */
-static char *pointer(const struct value *v, char *out)
+/* Writes the pointer to a value, such as /camera/eye/0, in which ~ is ~0 and / is ~1 (RFC
+ * 6901), and returns its end. */
+static char *write_pointer(const struct value *v, char *out)
 {
 	if (v->in == NULL)
 		return out;
-	out = pointer(v->in, out);
+	out = write_pointer(v->in, out);
 	if (v->name == NULL)
 		return out + sprintf(out, "/%zu", v->index);
 	const char *const start = out;
 
 	*out++ = '/';
 	for (const char *s = v->name; *s != '\0'; s++) {
-		if (out - start > STEP_MAX - 6)
+		if (out - start > TOKEN_MAX - 6)
 			return stpcpy(out, "...");
 		if (*s == '~' || *s == '/')
 			*out++ = '~';
@@ -210,11 +191,11 @@ static char *pointer(const struct value *v, char *out)
 
 void value_refuse(const struct value *v, const char *format, ...)
 {
-	char way[STEPS_MAX * STEP_MAX + 1];
+	char pointer[TOKENS_MAX * TOKEN_MAX + 1];
 	va_list args;
 
-	*pointer(v, way) = '\0';
-	const struct place place = source_place(v->source, way);
+	*write_pointer(v, pointer) = '\0';
+	const struct place place = source_place(v->source, pointer);
 
 	va_start(args, format);
 	vdie_at(EXIT_INPUT, &place, format, args);
@@ -223,45 +204,42 @@ void value_refuse(const struct value *v, const char *format, ...)
 
 void value_wrong(const struct value *v, const char *wanted)
 {
-	/* in the order of cJSON's bits */
 	static const char *const names[] = { "false", "true", "null",
 		"a number", "a string", "an array", "an object" };
-	int i = 0;
 
-	while ((v->item->type >> i & 1) == 0)
-		i++;
-	value_refuse(v, "is %s; %s is wanted", names[i], wanted);
+	value_refuse(v, "is %s; %s is wanted", names[v->item->type], wanted);
 }
 
 void value_want_object(const struct value *v)
 {
-	if (!value_is_object(v))
+	if (!value_is(v, JSON_OBJECT))
 		value_wrong(v, "an object");
 }
 
-/* PI and its half are the largest doubles below what they stand for. */
-static bool is_within(double x, const struct value_range *r, bool by_pi)
+/* Returns whether x is in the range. In radians the limits are PI and PI / 2, the largest
+ * doubles below pi and pi/2, and so never excluded. */
+static bool is_within(double x, const struct value_range *r, bool radians)
 {
 	double min = r->min, max = r->max;
 
-	if (by_pi) {
+	if (radians) {
 		min = min == SIZE_MIN ? min : min / 180 * PI;
 		max = max / 180 * PI;
 	}
-	return (x > min || (x == min && (by_pi || !r->above))) &&
-	    (x < max || (x == max && (by_pi || !r->below)));
+	return (x > min || (x == min && (radians || !r->above))) &&
+	    (x < max || (x == max && (radians || !r->below)));
 }
 
 double value_number(const struct value *v, const struct value_range *range)
 {
-	bool by_pi = range->by_pi != NULL && v->source->unit == RADIANS;
-	const char *wanted = by_pi ? range->by_pi : range->says;
-	double x = v->item->valuedouble;
+	bool radians = range->by_radians != NULL && v->source->unit == RADIANS;
+	const char *wanted = radians ? range->by_radians : range->wanted;
+	double x = v->item->number;
 	char text[NUMBER_MAX];
 
-	if (!cJSON_IsNumber(v->item))
+	if (!value_is(v, JSON_NUMBER))
 		value_wrong(v, "a number");
-	if (v->unused || is_within(x, range, by_pi))
+	if (v->unused || is_within(x, range, radians))
 		return x;
 	if (isinf(x))
 		value_refuse(v, "is beyond the range of doubles; %s", wanted);
@@ -272,22 +250,23 @@ double value_number(const struct value *v, const struct value_range *range)
 
 bool value_flag(const struct value *v)
 {
-	if (!cJSON_IsBool(v->item))
+	if (!value_is(v, JSON_TRUE) && !value_is(v, JSON_FALSE))
 		value_wrong(v, "true or false");
-	return cJSON_IsTrue(v->item);
+	return value_is(v, JSON_TRUE);
 }
 
 void value_numbers(const struct value *v, const struct value_range *range,
     size_t n, double *out)
 {
+	size_t count = value_count(v);
 	char wanted[40];
 
 	snprintf(wanted, sizeof wanted, "an array of %zu numbers", n);
-	if (!value_is_array(v))
+	if (!value_is(v, JSON_ARRAY))
 		value_wrong(v, wanted);
-	if (value_count(v) != n)
-		value_refuse(v, "has %zu element%s; %s is wanted",
-		    value_count(v), value_count(v) == 1 ? "" : "s", wanted);
+	if (count != n)
+		value_refuse(v, "has %zu element%s; %s is wanted", count,
+		    count == 1 ? "" : "s", wanted);
 	struct value e = value_child(v);
 
 	for (; e.item != NULL; value_next(&e))

@@ -64,7 +64,7 @@ bool same_convention(const struct convention *a, const struct convention *b)
 static void read_convention(const struct value *v, const struct member *row,
     void *out)
 {
-	if (value_is_object(v))
+	if (value_is(v, JSON_OBJECT))
 		object_read(v, row->members, 0, out);
 	else
 		*(struct convention *)out =

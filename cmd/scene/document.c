@@ -28,89 +28,64 @@ enum {
 	SCENE_MEMBERS,
 };
 
-static void check_point(const struct value *v, int coordinates)
+/* Returns the end of the element at s of a point; refuses a coordinate that is not a
+ * number or null, and other elements that are arrays or objects. */
+static const char *element_end(struct value *e, const char *s, const char *end,
+    bool coordinate)
 {
-	struct value e;
+	const char *stop;
+	double v;
+
+	if (coordinate && (*s == '-' || (*s >= '0' && *s <= '9'))) {
+		stop = number_read(s, end, &v);
+		if (fabs(v) <= MAGNITUDE_MAX)
+			return stop;
+	}
+	stop = json_skip(s, end);
+	if ((coordinate && *s != 'n') || *s == '[' || *s == '{') {
+		value_parse_part(e, s, stop);
+		if (!coordinate)
+			value_wrong(e, "a number, a string or null");
+		value_number(e, &range_any);
+	}
+	return stop;
+}
+
+/* Returns the end of the point at s of checked text; refuses a value that is not one. v
+ * is the point, without its item. */
+static const char *point_end(struct value *v, const char *s, const char *end,
+    int coordinates)
+{
+	struct value e = { .source = v->source, .in = v, .unused = v->unused };
 	int n = 0;
 
-	if (!value_is_array(v))
+	if (*s != '[') {
+		value_parse_part(v, s, json_skip(s, end));
 		value_wrong(v, "an array of coordinates");
-	for (e = value_child(v); e.item != NULL; value_next(&e), n++) {
-		if (n < coordinates && !value_is_null(&e))
-			value_number(&e, &range_any);
-		if (value_is_array(&e) || value_is_object(&e))
-			value_wrong(&e, "a number, a string or null");
+	}
+	for (s = json_space(s + 1, end); *s != ']'; e.index++) {
+		s = element_end(&e, s, end, n++ < coordinates);
+		s = json_space(s, end);
+		s = *s == ',' ? json_space(s + 1, end) : s;
 	}
 	if (n < coordinates)
 		value_refuse(v, "has %d element%s; %d coordinates are wanted%s",
 		    n, n == 1 ? "" : "s", coordinates,
 		    n == 2 && v->source->two != NULL ? v->source->two : "");
+	return s + 1;
 }
 
-/* Past the coordinate or other element at s of a point; NULL where it isn't one
- * as it should be. */
-static const char *pass_element(const char *s, const char *end, bool coordinate)
-{
-	const char *stop;
-	double v;
-
-	if (*s == '-' || (*s >= '0' && *s <= '9')) {
-		stop = number_read(s, end, &v);
-		return !coordinate || fabs(v) <= MAGNITUDE_MAX ? stop : NULL;
-	}
-	if (*s == 'n')
-		return s + 4; /* null */
-	if (coordinate || *s == '[' || *s == '{' || *s == ']')
-		return NULL;
-	return *s == '"' ? json_string(s, end) :
-	    *s == 't'	 ? s + 4 : /* true */
-			   s + 5; /* false */
-}
-
-/* Past the point of checked text at s; NULL where pass_element says so. */
-static const char *pass_point(const char *s, const char *end, int coordinates)
-{
-	int n = 0;
-
-	if (*s != '[')
-		return NULL;
-	do {
-		s = pass_element(json_space(s + 1, end), end,
-		    n++ < coordinates);
-		if (s == NULL)
-			return NULL;
-		s = json_space(s, end);
-	} while (*s == ',');
-	return n >= coordinates ? s + 1 : NULL;
-}
-
-/* The same for the point v, whose text was left out of the values; but refuses
- * what is none. */
-static const char *point_end(const struct value *v, const char *s,
-    const char *end, int coordinates)
-{
-	const char *stop = pass_point(s, end, coordinates);
-	struct value looked_at = *v;
-
-	if (stop != NULL)
-		return stop;
-	stop = json_skip(s, end);
-	value_parse_part(&looked_at, s, stop);
-	check_point(&looked_at, coordinates);
-	return stop;
-}
-
-/* Copies a value of checked text, without the blanks in it, to before its end,
- * and ends it with a newline. */
-static char *copy_value(const char *s, const char *end, char *out)
+/* Moves a value of checked text to out, without its blanks, and adds a newline. Returns
+ * the end. */
+static char *move_value(const char *s, const char *end, char *out)
 {
 	while (s < end) {
 		if (*s == '"') {
-			const char *next = json_string(s, end);
+			const char *stop = json_string(s, end);
 
-			memmove(out, s, (size_t)(next - s));
-			out += next - s;
-			s = next;
+			memmove(out, s, (size_t)(stop - s));
+			out += stop - s;
+			s = stop;
 			continue;
 		}
 		*out = *s++;
@@ -120,40 +95,33 @@ static char *copy_value(const char *s, const char *end, char *out)
 	return out;
 }
 
-/* The text of points, which only an array has. */
-static char *text_of(const struct value *v, const struct span *array)
-{
-	if (array->s == NULL)
-		value_wrong(v, "an array of points");
-	return (char *)array->s;
-}
-
-/* Makes lines of the points that an array is, or the one point, in its place:
- * no point's line is longer than the point with the comma or bracket before it,
- * but for the newline of a lone one, which is behind the text if that ends with it.
- * Returns how many bytes that is. */
+/* Replaces the text of an array by a line for each point that is an element, or a line
+ * for the point that it is itself. Returns the size of the lines. A line takes the room of
+ * its point and of the comma or bracket before it; the newline of a single point may be
+ * the byte at the text's end. */
 static size_t take_points(const struct value *v, const struct span *array,
     int coordinates)
 {
-	char *const lines = text_of(v, array);
-	char *out = lines;
-	const char *s = json_space(lines + 1, array->end), *stop;
+	char *const lines = (char *)array->s, *out = lines;
+	struct value single = *v;
 	struct value e = { .source = v->source, .in = v, .unused = v->unused };
 
-	if (*s == ']')
-		return 0;
-	if (*s != '[') {
-		stop = point_end(v, lines, array->end, coordinates);
-		return (size_t)(copy_value(lines, stop, out) - lines);
+	if (lines == NULL)
+		value_wrong(v, "an array of points");
+	const char *s = json_space(lines + 1, array->end), *stop;
+
+	if (*s != '[' && *s != ']') {
+		stop = point_end(&single, lines, array->end, coordinates);
+		out = move_value(lines, stop, out);
+		return (size_t)(out - lines);
 	}
-	for (;; e.index++) {
+	for (; *s != ']'; e.index++) {
 		stop = point_end(&e, s, array->end, coordinates);
-		out = copy_value(s, stop, out);
-		stop = json_space(stop, array->end);
-		if (*stop == ']')
-			return (size_t)(out - lines);
-		s = json_space(stop + 1, array->end);
+		out = move_value(s, stop, out);
+		s = json_space(stop, array->end);
+		s = *s == ',' ? json_space(s + 1, array->end) : s;
 	}
+	return (size_t)(out - lines);
 }
 
 /* Finds the members in m; returns those that there are, as bits. An object with none of
@@ -163,7 +131,7 @@ static unsigned find_members(struct document *d, const struct value *root,
 {
 	unsigned seen = 0;
 
-	if (!value_is_object(root))
+	if (!value_is(root, JSON_OBJECT))
 		value_wrong(root, "an object, {...},");
 	for (int i = 0; i < SCENE_MEMBERS; i++)
 		if (value_member(root, scene_members[i].name, &m[i]))
@@ -236,7 +204,7 @@ static void refuse_flat(const struct value *root,
 static bool read_convention(const struct value *v, struct document *d)
 {
 	object_read_member(v, &scene_members[CONVENTION], d);
-	return !value_is_object(v) ||
+	return !value_is(v, JSON_OBJECT) ||
 	    object_read(v, convention_members, 0, NULL) != 0;
 }
 
@@ -250,7 +218,7 @@ static void find_origin(const struct document_wants *w, const struct value *v,
 	if (w->convention != NULL)
 		device->top_left = !w->convention->bottom_left;
 	else if (v->item != NULL &&
-	    (!value_is_object(v) || value_member(v, "origin", &given)))
+	    (!value_is(v, JSON_OBJECT) || value_member(v, "origin", &given)))
 		device->top_left = !c->bottom_left;
 }
 

@@ -96,7 +96,7 @@ static void read_scale(const struct value *v, const struct member *row,
 	struct scale *s = out;
 
 	s->is = SCALE_GIVEN;
-	if (value_is_array(v))
+	if (value_is(v, JSON_ARRAY))
 		value_numbers(v, &range_positive, 2, s->by);
 	else if (value_string(v) == NULL)
 		value_wrong(v, "\"fill\", \"uniform\" or 2 numbers");
@@ -191,7 +191,7 @@ static const struct ways window_ways[] = {
 static void read_corner(const struct value *v, const struct member *row,
     void *out)
 {
-	bool pair = value_is_array(v) && value_count(v) == 2;
+	bool pair = value_is(v, JSON_ARRAY) && value_count(v) == 2;
 	bool flat = v->source->flat;
 
 	(void)row;
@@ -241,7 +241,7 @@ static const struct member pick_members[] = {
 
 static const struct value_range margins = { .min = 0,
 	.max = 0.5,
-	.says = "a number from 0 to below 0.5 is wanted",
+	.wanted = "a number from 0 to below 0.5 is wanted",
 	.below = true };
 
 /* An object of a scene, which says whether it has one. */
@@ -297,8 +297,8 @@ const struct member scene_members[] = {
 	    .command = "lookat '{\"camera\": " CAMERA_LIKE
 		       ", \"points\": [[0,0,0], [1,1,1]]}'" },
 	ROW(document, "bounds", type_object, bounds,
-	    .has = offsetof(struct document, has_bounds),
-	    .aliases = "extent", .members = bounds_members, .ways = bounds_ways,
+	    .has = offsetof(struct document, has_bounds), .aliases = "extent",
+	    .members = bounds_members, .ways = bounds_ways,
 	    .example = BOUNDS_LIKE, .unit = "model units",
 	    .about = "what fit is to hold, else the points",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "

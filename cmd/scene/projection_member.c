@@ -11,8 +11,8 @@
 #define ANGLE(label, least, most, degrees, radians, ...)           \
 	static const struct value_range label = { .min = least,    \
 		.max = most,                                       \
-		.says = "an angle " degrees " degrees is wanted",  \
-		.by_pi = "an angle " radians " radians is wanted", \
+		.wanted = "an angle " degrees " degrees is wanted",  \
+		.by_radians = "an angle " radians " radians is wanted", \
 		.angle = true,                                     \
 		__VA_ARGS__ }
 
@@ -27,7 +27,7 @@ ANGLE(acute, -90, 90, "above -90 and below 90", "above -pi/2 and below pi/2",
 
 static const struct value_range fraction = { .min = SIZE_MIN,
 	.max = 1,
-	.says = "a number above 0 and below 1 is wanted",
+	.wanted = "a number above 0 and below 1 is wanted",
 	.below = true };
 
 const char *const projection_types[] = { "persp", "ortho", "oblique", "volume",
@@ -283,7 +283,7 @@ static void read_projection(const struct value *v, const struct member *row,
 {
 	struct projection *p = out;
 
-	if (value_is_array(v))
+	if (value_is(v, JSON_ARRAY))
 		value_refuse(v,
 		    "is an array; a matrix is {\"type\": \"matrix\", "
 		    "\"matrix\": [...]}");

@@ -140,7 +140,7 @@ static void read_far(const struct value *v, const struct member *row, void *out)
 	else if (s != NULL)
 		value_refuse(v, "is \"%s\"; " FAR " is wanted",
 		    escaped(shown, s, strlen(s)));
-	else if (value_is_null(v))
+	else if (value_is(v, JSON_NULL))
 		value_wrong(v, FAR);
 	else
 		read_numbers(v, row, out);
@@ -182,7 +182,7 @@ static bool is_column(const struct value *v, size_t rows, size_t columns)
 	bool column = rows < columns, whole = rows == columns;
 	struct value vectors;
 
-	if (!value_is_object(v) || !value_member(v, "vectors", &vectors))
+	if (!value_is(v, JSON_OBJECT) || !value_member(v, "vectors", &vectors))
 		return whole ? v->source->column : column;
 	bool said = value_word(&vectors, vector_names) == 1;
 
@@ -200,18 +200,18 @@ static void read_elements(const struct value *v, bool affine, double m[4][4])
 {
 	struct value all = *v;
 
-	if (value_is_object(v)) {
+	if (value_is(v, JSON_OBJECT)) {
 		uint64_t seen = object_read(v, printed_members, 0, NULL);
 
 		object_way(v, printed_members, 0, seen, &printed_ways);
 		value_member(v, "matrix", &all);
 	}
-	if (!value_is_array(&all))
+	if (!value_is(&all, JSON_ARRAY))
 		value_wrong(&all,
 		    affine ? "an array of " AFFINE : "an array of " ANY);
 	struct value row = value_child(&all);
 	size_t n = value_count(&all), rows = affine && n == 3 ? 3 : 4;
-	size_t columns = affine && n == 4 && value_is_array(&row) &&
+	size_t columns = affine && n == 4 && value_is(&row, JSON_ARRAY) &&
 		value_count(&row) == 3 ?
 	    3 :
 	    4;
@@ -334,11 +334,11 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 	struct value first;
 
 	(void)row;
-	if (!value_is_array(v))
+	if (!value_is(v, JSON_ARRAY))
 		value_wrong(v, FORMS ",");
 	first = value_child(v);
 	size_t n = value_count(v);
-	bool nested = value_is_array(&first);
+	bool nested = value_is(&first, JSON_ARRAY);
 
 	if (nested ? n == 3 : n == 9 || n == 12) {
 		size_t columns = nested ? value_count(&first) : n / 3;

@@ -1,7 +1,7 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
 # The house: what a file includes and calls lies below it, core only computes,
-# one file knows cJSON, functions fit a screen. What a file calls is what its
+# functions fit a screen. What a file calls is what its
 # object in BUILD leaves undefined. CONTRIBUTING's picture of the folders is made of it.
 # usage: layers_test.t [BUILD]
 #        layers_test.t -w, which draws that picture anew
@@ -67,14 +67,13 @@ for (`nm -APg @{[grep { -e } keys %source]} 2>/dev/null`) {
 	}
 }
 my $unseen = %home ? '' : " # SKIP nm sees no names in $build";
-my (@talks, %cjson);
+my @talks;
 for my $file (keys %lacks) {
 	for my $name (@{$lacks{$file}}) {
 		$needs{$file}{$home{$name}}{$name} = 1 if $home{$name};
 		next if $home{$name} || $file =~ $wing;
 		push @talks, "$file calls $name" if $file =~ m{^core/} &&
 		    !$computes{$name =~ s/^__(\w+)_chk$/$1/r};
-		$cjson{$file} = 1 if $name =~ /^cJSON/;
 	}
 }
 
@@ -156,7 +155,6 @@ my $median = $functions[$#functions / 2][0];
 check("includes and calls go round in no ring$unseen", @rings);
 check('core needs nothing of cmd, the program nothing that tests it', @upward);
 check("core neither prints nor allocates nor exits$unseen", @talks);
-check("one file knows cJSON$unseen", %cjson > 1 ? keys %cjson : ());
 check("the median of " . @functions . " functions is $median lines",
     $median < 15 ? () : 'under 15 is wanted');
 check('no function is over 60 lines',
