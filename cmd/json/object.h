@@ -71,11 +71,12 @@ struct member {
 /* The ways in which members of an object can be combined. A way lists names
  * with blanks between them; those with ? may be missing. An object takes one
  * way, in whole, and has no member that is only in another. */
+enum { WAYS_MAX = 10 };
 struct ways {
-	const char *way[11]; /* none ends a list of ways */
+	const char *way[WAYS_MAX + 1]; /* none ends a list of ways */
 	/* For the command fit, where they are others; none if fit takes any. */
 	bool fit;
-	const char *fit_way[9];
+	const char *fit_way[WAYS_MAX + 1];
 	unsigned kinds; /* that have these ways; 0 for all */
 	/* Where the struct has the index of the way taken, an unsigned, and what that
 	 * is for the first way; 0: nowhere. */
