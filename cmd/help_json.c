@@ -13,7 +13,7 @@ static void put_told(struct printer *p, const char *name, const char *s)
 	if (s != NULL)
 		put_string(p, s);
 	else
-		put_word(p, "null");
+		put_literal(p, "null");
 }
 
 /* Puts those of some words, which may be NULL, that bits are. */

@@ -32,7 +32,7 @@ void put_name(struct printer *, const char *name);
 void put_name_on_new_line(struct printer *, const char *name);
 
 void put_string(struct printer *, const char *);
-void put_word(struct printer *, const char *word); /* null, true or false */
+void put_literal(struct printer *, const char *word); /* null, true or false */
 void put_number(struct printer *, double v);       /* null where not finite */
 void put_numbers(struct printer *, const double *v, int n);
 

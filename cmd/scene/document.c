@@ -201,7 +201,7 @@ static void refuse_flat(const struct value *root,
 }
 
 /* Returns whether the document's convention says anything. */
-static bool read_convention(const struct value *v, struct document *d)
+static bool read_document_convention(const struct value *v, struct document *d)
 {
 	object_read_member(v, &scene_members[CONVENTION], d);
 	return !value_is(v, JSON_OBJECT) ||
@@ -276,7 +276,7 @@ void document_read(struct document *d, const char *name, char *text,
 		d->scene.convention = *w->convention;
 	source.axes = w->convention != NULL;
 	if (seen & SCENE_CONVENTION)
-		source.axes |= read_convention(&m[CONVENTION], d);
+		source.axes |= read_document_convention(&m[CONVENTION], d);
 	if (w->convention != NULL &&
 	    !same_convention(w->convention, &d->scene.convention))
 		d->scene.answer = w->convention;
@@ -340,7 +340,7 @@ void document_check(const struct document *d, const char *why)
 }
 
 /* Puts the members of a document's scene that bits are. */
-static void put_members(struct printer *p, const struct document *d,
+static void put_scene_members(struct printer *p, const struct document *d,
     unsigned bits)
 {
 	p->column = d->scene.convention.column;
@@ -354,7 +354,7 @@ void put_scene(struct printer *p, const struct scene *s)
 	const bool on_line = p->on_line;
 
 	p->on_line = true;
-	put_members(p, &d, SCENE_CONVENTION | SCENE_SPATIAL);
+	put_scene_members(p, &d, SCENE_CONVENTION | SCENE_SPATIAL);
 	p->on_line = on_line;
 	put_close(p, "}");
 }
@@ -373,7 +373,7 @@ void print_scene(const struct document *d, bool on_line)
 		.between = "" };
 	unsigned unprinted = SCENE_POINTS | SCENE_BOUNDS;
 
-	put_members(&p, d, ~(unprinted | (d->flat ? SCENE_SPATIAL : 0u)));
+	put_scene_members(&p, d, ~(unprinted | (d->flat ? SCENE_SPATIAL : 0u)));
 	put_text(&p, on_line ? "}\n" : "\n}\n");
 	put_all(text, (size_t)(p.at - text));
 }

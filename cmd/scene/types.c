@@ -50,7 +50,7 @@ static void print_bool(struct printer *p, const struct member *row,
 	if (row->words != NULL)
 		put_string(p, row->words[is]);
 	else
-		put_word(p, is ? "true" : "false");
+		put_literal(p, is ? "true" : "false");
 }
 
 const struct type type_flag = { "true or false", read_bool, print_bool,
