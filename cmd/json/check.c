@@ -28,7 +28,7 @@ static bool at(const struct json_check *s, char c)
 	return s->at < s->end && *s->at == c;
 }
 
-static void pass_blanks(struct json_check *s)
+static void check_blanks(struct json_check *s)
 {
 	const char *p = s->at;
 
@@ -113,12 +113,12 @@ static bool expected(struct json_check *s, const char *wanted, const char *hint)
 	return false;
 }
 
-/* Each function pass_x checks the x at s->at, sets s->at to the x's end and returns true;
+/* Each function check_x checks the x at s->at, sets s->at to the x's end and returns true;
  * or sets s->at to the first wrong character and the reason, and returns false. */
 
 /* json_unescape writes half of a surrogate pair, \ud800 to \udfff, as U+FFFD, which
  * begins with \xef. */
-static bool pass_escape(struct json_check *s)
+static bool check_escape(struct json_check *s)
 {
 	const char *p = s->at, *next = p;
 	bool is_u = s->end - p > 1 && p[1] == 'u';
@@ -136,13 +136,13 @@ static bool pass_escape(struct json_check *s)
 	return true;
 }
 
-static bool pass_character(struct json_check *s)
+static bool check_character(struct json_check *s)
 {
 	unsigned code;
 	int n = s->kind == JSON_DOCUMENT ? utf8_read(s->at, s->end, &code) : 1;
 
 	if (*s->at == '\\')
-		return pass_escape(s);
+		return check_escape(s);
 	if (n == 0 || (unsigned char)*s->at < ' ')
 		return expected(s, "text or '\"' in a string",
 		    "write a control character as this escape");
@@ -156,7 +156,7 @@ static bool is_simple(char c)
 	return c >= ' ' && c != '"' && c != '\\' && (unsigned char)c < 0x80;
 }
 
-static bool pass_string(struct json_check *s)
+static bool check_string(struct json_check *s)
 {
 	s->at++;
 	for (;;) {
@@ -166,7 +166,7 @@ static bool pass_string(struct json_check *s)
 			break;
 		if (s->at == s->end)
 			return expected(s, "text or '\"' in a string", NULL);
-		if (!pass_character(s))
+		if (!check_character(s))
 			return false;
 	}
 	s->at++;
@@ -188,7 +188,7 @@ static const char *scalar_end(const char *p, const char *end)
 }
 
 /* A scalar is true, false, null or a number. */
-static bool pass_scalar(struct json_check *s)
+static bool check_scalar(struct json_check *s)
 {
 	const char *end = scalar_end(s->at, s->end), *hint = NULL;
 
@@ -252,11 +252,11 @@ static void finish_value(const struct json_check *s, size_t i,
 		v->string = add_string(made, start, s->at);
 }
 
-static bool pass_list(struct json_check *s, const char *pointer);
+static bool check_list(struct json_check *s, const char *pointer);
 
 /* pointer is the rest of s->pointer that leads on from this value; NULL if the value is
  * not on its path. */
-static bool pass_value(struct json_check *s, const char *pointer)
+static bool check_value(struct json_check *s, const char *pointer)
 {
 	const char *start = s->at;
 	size_t i = s->made != NULL ? add_value(s->made) : 0;
@@ -265,9 +265,9 @@ static bool pass_value(struct json_check *s, const char *pointer)
 	if (pointer != NULL)
 		s->found.s = start;
 	if (at(s, '{') || at(s, '['))
-		good = pass_list(s, pointer);
+		good = check_list(s, pointer);
 	else
-		good = at(s, '"') ? pass_string(s) : pass_scalar(s);
+		good = at(s, '"') ? check_string(s) : check_scalar(s);
 	if (s->found.s == start)
 		s->found.end = s->at;
 	if (good && s->made != NULL)
@@ -291,7 +291,7 @@ static const char *pointer_next(const char *pointer, struct span name,
 	    NULL;
 }
 
-static bool pass_member(struct json_check *s, const char *pointer)
+static bool check_member(struct json_check *s, const char *pointer)
 {
 	struct span name = { .s = s->at };
 
@@ -300,17 +300,17 @@ static bool pass_member(struct json_check *s, const char *pointer)
 		    after_comma(s) && json_number_end(s->at, s->end) != NULL ?
 			"several numbers stand in brackets: [1,2,3]" :
 			NULL);
-	if (!pass_string(s))
+	if (!check_string(s))
 		return false;
 	name.end = s->at;
-	pass_blanks(s);
+	check_blanks(s);
 	if (!at(s, ':'))
 		return expected(s, "':' after the member's name", NULL);
 	s->at++;
-	pass_blanks(s);
+	check_blanks(s);
 	size_t i = s->made != NULL ? s->made->n : 0;
 
-	if (!pass_value(s, pointer_next(pointer, name, 0)))
+	if (!check_value(s, pointer_next(pointer, name, 0)))
 		return false;
 	if (s->made != NULL)
 		s->made->value[i].name = add_string(s->made, name.s, name.end);
@@ -335,7 +335,7 @@ static bool expected_comma(struct json_check *s, const char *open)
 }
 
 /* A list is an array or object. */
-static bool pass_list(struct json_check *s, const char *pointer)
+static bool check_list(struct json_check *s, const char *pointer)
 {
 	const char *open = s->at;
 	const bool object = *open == '{';
@@ -347,17 +347,17 @@ static bool pass_list(struct json_check *s, const char *pointer)
 	if (++s->level > LEVELS_MAX)
 		return expected(s, "at most 100 levels of brackets", NULL);
 	s->at++;
-	pass_blanks(s);
-	for (bool empty = at(s, close); !empty; pass_blanks(s)) {
+	check_blanks(s);
+	for (bool empty = at(s, close); !empty; check_blanks(s)) {
 		bool hidden = object && s->end - s->at > 1 && s->at[1] == '_';
 
 		s->made = found || hidden ? NULL : made;
-		if (!(object ? pass_member(s, pointer) :
-			       pass_value(s,
+		if (!(object ? check_member(s, pointer) :
+			       check_value(s,
 				   pointer_next(pointer, (struct span){ 0 },
 				       index++))))
 			return false;
-		pass_blanks(s);
+		check_blanks(s);
 		if (at(s, close))
 			break;
 		if (!at(s, ','))
@@ -379,9 +379,9 @@ bool json_check(struct json_check *s)
 		s->made->n = 0;
 	}
 	s->at = s->text;
-	pass_blanks(s);
-	if (!pass_value(s, s->pointer))
+	check_blanks(s);
+	if (!check_value(s, s->pointer))
 		return false;
-	pass_blanks(s);
+	check_blanks(s);
 	return s->at == s->end || expected(s, "the end of the text", NULL);
 }

@@ -31,7 +31,8 @@ const struct member *member_of(const struct member *row, int kind,
 	return NULL;
 }
 
-/* Whether a member of a document that is an object alone is the scene's. */
+/* Returns whether the scene has a member of that name, which may stand in a document that
+ * is another member alone. */
 static bool is_beside(const struct value *v)
 {
 	const struct member *row = v->in->in != NULL ?
@@ -48,8 +49,7 @@ uint64_t member_bit(const struct member *table, int kind, const char *name)
 	return row != NULL ? UINT64_C(1) << (row - table) : 0;
 }
 
-/* The member with that alias, or NULL. The name's case and its _ and - don't
- * count: LookAt, look_at and look-at are lookat. */
+/* Returns the member with that alias, or NULL. LookAt, look_at and look-at are lookat. */
 static const struct member *find_alias(const struct member *row, int kind,
     const char *name)
 {
@@ -80,8 +80,8 @@ const struct member *member_named(const struct member *table, int kind,
 
 const char *member_type(const struct member *row, char out[LISTED])
 {
-	if (row->type->says != NULL)
-		return row->type->says;
+	if (row->type->name != NULL)
+		return row->type->name;
 	if (row->members != NULL)
 		return "object";
 	if (row->words != NULL)
@@ -104,7 +104,7 @@ const char *member_unit(const struct member *row)
 	return angle ? "degrees" : row->unit;
 }
 
-/* The names of those members of bits that objects of that kind have. */
+/* Lists the names of those members of bits that objects of that kind have. */
 static void list_names(const struct member *row, int kind, uint64_t bits,
     const char *names[MEMBERS_MAX + 1])
 {
@@ -116,8 +116,8 @@ static void list_names(const struct member *row, int kind, uint64_t bits,
 	names[n] = NULL;
 }
 
-/* Says which member has that alias, which other objects have such a member or that
- * the scene has it, which name is nearest, or all names. */
+/* Names the member with that alias; or the other objects that have such a member, or the
+ * scene; or the member with the nearest name; or all members. */
 static _Noreturn void refuse_unknown(const struct value *v,
     const struct member *table, int kind)
 {
@@ -152,8 +152,7 @@ static _Noreturn void refuse_unknown(const struct value *v,
 	    list_words(all, names, " and ", "\""));
 }
 
-/* Reads the value that a member has without being given, to where the member stands
- * or, for comparison, elsewhere. */
+/* Reads the default of a member. */
 static void read_usual(const struct member *row, void *to)
 {
 	static const struct source source;
@@ -201,7 +200,7 @@ uint64_t object_read(const struct value *v, const struct member *table,
 	return seen;
 }
 
-/* Whether the member that stands there is what it is without being given. */
+/* Returns whether the member at that place has its default and is not to be printed. */
 static bool is_usual(const struct member *row, const void *at)
 {
 	const double *v = at;

@@ -72,7 +72,7 @@ static void read_convention_member(const struct value *v,
 		    conventions[value_word(v, row->words)];
 }
 
-/* By name, or by what differs from d3d. */
+/* Prints the name, or an object of the members that differ from d3d. */
 static void print_convention_member(struct printer *p, const struct member *row,
     const void *at)
 {

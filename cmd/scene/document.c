@@ -11,7 +11,7 @@
 #include "members.h"
 #include "../message/message.h"
 
-/* The rows of scene_members: row i has bit i in enum scene_member. */
+/* Rows of scene_members; row i has bit i in enum scene_member. */
 enum {
 	CONVENTION,
 	ANGLE_UNIT,
@@ -124,8 +124,8 @@ static size_t take_points(const struct value *v, const struct span *array,
 	return (size_t)(out - lines);
 }
 
-/* Finds the members in m; returns those that there are, as bits. An object with none of
- * a scene's members is one of them itself, beside which may stand the unit of angles. */
+/* Finds the members of a document and returns those that there are, as bits. An object
+ * with no member of a scene but angle_unit is the member w->bare itself. */
 static unsigned find_members(struct document *d, const struct value *root,
     const struct document_wants *w, struct value m[SCENE_MEMBERS])
 {
@@ -156,7 +156,7 @@ unsigned document_reads(const struct document_wants *w)
 	    (w->flat != 0 ? SCENE_WINDOW | SCENE_DEVICE : 0);
 }
 
-/* What is wanted of a document that is flat. */
+/* Returns the wants for a flat document. */
 static struct document_wants in_plane(const struct document_wants *w)
 {
 	struct document_wants flat = *w;
@@ -185,7 +185,7 @@ static void check_needed(const struct value *root,
 	}
 }
 
-/* Refuses a document of two dimensions alone where the command is of three. */
+/* Refuses a document that has only two dimensions, if the command has three. */
 static void refuse_flat(const struct value *root,
     const struct document_wants *w, unsigned seen)
 {
@@ -200,7 +200,7 @@ static void refuse_flat(const struct value *root,
 		    "commands w2n, n2w, n2d, d2n, w2d and d2w are of two");
 }
 
-/* Returns whether the document's convention says anything. */
+/* Reads the convention, and returns whether it is a name or has a member. */
 static bool read_document_convention(const struct value *v, struct document *d)
 {
 	object_read_member(v, &scene_members[CONVENTION], d);
@@ -208,8 +208,8 @@ static bool read_document_convention(const struct value *v, struct document *d)
 	    object_read(v, convention_members, 0, NULL) != 0;
 }
 
-/* A device's corner that is not given is that of the answer's convention, else of the
- * document's, where that is a name or has an origin. */
+/* Sets the origin of a device that has none: that of the convention of the answer, else of
+ * the document if that is a name or has an origin. */
 static void find_origin(const struct document_wants *w, const struct value *v,
     const struct convention *c, struct device *device)
 {
@@ -222,7 +222,7 @@ static void find_origin(const struct document_wants *w, const struct value *v,
 		device->top_left = !c->bottom_left;
 }
 
-/* What one member says of another. */
+/* Completes members that depend on others. */
 static void complete_scene(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_MEMBERS], unsigned seen)
 {
@@ -339,7 +339,7 @@ void document_check(const struct document *d, const char *why)
 		document_refuse(d, why);
 }
 
-/* Puts the members of a document's scene that bits are. */
+/* Prints those members of a document that bits are. */
 static void put_scene_members(struct printer *p, const struct document *d,
     unsigned bits)
 {

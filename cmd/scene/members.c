@@ -50,7 +50,7 @@ static const struct member camera_members[] = {
 	{ .name = NULL },
 };
 
-/* In the order of the values of struct camera's by. */
+/* in the order of enum camera_by */
 static const struct ways camera_ways[] = {
 	{
 	    .way = { "eye at up? roll?", "eye gaze up? roll?",
@@ -83,7 +83,7 @@ static const struct ways camera_ways[] = {
 	    SIZE(in, "height", height, .unit = "device units",       \
 		.about = "height, required")
 
-/* The end of struct viewport. */
+/* scale and scales of struct viewport */
 struct scale {
 	unsigned is;
 	double by[2];
@@ -192,8 +192,7 @@ static const struct ways window_ways[] = {
 	{ .way = { NULL } },
 };
 
-/* A point of space; or of the plane, where the document is flat. Where bounds are
- * not used they may be of either. */
+/* Reads three numbers, or two if the document is flat; either if bounds are not used. */
 static void read_corner(const struct value *v, const struct member *row,
     void *out)
 {
@@ -250,7 +249,7 @@ static const struct value_range margins = { .min = 0,
 	.wanted = "a number from 0 to below 0.5 is wanted",
 	.below = true };
 
-/* An object of a scene, which says whether it has one. */
+/* A member of struct scene that is an object, with a bool has_ of the scene. */
 #define PART(label, field, table, like, ...)                            \
 	ROW(document, label, type_object, scene.field, .example = like, \
 	    .has = offsetof(struct document, scene.has_##field),        \

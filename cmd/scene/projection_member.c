@@ -7,7 +7,7 @@
 #include "../message/escape.h"
 #include "convention_member.h"
 
-/* An angle between limits, which degrees and radians say. */
+/* The range of an angle, with the words for it in degrees and in radians. */
 #define ANGLE(label, least, most, degrees, radians, ...)                \
 	static const struct value_range label = { .min = least,         \
 		.max = most,                                            \
@@ -34,7 +34,7 @@ const char *const projection_types[] = { "persp", "ortho", "oblique", "volume",
 	"matrix", NULL };
 static const char *const oblique_kinds[] = { "cavalier", "cabinet", NULL };
 
-/* Types as bits, in the order of projection_types. */
+/* types as bits, in the order of projection_types */
 enum {
 	PERSP = 1,
 	ORTHO = 2,
@@ -49,7 +49,7 @@ enum {
 #define OF(of, label, is, field, ...) \
 	ROW(projection, label, is, field, .kinds = of, __VA_ARGS__)
 
-/* In the order in which they are printed. */
+/* in the order in which they are printed */
 const struct member projection_members[] = {
 	OF(0, "type", type_word, type, .words = projection_types,
 	    .first = PROJECTION_PERSP,
@@ -153,10 +153,10 @@ const struct member projection_members[] = {
 	{ .name = NULL },
 };
 
-/* Rows of projection_ways. */
+/* indices of projection_ways */
 enum { WAYS_SHEAR = 2, WAYS_DEPTH, WAYS_VOLUME };
 
-/* fit finds width and height; if an aspect is given, they keep to it. */
+/* The command fit finds width and height, which keep a given aspect. */
 const struct ways projection_ways[] = {
 	{ { "fovy aspect?", "fovx aspect?", "view_angle aspect?",
 	      "field aspect?", "width height edges_at?",
@@ -176,12 +176,12 @@ const struct ways projection_ways[] = {
 	{ { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
 	    .kinds = VOLUME, .at = AT(eye_by) },
 	{ { "z_near z_far" }, .fit = true, .kinds = VOLUME },
-	/* fit refuses a matrix, whatever it has */
+	/* fit refuses a matrix later */
 	{ { "matrix" }, .fit = true, .kinds = MATRIX },
 	{ .way = { NULL } },
 };
 
-/* In the order of their way: both, or neither. */
+/* Intrinsics may be without both planes, or without far. */
 static const struct ways open_ways = {
 	.way = { "near far? reverse_z?", "" },
 };
@@ -193,8 +193,7 @@ static bool is_given(const struct projection *p, uint64_t seen,
 		   member_bit(projection_members, (int)p->type - 1, name)) != 0;
 }
 
-/* Refuses a projection without a type; names the types that have all of its
- * members. */
+/* Refuses a projection without a type, and names the types that have all its members. */
 static _Noreturn void refuse_typeless(const struct value *v)
 {
 	struct value missing = value_missing(v, "type"), m = value_child(v);
@@ -223,7 +222,7 @@ static _Noreturn void refuse_typeless(const struct value *v)
 	value_refuse(&missing, "missing; it is %s", all);
 }
 
-/* The type decides which members there are, so it is looked for first. */
+/* Reads the type, on which the other members depend. */
 static void find_type(const struct value *v, struct projection *p)
 {
 	unsigned implied = v->source->implied;
@@ -253,7 +252,8 @@ static void check_angles(const struct value *v, const struct projection *p)
 		    "right, bottom, top");
 }
 
-/* fit does not find near where the section is measured on it. */
+/* Refuses a projection for fit without near, if its width or edges are on the near
+ * plane. */
 static void need_near(const struct value *v, uint64_t seen,
     const struct projection *p)
 {
@@ -265,8 +265,8 @@ static void need_near(const struct value *v, uint64_t seen,
 		    "\"edges_at\" says where");
 }
 
-/* fit finds near and far, unless the section is measured on the near plane.
- * Intrinsics may do without near and far, or without far. */
+/* Checks near and far of a perspective, which fit finds if width and edges are not on the
+ * near plane. */
 static void read_planes(const struct value *v, uint64_t seen,
     struct projection *p)
 {
@@ -314,7 +314,7 @@ static void read_projection(const struct value *v, const struct member *row,
 	}
 }
 
-/* Refuses intrinsics without the viewport in whose units they are. */
+/* Takes the size for intrinsics from the viewport; refuses intrinsics without one. */
 static void find_sides(const struct value *v, const struct viewport *viewport,
     struct projection *p)
 {
@@ -336,7 +336,8 @@ static void find_sides(const struct value *v, const struct viewport *viewport,
 	}
 }
 
-/* Whether an aspect says what is missing. fit widens a parallel section to one. */
+/* Returns whether the projection depends on an aspect. fit widens a parallel projection to
+ * the aspect. */
 static bool needs_aspect(const struct value *v, const struct viewport *viewport,
     const struct projection *p)
 {
@@ -380,7 +381,7 @@ static void print_projection(struct printer *printer, const struct member *row,
 	bool sized = p.aspect[1] != 0;
 	uint64_t bits = taken_ways(row, kind, at);
 
-	/* the viewport's aspect, and the usual direction in any unit */
+	/* without an aspect from the viewport, and the default direction in any unit */
 	if (p.aspect[1] != 1)
 		bits &= ~member_bit(row->members, kind, "aspect");
 	if (p.direction == 45 && p.direction_unit == DEGREES)

@@ -73,8 +73,7 @@ const struct type type_word = { NULL, read_word, print_word, sizeof(unsigned) };
 
 const struct type type_points = { "a point or a list", NULL, NULL, 0 };
 
-/* Returns those of a list of ways, or of those behind it, that are for the kind; NULL at
- * the end. */
+/* Returns the first of an array of ways that is for the kind; NULL if there is none. */
 static const struct ways *ways_of(const struct ways *w, int kind)
 {
 	while (w != NULL && w->way[0] != NULL && w->kinds != 0 &&
@@ -166,7 +165,7 @@ const struct type type_far = { "size or \"infinity\"", read_far, print_far,
 
 const char *const vector_names[] = { "row", "column", NULL };
 
-/* The object that -o json prints a matrix in. */
+/* The object of a matrix that -o json prints. */
 static const struct member printed_members[] = { { .name = "matrix" },
 	{ .name = "vectors" }, { .name = NULL } };
 
@@ -175,8 +174,8 @@ static const struct member printed_members[] = { { .name = "matrix" },
 
 static const struct ways printed_ways = { .way = { "matrix vectors?" } };
 
-/* Whether rows are for column vectors, as the object that they stand in says, or
- * their shape, or the document. */
+/* Returns whether rows of a matrix are for column vectors, by the member "vectors" of its
+ * object, by their shape, or by the document. */
 static bool is_column(const struct value *v, size_t rows, size_t columns)
 {
 	bool column = rows < columns, whole = rows == columns;
@@ -193,9 +192,8 @@ static bool is_column(const struct value *v, size_t rows, size_t columns)
 	return said;
 }
 
-/* A matrix for row vectors, stored row by row, and its transpose for column
- * vectors, stored column by column, are the same 16 numbers in a row: only
- * nested rows depend on which vectors it is for. */
+/* Reads a matrix. 16 numbers in memory order are the same for row vectors, stored row by
+ * row, and for column vectors, stored column by column; nested rows differ. */
 static void read_elements(const struct value *v, bool affine, double m[4][4])
 {
 	struct value all = *v;
@@ -284,8 +282,8 @@ static void refuse_element(const struct value *v, bool nested, size_t i,
 	value_refuse(&e, "%s", why);
 }
 
-/* Of K: fx and fy are sizes; below the diagonal there is 0, and in the last row 1 on
- * it. */
+/* Refuses a K whose fx or fy is not positive, whose last row is not 0, 0, 1, or which is
+ * not 0 under the diagonal. */
 static void check_k(const struct value *v, bool nested, const double k[3][4])
 {
 	for (size_t i = 0; i < 3; i++)
@@ -303,7 +301,7 @@ static void check_k(const struct value *v, bool nested, const double k[3][4])
 				    "is not positive, as fx and fy of K are");
 }
 
-/* K where n is 3, P where it is 4: rows, or one row after the other. */
+/* Reads K, if n is 3, or P, if n is 4, from nested rows or one row after the other. */
 static void read_k_or_p(const struct value *v, size_t n, bool nested,
     double k[3][4])
 {
@@ -357,7 +355,8 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 	k[2][2] = 1;
 }
 
-/* As P, or where the rest is that of K as K, or without skew as four numbers. */
+/* Prints P; or K if the fourth column is 0 and the rest is that of a K; or four numbers if
+ * there is no skew. */
 static void print_intrinsics(struct printer *p, const struct member *row,
     const void *at)
 {
