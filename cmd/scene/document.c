@@ -11,22 +11,10 @@
 #include "members.h"
 #include "../message/message.h"
 
-/* Rows of scene_members; row i has bit i in enum scene_member. */
-enum {
-	CONVENTION,
-	ANGLE_UNIT,
-	WORLD,
-	CAMERA,
-	PROJECTION,
-	VIEWPORT,
-	WINDOW,
-	DEVICE,
-	POINTS,
-	BOUNDS,
-	PICK,
-	MARGIN,
-	SCENE_MEMBERS,
-};
+/* Returns the row of a member in scene_members: row i has bit i in enum scene_member. */
+#define ROW_OF(member) __builtin_ctz(SCENE_##member)
+
+enum { SCENE_MEMBERS = ROW_OF(MARGIN) + 1 };
 
 /* Returns the end of the element at s of a point; refuses a coordinate that is not a
  * number or null, and other elements that are arrays or objects. */
@@ -172,7 +160,7 @@ static void check_needed(const struct value *root,
 {
 	unsigned missing = w->needed & ~seen;
 
-	for (int i = 0; i <= POINTS; i++) {
+	for (int i = 0; i <= ROW_OF(POINTS); i++) {
 		const struct member *row = &scene_members[i];
 		struct value v = value_missing(root, row->name);
 
@@ -203,7 +191,7 @@ static void refuse_flat(const struct value *root,
 /* Reads the convention, and returns whether it is a name or has a member. */
 static bool read_document_convention(const struct value *v, struct document *d)
 {
-	object_read_member(v, &scene_members[CONVENTION], d);
+	object_read_member(v, &scene_members[ROW_OF(CONVENTION)], d);
 	return !value_is(v, JSON_OBJECT) ||
 	    object_read(v, convention_members, 0, NULL) != 0;
 }
@@ -233,15 +221,17 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 	s->projection.alone = !s->has_camera;
 	d->has_eye = s->has_camera &&
 	    (s->camera.by >= CAMERA_TRANSLATION ||
-		value_member(&m[CAMERA], "eye", &given));
+		value_member(&m[ROW_OF(CAMERA)], "eye", &given));
 	if (s->camera.by == CAMERA_RVEC ||
 	    s->camera.by == CAMERA_RVEC_TRANSLATION)
-		check_axes(&m[CAMERA], "rvec");
+		check_axes(&m[ROW_OF(CAMERA)], "rvec");
 	if (seen & SCENE_PROJECTION)
-		projection_complete(&m[PROJECTION],
+		projection_complete(&m[ROW_OF(PROJECTION)],
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);
-	if (s->has_device && !value_member(&m[DEVICE], "origin", &given))
-		find_origin(w, &m[CONVENTION], &s->convention, &s->device);
+	if (s->has_device &&
+	    !value_member(&m[ROW_OF(DEVICE)], "origin", &given))
+		find_origin(w, &m[ROW_OF(CONVENTION)], &s->convention,
+		    &s->device);
 	if ((w->used & SCENE_MARGIN) == 0)
 		s->margin = 0;
 }
@@ -276,23 +266,24 @@ void document_read(struct document *d, const char *name, char *text,
 		d->scene.convention = *w->convention;
 	source.axes = w->convention != NULL;
 	if (seen & SCENE_CONVENTION)
-		source.axes |= read_document_convention(&m[CONVENTION], d);
+		source.axes |= read_document_convention(&m[ROW_OF(CONVENTION)],
+		    d);
 	if (w->convention != NULL &&
 	    !same_convention(w->convention, &d->scene.convention))
 		d->scene.answer = w->convention;
 	source.column = d->scene.convention.column;
 	source.implied = (unsigned)w->projection;
 	if (seen & SCENE_ANGLE_UNIT)
-		object_read_member(&m[ANGLE_UNIT], &scene_members[ANGLE_UNIT],
-		    d);
+		object_read_member(&m[ROW_OF(ANGLE_UNIT)],
+		    &scene_members[ROW_OF(ANGLE_UNIT)], d);
 	source.unit = d->unit;
 	check_needed(&root, w, seen);
-	for (int i = WORLD; i < SCENE_MEMBERS; i++)
-		if (seen >> i & 1 && i != POINTS)
+	for (int i = ROW_OF(WORLD); i < SCENE_MEMBERS; i++)
+		if (seen >> i & 1 && i != ROW_OF(POINTS))
 			object_read_member(&m[i], &scene_members[i], d);
 	complete_scene(d, w, m, seen);
 	if (seen & SCENE_POINTS)
-		size = take_points(&m[POINTS], &points, w->coordinates);
+		size = take_points(&m[ROW_OF(POINTS)], &points, w->coordinates);
 	if (seen & SCENE_POINTS && w->coordinates > 0) {
 		d->points = points.s;
 		d->points_size = size;
@@ -361,7 +352,8 @@ void put_scene(struct printer *p, const struct scene *s)
 
 void put_device(struct printer *p, const struct device *d)
 {
-	scene_members[DEVICE].type->print(p, &scene_members[DEVICE], d);
+	scene_members[ROW_OF(DEVICE)].type->print(p,
+	    &scene_members[ROW_OF(DEVICE)], d);
 }
 
 void print_scene(const struct document *d, bool on_line)

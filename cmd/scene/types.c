@@ -194,8 +194,11 @@ static bool is_column(const struct value *v, size_t rows, size_t columns)
 
 /* Reads a matrix. 16 numbers in memory order are the same for row vectors, stored row by
  * row, and for column vectors, stored column by column; nested rows differ. */
-static void read_elements(const struct value *v, bool affine, double m[4][4])
+static void read_matrix(const struct value *v, const struct member *member,
+    void *out)
 {
+	const bool affine = member->type == &type_affine;
+	double(*m)[4] = out;
 	struct value all = *v;
 
 	if (value_is(v, JSON_OBJECT)) {
@@ -233,20 +236,6 @@ static void read_elements(const struct value *v, bool affine, double m[4][4])
 	}
 }
 
-static void read_matrix(const struct value *v, const struct member *row,
-    void *out)
-{
-	(void)row;
-	read_elements(v, false, out);
-}
-
-static void read_affine(const struct value *v, const struct member *row,
-    void *out)
-{
-	(void)row;
-	read_elements(v, true, out);
-}
-
 static void print_rows(struct printer *p, const struct member *row,
     const void *at)
 {
@@ -265,7 +254,7 @@ static void print_rows(struct printer *p, const struct member *row,
 }
 
 const struct type type_matrix = { "matrix", read_matrix, NULL, 0 };
-const struct type type_affine = { "matrix", read_affine, print_rows, 0 };
+const struct type type_affine = { "matrix", read_matrix, print_rows, 0 };
 
 #define FORMS                                                         \
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
