@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Any bytes as a document, for libFuzzer; linked without talk.c. The first
+/* Any bytes as a document, for libFuzzer; linked without message.c. The first
  * byte says what is wanted of it. */
 #include <math.h>
 #include <setjmp.h>
@@ -41,7 +41,7 @@ void vdie_at(int status, const struct place *place, const char *format,
 	die_at(status, place, "%s", format);
 }
 
-/* The document is not printed. */
+/* Nothing is printed. */
 void put_all(const char *s, size_t size)
 {
 	(void)s, (void)size;

@@ -13,7 +13,7 @@ build=$1
 shift
 mkdir -p "$build/include"
 build=$(cd "$build" && pwd)
-# What musl's compiler finds nowhere else.
+# Headers that the compiler for musl does not find elsewhere.
 ln -sfn /usr/include/fast_float "$build/include/fast_float"
 
 has() {
