@@ -258,11 +258,13 @@ bool value_flag(const struct value *v)
 void value_numbers(const struct value *v, const struct value_range *range,
     size_t n, double *out)
 {
-	size_t count = value_count(v);
+	bool array = value_is(v, JSON_ARRAY);
+	size_t count = array ? value_count(v) : 0;
 	char wanted[40];
 
-	snprintf(wanted, sizeof wanted, "an array of %zu numbers", n);
-	if (!value_is(v, JSON_ARRAY))
+	if (!array || count != n)
+		snprintf(wanted, sizeof wanted, "an array of %zu numbers", n);
+	if (!array)
 		value_wrong(v, wanted);
 	if (count != n)
 		value_refuse(v, "has %zu element%s; %s is wanted", count,

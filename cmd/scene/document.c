@@ -83,6 +83,14 @@ static char *move_value(const char *s, const char *end, char *out)
 	return out;
 }
 
+/* Returns the text of points; refuses a value that is not an array. */
+static char *text_of(const struct value *v, const struct span *array)
+{
+	if (array->s == NULL)
+		value_wrong(v, "an array of points");
+	return (char *)array->s;
+}
+
 /* Replaces the text of an array by a line for each point that is an element, or a line
  * for the point that it is itself. Returns the size of the lines. A line takes the room of
  * its point and of the comma or bracket before it; the newline of a single point may be
@@ -90,12 +98,9 @@ static char *move_value(const char *s, const char *end, char *out)
 static size_t take_points(const struct value *v, const struct span *array,
     int coordinates)
 {
-	char *const lines = (char *)array->s, *out = lines;
 	struct value single = *v;
 	struct value e = { .source = v->source, .in = v, .unused = v->unused };
-
-	if (lines == NULL)
-		value_wrong(v, "an array of points");
+	char *const lines = text_of(v, array), *out = lines;
 	const char *s = json_space(lines + 1, array->end), *stop;
 
 	if (*s != '[' && *s != ']') {
