@@ -51,7 +51,7 @@ HARDENING_LINK = -pie -Wl,-z,relro -Wl,-z,now
 hardening_link = $(if $(HARDENING),$(HARDENING_LINK))
 # The C compiler links, as the C++ files use no C++ library.
 LINK = $(CC) -pthread $(hardening_link) $(LDFLAGS)
-LIBS = -lm
+LIBS = -lcjson -lm
 TRUTH_LIBS = -lcmocka -lmpfr -lgmp
 
 # The program is all files in the folders of CORE and PROGRAM. The other folders test,
@@ -100,8 +100,8 @@ $(BUILD)/has/%: | $(FIRST)
 	    $(CXX) $(CXX_FLAGS) $(CPPFLAGS) -x c++ -E - >$@ 2>/dev/null || \
 	    { echo "$(CXX) finds no <$*>: 'make deps' installs what is missing" \
 	    >&2; exit 1; }
-$(PROGRAM): | $(addprefix $(BUILD)/has/,fast_float/fast_float.h \
-	dragonbox/dragonbox.h)
+$(PROGRAM): | $(addprefix $(BUILD)/has/,cjson/cJSON.h \
+	fast_float/fast_float.h dragonbox/dragonbox.h)
 $(TRUTH) $(addsuffix .o,$(TESTS)): | $(addprefix $(BUILD)/has/,cmocka.h mpfr.h)
 
 $(BUILD)/%.o: %.c | $(FIRST)
@@ -159,7 +159,6 @@ $(BUILD)/program.a: $(filter-out %/message.o,$(BUT_MAIN))
 	rm -f $@
 	$(AR) rcs $@ $^
 
-$(BUILD)/cmd/fuzz/line: LIBS += -lcjson
 $(BUILD)/cmd/fuzz/stream: LINK += -Wl,--wrap=read,--wrap=poll
 $(FUZZERS): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/program.a
 	$(LINK) -fsanitize=fuzzer -o $@ $^ $(LIBS)
@@ -331,9 +330,9 @@ release: lint distcheck deb ## lint, distcheck and deb, with sums
 clean: ## remove the output
 	rm -rf $(BUILD)
 deps: ## install the packages that demo, test or foreign need, with apt-get
-	@sh .debian/deps $(filter-out deps,$(MAKECMDGOALS))
+	@sh .debian/deps $(BUILD) $(filter-out deps,$(MAKECMDGOALS))
 deps-all: ## the packages of all targets, asan to fuzz, bench and chart
-	@sh .debian/deps deps-all
+	@sh .debian/deps $(BUILD) deps-all
 help: ## this list
 	@sed -n 's/^\([a-z0-9-]*\):.* ## /make \1	/p' $(firstword $(MAKEFILE_LIST)) | \
 	    expand -t 18

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Any bytes as a document, for libFuzzer; linked without message.c. The first
  * byte says what is wanted of it. */
+#include <cjson/cJSON.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdint.h>
@@ -41,16 +42,42 @@ void vdie_at(int status, const struct place *place, const char *format,
 	die_at(status, place, "%s", format);
 }
 
-/* Nothing is printed. */
-void put_all(const char *s, size_t size)
+/* All that a refusal leaves, to be freed here: what cJSON has. */
+static struct block {
+	struct block *next;
+	_Alignas(max_align_t) char bytes[];
+} * blocks;
+
+static void *hold(size_t size)
 {
-	(void)s, (void)size;
+	struct block *b = malloc(sizeof *b + size + PIECE_MARGIN);
+
+	if (b == NULL)
+		abort();
+	b->next = blocks;
+	blocks = b;
+	return b->bytes;
 }
 
-/* The program uses this memory again for the next document. */
+static void keep(void *p)
+{
+	(void)p;
+}
+
+static void drop_all(void)
+{
+	while (blocks != NULL) {
+		struct block *b = blocks;
+
+		blocks = b->next;
+		free(b);
+	}
+}
+
+/* A copy of a part, which is freed before anything is refused. */
 void *need(void *old, size_t size)
 {
-	void *p = realloc(old, size > 0 ? size : 1);
+	void *p = realloc(old, size);
 
 	if (p == NULL)
 		abort();
@@ -105,16 +132,35 @@ static void run(char *text, size_t size, int mode)
 		check_camera(&d.scene.camera);
 }
 
+/* Parses the literals of a table's rows, which the program keeps. */
+static void keep_literals(const struct member *row)
+{
+	static const struct source source;
+
+	for (; row != NULL && row->name != NULL; row++) {
+		if (row->usual != NULL)
+			value_literal(&source, row->usual);
+		keep_literals(row->members);
+	}
+}
+
+int LLVMFuzzerInitialize(int *argc, char ***argv)
+{
+	(void)argc, (void)argv;
+	keep_literals(scene_members);
+	cJSON_InitHooks(&(cJSON_Hooks){ hold, keep });
+	return 0;
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-	static char *text;
-
 	if (size > 0 && setjmp(refused) == 0) {
 		/* exactly as long, so that a byte too far is seen */
-		free(text);
-		text = need(NULL, size - 1 + PIECE_MARGIN);
+		char *text = hold(size - 1);
+
 		memcpy(text, data + 1, size - 1);
 		run(text, size - 1, data[0]);
 	}
+	drop_all();
 	return 0;
 }

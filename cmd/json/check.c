@@ -1,17 +1,25 @@
 /* SPDX-License-Identifier: MIT */
 #include "check.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "../message/escape.h"
-#include "../message/message.h"
 #include "../message/utf8.h"
 #include "../number/number.h"
 #include "text.h"
 
-enum { LEVELS_MAX = 100 };
+enum {
+	LEVELS_MAX = 100,
+	/* cJSON takes no more characters than these for a number, and what
+	 * follows for something else. */
+	CJSON_NUMBER_MAX = 63,
+};
+
+/* The functions below check what stands at s->at, move it past that and return true;
+ * or say why it is wrong, leave s->at where it goes wrong and return false. */
 
 static bool is_letter(char c)
 {
@@ -28,7 +36,7 @@ static bool at(const struct json_check *s, char c)
 	return s->at < s->end && *s->at == c;
 }
 
-static void check_blanks(struct json_check *s)
+static void blanks(struct json_check *s)
 {
 	const char *p = s->at;
 
@@ -37,13 +45,20 @@ static void check_blanks(struct json_check *s)
 	s->at = p;
 }
 
-/* Returns whether c can be part of a word or number. */
+/* Adds to the copy, if there is one. */
+static void copy(struct json_check *s, const char *from, size_t n)
+{
+	if (s->copy != NULL)
+		s->copy = (char *)memcpy(s->copy, from, n) + n;
+}
+
+/* Whether c can be part of a word or number. */
 static bool in_token(char c)
 {
 	return (unsigned char)c > ' ' && strchr(",:[]{}\"'/#", c) == NULL;
 }
 
-/* Returns the end of the word, number or other character at s->at. */
+/* Where the word, number or other character at s->at ends. */
 static const char *token_end(const struct json_check *s)
 {
 	const char *p = s->at;
@@ -66,7 +81,7 @@ void json_count(const char *text, const char *at, long long *line,
 		}
 }
 
-/* Returns whether the last character before s->at that is not blank is a comma. */
+/* Whether a comma stands before s->at and blanks. */
 static bool after_comma(const struct json_check *s)
 {
 	const char *p = s->at;
@@ -76,8 +91,7 @@ static bool after_comma(const struct json_check *s)
 	return p > s->text && p[-1] == ',';
 }
 
-/* Returns what to do with the character at s->at, which JSON does not have or not
- * there; or NULL. */
+/* What to do with a character that stands nowhere in JSON, or not there; or NULL. */
 static const char *hint_of(const struct json_check *s)
 {
 	const char *p = s->at;
@@ -95,8 +109,8 @@ static const char *hint_of(const struct json_check *s)
 	return NULL;
 }
 
-/* Sets the reason: JSON wants this at s->at, and the text has another character or ends.
- * A hint that is not NULL follows. Returns false. */
+/* Says what is wanted at s->at, what stands there, and a hint, unless that is NULL.
+ * Returns false. */
 static bool expected(struct json_check *s, const char *wanted, const char *hint)
 {
 	const bool ends = s->at == s->end;
@@ -113,12 +127,8 @@ static bool expected(struct json_check *s, const char *wanted, const char *hint)
 	return false;
 }
 
-/* Each function check_x checks the x at s->at, sets s->at to the x's end and returns true;
- * or sets s->at to the first wrong character and the reason, and returns false. */
-
-/* json_unescape writes half of a surrogate pair, \ud800 to \udfff, as U+FFFD, which
- * begins with \xef. */
-static bool check_escape(struct json_check *s)
+/* At a backslash. Half of a surrogate pair, \ud800 to \udfff, becomes U+FFFD. */
+static bool escape(struct json_check *s)
 {
 	const char *p = s->at, *next = p;
 	bool is_u = s->end - p > 1 && p[1] == 'u';
@@ -136,13 +146,14 @@ static bool check_escape(struct json_check *s)
 	return true;
 }
 
-static bool check_character(struct json_check *s)
+/* At a character of a string. */
+static bool character(struct json_check *s)
 {
 	unsigned code;
 	int n = s->kind == JSON_DOCUMENT ? utf8_read(s->at, s->end, &code) : 1;
 
 	if (*s->at == '\\')
-		return check_escape(s);
+		return escape(s);
 	if (n == 0 || (unsigned char)*s->at < ' ')
 		return expected(s, "text or '\"' in a string",
 		    "write a control character as this escape");
@@ -150,30 +161,34 @@ static bool check_character(struct json_check *s)
 	return true;
 }
 
-/* Returns whether c is a character of a string, whatever stands around it. */
-static bool is_simple(char c)
+/* Whether c is any character of a string but a quotation mark, and needs no
+ * look at what is around it. */
+static bool passes_unseen(char c)
 {
 	return c >= ' ' && c != '"' && c != '\\' && (unsigned char)c < 0x80;
 }
 
-static bool check_string(struct json_check *s)
+/* At a quotation mark. */
+static bool string(struct json_check *s)
 {
-	s->at++;
+	const char *start = s->at++;
+
 	for (;;) {
-		while (s->at < s->end && is_simple(*s->at))
+		while (s->at < s->end && passes_unseen(*s->at))
 			s->at++;
 		if (at(s, '"'))
 			break;
 		if (s->at == s->end)
 			return expected(s, "text or '\"' in a string", NULL);
-		if (!check_character(s))
+		if (!character(s))
 			return false;
 	}
 	s->at++;
+	copy(s, start, (size_t)(s->at - start));
 	return true;
 }
 
-/* Returns the end of true, false, null or the number at p; NULL if there is none. */
+/* Where true, false, null or the number at p ends; NULL if none stands there. */
 static const char *scalar_end(const char *p, const char *end)
 {
 	static const char *const words[] = { "true", "false", "null" };
@@ -187,8 +202,26 @@ static const char *scalar_end(const char *p, const char *end)
 	return json_number_end(p, end);
 }
 
-/* A scalar is true, false, null or a number. */
-static bool check_scalar(struct json_check *s)
+/* Copies the number up to end; where cJSON does not take all of it, its shortest text. */
+static void copy_number(struct json_check *s, const char *end)
+{
+	const struct number_style shortest = { NUMBER_SHORTEST, 0 };
+	char text[NUMBER_MAX];
+	double v;
+
+	if (end - s->at <= CJSON_NUMBER_MAX) {
+		copy(s, s->at, (size_t)(end - s->at));
+		return;
+	}
+	number_read(s->at, end, &v);
+	if (isfinite(v))
+		copy(s, text, (size_t)(number_write(text, v, shortest) - text));
+	else
+		copy(s, "1e999", 5);
+}
+
+/* At what is no string, array or object. */
+static bool scalar(struct json_check *s)
 {
 	const char *end = scalar_end(s->at, s->end), *hint = NULL;
 
@@ -200,98 +233,47 @@ static bool check_scalar(struct json_check *s)
 			       "quotes";
 		return expected(s, "a value", hint);
 	}
+	if (s->copy != NULL)
+		copy_number(s, end);
 	s->at = end;
 	return true;
 }
 
-/* Adds a value of zeros, and returns its index. */
-static size_t add_value(struct json_values *made)
-{
-	if (made->n == made->room) {
-		made->room = 2 * made->room + 64;
-		made->value = need(made->value,
-		    made->room * sizeof *made->value);
-	}
-	made->value[made->n] = (struct json_value){ 0 };
-	return made->n++;
-}
+static bool list(struct json_check *s, const char *way);
 
-/* Adds the characters that a string of JSON stands for, and returns them. They take less
- * room than the string, as its quotes have two bytes and the NUL one. */
-static const char *add_string(struct json_values *made, const char *s,
-    const char *end)
-{
-	char *const start = made->end;
-	int n;
-
-	for (s++; s < end - 1; made->end += n)
-		if (*s == '\\') {
-			s = json_unescape(s, end, made->end, &n);
-		} else {
-			*made->end = *s++;
-			n = 1;
-		}
-	*made->end++ = '\0';
-	return start;
-}
-
-/* Completes value i, which was checked from start to s->at. */
-static void finish_value(const struct json_check *s, size_t i,
-    const char *start)
-{
-	struct json_values *made = s->made;
-	struct json_value *v = &made->value[i];
-	static const char types[] = "ftn-\"[{"; /* in the order of json_type */
-	const char *type = strchr(types, *start);
-
-	v->type = type != NULL ? (enum json_type)(type - types) : JSON_NUMBER;
-	v->size = made->n - i;
-	if (v->type == JSON_NUMBER)
-		number_read(start, s->at, &v->number);
-	if (v->type == JSON_STRING)
-		v->string = add_string(made, start, s->at);
-}
-
-static bool check_list(struct json_check *s, const char *pointer);
-
-/* pointer is the rest of s->pointer that leads on from this value; NULL if the value is
- * not on its path. */
-static bool check_value(struct json_check *s, const char *pointer)
+/* way is what is left of the pointer; NULL where it does not lead here. */
+static bool value(struct json_check *s, const char *way)
 {
 	const char *start = s->at;
-	size_t i = s->made != NULL ? add_value(s->made) : 0;
 	bool good;
 
-	if (pointer != NULL)
+	if (way != NULL)
 		s->found.s = start;
 	if (at(s, '{') || at(s, '['))
-		good = check_list(s, pointer);
+		good = list(s, way);
 	else
-		good = at(s, '"') ? check_string(s) : check_scalar(s);
+		good = at(s, '"') ? string(s) : scalar(s);
 	if (s->found.s == start)
 		s->found.end = s->at;
-	if (good && s->made != NULL)
-		finish_value(s, i, start);
 	return good;
 }
 
-/* Returns the rest of the pointer after its first token, if that is the name, or where
- * name.s is NULL the index; else NULL. */
-static const char *pointer_next(const char *pointer, struct span name,
-    long index)
+/* Returns what is left of the pointer behind its first step, where that is the name,
+ * or if name.s is NULL the index; else NULL. */
+static const char *way_on(const char *way, struct span name, long index)
 {
-	struct span token = { pointer, pointer };
+	struct span step = { way, way };
 
-	if (pointer == NULL || *pointer == '\0')
+	if (way == NULL || *way == '\0')
 		return NULL;
-	token.end += strcspn(++token.s, "/") + 1;
-	return (name.s != NULL ? json_is_name(name, token, true) :
-				 strtol(token.s, NULL, 10) == index) ?
-	    token.end :
+	step.end += strcspn(++step.s, "/") + 1;
+	return (name.s != NULL ? json_is_name(name, step, true) :
+				 strtol(step.s, NULL, 10) == index) ?
+	    step.end :
 	    NULL;
 }
 
-static bool check_member(struct json_check *s, const char *pointer)
+static bool member(struct json_check *s, const char *way)
 {
 	struct span name = { .s = s->at };
 
@@ -300,26 +282,19 @@ static bool check_member(struct json_check *s, const char *pointer)
 		    after_comma(s) && json_number_end(s->at, s->end) != NULL ?
 			"several numbers stand in brackets: [1,2,3]" :
 			NULL);
-	if (!check_string(s))
+	if (!string(s))
 		return false;
 	name.end = s->at;
-	check_blanks(s);
+	blanks(s);
 	if (!at(s, ':'))
 		return expected(s, "':' after the member's name", NULL);
-	s->at++;
-	check_blanks(s);
-	size_t i = s->made != NULL ? s->made->n : 0;
-
-	if (!check_value(s, pointer_next(pointer, name, 0)))
-		return false;
-	if (s->made != NULL)
-		s->made->value[i].name = add_string(s->made, name.s, name.end);
-	return true;
+	copy(s, s->at++, 1);
+	blanks(s);
+	return value(s, way_on(way, name, 0));
 }
 
-/* Sets the reason where no comma follows a value of the list that begins at open. Returns
- * false. */
-static bool expected_comma(struct json_check *s, const char *open)
+/* Refuses what stands behind a value in the list that begins at open. */
+static bool no_comma(struct json_check *s, const char *open)
 {
 	const char *wanted = *open == '{' ? "',' or '}'" : "',' or ']'";
 	long long line = s->line;
@@ -334,54 +309,54 @@ static bool expected_comma(struct json_check *s, const char *open)
 	return expected(s, wanted, hint);
 }
 
-/* A list is an array or object. */
-static bool check_list(struct json_check *s, const char *pointer)
+/* An array or object, at its opening bracket or brace. */
+static bool list(struct json_check *s, const char *way)
 {
 	const char *open = s->at;
 	const bool object = *open == '{';
 	const char close = object ? '}' : ']';
-	struct json_values *const made = s->made;
-	bool found = pointer != NULL && *pointer == '\0' && !object;
-	long index = 0;
 
 	if (++s->level > LEVELS_MAX)
 		return expected(s, "at most 100 levels of brackets", NULL);
-	s->at++;
-	check_blanks(s);
-	for (bool empty = at(s, close); !empty; check_blanks(s)) {
-		bool hidden = object && s->end - s->at > 1 && s->at[1] == '_';
+	copy(s, s->at++, 1);
+	blanks(s);
 
-		s->made = found || hidden ? NULL : made;
-		if (!(object ? check_member(s, pointer) :
-			       check_value(s,
-				   pointer_next(pointer, (struct span){ 0 },
-				       index++))))
+	/* what is left out is not copied, nor the comma before it */
+	char *const first = s->copy;
+	bool found = way != NULL && *way == '\0' && !object;
+	long index = 0;
+
+	for (bool empty = at(s, close); !empty; blanks(s)) {
+		char *before = s->copy;
+
+		if (found || (object && s->end - s->at > 1 && s->at[1] == '_'))
+			s->copy = NULL;
+		else if (before != first)
+			copy(s, ",", 1);
+		if (!(object ?
+			    member(s, way) :
+			    value(s, way_on(way, (struct span){ 0 }, index++))))
 			return false;
-		check_blanks(s);
+		if (s->copy == NULL)
+			s->copy = before;
+		blanks(s);
 		if (at(s, close))
 			break;
 		if (!at(s, ','))
-			return expected_comma(s, open);
+			return no_comma(s, open);
 		s->at++;
 	}
-	s->made = made;
-	s->at++;
+	copy(s, s->at++, 1);
 	s->level--;
 	return true;
 }
 
 bool json_check(struct json_check *s)
 {
-	if (s->made != NULL) {
-		s->made->strings = need(s->made->strings,
-		    (size_t)(s->end - s->text));
-		s->made->end = s->made->strings;
-		s->made->n = 0;
-	}
 	s->at = s->text;
-	check_blanks(s);
-	if (!check_value(s, s->pointer))
+	blanks(s);
+	if (!value(s, s->pointer))
 		return false;
-	check_blanks(s);
+	blanks(s);
 	return s->at == s->end || expected(s, "the end of the text", NULL);
 }

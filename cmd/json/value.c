@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "value.h"
 
+#include <cjson/cJSON.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "../../core/scene/scene.h"
@@ -48,17 +50,31 @@ struct place source_place(const struct source *source, const char *pointer)
 	return p;
 }
 
+/* Returns the values of checked text, whose copy is s, and frees the copy. cJSON takes
+ * all that passes the check, and fails only without memory. */
+static const struct cJSON *parse(char *s, const struct json_check *checked)
+{
+	cJSON *item = cJSON_ParseWithLength(s, (size_t)(checked->copy - s));
+
+	if (item == NULL)
+		die(EXIT_SYSTEM, "out of memory");
+	free(s);
+	return item;
+}
+
+/* The values of the last document. A refusal does not return to free them. */
+static const struct cJSON *parsed;
+
 struct value value_parse_without(struct source *source, const char *pointer,
     char *text, size_t size, struct span *array)
 {
-	static struct json_values values;
 	static char *kept[2];
-	char **keep = &kept[source->operand];
+	char **keep = &kept[source->operand], *copy = need(NULL, size);
 	struct json_check c = { .text = text,
 		.end = text + size,
 		.line = source->line + 1,
 		.pointer = pointer,
-		.made = &values };
+		.copy = copy };
 
 	if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
 		memset(text, ' ', 3); /* a byte order mark */
@@ -69,65 +85,62 @@ struct value value_parse_without(struct source *source, const char *pointer,
 	if (!json_check(&c)) {
 		const struct place place = source_place_at(source, text, c.at);
 
+		free(copy);
 		die_at(EXIT_INPUT, &place, "%s", c.reason);
 	}
 	*array = (struct span){ *c.found.s == '[' ? c.found.s : NULL,
 		c.found.end };
-	return (struct value){ .source = source, .item = values.value };
-}
-
-/* Returns the value of checked text. */
-static const struct json_value *parse_checked(struct json_values *values,
-    const char *s, const char *end)
-{
-	struct json_check c = { .text = s, .end = end, .made = values };
-
-	json_check(&c);
-	return values->value;
+	cJSON_Delete((cJSON *)parsed);
+	parsed = parse(copy, &c);
+	return (struct value){ .source = source, .item = parsed };
 }
 
 void value_parse_part(struct value *v, const char *s, const char *end)
 {
-	static struct json_values part;
+	static const struct cJSON *part;
+	char *copy = need(NULL, (size_t)(end - s));
+	struct json_check c = { .text = s, .end = end, .copy = copy };
 
-	v->item = parse_checked(&part, s, end);
+	json_check(&c);
+	cJSON_Delete((cJSON *)part);
+	v->item = part = parse(copy, &c);
 }
 
 struct value value_literal(const struct source *source, const char *text)
 {
 	static struct {
 		const char *text;
-		struct json_values values;
+		const struct cJSON *item;
 	} known[LITERALS];
 	size_t i = 0;
 
 	while (known[i].text != NULL && known[i].text != text)
 		i++;
-	if (known[i].text == NULL)
-		parse_checked(&known[i].values, text, text + strlen(text));
-	known[i].text = text;
-	return (
-	    struct value){ .source = source, .item = known[i].values.value };
+	if (known[i].text == NULL) {
+		known[i].item = cJSON_Parse(text);
+		if (known[i].item == NULL)
+			die(EXIT_SYSTEM, "out of memory");
+		known[i].text = text;
+	}
+	return (struct value){ .source = source, .item = known[i].item };
 }
 
 struct value value_child(const struct value *v)
 {
-	const struct json_value *item = v->item->size > 1 ? v->item + 1 : NULL;
+	const cJSON *item = v->item->child;
 
 	return (struct value){ .source = v->source,
 		.in = v,
-		.name = item != NULL ? item->name : NULL,
+		.name = item != NULL ? item->string : NULL,
 		.unused = v->unused,
 		.item = item };
 }
 
 void value_next(struct value *v)
 {
-	v->item += v->item->size;
-	if (v->item == v->in->item + v->in->item->size)
-		v->item = NULL;
+	v->item = v->item->next;
 	v->index++;
-	v->name = v->item != NULL ? v->item->name : NULL;
+	v->name = v->item != NULL ? v->item->string : NULL;
 }
 
 struct value value_missing(const struct value *in, const char *name)
@@ -146,21 +159,17 @@ bool value_member(const struct value *object, const char *name,
 
 bool value_is(const struct value *v, enum json_type type)
 {
-	return v->item->type == type;
+	return (v->item->type >> type & 1) != 0;
 }
 
 const char *value_string(const struct value *v)
 {
-	return v->item->string;
+	return cJSON_GetStringValue(v->item);
 }
 
 size_t value_count(const struct value *v)
 {
-	size_t n = 0;
-
-	for (struct value e = value_child(v); e.item != NULL; value_next(&e))
-		n++;
-	return n;
+	return (size_t)cJSON_GetArraySize(v->item);
 }
 
 /* A pointer has at most TOKENS_MAX tokens, as in /camera/matrix/matrix/3/3. A token with
@@ -207,7 +216,11 @@ void value_wrong(const struct value *v, const char *wanted)
 	static const char *const names[] = { "false", "true", "null",
 		"a number", "a string", "an array", "an object" };
 
-	value_refuse(v, "is %s; %s is wanted", names[v->item->type], wanted);
+	int type = JSON_FALSE;
+
+	while (!value_is(v, (enum json_type)type))
+		type++;
+	value_refuse(v, "is %s; %s is wanted", names[type], wanted);
 }
 
 void value_want_object(const struct value *v)
@@ -234,7 +247,7 @@ double value_number(const struct value *v, const struct value_range *range)
 {
 	bool radians = range->by_radians != NULL && v->source->unit == RADIANS;
 	const char *wanted = radians ? range->by_radians : range->wanted;
-	double x = v->item->number;
+	double x = v->item->valuedouble;
 	char text[NUMBER_MAX];
 
 	if (!value_is(v, JSON_NUMBER))

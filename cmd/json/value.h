@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Values of a JSON document, and messages with the pointer to a value, such as
- * /camera/eye/0. */
+ * /camera/eye/0. No other file knows cJSON. */
 #ifndef VALUE_H
 #define VALUE_H
 
@@ -29,6 +29,17 @@ struct source {
 	const struct member *scene; /* the scene's members, for suggestions */
 };
 
+/* In the order of the bits of cJSON's types. */
+enum json_type {
+	JSON_FALSE,
+	JSON_TRUE,
+	JSON_NULL,
+	JSON_NUMBER,
+	JSON_STRING,
+	JSON_ARRAY,
+	JSON_OBJECT,
+};
+
 struct value {
 	const struct source *source;
 	const struct value
@@ -37,7 +48,7 @@ struct value {
 	size_t index;     /* in the array or object, from 0 */
 	/* The command does not use the member: its numbers may be out of range. */
 	bool unused;
-	const struct json_value *item; /* NULL: there is none */
+	const struct cJSON *item; /* NULL: there is none */
 };
 
 /* The numbers that a member may be. */

@@ -257,7 +257,7 @@ static void test_points(void **state)
 	assert_points(" [ [1,2,3] ,\n\t[4,null,6] ] ", "[1,2,3]\n[4,null,6]\n");
 	assert_points("[[1,2,3,\"a \\\"b ,]\\\\\",true,\"\\u00e9 :\",1e999]]",
 	    "[1,2,3,\"a \\\"b ,]\\\\\",true,\"\\u00e9 :\",1e999]\n");
-	/* long numbers keep their text */
+	/* longer than what cJSON takes for a number */
 #define TEN "1234567890"
 	assert_points("[[" TEN TEN TEN TEN TEN TEN TEN
 		      ",0,1e-3," TEN TEN TEN TEN TEN TEN TEN "]]",

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # The same bits from other processors, emulated, and from another C library: the
 # transcripts and the digests of testdata/bits.sha256; and for arm64, whose vector
-# loops are its own, their tests. Programs are static.
+# loops are its own, their tests. Programs are static, with a cJSON of their own.
 # Wants what `make deps foreign` installs; what is not there is named and left out.
 # usage: foreign.sh BUILD [NAME...]
 set -eu
@@ -13,7 +13,13 @@ build=$1
 shift
 mkdir -p "$build/include"
 build=$(cd "$build" && pwd)
-# Headers that the compiler for musl does not find elsewhere.
+cjson=$build/cjson
+[ -f "$cjson/cJSON.c" ] || {
+	echo "foreign: no source of cJSON in $cjson; make deps foreign" >&2
+	exit 1
+}
+# What musl's compiler finds nowhere else.
+ln -sfn "$cjson" "$build/include/cjson"
 ln -sfn /usr/include/fast_float "$build/include/fast_float"
 
 has() {
@@ -35,7 +41,8 @@ made() {
 check() {
 	dir=$build/$name
 	mkdir -p "$dir/emulated"
-	made LDFLAGS=-static "$dir/projcalc"
+	"$cc" -O2 -c -o "$dir/cJSON.o" "$cjson/cJSON.c"
+	made LDFLAGS=-static LIBS="$dir/cJSON.o -lm" "$dir/projcalc"
 	printf '#!/bin/sh\nexec %s "%s/projcalc" "$@"\n' "$emulator" "$dir" \
 	    >"$dir/emulated/projcalc"
 	chmod +x "$dir/emulated/projcalc"

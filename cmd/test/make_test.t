@@ -32,12 +32,12 @@ sub deps {
 	my (@goals) = @_;
 	unlink "$tmp/asked";
 	my ($status, $out) = run("PATH=$tmp/bin:\$PATH " .
-	    "sh .debian/deps @goals");
+	    "sh .debian/deps $tmp/build @goals");
 	my ($asked) = slurp("$tmp/asked") =~ /--no-install-recommends install(.*)/;
 	return (" $asked ", $out);
 }
 
-my @building = qw(g++ make libc6-dev libfast-float-dev);
+my @building = qw(g++ make libc6-dev libcjson-dev libfast-float-dev);
 my ($asked, $said) = deps('demo');
 is(sorted(split ' ', $asked), sorted(@building), 'what building takes');
 like($said, qr/^make deps: this release has no package libdragonbox-dev$/m,
@@ -64,7 +64,7 @@ my $asked_before = slurp("$tmp/asked");
 unlink "$tmp/bin/sudo";
 symlink told("command -v $_"), "$tmp/bin/$_" for qw(grep env);
 my $sh = told('command -v sh');
-my ($status, $out, $err) = run("PATH=$tmp/bin $sh .debian/deps");
+my ($status, $out, $err) = run("PATH=$tmp/bin $sh .debian/deps $tmp/build");
 is($status, 1, 'neither root nor sudo');
 like($out, qr/\Amake deps: missing: g\+\+ [^\n]*\n\z/, 'what is missing comes first');
 like($err, qr/\Amake deps: .* root is to run\napt-get update && apt-get install/,
@@ -75,7 +75,7 @@ for my $said ($out, $err) {
 }
 unlike($err, qr/libdragonbox/, 'nor what apt does not know');
 is(slurp("$tmp/asked"), $asked_before, 'apt-get is not called');
-($status, $out, $err) = run("PATH=$tmp/bin $sh .debian/deps foreign");
+($status, $out, $err) = run("PATH=$tmp/bin $sh .debian/deps $tmp/build foreign");
 like($out, qr/dpkg's architectures .* arm64/, 'what dpkg would get');
 like($err, qr/^dpkg --add-architecture arm64 && apt-get update && /m,
     'root adds it');
@@ -83,7 +83,7 @@ like($err, qr/ libgmp-dev:arm64\b/, 'for this');
 unlike($err, qr/ libmpfr-dev/, 'what is there of arm64 is not asked for');
 
 ($status, $out, $err) = run("make -n deps demo BUILD=$tmp/none");
-like($out, qr{^sh .debian/deps demo$}m, 'make says what is wanted');
+like($out, qr{^sh .debian/deps $tmp/none demo$}m, 'make says what is wanted');
 
 for my $compiler (qw(CC CXX)) {
 	($status, $out, $err) = run("make -s BUILD=$tmp/none $compiler=nothing");
@@ -96,6 +96,8 @@ like($err, qr/\Afalse finds no <.*>: 'make deps' installs what is missing$/m,
     'which is said');
 
 mkdir "$tmp/foreign" or die;
+mkdir "$tmp/foreign/cjson" or die;
+spew("$tmp/foreign/cjson/cJSON.c", '');
 ($status, $out, $err) = run("sh cmd/test/foreign.sh $tmp/foreign nowhere");
 is($status, 1, 'foreign.sh without a compiler has tested nothing');
 like($err, qr/^foreign: nothing was tested/m, 'which is said');
