@@ -13,7 +13,7 @@ static void put_text_member(struct printer *p, const char *name, const char *s)
 	if (s != NULL)
 		put_string(p, s);
 	else
-		put_word(p, "null");
+		put_literal(p, "null");
 }
 
 /* Puts a member with the array of the words that bits select; words may be NULL. */

@@ -68,7 +68,7 @@ static void put_rows(struct printer *p, const char *name, const double *v,
 {
 	put_name_on_new_line(p, name);
 	if (none) {
-		put_word(p, "null");
+		put_literal(p, "null");
 		return;
 	}
 	put_open(p, "[");
@@ -124,7 +124,7 @@ static void put_planes(struct printer *p, const struct taxonomy *t,
 	if (projection_is_open(&r->scene.projection))
 		put_number(p, (double)NAN); /* no plane is near */
 	else
-		put_word(p, r->reverse_z ? "true" : "false");
+		put_literal(p, r->reverse_z ? "true" : "false");
 	put_sides(p, "planes", r->plane);
 	put_rows(p, "frustum", t->corner[0], 8, 3, false);
 	put_name_on_new_line(p, "frustum_planes");
@@ -224,7 +224,7 @@ static void put_plane(struct printer *p, const struct document *d)
 	if (s->has_device)
 		put_device(p, &s->device);
 	else
-		put_word(p, "null");
+		put_literal(p, "null");
 	put_name_on_new_line(p, "scale");
 	put_numbers(p, w.scale, 2);
 }
@@ -249,7 +249,7 @@ static void put_spatial(struct printer *p, const struct document *d,
 	if (r.has_scene)
 		put_scene(p, &r.scene);
 	else
-		put_word(p, "null");
+		put_literal(p, "null");
 	put_notes(p, r.notes);
 }
 

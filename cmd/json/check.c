@@ -25,7 +25,7 @@ static bool is_letter(char c)
 	return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-static bool is_blank(char c)
+static bool is_json_blank(char c)
 {
 	return c == ' ' || c == '\n' || c == '\t' || c == '\r';
 }
@@ -39,7 +39,7 @@ static void blanks(struct json_check *s)
 {
 	const char *p = s->at;
 
-	while (p < s->end && is_blank(*p))
+	while (p < s->end && is_json_blank(*p))
 		p++;
 	s->at = p;
 }
@@ -85,7 +85,7 @@ static bool after_comma(const struct json_check *s)
 {
 	const char *p = s->at;
 
-	while (p > s->text && is_blank(p[-1]))
+	while (p > s->text && is_json_blank(p[-1]))
 		p--;
 	return p > s->text && p[-1] == ',';
 }

@@ -30,7 +30,8 @@ const struct member *member_of(const struct member *row, int kind,
 	return NULL;
 }
 
-/* Whether a member of a document that is an object alone is the scene's. */
+/* Returns whether the scene has a member of that name, which may stand in a document that
+ * is another member alone. */
 static bool is_beside(const struct value *v)
 {
 	const struct member *row = v->in->in != NULL ?
@@ -47,7 +48,7 @@ uint64_t member_bit(const struct member *table, int kind, const char *name)
 	return row != NULL ? UINT64_C(1) << (row - table) : 0;
 }
 
-/* Returns the member with that alias, or NULL. */
+/* Returns the member with that alias, or NULL. LookAt, look_at and look-at are lookat. */
 static const struct member *find_alias(const struct member *row, int kind,
     const char *name)
 {
@@ -68,8 +69,8 @@ const struct member *member_named(const struct member *table, int kind,
 
 const char *member_type(const struct member *row, char out[LISTED])
 {
-	if (row->type->says != NULL)
-		return row->type->says;
+	if (row->type->name != NULL)
+		return row->type->name;
 	if (row->members != NULL)
 		return "object";
 	if (row->words != NULL)
@@ -92,7 +93,7 @@ const char *member_unit(const struct member *row)
 	return angle ? "degrees" : row->unit;
 }
 
-/* The names of those members of bits that objects of that kind have. */
+/* Lists the names of those members of bits that objects of that kind have. */
 static void list_names(const struct member *row, int kind, uint64_t bits,
     const char *names[MEMBERS_MAX + 1])
 {
@@ -104,8 +105,8 @@ static void list_names(const struct member *row, int kind, uint64_t bits,
 	names[n] = NULL;
 }
 
-/* Says which member has that alias, which other objects have such a member or that
- * the scene has it, which name is nearest, or all names. */
+/* Names the member with that alias; or the other objects that have such a member, or the
+ * scene; or the member with the nearest name; or all members. */
 static _Noreturn void refuse_unknown(const struct value *v,
     const struct member *table, int kind)
 {
@@ -140,8 +141,7 @@ static _Noreturn void refuse_unknown(const struct value *v,
 	    list_words(all, names, " and ", "\""));
 }
 
-/* Reads the value that a member has without being given, to where the member stands
- * or, for comparison, elsewhere. */
+/* Reads the default of a member. */
 static void read_usual(const struct member *row, void *to)
 {
 	static const struct source source;
@@ -189,7 +189,7 @@ uint64_t object_read(const struct value *v, const struct member *table,
 	return seen;
 }
 
-/* Whether the member that stands there is what it is without being given. */
+/* Returns whether the member at that place has its default and is not to be printed. */
 static bool is_usual(const struct member *row, const void *at)
 {
 	const double *v = at;
@@ -233,61 +233,73 @@ void object_print(struct printer *p, const struct member *row, int kind,
 	put_close(p, "}");
 }
 
-/* The members of a way, as bits; in *must those that may not be missing. */
-static uint64_t way_bits(const struct member *table, int kind, const char *way,
-    uint64_t *must)
+/* A list of ways as bits of members, for one kind of object. */
+struct way_bits {
+	const char *const *list;
+	int kind;
+	size_t n;
+	uint64_t any;            /* the members of all ways */
+	uint64_t all[WAYS_MAX];  /* the members of each way */
+	uint64_t must[WAYS_MAX]; /* those of them that may not be missing */
+};
+
+static void add_way(struct way_bits *b, const struct member *table,
+    const char *way)
 {
-	uint64_t all = 0;
 	char name[ESCAPED_MAX];
 
-	for (*must = 0; *way != '\0'; way += strspn(way, " ?")) {
+	for (; *way != '\0'; way += strspn(way, " ?")) {
 		size_t n = strcspn(way, " ?");
 
 		memcpy(name, way, n);
 		name[n] = '\0';
 		way += n;
-		uint64_t bit = member_bit(table, kind, name);
+		uint64_t bit = member_bit(table, b->kind, name);
 
-		all |= bit;
-		if (*way != '?')
-			*must |= bit;
+		b->all[b->n] |= bit;
+		b->must[b->n] |= *way != '?' ? bit : 0;
 	}
-	return all;
+	b->any |= b->all[b->n++];
 }
 
-/* The members of all ways, as bits. */
-static uint64_t ways_bits(const struct member *table, int kind,
-    const char *const *way)
+/* Returns the bits of a list of ways. They are made once and kept: reading a scene takes
+ * about ten. The tables have 24 lists, counted for each kind. */
+static const struct way_bits *list_bits(const struct member *table, int kind,
+    const char *const *list)
 {
-	uint64_t all = 0, must;
+	static struct way_bits known[64];
+	struct way_bits *b = known;
 
-	for (; *way != NULL; way++)
-		all |= way_bits(table, kind, *way, &must);
-	return all;
+	while (b->list != NULL && (b->list != list || b->kind != kind))
+		b++;
+	if (b->list == NULL) {
+		*b = (struct way_bits){ .list = list, .kind = kind };
+		for (; *list != NULL; list++)
+			add_way(b, table, *list);
+	}
+	return b;
 }
 
 uint64_t object_shown(const struct member *table, int kind,
     const struct ways *w, int way)
 {
-	uint64_t must;
+	const struct way_bits *b = list_bits(table, kind, w->way);
 
-	return ~ways_bits(table, kind, w->way) |
-	    way_bits(table, kind, w->way[way], &must);
+	return ~b->any | b->all[way];
 }
 
-/* Writes which members to give, those seen among them that may be missing. */
-static void hint(char out[LISTED], const struct member *table, int kind,
-    const char *const *way, uint64_t seen)
+/* Writes "give ..." with each way: the members that may not be missing, and those of the
+ * others that are seen. */
+static void write_ways(char out[LISTED], const struct member *table,
+    const struct way_bits *b, uint64_t seen)
 {
 	const char *names[MEMBERS_MAX + 1];
 	char all[LISTED];
-	uint64_t must;
 	size_t n = 0;
 
-	for (int i = 0; way[i] != NULL && n < LISTED; i++) {
-		uint64_t bits = way_bits(table, kind, way[i], &must);
-
-		list_names(table, kind, bits & (must | seen), names);
+	for (size_t i = 0; i < b->n && n < LISTED; i++) {
+		list_names(table, b->kind, b->all[i] & (b->must[i] | seen),
+		    names);
 		list_words(all, names, " and ", "\"");
 		n += (size_t)snprintf(out + n, LISTED - n, "%s%s",
 		    i > 0 ? ", or " : "give ",
@@ -295,33 +307,54 @@ static void hint(char out[LISTED], const struct member *table, int kind,
 	}
 }
 
+/* Refuses a member that is missing; or if the members of a whole way are given, one that
+ * is in no way with some of them. */
+static _Noreturn void refuse_way(const struct value *v,
+    const struct member *table, const struct way_bits *b, uint64_t seen,
+    uint64_t member, uint64_t way)
+{
+	const char *names[MEMBERS_MAX + 1];
+	char ways[LISTED], rivals[LISTED];
+	uint64_t others = way;
+
+	list_names(table, b->kind, member & -member, names);
+	struct value m = value_missing(v, names[0]);
+
+	write_ways(ways, table, b, seen);
+	if (way == 0)
+		value_refuse(&m, "missing; %s", ways);
+	for (size_t i = 0; i < b->n; i++)
+		if ((b->all[i] & member & -member) != 0)
+			others &= ~b->all[i];
+	list_names(table, b->kind, others != 0 ? others : way, names);
+	value_refuse(&m, "does not go with %s; %s",
+	    list_words(rivals, names, " and ", "\""), ways);
+}
+
 int object_way(const struct value *v, const struct member *table, int kind,
     uint64_t seen, const struct ways *w)
 {
 	bool fit = v->source->fit && w->fit && !v->unused;
-	const char *const *way = fit ? w->fit_way : w->way;
-	uint64_t extra = 0, lacking = 0, must, all;
-	char said[LISTED];
+	const struct way_bits *b = list_bits(table, kind,
+	    fit ? w->fit_way : w->way);
+	uint64_t extra = 0, lacking = 0, way = 0;
 
-	seen &= ways_bits(table, kind, way);
-	for (int i = 0; way[i] != NULL; i++) {
-		all = way_bits(table, kind, way[i], &must);
-		if ((must & ~seen) == 0 && (seen & ~all) == 0)
-			return i;
-		if ((must & ~seen) == 0 && (all & seen) != 0 && extra == 0)
-			extra = seen & ~all;
-		if ((must & seen) != 0 && lacking == 0)
-			lacking = must & ~seen;
+	seen &= b->any;
+	for (size_t i = 0; i < b->n; i++) {
+		uint64_t missing = b->must[i] & ~seen, in = b->all[i] & seen;
+
+		if (missing == 0 && in == seen)
+			return (int)i;
+		if (missing == 0 && in != 0 && extra == 0) {
+			extra = seen & ~in;
+			way = in;
+		}
+		if (missing != b->must[i] && lacking == 0)
+			lacking = missing;
 	}
-	if (way[0] == NULL)
+	if (b->n == 0)
 		return 0;
 	if (extra == 0 && lacking == 0)
-		way_bits(table, kind, way[0], &lacking);
-	hint(said, table, kind, way, seen);
-	for (all = extra != 0 ? extra : lacking; (all & 1) == 0; all >>= 1)
-		table++;
-	struct value m = value_missing(v, table->name);
-
-	value_refuse(&m, "%s; %s",
-	    extra != 0 ? "does not go with the others" : "missing", said);
+		lacking = b->must[0];
+	refuse_way(v, table, b, seen, extra != 0 ? extra : lacking, way);
 }

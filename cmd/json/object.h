@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Objects of a document. A table of an object's members says what each may be,
- * where in a struct it stands, and what the help tells of it. */
+/* Objects of a document. A table of members says for each what it may be, its place in a
+ * struct, and what the help tells of it. */
 #ifndef OBJECT_H
 #define OBJECT_H
 
@@ -11,83 +11,86 @@
 
 struct member;
 
-/* Of an object, as bits. */
+/* Members of a table as bits: row i has bit i. */
 #define ALL_MEMBERS (~UINT64_C(0))
 
-/* What a member's value is made of. Both functions get the place in the struct. */
+/* The type of a member. Both functions get the member's place in the struct. */
 struct type {
-	const char *says; /* for the help; NULL: what range, n and words tell */
+	const char *name; /* for the help; NULL: range, n and words give it */
 	void (*read)(const struct value *, const struct member *, void *);
-	/* NULL where such members are never printed. */
+	/* NULL if such members are never printed. */
 	void (*print)(struct printer *, const struct member *, const void *);
-	size_t size; /* of one in the struct; 0: it has no usual value */
+	size_t
+	    size; /* bytes of one number in the struct; 0: there is no default */
 };
 
 struct member {
 	const char *name; /* NULL ends a table */
 	const struct type *type;
-	size_t at; /* where in the struct it stands */
-	/* Where the struct has a bool that is set where the member is read, and
-	 * without which it is not printed; 0: nowhere. */
+	size_t at; /* offset in the struct */
+	/* Offset of a bool of the struct which is set when the member is read; a member
+	 * is printed only if it is set. 0: there is none. */
 	size_t has;
-	size_t n; /* of numbers in an array; 0: one number */
+	size_t n; /* numbers in an array; 0: one number */
 	const struct value_range *range; /* of numbers; NULL: range_any */
 	const char *const *words;        /* of a string; NULL ends them */
-	unsigned first;                  /* what words[0] stands for */
-	/* Where objects are of several kinds, as projections are of types: the
-	 * kinds that have the member, as bits; 0 for all of them. The words of
-	 * the table's first row name the kinds. Kinds may have different members
-	 * of one name. */
+	unsigned first;                  /* the value of words[0] */
+	/* The kinds of objects that have the member, as bits; 0: all kinds. Kinds are
+	 * the words of the table's first row, such as the types of projections. Members
+	 * of different kinds may have the same name. */
 	unsigned kinds;
-	/* What it is without being given, as JSON; or NULL. Then it is printed
-	 * only where it is another, or shown is set. Angles are degrees. */
+	/* The default as JSON, with angles in degrees; or NULL. A member that has its
+	 * default is printed only if shown is set. */
 	const char *usual;
 	bool shown;
-	/* What holds before that, for the help; or NULL. */
+	/* What the default depends on before usual, for the help; or NULL. */
 	const char *before;
-	/* What else people call it, divided by blanks: in lower case, without
+	/* Names in other programs, with blanks between them: in lower case, without
 	 * _ and -. */
 	const char *aliases;
-	/* What it is, for those who call it otherwise. */
+	/* A description for users of such a name; or NULL. */
 	const char *note;
-	/* Its unit, or NULL; and in a few words what it says. */
+	/* The unit, or NULL; and a description, for the help. */
 	const char *unit, *about;
-	/* Of a member of a scene: its own members, and the ways to combine
-	 * them; an example of it, and of a command that reads it. */
+	/* Of a member of a scene: its own members, the ways to combine them, an example
+	 * of its value, and of a command that reads it. */
 	const struct member *members;
 	const struct ways *ways;
 	const char *example, *command;
-	/* It may also stand in the document that is another of them alone. */
+	/* The member may also stand in a document that is another member alone. */
 	bool beside;
 };
 
-/* A row of a table: the member of that name stands in a field of struct in. */
+/* A row of a table: the member has this name and type, and its place is a field of
+ * struct in. */
 #define ROW(in, label, of, field, ...)                        \
 	{                                                     \
 		.name = label, .type = &(of),                 \
 		.at = offsetof(struct in, field), __VA_ARGS__ \
 	}
 
-/* The ways in which members of an object can be combined. A way lists names
- * with blanks between them; those with ? may be missing. An object takes one
- * way, in whole, and has no member that is only in another. */
+/* The ways to combine members of an object. A way is a list of names with blanks between
+ * them; a member with ? may be missing. An object has all other members of one way, and no
+ * member that only other ways have. */
+enum { WAYS_MAX = 10 };
 struct ways {
-	const char *way[11]; /* none ends a list of ways */
-	/* For the command fit, where they are others; none if fit takes any. */
+	const char
+	    *way[WAYS_MAX + 1]; /* NULL ends them; an array ends with none */
+	/* The ways for the command fit, if fit is set; without any, all are allowed. */
 	bool fit;
-	const char *fit_way[9];
-	unsigned kinds; /* that have these ways; 0 for all */
-	/* Where the struct has the index of the way taken, an unsigned, and what that
-	 * is for the first way; 0: nowhere. */
+	const char *fit_way[WAYS_MAX + 1];
+	unsigned
+	    kinds; /* of objects that have these ways, as bits; 0: all kinds */
+	/* Offset of an unsigned of the struct, which is set to first plus the index of
+	 * the way; 0: there is none. */
 	size_t at;
 	unsigned first;
 };
 
-/* Reads an object of that kind, 0 where there are no kinds, into the struct at
- * base, where first all members get what is usual; NULL: reads no values. Returns the members it has, as bits
- * in the order of the table. Members that begin with _, $schema, and what may stand
- * beside, are passed over; any other that is unknown, of another kind, or repeated is
- * refused. */
+/* Returns the members that an object of that kind has, as bits, and reads them to the
+ * struct at base after all defaults; if base is NULL, reads no values. kind is 0 if there
+ * are no kinds. Ignores members that begin with _, $schema, and those that may stand
+ * beside. Refuses other members that are unknown, of another kind, or repeated. */
 uint64_t object_read(const struct value *, const struct member *, int kind,
     void *base);
 
@@ -95,40 +98,43 @@ uint64_t object_read(const struct value *, const struct member *, int kind,
 void object_read_member(const struct value *, const struct member *,
     void *base);
 
-/* Prints an object of those members that bits are and objects of that kind have, but
- * for what is usual, or a size of 0, which was not given; or its members alone, each
- * name by put. */
+/* Prints an object with those members of bits that the kind has and that differ from
+ * their defaults. A size of 0 was not given, and is left out. */
 void object_print(struct printer *, const struct member *, int kind,
     uint64_t bits, const void *base);
+
+/* Prints the members alone, each name by put. */
 void object_put(struct printer *, const struct member *, int kind,
     uint64_t bits, const void *base,
     void (*put)(struct printer *, const char *name));
 
-/* Returns as bits the members of that way, and all that are in none. */
+/* Returns the members of that way and those that are in no way, as bits. */
 uint64_t object_shown(const struct member *, int kind, const struct ways *,
     int way);
 
-/* The member that objects of that kind have of that name; or the same, or else that
- * has that alias; or NULL. */
+/* Returns the member of that name that objects of that kind have, or NULL. member_named
+ * also finds a member by an alias. */
 enum { ANY_KIND = -1 };
 const struct member *member_of(const struct member *, int kind,
     const char *name);
 const struct member *member_named(const struct member *, int kind,
     const char *name);
 
-/* What its value is: "3 numbers", "size", "left or right", which may be written to
- * out; and its unit, or NULL. */
+/* Returns the type for the help, such as "3 numbers", "size", "left or right", which may be
+ * written to out. */
 const char *member_type(const struct member *, char out[LISTED]);
+
+/* Returns the unit, or NULL. */
 const char *member_unit(const struct member *);
 
-/* Whether objects of that kind have the member. */
+/* Returns whether objects of that kind have the member. */
 bool member_is_of(const struct member *, int kind);
 
-/* The bit of the member of that name; 0 if objects of that kind have none. */
+/* Returns the bit of the member of that name; 0 if objects of that kind have none. */
 uint64_t member_bit(const struct member *, int kind, const char *name);
 
-/* The index of the way that the members seen, as bits, take. Refuses an object
- * that takes none in whole, or has members of another as well. */
+/* Returns the index of the way that the members seen, as bits, take. Refuses an object
+ * that lacks members of each way, or has members of several. */
 int object_way(const struct value *, const struct member *, int kind,
     uint64_t seen, const struct ways *);
 

@@ -48,7 +48,7 @@ void put_string(struct printer *p, const char *s)
 	put_close(p, "\"");
 }
 
-void put_word(struct printer *p, const char *word)
+void put_literal(struct printer *p, const char *word)
 {
 	put_open(p, word);
 	put_close(p, "");

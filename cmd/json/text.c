@@ -13,7 +13,7 @@ static bool is_digit(char c)
 	return c >= '0' && c <= '9';
 }
 
-/* Past the digits at s; NULL where there is none. */
+/* Returns the end of the digits at s; NULL if there is none. */
 static const char *digits(const char *s, const char *end)
 {
 	const char *first = s;
@@ -101,10 +101,11 @@ const char *json_hex4(const char *s, const char *end, unsigned *code)
 	return s;
 }
 
-/* code >> 10 of the halves of a surrogate pair. */
+/* code >> 10 for the two halves of a surrogate pair */
 enum { FIRST_HALF = 0xd800 >> 10, SECOND_HALF = 0xdc00 >> 10 };
 
-/* Past the digits after \u, and past a second half if they are a first one. */
+/* Reads the digits after \u, and the escape of the second half if they are a first half.
+ * Returns the end. */
 static const char *unescape_unicode(const char *s, const char *end,
     unsigned *code)
 {

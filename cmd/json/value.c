@@ -16,17 +16,17 @@
 #define UP_TO "numbers go up to 1e150"
 
 const struct value_range range_any = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
-	.says = UP_TO };
+	.wanted = UP_TO };
 const struct value_range range_turn = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
-	.says = UP_TO, .angle = true };
+	.wanted = UP_TO, .angle = true };
 const struct value_range range_positive = { SIZE_MIN, MAGNITUDE_MAX,
-	.says = "a number from 1e-150 to 1e150 is wanted" };
+	.wanted = "a number from 1e-150 to 1e150 is wanted" };
 
 static const struct number_style shortest = { NUMBER_SHORTEST, 0 };
 
-/* Returns the place of what stands at a byte of the source's text. */
-static struct place place_of(const struct source *source, const char *text,
-    const char *at)
+/* Returns the place of a byte of the source's text. */
+static struct place source_place_at(const struct source *source,
+    const char *text, const char *at)
 {
 	struct place p = { .file = source->name,
 		.line = source->line + 1,
@@ -44,14 +44,14 @@ struct place source_place(const struct source *source, const char *pointer)
 	struct place p = { .file = source->name };
 
 	if (source->text != NULL && json_check(&c))
-		p = place_of(source, c.text, c.found.s);
+		p = source_place_at(source, c.text, c.found.s);
 	p.pointer = pointer;
 	p.of_scene = !source->operand;
 	return p;
 }
 
-/* Returns the values of checked text, which was copied to s, and frees the copy. cJSON
- * takes whatever passes the check; where it fails, memory is short. */
+/* Returns the values of checked text, whose copy is s, and frees the copy. cJSON takes
+ * all that passes the check, and fails only without memory. */
 static const struct cJSON *parse(char *s, const struct json_check *checked)
 {
 	cJSON *item = cJSON_ParseWithLength(s, (size_t)(checked->copy - s));
@@ -62,7 +62,7 @@ static const struct cJSON *parse(char *s, const struct json_check *checked)
 	return item;
 }
 
-/* The values that were parsed last; a refusal does not come back to free them. */
+/* The values of the last document. A refusal does not return to free them. */
 static const struct cJSON *parsed;
 
 struct value value_parse_without(struct source *source, const char *pointer,
@@ -84,7 +84,7 @@ struct value value_parse_without(struct source *source, const char *pointer,
 		source->end = source->text + size;
 	}
 	if (!json_check(&c)) {
-		const struct place place = place_of(source, text, c.at);
+		const struct place place = source_place_at(source, text, c.at);
 
 		free(copy);
 		die_at(EXIT_INPUT, &place, "%s", c.reason);
@@ -158,19 +158,9 @@ bool value_member(const struct value *object, const char *name,
 	return member->item != NULL;
 }
 
-bool value_is_object(const struct value *v)
+bool value_is(const struct value *v, enum json_type type)
 {
-	return cJSON_IsObject(v->item);
-}
-
-bool value_is_array(const struct value *v)
-{
-	return cJSON_IsArray(v->item);
-}
-
-bool value_is_null(const struct value *v)
-{
-	return cJSON_IsNull(v->item);
+	return (v->item->type >> type & 1) != 0;
 }
 
 const char *value_string(const struct value *v)
@@ -183,24 +173,24 @@ size_t value_count(const struct value *v)
 	return (size_t)cJSON_GetArraySize(v->item);
 }
 
-/* No value is looked at that is deeper than /camera/matrix/matrix/3/3. Of a name only
- * so many bytes are shown. */
-enum { STEPS_MAX = 5, STEP_MAX = 64 };
+/* A pointer has at most TOKENS_MAX tokens, as in /camera/matrix/matrix/3/3. A token with
+ * its / has at most TOKEN_MAX bytes: a longer name is cut. */
+enum { TOKENS_MAX = 5, TOKEN_MAX = 64 };
 
-/* Writes the pointer to a value, as /camera/eye/0, in which ~ is ~0 and / is ~1 (RFC
- * 6901). Returns where it ends. */
-static char *pointer(const struct value *v, char *out)
+/* Writes the pointer to a value, such as /camera/eye/0, in which ~ is ~0 and / is ~1 (RFC
+ * 6901), and returns its end. */
+static char *write_pointer(const struct value *v, char *out)
 {
 	if (v->in == NULL)
 		return out;
-	out = pointer(v->in, out);
+	out = write_pointer(v->in, out);
 	if (v->name == NULL)
 		return out + sprintf(out, "/%zu", v->index);
 	const char *const start = out;
 
 	*out++ = '/';
 	for (const char *s = v->name; *s != '\0'; s++) {
-		if (out - start > STEP_MAX - 6)
+		if (out - start > TOKEN_MAX - 6)
 			return stpcpy(out, "...");
 		if (*s == '~' || *s == '/')
 			*out++ = '~';
@@ -211,11 +201,11 @@ static char *pointer(const struct value *v, char *out)
 
 void value_refuse(const struct value *v, const char *format, ...)
 {
-	char way[STEPS_MAX * STEP_MAX + 1];
+	char pointer[TOKENS_MAX * TOKEN_MAX + 1];
 	va_list args;
 
-	*pointer(v, way) = '\0';
-	const struct place place = source_place(v->source, way);
+	*write_pointer(v, pointer) = '\0';
+	const struct place place = source_place(v->source, pointer);
 
 	va_start(args, format);
 	vdie_at(EXIT_INPUT, &place, format, args);
@@ -224,45 +214,46 @@ void value_refuse(const struct value *v, const char *format, ...)
 
 void value_wrong(const struct value *v, const char *wanted)
 {
-	/* in the order of cJSON's bits */
 	static const char *const names[] = { "false", "true", "null",
 		"a number", "a string", "an array", "an object" };
-	int i = 0;
 
-	while ((v->item->type >> i & 1) == 0)
-		i++;
-	value_refuse(v, "is %s; %s is wanted", names[i], wanted);
+	int type = JSON_FALSE;
+
+	while (!value_is(v, (enum json_type)type))
+		type++;
+	value_refuse(v, "is %s; %s is wanted", names[type], wanted);
 }
 
 void value_want_object(const struct value *v)
 {
-	if (!value_is_object(v))
+	if (!value_is(v, JSON_OBJECT))
 		value_wrong(v, "an object");
 }
 
-/* PI and its half are the largest doubles below what they stand for. */
-static bool is_within(double x, const struct value_range *r, bool by_pi)
+/* Returns whether x is in the range. In radians the limits are PI and PI / 2, the largest
+ * doubles below pi and pi/2, and so never excluded. */
+static bool is_within(double x, const struct value_range *r, bool radians)
 {
 	double min = r->min, max = r->max;
 
-	if (by_pi) {
+	if (radians) {
 		min = min == SIZE_MIN ? min : min / 180 * PI;
 		max = max / 180 * PI;
 	}
-	return (x > min || (x == min && (by_pi || !r->above))) &&
-	    (x < max || (x == max && (by_pi || !r->below)));
+	return (x > min || (x == min && (radians || !r->above))) &&
+	    (x < max || (x == max && (radians || !r->below)));
 }
 
 double value_number(const struct value *v, const struct value_range *range)
 {
-	bool by_pi = range->by_pi != NULL && v->source->unit == RADIANS;
-	const char *wanted = by_pi ? range->by_pi : range->says;
+	bool radians = range->by_radians != NULL && v->source->unit == RADIANS;
+	const char *wanted = radians ? range->by_radians : range->wanted;
 	double x = v->item->valuedouble;
 	char text[NUMBER_MAX];
 
-	if (!cJSON_IsNumber(v->item))
+	if (!value_is(v, JSON_NUMBER))
 		value_wrong(v, "a number");
-	if (v->unused || is_within(x, range, by_pi))
+	if (v->unused || is_within(x, range, radians))
 		return x;
 	if (isinf(x))
 		value_refuse(v, "is beyond the range of doubles; %s", wanted);
@@ -273,22 +264,25 @@ double value_number(const struct value *v, const struct value_range *range)
 
 bool value_flag(const struct value *v)
 {
-	if (!cJSON_IsBool(v->item))
+	if (!value_is(v, JSON_TRUE) && !value_is(v, JSON_FALSE))
 		value_wrong(v, "true or false");
-	return cJSON_IsTrue(v->item);
+	return value_is(v, JSON_TRUE);
 }
 
 void value_numbers(const struct value *v, const struct value_range *range,
     size_t n, double *out)
 {
+	bool array = value_is(v, JSON_ARRAY);
+	size_t count = array ? value_count(v) : 0;
 	char wanted[40];
 
-	snprintf(wanted, sizeof wanted, "an array of %zu numbers", n);
-	if (!value_is_array(v))
+	if (!array || count != n)
+		snprintf(wanted, sizeof wanted, "an array of %zu numbers", n);
+	if (!array)
 		value_wrong(v, wanted);
-	if (value_count(v) != n)
-		value_refuse(v, "has %zu element%s; %s is wanted",
-		    value_count(v), value_count(v) == 1 ? "" : "s", wanted);
+	if (count != n)
+		value_refuse(v, "has %zu element%s; %s is wanted", count,
+		    count == 1 ? "" : "s", wanted);
 	struct value e = value_child(v);
 
 	for (; e.item != NULL; value_next(&e))

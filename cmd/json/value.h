@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Values of a JSON document, and messages that say with a pointer, such as
- * /camera/eye/0, where in it they stand. No other file knows cJSON. */
+/* Values of a JSON document, and messages with the pointer to a value, such as
+ * /camera/eye/0. No other file knows cJSON. */
 #ifndef VALUE_H
 #define VALUE_H
 
@@ -10,104 +10,126 @@
 #include "../message/message.h"
 #include "check.h"
 
-/* Where values come from, and what their readers have to know. */
+/* The text that values come from, and what their readers have to know. */
 struct source {
 	const char *name; /* of the file, for messages */
-	long line;        /* of the file, before the text */
+	long line;        /* lines of the file before the text */
 	size_t before;    /* bytes of its first line before the text */
-	/* A copy of the text, as points change it; NULL where no message tells a line
+	/* A copy of the text, which points change; NULL where no message has a line
 	 * and a column. */
 	const char *text, *end;
-	bool column;      /* nested rows of a matrix: for column vectors */
-	unsigned unit;    /* of angles */
-	unsigned implied; /* the type of a projection without one; or 0 */
-	bool fit;         /* what the command fit finds may be missing */
-	bool flat;        /* the document is of two dimensions */
-	bool axes;        /* a convention says which way the axes of view go */
-	const char *two;  /* what to do with points of two numbers; or NULL */
-	bool operand;     /* what is wrong with it ends the program */
-	const struct member *scene; /* a scene's members, to suggest one */
+	bool column;      /* nested rows of a matrix are for column vectors */
+	unsigned unit;    /* of angles: an enum angle_unit */
+	unsigned implied; /* the type of a projection without a type; or 0 */
+	bool fit;  /* the members that the command fit finds may be missing */
+	bool flat; /* the document is of two dimensions */
+	bool axes; /* a convention gives the view axes */
+	const char *two; /* a hint for points of two numbers; or NULL */
+	bool operand;    /* a refusal ends the program, with --scenes too */
+	const struct member *scene; /* the scene's members, for suggestions */
+};
+
+/* In the order of the bits of cJSON's types. */
+enum json_type {
+	JSON_FALSE,
+	JSON_TRUE,
+	JSON_NULL,
+	JSON_NUMBER,
+	JSON_STRING,
+	JSON_ARRAY,
+	JSON_OBJECT,
 };
 
 struct value {
 	const struct source *source;
-	const struct value *in; /* NULL: the document itself */
-	const char *name;       /* of a member, else NULL */
-	size_t index;           /* its place in the array or object, from 0 */
-	/* It stands in a member that the command doesn't use: its numbers may
-	 * be out of range. */
+	const struct value
+	    *in;          /* the array or object; NULL: the document itself */
+	const char *name; /* of a member, else NULL */
+	size_t index;     /* in the array or object, from 0 */
+	/* The command does not use the member: its numbers may be out of range. */
 	bool unused;
-	const struct cJSON *item;
+	const struct cJSON *item; /* NULL: there is none */
 };
 
 /* The numbers that a member may be. */
 struct value_range {
 	double min, max;
-	const char *says;  /* for a message: which they are */
-	const char *by_pi; /* the same in radians, where the limits are too */
-	bool above, below; /* min, or max, is not among them */
-	bool angle;        /* the limits are degrees */
+	const char *wanted; /* for a message: "a number ... is wanted" */
+	const char *
+	    by_radians; /* the same in radians; NULL: the limits are no angles */
+	bool above, below; /* min is excluded; max is excluded */
+	bool angle;        /* the number is an angle, and the limits degrees */
 };
 
-/* Numbers up to 1e150 in magnitude, and angles; sizes, from 1e-150 to 1e150. */
+/* Numbers, angles and sizes, as the manual has them. */
 extern const struct value_range range_any, range_turn, range_positive;
 
-/* Parses a document; refuses what is no JSON. The values are there until the next is
- * parsed. But an array to which the pointer leads, large perhaps, is an empty one
- * among the values, and *array is its text, which does not change; else array->s is
- * NULL. */
+/* Parses a document and returns its value; refuses text that is not JSON. The values are
+ * valid until the next call. An array to which the pointer leads has no elements in the
+ * values, and *array is its text; otherwise array->s is NULL. A byte order mark in text
+ * becomes blanks. */
 struct value value_parse_without(struct source *, const char *pointer,
     char *text, size_t size, struct span *array);
 
-/* Makes of *v, whose text was left out so, the value that it is. */
+/* Gives *v the value of checked text, which is valid until the next call. */
 void value_parse_part(struct value *v, const char *s, const char *end);
 
-/* Returns the value of a literal of the program, of which there are at most
- * LITERALS. Each is parsed once and kept. */
+/* Returns the value of a literal of the program, which is parsed once and kept. There are
+ * at most LITERALS. */
 enum { LITERALS = 64 };
 struct value value_literal(const struct source *, const char *text);
 
-/* The first element or member, and the next; item is NULL if there is none. */
+/* Returns the first element or member; its item is NULL if there is none. */
 struct value value_child(const struct value *);
-void value_next(struct value *);
 
-/* A member that an object lacks, for a message with its pointer. */
+/* Replaces *v by the next element or member of v->in, as value_child does. */
+void value_next(struct value *v);
+
+/* Returns a member that an object lacks, for a message with its pointer. */
 struct value value_missing(const struct value *in, const char *name);
 
-/* Finds the member of that name; false if an object has none. */
-bool value_member(const struct value *object, const char *name, struct value *);
+/* Finds the first member of that name; returns false if there is none. */
+bool value_member(const struct value *object, const char *name,
+    struct value *member);
 
-bool value_is_object(const struct value *);
-bool value_is_array(const struct value *);
-bool value_is_null(const struct value *);
-const char *value_string(const struct value *); /* or NULL */
+bool value_is(const struct value *, enum json_type);
+
+/* Returns the string that a value is, else NULL. */
+const char *value_string(const struct value *);
+
+/* Returns the number of elements or members. */
 size_t value_count(const struct value *);
 
-/* Returns the place of the value to which a pointer leads, or that lacks it. */
+/* Returns the place of the value to which a pointer leads, or of the object or array that
+ * lacks it. */
 struct place source_place(const struct source *, const char *pointer);
 
-/* Prints "projcalc: NAME: /pointer: ..." and exits with 1, or where another scene may
- * follow goes on to that. */
+/* Prints "projcalc: NAME: /pointer: ..." and exits with 1, or goes on to the next of
+ * --scenes. */
 _Noreturn void value_refuse(const struct value *, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
 /* Refuses a value of the wrong type: "is a string; a number is wanted". */
 _Noreturn void value_wrong(const struct value *, const char *wanted);
 
-/* What is not of that type, or out of range, is refused. */
+/* Refuses a value that is not an object. */
 void value_want_object(const struct value *);
+
+/* Returns the number that a value is; refuses another type, and a number out of range. */
 double value_number(const struct value *, const struct value_range *);
+
+/* Returns whether a value is true; refuses all but true and false. */
 bool value_flag(const struct value *);
 
-/* An array of exactly n numbers. */
+/* Reads an array of exactly n numbers; refuses other values. */
 void value_numbers(const struct value *, const struct value_range *, size_t n,
     double *);
 
-/* The index of a string in words, which NULL ends; another is refused. */
+/* Returns the index of a string in words, which end with NULL; refuses other values. */
 int value_word(const struct value *, const char *const *words);
 
-/* Writes words, which NULL ends, each between two of quote, as "a", "b" or "c" where
- * last, which stands before the last one, is " or ". Returns out. */
+/* Writes words, which end with NULL, each between two of quote: "a", "b" or "c" if last
+ * is " or ". Returns out. */
 enum { LISTED = 512 };
 const char *list_words(char out[LISTED], const char *const *words,
     const char *last, const char *quote);

@@ -41,18 +41,19 @@ static const char *const origins[] = { "top-left", "bottom-left", NULL };
 
 const struct member convention_members[] = {
 	SECOND("handedness", hands, right_handed, "left", "hand handed hands",
-	    "of view space"),
+	    "handedness of view space"),
 	SECOND("view_y", ys, view_y_down, "up", "view y",
-	    "which way y goes in view"),
+	    "direction of y in view space"),
 	SECOND("depth", depths, minus_one, "zero_to_one",
-	    "clipz ndcz depthrange zrange", "z of ndc from near to far"),
+	    "clipz ndcz depthrange zrange",
+	    "range of z in ndc, from near to far"),
 	SECOND("vectors", vector_names, column, "row",
 	    "vector major order transpose columnmajor rowmajor",
-	    "of matrices, printed and as rows"),
+	    "vectors of matrices, printed or read as nested rows"),
 	SECOND("ndc_y", ys, ndc_y_down, "up", "ndc clip clipy",
-	    "which way y goes in clip, ndc"),
+	    "direction of y in clip space and ndc"),
 	SECOND("origin", origins, bottom_left, "top-left", NULL,
-	    "where device x and y are least"),
+	    "corner of the viewport where x and y are least"),
 	{ .name = NULL },
 };
 
@@ -61,18 +62,18 @@ bool same_convention(const struct convention *a, const struct convention *b)
 	return memcmp(a, b, sizeof *a) == 0;
 }
 
-static void read_convention(const struct value *v, const struct member *row,
-    void *out)
+static void read_convention_member(const struct value *v,
+    const struct member *row, void *out)
 {
-	if (value_is_object(v))
+	if (value_is(v, JSON_OBJECT))
 		object_read(v, row->members, 0, out);
 	else
 		*(struct convention *)out =
 		    conventions[value_word(v, row->words)];
 }
 
-/* By name, or by what differs from d3d. */
-static void print_convention(struct printer *p, const struct member *row,
+/* Prints the name, or an object of the members that differ from d3d. */
+static void print_convention_member(struct printer *p, const struct member *row,
     const void *at)
 {
 	for (int i = 0; i < CONVENTIONS; i++)
@@ -83,8 +84,8 @@ static void print_convention(struct printer *p, const struct member *row,
 	object_print(p, row->members, 0, ALL_MEMBERS, at);
 }
 
-const struct type type_convention = { "a name or an object", read_convention,
-	print_convention, 0 };
+const struct type type_convention = { "a name or an object",
+	read_convention_member, print_convention_member, 0 };
 
 void check_axes(const struct value *in, const char *name)
 {

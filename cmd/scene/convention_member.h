@@ -18,17 +18,18 @@ enum {
 extern const struct convention conventions[CONVENTIONS];
 extern const char *const convention_names[CONVENTIONS + 1]; /* NULL ends */
 
-/* The members of a convention that is given as an object. Each is a bool of
- * struct convention, with two words: d3d's, for false, and the other. */
+/* The members of a convention that is an object. Each is a bool of struct convention and
+ * has two words: that of d3d for false, then the other. */
 extern const struct member convention_members[];
 
+/* Returns whether two conventions are equal. */
 bool same_convention(const struct convention *, const struct convention *);
 
-/* A name or such an object. */
+/* The name of a convention, or such an object. */
 extern const struct type type_convention;
 
-/* Refuses the member of that name where neither the document nor the call says
- * which way the axes of view go, on which the member depends. */
+/* Refuses the member of that name, which depends on the view axes, if neither the document
+ * nor the command line has a convention. */
 void check_axes(const struct value *in, const char *name);
 
 #endif

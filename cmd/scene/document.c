@@ -11,106 +11,69 @@
 #include "members.h"
 #include "../message/message.h"
 
-/* The rows of scene_members: row i has bit i in enum scene_member. */
-enum {
-	CONVENTION,
-	ANGLE_UNIT,
-	WORLD,
-	CAMERA,
-	PROJECTION,
-	VIEWPORT,
-	WINDOW,
-	DEVICE,
-	POINTS,
-	BOUNDS,
-	PICK,
-	MARGIN,
-	SCENE_MEMBERS,
-};
+/* Returns the row of a member in scene_members: row i has bit i in enum scene_member. */
+#define ROW_OF(member) __builtin_ctz(SCENE_##member)
 
-static void check_point(const struct value *v, int coordinates)
+enum { SCENE_MEMBERS = ROW_OF(MARGIN) + 1 };
+
+/* Returns the end of the element at s of a point; refuses a coordinate that is not a
+ * number or null, and other elements that are arrays or objects. */
+static const char *element_end(struct value *e, const char *s, const char *end,
+    bool coordinate)
 {
-	struct value e;
+	const char *stop;
+	double v;
+
+	if (coordinate && (*s == '-' || (*s >= '0' && *s <= '9'))) {
+		stop = number_read(s, end, &v);
+		if (fabs(v) <= MAGNITUDE_MAX)
+			return stop;
+	}
+	stop = json_skip(s, end);
+	if ((coordinate && *s != 'n') || *s == '[' || *s == '{') {
+		value_parse_part(e, s, stop);
+		if (!coordinate)
+			value_wrong(e, "a number, a string or null");
+		value_number(e, &range_any);
+	}
+	return stop;
+}
+
+/* Returns the end of the point at s of checked text; refuses a value that is not one. v
+ * is the point, without its item. */
+static const char *point_end(struct value *v, const char *s, const char *end,
+    int coordinates)
+{
+	struct value e = { .source = v->source, .in = v, .unused = v->unused };
 	int n = 0;
 
-	if (!value_is_array(v))
+	if (*s != '[') {
+		value_parse_part(v, s, json_skip(s, end));
 		value_wrong(v, "an array of coordinates");
-	for (e = value_child(v); e.item != NULL; value_next(&e), n++) {
-		if (n < coordinates && !value_is_null(&e))
-			value_number(&e, &range_any);
-		if (value_is_array(&e) || value_is_object(&e))
-			value_wrong(&e, "a number, a string or null");
+	}
+	for (s = json_space(s + 1, end); *s != ']'; e.index++) {
+		s = element_end(&e, s, end, n++ < coordinates);
+		s = json_space(s, end);
+		s = *s == ',' ? json_space(s + 1, end) : s;
 	}
 	if (n < coordinates)
 		value_refuse(v, "has %d element%s; %d coordinates are wanted%s",
 		    n, n == 1 ? "" : "s", coordinates,
 		    n == 2 && v->source->two != NULL ? v->source->two : "");
+	return s + 1;
 }
 
-/* Past the coordinate or other element at s of a point; NULL where it isn't one
- * as it should be. */
-static const char *pass_element(const char *s, const char *end, bool coordinate)
-{
-	const char *stop;
-	double v;
-
-	if (*s == '-' || (*s >= '0' && *s <= '9')) {
-		stop = number_read(s, end, &v);
-		return !coordinate || fabs(v) <= MAGNITUDE_MAX ? stop : NULL;
-	}
-	if (*s == 'n')
-		return s + 4; /* null */
-	if (coordinate || *s == '[' || *s == '{' || *s == ']')
-		return NULL;
-	return *s == '"' ? json_string(s, end) :
-	    *s == 't'	 ? s + 4 : /* true */
-			   s + 5; /* false */
-}
-
-/* Past the point of checked text at s; NULL where pass_element says so. */
-static const char *pass_point(const char *s, const char *end, int coordinates)
-{
-	int n = 0;
-
-	if (*s != '[')
-		return NULL;
-	do {
-		s = pass_element(json_space(s + 1, end), end,
-		    n++ < coordinates);
-		if (s == NULL)
-			return NULL;
-		s = json_space(s, end);
-	} while (*s == ',');
-	return n >= coordinates ? s + 1 : NULL;
-}
-
-/* The same for the point v, whose text was left out of the values; but refuses
- * what is none. */
-static const char *point_end(const struct value *v, const char *s,
-    const char *end, int coordinates)
-{
-	const char *stop = pass_point(s, end, coordinates);
-	struct value looked_at = *v;
-
-	if (stop != NULL)
-		return stop;
-	stop = json_skip(s, end);
-	value_parse_part(&looked_at, s, stop);
-	check_point(&looked_at, coordinates);
-	return stop;
-}
-
-/* Copies a value of checked text, without the blanks in it, to before its end,
- * and ends it with a newline. */
-static char *copy_value(const char *s, const char *end, char *out)
+/* Moves a value of checked text to out, without its blanks, and adds a newline. Returns
+ * the end. */
+static char *move_value(const char *s, const char *end, char *out)
 {
 	while (s < end) {
 		if (*s == '"') {
-			const char *next = json_string(s, end);
+			const char *stop = json_string(s, end);
 
-			memmove(out, s, (size_t)(next - s));
-			out += next - s;
-			s = next;
+			memmove(out, s, (size_t)(stop - s));
+			out += stop - s;
+			s = stop;
 			continue;
 		}
 		*out = *s++;
@@ -120,7 +83,7 @@ static char *copy_value(const char *s, const char *end, char *out)
 	return out;
 }
 
-/* The text of points, which only an array has. */
+/* Returns the text of points; refuses a value that is not an array. */
 static char *text_of(const struct value *v, const struct span *array)
 {
 	if (array->s == NULL)
@@ -128,42 +91,40 @@ static char *text_of(const struct value *v, const struct span *array)
 	return (char *)array->s;
 }
 
-/* Makes lines of the points that an array is, or the one point, in its place:
- * no point's line is longer than the point with the comma or bracket before it,
- * but for the newline of a lone one, which is behind the text if that ends with it.
- * Returns how many bytes that is. */
+/* Replaces the text of an array by a line for each point that is an element, or a line
+ * for the point that it is itself. Returns the size of the lines. A line takes the room of
+ * its point and of the comma or bracket before it; the newline of a single point may be
+ * the byte at the text's end. */
 static size_t take_points(const struct value *v, const struct span *array,
     int coordinates)
 {
-	char *const lines = text_of(v, array);
-	char *out = lines;
-	const char *s = json_space(lines + 1, array->end), *stop;
+	struct value single = *v;
 	struct value e = { .source = v->source, .in = v, .unused = v->unused };
+	char *const lines = text_of(v, array), *out = lines;
+	const char *s = json_space(lines + 1, array->end), *stop;
 
-	if (*s == ']')
-		return 0;
-	if (*s != '[') {
-		stop = point_end(v, lines, array->end, coordinates);
-		return (size_t)(copy_value(lines, stop, out) - lines);
+	if (*s != '[' && *s != ']') {
+		stop = point_end(&single, lines, array->end, coordinates);
+		out = move_value(lines, stop, out);
+		return (size_t)(out - lines);
 	}
-	for (;; e.index++) {
+	for (; *s != ']'; e.index++) {
 		stop = point_end(&e, s, array->end, coordinates);
-		out = copy_value(s, stop, out);
-		stop = json_space(stop, array->end);
-		if (*stop == ']')
-			return (size_t)(out - lines);
-		s = json_space(stop + 1, array->end);
+		out = move_value(s, stop, out);
+		s = json_space(stop, array->end);
+		s = *s == ',' ? json_space(s + 1, array->end) : s;
 	}
+	return (size_t)(out - lines);
 }
 
-/* Finds the members in m; returns those that there are, as bits. An object with none of
- * a scene's members is one of them itself, beside which may stand the unit of angles. */
+/* Finds the members of a document and returns those that there are, as bits. An object
+ * with no member of a scene but angle_unit is the member w->bare itself. */
 static unsigned find_members(struct document *d, const struct value *root,
     const struct document_wants *w, struct value m[SCENE_MEMBERS])
 {
 	unsigned seen = 0;
 
-	if (!value_is_object(root))
+	if (!value_is(root, JSON_OBJECT))
 		value_wrong(root, "an object, {...},");
 	for (int i = 0; i < SCENE_MEMBERS; i++)
 		if (value_member(root, scene_members[i].name, &m[i]))
@@ -188,7 +149,7 @@ unsigned document_reads(const struct document_wants *w)
 	    (w->flat != 0 ? SCENE_WINDOW | SCENE_DEVICE : 0);
 }
 
-/* What is wanted of a document that is flat. */
+/* Returns the wants for a flat document. */
 static struct document_wants in_plane(const struct document_wants *w)
 {
 	struct document_wants flat = *w;
@@ -204,7 +165,7 @@ static void check_needed(const struct value *root,
 {
 	unsigned missing = w->needed & ~seen;
 
-	for (int i = 0; i <= POINTS; i++) {
+	for (int i = 0; i <= ROW_OF(POINTS); i++) {
 		const struct member *row = &scene_members[i];
 		struct value v = value_missing(root, row->name);
 
@@ -217,7 +178,7 @@ static void check_needed(const struct value *root,
 	}
 }
 
-/* Refuses a document of two dimensions alone where the command is of three. */
+/* Refuses a document that has only two dimensions, if the command has three. */
 static void refuse_flat(const struct value *root,
     const struct document_wants *w, unsigned seen)
 {
@@ -232,16 +193,16 @@ static void refuse_flat(const struct value *root,
 		    "commands w2n, n2w, n2d, d2n, w2d and d2w are of two");
 }
 
-/* Returns whether the document's convention says anything. */
-static bool read_convention(const struct value *v, struct document *d)
+/* Reads the convention, and returns whether it is a name or has a member. */
+static bool read_document_convention(const struct value *v, struct document *d)
 {
-	object_read_member(v, &scene_members[CONVENTION], d);
-	return !value_is_object(v) ||
+	object_read_member(v, &scene_members[ROW_OF(CONVENTION)], d);
+	return !value_is(v, JSON_OBJECT) ||
 	    object_read(v, convention_members, 0, NULL) != 0;
 }
 
-/* A device's corner that is not given is that of the answer's convention, else of the
- * document's, where that is a name or has an origin. */
+/* Sets the origin of a device that has none: that of the convention of the answer, else of
+ * the document if that is a name or has an origin. */
 static void find_origin(const struct document_wants *w, const struct value *v,
     const struct convention *c, struct device *device)
 {
@@ -250,11 +211,11 @@ static void find_origin(const struct document_wants *w, const struct value *v,
 	if (w->convention != NULL)
 		device->top_left = !w->convention->bottom_left;
 	else if (v->item != NULL &&
-	    (!value_is_object(v) || value_member(v, "origin", &given)))
+	    (!value_is(v, JSON_OBJECT) || value_member(v, "origin", &given)))
 		device->top_left = !c->bottom_left;
 }
 
-/* What one member says of another. */
+/* Completes members that depend on others. */
 static void complete_scene(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_MEMBERS], unsigned seen)
 {
@@ -265,15 +226,17 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 	s->projection.alone = !s->has_camera;
 	d->has_eye = s->has_camera &&
 	    (s->camera.kind >= CAMERA_TRANSLATION ||
-		value_member(&m[CAMERA], "eye", &given));
+		value_member(&m[ROW_OF(CAMERA)], "eye", &given));
 	if (s->camera.kind == CAMERA_RVEC ||
 	    s->camera.kind == CAMERA_RVEC_TRANSLATION)
-		check_axes(&m[CAMERA], "rvec");
+		check_axes(&m[ROW_OF(CAMERA)], "rvec");
 	if (seen & SCENE_PROJECTION)
-		projection_complete(&m[PROJECTION],
+		projection_complete(&m[ROW_OF(PROJECTION)],
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);
-	if (s->has_device && !value_member(&m[DEVICE], "origin", &given))
-		find_origin(w, &m[CONVENTION], &s->convention, &s->device);
+	if (s->has_device &&
+	    !value_member(&m[ROW_OF(DEVICE)], "origin", &given))
+		find_origin(w, &m[ROW_OF(CONVENTION)], &s->convention,
+		    &s->device);
 	if ((w->used & SCENE_MARGIN) == 0)
 		s->margin = 0;
 }
@@ -308,23 +271,24 @@ void document_read(struct document *d, const char *name, char *text,
 		d->scene.convention = *w->convention;
 	source.axes = w->convention != NULL;
 	if (seen & SCENE_CONVENTION)
-		source.axes |= read_convention(&m[CONVENTION], d);
+		source.axes |= read_document_convention(&m[ROW_OF(CONVENTION)],
+		    d);
 	if (w->convention != NULL &&
 	    !same_convention(w->convention, &d->scene.convention))
 		d->scene.answer = w->convention;
 	source.column = d->scene.convention.column;
 	source.implied = (unsigned)w->projection;
 	if (seen & SCENE_ANGLE_UNIT)
-		object_read_member(&m[ANGLE_UNIT], &scene_members[ANGLE_UNIT],
-		    d);
+		object_read_member(&m[ROW_OF(ANGLE_UNIT)],
+		    &scene_members[ROW_OF(ANGLE_UNIT)], d);
 	source.unit = d->unit;
 	check_needed(&root, w, seen);
-	for (int i = WORLD; i < SCENE_MEMBERS; i++)
-		if (seen >> i & 1 && i != POINTS)
+	for (int i = ROW_OF(WORLD); i < SCENE_MEMBERS; i++)
+		if (seen >> i & 1 && i != ROW_OF(POINTS))
 			object_read_member(&m[i], &scene_members[i], d);
 	complete_scene(d, w, m, seen);
 	if (seen & SCENE_POINTS)
-		size = take_points(&m[POINTS], &points, w->coordinates);
+		size = take_points(&m[ROW_OF(POINTS)], &points, w->coordinates);
 	if (seen & SCENE_POINTS && w->coordinates > 0) {
 		d->points = points.s;
 		d->points_size = size;
@@ -371,8 +335,8 @@ void document_check(const struct document *d, const char *why)
 		document_refuse(d, why);
 }
 
-/* Puts the members of a document's scene that bits are. */
-static void put_members(struct printer *p, const struct document *d,
+/* Prints those members of a document that bits are. */
+static void put_scene_members(struct printer *p, const struct document *d,
     unsigned bits)
 {
 	p->column = d->scene.convention.column;
@@ -386,14 +350,15 @@ void put_scene(struct printer *p, const struct scene *s)
 	const bool on_line = p->on_line;
 
 	p->on_line = true;
-	put_members(p, &d, SCENE_CONVENTION | SCENE_SPATIAL);
+	put_scene_members(p, &d, SCENE_CONVENTION | SCENE_SPATIAL);
 	p->on_line = on_line;
 	put_close(p, "}");
 }
 
 void put_device(struct printer *p, const struct device *d)
 {
-	scene_members[DEVICE].type->print(p, &scene_members[DEVICE], d);
+	scene_members[ROW_OF(DEVICE)].type->print(p,
+	    &scene_members[ROW_OF(DEVICE)], d);
 }
 
 void print_scene(const struct document *d, bool on_line)
@@ -405,7 +370,7 @@ void print_scene(const struct document *d, bool on_line)
 		.between = "" };
 	unsigned unprinted = SCENE_POINTS | SCENE_BOUNDS;
 
-	put_members(&p, d, ~(unprinted | (d->flat ? SCENE_SPATIAL : 0u)));
+	put_scene_members(&p, d, ~(unprinted | (d->flat ? SCENE_SPATIAL : 0u)));
 	put_text(&p, on_line ? "}\n" : "\n}\n");
 	output_write(text, (size_t)(p.at - text));
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Reading JSON documents as scenes. What is wrong is refused in one line with
- * its place, and exit status 1. */
+/* Reads JSON documents as scenes. An error is a message with its place, and exit
+ * status 1. */
 #ifndef DOCUMENT_H
 #define DOCUMENT_H
 
@@ -10,7 +10,7 @@
 #include "../json/print.h"
 #include "../json/value.h"
 
-/* The members of a scene, as bits, to say which of them a command uses. */
+/* The members of a scene as bits. */
 enum scene_member {
 	SCENE_CONVENTION = 1,
 	SCENE_ANGLE_UNIT = 2,
@@ -25,12 +25,12 @@ enum scene_member {
 	SCENE_PICK = 1024,
 	SCENE_MARGIN = 2048,
 	SCENE_ALL = 2 * SCENE_MARGIN - 1,
-	/* what leads from model space to the device */
+	/* the members from model space to the device */
 	SCENE_SPATIAL = SCENE_WORLD | SCENE_CAMERA | SCENE_PROJECTION |
 	    SCENE_VIEWPORT,
 };
 
-/* Where on the device to pick, and how far around: 0 if that isn't given. */
+/* The circle on the device in which pick finds points; its radius is 0 if not given. */
 struct pick {
 	double at[2], radius;
 	bool has_at;
@@ -38,87 +38,82 @@ struct pick {
 
 struct document {
 	struct scene scene;
-	bool flat;            /* of two dimensions, as its wants have it */
-	enum angle_unit unit; /* of all its angles */
+	bool flat; /* of two dimensions, as document_wants.flat has it */
+	enum angle_unit unit; /* of all angles */
 	struct pick pick;
-	/* for fit: whether bounds are given, and whether the camera's eye is */
+	/* bounds, the eye of the camera, and pick are given */
 	bool has_bounds, has_eye, has_pick;
 	struct bounds bounds;
 	struct source source; /* for messages */
-	/* The member as which an object with none of a scene's members was
-	 * read, or NULL. Messages leave it out of their pointers. */
+	/* The name of the member that is the whole document, or NULL. Messages leave it
+	 * out of their pointers. */
 	const char *bare;
-	/* The member points as document_points would give it, or NULL. They
-	 * stand in the text that was read. */
+	/* The member points as document_points returns it, in the text that was read;
+	 * or NULL. */
 	const char *points;
 	size_t points_size;
 };
 
-/* What a command wants of a document. */
+/* What a command needs of a document. */
 struct document_wants {
-	/* The member as which an object with none of a scene's members is
-	 * read: the camera for lookat, ...; 0 where it stays a scene. */
+	/* The member that an object with no member of a scene is, such as the camera for
+	 * lookat; 0: there is none. */
 	enum scene_member bare;
-	/* Members that must be there, as bits. */
+	/* Members that must not be missing, as bits. */
 	unsigned needed;
-	/* Members that the command uses, as bits. The others' numbers may be
-	 * of any size, and a projection among them may lack its aspect. */
+	/* Members that the command uses, as bits. Other members may have numbers out of
+	 * range, and a projection among them no aspect. */
 	unsigned used;
-	/* Members of which one makes a document without a projection one of two
-	 * dimensions: nothing else is needed then, nothing of three dimensions
-	 * used, and points and bounds have two coordinates. 0 where the command
-	 * doesn't take such documents. */
+	/* Members of which any makes a document without a projection flat, of two
+	 * dimensions: it needs no other member, uses none of SCENE_SPATIAL, and its
+	 * points and bounds have two coordinates. 0: the command takes no such
+	 * documents. */
 	unsigned flat;
-	/* The type that a projection has without a member "type", and may have
-	 * alone; PROJECTION_NONE where it must say its type. */
+	/* The only type of a projection, which may be without a member "type";
+	 * PROJECTION_NONE: any type, and it must have the member. */
 	int projection;
-	/* For fit: what it finds may be missing, that is the camera's eye,
-	 * near, far, the sizes of a parallel projection, and of a flat
-	 * document's window anything. */
+	/* Members that fit finds may be missing: the eye, near and far, width and height
+	 * of a parallel projection, and all members of the window of a flat document. */
 	bool fit;
-	/* The convention of the answer, and of a document that has none; or
-	 * NULL. */
+	/* The convention of the answer, and of a document without one; or NULL. */
 	const struct convention *convention;
 	/* Lines of the file before the text, and bytes before it on its first line. */
 	long line;
 	size_t column;
-	/* What a message says of points of two numbers, beside how many are wanted;
-	 * or NULL. */
+	/* A hint for points of two numbers; or NULL. */
 	const char *two;
-	/* How many each point has; 0 if the command doesn't read them from the
+	/* Coordinates of a point; 0: the command does not read points from the
 	 * document. */
 	int coordinates;
 };
 
-/* The members of which a command reads any, as bits, those of documents that are flat
- * among them. The unit of angles matters where there are some. */
+/* Returns the members that a command reads, of documents with two and three dimensions, as
+ * bits. */
 unsigned document_reads(const struct document_wants *);
 
-/* Reads text[0..size), which it changes, into *d. name is for messages. */
+/* Reads text[0..size), which it changes, into *d. name is that of the file, for messages. */
 void document_read(struct document *d, const char *name, char *text,
     size_t size, const struct document_wants *wants);
 
-/* Reads text[0..size), which becomes what is left of it, as a point or a list
- * of points. Returns them as lines in the text, a JSON array each, which begins
- * with as many numbers or nulls as coordinates says. The text of each element
- * stays as it is. two is as in struct document_wants. */
+/* Reads text[0..size) as a point or a list of points. Returns lines in the place of the
+ * text: a JSON array each, which begins with as many numbers or nulls as coordinates has.
+ * The text of the elements stays. two is that of struct document_wants. */
 char *document_points(const char *name, char *text, size_t size,
     int coordinates, const char *two, size_t *points_size);
 
-/* Prints "projcalc: FILE: WHY" and exits with 1. why is a refusal of core/,
- * which begins with a pointer: "/camera/up: ...". */
+/* Prints "projcalc: FILE: WHY" and exits with 1. why is a message of core/ that begins with
+ * a pointer: "/camera/up: ...". */
 _Noreturn void document_refuse(const struct document *d, const char *why);
 
-/* The same where why is not NULL. */
+/* Does the same if why is not NULL. */
 void document_check(const struct document *d, const char *why);
 
-/* Prints a document that reads back as the same scene and pick: a member a line, or
- * on_line all, without what has its default. The camera must be given by its gaze, and
- * the projection must not be a matrix: so fit leaves them. Of a flat document it leaves
- * out what is of three dimensions. */
+/* Prints a document that reads back as the same scene and pick, with a line for each member
+ * or in one line. The camera must have a gaze, and the projection not be a matrix, as fit
+ * has them. Members of SCENE_SPATIAL of a flat document are left out. */
 void print_scene(const struct document *, bool on_line);
 
-/* Puts what leads from model space to the device, in one line. */
+/* Prints the members from model space to the device, in one line. */
 void put_scene(struct printer *, const struct scene *);
 
 void put_device(struct printer *, const struct device *);

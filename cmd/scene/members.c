@@ -10,44 +10,47 @@ const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };
 static const struct member camera_members[] = {
 	ROW(camera, "eye", type_numbers, eye, .n = 3,
 	    .aliases = "position pos from origin", .unit = "world units",
-	    .about = "where the camera stands"),
+	    .about = "position of the camera in world space"),
 	ROW(camera, "at", type_numbers, at, .n = 3,
 	    .aliases = "target center centre lookat", .unit = "world units",
-	    .about = "the point that it looks at"),
+	    .about = "point at which the camera looks"),
 	ROW(camera, "gaze", type_numbers, at, .n = 3,
 	    .aliases = "direction dir forward",
-	    .about = "the direction in which it looks"),
+	    .about = "direction in which the camera looks"),
 	ROW(camera, "orientation", type_numbers, orientation, .n = 4,
 	    .aliases = "rotation quaternion quat qvec",
 	    .note = "x, y, z, w from view to world axes; of w, x, y, z from "
 		    "world to view that is -x, -y, -z, w",
-	    .about = "quaternion x, y, z, w: view to world axes"),
+	    .about = "quaternion x, y, z, w from view to world axes"),
 	ROW(camera, "rvec", type_numbers, rvec, .n = 3,
 	    .aliases = "rotationvector rodrigues",
 	    .note = "world to view about it, by its length", .unit = "radians",
-	    .about = "rotation vector: world to view axes"),
+	    .about = "rotation vector from world to view axes"),
 	ROW(camera, "translation", type_numbers, eye, .n = 3,
 	    .aliases = "tvec t",
 	    .note = "where the world's origin is in view space",
-	    .unit = "view units", .about = "where the world's origin is"),
+	    .unit = "view units", .about = "origin of the world in view space"),
 	ROW(camera, "pose", type_affine, matrix,
 	    .aliases = "transformmatrix transform matrixworld cameratoworld "
 		       "camtoworld c2w",
-	    .note = "view to world", .about = "view to world"),
+	    .note = "view to world", .about = "matrix from view to world"),
 	ROW(camera, "matrix", type_affine, matrix,
 	    .aliases = "view viewmatrix extrinsic extrinsics r rt "
 		       "rotationmatrix worldtocamera worldtocam w2c",
-	    .note = "world to view, [R|t]", .about = "world to view, [R|t]"),
+	    .note = "world to view, [R|t]",
+	    .about = "matrix from world to view, such as [R|t]"),
 	ROW(camera, "up", type_numbers, up, .n = 3, .usual = "[0, 1, 0]",
-	    .shown = true, .about = "it points up in the image"),
+	    .shown = true, .about = "direction that points up in the image"),
 	ROW(camera, "roll", type_numbers, roll, .range = &range_turn,
-	    .usual = "0", .about = "counterclockwise"),
+	    .usual = "0",
+	    .about = "angle by which the image is turned counterclockwise"),
 	ROW(camera, "orthonormalize", type_flag, orthonormalize,
-	    .usual = "false", .about = "to the nearest rotation"),
+	    .usual = "false",
+	    .about = "whether the nearest rotation replaces the 3x3 part"),
 	{ .name = NULL },
 };
 
-/* In the order of the values of struct camera's by. */
+/* in the order of enum camera_by */
 static const struct ways camera_ways[] = {
 	{
 	    .way = { "eye at up? roll?", "eye gaze up? roll?",
@@ -71,16 +74,16 @@ static const struct ways camera_ways[] = {
 #define RECTANGLE(in)                                                \
 	ROW(in, "x", type_numbers, x, .aliases = "left",             \
 	    .unit = "device units", .usual = "0", .shown = true,     \
-	    .about = "the corner that origin names"),                \
+	    .about = "least device x"),                              \
 	    ROW(in, "y", type_numbers, y, .aliases = "top",          \
 		.unit = "device units", .usual = "0", .shown = true, \
-		.about = "the same"),                                \
+		.about = "least device y"),                          \
 	    SIZE(in, "width", width, .unit = "device units",         \
-		.about = "required"),                                \
+		.about = "width, required"),                         \
 	    SIZE(in, "height", height, .unit = "device units",       \
-		.about = "required")
+		.about = "height, required")
 
-/* The end of struct viewport. */
+/* scale and scales of struct viewport */
 struct scale {
 	unsigned is;
 	double by[2];
@@ -96,7 +99,7 @@ static void read_scale(const struct value *v, const struct member *row,
 	struct scale *s = out;
 
 	s->is = SCALE_GIVEN;
-	if (value_is_array(v))
+	if (value_is(v, JSON_ARRAY))
 		value_numbers(v, &range_positive, 2, s->by);
 	else if (value_string(v) == NULL)
 		value_wrong(v, "\"fill\", \"uniform\" or 2 numbers");
@@ -122,12 +125,13 @@ static const struct member viewport_members[] = {
 	RECTANGLE(viewport),
 	ROW(viewport, "min_z", type_numbers, min_z,
 	    .aliases = "near mindepth zmin minz", .unit = "device units",
-	    .usual = "0", .about = "z of the near plane"),
+	    .usual = "0", .about = "device z of the near plane"),
 	ROW(viewport, "max_z", type_numbers, max_z,
 	    .aliases = "far maxdepth zmax maxz", .unit = "device units",
-	    .usual = "1", .about = "z of the far plane"),
+	    .usual = "1", .about = "device z of the far plane"),
 	ROW(viewport, "scale", type_scale, scale, .words = scales,
-	    .usual = "\"fill\"", .about = "device units for one of ndc"),
+	    .usual = "\"fill\"",
+	    .about = "device units for one unit of ndc x and y"),
 	{ .name = NULL },
 };
 
@@ -136,7 +140,7 @@ static const struct member device_members[] = {
 	ROW(device, "origin", type_second, top_left, .words = origins,
 	    .usual = "\"bottom-left\"", .shown = true,
 	    .before = "-c's or the convention's",
-	    .about = "the corner where x and y are least"),
+	    .about = "corner where x and y are least"),
 	{ .name = NULL },
 };
 
@@ -150,28 +154,30 @@ static const struct ways rectangle_ways[] = {
 static const struct member window_members[] = {
 	ROW(window, "center", type_numbers, center, .n = 2,
 	    .aliases = "centre x y position", .unit = "window units",
-	    .about = "with width and height"),
+	    .about = "centre of the window, with width and height"),
 	SIZE(window, "width", width, .unit = "window units",
-	    .about = "of all of it"),
+	    .about = "width of the window"),
 	SIZE(window, "height", height, .unit = "window units",
-	    .about = "of all of it"),
+	    .about = "height of the window"),
 	ROW(window, "left", type_numbers, left, .unit = "window units",
-	    .about = "the four edges, instead"),
+	    .about = "left edge, with right, bottom and top"),
 	ROW(window, "right", type_numbers, right, .unit = "window units",
-	    .about = "greater than left"),
+	    .about = "right edge, greater than left"),
 	ROW(window, "bottom", type_numbers, bottom, .unit = "window units",
-	    .about = "an edge"),
+	    .about = "bottom edge"),
 	ROW(window, "top", type_numbers, top, .unit = "window units",
-	    .about = "greater than bottom"),
+	    .about = "top edge, greater than bottom"),
 	ROW(window, "pan", type_numbers, pan, .n = 2, .unit = "window units",
-	    .usual = "[0, 0]", .about = "by how much the window moves"),
+	    .usual = "[0, 0]",
+	    .about = "distance that the window moves along x and y"),
 	SIZE(window, "zoom", zoom, .usual = "1",
-	    .about = "of which 2 shows half the extent"),
+	    .about = "factor of magnification; 2 shows half the extent"),
 	ROW(window, "about", type_numbers, about, .n = 2,
 	    .has = offsetof(struct window, has_about), .unit = "window units",
-	    .about = "what zoom leaves where it is, else the centre"),
+	    .about = "point that zoom does not move, else the centre"),
 	ROW(window, "adapt", type_word, adapt, .words = adapt_names,
-	    .usual = "\"stretch\"", .about = "to a device of another shape"),
+	    .usual = "\"stretch\"",
+	    .about = "adaptation to a device of another shape"),
 	{ .name = NULL },
 };
 
@@ -186,12 +192,11 @@ static const struct ways window_ways[] = {
 	{ .way = { NULL } },
 };
 
-/* A point of space; or of the plane, where the document is flat. Where bounds are
- * not used they may be of either. */
+/* Reads three numbers, or two if the document is flat; either if bounds are not used. */
 static void read_corner(const struct value *v, const struct member *row,
     void *out)
 {
-	bool pair = value_is_array(v) && value_count(v) == 2;
+	bool pair = value_is(v, JSON_ARRAY) && value_count(v) == 2;
 	bool flat = v->source->flat;
 
 	(void)row;
@@ -210,11 +215,11 @@ static const struct type type_corner = { "3 numbers, or 2 of a window",
 	    .unit = "model units", .about = what)
 
 static const struct member bounds_members[] = {
-	CORNER("center", center, "centre position", "of a sphere"),
+	CORNER("center", center, "centre position", "centre of a sphere"),
 	SIZE(bounds, "radius", radius, .unit = "model units",
-	    .about = "of a sphere"),
-	CORNER("min", min, "lower from", "of a box, its least coordinates"),
-	CORNER("max", max, "upper to", "the opposite corner"),
+	    .about = "radius of a sphere"),
+	CORNER("min", min, "lower from", "least coordinates of a box"),
+	CORNER("max", max, "upper to", "greatest coordinates of a box"),
 	{ .name = NULL },
 };
 
@@ -229,9 +234,9 @@ static const struct ways bounds_ways[] = {
 static const struct member pick_members[] = {
 	ROW(pick, "at", type_numbers, at, .n = 2,
 	    .has = offsetof(struct pick, has_at), .aliases = "position center",
-	    .unit = "device units", .about = "where to look"),
+	    .unit = "device units", .about = "centre of the circle"),
 	SIZE(pick, "radius", radius, .unit = "device units",
-	    .about = "how far around it"),
+	    .about = "radius of the circle"),
 	{ .name = NULL },
 };
 
@@ -241,10 +246,10 @@ static const struct member pick_members[] = {
 
 static const struct value_range margins = { .min = 0,
 	.max = 0.5,
-	.says = "a number from 0 to below 0.5 is wanted",
+	.wanted = "a number from 0 to below 0.5 is wanted",
 	.below = true };
 
-/* An object of a scene, which says whether it has one. */
+/* A member of struct scene that is an object, with a bool has_ of the scene. */
 #define PART(label, field, table, like, ...)                            \
 	ROW(document, label, type_object, scene.field, .example = like, \
 	    .has = offsetof(struct document, scene.has_##field),        \
@@ -254,59 +259,60 @@ const struct member scene_members[] = {
 	ROW(document, "convention", type_convention, scene.convention,
 	    .members = convention_members, .example = "\"d3d\"",
 	    .words = convention_names, .usual = "\"d3d\"", .shown = true,
-	    .before = "-c's", .about = "how the document is read, all of it",
+	    .before = "-c's", .about = "convention in which the scene is read",
 	    .command = "lookat '{\"convention\": \"gl\", "
 		       "\"camera\": " CAMERA_LIKE "}'"),
 	ROW(document, "angle_unit", type_word, unit,
 	    .aliases = "angleunits unit units angles radians degrees",
 	    .words = angle_units, .beside = true, .usual = "\"degrees\"",
-	    .about = "of all angles of the scene",
+	    .about = "unit of all angles of the scene",
 	    .command = "persp '{\"angle_unit\": \"radians\", \"fovy\": 1, "
 		       "\"aspect\": 1.5, \"near\": 1, \"far\": 10}'"),
 	ROW(document, "world", type_affine, scene.world, .aliases = "model",
 	    .has = offsetof(struct document, scene.has_world),
 	    .example = WORLD_LIKE, .usual = WORLD_LIKE,
-	    .about = "model to world, affine",
+	    .about = "matrix from model to world, affine",
 	    .command = "project --to world '{\"world\": "
 		       "[1,0,0,0, 0,1,0,0, 0,0,1,0, 10,20,30,1]}' "
 		       "'[1,2,3]'"),
 	PART("camera", camera, camera_members, CAMERA_LIKE, .ways = camera_ways,
-	    .aliases = "view", .about = "world to view",
+	    .aliases = "view", .about = "way from world to view",
 	    .command = "lookat '{\"camera\": " CAMERA_LIKE "}'"),
 	ROW(document, "projection", type_projection, scene.projection,
 	    .members = projection_members, .aliases = "lens perspective",
 	    .ways = projection_ways, .example = LENS_LIKE,
-	    .about = "view to clip",
+	    .about = "way from view to clip",
 	    .command = "persp '{\"projection\": " LENS_LIKE "}'"),
 	PART("viewport", viewport, viewport_members, RECTANGLE_LIKE,
 	    .ways = rectangle_ways, .aliases = "screen",
-	    .about = "ndc to device, in 3D",
+	    .about = "way from ndc to the device, in 3D",
 	    .command = "project --from ndc '{\"viewport\": " RECTANGLE_LIKE
 		       "}' '[0,0.5,1]'"),
 	PART("window", window, window_members, WINDOW_LIKE, .ways = window_ways,
-	    .about = "a rectangle of a 2D world",
+	    .about = "rectangle of a 2D world",
 	    .command = "w2n '{\"window\": " WINDOW_LIKE "}'"),
 	PART("device", device, device_members, RECTANGLE_LIKE,
-	    .ways = rectangle_ways, .about = "where a window is shown",
+	    .ways = rectangle_ways,
+	    .about = "rectangle on the screen that shows a window",
 	    .command = "n2d '{\"device\": " RECTANGLE_LIKE "}'"),
 	{ .name = "points",
 	    .type = &type_points,
 	    .aliases = "point",
 	    .example = "[[0,0,0], [1,1,1]]",
-	    .about = "unless there are operands POINTS",
+	    .about = "points, unless there are operands POINTS",
 	    .command = "lookat '{\"camera\": " CAMERA_LIKE
 		       ", \"points\": [[0,0,0], [1,1,1]]}'" },
 	ROW(document, "bounds", type_object, bounds,
 	    .has = offsetof(struct document, has_bounds), .aliases = "extent",
 	    .members = bounds_members, .ways = bounds_ways,
 	    .example = BOUNDS_LIKE, .unit = "model units",
-	    .about = "what fit is to hold, else the points",
+	    .about = "volume that the picture of fit holds, else the points",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
 		       "\"bounds\": " BOUNDS_LIKE "}'"),
 	ROW(document, "pick", type_object, pick,
 	    .has = offsetof(struct document, has_pick), .members = pick_members,
 	    .example = PICK_LIKE,
-	    .about = "where pick looks, else --at, --radius",
+	    .about = "circle on the device, else --at, --radius",
 	    .command = "pick '{\"camera\": " CAMERA_LIKE
 		       ", \"projection\": " LENS_LIKE
 		       ", \"viewport\": " RECTANGLE_LIKE
@@ -314,7 +320,7 @@ const struct member scene_members[] = {
 	ROW(document, "margin", type_numbers, scene.margin,
 	    .aliases = "padding border", .example = "0.1", .range = &margins,
 	    .usual = "0",
-	    .about = "share of the picture left free at each side",
+	    .about = "fraction of the picture left free at each side",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
 		       "\"bounds\": " BOUNDS_LIKE ", \"margin\": 0.1}'"),
 	{ .name = NULL },

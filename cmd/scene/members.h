@@ -1,28 +1,28 @@
 /* SPDX-License-Identifier: MIT */
-/* The members of a scene, and of the objects among them. */
+/* The tables of the members of a scene, and of the objects among them. */
 #ifndef MEMBERS_H
 #define MEMBERS_H
 
 #include "document.h"
 #include "types.h"
 
-/* Of struct document; row i has bit i in enum scene_member. */
+/* The members of struct document; row i has bit i in enum scene_member. */
 extern const struct member scene_members[];
 
-/* Of a projection, and how they can be combined. */
+/* The members of a projection, and the ways to combine them. */
 extern const struct member projection_members[];
 extern const struct ways projection_ways[];
 extern const struct type type_projection;
 
-/* Names of types, from PROJECTION_PERSP on; NULL ends them. */
+/* The names of the types from PROJECTION_PERSP on; NULL ends them. */
 extern const char *const projection_types[];
 
-/* Completes a projection that was read from a value by what the viewport, or NULL, says
- * of the aspect that is not given, and of pixels. */
+/* Completes a projection that was read from a value: takes a missing aspect, and the size
+ * for intrinsics, from the viewport, which may be NULL. */
 void projection_complete(const struct value *, const struct viewport *,
     struct projection *);
 
-/* Examples of members. The viewport gives the scene its aspect. */
+/* Examples of members. The aspect of SCENE_LIKE is that of its viewport. */
 #define CAMERA_LIKE "{\"eye\": [0,0,-5], \"at\": [0,0,0]}"
 #define LENS_LIKE                                               \
 	"{\"type\": \"persp\", \"fovy\": 60, \"aspect\": 1.5, " \

@@ -7,13 +7,13 @@
 #include "../message/escape.h"
 #include "convention_member.h"
 
-/* An angle between limits, which degrees and radians say. */
-#define ANGLE(label, least, most, degrees, radians, ...)           \
-	static const struct value_range label = { .min = least,    \
-		.max = most,                                       \
-		.says = "an angle " degrees " degrees is wanted",  \
-		.by_pi = "an angle " radians " radians is wanted", \
-		.angle = true,                                     \
+/* The range of an angle, with the words for it in degrees and in radians. */
+#define ANGLE(label, least, most, degrees, radians, ...)                \
+	static const struct value_range label = { .min = least,         \
+		.max = most,                                            \
+		.wanted = "an angle " degrees " degrees is wanted",     \
+		.by_radians = "an angle " radians " radians is wanted", \
+		.angle = true,                                          \
 		__VA_ARGS__ }
 
 ANGLE(opening, SIZE_MIN, 180, "above 0 and below 180", "above 0 and below pi",
@@ -27,14 +27,14 @@ ANGLE(acute, -90, 90, "above -90 and below 90", "above -pi/2 and below pi/2",
 
 static const struct value_range fraction = { .min = SIZE_MIN,
 	.max = 1,
-	.says = "a number above 0 and below 1 is wanted",
+	.wanted = "a number above 0 and below 1 is wanted",
 	.below = true };
 
 const char *const projection_types[] = { "persp", "ortho", "oblique", "volume",
 	"matrix", NULL };
 static const char *const oblique_kinds[] = { "cavalier", "cabinet", NULL };
 
-/* Types as bits, in the order of projection_types. */
+/* types as bits, in the order of projection_types */
 enum {
 	PERSP = 1,
 	ORTHO = 2,
@@ -48,110 +48,107 @@ enum {
 #define AT(m) offsetof(struct projection, m)
 #define OF(of, label, is, field, ...) \
 	ROW(projection, label, is, field, .kinds = of, __VA_ARGS__)
+#define NUMBER(of, label, field, ...) \
+	OF(of, label, type_numbers, field, __VA_ARGS__)
+#define LENGTH(of, label, field, ...) \
+	NUMBER(of, label, field, .unit = "view units", __VA_ARGS__)
+#define SIZE(of, label, field, ...) \
+	LENGTH(of, label, field, .range = &range_positive, __VA_ARGS__)
 
-/* In the order in which they are printed. */
+/* in the order in which they are printed */
 const struct member projection_members[] = {
 	OF(0, "type", type_word, type, .words = projection_types,
 	    .first = PROJECTION_PERSP,
-	    .about = "implied by the commands of these names"),
+	    .about = "type; implied by the commands of these names"),
 	OF(OBLIQUE, "kind", type_word, kind, .words = oblique_kinds,
 	    .first = OBLIQUE_CAVALIER,
-	    .about = "receding lines keep their length, or half of it"),
-	OF(OBLIQUE, "angle", type_numbers, projector, .range = &slope,
-	    .about = "between projectors and picture, instead of kind"),
-	OF(OBLIQUE, "direction", type_numbers, direction, .range = &range_turn,
+	    .about = "cavalier keeps, cabinet halves lines along the gaze"),
+	NUMBER(OBLIQUE, "angle", projector, .range = &slope,
+	    .about = "angle between projectors and picture, in place of kind"),
+	NUMBER(OBLIQUE, "direction", direction, .range = &range_turn,
 	    .usual = "45", .shown = true,
-	    .about = "in which receding lines run"),
-	OF(OBLIQUE, "plane", type_numbers, plane, .unit = "view units",
-	    .usual = "0", .about = "the depth that stays where it is"),
-	OF(PERSP, "fovy", type_numbers, angle, .range = &opening,
+	    .about = "direction of lines along the gaze in the picture"),
+	LENGTH(OBLIQUE, "plane", plane, .usual = "0",
+	    .about = "depth at which points do not move"),
+	NUMBER(PERSP, "fovy", angle, .range = &opening,
 	    .aliases = "fov yfov verticalfov fieldofview cameraangley",
-	    .about = "between the bottom and the top plane"),
-	OF(PERSP, "fovx", type_numbers, angle, .range = &opening,
+	    .about = "angle between the bottom and the top plane"),
+	NUMBER(PERSP, "fovx", angle, .range = &opening,
 	    .aliases = "xfov horizontalfov hfov cameraanglex",
-	    .about = "between the left and the right plane"),
-	OF(PERSP, "view_angle", type_numbers, angle, .range = &opening,
-	    .aliases = "angle", .about = "across the smaller side"),
-	OF(PERSP, "field", type_numbers, angle, .range = &range_positive,
-	    .about = "half the larger side at unit distance"),
-	OF(VOLUME, "half_width", type_numbers, half_width,
-	    .range = &range_positive, .unit = "view units",
-	    .about = "of the rectangle at z = 0"),
-	OF(VOLUME, "half_height", type_numbers, half_height,
-	    .range = &range_positive, .unit = "view units",
-	    .about = "of the same"),
-	OF(VOLUME, "size", type_numbers, half_width, .range = &range_positive,
-	    .unit = "view units", .about = "its smaller side, instead"),
-	OF(SECTIONED, "width", type_numbers, width, .range = &range_positive,
-	    .unit = "view units",
-	    .about = "of the near plane; else of the view volume"),
-	OF(SECTIONED, "height", type_numbers, height, .range = &range_positive,
-	    .unit = "view units", .about = "of the same"),
-	OF(SECTIONED | VOLUME, "aspect", type_numbers, aspect,
-	    .range = &range_positive, .aliases = "ratio aspectratio",
+	    .about = "angle between the left and the right plane"),
+	NUMBER(PERSP, "view_angle", angle, .range = &opening,
+	    .aliases = "angle",
+	    .about = "angle across the smaller side of the picture"),
+	NUMBER(PERSP, "field", angle, .range = &range_positive,
+	    .about = "half the larger side of the picture at distance 1"),
+	SIZE(VOLUME, "half_width", half_width,
+	    .about = "half the width of the rectangle at z = 0"),
+	SIZE(VOLUME, "half_height", half_height,
+	    .about = "half the height of the rectangle at z = 0"),
+	SIZE(VOLUME, "size", half_width,
+	    .about = "smaller side of the rectangle at z = 0, with aspect"),
+	SIZE(SECTIONED, "width", width,
+	    .about = "width of the view volume; persp: at near or edges_at"),
+	SIZE(SECTIONED, "height", height,
+	    .about = "height of the view volume; persp: at near or edges_at"),
+	NUMBER(SECTIONED | VOLUME, "aspect", aspect, .range = &range_positive,
+	    .aliases = "ratio aspectratio",
 	    .about = "width over height, else the viewport's"),
-	OF(SECTIONED, "left", type_numbers, left, .unit = "view units",
-	    .about = "the four edges, instead of width and height"),
-	OF(SECTIONED, "right", type_numbers, right, .unit = "view units",
-	    .about = "other than left"),
-	OF(SECTIONED, "bottom", type_numbers, bottom, .unit = "view units",
-	    .about = "an edge"),
-	OF(SECTIONED, "top", type_numbers, top, .unit = "view units",
-	    .about = "other than bottom"),
-	OF(PERSP, "angles", type_numbers, left, .n = 4, .range = &acute,
+	LENGTH(SECTIONED, "left", left,
+	    .about = "left edge, with right, bottom and top"),
+	LENGTH(SECTIONED, "right", right,
+	    .about = "right edge, other than left"),
+	LENGTH(SECTIONED, "bottom", bottom, .about = "bottom edge"),
+	LENGTH(SECTIONED, "top", top, .about = "top edge, other than bottom"),
+	NUMBER(PERSP, "angles", left, .n = 4, .range = &acute,
 	    .aliases = "angleleft angleright angleup angledown",
 	    .note = "[left, right, bottom, top] from the gaze",
-	    .about = "left, right, bottom, top from the gaze"),
+	    .about = "angles of left, right, bottom, top from the gaze"),
 	OF(PERSP, "intrinsics", type_intrinsics, intrinsics,
 	    .aliases = "k fx fy cx cy flx fly focal focallength "
 		       "cameramatrix projectionmatrix intrinsic p "
 		       "principalpoint skew",
 	    .note = "[fx, fy, cx, cy], K or P, in pixels",
 	    .unit = "device units",
-	    .about =
-		"[fx, fy, cx, cy], K or P, in rows or one after the other"),
-	OF(PERSP, "edges_at", type_numbers, edges_at, .range = &range_positive,
-	    .aliases = "distance", .unit = "view units",
-	    .about = "where width or edges are measured, else near"),
-	OF(PERSP, "near", type_numbers, near, .range = &range_positive,
-	    .aliases = "znear nearplane nearfar", .unit = "view units",
-	    .about = "distance of the near plane"),
-	OF(PARALLEL, "near", type_numbers, near, .aliases = "znear nearplane",
-	    .unit = "view units", .about = "distance of the near plane"),
+	    .about = "[fx, fy, cx, cy], K or P, nested or row after row"),
+	SIZE(PERSP, "edges_at", edges_at, .aliases = "distance",
+	    .about = "distance where width or edges are measured, else near"),
+	SIZE(PERSP, "near", near, .aliases = "znear nearplane nearfar",
+	    .about = "distance of the near plane from the eye"),
+	LENGTH(PARALLEL, "near", near, .aliases = "znear nearplane",
+	    .about = "distance of the near plane from the eye"),
 	OF(PERSP, "far", type_far, far, .range = &range_positive,
 	    .aliases = "zfar farplane", .unit = "view units",
-	    .about = "distance of the far plane"),
-	OF(PARALLEL, "far", type_numbers, far, .aliases = "zfar farplane",
-	    .unit = "view units", .about = "distance of the far plane"),
+	    .about = "distance of the far plane from the eye"),
+	LENGTH(PARALLEL, "far", far, .aliases = "zfar farplane",
+	    .about = "distance of the far plane from the eye"),
 	OF(SECTIONED, "reverse_z", type_flag, reverse_z, .aliases = "reversed",
-	    .usual = "false", .about = "near at the greater depth"),
-	OF(VOLUME, "z_near", type_numbers, z_near,
-	    .aliases = "near znear nearplane", .unit = "view units",
-	    .about = "z of the near plane"),
-	OF(VOLUME, "z_far", type_numbers, z_far, .aliases = "far zfar farplane",
-	    .unit = "view units", .about = "z of the far plane"),
-	OF(VOLUME, "eye", type_numbers, eye, .n = 3, .unit = "view units",
-	    .about = "the eye, instead of the next three"),
-	OF(VOLUME, "view_angle", type_numbers, angle, .range = &taper,
-	    .aliases = "angle",
-	    .about = "across the smaller side; 0 is parallel"),
-	OF(VOLUME, "inverse_eye_z", type_numbers, inverse_eye_z, .usual = "0",
+	    .usual = "false",
+	    .about = "whether depth is greater at near than at far"),
+	LENGTH(VOLUME, "z_near", z_near, .aliases = "near znear nearplane",
+	    .about = "z of the near plane in view space"),
+	LENGTH(VOLUME, "z_far", z_far, .aliases = "far zfar farplane",
+	    .about = "z of the far plane in view space"),
+	LENGTH(VOLUME, "eye", eye, .n = 3,
+	    .about = "eye in view space, in place of inverse_eye_z"),
+	NUMBER(VOLUME, "view_angle", angle, .range = &taper, .aliases = "angle",
+	    .about = "angle across the smaller side; 0 is parallel"),
+	NUMBER(VOLUME, "inverse_eye_z", inverse_eye_z, .usual = "0",
 	    .about = "1/z of the eye; 0 is parallel"),
-	OF(VOLUME, "tan_skew", type_numbers, tan_skew, .n = 2,
-	    .aliases = "skew", .usual = "[0, 0]",
-	    .about = "x/z and y/z of the axis"),
+	NUMBER(VOLUME, "tan_skew", tan_skew, .n = 2, .aliases = "skew",
+	    .usual = "[0, 0]", .about = "x/z and y/z of the axis"),
 	OF(MATRIX, "matrix", type_matrix, matrix,
-	    .about = "any from view to clip"),
-	OF(PERSP | VOLUME, "near_ratio", type_numbers, near_ratio,
-	    .range = &fraction, .usual = "0.0005",
-	    .about = "of far, that fit leaves near"),
+	    .about = "matrix from view to clip"),
+	NUMBER(PERSP | VOLUME, "near_ratio", near_ratio, .range = &fraction,
+	    .usual = "0.0005",
+	    .about = "least fraction of far that fit makes near"),
 	{ .name = NULL },
 };
 
-/* Rows of projection_ways. */
+/* indices of projection_ways */
 enum { WAYS_SHEAR = 2, WAYS_DEPTH, WAYS_VOLUME };
 
-/* fit finds width and height; if an aspect is given, they keep to it. */
+/* The command fit finds width and height, which keep a given aspect. */
 const struct ways projection_ways[] = {
 	{ { "fovy aspect?", "fovx aspect?", "view_angle aspect?",
 	      "field aspect?", "width height edges_at?",
@@ -171,12 +168,12 @@ const struct ways projection_ways[] = {
 	{ { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
 	    .kinds = VOLUME, .at = AT(eye_by) },
 	{ { "z_near z_far" }, .fit = true, .kinds = VOLUME },
-	/* fit refuses a matrix, whatever it has */
+	/* fit refuses a matrix later */
 	{ { "matrix" }, .fit = true, .kinds = MATRIX },
 	{ .way = { NULL } },
 };
 
-/* In the order of their way: both, or neither. */
+/* Intrinsics may be without both planes, or without far. */
 static const struct ways open_ways = {
 	.way = { "near far? reverse_z?", "" },
 };
@@ -188,8 +185,7 @@ static bool is_given(const struct projection *p, uint64_t seen,
 		   member_bit(projection_members, (int)p->type - 1, name)) != 0;
 }
 
-/* Refuses a projection without a type; names the types that have all of its
- * members. */
+/* Refuses a projection without a type, and names the types that have all its members. */
 static _Noreturn void refuse_typeless(const struct value *v)
 {
 	struct value missing = value_missing(v, "type"), m = value_child(v);
@@ -218,7 +214,7 @@ static _Noreturn void refuse_typeless(const struct value *v)
 	value_refuse(&missing, "missing; it is %s", all);
 }
 
-/* The type decides which members there are, so it is looked for first. */
+/* Reads the type, on which the other members depend. */
 static void find_type(const struct value *v, struct projection *p)
 {
 	unsigned implied = v->source->implied;
@@ -248,7 +244,8 @@ static void check_angles(const struct value *v, const struct projection *p)
 		    "right, bottom, top");
 }
 
-/* fit does not find near where the section is measured on it. */
+/* Refuses a projection for fit without near, if its width or edges are on the near
+ * plane. */
 static void need_near(const struct value *v, uint64_t seen,
     const struct projection *p)
 {
@@ -260,8 +257,8 @@ static void need_near(const struct value *v, uint64_t seen,
 		    "\"edges_at\" says where");
 }
 
-/* fit finds near and far, unless the section is measured on the near plane.
- * Intrinsics may do without near and far, or without far. */
+/* Checks near and far of a perspective, which fit finds if width and edges are not on the
+ * near plane. */
 static void read_planes(const struct value *v, uint64_t seen,
     struct projection *p)
 {
@@ -283,7 +280,7 @@ static void read_projection(const struct value *v, const struct member *row,
 {
 	struct projection *p = out;
 
-	if (value_is_array(v))
+	if (value_is(v, JSON_ARRAY))
 		value_refuse(v,
 		    "is an array; a matrix is {\"type\": \"matrix\", "
 		    "\"matrix\": [...]}");
@@ -309,7 +306,7 @@ static void read_projection(const struct value *v, const struct member *row,
 	}
 }
 
-/* Refuses intrinsics without the viewport in whose units they are. */
+/* Takes the size for intrinsics from the viewport; refuses intrinsics without one. */
 static void find_sides(const struct value *v, const struct viewport *viewport,
     struct projection *p)
 {
@@ -331,7 +328,8 @@ static void find_sides(const struct value *v, const struct viewport *viewport,
 	}
 }
 
-/* Whether an aspect says what is missing. fit widens a parallel section to one. */
+/* Returns whether the projection depends on an aspect. fit widens a parallel projection to
+ * the aspect. */
 static bool needs_aspect(const struct value *v, const struct viewport *viewport,
     const struct projection *p)
 {
@@ -377,7 +375,7 @@ static void print_projection(struct printer *printer, const struct member *row,
 	bool sized = p.aspect[1] != 0;
 	uint64_t bits = taken_ways(row, kind, at);
 
-	/* the viewport's aspect, and the usual direction in any unit */
+	/* without an aspect from the viewport, and the default direction in any unit */
 	if (p.aspect[1] != 1)
 		bits &= ~member_bit(row->members, kind, "aspect");
 	if (p.direction == 45 && p.direction_unit == DEGREES)

@@ -50,7 +50,7 @@ static void print_bool(struct printer *p, const struct member *row,
 	if (row->words != NULL)
 		put_string(p, row->words[is]);
 	else
-		put_word(p, is ? "true" : "false");
+		put_literal(p, is ? "true" : "false");
 }
 
 const struct type type_flag = { "true or false", read_bool, print_bool,
@@ -73,8 +73,7 @@ const struct type type_word = { NULL, read_word, print_word, sizeof(unsigned) };
 
 const struct type type_points = { "a point or a list", NULL, NULL, 0 };
 
-/* Returns those of a list of ways, or of those behind it, that are for the kind; NULL at
- * the end. */
+/* Returns the first of an array of ways that is for the kind; NULL if there is none. */
 static const struct ways *ways_of(const struct ways *w, int kind)
 {
 	while (w != NULL && w->way[0] != NULL && w->kinds != 0 &&
@@ -140,7 +139,7 @@ static void read_far(const struct value *v, const struct member *row, void *out)
 	else if (s != NULL)
 		value_refuse(v, "is \"%s\"; " FAR " is wanted",
 		    escaped(shown, s, strlen(s)));
-	else if (value_is_null(v))
+	else if (value_is(v, JSON_NULL))
 		value_wrong(v, FAR);
 	else
 		read_numbers(v, row, out);
@@ -166,7 +165,7 @@ const struct type type_far = { "size or \"infinity\"", read_far, print_far,
 
 const char *const vector_names[] = { "row", "column", NULL };
 
-/* The object that -o json prints a matrix in. */
+/* The object of a matrix that -o json prints. */
 static const struct member printed_members[] = { { .name = "matrix" },
 	{ .name = "vectors" }, { .name = NULL } };
 
@@ -175,14 +174,14 @@ static const struct member printed_members[] = { { .name = "matrix" },
 
 static const struct ways printed_ways = { .way = { "matrix vectors?" } };
 
-/* Whether rows are for column vectors, as the object that they stand in says, or
- * their shape, or the document. */
+/* Returns whether rows of a matrix are for column vectors, by the member "vectors" of its
+ * object, by their shape, or by the document. */
 static bool is_column(const struct value *v, size_t rows, size_t columns)
 {
 	bool column = rows < columns, whole = rows == columns;
 	struct value vectors;
 
-	if (!value_is_object(v) || !value_member(v, "vectors", &vectors))
+	if (!value_is(v, JSON_OBJECT) || !value_member(v, "vectors", &vectors))
 		return whole ? v->source->column : column;
 	bool said = value_word(&vectors, vector_names) == 1;
 
@@ -193,25 +192,27 @@ static bool is_column(const struct value *v, size_t rows, size_t columns)
 	return said;
 }
 
-/* A matrix for row vectors, stored row by row, and its transpose for column
- * vectors, stored column by column, are the same 16 numbers in a row: only
- * nested rows depend on which vectors it is for. */
-static void read_elements(const struct value *v, bool affine, double m[4][4])
+/* Reads a matrix. 16 numbers in memory order are the same for row vectors, stored row by
+ * row, and for column vectors, stored column by column; nested rows differ. */
+static void read_matrix(const struct value *v, const struct member *member,
+    void *out)
 {
+	const bool affine = member->type == &type_affine;
+	double(*m)[4] = out;
 	struct value all = *v;
 
-	if (value_is_object(v)) {
+	if (value_is(v, JSON_OBJECT)) {
 		uint64_t seen = object_read(v, printed_members, 0, NULL);
 
 		object_way(v, printed_members, 0, seen, &printed_ways);
 		value_member(v, "matrix", &all);
 	}
-	if (!value_is_array(&all))
+	if (!value_is(&all, JSON_ARRAY))
 		value_wrong(&all,
 		    affine ? "an array of " AFFINE : "an array of " ANY);
 	struct value row = value_child(&all);
 	size_t n = value_count(&all), rows = affine && n == 3 ? 3 : 4;
-	size_t columns = affine && n == 4 && value_is_array(&row) &&
+	size_t columns = affine && n == 4 && value_is(&row, JSON_ARRAY) &&
 		value_count(&row) == 3 ?
 	    3 :
 	    4;
@@ -235,20 +236,6 @@ static void read_elements(const struct value *v, bool affine, double m[4][4])
 	}
 }
 
-static void read_matrix(const struct value *v, const struct member *row,
-    void *out)
-{
-	(void)row;
-	read_elements(v, false, out);
-}
-
-static void read_affine(const struct value *v, const struct member *row,
-    void *out)
-{
-	(void)row;
-	read_elements(v, true, out);
-}
-
 static void print_rows(struct printer *p, const struct member *row,
     const void *at)
 {
@@ -267,7 +254,7 @@ static void print_rows(struct printer *p, const struct member *row,
 }
 
 const struct type type_matrix = { "matrix", read_matrix, NULL, 0 };
-const struct type type_affine = { "matrix", read_affine, print_rows, 0 };
+const struct type type_affine = { "matrix", read_matrix, print_rows, 0 };
 
 #define FORMS                                                         \
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
@@ -284,8 +271,8 @@ static void refuse_element(const struct value *v, bool nested, size_t i,
 	value_refuse(&e, "%s", why);
 }
 
-/* Of K: fx and fy are sizes; below the diagonal there is 0, and in the last row 1 on
- * it. */
+/* Refuses a K whose fx or fy is not positive, whose last row is not 0, 0, 1, or which is
+ * not 0 under the diagonal. */
 static void check_k(const struct value *v, bool nested, const double k[3][4])
 {
 	for (size_t i = 0; i < 3; i++)
@@ -303,7 +290,7 @@ static void check_k(const struct value *v, bool nested, const double k[3][4])
 				    "is not positive, as fx and fy of K are");
 }
 
-/* K where n is 3, P where it is 4: rows, or one row after the other. */
+/* Reads K, if n is 3, or P, if n is 4, from nested rows or one row after the other. */
 static void read_k_or_p(const struct value *v, size_t n, bool nested,
     double k[3][4])
 {
@@ -334,11 +321,11 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 	struct value first;
 
 	(void)row;
-	if (!value_is_array(v))
+	if (!value_is(v, JSON_ARRAY))
 		value_wrong(v, FORMS ",");
 	first = value_child(v);
 	size_t n = value_count(v);
-	bool nested = value_is_array(&first);
+	bool nested = value_is(&first, JSON_ARRAY);
 
 	if (nested ? n == 3 : n == 9 || n == 12) {
 		size_t columns = nested ? value_count(&first) : n / 3;
@@ -357,7 +344,8 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 	k[2][2] = 1;
 }
 
-/* As P, or where the rest is that of K as K, or without skew as four numbers. */
+/* Prints P; or K if the fourth column is 0 and the rest is that of a K; or four numbers if
+ * there is no skew. */
 static void print_intrinsics(struct printer *p, const struct member *row,
     const void *at)
 {

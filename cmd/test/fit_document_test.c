@@ -28,7 +28,8 @@ static const struct refusal refusals[] = {
 	    "is wanted" },
 	{ &project,
 	    "{\"bounds\":{\"center\":[0,0,0],\"radius\":1,\"max\":[1,1,1]}}",
-	    "/bounds/max: does not go with the others; " BOUNDS_HINT },
+	    "/bounds/max: does not go with \"center\" and "
+	    "\"radius\"; " BOUNDS_HINT },
 	{ &fit, "{\"projection\":{\"type\":\"ortho\"},\"camera\":{}}",
 	    "/camera/eye: missing; give \"eye\" and \"at\", or \"gaze\", or "
 	    "\"orientation\", or \"rvec\", or \"orientation\" and "
@@ -54,7 +55,8 @@ static const struct refusal refusals[] = {
 	{ &fit,
 	    "{\"projection\":{\"type\":\"ortho\",\"aspect\":1,\"width\":1,"
 	    "\"height\":1}}",
-	    "/projection/aspect: does not go with the others; give \"width\" "
+	    "/projection/aspect: does not go with \"width\" and \"height\"; "
+	    "give \"width\" "
 	    "and \"height\", or \"width\" and \"aspect\", or \"height\" and "
 	    "\"aspect\", or \"left\", \"right\", \"bottom\" and \"top\"" },
 	{ &fit, "{\"projection\":{\"type\":\"oblique\"}}",
@@ -76,7 +78,7 @@ static const struct refusal refusals[] = {
 	    "/bounds/center: is not an array of 2 numbers, as a "
 	    "window's are; for three dimensions add a \"projection\"" },
 	{ &either, "{\"window\":{\"left\":1,\"width\":1}}",
-	    "/window/left: does not go with the others; give \"width\", or "
+	    "/window/left: does not go with \"width\"; give \"width\", or "
 	    "\"left\"" },
 	{ &either, "{\"device\":{\"width\":1,\"height\":1},\"points\":[[1]]}",
 	    "/points/0: has 1 element; 2 coordinates are wanted" },

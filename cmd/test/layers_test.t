@@ -1,9 +1,9 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
 # Checks the house: a file includes and calls only what lies below it, core only
-# computes, one file knows cJSON, and functions have at most 60 lines. The calls of
-# a file are the undefined names of its object in BUILD. The picture of the folders
-# in CONTRIBUTING is made from this.
+# computes, one file knows cJSON, and functions have at most 60 lines. The calls of a
+# file are the undefined names of its object in BUILD. The picture of the folders in
+# CONTRIBUTING is made from this.
 # usage: layers_test.t [BUILD]
 #        layers_test.t -w, which draws that picture anew
 use strict;

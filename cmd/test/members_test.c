@@ -60,29 +60,29 @@ static const struct refusal cameras[] = {
 	    "and \"rvec\", or \"orientation\" and \"translation\", or \"rvec\" "
 	    "and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{" EYE "," AT ",\"gaze\":[0,0,1]}",
-	    "/gaze: does not go with the others; give \"eye\" and \"at\", or "
+	    "/gaze: does not go with \"at\"; give \"eye\" and \"at\", or "
 	    "\"eye\" and \"gaze\", or \"eye\" and \"orientation\", or \"eye\" "
 	    "and \"rvec\", or \"orientation\" and \"translation\", or \"rvec\" "
 	    "and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{" EYE ",\"orientation\":[0,0,0,1],\"up\":[0,1,0]}",
-	    "/up: does not go with the others; give \"eye\", \"at\" and "
+	    "/up: does not go with \"orientation\"; give \"eye\", \"at\" and "
 	    "\"up\", or \"eye\", \"gaze\" and \"up\", or \"eye\" and "
 	    "\"orientation\", or \"eye\" and \"rvec\", or \"orientation\" and "
 	    "\"translation\", or \"rvec\" and \"translation\", or \"pose\", or "
 	    "\"matrix\"" },
 	{ &lookat, "{\"matrix\":" M16 ",\"roll\":0}",
-	    "/roll: does not go with the others; give \"eye\", \"at\" and "
+	    "/roll: does not go with \"matrix\"; give \"eye\", \"at\" and "
 	    "\"roll\", or \"eye\", \"gaze\" and \"roll\", or \"eye\", "
 	    "\"orientation\" and \"roll\", or \"eye\", \"rvec\" and \"roll\", "
 	    "or \"orientation\", \"translation\" and \"roll\", or \"rvec\", "
 	    "\"translation\" and \"roll\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{\"matrix\":" M16 ",\"pose\":" M16 "}",
-	    "/matrix: does not go with the others; give \"eye\" and \"at\", or "
+	    "/matrix: does not go with \"pose\"; give \"eye\" and \"at\", or "
 	    "\"eye\" and \"gaze\", or \"eye\" and \"orientation\", or \"eye\" "
 	    "and \"rvec\", or \"orientation\" and \"translation\", or \"rvec\" "
 	    "and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{\"pose\":" M16 ",\"roll\":0}",
-	    "/roll: does not go with the others; give \"eye\", \"at\" and "
+	    "/roll: does not go with \"pose\"; give \"eye\", \"at\" and "
 	    "\"roll\", or \"eye\", \"gaze\" and \"roll\", or \"eye\", "
 	    "\"orientation\" and \"roll\", or \"eye\", \"rvec\" and \"roll\", "
 	    "or \"orientation\", \"translation\" and \"roll\", or \"rvec\", "
@@ -94,7 +94,7 @@ static const struct refusal cameras[] = {
 	    "and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat,
 	    "{" EYE ",\"orientation\":[0,0,0,1],\"translation\":[0,0,0]}",
-	    "/translation: does not go with the others; give \"eye\" and "
+	    "/translation: does not go with \"eye\"; give \"eye\" and "
 	    "\"at\", or \"eye\" and \"gaze\", or \"eye\" and \"orientation\", "
 	    "or \"eye\" and \"rvec\", or \"orientation\" and \"translation\", "
 	    "or \"rvec\" and \"translation\", or \"pose\", or \"matrix\"" },
@@ -113,12 +113,13 @@ static const struct refusal cameras[] = {
 	{ &lookat, "{\"position\":[0,0,0]," AT "}",
 	    "/position: unknown member; did you mean \"eye\"?" },
 	{ &lookat, "{\"matrix\":" M16 "," EYE "}",
-	    "/eye: does not go with the others; give \"eye\" and \"at\", or "
+	    "/eye: does not go with \"matrix\"; give \"eye\" and \"at\", or "
 	    "\"eye\" and \"gaze\", or \"eye\" and \"orientation\", or \"eye\" "
 	    "and \"rvec\", or \"orientation\" and \"translation\", or \"rvec\" "
 	    "and \"translation\", or \"pose\", or \"matrix\"" },
 	{ &lookat, "{" EYE "," AT ",\"orthonormalize\":true}",
-	    "/orthonormalize: does not go with the others; give \"eye\" and "
+	    "/orthonormalize: does not go with \"eye\" and \"at\"; give "
+	    "\"eye\" and "
 	    "\"at\", or \"eye\" and \"gaze\", or \"eye\" and \"orientation\", "
 	    "or \"eye\" and \"rvec\", or \"orientation\" and \"translation\", "
 	    "or \"rvec\" and \"translation\", or \"pose\" and "
@@ -187,7 +188,8 @@ static const struct refusal others[] = {
 	{ &w2n, "{}", "/center: missing; " WINDOW_HINT },
 	{ &w2n, "{\"left\":1,\"width\":1}", "/center: missing; " WINDOW_HINT },
 	{ &w2n, "{\"center\":[0,0]," SIZE ",\"top\":1}",
-	    "/top: does not go with the others; " WINDOW_HINT },
+	    "/top: does not go with \"center\", \"width\" and "
+	    "\"height\"; " WINDOW_HINT },
 	{ &w2n, "{\"zoom\":0}", "/zoom: 0 is not positive; " POSITIVE },
 	{ &project, "{\"camera\":{" EYE "," AT ",\"roll\":\"\"}}",
 	    "/camera/roll: is a string; a number is wanted" },

@@ -64,17 +64,18 @@ static const struct refusal projections[] = {
 	    "\"height\", or \"left\", \"right\", \"bottom\" and \"top\", or "
 	    "\"angles\", or \"intrinsics\"" },
 	{ &persp, "{" PLANES ",\"fovy\":60,\"fovx\":60}",
-	    "/fovx: does not go with the others; give \"fovy\", or \"fovx\", "
+	    "/fovx: does not go with \"fovy\"; give \"fovy\", or \"fovx\", "
 	    "or \"view_angle\", or \"field\", or \"width\" and \"height\", or "
 	    "\"width\", or \"height\", or \"left\", \"right\", \"bottom\" and "
 	    "\"top\", or \"angles\", or \"intrinsics\"" },
 	{ &persp, "{" PLANES ",\"fovy\":60,\"height\":60}",
-	    "/height: does not go with the others; give \"fovy\", or \"fovx\", "
+	    "/height: does not go with \"fovy\"; give \"fovy\", or \"fovx\", "
 	    "or \"view_angle\", or \"field\", or \"width\" and \"height\", or "
 	    "\"width\", or \"height\", or \"left\", \"right\", \"bottom\" and "
 	    "\"top\", or \"angles\", or \"intrinsics\"" },
 	{ &persp, "{" PLANES "," SIZE ",\"aspect\":1}",
-	    "/aspect: does not go with the others; give \"fovy\" and "
+	    "/aspect: does not go with \"width\" and \"height\"; give \"fovy\" "
+	    "and "
 	    "\"aspect\", or \"fovx\" and \"aspect\", or \"view_angle\" and "
 	    "\"aspect\", or \"field\" and \"aspect\", or \"width\" and "
 	    "\"height\", or \"width\" and \"aspect\", or \"height\" and "
@@ -116,7 +117,7 @@ static const struct refusal projections[] = {
 	{ &project, OBLIQUE(),
 	    "/projection/kind: missing; give \"kind\", or \"angle\"" },
 	{ &project, OBLIQUE(",\"kind\":\"cabinet\",\"angle\":45"),
-	    "/projection/angle: does not go with the others; " SHEAR },
+	    "/projection/angle: does not go with \"kind\"; " SHEAR },
 	{ &project, OBLIQUE(",\"kind\":\"military\""),
 	    "/projection/kind: is \"military\"; \"cavalier\" or \"cabinet\" is "
 	    "wanted" },
@@ -130,7 +131,8 @@ static const struct refusal projections[] = {
 	    "/half_height: missing; give \"half_width\" and \"half_height\", "
 	    "or \"size\"" },
 	{ &volume, "{" BOX ",\"z_far\":0,\"size\":1}",
-	    "/size: does not go with the others; give \"half_width\" and "
+	    "/size: does not go with \"half_width\" and \"half_height\"; give "
+	    "\"half_width\" and "
 	    "\"half_height\", or \"size\"" },
 	{ &volume, "{\"size\":1,\"z_near\":1,\"z_far\":0}",
 	    "/aspect: missing; give it, or a \"viewport\"" },
@@ -138,10 +140,10 @@ static const struct refusal projections[] = {
 	    "/view_angle: 180 is out of range; an angle from 0 to below 180 "
 	    "degrees is wanted" },
 	{ &volume, "{" BOX ",\"z_far\":0,\"view_angle\":1,\"inverse_eye_z\":1}",
-	    "/view_angle: does not go with the others; give "
+	    "/view_angle: does not go with \"inverse_eye_z\"; give "
 	    "\"inverse_eye_z\", or \"eye\", or \"view_angle\"" },
 	{ &volume, "{" BOX ",\"z_far\":2,\"eye\":[0,0,1],\"tan_skew\":[0,0]}",
-	    "/eye: does not go with the others; give \"tan_skew\", or "
+	    "/eye: does not go with \"tan_skew\"; give \"tan_skew\", or "
 	    "\"eye\", or \"view_angle\" and \"tan_skew\"" },
 	{ &persp, "{\"angle_unit\":\"radians\",\"fovy\":3.2}",
 	    "/fovy: 3.2 is out of range; an angle above 0 and below pi radians "
@@ -180,8 +182,7 @@ static const struct refusal projections[] = {
 	    "view space, opencv is right, down, forward and webgpu right, up, "
 	    "backward" },
 	{ &project, SEEN("\"intrinsics\":[1,1,0,0],\"fovy\":60", ""),
-	    "/projection/intrinsics: does not go with the "
-	    "others; " PERSP_HINT },
+	    "/projection/intrinsics: does not go with \"fovy\"; " PERSP_HINT },
 	{ &project, SEEN("\"intrinsics\":[1,1,0,0],\"far\":1", ""),
 	    "/projection/near: missing; give \"near\" and \"far\", or none of "
 	    "them" },
@@ -229,7 +230,7 @@ static const struct refusal projections[] = {
 	{ &persp, "{\"angles\":[-1,1,-1,1]}",
 	    "/near: missing; give \"near\" and \"far\"" },
 	{ &persp, "{\"fovy\":60,\"edges_at\":1}",
-	    "/edges_at: does not go with the others; give \"fovy\", or "
+	    "/edges_at: does not go with \"fovy\"; give \"fovy\", or "
 	    "\"fovx\", or \"view_angle\", or \"field\", or \"width\", "
 	    "\"height\" and \"edges_at\", or \"width\" and \"edges_at\", or "
 	    "\"height\" and \"edges_at\", or \"left\", \"right\", \"bottom\", "
