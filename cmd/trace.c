@@ -80,7 +80,7 @@ static void put_trace(const struct job *j, struct chunk *c,
 {
 	const struct trace *trace = j->with;
 	unsigned outside = m != NULL ? m->outside[p] : OUT_NAN;
-	const struct word *word = word_for(c, outside);
+	const struct word *word = chunk_word(c, outside);
 	bool json = j->layout.out.format == FORMAT_JSON;
 	char *at;
 
@@ -102,15 +102,14 @@ static void put_trace(const struct job *j, struct chunk *c,
 	c->size = (size_t)(at - c->out);
 }
 
-static void trace_take(const struct job *j, struct chunk *c, size_t n,
-    size_t points)
+static void trace_take(const struct job *j, struct chunk *c)
 {
 	/* too large for a thread's stack */
 	struct images *m = aligned_alloc(_Alignof(struct images), sizeof *m);
 
 	if (m == NULL)
 		die(EXIT_SYSTEM, "out of memory");
-	for (size_t i = 0, p = 0; i < n; i++) {
+	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
 		const struct line *line = &c->line[i];
 
 		if (line_is_bad(line))
@@ -119,7 +118,9 @@ static void trace_take(const struct job *j, struct chunk *c, size_t n,
 			continue;
 		if (p % BATCH == 0)
 			images_carry(m, j, c, p,
-			    points - p < BATCH ? points - p : BATCH);
+			    c->block_points - p < BATCH ?
+				c->block_points - p :
+				BATCH);
 		put_trace(j, c, line, m, p++ % BATCH);
 	}
 	free(m);

@@ -161,10 +161,10 @@ static void complain(const struct job *j, const struct chunk *c)
 	if (ends && j->flush != NULL)
 		j->flush(j);
 	clear_progress();
-	for (size_t i = 0; i < c->n_complaints && i < TOLD; i++) {
+	for (size_t i = 0; i < c->n_complaints && i < COMPLAINTS_MAX; i++) {
 		struct place p = place_of(j, c, c->complaint[i].line);
 
-		if (answer.bad + i < TOLD || refused)
+		if (answer.bad + i < COMPLAINTS_MAX || refused)
 			say_at(EXIT_INPUT, &p, "%s", c->complaint[i].reason);
 	}
 	answer.bad += c->n_complaints;

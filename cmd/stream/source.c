@@ -24,7 +24,8 @@ static void reserve_text(struct piece *p, size_t room)
  * from a long line gives it back. */
 static void begin_text(struct piece *p, const struct piece *q)
 {
-	size_t rest = q->have - q->whole, room = PIECE_ROOM;
+	size_t rest = q->have - q->whole;
+	size_t room = q->room > 0 ? PIECE_ROOM : FIRST_ROOM;
 
 	while (room < rest)
 		room *= 2;

@@ -9,9 +9,10 @@
 
 struct layout;
 
-/* Most pieces have so many bytes: enough that handing over costs nothing, few
- * enough for caches. */
-enum { PIECE_ROOM = 1 << 17 };
+/* The bytes of most pieces: enough that threads seldom take the lock, few enough for
+ * caches. The first piece of a source is smaller, as no second one is begun before it
+ * is done. */
+enum { PIECE_ROOM = 1 << 17, FIRST_ROOM = 1 << 14 };
 
 /* The size of pipes, two pieces: one is filled while the other is emptied. More of
  * them on both sides would not stay in the cache of a processor. */
