@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Eight characters in a word, on processors of either byte order. */
+/* Eight characters in a word, the first in its lowest byte. */
 #ifndef EIGHT_H
 #define EIGHT_H
 
@@ -7,8 +7,8 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Each with '0' taken away, so that a digit is its value; the first is the lowest
- * byte. */
+/* Returns the eight characters at s, each less '0', so that a digit becomes its
+ * value. */
 static inline uint64_t eight_at(const char *s)
 {
 	uint64_t w;
@@ -19,9 +19,10 @@ static inline uint64_t eight_at(const char *s)
 	return w ^ 0x3030303030303030;
 }
 
-/* How many of them are digits before another comes. A loop over so few would end at
- * a branch that nobody can predict. 9 + 0x76 has no top bit; what is no digit can
- * carry into the next byte and make that wrong, but the lowest is right. */
+/* Returns how many of the characters are digits before the first that is none, without
+ * a branch for each, which processors could not predict. 9 + 0x76 has no top bit;
+ * another character's sum can carry into the next byte, but the lowest of them is
+ * right. */
 static inline size_t leading_digits(uint64_t w)
 {
 	w = (w | (w + 0x7676767676767676)) & 0x8080808080808080;
