@@ -8,12 +8,11 @@
 
 struct chunk *chunk_new(void)
 {
-	void *c;
+	struct chunk *c = aligned_alloc(_Alignof(struct chunk), sizeof *c);
 
-	if (posix_memalign(&c, _Alignof(struct chunk), sizeof(struct chunk)) !=
-	    0)
+	if (c == NULL)
 		die(EXIT_SYSTEM, "out of memory");
-	return memset(c, 0, sizeof(struct chunk));
+	return memset(c, 0, sizeof *c);
 }
 
 char *chunk_reserve(struct chunk *c, size_t more)

@@ -62,9 +62,10 @@ void call_with_stack(void *(*run)(void *), void *with)
 static struct {
 	/* constant after set_up */
 	struct job *job;
-	int most;             /* threads that may be started */
-	size_t n;             /* chunks that may exist */
-	struct chunk **chunk; /* number k of the source is chunk[k % n] */
+	int most;              /* threads that may be started */
+	size_t n;              /* chunks that may exist */
+	struct chunk **chunk;  /* number k of the source is chunk[k % n] */
+	struct chunk **unused; /* a stack, so that few are used */
 
 	pthread_mutex_t lock;
 	pthread_cond_t changed;
@@ -72,33 +73,23 @@ static struct {
 
 	/* the source that is read */
 	struct point_source *source;
-	bool open;                 /* its end was not read yet */
-	bool first;                /* see struct chunk */
-	bool beginning, answering; /* a thread is doing so */
-	size_t begun, answered;    /* chunks */
+	bool open;                        /* its end was not read yet */
+	bool first;                       /* see struct chunk */
+	bool beginning, answering;        /* a thread is doing so */
+	size_t begun, answered, n_unused; /* chunks */
 } ring = {
 	.lock = PTHREAD_MUTEX_INITIALIZER,
 	.changed = PTHREAD_COND_INITIALIZER,
 };
 
 /* The functions from may_begin to run_chunks are called, and return, with the lock
- * held. */
-static void lock(void)
-{
-	pthread_mutex_lock(&ring.lock);
-}
-
-static void unlock(void)
-{
-	pthread_mutex_unlock(&ring.lock);
-}
-
-/* Returns whether a thread can begin a chunk. While first is true, each chunk waits for
+ * held.
+ *
+ * Returns whether a thread can begin a chunk. While first is true, each chunk waits for
  * the one before it, which may have the csv header. */
 static bool may_begin(void)
 {
-	return ring.open && !ring.beginning &&
-	    ring.begun - ring.answered < ring.n &&
+	return ring.open && !ring.beginning && ring.n_unused > 0 &&
 	    (!ring.first || ring.answered == ring.begun);
 }
 
@@ -109,12 +100,12 @@ static bool is_finished(void)
 
 static void *work(void *);
 
-/* Wakes or starts a thread, which begins a chunk as soon as one may be begun. */
+/* Wakes or starts a thread, if it can begin a chunk. */
 static void call_thread(void)
 {
 	pthread_t t;
 
-	if (!ring.open)
+	if (!may_begin())
 		return;
 	if (ring.idle > 0) {
 		pthread_cond_signal(&ring.changed);
@@ -130,22 +121,22 @@ static void call_thread(void)
 
 static struct chunk *begin_chunk(void)
 {
-	struct chunk **place = &ring.chunk[ring.begun % ring.n];
+	struct chunk **unused = &ring.unused[--ring.n_unused];
 
-	if (*place == NULL)
-		*place = chunk_new();
-	struct chunk *c = *place;
+	if (*unused == NULL)
+		*unused = chunk_new();
+	struct chunk *c = *unused;
 
 	c->name = ring.source->name;
 	c->first = ring.first;
 	c->done = false;
 	ring.beginning = true;
-	unlock();
+	pthread_mutex_unlock(&ring.lock);
 	source_read(ring.source, &ring.job->layout, &c->piece);
-	lock();
+	pthread_mutex_lock(&ring.lock);
 	ring.beginning = false;
 	ring.open = c->piece.state < PIECE_LAST;
-	ring.begun++;
+	ring.chunk[ring.begun++ % ring.n] = c;
 	/* this thread may be back before a slow stream has more */
 	if (c->piece.state != PIECE_EARLY)
 		call_thread();
@@ -162,10 +153,12 @@ static void answer_done(void)
 	ring.answering = true;
 	while (ring.answered < ring.begun &&
 	    (c = ring.chunk[ring.answered % ring.n])->done) {
-		unlock();
+		pthread_mutex_unlock(&ring.lock);
 		answer_chunk(ring.job, c);
-		lock();
-		if (ring.begun - ring.answered++ == ring.n)
+		pthread_mutex_lock(&ring.lock);
+		ring.unused[ring.n_unused] = c;
+		ring.answered++;
+		if (ring.n_unused++ == 0)
 			call_thread();
 	}
 	ring.answering = false;
@@ -183,9 +176,9 @@ static void run_chunks(bool forever)
 		}
 		struct chunk *c = begin_chunk();
 
-		unlock();
+		pthread_mutex_unlock(&ring.lock);
 		job_do(ring.job, c);
-		lock();
+		pthread_mutex_lock(&ring.lock);
 		ring.first = c->first;
 		c->done = true;
 		answer_done();
@@ -196,7 +189,7 @@ static void run_chunks(bool forever)
 
 static void *work(void *unused)
 {
-	lock();
+	pthread_mutex_lock(&ring.lock);
 	run_chunks(true);
 	return unused;
 }
@@ -221,15 +214,17 @@ static void set_up(struct job *j)
 	ring.most = count_threads(j->threads) - 1;
 	/* one for each thread, and almost as many that wait for their answer */
 	ring.n = 2 * (size_t)ring.most + 1;
+	ring.n_unused = ring.n;
 	ring.chunk = need(NULL, ring.n * sizeof *ring.chunk);
+	ring.unused = need(NULL, ring.n * sizeof *ring.unused);
 	for (size_t i = 0; i < ring.n; i++)
-		ring.chunk[i] = NULL;
+		ring.unused[i] = NULL;
 }
 
 static void stream(struct job *j, struct point_source *s)
 {
 	answer_source(s->size);
-	lock();
+	pthread_mutex_lock(&ring.lock);
 	if (ring.chunk == NULL)
 		set_up(j);
 	ring.source = s;
@@ -237,7 +232,7 @@ static void stream(struct job *j, struct point_source *s)
 	ring.first = !is_binary(j->layout.in.format);
 	ring.begun = ring.answered = 0;
 	run_chunks(false);
-	unlock();
+	pthread_mutex_unlock(&ring.lock);
 	free(s->rest.text);
 }
 
