@@ -375,15 +375,16 @@ static char *put_line(struct writer *w, const struct line *line, size_t p,
 		       put_other(&j->layout, line, at);
 }
 
-/* Reserves room for a batch of lines, the first of which is line i. */
-static void reserve_lines(const struct layout *l, struct chunk *c, size_t i)
+/* Reserves room for a batch of lines, the first of which is line i. Returns where they
+ * are written. */
+static char *reserve_lines(const struct layout *l, struct chunk *c, size_t i)
 {
 	size_t rest = c->block_lines - i;
 	size_t n = rest < NUMBER_BATCH ? rest : NUMBER_BATCH;
 	const struct line *first = &c->line[i], *last = &first[n - 1];
 	size_t bytes = (size_t)(last->s + last->size - first->s);
 
-	chunk_reserve(c,
+	return chunk_reserve(c,
 	    is_binary(l->out.format) ? n * binary_written(l) :
 				       lines_room(l, n, bytes));
 }
@@ -394,6 +395,7 @@ static void block_write(const struct job *j, struct chunk *c)
 	const struct layout *l = &j->layout;
 	struct writer w; /* no initializer, which would clear the texts */
 	const double *const in[4] = { c->in[0], c->in[1], c->in[2], c->in[3] };
+	char *at = NULL;
 
 	w.job = j;
 	w.chunk = c;
@@ -407,14 +409,11 @@ static void block_write(const struct job *j, struct chunk *c)
 	if (l->flags || j->visible)
 		frustum_out_all(&j->frustum, in, w.outside, c->block_points);
 	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
-		const struct line *line = &c->line[i];
-
 		if (i % NUMBER_BATCH == 0)
-			reserve_lines(l, c, i);
-		char *end = put_line(&w, line, p, c->out + c->size);
-
-		c->size = (size_t)(end - c->out);
-		p += line->kind == LINE_POINT;
+			at = reserve_lines(l, c, i);
+		at = put_line(&w, &c->line[i], p, at);
+		c->size = (size_t)(at - c->out);
+		p += c->line[i].kind == LINE_POINT;
 	}
 }
 
