@@ -118,9 +118,8 @@ static void trace_take(const struct job *j, struct chunk *c)
 			continue;
 		if (p % BATCH == 0)
 			images_carry(m, j, c, p,
-			    c->block_points - p < BATCH ?
-				c->block_points - p :
-				BATCH);
+			    c->block_points - p < BATCH ? c->block_points - p :
+							  BATCH);
 		put_trace(j, c, line, m, p++ % BATCH);
 	}
 	free(m);
