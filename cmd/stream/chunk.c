@@ -10,9 +10,9 @@ struct chunk *chunk_new(void)
 {
 	struct chunk *c = aligned_alloc(_Alignof(struct chunk), sizeof *c);
 
-	if (c == NULL)
-		die(EXIT_SYSTEM, "out of memory");
-	return memset(c, 0, sizeof *c);
+	if (c != NULL)
+		return memset(c, 0, sizeof *c);
+	die(EXIT_SYSTEM, "out of memory");
 }
 
 char *chunk_reserve(struct chunk *c, size_t more)
