@@ -124,10 +124,10 @@ FLAGS += $(if $(filter s390x%,$(MACHINE)),$(if \
 $(addprefix $(BUILD)/cmd/,lines/splice.o lines/walk.o stream/job.o) \
     $(call objects,core/points/kernel cmd/number/vector): FLAGS += -O3
 VECTOR = $(BUILD)/cmd/number/vector
-$(BUILD)/core/points/kernel/avx2.o $(VECTOR)/write_avx2.o $(VECTOR)/read_avx2.o: \
+$(BUILD)/core/points/kernel/avx2.o $(VECTOR)/avx2.o: \
     FLAGS += $(call x86,-mavx2 -mfma)
 $(BUILD)/core/points/kernel/avx512.o: FLAGS += $(call x86,-mavx512f -mfma)
-$(VECTOR)/write_avx512.o $(VECTOR)/read_avx512.o: FLAGS += $(call x86, \
+$(VECTOR)/avx512.o: FLAGS += $(call x86, \
     -mavx512f -mavx512bw -mavx512cd -mavx512dq -mavx512vl -mfma)
 # These files run on threads, on the stacks of cmd/stream/stream.c, so the size of
 # their frames is limited. With -flto clang merges a command's functions of several

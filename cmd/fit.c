@@ -7,7 +7,7 @@
 #include "scene/document.h"
 #include "message/message.h"
 
-/* What the threads share, and what they have found. */
+/* The directions, which the threads share, and the extremes of all points. */
 struct fit {
 	struct directions directions;
 	struct extremes extremes;
@@ -25,13 +25,14 @@ static void take_extremes(const struct job *j, struct chunk *c)
 		memset(chunk_reserve(c, sizeof fit->extremes), 0,
 		    sizeof fit->extremes);
 	c->size = sizeof fit->extremes;
-	/* as extremes_add wants them */
+	/* extremes_add needs a multiple of 16 points: repeats the first */
 	for (size_t i = c->block_points; i % 16 != 0; i++)
 		for (int k = 0; k < j->transform.in; k++)
 			c->in[k][i] = c->in[k][0];
 	extremes_add((void *)c->out, &fit->directions, in, c->block_points);
 }
 
+/* Merges the extremes of a chunk into those of all points. */
 static void collect_extremes(const struct job *j, const struct chunk *c,
     long long first_line)
 {
@@ -43,7 +44,8 @@ static void collect_extremes(const struct job *j, const struct chunk *c,
 		    (const void *)c->out);
 }
 
-static void read_points(const struct options *o, struct document *d)
+/* Takes the bounds of the document from the points. */
+static void fit_read_points(const struct options *o, struct document *d)
 {
 	static struct fit fit;
 	static struct job j = { .take = take_extremes,
@@ -61,15 +63,15 @@ static void read_points(const struct options *o, struct document *d)
 		    fit_directions(&d->scene, d->has_eye, &fit.directions));
 	}
 	prepare_job(&j, o);
-	do_points(o, d, &j);
+	run_points(o, d, &j);
 	if (!extremes_bounds(&fit.extremes, &fit.directions, &d->bounds))
 		document_refuse(d,
 		    "/bounds: missing, and there are no points to "
-		    "take them from");
+		    "hold in their place");
 }
 
-/* why is of core/, and may be about /bounds. If those were taken from points,
- * the message is about the points. */
+/* Refuses a scene for the reason that core/ returned. If that is about /bounds and the
+ * bounds come from points, the message is about the points. */
 static _Noreturn void refuse_fit(const struct options *o,
     const struct document *d, const char *why)
 {
@@ -95,11 +97,11 @@ void run_fit(const struct command *c, const struct options *o)
 	if (d.scene.answer != NULL)
 		document_refuse(&d,
 		    "/convention: is not that of -c; fit prints the scene in "
-		    "its own, so leave -c out");
+		    "the scene's own convention, so leave -c out");
 	if (d.has_bounds && o->n_points > 0)
 		document_refuse(&d,
-		    "/bounds: not together with POINTS; fit holds "
-		    "the one or the other");
+		    "/bounds: not together with POINTS; give one of "
+		    "them");
 	if (!d.has_bounds && !has_points(o, &d))
 		document_refuse(&d,
 		    d.flat ? "/bounds: missing; add \"bounds\": {\"min\": "
@@ -107,7 +109,7 @@ void run_fit(const struct command *c, const struct options *o)
 			     "/bounds: missing; add \"bounds\": {\"min\": "
 			     "[-1,-1,-1], \"max\": [1,1,1]}, or POINTS");
 	if (!d.has_bounds)
-		read_points(o, &d);
+		fit_read_points(o, &d);
 	const char *why = d.flat ? fit_window(&d.scene, &d.bounds) :
 				   fit_scene(&d.scene, d.has_eye, &d.bounds);
 

@@ -19,8 +19,8 @@ static void heading(const char *text)
 
 enum { NAME_WIDTH = 15, TYPE_WIDTH = 23 };
 
-/* Its name, type and unit, what it says, its default and, where types names them,
- * the types that have it. */
+/* Prints a member's name, type, unit, meaning and default and, if types is not NULL, the
+ * types of the object that have it. */
 static void print_member(const struct member *row, const char *const *types)
 {
 	char type[LISTED];
@@ -49,8 +49,7 @@ static void print_member(const struct member *row, const char *const *types)
 	print("%s\n", *before == ',' ? ")" : "");
 }
 
-/* The members of a table that objects of that kind have, or where it is negative
- * those of all kinds. */
+/* Prints the members of a table that objects of a kind have; of all kinds if kind < 0. */
 static void print_members(const struct member *table, int kind)
 {
 	for (const struct member *row = table; row->name != NULL; row++)
@@ -58,7 +57,7 @@ static void print_members(const struct member *table, int kind)
 			print_member(row, kind < 0 ? table->words : NULL);
 }
 
-/* Members of a scene, as bits. */
+/* Prints the scene's members that bits select. */
 static void print_scene_members(unsigned bits)
 {
 	for (int i = 0; scene_members[i].name != NULL; i++)
@@ -93,7 +92,7 @@ static void print_options(const struct command *c)
 	}
 }
 
-/* What PARAMS may have: members of a lone object, and of a scene. */
+/* Prints the members that PARAMS may have, of an object alone and of a scene. */
 static void print_params(const struct command *c)
 {
 	const struct document_wants *w = &c->wants;
@@ -110,7 +109,7 @@ static void print_params(const struct command *c)
 	}
 	heading("\nscene:\n");
 	print_scene_members(document_reads(w));
-	print("projcalc help NAME tells of a member that is an object.\n");
+	print("projcalc help NAME describes a member that is an object.\n");
 }
 
 void help_command(const struct command *c)
@@ -129,9 +128,9 @@ void help_command(const struct command *c)
 	print(" projcalc %s %s\n", c->name, c->example);
 }
 
-/* Prints a row of the table of conventions: what one says, or the members' names where
- * says is NULL. */
-static void print_convention(const char *name, const bool *says)
+/* Prints a row of the table of conventions: the words of its choices or, if choices is
+ * NULL, the members' names. */
+static void print_convention_row(const char *name, const bool *choices)
 {
 	int blanks = 10 - print("  %s", name);
 
@@ -144,7 +143,7 @@ static void print_convention(const char *name, const bool *says)
 				width = strlen(m->words[i]);
 		blanks = (int)width -
 		    print("%*s %s", blanks, "",
-			says != NULL ? m->words[says[m->at]] : m->name) +
+			choices != NULL ? m->words[choices[m->at]] : m->name) +
 		    blanks + 1;
 	}
 	print("\n");
@@ -165,9 +164,9 @@ static void help_scene_member(const struct member *row)
 		print_members(row->members, -1);
 	if (row->members == convention_members) {
 		print("\n");
-		print_convention("", NULL);
+		print_convention_row("", NULL);
 		for (int i = 0; i < CONVENTIONS; i++)
-			print_convention(convention_names[i],
+			print_convention_row(convention_names[i],
 			    (const bool *)&conventions[i]);
 	}
 	heading("\nexample:");

@@ -6,8 +6,8 @@
 #include "scene/convention_member.h"
 #include "scene/members.h"
 
-/* A name, and a string, or null. */
-static void put_told(struct printer *p, const char *name, const char *s)
+/* Puts a member with a string, or null. */
+static void put_text_member(struct printer *p, const char *name, const char *s)
 {
 	put_name(p, name);
 	if (s != NULL)
@@ -16,8 +16,8 @@ static void put_told(struct printer *p, const char *name, const char *s)
 		put_word(p, "null");
 }
 
-/* Puts those of some words, which may be NULL, that bits are. */
-static void put_chosen(struct printer *p, const char *name,
+/* Puts a member with the array of the words that bits select; words may be NULL. */
+static void put_words(struct printer *p, const char *name,
     const char *const *words, unsigned bits)
 {
 	put_name(p, name);
@@ -28,7 +28,7 @@ static void put_chosen(struct printer *p, const char *name,
 	put_close(p, "]");
 }
 
-/* An array's next element is an object in a line of its own. */
+/* Opens an object in a line of its own, as the next element of an array. */
 static void open_line(struct printer *p)
 {
 	p->between = *p->between != '\0' ? ",\n    " : "\n    ";
@@ -51,8 +51,8 @@ static void put_command(struct printer *p, const struct command *c)
 	snprintf(call, sizeof call, "projcalc %s %s", c->name,
 	    c->example != NULL ? c->example : "");
 	open_line(p);
-	put_told(p, "name", c->name);
-	put_told(p, "about", c->about);
+	put_text_member(p, "name", c->name);
+	put_text_member(p, "about", c->about);
 	put_name(p, "options");
 	put_open(p, "[");
 	for (const struct option_row *r = option_rows; r->name != NULL; r++)
@@ -60,13 +60,13 @@ static void put_command(struct printer *p, const struct command *c)
 			put_string(p, r->name);
 	put_close(p, "]");
 	if (c->kind != HELP) {
-		put_chosen(p, "reads", names, document_reads(&c->wants));
-		/* a scene in the plane needs none of these */
-		put_chosen(p, "needs", names,
+		put_words(p, "reads", names, document_reads(&c->wants));
+		/* a scene in the plane needs no member */
+		put_words(p, "needs", names,
 		    c->wants.flat != 0 ? 0 : c->wants.needed);
-		put_chosen(p, "alone", names, c->wants.bare);
+		put_words(p, "alone", names, c->wants.bare);
 	}
-	put_told(p, "example", call);
+	put_text_member(p, "example", call);
 	put_close(p, "}");
 }
 
@@ -76,11 +76,11 @@ static void put_option(struct printer *p, const struct option_row *r,
 	const char letter[] = { r->letter, '\0' };
 
 	open_line(p);
-	put_told(p, "name", r->name);
-	put_told(p, "letter", r->letter != 0 ? letter : NULL);
-	put_told(p, "argument", r->argument);
-	put_chosen(p, "words", r->words, ~0u);
-	put_told(p, "about", r->about);
+	put_text_member(p, "name", r->name);
+	put_text_member(p, "letter", r->letter != 0 ? letter : NULL);
+	put_text_member(p, "argument", r->argument);
+	put_words(p, "words", r->words, ~0u);
+	put_text_member(p, "about", r->about);
 	put_name(p, "commands");
 	put_open(p, "[");
 	for (; c->name != NULL; c++)
@@ -90,7 +90,7 @@ static void put_option(struct printer *p, const struct option_row *r,
 	put_close(p, "}");
 }
 
-/* The numbers that a member may be, by the words of JSON Schema. */
+/* Puts the range of a member's numbers, by the words of JSON Schema. */
 static void put_range(struct printer *p, const struct value_range *r)
 {
 	put_name(p, r->above ? "exclusiveMinimum" : "minimum");
@@ -99,46 +99,46 @@ static void put_range(struct printer *p, const struct value_range *r)
 	put_number(p, r->max);
 }
 
-/* A member of a scene, or of its member of that name; types are of a table whose
- * first row names them. */
+/* Puts a member of the scene or, if in is not NULL, of its member of that name. types are
+ * the names of the types of objects. */
 static void put_member(struct printer *p, const struct member *row,
     const char *in, const char *const *types)
 {
 	char type[LISTED];
 
 	open_line(p);
-	put_told(p, "name", row->name);
-	put_told(p, "in", in);
-	put_told(p, "type", member_type(row, type));
-	put_told(p, "unit", member_unit(row));
+	put_text_member(p, "name", row->name);
+	put_text_member(p, "in", in);
+	put_text_member(p, "type", member_type(row, type));
+	put_text_member(p, "unit", member_unit(row));
 	if (row->range != NULL)
 		put_range(p, row->range);
 	put_name(p, "default");
 	put_open(p, row->usual != NULL ? row->usual : "null");
 	put_close(p, "");
-	put_told(p, "before", row->before);
-	put_told(p, "about", row->about);
-	put_chosen(p, "words", row->words, ~0u);
+	put_text_member(p, "before", row->before);
+	put_text_member(p, "about", row->about);
+	put_words(p, "words", row->words, ~0u);
 	if (row->kinds != 0)
-		put_chosen(p, "types", types, row->kinds);
+		put_words(p, "types", types, row->kinds);
 	put_close(p, "}");
 }
 
-/* The ways to combine members; those for the command fit, if they are others. */
+/* Puts the ways to combine members, and those for fit if they differ. */
 static void put_ways(struct printer *p, const char *in, const struct ways *w,
     const char *const *types)
 {
 	open_line(p);
-	put_told(p, "in", in);
-	put_chosen(p, "ways", w->way, ~0u);
+	put_text_member(p, "in", in);
+	put_words(p, "ways", w->way, ~0u);
 	if (w->fit)
-		put_chosen(p, "fit", w->fit_way, ~0u);
+		put_words(p, "fit", w->fit_way, ~0u);
 	if (w->kinds != 0)
-		put_chosen(p, "types", types, w->kinds);
+		put_words(p, "types", types, w->kinds);
 	put_close(p, "}");
 }
 
-static void put_members(struct printer *p)
+static void put_all_members(struct printer *p)
 {
 	const struct member *s, *m;
 	const struct ways *w;
@@ -164,10 +164,10 @@ static void put_conventions(struct printer *p)
 		const bool *choice = (const bool *)&conventions[i];
 
 		open_line(p);
-		put_told(p, "name", convention_names[i]);
+		put_text_member(p, "name", convention_names[i]);
 		for (const struct member *m = convention_members;
 		     m->name != NULL; m++)
-			put_told(p, m->name, m->words[choice[m->at]]);
+			put_text_member(p, m->name, m->words[choice[m->at]]);
 		put_close(p, "}");
 	}
 	put_close(p, "]");
@@ -179,7 +179,7 @@ void help_json(const struct command *commands, const char *version)
 	struct printer p = { .at = text, .between = "" };
 
 	put_open(&p, "{");
-	put_told(&p, "version", version);
+	put_text_member(&p, "version", version);
 	open_list(&p, "commands");
 	for (const struct command *c = commands; c->name != NULL; c++)
 		put_command(&p, c);
@@ -188,12 +188,12 @@ void help_json(const struct command *commands, const char *version)
 	for (const struct option_row *r = option_rows; r->name != NULL; r++)
 		put_option(&p, r, commands);
 	put_close(&p, "]");
-	put_members(&p);
+	put_all_members(&p);
 	put_conventions(&p);
 	p.between = ",\n  ";
-	put_chosen(&p, "formats", format_names, ~0u);
+	put_words(&p, "formats", format_names, ~0u);
 	p.between = ",\n  ";
-	put_chosen(&p, "spaces", space_names, ~0u);
+	put_words(&p, "spaces", space_names, ~0u);
 	put_text(&p, "\n}\n");
 	print("%s", text);
 }

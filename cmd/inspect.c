@@ -18,10 +18,10 @@ static const char *const kinds[] = { "multiview", "isometric", "dimetric",
 	"three-point" };
 static const char *const buffers[] = { "unorm16", "unorm24", "float32" };
 
-/* In the order of enum note: what it means, and what to try. */
+/* In the order of enum note: the meaning, and what to try. */
 static const char *const notes[NOTES] = {
 	"mirrored: the picture is a mirror image, as the determinant says; "
-	"negate what makes x or y, or try another \"convention\"",
+	"negate x or y in the matrix, or try another \"convention\"",
 	"the projection is of the other handedness: it looks against the "
 	"convention's gaze, and mirrors; try the \"convention\" that it is "
 	"from, or negate the third row",
@@ -53,7 +53,7 @@ static const char *const notes[NOTES] = {
 	"range; look at near, far and eye",
 };
 
-/* Puts a vector, or null where its first element is nan: there is none. */
+/* Puts a vector, or null if its first element is nan. */
 static void put_vector(struct printer *p, const double *v, int n)
 {
 	if (isnan(v[0]))
@@ -62,7 +62,7 @@ static void put_vector(struct printer *p, const double *v, int n)
 		put_numbers(p, v, n);
 }
 
-/* Puts rows of n numbers each; or null where there are none. */
+/* Puts rows of n numbers each; or null if none is true. */
 static void put_rows(struct printer *p, const char *name, const double *v,
     int rows, int n, bool none)
 {
@@ -155,7 +155,7 @@ static void check_distances(const struct document *d, const struct options *o,
 	double near = depth_distance(z, false), far = depth_distance(z, true);
 	char why[160];
 
-	if (isnan(far)) /* behind the eye, beyond infinity */
+	if (isnan(far)) /* beyond infinity: behind the eye */
 		far = HUGE_VAL;
 	for (int i = 0; i < o->distances.n && !z->open; i++) {
 		double at = o->distances.v[i];
@@ -170,7 +170,7 @@ static void check_distances(const struct document *d, const struct options *o,
 	}
 }
 
-/* At the near and far plane, and at distances. */
+/* Puts the depth steps at the near plane, at the far plane, and at distances. */
 static void put_depth_steps(struct printer *p, const struct options *o,
     const struct depth *z)
 {
@@ -192,8 +192,8 @@ static void put_depth_steps(struct printer *p, const struct options *o,
 	put_close(p, "}");
 }
 
-/* The error bounds, the cheapest precision's first; then the name of the
- * cheapest precision whose bound is within tolerance. */
+/* Puts the error bounds, the cheapest precision's first, and the name of the cheapest
+ * precision whose bound is within tolerance. */
 static void put_bounds(struct printer *p, const double bound[3],
     double tolerance)
 {
@@ -212,7 +212,7 @@ static void put_bounds(struct printer *p, const double bound[3],
 	put_string(p, precision_names[precision]);
 }
 
-/* Of a document without a projection, the window. */
+/* Puts the window of a scene without a projection. */
 static void put_plane(struct printer *p, const struct document *d)
 {
 	const struct scene *s = &d->scene;
@@ -229,7 +229,7 @@ static void put_plane(struct printer *p, const struct document *d)
 	put_numbers(p, w.scale, 2);
 }
 
-/* Of all others. */
+/* Puts the projection, and what follows from it. */
 static void put_spatial(struct printer *p, const struct document *d,
     const struct options *o)
 {
@@ -257,7 +257,7 @@ void run_inspect(const struct command *c, const struct options *o)
 {
 	static char text[320 * NUMBER_MAX + (1 << 14)];
 	struct printer p = { .at = text,
-		.style = one_style(o),
+		.style = options_style(o),
 		.on_line = o->out == FORMAT_JSON,
 		.compact = o->out == FORMAT_JSON,
 		.between = "" };
@@ -266,13 +266,13 @@ void run_inspect(const struct command *c, const struct options *o)
 	read_document(c, o, &d);
 	if (d.flat && (o->tolerance > 0 || o->distances.n > 0))
 		document_refuse(&d,
-		    "/projection: missing; -t and --distances are about its "
-		    "errors and depth, of which a window has none");
+		    "/projection: missing; -t and --distances are about the "
+		    "errors and the depth of a projection, not of a window");
 	put_open(&p, "{");
 	if (d.flat)
 		put_plane(&p, &d);
 	else
 		put_spatial(&p, &d, o);
 	put_text(&p, p.on_line ? "}\n" : "\n}\n");
-	put_all(text, (size_t)(p.at - text));
+	output_write(text, (size_t)(p.at - text));
 }

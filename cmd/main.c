@@ -20,7 +20,7 @@
 #define FLAT_LIKE "'{\"window\": " WINDOW_LIKE                                 \
 	", \"device\": " DEVICE_LIKE "}'"
 
-/* A command for one type of projection. A viewport may give the aspect. */
+/* A command for one type of projection. A viewport may determine the aspect. */
 #define VIEW_TO_CLIP(type)                                                 \
 	MATRIX, run_matrix,                                                \
 	.wants = { .bare = SCENE_PROJECTION, .needed = SCENE_PROJECTION,   \
@@ -28,7 +28,7 @@
 	    .projection = type },                                          \
 	.from = SPACE_VIEW, .to = SPACE_CLIP, .points_to = SPACE_NDC
 
-/* A window may adapt to the device, where there is one. */
+/* A window adapts to the device if there is one. */
 #define WINDOW_ALONE                                                       \
 	.bare = SCENE_WINDOW, .needed = SCENE_WINDOW,                      \
 	.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS
@@ -58,13 +58,13 @@ static const struct command commands[] = {
 	{ "oblique", "view to clip matrix of an oblique projection",
 	    VIEW_TO_CLIP(PROJECTION_OBLIQUE),
 	    .example = "'{\"kind\": \"cabinet\", \"width\": 3, \"height\": 2, \"near\": 0, \"far\": 10}'" },
-	{ "w2n", "2D window to NDC matrix", IN_PLANE(WINDOW, NDC),
+	{ "w2n", "2D window to ndc matrix", IN_PLANE(WINDOW, NDC),
 	    .wants = { WINDOW_ALONE }, .example = "'" WINDOW_LIKE "' '[22,32]'" },
-	{ "n2w", "2D NDC to window matrix", IN_PLANE(NDC, WINDOW),
+	{ "n2w", "2D ndc to window matrix", IN_PLANE(NDC, WINDOW),
 	    .wants = { WINDOW_ALONE }, .example = "'" WINDOW_LIKE "' '[0.5,0.5]'" },
-	{ "n2d", "2D NDC to device matrix", IN_PLANE(NDC, DEVICE),
+	{ "n2d", "2D ndc to device matrix", IN_PLANE(NDC, DEVICE),
 	    .wants = { DEVICE_ALONE }, .example = "'" DEVICE_LIKE "' '[0.5,0.5]'" },
-	{ "d2n", "2D device to NDC matrix", IN_PLANE(DEVICE, NDC),
+	{ "d2n", "2D device to ndc matrix", IN_PLANE(DEVICE, NDC),
 	    .wants = { DEVICE_ALONE }, .example = "'" DEVICE_LIKE "' '[210,90]'" },
 	{ "w2d", "2D window to device matrix", IN_PLANE(WINDOW, DEVICE),
 	    .wants = { WINDOW_AND_DEVICE }, .example = FLAT_LIKE " '[22,32]'" },
@@ -87,7 +87,7 @@ static const struct command commands[] = {
 		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_PICK },
 	    .example = "--at 320,240 --radius 3 '" SCENE_LIKE
 		"' '[[0,0,0], [1,1,1]]'" },
-	{ "fit", "a scene completed to hold bounds or points and no more",
+	{ "fit", "a scene completed to hold bounds or points tightly",
 	    FIT, run_fit,
 	    .wants = { .needed = SCENE_PROJECTION, .fit = true,
 		.flat = SCENE_WINDOW | SCENE_DEVICE,
@@ -100,7 +100,7 @@ static const struct command commands[] = {
 	    INSPECT, run_inspect,
 	    .wants = { .flat = SCENE_WINDOW, .used = SCENE_SPATIAL },
 	    .example = "'" SCENE_LIKE "'" },
-	{ "help", "what a command does, or a member of a scene says", HELP,
+	{ "help", "what a command does, or what a member of the scene means", HELP,
 	    .example = "camera" },
 	{ .name = NULL },
 };
@@ -108,8 +108,8 @@ static const struct command commands[] = {
 
 static _Noreturn void main_finish(void)
 {
-	put_printed();
-	close_output();
+	print_flush();
+	output_close();
 	exit(EXIT_OK);
 }
 
@@ -119,7 +119,9 @@ static _Noreturn void help(const struct options *o)
 	const struct command *c = find_command(commands, what);
 
 	if (o->n_points > 0 || (o->json && !is_stdin(what)))
-		die(EXIT_USAGE, "help: '%s' is too many; one word, or --json",
+		die(EXIT_USAGE,
+		    "help: '%s' is one word too many; give one command or "
+		    "member, or --json",
 		    o->n_points > 0 ? o->points[0] : what);
 	if (o->json)
 		help_json(commands, VERSION);
@@ -128,7 +130,7 @@ static _Noreturn void help(const struct options *o)
 	else if (c != NULL)
 		help_command(c);
 	else if (!help_member(what))
-		synonym_word(commands, true, what);
+		synonym_refuse_word(commands, true, what);
 	main_finish();
 }
 
@@ -163,7 +165,7 @@ int main(int argc, char **argv)
 
 	/* -ffast-math at link time adds startup code that flushes subnormals. */
 	fesetenv(FE_DFL_ENV);
-	options_first(argv + 1);
+	options_read_first(argv + 1);
 	if (argc < 2)
 		die(EXIT_USAGE, "no command; 'projcalc help' lists them");
 	if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0)
@@ -173,7 +175,7 @@ int main(int argc, char **argv)
 	o->version = strcmp(argv[1], "--version") == 0 ||
 	    strcmp(argv[1], "-V") == 0;
 	if (c == NULL && !o->version)
-		synonym_command(commands, argv[1]);
+		synonym_refuse_command(commands, argv[1]);
 	if (c != NULL)
 		options_read(c, argv + 2, o);
 	if (o->version) {
@@ -186,7 +188,7 @@ int main(int argc, char **argv)
 	}
 	if (c->kind == HELP)
 		help(o);
-	check_operands(c, o);
+	operands_check(c, o);
 	call_with_stack(run_scenes, &run);
 	return answer_end();
 }

@@ -7,16 +7,16 @@
 #include "message/message.h"
 #include "scene/types.h"
 
-/* The rows and columns of a map that are printed, of 3 or 4: in 2D z is left out. */
-static const int PICKED[2][4] = { { 0, 1, 3 }, { 0, 1, 2, 3 } };
+/* [size - 3]: the rows or columns of a map that a matrix of 3 or 4 has; 3 lack z. */
+static const int kept_axes[2][4] = { { 0, 1, 3 }, { 0, 1, 2, 3 } };
 
 struct elements {
 	int rows, columns;
 	double at[4][4];
 };
 
-/* In memory order, which for row vectors goes row by row and for column vectors
- * column by column: those are the same numbers. */
+/* Prints the elements in memory order: row by row for row vectors, column by column for
+ * column vectors, which is the same sequence. */
 static void print_binary(const struct elements *m, bool wide)
 {
 	for (int i = 0; i < m->rows * m->columns; i++) {
@@ -27,7 +27,7 @@ static void print_binary(const struct elements *m, bool wide)
 			put_little_double(number, v);
 		else
 			put_little_float(number, (float)v);
-		put_all(number, wide ? 8 : 4);
+		output_write(number, wide ? 8 : 4);
 	}
 }
 
@@ -55,24 +55,25 @@ static void put_json(struct printer *p, const struct elements *m, bool column)
 	put_close(p, "}\n");
 }
 
-/* The elements for row vectors or, turned, for column vectors; as floats, all of
- * which have to be finite, or doubles. */
+/* Returns the elements for row vectors or, if column, for column vectors: the nearest
+ * doubles, or the nearest floats, of which an infinite one is refused. */
 static struct elements elements_of(const struct document *d,
-    const struct transform *t, bool floats, bool turned)
+    const struct transform *t, bool floats, bool column)
 {
 	const int n[2] = { t->in == 2 ? 3 : 4, t->out == 2 ? 3 : 4 };
-	struct elements m = { .rows = n[turned], .columns = n[!turned] };
+	struct elements m = { .rows = n[column], .columns = n[!column] };
 
 	for (int i = 0; i < n[0]; i++)
 		for (int j = 0; j < n[1]; j++) {
-			double v = map_nearest(&t->map, PICKED[n[0] - 3][i],
-			    PICKED[n[1] - 3][j], floats);
+			double v = map_nearest(&t->map, kept_axes[n[0] - 3][i],
+			    kept_axes[n[1] - 3][j], floats);
 
 			if (floats && !isfinite((float)v))
 				document_refuse(d,
 				    "the matrix has elements beyond the range "
-				    "of floats; print doubles");
-			m.at[turned ? j : i][turned ? i : j] = v;
+				    "of floats; leave -p single or -o f32 "
+				    "out");
+			m.at[column ? j : i][column ? i : j] = v;
 		}
 	return m;
 }
@@ -85,7 +86,7 @@ void print_matrix(const struct options *o, const struct document *d,
 	bool floats = single || o->out == FORMAT_F32;
 	bool column = answer_convention(&d->scene)->column;
 	struct printer p = { .at = text,
-		.style = one_style(o),
+		.style = options_style(o),
 		.single = single,
 		.compact = true,
 		.between = "" };
@@ -100,7 +101,7 @@ void print_matrix(const struct options *o, const struct document *d,
 		put_json(&p, &m, column);
 	else
 		put_lines(&p, &m, dialect_of(o->out, o->separator).separator);
-	put_all(text, (size_t)(p.at - text));
+	output_write(text, (size_t)(p.at - text));
 }
 
 /* In the order of enum flat. */
@@ -134,7 +135,7 @@ void run_matrix(const struct command *c, const struct options *o)
 
 	if (!points && !o->matrix && (o->flags || o->visible || o->append))
 		die(EXIT_USAGE,
-		    "%s: --%s is about points, and there are none; add them, "
+		    "%s: --%s is for points, and there are none; add POINTS, "
 		    "or - for standard input",
 		    c->name,
 		    o->flags      ? "flags" :
@@ -148,5 +149,5 @@ void run_matrix(const struct command *c, const struct options *o)
 	j.space = c->kind == PLANAR ? flat_names[c->points_to] :
 				      space_names[c->points_to];
 	prepare_job(&j, o);
-	do_points(o, &d, &j);
+	run_points(o, &d, &j);
 }

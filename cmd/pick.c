@@ -10,12 +10,20 @@
 #include "call/operands.h"
 #include "message/message.h"
 
-/* A point that was hit, or a csv header, whose distance is -infinity; and where in
- * the text of hits stands what is printed of it. */
+/* A record of the text of hits: a point within the radius, or a csv header, whose
+ * distance is -infinity. */
 struct hit {
 	double distance, point[4];
 	long long line;
-	size_t at, size;
+	size_t size;
+	char text
+	    []; /* what is printed; in JSON what follows the line's number */
+};
+
+/* The sort key of a hit: its distance, then its record's place in the text. */
+struct hit_key {
+	double distance;
+	size_t at;
 };
 
 struct hits {
@@ -23,21 +31,33 @@ struct hits {
 	struct picker picker;
 	bool json;
 	bool near; /* the near plane is not at infinity */
-	struct hit *hit;
+	struct hit_key *key;
 	size_t n, room;
-	char *text;
+	char *text; /* records one behind another */
 	size_t size, text_room;
 };
 
-/* Appends a hit, and behind it what is printed of it: its line or, in JSON, what
- * follows the line's number. */
+/* Returns the bytes from a record to the next, which is aligned as it is. */
+static size_t hit_stride(size_t size)
+{
+	const size_t unit = _Alignof(struct hit);
+
+	return (sizeof(struct hit) + size + unit - 1) / unit * unit;
+}
+
+static struct hit *hit_at(char *text, size_t at)
+{
+	return (void *)(text + at);
+}
+
+/* Appends a record. */
 static void hits_append(const struct job *j, struct chunk *c, struct hit hit,
     const struct line *line, const double device[3])
 {
 	const struct hits *h = j->with;
 	char *at = chunk_reserve(c,
-	    sizeof hit + line->size + 8 * NUMBER_MAX + 128);
-	char *const text = at + sizeof hit;
+	    hit_stride(line->size + 8 * NUMBER_MAX + 128));
+	char *const text = hit_at(at, 0)->text;
 	struct printer p = { .at = text,
 		.style = h->style,
 		.compact = true,
@@ -58,11 +78,11 @@ static void hits_append(const struct job *j, struct chunk *c, struct hit hit,
 		p.at += !is_binary(j->layout.in.format);
 	}
 	hit.size = (size_t)(p.at - text);
-	memcpy(at, &hit, sizeof hit);
-	c->size += sizeof hit + hit.size;
+	*hit_at(at, 0) = hit;
+	c->size += hit_stride(hit.size);
 }
 
-/* Appends the points of a block that are hit, and its headers. */
+/* Appends the points of a block that are within the radius, and its csv headers. */
 static void hits_take(const struct job *j, struct chunk *c)
 {
 	const struct hits *h = j->with;
@@ -72,7 +92,7 @@ static void hits_take(const struct job *j, struct chunk *c)
 	double *const device[4] = { v[0], v[1], v[2] };
 	double *const view[4] = { v[3], v[4], v[5] };
 	unsigned char outside[POINTS_BLOCK];
-	bool known = false; /* outside, and view where that is finite */
+	bool known = false; /* outside and, if near, view are computed */
 
 	points_carry(&j->transform, j->precision, in, device, points);
 	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
@@ -114,126 +134,132 @@ static void hits_collect(const struct job *j, const struct chunk *c,
     long long first_line)
 {
 	struct hits *h = j->with;
-	struct hit hit;
+	const size_t end = h->size + c->size;
 
-	if (h->size + c->size > h->text_room) {
-		h->text_room = h->text_room / 2 + h->size + c->size;
-		h->text = need(h->text, h->text_room);
+	if (end > h->text_room) {
+		h->text_room = h->text_room / 2 + end;
+		h->text = xrealloc(h->text, h->text_room);
 	}
-	for (size_t at = 0; at < c->size; at += sizeof hit + hit.size) {
-		memcpy(&hit, c->out + at, sizeof hit);
-		memcpy(h->text + h->size, c->out + at + sizeof hit, hit.size);
-		hit.line += first_line;
-		hit.at = h->size;
-		h->size += hit.size;
+	if (c->size > 0)
+		memcpy(h->text + h->size, c->out, c->size);
+	while (h->size < end) {
+		struct hit *hit = hit_at(h->text, h->size);
+
+		hit->line += first_line;
 		if (h->n == h->room) {
 			h->room += h->room / 2 + 64;
-			h->hit = need(h->hit, h->room * sizeof *h->hit);
+			h->key = xrealloc(h->key, h->room * sizeof *h->key);
 		}
-		h->hit[h->n++] = hit;
+		h->key[h->n++] = (struct hit_key){ hit->distance, h->size };
+		h->size += hit_stride(hit->size);
 	}
 }
 
-static bool is_header(const struct hit *hit)
+static bool is_header(const struct hit_key *key)
 {
-	return hit->distance < -DBL_MAX;
+	return key->distance < -DBL_MAX;
 }
 
 static int hit_compare(const void *a, const void *b)
 {
-	const struct hit *p = a, *q = b;
+	const struct hit_key *p = a, *q = b;
 
-	if (p->distance < q->distance || p->distance > q->distance)
-		return p->distance < q->distance ? -1 : 1;
-	return p->at < q->at ? -1 : p->at > q->at;
+	int order = (p->distance > q->distance) - (p->distance < q->distance);
+
+	return order != 0 ? order : (p->at > q->at) - (p->at < q->at);
 }
 
-/* For qsort, which hands nothing on. */
-static const struct picker *comparing;
+/* The hits that qsort sorts: it passes nothing on to hit_compare_exactly. */
+static const struct hits *sorting;
 
-/* The same of distances whose nearest doubles are equal. */
+/* Compares the exact distances of hits. */
 static int hit_compare_exactly(const void *a, const void *b)
 {
-	const struct hit *p = a, *q = b;
-	int order = pick_compare(comparing, p->point, q->point);
+	const struct hit_key *p = a, *q = b;
+	int order = pick_compare(&sorting->picker,
+	    hit_at(sorting->text, p->at)->point,
+	    hit_at(sorting->text, q->at)->point);
 
 	return order != 0 ? order : hit_compare(a, b);
 }
 
-/* Sorts the nearest first, then as they came. Exact distances are compared only
- * where their nearest doubles are equal; most often they are equal then, too, and
- * stay in their order. */
+/* Sorts the nearest first; hits at one distance keep the order of the input. Exact
+ * distances are compared only where their nearest doubles are equal: most often the
+ * exact distances are equal, too, and the hits are in their order already. */
 static void hits_sort(const struct hits *h)
 {
-	struct hit *const hit = h->hit;
+	struct hit_key *const key = h->key;
 	size_t end;
 
 	if (h->n == 0)
 		return;
-	comparing = &h->picker;
-	qsort(hit, h->n, sizeof *hit, hit_compare);
+	sorting = h;
+	qsort(key, h->n, sizeof *key, hit_compare);
 	for (size_t i = 0; i < h->n; i = end) {
 		bool sorted = true;
 
 		for (end = i + 1;
-		     end < h->n && hit[end].distance == hit[i].distance; end++)
+		     end < h->n && key[end].distance == key[i].distance; end++)
 			sorted = sorted &&
-			    (is_header(&hit[i]) ||
-				hit_compare_exactly(&hit[end - 1], &hit[end]) <
+			    (is_header(&key[i]) ||
+				hit_compare_exactly(&key[end - 1], &key[end]) <
 				    0);
 		if (!sorted)
-			qsort(hit + i, end - i, sizeof *hit,
+			qsort(key + i, end - i, sizeof *key,
 			    hit_compare_exactly);
 	}
 }
 
-/* Returns the hits that are printed from: of several sources one header is enough,
- * and none if they differ. */
-static size_t hits_headers(const struct hits *h)
+/* Returns the index of the first hit that is printed: equal headers of several
+ * sources are printed once, and headers that differ not at all. */
+static size_t hits_first(const struct hits *h)
 {
 	size_t n = 0;
 	bool differ = false;
 
-	for (; n < h->n && is_header(&h->hit[n]); n++)
-		differ |= h->hit[n].size != h->hit[0].size ||
-		    memcmp(h->text + h->hit[n].at, h->text + h->hit[0].at,
-			h->hit[0].size) != 0;
+	for (; n < h->n && is_header(&h->key[n]); n++) {
+		const struct hit *hit = hit_at(h->text, h->key[n].at);
+		const struct hit *first = hit_at(h->text, h->key[0].at);
+
+		differ |= hit->size != first->size ||
+		    memcmp(hit->text, first->text, hit->size) != 0;
+	}
 	return differ || n == 0 ? n : n - 1;
 }
 
 static void print_hits(const struct job *j)
 {
-	const size_t line_max = 40;
 	struct hits *h = j->with;
-	char *const out = need(NULL, h->size + h->n * line_max), *at = out;
+	/* the number of a line is shorter than the struct before its text */
+	char *const out = xrealloc(NULL, h->size), *at = out;
 
 	hits_sort(h);
-	for (size_t i = hits_headers(h); i < h->n; i++) {
-		const struct hit *hit = &h->hit[i];
+	for (size_t i = hits_first(h); i < h->n; i++) {
+		const struct hit *hit = hit_at(h->text, h->key[i].at);
 
 		if (h->json)
 			at += sprintf(at, "{\"line\":%lld,", hit->line);
-		memcpy(at, h->text + hit->at, hit->size);
+		memcpy(at, hit->text, hit->size);
 		at += hit->size;
 	}
-	put_all(out, (size_t)(at - out));
+	output_write(out, (size_t)(at - out));
 	free(out);
 }
 
-/* Options win over the document's member "pick". */
-static void aim(const struct document *d, const struct options *o,
+/* Sets the position and radius: an option replaces what "pick" in the document says. */
+static void hits_aim(const struct document *d, const struct options *o,
     struct hits *h)
 {
 	const struct pick *p = &d->pick;
 
 	if (o->pick_at.n == 0 && !p->has_at)
 		document_refuse(d,
-		    "/pick/at: missing; say where on the device "
+		    "/pick/at: missing; give the position on the device "
 		    "with \"at\": [x, y] or --at X,Y");
 	if (!(o->radius > 0) && !(p->radius > 0))
 		document_refuse(d,
-		    "/pick/radius: missing; say how far around "
-		    "with \"radius\" or --radius R");
+		    "/pick/radius: missing; give the radius in device units "
+		    "with \"radius\": r or --radius R");
 	for (int i = 0; i < 2; i++)
 		h->picker.at[i] = o->pick_at.n > 0 ? o->pick_at.v[i] : p->at[i];
 	h->picker.radius = o->radius > 0 ? o->radius : p->radius;
@@ -249,10 +275,10 @@ void run_pick(const struct command *c, const struct options *o)
 		.with = &hits };
 
 	hits.json = o->has_out && o->out == FORMAT_JSON;
-	hits.style = one_style(o);
+	hits.style = options_style(o);
 	hits.n = hits.size = 0;
 	read_document(c, o, &d);
-	aim(&d, o, &hits);
+	hits_aim(&d, o, &hits);
 	document_check(&d,
 	    scene_transform(&d.scene, SPACE_MODEL, SPACE_DEVICE, false,
 		&j.transform));
@@ -262,9 +288,9 @@ void run_pick(const struct command *c, const struct options *o)
 	if (o->has_out && !hits.json &&
 	    (o->out != o->in || o->out_record != o->in_record))
 		die(EXIT_USAGE,
-		    "pick prints lines as they were read, or "
-		    "-o json");
+		    "pick prints lines as they were read; leave -o out, or "
+		    "use -o json");
 	hits.near = sum_sign(hits.picker.depth.map.divisor) != 0;
 	prepare_job(&j, o);
-	do_points(o, &d, &j);
+	run_points(o, &d, &j);
 }

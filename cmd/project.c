@@ -2,7 +2,7 @@
 #include "call/operands.h"
 #include "message/message.h"
 
-/* Refuses what does not go with --ray or --plane. */
+/* Refuses options that --ray or --plane excludes. */
 static void project_check(const struct options *o)
 {
 	const bool plane = o->plane.n > 0;
@@ -19,18 +19,16 @@ static void project_check(const struct options *o)
 	if (plane && o->plane.v[0] == 0 && o->plane.v[1] == 0 &&
 	    o->plane.v[2] == 0)
 		die(EXIT_USAGE,
-		    "--plane: A, B or C is other than 0, as in 0,0,1,0");
+		    "--plane: A, B and C are all 0; write --plane 0,0,1,0");
 	if ((o->ray && (plane || o->matrix)) ||
 	    ((o->ray || plane) && (o->homogeneous || o->flags || o->visible)))
-		die(EXIT_USAGE,
-		    "--%s stands alone: no -H, --flags or --visible%s",
-		    plane ? "plane" : "ray",
-		    plane ? ", and no --ray" : ", and no -m");
+		die(EXIT_USAGE, "--%s excludes -H, --flags, --visible and %s",
+		    plane ? "plane" : "ray", plane ? "--ray" : "-m");
 }
 
-/* Sets the way of a job's points, or returns why there is none. */
-static const char *project_way(const struct scene *s, const struct options *o,
-    enum space from, enum space to, struct job *j)
+/* Sets how a job takes points from a space to another. Returns NULL, or why it can't. */
+static const char *project_prepare(const struct scene *s,
+    const struct options *o, enum space from, enum space to, struct job *j)
 {
 	const bool planes = o->flags || o->visible;
 
@@ -84,12 +82,12 @@ void run_project(const struct command *c, const struct options *o)
 
 	if (!o->ray && !plane)
 		project_check_half(o, from, to);
-	document_check(&d, project_way(&d.scene, o, from, to, &j));
+	document_check(&d, project_prepare(&d.scene, o, from, to, &j));
 	if (o->matrix) {
 		print_matrix(o, &d, &j.transform);
 		return;
 	}
 	j.space = space_names[to];
 	prepare_job(&j, o);
-	do_points(o, &d, &j);
+	run_points(o, &d, &j);
 }

@@ -10,10 +10,10 @@
 enum { SPACES = SPACE_DEVICE + 1, BATCH = NUMBER_BATCH };
 
 struct trace {
-	int n;                       /* spaces: without a viewport no device */
-	struct transform to[SPACES]; /* from the one that points are given in */
-	char label[SPACES][16];      /* what stands before an image */
-	bool printed;                /* a point */
+	int n;                       /* spaces; without a viewport no device */
+	struct transform to[SPACES]; /* from the space of the points */
+	char label[SPACES][16];      /* text before an image */
+	bool printed;                /* a point was printed */
 };
 
 /* The images of a batch of points in all spaces. */
@@ -23,8 +23,8 @@ struct images {
 	unsigned char outside[BATCH];
 };
 
-/* Carries n points, the first of which is c's point p, to all spaces. */
-static void images_carry(struct images *m, const struct job *j,
+/* Transforms n points, from c's point p on, to all spaces. */
+static void images_transform(struct images *m, const struct job *j,
     const struct chunk *c, size_t p, size_t n)
 {
 	const struct trace *trace = j->with;
@@ -43,10 +43,11 @@ static void images_carry(struct images *m, const struct job *j,
 	frustum_out_all(&j->frustum, from, m->outside, n);
 }
 
-/* Puts point p's image in a space, between brackets in JSON; null or nan for what is
- * beyond the range of what is printed. Without m there is no image. */
-static char *put_image(char *at, const struct job *j, const struct images *m,
-    int s, size_t p)
+/* Writes point p's image in a space, in JSON as an array; null or nan for a number beyond
+ * the range of doubles or, if single, floats. m is NULL for a point without images.
+ * Returns the end. */
+static char *trace_put_image(char *at, const struct job *j,
+    const struct images *m, int s, size_t p)
 {
 	const struct layout *l = &j->layout;
 	int n = ((const struct trace *)j->with)->to[s].out, finite = 0;
@@ -73,9 +74,9 @@ static char *put_image(char *at, const struct job *j, const struct images *m,
 	return at;
 }
 
-/* Appends what is to be printed of a line with point p of m, or of a bad one without
- * m; in text after a blank line. */
-static void put_trace(const struct job *j, struct chunk *c,
+/* Appends the output for a line: of point p of m or, if m is NULL, of a bad line. Text
+ * begins with a blank line. */
+static void trace_put(const struct job *j, struct chunk *c,
     const struct line *line, const struct images *m, size_t p)
 {
 	const struct trace *trace = j->with;
@@ -90,7 +91,7 @@ static void put_trace(const struct job *j, struct chunk *c,
 	    SPACES * 4 * (NUMBER_MAX + 16) + 6 * (size_t)line->size + WORD_MAX);
 	*at++ = json ? '{' : '\n';
 	for (int s = 0; s < (json ? SPACES : trace->n); s++) {
-		at = put_image(stpcpy(at, trace->label[s]), j, m, s, p);
+		at = trace_put_image(stpcpy(at, trace->label[s]), j, m, s, p);
 		*at++ = json ? ',' : '\n';
 	}
 	if (json)
@@ -102,6 +103,7 @@ static void put_trace(const struct job *j, struct chunk *c,
 	c->size = (size_t)(at - c->out);
 }
 
+/* Appends the output for a block of lines. */
 static void trace_take(const struct job *j, struct chunk *c)
 {
 	/* too large for a thread's stack */
@@ -113,19 +115,19 @@ static void trace_take(const struct job *j, struct chunk *c)
 		const struct line *line = &c->line[i];
 
 		if (line_is_bad(line))
-			put_trace(j, c, line, NULL, 0);
+			trace_put(j, c, line, NULL, 0);
 		if (line->kind != LINE_POINT)
 			continue;
 		if (p % BATCH == 0)
-			images_carry(m, j, c, p,
+			images_transform(m, j, c, p,
 			    c->block_points - p < BATCH ? c->block_points - p :
 							  BATCH);
-		put_trace(j, c, line, m, p++ % BATCH);
+		trace_put(j, c, line, m, p++ % BATCH);
 	}
 	free(m);
 }
 
-/* The first point has no blank line before it. */
+/* Writes a chunk, without the blank line before the first point. */
 static void trace_collect(const struct job *j, const struct chunk *c,
     long long first_line)
 {
@@ -135,7 +137,7 @@ static void trace_collect(const struct job *j, const struct chunk *c,
 	(void)first_line;
 	if (c->size == 0)
 		return;
-	put_all(c->out + first, c->size - first);
+	output_write(c->out + first, c->size - first);
 	trace->printed = true;
 }
 
@@ -163,5 +165,5 @@ void run_trace(const struct command *c, const struct options *o)
 		snprintf(trace.label[s], sizeof trace.label[s],
 		    j.layout.out.format == FORMAT_JSON ? "\"%s\":" : "%-8s",
 		    space_names[s]);
-	do_points(o, &d, &j);
+	run_points(o, &d, &j);
 }

@@ -13,6 +13,9 @@
 
 #include "peer/hand.h"
 
+/* Of core/points/points.h, which is no C++. */
+extern "C" bool points_choose(const char *name);
+
 enum { COUNT = 30000, RUNS = 21 };
 
 static double values[COUNT];
@@ -102,7 +105,7 @@ static void measure_texts(number_style style)
 	const size_t count = COUNT / block * block;
 
 	for (const char *copy : { "avx512", "avx2", "neon" }) {
-		if (!number_choose(copy))
+		if (!points_choose(copy))
 			continue;
 		measure((std::string("number_texts, ") + copy).c_str(),
 		    int(count), [&] {

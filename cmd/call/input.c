@@ -26,14 +26,9 @@ char first_char(const char *s)
 	return *s;
 }
 
-bool is_numbers(const char *s)
-{
-	return strpbrk(s, "0123456789") != NULL &&
-	    s[strspn(s, "0123456789+-.eE,; \t\n()[]")] == '\0';
-}
-
-/* If a standard stream is closed, open returns its number, and the file would
- * be read or written in its place: it gets another number. */
+/* Returns a file descriptor above those of the standard streams, or -1. If a standard
+ * stream is closed, open returns its number, and the file would be read or written in
+ * its place. */
 static int open_file(const char *name)
 {
 	int fd = open(name, O_RDONLY), low = fd;
@@ -45,8 +40,8 @@ static int open_file(const char *name)
 	return fd;
 }
 
-/* Refuses an input that is a directory, or the regular file that standard output
- * is: what is written there would be read again. */
+/* Refuses a directory, and the regular file of standard output: output would be read
+ * again as input. */
 static void refuse_input(const char *name, const struct stat *in)
 {
 	const struct place place = { .file = name };
@@ -89,7 +84,7 @@ void close_input(int fd)
 
 static void reserve(struct text *t, size_t room)
 {
-	t->s = need(t->s, room + PIECE_MARGIN);
+	t->s = xrealloc(t->s, room + PIECE_MARGIN);
 	t->room = room;
 }
 
@@ -101,10 +96,10 @@ bool read_more(struct text *t, int fd, const char *name)
 		reserve(t, t->room > 0 ? 2 * t->room : 1 << 16);
 	size_t left = t->room - t->have;
 
-	/* some systems refuse to read more than an int says at once */
+	/* some systems refuse to read more than INT_MAX bytes at once */
 	do
 		n = read(fd, t->s + t->have, left < INT_MAX ? left : INT_MAX);
-	while (n < 0 && go_on(fd, POLLIN));
+	while (n < 0 && io_retry(fd, POLLIN));
 	if (n < 0)
 		die_at(EXIT_SYSTEM, &(struct place){ .file = name }, "%s",
 		    strerror(errno));

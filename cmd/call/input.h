@@ -6,8 +6,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* As points may be left in a text, it has PIECE_MARGIN bytes behind it for those who
- * read them. */
+/* A text. Beyond room it has PIECE_MARGIN more bytes, as the readers of points read past
+ * the end. */
 struct text {
 	char *s; /* NULL at first */
 	size_t room, have;
@@ -15,23 +15,20 @@ struct text {
 
 bool is_stdin(const char *operand);
 
-/* Past white space. */
+/* Returns the first character that is not white space. */
 char first_char(const char *);
 
-/* Whether a text is of numbers, and of what stands between and around them. */
-bool is_numbers(const char *);
-
-/* Refuses a directory, and the regular file that standard output is, with exit
- * status 2; leaves what is not there to open_input. */
+/* Refuses a directory, and the regular file of standard output, with exit status 2. A
+ * file that does not exist is left to open_input. */
 void check_input(const char *name);
 
-/* Returns a file descriptor. What check_input refuses, or what can't be opened, is
- * refused with exit status 2. */
+/* Returns a file descriptor. Refuses what check_input refuses, and what can't be opened,
+ * with exit status 2. */
 int open_input(const char *name);
 void close_input(int fd);
 
-/* Reads some more of fd, whose name is for messages, to the end of the text.
- * False where there is no more. */
+/* Reads more of fd to the end of the text. Returns false at the end of the file. name is
+ * for messages. */
 bool read_more(struct text *, int fd, const char *name);
 
 /* Reads all of a file. */

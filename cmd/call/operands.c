@@ -12,8 +12,9 @@
 #include "../message/message.h"
 #include "../scene/convention_member.h"
 
-/* Refuses an operand that is no file: an option without its dashes, or with those
- * that editors make of them, U+2010 to U+2015 in UTF-8; or what hint is about. */
+/* Refuses an operand that is no file. The message suggests an option if the word is its
+ * name without dashes, or with dashes of U+2010 to U+2015 in UTF-8, which editors make
+ * of them; else it ends with hint. */
 static _Noreturn void refuse_operand(const struct command *c, const char *word,
     const char *why, const char *hint)
 {
@@ -25,12 +26,12 @@ static _Noreturn void refuse_operand(const struct command *c, const char *word,
 		name += 3;
 	r = option_named(name);
 	if (r != NULL && option_is_for(r, c))
-		die_at(EXIT_USAGE, &place, "%s; the option is --%s", why, name);
+		die_at(EXIT_USAGE, &place, "%s; did you mean --%s?", why, name);
 	die_at(EXIT_USAGE, &place, "%s; %s", why, hint);
 }
 
-/* Refuses PARAMS that are neither a file nor JSON, which the shell takes apart where
- * it has no quotes. */
+/* Refuses PARAMS that is neither a file nor a whole JSON object: the shell divides an
+ * object without quotes. */
 static void check_params(const struct command *c, const struct options *o)
 {
 	const char *name = o->params;
@@ -50,7 +51,7 @@ static void check_params(const struct command *c, const struct options *o)
 		refuse_operand(c, name, strerror(errno), hint);
 }
 
-#define USE_AT "; where to look is --at 320,240"
+#define USE_AT "; --at 320,240 is the position"
 
 /* Refuses a file of points that can't be read. */
 static void check_file(const struct command *c, const struct options *o,
@@ -69,20 +70,21 @@ static void check_file(const struct command *c, const struct options *o,
 	refuse_operand(c, name, why, hint);
 }
 
-/* Returns what a message says of points of two numbers, or NULL: they may be positions
- * on the device, for which pick and project have options. */
-static const char *two_of(const struct command *c, const struct options *o)
+/* Returns a hint for messages about points of two numbers, or NULL: such points may be
+ * positions on the device, for which pick and project have options. */
+static const char *two_numbers_hint(const struct command *c,
+    const struct options *o)
 {
 	if (c->kind == PICK)
 		return USE_AT;
 	if (c->kind != PROJECT || !o->has_from || o->from != SPACE_DEVICE ||
 	    o->homogeneous || (o->has_to && o->to != SPACE_WORLD))
 		return NULL;
-	return "; --ray takes x y to the ray through it, --plane A,B,C,D to "
-	       "where that ray meets a plane";
+	return "; for points x y, --ray prints their rays, and --plane A,B,C,D "
+	       "where the rays meet a plane";
 }
 
-void check_operands(const struct command *c, const struct options *o)
+void operands_check(const struct command *c, const struct options *o)
 {
 	int from_stdin = is_stdin(o->params);
 
@@ -110,8 +112,8 @@ void read_document(const struct command *c, const struct options *o,
 
 	if (o->has_convention)
 		wants.convention = &conventions[o->convention];
-	wants.two = two_of(c, o);
-	/* the document's points are not read if points are operands */
+	wants.two = two_numbers_hint(c, o);
+	/* operands replace the document's points, which are not read then */
 	if (command_reads_points(c) && !o->matrix && o->n_points == 0)
 		wants.coordinates = coordinates_of(c, o);
 	params_read(o, &wants, d);
@@ -122,26 +124,15 @@ bool has_points(const struct options *o, const struct document *d)
 	return o->n_points > 0 || d->points != NULL;
 }
 
-/* Returns what value k is called that is added to what was read: a coordinate, of a
- * ray, or the word of --flags. */
-static const char *added_name(const struct layout *l, int k)
-{
-	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };
-
-	return k == COORDINATES_MAX ? "flags" :
-	    l->writes > 4           ? ray[k] :
-				      coordinate_name(k);
-}
-
-/* Returns whether a member is added that has this name, or that this is a pointer to
- * or into. */
+/* Returns whether the output adds a member that path, a name or a JSON pointer, names or
+ * leads into. */
 static bool is_added(const struct layout *l, const char *path)
 {
 	const bool pointer = *path == '/';
 	const size_t n = pointer ? strcspn(path + 1, "/") : strlen(path);
 
 	for (int k = l->reads; k <= COORDINATES_MAX && !l->append; k++) {
-		const char *name = added_name(l, k);
+		const char *name = layout_added_name(l, k);
 
 		if ((k < COORDINATES_MAX ? k < l->writes : l->flags) &&
 		    strlen(name) == n && strncmp(path + pointer, name, n) == 0)
@@ -161,21 +152,22 @@ static void check_columns(const struct options *o, const struct layout *l)
 
 		if (name != NULL && !json && (!csv || o->no_header))
 			die(EXIT_USAGE,
-			    "--columns: '%s' is a name, and names are for csv "
-			    "with a header, and json; write numbers: 2,3,4",
+			    "--columns: '%s' is a name; names are for json and "
+			    "for csv with a header, else numbers: 2,3,4",
 			    name);
 		if (name != NULL && json && is_added(l, name))
 			die(EXIT_USAGE,
-			    "--columns: '%s' is also what a number is called "
-			    "that is added",
+			    "--columns: '%s' is also the name of a number that "
+			    "the output adds",
 			    name);
 		if (json && (name == NULL) != (o->columns.name[0] == NULL))
 			die(EXIT_USAGE,
-			    "--columns: numbers are of JSON's arrays and names "
-			    "of its objects; not both");
+			    "--columns: in json, numbers are for arrays and "
+			    "names for objects; use one or the other");
 		if (l->record > 0 && o->columns.field[i] >= l->record)
 			die(EXIT_USAGE,
-			    "--columns: there is no field %d in records of %d",
+			    "--columns: field %d is beyond the records of %d "
+			    "numbers",
 			    o->columns.field[i] + 1, l->record);
 	}
 	if (n > 0 && n != l->reads && !(is_binary(o->in) && l->record == 0))
@@ -184,8 +176,8 @@ static void check_columns(const struct options *o, const struct layout *l)
 		    n == 1 ? "" : "s", l->reads);
 }
 
-/* Refuses what does not go together. Whether points are printed says whether images
- * have to fit into binary records. */
+/* Refuses options that exclude each other. If images are printed, they have to fit into
+ * the binary records. */
 static void check_layout(const struct options *o, const struct layout *l,
     bool printed)
 {
@@ -196,29 +188,29 @@ static void check_layout(const struct options *o, const struct layout *l,
 	} rows[] = {
 		{ o->separator != ',' && o->in != FORMAT_CSV &&
 			o->out != FORMAT_CSV,
-		    "--separator is of csv; say -i csv, or -o csv" },
+		    "--separator is for csv; use -i csv or -o csv" },
 		{ (o->header || o->no_header) && l->in.format != FORMAT_CSV,
-		    "--header and --no-header are of csv; say -i csv or -i "
+		    "--header and --no-header are for csv; use -i csv or -i "
 		    "tsv" },
 		{ o->header && o->no_header,
 		    "--header and --no-header exclude each other" },
 		{ l->append && (binary || is_binary(o->in)),
-		    "--append: binary points have no lines to stand behind; "
-		    "say -o text without it" },
+		    "--append: binary points have no lines to keep; use -o "
+		    "text without it" },
 		{ l->append && o->has_out && o->out != o->in,
 		    "--append keeps lines as they were read; leave -o out" },
 		{ o->flags && (binary || (printed && record)),
 		    "--flags: binary points and records have no room for "
-		    "words; say -o text, and no f32x4" },
+		    "words; use -o text, and no records such as f32x4" },
 		{ o->columns.n > 0 && is_binary(o->in) && !record,
-		    "--columns: binary points have no other fields; records "
-		    "of four numbers are -i f32x4 or f64x4" },
+		    "--columns: binary points have no other fields; use -i "
+		    "f32x4 or f64x4 for records of four numbers" },
 		{ record && l->record < l->reads,
-		    "--input: records of fewer numbers than the coordinates "
-		    "that are read here" },
+		    "--input: the records have fewer numbers than the "
+		    "coordinates of a point" },
 		{ record && printed && l->reads != l->writes,
-		    "--input: records keep the number of coordinates; here it "
-		    "changes" },
+		    "--input: records keep the number of coordinates, and "
+		    "here it changes; use text, csv or json" },
 	};
 
 	check_columns(o, l);
@@ -232,29 +224,30 @@ static void check_layout(const struct options *o, const struct layout *l,
 		    o->styles.n, l->writes);
 }
 
-/* Tests and measurements choose the kernels by PROJCALC_CPU; else, or where it is
- * empty, they are the best that this processor can run. */
+/* Chooses the kernels by the environment's PROJCALC_CPU, which tests and measurements
+ * set; if it is unset or empty, the fastest that this processor can run. */
 static void choose_kernels(void)
 {
 	const char *cpu = getenv("PROJCALC_CPU");
 
 	if (cpu != NULL && *cpu == '\0')
 		cpu = NULL;
-	if (!points_choose(cpu) || !number_choose(cpu))
+	if (!points_choose(cpu))
 		die(EXIT_USAGE,
-		    "PROJCALC_CPU=%s: not what this processor can be; "
-		    "there are baseline, avx2, avx512 and neon",
+		    "PROJCALC_CPU=%s: not a kind that this processor can "
+		    "run; there are baseline, avx2, avx512 and neon",
 		    cpu);
 }
 
-/* Names what --append adds: x, y, z and w of a space; and the direction of a ray. */
+/* Sets the names that --append adds: "device_x" of a space; "dx" of a ray's direction. */
 static void name_added(struct layout *l, const char *space)
 {
 	for (int k = 0; k < l->writes; k++) {
 		bool point = k < 3 || l->writes <= 4;
 
 		snprintf(l->added[k], sizeof *l->added, "%s%s%s",
-		    point ? space : "", point ? "_" : "", added_name(l, k));
+		    point ? space : "", point ? "_" : "",
+		    layout_added_name(l, k));
 	}
 	if (l->flags)
 		strcpy(l->added[COORDINATES_MAX], "flags");
@@ -262,7 +255,7 @@ static void name_added(struct layout *l, const char *space)
 
 void prepare_job(struct job *j, const struct options *o)
 {
-	/* a ray's position; its point and direction */
+	/* x y of a position; the point and the direction of its ray */
 	const int ray_reads = 2, ray_writes = 6;
 
 	j->layout = (struct layout){
@@ -292,14 +285,14 @@ void prepare_job(struct job *j, const struct options *o)
 	j->keep_going = o->keep_going;
 	j->threads = o->jobs;
 	answer_progress(o->progress);
-	widen_pipe(STDOUT_FILENO, PIPE_ROOM);
+	pipe_enlarge(STDOUT_FILENO, PIPE_ROOM);
 	choose_kernels();
 	check_layout(o, &j->layout, j->take == NULL);
 }
 
-/* Points as document_points and document_read give them are lines of JSON,
- * whatever format the options say of files. */
-static void do_json(struct job *j, const char *name, const char *text,
+/* Runs the job on points as document_points and document_read return them: lines of JSON,
+ * whatever the format of files is. */
+static void run_json(struct job *j, const char *name, const char *text,
     size_t size)
 {
 	struct layout of_files = j->layout;
@@ -310,7 +303,7 @@ static void do_json(struct job *j, const char *name, const char *text,
 	j->layout = of_files;
 }
 
-/* Refuses --columns and records for points that are typed: these are of a file. */
+/* Refuses --columns and records for points of the command line or the document. */
 static void check_typed(const struct options *o, const struct document *d)
 {
 	bool typed = o->n_points == 0 && d->points != NULL;
@@ -319,24 +312,24 @@ static void check_typed(const struct options *o, const struct document *d)
 		typed |= first_char(o->points[i]) == '[';
 	if (typed && (o->in_record > 0 || o->columns.n > 0))
 		die(EXIT_USAGE,
-		    "--%s: points that are typed, or in the document, begin "
-		    "with their coordinates; name a file",
+		    "--%s: points of an operand or of the document begin "
+		    "with their coordinates; give them in a file",
 		    o->in_record > 0 ? "input" : "columns");
 }
 
-static void do_typed(struct job *j, const char *operand)
+static void run_typed(struct job *j, const char *operand)
 {
 	struct text t = copy_operand(operand);
 	size_t size;
 	const char *points = document_points("POINTS", t.s, t.have,
 	    j->layout.reads, j->layout.two, &size);
 
-	do_json(j, "POINTS", points, size);
+	run_json(j, "POINTS", points, size);
 	text_free(&t);
 }
 
-/* The i-th operand, kept for the scenes after this one. */
-static void do_kept(const struct options *o, struct job *j, int i,
+/* Runs the job on operand i, and keeps its text for the next scenes. */
+static void run_kept(const struct options *o, struct job *j, int i,
     const char *name)
 {
 	static struct text *kept;
@@ -344,23 +337,23 @@ static void do_kept(const struct options *o, struct job *j, int i,
 	if (kept == NULL) {
 		size_t size = ((size_t)o->n_points + 1) * sizeof *kept;
 
-		kept = memset(need(NULL, size), 0, size);
+		kept = memset(xrealloc(NULL, size), 0, size);
 	}
 	if (kept[i].s == NULL)
 		kept[i] = read_whole(name);
 	stream_text(j, name, kept[i].s, kept[i].have);
 }
 
-static void do_operand(const struct options *o, struct job *j, int i)
+static void run_operand(const struct options *o, struct job *j, int i)
 {
 	const char *operand = i < o->n_points ? o->points[i] : "-";
 
 	if (first_char(operand) == '[') {
-		do_typed(j, operand);
+		run_typed(j, operand);
 		return;
 	}
 	if (o->scenes) {
-		do_kept(o, j, i, operand);
+		run_kept(o, j, i, operand);
 		return;
 	}
 	int fd = open_input(operand);
@@ -369,7 +362,8 @@ static void do_operand(const struct options *o, struct job *j, int i)
 	close_input(fd);
 }
 
-void do_points(const struct options *o, const struct document *d, struct job *j)
+void run_points(const struct options *o, const struct document *d,
+    struct job *j)
 {
 	if (o->n_points == 0 && d->points == NULL && is_stdin(o->params))
 		die(EXIT_USAGE,
@@ -379,11 +373,11 @@ void do_points(const struct options *o, const struct document *d, struct job *j)
 	check_typed(o, d);
 	j->layout.two = d->source.two;
 	if (o->n_points == 0 && d->points != NULL)
-		do_json(j, d->source.name, d->points, d->points_size);
+		run_json(j, d->source.name, d->points, d->points_size);
 	else if (o->n_points == 0)
-		do_operand(o, j, 0);
+		run_operand(o, j, 0);
 	for (int i = 0; i < o->n_points; i++)
-		do_operand(o, j, i);
+		run_operand(o, j, i);
 	if (j->flush != NULL)
 		j->flush(j);
 }

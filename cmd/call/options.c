@@ -14,12 +14,11 @@
 
 const char *const precision_names[] = { "exact", "double", "single", NULL };
 
-/* In the order of enum space. */
 const char *const space_names[] = { "model", "world", "view", "clip", "ndc",
 	"device", NULL };
 
-/* Reads one of the words of a row: sets its index. */
-static void option_word(struct options *o, const struct option_row *r,
+/* Reads one of the words of a row, and sets its index. */
+static void option_read_word(struct options *o, const struct option_row *r,
     char *word)
 {
 	char all[LISTED];
@@ -29,8 +28,8 @@ static void option_word(struct options *o, const struct option_row *r,
 			*(unsigned *)((char *)o + r->at) = i;
 			return;
 		}
-	die(EXIT_USAGE, "--%s: unknown word '%s'; it is one of %s", r->name,
-	    word, list_words(all, r->words, " or ", ""));
+	die(EXIT_USAGE, "--%s: unknown word '%s'; use %s", r->name, word,
+	    list_words(all, r->words, " or ", ""));
 }
 
 static int whole_number(const struct option_row *r, const char *word, int min,
@@ -46,33 +45,33 @@ static int whole_number(const struct option_row *r, const char *word, int min,
 	return (int)n;
 }
 
-static void option_whole(struct options *o, const struct option_row *r,
-    char *word)
+static void option_read_whole_number(struct options *o,
+    const struct option_row *r, char *word)
 {
 	*(int *)((char *)o + r->at) = whole_number(r, word, r->min, r->max);
 }
 
-/* Reads the name of a format, or of binary records: "f32x4". */
-static void option_format(struct options *o, const struct option_row *r,
+/* Reads the name of a format, or of binary records, "f32x4". */
+static void option_read_format(struct options *o, const struct option_row *r,
     char *word)
 {
 	const int record_max = 64;
 	int *record = r->letter == 'o' ? &o->out_record : &o->in_record;
 
 	if (strpbrk(word, "./") != NULL)
-		die(EXIT_USAGE, "--%s: '%s' is no format; %s", r->name, word,
-		    r->letter == 'o' ? "to write a file use >" :
-				       "files of points stand after PARAMS");
+		die(EXIT_USAGE, "--%s: '%s' is not a format; %s", r->name, word,
+		    r->letter == 'o' ? "use > to write a file" :
+				       "give files of points after PARAMS");
 	*record = 0;
 	if (strncmp(word, "f32x", 4) == 0 || strncmp(word, "f64x", 4) == 0) {
 		*record = whole_number(r, word + 4, 2, record_max);
 		word[3] = '\0';
 	}
-	option_word(o, r, word);
+	option_read_word(o, r, word);
 }
 
-/* Reads a number in the range of sizes. */
-static void option_size(struct options *o, const struct option_row *r,
+/* Reads a number from SIZE_MIN to MAGNITUDE_MAX. */
+static void option_read_size(struct options *o, const struct option_row *r,
     char *word)
 {
 	const char *end = word + strlen(word);
@@ -85,8 +84,8 @@ static void option_size(struct options *o, const struct option_row *r,
 		    word);
 }
 
-/* Reads min to max numbers with commas between them. */
-static void option_numbers(struct options *o, const struct option_row *r,
+/* Reads a list of r->min to r->max numbers with commas between them. */
+static void option_read_numbers(struct options *o, const struct option_row *r,
     char *word)
 {
 	struct numbers_said *said = (void *)((char *)o + r->at);
@@ -103,13 +102,13 @@ static void option_numbers(struct options *o, const struct option_row *r,
 			break;
 	}
 	die(EXIT_USAGE,
-	    "--%s: '%s' is not %s; these are numbers up to 1e150 with commas "
-	    "between them: --%s %s",
+	    "--%s: '%s' is not %s: numbers up to 1e150 with commas between "
+	    "them; write --%s %s",
 	    r->name, word, r->argument, r->name, r->example);
 }
 
-/* Reads a character that can separate fields, or the word tab. */
-static void option_separator(struct options *o, const struct option_row *r,
+/* Reads a character that can't be part of a number or a name, or the word tab. */
+static void option_read_separator(struct options *o, const struct option_row *r,
     char *word)
 {
 	if (strcmp(word, "tab") == 0 || strcmp(word, "\\t") == 0)
@@ -117,14 +116,15 @@ static void option_separator(struct options *o, const struct option_row *r,
 	else if (strlen(word) != 1 || (unsigned char)*word >= 0x7f ||
 	    strchr("\"'+-.#_\r\n\v\f", *word) != NULL || isalnum(*word))
 		die(EXIT_USAGE,
-		    "--%s: '%s' can't separate fields; it is one character "
+		    "--%s: '%s' can't separate fields; use one character "
 		    "such as ; or |, or tab",
 		    r->name, word);
 	else
 		o->separator = *word;
 }
 
-/* Cuts the first word off *list, which becomes NULL behind the last. */
+/* Returns the first word of a list with commas, and moves *list behind it; to NULL behind
+ * the last. */
 static char *cut_word(char **list)
 {
 	char *word = *list;
@@ -135,7 +135,7 @@ static char *cut_word(char **list)
 	return word;
 }
 
-static void option_styles(struct options *o, const struct option_row *r,
+static void option_read_styles(struct options *o, const struct option_row *r,
     char *list)
 {
 	enum number_kind kind = r->letter == 'd' ? NUMBER_DECIMALS :
@@ -144,8 +144,8 @@ static void option_styles(struct options *o, const struct option_row *r,
 
 	if (s->n > 0 && s->style[0].kind != kind)
 		die(EXIT_USAGE,
-		    "--decimals and --digits exclude each other; give one "
-		    "number for each coordinate to either");
+		    "--decimals and --digits exclude each other; give one of "
+		    "them a number for each coordinate");
 	for (s->n = 0; list != NULL; s->n++) {
 		int n = whole_number(r, cut_word(&list), r->min, r->max);
 
@@ -158,7 +158,7 @@ static void option_styles(struct options *o, const struct option_row *r,
 }
 
 /* Reads fields by their number, from 1, or by their name: "2,z". */
-static void option_columns(struct options *o, const struct option_row *r,
+static void option_read_columns(struct options *o, const struct option_row *r,
     char *list)
 {
 	const int fields_max = 1000000;
@@ -178,7 +178,7 @@ static void option_columns(struct options *o, const struct option_row *r,
 			if (c->field[i] == c->field[c->n] &&
 			    strcmp(c->name[i] != NULL ? c->name[i] : "",
 				c->name[c->n] != NULL ? word : "") == 0)
-				die(EXIT_USAGE, "--%s: '%s' stands twice",
+				die(EXIT_USAGE, "--%s: '%s' is there twice",
 				    r->name, word);
 	}
 }
@@ -188,11 +188,11 @@ static const char *const color_names[] = { "auto", "always", "never", NULL };
 
 /* Kinds of commands that share options, as unions of enum command_kind. */
 enum {
-	PLANES = PROJECT | TRACE | PLANAR, /* ask what points are outside of */
+	PLANES = PROJECT | TRACE | PLANAR, /* have --flags and --visible */
 	IMAGES = MATRIX | PLANES,          /* print points' images */
 	PRINTED = IMAGES | PICK,           /* print points */
-	POINTS = PRINTED | FIT,            /* read them */
-	NUMBERS = PRINTED | INSPECT,       /* print numbers to be rounded */
+	POINTS = PRINTED | FIT,            /* read points */
+	NUMBERS = PRINTED | INSPECT,       /* print numbers that -d rounds */
 	ALL = POINTS | INSPECT,
 	EVERY = ALL | HELP,
 };
@@ -202,78 +202,82 @@ enum {
 
 /* clang-format off */
 const struct option_row option_rows[] = {
-	{ "convention", 'c', ALL, "of the answer: d3d, gl, vulkan, webgpu or opencv",
-	    "NAME", option_word, AT(convention), .words = convention_names,
+	{ "convention", 'c', ALL, 
+	    "convention of the answer: d3d, gl, vulkan, webgpu or opencv",
+	    "NAME", option_read_word, AT(convention), .words = convention_names,
 	    ON(has_convention) },
 	{ "input", 'i', POINTS,
-	    "of points: text (default), csv, tsv, json, f64, f32, f32x4",
-	    "FORMAT", option_format, AT(in), .words = format_names },
-	{ "output", 'o', ALL, "the same; default the input's",
-	    "FORMAT", option_format, AT(out), .words = format_names, ON(has_out) },
-	{ "separator", 0, POINTS, "between fields of csv: a character, or tab",
-	    "C", .read = option_separator },
+	    "format of the points: text (default), csv, tsv, json, f64, f32, f32x4",
+	    "FORMAT", option_read_format, AT(in), .words = format_names },
+	{ "output", 'o', ALL, "format of the output; default that of the input",
+	    "FORMAT", option_read_format, AT(out), .words = format_names, ON(has_out) },
+	{ "separator", 0, POINTS, "character between fields of csv, or tab",
+	    "C", .read = option_read_separator },
 	{ "header", 0, POINTS, "the first line of csv is a header", ON(header) },
-	{ "no-header", 0, POINTS, "it is not", ON(no_header) },
+	{ "no-header", 0, POINTS, "the first line of csv is no header", ON(no_header) },
 	{ "columns", 0, POINTS,
-	    "the coordinates: fields 2,3,4, or names in csv and JSON",
-	    "LIST", .read = option_columns },
-	{ "decimals", 'd', NUMBERS, "round to N decimals, a list for x,y,z",
-	    "N,...", option_styles, .min = 0, .max = 100 },
-	{ "digits", 0, NUMBERS, "round to N significant digits, the same",
-	    "N,...", option_styles, .min = 1, .max = 100 },
-	{ "precision", 'p', IMAGES, "exact (default), double or single",
-	    "NAME", option_word, AT(precision), .words = precision_names },
+	    "fields of the coordinates: 2,3,4, or names in csv and JSON",
+	    "LIST", .read = option_read_columns },
+	{ "decimals", 'd', NUMBERS, "print N decimals; of points also a list for x,y,z",
+	    "N,...", option_read_styles, .min = 0, .max = 100 },
+	{ "digits", 0, NUMBERS, 
+	    "print at most N significant digits; of points also a list",
+	    "N,...", option_read_styles, .min = 1, .max = 100 },
+	{ "precision", 'p', IMAGES, 
+	    "arithmetic for points: exact (default), double or single",
+	    "NAME", option_read_word, AT(precision), .words = precision_names },
 	{ "tolerance", 't', INSPECT,
-	    "the error that the -p told may have; default 0.5",
-	    "T", option_size, AT(tolerance) },
+	    "error for which to name the cheapest precision; default 0.5",
+	    "T", option_read_size, AT(tolerance) },
 	{ "distances", 0, INSPECT,
-	    "add the depth_step toward the eye at these distances",
-	    "D,...", option_numbers, AT(distances), .min = 1,
+	    "distances from near to far at which to print depth_step, too",
+	    "D,...", option_read_numbers, AT(distances), .min = 1,
 	    .max = NUMBERS_SAID_MAX, .example = "10,1000" },
-	{ "from", 0, PROJECT | TRACE, "model, world, view, clip, ndc or device",
-	    "SPACE", option_word, AT(from), .words = space_names, ON(has_from) },
-	{ "to", 0, PROJECT, "the same; default device, else ndc",
-	    "SPACE", option_word, AT(to), .words = space_names, ON(has_to) },
-	{ "homogeneous", 'H', PROJECT, "x y z w, not divided",
+	{ "from", 0, PROJECT | TRACE, 
+	    "space of the input: model, world, view, clip, ndc or device",
+	    "SPACE", option_read_word, AT(from), .words = space_names, ON(has_from) },
+	{ "to", 0, PROJECT, "space of the output; default device, or ndc without a viewport",
+	    "SPACE", option_read_word, AT(to), .words = space_names, ON(has_to) },
+	{ "homogeneous", 'H', PROJECT, "print x y z w without division",
 	    ON(homogeneous) },
 	{ "matrix", 'm', MATRIX | PROJECT | PLANAR,
-	    "print the matrix, read no points", ON(matrix) },
-	{ "at", 0, PICK, "the device position",
-	    "X,Y", option_numbers, AT(pick_at), .min = 2, .max = 2,
+	    "print the matrix and read no points", ON(matrix) },
+	{ "at", 0, PICK, "position on the device around which to look",
+	    "X,Y", option_read_numbers, AT(pick_at), .min = 2, .max = 2,
 	    .example = "320,240" },
-	{ "radius", 0, PICK, "how far around it, in device units",
-	    "R", option_size, AT(radius) },
+	{ "radius", 0, PICK, "radius around the position of --at, in device units",
+	    "R", option_read_size, AT(radius) },
 	{ "ray", 0, PROJECT,
-	    "x y on the device: point on the near plane, direction",
+	    "read x y on the device, print its ray: point, direction",
 	    ON(ray) },
 	{ "plane", 0, PROJECT,
-	    "x y: where their ray meets a x + b y + c z + d = 0",
-	    "A,B,C,D", option_numbers, AT(plane), .min = 4, .max = 4,
+	    "read x y, print where its ray meets a x + b y + c z + d = 0",
+	    "A,B,C,D", option_read_numbers, AT(plane), .min = 4, .max = 4,
 	    .example = "0,0,1,0" },
 	{ "append", 0, MATRIX | PROJECT | PLANAR,
-	    "keep the line whole, and print the image behind it",
+	    "keep each line whole and add the image behind it",
 	    ON(append) },
 	{ "flags", 0, PLANES,
-	    "add in, or the planes that the point is outside of",
+	    "add a word: in, or the planes that the point is outside of",
 	    ON(flags) },
 	{ "visible", 0, PLANES,
-	    "print only points in the view volume or window", ON(visible) },
-	{ "keep-going", 0, ALL, "print nan for a bad line, go on after a bad scene",
+	    "print only points inside the view volume or window", ON(visible) },
+	{ "keep-going", 0, ALL, "go on after a bad line, printed as nan, or a wrong scene",
 	    ON(keep_going) },
-	{ "jobs", 'j', POINTS, "threads; default all cores",
-	    "N", option_whole, AT(jobs), .min = 1, .max = 256 },
-	{ "progress", 0, POINTS, "tell how far it is, also in a file or pipe",
+	{ "jobs", 'j', POINTS, "number of threads; default one for each processor",
+	    "N", option_read_whole_number, AT(jobs), .min = 1, .max = 256 },
+	{ "progress", 0, POINTS, "report on standard error how many lines are done",
 	    ON(progress) },
-	{ "scenes", 0, ALL, "PARAMS is any number of scenes in a row",
+	{ "scenes", 0, ALL, "PARAMS is any number of scenes, one after another",
 	    ON(scenes) },
-	{ "json", 0, HELP, "all that the program says of itself, for programs",
+	{ "json", 0, HELP, "print all that the program knows of itself as JSON",
 	    ON(json) },
-	{ "errors", 0, EVERY, "messages as text (default), or json, one a line",
-	    "FORM", option_word, AT(errors), .words = message_forms },
-	{ "color", 0, EVERY, "messages and help: auto (default), always, never",
-	    "WHEN", option_word, AT(color), .words = color_names },
-	{ "help", 'h', EVERY, "this help", ON(help) },
-	{ "version", 'V', EVERY, "the version", ON(version) },
+	{ "errors", 0, EVERY, "form of messages: text (default) or json",
+	    "FORM", option_read_word, AT(errors), .words = message_forms },
+	{ "color", 0, EVERY, "colour messages and help: auto (default), always or never",
+	    "WHEN", option_read_word, AT(color), .words = color_names },
+	{ "help", 'h', EVERY, "print this help", ON(help) },
+	{ "version", 'V', EVERY, "print the version", ON(version) },
 	{ .name = NULL },
 };
 /* clang-format on */
@@ -311,13 +315,13 @@ bool option_is_for(const struct option_row *r, const struct command *c)
 	return (r->commands & c->kind) != 0;
 }
 
-void options_say(const struct options *o)
+void options_apply(const struct options *o)
 {
 	message_state.json = o->errors == 1;
 	message_state.color = (enum color)o->color;
 }
 
-void options_first(char **words)
+void options_read_first(char **words)
 {
 	struct options first = { .errors = 0 };
 
@@ -331,7 +335,7 @@ void options_first(char **words)
 		if (r != NULL && argument != NULL &&
 		    (r->words == message_forms || r->words == color_names))
 			r->read(&first, r, argument);
-		options_say(&first);
+		options_apply(&first);
 	}
 }
 
@@ -350,12 +354,12 @@ enum format options_output(const struct options *o)
 	return o->has_out ? o->out : o->in;
 }
 
-struct number_style one_style(const struct options *o)
+struct number_style options_style(const struct options *o)
 {
 	if (o->styles.n > 1)
 		die(EXIT_USAGE,
-		    "--decimals or --digits: %d numbers; what is no list of "
-		    "points is rounded by one",
+		    "--decimals or --digits: %d numbers; a matrix and the "
+		    "output of inspect and pick take one",
 		    o->styles.n);
 	return o->styles.style[0];
 }

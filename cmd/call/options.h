@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The options of all commands, and the operands after them. */
+/* The options of all commands, and the operands after the options. */
 #ifndef OPTIONS_H
 #define OPTIONS_H
 
@@ -8,14 +8,14 @@
 #include "../lines/line.h"
 #include "command.h"
 
-/* From --decimals or --digits: one for each coordinate printed, the last for the
- * rest. */
+/* The list of --decimals or --digits: one style for each printed coordinate. The last one
+ * holds for the rest. */
 struct styles {
-	int n; /* 0: none, all are the shortest */
+	int n; /* 0: no list; numbers are the shortest */
 	struct number_style style[COORDINATES_MAX];
 };
 
-/* Numbers up to 1e150 in magnitude. */
+/* The list of an option, of numbers up to 1e150 in magnitude. */
 enum { NUMBERS_SAID_MAX = 32 };
 
 struct numbers_said {
@@ -26,18 +26,18 @@ struct numbers_said {
 struct options {
 	unsigned convention; /* index in conventions */
 	bool has_convention; /* else it is the document's */
-	unsigned errors;     /* 1: messages are JSON */
+	unsigned errors;     /* index in the words text and json */
 	enum color color;
 	bool help, version;
 	enum format in, out;
 	int in_record, out_record; /* numbers of a record, by f32x4; else 0 */
-	bool has_out;   /* else out is the same as in, or text for a matrix */
+	bool has_out;   /* else points have the format in, a matrix is text */
 	char separator; /* of csv, a comma by default */
-	bool header, no_header; /* of csv: the first line is one, or none */
+	bool header, no_header; /* the first line of csv is a header, is none */
 	struct columns columns; /* of POINTS, by --columns */
 	struct styles styles;
 	enum precision precision;
-	double tolerance;              /* of inspect; 0 where it isn't said */
+	double tolerance;              /* of inspect; 0: not given */
 	struct numbers_said distances; /* of inspect */
 	bool has_from, has_to;
 	enum space from, to;
@@ -45,7 +45,7 @@ struct options {
 	    progress;
 	int jobs; /* 0: as many as there are cores */
 	struct numbers_said pick_at, plane;
-	double radius;      /* of pick; 0 where it isn't said */
+	double radius;      /* of pick; 0: not given */
 	bool scenes;        /* params has any number of documents */
 	bool json;          /* of help */
 	const char *params; /* operand, "-" by default */
@@ -61,32 +61,31 @@ struct option_row {
 	char letter;       /* or 0 */
 	unsigned commands; /* the kinds that take it, as bits */
 	const char *about; /* one line of help */
-	/* Of an option with an argument: what the help calls that; what reads it;
-	 * the offset in struct options of what is set. */
+	/* Of an option with an argument: its name in the help; the function that reads
+	 * it; the offset in struct options of the member that it sets. */
 	const char *argument;
 	void (*read)(struct options *, const struct option_row *, char *word);
 	size_t at;
-	const char *const *words; /* that it may be; NULL ends them */
-	int min, max; /* of a whole number; how many numbers there may be */
+	const char *const
+	    *words;   /* the values of the argument; NULL ends them */
+	int min, max; /* range of a whole number, or of the length of a list */
 	const char *example;
-	/* The offset of a bool of struct options that becomes true; or 0. */
-	size_t on;
+	size_t on; /* offset in struct options of a bool to set; or 0 */
 };
 
-/* There are at most so many. */
 enum { OPTIONS_MAX = 40 };
 
-/* All of them; name is NULL after the last. */
+/* All options, at most OPTIONS_MAX. A name of NULL ends them. */
 extern const struct option_row option_rows[];
 
-/* Sets how messages are printed. */
-void options_say(const struct options *);
+/* Makes --errors and --color hold for messages. */
+void options_apply(const struct options *);
 
-/* The same, before anything else can be wrong. */
-void options_first(char **words);
+/* Reads --errors and --color from the whole command line and applies them, before any
+ * message. */
+void options_read_first(char **words);
 
-/* The option of that name, behind which a value may stand, after = or a blank;
- * or NULL. */
+/* Returns the option of a name, or NULL. A value may follow the name after = or a blank. */
 const struct option_row *option_named(const char *name);
 
 /* Writes the commands that take an option: "project and trace". Returns list. */
@@ -94,18 +93,17 @@ const char *option_takers(const struct option_row *, char list[LISTED]);
 
 bool option_is_for(const struct option_row *, const struct command *);
 
-/* Reads the options and operands that follow a command's name. Stops as soon as
- * the help or the version is asked for. */
+/* Reads the options and operands behind a command's name, up to --help or --version. */
 void options_read(const struct command *, char **words, struct options *);
 
-/* How many numbers are read of a point. Fit learns only from the scene that it is in
- * the plane. */
+/* Returns how many numbers are read of a point, by command and options. For fit, a scene
+ * in the plane changes it. */
 int coordinates_of(const struct command *, const struct options *);
 
 /* Returns the format in which the command answers. */
 enum format options_output(const struct options *);
 
-/* Returns how to round what is rounded alike; refuses a list of -d or --digits. */
-struct number_style one_style(const struct options *);
+/* Returns the style of numbers that are no points. Refuses a list of -d or --digits. */
+struct number_style options_style(const struct options *);
 
 #endif

@@ -10,21 +10,21 @@
 #include "../message/nearest.h"
 #include "synonyms.h"
 
-/* The word is "--name", "--name=value" or "-name". */
-static _Noreturn void refuse_name(const struct command *c, const char *word)
+/* Refuses an unknown option: "--name", "--name=value" or "-name". */
+static _Noreturn void refuse_option(const struct command *c, const char *word)
 {
 	const char *names[OPTIONS_MAX + 1], *near;
 	const int n = (int)strcspn(word, "=");
 	char name[64];
 	int count = 0;
 
-	synonym_option(c, word, false);
+	synonym_check_option(c, word, false);
 	for (const struct option_row *r = option_rows; r->name != NULL; r++)
 		if (option_is_for(r, c))
 			names[count++] = r->name;
 	names[count] = NULL;
 	snprintf(name, sizeof name, "%.*s", n - 2, word + 2);
-	near = nearest(name, names);
+	near = nearest_word(name, names);
 	if (near != NULL)
 		die(EXIT_USAGE, "%s: unknown option %.*s; did you mean --%s?",
 		    c->name, n, word, near);
@@ -33,8 +33,8 @@ static _Noreturn void refuse_name(const struct command *c, const char *word)
 	    n, word, c->name);
 }
 
-/* Returns the option that a word's name is or, of the command's, what that alone
- * begins. */
+/* Returns the option of a word's name, or the only option of the command whose name begins
+ * so. */
 static const struct option_row *long_option(const struct command *c,
     const char *word)
 {
@@ -54,15 +54,15 @@ static const struct option_row *long_option(const struct command *c,
 	}
 	names[count] = NULL;
 	if (count == 0)
-		refuse_name(c, word);
+		refuse_option(c, word);
 	if (count > 1)
-		die(EXIT_USAGE, "%s: --%.*s may be %s; write more of it",
+		die(EXIT_USAGE, "%s: --%.*s is ambiguous; it may be %s",
 		    c->name, (int)n, name, list_words(list, names, " or ", ""));
 	return found;
 }
 
-/* Returns the option of that letter. Refuses an option's name, or a member's, behind
- * a single dash: "-to", which would be -t with the argument o. */
+/* Returns the option of a letter. Refuses the name of an option or member behind a single
+ * dash: "-to" would be -t with the argument o. */
 static const struct option_row *letter_option(const struct command *c,
     const char *word, const char *letter)
 {
@@ -73,7 +73,7 @@ static const struct option_row *letter_option(const struct command *c,
 		die(EXIT_USAGE, "%s: unknown option %s; did you mean --%s?",
 		    c->name, word, r->name);
 	if (word[2] != '\0')
-		synonym_option(c, word, false);
+		synonym_check_option(c, word, false);
 	for (r = option_rows; r->name != NULL; r++)
 		if (r->letter == *letter)
 			return r;
@@ -81,18 +81,19 @@ static const struct option_row *letter_option(const struct command *c,
 	    c->name, escaped(shown, letter, 1), c->name);
 }
 
-/* Takes the option in a word. Its argument is value or, where that is NULL, the next
- * word, at *next. */
-static void take_option(const struct command *c, const struct option_row *r,
+/* Sets the option of a word. The argument is value or, if that is NULL, the next word, at
+ * *next. */
+static void set_option(const struct command *c, const struct option_row *r,
     const char *word, char *value, char ***next, struct options *o)
 {
 	char list[LISTED];
 
 	if (!option_is_for(r, c)) {
-		synonym_option(c, word, true);
+		synonym_check_option(c, word, true);
 		die(EXIT_USAGE,
-		    "%s: --%s is not for this command; it is for %s", c->name,
-		    r->name, option_takers(r, list));
+		    "%s: --%s is not an option of this command; it is an "
+		    "option of %s",
+		    c->name, r->name, option_takers(r, list));
 	}
 	if (r->argument == NULL && value != NULL)
 		die(EXIT_USAGE, "%s: --%s takes no argument", c->name, r->name);
@@ -103,39 +104,41 @@ static void take_option(const struct command *c, const struct option_row *r,
 		r->read(o, r, value != NULL ? value : *(*next)++);
 	if (r->on != 0)
 		*(bool *)((char *)o + r->on) = true;
-	options_say(o);
+	options_apply(o);
 }
 
-/* Takes the options in a word that begins with a dash: "--name=value" or "-mdvalue". */
-static void take_word(const struct command *c, char *word, char ***next,
+/* Sets the options of a word: "--name=value" or "-mdvalue". */
+static void set_options(const struct command *c, char *word, char ***next,
     struct options *o)
 {
 	const struct option_row *r;
 	char *equals = strchr(word, '=');
 
 	if (word[1] == '-') {
-		take_option(c, long_option(c, word), word,
+		set_option(c, long_option(c, word), word,
 		    equals != NULL ? equals + 1 : NULL, next, o);
 		return;
 	}
 	for (char *s = word + 1; *s != '\0'; s++) {
 		r = letter_option(c, word, s);
 		if (r->argument != NULL && s[1] != '\0') {
-			take_option(c, r, word, s + 1, next, o);
+			set_option(c, r, word, s + 1, next, o);
 			return;
 		}
-		take_option(c, r, word, NULL, next, o);
+		set_option(c, r, word, NULL, next, o);
 	}
 }
 
-/* Returns whether a word is an operand, as what begins as a number below 0 is. */
+/* Returns whether a word is an operand, as "-" is and a word that begins as a negative
+ * number. */
 static bool is_operand(const char *word)
 {
 	return *word != '-' || word[1] == '\0' || word[1] == '.' ||
 	    isdigit((unsigned char)word[1]);
 }
 
-/* Trace, inspect and fit print text, or JSON; trace, of points as JSON, that. */
+/* Sets the format of trace, inspect and fit: text or JSON. The default is text, but JSON
+ * for trace of points in JSON. */
 static void choose_output(const struct command *c, struct options *o)
 {
 	if (!o->has_out)
@@ -144,11 +147,12 @@ static void choose_output(const struct command *c, struct options *o)
 		    FORMAT_TEXT;
 	o->has_out = true;
 	if (o->out != FORMAT_TEXT && o->out != FORMAT_JSON)
-		die(EXIT_USAGE, "%s prints -o text or -o json", c->name);
+		die(EXIT_USAGE,
+		    "%s prints text or json; use -o text or -o json", c->name);
 }
 
-/* Operands are moved to the beginning: options may stand among them, unless
- * POSIXLY_CORRECT is set. */
+/* Operands are moved to the beginning, as options may follow operands unless POSIXLY_CORRECT
+ * is set. */
 void options_read(const struct command *c, char **words, struct options *o)
 {
 	char **operand = o->points = words;
@@ -160,7 +164,7 @@ void options_read(const struct command *c, char **words, struct options *o)
 		if (options && strcmp(word, "--") == 0) {
 			options = false;
 		} else if (options && !is_operand(word)) {
-			take_word(c, word, &words, o);
+			set_options(c, word, &words, o);
 		} else {
 			*operand++ = word;
 			options = options && mixed;
@@ -178,7 +182,7 @@ void options_read(const struct command *c, char **words, struct options *o)
 	if (o->out_record > 0 &&
 	    (o->out_record != o->in_record || o->out != o->in || o->matrix))
 		die(EXIT_USAGE,
-		    "--output: records are read and written alike, of points; "
-		    "for coordinates alone say -o %s",
+		    "--output: records are only for points, in the format "
+		    "of the input; use -o %s for coordinates alone",
 		    format_names[o->out]);
 }

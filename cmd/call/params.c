@@ -12,21 +12,22 @@ enum { DOCUMENT_MAX = 1 << 28 };
 
 static struct {
 	const char *name;
-	int fd; /* -1: all has been read */
+	int fd; /* -1: PARAMS is read to its end */
 	struct text text;
 	long number; /* of the document, from 1 */
-	/* Where it begins and, as far as has been looked, ends; with --scenes
-	 * alone. Quotes and brackets of either kind say what belongs together,
-	 * whatever else is wrong with it. */
+	/* With --scenes, where in text the document begins, and where the search
+	 * for its end is. Quotes and brackets of either kind delimit it, also if it
+	 * is not valid JSON. */
 	size_t begin, end;
-	long line, lines; /* where it begins, from 1; that it goes on for */
-	size_t column;    /* bytes before begin on its line */
-	size_t tail;      /* and before end on that line */
-	long level;
+	long line,
+	    lines;     /* line of begin, from 1; newlines from begin to end */
+	size_t column; /* bytes before begin on its line */
+	size_t tail;   /* bytes before end on its line */
+	long level;    /* open brackets at end */
 	bool quoted, escaped;
 } params = { .line = 1 };
 
-static void start(const struct options *o)
+static void params_open(const struct options *o)
 {
 	bool typed = first_char(o->params) == '{';
 
@@ -36,8 +37,8 @@ static void start(const struct options *o)
 		params.text = copy_operand(o->params);
 }
 
-/* Reads more of PARAMS behind the document; false at its end. */
-static bool more(void)
+/* Reads more of PARAMS behind the document. Returns false at the end of PARAMS. */
+static bool params_more(void)
 {
 	struct text *t = &params.text;
 
@@ -51,8 +52,8 @@ static bool more(void)
 	}
 	if (t->have > DOCUMENT_MAX)
 		die_at(EXIT_INPUT, &(struct place){ .file = params.name },
-		    "a document of more than 256 MiB; points may stand in a "
-		    "file of their own");
+		    "longer than 256 MiB; give points in a file of their own, "
+		    "as POINTS");
 	if (read_more(t, params.fd, params.name))
 		return true;
 	close_input(params.fd);
@@ -65,7 +66,8 @@ static bool is_space(char c)
 	return c == ' ' || c == '\n' || c == '\t' || c == '\r';
 }
 
-/* And past byte order marks: files may have been put together. */
+/* Moves begin past white space, and past byte order marks, which stand between files
+ * that were concatenated. */
 static void skip_spaces(void)
 {
 	const char *s = params.text.s + params.begin;
@@ -86,7 +88,7 @@ static void skip_spaces(void)
 	params.begin = params.end = (size_t)(s - params.text.s);
 }
 
-/* Whether what is left may become a byte order mark. */
+/* Returns whether the text that is left is the beginning of a byte order mark. */
 static bool is_mark_begun(void)
 {
 	size_t left = params.text.have - params.begin;
@@ -95,7 +97,7 @@ static bool is_mark_begun(void)
 	    memcmp(params.text.s + params.begin, MARK, left) == 0;
 }
 
-/* Looks on for the end of the document; false where that hasn't been read yet. */
+/* Searches on for the end of the document. Returns false if it is not read yet. */
 static bool find_end(void)
 {
 	if (params.end == params.begin) {
@@ -136,7 +138,7 @@ static bool next_scene(void)
 	message_state.scene = (struct scene_place){ params.number,
 		params.line };
 	while (!find_end())
-		if (!more()) {
+		if (!params_more()) {
 			params.end = params.text.have;
 			return params.begin < params.end;
 		}
@@ -146,7 +148,7 @@ static bool next_scene(void)
 bool params_next(const struct options *o)
 {
 	if (params.number++ == 0)
-		start(o);
+		params_open(o);
 	else if (!o->scenes)
 		return false;
 	if (!o->scenes)
@@ -158,38 +160,38 @@ bool params_next(const struct options *o)
 	return found;
 }
 
-/* Copies the first line that is not blank or, as points may have it, a comment, as far
- * as there is room. */
-static void first_line(char *out, size_t room)
+/* Returns whether a line has numbers, and what may stand between and around them, alone. */
+static bool is_numbers(const char *line)
 {
-	const char *s = params.text.s + params.begin;
-	const char *end = params.text.s + params.end;
-	size_t n = 0;
+	const char *digit = strpbrk(line, "0123456789");
+	const char *end = line + strspn(line, "0123456789+-.eE,; \t()[]");
 
-	while (s < end && (is_space(*s) || *s == '#')) {
-		const char *newline = memchr(s, '\n', (size_t)(end - s));
-
-		s = *s != '#' ? s + 1 : newline != NULL ? newline + 1 : end;
-	}
-	while (s < end && *s != '\n' && *s != '\r' && n + 1 < room)
-		out[n++] = *s++;
-	out[n] = '\0';
+	return digit != NULL && digit < end && strchr("\r\n", *end) != NULL;
 }
 
-/* Refuses points in place of a scene: a line of numbers; or, where POINTS are
- * named, an array or binary points. The call is wrong, not the file. */
+/* Returns whether PARAMS holds points in place of a scene: its first line that is not
+ * blank or a comment has numbers alone; or, as POINTS are named, it begins as an array
+ * or binary points do. */
+static bool params_are_points(const struct options *o)
+{
+	const char *s = params.text.s + params.begin;
+
+	while (*(s += strspn(s, " \t\r\n")) == '#')
+		s += strcspn(s, "\n");
+	if (o->n_points > 0 && params.begin < params.end &&
+	    (*s == '[' || (is_binary(o->in) && *s != '{')))
+		return true;
+	return *s != '[' && is_numbers(s);
+}
+
+/* Refuses points in place of a scene with EXIT_USAGE: the call is wrong, not the file. */
 static void check_points(const struct options *o,
     const struct document_wants *wants)
 {
 	const struct place place = { .file = params.name };
-	bool named = o->n_points > 0, points;
-	char line[200];
+	bool named = o->n_points > 0;
 
-	first_line(line, sizeof line);
-	points = is_numbers(line) && *line != '[';
-	if (named && params.begin < params.end)
-		points |= *line == '[' || (is_binary(o->in) && *line != '{');
-	if (!points)
+	if (!params_are_points(o))
 		return;
 	if ((wants->used & SCENE_POINTS) == 0)
 		die_at(EXIT_USAGE, &place, "holds points; a scene is wanted");
@@ -203,11 +205,12 @@ void params_read(const struct options *o, const struct document_wants *wants,
 {
 	struct document_wants w = *wants;
 
-	while (!o->scenes && more())
+	while (!o->scenes && params_more())
 		continue;
 	if (!o->scenes) {
 		skip_spaces();
 		params.end = params.text.have;
+		params.text.s[params.end] = '\0';
 		check_points(o, wants);
 	}
 	w.line = params.line - 1;

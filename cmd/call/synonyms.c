@@ -11,46 +11,33 @@
 #include "../message/nearest.h"
 #include "../scene/members.h"
 
-/* What others call by a word: an option, "--jobs"; a remark, ": ..."; or a call.
- * What others call a member stands in the tables of members. */
+/* The words that others use, divided by blanks, and what they are called here: an
+ * option "--jobs", a remark ": ...", or a call "project -m". The names that others have
+ * for members are in the tables of members. */
 static const struct synonym {
-	const char *word, *is;
+	const char *words, *is;
 } synonyms[] = {
-	{ "unproject", "project --from device --to world" },
-	{ "backproject", "project --from device --to world" },
-	{ "inverse", "project --from device --to world" },
-	{ "invert", "project --from device --to world" },
-	{ "ray", "project --ray" },
-	{ "raycast", "project --ray" },
-	{ "transform", "project" },
-	{ "points", "project" },
-	{ "mvp", "project -m --to clip" },
-	{ "matrix", "project -m --to clip" },
+	{ "unproject backproject inverse invert",
+	    "project --from device --to world" },
+	{ "ray raycast", "project --ray" },
+	{ "transform points", "project" },
+	{ "mvp matrix", "project -m --to clip" },
 	{ "pose", "project -m --from view --to world" },
 	{ "viewport", "project --from ndc --to device" },
-	{ "camera", "lookat" },
-	{ "view", "lookat" },
-	{ "lookat", "lookat" },
-	{ "look_at", "lookat" },
-	{ "look-at", "lookat" },
-	{ "perspective", "persp" },
-	{ "projection", "persp" },
+	{ "camera view lookat", "lookat" },
+	{ "perspective projection", "persp" },
 	{ "frustum",
 	    ": persp makes one of its left, right, bottom, top, near and far, "
-	    "and inspect tells of one" },
+	    "and inspect describes one" },
 	{ "orthographic", "ortho" },
-	{ "cavalier", "oblique" },
-	{ "cabinet", "oblique" },
+	{ "cavalier cabinet", "oblique" },
 	{ "window", "w2n" },
 	{ "device", "n2d" },
-	{ "bounds", "fit" },
-	{ "zoom", "fit" },
-	{ "extent", "fit" },
+	{ "bounds zoom extent", "fit" },
 	{ "info", "inspect" },
 	{ "click", "pick" },
 	{ "explain", "trace" },
-	{ "usage", "help" },
-	{ "man", "help" },
+	{ "usage man", "help" },
 
 	{ "format", "--output" },
 	{ "json", "--output json" },
@@ -59,24 +46,18 @@ static const struct synonym {
 	{ "cols", "--columns" },
 	{ "space", "--to" },
 	{ "threads", "--jobs" },
-	{ "round", "--decimals" },
-	{ "places", "--decimals" },
+	{ "round places", "--decimals" },
 	{ "epsilon", "--tolerance" },
 	{ "cull", "--visible" },
 	{ "verbose", "--progress" },
-	{ "convert", "--convention gl" },
-	{ "gl", "--convention gl" },
-	{ "opengl", "--convention gl" },
-	{ "d3d", "--convention d3d" },
-	{ "directx", "--convention d3d" },
+	{ "convert gl opengl", "--convention gl" },
+	{ "d3d directx", "--convention d3d" },
 	{ "vulkan", "--convention vulkan" },
 	{ "webgpu", "--convention webgpu" },
 	{ "opencv", "--convention opencv" },
 
-	{ "distortion", ": lenses are not modelled; undistort points first" },
-	{ "undistort", ": lenses are not modelled; undistort points first" },
-	{ "lens", ": lenses are not modelled; undistort points first" },
-	{ "k1", ": lenses are not modelled; undistort points first" },
+	{ "distortion undistort lens k1",
+	    ": lenses are not modelled; undistort points first" },
 	{ "stdin", ": standard input is - in place of PARAMS or POINTS" },
 	{ "quiet", ": notes go to standard error; 2>/dev/null hides them" },
 };
@@ -88,9 +69,10 @@ enum {
 	NAME_SHOWN = 64,
 };
 
-/* Returns the member of that name, or that has that alias, in one of the objects that
- * bits are; or such an object itself; or NULL. */
-static const struct member *find_member(unsigned bits, int kind,
+/* Returns a member by its name, or with alias by its alias, too, or NULL. It is one of the
+ * scene's members that the bits of objects select, or a member of one of them. The later
+ * object goes first. */
+static const struct member *find_member(unsigned objects, int kind,
     const char *name, bool alias, const struct member **object)
 {
 	const struct member *(*find)(const struct member *, int,
@@ -99,7 +81,7 @@ static const struct member *find_member(unsigned bits, int kind,
 	for (int k = 31; k >= 0; k--) {
 		const struct member *s = *object = &scene_members[k], *m;
 
-		if ((bits >> k & 1) == 0)
+		if ((objects >> k & 1) == 0)
 			continue;
 		if (find(scene_members, ANY_KIND, name) == s)
 			return s;
@@ -121,8 +103,8 @@ const struct member *synonym_find(const char *name,
 	return m;
 }
 
-/* Refuses a word, which unknown says, that is a member: shows how it is written where
- * its object's example has it. */
+/* Refuses a word that is a member. The message begins with unknown, and shows how the
+ * member is written if its object's example has it. */
 static _Noreturn void refuse_member(const char *unknown, unsigned reads,
     const struct member *m, const struct member *object)
 {
@@ -137,16 +119,16 @@ static _Noreturn void refuse_member(const char *unknown, unsigned reads,
 	    (m != object && strstr(object->example, quoted) == NULL))
 		die(EXIT_USAGE,
 		    "%s; %s is a member of the %s %s; 'projcalc help %s' "
-		    "tells of it",
+		    "describes it",
 		    unknown, quoted, of, where, object->name);
 	die(EXIT_USAGE, "%s; %s is a member of the %s %s: '{\"%s\": %s}'",
 	    unknown, quoted, of, where, object->name, object->example);
 }
 
-/* Refuses the word by what it is called here. An option of other commands than c, or
- * where that is NULL of any, is told with its commands. */
-static _Noreturn void refuse_by(const struct command *c, const char *unknown,
-    const char *is)
+/* Refuses a word that is called otherwise here. For an option that c, or without a command
+ * NULL, does not take, the message lists the commands that take it. */
+static _Noreturn void refuse_synonym(const struct command *c,
+    const char *unknown, const char *is)
 {
 	const struct option_row *r = *is == '-' ? option_named(is + 2) : NULL;
 	char list[LISTED];
@@ -161,33 +143,35 @@ static _Noreturn void refuse_by(const struct command *c, const char *unknown,
 	die(EXIT_USAGE, "%s; did you mean 'projcalc %s'?", unknown, is);
 }
 
-static void try_rows(const struct command *c, const char *unknown,
+/* Refuses a word that the table of synonyms has; else returns. */
+static void check_synonyms(const struct command *c, const char *unknown,
     const char *name)
 {
 	for (int i = 0; i < SYNONYMS; i++)
-		if (strcasecmp(synonyms[i].word, name) == 0)
-			refuse_by(c, unknown, synonyms[i].is);
+		if (word_is_one_of(name, synonyms[i].words))
+			refuse_synonym(c, unknown, synonyms[i].is);
 }
 
-/* Refuses an option that is a member of objects that bits are; or an alias, where
- * aliases is true. */
-static void try_members(const struct command *c, const char *unknown,
-    unsigned bits, bool aliases, const char *name)
+/* Refuses an option that is a member, or with aliases the alias of a member, of the
+ * scene's members that the bits of objects select; else returns. */
+static void check_members(const struct command *c, const char *unknown,
+    unsigned objects, bool aliases, const char *name)
 {
-	/* of a projection that is any, persp is the usual kind */
+	/* where the projection may be of any type, persp is first */
 	const int own = c->wants.projection > 0 ? c->wants.projection - 1 : 0;
 	const struct member *m, *object;
 
 	for (int alias = 0; alias < (aliases ? 2 : 1); alias++) {
-		m = find_member(bits, own, name, alias, &object);
+		m = find_member(objects, own, name, alias, &object);
 		if (m != NULL)
-			refuse_member(unknown, bits, m, object);
+			refuse_member(unknown, objects, m, object);
 	}
 }
 
-void synonym_option(const struct command *c, const char *option, bool elsewhere)
+void synonym_check_option(const struct command *c, const char *option,
+    bool elsewhere)
 {
-	/* project --at is rather meant for pick than for the camera */
+	/* project --at is more likely pick's option than the camera's member */
 	const unsigned reads = document_reads(&c->wants) &
 	    (elsewhere ? ~(unsigned)SCENE_SPATIAL : ~0u);
 	const char *word = option + strspn(option, "-");
@@ -197,16 +181,16 @@ void synonym_option(const struct command *c, const char *option, bool elsewhere)
 	snprintf(unknown, sizeof unknown, "%s: unknown option %.*s", c->name,
 	    (int)strcspn(option, "="), option);
 	snprintf(name, sizeof name, "%.*s", (int)strcspn(word, "="), word);
-	try_members(c, unknown, c->wants.bare, !elsewhere, name);
-	try_members(c, unknown, reads, !elsewhere, name);
-	try_rows(c, unknown, name);
+	check_members(c, unknown, c->wants.bare, !elsewhere, name);
+	check_members(c, unknown, reads, !elsewhere, name);
+	check_synonyms(c, unknown, name);
 	m = elsewhere ? NULL : synonym_find(name, &object);
 	if (m != NULL)
 		refuse_member(unknown, reads, m, object);
 }
 
-/* Returns the nearest of all commands and members, or NULL. */
-static const char *nearest_word(const struct command *commands,
+/* Returns the nearest name of a command or member, or NULL. */
+static const char *nearest_known(const struct command *commands,
     const char *word)
 {
 	const char *names[NAMES_MAX + 1] = { "--help", "--version" };
@@ -221,21 +205,22 @@ static const char *nearest_word(const struct command *commands,
 			names[n++] = m->name;
 	}
 	names[n] = NULL;
-	return nearest(word, names);
+	return nearest_word(word, names);
 }
 
-void synonym_word(const struct command *commands, bool topic, const char *word)
+void synonym_refuse_word(const struct command *commands, bool topic,
+    const char *word)
 {
-	const char *near = nearest_word(commands, word);
+	const char *near = nearest_known(commands, word);
 	const struct member *m, *object;
 	char unknown[UNKNOWN_MAX], is[UNKNOWN_MAX];
 
 	snprintf(unknown, sizeof unknown, "unknown %s '%s'",
 	    topic ? "topic" : "command", word);
-	try_rows(NULL, unknown, word);
+	check_synonyms(NULL, unknown, word);
 	snprintf(is, sizeof is, "--%s", word);
 	if (option_named(word) != NULL)
-		refuse_by(NULL, unknown, is);
+		refuse_synonym(NULL, unknown, is);
 	m = synonym_find(word, &object);
 	if (m != NULL)
 		refuse_member(unknown, SCENE_ALL, m, object);
@@ -248,7 +233,7 @@ void synonym_word(const struct command *commands, bool topic, const char *word)
 	die(EXIT_USAGE, "%s; 'projcalc help' lists commands", unknown);
 }
 
-void synonym_command(const struct command *commands, const char *word)
+void synonym_refuse_command(const struct command *commands, const char *word)
 {
 	const char first = first_char(word);
 	bool operand = first == '{' || first == '[' ||
@@ -258,9 +243,8 @@ void synonym_command(const struct command *commands, const char *word)
 	    (*word == '-' &&
 		(word[1] != '-' || option_named(word + 2) != NULL)))
 		die(EXIT_USAGE,
-		    "'%s' is no command; one comes first, such as project "
-		    "or lookat, and all else behind it; 'projcalc help' lists "
-		    "them",
+		    "'%s' is not a command; a command comes first, such as "
+		    "project or lookat; 'projcalc help' lists commands",
 		    word);
-	synonym_word(commands, false, word);
+	synonym_refuse_word(commands, false, word);
 }

@@ -43,7 +43,7 @@ void vdie_at(int status, const struct place *place, const char *format,
 }
 
 /* Nothing is printed. */
-void put_all(const char *text, size_t n)
+void output_write(const char *text, size_t n)
 {
 	(void)text, (void)n;
 	abort();
@@ -82,7 +82,7 @@ static void drop_all(void)
 }
 
 /* A copy of a part, which is freed before anything is refused. */
-void *need(void *old, size_t size)
+void *xrealloc(void *old, size_t size)
 {
 	void *p = realloc(old, size);
 

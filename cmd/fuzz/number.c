@@ -10,6 +10,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "../../core/points/points.h"
 #include "../number/number.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
@@ -163,7 +164,7 @@ static void check_texts(double v, int n)
 	struct number_text texts[64];
 	char expected[NUMBER_MAX + 1], text[NUMBER_MAX + 65];
 
-	number_choose(NULL);
+	points_choose(NULL);
 	for (unsigned kind = NUMBER_SHORTEST; kind <= NUMBER_DIGITS; kind++) {
 		const struct number_style style = { kind,
 			kind == NUMBER_DIGITS && n == 0 ? 1 : n };

@@ -81,24 +81,24 @@ static void add(struct buffer *b, const char *s, size_t n)
 	b->n += n;
 }
 
-bool go_on(int fd, short events)
+bool io_retry(int fd, short events)
 {
 	(void)fd;
 	(void)events;
 	return errno == EINTR;
 }
 
-void widen_pipe(int fd, int room)
+void pipe_enlarge(int fd, int room)
 {
 	(void)fd, (void)room;
 }
 
-void put_all(const char *s, size_t n)
+void output_write(const char *s, size_t n)
 {
 	add(&printed, s, n);
 }
 
-void close_output(void)
+void output_close(void)
 {
 	abort();
 }
@@ -146,7 +146,7 @@ void quit(int status)
 	abort();
 }
 
-void *need(void *old, size_t size)
+void *xrealloc(void *old, size_t size)
 {
 	return realloc(old, size);
 }
@@ -200,7 +200,7 @@ static bool do_at_once(struct job *j, const char *text, size_t size)
 	struct chunk *c = chunk_new();
 
 	c->first = !is_binary(j->layout.in.format);
-	c->piece.text = memcpy(need(NULL, size + PIECE_MARGIN), text, size);
+	c->piece.text = memcpy(xrealloc(NULL, size + PIECE_MARGIN), text, size);
 	c->piece.whole = size;
 	job_do(j, c);
 	bool refused = c->refused;
@@ -249,7 +249,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	set_job(&j, &s, data[3]);
 	struct layout layout = j.layout;
 
-	number_choose(data[3] & 32 ? "baseline" : NULL);
+	points_choose(data[3] & 32 ? "baseline" : NULL);
 	bool whole_source = do_at_once(&j, (const char *)data + HEADER,
 	    size - HEADER);
 	struct buffer whole = printed, messages = said;
@@ -260,7 +260,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 		free(messages.s);
 		return 0;
 	}
-	number_choose(data[3] & 32 ? NULL : "baseline");
+	points_choose(data[3] & 32 ? NULL : "baseline");
 	j.layout = layout;
 	state = 1 + data[3];
 	data_at = data + HEADER;

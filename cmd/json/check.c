@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "../message/escape.h"
-#include "../message/utf8.h"
 #include "../number/number.h"
 #include "text.h"
 

@@ -7,7 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "../message/span.h"
+#include "../message/utf8.h"
 
 /* Two kinds of text are checked. A document is UTF-8, and its strings hold
  * neither \u0000 nor half of a surrogate pair. A line of points has no newline. As

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "object.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -48,25 +47,14 @@ uint64_t member_bit(const struct member *table, int kind, const char *name)
 	return row != NULL ? UINT64_C(1) << (row - table) : 0;
 }
 
-/* The member with that alias, or NULL. The name's case and its _ and - don't
- * count: LookAt, look_at and look-at are lookat. */
+/* Returns the member with that alias, or NULL. */
 static const struct member *find_alias(const struct member *row, int kind,
     const char *name)
 {
-	char plain[ESCAPED_MAX] = " ", all[LISTED];
-	size_t n = 1;
-
-	for (; *name != '\0' && n + 2 < sizeof plain; name++)
-		if (*name != '_' && *name != '-')
-			plain[n++] = (char)tolower((unsigned char)*name);
-	strcpy(plain + n, " ");
-	for (; row->name != NULL; row++) {
-		if (row->aliases == NULL || !member_is_of(row, kind))
-			continue;
-		snprintf(all, sizeof all, " %s ", row->aliases);
-		if (strstr(all, plain) != NULL)
+	for (; row->name != NULL; row++)
+		if (row->aliases != NULL && member_is_of(row, kind) &&
+		    word_is_one_of(name, row->aliases))
 			return row;
-	}
 	return NULL;
 }
 
@@ -144,7 +132,7 @@ static _Noreturn void refuse_unknown(const struct value *v,
 		value_refuse(v, "unknown member; it stands beside \"%s\"",
 		    v->in->name);
 	list_names(table, kind, ALL_MEMBERS, names);
-	const char *near = nearest(v->name, names);
+	const char *near = nearest_word(v->name, names);
 
 	if (near != NULL)
 		value_refuse(v, "unknown member; did you mean \"%s\"?", near);

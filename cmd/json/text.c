@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "../number/number.h"
-#include "../message/utf8.h"
 
 /* Returns the eight characters at s, the first in the lowest byte, each less '0', so
  * that a digit becomes its value. */

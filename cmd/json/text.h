@@ -7,7 +7,7 @@
 
 #include <stdbool.h>
 
-#include "../message/span.h"
+#include "../message/utf8.h"
 
 /* Reads the number that begins at s, as number_read does, and returns where it
  * ends. NULL where none begins, or one that JSON doesn't have: +1, 01, 1., .5,

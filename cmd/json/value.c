@@ -69,7 +69,7 @@ struct value value_parse_without(struct source *source, const char *pointer,
     char *text, size_t size, struct span *array)
 {
 	static char *kept[2];
-	char **keep = &kept[source->operand], *copy = need(NULL, size);
+	char **keep = &kept[source->operand], *copy = xrealloc(NULL, size);
 	struct json_check c = { .text = text,
 		.end = text + size,
 		.line = source->line + 1,
@@ -79,7 +79,8 @@ struct value value_parse_without(struct source *source, const char *pointer,
 	if (size >= 3 && memcmp(text, "\xef\xbb\xbf", 3) == 0)
 		memset(text, ' ', 3); /* a byte order mark */
 	if (message_state.json) {
-		source->text = *keep = memcpy(need(*keep, size), text, size);
+		source->text = *keep = memcpy(xrealloc(*keep, size), text,
+		    size);
 		source->end = source->text + size;
 	}
 	if (!json_check(&c)) {
@@ -98,7 +99,7 @@ struct value value_parse_without(struct source *source, const char *pointer,
 void value_parse_part(struct value *v, const char *s, const char *end)
 {
 	static const struct cJSON *part;
-	char *copy = need(NULL, (size_t)(end - s));
+	char *copy = xrealloc(NULL, (size_t)(end - s));
 	struct json_check c = { .text = s, .end = end, .copy = copy };
 
 	json_check(&c);

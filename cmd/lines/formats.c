@@ -6,7 +6,6 @@
 
 #include "../json/check.h"
 #include "../json/text.h"
-#include "../message/utf8.h"
 #include "../number/number.h"
 
 struct dialect dialect_of(enum format f, char separator)

@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "../message/span.h"
+#include "../message/utf8.h"
 
 /* The last two are binary, little-endian doubles or floats in a row; the others are
  * formats of lines. */

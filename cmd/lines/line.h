@@ -141,6 +141,17 @@ static inline const char *coordinate_name(int i)
 	return names[i];
 }
 
+/* Returns the name of value k of an output line: a coordinate of a point or of a ray,
+ * or, for k COORDINATES_MAX, the word of --flags. */
+static inline const char *layout_added_name(const struct layout *l, int k)
+{
+	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };
+
+	return k == COORDINATES_MAX ? "flags" :
+	    l->writes > 4           ? ray[k] :
+				      coordinate_name(k);
+}
+
 /* Returns the name or pointer of coordinate i in an object of JSON. */
 static inline const char *layout_path(const struct layout *l, int i)
 {

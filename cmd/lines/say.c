@@ -212,6 +212,8 @@ static bool say_guess(const struct names *names, int reads,
 			say_more(reason, ",%s", third != NULL ? third : "NAME");
 		if (reads > 3)
 			say_more(reason, ",NAME");
+		if (reads > 3 || (reads > 2 && third == NULL))
+			say_more(reason, ", where NAME is another column");
 		return true;
 	}
 	return false;
@@ -227,7 +229,8 @@ void say_names(const struct layout *l, struct cut c, const char *wanted,
 	int i = 0;
 
 	names_of(c, &names);
-	const char *near = nearest(wanted != NULL ? wanted : "", names.list);
+	const char *near = nearest_word(wanted != NULL ? wanted : "",
+	    names.list);
 
 	if (wanted != NULL && near != NULL) {
 		say_more(reason, "; did you mean '%s'?",

@@ -64,15 +64,11 @@ static void splice_to(struct splice *w, const char *s)
  * the word. */
 static const char *value_name(const struct splice *w, int k)
 {
-	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };
-
 	if (w->l->append)
 		return w->l->added[k];
-	if (k == FLAGS)
-		return "flags";
 	if (k < w->l->reads && w->line->object && w->line->kind == LINE_BAD)
 		return layout_path(w->l, k);
-	return w->l->writes > 4 ? ray[k] : coordinate_name(k);
+	return layout_added_name(w->l, k);
 }
 
 static bool is_written(const struct splice *w, int k)

@@ -6,18 +6,17 @@
 
 #include "utf8.h"
 
-/* Whether a character looks like a blank or nothing: no-break spaces, the soft
- * hyphen, joiners of zero width, invisible operators, and the byte order mark. */
-static bool is_unseen(unsigned code)
+/* Returns whether a character looks like a blank or like nothing: no-break spaces, the
+ * soft hyphen, joiners of zero width, invisible operators, the byte order mark. */
+static bool is_invisible(unsigned code)
 {
 	return code == 0xa0 || code == 0xad ||
 	    (code >= 0x200b && code <= 0x200d) ||
 	    (code >= 0x2060 && code <= 0x2064) || code == 0xfeff;
 }
 
-/* Whether a character is of the two sets of control characters, ends a line, or
- * is one of the marks, embeddings, overrides and isolates of UAX 9, tables 1 to
- * 4. */
+/* Returns whether a character is a C0 or C1 control, ends a line, or is a mark,
+ * embedding, override or isolate of UAX 9, tables 1 to 4. */
 static bool is_control(unsigned code)
 {
 	return code < 0x20 || (code >= 0x7f && code < 0xa0) || code == 0x061c ||
@@ -26,18 +25,19 @@ static bool is_control(unsigned code)
 	    (code >= 0x2066 && code <= 0x2069);
 }
 
-unsigned escape_unseen(const char *s)
+unsigned escape_invisible(const char *s)
 {
 	unsigned code;
 
 	for (; (s = strstr(s, "\\u")) != NULL; s++)
-		if (sscanf(s, "\\u%4x", &code) == 1 && is_unseen(code))
+		if (sscanf(s, "\\u%4x", &code) == 1 && is_invisible(code))
 			return code;
 	return 0;
 }
 
-/* Writes a piece for the character at *s, and goes past it. Returns its length. */
-static size_t piece(char out[JSON_ESCAPE_MAX + 1], const char **s,
+/* Writes the character at *s, escaped if need be, and moves *s past it. Returns the
+ * length of what it wrote. */
+static size_t escape_one(char out[JSON_ESCAPE_MAX + 1], const char **s,
     const char *end, bool json)
 {
 	unsigned code;
@@ -50,7 +50,7 @@ static size_t piece(char out[JSON_ESCAPE_MAX + 1], const char **s,
 	if (n == 0)
 		return (
 		    size_t)sprintf(out, "\\x%02x", (unsigned char)*c & 0xffu);
-	if (is_control(code) || is_unseen(code))
+	if (is_control(code) || is_invisible(code))
 		return (size_t)sprintf(out, "\\u%04x", code);
 	if (json && (*c == '"' || *c == '\\'))
 		return (size_t)sprintf(out, "\\%c", *c);
@@ -59,17 +59,17 @@ static size_t piece(char out[JSON_ESCAPE_MAX + 1], const char **s,
 }
 
 size_t escape_copy(char *out, size_t room, const char *s, size_t n, bool json,
-    const char *more)
+    const char *ellipsis)
 {
 	const char *end = s + n;
 	char one[JSON_ESCAPE_MAX + 1];
 	size_t at = 0;
 
 	while (s < end) {
-		size_t length = piece(one, &s, end, json);
+		size_t length = escape_one(one, &s, end, json);
 
-		if (at + length + strlen(more) >= room) {
-			at += (size_t)sprintf(out + at, "%s", more);
+		if (at + length + strlen(ellipsis) >= room) {
+			at += (size_t)sprintf(out + at, "%s", ellipsis);
 			break;
 		}
 		memcpy(out + at, one, length);

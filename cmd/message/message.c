@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* for F_SETPIPE_SZ, where there is one */
+/* for F_SETPIPE_SZ of Linux */
 #define _GNU_SOURCE
 #include "message.h"
 
@@ -27,24 +27,22 @@ bool is_colored(int fd)
 	    strcmp(term, "dumb") != 0 && isatty(fd);
 }
 
-/* Longer messages, and places, are cut: no path that can be opened is as long. An
- * escape takes up to six characters, and a line has three such texts, one of a
- * message and two of its place, and less than a fourth of what is fixed. */
+/* A longer message, file name or pointer is cut: no path that can be opened is as long.
+ * A line has these three texts, of which each byte may become JSON_ESCAPE_MAX, and fixed
+ * text shorter than any. */
 enum {
 	MESSAGE_MAX = 4096,
 	LINE_ROOM = 4 * JSON_ESCAPE_MAX * MESSAGE_MAX,
 };
 
-/* One line, which is written at once, as others may write there too. It is too large
- * for a thread's stack: the lock of stderr guards it. */
+/* The line being made: it is written at once, as other processes may write there, too.
+ * It is too large for a thread's stack; the lock of stderr guards it. */
 static struct {
 	char s[LINE_ROOM];
 	size_t n;
 } line;
 
-static void add(const char *format, ...) __attribute__((format(printf, 1, 2)));
-
-static void add(const char *format, ...)
+static void __attribute__((format(printf, 1, 2))) add(const char *format, ...)
 {
 	va_list args;
 
@@ -96,8 +94,8 @@ static void add_text(int status, const struct place *p,
 		add_place(p, scene);
 }
 
-/* How long a message is up to its hint, which follows the first "; " outside of
- * quotes. An apostrophe does not stand behind a blank. */
+/* Returns the length of a message before its hint: up to the first "; " outside of
+ * quotes. A quote begins the message or follows a blank, which an apostrophe does not. */
 static size_t reason_length(const char *message)
 {
 	const char *s;
@@ -113,14 +111,14 @@ static size_t reason_length(const char *message)
 	return (size_t)(s - message);
 }
 
-/* Adds a member whose string is not closed yet. */
+/* Adds a member without the closing quote of its string. */
 static void add_member(const char *name, const char *s, size_t n)
 {
 	add("%s\"%s\":\"", line.n > 1 ? "," : "", name);
 	add_escaped(s, n);
 }
 
-/* Adds the members up to the reason or hint. */
+/* Adds the object up to the text of its reason or hint. */
 static void add_json(const struct place *p, struct scene_place scene,
     const char *message)
 {
@@ -166,10 +164,10 @@ static void print_line(int status, const struct place *place,
 		add_json(p, scene, message);
 	else
 		add_text(status, p, scene, message);
-	unsigned unseen = escape_unseen(line.s);
+	unsigned invisible = escape_invisible(line.s);
 
-	if (unseen != 0)
-		add(" (U+%04X in it can't be seen)", unseen);
+	if (invisible != 0)
+		add(" (U+%04X is invisible)", invisible);
 	if (message_state.json)
 		add("\",\"status\":%d}", status);
 	add("\n");
@@ -186,9 +184,9 @@ void say_at(int status, const struct place *place, const char *format, ...)
 	va_end(args);
 }
 
-/* Returns to the first thread that calls it, which ends the program: of several
- * threads that fail together only one prints why. */
-static void be_last(void)
+/* Returns to the first thread that calls it and stops any other: of several threads that
+ * fail together, one prints its message and ends the program. */
+static void end_once(void)
 {
 	static atomic_flag ending = ATOMIC_FLAG_INIT;
 
@@ -203,7 +201,7 @@ void vdie_at(int status, const struct place *place, const char *format,
 		print_line(status, place, format, args);
 		longjmp(*message_state.refused, 1);
 	}
-	be_last();
+	end_once();
 	print_line(status, place, format, args);
 	exit(status);
 }
@@ -228,11 +226,11 @@ void die(int status, const char *format, ...)
 
 void quit(int status)
 {
-	be_last();
+	end_once();
 	exit(status);
 }
 
-void *need(void *old, size_t size)
+void *xrealloc(void *old, size_t size)
 {
 	void *p = realloc(old, size > 0 ? size : 1);
 
@@ -241,12 +239,12 @@ void *need(void *old, size_t size)
 	return p;
 }
 
-static _Noreturn void no_output(void)
+static _Noreturn void die_of_output(void)
 {
 	die(EXIT_SYSTEM, "standard output: %s", strerror(errno));
 }
 
-bool go_on(int fd, short events)
+bool io_retry(int fd, short events)
 {
 	struct pollfd p = { .fd = fd, .events = events };
 
@@ -255,25 +253,25 @@ bool go_on(int fd, short events)
 	return poll(&p, 1, -1) >= 0 || errno == EINTR;
 }
 
-void widen_pipe(int fd, int room)
+void pipe_enlarge(int fd, int size)
 {
 #ifdef F_SETPIPE_SZ
-	if (fcntl(fd, F_GETPIPE_SZ) < room)
-		fcntl(fd, F_SETPIPE_SZ, room);
+	if (fcntl(fd, F_GETPIPE_SZ) < size)
+		fcntl(fd, F_SETPIPE_SZ, size);
 #else
-	(void)fd, (void)room;
+	(void)fd, (void)size;
 #endif
 }
 
-void put_all(const char *s, size_t size)
+void output_write(const char *s, size_t size)
 {
 	while (size > 0) {
 		ssize_t n = write(STDOUT_FILENO, s, size);
 
-		if (n < 0 && go_on(STDOUT_FILENO, POLLOUT))
+		if (n < 0 && io_retry(STDOUT_FILENO, POLLOUT))
 			continue;
 		if (n < 0)
-			no_output();
+			die_of_output();
 		s += n;
 		size -= (size_t)n;
 	}
@@ -292,7 +290,7 @@ int print(const char *format, ...)
 	va_copy(again, args);
 	size_t n = (size_t)vsnprintf(NULL, 0, format, args);
 
-	printed.s = need(printed.s, printed.n + n + 1);
+	printed.s = xrealloc(printed.s, printed.n + n + 1);
 	vsnprintf(printed.s + printed.n, n + 1, format, again);
 	printed.n += n;
 	va_end(again);
@@ -300,13 +298,13 @@ int print(const char *format, ...)
 	return (int)n;
 }
 
-void put_printed(void)
+void print_flush(void)
 {
-	put_all(printed.s, printed.n);
+	output_write(printed.s, printed.n);
 }
 
-void close_output(void)
+void output_close(void)
 {
 	if (close(STDOUT_FILENO) != 0 && errno != EINTR)
-		no_output();
+		die_of_output();
 }

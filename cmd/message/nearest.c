@@ -2,55 +2,68 @@
 #include "nearest.h"
 
 #include <ctype.h>
-#include <stdbool.h>
 #include <string.h>
 #include <strings.h>
 
-/* Whether one is the beginning of the other, and has three letters at least. */
-static bool begins(const char *word, const char *other)
+/* Returns whether word begins with start, which has three letters at least. */
+static bool begins(const char *word, const char *start)
 {
-	size_t length = strlen(word), n = strlen(other);
+	size_t n = strlen(start);
 
-	if (n < length)
-		length = n;
-	return length > 2 && strncasecmp(word, other, length) == 0;
+	return n > 2 && strncasecmp(word, start, n) == 0;
 }
 
-static bool same(char a, char b)
+static bool same_letter(char a, char b)
 {
 	return tolower((unsigned char)a) == tolower((unsigned char)b);
 }
 
-/* Whether at most n edits lead from a to b, without two of one letter. */
-static bool within(const char *a, const char *b, int n)
+/* Returns whether at most n edits lead from a to b. No letter is edited twice. */
+static bool edits_reach(const char *a, const char *b, int n)
 {
-	for (; *a != '\0' && same(*a, *b); a++)
+	for (; *a != '\0' && same_letter(*a, *b); a++)
 		b++;
 	if (*a == '\0' && *b == '\0')
 		return true;
 	if (n == 0)
 		return false;
-	if ((*a != '\0' && within(a + 1, b, n - 1)) ||
-	    (*b != '\0' && within(a, b + 1, n - 1)))
+	if ((*a != '\0' && edits_reach(a + 1, b, n - 1)) ||
+	    (*b != '\0' && edits_reach(a, b + 1, n - 1)))
 		return true;
 	if (*a == '\0' || *b == '\0')
 		return false;
-	return within(a + 1, b + 1, n - 1) ||
-	    (same(a[0], b[1]) && same(a[1], b[0]) &&
-		within(a + 2, b + 2, n - 1));
+	return edits_reach(a + 1, b + 1, n - 1) ||
+	    (same_letter(a[0], b[1]) && same_letter(a[1], b[0]) &&
+		edits_reach(a + 2, b + 2, n - 1));
 }
 
-const char *nearest(const char *word, const char *const *words)
+const char *nearest_word(const char *word, const char *const *words)
 {
 	size_t length = strlen(word);
 	int most = length < 2 ? 0 : length < 6 ? 1 : length < 9 ? 2 : 3;
 
 	for (int n = 0; n <= most; n++)
 		for (const char *const *w = words; *w != NULL; w++)
-			if (within(word, *w, n))
+			if (edits_reach(word, *w, n))
 				return *w;
 	for (; *words != NULL; words++)
-		if (begins(word, *words))
+		if (begins(word, *words) || begins(*words, word))
 			return *words;
 	return NULL;
+}
+
+bool word_is_one_of(const char *word, const char *words)
+{
+	char sought[64];
+	size_t n = 0, length;
+
+	for (; *word != '\0' && n < sizeof sought; word++)
+		if (*word != '_' && *word != '-')
+			sought[n++] = (char)tolower((unsigned char)*word);
+	for (; *words != '\0'; words += length + (words[length] == ' ')) {
+		length = strcspn(words, " ");
+		if (length == n && memcmp(words, sought, n) == 0)
+			return true;
+	}
+	return false;
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "utf8.h"
 
-/* RFC 3629, section 4: no longer form than is needed, no half of a surrogate pair,
- * nothing beyond U+10FFFF. */
+/* RFC 3629, section 4, excludes forms longer than needed, halves of surrogate pairs,
+ * and codes beyond U+10FFFF. */
 int utf8_read(const char *s, const char *end, unsigned *code)
 {
 	static const unsigned least[] = { 0, 0, 0x80, 0x800, 0x10000 };
@@ -27,7 +27,6 @@ int utf8_read(const char *s, const char *end, unsigned *code)
 	    0;
 }
 
-/* RFC 3629, section 3. */
 int utf8_write(unsigned code, char out[4])
 {
 	int n = code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;

@@ -1,14 +1,19 @@
 /* SPDX-License-Identifier: MIT */
-/* Characters of UTF-8. */
+/* Spans of text, and the characters of UTF-8. */
 #ifndef UTF8_H
 #define UTF8_H
 
-/* Reads the code of the character at s, and returns its length in bytes; 0 if what
- * stands there is none. */
+/* The characters from s to before end. */
+struct span {
+	const char *s, *end;
+};
+
+/* Reads the code of the character at s. Returns its length in bytes, or 0 if the bytes
+ * there are no character. */
 int utf8_read(const char *s, const char *end, unsigned *code);
 
-/* Writes the character with that code, which is not half of a surrogate pair,
- * and returns its length in bytes. */
+/* Writes the character of a code that is not half of a surrogate pair. Returns its
+ * length in bytes. */
 int utf8_write(unsigned code, char out[4]);
 
 #endif

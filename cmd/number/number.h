@@ -54,14 +54,10 @@ struct number_text {
 enum { NUMBER_BATCH = 64 };
 
 /* Makes the texts of n numbers, of floats if single is true. t and v have room for n
- * rounded up to NUMBER_BATCH; v may have any numbers there. */
+ * rounded up to NUMBER_BATCH; v may have any numbers there. points_choose chooses the
+ * loops; before, each layout is 0. */
 void number_texts(const double *v, size_t n, bool single,
     struct number_style style, struct number_text *t);
-
-/* Chooses the loops of number_texts and plain_reader: the best for this processor,
- * or those of a name that core/points/kernel has. Before the first call each layout is
- * 0, and there is no reader. Returns false if this processor has none of that name. */
-bool number_choose(const char *name);
 
 /* The most characters of a struct number_text on either side of the point. */
 enum { NUMBER_SIDE = 24 };

@@ -407,5 +407,5 @@ void print_scene(const struct document *d, bool on_line)
 
 	put_members(&p, d, ~(unprinted | (d->flat ? SCENE_SPATIAL : 0u)));
 	put_text(&p, on_line ? "}\n" : "\n}\n");
-	put_all(text, (size_t)(p.at - text));
+	output_write(text, (size_t)(p.at - text));
 }

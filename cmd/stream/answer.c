@@ -99,7 +99,7 @@ static void add_progress(const struct chunk *c)
 static void end_line(void)
 {
 	if (answer.unended)
-		put_all("\n", 1);
+		output_write("\n", 1);
 	answer.unended = false;
 }
 
@@ -109,7 +109,7 @@ void answer_no_scene(enum format out)
 	if (out != FORMAT_JSON)
 		return;
 	end_line();
-	put_all("null\n", 5);
+	output_write("null\n", 5);
 }
 
 static void print_chunk(const struct job *j, const struct chunk *c)
@@ -119,7 +119,7 @@ static void print_chunk(const struct job *j, const struct chunk *c)
 	end_line();
 	answer.unended = !is_binary(j->layout.out.format) &&
 	    c->out[c->size - 1] != '\n';
-	put_all(c->out, c->size);
+	output_write(c->out, c->size);
 }
 
 /* Returns the place of a line of the chunk, counted from 0. */
@@ -173,7 +173,7 @@ static void report_bad_lines(const struct job *j, const struct chunk *c)
 		return;
 	report_imageless();
 	if (refused) {
-		close_output();
+		output_close();
 		quit(EXIT_INPUT);
 	}
 	if (c->piece.state == PIECE_TOO_LONG)
@@ -209,6 +209,6 @@ int answer_end(void)
 		say_at(EXIT_INPUT, NULL, "%zu bad %s%s", answer.bad,
 		    answer.of_points ? "point" : "line",
 		    answer.bad == 1 ? "" : "s");
-	close_output();
+	output_close();
 	return answer.bad > 0 || answer.bad_scene ? EXIT_INPUT : EXIT_OK;
 }

@@ -19,7 +19,7 @@ char *chunk_reserve(struct chunk *c, size_t more)
 {
 	if (c->size + more > c->room) {
 		c->room = c->room / 2 + c->size + more;
-		c->out = need(c->out, c->room);
+		c->out = xrealloc(c->out, c->room);
 	}
 	return c->out + c->size;
 }

@@ -16,7 +16,7 @@
 /* Makes room for that many bytes of text, and keeps those that were read. */
 static void reserve_text(struct piece *p, size_t room)
 {
-	p->text = need(p->text, room + PIECE_MARGIN);
+	p->text = xrealloc(p->text, room + PIECE_MARGIN);
 	p->room = room;
 }
 
@@ -51,7 +51,7 @@ static ssize_t read_some(struct point_source *s, char *to, size_t room)
 	}
 	do
 		n = read(s->fd, to, room);
-	while (n < 0 && go_on(s->fd, POLLIN));
+	while (n < 0 && io_retry(s->fd, POLLIN));
 	return n;
 }
 
@@ -111,7 +111,7 @@ struct point_source source_of_file(const char *name, int fd)
 	const off_t start = lseek(fd, 0, SEEK_CUR);
 	struct stat st;
 
-	widen_pipe(fd, PIPE_ROOM);
+	pipe_enlarge(fd, PIPE_ROOM);
 	if (start >= 0 && fstat(fd, &st) == 0 && S_ISREG(st.st_mode) &&
 	    st.st_size > start)
 		s.size = st.st_size - start;

@@ -5,7 +5,7 @@
 
 #include <sys/types.h>
 
-#include "../message/span.h"
+#include "../message/utf8.h"
 
 struct layout;
 

@@ -215,8 +215,8 @@ static void set_up(struct job *j)
 	/* one for each thread, and almost as many that wait for their answer */
 	ring.n = 2 * (size_t)ring.most + 1;
 	ring.n_unused = ring.n;
-	ring.chunk = need(NULL, ring.n * sizeof *ring.chunk);
-	ring.unused = need(NULL, ring.n * sizeof *ring.unused);
+	ring.chunk = xrealloc(NULL, ring.n * sizeof *ring.chunk);
+	ring.unused = xrealloc(NULL, ring.n * sizeof *ring.unused);
 	for (size_t i = 0; i < ring.n; i++)
 		ring.unused[i] = NULL;
 }

@@ -107,7 +107,7 @@ static const struct text refused[] = {
 	TEXT("[\x01]", "1: expected a value, not '\\u0001'"),
 	TEXT("[\xff]", "1: expected a value, not '\\xff'; JSON is UTF-8 text"),
 	TEXT("[\xc2\xa0]",
-	    "1: expected a value, not '\\u00a0' (U+00A0 in it can't be seen)"),
+	    "1: expected a value, not '\\u00a0' (U+00A0 is invisible)"),
 	TEXT("[\f1]", "1: expected a value, not '\\u000c'"),
 	TEXT("{\n[1",
 	    "2: expected a member's name in \"double quotes\", not '['"),

@@ -219,9 +219,9 @@ sub check_eight {
 # correction c has two roundings, and each end one: they must be farther off.
 sub check_reader {
 	my ($text) = @_;
-	my ($most) = $text =~ /\(I\)rest > (\d+)\)/;
-	my ($place) = $text =~ /double_of\(rest\) \* 1e(\d+);/;
-	my ($off) = $text =~ /off = c \* 0x1p-(\d+);/;
+	my ($most) = $text =~ /low > ALL_BITS\((\d+)\)/;
+	my ($place) = $text =~ /double_of\(low\) \* ALL\(1e(\d+)\);/;
+	my ($off) = $text =~ /off = c \* ALL\(0x1p-(\d+)\);/;
 	check('the digits in front are exact', $place == 16 &&
 	    Math::BigInt->new(5)->bpow($place) * $most < two_to(53));
 	check('the integer is below 2^64',
@@ -270,8 +270,8 @@ for my $m (
 	['109951163', '109951162', 'four digits'],
 	['5243', '5242', 'two digits'],
 	['6554 *', '6553 *', 'one digit'],
-	['rest > 999', 'rest > 9999', 'below 2^64'],
-	['c * 0x1p-50', 'c * 0x1p-52', 'farther than the error'],
+	['ALL_BITS(999)', 'ALL_BITS(9999)', 'below 2^64'],
+	['c * ALL(0x1p-50', 'c * ALL(0x1p-52', 'farther than the error'],
 	['ALL(1e-8)', 'ALL(9.999999999999999e-9)', '1e-8 is not too'],
 ) {
 	my ($from, $to, $refused) = @$m;

@@ -38,7 +38,7 @@ static void test_nearest(void **state)
 
 	(void)state;
 	for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-		const char *near = nearest(cases[i].word, words);
+		const char *near = nearest_word(cases[i].word, words);
 
 		if (cases[i].near == NULL)
 			assert_null(near);

@@ -8,12 +8,14 @@
 #include <stdint.h>
 
 #include <cmocka.h>
+#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
 
+#include "../../core/points/points.h"
 #include "../number/number.h"
 #include "../number/plain.h"
 
@@ -89,22 +91,39 @@ static int put_sort(int sort, char *s)
 	case 2:
 		return put_decimal(s, 1, 14);
 	case 3:
-		return put_decimal(s, 15, 4);
+		return sprintf(s, "%.*e", 17 + below(2),
+		    ldexp(v + (v < 0 ? -1 : 1), below(50)));
 	case 4:
-		return put_decimal(s, 1, 29);
+		return put_decimal(s, 15, 4);
 	case 5:
-		return put_digits(s, 1 + below(19));
+		return put_decimal(s, 1, 29);
 	case 6:
+		return put_digits(s, 1 + below(19));
+	case 7:
 		return put_midway(s);
+	case 8: {
+		int size = put_decimal(s, 1, 18);
+
+		return size + sprintf(s + size, "e%+03d", below(60) - 30);
+	}
 	default:
 		return put_any(s);
 	}
 }
 
-enum { SORTS = 8, ALL_READ = 3 }; /* of the sorts below, all but few are read */
+enum { SORTS = 10, ALL_READ = 4 }; /* nearly all of the first sorts are read */
 
-/* Returns whether read is to take the text: [-] digits with at most one
- * point. */
+/* Returns true at the end of the text, or at an exponent that read may take. */
+static bool is_exponent(const char *s)
+{
+	return *s == '\0' ||
+	    ((*s == 'e' || *s == 'E') && (s[1] == '-' || s[1] == '+') &&
+		strspn(s + 2, "0123456789") == 2 && s[4] == '\0' &&
+		s[-1] != '.');
+}
+
+/* Returns true for what read may take: [-] digits with at most one point, and an
+ * exponent of two digits. */
 static bool is_plain(const char *s)
 {
 	s += *s == '-';
@@ -112,7 +131,8 @@ static bool is_plain(const char *s)
 	size_t point = s[whole] == '.';
 	size_t decimals = strspn(s + whole + point, "0123456789");
 
-	return whole + decimals > 0 && s[whole + point + decimals] == '\0';
+	return whole + decimals > 0 &&
+	    is_exponent(s + whole + point + decimals);
 }
 
 static void check_number(const char *text, bool left, double v)
@@ -173,7 +193,7 @@ static void reads_as_strtod(void **unused)
 
 	(void)unused;
 	for (int c = 0; c < 4; c++) {
-		if (!number_choose(copies[c]) || plain_reader() == NULL)
+		if (!points_choose(copies[c]) || plain_reader() == NULL)
 			continue;
 		for (int sort = 0; sort < SORTS; sort++) {
 			int left = 0;
@@ -211,7 +231,7 @@ static void finds_what_is_in_the_set(void **unused)
 
 	(void)unused;
 	for (int c = 0; c < 4; c++) {
-		if (!number_choose(copies[c]) || plain_reader() == NULL)
+		if (!points_choose(copies[c]) || plain_reader() == NULL)
 			continue;
 		for (int round = 0; round < 2000; round++) {
 			size_t size = (size_t)below(round % 2 ? 200 : 4096);

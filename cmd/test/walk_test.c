@@ -2,6 +2,7 @@
 /* Tests which lines are walked and which are left to line_read, and the places
  * of the numbers on walked lines. A line that is left costs only time, but
  * usual lines must be walked. */
+#include "../../core/points/points.h"
 #include "../lines/walk.h"
 
 #include <setjmp.h>
@@ -224,7 +225,7 @@ static void usual_lines_are_walked(void **state)
 	struct layout l = { .in = { FORMAT_TEXT, 0 }, .reads = 3 };
 
 	(void)state;
-	if (!number_choose(NULL) || plain_reader() == NULL)
+	if (!points_choose(NULL) || plain_reader() == NULL)
 		skip();
 	check(&l, text, "11 12 13");
 	l.reads = 2;
@@ -246,7 +247,7 @@ static void usual_lines_are_walked(void **state)
 /* The first number of each line is not plain; what it is, or that the line is left. */
 static void numbers_with_exponents_are_read(void **state)
 {
-	static const char all[] = "1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n"
+	static const char all[] = "1 2 30\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n"
 				  "1e-3 2 3\n+4 2 3\nnan 2 3\n1e200 2 3\n"
 				  "1e 2 3\n0x1 2 3\n5 6 7e1\n";
 	const struct layout l = { .in = { FORMAT_TEXT, ' ' }, .reads = 3 };
@@ -259,7 +260,7 @@ static void numbers_with_exponents_are_read(void **state)
 	uint64_t left;
 
 	(void)state;
-	if (!number_choose(NULL) || plain_reader() == NULL)
+	if (!points_choose(NULL) || plain_reader() == NULL)
 		skip();
 	assert_true(walk_plan(&l, &walk));
 	s.readable = all;

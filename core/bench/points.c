@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Nanoseconds a point of points_carry: every copy of the kernels that this
- * processor runs, every precision, every kind of transform, on a block that lies
- * in the cache. Prints a table in markdown. */
+/* Measures nanoseconds a point of points_carry, for every copy of the kernels that this
+ * processor runs, every precision and every kind of transform, on a block that lies in
+ * the cache. Prints a table in markdown. */
 #include <stdio.h>
 
 #include "clock.h"
@@ -53,7 +53,7 @@ static void fill(struct sample *s, const double low[3], const double high[3])
 			s->in[k][i] = sample_between(low[k], high[k]);
 }
 
-/* All points are in front of the eye; the kernels give up none. */
+/* Makes cases of points in front of the eye, all of which the kernels compute. */
 static const char *make_cases(void)
 {
 	const double low[3] = { -2, -2, -2 }, high[3] = { 2, 2, 2 };
@@ -93,7 +93,7 @@ static double measure(const struct sample *s, enum precision p)
 	return (clock_ns() - start) / (CALLS * POINTS_BLOCK);
 }
 
-/* Whatever slows the machine down for a while slows a run of each. */
+/* Measures each once, so that a slow moment of the machine slows a run of each. */
 static void measure_all(int run)
 {
 	for (int copy = 0; copy < COPIES; copy++) {

@@ -192,10 +192,7 @@ static int loops(int tries, bool at_the_ends)
 
 		any_map();
 		any_point();
-		if (kind == KERNEL_DIRECTION)
-			exact_direction(&map, from, to, 2);
-		else
-			exact(&map, from, to, 2, (enum kernel_kind)kind);
+		exact(&map, from, to, 2, (enum kernel_kind)kind);
 		int verdict = judge(kind);
 
 		if (verdict == WRONG)

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "vector.h"
 
-#include "../../../core/points/kernel/kernel.h"
+#include "../../../core/points/points.h"
 
-/* Without a writer number_write makes every text. */
 static const struct {
 	number_writer *writer;
 	const struct plain_reader *reader;
@@ -17,29 +16,18 @@ static const struct {
 #endif
 };
 
-static enum processor processor = PROCESSOR_BASELINE;
-
-bool number_choose(const char *name)
-{
-	const struct kernels *found = kernels_find(name);
-
-	if (found != NULL)
-		processor = found->processor;
-	return found != NULL;
-}
-
 void number_texts(const double *v, size_t n, bool single,
     struct number_style style, struct number_text *t)
 {
-	number_writer *write = copies[processor].writer;
+	number_writer *write = copies[points_kernels()->processor].writer;
 
 	if (write != NULL)
 		write(v, (n + TEXTS - 1) / TEXTS * TEXTS, single, style, t);
-	else
+	else /* number_write makes every text */
 		memset(t, 0, n * sizeof *t);
 }
 
 const struct plain_reader *plain_reader(void)
 {
-	return copies[processor].reader;
+	return copies[points_kernels()->processor].reader;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* 10^-11 to 10^20 as hi + lo, each the nearest double to what is left: hi is the
- * power itself from 10^0 on, and below it hi + lo is within POWER_ERROR of it,
- * relatively. (digits_test.t recomputes them.) */
+/* 10^-11 to 10^20 as hi + lo: hi is the double nearest to the power, lo that nearest
+ * to the power less hi. From 10^0 on hi is the power; below, hi + lo has a relative
+ * error of at most POWER_ERROR. (digits_test.t recomputes them.) */
 #ifndef POWERS_H
 #define POWERS_H
 

@@ -1,110 +1,109 @@
 /* SPDX-License-Identifier: MIT */
-/* The reader of plain numbers for one kind of processor. A file that includes
- * this has the vectors of doubles of core/points/kernel/copy.h, and defines:
+/* The reader of plain numbers for one kind of processor. A file that includes this
+ * has the vectors of doubles of core/points/kernel/copy.h, the integers I that
+ * write_body.h describes, and defines:
  *
  *	READER		the name of its struct plain_reader
- *	IN_SET(set, s)	bit i: whether s[i] is in the set, of 64 bytes
- *	EIGHTS(rows, high, low)
- *			of 16 digits in each of WIDTH rows, 32 bytes apart, the
- *			integers that the first and the last eight are, in lanes
- *			of 64 bits
+ *	IN_SET(set, s)	bit i: s[i] is in the set, of 64 bytes
+ *	join_digits(rows, half, &high, &low)
+ *			from WIDTH rows of two halves of 16 digits: the integers
+ *			that the first and the last eight digits of a half are
+ *	WHERE(row, c)	bit i: row[i] is c
+ *	LARGER(a, b)	the larger one of each two bytes of rows
+ *	ANY_TOP_BIT(x)	the top bit of some byte of 32 is set
  *
- *	DOTS(row)	bit i: whether row[i] is a point, of 32 bytes
- *	LARGER(a, b)	of rows, byte by byte
- *	ANY_TOP_BIT(row)	whether the top bit of any byte is set
+ * A row has 32 bytes before the end of each of ROW_NUMBERS numbers. A file may define,
+ * in the place of the operations of read_rows.h,
  *
- * and may define, where read_rows.h has it by other operations,
- *
- *	LAST(n)		a mask of the last n <= 32 bytes of a row
+ *	ROW_NUMBERS, row, row_mask, ROW_BEFORE(end, n)
+ *			the bytes from end[i] - n on
+ *	LAST(keys)	a mask of the last bytes of a row: as many as LAST_KEYS,
+ *			of a vector of numbers up to 32, made keys of
  *	PICK(m, a, b)	m ? a : b
  *	KEEP(m, a)	m ? a : 0
+ *	ANY_ABOVE_9(row)	some byte is above 9
  *	LEADING_ZEROS(x)	of integers of 32 bits
  *
- * All else is arithmetic of the compiler's vectors. Whatever the width, every
- * lane goes through the same operations of IEEE 754. */
+ * Whatever the width, every lane goes through the same operations of IEEE 754. */
 #include "read_rows.h"
 
-typedef uint64_t U __attribute__((vector_size(WIDTH * 8)));
-typedef int64_t I __attribute__((vector_size(WIDTH * 8)));
-typedef double D __attribute__((vector_size(WIDTH * 8)));
-
-/* Bit i: whether a and b differ in lane i, as nan does. */
-static inline unsigned different(D a, D b)
+/* Returns bit i for lanes i that differ, as nan does. */
+static inline unsigned different(V a, V b)
 {
 	return LANES_OF(EQUAL(a, b)) ^ ((1u << WIDTH) - 1);
 }
 
-/* Integers below 2^52 as doubles: with the bits of 2^52 before them they are
+/* Returns integers below 2^52 as doubles: with the bits of 2^52 before them they are
  * 2^52 too large. */
-static inline D double_of(U u)
+static inline V double_of(I u)
 {
-	D d = (D)(u | 0x4330000000000000);
-
-	return d - 0x1p52;
+	return (V)(u | ALL_BITS(0x4330000000000000)) - ALL(0x1p52);
 }
 
-/* An integer, hi + lo, and what of it cannot be known. */
+/* An integer hi + lo in each lane, and a bit for each lane that is not read. */
 struct integer {
-	D hi, lo;
+	V hi, lo;
 	unsigned bad;
 };
 
-/* Of up to 15 digits, as many as doubles hold: exact, and so is the product. */
+/* Returns integers of up to 15 digits, as many as doubles hold: the product and the
+ * sum are exact. */
 static inline struct integer short_integer(const struct rows *r, size_t i)
 {
-	U first, rest;
+	I high, low;
 
-	EIGHTS(r->digits[i] + 16, first, rest);
-	D high = double_of(first) * 1e8;
-
-	return (struct integer){ .hi = high + double_of(rest) };
+	join_digits(r->digits[i], 1, &high, &low);
+	return (struct integer){
+		.hi = double_of(high) * ALL(1e8) + double_of(low),
+		.lo = ALL(0),
+	};
 }
 
-/* Of up to 19 digits; with more, the integer is bad. Three digits times 10^16
- * are a multiple of 2^16 below 2^64: exact. The sums lose integers of at most
- * 2^10 each, as what is below 2^64 is rounded to multiples of 2^11; these two
- * are exactly added. */
+/* Returns integers of up to 19 digits; one with more is bad. Three digits times 10^16
+ * are a multiple of 2^16 below 2^64: exact. The sums s and hi, below 2^64, are rounded
+ * to multiples of 2^11 and lose integers of at most 2^10 each; the sum lo of the two is
+ * exact. */
 static inline struct integer long_integer(const struct rows *r, size_t i)
 {
-	struct integer m = { 0 };
-	U first, rest;
+	struct integer m;
+	I high, low;
 
-	EIGHTS(r->digits[i], first, rest);
-	I more = ((I)first > 0) | ((I)rest > 999);
+	join_digits(r->digits[i], 0, &high, &low);
+	V more = (V)((high > ALL_BITS(0)) | (low > ALL_BITS(999)));
 
-	m.bad = different((D)more, (D){ 0 }); /* all bits set are a nan */
-	D top = double_of(rest) * 1e16;
+	m.bad = different(more, ALL(0)); /* all bits set are a nan */
+	V top = double_of(low) * ALL(1e16);
 
-	EIGHTS(r->digits[i] + 16, first, rest);
-	D a = double_of(first) * 1e8, b = double_of(rest);
-	D s = top + a;
+	join_digits(r->digits[i], 1, &high, &low);
+	V a = double_of(high) * ALL(1e8), b = double_of(low), s = top + a;
 
 	m.hi = s + b;
 	m.lo = (a - (s - top)) + (b - (m.hi - s));
 	return m;
 }
 
-/* m / p. The quotient q of hi and p is rounded, and exact the remainder hi - q p,
- * as always when division is rounded to nearest and nothing underflows. So m / p
- * is q + c for c = (hi - q p + lo) / p, which costs two roundings: an error below
- * 2.01 * 2^-53 |c|. The two ends below are farther off, 2^-50 |c| less 2^-53 |c|
- * for their own rounding. As rounding is monotone, m / p is rounded to the same
- * double as q + either end if that is one double; else, as when it lies midway,
- * the number is bad. Where lo is 0, hi / p is Clinger's exact case. */
-static inline D divide(struct integer *m, D p)
+/* Returns m / p rounded to nearest, and adds to m->bad the lanes of which this is not
+ * sure. The quotient q of hi and p is rounded; the remainder hi - q p is exact, as
+ * always when division rounds to nearest and nothing underflows. So m / p is q + c
+ * for c = (hi - q p + lo) / p, which costs two roundings: an error below 2.01 * 2^-53
+ * |c|. The two ends below are farther from c, 2^-50 |c| less 2^-53 |c| for their own
+ * rounding. Rounding is monotone: if q + either end is one double, m / p rounds to
+ * it; else, as when m / p lies midway, the number is bad. Where all of lo is 0, q is
+ * Clinger's exact case. */
+static inline V divide(struct integer *m, V p)
 {
-	D q = m->hi / p;
+	V q = m->hi / p;
 
-	if (different(m->lo, (D){ 0 }) == 0)
+	if (different(m->lo, ALL(0)) == 0)
 		return q;
-	D c = (FMA(-q, p, m->hi) + m->lo) / p, off = c * 0x1p-50;
-	D one = q + (c - off), other = q + (c + off);
+	V c = (FMA(-q, p, m->hi) + m->lo) / p, off = c * ALL(0x1p-50);
+	V one = q + (c - off), other = q + (c + off);
 
 	m->bad |= different(one, other);
-	return (D)((U)one | ((U)p & 1ull << 63)); /* -0 + 0 is 0 */
+	return (V)((I)one | ((I)p & ALL_BITS(1ull << 63))); /* -0 + 0 is 0 */
 }
 
-/* Which of the rows from i on have a byte above 9. */
+/* Returns bit k if row i + k has a byte above 9. */
 static inline unsigned not_digits(const struct rows *r, size_t i)
 {
 	unsigned bad = 0;
@@ -116,44 +115,106 @@ static inline unsigned not_digits(const struct rows *r, size_t i)
 	return bad;
 }
 
-/* The numbers from i on; returns which of them are bad. */
+/* Reads the group of numbers from i on; returns bit k if number k is not read. */
 static inline uint64_t read_group(const struct rows *r, size_t i,
     struct look look, double *v)
 {
 	uint64_t bad = 0;
 
-	for (size_t k = 0; k < PLAIN_GROUP; k += WIDTH) {
-		struct integer m = look.many ? long_integer(r, i + k) :
-					       short_integer(r, i + k);
-		D p, q;
+	for (size_t k = i; k < i + PLAIN_GROUP; k += WIDTH) {
+		struct integer m = look.many ? long_integer(r, k) :
+					       short_integer(r, k);
+		V q = divide(&m, LOAD(r->divisor + k));
 
-		memcpy(&p, r->scale + i + k, sizeof p);
-		q = divide(&m, p);
-		memcpy(v + i + k, &q, sizeof q);
+		STORE(v + k, q);
 		m.bad |= different(q, q);
-		m.bad |= look.others ? not_digits(r, i + k) : 0;
+		m.bad |= look.others ? not_digits(r, k) : 0;
 		bad |= (uint64_t)m.bad << k;
 	}
-	return bad << i;
+	return bad;
 }
 
-/* All rows are set before the first is read: a vector of what has just been stored
- * in parts would have to be waited for. */
-static uint64_t READ(const struct plain_places *at, size_t n,
-    double v[PLAIN_BATCH])
+/* Reads n plain numbers times 10^exponent[i], or as they are if exponent is NULL.
+ * Returns bit i if number i is not read. An exponent makes the divisor another power
+ * of ten, by an exact operation if that is a double; if not, the number is bad. */
+static inline uint64_t read_rows(const struct plain_places *at, size_t n,
+    const int8_t *exponent, double v[PLAIN_BATCH])
 {
-	struct rows r;
 	struct look look[PLAIN_BATCH / PLAIN_GROUP];
+	struct rows r;
 	uint64_t bad = 0;
 
 	set_rows(&r, look, (n + PLAIN_GROUP - 1) / PLAIN_GROUP * PLAIN_GROUP,
 	    at);
+	for (size_t i = 0; exponent != NULL && i < n; i++) {
+		double p = divisors[abs(exponent[i])], d = r.divisor[i];
+
+		d = exponent[i] < 0 ? d * p : d / p;
+		r.divisor[i] = fabs(d) >= 1 && fabs(d) <= 1e22 ? d : NO;
+	}
 	for (size_t i = 0; i < n; i += PLAIN_GROUP)
 		bad |= read_group(&r, i, look[i / PLAIN_GROUP], v);
 	return n < PLAIN_BATCH ? bad & ((1ull << n) - 1) : bad;
 }
 
-/* Eight at a time: what is beyond the last is overwritten. */
+/* Returns true if the size characters before the end are a digit and, after it, an
+ * exponent of a sign and two digits, up to 22. */
+static inline bool has_exponent(const char *end, size_t size, int8_t *exponent)
+{
+	unsigned tens = (unsigned char)end[-2] - '0';
+	unsigned ones = (unsigned char)end[-1] - '0';
+	int e = (int)(10 * tens + ones);
+
+	*exponent = (int8_t)(end[-3] == '-' ? -e : e);
+	return size >= 5 && tens < 10 && ones < 10 && e < POWER_END &&
+	    (end[-3] == '-' || end[-3] == '+') && (end[-4] | 32) == 'e' &&
+	    end[-5] >= '0' && end[-5] <= '9';
+}
+
+/* Reads the numbers of bad that have an exponent; returns those that are still not
+ * read. */
+static uint64_t read_exponents(const struct plain_places *at, uint64_t bad,
+    double v[PLAIN_BATCH])
+{
+	struct plain_places some;
+	int8_t exponent[PLAIN_BATCH];
+	uint8_t index[PLAIN_BATCH];
+	double w[PLAIN_BATCH];
+	size_t n = 0;
+
+	for (uint64_t rest = bad; rest != 0; rest &= rest - 1) {
+		int i = __builtin_ctzll(rest);
+
+		if (!has_exponent(at->end[i], at->size[i], &exponent[n]))
+			continue;
+		some.end[n] = at->end[i] - 4;
+		some.size[n] = (uint8_t)(at->size[i] - 4);
+		index[n++] = (uint8_t)i;
+	}
+	for (size_t k = n; k % PLAIN_GROUP != 0; k++) {
+		some.end[k] = some.end[0];
+		some.size[k] = some.size[0];
+	}
+	uint64_t left = n > 0 ? read_rows(&some, n, exponent, w) : 0;
+
+	for (size_t k = 0; k < n; k++)
+		if ((left >> k & 1) == 0) {
+			v[index[k]] = w[k];
+			bad &= ~(1ull << index[k]);
+		}
+	return bad;
+}
+
+static uint64_t reader_read(const struct plain_places *at, size_t n,
+    double v[PLAIN_BATCH])
+{
+	uint64_t bad = read_rows(at, n, NULL, v);
+
+	return bad == 0 ? 0 : read_exponents(at, bad, v);
+}
+
+/* Writes the places of bits from base on, eight at a time; those beyond the last are
+ * overwritten. Returns where the next goes. */
 static inline uint16_t *put_places(uint64_t bits, size_t base, uint16_t *at)
 {
 	size_t n = (size_t)__builtin_popcountll(bits);
@@ -168,8 +229,8 @@ static inline uint16_t *put_places(uint64_t bits, size_t base, uint16_t *at)
 	return at + n;
 }
 
-static size_t FIND(const struct byte_set *set, const char *text, size_t size,
-    uint16_t *at)
+static size_t reader_find(const struct byte_set *set, const char *text,
+    size_t size, uint16_t *at)
 {
 	uint16_t *end = at;
 	char rest[64] = { 0 };
@@ -183,4 +244,4 @@ static size_t FIND(const struct byte_set *set, const char *text, size_t size,
 	return (size_t)(end - at);
 }
 
-const struct plain_reader READER = { FIND, READ };
+const struct plain_reader READER = { reader_find, reader_read };

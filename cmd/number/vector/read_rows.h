@@ -5,35 +5,50 @@
 
 #include <math.h>
 #include <stdbool.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "../plain.h"
 
-/* Digits, right-aligned, and what the number that they make is divided by. What is no
- * digit shows as a byte above 9. */
+/* The digits of numbers, right-aligned, and the divisors of the integers that these
+ * digits make. A character that is no digit becomes a byte above 9. */
 struct rows {
-	uint8_t digits[PLAIN_BATCH][32];
-	double scale[PLAIN_BATCH];
+	_Alignas(64) uint8_t digits[PLAIN_BATCH][32];
+	double divisor[PLAIN_BATCH];
 };
 
-/* Of the numbers of a group, PLAIN_GROUP of them. */
+/* The group's numbers need more work: */
 struct look {
-	bool others; /* some of their digits are none */
-	bool many;   /* some have more than 15 */
+	bool others; /* some have a character that is no digit */
+	bool many;   /* some have more than 15 digits */
 };
 
-/* By sign and decimals. Powers up to 10^22 are doubles. With more decimals, or
- * without digits, a number is not for this reader; 32 stands for no point. */
-enum { NO_POINT = 32, UNREAD = 23 };
+/* Divisors, by sign and decimals; NO_POINT decimals mean that there is no point.
+ * Powers up to 10^22 are doubles. A number with more decimals, or without digits, is
+ * not read: its divisor is nan. */
+enum { NO_POINT = 32, NOT_READ = 23, POWER_END = 23 };
 #define NO (double)NAN
-static const double power[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8,
+static const double divisors[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8,
 	1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
 	1e21, 1e22, NO, NO, NO, NO, NO, NO, NO, NO, NO, 1e0, -1e0, -1e1, -1e2,
 	-1e3, -1e4, -1e5, -1e6, -1e7, -1e8, -1e9, -1e10, -1e11, -1e12, -1e13,
 	-1e14, -1e15, -1e16, -1e17, -1e18, -1e19, -1e20, -1e21, -1e22, NO, NO,
 	NO, NO, NO, NO, NO, NO, NO, -1e0 };
 
+typedef uint32_t counts __attribute__((vector_size(4 * PLAIN_GROUP)));
+
+#ifndef LAST
+#define LAST(keys) last(*(keys))
+#define LAST_KEYS(n) (n)
+#define PICK(m, a, b) (((a) & (m)) | ((b) & ~(m)))
+#define KEEP(m, a) ((a) & (m))
+#define ROW_BEFORE(end, n) row_at((end)[0] - (n))
+#define ANY_ABOVE_9(x) any_above_9(x)
+#define EIGHT 255, 255, 255, 255, 255, 255, 255, 255
+
+enum { ROW_NUMBERS = 1 };
 typedef uint8_t row __attribute__((vector_size(32)));
+typedef uint32_t row_mask;
 
 static inline row row_at(const void *p)
 {
@@ -43,35 +58,27 @@ static inline row row_at(const void *p)
 	return r;
 }
 
-#ifndef LAST
-#define LAST(n) last(n)
-#define PICK(m, a, b) (((a) & (m)) | ((b) & ~(m)))
-#define KEEP(m, a) ((a) & (m))
-#define EIGHT 255, 255, 255, 255, 255, 255, 255, 255
-static const uint8_t window[64] = { [32] = EIGHT, EIGHT, EIGHT, EIGHT };
+static inline bool any_above_9(row x)
+{
+	x |= x + (128 - 10);
+	return ANY_TOP_BIT(x);
+}
 
-/* The last n <= 32 bytes set. */
+/* Returns a row of which the last n <= 32 bytes are 255, the others 0. */
 static inline row last(size_t n)
 {
+	static const uint8_t window[64] = { [32] = EIGHT, EIGHT, EIGHT, EIGHT };
+
 	return row_at(window + n);
 }
 #endif
 
-/* Of each number: bits for the points among the 32 bytes before its end, whether it
- * has a minus, how many digits follow the point, how many there are (its size, before
- * they are counted), and where its divisor stands in power. */
-struct marks {
-	uint32_t points[PLAIN_BATCH], minus[PLAIN_BATCH];
-	uint32_t decimals[PLAIN_BATCH], digits[PLAIN_BATCH],
-	    divisor[PLAIN_BATCH];
-};
-
-typedef uint32_t counts __attribute__((vector_size(4 * PLAIN_GROUP)));
 #ifndef LEADING_ZEROS
-/* Of 0 or one bit; other numbers are not plain. The exponent of a float tells it. */
 typedef int32_t ints __attribute__((vector_size(4 * PLAIN_GROUP)));
 typedef float reals __attribute__((vector_size(4 * PLAIN_GROUP)));
 #define LEADING_ZEROS(x) leading_zeros(x)
+/* Returns the leading zeros of 0 or of one bit, which a float's exponent gives; what
+ * has two points is no number, and its count does not matter. */
 static inline counts leading_zeros(counts x)
 {
 	const counts zero = { 0 };
@@ -81,6 +88,15 @@ static inline counts leading_zeros(counts x)
 }
 #endif
 
+/* For each number: the points and minuses among the 32 bytes before its end, as bits;
+ * its size, and then the key of LAST for its digits; that of its decimals; and the
+ * index of its divisor. */
+struct marks {
+	uint32_t points[PLAIN_BATCH], minuses[PLAIN_BATCH];
+	uint32_t digits[PLAIN_BATCH], decimals[PLAIN_BATCH];
+	uint32_t divisor[PLAIN_BATCH];
+};
+
 static inline counts counts_at(const uint32_t *p)
 {
 	counts c;
@@ -89,38 +105,45 @@ static inline counts counts_at(const uint32_t *p)
 	return c;
 }
 
-static inline void count(struct marks *m, size_t i)
+/* Counts the digits of the group from number i on. Returns whether one has more than
+ * 15 of them. */
+static inline bool count_digits(struct marks *m, size_t i)
 {
 	const counts zero = { 0 };
 	counts n = counts_at(m->digits + i), start = 32 - n;
 	counts points = counts_at(m->points + i) & (~zero << start);
-	counts minus = counts_at(m->minus + i);
+	counts minus = counts_at(m->minuses + i) >> start & 1;
 	counts decimals = LEADING_ZEROS(points);
 	counts digits = n - minus + (counts)(points != zero);
 	counts none = (counts)(digits == zero);
-	counts divisor = (decimals & ~none) + (none & UNREAD) +
+	counts divisor = (decimals & ~none) + (none & NOT_READ) +
 	    minus * (NO_POINT + 1);
+	counts over = digits + (128 - 16);
 
-	memcpy(m->decimals + i, &decimals, sizeof decimals);
+	digits = LAST_KEYS(digits);
+	decimals = LAST_KEYS(decimals);
 	memcpy(m->digits + i, &digits, sizeof digits);
+	memcpy(m->decimals + i, &decimals, sizeof decimals);
 	memcpy(m->divisor + i, &divisor, sizeof divisor);
+	return ANY_TOP_BIT(over);
 }
 
-/* Loads what stands before the end twice, one byte apart: the decimals of the first
+/* Loads the bytes before the end twice, one byte apart: the decimals of the first
  * and the whole digits of the second are side by side, without the point. */
-static inline row set_row(struct rows *r, size_t i, const char *end,
+static inline row set_row(struct rows *r, size_t i, const char *const *end,
     const struct marks *m)
 {
-	row x = PICK(LAST(m->decimals[i]), row_at(end - 32), row_at(end - 33));
+	row x = PICK(LAST(m->decimals + i), ROW_BEFORE(end, 32),
+	    ROW_BEFORE(end, 33));
 
-	x = KEEP(LAST(m->digits[i]), x - '0');
+	x = KEEP(LAST(m->digits + i), x - '0');
 	memcpy(r->digits[i], &x, sizeof x);
-	r->scale[i] = power[m->divisor[i]];
 	return x;
 }
 
-/* One after the other, for all numbers: what has just been stored one by one would
- * have to be waited for as a vector. */
+/* Sets the rows of n numbers, and how each of their groups looks. Each step is a loop
+ * over all: a vector that is loaded from what has just been stored in parts would
+ * wait. */
 static inline void set_rows(struct rows *r, struct look *look, size_t n,
     const struct plain_places *at)
 {
@@ -128,27 +151,23 @@ static inline void set_rows(struct rows *r, struct look *look, size_t n,
 
 	for (size_t i = 0; i < n; i++)
 		m.digits[i] = at->size[i];
-	for (size_t i = 0; i < n; i++) {
-		row x = row_at(at->end[i] - 32);
+	for (size_t i = 0; i < n; i += ROW_NUMBERS) {
+		row x = ROW_BEFORE(at->end + i, 32);
+		row_mask points = WHERE(x, '.'), minuses = WHERE(x, '-');
 
-		m.points[i] = DOTS(x);
-		m.minus[i] = at->end[i][-(ptrdiff_t)at->size[i]] == '-';
+		memcpy(m.points + i, &points, sizeof points);
+		memcpy(m.minuses + i, &minuses, sizeof minuses);
 	}
 	for (size_t i = 0; i < n; i += PLAIN_GROUP)
-		count(&m, i);
+		look[i / PLAIN_GROUP].many = count_digits(&m, i);
+	for (size_t i = 0; i < n; i++)
+		r->divisor[i] = divisors[m.divisor[i]];
 	for (size_t i = 0; i < n; i += PLAIN_GROUP) {
-		uint32_t any = 0;
 		row odd = { 0 };
 
-		for (size_t k = i; k < i + PLAIN_GROUP; k++) {
-			odd = LARGER(odd, set_row(r, k, at->end[k], &m));
-			any |= m.digits[k];
-		}
-		odd |= odd + (128 - 10);
-		look[i / PLAIN_GROUP] = (struct look){
-			.others = ANY_TOP_BIT(odd),
-			.many = any > 15,
-		};
+		for (size_t k = i; k < i + PLAIN_GROUP; k += ROW_NUMBERS)
+			odd = LARGER(odd, set_row(r, k, at->end + k, &m));
+		look[i / PLAIN_GROUP].others = ANY_ABOVE_9(odd);
 	}
 }
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Texts of numbers several at a time: one body, compiled once for each kind of
- * processor, with the same bytes from each as from number_write. */
+/* Numbers read and written several at a time: one body, compiled once for each kind of
+ * processor. Each gives the same bits as number_read and the same bytes as
+ * number_write. */
 #ifndef VECTOR_H
 #define VECTOR_H
 
@@ -11,7 +12,7 @@
 
 enum { TEXTS = NUMBER_BATCH };
 
-/* As number_texts, but that n is a multiple of TEXTS. */
+/* Does what number_texts does, for n that is a multiple of TEXTS. */
 typedef void number_writer(const double *v, size_t n, bool single,
     struct number_style style, struct number_text *t);
 

@@ -1,42 +1,43 @@
 /* SPDX-License-Identifier: MIT */
-/* The texts of TEXTS numbers at a time, in short loops, each over all of them: of a
- * long one the processor could not begin the next turn before this one's results.
- * The digits are found (write_find.h) and written where they always stand in a text;
- * number_put copies them from there with a point among them.
+/* Makes the texts of TEXTS numbers at a time, in short loops, each over all of them:
+ * in a long loop the processor could not begin the next turn before it has the results
+ * of this one. The digits are found (write_find.h) and written at a fixed place of a
+ * text; number_put copies them from there with a point among them.
  *
  * A file that includes this has the vectors of doubles of core/points/kernel/copy.h,
  * and defines:
  *
  *	WRITER		the name of its number_writer
- *	I		the bytes of a V as integers of 64 bits
- *	STORE_INTS(p, a) a's lanes, which are whole, as int32_t
- *	FLOOR, NEAREST	to a whole number; NEAREST has ties to even
+ *	I		a vector of integers of 64 bits, as large as a V
+ *	STORE_INTS(p, a) stores lanes that are whole numbers as int32_t
+ *	FLOOR, NEAREST	round to a whole number, NEAREST with ties to even
  *	ALL_BITS(a)	a in each lane of an I
- *	REGISTER	what asm calls a register of an I
- *	SHR(a, n)	of its lanes, zeros shifted in
- *	SHR16(a, n)	of its quarters, 16 bits
- *	MUL32(a, b)	the products of its lanes' lower halves
- *	MUL16, HIGH16	the lower and the upper half of its quarters' products
+ *	REGISTER	the constraint of asm for a register of an I
+ *	SHR(a, n)	shifts lanes right, with zeros
+ *	SHR16(a, n)	shifts quarters of lanes, 16 bits each
+ *	MUL32(a, b)	the products of the lower halves of lanes
+ *	MUL16, HIGH16	the lower and the upper halves of products of quarters
  *
- * where I has - & | <<, lane by lane, and
+ * where I has - & | << > lane by lane, and
  *
- *	struct tens, load_tens, power_of_ten
- *			10^POWER_MIN to 10^POWER_MAX, where they are soon found
+ *	power_of_ten(scale, &hi, &lo)
+ *			looks 10^scale up, from POWER_MIN to POWER_MAX
  *	BYTES_LOW, BYTES_HIGH(a)
- *			the upper halves of quarters, the others 0: the bytes of
- *			the lanes 0, 2, ... or 1, 3, ..., in two lanes each
- *	store_digits	of the lanes' numbers, those of 0, 2, ... and of 1, 3, ...,
- *			to their texts, which are step bytes apart; and a bit
- *			for each that isn't 0
+ *			the bytes of the lanes 0, 2, ... or of 1, 3, ..., each in
+ *			the upper half of a quarter whose lower half is 0
+ *	store_digits(to, step, nonzero, a, b)
+ *			stores the digits of the numbers 0, 2, ..., which are a,
+ *			and 1, 3, ..., which are b, to texts step bytes apart,
+ *			and for each number the bits of its digits that are not 0
  *
  * Every operation on doubles is one rounding of IEEE 754 in each lane. */
 #include "write_find.h"
 
-/* Where digits stand in a text: after zeros, DIGITS of them and the 17th, which has
- * zeros after it. */
+/* The zeros of a text before its DIGITS digits; the 17th digit and zeros follow. */
 enum { BEFORE = 8 };
 
-/* gcc makes up to five operations of a product with a constant that it knows. */
+/* Hides a constant: of a product with one that it knows gcc makes up to five
+ * operations. */
 #define UNKNOWN(c) unknown(ALL_BITS(c))
 INLINE I unknown(I c)
 {
@@ -44,11 +45,11 @@ INLINE I unknown(I c)
 	return c;
 }
 
-/* The digits of x < 10^8, which is the lower half of its lane, four and four, a and
- * x - 10^4 a, in two quarters. A quotient is a product with the reciprocal, rounded
- * up, here 2^40/10^4, later 2^19/100 and 2^16/10: too large by less than the
- * 1/10^4, 1/100 or 1/10 that could carry it over. The exponent of x is shifted
- * out. */
+/* Returns the digits of x < 10^8, the lower half of its lane, as two numbers of four
+ * digits, a and x - 10^4 a, in two quarters. A quotient is a product with the
+ * reciprocal rounded up, here 2^40/10^4, below 2^19/100 and 2^16/10: it is too large
+ * by less than the 1/10^4, 1/100 or 1/10 that would make it the next whole number.
+ * The exponent of x is shifted out. */
 INLINE I fours(I x)
 {
 	I a = SHR(MUL32(x, ALL_BITS(109951163)), 40);
@@ -56,7 +57,7 @@ INLINE I fours(I x)
 	return (x << 16) - MUL32(a, ALL_BITS((10000 << 16) - 1));
 }
 
-/* Of four digits in each quarter, two and two in its bytes. */
+/* Returns four digits of each quarter as two numbers of two digits in its bytes. */
 INLINE I twos(I x)
 {
 	const uint64_t each = 0x0001000100010001;
@@ -65,7 +66,7 @@ INLINE I twos(I x)
 	return a | (x - MUL16(a, UNKNOWN(100 * each))) << 8;
 }
 
-/* Of two digits in the upper half of each quarter, one and one in its bytes. */
+/* Returns two digits in the upper half of each quarter as two in its bytes. */
 INLINE I ones(I x)
 {
 	const uint64_t each = 0x0001000100010001;
@@ -74,9 +75,10 @@ INLINE I ones(I x)
 	return x - MUL16(a, UNKNOWN(((10 << 8) - 1) * each));
 }
 
-/* The quotient by 10^8 is right below 2^53: 1e-8 is 2.1e-25 more than 10^-8, so
- * that the product is less than 1.9e-9 too large, where it would take 1e-8 to reach
- * the next whole number; half a unit of its last place, below 2^27, is 7.5e-9. */
+/* Writes the DIGITS digits of whole < 2^53. The quotient by 10^8 is right: 1e-8 is
+ * 2.1e-25 more than 10^-8, so that the product is less than 1.9e-9 too large before
+ * it is rounded, by at most 7.5e-9 (half a unit in the last place below 2^27); to
+ * reach the next whole number takes 1e-8. */
 INLINE void write_digits(struct number_text *t, uint16_t *nonzero,
     const struct found *f)
 {
@@ -94,8 +96,8 @@ INLINE void write_digits(struct number_text *t, uint16_t *nonzero,
 	}
 }
 
-/* The highest bit that is set in x < 2^24, -127 for none: compilers know how to do
- * this for a vector. */
+/* Returns the highest bit that is set in x < 2^24, -127 if none is, by operations that
+ * compilers can do on vectors. */
 INLINE int highest_bit(int x)
 {
 	float f = (float)x;
@@ -105,9 +107,9 @@ INLINE int highest_bit(int x)
 	return (bits >> 23) - 127;
 }
 
-/* A text begins with its first digit, or with a zero before the point. Without a
- * point it ends there, or else with its last digit, which is not 0 unless zeros are
- * kept. */
+/* Computes the layouts of texts. A text begins with its first digit that is not 0, or
+ * with a zero before the point. It ends before the point, or with its last digit,
+ * which is not 0 unless zeros are kept. */
 INLINE void lay_out(uint32_t *layout, const uint16_t *nonzero,
     const struct found *f, int whole_digits, bool keep_zeros)
 {
@@ -127,8 +129,8 @@ INLINE void lay_out(uint32_t *layout, const uint16_t *nonzero,
 	}
 }
 
-/* The zeros before the digits, the 17th with zeros after it, and the layout. From
- * POWER_MIN on, no more than six zeros stand on either side up to the point. */
+/* Writes the zeros before the digits, the 17th digit with zeros after it, and the
+ * layout. Scales from POWER_MIN on need at most six zeros on either side. */
 INLINE void write_around(struct number_text *t, const uint32_t *layout,
     const struct found *f, bool keep_zeros)
 {
@@ -146,11 +148,11 @@ INLINE void write_around(struct number_text *t, const uint32_t *layout,
 	}
 }
 
-/* n is the number of digits or decimals; those keep their zeros at the end. */
+/* Makes the texts of count numbers with n digits, or with n decimals, which keep their
+ * zeros at the end. */
 INLINE void write_all(const double *v, size_t count, enum number_kind kind,
     int n, bool single, struct number_text *t)
 {
-	const struct tens tens = load_tens();
 	const bool decimals = kind == NUMBER_DECIMALS;
 	const bool ninth = single && kind == NUMBER_SHORTEST;
 	struct found f;
@@ -160,12 +162,11 @@ INLINE void write_all(const double *v, size_t count, enum number_kind kind,
 	for (; count > 0; count -= TEXTS, v += TEXTS, t += TEXTS) {
 		for (size_t i = 0; i < TEXTS; i += WIDTH)
 			if (decimals)
-				find_decimals(&f, i, n, &tens, LOAD(v + i));
+				find_decimals(&f, i, n, LOAD(v + i));
 			else if (kind == NUMBER_DIGITS)
-				find_significant(&f, i, n, &tens, LOAD(v + i));
+				find_significant(&f, i, n, LOAD(v + i));
 			else
-				find_shortest(&f, i, single, &tens,
-				    LOAD(v + i));
+				find_shortest(&f, i, single, LOAD(v + i));
 		write_digits(t, nonzero, &f);
 		lay_out(layout, nonzero, &f, ninth ? DIGITS / 2 : DIGITS,
 		    decimals);
@@ -173,7 +174,8 @@ INLINE void write_all(const double *v, size_t count, enum number_kind kind,
 	}
 }
 
-/* Loops of their own for each kind, and for the shortest of doubles and of floats. */
+/* Runs a loop compiled for the kind of digits, the shortest of doubles and of floats
+ * being two. */
 void WRITER(const double *v, size_t count, bool single,
     struct number_style style, struct number_text *t)
 {

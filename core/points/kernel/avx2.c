@@ -5,7 +5,5 @@
 
 #define COPY kernels_avx2
 #define PROCESSOR PROCESSOR_AVX2
-
-#define MADD FMA
 #include "copy.h"
 #endif

@@ -5,7 +5,5 @@
 
 #define COPY kernels_avx512
 #define PROCESSOR PROCESSOR_AVX512
-
-#define MADD FMA
 #include "copy.h"
 #endif

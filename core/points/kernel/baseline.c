@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* For any processor: fma is the C library's, exact everywhere and fast where
- * there is an instruction for it. */
+/* For any processor: fma is the C library's, exact everywhere and fast if there is an
+ * instruction for it. */
 #include <math.h>
 
 #define COPY kernels_baseline

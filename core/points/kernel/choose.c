@@ -16,8 +16,8 @@ static const struct kernels *const copies[] = {
 	&kernels_baseline,
 };
 
-/* Whether this processor has what the copies for one kind of processor take, here and
- * in cmd/number/vector. */
+/* Returns true if this processor has all instructions of the copies for one kind of
+ * processor, here and in cmd/number/vector. */
 static bool is_here(enum processor processor)
 {
 	switch (processor) {

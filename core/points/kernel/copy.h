@@ -1,27 +1,30 @@
 /* SPDX-License-Identifier: MIT */
 /* The loops for one kind of processor. A file that includes this defines:
  *
- *	COPY, PROCESSOR	the name of its struct kernels, and what it is for
- *	MADD(a, b, c)	FMA, or the product rounded before: what is faster
+ *	COPY, PROCESSOR	the name of its struct kernels, and its processor
  *
  * and, as simd_avx2.h and its like do,
  *
  *	V, WIDTH	a vector of doubles, and how many it holds
- *	M		a yes or no for each lane, with & | ~
+ *	M		true or false for each lane, with & | ~
  *	LOAD, STORE	from and to any address
  *	ALL(a)		a in each lane
  *	FMA(a, b, c)	a b + c, rounded once
  *	ABS SQRT
  *	MIN MAX		MIN is a < b ? a : b, MAX a > b ? a : b, nan or not
- *	LESS, EQUAL	an M; no where one is nan
- *	LANES_OF(m)	bit i: whether it is yes in lane i
+ *	LESS, EQUAL	an M; false if one is nan
+ *	LANES_OF(m)	bit i: m in lane i
  *	SELECT(m, a, b)	m ? a : b
  *	ONLY(m, a)	m ? a : 0
  *
+ * and may define MADD(a, b, c), a b + c, with the product rounded if that is faster.
  * Vectors have +, -, * and /. Every operation is one rounding of IEEE 754 in each
  * lane. */
 #include <math.h>
 
+#ifndef MADD
+#define MADD FMA
+#endif
 #define SAME(a, b, c) ONLY(EQUAL(a, b), c)
 #define CHOOSE(a, b, c) SELECT(LESS(ALL(0), a), b, c)
 #define IS_POSITIVE(a) (LANES_OF(LESS(ALL(0), a)) == (1u << WIDTH) - 1)
@@ -62,7 +65,8 @@
 
 const struct kernels COPY = {
 	.processor = PROCESSOR,
-	.exact = { KERNELS_OF(exact), [KERNEL_FOUR] = exact_four, [KERNEL_DIRECTION] = exact_direction },
+	.exact = { KERNELS_OF(exact), [KERNEL_FOUR] = exact_four,
+	    [KERNEL_DIRECTION] = exact_direction },
 	.plain = {
 		[PRECISION_DOUBLE] = { KERNELS_OF(double) },
 		[PRECISION_SINGLE] = { KERNELS_OF(single) },

@@ -1,53 +1,54 @@
 /* SPDX-License-Identifier: MIT */
-/* The fast phase of exact, written once for the vectors that copy.h describes:
- * each coordinate as a sum hi + lo with a bound of its error, and a test whether
- * all that lies within the bound rounds to the same double. If it doesn't, the
- * point is left to point.c.
+/* The fast phase of exact, written once for the vectors that copy.h describes. It
+ * computes each coordinate as a sum hi + lo with a bound of its error, and rounds it if
+ * all numbers within the bound round to the same double. If they do not, point.c
+ * computes the point.
  *
- * High parts add without error. In a block of points let a coordinate's difference
- * from the origin be below 2^e, each with its own e, and for a column let its
- * elements times 2^e, and the origin's image, be below B, a power of two. Points
- * and the origin are cut to multiples of 2^(e-26), elements to multiples of
- * 2^(-e-24) B. Then three products and the image are multiples of 2^-50 B, their
- * sum at most 2^52 + 2^27 of it.
+ * High parts add without error. Let each coordinate's difference from the origin be
+ * below its own 2^e in a block of points. Let B be a power of two above a column's
+ * elements times 2^e and above the origin's image. Points and the origin are cut to
+ * multiples of 2^(e-26), elements to multiples of 2^(-e-24) B. Then three products and
+ * the image are multiples of 2^-50 B, and their sum is at most 2^52 + 2^27 of these
+ * units.
  *
- * The rest is
+ * The low part is
  *
  *	lo = sum of (coordinate's rest) element + (cut coordinate) (element's rest)
  *
- * of three terms up to 2^-27 B and three up to 2^-25 B, beside three up to 2^-27 B
- * that the origin's rests move: no partial sum is above 9 times 2^-26 B. Rounding
- * these, products, rests, and lo with its bound, and leaving elements' low parts out
- * of the first three terms, lose together 49 u 2^-26 B < 2^-73.3 B, where u = 2^-53:
- * `make prove` counts it from what stands here. */
+ * It has three terms up to 2^-27 B, three up to 2^-25 B, and three up to 2^-27 B for
+ * the origin's rests: no partial sum is above 9 times 2^-26 B. The roundings of these
+ * sums, of products, of rests, and of lo with its bound, and the elements' low parts
+ * that the first three terms leave out, lose together 49 u 2^-26 B < 2^-73.3 B, where
+ * u = 2^-53. `make prove` counts this from the code below. */
 #include "kernel.h"
 
-/* The bound that is used, in units of B. More than half of it is left for what the
- * quotient rounds. */
-#ifndef DIGITS /* of another number, as the proofs have it */
+/* The bound of a column's error, in units of B: more than twice the error, as the
+ * quotient has roundings of its own. The proofs define another number of DIGITS. */
+#ifndef DIGITS
 #define DIGITS 53
 #define COLUMN_BOUND 0x1p-72
 #define DEPTH_BOUND 0x1p-88 /* of a, where depth is a + b / w */
 #define MODERATE 0x1p200
 #endif
-/* What isn't 0 counts as so much, though it underflow when it is scaled. */
+/* The least size of an element that is not 0: scaled it may underflow. */
 #define LEAST 0x1p-1022
 
-/* Binary places that are left to coordinates and elements by their cuts. */
+/* The binary places that coordinates and elements keep when they are cut. */
 enum {
 	POINT_CUT = DIGITS / 2,
 	ELEMENT_CUT = DIGITS - 3 - POINT_CUT,
-	DEPTH_CUT = DIGITS * 3 / 4 - 1 /* and to a in depth */
+	DEPTH_CUT = DIGITS * 3 / 4 - 1 /* the places of a in depth */
 };
 
-/* Coordinates and columns of which nothing underflows or overflows. */
+/* Returns true if products and quotients of coordinates, or columns, that are at most
+ * largest neither underflow nor overflow. */
 static int is_moderate(double largest)
 {
 	return largest == 0 || (largest > 1 / MODERATE && largest < MODERATE);
 }
 
-/* What rounds a to a multiple of unit, added and subtracted again, while |a| <
- * 2^(DIGITS-2) unit. */
+/* Returns the number that, added to a and subtracted again, rounds a to a multiple of
+ * unit, if |a| < 2^(DIGITS-2) unit. */
 static double rounder(double unit)
 {
 	return ldexp(1.5, DIGITS - 1) * unit;
@@ -71,32 +72,47 @@ static inline double least(V a)
 	return r;
 }
 
-/* Whether a b is exactly that, and no part of it underflows. */
+/* Returns true if a b is exactly product, and no part of it underflows. */
 static bool is_product(double a, double b, double product)
 {
 	return fma(a, b, -product) == 0 &&
 	    (fabs(product) > 0x1p-900 || a == 0 || b == 0);
 }
 
-/* What a block's coordinates have in common. Where the origin is less than 2^23
- * times as large as the differences from it, points are cut like it, and the high
- * parts subtracted; what the rest moves is the column's. Else points lie so near to
- * each other and to it that the whole difference is exact: near. */
+/* The differences from the origin of a block's points in one coordinate. If the
+ * origin is less than 2^23 times as large as these, it is cut like the points, its
+ * high part is subtracted from theirs, and its rest changes the column's image of the
+ * origin. If not, the points lie so near to each other and to the origin that the
+ * difference from the whole origin, near, is exact. */
 struct kernel_range {
-	double largest; /* of the differences, a little up */
-	int e;          /* below 2^e */
+	double largest; /* no difference is larger; rounded up */
+	int e;          /* largest < 2^e */
 	double rounder; /* to multiples of 2^(e-26) */
 	double near, rest;
 	double rounder_and_high;
 };
 
-/* The least and the greatest of a block's coordinates. */
-struct extent {
-	double low, high;
-};
+static struct kernel_range range_of(double low, double high, double origin)
+{
+	struct kernel_range r = { 0, 0, 0, 0, 0, 0 };
+	double cut = 0;
 
-/* Several minima at once, as one would wait for itself. */
-static struct extent extent_of(const double *in, size_t n)
+	r.largest = fmax(fabs(high - origin), fabs(origin - low)) *
+	    (1 + ldexp(1, 3 - DIGITS));
+	frexp(r.largest, &r.e);
+	r.rounder = rounder(ldexp(1, r.e - POINT_CUT));
+	if (fabs(origin) < ldexp(1, r.e + POINT_CUT - 3)) {
+		cut = cut_to(origin, ldexp(1, r.e - POINT_CUT));
+		r.rest = origin - cut;
+	} else {
+		r.near = origin;
+	}
+	r.rounder_and_high = r.rounder + cut;
+	return r;
+}
+
+/* Returns the range of n coordinates. Each of several minima waits for itself. */
+static struct kernel_range range_in(const double *in, size_t n, double origin)
 {
 	enum { CHAINS = 4 };
 	V low[CHAINS], high[CHAINS];
@@ -119,29 +135,10 @@ static struct extent extent_of(const double *in, size_t n)
 		low[0] = MIN(low[k], low[0]);
 		high[0] = MAX(high[k], high[0]);
 	}
-	return (struct extent){ least(low[0]), -least(-high[0]) };
+	return range_of(least(low[0]), -least(-high[0]), origin);
 }
 
-static struct kernel_range range_of(struct extent x, double origin)
-{
-	struct kernel_range r = { 0, 0, 0, 0, 0, 0 };
-	double high = 0;
-
-	r.largest = fmax(fabs(x.high - origin), fabs(origin - x.low)) *
-	    (1 + ldexp(1, 3 - DIGITS));
-	frexp(r.largest, &r.e);
-	r.rounder = rounder(ldexp(1, r.e - POINT_CUT));
-	if (fabs(origin) < ldexp(1, r.e + POINT_CUT - 3)) {
-		high = cut_to(origin, ldexp(1, r.e - POINT_CUT));
-		r.rest = origin - high;
-	} else {
-		r.near = origin;
-	}
-	r.rounder_and_high = r.rounder + high;
-	return r;
-}
-
-/* What is no difference between a column's images (see struct sum). */
+/* Returns the difference of column j's images that the map counts for none. */
 static double none_of(const struct kernel_map *m, int j, int terms,
     const struct kernel_range *range)
 {
@@ -152,18 +149,18 @@ static double none_of(const struct kernel_map *m, int j, int terms,
 	return m->none[j] * largest;
 }
 
-/* A column's elements, and its origin's image, cut for a block of points. Where all
- * of them are held for 0, the column is 0. */
+/* A column's elements, and its image of the origin, cut for a block of points: all =
+ * high + rest, but that an element's low part is added to its rest unless the column is
+ * exact, when all low parts together make a difference of none. If all counts for 0,
+ * the column is 0. */
 struct column_cut {
 	double high[4], rest[4], all[4];
 	double bound; /* of the error */
-	/* Where it is exact, rests are without elements' low parts, as these
-	 * make no difference. tiny is 2^56 times what may be none. */
 	bool exact;
-	double tiny;
+	double tiny; /* 2^56 times a difference of none */
 };
 
-/* Whether all low parts of column j make a difference of none, or there are none. */
+/* Returns true if the low parts of column j together make a difference of none. */
 static bool has_short_elements(const struct kernel_map *m, int j, int terms,
     const struct kernel_range *range)
 {
@@ -177,7 +174,7 @@ static bool has_short_elements(const struct kernel_map *m, int j, int terms,
 	return fmax(all, m->surely_none[j]) == m->surely_none[j];
 }
 
-/* False where that is beyond the range. */
+/* Cuts column j. Returns false if it is not moderate. */
 static int cut_column(const struct kernel_map *m, int j, int terms,
     const struct kernel_range *range, struct column_cut *c)
 {
@@ -217,13 +214,14 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
 	return is_moderate(most);
 }
 
-/* Depth a + b / w, for a block of points. a is cut to a multiple of 2^-38 of its own
- * power of two, and so is b / w, while that is at most 2^12 |a|, or a is 0. */
+/* Depth a + b / w, for a block of points. a is cut to a multiple of 2^-38 of its power
+ * of two. So is b / w, which is at most 2^12 |a| as w is above least; or a is 0. */
 struct depth {
 	double b_hi, b_lo;
 	double rounder, rounder_and_high, rest; /* of a */
-	double bound, none;                     /* of a; of depth times w */
-	double least;                           /* of w */
+	double bound; /* of the error, but for that of b / w */
+	double none;  /* a difference of depth times w that counts for none */
+	double least;
 };
 
 static struct depth depth_of(const struct kernel_map *m,
@@ -247,24 +245,25 @@ static struct depth depth_of(const struct kernel_map *m,
 	return d;
 }
 
-/* A block of points as the map's columns need it. */
+/* A block of points as the map's columns need it. For directions cut[3].bound is that
+ * of the length. */
 struct kernel_block {
 	struct kernel_range range[3];
 	struct column_cut cut[4];
 	struct depth depth;
 	int moderate;
 	bool near;    /* in some coordinate */
-	double least; /* of w, for an image that is sure */
+	double least; /* w, if it is above this, is surely not 0 */
 };
 
 static struct kernel_block block_of(const struct kernel_map *m,
-    const struct extent extent[3], enum kernel_kind kind)
+    const double *const in[3], size_t n, enum kernel_kind kind)
 {
 	const int terms = kernel_terms(kind);
 	struct kernel_block b = { .moderate = 1 };
 
 	for (int k = 0; k < terms; k++) {
-		b.range[k] = range_of(extent[k], m->origin[k]);
+		b.range[k] = range_in(in[k], n, m->origin[k]);
 		b.moderate &= is_moderate(b.range[k].largest);
 		b.near |= fabs(b.range[k].near) > 0;
 	}
@@ -273,6 +272,8 @@ static struct kernel_block block_of(const struct kernel_map *m,
 		    (j == 3 && kernel_divides(kind)))
 			b.moderate &= cut_column(m, j, terms, b.range,
 			    &b.cut[j]);
+	for (int j = 0; j < 3 && kind == KERNEL_DIRECTION; j++)
+		b.cut[3].bound += b.cut[j].bound;
 	b.least = b.cut[3].bound;
 	if (kind != KERNEL_DEPTH)
 		return b;
@@ -300,18 +301,7 @@ static inline vdd normalise(vdd a)
 	return (vdd){ s, a.lo - (s - a.hi) };
 }
 
-/* Of columns. */
-static struct kernel_block block_of_columns(const struct kernel_map *m,
-    const double *const in[3], size_t n, enum kernel_kind kind)
-{
-	struct extent extent[3];
-
-	for (int k = 0; k < kernel_terms(kind); k++)
-		extent[k] = extent_of(in[k], n);
-	return block_of(m, extent, kind);
-}
-
-/* Coordinates relative to the origin. */
+/* Writes the differences of points from the origin as cut + rest. */
 static inline void cut_points(const struct kernel_block *b, const V p[3],
     int terms, V cut[3], V rest[3])
 {
@@ -328,6 +318,7 @@ static inline void cut_points(const struct kernel_block *b, const V p[3],
 	}
 }
 
+/* Returns a column's sum hi + lo. */
 static inline vdd column(const struct column_cut *c, const V cut[3],
     const V rest[3], int terms)
 {
@@ -342,16 +333,18 @@ static inline vdd column(const struct column_cut *c, const V cut[3],
 	return (vdd){ hi, lo };
 }
 
-/* What a number other than 0 is short of being known from one that is none. */
+/* Returns 0 if a is 0, or so large that a difference of none does not change how it
+ * rounds; else a positive number. */
 static inline V lost_if_tiny(V a, double tiny)
 {
 	return CHOOSE(ABS(a) - ALL(tiny), ALL(0), ABS(a));
 }
 
-/* 0 where the column hi + lo is exact, but for a difference of none, and that is
- * none to its rounding, too: from what lies midway the sum differs by 0, or by no
- * less than half a unit of itself or 2^-53 lo. Of a product that may underflow it
- * isn't known. */
+/* Returns 0 if the column hi + lo is exact but for a difference of none, and this
+ * difference does not change how the column rounds: from the number midway between
+ * two doubles the sum differs by 0, or by at least half a unit of its last place or
+ * 2^-53 lo. Returns a positive number if that is not sure, as after a product that may
+ * underflow. */
 static inline V lost_by(const struct column_cut *c, vdd is, const V cut[3],
     const V rest[3], int terms)
 {
@@ -374,8 +367,8 @@ static inline V lost_by(const struct column_cut *c, vdd is, const V cut[3],
 	    lost_if_tiny(is.hi + lo, c->tiny);
 }
 
-/* Rounds hi + lo; both ways are the same where the error counts for nothing, as
- * all that lies between rounds to what lies between. */
+/* Returns hi + lo rounded. If both ends of the error round to one double, all numbers
+ * between them do, as rounding is monotone; if not, *sure becomes 0. */
 static inline V round_surely(V hi, V lo, V error, V *sure)
 {
 	V up = hi + (lo + error), down = hi + (lo - error);
@@ -384,11 +377,12 @@ static inline V round_surely(V hi, V lo, V error, V *sure)
 	return up;
 }
 
-/* n / w: q is within 4 u of its size, and so is the residual n - q w, from which
- * the rest follows within 24 u^2 of q and 3 u of what low parts are. The bounds are
- * above 2^-74 of n and w, and of columns' low parts 3 u are 27 u 2^-26 B: this and
- * what columns are off by leave a sixth of the bounds, also where w, which is
- * above its own, is less than it is divided by. */
+/* Returns n / w rounded; *sure becomes 0 if this is not sure. q is within 4 u |q| of
+ * n / w, and the residual n - q w is as small, so that the rest, a correction of q, is
+ * within 24 u^2 of q and 3 u of what low parts are. The bounds are above 2^-74 of n and
+ * w; 3 u of columns' low parts are 27 u 2^-26 B. These errors and those of the columns
+ * leave a sixth of the bounds, even if w, which is above its own bound, is smaller than
+ * the divisor. */
 static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
     V *sure)
 {
@@ -402,8 +396,9 @@ static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
 	return up;
 }
 
-/* a + b / w, by the quotient's steps, and added as columns are; what they lose of a is
- * below 2^-88 of it. A difference of none in a w + b is none. */
+/* Returns a + b / w rounded, by the steps of quotient(), and with high parts that add
+ * without error as a column's; a's share of the error is below 2^-88 a. *sure becomes 0
+ * if this is not sure. A difference of none in a w + b counts for none here. */
 static inline V depth(const struct depth *d, vdd w, V reciprocal, V w_bound,
     V *sure)
 {
@@ -418,8 +413,9 @@ static inline V depth(const struct depth *d, vdd w, V reciprocal, V w_bound,
 	    error, sure);
 }
 
-/* Rounds columns that are not divided again, without an error where they are exact:
- * these are often midway between two doubles. Returns whether all are sure. */
+/* Rounds columns that are not divided again, with an error of 0 for those that are
+ * exact: these are often midway between two doubles. Returns a positive number for
+ * points of which all columns are sure. */
 static V round_exact(const struct kernel_block *b, const V cut[3],
     const V rest[3], enum kernel_kind kind, V q[])
 {
@@ -437,75 +433,10 @@ static V round_exact(const struct kernel_block *b, const V cut[3],
 	return sure;
 }
 
-/* The images q of points p. Returns whether all are sure; where one isn't, q[0] is as
- * exact_kernel has it. Those that are sure are finite: columns are below 2^202, and
- * w above 2^-274. */
-static inline __attribute__((always_inline)) bool
-image_of(const struct kernel_block *b, const V p[3], V q[],
-    enum kernel_kind kind)
-{
-	const int terms = kernel_terms(kind), columns = kernel_columns(kind);
-	const int divide = kernel_divides(kind);
-	V cut[3], rest[3], r = ALL(1), sure = ALL(b->moderate);
-	V bound = ALL(0), w_sum = r;
-	vdd w = { r, bound };
-
-	cut_points(b, p, terms, cut, rest);
-	if (divide) {
-		w = column(&b->cut[3], cut, rest, terms);
-		w_sum = w.hi + w.lo;
-		r = ALL(1) / w_sum;
-		bound = ALL(b->cut[3].bound);
-	}
-	for (int k = 0; k < columns; k++) {
-		vdd s = column(&b->cut[k], cut, rest, terms);
-		V error = ALL(b->cut[k].bound);
-
-		q[k] = divide ? quotient(s, w, r, error, bound, &sure) :
-				round_surely(s.hi, s.lo, error, &sure);
-	}
-	if (kind == KERNEL_DEPTH)
-		q[2] = depth(&b->depth, w, r, bound, &sure);
-	if (divide)
-		sure = MIN(w_sum - ALL(b->least), sure);
-	if (!divide && !IS_POSITIVE(sure))
-		sure = round_exact(b, cut, rest, kind, q);
-	if (IS_POSITIVE(sure))
-		return true;
-	V none = CHOOSE(-(w_sum + bound), ALL(b->moderate), ALL(0));
-
-	q[0] = CHOOSE(sure, q[0],
-	    CHOOSE(none, ALL(HUGE_VAL), ALL((double)NAN)));
-	return false;
-}
-
-static inline __attribute__((always_inline)) int
-exact(const struct kernel_map *m, const double *const in[3],
-    double *const out[], size_t n, enum kernel_kind kind)
-{
-	const int terms = kernel_terms(kind), outputs = kernel_outputs(kind);
-	const struct kernel_block b = block_of_columns(m, in, n, kind);
-	const double *const from[3] = { in[0], in[1], in[terms - 1] };
-	double *const to[4] = { out[0], out[1], out[outputs > 2 ? 2 : 1],
-		out[outputs - 1] };
-	int done = 1;
-
-	for (size_t i = 0; i < n; i += WIDTH) {
-		V p[3], q[4];
-
-		for (int k = 0; k < terms; k++)
-			p[k] = LOAD(from[k] + i);
-		done &= image_of(&b, p, q, kind);
-		for (int k = 0; k < outputs; k++)
-			STORE(to[k] + i, q[k]);
-	}
-	return done;
-}
-
-/* The length of three columns, within 60.2 u^2: the remainder is the square's less the
- * root's, summed without error but for low parts, of u each; of the squares of low
- * parts, which are left out, come 15 from the length's own and 5 from the columns'.
- * The length's low part is up to 6 u, as columns' are 3 u. */
+/* Returns the length of three columns, within 60.2 u^2. The remainder is the square's
+ * less the root's, summed without error but for low parts, of u each. The squares of
+ * low parts are left out: 15 u^2 for the length's own and 5 u^2 for the columns'. The
+ * length's low part is up to 6 u, as columns' are 3 u. */
 static inline vdd length_of(const vdd a[3], V *reciprocal)
 {
 	V square[3], low = ALL(0);
@@ -525,37 +456,77 @@ static inline vdd length_of(const vdd a[3], V *reciprocal)
 	return (vdd){ root, (rest * ALL(0.5)) * *reciprocal };
 }
 
-/* A length is off by no more than the sum of what its columns are off by (the
- * triangle's inequality), and that sum's bound is above 2^-74 of it, as a
- * column's is of the column. Of a length below its bound some quotient is below its
- * own, so that it is not sure. */
-static int exact_direction(const struct kernel_map *m,
-    const double *const in[3], double *const out[], size_t n)
+/* Writes the images q of points p. Returns true if all are sure; if one is not, its
+ * q[0] is as exact_kernel says. Images that are sure are finite: columns are below
+ * 2^202, and w above 2^-274.
+ *
+ * A direction is divided by its length. The length's error is at most the sum of its
+ * columns' errors (triangle inequality), and the sum of their bounds is above 2^-74 of
+ * it, as a column's bound is of the column. If the length is below its bound, some
+ * quotient is below its own, and is not sure. */
+static inline __attribute__((always_inline)) bool
+image_of(const struct kernel_block *b, const V p[3], V q[],
+    enum kernel_kind kind)
 {
-	const struct kernel_block b = block_of_columns(m, in, n,
-	    KERNEL_DIRECTION);
-	const V bound = ALL(b.cut[0].bound + b.cut[1].bound + b.cut[2].bound);
+	const int terms = kernel_terms(kind), columns = kernel_columns(kind);
+	const bool divide = kernel_divides(kind);
+	const bool direction = kind == KERNEL_DIRECTION;
+	V cut[3], rest[3], r = ALL(1), sure = ALL(b->moderate);
+	V bound = ALL(b->cut[3].bound), w_sum = r;
+	vdd w = { r, ALL(0) }, c[4];
+
+	cut_points(b, p, terms, cut, rest);
+	if (divide) {
+		w = column(&b->cut[3], cut, rest, terms);
+		w_sum = w.hi + w.lo;
+		r = ALL(1) / w_sum;
+	}
+	for (int k = 0; k < 3 && direction; k++)
+		c[k] = normalise(column(&b->cut[k], cut, rest, terms));
+	if (direction)
+		w = length_of(c, &r);
+	for (int k = 0; k < columns; k++) {
+		vdd s = direction ? c[k] : column(&b->cut[k], cut, rest, terms);
+		V error = ALL(b->cut[k].bound);
+
+		q[k] = divide || direction ?
+		    quotient(s, w, r, error, bound, &sure) :
+		    round_surely(s.hi, s.lo, error, &sure);
+	}
+	if (kind == KERNEL_DEPTH)
+		q[2] = depth(&b->depth, w, r, bound, &sure);
+	if (divide)
+		sure = MIN(w_sum - ALL(b->least), sure);
+	if (!divide && !direction && !IS_POSITIVE(sure))
+		sure = round_exact(b, cut, rest, kind, q);
+	if (IS_POSITIVE(sure))
+		return true;
+	V none = CHOOSE(-(w_sum + bound), ALL(b->moderate), ALL(0));
+
+	q[0] = CHOOSE(sure, q[0],
+	    CHOOSE(none, ALL(HUGE_VAL), ALL((double)NAN)));
+	return false;
+}
+
+static inline __attribute__((always_inline)) int
+exact(const struct kernel_map *m, const double *const in[3],
+    double *const out[], size_t n, enum kernel_kind kind)
+{
+	const int terms = kernel_terms(kind), outputs = kernel_outputs(kind);
+	const struct kernel_block b = block_of(m, in, n, kind);
+	const double *const from[3] = { in[0], in[1], in[terms - 1] };
+	double *const to[4] = { out[0], out[1], out[outputs > 2 ? 2 : 1],
+		out[outputs - 1] };
 	int done = 1;
 
 	for (size_t i = 0; i < n; i += WIDTH) {
-		const V p[3] = { LOAD(in[0] + i), LOAD(in[1] + i) };
-		V cut[3], rest[3], q[3], r, sure = ALL(b.moderate);
-		vdd c[3];
+		V p[3], q[4];
 
-		cut_points(&b, p, 2, cut, rest);
-		for (int k = 0; k < 3; k++)
-			c[k] = normalise(column(&b.cut[k], cut, rest, 2));
-		vdd length = length_of(c, &r);
-
-		for (int k = 0; k < 3; k++)
-			q[k] = quotient(c[k], length, r, ALL(b.cut[k].bound),
-			    bound, &sure);
-		if (!IS_POSITIVE(sure)) {
-			q[0] = CHOOSE(sure, q[0], ALL((double)NAN));
-			done = 0;
-		}
-		for (int k = 0; k < 3; k++)
-			STORE(out[k] + i, q[k]);
+		for (int k = 0; k < terms; k++)
+			p[k] = LOAD(from[k] + i);
+		done &= image_of(&b, p, q, kind);
+		for (int k = 0; k < outputs; k++)
+			STORE(to[k] + i, q[k]);
 	}
 	return done;
 }
@@ -572,4 +543,5 @@ LOOP(KERNEL_AFFINE, exact_affine)
 LOOP(KERNEL_FOUR, exact_four)
 LOOP(KERNEL_DEPTH, exact_depth)
 LOOP(KERNEL_PROJECTIVE, exact_projective)
+LOOP(KERNEL_DIRECTION, exact_direction)
 #undef LOOP

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* How far a block of points reaches along some directions. */
+/* Finds how far a block of points reaches along some directions. */
 #include "kernel.h"
 
 static double greatest(V a)
@@ -13,7 +13,7 @@ static double greatest(V a)
 	return r;
 }
 
-/* Two vectors at a time, as one maximum would wait for the other. */
+/* Keeps two maxima, each of every second vector, as one would wait for itself. */
 static double farthest_along(const double m[3], const double *const in[3],
     size_t n)
 {

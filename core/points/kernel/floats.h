@@ -2,9 +2,9 @@
 /* Rows of floats to rows of floats, in single: to the bits of single_plain. */
 #include "little.h"
 
-/* is_float says that the origin's coordinates are floats. The difference of two floats
- * that has no room in a double is the larger float: rounding once or twice is the
- * same. */
+/* is_float says that the origin's coordinates are floats. A difference of two floats
+ * that is no double is so near to the larger float that rounding once or twice gives
+ * this float. */
 static inline __attribute__((always_inline)) int
 floats(const struct kernel_map *m, const char *in, char *out, size_t n,
     enum kernel_kind kind, bool is_float)
@@ -40,6 +40,7 @@ floats(const struct kernel_map *m, const char *in, char *out, size_t n,
 	return beyond == 0;
 }
 
+/* Returns true if v is a float. */
 static bool is_float(double v)
 {
 	return (double)(float)v == v;

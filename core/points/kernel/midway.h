@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Doubles that were rounded once, and are to be floats rounded once. */
+/* Tells which doubles, themselves rounded, may be rounded again to floats. */
 #ifndef MIDWAY_H
 #define MIDWAY_H
 
@@ -8,9 +8,9 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Whether the float nearest to v may be another than that nearest to what v is the
- * nearest double to: v lies midway between two floats, or is below those with all
- * their digits, where it is not asked further. */
+/* Returns true if the float nearest to v may differ from the float nearest to the exact
+ * value that was rounded to v: v lies midway between two floats, or is subnormal as a
+ * float, and then the answer is always true. */
 static inline bool is_midway(double v)
 {
 	uint64_t bits;

@@ -5,7 +5,5 @@
 
 #define COPY kernels_neon
 #define PROCESSOR PROCESSOR_NEON
-
-#define MADD FMA
 #include "copy.h"
 #endif

@@ -1,25 +1,25 @@
 /* SPDX-License-Identifier: MIT */
-/* The inner loop of double and single, written once: copy.h includes it for each
- * kind of column. As in exact.h a point is taken relative to the map's origin.
+/* The inner loop of double and single, written once: copy.h includes it for each of
+ * the two. As in exact.h, a point is the difference from the map's origin.
  *
- * With u the unit roundoff and S the sum of a column's products' magnitudes:
- * a point's difference from the origin and a matrix element carry u each, a
- * chain of three products and sums 3 u. So a column is within 5 u S. A quotient
- * N / W carries that of both, and u each for the reciprocal and the product:
+ * Let u be the unit roundoff and S the sum of the magnitudes of a column's products. A
+ * point's difference from the origin and a matrix element have an error of u each, a
+ * chain of three products and sums one of 3 u. So a column is within 5 u S. A quotient
+ * N / W has the errors of both, and u each for the reciprocal and the product:
  *
  *	|error of N/W| <= PLAIN_BOUND u (S_N + |N/W| S_W) / |W|
  *
- * of which 5 is the columns', 2 the quotient's and 1 for printing the shortest
- * digits: 8. Depth a + b/w is within PLAIN_BOUND u (|a| + |b/W| S_W / |W|): b, the
- * reciprocal, the fused product and sum, and printing carry u each, to which come
- * w's 5 u S_W: 9. Both are so where S_W is |W|. Where it is more, w
- * is known less, to 1/16 as error_bound.c asks for: dividing by what was computed makes its
- * 5 at most 32/31 as much, and the others weigh less. `make prove` counts all of
- * these, and error_bound.c bounds S for the points of a scene. What underflows is off
- * by u times the least normal number at most. What overflows is never finite again,
- * unless w does, whose reciprocal would be 0. */
+ * where the columns need 5, the quotient 2 and the shortest digits printed 1: 8. Depth
+ * a + b/w is within PLAIN_BOUND u (|a| + |b/W| S_W / |W|): b, the reciprocal, the
+ * fused product and sum, and printing need u each, and w 5 u S_W: 9. This holds if S_W
+ * is |W|. If S_W is larger, the relative error of w is larger, up to 1/16, which
+ * error_bound.c requires: division by the computed w makes the 5 at most 32/31 as
+ * large, and the other errors weigh less. `make prove` counts all of these, and
+ * error_bound.c bounds S for the points of a scene. An underflow adds at most u times
+ * the least normal number. A value that overflows never becomes finite again, unless it
+ * is w, whose reciprocal would be 0. */
 
-/* Column k of the map. */
+/* Returns column k of the image of p. */
 static inline REAL NAME(
     column)(const struct kernel_map *m, int k, const REAL p[3], int terms)
 {
@@ -30,7 +30,7 @@ static inline REAL NAME(
 	return c;
 }
 
-/* The image q of a point whose differences from the origin are p. */
+/* Writes the image q of a point whose differences from the origin are p. */
 static inline __attribute__((always_inline)) void NAME(
     image)(const struct kernel_map *m, const REAL p[3], REAL q[3],
     enum kernel_kind kind)
@@ -59,7 +59,7 @@ static inline __attribute__((always_inline)) int NAME(
     enum kernel_kind kind)
 {
 	const int terms = kernel_terms(kind);
-	/* copies, as for the compiler what is stored could change them */
+	/* copies, which no store can change */
 	const double *const from[3] = { in[0], in[1], in[2] };
 	const struct kernel_map own = *m;
 	int beyond = 0;

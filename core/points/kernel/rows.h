@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* Points in rows, x y z after x y z as files have them, to columns and back: loops
- * that compilers turn into shuffles, once they know how long a row is and what
- * the processor has. Rows may begin at any address. */
+/* Copies points from rows, x y z after x y z as in files, to columns and back, in
+ * loops that compilers turn into shuffles as they know the length of a row and the
+ * processor. Rows may begin at any address. */
 #include <float.h>
 #include <stdint.h>
 
 #include "little.h"
 #include "midway.h"
 
-/* Number i of many, doubles if wide, else floats. */
+/* Returns number i of doubles if wide, else of floats. */
 static inline __attribute__((always_inline)) double load(const char *numbers,
     size_t i, int wide)
 {
@@ -32,7 +32,8 @@ split(const char *restrict rows, double (*restrict columns)[POINTS_BLOCK],
 	return beyond == 0;
 }
 
-/* Whether all can be floats that nobody has to look at. */
+/* Returns true if the nearest floats to a column are finite and surely the nearest to
+ * its exact values. */
 static inline __attribute__((always_inline)) int
 are_sure(const double *restrict column, size_t n)
 {

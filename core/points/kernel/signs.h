@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Of which planes points are outside. In doubles alone, so that the compiler makes
- * a loop of vectors of it. */
+/* Finds the planes that points are outside of, in doubles alone, so that the compiler
+ * makes a loop of vectors. */
 #include "kernel.h"
 
-/* Where all is in its range no value is nan. */
+/* If all, |a| + |b| + |c|, is from low to high, no value is nan. */
 static inline __attribute__((always_inline)) void
 add_signs(const struct estimate *e, int columns, double weight,
     const double *const in[3], double *restrict word, size_t n)
