@@ -14,24 +14,22 @@ struct fit {
 };
 
 /* Adds a block of points to the extremes that are the chunk's output. */
-static void take_extremes(const struct job *j, struct chunk *c, size_t n,
-    size_t points)
+static void take_extremes(const struct job *j, struct chunk *c)
 {
 	const struct fit *fit = j->with;
 	bool flat = j->transform.in == 2;
 	/* directions of a plane have no z */
 	const double *const in[3] = { c->in[0], c->in[1], c->in[flat ? 0 : 2] };
 
-	(void)n;
 	if (c->size == 0)
 		memset(chunk_reserve(c, sizeof fit->extremes), 0,
 		    sizeof fit->extremes);
 	c->size = sizeof fit->extremes;
 	/* extremes_add needs a multiple of 16 points: repeats the first */
-	for (size_t i = points; i % 16 != 0; i++)
+	for (size_t i = c->block_points; i % 16 != 0; i++)
 		for (int k = 0; k < j->transform.in; k++)
 			c->in[k][i] = c->in[k][0];
-	extremes_add((void *)c->out, &fit->directions, in, points);
+	extremes_add((void *)c->out, &fit->directions, in, c->block_points);
 }
 
 /* Merges the extremes of a chunk into those of all points. */

@@ -83,10 +83,10 @@ static void hits_append(const struct job *j, struct chunk *c, struct hit hit,
 }
 
 /* Appends the points of a block that are within the radius, and its csv headers. */
-static void hits_take(const struct job *j, struct chunk *c, size_t n,
-    size_t points)
+static void hits_take(const struct job *j, struct chunk *c)
 {
 	const struct hits *h = j->with;
+	size_t points = c->block_points;
 	const double *const in[4] = { c->in[0], c->in[1], c->in[2] };
 	double(*v)[POINTS_BLOCK] = c->image;
 	double *const device[4] = { v[0], v[1], v[2] };
@@ -95,9 +95,9 @@ static void hits_take(const struct job *j, struct chunk *c, size_t n,
 	bool known = false; /* outside and, if near, view are computed */
 
 	points_map(&j->transform, j->precision, in, device, points);
-	for (size_t i = 0, p = 0; i < n; i++) {
+	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
 		const struct line *line = &c->line[i];
-		size_t at = p, number = c->n_lines - n + i;
+		size_t at = p, number = c->n_lines + i;
 
 		if (line->kind == LINE_HEADER && !h->json)
 			hits_append(j, c,

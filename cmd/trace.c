@@ -81,7 +81,7 @@ static void trace_put(const struct job *j, struct chunk *c,
 {
 	const struct trace *trace = j->with;
 	unsigned outside = m != NULL ? m->outside[p] : OUT_NAN;
-	const struct word *word = word_for(c, outside);
+	const struct word *word = chunk_word(c, outside);
 	bool json = j->layout.out.format == FORMAT_JSON;
 	char *at;
 
@@ -103,16 +103,15 @@ static void trace_put(const struct job *j, struct chunk *c,
 	c->size = (size_t)(at - c->out);
 }
 
-/* Appends the output for a block of n lines with a number of points. */
-static void trace_take(const struct job *j, struct chunk *c, size_t n,
-    size_t points)
+/* Appends the output for a block of lines. */
+static void trace_take(const struct job *j, struct chunk *c)
 {
 	/* too large for a thread's stack */
 	struct images *m = aligned_alloc(_Alignof(struct images), sizeof *m);
 
 	if (m == NULL)
 		die(EXIT_SYSTEM, "out of memory");
-	for (size_t i = 0, p = 0; i < n; i++) {
+	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
 		const struct line *line = &c->line[i];
 
 		if (line_is_bad(line))
@@ -121,7 +120,8 @@ static void trace_take(const struct job *j, struct chunk *c, size_t n,
 			continue;
 		if (p % BATCH == 0)
 			images_transform(m, j, c, p,
-			    points - p < BATCH ? points - p : BATCH);
+			    c->block_points - p < BATCH ? c->block_points - p :
+							  BATCH);
 		trace_put(j, c, line, m, p++ % BATCH);
 	}
 	free(m);

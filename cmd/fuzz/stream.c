@@ -211,7 +211,8 @@ static bool do_at_once(struct job *j, const char *text, size_t size)
 		    c->out[c->size - 1] != '\n';
 	}
 	add(&printed, c->out, c->size);
-	for (size_t i = 0; i < c->n_complaints && bad + i < TOLD; i++) {
+	for (size_t i = 0; i < c->n_complaints && bad + i < COMPLAINTS_MAX;
+	     i++) {
 		struct place p = { .line = 1 + (long)c->complaint[i].line,
 			.of_points = is_binary(j->layout.in.format) };
 

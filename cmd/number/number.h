@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Decimal text to double and back. Reading rounds to the nearest double.
- * Writing gives the shortest text that reads back as the same, or rounds the
- * double's exact value to a number of digits. */
+/* Decimal text to double and back. Reading rounds to the nearest double. Writing
+ * gives the shortest text that reads back as the same double, or rounds the double's
+ * exact value to a number of digits. */
 #ifndef NUMBER_H
 #define NUMBER_H
 
@@ -14,7 +14,7 @@
 extern "C" {
 #endif
 
-/* Room for the longest text of a number: sign, 309 digits, point, 100 more. */
+/* Bytes of the longest text of a number: sign, 309 digits, point, 100 decimals. */
 enum { NUMBER_MAX = 416 };
 
 struct number_style {
@@ -26,47 +26,43 @@ struct number_style {
 	int n; /* decimals 0..100, or digits 1..100 */
 };
 
-/* Reads the number that begins at s: [+-] digits [. digits] [e [+-] digits],
- * a digit before or after the point, as awk reads it: no hex; or nan, inf,
- * infinity in any case. Returns where it ends, NULL if none begins at s.
- * What is beyond the range of doubles is read as inf, what is below as 0. */
+/* Reads the number that begins at s: [+-] digits [. digits] [e [+-] digits] with
+ * a digit before or after the point; or nan, inf, infinity in upper or lower case.
+ * Returns its end, NULL if no number begins at s. A number beyond the range of doubles
+ * is read as inf, one below it as 0. */
 const char *number_read(const char *s, const char *end, double *v);
 
-/* Write v at s, not terminated, and return where the text ends. What is behind
- * that, up to NUMBER_MAX bytes from s, may change, too. Plain from
- * 1e-6 to below 1e21, else with an exponent, as JavaScript prints; with
- * NUMBER_DECIMALS always plain; never -0; nan and inf are "nan". */
+/* Write v at s without a null byte and return the end of the text. Up to NUMBER_MAX
+ * bytes from s may change. There is an exponent below 1e-6 and from 1e21 on, as
+ * JavaScript prints numbers, but never with NUMBER_DECIMALS. -0 becomes 0; nan and
+ * inf become "nan". For a float, NUMBER_SHORTEST gives the shortest text that reads
+ * back as the same float. */
 char *number_write(char *s, double v, struct number_style style);
-
-/* The same for a float: NUMBER_SHORTEST means the shortest that reads back as the
- * same float. */
 char *number_write_float(char *s, float v, struct number_style style);
 
-/* The text of a number that was made with many others: the digits and zeros from
- * b + first on, with a point after the first so many, size bytes in all; before them
- * a minus or none. first, minus, before and size are the bytes of layout, from the
- * lowest; it is 0 for a text that is left to number_write. None is in two lines of
- * the cache. */
+/* The text of a number that number_texts made. The bytes of layout, from the lowest,
+ * are first, minus, before and size: the digits begin at b + first, a minus (1 or 0)
+ * stands before them, and the point after the first `before` of them; the text has
+ * size bytes, and minus more. layout is 0 if number_write has to make the text. Each
+ * text is in one line of the cache. */
 struct number_text {
 	char b[60];
 	uint32_t layout;
 } __attribute__((aligned(64)));
 
-/* Numbers are read and written so many at a time. */
+/* How many numbers are read or written at a time. */
 enum { NUMBER_BATCH = 64 };
 
-/* The texts of n numbers, which are floats where single says so. There is room
- * in t and v for n rounded up to NUMBER_BATCH; what v holds there is read, and no matter.
- * points_choose chooses the loops; before, there are no texts. */
+/* Makes the texts of n numbers, of floats if single is true. t and v have room for n
+ * rounded up to NUMBER_BATCH; v may have any numbers there. points_choose chooses the
+ * loops; before, each layout is 0. */
 void number_texts(const double *v, size_t n, bool single,
     struct number_style style, struct number_text *t);
 
-/* Writes v at s from its text t, or as number_write does where it has none, and
- * returns where the text ends. What is behind that, up to NUMBER_MAX bytes from s,
- * may change, too. On either side of the point of a text there are NUMBER_SIDE
- * characters at most. */
+/* The most characters of a struct number_text on either side of the point. */
 enum { NUMBER_SIDE = 24 };
 
+/* Does as number_write, by way of v's text t if that was made. */
 static inline char *number_put(char *s, const struct number_text *t, double v,
     bool single, struct number_style style)
 {

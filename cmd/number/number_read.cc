@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-/* The library is headers only: no C++ library is loaded, which would double the
- * 0.6 ms of a start. */
+/* fast_float has only headers, so that the program starts without loading a C++
+ * library. */
 #include "number.h"
 
-/* The library's assertions are for its own tests, and cost time. */
+/* Without fast_float's assertions. */
 #undef NDEBUG
 #define NDEBUG
 
@@ -21,6 +21,6 @@ const char *number_read(const char *s, const char *end, double *v)
 	fast_float::from_chars_result r = fast_float::from_chars(s, end, *v);
 	if (r.ec == std::errc::invalid_argument)
 		return NULL;
-	/* The library would go on to take in the (...) of a nan(...). */
+	/* fast_float also reads the (...) of a nan(...) */
 	return std::isnan(*v) ? s + (*s == '-') + 3 : r.ptr;
 }

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-/* Nanoseconds a number, %.6f coordinates / 17 digits (cmd/bench/number.cc, gcc
- * 12, a Xeon with AVX-512): printf %.17g 328 / 194, charconv 46 / 40, dragonbox
- * without its digits 15 / 10, here 23 / 20, several at a time (vector/) 6; 3
- * decimals: charconv 50, here 15. The library is headers only, and printf does what
- * is rare: no C++ library is loaded, which would double the 0.6 ms of a start. */
+/* Dragonbox finds the shortest digits; 128 bits of the number's fraction give decimals
+ * and significant digits, or printf if they are not enough. Dragonbox has only
+ * headers, so that the program starts without loading a C++ library. */
 #include "number.h"
 
-/* The library's assertions are for its own tests, and cost time. */
+/* Without dragonbox's assertions. */
 #undef NDEBUG
 #define NDEBUG
 
@@ -20,8 +18,7 @@
 
 #include "../../core/exact/wide.h"
 
-/* The most that the shortest text of a double needs. The fast ways write as
- * many to a buffer, and copy from it those that belong to the number. */
+/* The most digits that the shortest text of a double needs. */
 enum { DIGITS = 17 };
 
 static const uint64_t power[] = { 1, 10, 100, 1000, 10000, 100000, 1000000,
@@ -29,8 +26,7 @@ static const uint64_t power[] = { 1, 10, 100, 1000, 10000, 100000, 1000000,
 	1000000000000, 10000000000000, 100000000000000, 1000000000000000,
 	10000000000000000, 100000000000000000 };
 
-/* The text of 0 to 999: three digits at a time take a seventh less time than
- * two. */
+/* The texts of 0 to 999. */
 struct triples {
 	char text[1000][4];
 
@@ -55,16 +51,16 @@ static inline uint64_t write_three(char *s, uint64_t p)
 	return p;
 }
 
-/* Of high 2^64 + low, shifted right by k from 1 to 127, the lower word. */
+/* Returns the lower word of high 2^64 + low shifted right by k, from 1 to 127. */
 static inline uint64_t shifted(uint64_t high, uint64_t low, int k)
 {
 	return k < 64 ? high << (64 - k) | low >> k : high >> (k - 64);
 }
 
-/* Writes the 17 digits of x < 10^17, and after them zeros for plain() to copy.
+/* Writes the 17 digits of x < 10^17, and after them zeros for put_plain to copy.
  * p is x / 10^15 with 54 bits after the point: computed with the reciprocal
  * 2^113 / 10^15 and rounded up, it is less than 1.2 * 2^-54 too large. The five
- * steps to the last digit multiply that by 10^15, to less than 1. */
+ * multiplications by 1000 make an error of less than 1 of that. */
 static inline void write_digits(char d[64], uint64_t x)
 {
 	const uint64_t reciprocal = 10384593717069655258u;
@@ -80,11 +76,11 @@ static inline void write_digits(char d[64], uint64_t x)
 	memset(d + DIGITS, '0', 64 - DIGITS);
 }
 
-/* Writes the n digits at d, with the decimal point after as many of them as
- * point says, at least one. Copies of a constant size are fast; what they write
- * after the text stays within NUMBER_MAX. */
+/* Writes the n digits at d, with the decimal point after the first point >= 1 of them.
+ * Returns the end of the text. Copies of a constant size, room, are fast; the bytes
+ * that they write after the text are within NUMBER_MAX. */
 template <int room>
-static inline char *plain(char *s, const char *d, int n, int point)
+static inline char *put_plain(char *s, const char *d, int n, int point)
 {
 	memcpy(s, d, room);
 	if (n <= point)
@@ -94,7 +90,8 @@ static inline char *plain(char *s, const char *d, int n, int point)
 	return s + n + 1;
 }
 
-static char *exponential(char *s, const char *d, int n, int exponent)
+/* Writes d.ddde+x, with the n digits d. Returns the end of the text. */
+static char *put_exponential(char *s, const char *d, int n, int exponent)
 {
 	int e = abs(exponent);
 
@@ -114,25 +111,25 @@ static char *exponential(char *s, const char *d, int n, int exponent)
 	return s;
 }
 
-/* Writes 0.ddd * 10^point, with the n digits ddd at d, as JavaScript lays it
- * out, without trailing zeros. */
+/* Writes the number 0.ddd * 10^point, with the n digits ddd at d, in the form that
+ * JavaScript gives it, without trailing zeros. Returns the end of the text. */
 template <int room>
-static inline char *layout(char *s, const char *d, int n, int point)
+static inline char *put_digits(char *s, const char *d, int n, int point)
 {
 	while (d[n - 1] == '0')
 		n--;
 	if (0 < point && point <= 21)
-		return plain<room>(s, d, n, point);
+		return put_plain<room>(s, d, n, point);
 	if (point <= -6 || point > 0)
-		return exponential(s, d, n, point - 1);
+		return put_exponential(s, d, n, point - 1);
 	memcpy(s, "0.000000", 8);
 	memcpy(s + 2 - point, d, room);
 	return s + 2 - point + n;
 }
 
-/* Zeros bring the digits to 17, in a loop: how many are needed follows from the
- * branches that dragonbox took just before, so that the processor predicts it
- * well and goes on; a formula would have to wait for dragonbox's result. */
+/* Writes the shortest text of v > 0. Returns its end. A loop multiplies the digits up
+ * to 17 of them: how often follows from the branches that dragonbox took before, so
+ * that the processor predicts it; a formula would wait for dragonbox's result. */
 template <class Float>
 [[gnu::flatten]] static char *write_shortest(char *s, Float v)
 {
@@ -143,14 +140,14 @@ template <class Float>
 	int point = DIGITS + r.exponent;
 	char d[64];
 
-	if (sizeof v == sizeof(float)) { /* never more than 9 digits */
+	if (sizeof v == sizeof(float)) { /* at most 9 digits */
 		digits *= power[8];
 		point -= 8;
 	}
 	for (; digits < power[DIGITS - 1]; digits *= 10)
 		point--;
 	write_digits(d, digits);
-	return layout<24>(s, d, DIGITS, point);
+	return put_digits<24>(s, d, DIGITS, point);
 }
 
 static uint64_t bits_of(double v)
@@ -161,8 +158,8 @@ static uint64_t bits_of(double v)
 	return bits;
 }
 
-/* printf writes a point, and not a comma, as nobody calls setlocale. A text of
- * zeros alone loses its minus. */
+/* Writes v with n decimals and returns the end of the text. printf writes a point, as
+ * the program has the locale "C". A text that has only zeros loses its minus. */
 static char *print_decimals(char *s, double v, int n)
 {
 	int size = snprintf(s, NUMBER_MAX, "%.*f", n, v);
@@ -172,8 +169,8 @@ static char *print_decimals(char *s, double v, int n)
 	return s + size;
 }
 
-/* Multiplies the fraction high 2^-64 + low 2^-128 by 10^n, and returns what comes before
- * its point. */
+/* Multiplies the fraction high 2^-64 + low 2^-128 by 10^n. Returns the integer part of
+ * the product, and leaves its fraction. */
 static inline uint64_t times_ten(uint64_t *high, uint64_t *low, int n)
 {
 	uint64_t carry = 0;
@@ -183,10 +180,11 @@ static inline uint64_t times_ten(uint64_t *high, uint64_t *low, int n)
 	return carry;
 }
 
-/* Writes v rounded to n decimals, ties to even, at d: digits, and a null byte. Returns
- * how many are before the point, at least one; 0 where v is 2^53 or more, or its last
- * bit is below 2^-127 and n too large for it to be 0. The first DIGITS are of the whole
- * part, and all decimals if there is room for them and what rounding carries. */
+/* Writes the digits of v rounded to n decimals, ties to even, and a null byte at d.
+ * Returns how many digits are before the point, at least one; 0 if v is 2^53 or more,
+ * or has bits below 2^-127 and n is above 22. The first DIGITS digits are the
+ * integer part, and hold the decimals as well if those fit with a digit for the
+ * rounding. */
 static inline int find_digits(char d[192], double v, int n)
 {
 	uint64_t m = (bits_of(v) & ((1ull << 52) - 1)) | 1ull << 52;
@@ -223,6 +221,7 @@ static inline int find_digits(char d[192], double v, int n)
 	return point;
 }
 
+/* Writes v with n decimals. Returns the end of the text. */
 static char *write_decimals(char *s, double v, int n)
 {
 	char d[192];
@@ -245,27 +244,24 @@ static char *write_decimals(char *s, double v, int n)
 	return s + n;
 }
 
+/* Writes n significant digits of v > 0 as printf's d.ddde-x has them. Returns the end
+ * of the text. */
 static char *print_significant(char *s, double v, int n)
 {
-	char text[128], d[256];
-	int exponent = 0;
+	char d[128];
 
-	snprintf(text, sizeof text, "%.*e", n - 1, v);
-	memset(d, '0', sizeof d);
-	d[0] = text[0];
-	memcpy(d + 1, text + 2, size_t(n - 1));
-	const char *p = strchr(text, 'e') + 1;
-	bool minus = *p++ == '-';
+	snprintf(d, sizeof d, "%.*e", n - 1, v);
+	int exponent = atoi(strchr(d, 'e') + 1);
 
-	while (*p != '\0')
-		exponent = 10 * exponent + (*p++ - '0');
-	return layout<104>(s, d, n, 1 + (minus ? -exponent : exponent));
+	d[1] = d[0]; /* in the place of the point */
+	memset(d + 1 + n, '0', sizeof d - 1 - size_t(n));
+	return put_digits<104>(s, d + 1, n, 1 + exponent);
 }
 
-/* The exponent of ten is guessed from that of two, with 78913 / 2^18 for log10(2): it
- * is right or one too small. If too small, there is a digit too many, and v is rounded
- * anew. If there is that digit because v was rounded up to a power of ten, the result
- * is right as well. */
+/* Writes n significant digits of v > 0. Returns the end of the text. 78913 / 2^18 is
+ * log10(2): the exponent of ten that it gives is right or one too small. If it is too
+ * small, there is one digit too many, and v is rounded anew. A v that was rounded up
+ * to a power of ten has that digit as well, and the result is the same. */
 static char *write_significant(char *s, double v, int n)
 {
 	char d[192];
@@ -282,7 +278,7 @@ static char *write_significant(char *s, double v, int n)
 		point = find_digits(d, v, decimals - 1);
 		zeros = int(strspn(d, "0"));
 	}
-	return layout<24>(s, d + zeros, n, point - zeros);
+	return put_digits<24>(s, d + zeros, n, point - zeros);
 }
 
 template <class Float>

@@ -8,11 +8,10 @@
 
 #include "../message/message.h"
 
-/* The answers to all chunks so far. They need no lock, as no two chunks are answered
- * at a time. */
+/* The totals of all chunks that were answered. One thread at a time uses them. */
 static struct {
 	long long next_line; /* of the source, from 1 */
-	bool unended;        /* the last line printed has no newline yet */
+	bool unended;        /* the last byte printed is no newline */
 	size_t bad;          /* lines */
 	bool bad_scene;
 	bool of_points;     /* the bad lines are binary points */
@@ -20,19 +19,20 @@ static struct {
 	struct place where; /* the first of them */
 } answer;
 
-/* Seconds until progress is shown first, and between two times. */
-#define PATIENCE 0.5
+/* Seconds before progress is shown first, and again. */
+#define FIRST_PAUSE 0.5
 #define PAUSE 0.2
 
 static struct {
 	bool on, asked;
-	bool terminal; /* one line of a terminal is written again and again */
-	bool shown;    /* that line stands there */
-	double start, last;    /* seconds: the beginning, when it was shown */
-	long long lines;       /* of all sources */
-	long long bytes, size; /* of this source: done; in all, or 0 */
+	bool terminal;      /* a line of a terminal is overwritten each time */
+	bool shown;         /* on that line */
+	double start, last; /* times of the first call, and when last shown */
+	long long lines;    /* of all sources */
+	long long bytes, size; /* of the source: done; in all, 0: unknown */
 } progress;
 
+/* Returns the time in seconds. */
 static double now(void)
 {
 	struct timespec t;
@@ -58,7 +58,7 @@ void answer_source(long long size)
 	progress.size = size;
 }
 
-/* Takes the line off the terminal, before anything else is said. */
+/* Clears the line of progress before a message. */
 static void clear_progress(void)
 {
 	if (progress.shown)
@@ -92,7 +92,7 @@ static void add_progress(const struct chunk *c)
 		return;
 	double time = now();
 
-	if (time - progress.start > PATIENCE && time - progress.last > PAUSE)
+	if (time - progress.start > FIRST_PAUSE && time - progress.last > PAUSE)
 		show_progress(time);
 }
 
@@ -140,7 +140,7 @@ static void count_imageless(const struct job *j, const struct chunk *c)
 	answer.imageless += c->imageless;
 }
 
-static void say_imageless(void)
+static void report_imageless(void)
 {
 	answer.where.join = answer.imageless == 1 ? ": " : ", the first in ";
 	if (answer.imageless == 1)
@@ -150,9 +150,9 @@ static void say_imageless(void)
 		    answer.imageless);
 }
 
-/* Says what is wrong with the chunk's lines, and with its source if that can't be
- * read any further. Ends the program then, and where the job does not keep going. */
-static void complain(const struct job *j, const struct chunk *c)
+/* Reports the chunk's bad lines and the error that ended its source. Ends the program
+ * after such an error, or if the job does not keep going. */
+static void report_bad_lines(const struct job *j, const struct chunk *c)
 {
 	bool refused = c->refused || (c->n_complaints > 0 && !j->keep_going);
 	bool ends = refused || c->piece.state > PIECE_LAST;
@@ -161,17 +161,17 @@ static void complain(const struct job *j, const struct chunk *c)
 	if (ends && j->flush != NULL)
 		j->flush(j);
 	clear_progress();
-	for (size_t i = 0; i < c->n_complaints && i < TOLD; i++) {
+	for (size_t i = 0; i < c->n_complaints && i < COMPLAINTS_MAX; i++) {
 		struct place p = place_of(j, c, c->complaint[i].line);
 
-		if (answer.bad + i < TOLD || refused)
+		if (answer.bad + i < COMPLAINTS_MAX || refused)
 			say_at(EXIT_INPUT, &p, "%s", c->complaint[i].reason);
 	}
 	answer.bad += c->n_complaints;
 	answer.of_points = end.of_points;
 	if (!ends)
 		return;
-	say_imageless();
+	report_imageless();
 	if (refused) {
 		output_close();
 		quit(EXIT_INPUT);
@@ -191,7 +191,7 @@ void answer_chunk(const struct job *j, const struct chunk *c)
 	if (j->count_imageless)
 		count_imageless(j, c);
 	if (c->n_complaints > 0 || c->piece.state > PIECE_LAST)
-		complain(j, c);
+		report_bad_lines(j, c);
 	answer.next_line += (long long)c->n_lines;
 	add_progress(c);
 }
@@ -204,7 +204,7 @@ int answer_end(void)
 		fputc('\n', stderr);
 	else
 		clear_progress();
-	say_imageless();
+	report_imageless();
 	if (answer.bad > 0)
 		say_at(EXIT_INPUT, NULL, "%zu bad %s%s", answer.bad,
 		    answer.of_points ? "point" : "line",

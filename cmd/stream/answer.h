@@ -1,30 +1,28 @@
 /* SPDX-License-Identifier: MIT */
-/* What the user gets: chunks whose job is done are printed, counted and
- * complained of, in the order of their source; and progress on standard error. */
+/* Prints the output of chunks in the order of their source, reports bad lines and
+ * points without image, and shows progress on standard error. */
 #ifndef ANSWER_H
 #define ANSWER_H
 
 #include "job.h"
 
-/* Begins to tell how far a long input is: if standard error is a terminal and
- * standard output is none, or if asked to. Only the first call counts. */
+/* Turns progress on if asked is true, or standard error is a terminal and standard
+ * output is not. Only the first call has an effect. */
 void answer_progress(bool asked);
 
-/* A new source of so many bytes begins, 0 where that is not known: lines are counted
- * from 1 again. */
+/* Begins a source of that many bytes, 0 for unknown, with line 1. */
 void answer_source(long long size);
 
-/* Prints the next chunk's output, then says what was wrong with its lines,
- * which ends the program unless the job keeps going, and why the source can't
- * be read any further, which ends it always. Any thread may call it, but not
- * two at a time. */
+/* Prints the output of the next chunk, then reports its bad lines, which end the
+ * program unless the job keeps going, and the error that ended its source, which
+ * always does. Any thread may call it, but only one at a time. */
 void answer_chunk(const struct job *, const struct chunk *);
 
-/* Answers a scene that was refused: by null in JSON, else by nothing. */
+/* Counts a scene that was refused, and prints null for it if the format is JSON. */
 void answer_no_scene(enum format);
 
-/* At the end: says how many points had no image, and closes standard output.
- * Returns the exit status. */
+/* Reports how many points had no image and how many lines were bad, and closes standard
+ * output. Returns the exit status. */
 int answer_end(void);
 
 #endif

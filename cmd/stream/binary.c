@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Blocks of points as binary numbers in a row. */
+/* Blocks of binary points: numbers in a row. */
 #include <math.h>
 #include <stdio.h>
 
@@ -19,25 +19,26 @@ size_t binary_written(const struct layout *l)
 			  point_size(l->out.format, l->writes);
 }
 
-/* Copies the coordinates of n points, numbers of a size, from records to rows that
- * have no others; or back. */
+/* Copies the coordinates of n points, numbers of that size, from records to rows that
+ * have only coordinates, or back. */
 static inline void copy_numbers(const struct layout *l, size_t size,
     char *records, char *rows, bool back, size_t n)
 {
 	size_t record = layout_record(l), row = size * (size_t)l->reads;
-	size_t step = back ? row : record, to_step = back ? record : row;
+	size_t from_size = back ? row : record, to_size = back ? record : row;
 
 	for (int k = 0; k < l->reads; k++) {
 		char *in_record = records + size * (size_t)layout_field(l, k);
 		char *in_row = rows + size * (size_t)k;
-		const char *s = back ? in_row : in_record;
+		const char *from = back ? in_row : in_record;
 		char *to = back ? in_record : in_row;
 
 		for (size_t i = 0; i < n; i++)
-			memcpy(to + i * to_step, s + i * step, size);
+			memcpy(to + i * to_size, from + i * from_size, size);
 	}
 }
 
+/* Calls copy_numbers with a constant size, for which memcpy is a load and a store. */
 static void copy_coordinates(const struct layout *l, char *records, char *rows,
     bool back, size_t n)
 {
@@ -47,7 +48,7 @@ static void copy_coordinates(const struct layout *l, char *records, char *rows,
 		copy_numbers(l, sizeof(double), records, rows, back, n);
 }
 
-/* Returns how many whole points are left, at most a block. */
+/* Returns how many whole points the next block has. */
 static size_t count_points(const struct job *j, const struct chunk *c)
 {
 	size_t n = (size_t)(c->end - c->text) / layout_record(&j->layout);
@@ -55,7 +56,17 @@ static size_t count_points(const struct job *j, const struct chunk *c)
 	return n < POINTS_BLOCK ? n : POINTS_BLOCK;
 }
 
-/* Makes lines of the n points that begin at text, each of so many bytes. */
+/* Returns rows of the coordinates of the next n points. Rows that are copied from
+ * records are in image, which is not needed yet. */
+static const char *next_rows(const struct layout *l, struct chunk *c, size_t n)
+{
+	if (l->record == 0)
+		return c->text;
+	copy_coordinates(l, (char *)c->text, (char *)c->image, false, n);
+	return (const char *)c->image;
+}
+
+/* Fills in the lines of n points of that size, which begin at text. */
 static void make_lines(struct chunk *c, const char *text, size_t size, size_t n)
 {
 	for (size_t i = 0; i < n; i++)
@@ -65,43 +76,44 @@ static void make_lines(struct chunk *c, const char *text, size_t size, size_t n)
 			.newline = true };
 }
 
-/* Complains of line i of the block, which becomes a bad one. Returns whether the job
- * goes on. */
-static bool binary_refuse(const struct job *j, struct chunk *c, size_t i,
+/* Makes line block_lines a bad one. Returns as chunk_complain does. */
+static bool binary_refuse(const struct job *j, struct chunk *c,
     const char *reason)
 {
-	c->line[i].kind = LINE_LOST;
-	return chunk_complain(j, c, c->n_lines + i, reason);
+	c->line[c->block_lines].kind = LINE_LOST;
+	return chunk_complain(j, c, reason);
 }
 
-/* Refuses points beyond the range, whose place those behind them take. Returns how
- * many lines there are up to the end of the chunk. */
-static size_t refuse_beyond(const struct job *j, struct chunk *c, size_t n,
-    size_t *points)
+/* Refuses points beyond the range, and closes the columns over them. A point that ends
+ * the chunk ends the block before it. */
+static void refuse_beyond(const struct job *j, struct chunk *c, size_t n)
 {
-	*points = 0;
-	for (size_t i = 0; i < n; i++) {
+	size_t *p = &c->block_points;
+
+	for (; c->block_lines < n; c->block_lines++) {
 		bool within = true;
 
 		for (int k = 0; k < j->layout.reads; k++) {
-			c->in[k][*points] = c->in[k][i];
-			within &= !(fabs(c->in[k][i]) > MAGNITUDE_MAX);
+			double v = c->in[k][c->block_lines];
+
+			c->in[k][*p] = v;
+			within &= !(fabs(v) > MAGNITUDE_MAX);
 		}
-		*points += within;
+		*p += within;
 		if (!within &&
-		    !binary_refuse(j, c, i,
+		    !binary_refuse(j, c,
 			"a coordinate is beyond 1e150 in magnitude; choose "
 			"another unit"))
-			return i;
+			return;
 	}
-	return n;
 }
 
-size_t binary_read(const struct job *j, struct chunk *c, size_t *points)
+void binary_read(const struct job *j, struct chunk *c)
 {
 	const struct layout *l = &j->layout;
-	size_t size = layout_record(l), n = *points = count_points(j, c);
-	const char *text = c->text, *rows = text;
+	const bool wide = l->in.format == FORMAT_F64;
+	size_t size = layout_record(l), n = count_points(j, c);
+	const char *text = c->text;
 	char reason[REASON_MAX];
 
 	if (n == 0) { /* the source ends within a point */
@@ -109,24 +121,20 @@ size_t binary_read(const struct job *j, struct chunk *c, size_t *points)
 		    "ends within a point; a point is %zu bytes", size);
 		make_lines(c, text, (size_t)(c->end - text), 1);
 		c->text = c->end;
-		return binary_refuse(j, c, 0, reason);
+		c->block_lines = binary_refuse(j, c, reason);
+		return;
 	}
-	const bool wide = l->in.format == FORMAT_F64;
-
-	if (l->record > 0) { /* rows stand where images will */
-		rows = (char *)c->image;
-		copy_coordinates(l, (char *)text, (char *)rows, false, n);
-	}
-	bool within = points_kernels()->split[wide][l->reads](rows, c->in, n,
-	    MAGNITUDE_MAX);
+	bool within = points_kernels()->split[wide][l->reads](next_rows(l, c,
+								  n),
+	    c->in, n, MAGNITUDE_MAX);
 
 	c->text += n * size;
 	if (!within || !binary_is_whole(j))
 		make_lines(c, text, size, n);
-	if (!within)
-		n = refuse_beyond(j, c, n, points);
-	c->n_lines += n;
-	return n;
+	if (within)
+		c->block_lines = c->block_points = n;
+	else
+		refuse_beyond(j, c, n);
 }
 
 bool binary_carry(const struct job *j, struct chunk *c)
@@ -136,25 +144,24 @@ bool binary_carry(const struct job *j, struct chunk *c)
 	char *images = chunk_reserve(c, n * binary_written(l));
 
 	if (l->in.format != FORMAT_F32 || l->out.format != FORMAT_F32 ||
-	    !l->single || l->record > 0 || n == 0 ||
-	    !points_map_floats(&j->transform, c->text, images, n))
+	    !l->single || l->keeps || n == 0 ||
+	    !points_map_floats(&j->transform, next_rows(l, c, n), images, n))
 		return false;
 	c->size += n * binary_written(l);
 	c->text += n * layout_record(l);
-	c->n_lines += n;
+	c->block_lines = n;
 	return true;
 }
 
-bool binary_join(const struct job *j, struct chunk *c, const char *text,
-    size_t n)
+bool binary_join(const struct job *j, struct chunk *c, const char *text)
 {
 	const struct layout *l = &j->layout;
-	size_t size = n * binary_written(l);
+	const bool wide = l->out.format == FORMAT_F64;
+	size_t n = c->block_points, size = n * binary_written(l);
 	char *out = chunk_reserve(c, 2 * size);
 	char *images = out + (l->keeps ? size : 0);
-	const bool wide = l->out.format == FORMAT_F64;
 
-	/* false if a number is not finite, or floats are to be asked of point_single */
+	/* false: a number is not finite, or a float needs point_single */
 	if (!points_kernels()->join[wide][l->writes](c->image, images, n)) {
 		make_lines(c, text, layout_record(l), n);
 		return false;
@@ -175,7 +182,7 @@ char *binary_put(const struct layout *l, const struct chunk *c,
 
 	if (copied)
 		memcpy(at, line->s, written);
-	/* of a record that the source's end cuts, no number is known */
+	/* a record that the source's end cuts becomes nan in each number */
 	int n = copied ? l->writes : (int)(written / size);
 
 	for (int k = 0; k < n; k++) {
@@ -184,7 +191,7 @@ char *binary_put(const struct layout *l, const struct chunk *c,
 		char *to = at +
 		    size * (size_t)(copied ? layout_field(l, k) : k);
 
-		/* -0 is 0 */
+		/* the sum makes 0 of -0 */
 		if (l->out.format == FORMAT_F64)
 			put_little_double(to, v + 0.0);
 		else

@@ -8,13 +8,11 @@
 
 struct chunk *chunk_new(void)
 {
-	void *c;
+	struct chunk *c = aligned_alloc(_Alignof(struct chunk), sizeof *c);
 
-	/* columns want to be aligned */
-	if (posix_memalign(&c, _Alignof(struct chunk), sizeof(struct chunk)) !=
-	    0)
-		die(EXIT_SYSTEM, "out of memory");
-	return memset(c, 0, sizeof(struct chunk));
+	if (c != NULL)
+		return memset(c, 0, sizeof *c);
+	die(EXIT_SYSTEM, "out of memory");
 }
 
 char *chunk_reserve(struct chunk *c, size_t more)
@@ -26,19 +24,48 @@ char *chunk_reserve(struct chunk *c, size_t more)
 	return c->out + c->size;
 }
 
-bool chunk_complain(const struct job *j, struct chunk *c, size_t line,
-    const char *reason)
+bool chunk_complain(const struct job *j, struct chunk *c, const char *reason)
 {
 	bool goes_on = j->keep_going && !c->refused;
 
-	if (c->n_complaints < TOLD) {
+	if (c->n_complaints < COMPLAINTS_MAX) {
 		struct complaint *to = &c->complaint[c->n_complaints];
 
-		to->line = line;
+		to->line = c->n_lines + c->block_lines;
 		snprintf(to->reason, sizeof to->reason, "%s", reason);
 	}
 	c->n_complaints++;
 	if (!goes_on)
 		c->text = c->end;
 	return goes_on;
+}
+
+/* Returns the name of a set of planes: "in", or such as "left+near". */
+static struct word make_word(unsigned outside)
+{
+	static const struct word names[] = { { "left", 4 }, { "right", 5 },
+		{ "bottom", 6 }, { "top", 3 }, { "near", 4 }, { "far", 3 },
+		{ "behind", 6 }, { "nan", 3 } };
+	struct word w = { "in", 2 };
+
+	for (int k = 0; k < 8; k++) {
+		if ((outside >> k & 1) == 0)
+			continue;
+		if (outside & ((1u << k) - 1))
+			w.s[w.size++] = '+';
+		else
+			w.size = 0;
+		memcpy(w.s + w.size, names[k].s, names[k].size);
+		w.size += names[k].size;
+	}
+	return w;
+}
+
+const struct word *chunk_word(struct chunk *c, unsigned outside)
+{
+	struct word *w = &c->word[outside];
+
+	if (w->size == 0)
+		*w = make_word(outside);
+	return w;
 }

@@ -10,21 +10,22 @@
 #include "../lines/line.h"
 #include "../message/message.h"
 
-/* No line of points is longer than this, with its newline. */
+/* The longest line of points, with its newline. */
 #define LINE_MAX_BYTES ((size_t)1 << 26)
 
-/* Makes room for so many bytes of text; what was read stays. */
+/* Makes room for that many bytes of text, and keeps those that were read. */
 static void reserve_text(struct piece *p, size_t room)
 {
 	p->text = xrealloc(p->text, room + PIECE_MARGIN);
 	p->room = room;
 }
 
-/* Begins p anew, with what q has behind its whole lines. A piece that has more room
- * from a long line gives it back. */
+/* Empties p, then fills in the bytes that q has after its whole lines. If a long line
+ * has enlarged p, the memory is given back. */
 static void begin_text(struct piece *p, const struct piece *q)
 {
-	size_t rest = q->have - q->whole, room = PIECE_ROOM;
+	size_t rest = q->have - q->whole;
+	size_t room = q->room > 0 ? PIECE_ROOM : FIRST_ROOM;
 
 	while (room < rest)
 		room *= 2;
@@ -36,7 +37,7 @@ static void begin_text(struct piece *p, const struct piece *q)
 	p->whole = 0;
 }
 
-/* Returns as read does. */
+/* Returns as read(2) does. */
 static ssize_t read_some(struct point_source *s, char *to, size_t room)
 {
 	size_t left = (size_t)(s->text.end - s->text.s);
@@ -54,7 +55,7 @@ static ssize_t read_some(struct point_source *s, char *to, size_t room)
 	return n;
 }
 
-/* Returns whether a read would wait, or true where that can't be told. */
+/* Returns whether a read would wait; true if that is unknown. */
 static bool would_wait(const struct point_source *s)
 {
 	struct pollfd p = { .fd = s->fd, .events = POLLIN };
@@ -63,9 +64,9 @@ static bool would_wait(const struct point_source *s)
 	    (poll(&p, 1, 0) <= 0 || (p.revents & POLLNVAL) != 0);
 }
 
-/* Counts in n more bytes. Only those are searched for a newline: to search all
- * of a long line for every few bytes that come would take quadratic time. */
-static void take_in(struct piece *p, const struct layout *l, size_t n)
+/* Adds n bytes that were read. Only these are searched for a newline: to search a long
+ * line again after each read would take quadratic time. */
+static void add_bytes(struct piece *p, const struct layout *l, size_t n)
 {
 	size_t end = p->have + n, whole = end;
 
@@ -79,10 +80,10 @@ static void take_in(struct piece *p, const struct layout *l, size_t n)
 	p->have = end;
 }
 
-/* Reads until the source ends; or until there is a whole line or point and either the
- * piece is full or the next read would wait. */
-static enum piece_state fill(struct point_source *s, const struct layout *l,
-    struct piece *p)
+/* Reads until the source ends, or until the piece has a whole line or point and either
+ * is full or the next read would wait. */
+static enum piece_state fill_piece(struct point_source *s,
+    const struct layout *l, struct piece *p)
 {
 	do {
 		if (p->have == p->room && p->room >= LINE_MAX_BYTES)
@@ -97,7 +98,7 @@ static enum piece_state fill(struct point_source *s, const struct layout *l,
 			p->whole = p->have;
 			return PIECE_LAST;
 		}
-		take_in(p, l, (size_t)n);
+		add_bytes(p, l, (size_t)n);
 		if (p->whole > 0 && p->have < p->room && would_wait(s))
 			return PIECE_EARLY;
 	} while (p->whole == 0 || p->have < p->room);
@@ -121,7 +122,7 @@ void source_read(struct point_source *s, const struct layout *l,
     struct piece *p)
 {
 	begin_text(p, &s->rest);
-	p->state = fill(s, l, p);
+	p->state = fill_piece(s, l, p);
 	p->error = errno;
 	if (p->state < PIECE_LAST)
 		begin_text(&s->rest, p);

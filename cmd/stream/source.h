@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* A source of points, in pieces that end where a line or a binary point does. */
+/* Reads a source of points in pieces that end with a whole line or binary point. */
 #ifndef SOURCE_H
 #define SOURCE_H
 
@@ -9,48 +9,49 @@
 
 struct layout;
 
-/* Most pieces have so many bytes: enough that handing over costs nothing, few
- * enough for caches. */
-enum { PIECE_ROOM = 1 << 17 };
+/* The bytes of most pieces: enough that threads seldom take the lock, few enough for
+ * caches. The first piece of a source is smaller, as no second one is begun before it
+ * is done. */
+enum { PIECE_ROOM = 1 << 17, FIRST_ROOM = 1 << 14 };
 
-/* The size of pipes, two pieces: one is filled while the other is emptied. More of
- * them on both sides would not stay in the cache of a processor. */
+/* The size of pipes: one piece is written while another is read. Larger pipes would
+ * not stay in the cache. */
 enum { PIPE_ROOM = 2 * PIECE_ROOM };
 
-/* The bytes that a text has behind its end: a document's lone point gets its newline
- * there, and walk.c looks at one, whatever it is, behind a minus that ends a line. */
+/* Bytes after the end of a text that may be read, and of a document's text also
+ * written: a lone point gets its newline there. */
 enum { PIECE_MARGIN = 2 };
 
 enum piece_state {
 	PIECE_FULL,
-	PIECE_EARLY, /* as the next read would have to wait */
+	PIECE_EARLY, /* not full, as the next read would wait */
 	PIECE_LAST,  /* the source ends with it */
-	/* The source can't be read any further: */
+	/* errors that end the source: */
 	PIECE_TOO_LONG, /* a line of more than 64 MiB */
 	PIECE_FAILED,   /* error says why */
 };
 
 struct piece {
-	char *text;             /* NULL at first */
-	size_t room, have;      /* bytes: before the margin, read */
-	size_t whole;           /* bytes of have: whole lines or points */
-	enum piece_state state; /* what comes after it in the source */
-	int error;              /* the errno of PIECE_FAILED */
+	char *text;         /* NULL before the first use */
+	size_t room;        /* bytes allocated, less PIECE_MARGIN */
+	size_t have, whole; /* bytes read; of them in whole lines or points */
+	enum piece_state state;
+	int error; /* the errno of PIECE_FAILED */
 };
 
 struct point_source {
 	const char *name;
-	struct span text; /* what is left of a text in memory; else s is NULL */
-	int fd;           /* of a file */
-	off_t size;       /* bytes; 0 where it is not known */
-	struct piece
-	    rest; /* what was read behind the last whole line or point */
+	struct span
+	    text;   /* the unread part of a text in memory, or s is NULL */
+	int fd;     /* of a file */
+	off_t size; /* bytes; 0: unknown */
+	struct piece rest; /* bytes read after the last whole line or point */
 };
 
 struct point_source source_of_file(const char *name, int fd);
 
-/* Fills a piece, and says in its state what comes after it. Pieces are read in their
- * order, by one thread at a time. The read may wait for a stream. */
+/* Reads the next piece; may wait for a stream. Only one thread at a time may call it.
+ */
 void source_read(struct point_source *, const struct layout *, struct piece *);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* for sched_getaffinity, where there is one, and elsewhere for sysconf's count of
- * processors, which POSIX has not */
+/* Declare sched_getaffinity on Linux, and elsewhere _SC_NPROCESSORS_ONLN, which POSIX
+ * does not have. */
 #define _GNU_SOURCE
 #define _DARWIN_C_SOURCE
 #define __BSD_VISIBLE 1
@@ -16,9 +16,8 @@
 #include "../message/message.h"
 #include "answer.h"
 
-/* The size of a thread's stack, as systems give from 128 KB on. A map is 7 KB of
- * exact numbers, of which inspect makes some while others wait: it takes between 144
- * and 160 KB where gcc compiles with -O2, and less than 192 with -O0. */
+/* The size of a thread's stack in bytes. Systems give 128 KB or more. inspect needs up
+ * to 192 KB, as a map is 7 KB of exact numbers. */
 enum { STACK_SIZE = 1 << 20 };
 
 /* Returns as pthread_create does. */
@@ -53,49 +52,41 @@ void call_with_stack(void *(*run)(void *), void *with)
 	pthread_join(t, NULL);
 }
 
-/* A thread does the same again and again: in its turn it begins a chunk, which may
- * be to wait for a stream; it does the job on it; and if no thread is answering, it
- * answers all chunks that are done and next. So no thread waits for another to
- * answer, and no answer for the source.
+/* Each thread repeats three steps: it begins the next chunk, which reads from the
+ * source and may wait for it; it does the job on the chunk; and if no other thread is
+ * answering, it answers, in the order of the source, the chunks that are done. No
+ * thread waits until another has answered, and no answer waits for the source.
  *
- * A chunk is one thread's from its beginning until it is done, and from then on that
- * of the thread that answers. All else changes under the lock. */
+ * A chunk belongs to the thread that began it until it is done, then to the thread
+ * that answers. The lock protects everything else. */
 static struct {
-	/* These stay. */
+	/* constant after set_up */
 	struct job *job;
 	int most;              /* threads that may be started */
-	size_t n;              /* chunks that there may be */
-	struct chunk **chunk;  /* the k-th of the source is chunk[k % n] */
-	struct chunk **unused; /* those used last are last */
+	size_t n;              /* chunks that may exist */
+	struct chunk **chunk;  /* number k of the source is chunk[k % n] */
+	struct chunk **unused; /* a stack, so that few are used */
 
 	pthread_mutex_t lock;
 	pthread_cond_t changed;
-	int threads, idle; /* that were started; that wait */
+	int threads, idle; /* threads that were started; that wait */
 
-	/* Of the source in hand. */
+	/* the source that is read */
 	struct point_source *source;
-	bool open;                        /* there may be more */
-	bool first;                       /* no line that counts was read */
-	bool beginning, answering;        /* a thread is */
+	bool open;                        /* its end was not read yet */
+	bool first;                       /* see struct chunk */
+	bool beginning, answering;        /* a thread is doing so */
 	size_t begun, answered, n_unused; /* chunks */
 } ring = {
 	.lock = PTHREAD_MUTEX_INITIALIZER,
 	.changed = PTHREAD_COND_INITIALIZER,
 };
 
-/* may_begin to run_chunks are called with the lock held, and return with it. */
-static void lock(void)
-{
-	pthread_mutex_lock(&ring.lock);
-}
-
-static void unlock(void)
-{
-	pthread_mutex_unlock(&ring.lock);
-}
-
-/* Up to the first line that counts, one chunk after another is done, as only a csv
- * header tells where the columns are. */
+/* The functions from may_begin to run_chunks are called, and return, with the lock
+ * held.
+ *
+ * Returns whether a thread can begin a chunk. While first is true, each chunk waits for
+ * the one before it, which may have the csv header. */
 static bool may_begin(void)
 {
 	return ring.open && !ring.beginning && ring.n_unused > 0 &&
@@ -109,7 +100,7 @@ static bool is_finished(void)
 
 static void *work(void *);
 
-/* Lets one more thread begin a chunk, if it can. */
+/* Wakes or starts a thread, if it can begin a chunk. */
 static void call_thread(void)
 {
 	pthread_t t;
@@ -140,19 +131,19 @@ static struct chunk *begin_chunk(void)
 	c->first = ring.first;
 	c->done = false;
 	ring.beginning = true;
-	unlock();
+	pthread_mutex_unlock(&ring.lock);
 	source_read(ring.source, &ring.job->layout, &c->piece);
-	lock();
+	pthread_mutex_lock(&ring.lock);
 	ring.beginning = false;
 	ring.open = c->piece.state < PIECE_LAST;
 	ring.chunk[ring.begun++ % ring.n] = c;
-	/* where a stream has no more yet, this thread may be back in time */
+	/* this thread may be back before a slow stream has more */
 	if (c->piece.state != PIECE_EARLY)
 		call_thread();
 	return c;
 }
 
-/* Answers the chunks that are next, as far as they are done. */
+/* Answers the next chunks up to the first that is not done. */
 static void answer_done(void)
 {
 	struct chunk *c;
@@ -162,9 +153,9 @@ static void answer_done(void)
 	ring.answering = true;
 	while (ring.answered < ring.begun &&
 	    (c = ring.chunk[ring.answered % ring.n])->done) {
-		unlock();
+		pthread_mutex_unlock(&ring.lock);
 		answer_chunk(ring.job, c);
-		lock();
+		pthread_mutex_lock(&ring.lock);
 		ring.unused[ring.n_unused] = c;
 		ring.answered++;
 		if (ring.n_unused++ == 0)
@@ -173,7 +164,7 @@ static void answer_done(void)
 	ring.answering = false;
 }
 
-/* Does chunks, for ever or until the source is finished. */
+/* Does chunks, forever or until the source is finished. */
 static void run_chunks(bool forever)
 {
 	while (forever || !is_finished()) {
@@ -185,9 +176,9 @@ static void run_chunks(bool forever)
 		}
 		struct chunk *c = begin_chunk();
 
-		unlock();
+		pthread_mutex_unlock(&ring.lock);
 		job_do(ring.job, c);
-		lock();
+		pthread_mutex_lock(&ring.lock);
 		ring.first = c->first;
 		c->done = true;
 		answer_done();
@@ -198,14 +189,13 @@ static void run_chunks(bool forever)
 
 static void *work(void *unused)
 {
-	lock();
+	pthread_mutex_lock(&ring.lock);
 	run_chunks(true);
 	return unused;
 }
 
-/* Returns how many threads the job is given. More than one for each processor would
- * only take its caches from each other: a sixteenth more CPU time, and a tenth more
- * of the clock's. */
+/* Returns how many threads the job gets: at most one for each processor, as two would
+ * evict each other's data from its cache. */
 static int count_threads(int wanted)
 {
 	int processors = (int)sysconf(_SC_NPROCESSORS_ONLN);
@@ -222,7 +212,7 @@ static void set_up(struct job *j)
 {
 	ring.job = j;
 	ring.most = count_threads(j->threads) - 1;
-	/* one for each thread, and as many that wait to be answered */
+	/* one for each thread, and almost as many that wait for their answer */
 	ring.n = 2 * (size_t)ring.most + 1;
 	ring.n_unused = ring.n;
 	ring.chunk = xrealloc(NULL, ring.n * sizeof *ring.chunk);
@@ -234,7 +224,7 @@ static void set_up(struct job *j)
 static void stream(struct job *j, struct point_source *s)
 {
 	answer_source(s->size);
-	lock();
+	pthread_mutex_lock(&ring.lock);
 	if (ring.chunk == NULL)
 		set_up(j);
 	ring.source = s;
@@ -242,7 +232,7 @@ static void stream(struct job *j, struct point_source *s)
 	ring.first = !is_binary(j->layout.in.format);
 	ring.begun = ring.answered = 0;
 	run_chunks(false);
-	unlock();
+	pthread_mutex_unlock(&ring.lock);
 	free(s->rest.text);
 }
 
