@@ -122,17 +122,6 @@ bool has_points(const struct options *o, const struct document *d)
 	return o->n_points > 0 || d->points != NULL;
 }
 
-/* Returns what value k is called that is added to what was read: a coordinate, of a
- * ray, or the word of --flags. */
-static const char *added_name(const struct layout *l, int k)
-{
-	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };
-
-	return k == COORDINATES_MAX ? "flags" :
-	    l->writes > 4           ? ray[k] :
-				      coordinate_name(k);
-}
-
 /* Returns whether a member is added that has this name, or that this is a pointer to
  * or into. */
 static bool is_added(const struct layout *l, const char *path)
@@ -140,13 +129,10 @@ static bool is_added(const struct layout *l, const char *path)
 	const bool pointer = *path == '/';
 	const size_t n = pointer ? strcspn(path + 1, "/") : strlen(path);
 
-	for (int k = l->reads; k <= COORDINATES_MAX && !l->append; k++) {
-		const char *name = added_name(l, k);
-
-		if ((k < COORDINATES_MAX ? k < l->writes : l->flags) &&
-		    strlen(name) == n && strncmp(path + pointer, name, n) == 0)
+	for (int k = l->reads; k <= COORDINATES_MAX && !l->append; k++)
+		if (n > 0 && strlen(l->name[k]) == n &&
+		    strncmp(path + pointer, l->name[k], n) == 0)
 			return true;
-	}
 	return false;
 }
 
@@ -247,17 +233,19 @@ static void choose_kernels(void)
 		    cpu);
 }
 
-/* Names what --append adds: x, y, z and w of a space; and the direction of a ray. */
-static void name_added(struct layout *l, const char *space)
+/* Names what is written: by --append device_x, after the space of the images. */
+static void name_values(struct layout *l, const char *space)
 {
-	for (int k = 0; k < l->writes; k++) {
-		bool point = k < 3 || l->writes <= 4;
+	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };
 
-		snprintf(l->added[k], sizeof *l->added, "%s%s%s",
-		    point ? space : "", point ? "_" : "", added_name(l, k));
+	for (int k = 0; k < l->writes; k++) {
+		bool of_space = l->append && (k < 3 || l->writes <= 4);
+
+		snprintf(l->name[k], sizeof *l->name, "%s%s%s",
+		    of_space ? space : "", of_space ? "_" : "",
+		    l->writes > 4 ? ray[k] : coordinate_name(k));
 	}
-	if (l->flags)
-		strcpy(l->added[COORDINATES_MAX], "flags");
+	strcpy(l->name[COORDINATES_MAX], l->flags ? "flags" : "");
 }
 
 void prepare_job(struct job *j, const struct options *o)
@@ -283,10 +271,11 @@ void prepare_job(struct job *j, const struct options *o)
 		.single = o->precision == PRECISION_SINGLE,
 	};
 	j->layout.columns.by_header = o->columns.n == 0;
+	for (int k = 0; k < 4 && j->layout.columns.by_header; k++)
+		j->layout.columns.name[k] = coordinate_name(k);
 	for (int k = 0; k < COORDINATES_MAX; k++)
 		j->layout.style[k] = o->styles.style[k];
-	if (o->append)
-		name_added(&j->layout, j->space);
+	name_values(&j->layout, j->space);
 	j->precision = o->precision;
 	j->visible = o->visible;
 	j->keep_going = o->keep_going;

@@ -120,7 +120,7 @@ void choose(const struct layout *l, struct cut c, struct chosen *out)
 	memset(out->times, 0, sizeof out->times);
 	out->mixed = false;
 	for (int i = 0; i < l->reads && by_path; i++)
-		paths.to[i] = layout_path(l, i);
+		paths.to[i] = l->columns.name[i];
 	if (by_path)
 		choose_by_path(c, l->reads, &paths, out);
 	else
@@ -155,8 +155,8 @@ bool choose_clashes(const struct layout *l, struct cut c,
 
 	while (l->append && cut_next(&c, &f))
 		for (int k = 0; k <= COORDINATES_MAX; k++) {
-			struct span added = { l->added[k],
-				l->added[k] + strlen(l->added[k]) };
+			struct span added = { l->name[k],
+				l->name[k] + strlen(l->name[k]) };
 			struct span s = trimmed(c.in, f.value);
 			size_t n = (size_t)(added.end - added.s);
 
@@ -188,8 +188,8 @@ bool choose_may_clash(const struct layout *l, struct span line)
 	while ((line.s = memchr(line.s, '"', size)) != NULL) {
 		size = (size_t)(line.end - ++line.s);
 		for (int k = 0; k <= COORDINATES_MAX; k++)
-			if (size > 0 && *line.s == l->added[k][0] &&
-			    strncmp(line.s, l->added[k], strlen(l->added[k])) ==
+			if (size > 0 && *line.s == l->name[k][0] &&
+			    strncmp(line.s, l->name[k], strlen(l->name[k])) ==
 				0)
 				return true;
 	}

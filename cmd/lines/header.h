@@ -4,6 +4,7 @@
 #ifndef HEADER_H
 #define HEADER_H
 
+#include "cut.h"
 #include "line.h"
 
 /* Returns whether the first line, which begins with #, is no comment: # is its first
@@ -16,11 +17,14 @@ bool header_in_comment(const struct layout *, struct span text);
 bool header_read(struct layout *, struct span text, struct line *,
     char reason[REASON_MAX]);
 
+/* Returns whether the first row has more fields, but for an empty last one, than the
+ * header before it has names, by which coordinates are found: names may then stand above
+ * other columns than they mean. Writes the reason. */
+bool header_is_short(const struct layout *, struct cut row,
+    char reason[REASON_MAX]);
+
 /* Returns the names on the line: what follows the mark of a text and that of a
  * comment. */
 struct span header_names(struct dialect, struct span text);
-
-/* Finds the names of the coordinates in a header; s is NULL where there is none. */
-void header_places(const struct layout *, struct span text, struct span at[4]);
 
 #endif

@@ -19,9 +19,14 @@ enum { COORDINATES_MAX = 6 };
 struct columns {
 	int n; /* 0: the first fields are the coordinates, or the members x, y, z, w */
 	int field[4];
-	const char *name[4]; /* NULL if a field is given by its number */
-	bool by_header;      /* nobody said: the header's x, y, z, w */
+	/* NULL if a field is given by its number; x, y, z and w without --columns */
+	const char *name[4];
+	bool by_header; /* there is no --columns */
 };
+
+/* Which line of a source is still to come: the first that counts, or the first row
+ * behind a header. */
+enum first { FIRST_IS_READ, FIRST_LINE, FIRST_ROW };
 
 enum header { HEADER_MAYBE, HEADER_FIRST, HEADER_NONE };
 
@@ -32,10 +37,9 @@ struct layout {
 	struct columns columns;
 	int reads, writes; /* how many coordinates */
 	bool flags;        /* a word is written after them */
-	/* By --append, what is written stands behind the whole line, under these
-	 * names; those that are not needed are "". */
-	bool append;
-	char added[COORDINATES_MAX + 1][16];
+	bool append; /* what is written stands behind the whole line */
+	/* of the numbers that are written, and the word; "": there is none */
+	char name[COORDINATES_MAX + 1][16];
 	size_t fields; /* of the header, by --append; 0: there is none */
 	int record; /* numbers of a binary record; 0: the coordinates alone */
 	bool keeps; /* binary records are written whole */
@@ -141,31 +145,12 @@ static inline const char *coordinate_name(int i)
 	return names[i];
 }
 
-/* Returns the name or pointer of coordinate i in an object of JSON. */
-static inline const char *layout_path(const struct layout *l, int i)
-{
-	return l->columns.n > 0 ? l->columns.name[i] : coordinate_name(i);
-}
-
 /* Reads the coordinates v of a line. For a bad line, reason says what is wrong and
  * what would be right. While *first is true the source's first line that counts is
  * still to come: a byte order mark may stand before it, and in csv it may be a
  * header, which says in the layout where the columns are. */
-void line_read(struct layout *, struct span text, bool *first, struct line *,
+void line_read(struct layout *, struct span text, enum first *, struct line *,
     double v[4], char reason[REASON_MAX]);
-
-/* Writes v, number k, of which no text was made, and returns where it ends: in the
- * format's own word, if it is not known. */
-char *line_put_rare(const struct layout *, int k, double v, char *out);
-
-/* Writes v, number k, from its text. */
-static inline char *line_put(const struct layout *l, int k,
-    const struct number_text *text, double v, char *out)
-{
-	if (__builtin_expect(text->layout == 0, 0))
-		return line_put_rare(l, k, v, out);
-	return number_put(out, text, v, l->single, l->style[k]);
-}
 
 /* The most bytes that line_write may touch for so many lines of so many bytes
  * in all. */

@@ -10,7 +10,7 @@
 static void say_missing(const struct layout *l, int i, struct cut cut,
     const struct chosen *c, char reason[REASON_MAX])
 {
-	const char *path = cut.members ? layout_path(l, i) : NULL;
+	const char *path = cut.members ? l->columns.name[i] : NULL;
 	char word[ESCAPED_MAX];
 
 	if (path != NULL && c->times[i] > 1) {
@@ -75,7 +75,7 @@ static bool can_be_kept(const struct layout *l, bool members,
 	for (int i = 0; i < l->reads; i++)
 		if (c->times[i] > 1 ||
 		    (c->times[i] == 0 && members &&
-			!can_be_added(layout_path(l, i))))
+			!can_be_added(l->columns.name[i])))
 			return false;
 	return !choose_overlaps(l, c);
 }
@@ -98,7 +98,7 @@ static bool columns_fit(const struct layout *l, bool members,
 /* Finds the coordinates of a line and reads them. Its kind, which is LINE_LOST,
  * becomes LINE_POINT or LINE_BAD. */
 static void read_fields(const struct layout *l, struct span text,
-    struct line *line, double v[4], char reason[REASON_MAX])
+    bool first_row, struct line *line, double v[4], char reason[REASON_MAX])
 {
 	const struct format_row *in = format_of(l->in);
 	struct chosen c;
@@ -109,6 +109,10 @@ static void read_fields(const struct layout *l, struct span text,
 		return;
 	struct cut cut = cut_line(l->in, text);
 
+	if (first_row && header_is_short(l, cut, reason)) {
+		line->kind = LINE_REFUSED;
+		return;
+	}
 	if (cut.bracket != NULL && !columns_fit(l, cut.members, reason))
 		return;
 	if (cut.members && choose_clashes(l, cut, reason))
@@ -116,7 +120,7 @@ static void read_fields(const struct layout *l, struct span text,
 	choose(l, cut, &c);
 	bool ok = read_coordinates(l, cut, &c, v, reason);
 
-	if (ok && l->fields > 0 && choose_count(cut) != l->fields) {
+	if (ok && l->append && l->fields > 0 && choose_count(cut) != l->fields) {
 		ok = false;
 		snprintf(reason, REASON_MAX,
 		    "has %zu fields and the header %zu; --append would put the "
@@ -188,28 +192,30 @@ static bool is_comment(struct layout *l, struct span text, const char *s,
 		    format_is_old(l->in, text, reason)));
 }
 
-void line_read(struct layout *l, struct span text, bool *first,
+void line_read(struct layout *l, struct span text, enum first *first,
     struct line *line, double v[4], char reason[REASON_MAX])
 {
-	bool was_first = *first;
+	const enum first was = *first;
 
 	*line = (struct line){ .s = text.s,
 		.size = (uint32_t)(text.end - text.s),
 		.kind = LINE_COPY };
-	if (was_first) {
+	if (was == FIRST_LINE) {
 		text.s = skip_mark(text.s, text.end);
 		line->mark = text.s > line->s;
 	}
 	const char *s = skip_blanks(l->in, text.s, text.end);
 
-	if (s == text.end || is_comment(l, text, s, was_first))
+	if (s == text.end || is_comment(l, text, s, was == FIRST_LINE))
 		return;
-	*first = false;
 	line->kind = LINE_LOST;
-	if (was_first && !read_first_line(l, text, line, reason))
+	if (was == FIRST_LINE && !read_first_line(l, text, line, reason)) {
+		*first = line->kind == LINE_HEADER ? FIRST_ROW : FIRST_IS_READ;
 		return;
-	read_fields(l, text, line, v, reason);
-	if (was_first && line_is_bad(line) && format_of(l->in)->blanks &&
-	    l->columns.n == 0)
+	}
+	*first = FIRST_IS_READ;
+	read_fields(l, text, was == FIRST_ROW, line, v, reason);
+	if (was == FIRST_LINE && line_is_bad(line) &&
+	    format_of(l->in)->blanks && l->columns.n == 0)
 		say_text_header(l, text, reason);
 }

@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* A line on its way out: numbers take the place of others, or stand behind them. */
+/* Writes lines with other values. Values are numbered: COORDINATES_MAX numbers, and
+ * then the word. A point of the same format, none of whose coordinates goes, changes in
+ * place; all other lines are cut into fields again, and splice_fields or convert_line
+ * decides of each field whether it stays. */
 #include <math.h>
 #include <string.h>
 
@@ -8,41 +11,31 @@
 #include "choose.h"
 #include "header.h"
 
-/* The number of the word in the order of what is written. */
 enum { FLAGS = COORDINATES_MAX };
 
+/* A line that is being written. */
 struct splice {
 	const struct layout *l;
 	const struct line *line;
-	struct span at[4];             /* the coordinates; s is NULL: missing */
-	const struct numbers *numbers; /* NULL: the line is a header */
-	const struct word *flags;      /* NULL: none is written */
-	struct span separator;         /* before what is added */
-	const char *done;              /* the line up to here is dealt with */
+	const struct numbers *numbers; /* NULL: names are written, of a header */
+	const struct word *flags;
+	struct span separator; /* before what is added */
+	const char *done;      /* the line up to here is copied, or left out */
 	char *out;
-	unsigned put;  /* the values that were written, as bits */
-	size_t fields; /* how many fields are in out */
+	size_t fields;  /* how many fields are in out */
+	unsigned value; /* bit k: value k is written in this line ... */
+	unsigned put;   /* ... and is in out already */
 };
 
 size_t lines_room(const struct layout *l, size_t lines, size_t bytes)
 {
 	/* In another format a byte of a field may become six, as \u0001 in
 	 * JSON. Six for the separator after it are enough for a comma and two
-	 * quotes. Then for each value a separator, and a name in an object. */
+	 * quotes. The last ADDED_ROOM is for brackets and the newline. */
 	return (same_dialect(l->in, l->out) ? bytes : 6 * bytes) +
 	    lines *
-	    ((size_t)l->writes * (NUMBER_MAX + ADDED_ROOM) + ADDED_ROOM + 2 +
-		WORD_MAX + 2 + 1);
-}
-
-char *line_put_rare(const struct layout *l, int k, double v, char *out)
-{
-	const char *unknown = format_of(l->out)->unknown;
-
-	if (isnan(v))
-		return stpcpy(out, unknown);
-	return l->single ? number_write_float(out, (float)v, l->style[k]) :
-			   number_write(out, v, l->style[k]);
+	    ((size_t)l->writes * (NUMBER_MAX + ADDED_ROOM) + WORD_MAX +
+		2 * ADDED_ROOM);
 }
 
 static char *splice_text(char *out, const char *s, const char *end)
@@ -60,34 +53,44 @@ static void splice_to(struct splice *w, const char *s)
 	}
 }
 
-/* Returns what value k is called: a coordinate that is read, one that is added, or
- * the word. */
+/* Returns the name of value k: of a member that a bad object lacks, its path. */
 static const char *value_name(const struct splice *w, int k)
 {
-	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };
+	const struct layout *l = w->l;
 
-	if (w->l->append)
-		return w->l->added[k];
-	if (k == FLAGS)
-		return "flags";
-	if (k < w->l->reads && w->line->object && w->line->kind == LINE_BAD)
-		return layout_path(w->l, k);
-	return w->l->writes > 4 ? ray[k] : coordinate_name(k);
+	if (k < l->reads && w->line->object && w->line->kind == LINE_BAD &&
+	    !l->append)
+		return l->columns.name[k];
+	return l->name[k];
 }
 
-static bool is_written(const struct splice *w, int k)
+/* Returns whether value k is still to be written. */
+static bool is_due(const struct splice *w, int k)
 {
-	return k == FLAGS ? w->flags != NULL : k < w->l->writes;
+	return ((w->value & ~w->put) >> k & 1) != 0;
 }
 
-static char *put_word(const struct layout *l, const struct word *w, char *out)
+static inline char *put_word(const struct layout *l, const struct word *w,
+    char *out)
 {
 	bool quoted = *format_of(l->out)->open != '\0';
 
 	*out = '"';
-	out = splice_text(out + quoted, w->s, w->s + w->size);
+	memcpy(out + quoted, w->s, sizeof w->s);
+	out += quoted + w->size;
 	*out = '"';
 	return out + quoted;
+}
+
+static inline char *put_number(const struct layout *l, const struct numbers *n,
+    int k, char *out)
+{
+	const struct number_text *text = &n->text[(size_t)k * n->text_step];
+	double v = n->v[(size_t)k * n->step];
+
+	if (__builtin_expect(text->layout == 0, 0) && isnan(v))
+		return stpcpy(out, format_of(l->out)->unknown);
+	return number_put(out, text, v, l->single, l->style[k]);
 }
 
 static char *put_value(const struct splice *w, int k, char *out)
@@ -95,26 +98,25 @@ static char *put_value(const struct splice *w, int k, char *out)
 	const struct layout *l = w->l;
 
 	if (w->numbers == NULL)
-		return k < l->reads && w->at[k].s < w->at[k].end ?
-		    format_convert(l->in, l->out, w->at[k], out) :
+		return !l->append && k < l->reads &&
+			!is_missing(w->line->at[k]) ?
+		    format_convert(l->in, l->out, line_at(w->line, k), out) :
 		    stpcpy(out, value_name(w, k));
-	if (k < FLAGS)
-		return line_put(l, k,
-		    &w->numbers->text[(size_t)k * w->numbers->text_step],
-		    w->numbers->v[(size_t)k * w->numbers->step], out);
-	return put_word(l, w->flags, out);
+	return k < FLAGS ? put_number(l, w->numbers, k, out) :
+			   put_word(l, w->flags, out);
 }
 
-/* Writes every value from k on that was not written yet: behind a separator, but for
- * the first of the line, and in an object behind its name. */
+/* Writes the values from k on that are due: behind a separator, but for the first of
+ * the line, and in an object behind its name. */
 static void put_others(struct splice *w, int k, bool members)
 {
 	size_t gap = (size_t)(w->separator.end - w->separator.s);
+	unsigned due = (w->value & ~w->put) >> k << k;
 	char *out = w->out;
 
-	for (; k <= FLAGS; k++) {
-		if (!is_written(w, k) || (w->put >> k & 1) != 0)
-			continue;
+	w->put |= due;
+	for (; due != 0; due &= due - 1) {
+		k = __builtin_ctz(due);
 		if (w->fields++ > 0) {
 			*out = *w->separator.s;
 			if (gap > 1)
@@ -128,7 +130,6 @@ static void put_others(struct splice *w, int k, bool members)
 			*out++ = ':';
 		}
 		out = put_value(w, k, out);
-		w->put |= 1u << k;
 	}
 	w->out = out;
 }
@@ -136,9 +137,12 @@ static void put_others(struct splice *w, int k, bool members)
 /* Returns the coordinate that begins from s up to end, or -1. */
 static int coordinate_in(const struct splice *w, const char *s, const char *end)
 {
-	for (int i = 0; i < w->l->reads; i++)
-		if (w->at[i].s >= s && w->at[i].s <= end)
+	for (int i = 0; i < w->l->reads; i++) {
+		const char *at = line_at(w->line, i).s;
+
+		if (at >= s && at <= end && !is_missing(w->line->at[i]))
 			return i;
+	}
 	return -1;
 }
 
@@ -151,12 +155,11 @@ static int value_of(const struct splice *w, const struct field *f, bool outer)
 	if (f->name.s == NULL || !outer)
 		return i;
 	for (int k = w->l->reads; k <= FLAGS && i < 0; k++) {
-		if (!is_written(w, k))
-			continue;
 		const char *name = value_name(w, k);
 		struct span added = { name, name + strlen(name) };
 
-		if (json_is_name(f->name, added, false))
+		if ((w->value >> k & 1) != 0 &&
+		    json_is_name(f->name, added, false))
 			return k;
 	}
 	return i;
@@ -189,7 +192,7 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 	while (cut_next(&c, &f)) {
 		int k = value_of(w, &f, outer);
 
-		if (k >= 0 && (!is_written(w, k) || (w->put >> k & 1) != 0)) {
+		if (k >= 0 && !is_due(w, k)) {
 			struct span gone = cut_out(&f);
 
 			splice_to(w, gone.s);
@@ -209,7 +212,9 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 			w->separator = separator_at(w->l, &f);
 		w->put |= 1u << k;
 		if (w->numbers != NULL) {
-			struct span at = k < w->l->reads ? w->at[k] : f.value;
+			struct span at = k < w->l->reads ?
+			    line_at(w->line, k) :
+			    f.value;
 
 			splice_to(w, at.s);
 			w->out = put_value(w, k, w->out);
@@ -244,13 +249,6 @@ static struct cut cut_of(const struct layout *l, const struct line *line)
 	return c;
 }
 
-static void splice_places(struct splice *w)
-{
-	for (int i = 0; i < w->l->reads; i++)
-		if (!is_missing(w->line->at[i]))
-			w->at[i] = line_at(w->line, i);
-}
-
 static void splice(struct splice *w)
 {
 	const struct layout *l = w->l;
@@ -258,7 +256,7 @@ static void splice(struct splice *w)
 	struct cut c = cut_of(l, w->line);
 
 	for (int i = 0; i < l->reads; i++)
-		if (w->at[i].s == NULL || c.members)
+		if (is_missing(w->line->at[i]) || c.members)
 			last = -1; /* what is added stands at the end */
 	w->done = w->line->s;
 	splice_fields(w, c, true, last);
@@ -316,12 +314,13 @@ static char *put_rest_of_record(const struct layout *l, const struct line *line,
 
 /* Writes each field of the cut that holds no coordinate, or by --append each one,
  * behind a separator of the format out but for the first of the line. */
-static char *put_fields(struct splice *w, struct cut c, char *out)
+static void put_fields(struct splice *w, struct cut c)
 {
 	const struct layout *l = w->l;
 	/* csv's empty fields become "" in JSON, so that the fields after them keep
 	 * their place in the array */
 	bool empty = format_of(l->in)->header && !format_of(l->out)->blanks;
+	char *out = w->out;
 	struct field f;
 
 	while (cut_next(&c, &f)) {
@@ -333,79 +332,51 @@ static char *put_fields(struct splice *w, struct cut c, char *out)
 			*out++ = l->out.separator;
 		out = format_convert(l->in, l->out, f.whole, out);
 	}
-	return out;
+	w->out = out;
 }
 
-/* Writes all fields of a line that hold no coordinate. */
-static char *put_rest_of(struct splice *w, char *out)
+/* Writes all that is on a line but its coordinates. */
+static void put_rest(struct splice *w)
 {
-	return w->line->kind == LINE_LOST || w->line->object ?
-	    out :
-	    put_fields(w, cut_of(w->l, w->line), out);
+	const struct layout *l = w->l;
+	const struct line *line = w->line;
+	struct cut c = { .in = l->in, .end = line->s + line->size };
+
+	if (is_binary(l->in.format))
+		w->out = put_rest_of_record(l, line, w->out);
+	if (is_binary(l->in.format) || line->kind == LINE_LOST || line->object)
+		return;
+	if (line->kind != LINE_POINT || l->columns.n > 0 || l->append) {
+		put_fields(w, cut_of(l, line));
+		return;
+	}
+	/* nothing else stands before the coordinates */
+	if (*format_of(l->in)->open != '\0')
+		c.bracket = line->s;
+	cut_behind(&c, line_at(line, l->reads - 1).end);
+	if (format_of(l->in)->blanks && format_of(l->out)->blanks) {
+		struct span rest = trimmed(l->in,
+		    (struct span){ c.s != NULL ? c.s : c.end, c.end });
+
+		*w->out = ' ';
+		if (rest.s < rest.end)
+			w->out = splice_text(w->out + 1, rest.s, rest.end);
+	} else {
+		put_fields(w, c);
+	}
 }
 
 char *line_rest(const struct layout *l, const struct line *line, char *out)
 {
-	const struct format_row *in = format_of(l->in);
+	struct splice w = { .l = l, .line = line, .out = out, .fields = 1 };
 
-	if (is_binary(l->in.format))
-		return put_rest_of_record(l, line, out);
-	if (line->kind != LINE_POINT || line->object || l->columns.n > 0) {
-		struct splice w = { .l = l, .line = line, .fields = 1 };
-
-		splice_places(&w);
-		return put_rest_of(&w, out);
-	}
-	/* nothing else stands before the coordinates */
-	struct cut c = { .in = l->in,
-		.end = line->s + line->size,
-		.bracket = *in->open != '\0' ? line->s : NULL };
-
-	cut_behind(&c, line_at(line, l->reads - 1).end);
-	if (c.s == NULL)
-		return out;
-	if (in->blanks && format_of(l->out)->blanks) {
-		struct span rest = trimmed(l->in, (struct span){ c.s, c.end });
-
-		*out = ' ';
-		return rest.s < rest.end ?
-		    splice_text(out + 1, rest.s, rest.end) :
-		    out;
-	}
-	struct splice w = { .l = l, .line = line, .fields = 1 };
-
-	return put_fields(&w, c, out);
-}
-
-/* Writes a point in another format: its image, then all other fields. */
-static char *convert_point(const struct layout *l, const struct line *line,
-    const struct numbers *n, const struct word *flags, char *out)
-{
-	const struct format_row *to = format_of(l->out);
-	const struct number_text *text = n->text;
-	const double *v = n->v;
-
-	*out = *to->open;
-	out += *to->open != '\0';
-	for (int k = 0; k < l->writes;
-	     k++, text += n->text_step, v += n->step) {
-		*out = l->out.separator;
-		out = line_put(l, k, text, *v, out + (k > 0));
-	}
-	if (flags != NULL) {
-		*out = l->out.separator;
-		out = put_word(l, flags, out + 1);
-	}
-	out = line_rest(l, line, out);
-	*out = *to->close;
-	out += *to->close != '\0';
-	*out = '\n';
-	return out + line->newline;
+	put_rest(&w);
+	return w.out;
 }
 
 /* Writes the values first, then all other fields, or by --append the other way, as the
  * format out is another or the line can't be taken apart. */
-static void convert(struct splice *w)
+static void convert_line(struct splice *w)
 {
 	const struct layout *l = w->l;
 	char open = *format_of(l->out)->open, close = *format_of(l->out)->close;
@@ -416,68 +387,136 @@ static void convert(struct splice *w)
 	*w->out = members ? '{' : open;
 	w->out += open != '\0';
 	if (l->append)
-		w->out = put_rest_of(w, w->out);
+		put_rest(w);
 	put_others(w, 0, members);
 	if (!l->append)
-		w->out = put_rest_of(w, w->out);
+		put_rest(w);
 	*w->out = members ? '}' : close;
 	w->out += close != '\0';
 }
 
-/* Writes the names of what is added, and of what is kept. */
-static void write_header(struct splice *w)
+/* Sorts the coordinates of a line by where they stand. Returns whether they were in
+ * order. */
+static inline bool find_order(const struct line *line, int n, int order[4])
 {
-	static const struct word word = { "flags", 5 };
-	const struct layout *l = w->l;
+	bool sorted = true;
 
-	w->numbers = NULL;
-	w->flags = l->flags ? &word : NULL;
-	if (l->append) {
-		append(w);
-		return;
-	}
-	header_places(l, line_text(w->line), w->at);
-	if (same_dialect(l->in, l->out)) {
-		splice(w);
-		return;
-	}
+	for (int i = 1; i < n; i++)
+		for (int k = i; k > 0 &&
+		     line->at[order[k - 1]].from > line->at[order[k]].from;
+		     k--) {
+			int after = order[k];
+
+			order[k] = order[k - 1];
+			order[k - 1] = after;
+			sorted = false;
+		}
+	return sorted;
+}
+
+/* Returns whether what is added can follow the last of n coordinates at once: no quote
+ * and no name is needed, and the separator is the one byte before that coordinate. */
+static inline bool can_add_in_place(const struct layout *l,
+    const struct line *line, int n)
+{
+	uint32_t last = line->at[n - 1].to;
+
 	if (format_of(l->out)->blanks)
-		w->out = stpcpy(w->out, "# ");
-	convert(w);
+		return line->at[n - 1].from - line->at[n - 2].to == 1;
+	return !line->object &&
+	    (!format_of(l->out)->header || last == line->size ||
+		line->s[last] != '"');
+}
+
+/* Copies the line from done up to next; as most gaps are of one byte, a byte is copied
+ * even where there is none. */
+static inline char *put_gap(const struct line *line, uint32_t done,
+    uint32_t next, char *out)
+{
+	*out = line->s[done];
+	if (next - done > 1)
+		memcpy(out, line->s + done, next - done);
+	return out + (next - done);
+}
+
+/* Writes a point of which the coordinates, in that order, change where they stand, and
+ * what is added follows the last of them. */
+static inline char *write_in_place(const struct layout *l,
+    const struct line *line, const int order[4], const struct numbers *n,
+    const struct word *flags, char *out)
+{
+	uint32_t done = 0;
+	char separator = format_of(l->out)->blanks ?
+	    line->s[line->at[l->reads - 2].to] :
+	    l->out.separator;
+
+	for (int i = 0; i < l->reads; i++) {
+		int k = order[i];
+
+		out = put_gap(line, done, line->at[k].from, out);
+		out = put_number(l, n, k, out);
+		done = line->at[k].to;
+	}
+	for (int k = l->reads; k < l->writes; k++) {
+		*out++ = separator;
+		out = put_number(l, n, k, out);
+	}
+	if (flags != NULL) {
+		*out++ = separator;
+		out = put_word(l, flags, out);
+	}
+	out = put_gap(line, done, line->size, out);
+	*out = '\n';
+	return out + line->newline;
+}
+
+/* Writes a line that does not change in place. */
+static char *write_cut(const struct layout *l, const struct line *line,
+    const struct numbers *numbers, const struct word *flags, char *out)
+{
+	static const struct word name = { "flags", 5 };
+	bool header = line->kind == LINE_HEADER;
+	bool same = same_dialect(l->in, l->out);
+	struct splice w = { .l = l,
+		.line = line,
+		.numbers = header ? NULL : numbers,
+		.flags = header ? &name : flags,
+		.separator = { &l->in.separator, &l->in.separator + 1 },
+		.out = out,
+		.value = ((1u << l->writes) - 1) |
+		    (unsigned)l->flags << FLAGS };
+
+	if ((header || line->kind == LINE_COPY) &&
+	    (*format_of(l->in)->open != '\0' ||
+		*format_of(l->out)->open != '\0'))
+		return out;
+	if (header && !same && format_of(l->out)->blanks)
+		w.out = stpcpy(w.out, "# ");
+	if (line->kind == LINE_COPY)
+		w.out = splice_text(out, line->s, line->s + line->size);
+	else if (line->kind == LINE_LOST || !same)
+		convert_line(&w);
+	else if (l->append)
+		append(&w);
+	else
+		splice(&w);
+	*w.out = '\n';
+	return w.out + line->newline;
 }
 
 char *line_write(const struct layout *l, const struct line *line,
     const struct numbers *numbers, const struct word *flags, char *out)
 {
-	if (line->kind == LINE_POINT && !l->append &&
-	    !same_dialect(l->in, l->out))
-		return convert_point(l, line, numbers, flags, out);
-	struct splice w = { .l = l,
-		.line = line,
-		.numbers = numbers,
-		.flags = flags,
-		.separator = { &l->in.separator, &l->in.separator + 1 },
-		.out = out };
-	bool copy = line->kind == LINE_COPY, header = line->kind == LINE_HEADER;
+	int order[4] = { 0, 1, 2, 3 };
 
-	if ((copy || header) &&
-	    (*format_of(l->in)->open != '\0' ||
-		*format_of(l->out)->open != '\0'))
-		return out;
-	if (copy) {
-		w.out = splice_text(out, line->s, line->s + line->size);
-	} else if (header) {
-		write_header(&w);
-	} else {
-		splice_places(&w);
-		if (line->kind == LINE_LOST || !same_dialect(l->in, l->out))
-			convert(&w);
-		else if (l->append)
-			append(&w);
-		else
-			splice(&w);
+	if (line->kind == LINE_POINT && same_dialect(l->in, l->out) &&
+	    l->reads <= l->writes && !l->append) {
+		bool adds = l->flags || l->reads < l->writes;
+		bool sorted = find_order(line, l->reads, order);
+
+		if (!adds || (sorted && can_add_in_place(l, line, l->reads)))
+			return write_in_place(l, line, order, numbers, flags,
+			    out);
 	}
-	if (line->newline)
-		*w.out++ = '\n';
-	return w.out;
+	return write_cut(l, line, numbers, flags, out);
 }

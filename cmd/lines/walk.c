@@ -51,7 +51,7 @@ bool walk_plan(const struct layout *l, struct walk *w)
 	for (int i = 0; i < l->reads; i++)
 		w->field[i] = layout_field(l, i);
 	for (int i = 0; i < l->reads && w->objects; i++) {
-		const char *name = layout_path(l, i);
+		const char *name = l->columns.name[i];
 		bool pointer = *name == '/';
 
 		name += pointer;

@@ -107,7 +107,8 @@ size_t block_read(struct job *j, struct chunk *c, size_t *points)
 	struct walk walk;
 
 	while (more && b.lines < POINTS_BLOCK && c->text < c->end) {
-		/* only after a header it is known where the columns are */
+		/* a header says where the columns are; the row behind it is
+		 * compared with it */
 		if (!planned && !c->first) {
 			planned = true;
 			walks = plain_reader() != NULL &&

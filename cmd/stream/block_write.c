@@ -20,9 +20,6 @@ struct block {
 	const struct job *job;
 	struct chunk *chunk;
 	size_t points;
-	bool in_place; /* numbers change where they stand */
-	bool adds;     /* numbers or a word follow those that were read */
-	int order[4];  /* in which coordinates stand on the line before */
 	unsigned char
 	    outside[POINTS_BLOCK]; /* the planes each point is outside of */
 	struct texts texts;
@@ -75,161 +72,31 @@ const struct word *word_for(struct chunk *c, unsigned outside)
 	return w;
 }
 
-/* Returns whether the n coordinates of a line stand in their order. */
-static inline bool is_in_order(const struct line *line, int n)
-{
-	for (int k = 1; k < n; k++)
-		if (line->at[k].from < line->at[k - 1].from)
-			return false;
-	return true;
-}
-
-/* Finds the order in which they stand, most often that of the line before. */
-static void find_order(const struct line *line, int n, int order[4])
-{
-	for (int i = 1; i < n; i++)
-		for (int k = i; k > 0 &&
-		     line->at[order[k - 1]].from > line->at[order[k]].from;
-		     k--) {
-			int after = order[k];
-
-			order[k] = order[k - 1];
-			order[k - 1] = after;
-		}
-}
-
-/* Returns whether what is added behind the last of n numbers, which stand in their
- * order, has the usual separator before it, and no quote. */
-static inline bool takes_more(const struct layout *l, const struct line *line,
-    int n)
-{
-	uint32_t last = line->at[n - 1].to;
-
-	if (format_of(l->out)->blanks)
-		return line->at[n - 1].from - line->at[n - 2].to == 1;
-	return !line->object &&
-	    (!format_of(l->out)->header || last == line->size ||
-		line->s[last] != '"');
-}
-
-/* Returns that separator. */
-static inline char separator(const struct layout *l, const struct line *line,
-    int n)
-{
-	return format_of(l->out)->blanks ? line->s[line->at[n - 2].to] :
-					   l->out.separator;
-}
-
-static inline char *put_word(const struct layout *l, const struct word *w,
-    char *at)
-{
-	bool quoted = *format_of(l->out)->open != '\0';
-
-	*at = '"';
-	memcpy(at + quoted, w->s, sizeof w->s);
-	at += quoted + w->size;
-	*at = '"';
-	return at + quoted;
-}
-
-/* Writes coordinate k of the image of point p. */
-static inline char *block_put_number(const struct block *b, int k, size_t p,
-    char *at)
-{
-	return line_put(&b->job->layout, k, &b->texts.text[k][p % BATCH],
-	    b->chunk->image[k][p], at);
-}
-
-/* Copies the line from done up to what is next; as most gaps are of one byte, a byte
- * is copied even where there is none. */
-static inline char *put_gap(const struct line *line, uint32_t done,
-    uint32_t next, char *at)
-{
-	*at = line->s[done];
-	if (next - done > 1)
-		memcpy(at, line->s + done, next - done);
-	return at + (next - done);
-}
-
-/* Writes what line_write would where numbers change in place, in an order of their
- * own or NULL, and what is added follows them, without a look at what cannot be. */
-static inline __attribute__((always_inline)) char *put_in_place(struct block *b,
-    const struct line *line, const int *order, size_t p, char *at)
-{
-	const struct layout *l = &b->job->layout;
-	uint32_t done = 0;
-
-	for (int i = 0; i < l->reads; i++) {
-		int k = order != NULL ? order[i] : i;
-
-		at = put_gap(line, done, line->at[k].from, at);
-		at = block_put_number(b, k, p, at);
-		done = line->at[k].to;
-	}
-	for (int k = l->reads; k < l->writes; k++) {
-		*at++ = separator(l, line, l->reads);
-		at = block_put_number(b, k, p, at);
-	}
-	if (l->flags) {
-		*at++ = separator(l, line, l->reads);
-		at = put_word(l, word_for(b->chunk, b->outside[p]), at);
-	}
-	at = put_gap(line, done, line->size, at);
-	*at = '\n';
-	return at + line->newline;
-}
-
-/* Writes the line of point p with its image. */
-static char *block_put_image(struct block *b, const struct line *line, size_t p,
-    char *at)
-{
-	const struct layout *l = &b->job->layout;
-
-	need_texts(b, p);
-	if (b->in_place && is_in_order(line, l->reads) &&
-	    (!b->adds || takes_more(l, line, l->reads)))
-		return put_in_place(b, line, NULL, p, at);
-	if (b->in_place && !b->adds) {
-		find_order(line, l->reads, b->order);
-		return put_in_place(b, line, b->order, p, at);
-	}
-	const struct numbers n = { &b->chunk->image[0][p],
-		&b->texts.text[0][p % BATCH], POINTS_BLOCK, BATCH };
-
-	return line_write(l, line, &n,
-	    l->flags ? word_for(b->chunk, b->outside[p]) : NULL, at);
-}
-
-/* Writes a line that is no point: a comment or a header as it is, a bad line as
- * nan in each coordinate. */
-static char *put_other(const struct layout *l, const struct line *line,
+/* Writes a line, or the binary point in its place: with the image of point p if the
+ * line is a point, with nan in each coordinate if it is bad. */
+static char *put_line(struct block *b, const struct line *line, size_t p,
     char *at)
 {
 	static const double nan = (double)NAN;
 	static const struct number_text none = { .layout = 0 };
-	static const struct word flag = { "nan", 3 };
-	const struct numbers n = { &nan, &none, 0, 0 };
-
-	return line_write(l, line, &n,
-	    line_is_bad(line) && l->flags ? &flag : NULL, at);
-}
-
-/* Writes a line, or the binary point that takes its place. If it is a point, that is
- * point p. */
-static char *put_line(struct block *b, const struct line *line, size_t p,
-    char *at)
-{
 	const struct job *j = b->job;
+	const struct layout *l = &j->layout;
 	bool point = line->kind == LINE_POINT, bad = line_is_bad(line);
+	unsigned outside = point && (l->flags || j->visible) ? b->outside[p] :
+							       OUT_NAN;
+	struct numbers n = { &nan, &none, 0, 0 };
 
-	if (j->visible && (point ? b->outside[p] != 0 : bad))
+	if (j->visible && (point || bad) && outside != 0)
 		return at;
-	if (is_binary(j->layout.out.format))
-		return point || bad ?
-		    binary_put(&j->layout, b->chunk, line, p, at) :
-		    at;
-	return point ? block_put_image(b, line, p, at) :
-		       put_other(&j->layout, line, at);
+	if (is_binary(l->out.format))
+		return point || bad ? binary_put(l, b->chunk, line, p, at) : at;
+	if (point) {
+		need_texts(b, p);
+		n = (struct numbers){ &b->chunk->image[0][p],
+			&b->texts.text[0][p % BATCH], POINTS_BLOCK, BATCH };
+	}
+	return line_write(l, line, &n,
+	    l->flags ? word_for(b->chunk, outside) : NULL, at);
 }
 
 /* Writes lines i to end - 1 of the chunk's, whose first point is p. Returns the point
@@ -305,11 +172,6 @@ void block_write(const struct job *j, struct chunk *c, size_t n, size_t points,
 	b.chunk = c;
 	b.points = points;
 	b.texts.from = SIZE_MAX;
-	for (int k = 0; k < 4; k++)
-		b.order[k] = k;
-	b.adds = l->flags || l->reads < l->writes;
-	b.in_place = same_dialect(l->in, l->out) && l->reads <= l->writes &&
-	    !l->append;
 	mark(j, c, n, points, number);
 	if (l->flags || j->visible)
 		frustum_out_all(&j->frustum, in, b.outside, points);

@@ -25,7 +25,7 @@ struct chunk {
 	struct piece piece;
 	const char *text, *end; /* what is left to read */
 	size_t n_lines;         /* read so far */
-	bool first;   /* the first line that counts is still to come */
+	enum first first; /* which line is still to come */
 	bool refused; /* a header says that no line can be read */
 	bool done;    /* it waits to be answered */
 

@@ -75,7 +75,7 @@ static struct {
 	/* Of the source in hand. */
 	struct point_source *source;
 	bool open;                        /* there may be more */
-	bool first;                       /* no line that counts was read */
+	enum first first;                 /* which line is still to come */
 	bool beginning, answering;        /* a thread is */
 	size_t begun, answered, n_unused; /* chunks */
 } ring = {
@@ -94,7 +94,7 @@ static void unlock(void)
 	pthread_mutex_unlock(&ring.lock);
 }
 
-/* Up to the first line that counts, one chunk after another is done, as only a csv
+/* Up to the first row, one chunk after another is done, as only a csv
  * header tells where the columns are. */
 static bool may_begin(void)
 {
@@ -239,7 +239,8 @@ static void stream(struct job *j, struct point_source *s)
 		set_up(j);
 	ring.source = s;
 	ring.open = true;
-	ring.first = !is_binary(j->layout.in.format);
+	ring.first = is_binary(j->layout.in.format) ? FIRST_IS_READ :
+							  FIRST_LINE;
 	ring.begun = ring.answered = 0;
 	run_chunks(false);
 	unlock();
