@@ -295,6 +295,7 @@ static void do_json(struct job *j, const char *name, const char *text,
 
 	j->layout.in = dialect_of(FORMAT_JSON, ',');
 	j->layout.columns.n = 0;
+	j->layout.fields = 0;
 	stream_text(j, name, text, size);
 	j->layout = of_files;
 }

@@ -152,6 +152,10 @@ static inline const char *coordinate_name(int i)
 void line_read(struct layout *, struct span text, enum first *, struct line *,
     double v[4], char reason[REASON_MAX]);
 
+/* Writes v, which is number k and has no text; nan as the format's word for a number
+ * that is not known. Returns where it ends. */
+char *line_put_rare(const struct layout *, int k, double v, char *out);
+
 /* The most bytes that line_write may touch for so many lines of so many bytes
  * in all. */
 size_t lines_room(const struct layout *, size_t lines, size_t bytes);

@@ -10,6 +10,7 @@
 #include "../json/text.h"
 #include "choose.h"
 #include "header.h"
+#include "in_place.h"
 
 enum { FLAGS = COORDINATES_MAX };
 
@@ -36,6 +37,14 @@ size_t lines_room(const struct layout *l, size_t lines, size_t bytes)
 	    lines *
 	    ((size_t)l->writes * (NUMBER_MAX + ADDED_ROOM) + WORD_MAX +
 		2 * ADDED_ROOM);
+}
+
+char *line_put_rare(const struct layout *l, int k, double v, char *out)
+{
+	if (isnan(v))
+		return stpcpy(out, format_of(l->out)->unknown);
+	return l->single ? number_write_float(out, (float)v, l->style[k]) :
+			   number_write(out, v, l->style[k]);
 }
 
 static char *splice_text(char *out, const char *s, const char *end)
@@ -70,29 +79,6 @@ static bool is_due(const struct splice *w, int k)
 	return ((w->value & ~w->put) >> k & 1) != 0;
 }
 
-static inline char *put_word(const struct layout *l, const struct word *w,
-    char *out)
-{
-	bool quoted = *format_of(l->out)->open != '\0';
-
-	*out = '"';
-	memcpy(out + quoted, w->s, sizeof w->s);
-	out += quoted + w->size;
-	*out = '"';
-	return out + quoted;
-}
-
-static inline char *put_number(const struct layout *l, const struct numbers *n,
-    int k, char *out)
-{
-	const struct number_text *text = &n->text[(size_t)k * n->text_step];
-	double v = n->v[(size_t)k * n->step];
-
-	if (__builtin_expect(text->layout == 0, 0) && isnan(v))
-		return stpcpy(out, format_of(l->out)->unknown);
-	return number_put(out, text, v, l->single, l->style[k]);
-}
-
 static char *put_value(const struct splice *w, int k, char *out)
 {
 	const struct layout *l = w->l;
@@ -102,7 +88,7 @@ static char *put_value(const struct splice *w, int k, char *out)
 			!is_missing(w->line->at[k]) ?
 		    format_convert(l->in, l->out, line_at(w->line, k), out) :
 		    stpcpy(out, value_name(w, k));
-	return k < FLAGS ? put_number(l, w->numbers, k, out) :
+	return k < FLAGS ? put_number(l, *w->numbers, k, out) :
 			   put_word(l, w->flags, out);
 }
 
@@ -335,42 +321,42 @@ static void put_fields(struct splice *w, struct cut c)
 	w->out = out;
 }
 
-/* Writes all that is on a line but its coordinates. */
+/* Writes all fields of a line that hold no coordinate. */
 static void put_rest(struct splice *w)
 {
-	const struct layout *l = w->l;
-	const struct line *line = w->line;
-	struct cut c = { .in = l->in, .end = line->s + line->size };
-
-	if (is_binary(l->in.format))
-		w->out = put_rest_of_record(l, line, w->out);
-	if (is_binary(l->in.format) || line->kind == LINE_LOST || line->object)
-		return;
-	if (line->kind != LINE_POINT || l->columns.n > 0 || l->append) {
-		put_fields(w, cut_of(l, line));
-		return;
-	}
-	/* nothing else stands before the coordinates */
-	if (*format_of(l->in)->open != '\0')
-		c.bracket = line->s;
-	cut_behind(&c, line_at(line, l->reads - 1).end);
-	if (format_of(l->in)->blanks && format_of(l->out)->blanks) {
-		struct span rest = trimmed(l->in,
-		    (struct span){ c.s != NULL ? c.s : c.end, c.end });
-
-		*w->out = ' ';
-		if (rest.s < rest.end)
-			w->out = splice_text(w->out + 1, rest.s, rest.end);
-	} else {
-		put_fields(w, c);
-	}
+	if (w->line->kind != LINE_LOST && !w->line->object)
+		put_fields(w, cut_of(w->l, w->line));
 }
 
 char *line_rest(const struct layout *l, const struct line *line, char *out)
 {
+	struct cut c = { .in = l->in, .end = line->s + line->size };
+	bool first = line->kind == LINE_POINT && !line->object &&
+	    l->columns.n == 0;
+
+	if (is_binary(l->in.format))
+		return put_rest_of_record(l, line, out);
+	if (first) {
+		/* no other field stands before the coordinates */
+		c.bracket = *format_of(l->in)->open != '\0' ? line->s : NULL;
+		cut_behind(&c, line_at(line, l->reads - 1).end);
+		if (c.s == NULL)
+			return out;
+	}
+	if (first && format_of(l->in)->blanks && format_of(l->out)->blanks) {
+		struct span rest = trimmed(l->in, (struct span){ c.s, c.end });
+
+		*out = ' ';
+		return rest.s < rest.end ?
+		    splice_text(out + 1, rest.s, rest.end) :
+		    out;
+	}
 	struct splice w = { .l = l, .line = line, .out = out, .fields = 1 };
 
-	put_rest(&w);
+	if (first)
+		put_fields(&w, c);
+	else
+		put_rest(&w);
 	return w.out;
 }
 
@@ -395,88 +381,42 @@ static void convert_line(struct splice *w)
 	w->out += close != '\0';
 }
 
-/* Sorts the coordinates of a line by where they stand. Returns whether they were in
- * order. */
-static inline bool find_order(const struct line *line, int n, int order[4])
+/* Writes a point in another format: its image, then all other fields. */
+static char *convert_point(const struct layout *l, const struct line *line,
+    struct numbers n, const struct word *flags, char *out)
 {
-	bool sorted = true;
+	const struct format_row *to = format_of(l->out);
 
-	for (int i = 1; i < n; i++)
-		for (int k = i; k > 0 &&
-		     line->at[order[k - 1]].from > line->at[order[k]].from;
-		     k--) {
-			int after = order[k];
-
-			order[k] = order[k - 1];
-			order[k - 1] = after;
-			sorted = false;
-		}
-	return sorted;
-}
-
-/* Returns whether what is added can follow the last of n coordinates at once: no quote
- * and no name is needed, and the separator is the one byte before that coordinate. */
-static inline bool can_add_in_place(const struct layout *l,
-    const struct line *line, int n)
-{
-	uint32_t last = line->at[n - 1].to;
-
-	if (format_of(l->out)->blanks)
-		return line->at[n - 1].from - line->at[n - 2].to == 1;
-	return !line->object &&
-	    (!format_of(l->out)->header || last == line->size ||
-		line->s[last] != '"');
-}
-
-/* Copies the line from done up to next; as most gaps are of one byte, a byte is copied
- * even where there is none. */
-static inline char *put_gap(const struct line *line, uint32_t done,
-    uint32_t next, char *out)
-{
-	*out = line->s[done];
-	if (next - done > 1)
-		memcpy(out, line->s + done, next - done);
-	return out + (next - done);
-}
-
-/* Writes a point of which the coordinates, in that order, change where they stand, and
- * what is added follows the last of them. */
-static inline char *write_in_place(const struct layout *l,
-    const struct line *line, const int order[4], const struct numbers *n,
-    const struct word *flags, char *out)
-{
-	uint32_t done = 0;
-	char separator = format_of(l->out)->blanks ?
-	    line->s[line->at[l->reads - 2].to] :
-	    l->out.separator;
-
-	for (int i = 0; i < l->reads; i++) {
-		int k = order[i];
-
-		out = put_gap(line, done, line->at[k].from, out);
-		out = put_number(l, n, k, out);
-		done = line->at[k].to;
-	}
-	for (int k = l->reads; k < l->writes; k++) {
-		*out++ = separator;
-		out = put_number(l, n, k, out);
+	*out = *to->open;
+	out += *to->open != '\0';
+	for (int k = 0; k < l->writes; k++) {
+		*out = l->out.separator;
+		out = put_number(l, n, k, out + (k > 0));
 	}
 	if (flags != NULL) {
-		*out++ = separator;
-		out = put_word(l, flags, out);
+		*out = l->out.separator;
+		out = put_word(l, flags, out + 1);
 	}
-	out = put_gap(line, done, line->size, out);
+	out = line_rest(l, line, out);
+	*out = *to->close;
+	out += *to->close != '\0';
 	*out = '\n';
 	return out + line->newline;
 }
 
-/* Writes a line that does not change in place. */
-static char *write_cut(const struct layout *l, const struct line *line,
+char *line_write(const struct layout *l, const struct line *line,
     const struct numbers *numbers, const struct word *flags, char *out)
 {
 	static const struct word name = { "flags", 5 };
 	bool header = line->kind == LINE_HEADER;
 	bool same = same_dialect(l->in, l->out);
+
+	if (line->kind == LINE_POINT && !same && !l->append)
+		return convert_point(l, line, *numbers, flags, out);
+	if ((header || line->kind == LINE_COPY) &&
+	    (*format_of(l->in)->open != '\0' ||
+		*format_of(l->out)->open != '\0'))
+		return out;
 	struct splice w = { .l = l,
 		.line = line,
 		.numbers = header ? NULL : numbers,
@@ -486,10 +426,6 @@ static char *write_cut(const struct layout *l, const struct line *line,
 		.value = ((1u << l->writes) - 1) |
 		    (unsigned)l->flags << FLAGS };
 
-	if ((header || line->kind == LINE_COPY) &&
-	    (*format_of(l->in)->open != '\0' ||
-		*format_of(l->out)->open != '\0'))
-		return out;
 	if (header && !same && format_of(l->out)->blanks)
 		w.out = stpcpy(w.out, "# ");
 	if (line->kind == LINE_COPY)
@@ -502,21 +438,4 @@ static char *write_cut(const struct layout *l, const struct line *line,
 		splice(&w);
 	*w.out = '\n';
 	return w.out + line->newline;
-}
-
-char *line_write(const struct layout *l, const struct line *line,
-    const struct numbers *numbers, const struct word *flags, char *out)
-{
-	int order[4] = { 0, 1, 2, 3 };
-
-	if (line->kind == LINE_POINT && same_dialect(l->in, l->out) &&
-	    l->reads <= l->writes && !l->append) {
-		bool adds = l->flags || l->reads < l->writes;
-		bool sorted = find_order(line, l->reads, order);
-
-		if (!adds || (sorted && can_add_in_place(l, line, l->reads)))
-			return write_in_place(l, line, order, numbers, flags,
-			    out);
-	}
-	return write_cut(l, line, numbers, flags, out);
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../lines/in_place.h"
 #include "job.h"
 
 enum { BATCH = NUMBER_BATCH };
@@ -20,6 +21,9 @@ struct block {
 	const struct job *job;
 	struct chunk *chunk;
 	size_t points;
+	bool in_place; /* numbers change where they stand */
+	bool adds;     /* numbers or a word follow those that were read */
+	int order[4];  /* of the coordinates on the line before */
 	unsigned char
 	    outside[POINTS_BLOCK]; /* the planes each point is outside of */
 	struct texts texts;
@@ -72,6 +76,34 @@ const struct word *word_for(struct chunk *c, unsigned outside)
 	return w;
 }
 
+/* Returns the image of point p. */
+static inline struct numbers image_of(const struct block *b, size_t p)
+{
+	return (struct numbers){ &b->chunk->image[0][p],
+		&b->texts.text[0][p % BATCH], POINTS_BLOCK, BATCH };
+}
+
+/* Writes the line of point p with its image. */
+static char *put_image(struct block *b, const struct line *line, size_t p,
+    char *at)
+{
+	const struct layout *l = &b->job->layout;
+	const struct word *flags = l->flags ?
+	    word_for(b->chunk, b->outside[p]) :
+	    NULL;
+	need_texts(b, p);
+	if (b->in_place && is_in_order(line, l->reads) &&
+	    (!b->adds || can_add_in_place(l, line, l->reads)))
+		return write_in_place(l, line, NULL, image_of(b, p), flags, at);
+	if (!b->in_place || b->adds) {
+		const struct numbers n = image_of(b, p);
+
+		return line_write(l, line, &n, flags, at);
+	}
+	find_order(line, l->reads, b->order);
+	return write_in_place(l, line, b->order, image_of(b, p), flags, at);
+}
+
 /* Writes a line, or the binary point in its place: with the image of point p if the
  * line is a point, with nan in each coordinate if it is bad. */
 static char *put_line(struct block *b, const struct line *line, size_t p,
@@ -79,24 +111,19 @@ static char *put_line(struct block *b, const struct line *line, size_t p,
 {
 	static const double nan = (double)NAN;
 	static const struct number_text none = { .layout = 0 };
+	const struct numbers n = { &nan, &none, 0, 0 };
 	const struct job *j = b->job;
-	const struct layout *l = &j->layout;
 	bool point = line->kind == LINE_POINT, bad = line_is_bad(line);
-	unsigned outside = point && (l->flags || j->visible) ? b->outside[p] :
-							       OUT_NAN;
-	struct numbers n = { &nan, &none, 0, 0 };
 
-	if (j->visible && (point || bad) && outside != 0)
+	if (j->visible && (point ? b->outside[p] != 0 : bad))
 		return at;
-	if (is_binary(l->out.format))
-		return point || bad ? binary_put(l, b->chunk, line, p, at) : at;
-	if (point) {
-		need_texts(b, p);
-		n = (struct numbers){ &b->chunk->image[0][p],
-			&b->texts.text[0][p % BATCH], POINTS_BLOCK, BATCH };
-	}
-	return line_write(l, line, &n,
-	    l->flags ? word_for(b->chunk, outside) : NULL, at);
+	if (is_binary(j->layout.out.format))
+		return point || bad ?
+		    binary_put(&j->layout, b->chunk, line, p, at) :
+		    at;
+	return point ? put_image(b, line, p, at) :
+		       line_write(&j->layout, line, &n,
+			   word_for(b->chunk, OUT_NAN), at);
 }
 
 /* Writes lines i to end - 1 of the chunk's, whose first point is p. Returns the point
@@ -172,6 +199,11 @@ void block_write(const struct job *j, struct chunk *c, size_t n, size_t points,
 	b.chunk = c;
 	b.points = points;
 	b.texts.from = SIZE_MAX;
+	for (int k = 0; k < 4; k++)
+		b.order[k] = k;
+	b.adds = l->flags || l->reads < l->writes;
+	b.in_place = same_dialect(l->in, l->out) && l->reads <= l->writes &&
+	    !l->append;
 	mark(j, c, n, points, number);
 	if (l->flags || j->visible)
 		frustum_out_all(&j->frustum, in, b.outside, points);
