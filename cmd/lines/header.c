@@ -10,8 +10,8 @@
 #include "choose.h"
 #include "say.h"
 
-/* A # is a field of its own where a separator follows; a blank separates it from
- * nothing, as in "# x y z". */
+/* A # before a separator is a field of its own, and no comment; but where blanks
+ * separate, "# x y z" is a comment. */
 struct span header_names(struct dialect d, struct span text)
 {
 	text.s = skip_mark(text.s, text.end);
@@ -29,8 +29,8 @@ struct span header_names(struct dialect d, struct span text)
 	return text;
 }
 
-/* Returns the number of the first field with that name, or -1. Names that nobody typed
- * are found in either case. */
+/* Returns the number of the first field with that name, or -1. Without --columns, X is
+ * x, too. */
 static int find_name(const struct layout *l, struct span header,
     const char *name)
 {
@@ -100,8 +100,8 @@ static bool begins_with_digit(struct span f)
 	return f.s < f.end && isdigit((unsigned char)*f.s);
 }
 
-/* Returns whether none of the coordinates is a number; and not all of them begin as
- * one, as 1,5 does, or are missing values. */
+/* Returns whether no coordinate is a number; and not all are missing values, nor do all
+ * begin with a digit, as decimal commas do. */
 static bool looks_like_header(const struct layout *l, struct span text)
 {
 	bool unknown = true, odd = true;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The usual point on its way out: its coordinates change where they stand. */
+/* Writes a point in its own format where numbers alone change: each number replaces the
+ * coordinate at its place. Inline, as most points are written so. */
 #ifndef IN_PLACE_H
 #define IN_PLACE_H
 
@@ -7,6 +8,7 @@
 
 #include "line.h"
 
+/* Writes the word of --flags, in JSON with quotes. Copies WORD_MAX bytes. */
 static inline char *put_word(const struct layout *l, const struct word *w,
     char *out)
 {
@@ -19,6 +21,7 @@ static inline char *put_word(const struct layout *l, const struct word *w,
 	return out + quoted;
 }
 
+/* Writes number k. */
 static inline char *put_number(const struct layout *l, struct numbers n,
     int k, char *out)
 {
@@ -30,7 +33,7 @@ static inline char *put_number(const struct layout *l, struct numbers n,
 	return number_put(out, text, v, l->single, l->style[k]);
 }
 
-/* Returns whether the n coordinates of a line stand in their order. */
+/* Returns whether x comes first on the line, then y and so on. */
 static inline bool is_in_order(const struct line *line, int n)
 {
 	for (int k = 1; k < n; k++)
@@ -39,7 +42,7 @@ static inline bool is_in_order(const struct line *line, int n)
 	return true;
 }
 
-/* Sorts the coordinates of a line by where they stand. */
+/* Sorts order[], the numbers of n coordinates, by their places on the line. */
 static inline void find_order(const struct line *line, int n, int order[4])
 {
 	for (int i = 1; i < n; i++)
@@ -53,8 +56,9 @@ static inline void find_order(const struct line *line, int n, int order[4])
 		}
 }
 
-/* Returns whether what is added can follow the last of n coordinates at once: no quote
- * and no name is needed, and the separator is the one byte before that coordinate. */
+/* Returns whether values can be added directly after the last of n coordinates: no
+ * closing quote follows, no name is needed, and in text the separator before that
+ * coordinate, which is repeated, has one byte. */
 static inline bool can_add_in_place(const struct layout *l,
     const struct line *line, int n)
 {
@@ -67,7 +71,7 @@ static inline bool can_add_in_place(const struct layout *l,
 		line->s[last] != '"');
 }
 
-/* Returns that separator. */
+/* Returns the separator before each value that is added. */
 static inline char added_separator(const struct layout *l,
     const struct line *line)
 {
@@ -76,8 +80,8 @@ static inline char added_separator(const struct layout *l,
 	    l->out.separator;
 }
 
-/* Copies the line from done up to next; as most gaps are of one byte, a byte is copied
- * even where there is none. */
+/* Copies the line from done up to next. Most such gaps have one byte, which is copied
+ * without a test. */
 static inline char *put_gap(const struct line *line, uint32_t done,
     uint32_t next, char *out)
 {
@@ -87,8 +91,8 @@ static inline char *put_gap(const struct line *line, uint32_t done,
 	return out + (next - done);
 }
 
-/* Writes a point of which the coordinates, in that order, change where they stand, and
- * what is added follows the last of them. */
+/* Writes a point: replaces the coordinates in the order of order[], NULL if x comes
+ * first, and adds all other values after the last of them. */
 static inline __attribute__((always_inline)) char *write_in_place(
     const struct layout *l, const struct line *line, const int *order,
     const struct numbers n, const struct word *flags, char *out)
