@@ -7,9 +7,10 @@
 #include "line.h"
 
 struct chosen {
-	struct field field[4]; /* the fields of the coordinates that were found */
-	int times[4];          /* how often a coordinate was found; 0: missing */
-	bool mixed; /* only some separators of text have a comma */
+	struct field
+	    field[4]; /* the fields of the coordinates that were found */
+	int times[4]; /* how often a coordinate was found; 0: missing */
+	bool mixed;   /* only some separators of text have a comma */
 };
 
 /* Finds the coordinates in one pass over the fields of the cut. */

@@ -59,10 +59,10 @@ struct format_row {
 	size_t size;              /* of a binary number; 0: a format of lines */
 	const char *open, *close; /* brackets round the fields, or "" */
 	const char *unknown;      /* the text of a nan */
-	char quote;          /* round a field that needs it; 0: none */
-	char escape;         /* before a quote inside of quotes */
-	bool blanks;         /* blanks separate fields, too */
-	bool header;         /* the first line may name the fields */
+	char quote;               /* round a field that needs it; 0: none */
+	char escape;              /* before a quote inside of quotes */
+	bool blanks;              /* blanks separate fields, too */
+	bool header;              /* the first line may name the fields */
 
 	/* Returns whether a line can be cut into fields; writes the reason if
 	 * not. NULL: every line can. */

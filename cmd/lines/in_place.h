@@ -22,8 +22,8 @@ static inline char *put_word(const struct layout *l, const struct word *w,
 }
 
 /* Writes number k. */
-static inline char *put_number(const struct layout *l, struct numbers n,
-    int k, char *out)
+static inline char *put_number(const struct layout *l, struct numbers n, int k,
+    char *out)
 {
 	const struct number_text *text = &n.text[(size_t)k * n.text_step];
 	double v = n.v[(size_t)k * n.step];
@@ -75,9 +75,8 @@ static inline bool can_add_in_place(const struct layout *l,
 static inline char added_separator(const struct layout *l,
     const struct line *line)
 {
-	return format_of(l->out)->blanks ?
-	    line->s[line->at[l->reads - 2].to] :
-	    l->out.separator;
+	return format_of(l->out)->blanks ? line->s[line->at[l->reads - 2].to] :
+					   l->out.separator;
 }
 
 /* Copies the line from done up to next. Most such gaps have one byte, which is copied
@@ -93,9 +92,10 @@ static inline char *put_gap(const struct line *line, uint32_t done,
 
 /* Writes a point: replaces the coordinates in the order of order[], NULL if x comes
  * first, and adds all other values after the last of them. */
-static inline __attribute__((always_inline)) char *write_in_place(
-    const struct layout *l, const struct line *line, const int *order,
-    const struct numbers n, const struct word *flags, char *out)
+static inline __attribute__((always_inline)) char *
+write_in_place(const struct layout *l, const struct line *line,
+    const int *order, const struct numbers n, const struct word *flags,
+    char *out)
 {
 	uint32_t done = 0;
 

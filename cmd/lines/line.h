@@ -50,14 +50,14 @@ struct layout {
 	enum header header;
 	struct columns columns;
 	int reads, writes; /* the number of coordinates */
-	bool flags;        /* the word of --flags is written after the numbers */
-	bool append;       /* the line stays, and all is written after it */
+	bool flags;  /* the word of --flags is written after the numbers */
+	bool append; /* the line stays, and all is written after it */
 	/* The names of the numbers that are written and, last, of the word; "" where
 	 * there is none. */
 	char name[COORDINATES_MAX + 1][16];
 	size_t fields; /* of the header; 0: there is none */
-	int record;    /* numbers in a binary record; 0: the coordinates alone */
-	bool keeps;    /* binary records are written whole */
+	int record; /* numbers in a binary record; 0: the coordinates alone */
+	bool keeps; /* binary records are written whole */
 	const char *two; /* as in struct document_wants */
 	bool single;     /* numbers are written as floats */
 	struct number_style style[COORDINATES_MAX];
@@ -67,7 +67,7 @@ enum line_kind {
 	LINE_POINT,
 	LINE_COPY, /* blank, or a comment */
 	LINE_HEADER,
-	LINE_BAD, /* a coordinate is wrong; the other fields are kept */
+	LINE_BAD,     /* a coordinate is wrong; the other fields are kept */
 	LINE_LOST,    /* bad, and the fields are not known */
 	LINE_REFUSED, /* a header, or the row after it: the source is refused */
 };

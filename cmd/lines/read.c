@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* Reads one line of any kind, and decides alone what a legal line is. */
 #include <stdio.h>
 
 #include "choose.h"
@@ -6,7 +7,7 @@
 #include "say.h"
 #include "../message/escape.h"
 
-/* Says why coordinate i was not found, or not once. */
+/* Writes why coordinate i was not found, or found twice. */
 static void say_missing(const struct layout *l, int i, struct cut cut,
     const struct chosen *c, char reason[REASON_MAX])
 {
@@ -31,7 +32,8 @@ static void say_missing(const struct layout *l, int i, struct cut cut,
 	}
 }
 
-/* Reads the numbers of the coordinates; says which is the first that is none. */
+/* Reads the numbers v of the coordinates. Returns false, with the reason, at the first
+ * that is not a number within the range. */
 static bool read_coordinates(const struct layout *l, struct cut cut,
     const struct chosen *c, double v[4], char reason[REASON_MAX])
 {
@@ -46,7 +48,7 @@ static bool read_coordinates(const struct layout *l, struct cut cut,
 		}
 		if (in->number(f->value.s, f->value.end, &v[i]) !=
 		    f->value.end) {
-			/* a message shows csv's quotes */
+			/* the message shows the quotes of csv */
 			say_field(l, i, in->header ? f->whole : f->value,
 			    reason);
 			return false;
@@ -57,8 +59,8 @@ static bool read_coordinates(const struct layout *l, struct cut cut,
 	return true;
 }
 
-/* Returns whether a member can be added by that path: it is a name, short and
- * without what would have to be escaped. */
+/* Returns whether a member of that name can be added to an object: it is no pointer,
+ * short, and needs no escapes. */
 static bool can_be_added(const char *path)
 {
 	char shown[ESCAPED_MAX];
@@ -80,8 +82,8 @@ static bool can_be_kept(const struct layout *l, bool members,
 	return !choose_overlaps(l, c);
 }
 
-/* Returns whether --columns, which gives names or numbers alone, says how to find the
- * coordinates in a line of JSON. */
+/* Returns whether --columns fits a line of JSON: numbers an array, names an object. Else
+ * writes the reason. */
 static bool columns_fit(const struct layout *l, bool members,
     char reason[REASON_MAX])
 {
@@ -95,8 +97,8 @@ static bool columns_fit(const struct layout *l, bool members,
 	return false;
 }
 
-/* Finds the coordinates of a line and reads them. Its kind, which is LINE_LOST,
- * becomes LINE_POINT or LINE_BAD. */
+/* Finds the coordinates of a line and reads them. Changes its kind from LINE_LOST to
+ * LINE_POINT or LINE_BAD, or to LINE_REFUSED if the first row does not fit its header. */
 static void read_fields(const struct layout *l, struct span text,
     bool first_row, struct line *line, double v[4], char reason[REASON_MAX])
 {
@@ -120,7 +122,8 @@ static void read_fields(const struct layout *l, struct span text,
 	choose(l, cut, &c);
 	bool ok = read_coordinates(l, cut, &c, v, reason);
 
-	if (ok && l->append && l->fields > 0 && choose_count(cut) != l->fields) {
+	if (ok && l->append && l->fields > 0 &&
+	    choose_count(cut) != l->fields) {
 		ok = false;
 		snprintf(reason, REASON_MAX,
 		    "has %zu fields and the header %zu; --append would put the "
@@ -151,7 +154,7 @@ static void read_fields(const struct layout *l, struct span text,
 	for (int i = 0; i < l->reads; i++) {
 		const struct field *f = &c.field[i];
 
-		/* nan goes without the quotes that csv's bad number has */
+		/* in csv nan replaces the quotes of a bad number, too */
 		line->at[i] = c.times[i] == 0 ?
 		    part_missing :
 		    ok || !in->header ?
@@ -160,8 +163,9 @@ static void read_fields(const struct layout *l, struct span text,
 	}
 }
 
-/* Returns false where the first line that counts is not to be read as a point. In
- * JSON a carriage return is a blank like others. */
+/* Returns whether the first line is to be read as a point. Else it is a header, or bad
+ * with a reason for all lines: they end in carriage returns (which are blanks in JSON),
+ * or are JSON. */
 static bool read_first_line(struct layout *l, struct span text,
     struct line *line, char reason[REASON_MAX])
 {
@@ -179,8 +183,8 @@ static bool read_first_line(struct layout *l, struct span text,
 	return false;
 }
 
-/* Returns whether the line, of which s is the first character that is no blank, is
- * copied as it is: a comment, but not one that is a header, or a whole file. */
+/* Returns whether the line, whose first character after blanks is at s, is a comment;
+ * not a header with a #, and not a whole source whose lines end in carriage returns. */
 static bool is_comment(struct layout *l, struct span text, const char *s,
     bool first)
 {

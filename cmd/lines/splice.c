@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Writes lines with other values. Values are numbered: COORDINATES_MAX numbers, and
- * then the word. A point of the same format, none of whose coordinates goes, changes in
- * place; all other lines are cut into fields again, and splice_fields or convert_line
- * decides of each field whether it stays. */
+/* Writes lines that in_place.h does not write. There are four ways: convert_point and
+ * convert_line write a point, or another line, in another format; append keeps the line
+ * and adds values; splice cuts the line into fields again and decides for each whether it
+ * stays, changes or goes.
+ *
+ * A value is one of what is written: value k < COORDINATES_MAX is number k, and the value
+ * FLAGS is the word. */
 #include <math.h>
 #include <string.h>
 
@@ -18,21 +21,22 @@ enum { FLAGS = COORDINATES_MAX };
 struct splice {
 	const struct layout *l;
 	const struct line *line;
-	const struct numbers *numbers; /* NULL: names are written, of a header */
+	const struct numbers *numbers; /* NULL in a header: names are written */
 	const struct word *flags;
-	struct span separator; /* before what is added */
-	const char *done;      /* the line up to here is copied, or left out */
-	char *out;
-	size_t fields;  /* how many fields are in out */
-	unsigned value; /* bit k: value k is written in this line ... */
-	unsigned put;   /* ... and is in out already */
+	struct span separator; /* before each value that is added */
+	const char *done;      /* the line before this is copied or deleted */
+	char *out;             /* the end of what is written */
+	size_t fields;         /* the number of fields that are written */
+	unsigned value;        /* bit k: the layout has value k */
+	unsigned put;          /* bit k: value k is written */
 };
 
 size_t lines_room(const struct layout *l, size_t lines, size_t bytes)
 {
 	/* In another format a byte of a field may become six, as \u0001 in
-	 * JSON. Six for the separator after it are enough for a comma and two
-	 * quotes. The last ADDED_ROOM is for brackets and the newline. */
+	 * JSON; six for the separator after the field are enough for a comma and
+	 * two quotes. One ADDED_ROOM is for the word, and one for brackets, a #
+	 * and the newline. */
 	return (same_dialect(l->in, l->out) ? bytes : 6 * bytes) +
 	    lines *
 	    ((size_t)l->writes * (NUMBER_MAX + ADDED_ROOM) + WORD_MAX +
@@ -47,13 +51,14 @@ char *line_put_rare(const struct layout *l, int k, double v, char *out)
 			   number_write(out, v, l->style[k]);
 }
 
+/* Copies s up to end. Returns where the copy ends. */
 static char *splice_text(char *out, const char *s, const char *end)
 {
 	memcpy(out, s, (size_t)(end - s));
 	return out + (end - s);
 }
 
-/* Copies the line up to s. */
+/* Copies the line from done up to s. */
 static void splice_to(struct splice *w, const char *s)
 {
 	if (s > w->done) {
@@ -62,7 +67,7 @@ static void splice_to(struct splice *w, const char *s)
 	}
 }
 
-/* Returns the name of value k: of a member that a bad object lacks, its path. */
+/* Returns the name of value k; in a bad object, that by which a coordinate is read. */
 static const char *value_name(const struct splice *w, int k)
 {
 	const struct layout *l = w->l;
@@ -73,12 +78,13 @@ static const char *value_name(const struct splice *w, int k)
 	return l->name[k];
 }
 
-/* Returns whether value k is still to be written. */
+/* Returns whether value k has to be written and is not yet. */
 static bool is_due(const struct splice *w, int k)
 {
 	return ((w->value & ~w->put) >> k & 1) != 0;
 }
 
+/* Writes value k, or its name in a header, where a coordinate keeps its own. */
 static char *put_value(const struct splice *w, int k, char *out)
 {
 	const struct layout *l = w->l;
@@ -92,8 +98,8 @@ static char *put_value(const struct splice *w, int k, char *out)
 			   put_word(l, w->flags, out);
 }
 
-/* Writes the values from k on that are due: behind a separator, but for the first of
- * the line, and in an object behind its name. */
+/* Writes all values from k on that are due, each after a separator unless it is the
+ * first of the line, and in an object after its name. */
 static void put_others(struct splice *w, int k, bool members)
 {
 	size_t gap = (size_t)(w->separator.end - w->separator.s);
@@ -120,7 +126,7 @@ static void put_others(struct splice *w, int k, bool members)
 	w->out = out;
 }
 
-/* Returns the coordinate that begins from s up to end, or -1. */
+/* Returns the coordinate that begins at s, at end or between them, or -1. */
 static int coordinate_in(const struct splice *w, const char *s, const char *end)
 {
 	for (int i = 0; i < w->l->reads; i++) {
@@ -132,8 +138,8 @@ static int coordinate_in(const struct splice *w, const char *s, const char *end)
 	return -1;
 }
 
-/* Returns which value stands in the field, or -1: a coordinate, or in an object one
- * that is added and has its name. */
+/* Returns the value whose place the field is, or -1: a coordinate, or in an object, if
+ * outer, an added value that has the name of the field. */
 static int value_of(const struct splice *w, const struct field *f, bool outer)
 {
 	int i = coordinate_in(w, f->whole.s, f->value.s);
@@ -151,8 +157,8 @@ static int value_of(const struct splice *w, const struct field *f, bool outer)
 	return i;
 }
 
-/* Returns the separator that is repeated behind the field f: in text the one before
- * it, or behind it if it is the first. */
+/* Returns the separator for values after the field f: in text a copy of the one before
+ * f, or of the one after f if it is the first. */
 static struct span separator_at(const struct layout *l, const struct field *f)
 {
 	struct span one = { &l->in.separator, &l->in.separator + 1 };
@@ -167,9 +173,10 @@ static struct span separator_at(const struct layout *l, const struct field *f)
 	    one;
 }
 
-/* Goes through the fields of a line, or of a value in it: writes each value in the
- * place of the one that was read, and leaves out coordinates that are not written,
- * and members that have the name of one that was added. */
+/* Goes over the fields of a line, or of a value in it if not outer: replaces each
+ * coordinate by its value, and deletes coordinates that have none, and members that have
+ * the name of an added value. Adds the other values after coordinate last, or at the end
+ * if last is -1. */
 static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 {
 	struct field f;
@@ -198,9 +205,8 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 			w->separator = separator_at(w->l, &f);
 		w->put |= 1u << k;
 		if (w->numbers != NULL) {
-			struct span at = k < w->l->reads ?
-			    line_at(w->line, k) :
-			    f.value;
+			struct span at = k < w->l->reads ? line_at(w->line, k) :
+							   f.value;
 
 			splice_to(w, at.s);
 			w->out = put_value(w, k, w->out);
@@ -211,7 +217,7 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 			put_others(w, w->l->reads, false);
 		}
 		if (outer && last >= 0 && ++found == w->l->reads)
-			return; /* nothing is to be done behind them */
+			return; /* the rest of the line is copied */
 	}
 	if (outer) {
 		if (c.from != NULL || c.bracket != NULL)
@@ -220,7 +226,7 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 	}
 }
 
-/* Returns the cut of the line, past its leading blanks, or of the names in a header. */
+/* Returns a cut before the first field of the line, or the first name of a header. */
 static struct cut cut_of(const struct layout *l, const struct line *line)
 {
 	struct span text = line_text(line);
@@ -235,6 +241,7 @@ static struct cut cut_of(const struct layout *l, const struct line *line)
 	return c;
 }
 
+/* Writes the line in its own format with other values. */
 static void splice(struct splice *w)
 {
 	const struct layout *l = w->l;
@@ -249,7 +256,7 @@ static void splice(struct splice *w)
 	splice_to(w, w->line->s + w->line->size);
 }
 
-/* Writes the line whole, and the values before its end or its closing bracket. */
+/* Copies the whole line, and adds all values at its end or before its last bracket. */
 static void append(struct splice *w)
 {
 	const struct layout *l = w->l;
@@ -274,7 +281,7 @@ static void append(struct splice *w)
 	splice_to(w, line.end);
 }
 
-/* Writes the numbers of a binary record that are no coordinates. */
+/* Writes the numbers of a binary record that are not coordinates. */
 static char *put_rest_of_record(const struct layout *l, const struct line *line,
     char *out)
 {
@@ -298,8 +305,8 @@ static char *put_rest_of_record(const struct layout *l, const struct line *line,
 	return out;
 }
 
-/* Writes each field of the cut that holds no coordinate, or by --append each one,
- * behind a separator of the format out but for the first of the line. */
+/* Writes each field of the cut that holds no coordinate, or by --append every field, for
+ * the format out: after a separator unless it is the first of the line. */
 static void put_fields(struct splice *w, struct cut c)
 {
 	const struct layout *l = w->l;
@@ -360,8 +367,8 @@ char *line_rest(const struct layout *l, const struct line *line, char *out)
 	return w.out;
 }
 
-/* Writes the values first, then all other fields, or by --append the other way, as the
- * format out is another or the line can't be taken apart. */
+/* Writes the values first, then all other fields, or by --append in the other order. The
+ * format out is another, or the fields of the line are not known. */
 static void convert_line(struct splice *w)
 {
 	const struct layout *l = w->l;
@@ -381,7 +388,7 @@ static void convert_line(struct splice *w)
 	w->out += close != '\0';
 }
 
-/* Writes a point in another format: its image, then all other fields. */
+/* Does as convert_line for a point without --append, which is the frequent case. */
 static char *convert_point(const struct layout *l, const struct line *line,
     struct numbers n, const struct word *flags, char *out)
 {

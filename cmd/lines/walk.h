@@ -17,7 +17,7 @@ enum { STRETCH = 1 << 14 };
 struct stretch {
 	const char *readable; /* bytes from here on may be read */
 	const char *text;     /* the beginning of the stretch */
-	uint32_t at, end;     /* where the next line begins; the last line ends */
+	uint32_t at, end; /* where the next line begins; the last line ends */
 	const uint16_t *next; /* the first stop at or after at */
 	uint16_t stop[STRETCH + 128];
 };

@@ -121,9 +121,9 @@ static char *put_line(struct block *b, const struct line *line, size_t p,
 		return point || bad ?
 		    binary_put(&j->layout, b->chunk, line, p, at) :
 		    at;
-	return point ? put_image(b, line, p, at) :
-		       line_write(&j->layout, line, &n,
-			   word_for(b->chunk, OUT_NAN), at);
+	return point ?
+	    put_image(b, line, p, at) :
+	    line_write(&j->layout, line, &n, word_for(b->chunk, OUT_NAN), at);
 }
 
 /* Writes lines i to end - 1 of the chunk's, whose first point is p. Returns the point

@@ -25,9 +25,9 @@ struct chunk {
 	struct piece piece;
 	const char *text, *end; /* what is left to read */
 	size_t n_lines;         /* read so far */
-	enum first first; /* which line is still to come */
-	bool refused; /* a header says that no line can be read */
-	bool done;    /* it waits to be answered */
+	enum first first;       /* which line is still to come */
+	bool refused;           /* a header says that no line can be read */
+	bool done;              /* it waits to be answered */
 
 	char *out;
 	size_t size, room; /* of out: used, allocated */

@@ -240,7 +240,7 @@ static void stream(struct job *j, struct point_source *s)
 	ring.source = s;
 	ring.open = true;
 	ring.first = is_binary(j->layout.in.format) ? FIRST_IS_READ :
-							  FIRST_LINE;
+						      FIRST_LINE;
 	ring.begun = ring.answered = 0;
 	run_chunks(false);
 	unlock();
