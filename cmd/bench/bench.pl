@@ -226,8 +226,8 @@ sub our_rows {
 	    if has('jq');
 }
 
-# Others. Of text the way in and out decides, not the library: the loop as one
-# writes it by hand and with the fastest functions of C++, GLM as most people
+# The other programs. In text the reading and writing decide, not the library: the
+# loop is written by hand and with the fastest functions of C++, GLM as most people
 # write it.
 sub their_rows {
 	my (@peers) = @_;
@@ -476,7 +476,7 @@ ordinary scenes. 1e9 away from the origin they have no room for them.
 	    if @left_out;
 }
 
-# What names.pl and speed.gp draw: panel, kind, label, time, error, and in memory
+# The data of names.pl and speed.gp: panel, kind, label, time, error, and in memory
 # the error of scenes far away.
 sub draw {
 	my (@memory) = @_;

@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Prints a table in markdown: how many cores a single process can keep at work.
-# All that its threads do one after another is to write, and to read what is no
-# file; as many cores as the longer of these two is contained in the CPU time of
-# all are fed. That is of the least of many runs.
+# Prints a table in markdown: how many cores a single process can keep busy. Its
+# threads take turns only to write, and to read a source that is no file. The number
+# of cores is the CPU time of all threads over the longer of these two, in the
+# fastest of many runs.
 # usage: feed.sh BUILD SCENE TEXT F64
 set -eu
 build=$(cd "$1" && pwd)

@@ -38,7 +38,7 @@ sub far {
 	return sqrt(($x - $x2) ** 2 + ($y - $y2) ** 2);
 }
 
-# Whether a way passes through a box.
+# Returns whether a line passes through a box.
 sub passes {
 	my ($x, $y, $x2, $y2, $box) = @_;
 	return scalar grep {
@@ -70,8 +70,8 @@ sub groups {
 	} } @groups;
 }
 
-# What the place of a name costs that is $far from its points, by itself: a name is
-# to be nearer to them than to others.
+# Returns the cost of a place that is $far from the points of its name: a name is to
+# be nearer to its own points than to others.
 sub cost {
 	my ($box, $line, $far, @others) = @_;
 	my $cost = $far + ($line ? 20 : 0);
@@ -108,7 +108,7 @@ sub places {
 	return sort { $a->{cost} <=> $b->{cost} } @places;
 }
 
-# What it costs that a name's place meets other names and their lines.
+# Returns the cost of a place that meets other names and their lines.
 sub trouble {
 	my ($place, @others) = @_;
 	my ($box, $line) = @$place{qw(box line)};

@@ -19,7 +19,8 @@ static double values[COUNT];
 static char input[COUNT * 32], output[COUNT * 32 + 64];
 static const char *input_end;
 
-/* What the loops come to must go somewhere, or they would be left out. */
+/* The results of the loops are stored, or the compiler would leave the loops
+ * out. */
 static volatile double sink;
 
 static uint64_t next_random(void)
@@ -47,7 +48,7 @@ static void fill(const char *format)
 	input_end = s;
 }
 
-/* What the program writes: the same, brought to within +-1. */
+/* The numbers that the program writes: the same ones, within +-1. */
 static void project(void)
 {
 	for (int i = 0; i < COUNT; i++)

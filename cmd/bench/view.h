@@ -56,8 +56,7 @@ static inline void compose(struct view *v)
 	real_release(mark);
 }
 
-/* The error of the worst coordinate of an image. What is no number is infinitely
- * wrong. */
+/* Returns the error of the worst coordinate of an image; infinity for nan. */
 static inline double error_of(const struct truth *t, const double point[3],
     const double image[3])
 {

@@ -297,8 +297,8 @@ const struct member scene_members[] = {
 	    .command = "lookat '{\"camera\": " CAMERA_LIKE
 		       ", \"points\": [[0,0,0], [1,1,1]]}'" },
 	ROW(document, "bounds", type_object, bounds,
-	    .has = offsetof(struct document, has_bounds),
-	    .aliases = "extent", .members = bounds_members, .ways = bounds_ways,
+	    .has = offsetof(struct document, has_bounds), .aliases = "extent",
+	    .members = bounds_members, .ways = bounds_ways,
 	    .example = BOUNDS_LIKE, .unit = "model units",
 	    .about = "what fit is to hold, else the points",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "

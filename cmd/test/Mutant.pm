@@ -30,7 +30,8 @@ my %operator = ('+' => '-', '-' => '+', '*' => '/', '/' => '*', '%' => '*',
     '|=' => '&=', '&=' => '|=');
 my %step = ('++' => '--', '--' => '++');
 
-# Of a literal: one more and one less of an integer, twice and half of the others.
+# Changes a literal: an integer by one, up and down; other numbers to twice and
+# half.
 sub neighbours {
 	my ($n) = @_;
 	return map { $_ . $2 } $1 + 1, $1 > 0 ? $1 - 1 : ()
@@ -44,7 +45,7 @@ sub neighbours {
 	return;
 }
 
-# Where the parenthesis that opens before $at closes.
+# Returns the place of the parenthesis that closes the last one before $at.
 sub closing {
 	my ($code, $at) = @_;
 	for (my $level = 1; ; $at++) {
@@ -137,8 +138,8 @@ sub mutated {
 	return $text;
 }
 
-# As it is shown, and kept in a file: FILE:LINE, lines with - before them, lines
-# with + before them.
+# Returns a mutant as text, for messages and files: FILE:LINE, the old lines with -
+# before them, the new ones with +.
 sub hunk {
 	my ($mutant) = @_;
 	my $lines = sub { $_[1] =~ s/^[ \t]*/$_[0]\t/gmr };
@@ -147,8 +148,9 @@ sub hunk {
 	    $lines->('-', $mutant->{from}) . $lines->('+', $mutant->{to});
 }
 
-# Those of a file of hunks. A number of a line may be left out, and where lines
-# have # before them they are the reason of the hunks below, to an empty line.
+# Returns the mutants of a file of hunks. The number of the line may be absent.
+# Lines that begin with # are the reason of the hunks below them, up to an empty
+# line.
 sub hunks {
 	my ($text) = @_;
 	my @found;
@@ -165,8 +167,8 @@ sub hunks {
 	return @found;
 }
 
-# Whether two make the same of a file's text, but for blanks; lines around them may
-# tell which of several like it one is.
+# Returns whether two mutants change the text of a file in the same way, except for
+# blanks. Lines around them may tell which of several like places is meant.
 sub same_change {
 	my ($text, @two) = @_;
 	my ($a, $b) = map { trimmed(mutated($text, $_) // '') } @two;

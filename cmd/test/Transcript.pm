@@ -112,7 +112,7 @@ sub part_text {
 
 sub transcript_text { join "\n", map { part_text($_) } @_ }
 
-# What a manual page shows literally, as a reader sees it.
+# Returns the literal text of a manual page as a reader sees it.
 sub displays {
 	my ($page) = @_;
 	return map { s/^\..*\n//mgr =~ s/\\&//gr =~ s/\\\(aq/'/gr =~
@@ -120,9 +120,9 @@ sub displays {
 	    $page =~ /^\.Bd -literal.*\n((?s:.*?))^\.Ed/mg;
 }
 
-# The examples of a manual page, which are run in testdata, and of README.md,
-# at the top. A command goes on after a backslash or a bar at the end of its
-# line, and within quotes. What follows it is what it prints.
+# Returns the examples of a manual page, which run in testdata, and of README.md,
+# which run at the top of the project. A command goes on after a backslash or a bar
+# at the end of its line, and within quotes. Its output follows it.
 sub examples {
 	my ($file) = @_;
 	my $text = slurp($file);
@@ -151,7 +151,8 @@ sub said {
 	return \%said;
 }
 
-# What a command is given to read: its here-document, or what is printed first.
+# Returns the input of a command: its here-document, or the output of its first
+# part.
 sub input {
 	my ($command) = @_;
 	return $1 if $command =~ /<<'END'\n(.*)^END$/ms;

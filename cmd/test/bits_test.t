@@ -24,7 +24,7 @@ sub number {
 	    "${n}e" . pick(9, 17, -9, -17, 30), "${n}e" . (below(280) - 140));
 }
 
-# Of about the size of a scene.
+# Returns a number of about the size of a scene.
 sub near { (below(2001) - 1000) / pick(100, 128, 300) }
 
 sub triple { '[' . join(',', map { $_[0]->() } 1 .. 3) . ']' }

@@ -82,7 +82,8 @@ for my $case (examples('man/projcalc-scene.5')) {
 	push @{$recipe{$file}}, $jq =~ s/\\\n//r;
 }
 
-# What the program says of points, from a recipe in which words may be others.
+# Returns the output of the program for points, by a recipe in which words may be
+# replaced.
 sub printed {
 	my ($recipe, $points, %other) = @_;
 	my $command = $recipe;

@@ -38,8 +38,8 @@ soon() {
 	done
 }
 
-# What sshd needs: an account whose home is the cluster's, a key, names for
-# addresses. Nothing of the machine's own is read or changed.
+# Makes all that sshd needs: an account whose home is the cluster's, a key, names
+# for addresses. Nothing of the machine itself is read or changed.
 system() {
 	HOME=$tmp/home
 	export HOME
@@ -109,7 +109,8 @@ host() {
 	soon ssh "host$1" true
 }
 
-# As when its plug is pulled: processes and network go, and nobody is told.
+# Kills a host as if its plug were pulled: processes and network end without a
+# message.
 kill_host() {
 	eval "kill -9 \$host$1"
 	echo "	host$1 is killed" >&3
@@ -277,7 +278,7 @@ slurm_run() {
 	is_whole 'a Slurm array, a host less'
 }
 
-# The same as a Slurm array, on all hosts that are left.
+# Runs the same as a Slurm array, on all hosts that are left.
 slurm_tables() {
 	cat >job <<-END
 		#!/bin/sh

@@ -1,8 +1,8 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# gcc and clang build everything without a warning, and what clang builds
-# prints the same bytes: the transcripts are of the program in build. What they
-# build is hardened, and prints subnormals, linked with -ffast-math, too.
+# gcc and clang build everything without a warning, and the program that clang
+# builds prints the same bytes as the transcripts. Both builds are hardened, and
+# print subnormals also when linked with -ffast-math.
 use strict;
 use warnings;
 use FindBin;

@@ -15,7 +15,8 @@ for my $shell (qw(bash zsh fish)) {
 	    or die "completion.pl $shell failed\n";
 }
 
-# What bash offers after the words of a line, the last of which may be empty.
+# Returns the words that bash offers after those of a line, the last of which may be
+# empty.
 sub bash {
 	my @words = @_;
 	open my $out, '-|', 'bash', '-c', '

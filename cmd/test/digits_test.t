@@ -38,7 +38,7 @@ sub two_to { power(2, @_) }
 
 sub ten_to { power(10, @_) }
 
-# What a double is, exactly, and the place of its last bit.
+# Returns the exact value of a double, and the place of its last bit.
 sub exactly {
 	my $bits = unpack 'Q', pack 'd', $_[0];
 	my $e = $bits >> 52 & 0x7ff;
@@ -62,7 +62,7 @@ sub constant {
 	return $text =~ /^0x1p([-+]?\d+)$/ ? 2 ** $1 : $text + 0;
 }
 
-# What the headers say.
+# The constants of the headers.
 sub claims {
 	my ($text) = @_;
 	my %says = (
@@ -133,8 +133,9 @@ sub check_scale {
 	    $scale >= $c->{least} && $scale <= $c->{most});
 }
 
-# Where nothing is rounded: x is a multiple of 2^unit, the ends of what reads back
-# of a quarter of that, ten times x of twice as much; and 10 is below 2^4.
+# Here nothing is rounded: x is a multiple of 2^unit, the ends of the interval that
+# reads back are multiples of a quarter of that, ten times x is one of twice as
+# much, and 10 is below 2^4.
 sub check_exact {
 	my ($q, $scale) = @_;
 	my $unit = $q + $scale;

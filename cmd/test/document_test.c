@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "document.h"
 #include "../scene/convention_member.h"
+#include "../../core/test/numbers.h"
 
 static const struct document_wants w2d = { .needed = SCENE_WINDOW |
 	    SCENE_DEVICE,
@@ -166,7 +167,7 @@ static void test_convention(void **state)
 	assert_null(s.answer);
 }
 
-/* Which element of world the number 2 of the text becomes. */
+/* Returns the element of world that the number 2 of the text becomes. */
 static void assert_world(const struct convention *option,
     const char *convention, const char *matrix, int i, int j)
 {
@@ -178,7 +179,7 @@ static void assert_world(const struct convention *option,
 
 	assert_true(s.has_world);
 	assert_true(s.world[i][j] == 2);
-	assert_true(s.world[j][i] == 0);
+	assert_number(s.world[j][i], 0);
 }
 
 static void test_matrix(void **state)
@@ -266,7 +267,8 @@ static void test_points(void **state)
 	assert_null(read_as(&no_points, "{}").points);
 }
 
-/* What core/ refuses loses the first part of its pointer in a bare document. */
+/* A refusal of core/ loses the first part of its pointer in a document that is
+ * a member alone. */
 struct reason {
 	const char *bare, *why;
 };

@@ -33,8 +33,8 @@ static void test_escaped(void **state)
 	assert_string_equal(out + strlen(out) - 9, "\\u0001...");
 }
 
-/* What ends lines or turns the writing around, at the ends of its ranges, and its
- * neighbours, which stay. */
+/* The characters that end lines or turn the writing around, at the ends of
+ * their ranges, and their neighbours, which are not escaped. */
 static void test_hidden(void **state)
 {
 	static const struct {
@@ -89,7 +89,7 @@ static void test_hidden(void **state)
 	}
 }
 
-/* What can't be seen is found; other escapes are not that. */
+/* Invisible characters are found; other escapes are not. */
 static void test_unseen(void **state)
 {
 	(void)state;

@@ -49,7 +49,7 @@ static bool is(const char *name)
 	return strcmp(call, name) == 0;
 }
 
-/* Whether this is the call that fails. */
+/* Returns whether this call is to fail. */
 static bool fails(const char *name)
 {
 	if (!is(name) || atomic_fetch_add(&calls, 1) + 1 != at)
@@ -115,7 +115,7 @@ ssize_t read(int fd, void *to, size_t n)
 	return some < 0 ? -1 : real(fd, to, (size_t)some);
 }
 
-/* What programs call that say _FILE_OFFSET_BITS=64. */
+/* The names of these functions with _FILE_OFFSET_BITS=64. */
 int open64(const char *, int, ...) __attribute__((alias("open")));
 
 ssize_t write(int fd, const void *from, size_t n)

@@ -137,7 +137,7 @@ sub progress {
 	shares();
 }
 
-# Of each file anew.
+# The header is read again for each file.
 sub shares {
 	my $n = 60000;
 	spew("$tmp/lines", "0 0 0\n" x $n);
@@ -211,7 +211,8 @@ is_run("projcalc lookat . ", 2, '', "projcalc: .: is a directory\n");
 is_run("$project $tmp/few .", 2, '', "projcalc: .: is a directory\n");
 is_run("$project - <.", 2, '', "projcalc: -: is a directory\n");
 is_run("$project $tmp/none", 2, '',
-    "projcalc: $tmp/none: No such file or directory\n");
+    "projcalc: $tmp/none: No such file or directory; " .
+    "POINTS are a file, - or '[1.5,2,3]'\n");
 my (undef, $image) = run("$project $tmp/few");
 is_run("mkfifo $tmp/fifo; cat $tmp/few >$tmp/fifo & $project $tmp/fifo; wait",
     0, $image, '', 'a FIFO');

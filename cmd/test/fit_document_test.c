@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Documents of the command fit, in which members may be missing. */
 #include "document.h"
+#include "../../core/test/numbers.h"
 
 static const struct document_wants fit = { WANTS, .needed = SCENE_PROJECTION,
 	.fit = true };
@@ -107,7 +108,7 @@ static void test_missing(void **state)
 	(void)state;
 	assert_true(d.has_bounds && d.bounds.sphere && !d.has_eye);
 	assert_numbers(d.bounds.center, 4, 1.0, 2.0, 3.0, 4.0);
-	assert_true(d.scene.projection.aspect[1] == 0);
+	assert_number(d.scene.projection.aspect[1], 0);
 	d = read_fit("\"projection\":{\"type\":\"ortho\"},"
 		     "\"viewport\":{\"width\":4,\"height\":3},"
 		     "\"camera\":{\"gaze\":[1,2,3]}");
@@ -125,7 +126,7 @@ static void test_missing(void **state)
 	d = read_as(&fit,
 	    "{\"projection\":{\"type\":\"volume\",\"size\":1,\"aspect\":2},"
 	    "\"margin\":0.25," BOX "}");
-	assert_true(d.scene.margin == 0.25);
+	assert_number(d.scene.margin, 0.25);
 	assert_false(d.bounds.sphere);
 	assert_numbers(d.bounds.max, 3, 1.0, 2.0, 3.0);
 }

@@ -18,7 +18,7 @@ cjson=$build/cjson
 	echo "foreign: no source of cJSON in $cjson; make deps foreign" >&2
 	exit 1
 }
-# What musl's compiler finds nowhere else.
+# Headers that the compiler for musl does not find elsewhere.
 ln -sfn "$cjson" "$build/include/cjson"
 ln -sfn /usr/include/fast_float "$build/include/fast_float"
 

@@ -1,8 +1,9 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# The house: what a file includes and calls lies below it, core only computes,
-# one file knows cJSON, functions fit a screen. What a file calls is what its
-# object in BUILD leaves undefined. CONTRIBUTING's picture of the folders is made of it.
+# Checks the house: a file includes and calls only what lies below it, core only
+# computes, one file knows cJSON, and functions have at most 60 lines. The calls of
+# a file are the undefined names of its object in BUILD. The picture of the folders
+# in CONTRIBUTING is made from this.
 # usage: layers_test.t [BUILD]
 #        layers_test.t -w, which draws that picture anew
 use strict;
@@ -53,8 +54,8 @@ for my $file (keys %text) {
 	}
 }
 
-# What objects define and what they lack. A name that tests define over again
-# is the program's.
+# The names that objects define, and those that they lack. A name that tests define
+# again is the program's.
 my (%home, %lacks);
 my %source = map { "$build/" . s/\.\w+$/.o/r => $_ } grep { !/h$/ } keys %text;
 for (`nm -APg @{[grep { -e } keys %source]} 2>/dev/null`) {

@@ -12,8 +12,9 @@ mkdir -p "$top"
 echo 'int main(void) { return 0; }' >"$top/none.c"
 [ $# -gt 0 ] || set -- gcc gcc-12 gcc-13 gcc-14 gcc-15 clang
 
-# Whether a program for this processor can be made so: clang wants a linker for
-# -flto, and not every processor is an x86-64-v3. The shell is to split the flags.
+# Returns whether the compiler can make a program for this processor: clang wants a
+# linker for -flto, and not every processor is an x86-64-v3. The shell splits the
+# flags.
 # shellcheck disable=SC2086
 makes() {
 	"$1" $2 -o "$top/none" "$top/none.c" 2>/dev/null && "$top/none"

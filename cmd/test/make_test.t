@@ -27,7 +27,7 @@ script('apt-cache', '[ "$2" != libdragonbox-dev ]');
 script('apt-get', "echo \"\$*\" >>$tmp/asked");
 script('sudo', 'exec "$@"');
 
-# What is installed for these goals, and what is said.
+# Returns the packages that these targets install, and the messages.
 sub deps {
 	my (@goals) = @_;
 	unlink "$tmp/asked";
@@ -102,7 +102,7 @@ spew("$tmp/foreign/cjson/cJSON.c", '');
 is($status, 1, 'foreign.sh without a compiler has tested nothing');
 like($err, qr/^foreign: nothing was tested/m, 'which is said');
 
-# What git tracks is packed, and the tree that comes of it packs the same.
+# The tarball has the files that git tracks, and its tree packs the same tarball.
 sub packed {
 	my ($dir) = @_;
 	my ($status, $out, $err) = run('make -s dist', $dir);

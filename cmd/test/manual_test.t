@@ -79,7 +79,7 @@ sub rows {
 
 sub members { sorted(map { $_->{name} } rows(@_)) }
 
-# And the page has them in a section each, with a value.
+# The page has the members of each object in a section, each with a value.
 sub on_page {
 	my @sections = @_;
 	my @names;
@@ -167,7 +167,7 @@ for my $type (@$types) {
 	    members('projection', $type), "$type on the page");
 	compare('projection', rows('projection', $type));
 }
-# And a wrong member is told which there are.
+# The message about a wrong member lists the members.
 like((run('projcalc lookat \'{"camera": {"xyzzyxyzzy": 0}}\''))[2],
     qr/unknown member; there are "eye", "at", .* and "orthonormalize"$/,
     'members in a message');

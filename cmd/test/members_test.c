@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "document.h"
+#include "../../core/test/numbers.h"
 
 static const struct document_wants lookat = { .bare = SCENE_CAMERA,
 	.needed = SCENE_CAMERA,
@@ -205,17 +206,17 @@ static void test_camera(void **state)
 	assert_numbers(c.eye, 3, 1.0, 2.0, -1e150);
 	assert_numbers(c.at, 3, 4.0, 5.0, 6.0);
 	assert_numbers(c.up, 3, 0.0, 1.0, 0.0);
-	assert_true(c.roll == 0);
+	assert_number(c.roll, 0);
 	c = CAMERA("\"eye\":[0,0,0],\"gaze\":[0,1,0],\"up\":[0,0,1],"
 		   "\"roll\":-30");
 	assert_int_equal(c.by, CAMERA_GAZE);
 	assert_numbers(c.at, 3, 0.0, 1.0, 0.0);
 	assert_numbers(c.up, 3, 0.0, 0.0, 1.0);
-	assert_true(c.roll == -30);
+	assert_number(c.roll, -30);
 	c = CAMERA("\"eye\":[0,0,0],\"orientation\":[1,2,3,4],\"roll\":1");
 	assert_int_equal(c.by, CAMERA_ORIENTATION);
 	assert_numbers(c.orientation, 4, 1.0, 2.0, 3.0, 4.0);
-	assert_true(c.roll == 1);
+	assert_number(c.roll, 1);
 	c = CAMERA("\"matrix\":[1,0,0,0,0,1,0,0,0,0,1,0,5,6,7,1],"
 		   "\"orthonormalize\":true");
 	assert_int_equal(c.by, CAMERA_MATRIX);
@@ -261,7 +262,7 @@ static void test_flat(void **state)
 	assert_false(s.device.top_left);
 	assert_true(s.window.by_edges && !s.window.has_about);
 	assert_numbers(&s.window.left, 4, 1.0, 2.0, 3.0, 4.0);
-	assert_true(s.window.zoom == 1);
+	assert_number(s.window.zoom, 1);
 	assert_int_equal(s.window.adapt, ADAPT_STRETCH);
 	s = scene_of("{\"viewport\":{\"x\":1,\"y\":2,\"width\":3,\"height\":4,"
 		     "\"min_z\":5,\"max_z\":6,\"scale\":[7,8]},"

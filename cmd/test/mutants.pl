@@ -1,10 +1,10 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# Whether the tests bite: changes the program's source here and there, one change
-# at a time and in a copy, and says which of these mutants no test finds. A mutant
-# that is the same program to the last byte doesn't count, nor does one that can't
-# be built. Those that do the same as the program for a reason that
-# cmd/test/mutants.equal gives count as found, and those that a sanitizer finds.
+# Changes the program's source at random places, one change at a time and in a copy,
+# and lists the mutants that no test finds. A mutant that compiles to the same bytes
+# does not count, nor does one that cannot be built. A mutant that
+# cmd/test/mutants.equal explains counts as found, and so does one that a sanitizer
+# finds.
 # usage: mutants.pl BUILD FOLDER..., at the top of the project
 #   N=400        how many
 #   SEED=1       which
@@ -49,8 +49,8 @@ sub spew {
 	close $file or die "$name: $!\n";
 }
 
-# How they are built. What reads a variable that nothing was written to, or returns
-# nothing, isn't.
+# The flags of mutants. A mutant that reads an unset variable, or does not return
+# its value, does not build.
 my $checks = '-fsanitize=address,undefined';
 my %flags = (plain => "CFLAGS='-O1 -g0 -Werror=uninitialized " .
 	"-Werror=return-type' LDFLAGS=-s",
@@ -61,9 +61,9 @@ our $flags = 'plain';
 # The copy that mutants are made from.
 sub whole { "$room/$flags" }
 
-# What a mutant may take: seconds by the clock and of a processor, files, and memory,
-# of which a sanitizer sets aside more than there is.
-# timeout ends the group that it starts, even if this program is no more.
+# The limits of a mutant: seconds by the clock and of a processor, files, and
+# memory, of which a sanitizer reserves more than there is. timeout ends the group
+# that it starts, even if this program has ended.
 my $running;
 
 sub start {
@@ -94,7 +94,7 @@ sub finish {
 $SIG{$_} = sub { finish(); exit 1 } for qw(INT TERM HUP);
 END { finish() }
 
-# Whether a command succeeds, to which the first test that fails is an end.
+# Returns whether a command succeeds; it ends at the first test that fails.
 sub succeeds {
 	my $from = start(@_);
 	while (my $line = readline $from) {
@@ -115,8 +115,9 @@ sub is_built {
 	return succeeds($dir, 600, make("build/$target"));
 }
 
-# The tests, first those that tell the most in the least time. Those of core don't
-# see cmd, and the proofs see the headers of core and its series alone.
+# The tests, those first that find most mutants in the least time. The tests of core
+# do not depend on cmd, and the proofs depend only on the headers of core and its
+# series.
 my @first = qw(transcripts bits);
 my @values = qw(recorded examples cameras scenes);
 my @talk = qw(completion schema manual digits pieces lines fault);
@@ -199,7 +200,7 @@ sub finder {
 	return;
 }
 
-# What became of a mutant: by which test it was found, or else one of
+# The result for a mutant: the test that found it, or else one of
 my ($unbuilt, $same, $lived) = ('unbuilt', 'the same bytes', 'lived');
 
 sub fate {
@@ -223,7 +224,7 @@ sub shuffled {
 	return @all;
 }
 
-# Of each kind as many, at random.
+# Chooses the same number of each kind, at random.
 sub chosen {
 	my %all;
 	for my $file (sort map { glob "$_/*.c $_/*.h $_/*.cc" } @folders) {

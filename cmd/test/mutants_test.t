@@ -57,8 +57,9 @@ my ($first) = hunks("x.c\n-\tx = 1;\n+\tx = 2;\n");
 ok(!same_change($text, $first, $around), 'which tells one from another');
 
 for my $known (hunks(slurp('cmd/test/mutants.equal'))) {
-	ok($known->{reason} ne '' && -f $known->{file},
-	    "a reason: $known->{file}: $known->{from}");
+	ok($known->{reason} ne '' && -f $known->{file} &&
+	    defined mutated(slurp($known->{file}), $known),
+	    "a reason, and the code: $known->{file}: $known->{from}");
 }
 
 # A program of one file, with a test that finds some of its mutants: of the

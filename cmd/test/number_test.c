@@ -118,7 +118,7 @@ static void reads_as_strtod(void **unused)
 			check_read(prefix);
 			prefix[n - 1] = '\0';
 		}
-	/* Where strtod would go on. */
+	/* The place at which strtod stops. */
 	assert_ptr_equal(number_read(hex, hex + 4, &v), hex + 1);
 	assert_ptr_equal(number_read(sequence, sequence + 7, &v), sequence + 4);
 	assert_null(number_read(blank, blank + 2, &v));

@@ -12,7 +12,7 @@ $ENV{PATH} = "$build:$ENV{PATH}";
 chdir 'testdata' or die "testdata: $!\n";
 my $project = 'projcalc project --keep-going';
 
-# What source.c reads at a time.
+# The size of a piece of source.c.
 my $room = 1 << 17;
 
 # The file, as a stream and from memory, with one thread and with several.
@@ -90,7 +90,7 @@ for my $n (map { 9000 + int rand 31000 } 1 .. 4) {
 	same('-i f32', "$n points of floats", 1, 2, 5);
 }
 
-# Where a file is read from, and where it is left.
+# The offset of a file before and after it is read.
 my $lines = join '', map { line_of(20 + $_ % 50, $_) } 1 .. 9000;
 spew("$tmp/in", "0 0 first\n$lines");
 my $offset = '{ read line; projcalc project -j2 scene.json - | tail -n 1; ' .

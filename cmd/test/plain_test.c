@@ -103,7 +103,8 @@ static int put_sort(int sort, char *s)
 
 enum { SORTS = 8, ALL_READ = 3 }; /* of the sorts below, all but few are read */
 
-/* As read is to take it: [-] digits with at most one point. */
+/* Returns whether read is to take the text: [-] digits with at most one
+ * point. */
 static bool is_plain(const char *s)
 {
 	s += *s == '-';

@@ -3,10 +3,11 @@
 
 #include "../../core/test/sample.h"
 #include "document.h"
+#include "../../core/test/numbers.h"
 
 static const struct document_wants project = { WANTS };
 
-/* As fit leaves it. */
+/* The scene as fit leaves it. */
 static void sample_fitted(struct document *d)
 {
 	struct scene *s = &d->scene;
@@ -64,8 +65,8 @@ static void assert_same_map(const struct map *a, const struct map *b)
 		const struct sum *y = &b->m[i / 4][i % 4];
 
 		assert_int_equal(ex_compare(x->value, y->value), 0);
-		assert_true(
-		    x->error.m == y->error.m && x->error.e == y->error.e);
+		assert_number(x->error.m, y->error.m);
+		assert_number(x->error.e, y->error.e);
 	}
 }
 
@@ -99,15 +100,15 @@ static void test_reads_back(void **state)
 		r = read_as(&project, output_of(print_it, &d, &status));
 		assert_int_equal(status, 0);
 		assert_same_maps(&d.scene, &r.scene);
-		assert_true(d.scene.has_viewport == r.scene.has_viewport);
-		assert_true(d.scene.has_window == r.scene.has_window);
-		assert_true(d.scene.has_device == r.scene.has_device);
+		assert_number(d.scene.has_viewport, r.scene.has_viewport);
+		assert_number(d.scene.has_window, r.scene.has_window);
+		assert_number(d.scene.has_device, r.scene.has_device);
 		assert_true(r.scene.projection.type != PROJECTION_PERSP ||
 		    d.scene.projection.near_ratio ==
 			r.scene.projection.near_ratio);
-		assert_true(d.scene.margin == r.scene.margin);
-		assert_true(d.pick.has_at == r.pick.has_at);
-		assert_true(d.pick.radius == r.pick.radius);
+		assert_number(d.scene.margin, r.scene.margin);
+		assert_number(d.pick.has_at, r.pick.has_at);
+		assert_number(d.pick.radius, r.pick.radius);
 		assert_true(!d.pick.has_at || r.pick.at[0] == 7);
 	}
 }

@@ -2,6 +2,7 @@
 #include "document.h"
 
 #include <math.h>
+#include "../../core/test/numbers.h"
 
 static const struct document_wants persp = { .bare = SCENE_PROJECTION,
 	.needed = SCENE_PROJECTION,
@@ -275,7 +276,9 @@ static void test_section(void **state)
 	(void)state;
 	assert_int_equal(p.type, PROJECTION_PERSP);
 	assert_int_equal(p.extent, EXTENT_FOVY);
-	assert_true(p.angle == 60 && p.near == 1 && p.far == 9);
+	assert_number(p.angle, 60);
+	assert_number(p.near, 1);
+	assert_number(p.far, 9);
 	assert_true(!p.reverse_z && p.near_ratio == 0.0005);
 	assert_numbers(p.aspect, 2, 640.0, 480.0);
 	p = PERSP(
@@ -286,10 +289,11 @@ static void test_section(void **state)
 	assert_int_equal(PERSP("\"view_angle\":1").extent, EXTENT_VIEW_ANGLE);
 	p = PERSP("\"field\":1e-150");
 	assert_int_equal(p.extent, EXTENT_FIELD);
-	assert_true(p.angle == 1e-150);
+	assert_number(p.angle, 1e-150);
 	p = PERSP("\"width\":2,\"height\":3");
 	assert_int_equal(p.extent, EXTENT_SIZE);
-	assert_true(p.width == 2 && p.height == 3);
+	assert_number(p.width, 2);
+	assert_number(p.height, 3);
 	p = PERSP("\"left\":-1,\"right\":2,\"bottom\":-3,\"top\":4");
 	assert_int_equal(p.extent, EXTENT_EDGES);
 	assert_numbers(&p.left, 4, -1.0, 2.0, -3.0, 4.0);
@@ -307,8 +311,8 @@ static void assert_rows(const struct projection *p, int n, ...)
 
 	va_start(wanted, n);
 	for (int i = 0; i < 12; i++)
-		assert_true(
-		    p->intrinsics[i / 4][i % 4] == va_arg(wanted, double));
+		assert_number(p->intrinsics[i / 4][i % 4],
+		    va_arg(wanted, double));
 	va_end(wanted);
 	assert_int_equal(p->extent, EXTENT_INTRINSICS);
 	assert_numbers(&p->width, 2, 640.0, 480.0);
@@ -355,7 +359,7 @@ static void test_angles(void **state)
 	assert_numbers(&p.left, 4, -54.0, 40.0, -54.0, 42.0);
 	p = PERSP("\"width\":2,\"height\":3,\"edges_at\":0.5");
 	assert_int_equal(p.extent, EXTENT_SIZE);
-	assert_true(p.edges_at == 0.5);
+	assert_number(p.edges_at, 0.5);
 	p = PERSP("\"width\":2,\"aspect\":3,\"edges_at\":0.5");
 	assert_int_equal(p.extent, EXTENT_WIDTH);
 	p = PERSP("\"height\":2,\"aspect\":3");
@@ -364,7 +368,7 @@ static void test_angles(void **state)
 	p = PERSP("\"left\":-1,\"right\":2,\"bottom\":-3,\"top\":4,"
 		  "\"edges_at\":1");
 	assert_int_equal(p.extent, EXTENT_EDGES);
-	assert_true(p.edges_at == 1);
+	assert_number(p.edges_at, 1);
 }
 
 static void test_parallel(void **state)
@@ -377,7 +381,7 @@ static void test_parallel(void **state)
 
 	assert_int_equal(d.scene.projection.type, PROJECTION_ORTHO);
 	assert_int_equal(d.scene.projection.extent, EXTENT_HEIGHT);
-	assert_true(d.scene.projection.near == -1);
+	assert_number(d.scene.projection.near, -1);
 	assert_numbers(d.scene.projection.aspect, 2, 1.5, 1.0);
 	wants.projection = PROJECTION_OBLIQUE;
 #define SHEARED(members)                                  \
@@ -389,16 +393,19 @@ static void test_parallel(void **state)
 
 	assert_int_equal(p.extent, EXTENT_SIZE);
 	assert_int_equal(p.kind, OBLIQUE_CAVALIER);
-	assert_true(p.direction == 45 && p.plane == 0);
+	assert_number(p.direction, 45);
+	assert_number(p.plane, 0);
 	p = SHEARED("\"kind\":\"cabinet\",\"direction\":-30,\"plane\":7");
 	assert_int_equal(p.kind, OBLIQUE_CABINET);
-	assert_true(p.direction == -30 && p.plane == 7);
+	assert_number(p.direction, -30);
+	assert_number(p.plane, 7);
 	p = SHEARED("\"angle\":90");
 	assert_int_equal(p.kind, OBLIQUE_ANGLE);
-	assert_true(p.projector == 90);
+	assert_number(p.projector, 90);
 }
 
-/* Of the scene, wherever it stands in it, or beside the members of one alone. */
+/* The members of the scene, wherever the projection stands in it, or beside the
+ * members of a projection alone. */
 static void test_angle_unit(void **state)
 {
 #define LENS "\"fovy\":3,\"aspect\":1," PLANES
@@ -406,16 +413,17 @@ static void test_angle_unit(void **state)
 	    "{" LENS ",\"angle_unit\":\"radians\"}");
 
 	(void)state;
-	assert_true(d.scene.projection.unit == RADIANS);
-	assert_true(d.scene.projection.angle == 3 && d.unit == RADIANS);
+	assert_number(d.scene.projection.unit, RADIANS);
+	assert_number(d.scene.projection.angle, 3);
+	assert_number(d.unit, RADIANS);
 	d = read_as(&project,
 	    "{\"projection\":{\"type\":\"persp\"," LENS "},\"angle_unit\":"
 	    "\"radians\",\"camera\":{\"eye\":[0,0,0],\"at\":[0,0,1],\"roll\":2}"
 	    "}");
-	assert_true(d.scene.projection.unit == RADIANS);
-	assert_true(d.scene.camera.unit == RADIANS);
+	assert_number(d.scene.projection.unit, RADIANS);
+	assert_number(d.scene.camera.unit, RADIANS);
 	d = read_as(&persp, "{" LENS ",\"angle_unit\":\"degrees\"}");
-	assert_true(d.scene.projection.unit == DEGREES);
+	assert_number(d.scene.projection.unit, DEGREES);
 	/* the usual direction is one of degrees */
 	struct projection p = scene_of(
 	    "{\"angle_unit\":\"radians\","
@@ -423,12 +431,14 @@ static void test_angle_unit(void **state)
 	    "\"kind\":\"cabinet\"," PLANES ",\"width\":1,\"height\":1}}")
 				  .projection;
 
-	assert_true(p.direction == 45 && p.direction_unit == DEGREES);
+	assert_number(p.direction, 45);
+	assert_number(p.direction_unit, DEGREES);
 	p = scene_of("{\"projection\":{\"type\":\"oblique\",\"direction\":1,"
 		     "\"kind\":\"cabinet\"," PLANES
 		     ",\"width\":1,\"height\":1},\"angle_unit\":\"radians\"}")
 		.projection;
-	assert_true(p.direction == 1 && p.direction_unit == RADIANS);
+	assert_number(p.direction, 1);
+	assert_number(p.direction_unit, RADIANS);
 }
 
 static void test_volume(void **state)
@@ -442,24 +452,29 @@ static void test_volume(void **state)
 	(void)state;
 	assert_int_equal(p.type, PROJECTION_VOLUME);
 	assert_numbers(&p.half_width, 4, 1.0, 2.0, -3.0, 4.0);
-	assert_true(p.eye_by == EYE_BY_Z && p.inverse_eye_z == 0);
+	assert_number(p.eye_by, EYE_BY_Z);
+	assert_number(p.inverse_eye_z, 0);
 	p = VOLUME(",\"inverse_eye_z\":-0.1,\"tan_skew\":[5,6]");
-	assert_true(p.eye_by == EYE_BY_Z && p.inverse_eye_z == -0.1);
+	assert_number(p.eye_by, EYE_BY_Z);
+	assert_number(p.inverse_eye_z, -0.1);
 	assert_numbers(p.tan_skew, 2, 5.0, 6.0);
 	p = VOLUME(",\"eye\":[7,8,-9]");
-	assert_true(p.eye_by == EYE_GIVEN);
+	assert_number(p.eye_by, EYE_GIVEN);
 	assert_numbers(p.eye, 3, 7.0, 8.0, -9.0);
 	p = VOLUME(",\"view_angle\":0,\"tan_skew\":[5,6]");
-	assert_true(
-	    p.eye_by == EYE_BY_ANGLE && p.angle == 0 && p.aspect[1] == 0);
+	assert_number(p.eye_by, EYE_BY_ANGLE);
+	assert_number(p.angle, 0);
+	assert_number(p.aspect[1], 0);
 	p = scene_of("{\"angle_unit\":\"radians\",\"projection\":{\"type\":"
 		     "\"volume\",\"size\":3,\"view_angle\":3,\"z_near\":1,"
 		     "\"z_far\":0},\"viewport\":{\"width\":4,\"height\":2}}")
 		.projection;
-	assert_true(
-	    p.eye_by == EYE_BY_ANGLE && p.angle == 3 && p.unit == RADIANS);
+	assert_number(p.eye_by, EYE_BY_ANGLE);
+	assert_number(p.angle, 3);
+	assert_number(p.unit, RADIANS);
 	assert_numbers(&p.half_width, 4, 1.5, 1.5, 1.0, 0.0);
-	assert_true(p.aspect[0] == 4 && p.aspect[1] == 2);
+	assert_number(p.aspect[0], 4);
+	assert_number(p.aspect[1], 2);
 }
 
 int main(void)

@@ -15,8 +15,8 @@
 
 #include <cmocka.h>
 
-/* What run writes to standard error and output, in a process of its own, and
- * in *status how it exits: 0 where it returns. */
+/* Returns what run writes to standard error and output in a process of its own,
+ * and in *status its exit status, 0 if it returns. */
 static inline const char *output_of(void (*run)(const void *),
     const void *argument, int *status)
 {

@@ -24,8 +24,8 @@ sub with {
 
 sub camera { {eye => [@_], at => [0, 0, 0]} }
 
-# Of points without an image: how many there are, and where the first is; and how many
-# lines are bad.
+# The messages about points without an image, their number and the first one, and
+# about the number of bad lines.
 sub imageless {
 	my ($said) = @_;
 	my ($n, $where) = (0, '');
@@ -163,7 +163,7 @@ my $each = seconds("projcalc project --scenes $tmp/many", 4000);
 cmp_ok($each, '<', $call / 10, sprintf 'a scene takes 1/%.0f of a call',
     $call / $each);
 
-# What is traced is what project prints, from every space to every other.
+# trace prints what project prints, from every space to every other.
 my @spaces = qw(model world view clip ndc device);
 my $affine = [2, 0, 0, 0, 1, 3, 0, 0, 0, 0, 1, 0, 5, 6, 7, 1];
 my %scenes = (perspective => with(world => $affine, camera => camera(1, 2, -5)),

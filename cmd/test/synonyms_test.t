@@ -9,8 +9,8 @@ use FindBin;
 use lib $FindBin::Bin;
 use Projcalc;
 
-# What stands behind an option that is suggested without its argument, and
-# operands with which calls work.
+# The arguments of options that are suggested without one, and operands with which
+# the calls work.
 my %argument = (columns => '1,2,3', output => 'json', to => 'view', jobs => 1,
     decimals => 2, tolerance => 1, precision => 'double', separator => "','", convention => 'gl',
     color => 'auto');

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include <cmocka.h>
+#include "../../core/test/numbers.h"
 
 /* A text, and what is left of it or what it becomes; NULL where no number
  * begins in it. */
@@ -49,7 +50,7 @@ static void test_number(void **state)
 			assert_string_equal(e, numbers[i].left);
 	}
 	json_number("-1.5e+3", &"-1.5e+3"[7], &v);
-	assert_true(v == -1500);
+	assert_number(v, -1500);
 }
 
 /* Any byte ends digits, wherever it stands among them. */

@@ -225,8 +225,7 @@ static void are_as_number_write(void **unused)
 	}
 }
 
-/* Of the numbers that points have, nearly all are made by the vector where there
- * is one. */
+/* The vector makes nearly all numbers that points have, if there is one. */
 static void are_made(void **unused)
 {
 	const struct number_style usual[] = { { NUMBER_SHORTEST, 0 },

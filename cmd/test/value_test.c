@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include <cmocka.h>
+#include "../../core/test/numbers.h"
 
 /* The first number of an array, and how many there are. */
 static double first_of(const char *array, size_t n)
@@ -32,23 +33,24 @@ static void test_long_numbers(void **state)
 #define NINES20 "99999999999999999999"
 #define NOUGHTS20 "00000000000000000000"
 	(void)state;
-	assert_true(first_of("[0." NINES20 NINES20 NINES20 "9]", 1) == 1);
-	assert_true(first_of("[0." NINES20 NINES20 NINES20 "99]", 1) == 1);
-	assert_true(first_of("[-0.1" NOUGHTS20 NOUGHTS20 NOUGHTS20 "1e0 , 2]",
-			2) == -0.1);
-	assert_true(
-	    first_of("[1" NOUGHTS20 NOUGHTS20 NOUGHTS20 "e-60]", 1) == 1);
-	assert_true(first_of("[-1" NINES20 NINES20 NINES20 "99e-999]", 1) == 0);
+	assert_number(first_of("[0." NINES20 NINES20 NINES20 "9]", 1), 1);
+	assert_number(first_of("[0." NINES20 NINES20 NINES20 "99]", 1), 1);
+	assert_number(first_of("[-0.1" NOUGHTS20 NOUGHTS20 NOUGHTS20 "1e0 , 2]",
+			  2),
+	    -0.1);
+	assert_number(first_of("[1" NOUGHTS20 NOUGHTS20 NOUGHTS20 "e-60]", 1),
+	    1);
+	assert_number(first_of("[-1" NINES20 NINES20 NINES20 "99e-999]", 1), 0);
 }
 
 /* Members whose names begin with _ are left out, the others stay as they are. */
 static void test_hidden(void **state)
 {
 	(void)state;
-	assert_true(first_of("{\"_a\" : [{\"b\":\"}\"}] , \"c\":3}", 1) == 3);
-	assert_true(first_of("{\"c\":3,\"_a\":{}, \"_\" :null}", 1) == 3);
-	assert_true(first_of("{\"c\":3,\"_\":0,\"d_\":\"_e\"}", 2) == 3);
-	assert_true(first_of("[4,\"_a\",{\"_\":1}]", 3) == 4);
+	assert_number(first_of("{\"_a\" : [{\"b\":\"}\"}] , \"c\":3}", 1), 3);
+	assert_number(first_of("{\"c\":3,\"_a\":{}, \"_\" :null}", 1), 3);
+	assert_number(first_of("{\"c\":3,\"_\":0,\"d_\":\"_e\"}", 2), 3);
+	assert_number(first_of("[4,\"_a\",{\"_\":1}]", 3), 4);
 }
 
 int main(void)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Which lines are walked and which are left to line_read, and where numbers stand on
- * those that are. That a line is left changes nothing that is printed; that usual ones
- * are not is why there is a walk. */
+/* Tests which lines are walked and which are left to line_read, and the places
+ * of the numbers on walked lines. A line that is left costs only time, but
+ * usual lines must be walked. */
 #include "../lines/walk.h"
 
 #include <setjmp.h>
@@ -158,11 +158,12 @@ static const struct example paths[] = {
 	{ NULL, NULL },
 };
 
-/* So many lines stand before the one that is looked at, as what is at the beginning
- * of a text is left. */
+/* The number of lines before the tested one, as the first lines of a text are
+ * left to line_read. */
 enum { BEFORE = 8 };
 
-/* What a line comes to, after some that are walked and before one. */
+/* Returns the result for a line that stands after walked lines and before
+ * one. */
 static const char *walked(const struct layout *l, const char *line,
     const char *plain)
 {

@@ -3,7 +3,6 @@
 
 #include <string.h>
 
-
 /* The matrix of every projection that is made of parameters:
  *	 x   0   0   0
  *	 0   y   0   0

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The view matrix and its inverse against MPFR, exact zeros, and refusals. */
 #include "claims.h"
+#include "numbers.h"
 
 static const struct convention d3d;
 
@@ -89,7 +90,8 @@ static void set_diagonal(struct camera *c, double a, double b, double d)
 	c->matrix[3][3] = 1;
 }
 
-/* The same rotation, to 0 and 1, wherever it is what a matrix is nearest to. */
+/* The nearest rotation is exact, in zeros and ones, for every matrix that is
+ * near it. */
 static void nearest_exactly(void **state)
 {
 	static const double stretched[][3] = { { 1, 1, 1 }, { 3, 2, 1 },
@@ -229,13 +231,13 @@ static void recorded(void **state)
 
 	(void)state;
 	assert_null(camera_map(&c, &d3d, false, &m));
-	assert_true(element(&m, 3, 0) == 0);
-	assert_true(element(&m, 3, 1) == 0);
+	assert_number(element(&m, 3, 0), 0);
+	assert_number(element(&m, 3, 1), 0);
 	/* sqrt(14), -3/sqrt(10), 5/sqrt(35), -1/sqrt(14) by bc */
-	assert_true(element(&m, 3, 2) == 3.7416573867739413855837487323165);
-	assert_true(element(&m, 0, 0) == -0.94868329805051379959966806332981);
-	assert_true(element(&m, 1, 1) == 0.84515425472851657750961832736594);
-	assert_true(element(&m, 0, 2) == -0.26726124191242438468455348087975);
+	assert_number(element(&m, 3, 2), 3.7416573867739413855837487323165);
+	assert_number(element(&m, 0, 0), -0.94868329805051379959966806332981);
+	assert_number(element(&m, 1, 1), 0.84515425472851657750961832736594);
+	assert_number(element(&m, 0, 2), -0.26726124191242438468455348087975);
 }
 
 /* sin^2 of the angle between up and the gaze, times 2^100. */
@@ -300,7 +302,7 @@ static void pose_is_the_inverse(void **state)
 				continue;
 			assert_null(camera_map(&pose, &d3d, !inverse, &back));
 			for (int k = 0; k < 16; k++)
-				assert_true(element(&m, k / 4, k % 4) ==
+				assert_number(element(&m, k / 4, k % 4),
 				    element(&back, k / 4, k % 4));
 		}
 	}
@@ -339,7 +341,7 @@ static void turns_of_a_cube(void **state)
 		turns++;
 		assert_null(camera_map(&c, &d3d, false, &m));
 		for (int i = 0; i < 9; i++)
-			assert_true(element(&m, i / 3, i % 3) ==
+			assert_number(element(&m, i / 3, i % 3),
 			    c.matrix[i / 3][i % 3] / (1 + i / 3));
 	}
 	assert_int_equal(turns, 24);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What every test of core needs: cmocka, and claims of bounds. */
+/* This header includes what every test of core needs: cmocka, and claims of
+ * bounds. */
 #ifndef CLAIM_H
 #define CLAIM_H
 

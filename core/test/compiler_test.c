@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* What gcc 12 makes wrong code of, unless it has the flags that the Makefile gives
- * to all of the project: where one of these fails, nothing that this compiler made
- * is to be trusted. */
+/* gcc 12 compiles this code wrongly without the flags of the Makefile. If one
+ * of these tests fails, no output of this compiler is to be trusted. */
 #include "claims.h"
+#include "numbers.h"
 
 /* Nothing of a function is known where it is called: gcc's word, and clang's. */
 #if __has_attribute(noipa)
@@ -56,8 +56,8 @@ static void loops_store(void **state)
 	for (int k = 0; k < 4; k++)
 		combine(&r, k, &m, k);
 	for (int i = 0; i < 20; i++) {
-		assert_true(r.m[i / 4][i % 4].hi == 3);
-		assert_true(r.sum[i / 4][i % 4] == 10);
+		assert_number(r.m[i / 4][i % 4].hi, 3);
+		assert_number(r.sum[i / 4][i % 4], 10);
 	}
 }
 

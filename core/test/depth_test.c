@@ -13,6 +13,7 @@
 #include "sample.h"
 #include "../derive/taxonomy.h"
 #include "truth.h"
+#include "numbers.h"
 
 static const double most[BUFFERS] = { 65535, 16777215, 0 };
 
@@ -38,7 +39,8 @@ static real target(double z, enum buffer b, bool up)
 	return number((double)f);
 }
 
-/* Whether depth at a distance from the plane has reached the next step. */
+/* Returns whether depth at a distance from the plane has reached the next
+ * step. */
 static bool reached(const struct projector *p, double distance, enum buffer b)
 {
 	int mark = real_mark();
@@ -148,8 +150,8 @@ static double step_of(const struct scene *s, bool reversed, enum buffer b,
 	return depth_step(&z, b, far);
 }
 
-/* What was rounded to nearest lies at the first such distance or just before
- * it. */
+/* A step that is rounded to nearest is the first distance with the next depth,
+ * or the double before it. */
 static void steps_are_the_first(void **state)
 {
 	int found = 0, none = 0;
@@ -209,18 +211,18 @@ static void depth_without_end(void **state)
 	(void)state;
 	/* depth = 1 - 1 / z is 1/65535 at 65535/65534 */
 	depth_of(&s, false, &z);
-	assert_true(step_of(&s, false, BUFFER_UNORM16, false) == 1.0 / 65534);
-	assert_true(step_of(&s, false, BUFFER_FLOAT32, false) == 0x1p-149);
+	assert_number(step_of(&s, false, BUFFER_UNORM16, false), 1.0 / 65534);
+	assert_number(step_of(&s, false, BUFFER_FLOAT32, false), 0x1p-149);
 	for (enum buffer b = 0; b < BUFFERS; b++)
 		assert_true(isnan(step_of(&s, false, b, true)) != 0);
 	/* from z = 2, depth 1/2, to 1/2 - 1/65535 and 1/2 - 2^-25 */
-	assert_true(depth_step_at(&z, BUFFER_UNORM16, 2) == 4.0 / 65537);
-	assert_true(
-	    depth_step_at(&z, BUFFER_FLOAT32, 2) == 0x1p-23 / (1 + 0x1p-24));
+	assert_number(depth_step_at(&z, BUFFER_UNORM16, 2), 4.0 / 65537);
+	assert_number(depth_step_at(&z, BUFFER_FLOAT32, 2),
+	    0x1p-23 / (1 + 0x1p-24));
 	/* reversed, 1 / z is 1 - 2^-24 at 1 / (1 - 2^-24) */
 	s.projection.reverse_z = true;
 	depth_of(&s, true, &z);
-	assert_true(step_of(&s, true, BUFFER_FLOAT32, false) == 1 / 0xffffffp0);
+	assert_number(step_of(&s, true, BUFFER_FLOAT32, false), 1 / 0xffffffp0);
 	/* 1/3 is between two floats */
 	float up = (float)(1.0 / 3);
 
@@ -228,7 +230,7 @@ static void depth_without_end(void **state)
 	double step = depth_step_at(&z, BUFFER_FLOAT32, 3);
 
 	/* 3 - 1/up = (3 up - 1) / up, of which no difference is rounded */
-	assert_true(step == fma(3, (double)up, -1) / (double)up);
+	assert_number(step, fma(3, (double)up, -1) / (double)up);
 }
 
 static void a_range_below_a_step_has_none(void **state)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Which edges of a 2D window points are outside of: the signs that MPFR has. */
+/* The edges of a 2D window that points are outside of have the signs of
+ * MPFR. */
 #include "../derive/frustum.h"
 
 #include "claims.h"

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* What inspect claims as bounds: no point of the view volume is further off. */
+/* No point of the view volume has an error above the bound that inspect
+ * prints. */
 #include "../derive/error_bound.h"
 
 #include "claims.h"
 #include "points.h"
+#include "numbers.h"
 
 /* Its lower and upper corner in ndc. */
 static void corners_of(const struct scene *s, real low[3], real high[3])
@@ -152,7 +154,7 @@ static void bounds_hold(void **state)
 	}
 }
 
-/* Of 640 x 480 pixels, and beyond the range of floats. */
+/* The scenes have 640 x 480 pixels, or lie beyond the range of floats. */
 static void ordinary_bounds_are_small(void **state)
 {
 	struct scene s = { .has_viewport = true,
@@ -219,7 +221,7 @@ static void bounds_of_x_and_y_are_alike(void **state)
 	assert_null(error_bounds(&right, a));
 	assert_null(error_bounds(&above, b));
 	for (int i = 0; i < 3; i++)
-		assert_true(a[i] == b[i]);
+		assert_number(a[i], b[i]);
 }
 
 int main(void)

@@ -9,6 +9,7 @@
 #include <cmocka.h>
 
 #include "../derive/fit.h"
+#include "numbers.h"
 
 static const struct bounds unit_ball = { .sphere = true, .radius = 1 };
 
@@ -42,11 +43,11 @@ static void assert_fits(struct scene *s, bool has_eye, const struct bounds *b,
 {
 	assert_null(fit_scene(s, has_eye, b));
 	assert_int_equal(s->camera.by, CAMERA_GAZE);
-	assert_true(s->camera.eye[0] == x);
-	assert_true(s->camera.eye[1] == y);
-	assert_true(s->camera.eye[2] == z);
-	assert_true(s->projection.near == near);
-	assert_true(s->projection.far == far);
+	assert_number(s->camera.eye[0], x);
+	assert_number(s->camera.eye[1], y);
+	assert_number(s->camera.eye[2], z);
+	assert_number(s->projection.near, near);
+	assert_number(s->projection.far, far);
 }
 
 /* A sphere is touched by planes at half the angle, r / sin(30) off. */
@@ -82,7 +83,7 @@ static void test_eye(void **state)
 		.at = { 3, 0, 7 },
 		.up = { 0, 1, 0 } };
 	assert_fits(&s, true, &b, 3, 0, -5, 4, 6);
-	assert_true(s.camera.at[2] == 107);
+	assert_number(s.camera.at[2], 107);
 }
 
 static void test_near_ratio(void **state)
@@ -110,15 +111,18 @@ static void test_slopes(void **state)
 	s.projection.width = 8;
 	s.projection.height = 16;
 	assert_fits(&s, false, &b, 0, 0, -4, 2, 6);
-	assert_true(s.projection.width == 4 && s.projection.height == 8);
+	assert_number(s.projection.width, 4);
+	assert_number(s.projection.height, 8);
 	s.projection.extent = EXTENT_EDGES;
 	s.projection.left = 2;
 	s.projection.right = -2;
 	s.projection.bottom = -1;
 	s.projection.top = 2;
 	assert_fits(&s, false, &b, 0, 0, -6, 4, 8);
-	assert_true(s.projection.left == 4 && s.projection.right == -4);
-	assert_true(s.projection.bottom == -2 && s.projection.top == 4);
+	assert_number(s.projection.left, 4);
+	assert_number(s.projection.right, -4);
+	assert_number(s.projection.bottom, -2);
+	assert_number(s.projection.top, 4);
 }
 
 static void test_ortho(void **state)
@@ -128,20 +132,24 @@ static void test_ortho(void **state)
 
 	(void)state;
 	assert_fits(&s, false, &b, 2, 1, -3, 3, 9);
-	assert_true(s.projection.width == 4 && s.projection.height == 2);
+	assert_number(s.projection.width, 4);
+	assert_number(s.projection.height, 2);
 	s.camera.eye[0] = 9;
 	s.camera.eye[2] = 1;
 	s.projection.aspect[0] = s.projection.aspect[1] = 1;
 	assert_fits(&s, true, &b, 2, 1, 1, -1, 5);
-	assert_true(s.projection.width == 4 && s.projection.height == 4);
+	assert_number(s.projection.width, 4);
+	assert_number(s.projection.height, 4);
 	s.projection.extent = EXTENT_EDGES;
 	s.projection.left = 1;
 	assert_fits(&s, false, &b, 2, 1, -3, 3, 9);
-	assert_true(s.projection.left == 2 && s.projection.right == -2);
-	assert_true(s.projection.bottom == -2 && s.projection.top == 2);
+	assert_number(s.projection.left, 2);
+	assert_number(s.projection.right, -2);
+	assert_number(s.projection.bottom, -2);
+	assert_number(s.projection.top, 2);
 }
 
-/* Of a 640 x 480 viewport with one scale, 0.75 of the height is seen. */
+/* A viewport of 640 x 480 with one scale shows 0.75 of the height. */
 static void test_viewport(void **state)
 {
 	struct bounds b = box(1, 3, 1);
@@ -154,7 +162,8 @@ static void test_viewport(void **state)
 		.max_z = 1,
 		.scale = SCALE_UNIFORM };
 	assert_fits(&s, false, &b, 0, 0, -2, 1, 3);
-	assert_true(s.projection.width == 2 && s.projection.height == 8);
+	assert_number(s.projection.width, 2);
+	assert_number(s.projection.height, 8);
 	s = persp(90);
 	s.has_viewport = true;
 	s.viewport = (struct viewport){ .width = 640,
@@ -172,13 +181,15 @@ static void test_oblique(void **state)
 
 	(void)state;
 	assert_fits(&s, false, &b, 2, 0, -2, 1, 3);
-	assert_true(s.projection.width == 4 && s.projection.height == 2);
+	assert_number(s.projection.width, 4);
+	assert_number(s.projection.height, 2);
 	s = parallel(PROJECTION_OBLIQUE);
 	s.convention.right_handed = s.convention.ndc_y_down = true;
 	s.projection.kind = OBLIQUE_CABINET;
 	s.projection.direction = 90;
 	assert_fits(&s, false, &b, 0, 1, 2, 1, 3);
-	assert_true(s.projection.width == 2 && s.projection.height == 3);
+	assert_number(s.projection.width, 2);
+	assert_number(s.projection.height, 3);
 }
 
 static void test_flat(void **state)
@@ -189,8 +200,8 @@ static void test_flat(void **state)
 	(void)state;
 	assert_fits(&s, false, &b, 0, 0, -0x1p-19, 0x1p-20, 3 * 0x1p-20);
 	assert_fits(&s, false, &line, 0, 0, -2, 1, 3);
-	assert_true(s.projection.width == 0x1p-19);
-	assert_true(s.projection.height == 0x1p-19);
+	assert_number(s.projection.width, 0x1p-19);
+	assert_number(s.projection.height, 0x1p-19);
 	s = persp(90);
 	assert_fits(&s, false, &b, 0, 0, -1, 1 - 0x1p-20, 1 + 0x1p-20);
 }
@@ -200,7 +211,9 @@ static void assert_gaze(const struct camera *c, double x, double y, double z,
 {
 	assert_true(c->by == CAMERA_GAZE);
 	assert_true(c->at[0] == x && c->at[1] == y && c->at[2] == z);
-	assert_true(c->up[0] == up_x && c->up[1] == up_y && c->up[2] == up_z);
+	assert_number(c->up[0], up_x);
+	assert_number(c->up[1], up_y);
+	assert_number(c->up[2], up_z);
 }
 
 static void test_cameras(void **state)
@@ -214,13 +227,14 @@ static void test_cameras(void **state)
 		.roll = 30 };
 	assert_null(fit_scene(&s, false, &unit_ball));
 	assert_gaze(&s.camera, 1, 0, 0, 0, 1, 0);
-	assert_true(s.camera.roll == 30);
+	assert_number(s.camera.roll, 30);
 	s.camera = (struct camera){ .by = CAMERA_MATRIX,
 		.matrix = { { 0, 0, 4 }, { 0, 4 }, { -4 }, { 0, 0, 20, 1 } } };
 	assert_null(fit_scene(&s, true, &unit_ball));
 	assert_gaze(&s.camera, 1, 0, 0, 0, 1, 0);
-	assert_true(s.camera.eye[0] == -5);
-	assert_true(s.projection.near == 4 && s.projection.width == 2);
+	assert_number(s.camera.eye[0], -5);
+	assert_number(s.projection.near, 4);
+	assert_number(s.projection.width, 2);
 	s.camera = (struct camera){ .by = CAMERA_AT,
 		.eye = { -9e149, 0, 0 },
 		.at = { 9e149, 0, 0 },

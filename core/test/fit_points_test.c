@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Of many points the farthest along a direction: no other is farther, by MPFR, whatever
- * the order they come in, the pieces they come in, and the processor. */
+/* No point is farther along a direction than the one that is found, by MPFR,
+ * for any order of the points, any pieces and any processor. */
 #include "../derive/fit.h"
 
 #include "../points/points.h"
 #include "claims.h"
 #include "points.h"
+#include "numbers.h"
 
 enum { CLOUD = 300, ROOM = 304, PIECES = 3 };
 
@@ -141,7 +142,7 @@ static void claim_farthest(const struct cloud *c, const struct directions *d,
 	}
 }
 
-/* Of 0 and -0 either is taken. */
+/* Either of 0 and -0 may be found. */
 static bool are_same(const struct extremes *a, const struct extremes *b, int n)
 {
 	bool same = true;
@@ -210,7 +211,7 @@ static void assert_farther(const double m[3], const double p[3],
 		memcpy(c.p[!k], q, sizeof c.p[k]);
 		add_cloud(&c, &d, &e);
 		for (int i = 0; i < 3; i++)
-			assert_true(e.of[0].point[i] == p[i]);
+			assert_number(e.of[0].point[i], p[i]);
 	}
 }
 

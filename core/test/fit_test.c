@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What fit makes holds its bounds, or all points of a cloud, exactly, and no double is
- * tighter. */
+/* The scene that fit makes holds its bounds, or all points of a cloud, exactly,
+ * and no double is tighter. */
 #include "../derive/fit.h"
 
 #include "claims.h"
@@ -94,7 +94,8 @@ struct fitted {
 	struct form gap[6];
 };
 
-/* What persp's plane k gains for each unit that the eye goes back. */
+/* The value of plane k of a perspective grows by this much for each unit that
+ * the eye goes back. */
 static real slope(const struct scene *s, int k, real limit)
 {
 	real m[4][4];
@@ -179,8 +180,9 @@ static bool is_tight(struct form gap, double v, double inward)
 	return truth_sign(form_sub(ulp, gap), &doubtful) > 0 || doubtful;
 }
 
-/* Whether something is between two planes that are so far apart, and not their gaps
- * alone: else their distance is 2^-20 of another. */
+/* Returns whether the bounds, and not their gaps alone, lie between two planes
+ * that are this far apart; else the distance of the planes is 2^-20 of
+ * another. */
 static bool is_filled(const struct fitted *f, int k, double distance)
 {
 	real gaps = add(f->gap[k].value, f->gap[k + 1].value);
@@ -197,7 +199,7 @@ static bool depth_tight(const struct fitted *f)
 		is_tight(f->gap[5], p->far, -HUGE_VAL));
 }
 
-/* What an eye that is rounded can cost. */
+/* The rounding of the eye may cost this much. */
 static double terms(const struct fitted *f, int k)
 {
 	return farthest(f->s.camera.eye) + value(f->gap[k].size);

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The window that fit gives holds its bounds, and no double is tighter: by MPFR and
- * by the flags. What a window shows. */
+/* The window that fit finds holds its bounds, and no double is tighter, by MPFR
+ * and by the flags. */
 #include "../derive/fit.h"
 
 #include "../derive/frustum.h"
 #include "claims.h"
+#include "numbers.h"
 
 static double nearest(real a)
 {
@@ -19,7 +20,8 @@ static void range_of(const struct bounds *b, int axis, real *low, real *high)
 	*high = b->sphere ? add(c, r) : number(b->max[axis]);
 }
 
-/* What is twice as far from the center as the bounds, in what the margin leaves. */
+/* The corners are twice as far from the center as the bounds, less the
+ * margin. */
 static double least_side(real low, real high, double center, double margin)
 {
 	real below = sub(number(center), low),
@@ -125,10 +127,10 @@ static void fit_many(int e, int n)
 			const struct window *w = &s.window;
 
 			expect(&s, &b, &want);
-			assert_true(w->center[0] == want.center[0]);
-			assert_true(w->center[1] == want.center[1]);
-			assert_true(w->width == want.width);
-			assert_true(w->height == want.height);
+			assert_number(w->center[0], want.center[0]);
+			assert_number(w->center[1], want.center[1]);
+			assert_number(w->width, want.width);
+			assert_number(w->height, want.height);
 			assert_true(!w->by_edges && w->zoom == 1);
 			assert_true(s.has_window && holds(&s, &b));
 			if (!b.sphere && s.margin == 0 && !is_flat(&b)) {
@@ -158,7 +160,7 @@ static void windows_are_the_least(void **state)
 	fit_many(149, 500);
 }
 
-/* Where the other end is lost beside the middle: the exact side is a hair more than
+/* The other end is lost beside the middle: the exact side is slightly more than
  * a double. */
 static void a_hair_counts(void **state)
 {
@@ -167,11 +169,11 @@ static void a_hair_counts(void **state)
 
 	(void)state;
 	assert_null(fit_window(&s, &b));
-	assert_true(s.window.center[0] == 5e148);
-	assert_true(s.window.width == nextafter(1e149, HUGE_VAL));
+	assert_number(s.window.center[0], 5e148);
+	assert_number(s.window.width, nextafter(1e149, HUGE_VAL));
 	b.min[0] = 0;
 	assert_null(fit_window(&s, &b));
-	assert_true(s.window.width == 1e149);
+	assert_number(s.window.width, 1e149);
 }
 
 static void assert_refused_as(const struct bounds *b, const char *begins)

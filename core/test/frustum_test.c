@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Which planes of the view volume points are outside of: the signs that MPFR
- * has. */
+/* The planes of the view volume that points are outside of have the signs of
+ * MPFR. */
 #include "../derive/frustum.h"
 
 #include "claims.h"
@@ -227,8 +227,8 @@ static void the_least_distance_tells(void **state)
 	}
 }
 
-/* Of any size: where products underflow or overflow, and midst in between. More
- * than are looked at in one go. */
+/* The magnitudes make products underflow, overflow and neither. There are more
+ * points than one call looks at. */
 static void many_are_told_as_one(void **state)
 {
 	enum { MANY = 1000 };

@@ -103,7 +103,7 @@ static void sums_and_products(void **state)
 	mpz_clear(z);
 }
 
-/* What a product has no room for is told, and nothing else. */
+/* A product without room for all its words says so, and no other does. */
 static void room(void **state)
 {
 	mpz_t x, y;

@@ -15,7 +15,7 @@ static void any_matrix(struct projection *p, bool affine, int e)
 		p->matrix[i][3] = sample_number(e);
 }
 
-/* Where all of them are in the range of doubles. */
+/* All elements are in the range of doubles. */
 static void compare(const struct truth *t, const struct map *m, struct worst *w)
 {
 	if (map_is_finite(m))

@@ -42,8 +42,8 @@ static double wrapped(double a)
 	return a - rint(a);
 }
 
-/* So many units in the last place of each coordinate, and by how much they lift
- * a point. */
+/* The number of units in the last place of each coordinate, and by how much
+ * they lift a point. */
 struct move {
 	double ulps[4], lift;
 };
@@ -137,7 +137,7 @@ static double climb(const struct hill *h, double p[4], struct block *b,
 	return fabs(best);
 }
 
-/* What the fast phase left undecided, on the way. */
+/* Counts the points that the fast phase leaves undecided. */
 struct count {
 	struct tally tally;
 	size_t points, accurate, climbs, near;

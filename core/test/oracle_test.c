@@ -59,8 +59,8 @@ static void try_scene(int e, struct count *c)
 	real_release(mark);
 }
 
-/* Of scenes with magnitudes of 10^-e to 10^e, or round ones for a negative e; returns
- * how many are wrong. */
+/* Tries scenes with magnitudes of 10^-e to 10^e, or round numbers for a
+ * negative e. Returns how many results are wrong. */
 static size_t try_scenes(int e, size_t coordinates)
 {
 	struct count c = { 0 };

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* What inspect tells in parameters, against MPFR. */
+/* The parameters that inspect prints, against MPFR. */
 #include "../derive/parameters.h"
 #include "../points/point.h"
 
 #include "claims.h"
+#include "numbers.h"
 
-/* The same picture: the map from the world to ndc is the same but for a factor, so
- * far as the numbers of parameters are rounded: points of the view volume are where
- * they were. */
+/* The scene that inspect prints makes the same picture: its map from world to
+ * ndc is the given one times a factor, to the rounding of its parameters, so
+ * points of the view volume stay where they were. */
 static double most_off(const struct scene *s, const struct scene *r,
     const struct taxonomy *t)
 {
@@ -76,7 +77,8 @@ static void scenes_make_the_same_picture(void **state)
 	assert_true(made > 800 && types[PROJECTION_PERSP] > 150);
 }
 
-/* The same in matrices, each element the nearest double. */
+/* A projection by parameters and its matrix give the same parameters, each the
+ * nearest double. */
 static void to_matrices(struct scene *s)
 {
 	struct map camera, projection;
@@ -94,8 +96,8 @@ static void to_matrices(struct scene *s)
 	s->projection.type = PROJECTION_MATRIX;
 }
 
-/* What is made of parameters in matrices is recovered, as far as their digits say
- * it. */
+/* The parameters of a matrix are those that it was made of, to the digits of
+ * the matrix. */
 static void matrices_are_told(void **state)
 {
 	struct scene s;
@@ -166,8 +168,8 @@ static void corner_of(const struct scene *s, const struct truth *back,
 	corner_at(s, back, limit, reversed, far, side, h);
 }
 
-/* But for their signs: where ndc is 1 on the plane that is nearer, less where the eye
- * is. */
+/* The edges agree except for their signs: ndc is 1 on the nearer plane, and
+ * less at the eye. */
 static void check_edges(const struct scene *s, const struct truth *back,
     const struct parameters *r, int tally[VERDICTS])
 {
@@ -359,9 +361,10 @@ static void parameters_come_home(void **state)
 		    1 :
 		    -1;
 
-		assert_true(q->left == mirror * p->left);
-		assert_true(q->right == mirror * p->right);
-		assert_true(q->bottom == p->bottom && q->top == p->top);
+		assert_number(q->left, mirror * p->left);
+		assert_number(q->right, mirror * p->right);
+		assert_number(q->bottom, p->bottom);
+		assert_number(q->top, p->top);
 	}
 	assert_true(n > 300);
 }
@@ -447,7 +450,7 @@ static void check_combined(const struct scene *s, const struct parameters *r,
 	}
 }
 
-/* What has the camera in it is taken apart, to the nearest doubles. */
+/* A matrix that contains the camera is taken apart, to the nearest doubles. */
 static void cameras_are_found_in_matrices(void **state)
 {
 	int tally[2] = { 0 }, parallel = 0;
@@ -481,7 +484,7 @@ static void cameras_are_found_in_matrices(void **state)
 		assert_true(is.has_scene);
 		assert_true(most_off(&s, &is.scene, &t) < 1e-6);
 		if (is.scene.projection.type == PROJECTION_PERSP) {
-			assert_true(is.reverse_z == was.reverse_z);
+			assert_number(is.reverse_z, was.reverse_z);
 			assert_true(fabs(is.near - was.near) <=
 				1e-9 * (fabs(was.near) + fabs(was.far)) ||
 			    isinf(was.far));

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* What lies within a radius, how far and in which order: as MPFR has it. */
+/* The points within a radius, their distances and their order, against MPFR. */
 #include "../derive/pick.h"
 
 #include "claims.h"
 #include "points.h"
+#include "numbers.h"
 
 /* Along the gaze from the near plane, of model points: in every convention the
  * same. */
@@ -14,8 +15,8 @@ struct distance {
 	bool upward;
 };
 
-/* Of a matrix, near is where MPFR has the point of the axis of the ndc plane that
- * frustum_test knows; here there are none. */
+/* The near plane of a matrix is where MPFR finds the point of the axis on the
+ * ndc plane that frustum_test knows. These scenes have no matrix. */
 static void distance_of(const struct scene *s, struct distance *d)
 {
 	const struct projection *p = &s->projection;
@@ -229,7 +230,8 @@ static void what_rounds_onto_the_edge_is_outside(void **state)
 	assert_null(scene_transform(&s, SPACE_MODEL, SPACE_DEVICE, false, &t));
 	assert_null(picker_of(&s, &t, &k));
 	point_exact(&t, p, device);
-	assert_true(device[0] == 1 && device[1] == 1);
+	assert_number(device[0], 1);
+	assert_number(device[1], 1);
 	k.at[0] = 0;
 	k.at[1] = 1;
 	k.radius = 1;

@@ -4,6 +4,7 @@
 
 #include "claims.h"
 #include "points.h"
+#include "numbers.h"
 
 /* Against MPFR, as doubles and floats. */
 static void check_point(const struct truth *truth, const struct transform *t,
@@ -75,7 +76,7 @@ static void assert_image(const struct transform *t, double x, double y,
 
 	point_exact(t, p, q);
 	for (int j = 0; j < 3; j++)
-		assert_true(q[j] == expected[j]);
+		assert_number(q[j], expected[j]);
 	for (; copy < copies + COPIES; copy++) {
 		if (!points_choose(*copy))
 			continue;
@@ -83,11 +84,11 @@ static void assert_image(const struct transform *t, double x, double y,
 			b.in[j][0] = p[j];
 		carry_all(t, &b, 1);
 		for (int j = 0; j < 3; j++)
-			assert_true(b.out[j][0] == expected[j]);
+			assert_number(b.out[j][0], expected[j]);
 	}
 }
 
-/* Of given numbers alone nothing is too small to count. */
+/* No sum of given numbers is too small to count. */
 static void sums_of_given_numbers(void **state)
 {
 	static const double cancelling[3][4] = { { 1, 1, 1, 0 },
@@ -132,12 +133,12 @@ static void one_beside_a_zero_of_roots(void **state)
 			t.map.m[(i + 3 - k) % 3][0] = sum_of_double(1);
 			transform_init(&t, SPACE_MODEL, SPACE_WORLD, false);
 			point_exact(&t, p, out);
-			assert_true(out[0] == 1);
+			assert_number(out[0], 1);
 		}
 }
 
-/* What such sums are divided by is found, too, on the way back, through any scene of round
- * numbers. */
+/* The divisor of such sums is exact on the way back, too, through any scene of
+ * round numbers. */
 static void quotients_of_given_numbers(void **state)
 {
 	static struct transform t;
@@ -225,14 +226,14 @@ static void ties_of_irrational_parts(void **state)
 			continue;
 		}
 		point_exact(&t, (double[4]){ 0, y, z }, q);
-		assert_true(q[1] == mpfr_get_d(exact, MPFR_RNDN));
-		assert_true(q[0] == 1);
+		assert_number(q[1], mpfr_get_d(exact, MPFR_RNDN));
+		assert_number(q[0], 1);
 		real_release(mark);
 	}
 }
 
-/* And turned by 45 degrees before a parallel projection: x = (z - y) / 2, of a
- * sine times the root of 1/2. */
+/* The scene turns by 45 degrees before a parallel projection: x = (z - y) / 2
+ * comes from a sine times the root of 1/2. */
 static void ties_of_different_irrational_parts(void **state)
 {
 	struct scene s = { .has_camera = true,
@@ -266,8 +267,8 @@ static void ties_of_different_irrational_parts(void **state)
 			real exact = sub(number(1),
 			    number((100 - i) * 0x1p-53));
 
-			assert_true(
-			    b.out[0][i] == mpfr_get_d(exact, MPFR_RNDN));
+			assert_number(b.out[0][i],
+			    mpfr_get_d(exact, MPFR_RNDN));
 			real_release(mark);
 		}
 	}

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The projections and their inverses against MPFR, and refusals. */
 #include "claims.h"
+#include "numbers.h"
 
 static const struct convention d3d,
     gl = { true, true, true, false, true, false };
@@ -135,7 +136,7 @@ static void map_for(const struct projection *p, struct map *m)
 	assert_null(projection_map(p, &d3d, false, m));
 }
 
-/* What is whole is whole, and digits from bc. */
+/* Whole elements are exact; the digits of the others are from bc. */
 static void recorded(void **state)
 {
 	struct projection p = { .type = PROJECTION_PERSP,
@@ -147,15 +148,18 @@ static void recorded(void **state)
 
 	(void)state;
 	map_for(&p, &m);
-	assert_true(element(&m, 0, 0) == 0.5 && element(&m, 1, 1) == 1);
-	assert_true(element(&m, 2, 2) == 1 && element(&m, 2, 3) == 1);
-	assert_true(element(&m, 3, 2) == -1 && element(&m, 3, 3) == 0);
+	assert_number(element(&m, 0, 0), 0.5);
+	assert_number(element(&m, 1, 1), 1);
+	assert_number(element(&m, 2, 2), 1);
+	assert_number(element(&m, 2, 3), 1);
+	assert_number(element(&m, 3, 2), -1);
+	assert_number(element(&m, 3, 3), 0);
 	p.angle = 60;
 	map_for(&p, &m);
-	assert_true(
-	    element(&m, 1, 1) == 1.7320508075688772935274463415058723669);
-	assert_true(
-	    element(&m, 0, 0) == 0.8660254037844386467637231707529361835);
+	assert_number(element(&m, 1, 1),
+	    1.7320508075688772935274463415058723669);
+	assert_number(element(&m, 0, 0),
+	    0.8660254037844386467637231707529361835);
 
 	p = (struct projection){ .type = PROJECTION_OBLIQUE,
 		.kind = OBLIQUE_CABINET,
@@ -167,13 +171,15 @@ static void recorded(void **state)
 		.near = 1,
 		.far = 2 };
 	map_for(&p, &m);
-	assert_true(element(&m, 2, 0) == 0 && element(&m, 3, 0) == 0);
-	assert_true(element(&m, 2, 1) == 0.5 && element(&m, 3, 1) == -0.5);
+	assert_number(element(&m, 2, 0), 0);
+	assert_number(element(&m, 3, 0), 0);
+	assert_number(element(&m, 2, 1), 0.5);
+	assert_number(element(&m, 3, 1), -0.5);
 	p.kind = OBLIQUE_CAVALIER;
 	p.direction = 45;
 	map_for(&p, &m);
-	assert_true(
-	    element(&m, 2, 0) == 0.7071067811865475244008443621048490393);
+	assert_number(element(&m, 2, 0),
+	    0.7071067811865475244008443621048490393);
 }
 
 static void refused(const struct projection *p, bool inverse,
@@ -231,8 +237,8 @@ static void refusals(void **state)
 	refused(&p, true, "/projection/matrix");
 }
 
-/* Of a perspective's transpose the last row is 0 0 1 0; so may be that of a
- * perspective with w = z, and of an affine matrix. */
+/* The last row of the transpose of a perspective is 0 0 1 0. A perspective with
+ * w = z, and an affine matrix, may have that row, too. */
 static void transposed(void **state)
 {
 	static const struct {

@@ -43,7 +43,7 @@ static void cast(const struct ray_maker *r, bool single, size_t n,
 	rays_cast(r, single, at, out, out + 3, n);
 }
 
-/* Where there are no planes it begins where clip x, y and w are 0. */
+/* Without planes a ray begins where clip x, y and w are 0. */
 static void check_ray(const struct ray_maker *r, const struct truth *back,
     const struct truth *eye, bool against, const struct rays *b, size_t i,
     bool single, int verdicts[VERDICTS])
@@ -75,7 +75,7 @@ static void check_ray(const struct ray_maker *r, const struct truth *back,
 	real_release(mark);
 }
 
-/* Whether device depth falls away from the eye. */
+/* Returns whether device depth falls away from the eye. */
 static bool against(const struct scene *s)
 {
 	return (s->viewport.max_z > s->viewport.min_z) ==
@@ -131,7 +131,7 @@ static void rays_are_exact(void **state)
 	assert_true(verdicts[NEAREST] > 20000 && verdicts[RULED] < 10);
 }
 
-/* Nor does a ray depend on the others of its block. */
+/* A ray does not depend on the other rays of its block. */
 static void copies_give_the_same_rays(void **state)
 {
 	static struct ray_maker r;
@@ -184,9 +184,10 @@ static void no_position_no_ray(void **state)
 		assert_true(isnan(b.ray[j][0]));
 }
 
-/* Where the plane is met, before the division: of the line through the images a and b
- * of two depths, a (p . b) - b (p . a). Seen if clip w there has the sign of w, or
- * rays are parallel and w is the same everywhere. */
+/* Computes where the ray meets the plane p, before the division: a (p . b) - b
+ * (p . a) on the line through the images a and b of two depths. The point is
+ * visible if its clip w has the sign of w, or if rays are parallel and w is the
+ * same everywhere. */
 static void truth_meeting(const struct truth *back, const struct truth *clip,
     const double plane[4], const double at[2], struct image *image)
 {

@@ -6,7 +6,7 @@
 
 enum { STORE = 1 << 16 };
 
-/* What low parts below 2^-1074 can cost an element. */
+/* Returns the error of an element that low parts below 2^-1074 can cause. */
 #define LOST 0x1p-1068
 
 static mpfr_t store[STORE];
@@ -120,8 +120,8 @@ void set_unit(real r[4][4])
 			r[i][j] = number(i == j);
 }
 
-/* Of the matrix without row i and column j, with the sign of their place. What
- * cancels but for rounding errors is 0. */
+/* Returns the cofactor of row i and column j. A cofactor that cancels except
+ * for rounding errors is 0. */
 static real cofactor(real m[4][4], int i, int j)
 {
 	real s = number(0), size = number(0);

@@ -30,7 +30,7 @@ real negative(real a);
 real magnitude(real a);
 real root(real a);
 
-/* Of an angle in degrees or radians, the cotangent of angle / part. */
+/* Returns the cotangent of angle / part, for an angle in degrees or radians. */
 real sine(double angle, bool radians);
 real cosine(double angle, bool radians);
 real cotangent(double angle, bool radians, int part);
@@ -53,8 +53,8 @@ bool is_zero(real a, real size);
 /* |printed - exact| in units in the last place of exact. */
 double ulps(double printed, real exact);
 
-/* |got - exact| in units of 2^-106 size. What low parts that are lost below
- * 2^-1074 explain is no error. */
+/* Returns |got - exact| in units of 2^-106 size, less what low parts lost below
+ * 2^-1074 explain. */
 double u2_error(dd got, real exact, double size);
 
 #endif

@@ -337,7 +337,8 @@ static void any_p(double k[3][4], int e)
 			k[i][j] = e > 0 ? sample_number(e) : ordinary();
 }
 
-/* As [fx, fy, cx, cy], K or P; with planes, without or with an infinite far. */
+/* Makes [fx, fy, cx, cy], K or P, with planes, without them, or with an
+ * infinite far plane. */
 static void intrinsics(struct projection *p, int e)
 {
 	double(*k)[4] = p->intrinsics;

@@ -27,7 +27,8 @@ void sample_scene(struct scene *, int e);
 /* Wants it in another convention, or not. */
 void sample_answer(struct scene *);
 
-/* Of numbers with few digits, without an angle or a length: all is rational. */
+/* Makes scenes of numbers with few digits, without an angle or a length, so
+ * that all is rational. */
 void sample_round_scene(struct scene *);
 
 #endif

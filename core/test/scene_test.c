@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Composed maps between any two spaces against MPFR, and refusals. */
 #include "claims.h"
+#include "numbers.h"
 
 static void compare(const struct scene *s, enum space from, enum space to,
     struct worst *w)
@@ -69,8 +70,8 @@ static void far_away(void **state)
 	claim_maps("1e15 from the origin", &w);
 }
 
-/* From any convention around all five and home. What one makes as numbers is exact
- * where it is written in whole numbers. */
+/* The answers go from any convention around all five and back. Whole numbers
+ * stay exact. */
 static void around_all_conventions(void **state)
 {
 	static const struct convention known[] = { { 0 },
@@ -124,8 +125,8 @@ static void around_all_conventions(void **state)
 	}
 }
 
-/* Where a point lies in the picture does not depend on whose answer it is: on the
- * device, but for its origin. */
+/* The place of a point in the picture is the same in every convention of the
+ * answer, on the device, except for the origin. */
 static void one_picture(void **state)
 {
 	(void)state;
@@ -143,7 +144,7 @@ static void one_picture(void **state)
 		s.answer = NULL;
 		assert_null(scene_map(&s, SPACE_MODEL, SPACE_DEVICE, &own));
 		for (int j = 0; j < 16; j++)
-			assert_true(element(&own, j / 4, j % 4) ==
+			assert_number(element(&own, j / 4, j % 4),
 			    element(&other, j / 4, j % 4));
 	}
 }

@@ -10,6 +10,7 @@
 #include <stdint.h>
 
 #include <cmocka.h>
+#include "numbers.h"
 
 /* 0 that is known to SUM_ERROR. */
 static struct sum nothing_of_one(void)
@@ -29,7 +30,7 @@ static void assert_error(struct sum nothing, int e)
 		struct sum off = sum_add(nothing, sum_of_double(none));
 
 		assert_int_equal(sum_sign(off), 0);
-		assert_true(sum_double(off) == 0);
+		assert_number(sum_double(off), 0);
 		assert_true(sum_settled(off).value.n == 0);
 		off = sum_add(nothing, sum_negated_if(minus, least));
 		assert_int_equal(sum_sign(off), minus ? -1 : 1);
@@ -90,9 +91,9 @@ static void what_is_nothing(void **state)
 static void what_is_exact(void **state)
 {
 	(void)state;
-	assert_true(sum_sqrt(sum_of_double(2.25)).error.m == 0);
-	assert_true(
-	    sum_quotient(sum_of_double(6), sum_of_double(3)).error.m == 0);
+	assert_number(sum_sqrt(sum_of_double(2.25)).error.m, 0);
+	assert_number(sum_quotient(sum_of_double(6), sum_of_double(3)).error.m,
+	    0);
 	struct sum root = sum_sqrt(sum_of_double(4 + 0x1p-50));
 	struct sum third = sum_quotient(sum_of_double(1), sum_of_double(3));
 

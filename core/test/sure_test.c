@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* How often what is fast is sure. A bound that is too large, or a test that is too
- * strict, changes no number that is printed; it takes time. So it is counted how many
- * points are left to what is slow. The counts are what they are, the same from every
- * compiler, and of copies that fuse products up to two more or less; one that changes
- * wants a reason. All numbers are made without the mathematical library, whose last
- * bits differ. */
+/* Counts the points that the fast phases leave to the accurate one. A bound
+ * that is too large, or a test that is too strict, changes no printed number
+ * and costs only time. The counts are recorded; every compiler gives the same,
+ * and copies with fused products differ by at most two. A count that changes
+ * needs a reason. The numbers are made without the mathematical library, whose
+ * last bits differ. */
 #include "claims.h"
 #include "points.h"
 
@@ -12,12 +12,13 @@
 
 enum { BLOCKS = 24 };
 
-/* What is counted: kernels of exact by what they carry. */
+/* The counters: one for each kind of column in the exact kernels. */
 enum { AFFINE, RATIONAL, FLAT, DEPTH, PROJECTIVE, RAY, WAYS };
 
-/* Scenes and points: from 2^low to 2^high, of the eye and of what is relative to it,
- * in so many binary digits; all of a scene times each power from 2^least to 2^most. And
- * how many are left, of BLOCKS POINTS_BLOCK. */
+/* Scenes and points from 2^low to 2^high, for the eye and for what is relative
+ * to it, with so many binary digits; the whole scene is scaled by each power
+ * from 2^least to 2^most. The last numbers are the recorded counts, of BLOCKS
+ * POINTS_BLOCK points. */
 static const struct regime {
 	const char *name;
 	int eye_low, eye_high, low, high, digits, least, most;
@@ -115,7 +116,7 @@ static void make_pixels(const struct regime *r, struct block *b)
 			    any(k < 2 ? 0 : -6, k < 2 ? 9 : 0, r->digits));
 }
 
-/* Of how many points a kernel isn't sure. */
+/* Returns the number of points that a kernel does not decide. */
 static unsigned unsure(exact_kernel kernel, const struct kernel_map *m,
     struct block *b)
 {

@@ -3,6 +3,7 @@
 #include "../derive/taxonomy.h"
 
 #include "claims.h"
+#include "numbers.h"
 
 static void kinds_have_their_names(void **state)
 {
@@ -32,7 +33,7 @@ static void kinds_have_their_names(void **state)
 		assert_null(taxonomy_of(&s, &t));
 		assert_int_equal(t.taxon, TAXON_PERSPECTIVE);
 		assert_int_equal(t.kind, perspective[i]);
-		assert_true(t.fov[1] == 50 + i);
+		assert_number(t.fov[1], 50 + i);
 
 		*p = (struct projection){ .type = PROJECTION_ORTHO,
 			.extent = EXTENT_SIZE,
@@ -68,7 +69,7 @@ static void obliques_have_their_names(void **state)
 			angle == 45 ? KIND_CAVALIER :
 			angle == 90 ? KIND_MULTIVIEW :
 				      KIND_GENERAL);
-		assert_true(t.foreshortening[0] == 1);
+		assert_number(t.foreshortening[0], 1);
 		assert_true(angle > 0 || t.foreshortening[2] == 0.5);
 	}
 }

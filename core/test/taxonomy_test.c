@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What inspect tells of a projection, against MPFR. */
+/* The names and numbers that inspect prints of a projection, against MPFR. */
 #include "../derive/taxonomy.h"
 
 #include "claims.h"

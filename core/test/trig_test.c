@@ -3,6 +3,7 @@
 #include "../exact/trig.h"
 
 #include "claims.h"
+#include "numbers.h"
 
 static double worst;
 
@@ -80,11 +81,11 @@ static void every_cotangent(void **state)
 static void equals(struct sum got, double expected)
 {
 	assert_int_equal(ex_compare(got.value, ex_of(expected)), 0);
-	assert_true(got.error.m == 0);
+	assert_number(got.error.m, 0);
 }
 
-/* As other programs write them, next to where one of them is 0, and the one that is
- * nearest to such of all doubles. */
+/* The angles are written as in other programs: next to zeros of a function, and
+ * the double that is nearest of all to one. */
 static void every_radian(void **state)
 {
 	(void)state;
@@ -111,10 +112,10 @@ static void every_radian(void **state)
 	claim("of radians", worst, TRIG_BOUND);
 	assert_true(sum_sign(sin_of(0, RADIANS)) == 0);
 	assert_true(sum_double(cos_of(0, RADIANS)) == 1);
-	assert_true(
-	    sum_double(cos_of(PI / 2, RADIANS)) == 0x1.1a62633145c07p-54);
-	assert_true(
-	    sum_double(cot_of(PI / 2, RADIANS)) == 0x1.1a62633145c07p-54);
+	assert_number(sum_double(cos_of(PI / 2, RADIANS)),
+	    0x1.1a62633145c07p-54);
+	assert_number(sum_double(cot_of(PI / 2, RADIANS)),
+	    0x1.1a62633145c07p-54);
 }
 
 /* Against MPFR's sine and cosine of the root, of sums of squares of three doubles, also
@@ -199,7 +200,8 @@ static void exact_ones(void **state)
 	equals(cos_of(360 * 0x1p400, DEGREES), 1);
 }
 
-/* What is none is 0: roots of 2, 3 and 5 by themselves, less these. */
+/* A sum below its error is 0: the roots of 2, 3 and 5 times themselves, less
+ * these numbers. */
 static void angles_of_nothing(void **state)
 {
 	(void)state;
@@ -211,10 +213,10 @@ static void angles_of_nothing(void **state)
 		struct sum least = sum_of_double(0x1p-1074);
 
 		for (int turn = 0; turn < 2; turn++) {
-			assert_true(degrees_of(none, one) == 0);
-			assert_true(degrees_of(none, least) == 0);
-			assert_true(degrees_of(one, none) == 90);
-			assert_true(degrees_of(none, sum_neg(one)) == 180);
+			assert_number(degrees_of(none, one), 0);
+			assert_number(degrees_of(none, least), 0);
+			assert_number(degrees_of(one, none), 90);
+			assert_number(degrees_of(none, sum_neg(one)), 180);
 			assert_true(isnan(degrees_of(none, none)));
 			none = sum_neg(none);
 		}

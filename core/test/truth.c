@@ -128,7 +128,7 @@ static bool is_even(double a, bool single)
 	return ((single ? narrow_bits : bits) & 1) == 0;
 }
 
-/* Of two, when their midpoint is within so much of a, the even one. */
+/* Returns the even one of two doubles if their midpoint is this close to a. */
 static double nearest(real a, real within, bool single)
 {
 	double low = rounded(sub(a, within), single);

@@ -38,7 +38,7 @@ void truth_scene(const struct scene *, enum space from, enum space to,
 void truth_flat(const struct scene *, enum flat from, enum flat to,
     struct truth *);
 
-/* Where the camera looks: 1 for +z of view space, -1 for -z. */
+/* Returns 1 if the camera looks along +z of view space, -1 for -z. */
 double truth_gaze(const struct convention *);
 
 /* The convention that a scene is wanted in. */
@@ -48,7 +48,7 @@ const struct convention *truth_answer(const struct scene *);
 void truth_matrix(const struct scene *, enum space from, enum space to,
     real m[4][4]);
 
-/* What |x| and |y| may be on the viewport, in ndc. */
+/* Returns the limits of |x| and |y| in ndc on the viewport. */
 void truth_limits(const struct scene *, real limit[2]);
 
 /* A sum, and the sum of its terms' magnitudes. */
@@ -62,7 +62,7 @@ struct form form_sub(struct form, struct form);
 struct form form_mul(struct form, struct form);
 struct form form_dot(const struct form a[3], const struct form b[3]);
 
-/* As far as v is off, its length is at most. */
+/* Returns a bound of the error of the length of v. */
 struct form form_length(const struct form v[3]);
 
 /* The length of the first three numbers of P's last row. */
@@ -89,15 +89,15 @@ enum verdict {
 	VERDICTS,
 };
 
-/* Of n / d, nan standing for what is beyond the range. */
+/* Returns n / d; nan if it is beyond the range. */
 enum verdict truth_verdict(double printed, struct form n, struct form d,
     bool single);
 
 /* The double nearest to an element. */
 double element(const struct map *, int i, int j);
 
-/* The worst of many maps. What TRUTH_RULE excuses is wrong where all is
- * rational. */
+/* The worst errors of many maps. In a rational scene TRUTH_RULE excuses no
+ * error. */
 struct worst {
 	int verdicts[VERDICTS]; /* of elements as doubles and as floats */
 	double error;           /* of an element's dd, in units of 2^-106 */

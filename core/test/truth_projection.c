@@ -26,7 +26,8 @@ static real tangent(double angle, bool radians)
 	return over(sine(angle, radians), cosine(angle, radians));
 }
 
-/* The same of the tangents of left, right, bottom and top, at 1. */
+/* Computes the elements from the tangents of left, right, bottom and top, which
+ * are edges at 1. */
 static void tangents(const struct projection *p, real s[2], real off[2])
 {
 	const double angle[4] = { p->left, p->right, p->bottom, p->top };
@@ -191,7 +192,7 @@ static real taper(const struct projection *p, real hw, real hh)
 	return p->z_near > p->z_far ? q : negative(q);
 }
 
-/* What the elements with a difference in them are sums of. */
+/* Computes the sizes of the sums in the elements that have differences. */
 static void size_depth(const struct projection *p, bool minus_one, real q,
     struct truth_stage *s)
 {

@@ -96,7 +96,7 @@ static void turn_about(const double rvec[3], struct truth_stage *stage)
 
 static void reverse(struct truth *);
 
-/* Of a matrix or pose. */
+/* Computes the map of a matrix or pose. */
 static void bare(struct truth *t, const struct camera *c)
 {
 	struct truth r = { 0 };
@@ -176,7 +176,7 @@ static void viewport(struct truth *t, const struct viewport *v,
 	to_device(s, 0, v->x, v->width, sx);
 	to_device(s, 1, v->y, v->height,
 	    c->ndc_y_down == c->bottom_left ? negative(sy) : sy);
-	/* Where Z runs from -1 to 1, (Z + 1) / 2 takes the place of Z. */
+	/* If Z runs from -1 to 1, (Z + 1) / 2 takes its place. */
 	s->m[2][2] = sub(max, min);
 	s->m[3][2] = min;
 	if (c->minus_one) {
@@ -238,8 +238,8 @@ static void window(struct truth *t, const struct window *w,
 	}
 }
 
-/* What a matrix is off by, m times that times m its inverse is, as far as sizes are
- * concerned. */
+/* Computes the sizes of m times the error of m times the inverse of m, which
+ * bounds the error of the inverse. */
 static void size_inverse(const struct truth_stage *s, struct truth_stage *r)
 {
 	for (int i = 0; i < 16; i++) {
@@ -256,8 +256,8 @@ static void size_inverse(const struct truth_stage *s, struct truth_stage *r)
 	}
 }
 
-/* The inverse: the stages' inverses, last first. Those of a rotation have the same
- * sizes. */
+/* Computes the inverse from the inverses of the stages, in reverse order. The
+ * inverse of a rotation has the same sizes. */
 static void reverse(struct truth *t)
 {
 	struct truth r = { .n = t->n, .irrational = t->irrational };
@@ -302,7 +302,7 @@ const struct convention *truth_answer(const struct scene *s)
 	return s->answer != NULL ? s->answer : &s->convention;
 }
 
-/* Of the view axes y and z may point the other way. */
+/* View y and z may point the other way. */
 static void turn_view(struct truth *t, const struct scene *s)
 {
 	const struct convention *a = truth_answer(s);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Windows, devices and viewports against MPFR. */
 #include "claims.h"
+#include "numbers.h"
 
 static void flat(const char *what, int e, int tries)
 {
@@ -67,16 +68,17 @@ static void random_viewports(void **state)
 	viewports("hostile, to 1e150", 150, 1000);
 }
 
-/* What the window shows of the x axis, as its centre and half its width. */
+/* Computes the part of the x axis that the window shows, as its centre and half
+ * its width. */
 static void check_shown(const struct window *w, const struct device *d,
     double center, double half)
 {
 	struct map m;
 
 	assert_null(window_map(w, d, false, &m));
-	assert_true(element(&m, 0, 0) == 1 / half);
-	assert_true(m.origin[0] == center);
-	assert_true(element(&m, 3, 0) == -center / half);
+	assert_number(element(&m, 0, 0), 1 / half);
+	assert_number(m.origin[0], center);
+	assert_number(element(&m, 3, 0), -center / half);
 }
 
 static void shapes(void **state)
@@ -110,8 +112,8 @@ static void assert_limits(const struct viewport *v, double x, double y)
 	struct sum half[2], scale[2];
 
 	viewport_limits(v, half, scale);
-	assert_true(sum_over(half[0], scale[0]) == x);
-	assert_true(sum_over(half[1], scale[1]) == y);
+	assert_number(sum_over(half[0], scale[0]), x);
+	assert_number(sum_over(half[1], scale[1]), y);
 }
 
 /* A uniform scale cuts the sides that do not fit. */
