@@ -97,6 +97,22 @@ static bool columns_fit(const struct layout *l, bool members,
 	return false;
 }
 
+/* Notes where on the line the coordinates stand. */
+static void note_places(const struct layout *l, const struct chosen *c,
+    struct line *line)
+{
+	bool replaced = line->kind == LINE_BAD && format_of(l->in)->header;
+
+	for (int i = 0; i < l->reads; i++) {
+		const struct field *f = &c->field[i];
+
+		/* in csv nan replaces the quotes of a bad number, too */
+		line->at[i] = c->times[i] == 0 ? part_missing :
+		    !replaced                  ? line_part(line, f->value) :
+				line_part(line, trimmed(l->in, f->whole));
+	}
+}
+
 /* Finds the coordinates of a line and reads them. Changes its kind from LINE_LOST to
  * LINE_POINT or LINE_BAD, or to LINE_REFUSED if the first row does not fit its header. */
 static void read_fields(const struct layout *l, struct span text,
@@ -151,16 +167,7 @@ static void read_fields(const struct layout *l, struct span text,
 		!can_be_kept(l, cut.members, &c)))
 		return;
 	line->kind = ok ? LINE_POINT : LINE_BAD;
-	for (int i = 0; i < l->reads; i++) {
-		const struct field *f = &c.field[i];
-
-		/* in csv nan replaces the quotes of a bad number, too */
-		line->at[i] = c.times[i] == 0 ?
-		    part_missing :
-		    ok || !in->header ?
-		    line_part(line, f->value) :
-		    line_part(line, trimmed(l->in, f->whole));
-	}
+	note_places(l, &c, line);
 }
 
 /* Returns whether the first line is to be read as a point. Else it is a header, or bad
