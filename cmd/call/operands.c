@@ -131,13 +131,10 @@ static bool is_added(const struct layout *l, const char *path)
 	const bool pointer = *path == '/';
 	const size_t n = pointer ? strcspn(path + 1, "/") : strlen(path);
 
-	for (int k = l->reads; k <= COORDINATES_MAX && !l->append; k++) {
-		const char *name = layout_added_name(l, k);
-
-		if ((k < COORDINATES_MAX ? k < l->writes : l->flags) &&
-		    strlen(name) == n && strncmp(path + pointer, name, n) == 0)
+	for (int k = l->reads; k <= COORDINATES_MAX && !l->append; k++)
+		if (n > 0 && strlen(l->name[k]) == n &&
+		    strncmp(path + pointer, l->name[k], n) == 0)
 			return true;
-	}
 	return false;
 }
 
@@ -239,18 +236,19 @@ static void choose_kernels(void)
 		    cpu);
 }
 
-/* Sets the names that --append adds: "device_x" of a space; "dx" of a ray's direction. */
-static void name_added(struct layout *l, const char *space)
+/* Names what is written: by --append device_x, after the space of the images. */
+static void name_values(struct layout *l, const char *space)
 {
-	for (int k = 0; k < l->writes; k++) {
-		bool point = k < 3 || l->writes <= 4;
+	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };
 
-		snprintf(l->added[k], sizeof *l->added, "%s%s%s",
-		    point ? space : "", point ? "_" : "",
-		    layout_added_name(l, k));
+	for (int k = 0; k < l->writes; k++) {
+		bool of_space = l->append && (k < 3 || l->writes <= 4);
+
+		snprintf(l->name[k], sizeof *l->name, "%s%s%s",
+		    of_space ? space : "", of_space ? "_" : "",
+		    l->writes > 4 ? ray[k] : coordinate_name(k));
 	}
-	if (l->flags)
-		strcpy(l->added[COORDINATES_MAX], "flags");
+	strcpy(l->name[COORDINATES_MAX], l->flags ? "flags" : "");
 }
 
 void prepare_job(struct job *j, const struct options *o)
@@ -276,10 +274,11 @@ void prepare_job(struct job *j, const struct options *o)
 		.single = o->precision == PRECISION_SINGLE,
 	};
 	j->layout.columns.by_header = o->columns.n == 0;
+	for (int k = 0; k < 4 && j->layout.columns.by_header; k++)
+		j->layout.columns.name[k] = coordinate_name(k);
 	for (int k = 0; k < COORDINATES_MAX; k++)
 		j->layout.style[k] = o->styles.style[k];
-	if (o->append)
-		name_added(&j->layout, j->space);
+	name_values(&j->layout, j->space);
 	j->precision = o->precision;
 	j->visible = o->visible;
 	j->keep_going = o->keep_going;
@@ -299,6 +298,7 @@ static void run_json(struct job *j, const char *name, const char *text,
 
 	j->layout.in = dialect_of(FORMAT_JSON, ',');
 	j->layout.columns.n = 0;
+	j->layout.fields = 0;
 	stream_text(j, name, text, size);
 	j->layout = of_files;
 }

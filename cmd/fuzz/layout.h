@@ -30,13 +30,19 @@ static inline struct layout layout_of(const uint8_t *b)
 		.writes = size[1],
 		.flags = b[1] / 6 & 1,
 	};
+	static const char *const written[] = { "x", "y", "z", "w", "v", "u" };
 	enum format in = l.in.format;
 	int columns = b[1] / 12 % 6;
 
 	for (int k = 0; k < COORDINATES_MAX; k++) {
 		l.style[k].kind = b[2] % 3;
+		if (k < l.writes)
+			strcpy(l.name[k], written[k]);
 		l.style[k].n = b[2] / 4 % 3 == 1 ? 100 : 1 + (b[2] + k) % 17;
 	}
+	strcpy(l.name[COORDINATES_MAX], l.flags ? "flags" : "");
+	if (columns == 0)
+		memcpy(l.columns.name, names, sizeof names);
 	if (is_binary(in) || columns == 0)
 		return l;
 	l.columns.n = l.reads;

@@ -47,7 +47,9 @@ static void check_back(const struct layout *l, const double v[],
 	struct line line = { 0 };
 	double read[4];
 	char reason[REASON_MAX];
-	bool header = skip_mark(text.s, text.end) > text.s;
+	enum first header = skip_mark(text.s, text.end) > text.s ?
+	    FIRST_LINE :
+	    FIRST_IS_READ;
 
 	for (int i = 0; i < back.columns.n && l->in.format == FORMAT_CSV; i++)
 		back.columns.name[i] = NULL;
@@ -115,7 +117,7 @@ static void check_spans(const struct layout *l, const struct line *line,
 }
 
 static void check_line(struct layout *l, struct span text, const char *end,
-    bool *header)
+    enum first *header)
 {
 	char reason[REASON_MAX] = "";
 	struct line line = { 0 };
@@ -141,7 +143,7 @@ static const char *line_end(const char *s, const char *end)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-	bool header = true;
+	enum first header = FIRST_LINE;
 
 	if (size < HEADER)
 		return 0;

@@ -199,7 +199,7 @@ static bool do_at_once(struct job *j, const char *text, size_t size)
 	static size_t bad;
 	struct chunk *c = chunk_new();
 
-	c->first = !is_binary(j->layout.in.format);
+	c->first = is_binary(j->layout.in.format) ? FIRST_IS_READ : FIRST_LINE;
 	c->piece.text = memcpy(xrealloc(NULL, size + PIECE_MARGIN), text, size);
 	c->piece.whole = size;
 	job_do(j, c);
@@ -210,7 +210,8 @@ static bool do_at_once(struct job *j, const char *text, size_t size)
 		unended = !is_binary(j->layout.out.format) &&
 		    c->out[c->size - 1] != '\n';
 	}
-	add(&printed, c->out, c->size);
+	if (!refused)
+		add(&printed, c->out, c->size);
 	for (size_t i = 0; i < c->n_complaints && bad + i < COMPLAINTS_MAX;
 	     i++) {
 		struct place p = { .line = 1 + (long)c->complaint[i].line,

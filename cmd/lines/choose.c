@@ -6,13 +6,13 @@
 
 #include "../json/text.h"
 
-/* The rest of the path to each coordinate, inside a value; NULL where the path does
- * not lead into the value. */
+/* The rest of the path to each coordinate inside a value; NULL if the path does not lead
+ * into the value. */
 struct paths {
 	const char *to[4];
 };
 
-/* Returns whether the token is the number k of an element, without a 0 before it. */
+/* Returns whether the token is the decimal number k without leading zeros. */
 static bool is_index(struct span token, long k)
 {
 	for (; k >= 10 && token.end > token.s && token.end[-1] == '0' + k % 10;
@@ -21,8 +21,8 @@ static bool is_index(struct span token, long k)
 	return k < 10 && token.end - token.s == 1 && *token.s == '0' + k;
 }
 
-/* Returns whether the path, a name or a pointer, leads to field k of the cut, or
- * into it; *rest is the rest of the path then. */
+/* Returns whether the path, a name or a pointer, leads to field k of the cut or into its
+ * value; sets *rest to the rest of the path. */
 static bool leads_to(const char *path, const struct cut *c,
     const struct field *f, long k, const char **rest)
 {
@@ -36,8 +36,8 @@ static bool leads_to(const char *path, const struct cut *c,
 			    pointer && is_index(token, k);
 }
 
-/* Finds the values to which the paths lead: enters each value once, for all paths
- * that lead into it. */
+/* Finds the values at the ends of the paths. Enters each value once, for all paths that
+ * lead into it, so that the time is linear in the length of the line. */
 static void choose_by_path(struct cut c, int reads, const struct paths *paths,
     struct chosen *out)
 {
@@ -72,9 +72,9 @@ static void choose_by_path(struct cut c, int reads, const struct paths *paths,
 			out->times[i] = seen[i];
 }
 
-/* Returns whether the separator before the field behind the last coordinate counts
- * as one between coordinates: the field is a number, behind two coordinates or a
- * comma alone. */
+/* Returns whether the field f, after the last coordinate, may be the other half of a
+ * decimal comma, so that the separator before it has to be like those between the
+ * coordinates: f is a number, after two coordinates or directly after a comma. */
 static bool counts_on(const struct layout *l, const struct field *f)
 {
 	double v;
@@ -120,7 +120,7 @@ void choose(const struct layout *l, struct cut c, struct chosen *out)
 	memset(out->times, 0, sizeof out->times);
 	out->mixed = false;
 	for (int i = 0; i < l->reads && by_path; i++)
-		paths.to[i] = layout_path(l, i);
+		paths.to[i] = l->columns.name[i];
 	if (by_path)
 		choose_by_path(c, l->reads, &paths, out);
 	else
@@ -155,8 +155,8 @@ bool choose_clashes(const struct layout *l, struct cut c,
 
 	while (l->append && cut_next(&c, &f))
 		for (int k = 0; k <= COORDINATES_MAX; k++) {
-			struct span added = { l->added[k],
-				l->added[k] + strlen(l->added[k]) };
+			struct span added = { l->name[k],
+				l->name[k] + strlen(l->name[k]) };
 			struct span s = trimmed(c.in, f.value);
 			size_t n = (size_t)(added.end - added.s);
 
@@ -182,14 +182,14 @@ bool choose_may_clash(const struct layout *l, struct span line)
 
 	if (memchr(line.s, '\\', size) != NULL)
 		return true;
-	/* names of a space have it, and the others are few */
+	/* every other name that is added has a _ */
 	if (!l->flags && l->writes <= 4 && memchr(line.s, '_', size) == NULL)
 		return false;
 	while ((line.s = memchr(line.s, '"', size)) != NULL) {
 		size = (size_t)(line.end - ++line.s);
 		for (int k = 0; k <= COORDINATES_MAX; k++)
-			if (size > 0 && *line.s == l->added[k][0] &&
-			    strncmp(line.s, l->added[k], strlen(l->added[k])) ==
+			if (size > 0 && *line.s == l->name[k][0] &&
+			    strncmp(line.s, l->name[k], strlen(l->name[k])) ==
 				0)
 				return true;
 	}

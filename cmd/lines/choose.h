@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The coordinates among the fields of a line: by place, name or pointer. */
+/* Finds the coordinates among the fields of a line by place, name or pointer. */
 #ifndef CHOOSE_H
 #define CHOOSE_H
 
@@ -7,25 +7,26 @@
 #include "line.h"
 
 struct chosen {
-	struct field field[4]; /* of those that were found */
-	int times[4];          /* how often each was found; 0: it is missing */
-	bool mixed; /* in text, some separators have a comma, others have not */
+	struct field
+	    field[4]; /* the fields of the coordinates that were found */
+	int times[4]; /* how often a coordinate was found; 0: missing */
+	bool mixed;   /* only some separators of text have a comma */
 };
 
-/* Finds the coordinates in one pass over the fields. */
+/* Finds the coordinates in one pass over the fields of the cut. */
 void choose(const struct layout *, struct cut, struct chosen *);
 
-/* Returns whether one coordinate stands in another, as pointers can say. */
+/* Returns whether a coordinate lies inside the value of another, as pointers allow. */
 bool choose_overlaps(const struct layout *, const struct chosen *);
 
 /* Returns whether a column of a header or a member of an object has a name that
- * --append adds; says which then. */
+ * --append adds, and writes the reason. */
 bool choose_clashes(const struct layout *, struct cut, char reason[REASON_MAX]);
 
-/* Returns whether an object may have such a member: false is sure. */
+/* Returns false only if choose_clashes would return false for the object, too. */
 bool choose_may_clash(const struct layout *, struct span line);
 
-/* Returns the number of fields that are left of a cut. */
+/* Returns the number of fields after the cut. */
 size_t choose_count(struct cut);
 
 #endif

@@ -21,7 +21,7 @@ bool format_is_old(struct dialect d, struct span line, char reason[REASON_MAX])
 	const char *s = line.s;
 	bool fields = format_of(d)->escape == '"' &&
 	    *skip_blanks(d, s, line.end) != '#';
-	/* as in next_of_csv, a quote counts where it opens a field */
+	/* as in next_of_csv, only a quote at its beginning quotes a field */
 	bool quoted = false, opens = fields;
 
 	for (; s < line.end && (*s != '\r' || quoted); s++) {
@@ -69,7 +69,7 @@ static bool json_line_check(struct dialect d, struct span line,
 	return false;
 }
 
-/* Finds a field of text: up to a blank or, unless it is one of words, a comma. */
+/* Sets a field of text, which ends at a blank or, unless c->words, at a comma. */
 static void next_of_text(struct cut *c, struct field *f)
 {
 	const char *s = skip_blanks(c->in, c->s, c->end), *after;
@@ -86,9 +86,9 @@ static void next_of_text(struct cut *c, struct field *f)
 	f->next = after == c->end && !c->comma ? NULL : after;
 }
 
-/* Finds a field of csv. If it begins with a quote, separators up to the closing quote
- * are part of it; "" stands for a quote and doesn't close it. In a field that does not
- * begin with one, as in 5" pipe, a quote is like any other character. */
+/* Sets a field of csv. A field that begins with a quote may contain separators up to the
+ * closing quote; "" in it is a quote. In any other field, such as 5" pipe, a quote is an
+ * ordinary character. */
 static void next_of_csv(struct cut *c, struct field *f)
 {
 	const char *s = skip_blanks(c->in, c->s, c->end), *end = c->end;
@@ -113,7 +113,7 @@ static void next_of_csv(struct cut *c, struct field *f)
 		    (struct span){ f->value.s + 1, f->value.end - 1 });
 }
 
-/* Finds an element of an array, or a member of an object. */
+/* Sets an element of an array or a member of an object. */
 static void next_of_json(struct cut *c, struct field *f)
 {
 	const char *s = c->s;
@@ -149,7 +149,7 @@ static bool csv_check(struct dialect d, struct span line,
 	return !f.open;
 }
 
-/* Reads a number, or a word that stands for a missing value; nan is a number. */
+/* Reads a number, or the word of a missing value as nan. */
 static const char *text_value(const char *s, const char *end, double *v)
 {
 	static const char words[][5] = { "NA", "N/A", "n/a", "na", "null",
@@ -181,14 +181,14 @@ static const char *json_value(const char *s, const char *end, double *v)
 	return end;
 }
 
-static bool stands_in_text(struct dialect d, struct span f)
+static bool can_copy_to_text(struct dialect d, struct span f)
 {
 	(void)d;
 	(void)f;
 	return true;
 }
 
-static bool stands_in_csv(struct dialect d, struct span f)
+static bool can_copy_to_csv(struct dialect d, struct span f)
 {
 	size_t n = (size_t)(f.end - f.s);
 
@@ -196,7 +196,7 @@ static bool stands_in_csv(struct dialect d, struct span f)
 	    memchr(f.s, d.separator, n) == NULL;
 }
 
-static bool stands_in_json(struct dialect d, struct span f)
+static bool can_copy_to_json(struct dialect d, struct span f)
 {
 	double v;
 
@@ -208,18 +208,18 @@ static bool stands_in_json(struct dialect d, struct span f)
 #define CSV                                                                  \
 	LINES, .quote = '"', .escape = '"', .header = true,                  \
 	       .check = csv_check, .next = next_of_csv, .number = csv_value, \
-	       .stands = stands_in_csv
+	       .can_copy = can_copy_to_csv
 
 const struct format_row format_rows[] = {
 	[FORMAT_TEXT] = { FORMAT_TEXT, ' ', LINES, .blanks = true,
 	    .next = next_of_text, .number = text_value,
-	    .stands = stands_in_text },
+	    .can_copy = can_copy_to_text },
 	[FORMAT_CSV] = { FORMAT_CSV, CSV },
 	[FORMAT_TSV] = { FORMAT_CSV, '\t', CSV },
 	[FORMAT_JSON] = { FORMAT_JSON, ',', .open = "[", .close = "]",
 	    .unknown = "null", .quote = '"', .escape = '\\',
 	    .check = json_line_check, .next = next_of_json,
-	    .number = json_value, .stands = stands_in_json },
+	    .number = json_value, .can_copy = can_copy_to_json },
 	[FORMAT_F64] = { FORMAT_F64, ',', LINES, .size = sizeof(double) },
 	[FORMAT_F32] = { FORMAT_F32, ',', LINES, .size = sizeof(float) },
 };
@@ -227,16 +227,15 @@ const struct format_row format_rows[] = {
 const char *const format_names[] = { "text", "csv", "tsv", "json", "f64", "f32",
 	NULL };
 
-/* Goes through the characters of a field, without the quotes and escapes of its
- * format. */
+/* A cursor over the characters of a field, which undoes the escapes of its format. */
 struct decoder {
-	char escape; /* 0 where the field has no quotes */
-	bool utf8;   /* U+FFFD stands for a byte that is not UTF-8 */
+	char escape; /* 0: the field has no quotes, and so no escapes */
+	bool utf8;   /* a byte that is not UTF-8 becomes U+FFFD */
 	const char *s, *end;
-	char character[4]; /* the last one, in UTF-8 */
+	char character[4]; /* the last character, in UTF-8 */
 };
 
-/* Takes the next character, and returns its length in bytes. */
+/* Decodes the next character and returns its length in bytes. */
 static int decode(struct decoder *d)
 {
 	unsigned code;
@@ -260,8 +259,8 @@ static int decode(struct decoder *d)
 	return n;
 }
 
-/* Writes a control character, which would break the line of text or csv: a blank
- * stands for it there, but for a tab in quotes. */
+/* Writes a control character: as an escape in JSON, and elsewhere as a blank, since it
+ * could end the line. A tab in quotes stays. */
 static char *put_control(const struct format_row *out, char c, char *at)
 {
 	static const char from[] = "\b\f\n\r\t", to[] = "bfnrt";
@@ -283,6 +282,7 @@ static char *put_control(const struct format_row *out, char c, char *at)
 	return at + 5;
 }
 
+/* Writes the characters of the decoder in quotes, if the format has quotes. */
 static char *put_quoted(const struct format_row *out, struct decoder *d,
     char *at)
 {
@@ -319,7 +319,7 @@ char *format_convert(struct dialect in, struct dialect out, struct span f,
 		d.s = inner.s + 1;
 		d.end = inner.end - 1;
 	}
-	if (quoted || !to->stands(out, f))
+	if (quoted || !to->can_copy(out, f))
 		return put_quoted(to, &d, at);
 	memcpy(at, f.s, (size_t)(f.end - f.s));
 	return at + (f.end - f.s);

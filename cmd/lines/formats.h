@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The formats that points come and go in: one row of a table each. */
+/* The formats of points, each a row of a table. */
 #ifndef FORMATS_H
 #define FORMATS_H
 
@@ -9,8 +9,8 @@
 
 #include "../message/utf8.h"
 
-/* The last two are binary, little-endian doubles or floats in a row; the others are
- * formats of lines. */
+/* The last two are binary: sequences of little-endian doubles or floats. All others
+ * are formats of lines. */
 enum format {
 	FORMAT_TEXT,
 	FORMAT_CSV,
@@ -20,7 +20,7 @@ enum format {
 	FORMAT_F32,
 };
 
-/* A format as it is read and written: never FORMAT_TSV, which is csv. */
+/* A format with its separator. FORMAT_TSV is FORMAT_CSV with tabs. */
 struct dialect {
 	enum format format;
 	char separator; /* between fields that are added */
@@ -28,61 +28,61 @@ struct dialect {
 
 /* A field of a line, an element of a JSON array, or a member of an object. */
 struct field {
-	struct span
-	    value; /* without blanks, quotes of csv, or the member's name */
-	struct span whole; /* with quotes or name */
-	struct span name;  /* a member's, with its quotes; else s is NULL */
-	const char *from;  /* the separator before it begins here; NULL: none */
-	const char *next;  /* the next field begins here; NULL: none */
-	bool comma;        /* in text, the separator before it has a comma */
-	bool open;         /* in csv, its quote is not closed */
+	/* without blanks, without the quotes of csv and a member's name */
+	struct span value;
+	struct span whole; /* the value with quotes or name */
+	struct span name;  /* of a member, with quotes; s is NULL elsewhere */
+	const char *from;  /* where the separator before begins; NULL: none */
+	const char *next;  /* where the next field begins; NULL: none */
+	bool comma;        /* in text: the separator before has a comma */
+	bool open;         /* in csv: the quote of the field is not closed */
 };
 
-/* A cursor over the fields of a line. Passed fields are not kept, so that a line
- * may have any number of them. */
+/* A cursor over the fields of a line. It keeps no field, so that a line may have any
+ * number of fields. */
 struct cut {
 	struct dialect in;
 	const char *s, *end; /* the next field, or NULL; the line's end */
 	const char *from;    /* the end of the field before */
-	const char *bracket; /* in JSON, behind the one that opens */
+	const char *bracket; /* in JSON: after the opening bracket */
 	bool members;        /* the fields are members of a JSON object */
-	bool words;          /* text whose commas may be decimal points */
-	bool comma;          /* the separator that was passed last has one */
+	bool words;          /* fields of text end at blanks only */
+	bool comma;          /* the last separator has a comma */
 };
 
 enum { REASON_MAX = 320 };
 
 /* The properties of a format. */
 struct format_row {
-	enum format alike;        /* the format of its dialect */
-	char separator;           /* 0: option --separator says it */
-	size_t size;              /* bytes of a binary number; 0: of lines */
-	const char *open, *close; /* brackets round a line's fields, or "" */
-	const char *unknown; /* how a number that is not known is written */
-	char quote;          /* round a field that needs it; 0: none */
-	char escape;         /* before a quote inside of quotes */
-	bool blanks;         /* blanks separate fields, too */
-	bool header;         /* the first line may name the fields */
+	enum format alike;        /* the format in its dialect */
+	char separator;           /* 0: the one of --separator */
+	size_t size;              /* of a binary number; 0: a format of lines */
+	const char *open, *close; /* brackets round the fields, or "" */
+	const char *unknown;      /* the text of a nan */
+	char quote;               /* round a field that needs it; 0: none */
+	char escape;              /* before a quote inside of quotes */
+	bool blanks;              /* blanks separate fields, too */
+	bool header;              /* the first line may name the fields */
 
-	/* Returns whether a line can be taken apart; else says why not. NULL: any
-	 * can be. */
+	/* Returns whether a line can be cut into fields; writes the reason if
+	 * not. NULL: every line can. */
 	bool (
 	    *check)(struct dialect, struct span line, char reason[REASON_MAX]);
-	/* Finds the field at c->s: all of it but from and the comma before it; and
-	 * c->from, its end. */
+	/* Sets the field at c->s, except for its from and comma; and c->from, its
+	 * end. */
 	void (*next)(struct cut *c, struct field *);
-	/* Reads the number at s, nan for a missing value. Returns where it ends;
-	 * NULL: none begins. */
+	/* Reads the number at s; a missing value is nan. Returns where the number
+	 * ends, NULL if none begins. */
 	const char *(*number)(const char *s, const char *end, double *);
-	/* Returns whether a field means the same as it stands. */
-	bool (*stands)(struct dialect, struct span);
+	/* Returns whether a field of any format may be copied into this one. */
+	bool (*can_copy)(struct dialect, struct span);
 };
 
-/* Both in the order of enum format; NULL ends the names. */
+/* Both are in the order of enum format; NULL ends the names. */
 extern const struct format_row format_rows[];
 extern const char *const format_names[];
 
-/* separator is what option --separator says. */
+/* Returns the dialect of a format; separator is that of --separator. */
 struct dialect dialect_of(enum format, char separator);
 
 static inline const struct format_row *format_of(struct dialect d)
@@ -100,30 +100,30 @@ static inline bool is_binary(enum format f)
 	return format_rows[f].size > 0;
 }
 
-/* Returns the bytes of one binary point. */
+/* Returns the size of a binary point in bytes. */
 static inline size_t point_size(enum format f, int coordinates)
 {
 	return (size_t)coordinates * format_rows[f].size;
 }
 
-/* Writes the field f of dialect in for dialect out: as it stands if it means the
- * same there, else in quotes. Returns where it ends. For each byte of f it takes six
- * at most, as in \u0001, and two for the quotes. */
+/* Writes the field f, which is of dialect in, for dialect out: copied if it means the
+ * same there, else in quotes. Returns where the text ends. It has at most six bytes for
+ * each byte of f, as in \u0001, and two quotes. */
 char *format_convert(struct dialect in, struct dialect out, struct span f,
     char *at);
 
-/* Returns whether a carriage return, outside of quotes, stands where more of the
- * line comes after it; says so then. */
+/* Returns whether lines end in carriage returns alone: one stands outside of quotes
+ * before other text. Writes the reason. */
 bool format_is_old(struct dialect, struct span line, char reason[REASON_MAX]);
 
-/* White space within a line. */
+/* Returns whether c is white space within a line. */
 static inline bool is_blank(char c)
 {
 	return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n');
 }
 
-/* White space of a dialect: \v and \f are none in JSON, and in csv the separator is
- * none. */
+/* Returns whether c is white space in a dialect: in JSON \v and \f are not, and in csv
+ * the separator is not. */
 static inline __attribute__((always_inline)) bool is_blank_of(struct dialect d,
     char c)
 {
@@ -139,7 +139,7 @@ static inline const char *skip_blanks(struct dialect d, const char *s,
 	return s;
 }
 
-/* Returns f without the blanks at its ends. */
+/* Returns f without white space at its ends. */
 static inline struct span trimmed(struct dialect d, struct span f)
 {
 	f.s = skip_blanks(d, f.s, f.end);
@@ -148,13 +148,13 @@ static inline struct span trimmed(struct dialect d, struct span f)
 	return f;
 }
 
-/* Returns what follows the byte order mark that a text may begin with. */
+/* Returns s, after a byte order mark if one is there. */
 static inline const char *skip_mark(const char *s, const char *end)
 {
 	return end - s >= 3 && memcmp(s, "\xef\xbb\xbf", 3) == 0 ? s + 3 : s;
 }
 
-/* Returns what follows the separator of text at s: blanks, at most one comma. */
+/* Returns where the separator of text at s ends: blanks with at most one comma. */
 static inline const char *skip_separator(const char *s, const char *end)
 {
 	while (s < end && is_blank(*s))

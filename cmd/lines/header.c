@@ -10,8 +10,8 @@
 #include "choose.h"
 #include "say.h"
 
-/* A # is a field of its own where a separator follows; a blank separates it from
- * nothing, as in "# x y z". */
+/* A # before a separator is a field of its own, and no comment; but where blanks
+ * separate, "# x y z" is a comment. */
 struct span header_names(struct dialect d, struct span text)
 {
 	text.s = skip_mark(text.s, text.end);
@@ -29,84 +29,68 @@ struct span header_names(struct dialect d, struct span text)
 	return text;
 }
 
-/* Returns the name that coordinate i is looked for by; NULL: a number says it. */
-static const char *name_of(const struct columns *c, int i)
+/* Returns the number of the first field with that name, or -1. Without --columns, X is
+ * x, too. */
+static int find_name(const struct layout *l, struct span header,
+    const char *name)
 {
-	return c->by_header ? coordinate_name(i) : c->name[i];
-}
-
-/* Returns the number of the first field that has the name of coordinate i, or -1.
- * Names that nobody typed are found in either case. */
-static int find_name(const struct layout *l, struct span header, int i)
-{
-	const char *name = name_of(&l->columns, i);
 	struct cut c = cut_line(l->in, header);
 	size_t n = strlen(name);
-	struct field field;
+	struct field f;
 
-	for (int k = 0; cut_next(&c, &field); k++) {
-		struct span f = field.value;
-
-		if ((size_t)(f.end - f.s) == n &&
-		    (l->columns.by_header ? strncasecmp(f.s, name, n) :
-					    strncmp(f.s, name, n)) == 0)
+	for (int k = 0; cut_next(&c, &f); k++)
+		if ((size_t)(f.value.end - f.value.s) == n &&
+		    (l->columns.by_header ? strncasecmp(f.value.s, name, n) :
+					    strncmp(f.value.s, name, n)) == 0)
 			return k;
-	}
 	return -1;
 }
 
-/* Finds the fields of the coordinates. Returns the first that the header lacks, or
- * the number of coordinates. */
-static int find_names(const struct layout *l, struct span header, int field[4])
+/* Finds the field of each coordinate. Returns false, with the reason, if the header has
+ * no column of its name. */
+static bool find_columns(const struct layout *l, struct span header,
+    int field[4], char reason[REASON_MAX])
 {
-	int i;
+	const struct columns *c = &l->columns;
+	char shown[ESCAPED_MAX];
 
-	for (i = 0; i < l->reads; i++) {
-		field[i] = name_of(&l->columns, i) != NULL ?
-		    find_name(l, header, i) :
-		    l->columns.field[i];
-		if (field[i] < 0)
-			break;
-	}
-	return i;
-}
+	for (int i = 0; i < l->reads; i++) {
+		const char *name = c->name[i];
 
-static bool is_named(const struct layout *l)
-{
-	for (int i = 0; i < l->reads; i++)
-		if (name_of(&l->columns, i) != NULL)
-			return true;
-	return false;
-}
-
-/* Finds the columns of the coordinates; says which is not there. */
-static bool find_columns(struct layout *l, struct span header,
-    char reason[REASON_MAX])
-{
-	struct columns *c = &l->columns;
-	char word[ESCAPED_MAX];
-	int field[4], i = find_names(l, header, field);
-
-	if (i < l->reads) {
-		const char *name = name_of(c, i);
-
+		field[i] = name != NULL ? find_name(l, header, name) :
+					  c->field[i];
+		if (field[i] >= 0)
+			continue;
 		snprintf(reason, REASON_MAX, "the header has no column '%s'",
-		    escaped(word, name, strlen(name)));
+		    escaped(shown, name, strlen(name)));
 		say_names(l, cut_line(l->in, header),
 		    c->by_header ? NULL : name, reason);
 		return false;
 	}
-	for (i = 1; i < l->reads; i++)
+	return true;
+}
+
+/* Returns whether two coordinates have the same column, with the reason. */
+static bool is_twice(const int field[4], int n, char reason[REASON_MAX])
+{
+	for (int i = 1; i < n; i++)
 		for (int k = 0; k < i; k++)
 			if (field[k] == field[i]) {
 				snprintf(reason, REASON_MAX,
 				    "two coordinates are column %d",
 				    field[i] + 1);
-				return false;
+				return true;
 			}
-	memcpy(c->field, field, sizeof field);
-	c->n = l->reads;
-	return true;
+	return false;
+}
+
+/* Returns whether a name says which column a coordinate is. */
+static bool is_named(const struct layout *l)
+{
+	for (int i = 0; i < l->reads; i++)
+		if (l->columns.name[i] != NULL)
+			return true;
+	return false;
 }
 
 static bool begins_with_digit(struct span f)
@@ -116,8 +100,8 @@ static bool begins_with_digit(struct span f)
 	return f.s < f.end && isdigit((unsigned char)*f.s);
 }
 
-/* Returns whether none of the coordinates is a number; and not all of them begin as
- * one, as 1,5 does, or are missing values. */
+/* Returns whether no coordinate is a number; and not all are missing values, nor do all
+ * begin with a digit, as decimal commas do. */
 static bool looks_like_header(const struct layout *l, struct span text)
 {
 	bool unknown = true, odd = true;
@@ -142,18 +126,20 @@ static bool looks_like_header(const struct layout *l, struct span text)
 bool header_in_comment(const struct layout *l, struct span text)
 {
 	struct span names = header_names(l->in, text);
+	char reason[REASON_MAX];
 	int field[4];
 
 	return format_of(l->in)->header &&
 	    (names.s == skip_mark(text.s, text.end) ||
 		(l->header != HEADER_NONE && is_named(l) &&
-		    find_names(l, names, field) == l->reads));
+		    find_columns(l, names, field, reason)));
 }
 
 bool header_read(struct layout *l, struct span text, struct line *line,
     char reason[REASON_MAX])
 {
 	struct columns *c = &l->columns;
+	struct chosen chosen;
 
 	text = header_names(l->in, text);
 	l->fields = 0;
@@ -163,21 +149,38 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 	    (l->header == HEADER_MAYBE && (c->by_header || !is_named(l)) &&
 		!looks_like_header(l, text)))
 		return false;
-	line->kind = find_columns(l, text, reason) &&
-		!choose_clashes(l, cut_line(l->in, text), reason) ?
-	    LINE_HEADER :
-	    LINE_REFUSED;
-	if (l->append)
-		l->fields = choose_count(cut_line(l->in, text));
+	struct cut cut = cut_line(l->in, text);
+	int field[4];
+
+	line->kind = LINE_REFUSED;
+	if (!find_columns(l, text, field, reason) ||
+	    is_twice(field, l->reads, reason) || choose_clashes(l, cut, reason))
+		return true;
+	line->kind = LINE_HEADER;
+	memcpy(c->field, field, sizeof field);
+	c->n = l->reads;
+	l->fields = choose_count(cut);
+	choose(l, cut, &chosen);
+	for (int i = 0; i < l->reads; i++)
+		line->at[i] = chosen.times[i] == 0 ?
+		    part_missing :
+		    line_part(line, trimmed(l->in, chosen.field[i].whole));
 	return true;
 }
 
-void header_places(const struct layout *l, struct span text, struct span at[4])
+bool header_is_short(const struct layout *l, struct cut c,
+    char reason[REASON_MAX])
 {
-	struct chosen c;
+	size_t n = 0;
+	struct field f;
 
-	choose(l, cut_line(l->in, header_names(l->in, text)), &c);
-	for (int i = 0; i < l->reads; i++)
-		if (c.times[i] > 0)
-			at[i] = trimmed(l->in, c.field[i].whole);
+	for (bool more = cut_next(&c, &f); more; more = cut_next(&c, &f))
+		n += f.next != NULL || f.value.s < f.value.end;
+	if (!is_named(l) || n <= l->fields)
+		return false;
+	snprintf(reason, REASON_MAX,
+	    "has %zu fields and the header %zu name%s; name the first column, "
+	    "too, or give --columns by number",
+	    n, l->fields, l->fields == 1 ? "" : "s");
+	return true;
 }

@@ -1,26 +1,30 @@
 /* SPDX-License-Identifier: MIT */
-/* The first line of csv: whether it is a header, and where it says that the
- * coordinates are. */
+/* Decides whether the first line of csv is a header, and finds the coordinates by its
+ * names. */
 #ifndef HEADER_H
 #define HEADER_H
 
+#include "cut.h"
 #include "line.h"
 
-/* Returns whether the first line, which begins with #, is no comment: # is its first
- * field, or it has all the names that are looked for. */
+/* Returns whether the first line, which begins with #, is a header or a row instead of a
+ * comment: # is a field of its own, or the line has the names of all coordinates. */
 bool header_in_comment(const struct layout *, struct span text);
 
-/* Returns false where the line, which text is but for a byte order mark, is one of
- * points. Else its kind is LINE_HEADER, and the layout's columns are found; or
- * LINE_REFUSED with the reason. */
+/* Reads the first line, whose text has no byte order mark. Returns false if the line is
+ * a row. Else sets its kind to LINE_HEADER, and the layout's columns and fields; or to
+ * LINE_REFUSED, with the reason. */
 bool header_read(struct layout *, struct span text, struct line *,
     char reason[REASON_MAX]);
 
-/* Returns the names on the line: what follows the mark of a text and that of a
- * comment. */
-struct span header_names(struct dialect, struct span text);
+/* Returns whether the first row has more fields, without an empty last one, than the
+ * header has names, and coordinates are found by name; writes the reason. A table of R
+ * whose column of row names has no name is such: each name stands one column too far to
+ * the left. */
+bool header_is_short(const struct layout *, struct cut row,
+    char reason[REASON_MAX]);
 
-/* Finds the names of the coordinates in a header; s is NULL where there is none. */
-void header_places(const struct layout *, struct span text, struct span at[4]);
+/* Returns the header without a byte order mark and the # of a comment. */
+struct span header_names(struct dialect, struct span text);
 
 #endif

@@ -1,6 +1,17 @@
 /* SPDX-License-Identifier: MIT */
-/* A line with a point: finding its coordinates, and writing the line with
- * others in their place. Everything else on it stays as it was. */
+/* A line with a point: its coordinates are read, and the line is written with other
+ * numbers in their place. All other bytes of the line stay.
+ *
+ * Most lines are simple, and walk.c finds the numbers of many of them at once. Every
+ * other line goes to line_read in read.c, which alone decides what a legal line is: a
+ * cut (cut.c) is a cursor over the fields of the line, choose.c finds the coordinates
+ * among these fields, and say.c words what is wrong. The first line of csv may be a
+ * header (header.c), which names the fields.
+ *
+ * in_place.h writes a line of which numbers alone change. Every other line goes to
+ * line_write in splice.c, which cuts it again and copies its fields.
+ *
+ * A format of lines, such as csv, is a row of functions in formats.c. */
 #ifndef LINE_H
 #define LINE_H
 
@@ -10,68 +21,75 @@
 #include "../number/number.h"
 #include "formats.h"
 
-/* The most that are written, a ray's: a point and a direction. No more than
- * four are read. */
+/* The most numbers that are written for a point: a ray's position and direction. At
+ * most four are read. */
 enum { COORDINATES_MAX = 6 };
 
-/* From --columns: field numbers from 0, or names to be found in a csv header, or of
- * members of JSON objects, of which those that begin with / are pointers. */
+/* The fields that hold the coordinates, from --columns or a csv header. */
 struct columns {
-	int n; /* 0: the first fields are the coordinates, or the members x, y, z, w */
-	int field[4];
-	const char *name[4]; /* NULL if a field is given by its number */
-	bool by_header;      /* nobody said: the header's x, y, z, w */
+	int n;        /* 0: the coordinates are the first fields of a line */
+	int field[4]; /* numbers of fields, from 0 */
+	/* Names of columns in csv; of members in JSON, where a name that begins
+	 * with / is a pointer. NULL: a number is given. Without --columns they
+	 * are x, y, z and w. */
+	const char *name[4];
+	bool by_header; /* there is no --columns */
 };
 
+/* The line that a source begins with, which is neither blank nor a comment, is special;
+ * so is the first row after a header. This says which of them comes next. */
+enum first { FIRST_IS_READ, FIRST_LINE, FIRST_ROW };
+
+/* Whether csv has a header: MAYBE is decided by the first line, FIRST is --header, NONE
+ * is --no-header. */
 enum header { HEADER_MAYBE, HEADER_FIRST, HEADER_NONE };
 
-/* How lines, or binary points, are laid out. */
+/* The formats of points, and the numbers that are read and written. */
 struct layout {
 	struct dialect in, out;
-	enum header header; /* of csv */
+	enum header header;
 	struct columns columns;
-	int reads, writes; /* how many coordinates */
-	bool flags;        /* a word is written after them */
-	/* By --append, what is written stands behind the whole line, under these
-	 * names; those that are not needed are "". */
-	bool append;
-	char added[COORDINATES_MAX + 1][16];
-	size_t fields; /* of the header, by --append; 0: there is none */
-	int record; /* numbers of a binary record; 0: the coordinates alone */
+	int reads, writes; /* the number of coordinates */
+	bool flags;  /* the word of --flags is written after the numbers */
+	bool append; /* the line stays, and all is written after it */
+	/* The names of the numbers that are written and, last, of the word; "" where
+	 * there is none. */
+	char name[COORDINATES_MAX + 1][16];
+	size_t fields; /* of the header; 0: there is none */
+	int record; /* numbers in a binary record; 0: the coordinates alone */
 	bool keeps; /* binary records are written whole */
-	const char *two; /* as struct document_wants has it */
-	bool single;     /* they are floats, and written as such */
+	const char *two; /* as in struct document_wants */
+	bool single;     /* numbers are written as floats */
 	struct number_style style[COORDINATES_MAX];
 };
 
-/* What a line turned out to be. */
 enum line_kind {
 	LINE_POINT,
-	LINE_COPY, /* blank or comment */
+	LINE_COPY, /* blank, or a comment */
 	LINE_HEADER,
-	LINE_BAD, /* its coordinates have places, but for those that are missing */
-	LINE_LOST,    /* bad, and not to be taken apart */
-	LINE_REFUSED, /* a header that lacks a coordinate: no line is read */
+	LINE_BAD,     /* a coordinate is wrong; the other fields are kept */
+	LINE_LOST,    /* bad, and the fields are not known */
+	LINE_REFUSED, /* a header, or the row after it: the source is refused */
 };
 
-/* Of a line's text, counted from its beginning. With its newline a line is at most
- * 64 MiB, one of a document at most 256 MiB as that is. */
+/* A part of a line, in bytes from its beginning. A line has at most 64 MiB with its
+ * newline; a line in a document at most 256 MiB, as the document has. */
 struct part {
 	uint32_t from, to;
 };
 
 struct line {
-	const char *s;     /* its text */
-	uint32_t size;     /* without its newline */
-	struct part at[4]; /* where x, y, z and w stand */
+	const char *s;
+	uint32_t size;     /* in bytes, without the newline */
+	struct part at[4]; /* the coordinates x, y, z and w, or their names */
 	enum line_kind kind;
-	bool newline; /* it ends in one */
-	bool object;  /* it is one of JSON */
-	bool words;   /* its commas may be decimal points */
-	bool mark;    /* it begins with a byte order mark */
+	bool newline; /* the line ends in a newline */
+	bool object;  /* the line is a JSON object */
+	bool words;   /* fields of text end at blanks only: 1,5 is one field */
+	bool mark;    /* the line begins with a byte order mark */
 };
 
-/* Where a coordinate of a bad line stands that has no place. */
+/* The part of a coordinate that a line lacks. */
 static const struct part part_missing = { 1, 0 };
 
 static inline bool is_missing(struct part p)
@@ -84,20 +102,20 @@ static inline bool line_is_bad(const struct line *line)
 	return line->kind >= LINE_BAD;
 }
 
-/* The coordinates that are written in a line. Number k is v[k * step], and its
- * text, if any was made, text[k * text_step]. */
+/* The numbers that are written in a line: number k is v[k * step], with the text
+ * text[k * text_step]. */
 struct numbers {
 	const double *v;
 	const struct number_text *text;
 	size_t step, text_step;
 };
 
-/* Room for the separator, and in an object the name, before a value that is added. */
+/* Room before a value that is added: for a separator, and a name in an object. */
 enum { ADDED_ROOM = 64 };
 
 enum { WORD_MAX = 48 };
 
-/* What is written after them. */
+/* The word of --flags, such as left+near. */
 struct word {
 	char s[WORD_MAX];
 	size_t size;
@@ -108,7 +126,7 @@ static inline struct span line_text(const struct line *line)
 	return (struct span){ line->s, line->s + line->size };
 }
 
-/* Where coordinate i stands. */
+/* Returns the text of coordinate i. */
 static inline struct span line_at(const struct line *line, int i)
 {
 	return (struct span){ line->s + line->at[i].from,
@@ -121,19 +139,19 @@ static inline struct part line_part(const struct line *line, struct span f)
 		(uint32_t)(f.end - line->s) };
 }
 
-/* Returns the bytes of one binary point, with what else is in its record. */
+/* Returns the size of a binary record in bytes. */
 static inline size_t layout_record(const struct layout *l)
 {
 	return point_size(l->in.format, l->record > 0 ? l->record : l->reads);
 }
 
-/* Returns the number of the field that coordinate i is, from 0. */
+/* Returns the number, from 0, of the field that holds coordinate i. */
 static inline int layout_field(const struct layout *l, int i)
 {
 	return l->columns.n > 0 ? l->columns.field[i] : i;
 }
 
-/* Returns what coordinate i is called. */
+/* Returns the name of coordinate i: x, y, z or w. */
 static inline const char *coordinate_name(int i)
 {
 	static const char names[][2] = { "x", "y", "z", "w" };
@@ -141,59 +159,34 @@ static inline const char *coordinate_name(int i)
 	return names[i];
 }
 
-/* Returns the name of value k of an output line: a coordinate of a point or of a ray,
- * or, for k COORDINATES_MAX, the word of --flags. */
-static inline const char *layout_added_name(const struct layout *l, int k)
-{
-	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };
-
-	return k == COORDINATES_MAX ? "flags" :
-	    l->writes > 4           ? ray[k] :
-				      coordinate_name(k);
-}
-
-/* Returns the name or pointer of coordinate i in an object of JSON. */
-static inline const char *layout_path(const struct layout *l, int i)
-{
-	return l->columns.n > 0 ? l->columns.name[i] : coordinate_name(i);
-}
-
-/* Reads the coordinates v of a line. For a bad line, reason says what is wrong and
- * what would be right. While *first is true the source's first line that counts is
- * still to come: a byte order mark may stand before it, and in csv it may be a
- * header, which says in the layout where the columns are. */
-void line_read(struct layout *, struct span text, bool *first, struct line *,
+/* Reads a line and its coordinates v. Writes to reason what is wrong with a bad line and
+ * what would be right. *first says which line this may be, and changes with it: before
+ * the first line a byte order mark may stand, and in csv this line may be a header,
+ * which sets the columns of the layout. */
+void line_read(struct layout *, struct span text, enum first *, struct line *,
     double v[4], char reason[REASON_MAX]);
 
-/* Writes v, number k, of which no text was made, and returns where it ends: in the
- * format's own word, if it is not known. */
+/* Writes v, which is number k and has no text; nan becomes the format's word for an
+ * unknown number. Returns where the text ends. */
 char *line_put_rare(const struct layout *, int k, double v, char *out);
 
-/* Writes v, number k, from its text. */
-static inline char *line_put(const struct layout *l, int k,
-    const struct number_text *text, double v, char *out)
-{
-	if (__builtin_expect(text->layout == 0, 0))
-		return line_put_rare(l, k, v, out);
-	return number_put(out, text, v, l->single, l->style[k]);
-}
-
-/* The most bytes that line_write may touch for so many lines of so many bytes
- * in all. */
+/* Returns the most bytes that line_write may touch for that many lines, which have that
+ * many bytes in all. */
 size_t lines_room(const struct layout *, size_t lines, size_t bytes);
 
-/* Writes the line with the numbers in the place of those it was read with, or behind
- * them by --append, and the word flags after them unless that is NULL; returns where
- * it ends. A bad
- * line that was not to be taken apart becomes the numbers alone. Blank lines and
- * comments stay as they are, and headers but for the names of what is added and left
- * out; in text those are comments. All are left out from JSON and to JSON. */
+/* Writes the line with the numbers in the place of its coordinates, or by --append after
+ * the line, and then the word flags unless it is NULL. Returns where the line ends.
+ * A line whose fields are not known becomes the numbers alone. Blank lines and comments
+ * are copied. In a header the names of coordinates that are dropped go, and the names of
+ * what is added come; in text a header becomes a comment. From JSON and to JSON, blank
+ * lines, comments and headers are left out. */
 char *line_write(const struct layout *, const struct line *,
     const struct numbers *, const struct word *flags, char *out);
 
-/* Writes what else is on a line with a point, each field with a separator of the
- * format out before it; of text to text, without columns, as it stands. Returns
- * where it ends. For each byte of the line it takes six, and three more for each field. */
+/* Writes all fields that hold no coordinate, each after a separator of the format out.
+ * From text to text without --columns, the rest of the line is copied. Returns where the
+ * text ends. Takes at most six bytes for each byte of the line, and three for each
+ * field. */
 char *line_rest(const struct layout *, const struct line *, char *out);
 
 #endif

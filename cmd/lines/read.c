@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+/* Reads one line of any kind, and decides alone what a legal line is. */
 #include <stdio.h>
 
 #include "choose.h"
@@ -6,11 +7,11 @@
 #include "say.h"
 #include "../message/escape.h"
 
-/* Says why coordinate i was not found, or not once. */
+/* Writes why coordinate i was not found, or found twice. */
 static void say_missing(const struct layout *l, int i, struct cut cut,
     const struct chosen *c, char reason[REASON_MAX])
 {
-	const char *path = cut.members ? layout_path(l, i) : NULL;
+	const char *path = cut.members ? l->columns.name[i] : NULL;
 	char word[ESCAPED_MAX];
 
 	if (path != NULL && c->times[i] > 1) {
@@ -31,7 +32,8 @@ static void say_missing(const struct layout *l, int i, struct cut cut,
 	}
 }
 
-/* Reads the numbers of the coordinates; says which is the first that is none. */
+/* Reads the numbers v of the coordinates. Returns false, with the reason, at the first
+ * that is not a number within the range. */
 static bool read_coordinates(const struct layout *l, struct cut cut,
     const struct chosen *c, double v[4], char reason[REASON_MAX])
 {
@@ -46,7 +48,7 @@ static bool read_coordinates(const struct layout *l, struct cut cut,
 		}
 		if (in->number(f->value.s, f->value.end, &v[i]) !=
 		    f->value.end) {
-			/* a message shows csv's quotes */
+			/* the message shows the quotes of csv */
 			say_field(l, i, in->header ? f->whole : f->value,
 			    reason);
 			return false;
@@ -57,8 +59,8 @@ static bool read_coordinates(const struct layout *l, struct cut cut,
 	return true;
 }
 
-/* Returns whether a member can be added by that path: it is a name, short and
- * without what would have to be escaped. */
+/* Returns whether a member of that name can be added to an object: it is no pointer,
+ * short, and needs no escapes. */
 static bool can_be_added(const char *path)
 {
 	char shown[ESCAPED_MAX];
@@ -75,13 +77,13 @@ static bool can_be_kept(const struct layout *l, bool members,
 	for (int i = 0; i < l->reads; i++)
 		if (c->times[i] > 1 ||
 		    (c->times[i] == 0 && members &&
-			!can_be_added(layout_path(l, i))))
+			!can_be_added(l->columns.name[i])))
 			return false;
 	return !choose_overlaps(l, c);
 }
 
-/* Returns whether --columns, which gives names or numbers alone, says how to find the
- * coordinates in a line of JSON. */
+/* Returns whether --columns fits a line of JSON: numbers an array, names an object. Else
+ * writes the reason. */
 static bool columns_fit(const struct layout *l, bool members,
     char reason[REASON_MAX])
 {
@@ -95,10 +97,26 @@ static bool columns_fit(const struct layout *l, bool members,
 	return false;
 }
 
-/* Finds the coordinates of a line and reads them. Its kind, which is LINE_LOST,
- * becomes LINE_POINT or LINE_BAD. */
+/* Notes where on the line the coordinates stand. */
+static void note_places(const struct layout *l, const struct chosen *c,
+    struct line *line)
+{
+	bool replaced = line->kind == LINE_BAD && format_of(l->in)->header;
+
+	for (int i = 0; i < l->reads; i++) {
+		const struct field *f = &c->field[i];
+
+		/* in csv nan replaces the quotes of a bad number, too */
+		line->at[i] = c->times[i] == 0 ? part_missing :
+		    !replaced                  ? line_part(line, f->value) :
+				line_part(line, trimmed(l->in, f->whole));
+	}
+}
+
+/* Finds the coordinates of a line and reads them. Changes its kind from LINE_LOST to
+ * LINE_POINT or LINE_BAD, or to LINE_REFUSED if the first row does not fit its header. */
 static void read_fields(const struct layout *l, struct span text,
-    struct line *line, double v[4], char reason[REASON_MAX])
+    bool first_row, struct line *line, double v[4], char reason[REASON_MAX])
 {
 	const struct format_row *in = format_of(l->in);
 	struct chosen c;
@@ -109,6 +127,10 @@ static void read_fields(const struct layout *l, struct span text,
 		return;
 	struct cut cut = cut_line(l->in, text);
 
+	if (first_row && header_is_short(l, cut, reason)) {
+		line->kind = LINE_REFUSED;
+		return;
+	}
 	if (cut.bracket != NULL && !columns_fit(l, cut.members, reason))
 		return;
 	if (cut.members && choose_clashes(l, cut, reason))
@@ -116,7 +138,8 @@ static void read_fields(const struct layout *l, struct span text,
 	choose(l, cut, &c);
 	bool ok = read_coordinates(l, cut, &c, v, reason);
 
-	if (ok && l->fields > 0 && choose_count(cut) != l->fields) {
+	if (ok && l->append && l->fields > 0 &&
+	    choose_count(cut) != l->fields) {
 		ok = false;
 		snprintf(reason, REASON_MAX,
 		    "has %zu fields and the header %zu; --append would put the "
@@ -144,20 +167,12 @@ static void read_fields(const struct layout *l, struct span text,
 		!can_be_kept(l, cut.members, &c)))
 		return;
 	line->kind = ok ? LINE_POINT : LINE_BAD;
-	for (int i = 0; i < l->reads; i++) {
-		const struct field *f = &c.field[i];
-
-		/* nan goes without the quotes that csv's bad number has */
-		line->at[i] = c.times[i] == 0 ?
-		    part_missing :
-		    ok || !in->header ?
-		    line_part(line, f->value) :
-		    line_part(line, trimmed(l->in, f->whole));
-	}
+	note_places(l, &c, line);
 }
 
-/* Returns false where the first line that counts is not to be read as a point. In
- * JSON a carriage return is a blank like others. */
+/* Returns whether the first line is to be read as a point. Else it is a header, or bad
+ * with a reason for all lines: they end in carriage returns (which are blanks in JSON),
+ * or are JSON. */
 static bool read_first_line(struct layout *l, struct span text,
     struct line *line, char reason[REASON_MAX])
 {
@@ -175,8 +190,8 @@ static bool read_first_line(struct layout *l, struct span text,
 	return false;
 }
 
-/* Returns whether the line, of which s is the first character that is no blank, is
- * copied as it is: a comment, but not one that is a header, or a whole file. */
+/* Returns whether the line, whose first character after blanks is at s, is a comment;
+ * not a header with a #, and not a whole source whose lines end in carriage returns. */
 static bool is_comment(struct layout *l, struct span text, const char *s,
     bool first)
 {
@@ -188,28 +203,30 @@ static bool is_comment(struct layout *l, struct span text, const char *s,
 		    format_is_old(l->in, text, reason)));
 }
 
-void line_read(struct layout *l, struct span text, bool *first,
+void line_read(struct layout *l, struct span text, enum first *first,
     struct line *line, double v[4], char reason[REASON_MAX])
 {
-	bool was_first = *first;
+	const enum first was = *first;
 
 	*line = (struct line){ .s = text.s,
 		.size = (uint32_t)(text.end - text.s),
 		.kind = LINE_COPY };
-	if (was_first) {
+	if (was == FIRST_LINE) {
 		text.s = skip_mark(text.s, text.end);
 		line->mark = text.s > line->s;
 	}
 	const char *s = skip_blanks(l->in, text.s, text.end);
 
-	if (s == text.end || is_comment(l, text, s, was_first))
+	if (s == text.end || is_comment(l, text, s, was == FIRST_LINE))
 		return;
-	*first = false;
 	line->kind = LINE_LOST;
-	if (was_first && !read_first_line(l, text, line, reason))
+	if (was == FIRST_LINE && !read_first_line(l, text, line, reason)) {
+		*first = line->kind == LINE_HEADER ? FIRST_ROW : FIRST_IS_READ;
 		return;
-	read_fields(l, text, line, v, reason);
-	if (was_first && line_is_bad(line) && format_of(l->in)->blanks &&
-	    l->columns.n == 0)
+	}
+	*first = FIRST_IS_READ;
+	read_fields(l, text, was == FIRST_ROW, line, v, reason);
+	if (was == FIRST_LINE && line_is_bad(line) &&
+	    format_of(l->in)->blanks && l->columns.n == 0)
 		say_text_header(l, text, reason);
 }

@@ -23,7 +23,7 @@ bool say_range(int i, double v, char reason[REASON_MAX])
 	return false;
 }
 
-/* Writes to the end of the reason, as far as there is room. */
+/* Adds to the end of the reason, as far as there is room. */
 static void __attribute__((format(printf, 2, 3)))
 say_more(char reason[REASON_MAX], const char *format, ...)
 {
@@ -35,14 +35,15 @@ say_more(char reason[REASON_MAX], const char *format, ...)
 	va_end(arguments);
 }
 
-/* What may separate fields, and the option that says so. */
+/* A character that may separate fields, and the options for it. */
 struct separator {
 	char c;
 	const char *shown, *option;
 };
 
-/* Returns the first separator, other than the layout's, that stands in f; NULL: none.
- * A comma and a blank, which are usual in a field, count only where it is alone. */
+/* Returns the first row of separators that is in f and not the layout's; NULL if there
+ * is none. A comma and a blank are frequent within fields, so that they count only if f
+ * is alone on its line. */
 static const struct separator *find_separator(const struct layout *l,
     struct span f, bool alone)
 {
@@ -68,8 +69,8 @@ static void say_separator(const struct separator *other,
 	    other->option);
 }
 
-/* Says what would be right in the place of f, coordinate i. If a number begins there,
- * what comes after it is wrong. */
+/* Adds what would be right in the place of f, coordinate i. If f begins with a number,
+ * the text after the number is wrong. */
 static void say_right(const struct layout *l, int i, struct span f,
     char reason[REASON_MAX])
 {
@@ -124,15 +125,15 @@ void say_field(const struct layout *l, int i, struct span f,
 
 enum { NAMES_MAX = 32, NAME_ROOM = 64 };
 
-/* The names of columns or members: the first of them, without long ones. NULL ends
- * the list. */
+/* The first names of columns or members, without long ones. */
 struct names {
 	char name[NAMES_MAX][NAME_ROOM];
-	const char *list[NAMES_MAX + 1];
+	const char *list[NAMES_MAX + 1]; /* NULL ends it */
 	int n;
-	bool more; /* there are others */
+	bool more; /* there are other names */
 };
 
+/* Copies the names of the fields of a cut. */
 static void names_of(struct cut c, struct names *names)
 {
 	struct field f;
@@ -158,19 +159,19 @@ static void names_of(struct cut c, struct names *names)
 	names->list[names->n] = NULL;
 }
 
-/* Returns the name that begins as a does up to the byte, and goes on with the word;
- * NULL: none. */
+/* Returns the name that has the first n bytes of a, and then the word in either case;
+ * NULL if there is none. */
 static const char *name_beside(const struct names *names, const char *a,
-    size_t at, const char *word)
+    size_t n, const char *word)
 {
 	for (int i = 0; i < names->n; i++)
-		if (strncmp(names->list[i], a, at) == 0 &&
-		    strcasecmp(names->list[i] + at, word) == 0)
+		if (strncmp(names->list[i], a, n) == 0 &&
+		    strcasecmp(names->list[i] + n, word) == 0)
 			return names->list[i];
 	return NULL;
 }
 
-/* Returns whether --columns can hold the name, and a shell leaves it as it is. */
+/* Returns whether the name can be typed in --columns without quotes of a shell. */
 static bool can_be_typed(const char *name)
 {
 	char shown[ESCAPED_MAX];
@@ -179,8 +180,8 @@ static bool can_be_typed(const char *name)
 	    strcmp(escaped(shown, name, strlen(name)), name) == 0;
 }
 
-/* Says --columns for names that end in what is usual for the first two coordinates
- * and begin alike, as gps_lon and gps_lat. Returns whether there are two. */
+/* Adds --columns with two names that begin alike and end in words for the first two
+ * coordinates, such as gps_lon and gps_lat. Returns false if there are no such names. */
 static bool say_guess(const struct names *names, int reads,
     char reason[REASON_MAX])
 {
@@ -219,7 +220,7 @@ static bool say_guess(const struct names *names, int reads,
 	return false;
 }
 
-void say_names(const struct layout *l, struct cut c, const char *wanted,
+void say_names(const struct layout *l, struct cut c, const char *typed,
     char reason[REASON_MAX])
 {
 	const size_t room = REASON_MAX - ESCAPED_MAX - 8;
@@ -229,13 +230,12 @@ void say_names(const struct layout *l, struct cut c, const char *wanted,
 	int i = 0;
 
 	names_of(c, &names);
-	const char *near = nearest_word(wanted != NULL ? wanted : "",
-	    names.list);
+	const char *near = nearest_word(typed != NULL ? typed : "", names.list);
 
-	if (wanted != NULL && near != NULL) {
+	if (typed != NULL && near != NULL) {
 		say_more(reason, "; did you mean '%s'?",
 		    escaped(shown, near, strlen(near)));
-	} else if (wanted == NULL && !say_guess(&names, l->reads, reason)) {
+	} else if (typed == NULL && !say_guess(&names, l->reads, reason)) {
 		const struct separator *other = find_separator(l, header,
 		    names.n == 1);
 
@@ -248,7 +248,7 @@ void say_names(const struct layout *l, struct cut c, const char *wanted,
 	}
 	if (names.n > 0 || names.more)
 		say_more(reason, "%s it has ",
-		    near != NULL && wanted ? "" : ";");
+		    near != NULL && typed ? "" : ";");
 	for (; i < names.n && strlen(reason) < room; i++)
 		say_more(reason, "%s%s", i > 0 ? ", " : "",
 		    escaped(shown, names.list[i], strlen(names.list[i])));

@@ -1,26 +1,26 @@
 /* SPDX-License-Identifier: MIT */
-/* What is said of bad lines. */
+/* Words what is wrong with a line. */
 #ifndef SAY_H
 #define SAY_H
 
 #include "line.h"
 
-/* Says that v, coordinate i, is beyond the range, if it is. Returns whether it is
- * within. */
+/* Returns whether v, coordinate i, is nan or at most MAGNITUDE_MAX in magnitude; writes
+ * the reason if not. */
 bool say_range(int i, double v, char reason[REASON_MAX]);
 
-/* Says why f is not coordinate i. */
+/* Writes why the field f is not coordinate i; an empty f is a missing coordinate. */
 void say_field(const struct layout *, int i, struct span f,
     char reason[REASON_MAX]);
 
-/* Writes "; did you mean 'x'? it has x, y, z" to the end of the reason: the names in
- * a csv header, or of the members of an object. Where no name is wanted, as the header
- * lacks x, y, z or w, "; say --columns lon,lat,h; it has h, lat, lon". */
-void say_names(const struct layout *, struct cut, const char *wanted,
+/* Adds to the reason the names that the cut has, of columns or members: "; did you mean
+ * 'x'? it has x, y, z" if one of them is near the name typed. If typed is NULL, as there
+ * is no --columns, guesses one: "; say --columns lon,lat,h; it has h, lat, lon". */
+void say_names(const struct layout *, struct cut, const char *typed,
     char reason[REASON_MAX]);
 
-/* Says that the first line of text looks like a header, if it has no number where
- * coordinates should be. */
+/* Writes that the first line of text looks like a header, if none of its first fields
+ * is a number. */
 void say_text_header(const struct layout *, struct span line,
     char reason[REASON_MAX]);
 

@@ -1,5 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* A line on its way out: numbers take the place of others, or stand behind them. */
+/* Writes lines that in_place.h does not write. There are four ways: convert_point and
+ * convert_line write a point, or another line, in another format; append keeps the line
+ * and adds values; splice cuts the line into fields again and decides for each whether it
+ * stays, changes or goes.
+ *
+ * A value is one of what is written: value k < COORDINATES_MAX is number k, and the value
+ * FLAGS is the word. */
 #include <math.h>
 #include <string.h>
 
@@ -7,51 +13,52 @@
 #include "../json/text.h"
 #include "choose.h"
 #include "header.h"
+#include "in_place.h"
 
-/* The number of the word in the order of what is written. */
 enum { FLAGS = COORDINATES_MAX };
 
+/* A line that is being written. */
 struct splice {
 	const struct layout *l;
 	const struct line *line;
-	struct span at[4];             /* the coordinates; s is NULL: missing */
-	const struct numbers *numbers; /* NULL: the line is a header */
-	const struct word *flags;      /* NULL: none is written */
-	struct span separator;         /* before what is added */
-	const char *done;              /* the line up to here is dealt with */
-	char *out;
-	unsigned put;  /* the values that were written, as bits */
-	size_t fields; /* how many fields are in out */
+	const struct numbers *numbers; /* NULL in a header: names are written */
+	const struct word *flags;
+	struct span separator; /* before each value that is added */
+	const char *done;      /* the line before this is copied or deleted */
+	char *out;             /* the end of what is written */
+	size_t fields;         /* the number of fields that are written */
+	unsigned value;        /* bit k: the layout has value k */
+	unsigned put;          /* bit k: value k is written */
 };
 
 size_t lines_room(const struct layout *l, size_t lines, size_t bytes)
 {
 	/* In another format a byte of a field may become six, as \u0001 in
-	 * JSON. Six for the separator after it are enough for a comma and two
-	 * quotes. Then for each value a separator, and a name in an object. */
+	 * JSON; six for the separator after the field are enough for a comma and
+	 * two quotes. One ADDED_ROOM is for the word, and one for brackets, a #
+	 * and the newline. */
 	return (same_dialect(l->in, l->out) ? bytes : 6 * bytes) +
 	    lines *
-	    ((size_t)l->writes * (NUMBER_MAX + ADDED_ROOM) + ADDED_ROOM + 2 +
-		WORD_MAX + 2 + 1);
+	    ((size_t)l->writes * (NUMBER_MAX + ADDED_ROOM) + WORD_MAX +
+		2 * ADDED_ROOM);
 }
 
 char *line_put_rare(const struct layout *l, int k, double v, char *out)
 {
-	const char *unknown = format_of(l->out)->unknown;
-
 	if (isnan(v))
-		return stpcpy(out, unknown);
+		return stpcpy(out, format_of(l->out)->unknown);
 	return l->single ? number_write_float(out, (float)v, l->style[k]) :
 			   number_write(out, v, l->style[k]);
 }
 
+/* Copies s up to end. Returns where the copy ends. */
 static char *splice_text(char *out, const char *s, const char *end)
 {
 	memcpy(out, s, (size_t)(end - s));
 	return out + (end - s);
 }
 
-/* Copies the line up to s. */
+/* Copies the line from done up to s. */
 static void splice_to(struct splice *w, const char *s)
 {
 	if (s > w->done) {
@@ -60,57 +67,48 @@ static void splice_to(struct splice *w, const char *s)
 	}
 }
 
-/* Returns what value k is called: a coordinate that is read, one that is added, or
- * the word. */
+/* Returns the name of value k; in a bad object, that by which a coordinate is read. */
 static const char *value_name(const struct splice *w, int k)
 {
-	if (w->l->append)
-		return w->l->added[k];
-	if (k < w->l->reads && w->line->object && w->line->kind == LINE_BAD)
-		return layout_path(w->l, k);
-	return layout_added_name(w->l, k);
+	const struct layout *l = w->l;
+
+	if (k < l->reads && w->line->object && w->line->kind == LINE_BAD &&
+	    !l->append)
+		return l->columns.name[k];
+	return l->name[k];
 }
 
-static bool is_written(const struct splice *w, int k)
+/* Returns whether value k has to be written and is not yet. */
+static bool is_due(const struct splice *w, int k)
 {
-	return k == FLAGS ? w->flags != NULL : k < w->l->writes;
+	return ((w->value & ~w->put) >> k & 1) != 0;
 }
 
-static char *put_word(const struct layout *l, const struct word *w, char *out)
-{
-	bool quoted = *format_of(l->out)->open != '\0';
-
-	*out = '"';
-	out = splice_text(out + quoted, w->s, w->s + w->size);
-	*out = '"';
-	return out + quoted;
-}
-
+/* Writes value k, or its name in a header, where a coordinate keeps its own. */
 static char *put_value(const struct splice *w, int k, char *out)
 {
 	const struct layout *l = w->l;
 
 	if (w->numbers == NULL)
-		return k < l->reads && w->at[k].s < w->at[k].end ?
-		    format_convert(l->in, l->out, w->at[k], out) :
+		return !l->append && k < l->reads &&
+			!is_missing(w->line->at[k]) ?
+		    format_convert(l->in, l->out, line_at(w->line, k), out) :
 		    stpcpy(out, value_name(w, k));
-	if (k < FLAGS)
-		return line_put(l, k,
-		    &w->numbers->text[(size_t)k * w->numbers->text_step],
-		    w->numbers->v[(size_t)k * w->numbers->step], out);
-	return put_word(l, w->flags, out);
+	return k < FLAGS ? put_number(l, *w->numbers, k, out) :
+			   put_word(l, w->flags, out);
 }
 
-/* Writes every value from k on that was not written yet: behind a separator, but for
- * the first of the line, and in an object behind its name. */
+/* Writes all values from k on that are due, each after a separator unless it is the
+ * first of the line, and in an object after its name. */
 static void put_others(struct splice *w, int k, bool members)
 {
 	size_t gap = (size_t)(w->separator.end - w->separator.s);
+	unsigned due = (w->value & ~w->put) >> k << k;
 	char *out = w->out;
 
-	for (; k <= FLAGS; k++) {
-		if (!is_written(w, k) || (w->put >> k & 1) != 0)
-			continue;
+	w->put |= due;
+	for (; due != 0; due &= due - 1) {
+		k = __builtin_ctz(due);
 		if (w->fields++ > 0) {
 			*out = *w->separator.s;
 			if (gap > 1)
@@ -124,22 +122,24 @@ static void put_others(struct splice *w, int k, bool members)
 			*out++ = ':';
 		}
 		out = put_value(w, k, out);
-		w->put |= 1u << k;
 	}
 	w->out = out;
 }
 
-/* Returns the coordinate that begins from s up to end, or -1. */
+/* Returns the coordinate that begins at s, at end or between them, or -1. */
 static int coordinate_in(const struct splice *w, const char *s, const char *end)
 {
-	for (int i = 0; i < w->l->reads; i++)
-		if (w->at[i].s >= s && w->at[i].s <= end)
+	for (int i = 0; i < w->l->reads; i++) {
+		const char *at = line_at(w->line, i).s;
+
+		if (at >= s && at <= end && !is_missing(w->line->at[i]))
 			return i;
+	}
 	return -1;
 }
 
-/* Returns which value stands in the field, or -1: a coordinate, or in an object one
- * that is added and has its name. */
+/* Returns the value whose place the field is, or -1: a coordinate, or in an object, if
+ * outer, an added value that has the name of the field. */
 static int value_of(const struct splice *w, const struct field *f, bool outer)
 {
 	int i = coordinate_in(w, f->whole.s, f->value.s);
@@ -147,19 +147,18 @@ static int value_of(const struct splice *w, const struct field *f, bool outer)
 	if (f->name.s == NULL || !outer)
 		return i;
 	for (int k = w->l->reads; k <= FLAGS && i < 0; k++) {
-		if (!is_written(w, k))
-			continue;
 		const char *name = value_name(w, k);
 		struct span added = { name, name + strlen(name) };
 
-		if (json_is_name(f->name, added, false))
+		if ((w->value >> k & 1) != 0 &&
+		    json_is_name(f->name, added, false))
 			return k;
 	}
 	return i;
 }
 
-/* Returns the separator that is repeated behind the field f: in text the one before
- * it, or behind it if it is the first. */
+/* Returns the separator for values after the field f: in text a copy of the one before
+ * f, or of the one after f if it is the first. */
 static struct span separator_at(const struct layout *l, const struct field *f)
 {
 	struct span one = { &l->in.separator, &l->in.separator + 1 };
@@ -174,9 +173,10 @@ static struct span separator_at(const struct layout *l, const struct field *f)
 	    one;
 }
 
-/* Goes through the fields of a line, or of a value in it: writes each value in the
- * place of the one that was read, and leaves out coordinates that are not written,
- * and members that have the name of one that was added. */
+/* Goes over the fields of a line, or of a value in it if not outer: replaces each
+ * coordinate by its value, and deletes coordinates that have none, and members that have
+ * the name of an added value. Adds the other values after coordinate last, or at the end
+ * if last is -1. */
 static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 {
 	struct field f;
@@ -185,7 +185,7 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 	while (cut_next(&c, &f)) {
 		int k = value_of(w, &f, outer);
 
-		if (k >= 0 && (!is_written(w, k) || (w->put >> k & 1) != 0)) {
+		if (k >= 0 && !is_due(w, k)) {
 			struct span gone = cut_out(&f);
 
 			splice_to(w, gone.s);
@@ -205,7 +205,8 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 			w->separator = separator_at(w->l, &f);
 		w->put |= 1u << k;
 		if (w->numbers != NULL) {
-			struct span at = k < w->l->reads ? w->at[k] : f.value;
+			struct span at = k < w->l->reads ? line_at(w->line, k) :
+							   f.value;
 
 			splice_to(w, at.s);
 			w->out = put_value(w, k, w->out);
@@ -216,7 +217,7 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 			put_others(w, w->l->reads, false);
 		}
 		if (outer && last >= 0 && ++found == w->l->reads)
-			return; /* nothing is to be done behind them */
+			return; /* the rest of the line is copied */
 	}
 	if (outer) {
 		if (c.from != NULL || c.bracket != NULL)
@@ -225,7 +226,7 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 	}
 }
 
-/* Returns the cut of the line, past its leading blanks, or of the names in a header. */
+/* Returns a cut before the first field of the line, or the first name of a header. */
 static struct cut cut_of(const struct layout *l, const struct line *line)
 {
 	struct span text = line_text(line);
@@ -240,13 +241,7 @@ static struct cut cut_of(const struct layout *l, const struct line *line)
 	return c;
 }
 
-static void splice_places(struct splice *w)
-{
-	for (int i = 0; i < w->l->reads; i++)
-		if (!is_missing(w->line->at[i]))
-			w->at[i] = line_at(w->line, i);
-}
-
+/* Writes the line in its own format with other values. */
 static void splice(struct splice *w)
 {
 	const struct layout *l = w->l;
@@ -254,14 +249,14 @@ static void splice(struct splice *w)
 	struct cut c = cut_of(l, w->line);
 
 	for (int i = 0; i < l->reads; i++)
-		if (w->at[i].s == NULL || c.members)
+		if (is_missing(w->line->at[i]) || c.members)
 			last = -1; /* what is added stands at the end */
 	w->done = w->line->s;
 	splice_fields(w, c, true, last);
 	splice_to(w, w->line->s + w->line->size);
 }
 
-/* Writes the line whole, and the values before its end or its closing bracket. */
+/* Copies the whole line, and adds all values at its end or before its last bracket. */
 static void append(struct splice *w)
 {
 	const struct layout *l = w->l;
@@ -286,7 +281,7 @@ static void append(struct splice *w)
 	splice_to(w, line.end);
 }
 
-/* Writes the numbers of a binary record that are no coordinates. */
+/* Writes the numbers of a binary record that are not coordinates. */
 static char *put_rest_of_record(const struct layout *l, const struct line *line,
     char *out)
 {
@@ -310,14 +305,15 @@ static char *put_rest_of_record(const struct layout *l, const struct line *line,
 	return out;
 }
 
-/* Writes each field of the cut that holds no coordinate, or by --append each one,
- * behind a separator of the format out but for the first of the line. */
-static char *put_fields(struct splice *w, struct cut c, char *out)
+/* Writes each field of the cut that holds no coordinate, or by --append every field, for
+ * the format out: after a separator unless it is the first of the line. */
+static void put_fields(struct splice *w, struct cut c)
 {
 	const struct layout *l = w->l;
 	/* csv's empty fields become "" in JSON, so that the fields after them keep
 	 * their place in the array */
 	bool empty = format_of(l->in)->header && !format_of(l->out)->blanks;
+	char *out = w->out;
 	struct field f;
 
 	while (cut_next(&c, &f)) {
@@ -329,38 +325,32 @@ static char *put_fields(struct splice *w, struct cut c, char *out)
 			*out++ = l->out.separator;
 		out = format_convert(l->in, l->out, f.whole, out);
 	}
-	return out;
+	w->out = out;
 }
 
 /* Writes all fields of a line that hold no coordinate. */
-static char *put_rest_of(struct splice *w, char *out)
+static void put_rest(struct splice *w)
 {
-	return w->line->kind == LINE_LOST || w->line->object ?
-	    out :
-	    put_fields(w, cut_of(w->l, w->line), out);
+	if (w->line->kind != LINE_LOST && !w->line->object)
+		put_fields(w, cut_of(w->l, w->line));
 }
 
 char *line_rest(const struct layout *l, const struct line *line, char *out)
 {
-	const struct format_row *in = format_of(l->in);
+	struct cut c = { .in = l->in, .end = line->s + line->size };
+	bool first = line->kind == LINE_POINT && !line->object &&
+	    l->columns.n == 0;
 
 	if (is_binary(l->in.format))
 		return put_rest_of_record(l, line, out);
-	if (line->kind != LINE_POINT || line->object || l->columns.n > 0) {
-		struct splice w = { .l = l, .line = line, .fields = 1 };
-
-		splice_places(&w);
-		return put_rest_of(&w, out);
+	if (first) {
+		/* no other field stands before the coordinates */
+		c.bracket = *format_of(l->in)->open != '\0' ? line->s : NULL;
+		cut_behind(&c, line_at(line, l->reads - 1).end);
+		if (c.s == NULL)
+			return out;
 	}
-	/* nothing else stands before the coordinates */
-	struct cut c = { .in = l->in,
-		.end = line->s + line->size,
-		.bracket = *in->open != '\0' ? line->s : NULL };
-
-	cut_behind(&c, line_at(line, l->reads - 1).end);
-	if (c.s == NULL)
-		return out;
-	if (in->blanks && format_of(l->out)->blanks) {
+	if (first && format_of(l->in)->blanks && format_of(l->out)->blanks) {
 		struct span rest = trimmed(l->in, (struct span){ c.s, c.end });
 
 		*out = ' ';
@@ -368,25 +358,47 @@ char *line_rest(const struct layout *l, const struct line *line, char *out)
 		    splice_text(out + 1, rest.s, rest.end) :
 		    out;
 	}
-	struct splice w = { .l = l, .line = line, .fields = 1 };
+	struct splice w = { .l = l, .line = line, .out = out, .fields = 1 };
 
-	return put_fields(&w, c, out);
+	if (first)
+		put_fields(&w, c);
+	else
+		put_rest(&w);
+	return w.out;
 }
 
-/* Writes a point in another format: its image, then all other fields. */
+/* Writes the values first, then all other fields, or by --append in the other order. The
+ * format out is another, or the fields of the line are not known. */
+static void convert_line(struct splice *w)
+{
+	const struct layout *l = w->l;
+	char open = *format_of(l->out)->open, close = *format_of(l->out)->close;
+	bool members = w->line->object && l->out.format == l->in.format;
+
+	w->separator = (struct span){ &l->out.separator,
+		&l->out.separator + 1 };
+	*w->out = members ? '{' : open;
+	w->out += open != '\0';
+	if (l->append)
+		put_rest(w);
+	put_others(w, 0, members);
+	if (!l->append)
+		put_rest(w);
+	*w->out = members ? '}' : close;
+	w->out += close != '\0';
+}
+
+/* Does as convert_line for a point without --append, which is the frequent case. */
 static char *convert_point(const struct layout *l, const struct line *line,
-    const struct numbers *n, const struct word *flags, char *out)
+    struct numbers n, const struct word *flags, char *out)
 {
 	const struct format_row *to = format_of(l->out);
-	const struct number_text *text = n->text;
-	const double *v = n->v;
 
 	*out = *to->open;
 	out += *to->open != '\0';
-	for (int k = 0; k < l->writes;
-	     k++, text += n->text_step, v += n->step) {
+	for (int k = 0; k < l->writes; k++) {
 		*out = l->out.separator;
-		out = line_put(l, k, text, *v, out + (k > 0));
+		out = put_number(l, n, k, out + (k > 0));
 	}
 	if (flags != NULL) {
 		*out = l->out.separator;
@@ -399,81 +411,38 @@ static char *convert_point(const struct layout *l, const struct line *line,
 	return out + line->newline;
 }
 
-/* Writes the values first, then all other fields, or by --append the other way, as the
- * format out is another or the line can't be taken apart. */
-static void convert(struct splice *w)
-{
-	const struct layout *l = w->l;
-	char open = *format_of(l->out)->open, close = *format_of(l->out)->close;
-	bool members = w->line->object && l->out.format == l->in.format;
-
-	w->separator = (struct span){ &l->out.separator,
-		&l->out.separator + 1 };
-	*w->out = members ? '{' : open;
-	w->out += open != '\0';
-	if (l->append)
-		w->out = put_rest_of(w, w->out);
-	put_others(w, 0, members);
-	if (!l->append)
-		w->out = put_rest_of(w, w->out);
-	*w->out = members ? '}' : close;
-	w->out += close != '\0';
-}
-
-/* Writes the names of what is added, and of what is kept. */
-static void write_header(struct splice *w)
-{
-	static const struct word word = { "flags", 5 };
-	const struct layout *l = w->l;
-
-	w->numbers = NULL;
-	w->flags = l->flags ? &word : NULL;
-	if (l->append) {
-		append(w);
-		return;
-	}
-	header_places(l, line_text(w->line), w->at);
-	if (same_dialect(l->in, l->out)) {
-		splice(w);
-		return;
-	}
-	if (format_of(l->out)->blanks)
-		w->out = stpcpy(w->out, "# ");
-	convert(w);
-}
-
 char *line_write(const struct layout *l, const struct line *line,
     const struct numbers *numbers, const struct word *flags, char *out)
 {
-	if (line->kind == LINE_POINT && !l->append &&
-	    !same_dialect(l->in, l->out))
-		return convert_point(l, line, numbers, flags, out);
-	struct splice w = { .l = l,
-		.line = line,
-		.numbers = numbers,
-		.flags = flags,
-		.separator = { &l->in.separator, &l->in.separator + 1 },
-		.out = out };
-	bool copy = line->kind == LINE_COPY, header = line->kind == LINE_HEADER;
+	static const struct word name = { "flags", 5 };
+	bool header = line->kind == LINE_HEADER;
+	bool same = same_dialect(l->in, l->out);
 
-	if ((copy || header) &&
+	if (line->kind == LINE_POINT && !same && !l->append)
+		return convert_point(l, line, *numbers, flags, out);
+	if ((header || line->kind == LINE_COPY) &&
 	    (*format_of(l->in)->open != '\0' ||
 		*format_of(l->out)->open != '\0'))
 		return out;
-	if (copy) {
+	struct splice w = { .l = l,
+		.line = line,
+		.numbers = header ? NULL : numbers,
+		.flags = header ? &name : flags,
+		.separator = { &l->in.separator, &l->in.separator + 1 },
+		.out = out,
+		.value = ((1u << l->writes) - 1) |
+		    (unsigned)l->flags << FLAGS };
+
+	if (header && !same && format_of(l->out)->blanks)
+		w.out = stpcpy(w.out, "# ");
+	if (line->kind == LINE_COPY)
 		w.out = splice_text(out, line->s, line->s + line->size);
-	} else if (header) {
-		write_header(&w);
-	} else {
-		splice_places(&w);
-		if (line->kind == LINE_LOST || !same_dialect(l->in, l->out))
-			convert(&w);
-		else if (l->append)
-			append(&w);
-		else
-			splice(&w);
-	}
-	if (line->newline)
-		*w.out++ = '\n';
-	return w.out;
+	else if (line->kind == LINE_LOST || !same)
+		convert_line(&w);
+	else if (l->append)
+		append(&w);
+	else
+		splice(&w);
+	*w.out = '\n';
+	return w.out + line->newline;
 }

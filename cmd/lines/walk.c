@@ -7,11 +7,12 @@
 #include "../../core/scene/scene.h"
 #include "../json/text.h"
 
-/* So that there is a copy of the walk for each format, of which what does not concern
- * it falls away. */
+/* The walk is inlined once for each format, so that the compiler removes the branches of
+ * other formats. */
 #define INLINE static inline __attribute__((always_inline))
 
-/* Returns the bytes that can end a field of the dialect, or where it is to be left. */
+/* Returns the stops of a dialect: the bytes that can end a field, or for which a line
+ * may have to be left. */
 static struct byte_set stops_of(struct dialect d)
 {
 	const struct format_row *row = format_of(d);
@@ -20,7 +21,7 @@ static struct byte_set stops_of(struct dialect d)
 	int bits = 0;
 
 	for (int b = 0; b < 256; b++) {
-		/* a bit for each value of the upper four: there may be eight */
+		/* one bit for each upper half of a byte; there are at most eight */
 		uint8_t *bit = &set.high[b >> 4];
 		char c = (char)b;
 
@@ -51,7 +52,7 @@ bool walk_plan(const struct layout *l, struct walk *w)
 	for (int i = 0; i < l->reads; i++)
 		w->field[i] = layout_field(l, i);
 	for (int i = 0; i < l->reads && w->objects; i++) {
-		const char *name = layout_path(l, i);
+		const char *name = l->columns.name[i];
 		bool pointer = *name == '/';
 
 		name += pointer;
@@ -79,21 +80,22 @@ bool stretch_open(struct stretch *w, const struct walk *walk, const char *text,
 	return n > 0;
 }
 
-/* On the way through a line: at and the first stop from there on, which is never
- * beyond the newline. */
+/* A place on a line. A function that passes something moves at behind it. */
 struct walker {
 	const char *text;
 	uint32_t at;
-	const uint16_t *stop;
-	bool comma; /* in the separator that was passed last */
-	int found;  /* coordinates that were passed */
+	const uint16_t *stop; /* the first stop from at on */
+	bool comma;           /* the last separator has a comma */
+	int found;            /* coordinates that were passed */
 };
 
+/* Returns whether c, which is a stop, is at the walker. */
 INLINE bool stands(const struct walker *p, char c)
 {
 	return *p->stop == p->at && p->text[p->at] == c;
 }
 
+/* Passes a stop. */
 INLINE void pass(struct walker *p)
 {
 	p->at++;
@@ -106,8 +108,8 @@ INLINE void pass_blanks(struct walker *p, struct dialect d)
 		pass(p);
 }
 
-/* As skip_separator in text; elsewhere something has to separate. Most separators
- * are of one byte. */
+/* Passes a separator as skip_separator does in text; elsewhere returns false if there is
+ * none. Most separators have one byte, which comes first for speed. */
 INLINE bool pass_separator(struct walker *p, struct dialect d)
 {
 	bool text = d.format == FORMAT_TEXT;
@@ -130,8 +132,8 @@ INLINE bool pass_separator(struct walker *p, struct dialect d)
 	return p->comma || (text && !stands(p, '\n'));
 }
 
-/* Returns how many stops the escape at the backslash s has behind that; -1 if it is
- * none. */
+/* Returns the number of stops after the backslash in the escape at s; -1 if this is no
+ * escape. */
 static int escaped_stops(const char *s)
 {
 	unsigned code;
@@ -143,8 +145,8 @@ static int escaped_stops(const char *s)
 	return s[1] != '\0' && strchr("/bfnrt", s[1]) != NULL ? 0 : -1;
 }
 
-/* Passes a string of JSON. The string of a name may have no escapes, which could
- * spell the name of a coordinate. */
+/* Passes a string of JSON. A name with escapes is left, as it could be the name of a
+ * coordinate. */
 INLINE bool pass_string(struct walker *p, bool name)
 {
 	for (p->stop++; p->text[*p->stop] != '"'; p->stop++) {
@@ -161,17 +163,17 @@ INLINE bool pass_string(struct walker *p, bool name)
 	return true;
 }
 
-/* Whether a plain number is one of JSON: it has no 0 before another digit, and
- * digits on both sides of its point. */
+/* Returns whether a plain number is one of JSON: no 0 before another digit, and digits
+ * on both sides of the point. */
 INLINE bool is_narrow(const char *s, const char *end)
 {
 	s += *s == '-';
-	/* what the first digits are the processor could not guess: no branches */
+	/* without branches, as the first digits can't be predicted */
 	return !(((*s == '0') & (s[1] >= '0') & (s[1] <= '9')) | (*s == '.') |
 	    (end[-1] == '.'));
 }
 
-/* Returns whether it is a number or a word of JSON. */
+/* Returns whether the text is a number or a word of JSON. */
 static bool is_scalar(const char *s, const char *end)
 {
 	size_t n = (size_t)(end - s);
@@ -182,7 +184,7 @@ static bool is_scalar(const char *s, const char *end)
 	    (n == 4 && memcmp(s, "null", 4) == 0);
 }
 
-/* The line of which coordinates are found, with number i. */
+/* Where the coordinates of line i, which begins at begin, are noted. */
 struct target {
 	const struct walk *walk;
 	struct line *line;
@@ -191,7 +193,8 @@ struct target {
 	struct plain_places *places;
 };
 
-/* Passes coordinate k. Returns false where it can't be a plain number. */
+/* Passes coordinate k. Returns false if it is too long for a plain number, or no number
+ * of JSON. */
 INLINE bool pass_number(struct walker *p, struct dialect d,
     const struct target *t, int k)
 {
@@ -209,7 +212,7 @@ INLINE bool pass_number(struct walker *p, struct dialect d,
 	return true;
 }
 
-/* Passes coordinate k, which in csv may stand in quotes. */
+/* Passes coordinate k, with its quotes in csv. */
 INLINE bool pass_coordinate(struct walker *p, struct dialect d,
     const struct target *t, int k)
 {
@@ -224,9 +227,9 @@ INLINE bool pass_coordinate(struct walker *p, struct dialect d,
 	return true;
 }
 
-/* Passes a field of text or csv that is no coordinate. In csv it may stand in quotes
- * if no quote stands in them; where one stands elsewhere, no separator or newline is
- * found behind it. */
+/* Passes a field of text or csv that is not a coordinate. A field of csv in quotes may
+ * not contain quotes: after such a quote the caller finds neither separator nor newline,
+ * and leaves the line. */
 INLINE bool pass_other(struct walker *p, struct dialect d)
 {
 	bool csv = d.format == FORMAT_CSV, quoted = csv && stands(p, '"');
@@ -243,18 +246,18 @@ INLINE bool pass_other(struct walker *p, struct dialect d)
 	return true;
 }
 
-/* How the coordinates of a line are found: as its first fields, or by number, or by
- * name and pointer; or there are none among the fields. */
+/* How coordinates are found among fields: as the first fields, by number, by name or
+ * pointer; or there are none. */
 enum shape { FIELDS, COLUMNS, PATHS, NONE };
 
 static bool pass_nested(struct walker *, const struct target *,
     const struct trail *, unsigned led, int levels);
 
-/* What stands at the end of a path into a value. */
+/* Results beside the number of a coordinate: the field is not a coordinate, or was the
+ * last; paths lead into it, or there is another; the line has to be left. */
 enum { NOTHING = -1, MORE = -2, ODD = -3 };
 
-/* Returns the paths that lead on behind their first token, of those whose bits are
- * set. */
+/* Returns the paths whose bits are set in led, without their first tokens. */
 static struct trail trail_inside(const struct trail *t, unsigned led)
 {
 	struct trail rest;
@@ -268,8 +271,8 @@ static struct trail trail_inside(const struct trail *t, unsigned led)
 	return rest;
 }
 
-/* Returns the coordinate whose path ends at the member, or MORE if paths lead into it,
- * those whose bits are set in led. */
+/* Returns the coordinate whose path ends at the member of that name, or MORE if paths
+ * lead into the member; sets their bits in led. */
 INLINE int follow(const struct trail *t, int n, struct span name, unsigned *led)
 {
 	size_t size = (size_t)(name.end - name.s);
@@ -288,8 +291,8 @@ INLINE int follow(const struct trail *t, int n, struct span name, unsigned *led)
 	return *led != 0 ? MORE : NOTHING;
 }
 
-/* Passes a value of JSON that is no coordinate. Coordinates are in it if paths have
- * led there. Returns false where they can't be, or line_read is to look at it. */
+/* Passes a value of JSON that is not a coordinate, and the coordinates in it if paths
+ * have led there. Returns false if the line has to be left. */
 INLINE bool pass_value(struct walker *p, const struct target *t,
     const struct trail *trail, unsigned led, int levels)
 {
@@ -310,8 +313,7 @@ INLINE bool pass_value(struct walker *p, const struct target *t,
 	return is_scalar(p->text + from, p->text + p->at);
 }
 
-/* Passes the name of a member and its colon. Its string may have no escapes if it may
- * be that of a coordinate. */
+/* Passes the name of a member and the colon. Returns false if the line has to be left. */
 INLINE bool pass_name(struct walker *p, struct dialect d, bool may_have_escapes,
     struct span *name)
 {
@@ -335,8 +337,8 @@ INLINE int coordinate_of(const struct walk *w, int n, int k)
 	return NOTHING;
 }
 
-/* Returns whether what follows the coordinates of a line of text begins as the
- * separators between them do, if it may be a number. */
+/* Returns whether the separator after the coordinates of a line of text has a comma just
+ * as those between them, or no number can follow; else 1,5 may be a decimal comma. */
 INLINE bool ends_text(struct walker *p, struct dialect d, int n, bool comma)
 {
 	if (*p->stop != p->at || stands(p, '\n'))
@@ -347,18 +349,20 @@ INLINE bool ends_text(struct walker *p, struct dialect d, int n, bool comma)
 	return stands(p, '\n') || p->comma == comma;
 }
 
-/* The fields that are passed: those of a line, an array, or an object. */
+/* The fields of a line, an array or an object. */
 struct fields {
-	int n; /* of coordinates */
+	int n; /* the number of coordinates */
 	enum shape shape;
 	bool members;
 	const struct trail *trail;
-	int levels;             /* how deep values may be nested */
-	unsigned led;           /* paths that have led to a field, as bits */
-	int separators, commas; /* of text, behind the first coordinate */
+	int levels;   /* how deep values may be nested */
+	unsigned led; /* bit i: the path of coordinate i has led to a field */
+	/* of text: separators after the first coordinate, and those with commas */
+	int separators, commas;
 };
 
-/* Returns the coordinate that field k is, behind its name if it has one. */
+/* Passes the name of field k, if it has one. Returns the coordinate that the field is,
+ * NOTHING, MORE or ODD. */
 INLINE int pass_to_value(struct walker *p, struct dialect d, struct fields *f,
     const struct walk *w, int k, unsigned *led)
 {
@@ -381,8 +385,8 @@ INLINE int pass_to_value(struct walker *p, struct dialect d, struct fields *f,
 	return again ? ODD : i;
 }
 
-/* Passes field k, and the separator behind it unless it is the last. Returns MORE,
- * NOTHING behind the last, or ODD where line_read is to look at the line. */
+/* Passes field k and the separator after it. Returns MORE, NOTHING if the field is the
+ * last, or ODD. */
 INLINE int pass_field(struct walker *p, struct dialect d, struct fields *f,
     const struct target *t, int k)
 {
@@ -407,15 +411,15 @@ INLINE int pass_field(struct walker *p, struct dialect d, struct fields *f,
 }
 
 /* Passes the fields up to the newline or a bracket, in text up to the last coordinate.
- * Returns false where line_read is to look at the line. */
+ * Returns false if the line has to be left. */
 INLINE bool pass_fields(struct walker *p, struct dialect d, struct fields f,
     const struct target *t)
 {
-	const int usual = f.shape == FIELDS ? f.n : 0;
+	const int unrolled = f.shape == FIELDS ? f.n : 0;
 	int more = MORE, k = 0;
 
 #pragma GCC unroll 4
-	for (; k < usual && more == MORE; k++)
+	for (; k < unrolled && more == MORE; k++)
 		more = pass_field(p, d, &f, t, k);
 	for (; more == MORE; k++)
 		more = pass_field(p, d, &f, t, k);
@@ -425,7 +429,7 @@ INLINE bool pass_fields(struct walker *p, struct dialect d, struct fields f,
 	    ends_text(p, d, f.n, f.commas > 0);
 }
 
-/* Passes an array or object. */
+/* Passes an array or an object. Returns false if the line has to be left. */
 INLINE bool pass_brackets(struct walker *p, struct fields f,
     const struct target *t)
 {
@@ -444,6 +448,7 @@ INLINE bool pass_brackets(struct walker *p, struct fields f,
 	return true;
 }
 
+/* Passes an array or an object that is a value. */
 static bool pass_nested(struct walker *p, const struct target *t,
     const struct trail *trail, unsigned led, int levels)
 {
@@ -460,11 +465,10 @@ static bool pass_nested(struct walker *p, const struct target *t,
 	return levels > 0 && pass_brackets(p, f, t);
 }
 
-/* How deep values that are passed may be nested. */
+/* The depth of nested values beyond which a line is left. */
 enum { LEVELS = 8 };
 
-/* Finds where the coordinates of a line stand. Returns false where it is to be
- * left. */
+/* Finds the coordinates of a line. Returns false if the line has to be left. */
 INLINE bool pass_line(struct walker *p, struct dialect d, int n,
     enum shape shape, const struct target *t)
 {
@@ -484,7 +488,7 @@ INLINE bool pass_line(struct walker *p, struct dialect d, int n,
 	    (d.format == FORMAT_TEXT || (p->found == n && stands(p, '\n')));
 }
 
-/* What stands for the numbers of a line that is left. */
+/* Notes places that can be read, and mean nothing, for the numbers of line i. */
 static void no_numbers(int n, size_t i, struct plain_places places[4])
 {
 	static const char none[PLAIN_BEFORE + 1] = "";
@@ -495,6 +499,7 @@ static void no_numbers(int n, size_t i, struct plain_places places[4])
 	}
 }
 
+/* Does as walk_lines for a dialect, a number of coordinates and a shape. */
 INLINE size_t walk_take(struct stretch *s, const struct walk *walk,
     struct dialect d, int n, enum shape shape, size_t max, struct line *lines,
     struct plain_places places[4], uint64_t *left)
@@ -531,7 +536,7 @@ INLINE size_t walk_take(struct stretch *s, const struct walk *walk,
 	return i;
 }
 
-/* Three coordinates are what is usual. */
+/* Points with three coordinates are the most frequent, and have copies of their own. */
 INLINE size_t take_dialect(struct stretch *s, const struct walk *walk,
     struct dialect d, size_t max, struct line *lines,
     struct plain_places places[4], uint64_t *left)
@@ -545,7 +550,7 @@ INLINE size_t take_dialect(struct stretch *s, const struct walk *walk,
 	return walk_take(s, walk, d, 3, FIELDS, max, lines, places, left);
 }
 
-/* Each copy is a function of its own, as one with all of them has too few registers. */
+/* A function with all copies would have too few registers. */
 #define NOINLINE static __attribute__((noinline))
 
 NOINLINE size_t take_objects(struct stretch *s, const struct walk *walk,
@@ -564,8 +569,8 @@ size_t walk_lines(struct stretch *s, const struct walk *walk, size_t n,
 			     text = { FORMAT_TEXT, ' ' },
 			     csv = { FORMAT_CSV, walk->in.separator };
 
-	/* A copy is made for each format with it as a constant. Lines of JSON are
-	 * mostly like the first of them. */
+	/* Each copy has its format as a constant. The first line of JSON says whether
+	 * a copy for arrays or for objects is tried on these lines. */
 	if (format_of(walk->in)->blanks)
 		return take_dialect(s, walk, text, n, lines, places, left);
 	if (format_of(walk->in)->header)
@@ -575,8 +580,8 @@ size_t walk_lines(struct stretch *s, const struct walk *walk, size_t n,
 	return take_dialect(s, walk, json, n, lines, places, left);
 }
 
-/* Reads a number that is not plain, such as 1e-3. Returns false where only line_read
- * can tell what it is. */
+/* Reads a number that is not plain, such as 1e-3. Returns false if the line has to be
+ * left. */
 static bool read_number(struct dialect d, struct span f, const char *readable,
     double *v)
 {

@@ -1,60 +1,62 @@
 /* SPDX-License-Identifier: MIT */
-/* Lines by way of an index: where in a stretch of text the bytes stand that can
- * end a field. What is usual is found so, with many numbers read at a time; any
- * other line is left to line_read, which alone says what is legal. */
+/* Reads simple lines fast, by an index. The index lists the stops of a stretch of text:
+ * the bytes that can end a field. A walk goes from stop to stop and finds the coordinates
+ * without a look at the bytes between; vector code then reads many numbers at once. A
+ * line that is not simple is left: line_read has to read it. */
 #ifndef WALK_H
 #define WALK_H
 
 #include "../number/plain.h"
 #include "line.h"
 
-/* Bytes that stay in the nearest cache until their numbers are read; 2^16 at
- * most, for stop. */
+/* The most bytes of a stretch: so few that they stay in the first-level cache until
+ * their numbers are read. A stop has 16 bits. */
 enum { STRETCH = 1 << 14 };
 
-/* A stretch of text, with the places of the bytes that can end a field. */
+/* A stretch of text with its index. */
 struct stretch {
-	const char *readable; /* from here on, text may be looked at */
-	const char *text;     /* its beginning */
-	uint32_t at, end;     /* the next line; past the last whole one */
-	const uint16_t *next; /* the first stop at or after the next line */
+	const char *readable; /* bytes from here on may be read */
+	const char *text;     /* the beginning of the stretch */
+	uint32_t at, end; /* where the next line begins; the last line ends */
+	const uint16_t *next; /* the first stop at or after at */
 	uint16_t stop[STRETCH + 128];
 };
 
-/* What is left of the path to each coordinate, inside a value: the first token
- * is of size bytes, SIZE_MAX where the path does not lead into the value. */
+/* The rest of the path to each coordinate inside a value. The first token of the path
+ * has size bytes; SIZE_MAX where the path does not lead into the value. */
 struct trail {
 	const char *path[4];
 	size_t size[4];
 };
 
-/* Where the coordinates stand on a line. */
+/* How the n coordinates of a line are found. */
 struct walk {
 	struct dialect in;
-	struct byte_set stops; /* what can end a field */
+	struct byte_set stops;
 	int n;
-	bool arrays, objects; /* which lines of JSON are walked */
-	struct trail trail;   /* to members of objects */
-	bool columns;         /* else they are the first fields */
+	bool arrays, objects; /* the lines of JSON that are walked */
+	struct trail trail;   /* paths to members of objects */
+	bool columns;         /* by field[]; false: in the first fields */
 	int field[4];
 };
 
-/* False where lines of that layout are not to be walked. */
+/* Makes the walk of a layout. Returns false where every line has to be left. */
 bool walk_plan(const struct layout *, struct walk *);
 
-/* The stretch that begins at text. False where no line ends in it. */
+/* Makes the stretch that begins at text, and its index. Returns false where no line
+ * ends in the stretch. */
 bool stretch_open(struct stretch *, const struct walk *, const char *text,
     const char *end);
 
-/* Takes up to n <= PLAIN_BATCH lines: where their numbers stand, by coordinate.
- * Bit i of *left says that line i has to be left to line_read; else it is
- * a point if walk_numbers says so. Returns how many, at least one while at is
- * before end. */
+/* Finds the numbers of up to n <= PLAIN_BATCH lines, by coordinate. Bit i of *left says
+ * that line i is left. Returns the number of lines, at least one while at is before
+ * end. */
 size_t walk_lines(struct stretch *, const struct walk *, size_t n,
     struct line[PLAIN_BATCH], struct plain_places[4], uint64_t *left);
 
-/* Reads the numbers of the n lines that walk_lines took, but for those that are left.
- * Returns which lines are left then. Bytes up to readable may be looked at. */
+/* Reads the numbers of the n lines that walk_lines found, except those of lines that are
+ * left. Returns left with the bits of further lines that have to be left; all others
+ * are points. Bytes before readable may be read. */
 uint64_t walk_numbers(const struct walk *, const struct line *, size_t n,
     const struct plain_places[4], uint64_t left, const char *readable,
     double v[4][PLAIN_BATCH]);

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "../lines/choose.h"
+#include "../lines/in_place.h"
 
 /* Reads the next line of the block with line_read. Returns false where a bad line
  * ends the chunk. */
@@ -99,7 +100,8 @@ static void block_read(struct job *j, struct chunk *c)
 	struct walk walk;
 
 	while (more && c->block_lines < POINTS_BLOCK && c->text < c->end) {
-		/* a header, which is line_read's, says where the columns are */
+		/* line_read reads the header, which says where the columns are,
+		 * and the first row, which is compared with it */
 		if (!planned && !c->first) {
 			planned = true;
 			walks = plain_reader() != NULL &&
@@ -201,126 +203,11 @@ static void make_texts(struct writer *w, size_t p)
 	w->batch = from;
 }
 
-/* Returns whether the n coordinates of a line are in their order. */
-static inline bool is_in_order(const struct line *line, int n)
+/* Returns the image of point p. */
+static inline struct numbers image_of(const struct writer *w, size_t p)
 {
-	for (int k = 1; k < n; k++)
-		if (line->at[k].from < line->at[k - 1].from)
-			return false;
-	return true;
-}
-
-/* Sorts the coordinates by their places on the line. */
-static void find_order(const struct line *line, int n, int order[4])
-{
-	for (int i = 1; i < n; i++)
-		for (int k = i; k > 0 &&
-		     line->at[order[k - 1]].from > line->at[order[k]].from;
-		     k--) {
-			int after = order[k];
-
-			order[k] = order[k - 1];
-			order[k - 1] = after;
-		}
-}
-
-/* Returns the end of a line's text without a closing bracket. */
-static inline uint32_t end_of_fields(const struct layout *l,
-    const struct line *line)
-{
-	return line->size - (*format_of(l->out)->close != '\0');
-}
-
-/* Returns whether put_in_place can add values to a line whose n coordinates are in
- * their order: one byte separates them, neither quotes nor, by --append, blanks end
- * the fields. */
-static inline bool takes_more(const struct layout *l, const struct line *line,
-    int n)
-{
-	uint32_t last = line->at[n - 1].to;
-
-	if (l->append &&
-	    (is_blank(line->s[line->size - 1]) ||
-		is_blank(line->s[end_of_fields(l, line) - 1])))
-		return false;
-	if (format_of(l->out)->blanks)
-		return line->at[n - 1].from - line->at[n - 2].to == 1;
-	return !line->object &&
-	    (!format_of(l->out)->header || last == line->size ||
-		line->s[last] != '"');
-}
-
-/* Returns the separator before each value that is added. */
-static inline char separator(const struct layout *l, const struct line *line,
-    int n)
-{
-	return format_of(l->out)->blanks ? line->s[line->at[n - 2].to] :
-					   l->out.separator;
-}
-
-static inline char *put_flags(const struct layout *l, const struct word *w,
-    char *at)
-{
-	bool quoted = *format_of(l->out)->open != '\0';
-
-	*at = '"';
-	memcpy(at + quoted, w->s, sizeof w->s);
-	at += quoted + w->size;
-	*at = '"';
-	return at + quoted;
-}
-
-/* Writes coordinate k of the image of point p. */
-static inline char *put_coordinate(const struct writer *w, int k, size_t p,
-    char *at)
-{
-	return line_put(&w->job->layout, k, &w->text[k][p % NUMBER_BATCH],
-	    w->chunk->image[k][p], at);
-}
-
-/* Copies the line's bytes from done to next. Most gaps have one byte, so that one is
- * copied in any case. */
-static inline char *put_gap(const struct line *line, uint32_t done,
-    uint32_t next, char *at)
-{
-	*at = line->s[done];
-	if (next - done > 1)
-		memcpy(at, line->s + done, next - done);
-	return at + (next - done);
-}
-
-/* Writes the same as line_write, for lines that keep their form. order is that of the
- * coordinates on the line, or NULL if they are in their order. */
-static inline __attribute__((always_inline)) char *
-put_in_place(struct writer *w, const struct line *line, const int *order,
-    size_t p, char *at)
-{
-	const struct layout *l = &w->job->layout;
-	uint32_t done = 0;
-	int written = l->append ? 0 : l->reads;
-
-	for (int i = 0; i < written; i++) {
-		int k = order != NULL ? order[i] : i;
-
-		at = put_gap(line, done, line->at[k].from, at);
-		at = put_coordinate(w, k, p, at);
-		done = line->at[k].to;
-	}
-	if (l->append) {
-		done = end_of_fields(l, line);
-		at = put_gap(line, 0, done, at);
-	}
-	for (int k = written; k < l->writes; k++) {
-		*at++ = separator(l, line, l->reads);
-		at = put_coordinate(w, k, p, at);
-	}
-	if (l->flags) {
-		*at++ = separator(l, line, l->reads);
-		at = put_flags(l, chunk_word(w->chunk, w->outside[p]), at);
-	}
-	at = put_gap(line, done, line->size, at);
-	*at = '\n';
-	return at + line->newline;
+	return (struct numbers){ &w->chunk->image[0][p],
+		&w->text[0][p % NUMBER_BATCH], POINTS_BLOCK, NUMBER_BATCH };
 }
 
 /* Writes the line of point p with its image. */
@@ -328,40 +215,31 @@ static char *put_image(struct writer *w, const struct line *line, size_t p,
     char *at)
 {
 	const struct layout *l = &w->job->layout;
+	const struct word *flags = l->flags ?
+	    chunk_word(w->chunk, w->outside[p]) :
+	    NULL;
 
 	make_texts(w, p);
 	if (w->in_place && is_in_order(line, l->reads) &&
-	    (!w->adds || takes_more(l, line, l->reads)))
-		return put_in_place(w, line, NULL, p, at);
-	if (w->in_place && !w->adds) {
-		find_order(line, l->reads, w->order);
-		return put_in_place(w, line, w->order, p, at);
-	}
-	const struct numbers n = { &w->chunk->image[0][p],
-		&w->text[0][p % NUMBER_BATCH], POINTS_BLOCK, NUMBER_BATCH };
+	    (!w->adds || can_add_in_place(l, line, l->reads)))
+		return write_in_place(l, line, NULL, image_of(w, p), flags, at);
+	if (!w->in_place || w->adds) {
+		const struct numbers n = image_of(w, p);
 
-	return line_write(l, line, &n,
-	    l->flags ? chunk_word(w->chunk, w->outside[p]) : NULL, at);
+		return line_write(l, line, &n, flags, at);
+	}
+	find_order(line, l->reads, w->order);
+	return write_in_place(l, line, w->order, image_of(w, p), flags, at);
 }
 
-/* Writes a line that is no point: comments and headers as line_write does, a bad line
- * with nan for each coordinate. */
-static char *put_other(const struct layout *l, const struct line *line,
+/* Writes a line, or the binary point in its place: with the image of point p if the
+ * line is a point, with nan for each coordinate if it is bad. */
+static char *put_line(struct writer *w, const struct line *line, size_t p,
     char *at)
 {
 	static const double nan = (double)NAN;
 	static const struct number_text none = { .layout = 0 };
-	static const struct word flag = { "nan", 3 };
 	const struct numbers n = { &nan, &none, 0, 0 };
-
-	return line_write(l, line, &n,
-	    line_is_bad(line) && l->flags ? &flag : NULL, at);
-}
-
-/* Writes a line or a binary point, which is point p if it is any. */
-static char *put_line(struct writer *w, const struct line *line, size_t p,
-    char *at)
-{
 	const struct job *j = w->job;
 	bool point = line->kind == LINE_POINT, bad = line_is_bad(line);
 
@@ -371,8 +249,9 @@ static char *put_line(struct writer *w, const struct line *line, size_t p,
 		return point || bad ?
 		    binary_put(&j->layout, w->chunk, line, p, at) :
 		    at;
-	return point ? put_image(w, line, p, at) :
-		       put_other(&j->layout, line, at);
+	return point ?
+	    put_image(w, line, p, at) :
+	    line_write(&j->layout, line, &n, chunk_word(w->chunk, OUT_NAN), at);
 }
 
 /* Reserves room for a batch of lines, the first of which is line i. Returns where they

@@ -24,7 +24,7 @@ struct chunk {
 	struct piece piece;
 	const char *text, *end; /* the bytes that are not read yet */
 	size_t n_lines;         /* before the block */
-	bool first;   /* no line but blank ones and comments was read yet */
+	enum first first;       /* which line is still to come */
 	bool refused; /* the header is bad, so that no line can be read */
 	bool done;    /* ready for answer_chunk */
 

@@ -74,7 +74,7 @@ static struct {
 	/* the source that is read */
 	struct point_source *source;
 	bool open;                        /* its end was not read yet */
-	bool first;                       /* see struct chunk */
+	enum first first;                 /* see struct chunk */
 	bool beginning, answering;        /* a thread is doing so */
 	size_t begun, answered, n_unused; /* chunks */
 } ring = {
@@ -85,7 +85,7 @@ static struct {
 /* The functions from may_begin to run_chunks are called, and return, with the lock
  * held.
  *
- * Returns whether a thread can begin a chunk. While first is true, each chunk waits for
+ * Returns whether a thread can begin a chunk. Up to the first row, each chunk waits for
  * the one before it, which may have the csv header. */
 static bool may_begin(void)
 {
@@ -229,7 +229,8 @@ static void stream(struct job *j, struct point_source *s)
 		set_up(j);
 	ring.source = s;
 	ring.open = true;
-	ring.first = !is_binary(j->layout.in.format);
+	ring.first = is_binary(j->layout.in.format) ? FIRST_IS_READ :
+						      FIRST_LINE;
 	ring.begun = ring.answered = 0;
 	run_chunks(false);
 	pthread_mutex_unlock(&ring.lock);

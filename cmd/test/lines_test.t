@@ -163,7 +163,8 @@ my %want = $write ? () :
     reverse slurp($digests) =~ /^(\S+)  (.*)/mg;
 my $new = '';
 for my $format (sort keys %line) {
-	my $head = $format =~ /[ct]sv/ ? "# a comment\nx,y,z,label\n" : '';
+	my $head = $format =~ /[ct]sv/ ? "# a comment\nx,y,z,label,,,,,,,,\n" :
+	    '';
 	$head =~ tr/,/\t/ if $format eq 'tsv';
 	$head =~ tr/,/;/ if $format =~ /;/;
 	my $text = text_of($line{$format});

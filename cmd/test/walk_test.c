@@ -236,7 +236,7 @@ static void usual_lines_are_walked(void **state)
 	check(&l, columns_of_csv, "a,11,b,12,13");
 	l.in.format = FORMAT_JSON;
 	check(&l, columns_of_arrays, "[0,11,0,12,13]");
-	l.columns.n = 0;
+	l.columns = (struct columns){ .name = { "x", "y", "z" } };
 	check(&l, arrays, "[11,12,13]");
 	check(&l, objects, "{\"x\":11,\"y\":12,\"z\":13}");
 	l.columns = (struct columns){ .n = 3,
