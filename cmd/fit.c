@@ -108,6 +108,8 @@ void run_fit(const struct command *c, const struct options *o)
 			     "[-1,-1], \"max\": [1,1]}, or POINTS" :
 			     "/bounds: missing; add \"bounds\": {\"min\": "
 			     "[-1,-1,-1], \"max\": [1,1,1]}, or POINTS");
+	if (!has_points(o, &d))
+		refuse_point_options(c, o);
 	if (!d.has_bounds)
 		fit_read_points(o, &d);
 	const char *why = d.flat ? fit_window(&d.scene, &d.bounds) :

@@ -24,13 +24,14 @@ static const char *const notes[NOTES] = {
 	"negate x or y in the matrix, or try another \"convention\"",
 	"the projection is of the other handedness: it looks against the "
 	"convention's gaze, and mirrors; try the \"convention\" that it is "
-	"from, or negate the third row",
+	"from, or negate the third row, of column vectors the third column",
 	"the projection looks away: w grows against the convention's gaze, "
 	"and the picture is of what is behind the camera; turn the camera, or "
-	"negate the matrix's x and z rows",
+	"negate the first and third rows, of column vectors the first and "
+	"third columns",
 	"the projection's matrix is transposed in all likelihood, as its last "
-	"row says what its last column should; transpose it, or try another "
-	"\"vectors\" in \"convention\"",
+	"row and its last column have changed places; transpose it, or try "
+	"another \"vectors\" in \"convention\"",
 	"near is beyond far: the eye or the gaze is on the other side; swap "
 	"them, or for reversed depth say \"reverse_z\": true",
 	"depth falls along the convention's gaze: it is reversed, or the "
@@ -44,7 +45,8 @@ static const char *const notes[NOTES] = {
 	"tilted against the picture by more than 2^-40; give the matrix with "
 	"all 17 digits, not as floats, and look whether it is a product in the "
 	"order of its \"vectors\"",
-	"scene is null, as w is negative everywhere; negate the matrix",
+	"scene is null, as w is negative between near and far; negate the "
+	"whole matrix, all 16 elements",
 	"scene is null, as only intrinsics say that x depends on y or that "
 	"there are no planes, of a perspective that does not mirror, with a "
 	"viewport that it fills; add a viewport, or give near and far, or a "

@@ -133,14 +133,8 @@ void run_matrix(const struct command *c, const struct options *o)
 
 	bool points = !o->matrix && has_points(o, &d);
 
-	if (!points && !o->matrix && (o->flags || o->visible || o->append))
-		die(EXIT_USAGE,
-		    "%s: --%s is for points, and there are none; add POINTS, "
-		    "or - for standard input",
-		    c->name,
-		    o->flags      ? "flags" :
-			o->append ? "append" :
-				    "visible");
+	if (!points && !o->matrix)
+		refuse_point_options(c, o);
 	matrix_transform(c, o, &d, points ? c->points_to : c->to, &j);
 	if (!points) {
 		print_matrix(o, &d, &j.transform);

@@ -124,6 +124,27 @@ bool has_points(const struct options *o, const struct document *d)
 	return o->n_points > 0 || d->points != NULL;
 }
 
+void refuse_point_options(const struct command *c, const struct options *o)
+{
+	/* a matrix in csv has separators, too */
+	const bool separator = o->separator != ',' && o->out != FORMAT_CSV;
+	const char *name = o->flags ? "flags" :
+	    o->append               ? "append" :
+	    o->visible              ? "visible" :
+	    o->has_in               ? "input" :
+	    o->columns.n > 0        ? "columns" :
+	    o->header               ? "header" :
+	    o->no_header            ? "no-header" :
+	    separator               ? "separator" :
+				      NULL;
+
+	if (name != NULL)
+		die(EXIT_USAGE,
+		    "%s: --%s is for points, and there are none; add POINTS, "
+		    "or - for standard input",
+		    c->name, name);
+}
+
 /* Returns whether the output adds a member that path, a name or a JSON pointer, names or
  * leads into. */
 static bool is_added(const struct layout *l, const char *path)

@@ -24,6 +24,9 @@ void params_read(const struct options *, const struct document_wants *,
 /* Returns whether there are points, as operands or in the document. */
 bool has_points(const struct options *, const struct document *);
 
+/* Refuses options that are about points alone, where there are none. */
+void refuse_point_options(const struct command *, const struct options *);
+
 /* Completes a job whose transform or ray maker is set by what the options say, and
  * prepares progress, output and kernels for it. */
 void prepare_job(struct job *, const struct options *);

@@ -208,7 +208,7 @@ const struct option_row option_rows[] = {
 	    ON(has_convention) },
 	{ "input", 'i', POINTS,
 	    "format of the points: text (default), csv, tsv, json, f64, f32, f32x4",
-	    "FORMAT", option_read_format, AT(in), .words = format_names },
+	    "FORMAT", option_read_format, AT(in), .words = format_names, ON(has_in) },
 	{ "output", 'o', ALL, "format of the output; default that of the input",
 	    "FORMAT", option_read_format, AT(out), .words = format_names, ON(has_out) },
 	{ "separator", 0, POINTS, "character between fields of csv, or tab",

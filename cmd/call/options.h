@@ -31,6 +31,7 @@ struct options {
 	bool help, version;
 	enum format in, out;
 	int in_record, out_record; /* numbers of a record, by f32x4; else 0 */
+	bool has_in;               /* else points are text */
 	bool has_out;   /* else points have the format in, a matrix is text */
 	char separator; /* of csv, a comma by default */
 	bool header, no_header; /* the first line of csv is a header, is none */

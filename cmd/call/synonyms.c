@@ -230,7 +230,8 @@ void synonym_refuse_word(const struct command *commands, bool topic,
 	if (near != NULL)
 		die(EXIT_USAGE, "%s; did you mean 'projcalc %s%s'?", unknown,
 		    topic ? "help " : "", near);
-	die(EXIT_USAGE, "%s; 'projcalc help' lists commands", unknown);
+	die(EXIT_USAGE, "%s; 'projcalc help' lists commands%s", unknown,
+	    topic ? ", and 'projcalc help scene' members" : "");
 }
 
 void synonym_refuse_command(const struct command *commands, const char *word)

@@ -19,8 +19,8 @@ static inline char *put_word(const struct layout *l, const struct word *w,
 	return out + quoted;
 }
 
-static inline char *put_number(const struct layout *l, struct numbers n, int k,
-    char *out)
+static inline char *put_coordinate(const struct layout *l, struct numbers n,
+    int k, char *out)
 {
 	const struct number_text *text = &n.text[(size_t)k * n.text_step];
 	double v = n.v[(size_t)k * n.step];
@@ -112,7 +112,7 @@ write_in_place(const struct layout *l, const struct line *line, bool append,
 		int k = order != NULL ? order[i] : i;
 
 		out = put_gap(line, done, line->at[k].from, out);
-		out = put_number(l, n, k, out);
+		out = put_coordinate(l, n, k, out);
 		done = line->at[k].to;
 	}
 	if (append) {
@@ -121,7 +121,7 @@ write_in_place(const struct layout *l, const struct line *line, bool append,
 	}
 	for (int k = written; k < l->writes; k++) {
 		*out++ = added_separator(l, line);
-		out = put_number(l, n, k, out);
+		out = put_coordinate(l, n, k, out);
 	}
 	if (flags != NULL) {
 		*out++ = added_separator(l, line);

@@ -94,7 +94,7 @@ static char *put_value(const struct splice *w, int k, char *out)
 			!is_missing(w->line->at[k]) ?
 		    format_convert(l->in, l->out, line_at(w->line, k), out) :
 		    stpcpy(out, value_name(w, k));
-	return k < FLAGS ? put_number(l, *w->numbers, k, out) :
+	return k < FLAGS ? put_coordinate(l, *w->numbers, k, out) :
 			   put_word(l, w->flags, out);
 }
 
@@ -398,7 +398,7 @@ static char *convert_point(const struct layout *l, const struct line *line,
 	out += *to->open != '\0';
 	for (int k = 0; k < l->writes; k++) {
 		*out = l->out.separator;
-		out = put_number(l, n, k, out + (k > 0));
+		out = put_coordinate(l, n, k, out + (k > 0));
 	}
 	if (flags != NULL) {
 		*out = l->out.separator;

@@ -192,6 +192,21 @@ static bool is_column(const struct value *v, size_t rows, size_t columns)
 	return said;
 }
 
+/* Refuses rows of 4 that were read for row vectors, and are affine for column vectors
+ * alone. */
+static void check_rows(const struct value *v, const double m[4][4])
+{
+	bool last = m[3][0] == 0 && m[3][1] == 0 && m[3][2] == 0 &&
+	    m[3][3] == 1;
+
+	if (last && (m[0][3] != 0 || m[1][3] != 0 || m[2][3] != 0))
+		value_refuse(v,
+		    "its rows are for column vectors; add to the scene "
+		    "\"convention\": \"gl\", or another of column vectors, or "
+		    "\"convention\": {\"vectors\": \"column\"}; or write "
+		    "{\"matrix\": [...], \"vectors\": \"column\"}");
+}
+
 /* Reads a matrix. 16 numbers in memory order are the same for row vectors, stored row by
  * row, and for column vectors, stored column by column; nested rows differ. */
 static void read_matrix(const struct value *v, const struct member *member,
@@ -234,6 +249,8 @@ static void read_matrix(const struct value *v, const struct member *member,
 		if (i < rows)
 			value_next(&row);
 	}
+	if (affine && n == rows && !column && !value_is(v, JSON_OBJECT))
+		check_rows(v, m);
 }
 
 static void print_rows(struct printer *p, const struct member *row,

@@ -40,7 +40,8 @@ my $beyond = qr{
 	less\ than\ min | single\ point | parallel\ to | does\ not\ run | does\ not\ begin |
 	what\ holds\ them | no\ points\ to | crosses\ the\ volume |
 	repeated; | all\ but\ vanished |
-	singular | determinant | last\ column | transposed | of\ -c; | pi\S*\ radians | too\ far\ from |
+	singular | determinant | last\ column | rows\ are\ for | transposed | of\ -c; | pi\S*\ radians |
+	too\ far\ from |
 	beyond\ the\ range\ of\ doubles | --distances
 	    (?!;\ numbers) |
 	missing;\ (?:add|it\ is|device|say|-t) | or\ --(?:at|radius) |

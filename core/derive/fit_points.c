@@ -69,7 +69,7 @@ static bool is_farther(const struct direction *d, const double p[3],
 	return order > 0;
 }
 
-static double value_of(const struct direction *d, const double p[3])
+static double distance_along(const struct direction *d, const double p[3])
 {
 	return p[0] * d->hi[0] + p[1] * d->hi[1] + p[2] * d->hi[2];
 }
@@ -77,7 +77,7 @@ static double value_of(const struct direction *d, const double p[3])
 static void add_point(struct farthest *f, const struct direction *d,
     const double p[3], double bound)
 {
-	double value = value_of(d, p);
+	double value = distance_along(d, p);
 
 	if (!f->any || value - bound > f->value + f->bound ||
 	    (value + bound >= f->value - f->bound &&
@@ -110,7 +110,7 @@ static void add_few(struct extremes *e, const struct directions *all,
 			const double p[3] = { in[0][i], in[1][i], in[2][i] };
 
 			/* false for nan */
-			if (value_of(d, p) >= least)
+			if (distance_along(d, p) >= least)
 				add_point(f, d, p, bound);
 		}
 	}

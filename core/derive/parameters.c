@@ -395,6 +395,16 @@ static bool seems_transposed(const double m[4][4])
 	return column > 0 && (unit || (row == 0 && m[3][3] == 1));
 }
 
+/* Returns whether w is negative, or 0 at infinity, at all corners of the volume. */
+static bool is_behind(const struct taxonomy *t)
+{
+	bool all = true;
+
+	for (int i = 0; i < 8; i++)
+		all &= isnan(t->corner[i][0]);
+	return all;
+}
+
 /* Returns the note on a projection that mirrors or looks against the convention's gaze, or
  * NOTES. */
 static enum note wrong_side(const struct scene *s, const struct upright *u,
@@ -406,26 +416,33 @@ static enum note wrong_side(const struct scene *s, const struct upright *u,
 }
 
 static unsigned notes_of(const struct scene *s, const struct upright *u,
-    const struct parameters *r)
+    const struct taxonomy *t, const struct parameters *r)
 {
 	const struct projection *p = &s->projection;
 	bool parallel = sum_sign(u->zw) == 0;
 	bool pixels = sum_sign(u->yx) != 0 || projection_is_open(p);
 	bool mirrored = (sum_sign(u->x) * sum_sign(u->y) < 0) != is_mirrored(s);
 	bool fills = s->has_viewport && s->viewport.scale == SCALE_FILL;
+	bool transposed = p->type == PROJECTION_MATRIX &&
+	    seems_transposed(p->matrix);
+	/* a perspective's matrix that is negated as a whole seems to mirror */
+	bool negated = !parallel && !transposed && mirrored && is_behind(t);
+	/* the eye of a reverse perspective is beyond far by intent */
+	bool reverse = p->type == PROJECTION_VOLUME &&
+	    t->taxon == TAXON_REVERSE;
 	const bool is[NOTES] = {
-		[NOTE_TRANSPOSED] = p->type == PROJECTION_MATRIX &&
-		    seems_transposed(p->matrix),
-		[NOTE_NEAR_BEYOND] = r->near > r->far,
+		[NOTE_TRANSPOSED] = transposed,
+		[NOTE_NEAR_BEYOND] = r->near > r->far && !reverse,
 		[NOTE_BACKWARD] = p->type == PROJECTION_MATRIX && u->own &&
 		    parallel && r->reverse_z,
 		[NOTE_TILTED] = u->tilted,
-		[NOTE_BEHIND] = parallel && sum_sign(u->tw) < 0,
+		[NOTE_BEHIND] = negated || (parallel && sum_sign(u->tw) < 0),
 		[NOTE_SKEWED] = pixels &&
 		    (parallel || !fills || sum_sign(u->x) < 0),
 	};
-	unsigned notes = is[NOTE_TRANSPOSED] ? 0 :
-					       1u << wrong_side(s, u, mirrored);
+	unsigned notes = transposed || reverse || negated ?
+	    0 :
+	    1u << wrong_side(s, u, mirrored);
 
 	for (int i = 0; i < NOTES; i++)
 		notes |= (unsigned)is[i] << i;
@@ -459,7 +476,7 @@ const char *parameters_of(const struct scene *s, const struct taxonomy *t,
 	set_planes(s, &u, r);
 	if (s->has_viewport && sum_sign(u.zw) != 0)
 		set_intrinsics(s, &u, r->intrinsics);
-	r->notes = notes_of(s, &u, r);
+	r->notes = notes_of(s, &u, t, r);
 	r->scene.answer = NULL;
 	r->scene.convention = *answer_convention(s);
 	set_projection(s, &u, r);

@@ -18,7 +18,7 @@ enum note {
 	/* has_scene is false, as: */
 	NOTE_NO_ROTATION, /* the camera's matrix is not a rotation */
 	NOTE_TILTED,      /* near and far are not parallel to the picture */
-	NOTE_BEHIND,      /* w is negative everywhere */
+	NOTE_BEHIND,      /* w is negative from near to far */
 	NOTE_SKEWED,      /* only intrinsics could say that x depends on y */
 	NOTE_RANGE,       /* a plane is behind the eye, a number out of range */
 	NOTES,
