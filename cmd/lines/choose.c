@@ -12,8 +12,7 @@ struct paths {
 	const char *to[4];
 };
 
-/* Returns whether the token is the decimal number k without leading zeros. */
-static bool is_index(struct span token, long k)
+bool is_index(struct span token, long k)
 {
 	for (; k >= 10 && token.end > token.s && token.end[-1] == '0' + k % 10;
 	     k /= 10)

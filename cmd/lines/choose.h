@@ -26,6 +26,9 @@ bool choose_clashes(const struct layout *, struct cut, char reason[REASON_MAX]);
 /* Returns false only if choose_clashes would return false for the object, too. */
 bool choose_may_clash(const struct layout *, struct span line);
 
+/* Returns whether the token is the decimal number k without leading zeros. */
+bool is_index(struct span token, long k);
+
 /* Returns the number of fields after the cut. */
 size_t choose_count(struct cut);
 

@@ -29,17 +29,17 @@ struct span header_names(struct dialect d, struct span text)
 	return text;
 }
 
-/* Returns the number of the first field with that name, or -1. Without --columns, X is
- * x, too. */
+/* Returns the number, not below from, of the first field with that name, or -1. Without
+ * --columns, X is x, too. */
 static int find_name(const struct layout *l, struct span header,
-    const char *name)
+    const char *name, int from)
 {
 	struct cut c = cut_line(l->in, header);
 	size_t n = strlen(name);
 	struct field f;
 
 	for (int k = 0; cut_next(&c, &f); k++)
-		if ((size_t)(f.value.end - f.value.s) == n &&
+		if (k >= from && (size_t)(f.value.end - f.value.s) == n &&
 		    (l->columns.by_header ? strncasecmp(f.value.s, name, n) :
 					    strncmp(f.value.s, name, n)) == 0)
 			return k;
@@ -57,7 +57,7 @@ static bool find_columns(const struct layout *l, struct span header,
 	for (int i = 0; i < l->reads; i++) {
 		const char *name = c->name[i];
 
-		field[i] = name != NULL ? find_name(l, header, name) :
+		field[i] = name != NULL ? find_name(l, header, name, 0) :
 					  c->field[i];
 		if (field[i] >= 0)
 			continue;
@@ -67,6 +67,47 @@ static bool find_columns(const struct layout *l, struct span header,
 		    c->by_header ? NULL : name, reason);
 		return false;
 	}
+	return true;
+}
+
+/* Returns whether a coordinate has two columns without --columns, with the reason. */
+static bool has_rivals(const struct layout *l, struct span header,
+    const int field[4], char reason[REASON_MAX])
+{
+	for (int i = 0; i < l->reads && l->columns.by_header; i++) {
+		int other = find_name(l, header, l->columns.name[i],
+		    field[i] + 1);
+
+		if (other < 0)
+			continue;
+		snprintf(reason, REASON_MAX,
+		    "the header has two columns for %s, %d and %d; say with "
+		    "--columns, by number, which the coordinates are",
+		    coordinate_name(i), field[i] + 1, other + 1);
+		return true;
+	}
+	return false;
+}
+
+/* Returns whether the line may be a header or a point: an empty field and then 0, 1, 2
+ * and so on, as pandas names the columns of an array. Writes the reason. */
+static bool is_counted(const struct layout *l, struct span text,
+    char reason[REASON_MAX])
+{
+	struct cut c = cut_line(l->in, text);
+	struct field f;
+	int k = 0;
+
+	for (; cut_next(&c, &f); k++)
+		if (k == 0 ? f.value.s < f.value.end :
+			     !is_index(f.value, k - 1))
+			return false;
+	if (k <= l->reads)
+		return false;
+	snprintf(reason, REASON_MAX,
+	    "may be a header that counts the columns, or a point; say "
+	    "--header --columns %.*s, or --no-header",
+	    2 * l->reads - 1, "2,3,4,5");
 	return true;
 }
 
@@ -145,15 +186,19 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 	l->fields = 0;
 	if (c->by_header)
 		c->n = 0;
+	const bool maybe = l->header == HEADER_MAYBE &&
+	    (c->by_header || !is_named(l));
+	const bool counted = maybe && is_counted(l, text, reason);
+
 	if (l->header == HEADER_NONE ||
-	    (l->header == HEADER_MAYBE && (c->by_header || !is_named(l)) &&
-		!looks_like_header(l, text)))
+	    (maybe && !counted && !looks_like_header(l, text)))
 		return false;
 	struct cut cut = cut_line(l->in, text);
 	int field[4];
 
 	line->kind = LINE_REFUSED;
-	if (!find_columns(l, text, field, reason) ||
+	if (counted || !find_columns(l, text, field, reason) ||
+	    has_rivals(l, text, field, reason) ||
 	    is_twice(field, l->reads, reason) || choose_clashes(l, cut, reason))
 		return true;
 	line->kind = LINE_HEADER;
@@ -171,13 +216,16 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 bool header_is_short(const struct layout *l, struct cut c,
     char reason[REASON_MAX])
 {
+	bool blanks = false;
 	size_t n = 0;
 	struct field f;
 
-	for (bool more = cut_next(&c, &f); more; more = cut_next(&c, &f))
+	for (; cut_next(&c, &f); blanks |= say_blanks(l, &f, reason))
 		n += f.next != NULL || f.value.s < f.value.end;
 	if (!is_named(l) || n <= l->fields)
 		return false;
+	if (blanks)
+		return true;
 	snprintf(reason, REASON_MAX,
 	    "has %zu fields and the header %zu name%s; name the first column, "
 	    "too, or give --columns by number",

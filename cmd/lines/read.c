@@ -53,6 +53,8 @@ static bool read_coordinates(const struct layout *l, struct cut cut,
 			    reason);
 			return false;
 		}
+		if (say_blanks(l, f, reason))
+			return false;
 		if (!say_range(i, v[i], reason))
 			return false;
 	}
@@ -191,16 +193,21 @@ static bool read_first_line(struct layout *l, struct span text,
 }
 
 /* Returns whether the line, whose first character after blanks is at s, is a comment;
- * not a header with a #, and not a whole source whose lines end in carriage returns. */
+ * not a header with a #, a row of a table with a header, such as #N/A,2,3, or a whole
+ * source whose lines end in carriage returns. */
 static bool is_comment(struct layout *l, struct span text, const char *s,
     bool first)
 {
 	char reason[REASON_MAX];
 
-	return *s == '#' &&
-	    !(first &&
-		(header_in_comment(l, text) ||
-		    format_is_old(l->in, text, reason)));
+	if (*s != '#')
+		return false;
+	if (first)
+		return !header_in_comment(l, text) &&
+		    !format_is_old(l->in, text, reason);
+	/* where blanks separate, "# x y z" is a comment */
+	return l->fields < 2 || (l->in.separator == ' ' && is_blank(s[1])) ||
+	    choose_count(cut_line(l->in, text)) != l->fields;
 }
 
 void line_read(struct layout *l, struct span text, enum first *first,

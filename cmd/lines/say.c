@@ -123,6 +123,18 @@ void say_field(const struct layout *l, int i, struct span f,
 	}
 }
 
+bool say_blanks(const struct layout *l, const struct field *f,
+    char reason[REASON_MAX])
+{
+	if (l->in.separator != ' ' || !format_of(l->in)->header ||
+	    f->whole.s < f->whole.end)
+		return false;
+	snprintf(reason, REASON_MAX,
+	    "has an empty field, as blanks stand in a row or at an end; make "
+	    "them one by tr -s ' ', or say -i text, with # before a header");
+	return true;
+}
+
 enum { NAMES_MAX = 32, NAME_ROOM = 64 };
 
 /* The first names of columns or members, without long ones. */
@@ -273,5 +285,7 @@ void say_text_header(const struct layout *l, struct span line,
 	}
 	snprintf(reason, REASON_MAX,
 	    "looks like a header; say %s, or put # before it",
-	    other != NULL ? other->option : "-i csv --separator ' '");
+	    other == NULL       ? "-i csv --separator ' '" :
+		other->c == ',' ? "-i csv" :
+				  other->option);
 }

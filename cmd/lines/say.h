@@ -13,6 +13,11 @@ bool say_range(int i, double v, char reason[REASON_MAX]);
 void say_field(const struct layout *, int i, struct span f,
     char reason[REASON_MAX]);
 
+/* Returns whether f is an empty field of csv between blanks that separate; writes what
+ * to do. */
+bool say_blanks(const struct layout *, const struct field *f,
+    char reason[REASON_MAX]);
+
 /* Adds to the reason the names that the cut has, of columns or members: "; did you mean
  * 'x'? it has x, y, z" if one of them is near the name typed. If typed is NULL, as there
  * is no --columns, guesses one: "; say --columns lon,lat,h; it has h, lat, lon". */

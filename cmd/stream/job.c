@@ -5,6 +5,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "../lines/choose.h"
@@ -314,6 +315,30 @@ static void block_write(const struct job *j, struct chunk *c)
 	}
 }
 
+/* Refuses a source that begins as a .npy file or as UTF-16 does. Binary points may begin
+ * with the bytes of a byte order mark, but hardly with ASCII in UTF-16. */
+static void refuse_foreign(const struct job *j, struct chunk *c)
+{
+	const unsigned char *s = (const unsigned char *)c->text;
+	const size_t n = (size_t)(c->end - c->text);
+	const int big = n > 0 && s[0] == 0xfe;
+	char reason[REASON_MAX] = "is UTF-16; iconv -f UTF-16 -t UTF-8 makes "
+				  "it UTF-8";
+
+	if (n >= 12 && memcmp(s, "\x93NUMPY", 6) == 0)
+		/* the size of the header has two bytes in version 1, else four */
+		snprintf(reason, sizeof reason,
+		    "is a .npy file of NumPy; tail -c +%d leaves its numbers, "
+		    "f64 or f32",
+		    s[8] + 256 * s[9] + (s[6] == 1 ? 11 : 13 + 65536 * s[10]));
+	else if (n < 2 || memcmp(s, big ? "\xfe\xff" : "\xff\xfe", 2) != 0 ||
+	    (is_binary(j->layout.in.format) &&
+		(n < 8 || (s[3 - big] | s[5 - big] | s[7 - big]) != 0)))
+		return;
+	c->refused = true;
+	chunk_complain(j, c, reason);
+}
+
 void job_do(struct job *j, struct chunk *c)
 {
 	bool binary = is_binary(j->layout.in.format);
@@ -324,6 +349,11 @@ void job_do(struct job *j, struct chunk *c)
 	c->text = c->stretch.readable = c->piece.text;
 	c->end = c->text + c->piece.whole;
 	c->stretch.at = c->stretch.end = 0;
+	c->block_lines = 0;
+	if (c->first == FIRST_LINE)
+		refuse_foreign(j, c);
+	if (binary)
+		c->first = FIRST_IS_READ;
 	for (; c->text < c->end; c->n_lines += c->block_lines) {
 		const char *text = c->text;
 

@@ -229,8 +229,7 @@ static void stream(struct job *j, struct point_source *s)
 		set_up(j);
 	ring.source = s;
 	ring.open = true;
-	ring.first = is_binary(j->layout.in.format) ? FIRST_IS_READ :
-						      FIRST_LINE;
+	ring.first = FIRST_LINE;
 	ring.begun = ring.answered = 0;
 	run_chunks(false);
 	pthread_mutex_unlock(&ring.lock);
