@@ -65,7 +65,7 @@ INLINE V nearest(struct scaled x, V *rest)
 	return SELECT(EQUAL(*rest, ALL(0)), NEAREST(x.p), i);
 }
 
-/* The digits found; sure is false if number_write makes the text. */
+/* The digits of the numbers; in lanes where sure is false, number_write makes the text. */
 struct digits {
 	V whole, digit;
 	M sure;
@@ -130,8 +130,8 @@ INLINE struct digits shortest(V a, V two, V scale, V hi, struct scaled x,
 	};
 }
 
-/* Returns the exponent of a power of two, less place. The biased exponent is shifted
- * into the lowest bits of 2^52. */
+/* Returns the exponent of a power of two minus place. The shift moves the biased exponent
+ * to the lowest bits of 2^52. */
 INLINE V log2_less(V two, double place)
 {
 	V biased = (V)(SHR((I)(two), 52) | (I)(ALL(0x1p52)));
@@ -199,8 +199,9 @@ INLINE void find_significant(struct found *f, size_t i, int n, V v)
 
 /* Finds the shortest digits of numbers from 2^-17 to 1e21, of floats to 2^60, as far as
  * the table of powers reaches (texts have no exponent from 1e-6 to 1e21). For a number
- * out of this range two is 1, an index in the table. usual promises that all numbers
- * are in it and have scale >= 0: nothing is rounded, and some tests fall away. */
+ * out of this range two is 1, an index in the table. If usual, the caller knows that all
+ * numbers are in this range and have scale >= 0: nothing is rounded, and the tests for
+ * these cases are left out. */
 INLINE void find_in_range(struct found *f, size_t i, bool single, bool usual,
     V v)
 {
