@@ -37,7 +37,7 @@ struct options {
 	struct columns columns; /* of POINTS, by --columns */
 	struct styles styles;
 	enum precision precision;
-	double tolerance;              /* of inspect; 0: not given */
+	double tolerance;             /* of inspect; 0: not given */
 	struct number_list distances; /* of inspect */
 	bool has_from, has_to;
 	enum space from, to;

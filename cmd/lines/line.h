@@ -57,8 +57,7 @@ struct layout {
 	char name[COORDINATES_MAX + 1][16];
 	size_t fields; /* of the header; 0: there is none */
 	int record; /* numbers in a binary record; 0: the coordinates alone */
-	bool
-	    keeps; /* binary records are copied, with the image in or after them */
+	bool keeps; /* binary records are copied whole, beside the image */
 	const char *two; /* as in struct document_wants */
 	bool single;     /* numbers are written as floats */
 	struct number_style style[COORDINATES_MAX];
