@@ -90,7 +90,7 @@ static inline counts leading_zeros(counts x)
 
 /* For each number: points and minuses are bits for the 32 bytes before its end; digits is
  * first its size, then the key of LAST for its digits; decimals is the key for its
- * decimals; and last the index of its divisor. */
+ * decimals; divisor is the index of its divisor. */
 struct marks {
 	uint32_t points[PLAIN_BATCH], minuses[PLAIN_BATCH];
 	uint32_t digits[PLAIN_BATCH], decimals[PLAIN_BATCH];
