@@ -145,8 +145,8 @@ void refuse_point_options(const struct command *c, const struct options *o)
 		    c->name, name);
 }
 
-/* Returns whether the output adds a member that path, a name or a JSON pointer, names or
- * leads into. */
+/* Returns whether the output adds a member to which path, a name or a JSON pointer, leads,
+ * or into which it leads. */
 static bool is_added(const struct layout *l, const char *path)
 {
 	const bool pointer = *path == '/';
@@ -257,7 +257,8 @@ static void choose_kernels(void)
 		    cpu);
 }
 
-/* Names what is written: by --append device_x, after the space of the images. */
+/* Sets the names of the values that are written. With --append they begin with the space
+ * of the images: device_x. */
 static void name_values(struct layout *l, const char *space)
 {
 	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };

@@ -88,15 +88,15 @@ static void option_read_size(struct options *o, const struct option_row *r,
 static void option_read_numbers(struct options *o, const struct option_row *r,
     char *word)
 {
-	struct numbers_said *said = (void *)((char *)o + r->at);
+	struct number_list *list = (void *)((char *)o + r->at);
 	const char *at = word, *end = word + strlen(word);
 
 	for (int n = 0; n < r->max; n++) {
-		at = number_read(at, end, &said->v[n]);
-		if (at == NULL || !(fabs(said->v[n]) <= MAGNITUDE_MAX))
+		at = number_read(at, end, &list->v[n]);
+		if (at == NULL || !(fabs(list->v[n]) <= MAGNITUDE_MAX))
 			break;
-		said->n = n + 1;
-		if (at == end && said->n >= r->min)
+		list->n = n + 1;
+		if (at == end && list->n >= r->min)
 			return;
 		if (*at++ != ',')
 			break;
@@ -123,8 +123,8 @@ static void option_read_separator(struct options *o, const struct option_row *r,
 		o->separator = *word;
 }
 
-/* Returns the first word of a list with commas, and moves *list behind it; to NULL behind
- * the last. */
+/* Returns the first word of a list with commas, and sets *list to the next word, or NULL
+ * if there is none. */
 static char *cut_word(char **list)
 {
 	char *word = *list;
@@ -188,7 +188,7 @@ static const char *const color_names[] = { "auto", "always", "never", NULL };
 
 /* Kinds of commands that share options, as unions of enum command_kind. */
 enum {
-	PLANES = PROJECT | TRACE | PLANAR, /* have --flags and --visible */
+	PLANES = PROJECT | TRACE | PLANAR, /* take --flags and --visible */
 	IMAGES = MATRIX | PLANES,          /* print points' images */
 	PRINTED = IMAGES | PICK,           /* print points */
 	POINTS = PRINTED | FIT,            /* read points */
@@ -232,7 +232,7 @@ const struct option_row option_rows[] = {
 	{ "distances", 0, INSPECT,
 	    "distances from near to far at which to print depth_step too",
 	    "D,...", option_read_numbers, AT(distances), .min = 1,
-	    .max = NUMBERS_SAID_MAX, .example = "10,1000" },
+	    .max = NUMBER_LIST_MAX, .example = "10,1000" },
 	{ "from", 0, PROJECT | TRACE, 
 	    "space of the input: model, world, view, clip, ndc or device",
 	    "SPACE", option_read_word, AT(from), .words = space_names, ON(has_from) },

@@ -15,12 +15,12 @@ struct styles {
 	struct number_style style[COORDINATES_MAX];
 };
 
-/* The list of an option, of numbers up to 1e150 in magnitude. */
-enum { NUMBERS_SAID_MAX = 32 };
+/* The numbers of an option's list, up to 1e150 in magnitude. */
+enum { NUMBER_LIST_MAX = 32 };
 
-struct numbers_said {
+struct number_list {
 	int n; /* 0: the option was not given */
-	double v[NUMBERS_SAID_MAX];
+	double v[NUMBER_LIST_MAX];
 };
 
 struct options {
@@ -38,14 +38,14 @@ struct options {
 	struct columns columns; /* of POINTS, by --columns */
 	struct styles styles;
 	enum precision precision;
-	double tolerance;              /* of inspect; 0: not given */
-	struct numbers_said distances; /* of inspect */
+	double tolerance;             /* of inspect; 0: not given */
+	struct number_list distances; /* of inspect */
 	bool has_from, has_to;
 	enum space from, to;
 	bool homogeneous, matrix, ray, append, flags, visible, keep_going,
 	    progress;
 	int jobs; /* 0: as many as there are cores */
-	struct numbers_said pick_at, plane;
+	struct number_list pick_at, plane;
 	double radius;      /* of pick; 0: not given */
 	bool scenes;        /* params has any number of documents */
 	bool json;          /* of help */
@@ -79,7 +79,7 @@ enum { OPTIONS_MAX = 40 };
 /* All options, at most OPTIONS_MAX. A name of NULL ends them. */
 extern const struct option_row option_rows[];
 
-/* Makes --errors and --color hold for messages. */
+/* Sets the format and color of messages by --errors and --color. */
 void options_apply(const struct options *);
 
 /* Reads --errors and --color from the whole command line and applies them, before any

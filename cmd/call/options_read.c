@@ -33,8 +33,8 @@ static _Noreturn void refuse_option(const struct command *c, const char *word)
 	    n, word, c->name);
 }
 
-/* Returns the option of a word's name, or the only option of the command whose name begins
- * so. */
+/* Returns the option that a word names, or the only option of the command whose name
+ * begins with the word. */
 static const struct option_row *long_option(const struct command *c,
     const char *word)
 {
@@ -129,7 +129,7 @@ static void set_options(const struct command *c, char *word, char ***next,
 	}
 }
 
-/* Returns whether a word is an operand, as "-" is and a word that begins as a negative
+/* Returns whether a word is an operand. "-" is one, and a word that begins with a negative
  * number. */
 static bool is_operand(const char *word)
 {

@@ -15,12 +15,12 @@ static struct {
 	int fd; /* -1: PARAMS is read to its end */
 	struct text text;
 	long number; /* of the document, from 1 */
-	/* With --scenes, where in text the document begins, and where the search
-	 * for its end is. Quotes and brackets of either kind delimit it, also if it
-	 * is not valid JSON. */
+	/* With --scenes: the offset of the document in text, and of the next byte in
+	 * the search for its end. The search counts quotes and brackets only, so that
+	 * it finds the end of invalid JSON, too. */
 	size_t begin, end;
-	long line,
-	    lines;     /* line of begin, from 1; newlines from begin to end */
+	long line;     /* of begin, from 1 */
+	long lines;    /* newlines from begin to end */
 	size_t column; /* bytes before begin on its line */
 	size_t tail;   /* bytes before end on its line */
 	long level;    /* open brackets at end */
@@ -37,7 +37,7 @@ static void params_open(const struct options *o)
 		params.text = copy_operand(o->params);
 }
 
-/* Reads more of PARAMS behind the document. Returns false at the end of PARAMS. */
+/* Reads more of PARAMS after the text in memory. Returns false at the end of PARAMS. */
 static bool params_more(void)
 {
 	struct text *t = &params.text;
@@ -97,7 +97,8 @@ static bool is_mark_begun(void)
 	    memcmp(params.text.s + params.begin, MARK, left) == 0;
 }
 
-/* Searches on for the end of the document. Returns false if it is not read yet. */
+/* Continues the search for the end of the document in text. Returns false if the end is
+ * not in text yet. */
 static bool find_end(void)
 {
 	if (params.end == params.begin) {
@@ -160,7 +161,7 @@ bool params_next(const struct options *o)
 	return found;
 }
 
-/* Returns whether a line has numbers, and what may stand between and around them, alone. */
+/* Returns whether a line has nothing but numbers, brackets, and separators of numbers. */
 static bool is_numbers(const char *line)
 {
 	const char *digit = strpbrk(line, "0123456789");

@@ -12,13 +12,14 @@
 
 enum {
 	LEVELS_MAX = 100,
-	/* cJSON takes no more characters than these for a number, and what
-	 * follows for something else. */
+	/* cJSON reads a number of at most so many characters. */
 	CJSON_NUMBER_MAX = 63,
 };
 
-/* The functions below check what stands at s->at, move it past that and return true;
- * or say why it is wrong, leave s->at where it goes wrong and return false. */
+/* A function below that returns bool and is named after a part of JSON, such as
+ * string, checks the part that begins at s->at. If it is right, the function moves
+ * s->at to its end and returns true. Else it writes s->reason, leaves s->at at the
+ * error and returns false. */
 
 static bool is_letter(char c)
 {
@@ -30,11 +31,13 @@ static bool is_json_blank(char c)
 	return c == ' ' || c == '\n' || c == '\t' || c == '\r';
 }
 
+/* Returns whether c is the next character. */
 static bool at(const struct json_check *s, char c)
 {
 	return s->at < s->end && *s->at == c;
 }
 
+/* Moves s->at to the first character that is not a blank. */
 static void blanks(struct json_check *s)
 {
 	const char *p = s->at;
@@ -44,20 +47,20 @@ static void blanks(struct json_check *s)
 	s->at = p;
 }
 
-/* Adds to the copy, if there is one. */
+/* Appends n bytes to the copy, if there is one. */
 static void copy(struct json_check *s, const char *from, size_t n)
 {
 	if (s->copy != NULL)
 		s->copy = (char *)memcpy(s->copy, from, n) + n;
 }
 
-/* Whether c can be part of a word or number. */
+/* Returns whether c can be part of a word or number. */
 static bool in_token(char c)
 {
 	return (unsigned char)c > ' ' && strchr(",:[]{}\"'/#", c) == NULL;
 }
 
-/* Where the word, number or other character at s->at ends. */
+/* Returns the end of the word or number at s->at, else of the one character there. */
 static const char *token_end(const struct json_check *s)
 {
 	const char *p = s->at;
@@ -80,7 +83,7 @@ void json_count(const char *text, const char *at, long long *line,
 		}
 }
 
-/* Whether a comma stands before s->at and blanks. */
+/* Returns whether the last character before s->at that is not a blank is a comma. */
 static bool after_comma(const struct json_check *s)
 {
 	const char *p = s->at;
@@ -90,7 +93,7 @@ static bool after_comma(const struct json_check *s)
 	return p > s->text && p[-1] == ',';
 }
 
-/* What to do with a character that stands nowhere in JSON, or not there; or NULL. */
+/* Returns a hint about the character at s->at, which is wrong there; or NULL. */
 static const char *hint_of(const struct json_check *s)
 {
 	const char *p = s->at;
@@ -108,8 +111,8 @@ static const char *hint_of(const struct json_check *s)
 	return NULL;
 }
 
-/* Says what is wanted at s->at, what stands there, and a hint, unless that is NULL.
- * Returns false. */
+/* Returns false. Writes as the reason what is wanted at s->at, the text that is there,
+ * and hint_of or else the hint, unless both are NULL. */
 static bool expected(struct json_check *s, const char *wanted, const char *hint)
 {
 	const bool ends = s->at == s->end;
@@ -126,7 +129,8 @@ static bool expected(struct json_check *s, const char *wanted, const char *hint)
 	return false;
 }
 
-/* At a backslash. Half of a surrogate pair, \ud800 to \udfff, becomes U+FFFD. */
+/* Checks an escape, from its backslash on. json_unescape makes U+FFFD of half of a
+ * surrogate pair, \ud800 to \udfff: such an escape is wrong in a document. */
 static bool escape(struct json_check *s)
 {
 	const char *p = s->at, *next = p;
@@ -145,7 +149,7 @@ static bool escape(struct json_check *s)
 	return true;
 }
 
-/* At a character of a string. */
+/* Checks a character of a string. */
 static bool character(struct json_check *s)
 {
 	unsigned code;
@@ -160,14 +164,13 @@ static bool character(struct json_check *s)
 	return true;
 }
 
-/* Whether c is any character of a string but a quotation mark, and needs no
- * look at what is around it. */
+/* Returns whether c is legal in a string whatever follows it. */
 static bool passes_unseen(char c)
 {
 	return c >= ' ' && c != '"' && c != '\\' && (unsigned char)c < 0x80;
 }
 
-/* At a quotation mark. */
+/* Checks a string, from its first quotation mark on. */
 static bool string(struct json_check *s)
 {
 	const char *start = s->at++;
@@ -187,7 +190,7 @@ static bool string(struct json_check *s)
 	return true;
 }
 
-/* Where true, false, null or the number at p ends; NULL if none stands there. */
+/* Returns the end of true, false, null or the number at p; NULL if none begins at p. */
 static const char *scalar_end(const char *p, const char *end)
 {
 	static const char *const words[] = { "true", "false", "null" };
@@ -201,7 +204,8 @@ static const char *scalar_end(const char *p, const char *end)
 	return json_number_end(p, end);
 }
 
-/* Copies the number up to end; where cJSON does not take all of it, its shortest text. */
+/* Copies the number from s->at to end. A number that is too long for cJSON is copied as
+ * the shortest text of its double. */
 static void copy_number(struct json_check *s, const char *end)
 {
 	const struct number_style shortest = { NUMBER_SHORTEST, 0 };
@@ -219,7 +223,7 @@ static void copy_number(struct json_check *s, const char *end)
 		copy(s, "1e999", 5);
 }
 
-/* At what is no string, array or object. */
+/* Checks a number, true, false or null. */
 static bool scalar(struct json_check *s)
 {
 	const char *end = scalar_end(s->at, s->end), *hint = NULL;
@@ -238,18 +242,19 @@ static bool scalar(struct json_check *s)
 	return true;
 }
 
-static bool list(struct json_check *s, const char *way);
+static bool list(struct json_check *s, const char *path);
 
-/* way is what is left of the pointer; NULL where it does not lead here. */
-static bool value(struct json_check *s, const char *way)
+/* Checks a value. path is the rest of the pointer after the tokens that led to the
+ * value; NULL if the pointer leads elsewhere. */
+static bool value(struct json_check *s, const char *path)
 {
 	const char *start = s->at;
 	bool good;
 
-	if (way != NULL)
+	if (path != NULL)
 		s->found.s = start;
 	if (at(s, '{') || at(s, '['))
-		good = list(s, way);
+		good = list(s, path);
 	else
 		good = at(s, '"') ? string(s) : scalar(s);
 	if (s->found.s == start)
@@ -257,22 +262,22 @@ static bool value(struct json_check *s, const char *way)
 	return good;
 }
 
-/* Returns what is left of the pointer behind its first step, where that is the name,
- * or if name.s is NULL the index; else NULL. */
-static const char *way_on(const char *way, struct span name, long index)
+/* Returns the path without its first token, if this is the name, or if name.s is NULL
+ * the index; else NULL. */
+static const char *path_after(const char *path, struct span name, long index)
 {
-	struct span step = { way, way };
+	struct span token = { path, path };
 
-	if (way == NULL || *way == '\0')
+	if (path == NULL || *path == '\0')
 		return NULL;
-	step.end += strcspn(++step.s, "/") + 1;
-	return (name.s != NULL ? json_is_name(name, step, true) :
-				 strtol(step.s, NULL, 10) == index) ?
-	    step.end :
+	token.end += strcspn(++token.s, "/") + 1;
+	return (name.s != NULL ? json_is_name(name, token, true) :
+				 strtol(token.s, NULL, 10) == index) ?
+	    token.end :
 	    NULL;
 }
 
-static bool member(struct json_check *s, const char *way)
+static bool member(struct json_check *s, const char *path)
 {
 	struct span name = { .s = s->at };
 
@@ -289,10 +294,11 @@ static bool member(struct json_check *s, const char *way)
 		return expected(s, "':' after the member's name", NULL);
 	copy(s, s->at++, 1);
 	blanks(s);
-	return value(s, way_on(way, name, 0));
+	return value(s, path_after(path, name, 0));
 }
 
-/* Refuses what stands behind a value in the list that begins at open. */
+/* Refuses the text after a value in the array or object that begins at open. Returns
+ * false. */
 static bool no_comma(struct json_check *s, const char *open)
 {
 	const char *wanted = *open == '{' ? "',' or '}'" : "',' or ']'";
@@ -308,8 +314,8 @@ static bool no_comma(struct json_check *s, const char *open)
 	return expected(s, wanted, hint);
 }
 
-/* An array or object, at its opening bracket or brace. */
-static bool list(struct json_check *s, const char *way)
+/* Checks an array or object, from its opening bracket on. */
+static bool list(struct json_check *s, const char *path)
 {
 	const char *open = s->at;
 	const bool object = *open == '{';
@@ -320,9 +326,9 @@ static bool list(struct json_check *s, const char *way)
 	copy(s, s->at++, 1);
 	blanks(s);
 
-	/* what is left out is not copied, nor the comma before it */
+	/* s->copy is NULL during a value that is not copied; its comma is not either */
 	char *const first = s->copy;
-	bool found = way != NULL && *way == '\0' && !object;
+	bool found = path != NULL && *path == '\0' && !object;
 	long index = 0;
 
 	for (bool empty = at(s, close); !empty; blanks(s)) {
@@ -333,8 +339,9 @@ static bool list(struct json_check *s, const char *way)
 		else if (before != first)
 			copy(s, ",", 1);
 		if (!(object ?
-			    member(s, way) :
-			    value(s, way_on(way, (struct span){ 0 }, index++))))
+			    member(s, path) :
+			    value(s,
+				path_after(path, (struct span){ 0 }, index++))))
 			return false;
 		if (s->copy == NULL)
 			s->copy = before;

@@ -19,24 +19,25 @@ struct json_check {
 	enum json_kind kind;
 	const char *text, *end; /* bytes at end and after it are not read */
 	long line;              /* on which the text begins, for reasons */
-	/* A pointer (RFC 6901) or NULL; and what is found: the value to which it
-	 * leads, or else the last one on the way there. */
+	/* A pointer (RFC 6901) or NULL. found becomes the value to which it leads; if
+	 * there is none, the last value on its path. */
 	const char *pointer;
 	struct span found;
-	/* NULL, or room for the text's size, to whose end it goes. The copy has no
-	 * blanks, no members whose names begin with _, no elements of an array to
-	 * which the pointer leads, and no number that is too long for cJSON. */
+	/* NULL, or room for a copy, as large as the text; json_check moves it to the
+	 * copy's end. The copy has no blanks, no members whose names begin with _, no
+	 * elements of an array to which the pointer leads, and no number that is too
+	 * long for cJSON. */
 	char *copy;
-	const char *at; /* where the text goes wrong, else its end */
-	char reason[256];
-	int level;
+	const char *at;   /* the next character; at the end the error, if any */
+	char reason[256]; /* the message about the error */
+	int level;        /* of nested arrays and objects */
 };
 
 /* Returns whether the text is one JSON value of at most 100 levels. */
 bool json_check(struct json_check *);
 
-/* Adds to *line the newlines from text to at, and to *column the bytes; or behind a
- * newline sets *column to the bytes from there, counted from 1. */
+/* Adds the newlines from text to at to *line. Without a newline adds the bytes to
+ * *column; else sets *column to the bytes from the last newline to at. */
 void json_count(const char *text, const char *at, long long *line,
     size_t *column);
 

@@ -105,8 +105,9 @@ static void list_names(const struct member *row, int kind, uint64_t bits,
 	names[n] = NULL;
 }
 
-/* Names the member with that alias; or the other objects that have such a member, or the
- * scene; or the member with the nearest name; or all members. */
+/* Refuses an unknown member. The message names the first of these that exists: the member
+ * with that alias, the other objects of the scene that have the member, the scene itself,
+ * the member with the nearest name; else all members. */
 static _Noreturn void refuse_unknown(const struct value *v,
     const struct member *table, int kind)
 {
@@ -189,14 +190,15 @@ uint64_t object_read(const struct value *v, const struct member *table,
 	return seen;
 }
 
-/* Returns whether the member at that place has its default and is not to be printed. */
+/* Returns whether the member, whose value is at, is left out because it has its default,
+ * or because it is a size of 0. */
 static bool is_usual(const struct member *row, const void *at)
 {
 	const double *v = at;
 	double usual[4];
 
 	if (row->usual == NULL && row->range == &range_positive)
-		return *v == 0; /* it was not given */
+		return *v == 0;
 	if (row->usual == NULL || row->shown || row->type->size == 0)
 		return false;
 	read_usual(row, usual);
@@ -288,8 +290,8 @@ uint64_t object_shown(const struct member *table, int kind,
 	return ~b->any | b->all[way];
 }
 
-/* Writes "give ..." with each way: the members that may not be missing, and those of the
- * others that are seen. */
+/* Writes "give ..." with each way: its members that may not be missing, and its other
+ * members that are seen. */
 static void write_ways(char out[LISTED], const struct member *table,
     const struct way_bits *b, uint64_t seen)
 {
@@ -307,8 +309,8 @@ static void write_ways(char out[LISTED], const struct member *table,
 	}
 }
 
-/* Refuses a member that is missing; or if the members of a whole way are given, one that
- * is in no way with some of them. */
+/* Refuses the first of the bits of member. If way is 0, the member is missing. Else way
+ * has the given members of a complete way, to which the member does not belong. */
 static _Noreturn void refuse_way(const struct value *v,
     const struct member *table, const struct way_bits *b, uint64_t seen,
     uint64_t member, uint64_t way)

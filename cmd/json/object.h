@@ -14,9 +14,9 @@ struct member;
 /* Members of a table as bits: row i has bit i. */
 #define ALL_MEMBERS (~UINT64_C(0))
 
-/* The type of a member. Both functions get the member's place in the struct. */
+/* The type of a member. Its functions get the address of the member in the struct. */
 struct type {
-	const char *name; /* for the help; NULL: range, n and words give it */
+	const char *name; /* for the help; NULL: see member_type */
 	void (*read)(const struct value *, const struct member *, void *);
 	/* NULL if such members are never printed. */
 	void (*print)(struct printer *, const struct member *, const void *);
@@ -43,12 +43,12 @@ struct member {
 	 * default is printed only if shown is set. */
 	const char *usual;
 	bool shown;
-	/* What the default depends on before usual, for the help; or NULL. */
+	/* Another source of the default, which goes before usual, for the help; or NULL. */
 	const char *before;
 	/* Names in other programs, with blanks between them: in lower case, without
 	 * _ and -. */
 	const char *aliases;
-	/* A description for users of such a name; or NULL. */
+	/* A hint for users who gave an alias; or NULL. */
 	const char *note;
 	/* The unit, or NULL; and a description, for the help. */
 	const char *unit, *about;
@@ -74,9 +74,10 @@ struct member {
  * member that only other ways have. */
 enum { WAYS_MAX = 10 };
 struct ways {
-	const char
-	    *way[WAYS_MAX + 1]; /* NULL ends them; an array ends with none */
-	/* The ways for the command fit, if fit is set; without any, all are allowed. */
+	const char *
+	    way[WAYS_MAX + 1]; /* NULL ends them; way[0] = NULL ends an array */
+	/* The ways for the command fit, if fit is set. If there are none, the members
+	 * may be combined freely. */
 	bool fit;
 	const char *fit_way[WAYS_MAX + 1];
 	unsigned
@@ -108,7 +109,7 @@ void object_put(struct printer *, const struct member *, int kind,
     uint64_t bits, const void *base,
     void (*put)(struct printer *, const char *name));
 
-/* Returns the members of that way and those that are in no way, as bits. */
+/* Returns as bits the members of the way with that index, and those of no way. */
 uint64_t object_shown(const struct member *, int kind, const struct ways *,
     int way);
 
@@ -120,8 +121,8 @@ const struct member *member_of(const struct member *, int kind,
 const struct member *member_named(const struct member *, int kind,
     const char *name);
 
-/* Returns the type for the help, such as "3 numbers", "size", "left or right", which may be
- * written to out. */
+/* Returns the type for the help, such as "3 numbers", "size", "left or right". out is
+ * room for it, which may stay unused. */
 const char *member_type(const struct member *, char out[LISTED]);
 
 /* Returns the unit, or NULL. */
@@ -133,8 +134,8 @@ bool member_is_of(const struct member *, int kind);
 /* Returns the bit of the member of that name; 0 if objects of that kind have none. */
 uint64_t member_bit(const struct member *, int kind, const char *name);
 
-/* Returns the index of the way that the members seen, as bits, take. Refuses an object
- * that lacks members of each way, or has members of several. */
+/* Returns the index of the way to which the members seen, as bits, belong. Refuses an
+ * object that lacks members of each way, or has members of several. */
 int object_way(const struct value *, const struct member *, int kind,
     uint64_t seen, const struct ways *);
 

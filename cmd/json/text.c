@@ -20,10 +20,10 @@ static uint64_t eight_at(const char *s)
 	return w ^ 0x3030303030303030;
 }
 
-/* Returns how many of the characters are digits before the first that is none, without
- * a branch for each, which processors could not predict. 9 + 0x76 has no top bit;
- * another character's sum can carry into the next byte, but the lowest of them is
- * right. */
+/* Returns the number of digits before the first other character, without a branch for
+ * each character, which processors could not predict. A digit's sum, at most 9 + 0x76,
+ * has no top bit. The sum of another character can carry into the next byte, but the
+ * lowest top bit is that of the first such character. */
 static size_t leading_digits(uint64_t w)
 {
 	w = (w | (w + 0x7676767676767676)) & 0x8080808080808080;

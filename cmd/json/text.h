@@ -13,7 +13,7 @@
  * JSON does not have: +1, 01, 1., .5, 1e, inf. */
 const char *json_number(const char *s, const char *end, double *v);
 
-/* Returns the same end without reading the number. */
+/* Returns the end of the number as json_number does, without its value. */
 const char *json_number_end(const char *s, const char *end);
 
 /* Returns the end of the blanks at s of checked text, whose only characters up to ' ' are

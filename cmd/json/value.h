@@ -45,7 +45,7 @@ struct value {
 	const struct value
 	    *in;          /* the array or object; NULL: the document itself */
 	const char *name; /* of a member, else NULL */
-	size_t index;     /* in the array or object, from 0 */
+	size_t index;     /* of an element or member, from 0 */
 	/* The command does not use the member: its numbers may be out of range. */
 	bool unused;
 	const struct cJSON *item; /* NULL: there is none */
@@ -55,13 +55,13 @@ struct value {
 struct value_range {
 	double min, max;
 	const char *wanted; /* for a message: "a number ... is wanted" */
-	const char *
-	    by_radians; /* the same in radians; NULL: the limits are no angles */
+	/* wanted for angles in radians; NULL: the limits do not depend on the unit */
+	const char *by_radians;
 	bool above, below; /* min is excluded; max is excluded */
 	bool angle;        /* the number is an angle, and the limits degrees */
 };
 
-/* Numbers, angles and sizes, as the manual has them. */
+/* Any number; any angle; a number greater than 0, which the manual calls a size. */
 extern const struct value_range range_any, range_turn, range_positive;
 
 /* Parses a document and returns its value; refuses text that is not JSON. The values are
@@ -82,7 +82,7 @@ struct value value_literal(const struct source *, const char *text);
 /* Returns the first element or member; its item is NULL if there is none. */
 struct value value_child(const struct value *);
 
-/* Replaces *v by the next element or member of v->in, as value_child does. */
+/* Replaces *v by the next element or member of v->in; its item is NULL after the last. */
 void value_next(struct value *v);
 
 /* Returns a member that an object lacks, for a message with its pointer. */

@@ -6,8 +6,7 @@
 
 #include "../json/text.h"
 
-/* The rest of the path to each coordinate inside a value; NULL if the path does not lead
- * into the value. */
+/* The path to each coordinate from a value; NULL if the path does not lead into it. */
 struct paths {
 	const char *to[4];
 };
@@ -71,9 +70,9 @@ static void choose_by_path(struct cut c, int reads, const struct paths *paths,
 			out->times[i] = seen[i];
 }
 
-/* Returns whether the field f, after the last coordinate, may be the other half of a
- * decimal comma, so that the separator before it has to be like those between the
- * coordinates: f is a number, after two coordinates or directly after a comma. */
+/* Returns whether the field f, after the last coordinate, may be the decimals of a number
+ * with a decimal comma: f is a number, and follows two coordinates, or a comma without a
+ * blank. Its separator must then be like those between the coordinates. */
 static bool counts_on(const struct layout *l, const struct field *f)
 {
 	double v;

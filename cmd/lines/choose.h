@@ -9,7 +9,7 @@
 struct chosen {
 	struct field
 	    field[4]; /* the fields of the coordinates that were found */
-	int times[4]; /* how often a coordinate was found; 0: missing */
+	int times[4]; /* the number of times each was found; 0: missing */
 	bool mixed;   /* only some separators of text have a comma */
 };
 
@@ -23,7 +23,7 @@ bool choose_overlaps(const struct layout *, const struct chosen *);
  * --append adds, and writes the reason. */
 bool choose_clashes(const struct layout *, struct cut, char reason[REASON_MAX]);
 
-/* Returns false only if choose_clashes would return false for the object, too. */
+/* Returns true if choose_clashes could return true for the object; takes less time. */
 bool choose_may_clash(const struct layout *, struct span line);
 
 /* Returns whether the token is the decimal number k without leading zeros. */

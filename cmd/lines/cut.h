@@ -13,10 +13,10 @@ struct cut cut_line(struct dialect, struct span line);
  * line. */
 struct cut cut_value(struct span value, const char *end);
 
-/* Passes the fields up to and with the one whose value ends at s. */
+/* Moves the cut to the field after the one whose value ends at s. */
 void cut_behind(struct cut *, const char *s);
 
-/* Gives the next field. Returns false after the last. */
+/* Sets the next field and moves behind it. Returns false after the last field. */
 bool cut_next(struct cut *, struct field *);
 
 /* Returns the text that has to be deleted with a field: the field and the separator

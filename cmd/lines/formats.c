@@ -149,7 +149,7 @@ static bool csv_check(struct dialect d, struct span line,
 	return !f.open;
 }
 
-/* Reads a number, or the word of a missing value as nan. */
+/* Reads a number, or a word for a missing value, such as NA, as nan. */
 static const char *text_value(const char *s, const char *end, double *v)
 {
 	static const char words[][5] = { "NA", "N/A", "n/a", "na", "null",

@@ -28,7 +28,7 @@ struct dialect {
 
 /* A field of a line, an element of a JSON array, or a member of an object. */
 struct field {
-	/* without blanks, without the quotes of csv and a member's name */
+	/* without blanks around it, without the quotes of csv, without a name */
 	struct span value;
 	struct span whole; /* the value with quotes or name */
 	struct span name;  /* of a member, with quotes; s is NULL elsewhere */
@@ -43,7 +43,7 @@ struct field {
 struct cut {
 	struct dialect in;
 	const char *s, *end; /* the next field, or NULL; the line's end */
-	const char *from;    /* the end of the field before */
+	const char *from;    /* the end of the last field, or NULL before any */
 	const char *bracket; /* in JSON: after the opening bracket */
 	bool members;        /* the fields are members of a JSON object */
 	bool words;          /* fields of text end at blanks only */
@@ -112,8 +112,9 @@ static inline size_t point_size(enum format f, int coordinates)
 char *format_convert(struct dialect in, struct dialect out, struct span f,
     char *at);
 
-/* Returns whether lines end in carriage returns alone: one stands outside of quotes
- * before other text. Writes the reason. */
+/* Returns whether the lines of a source end in carriage returns alone, so that line is
+ * all of them: it has a carriage return outside of quotes before other text. If so,
+ * writes the reason. */
 bool format_is_old(struct dialect, struct span line, char reason[REASON_MAX]);
 
 /* Returns whether c is white space within a line. */

@@ -10,8 +10,8 @@
 #include "choose.h"
 #include "say.h"
 
-/* A # before a separator is a field of its own, and no comment; but where blanks
- * separate, "# x y z" is a comment. */
+/* A # before a separator is a field and not the beginning of a comment; but if blanks
+ * separate fields, "# x y z" is a comment. */
 struct span header_names(struct dialect d, struct span text)
 {
 	text.s = skip_mark(text.s, text.end);
@@ -111,7 +111,7 @@ static bool is_counted(const struct layout *l, struct span text,
 	return true;
 }
 
-/* Returns whether two coordinates have the same column, with the reason. */
+/* Returns whether two coordinates have the same column; if so, writes the reason. */
 static bool is_twice(const int field[4], int n, char reason[REASON_MAX])
 {
 	for (int i = 1; i < n; i++)
@@ -125,7 +125,7 @@ static bool is_twice(const int field[4], int n, char reason[REASON_MAX])
 	return false;
 }
 
-/* Returns whether a name says which column a coordinate is. */
+/* Returns whether any coordinate is found by the name of its column. */
 static bool is_named(const struct layout *l)
 {
 	for (int i = 0; i < l->reads; i++)
@@ -141,8 +141,8 @@ static bool begins_with_digit(struct span f)
 	return f.s < f.end && isdigit((unsigned char)*f.s);
 }
 
-/* Returns whether no coordinate is a number; and not all are missing values, nor do all
- * begin with a digit, as decimal commas do. */
+/* Returns false if a coordinate is a number, if all coordinates are missing values, or if
+ * all begin with a digit, as numbers with decimal commas do. */
 static bool looks_like_header(const struct layout *l, struct span text)
 {
 	bool unknown = true, odd = true;

@@ -7,8 +7,8 @@
 #include "cut.h"
 #include "line.h"
 
-/* Returns whether the first line, which begins with #, is a header or a row instead of a
- * comment: # is a field of its own, or the line has the names of all coordinates. */
+/* Returns whether the first line, which begins with #, is a header or a row and not a
+ * comment: # is a field alone, or the names of all coordinates follow. */
 bool header_in_comment(const struct layout *, struct span text);
 
 /* Reads the first line, whose text has no byte order mark. Returns false if the line is
@@ -17,10 +17,10 @@ bool header_in_comment(const struct layout *, struct span text);
 bool header_read(struct layout *, struct span text, struct line *,
     char reason[REASON_MAX]);
 
-/* Returns whether the first row has more fields, without an empty last one, than the
- * header has names, and coordinates are found by name; writes the reason. A table of R
- * whose column of row names has no name is such: each name stands one column too far to
- * the left. */
+/* Returns whether the first row has more fields than the header has names, and coordinates
+ * are found by name; if so, writes the reason. An empty last field does not count. R
+ * writes such tables: its column of row names has no name in the header, so that each
+ * name is one column too far to the left. */
 bool header_is_short(const struct layout *, struct cut row,
     char reason[REASON_MAX]);
 

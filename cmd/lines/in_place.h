@@ -60,9 +60,9 @@ static inline uint32_t end_of_fields(const struct layout *l,
 	return line->size - (*format_of(l->out)->close != '\0');
 }
 
-/* Returns whether what is added can follow the last of n coordinates at once: no quote
- * and no name is needed, and the separator is the one byte before that coordinate. By --append it can follow the
- * line if no blanks end it. */
+/* Returns whether added values can follow the last of n coordinates directly: they need
+ * no names, the coordinate no quote, and in text the separator before it is one byte.
+ * By --append they follow the line, which must not end in blanks. */
 static inline bool can_add_in_place(const struct layout *l,
     const struct line *line, int n)
 {
@@ -79,7 +79,7 @@ static inline bool can_add_in_place(const struct layout *l,
 		line->s[last] != '"');
 }
 
-/* Returns that separator. */
+/* Returns the separator before added values. */
 static inline char added_separator(const struct layout *l,
     const struct line *line)
 {
@@ -87,8 +87,8 @@ static inline char added_separator(const struct layout *l,
 					   l->out.separator;
 }
 
-/* Copies the line from done up to next; as most gaps are of one byte, a byte is copied
- * even where there is none. */
+/* Copies the line from done up to next. Most gaps have one byte: it is copied without a
+ * branch, even if the gap is empty. */
 static inline char *put_gap(const struct line *line, uint32_t done,
     uint32_t next, char *out)
 {
@@ -98,8 +98,9 @@ static inline char *put_gap(const struct line *line, uint32_t done,
 	return out + (next - done);
 }
 
-/* Writes a point of which the coordinates, in that order, change where they stand, and
- * what is added follows the last of them, or by --append the line. */
+/* Writes a point: replaces the coordinates, in that order on the line, and adds the other
+ * values after the last coordinate, or by --append all values after the line. Returns
+ * the end. */
 static inline __attribute__((always_inline)) char *
 write_in_place(const struct layout *l, const struct line *line, bool append,
     const int *order, const struct numbers n, const struct word *flags,

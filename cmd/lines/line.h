@@ -3,10 +3,10 @@
  * numbers in their place. All other bytes of the line stay.
  *
  * Most lines are simple, and walk.c finds the numbers of many of them at once. Every
- * other line goes to line_read in read.c, which alone decides what a legal line is: a
- * cut (cut.c) is a cursor over the fields of the line, choose.c finds the coordinates
- * among these fields, and say.c words what is wrong. The first line of csv may be a
- * header (header.c), which names the fields.
+ * other line goes to line_read in read.c, which alone decides what a legal line is:
+ * struct cut (cut.c) is a cursor over the fields of the line, choose.c finds the
+ * coordinates among these fields, and say.c writes what is wrong. The first line of csv
+ * may be a header (header.c), which names the fields.
  *
  * in_place.h writes a line of which numbers alone change. Every other line goes to
  * line_write in splice.c, which cuts it again and copies its fields.
@@ -36,8 +36,8 @@ struct columns {
 	bool by_header; /* there is no --columns */
 };
 
-/* The line that a source begins with, which is neither blank nor a comment, is special;
- * so is the first row after a header. This says which of them comes next. */
+/* Which special line comes next: the first line of a source that is neither blank nor a
+ * comment, the first row after a header, or none. */
 enum first { FIRST_IS_READ, FIRST_LINE, FIRST_ROW };
 
 /* Whether csv has a header: MAYBE is decided by the first line, FIRST is --header, NONE
@@ -52,12 +52,12 @@ struct layout {
 	int reads, writes; /* the number of coordinates */
 	bool flags;  /* the word of --flags is written after the numbers */
 	bool append; /* the line stays, and all is written after it */
-	/* The names of the numbers that are written and, last, of the word; "" where
-	 * there is none. */
+	/* The names of the numbers that are written, and last of the word of --flags;
+	 * "" if the number or the word is not written. */
 	char name[COORDINATES_MAX + 1][16];
 	size_t fields; /* of the header; 0: there is none */
 	int record; /* numbers in a binary record; 0: the coordinates alone */
-	bool keeps; /* binary records are written whole */
+	bool keeps; /* binary records are copied whole, beside the image */
 	const char *two; /* as in struct document_wants */
 	bool single;     /* numbers are written as floats */
 	struct number_style style[COORDINATES_MAX];
@@ -110,7 +110,7 @@ struct numbers {
 	size_t step, text_step;
 };
 
-/* Room before a value that is added: for a separator, and a name in an object. */
+/* The most bytes before an added value: a separator, and in an object its name. */
 enum { ADDED_ROOM = 64 };
 
 enum { WORD_MAX = 48 };
@@ -166,8 +166,8 @@ static inline const char *coordinate_name(int i)
 void line_read(struct layout *, struct span text, enum first *, struct line *,
     double v[4], char reason[REASON_MAX]);
 
-/* Writes v, which is number k and has no text; nan becomes the format's word for an
- * unknown number. Returns where the text ends. */
+/* Writes v, number k of a point, for which number_texts made no text. nan becomes the
+ * format's word for an unknown number. Returns the end of the text. */
 char *line_put_rare(const struct layout *, int k, double v, char *out);
 
 /* Returns the most bytes that line_write may touch for that many lines, which have that
@@ -175,18 +175,18 @@ char *line_put_rare(const struct layout *, int k, double v, char *out);
 size_t lines_room(const struct layout *, size_t lines, size_t bytes);
 
 /* Writes the line with the numbers in the place of its coordinates, or by --append after
- * the line, and then the word flags unless it is NULL. Returns where the line ends.
- * A line whose fields are not known becomes the numbers alone. Blank lines and comments
- * are copied. In a header the names of coordinates that are dropped go, and the names of
- * what is added come; in text a header becomes a comment. From JSON and to JSON, blank
- * lines, comments and headers are left out. */
+ * the line, and then the word flags unless it is NULL. Returns the end of the line. A
+ * LINE_LOST becomes the numbers alone. Blank lines and comments are copied. A header
+ * loses the names of coordinates that are not written, and gets the names of added
+ * values; in text it becomes a comment. From JSON and to JSON, blank lines, comments and
+ * headers are left out. */
 char *line_write(const struct layout *, const struct line *,
     const struct numbers *, const struct word *flags, char *out);
 
 /* Writes all fields that hold no coordinate, each after a separator of the format out.
- * From text to text without --columns, the rest of the line is copied. Returns where the
- * text ends. Takes at most six bytes for each byte of the line, and three for each
- * field. */
+ * From text to text without --columns, copies the text after the coordinates. Returns
+ * the end of what is written: at most six bytes for each byte of the line, and three
+ * for each field. */
 char *line_rest(const struct layout *, const struct line *, char *out);
 
 #endif

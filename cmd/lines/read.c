@@ -61,8 +61,8 @@ static bool read_coordinates(const struct layout *l, struct cut cut,
 	return true;
 }
 
-/* Returns whether a member of that name can be added to an object: it is no pointer,
- * short, and needs no escapes. */
+/* Returns whether a member of that name can be added to an object: the name is not a
+ * pointer, is short, and needs no escapes. */
 static bool can_be_added(const char *path)
 {
 	char shown[ESCAPED_MAX];
@@ -72,7 +72,7 @@ static bool can_be_added(const char *path)
 	    strcmp(escaped(shown, path, strlen(path)), path) == 0;
 }
 
-/* Returns whether the other fields of a bad line can be kept. */
+/* Returns whether the fields of a bad line that are not coordinates can be copied. */
 static bool can_be_kept(const struct layout *l, bool members,
     const struct chosen *c)
 {
@@ -172,9 +172,9 @@ static void read_fields(const struct layout *l, struct span text,
 	note_places(l, &c, line);
 }
 
-/* Returns whether the first line is to be read as a point. Else it is a header, or bad
- * with a reason for all lines: they end in carriage returns (which are blanks in JSON),
- * or are JSON. */
+/* Returns whether the first line is read as a point. Else it is a header, or it is bad
+ * for a reason that concerns all lines: they end in carriage returns (which are blanks
+ * in JSON), or are JSON. */
 static bool read_first_line(struct layout *l, struct span text,
     struct line *line, char reason[REASON_MAX])
 {

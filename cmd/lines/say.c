@@ -23,7 +23,7 @@ bool say_range(int i, double v, char reason[REASON_MAX])
 	return false;
 }
 
-/* Adds to the end of the reason, as far as there is room. */
+/* Appends to the reason; what has no room is cut. */
 static void __attribute__((format(printf, 2, 3)))
 say_more(char reason[REASON_MAX], const char *format, ...)
 {
@@ -69,8 +69,8 @@ static void say_separator(const struct separator *other,
 	    other->option);
 }
 
-/* Adds what would be right in the place of f, coordinate i. If f begins with a number,
- * the text after the number is wrong. */
+/* Adds to the reason how to mend f, coordinate i. If f begins with a number, the text
+ * after the number is wrong. */
 static void say_right(const struct layout *l, int i, struct span f,
     char reason[REASON_MAX])
 {
@@ -171,8 +171,8 @@ static void names_of(struct cut c, struct names *names)
 	names->list[names->n] = NULL;
 }
 
-/* Returns the name that has the first n bytes of a, and then the word in either case;
- * NULL if there is none. */
+/* Returns the name that consists of the first n bytes of a and the word, in upper or
+ * lower case; NULL if there is none. */
 static const char *name_beside(const struct names *names, const char *a,
     size_t n, const char *word)
 {
@@ -192,8 +192,8 @@ static bool can_be_typed(const char *name)
 	    strcmp(escaped(shown, name, strlen(name)), name) == 0;
 }
 
-/* Adds --columns with two names that begin alike and end in words for the first two
- * coordinates, such as gps_lon and gps_lat. Returns false if there are no such names. */
+/* Adds to the reason --columns with two names that begin alike and end in the words of a
+ * pair of axes, such as gps_lon and gps_lat. Returns false if there are no such names. */
 static bool say_guess(const struct names *names, int reads,
     char reason[REASON_MAX])
 {

@@ -9,7 +9,7 @@
  * the reason if not. */
 bool say_range(int i, double v, char reason[REASON_MAX]);
 
-/* Writes why the field f is not coordinate i; an empty f is a missing coordinate. */
+/* Writes why the field f cannot be coordinate i; if f is empty, that it is missing. */
 void say_field(const struct layout *, int i, struct span f,
     char reason[REASON_MAX]);
 
@@ -18,9 +18,10 @@ void say_field(const struct layout *, int i, struct span f,
 bool say_blanks(const struct layout *, const struct field *f,
     char reason[REASON_MAX]);
 
-/* Adds to the reason the names that the cut has, of columns or members: "; did you mean
- * 'x'? it has x, y, z" if one of them is near the name typed. If typed is NULL, as there
- * is no --columns, guesses one: "; say --columns lon,lat,h; it has h, lat, lon". */
+/* Adds to the reason the names of the columns or members of the cut, and if one of them
+ * is near the name typed, asks for it: "; did you mean 'x'? it has x, y, z". If typed is
+ * NULL, as --columns is not given, guesses the option: "; say --columns lon,lat,h; it has
+ * h, lat, lon". */
 void say_names(const struct layout *, struct cut, const char *typed,
     char reason[REASON_MAX]);
 

@@ -4,8 +4,8 @@
  * and adds values; splice cuts the line into fields again and decides for each whether it
  * stays, changes or goes.
  *
- * A value is one of what is written: value k < COORDINATES_MAX is number k, and the value
- * FLAGS is the word. */
+ * A value is a number or the word of --flags that is written for a point: value k <
+ * COORDINATES_MAX is number k, and the value FLAGS is the word. */
 #include <math.h>
 #include <string.h>
 
@@ -24,11 +24,11 @@ struct splice {
 	const struct numbers *numbers; /* NULL in a header: names are written */
 	const struct word *flags;
 	struct span separator; /* before each value that is added */
-	const char *done;      /* the line before this is copied or deleted */
-	char *out;             /* the end of what is written */
-	size_t fields;         /* the number of fields that are written */
+	const char *done;      /* bytes before it have been copied or skipped */
+	char *out;             /* the end of the output */
+	size_t fields;         /* the number of fields written so far */
 	unsigned value;        /* bit k: the layout has value k */
-	unsigned put;          /* bit k: value k is written */
+	unsigned put;          /* bit k: value k has been written */
 };
 
 size_t lines_room(const struct layout *l, size_t lines, size_t bytes)
@@ -67,7 +67,7 @@ static void splice_to(struct splice *w, const char *s)
 	}
 }
 
-/* Returns the name of value k; in a bad object, that by which a coordinate is read. */
+/* Returns the name of value k; for a coordinate of a bad object, the name in the input. */
 static const char *value_name(const struct splice *w, int k)
 {
 	const struct layout *l = w->l;
@@ -78,13 +78,13 @@ static const char *value_name(const struct splice *w, int k)
 	return l->name[k];
 }
 
-/* Returns whether value k has to be written and is not yet. */
+/* Returns whether the layout has value k and it has not been written. */
 static bool is_due(const struct splice *w, int k)
 {
 	return ((w->value & ~w->put) >> k & 1) != 0;
 }
 
-/* Writes value k, or its name in a header, where a coordinate keeps its own. */
+/* Writes value k, or in a header its name; a coordinate keeps the header's name. */
 static char *put_value(const struct splice *w, int k, char *out)
 {
 	const struct layout *l = w->l;
@@ -138,8 +138,9 @@ static int coordinate_in(const struct splice *w, const char *s, const char *end)
 	return -1;
 }
 
-/* Returns the value whose place the field is, or -1: a coordinate, or in an object, if
- * outer, an added value that has the name of the field. */
+/* Returns the value that takes the place of the field, or -1. This is the coordinate in
+ * the field. If outer, the field is one of the line and not of a value inside: in an
+ * object it may also be the added value with the name of the field. */
 static int value_of(const struct splice *w, const struct field *f, bool outer)
 {
 	int i = coordinate_in(w, f->whole.s, f->value.s);
@@ -173,10 +174,9 @@ static struct span separator_at(const struct layout *l, const struct field *f)
 	    one;
 }
 
-/* Goes over the fields of a line, or of a value in it if not outer: replaces each
- * coordinate by its value, and deletes coordinates that have none, and members that have
- * the name of an added value. Adds the other values after coordinate last, or at the end
- * if last is -1. */
+/* Splices the fields of a line, or if not outer of a value inside: replaces a field
+ * that has a value (see value_of) by it, or deletes the field if the value is not due.
+ * Adds the other values after coordinate last, or at the end if last is -1. */
 static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 {
 	struct field f;
@@ -250,7 +250,7 @@ static void splice(struct splice *w)
 
 	for (int i = 0; i < l->reads; i++)
 		if (is_missing(w->line->at[i]) || c.members)
-			last = -1; /* what is added stands at the end */
+			last = -1; /* add the other values at the end */
 	w->done = w->line->s;
 	splice_fields(w, c, true, last);
 	splice_to(w, w->line->s + w->line->size);
@@ -265,7 +265,7 @@ static void append(struct splice *w)
 	struct cut c = cut_of(l, w->line);
 	struct field f;
 
-	if (in->header) /* the blanks at the end are of the last field */
+	if (in->header) /* blanks at the end belong to the last field */
 		s.end -= s.end > s.s && s.end[-1] == '\r';
 	else
 		s = trimmed(l->in, s);
@@ -367,8 +367,8 @@ char *line_rest(const struct layout *l, const struct line *line, char *out)
 	return w.out;
 }
 
-/* Writes the values first, then all other fields, or by --append in the other order. The
- * format out is another, or the fields of the line are not known. */
+/* Writes a line in another format, or a LINE_LOST: all values, then all other fields; by
+ * --append first the fields. */
 static void convert_line(struct splice *w)
 {
 	const struct layout *l = w->l;

@@ -80,13 +80,14 @@ bool stretch_open(struct stretch *w, const struct walk *walk, const char *text,
 	return n > 0;
 }
 
-/* A place on a line. A function that passes something moves at behind it. */
+/* A position on a line. A function pass_... moves at to the end of what it passes. If
+ * it returns false, the line is left, unless its comment says otherwise. */
 struct walker {
 	const char *text;
 	uint32_t at;
 	const uint16_t *stop; /* the first stop from at on */
 	bool comma;           /* the last separator has a comma */
-	int found;            /* coordinates that were passed */
+	int found;            /* the number of coordinates passed */
 };
 
 /* Returns whether c, which is a stop, is at the walker. */
@@ -184,7 +185,7 @@ static bool is_scalar(const char *s, const char *end)
 	    (n == 4 && memcmp(s, "null", 4) == 0);
 }
 
-/* Where the coordinates of line i, which begins at begin, are noted. */
+/* The destination of the coordinates of line i, which begins at begin. */
 struct target {
 	const struct walk *walk;
 	struct line *line;
@@ -246,15 +247,16 @@ INLINE bool pass_other(struct walker *p, struct dialect d)
 	return true;
 }
 
-/* How coordinates are found among fields: as the first fields, by number, by name or
- * pointer; or there are none. */
+/* How coordinates are found among fields: they are the first fields; by the number of
+ * a column; by a name or pointer; there are no coordinates. */
 enum shape { FIELDS, COLUMNS, PATHS, NONE };
 
 static bool pass_nested(struct walker *, const struct target *,
     const struct trail *, unsigned led, int levels);
 
-/* Results beside the number of a coordinate: the field is not a coordinate, or was the
- * last; paths lead into it, or there is another; the line has to be left. */
+/* Results that are not the number of a coordinate. For the function of a field: it is
+ * no coordinate (NOTHING), or paths lead into it (MORE). For pass_field: it was the last
+ * field (NOTHING), or there is another (MORE). ODD: the line has to be left. */
 enum { NOTHING = -1, MORE = -2, ODD = -3 };
 
 /* Returns the paths whose bits are set in led, without their first tokens. */
@@ -337,8 +339,9 @@ INLINE int coordinate_of(const struct walk *w, int n, int k)
 	return NOTHING;
 }
 
-/* Returns whether the separator after the coordinates of a line of text has a comma just
- * as those between them, or no number can follow; else 1,5 may be a decimal comma. */
+/* Returns whether a line of text has no decimal comma after its last coordinate, as in
+ * 1 2 3,5: the separator after it has a comma if those before have one, or the line
+ * ends. */
 INLINE bool ends_text(struct walker *p, struct dialect d, int n, bool comma)
 {
 	if (*p->stop != p->at || stands(p, '\n'))
@@ -355,14 +358,14 @@ struct fields {
 	enum shape shape;
 	bool members;
 	const struct trail *trail;
-	int levels;   /* how deep values may be nested */
-	unsigned led; /* bit i: the path of coordinate i has led to a field */
-	/* of text: separators after the first coordinate, and those with commas */
+	int levels;   /* the most levels of values inside */
+	unsigned led; /* bit i: a field passed is on the path of coordinate i */
+	/* in text: the separators after the first coordinate; those with a comma */
 	int separators, commas;
 };
 
 /* Passes the name of field k, if it has one. Returns the coordinate that the field is,
- * NOTHING, MORE or ODD. */
+ * NOTHING, MORE or ODD. Bit i of led: the path of coordinate i leads to the field. */
 INLINE int pass_to_value(struct walker *p, struct dialect d, struct fields *f,
     const struct walk *w, int k, unsigned *led)
 {
@@ -488,7 +491,7 @@ INLINE bool pass_line(struct walker *p, struct dialect d, int n,
 	    (d.format == FORMAT_TEXT || (p->found == n && stands(p, '\n')));
 }
 
-/* Notes places that can be read, and mean nothing, for the numbers of line i. */
+/* Sets the places of line i, which is left, to bytes that can be read. */
 static void no_numbers(int n, size_t i, struct plain_places places[4])
 {
 	static const char none[PLAIN_BEFORE + 1] = "";
@@ -499,7 +502,7 @@ static void no_numbers(int n, size_t i, struct plain_places places[4])
 	}
 }
 
-/* Does as walk_lines for a dialect, a number of coordinates and a shape. */
+/* Does the work of walk_lines for one dialect, number of coordinates and shape. */
 INLINE size_t walk_take(struct stretch *s, const struct walk *walk,
     struct dialect d, int n, enum shape shape, size_t max, struct line *lines,
     struct plain_places places[4], uint64_t *left)
@@ -569,8 +572,8 @@ size_t walk_lines(struct stretch *s, const struct walk *walk, size_t n,
 			     text = { FORMAT_TEXT, ' ' },
 			     csv = { FORMAT_CSV, walk->in.separator };
 
-	/* Each copy has its format as a constant. The first line of JSON says whether
-	 * a copy for arrays or for objects is tried on these lines. */
+	/* Each copy of walk_take has its format as a constant. The first line of JSON
+	 * decides whether these lines are walked as arrays or as objects. */
 	if (format_of(walk->in)->blanks)
 		return take_dialect(s, walk, text, n, lines, places, left);
 	if (format_of(walk->in)->header)

@@ -17,13 +17,14 @@ enum { STRETCH = 1 << 14 };
 struct stretch {
 	const char *readable; /* bytes from here on may be read */
 	const char *text;     /* the beginning of the stretch */
-	uint32_t at, end; /* where the next line begins; the last line ends */
+	uint32_t at;          /* the beginning of the next line */
+	uint32_t end;         /* the end of the last line */
 	const uint16_t *next; /* the first stop at or after at */
 	uint16_t stop[STRETCH + 128];
 };
 
-/* The rest of the path to each coordinate inside a value. The first token of the path
- * has size bytes; SIZE_MAX where the path does not lead into the value. */
+/* The path to each coordinate from the value that the walk is in, and the size of the
+ * path's first token in bytes; SIZE_MAX if the path does not lead into this value. */
 struct trail {
 	const char *path[4];
 	size_t size[4];
@@ -36,7 +37,7 @@ struct walk {
 	int n;
 	bool arrays, objects; /* the lines of JSON that are walked */
 	struct trail trail;   /* paths to members of objects */
-	bool columns;         /* by field[]; false: in the first fields */
+	bool columns;         /* coordinate i is field[i]; false: field i */
 	int field[4];
 };
 
@@ -48,15 +49,15 @@ bool walk_plan(const struct layout *, struct walk *);
 bool stretch_open(struct stretch *, const struct walk *, const char *text,
     const char *end);
 
-/* Finds the numbers of up to n <= PLAIN_BATCH lines, by coordinate. Bit i of *left says
- * that line i is left. Returns the number of lines, at least one while at is before
- * end. */
+/* Walks up to n <= PLAIN_BATCH lines and sets the places of their numbers, by coordinate.
+ * Sets bit i of *left if line i is left. Returns the number of lines, at least one if
+ * at < end. */
 size_t walk_lines(struct stretch *, const struct walk *, size_t n,
     struct line[PLAIN_BATCH], struct plain_places[4], uint64_t *left);
 
-/* Reads the numbers of the n lines that walk_lines found, except those of lines that are
- * left. Returns left with the bits of further lines that have to be left; all others
- * are points. Bytes before readable may be read. */
+/* Reads the numbers of the n lines that walk_lines walked. Lines with a bit in left may
+ * get any numbers. Returns left, and the bits of other lines that have to be left; all
+ * other lines are points. Bytes before readable may be read. */
 uint64_t walk_numbers(const struct walk *, const struct line *, size_t n,
     const struct plain_places[4], uint64_t left, const char *readable,
     double v[4][PLAIN_BATCH]);

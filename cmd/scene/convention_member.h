@@ -19,13 +19,13 @@ extern const struct convention conventions[CONVENTIONS];
 extern const char *const convention_names[CONVENTIONS + 1]; /* NULL ends */
 
 /* The members of a convention that is an object. Each is a bool of struct convention and
- * has two words: that of d3d for false, then the other. */
+ * has two words: the first, the property of d3d, is false, the second true. */
 extern const struct member convention_members[];
 
 /* Returns whether two conventions are equal. */
 bool same_convention(const struct convention *, const struct convention *);
 
-/* The name of a convention, or such an object. */
+/* A convention: a name, or an object of convention_members. */
 extern const struct type type_convention;
 
 /* Refuses the member of that name, which depends on the view axes, if neither the document

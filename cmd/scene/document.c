@@ -91,10 +91,9 @@ static char *text_of(const struct value *v, const struct span *array)
 	return (char *)array->s;
 }
 
-/* Replaces the text of an array by a line for each point that is an element, or a line
- * for the point that it is itself. Returns the size of the lines. A line takes the room of
- * its point and of the comma or bracket before it; the newline of a single point may be
- * the byte at the text's end. */
+/* Replaces the text of an array of points, or of one point, by a line for each point.
+ * Returns the size of the lines. A line has room, as its newline takes the place of the
+ * comma or bracket before the point; for one point it may be the byte after the text. */
 static size_t take_points(const struct value *v, const struct span *array,
     int coordinates)
 {
@@ -149,7 +148,7 @@ unsigned document_reads(const struct document_wants *w)
 	    (w->flat != 0 ? SCENE_WINDOW | SCENE_DEVICE : 0);
 }
 
-/* Returns the wants for a flat document. */
+/* Returns what the command needs of a flat document. */
 static struct document_wants in_plane(const struct document_wants *w)
 {
 	struct document_wants flat = *w;
@@ -178,7 +177,7 @@ static void check_needed(const struct value *root,
 	}
 }
 
-/* Refuses a document that has only two dimensions, if the command has three. */
+/* Refuses a flat document if the command takes documents of three dimensions only. */
 static void refuse_flat(const struct value *root,
     const struct document_wants *w, unsigned seen)
 {
@@ -193,7 +192,7 @@ static void refuse_flat(const struct value *root,
 		    "commands w2n, n2w, n2d, d2n, w2d and d2w are of two");
 }
 
-/* Reads the convention, and returns whether it is a name or has a member. */
+/* Reads the convention. Returns false if it is an empty object, which says nothing. */
 static bool read_document_convention(const struct value *v, struct document *d)
 {
 	object_read_member(v, &scene_members[ROW_OF(CONVENTION)], d);
@@ -201,8 +200,9 @@ static bool read_document_convention(const struct value *v, struct document *d)
 	    object_read(v, convention_members, 0, NULL) != 0;
 }
 
-/* Sets the origin of a device that has none: that of the convention of the answer, else of
- * the document if that is a name or has an origin. */
+/* Sets the origin of a device without the member origin to that of the answer's
+ * convention; if there is none, to that of the document's convention, if this is a name
+ * or has an origin. */
 static void find_origin(const struct document_wants *w, const struct value *v,
     const struct convention *c, struct device *device)
 {
@@ -335,7 +335,7 @@ void document_check(const struct document *d, const char *why)
 		document_refuse(d, why);
 }
 
-/* Prints those members of a document that bits are. */
+/* Prints the members of a document whose bits are set. */
 static void put_scene_members(struct printer *p, const struct document *d,
     unsigned bits)
 {

@@ -38,7 +38,8 @@ struct pick {
 
 struct document {
 	struct scene scene;
-	bool flat; /* of two dimensions, as document_wants.flat has it */
+	bool
+	    flat; /* the document has two dimensions: see document_wants.flat */
 	enum angle_unit unit; /* of all angles */
 	struct pick pick;
 	/* bounds, the eye of the camera, and pick are given */
@@ -56,18 +57,18 @@ struct document {
 
 /* What a command needs of a document. */
 struct document_wants {
-	/* The member that an object with no member of a scene is, such as the camera for
-	 * lookat; 0: there is none. */
+	/* The member that the whole document may be, as lookat's may be a camera; 0:
+	 * none. */
 	enum scene_member bare;
 	/* Members that must not be missing, as bits. */
 	unsigned needed;
 	/* Members that the command uses, as bits. Other members may have numbers out of
 	 * range, and a projection among them no aspect. */
 	unsigned used;
-	/* Members of which any makes a document without a projection flat, of two
-	 * dimensions: it needs no other member, uses none of SCENE_SPATIAL, and its
-	 * points and bounds have two coordinates. 0: the command takes no such
-	 * documents. */
+	/* A document without a projection that has any of these members, as bits, is
+	 * flat: it has two dimensions, needs no other member, uses none of
+	 * SCENE_SPATIAL, and its points and bounds have two coordinates. 0: the command
+	 * takes no flat documents. */
 	unsigned flat;
 	/* The only type of a projection, which may be without a member "type";
 	 * PROJECTION_NONE: any type, and it must have the member. */
@@ -95,9 +96,9 @@ unsigned document_reads(const struct document_wants *);
 void document_read(struct document *d, const char *name, char *text,
     size_t size, const struct document_wants *wants);
 
-/* Reads text[0..size) as a point or a list of points. Returns lines in the place of the
- * text: a JSON array each, which begins with as many numbers or nulls as coordinates has.
- * The text of the elements stays. two is that of struct document_wants. */
+/* Reads text[0..size) as a point or a list of points. Returns lines that replace the text:
+ * each is the JSON array of a point, which begins with as many numbers or nulls as
+ * coordinates says. The text of its elements stays. two is as in struct document_wants. */
 char *document_points(const char *name, char *text, size_t size,
     int coordinates, const char *two, size_t *points_size);
 
@@ -105,7 +106,7 @@ char *document_points(const char *name, char *text, size_t size,
  * a pointer: "/camera/up: ...". */
 _Noreturn void document_refuse(const struct document *d, const char *why);
 
-/* Does the same if why is not NULL. */
+/* Calls document_refuse if why is not NULL. */
 void document_check(const struct document *d, const char *why);
 
 /* Prints a document that reads back as the same scene and pick, with a line for each member

@@ -192,7 +192,8 @@ static const struct ways window_ways[] = {
 	{ .way = { NULL } },
 };
 
-/* Reads three numbers, or two if the document is flat; either if bounds are not used. */
+/* Reads a corner of bounds: three numbers, or two in a flat document; two or three if the
+ * command does not use bounds. */
 static void read_corner(const struct value *v, const struct member *row,
     void *out)
 {
@@ -249,7 +250,8 @@ static const struct value_range margins = { .min = 0,
 	.wanted = "a number from 0 to below 0.5 is wanted",
 	.below = true };
 
-/* A member of struct scene that is an object, with a bool has_ of the scene. */
+/* The row of a member that is an object and a field of struct scene, which has a bool
+ * has_... for it. */
 #define PART(label, field, table, like, ...)                            \
 	ROW(document, label, type_object, scene.field, .example = like, \
 	    .has = offsetof(struct document, scene.has_##field),        \

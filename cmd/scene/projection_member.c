@@ -42,7 +42,7 @@ enum {
 	VOLUME = 8,
 	MATRIX = 16,
 	PARALLEL = ORTHO | OBLIQUE,
-	SECTIONED = PERSP | PARALLEL, /* those with a cross-section */
+	SECTIONED = PERSP | PARALLEL, /* have a cross-section */
 };
 
 #define AT(m) offsetof(struct projection, m)
@@ -173,7 +173,7 @@ const struct ways projection_ways[] = {
 	{ .way = { NULL } },
 };
 
-/* Intrinsics may be without both planes, or without far. */
+/* The ways for near and far of intrinsics: both may be missing, or far alone. */
 static const struct ways open_ways = {
 	.way = { "near far? reverse_z?", "" },
 };
@@ -292,7 +292,7 @@ static void read_projection(const struct value *v, const struct member *row,
 
 	take_ways(v, row, kind, seen, p);
 	p->unit = (enum angle_unit)v->source->unit;
-	/* the usual direction is 45 degrees in any unit */
+	/* the default direction is 45 degrees in any unit */
 	if (is_given(p, seen, "direction"))
 		p->direction_unit = p->unit;
 	if (p->type == PROJECTION_PERSP)
@@ -306,7 +306,8 @@ static void read_projection(const struct value *v, const struct member *row,
 	}
 }
 
-/* Takes the size for intrinsics from the viewport; refuses intrinsics without one. */
+/* Sets the size of the image for intrinsics from the viewport; refuses intrinsics without
+ * a viewport. */
 static void find_sides(const struct value *v, const struct viewport *viewport,
     struct projection *p)
 {
@@ -375,7 +376,7 @@ static void print_projection(struct printer *printer, const struct member *row,
 	bool sized = p.aspect[1] != 0;
 	uint64_t bits = taken_ways(row, kind, at);
 
-	/* without an aspect from the viewport, and the default direction in any unit */
+	/* leave out an aspect from the viewport, and the default direction */
 	if (p.aspect[1] != 1)
 		bits &= ~member_bit(row->members, kind, "aspect");
 	if (p.direction == 45 && p.direction_unit == DEGREES)

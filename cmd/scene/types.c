@@ -361,8 +361,8 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 	k[2][2] = 1;
 }
 
-/* Prints P; or K if the fourth column is 0 and the rest is that of a K; or four numbers if
- * there is no skew. */
+/* Prints P; or K if the fourth column is 0 and the other columns are a K; or of such a K
+ * without skew the four numbers. */
 static void print_intrinsics(struct printer *p, const struct member *row,
     const void *at)
 {

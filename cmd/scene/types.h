@@ -11,8 +11,9 @@ extern const struct type type_numbers;
 /* true or false; in the struct a bool. */
 extern const struct type type_flag;
 
-/* One of words; in the struct an enum in the same order, from first. One of two words; in
- * the struct a bool, true for the second. */
+/* type_word: one of the row's words; in the struct an enum in the order of the words, from
+ * the row's first. type_second: one of two words; in the struct a bool, true for the
+ * second word. */
 extern const struct type type_word, type_second;
 
 /* In the order of enum angle_unit; NULL ends them. */
@@ -27,8 +28,8 @@ extern const char *const vector_names[];
  * row vectors. */
 extern const struct type type_matrix, type_affine;
 
-/* The intrinsics of a calibrated camera: fx, fy, cx, cy, or K, or P. In the struct P, a
- * double[3][4]. */
+/* The intrinsics of a calibrated camera: the numbers fx, fy, cx, cy, or the matrix K or P.
+ * In the struct it is P, a double[3][4]. */
 extern const struct type type_intrinsics;
 
 /* A number, or "infinity"; in the struct a double. */
@@ -38,12 +39,13 @@ void put_distance(struct printer *, double);
 /* An object with the members and ways of the row. */
 extern const struct type type_object;
 
-/* Finds the way of each of the row's ways that an object of that kind takes, and sets its
- * index in the struct at base; refuses an object that takes none. */
+/* Calls object_way for each struct ways of the row and the kind, and sets the index of the
+ * way in the struct at base. Refuses an object that fits no way. */
 void take_ways(const struct value *, const struct member *, int kind,
     uint64_t seen, void *base);
 
-/* Returns the members of the ways that the struct at base has, and of no way, as bits. */
+/* Returns as bits the members of the ways whose indices the struct at base has, and those
+ * of no way. */
 uint64_t taken_ways(const struct member *, int kind, const void *base);
 
 /* Points. They are read as lines of text, not through a table. */

@@ -16,7 +16,7 @@ static struct {
 	bool bad_scene;
 	bool of_points;     /* the bad lines are binary points */
 	size_t imageless;   /* points */
-	struct place where; /* the first of them */
+	struct place where; /* of the first point without image */
 } answer;
 
 /* Seconds before progress is shown first, and again. */
@@ -26,10 +26,11 @@ static struct {
 static struct {
 	bool on, asked;
 	bool terminal;      /* a line of a terminal is overwritten each time */
-	bool shown;         /* on that line */
-	double start, last; /* times of the first call, and when last shown */
-	long long lines;    /* of all sources */
-	long long bytes, size; /* of the source: done; in all, 0: unknown */
+	bool shown;         /* the terminal's line shows progress */
+	double start, last; /* times of the first call and the last display */
+	long long lines;    /* done, of all sources */
+	long long bytes;    /* done, of this source */
+	long long size;     /* all bytes of this source; 0: unknown */
 } progress;
 
 /* Returns the time in seconds. */

@@ -84,8 +84,8 @@ static bool binary_refuse(const struct job *j, struct chunk *c,
 	return chunk_complain(j, c, reason);
 }
 
-/* Refuses points beyond the range, and closes the columns over them. A point that ends
- * the chunk ends the block before it. */
+/* Refuses points beyond the range and removes them from the columns. If a point ends the
+ * chunk, the block ends before this point. */
 static void refuse_beyond(const struct job *j, struct chunk *c, size_t n)
 {
 	size_t *p = &c->block_points;
@@ -161,7 +161,7 @@ bool binary_join(const struct job *j, struct chunk *c, const char *text)
 	char *out = chunk_reserve(c, 2 * size);
 	char *images = out + (l->keeps ? size : 0);
 
-	/* false: a number is not finite, or a float needs point_single */
+	/* join fails if a number is not finite, or a float needs point_single */
 	if (!points_kernels()->join[wide][l->writes](c->image, images, n)) {
 		make_lines(c, text, layout_record(l), n);
 		return false;

@@ -197,11 +197,11 @@ struct writer {
 
 	/* The texts of a batch of points: enough of them for vectors, few enough
 	 * for the first cache. */
-	size_t batch; /* its first point */
+	size_t batch; /* the first point of the batch */
 	struct number_text text[COORDINATES_MAX][NUMBER_BATCH];
 };
 
-/* Makes the texts of the batch of point p, unless they are there. */
+/* Makes the texts of the batch that has point p, unless w has them. */
 static void make_texts(struct writer *w, size_t p)
 {
 	const struct layout *l = &w->job->layout;
@@ -250,8 +250,8 @@ static char *put_image(struct writer *w, const struct line *line, size_t p,
 	    at);
 }
 
-/* Writes a line, or the binary point in its place: with the image of point p if the
- * line is a point, with nan for each coordinate if it is bad. */
+/* Writes a line, or a binary point for it. If the line is a point, it is point p of the
+ * block and gets its image; if the line is bad, each coordinate becomes nan. */
 static char *put_line(struct writer *w, const struct line *line, size_t p,
     char *at)
 {

@@ -24,7 +24,7 @@ struct chunk {
 	struct piece piece;
 	const char *text, *end; /* the bytes that are not read yet */
 	size_t n_lines;         /* before the block */
-	enum first first;       /* which line is still to come */
+	enum first first;       /* the special line that comes next */
 	bool refused; /* the header is bad, so that no line can be read */
 	bool done;    /* ready for answer_chunk */
 
@@ -80,8 +80,8 @@ struct chunk *chunk_new(void);
  * writes them before adding their number to size. */
 char *chunk_reserve(struct chunk *, size_t more);
 
-/* Returns the name of the planes that a point is outside of: "in", or such as
- * "left+near". The chunk keeps it. */
+/* Returns the word of --flags for the planes that a point is outside of, such as "in" or
+ * "left+near". The word belongs to the chunk. */
 const struct word *chunk_word(struct chunk *, unsigned outside);
 
 /* Adds a complaint about line block_lines of the block. Returns whether the job goes
@@ -92,8 +92,8 @@ bool chunk_complain(const struct job *, struct chunk *, const char *reason);
  * stops at the first bad one unless the job keeps going. */
 void job_do(struct job *, struct chunk *);
 
-/* Returns whether binary points become binary points, and nothing looks at a single
- * one of them. */
+/* Returns whether binary points become binary points, so that blocks are written without
+ * a look at single points. */
 bool binary_is_whole(const struct job *);
 
 /* Reads a block of up to POINTS_BLOCK points. Its lines are filled in only if
@@ -101,12 +101,12 @@ bool binary_is_whole(const struct job *);
 void binary_read(const struct job *, struct chunk *);
 
 /* Reads, transforms and writes a block from floats to floats in single precision.
- * Returns false, and the chunk is as before, if a point has no image or other numbers
- * are read or written. */
+ * Returns false and leaves the chunk unchanged if a point has no image, or if the input
+ * or the output is not floats. */
 bool binary_carry(const struct job *, struct chunk *);
 
-/* Appends the images of the block, whose binary points begin at text. Returns false,
- * with only the block's lines filled in, if a point needs block_mark. */
+/* Appends the images of the block, whose binary points begin at text, to out. If a point
+ * needs block_mark, only fills in the block's lines and returns false. */
 bool binary_join(const struct job *, struct chunk *, const char *text);
 
 /* Returns how many bytes are written for each point. */

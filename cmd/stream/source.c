@@ -37,7 +37,7 @@ static void begin_text(struct piece *p, const struct piece *q)
 	p->whole = 0;
 }
 
-/* Returns as read(2) does. */
+/* Reads up to room bytes and returns their number, 0 at the end, or -1, as read(2). */
 static ssize_t read_some(struct point_source *s, char *to, size_t room)
 {
 	size_t left = (size_t)(s->text.end - s->text.s);

@@ -18,8 +18,8 @@ enum { PIECE_ROOM = 1 << 17, FIRST_ROOM = 1 << 14 };
  * not stay in the cache. */
 enum { PIPE_ROOM = 2 * PIECE_ROOM };
 
-/* Bytes after the end of a text that may be read, and of a document's text also
- * written: a lone point gets its newline there. */
+/* The bytes after the end of a text that may be read. In a document's text they may also
+ * be written: the newline of a single point needs one. */
 enum { PIECE_MARGIN = 2 };
 
 enum piece_state {
@@ -32,9 +32,10 @@ enum piece_state {
 };
 
 struct piece {
-	char *text;         /* NULL before the first use */
-	size_t room;        /* bytes allocated, less PIECE_MARGIN */
-	size_t have, whole; /* bytes read; of them in whole lines or points */
+	char *text;   /* NULL before the first use */
+	size_t room;  /* bytes allocated, less PIECE_MARGIN */
+	size_t have;  /* bytes read */
+	size_t whole; /* bytes of these in whole lines or points */
 	enum piece_state state;
 	int error; /* the errno of PIECE_FAILED */
 };

@@ -20,7 +20,7 @@
  * to 192 KB, as a map is 7 KB of exact numbers. */
 enum { STACK_SIZE = 1 << 20 };
 
-/* Returns as pthread_create does. */
+/* Starts a thread with STACK_SIZE. Returns 0 or an error, as pthread_create. */
 static int start_thread(pthread_t *t, void *(*run)(void *), void *with)
 {
 	pthread_attr_t attributes;

@@ -5,8 +5,8 @@
 
 #include "job.h"
 
-/* Calls run, in a thread if the program's own stack may be too small, and returns when
- * it does. */
+/* Calls run(with), in a new thread if the program's stack may be too small, and returns
+ * when run has returned. */
 void call_with_stack(void *(*run)(void *), void *with);
 
 /* Do the job on the points of a source, a file or a text in memory. Every point that

@@ -27,14 +27,14 @@
  * Whatever the width, every lane goes through the same operations of IEEE 754. */
 #include "read_rows.h"
 
-/* Returns bit i for lanes i that differ, as nan does. */
+/* Returns the lanes that differ as bits. A nan differs from everything. */
 static inline unsigned different(V a, V b)
 {
 	return LANES_OF(EQUAL(a, b)) ^ ((1u << WIDTH) - 1);
 }
 
-/* Returns integers below 2^52 as doubles: with the bits of 2^52 before them they are
- * 2^52 too large. */
+/* Returns integers below 2^52 as doubles. The double with the bits of 2^52 and of the
+ * integer is 2^52 larger. */
 static inline V double_of(I u)
 {
 	return (V)(u | ALL_BITS(0x4330000000000000)) - ALL(0x1p52);
@@ -134,9 +134,10 @@ static inline uint64_t read_group(const struct rows *r, size_t i,
 	return bad;
 }
 
-/* Reads n plain numbers times 10^exponent[i], or as they are if exponent is NULL.
- * Returns bit i if number i is not read. An exponent makes the divisor another power
- * of ten, by an exact operation if that is a double; if not, the number is bad. */
+/* Reads n plain numbers, and if exponent is not NULL multiplies number i by
+ * 10^exponent[i]. Sets bit i of the result if number i is not read. The exponent changes
+ * the divisor to another power of ten, exactly if this is a double; else the number is
+ * not read. */
 static inline uint64_t read_rows(const struct plain_places *at, size_t n,
     const int8_t *exponent, double v[PLAIN_BATCH])
 {
@@ -213,8 +214,8 @@ static uint64_t reader_read(const struct plain_places *at, size_t n,
 	return bad == 0 ? 0 : read_exponents(at, bad, v);
 }
 
-/* Writes the places of bits from base on, eight at a time; those beyond the last are
- * overwritten. Returns where the next goes. */
+/* Writes base plus the place of each bit that is set, eight places at a time. The next
+ * call overwrites the places after the last bit. Returns the end of the last. */
 static inline uint16_t *put_places(uint64_t bits, size_t base, uint16_t *at)
 {
 	size_t n = (size_t)__builtin_popcountll(bits);

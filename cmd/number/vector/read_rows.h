@@ -17,15 +17,15 @@ struct rows {
 	double divisor[PLAIN_BATCH];
 };
 
-/* The group's numbers need more work: */
+/* What the numbers of a group have in common, so that simple groups need less work. */
 struct look {
-	bool others; /* some have a character that is no digit */
+	bool others; /* some have a character that is not a digit */
 	bool many;   /* some have more than 15 digits */
 };
 
-/* Divisors, by sign and decimals; NO_POINT decimals mean that there is no point.
- * Powers up to 10^22 are doubles. A number with more decimals, or without digits, is
- * not read: its divisor is nan. */
+/* The divisors, by sign and number of decimals, which is NO_POINT without a point. The
+ * powers of ten up to 10^22 are doubles. A number with more decimals, or without digits,
+ * has the divisor nan and is not read. */
 enum { NO_POINT = 32, NOT_READ = 23, POWER_END = 23 };
 #define NO (double)NAN
 static const double divisors[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8,
@@ -77,8 +77,8 @@ static inline row last(size_t n)
 typedef int32_t ints __attribute__((vector_size(4 * PLAIN_GROUP)));
 typedef float reals __attribute__((vector_size(4 * PLAIN_GROUP)));
 #define LEADING_ZEROS(x) leading_zeros(x)
-/* Returns the leading zeros of 0 or of one bit, which a float's exponent gives; what
- * has two points is no number, and its count does not matter. */
+/* Returns the number of leading zeros of x, which is 0 or has one bit, from the exponent of
+ * x as a float. With two points there are two bits and any result: it is not a number. */
 static inline counts leading_zeros(counts x)
 {
 	const counts zero = { 0 };
@@ -88,9 +88,9 @@ static inline counts leading_zeros(counts x)
 }
 #endif
 
-/* For each number: the points and minuses among the 32 bytes before its end, as bits;
- * its size, and then the key of LAST for its digits; that of its decimals; and the
- * index of its divisor. */
+/* For each number: points and minuses are bits for the 32 bytes before its end; digits is
+ * first its size, then the key of LAST for its digits; decimals is the key for its
+ * decimals; divisor is the index of its divisor. */
 struct marks {
 	uint32_t points[PLAIN_BATCH], minuses[PLAIN_BATCH];
 	uint32_t digits[PLAIN_BATCH], decimals[PLAIN_BATCH];
@@ -105,8 +105,8 @@ static inline counts counts_at(const uint32_t *p)
 	return c;
 }
 
-/* Counts the digits of the group from number i on. Returns whether one has more than
- * 15 of them. */
+/* Counts the digits of the group of numbers from i on. Returns whether a number has more
+ * than 15 digits. */
 static inline bool count_digits(struct marks *m, size_t i)
 {
 	const counts zero = { 0 };
@@ -143,9 +143,8 @@ static inline row set_row(struct rows *r, size_t i, const char *const *end,
 	return x;
 }
 
-/* Sets the rows of n numbers, and how each of their groups looks. Each step is a loop
- * over all: a vector that is loaded from what has just been stored in parts would
- * wait. */
+/* Sets the rows of n numbers and the look of each group. Each step is a loop over all
+ * numbers: a load of a vector directly after stores of its parts would wait for them. */
 static inline void set_rows(struct rows *r, struct look *look, size_t n,
     const struct plain_places *at)
 {

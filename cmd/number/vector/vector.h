@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Numbers read and written several at a time: one body, compiled once for each kind of
- * processor. Each gives the same bits as number_read and the same bytes as
- * number_write. */
+/* Reads and writes several numbers at a time, by code that is compiled once for each kind
+ * of processor. Every kind gives the bits of number_read and the bytes of number_write. */
 #ifndef VECTOR_H
 #define VECTOR_H
 

@@ -45,11 +45,12 @@ INLINE I unknown(I c)
 	return c;
 }
 
-/* Returns the digits of x < 10^8, the lower half of its lane, as two numbers of four
- * digits, a and x - 10^4 a, in two quarters. A quotient is a product with the
- * reciprocal rounded up, here 2^40/10^4, below 2^19/100 and 2^16/10: it is too large
- * by less than the 1/10^4, 1/100 or 1/10 that would make it the next whole number.
- * The exponent of x is shifted out. */
+/* fours, twos and ones divide numbers of 8 digits into numbers of 4, 2 and 1 digits. A
+ * quotient by 10^4, 100 or 10 is a product with 2^40/10^4, 2^19/100 or 2^16/10 rounded
+ * up: it is too large by less than 1/10^4, 1/100 or 1/10, so that its whole part is right.
+ *
+ * Returns x < 10^8, the lower half of each lane, as two numbers of four digits, a and
+ * x - 10^4 a, in two quarters. The shift removes the exponent of x. */
 INLINE I fours(I x)
 {
 	I a = SHR(MUL32(x, ALL_BITS(109951163)), 40);
@@ -57,7 +58,8 @@ INLINE I fours(I x)
 	return (x << 16) - MUL32(a, ALL_BITS((10000 << 16) - 1));
 }
 
-/* Returns four digits of each quarter as two numbers of two digits in its bytes. */
+/* Returns the number of four digits in each quarter as two numbers of two digits, one in
+ * each byte of the quarter. */
 INLINE I twos(I x)
 {
 	const uint64_t each = 0x0001000100010001;
@@ -66,7 +68,8 @@ INLINE I twos(I x)
 	return a | (x - MUL16(a, UNKNOWN(100 * each))) << 8;
 }
 
-/* Returns two digits in the upper half of each quarter as two in its bytes. */
+/* Returns the number of two digits in the upper byte of each quarter as two digits, one
+ * in each byte of the quarter. */
 INLINE I ones(I x)
 {
 	const uint64_t each = 0x0001000100010001;

@@ -49,13 +49,14 @@ INLINE struct scaled scaled(V a, V hi, V lo, bool whole_powers)
 	return x;
 }
 
-/* Returns the nearest whole number to x < 2^53, ties to even, if scale >= 0. |e| is at
- * most half a unit of p's last place. If p < 1/4, p - 1/2, though rounded, is at most
- * -1/4, far from 0 beside e: i, which is 0, is right. From 1/4 up, p - i - 1/2 is
- * exact. The sum *rest, though rounded, has the sign of x - i - 1/2. It is 0 if e = 0
- * and x lies midway; NEAREST breaks this tie. In the other tie p > 2^52 is whole and
- * |e| = 1/2: p is even, as x, halfway between two doubles, was rounded to it, and both
- * branches return p. */
+/* Returns the nearest whole number to x < 2^53, ties to even, if scale >= 0, where x is
+ * p + e. *rest is x - i - 1/2, rounded, and has its sign:
+ * - |e| is at most half a unit of p's last place.
+ * - If p < 1/4, i is 0 and p - 1/2 is at most -1/4: e can't change its sign.
+ * - If p >= 1/4, p - i - 1/2 is exact, so that only the sum with e is rounded.
+ * If *rest is 0, there are two ties. If e = 0, NEAREST(p) breaks it. Else p > 2^52 is
+ * whole and |e| = 1/2: x is halfway between two doubles and was rounded to the even one,
+ * p, which both branches return. */
 INLINE V nearest(struct scaled x, V *rest)
 {
 	*rest = (x.p - x.i - ALL(0.5)) + x.e;
@@ -64,7 +65,7 @@ INLINE V nearest(struct scaled x, V *rest)
 	return SELECT(EQUAL(*rest, ALL(0)), NEAREST(x.p), i);
 }
 
-/* The digits found; sure is false if number_write makes the text. */
+/* The digits of the numbers; in lanes where sure is false, number_write makes the text. */
 struct digits {
 	V whole, digit;
 	M sure;
@@ -129,8 +130,8 @@ INLINE struct digits shortest(V a, V two, V scale, V hi, struct scaled x,
 	};
 }
 
-/* Returns the exponent of a power of two, less place. The biased exponent is shifted
- * into the lowest bits of 2^52. */
+/* Returns the exponent of a power of two minus place. The shift moves the biased exponent
+ * to the lowest bits of 2^52. */
 INLINE V log2_less(V two, double place)
 {
 	V biased = (V)(SHR((I)(two), 52) | (I)(ALL(0x1p52)));
@@ -198,8 +199,9 @@ INLINE void find_significant(struct found *f, size_t i, int n, V v)
 
 /* Finds the shortest digits of numbers from 2^-17 to 1e21, of floats to 2^60, as far as
  * the table of powers reaches (texts have no exponent from 1e-6 to 1e21). For a number
- * out of this range two is 1, an index in the table. usual promises that all numbers
- * are in it and have scale >= 0: nothing is rounded, and some tests fall away. */
+ * out of this range two is 1, an index in the table. If usual, the caller knows that all
+ * numbers are in this range and have scale >= 0: nothing is rounded, and the tests for
+ * these cases are left out. */
 INLINE void find_in_range(struct found *f, size_t i, bool single, bool usual,
     V v)
 {
@@ -224,7 +226,8 @@ INLINE void find_in_range(struct found *f, size_t i, bool single, bool usual,
 	store_found(f, i, v, d, scale);
 }
 
-/* Finds the shortest digits, by shorter code if the numbers of all lanes are usual. */
+/* Finds the shortest digits. If all numbers of v are from 2^-17 to 2^52, floats to 2^23,
+ * calls shorter code for this range. */
 INLINE void find_shortest(struct found *f, size_t i, bool single, V v)
 {
 	V a = ABS(v);
