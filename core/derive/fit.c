@@ -9,9 +9,8 @@
 	"/bounds: what holds them has numbers beyond 1e150 or sizes below " \
 	"1e-150; choose another unit"
 
-/* Sets gaze and up, and the eye of a matrix or pose, by the rows of the map from view to
- * world space: the axes and the eye. Of a matrix the axes are those of the nearest
- * rotation. */
+/* Sets gaze, up and, if the camera is not given by an eye, the eye. They are rows of the
+ * map from view to world space. A matrix gives the axes of its nearest rotation. */
 static const char *from_axes(struct camera *c,
     const struct convention *convention)
 {
@@ -37,8 +36,8 @@ static const char *from_axes(struct camera *c,
 	return why;
 }
 
-/* Makes a gaze of at: at - eye, rounded, and halved if it is beyond the range of a
- * document's numbers. */
+/* Replaces at by the gaze at - eye, rounded. The gaze is halved if it is beyond the range
+ * of a document's numbers. */
 static void from_at(struct camera *c)
 {
 	double largest = 0;
@@ -75,7 +74,8 @@ static const char *gaze_of(struct scene *s)
 	return why;
 }
 
-/* Writes the eye in the world after a step in view space, with back from view to world. */
+/* Writes the eye in world space after a step in view space. back is the map from view to
+ * world space. */
 static void eye_move(const struct map *back, const struct sum step[3],
     double eye[3])
 {
@@ -88,7 +88,7 @@ static void eye_move(const struct map *back, const struct sum step[3],
 	}
 }
 
-/* Returns the least double v with v d >= n, for d > 0. */
+/* Returns the least double v such that v d >= n. d must be positive. */
 static double least_over(struct sum n, struct sum d)
 {
 	double v = sum_ratio(n, d);
@@ -96,7 +96,8 @@ static double least_over(struct sum n, struct sum d)
 	return sum_compare(sum_scale(d, v), n) < 0 ? nextafter(v, HUGE_VAL) : v;
 }
 
-/* Widens the side that is too short for a shape to the nearest double. */
+/* Widens the side that is too short for width : height = shape[0] : shape[1]. The widened
+ * side is rounded to the nearest double. */
 static void widen_sides(double *width, double *height, const double shape[2])
 {
 	struct sum w = sum_of_double(shape[0]), h = sum_of_double(shape[1]);
@@ -109,8 +110,8 @@ static void widen_sides(double *width, double *height, const double shape[2])
 		*height = fmax(*height, high);
 }
 
-/* Returns the largest step t of the eye along the gaze with near - t >= near_ratio
- * (far - t). */
+/* Returns the largest step t of the eye along the gaze for which near - t >= near_ratio
+ * (far - t): near and far are at the ends of the bounds' depth. */
 static struct sum reach_near(const struct extents *r, double ratio)
 {
 	struct sum far = sum_mul(r->high[2], sum_of_double(ratio));
@@ -118,8 +119,8 @@ static struct sum reach_near(const struct extents *r, double ratio)
 	return sum_quotient(sum_sub(r->low[2], far), sum_diff(1, ratio));
 }
 
-/* Finds the slopes of the side planes: by how much their values at the bounds fall as the
- * eye moves along the gaze by 1. */
+/* Finds the slopes of the side planes: how much the function of a plane falls at a fixed
+ * point while the eye moves by 1 along the gaze. */
 static const char *find_slopes(const struct scene *s, struct map *sides,
     struct sum slope[4])
 {
@@ -141,7 +142,7 @@ static const char *find_slopes(const struct scene *s, struct map *sides,
 
 /* Finds the step across the gaze after which the two planes of each pair are at equal
  * distances from the bounds. A plane's lowest value falls by the step times the plane's
- * normal; y cancels in the first pair, left and right, except for skew. */
+ * normal. The normals of left and right depend on y only if the projection is skewed. */
 static void center_pairs(const struct map *sides, const struct sum lowest[4],
     struct sum step[3])
 {
@@ -161,8 +162,8 @@ static void center_pairs(const struct map *sides, const struct sum lowest[4],
 
 /* Finds the step in view space that takes the eye as far along the gaze as a side plane or
  * near_ratio allows: as the eye moves by t, a plane's lowest value falls by t times the
- * slope. If the eye is free to move across the gaze, too, the two planes of a pair share
- * the sum of their distances. */
+ * slope. If free, the eye may also move across the gaze; then the sum of the lowest values
+ * of a pair of planes limits the step. */
 static const char *find_step(const struct scene *s, const struct hull *h,
     bool free, struct sum step[3])
 {
@@ -200,7 +201,7 @@ static const char *find_step(const struct scene *s, const struct hull *h,
 	return fabs(sum_double(t)) <= MAGNITUDE_MAX ? NULL : BEYOND;
 }
 
-/* Returns a to / from, rounded away from 0 so that the volume does not shrink. */
+/* Returns a times to over from, rounded away from 0 so that the volume does not shrink. */
 static double rescaled(double a, double to, double from)
 {
 	struct sum product = sum_mul(sum_of_double(fabs(a)), sum_of_double(to));
@@ -208,6 +209,7 @@ static double rescaled(double a, double to, double from)
 	return copysign(least_over(product, sum_of_double(from)), a);
 }
 
+/* Scales sizes on the near plane as near changes, so that the side planes stay. */
 static void keep_slopes(struct projection *p, double near)
 {
 	double *const sizes[] = { &p->width, &p->height, &p->left, &p->right,
@@ -218,7 +220,7 @@ static void keep_slopes(struct projection *p, double near)
 }
 
 /* Returns whether near >= near_ratio far, decided exactly. */
-static bool is_off_eye(const struct projection *p)
+static bool keeps_near_ratio(const struct projection *p)
 {
 	struct sum least = sum_mul(sum_of_double(p->near_ratio),
 	    sum_of_double(p->far));
@@ -226,8 +228,8 @@ static bool is_off_eye(const struct projection *p)
 	return sum_compare(sum_of_double(p->near), least) >= 0;
 }
 
-/* Closes near and far on the bounds, as the eye sees them. Returns whether the bounds are
- * inside then, and near is at least near_ratio times far. */
+/* Sets near and far to the least and greatest depth of the bounds. Returns whether then the
+ * bounds are inside the volume, and near is at least near_ratio times far. */
 static bool close_persp(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
@@ -239,12 +241,12 @@ static bool close_persp(struct scene *s, const struct hull *h)
 		return false;
 	hull_close_depth(h, s);
 	keep_slopes(p, near);
-	return hull_out(h, s) == 0 && is_off_eye(p);
+	return hull_out(h, s) == 0 && keeps_near_ratio(p);
 }
 
-/* Moves the eye to where a plane touches the bounds. As its coordinates are rounded, bounds
- * can be outside: then the eye steps back by 2^-53 of its largest coordinate, by twice
- * that, and so on. */
+/* Moves the eye by the step to, after which a plane touches the bounds. As the eye's
+ * coordinates are rounded, some of the bounds can be outside: then the eye moves back by
+ * 2^-53 of its largest coordinate, by twice as much, and so on. */
 static const char *step_back(struct scene *s, const struct hull *h,
     const struct map *back, const struct sum to[3])
 {
@@ -279,9 +281,9 @@ static const char *fit_persp(struct scene *s, bool free, const struct hull *h)
 }
 
 /* Moves the eye so that the bounds are in the middle of the picture. Without has_eye the
- * eye moves along the gaze, too, to a distance from the middle of the bounds that equals
- * their depth. Where depth shears the picture, a step in depth is balanced by a step to
- * the side. */
+ * eye moves along the gaze, too: its distance from the middle of the bounds becomes the
+ * depth of the bounds. In a sheared picture a step in depth moves the image; a step to the
+ * side undoes this. */
 static const char *center_eye(struct scene *s, bool has_eye,
     const struct hull *h)
 {
@@ -317,6 +319,7 @@ static const char *center_eye(struct scene *s, bool has_eye,
 	return NULL;
 }
 
+/* Sets width and height to the least that hold the bounds, widened to the aspect. */
 static const char *close_sides(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
@@ -344,8 +347,8 @@ static const char *close_sides(struct scene *s, const struct hull *h)
 	return NULL;
 }
 
-/* Turns width and height into edges, if the projection was given by edges: mirrored if it
- * was. */
+/* Replaces width and height by edges, as in the given projection. The edges mirror the
+ * image if the given ones did. */
 static void restore_edges(struct projection *p, const struct projection *given)
 {
 	double x = given->left > given->right ? -p->width : p->width;
@@ -372,8 +375,9 @@ static const char *fit_parallel(struct scene *s, bool has_eye,
 	return why;
 }
 
-/* Moves near off the eye, if the eye is before it. */
-static void keep_off_eye(struct projection *p)
+/* Moves the near plane of a volume away from the eye, if the eye is before near, until its
+ * distance from the eye is near_ratio times that of far. */
+static void keep_near_ratio(struct projection *p)
 {
 	struct sum over, under;
 
@@ -386,8 +390,8 @@ static void keep_off_eye(struct projection *p)
 		p->z_near = least;
 }
 
-/* Sets z_near and z_far alone: the rectangle and the eye of a volume are given in view
- * space. */
+/* Fits z_near and z_far of a volume. The scene gives the rectangle and the eye of a volume
+ * in view space, so these stay. */
 static const char *fit_volume(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
@@ -403,7 +407,7 @@ static const char *fit_volume(struct scene *s, const struct hull *h)
 
 	p->z_near = back ? -low : low;
 	p->z_far = back ? -high : high;
-	keep_off_eye(p);
+	keep_near_ratio(p);
 	double near = p->z_near;
 
 	if ((why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip)) != NULL)
@@ -414,8 +418,8 @@ static const char *fit_volume(struct scene *s, const struct hull *h)
 	return NULL;
 }
 
-/* Gives the camera the form CAMERA_GAZE, and sets members of the projection that are to be
- * found to valid numbers. */
+/* Gives the camera the form CAMERA_GAZE. Sets the members of the projection that fit will
+ * find to some valid numbers. */
 static const char *fit_begin(struct scene *s)
 {
 	struct projection *p = &s->projection;
@@ -481,10 +485,10 @@ const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 	return why != NULL || scene_is_valid(s) ? why : BEYOND;
 }
 
-/* hull_extents measures bounds along three axes, find_step and hull_out along the normals
- * of planes, which stay as the eye moves. But keep_slopes rounds sizes on the near plane,
- * outward: the side planes then hold all that they held, though the margin may be
- * smaller by a rounding of the edges. */
+/* hull_extents measures the bounds along three axes. find_step and hull_out measure them
+ * along the normals of planes, which do not change as the eye moves. Only keep_slopes
+ * rounds sizes on the near plane, outward: points stay inside the side planes, but the
+ * margin may become smaller by a rounding of the edges. */
 const char *fit_directions(const struct scene *given, bool has_eye,
     struct directions *all)
 {
@@ -515,7 +519,8 @@ const char *fit_directions(const struct scene *given, bool has_eye,
 	return NULL;
 }
 
-/* Sets the center, rounded, and the side: twice the larger distance from the center. */
+/* Sets the center of axis j, rounded, and the side: twice the larger distance of an end
+ * from the center, enlarged by the margin. */
 static void close_axis(const struct extents *r, int j, double margin,
     double *center, double *side)
 {

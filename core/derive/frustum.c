@@ -13,8 +13,8 @@ void view_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
 		half[k] = sum_mul(half[k], sum_diff(1, 2 * s->margin));
 }
 
-/* Sets column j of r to a x + b w, or -a x + b w, with x = column k and w = column 3 of
- * m. */
+/* Sets column j of r to a x + b w or, if minus, -a x + b w. x is column k of m, w is
+ * column 3. */
 static void combine_columns(struct map *r, int j, const struct map *m,
     bool minus, int k, struct sum a, struct sum b)
 {
@@ -26,9 +26,9 @@ static void combine_columns(struct map *r, int j, const struct map *m,
 	}
 }
 
-/* left: x scale >= -half w, right: x scale <= half w, and so on. Bottom and top are swapped
- * where ndc y points down, near and far where depth is reversed. Without near and far
- * planes every point is between them. */
+/* A point is inside left if x scale >= -half w, inside right if x scale <= half w, and so
+ * on. Bottom and top are swapped if ndc y points down, near and far if depth is reversed.
+ * Without near and far planes their functions are 1, so every point is inside. */
 const char *view_planes(const struct scene *s, enum space from,
     struct map *sides, struct map *ends)
 {
@@ -120,9 +120,10 @@ unsigned frustum_out(const struct frustum *f, const double in[4])
 	return out;
 }
 
-/* A column has a relative error of at most ESTIMATE_BOUND while nothing overflows. An
- * underflow, also of an element that is rounded up to 2^-1074, adds less than 2^-1025 of
- * the other factor. */
+/* Makes the estimate of a map's columns. Unless something overflows, the error of a column
+ * is at most ESTIMATE_BOUND times the sum of its products' magnitudes. The underflow of a
+ * product, or of an element that is rounded up to 2^-1074, adds less than 2^-1025 of the
+ * other factor. */
 static struct estimate estimate_of(const struct transform *t, int columns)
 {
 	const struct kernel_map *k = &t->for_kernel;
@@ -146,7 +147,7 @@ static struct estimate estimate_of(const struct transform *t, int columns)
 	return e;
 }
 
-/* Points of a block on the stack. */
+/* How many points out_few takes at a time; their words are on the stack. */
 enum { FEW = 256 };
 
 static void out_few(const struct frustum *f, const struct estimate *sides,
@@ -251,7 +252,8 @@ struct sum volume_corner(const struct volume *v, int corner, struct sum h[4])
 	    v->ends.divisor);
 }
 
-/* x and w are 0 where the left and the right plane meet. */
+/* The eye is where the left and the right plane, on which clip x and w are 0, meet the
+ * bottom plane. */
 int volume_eye(const struct volume *v, struct sum h[4])
 {
 	struct sum view[4], far;
