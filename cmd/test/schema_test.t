@@ -43,7 +43,7 @@ my $beyond = qr{
 	singular | determinant | last\ column | transposed | of\ -c; | pi\S*\ radians | too\ far\ from |
 	beyond\ the\ range\ of\ doubles | --distances
 	    (?!;\ numbers) |
-	missing;\ (?:add|it\ is|device|say|-t) |
+	missing;\ (?:add|it\ is|device|say|-t) | or\ --(?:at|radius) |
 	but\ the\ command\ is | coordinates\ are\ wanted | not\ together\ with\ PO |
 	can't\ be\ taken\ back | nothing\ that\ can\ be\ fitted | --distances |
 	^projcalc:\ POINTS:

@@ -284,11 +284,11 @@ static void set_intrinsics(const struct scene *s, const struct upright *u,
 	k[0][0] = sum_ratio_or_nan(sum_mul(x, scale[0]), u->zw);
 	k[0][1] = sum_ratio_or_nan(sum_mul(yx, scale[0]), u->zw);
 	k[0][2] = sum_ratio_or_nan(sum_add(sum_mul(u->zw, half[0]),
-				      sum_mul(u->zx, scale[0])),
+				       sum_mul(u->zx, scale[0])),
 	    u->zw);
 	k[1][1] = sum_ratio_or_nan(sum_mul(u->y, scale[1]), u->zw);
 	k[1][2] = sum_ratio_or_nan(sum_add(sum_mul(u->zw, half[1]),
-				      sum_mul(zy, scale[1])),
+				       sum_mul(zy, scale[1])),
 	    u->zw);
 	k[2][2] = 1;
 }

@@ -120,7 +120,9 @@ static inline bool count_digits(struct marks *m, size_t i)
 	    minus * (NO_POINT + 1);
 	counts over = digits + (128 - 16);
 
+	/* cppcheck-suppress selfAssignment */
 	digits = LAST_KEYS(digits);
+	/* cppcheck-suppress selfAssignment */
 	decimals = LAST_KEYS(decimals);
 	memcpy(m->digits + i, &digits, sizeof digits);
 	memcpy(m->decimals + i, &decimals, sizeof decimals);
