@@ -17,11 +17,11 @@ static void depth_on_device(struct sum line[2], double first,
 	line[0] = sum_negated_if(falls, sum_scale(line[0], 1 - first));
 }
 
-/* Sets D of a perspective: w / |n|, where n is the gradient of w. Clip x, y and w are 0 at
- * the eye, so the eye is the inverse map's image of (0, 0, 1, 0), and clip z at the eye is
- * the product of both divisors over the fourth coordinate of that image. From the eye
- * along n, clip z is z(eye) + (gradient of z . n) D / |n|; it also equals ndc z times
- * w = |n| D, and the two together give D. */
+/* Sets D of a perspective: w / |n|, where n is the gradient of w. Clip x, y and w are 0
+ * at the eye, so the eye is the inverse map's image of (0, 0, 1, 0), and clip z at the
+ * eye is the product of both divisors over the fourth coordinate of that image. From the
+ * eye along n, clip z is z(eye) + (gradient of z . n) D / |n|; it also equals ndc z
+ * times w = |n| D, and the two together give D. */
 static void set_perspective(const struct scene *s, const struct map *m,
     const struct sum z[3], const struct sum w[3], struct depth *d)
 {

@@ -8,11 +8,11 @@
 enum buffer { BUFFER_UNORM16, BUFFER_UNORM24, BUFFER_FLOAT32, BUFFERS };
 
 /* The distance D at depth z is (over[0] z + over[1]) / (under[0] z + under[1]). z is
- * device depth or, without a viewport, from 0 to 1. D is measured along the gaze: from the
- * eye in a perspective, else from the origin of view space. under[0] is 0 only in a
- * parallel projection. In a perspective a depth whose denominator is positive is in front
- * of the eye. If planes of equal depth are tilted against the projection plane, D is
- * measured on the normal of the projection plane through the eye. */
+ * device depth or, without a viewport, from 0 to 1. D is measured along the gaze: from
+ * the eye in a perspective, else from the origin of view space. under[0] is 0 only in a
+ * parallel projection. In a perspective a depth whose denominator is positive is in
+ * front of the eye. If planes of equal depth are tilted against the projection plane, D
+ * is measured on the normal of the projection plane through the eye. */
 struct depth {
 	struct sum over[2], under[2];
 	double low, high; /* z at the least ndc depth, and at ndc depth 1 */
@@ -29,13 +29,14 @@ void depth_of(const struct scene *, bool reversed, struct depth *);
 void depth_quotient(const struct depth *, bool far, struct sum *over,
     struct sum *under);
 
-/* Returns the distance of the near or far plane: infinite if the plane is at infinity, nan
- * if it is behind the eye or does not exist. */
+/* Returns the distance of the near or far plane: infinite if the plane is at infinity,
+ * nan if it is behind the eye or does not exist. */
 double depth_distance(const struct depth *, bool far);
 
 /* Returns how far inward from the near or far plane the depth has changed by one step of
- * the buffer; a step of BUFFER_FLOAT32 ends at the next float. Returns nan if the plane is
- * at infinity or does not exist, or if the whole range of depth is less than a step. */
+ * the buffer; a step of BUFFER_FLOAT32 ends at the next float. Returns nan if the plane
+ * is at infinity or does not exist, or if the whole range of depth is less than a
+ * step. */
 double depth_step(const struct depth *, enum buffer, bool far);
 
 /* Returns how far from the distance at, toward the eye, the depth has changed by one step

@@ -19,9 +19,9 @@ static const struct arithmetic arithmetic[] = {
 /* The bounds are computed in double. This factor outweighs the roundings of that. */
 #define ROUNDED_UP (1 + 0x1p-46)
 
-/* A corner of the view volume. The bound is a sum of magnitudes of products, over w. That
- * is a convex function of the position in ndc, so its maximum is in a corner, which may be
- * at infinity. */
+/* A corner of the view volume. The bound is a sum of magnitudes of products, over w.
+ * That is a convex function of the position in ndc, so its maximum is in a corner, which
+ * may be at infinity. */
 struct corner {
 	double p[3];    /* |p - origin| / w, for the map's origin */
 	double inverse; /* 1/w */
@@ -70,9 +70,9 @@ static double bound_column(const struct kernel_map *k, const struct corner *c,
 	return s;
 }
 
-/* Returns the bound of double or single. Returns nan if w could be less than its error, or
- * 1/w beyond the range. If another sum is beyond the range, the program computes the point
- * exactly. */
+/* Returns the bound of double or single. Returns nan if w could be less than its error,
+ * or 1/w beyond the range. If another sum is beyond the range, the program computes the
+ * point exactly. */
 static double bound_plain(const struct analysis *v, const struct arithmetic *a)
 {
 	const struct transform *t = v->t;

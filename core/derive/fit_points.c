@@ -90,8 +90,8 @@ static void add_point(struct farthest *f, const struct direction *d,
 			bound };
 }
 
-/* How many points a call of the kernel takes. With fewer there are more calls. With more a
- * block more often holds a farthest point, and then its points are compared singly. */
+/* How many points a call of the kernel takes. With fewer there are more calls. With more
+ * a block more often holds a farthest point, and then its points are compared singly. */
 enum { FEW = 128 };
 
 /* Adds at most FEW points. Only points whose value may be the largest, within the error,

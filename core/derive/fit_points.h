@@ -34,8 +34,9 @@ struct extremes {
 	struct farthest of[BOUNDS_POINTS];
 };
 
-/* Adds n points; in has a column for each coordinate. A point with a nan is left out. The
- * caller pads each column to a multiple of 16 numbers with coordinates of these points. */
+/* Adds n points; in has a column for each coordinate. A point with a nan is left out.
+ * The caller pads each column to a multiple of 16 numbers with coordinates of these
+ * points. */
 void extremes_add(struct extremes *, const struct directions *,
     const double *const in[3], size_t n);
 
