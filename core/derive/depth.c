@@ -88,8 +88,7 @@ struct depth_value {
 };
 
 /* Returns d times line[0] z + line[1] at the depth z = n / d. */
-static struct sum line_at(const struct sum line[2],
-    const struct depth_value *z)
+static struct sum line_at(const struct sum line[2], const struct depth_value *z)
 {
 	return sum_add(sum_mul(line[0], z->n), sum_mul(line[1], z->d));
 }

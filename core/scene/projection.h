@@ -38,7 +38,7 @@ struct projection {
 	double aspect[2];     /* width / height; [1] is 0 where not given */
 	double width, height; /* of extent or, with intrinsics, the viewport */
 	double left, right, bottom, top;
-	double edges_at; /* the distance of left to top; 0 means near */
+	double edges_at; /* where edges are measured; 0 means at near */
 	/* The rows of P, which maps a point with X to the right, Y in the direction
 	 * of device y, and Z along the gaze to u w, v w, w. The pixels u and v are
 	 * relative to the viewport's corner. near and far are values of w. */
