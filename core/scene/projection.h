@@ -34,8 +34,8 @@ struct projection {
 
 	enum angle_unit unit; /* of angles but the direction */
 	enum extent extent;
-	double angle;         /* of extent; or the field; or of a volume's eye */
-	double aspect[2];     /* width / height; [1] is 0 where not given */
+	double angle;     /* of extent; or the field; or of a volume's eye */
+	double aspect[2]; /* width / height; [1] is 0 where not given */
 	double width, height; /* of extent or, with intrinsics, the viewport */
 	double left, right, bottom, top;
 	double edges_at; /* where edges are measured; 0 means at near */

@@ -72,8 +72,8 @@ const char *scene_flat_map(const struct scene *, enum flat from, enum flat to,
 /* The part of the plane that a 2D window shows, in nearest doubles. */
 struct shown {
 	double edge[4]; /* left, right, bottom, top */
-	double scale
-	    [2]; /* device (else ndc) units to a window unit, in x and y */
+	double
+	    scale[2]; /* device (else ndc) units to a window unit, in x and y */
 };
 
 /* Computes what the window shows. Returns NULL, or the member and the reason. */

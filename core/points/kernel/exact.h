@@ -223,7 +223,7 @@ struct depth {
 	double b_hi, b_lo;
 	double rounder, rounder_and_high, rest; /* of a */
 	double bound; /* of the error, without the error of b / w */
-	double none;  /* the largest difference of depth times w that counts as 0 */
+	double none;  /* depth times w: the largest difference of none */
 	double least;
 };
 
