@@ -333,20 +333,23 @@ sub short {
 	my $avx2 = sub {
 		my $times = ratio(@_, 'avx2');
 		return $times ?
-		    ", $times times where `projcalc` has AVX2 alone" : '';
+		    ", and $times times as long where `projcalc` has AVX2" : '';
 	};
 	my $glm_times = ratio($glm, 'text');
 	local $Text::Wrap::columns = 85;
+	my $avx2_hand = $avx2->($hand);
 	my @words = ('The loop by hand takes', ratio($hand, 'text'), 'times as',
-	    'long as `projcalc`' . $avx2->($hand) . '. It is the best that one',
-	    'writes: blocks by read(), eight digits at a time in a word,',
-	    "columns that the compiler makes vectors of, dragonbox's digits",
-	    'written in place.', $glm_times ? 'GLM with scanf and printf takes ' .
-	    "$glm_times times as long" . $avx2->($glm) . '.' : (), 'Exact takes',
+	    'long as `projcalc`' . $avx2_hand .
+	    ($avx2_hand && ' in place of AVX-512') . '. It is as fast as we could',
+	    'write it: it reads blocks with read(), finds eight digits at a time in',
+	    'a word, computes columns that the compiler vectorizes, and writes',
+	    "dragonbox's digits in place.", $glm_times ? 'GLM with scanf and ' .
+	    "printf takes $glm_times times as long as `projcalc`" .
+	    $avx2->($glm) . '.' : (), 'The default, `-p exact`, takes',
 	    ratio('text', 'text -p double'), 'times as long as `-p double` in',
-	    'text; in binary, where there are no digits,',
-	    ratio('f64', 'f64 -p double'), 'times, and', ratio('f64', $loop),
-	    'times as long as a loop in double.');
+	    'text. In binary, where there are no digits to read or write, it takes',
+	    ratio('f64', 'f64 -p double'), 'times as long as `-p double`, and',
+	    ratio('f64', $loop), 'times as long as a loop in double.');
 	programs(grep { $_ } @row{'text', $hand, $standard, $glm, 'numpy',
 	    'mawk'});
 	print "\n", fill('', '', "@words"), "\n";

@@ -101,12 +101,12 @@ static inline char *put_gap(const struct line *line, uint32_t done,
 /* Writes a point of which the coordinates, in that order, change where they stand, and
  * what is added follows the last of them, or by --append the line. */
 static inline __attribute__((always_inline)) char *
-write_in_place(const struct layout *l, const struct line *line,
+write_in_place(const struct layout *l, const struct line *line, bool append,
     const int *order, const struct numbers n, const struct word *flags,
     char *out)
 {
 	uint32_t done = 0;
-	int written = l->append ? 0 : l->reads;
+	int written = append ? 0 : l->reads;
 
 	for (int i = 0; i < written; i++) {
 		int k = order != NULL ? order[i] : i;
@@ -115,7 +115,7 @@ write_in_place(const struct layout *l, const struct line *line,
 		out = put_number(l, n, k, out);
 		done = line->at[k].to;
 	}
-	if (l->append) {
+	if (append) {
 		done = end_of_fields(l, line);
 		out = put_gap(line, 0, done, out);
 	}

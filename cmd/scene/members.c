@@ -46,7 +46,7 @@ static const struct member camera_members[] = {
 	    .about = "angle by which the image is turned counterclockwise"),
 	ROW(camera, "orthonormalize", type_flag, orthonormalize,
 	    .usual = "false",
-	    .about = "whether the nearest rotation replaces the 3x3 part"),
+	    .about = "replace the 3x3 part by the nearest rotation"),
 	{ .name = NULL },
 };
 
@@ -174,7 +174,7 @@ static const struct member window_members[] = {
 	    .about = "factor of magnification; 2 shows half the extent"),
 	ROW(window, "about", type_numbers, about, .n = 2,
 	    .has = offsetof(struct window, has_about), .unit = "window units",
-	    .about = "point that zoom does not move, else the centre"),
+	    .about = "point that zoom does not move; if absent, centre"),
 	ROW(window, "adapt", type_word, adapt, .words = adapt_names,
 	    .usual = "\"stretch\"",
 	    .about = "adaptation to a device of another shape"),
@@ -306,13 +306,13 @@ const struct member scene_members[] = {
 	    .has = offsetof(struct document, has_bounds), .aliases = "extent",
 	    .members = bounds_members, .ways = bounds_ways,
 	    .example = BOUNDS_LIKE, .unit = "model units",
-	    .about = "volume that the picture of fit holds, else the points",
+	    .about = "volume that fit holds, in place of the points",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
 		       "\"bounds\": " BOUNDS_LIKE "}'"),
 	ROW(document, "pick", type_object, pick,
 	    .has = offsetof(struct document, has_pick), .members = pick_members,
 	    .example = PICK_LIKE,
-	    .about = "circle on the device, else --at, --radius",
+	    .about = "circle on the device; or use --at, --radius",
 	    .command = "pick '{\"camera\": " CAMERA_LIKE
 		       ", \"projection\": " LENS_LIKE
 		       ", \"viewport\": " RECTANGLE_LIKE

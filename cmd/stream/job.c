@@ -96,20 +96,20 @@ static bool block_walk(struct job *j, struct chunk *c, const struct walk *walk)
 static void block_read(struct job *j, struct chunk *c)
 {
 	struct stretch *s = &c->stretch;
-	bool more = true, planned = false, walks = false;
-	struct walk walk;
+	bool more = true;
 
 	while (more && c->block_lines < POINTS_BLOCK && c->text < c->end) {
 		/* line_read reads the header, which says where the columns are,
 		 * and the first row, which is compared with it */
-		if (!planned && !c->first) {
-			planned = true;
-			walks = plain_reader() != NULL &&
-			    walk_plan(&j->layout, &walk);
+		if (!c->planned && !c->first) {
+			c->planned = true;
+			c->walks = plain_reader() != NULL &&
+			    walk_plan(&j->layout, &c->walk);
 		}
-		if (walks &&
-		    (s->at < s->end || stretch_open(s, &walk, c->text, c->end)))
-			more = block_walk(j, c, &walk);
+		if (c->walks &&
+		    (s->at < s->end ||
+			stretch_open(s, &c->walk, c->text, c->end)))
+			more = block_walk(j, c, &c->walk);
 		else
 			more = block_read_next(j, c);
 	}
@@ -156,16 +156,29 @@ static bool mark_point(const struct job *j, struct chunk *c, size_t p)
 	return nan;
 }
 
-/* Marks and counts the points without image. Vectors search the block for any of
- * them before each point is looked at. */
+/* Returns whether all numbers of n columns are finite. The bits of a double without its
+ * sign are a larger integer for a larger double, and for nan: above those of DBL_MAX
+ * the sum sets the top bit. */
+static bool all_finite(const struct chunk *c, int n)
+{
+	const uint64_t top = 1ull << 63, most = 0x7fefffffffffffff;
+	uint64_t bits, any = 0;
+
+	for (int k = 0; k < n; k++)
+		for (size_t i = 0; i < c->block_points; i++) {
+			memcpy(&bits, &c->image[k][i], sizeof bits);
+			any |= (bits & ~top) + (top - 1 - most);
+		}
+	return (any & top) == 0;
+}
+
+/* Marks and counts the points without image. */
 static void block_mark(const struct job *j, struct chunk *c)
 {
-	double odd = j->layout.out.format == FORMAT_F32;
-
-	for (int k = 0; k < j->layout.writes; k++)
-		for (size_t i = 0; i < c->block_points; i++)
-			odd = fabs(c->image[k][i]) <= DBL_MAX ? odd : 1;
-	for (size_t i = 0, p = 0; i < c->block_lines && odd > 0; i++)
+	if (j->layout.out.format != FORMAT_F32 &&
+	    all_finite(c, j->layout.writes))
+		return;
+	for (size_t i = 0, p = 0; i < c->block_lines; i++)
 		if (c->line[i].kind == LINE_POINT && mark_point(j, c, p++) &&
 		    c->imageless++ == 0)
 			c->first_imageless = c->n_lines + i;
@@ -222,14 +235,18 @@ static char *put_image(struct writer *w, const struct line *line, size_t p,
 	make_texts(w, p);
 	if (w->in_place && is_in_order(line, l->reads) &&
 	    (!w->adds || can_add_in_place(l, line, l->reads)))
-		return write_in_place(l, line, NULL, image_of(w, p), flags, at);
+		return l->append ? write_in_place(l, line, true, NULL,
+				       image_of(w, p), flags, at) :
+				   write_in_place(l, line, false, NULL,
+				       image_of(w, p), flags, at);
 	if (!w->in_place || w->adds) {
 		const struct numbers n = image_of(w, p);
 
 		return line_write(l, line, &n, flags, at);
 	}
 	find_order(line, l->reads, w->order);
-	return write_in_place(l, line, w->order, image_of(w, p), flags, at);
+	return write_in_place(l, line, false, w->order, image_of(w, p), flags,
+	    at);
 }
 
 /* Writes a line, or the binary point in its place: with the image of point p if the
@@ -291,7 +308,8 @@ static void block_write(const struct job *j, struct chunk *c)
 		if (i % NUMBER_BATCH == 0)
 			at = reserve_lines(l, c, i);
 		at = put_line(&w, &c->line[i], p, at);
-		c->size = (size_t)(at - c->out);
+		if ((i + 1) % NUMBER_BATCH == 0 || i + 1 == c->block_lines)
+			c->size = (size_t)(at - c->out);
 		p += c->line[i].kind == LINE_POINT;
 	}
 }
@@ -302,7 +320,7 @@ void job_do(struct job *j, struct chunk *c)
 	bool whole = binary_is_whole(j);
 
 	c->n_lines = c->size = c->n_complaints = c->imageless = 0;
-	c->refused = false;
+	c->refused = c->planned = c->walks = false;
 	c->text = c->stretch.readable = c->piece.text;
 	c->end = c->text + c->piece.whole;
 	c->stretch.at = c->stretch.end = 0;

@@ -37,6 +37,8 @@ struct chunk {
 	/* The block: lines of the chunk that are done together, and a column of
 	 * their points for each coordinate. */
 	size_t block_lines, block_points;
+	bool planned, walks; /* walk is made; it can take lines */
+	struct walk walk;
 	COLUMN_ALIGNED struct stretch stretch;
 	COLUMN_ALIGNED struct line line[POINTS_BLOCK];
 	COLUMN_ALIGNED double in[4][POINTS_BLOCK];
