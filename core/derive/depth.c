@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-/* Makes a linear function of ndc depth, whose least value is first, one of device depth,
- * times |high - low|. */
+/* Replaces the function line[0] z + line[1] of ndc depth by |high - low| times the same
+ * function of device depth. first is the least ndc depth, 0 or -1. */
 static void depth_on_device(struct sum line[2], double first,
     const struct depth *d)
 {
@@ -17,10 +17,11 @@ static void depth_on_device(struct sum line[2], double first,
 	line[0] = sum_negated_if(falls, sum_scale(line[0], 1 - first));
 }
 
-/* In a perspective the distance D is w over the length of the gradient n of w. The eye,
- * where clip x, y and w are 0, is the inverse map's image of 0, 0, 1, 0: clip z is the
- * product of the two divisors over the image's fourth coordinate there. Along n from
- * the eye z(D) = z(eye) + (gradient of z . n) D / |n| = ndc z |n| D. */
+/* Sets D of a perspective: w / |n|, where n is the gradient of w. Clip x, y and w are 0
+ * at the eye, so the eye is the inverse map's image of (0, 0, 1, 0), and clip z at the
+ * eye is the product of both divisors over the fourth coordinate of that image. From the
+ * eye along n, clip z is z(eye) + (gradient of z . n) D / |n|; it also equals ndc z
+ * times w = |n| D, and the two together give D. */
 static void set_perspective(const struct scene *s, const struct map *m,
     const struct sum z[3], const struct sum w[3], struct depth *d)
 {
@@ -37,8 +38,9 @@ static void set_perspective(const struct scene *s, const struct map *m,
 	d->under[1] = sum_negated_if(!minus, vec3_dot(w, z));
 }
 
-/* In a parallel projection the distance is clip z, less its value at the origin, over the
- * length of its gradient: along the convention's gaze or, of a matrix, from near to far. */
+/* Sets D of a parallel projection: the difference of clip z from its value at the origin,
+ * over the length of the gradient of z. D grows along the convention's gaze; if the
+ * projection is a matrix, D grows from near to far. */
 static void set_parallel(const struct scene *s, const struct map *m,
     const struct sum z[3], struct depth *d)
 {
@@ -80,13 +82,13 @@ void depth_of(const struct scene *s, bool reversed, struct depth *d)
 	depth_on_device(d->under, first, d);
 }
 
-/* A depth, as a quotient. */
+/* A depth n / d. */
 struct depth_value {
 	struct sum n, d;
 };
 
-static struct sum at_depth(const struct sum line[2],
-    const struct depth_value *z)
+/* Returns d times line[0] z + line[1] at the depth z = n / d. */
+static struct sum line_at(const struct sum line[2], const struct depth_value *z)
 {
 	return sum_add(sum_mul(line[0], z->n), sum_mul(line[1], z->d));
 }
@@ -103,8 +105,8 @@ void depth_quotient(const struct depth *d, bool far, struct sum *over,
 {
 	struct depth_value z = depth_of_plane(d, far);
 
-	*over = at_depth(d->over, &z);
-	*under = at_depth(d->under, &z);
+	*over = line_at(d->over, &z);
+	*under = line_at(d->under, &z);
 }
 
 double depth_distance(const struct depth *d, bool far)
@@ -117,6 +119,7 @@ double depth_distance(const struct depth *d, bool far)
 	return sum_sign(under) == 0 ? HUGE_VAL : sum_ratio_or_nan(over, under);
 }
 
+/* Returns the sign of a - b. */
 static int compare_depths(const struct depth_value *a,
     const struct depth_value *b)
 {
@@ -124,7 +127,8 @@ static int compare_depths(const struct depth_value *a,
 	    sum_sign(b->d);
 }
 
-/* Finds the next float above or below z, strictly. Returns false where there is none. */
+/* Finds the least float above z or the greatest below z. Returns false if that is
+ * infinite. */
 static bool next_float(const struct depth_value *z, int up,
     struct depth_value *next)
 {
@@ -139,7 +143,8 @@ static bool next_float(const struct depth_value *z, int up,
 	return isfinite(f) != 0;
 }
 
-/* Finds the depth a step above or below z. Returns false where there is none. */
+/* Finds the depth one step of the buffer above or below z. Returns false if there is no
+ * such depth. */
 static bool next_depth(const struct depth_value *z, enum buffer b, int up,
     struct depth_value *next)
 {
@@ -153,18 +158,19 @@ static bool next_depth(const struct depth_value *z, enum buffer b, int up,
 	return true;
 }
 
-/* Determinant of the distance as a function of depth: the sign of its slope. */
+/* Returns the determinant of D(z) = (over[0] z + over[1]) / (under[0] z + under[1]). Its
+ * sign is the sign of the slope of D. */
 static struct sum determinant(const struct depth *d)
 {
 	return sum_minor(d->over[0], d->under[1], d->over[1], d->under[0]);
 }
 
-/* Returns the distance between two depths, nan where it is 0 or one of them is behind:
- * the determinant times the difference of the depths, over both denominators. */
+/* Returns |D(b) - D(a)|: the determinant times the difference of the depths, over both
+ * denominators. Returns nan if the difference is 0 or a depth is behind the eye. */
 static double distance_between(const struct depth *d,
     const struct depth_value *a, const struct depth_value *b)
 {
-	struct sum under[2] = { at_depth(d->under, a), at_depth(d->under, b) };
+	struct sum under[2] = { line_at(d->under, a), line_at(d->under, b) };
 	struct sum difference = sum_mul(determinant(d),
 	    sum_minor(b->n, a->d, a->n, b->d));
 
@@ -176,7 +182,8 @@ static double distance_between(const struct depth *d,
 	    sum_abs(sum_mul(under[0], under[1])));
 }
 
-/* Returns the distance of a step from depth z up or down: nan beyond the limit. */
+/* Returns the distance between depth z and the next depth of the buffer above or below z:
+ * nan if that depth is beyond the limit. */
 static double step_from(const struct depth *d, enum buffer b,
     const struct depth_value *z, int up, const struct depth_value *limit)
 {

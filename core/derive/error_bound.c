@@ -8,7 +8,7 @@
 struct arithmetic {
 	double u;    /* unit roundoff */
 	double tiny; /* least normal number */
-	double most; /* upper limit of 1/w and of the image */
+	double most; /* limit of 1/w and of the image: no bound beyond it */
 };
 
 static const struct arithmetic arithmetic[] = {
@@ -16,11 +16,12 @@ static const struct arithmetic arithmetic[] = {
 	[PRECISION_SINGLE] = { 0x1p-24, 0x1p-126, 0x1p120 },
 };
 
-/* The bounds below are computed in double. */
+/* The bounds are computed in double. This factor outweighs the roundings of that. */
 #define ROUNDED_UP (1 + 0x1p-46)
 
-/* A corner of the view volume. A sum of magnitudes of products over w is a convex function
- * of the position in ndc, and so is largest in a corner, also in one at infinity. */
+/* A corner of the view volume. The bound is a sum of magnitudes of products, over w.
+ * That is a convex function of the position in ndc, so its maximum is in a corner, which
+ * may be at infinity. */
 struct corner {
 	double p[3];    /* |p - origin| / w, for the map's origin */
 	double inverse; /* 1/w */
@@ -57,8 +58,8 @@ static void set_size(const struct scene *s, struct analysis *to)
 	to->largest = fmax(fmax(size[0], size[1]), size[2]);
 }
 
-/* Returns S / w of column j in a corner: S is the sum of magnitudes of products that
- * kernel/plain.h defines, with what underflows. */
+/* Returns S / w of column j in a corner. S is the sum of the magnitudes of the products,
+ * as in kernel/plain.h, and of the largest error of underflows. */
 static double bound_column(const struct kernel_map *k, const struct corner *c,
     int j, double tiny)
 {
@@ -69,8 +70,9 @@ static double bound_column(const struct kernel_map *k, const struct corner *c,
 	return s;
 }
 
-/* Returns the bound of double or single, or nan where w could be less than its error or
- * 1/w beyond the range. Other sums beyond the range are computed exactly. */
+/* Returns the bound of double or single. Returns nan if w could be less than its error,
+ * or 1/w beyond the range. If another sum is beyond the range, the program computes the
+ * point exactly. */
 static double bound_plain(const struct analysis *v, const struct arithmetic *a)
 {
 	const struct transform *t = v->t;

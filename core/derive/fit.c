@@ -50,9 +50,9 @@ static void from_at(struct camera *c)
 		c->at[k] /= 2;
 }
 
-/* Gives the camera the form CAMERA_GAZE. A gaze keeps its numbers; other forms are rounded
- * to doubles. A scene without a camera gets one at 0 that looks along the axis of view
- * space. */
+/* Gives the camera the form CAMERA_GAZE. A gaze keeps its numbers; other forms are
+ * rounded to doubles. A scene without a camera gets one at 0 that looks along the axis
+ * of view space. */
 static const char *gaze_of(struct scene *s)
 {
 	struct camera *c = &s->camera;
@@ -160,10 +160,10 @@ static void center_pairs(const struct map *sides, const struct sum lowest[4],
 	}
 }
 
-/* Finds the step in view space that takes the eye as far along the gaze as a side plane or
- * near_ratio allows: as the eye moves by t, a plane's lowest value falls by t times the
- * slope. If free, the eye may also move across the gaze; then the sum of the lowest values
- * of a pair of planes limits the step. */
+/* Finds the step in view space that takes the eye as far along the gaze as a side plane
+ * or near_ratio allows: as the eye moves by t, a plane's lowest value falls by t times
+ * the slope. If free, the eye may also move across the gaze; then the sum of the lowest
+ * values of a pair of planes limits the step. */
 static const char *find_step(const struct scene *s, const struct hull *h,
     bool free, struct sum step[3])
 {
@@ -201,7 +201,8 @@ static const char *find_step(const struct scene *s, const struct hull *h,
 	return fabs(sum_double(t)) <= MAGNITUDE_MAX ? NULL : BEYOND;
 }
 
-/* Returns a times to over from, rounded away from 0 so that the volume does not shrink. */
+/* Returns a times to over from, rounded away from 0 so that the volume does not
+ * shrink. */
 static double rescaled(double a, double to, double from)
 {
 	struct sum product = sum_mul(sum_of_double(fabs(a)), sum_of_double(to));
@@ -228,8 +229,8 @@ static bool keeps_near_ratio(const struct projection *p)
 	return sum_compare(sum_of_double(p->near), least) >= 0;
 }
 
-/* Sets near and far to the least and greatest depth of the bounds. Returns whether then the
- * bounds are inside the volume, and near is at least near_ratio times far. */
+/* Sets near and far to the least and greatest depth of the bounds. Returns whether the
+ * bounds then are inside the volume, and near is at least near_ratio times far. */
 static bool close_persp(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
@@ -282,8 +283,8 @@ static const char *fit_persp(struct scene *s, bool free, const struct hull *h)
 
 /* Moves the eye so that the bounds are in the middle of the picture. Without has_eye the
  * eye moves along the gaze, too: its distance from the middle of the bounds becomes the
- * depth of the bounds. In a sheared picture a step in depth moves the image; a step to the
- * side undoes this. */
+ * depth of the bounds. In a sheared picture a step in depth moves the image; a step to
+ * the side undoes this. */
 static const char *center_eye(struct scene *s, bool has_eye,
     const struct hull *h)
 {
@@ -375,8 +376,8 @@ static const char *fit_parallel(struct scene *s, bool has_eye,
 	return why;
 }
 
-/* Moves the near plane of a volume away from the eye, if the eye is before near, until its
- * distance from the eye is near_ratio times that of far. */
+/* Moves the near plane of a volume away from the eye, if the eye is before near, until
+ * its distance from the eye is near_ratio times that of far. */
 static void keep_near_ratio(struct projection *p)
 {
 	struct sum over, under;
@@ -390,8 +391,8 @@ static void keep_near_ratio(struct projection *p)
 		p->z_near = least;
 }
 
-/* Fits z_near and z_far of a volume. The scene gives the rectangle and the eye of a volume
- * in view space, so these stay. */
+/* Fits z_near and z_far of a volume. The scene gives the rectangle and the eye of a
+ * volume in view space, so these stay. */
 static const char *fit_volume(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;

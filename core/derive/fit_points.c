@@ -30,10 +30,10 @@ void directions_add(struct directions *all, const struct map *map, int j,
 	all->n++;
 }
 
-/* Returns an upper bound of the error of a direction's value at points whose coordinates
- * have at most these magnitudes. An element, a product and two sums round: 4 u of the sum
- * of the products' magnitudes. Twice as much has room for the sums that compare a value
- * with the bound; 2^-1000 is for underflow. */
+/* Returns an upper bound of the error of value_of at points whose coordinates are at most
+ * largest in magnitude. The element, the product and two sums round, each by at most u =
+ * 2^-53: 4 u times the sum of the products' magnitudes. 8 u also covers the sums in which
+ * add_point compares values and bounds; 2^-1000 covers underflow. */
 static double bound_of(const double m[3], const double largest[3])
 {
 	double sum = 0x1p-1000;
@@ -43,7 +43,8 @@ static double bound_of(const double m[3], const double largest[3])
 	return 0x1p-50 * sum;
 }
 
-/* Returns 1 where p is farther than q, -1 where q is, 0 where they are as far. */
+/* Returns 1 if p is farther than q along the direction, -1 if q is farther than p, 0 if
+ * both are equally far. */
 static int compare_along(const struct direction *d, const double p[3],
     const double q[3])
 {
@@ -57,8 +58,8 @@ static int compare_along(const struct direction *d, const double p[3],
 	return same ? 0 : sum_sign(vec3_dot(d->m, step));
 }
 
-/* Returns whether p is farther than q or, where both are as far, has the greater
- * coordinates: so the result does not depend on the order of points. */
+/* Returns whether p is farther than q. Of two points that are equally far, the one with
+ * the greater coordinates counts as farther: the order of points does not matter. */
 static bool is_farther(const struct direction *d, const double p[3],
     const double q[3])
 {
@@ -69,11 +70,14 @@ static bool is_farther(const struct direction *d, const double p[3],
 	return order > 0;
 }
 
+/* Returns the distance of p along the direction, rounded: bound_of bounds its error. */
 static double distance_along(const struct direction *d, const double p[3])
 {
 	return p[0] * d->hi[0] + p[1] * d->hi[1] + p[2] * d->hi[2];
 }
 
+/* Makes p the farthest point if it is farther. If the bounds leave that open, the exact
+ * comparison decides. */
 static void add_point(struct farthest *f, const struct direction *d,
     const double p[3], double bound)
 {
@@ -86,12 +90,12 @@ static void add_point(struct farthest *f, const struct direction *d,
 			bound };
 }
 
-/* Points of a call of the kernel. Fewer make more calls; more are compared one by one more
- * often, as a farthest point among them is more likely. */
+/* How many points a call of the kernel takes. With fewer there are more calls. With more
+ * a block more often holds a farthest point, and then its points are compared singly. */
 enum { FEW = 128 };
 
-/* Adds at most FEW points: those whose values are within the bounds of the farthest are
- * compared exactly. */
+/* Adds at most FEW points. Only points whose value may be the largest, within the error,
+ * are compared one by one. */
 static void add_few(struct extremes *e, const struct directions *all,
     const double *const in[3], size_t n)
 {
@@ -109,7 +113,7 @@ static void add_few(struct extremes *e, const struct directions *all,
 		for (size_t i = 0; i < n; i++) {
 			const double p[3] = { in[0][i], in[1][i], in[2][i] };
 
-			/* false for nan */
+			/* the comparison is false for nan */
 			if (distance_along(d, p) >= least)
 				add_point(f, d, p, bound);
 		}

@@ -5,9 +5,9 @@
 
 #include "fit_bounds.h"
 
-/* A direction in model space. hi is m over its largest element, rounded, so that no sum of
- * products with coordinates overflows. An element of hi is 0 if and only if that of m
- * is 0. */
+/* A direction in model space: the vector m. hi is m divided by its element of largest
+ * magnitude, and rounded; so no sum of products of hi with coordinates overflows. An
+ * element of hi is 0 if and only if the element of m is 0. */
 struct direction {
 	struct sum m[3];
 	double hi[3];
@@ -16,26 +16,27 @@ struct direction {
 struct directions {
 	int n;
 	struct direction of[BOUNDS_POINTS];
-	double hi[BOUNDS_POINTS][3]; /* copies for the kernels */
+	double hi[BOUNDS_POINTS][3]; /* copies of of[].hi for the kernels */
 };
 
-/* Adds the direction in which column j of the map, or minus that, grows. */
+/* Adds the direction in which column j of the map grows or, if minus, falls. */
 void directions_add(struct directions *, const struct map *, int j, bool minus);
 
-/* The farthest point, and its distance along the direction with an error of at most
- * bound. */
+/* The farthest point along a direction. value is its distance along hi, with an error of
+ * at most bound. any is false before the first point. */
 struct farthest {
 	bool any;
 	double point[3], value, bound;
 };
 
-/* One for each direction; all 0 before the first point. */
+/* The farthest point along each direction. All bytes are 0 before the first point. */
 struct extremes {
 	struct farthest of[BOUNDS_POINTS];
 };
 
-/* Adds n points, a column for each coordinate, without those that have a nan. A column is
- * padded to the next multiple of 16 with numbers of any of the points. */
+/* Adds n points; in has a column for each coordinate. A point with a nan is left out.
+ * The caller pads each column to a multiple of 16 numbers with coordinates of these
+ * points. */
 void extremes_add(struct extremes *, const struct directions *,
     const double *const in[3], size_t n);
 
@@ -44,7 +45,7 @@ void extremes_add(struct extremes *, const struct directions *,
 void extremes_merge(struct extremes *, const struct directions *,
     const struct extremes *);
 
-/* Makes bounds of the points. Returns false where there are none. */
+/* Makes bounds of the farthest points. Returns false if no point was added. */
 bool extremes_bounds(const struct extremes *, const struct directions *,
     struct bounds *);
 

@@ -120,10 +120,10 @@ unsigned frustum_out(const struct frustum *f, const double in[4])
 	return out;
 }
 
-/* Makes the estimate of a map's columns. Unless something overflows, the error of a column
- * is at most ESTIMATE_BOUND times the sum of its products' magnitudes. The underflow of a
- * product, or of an element that is rounded up to 2^-1074, adds less than 2^-1025 of the
- * other factor. */
+/* Makes the estimate of a map's columns. Unless something overflows, the error of a
+ * column is at most ESTIMATE_BOUND times the sum of its products' magnitudes. The
+ * underflow of a product, or of an element that is rounded up to 2^-1074, adds less than
+ * 2^-1025 of the other factor. */
 static struct estimate estimate_of(const struct transform *t, int columns)
 {
 	const struct kernel_map *k = &t->for_kernel;
@@ -252,8 +252,8 @@ struct sum volume_corner(const struct volume *v, int corner, struct sum h[4])
 	    v->ends.divisor);
 }
 
-/* The eye is where the left and the right plane, on which clip x and w are 0, meet the
- * bottom plane. */
+/* Clip x and w are 0 where the left and the right plane meet. y is 0, too, where both
+ * meet the bottom plane: that point is the eye. */
 int volume_eye(const struct volume *v, struct sum h[4])
 {
 	struct sum view[4], far;

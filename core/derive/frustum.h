@@ -29,20 +29,21 @@ struct frustum {
 void view_limits(const struct scene *, struct sum half[2], struct sum scale[2]);
 
 /* Makes the planes of the view volume as linear functions of a point in one space. The
- * columns of sides are left, right, bottom and top; those of ends are near, far and w. Returns NULL, or
- * the member and the reason. */
+ * columns of sides are left, right, bottom and top; those of ends are near, far and w.
+ * Returns NULL, or the member and the reason. */
 const char *view_planes(const struct scene *, enum space from,
     struct map *sides, struct map *ends);
 const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
     struct frustum *);
 
-/* Makes the edges of the 2D window as functions of a point in a 2D space. In ndc they are
- * the edges of the square, on the device those of the device. */
+/* Makes the edges of the 2D window as functions of a point in a 2D space. They are the
+ * edges of the square in ndc, and those of the device on the device. */
 const char *flat_frustum_of(const struct scene *, enum flat from,
     struct frustum *);
 
-/* Returns the OUT_ bits of the planes that a point is outside of, decided exactly. A point
- * on a plane is not outside of it. With OUT_BEHIND or OUT_NAN no other bit is set. */
+/* Returns the OUT_ bits of the planes that a point is outside of, decided exactly. A
+ * point on a plane is not outside of it. With OUT_BEHIND or OUT_NAN no other bit is
+ * set. */
 unsigned frustum_out(const struct frustum *, const double in[4]);
 
 /* Writes frustum_out of n points; in has a column for each coordinate. */
@@ -50,8 +51,9 @@ void frustum_out_all(const struct frustum *, const double *const in[4],
     unsigned char *out, size_t n);
 
 /* The planes of the view volume in view space, and the map from view space to another
- * space. A corner is computed as the point where three planes meet. An inverse map would
- * lose the corners of a small near plane in its errors, which are relative to the volume. */
+ * space. A corner is computed as the point where three planes meet. An inverse map has
+ * errors relative to the volume, in which the corners of a small near plane would
+ * drown. */
 struct volume {
 	struct map sides, ends, from_view;
 };
@@ -69,8 +71,8 @@ struct sum volume_corner(const struct volume *, int corner, struct sum h[4]);
  * the eye is on the inner side of the far plane, -1 beyond it, 0 at infinity. */
 int volume_eye(const struct volume *, struct sum h[4]);
 
-/* Writes the homogeneous point where three planes a x + b y + c z + d = 0 meet. All of h is
- * 0 if the planes have more than one point in common. */
+/* Writes the homogeneous point where three planes a x + b y + c z + d = 0 meet. All of h
+ * is 0 if the planes have more than one point in common. */
 void planes_meet(const struct sum plane[3][4], struct sum h[4]);
 
 #endif

@@ -7,33 +7,35 @@
 
 #define NONE ((double)NAN)
 
-/* A part of a direction that is below this share of its length counts as a rounding of
- * the given numbers. */
+/* A component of a vector that is less than this share of the vector's length counts as a
+ * rounding of the given numbers. */
 #define SLIGHT 0x1p-40
 
-/* A map from view to clip space in axes of its own. For a point X to the right, Y upward
- * and D along the gaze
+/* The map from view to clip space in axes X to the right, Y upward and D along the gaze. In
+ * these axes it is upright: y and w do not depend on X, nor w on Y. Clip coordinates are
  *	x = x X + yx Y + zx D + tx, y = y Y + zy D + ty,
  *	z = zz D + ..., w = zw D + tw,
  * all times the map's divisor, which cancels. In a perspective w grows along the gaze.
- * own: X, Y and D are the axes of view space; turned: turned by 180 degrees about Y, as w
- * grows against the convention's gaze; X is negated if the answer is of the other
- * handedness. Otherwise the axes are found by RQ, and D of a perspective is 0 at the
- * eye. tilted: z depends on X or Y, too. */
+ *
+ * If own, X, Y and D are the axes of view space. If turned, too, they are turned by 180
+ * degrees about Y, as w grows against the convention's gaze. X is negated if the answer is
+ * of the other handedness. If not own, an RQ decomposition gives the axes, and D of a
+ * perspective is 0 at the eye. If tilted, z also depends on X or Y. */
 struct upright {
 	struct sum x, yx, y, zx, zy, zz, zw, tx, ty, tw;
 	struct sum axis[3][3]; /* X, Y and D in view space */
 	bool own, turned, tilted;
 };
 
-/* Returns whether the map from world to view space mirrors if the camera is a rotation. */
+/* Returns whether the map from world to view space mirrors if the camera is a
+ * rotation. */
 static bool is_mirrored(const struct scene *s)
 {
 	return s->convention.right_handed != answer_convention(s)->right_handed;
 }
 
-/* Sets the axes to those of view space. Returns false where the map does not have the form
- * above in them. */
+/* Sets the axes to those of view space. Returns false if the map is not upright in these
+ * axes. */
 static bool set_own_axes(const struct scene *s, const struct map *m,
     struct upright *u)
 {
@@ -61,14 +63,15 @@ static void normalise(struct sum v[3])
 		v[i] = sum_quotient(v[i], length);
 }
 
-/* Returns whether |a| is at most SLIGHT of a length. */
+/* Returns whether |a| is at most SLIGHT times the length. */
 static bool is_slight(struct sum a, struct sum length)
 {
 	return sum_compare(sum_abs(a), sum_scale(sum_abs(length), SLIGHT)) <= 0;
 }
 
-/* Finds axes by the method of Gram and Schmidt: D along the gradient of w or, where w is
- * constant, from near to far; Y along that of y; X so that the camera is of the answer's
+/* Finds the axes by the method of Gram and Schmidt from the gradients g of clip x, y, z
+ * and w. D is along the gradient of w or, if w is constant, from near to far. Y is the
+ * part of the gradient of y across D. X makes the camera have the answer's
  * handedness. */
 static void find_rq_axes(const struct scene *s, const struct sum g[4][3],
     bool parallel, bool reversed, struct upright *u)
@@ -93,7 +96,8 @@ static void find_rq_axes(const struct scene *s, const struct sum g[4][3],
 	    sum_mul(vec3_length(g[2]), vec3_length(n)));
 }
 
-/* Sets elements to 0 that are roundings or, as D begins at the eye, 0 by definition. */
+/* Sets elements to 0 that are roundings. In a perspective D begins at the eye, so tx, ty
+ * and tw are 0 by definition. */
 static void clear_roundings(bool parallel, struct upright *u)
 {
 	struct sum none = sum_of_double(0);
@@ -119,8 +123,8 @@ static void set_elements(const struct sum g[4][3], struct upright *u)
 	u->zw = vec3_dot(g[3], u->axis[2]);
 }
 
-/* Returns whether a matrix contains a camera that is turned by 180 degrees: the picture of
- * a scene without a camera is upside down, or far is against the gaze. */
+/* Returns whether a matrix contains a camera that is turned by 180 degrees: the picture
+ * of a scene without a camera is upside down, or far is against the gaze. */
 static bool hides_camera(const struct scene *s, bool parallel, bool reversed,
     const struct upright *u)
 {
@@ -157,7 +161,8 @@ static void upright_of(const struct scene *s, bool reversed, struct map *m,
 		clear_roundings(parallel, u);
 }
 
-/* Returns X or Y, by axis, where the side plane x = w or -w meets the depth D = n / d. */
+/* Returns X (axis 0) or Y (axis 1) where the side plane x = w or y = w, with -w if minus,
+ * meets the plane D = n / d. */
 static double side_at(const struct upright *u, struct sum n, struct sum d,
     int axis, bool minus)
 {
@@ -170,8 +175,8 @@ static double side_at(const struct upright *u, struct sum n, struct sum d,
 	    sum_mul(x, d));
 }
 
-/* Sets the side planes by two opposite corners, if they are along view space's axes, and
- * the aspect. */
+/* Sets the aspect and, if the side planes run along the axes of view space, the planes:
+ * two opposite corners of the near plane give them. */
 static void set_planes(const struct scene *s, const struct upright *u,
     struct parameters *r)
 {
@@ -188,7 +193,7 @@ static void set_planes(const struct scene *s, const struct upright *u,
 	struct sum wide = sum_mul(sum_mul(u->y, half[0]), scale[1]);
 	struct sum high = sum_mul(sum_mul(u->x, half[1]), scale[0]);
 
-	/* the picture is a line */
+	/* high is 0 if the picture is a line */
 	r->aspect = sum_sign(high) == 0 ?
 	    NONE :
 	    sum_ratio_or_nan(sum_abs(wide), sum_abs(high));
@@ -215,8 +220,8 @@ static const char *set_frustum_planes(const struct scene *s, double plane[6][4])
 	return why;
 }
 
-/* Returns whether the upper 3x3, over the divisor, times its transpose is the identity to
- * 2^-20, and its determinant is positive or, if mirrored, negative. */
+/* Returns whether R R' is the identity within 2^-20, where R is the upper 3x3 over the
+ * divisor, and the determinant of R is positive or, if mirrored, negative. */
 static bool is_rotation(const struct map *m, bool mirrored)
 {
 	struct sum one = sum_mul(m->divisor, m->divisor);
@@ -233,7 +238,7 @@ static bool is_rotation(const struct map *m, bool mirrored)
 	return sum_sign(map_minor(3, m->m, 8, 8)) == (mirrored ? -1 : 1);
 }
 
-/* Writes the unit vector in the world of a direction of view space. */
+/* Writes the unit vector in world space along an axis given in view space. */
 static void set_camera_axis(const struct map *m, const struct sum axis[3],
     double v[3])
 {
@@ -245,8 +250,8 @@ static void set_camera_axis(const struct map *m, const struct sum axis[3],
 		v[k] = sum_ratio_or_nan(a[k], vec3_length(a));
 }
 
-/* The eye of a perspective is where its projectors meet. scene_map can't fail: taxonomy_of
- * has composed both maps. */
+/* The eye of a perspective is where its projectors meet. scene_map can't fail:
+ * taxonomy_of has composed both maps. */
 static void set_camera(const struct scene *s, const struct upright *u,
     const struct taxonomy *t, struct parameters *r)
 {
@@ -267,9 +272,10 @@ static void set_camera(const struct scene *s, const struct upright *u,
 	set_camera_axis(&view, u->axis[1], c->up);
 }
 
-/* From the eye x = x X + yx Y + zx D and w = zw D; a pixel is half + scale x / w from the
- * corner. y of pixels runs downward if they count from the top. X is to the right in the
- * picture, also if the world is not of the answer's handedness. */
+/* Computes K. Relative to the eye, x = x X + yx Y + zx D and w = zw D, and the pixel is
+ * at half + scale x / w from the corner. If pixels count from the top, Y of K points
+ * downward. X of K points to the right in the picture, also if the world has not the
+ * answer's handedness. */
 static void set_intrinsics(const struct scene *s, const struct upright *u,
     double k[3][3])
 {
@@ -304,8 +310,9 @@ static void set_pixels(const struct scene *s, const struct parameters *r,
 		    sizeof r->intrinsics[i]);
 }
 
-/* Sets the edges on the near or far plane, relative to the eye, or in a parallel projection
- * at the depth that is not sheared. */
+/* Sets the edges of the cross-section. In a perspective they are on the near or far
+ * plane, relative to the eye; in a parallel projection at the depth that is not
+ * sheared. */
 static void set_edges(const struct upright *u, const struct depth *z, bool far,
     struct projection *p)
 {
@@ -322,7 +329,8 @@ static void set_edges(const struct upright *u, const struct depth *z, bool far,
 		*edges[k] = side_at(&seen, n, d, k / 2, k % 2 == 0);
 }
 
-/* With cot = cot(projector), cot cos(direction) is zx / x and cot sin(direction) zy / y. */
+/* Makes the projection oblique: cot(projector) cos(direction) = zx / x, and
+ * cot(projector) sin(direction) = zy / y. */
 static void set_shear(const struct upright *u, const struct projection *given,
     struct projection *p)
 {
@@ -345,7 +353,8 @@ static void set_shear(const struct upright *u, const struct projection *given,
 		p->direction = -p->direction;
 }
 
-/* The nearer one of a perspective's planes becomes near, also if the eye is beyond far. */
+/* Sets the projection. The plane of a perspective that is nearer to the eye becomes near,
+ * also if the eye is beyond far. */
 static void set_projection(const struct scene *s, const struct upright *u,
     struct parameters *r)
 {
@@ -383,9 +392,9 @@ static double squared(double a, double b, double c)
 	return a * a + b * b + c * c;
 }
 
-/* The transpose of a perspective's matrix has the gaze, a unit vector, in its last row and
- * the image of the origin in its last column. That of a parallel projection's has the last
- * row 0 0 0 1. */
+/* Returns whether the matrix looks transposed. A transposed perspective matrix has the
+ * gaze, a unit vector, in its last row and the image of the origin in its last column. A
+ * transposed parallel projection has the last row 0 0 0 1. */
 static bool seems_transposed(const double m[4][4])
 {
 	double row = squared(m[3][0], m[3][1], m[3][2]);
@@ -405,8 +414,8 @@ static bool is_behind(const struct taxonomy *t)
 	return all;
 }
 
-/* Returns the note on a projection that mirrors or looks against the convention's gaze, or
- * NOTES. */
+/* Returns the note on a projection that mirrors or looks against the convention's gaze;
+ * NOTES if it does neither. */
 static enum note wrong_side(const struct scene *s, const struct upright *u,
     bool mirrored)
 {

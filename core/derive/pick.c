@@ -5,8 +5,9 @@
 
 #include "frustum.h"
 
-/* The distance from a plane is its value over the length of its gradient in view space.
- * Without near and far planes it is the distance from the plane w = 0. */
+/* The distance of a point from a plane is the plane's linear function at the point over
+ * the length of its gradient in view space. Without near and far planes the plane is
+ * w = 0. */
 const char *picker_of(const struct scene *s, const struct transform *to_device,
     struct picker *k)
 {
@@ -41,10 +42,10 @@ static struct sum square(struct sum a)
 	return sum_mul(a, a);
 }
 
-/* The device position is N / w: it is within the radius if (N - at w)^2 <= (r w)^2. Its
- * double is within a few u of its size; where the radius is above 2^-40 of that size, d2
- * has a relative error below 2^-10, and doubles decide for points that are
- * farther than 2^-8, relative, from the circle. */
+/* The image of the point is N / w. It is within the radius r if (N - at w)^2 <= (r w)^2.
+ * The image rounded to doubles, device, has a relative error of a few u. If r is above
+ * 2^-40 of the coordinates of at, the squared distance d2 near the circle has a relative
+ * error below 2^-10, so doubles decide if d2 differs from r^2 by more than 2^-8 r^2. */
 bool pick_holds(const struct picker *k, const double in[4],
     const double device[2])
 {

@@ -11,7 +11,7 @@ struct picker {
 	double at[2], radius;   /* on the device */
 };
 
-/* Prepares all but at and radius. Returns NULL, or the member and the reason. */
+/* Sets all members but at and radius. Returns NULL, or the member and the reason. */
 const char *picker_of(const struct scene *, const struct transform *to_device,
     struct picker *);
 
@@ -20,8 +20,10 @@ const char *picker_of(const struct scene *, const struct transform *to_device,
 bool pick_holds(const struct picker *, const double in[4],
     const double device[2]);
 
-/* Returns the distance's nearest double; the sign of p's distance less q's. */
+/* Returns the double nearest to a point's distance from the near plane. */
 double pick_distance(const struct picker *, const double in[4]);
+
+/* Returns the sign of the distance of p minus the distance of q. */
 int pick_compare(const struct picker *, const double p[4], const double q[4]);
 
 #endif

@@ -6,14 +6,15 @@
 
 #include "../points/kernel/midway.h"
 
-/* A ray lies in the planes x w = X and y w = Y, with X, Y and w columns of the map from
- * view space to the device. It runs along the product of their normals, in which x y
- * cancels:
+/* Makes the map from device x and y to a vector along the ray. The ray lies in the planes
+ * x w = X and y w = Y, where X, Y and w are columns of the map from view space to the
+ * device. It runs along the cross product of their normals, in which x y cancels:
  *
  *	(x w - X) x (y w - Y) = x (Y x w) + y (w x X) + X x Y
  *
- * and depth grows along it where the map's determinant is positive. In view space the
- * product is exact, even if the camera is not: rows of r take it to the world. */
+ * Depth grows along this vector if the map's determinant is positive. The product is
+ * computed in view space, where it is exact even if the camera is not; the rows of r
+ * include the map to world space. */
 static const char *set_along(const struct scene *s, bool against, struct map *r)
 {
 	static const int of[4][2] = { { 1, 3 }, { 3, 0 }, { 0, 0 }, { 0, 1 } };
@@ -39,8 +40,8 @@ static const char *set_along(const struct scene *s, bool against, struct map *r)
 	return why;
 }
 
-/* Makes every ray begin at the eye, where clip x, y and w are 0. scene_map can't fail, as
- * the map from the device is a product of this one. */
+/* Makes every ray begin at the eye, where clip x, y and w are 0. scene_map can't fail:
+ * the map from the device, which exists, is composed of the map from clip space. */
 static void from_eye(const struct scene *s, struct transform *t)
 {
 	struct sum(*m)[4] = t->map.m;
@@ -96,8 +97,8 @@ static void ray_direction(const struct ray_maker *r, const double in[4],
 		direction[j] = ray_over(to[j], length, single);
 }
 
-/* Returns whether a device position has a point: one whose coordinates are all beyond the
- * range of doubles is nan, too. */
+/* Returns whether the ray of a device position has a point. If all coordinates are nan,
+ * they may only be beyond the range of doubles, so the sign of w decides. */
 static bool has_point(const struct ray_maker *r, const double in[4],
     const double point[3])
 {
@@ -122,7 +123,8 @@ static void round_to_floats(const struct ray_maker *r, const double in[4],
 		direction[j] = (double)(float)direction[j];
 }
 
-/* Computes what the kernels could not: a direction that is nan, and floats. */
+/* Completes a ray after the kernels: computes a direction that is still nan, rounds to
+ * floats if single, and makes the direction nan if there is no point. */
 static void ray_finish(const struct ray_maker *r, const double in[4],
     bool single, double point[3], double direction[3])
 {
@@ -168,14 +170,14 @@ void rays_cast(const struct ray_maker *r, bool single,
 	}
 }
 
-/* Writes row i of the map from p = x, y, z, 1 to a point of the plane, with z such that
- * the point is on it. m_i are the rows of the map from device or ndc space; for a point
- * P the equation of the plane, p . P = 0, is linear in z:
+/* Writes row i of the map from q = (x, y, z, 1) to the point of the plane p on the ray
+ * through x and y. Let m_i be the rows of the map from device or ndc space. The image of q
+ * is P = sum of q_i m_i. It is on the plane if p . P = 0, which is linear in z = q_2:
  *
- *	z = -sum of p_i (m_i . p) / (m_2 . p),    i = 0, 1, 3
+ *	z = -sum of q_i (m_i . p) / (m_2 . p),    i = 0, 1, 3
  *
- * and P = sum of p_i (m_i - m_2 (m_i . p) / (m_2 . p)), in which the terms of p_j
- * cancel in column j. */
+ * So P = sum of q_i (m_i - m_2 (m_i . p) / (m_2 . p)). In column j the terms of p_j
+ * cancel. */
 static void set_row(const struct map *m, int i, const struct sum p[4],
     struct map *r)
 {
@@ -200,8 +202,8 @@ static bool has_constant_w(const struct map *m)
 	    sum_sign(m->m[2][3]) == 0;
 }
 
-/* Row m_2 is the homogeneous point that all rays share: the eye or, of parallel rays,
- * their direction. */
+/* Row m_2 of the map is the homogeneous point that all rays share: the eye or, if the
+ * rays are parallel, their direction. */
 const char *ray_plane_transform(const struct scene *s, enum space from,
     enum space to, const double plane[4], struct transform *t)
 {

@@ -6,24 +6,24 @@
 #include "../points/points.h"
 
 struct ray_maker {
-	struct transform to_world; /* from the device to where rays begin */
+	struct transform to_world; /* from the device to the points on rays */
 	double depth;              /* device z of the near plane */
-	struct transform along;    /* from x y 1 to a vector along the ray */
+	struct transform along;    /* from x y 1 to a vector along a ray */
 };
 
 /* Prepares rays_cast. Returns NULL, or the member and the reason. */
 const char *ray_maker_of(const struct scene *, struct ray_maker *);
 
-/* Writes for each of n <= POINTS_BLOCK device positions the point of its ray on the near
- * plane, or the eye where there is no near plane, and its unit direction from near to
- * far, in world space: columns of POINTS_BLOCK of the nearest doubles, or floats. A
- * position without a ray gets nan. */
+/* Casts a ray through each of n <= POINTS_BLOCK device positions. Writes its point on the
+ * near plane, or the eye if there is no near plane, and its unit direction from near to
+ * far. Both are in world space, in columns of POINTS_BLOCK of the nearest doubles or, if
+ * single, floats. A position without a ray gets nan. */
 void rays_cast(const struct ray_maker *, bool single, const double *const at[2],
     double *const point[3], double *const direction[3], size_t n);
 
 /* Makes the transform from x and y in device or ndc space to the point where the ray
- * through them meets the plane a x + b y + c z + d = 0 of model, world or view space. w is
- * positive in front of the eye. Returns NULL, or the member and the reason. */
+ * through them meets the plane a x + b y + c z + d = 0 of model, world or view space. w
+ * is positive in front of the eye. Returns NULL, or the member and the reason. */
 const char *ray_plane_transform(const struct scene *, enum space from,
     enum space to, const double plane[4], struct transform *);
 

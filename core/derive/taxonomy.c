@@ -7,13 +7,13 @@
 /* Relative tolerance of equal, zero and parallel. */
 #define ALIKE 0x1p-40
 
-/* The gradients of clip x, y, z and w in view space. Projectors are perpendicular to those
- * of x and y where they are parallel. The projection plane is perpendicular to the
- * gradient of w or, where w is constant, of z. */
+/* The gradients of clip x, y, z and w in view space. Parallel projectors are
+ * perpendicular to the gradients of x and y. The projection plane is perpendicular to
+ * the gradient of w or, if w is constant, of z. */
 struct lens {
 	struct sum gradient[4][3];
 	bool parallel;
-	struct map to_view;   /* from the world, whose axes are its rows */
+	struct map to_view;   /* from the world; rows are the world's axes */
 	struct map to_screen; /* from the world */
 	struct volume volume; /* in the world */
 };
@@ -66,8 +66,8 @@ static enum kind oblique_kind(double cot)
 	return alike(cot, 0.5) ? KIND_CABINET : KIND_GENERAL;
 }
 
-/* The image of an axis a along the projectors d in the plane with normal n is a
- * - d (n a) / (n d). */
+/* Sets taxon, kind and foreshortening of a parallel projection. Projectors of direction d
+ * take an axis a to a - d (n a) / (n d) in the plane of normal n. */
 static void name_parallel(const struct lens *l, struct taxonomy *t)
 {
 	const struct sum *n = l->gradient[2];
@@ -95,7 +95,8 @@ static void name_parallel(const struct lens *l, struct taxonomy *t)
 				 oblique_kind(cot);
 }
 
-/* Counts the vanishing points: one for each world axis that meets the projection plane. */
+/* Counts the vanishing points: one for each world axis that meets the projection
+ * plane. */
 static enum kind perspective_kind(const struct lens *l)
 {
 	const struct sum *g = l->gradient[3];
@@ -111,8 +112,9 @@ static enum kind perspective_kind(const struct lens *l)
 	return n < 3 ? KIND_TWO_POINT : KIND_THREE_POINT;
 }
 
-/* Between the planes one x = -limit w and one x = limit w, of gradients limit g + one a
- * and limit g - one a: their cross product over their scalar one, negated. */
+/* Sets the angle between the planes one x = -limit w and one x = limit w. Their normals
+ * are limit g + one a and limit g - one a, with the gradients g of w and a of x. Its
+ * tangent is the length of their cross product over their dot product, negated. */
 static void set_fov(const struct lens *l, const struct scene *s, double fov[2])
 {
 	struct sum limit[2], one[2];
@@ -131,7 +133,8 @@ static void set_fov(const struct lens *l, const struct scene *s, double fov[2])
 	}
 }
 
-/* The point at infinity of an axis is the image of its direction, with w = 0. */
+/* Sets taxon, kind, field of view and vanishing points of a perspective. The vanishing
+ * point of an axis is the image of its direction, whose fourth coordinate is 0. */
 static void name_perspective(const struct lens *l, const struct scene *s,
     bool beyond_far, struct taxonomy *t)
 {
@@ -146,8 +149,8 @@ static void name_perspective(const struct lens *l, const struct scene *s,
 	}
 }
 
-/* Writes the unit normal of the projection plane: against the gradient of w or z, or
- * along it. */
+/* Writes the unit normal of the projection plane, along the gradient of w or z or, if
+ * against, opposite to it. */
 static void set_gaze(const struct lens *l, bool against, double gaze[3])
 {
 	struct sum n[3];
@@ -160,7 +163,7 @@ static void set_gaze(const struct lens *l, bool against, double gaze[3])
 		gaze[i] = sum_ratio_or_nan(n[i], vec3_length(n));
 }
 
-/* Writes a point of homogeneous coordinates h, or nan where the point does not exist. */
+/* Writes the point of homogeneous coordinates h, or nan if the point does not exist. */
 static void taxonomy_point(const struct sum h[4], bool exists, double p[3])
 {
 	for (int j = 0; j < 3; j++)

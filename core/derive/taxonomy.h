@@ -31,10 +31,10 @@ struct taxonomy {
 	enum taxon taxon;
 	enum kind kind;
 	bool reversed; /* the near plane has the larger depth */
-	/* of a parallel projection: lengths of the images of the world's unit axes
-	 * in the projection plane, in view units */
+	/* In a parallel projection, the lengths of the images of the world's unit
+	 * axes in the projection plane, in view units. */
 	double foreshortening[3];
-	/* of the world's axes, in device units or, without a viewport, in ndc */
+	/* The world axes' vanishing points, on the device or, without viewport, in ndc */
 	double vanishing_point[3][2];
 	double fov[2];       /* degrees across x and y */
 	double eye[3];       /* in world space */

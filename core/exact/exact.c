@@ -53,8 +53,8 @@ void ex_set(ex *r, double a)
 	int e = (int)(bits >> 52 & 0x7ff);
 	uint64_t m = bits & (leading - 1);
 
-	/* a subnormal number has no leading bit, and the exponent of the least normal
-	 * one */
+	/* a subnormal number has no leading bit; its exponent is that of the least
+	 * normal number */
 	m = e > 0 ? m | leading : m;
 	e = (e > 0 ? e : 1) - 1075;
 	uint64_t w[2] = { m << (e & 63), m >> 1 >> (63 - (e & 63)) };
@@ -70,7 +70,7 @@ ex ex_of(double a)
 	return r;
 }
 
-/* Returns the word of 2^(64 at). */
+/* Returns the word of weight 2^(64 at). */
 static uint64_t word_at(const ex *a, int at)
 {
 	return at >= a->e && at < a->e + a->n ? a->word[at - a->e] : 0;
@@ -102,8 +102,8 @@ static void multiply(uint64_t *w, const ex *a, const ex *b)
 	}
 }
 
-/* Adds sign w[0..n) 2^(64 e), without its words below low, to a number in two's complement
- * whose words are low to high - 1. */
+/* Adds sign w[0..n) 2^(64 e), without its words below low, to a number in two's
+ * complement whose words are low to high - 1. */
 static void accumulate(uint64_t *sum, int low, int high, int sign,
     const uint64_t *w, int n, int e)
 {
@@ -288,9 +288,10 @@ ex ex_quotient(ex a, ex b)
 	return r;
 }
 
-/* Newton's iteration doubles the bits of the root, which begins with a double's 50: a
- * step's quotient therefore needs 2, 4, 8, and at last EX_QUOTIENT words. After rounding
- * to the words kept, a root of few words is exact. */
+/* Newton's iteration begins with the root of a double, which has 50 correct bits. Each
+ * step doubles the correct bits, so the quotients of the steps need 2, 4, 8, and at last
+ * EX_QUOTIENT words. The result is rounded to the words kept; so a root of few words is
+ * exact. */
 ex ex_sqrt(ex a)
 {
 	int e;
@@ -311,7 +312,8 @@ ex ex_sqrt(ex a)
 	return ex_shift(ex_truncate(r, EX_QUOTIENT), e);
 }
 
-/* Returns a rounded to a number of bits, of which none is below 2^least. */
+/* Returns a rounded to a number of bits, or to a multiple of 2^least if that is
+ * coarser. */
 static double ex_rounded(const ex *a, int bits, int least)
 {
 	if (a->n == 0)

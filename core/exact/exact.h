@@ -16,12 +16,12 @@
 #include "dd.h"
 
 /* A number of a document or of a point is a multiple of 2^-1074 below 2^499. A sum of
- * products of four such numbers spans 4 * 1573 bits and a few of carries: 99 words, and
- * two more where its ends lie within words. Such sums are the determinant of a matrix,
- * and the image of a point by a product of three matrices. Sums of longer products can
- * span more: their lowest words are cut off, and ex_has_overflowed returns true. Scenes
- * with such a map are refused (core/scene/scene.c), and so are maps that leave too few
- * words for points (core/points/transform.c). */
+ * products of four such numbers spans 4 * 1573 bits, and a few bits more for carries: 99
+ * words, and two more if its ends lie within words. Such sums are the determinant of a
+ * matrix, and the image of a point by a product of three matrices. Sums of longer
+ * products can span more: their lowest words are cut off, and ex_has_overflowed returns
+ * true. Scenes with such a map are refused (core/scene/scene.c), and so are maps that
+ * leave too few words for points (core/points/transform.c). */
 enum { EX_WORDS = 110 };
 
 /* sign times the sum of word[i] 2^(64 (e + i)) over the n words; the first and the last
@@ -39,8 +39,8 @@ ex ex_mul(ex a, ex b);
 ex ex_shift(ex a, int e); /* a 2^e */
 
 /* The bound of the relative error of quotients and roots. A quotient keeps EX_QUOTIENT
- * words, of which the first can be as small as 1. Results of five words or fewer are
- * exact. A quotient by 0 is beyond the range of doubles. */
+ * words, and its highest word can be as small as 1. A result that has five words or fewer
+ * is exact. A quotient by 0 is beyond the range of doubles. */
 #define EX_ERROR 0x1p-703
 enum { EX_QUOTIENT = 12 };
 
@@ -50,33 +50,34 @@ ex ex_sqrt(ex a);
 int ex_compare(ex a, ex b);  /* the sign of a - b */
 ex ex_truncate(ex a, int n); /* the n highest words */
 
-/* Returns whether a number had more than EX_WORDS words since the last call, in any
- * thread. */
+/* Returns whether, since the last call, a number in any thread has had more than EX_WORDS
+ * words. */
 bool ex_has_overflowed(void);
 
-/* Returns the e of the word 2^(64 e) that holds the bit 2^bit. */
+/* Returns e such that the word of weight 2^(64 e) has the bit of weight 2^bit. */
 int ex_word_index(int bit);
 
 /* The functions below take pointers, as each point calls them. */
 void ex_set(ex *, double a);
 
-/* Computes the sum of n products a[k] b[k]. Words below 2^(64 least) are dropped as long
- * as EX_MIN_WORDS remain. */
+/* Computes the sum of n products a[k] b[k]. Drops words of a weight below 2^(64 least),
+ * but keeps at least EX_MIN_WORDS words. */
 enum { EX_MIN_WORDS = 7 };
 
 void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *);
 
-/* Computes a / b to words or words + 1 words. Returns whether the quotient is exact; if
- * not, its last bit is set, so that it rounds as the exact quotient does. */
+/* Computes a / b. The quotient has words or words + 1 words. Returns whether it is
+ * exact; if not, its last bit is set, so that it rounds as the exact quotient does. */
 bool ex_divide(const ex *a, const ex *b, int words, ex *);
 
-/* Returns the nearest double or, as single says, float; ties go to even, also among
- * subnormal numbers. A number beyond the range gives an infinity, 0 gives +0. */
+/* Returns the nearest double or, if single, the nearest float. Ties go to even, also
+ * among subnormal numbers. A number beyond the range gives an infinity, and 0 gives
+ * +0. */
 double ex_nearest(const ex *, bool single);
 double ex_double(ex a);
 
-/* Returns the nearest double and the double nearest to the remainder: within EX_BOUND
- * u^2, u = 2^-53, while the bound is at least 2^-1022. */
+/* Returns the nearest double and the double nearest to the remainder. The error of their
+ * sum is at most EX_BOUND u^2 a, u = 2^-53, if that is at least 2^-1022. */
 #define EX_BOUND 0.5
 
 dd ex_round(ex a);

@@ -20,8 +20,8 @@ void vec3_cross(const struct sum a[3], const struct sum b[3], struct sum r[3])
 	}
 }
 
-/* The error of a length is at most that of the vector, and so at most the sum of the
- * errors of its elements: the root of a square would lose this bound. */
+/* The error of a length is at most the length of the vector's error, and so at most the
+ * sum of the errors of its elements. The error that sum_sqrt computes can be larger. */
 struct sum vec3_length(const struct sum a[3])
 {
 	struct sum r = sum_sqrt(vec3_dot(a, a));
@@ -65,7 +65,8 @@ static void divide_element(struct sum *a, const struct sum *d)
 		*a = sum_quotient(*a, *d);
 }
 
-/* A power of two divides the elements and leaves the divisor 1. */
+/* If the divisor becomes a power of two, the elements are divided by it, and the divisor
+ * becomes 1. */
 void map_divide(struct map *r, struct sum d)
 {
 	struct sum power = sum_of_double(d.value.sign);
@@ -114,7 +115,8 @@ static bool is_identity(const struct map *a)
 	return sum_is_one(&a->divisor);
 }
 
-/* An element below 2^960 needs no rounding to be known as finite. */
+/* An element that is known by its words to be below 2^960 is finite; others are
+ * rounded. */
 bool map_is_finite(const struct map *a)
 {
 	int most = a->divisor.value.e + a->divisor.value.n + 14;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Vectors of three, and homogeneous maps of row vectors between spaces, exact where they
- * are rational. */
+/* Vectors of three elements, and homogeneous maps of row vectors between spaces. Rational
+ * results are exact. */
 #ifndef MAT_H
 #define MAT_H
 
@@ -31,20 +31,22 @@ void map_identity(struct map *);
 /* Makes the map of a matrix of given numbers, with origin 0. */
 void map_of_doubles(const double m[4][4], struct map *);
 
-/* Divides the map, or its column j. map_divide takes an exact number; map_divide_column
- * any number, which goes into the divisor if it is exact. */
+/* Divide the images of the map, or their coordinate j, by d. In map_divide d must be
+ * exact. In map_divide_column d can have an error; if it has none, it becomes a factor
+ * of the divisor and of the other columns, and the map stays exact. */
 void map_divide(struct map *, struct sum d);
 void map_divide_column(struct map *, int j, struct sum d);
 
-/* Replaces r by the product r stage, which maps by r first; or by stage r, if before. */
+/* Replaces r by the product r stage, which maps points by r and then by stage. If before,
+ * replaces r by the product stage r. */
 void map_append(struct map *r, const struct map *stage, bool before);
 
 /* Computes the inverse of a matrix of given numbers. Returns false where the matrix is
  * singular. The inverse of an affine matrix has the matrix's last row as origin. */
 bool map_inverse(const double m[4][4], struct map *inverse);
 
-/* Returns the determinant of the n rows and n columns of m whose bits in rows and columns
- * are 0. */
+/* Returns the determinant of n rows and n columns of m: those whose bits in the masks
+ * rows and columns are 0. */
 struct sum map_minor(int n, const struct sum m[4][4], unsigned rows,
     unsigned columns);
 

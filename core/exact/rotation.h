@@ -9,8 +9,8 @@
  * the rotated space. Returns false where the length is above 2 pi. */
 bool rotation_about(const double vector[3], struct sum r[3][3]);
 
-/* No rotation is the nearest where the determinant is not positive. Many are where two
- * singular values are too near 0. */
+/* ROTATION_NONE: the determinant is not positive, so no rotation is nearest.
+ * ROTATION_MANY: two singular values are too near 0, so many rotations are. */
 enum rotation { ROTATION_FOUND, ROTATION_NONE, ROTATION_MANY };
 
 /* Computes the rotation nearest to the upper 3x3 of a matrix, its polar factor, as a

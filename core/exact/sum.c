@@ -83,10 +83,10 @@ struct sum sum_with_error(ex value, double error)
 		    magnitude_make(error, 0)) };
 }
 
-struct sum sum_add_error(struct sum a, struct sum by)
+struct sum sum_add_error(struct sum a, struct sum more)
 {
 	a.error = magnitude_plus(a.error,
-	    magnitude_plus(magnitude_of(&by.value), by.error));
+	    magnitude_plus(magnitude_of(&more.value), more.error));
 	return a;
 }
 
@@ -225,7 +225,7 @@ struct sum sum_quotient(struct sum a, struct sum b)
 
 struct sum sum_sqrt(struct sum a)
 {
-	if (a.value.sign <= 0) /* the root of at most the error */
+	if (a.value.sign <= 0) /* bounds the root by that of the error */
 		return (struct sum){ ex_of(0),
 			{ a.error.m > 0 ? 0.5 : 0, a.error.e / 2 + 2 } };
 	struct sum r = sum_with_error(ex_sqrt(a.value), SUM_ERROR);
@@ -239,7 +239,7 @@ struct sum sum_sqrt(struct sum a)
 	return r;
 }
 
-/* Returns whether |difference| <= error, so that the difference counts as 0. */
+/* Returns whether |difference| <= error. Such a difference counts as 0. */
 static bool is_within_error(const ex *difference, struct magnitude error)
 {
 	struct magnitude d = magnitude_of(difference);
@@ -272,9 +272,9 @@ static double neighbour(double a, bool away, bool single)
 			nextafter(a, to);
 }
 
-/* Returns the double or float nearest to n / d, whose values have errors. q, the
- * quotient of the values, can lie on the wrong side of the midpoint next to it: the sign
- * of n - midpoint d decides, and a difference within its error is a tie. */
+/* Returns the double or float nearest to n / d, where n and d have errors. q is the
+ * quotient of the values. As it can lie on the wrong side of the midpoint next to it,
+ * the sign of n - midpoint d decides. A difference within its error is a tie. */
 static double round_inexact(const struct sum *n, const struct sum *d,
     const ex *q, bool single)
 {

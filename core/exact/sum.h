@@ -36,10 +36,10 @@ struct sum {
 struct sum sum_of_double(double exact);
 struct sum sum_diff(double a, double b); /* a - b */
 
-/* Returns the value with a relative error. */
+/* Returns the value with an error of relative times its magnitude. */
 struct sum sum_with_error(ex value, double relative);
 
-/* Returns the sum with an error that is larger by |more|. */
+/* Returns the same value with an error that is larger by |more|. */
 struct sum sum_add_error(struct sum, struct sum more);
 
 struct sum sum_neg(struct sum);
@@ -62,7 +62,7 @@ void sum_dot(int n, const struct sum *a, const struct sum *b, int stride,
  * five words or fewer. */
 struct sum sum_sqrt(struct sum);
 
-/* Returns the sign, of the sum or of a - b: -1, 0 or 1. */
+/* Return the sign, -1, 0 or 1, of the sum or of a - b. It is 0 within the error. */
 int sum_sign(struct sum);
 int sum_compare(struct sum a, struct sum b);
 
@@ -72,7 +72,7 @@ bool sum_is_exact_zero(const struct sum *);
 bool sum_is_one(const struct sum *);
 bool sum_is_power_of_two(const struct sum *);
 
-/* Returns the sum, or exact zero where the sign of the sum is 0. */
+/* Returns the sum, or exact 0 if the sign of the sum is 0. */
 struct sum sum_snap_zero(struct sum);
 
 /* Return the double, or float if single, that is nearest to the sum or to n / d. Ties go

@@ -3,7 +3,7 @@
 
 #include <limits.h>
 
-/* pi / 2, within 2^-963 relative. */
+/* pi / 2, with a relative error below 2^-963. */
 static const ex QUARTER = { 1, 16, -15,
 	{ 0x8400f97142c77e0b, 0x9250cca3d9c8b67b, 0x5d3e4822f8963fcc,
 	    0xdc70d7f6b5133f4b, 0x17feb96de80d6fdb, 0xe89885d34c6fdad6,
@@ -36,10 +36,10 @@ static ex series(ex y, int n, int last, int words)
  * 2^-317; the truncations, of x^2 and 32 times of the sum, are below 2^-319. */
 enum { SHORT = 62 };
 
-/* The last power of x for x^2 <= 4 pi^2, and the words of its terms, for an absolute error
- * of 2^-500. The sum is up to 2^8 times as small as its terms or, for doubles whose
- * squares sum to nearly pi^2, 2^160 times. The first term left out, x^170/170!, is below
- * 2^-560. */
+/* The last power of x for x^2 <= 4 pi^2, and the words of its terms, for an absolute
+ * error of 2^-500. The sum is up to 2^8 times as small as its terms or, for doubles
+ * whose squares sum to nearly pi^2, 2^160 times. The first term left out, x^170/170!, is
+ * below 2^-560. */
 enum { LONG = 168, LONG_WORDS = 11 };
 
 bool trig_sinc(struct sum square, struct sum *sinc, struct sum *versinc)
@@ -56,7 +56,8 @@ bool trig_sinc(struct sum square, struct sum *sinc, struct sum *versinc)
 	return true;
 }
 
-/* An angle as quarters times 90 degrees, modulo 360, and a rest of at most 45 degrees. */
+/* An angle, reduced: quarters times 90 degrees, modulo 360, plus a rest from -45 to 45
+ * degrees. */
 struct reduced {
 	double degrees; /* the rest; nan where the angle is given in radians */
 	ex radians;     /* the rest */
@@ -92,8 +93,8 @@ static void reduce_radians(double angle, struct reduced *r)
 		r->quarters = 0 - r->quarters;
 }
 
-/* Returns the sine (n = 1) or the cosine (n = 0) of the rest. The sine of 0 is exact, as its
- * error is relative. */
+/* Returns the sine (n = 1) or the cosine (n = 0) of the rest of a reduced angle. The
+ * sine of 0 is exactly 0, as the error is relative. */
 static struct sum sine_of_rest(const struct reduced *r, int n)
 {
 	if (n == 0 && r->radians.sign == 0)
@@ -106,7 +107,7 @@ static struct sum sine_of_rest(const struct reduced *r, int n)
 	    SUM_TRIG_ERROR);
 }
 
-/* Returns the sine of the angle and a number of quarters, of 90 degrees. */
+/* Returns the sine of the angle plus quarters times 90 degrees. */
 static struct sum sine(double angle, enum angle_unit unit, unsigned quarters)
 {
 	struct reduced r;
@@ -144,8 +145,8 @@ static struct sum to_degrees(struct sum angle)
 
 #define DEGREE 57.29577951308232
 
-/* The C library's atan2, corrected by the arc tangent of the remaining angle: two terms
- * of its series, with a third as their error. */
+/* Corrects the C library's atan2 by the arc tangent of the angle that remains. Two terms
+ * of the series of the arc tangent are summed; the third term bounds the error. */
 double trig_degrees(struct sum y, struct sum x)
 {
 	x = sum_snap_zero(x);

@@ -58,10 +58,10 @@ sub claims {
 	my %claim = (EX_BOUND => macro("$core/exact/exact.h", 'EX_BOUND'),
 	    COLUMN_UNITS => told($exact, 'columns', qr/together (\d+(?:\.\d+)?) u/),
 	    COLUMN_LOW => told($exact, 'low parts', qr{above (\d+(?:\.\d+)?) times 2\^-26 B}),
-	    QUOTIENT_LOW => told($exact, 'quotients of low parts', qr/(\d+) u of what low parts/),
+	    QUOTIENT_LOW => told($exact, 'quotients of low parts', qr/(\d+) u times the low parts/),
 	    QUOTIENT_BOUND => claimed($exact, 'quotient'),
 	    LENGTH_BOUND => claimed($exact, 'length_of'),
-	    LENGTH_LOW => told($exact, 'lengths', qr/low part is up to (\d+) u/));
+	    LENGTH_LOW => told($exact, 'lengths', qr/length, which is at most (\d+) u/));
 	return map { "-D$_=$claim{$_}" } sort keys %claim;
 }
 

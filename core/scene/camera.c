@@ -5,9 +5,9 @@
 
 #include "../exact/rotation.h"
 
-/* The unit vector v / length. v is an exact polynomial of the parameters, in which terms
- * cancel exactly, and so is kept undivided. Where the length of axis y is exact, the three
- * lengths are the same, and become the map's divisor. */
+/* The unit vector v / length. v is not divided because it is an exact polynomial of the
+ * parameters, in which terms cancel exactly. If the length of axis y is exact, the three
+ * lengths are equal, and become the map's divisor. */
 struct axis {
 	struct sum v[3];
 	struct sum length;
@@ -118,7 +118,7 @@ static const char *axes_of_rvec(const struct camera *c, struct axis axis[3])
 	return NULL;
 }
 
-/* A refusal of a matrix, and of a pose. */
+/* The messages that refuse a matrix and a pose for a reason. */
 #define REFUSALS(reason)                                           \
 	{                                                          \
 		"/camera/matrix: " reason, "/camera/pose: " reason \
@@ -135,8 +135,8 @@ static const char *const not_affine[2] = REFUSALS(NOT_AFFINE);
 static const char *const singular[2] = REFUSALS(
     "singular; it can't be inverted");
 
-/* Computes the axes of the rotation nearest to the upper 3x3. An element that is not above
- * the error of the quaternion becomes 0. */
+/* Computes the axes of the rotation nearest to the upper 3x3. An element that is not
+ * above the error of the quaternion becomes 0. */
 static const char *axes_of_matrix(const struct camera *c, struct axis axis[3])
 {
 	struct sum q[4];

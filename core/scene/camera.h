@@ -9,7 +9,7 @@
 
 struct camera {
 	double
-	    eye[3]; /* or the translation: the world's origin in view space */
+	    eye[3]; /* or the translation, the world's origin in view space */
 	enum {
 		CAMERA_AT,
 		CAMERA_GAZE,
@@ -27,17 +27,18 @@ struct camera {
 	    rvec[3]; /* the rotation from world to view: axis times radians */
 	double roll; /* of the image, counterclockwise */
 	enum angle_unit unit; /* of roll */
-	/* World to view, row vectors, affine; or the pose, view to world. */
+	/* The affine matrix from world to view space, for row vectors; or the pose,
+	 * the matrix from view to world space. */
 	double matrix[4][4];
 	bool orthonormalize;
 };
 
 /* Computes the matrix of projcalc(1), FORMULAS, lookat, or its inverse. Its elements are
- * sums, exact or with a bound of their error, however near up is to the gaze, the eye is
- * to the point it looks at, and however far a matrix is from its nearest rotation.
- * Elements of a nearest rotation below 2^-248 are 0. A roll turns about the eye, and turns
- * a translation with the axes. The origin of the map is the eye. Returns NULL, or the
- * member and the reason why there is no such view. */
+ * exact, or have a bound of their error. This holds however near up is to the gaze, or
+ * the eye to the point at which it looks, and however far a matrix is from its nearest
+ * rotation. Elements of a nearest rotation below 2^-248 become 0. A roll turns the axes,
+ * and a translation with them, about the eye. The origin of the map is the eye. Returns
+ * NULL, or the member and the reason why there is no such view. */
 const char *camera_map(const struct camera *, const struct convention *,
     bool inverse, struct map *);
 

@@ -15,8 +15,8 @@ struct scaled_matrix {
 	struct sum x, y, zx, zy, zz, zw, tx, ty, tz, tw, dx, dy, dz, d, det;
 };
 
-/* Sets x / dx = s / over and y / dy = x / dx aspect, if given_x; else y / dy = s / over and
- * x / dx = y / dy / aspect. */
+/* Sets x / dx = s / over and y / dy = x / dx aspect, if given_x; else y / dy = s / over
+ * and x / dx = y / dy / aspect. */
 static void set_scales(const double aspect[2], bool given_x, struct sum s,
     double over, struct scaled_matrix *f)
 {
@@ -33,8 +33,8 @@ static void set_scales(const double aspect[2], bool given_x, struct sum s,
 	}
 }
 
-/* Computes scale = 2, size = r - l and off = l + r for edges at distance 1, l = tan a and
- * r = tan b, each times cos a cos b. */
+/* Computes scale = 2, size = r - l and off = l + r, each times cos a cos b, for edges
+ * l = tan a and r = tan b at distance 1. */
 static void tangents(double a, double b, enum angle_unit unit,
     struct sum *scale, struct sum *size, struct sum *off)
 {
@@ -47,8 +47,8 @@ static void tangents(double a, double b, enum angle_unit unit,
 	*off = sum_add(left, right);
 }
 
-/* Sets x / dx = 2 d / (r - l), off[0] = l + r, and y / dy and off[1] likewise from b and t,
- * for a cross-section at the distance d. */
+/* Sets x / dx = 2 d / (r - l), off[0] = l + r, and y / dy and off[1] likewise from b and
+ * t, for a cross-section at the distance d. */
 static const char *cross_section(const struct projection *p, double d,
     struct scaled_matrix *f, struct sum off[2])
 {
@@ -125,8 +125,8 @@ static void depth_column(const struct projection *p, bool minus_one,
 	}
 }
 
-/* The rows (x 0 0 0), (0 y 0 0), (-(l+r), -(b+t), zz, 1), (0 0 tz 0). Those of intrinsics map
- * from the space that intrinsics_matrix leads to. */
+/* Computes the rows (x 0 0 0), (0 y 0 0), (-(l+r), -(b+t), zz, 1), (0 0 tz 0). With
+ * intrinsics they map from the space into which intrinsics_matrix maps view space. */
 static const char *persp_matrix(const struct projection *p,
     const struct convention *c, struct scaled_matrix *f)
 {
@@ -178,8 +178,8 @@ static const char *ortho_matrix(const struct projection *p,
 	return NULL;
 }
 
-/* ortho after x' = x + cot(angle) cos(direction) (depth - plane) and
- * y' = y + cot(angle) sin(direction) (depth - plane). */
+/* Computes the product of the shear x' = x + cot(angle) cos(direction) (depth - plane),
+ * y' = y + cot(angle) sin(direction) (depth - plane) and the matrix of ortho. */
 static const char *oblique_matrix(const struct projection *p,
     const struct convention *c, struct scaled_matrix *f)
 {
@@ -216,7 +216,8 @@ static void volume_section(const struct projection *p, struct scaled_matrix *f)
 		set_scales(p->aspect, !wide, f->x, p->half_width, f);
 }
 
-/* Computes q = +-tan(angle/2)/min(hw, hh), with the sign of zn - zf. */
+/* Computes 1/z of the eye from the view angle: +-tan(angle/2)/min(hw, hh), with the sign
+ * of zn - zf. */
 static void inverse_eye_of_angle(const struct projection *p,
     struct sum *numerator, struct sum *denominator)
 {
@@ -260,9 +261,10 @@ static const char *eye_plane_crosses(const struct projection *p)
 	    "beyond z_far";
 }
 
-/* For q = qn / qd, w is an / qd = 1 - zf q on the far plane and bn / qd = 1 - zn q on the near
- * plane. Where their signs differ, the eye plane is inside the volume. The rows, times qd:
- * (x 0 0 0), (0 y 0 0), (-tx x, -ty y, -an, -qn), (0, 0, an zn, qd). */
+/* Computes the rows (x 0 0 0), (0 y 0 0), (-tx x, -ty y, -an, -qn), (0, 0, an zn, qd),
+ * which are multiplied by qd. q = qn / qd is 1/z of the eye. w is an / qd = 1 - zf q on
+ * the far plane and bn / qd = 1 - zn q on the near plane. If the signs of an and bn
+ * differ, the eye plane is inside the volume. */
 static const char *volume_matrix(const struct projection *p,
     const struct convention *c, struct scaled_matrix *f)
 {
@@ -324,9 +326,9 @@ static void map_of_scaled(const struct scaled_matrix *f, struct map *r)
 	map_divide_column(r, 2, f->dz);
 }
 
-/* The inverse by blocks of 2x2: the inverse of the diagonal block x 0, 0 y; of the block
- * zz zw, tz tw; and minus the product of both with the block zx zy, tx ty. The divisors of
- * columns become factors of rows. */
+/* Returns the inverse, by blocks of 2x2. Its diagonal blocks are the inverses of x 0, 0
+ * y and of zz zw, tz tw. Its third block is minus the product of these two with zx zy,
+ * tx ty. The divisors of columns become factors of rows. */
 static struct scaled_matrix scaled_inverse(const struct scaled_matrix *f)
 {
 	struct sum one = sum_of_double(1), det = f->det, d = f->d;
@@ -356,7 +358,7 @@ static struct scaled_matrix scaled_inverse(const struct scaled_matrix *f)
 	};
 }
 
-/* Returns whether the last row, else the last column, is 0 0 1 0 or 0 0 -1 0. */
+/* Returns whether the last row (if row) or the last column is 0 0 1 0 or 0 0 -1 0. */
 static bool is_w_of_z(const double m[4][4], bool row)
 {
 	bool is = true;
@@ -392,8 +394,9 @@ static const char *projection_matrix_map(const struct projection *p,
 	return NULL;
 }
 
-/* Computes the affine matrix from view space to the space in which P has the rows 1 0 0 0,
- * 0 1 0 0, 0 0 1 0. X, Y and Z differ from x, y and z of both spaces by their signs. */
+/* Computes the affine matrix from view space to the space in which P would have the rows
+ * 1 0 0 0, 0 1 0 0, 0 0 1 0. In both spaces X, Y and Z of P are x, y and z but for their
+ * signs. */
 static void intrinsics_matrix(const struct projection *p,
     const struct convention *c, double level[4][4])
 {
@@ -407,7 +410,7 @@ static void intrinsics_matrix(const struct projection *p,
 	}
 }
 
-/* Puts the map of intrinsics_matrix before r or, inverse, behind it. */
+/* Puts the map of intrinsics_matrix before r or, if inverse, its inverse behind r. */
 static const char *append_intrinsics(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {
@@ -480,8 +483,9 @@ const char *projection_map(const struct projection *p,
 				       NULL;
 }
 
-/* Returns whether the matrix of a parallel projection contains a camera that is turned: depth
- * depends on x or y, or y on x; or, without a camera, x or y is mirrored by half a turn. */
+/* Returns whether the matrix of a parallel projection contains a camera that is turned.
+ * Then depth depends on x or y, or y on x; or, if the scene has no camera, half a turn
+ * mirrors x or y. */
 static bool contains_camera(const struct projection *p,
     const struct convention *c)
 {
@@ -493,7 +497,8 @@ static bool contains_camera(const struct projection *p,
 	    (p->alone && mirrors);
 }
 
-/* On the axis 1/w = z m[2][3] + m[3][3], where m is the inverse; it is larger nearby. */
+/* On the z axis of ndc 1/w = z m[2][3] + m[3][3], where m is the inverse. 1/w is larger
+ * at the near plane. */
 bool projection_is_reversed(const struct projection *p,
     const struct convention *c)
 {

@@ -7,8 +7,8 @@
 #include "../exact/map.h"
 #include "../exact/trig.h"
 
-/* The members that give the cross-section of persp (on the near plane), ortho and oblique, in
- * the order of the table of their members. */
+/* The members that give the cross-section of persp (on the near plane), ortho and
+ * oblique, in the order of the table of their members. */
 enum extent {
 	EXTENT_FOVY, /* angle, aspect */
 	EXTENT_FOVX,
@@ -34,11 +34,11 @@ struct projection {
 
 	enum angle_unit unit; /* of angles but the direction */
 	enum extent extent;
-	double angle;         /* or the field, or the view angle of a volume */
-	double aspect[2];     /* width / height; [1] is 0 where not given */
-	double width, height; /* with intrinsics, of the viewport */
+	double angle;     /* of extent; or the field; or of a volume's eye */
+	double aspect[2]; /* width / height; [1] is 0 where not given */
+	double width, height; /* of extent or, with intrinsics, the viewport */
 	double left, right, bottom, top;
-	double edges_at; /* the distance where edges are measured, or 0: near */
+	double edges_at; /* where edges are measured; 0 means at near */
 	/* The rows of P, which maps a point with X to the right, Y in the direction
 	 * of device y, and Z along the gaze to u w, v w, w. The pixels u and v are
 	 * relative to the viewport's corner. near and far are values of w. */
@@ -56,39 +56,40 @@ struct projection {
 	enum angle_unit direction_unit;
 	double plane; /* the depth that the shear keeps */
 
-	/* volume; if an aspect is given, both halves are of the smaller side */
+	/* volume; with an aspect, both are half the smaller side */
 	double half_width, half_height, z_near, z_far;
 	double inverse_eye_z, tan_skew[2];
 	double eye[3]; /* in view space */
-	/* The member that gives the eye: inverse_eye_z, eye, or view_angle, of
-	 * which 0 means parallel. In the order of the table of their members. */
+	/* The member that gives the eye: inverse_eye_z, eye, or angle, where angle 0
+	 * means parallel. The order is that of the table of members. */
 	enum { EYE_BY_Z, EYE_GIVEN, EYE_BY_ANGLE } eye_by;
 
 	double matrix[4][4];
 	bool alone; /* no camera: the matrix may contain one */
 };
 
-/* Returns whether it is a persp without planes. */
+/* Returns whether the projection is a persp without near and far planes. */
 static inline bool projection_is_open(const struct projection *p)
 {
 	return p->type == PROJECTION_PERSP && p->near == 0;
 }
 
-/* Returns whether it is a persp whose cross-section is given on its near plane. */
+/* Returns whether the projection is a persp that gives its cross-section on the near
+ * plane. */
 static inline bool projection_is_by_near(const struct projection *p)
 {
 	return p->type == PROJECTION_PERSP && p->edges_at == 0 &&
 	    p->extent >= EXTENT_SIZE && p->extent <= EXTENT_EDGES;
 }
 
-/* Returns whether it is a persp by the intrinsics P. */
+/* Returns whether the projection is a persp given by the intrinsics P. */
 static inline bool projection_is_by_p(const struct projection *p)
 {
 	return p->type == PROJECTION_PERSP && p->extent == EXTENT_INTRINSICS;
 }
 
-/* Returns whether w is not the distance along the gaze plus an offset: whether the last row
- * of P does not begin with 0 0 1. */
+/* Returns whether the last row of P does not begin with 0 0 1. If it does, w is the
+ * distance along the gaze plus an offset. */
 static inline bool projection_is_tilted(const struct projection *p)
 {
 	const double *w = p->intrinsics[2];
@@ -96,7 +97,8 @@ static inline bool projection_is_tilted(const struct projection *p)
 	return projection_is_by_p(p) && (w[0] != 0 || w[1] != 0 || w[2] != 1);
 }
 
-/* Returns w minus the distance along the gaze; 0 where P is tilted. */
+/* Returns w at the eye, which is w minus the distance along the gaze; 0 if P is
+ * tilted. */
 static inline double projection_w_at_eye(const struct projection *p)
 {
 	bool offset = projection_is_by_p(p) && !projection_is_tilted(p);
@@ -104,19 +106,21 @@ static inline double projection_w_at_eye(const struct projection *p)
 	return offset ? p->intrinsics[2][3] : 0;
 }
 
-/* Computes 1/z of the eye of a volume, as a quotient whose denominator is exact. */
+/* Computes 1/z, where z is that of a volume's eye, as a quotient. Its denominator is
+ * exact. */
 void projection_inverse_eye_z(const struct projection *, struct sum *numerator,
     struct sum *denominator);
 
-/* Computes the matrix of projcalc(1), FORMULAS, or its inverse. Returns NULL, or the member
- * and the reason. */
+/* Computes the matrix of projcalc(1), FORMULAS, or its inverse. Returns NULL, or the
+ * member and the reason. */
 const char *projection_map(const struct projection *, const struct convention *,
     bool inverse, struct map *);
 
-/* Returns whether the near plane has ndc depth 1. A matrix, or the identity without a
- * projection, does not define it: its near plane is then the plane of the smaller positive
- * w or, where w is constant, the first plane along the convention's gaze. But the depth of a
- * parallel projection that contains a camera grows, as the camera is turned or mirrored. */
+/* Returns whether the near plane has ndc depth 1. A matrix, and the identity that stands
+ * for no projection, do not say which plane is near. The near plane is then the plane of
+ * the smaller positive w or, if w is constant, the first plane along the convention's
+ * gaze. A parallel matrix that contains a turned or mirrored camera is never
+ * reversed. */
 bool projection_is_reversed(const struct projection *,
     const struct convention *);
 

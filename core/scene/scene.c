@@ -17,8 +17,8 @@ static bool are_numbers(int n, const double *v)
 	return are;
 }
 
-/* Checks the cross-sections that are computed. Those of a document were checked when they
- * were read. */
+/* Returns whether a cross-section that was computed is valid. The reader of a document
+ * has checked the others. */
 static bool has_valid_section(const struct scene *s)
 {
 	const struct projection *p = &s->projection;
@@ -63,9 +63,9 @@ static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 	return NULL;
 }
 
-/* Computes the map of view or clip space from one convention to another; it is the identity
- * for other spaces. y and the z of view space change their signs. The depth z from 0 to w
- * of clip space becomes 2 z - w from -w to w, and back (z + w) / 2. */
+/* Computes the map of view or clip space from one convention to another. The map is the
+ * identity for other spaces. y, and in view space z, may change their signs. The depth z
+ * from 0 to w of clip space becomes 2 z - w from -w to w, and back (z + w) / 2. */
 static void convention_map(enum space space, const struct convention *from,
     const struct convention *to, struct map *r)
 {
@@ -86,7 +86,8 @@ static void convention_map(enum space space, const struct convention *from,
 	map_of_doubles(m, r);
 }
 
-/* Changes the map of a stage, or its inverse, from the scene's convention to the answer's. */
+/* Changes the map of a stage, or its inverse, from the scene's convention to the
+ * answer's. */
 static void scene_answer(const struct scene *s, enum space below, bool inverse,
     struct map *r)
 {
@@ -102,7 +103,7 @@ static void scene_answer(const struct scene *s, enum space below, bool inverse,
 	map_append(r, &after, false);
 }
 
-/* Computes the map of a stage: from the space below to the next one, or its inverse. */
+/* Computes the map of a stage, from the space below to the next space, or its inverse. */
 static const char *stage_map(const struct scene *s, enum space below,
     bool inverse, struct map *r)
 {

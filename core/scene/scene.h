@@ -36,7 +36,7 @@ struct scene {
 	 * read and printed, if it is another one; else NULL. */
 	const struct convention *answer;
 	bool has_world, has_camera, has_viewport, has_window, has_device;
-	double world[4][4]; /* model to world, row vectors, affine */
+	double world[4][4]; /* affine, from model to world, for row vectors */
 	struct camera camera;
 	struct projection
 	    projection; /* PROJECTION_NONE if the document has none */
@@ -56,13 +56,14 @@ static inline const struct convention *answer_convention(const struct scene *s)
 /* Returns whether a number is from SIZE_MIN to MAGNITUDE_MAX. */
 bool scene_is_size(double);
 
-/* Returns whether a document may hold the scene's computed eye and projection: whether their
- * numbers are in range, and planes and edges differ. */
+/* Returns whether a document may contain the scene's computed eye and projection: their
+ * numbers are in range, and near differs from far, and each edge from the opposite
+ * one. */
 bool scene_is_valid(const struct scene *);
 
-/* Compute the map between two spaces, the product of the maps of its stages. The images of
- * points are homogeneous (transform.h divides them). Return NULL, or the member, as a JSON
- * pointer, and the reason. */
+/* Compute the map between two spaces, as the product of the maps from each space to the
+ * next. Images of points are homogeneous (transform.h divides them). Return NULL, or the
+ * member, as a JSON pointer, and the reason. */
 const char *scene_map(const struct scene *, enum space from, enum space to,
     struct map *);
 const char *scene_flat_map(const struct scene *, enum flat from, enum flat to,
@@ -71,16 +72,16 @@ const char *scene_flat_map(const struct scene *, enum flat from, enum flat to,
 /* The part of the plane that a 2D window shows, in nearest doubles. */
 struct shown {
 	double edge[4]; /* left, right, bottom, top */
-	double scale
-	    [2]; /* device units, or ndc units, for a window unit in x and y */
+	double
+	    scale[2]; /* device (else ndc) units to a window unit, in x and y */
 };
 
 /* Computes what the window shows. Returns NULL, or the member and the reason. */
 const char *scene_shown(const struct scene *, struct shown *);
 
-/* Computes the map as scene_map does, from model, world or view space to a later space than
- * view, and the part of it that leads from view space. That part may have elements beyond
- * the range of doubles. */
+/* Computes the same map as scene_map, from model, world or view space to a space after
+ * view space, and its factor from_view, which starts from view space. from_view may have
+ * elements beyond the range of doubles. */
 const char *scene_map_by_view(const struct scene *, enum space from,
     enum space to, struct map *, struct map *from_view);
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "window.h"
 
-/* Sets coordinate i to x' = (x n + t) / d, or its inverse x = (x' d - t) / n. The denominator
- * becomes a factor of the map's divisor. */
+/* Sets coordinate i to x' = (x n + t) / d, or its inverse x = (x' d - t) / n. The
+ * denominator becomes a factor of the map's divisor. */
 static void window_axis(struct map *r, int i, struct sum n, struct sum t,
     struct sum d, bool inverse)
 {
@@ -19,7 +19,7 @@ static void ndc_axis(struct map *r, int i, struct sum n, double d,
 	r->origin[i] = inverse ? sum_double(offset) : 0;
 }
 
-/* Computes the size and the centre, after pan. */
+/* Computes the size of the window, and its centre after pan. */
 static const char *window_shape(const struct window *w, struct sum size[2],
     struct sum center[2])
 {
@@ -45,8 +45,8 @@ static const char *window_shape(const struct window *w, struct sum size[2],
 	return NULL;
 }
 
-/* Gives the window the aspect of the device, as size / divisor: grow enlarges the side that
- * is too short, and shrink reduces the side that is too long. */
+/* Gives the window the aspect of the device. The new size is size / divisor. ADAPT_GROW
+ * enlarges the side that is too short, ADAPT_SHRINK reduces the side that is too long. */
 static void window_adapt(const struct window *w, const struct device *d,
     struct sum size[2], double divisor[2])
 {
@@ -101,7 +101,7 @@ const char *device_map(const struct device *d, bool inverse, struct map *r)
 	return NULL;
 }
 
-/* Pixels to a unit of ndc; half the sides where nothing else is said. */
+/* Writes the pixels to a unit of ndc in x and y: half the sides with SCALE_FILL. */
 static void scales(const struct viewport *v, double s[2])
 {
 	double larger = fmax(v->width, v->height);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The maps of the 2D window, the 2D device and the 3D viewport. 2D maps keep z. */
+/* The maps of the 2D window, the 2D device and the 3D viewport. 2D maps do not change
+ * z. */
 #ifndef WINDOW_H
 #define WINDOW_H
 
@@ -29,8 +30,8 @@ struct viewport {
 	double scales[2];
 };
 
-/* Computes the map from window to ndc, with pan, zoom and adapt, or its inverse. The device
- * may be NULL with ADAPT_STRETCH. Returns NULL, or the member and the reason. */
+/* Computes the map from window to ndc, with pan, zoom and adapt, or its inverse. The
+ * device may be NULL with ADAPT_STRETCH. Returns NULL, or the member and the reason. */
 const char *window_map(const struct window *, const struct device *,
     bool inverse, struct map *);
 
@@ -40,8 +41,8 @@ const char *device_map(const struct device *, bool inverse, struct map *);
 const char *viewport_map(const struct viewport *, const struct convention *,
     bool inverse, struct map *);
 
-/* Computes the limits of ndc coordinates on the viewport: |x| scale[0] <= half[0], and the
- * same for y. Without a viewport (NULL) all are 1. */
+/* Computes the limits of ndc coordinates on the viewport: |x| scale[0] <= half[0], and
+ * the same for y. Without a viewport (NULL) all are 1. */
 void viewport_limits(const struct viewport *, struct sum half[2],
     struct sum scale[2]);
 

@@ -4,7 +4,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* The best first. */
+/* The copies that this program has, the best first. */
 static const struct kernels *const copies[] = {
 #ifdef __x86_64__
 	&kernels_avx512,

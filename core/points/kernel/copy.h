@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops for one kind of processor. A file that includes this defines:
+/* The loops for one kind of processor. A file that includes this file defines:
  *
  *	COPY, PROCESSOR	the name of its struct kernels, and its processor
  *
@@ -10,7 +10,7 @@
  *	LOAD, STORE	from and to any address
  *	ALL(a)		a in each lane
  *	FMA(a, b, c)	a b + c, rounded once
- *	ABS SQRT
+ *	ABS, SQRT	the magnitude, and the root, rounded once
  *	MIN MAX		MIN is a < b ? a : b, MAX a > b ? a : b, nan or not
  *	LESS, EQUAL	an M; false if one is nan
  *	LANES_OF(m)	bit i: m in lane i

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The fast phase of exact, written once for the vectors that copy.h describes. It
- * computes each coordinate as a sum hi + lo with a bound of its error, and rounds it if
- * all numbers within the bound round to the same double. If they do not, point.c
- * computes the point.
+/* The fast phase of exact precision, written once for the vectors that copy.h describes.
+ * It computes each coordinate as a sum hi + lo with a bound of its error. If all numbers
+ * within the bound round to the same double, this double is the result. If they do not,
+ * point.c computes the point. A "difference of none" is one that counts as 0: see none in
+ * struct kernel_map. "sure" is positive if the rounding is certain.
  *
  * High parts add without error. Let each coordinate's difference from the origin be
  * below its own 2^e in a block of points. Let B be a power of two above a column's
@@ -30,18 +31,18 @@
 #define DEPTH_BOUND 0x1p-88 /* of a, where depth is a + b / w */
 #define MODERATE 0x1p200
 #endif
-/* The least size of an element that is not 0: scaled it may underflow. */
+/* A lower bound of an element that is not 0, as the scaled element may underflow. */
 #define LEAST 0x1p-1022
 
-/* The binary places that coordinates and elements keep when they are cut. */
+/* The binary places that are kept of coordinates, elements and a (depth is a + b / w). */
 enum {
 	POINT_CUT = DIGITS / 2,
 	ELEMENT_CUT = DIGITS - 3 - POINT_CUT,
-	DEPTH_CUT = DIGITS * 3 / 4 - 1 /* the places of a in depth */
+	DEPTH_CUT = DIGITS * 3 / 4 - 1
 };
 
-/* Returns true if products and quotients of coordinates, or columns, that are at most
- * largest neither underflow nor overflow. */
+/* Returns true if largest is neither so large nor so small that products or quotients of
+ * coordinates, or of columns, could overflow or underflow. */
 static int is_moderate(double largest)
 {
 	return largest == 0 || (largest > 1 / MODERATE && largest < MODERATE);
@@ -111,7 +112,8 @@ static struct kernel_range range_of(double low, double high, double origin)
 	return r;
 }
 
-/* Returns the range of n coordinates. Each of several minima waits for itself. */
+/* Returns the range of n coordinates. There are several minima, as each operation waits
+ * for the last result of its own minimum only. */
 static struct kernel_range range_in(const double *in, size_t n, double origin)
 {
 	enum { CHAINS = 4 };
@@ -138,7 +140,7 @@ static struct kernel_range range_in(const double *in, size_t n, double origin)
 	return range_of(least(low[0]), -least(-high[0]), origin);
 }
 
-/* Returns the difference of column j's images that the map counts for none. */
+/* Returns the largest difference of column j's values that counts as 0 in this block. */
 static double none_of(const struct kernel_map *m, int j, int terms,
     const struct kernel_range *range)
 {
@@ -150,14 +152,14 @@ static double none_of(const struct kernel_map *m, int j, int terms,
 }
 
 /* A column's elements, and its image of the origin, cut for a block of points: all =
- * high + rest, but that an element's low part is added to its rest unless the column is
- * exact, when all low parts together make a difference of none. If all counts for 0,
- * the column is 0. */
+ * high + rest. If the column is exact, the elements' low parts together are a difference
+ * of none, and are left out. If not, they are added to the rests. If all is 0, the
+ * column is 0. */
 struct column_cut {
 	double high[4], rest[4], all[4];
 	double bound; /* of the error */
 	bool exact;
-	double tiny; /* 2^56 times a difference of none */
+	double tiny; /* 2^56 times the largest difference of none */
 };
 
 /* Returns true if the low parts of column j together make a difference of none. */
@@ -214,13 +216,14 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
 	return is_moderate(most);
 }
 
-/* Depth a + b / w, for a block of points. a is cut to a multiple of 2^-38 of its power
- * of two. So is b / w, which is at most 2^12 |a| as w is above least; or a is 0. */
+/* Depth a + b / w, for a block of points. a is cut to a multiple of 2^-38 of the power
+ * of two above it. b / w is cut to the same unit: it is at most 2^12 |a|, as w is above
+ * least. If a is 0, there is no cut. */
 struct depth {
 	double b_hi, b_lo;
 	double rounder, rounder_and_high, rest; /* of a */
-	double bound; /* of the error, but for that of b / w */
-	double none;  /* a difference of depth times w that counts for none */
+	double bound; /* of the error, without the error of b / w */
+	double none;  /* depth times w: the largest difference of none */
 	double least;
 };
 
@@ -245,15 +248,15 @@ static struct depth depth_of(const struct kernel_map *m,
 	return d;
 }
 
-/* A block of points as the map's columns need it. For directions cut[3].bound is that
- * of the length. */
+/* What the loops need to know of a block of points. For directions cut[3].bound is the
+ * bound of the length. */
 struct kernel_block {
 	struct kernel_range range[3];
 	struct column_cut cut[4];
 	struct depth depth;
 	int moderate;
-	bool near;    /* in some coordinate */
-	double least; /* w, if it is above this, is surely not 0 */
+	bool near;    /* range[].near is not 0 in some coordinate */
+	double least; /* w is surely positive if it is above least */
 };
 
 static struct kernel_block block_of(const struct kernel_map *m,
@@ -301,7 +304,7 @@ static inline vdd normalise(vdd a)
 	return (vdd){ s, a.lo - (s - a.hi) };
 }
 
-/* Writes the differences of points from the origin as cut + rest. */
+/* Writes the differences of the points from the origin, each as a sum cut + rest. */
 static inline void cut_points(const struct kernel_block *b, const V p[3],
     int terms, V cut[3], V rest[3])
 {
@@ -333,18 +336,18 @@ static inline vdd column(const struct column_cut *c, const V cut[3],
 	return (vdd){ hi, lo };
 }
 
-/* Returns 0 if a is 0, or so large that a difference of none does not change how it
- * rounds; else a positive number. */
+/* Returns 0 if a is 0, or is so large that a difference of none does not change its
+ * rounding; else a positive number. */
 static inline V lost_if_tiny(V a, double tiny)
 {
 	return CHOOSE(ABS(a) - ALL(tiny), ALL(0), ABS(a));
 }
 
-/* Returns 0 if the column hi + lo is exact but for a difference of none, and this
- * difference does not change how the column rounds: from the number midway between
- * two doubles the sum differs by 0, or by at least half a unit of its last place or
- * 2^-53 lo. Returns a positive number if that is not sure, as after a product that may
- * underflow. */
+/* Returns 0 if the column hi + lo is exact but for a difference of none, and if this
+ * difference does not change how the column rounds. It does not if the sum is midway
+ * between two doubles, or differs from that by at least half a unit of its last place or
+ * 2^-53 lo. Returns a positive number if this is not sure, for example after a product
+ * that may underflow. */
 static inline V lost_by(const struct column_cut *c, vdd is, const V cut[3],
     const V rest[3], int terms)
 {
@@ -367,8 +370,9 @@ static inline V lost_by(const struct column_cut *c, vdd is, const V cut[3],
 	    lost_if_tiny(is.hi + lo, c->tiny);
 }
 
-/* Returns hi + lo rounded. If both ends of the error round to one double, all numbers
- * between them do, as rounding is monotone; if not, *sure becomes 0. */
+/* Returns hi + lo rounded. Rounding is monotone: if hi + lo - error and hi + lo + error
+ * round to one double, so do all numbers between them. If they do not, *sure becomes
+ * 0. */
 static inline V round_surely(V hi, V lo, V error, V *sure)
 {
 	V up = hi + (lo + error), down = hi + (lo - error);
@@ -377,12 +381,12 @@ static inline V round_surely(V hi, V lo, V error, V *sure)
 	return up;
 }
 
-/* Returns n / w rounded; *sure becomes 0 if this is not sure. q is within 4 u |q| of
- * n / w, and the residual n - q w is as small, so that the rest, a correction of q, is
- * within 24 u^2 of q and 3 u of what low parts are. The bounds are above 2^-74 of n and
- * w; 3 u of columns' low parts are 27 u 2^-26 B. These errors and those of the columns
- * leave a sixth of the bounds, even if w, which is above its own bound, is smaller than
- * the divisor. */
+/* Returns n / w rounded; *sure becomes 0 if the rounding is not certain. q is within 4 u
+ * |q| of n / w. The residual n - q w is as small, relative to n. So the correction, rest
+ * over w, has an error of at most 24 u^2 |q|, and of 3 u times the low parts. The bounds
+ * are above 2^-74 of n and w; 3 u of the columns' low parts are 27 u 2^-26 B. These
+ * errors and those of the columns leave a sixth of the bounds, even if w, which is above
+ * its own bound, is smaller than the divisor. */
 static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
     V *sure)
 {
@@ -396,9 +400,10 @@ static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
 	return up;
 }
 
-/* Returns a + b / w rounded, by the steps of quotient(), and with high parts that add
- * without error as a column's; a's share of the error is below 2^-88 a. *sure becomes 0
- * if this is not sure. A difference of none in a w + b counts for none here. */
+/* Returns a + b / w rounded; *sure becomes 0 if the rounding is not certain. The steps
+ * are those of quotient(). The high parts of a and b / w add without error, as those of
+ * a column do. The error that comes from a is below 2^-88 a. A difference of none in a w
+ * + b counts as 0 here, too. */
 static inline V depth(const struct depth *d, vdd w, V reciprocal, V w_bound,
     V *sure)
 {
@@ -413,9 +418,9 @@ static inline V depth(const struct depth *d, vdd w, V reciprocal, V w_bound,
 	    error, sure);
 }
 
-/* Rounds columns that are not divided again, with an error of 0 for those that are
- * exact: these are often midway between two doubles. Returns a positive number for
- * points of which all columns are sure. */
+/* Rounds columns without division a second time. The error of a column that is exact is
+ * now 0, as exact columns are often midway between two doubles. Returns a positive
+ * number for each point of which all columns are sure. */
 static V round_exact(const struct kernel_block *b, const V cut[3],
     const V rest[3], enum kernel_kind kind, V q[])
 {
@@ -433,10 +438,11 @@ static V round_exact(const struct kernel_block *b, const V cut[3],
 	return sure;
 }
 
-/* Returns the length of three columns, within 60.2 u^2. The remainder is the square's
- * less the root's, summed without error but for low parts, of u each. The squares of
- * low parts are left out: 15 u^2 for the length's own and 5 u^2 for the columns'. The
- * length's low part is up to 6 u, as columns' are 3 u. */
+/* Returns the length of the vector of three columns, with a relative error of at most
+ * 60.2 u^2. rest is the sum of squares minus the square of root; only its low parts have
+ * errors, of u each. Squares of low parts are left out: 15 u^2 for the low part of the
+ * length, which is at most 6 u, and 5 u^2 for those of the columns, which are at most
+ * 3 u. */
 static inline vdd length_of(const vdd a[3], V *reciprocal)
 {
 	V square[3], low = ALL(0);
@@ -456,9 +462,9 @@ static inline vdd length_of(const vdd a[3], V *reciprocal)
 	return (vdd){ root, (rest * ALL(0.5)) * *reciprocal };
 }
 
-/* Writes the images q of points p. Returns true if all are sure; if one is not, its
- * q[0] is as exact_kernel says. Images that are sure are finite: columns are below
- * 2^202, and w above 2^-274.
+/* Writes the images q of points p. Returns true if all are sure. If an image is not, its
+ * q[0] is nan or infinite, as exact_kernel says. Images that are sure are finite: columns
+ * are below 2^202, and w above 2^-274.
  *
  * A direction is divided by its length. The length's error is at most the sum of its
  * columns' errors (triangle inequality), and the sum of their bounds is above 2^-74 of

@@ -13,7 +13,8 @@ static double greatest(V a)
 	return r;
 }
 
-/* Keeps two maxima, each of every second vector, as one would wait for itself. */
+/* Returns the greatest value along a direction. There are two maxima, of even and of odd
+ * vectors: a single one would wait for its last result. */
 static double farthest_along(const double m[3], const double *const in[3],
     size_t n)
 {

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows of floats to rows of floats, in single: to the bits of single_plain. */
+/* Transforms rows of floats to rows of floats in single, with the bits of
+ * single_plain. */
 #include "little.h"
 
-/* is_float says that the origin's coordinates are floats. A difference of two floats
- * that is no double is so near to the larger float that rounding once or twice gives
- * this float. */
+/* is_float says that the origin's coordinates are floats; then float subtraction gives
+ * the same bits. A difference of two floats that is not a double is so near to the
+ * larger float that one rounding and two roundings both give this float. */
 static inline __attribute__((always_inline)) int
 floats(const struct kernel_map *m, const char *in, char *out, size_t n,
     enum kernel_kind kind, bool is_float)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The inner loops: one body a precision, compiled once for each kind of
- * processor with the same bits from each. */
+/* The inner loops. Each precision has one body, which is compiled once for each kind of
+ * processor. All copies give the same bits. */
 #ifndef KERNEL_H
 #define KERNEL_H
 
@@ -15,18 +15,18 @@ enum { POINTS_BLOCK = 1024 };
 
 /* The kinds of loops, by the structure of the matrix. */
 enum kernel_kind {
-	KERNEL_NONE,       /* no loop: point by point */
+	KERNEL_NONE,       /* no loop: point.c computes each point */
 	KERNEL_FLAT,       /* two coordinates, no division */
 	KERNEL_AFFINE,     /* no division */
-	KERNEL_FOUR,       /* x, y, z and w, not divided; exact only */
+	KERNEL_FOUR,       /* x, y, z and w, undivided; only in exact */
 	KERNEL_DEPTH,      /* x and y divided by w, depth = a + b / w */
 	KERNEL_PROJECTIVE, /* x, y, z divided by w */
 	KERNEL_DIRECTION, /* two coordinates to three, divided by their length */
 	KERNELS,
 };
 
-/* The coordinates in, the coordinates out, the columns among these, and true if columns
- * are divided by w. */
+/* Return how many coordinates a point has, how many its image has, how many of the
+ * image's are columns of the matrix, and whether these are divided by w. */
 static inline int kernel_terms(enum kernel_kind kind)
 {
 	return kind == KERNEL_FLAT || kind == KERNEL_DIRECTION ? 2 : 3;
@@ -56,25 +56,28 @@ struct kernel_map {
 	double hi[4][4], lo[4][4];
 	bool exact[4][4];              /* the element is exactly hi */
 	double a_hi, a_lo, b_hi, b_lo; /* depth is a + b / w */
-	/* A column's products are at most most (|x|+|y|+|z|) + image. */
+	/* most[j] (|x|+|y|+|z|) + image[j] bounds the magnitudes of column j's
+	 * products. */
 	double most[4], image[4];
-	/* Two values of a column that differ by none (2^e + 1) or less count as
-	 * equal if |p - origin| < 2^e (see struct sum). */
+	/* Two values of column j that differ by none[j] (2^e + 1) or less count as
+	 * equal if |p - origin| < 2^e: the difference is within the error of the
+	 * matrix (see struct sum). The loops call this a difference of none. */
 	double none[4];
-	/* Two values that differ by surely_none or less are equal for every point. */
+	/* Two values of column j that differ by surely_none[j] or less count as equal
+	 * for every point. */
 	double surely_none[4];
 };
 
-/* Writes the nearest doubles to the exact images of n points. If these are not sure,
- * the first coordinate becomes nan; if w is surely not positive and there is no image,
- * infinite. Returns true if neither happened. Columns have room for n rounded up to
- * 16. */
+/* Writes the doubles nearest to the exact images of n points. The first coordinate
+ * becomes nan if the loop cannot round a coordinate with certainty, and infinite if w is
+ * surely not positive, so that there is no image. Returns true if neither happened.
+ * Columns have room for n rounded up to a multiple of 16. */
 typedef int (*exact_kernel)(const struct kernel_map *,
     const double *const in[3], double *const out[], size_t n);
 
-/* Writes images rounded in double or single. If there is no image, or an intermediate
- * value is beyond the precision's range, a coordinate becomes nan or infinite. Returns
- * true if that surely did not happen. */
+/* Writes images computed in double or single. If a point has no image, or an intermediate
+ * value is beyond the range, a coordinate becomes nan or infinite. Returns true only if
+ * this did not happen. */
 typedef int (*plain_kernel)(const struct kernel_map *,
     const double *const in[3], double *const out[3], size_t n);
 
@@ -83,12 +86,11 @@ typedef int (*plain_kernel)(const struct kernel_map *,
 typedef int (*float_kernel)(const struct kernel_map *, const char *in,
     char *out, size_t n);
 
-/* The bound of the plain kernels' errors, in units of roundoff; derived and
- * claimed in plain.h. */
+/* The bound of the errors of plain_kernel, in units of roundoff; plain.h derives it. */
 #define PLAIN_BOUND 10
 
-/* Copies points in rows, of floats or doubles, to columns of doubles. Returns true if
- * no magnitude is above most, as nan is not. */
+/* Copies points from rows of floats or doubles to columns of doubles. Returns true if no
+ * magnitude is above most. A nan is not above most. */
 typedef int (*split_kernel)(const char *rows, double (*columns)[POINTS_BLOCK],
     size_t n, double most);
 
@@ -97,19 +99,19 @@ typedef int (*split_kernel)(const char *rows, double (*columns)[POINTS_BLOCK],
 typedef int (
     *join_kernel)(double (*columns)[POINTS_BLOCK], char *rows, size_t n);
 
-/* The columns of a map, to estimate signs: let all be |x| + |y| + |z| from the origin.
- * If low <= all < high, values above slope all + floor in magnitude have sure signs.
- * One bound for all columns, the largest, makes a few more points unsure, and takes
- * less time. */
+/* The columns of a map, whose signs are estimated. Let all be |x| + |y| + |z|, relative
+ * to the origin. If low <= all < high, the sign of a value whose magnitude is above
+ * slope all + floor is sure. All columns share the largest bound: this takes less time,
+ * though the signs of a few more points are unsure. */
 struct estimate {
 	double origin[3], m[4][4], slope, floor, low, high;
 };
 
 enum { SIGNS_UNSURE = 1 << 16 };
 
-/* The error of an estimate, a share of the sum of its products' magnitudes: 6 u for the
- * roundings of differences, elements, products and three sums, as `make prove` counts,
- * and a third more for those of the bound itself. */
+/* The error of an estimate, relative to the sum of its products' magnitudes.
+ * Differences, elements, products and three sums round: 6 u, as `make prove` counts. 2 u
+ * more are for the roundings of the bound itself. */
 #define ESTIMATE_BOUND 0x1p-50
 
 /* Returns column j of the image of x, y, z, which are relative to the origin. */
@@ -119,8 +121,8 @@ static inline double estimate_column(const double m[4][4], int j, double x,
 	return x * m[0][j] + y * m[1][j] + z * m[2][j] + m[3][j];
 }
 
-/* Adds weight 2^j to word[i] if column j, of 3 or 4, is negative at point i, and
- * SIGNS_UNSURE if the sign of some column is not sure. */
+/* For each point i, adds weight times 2^j to word[i] if column j, one of 3 or 4, is
+ * negative, and SIGNS_UNSURE if the sign of any column is not sure. */
 typedef void (*signs_kernel)(const struct estimate *, int columns,
     double weight, const double *const in[3], double *word, size_t n);
 
@@ -133,9 +135,10 @@ enum processor {
 	PROCESSORS,
 };
 
-/* Finds for each direction j the greatest m[j][0] x + m[j][1] y + m[j][2] z, with
- * four roundings, and for each coordinate the greatest magnitude; -infinity or 0 if
- * all are nan. Reads n numbers of a column, rounded up to 16. */
+/* Writes to most[j] the greatest m[j][0] x + m[j][1] y + m[j][2] z, computed with four
+ * roundings, and to largest the greatest magnitude of each coordinate. If all are nan,
+ * they are -infinity and 0. Reads n numbers of a column, rounded up to a multiple of
+ * 16. */
 typedef void (*farthest_kernel)(const double (*m)[3], int directions,
     const double *const in[3], size_t n, double *most, double largest[3]);
 
@@ -146,7 +149,7 @@ struct kernels {
 	float_kernel floats[KERNELS];
 	signs_kernel signs;
 	farthest_kernel farthest;
-	/* [rows are of doubles][numbers per row] */
+	/* [0: rows of floats, 1: of doubles][numbers per row] */
 	split_kernel split[2][5];
 	join_kernel join[2][5];
 };

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Tells which doubles, themselves rounded, may be rounded again to floats. */
+/* Tells which doubles, which are results of rounding, cannot be rounded again to
+ * floats. */
 #ifndef MIDWAY_H
 #define MIDWAY_H
 
@@ -9,8 +10,8 @@
 #include <string.h>
 
 /* Returns true if the float nearest to v may differ from the float nearest to the exact
- * value that was rounded to v: v lies midway between two floats, or is subnormal as a
- * float, and then the answer is always true. */
+ * value that was rounded to v. They differ only if v is midway between two floats. If v
+ * is subnormal as a float, the function always returns true. */
 static inline bool is_midway(double v)
 {
 	uint64_t bits;

@@ -1,23 +1,24 @@
 /* SPDX-License-Identifier: MIT */
-/* The inner loop of double and single, written once: copy.h includes it for each of
- * the two. As in exact.h, a point is the difference from the map's origin.
+/* The inner loop of double and of single precision, written once; copy.h includes it for
+ * each of the two. As in exact.h, a point is its difference from the map's origin.
  *
  * Let u be the unit roundoff and S the sum of the magnitudes of a column's products. A
- * point's difference from the origin and a matrix element have an error of u each, a
- * chain of three products and sums one of 3 u. So a column is within 5 u S. A quotient
- * N / W has the errors of both, and u each for the reciprocal and the product:
+ * point's difference from the origin has an error of u, a matrix element one of u, and
+ * a chain of three products and sums one of 3 u. So the error of a column is at most 5
+ * u S. A quotient N / W has the errors of N and W, and u each for the reciprocal and
+ * the product:
  *
  *	|error of N/W| <= PLAIN_BOUND u (S_N + |N/W| S_W) / |W|
  *
- * where the columns need 5, the quotient 2 and the shortest digits printed 1: 8. Depth
- * a + b/w is within PLAIN_BOUND u (|a| + |b/W| S_W / |W|): b, the reciprocal, the
- * fused product and sum, and printing need u each, and w 5 u S_W: 9. This holds if S_W
- * is |W|. If S_W is larger, the relative error of w is larger, up to 1/16, which
- * error_bound.c requires: division by the computed w makes the 5 at most 32/31 as
- * large, and the other errors weigh less. `make prove` counts all of these, and
- * error_bound.c bounds S for the points of a scene. An underflow adds at most u times
- * the least normal number. A value that overflows never becomes finite again, unless it
- * is w, whose reciprocal would be 0. */
+ * The columns need 5 u, the quotient 2 u and the shortest digits printed 1 u, together
+ * 8 u. The error of depth a + b/w is at most PLAIN_BOUND u (|a| + |b/W| S_W / |W|): b,
+ * the reciprocal, the fused product and sum, and printing need u each, and w needs 5 u
+ * S_W, together 9 u. This holds if S_W is |W|. If S_W is larger, the relative error of
+ * w is larger, up to 1/16, which error_bound.c requires: division by the computed w
+ * makes the 5 at most 32/31 as large, and the other errors weigh less. `make prove`
+ * counts all of these, and error_bound.c bounds S for the points of a scene. An
+ * underflow adds at most u times the least normal number. A value that overflows never
+ * becomes finite again, unless it is w, whose reciprocal would be 0. */
 
 /* Returns column k of the image of p. */
 static inline REAL NAME(

@@ -32,8 +32,8 @@ split(const char *restrict rows, double (*restrict columns)[POINTS_BLOCK],
 	return beyond == 0;
 }
 
-/* Returns true if the nearest floats to a column are finite and surely the nearest to
- * its exact values. */
+/* Returns true if the floats nearest to the doubles of a column are finite, and are
+ * surely nearest to the exact values, too. */
 static inline __attribute__((always_inline)) int
 are_sure(const double *restrict column, size_t n)
 {
@@ -46,7 +46,7 @@ are_sure(const double *restrict column, size_t n)
 	return unsure == 0;
 }
 
-/* -0 becomes 0. */
+/* Writes columns to rows; a sum with 0 turns -0 into 0. */
 static inline __attribute__((always_inline)) int
 join(double (*restrict columns)[POINTS_BLOCK], char *restrict rows, size_t n,
     size_t numbers, int wide)

@@ -3,7 +3,7 @@
  * makes a loop of vectors. */
 #include "kernel.h"
 
-/* If all, |a| + |b| + |c|, is from low to high, no value is nan. */
+/* No value is nan if all = |a| + |b| + |c| is between low and high. */
 static inline __attribute__((always_inline)) void
 add_signs(const struct estimate *e, int columns, double weight,
     const double *const in[3], double *restrict word, size_t n)
