@@ -3,7 +3,6 @@
 #ifndef CHOOSE_H
 #define CHOOSE_H
 
-#include "cut.h"
 #include "line.h"
 
 struct chosen {

@@ -4,7 +4,6 @@
 #ifndef HEADER_H
 #define HEADER_H
 
-#include "cut.h"
 #include "line.h"
 
 /* Returns whether the first line, which begins with #, is a header or a row and not a

@@ -9,7 +9,7 @@
 #include "../../core/scene/scene.h"
 #include "../message/escape.h"
 #include "../message/nearest.h"
-#include "cut.h"
+#include "line.h"
 
 bool say_range(int i, double v, char reason[REASON_MAX])
 {
