@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "choose.h"
+#include "line.h"
 
 #include <limits.h>
 #include <stdio.h>

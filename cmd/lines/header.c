@@ -7,7 +7,7 @@
 #include <strings.h>
 
 #include "../message/escape.h"
-#include "choose.h"
+#include "line.h"
 #include "say.h"
 
 /* A # before a separator is a field and not the beginning of a comment; but if blanks

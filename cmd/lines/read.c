@@ -2,7 +2,7 @@
 /* Reads one line of any kind, and decides alone what a legal line is. */
 #include <stdio.h>
 
-#include "choose.h"
+#include "line.h"
 #include "header.h"
 #include "say.h"
 #include "../message/escape.h"

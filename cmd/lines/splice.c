@@ -11,7 +11,7 @@
 
 #include "../../core/points/kernel/little.h"
 #include "../json/text.h"
-#include "choose.h"
+#include "line.h"
 #include "header.h"
 #include "in_place.h"
 

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../lines/choose.h"
+#include "../lines/line.h"
 #include "../lines/in_place.h"
 
 /* Reads the next line of the block with line_read. Returns false where a bad line
