@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "header.h"
+#include "line.h"
 
 #include <ctype.h>
 #include <math.h>
@@ -7,7 +7,6 @@
 #include <strings.h>
 
 #include "../message/escape.h"
-#include "line.h"
 #include "say.h"
 
 /* A # before a separator is a field and not the beginning of a comment; but if blanks

@@ -3,7 +3,6 @@
 #include <stdio.h>
 
 #include "line.h"
-#include "header.h"
 #include "say.h"
 #include "../message/escape.h"
 

@@ -12,7 +12,6 @@
 #include "../../core/points/kernel/little.h"
 #include "../json/text.h"
 #include "line.h"
-#include "header.h"
 #include "in_place.h"
 
 enum { FLAGS = COORDINATES_MAX };
