@@ -7,7 +7,6 @@
 #include <strings.h>
 
 #include "../message/escape.h"
-#include "say.h"
 
 /* A # before a separator is a field and not the beginning of a comment; but if blanks
  * separate fields, "# x y z" is a comment. */

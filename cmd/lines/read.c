@@ -3,7 +3,6 @@
 #include <stdio.h>
 
 #include "line.h"
-#include "say.h"
 #include "../message/escape.h"
 
 /* Writes why coordinate i was not found, or found twice. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "say.h"
+#include "line.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -9,7 +9,6 @@
 #include "../../core/scene/scene.h"
 #include "../message/escape.h"
 #include "../message/nearest.h"
-#include "line.h"
 
 bool say_range(int i, double v, char reason[REASON_MAX])
 {
