@@ -3,7 +3,7 @@
 #ifndef ERROR_BOUND_H
 #define ERROR_BOUND_H
 
-#include "../points/point.h"
+#include "../points/points.h"
 
 /* Writes for each precision an upper bound of the error of any coordinate of an image, in
  * device units or, without a viewport, ndc units, for points of the view volume that are

@@ -4,7 +4,7 @@
 #ifndef FRUSTUM_H
 #define FRUSTUM_H
 
-#include "../points/point.h"
+#include "../points/points.h"
 
 enum {
 	OUT_LEFT = 1,

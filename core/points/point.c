@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "point.h"
+#include "points.h"
 
 #include <math.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The parameters that inspect prints, against MPFR. */
 #include "../derive/parameters.h"
-#include "../points/point.h"
+#include "../points/points.h"
 
 #include "claims.h"
 #include "numbers.h"
