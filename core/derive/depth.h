@@ -4,6 +4,7 @@
 #define DEPTH_H
 
 #include "../scene/scene.h"
+#include "../points/points.h"
 
 enum buffer { BUFFER_UNORM16, BUFFER_UNORM24, BUFFER_FLOAT32, BUFFERS };
 
@@ -42,5 +43,14 @@ double depth_step(const struct depth *, enum buffer, bool far);
 /* Returns how far from the distance at, toward the eye, the depth has changed by one step
  * of the buffer. */
 double depth_step_at(const struct depth *, enum buffer, double at);
+
+/* Upper bounds of the error of a point's image. */
+
+/* Writes for each precision an upper bound of the error of any coordinate of an image, in
+ * device units or, without a viewport, ndc units, for points of the view volume that are
+ * given in model space. kernel/plain.h derives the bounds. A bound is nan if w could be
+ * less than its own error, or 1/w beyond the range of the precision. Returns NULL, or
+ * the member and the reason. */
+const char *error_bounds(const struct scene *, double bound[3]);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "error_bound.h"
+#include "depth.h"
 
 #include <math.h>
 
