@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "rotation.h"
+#include "trig.h"
 
 #include <math.h>
 

@@ -5,6 +5,7 @@
 #define TRIG_H
 
 #include "sum.h"
+#include "map.h"
 
 /* The bound of the relative error, where a result is not exact. */
 #define TRIG_BOUND 0x1p-313
@@ -28,5 +29,19 @@ bool trig_sinc(struct sum square, struct sum *sinc, struct sum *versinc);
 /* Returns the double nearest to the angle in degrees whose tangent is y / x, from 0 to
  * 180, for y >= 0; nan where both are 0. */
 double trig_degrees(struct sum y, struct sum x);
+
+/* The rotation about a vector, and the rotation nearest to a matrix. */
+
+/* Computes the rotation about a vector by its length in radians: row i of r is axis i of
+ * the rotated space. Returns false where the length is above 2 pi. */
+bool rotation_about(const double vector[3], struct sum r[3][3]);
+
+/* ROTATION_NONE: the determinant is not positive, so no rotation is nearest.
+ * ROTATION_MANY: two singular values are too near 0, so many rotations are. */
+enum rotation { ROTATION_FOUND, ROTATION_NONE, ROTATION_MANY };
+
+/* Computes the rotation nearest to the upper 3x3 of a matrix, its polar factor, as a
+ * quaternion x y z w of any norm. The error is within 2^-250 of the norm. */
+enum rotation rotation_nearest(const double matrix[4][4], struct sum q[4]);
 
 #endif

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "../exact/rotation.h"
+#include "../exact/trig.h"
 
 /* The unit vector v / length. v is not divided because it is an exact polynomial of the
  * parameters, in which terms cancel exactly. If the length of axis y is exact, the three
