@@ -7,9 +7,8 @@
 #include "call/input.h"
 #include "call/operands.h"
 #include "call/synonyms.h"
-#include "stream/answer.h"
-#include "scene/members.h"
 #include "stream/stream.h"
+#include "scene/members.h"
 #include "message/message.h"
 
 #define VERSION "0.3.0"

@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "input.h"
-#include "../stream/answer.h"
+#include "../stream/stream.h"
 #include "../message/message.h"
 #include "../scene/convention_member.h"
 

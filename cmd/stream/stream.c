@@ -14,7 +14,6 @@
 #include <unistd.h>
 
 #include "../message/message.h"
-#include "answer.h"
 
 /* The size of a thread's stack in bytes. Systems give 128 KB or more. inspect needs up
  * to 192 KB, as a map is 7 KB of exact numbers. */
