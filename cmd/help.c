@@ -5,7 +5,6 @@
 
 #include "call/options.h"
 #include "call/synonyms.h"
-#include "scene/convention_member.h"
 #include "scene/members.h"
 #include "message/message.h"
 

@@ -3,7 +3,6 @@
 
 #include "call/options.h"
 #include "message/message.h"
-#include "scene/convention_member.h"
 #include "scene/members.h"
 
 /* Puts a member with a string, or null. */

@@ -10,7 +10,7 @@
 #include "input.h"
 #include "../stream/stream.h"
 #include "../message/message.h"
-#include "../scene/convention_member.h"
+#include "../scene/members.h"
 
 /* Refuses an operand that is no file. The message suggests an option if the word is its
  * name without dashes, or with dashes of U+2010 to U+2015 in UTF-8, which editors make

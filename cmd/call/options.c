@@ -10,7 +10,7 @@
 #include "../json/value.h"
 #include "../message/message.h"
 #include "../message/nearest.h"
-#include "../scene/convention_member.h"
+#include "../scene/members.h"
 
 const char *const precision_names[] = { "exact", "double", "single", NULL };
 

@@ -9,9 +9,8 @@
 #include <string.h>
 
 #include "../stream/source.h"
-#include "../scene/convention_member.h"
-#include "../scene/document.h"
 #include "../scene/members.h"
+#include "../scene/document.h"
 #include "../message/message.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);

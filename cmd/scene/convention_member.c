@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "convention_member.h"
+#include "members.h"
 
 #include <string.h>
 

@@ -7,7 +7,6 @@
 
 #include "../json/text.h"
 #include "../number/number.h"
-#include "convention_member.h"
 #include "members.h"
 #include "../message/message.h"
 

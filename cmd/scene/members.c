@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "members.h"
 
-#include "convention_member.h"
 
 static const char *const origins[] = { "bottom-left", "top-left", NULL };
 static const char *const scales[] = { "fill", "uniform", NULL };

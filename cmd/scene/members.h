@@ -5,6 +5,8 @@
 
 #include "document.h"
 #include "types.h"
+#include "../../core/scene/scene.h"
+#include "../json/object.h"
 
 /* The members of struct document; row i has bit i in enum scene_member. */
 extern const struct member scene_members[];
@@ -34,5 +36,33 @@ void projection_complete(const struct value *, const struct viewport *,
 	"{\"camera\": " CAMERA_LIKE ", \"projection\": {\"type\": \"persp\"," \
 	" \"fovy\": 60, \"near\": 1, \"far\": 10}, "                          \
 	"\"viewport\": " RECTANGLE_LIKE "}"
+
+/* The member "convention", and the conventions that have a name. */
+
+enum {
+	CONVENTION_D3D, /* the default */
+	CONVENTION_GL,
+	CONVENTION_VULKAN,
+	CONVENTION_WEBGPU,
+	CONVENTION_OPENCV,
+	CONVENTIONS,
+};
+
+extern const struct convention conventions[CONVENTIONS];
+extern const char *const convention_names[CONVENTIONS + 1]; /* NULL ends */
+
+/* The members of a convention that is an object. Each is a bool of struct convention and
+ * has two words: the first, the property of d3d, is false, the second true. */
+extern const struct member convention_members[];
+
+/* Returns whether two conventions are equal. */
+bool same_convention(const struct convention *, const struct convention *);
+
+/* A convention: a name, or an object of convention_members. */
+extern const struct type type_convention;
+
+/* Refuses the member of that name, which depends on the view axes, if neither the document
+ * nor the command line has a convention. */
+void check_axes(const struct value *in, const char *name);
 
 #endif

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "../message/escape.h"
-#include "convention_member.h"
 
 /* The range of an angle, with the words for it in degrees and in radians. */
 #define ANGLE(label, least, most, degrees, radians, ...)                \
