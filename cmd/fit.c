@@ -2,7 +2,6 @@
 #include <string.h>
 
 #include "../core/derive/fit.h"
-#include "call/input.h"
 #include "call/operands.h"
 #include "scene/document.h"
 #include "message/message.h"

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "call/command.h"
-#include "call/input.h"
 #include "call/operands.h"
 #include "call/synonyms.h"
 #include "stream/stream.h"

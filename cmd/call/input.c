@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "input.h"
+#include "operands.h"
 
 #include <ctype.h>
 #include <errno.h>

@@ -7,7 +7,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "input.h"
 #include "../stream/stream.h"
 #include "../message/message.h"
 #include "../scene/members.h"

@@ -5,6 +5,8 @@
 
 #include "options.h"
 #include "../stream/stream.h"
+#include <stdbool.h>
+#include <stddef.h>
 
 /* Refuses operands that can't be opened, before anything is printed. */
 void operands_check(const struct command *, const struct options *);
@@ -34,5 +36,38 @@ void prepare_job(struct job *, const struct options *);
 /* Runs the job on all points: the operands; without them the document's; without these
  * standard input. Operands are read once for all scenes. */
 void run_points(const struct options *, const struct document *, struct job *);
+
+/* Files and standard input as texts in memory. */
+
+/* A text. Beyond room it has PIECE_MARGIN more bytes, as the readers of points read past
+ * the end. */
+struct text {
+	char *s; /* NULL at first */
+	size_t room, have;
+};
+
+bool is_stdin(const char *operand);
+
+/* Returns the first character that is not white space. */
+char first_char(const char *);
+
+/* Refuses a directory, and the regular file of standard output, with exit status 2. A
+ * file that does not exist is left to open_input. */
+void check_input(const char *name);
+
+/* Returns a file descriptor. Refuses what check_input refuses, and what can't be opened,
+ * with exit status 2. */
+int open_input(const char *name);
+void close_input(int fd);
+
+/* Reads more of fd to the end of the text. Returns false at the end of the file. name is
+ * for messages. */
+bool read_more(struct text *, int fd, const char *name);
+
+/* Reads all of a file. */
+struct text read_whole(const char *name);
+
+struct text copy_operand(const char *operand);
+void text_free(struct text *);
 
 #endif

@@ -3,7 +3,6 @@
 
 #include <string.h>
 
-#include "input.h"
 #include "../message/message.h"
 
 enum { DOCUMENT_MAX = 1 << 28 };

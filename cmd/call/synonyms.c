@@ -6,7 +6,7 @@
 #include <strings.h>
 #include <unistd.h>
 
-#include "input.h"
+#include "operands.h"
 #include "../message/message.h"
 #include "../message/nearest.h"
 #include "../scene/members.h"
