@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "../core/derive/depth.h"
-#include "../core/derive/parameters.h"
+#include "../core/derive/taxonomy.h"
 #include "json/print.h"
 #include "call/operands.h"
 #include "scene/document.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "parameters.h"
+#include "taxonomy.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The parameters that inspect prints, against MPFR. */
-#include "../derive/parameters.h"
+#include "../derive/taxonomy.h"
 #include "../points/points.h"
 
 #include "claims.h"
