@@ -3,7 +3,7 @@
 #ifndef FIT_H
 #define FIT_H
 
-#include "fit_points.h"
+#include "fit_bounds.h"
 
 /* Completes a scene of type persp, ortho, oblique or volume, and gives its camera the
  * form CAMERA_GAZE. The axes of view space do not change. near and far become the ends
