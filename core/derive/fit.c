@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "fit.h"
+#include "fit_bounds.h"
 
 #include <math.h>
 
