@@ -3,7 +3,7 @@
 #ifndef OPTIONS_H
 #define OPTIONS_H
 
-#include "../../core/points/points.h"
+#include "../../core/points/transform.h"
 #include "../json/value.h"
 #include "../lines/line.h"
 #include "command.h"

@@ -10,7 +10,7 @@
 #include <string.h>
 #include <strings.h>
 
-#include "../../core/points/points.h"
+#include "../../core/points/transform.h"
 #include "../number/number.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);

@@ -6,7 +6,7 @@
 
 #include "../../core/derive/frustum.h"
 #include "../../core/derive/ray.h"
-#include "../../core/points/points.h"
+#include "../../core/points/transform.h"
 #include "../lines/walk.h"
 #include "source.h"
 

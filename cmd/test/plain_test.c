@@ -15,7 +15,7 @@
 #include <string.h>
 #include <sys/mman.h>
 
-#include "../../core/points/points.h"
+#include "../../core/points/transform.h"
 #include "../number/number.h"
 #include "../number/plain.h"
 

@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../../core/points/points.h"
+#include "../../core/points/transform.h"
 #include "../number/number.h"
 
 enum { BLOCK = 512, SURPLUS = 64, GUARD = 64 };

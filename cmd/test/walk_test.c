@@ -2,7 +2,7 @@
 /* Tests which lines are walked and which are left to line_read, and the places
  * of the numbers on walked lines. A line that is left costs only time, but
  * usual lines must be walked. */
-#include "../../core/points/points.h"
+#include "../../core/points/transform.h"
 #include "../lines/walk.h"
 
 #include <setjmp.h>

@@ -4,7 +4,7 @@
 #define DEPTH_H
 
 #include "../scene/scene.h"
-#include "../points/points.h"
+#include "../points/transform.h"
 
 enum buffer { BUFFER_UNORM16, BUFFER_UNORM24, BUFFER_FLOAT32, BUFFERS };
 

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../points/points.h"
+#include "../points/transform.h"
 
 void directions_add(struct directions *all, const struct map *map, int j,
     bool minus)

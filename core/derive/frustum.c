@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../points/points.h"
+#include "../points/transform.h"
 
 void view_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
 {

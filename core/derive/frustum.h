@@ -4,7 +4,7 @@
 #ifndef FRUSTUM_H
 #define FRUSTUM_H
 
-#include "../points/points.h"
+#include "../points/transform.h"
 
 enum {
 	OUT_LEFT = 1,

@@ -3,7 +3,7 @@
 #ifndef PICK_H
 #define PICK_H
 
-#include "../points/points.h"
+#include "../points/transform.h"
 
 struct picker {
 	const struct transform *to_device; /* from model space */

@@ -3,7 +3,7 @@
 #ifndef RAY_H
 #define RAY_H
 
-#include "../points/points.h"
+#include "../points/transform.h"
 
 struct ray_maker {
 	struct transform to_world; /* from the device to the points on rays */

@@ -11,7 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../points/points.h"
+#include "../points/transform.h"
 #include "compare.h"
 
 static bool is_lost(const struct cell *c)

@@ -3,7 +3,7 @@
  * for any order of the points, any pieces and any processor. */
 #include "../derive/fit_bounds.h"
 
-#include "../points/points.h"
+#include "../points/transform.h"
 #include "claims.h"
 #include "points.h"
 #include "numbers.h"

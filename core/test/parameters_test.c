@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The parameters that inspect prints, against MPFR. */
 #include "../derive/taxonomy.h"
-#include "../points/points.h"
+#include "../points/transform.h"
 
 #include "claims.h"
 #include "numbers.h"

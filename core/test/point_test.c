@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The accurate phase for one point: ties, zeros, the eye plane, nan. */
-#include "../points/points.h"
+#include "../points/transform.h"
 
 #include "claims.h"
 #include "points.h"

@@ -3,7 +3,7 @@
 #ifndef BLOCK_H
 #define BLOCK_H
 
-#include "../points/points.h"
+#include "../points/transform.h"
 #include "sample.h"
 #include "truth.h"
 

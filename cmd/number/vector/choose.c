@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "vector.h"
 
-#include "../../../core/points/points.h"
+#include "../../../core/points/transform.h"
 
 static const struct {
 	number_writer *writer;
