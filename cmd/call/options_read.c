@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "../json/value.h"
-#include "../message/escape.h"
+#include "../message/utf8.h"
 #include "../message/message.h"
 #include "../message/nearest.h"
 #include "synonyms.h"

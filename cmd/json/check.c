@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../message/escape.h"
+#include "../message/utf8.h"
 #include "../number/number.h"
 #include "text.h"
 

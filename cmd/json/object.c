@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "../message/nearest.h"
-#include "../message/escape.h"
+#include "../message/utf8.h"
 
 /* The most rows of a table: members are bits. */
 enum { MEMBERS_MAX = 64 };

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <strings.h>
 
-#include "../message/escape.h"
+#include "../message/utf8.h"
 
 /* A # before a separator is a field and not the beginning of a comment; but if blanks
  * separate fields, "# x y z" is a comment. */

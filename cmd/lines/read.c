@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "line.h"
-#include "../message/escape.h"
+#include "../message/utf8.h"
 
 /* Writes why coordinate i was not found, or found twice. */
 static void say_missing(const struct layout *l, int i, struct cut cut,

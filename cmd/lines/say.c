@@ -7,7 +7,7 @@
 #include <strings.h>
 
 #include "../../core/scene/scene.h"
-#include "../message/escape.h"
+#include "../message/utf8.h"
 #include "../message/nearest.h"
 
 bool say_range(int i, double v, char reason[REASON_MAX])

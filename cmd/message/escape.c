@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-#include "escape.h"
+#include "utf8.h"
 
 #include <stdio.h>
 #include <string.h>
 
-#include "utf8.h"
 
 /* Returns whether a character looks like a blank or like nothing: no-break spaces, the
  * soft hyphen, joiners of zero width, invisible operators, the byte order mark. */

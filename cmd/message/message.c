@@ -13,7 +13,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "escape.h"
+#include "utf8.h"
 
 struct message_state message_state;
 

@@ -3,6 +3,9 @@
 #ifndef UTF8_H
 #define UTF8_H
 
+#include <stdbool.h>
+#include <stddef.h>
+
 /* The characters from s to before end. */
 struct span {
 	const char *s, *end;
@@ -15,5 +18,25 @@ int utf8_read(const char *s, const char *end, unsigned *code);
 /* Writes the character of a code that is not half of a surrogate pair. Returns its
  * length in bytes. */
 int utf8_write(unsigned code, char out[4]);
+
+/* Escapes for text of the user in messages: control characters and invisible characters
+ * become \u001b, and bytes that are not UTF-8 become \xff. So the text can't move a
+ * terminal's cursor, end the line, or change the direction of writing. */
+
+enum { JSON_ESCAPE_MAX = 6 }; /* bytes that one character may become */
+
+/* Copies s[0..n) to out[0..room) with escapes. If json is true, also escapes quotes and
+ * backslashes, as between the quotes of a JSON string, and writes U+FFFD for a byte that
+ * is not UTF-8. A copy that does not fit is cut and ends in ellipsis. Returns the length
+ * of the copy. */
+size_t escape_copy(char *out, size_t room, const char *s, size_t n, bool json,
+    const char *ellipsis);
+
+/* Copies s[0..n) with escapes, and "..." where it is cut. Returns out. */
+enum { ESCAPED_MAX = 64 };
+const char *escaped(char out[ESCAPED_MAX], const char *s, size_t n);
+
+/* Returns the code of the first invisible character in a string with escapes, or 0. */
+unsigned escape_invisible(const char *);
 
 #endif

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../message/escape.h"
+#include "../message/utf8.h"
 
 /* The range of an angle, with the words for it in degrees and in radians. */
 #define ANGLE(label, least, most, degrees, radians, ...)                \
