@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "walk.h"
+#include "line.h"
 
 #include <math.h>
 #include <string.h>

@@ -7,7 +7,7 @@
 #include "../../core/derive/frustum.h"
 #include "../../core/derive/ray.h"
 #include "../../core/points/transform.h"
-#include "../lines/walk.h"
+#include "../lines/line.h"
 #include "source.h"
 
 /* The bad lines that are reported; more are only counted. */

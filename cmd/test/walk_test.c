@@ -3,7 +3,7 @@
  * of the numbers on walked lines. A line that is left costs only time, but
  * usual lines must be walked. */
 #include "../../core/points/transform.h"
-#include "../lines/walk.h"
+#include "../lines/line.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
