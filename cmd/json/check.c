@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "check.h"
+#include "text.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -8,7 +8,6 @@
 
 #include "../message/utf8.h"
 #include "../number/number.h"
-#include "text.h"
 
 enum {
 	LEVELS_MAX = 100,

@@ -8,7 +8,7 @@
 #include <stddef.h>
 
 #include "../message/message.h"
-#include "check.h"
+#include "text.h"
 
 /* The text that values come from, and what their readers have to know. */
 struct source {

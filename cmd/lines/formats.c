@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "../json/check.h"
 #include "../json/text.h"
 #include "../number/number.h"
 
