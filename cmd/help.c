@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include "call/options.h"
-#include "call/synonyms.h"
 #include "scene/members.h"
 #include "message/message.h"
 

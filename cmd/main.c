@@ -5,7 +5,7 @@
 
 #include "call/command.h"
 #include "call/operands.h"
-#include "call/synonyms.h"
+#include "call/options.h"
 #include "stream/stream.h"
 #include "scene/members.h"
 #include "message/message.h"

@@ -8,7 +8,7 @@
 #include "../message/utf8.h"
 #include "../message/message.h"
 #include "../message/nearest.h"
-#include "synonyms.h"
+#include "options.h"
 
 /* Refuses an unknown option: "--name", "--name=value" or "-name". */
 static _Noreturn void refuse_option(const struct command *c, const char *word)

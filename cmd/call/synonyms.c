@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "synonyms.h"
+#include "options.h"
 
 #include <stdio.h>
 #include <string.h>
