@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "pick.h"
+#include "ray.h"
 
 #include <math.h>
 

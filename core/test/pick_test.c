@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The points within a radius, their distances and their order, against MPFR. */
-#include "../derive/pick.h"
+#include "../derive/ray.h"
 
 #include "claims.h"
 #include "points.h"
