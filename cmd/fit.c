@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include <string.h>
 
-#include "../core/derive/fit_bounds.h"
+#include "../core/derive/fit.h"
 #include "call/operands.h"
 #include "scene/document.h"
 #include "message/message.h"

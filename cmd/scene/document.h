@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-#include "../../core/derive/fit_bounds.h"
+#include "../../core/derive/fit.h"
 #include "../json/print.h"
 #include "../json/value.h"
 

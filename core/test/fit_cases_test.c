@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "../derive/fit_bounds.h"
+#include "../derive/fit.h"
 #include "numbers.h"
 
 static const struct bounds unit_ball = { .sphere = true, .radius = 1 };

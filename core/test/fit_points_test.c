@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* No point is farther along a direction than the one that is found, by MPFR,
  * for any order of the points, any pieces and any processor. */
-#include "../derive/fit_bounds.h"
+#include "../derive/fit.h"
 
 #include "../points/transform.h"
 #include "claims.h"

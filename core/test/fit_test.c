@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The scene that fit makes holds its bounds, or all points of a cloud, exactly,
  * and no double is tighter. */
-#include "../derive/fit_bounds.h"
+#include "../derive/fit.h"
 
 #include "claims.h"
 #include "../derive/frustum.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The window that fit finds holds its bounds, and no double is tighter, by MPFR
  * and by the flags. */
-#include "../derive/fit_bounds.h"
+#include "../derive/fit.h"
 
 #include "../derive/frustum.h"
 #include "claims.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The bounds that fit closes a scene on, and their extents. */
-#ifndef FIT_BOUNDS_H
-#define FIT_BOUNDS_H
+#ifndef FIT_H
+#define FIT_H
 
 #include "../scene/scene.h"
 
