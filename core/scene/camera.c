@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "camera.h"
+#include "convention.h"
 
 #include <string.h>
 

@@ -4,6 +4,8 @@
 #define CONVENTION_H
 
 #include <stdbool.h>
+#include "../exact/map.h"
+#include "../exact/trig.h"
 
 /* The convention d3d has all members false. */
 struct convention {
@@ -20,5 +22,42 @@ static inline bool looks_back(const struct convention *c)
 {
 	return c->right_handed != c->view_y_down;
 }
+
+/* The camera: the map from world to view space and back. */
+
+struct camera {
+	double
+	    eye[3]; /* or the translation, the world's origin in view space */
+	enum {
+		CAMERA_AT,
+		CAMERA_GAZE,
+		CAMERA_ORIENTATION,      /* and eye */
+		CAMERA_RVEC,             /* and eye */
+		CAMERA_TRANSLATION,      /* and orientation */
+		CAMERA_RVEC_TRANSLATION, /* and rvec */
+		CAMERA_POSE,
+		CAMERA_MATRIX,
+	} kind;
+	double at[3]; /* or the gaze, a direction of any length */
+	double up[3];
+	double orientation[4]; /* x y z w, view to world axes, of any norm */
+	double
+	    rvec[3]; /* the rotation from world to view: axis times radians */
+	double roll; /* of the image, counterclockwise */
+	enum angle_unit unit; /* of roll */
+	/* The affine matrix from world to view space, for row vectors; or the pose,
+	 * the matrix from view to world space. */
+	double matrix[4][4];
+	bool orthonormalize;
+};
+
+/* Computes the matrix of projcalc(1), FORMULAS, lookat, or its inverse. Its elements are
+ * exact, or have a bound of their error. This holds however near up is to the gaze, or
+ * the eye to the point at which it looks, and however far a matrix is from its nearest
+ * rotation. Elements of a nearest rotation below 2^-248 become 0. A roll turns the axes,
+ * and a translation with them, about the eye. The origin of the map is the eye. Returns
+ * NULL, or the member and the reason why there is no such view. */
+const char *camera_map(const struct camera *, const struct convention *,
+    bool inverse, struct map *);
 
 #endif

@@ -3,7 +3,7 @@
 #ifndef SCENE_H
 #define SCENE_H
 
-#include "camera.h"
+#include "convention.h"
 #include "projection.h"
 #include "window.h"
 
