@@ -9,7 +9,7 @@
 #include "../../core/scene/scene.h"
 #include "../json/value.h"
 #include "../message/message.h"
-#include "../message/nearest.h"
+#include "../message/utf8.h"
 #include "../scene/members.h"
 
 const char *const precision_names[] = { "exact", "double", "single", NULL };

@@ -7,7 +7,6 @@
 #include "../json/value.h"
 #include "../message/utf8.h"
 #include "../message/message.h"
-#include "../message/nearest.h"
 #include "options.h"
 
 /* Refuses an unknown option: "--name", "--name=value" or "-name". */

@@ -8,7 +8,7 @@
 
 #include "operands.h"
 #include "../message/message.h"
-#include "../message/nearest.h"
+#include "../message/utf8.h"
 #include "../scene/members.h"
 
 /* The words that others use, divided by blanks, and what they are called here: an

@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../message/nearest.h"
 #include "../message/utf8.h"
 
 /* The most rows of a table: members are bits. */

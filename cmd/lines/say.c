@@ -8,7 +8,6 @@
 
 #include "../../core/scene/scene.h"
 #include "../message/utf8.h"
-#include "../message/nearest.h"
 
 bool say_range(int i, double v, char reason[REASON_MAX])
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "nearest.h"
+#include "utf8.h"
 
 #include <ctype.h>
 #include <string.h>

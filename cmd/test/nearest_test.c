@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "../message/nearest.h"
+#include "../message/utf8.h"
 
 #include <setjmp.h>
 #include <stdarg.h>
