@@ -6,7 +6,7 @@
 #include "call/command.h"
 #include "call/operands.h"
 #include "call/options.h"
-#include "stream/stream.h"
+#include "stream/job.h"
 #include "scene/members.h"
 #include "message/message.h"
 

@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "../stream/stream.h"
+#include "../stream/job.h"
 #include "../message/message.h"
 #include "../scene/members.h"
 

@@ -4,7 +4,7 @@
 #define OPERANDS_H
 
 #include "options.h"
-#include "../stream/stream.h"
+#include "../stream/job.h"
 #include <stdbool.h>
 #include <stddef.h>
 

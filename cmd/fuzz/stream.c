@@ -14,7 +14,7 @@
 
 #include "../scene/document.h"
 #include "layout.h"
-#include "../stream/stream.h"
+#include "../stream/job.h"
 #include "../message/message.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);

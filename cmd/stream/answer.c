@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "stream.h"
+#include "job.h"
 
 #include <stdio.h>
 #include <string.h>

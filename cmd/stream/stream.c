@@ -4,7 +4,7 @@
 #define _GNU_SOURCE
 #define _DARWIN_C_SOURCE
 #define __BSD_VISIBLE 1
-#include "stream.h"
+#include "job.h"
 
 #include <pthread.h>
 #include <sched.h>
