@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "ray.h"
+#include "depth.h"
 
 #include <math.h>
 

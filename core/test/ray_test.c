@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Rays: the nearest doubles and floats. */
-#include "../derive/ray.h"
+#include "../derive/depth.h"
 
 #include "claims.h"
 #include "points.h"

@@ -8,7 +8,7 @@
 #include "claims.h"
 #include "points.h"
 
-#include "../derive/ray.h"
+#include "../derive/depth.h"
 
 enum { BLOCKS = 24 };
 
