@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include "call/options.h"
-#include "scene/members.h"
+#include "scene/types.h"
 #include "message/message.h"
 
 static void heading(const char *text)

@@ -3,7 +3,7 @@
 
 #include "call/options.h"
 #include "message/message.h"
-#include "scene/members.h"
+#include "scene/types.h"
 
 /* Puts a member with a string, or null. */
 static void put_text_member(struct printer *p, const char *name, const char *s)

@@ -7,7 +7,7 @@
 #include "call/operands.h"
 #include "call/options.h"
 #include "stream/job.h"
-#include "scene/members.h"
+#include "scene/types.h"
 #include "message/message.h"
 
 #define VERSION "0.3.0"

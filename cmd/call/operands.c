@@ -9,7 +9,7 @@
 
 #include "../stream/job.h"
 #include "../message/message.h"
-#include "../scene/members.h"
+#include "../scene/types.h"
 
 /* Refuses an operand that is no file. The message suggests an option if the word is its
  * name without dashes, or with dashes of U+2010 to U+2015 in UTF-8, which editors make

@@ -10,7 +10,7 @@
 #include "../json/value.h"
 #include "../message/message.h"
 #include "../message/utf8.h"
-#include "../scene/members.h"
+#include "../scene/types.h"
 
 const char *const precision_names[] = { "exact", "double", "single", NULL };
 

@@ -9,7 +9,7 @@
 #include "operands.h"
 #include "../message/message.h"
 #include "../message/utf8.h"
-#include "../scene/members.h"
+#include "../scene/types.h"
 
 /* The words that others use, divided by blanks, and what they are called here: an
  * option "--jobs", a remark ": ...", or a call "project -m". The names that others have

@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "../stream/source.h"
-#include "../scene/members.h"
+#include "../scene/types.h"
 #include "../scene/document.h"
 #include "../message/message.h"
 

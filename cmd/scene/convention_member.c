@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "members.h"
+#include "types.h"
 
 #include <string.h>
 
-#include "types.h"
 
 const char *const convention_names[] = {
 	[CONVENTION_D3D] = "d3d",

@@ -7,7 +7,7 @@
 
 #include "../json/text.h"
 #include "../number/number.h"
-#include "members.h"
+#include "types.h"
 #include "../message/message.h"
 
 /* Returns the row of a member in scene_members: row i has bit i in enum scene_member. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "members.h"
+#include "types.h"
 
 
 static const char *const origins[] = { "bottom-left", "top-left", NULL };

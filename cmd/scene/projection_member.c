@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "members.h"
+#include "types.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "document.h"
-#include "../scene/members.h"
+#include "../scene/types.h"
 #include "../../core/test/numbers.h"
 
 static const struct document_wants w2d = { .needed = SCENE_WINDOW |
