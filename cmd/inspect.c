@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "../core/derive/depth.h"
+#include "../core/derive/frustum.h"
 #include "../core/derive/taxonomy.h"
 #include "json/print.h"
 #include "call/operands.h"

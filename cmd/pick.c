@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../core/derive/depth.h"
+#include "../core/derive/frustum.h"
 #include "json/print.h"
 #include "call/operands.h"
 #include "message/message.h"

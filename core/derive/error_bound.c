@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "depth.h"
+#include "frustum.h"
 
 #include <math.h>
 
-#include "frustum.h"
 
 struct arithmetic {
 	double u;    /* unit roundoff */

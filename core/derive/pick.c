@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "depth.h"
+#include "frustum.h"
 
 #include <math.h>
 
-#include "frustum.h"
 
 /* The distance of a point from a plane is the plane's linear function at the point over
  * the length of its gradient in view space. Without near and far planes the plane is

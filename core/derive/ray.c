@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "depth.h"
+#include "frustum.h"
 
 #include <math.h>
 #include <string.h>

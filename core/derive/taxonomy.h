@@ -5,7 +5,7 @@
 #define TAXONOMY_H
 
 #include "../scene/scene.h"
-#include "depth.h"
+#include "frustum.h"
 
 enum taxon {
 	TAXON_ORTHOGRAPHIC,

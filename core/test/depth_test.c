@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "../derive/depth.h"
+#include "../derive/frustum.h"
 #include "sample.h"
 #include "../derive/taxonomy.h"
 #include "truth.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* No point of the view volume has an error above the bound that inspect
  * prints. */
-#include "../derive/depth.h"
+#include "../derive/frustum.h"
 
 #include "claims.h"
 #include "points.h"

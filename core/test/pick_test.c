@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The points within a radius, their distances and their order, against MPFR. */
-#include "../derive/depth.h"
+#include "../derive/frustum.h"
 
 #include "claims.h"
 #include "points.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Rays: the nearest doubles and floats. */
-#include "../derive/depth.h"
+#include "../derive/frustum.h"
 
 #include "claims.h"
 #include "points.h"

@@ -8,7 +8,7 @@
 #include "claims.h"
 #include "points.h"
 
-#include "../derive/depth.h"
+#include "../derive/frustum.h"
 
 enum { BLOCKS = 24 };
 
