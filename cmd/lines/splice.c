@@ -417,8 +417,10 @@ char *line_write(const struct layout *l, const struct line *line,
 	bool header = line->kind == LINE_HEADER;
 	bool same = same_dialect(l->in, l->out);
 
-	if (line->kind == LINE_POINT && !same && !l->append)
-		return convert_point(l, line, *numbers, flags, out);
+	if ((line->kind == LINE_POINT || is_binary(l->in.format)) && !same &&
+	    !l->append)
+		return convert_point(l, line, *numbers, l->flags ? flags : NULL,
+		    out);
 	if ((header || line->kind == LINE_COPY) &&
 	    (*format_of(l->in)->open != '\0' ||
 		*format_of(l->out)->open != '\0'))

@@ -4,7 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-
 /* Returns whether a character looks like a blank or like nothing: no-break spaces, the
  * soft hyphen, joiners of zero width, invisible operators, the byte order mark. */
 static bool is_invisible(unsigned code)

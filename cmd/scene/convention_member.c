@@ -3,7 +3,6 @@
 
 #include <string.h>
 
-
 const char *const convention_names[] = {
 	[CONVENTION_D3D] = "d3d",
 	[CONVENTION_GL] = "gl",

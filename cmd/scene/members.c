@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "types.h"
 
-
 static const char *const origins[] = { "bottom-left", "top-left", NULL };
 static const char *const scales[] = { "fill", "uniform", NULL };
 const char *const adapt_names[] = { "stretch", "grow", "shrink", NULL };

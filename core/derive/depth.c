@@ -88,7 +88,7 @@ struct depth_value {
 };
 
 /* Returns d times line[0] z + line[1] at the depth z = n / d. */
-static struct sum line_at(const struct sum line[2], const struct depth_value *z)
+static struct sum depth_line_at(const struct sum line[2], const struct depth_value *z)
 {
 	return sum_add(sum_mul(line[0], z->n), sum_mul(line[1], z->d));
 }
@@ -105,8 +105,8 @@ void depth_quotient(const struct depth *d, bool far, struct sum *over,
 {
 	struct depth_value z = depth_of_plane(d, far);
 
-	*over = line_at(d->over, &z);
-	*under = line_at(d->under, &z);
+	*over = depth_line_at(d->over, &z);
+	*under = depth_line_at(d->under, &z);
 }
 
 double depth_distance(const struct depth *d, bool far)
@@ -170,7 +170,7 @@ static struct sum determinant(const struct depth *d)
 static double distance_between(const struct depth *d,
     const struct depth_value *a, const struct depth_value *b)
 {
-	struct sum under[2] = { line_at(d->under, a), line_at(d->under, b) };
+	struct sum under[2] = { depth_line_at(d->under, a), depth_line_at(d->under, b) };
 	struct sum difference = sum_mul(determinant(d),
 	    sum_minor(b->n, a->d, a->n, b->d));
 

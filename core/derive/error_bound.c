@@ -3,7 +3,6 @@
 
 #include <math.h>
 
-
 struct arithmetic {
 	double u;    /* unit roundoff */
 	double tiny; /* least normal number */

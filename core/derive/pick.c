@@ -3,7 +3,6 @@
 
 #include <math.h>
 
-
 /* The distance of a point from a plane is the plane's linear function at the point over
  * the length of its gradient in view space. Without near and far planes the plane is
  * w = 0. */

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "convention.h"
+#include "camera.h"
 
 #include <string.h>
 

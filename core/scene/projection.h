@@ -3,9 +3,7 @@
 #ifndef PROJECTION_H
 #define PROJECTION_H
 
-#include "convention.h"
-#include "../exact/map.h"
-#include "../exact/trig.h"
+#include "camera.h"
 
 /* The members that give the cross-section of persp (on the near plane), ortho and
  * oblique, in the order of the table of their members. */

@@ -3,7 +3,7 @@
 #ifndef SCENE_H
 #define SCENE_H
 
-#include "convention.h"
+#include "camera.h"
 #include "projection.h"
 #include "window.h"
 

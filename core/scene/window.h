@@ -4,8 +4,7 @@
 #ifndef WINDOW_H
 #define WINDOW_H
 
-#include "convention.h"
-#include "../exact/map.h"
+#include "camera.h"
 
 struct window {
 	double center[2], width, height;

@@ -8,7 +8,7 @@
 
 /* Replaces the upper 3x3 by its nearest rotation, as a camera that is told to
  * orthonormalize does. */
-static void rotation_nearest(double m[4][4])
+static void nearest_rotation(double m[4][4])
 {
 	struct camera c = { .kind = CAMERA_MATRIX, .orthonormalize = true };
 	const struct convention any = { 0 };

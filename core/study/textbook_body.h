@@ -157,7 +157,7 @@ static MATRIX NAME(turned)(MATRIX view, const struct camera *c)
 		return view;
 	for (int i = 0; i < 16; i++)
 		m[i / 4][i % 4] = (double)view.m[i / 4][i % 4];
-	rotation_nearest(m);
+	nearest_rotation(m);
 	for (int i = 0; i < 16; i++)
 		view.m[i / 4][i % 4] = (REAL)m[i / 4][i % 4];
 	return view;

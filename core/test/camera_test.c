@@ -71,7 +71,7 @@ static void orthonormalized(const char *what, int e, int tries)
 	claim_bound(what, &w, 0x1p-245 / TRUTH_RULE);
 }
 
-static void rotation_nearest(void **state)
+static void rotation_is_nearest(void **state)
 {
 	(void)state;
 	sample_seed(2);
@@ -408,7 +408,7 @@ int main(void)
 {
 	const struct CMUnitTest tests[] = {
 		cmocka_unit_test(random_ones),
-		cmocka_unit_test(rotation_nearest),
+		cmocka_unit_test(rotation_is_nearest),
 		cmocka_unit_test(nearest_exactly),
 		cmocka_unit_test(turns_of_a_cube),
 		cmocka_unit_test(no_ghosts),
