@@ -65,12 +65,12 @@ int __wrap_poll(struct pollfd *p, nfds_t n, int wait)
 }
 
 /* What came to standard output, and the messages. */
-static struct buffer {
+static struct bytes {
 	char *s;
 	size_t n, room;
 } printed, said;
 
-static void add(struct buffer *b, const char *s, size_t n)
+static void add(struct bytes *b, const char *s, size_t n)
 {
 	if (b->n + n > b->room) {
 		b->room = 2 * (b->n + n);
@@ -227,7 +227,7 @@ static bool do_at_once(struct job *j, const char *text, size_t size)
 	return !refused;
 }
 
-static void compare(struct buffer *b, const struct buffer *was)
+static void compare(struct bytes *b, const struct bytes *was)
 {
 	if (b->n != was->n || (b->n > 0 && memcmp(b->s, was->s, b->n) != 0))
 		abort();
@@ -253,9 +253,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	points_choose(data[3] & 32 ? "baseline" : NULL);
 	bool whole_source = do_at_once(&j, (const char *)data + HEADER,
 	    size - HEADER);
-	struct buffer whole = printed, messages = said;
+	struct bytes whole = printed, messages = said;
 
-	printed = said = (struct buffer){ 0 };
+	printed = said = (struct bytes){ 0 };
 	if (!whole_source) {
 		free(whole.s);
 		free(messages.s);

@@ -88,7 +88,8 @@ struct depth_value {
 };
 
 /* Returns d times line[0] z + line[1] at the depth z = n / d. */
-static struct sum depth_line_at(const struct sum line[2], const struct depth_value *z)
+static struct sum depth_line_at(const struct sum line[2],
+    const struct depth_value *z)
 {
 	return sum_add(sum_mul(line[0], z->n), sum_mul(line[1], z->d));
 }
@@ -170,7 +171,8 @@ static struct sum determinant(const struct depth *d)
 static double distance_between(const struct depth *d,
     const struct depth_value *a, const struct depth_value *b)
 {
-	struct sum under[2] = { depth_line_at(d->under, a), depth_line_at(d->under, b) };
+	struct sum under[2] = { depth_line_at(d->under, a),
+		depth_line_at(d->under, b) };
 	struct sum difference = sum_mul(determinant(d),
 	    sum_minor(b->n, a->d, a->n, b->d));
 
