@@ -5,8 +5,6 @@
 
 #include "options.h"
 #include "../stream/job.h"
-#include <stdbool.h>
-#include <stddef.h>
 
 /* Refuses operands that can't be opened, before anything is printed. */
 void operands_check(const struct command *, const struct options *);

@@ -6,9 +6,9 @@
 #define JSON_TEXT_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "../message/utf8.h"
-#include <stddef.h>
 
 /* Reads the number at s and returns its end; returns NULL if there is none, or one that
  * JSON does not have: +1, 01, 1., .5, 1e, inf. */

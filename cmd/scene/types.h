@@ -5,7 +5,6 @@
 
 #include "../json/object.h"
 #include "document.h"
-#include "../../core/scene/scene.h"
 
 /* A number, or an array of n numbers; in the struct doubles. */
 extern const struct type type_numbers;

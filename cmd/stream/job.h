@@ -5,7 +5,6 @@
 #define JOB_H
 
 #include "../../core/derive/frustum.h"
-#include "../../core/points/transform.h"
 #include "../lines/line.h"
 #include "source.h"
 

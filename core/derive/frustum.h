@@ -5,7 +5,6 @@
 #define FRUSTUM_H
 
 #include "../points/transform.h"
-#include "../scene/scene.h"
 
 enum {
 	OUT_LEFT = 1,

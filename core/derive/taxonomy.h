@@ -4,7 +4,6 @@
 #ifndef TAXONOMY_H
 #define TAXONOMY_H
 
-#include "../scene/scene.h"
 #include "frustum.h"
 
 enum taxon {

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /* Sine, cosine and cotangent to 300 bits and more, and the arc tangent as a double.
- * Degrees are reduced exactly, and rational values of degrees are exact. */
+ * Degrees are reduced exactly, and rational values of degrees are exact. Rotations. */
 #ifndef TRIG_H
 #define TRIG_H
 
-#include "sum.h"
 #include "map.h"
 
 /* The bound of the relative error, where a result is not exact. */

@@ -6,7 +6,6 @@
 
 #include "kernel/kernel.h"
 #include "../scene/scene.h"
-#include <stddef.h>
 
 /* The image of a point p is (p, 1) m, divided by its w if divide is set. */
 struct transform {

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* The differences between the conventions of graphics systems. */
-#ifndef CONVENTION_H
-#define CONVENTION_H
+/* The differences between the conventions of graphics systems; and cameras, the maps from
+ * world to view. */
+#ifndef CAMERA_H
+#define CAMERA_H
 
 #include <stdbool.h>
+
 #include "../exact/map.h"
 #include "../exact/trig.h"
 
