@@ -3,22 +3,6 @@
 
 #include <math.h>
 
-static const struct kernels *kernels = &kernels_baseline;
-
-bool points_choose(const char *name)
-{
-	const struct kernels *found = kernels_find(name);
-
-	if (found != NULL)
-		kernels = found;
-	return found != NULL;
-}
-
-const struct kernels *points_kernels(void)
-{
-	return kernels;
-}
-
 static double rounded(double a, bool single)
 {
 	return single ? (double)(float)a : a;
@@ -72,27 +56,27 @@ static void map_one(const struct transform *t, enum precision precision,
 static void map_exact(const struct transform *t, const double *const in[4],
     double *const out[4], size_t n)
 {
-	exact_kernel fast = kernels->exact[t->kind];
+	exact_kernel fast = points_kernels()->exact[t->kind];
 
 	if (fast != NULL && fast(&t->for_kernel, in, out, n))
 		return;
-	for (size_t i = 0; i < n; i++)
+	for (size_t i = 0; i < n; i++) {
+		if (fast != NULL && isfinite(out[0][i]))
+			continue;
 		if (fast == NULL || isnan(out[0][i]))
 			map_one(t, PRECISION_EXACT, in, out, i);
-		else if (isinf(out[0][i]))
+		else
 			for (int j = 0; j < t->out; j++)
 				out[j][i] = (double)NAN;
+	}
 }
 
-/* Computes in exact arithmetic those of n <= RUN points that the kernel could not: points
- * behind the eye or beyond the range in the kernel's precision, or whose w underflowed
- * there. Runs are short, as threads may have little stack. */
-enum { RUN = 256 };
-
-static void map_run(const struct transform *t, bool single,
+/* Computes in exact arithmetic those of n points that the kernel could not: points behind
+ * the eye or beyond the range in the kernel's precision, or whose w underflowed there. */
+static void map_rest(const struct transform *t, bool single,
     const double *const in[4], double *const out[4], size_t n)
 {
-	COLUMN_ALIGNED double image[3][RUN];
+	COLUMN_ALIGNED double image[3][POINTS_BLOCK];
 	double *const to[4] = { image[0], image[1], image[2] };
 
 	map_exact(t, in, to, n);
@@ -108,20 +92,12 @@ static void map_run(const struct transform *t, bool single,
 static void map_plain(const struct transform *t, enum precision precision,
     const double *const in[4], double *const out[4], size_t n)
 {
-	plain_kernel fast = kernels->plain[precision][t->kind];
-	bool done = fast != NULL && fast(&t->for_kernel, in, out, n);
+	plain_kernel fast = points_kernels()->plain[precision][t->kind];
 
 	for (size_t i = 0; i < n && fast == NULL; i++)
 		map_one(t, precision, in, out, i);
-	for (size_t i = 0; i < n && fast != NULL && !done; i += RUN) {
-		const double *const from[4] = { in[0] + i, in[1] + i,
-			in[t->in - 1] + i };
-		double *const to[4] = { out[0] + i, out[1] + i,
-			out[t->out - 1] + i };
-
-		map_run(t, precision == PRECISION_SINGLE, from, to,
-		    n - i < RUN ? n - i : RUN);
-	}
+	if (fast != NULL && !fast(&t->for_kernel, in, out, n))
+		map_rest(t, precision == PRECISION_SINGLE, in, out, n);
 }
 
 void points_map(const struct transform *t, enum precision precision,
@@ -140,7 +116,7 @@ void points_map(const struct transform *t, enum precision precision,
 bool points_map_floats(const struct transform *t, const char *in, char *out,
     size_t n)
 {
-	float_kernel fast = kernels->floats[t->kind];
+	float_kernel fast = points_kernels()->floats[t->kind];
 
 	return fast != NULL && t->in == kernel_terms(t->kind) &&
 	    fast(&t->for_kernel, in, out, n);

@@ -152,8 +152,12 @@ struct kernels {
 extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512,
     kernels_neon;
 
-/* Returns the best copy that this processor runs, or the named one (baseline, avx2,
- * avx512, neon); NULL if it cannot run that one or there is none of that name. */
-const struct kernels *kernels_find(const char *name);
+/* Chooses the kernels of this name (baseline, avx2, avx512, neon) or, if NULL, the best
+ * ones for this processor. Returns false where the processor cannot run them or there
+ * are none of that name. */
+bool points_choose(const char *name);
+
+/* Returns the kernels chosen, at first those of baseline. */
+const struct kernels *points_kernels(void);
 
 #endif
