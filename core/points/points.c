@@ -53,22 +53,51 @@ static void map_one(const struct transform *t, enum precision precision,
 		out[j][i] = q[j];
 }
 
+/* Transforms point i as a block of its own, in which bounds are those of its coordinates
+ * alone: of the points that a block leaves, this decides four of five. Returns as the
+ * kernel does. */
+static bool map_alone(const struct transform *t, exact_kernel fast,
+    const double *const in[4], double *const out[4], size_t i)
+{
+	enum { ROOM = 16 }; /* of the shortest columns */
+	COLUMN_ALIGNED double p[3][ROOM], q[4][ROOM];
+	const double *const from[3] = { p[0], p[1], p[2] };
+	double *const to[4] = { q[0], q[1], q[2], q[3] };
+
+	for (int k = 0; k < 3; k++)
+		for (int l = 0; l < ROOM; l++)
+			p[k][l] = in[k][i];
+	bool done = fast(&t->for_kernel, from, to, 1);
+
+	for (int j = 0; j < t->out && done; j++)
+		out[j][i] = q[j][0];
+	return done;
+}
+
+/* Computes the image of point i, which the kernel has left. */
+static void map_left(const struct transform *t, exact_kernel fast,
+    const double *const in[4], double *const out[4], size_t i)
+{
+	if (isinf(out[0][i]))
+		for (int j = 0; j < t->out; j++)
+			out[j][i] = (double)NAN;
+	else if (!map_alone(t, fast, in, out, i))
+		map_one(t, PRECISION_EXACT, in, out, i);
+}
+
 static void map_exact(const struct transform *t, const double *const in[4],
     double *const out[4], size_t n)
 {
 	exact_kernel fast = points_kernels()->exact[t->kind];
+	const double *x = out[0];
 
-	if (fast != NULL && fast(&t->for_kernel, in, out, n))
+	for (size_t i = 0; i < n && fast == NULL; i++)
+		map_one(t, PRECISION_EXACT, in, out, i);
+	if (fast == NULL || fast(&t->for_kernel, in, out, n))
 		return;
-	for (size_t i = 0; i < n; i++) {
-		if (fast != NULL && isfinite(out[0][i]))
-			continue;
-		if (fast == NULL || isnan(out[0][i]))
-			map_one(t, PRECISION_EXACT, in, out, i);
-		else
-			for (int j = 0; j < t->out; j++)
-				out[j][i] = (double)NAN;
-	}
+	for (size_t i = 0; i < n; i++)
+		if (!isfinite(x[i]))
+			map_left(t, fast, in, out, i);
 }
 
 /* Computes in exact arithmetic those of n points that the kernel could not: points behind
