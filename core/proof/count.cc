@@ -120,8 +120,8 @@ static void prove_round(void)
 /* ---- kernel/exact.h ---- */
 
 static struct kernel_map map;
-static number in[3], out[3];
-static poly difference[3]; /* of a point from the origin */
+static number in[4], out[3]; /* ranges are read in pairs */
+static poly difference[3];   /* of a point from the origin */
 
 /* Coordinates below 2^e and a column below 2^f for e = f = 0; an element's low part is
  * at most half a unit of its high one. */

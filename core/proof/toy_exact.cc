@@ -238,11 +238,11 @@ enum { HEADS = 1 << (P == 6 ? P - 1 : 0) };
 
 static int ties_of(double m, double b, double t, int far, int count[2])
 {
-	static toy x[2][HEADS + 1], q[2][HEADS + 1];
+	static toy x[2][HEADS + 2], q[2][HEADS + 1];
 	const toy *const from[3] = { x[0], x[1], x[1] };
 	toy *const to[4] = { q[0], q[1], q[1], q[1] };
 
-	for (int i = 0; i <= HEADS; i++) {
+	for (int i = 0; i < HEADS + 2; i++) { /* of even length */
 		x[0][i] = i < HEADS ? 1 + i * LAST : std::ldexp(1, far);
 		x[1][i] = 1;
 	}

@@ -57,14 +57,15 @@ static double cut_to(double a, double unit)
 	return a + s - s;
 }
 
-static inline double least(V a)
+/* Returns the greatest lane. */
+static inline double greatest(V a)
 {
 	double all[WIDTH], r;
 
 	STORE(all, a);
 	r = all[0];
 	for (int i = 1; i < WIDTH; i++)
-		r = all[i] < r ? all[i] : r;
+		r = all[i] > r ? all[i] : r;
 	return r;
 }
 
@@ -81,24 +82,29 @@ static bool is_product(double a, double b, double product)
  * origin. If not, the points lie so near to each other and to the origin that the
  * difference from the whole origin, near, is exact. */
 struct kernel_range {
-	double largest; /* no difference is larger; rounded up */
-	int e;          /* largest < 2^e */
-	double rounder; /* to multiples of 2^(e-26) */
+	double largest;        /* no difference is larger; rounded up */
+	double power, inverse; /* 2^e, largest < 2^e, and 2^-e */
+	double rounder;        /* to multiples of 2^(e-26) */
 	double near, rest;
 	double rounder_and_high;
 };
 
 static struct kernel_range range_of(double low, double high, double origin)
 {
-	struct kernel_range r = { 0, 0, 0, 0, 0, 0 };
+	struct kernel_range r = { 0, 0, 0, 0, 0, 0, 0 };
 	double cut = 0;
+	int e;
 
 	r.largest = fmax(fabs(high - origin), fabs(origin - low)) *
 	    (1 + ldexp(1, 3 - DIGITS));
-	frexp(r.largest, &r.e);
-	r.rounder = rounder(ldexp(1, r.e - POINT_CUT));
-	if (fabs(origin) < ldexp(1, r.e + POINT_CUT - 3)) {
-		cut = cut_to(origin, ldexp(1, r.e - POINT_CUT));
+	frexp(r.largest, &e);
+	r.power = ldexp(1, e);
+	r.inverse = ldexp(1, -e);
+	double unit = r.power * ldexp(1, -POINT_CUT);
+
+	r.rounder = rounder(unit);
+	if (fabs(origin) < r.power * ldexp(1, POINT_CUT - 3)) {
+		cut = cut_to(origin, unit);
 		r.rest = origin - cut;
 	} else {
 		r.near = origin;
@@ -107,32 +113,22 @@ static struct kernel_range range_of(double low, double high, double origin)
 	return r;
 }
 
-/* Returns the range of n coordinates. There are several minima, as each operation waits
- * for the last result of its own minimum only. */
+/* Returns the range of n coordinates. Even and odd vectors have their own minimum, as
+ * each operation waits for the last result of its own minimum only. */
 static struct kernel_range range_in(const double *in, size_t n, double origin)
 {
-	enum { CHAINS = 4 };
-	V low[CHAINS], high[CHAINS];
-	size_t i = 0;
+	V low[2] = { ALL(HUGE_VAL), ALL(HUGE_VAL) };
+	V high[2] = { ALL(-HUGE_VAL), ALL(-HUGE_VAL) };
 
-	for (int k = 0; k < CHAINS; k++)
-		low[k] = ALL(HUGE_VAL), high[k] = ALL(-HUGE_VAL);
-	for (; i + CHAINS * WIDTH <= n; i += CHAINS * WIDTH)
-		for (int k = 0; k < CHAINS; k++) {
+	for (size_t i = 0; i < n; i += 2 * WIDTH)
+		for (size_t k = 0; k < 2; k++) {
 			V x = LOAD(in + i + k * WIDTH);
 
 			low[k] = MIN(x, low[k]);
 			high[k] = MAX(x, high[k]);
 		}
-	for (; i < n; i += WIDTH) {
-		low[0] = MIN(LOAD(in + i), low[0]);
-		high[0] = MAX(LOAD(in + i), high[0]);
-	}
-	for (int k = 1; k < CHAINS; k++) {
-		low[0] = MIN(low[k], low[0]);
-		high[0] = MAX(high[k], high[0]);
-	}
-	return range_of(least(low[0]), -least(-high[0]), origin);
+	return range_of(-greatest(-MIN(low[0], low[1])),
+	    greatest(MAX(high[0], high[1])), origin);
 }
 
 /* Returns the largest difference of column j's values that counts as 0 in this block. */
@@ -176,23 +172,25 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
     const struct kernel_range *range, struct column_cut *c)
 {
 	double most = fabs(m->hi[3][j]);
-	int f = 0;
+	int f;
 
 	for (int i = 0; i < terms; i++)
 		if (range[i].largest > 0 && fabs(m->hi[i][j]) > 0)
 			most = fmax(most,
-			    fmax(LEAST, ldexp(fabs(m->hi[i][j]), range[i].e)));
+			    fmax(LEAST, fabs(m->hi[i][j]) * range[i].power));
 	frexp(most, &f);
+	const double power = ldexp(1, f);
+
 	c->exact = has_short_elements(m, j, terms, range);
 	for (int i = 0; i < 4; i++) {
 		bool counts = i == 3 || (i < terms && range[i].largest > 0);
-		double unit = ldexp(1,
-		    i == 3     ? f - ELEMENT_CUT - POINT_CUT :
-			counts ? f - ELEMENT_CUT - range[i].e :
-				 0);
+		double unit = i == 3 ? ldexp(1, -POINT_CUT) :
+		    counts           ? range[i].inverse :
+				       0;
 
 		c->all[i] = counts ? m->hi[i][j] : 0;
-		c->high[i] = cut_to(c->all[i], unit);
+		c->high[i] = cut_to(c->all[i],
+		    unit * power * ldexp(1, -ELEMENT_CUT));
 		c->rest[i] = c->all[i] - c->high[i];
 		if (counts && !c->exact)
 			c->rest[i] += m->lo[i][j];
@@ -207,7 +205,7 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
 	double none = none_of(m, j, terms, range);
 
 	c->tiny = 0x1p56 * none;
-	c->bound = most > 0 ? ldexp(COLUMN_BOUND, f) + none : 0;
+	c->bound = most > 0 ? COLUMN_BOUND * power + none : 0;
 	return is_moderate(most);
 }
 
