@@ -104,7 +104,7 @@ static void block_read(struct job *j, struct chunk *c)
 		 * and the first row, which is compared with it */
 		if (!c->planned && !c->first) {
 			c->planned = true;
-			c->walks = plain_reader() != NULL &&
+			c->walks = number_loops() != NULL &&
 			    walk_plan(&j->layout, &c->walk);
 		}
 		if (c->walks &&
