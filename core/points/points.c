@@ -85,61 +85,87 @@ static void map_left(const struct transform *t, exact_kernel fast,
 		map_one(t, PRECISION_EXACT, in, out, i);
 }
 
-static void map_exact(const struct transform *t, const double *const in[4],
+/* Returns whether all coordinates of image i are finite. */
+static bool is_finite(const struct transform *t, double *const out[4], size_t i)
+{
+	return isfinite(out[0][i]) && isfinite(out[1][i]) &&
+	    (t->out < 3 || isfinite(out[2][i])) &&
+	    (t->out < 4 || isfinite(out[3][i]));
+}
+
+/* This and the functions below return as points_map does. */
+static bool map_each(const struct transform *t, enum precision precision,
+    const double *const in[4], double *const out[4], size_t n)
+{
+	bool finite = true;
+
+	for (size_t i = 0; i < n; i++) {
+		map_one(t, precision, in, out, i);
+		finite &= is_finite(t, out, i);
+	}
+	return finite;
+}
+
+static bool map_exact(const struct transform *t, const double *const in[4],
     double *const out[4], size_t n)
 {
 	exact_kernel fast = points_kernels()->exact[t->kind];
 	const double *x = out[0];
+	bool finite = true;
 
-	for (size_t i = 0; i < n && fast == NULL; i++)
-		map_one(t, PRECISION_EXACT, in, out, i);
-	if (fast == NULL || fast(&t->for_kernel, in, out, n))
-		return;
+	if (fast == NULL)
+		return map_each(t, PRECISION_EXACT, in, out, n);
+	if (fast(&t->for_kernel, in, out, n))
+		return true;
 	for (size_t i = 0; i < n; i++)
-		if (!isfinite(x[i]))
+		if (!isfinite(x[i])) {
 			map_left(t, fast, in, out, i);
+			finite &= is_finite(t, out, i);
+		}
+	return finite;
 }
 
 /* Computes in exact arithmetic those of n points that the kernel could not: points behind
  * the eye or beyond the range in the kernel's precision, or whose w underflowed there. */
-static void map_rest(const struct transform *t, bool single,
+static bool map_rest(const struct transform *t, bool single,
     const double *const in[4], double *const out[4], size_t n)
 {
 	COLUMN_ALIGNED double image[3][POINTS_BLOCK];
 	double *const to[4] = { image[0], image[1], image[2] };
+	bool finite = true;
 
 	map_exact(t, in, to, n);
 	for (size_t i = 0; i < n; i++) {
-		if (isfinite(out[0][i]) && isfinite(out[1][i]) &&
-		    (t->out == 2 || isfinite(out[2][i])))
+		if (is_finite(t, out, i))
 			continue;
 		for (int j = 0; j < t->out; j++)
 			out[j][i] = rounded(image[j][i], single);
+		finite &= is_finite(t, out, i);
 	}
+	return finite;
 }
 
-static void map_plain(const struct transform *t, enum precision precision,
+static bool map_plain(const struct transform *t, enum precision precision,
     const double *const in[4], double *const out[4], size_t n)
 {
 	plain_kernel fast = points_kernels()->plain[precision][t->kind];
 
-	for (size_t i = 0; i < n && fast == NULL; i++)
-		map_one(t, precision, in, out, i);
-	if (fast != NULL && !fast(&t->for_kernel, in, out, n))
-		map_rest(t, precision == PRECISION_SINGLE, in, out, n);
+	if (fast == NULL)
+		return map_each(t, precision, in, out, n);
+	return fast(&t->for_kernel, in, out, n) ||
+	    map_rest(t, precision == PRECISION_SINGLE, in, out, n);
 }
 
-void points_map(const struct transform *t, enum precision precision,
+bool points_map(const struct transform *t, enum precision precision,
     const double *const given[4], double *const out[4], size_t n)
 {
 	/* kernels multiply the third of two coordinates by 0 */
 	const double *const in[4] = { given[0], given[1],
 		given[t->in == 2 ? 1 : 2], given[3] };
 
-	if (precision == PRECISION_EXACT)
-		map_exact(t, in, out, n);
-	else
-		map_plain(t, precision, in, out, n);
+	return precision == PRECISION_EXACT ?
+	    map_exact(t, in, out, n) :
+	    map_plain(t, precision, in, out, n);
 }
 
 bool points_map_floats(const struct transform *t, const char *in, char *out,
