@@ -145,27 +145,20 @@ static bool map_rest(const struct transform *t, bool single,
 	return finite;
 }
 
-static bool map_plain(const struct transform *t, enum precision precision,
-    const double *const in[4], double *const out[4], size_t n)
-{
-	plain_kernel fast = points_kernels()->plain[precision][t->kind];
-
-	if (fast == NULL)
-		return map_each(t, precision, in, out, n);
-	return fast(&t->for_kernel, in, out, n) ||
-	    map_rest(t, precision == PRECISION_SINGLE, in, out, n);
-}
-
 bool points_map(const struct transform *t, enum precision precision,
     const double *const given[4], double *const out[4], size_t n)
 {
 	/* kernels multiply the third of two coordinates by 0 */
 	const double *const in[4] = { given[0], given[1],
 		given[t->in == 2 ? 1 : 2], given[3] };
+	plain_kernel fast = points_kernels()->plain[precision][t->kind];
 
-	return precision == PRECISION_EXACT ?
-	    map_exact(t, in, out, n) :
-	    map_plain(t, precision, in, out, n);
+	if (precision == PRECISION_EXACT)
+		return map_exact(t, in, out, n);
+	if (fast == NULL)
+		return map_each(t, precision, in, out, n);
+	return fast(&t->for_kernel, in, out, n) ||
+	    map_rest(t, precision == PRECISION_SINGLE, in, out, n);
 }
 
 bool points_map_floats(const struct transform *t, const char *in, char *out,
