@@ -23,10 +23,7 @@ static void print_binary(const struct elements *m, bool wide)
 		double v = m->at[i / m->columns][i % m->columns];
 		char number[8];
 
-		if (wide)
-			put_little_double(number, v);
-		else
-			put_little_float(number, (float)v);
+		little_put(number, wide, v);
 		output_write(number, wide ? 8 : 4);
 	}
 }

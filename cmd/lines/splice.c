@@ -289,7 +289,7 @@ static char *put_rest_of_record(const struct layout *l, const struct line *line,
 
 	for (int i = 0; i < l->record && line->size == layout_record(l); i++) {
 		const char *s = line->s + point_size(l->in.format, i);
-		double v = single ? (double)little_float(s) : little_double(s);
+		double v = little_get(s, !single);
 		bool coordinate = false;
 
 		for (int k = 0; k < l->reads; k++)

@@ -70,7 +70,7 @@ bool stretch_open(struct stretch *w, const struct walk *walk, const char *text,
 
 	if (size > STRETCH)
 		size = STRETCH;
-	n = plain_reader()->find(&walk->stops, text, size, w->stop);
+	n = number_loops()->find(&walk->stops, text, size, w->stop);
 	while (n > 0 && text[w->stop[n - 1]] != '\n')
 		n--;
 	w->text = text;
@@ -602,7 +602,7 @@ uint64_t walk_numbers(const struct walk *walk, const struct line *lines,
 	uint64_t odd[4], some = 0;
 
 	for (int k = 0; k < walk->n; k++)
-		some |= odd[k] = plain_reader()->read(&at[k], n, v[k]);
+		some |= odd[k] = number_loops()->read(&at[k], n, v[k]);
 	for (some &= ~left; some != 0; some &= some - 1) {
 		int i = __builtin_ctzll(some);
 		bool ok = true;

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Plain numbers, [-] digits [. digits], many at a time: first the places of the bytes
- * that can end one, then the numbers between these; among them those that end in an
- * exponent as %e writes it. number_read reads the other numbers that are legal. */
+/* Reads and writes many numbers at a time, by loops that are compiled once for each kind
+ * of processor. They read plain numbers, [-] digits [. digits]: first the places of the
+ * bytes that can end one, then the numbers between these; among them those that end in
+ * an exponent as %e writes it. number_read reads the other numbers that are legal. All
+ * loops give the bits of number_read and the bytes of number_write. */
 #ifndef PLAIN_H
 #define PLAIN_H
 
@@ -28,7 +30,7 @@ struct plain_places {
 	uint8_t size[PLAIN_BATCH];
 };
 
-struct plain_reader {
+struct number_loops {
 	/* Writes to at the places of the bytes of the set in text[0] to
 	 * text[size - 1], and returns their number. There is room in at for size
 	 * rounded up to 64, and 64 more. */
@@ -42,10 +44,16 @@ struct plain_reader {
 	 * the decimals less the exponent are 0 to 22. */
 	uint64_t (*read)(const struct plain_places *, size_t n,
 	    double v[PLAIN_BATCH]);
+	/* Does what number_texts does. */
+	void (*write)(const double *v, size_t n, bool single,
+	    struct number_style style, struct number_text *t);
 };
 
-/* Returns the reader for the processor that points_choose has chosen; NULL for
+extern const struct number_loops number_loops_avx512, number_loops_avx2,
+    number_loops_neon;
+
+/* Returns the loops for the processor that points_choose has chosen; NULL for
  * baseline. */
-const struct plain_reader *plain_reader(void);
+const struct number_loops *number_loops(void);
 
 #endif

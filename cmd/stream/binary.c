@@ -186,16 +186,10 @@ char *binary_put(const struct layout *l, const struct chunk *c,
 	int n = copied ? l->writes : (int)(written / size);
 
 	for (int k = 0; k < n; k++) {
-		double v = line->kind == LINE_POINT ? c->image[k][p] :
-						      (double)NAN;
-		char *to = at +
-		    size * (size_t)(copied ? layout_field(l, k) : k);
+		size_t to = size * (size_t)(copied ? layout_field(l, k) : k);
 
-		/* the sum makes 0 of -0 */
-		if (l->out.format == FORMAT_F64)
-			put_little_double(to, v + 0.0);
-		else
-			put_little_float(to, (float)v + 0.0f);
+		little_put(at + to, l->out.format == FORMAT_F64,
+		    line->kind == LINE_POINT ? c->image[k][p] : (double)NAN);
 	}
 	return at + written;
 }

@@ -3,7 +3,6 @@
  * written with the images. */
 #include "job.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -104,7 +103,7 @@ static void block_read(struct job *j, struct chunk *c)
 		 * and the first row, which is compared with it */
 		if (!c->planned && !c->first) {
 			c->planned = true;
-			c->walks = plain_reader() != NULL &&
+			c->walks = number_loops() != NULL &&
 			    walk_plan(&j->layout, &c->walk);
 		}
 		if (c->walks &&
@@ -116,9 +115,9 @@ static void block_read(struct job *j, struct chunk *c)
 	}
 }
 
-/* Transforms the block's points. Rays are exact in every precision; single rounds
- * them to floats. */
-static void block_transform(const struct job *j, struct chunk *c)
+/* Transforms the block's points. Returns true only if all images are finite. Rays are
+ * exact in every precision; single rounds them to floats. */
+static bool block_transform(const struct job *j, struct chunk *c)
 {
 	bool single = j->precision == PRECISION_SINGLE ||
 	    j->layout.out.format == FORMAT_F32;
@@ -126,11 +125,9 @@ static void block_transform(const struct job *j, struct chunk *c)
 	double *const out[6] = { c->image[0], c->image[1], c->image[2],
 		c->image[3], c->image[4], c->image[5] };
 
-	if (j->rays)
-		rays_cast(&j->ray, single, in, out, out + 3, c->block_points);
-	else
-		points_map(&j->transform, j->precision, in, out,
-		    c->block_points);
+	return j->rays ?
+	    rays_cast(&j->ray, single, in, out, out + 3, c->block_points) :
+	    points_map(&j->transform, j->precision, in, out, c->block_points);
 }
 
 /* Replaces each coordinate of the image of point p by nan if it is not finite as it is
@@ -157,28 +154,9 @@ static bool mark_point(const struct job *j, struct chunk *c, size_t p)
 	return nan;
 }
 
-/* Returns whether all numbers of n columns are finite. The bits of a double without its
- * sign are a larger integer for a larger double, and for nan: above those of DBL_MAX
- * the sum sets the top bit. */
-static bool all_finite(const struct chunk *c, int n)
-{
-	const uint64_t top = 1ull << 63, most = 0x7fefffffffffffff;
-	uint64_t bits, any = 0;
-
-	for (int k = 0; k < n; k++)
-		for (size_t i = 0; i < c->block_points; i++) {
-			memcpy(&bits, &c->image[k][i], sizeof bits);
-			any |= (bits & ~top) + (top - 1 - most);
-		}
-	return (any & top) == 0;
-}
-
 /* Marks and counts the points without image. */
 static void block_mark(const struct job *j, struct chunk *c)
 {
-	if (j->layout.out.format != FORMAT_F32 &&
-	    all_finite(c, j->layout.writes))
-		return;
 	for (size_t i = 0, p = 0; i < c->block_lines; i++)
 		if (c->line[i].kind == LINE_POINT && mark_point(j, c, p++) &&
 		    c->imageless++ == 0)
@@ -286,8 +264,9 @@ static char *reserve_lines(const struct layout *l, struct chunk *c, size_t i)
 				       lines_room(l, n, bytes));
 }
 
-/* Appends the block's lines, with the images of its points, to the chunk's out. */
-static void block_write(const struct job *j, struct chunk *c)
+/* Appends the block's lines, with the images of its points, to the chunk's out. finite
+ * says that all images are finite doubles. */
+static void block_write(const struct job *j, struct chunk *c, bool finite)
 {
 	const struct layout *l = &j->layout;
 	struct writer w; /* no initializer, which would clear the texts */
@@ -302,7 +281,8 @@ static void block_write(const struct job *j, struct chunk *c)
 	w.adds = l->append || l->flags || l->reads < l->writes;
 	w.in_place = same_dialect(l->in, l->out) &&
 	    (l->append || l->reads <= l->writes);
-	block_mark(j, c);
+	if (!finite || l->out.format == FORMAT_F32)
+		block_mark(j, c);
 	if (l->flags || j->visible)
 		frustum_out_all(&j->frustum, in, w.outside, c->block_points);
 	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
@@ -369,9 +349,10 @@ void job_do(struct job *j, struct chunk *c)
 			j->take(j, c);
 			continue;
 		}
-		block_transform(j, c);
+		bool finite = block_transform(j, c);
+
 		if (!(whole && c->block_lines == c->block_points &&
 			binary_join(j, c, text)))
-			block_write(j, c);
+			block_write(j, c, finite);
 	}
 }

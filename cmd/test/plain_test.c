@@ -144,7 +144,7 @@ static void check_number(const char *text, bool left, double v)
 }
 
 /* Up to a batch of numbers, the last of them before the end of memory. */
-static int check_batch(const struct plain_reader *r, int sort, char *guard)
+static int check_batch(const struct number_loops *r, int sort, char *guard)
 {
 	struct plain_places at;
 	char text[PLAIN_BATCH][PLAIN_MAX + 32], *s = guard;
@@ -193,13 +193,13 @@ static void reads_as_strtod(void **unused)
 
 	(void)unused;
 	for (int c = 0; c < 4; c++) {
-		if (!points_choose(copies[c]) || plain_reader() == NULL)
+		if (!points_choose(copies[c]) || number_loops() == NULL)
 			continue;
 		for (int sort = 0; sort < SORTS; sort++) {
 			int left = 0;
 
 			for (int i = 0; i < ROUNDS; i++)
-				left += check_batch(plain_reader(), sort,
+				left += check_batch(number_loops(), sort,
 				    guard);
 			if (sort < ALL_READ)
 				assert_in_range(left, 0, 10);
@@ -208,7 +208,7 @@ static void reads_as_strtod(void **unused)
 }
 
 /* Against the set as it is defined, byte by byte. */
-static void check_places(const struct plain_reader *r,
+static void check_places(const struct number_loops *r,
     const struct byte_set *set, const char *s, size_t size)
 {
 	static uint16_t at[4096 + 128];
@@ -231,7 +231,7 @@ static void finds_what_is_in_the_set(void **unused)
 
 	(void)unused;
 	for (int c = 0; c < 4; c++) {
-		if (!points_choose(copies[c]) || plain_reader() == NULL)
+		if (!points_choose(copies[c]) || number_loops() == NULL)
 			continue;
 		for (int round = 0; round < 2000; round++) {
 			size_t size = (size_t)below(round % 2 ? 200 : 4096);
@@ -245,7 +245,7 @@ static void finds_what_is_in_the_set(void **unused)
 			}
 			for (size_t i = 0; i < size; i++)
 				s[i] = (char)next_random();
-			check_places(plain_reader(), &set, s, size);
+			check_places(number_loops(), &set, s, size);
 		}
 	}
 }

@@ -89,10 +89,9 @@ static double bound_plain(const struct analysis *v, const struct arithmetic *a)
 				(t->divide ? v->size[j] * s3 : 0));
 	}
 	if (t->kind == KERNEL_DEPTH)
-		worst = fmax(worst,
-		    fabs(k->a_hi) + fabs(k->b_hi) * inverse * w);
+		worst = fmax(worst, fabs(k->a) + fabs(k->b) * inverse * w);
 	if (!(inverse <= a->most) || !(v->largest <= a->most) ||
-	    !(fabs(k->a_hi) <= a->most) || !(fabs(k->b_hi) <= a->most) ||
+	    !(fabs(k->a) <= a->most) || !(fabs(k->b) <= a->most) ||
 	    (t->divide && !(cu * w < 0x1p-4)))
 		return (double)NAN;
 	return (cu * worst + 4 * a->tiny * a->u) * ROUNDED_UP;

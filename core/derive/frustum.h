@@ -138,8 +138,9 @@ const char *ray_maker_of(const struct scene *, struct ray_maker *);
 /* Casts a ray through each of n <= POINTS_BLOCK device positions. Writes its point on the
  * near plane, or the eye if there is no near plane, and its unit direction from near to
  * far. Both are in world space, in columns of POINTS_BLOCK of the nearest doubles or, if
- * single, floats. A position without a ray gets nan. */
-void rays_cast(const struct ray_maker *, bool single, const double *const at[2],
+ * single, floats. A position without a ray gets nan. Returns true only if all numbers
+ * are finite. */
+bool rays_cast(const struct ray_maker *, bool single, const double *const at[2],
     double *const point[3], double *const direction[3], size_t n);
 
 /* Makes the transform from x and y in device or ndc space to the point where the ray

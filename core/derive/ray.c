@@ -139,7 +139,7 @@ static void ray_finish(const struct ray_maker *r, const double in[4],
 		round_to_floats(r, in, point, direction);
 }
 
-void rays_cast(const struct ray_maker *r, bool single,
+bool rays_cast(const struct ray_maker *r, bool single,
     const double *const at[2], double *const point[3],
     double *const direction[3], size_t n)
 {
@@ -149,9 +149,13 @@ void rays_cast(const struct ray_maker *r, bool single,
 
 	for (size_t i = 0; i < POINTS_BLOCK; i++)
 		depth[i] = r->depth;
-	points_map(&r->to_world, PRECISION_EXACT, in, out, n);
-	points_kernels()->exact[KERNEL_DIRECTION](&r->along.for_kernel, at,
-	    direction, n);
+	const bool finite = points_map(&r->to_world, PRECISION_EXACT, in, out,
+	    n);
+
+	if (points_kernels()->exact[KERNEL_DIRECTION](&r->along.for_kernel, at,
+		direction, n) &&
+	    finite && !single)
+		return true;
 	for (size_t i = 0; i < n; i++) {
 		const double p[4] = { at[0][i], at[1][i], r->depth, 1 };
 		double ray[2][3];
@@ -168,6 +172,7 @@ void rays_cast(const struct ray_maker *r, bool single,
 			direction[j][i] = ray[1][j];
 		}
 	}
+	return false;
 }
 
 /* Writes row i of the map from q = (x, y, z, 1) to the point of the plane p on the ray

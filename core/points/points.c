@@ -3,22 +3,6 @@
 
 #include <math.h>
 
-static const struct kernels *kernels = &kernels_baseline;
-
-bool points_choose(const char *name)
-{
-	const struct kernels *found = kernels_find(name);
-
-	if (found != NULL)
-		kernels = found;
-	return found != NULL;
-}
-
-const struct kernels *points_kernels(void)
-{
-	return kernels;
-}
-
 static double rounded(double a, bool single)
 {
 	return single ? (double)(float)a : a;
@@ -69,78 +53,118 @@ static void map_one(const struct transform *t, enum precision precision,
 		out[j][i] = q[j];
 }
 
-static void map_exact(const struct transform *t, const double *const in[4],
-    double *const out[4], size_t n)
+/* Transforms point i as a block of its own, in which bounds are those of its coordinates
+ * alone: of the points that a block leaves, this decides four of five. Returns as the
+ * kernel does. */
+static bool map_alone(const struct transform *t, exact_kernel fast,
+    const double *const in[4], double *const out[4], size_t i)
 {
-	exact_kernel fast = kernels->exact[t->kind];
+	enum { ROOM = 16 }; /* of the shortest columns */
+	COLUMN_ALIGNED double p[3][ROOM], q[4][ROOM];
+	const double *const from[3] = { p[0], p[1], p[2] };
+	double *const to[4] = { q[0], q[1], q[2], q[3] };
 
-	if (fast != NULL && fast(&t->for_kernel, in, out, n))
-		return;
-	for (size_t i = 0; i < n; i++)
-		if (fast == NULL || isnan(out[0][i]))
-			map_one(t, PRECISION_EXACT, in, out, i);
-		else if (isinf(out[0][i]))
-			for (int j = 0; j < t->out; j++)
-				out[j][i] = (double)NAN;
+	for (int k = 0; k < 3; k++)
+		for (int l = 0; l < ROOM; l++)
+			p[k][l] = in[k][i];
+	bool done = fast(&t->for_kernel, from, to, 1);
+
+	for (int j = 0; j < t->out && done; j++)
+		out[j][i] = q[j][0];
+	return done;
 }
 
-/* Computes in exact arithmetic those of n <= RUN points that the kernel could not: points
- * behind the eye or beyond the range in the kernel's precision, or whose w underflowed
- * there. Runs are short, as threads may have little stack. */
-enum { RUN = 256 };
+/* Computes the image of point i, which the kernel has left. */
+static void map_left(const struct transform *t, exact_kernel fast,
+    const double *const in[4], double *const out[4], size_t i)
+{
+	if (isinf(out[0][i]))
+		for (int j = 0; j < t->out; j++)
+			out[j][i] = (double)NAN;
+	else if (!map_alone(t, fast, in, out, i))
+		map_one(t, PRECISION_EXACT, in, out, i);
+}
 
-static void map_run(const struct transform *t, bool single,
+/* Returns whether all coordinates of image i are finite. */
+static bool is_finite(const struct transform *t, double *const out[4], size_t i)
+{
+	return isfinite(out[0][i]) && isfinite(out[1][i]) &&
+	    (t->out < 3 || isfinite(out[2][i])) &&
+	    (t->out < 4 || isfinite(out[3][i]));
+}
+
+/* This and the functions below return as points_map does. */
+static bool map_each(const struct transform *t, enum precision precision,
     const double *const in[4], double *const out[4], size_t n)
 {
-	COLUMN_ALIGNED double image[3][RUN];
+	bool finite = true;
+
+	for (size_t i = 0; i < n; i++) {
+		map_one(t, precision, in, out, i);
+		finite &= is_finite(t, out, i);
+	}
+	return finite;
+}
+
+static bool map_exact(const struct transform *t, const double *const in[4],
+    double *const out[4], size_t n)
+{
+	exact_kernel fast = points_kernels()->exact[t->kind];
+	const double *x = out[0];
+	bool finite = true;
+
+	if (fast == NULL)
+		return map_each(t, PRECISION_EXACT, in, out, n);
+	if (fast(&t->for_kernel, in, out, n))
+		return true;
+	for (size_t i = 0; i < n; i++)
+		if (!isfinite(x[i])) {
+			map_left(t, fast, in, out, i);
+			finite &= is_finite(t, out, i);
+		}
+	return finite;
+}
+
+/* Computes in exact arithmetic those of n points that the kernel could not: points behind
+ * the eye or beyond the range in the kernel's precision, or whose w underflowed there. */
+static bool map_rest(const struct transform *t, bool single,
+    const double *const in[4], double *const out[4], size_t n)
+{
+	COLUMN_ALIGNED double image[3][POINTS_BLOCK];
 	double *const to[4] = { image[0], image[1], image[2] };
+	bool finite = true;
 
 	map_exact(t, in, to, n);
 	for (size_t i = 0; i < n; i++) {
-		if (isfinite(out[0][i]) && isfinite(out[1][i]) &&
-		    (t->out == 2 || isfinite(out[2][i])))
+		if (is_finite(t, out, i))
 			continue;
 		for (int j = 0; j < t->out; j++)
 			out[j][i] = rounded(image[j][i], single);
+		finite &= is_finite(t, out, i);
 	}
+	return finite;
 }
 
-static void map_plain(const struct transform *t, enum precision precision,
-    const double *const in[4], double *const out[4], size_t n)
-{
-	plain_kernel fast = kernels->plain[precision][t->kind];
-	bool done = fast != NULL && fast(&t->for_kernel, in, out, n);
-
-	for (size_t i = 0; i < n && fast == NULL; i++)
-		map_one(t, precision, in, out, i);
-	for (size_t i = 0; i < n && fast != NULL && !done; i += RUN) {
-		const double *const from[4] = { in[0] + i, in[1] + i,
-			in[t->in - 1] + i };
-		double *const to[4] = { out[0] + i, out[1] + i,
-			out[t->out - 1] + i };
-
-		map_run(t, precision == PRECISION_SINGLE, from, to,
-		    n - i < RUN ? n - i : RUN);
-	}
-}
-
-void points_map(const struct transform *t, enum precision precision,
+bool points_map(const struct transform *t, enum precision precision,
     const double *const given[4], double *const out[4], size_t n)
 {
 	/* kernels multiply the third of two coordinates by 0 */
 	const double *const in[4] = { given[0], given[1],
 		given[t->in == 2 ? 1 : 2], given[3] };
+	plain_kernel fast = points_kernels()->plain[precision][t->kind];
 
 	if (precision == PRECISION_EXACT)
-		map_exact(t, in, out, n);
-	else
-		map_plain(t, precision, in, out, n);
+		return map_exact(t, in, out, n);
+	if (fast == NULL)
+		return map_each(t, precision, in, out, n);
+	return fast(&t->for_kernel, in, out, n) ||
+	    map_rest(t, precision == PRECISION_SINGLE, in, out, n);
 }
 
 bool points_map_floats(const struct transform *t, const char *in, char *out,
     size_t n)
 {
-	float_kernel fast = kernels->floats[t->kind];
+	float_kernel fast = points_kernels()->floats[t->kind];
 
 	return fast != NULL && t->in == kernel_terms(t->kind) &&
 	    fast(&t->for_kernel, in, out, n);

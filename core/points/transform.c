@@ -43,7 +43,7 @@ void transform_prepare(struct transform *t)
 	struct sum origin[4] = { [3] = sum_of_double(1) };
 
 	memcpy(t->relative, t->map.m, sizeof t->relative);
-	k->a_hi = k->a_lo = k->b_hi = k->b_lo = 0;
+	k->a = k->b = 0;
 	for (int i = 0; i < 3; i++) {
 		k->origin[i] = t->map.origin[i];
 		origin[i] = sum_of_double(k->origin[i]);
@@ -122,13 +122,8 @@ static void choose_depth_kernel(const struct map *projection,
 		    (sum_sign(m[i][3]) != 0 ||
 			(i != 3 && sum_sign(m[i][2]) != 0)))
 			return;
-	dd a = sum_dd(sum_quotient(m[2][2], m[2][3]));
-	dd b = sum_dd(map_element(projection, 3, 2));
-
-	k->a_hi = a.hi;
-	k->a_lo = a.lo;
-	k->b_hi = b.hi;
-	k->b_lo = b.lo;
+	k->a = sum_dd(sum_quotient(m[2][2], m[2][3])).hi;
+	k->b = sum_dd(map_element(projection, 3, 2)).hi;
 	t->kind = KERNEL_DEPTH;
 }
 

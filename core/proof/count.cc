@@ -120,8 +120,8 @@ static void prove_round(void)
 /* ---- kernel/exact.h ---- */
 
 static struct kernel_map map;
-static number in[3], out[3];
-static poly difference[3]; /* of a point from the origin */
+static number in[4], out[3]; /* ranges are read in pairs */
+static poly difference[3];   /* of a point from the origin */
 
 /* Coordinates below 2^e and a column below 2^f for e = f = 0; an element's low part is
  * at most half a unit of its high one. */
@@ -262,31 +262,6 @@ static double quotient_error(double low_of_n, double low_of_w)
 	return bound(minus(times(tested(), w.head->is), n.head->is));
 }
 
-static double depth_error(double a, double b, double low_of_w)
-{
-	fresh();
-	sized w = sum_with(1, low_of_w);
-	number sure = 1;
-	struct kernel_range range[3];
-
-	map.a_hi = given(a, a / 2);
-	map.a_lo = given(a * U);
-	map.b_hi = given(b, b);
-	map.b_lo = given(b * U);
-	for (int j = 0; j < 4; j++)
-		map.none[j] = number(0);
-	for (int k = 0; k < 3; k++)
-		range[k].largest = number(0);
-	struct depth d = depth_of(&map, range);
-
-	d.bound = d.none = given(small);
-	depth(&d, w.parts, reciprocal_of(w.head), 0, &sure);
-	poly right = plus(times(plus(map.a_hi->is, map.a_lo->is), w.head->is),
-	    plus(map.b_hi->is, map.b_lo->is));
-
-	return bound(minus(times(tested(), w.head->is), right));
-}
-
 /* Low parts as normalise() may leave them: 3 u. */
 static vdd pair(double head)
 {
@@ -360,14 +335,9 @@ static void prove_exact(void)
 		normal = std::fmax(normal, normal_column_error(far));
 	for (int many = 1; many <= 3; many++)
 		length = std::fmax(length, length_error(many, &low));
-	/* a is at least a half of the power of two that it is cut by, and b / w
-	 * at most 2^12 of it */
 	const double q = quotient_error(0, 0),
 		     of_low = std::fmax(quotient_error(most.lo, 0),
 			 quotient_error(0, most.lo)),
-		     a = 2 * depth_error(1, 0x1p-36, 0),
-		     b = depth_error(0x1p-12, 1, 0),
-		     b_low = depth_error(0x1p-12, 1, most.lo),
 		     d = quotient_error(3 * U, LENGTH_LOW * U) + length,
 		     least = 0x1p-79, column = most.error;
 
@@ -378,9 +348,6 @@ static void prove_exact(void)
 	say("quotient: of low parts", QUOTIENT_LOW, of_low / U / most.lo, "u");
 	say("quotient: share of its error", 1,
 	    share(column, most.hi, q, of_low), "");
-	say("depth: DEPTH_BOUND", DEPTH_BOUND / 0x1p-90, a / 0x1p-90, "2^-90");
-	say("depth: share of its error", 1, share(column, most.hi, b, b_low),
-	    "");
 	say("column, normalised", COLUMN_UNITS, normal / least, "2^-79");
 	say("length", LENGTH_BOUND, length / (U * U), "u^2");
 	say("length: its low part", LENGTH_LOW, low / U, "u");
@@ -411,7 +378,7 @@ static void give_plain(int term)
 	if (term < 3) {
 		count::bounds[difference[term].begin()->first[0]] = 1;
 	}
-	map.a_hi = map.a_lo = map.b_hi = map.b_lo = number(0);
+	map.a = map.b = number(0);
 }
 
 /* What is lost of a term, of its size; then of the quotient. */
@@ -437,14 +404,16 @@ static double plain_quotient(void)
 static double plain_depth(double a, double b)
 {
 	give_plain(3);
-	map.a_hi = given(a);
-	map.a_lo = given(U * a * (1 + 0x1p-20));
-	map.b_hi = given(b);
-	map.b_lo = given(U * b * (1 + 0x1p-20));
+	map.a = given(a);
+	map.b = given(b);
+	/* which are rounded */
+	const double off = U * (1 + 0x1p-20);
+	const number a_lo = given(off * a), b_lo = given(off * b);
+
 	run_plain(KERNEL_DEPTH);
 	const poly w = { { { count::divisions.back().b }, 1.0 } };
-	poly right = plus(times(plus(map.a_hi->is, map.a_lo->is), w),
-	    plus(map.b_hi->is, map.b_lo->is));
+	poly right = plus(times(plus(map.a->is, a_lo->is), w),
+	    plus(map.b->is, b_lo->is));
 
 	return bound(minus(times(out[2]->is, w), right)) / U;
 }

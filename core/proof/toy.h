@@ -153,10 +153,9 @@ static inline toy frexp(toy a, int *e)
 #define CHOOSE(a, b, c) ((a) > 0 ? toy(b) : toy(c))
 #define IS_POSITIVE(a) ((a) > 0)
 
-/* What exact.h has for 53 digits: 128 u 2^-26 and 16 u 2^-38. */
+/* What exact.h has for 53 digits: 128 u 2^-26. */
 #define DIGITS P
 #define COLUMN_BOUND (128 * U / (1 << (P - 1) / 2))
-#define DEPTH_BOUND std::ldexp(8 * U, 1 - P * 3 / 4)
 #define MODERATE 0x1p200
 
 static inline double at(toy a)

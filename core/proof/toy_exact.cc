@@ -78,12 +78,6 @@ static void any_map(void)
 	}
 	if (flat && ends) /* but for one that underflows when it is scaled */
 		map.hi[0][0] = 0x1p-1074;
-	dd a = pair(1), b = pair(4);
-
-	map.a_hi = a.hi;
-	map.a_lo = a.lo;
-	map.b_hi = b.hi;
-	map.b_lo = b.lo;
 }
 
 /* Within 2^e of the origin where e is not 8. */
@@ -148,16 +142,8 @@ static wide divisor(int kind, int terms)
 	for (int j = 0; j < 3; j++)
 		square += column_at(j, terms) * column_at(j, terms);
 	return kind == KERNEL_DIRECTION ? root(square) :
-	    kind < KERNEL_DEPTH         ? 1 :
+	    kind < KERNEL_PROJECTIVE    ? 1 :
 					  column_at(3, terms);
-}
-
-static wide truth(int j, int kind, int terms, wide w)
-{
-	if (kind == KERNEL_DEPTH && j == 2)
-		return (wide)at(map.a_hi) + at(map.a_lo) +
-		    ((wide)at(map.b_hi) + at(map.b_lo)) / w;
-	return column_at(j, terms) / w;
 }
 
 enum verdict { UNSURE, RIGHT, WRONG };
@@ -175,7 +161,7 @@ static verdict judge(int kind)
 	if (w <= 0)
 		return WRONG;
 	for (int j = 0; j < columns; j++)
-		if (rounded(truth(j, kind, terms, w)) != at(out[j][0]))
+		if (rounded(column_at(j, terms) / w) != at(out[j][0]))
 			return WRONG;
 	return RIGHT;
 }
@@ -252,11 +238,11 @@ enum { HEADS = 1 << (P == 6 ? P - 1 : 0) };
 
 static int ties_of(double m, double b, double t, int far, int count[2])
 {
-	static toy x[2][HEADS + 1], q[2][HEADS + 1];
+	static toy x[2][HEADS + 2], q[2][HEADS + 1];
 	const toy *const from[3] = { x[0], x[1], x[1] };
 	toy *const to[4] = { q[0], q[1], q[1], q[1] };
 
-	for (int i = 0; i <= HEADS; i++) {
+	for (int i = 0; i < HEADS + 2; i++) { /* of even length */
 		x[0][i] = i < HEADS ? 1 + i * LAST : std::ldexp(1, far);
 		x[1][i] = 1;
 	}

@@ -153,7 +153,7 @@ static void judge_copies(const struct hill *h, struct block *b, size_t n,
 	for (int k = 0; k < COPIES; k++) {
 		if (!points_choose(copies[k]))
 			continue;
-		exact_kernel fast = kernels_find(copies[k])->exact[h->t.kind];
+		exact_kernel fast = points_kernels()->exact[h->t.kind];
 
 		if (fast != NULL) {
 			fast(&h->t.for_kernel, in, out, n);

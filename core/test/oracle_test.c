@@ -18,12 +18,12 @@ struct count {
 	size_t points, accurate;
 };
 
-static void count_accurate(const struct transform *t, const char *copy,
-    struct block *b, struct count *c)
+static void count_accurate(const struct transform *t, struct block *b,
+    struct count *c)
 {
 	const double *const in[3] = { b->in[0], b->in[1], b->in[2] };
 	double *const out[4] = { b->out[0], b->out[1], b->out[2], b->out[3] };
-	exact_kernel fast = kernels_find(copy)->exact[t->kind];
+	exact_kernel fast = points_kernels()->exact[t->kind];
 
 	if (fast == NULL)
 		return;
@@ -50,7 +50,7 @@ static void try_scene(int e, struct count *c)
 		for (int i = 0; i < COPIES; i++) {
 			if (!points_choose(copies[i]))
 				continue;
-			count_accurate(&t, copies[i], &b, c);
+			count_accurate(&t, &b, c);
 			carry_all(&t, &b, POINTS);
 			judge_block(&truth, &t, &b, POINTS, false, &c->tally);
 		}

@@ -2,11 +2,10 @@
 /* Reader and writer for x86-64 with AVX2 and FMA: compile with -mavx2 -mfma. */
 #ifdef __AVX2__
 #include "../../../core/points/kernel/simd_avx2.h"
+#include "../plain.h"
 #include "powers.h"
-#include "vector.h"
 
-#define READER plain_avx2
-#define WRITER number_texts_avx2
+#define LOOPS number_loops_avx2
 
 #define I __m256i
 #define ALL_BITS(a) _mm256_set1_epi64x((long long)(a))

@@ -3,11 +3,10 @@
  * -mavx512cd -mavx512dq -mavx512vl -mfma. */
 #ifdef __AVX512BW__
 #include "../../../core/points/kernel/simd_avx512.h"
+#include "../plain.h"
 #include "powers.h"
-#include "vector.h"
 
-#define READER plain_avx512
-#define WRITER number_texts_avx512
+#define LOOPS number_loops_avx512
 
 #define I __m512i
 #define ALL_BITS(a) _mm512_set1_epi64((long long)(a))

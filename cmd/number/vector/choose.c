@@ -1,33 +1,29 @@
 /* SPDX-License-Identifier: MIT */
-#include "vector.h"
+#include "../../../core/points/kernel/kernel.h"
+#include "../plain.h"
 
-#include "../../../core/points/transform.h"
-
-static const struct {
-	number_writer *writer;
-	const struct plain_reader *reader;
-} copies[PROCESSORS] = {
+const struct number_loops *number_loops(void)
+{
+	static const struct number_loops *const copies[PROCESSORS] = {
 #ifdef __x86_64__
-	[PROCESSOR_AVX512] = { number_texts_avx512, &plain_avx512 },
-	[PROCESSOR_AVX2] = { number_texts_avx2, &plain_avx2 },
+		[PROCESSOR_AVX512] = &number_loops_avx512,
+		[PROCESSOR_AVX2] = &number_loops_avx2,
 #endif
 #ifdef __AARCH64EL__
-	[PROCESSOR_NEON] = { number_texts_neon, &plain_neon },
+		[PROCESSOR_NEON] = &number_loops_neon,
 #endif
-};
+	};
+
+	return copies[points_kernels()->processor];
+}
 
 void number_texts(const double *v, size_t n, bool single,
     struct number_style style, struct number_text *t)
 {
-	number_writer *write = copies[points_kernels()->processor].writer;
+	const struct number_loops *loops = number_loops();
 
-	if (write != NULL)
-		write(v, (n + TEXTS - 1) / TEXTS * TEXTS, single, style, t);
+	if (loops != NULL)
+		loops->write(v, n, single, style, t);
 	else /* number_write makes every text */
 		memset(t, 0, n * sizeof *t);
-}
-
-const struct plain_reader *plain_reader(void)
-{
-	return copies[points_kernels()->processor].reader;
 }

@@ -2,11 +2,10 @@
 /* Reader and writer for AArch64, of which NEON is a part. */
 #ifdef __AARCH64EL__
 #include "../../../core/points/kernel/simd_neon.h"
+#include "../plain.h"
 #include "powers.h"
-#include "vector.h"
 
-#define READER plain_neon
-#define WRITER number_texts_neon
+#define LOOPS number_loops_neon
 
 #define I uint64x2_t
 #define ALL_BITS(a) vdupq_n_u64((uint64_t)(a))

@@ -3,7 +3,6 @@
  * has the vectors of doubles of core/points/kernel/copy.h, the integers I that
  * write_body.h describes, and defines:
  *
- *	READER		the name of its struct plain_reader
  *	IN_SET(set, s)	bit i: s[i] is in the set, of 64 bytes
  *	join_digits(rows, half, &high, &low)
  *			from WIDTH rows of two halves of 16 digits: the integers
@@ -244,5 +243,3 @@ static size_t reader_find(const struct byte_set *set, const char *text,
 	    end);
 	return (size_t)(end - at);
 }
-
-const struct plain_reader READER = { reader_find, reader_read };

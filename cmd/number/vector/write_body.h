@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
-/* Makes the texts of TEXTS numbers at a time, in short loops, each over all of them:
- * in a long loop the processor could not begin the next turn before it has the results
- * of this one. The digits are found (write_find.h) and written at a fixed place of a
+/* Makes the texts of NUMBER_BATCH numbers at a time, in short loops, each over all of
+ * them: in a long loop the processor could not begin the next turn before it has the
+ * results of this one. The digits are found (write_find.h) and written at a fixed place of a
  * text; number_put copies them from there with a point among them.
  *
  * A file that includes this has the vectors of doubles of core/points/kernel/copy.h,
  * and defines:
  *
- *	WRITER		the name of its number_writer
+ *	LOOPS		the name of its struct number_loops
  *	I		a vector of integers of 64 bits, as large as a V
  *	STORE_INTS(p, a) stores lanes that are whole numbers as int32_t
  *	FLOOR, NEAREST	round to a whole number, NEAREST with ties to even
@@ -87,7 +87,7 @@ INLINE void write_digits(struct number_text *t, uint16_t *nonzero,
 {
 	const V lowest_bits = ALL(0x1p52);
 
-	for (size_t i = 0; i < TEXTS; i += WIDTH) {
+	for (size_t i = 0; i < NUMBER_BATCH; i += WIDTH) {
 		V whole = LOAD(f->whole + i);
 		V high = FLOOR(whole * ALL(1e-8));
 		V low = FMA(high, ALL(-1e8), whole);
@@ -116,7 +116,7 @@ INLINE int highest_bit(int x)
 INLINE void lay_out(uint32_t *layout, const uint16_t *nonzero,
     const struct found *f, int whole_digits, bool keep_zeros)
 {
-	for (size_t i = 0; i < TEXTS; i++) {
+	for (size_t i = 0; i < NUMBER_BATCH; i++) {
 		int digits = nonzero[i] | (f->digit[i] != 0) << DIGITS;
 		int some = digits | 1 << DIGITS, sign = f->sign[i];
 		int first = highest_bit(some & -some), minus = sign < 0;
@@ -139,7 +139,7 @@ INLINE void write_around(struct number_text *t, const uint32_t *layout,
 {
 	const uint64_t zeros = 0x3030303030303030;
 
-	for (size_t i = 0; i < TEXTS; i++) {
+	for (size_t i = 0; i < NUMBER_BATCH; i++) {
 		char *digits = t[i].b + BEFORE;
 
 		memcpy(digits - BEFORE, &zeros, sizeof zeros);
@@ -159,17 +159,17 @@ INLINE void write_all(const double *v, size_t count, enum number_kind kind,
 	const bool decimals = kind == NUMBER_DECIMALS;
 	const bool ninth = single && kind == NUMBER_SHORTEST;
 	struct found f;
-	uint16_t nonzero[TEXTS];
-	uint32_t layout[TEXTS];
+	uint16_t nonzero[NUMBER_BATCH];
+	uint32_t layout[NUMBER_BATCH];
 
-	for (; count > 0; count -= TEXTS, v += TEXTS, t += TEXTS) {
-		for (size_t i = 0; i < TEXTS; i += WIDTH)
+	for (size_t k = 0; k < count; k += NUMBER_BATCH, t += NUMBER_BATCH) {
+		for (size_t i = 0; i < NUMBER_BATCH; i += WIDTH)
 			if (decimals)
-				find_decimals(&f, i, n, LOAD(v + i));
+				find_decimals(&f, i, n, LOAD(v + k + i));
 			else if (kind == NUMBER_DIGITS)
-				find_significant(&f, i, n, LOAD(v + i));
+				find_significant(&f, i, n, LOAD(v + k + i));
 			else
-				find_shortest(&f, i, single, LOAD(v + i));
+				find_shortest(&f, i, single, LOAD(v + k + i));
 		write_digits(t, nonzero, &f);
 		lay_out(layout, nonzero, &f, ninth ? DIGITS / 2 : DIGITS,
 		    decimals);
@@ -179,7 +179,7 @@ INLINE void write_all(const double *v, size_t count, enum number_kind kind,
 
 /* Runs a loop compiled for the kind of digits, the shortest of doubles and of floats
  * being two. */
-void WRITER(const double *v, size_t count, bool single,
+static void writer_write(const double *v, size_t count, bool single,
     struct number_style style, struct number_text *t)
 {
 	if (style.kind == NUMBER_SHORTEST && single)
@@ -193,3 +193,5 @@ void WRITER(const double *v, size_t count, bool single,
 	else
 		write_all(v, count, NUMBER_DIGITS, style.n, false, t);
 }
+
+const struct number_loops LOOPS = { reader_find, reader_read, writer_write };

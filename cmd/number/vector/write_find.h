@@ -7,8 +7,8 @@
 
 #include <math.h>
 
+#include "../plain.h"
 #include "powers.h"
-#include "vector.h"
 
 #define INLINE static inline __attribute__((always_inline))
 
@@ -27,8 +27,8 @@ enum { MOST_DIGITS = 15, MOST_ZEROS = 6 };
  * before their end, and the 17th, digit, unless it is 0. sign is -1 for a minus, 1 for
  * none, and 0 if number_write makes the text. */
 struct found {
-	double whole[TEXTS];
-	int32_t digit[TEXTS], scale[TEXTS], sign[TEXTS];
+	double whole[NUMBER_BATCH];
+	int32_t digit[NUMBER_BATCH], scale[NUMBER_BATCH], sign[NUMBER_BATCH];
 };
 
 /* x = a 10^scale as p + e, and the greatest integer i <= p. hi + lo is the power. If

@@ -53,10 +53,10 @@
 
 #include "floats.h"
 
-#define KERNELS_OF(prefix)                                                \
+#define KERNELS_OF(prefix, depth)                                         \
 	[KERNEL_FLAT] = prefix##_flat, [KERNEL_AFFINE] = prefix##_affine, \
-	[KERNEL_DEPTH] = prefix##_depth,                                  \
-	[KERNEL_PROJECTIVE] = prefix##_projective
+	[KERNEL_PROJECTIVE] = prefix##_projective,                        \
+	[KERNEL_DEPTH] = prefix##_##depth
 
 #define ROWS_OF(name)                                          \
 	{                                                      \
@@ -65,13 +65,13 @@
 
 const struct kernels COPY = {
 	.processor = PROCESSOR,
-	.exact = { KERNELS_OF(exact), [KERNEL_FOUR] = exact_four,
+	.exact = { KERNELS_OF(exact, projective), [KERNEL_FOUR] = exact_four,
 	    [KERNEL_DIRECTION] = exact_direction },
 	.plain = {
-		[PRECISION_DOUBLE] = { KERNELS_OF(double) },
-		[PRECISION_SINGLE] = { KERNELS_OF(single) },
+		[PRECISION_DOUBLE] = { KERNELS_OF(double, depth) },
+		[PRECISION_SINGLE] = { KERNELS_OF(single, depth) },
 	},
-	.floats = { KERNELS_OF(floats) },
+	.floats = { KERNELS_OF(floats, depth) },
 	.signs = signs,
 	.farthest = farthest,
 	.split = { ROWS_OF(split_narrow), ROWS_OF(split_wide) },

@@ -28,18 +28,13 @@
 #ifndef DIGITS
 #define DIGITS 53
 #define COLUMN_BOUND 0x1p-72
-#define DEPTH_BOUND 0x1p-88 /* of a, where depth is a + b / w */
 #define MODERATE 0x1p200
 #endif
 /* A lower bound of an element that is not 0, as the scaled element may underflow. */
 #define LEAST 0x1p-1022
 
-/* The binary places that are kept of coordinates, elements and a (depth is a + b / w). */
-enum {
-	POINT_CUT = DIGITS / 2,
-	ELEMENT_CUT = DIGITS - 3 - POINT_CUT,
-	DEPTH_CUT = DIGITS * 3 / 4 - 1
-};
+/* The binary places that are kept of coordinates and of elements. */
+enum { POINT_CUT = DIGITS / 2, ELEMENT_CUT = DIGITS - 3 - POINT_CUT };
 
 /* Returns true if largest is neither so large nor so small that products or quotients of
  * coordinates, or of columns, could overflow or underflow. */
@@ -62,14 +57,15 @@ static double cut_to(double a, double unit)
 	return a + s - s;
 }
 
-static inline double least(V a)
+/* Returns the greatest lane. */
+static inline double greatest(V a)
 {
 	double all[WIDTH], r;
 
 	STORE(all, a);
 	r = all[0];
 	for (int i = 1; i < WIDTH; i++)
-		r = all[i] < r ? all[i] : r;
+		r = all[i] > r ? all[i] : r;
 	return r;
 }
 
@@ -86,24 +82,29 @@ static bool is_product(double a, double b, double product)
  * origin. If not, the points lie so near to each other and to the origin that the
  * difference from the whole origin, near, is exact. */
 struct kernel_range {
-	double largest; /* no difference is larger; rounded up */
-	int e;          /* largest < 2^e */
-	double rounder; /* to multiples of 2^(e-26) */
+	double largest;        /* no difference is larger; rounded up */
+	double power, inverse; /* 2^e, largest < 2^e, and 2^-e */
+	double rounder;        /* to multiples of 2^(e-26) */
 	double near, rest;
 	double rounder_and_high;
 };
 
 static struct kernel_range range_of(double low, double high, double origin)
 {
-	struct kernel_range r = { 0, 0, 0, 0, 0, 0 };
+	struct kernel_range r = { 0, 0, 0, 0, 0, 0, 0 };
 	double cut = 0;
+	int e;
 
 	r.largest = fmax(fabs(high - origin), fabs(origin - low)) *
 	    (1 + ldexp(1, 3 - DIGITS));
-	frexp(r.largest, &r.e);
-	r.rounder = rounder(ldexp(1, r.e - POINT_CUT));
-	if (fabs(origin) < ldexp(1, r.e + POINT_CUT - 3)) {
-		cut = cut_to(origin, ldexp(1, r.e - POINT_CUT));
+	frexp(r.largest, &e);
+	r.power = ldexp(1, e);
+	r.inverse = ldexp(1, -e);
+	double unit = r.power * ldexp(1, -POINT_CUT);
+
+	r.rounder = rounder(unit);
+	if (fabs(origin) < r.power * ldexp(1, POINT_CUT - 3)) {
+		cut = cut_to(origin, unit);
 		r.rest = origin - cut;
 	} else {
 		r.near = origin;
@@ -112,32 +113,22 @@ static struct kernel_range range_of(double low, double high, double origin)
 	return r;
 }
 
-/* Returns the range of n coordinates. There are several minima, as each operation waits
- * for the last result of its own minimum only. */
+/* Returns the range of n coordinates. Even and odd vectors have their own minimum, as
+ * each operation waits for the last result of its own minimum only. */
 static struct kernel_range range_in(const double *in, size_t n, double origin)
 {
-	enum { CHAINS = 4 };
-	V low[CHAINS], high[CHAINS];
-	size_t i = 0;
+	V low[2] = { ALL(HUGE_VAL), ALL(HUGE_VAL) };
+	V high[2] = { ALL(-HUGE_VAL), ALL(-HUGE_VAL) };
 
-	for (int k = 0; k < CHAINS; k++)
-		low[k] = ALL(HUGE_VAL), high[k] = ALL(-HUGE_VAL);
-	for (; i + CHAINS * WIDTH <= n; i += CHAINS * WIDTH)
-		for (int k = 0; k < CHAINS; k++) {
+	for (size_t i = 0; i < n; i += 2 * WIDTH)
+		for (size_t k = 0; k < 2; k++) {
 			V x = LOAD(in + i + k * WIDTH);
 
 			low[k] = MIN(x, low[k]);
 			high[k] = MAX(x, high[k]);
 		}
-	for (; i < n; i += WIDTH) {
-		low[0] = MIN(LOAD(in + i), low[0]);
-		high[0] = MAX(LOAD(in + i), high[0]);
-	}
-	for (int k = 1; k < CHAINS; k++) {
-		low[0] = MIN(low[k], low[0]);
-		high[0] = MAX(high[k], high[0]);
-	}
-	return range_of(least(low[0]), -least(-high[0]), origin);
+	return range_of(-greatest(-MIN(low[0], low[1])),
+	    greatest(MAX(high[0], high[1])), origin);
 }
 
 /* Returns the largest difference of column j's values that counts as 0 in this block. */
@@ -181,23 +172,25 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
     const struct kernel_range *range, struct column_cut *c)
 {
 	double most = fabs(m->hi[3][j]);
-	int f = 0;
+	int f;
 
 	for (int i = 0; i < terms; i++)
 		if (range[i].largest > 0 && fabs(m->hi[i][j]) > 0)
 			most = fmax(most,
-			    fmax(LEAST, ldexp(fabs(m->hi[i][j]), range[i].e)));
+			    fmax(LEAST, fabs(m->hi[i][j]) * range[i].power));
 	frexp(most, &f);
+	const double power = ldexp(1, f);
+
 	c->exact = has_short_elements(m, j, terms, range);
 	for (int i = 0; i < 4; i++) {
 		bool counts = i == 3 || (i < terms && range[i].largest > 0);
-		double unit = ldexp(1,
-		    i == 3     ? f - ELEMENT_CUT - POINT_CUT :
-			counts ? f - ELEMENT_CUT - range[i].e :
-				 0);
+		double unit = i == 3 ? ldexp(1, -POINT_CUT) :
+		    counts           ? range[i].inverse :
+				       0;
 
 		c->all[i] = counts ? m->hi[i][j] : 0;
-		c->high[i] = cut_to(c->all[i], unit);
+		c->high[i] = cut_to(c->all[i],
+		    unit * power * ldexp(1, -ELEMENT_CUT));
 		c->rest[i] = c->all[i] - c->high[i];
 		if (counts && !c->exact)
 			c->rest[i] += m->lo[i][j];
@@ -212,40 +205,8 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
 	double none = none_of(m, j, terms, range);
 
 	c->tiny = 0x1p56 * none;
-	c->bound = most > 0 ? ldexp(COLUMN_BOUND, f) + none : 0;
+	c->bound = most > 0 ? COLUMN_BOUND * power + none : 0;
 	return is_moderate(most);
-}
-
-/* Depth a + b / w, for a block of points. a is cut to a multiple of 2^-38 of the power
- * of two above it. b / w is cut to the same unit: it is at most 2^12 |a|, as w is above
- * least. If a is 0, there is no cut. */
-struct depth {
-	double b_hi, b_lo;
-	double rounder, rounder_and_high, rest; /* of a */
-	double bound; /* of the error, without the error of b / w */
-	double none;  /* depth times w: the largest difference of none */
-	double least;
-};
-
-static struct depth depth_of(const struct kernel_map *m,
-    const struct kernel_range *range)
-{
-	double a = fabs(m->a_hi);
-	struct depth d = { .b_hi = m->b_hi, .b_lo = m->b_lo };
-	int e = 0;
-
-	frexp(a, &e);
-	double unit = a > 0 ? ldexp(1, e - DEPTH_CUT) : 0;
-	double high = cut_to(m->a_hi, unit);
-
-	d.rounder = rounder(unit);
-	d.rounder_and_high = d.rounder + high;
-	d.rest = (m->a_hi - high) + m->a_lo;
-	d.bound = DEPTH_BOUND * a;
-	d.none = none_of(m, 2, 3, range) + a * none_of(m, 3, 3, range);
-	if (a > 0)
-		d.least = ldexp(fabs(m->b_hi) / a, DEPTH_CUT + 3 - DIGITS);
-	return d;
 }
 
 /* What the loops need to know of a block of points. For directions cut[3].bound is the
@@ -253,10 +214,8 @@ static struct depth depth_of(const struct kernel_map *m,
 struct kernel_block {
 	struct kernel_range range[3];
 	struct column_cut cut[4];
-	struct depth depth;
 	int moderate;
-	bool near;    /* range[].near is not 0 in some coordinate */
-	double least; /* w is surely positive if it is above least */
+	bool near; /* range[].near is not 0 in some coordinate */
 };
 
 static struct kernel_block block_of(const struct kernel_map *m,
@@ -271,18 +230,12 @@ static struct kernel_block block_of(const struct kernel_map *m,
 		b.near |= fabs(b.range[k].near) > 0;
 	}
 	for (int j = 0; j < 4; j++)
-		if (j < kernel_columns(kind) ||
+		if (j < kernel_outputs(kind) ||
 		    (j == 3 && kernel_divides(kind)))
 			b.moderate &= cut_column(m, j, terms, b.range,
 			    &b.cut[j]);
 	for (int j = 0; j < 3 && kind == KERNEL_DIRECTION; j++)
 		b.cut[3].bound += b.cut[j].bound;
-	b.least = b.cut[3].bound;
-	if (kind != KERNEL_DEPTH)
-		return b;
-	b.moderate &= is_moderate(fabs(m->a_hi)) & is_moderate(fabs(m->b_hi));
-	b.depth = depth_of(m, b.range);
-	b.least = fmax(b.least, b.depth.least);
 	return b;
 }
 
@@ -400,24 +353,6 @@ static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
 	return up;
 }
 
-/* Returns a + b / w rounded; *sure becomes 0 if the rounding is not certain. The steps
- * are those of quotient(). The high parts of a and b / w add without error, as those of
- * a column do. The error that comes from a is below 2^-88 a. A difference of none in a w
- * + b counts as 0 here, too. */
-static inline V depth(const struct depth *d, vdd w, V reciprocal, V w_bound,
-    V *sure)
-{
-	V b = ALL(d->b_hi), q = b * reciprocal;
-	V rest = FMA(q, -w.hi, b) + MADD(q, -w.lo, ALL(d->b_lo));
-	V s = q + ALL(d->rounder_and_high);
-	V lo = (q - (s - ALL(d->rounder_and_high))) + ALL(d->rest);
-	V error = MADD(reciprocal, MADD(ABS(q), w_bound, ALL(d->none)),
-	    ALL(d->bound));
-
-	return round_surely(s - ALL(d->rounder), MADD(rest, reciprocal, lo),
-	    error, sure);
-}
-
 /* Rounds columns without division a second time. The error of a column that is exact is
  * now 0, as exact columns are often midway between two doubles. Returns a positive
  * number for each point of which all columns are sure. */
@@ -427,7 +362,7 @@ static V round_exact(const struct kernel_block *b, const V cut[3],
 	const int terms = kernel_terms(kind);
 	V sure = ALL(b->moderate);
 
-	for (int k = 0; k < kernel_columns(kind); k++) {
+	for (int k = 0; k < kernel_outputs(kind); k++) {
 		const struct column_cut *c = &b->cut[k];
 		vdd s = column(c, cut, rest, terms);
 		V lost = lost_by(c, s, cut, rest, terms);
@@ -474,7 +409,7 @@ static inline __attribute__((always_inline)) bool
 image_of(const struct kernel_block *b, const V p[3], V q[],
     enum kernel_kind kind)
 {
-	const int terms = kernel_terms(kind), columns = kernel_columns(kind);
+	const int terms = kernel_terms(kind), columns = kernel_outputs(kind);
 	const bool divide = kernel_divides(kind);
 	const bool direction = kind == KERNEL_DIRECTION;
 	V cut[3], rest[3], r = ALL(1), sure = ALL(b->moderate);
@@ -499,10 +434,8 @@ image_of(const struct kernel_block *b, const V p[3], V q[],
 		    quotient(s, w, r, error, bound, &sure) :
 		    round_surely(s.hi, s.lo, error, &sure);
 	}
-	if (kind == KERNEL_DEPTH)
-		q[2] = depth(&b->depth, w, r, bound, &sure);
-	if (divide)
-		sure = MIN(w_sum - ALL(b->least), sure);
+	if (divide) /* w is surely positive above its bound */
+		sure = MIN(w_sum - bound, sure);
 	if (!divide && !direction && !IS_POSITIVE(sure))
 		sure = round_exact(b, cut, rest, kind, q);
 	if (IS_POSITIVE(sure))
@@ -547,7 +480,6 @@ exact(const struct kernel_map *m, const double *const in[3],
 LOOP(KERNEL_FLAT, exact_flat)
 LOOP(KERNEL_AFFINE, exact_affine)
 LOOP(KERNEL_FOUR, exact_four)
-LOOP(KERNEL_DEPTH, exact_depth)
 LOOP(KERNEL_PROJECTIVE, exact_projective)
 LOOP(KERNEL_DIRECTION, exact_direction)
 #undef LOOP

@@ -2,17 +2,6 @@
 /* Finds how far a block of points reaches along some directions. */
 #include "kernel.h"
 
-static double greatest(V a)
-{
-	double all[WIDTH], r;
-
-	STORE(all, a);
-	r = all[0];
-	for (int i = 1; i < WIDTH; i++)
-		r = all[i] > r ? all[i] : r;
-	return r;
-}
-
 /* Returns the greatest value along a direction. There are two maxima, of even and of odd
  * vectors: a single one would wait for its last result. */
 static double farthest_along(const double m[3], const double *const in[3],

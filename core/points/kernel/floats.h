@@ -17,7 +17,9 @@ floats(const struct kernel_map *m, const char *in, char *out, size_t n,
 
 	for (size_t i = 0; i < n; i++)
 		for (size_t k = 0; k < terms; k++)
-			column[k][i] = little_float(in + 4 * (terms * i + k));
+			column[k][i] = (float)little_get(in +
+				4 * (terms * i + k),
+			    false);
 	for (size_t i = 0; i < n; i++) {
 		float p[3], q[3], sum = 0;
 
@@ -29,15 +31,15 @@ floats(const struct kernel_map *m, const char *in, char *out, size_t n,
 		}
 		single_image(&own, p, q, kind);
 		for (size_t k = 0; k < terms; k++) {
-			column[k][i] = q[k] + 0.0f;
+			column[k][i] = q[k];
 			sum += q[k];
 		}
 		beyond |= sum - sum == 0 ? 0 : -1;
 	}
 	for (size_t i = 0; i < n; i++)
 		for (size_t k = 0; k < terms; k++)
-			put_little_float(out + 4 * (terms * i + k),
-			    column[k][i]);
+			little_put(out + 4 * (terms * i + k), false,
+			    (double)column[k][i]);
 	return beyond == 0;
 }
 

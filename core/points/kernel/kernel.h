@@ -19,14 +19,14 @@ enum kernel_kind {
 	KERNEL_FLAT,       /* two coordinates, no division */
 	KERNEL_AFFINE,     /* no division */
 	KERNEL_FOUR,       /* x, y, z and w, undivided; only in exact */
-	KERNEL_DEPTH,      /* x and y divided by w, depth = a + b / w */
 	KERNEL_PROJECTIVE, /* x, y, z divided by w */
+	KERNEL_DEPTH,      /* the same, but z is a + b / w except in exact */
 	KERNEL_DIRECTION, /* two coordinates to three, divided by their length */
 	KERNELS,
 };
 
-/* Return how many coordinates a point has, how many its image has, how many of the
- * image's are columns of the matrix, and whether these are divided by w. */
+/* Return how many coordinates a point has, how many its image has, and whether these are
+ * divided by w. */
 static inline int kernel_terms(enum kernel_kind kind)
 {
 	return kind == KERNEL_FLAT || kind == KERNEL_DIRECTION ? 2 : 3;
@@ -35,11 +35,6 @@ static inline int kernel_terms(enum kernel_kind kind)
 static inline int kernel_outputs(enum kernel_kind kind)
 {
 	return kind == KERNEL_FLAT ? 2 : kind == KERNEL_FOUR ? 4 : 3;
-}
-
-static inline int kernel_columns(enum kernel_kind kind)
-{
-	return kind == KERNEL_DEPTH ? 2 : kernel_outputs(kind);
 }
 
 static inline bool kernel_divides(enum kernel_kind kind)
@@ -54,8 +49,8 @@ enum precision { PRECISION_EXACT, PRECISION_DOUBLE, PRECISION_SINGLE };
 struct kernel_map {
 	double origin[3];
 	double hi[4][4], lo[4][4];
-	bool exact[4][4];              /* the element is exactly hi */
-	double a_hi, a_lo, b_hi, b_lo; /* depth is a + b / w */
+	bool exact[4][4]; /* the element is exactly hi */
+	double a, b;      /* of KERNEL_DEPTH */
 	/* most[j] (|x|+|y|+|z|) + image[j] bounds the magnitudes of column j's
 	 * products. */
 	double most[4], image[4];
@@ -157,8 +152,12 @@ struct kernels {
 extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512,
     kernels_neon;
 
-/* Returns the best copy that this processor runs, or the named one (baseline, avx2,
- * avx512, neon); NULL if it cannot run that one or there is none of that name. */
-const struct kernels *kernels_find(const char *name);
+/* Chooses the kernels of this name (baseline, avx2, avx512, neon) or, if NULL, the best
+ * ones for this processor. Returns false where the processor cannot run them or there
+ * are none of that name. */
+bool points_choose(const char *name);
+
+/* Returns the kernels chosen, at first those of baseline. */
+const struct kernels *points_kernels(void);
 
 #endif

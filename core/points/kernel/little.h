@@ -3,6 +3,7 @@
 #ifndef LITTLE_H
 #define LITTLE_H
 
+#include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -16,30 +17,23 @@ static inline void little_copy(void *to, const void *from, size_t size)
 			((char *)to)[i] = ((const char *)from)[size - 1 - i];
 }
 
-static inline double little_double(const char *p)
+/* Return the number at p, and write one there: a double if wide, else a float; -0 is
+ * written as 0. */
+static inline double little_get(const char *p, bool wide)
 {
 	double v;
+	float narrow;
 
-	little_copy(&v, p, sizeof v);
-	return v;
+	little_copy(wide ? (void *)&v : &narrow, p, wide ? 8 : 4);
+	return wide ? v : (double)narrow;
 }
 
-static inline float little_float(const char *p)
+static inline void little_put(char *p, bool wide, double v)
 {
-	float v;
+	float narrow = (float)v + 0.0f;
 
-	little_copy(&v, p, sizeof v);
-	return v;
-}
-
-static inline void put_little_double(char *p, double v)
-{
-	little_copy(p, &v, sizeof v);
-}
-
-static inline void put_little_float(char *p, float v)
-{
-	little_copy(p, &v, sizeof v);
+	v += 0.0;
+	little_copy(p, wide ? (void *)&v : &narrow, wide ? 8 : 4);
 }
 
 #endif

@@ -36,17 +36,17 @@ static inline __attribute__((always_inline)) void NAME(
     image)(const struct kernel_map *m, const REAL p[3], REAL q[3],
     enum kernel_kind kind)
 {
-	const int terms = kernel_terms(kind), columns = kernel_columns(kind);
+	const int terms = kernel_terms(kind);
 	REAL w = 1, r = 1;
 
 	if (kernel_divides(kind)) {
 		w = NAME(column)(m, 3, p, terms);
 		r = 1 / w;
 	}
-	for (int k = 0; k < columns; k++)
+	for (int k = 0; k < terms; k++)
 		q[k] = NAME(column)(m, k, p, terms) * r;
 	if (kind == KERNEL_DEPTH)
-		q[2] = R_FMA((REAL)m->b_hi, r, (REAL)m->a_hi);
+		q[2] = R_FMA((REAL)m->b, r, (REAL)m->a);
 	if (kernel_divides(kind)) {
 		REAL near = w < MOST ? 0 : (REAL)NAN;
 

@@ -8,14 +8,6 @@
 #include "little.h"
 #include "midway.h"
 
-/* Returns number i of doubles if wide, else of floats. */
-static inline __attribute__((always_inline)) double load(const char *numbers,
-    size_t i, int wide)
-{
-	return wide ? little_double(numbers + 8 * i) :
-		      (double)little_float(numbers + 4 * i);
-}
-
 static inline __attribute__((always_inline)) int
 split(const char *restrict rows, double (*restrict columns)[POINTS_BLOCK],
     size_t n, double most, size_t numbers, int wide)
@@ -24,8 +16,9 @@ split(const char *restrict rows, double (*restrict columns)[POINTS_BLOCK],
 
 	for (size_t i = 0; i < n; i++)
 		for (size_t k = 0; k < numbers; k++) {
-			double v = load(rows, numbers * i + k, wide);
+			double v = little_get(rows, wide);
 
+			rows += wide ? 8 : 4;
 			columns[k][i] = v;
 			beyond |= fabs(v) > most ? -1 : 0;
 		}
@@ -46,7 +39,6 @@ are_sure(const double *restrict column, size_t n)
 	return unsure == 0;
 }
 
-/* Writes columns to rows; a sum with 0 turns -0 into 0. */
 static inline __attribute__((always_inline)) int
 join(double (*restrict columns)[POINTS_BLOCK], char *restrict rows, size_t n,
     size_t numbers, int wide)
@@ -57,15 +49,10 @@ join(double (*restrict columns)[POINTS_BLOCK], char *restrict rows, size_t n,
 		unsure |= !are_sure(columns[k], n);
 	for (size_t i = 0; i < n; i++)
 		for (size_t k = 0; k < numbers; k++) {
-			double v = columns[k][i] + 0.0;
-			float narrow = (float)v + 0.0f;
+			double v = columns[k][i];
 
-			if (wide)
-				put_little_double(rows + 8 * (numbers * i + k),
-				    v);
-			else
-				put_little_float(rows + 4 * (numbers * i + k),
-				    narrow);
+			little_put(rows, wide, v);
+			rows += wide ? 8 : 4;
 			unsure |= !wide || fabs(v) <= DBL_MAX ? 0 : -1;
 		}
 	return unsure == 0;
