@@ -2,8 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "../core/derive/frustum.h"
-#include "../core/derive/taxonomy.h"
+#include "../core/derive/picture.h"
 #include "json/print.h"
 #include "call/operands.h"
 #include "scene/document.h"
@@ -79,7 +78,7 @@ static void put_rows(struct printer *p, const char *name, const double *v,
 	put_close(p, "]");
 }
 
-static void put_taxonomy(struct printer *p, const struct taxonomy *t)
+static void put_taxonomy(struct printer *p, const struct picture *t)
 {
 	put_name_on_new_line(p, "projection");
 	put_string(p, taxa[t->taxon]);
@@ -113,8 +112,7 @@ static void put_sides(struct printer *p, const char *name, const double at[4])
 	put_close(p, "}");
 }
 
-static void put_planes(struct printer *p, const struct taxonomy *t,
-    const struct parameters *r)
+static void put_planes(struct printer *p, const struct picture *r)
 {
 	put_name_on_new_line(p, "near");
 	put_distance(p, r->near);
@@ -128,7 +126,7 @@ static void put_planes(struct printer *p, const struct taxonomy *t,
 	else
 		put_literal(p, r->reverse_z ? "true" : "false");
 	put_sides(p, "planes", r->plane);
-	put_rows(p, "frustum", t->corner[0], 8, 3, false);
+	put_rows(p, "frustum", r->corner[0], 8, 3, false);
 	put_name_on_new_line(p, "frustum_planes");
 	put_open(p, "{");
 	for (int k = 0; k < 6; k++) {
@@ -235,18 +233,14 @@ static void put_plane(struct printer *p, const struct document *d)
 static void put_spatial(struct printer *p, const struct document *d,
     const struct options *o)
 {
-	struct taxonomy t;
-	static struct parameters r;
-	double bound[3];
+	static struct picture r;
 
-	document_check(d, taxonomy_of(&d->scene, &t));
-	document_check(d, parameters_of(&d->scene, &t, &r));
-	document_check(d, error_bounds(&d->scene, bound));
+	document_check(d, picture_of(&d->scene, &r));
 	check_distances(d, o, &r.depth);
-	put_taxonomy(p, &t);
-	put_planes(p, &t, &r);
+	put_taxonomy(p, &r);
+	put_planes(p, &r);
 	put_depth_steps(p, o, &r.depth);
-	put_bounds(p, bound, o->tolerance > 0 ? o->tolerance : 0.5);
+	put_bounds(p, r.error_bound, o->tolerance > 0 ? o->tolerance : 0.5);
 	put_name_on_new_line(p, "scene");
 	if (r.has_scene)
 		put_scene(p, &r.scene);

@@ -1,85 +1,69 @@
 /* SPDX-License-Identifier: MIT */
-#include "frustum.h"
+#include "picture.h"
 
-#include <math.h>
+#include <string.h>
 
-/* Replaces the function line[0] z + line[1] of ndc depth by |high - low| times the same
- * function of device depth. first is the least ndc depth, 0 or -1. */
-static void depth_on_device(struct sum line[2], double first,
-    const struct depth *d)
+/* Makes the map from view space to x, y, device depth or depth from 0 to 1, and w. */
+static void depth_map(const struct lens *l, const struct depth *d,
+    struct map *m)
 {
-	struct sum range = sum_diff(d->high, d->low);
-	struct sum at = sum_diff(first * d->high, d->low);
-	bool falls = d->high < d->low;
+	struct viewport v = { .width = 2,
+		.height = 2,
+		.min_z = d->low,
+		.max_z = d->high };
+	struct map stage;
 
-	line[1] = sum_negated_if(falls,
-	    sum_add(sum_mul(line[0], at), sum_mul(line[1], range)));
-	line[0] = sum_negated_if(falls, sum_scale(line[0], 1 - first));
+	viewport_map(&v, answer_convention(l->scene), false, &stage);
+	*m = l->volume.clip;
+	map_append(m, &stage, false);
 }
 
-/* Sets D of a perspective: w / |n|, where n is the gradient of w. Clip x, y and w are 0
- * at the eye, so the eye is the inverse map's image of (0, 0, 1, 0), and clip z at the
- * eye is the product of both divisors over the fourth coordinate of that image. From the
- * eye along n, clip z is z(eye) + (gradient of z . n) D / |n|; it also equals ndc z
- * times w = |n| D, and the two together give D. */
-static void set_perspective(const struct scene *s, const struct map *m,
-    const struct sum z[3], const struct sum w[3], struct depth *d)
+/* Let n be the gradient of w or, if w is constant, of z, and h the eye or, if w is
+ * constant, the origin. At the distance D from h along n, z and w times h[3] |n| are |n| z
+ * . h + h[3] D z . n and |n| w . h + h[3] D w . n. Depth is their quotient, which gives D
+ * by depth. w . h is 0 by definition at the eye. All four elements change their signs
+ * where that makes the denominator positive in front of the eye. D of a parallel
+ * projection grows along the convention's gaze; if the projection is a matrix, D grows
+ * from near to far. */
+void depth_of(const struct lens *l, struct depth *d)
 {
-	struct map back;
-
-	projection_map(&s->projection, &s->convention, true, &back);
-	struct sum eye = sum_quotient(sum_mul(back.divisor, m->divisor),
-	    back.m[2][3]);
-	bool minus = sum_sign(eye) < 0;
-
-	d->over[0] = sum_of_double(0);
-	d->over[1] = sum_mul(vec3_length(w), sum_abs(eye));
-	d->under[0] = sum_negated_if(minus, vec3_dot(w, w));
-	d->under[1] = sum_negated_if(!minus, vec3_dot(w, z));
-}
-
-/* Sets D of a parallel projection: the difference of clip z from its value at the origin,
- * over the length of the gradient of z. D grows along the convention's gaze; if the
- * projection is a matrix, D grows from near to far. */
-static void set_parallel(const struct scene *s, const struct map *m,
-    const struct sum z[3], struct depth *d)
-{
-	bool behind = sum_sign(m->m[3][3]) < 0;
-	bool against = s->projection.type == PROJECTION_MATRIX ?
-	    d->reversed != behind :
-	    sum_sign(z[2]) * (looks_back(&s->convention) ? -1 : 1) < 0;
-
-	d->over[0] = sum_negated_if(against != behind, m->m[3][3]);
-	d->over[1] = sum_negated_if(against == behind, m->m[3][2]);
-	d->under[0] = sum_of_double(0);
-	d->under[1] = sum_negated_if(behind, vec3_length(z));
-}
-
-void depth_of(const struct scene *s, bool reversed, struct depth *d)
-{
+	const struct scene *s = l->scene;
 	const struct viewport *v = &s->viewport;
 	bool ranges = s->has_viewport && v->min_z != v->max_z;
-	double first = s->convention.minus_one ? -1 : 0;
-	struct sum w[3], z[3];
+	bool behind = sum_sign(l->clip[3][3]) < 0, against = false;
+	struct sum h[4] = { [3] = sum_of_double(1) }, z[4], w[4], size;
 	struct map m;
 
-	/* can't fail, as the scene's maps are invertible */
-	projection_map(&s->projection, &s->convention, false, &m);
-	for (int i = 0; i < 3; i++) {
-		w[i] = m.m[i][3];
-		z[i] = m.m[i][2];
-	}
-	d->low = ranges ? v->min_z : 0;
-	d->high = ranges ? v->max_z : 1;
-	d->reversed = reversed;
-	d->open = projection_is_open(&s->projection);
-	d->flat = s->has_viewport && !ranges;
-	if (vec3_is_zero(w))
-		set_parallel(s, &m, z, d);
+	*d = (struct depth){ .low = ranges ? v->min_z : 0,
+		.high = ranges ? v->max_z : 1,
+		.reversed = l->reversed,
+		.open = projection_is_open(&s->projection),
+		.flat = s->has_viewport && !ranges };
+	depth_map(l, d, &m);
+	if (!l->parallel)
+		memcpy(h, l->volume.eye, sizeof h);
+	else if (s->projection.type == PROJECTION_MATRIX)
+		against = l->reversed != behind;
 	else
-		set_perspective(s, &m, z, w, d);
-	depth_on_device(d->over, first, d);
-	depth_on_device(d->under, first, d);
+		against = looks_back(answer_convention(s)) !=
+		    (sum_sign(l->clip[2][2]) < 0);
+	against ^= l->parallel && d->high < d->low;
+	for (int i = 0; i < 4; i++) {
+		z[i] = m.m[i][2];
+		w[i] = m.m[i][3];
+	}
+	const struct sum *n = l->parallel ? z : w;
+
+	size = vec3_length(n);
+	map_image(&m, 2, h, &d->over[1]);
+	bool minus = l->parallel ? !behind : sum_sign(d->over[1]) < 0;
+
+	d->over[0] = sum_negated_if(minus == against,
+	    l->parallel ? sum_mul(size, w[3]) : sum_of_double(0));
+	d->over[1] = sum_negated_if(minus != against,
+	    sum_mul(size, d->over[1]));
+	d->under[0] = sum_negated_if(minus, sum_mul(h[3], vec3_dot(w, n)));
+	d->under[1] = sum_negated_if(!minus, sum_mul(h[3], vec3_dot(z, n)));
 }
 
 /* A depth n / d. */
