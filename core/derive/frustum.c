@@ -157,52 +157,41 @@ static struct estimate estimate_of(const struct transform *t, int columns)
 	return e;
 }
 
-/* How many points out_few takes at a time; their words are on the stack. */
+/* How many points a kernel takes at a time; their words are on the stack. */
 enum { FEW = 256 };
-
-static void out_few(const struct frustum *f, const struct estimate *sides,
-    const struct estimate *ends, const double *const in[4], unsigned char *out,
-    size_t n)
-{
-	double word[FEW];
-
-	memset(word, 0, n * sizeof *word);
-	points_kernels()->signs(sides, 4, OUT_LEFT, in, word, n);
-	if (!is_flat(f))
-		points_kernels()->signs(ends, 3, OUT_NEAR, in, word, n);
-	for (size_t i = 0; i < n; i++) {
-		unsigned planes = (unsigned)word[i];
-		const double p[4] = { in[0][i], in[1][i], in[2][i] };
-
-		if (planes >= SIGNS_UNSURE)
-			planes = frustum_out(f, p);
-		out[i] = planes & OUT_BEHIND ? OUT_BEHIND :
-					       (unsigned char)planes;
-	}
-}
 
 void frustum_out_all(const struct frustum *f, const double *const in[4],
     unsigned char *out, size_t n)
 {
+	bool flat = is_flat(f), four = f->sides.in == 4;
 	/* in 2D any column serves as z, as the slopes of z are 0 */
-	const double *z = in[is_flat(f) ? 0 : 2];
+	const double *z = in[flat ? 0 : 2];
 	struct estimate sides = estimate_of(&f->sides, 4), ends = { 0 };
+	double word[FEW];
 
-	if (!is_flat(f))
+	if (!flat)
 		ends = estimate_of(&f->ends, 3);
 	for (size_t i = 0; i < n; i += FEW) {
 		const double *const at[4] = { in[0] + i, in[1] + i, z + i };
 		size_t few = n - i < FEW ? n - i : FEW;
 
-		if (f->sides.in <= 3) {
-			out_few(f, &sides, &ends, at, out + i, few);
-			continue;
-		}
-		for (size_t k = i; k < i + few; k++) {
-			const double p[4] = { in[0][k], in[1][k], in[2][k],
-				in[3][k] };
+		memset(word, 0, few * sizeof *word);
+		if (!four)
+			points_kernels()->signs(&sides, 4, OUT_LEFT, at, word,
+			    few);
+		if (!four && !flat)
+			points_kernels()->signs(&ends, 3, OUT_NEAR, at, word,
+			    few);
+		for (size_t k = 0; k < few; k++) {
+			unsigned planes = (unsigned)word[k];
+			const double p[4] = { at[0][k], at[1][k], at[2][k],
+				four ? in[3][i + k] : 1 };
 
-			out[k] = (unsigned char)frustum_out(f, p);
+			if (four || planes >= SIGNS_UNSURE)
+				planes = frustum_out(f, p);
+			out[i + k] = planes & OUT_BEHIND ?
+			    OUT_BEHIND :
+			    (unsigned char)planes;
 		}
 	}
 }
