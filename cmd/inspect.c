@@ -78,26 +78,6 @@ static void put_rows(struct printer *p, const char *name, const double *v,
 	put_close(p, "]");
 }
 
-static void put_taxonomy(struct printer *p, const struct picture *t)
-{
-	put_name_on_new_line(p, "projection");
-	put_string(p, taxa[t->taxon]);
-	put_name_on_new_line(p, "kind");
-	put_string(p, kinds[t->kind]);
-	put_name_on_new_line(p, "foreshortening");
-	put_vector(p, t->foreshortening, 3);
-	put_rows(p, "vanishing_points", t->vanishing_point[0], 3, 2,
-	    t->taxon <= TAXON_OBLIQUE);
-	put_name_on_new_line(p, "fovx");
-	put_number(p, t->fov[0]);
-	put_name_on_new_line(p, "fovy");
-	put_number(p, t->fov[1]);
-	put_name_on_new_line(p, "eye");
-	put_vector(p, t->eye, 3);
-	put_name_on_new_line(p, "gaze");
-	put_vector(p, t->gaze, 3);
-}
-
 static const char *const sides[6] = { "left", "right", "bottom", "top", "near",
 	"far" };
 
@@ -112,8 +92,24 @@ static void put_sides(struct printer *p, const char *name, const double at[4])
 	put_close(p, "}");
 }
 
-static void put_planes(struct printer *p, const struct picture *r)
+static void put_picture(struct printer *p, const struct picture *r)
 {
+	put_name_on_new_line(p, "projection");
+	put_string(p, taxa[r->taxon]);
+	put_name_on_new_line(p, "kind");
+	put_string(p, kinds[r->kind]);
+	put_name_on_new_line(p, "foreshortening");
+	put_vector(p, r->foreshortening, 3);
+	put_rows(p, "vanishing_points", r->vanishing_point[0], 3, 2,
+	    r->taxon <= TAXON_OBLIQUE);
+	put_name_on_new_line(p, "fovx");
+	put_number(p, r->fov[0]);
+	put_name_on_new_line(p, "fovy");
+	put_number(p, r->fov[1]);
+	put_name_on_new_line(p, "eye");
+	put_vector(p, r->eye, 3);
+	put_name_on_new_line(p, "gaze");
+	put_vector(p, r->gaze, 3);
 	put_name_on_new_line(p, "near");
 	put_distance(p, r->near);
 	put_name_on_new_line(p, "far");
@@ -237,8 +233,7 @@ static void put_spatial(struct printer *p, const struct document *d,
 
 	document_check(d, picture_of(&d->scene, &r));
 	check_distances(d, o, &r.depth);
-	put_taxonomy(p, &r);
-	put_planes(p, &r);
+	put_picture(p, &r);
 	put_depth_steps(p, o, &r.depth);
 	put_bounds(p, r.error_bound, o->tolerance > 0 ? o->tolerance : 0.5);
 	put_name_on_new_line(p, "scene");

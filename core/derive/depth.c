@@ -1,69 +1,57 @@
 /* SPDX-License-Identifier: MIT */
 #include "picture.h"
 
-#include <string.h>
-
-/* Makes the map from view space to x, y, device depth or depth from 0 to 1, and w. */
-static void depth_map(const struct lens *l, const struct depth *d,
-    struct map *m)
-{
-	struct viewport v = { .width = 2,
-		.height = 2,
-		.min_z = d->low,
-		.max_z = d->high };
-	struct map stage;
-
-	viewport_map(&v, answer_convention(l->scene), false, &stage);
-	*m = l->volume.clip;
-	map_append(m, &stage, false);
-}
-
-/* Let n be the gradient of w or, if w is constant, of z, and h the eye or, if w is
- * constant, the origin. At the distance D from h along n, z and w times h[3] |n| are |n| z
- * . h + h[3] D z . n and |n| w . h + h[3] D w . n. Depth is their quotient, which gives D
- * by depth. w . h is 0 by definition at the eye. All four elements change their signs
- * where that makes the denominator positive in front of the eye. D of a parallel
- * projection grows along the convention's gaze; if the projection is a matrix, D grows
- * from near to far. */
+/* Let n be the gradient of w or, if w is constant, of z. At the distance D along n from
+ * the eye or, if w is constant, from the origin, z and w are z0 + D z . n / |n| and w0 +
+ * D w . n / |n|. Depth is their quotient, which gives D by depth. At the eye w0 is 0, as x
+ * and y are. All four elements change their signs where that
+ * makes the denominator positive in front of the eye. D of a parallel projection grows
+ * along the convention's gaze; if the projection is a matrix, D grows from near to far. */
 void depth_of(const struct lens *l, struct depth *d)
 {
 	const struct scene *s = l->scene;
 	const struct viewport *v = &s->viewport;
 	bool ranges = s->has_viewport && v->min_z != v->max_z;
 	bool behind = sum_sign(l->clip[3][3]) < 0, against = false;
-	struct sum h[4] = { [3] = sum_of_double(1) }, z[4], w[4], size;
-	struct map m;
+	struct viewport range = { .width = 2, .height = 2, .max_z = 1 };
+	const struct sum *eye_z = l->volume.eye_z;
+	struct sum z[4], w[4];
+	struct map m = l->volume.clip, stage;
 
-	*d = (struct depth){ .low = ranges ? v->min_z : 0,
-		.high = ranges ? v->max_z : 1,
+	if (ranges) {
+		range.min_z = v->min_z;
+		range.max_z = v->max_z;
+	}
+	*d = (struct depth){ .low = range.min_z,
+		.high = range.max_z,
 		.reversed = l->reversed,
 		.open = projection_is_open(&s->projection),
 		.flat = s->has_viewport && !ranges };
-	depth_map(l, d, &m);
-	if (!l->parallel)
-		memcpy(h, l->volume.eye, sizeof h);
-	else if (s->projection.type == PROJECTION_MATRIX)
-		against = l->reversed != behind;
-	else
-		against = looks_back(answer_convention(s)) !=
-		    (sum_sign(l->clip[2][2]) < 0);
-	against ^= l->parallel && d->high < d->low;
+	viewport_map(&range, answer_convention(s), false, &stage);
+	map_append(&m, &stage, false);
 	for (int i = 0; i < 4; i++) {
 		z[i] = m.m[i][2];
 		w[i] = m.m[i][3];
 	}
 	const struct sum *n = l->parallel ? z : w;
+	struct sum size = vec3_length(n);
 
-	size = vec3_length(n);
-	map_image(&m, 2, h, &d->over[1]);
-	bool minus = l->parallel ? !behind : sum_sign(d->over[1]) < 0;
+	if (!l->parallel) {
+		w[3] = sum_of_double(0);
+		z[3] = sum_quotient(sum_mul(eye_z[0], stage.m[2][2]), eye_z[1]);
+	} else if (s->projection.type == PROJECTION_MATRIX) {
+		against = l->reversed != behind;
+	} else {
+		against = looks_back(answer_convention(s)) !=
+		    (sum_sign(l->clip[2][2]) < 0);
+	}
+	against ^= l->parallel && d->high < d->low;
+	bool minus = l->parallel ? !behind : sum_sign(z[3]) < 0;
 
-	d->over[0] = sum_negated_if(minus == against,
-	    l->parallel ? sum_mul(size, w[3]) : sum_of_double(0));
-	d->over[1] = sum_negated_if(minus != against,
-	    sum_mul(size, d->over[1]));
-	d->under[0] = sum_negated_if(minus, sum_mul(h[3], vec3_dot(w, n)));
-	d->under[1] = sum_negated_if(!minus, sum_mul(h[3], vec3_dot(z, n)));
+	d->over[0] = sum_negated_if(minus == against, sum_mul(size, w[3]));
+	d->over[1] = sum_negated_if(minus != against, sum_mul(size, z[3]));
+	d->under[0] = sum_negated_if(minus, vec3_dot(w, n));
+	d->under[1] = sum_negated_if(!minus, vec3_dot(z, n));
 }
 
 /* A depth n / d. */

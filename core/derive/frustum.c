@@ -196,28 +196,21 @@ void frustum_out_all(const struct frustum *f, const double *const in[4],
 	}
 }
 
-void planes_meet(const struct sum plane[3][4], struct sum h[4])
-{
-	struct sum m[4][4];
-
-	memcpy(m, plane, 3 * sizeof *m);
-	for (int i = 0; i < 4; i++)
-		h[i] = sum_negated_if(i & 1, map_minor(3, m, 8, 1u << i));
-}
-
-/* Writes the point where planes a and b of the sides and plane c of a map meet, such that
- * w is not negative there. */
-static void volume_meet(const struct volume *v, int a, int b,
+/* Writes the homogeneous point where planes a and b of the sides and plane c of a map meet,
+ * such that w is not negative there. All of h is 0 if the planes have more than one point
+ * in common. */
+static void planes_meet(const struct volume *v, int a, int b,
     const struct map *other, int c, struct sum h[4])
 {
-	struct sum plane[3][4], w;
+	struct sum plane[4][4], w;
 
 	for (int i = 0; i < 4; i++) {
 		plane[0][i] = v->sides.m[i][a];
 		plane[1][i] = v->sides.m[i][b];
 		plane[2][i] = other->m[i][c];
 	}
-	planes_meet(plane, h);
+	for (int i = 0; i < 4; i++)
+		h[i] = sum_negated_if(i & 1, map_minor(3, plane, 8, 1u << i));
 	map_image(&v->ends, 2, h, &w);
 	for (int i = 0; i < 4 && sum_sign(w) < 0; i++)
 		h[i] = sum_neg(h[i]);
@@ -230,14 +223,17 @@ const char *volume_of(const struct scene *s, struct volume *v)
 	/* the map back refuses a singular projection */
 	const char *why = scene_map(s, SPACE_CLIP, SPACE_VIEW, &v->clip);
 
+	v->eye_z[0] = v->clip.divisor;
+	v->eye_z[1] = v->clip.m[2][3];
 	if (why == NULL)
 		why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &v->clip);
 	if (why != NULL)
 		return why;
+	v->eye_z[0] = sum_mul(v->eye_z[0], v->clip.divisor);
 	planes_of_clip(s, &v->clip, &v->sides, &v->ends);
 	for (int i = 0; i < 8; i++)
-		volume_meet(v, i % 4 == 1 || i % 4 == 2, 2 + (i % 4 > 1),
+		planes_meet(v, i % 4 == 1 || i % 4 == 2, 2 + (i % 4 > 1),
 		    &v->ends, i > 3, v->corner[i]);
-	volume_meet(v, 0, 1, &v->sides, 2, v->eye);
+	planes_meet(v, 0, 1, &v->sides, 2, v->eye);
 	return NULL;
 }

@@ -58,6 +58,7 @@ void frustum_out_all(const struct frustum *, const double *const in[4],
 struct volume {
 	struct map clip, sides, ends;
 	struct sum corner[8][4], eye[4];
+	struct sum eye_z[2]; /* clip z of the eye, a quotient */
 };
 
 /* Makes the volume of a scene. Returns NULL, or the member and the reason. */

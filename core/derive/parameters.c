@@ -12,12 +12,13 @@
 /* The map from view to clip space in axes X to the right, Y upward and D along the gaze. In
  * these axes it is upright: y and w do not depend on X, nor w on Y. Clip coordinates are
  *	x = x X + yx Y + zx D + tx, y = y Y + zy D + ty, w = zw D + tw,
- * all times the map's divisor, which cancels. In a perspective w grows along the gaze.
+ * all times the map's divisor, which cancels. In a perspective w grows along the gaze, and
+ * tx, ty and tw are 0, as D begins at the eye.
  *
  * If own, X, Y and D are the axes of view space. If turned, too, they are turned by 180
  * degrees about Y, as w grows against the convention's gaze. X is negated if the answer is
- * of the other handedness. If not own, an RQ decomposition gives the axes, and D of a
- * perspective is 0 at the eye. If tilted, z also depends on X or Y. */
+ * of the other handedness. If not own, an RQ decomposition gives the axes. If tilted, z also
+ * depends on X or Y. */
 struct upright {
 	struct sum x, yx, y, zx, zy, zw, tx, ty, tw;
 	struct sum axis[3][3]; /* X, Y and D in view space */
@@ -93,8 +94,7 @@ static void find_rq_axes(const struct lens *l, struct upright *u)
 	    sum_mul(vec3_length(g[2]), vec3_length(n)));
 }
 
-/* Sets elements to 0 that are roundings. In a perspective D begins at the eye, so tx, ty
- * and tw are 0 by definition. */
+/* Sets elements to 0 that are roundings. */
 static void clear_roundings(bool parallel, struct upright *u)
 {
 	struct sum none = sum_of_double(0);
@@ -105,8 +105,6 @@ static void clear_roundings(bool parallel, struct upright *u)
 		u->zx = none;
 	if (parallel && is_slight(u->zy, u->y))
 		u->zy = none;
-	if (!parallel)
-		u->tx = u->ty = u->tw = none;
 }
 
 static void set_elements(const struct sum g[4][4], struct upright *u)
@@ -135,9 +133,12 @@ static bool hides_camera(const struct lens *l, const struct upright *u)
 
 static void upright_of(const struct lens *l, struct upright *u)
 {
-	*u = (struct upright){ .tx = l->clip[0][3],
-		.ty = l->clip[1][3],
-		.tw = l->clip[3][3] };
+	*u = (struct upright){ 0 };
+	if (l->parallel) {
+		u->tx = l->clip[0][3];
+		u->ty = l->clip[1][3];
+		u->tw = l->clip[3][3];
+	}
 	u->own = set_own_axes(l, u);
 	set_elements(l->clip, u);
 	if (u->own && !hides_camera(l, u))
@@ -146,20 +147,6 @@ static void upright_of(const struct lens *l, struct upright *u)
 	find_rq_axes(l, u);
 	set_elements(l->clip, u);
 	clear_roundings(l->parallel, u);
-}
-
-/* Returns X (axis 0) or Y (axis 1) where the side plane x = w or y = w, with -w if minus,
- * meets the plane D = n / d. */
-static double side_at(const struct upright *u, struct sum n, struct sum d,
-    int axis, bool minus)
-{
-	struct sum z = axis == 0 ? u->zx : u->zy, t = axis == 0 ? u->tx : u->ty;
-	struct sum x = axis == 0 ? u->x : u->y;
-	struct sum slope = sum_sub(sum_negated_if(minus, u->zw), z);
-	struct sum offset = sum_sub(sum_negated_if(minus, u->tw), t);
-
-	return sum_ratio_or_nan(sum_add(sum_mul(slope, n), sum_mul(offset, d)),
-	    sum_mul(x, d));
 }
 
 /* Sets the aspect and, if the side planes run along the axes of view space, the planes:
@@ -176,7 +163,7 @@ static void set_planes(const struct lens *l, const struct upright *u,
 		if (k >= 2 || sum_sign(u->yx) == 0)
 			r->plane[k] = sum_ratio_or_nan(h[k / 2], h[3]);
 	}
-	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
+	view_limits(s, half, scale);
 	struct sum wide = sum_mul(sum_mul(u->y, half[0]), scale[1]);
 	struct sum high = sum_mul(sum_mul(u->x, half[1]), scale[0]);
 
@@ -233,8 +220,6 @@ static void set_camera(const struct lens *l, const struct upright *u,
 
 	*c = (struct camera){ .kind = CAMERA_GAZE };
 	r->scene.has_camera = true;
-	if (!is_rotation(&l->view, is_mirrored(l->scene)))
-		r->notes |= 1u << NOTE_NO_ROTATION;
 	for (int k = 0; k < 3; k++)
 		c->eye[k] = sum_sign(u->zw) != 0 ?
 		    r->eye[k] :
@@ -253,7 +238,7 @@ static void set_intrinsics(const struct scene *s, const struct upright *u,
 	bool down = !answer_convention(s)->bottom_left;
 	struct sum half[2], scale[2], x = sum_negated_if(is_mirrored(s), u->x);
 
-	viewport_limits(&s->viewport, half, scale);
+	view_limits(s, half, scale);
 	struct sum yx = sum_negated_if(down, u->yx);
 	struct sum zy = sum_negated_if(down, u->zy);
 
@@ -281,23 +266,29 @@ static void set_pixels(const struct scene *s, const struct picture *r,
 		    sizeof r->intrinsics[i]);
 }
 
-/* Sets the edges of the cross-section. In a perspective they are on the near or far
- * plane, relative to the eye; in a parallel projection at the depth that is not
- * sheared. */
+/* Sets the edges of the cross-section: X or Y where a side plane x = w or x = -w, y = w or
+ * y = -w meets the plane D = n / d. In a perspective that plane is near or far; in a
+ * parallel projection its depth is not sheared. */
 static void set_edges(const struct upright *u, const struct depth *z, bool far,
     struct projection *p)
 {
 	double *const edges[4] = { &p->left, &p->right, &p->bottom, &p->top };
 	struct sum n = sum_of_double(p->plane), d = sum_of_double(1);
-	struct upright seen = *u;
 
 	p->extent = EXTENT_EDGES;
-	if (p->type == PROJECTION_PERSP) {
+	if (p->type == PROJECTION_PERSP)
 		depth_quotient(z, far, &n, &d);
-		seen.tx = seen.ty = seen.tw = sum_of_double(0);
+	for (int k = 0; k < 4; k++) {
+		bool y = k > 1, minus = k % 2 == 0;
+		struct sum slope = sum_sub(sum_negated_if(minus, u->zw),
+		    y ? u->zy : u->zx);
+		struct sum offset = sum_sub(sum_negated_if(minus, u->tw),
+		    y ? u->ty : u->tx);
+
+		*edges[k] = sum_ratio_or_nan(sum_add(sum_mul(slope, n),
+						 sum_mul(offset, d)),
+		    sum_mul(y ? u->y : u->x, d));
 	}
-	for (int k = 0; k < 4; k++)
-		*edges[k] = side_at(&seen, n, d, k / 2, k % 2 == 0);
 }
 
 /* Makes the projection oblique: cot(projector) cos(direction) = zx / x, and
@@ -375,9 +366,10 @@ static bool seems_transposed(const double m[4][4])
 	return column > 0 && (unit || (row == 0 && m[3][3] == 1));
 }
 
-static unsigned notes_of(const struct scene *s, const struct upright *u,
+static unsigned notes_of(const struct lens *l, const struct upright *u,
     const struct picture *r)
 {
+	const struct scene *s = l->scene;
 	const struct projection *p = &s->projection;
 	bool parallel = sum_sign(u->zw) == 0, behind = true;
 	bool pixels = sum_sign(u->yx) != 0 || projection_is_open(p);
@@ -405,6 +397,7 @@ static unsigned notes_of(const struct scene *s, const struct upright *u,
 		[NOTE_NEAR_BEYOND] = r->near > r->far && !reverse,
 		[NOTE_BACKWARD] = p->type == PROJECTION_MATRIX && u->own &&
 		    parallel && r->reverse_z,
+		[NOTE_NO_ROTATION] = !is_rotation(&l->view, is_mirrored(s)),
 		[NOTE_TILTED] = u->tilted,
 		[NOTE_BEHIND] = negated || (parallel && sum_sign(u->tw) < 0),
 		[NOTE_SKEWED] = pixels &&
@@ -431,13 +424,15 @@ void parameters_of(const struct lens *l, struct picture *r)
 	set_planes(l, &u, r);
 	if (s->has_viewport && sum_sign(u.zw) != 0)
 		set_intrinsics(s, &u, r->intrinsics);
-	r->notes = notes_of(s, &u, r);
+	r->notes = notes_of(l, &u, r);
 	r->scene = *s;
 	r->scene.answer = NULL;
 	r->scene.convention = *answer_convention(s);
+	r->has_scene = r->notes >> NOTE_NO_ROTATION == 0;
+	if (!r->has_scene)
+		return;
 	set_projection(s, &u, r);
 	set_camera(l, &u, r);
-	if (r->notes >> NOTE_NO_ROTATION == 0 && !scene_is_valid(&r->scene))
-		r->notes |= 1u << NOTE_RANGE;
-	r->has_scene = r->notes >> NOTE_NO_ROTATION == 0;
+	r->has_scene = scene_is_valid(&r->scene);
+	r->notes |= r->has_scene ? 0 : 1u << NOTE_RANGE;
 }

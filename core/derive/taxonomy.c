@@ -82,10 +82,9 @@ static enum kind perspective_kind(const struct lens *l)
  * tangent is the length of their cross product over their dot product, negated. */
 static void set_fov(const struct lens *l, double fov[2])
 {
-	const struct scene *s = l->scene;
 	struct sum limit[2], one[2];
 
-	viewport_limits(s->has_viewport ? &s->viewport : NULL, limit, one);
+	view_limits(l->scene, limit, one);
 	for (int k = 0; k < 2; k++) {
 		struct sum g[3], a[3], v[3];
 
