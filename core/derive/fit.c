@@ -76,12 +76,13 @@ static const char *gaze_of(struct scene *s)
 static void eye_move(const struct map *back, const struct sum step[3],
     double eye[3])
 {
-	for (int k = 0; k < 3; k++) {
-		struct sum sum = back->m[3][k];
+	const struct sum at[4] = { step[0], step[1], step[2],
+		sum_of_double(1) };
+	struct sum to;
 
-		for (int i = 0; i < 3; i++)
-			sum = sum_add(sum, sum_mul(step[i], back->m[i][k]));
-		eye[k] = sum_ratio(sum, back->divisor);
+	for (int k = 0; k < 3; k++) {
+		map_image(back, k, at, &to);
+		eye[k] = sum_ratio(to, back->divisor);
 	}
 }
 
@@ -146,9 +147,8 @@ static const char *find_slopes(const struct scene *s, struct map *sides,
 	const char *why = view_planes(s, SPACE_VIEW, sides, &ends);
 
 	for (int k = 0; k < 4 && why == NULL; k++) {
-		slope[k] = map_element(sides, 2, k);
-		if (looks_back(&s->convention))
-			slope[k] = sum_neg(slope[k]);
+		slope[k] = sum_negated_if(looks_back(&s->convention),
+		    map_element(sides, 2, k));
 		if (sum_sign(slope[k]) <= 0)
 			why = "/projection: the gaze does not run between "
 			      "the side planes, less the margin; let the "
@@ -219,34 +219,22 @@ static const char *find_step(const struct scene *s, const struct hull *h,
 	return fabs(sum_double(t)) <= MAGNITUDE_MAX ? NULL : BEYOND;
 }
 
-/* Returns a times to over from, rounded away from 0 so that the volume does not
- * shrink. */
-static double rescaled(double a, double to, double from)
-{
-	struct sum product = sum_mul(sum_of_double(fabs(a)), sum_of_double(to));
-
-	return copysign(least_over(product, sum_of_double(from)), a);
-}
-
-/* Scales sizes on the near plane as near changes, so that the side planes stay. */
+/* Scales sizes on the near plane as near changes, so that the side planes stay. Rounds the
+ * sizes away from 0, so that the volume does not shrink. */
 static void keep_slopes(struct projection *p, double near)
 {
 	double *const sizes[] = { &p->width, &p->height, &p->left, &p->right,
 		&p->bottom, &p->top };
 
 	for (int i = 0; i < 6 && projection_is_by_near(p); i++)
-		*sizes[i] = rescaled(*sizes[i], p->near, near);
+		*sizes[i] = copysign(least_over(sum_scale(sum_of_double(
+							      p->near),
+						    fabs(*sizes[i])),
+					 sum_of_double(near)),
+		    *sizes[i]);
 }
 
-/* Returns whether near >= near_ratio far, decided exactly. */
-static bool keeps_near_ratio(const struct projection *p)
-{
-	struct sum least = sum_mul(sum_of_double(p->near_ratio),
-	    sum_of_double(p->far));
-
-	return sum_compare(sum_of_double(p->near), least) >= 0;
-}
-
+/* Sets near and far to the ends of the depth of the bounds, rounded outward. */
 static void close_depth(struct projection *p, const struct extents *r)
 {
 	double high;
@@ -268,7 +256,10 @@ static bool close_persp(struct scene *s, const struct hull *h)
 		return false;
 	close_depth(p, &r);
 	keep_slopes(p, near);
-	return hull_out(h, s) == 0 && keeps_near_ratio(p);
+	struct sum least = sum_scale(sum_of_double(p->near_ratio), p->far);
+
+	return hull_out(h, s) == 0 &&
+	    sum_compare(sum_of_double(p->near), least) >= 0;
 }
 
 /* Moves the eye by the step to, after which a plane touches the bounds. As the eye's
@@ -328,20 +319,16 @@ static const char *center_eye(struct scene *s, bool has_eye,
 		return why;
 	for (int j = 0; j < 3; j++)
 		step[j] = extents_middle(&r, j);
-	if (has_eye)
-		step[2] = sum_of_double(0);
-	else
-		step[2] = sum_add(step[2], sum_sub(r.low[2], r.high[2]));
-	if (looks_back(c))
-		step[2] = sum_neg(step[2]);
+	step[2] = sum_add(step[2], sum_sub(r.low[2], r.high[2]));
+	step[2] = has_eye ? sum_of_double(0) :
+			    sum_negated_if(looks_back(c), step[2]);
 	for (int j = 0; j < 2; j++) {
 		struct sum sheared = sum_mul(step[2], map_element(&clip, 2, j));
 
-		step[j] = j == 1 && c->ndc_y_down ? sum_add(step[j], sheared) :
-						    sum_sub(step[j], sheared);
+		step[j] = sum_sub(step[j],
+		    sum_negated_if(j == 1 && c->ndc_y_down, sheared));
 	}
-	if (c->view_y_down)
-		step[1] = sum_neg(step[1]);
+	step[1] = sum_negated_if(c->view_y_down, step[1]);
 	eye_move(&back, step, s->camera.eye);
 	return NULL;
 }
