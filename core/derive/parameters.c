@@ -11,16 +11,17 @@
 
 /* The map from view to clip space in axes X to the right, Y upward and D along the gaze. In
  * these axes it is upright: y and w do not depend on X, nor w on Y. Clip coordinates are
- *	x = x X + yx Y + zx D + tx, y = y Y + zy D + ty, w = zw D + tw,
+ *	x = xy[0][0] X + xy[0][1] Y + xy[0][2] D + xy[0][3],
+ *	y = xy[1][1] Y + xy[1][2] D + xy[1][3], w = zw D + tw,
  * all times the map's divisor, which cancels. In a perspective w grows along the gaze, and
- * tx, ty and tw are 0, as D begins at the eye.
+ * the constants are 0, as D begins at the eye.
  *
  * If own, X, Y and D are the axes of view space. If turned, too, they are turned by 180
  * degrees about Y, as w grows against the convention's gaze. X is negated if the answer is
  * of the other handedness. If not own, an RQ decomposition gives the axes. If tilted, z also
  * depends on X or Y. */
 struct upright {
-	struct sum x, yx, y, zx, zy, zw, tx, ty, tw;
+	struct sum xy[2][4], zw, tw;
 	struct sum axis[3][3]; /* X, Y and D in view space */
 	bool own, turned, tilted;
 };
@@ -80,7 +81,7 @@ static void find_rq_axes(const struct lens *l, struct upright *u)
 
 	for (int i = 0; i < 3; i++) {
 		u->axis[2][i] = sum_negated_if(l->parallel &&
-			l->reversed != (sum_sign(u->tw) < 0),
+			l->reversed != (sum_sign(g[3][3]) < 0),
 		    n[i]);
 		u->axis[1][i] = sum_minor(g[1][i], nn, n[i], yn);
 	}
@@ -97,24 +98,17 @@ static void find_rq_axes(const struct lens *l, struct upright *u)
 /* Sets elements to 0 that are roundings. */
 static void clear_roundings(bool parallel, struct upright *u)
 {
-	struct sum none = sum_of_double(0);
-
-	if (is_slight(u->yx, u->x))
-		u->yx = none;
-	if (parallel && is_slight(u->zx, u->x))
-		u->zx = none;
-	if (parallel && is_slight(u->zy, u->y))
-		u->zy = none;
+	for (int i = 0; i < 2; i++)
+		for (int j = i + 1; j < (parallel ? 3 : 2); j++)
+			if (is_slight(u->xy[i][j], u->xy[i][i]))
+				u->xy[i][j] = sum_of_double(0);
 }
 
-static void set_elements(const struct sum g[4][4], struct upright *u)
+static void set_elements(const struct lens *l, struct upright *u)
 {
-	u->x = vec3_dot(g[0], u->axis[0]);
-	u->yx = vec3_dot(g[0], u->axis[1]);
-	u->y = vec3_dot(g[1], u->axis[1]);
-	u->zx = vec3_dot(g[0], u->axis[2]);
-	u->zy = vec3_dot(g[1], u->axis[2]);
-	u->zw = vec3_dot(g[3], u->axis[2]);
+	for (int i = 0; i < 6; i++)
+		u->xy[i / 3][i % 3] = vec3_dot(l->clip[i / 3], u->axis[i % 3]);
+	u->zw = vec3_dot(l->clip[3], u->axis[2]);
 }
 
 /* Returns whether a matrix contains a camera that is turned by 180 degrees: the picture
@@ -128,24 +122,25 @@ static bool hides_camera(const struct lens *l, const struct upright *u)
 		return false;
 	if (l->parallel && (deeper * sum_sign(u->tw) < 0) != l->reversed)
 		return true;
-	return p->alone && sum_sign(u->x) < 0 && sum_sign(u->y) < 0;
+	return p->alone && sum_sign(u->xy[0][0]) < 0 &&
+	    sum_sign(u->xy[1][1]) < 0;
 }
 
 static void upright_of(const struct lens *l, struct upright *u)
 {
 	*u = (struct upright){ 0 };
 	if (l->parallel) {
-		u->tx = l->clip[0][3];
-		u->ty = l->clip[1][3];
+		u->xy[0][3] = l->clip[0][3];
+		u->xy[1][3] = l->clip[1][3];
 		u->tw = l->clip[3][3];
 	}
 	u->own = set_own_axes(l, u);
-	set_elements(l->clip, u);
+	set_elements(l, u);
 	if (u->own && !hides_camera(l, u))
 		return;
 	u->own = false;
 	find_rq_axes(l, u);
-	set_elements(l->clip, u);
+	set_elements(l, u);
 	clear_roundings(l->parallel, u);
 }
 
@@ -160,12 +155,12 @@ static void set_planes(const struct lens *l, const struct upright *u,
 	for (int k = 0; k < 4 && u->own && !isnan(r->near); k++) {
 		const struct sum *h = l->volume.corner[k % 2 == 0 ? 0 : 2];
 
-		if (k >= 2 || sum_sign(u->yx) == 0)
+		if (k >= 2 || sum_sign(u->xy[0][1]) == 0)
 			r->plane[k] = sum_ratio_or_nan(h[k / 2], h[3]);
 	}
 	view_limits(s, half, scale);
-	struct sum wide = sum_mul(sum_mul(u->y, half[0]), scale[1]);
-	struct sum high = sum_mul(sum_mul(u->x, half[1]), scale[0]);
+	struct sum wide = sum_mul(sum_mul(u->xy[1][1], half[0]), scale[1]);
+	struct sum high = sum_mul(sum_mul(u->xy[0][0], half[1]), scale[0]);
 
 	/* high is 0 if the picture is a line */
 	r->aspect = sum_sign(high) == 0 ?
@@ -221,49 +216,34 @@ static void set_camera(const struct lens *l, const struct upright *u,
 	*c = (struct camera){ .kind = CAMERA_GAZE };
 	r->scene.has_camera = true;
 	for (int k = 0; k < 3; k++)
-		c->eye[k] = sum_sign(u->zw) != 0 ?
-		    r->eye[k] :
-		    map_nearest(&l->world, 3, k, false);
+		c->eye[k] = l->parallel ? map_nearest(&l->world, 3, k, false) :
+					  r->eye[k];
 	lens_axis(l, u->axis[2], c->at);
 	lens_axis(l, u->axis[1], c->up);
 }
 
-/* Computes K. Relative to the eye, x = x X + yx Y + zx D and w = zw D, and the pixel is
- * at half + scale x / w from the corner. If pixels count from the top, Y of K points
- * downward. X of K points to the right in the picture, also if the world has not the
- * answer's handedness. */
+/* Computes K: the pixel is at half + scale x / w from the corner. If pixels count from the
+ * top, Y of K points downward. X of K points to the right in the picture, also if the world
+ * has not the answer's handedness. */
 static void set_intrinsics(const struct scene *s, const struct upright *u,
     double k[3][3])
 {
 	bool down = !answer_convention(s)->bottom_left;
-	struct sum half[2], scale[2], x = sum_negated_if(is_mirrored(s), u->x);
+	const bool minus[3] = { is_mirrored(s), down, false };
+	struct sum half[2], scale[2];
 
 	view_limits(s, half, scale);
-	struct sum yx = sum_negated_if(down, u->yx);
-	struct sum zy = sum_negated_if(down, u->zy);
+	for (int i = 0; i < 6; i++) {
+		int row = i / 3, j = i % 3;
+		struct sum n = sum_mul(u->xy[row][j], scale[row]);
 
-	memset(k, 0, 9 * sizeof(double));
-	k[0][0] = sum_ratio_or_nan(sum_mul(x, scale[0]), u->zw);
-	k[0][1] = sum_ratio_or_nan(sum_mul(yx, scale[0]), u->zw);
-	k[0][2] = sum_ratio_or_nan(sum_add(sum_mul(u->zw, half[0]),
-				       sum_mul(u->zx, scale[0])),
-	    u->zw);
-	k[1][1] = sum_ratio_or_nan(sum_mul(u->y, scale[1]), u->zw);
-	k[1][2] = sum_ratio_or_nan(sum_add(sum_mul(u->zw, half[1]),
-				       sum_mul(zy, scale[1])),
-	    u->zw);
+		n = sum_negated_if(minus[j] != (row == 1 && down), n);
+		if (j == 2)
+			n = sum_add(n, sum_mul(u->zw, half[row]));
+		k[row][j] = sum_ratio_or_nan(n, u->zw);
+	}
+	k[2][0] = k[2][1] = 0;
 	k[2][2] = 1;
-}
-
-static void set_pixels(const struct scene *s, const struct picture *r,
-    struct projection *p)
-{
-	p->extent = EXTENT_INTRINSICS;
-	p->width = s->viewport.width;
-	p->height = s->viewport.height;
-	for (int i = 0; i < 3; i++)
-		memcpy(p->intrinsics[i], r->intrinsics[i],
-		    sizeof r->intrinsics[i]);
 }
 
 /* Sets the edges of the cross-section: X or Y where a side plane x = w or x = -w, y = w or
@@ -279,15 +259,14 @@ static void set_edges(const struct upright *u, const struct depth *z, bool far,
 	if (p->type == PROJECTION_PERSP)
 		depth_quotient(z, far, &n, &d);
 	for (int k = 0; k < 4; k++) {
-		bool y = k > 1, minus = k % 2 == 0;
-		struct sum slope = sum_sub(sum_negated_if(minus, u->zw),
-		    y ? u->zy : u->zx);
-		struct sum offset = sum_sub(sum_negated_if(minus, u->tw),
-		    y ? u->ty : u->tx);
+		const struct sum *x = u->xy[k / 2];
+		bool minus = k % 2 == 0;
+		struct sum slope = sum_sub(sum_negated_if(minus, u->zw), x[2]);
+		struct sum offset = sum_sub(sum_negated_if(minus, u->tw), x[3]);
 
 		*edges[k] = sum_ratio_or_nan(sum_add(sum_mul(slope, n),
 						 sum_mul(offset, d)),
-		    sum_mul(y ? u->y : u->x, d));
+		    sum_mul(x[k / 2], d));
 	}
 }
 
@@ -296,9 +275,9 @@ static void set_edges(const struct upright *u, const struct depth *z, bool far,
 static void set_shear(const struct upright *u, const struct projection *given,
     struct projection *p)
 {
-	bool minus = sum_sign(u->x) * sum_sign(u->y) < 0;
-	struct sum x = sum_negated_if(minus, sum_mul(u->zx, u->y));
-	struct sum y = sum_negated_if(minus, sum_mul(u->zy, u->x));
+	bool minus = sum_sign(u->xy[0][0]) * sum_sign(u->xy[1][1]) < 0;
+	struct sum x = sum_negated_if(minus, sum_mul(u->xy[0][2], u->xy[1][1]));
+	struct sum y = sum_negated_if(minus, sum_mul(u->xy[1][2], u->xy[0][0]));
 	struct sum both[3] = { x, y, sum_of_double(0) };
 
 	p->type = PROJECTION_OBLIQUE;
@@ -308,7 +287,7 @@ static void set_shear(const struct upright *u, const struct projection *given,
 		p->plane = given->plane;
 		p->kind = given->kind;
 	}
-	p->projector = trig_degrees(sum_abs(sum_mul(u->x, u->y)),
+	p->projector = trig_degrees(sum_abs(sum_mul(u->xy[0][0], u->xy[1][1])),
 	    vec3_length(both));
 	p->direction = trig_degrees(sum_abs(y), x);
 	if (sum_sign(y) < 0)
@@ -317,22 +296,26 @@ static void set_shear(const struct upright *u, const struct projection *given,
 
 /* Sets the projection. The plane of a perspective that is nearer to the eye becomes near,
  * also if the eye is beyond far. */
-static void set_projection(const struct scene *s, const struct upright *u,
+static void set_projection(const struct lens *l, const struct upright *u,
     struct picture *r)
 {
+	const struct scene *s = l->scene;
 	struct projection *p = &r->scene.projection;
 	const struct projection *given = &s->projection;
 	bool open = projection_is_open(given), swap = r->near > r->far;
 
 	*p = (struct projection){ .type = PROJECTION_ORTHO,
+		.extent = EXTENT_INTRINSICS,
+		.width = s->viewport.width,
+		.height = s->viewport.height,
 		.near_ratio = 0.0005,
 		.near = r->near,
 		.far = r->far,
 		.reverse_z = r->reverse_z,
 		.direction = 45 };
-	if (sum_sign(u->zw) != 0)
+	if (!l->parallel)
 		p->type = PROJECTION_PERSP;
-	else if (sum_sign(u->zx) != 0 || sum_sign(u->zy) != 0)
+	else if (sum_sign(u->xy[0][2]) != 0 || sum_sign(u->xy[1][2]) != 0)
 		set_shear(u, given, p);
 	if (p->type == PROJECTION_PERSP && swap) {
 		p->near = r->far;
@@ -343,9 +326,9 @@ static void set_projection(const struct scene *s, const struct upright *u,
 		p->near = 0;
 		p->far = HUGE_VAL;
 	}
-	if (open || sum_sign(u->yx) != 0)
-		set_pixels(s, r, p);
-	else
+	for (int i = 0; i < 9; i++)
+		p->intrinsics[i / 3][i % 3] = r->intrinsics[i / 3][i % 3];
+	if (!open && sum_sign(u->xy[0][1]) == 0)
 		set_edges(u, &r->depth, swap, p);
 }
 
@@ -371,9 +354,10 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 {
 	const struct scene *s = l->scene;
 	const struct projection *p = &s->projection;
-	bool parallel = sum_sign(u->zw) == 0, behind = true;
-	bool pixels = sum_sign(u->yx) != 0 || projection_is_open(p);
-	bool mirrored = (sum_sign(u->x) * sum_sign(u->y) < 0) != is_mirrored(s);
+	bool parallel = l->parallel, behind = true;
+	bool pixels = sum_sign(u->xy[0][1]) != 0 || projection_is_open(p);
+	bool mirrored = (sum_sign(u->xy[0][0]) * sum_sign(u->xy[1][1]) < 0) !=
+	    is_mirrored(s);
 	bool fills = s->has_viewport && s->viewport.scale == SCALE_FILL;
 	bool transposed = p->type == PROJECTION_MATRIX &&
 	    seems_transposed(p->matrix);
@@ -401,7 +385,7 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 		[NOTE_TILTED] = u->tilted,
 		[NOTE_BEHIND] = negated || (parallel && sum_sign(u->tw) < 0),
 		[NOTE_SKEWED] = pixels &&
-		    (parallel || !fills || sum_sign(u->x) < 0),
+		    (parallel || !fills || sum_sign(u->xy[0][0]) < 0),
 	};
 	unsigned notes = 0;
 
@@ -422,7 +406,7 @@ void parameters_of(const struct lens *l, struct picture *r)
 	r->near = u.tilted ? NONE : depth_distance(&r->depth, false);
 	r->far = u.tilted ? NONE : depth_distance(&r->depth, true);
 	set_planes(l, &u, r);
-	if (s->has_viewport && sum_sign(u.zw) != 0)
+	if (s->has_viewport && !l->parallel)
 		set_intrinsics(s, &u, r->intrinsics);
 	r->notes = notes_of(l, &u, r);
 	r->scene = *s;
@@ -431,7 +415,7 @@ void parameters_of(const struct lens *l, struct picture *r)
 	r->has_scene = r->notes >> NOTE_NO_ROTATION == 0;
 	if (!r->has_scene)
 		return;
-	set_projection(s, &u, r);
+	set_projection(l, &u, r);
 	set_camera(l, &u, r);
 	r->has_scene = scene_is_valid(&r->scene);
 	r->notes |= r->has_scene ? 0 : 1u << NOTE_RANGE;
