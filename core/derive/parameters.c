@@ -394,7 +394,7 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 	return notes;
 }
 
-void parameters_of(const struct lens *l, struct picture *r)
+static void set_parameters(const struct lens *l, struct picture *r)
 {
 	const struct scene *s = l->scene;
 	struct upright u;
@@ -419,4 +419,18 @@ void parameters_of(const struct lens *l, struct picture *r)
 	set_camera(l, &u, r);
 	r->has_scene = scene_is_valid(&r->scene);
 	r->notes |= r->has_scene ? 0 : 1u << NOTE_RANGE;
+}
+
+const char *picture_of(const struct scene *s, struct picture *p)
+{
+	struct lens l;
+	const char *why = lens_of(s, &l);
+
+	/* all bytes of a double that are 1 are nan */
+	memset(p, 0xff, offsetof(struct picture, notes));
+	if (why == NULL)
+		why = taxonomy_of(&l, p);
+	if (why == NULL)
+		set_parameters(&l, p);
+	return why != NULL ? why : error_bounds(s, &l.volume, p->error_bound);
 }

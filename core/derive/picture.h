@@ -136,9 +136,8 @@ struct picture {
 	struct scene scene;
 };
 
-/* Set the members up to corner, and those from near. */
+/* Sets the members up to corner. Returns NULL, or the member and the reason. */
 const char *taxonomy_of(const struct lens *, struct picture *);
-void parameters_of(const struct lens *, struct picture *);
 
 /* Finds all of a scene's picture. Returns NULL, or the member and the reason. */
 const char *picture_of(const struct scene *, struct picture *);

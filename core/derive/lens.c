@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "picture.h"
 
-#include <string.h>
-
 const char *lens_of(const struct scene *s, struct lens *l)
 {
 	const char *why = volume_of(s, &l->volume);
@@ -33,18 +31,4 @@ void lens_axis(const struct lens *l, const struct sum axis[3], double unit[3])
 
 	for (int k = 0; k < 3; k++)
 		unit[k] = sum_ratio_or_nan(a[k], length);
-}
-
-const char *picture_of(const struct scene *s, struct picture *p)
-{
-	struct lens l;
-	const char *why = lens_of(s, &l);
-
-	/* all bytes of a double that are 1 are nan */
-	memset(p, 0xff, offsetof(struct picture, notes));
-	if (why == NULL)
-		why = taxonomy_of(&l, p);
-	if (why == NULL)
-		parameters_of(&l, p);
-	return why != NULL ? why : error_bounds(s, &l.volume, p->error_bound);
 }
