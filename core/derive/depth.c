@@ -4,9 +4,9 @@
 /* Let n be the gradient of w or, if w is constant, of z. At the distance D along n from
  * the eye or, if w is constant, from the origin, z and w are z0 + D z . n / |n| and w0 +
  * D w . n / |n|. Depth is their quotient, which gives D by depth. At the eye w0 is 0, as x
- * and y are. All four elements change their signs where that
- * makes the denominator positive in front of the eye. D of a parallel projection grows
- * along the convention's gaze; if the projection is a matrix, D grows from near to far. */
+ * and y are. All four elements change their signs where that makes the denominator positive
+ * in front of the eye. D of a parallel projection grows along the convention's gaze; if the
+ * projection is a matrix, D grows from near to far. */
 void depth_of(const struct lens *l, struct depth *d)
 {
 	const struct scene *s = l->scene;

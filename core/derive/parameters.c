@@ -426,11 +426,11 @@ const char *picture_of(const struct scene *s, struct picture *p)
 	struct lens l;
 	const char *why = lens_of(s, &l);
 
-	/* all bytes of a double that are 1 are nan */
+	if (why != NULL)
+		return why;
+	/* a double whose bits are all 1 is nan */
 	memset(p, 0xff, offsetof(struct picture, notes));
-	if (why == NULL)
-		why = taxonomy_of(&l, p);
-	if (why == NULL)
-		set_parameters(&l, p);
-	return why != NULL ? why : error_bounds(s, &l.volume, p->error_bound);
+	taxonomy_of(&l, p);
+	set_parameters(&l, p);
+	return error_bounds(s, &l.volume, p->error_bound);
 }

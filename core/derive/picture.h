@@ -136,8 +136,8 @@ struct picture {
 	struct scene scene;
 };
 
-/* Sets the members up to corner. Returns NULL, or the member and the reason. */
-const char *taxonomy_of(const struct lens *, struct picture *);
+/* Sets the members up to corner. */
+void taxonomy_of(const struct lens *, struct picture *);
 
 /* Finds all of a scene's picture. Returns NULL, or the member and the reason. */
 const char *picture_of(const struct scene *, struct picture *);

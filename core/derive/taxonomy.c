@@ -100,16 +100,18 @@ static void set_fov(const struct lens *l, double fov[2])
 
 /* Sets kind, field of view and vanishing points of a perspective. The vanishing point of
  * an axis is the image of its direction, whose fourth coordinate is 0. */
-static const char *name_perspective(const struct lens *l, struct picture *t)
+static void name_perspective(const struct lens *l, struct picture *t)
 {
 	const struct scene *s = l->scene;
-	struct map screen;
-	const char *why = scene_map(s, SPACE_VIEW,
-	    s->has_viewport ? SPACE_DEVICE : SPACE_NDC, &screen);
+	struct map screen = l->volume.clip, stage;
 
+	if (s->has_viewport) {
+		viewport_map(&s->viewport, answer_convention(s), false, &stage);
+		map_append(&screen, &stage, false);
+	}
 	t->kind = perspective_kind(l);
 	set_fov(l, t->fov);
-	for (int i = 0; i < 3 && why == NULL; i++) {
+	for (int i = 0; i < 3; i++) {
 		struct sum h[4];
 
 		for (int j = 0; j < 4; j++)
@@ -117,7 +119,6 @@ static const char *name_perspective(const struct lens *l, struct picture *t)
 		for (int k = 0; k < 2 && sum_sign(h[3]) != 0; k++)
 			t->vanishing_point[i][k] = sum_ratio_or_nan(h[k], h[3]);
 	}
-	return why;
 }
 
 /* Writes the world's point of homogeneous coordinates h in view space, or nan if the point
@@ -134,10 +135,9 @@ static void taxonomy_point(const struct lens *l, const struct sum h[4],
 				(double)NAN;
 }
 
-const char *taxonomy_of(const struct lens *l, struct picture *t)
+void taxonomy_of(const struct lens *l, struct picture *t)
 {
 	const struct volume *v = &l->volume;
-	const char *why = NULL;
 	struct sum far;
 
 	map_image(&v->ends, 1, v->eye, &far);
@@ -147,7 +147,7 @@ const char *taxonomy_of(const struct lens *l, struct picture *t)
 	taxonomy_point(l, v->eye, side != 0, t->eye);
 	t->taxon = against ? TAXON_REVERSE : TAXON_PERSPECTIVE;
 	if (!l->parallel) {
-		why = name_perspective(l, t);
+		name_perspective(l, t);
 	} else {
 		name_parallel(l, t);
 		against = l->reversed != (sum_sign(l->clip[3][3]) < 0);
@@ -158,5 +158,4 @@ const char *taxonomy_of(const struct lens *l, struct picture *t)
 	for (int i = 0; i < 8; i++)
 		taxonomy_point(l, v->corner[i], sum_sign(v->corner[i][3]) > 0,
 		    t->corner[i]);
-	return why;
 }
