@@ -2,8 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "../core/derive/frustum.h"
-#include "../core/derive/taxonomy.h"
+#include "../core/derive/picture.h"
 #include "json/print.h"
 #include "call/operands.h"
 #include "scene/document.h"
@@ -79,26 +78,6 @@ static void put_rows(struct printer *p, const char *name, const double *v,
 	put_close(p, "]");
 }
 
-static void put_taxonomy(struct printer *p, const struct taxonomy *t)
-{
-	put_name_on_new_line(p, "projection");
-	put_string(p, taxa[t->taxon]);
-	put_name_on_new_line(p, "kind");
-	put_string(p, kinds[t->kind]);
-	put_name_on_new_line(p, "foreshortening");
-	put_vector(p, t->foreshortening, 3);
-	put_rows(p, "vanishing_points", t->vanishing_point[0], 3, 2,
-	    t->taxon <= TAXON_OBLIQUE);
-	put_name_on_new_line(p, "fovx");
-	put_number(p, t->fov[0]);
-	put_name_on_new_line(p, "fovy");
-	put_number(p, t->fov[1]);
-	put_name_on_new_line(p, "eye");
-	put_vector(p, t->eye, 3);
-	put_name_on_new_line(p, "gaze");
-	put_vector(p, t->gaze, 3);
-}
-
 static const char *const sides[6] = { "left", "right", "bottom", "top", "near",
 	"far" };
 
@@ -113,9 +92,24 @@ static void put_sides(struct printer *p, const char *name, const double at[4])
 	put_close(p, "}");
 }
 
-static void put_planes(struct printer *p, const struct taxonomy *t,
-    const struct parameters *r)
+static void put_picture(struct printer *p, const struct picture *r)
 {
+	put_name_on_new_line(p, "projection");
+	put_string(p, taxa[r->taxon]);
+	put_name_on_new_line(p, "kind");
+	put_string(p, kinds[r->kind]);
+	put_name_on_new_line(p, "foreshortening");
+	put_vector(p, r->foreshortening, 3);
+	put_rows(p, "vanishing_points", r->vanishing_point[0], 3, 2,
+	    r->taxon <= TAXON_OBLIQUE);
+	put_name_on_new_line(p, "fovx");
+	put_number(p, r->fov[0]);
+	put_name_on_new_line(p, "fovy");
+	put_number(p, r->fov[1]);
+	put_name_on_new_line(p, "eye");
+	put_vector(p, r->eye, 3);
+	put_name_on_new_line(p, "gaze");
+	put_vector(p, r->gaze, 3);
 	put_name_on_new_line(p, "near");
 	put_distance(p, r->near);
 	put_name_on_new_line(p, "far");
@@ -128,7 +122,7 @@ static void put_planes(struct printer *p, const struct taxonomy *t,
 	else
 		put_literal(p, r->reverse_z ? "true" : "false");
 	put_sides(p, "planes", r->plane);
-	put_rows(p, "frustum", t->corner[0], 8, 3, false);
+	put_rows(p, "frustum", r->corner[0], 8, 3, false);
 	put_name_on_new_line(p, "frustum_planes");
 	put_open(p, "{");
 	for (int k = 0; k < 6; k++) {
@@ -235,18 +229,13 @@ static void put_plane(struct printer *p, const struct document *d)
 static void put_spatial(struct printer *p, const struct document *d,
     const struct options *o)
 {
-	struct taxonomy t;
-	static struct parameters r;
-	double bound[3];
+	static struct picture r;
 
-	document_check(d, taxonomy_of(&d->scene, &t));
-	document_check(d, parameters_of(&d->scene, &t, &r));
-	document_check(d, error_bounds(&d->scene, bound));
+	document_check(d, picture_of(&d->scene, &r));
 	check_distances(d, o, &r.depth);
-	put_taxonomy(p, &t);
-	put_planes(p, &t, &r);
+	put_picture(p, &r);
 	put_depth_steps(p, o, &r.depth);
-	put_bounds(p, bound, o->tolerance > 0 ? o->tolerance : 0.5);
+	put_bounds(p, r.error_bound, o->tolerance > 0 ? o->tolerance : 0.5);
 	put_name_on_new_line(p, "scene");
 	if (r.has_scene)
 		put_scene(p, &r.scene);

@@ -160,27 +160,19 @@ static bool is_header(const struct hit_key *key)
 	return key->distance < -DBL_MAX;
 }
 
+/* The hits whose exact distances hit_compare compares. If it is NULL, hit_compare compares
+ * the nearest doubles. qsort passes nothing on. */
+static const struct hits *exactly;
+
 static int hit_compare(const void *a, const void *b)
 {
 	const struct hit_key *p = a, *q = b;
-
-	int order = (p->distance > q->distance) - (p->distance < q->distance);
+	int order = exactly == NULL ?
+	    (p->distance > q->distance) - (p->distance < q->distance) :
+	    pick_compare(&exactly->picker, hit_at(exactly->text, p->at)->point,
+		hit_at(exactly->text, q->at)->point);
 
 	return order != 0 ? order : (p->at > q->at) - (p->at < q->at);
-}
-
-/* The hits that qsort sorts: it passes nothing on to hit_compare_exactly. */
-static const struct hits *sorting;
-
-/* Compares the exact distances of hits. */
-static int hit_compare_exactly(const void *a, const void *b)
-{
-	const struct hit_key *p = a, *q = b;
-	int order = pick_compare(&sorting->picker,
-	    hit_at(sorting->text, p->at)->point,
-	    hit_at(sorting->text, q->at)->point);
-
-	return order != 0 ? order : hit_compare(a, b);
 }
 
 /* Sorts the nearest first; hits at one distance keep the order of the input. Exact
@@ -193,8 +185,9 @@ static void hits_sort(const struct hits *h)
 
 	if (h->n == 0)
 		return;
-	sorting = h;
+	exactly = NULL;
 	qsort(key, h->n, sizeof *key, hit_compare);
+	exactly = h;
 	for (size_t i = 0; i < h->n; i = end) {
 		bool sorted = true;
 
@@ -202,11 +195,9 @@ static void hits_sort(const struct hits *h)
 		     end < h->n && key[end].distance == key[i].distance; end++)
 			sorted = sorted &&
 			    (is_header(&key[i]) ||
-				hit_compare_exactly(&key[end - 1], &key[end]) <
-				    0);
+				hit_compare(&key[end - 1], &key[end]) < 0);
 		if (!sorted)
-			qsort(key + i, end - i, sizeof *key,
-			    hit_compare_exactly);
+			qsort(key + i, end - i, sizeof *key, hit_compare);
 	}
 }
 

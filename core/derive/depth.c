@@ -1,85 +1,57 @@
 /* SPDX-License-Identifier: MIT */
-#include "frustum.h"
+#include "picture.h"
 
-#include <math.h>
-
-/* Replaces the function line[0] z + line[1] of ndc depth by |high - low| times the same
- * function of device depth. first is the least ndc depth, 0 or -1. */
-static void depth_on_device(struct sum line[2], double first,
-    const struct depth *d)
-{
-	struct sum range = sum_diff(d->high, d->low);
-	struct sum at = sum_diff(first * d->high, d->low);
-	bool falls = d->high < d->low;
-
-	line[1] = sum_negated_if(falls,
-	    sum_add(sum_mul(line[0], at), sum_mul(line[1], range)));
-	line[0] = sum_negated_if(falls, sum_scale(line[0], 1 - first));
-}
-
-/* Sets D of a perspective: w / |n|, where n is the gradient of w. Clip x, y and w are 0
- * at the eye, so the eye is the inverse map's image of (0, 0, 1, 0), and clip z at the
- * eye is the product of both divisors over the fourth coordinate of that image. From the
- * eye along n, clip z is z(eye) + (gradient of z . n) D / |n|; it also equals ndc z
- * times w = |n| D, and the two together give D. */
-static void set_perspective(const struct scene *s, const struct map *m,
-    const struct sum z[3], const struct sum w[3], struct depth *d)
-{
-	struct map back;
-
-	projection_map(&s->projection, &s->convention, true, &back);
-	struct sum eye = sum_quotient(sum_mul(back.divisor, m->divisor),
-	    back.m[2][3]);
-	bool minus = sum_sign(eye) < 0;
-
-	d->over[0] = sum_of_double(0);
-	d->over[1] = sum_mul(vec3_length(w), sum_abs(eye));
-	d->under[0] = sum_negated_if(minus, vec3_dot(w, w));
-	d->under[1] = sum_negated_if(!minus, vec3_dot(w, z));
-}
-
-/* Sets D of a parallel projection: the difference of clip z from its value at the origin,
- * over the length of the gradient of z. D grows along the convention's gaze; if the
+/* Let n be the gradient of w or, if w is constant, of z. At the distance D along n from
+ * the eye or, if w is constant, from the origin, z and w are z0 + D z . n / |n| and w0 +
+ * D w . n / |n|. Depth is their quotient, which gives D by depth. At the eye w0 is 0, as x
+ * and y are. All four elements change their signs where that makes the denominator positive
+ * in front of the eye. D of a parallel projection grows along the convention's gaze; if the
  * projection is a matrix, D grows from near to far. */
-static void set_parallel(const struct scene *s, const struct map *m,
-    const struct sum z[3], struct depth *d)
+void depth_of(const struct lens *l, struct depth *d)
 {
-	bool behind = sum_sign(m->m[3][3]) < 0;
-	bool against = s->projection.type == PROJECTION_MATRIX ?
-	    d->reversed != behind :
-	    sum_sign(z[2]) * (looks_back(&s->convention) ? -1 : 1) < 0;
-
-	d->over[0] = sum_negated_if(against != behind, m->m[3][3]);
-	d->over[1] = sum_negated_if(against == behind, m->m[3][2]);
-	d->under[0] = sum_of_double(0);
-	d->under[1] = sum_negated_if(behind, vec3_length(z));
-}
-
-void depth_of(const struct scene *s, bool reversed, struct depth *d)
-{
+	const struct scene *s = l->scene;
 	const struct viewport *v = &s->viewport;
 	bool ranges = s->has_viewport && v->min_z != v->max_z;
-	double first = s->convention.minus_one ? -1 : 0;
-	struct sum w[3], z[3];
-	struct map m;
+	bool behind = sum_sign(l->clip[3][3]) < 0, against = false;
+	struct viewport range = { .width = 2, .height = 2, .max_z = 1 };
+	const struct sum *eye_z = l->volume.eye_z;
+	struct sum z[4], w[4];
+	struct map m = l->volume.clip, stage;
 
-	/* can't fail, as the scene's maps are invertible */
-	projection_map(&s->projection, &s->convention, false, &m);
-	for (int i = 0; i < 3; i++) {
-		w[i] = m.m[i][3];
-		z[i] = m.m[i][2];
+	if (ranges) {
+		range.min_z = v->min_z;
+		range.max_z = v->max_z;
 	}
-	d->low = ranges ? v->min_z : 0;
-	d->high = ranges ? v->max_z : 1;
-	d->reversed = reversed;
-	d->open = projection_is_open(&s->projection);
-	d->flat = s->has_viewport && !ranges;
-	if (vec3_is_zero(w))
-		set_parallel(s, &m, z, d);
-	else
-		set_perspective(s, &m, z, w, d);
-	depth_on_device(d->over, first, d);
-	depth_on_device(d->under, first, d);
+	*d = (struct depth){ .low = range.min_z,
+		.high = range.max_z,
+		.reversed = l->reversed,
+		.open = projection_is_open(&s->projection),
+		.flat = s->has_viewport && !ranges };
+	viewport_map(&range, answer_convention(s), false, &stage);
+	map_append(&m, &stage, false);
+	for (int i = 0; i < 4; i++) {
+		z[i] = m.m[i][2];
+		w[i] = m.m[i][3];
+	}
+	const struct sum *n = l->parallel ? z : w;
+	struct sum size = vec3_length(n);
+
+	if (!l->parallel) {
+		w[3] = sum_of_double(0);
+		z[3] = sum_quotient(sum_mul(eye_z[0], stage.m[2][2]), eye_z[1]);
+	} else if (s->projection.type == PROJECTION_MATRIX) {
+		against = l->reversed != behind;
+	} else {
+		against = looks_back(answer_convention(s)) !=
+		    (sum_sign(l->clip[2][2]) < 0);
+	}
+	against ^= l->parallel && d->high < d->low;
+	bool minus = l->parallel ? !behind : sum_sign(z[3]) < 0;
+
+	d->over[0] = sum_negated_if(minus == against, sum_mul(size, w[3]));
+	d->over[1] = sum_negated_if(minus != against, sum_mul(size, z[3]));
+	d->under[0] = sum_negated_if(minus, vec3_dot(w, n));
+	d->under[1] = sum_negated_if(!minus, vec3_dot(z, n));
 }
 
 /* A depth n / d. */

@@ -31,11 +31,16 @@ struct analysis {
 	double size[3], largest; /* bounds of the image's coordinates */
 };
 
-static void set_corner(const struct volume *seen, const double origin[3], int i,
-    struct corner *c)
+/* back is the map from view space. */
+static void set_corner(const struct volume *seen, const struct map *back,
+    const double origin[3], int i, struct corner *c)
 {
-	struct sum h[4], over = volume_corner(seen, i, h);
+	struct sum h[4], over;
 
+	for (int j = 0; j < 4; j++)
+		map_image(back, j, seen->corner[i], &h[j]);
+	map_image(&seen->ends, 2, seen->corner[i], &over);
+	over = sum_quotient(sum_mul(over, back->divisor), seen->ends.divisor);
 	for (int j = 0; j < 3; j++)
 		c->p[j] = fabs(
 		    sum_ratio(sum_sub(h[j], sum_scale(h[3], origin[j])), over));
@@ -97,11 +102,12 @@ static double bound_plain(const struct analysis *v, const struct arithmetic *a)
 	return (cu * worst + 4 * a->tiny * a->u) * ROUNDED_UP;
 }
 
-const char *error_bounds(const struct scene *s, double bound[3])
+const char *error_bounds(const struct scene *s, const struct volume *seen,
+    double bound[3])
 {
 	enum space to = s->has_viewport ? SPACE_DEVICE : SPACE_NDC;
 	struct transform t;
-	struct volume seen;
+	struct map back;
 	struct analysis v = { .t = &t };
 	const char *why = scene_transform(s, SPACE_MODEL, to, false, &t);
 	int e;
@@ -110,10 +116,10 @@ const char *error_bounds(const struct scene *s, double bound[3])
 		bound[i] = (double)NAN;
 	/* a singular world matrix, or no planes, make the volume infinite */
 	if (why != NULL || projection_is_open(&s->projection) ||
-	    volume_of(s, SPACE_MODEL, &seen) != NULL)
+	    scene_map(s, SPACE_VIEW, SPACE_MODEL, &back) != NULL)
 		return why;
 	for (int i = 0; i < 8; i++)
-		set_corner(&seen, t.for_kernel.origin, i, &v.corner[i]);
+		set_corner(seen, &back, t.for_kernel.origin, i, &v.corner[i]);
 	set_size(s, &v);
 	/* half an ulp of the largest coordinate */
 	frexp(v.largest, &e);

@@ -12,27 +12,24 @@
 /* Sets gaze, up and, if the camera is not given by an eye, the eye. They are rows of the
  * map from view to world space. A matrix gives the axes of its nearest rotation. */
 static const char *from_axes(struct camera *c,
-    const struct convention *convention)
+    const struct convention *convention, struct map *back)
 {
 	double along = looks_back(convention) ? -1 : 1;
 	double upward = convention->view_y_down ? -1 : 1;
 	struct camera turned = *c;
-	struct map back;
-	const char *why = camera_map(c, convention, true, &back);
 
-	if (why == NULL && c->kind >= CAMERA_TRANSLATION)
-		for (int k = 0; k < 3; k++)
-			c->eye[k] = map_nearest(&back, 3, k, false);
-	turned.roll = 0;
-	turned.orthonormalize = true;
-	if (why == NULL)
-		why = camera_map(&turned, convention, true, &back);
-	for (int k = 0; k < 3 && why == NULL; k++) {
-		c->at[k] = along * map_nearest(&back, 2, k, false);
-		c->up[k] = upward * map_nearest(&back, 1, k, false);
-	}
+	for (int k = 0; k < 3 && c->kind >= CAMERA_TRANSLATION; k++)
+		c->eye[k] = map_nearest(back, 3, k, false);
 	if (c->kind >= CAMERA_POSE)
 		c->roll = 0;
+	turned.roll = 0;
+	turned.orthonormalize = true;
+	const char *why = camera_map(&turned, convention, true, back);
+
+	for (int k = 0; k < 3 && why == NULL; k++) {
+		c->at[k] = along * map_nearest(back, 2, k, false);
+		c->up[k] = upward * map_nearest(back, 1, k, false);
+	}
 	return why;
 }
 
@@ -57,17 +54,17 @@ static const char *gaze_of(struct scene *s)
 {
 	struct camera *c = &s->camera;
 	const struct convention *convention = &s->convention;
-	struct map view;
+	struct map back;
 
 	if (!s->has_camera)
 		*c = (struct camera){ .kind = CAMERA_GAZE,
 			.at = { 0, 0, looks_back(convention) ? -1 : 1 },
 			.up = { 0, convention->view_y_down ? -1 : 1, 0 } };
 	s->has_camera = true;
-	const char *why = camera_map(c, convention, false, &view);
+	const char *why = camera_map(c, convention, true, &back);
 
 	if (why == NULL && c->kind >= CAMERA_ORIENTATION)
-		why = from_axes(c, convention);
+		why = from_axes(c, convention, &back);
 	else if (c->kind == CAMERA_AT)
 		from_at(c);
 	c->kind = CAMERA_GAZE;
@@ -79,12 +76,13 @@ static const char *gaze_of(struct scene *s)
 static void eye_move(const struct map *back, const struct sum step[3],
     double eye[3])
 {
-	for (int k = 0; k < 3; k++) {
-		struct sum sum = back->m[3][k];
+	const struct sum at[4] = { step[0], step[1], step[2],
+		sum_of_double(1) };
+	struct sum to;
 
-		for (int i = 0; i < 3; i++)
-			sum = sum_add(sum, sum_mul(step[i], back->m[i][k]));
-		eye[k] = sum_ratio(sum, back->divisor);
+	for (int k = 0; k < 3; k++) {
+		map_image(back, k, at, &to);
+		eye[k] = sum_ratio(to, back->divisor);
 	}
 }
 
@@ -94,6 +92,27 @@ static double least_over(struct sum n, struct sum d)
 	double v = sum_ratio(n, d);
 
 	return sum_compare(sum_scale(d, v), n) < 0 ? nextafter(v, HUGE_VAL) : v;
+}
+
+/* Returns n / d rounded upward or, if axis j was widened, to nearest. */
+static double extents_round(const struct extents *r, int j, struct sum n,
+    struct sum d)
+{
+	return sum_sign(r->size[j]) > 0 ? least_over(n, d) : sum_ratio(n, d);
+}
+
+/* Writes the ends of the bounds' depth, rounded outward. */
+static void round_depth(const struct extents *r, double *low, double *high)
+{
+	struct sum one = sum_of_double(1);
+
+	*low = 0 - extents_round(r, 2, sum_neg(r->low[2]), one);
+	*high = extents_round(r, 2, r->high[2], one);
+}
+
+static struct sum larger(struct sum a, struct sum b)
+{
+	return sum_compare(a, b) > 0 ? a : b;
 }
 
 /* Widens the side that is too short for width : height = shape[0] : shape[1]. The widened
@@ -128,9 +147,8 @@ static const char *find_slopes(const struct scene *s, struct map *sides,
 	const char *why = view_planes(s, SPACE_VIEW, sides, &ends);
 
 	for (int k = 0; k < 4 && why == NULL; k++) {
-		slope[k] = map_element(sides, 2, k);
-		if (looks_back(&s->convention))
-			slope[k] = sum_neg(slope[k]);
+		slope[k] = sum_negated_if(looks_back(&s->convention),
+		    map_element(sides, 2, k));
 		if (sum_sign(slope[k]) <= 0)
 			why = "/projection: the gaze does not run between "
 			      "the side planes, less the margin; let the "
@@ -201,36 +219,32 @@ static const char *find_step(const struct scene *s, const struct hull *h,
 	return fabs(sum_double(t)) <= MAGNITUDE_MAX ? NULL : BEYOND;
 }
 
-/* Returns a times to over from, rounded away from 0 so that the volume does not
- * shrink. */
-static double rescaled(double a, double to, double from)
-{
-	struct sum product = sum_mul(sum_of_double(fabs(a)), sum_of_double(to));
-
-	return copysign(least_over(product, sum_of_double(from)), a);
-}
-
-/* Scales sizes on the near plane as near changes, so that the side planes stay. */
+/* Scales sizes on the near plane as near changes, so that the side planes stay. Rounds the
+ * sizes away from 0, so that the volume does not shrink. */
 static void keep_slopes(struct projection *p, double near)
 {
 	double *const sizes[] = { &p->width, &p->height, &p->left, &p->right,
 		&p->bottom, &p->top };
 
 	for (int i = 0; i < 6 && projection_is_by_near(p); i++)
-		*sizes[i] = rescaled(*sizes[i], p->near, near);
+		*sizes[i] = copysign(least_over(sum_scale(sum_of_double(
+							      p->near),
+						    fabs(*sizes[i])),
+					 sum_of_double(near)),
+		    *sizes[i]);
 }
 
-/* Returns whether near >= near_ratio far, decided exactly. */
-static bool keeps_near_ratio(const struct projection *p)
+/* Sets near and far to the ends of the depth of the bounds, rounded outward. */
+static void close_depth(struct projection *p, const struct extents *r)
 {
-	struct sum least = sum_mul(sum_of_double(p->near_ratio),
-	    sum_of_double(p->far));
+	double high;
 
-	return sum_compare(sum_of_double(p->near), least) >= 0;
+	round_depth(r, &p->near, &high);
+	p->far = fmax(high, nextafter(p->near, HUGE_VAL));
 }
 
-/* Sets near and far to the least and greatest depth of the bounds. Returns whether the
- * bounds then are inside the volume, and near is at least near_ratio times far. */
+/* Closes near and far. Returns whether the bounds then are inside the volume, and near is
+ * at least near_ratio times far. */
 static bool close_persp(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
@@ -240,9 +254,12 @@ static bool close_persp(struct scene *s, const struct hull *h)
 	hull_extents(h, s, &r);
 	if (sum_sign(r.low[2]) <= 0)
 		return false;
-	hull_close_depth(h, s);
+	close_depth(p, &r);
 	keep_slopes(p, near);
-	return hull_out(h, s) == 0 && keeps_near_ratio(p);
+	struct sum least = sum_scale(sum_of_double(p->near_ratio), p->far);
+
+	return hull_out(h, s) == 0 &&
+	    sum_compare(sum_of_double(p->near), least) >= 0;
 }
 
 /* Moves the eye by the step to, after which a plane touches the bounds. As the eye's
@@ -302,25 +319,22 @@ static const char *center_eye(struct scene *s, bool has_eye,
 		return why;
 	for (int j = 0; j < 3; j++)
 		step[j] = extents_middle(&r, j);
-	if (has_eye)
-		step[2] = sum_of_double(0);
-	else
-		step[2] = sum_add(step[2], sum_sub(r.low[2], r.high[2]));
-	if (looks_back(c))
-		step[2] = sum_neg(step[2]);
+	step[2] = sum_add(step[2], sum_sub(r.low[2], r.high[2]));
+	step[2] = has_eye ? sum_of_double(0) :
+			    sum_negated_if(looks_back(c), step[2]);
 	for (int j = 0; j < 2; j++) {
 		struct sum sheared = sum_mul(step[2], map_element(&clip, 2, j));
 
-		step[j] = j == 1 && c->ndc_y_down ? sum_add(step[j], sheared) :
-						    sum_sub(step[j], sheared);
+		step[j] = sum_sub(step[j],
+		    sum_negated_if(j == 1 && c->ndc_y_down, sheared));
 	}
-	if (c->view_y_down)
-		step[1] = sum_neg(step[1]);
+	step[1] = sum_negated_if(c->view_y_down, step[1]);
 	eye_move(&back, step, s->camera.eye);
 	return NULL;
 }
 
-/* Sets width and height to the least that hold the bounds, widened to the aspect. */
+/* Sets near, far, and the least width and height that hold the bounds, widened to the
+ * aspect. */
 static const char *close_sides(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
@@ -331,18 +345,17 @@ static const char *close_sides(struct scene *s, const struct hull *h)
 
 	if (why != NULL)
 		return why;
+	close_depth(p, &r);
 	view_limits(s, half, scale);
 	for (int j = 0; j < 2; j++) {
-		struct sum left = sum_neg(r.low[j]), right = r.high[j];
-		struct sum most = sum_compare(left, right) < 0 ? right : left;
+		struct sum most = larger(sum_neg(r.low[j]), r.high[j]);
 
-		*size[j] = 2 * sum_ratio(sum_mul(most, scale[j]), half[j]);
+		*size[j] = 2 *
+		    extents_round(&r, j, sum_mul(most, scale[j]), half[j]);
 		if (!(*size[j] > 0))
 			return "/camera/eye: too far from the bounds to tell "
 			       "their size; leave it out, or move it nearer";
 	}
-	hull_close(h, s, &p->width, HUGE_VAL, OUT_LEFT | OUT_RIGHT);
-	hull_close(h, s, &p->height, HUGE_VAL, OUT_BOTTOM | OUT_TOP);
 	if (p->aspect[1] != 0)
 		widen_sides(&p->width, &p->height, p->aspect);
 	return NULL;
@@ -367,10 +380,8 @@ static const char *fit_parallel(struct scene *s, bool has_eye,
 {
 	const char *why = center_eye(s, has_eye, h);
 
-	if (why != NULL)
-		return why;
-	hull_close_depth(h, s);
-	why = close_sides(s, h);
+	if (why == NULL)
+		why = close_sides(s, h);
 	if (given->extent == EXTENT_EDGES)
 		restore_edges(&s->projection, given);
 	return why;
@@ -396,26 +407,23 @@ static void keep_near_ratio(struct projection *p)
 static const char *fit_volume(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
-	bool back = looks_back(&s->convention);
-	double outward = back ? HUGE_VAL : -HUGE_VAL;
+	double sign = looks_back(&s->convention) ? -1 : 1;
+	double low, high;
 	struct extents r;
 	struct map clip;
 	const char *why = hull_extents(h, s, &r);
 
 	if (why != NULL)
 		return why;
-	double low = sum_double(r.low[2]), high = sum_double(r.high[2]);
+	double near = p->z_near = sign * sum_double(r.low[2]);
 
-	p->z_near = back ? -low : low;
-	p->z_far = back ? -high : high;
+	p->z_far = sign * sum_double(r.high[2]);
 	keep_near_ratio(p);
-	double near = p->z_near;
-
 	if ((why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip)) != NULL)
 		return why;
-	hull_close(h, s, &p->z_far, -outward, OUT_FAR);
-	if (near == (back ? -low : low))
-		hull_close(h, s, &p->z_near, outward, OUT_NEAR);
+	round_depth(&r, &low, &high);
+	p->z_near = p->z_near == near ? sign * low : p->z_near;
+	p->z_far = sign * high;
 	return NULL;
 }
 
@@ -461,7 +469,7 @@ static const char *eye_center(struct scene *s, const struct hull *h)
 	const char *why = scene_map(s, SPACE_MODEL, SPACE_WORLD, &world);
 
 	for (int k = 0; k < 3 && why == NULL; k++) {
-		extents_of(&r, k, h, &world, false);
+		extents_of(&r, k, h, &world);
 		s->camera.eye[k] = sum_double(extents_middle(&r, k));
 	}
 	return why;
@@ -486,7 +494,7 @@ const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 	return why != NULL || scene_is_valid(s) ? why : BEYOND;
 }
 
-/* hull_extents measures the bounds along three axes. find_step and hull_out measure them
+/* hull_extents measures the bounds along fit_axes. find_step and hull_out measure them
  * along the normals of planes, which do not change as the eye moves. Only keep_slopes
  * rounds sizes on the near plane, outward: points stay inside the side planes, but the
  * margin may become smaller by a rounding of the edges. */
@@ -494,27 +502,21 @@ const char *fit_directions(const struct scene *given, bool has_eye,
     struct directions *all)
 {
 	struct scene s = *given;
-	const struct projection *p = &s.projection;
-	bool persp = p->type == PROJECTION_PERSP;
-	bool sheared = p->type == PROJECTION_ORTHO ||
-	    p->type == PROJECTION_OBLIQUE;
-	struct map view, clip, sides, ends;
+	bool persp = s.projection.type == PROJECTION_PERSP;
+	struct map xy, depth, sides, ends;
 	const char *why = fit_begin(&s);
 
 	for (int k = 0; k < 3 && !has_eye; k++)
 		s.camera.eye[k] = 0;
 	if (why == NULL)
-		why = scene_map(&s, SPACE_MODEL, SPACE_VIEW, &view);
-	if (why == NULL)
-		why = scene_map(&s, SPACE_MODEL,
-		    sheared ? SPACE_CLIP : SPACE_VIEW, &clip);
+		why = fit_axes(&s, &xy, &depth);
 	if (why == NULL && persp)
 		why = view_planes(&s, SPACE_MODEL, &sides, &ends);
 	if (why != NULL)
 		return why;
 	all->n = 0;
 	for (int k = 0; k < 6; k++)
-		directions_add(all, k < 4 ? &clip : &view, k / 2, k & 1);
+		directions_add(all, k < 4 ? &xy : &depth, k / 2, k & 1);
 	for (int k = 0; k < 4 && persp; k++)
 		directions_add(all, &sides, k, true);
 	return NULL;
@@ -527,9 +529,8 @@ static void close_axis(const struct extents *r, int j, double margin,
 {
 	*center = sum_double(extents_middle(r, j));
 	struct sum c = sum_of_double(*center);
-	struct sum below = sum_sub(c, r->low[j]),
-		   above = sum_sub(r->high[j], c);
-	struct sum most = sum_compare(below, above) > 0 ? below : above;
+
+	struct sum most = larger(sum_sub(c, r->low[j]), sum_sub(r->high[j], c));
 
 	*side = least_over(sum_scale(most, 2), sum_diff(1, 2 * margin));
 }
@@ -546,7 +547,7 @@ const char *fit_window(struct scene *s, const struct bounds *b)
 		return why;
 	map_identity(&identity);
 	for (int k = 0; k < 2; k++)
-		extents_of(&r, k, &h, &identity, false);
+		extents_of(&r, k, &h, &identity);
 	if ((why = extents_widen(&r, 2)) != NULL)
 		return why;
 	*w = (struct window){ .zoom = 1 };

@@ -39,10 +39,9 @@ struct extents {
 	struct sum low[3], high[3], size[3];
 };
 
-/* Sets the extent along axis j to the range of column j of a map, or of its negative if
- * minus, on the hull. */
+/* Sets the extent along axis j to the range of column j of a map on the hull. */
 void extents_of(struct extents *, int j, const struct hull *,
-    const struct map *, bool minus);
+    const struct map *);
 
 struct sum extents_middle(const struct extents *, int j);
 
@@ -50,27 +49,20 @@ struct sum extents_middle(const struct extents *, int j);
  * NULL, or the reason if all extents are 0. */
 const char *extents_widen(struct extents *, int n);
 
-/* Finds the extents of x, y and depth, and widens them. Depth is measured along the gaze;
- * in a perspective it is w. In a perspective or a volume x and y are in view space. In
- * ortho and oblique, whose width and height must be 2, they are in clip space, y upward.
- * Returns NULL, or the member and the reason. */
+/* Makes the maps from model space to x and y, and to depth. Depth is measured along the
+ * gaze; in a perspective it is w. In a perspective or a volume x and y are in view space.
+ * In ortho and oblique, whose width and height must be 2, they are in clip space, y
+ * upward. Returns NULL, or the member and the reason. */
+const char *fit_axes(const struct scene *, struct map *xy, struct map *depth);
+
+/* Finds the extents along fit_axes, and widens them. Returns NULL, or the member and the
+ * reason. */
 const char *hull_extents(const struct hull *, const struct scene *,
     struct extents *);
 
 /* Returns the OUT_ bits of the planes of the view volume that a part of the hull is
  * outside of: all bits if the scene has no volume. */
 unsigned hull_out(const struct hull *, const struct scene *);
-
-/* Moves *v, a number of the scene on which some planes depend, outward until the hull is
- * inside these planes. Before the call *v must be the double nearest to the value at
- * which the planes touch the hull; so it moves by at most one ulp, unless the hull is
- * known less exactly. Stops beyond MAGNITUDE_MAX. */
-void hull_close(const struct hull *, const struct scene *, double *v,
-    double outward, unsigned planes);
-
-/* Sets near to the greatest and far to the least double with the hull between both
- * planes. near < far must hold before the call. */
-void hull_close_depth(const struct hull *, struct scene *);
 
 /* The farthest of many points along the directions that fit needs. */
 

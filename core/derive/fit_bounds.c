@@ -71,13 +71,13 @@ struct sum hull_lowest(const struct hull *h, const struct map *m, int j,
 /* The size is a sum of two steps. The difference high - low may be less than the errors
  * of high and low. */
 void extents_of(struct extents *r, int j, const struct hull *h,
-    const struct map *m, bool minus)
+    const struct map *m)
 {
-	struct sum size = sum_add(lowest_step(h, m, j, minus),
-	    lowest_step(h, m, j, !minus));
+	struct sum size = sum_add(lowest_step(h, m, j, false),
+	    lowest_step(h, m, j, true));
 
-	r->low[j] = hull_lowest(h, m, j, minus);
-	r->high[j] = sum_neg(hull_lowest(h, m, j, !minus));
+	r->low[j] = hull_lowest(h, m, j, false);
+	r->high[j] = sum_neg(hull_lowest(h, m, j, true));
 	r->size[j] = sum_neg(sum_quotient(size, m->divisor));
 }
 
@@ -106,26 +106,39 @@ const char *extents_widen(struct extents *r, int n)
 	    "/bounds: a single point; what has an extent is wanted";
 }
 
+const char *fit_axes(const struct scene *s, struct map *xy, struct map *depth)
+{
+	const struct projection *p = &s->projection;
+	bool flat = p->type == PROJECTION_ORTHO ||
+	    p->type == PROJECTION_OBLIQUE;
+	const char *why = scene_map(s, SPACE_MODEL,
+	    flat ? SPACE_CLIP : SPACE_VIEW, xy);
+
+	if (why == NULL)
+		why = scene_map(s, SPACE_MODEL, SPACE_VIEW, depth);
+	if (why != NULL)
+		return why;
+	for (int i = 0; i < 4; i++) {
+		xy->m[i][1] = sum_negated_if(flat && s->convention.ndc_y_down,
+		    xy->m[i][1]);
+		depth->m[i][2] = sum_negated_if(looks_back(&s->convention),
+		    depth->m[i][2]);
+	}
+	depth->m[3][2] = sum_add(depth->m[3][2],
+	    sum_scale(depth->divisor, projection_w_at_eye(p)));
+	return NULL;
+}
+
 const char *hull_extents(const struct hull *h, const struct scene *s,
     struct extents *r)
 {
-	const struct projection *p = &s->projection;
-	bool flat = p->type != PROJECTION_PERSP && p->type != PROJECTION_VOLUME;
-	struct sum w = sum_of_double(projection_w_at_eye(p));
-	struct map view, clip;
-	const char *why = scene_map(s, SPACE_MODEL,
-	    flat ? SPACE_CLIP : SPACE_VIEW, &clip);
+	struct map xy, depth;
+	const char *why = fit_axes(s, &xy, &depth);
 
-	*r = (struct extents){ 0 };
-	if (why == NULL)
-		why = scene_map(s, SPACE_MODEL, SPACE_VIEW, &view);
 	if (why != NULL)
 		return why;
-	extents_of(r, 0, h, &clip, false);
-	extents_of(r, 1, h, &clip, flat && s->convention.ndc_y_down);
-	extents_of(r, 2, h, &view, looks_back(&s->convention));
-	r->low[2] = sum_add(r->low[2], w);
-	r->high[2] = sum_add(r->high[2], w);
+	for (int j = 0; j < 3; j++)
+		extents_of(r, j, h, j < 2 ? &xy : &depth);
 	return extents_widen(r, 3);
 }
 
@@ -144,30 +157,4 @@ unsigned hull_out(const struct hull *h, const struct scene *s)
 			out |= 1u << k;
 	}
 	return out;
-}
-
-void hull_close(const struct hull *h, const struct scene *s, double *v,
-    double outward, unsigned planes)
-{
-	double step = nextafter(*v, outward) - *v;
-
-	while (fabs(*v) <= MAGNITUDE_MAX && (hull_out(h, s) & planes) != 0) {
-		*v += step;
-		step *= 2;
-	}
-}
-
-void hull_close_depth(const struct hull *h, struct scene *s)
-{
-	struct projection *p = &s->projection;
-	struct extents r;
-
-	hull_extents(h, s, &r);
-	double far = sum_double(r.high[2]);
-
-	p->near = sum_double(r.low[2]);
-	p->far = fmax(far, nextafter(p->near, HUGE_VAL));
-	hull_close(h, s, &p->near, -HUGE_VAL, OUT_NEAR);
-	p->far = fmax(far, nextafter(p->near, HUGE_VAL));
-	hull_close(h, s, &p->far, HUGE_VAL, OUT_FAR);
 }

@@ -43,28 +43,21 @@ static double bound_of(const double m[3], const double largest[3])
 	return 0x1p-50 * sum;
 }
 
-/* Returns 1 if p is farther than q along the direction, -1 if q is farther than p, 0 if
- * both are equally far. */
-static int compare_along(const struct direction *d, const double p[3],
-    const double q[3])
-{
-	struct sum step[3];
-	bool same = true;
-
-	for (int i = 0; i < 3; i++)
-		same &= d->hi[i] == 0 || p[i] == q[i];
-	for (int i = 0; i < 3 && !same; i++)
-		step[i] = sum_diff(p[i], q[i]);
-	return same ? 0 : sum_sign(vec3_dot(d->m, step));
-}
-
 /* Returns whether p is farther than q. Of two points that are equally far, the one with
  * the greater coordinates counts as farther: the order of points does not matter. */
 static bool is_farther(const struct direction *d, const double p[3],
     const double q[3])
 {
-	int order = compare_along(d, p, q);
+	struct sum step[3];
+	bool same = true;
+	int order = 0;
 
+	for (int i = 0; i < 3; i++)
+		same &= d->hi[i] == 0 || p[i] == q[i];
+	for (int i = 0; i < 3 && !same; i++)
+		step[i] = sum_diff(p[i], q[i]);
+	if (!same)
+		order = sum_sign(vec3_dot(d->m, step));
 	for (int i = 0; i < 3 && order == 0; i++)
 		order = (p[i] > q[i]) - (p[i] < q[i]);
 	return order > 0;

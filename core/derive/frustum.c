@@ -26,33 +26,43 @@ static void combine_columns(struct map *r, int j, const struct map *m,
 	}
 }
 
-/* A point is inside left if x scale >= -half w, inside right if x scale <= half w, and so
- * on. Bottom and top are swapped if ndc y points down, near and far if depth is reversed.
- * Without near and far planes their functions are 1, so every point is inside. */
-const char *view_planes(const struct scene *s, enum space from,
+/* Makes the planes from the map to clip space. A point is inside left if x scale >= -half
+ * w, inside right if x scale <= half w, and so on. Bottom and top are swapped if ndc y
+ * points down, near and far if depth is reversed. Without near and far planes their
+ * functions are 1, so every point is inside. */
+static void planes_of_clip(const struct scene *s, const struct map *m,
     struct map *sides, struct map *ends)
 {
 	const struct convention *c = answer_convention(s);
 	bool reversed = projection_is_reversed(&s->projection, &s->convention);
 	struct sum half[2], scale[2], one = sum_of_double(1);
+
+	*sides = *ends = *m;
+	view_limits(s, half, scale);
+	for (int k = 0; k < 4; k++) {
+		bool high = (k & 1) ^ (k >= 2 && c->ndc_y_down);
+
+		combine_columns(sides, k, m, high, k / 2, scale[k / 2],
+		    half[k / 2]);
+	}
+	combine_columns(ends, reversed, m, false, 2, one,
+	    sum_of_double(c->minus_one));
+	combine_columns(ends, !reversed, m, true, 2, one, one);
+	for (int i = 0; i < 4 && projection_is_open(&s->projection); i++)
+		ends->m[i][0] = ends->m[i][1] = sum_of_double(i == 3);
+	for (int i = 0; i < 4; i++)
+		ends->m[i][2] = m->m[i][3];
+}
+
+const char *view_planes(const struct scene *s, enum space from,
+    struct map *sides, struct map *ends)
+{
 	struct map m;
 	const char *why = scene_map(s, from, SPACE_CLIP, &m);
 
 	if (why != NULL)
 		return why;
-	*sides = *ends = m;
-	view_limits(s, half, scale);
-	for (int k = 0; k < 4; k++) {
-		bool high = (k & 1) ^ (k >= 2 && c->ndc_y_down);
-
-		combine_columns(sides, k, &m, high, k / 2, scale[k / 2],
-		    half[k / 2]);
-	}
-	combine_columns(ends, reversed, &m, false, 2, one,
-	    sum_of_double(c->minus_one));
-	combine_columns(ends, !reversed, &m, true, 2, one, one);
-	for (int i = 0; i < 4 && projection_is_open(&s->projection); i++)
-		ends->m[i][0] = ends->m[i][1] = sum_of_double(i == 3);
+	planes_of_clip(s, &m, sides, ends);
 	if (from == SPACE_NDC || from == SPACE_DEVICE)
 		why = scene_map(s, from, SPACE_VIEW, &m);
 	for (int i = 0; i < 4; i++)
@@ -147,119 +157,83 @@ static struct estimate estimate_of(const struct transform *t, int columns)
 	return e;
 }
 
-/* How many points out_few takes at a time; their words are on the stack. */
+/* How many points a kernel takes at a time; their words are on the stack. */
 enum { FEW = 256 };
-
-static void out_few(const struct frustum *f, const struct estimate *sides,
-    const struct estimate *ends, const double *const in[4], unsigned char *out,
-    size_t n)
-{
-	double word[FEW];
-
-	memset(word, 0, n * sizeof *word);
-	points_kernels()->signs(sides, 4, OUT_LEFT, in, word, n);
-	if (!is_flat(f))
-		points_kernels()->signs(ends, 3, OUT_NEAR, in, word, n);
-	for (size_t i = 0; i < n; i++) {
-		unsigned planes = (unsigned)word[i];
-		const double p[4] = { in[0][i], in[1][i], in[2][i] };
-
-		if (planes >= SIGNS_UNSURE)
-			planes = frustum_out(f, p);
-		out[i] = planes & OUT_BEHIND ? OUT_BEHIND :
-					       (unsigned char)planes;
-	}
-}
 
 void frustum_out_all(const struct frustum *f, const double *const in[4],
     unsigned char *out, size_t n)
 {
+	bool flat = is_flat(f), four = f->sides.in == 4;
 	/* in 2D any column serves as z, as the slopes of z are 0 */
-	const double *z = in[is_flat(f) ? 0 : 2];
+	const double *z = in[flat ? 0 : 2];
 	struct estimate sides = estimate_of(&f->sides, 4), ends = { 0 };
+	double word[FEW];
 
-	if (!is_flat(f))
+	if (!flat)
 		ends = estimate_of(&f->ends, 3);
 	for (size_t i = 0; i < n; i += FEW) {
 		const double *const at[4] = { in[0] + i, in[1] + i, z + i };
 		size_t few = n - i < FEW ? n - i : FEW;
 
-		if (f->sides.in <= 3) {
-			out_few(f, &sides, &ends, at, out + i, few);
-			continue;
-		}
-		for (size_t k = i; k < i + few; k++) {
-			const double p[4] = { in[0][k], in[1][k], in[2][k],
-				in[3][k] };
+		memset(word, 0, few * sizeof *word);
+		if (!four)
+			points_kernels()->signs(&sides, 4, OUT_LEFT, at, word,
+			    few);
+		if (!four && !flat)
+			points_kernels()->signs(&ends, 3, OUT_NEAR, at, word,
+			    few);
+		for (size_t k = 0; k < few; k++) {
+			unsigned planes = (unsigned)word[k];
+			const double p[4] = { at[0][k], at[1][k], at[2][k],
+				four ? in[3][i + k] : 1 };
 
-			out[k] = (unsigned char)frustum_out(f, p);
+			if (four || planes >= SIGNS_UNSURE)
+				planes = frustum_out(f, p);
+			out[i + k] = planes & OUT_BEHIND ?
+			    OUT_BEHIND :
+			    (unsigned char)planes;
 		}
 	}
 }
 
-const char *volume_of(const struct scene *s, enum space to, struct volume *v)
-{
-	/* the map back refuses a singular projection */
-	const char *why = scene_map(s, SPACE_CLIP, SPACE_VIEW, &v->from_view);
-
-	if (why == NULL)
-		why = view_planes(s, SPACE_VIEW, &v->sides, &v->ends);
-	return why != NULL ? why : scene_map(s, SPACE_VIEW, to, &v->from_view);
-}
-
-void planes_meet(const struct sum plane[3][4], struct sum h[4])
-{
-	struct sum m[4][4];
-
-	memcpy(m, plane, 3 * sizeof *m);
-	for (int i = 0; i < 4; i++)
-		h[i] = sum_negated_if(i & 1, map_minor(3, m, 8, 1u << i));
-}
-
-/* Writes the point of view space where planes a and b of the sides and plane c of a map
- * meet. */
-static void volume_meet(const struct volume *v, int a, int b,
+/* Writes the homogeneous point where planes a and b of the sides and plane c of a map meet,
+ * such that w is not negative there. All of h is 0 if the planes have more than one point
+ * in common. */
+static void planes_meet(const struct volume *v, int a, int b,
     const struct map *other, int c, struct sum h[4])
 {
-	struct sum plane[3][4];
+	struct sum plane[4][4], w;
 
 	for (int i = 0; i < 4; i++) {
 		plane[0][i] = v->sides.m[i][a];
 		plane[1][i] = v->sides.m[i][b];
 		plane[2][i] = other->m[i][c];
 	}
-	planes_meet(plane, h);
-}
-
-static void volume_image(const struct volume *v, const struct sum view[4],
-    struct sum h[4])
-{
-	for (int j = 0; j < 4; j++)
-		map_image(&v->from_view, j, view, &h[j]);
-}
-
-struct sum volume_corner(const struct volume *v, int corner, struct sum h[4])
-{
-	bool right = corner % 4 == 1 || corner % 4 == 2, top = corner % 4 > 1;
-	struct sum view[4], w;
-
-	volume_meet(v, right, 2 + top, &v->ends, corner > 3, view);
-	map_image(&v->ends, 2, view, &w);
 	for (int i = 0; i < 4; i++)
-		view[i] = sum_negated_if(sum_sign(w) < 0, view[i]);
-	volume_image(v, view, h);
-	return sum_quotient(sum_mul(sum_abs(w), v->from_view.divisor),
-	    v->ends.divisor);
+		h[i] = sum_negated_if(i & 1, map_minor(3, plane, 8, 1u << i));
+	map_image(&v->ends, 2, h, &w);
+	for (int i = 0; i < 4 && sum_sign(w) < 0; i++)
+		h[i] = sum_neg(h[i]);
 }
 
 /* Clip x and w are 0 where the left and the right plane meet. y is 0, too, where both
  * meet the bottom plane: that point is the eye. */
-int volume_eye(const struct volume *v, struct sum h[4])
+const char *volume_of(const struct scene *s, struct volume *v)
 {
-	struct sum view[4], far;
+	/* the map back refuses a singular projection */
+	const char *why = scene_map(s, SPACE_CLIP, SPACE_VIEW, &v->clip);
 
-	volume_meet(v, 0, 1, &v->sides, 2, view);
-	map_image(&v->ends, 1, view, &far);
-	volume_image(v, view, h);
-	return sum_sign(far) * sum_sign(view[3]);
+	v->eye_z[0] = v->clip.divisor;
+	v->eye_z[1] = v->clip.m[2][3];
+	if (why == NULL)
+		why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &v->clip);
+	if (why != NULL)
+		return why;
+	v->eye_z[0] = sum_mul(v->eye_z[0], v->clip.divisor);
+	planes_of_clip(s, &v->clip, &v->sides, &v->ends);
+	for (int i = 0; i < 8; i++)
+		planes_meet(v, i % 4 == 1 || i % 4 == 2, 2 + (i % 4 > 1),
+		    &v->ends, i > 3, v->corner[i]);
+	planes_meet(v, 0, 1, &v->sides, 2, v->eye);
+	return NULL;
 }

@@ -50,79 +50,29 @@ unsigned frustum_out(const struct frustum *, const double in[4]);
 void frustum_out_all(const struct frustum *, const double *const in[4],
     unsigned char *out, size_t n);
 
-/* The planes of the view volume in view space, and the map from view space to another
- * space. A corner is computed as the point where three planes meet. An inverse map has
- * errors relative to the volume, in which the corners of a small near plane would
- * drown. */
+/* The view volume in view space: the map to clip space, the planes, the corners and the
+ * eye, which are homogeneous points where three planes meet. An inverse map has errors
+ * relative to the volume, in which the corners of a small near plane would drown. The
+ * corners are near, then far, each left-bottom, right-bottom, right-top, left-top; w of
+ * the planes is not negative in them. Without near and far planes all are at infinity. */
 struct volume {
-	struct map sides, ends, from_view;
+	struct map clip, sides, ends;
+	struct sum corner[8][4], eye[4];
+	struct sum eye_z[2]; /* clip z of the eye, a quotient */
 };
 
 /* Makes the volume of a scene. Returns NULL, or the member and the reason. */
-const char *volume_of(const struct scene *, enum space to, struct volume *);
-
-/* Writes the homogeneous image of corner 0..7 of the view volume: near, then far, each
- * left-bottom, right-bottom, right-top, left-top. Without near and far planes all are at
- * infinity. Returns the positive factor f: h / f is the image of the corner with clip
- * w 1. */
-struct sum volume_corner(const struct volume *, int corner, struct sum h[4]);
-
-/* Writes the homogeneous image of the eye, where clip x, y and w are 0. Returns 1 where
- * the eye is on the inner side of the far plane, -1 beyond it, 0 at infinity. */
-int volume_eye(const struct volume *, struct sum h[4]);
-
-/* Writes the homogeneous point where three planes a x + b y + c z + d = 0 meet. All of h
- * is 0 if the planes have more than one point in common. */
-void planes_meet(const struct sum plane[3][4], struct sum h[4]);
-
-/* Distances along the gaze, and how finely a depth buffer tells them apart. */
-
-enum buffer { BUFFER_UNORM16, BUFFER_UNORM24, BUFFER_FLOAT32, BUFFERS };
-
-/* The distance D at depth z is (over[0] z + over[1]) / (under[0] z + under[1]). z is
- * device depth or, without a viewport, from 0 to 1. D is measured along the gaze: from
- * the eye in a perspective, else from the origin of view space. under[0] is 0 only in a
- * parallel projection. In a perspective a depth whose denominator is positive is in
- * front of the eye. If planes of equal depth are tilted against the projection plane, D
- * is measured on the normal of the projection plane through the eye. */
-struct depth {
-	struct sum over[2], under[2];
-	double low, high; /* z at the least ndc depth, and at ndc depth 1 */
-	bool reversed;    /* the near plane has the larger ndc depth */
-	bool open;        /* there are no near and far planes */
-	bool flat;        /* min_z equals max_z: low and high are 0 and 1 */
-};
-
-/* Finds D(z) of a scene. All maps of the scene must be invertible. reversed says that the
- * near plane has the larger ndc depth. */
-void depth_of(const struct scene *, bool reversed, struct depth *);
-
-/* Writes the distance of the near or far plane as a quotient. */
-void depth_quotient(const struct depth *, bool far, struct sum *over,
-    struct sum *under);
-
-/* Returns the distance of the near or far plane: infinite if the plane is at infinity,
- * nan if it is behind the eye or does not exist. */
-double depth_distance(const struct depth *, bool far);
-
-/* Returns how far inward from the near or far plane the depth has changed by one step of
- * the buffer; a step of BUFFER_FLOAT32 ends at the next float. Returns nan if the plane
- * is at infinity or does not exist, or if the whole range of depth is less than a
- * step. */
-double depth_step(const struct depth *, enum buffer, bool far);
-
-/* Returns how far from the distance at, toward the eye, the depth has changed by one step
- * of the buffer. */
-double depth_step_at(const struct depth *, enum buffer, double at);
+const char *volume_of(const struct scene *, struct volume *);
 
 /* Upper bounds of the error of a point's image. */
 
 /* Writes for each precision an upper bound of the error of any coordinate of an image, in
- * device units or, without a viewport, ndc units, for points of the view volume that are
- * given in model space. kernel/plain.h derives the bounds. A bound is nan if w could be
+ * device units or, without a viewport, ndc units, for points of the scene's view volume
+ * that are given in model space. kernel/plain.h derives the bounds. A bound is nan if w could be
  * less than its own error, or 1/w beyond the range of the precision. Returns NULL, or
  * the member and the reason. */
-const char *error_bounds(const struct scene *, double bound[3]);
+const char *error_bounds(const struct scene *, const struct volume *,
+    double bound[3]);
 
 /* Rays through positions on the device. */
 

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "taxonomy.h"
+#include "picture.h"
 
 #include <string.h>
-
-#include "frustum.h"
 
 #define NONE ((double)NAN)
 
@@ -13,16 +11,17 @@
 
 /* The map from view to clip space in axes X to the right, Y upward and D along the gaze. In
  * these axes it is upright: y and w do not depend on X, nor w on Y. Clip coordinates are
- *	x = x X + yx Y + zx D + tx, y = y Y + zy D + ty,
- *	z = zz D + ..., w = zw D + tw,
- * all times the map's divisor, which cancels. In a perspective w grows along the gaze.
+ *	x = xy[0][0] X + xy[0][1] Y + xy[0][2] D + xy[0][3],
+ *	y = xy[1][1] Y + xy[1][2] D + xy[1][3], w = zw D + tw,
+ * all times the map's divisor, which cancels. In a perspective w grows along the gaze, and
+ * the constants are 0, as D begins at the eye.
  *
  * If own, X, Y and D are the axes of view space. If turned, too, they are turned by 180
  * degrees about Y, as w grows against the convention's gaze. X is negated if the answer is
- * of the other handedness. If not own, an RQ decomposition gives the axes, and D of a
- * perspective is 0 at the eye. If tilted, z also depends on X or Y. */
+ * of the other handedness. If not own, an RQ decomposition gives the axes. If tilted, z also
+ * depends on X or Y. */
 struct upright {
-	struct sum x, yx, y, zx, zy, zz, zw, tx, ty, tw;
+	struct sum xy[2][4], zw, tw;
 	struct sum axis[3][3]; /* X, Y and D in view space */
 	bool own, turned, tilted;
 };
@@ -36,23 +35,23 @@ static bool is_mirrored(const struct scene *s)
 
 /* Sets the axes to those of view space. Returns false if the map is not upright in these
  * axes. */
-static bool set_own_axes(const struct scene *s, const struct map *m,
-    struct upright *u)
+static bool set_own_axes(const struct lens *l, struct upright *u)
 {
-	const struct convention *c = answer_convention(s);
-	bool own = sum_sign(m->m[0][1]) == 0;
+	const struct convention *c = answer_convention(l->scene);
+	const struct sum(*g)[4] = l->clip;
+	bool own = sum_sign(g[1][0]) == 0;
 
-	u->turned = sum_sign(m->m[2][3]) * (looks_back(c) ? -1 : 1) < 0;
-	const bool minus[3] = { u->turned != is_mirrored(s), c->view_y_down,
-		u->turned != looks_back(c) };
+	u->turned = sum_sign(g[3][2]) * (looks_back(c) ? -1 : 1) < 0;
+	const bool minus[3] = { u->turned != is_mirrored(l->scene),
+		c->view_y_down, u->turned != looks_back(c) };
 
 	for (int i = 0; i < 9; i++)
 		u->axis[i / 3][i % 3] = sum_of_double(i / 3 != i % 3 ? 0 :
 			minus[i / 3]                                 ? -1 :
 								       1);
 	for (int i = 0; i < 4; i++)
-		own &= sum_sign(m->m[i / 2][2 + i % 2]) == 0;
-	return own && sum_sign(m->m[0][0]) != 0 && sum_sign(m->m[1][1]) != 0;
+		own &= sum_sign(g[2 + i % 2][i / 2]) == 0;
+	return own && sum_sign(g[0][0]) != 0 && sum_sign(g[1][1]) != 0;
 }
 
 static void normalise(struct sum v[3])
@@ -73,16 +72,16 @@ static bool is_slight(struct sum a, struct sum length)
  * and w. D is along the gradient of w or, if w is constant, from near to far. Y is the
  * part of the gradient of y across D. X makes the camera have the answer's
  * handedness. */
-static void find_rq_axes(const struct scene *s, const struct sum g[4][3],
-    bool parallel, bool reversed, struct upright *u)
+static void find_rq_axes(const struct lens *l, struct upright *u)
 {
-	const struct sum *n = g[parallel ? 2 : 3];
+	const struct scene *s = l->scene;
+	const struct sum(*g)[4] = l->clip, *n = g[l->parallel ? 2 : 3];
 	struct sum nn = vec3_dot(n, n), yn = vec3_dot(g[1], n), tilt[3];
 	bool against = answer_convention(s)->right_handed != is_mirrored(s);
 
 	for (int i = 0; i < 3; i++) {
-		u->axis[2][i] = sum_negated_if(parallel &&
-			reversed != (sum_sign(u->tw) < 0),
+		u->axis[2][i] = sum_negated_if(l->parallel &&
+			l->reversed != (sum_sign(g[3][3]) < 0),
 		    n[i]);
 		u->axis[1][i] = sum_minor(g[1][i], nn, n[i], yn);
 	}
@@ -96,102 +95,72 @@ static void find_rq_axes(const struct scene *s, const struct sum g[4][3],
 	    sum_mul(vec3_length(g[2]), vec3_length(n)));
 }
 
-/* Sets elements to 0 that are roundings. In a perspective D begins at the eye, so tx, ty
- * and tw are 0 by definition. */
+/* Sets elements to 0 that are roundings. */
 static void clear_roundings(bool parallel, struct upright *u)
 {
-	struct sum none = sum_of_double(0);
-
-	if (is_slight(u->yx, u->x))
-		u->yx = none;
-	if (parallel && is_slight(u->zx, u->x))
-		u->zx = none;
-	if (parallel && is_slight(u->zy, u->y))
-		u->zy = none;
-	if (!parallel)
-		u->tx = u->ty = u->tw = none;
+	for (int i = 0; i < 2; i++)
+		for (int j = i + 1; j < (parallel ? 3 : 2); j++)
+			if (is_slight(u->xy[i][j], u->xy[i][i]))
+				u->xy[i][j] = sum_of_double(0);
 }
 
-static void set_elements(const struct sum g[4][3], struct upright *u)
+static void set_elements(const struct lens *l, struct upright *u)
 {
-	u->x = vec3_dot(g[0], u->axis[0]);
-	u->yx = vec3_dot(g[0], u->axis[1]);
-	u->y = vec3_dot(g[1], u->axis[1]);
-	u->zx = vec3_dot(g[0], u->axis[2]);
-	u->zy = vec3_dot(g[1], u->axis[2]);
-	u->zz = vec3_dot(g[2], u->axis[2]);
-	u->zw = vec3_dot(g[3], u->axis[2]);
+	for (int i = 0; i < 6; i++)
+		u->xy[i / 3][i % 3] = vec3_dot(l->clip[i / 3], u->axis[i % 3]);
+	u->zw = vec3_dot(l->clip[3], u->axis[2]);
 }
 
 /* Returns whether a matrix contains a camera that is turned by 180 degrees: the picture
  * of a scene without a camera is upside down, or far is against the gaze. */
-static bool hides_camera(const struct scene *s, bool parallel, bool reversed,
-    const struct upright *u)
+static bool hides_camera(const struct lens *l, const struct upright *u)
 {
-	if (s->projection.type != PROJECTION_MATRIX)
+	const struct projection *p = &l->scene->projection;
+	int deeper = sum_sign(vec3_dot(l->clip[2], u->axis[2]));
+
+	if (p->type != PROJECTION_MATRIX)
 		return false;
-	if (parallel && (sum_sign(u->zz) * sum_sign(u->tw) < 0) != reversed)
+	if (l->parallel && (deeper * sum_sign(u->tw) < 0) != l->reversed)
 		return true;
-	return s->projection.alone && sum_sign(u->x) < 0 && sum_sign(u->y) < 0;
+	return p->alone && sum_sign(u->xy[0][0]) < 0 &&
+	    sum_sign(u->xy[1][1]) < 0;
 }
 
-static void upright_of(const struct scene *s, bool reversed, struct map *m,
-    struct upright *u)
+static void upright_of(const struct lens *l, struct upright *u)
 {
-	struct sum g[4][3];
-
-	for (int i = 0; i < 4; i++)
-		m->m[i][1] = sum_negated_if(answer_convention(s)->ndc_y_down,
-		    m->m[i][1]);
-	for (int i = 0; i < 12; i++)
-		g[i % 4][i / 4] = m->m[i / 4][i % 4];
-	bool parallel = vec3_is_zero(g[3]);
-
-	*u = (struct upright){ .tx = m->m[3][0],
-		.ty = m->m[3][1],
-		.tw = m->m[3][3] };
-	u->own = set_own_axes(s, m, u);
-	set_elements(g, u);
-	if (!u->own || hides_camera(s, parallel, reversed, u)) {
-		u->own = false;
-		find_rq_axes(s, g, parallel, reversed, u);
-		set_elements(g, u);
+	*u = (struct upright){ 0 };
+	if (l->parallel) {
+		u->xy[0][3] = l->clip[0][3];
+		u->xy[1][3] = l->clip[1][3];
+		u->tw = l->clip[3][3];
 	}
-	if (!u->own)
-		clear_roundings(parallel, u);
-}
-
-/* Returns X (axis 0) or Y (axis 1) where the side plane x = w or y = w, with -w if minus,
- * meets the plane D = n / d. */
-static double side_at(const struct upright *u, struct sum n, struct sum d,
-    int axis, bool minus)
-{
-	struct sum z = axis == 0 ? u->zx : u->zy, t = axis == 0 ? u->tx : u->ty;
-	struct sum x = axis == 0 ? u->x : u->y;
-	struct sum slope = sum_sub(sum_negated_if(minus, u->zw), z);
-	struct sum offset = sum_sub(sum_negated_if(minus, u->tw), t);
-
-	return sum_ratio_or_nan(sum_add(sum_mul(slope, n), sum_mul(offset, d)),
-	    sum_mul(x, d));
+	u->own = set_own_axes(l, u);
+	set_elements(l, u);
+	if (u->own && !hides_camera(l, u))
+		return;
+	u->own = false;
+	find_rq_axes(l, u);
+	set_elements(l, u);
+	clear_roundings(l->parallel, u);
 }
 
 /* Sets the aspect and, if the side planes run along the axes of view space, the planes:
  * two opposite corners of the near plane give them. */
-static void set_planes(const struct scene *s, const struct upright *u,
-    struct parameters *r)
+static void set_planes(const struct lens *l, const struct upright *u,
+    struct picture *r)
 {
-	struct sum half[2], scale[2], h[4];
-	struct volume v;
+	const struct scene *s = l->scene;
+	struct sum half[2], scale[2];
 
-	volume_of(s, SPACE_VIEW, &v);
 	for (int k = 0; k < 4 && u->own && !isnan(r->near); k++) {
-		volume_corner(&v, k % 2 == 0 ? 0 : 2, h);
-		if (k >= 2 || sum_sign(u->yx) == 0)
+		const struct sum *h = l->volume.corner[k % 2 == 0 ? 0 : 2];
+
+		if (k >= 2 || sum_sign(u->xy[0][1]) == 0)
 			r->plane[k] = sum_ratio_or_nan(h[k / 2], h[3]);
 	}
-	viewport_limits(s->has_viewport ? &s->viewport : NULL, half, scale);
-	struct sum wide = sum_mul(sum_mul(u->y, half[0]), scale[1]);
-	struct sum high = sum_mul(sum_mul(u->x, half[1]), scale[0]);
+	view_limits(s, half, scale);
+	struct sum wide = sum_mul(sum_mul(u->xy[1][1], half[0]), scale[1]);
+	struct sum high = sum_mul(sum_mul(u->xy[0][0], half[1]), scale[0]);
 
 	/* high is 0 if the picture is a line */
 	r->aspect = sum_sign(high) == 0 ?
@@ -199,12 +168,13 @@ static void set_planes(const struct scene *s, const struct upright *u,
 	    sum_ratio_or_nan(sum_abs(wide), sum_abs(high));
 }
 
-static const char *set_frustum_planes(const struct scene *s, double plane[6][4])
+static void set_frustum_planes(const struct lens *l, double plane[6][4])
 {
-	struct map sides, ends;
-	const char *why = view_planes(s, SPACE_WORLD, &sides, &ends);
+	struct map sides = l->volume.sides, ends = l->volume.ends;
 
-	for (int k = 0; k < 6 && why == NULL; k++) {
+	map_append(&sides, &l->view, true);
+	map_append(&ends, &l->view, true);
+	for (int k = 0; k < 6; k++) {
 		const struct map *m = k < 4 ? &sides : &ends;
 		struct sum v[4];
 
@@ -217,7 +187,6 @@ static const char *set_frustum_planes(const struct scene *s, double plane[6][4])
 			    sum_ratio_or_nan(v[i], length) :
 			    NONE;
 	}
-	return why;
 }
 
 /* Returns whether R R' is the identity within 2^-20, where R is the upper 3x3 over the
@@ -238,95 +207,67 @@ static bool is_rotation(const struct map *m, bool mirrored)
 	return sum_sign(map_minor(3, m->m, 8, 8)) == (mirrored ? -1 : 1);
 }
 
-/* Writes the unit vector in world space along an axis given in view space. */
-static void set_camera_axis(const struct map *m, const struct sum axis[3],
-    double v[3])
-{
-	struct sum a[3];
-
-	for (int k = 0; k < 3; k++)
-		a[k] = sum_snap_zero(vec3_dot(m->m[k], axis));
-	for (int k = 0; k < 3; k++)
-		v[k] = sum_ratio_or_nan(a[k], vec3_length(a));
-}
-
-/* The eye of a perspective is where its projectors meet. scene_map can't fail:
- * taxonomy_of has composed both maps. */
-static void set_camera(const struct scene *s, const struct upright *u,
-    const struct taxonomy *t, struct parameters *r)
+/* The eye of a perspective is where its projectors meet. */
+static void set_camera(const struct lens *l, const struct upright *u,
+    struct picture *r)
 {
 	struct camera *c = &r->scene.camera;
-	struct map view, back;
 
-	scene_map(s, SPACE_WORLD, SPACE_VIEW, &view);
-	scene_map(s, SPACE_VIEW, SPACE_WORLD, &back);
 	*c = (struct camera){ .kind = CAMERA_GAZE };
 	r->scene.has_camera = true;
-	if (!is_rotation(&view, is_mirrored(s)))
-		r->notes |= 1u << NOTE_NO_ROTATION;
 	for (int k = 0; k < 3; k++)
-		c->eye[k] = sum_sign(u->zw) != 0 ?
-		    t->eye[k] :
-		    map_nearest(&back, 3, k, false);
-	set_camera_axis(&view, u->axis[2], c->at);
-	set_camera_axis(&view, u->axis[1], c->up);
+		c->eye[k] = l->parallel ? map_nearest(&l->world, 3, k, false) :
+					  r->eye[k];
+	lens_axis(l, u->axis[2], c->at);
+	lens_axis(l, u->axis[1], c->up);
 }
 
-/* Computes K. Relative to the eye, x = x X + yx Y + zx D and w = zw D, and the pixel is
- * at half + scale x / w from the corner. If pixels count from the top, Y of K points
- * downward. X of K points to the right in the picture, also if the world has not the
- * answer's handedness. */
+/* Computes K: the pixel is at half + scale x / w from the corner. If pixels count from the
+ * top, Y of K points downward. X of K points to the right in the picture, also if the world
+ * has not the answer's handedness. */
 static void set_intrinsics(const struct scene *s, const struct upright *u,
     double k[3][3])
 {
 	bool down = !answer_convention(s)->bottom_left;
-	struct sum half[2], scale[2], x = sum_negated_if(is_mirrored(s), u->x);
+	const bool minus[3] = { is_mirrored(s), down, false };
+	struct sum half[2], scale[2];
 
-	viewport_limits(&s->viewport, half, scale);
-	struct sum yx = sum_negated_if(down, u->yx);
-	struct sum zy = sum_negated_if(down, u->zy);
+	view_limits(s, half, scale);
+	for (int i = 0; i < 6; i++) {
+		int row = i / 3, j = i % 3;
+		struct sum n = sum_mul(u->xy[row][j], scale[row]);
 
-	memset(k, 0, 9 * sizeof(double));
-	k[0][0] = sum_ratio_or_nan(sum_mul(x, scale[0]), u->zw);
-	k[0][1] = sum_ratio_or_nan(sum_mul(yx, scale[0]), u->zw);
-	k[0][2] = sum_ratio_or_nan(sum_add(sum_mul(u->zw, half[0]),
-				       sum_mul(u->zx, scale[0])),
-	    u->zw);
-	k[1][1] = sum_ratio_or_nan(sum_mul(u->y, scale[1]), u->zw);
-	k[1][2] = sum_ratio_or_nan(sum_add(sum_mul(u->zw, half[1]),
-				       sum_mul(zy, scale[1])),
-	    u->zw);
+		n = sum_negated_if(minus[j] != (row == 1 && down), n);
+		if (j == 2)
+			n = sum_add(n, sum_mul(u->zw, half[row]));
+		k[row][j] = sum_ratio_or_nan(n, u->zw);
+	}
+	k[2][0] = k[2][1] = 0;
 	k[2][2] = 1;
 }
 
-static void set_pixels(const struct scene *s, const struct parameters *r,
-    struct projection *p)
-{
-	p->extent = EXTENT_INTRINSICS;
-	p->width = s->viewport.width;
-	p->height = s->viewport.height;
-	for (int i = 0; i < 3; i++)
-		memcpy(p->intrinsics[i], r->intrinsics[i],
-		    sizeof r->intrinsics[i]);
-}
-
-/* Sets the edges of the cross-section. In a perspective they are on the near or far
- * plane, relative to the eye; in a parallel projection at the depth that is not
- * sheared. */
+/* Sets the edges of the cross-section: X or Y where a side plane x = w or x = -w, y = w or
+ * y = -w meets the plane D = n / d. In a perspective that plane is near or far; in a
+ * parallel projection its depth is not sheared. */
 static void set_edges(const struct upright *u, const struct depth *z, bool far,
     struct projection *p)
 {
 	double *const edges[4] = { &p->left, &p->right, &p->bottom, &p->top };
 	struct sum n = sum_of_double(p->plane), d = sum_of_double(1);
-	struct upright seen = *u;
 
 	p->extent = EXTENT_EDGES;
-	if (p->type == PROJECTION_PERSP) {
+	if (p->type == PROJECTION_PERSP)
 		depth_quotient(z, far, &n, &d);
-		seen.tx = seen.ty = seen.tw = sum_of_double(0);
+	for (int k = 0; k < 4; k++) {
+		const struct sum *x = u->xy[k / 2];
+		bool minus = k % 2 == 0;
+		struct sum slope = sum_sub(sum_negated_if(minus, u->zw), x[2]);
+		struct sum offset = sum_sub(sum_negated_if(minus, u->tw), x[3]);
+
+		*edges[k] = sum_ratio_or_nan(sum_add(sum_mul(slope, n),
+						 sum_mul(offset, d)),
+		    sum_mul(x[k / 2], d));
 	}
-	for (int k = 0; k < 4; k++)
-		*edges[k] = side_at(&seen, n, d, k / 2, k % 2 == 0);
 }
 
 /* Makes the projection oblique: cot(projector) cos(direction) = zx / x, and
@@ -334,9 +275,9 @@ static void set_edges(const struct upright *u, const struct depth *z, bool far,
 static void set_shear(const struct upright *u, const struct projection *given,
     struct projection *p)
 {
-	bool minus = sum_sign(u->x) * sum_sign(u->y) < 0;
-	struct sum x = sum_negated_if(minus, sum_mul(u->zx, u->y));
-	struct sum y = sum_negated_if(minus, sum_mul(u->zy, u->x));
+	bool minus = sum_sign(u->xy[0][0]) * sum_sign(u->xy[1][1]) < 0;
+	struct sum x = sum_negated_if(minus, sum_mul(u->xy[0][2], u->xy[1][1]));
+	struct sum y = sum_negated_if(minus, sum_mul(u->xy[1][2], u->xy[0][0]));
 	struct sum both[3] = { x, y, sum_of_double(0) };
 
 	p->type = PROJECTION_OBLIQUE;
@@ -346,7 +287,7 @@ static void set_shear(const struct upright *u, const struct projection *given,
 		p->plane = given->plane;
 		p->kind = given->kind;
 	}
-	p->projector = trig_degrees(sum_abs(sum_mul(u->x, u->y)),
+	p->projector = trig_degrees(sum_abs(sum_mul(u->xy[0][0], u->xy[1][1])),
 	    vec3_length(both));
 	p->direction = trig_degrees(sum_abs(y), x);
 	if (sum_sign(y) < 0)
@@ -355,22 +296,26 @@ static void set_shear(const struct upright *u, const struct projection *given,
 
 /* Sets the projection. The plane of a perspective that is nearer to the eye becomes near,
  * also if the eye is beyond far. */
-static void set_projection(const struct scene *s, const struct upright *u,
-    struct parameters *r)
+static void set_projection(const struct lens *l, const struct upright *u,
+    struct picture *r)
 {
+	const struct scene *s = l->scene;
 	struct projection *p = &r->scene.projection;
 	const struct projection *given = &s->projection;
 	bool open = projection_is_open(given), swap = r->near > r->far;
 
 	*p = (struct projection){ .type = PROJECTION_ORTHO,
+		.extent = EXTENT_INTRINSICS,
+		.width = s->viewport.width,
+		.height = s->viewport.height,
 		.near_ratio = 0.0005,
 		.near = r->near,
 		.far = r->far,
 		.reverse_z = r->reverse_z,
 		.direction = 45 };
-	if (sum_sign(u->zw) != 0)
+	if (!l->parallel)
 		p->type = PROJECTION_PERSP;
-	else if (sum_sign(u->zx) != 0 || sum_sign(u->zy) != 0)
+	else if (sum_sign(u->xy[0][2]) != 0 || sum_sign(u->xy[1][2]) != 0)
 		set_shear(u, given, p);
 	if (p->type == PROJECTION_PERSP && swap) {
 		p->near = r->far;
@@ -381,9 +326,9 @@ static void set_projection(const struct scene *s, const struct upright *u,
 		p->near = 0;
 		p->far = HUGE_VAL;
 	}
-	if (open || sum_sign(u->yx) != 0)
-		set_pixels(s, r, p);
-	else
+	for (int i = 0; i < 9; i++)
+		p->intrinsics[i / 3][i % 3] = r->intrinsics[i / 3][i % 3];
+	if (!open && sum_sign(u->xy[0][1]) == 0)
 		set_edges(u, &r->depth, swap, p);
 }
 
@@ -404,94 +349,88 @@ static bool seems_transposed(const double m[4][4])
 	return column > 0 && (unit || (row == 0 && m[3][3] == 1));
 }
 
-/* Returns whether w is negative, or 0 at infinity, at all corners of the volume. */
-static bool is_behind(const struct taxonomy *t)
+static unsigned notes_of(const struct lens *l, const struct upright *u,
+    const struct picture *r)
 {
-	bool all = true;
-
-	for (int i = 0; i < 8; i++)
-		all &= isnan(t->corner[i][0]);
-	return all;
-}
-
-/* Returns the note on a projection that mirrors or looks against the convention's gaze;
- * NOTES if it does neither. */
-static enum note wrong_side(const struct scene *s, const struct upright *u,
-    bool mirrored)
-{
-	if (u->own && u->turned && (mirrored || s->has_camera))
-		return mirrored ? NOTE_HANDED : NOTE_AWAY;
-	return mirrored ? NOTE_MIRRORED : NOTES;
-}
-
-static unsigned notes_of(const struct scene *s, const struct upright *u,
-    const struct taxonomy *t, const struct parameters *r)
-{
+	const struct scene *s = l->scene;
 	const struct projection *p = &s->projection;
-	bool parallel = sum_sign(u->zw) == 0;
-	bool pixels = sum_sign(u->yx) != 0 || projection_is_open(p);
-	bool mirrored = (sum_sign(u->x) * sum_sign(u->y) < 0) != is_mirrored(s);
+	bool parallel = l->parallel, behind = true;
+	bool pixels = sum_sign(u->xy[0][1]) != 0 || projection_is_open(p);
+	bool mirrored = (sum_sign(u->xy[0][0]) * sum_sign(u->xy[1][1]) < 0) !=
+	    is_mirrored(s);
 	bool fills = s->has_viewport && s->viewport.scale == SCALE_FILL;
 	bool transposed = p->type == PROJECTION_MATRIX &&
 	    seems_transposed(p->matrix);
-	/* a perspective's matrix that is negated as a whole seems to mirror */
-	bool negated = !parallel && !transposed && mirrored && is_behind(t);
 	/* the eye of a reverse perspective is beyond far by intent */
 	bool reverse = p->type == PROJECTION_VOLUME &&
-	    t->taxon == TAXON_REVERSE;
+	    r->taxon == TAXON_REVERSE;
+
+	/* w is negative, or 0 at infinity, at all corners */
+	for (int i = 0; i < 8; i++)
+		behind &= isnan(r->corner[i][0]);
+	/* a perspective's matrix that is negated as a whole seems to mirror */
+	bool negated = !parallel && !transposed && mirrored && behind;
+	bool known = transposed || reverse || negated;
+	/* the projection looks against the convention's gaze */
+	bool away = u->own && u->turned && (mirrored || s->has_camera);
 	const bool is[NOTES] = {
+		[NOTE_MIRRORED] = !known && mirrored && !away,
+		[NOTE_HANDED] = !known && mirrored && away,
+		[NOTE_AWAY] = !known && !mirrored && away,
 		[NOTE_TRANSPOSED] = transposed,
 		[NOTE_NEAR_BEYOND] = r->near > r->far && !reverse,
 		[NOTE_BACKWARD] = p->type == PROJECTION_MATRIX && u->own &&
 		    parallel && r->reverse_z,
+		[NOTE_NO_ROTATION] = !is_rotation(&l->view, is_mirrored(s)),
 		[NOTE_TILTED] = u->tilted,
 		[NOTE_BEHIND] = negated || (parallel && sum_sign(u->tw) < 0),
 		[NOTE_SKEWED] = pixels &&
-		    (parallel || !fills || sum_sign(u->x) < 0),
+		    (parallel || !fills || sum_sign(u->xy[0][0]) < 0),
 	};
-	unsigned notes = transposed || reverse || negated ?
-	    0 :
-	    1u << wrong_side(s, u, mirrored);
+	unsigned notes = 0;
 
 	for (int i = 0; i < NOTES; i++)
 		notes |= (unsigned)is[i] << i;
-	return notes & ((1u << NOTES) - 1);
+	return notes;
 }
 
-const char *parameters_of(const struct scene *s, const struct taxonomy *t,
-    struct parameters *r)
+static void set_parameters(const struct lens *l, struct picture *r)
 {
+	const struct scene *s = l->scene;
 	struct upright u;
-	struct map clip;
 
-	*r = (struct parameters){ .near = NONE,
-		.far = NONE,
-		.reverse_z = t->reversed,
-		.plane = { NONE, NONE, NONE, NONE },
-		.intrinsics = { { NONE } },
-		.scene = *s };
-	const char *why = set_frustum_planes(s, r->frustum_plane);
-
-	if (why == NULL)
-		why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip);
-	if (why != NULL)
-		return why;
-	upright_of(s, t->reversed, &clip, &u);
-	depth_of(s, t->reversed, &r->depth);
-	if (!u.tilted) {
-		r->near = depth_distance(&r->depth, false);
-		r->far = depth_distance(&r->depth, true);
-	}
-	set_planes(s, &u, r);
-	if (s->has_viewport && sum_sign(u.zw) != 0)
+	set_frustum_planes(l, r->frustum_plane);
+	upright_of(l, &u);
+	depth_of(l, &r->depth);
+	r->reverse_z = l->reversed;
+	r->near = u.tilted ? NONE : depth_distance(&r->depth, false);
+	r->far = u.tilted ? NONE : depth_distance(&r->depth, true);
+	set_planes(l, &u, r);
+	if (s->has_viewport && !l->parallel)
 		set_intrinsics(s, &u, r->intrinsics);
-	r->notes = notes_of(s, &u, t, r);
+	r->notes = notes_of(l, &u, r);
+	r->scene = *s;
 	r->scene.answer = NULL;
 	r->scene.convention = *answer_convention(s);
-	set_projection(s, &u, r);
-	set_camera(s, &u, t, r);
-	if (r->notes >> NOTE_NO_ROTATION == 0 && !scene_is_valid(&r->scene))
-		r->notes |= 1u << NOTE_RANGE;
 	r->has_scene = r->notes >> NOTE_NO_ROTATION == 0;
-	return NULL;
+	if (!r->has_scene)
+		return;
+	set_projection(l, &u, r);
+	set_camera(l, &u, r);
+	r->has_scene = scene_is_valid(&r->scene);
+	r->notes |= r->has_scene ? 0 : 1u << NOTE_RANGE;
+}
+
+const char *picture_of(const struct scene *s, struct picture *p)
+{
+	struct lens l;
+	const char *why = lens_of(s, &l);
+
+	if (why != NULL)
+		return why;
+	/* a double whose bits are all 1 is nan */
+	memset(p, 0xff, offsetof(struct picture, notes));
+	taxonomy_of(&l, p);
+	set_parameters(&l, p);
+	return error_bounds(s, &l.volume, p->error_bound);
 }

@@ -77,13 +77,6 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 	return NULL;
 }
 
-static double ray_over(struct sum n, struct sum d, bool single)
-{
-	double q = sum_nearest(&n, &d, single);
-
-	return isfinite(q) ? q : (double)NAN;
-}
-
 static void ray_direction(const struct ray_maker *r, const double in[4],
     bool single, double direction[3])
 {
@@ -93,8 +86,11 @@ static void ray_direction(const struct ray_maker *r, const double in[4],
 		to[j] = sum_snap_zero(point_column(&r->along, j, in));
 	struct sum length = vec3_length(to);
 
-	for (int j = 0; j < 3; j++)
-		direction[j] = ray_over(to[j], length, single);
+	for (int j = 0; j < 3; j++) {
+		double q = sum_nearest(&to[j], &length, single);
+
+		direction[j] = isfinite(q) ? q : (double)NAN;
+	}
 }
 
 /* Returns whether the ray of a device position has a point. If all coordinates are nan,
@@ -200,13 +196,6 @@ static void set_row(const struct map *m, int i, const struct sum p[4],
 	}
 }
 
-/* Returns whether w is the same everywhere. */
-static bool has_constant_w(const struct map *m)
-{
-	return sum_sign(m->m[0][3]) == 0 && sum_sign(m->m[1][3]) == 0 &&
-	    sum_sign(m->m[2][3]) == 0;
-}
-
 /* Row m_2 of the map is the homogeneous point that all rays share: the eye or, if the
  * rays are parallel, their direction. */
 const char *ray_plane_transform(const struct scene *s, enum space from,
@@ -232,8 +221,11 @@ const char *ray_plane_transform(const struct scene *s, enum space from,
 	for (int i = 0; i < 4; i++)
 		if (i != 2)
 			set_row(&m, i, p, r);
-	if (has_constant_w(&m) && sum_sign(m.m[3][3]) < 0)
-		through = sum_neg(through);
+	bool turned = sum_sign(m.m[3][3]) < 0; /* w is constant and negative */
+
+	for (int i = 0; i < 3; i++)
+		turned &= sum_sign(m.m[i][3]) == 0;
+	through = sum_negated_if(turned, through);
 	map_divide(r, sum_mul(through, m.divisor));
 	t->in = 2;
 	t->out = 3;

@@ -1,46 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-#include "taxonomy.h"
-
-#include "frustum.h"
-#include "../exact/trig.h"
+#include "picture.h"
 
 /* Relative tolerance of equal, zero and parallel. */
 #define ALIKE 0x1p-40
 
-/* The gradients of clip x, y, z and w in view space. Parallel projectors are
- * perpendicular to the gradients of x and y. The projection plane is perpendicular to
- * the gradient of w or, if w is constant, of z. */
-struct lens {
-	struct sum gradient[4][3];
-	bool parallel;
-	struct map to_view;   /* from the world; rows are the world's axes */
-	struct map to_screen; /* from the world */
-	struct volume volume; /* in the world */
-};
-
 static bool alike(double a, double b)
 {
 	return fabs(a - b) <= ALIKE * fmax(fabs(a), fabs(b));
-}
-
-static const char *lens_of(const struct scene *s, struct lens *l)
-{
-	enum space screen = s->has_viewport ? SPACE_DEVICE : SPACE_NDC;
-	struct map clip;
-	const char *why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip);
-
-	if (why == NULL)
-		why = scene_map(s, SPACE_WORLD, SPACE_VIEW, &l->to_view);
-	if (why == NULL)
-		why = volume_of(s, SPACE_WORLD, &l->volume);
-	if (why == NULL)
-		why = scene_map(s, SPACE_WORLD, screen, &l->to_screen);
-	if (why != NULL)
-		return why;
-	for (int i = 0; i < 12; i++)
-		l->gradient[i % 4][i / 4] = clip.m[i / 4][i % 4];
-	l->parallel = vec3_is_zero(l->gradient[3]);
-	return NULL;
 }
 
 static enum kind axonometric_kind(const double f[3])
@@ -68,22 +34,22 @@ static enum kind oblique_kind(double cot)
 
 /* Sets taxon, kind and foreshortening of a parallel projection. Projectors of direction d
  * take an axis a to a - d (n a) / (n d) in the plane of normal n. */
-static void name_parallel(const struct lens *l, struct taxonomy *t)
+static void name_parallel(const struct lens *l, struct picture *t)
 {
-	const struct sum *n = l->gradient[2];
+	const struct sum *n = l->clip[2];
 	struct sum d[3], across[3], v[3];
 
-	vec3_cross(l->gradient[0], l->gradient[1], d);
+	vec3_cross(l->clip[0], l->clip[1], d);
 	struct sum nd = vec3_dot(n, d), size = sum_abs(nd);
 
 	for (int i = 0; i < 3; i++) {
-		const struct sum *a = l->to_view.m[i];
+		const struct sum *a = l->view.m[i];
 		struct sum na = vec3_dot(n, a);
 
 		for (int k = 0; k < 3; k++)
 			v[k] = sum_snap_zero(sum_minor(a[k], nd, d[k], na));
 		t->foreshortening[i] = sum_ratio_or_nan(vec3_length(v),
-		    sum_mul(size, l->to_view.divisor));
+		    sum_mul(size, l->view.divisor));
 	}
 	vec3_cross(d, n, across);
 	for (int k = 0; k < 3; k++)
@@ -99,14 +65,13 @@ static void name_parallel(const struct lens *l, struct taxonomy *t)
  * plane. */
 static enum kind perspective_kind(const struct lens *l)
 {
-	const struct sum *g = l->gradient[3];
+	const struct sum *g = l->clip[3];
 	struct sum gradient = vec3_length(g);
 	int n = 0;
 
 	for (int i = 0; i < 3; i++)
-		n += sum_ratio_or_nan(sum_abs(vec3_dot(l->to_view.m[i], g)),
-			 sum_mul(vec3_length(l->to_view.m[i]), gradient)) >
-		    ALIKE;
+		n += sum_ratio_or_nan(sum_abs(vec3_dot(l->view.m[i], g)),
+			 sum_mul(vec3_length(l->view.m[i]), gradient)) > ALIKE;
 	if (n < 2)
 		return KIND_ONE_POINT;
 	return n < 3 ? KIND_TWO_POINT : KIND_THREE_POINT;
@@ -115,17 +80,17 @@ static enum kind perspective_kind(const struct lens *l)
 /* Sets the angle between the planes one x = -limit w and one x = limit w. Their normals
  * are limit g + one a and limit g - one a, with the gradients g of w and a of x. Its
  * tangent is the length of their cross product over their dot product, negated. */
-static void set_fov(const struct lens *l, const struct scene *s, double fov[2])
+static void set_fov(const struct lens *l, double fov[2])
 {
 	struct sum limit[2], one[2];
 
-	viewport_limits(s->has_viewport ? &s->viewport : NULL, limit, one);
+	view_limits(l->scene, limit, one);
 	for (int k = 0; k < 2; k++) {
 		struct sum g[3], a[3], v[3];
 
 		for (int i = 0; i < 3; i++) {
-			g[i] = sum_mul(limit[k], l->gradient[3][i]);
-			a[i] = sum_mul(one[k], l->gradient[k][i]);
+			g[i] = sum_mul(limit[k], l->clip[3][i]);
+			a[i] = sum_mul(one[k], l->clip[k][i]);
 		}
 		vec3_cross(a, g, v);
 		fov[k] = trig_degrees(sum_scale(vec3_length(v), 2),
@@ -133,75 +98,64 @@ static void set_fov(const struct lens *l, const struct scene *s, double fov[2])
 	}
 }
 
-/* Sets taxon, kind, field of view and vanishing points of a perspective. The vanishing
- * point of an axis is the image of its direction, whose fourth coordinate is 0. */
-static void name_perspective(const struct lens *l, const struct scene *s,
-    bool beyond_far, struct taxonomy *t)
+/* Sets kind, field of view and vanishing points of a perspective. The vanishing point of
+ * an axis is the image of its direction, whose fourth coordinate is 0. */
+static void name_perspective(const struct lens *l, struct picture *t)
 {
-	t->taxon = beyond_far ? TAXON_REVERSE : TAXON_PERSPECTIVE;
+	const struct scene *s = l->scene;
+	struct map screen = l->volume.clip, stage;
+
+	if (s->has_viewport) {
+		viewport_map(&s->viewport, answer_convention(s), false, &stage);
+		map_append(&screen, &stage, false);
+	}
 	t->kind = perspective_kind(l);
-	set_fov(l, s, t->fov);
+	set_fov(l, t->fov);
 	for (int i = 0; i < 3; i++) {
-		const struct sum *m = l->to_screen.m[i];
+		struct sum h[4];
 
-		for (int k = 0; k < 2 && sum_sign(m[3]) != 0; k++)
-			t->vanishing_point[i][k] = sum_ratio_or_nan(m[k], m[3]);
+		for (int j = 0; j < 4; j++)
+			sum_dot(3, l->view.m[i], &screen.m[0][j], 4, &h[j]);
+		for (int k = 0; k < 2 && sum_sign(h[3]) != 0; k++)
+			t->vanishing_point[i][k] = sum_ratio_or_nan(h[k], h[3]);
 	}
 }
 
-/* Writes the unit normal of the projection plane, along the gradient of w or z or, if
- * against, opposite to it. */
-static void set_gaze(const struct lens *l, bool against, double gaze[3])
+/* Writes the world's point of homogeneous coordinates h in view space, or nan if the point
+ * does not exist. */
+static void taxonomy_point(const struct lens *l, const struct sum h[4],
+    bool exists, double p[3])
 {
-	struct sum n[3];
+	struct sum world[4];
 
-	for (int i = 0; i < 3; i++)
-		n[i] = sum_negated_if(against,
-		    vec3_dot(l->to_view.m[i],
-			l->gradient[l->parallel ? 2 : 3]));
-	for (int i = 0; i < 3; i++)
-		gaze[i] = sum_ratio_or_nan(n[i], vec3_length(n));
-}
-
-/* Writes the point of homogeneous coordinates h, or nan if the point does not exist. */
-static void taxonomy_point(const struct sum h[4], bool exists, double p[3])
-{
+	for (int j = 0; j < 4; j++)
+		map_image(&l->world, j, h, &world[j]);
 	for (int j = 0; j < 3; j++)
-		p[j] = exists ? sum_ratio_or_nan(h[j], h[3]) : (double)NAN;
+		p[j] = exists ? sum_ratio_or_nan(world[j], world[3]) :
+				(double)NAN;
 }
 
-const char *taxonomy_of(const struct scene *s, struct taxonomy *t)
+void taxonomy_of(const struct lens *l, struct picture *t)
 {
-	struct lens l;
-	const char *why = lens_of(s, &l);
-	const double none = (double)NAN;
+	const struct volume *v = &l->volume;
+	struct sum far;
 
-	if (why != NULL)
-		return why;
-	*t = (struct taxonomy){
-		.reversed = projection_is_reversed(&s->projection,
-		    &s->convention),
-		.foreshortening = { none, none, none },
-		.vanishing_point = { { none, none }, { none, none },
-		    { none, none } },
-		.fov = { none, none },
-	};
-	struct sum h[4];
-	int side = volume_eye(&l.volume, h);
+	map_image(&v->ends, 1, v->eye, &far);
+	int side = sum_sign(far) * sum_sign(v->eye[3]);
+	bool against = side < 0;
 
-	taxonomy_point(h, side != 0, t->eye);
-	if (l.parallel)
-		name_parallel(&l, t);
-	else
-		name_perspective(&l, s, side < 0, t);
-	bool behind = sum_sign(l.volume.ends.m[3][2]) < 0;
-
-	set_gaze(&l,
-	    l.parallel ? behind != t->reversed : t->taxon == TAXON_REVERSE,
-	    t->gaze);
-	for (int i = 0; i < 8; i++) {
-		volume_corner(&l.volume, i, h);
-		taxonomy_point(h, sum_sign(h[3]) > 0, t->corner[i]);
+	taxonomy_point(l, v->eye, side != 0, t->eye);
+	t->taxon = against ? TAXON_REVERSE : TAXON_PERSPECTIVE;
+	if (!l->parallel) {
+		name_perspective(l, t);
+	} else {
+		name_parallel(l, t);
+		against = l->reversed != (sum_sign(l->clip[3][3]) < 0);
 	}
-	return NULL;
+	lens_axis(l, l->clip[l->parallel ? 2 : 3], t->gaze);
+	for (int k = 0; k < 3 && against; k++)
+		t->gaze[k] = 0 - t->gaze[k]; /* 0 stays +0 */
+	for (int i = 0; i < 8; i++)
+		taxonomy_point(l, v->corner[i], sum_sign(v->corner[i][3]) > 0,
+		    t->corner[i]);
 }

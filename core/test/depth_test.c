@@ -11,7 +11,7 @@
 
 #include "../derive/frustum.h"
 #include "sample.h"
-#include "../derive/taxonomy.h"
+#include "../derive/picture.h"
 #include "truth.h"
 #include "numbers.h"
 
@@ -79,11 +79,11 @@ static struct place place(real z, real slope, real w, bool parallel, double a)
 }
 
 /* Plane 0 is near, 1 far. False where it lies at infinity or behind. */
-static bool projector_of(const struct scene *s, const struct taxonomy *t,
+static bool projector_of(const struct scene *s, const struct picture *t,
     int plane, struct projector *p)
 {
 	double low = truth_answer(s)->minus_one ? -1 : 0;
-	bool deep = plane == 1 ? !t->reversed : t->reversed;
+	bool deep = plane == 1 ? !t->reverse_z : t->reverse_z;
 	bool parallel = t->taxon <= TAXON_OBLIQUE;
 	real inverse[4][4], normal[3], gradient[3];
 
@@ -141,13 +141,12 @@ static double search(const struct projector *p, enum buffer b, double end)
 	return end;
 }
 
-static double step_of(const struct scene *s, bool reversed, enum buffer b,
-    bool far)
+static double step_of(const struct scene *s, enum buffer b, bool far)
 {
-	struct depth z;
+	struct picture p;
 
-	depth_of(s, reversed, &z);
-	return depth_step(&z, b, far);
+	assert_null(picture_of(s, &p));
+	return depth_step(&p.depth, b, far);
 }
 
 /* A step that is rounded to nearest is the first distance with the next depth,
@@ -156,18 +155,18 @@ static void steps_are_the_first(void **state)
 {
 	int found = 0, none = 0;
 	struct scene s;
-	struct taxonomy t;
+	struct picture t;
 
 	(void)state;
 	sample_seed(32);
 	for (int k = 0; k < 250; k++) {
 		sample_scene(&s, k % 5 == 0 ? 2 : 0);
 		sample_answer(&s);
-		if (taxonomy_of(&s, &t) != NULL)
+		if (picture_of(&s, &t) != NULL)
 			continue;
 		for (int i = 0; i < 6; i++) {
 			enum buffer b = (enum buffer)(i / 2);
-			double d = step_of(&s, t.reversed, b, i % 2), least;
+			double d = depth_step(&t.depth, b, i % 2), least;
 			int mark = real_mark();
 			struct projector p;
 
@@ -206,28 +205,28 @@ static struct scene near_and_far(double near, double far)
 static void depth_without_end(void **state)
 {
 	struct scene s = near_and_far(1, HUGE_VAL);
-	struct depth z;
+	struct picture p;
 
 	(void)state;
 	/* depth = 1 - 1 / z is 1/65535 at 65535/65534 */
-	depth_of(&s, false, &z);
-	assert_number(step_of(&s, false, BUFFER_UNORM16, false), 1.0 / 65534);
-	assert_number(step_of(&s, false, BUFFER_FLOAT32, false), 0x1p-149);
+	assert_null(picture_of(&s, &p));
+	assert_number(step_of(&s, BUFFER_UNORM16, false), 1.0 / 65534);
+	assert_number(step_of(&s, BUFFER_FLOAT32, false), 0x1p-149);
 	for (enum buffer b = 0; b < BUFFERS; b++)
-		assert_true(isnan(step_of(&s, false, b, true)) != 0);
+		assert_true(isnan(step_of(&s, b, true)) != 0);
 	/* from z = 2, depth 1/2, to 1/2 - 1/65535 and 1/2 - 2^-25 */
-	assert_number(depth_step_at(&z, BUFFER_UNORM16, 2), 4.0 / 65537);
-	assert_number(depth_step_at(&z, BUFFER_FLOAT32, 2),
+	assert_number(depth_step_at(&p.depth, BUFFER_UNORM16, 2), 4.0 / 65537);
+	assert_number(depth_step_at(&p.depth, BUFFER_FLOAT32, 2),
 	    0x1p-23 / (1 + 0x1p-24));
 	/* reversed, 1 / z is 1 - 2^-24 at 1 / (1 - 2^-24) */
 	s.projection.reverse_z = true;
-	depth_of(&s, true, &z);
-	assert_number(step_of(&s, true, BUFFER_FLOAT32, false), 1 / 0xffffffp0);
+	assert_null(picture_of(&s, &p));
+	assert_number(step_of(&s, BUFFER_FLOAT32, false), 1 / 0xffffffp0);
 	/* 1/3 is between two floats */
 	float up = (float)(1.0 / 3);
 
 	assert_true((double)up > 1.0 / 3);
-	double step = depth_step_at(&z, BUFFER_FLOAT32, 3);
+	double step = depth_step_at(&p.depth, BUFFER_FLOAT32, 3);
 
 	/* 3 - 1/up = (3 up - 1) / up, of which no difference is rounded */
 	assert_number(step, fma(3, (double)up, -1) / (double)up);
@@ -242,22 +241,22 @@ static void a_range_below_a_step_has_none(void **state)
 		enum buffer b = (enum buffer)(i / 2);
 
 		s.viewport.min_z = 1;
-		assert_true(isnan(step_of(&s, false, b, i % 2)) != 0);
+		assert_true(isnan(step_of(&s, b, i % 2)) != 0);
 		s.viewport.min_z = 1 - 0x1p-24;
-		assert_true(isnan(step_of(&s, false, b, i % 2)) ==
-		    (b != BUFFER_FLOAT32));
+		assert_true(
+		    isnan(step_of(&s, b, i % 2)) == (b != BUFFER_FLOAT32));
 		s.viewport.min_z = 1 - 0x1p-23;
-		assert_true(isnan(step_of(&s, false, b, i % 2)) ==
-		    (b == BUFFER_UNORM16));
+		assert_true(
+		    isnan(step_of(&s, b, i % 2)) == (b == BUFFER_UNORM16));
 	}
 	/* the next float above -1e39 is the least; above 1e38 none is below this */
 	s.viewport.min_z = -1e39;
 	s.viewport.max_z = -1;
-	assert_true(step_of(&s, false, BUFFER_FLOAT32, false) > 0);
+	assert_true(step_of(&s, BUFFER_FLOAT32, false) > 0);
 	s.viewport.min_z = 1e38;
 	s.viewport.max_z = nextafter(1e38, 2e38);
-	assert_true(isnan(step_of(&s, false, BUFFER_FLOAT32, false)) != 0);
-	assert_true(isnan(step_of(&s, false, BUFFER_FLOAT32, true)) != 0);
+	assert_true(isnan(step_of(&s, BUFFER_FLOAT32, false)) != 0);
+	assert_true(isnan(step_of(&s, BUFFER_FLOAT32, true)) != 0);
 }
 
 int main(void)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The parameters that inspect prints, against MPFR. */
-#include "../derive/taxonomy.h"
+#include "../derive/picture.h"
 #include "../points/transform.h"
 
 #include "claims.h"
@@ -10,7 +10,7 @@
  * ndc is the given one times a factor, to the rounding of its parameters, so
  * points of the view volume stay where they were. */
 static double most_off(const struct scene *s, const struct scene *r,
-    const struct taxonomy *t)
+    const struct picture *t)
 {
 	struct transform a, b;
 	double worst = 0;
@@ -45,8 +45,7 @@ static double most_off(const struct scene *s, const struct scene *r,
 static void scenes_make_the_same_picture(void **state)
 {
 	struct scene s;
-	struct taxonomy t;
-	static struct parameters r;
+	static struct picture r;
 	int n = 0, made = 0, types[6] = { 0 };
 
 	(void)state;
@@ -54,14 +53,13 @@ static void scenes_make_the_same_picture(void **state)
 	for (int k = 0; k < 2000; k++) {
 		sample_scene(&s, 0);
 		sample_answer(&s);
-		if (taxonomy_of(&s, &t) != NULL)
+		if (picture_of(&s, &r) != NULL)
 			continue;
-		assert_null(parameters_of(&s, &t, &r));
 		assert_null(r.scene.answer);
 		n++;
 		if (!r.has_scene || fabs(r.far - r.near) < 1e-3 * fabs(r.near))
 			continue;
-		double off = most_off(&s, &r.scene, &t);
+		double off = most_off(&s, &r.scene, &r);
 
 		if (!(off < 1e-6))
 			print_message("%d: type %d off %g %g %g\n", k,
@@ -101,34 +99,31 @@ static void to_matrices(struct scene *s)
 static void matrices_are_told(void **state)
 {
 	struct scene s;
-	struct taxonomy t;
-	static struct parameters was, is;
+	static struct picture was, is;
 	int n = 0;
 
 	(void)state;
 	sample_seed(9);
 	for (int k = 0; k < 1000; k++) {
 		sample_scene(&s, 0);
+		s.answer = NULL;
 		if (s.projection.type > PROJECTION_OBLIQUE ||
 		    projection_is_open(&s.projection) ||
-		    taxonomy_of(&s, &t) != NULL)
+		    picture_of(&s, &was) != NULL)
 			continue;
-		s.answer = NULL;
-		assert_null(parameters_of(&s, &t, &was));
 		if (!was.has_scene || !(was.near < was.far) ||
 		    was.far - was.near < 1e-3 * fabs(was.near) ||
 		    s.projection.extent == EXTENT_INTRINSICS)
 			continue;
 		to_matrices(&s);
-		assert_null(taxonomy_of(&s, &t));
-		assert_null(parameters_of(&s, &t, &is));
+		assert_null(picture_of(&s, &is));
 		assert_true(is.has_scene && is.reverse_z == was.reverse_z);
 		assert_true(fabs(is.near - was.near) <=
 		    1e-9 * (fabs(was.near) + fabs(was.far)));
 		assert_true(isinf(was.far) ?
 			isinf(is.far) :
 			fabs(is.far - was.far) <= 1e-9 * fabs(was.far));
-		assert_true(most_off(&s, &is.scene, &t) < 1e-6);
+		assert_true(most_off(&s, &is.scene, &is) < 1e-6);
 		n++;
 	}
 	print_message("%d scenes in matrices\n", n);
@@ -171,7 +166,7 @@ static void corner_of(const struct scene *s, const struct truth *back,
 /* The edges agree except for their signs: ndc is 1 on the nearer plane, and
  * less at the eye. */
 static void check_edges(const struct scene *s, const struct truth *back,
-    const struct parameters *r, int tally[VERDICTS])
+    const struct picture *r, int tally[VERDICTS])
 {
 	const struct projection *p = &r->scene.projection;
 	const real one[2] = { number(1), number(1) };
@@ -201,7 +196,7 @@ static void check_edges(const struct scene *s, const struct truth *back,
 
 /* A plane's z less the eye's; in a parallel projection its depth. */
 static void check_distance(const struct scene *s, const struct truth *back,
-    const struct parameters *r, bool far, int tally[VERDICTS])
+    const struct picture *r, bool far, int tally[VERDICTS])
 {
 	double got = far ? r->far : r->near;
 	const struct projection *p = &s->projection;
@@ -235,8 +230,8 @@ static void check_distance(const struct scene *s, const struct truth *back,
 }
 
 /* A clip coordinate's coefficients over their length: of limit w + x and so on. */
-static void check_frustum_planes(const struct scene *s,
-    const struct parameters *r, int tally[VERDICTS])
+static void check_frustum_planes(const struct scene *s, const struct picture *r,
+    int tally[VERDICTS])
 {
 	const struct convention *c = truth_answer(s);
 	double up = c->ndc_y_down ? -1 : 1, turn = r->reverse_z ? -1 : 1;
@@ -282,8 +277,7 @@ static void numbers_are_true(void **state)
 		"frustum planes", "edges" };
 	int tally[4][VERDICTS] = { 0 };
 	struct scene s;
-	struct taxonomy t;
-	static struct parameters r;
+	static struct picture r;
 
 	int told = 0;
 
@@ -297,9 +291,8 @@ static void numbers_are_true(void **state)
 		sample_scene(&s, k % 3 * 10);
 		sample_answer(&s);
 		clear_slants(s.projection.matrix);
-		if (taxonomy_of(&s, &t) != NULL)
+		if (picture_of(&s, &r) != NULL)
 			continue;
-		assert_null(parameters_of(&s, &t, &r));
 		told += s.projection.type == PROJECTION_MATRIX &&
 		    !isnan(r.near);
 		check_frustum_planes(&s, &r, tally[2]);
@@ -332,8 +325,7 @@ static void numbers_are_true(void **state)
 static void parameters_come_home(void **state)
 {
 	struct scene s;
-	struct taxonomy t;
-	static struct parameters r;
+	static struct picture r;
 	int n = 0;
 
 	(void)state;
@@ -345,9 +337,8 @@ static void parameters_come_home(void **state)
 		sample_answer(&s);
 		s.has_viewport &= p->extent == EXTENT_INTRINSICS;
 		if (p->type > PROJECTION_OBLIQUE || projection_is_open(p) ||
-		    taxonomy_of(&s, &t) != NULL)
+		    picture_of(&s, &r) != NULL)
 			continue;
-		assert_null(parameters_of(&s, &t, &r));
 		if (!projection_is_tilted(p))
 			assert_true(r.near == p->near && r.far == p->far);
 		assert_true(r.reverse_z == p->reverse_z);
@@ -397,7 +388,7 @@ static void check_real(double got, real exact, int tally[2])
 /* A perspective, for given columns x, y, z and w: the eye is where x, y and w are 0, and
  * D on from it along the unit gaze, w / |w'|, depth k is where z(eye) + D z' n = k D
  * |w'|; the edges there are (side |w'| - x' n) D / (x' right), and y's alike. */
-static void check_combined(const struct scene *s, const struct parameters *r,
+static void check_combined(const struct scene *s, const struct picture *r,
     int tally[2])
 {
 	const struct convention *c = &s->convention;
@@ -455,8 +446,7 @@ static void cameras_are_found_in_matrices(void **state)
 {
 	int tally[2] = { 0 }, parallel = 0;
 	struct scene s;
-	struct taxonomy t;
-	static struct parameters was, is;
+	static struct picture was, is;
 
 	(void)state;
 	sample_seed(21);
@@ -469,20 +459,18 @@ static void cameras_are_found_in_matrices(void **state)
 		    s.projection.type == PROJECTION_NONE ||
 		    projection_is_open(&s.projection) ||
 		    s.projection.extent == EXTENT_INTRINSICS ||
-		    taxonomy_of(&s, &t) != NULL)
+		    picture_of(&s, &was) != NULL)
 			continue;
-		assert_null(parameters_of(&s, &t, &was));
 		if (!was.has_scene || !(was.near < was.far) ||
 		    was.far - was.near < 1e-3 * fabs(was.near) ||
 		    fabs(was.near) < 1e-3)
 			continue;
 		to_one_matrix(&s);
-		assert_null(taxonomy_of(&s, &t));
-		assert_null(parameters_of(&s, &t, &is));
+		assert_null(picture_of(&s, &is));
 		if (is.notes >> NOTE_NO_ROTATION != 0)
 			print_message("%d: notes %x\n", k, is.notes);
 		assert_true(is.has_scene);
-		assert_true(most_off(&s, &is.scene, &t) < 1e-6);
+		assert_true(most_off(&s, &is.scene, &is) < 1e-6);
 		if (is.scene.projection.type == PROJECTION_PERSP) {
 			assert_number(is.reverse_z, was.reverse_z);
 			assert_true(fabs(is.near - was.near) <=

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The names of projections, and matrices whose near plane is found. */
-#include "../derive/taxonomy.h"
+#include "../derive/picture.h"
 
 #include "claims.h"
 #include "numbers.h"
@@ -15,7 +15,7 @@ static void kinds_have_their_names(void **state)
 		KIND_THREE_POINT, KIND_THREE_POINT, KIND_THREE_POINT,
 		KIND_TWO_POINT };
 	struct scene s = { .has_camera = true };
-	struct taxonomy t;
+	struct picture t;
 
 	(void)state;
 	for (int i = 0; i < 5; i++) {
@@ -30,7 +30,7 @@ static void kinds_have_their_names(void **state)
 			.aspect = { 4, 3 },
 			.near = 1,
 			.far = HUGE_VAL };
-		assert_null(taxonomy_of(&s, &t));
+		assert_null(picture_of(&s, &t));
 		assert_int_equal(t.taxon, TAXON_PERSPECTIVE);
 		assert_int_equal(t.kind, perspective[i]);
 		assert_number(t.fov[1], 50 + i);
@@ -40,7 +40,7 @@ static void kinds_have_their_names(void **state)
 			.width = 3,
 			.height = 2,
 			.far = 5 };
-		assert_null(taxonomy_of(&s, &t));
+		assert_null(picture_of(&s, &t));
 		assert_int_equal(t.taxon, TAXON_ORTHOGRAPHIC);
 		assert_int_equal(t.kind, orthographic[i]);
 	}
@@ -55,13 +55,13 @@ static void obliques_have_their_names(void **state)
 			       .far = 5,
 			       .direction = 30 } };
 	struct projection *p = &s.projection;
-	struct taxonomy t;
+	struct picture t;
 
 	(void)state;
 	for (int angle = 0; angle <= 90; angle += 15) {
 		p->kind = angle > 0 ? OBLIQUE_ANGLE : OBLIQUE_CABINET;
 		p->projector = angle;
-		assert_null(taxonomy_of(&s, &t));
+		assert_null(picture_of(&s, &t));
 		assert_int_equal(t.taxon,
 		    angle == 90 ? TAXON_ORTHOGRAPHIC : TAXON_OBLIQUE);
 		assert_int_equal(t.kind,
@@ -80,7 +80,7 @@ static void eyes_are_on_their_side(void **state)
 {
 	struct scene s = { 0 };
 	struct projection *p = &s.projection;
-	struct taxonomy t;
+	struct picture t;
 
 	(void)state;
 	for (int k = 0; k < 16; k++) {
@@ -105,10 +105,10 @@ static void eyes_are_on_their_side(void **state)
 			p->matrix[i / 4][i % 4] = element(&m, i / 4, i % 4);
 		if (bare)
 			p->type = PROJECTION_MATRIX;
-		assert_null(taxonomy_of(&s, &t));
+		assert_null(picture_of(&s, &t));
 		assert_int_equal(t.taxon, taxon);
 		assert_true(t.eye[2] == (reverse ? 4 : -1) * sign);
-		assert_int_equal(t.reversed, turned);
+		assert_int_equal(t.reverse_z, turned);
 		assert_true(t.gaze[2] == (turned ? -sign : sign));
 		assert_true(fabs(t.corner[0][2]) == (turned ? 2 : 1));
 		assert_true(fabs(t.corner[7][2]) == (turned ? 1 : 2));
@@ -125,7 +125,7 @@ static void depth_may_be_reversed(void **state)
 			       .near = 1,
 			       .reverse_z = true } };
 	struct projection *p = &s.projection;
-	struct taxonomy t;
+	struct picture t;
 	struct map m;
 
 	(void)state;
@@ -142,8 +142,8 @@ static void depth_may_be_reversed(void **state)
 				p->matrix[i / 4][i % 4] = element(&m, i / 4,
 				    i % 4);
 		}
-		assert_null(taxonomy_of(&s, &t));
-		assert_true(t.reversed);
+		assert_null(picture_of(&s, &t));
+		assert_true(t.reverse_z);
 		assert_int_equal(t.taxon, TAXON_PERSPECTIVE);
 		assert_true(t.gaze[2] == (k & 1 ? -1 : 1));
 		assert_true(t.corner[0][2] == t.gaze[2]);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The names and numbers that inspect prints of a projection, against MPFR. */
-#include "../derive/taxonomy.h"
+#include "../derive/picture.h"
 
 #include "claims.h"
 
@@ -35,7 +35,7 @@ static void row_of(const struct truth *t, int i, struct form h[4])
 }
 
 static void check_vanishing_points(const struct scene *s,
-    const struct taxonomy *t, struct tally *tally)
+    const struct picture *t, struct tally *tally)
 {
 	struct truth truth;
 
@@ -50,7 +50,7 @@ static void check_vanishing_points(const struct scene *s,
 
 /* From the inverse matrix: the eye where x, y and w are 0, and the corners, at
  * the sides that the viewport's scale cuts. */
-static void check_places(const struct scene *s, const struct taxonomy *t,
+static void check_places(const struct scene *s, const struct picture *t,
     struct tally *tally)
 {
 	static const int side[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 },
@@ -66,7 +66,7 @@ static void check_places(const struct scene *s, const struct taxonomy *t,
 	row_of(&truth, 2, h);
 	check_point(t->eye, h, 3, true, tally);
 	for (int c = 0; c < 8; c++) {
-		double depth = (c >= 4) != t->reversed ? 1 : low;
+		double depth = (c >= 4) != t->reverse_z ? 1 : low;
 		struct form at[2];
 
 		for (int k = 0; k < 2; k++)
@@ -88,7 +88,7 @@ static void check_places(const struct scene *s, const struct taxonomy *t,
 }
 
 /* Between the planes' normals, by the law of cosines. */
-static void check_fov(const struct scene *s, const struct taxonomy *t,
+static void check_fov(const struct scene *s, const struct picture *t,
     struct tally *tally)
 {
 	real m[4][4], limit[2];
@@ -118,8 +118,8 @@ static void check_fov(const struct scene *s, const struct taxonomy *t,
 
 /* An axis is a combination of the projector and two perpendicular directions in
  * the plane; its image has the length of the latter. */
-static void check_foreshortening(const struct scene *s,
-    const struct taxonomy *t, struct tally *tally)
+static void check_foreshortening(const struct scene *s, const struct picture *t,
+    struct tally *tally)
 {
 	real m[4][4], axis[4][4], basis[4][4], in[4][4];
 	real x[3], y[3], n[3], zero[3], *d = basis[0];
@@ -158,7 +158,7 @@ static void check_foreshortening(const struct scene *s,
 }
 
 /* Does it lead from near to far? */
-static void check_ahead(const struct taxonomy *t)
+static void check_ahead(const struct picture *t)
 {
 	for (int i = 0; i < 4; i++) {
 		double ahead = 0, least = 0;
@@ -174,7 +174,7 @@ static void check_ahead(const struct taxonomy *t)
 }
 
 /* The gradient of what is constant on the plane. */
-static void check_gaze(const struct scene *s, const struct taxonomy *t,
+static void check_gaze(const struct scene *s, const struct picture *t,
     struct tally *tally)
 {
 	bool parallel = t->taxon <= TAXON_OBLIQUE;
@@ -197,7 +197,7 @@ static void numbers_are_true(void **state)
 		"foreshortenings", "vanishing points", "angles" };
 	struct tally tally[5] = { 0 };
 	struct scene s;
-	struct taxonomy t;
+	struct picture t;
 	int n[2] = { 0, 0 };
 
 	(void)state;
@@ -207,7 +207,7 @@ static void numbers_are_true(void **state)
 
 		sample_scene(&s, k % 3 * 10);
 		sample_answer(&s);
-		if (taxonomy_of(&s, &t) != NULL)
+		if (picture_of(&s, &t) != NULL)
 			continue;
 		bool parallel = t.taxon <= TAXON_OBLIQUE;
 
