@@ -26,7 +26,7 @@ struct sum vec3_length(const struct sum a[3])
 {
 	struct sum r = sum_sqrt(vec3_dot(a, a));
 
-	if (r.error.m == 0)
+	if (sum_is_exact(&r))
 		return r;
 	r = sum_with_error(r.value, SUM_ERROR);
 	for (int i = 0; i < 3; i++)
@@ -82,7 +82,7 @@ void map_divide(struct map *r, struct sum d)
 
 void map_divide_column(struct map *r, int j, struct sum d)
 {
-	bool divides = d.error.m > 0 || sum_is_power_of_two(&d);
+	bool divides = !sum_is_exact(&d) || sum_is_power_of_two(&d);
 
 	for (int i = 0; i < 4 && divides; i++)
 		divide_element(&r->m[i][j], &d);
@@ -102,7 +102,7 @@ bool map_is_affine(const struct map *a)
 	for (int i = 0; i < 3; i++)
 		if (sum_sign(a->m[i][3]) != 0)
 			return false;
-	return ex_compare(a->m[3][3].value, a->divisor.value) == 0;
+	return sum_compare(a->m[3][3], a->divisor) == 0;
 }
 
 static bool is_identity(const struct map *a)

@@ -59,7 +59,7 @@ static const char *axes_of_gaze(const struct camera *c,
 		y->v[i] = sum_neg(y->v[i]);
 		z->v[i] = sum_neg(z->v[i]);
 	}
-	if (y->length.error.m == 0) {
+	if (sum_is_exact(&y->length)) {
 		struct sum along = x->length;
 
 		axis_scale(x, z->length);
@@ -166,7 +166,7 @@ static const char *axes_of_matrix(const struct camera *c, struct axis axis[3])
 static void map_of_axes(const struct axis a[3], const double at[3],
     bool at_is_origin, bool inverse, struct map *r)
 {
-	bool exact = a[1].length.error.m == 0;
+	bool exact = sum_is_exact(&a[1].length);
 	struct sum d = exact ? a[1].length : sum_of_double(1), minus[3];
 
 	for (int i = 0; i < 3; i++)

@@ -229,7 +229,7 @@ static void inverse_eye_of_angle(const struct projection *p,
 
 	*numerator = sum_negated_if(p->z_near < p->z_far, high ? f.x : f.y);
 	*denominator = sum_mul(high ? f.dx : f.dy, cot);
-	if (denominator->error.m > 0) {
+	if (!sum_is_exact(denominator)) {
 		*numerator = sum_quotient(*numerator, *denominator);
 		*denominator = sum_of_double(1);
 	}
@@ -333,7 +333,7 @@ static struct scaled_matrix scaled_inverse(const struct scaled_matrix *f)
 {
 	struct sum one = sum_of_double(1), det = f->det, d = f->d;
 
-	if (det.error.m > 0) {
+	if (!sum_is_exact(&det)) {
 		d = sum_quotient(d, det);
 		det = one;
 	}
