@@ -93,29 +93,31 @@ ex ex_power(int e)
 	return (ex){ 1, 1, ex_word_index(e), { (uint64_t)1 << (e & 63) } };
 }
 
-/* Adds |a| |b|, without its words below 2^0, to sum, where the product begins with word
- * at. */
-static void add_product(uint64_t *sum, int at, const ex *a, const ex *b)
+/* Adds a b, whose lowest word is word at, to a number of size words in two's complement.
+ * Words below 0 are cut off. -q w is q ~w + q without its highest word, which is -q. */
+static void add_product(uint64_t *sum, int size, int at, const ex *a,
+    const ex *b)
 {
 	const ex *few = a->n < b->n ? a : b, *many = few == a ? b : a;
+	const uint64_t flip = a->sign == b->sign ? 0 : UINT64_MAX;
 
 	for (int i = 0; i < few->n; i++, at++) {
+		uint64_t q = few->word[i], carry = q & flip;
 		int j = at < 0 ? -at : 0;
-		uint64_t carry = 0;
 
 		for (; j < many->n; j++)
-			sum[at + j] = multiply_add(few->word[i], many->word[j],
+			sum[at + j] = multiply_add(q, many->word[j] ^ flip,
 			    sum[at + j], &carry);
-		for (; carry > 0; j++) {
+		for (carry -= q & flip; carry != 0 && at + j < size; j++) {
 			sum[at + j] += carry;
-			carry = sum[at + j] < carry;
+			carry = (sum[at + j] < carry) + flip;
 		}
 	}
 }
 
 void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 {
-	uint64_t sum[2 * EX_WORDS + 1], minus[2 * EX_WORDS + 1], carry = 1;
+	uint64_t sum[2 * EX_WORDS + 1];
 	int low = INT_MAX, high = INT_MIN;
 
 	for (int k = 0; k < n; k++) {
@@ -135,19 +137,16 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 		if (low > least)
 			ex_overflowed = true;
 	}
-	for (int i = 0; i < high - low; i++)
-		sum[i] = minus[i] = 0;
+	memset(sum, 0, sizeof *sum * (size_t)(high - low));
 	for (int k = 0; k < n; k++)
 		if (a[k]->n > 0 && b[k]->n > 0)
-			add_product(a[k]->sign == b[k]->sign ? sum : minus,
-			    a[k]->e + b[k]->e - low, a[k], b[k]);
-	for (int i = 0; i < high - low; i++)
-		sum[i] = add_carry(sum[i], ~minus[i], &carry);
-	int sign = carry ? 1 : -1;
+			add_product(sum, high - low, a[k]->e + b[k]->e - low,
+			    a[k], b[k]);
+	bool minus = sum[high - low - 1] >> 63;
+	uint64_t carry = minus;
 
-	carry = 1;
-	for (int i = 0; i < high - low && sign < 0; i++)
-		sum[i] = add_carry(~sum[i], 0, &carry);
+	for (int i = 0; i < high - low && minus; i++)
+		sum[i] = multiply_add(~sum[i], 1, 0, &carry);
 	while (high > low && sum[high - low - 1] == 0)
 		high--;
 	int rest = high - low - EX_MIN_WORDS;
@@ -155,7 +154,7 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 	rest = rest < 0 || least <= low ? 0 :
 	    least - low < rest          ? least - low :
 					  rest;
-	ex_put(r, sign, sum + rest, high - low - rest, low + rest);
+	ex_put(r, minus ? -1 : 1, sum + rest, high - low - rest, low + rest);
 }
 
 ex ex_truncate(ex a, int n)
@@ -185,7 +184,7 @@ static uint64_t divide_word(uint64_t *u, const uint64_t *d, int n)
 	for (u[n] += carry - q; u[n] != 0; q--) {
 		carry = 0;
 		for (int i = 0; i <= n; i++)
-			u[i] = add_carry(u[i], i < n ? d[i] : 0, &carry);
+			u[i] = multiply_add(u[i], 1, i < n ? d[i] : 0, &carry);
 	}
 	return q;
 }
@@ -234,11 +233,11 @@ bool ex_divide(const ex *a, const ex *b, int words, ex *r)
  * exact. */
 ex ex_sqrt(ex a)
 {
-	int e = (top(&a) - 1) / 2;
+	int up = top(&a) - 1;
 
 	if (a.n == 0)
 		return a;
-	a.e -= 2 * e;
+	a.e -= up;
 	ex q, r = ex_of(sqrt(ex_nearest(&a, false)));
 	const ex *const x[] = { &r, &q };
 
@@ -250,7 +249,8 @@ ex ex_sqrt(ex a)
 	q = ex_power(64 * (top(&r) - EX_QUOTIENT) - 1);
 	ex_dot(2, x, (const ex *[]){ &one, &one }, INT_MIN, &r);
 	r = ex_truncate(r, EX_QUOTIENT);
-	r.e += e;
+	q = ex_power(32 * up);
+	ex_dot(1, x, x + 1, INT_MIN, &r);
 	return r;
 }
 

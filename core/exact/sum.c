@@ -13,26 +13,35 @@ static const struct sum two = { { 1, 1, 0, { 2 } }, 0 };
 static const struct sum half = { { 1, 1, -1, { (uint64_t)1 << 63 } }, 0 };
 static const struct sum minus_one = { { -1, 1, 0, { 1 } }, 0 };
 
-/* Returns a bound of the sum of n errors, of which those below 2^(-EX_RANGE / 2) are
- * none. */
+/* Returns the least e with |a| <= 2^e, or less than -EX_RANGE / 2 if a is 0. */
+static int sum_size(const ex *a)
+{
+	uint64_t lowest = a->word[0];
+
+	return ex_size(a) - (a->n == 1 && (lowest & (lowest - 1)) == 0);
+}
+
+/* Returns a bound of the sum of n errors. Those below 2^-40 of the largest one don't
+ * count. */
 static int sum_bound(int n, const int error[])
 {
-	int most = 0, terms = 0, e = 0;
+	int most = EX_RANGE / 2, terms = 0, e = 0;
 
-	for (int i = 0; i < n; i++) {
+	for (int i = 0; i < n; i++)
 		most = error[i] > most ? error[i] : most;
-		terms += error[i] > EX_RANGE / 2;
-	}
+	for (int i = 0; i < n; i++)
+		terms += error[i] > most - 40;
 	while (1 << e < terms)
 		e++;
-	return terms > 0 ? most + e : 0;
+	return most > EX_RANGE / 2 ? most + e : 0;
 }
 
 struct sum sum_of_double(double exact)
 {
-	struct sum r = { .error = 0 };
+	struct sum r;
 
 	ex_set(&r.value, exact);
+	r.error = 0;
 	return r;
 }
 
@@ -43,7 +52,7 @@ struct sum sum_diff(double a, double b)
 
 struct sum sum_with_error(ex value, int relative)
 {
-	const int error = ex_size(&value) + relative;
+	const int error = sum_size(&value) + relative;
 
 	return (struct sum){ value, sum_bound(1, &error) };
 }
@@ -51,7 +60,7 @@ struct sum sum_with_error(ex value, int relative)
 struct sum sum_add_error(struct sum a, struct sum more)
 {
 	a.error = sum_bound(3,
-	    (int[]){ a.error, ex_size(&more.value) + EX_RANGE, more.error });
+	    (int[]){ a.error, sum_size(&more.value) + EX_RANGE, more.error });
 	return a;
 }
 
@@ -89,8 +98,8 @@ static void dot_of_pointers(int n, const struct sum *const a[],
 	for (int k = 0; k < n; k++) {
 		x[k] = &a[k]->value;
 		y[k] = &b[k]->value;
-		error[3 * k] = ex_size(x[k]) + b[k]->error;
-		error[3 * k + 1] = ex_size(y[k]) + a[k]->error;
+		error[3 * k] = sum_size(x[k]) + b[k]->error;
+		error[3 * k + 1] = sum_size(y[k]) + a[k]->error;
 		error[3 * k + 2] = a[k]->error + b[k]->error - EX_RANGE;
 	}
 	int bound = sum_bound(3 * n, error);
@@ -156,14 +165,13 @@ bool sum_is_one(const struct sum *a)
 
 bool sum_is_power_of_two(const struct sum *a)
 {
-	return sum_is_exact(a) && a->value.n == 1 &&
-	    (a->value.word[0] & (a->value.word[0] - 1)) == 0;
+	return sum_is_exact(a) && sum_size(&a->value) < ex_size(&a->value);
 }
 
 struct sum sum_quotient(struct sum a, struct sum b)
 {
-	/* |b| is at least 2^d, also where b's error is up to half its value */
-	int d = ex_size(&b.value) - 1 - !sum_is_exact(&b);
+	/* |b| is at least 2^d, or half of that if its error is not far smaller */
+	int d = ex_size(&b.value) - 1;
 	struct sum r;
 
 	if (sum_is_exact_zero(&a))
@@ -173,8 +181,9 @@ struct sum sum_quotient(struct sum a, struct sum b)
 		r.value.sign = b.value.sign;
 		return sum_mul(a, r);
 	}
+	d -= b.error - EX_RANGE > d - 40;
 	bool exact = ex_divide(&a.value, &b.value, EX_QUOTIENT, &r.value);
-	int size = ex_size(&r.value);
+	int size = sum_size(&r.value);
 
 	r.error = sum_bound(3,
 	    (int[]){ a.error - d, size + b.error - d,
@@ -188,18 +197,18 @@ struct sum sum_sqrt(struct sum a)
 		return (struct sum){ ex_of(0),
 			sum_is_exact(&a) ? 0 : (a.error + EX_RANGE) / 2 + 1 };
 	struct sum r = { ex_sqrt(a.value), 0 };
-	int size = ex_size(&r.value);
 
 	if (!sum_is_exact(&a) || sum_compare(sum_mul(r, r), a) != 0)
 		r.error = sum_bound(2,
-		    (int[]){ size + SUM_ERROR, a.error - size + 1 });
+		    (int[]){ sum_size(&r.value) + SUM_ERROR,
+			a.error - ex_size(&r.value) + 1 });
 	return r;
 }
 
-/* Returns whether the value is below its error. */
+/* Returns whether the value is not above its error. */
 static bool is_none(const struct sum *a)
 {
-	return ex_size(&a->value) + EX_RANGE <= a->error;
+	return sum_size(&a->value) + EX_RANGE <= a->error;
 }
 
 int sum_sign(struct sum a)
@@ -304,7 +313,7 @@ double sum_error(const struct sum *a)
 
 double sum_least_error(const struct sum *n, const struct sum *d)
 {
-	int e = n->error - EX_RANGE - ex_size(&d->value);
+	int e = n->error - EX_RANGE - sum_size(&d->value);
 
 	return ldexp(1, e) * (1 - 0x1p-50);
 }

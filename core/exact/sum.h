@@ -10,7 +10,7 @@
  * exact. An error comes from an irrational number, or from a quotient that was not put
  * into a map's divisor, and each operation bounds the error of its result.
  *
- * A difference that is below its error counts as 0. A number that is 0 by its formula is
+ * A difference that is not above its error counts as 0. A number that is 0 by its formula is
  * therefore 0, and a number midway between two doubles is rounded to even, although a
  * square root was computed on the way.
  *
