@@ -254,30 +254,21 @@ ex ex_sqrt(ex a)
 	return r;
 }
 
-/* Returns a rounded to a number of bits, or to a multiple of 2^least if that is
- * coarser. */
-static double ex_rounded(const ex *a, int bits, int least)
+double ex_nearest(const ex *a, bool single)
 {
+	int last = ex_size(a) - (single ? 24 : 53),
+	    least = single ? -149 : -1074;
+
 	if (a->n == 0)
 		return 0;
-	int last = ex_size(a) - bits;
-
-	if (last < least)
-		last = least;
-	if (64 * top(a) < last - 64)
-		return 0;
+	last = last < least ? least : last;
 	uint64_t m = bits_from(a, last), tie = bits_from(a, last - 1) & 1;
 	int lowest = 64 * a->e + __builtin_ctzll(a->word[0]);
 
 	m += tie & ((m & 1) | (lowest < last - 1));
-	return a->sign * ldexp((double)m, last);
-}
+	double r = a->sign * ldexp((double)m, last) + 0.0; /* -0 is 0 */
 
-double ex_nearest(const ex *a, bool single)
-{
-	return (single ? (double)(float)ex_rounded(a, 24, -149) :
-			 ex_rounded(a, 53, -1074)) +
-	    0.0; /* -0 is 0 */
+	return single ? (double)(float)r : r;
 }
 
 dd ex_round(const ex *a)

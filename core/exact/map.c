@@ -42,21 +42,18 @@ bool vec3_is_zero(const struct sum a[3])
 
 void map_identity(struct map *r)
 {
-	const struct sum one = sum_of_double(1);
+	static const double one[4][4] = { { 1 }, { 0, 1 }, { 0, 0, 1 },
+		{ 0, 0, 0, 1 } };
 
-	memset(r, 0, sizeof *r);
-	r->divisor = one;
-	for (int i = 0; i < 4; i++)
-		r->m[i][i] = one;
+	map_of_doubles(one, r);
 }
 
 void map_of_doubles(const double m[4][4], struct map *r)
 {
-	memset(r, 0, sizeof *r);
-	r->divisor = sum_of_double(1);
-	for (int i = 0; i < 4; i++)
-		for (int j = 0; j < 4; j++)
-			r->m[i][j] = sum_of_double(m[i][j]);
+	memset(r->origin, 0, sizeof r->origin);
+	sum_set(&r->divisor, 1);
+	for (int i = 0; i < 16; i++)
+		sum_set(&r->m[i / 4][i % 4], m[i / 4][i % 4]);
 }
 
 static void divide_element(struct sum *a, const struct sum *d)
@@ -138,15 +135,15 @@ void map_image(const struct map *m, int j, const struct sum p[4], struct sum *r)
 
 void map_append(struct map *r, const struct map *stage, bool before)
 {
-	const struct map old = *r;
-	const struct map *a = before ? stage : &old, *b = before ? &old : stage;
-
 	if (is_identity(stage))
 		return;
-	if (is_identity(&old)) {
+	if (is_identity(r)) {
 		*r = *stage;
 		return;
 	}
+	const struct map old = *r;
+	const struct map *a = before ? stage : &old, *b = before ? &old : stage;
+
 	memcpy(r->origin, a->origin, sizeof r->origin);
 	r->divisor = sum_mul(a->divisor, b->divisor);
 	for (int i = 0; i < 4; i++)

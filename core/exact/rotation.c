@@ -3,8 +3,6 @@
 
 #include <math.h>
 
-#include "../exact/trig.h"
-
 /* Computes the symmetric matrix K with q K q = trace(Q' M) for the rotation Q of the unit
  * quaternion q. The rotation nearest to M is the eigenvector of the largest eigenvalue
  * of K (Horn, "Closed-form solution of absolute orientation

@@ -36,12 +36,17 @@ static int sum_bound(int n, const int error[])
 	return most > EX_RANGE / 2 ? most + e : 0;
 }
 
+void sum_set(struct sum *r, double exact)
+{
+	ex_set(&r->value, exact);
+	r->error = 0;
+}
+
 struct sum sum_of_double(double exact)
 {
 	struct sum r;
 
-	ex_set(&r.value, exact);
-	r.error = 0;
+	sum_set(&r, exact);
 	return r;
 }
 

@@ -30,6 +30,7 @@ static inline bool sum_is_exact(const struct sum *a)
 	return a->error == 0;
 }
 
+void sum_set(struct sum *, double exact);
 struct sum sum_of_double(double exact);
 struct sum sum_diff(double a, double b); /* a - b */
 

@@ -3,7 +3,32 @@
 
 #include <string.h>
 
-#include "../exact/trig.h"
+void convention_change(const struct convention *from,
+    const struct convention *to, bool clip, bool rows, struct map *r)
+{
+	bool flips_y = clip ? from->ndc_y_down != to->ndc_y_down :
+			      from->view_y_down != to->view_y_down;
+	bool flips_z = !clip && looks_back(from) != looks_back(to);
+	bool depth = clip && from->minus_one != to->minus_one;
+	double t = to->minus_one != rows ? -1 : 0.5, size = t < 0 ? 2 : 0.5;
+
+	for (int i = 0; i < 4; i++) {
+		struct sum *y = rows ? &r->m[1][i] : &r->m[i][1];
+		struct sum *z = rows ? &r->m[2][i] : &r->m[i][2];
+		struct sum *w = rows ? &r->m[3][i] : &r->m[i][3];
+
+		y->value.sign *= flips_y ? -1 : 1;
+		z->value.sign *= flips_z ? -1 : 1;
+		if (depth && rows)
+			*w = sum_add(*w, sum_scale(*z, t));
+		if (depth)
+			*z = sum_scale(*z, size);
+		if (depth && !rows)
+			*z = sum_add(*z, sum_scale(*w, t));
+	}
+	if (rows)
+		memset(r->origin, 0, sizeof r->origin);
+}
 
 /* The unit vector v / length. v is not divided because it is an exact polynomial of the
  * parameters, in which terms cancel exactly. If the length of axis y is exact, the three

@@ -25,6 +25,13 @@ static inline bool looks_back(const struct convention *c)
 	return c->right_handed != c->view_y_down;
 }
 
+/* Changes view space or, if clip, clip space from one convention to another: the space of
+ * the map's points or, if not rows, of its images. y, and in view space z, may change
+ * their signs. The depth z from 0 to w of clip space becomes 2 z - w from -w to w, and
+ * back (z + w) / 2. */
+void convention_change(const struct convention *from,
+    const struct convention *to, bool clip, bool rows, struct map *);
+
 /* The camera: the map from world to view space and back. */
 
 struct camera {

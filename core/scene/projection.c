@@ -102,26 +102,24 @@ static const char *cross_section(const struct projection *p, double d,
 	return NULL;
 }
 
-/* Sets zz / dz = f/(f-n) and tz / dz = -nf/(f-n) or, for depth -1 to 1, (f+n)/(f-n) and
- * -2nf/(f-n). An infinite far gives the limits; reverse_z exchanges near and far. Without
- * planes, depth 1/w is the reversed depth of n = 1 and an infinite far. */
-static void depth_column(const struct projection *p, bool minus_one,
-    struct scaled_matrix *f)
+/* Sets zz / dz = f/(f-n) and tz / dz = -nf/(f-n). An infinite far gives the limits;
+ * reverse_z exchanges near and far. Without planes, depth 1/w is the reversed depth of
+ * n = 1 and an infinite far. */
+static void depth_column(const struct projection *p, struct scaled_matrix *f)
 {
-	double k = minus_one ? 2 : 1, n = projection_is_open(p) ? 1 : p->near;
+	double n = projection_is_open(p) ? 1 : p->near;
 
 	if (isinf(p->far)) {
-		/* A = 1, reversed 1 - k; B = -k n, reversed k n */
 		f->dz = sum_of_double(1);
-		f->zz = sum_of_double(p->reverse_z ? 1 - k : 1);
-		f->tz = sum_of_double(p->reverse_z ? k * n : -k * n);
+		f->zz = sum_of_double(p->reverse_z ? 0 : 1);
+		f->tz = sum_of_double(p->reverse_z ? n : -n);
 	} else {
 		double a = p->reverse_z ? p->far : n;
 		double b = p->reverse_z ? n : p->far;
 
 		f->dz = sum_diff(b, a);
-		f->zz = minus_one ? sum_diff(b, -a) : sum_of_double(b);
-		f->tz = sum_mul(sum_of_double(-k * a), sum_of_double(b));
+		f->zz = sum_of_double(b);
+		f->tz = sum_scale(sum_of_double(-a), b);
 	}
 }
 
@@ -133,7 +131,6 @@ static const char *persp_matrix(const struct projection *p,
 	double at = projection_is_by_p(p) ? 1 :
 	    p->edges_at > 0               ? p->edges_at :
 					    p->near;
-	bool back = looks_back(c);
 	bool down = projection_is_by_p(p) && !c->bottom_left;
 	struct sum off[2];
 	const char *why = cross_section(p, at, f, off);
@@ -144,17 +141,16 @@ static const char *persp_matrix(const struct projection *p,
 		return "/projection/near: not less than far; for reversed "
 		       "depth say \"reverse_z\": true";
 	f->d = sum_of_double(1);
-	depth_column(p, c->minus_one, f);
-	f->det = sum_negated_if(!back, f->tz);
-	f->zx = sum_negated_if(!back, off[0]);
-	f->zy = sum_negated_if(back == down, off[1]);
-	f->zz = sum_negated_if(back, f->zz);
-	f->zw = sum_negated_if(back, sum_of_double(1));
+	depth_column(p, f);
+	f->det = sum_neg(f->tz);
+	f->zx = sum_neg(off[0]);
+	f->zy = sum_negated_if(!down, off[1]);
+	f->zw = sum_of_double(1);
 	return NULL;
 }
 
 static const char *ortho_matrix(const struct projection *p,
-    const struct convention *c, struct scaled_matrix *f)
+    struct scaled_matrix *f)
 {
 	double a = p->reverse_z ? p->far : p->near;
 	double b = p->reverse_z ? p->near : p->far;
@@ -168,9 +164,8 @@ static const char *ortho_matrix(const struct projection *p,
 	if (sum_sign(f->dz) == 0)
 		return "/projection/far: equal to near; "
 		       "the planes must differ";
-	f->zz = sum_negated_if(looks_back(c),
-	    sum_of_double(c->minus_one ? 2 : 1));
-	f->tz = c->minus_one ? sum_diff(-a, b) : sum_of_double(-a);
+	f->zz = sum_of_double(1);
+	f->tz = sum_of_double(-a);
 	f->tx = sum_neg(off[0]);
 	f->ty = sum_neg(off[1]);
 	f->tw = sum_of_double(1);
@@ -181,9 +176,9 @@ static const char *ortho_matrix(const struct projection *p,
 /* Computes the product of the shear x' = x + cot(angle) cos(direction) (depth - plane),
  * y' = y + cot(angle) sin(direction) (depth - plane) and the matrix of ortho. */
 static const char *oblique_matrix(const struct projection *p,
-    const struct convention *c, struct scaled_matrix *f)
+    struct scaled_matrix *f)
 {
-	const char *why = ortho_matrix(p, c, f);
+	const char *why = ortho_matrix(p, f);
 	struct sum cot = sum_of_double(p->kind == OBLIQUE_CABINET ? 0.5 : 1);
 
 	if (why != NULL)
@@ -199,8 +194,8 @@ static const char *oblique_matrix(const struct projection *p,
 
 	f->tx = sum_sub(f->tx, sum_mul(zx, sum_of_double(p->plane)));
 	f->ty = sum_sub(f->ty, sum_mul(zy, sum_of_double(p->plane)));
-	f->zx = sum_negated_if(looks_back(c), zx);
-	f->zy = sum_negated_if(looks_back(c), zy);
+	f->zx = zx;
+	f->zy = zy;
 	return NULL;
 }
 
@@ -266,7 +261,7 @@ static const char *eye_plane_crosses(const struct projection *p)
  * the far plane and bn / qd = 1 - zn q on the near plane. If the signs of an and bn
  * differ, the eye plane is inside the volume. */
 static const char *volume_matrix(const struct projection *p,
-    const struct convention *c, struct scaled_matrix *f)
+    struct scaled_matrix *f)
 {
 	struct sum zn = sum_of_double(p->z_near), zf = sum_of_double(p->z_far);
 	struct sum qn, qd, skew[2];
@@ -299,11 +294,6 @@ static const char *volume_matrix(const struct projection *p,
 	f->zw = sum_neg(qn);
 	f->tz = sum_mul(an, zn);
 	f->det = sum_neg(sum_mul(an, bn));
-	if (c->minus_one) {
-		f->zz = sum_sub(f->zz, bn);
-		f->tz = sum_add(f->tz, sum_mul(bn, zf));
-		f->det = sum_mul(f->det, sum_of_double(2));
-	}
 	return NULL;
 }
 
@@ -400,8 +390,7 @@ static const char *projection_matrix_map(const struct projection *p,
 static void intrinsics_matrix(const struct projection *p,
     const struct convention *c, double level[4][4])
 {
-	const double sign[4] = { 1, c->bottom_left == c->view_y_down ? -1 : 1,
-		looks_back(c) ? -1 : 1, 1 };
+	const double sign[4] = { 1, c->bottom_left ? 1 : -1, 1, 1 };
 
 	for (int i = 0; i < 4; i++) {
 		for (int j = 0; j < 3; j++)
@@ -427,43 +416,35 @@ static const char *append_intrinsics(const struct projection *p,
 	return NULL;
 }
 
-/* Computes the matrix of a projection given by parameters. */
+/* Computes the matrix of a projection given by parameters, in d3d. */
 static const char *scaled_of_projection(const struct projection *p,
     const struct convention *c, struct scaled_matrix *f)
 {
-	const char *why = NULL;
-
 	switch (p->type) {
 	case PROJECTION_PERSP:
-		why = persp_matrix(p, c, f);
-		break;
+		return persp_matrix(p, c, f);
 	case PROJECTION_ORTHO:
-		why = ortho_matrix(p, c, f);
-		break;
+		return ortho_matrix(p, f);
 	case PROJECTION_OBLIQUE:
-		why = oblique_matrix(p, c, f);
-		break;
+		return oblique_matrix(p, f);
 	case PROJECTION_VOLUME:
-		why = volume_matrix(p, c, f);
-		break;
+		return volume_matrix(p, f);
 	case PROJECTION_NONE:
 	case PROJECTION_MATRIX:
 		break;
 	}
-	f->y = sum_negated_if(c->view_y_down, f->y);
-	f->zy = sum_negated_if(c->view_y_down && p->type == PROJECTION_VOLUME,
-	    f->zy);
-	if (c->ndc_y_down) {
-		f->y = sum_neg(f->y);
-		f->zy = sum_neg(f->zy);
-		f->ty = sum_neg(f->ty);
-	}
-	return why;
+	return NULL;
 }
-
 const char *projection_map(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {
+	/* d3d, but a volume is given in view space */
+	bool volume = p->type == PROJECTION_VOLUME;
+	const struct convention given = {
+		.right_handed = volume && c->right_handed,
+		.view_y_down = volume && c->view_y_down,
+		.ndc_y_down = volume && c->view_y_down,
+	};
 	struct scaled_matrix f = { 0 };
 
 	if (p->type == PROJECTION_NONE) {
@@ -479,8 +460,11 @@ const char *projection_map(const struct projection *p,
 	if (inverse)
 		f = scaled_inverse(&f);
 	map_of_scaled(&f, r);
-	return projection_is_by_p(p) ? append_intrinsics(p, c, inverse, r) :
-				       NULL;
+	if (projection_is_by_p(p))
+		why = append_intrinsics(p, c, inverse, r);
+	convention_change(&given, c, false, !inverse, r);
+	convention_change(&given, c, true, inverse, r);
+	return why;
 }
 
 /* Returns whether the matrix of a parallel projection contains a camera that is turned.
