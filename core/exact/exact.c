@@ -137,7 +137,8 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 		if (low > least)
 			ex_overflowed = true;
 	}
-	memset(sum, 0, sizeof *sum * (size_t)(high - low));
+	for (int i = 0; i < high - low; i++)
+		sum[i] = 0;
 	for (int k = 0; k < n; k++)
 		if (a[k]->n > 0 && b[k]->n > 0)
 			add_product(sum, high - low, a[k]->e + b[k]->e - low,

@@ -89,7 +89,7 @@ void map_divide_column(struct map *r, int j, struct sum d)
 		struct sum *m = &r->m[i / 4][i % 4];
 
 		if (i % 4 != j && !sum_is_exact_zero(m))
-			*m = sum_mul(*m, d);
+			sum_dot(1, m, &d, 1, m);
 	}
 	map_divide(r, d);
 }

@@ -38,6 +38,8 @@ struct axis {
 	struct sum length;
 };
 
+enum { AXIS_SUMS = sizeof(struct axis) / sizeof(struct sum) };
+
 static void axis_scale(struct axis *a, struct sum s)
 {
 	for (int i = 0; i < 3; i++)
@@ -198,10 +200,12 @@ static void map_of_axes(const struct axis a[3], const double at[3],
 		minus[i] = sum_of_double(-at[i]);
 	map_identity(r);
 	for (int i = 0; i < 3; i++) {
-		const struct sum row[3] = { a[0].v[i], a[1].v[i], a[2].v[i] };
-		struct sum given = sum_mul(d, sum_of_double(at[i]));
-		struct sum found = vec3_dot(at_is_origin ? row : a[i].v, minus);
+		struct sum given = sum_scale(d, at[i]), found;
 
+		if (at_is_origin)
+			sum_dot(3, minus, &a[0].v[i], AXIS_SUMS, &found);
+		else
+			found = vec3_dot(a[i].v, minus);
 		if (!exact)
 			found = sum_quotient(found, a[i].length);
 		for (int k = 0; k < 3; k++)
@@ -209,9 +213,9 @@ static void map_of_axes(const struct axis a[3], const double at[3],
 			    a[i].v[k] :
 			    sum_quotient(a[i].v[k], a[i].length);
 		r->m[3][i] = at_is_origin == inverse ? found : given;
-		r->origin[i] = inverse ?
-		    0 :
-		    sum_ratio(at_is_origin ? found : given, d);
+		if (!inverse)
+			r->origin[i] = at_is_origin ? sum_ratio(found, d) :
+						      at[i];
 	}
 	r->m[3][3] = d;
 	map_divide(r, d);

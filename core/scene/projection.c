@@ -185,17 +185,12 @@ static const char *oblique_matrix(const struct projection *p,
 		return why;
 	if (p->kind == OBLIQUE_ANGLE)
 		cot = trig_cot(p->projector, p->unit);
-	struct sum zx = sum_mul(sum_mul(cot,
-				    trig_cos(p->direction, p->direction_unit)),
-	    f->x);
-	struct sum zy = sum_mul(sum_mul(cot,
-				    trig_sin(p->direction, p->direction_unit)),
-	    f->y);
-
-	f->tx = sum_sub(f->tx, sum_mul(zx, sum_of_double(p->plane)));
-	f->ty = sum_sub(f->ty, sum_mul(zy, sum_of_double(p->plane)));
-	f->zx = zx;
-	f->zy = zy;
+	f->zx = sum_mul(cot, trig_cos(p->direction, p->direction_unit));
+	f->zx = sum_mul(f->zx, f->x);
+	f->zy = sum_mul(cot, trig_sin(p->direction, p->direction_unit));
+	f->zy = sum_mul(f->zy, f->y);
+	f->tx = sum_sub(f->tx, sum_scale(f->zx, p->plane));
+	f->ty = sum_sub(f->ty, sum_scale(f->zy, p->plane));
 	return NULL;
 }
 
@@ -299,17 +294,10 @@ static const char *volume_matrix(const struct projection *p,
 
 static void map_of_scaled(const struct scaled_matrix *f, struct map *r)
 {
-	const struct sum z = sum_of_double(0);
-	const struct sum m[4][4] = {
-		{ f->x, z, z, z },
-		{ z, f->y, z, z },
-		{ f->zx, f->zy, f->zz, f->zw },
-		{ f->tx, f->ty, f->tz, f->tw },
-	};
-
-	memset(r, 0, sizeof *r);
-	memcpy(r->m, m, sizeof m);
-	r->divisor = sum_of_double(1);
+	*r = (struct map){ .m = { { f->x }, { [1] = f->y },
+			       { f->zx, f->zy, f->zz, f->zw },
+			       { f->tx, f->ty, f->tz, f->tw } },
+		.divisor = sum_of_double(1) };
 	map_divide(r, f->d);
 	map_divide_column(r, 0, f->dx);
 	map_divide_column(r, 1, f->dy);
@@ -435,6 +423,7 @@ static const char *scaled_of_projection(const struct projection *p,
 	}
 	return NULL;
 }
+
 const char *projection_map(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {
