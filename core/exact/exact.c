@@ -210,13 +210,14 @@ bool ex_divide(const ex *a, const ex *b, int words, ex *r)
 		*r = b->n == 0 ? ex_power(BEYOND) : *a;
 		return a->n == 0;
 	}
-	/* the shift that sets the top bit of d */
-	int bits = 64 * top(b) - ex_size(b);
+	/* the factor that sets the top bit of d */
+	uint64_t by = (uint64_t)1 << (64 * top(b) - ex_size(b)), carry = 0;
 
 	for (int i = 0; i < b->n; i++)
-		d[i] = bits_from(b, 64 * (b->e + i) - bits);
-	for (int i = 0; i <= n; i++)
-		u[i] = bits_from(a, 64 * (top(a) - n + i) - bits);
+		d[i] = multiply_add(b->word[i], by, 0, &carry);
+	for (int i = 0, k = a->n - n; i < n; i++, k++)
+		u[i] = multiply_add(k < 0 ? 0 : a->word[k], by, 0, &carry);
+	u[n] = carry;
 	for (int i = words; i >= 0; i--)
 		q[i] = divide_word(u + i, d, b->n);
 	uint64_t rest = a->n > n;

@@ -98,16 +98,18 @@ static void dot_of_pointers(int n, const struct sum *const a[],
     const struct sum *const b[], struct sum *r)
 {
 	const ex *x[4], *y[4];
-	int error[3 * 4];
+	int error[3 * 4], terms = 0;
 
 	for (int k = 0; k < n; k++) {
 		x[k] = &a[k]->value;
 		y[k] = &b[k]->value;
-		error[3 * k] = sum_size(x[k]) + b[k]->error;
-		error[3 * k + 1] = sum_size(y[k]) + a[k]->error;
-		error[3 * k + 2] = a[k]->error + b[k]->error - EX_RANGE;
+		if (sum_is_exact(a[k]) && sum_is_exact(b[k]))
+			continue;
+		error[terms++] = sum_size(x[k]) + b[k]->error;
+		error[terms++] = sum_size(y[k]) + a[k]->error;
+		error[terms++] = a[k]->error + b[k]->error - EX_RANGE;
 	}
-	int bound = sum_bound(3 * n, error);
+	int bound = sum_bound(terms, error);
 
 	ex_dot(n, x, y, ex_word_index(bound - EX_RANGE - 21), &r->value);
 	r->error = bound;

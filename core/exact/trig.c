@@ -24,12 +24,12 @@ enum { WORDS = 6 };
  * than the last of their words. */
 static ex series(ex y, int n, int last, int words)
 {
-	ex minus = ex_truncate(y, words), c = ex_of(1), s = c, step;
+	ex minus = ex_truncate(y, words), c = ex_of(1), s = c, step = c;
 	const ex *const a[] = { &c, &s }, *const b[] = { &step, &minus };
 
 	minus.sign = -minus.sign;
 	for (int k = n + last; k > n; k -= 2) {
-		ex_set(&step, (double)(k * (k - 1)));
+		step.word[0] = (uint64_t)(k * (k - 1));
 		ex_dot(2, a, b, c.e + c.n - words, &s);
 		ex_dot(1, a, b, INT_MIN, &c);
 	}
