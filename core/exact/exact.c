@@ -41,7 +41,8 @@ static void ex_put(ex *r, int sign, const uint64_t *w, int n, int e)
 		r->word[i] = w[i];
 }
 
-int ex_word_index(int bit)
+/* Returns e such that the word of weight 2^(64 e) has the bit of weight 2^bit. */
+static int ex_word_index(int bit)
 {
 	return (bit - (bit & 63)) / 64;
 }
@@ -120,6 +121,7 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 	uint64_t sum[2 * EX_WORDS + 1];
 	int low = INT_MAX, high = INT_MIN;
 
+	least = ex_word_index(least);
 	for (int k = 0; k < n; k++) {
 		int e = a[k]->e + b[k]->e, end = e + a[k]->n + b[k]->n;
 

@@ -52,14 +52,11 @@ int ex_size(const ex *);
  * words. */
 bool ex_has_overflowed(void);
 
-/* Returns e such that the word of weight 2^(64 e) has the bit of weight 2^bit. */
-int ex_word_index(int bit);
-
 /* The functions below take pointers, as each point calls them. */
 void ex_set(ex *, double a);
 
-/* Computes the sum of n products a[k] b[k]. Drops words of a weight below 2^(64 least),
- * but keeps at least EX_MIN_WORDS words. */
+/* Computes the sum of n products a[k] b[k]. Drops words below 2^least, but keeps
+ * at least EX_MIN_WORDS words. */
 enum { EX_MIN_WORDS = 7 };
 
 void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *);

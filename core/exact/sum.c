@@ -111,7 +111,7 @@ static void dot_of_pointers(int n, const struct sum *const a[],
 	}
 	int bound = sum_bound(terms, error);
 
-	ex_dot(n, x, y, ex_word_index(bound - EX_RANGE - 21), &r->value);
+	ex_dot(n, x, y, bound - EX_RANGE - 21, &r->value);
 	r->error = bound;
 }
 

@@ -30,7 +30,7 @@ static ex series(ex y, int n, int last, int words)
 	minus.sign = -minus.sign;
 	for (int k = n + last; k > n; k -= 2) {
 		step.word[0] = (uint64_t)(k * (k - 1));
-		ex_dot(2, a, b, c.e + c.n - words, &s);
+		ex_dot(2, a, b, 64 * (c.e + c.n - words), &s);
 		ex_dot(1, a, b, INT_MIN, &c);
 	}
 	ex_divide(&s, &c, EX_QUOTIENT, &step);
@@ -89,16 +89,16 @@ static void reduce_degrees(double angle, struct reduced *r)
  * 2^-396. */
 static void reduce_radians(double angle, struct reduced *r)
 {
-	struct sum a = sum_of_double(fabs(angle));
-	ex q = sum_add(sum_quotient(a, QUARTER), sum_of_double(0.5)).value;
+	struct sum a = sum_of_double(angle);
+	struct sum half = sum_of_double(copysign(0.5, angle));
+	ex q = sum_add(sum_quotient(a, QUARTER), half).value;
 
 	q = ex_truncate(q, q.e + q.n > 0 ? q.e + q.n : 0);
 	a = sum_sub(a, sum_mul(sum_with_error(q, 0), QUARTER));
 	r->degrees = (double)NAN;
-	r->radians = angle_rest(sum_negated_if(angle < 0, a));
-	r->quarters = q.n > 0 && q.e == 0 ? (unsigned)q.word[0] & 3 : 0;
-	if (angle < 0)
-		r->quarters = 0 - r->quarters;
+	r->radians = angle_rest(a);
+	r->quarters = q.n > 0 && q.e == 0 ? (unsigned)q.word[0] : 0;
+	r->quarters *= (unsigned)q.sign;
 }
 
 /* Returns the sine (n = 1) or the cosine (n = 0) of the rest of a reduced angle. The

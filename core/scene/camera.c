@@ -26,7 +26,7 @@ void convention_change(const struct convention *from,
 		if (depth && !rows)
 			*z = sum_add(*z, sum_scale(*w, t));
 	}
-	if (rows)
+	if (rows && (flips_y || flips_z || depth))
 		memset(r->origin, 0, sizeof r->origin);
 }
 
@@ -145,22 +145,9 @@ static const char *axes_of_rvec(const struct camera *c, struct axis axis[3])
 	return NULL;
 }
 
-/* The messages that refuse a matrix and a pose for a reason. */
-#define REFUSALS(reason)                                           \
-	{                                                          \
-		"/camera/matrix: " reason, "/camera/pose: " reason \
-	}
-
-static const char *const refusals[][2] = {
-	[ROTATION_NONE] = REFUSALS("its determinant is not positive; "
-				   "a rotation's is 1"),
-	[ROTATION_MANY] = REFUSALS("two directions have all but vanished; "
-				   "no rotation is the nearest"),
-};
-
-static const char *const not_affine[2] = REFUSALS(NOT_AFFINE);
-static const char *const singular[2] = REFUSALS(
-    "singular; it can't be inverted");
+/* The message that refuses a matrix or a pose for a reason. */
+#define REFUSAL(pose, reason) \
+	((pose) ? "/camera/pose: " reason : "/camera/matrix: " reason)
 
 /* Computes the axes of the rotation nearest to the upper 3x3. An element that is not
  * above the error of the quaternion becomes 0. */
@@ -169,8 +156,13 @@ static const char *axes_of_matrix(const struct camera *c, struct axis axis[3])
 	struct sum q[4];
 	enum rotation found = rotation_nearest(c->matrix, q);
 
-	if (found != ROTATION_FOUND)
-		return refusals[found][c->kind == CAMERA_POSE];
+	if (found == ROTATION_NONE)
+		return REFUSAL(c->kind == CAMERA_POSE,
+		    "its determinant is not positive; a rotation's is 1");
+	if (found == ROTATION_MANY)
+		return REFUSAL(c->kind == CAMERA_POSE,
+		    "two directions have all but vanished; no rotation is the "
+		    "nearest");
 	axes_of_quaternion(q, axis);
 	for (int i = 0; i < 9; i++) {
 		struct sum *v = &axis[i / 3].v[i % 3];
@@ -246,14 +238,12 @@ static const char *camera_matrix_map(const struct camera *c, bool inverse,
 
 	map_of_doubles(c->matrix, r);
 	if (!map_is_affine(r))
-		return not_affine[pose];
+		return REFUSAL(pose, NOT_AFFINE);
 	if (!c->orthonormalize) {
-		struct map regular;
-
-		if ((pose || inverse) && !map_inverse(c->matrix, &regular))
-			return singular[pose];
-		if (back)
-			*r = regular;
+		if ((pose || inverse) && !map_inverse(c->matrix, r))
+			return REFUSAL(pose, "singular; it can't be inverted");
+		if (!back)
+			map_of_doubles(c->matrix, r);
 		return NULL;
 	}
 	const char *why = axes_of_matrix(c, axis);

@@ -9,10 +9,9 @@
  *	 zx  zy  zz  zw
  *	 tx  ty  tz  tw
  * Its columns are divided by dx, dy, dz and 1, and the whole matrix by d. The columns z and
- * w and d are exact, except with the view angle of a volume. So is det = zz tw - zw tz,
- * which is set as a product of parameters. */
+ * w and d are exact, except with the view angle of a volume. */
 struct scaled_matrix {
-	struct sum x, y, zx, zy, zz, zw, tx, ty, tz, tw, dx, dy, dz, d, det;
+	struct sum x, y, zx, zy, zz, zw, tx, ty, tz, tw, dx, dy, dz, d;
 };
 
 /* Sets x / dx = s / over and y / dy = x / dx aspect, if given_x; else y / dy = s / over
@@ -142,7 +141,6 @@ static const char *persp_matrix(const struct projection *p,
 		       "depth say \"reverse_z\": true";
 	f->d = sum_of_double(1);
 	depth_column(p, f);
-	f->det = sum_neg(f->tz);
 	f->zx = sum_neg(off[0]);
 	f->zy = sum_negated_if(!down, off[1]);
 	f->zw = sum_of_double(1);
@@ -169,7 +167,6 @@ static const char *ortho_matrix(const struct projection *p,
 	f->tx = sum_neg(off[0]);
 	f->ty = sum_neg(off[1]);
 	f->tw = sum_of_double(1);
-	f->det = f->zz;
 	return NULL;
 }
 
@@ -288,7 +285,6 @@ static const char *volume_matrix(const struct projection *p,
 	f->zz = sum_neg(an);
 	f->zw = sum_neg(qn);
 	f->tz = sum_mul(an, zn);
-	f->det = sum_neg(sum_mul(an, bn));
 	return NULL;
 }
 
@@ -305,11 +301,12 @@ static void map_of_scaled(const struct scaled_matrix *f, struct map *r)
 }
 
 /* Returns the inverse, by blocks of 2x2. Its diagonal blocks are the inverses of x 0, 0
- * y and of zz zw, tz tw. Its third block is minus the product of these two with zx zy,
+ * y and of zz zw, tz tw, whose determinant is det. Its third block is minus the product of these two with zx zy,
  * tx ty. The divisors of columns become factors of rows. */
 static struct scaled_matrix scaled_inverse(const struct scaled_matrix *f)
 {
-	struct sum one = sum_of_double(1), det = f->det, d = f->d;
+	struct sum det = sum_minor(f->zz, f->tw, f->zw, f->tz);
+	struct sum one = sum_of_double(1), d = f->d;
 
 	if (!sum_is_exact(&det)) {
 		d = sum_quotient(d, det);

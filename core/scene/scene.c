@@ -67,7 +67,7 @@ static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 static const char *scene_stage(const struct scene *s, int below, bool inverse,
     struct map *r)
 {
-	const struct convention *c = &s->convention;
+	const struct convention *c = &s->convention, *to = answer_convention(s);
 	const char *why = NULL;
 
 	switch ((enum space)below) {
@@ -86,19 +86,18 @@ static const char *scene_stage(const struct scene *s, int below, bool inverse,
 		if (!s->has_viewport)
 			return "/viewport: missing; device coordinates need "
 			       "one, or use the space ndc";
-		return viewport_map(&s->viewport, answer_convention(s), inverse,
-		    r);
+		return viewport_map(&s->viewport, to, inverse, r);
 	case SPACE_CLIP: /* ndc is clip space divided by w */
 	case SPACE_DEVICE:
 		map_identity(r);
 		return NULL;
 	}
-	if (s->answer != NULL && why == NULL)
-		convention_change(c, s->answer, false,
-		    inverse == (below == SPACE_WORLD), r);
-	if (s->answer != NULL && why == NULL && below == SPACE_VIEW)
-		convention_change(c, s->answer, true, inverse, r);
-	return why;
+	if (why != NULL)
+		return why;
+	convention_change(c, to, false, inverse == (below == SPACE_WORLD), r);
+	if (below == SPACE_VIEW)
+		convention_change(c, to, true, inverse, r);
+	return NULL;
 }
 
 /* Computes the map of a stage of the 2D window, from the space below to the next space, or
@@ -131,12 +130,19 @@ static const char *compose(const struct scene *s, int from, int to,
 	return NULL;
 }
 
-static const char *check_range(const struct map *r)
+/* Returns why, or the reason why the map of a scene, or flat of a window, is refused. */
+static const char *check_range(const char *why, const struct map *r, bool flat)
 {
+	if (why != NULL)
+		return why;
 	if (ex_has_overflowed())
-		return "/projection: " SCENE_TOO_WIDE;
-	return map_is_finite(r) ?
-	    NULL :
+		return flat ? "/window: " SCENE_TOO_WIDE :
+			      "/projection: " SCENE_TOO_WIDE;
+	if (map_is_finite(r))
+		return NULL;
+	return flat ?
+	    "/window: the composed matrix has elements beyond the range of "
+	    "doubles; bring the sizes nearer to one another" :
 	    "/projection: the scene's composed matrix has elements beyond "
 	    "the range of doubles; bring sizes and distances nearer to one "
 	    "another";
@@ -145,9 +151,8 @@ static const char *check_range(const struct map *r)
 const char *scene_map(const struct scene *s, enum space from, enum space to,
     struct map *r)
 {
-	const char *why = compose(s, (int)from, (int)to, scene_stage, r);
-
-	return why != NULL ? why : check_range(r);
+	return check_range(compose(s, (int)from, (int)to, scene_stage, r), r,
+	    false);
 }
 
 const char *scene_map_by_view(const struct scene *s, enum space from,
@@ -157,23 +162,16 @@ const char *scene_map_by_view(const struct scene *s, enum space from,
 
 	if (why == NULL)
 		why = compose(s, SPACE_VIEW, (int)to, scene_stage, from_view);
-	if (why != NULL)
-		return why;
-	map_append(r, from_view, false);
-	return check_range(r);
+	if (why == NULL)
+		map_append(r, from_view, false);
+	return check_range(why, r, false);
 }
 
 const char *scene_flat_map(const struct scene *s, enum flat from, enum flat to,
     struct map *r)
 {
-	const char *why = compose(s, (int)from, (int)to, flat_stage, r);
-
-	if (why == NULL && ex_has_overflowed())
-		return "/window: " SCENE_TOO_WIDE;
-	return why != NULL || map_is_finite(r) ?
-	    why :
-	    "/window: the composed matrix has elements beyond the range of "
-	    "doubles; bring the sizes nearer to one another";
+	return check_range(compose(s, (int)from, (int)to, flat_stage, r), r,
+	    true);
 }
 
 const char *scene_shown(const struct scene *s, struct shown *w)
