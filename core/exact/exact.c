@@ -78,17 +78,6 @@ static uint64_t word_at(const ex *a, int at)
 	return at >= a->e && at < a->e + a->n ? a->word[at - a->e] : 0;
 }
 
-static int top(const ex *a)
-{
-	return a->e + a->n;
-}
-
-int ex_size(const ex *a)
-{
-	return a->n == 0 ? -EX_RANGE :
-			   64 * top(a) - __builtin_clzll(a->word[a->n - 1]);
-}
-
 ex ex_power(int e)
 {
 	return (ex){ 1, 1, ex_word_index(e), { (uint64_t)1 << (e & 63) } };
@@ -213,7 +202,8 @@ bool ex_divide(const ex *a, const ex *b, int words, ex *r)
 		return a->n == 0;
 	}
 	/* the factor that sets the top bit of d */
-	uint64_t by = (uint64_t)1 << (64 * top(b) - ex_size(b)), carry = 0;
+	uint64_t by = (uint64_t)1 << (64 * (b->e + b->n) - ex_size(b)),
+		 carry = 0;
 
 	for (int i = 0; i < b->n; i++)
 		d[i] = multiply_add(b->word[i], by, 0, &carry);
@@ -227,7 +217,8 @@ bool ex_divide(const ex *a, const ex *b, int words, ex *r)
 	for (int i = 0; i < b->n; i++)
 		rest |= u[i];
 	q[0] |= rest != 0;
-	ex_put(r, a->sign * b->sign, q, words + 1, top(a) - words - top(b));
+	ex_put(r, a->sign * b->sign, q, words + 1,
+	    (a->e + a->n) - words - (b->e + b->n));
 	return rest == 0;
 }
 
@@ -237,7 +228,7 @@ bool ex_divide(const ex *a, const ex *b, int words, ex *r)
  * exact. */
 ex ex_sqrt(ex a)
 {
-	int up = top(&a) - 1;
+	int up = a.e + a.n - 1;
 
 	if (a.n == 0)
 		return a;
@@ -250,7 +241,7 @@ ex ex_sqrt(ex a)
 		    &q);
 		ex_dot(2, x, (const ex *[]){ &half, &half }, INT_MIN, &r);
 	}
-	q = ex_power(64 * (top(&r) - EX_QUOTIENT) - 1);
+	q = ex_power(64 * (r.e + r.n - EX_QUOTIENT) - 1);
 	ex_dot(2, x, (const ex *[]){ &one, &one }, INT_MIN, &r);
 	r = ex_truncate(r, EX_QUOTIENT);
 	q = ex_power(32 * up);

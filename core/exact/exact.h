@@ -46,7 +46,12 @@ ex ex_truncate(ex a, int n); /* the n highest words */
 /* Returns the least e with |a| < 2^e, or -EX_RANGE, which is below all others, if a is 0. */
 enum { EX_RANGE = 1 << 24 };
 
-int ex_size(const ex *);
+static inline int ex_size(const ex *a)
+{
+	return a->n == 0 ?
+	    -EX_RANGE :
+	    64 * (a->e + a->n) - __builtin_clzll(a->word[a->n - 1]);
+}
 
 /* Returns whether, since the last call, a number in any thread has had more than EX_WORDS
  * words. */
