@@ -79,7 +79,7 @@ static void eigenvector(const struct sum k[4][4], struct sum q[4])
 		norm = sum_add(norm, sum_abs(q[i]));
 	}
 	for (int i = 0; i < 4; i++)
-		q[i] = sum_add_error(q[i], sum_scale(norm, 0x1p-253));
+		q[i] = sum_add_error(q[i], sum_scale(norm, 0x1p-257));
 }
 
 enum rotation rotation_nearest(const double matrix[4][4], struct sum q[4])

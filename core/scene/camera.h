@@ -63,7 +63,7 @@ struct camera {
 /* Computes the matrix of projcalc(1), FORMULAS, lookat, or its inverse. Its elements are
  * exact, or have a bound of their error. This holds however near up is to the gaze, or
  * the eye to the point at which it looks, and however far a matrix is from its nearest
- * rotation. Elements of a nearest rotation below 2^-248 become 0. A roll turns the axes,
+ * rotation. Elements of a nearest rotation below 2^-252 become 0. A roll turns the axes,
  * and a translation with them, about the eye. The origin of the map is the eye. Returns
  * NULL, or the member and the reason why there is no such view. */
 const char *camera_map(const struct camera *, const struct convention *,
