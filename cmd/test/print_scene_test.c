@@ -3,6 +3,7 @@
 
 #include "../../core/test/sample.h"
 #include "document.h"
+#include "../../core/test/arithmetic.h"
 #include "../../core/test/numbers.h"
 
 static const struct document_wants project = { WANTS };
@@ -65,8 +66,7 @@ static void assert_same_map(const struct map *a, const struct map *b)
 		const struct sum *y = &b->m[i / 4][i % 4];
 
 		assert_int_equal(ex_compare(x->value, y->value), 0);
-		assert_number(x->error.m, y->error.m);
-		assert_number(x->error.e, y->error.e);
+		assert_int_equal(x->error, y->error);
 	}
 }
 

@@ -8,6 +8,7 @@
 #include "wide.h"
 
 static const ex one = { 1, 1, 0, { 1 } };
+static const ex half = { 1, 1, -1, { (uint64_t)1 << 63 } };
 
 static atomic_bool ex_overflowed;
 
@@ -40,7 +41,8 @@ static void ex_put(ex *r, int sign, const uint64_t *w, int n, int e)
 		r->word[i] = w[i];
 }
 
-int ex_word_index(int bit)
+/* Returns e such that the word of weight 2^(64 e) has the bit of weight 2^bit. */
+static int ex_word_index(int bit)
 {
 	return (bit - (bit & 63)) / 64;
 }
@@ -76,53 +78,39 @@ static uint64_t word_at(const ex *a, int at)
 	return at >= a->e && at < a->e + a->n ? a->word[at - a->e] : 0;
 }
 
-static int top(const ex *a)
+ex ex_power(int e)
 {
-	return a->e + a->n;
+	return (ex){ 1, 1, ex_word_index(e), { (uint64_t)1 << (e & 63) } };
 }
 
-ex ex_neg(ex a)
+/* Adds a b, whose lowest word is word at, to a number of size words in two's complement.
+ * Words below 0 are cut off. -q w is q ~w + q without its highest word, which is -q. */
+static void add_product(uint64_t *sum, int size, int at, const ex *a,
+    const ex *b)
 {
-	a.sign = -a.sign;
-	return a;
-}
+	const ex *few = a->n < b->n ? a : b, *many = few == a ? b : a;
+	const uint64_t flip = a->sign == b->sign ? 0 : UINT64_MAX;
 
-/* Writes |a| |b| to w[0..a->n + b->n). */
-static void multiply(uint64_t *w, const ex *a, const ex *b)
-{
-	for (int i = 0; i < a->n + b->n; i++)
-		w[i] = 0;
-	for (int i = 0; i < a->n; i++) {
-		uint64_t carry = 0;
+	for (int i = 0; i < few->n; i++, at++) {
+		uint64_t q = few->word[i], carry = q & flip;
+		int j = at < 0 ? -at : 0;
 
-		for (int j = 0; j < b->n; j++)
-			w[i + j] = multiply_add(a->word[i], b->word[j],
-			    w[i + j], &carry);
-		w[i + b->n] = carry;
-	}
-}
-
-/* Adds sign w[0..n) 2^(64 e), without its words below low, to a number in two's
- * complement whose words are low to high - 1. */
-static void accumulate(uint64_t *sum, int low, int high, int sign,
-    const uint64_t *w, int n, int e)
-{
-	uint64_t carry = sign < 0, flip = sign < 0 ? UINT64_MAX : 0;
-
-	for (int i = low < e ? e : low; i < high; i++) {
-		uint64_t x = i - e < n ? w[i - e] : 0;
-
-		sum[i - low] = add_carry(sum[i - low], x ^ flip, &carry);
-		if (i - e >= n && carry == (sign < 0))
-			break;
+		for (; j < many->n; j++)
+			sum[at + j] = multiply_add(q, many->word[j] ^ flip,
+			    sum[at + j], &carry);
+		for (carry -= q & flip; carry != 0 && at + j < size; j++) {
+			sum[at + j] += carry;
+			carry = (sum[at + j] < carry) + flip;
+		}
 	}
 }
 
 void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 {
-	uint64_t sum[2 * EX_WORDS + 1], w[2 * EX_WORDS];
+	uint64_t sum[2 * EX_WORDS + 1];
 	int low = INT_MAX, high = INT_MIN;
 
+	least = ex_word_index(least);
 	for (int k = 0; k < n; k++) {
 		int e = a[k]->e + b[k]->e, end = e + a[k]->n + b[k]->n;
 
@@ -142,22 +130,15 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 	}
 	for (int i = 0; i < high - low; i++)
 		sum[i] = 0;
-	for (int k = 0; k < n; k++) {
-		bool by_one = b[k]->n == 1 && b[k]->word[0] == 1;
-
-		if (a[k]->n == 0 || b[k]->n == 0)
-			continue;
-		if (!by_one)
-			multiply(w, a[k], b[k]);
-		accumulate(sum, low, high, a[k]->sign * b[k]->sign,
-		    by_one ? a[k]->word : w, a[k]->n + (by_one ? 0 : b[k]->n),
-		    a[k]->e + b[k]->e);
-	}
+	for (int k = 0; k < n; k++)
+		if (a[k]->n > 0 && b[k]->n > 0)
+			add_product(sum, high - low, a[k]->e + b[k]->e - low,
+			    a[k], b[k]);
 	bool minus = sum[high - low - 1] >> 63;
 	uint64_t carry = minus;
 
 	for (int i = 0; i < high - low && minus; i++)
-		sum[i] = add_carry(~sum[i], 0, &carry);
+		sum[i] = multiply_add(~sum[i], 1, 0, &carry);
 	while (high > low && sum[high - low - 1] == 0)
 		high--;
 	int rest = high - low - EX_MIN_WORDS;
@@ -166,32 +147,6 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 	    least - low < rest          ? least - low :
 					  rest;
 	ex_put(r, minus ? -1 : 1, sum + rest, high - low - rest, low + rest);
-}
-
-ex ex_mul(ex a, ex b)
-{
-	const ex *const x[] = { &a }, *const y[] = { &b };
-
-	ex_dot(1, x, y, INT_MIN, &a);
-	return a;
-}
-
-ex ex_add(ex a, ex b)
-{
-	const ex *const x[] = { &a, &b }, *const y[] = { &one, &one };
-
-	ex_dot(2, x, y, INT_MIN, &a);
-	return a;
-}
-
-ex ex_sub(ex a, ex b)
-{
-	return ex_add(a, ex_neg(b));
-}
-
-int ex_compare(ex a, ex b)
-{
-	return ex_sub(a, b).sign;
 }
 
 ex ex_truncate(ex a, int n)
@@ -206,23 +161,22 @@ ex ex_truncate(ex a, int n)
 /* Returns one word of the long division of u[0..n] by d[0..n), and leaves the remainder
  * in u: Knuth, The Art of Computer Programming, volume 2, 4.3.1, algorithm D. The top
  * bit of d is set, and u[n] <= d[n - 1]. The quotient of the highest words is at most 2
- * too large (theorem B there); while it is too large, u is negative. */
+ * too large (theorem B there); while it is too large, u is negative. -q d is q ~d + q
+ * without its word n, which is -q. */
 static uint64_t divide_word(uint64_t *u, const uint64_t *d, int n)
 {
-	uint64_t carry = 0, q = UINT64_MAX;
+	uint64_t q = UINT64_MAX;
 
 	if (u[n] < d[n - 1])
 		q = divide_two(u[n], u[n - 1], d[n - 1]);
-	for (int i = 0; i < n; i++) {
-		uint64_t p = multiply_add(q, d[i], 0, &carry);
+	uint64_t carry = q;
 
-		carry += u[i] < p;
-		u[i] -= p;
-	}
-	for (u[n] -= carry; u[n] != 0; q--) {
+	for (int i = 0; i < n; i++)
+		u[i] = multiply_add(q, ~d[i], u[i], &carry);
+	for (u[n] += carry - q; u[n] != 0; q--) {
 		carry = 0;
 		for (int i = 0; i <= n; i++)
-			u[i] = add_carry(u[i], i < n ? d[i] : 0, &carry);
+			u[i] = multiply_add(u[i], 1, i < n ? d[i] : 0, &carry);
 	}
 	return q;
 }
@@ -235,21 +189,6 @@ static uint64_t bits_from(const ex *a, int e)
 	return word_at(a, at) >> bits | word_at(a, at + 1) << 1 << (63 - bits);
 }
 
-ex ex_shift(ex a, int e)
-{
-	uint64_t w[EX_WORDS + 1];
-
-	for (int i = 0; i <= a.n; i++)
-		w[i] = bits_from(&a, 64 * (a.e + i) - (e & 63));
-	ex_put(&a, a.sign, w, a.n + 1, a.e + ex_word_index(e));
-	return a;
-}
-
-static int leading_zeros(const ex *a)
-{
-	return __builtin_clzll(a->word[a->n - 1]);
-}
-
 /* The exponent of a quotient by 0: above that of all quotients of a scene's numbers. */
 enum { BEYOND = 1 << 20 };
 
@@ -259,16 +198,18 @@ bool ex_divide(const ex *a, const ex *b, int words, ex *r)
 	int n = b->n + words;
 
 	if (b->n == 0 || a->n == 0) {
-		*r = ex_shift(ex_of(b->n == 0), BEYOND);
+		*r = b->n == 0 ? ex_power(BEYOND) : *a;
 		return a->n == 0;
 	}
-	/* the shift that sets the top bit of d */
-	int bits = leading_zeros(b);
+	/* the factor that sets the top bit of d */
+	uint64_t by = (uint64_t)1 << (64 * (b->e + b->n) - ex_size(b)),
+		 carry = 0;
 
 	for (int i = 0; i < b->n; i++)
-		d[i] = bits_from(b, 64 * (b->e + i) - bits);
-	for (int i = 0; i <= n; i++)
-		u[i] = bits_from(a, 64 * (top(a) - n + i) - bits);
+		d[i] = multiply_add(b->word[i], by, 0, &carry);
+	for (int i = 0, k = a->n - n; i < n; i++, k++)
+		u[i] = multiply_add(k < 0 ? 0 : a->word[k], by, 0, &carry);
+	u[n] = carry;
 	for (int i = words; i >= 0; i--)
 		q[i] = divide_word(u + i, d, b->n);
 	uint64_t rest = a->n > n;
@@ -276,16 +217,9 @@ bool ex_divide(const ex *a, const ex *b, int words, ex *r)
 	for (int i = 0; i < b->n; i++)
 		rest |= u[i];
 	q[0] |= rest != 0;
-	ex_put(r, a->sign * b->sign, q, words + 1, top(a) - words - top(b));
+	ex_put(r, a->sign * b->sign, q, words + 1,
+	    (a->e + a->n) - words - (b->e + b->n));
 	return rest == 0;
-}
-
-ex ex_quotient(ex a, ex b)
-{
-	ex r;
-
-	ex_divide(&a, &b, EX_QUOTIENT, &r);
-	return r;
 }
 
 /* Newton's iteration begins with the root of a double, which has 50 correct bits. Each
@@ -294,60 +228,53 @@ ex ex_quotient(ex a, ex b)
  * exact. */
 ex ex_sqrt(ex a)
 {
-	int e;
+	int up = a.e + a.n - 1;
 
 	if (a.n == 0)
 		return a;
-	e = 32 * (top(&a) - 1);
-	ex m = ex_shift(a, -2 * e), r = ex_of(sqrt(ex_double(m)));
+	a.e -= up;
+	ex q, r = ex_of(sqrt(ex_nearest(&a, false)));
+	const ex *const x[] = { &r, &q };
 
 	for (int words = 2; words < 2 * EX_QUOTIENT; words *= 2) {
-		ex q;
-
-		ex_divide(&m, &r, words < EX_QUOTIENT ? words : EX_QUOTIENT,
+		ex_divide(&a, &r, words < EX_QUOTIENT ? words : EX_QUOTIENT,
 		    &q);
-		r = ex_shift(ex_add(r, q), -1);
+		ex_dot(2, x, (const ex *[]){ &half, &half }, INT_MIN, &r);
 	}
-	r = ex_add(r, ex_shift(one, 64 * (top(&r) - EX_QUOTIENT) - 1));
-	return ex_shift(ex_truncate(r, EX_QUOTIENT), e);
-}
-
-/* Returns a rounded to a number of bits, or to a multiple of 2^least if that is
- * coarser. */
-static double ex_rounded(const ex *a, int bits, int least)
-{
-	if (a->n == 0)
-		return 0;
-	int last = 64 * top(a) - leading_zeros(a) - bits;
-
-	if (last < least)
-		last = least;
-	if (64 * top(a) < last - 64)
-		return 0;
-	uint64_t m = bits_from(a, last), half = bits_from(a, last - 1) & 1;
-	int lowest = 64 * a->e + __builtin_ctzll(a->word[0]);
-
-	m += half & ((m & 1) | (lowest < last - 1));
-	return a->sign * ldexp((double)m, last);
+	q = ex_power(64 * (r.e + r.n - EX_QUOTIENT) - 1);
+	ex_dot(2, x, (const ex *[]){ &one, &one }, INT_MIN, &r);
+	r = ex_truncate(r, EX_QUOTIENT);
+	q = ex_power(32 * up);
+	ex_dot(1, x, x + 1, INT_MIN, &r);
+	return r;
 }
 
 double ex_nearest(const ex *a, bool single)
 {
-	return (single ? (double)(float)ex_rounded(a, 24, -149) :
-			 ex_rounded(a, 53, -1074)) +
-	    0.0; /* -0 is 0 */
+	int last = ex_size(a) - (single ? 24 : 53),
+	    least = single ? -149 : -1074;
+
+	if (a->n == 0)
+		return 0;
+	last = last < least ? least : last;
+	uint64_t m = bits_from(a, last), tie = bits_from(a, last - 1) & 1;
+	int lowest = 64 * a->e + __builtin_ctzll(a->word[0]);
+
+	m += tie & ((m & 1) | (lowest < last - 1));
+	double r = a->sign * ldexp((double)m, last) + 0.0; /* -0 is 0 */
+
+	return single ? (double)(float)r : r;
 }
 
-double ex_double(ex a)
+dd ex_round(const ex *a)
 {
-	return ex_nearest(&a, false);
-}
+	dd r = { ex_nearest(a, false), 0 };
+	ex rest = ex_of(-r.hi);
 
-dd ex_round(ex a)
-{
-	double hi = ex_double(a);
-
-	if (isinf(hi))
-		return (dd){ hi, 0 };
-	return (dd){ hi, ex_double(ex_sub(a, ex_of(hi))) };
+	if (isinf(r.hi))
+		return r;
+	ex_dot(2, (const ex *[]){ a, &rest }, (const ex *[]){ &one, &one },
+	    INT_MIN, &rest);
+	r.lo = ex_nearest(&rest, false);
+	return r;
 }

@@ -32,11 +32,7 @@ typedef struct {
 } ex;
 
 ex ex_of(double a);
-ex ex_neg(ex a);
-ex ex_add(ex a, ex b);
-ex ex_sub(ex a, ex b);
-ex ex_mul(ex a, ex b);
-ex ex_shift(ex a, int e); /* a 2^e */
+ex ex_power(int e); /* 2^e */
 
 /* The bound of the relative error of quotients and roots. A quotient keeps EX_QUOTIENT
  * words, and its highest word can be as small as 1. A result that has five words or fewer
@@ -44,24 +40,28 @@ ex ex_shift(ex a, int e); /* a 2^e */
 #define EX_ERROR 0x1p-703
 enum { EX_QUOTIENT = 12 };
 
-ex ex_quotient(ex a, ex b);
 ex ex_sqrt(ex a);
-
-int ex_compare(ex a, ex b);  /* the sign of a - b */
 ex ex_truncate(ex a, int n); /* the n highest words */
+
+/* Returns the least e with |a| < 2^e, or -EX_RANGE, which is below all others, if a is 0. */
+enum { EX_RANGE = 1 << 24 };
+
+static inline int ex_size(const ex *a)
+{
+	return a->n == 0 ?
+	    -EX_RANGE :
+	    64 * (a->e + a->n) - __builtin_clzll(a->word[a->n - 1]);
+}
 
 /* Returns whether, since the last call, a number in any thread has had more than EX_WORDS
  * words. */
 bool ex_has_overflowed(void);
 
-/* Returns e such that the word of weight 2^(64 e) has the bit of weight 2^bit. */
-int ex_word_index(int bit);
-
 /* The functions below take pointers, as each point calls them. */
 void ex_set(ex *, double a);
 
-/* Computes the sum of n products a[k] b[k]. Drops words of a weight below 2^(64 least),
- * but keeps at least EX_MIN_WORDS words. */
+/* Computes the sum of n products a[k] b[k]. Drops words below 2^least, but keeps
+ * at least EX_MIN_WORDS words. */
 enum { EX_MIN_WORDS = 7 };
 
 void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *);
@@ -74,12 +74,11 @@ bool ex_divide(const ex *a, const ex *b, int words, ex *);
  * among subnormal numbers. A number beyond the range gives an infinity, and 0 gives
  * +0. */
 double ex_nearest(const ex *, bool single);
-double ex_double(ex a);
 
 /* Returns the nearest double and the double nearest to the remainder. The error of their
  * sum is at most EX_BOUND u^2 a, u = 2^-53, if that is at least 2^-1022. */
 #define EX_BOUND 0.5
 
-dd ex_round(ex a);
+dd ex_round(const ex *);
 
 #endif

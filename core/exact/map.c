@@ -26,7 +26,7 @@ struct sum vec3_length(const struct sum a[3])
 {
 	struct sum r = sum_sqrt(vec3_dot(a, a));
 
-	if (r.error.m == 0)
+	if (sum_is_exact(&r))
 		return r;
 	r = sum_with_error(r.value, SUM_ERROR);
 	for (int i = 0; i < 3; i++)
@@ -42,21 +42,18 @@ bool vec3_is_zero(const struct sum a[3])
 
 void map_identity(struct map *r)
 {
-	const struct sum one = sum_of_double(1);
+	static const double one[4][4] = { { 1 }, { 0, 1 }, { 0, 0, 1 },
+		{ 0, 0, 0, 1 } };
 
-	memset(r, 0, sizeof *r);
-	r->divisor = one;
-	for (int i = 0; i < 4; i++)
-		r->m[i][i] = one;
+	map_of_doubles(one, r);
 }
 
 void map_of_doubles(const double m[4][4], struct map *r)
 {
-	memset(r, 0, sizeof *r);
-	r->divisor = sum_of_double(1);
-	for (int i = 0; i < 4; i++)
-		for (int j = 0; j < 4; j++)
-			r->m[i][j] = sum_of_double(m[i][j]);
+	memset(r->origin, 0, sizeof r->origin);
+	sum_set(&r->divisor, 1);
+	for (int i = 0; i < 16; i++)
+		sum_set(&r->m[i / 4][i % 4], m[i / 4][i % 4]);
 }
 
 static void divide_element(struct sum *a, const struct sum *d)
@@ -82,7 +79,7 @@ void map_divide(struct map *r, struct sum d)
 
 void map_divide_column(struct map *r, int j, struct sum d)
 {
-	bool divides = d.error.m > 0 || sum_is_power_of_two(&d);
+	bool divides = !sum_is_exact(&d) || sum_is_power_of_two(&d);
 
 	for (int i = 0; i < 4 && divides; i++)
 		divide_element(&r->m[i][j], &d);
@@ -92,7 +89,7 @@ void map_divide_column(struct map *r, int j, struct sum d)
 		struct sum *m = &r->m[i / 4][i % 4];
 
 		if (i % 4 != j && !sum_is_exact_zero(m))
-			*m = sum_mul(*m, d);
+			sum_dot(1, m, &d, 1, m);
 	}
 	map_divide(r, d);
 }
@@ -102,7 +99,7 @@ bool map_is_affine(const struct map *a)
 	for (int i = 0; i < 3; i++)
 		if (sum_sign(a->m[i][3]) != 0)
 			return false;
-	return ex_compare(a->m[3][3].value, a->divisor.value) == 0;
+	return sum_compare(a->m[3][3], a->divisor) == 0;
 }
 
 static bool is_identity(const struct map *a)
@@ -138,15 +135,15 @@ void map_image(const struct map *m, int j, const struct sum p[4], struct sum *r)
 
 void map_append(struct map *r, const struct map *stage, bool before)
 {
-	const struct map old = *r;
-	const struct map *a = before ? stage : &old, *b = before ? &old : stage;
-
 	if (is_identity(stage))
 		return;
-	if (is_identity(&old)) {
+	if (is_identity(r)) {
 		*r = *stage;
 		return;
 	}
+	const struct map old = *r;
+	const struct map *a = before ? stage : &old, *b = before ? &old : stage;
+
 	memcpy(r->origin, a->origin, sizeof r->origin);
 	r->divisor = sum_mul(a->divisor, b->divisor);
 	for (int i = 0; i < 4; i++)

@@ -3,8 +3,6 @@
 
 #include <math.h>
 
-#include "../exact/trig.h"
-
 /* Computes the symmetric matrix K with q K q = trace(Q' M) for the rotation Q of the unit
  * quaternion q. The rotation nearest to M is the eigenvector of the largest eigenvalue
  * of K (Horn, "Closed-form solution of absolute orientation
@@ -29,32 +27,35 @@ static void horn(const struct sum m[4][4], struct sum k[4][4])
  * next root, and squares it from then on. The slope is the product of the distances to
  * the other roots, gap * 4 x^2 within a factor of 3. The last step leaves an error
  * below 2^-260 gap. Returns false where the gap is below 2^-400 x. */
-static bool largest_root(ex s, ex d, ex k, ex *x)
+static bool largest_root(struct sum s, struct sum d, struct sum k,
+    struct sum *x)
 {
 	double step, slope, x1;
 
-	*x = ex_of(sqrt(3 * ex_double(s)));
+	*x = sum_of_double(sqrt(3 * sum_double(s)));
 	do {
-		ex x2 = ex_mul(*x, *x);
-		ex p = ex_mul(ex_sub(x2, ex_shift(s, 1)), *x);
-		ex q = ex_mul(ex_sub(x2, s), *x);
+		struct sum x2 = sum_mul(*x, *x);
+		struct sum p = sum_mul(sum_sub(x2, sum_scale(s, 2)), *x);
+		struct sum q = sum_mul(sum_sub(x2, s), *x);
 
-		p = ex_add(ex_mul(ex_sub(p, ex_shift(d, 3)), *x), k);
-		q = ex_shift(ex_sub(q, ex_shift(d, 1)), 2);
-		slope = ex_double(q);
-		ex whole = ex_quotient(p, q);
+		p = sum_add(sum_mul(sum_sub(p, sum_scale(d, 8)), *x), k);
+		q = sum_scale(sum_sub(q, sum_scale(d, 2)), 4);
+		slope = sum_double(q);
+		struct sum whole = sum_quotient(p, q);
 
-		step = ex_double(whole);
-		x1 = ex_double(*x);
+		step = sum_double(whole);
+		x1 = sum_double(*x);
 		if (!(slope > 0x1p-398 * x1 * x1 * x1))
 			return false;
-		*x = ex_truncate(ex_sub(*x, whole), 16);
+		*x = sum_sub(*x, whole);
+		*x = sum_with_error(ex_truncate(x->value, 16), 0);
 	} while (fabs(step) > 0x1p-154 * slope / (x1 * x1));
 	return true;
 }
 
 /* Computes the eigenvector q: the largest column of the adjugate of K - x, which is a
- * multiple of q q'. */
+ * multiple of q q'. An error of x below 2^-260 gap adds the other eigenvectors, each by
+ * less than 2^-260 of the adjugate and 2^-259 of its largest column. */
 static void eigenvector(const struct sum k[4][4], struct sum q[4])
 {
 	struct sum norm = sum_of_double(0);
@@ -63,7 +64,7 @@ static void eigenvector(const struct sum k[4][4], struct sum q[4])
 
 	for (int i = 0; i < 4; i++) {
 		struct sum c = map_minor(3, k, 1u << i, 1u << i);
-		double d = fabs(ex_double(c.value));
+		double d = fabs(sum_double(c));
 
 		if (d > most) {
 			most = d;
@@ -73,30 +74,29 @@ static void eigenvector(const struct sum k[4][4], struct sum q[4])
 	for (int i = 0; i < 4; i++) {
 		struct sum c = map_minor(3, k, 1u << best, 1u << i);
 
-		q[i] = sum_with_error(
-		    ex_truncate((best + i) % 2 ? ex_neg(c.value) : c.value, 8),
-		    0);
+		c = sum_negated_if((best + i) % 2, c);
+		q[i] = sum_with_error(ex_truncate(c.value, 8), 0);
 		norm = sum_add(norm, sum_abs(q[i]));
 	}
 	for (int i = 0; i < 4; i++)
-		q[i] = sum_add_error(q[i], sum_scale(norm, 0x1p-250));
+		q[i] = sum_add_error(q[i], sum_scale(norm, 0x1p-257));
 }
 
 enum rotation rotation_nearest(const double matrix[4][4], struct sum q[4])
 {
-	struct sum m[4][4], k[4][4], s = sum_of_double(0);
+	struct sum m[4][4], k[4][4], x, s = sum_of_double(0);
 	double largest = 0;
-	ex x;
 	int e;
 
 	for (int i = 0; i < 9; i++)
 		largest = fmax(largest, fabs(matrix[i / 3][i % 3]));
 	frexp(largest, &e);
+	const struct sum unit = sum_with_error(ex_power(-e), 0);
+
 	for (int i = 0; i < 9; i++) {
 		struct sum *a = &m[i / 3][i % 3];
 
-		*a = sum_with_error(ex_shift(ex_of(matrix[i / 3][i % 3]), -e),
-		    0);
+		*a = sum_scale(unit, matrix[i / 3][i % 3]);
 		s = sum_add(s, sum_mul(*a, *a));
 	}
 	struct sum det = map_minor(3, m, 8, 8);
@@ -104,10 +104,10 @@ enum rotation rotation_nearest(const double matrix[4][4], struct sum q[4])
 	if (sum_sign(det) <= 0)
 		return ROTATION_NONE;
 	horn(m, k);
-	if (!largest_root(s.value, det.value, map_minor(4, k, 0, 0).value, &x))
+	if (!largest_root(s, det, map_minor(4, k, 0, 0), &x))
 		return ROTATION_MANY;
 	for (int i = 0; i < 4; i++)
-		k[i][i] = sum_sub(k[i][i], sum_with_error(x, 0));
+		k[i][i] = sum_sub(k[i][i], x);
 	eigenvector(k, q);
 	return ROTATION_FOUND;
 }

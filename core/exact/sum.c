@@ -8,66 +8,45 @@
  * is set where the quotient is not exact. */
 enum { ROUNDED_WORDS = 2 };
 
-static const struct sum one = { { 1, 1, 0, { 1 } }, { 0, 0 } };
-static const struct sum minus_one = { { -1, 1, 0, { 1 } }, { 0, 0 } };
+static const struct sum one = { { 1, 1, 0, { 1 } }, 0 };
+static const struct sum two = { { 1, 1, 0, { 2 } }, 0 };
+static const struct sum half = { { 1, 1, -1, { (uint64_t)1 << 63 } }, 0 };
+static const struct sum minus_one = { { -1, 1, 0, { 1 } }, 0 };
 
-/* Returns m 2^e. m is a product, quotient or sum of a few numbers that are not subnormal,
- * and so not subnormal itself. */
-static struct magnitude magnitude_make(double m, int e)
+/* Returns the least e with |a| <= 2^e, or less than -EX_RANGE / 2 if a is 0. */
+static int sum_size(const ex *a)
 {
-	int more;
+	uint64_t lowest = a->word[0];
 
-	m = frexp(m, &more);
-	return (struct magnitude){ m, e + more };
+	return ex_size(a) - (a->n == 1 && (lowest & (lowest - 1)) == 0);
 }
 
-static struct magnitude magnitude_times(struct magnitude a, struct magnitude b)
+/* Returns a bound of the sum of n errors. Those below 2^-40 of the largest one don't
+ * count. */
+static int sum_bound(int n, const int error[])
 {
-	return magnitude_make(a.m * b.m, a.e + b.e);
+	int most = EX_RANGE / 2, terms = 0, e = 0;
+
+	for (int i = 0; i < n; i++)
+		most = error[i] > most ? error[i] : most;
+	for (int i = 0; i < n; i++)
+		terms += error[i] > most - 40;
+	while (1 << e < terms)
+		e++;
+	return most > EX_RANGE / 2 ? most + e : 0;
 }
 
-static struct magnitude magnitude_plus(struct magnitude a, struct magnitude b)
+void sum_set(struct sum *r, double exact)
 {
-	if (a.m == 0 || b.m == 0)
-		return a.m == 0 ? b : a;
-	if (a.e < b.e)
-		return magnitude_plus(b, a);
-	return magnitude_make(a.m +
-		(a.e - b.e < 60 ? ldexp(b.m, b.e - a.e) : 0),
-	    a.e);
-}
-
-static struct magnitude magnitude_over(struct magnitude a, struct magnitude b)
-{
-	return magnitude_make(a.m / b.m, a.e - b.e);
-}
-
-static struct magnitude magnitude_of(const ex *a)
-{
-	const uint64_t *w = a->word + a->n;
-
-	if (a->n == 0)
-		return (struct magnitude){ 0, 0 };
-	return magnitude_make((double)w[-1] +
-		(a->n > 1 ? 0x1p-64 * (double)w[-2] : 0),
-	    64 * (a->e + a->n - 1));
-}
-
-/* Returns the index of a word below which all words are less than 2^-20 of the error,
- * which is at least 2^(e - 1). */
-static int lowest_word(struct magnitude error)
-{
-	int e = error.e - 21;
-
-	return error.m > 0 ? ex_word_index(e) : INT_MIN;
+	ex_set(&r->value, exact);
+	r->error = 0;
 }
 
 struct sum sum_of_double(double exact)
 {
 	struct sum r;
 
-	ex_set(&r.value, exact);
-	r.error = (struct magnitude){ 0, 0 };
+	sum_set(&r, exact);
 	return r;
 }
 
@@ -76,29 +55,30 @@ struct sum sum_diff(double a, double b)
 	return sum_sub(sum_of_double(a), sum_of_double(b));
 }
 
-struct sum sum_with_error(ex value, double error)
+struct sum sum_with_error(ex value, int relative)
 {
-	return (struct sum){ value,
-		magnitude_times(magnitude_of(&value),
-		    magnitude_make(error, 0)) };
+	const int error = sum_size(&value) + relative;
+
+	return (struct sum){ value, sum_bound(1, &error) };
 }
 
 struct sum sum_add_error(struct sum a, struct sum more)
 {
-	a.error = magnitude_plus(a.error,
-	    magnitude_plus(magnitude_of(&more.value), more.error));
-	return a;
-}
-
-struct sum sum_neg(struct sum a)
-{
-	a.value = ex_neg(a.value);
+	a.error = sum_bound(3,
+	    (int[]){ a.error, sum_size(&more.value) + EX_RANGE, more.error });
 	return a;
 }
 
 struct sum sum_negated_if(bool yes, struct sum a)
 {
-	return yes ? sum_neg(a) : a;
+	if (yes)
+		a.value.sign = -a.value.sign;
+	return a;
+}
+
+struct sum sum_neg(struct sum a)
+{
+	return sum_negated_if(true, a);
 }
 
 struct sum sum_abs(struct sum a)
@@ -108,32 +88,31 @@ struct sum sum_abs(struct sum a)
 
 bool sum_is_exact_zero(const struct sum *a)
 {
-	return a->value.n == 0 && a->error.m == 0;
+	return a->value.n == 0 && sum_is_exact(a);
 }
 
 /* Computes the sum of n <= 4 products. The error of a product is |a| times the error of
- * b, |b| times the error of a, and the product of both errors. */
+ * b, |b| times the error of a, and the product of both errors. Words below 2^-20 of the
+ * error are dropped. */
 static void dot_of_pointers(int n, const struct sum *const a[],
     const struct sum *const b[], struct sum *r)
 {
 	const ex *x[4], *y[4];
-	struct magnitude error = { 0, 0 };
+	int error[3 * 4], terms = 0;
 
 	for (int k = 0; k < n; k++) {
-		struct magnitude off_a = a[k]->error, off_b = b[k]->error;
-
 		x[k] = &a[k]->value;
 		y[k] = &b[k]->value;
-		if (off_a.m > 0)
-			error = magnitude_plus(error,
-			    magnitude_times(off_a,
-				magnitude_plus(magnitude_of(y[k]), off_b)));
-		if (off_b.m > 0)
-			error = magnitude_plus(error,
-			    magnitude_times(magnitude_of(x[k]), off_b));
+		if (sum_is_exact(a[k]) && sum_is_exact(b[k]))
+			continue;
+		error[terms++] = sum_size(x[k]) + b[k]->error;
+		error[terms++] = sum_size(y[k]) + a[k]->error;
+		error[terms++] = a[k]->error + b[k]->error - EX_RANGE;
 	}
-	ex_dot(n, x, y, lowest_word(error), &r->value);
-	r->error = error;
+	int bound = sum_bound(terms, error);
+
+	ex_dot(n, x, y, bound - EX_RANGE - 21, &r->value);
+	r->error = bound;
 }
 
 void sum_dot(int n, const struct sum *a, const struct sum *b, int step,
@@ -187,70 +166,61 @@ struct sum sum_minor(struct sum a, struct sum b, struct sum c, struct sum d)
 
 bool sum_is_one(const struct sum *a)
 {
-	return a->error.m == 0 && a->value.sign == 1 && a->value.n == 1 &&
+	return sum_is_exact(a) && a->value.sign == 1 && a->value.n == 1 &&
 	    a->value.e == 0 && a->value.word[0] == 1;
 }
 
 bool sum_is_power_of_two(const struct sum *a)
 {
-	return a->error.m == 0 && a->value.n == 1 &&
-	    (a->value.word[0] & (a->value.word[0] - 1)) == 0;
+	return sum_is_exact(a) && sum_size(&a->value) < ex_size(&a->value);
 }
 
 struct sum sum_quotient(struct sum a, struct sum b)
 {
-	struct magnitude d = magnitude_of(&b.value), error;
+	/* |b| is at least 2^d, or half of that if its error is not far smaller */
+	int d = ex_size(&b.value) - 1;
+	struct sum r;
 
 	if (sum_is_exact_zero(&a))
 		return a;
 	if (sum_is_power_of_two(&b)) {
-		ex q = ex_shift(a.value, 1 - d.e);
-
-		return (struct sum){ b.value.sign < 0 ? ex_neg(q) : q,
-			magnitude_over(a.error, d) };
+		r = sum_with_error(ex_power(-d), 0);
+		r.value.sign = b.value.sign;
+		return sum_mul(a, r);
 	}
-	ex q;
-	bool exact = ex_divide(&a.value, &b.value, EX_QUOTIENT, &q);
+	d -= b.error - EX_RANGE > d - 40;
+	bool exact = ex_divide(&a.value, &b.value, EX_QUOTIENT, &r.value);
+	int size = sum_size(&r.value);
 
-	/* 1 / b is at most 2 / |value| where b's error is at most half its value */
-	error = magnitude_plus(a.error,
-	    magnitude_times(magnitude_of(&q), b.error));
-	error = magnitude_over(error, d);
-	error.e += b.error.m > 0;
-	return (struct sum){ q,
-		exact ?
-		    error :
-		    magnitude_plus(error, sum_with_error(q, SUM_ERROR).error) };
+	r.error = sum_bound(3,
+	    (int[]){ a.error - d, size + b.error - d,
+		exact ? 0 : size + SUM_ERROR });
+	return r;
 }
 
 struct sum sum_sqrt(struct sum a)
 {
 	if (a.value.sign <= 0) /* bounds the root by that of the error */
 		return (struct sum){ ex_of(0),
-			{ a.error.m > 0 ? 0.5 : 0, a.error.e / 2 + 2 } };
-	struct sum r = sum_with_error(ex_sqrt(a.value), SUM_ERROR);
+			sum_is_exact(&a) ? 0 : (a.error + EX_RANGE) / 2 + 1 };
+	struct sum r = { ex_sqrt(a.value), 0 };
 
-	if (a.error.m > 0)
-		r.error = magnitude_plus(r.error,
-		    magnitude_over(a.error, magnitude_of(&r.value)));
-	else if (2 * r.value.n <= a.value.n + 2 &&
-	    ex_compare(ex_mul(r.value, r.value), a.value) == 0)
-		r.error.m = 0;
+	if (!sum_is_exact(&a) || sum_compare(sum_mul(r, r), a) != 0)
+		r.error = sum_bound(2,
+		    (int[]){ sum_size(&r.value) + SUM_ERROR,
+			a.error - ex_size(&r.value) + 1 });
 	return r;
 }
 
-/* Returns whether |difference| <= error. Such a difference counts as 0. */
-static bool is_within_error(const ex *difference, struct magnitude error)
+/* Returns whether the value is not above its error. */
+static bool is_none(const struct sum *a)
 {
-	struct magnitude d = magnitude_of(difference);
-
-	return difference->n == 0 ||
-	    (error.m > 0 && (d.e != error.e ? d.e < error.e : d.m <= error.m));
+	return sum_size(&a->value) + EX_RANGE <= a->error;
 }
 
 int sum_sign(struct sum a)
 {
-	return is_within_error(&a.value, a.error) ? 0 : a.value.sign;
+	return is_none(&a) ? 0 : a.value.sign;
 }
 
 int sum_compare(struct sum a, struct sum b)
@@ -260,7 +230,7 @@ int sum_compare(struct sum a, struct sum b)
 
 struct sum sum_snap_zero(struct sum a)
 {
-	return sum_sign(a) == 0 ? sum_of_double(0) : a;
+	return is_none(&a) ? sum_of_double(0) : a;
 }
 
 /* Returns the double or float next to a, away from 0 or toward 0. */
@@ -279,48 +249,44 @@ static double round_inexact(const struct sum *n, const struct sum *d,
     const ex *q, bool single)
 {
 	const double near = ex_nearest(q, single);
-	ex rest, two = ex_of(2), a = ex_of(-near), b;
+	struct sum rest, a = sum_of_double(-near);
 
-	ex_dot(2, (const ex *[]){ q, &a }, (const ex *[]){ &two, &two },
-	    INT_MIN, &rest);
-	int side = rest.sign * q->sign;
+	ex_dot(2, (const ex *[]){ q, &a.value },
+	    (const ex *[]){ &one.value, &one.value }, INT_MIN, &rest.value);
+	int side = rest.value.sign * q->sign;
 
 	if (!isfinite(near) || side == 0)
 		return near;
 	double other = neighbour(near == 0 ? copysign(0, q->sign) : near,
 	    side > 0, single);
+	struct sum b = sum_of_double(-other);
 
-	ex_set(&b, -other);
-	ex_dot(3, (const ex *[]){ &n->value, &d->value, &d->value },
-	    (const ex *[]){ &two, &a, &b }, INT_MIN, &rest);
-	struct magnitude error = magnitude_plus(
-	    magnitude_times(magnitude_of(&two), n->error),
-	    magnitude_times(magnitude_plus(magnitude_of(&a), magnitude_of(&b)),
-		d->error));
-
-	if (is_within_error(&rest, error)) {
-		ex middle = ex_shift(ex_add(a, b), -1);
-
-		return -ex_nearest(&middle, single);
+	dot_of_pointers(3, (const struct sum *[]){ n, d, d },
+	    (const struct sum *[]){ &two, &a, &b }, &rest);
+	if (is_none(&rest)) {
+		dot_of_pointers(2, (const struct sum *[]){ &a, &b },
+		    (const struct sum *[]){ &half, &half }, &rest);
+		return -ex_nearest(&rest.value, single);
 	}
-	bool beyond = rest.sign * d->value.sign == q->sign;
+	bool beyond = rest.value.sign * d->value.sign == q->sign;
 
 	return beyond == (side > 0) ? other : near;
 }
 
 double sum_nearest(const struct sum *n, const struct sum *d, bool single)
 {
-	bool exact = n->error.m == 0 && d->error.m == 0;
 	ex quotient;
 	const ex *q = &quotient;
 
-	if (is_within_error(&n->value, n->error))
+	if (is_none(n))
 		return 0;
 	if (sum_is_one(d))
 		q = &n->value;
 	else
 		ex_divide(&n->value, &d->value, ROUNDED_WORDS, &quotient);
-	return exact ? ex_nearest(q, single) : round_inexact(n, d, q, single);
+	return sum_is_exact(n) && sum_is_exact(d) ?
+	    ex_nearest(q, single) :
+	    round_inexact(n, d, q, single);
 }
 
 double sum_ratio(struct sum n, struct sum d)
@@ -342,19 +308,19 @@ double sum_double(struct sum a)
 
 dd sum_dd(struct sum a)
 {
-	return ex_round(sum_snap_zero(a).value);
+	return is_none(&a) ? (dd){ 0, 0 } : ex_round(&a.value);
 }
 
 double sum_error(const struct sum *a)
 {
-	double e = ldexp(a->error.m, a->error.e) * (1 + 0x1p-50);
+	int e = a->error - EX_RANGE;
 
-	return a->error.m > 0 ? e + 0x1p-1022 : 0;
+	return sum_is_exact(a) ? 0 : ldexp(1, e < -1022 ? -1022 : e);
 }
 
 double sum_least_error(const struct sum *n, const struct sum *d)
 {
-	struct magnitude s = magnitude_over(n->error, magnitude_of(&d->value));
+	int e = n->error - EX_RANGE - sum_size(&d->value);
 
-	return ldexp(s.m, s.e) * (1 - 0x1p-50);
+	return ldexp(1, e) * (1 - 0x1p-50);
 }

@@ -6,38 +6,36 @@
 
 #include "exact.h"
 
-/* The number m 2^e with 1/2 <= m < 1, or 0. Its range is wider than a double's. */
-struct magnitude {
-	double m;
-	int e;
-};
-
-/* A value within error of the exact number; error 0 means that the value is exact. An
- * error comes from an irrational number, or from a quotient that was not put into a
- * map's divisor, and each operation bounds the error of its result.
+/* A value within 2^(error - EX_RANGE) of the exact number; error 0 means that the value is
+ * exact. An error comes from an irrational number, or from a quotient that was not put
+ * into a map's divisor, and each operation bounds the error of its result.
  *
- * A difference that is not above its error counts as 0. A number that is 0 by its
- * formula is therefore 0, and a number midway between two doubles is rounded to even,
- * although a square root was computed on the way.
+ * A difference that is not above its error counts as 0. A number that is 0 by its formula is
+ * therefore 0, and a number midway between two doubles is rounded to even, although a
+ * square root was computed on the way.
  *
- * An operation rounds its bound by less than 2^-45, and drops words below 2^-20 of the
- * error. The true error is therefore at most 1 + 2^-19 times the bound. Roots and
- * quotients have relative errors of 2^-703, sines and cosines of 2^-313. They count as
- * SUM_ERROR and SUM_TRIG_ERROR, which leaves room for four million operations in
- * a row. */
-#define SUM_ERROR 0x1p-690
-#define SUM_TRIG_ERROR 0x1p-300
+ * An operation drops words below 2^-20 of the error. The true error is therefore at most
+ * 1 + 2^-19 times the bound. Roots and quotients have relative errors of 2^-703, sines and
+ * cosines of 2^-313. They count as 2^-698 and 2^-308, which leaves room for a million
+ * operations in a row. */
+enum { SUM_ERROR = EX_RANGE - 698, SUM_TRIG_ERROR = EX_RANGE - 308 };
 
 struct sum {
 	ex value;
-	struct magnitude error;
+	int error;
 };
 
+static inline bool sum_is_exact(const struct sum *a)
+{
+	return a->error == 0;
+}
+
+void sum_set(struct sum *, double exact);
 struct sum sum_of_double(double exact);
 struct sum sum_diff(double a, double b); /* a - b */
 
-/* Returns the value with an error of relative times its magnitude. */
-struct sum sum_with_error(ex value, double relative);
+/* Returns the value with a relative error, 0 or one of those above. */
+struct sum sum_with_error(ex value, int relative);
 
 /* Returns the same value with an error that is larger by |more|. */
 struct sum sum_add_error(struct sum, struct sum more);

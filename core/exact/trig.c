@@ -4,12 +4,16 @@
 #include <limits.h>
 
 /* pi / 2, with a relative error below 2^-963. */
-static const ex QUARTER = { 1, 16, -15,
-	{ 0x8400f97142c77e0b, 0x9250cca3d9c8b67b, 0x5d3e4822f8963fcc,
-	    0xdc70d7f6b5133f4b, 0x17feb96de80d6fdb, 0xe89885d34c6fdad6,
-	    0xc90b6aecc4bcfd8d, 0x9fc26adadaa3848b, 0x605614dbe4be286e,
-	    0xdf2a33679a748636, 0xa29410f31c6809bb, 0x04177d4c76273644,
-	    0x52049c1114cf98e8, 0x898cc51701b839a2, 0x921fb54442d18469, 1 } };
+static const struct sum QUARTER = {
+	{ 1, 16, -15,
+	    { 0x8400f97142c77e0b, 0x9250cca3d9c8b67b, 0x5d3e4822f8963fcc,
+		0xdc70d7f6b5133f4b, 0x17feb96de80d6fdb, 0xe89885d34c6fdad6,
+		0xc90b6aecc4bcfd8d, 0x9fc26adadaa3848b, 0x605614dbe4be286e,
+		0xdf2a33679a748636, 0xa29410f31c6809bb, 0x04177d4c76273644,
+		0x52049c1114cf98e8, 0x898cc51701b839a2, 0x921fb54442d18469,
+		1 } },
+	0
+};
 
 /* The words kept of an angle, and of the terms of its series. */
 enum { WORDS = 6 };
@@ -20,16 +24,17 @@ enum { WORDS = 6 };
  * than the last of their words. */
 static ex series(ex y, int n, int last, int words)
 {
-	ex minus = ex_neg(ex_truncate(y, words));
-	ex c = ex_of(1), s = c, step;
+	ex minus = ex_truncate(y, words), c = ex_of(1), s = c, step = c;
 	const ex *const a[] = { &c, &s }, *const b[] = { &step, &minus };
 
+	minus.sign = -minus.sign;
 	for (int k = n + last; k > n; k -= 2) {
-		ex_set(&step, (double)(k * (k - 1)));
-		ex_dot(2, a, b, c.e + c.n - words, &s);
+		step.word[0] = (uint64_t)(k * (k - 1));
+		ex_dot(2, a, b, 64 * (c.e + c.n - words), &s);
 		ex_dot(1, a, b, INT_MIN, &c);
 	}
-	return ex_quotient(s, c);
+	ex_divide(&s, &c, EX_QUOTIENT, &step);
+	return step;
 }
 
 /* The last power of x for |x| <= pi / 4. The first term left out, x^64/64!, is below
@@ -44,15 +49,13 @@ enum { LONG = 168, LONG_WORDS = 11 };
 
 bool trig_sinc(struct sum square, struct sum *sinc, struct sum *versinc)
 {
-	ex most = ex_shift(ex_mul(QUARTER, QUARTER), 4);
-
-	if (ex_compare(square.value, most) > 0)
+	if (sum_compare(square, sum_scale(sum_mul(QUARTER, QUARTER), 16)) > 0)
 		return false;
 	ex s = series(square.value, 1, LONG, LONG_WORDS);
 	ex v = series(square.value, 2, LONG, LONG_WORDS);
 
 	*sinc = sum_with_error(s, SUM_TRIG_ERROR);
-	*versinc = sum_with_error(ex_shift(v, -1), SUM_TRIG_ERROR);
+	*versinc = sum_scale(sum_with_error(v, SUM_TRIG_ERROR), 0.5);
 	return true;
 }
 
@@ -60,9 +63,14 @@ bool trig_sinc(struct sum square, struct sum *sinc, struct sum *versinc)
  * degrees. */
 struct reduced {
 	double degrees; /* the rest; nan where the angle is given in radians */
-	ex radians;     /* the rest */
+	struct sum radians; /* the rest, truncated */
 	unsigned quarters;
 };
+
+static struct sum angle_rest(struct sum a)
+{
+	return sum_with_error(ex_truncate(a.value, WORDS), 0);
+}
 
 /* fmod is exact, and so is rest - 90 q, by Sterbenz's lemma. */
 static void reduce_degrees(double angle, struct reduced *r)
@@ -70,8 +78,8 @@ static void reduce_degrees(double angle, struct reduced *r)
 	double rest = fmod(angle, 360), q = rint(rest / 90);
 
 	r->degrees = rest - 90 * q;
-	r->radians = ex_quotient(ex_mul(QUARTER, ex_of(r->degrees)), ex_of(90));
-	r->radians = ex_truncate(r->radians, WORDS);
+	r->radians = angle_rest(
+	    sum_quotient(sum_scale(QUARTER, r->degrees), sum_of_double(90)));
 	r->quarters = (unsigned)(int)q;
 }
 
@@ -81,30 +89,31 @@ static void reduce_degrees(double angle, struct reduced *r)
  * 2^-396. */
 static void reduce_radians(double angle, struct reduced *r)
 {
-	ex a = ex_of(fabs(angle));
-	ex q = ex_add(ex_quotient(a, QUARTER), ex_of(0.5));
+	struct sum a = sum_of_double(angle);
+	struct sum half = sum_of_double(copysign(0.5, angle));
+	ex q = sum_add(sum_quotient(a, QUARTER), half).value;
 
 	q = ex_truncate(q, q.e + q.n > 0 ? q.e + q.n : 0);
-	a = ex_truncate(ex_sub(a, ex_mul(q, QUARTER)), WORDS);
+	a = sum_sub(a, sum_mul(sum_with_error(q, 0), QUARTER));
 	r->degrees = (double)NAN;
-	r->radians = angle < 0 ? ex_neg(a) : a;
-	r->quarters = q.n > 0 && q.e == 0 ? (unsigned)q.word[0] & 3 : 0;
-	if (angle < 0)
-		r->quarters = 0 - r->quarters;
+	r->radians = angle_rest(a);
+	r->quarters = q.n > 0 && q.e == 0 ? (unsigned)q.word[0] : 0;
+	r->quarters *= (unsigned)q.sign;
 }
 
 /* Returns the sine (n = 1) or the cosine (n = 0) of the rest of a reduced angle. The
  * sine of 0 is exactly 0, as the error is relative. */
 static struct sum sine_of_rest(const struct reduced *r, int n)
 {
-	if (n == 0 && r->radians.sign == 0)
+	if (n == 0 && r->radians.value.sign == 0)
 		return sum_of_double(1);
 	if (n == 1 && fabs(r->degrees) == 30)
 		return sum_of_double(copysign(0.5, r->degrees));
-	ex s = series(ex_mul(r->radians, r->radians), n, SHORT, WORDS);
-
-	return sum_with_error(n == 1 ? ex_mul(r->radians, s) : s,
+	struct sum s = sum_with_error(
+	    series(sum_mul(r->radians, r->radians).value, n, SHORT, WORDS),
 	    SUM_TRIG_ERROR);
+
+	return n == 1 ? sum_mul(s, r->radians) : s;
 }
 
 /* Returns the sine of the angle plus quarters times 90 degrees. */
@@ -140,7 +149,7 @@ struct sum trig_cot(double angle, enum angle_unit unit)
 static struct sum to_degrees(struct sum angle)
 {
 	return sum_quotient(sum_scale(angle, 90),
-	    sum_with_error(QUARTER, SUM_TRIG_ERROR));
+	    sum_with_error(QUARTER.value, SUM_TRIG_ERROR));
 }
 
 #define DEGREE 57.29577951308232
@@ -152,7 +161,7 @@ double trig_degrees(struct sum y, struct sum x)
 	x = sum_snap_zero(x);
 	y = sum_snap_zero(y);
 	struct sum size = sum_abs(x);
-	struct sum most = ex_compare(y.value, size.value) > 0 ? y : size;
+	struct sum most = sum_compare(y, size) > 0 ? y : size;
 
 	if (sum_sign(most) == 0)
 		return (double)NAN;

@@ -6,15 +6,6 @@
 
 #include <stdint.h>
 
-/* Returns the low word of a + b + *carry, and sets *carry, 0 or 1, to the high word. */
-static inline uint64_t add_carry(uint64_t a, uint64_t b, uint64_t *carry)
-{
-	uint64_t s = a + b, t = s + *carry;
-
-	*carry = (s < a) | (t < s);
-	return t;
-}
-
 /* Returns the low word of a b + c + *carry, and sets *carry to the high word. Two words
  * hold the sum: for B = 2^64, (B - 1)^2 + 2 (B - 1) = B^2 - 1. The same holds for the
  * half words, B = 2^32, below. */

@@ -24,7 +24,7 @@ static void round_column(const struct transform *t, int j, struct kernel_map *k)
 			a = sum_quotient(a, t->map.divisor);
 		dd e = element_rounded(a);
 
-		k->exact[i][j] = a.error.m == 0 && e.lo == 0 &&
+		k->exact[i][j] = sum_is_exact(&a) && e.lo == 0 &&
 		    sum_compare(a, sum_of_double(e.hi)) == 0;
 		k->hi[i][j] = e.hi;
 		k->lo[i][j] = e.lo;

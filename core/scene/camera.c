@@ -3,7 +3,32 @@
 
 #include <string.h>
 
-#include "../exact/trig.h"
+void convention_change(const struct convention *from,
+    const struct convention *to, bool clip, bool rows, struct map *r)
+{
+	bool flips_y = clip ? from->ndc_y_down != to->ndc_y_down :
+			      from->view_y_down != to->view_y_down;
+	bool flips_z = !clip && looks_back(from) != looks_back(to);
+	bool depth = clip && from->minus_one != to->minus_one;
+	double t = to->minus_one != rows ? -1 : 0.5, size = t < 0 ? 2 : 0.5;
+
+	for (int i = 0; i < 4; i++) {
+		struct sum *y = rows ? &r->m[1][i] : &r->m[i][1];
+		struct sum *z = rows ? &r->m[2][i] : &r->m[i][2];
+		struct sum *w = rows ? &r->m[3][i] : &r->m[i][3];
+
+		y->value.sign *= flips_y ? -1 : 1;
+		z->value.sign *= flips_z ? -1 : 1;
+		if (depth && rows)
+			*w = sum_add(*w, sum_scale(*z, t));
+		if (depth)
+			*z = sum_scale(*z, size);
+		if (depth && !rows)
+			*z = sum_add(*z, sum_scale(*w, t));
+	}
+	if (rows && (flips_y || flips_z || depth))
+		memset(r->origin, 0, sizeof r->origin);
+}
 
 /* The unit vector v / length. v is not divided because it is an exact polynomial of the
  * parameters, in which terms cancel exactly. If the length of axis y is exact, the three
@@ -12,6 +37,8 @@ struct axis {
 	struct sum v[3];
 	struct sum length;
 };
+
+enum { AXIS_SUMS = sizeof(struct axis) / sizeof(struct sum) };
 
 static void axis_scale(struct axis *a, struct sum s)
 {
@@ -59,7 +86,7 @@ static const char *axes_of_gaze(const struct camera *c,
 		y->v[i] = sum_neg(y->v[i]);
 		z->v[i] = sum_neg(z->v[i]);
 	}
-	if (y->length.error.m == 0) {
+	if (sum_is_exact(&y->length)) {
 		struct sum along = x->length;
 
 		axis_scale(x, z->length);
@@ -118,22 +145,9 @@ static const char *axes_of_rvec(const struct camera *c, struct axis axis[3])
 	return NULL;
 }
 
-/* The messages that refuse a matrix and a pose for a reason. */
-#define REFUSALS(reason)                                           \
-	{                                                          \
-		"/camera/matrix: " reason, "/camera/pose: " reason \
-	}
-
-static const char *const refusals[][2] = {
-	[ROTATION_NONE] = REFUSALS("its determinant is not positive; "
-				   "a rotation's is 1"),
-	[ROTATION_MANY] = REFUSALS("two directions have all but vanished; "
-				   "no rotation is the nearest"),
-};
-
-static const char *const not_affine[2] = REFUSALS(NOT_AFFINE);
-static const char *const singular[2] = REFUSALS(
-    "singular; it can't be inverted");
+/* The message that refuses a matrix or a pose for a reason. */
+#define REFUSAL(pose, reason) \
+	((pose) ? "/camera/pose: " reason : "/camera/matrix: " reason)
 
 /* Computes the axes of the rotation nearest to the upper 3x3. An element that is not
  * above the error of the quaternion becomes 0. */
@@ -142,8 +156,13 @@ static const char *axes_of_matrix(const struct camera *c, struct axis axis[3])
 	struct sum q[4];
 	enum rotation found = rotation_nearest(c->matrix, q);
 
-	if (found != ROTATION_FOUND)
-		return refusals[found][c->kind == CAMERA_POSE];
+	if (found == ROTATION_NONE)
+		return REFUSAL(c->kind == CAMERA_POSE,
+		    "its determinant is not positive; a rotation's is 1");
+	if (found == ROTATION_MANY)
+		return REFUSAL(c->kind == CAMERA_POSE,
+		    "two directions have all but vanished; no rotation is the "
+		    "nearest");
 	axes_of_quaternion(q, axis);
 	for (int i = 0; i < 9; i++) {
 		struct sum *v = &axis[i / 3].v[i % 3];
@@ -166,17 +185,19 @@ static const char *axes_of_matrix(const struct camera *c, struct axis axis[3])
 static void map_of_axes(const struct axis a[3], const double at[3],
     bool at_is_origin, bool inverse, struct map *r)
 {
-	bool exact = a[1].length.error.m == 0;
+	bool exact = sum_is_exact(&a[1].length);
 	struct sum d = exact ? a[1].length : sum_of_double(1), minus[3];
 
 	for (int i = 0; i < 3; i++)
 		minus[i] = sum_of_double(-at[i]);
 	map_identity(r);
 	for (int i = 0; i < 3; i++) {
-		const struct sum row[3] = { a[0].v[i], a[1].v[i], a[2].v[i] };
-		struct sum given = sum_mul(d, sum_of_double(at[i]));
-		struct sum found = vec3_dot(at_is_origin ? row : a[i].v, minus);
+		struct sum given = sum_scale(d, at[i]), found;
 
+		if (at_is_origin)
+			sum_dot(3, minus, &a[0].v[i], AXIS_SUMS, &found);
+		else
+			found = vec3_dot(a[i].v, minus);
 		if (!exact)
 			found = sum_quotient(found, a[i].length);
 		for (int k = 0; k < 3; k++)
@@ -184,9 +205,9 @@ static void map_of_axes(const struct axis a[3], const double at[3],
 			    a[i].v[k] :
 			    sum_quotient(a[i].v[k], a[i].length);
 		r->m[3][i] = at_is_origin == inverse ? found : given;
-		r->origin[i] = inverse ?
-		    0 :
-		    sum_ratio(at_is_origin ? found : given, d);
+		if (!inverse)
+			r->origin[i] = at_is_origin ? sum_ratio(found, d) :
+						      at[i];
 	}
 	r->m[3][3] = d;
 	map_divide(r, d);
@@ -217,14 +238,12 @@ static const char *camera_matrix_map(const struct camera *c, bool inverse,
 
 	map_of_doubles(c->matrix, r);
 	if (!map_is_affine(r))
-		return not_affine[pose];
+		return REFUSAL(pose, NOT_AFFINE);
 	if (!c->orthonormalize) {
-		struct map regular;
-
-		if ((pose || inverse) && !map_inverse(c->matrix, &regular))
-			return singular[pose];
-		if (back)
-			*r = regular;
+		if ((pose || inverse) && !map_inverse(c->matrix, r))
+			return REFUSAL(pose, "singular; it can't be inverted");
+		if (!back)
+			map_of_doubles(c->matrix, r);
 		return NULL;
 	}
 	const char *why = axes_of_matrix(c, axis);

@@ -9,10 +9,9 @@
  *	 zx  zy  zz  zw
  *	 tx  ty  tz  tw
  * Its columns are divided by dx, dy, dz and 1, and the whole matrix by d. The columns z and
- * w and d are exact, except with the view angle of a volume. So is det = zz tw - zw tz,
- * which is set as a product of parameters. */
+ * w and d are exact, except with the view angle of a volume. */
 struct scaled_matrix {
-	struct sum x, y, zx, zy, zz, zw, tx, ty, tz, tw, dx, dy, dz, d, det;
+	struct sum x, y, zx, zy, zz, zw, tx, ty, tz, tw, dx, dy, dz, d;
 };
 
 /* Sets x / dx = s / over and y / dy = x / dx aspect, if given_x; else y / dy = s / over
@@ -102,26 +101,24 @@ static const char *cross_section(const struct projection *p, double d,
 	return NULL;
 }
 
-/* Sets zz / dz = f/(f-n) and tz / dz = -nf/(f-n) or, for depth -1 to 1, (f+n)/(f-n) and
- * -2nf/(f-n). An infinite far gives the limits; reverse_z exchanges near and far. Without
- * planes, depth 1/w is the reversed depth of n = 1 and an infinite far. */
-static void depth_column(const struct projection *p, bool minus_one,
-    struct scaled_matrix *f)
+/* Sets zz / dz = f/(f-n) and tz / dz = -nf/(f-n). An infinite far gives the limits;
+ * reverse_z exchanges near and far. Without planes, depth 1/w is the reversed depth of
+ * n = 1 and an infinite far. */
+static void depth_column(const struct projection *p, struct scaled_matrix *f)
 {
-	double k = minus_one ? 2 : 1, n = projection_is_open(p) ? 1 : p->near;
+	double n = projection_is_open(p) ? 1 : p->near;
 
 	if (isinf(p->far)) {
-		/* A = 1, reversed 1 - k; B = -k n, reversed k n */
 		f->dz = sum_of_double(1);
-		f->zz = sum_of_double(p->reverse_z ? 1 - k : 1);
-		f->tz = sum_of_double(p->reverse_z ? k * n : -k * n);
+		f->zz = sum_of_double(p->reverse_z ? 0 : 1);
+		f->tz = sum_of_double(p->reverse_z ? n : -n);
 	} else {
 		double a = p->reverse_z ? p->far : n;
 		double b = p->reverse_z ? n : p->far;
 
 		f->dz = sum_diff(b, a);
-		f->zz = minus_one ? sum_diff(b, -a) : sum_of_double(b);
-		f->tz = sum_mul(sum_of_double(-k * a), sum_of_double(b));
+		f->zz = sum_of_double(b);
+		f->tz = sum_scale(sum_of_double(-a), b);
 	}
 }
 
@@ -133,7 +130,6 @@ static const char *persp_matrix(const struct projection *p,
 	double at = projection_is_by_p(p) ? 1 :
 	    p->edges_at > 0               ? p->edges_at :
 					    p->near;
-	bool back = looks_back(c);
 	bool down = projection_is_by_p(p) && !c->bottom_left;
 	struct sum off[2];
 	const char *why = cross_section(p, at, f, off);
@@ -144,17 +140,15 @@ static const char *persp_matrix(const struct projection *p,
 		return "/projection/near: not less than far; for reversed "
 		       "depth say \"reverse_z\": true";
 	f->d = sum_of_double(1);
-	depth_column(p, c->minus_one, f);
-	f->det = sum_negated_if(!back, f->tz);
-	f->zx = sum_negated_if(!back, off[0]);
-	f->zy = sum_negated_if(back == down, off[1]);
-	f->zz = sum_negated_if(back, f->zz);
-	f->zw = sum_negated_if(back, sum_of_double(1));
+	depth_column(p, f);
+	f->zx = sum_neg(off[0]);
+	f->zy = sum_negated_if(!down, off[1]);
+	f->zw = sum_of_double(1);
 	return NULL;
 }
 
 static const char *ortho_matrix(const struct projection *p,
-    const struct convention *c, struct scaled_matrix *f)
+    struct scaled_matrix *f)
 {
 	double a = p->reverse_z ? p->far : p->near;
 	double b = p->reverse_z ? p->near : p->far;
@@ -168,39 +162,32 @@ static const char *ortho_matrix(const struct projection *p,
 	if (sum_sign(f->dz) == 0)
 		return "/projection/far: equal to near; "
 		       "the planes must differ";
-	f->zz = sum_negated_if(looks_back(c),
-	    sum_of_double(c->minus_one ? 2 : 1));
-	f->tz = c->minus_one ? sum_diff(-a, b) : sum_of_double(-a);
+	f->zz = sum_of_double(1);
+	f->tz = sum_of_double(-a);
 	f->tx = sum_neg(off[0]);
 	f->ty = sum_neg(off[1]);
 	f->tw = sum_of_double(1);
-	f->det = f->zz;
 	return NULL;
 }
 
 /* Computes the product of the shear x' = x + cot(angle) cos(direction) (depth - plane),
  * y' = y + cot(angle) sin(direction) (depth - plane) and the matrix of ortho. */
 static const char *oblique_matrix(const struct projection *p,
-    const struct convention *c, struct scaled_matrix *f)
+    struct scaled_matrix *f)
 {
-	const char *why = ortho_matrix(p, c, f);
+	const char *why = ortho_matrix(p, f);
 	struct sum cot = sum_of_double(p->kind == OBLIQUE_CABINET ? 0.5 : 1);
 
 	if (why != NULL)
 		return why;
 	if (p->kind == OBLIQUE_ANGLE)
 		cot = trig_cot(p->projector, p->unit);
-	struct sum zx = sum_mul(sum_mul(cot,
-				    trig_cos(p->direction, p->direction_unit)),
-	    f->x);
-	struct sum zy = sum_mul(sum_mul(cot,
-				    trig_sin(p->direction, p->direction_unit)),
-	    f->y);
-
-	f->tx = sum_sub(f->tx, sum_mul(zx, sum_of_double(p->plane)));
-	f->ty = sum_sub(f->ty, sum_mul(zy, sum_of_double(p->plane)));
-	f->zx = sum_negated_if(looks_back(c), zx);
-	f->zy = sum_negated_if(looks_back(c), zy);
+	f->zx = sum_mul(cot, trig_cos(p->direction, p->direction_unit));
+	f->zx = sum_mul(f->zx, f->x);
+	f->zy = sum_mul(cot, trig_sin(p->direction, p->direction_unit));
+	f->zy = sum_mul(f->zy, f->y);
+	f->tx = sum_sub(f->tx, sum_scale(f->zx, p->plane));
+	f->ty = sum_sub(f->ty, sum_scale(f->zy, p->plane));
 	return NULL;
 }
 
@@ -229,7 +216,7 @@ static void inverse_eye_of_angle(const struct projection *p,
 
 	*numerator = sum_negated_if(p->z_near < p->z_far, high ? f.x : f.y);
 	*denominator = sum_mul(high ? f.dx : f.dy, cot);
-	if (denominator->error.m > 0) {
+	if (!sum_is_exact(denominator)) {
 		*numerator = sum_quotient(*numerator, *denominator);
 		*denominator = sum_of_double(1);
 	}
@@ -266,7 +253,7 @@ static const char *eye_plane_crosses(const struct projection *p)
  * the far plane and bn / qd = 1 - zn q on the near plane. If the signs of an and bn
  * differ, the eye plane is inside the volume. */
 static const char *volume_matrix(const struct projection *p,
-    const struct convention *c, struct scaled_matrix *f)
+    struct scaled_matrix *f)
 {
 	struct sum zn = sum_of_double(p->z_near), zf = sum_of_double(p->z_far);
 	struct sum qn, qd, skew[2];
@@ -298,28 +285,15 @@ static const char *volume_matrix(const struct projection *p,
 	f->zz = sum_neg(an);
 	f->zw = sum_neg(qn);
 	f->tz = sum_mul(an, zn);
-	f->det = sum_neg(sum_mul(an, bn));
-	if (c->minus_one) {
-		f->zz = sum_sub(f->zz, bn);
-		f->tz = sum_add(f->tz, sum_mul(bn, zf));
-		f->det = sum_mul(f->det, sum_of_double(2));
-	}
 	return NULL;
 }
 
 static void map_of_scaled(const struct scaled_matrix *f, struct map *r)
 {
-	const struct sum z = sum_of_double(0);
-	const struct sum m[4][4] = {
-		{ f->x, z, z, z },
-		{ z, f->y, z, z },
-		{ f->zx, f->zy, f->zz, f->zw },
-		{ f->tx, f->ty, f->tz, f->tw },
-	};
-
-	memset(r, 0, sizeof *r);
-	memcpy(r->m, m, sizeof m);
-	r->divisor = sum_of_double(1);
+	*r = (struct map){ .m = { { f->x }, { [1] = f->y },
+			       { f->zx, f->zy, f->zz, f->zw },
+			       { f->tx, f->ty, f->tz, f->tw } },
+		.divisor = sum_of_double(1) };
 	map_divide(r, f->d);
 	map_divide_column(r, 0, f->dx);
 	map_divide_column(r, 1, f->dy);
@@ -327,13 +301,14 @@ static void map_of_scaled(const struct scaled_matrix *f, struct map *r)
 }
 
 /* Returns the inverse, by blocks of 2x2. Its diagonal blocks are the inverses of x 0, 0
- * y and of zz zw, tz tw. Its third block is minus the product of these two with zx zy,
+ * y and of zz zw, tz tw, whose determinant is det. Its third block is minus the product of these two with zx zy,
  * tx ty. The divisors of columns become factors of rows. */
 static struct scaled_matrix scaled_inverse(const struct scaled_matrix *f)
 {
-	struct sum one = sum_of_double(1), det = f->det, d = f->d;
+	struct sum det = sum_minor(f->zz, f->tw, f->zw, f->tz);
+	struct sum one = sum_of_double(1), d = f->d;
 
-	if (det.error.m > 0) {
+	if (!sum_is_exact(&det)) {
 		d = sum_quotient(d, det);
 		det = one;
 	}
@@ -400,8 +375,7 @@ static const char *projection_matrix_map(const struct projection *p,
 static void intrinsics_matrix(const struct projection *p,
     const struct convention *c, double level[4][4])
 {
-	const double sign[4] = { 1, c->bottom_left == c->view_y_down ? -1 : 1,
-		looks_back(c) ? -1 : 1, 1 };
+	const double sign[4] = { 1, c->bottom_left ? 1 : -1, 1, 1 };
 
 	for (int i = 0; i < 4; i++) {
 		for (int j = 0; j < 3; j++)
@@ -427,43 +401,36 @@ static const char *append_intrinsics(const struct projection *p,
 	return NULL;
 }
 
-/* Computes the matrix of a projection given by parameters. */
+/* Computes the matrix of a projection given by parameters, in d3d. */
 static const char *scaled_of_projection(const struct projection *p,
     const struct convention *c, struct scaled_matrix *f)
 {
-	const char *why = NULL;
-
 	switch (p->type) {
 	case PROJECTION_PERSP:
-		why = persp_matrix(p, c, f);
-		break;
+		return persp_matrix(p, c, f);
 	case PROJECTION_ORTHO:
-		why = ortho_matrix(p, c, f);
-		break;
+		return ortho_matrix(p, f);
 	case PROJECTION_OBLIQUE:
-		why = oblique_matrix(p, c, f);
-		break;
+		return oblique_matrix(p, f);
 	case PROJECTION_VOLUME:
-		why = volume_matrix(p, c, f);
-		break;
+		return volume_matrix(p, f);
 	case PROJECTION_NONE:
 	case PROJECTION_MATRIX:
 		break;
 	}
-	f->y = sum_negated_if(c->view_y_down, f->y);
-	f->zy = sum_negated_if(c->view_y_down && p->type == PROJECTION_VOLUME,
-	    f->zy);
-	if (c->ndc_y_down) {
-		f->y = sum_neg(f->y);
-		f->zy = sum_neg(f->zy);
-		f->ty = sum_neg(f->ty);
-	}
-	return why;
+	return NULL;
 }
 
 const char *projection_map(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {
+	/* d3d, but a volume is given in view space */
+	bool volume = p->type == PROJECTION_VOLUME;
+	const struct convention given = {
+		.right_handed = volume && c->right_handed,
+		.view_y_down = volume && c->view_y_down,
+		.ndc_y_down = volume && c->view_y_down,
+	};
 	struct scaled_matrix f = { 0 };
 
 	if (p->type == PROJECTION_NONE) {
@@ -479,8 +446,11 @@ const char *projection_map(const struct projection *p,
 	if (inverse)
 		f = scaled_inverse(&f);
 	map_of_scaled(&f, r);
-	return projection_is_by_p(p) ? append_intrinsics(p, c, inverse, r) :
-				       NULL;
+	if (projection_is_by_p(p))
+		why = append_intrinsics(p, c, inverse, r);
+	convention_change(&given, c, false, !inverse, r);
+	convention_change(&given, c, true, inverse, r);
+	return why;
 }
 
 /* Returns whether the matrix of a parallel projection contains a camera that is turned.

@@ -63,103 +63,86 @@ static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 	return NULL;
 }
 
-/* Computes the map of view or clip space from one convention to another. The map is the
- * identity for other spaces. y, and in view space z, may change their signs. The depth z
- * from 0 to w of clip space becomes 2 z - w from -w to w, and back (z + w) / 2. */
-static void convention_map(enum space space, const struct convention *from,
-    const struct convention *to, struct map *r)
-{
-	bool view = space == SPACE_VIEW, clip = space == SPACE_CLIP;
-	bool flips_y = (view && from->view_y_down != to->view_y_down) ||
-	    (clip && from->ndc_y_down != to->ndc_y_down);
-	bool flips_z = view && looks_back(from) != looks_back(to);
-	bool depth = clip && from->minus_one != to->minus_one;
-	double y = flips_y ? -1 : 1, t = !depth ? 0 : to->minus_one ? -1 : 0.5;
-	double z = flips_z ? -1 : !depth ? 1 : to->minus_one ? 2 : 0.5;
-	const double m[4][4] = {
-		{ 1, 0, 0, 0 },
-		{ 0, y, 0, 0 },
-		{ 0, 0, z, 0 },
-		{ 0, 0, t, 1 },
-	};
-
-	map_of_doubles(m, r);
-}
-
-/* Changes the map of a stage, or its inverse, from the scene's convention to the
- * answer's. */
-static void scene_answer(const struct scene *s, enum space below, bool inverse,
+/* Computes the map of a stage, from the space below to the next space, or its inverse. */
+static const char *scene_stage(const struct scene *s, int below, bool inverse,
     struct map *r)
 {
-	const struct convention *c = &s->convention;
-	enum space from = below + inverse, to = below + !inverse;
-	struct map before, after;
-
-	if (s->answer == NULL)
-		return;
-	convention_map(from, s->answer, c, &before);
-	convention_map(to, c, s->answer, &after);
-	map_append(r, &before, true);
-	map_append(r, &after, false);
-}
-
-/* Computes the map of a stage, from the space below to the next space, or its inverse. */
-static const char *stage_map(const struct scene *s, enum space below,
-    bool inverse, struct map *r)
-{
-	const struct convention *c = &s->convention;
+	const struct convention *c = &s->convention, *to = answer_convention(s);
 	const char *why = NULL;
 
-	map_identity(r);
-	switch (below) {
+	switch ((enum space)below) {
 	case SPACE_MODEL:
 		return world_map(s, inverse, r);
 	case SPACE_WORLD:
 		if (s->has_camera)
 			why = camera_map(&s->camera, c, inverse, r);
-		scene_answer(s, below, inverse, r);
+		else
+			map_identity(r);
 		break;
 	case SPACE_VIEW:
 		why = projection_map(&s->projection, c, inverse, r);
-		scene_answer(s, below, inverse, r);
 		break;
 	case SPACE_NDC:
 		if (!s->has_viewport)
 			return "/viewport: missing; device coordinates need "
 			       "one, or use the space ndc";
-		return viewport_map(&s->viewport, answer_convention(s), inverse,
-		    r);
+		return viewport_map(&s->viewport, to, inverse, r);
 	case SPACE_CLIP: /* ndc is clip space divided by w */
 	case SPACE_DEVICE:
-		break;
+		map_identity(r);
+		return NULL;
 	}
-	return why;
+	if (why != NULL)
+		return why;
+	convention_change(c, to, false, inverse == (below == SPACE_WORLD), r);
+	if (below == SPACE_VIEW)
+		convention_change(c, to, true, inverse, r);
+	return NULL;
 }
 
-static const char *compose(const struct scene *s, enum space from,
-    enum space to, struct map *r)
+/* Computes the map of a stage of the 2D window, from the space below to the next space, or
+ * its inverse. */
+static const char *flat_stage(const struct scene *s, int below, bool inverse,
+    struct map *r)
+{
+	const struct device *d = s->has_device ? &s->device : NULL;
+
+	return below == FLAT_WINDOW ? window_map(&s->window, d, inverse, r) :
+				      device_map(&s->device, inverse, r);
+}
+
+static const char *compose(const struct scene *s, int from, int to,
+    const char *stage(const struct scene *, int, bool, struct map *),
+    struct map *r)
 {
 	bool back = from > to;
-	int low = (int)(back ? to : from), high = (int)(back ? from : to);
-	struct map stage;
+	int low = back ? to : from, high = back ? from : to;
+	struct map next;
 
 	map_identity(r);
 	for (int i = low; i < high; i++) {
-		const char *why = stage_map(s, (enum space)i, back, &stage);
+		const char *why = stage(s, i, back, &next);
 
 		if (why != NULL)
 			return why;
-		map_append(r, &stage, back);
+		map_append(r, &next, back);
 	}
 	return NULL;
 }
 
-static const char *check_range(const struct map *r)
+/* Returns why, or the reason why the map of a scene, or flat of a window, is refused. */
+static const char *check_range(const char *why, const struct map *r, bool flat)
 {
+	if (why != NULL)
+		return why;
 	if (ex_has_overflowed())
-		return "/projection: " SCENE_TOO_WIDE;
-	return map_is_finite(r) ?
-	    NULL :
+		return flat ? "/window: " SCENE_TOO_WIDE :
+			      "/projection: " SCENE_TOO_WIDE;
+	if (map_is_finite(r))
+		return NULL;
+	return flat ?
+	    "/window: the composed matrix has elements beyond the range of "
+	    "doubles; bring the sizes nearer to one another" :
 	    "/projection: the scene's composed matrix has elements beyond "
 	    "the range of doubles; bring sizes and distances nearer to one "
 	    "another";
@@ -168,48 +151,27 @@ static const char *check_range(const struct map *r)
 const char *scene_map(const struct scene *s, enum space from, enum space to,
     struct map *r)
 {
-	const char *why = compose(s, from, to, r);
-
-	return why != NULL ? why : check_range(r);
+	return check_range(compose(s, (int)from, (int)to, scene_stage, r), r,
+	    false);
 }
 
 const char *scene_map_by_view(const struct scene *s, enum space from,
     enum space to, struct map *r, struct map *from_view)
 {
-	const char *why = compose(s, from, SPACE_VIEW, r);
+	const char *why = compose(s, (int)from, SPACE_VIEW, scene_stage, r);
 
 	if (why == NULL)
-		why = compose(s, SPACE_VIEW, to, from_view);
-	if (why != NULL)
-		return why;
-	map_append(r, from_view, false);
-	return check_range(r);
+		why = compose(s, SPACE_VIEW, (int)to, scene_stage, from_view);
+	if (why == NULL)
+		map_append(r, from_view, false);
+	return check_range(why, r, false);
 }
 
 const char *scene_flat_map(const struct scene *s, enum flat from, enum flat to,
     struct map *r)
 {
-	const struct device *d = s->has_device ? &s->device : NULL;
-	bool back = from > to;
-	enum flat low = back ? to : from, high = back ? from : to;
-	struct map stage;
-	const char *why = NULL;
-
-	map_identity(r);
-	if (low == high)
-		return NULL;
-	if (low == FLAT_WINDOW)
-		why = window_map(&s->window, d, back, r);
-	if (why == NULL && high == FLAT_DEVICE) {
-		why = device_map(&s->device, back, &stage);
-		map_append(r, &stage, back);
-	}
-	if (why == NULL && ex_has_overflowed())
-		return "/window: " SCENE_TOO_WIDE;
-	return why != NULL || map_is_finite(r) ?
-	    why :
-	    "/window: the composed matrix has elements beyond the range of "
-	    "doubles; bring the sizes nearer to one another";
+	return check_range(compose(s, (int)from, (int)to, flat_stage, r), r,
+	    true);
 }
 
 const char *scene_shown(const struct scene *s, struct shown *w)

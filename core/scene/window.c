@@ -90,17 +90,6 @@ const char *window_map(const struct window *w, const struct device *d,
 	return NULL;
 }
 
-const char *device_map(const struct device *d, bool inverse, struct map *r)
-{
-	struct sum high = sum_of_double(d->top_left ? -d->height : d->height);
-
-	map_identity(r);
-	ndc_axis(r, 0, sum_of_double(d->width), 2,
-	    sum_diff(d->x, -d->width / 2), inverse);
-	ndc_axis(r, 1, high, 2, sum_diff(d->y, -d->height / 2), inverse);
-	return NULL;
-}
-
 /* Writes the pixels to a unit of ndc in x and y: half the sides with SCALE_FILL. */
 static void scales(const struct viewport *v, double s[2])
 {
@@ -149,4 +138,13 @@ const char *viewport_map(const struct viewport *v, const struct convention *c,
 	    inverse);
 	ndc_axis(r, 2, depth, c->minus_one ? 2 : 1, min, inverse);
 	return NULL;
+}
+
+const char *device_map(const struct device *d, bool inverse, struct map *r)
+{
+	const struct viewport v = { d->x, d->y, d->width, d->height, 0, 1,
+		SCALE_FILL, { 0 } };
+	const struct convention c = { .bottom_left = !d->top_left };
+
+	return viewport_map(&v, &c, inverse, r);
 }

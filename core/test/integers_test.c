@@ -8,7 +8,7 @@
 #include <limits.h>
 #include <stdlib.h>
 
-#include "../exact/exact.h"
+#include "arithmetic.h"
 
 static int tries = 20;
 

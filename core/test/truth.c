@@ -187,7 +187,7 @@ static void compare(const struct map *m, int i, int j, const struct truth *t,
 	struct form exact = truth_element(t, i, j), one = form_of(1);
 	struct sum got = map_element(m, i, j);
 	dd pair = sum_dd(got);
-	real bound = number(got.error.m);
+	real bound = number(!sum_is_exact(&got));
 	real off = magnitude(sub(number_ex(got.value), exact.value));
 
 	for (int single = 0; single < 2; single++) {
@@ -202,7 +202,7 @@ static void compare(const struct map *m, int i, int j, const struct truth *t,
 		keep_worst(&w->error,
 		    u2_error(pair, exact.value,
 			mpfr_get_d(magnitude(exact.value), MPFR_RNDN)));
-	mpfr_mul_2si(bound, bound, got.error.e, MPFR_RNDN);
+	mpfr_mul_2si(bound, bound, got.error - EX_RANGE, MPFR_RNDN);
 	/* the truth is rounded, too: its sine of 180 degrees is not 0, nor is what is
 	 * left of 1 - 1 */
 	real rounding = number(1);

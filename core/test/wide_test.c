@@ -31,18 +31,6 @@ static wide both(uint64_t high, uint64_t low)
 	return (wide)high << 64 | low;
 }
 
-static void sums(void **state)
-{
-	(void)state;
-	sample_seed(1);
-	for (int i = 0; i < TRIES; i++) {
-		uint64_t a = any_word(), b = any_word(), c = sample_below(2);
-		uint64_t carry = c, s = add_carry(a, b, &carry);
-
-		assert_true(both(carry, s) == (wide)a + b + c);
-	}
-}
-
 static void products(void **state)
 {
 	(void)state;
@@ -73,7 +61,6 @@ int main(void)
 {
 #ifdef HAS_WIDE
 	const struct CMUnitTest tests[] = {
-		cmocka_unit_test(sums),
 		cmocka_unit_test(products),
 		cmocka_unit_test(quotients),
 	};

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: MIT */
+/* The arithmetic of tests with ex, by ex_dot and ex_divide. */
+#ifndef ARITHMETIC_H
+#define ARITHMETIC_H
+
+#include <limits.h>
+
+#include "../exact/exact.h"
+
+static inline ex ex_neg(ex a)
+{
+	a.sign = -a.sign;
+	return a;
+}
+
+static inline ex ex_mul(ex a, ex b)
+{
+	const ex *const x[] = { &a }, *const y[] = { &b };
+
+	ex_dot(1, x, y, INT_MIN, &a);
+	return a;
+}
+
+static inline ex ex_add(ex a, ex b)
+{
+	const ex one = ex_of(1);
+	const ex *const x[] = { &a, &b }, *const y[] = { &one, &one };
+
+	ex_dot(2, x, y, INT_MIN, &a);
+	return a;
+}
+
+static inline ex ex_sub(ex a, ex b)
+{
+	return ex_add(a, ex_neg(b));
+}
+
+static inline ex ex_quotient(ex a, ex b)
+{
+	ex r;
+
+	ex_divide(&a, &b, EX_QUOTIENT, &r);
+	return r;
+}
+
+/* Returns a 2^e. */
+static inline ex ex_shift(ex a, int e)
+{
+	return ex_mul(a, ex_power(e));
+}
+
+/* Returns the sign of a - b. */
+static inline int ex_compare(ex a, ex b)
+{
+	return ex_sub(a, b).sign;
+}
+
+static inline double ex_double(ex a)
+{
+	return ex_nearest(&a, false);
+}
+
+#endif
