@@ -200,7 +200,8 @@ static bool do_at_once(struct job *j, const char *text, size_t size)
 	struct chunk *c = chunk_new();
 
 	c->first = is_binary(j->layout.in.format) ? FIRST_IS_READ : FIRST_LINE;
-	c->piece.text = memcpy(xrealloc(NULL, size + PIECE_MARGIN), text, size);
+	piece_resize(&c->piece, size);
+	memcpy(c->piece.text, text, size);
 	c->piece.whole = size;
 	job_do(j, c);
 	bool refused = c->refused;

@@ -10,9 +10,15 @@ struct chunk *chunk_new(void)
 {
 	struct chunk *c = aligned_alloc(_Alignof(struct chunk), sizeof *c);
 
-	if (c != NULL)
-		return memset(c, 0, sizeof *c);
-	die(EXIT_SYSTEM, "out of memory");
+	if (c == NULL)
+		die(EXIT_SYSTEM, "out of memory");
+	memset(c, 0, offsetof(struct chunk, stretch));
+	piece_resize(&c->piece, PIECE_ROOM);
+	/* enough for most output, so that a new thread need not allocate,
+	 * for which the C library would first map an arena */
+	c->room = 4 * PIECE_ROOM;
+	c->out = xrealloc(NULL, c->room);
+	return c;
 }
 
 char *chunk_reserve(struct chunk *c, size_t more)

@@ -18,7 +18,8 @@ struct complaint {
 
 /* Lines are counted from 0 in each chunk. A binary point counts as a line. */
 struct chunk {
-	const char *name; /* of the source */
+	struct chunk *next; /* in one of the lists of stream.c */
+	const char *name;   /* of the source */
 	struct piece piece;
 	const char *text, *end; /* the bytes that are not read yet */
 	size_t n_lines;         /* before the block */
@@ -37,12 +38,12 @@ struct chunk {
 	size_t block_lines, block_points;
 	bool planned, walks; /* walk is made; it can take lines */
 	struct walk walk;
+	struct word word[256]; /* chunk_word's results; empty until needed */
+	/* chunk_new leaves the members from here on without a value */
 	COLUMN_ALIGNED struct stretch stretch;
 	COLUMN_ALIGNED struct line line[POINTS_BLOCK];
 	COLUMN_ALIGNED double in[4][POINTS_BLOCK];
 	COLUMN_ALIGNED double image[COORDINATES_MAX][POINTS_BLOCK];
-
-	struct word word[256]; /* chunk_word's results; empty until needed */
 	struct complaint complaint[COMPLAINTS_MAX];
 };
 
