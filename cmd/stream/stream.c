@@ -55,9 +55,10 @@ void call_with_stack(void *(*run)(void *), void *with)
  * take more time than the thread saves. */
 enum { PER_THREAD = 1 << 16 };
 
-/* How often a thread without a chunk looks for one before it sleeps: others read a piece
- * of a file in less time than it would take to wake the thread. */
-enum { LOOKS = 50 };
+/* A thread without a chunk looks for one that often before it sleeps, with pauses: others
+ * read a piece of a file in less time than the system takes to wake a thread. To yield
+ * the processor could cost milliseconds if other programs run. */
+enum { LOOKS = 100, PAUSE = 200 };
 
 /* Each thread repeats three steps: it begins the next chunk, which reads from the
  * source and may wait for it; it does the job on the chunk; and if no other thread is
@@ -77,9 +78,9 @@ static struct {
 
 	/* the source that is read */
 	struct point_source *source;
-	bool open;                      /* its end was not read yet */
-	enum first first;               /* see struct chunk */
-	bool beginning, answering;      /* a thread is doing so */
+	bool open;        /* no thread reads it, nor has its end */
+	bool answering;   /* a thread is doing so */
+	enum first first; /* see struct chunk */
 	struct chunk *oldest, **newest; /* the queue of chunks begun */
 } ring = {
 	.lock = PTHREAD_MUTEX_INITIALIZER,
@@ -94,13 +95,13 @@ static struct {
  * the one before it, which may have the csv header. */
 static bool may_begin(void)
 {
-	return ring.open && !ring.beginning && ring.unused != NULL &&
+	return ring.open && ring.unused != NULL &&
 	    (!ring.first || ring.oldest == NULL);
 }
 
 static bool is_finished(void)
 {
-	return !ring.open && !ring.beginning && ring.oldest == NULL;
+	return !ring.open && ring.oldest == NULL;
 }
 
 static void add_unused(struct chunk *c)
@@ -140,18 +141,17 @@ static struct chunk *begin_chunk(void)
 	struct chunk *c = ring.unused;
 
 	ring.unused = c->next;
+	*ring.newest = c;
+	ring.newest = &c->next;
 	c->next = NULL;
 	c->name = ring.source->name;
 	c->first = ring.first;
 	c->done = false;
-	ring.beginning = true;
+	ring.open = false;
 	pthread_mutex_unlock(&ring.lock);
 	source_read(ring.source, &ring.job->layout, &c->piece);
 	pthread_mutex_lock(&ring.lock);
-	ring.beginning = false;
 	ring.open = c->piece.state < PIECE_LAST;
-	*ring.newest = c;
-	ring.newest = &c->next;
 	/* this thread may be back before a slow stream has more */
 	if (c->piece.state != PIECE_EARLY)
 		call_thread();
@@ -180,20 +180,6 @@ static void answer_done(void)
 	ring.answering = false;
 }
 
-static void do_chunk(void)
-{
-	struct chunk *c = begin_chunk();
-
-	pthread_mutex_unlock(&ring.lock);
-	job_do(ring.job, c);
-	pthread_mutex_lock(&ring.lock);
-	ring.first = c->first;
-	c->done = true;
-	answer_done();
-	if (is_finished())
-		pthread_cond_broadcast(&ring.changed);
-}
-
 /* Does chunks, forever or until the source is finished. */
 static void run_chunks(bool forever)
 {
@@ -201,12 +187,22 @@ static void run_chunks(bool forever)
 
 	while (forever || !is_finished()) {
 		if (may_begin()) {
-			do_chunk();
+			struct chunk *c = begin_chunk();
+
+			pthread_mutex_unlock(&ring.lock);
+			job_do(ring.job, c);
+			pthread_mutex_lock(&ring.lock);
+			ring.first = c->first;
+			c->done = true;
+			answer_done();
+			if (is_finished())
+				pthread_cond_broadcast(&ring.changed);
 			looks = 0;
 		} else if (looks++ < LOOKS) {
 			ring.looking++;
 			pthread_mutex_unlock(&ring.lock);
-			sched_yield();
+			for (volatile int i = 0; i < PAUSE; i++)
+				continue;
 			pthread_mutex_lock(&ring.lock);
 			ring.looking--;
 		} else {
