@@ -130,6 +130,14 @@ struct point_source source_of_file(const char *name, int fd)
 	return s;
 }
 
+struct point_source source_of_text(const char *name, const char *text,
+    size_t size)
+{
+	return (struct point_source){ .name = name,
+		.text = { text, text + size },
+		.size = (off_t)size };
+}
+
 void source_read(struct point_source *s, const struct layout *l,
     struct piece *p)
 {

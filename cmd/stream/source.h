@@ -54,6 +54,8 @@ struct point_source {
 void piece_resize(struct piece *, size_t room);
 
 struct point_source source_of_file(const char *name, int fd);
+struct point_source source_of_text(const char *name, const char *text,
+    size_t size);
 
 /* Reads the next piece; may wait for a stream. The piece before must still have its text.
  * Only one thread at a time may call it. */

@@ -144,7 +144,6 @@ static struct chunk *begin_chunk(void)
 	*ring.newest = c;
 	ring.newest = &c->next;
 	c->next = NULL;
-	c->name = ring.source->name;
 	c->first = ring.first;
 	c->done = false;
 	ring.open = false;
@@ -235,34 +234,18 @@ static int count_threads(int wanted)
 	return 0 < wanted && wanted < processors ? wanted : processors;
 }
 
-static void stream(struct job *j, struct point_source *s)
+void stream(struct job *j, struct point_source s)
 {
-	answer_source(s->size);
+	answer_source(j, &s);
 	pthread_mutex_lock(&ring.lock);
 	if (ring.job == NULL) {
 		ring.job = j;
 		ring.most = count_threads(j->threads) - 1;
 		add_unused(chunk_new());
 	}
-	ring.source = s;
+	ring.source = &s;
 	ring.open = true;
 	ring.first = FIRST_LINE;
 	run_chunks(false);
 	pthread_mutex_unlock(&ring.lock);
-}
-
-void stream_file(struct job *j, const char *name, int fd)
-{
-	struct point_source s = source_of_file(name, fd);
-
-	stream(j, &s);
-}
-
-void stream_text(struct job *j, const char *name, const char *text, size_t size)
-{
-	struct point_source s = { .name = name,
-		.text = { text, text + size },
-		.size = (off_t)size };
-
-	stream(j, &s);
 }
