@@ -6,8 +6,6 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "../message/message.h"
-
 /* The totals of all chunks that were answered. One thread at a time uses them. */
 static struct {
 	struct place next; /* of the next line of the source */
@@ -56,6 +54,7 @@ void answer_source(const struct job *j, const struct point_source *s)
 {
 	answer.next = (struct place){ .file = s->name,
 		.line = 1,
+		.scene = message_state.scene,
 		.of_points = is_binary(j->layout.in.format) };
 	progress.bytes = 0;
 	progress.size = s->size;
@@ -134,15 +133,6 @@ static struct place place_of(const struct chunk *c, size_t line)
 	return p;
 }
 
-static void count_imageless(const struct chunk *c)
-{
-	if (c->imageless > 0 && answer.imageless == 0) {
-		answer.where = place_of(c, c->first_imageless);
-		answer.where.scene = message_state.scene;
-	}
-	answer.imageless += c->imageless;
-}
-
 static void report_imageless(void)
 {
 	answer.where.join = answer.imageless == 1 ? ": " : ", the first in ";
@@ -192,8 +182,10 @@ void answer_chunk(const struct job *j, struct chunk *c)
 		j->collect(j, c);
 	else if (!c->refused)
 		print_chunk(j, c);
+	if (answer.imageless == 0)
+		answer.where = place_of(c, c->first_imageless);
 	if (j->count_imageless)
-		count_imageless(c);
+		answer.imageless += c->imageless;
 	if (c->n_complaints > 0 || c->piece.state > PIECE_LAST)
 		report_bad_lines(j, c);
 	answer.next.line += (long long)c->n_lines;

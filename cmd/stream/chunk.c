@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../message/message.h"
 #include "job.h"
 
 struct chunk *chunk_new(void)

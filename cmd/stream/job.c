@@ -34,15 +34,6 @@ static bool block_read_line(struct job *j, struct chunk *c, struct span text,
 	return true;
 }
 
-static bool block_read_next(struct job *j, struct chunk *c)
-{
-	const char *newline = memchr(c->text, '\n', (size_t)(c->end - c->text));
-	struct span text = { c->text, newline != NULL ? newline : c->end };
-
-	c->text = newline != NULL ? newline + 1 : c->end;
-	return block_read_line(j, c, text, newline != NULL);
-}
-
 /* Adds n walked lines to the block, with their numbers v. Line i is read with
  * line_read if bit i of rest is set. Returns false where a bad line ends the chunk. */
 static bool block_add(struct job *j, struct chunk *c, size_t n, uint64_t rest,
@@ -68,8 +59,9 @@ static bool block_add(struct job *j, struct chunk *c, size_t n, uint64_t rest,
 }
 
 /* Reads some of the next lines of the stretch. */
-static bool block_walk(struct job *j, struct chunk *c, const struct walk *walk)
+static bool block_walk(struct job *j, struct chunk *c)
 {
+	const struct walk *walk = &c->walk;
 	struct line *line = &c->line[c->block_lines];
 	size_t n = POINTS_BLOCK - c->block_lines;
 	const struct layout *l = &j->layout;
@@ -109,10 +101,17 @@ static void block_read(struct job *j, struct chunk *c)
 		}
 		if (c->walks &&
 		    (s->at < s->end ||
-			stretch_open(s, &c->walk, c->text, c->end)))
-			more = block_walk(j, c, &c->walk);
-		else
-			more = block_read_next(j, c);
+			stretch_open(s, &c->walk, c->text, c->end))) {
+			more = block_walk(j, c);
+			continue;
+		}
+		const char *newline = memchr(c->text, '\n',
+		    (size_t)(c->end - c->text));
+		struct span text = { c->text,
+			newline != NULL ? newline : c->end };
+
+		c->text = newline != NULL ? newline + 1 : c->end;
+		more = block_read_line(j, c, text, newline != NULL);
 	}
 }
 

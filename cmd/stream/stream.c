@@ -13,8 +13,6 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "../message/message.h"
-
 /* The size of a thread's stack in bytes. Systems give 128 KB or more. inspect needs up
  * to 192 KB, as a map is 7 KB of exact numbers. */
 enum { STACK_SIZE = 1 << 20 };
