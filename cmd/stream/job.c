@@ -179,59 +179,91 @@ static void block_mark(const struct job *j, struct chunk *c)
 			c->first_imageless = c->n_lines + i;
 }
 
-/* Makes the texts of the batch that has point p, unless the chunk has them. */
-static void make_texts(const struct layout *l, struct chunk *c, size_t p)
-{
-	size_t from = p - p % NUMBER_BATCH, rest = c->block_points - from;
+/* The state of block_write. */
+struct writer {
+	const struct job *job;
+	struct chunk *chunk;
+	bool
+	    in_place; /* images take the places of points, or follow the line */
+	bool adds;    /* values follow those that were read */
+	int order[4]; /* the coordinates in their order on the line before */
+	unsigned char outside[POINTS_BLOCK]; /* planes, for each point */
 
-	if (c->batch == from)
+	/* The texts of a batch of points: enough of them for vectors, few enough
+	 * for the first cache. */
+	size_t batch; /* the first point of the batch */
+	struct number_text text[COORDINATES_MAX][NUMBER_BATCH];
+};
+
+/* Makes the texts of the batch that has point p, unless w has them. */
+static void make_texts(struct writer *w, size_t p)
+{
+	const struct layout *l = &w->job->layout;
+	size_t from = p - p % NUMBER_BATCH;
+	size_t rest = w->chunk->block_points - from;
+
+	if (w->batch == from)
 		return;
 	for (int k = 0; k < l->writes; k++)
-		number_texts(&c->image[k][from],
+		number_texts(&w->chunk->image[k][from],
 		    rest < NUMBER_BATCH ? rest : NUMBER_BATCH, l->single,
-		    l->style[k], c->text_of[k]);
-	c->batch = from;
+		    l->style[k], w->text[k]);
+	w->batch = from;
+}
+
+/* Returns the image of point p. */
+static inline struct numbers image_of(const struct writer *w, size_t p)
+{
+	return (struct numbers){ &w->chunk->image[0][p],
+		&w->text[0][p % NUMBER_BATCH], POINTS_BLOCK, NUMBER_BATCH };
 }
 
 /* Writes the line of point p with its image. */
-static char *put_image(const struct layout *l, struct chunk *c,
-    const struct line *line, size_t p, char *at)
+static char *put_image(struct writer *w, const struct line *line, size_t p,
+    char *at)
 {
-	const struct word *flags = l->flags ? chunk_word(c, c->outside[p]) :
-					      NULL;
-	const struct numbers n = { &c->image[0][p],
-		&c->text_of[0][p % NUMBER_BATCH], POINTS_BLOCK, NUMBER_BATCH };
+	const struct layout *l = &w->job->layout;
+	const struct word *flags = l->flags ?
+	    chunk_word(w->chunk, w->outside[p]) :
+	    NULL;
 
-	make_texts(l, c, p);
-	if (c->in_place && is_in_order(line, l->reads) &&
-	    (!c->adds || can_add_in_place(l, line, l->reads)))
-		return l->append ?
-		    write_in_place(l, line, true, NULL, n, flags, at) :
-		    write_in_place(l, line, false, NULL, n, flags, at);
-	if (!c->in_place || c->adds)
+	make_texts(w, p);
+	if (w->in_place && is_in_order(line, l->reads) &&
+	    (!w->adds || can_add_in_place(l, line, l->reads)))
+		return l->append ? write_in_place(l, line, true, NULL,
+				       image_of(w, p), flags, at) :
+				   write_in_place(l, line, false, NULL,
+				       image_of(w, p), flags, at);
+	if (!w->in_place || w->adds) {
+		const struct numbers n = image_of(w, p);
+
 		return line_write(l, line, &n, flags, at);
-	find_order(line, l->reads, c->order);
-	return write_in_place(l, line, false, c->order, n, flags, at);
+	}
+	find_order(line, l->reads, w->order);
+	return write_in_place(l, line, false, w->order, image_of(w, p), flags,
+	    at);
 }
 
 /* Writes a line, or a binary point for it. If the line is a point, it is point p of the
  * block and gets its image; if the line is bad, each coordinate becomes nan. */
-static char *put_line(const struct job *j, struct chunk *c,
-    const struct line *line, size_t p, char *at)
+static char *put_line(struct writer *w, const struct line *line, size_t p,
+    char *at)
 {
 	static const double nan = (double)NAN;
 	static const struct number_text none = { .layout = 0 };
 	const struct numbers n = { &nan, &none, 0, 0 };
+	const struct job *j = w->job;
 	bool point = line->kind == LINE_POINT, bad = line_is_bad(line);
 
-	if (j->visible && (point ? c->outside[p] != 0 : bad))
+	if (j->visible && (point ? w->outside[p] != 0 : bad))
 		return at;
 	if (is_binary(j->layout.out.format))
-		return point || bad ? binary_put(&j->layout, c, line, p, at) :
-				      at;
+		return point || bad ?
+		    binary_put(&j->layout, w->chunk, line, p, at) :
+		    at;
 	return point ?
-	    put_image(&j->layout, c, line, p, at) :
-	    line_write(&j->layout, line, &n, chunk_word(c, OUT_NAN), at);
+	    put_image(w, line, p, at) :
+	    line_write(&j->layout, line, &n, chunk_word(w->chunk, OUT_NAN), at);
 }
 
 /* Reserves room for the block's lines. Returns where they are written. */
@@ -249,24 +281,27 @@ static char *reserve_lines(const struct layout *l, struct chunk *c)
 /* Appends the block's lines, with the images of its points, to the chunk's out. */
 static void block_write(const struct job *j, struct chunk *c)
 {
-	const double *const in[4] = { c->in[0], c->in[1], c->in[2], c->in[3] };
 	const struct layout *l = &j->layout;
+	struct writer w; /* no initializer, which would clear the texts */
+	const double *const in[4] = { c->in[0], c->in[1], c->in[2], c->in[3] };
 
 	if (c->block_lines == 0)
 		return;
-	c->batch = SIZE_MAX;
-	c->adds = l->append || l->flags || l->reads < l->writes;
-	c->in_place = same_dialect(l->in, l->out) &&
-	    (l->append || l->reads <= l->writes);
+	w.job = j;
+	w.chunk = c;
+	w.batch = SIZE_MAX;
 	for (int k = 0; k < 4; k++)
-		c->order[k] = k;
+		w.order[k] = k;
+	w.adds = l->append || l->flags || l->reads < l->writes;
+	w.in_place = same_dialect(l->in, l->out) &&
+	    (l->append || l->reads <= l->writes);
 	block_mark(j, c);
 	if (l->flags || j->visible)
-		frustum_out_all(&j->frustum, in, c->outside, c->block_points);
+		frustum_out_all(&j->frustum, in, w.outside, c->block_points);
 	char *at = reserve_lines(l, c);
 
 	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
-		at = put_line(j, c, &c->line[i], p, at);
+		at = put_line(&w, &c->line[i], p, at);
 		p += c->line[i].kind == LINE_POINT;
 	}
 	c->size = (size_t)(at - c->out);

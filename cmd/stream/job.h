@@ -45,15 +45,6 @@ struct chunk {
 	COLUMN_ALIGNED struct line line[POINTS_BLOCK];
 	COLUMN_ALIGNED double in[4][POINTS_BLOCK];
 	COLUMN_ALIGNED double image[COORDINATES_MAX][POINTS_BLOCK];
-	unsigned char outside[POINTS_BLOCK]; /* planes, for each point */
-	bool
-	    in_place; /* images take the places of points, or follow the line */
-	bool adds;    /* values follow those that were read */
-	/* The texts of some images, from the first of a batch on: enough of them
-	 * for vectors, few enough for the first cache. */
-	size_t batch;
-	struct number_text text_of[COORDINATES_MAX][NUMBER_BATCH];
-	int order[4]; /* the coordinates in their order on the line before */
 	struct complaint complaint[COMPLAINTS_MAX];
 };
 
