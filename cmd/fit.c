@@ -32,12 +32,10 @@ static void take_extremes(const struct job *j, struct chunk *c)
 }
 
 /* Merges the extremes of a chunk into those of all points. */
-static void collect_extremes(const struct job *j, const struct chunk *c,
-    long long first_line)
+static void collect_extremes(const struct job *j, const struct chunk *c)
 {
 	struct fit *fit = j->with;
 
-	(void)first_line;
 	if (c->size > 0)
 		extremes_merge(&fit->extremes, &fit->directions,
 		    (const void *)c->out);

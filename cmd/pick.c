@@ -130,8 +130,7 @@ static void hits_take(const struct job *j, struct chunk *c)
 	}
 }
 
-static void hits_collect(const struct job *j, const struct chunk *c,
-    long long first_line)
+static void hits_collect(const struct job *j, const struct chunk *c)
 {
 	struct hits *h = j->with;
 	const size_t end = h->size + c->size;
@@ -145,7 +144,7 @@ static void hits_collect(const struct job *j, const struct chunk *c,
 	while (h->size < end) {
 		struct hit *hit = hit_at(h->text, h->size);
 
-		hit->line += first_line;
+		hit->line += c->place.line;
 		if (h->n == h->room) {
 			h->room += h->room / 2 + 64;
 			h->key = xrealloc(h->key, h->room * sizeof *h->key);

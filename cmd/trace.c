@@ -128,13 +128,11 @@ static void trace_take(const struct job *j, struct chunk *c)
 }
 
 /* Writes a chunk, without the blank line before the first point. */
-static void trace_collect(const struct job *j, const struct chunk *c,
-    long long first_line)
+static void trace_collect(const struct job *j, const struct chunk *c)
 {
 	struct trace *trace = j->with;
 	bool first = !trace->printed && j->layout.out.format == FORMAT_TEXT;
 
-	(void)first_line;
 	if (c->size == 0)
 		return;
 	output_write(c->out + first, c->size - first);

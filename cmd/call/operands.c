@@ -320,7 +320,7 @@ static void run_json(struct job *j, const char *name, const char *text,
 	j->layout.in = dialect_of(FORMAT_JSON, ',');
 	j->layout.columns.n = 0;
 	j->layout.fields = 0;
-	stream_text(j, name, text, size);
+	stream(j, source_of_text(name, text, size));
 	j->layout = of_files;
 }
 
@@ -362,7 +362,7 @@ static void run_kept(const struct options *o, struct job *j, int i,
 	}
 	if (kept[i].s == NULL)
 		kept[i] = read_whole(name);
-	stream_text(j, name, kept[i].s, kept[i].have);
+	stream(j, source_of_text(name, kept[i].s, kept[i].have));
 }
 
 static void run_operand(const struct options *o, struct job *j, int i)
@@ -379,7 +379,7 @@ static void run_operand(const struct options *o, struct job *j, int i)
 	}
 	int fd = open_input(operand);
 
-	stream_file(j, operand, fd);
+	stream(j, source_of_file(operand, fd));
 	close_input(fd);
 }
 

@@ -190,7 +190,7 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 	j->layout.single = j->precision == PRECISION_SINGLE;
 }
 
-/* Does what stream_file and answer.c do, on a single chunk. As there, a newline
+/* Does what stream and answer.c do, on a single chunk. As there, a newline
  * comes before the output if the last line of the source before had none. Returns
  * false where a header is refused, which ends the program. */
 static bool do_at_once(struct job *j, const char *text, size_t size)
@@ -200,7 +200,8 @@ static bool do_at_once(struct job *j, const char *text, size_t size)
 	struct chunk *c = chunk_new();
 
 	c->first = is_binary(j->layout.in.format) ? FIRST_IS_READ : FIRST_LINE;
-	c->piece.text = memcpy(xrealloc(NULL, size + PIECE_MARGIN), text, size);
+	piece_resize(&c->piece, size);
+	memcpy(c->piece.text, text, size);
 	c->piece.whole = size;
 	job_do(j, c);
 	bool refused = c->refused;
@@ -266,7 +267,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	state = 1 + data[3];
 	data_at = data + HEADER;
 	data_left = size - HEADER;
-	stream_file(&j, "a", SOURCE);
+	stream(&j, source_of_file("a", SOURCE));
 	compare(&printed, &whole);
 	compare(&said, &messages);
 	return 0;

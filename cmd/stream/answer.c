@@ -6,15 +6,13 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "../message/message.h"
-
 /* The totals of all chunks that were answered. One thread at a time uses them. */
 static struct {
-	long long next_line; /* of the source, from 1 */
-	bool unended;        /* the last byte printed is no newline */
-	size_t bad;          /* lines */
+	struct place next; /* of the next line of the source */
+	bool unended;      /* the last byte printed is no newline */
+	size_t bad;        /* lines */
 	bool bad_scene;
-	bool of_points;     /* the bad lines are binary points */
+	bool of_points;     /* the last bad lines are binary points */
 	size_t imageless;   /* points */
 	struct place where; /* of the first point without image */
 } answer;
@@ -52,11 +50,14 @@ void answer_progress(bool asked)
 	progress.start = progress.last = now();
 }
 
-void answer_source(long long size)
+void answer_source(const struct job *j, const struct point_source *s)
 {
-	answer.next_line = 1;
+	answer.next = (struct place){ .file = s->name,
+		.line = 1,
+		.scene = message_state.scene,
+		.of_points = is_binary(j->layout.in.format) };
 	progress.bytes = 0;
-	progress.size = size;
+	progress.size = s->size;
 }
 
 /* Clears the line of progress before a message. */
@@ -124,21 +125,12 @@ static void print_chunk(const struct job *j, const struct chunk *c)
 }
 
 /* Returns the place of a line of the chunk, counted from 0. */
-static struct place place_of(const struct job *j, const struct chunk *c,
-    size_t line)
+static struct place place_of(const struct chunk *c, size_t line)
 {
-	return (struct place){ .file = c->name,
-		.line = answer.next_line + (long long)line,
-		.of_points = is_binary(j->layout.in.format) };
-}
+	struct place p = c->place;
 
-static void count_imageless(const struct job *j, const struct chunk *c)
-{
-	if (c->imageless > 0 && answer.imageless == 0) {
-		answer.where = place_of(j, c, c->first_imageless);
-		answer.where.scene = message_state.scene;
-	}
-	answer.imageless += c->imageless;
+	p.line += (long long)line;
+	return p;
 }
 
 static void report_imageless(void)
@@ -157,13 +149,13 @@ static void report_bad_lines(const struct job *j, const struct chunk *c)
 {
 	bool refused = c->refused || (c->n_complaints > 0 && !j->keep_going);
 	bool ends = refused || c->piece.state > PIECE_LAST;
-	struct place end = place_of(j, c, c->n_lines);
+	struct place end = place_of(c, c->n_lines);
 
 	if (ends && j->flush != NULL)
 		j->flush(j);
 	clear_progress();
 	for (size_t i = 0; i < c->n_complaints && i < COMPLAINTS_MAX; i++) {
-		struct place p = place_of(j, c, c->complaint[i].line);
+		struct place p = place_of(c, c->complaint[i].line);
 
 		if (answer.bad + i < COMPLAINTS_MAX || refused)
 			say_at(EXIT_INPUT, &p, "%s", c->complaint[i].reason);
@@ -183,17 +175,20 @@ static void report_bad_lines(const struct job *j, const struct chunk *c)
 	die_at(EXIT_SYSTEM, &end, "%s", strerror(c->piece.error));
 }
 
-void answer_chunk(const struct job *j, const struct chunk *c)
+void answer_chunk(const struct job *j, struct chunk *c)
 {
+	c->place = answer.next;
 	if (j->collect != NULL)
-		j->collect(j, c, answer.next_line);
+		j->collect(j, c);
 	else if (!c->refused)
 		print_chunk(j, c);
+	if (answer.imageless == 0)
+		answer.where = place_of(c, c->first_imageless);
 	if (j->count_imageless)
-		count_imageless(j, c);
+		answer.imageless += c->imageless;
 	if (c->n_complaints > 0 || c->piece.state > PIECE_LAST)
 		report_bad_lines(j, c);
-	answer.next_line += (long long)c->n_lines;
+	answer.next.line += (long long)c->n_lines;
 	add_progress(c);
 }
 

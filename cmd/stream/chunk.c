@@ -3,16 +3,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../message/message.h"
 #include "job.h"
 
 struct chunk *chunk_new(void)
 {
 	struct chunk *c = aligned_alloc(_Alignof(struct chunk), sizeof *c);
 
-	if (c != NULL)
-		return memset(c, 0, sizeof *c);
-	die(EXIT_SYSTEM, "out of memory");
+	if (c == NULL)
+		die(EXIT_SYSTEM, "out of memory");
+	memset(c, 0, offsetof(struct chunk, stretch));
+	piece_resize(&c->piece, PIECE_ROOM);
+	/* enough for most output, so that a new thread need not allocate,
+	 * for which the C library would first map an arena */
+	c->room = 16 * PIECE_ROOM;
+	c->out = xrealloc(NULL, c->room);
+	return c;
 }
 
 char *chunk_reserve(struct chunk *c, size_t more)
@@ -40,32 +45,23 @@ bool chunk_complain(const struct job *j, struct chunk *c, const char *reason)
 	return goes_on;
 }
 
-/* Returns the name of a set of planes: "in", or such as "left+near". */
-static struct word make_word(unsigned outside)
-{
-	static const struct word names[] = { { "left", 4 }, { "right", 5 },
-		{ "bottom", 6 }, { "top", 3 }, { "near", 4 }, { "far", 3 },
-		{ "behind", 6 }, { "nan", 3 } };
-	struct word w = { "in", 2 };
-
-	for (int k = 0; k < 8; k++) {
-		if ((outside >> k & 1) == 0)
-			continue;
-		if (outside & ((1u << k) - 1))
-			w.s[w.size++] = '+';
-		else
-			w.size = 0;
-		memcpy(w.s + w.size, names[k].s, names[k].size);
-		w.size += names[k].size;
-	}
-	return w;
-}
-
 const struct word *chunk_word(struct chunk *c, unsigned outside)
 {
+	static const char *const names[] = { "left", "right", "bottom", "top",
+		"near", "far", "behind", "nan" };
 	struct word *w = &c->word[outside];
+	char *at = w->s;
 
-	if (w->size == 0)
-		*w = make_word(outside);
+	if (w->size > 0)
+		return w;
+	for (int k = 0; k < 8; k++)
+		if (outside >> k & 1) {
+			if (at > w->s)
+				*at++ = '+';
+			at = stpcpy(at, names[k]);
+		}
+	if (at == w->s)
+		at = stpcpy(at, "in");
+	w->size = (size_t)(at - w->s);
 	return w;
 }

@@ -33,15 +33,6 @@ static bool block_read_line(struct job *j, struct chunk *c, struct span text,
 	return true;
 }
 
-static bool block_read_next(struct job *j, struct chunk *c)
-{
-	const char *newline = memchr(c->text, '\n', (size_t)(c->end - c->text));
-	struct span text = { c->text, newline != NULL ? newline : c->end };
-
-	c->text = newline != NULL ? newline + 1 : c->end;
-	return block_read_line(j, c, text, newline != NULL);
-}
-
 /* Adds n walked lines to the block, with their numbers v. Line i is read with
  * line_read if bit i of rest is set. Returns false where a bad line ends the chunk. */
 static bool block_add(struct job *j, struct chunk *c, size_t n, uint64_t rest,
@@ -67,8 +58,9 @@ static bool block_add(struct job *j, struct chunk *c, size_t n, uint64_t rest,
 }
 
 /* Reads some of the next lines of the stretch. */
-static bool block_walk(struct job *j, struct chunk *c, const struct walk *walk)
+static bool block_walk(struct job *j, struct chunk *c)
 {
+	const struct walk *walk = &c->walk;
 	struct line *line = &c->line[c->block_lines];
 	size_t n = POINTS_BLOCK - c->block_lines;
 	const struct layout *l = &j->layout;
@@ -108,10 +100,17 @@ static void block_read(struct job *j, struct chunk *c)
 		}
 		if (c->walks &&
 		    (s->at < s->end ||
-			stretch_open(s, &c->walk, c->text, c->end)))
-			more = block_walk(j, c, &c->walk);
-		else
-			more = block_read_next(j, c);
+			stretch_open(s, &c->walk, c->text, c->end))) {
+			more = block_walk(j, c);
+			continue;
+		}
+		const char *newline = memchr(c->text, '\n',
+		    (size_t)(c->end - c->text));
+		struct span text = { c->text,
+			newline != NULL ? newline : c->end };
+
+		c->text = newline != NULL ? newline + 1 : c->end;
+		more = block_read_line(j, c, text, newline != NULL);
 	}
 }
 
@@ -250,18 +249,16 @@ static char *put_line(struct writer *w, const struct line *line, size_t p,
 	    line_write(&j->layout, line, &n, chunk_word(w->chunk, OUT_NAN), at);
 }
 
-/* Reserves room for a batch of lines, the first of which is line i. Returns where they
- * are written. */
-static char *reserve_lines(const struct layout *l, struct chunk *c, size_t i)
+/* Reserves room for the block's lines. Returns where they are written. */
+static char *reserve_lines(const struct layout *l, struct chunk *c)
 {
-	size_t rest = c->block_lines - i;
-	size_t n = rest < NUMBER_BATCH ? rest : NUMBER_BATCH;
-	const struct line *first = &c->line[i], *last = &first[n - 1];
-	size_t bytes = (size_t)(last->s + last->size - first->s);
+	size_t n = c->block_lines;
+	const struct line *first = c->line, *last = &c->line[n - 1];
 
 	return chunk_reserve(c,
-	    is_binary(l->out.format) ? n * binary_written(l) :
-				       lines_room(l, n, bytes));
+	    is_binary(l->out.format) ?
+		n * binary_written(l) :
+		lines_room(l, n, (size_t)(last->s + last->size - first->s)));
 }
 
 /* Appends the block's lines, with the images of its points, to the chunk's out. finite
@@ -271,8 +268,9 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 	const struct layout *l = &j->layout;
 	struct writer w; /* no initializer, which would clear the texts */
 	const double *const in[4] = { c->in[0], c->in[1], c->in[2], c->in[3] };
-	char *at = NULL;
 
+	if (c->block_lines == 0)
+		return;
 	w.job = j;
 	w.chunk = c;
 	w.batch = SIZE_MAX;
@@ -285,14 +283,13 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 		block_mark(j, c);
 	if (l->flags || j->visible)
 		frustum_out_all(&j->frustum, in, w.outside, c->block_points);
+	char *at = reserve_lines(l, c);
+
 	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
-		if (i % NUMBER_BATCH == 0)
-			at = reserve_lines(l, c, i);
 		at = put_line(&w, &c->line[i], p, at);
-		if ((i + 1) % NUMBER_BATCH == 0 || i + 1 == c->block_lines)
-			c->size = (size_t)(at - c->out);
 		p += c->line[i].kind == LINE_POINT;
 	}
+	c->size = (size_t)(at - c->out);
 }
 
 /* Refuses a source that begins as a .npy file or as UTF-16 does. Binary points may begin

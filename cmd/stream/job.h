@@ -6,6 +6,7 @@
 
 #include "../../core/derive/frustum.h"
 #include "../lines/line.h"
+#include "../message/message.h"
 #include "source.h"
 
 /* The bad lines that are reported; more are only counted. */
@@ -18,7 +19,8 @@ struct complaint {
 
 /* Lines are counted from 0 in each chunk. A binary point counts as a line. */
 struct chunk {
-	const char *name; /* of the source */
+	struct chunk *next; /* in one of the lists of stream.c */
+	struct place place; /* of the first line, when the chunk is answered */
 	struct piece piece;
 	const char *text, *end; /* the bytes that are not read yet */
 	size_t n_lines;         /* before the block */
@@ -37,12 +39,12 @@ struct chunk {
 	size_t block_lines, block_points;
 	bool planned, walks; /* walk is made; it can take lines */
 	struct walk walk;
+	struct word word[256]; /* chunk_word's results; empty until needed */
+	/* chunk_new leaves the members from here on without a value */
 	COLUMN_ALIGNED struct stretch stretch;
 	COLUMN_ALIGNED struct line line[POINTS_BLOCK];
 	COLUMN_ALIGNED double in[4][POINTS_BLOCK];
 	COLUMN_ALIGNED double image[COORDINATES_MAX][POINTS_BLOCK];
-
-	struct word word[256]; /* chunk_word's results; empty until needed */
 	struct complaint complaint[COMPLAINTS_MAX];
 };
 
@@ -62,12 +64,11 @@ struct job {
 	/* Functions of a command that does not print a line for each point, else
 	 * NULL. take gets each block before its points are transformed; it may
 	 * append to the chunk's out, and runs in any thread. collect gets the
-	 * chunks in order, with the source's number of their first line. flush
+	 * chunks in order. flush
 	 * prints what was collected, after the last chunk or before a bad line
 	 * ends the program. */
 	void (*take)(const struct job *, struct chunk *);
-	void (*collect)(const struct job *, const struct chunk *,
-	    long long first_line);
+	void (*collect)(const struct job *, const struct chunk *);
 	void (*flush)(const struct job *);
 	void *with; /* the data of these functions */
 };
@@ -121,12 +122,10 @@ char *binary_put(const struct layout *, const struct chunk *,
  * when run has returned. */
 void call_with_stack(void *(*run)(void *), void *with);
 
-/* Do the job on the points of a source, a file or a text in memory. Every point that
- * was read is answered before the program waits for more. Errors are printed and end
- * the program. Each call must have the same job, whose contents may change between
- * the calls. */
-void stream_file(struct job *, const char *name, int fd);
-void stream_text(struct job *, const char *name, const char *text, size_t size);
+/* Does the job on the points of a source. Every point that was read is answered before
+ * the program waits for more. Errors are printed and end the program. Each call must
+ * have the same job, whose contents may change between the calls. */
+void stream(struct job *, struct point_source);
 
 /* Prints the output of chunks in the order of their source, reports bad lines and
  * points without image, and shows progress on standard error. */
@@ -135,13 +134,13 @@ void stream_text(struct job *, const char *name, const char *text, size_t size);
  * output is not. Only the first call has an effect. */
 void answer_progress(bool asked);
 
-/* Begins a source of that many bytes, 0 for unknown, with line 1. */
-void answer_source(long long size);
+/* Begins a source. */
+void answer_source(const struct job *, const struct point_source *);
 
 /* Prints the output of the next chunk, then reports its bad lines, which end the
  * program unless the job keeps going, and the error that ended its source, which
  * always does. Any thread may call it, but only one at a time. */
-void answer_chunk(const struct job *, const struct chunk *);
+void answer_chunk(const struct job *, struct chunk *);
 
 /* Counts a scene that was refused, and prints null for it if the format is JSON. */
 void answer_no_scene(enum format);

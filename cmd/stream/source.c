@@ -13,28 +13,36 @@
 /* The longest line of points, with its newline. */
 #define LINE_MAX_BYTES ((size_t)1 << 26)
 
-/* Makes room for that many bytes of text, and keeps those that were read. */
-static void reserve_text(struct piece *p, size_t room)
+/* The first pieces of a source have FIRST_ROOM bytes, the later ones a share of what was
+ * read before: the system needs more time for a fresh page than a thread for the points
+ * in it, and threads that end a source with small pieces end together. */
+enum { FIRST_ROOM = 1 << 15, SHARE = 64 };
+
+void piece_resize(struct piece *p, size_t room)
 {
 	p->text = xrealloc(p->text, room + PIECE_MARGIN);
 	p->room = room;
 }
 
-/* Empties p, then fills in the bytes that q has after its whole lines. If a long line
- * has enlarged p, the memory is given back. */
-static void begin_text(struct piece *p, const struct piece *q)
+/* Begins p with the rest of the piece before, which may be p itself. If a long line has
+ * enlarged p, the memory is given back. Returns how many bytes fill p. */
+static size_t begin_text(struct piece *p, const struct point_source *s)
 {
-	size_t rest = q->have - q->whole;
-	size_t room = q->room > 0 ? PIECE_ROOM : FIRST_ROOM;
+	size_t n = (size_t)(s->rest.end - s->rest.s), full = FIRST_ROOM;
 
-	while (room < rest)
-		room *= 2;
-	if (p->room != room)
-		reserve_text(p, room);
-	if (rest > 0)
-		memcpy(p->text, q->text + q->whole, rest);
-	p->have = rest;
+	while (full < n || (full < PIECE_ROOM && full * SHARE < s->begun))
+		full *= 2;
+	size_t room = full > PIECE_ROOM ? full : PIECE_ROOM;
+
+	if (p->room < room)
+		piece_resize(p, room);
+	if (n > 0)
+		memmove(p->text, s->rest.s, n);
+	if (p->room > room)
+		piece_resize(p, room);
+	p->have = n;
 	p->whole = 0;
+	return full;
 }
 
 /* Reads up to room bytes and returns their number, 0 at the end, or -1, as read(2). */
@@ -85,12 +93,16 @@ static void add_bytes(struct piece *p, const struct layout *l, size_t n)
 static enum piece_state fill_piece(struct point_source *s,
     const struct layout *l, struct piece *p)
 {
-	do {
-		if (p->have == p->room && p->room >= LINE_MAX_BYTES)
+	size_t full = begin_text(p, s);
+
+	while (p->whole == 0 || p->have < full) {
+		if (p->have == full)
+			full *= 2;
+		if (full > LINE_MAX_BYTES)
 			return PIECE_TOO_LONG;
-		if (p->have == p->room)
-			reserve_text(p, 2 * p->room);
-		ssize_t n = read_some(s, p->text + p->have, p->room - p->have);
+		if (full > p->room)
+			piece_resize(p, full);
+		ssize_t n = read_some(s, p->text + p->have, full - p->have);
 
 		if (n < 0)
 			return PIECE_FAILED;
@@ -99,9 +111,9 @@ static enum piece_state fill_piece(struct point_source *s,
 			return PIECE_LAST;
 		}
 		add_bytes(p, l, (size_t)n);
-		if (p->whole > 0 && p->have < p->room && would_wait(s))
+		if (p->whole > 0 && p->have < full && would_wait(s))
 			return PIECE_EARLY;
-	} while (p->whole == 0 || p->have < p->room);
+	}
 	return PIECE_FULL;
 }
 
@@ -118,12 +130,19 @@ struct point_source source_of_file(const char *name, int fd)
 	return s;
 }
 
+struct point_source source_of_text(const char *name, const char *text,
+    size_t size)
+{
+	return (struct point_source){ .name = name,
+		.text = { text, text + size },
+		.size = (off_t)size };
+}
+
 void source_read(struct point_source *s, const struct layout *l,
     struct piece *p)
 {
-	begin_text(p, &s->rest);
 	p->state = fill_piece(s, l, p);
 	p->error = errno;
-	if (p->state < PIECE_LAST)
-		begin_text(&s->rest, p);
+	s->begun += p->have;
+	s->rest = (struct span){ p->text + p->whole, p->text + p->have };
 }

@@ -9,10 +9,9 @@
 
 struct layout;
 
-/* The bytes of most pieces: enough that threads seldom take the lock, few enough for
- * caches. The first piece of a source is smaller, as no second one is begun before it
- * is done. */
-enum { PIECE_ROOM = 1 << 17, FIRST_ROOM = 1 << 14 };
+/* The bytes of the pieces of a large source: enough that threads seldom take the lock, few
+ * enough for caches. */
+enum { PIECE_ROOM = 1 << 17 };
 
 /* The size of pipes: one piece is written while another is read. Larger pipes would
  * not stay in the cache. */
@@ -43,16 +42,23 @@ struct piece {
 struct point_source {
 	const char *name;
 	struct span
-	    text;   /* the unread part of a text in memory, or s is NULL */
-	int fd;     /* of a file */
-	off_t size; /* bytes; 0: unknown */
-	struct piece rest; /* bytes read after the last whole line or point */
+	    text;     /* the unread part of a text in memory, or s is NULL */
+	int fd;       /* of a file */
+	off_t size;   /* bytes; 0: unknown */
+	size_t begun; /* bytes of its pieces */
+	struct span
+	    rest; /* of the last piece, after its whole lines or points */
 };
 
-struct point_source source_of_file(const char *name, int fd);
+/* Sets the room and keeps the text. */
+void piece_resize(struct piece *, size_t room);
 
-/* Reads the next piece; may wait for a stream. Only one thread at a time may call it.
- */
+struct point_source source_of_file(const char *name, int fd);
+struct point_source source_of_text(const char *name, const char *text,
+    size_t size);
+
+/* Reads the next piece; may wait for a stream. The piece before must still have its text.
+ * Only one thread at a time may call it. */
 void source_read(struct point_source *, const struct layout *, struct piece *);
 
 #endif

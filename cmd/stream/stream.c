@@ -13,8 +13,6 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include "../message/message.h"
-
 /* The size of a thread's stack in bytes. Systems give 128 KB or more. inspect needs up
  * to 192 KB, as a map is 7 KB of exact numbers. */
 enum { STACK_SIZE = 1 << 20 };
@@ -51,6 +49,15 @@ void call_with_stack(void *(*run)(void *), void *with)
 	pthread_join(t, NULL);
 }
 
+/* The bytes of a source for each thread that is started. With less to do, the start would
+ * take more time than the thread saves. */
+enum { PER_THREAD = 1 << 16 };
+
+/* A thread without a chunk looks for one that often before it sleeps, with pauses: others
+ * read a piece of a file in less time than the system takes to wake a thread. To yield
+ * the processor could cost milliseconds if other programs run. */
+enum { LOOKS = 100, PAUSE = 200 };
+
 /* Each thread repeats three steps: it begins the next chunk, which reads from the
  * source and may wait for it; it does the job on the chunk; and if no other thread is
  * answering, it answers, in the order of the source, the chunks that are done. No
@@ -59,26 +66,24 @@ void call_with_stack(void *(*run)(void *), void *with)
  * A chunk belongs to the thread that began it until it is done, then to the thread
  * that answers. The lock protects everything else. */
 static struct {
-	/* constant after set_up */
 	struct job *job;
-	int most;              /* threads that may be started */
-	size_t n;              /* chunks that may exist */
-	struct chunk **chunk;  /* number k of the source is chunk[k % n] */
-	struct chunk **unused; /* a stack, so that few are used */
+	int most; /* threads that may be started */
 
 	pthread_mutex_t lock;
 	pthread_cond_t changed;
-	int threads, idle; /* threads that were started; that wait */
+	int threads, looking, idle; /* started; without a chunk; asleep */
+	struct chunk *unused;       /* a stack, so that few are used */
 
 	/* the source that is read */
 	struct point_source *source;
-	bool open;                        /* its end was not read yet */
-	enum first first;                 /* see struct chunk */
-	bool beginning, answering;        /* a thread is doing so */
-	size_t begun, answered, n_unused; /* chunks */
+	bool open;        /* no thread reads it, nor has its end */
+	bool answering;   /* a thread is doing so */
+	enum first first; /* see struct chunk */
+	struct chunk *oldest, **newest; /* the queue of chunks begun */
 } ring = {
 	.lock = PTHREAD_MUTEX_INITIALIZER,
 	.changed = PTHREAD_COND_INITIALIZER,
+	.newest = &ring.oldest,
 };
 
 /* The functions from may_begin to run_chunks are called, and return, with the lock
@@ -88,27 +93,38 @@ static struct {
  * the one before it, which may have the csv header. */
 static bool may_begin(void)
 {
-	return ring.open && !ring.beginning && ring.n_unused > 0 &&
-	    (!ring.first || ring.answered == ring.begun);
+	return ring.open && ring.unused != NULL &&
+	    (!ring.first || ring.oldest == NULL);
 }
 
 static bool is_finished(void)
 {
-	return !ring.open && !ring.beginning && ring.answered == ring.begun;
+	return !ring.open && ring.oldest == NULL;
+}
+
+static void add_unused(struct chunk *c)
+{
+	c->next = ring.unused;
+	ring.unused = c;
 }
 
 static void *work(void *);
 
-/* Wakes or starts a thread, if it can begin a chunk. */
+/* Wakes a thread if it can begin a chunk, or starts one, with two more chunks: one is
+ * done while the other waits for its answer. */
 static void call_thread(void)
 {
 	pthread_t t;
 
-	if (!may_begin())
+	if (!ring.open || ring.looking > 0)
 		return;
 	if (ring.idle > 0) {
-		pthread_cond_signal(&ring.changed);
-	} else if (ring.threads < ring.most) {
+		if (may_begin())
+			pthread_cond_signal(&ring.changed);
+	} else if (ring.threads < ring.most &&
+	    ring.source->begun / PER_THREAD > (size_t)ring.threads) {
+		add_unused(chunk_new());
+		add_unused(chunk_new());
 		if (start_thread(&t, work, NULL) == 0) {
 			pthread_detach(t);
 			ring.threads++;
@@ -120,22 +136,19 @@ static void call_thread(void)
 
 static struct chunk *begin_chunk(void)
 {
-	struct chunk **unused = &ring.unused[--ring.n_unused];
+	struct chunk *c = ring.unused;
 
-	if (*unused == NULL)
-		*unused = chunk_new();
-	struct chunk *c = *unused;
-
-	c->name = ring.source->name;
+	ring.unused = c->next;
+	*ring.newest = c;
+	ring.newest = &c->next;
+	c->next = NULL;
 	c->first = ring.first;
 	c->done = false;
-	ring.beginning = true;
+	ring.open = false;
 	pthread_mutex_unlock(&ring.lock);
 	source_read(ring.source, &ring.job->layout, &c->piece);
 	pthread_mutex_lock(&ring.lock);
-	ring.beginning = false;
 	ring.open = c->piece.state < PIECE_LAST;
-	ring.chunk[ring.begun++ % ring.n] = c;
 	/* this thread may be back before a slow stream has more */
 	if (c->piece.state != PIECE_EARLY)
 		call_thread();
@@ -150,14 +163,15 @@ static void answer_done(void)
 	if (ring.answering)
 		return;
 	ring.answering = true;
-	while (ring.answered < ring.begun &&
-	    (c = ring.chunk[ring.answered % ring.n])->done) {
+	while ((c = ring.oldest) != NULL && c->done) {
 		pthread_mutex_unlock(&ring.lock);
 		answer_chunk(ring.job, c);
 		pthread_mutex_lock(&ring.lock);
-		ring.unused[ring.n_unused] = c;
-		ring.answered++;
-		if (ring.n_unused++ == 0)
+		ring.oldest = c->next;
+		if (ring.oldest == NULL)
+			ring.newest = &ring.oldest;
+		add_unused(c);
+		if (c->next == NULL)
 			call_thread();
 	}
 	ring.answering = false;
@@ -166,23 +180,34 @@ static void answer_done(void)
 /* Does chunks, forever or until the source is finished. */
 static void run_chunks(bool forever)
 {
+	int looks = 0;
+
 	while (forever || !is_finished()) {
-		if (!may_begin()) {
+		if (may_begin()) {
+			struct chunk *c = begin_chunk();
+
+			pthread_mutex_unlock(&ring.lock);
+			job_do(ring.job, c);
+			pthread_mutex_lock(&ring.lock);
+			ring.first = c->first;
+			c->done = true;
+			answer_done();
+			if (is_finished())
+				pthread_cond_broadcast(&ring.changed);
+			looks = 0;
+		} else if (looks++ < LOOKS) {
+			ring.looking++;
+			pthread_mutex_unlock(&ring.lock);
+			for (volatile int i = 0; i < PAUSE; i++)
+				continue;
+			pthread_mutex_lock(&ring.lock);
+			ring.looking--;
+		} else {
 			ring.idle++;
 			pthread_cond_wait(&ring.changed, &ring.lock);
 			ring.idle--;
-			continue;
+			looks = 0;
 		}
-		struct chunk *c = begin_chunk();
-
-		pthread_mutex_unlock(&ring.lock);
-		job_do(ring.job, c);
-		pthread_mutex_lock(&ring.lock);
-		ring.first = c->first;
-		c->done = true;
-		answer_done();
-		if (is_finished())
-			pthread_cond_broadcast(&ring.changed);
 	}
 }
 
@@ -207,46 +232,18 @@ static int count_threads(int wanted)
 	return 0 < wanted && wanted < processors ? wanted : processors;
 }
 
-static void set_up(struct job *j)
+void stream(struct job *j, struct point_source s)
 {
-	ring.job = j;
-	ring.most = count_threads(j->threads) - 1;
-	/* one for each thread, and almost as many that wait for their answer */
-	ring.n = 2 * (size_t)ring.most + 1;
-	ring.n_unused = ring.n;
-	ring.chunk = xrealloc(NULL, ring.n * sizeof *ring.chunk);
-	ring.unused = xrealloc(NULL, ring.n * sizeof *ring.unused);
-	for (size_t i = 0; i < ring.n; i++)
-		ring.unused[i] = NULL;
-}
-
-static void stream(struct job *j, struct point_source *s)
-{
-	answer_source(s->size);
+	answer_source(j, &s);
 	pthread_mutex_lock(&ring.lock);
-	if (ring.chunk == NULL)
-		set_up(j);
-	ring.source = s;
+	if (ring.job == NULL) {
+		ring.job = j;
+		ring.most = count_threads(j->threads) - 1;
+		add_unused(chunk_new());
+	}
+	ring.source = &s;
 	ring.open = true;
 	ring.first = FIRST_LINE;
-	ring.begun = ring.answered = 0;
 	run_chunks(false);
 	pthread_mutex_unlock(&ring.lock);
-	free(s->rest.text);
-}
-
-void stream_file(struct job *j, const char *name, int fd)
-{
-	struct point_source s = source_of_file(name, fd);
-
-	stream(j, &s);
-}
-
-void stream_text(struct job *j, const char *name, const char *text, size_t size)
-{
-	struct point_source s = { .name = name,
-		.text = { text, text + size },
-		.size = (off_t)size };
-
-	stream(j, &s);
 }

@@ -12,8 +12,8 @@ $ENV{PATH} = "$build:$ENV{PATH}";
 chdir 'testdata' or die "testdata: $!\n";
 my $project = 'projcalc project --keep-going';
 
-# The size of a piece of source.c.
-my $room = 1 << 17;
+# The size of the first pieces of source.c.
+my $room = 1 << 15;
 
 # The file, as a stream and from memory, with one thread and with several.
 sub same {
