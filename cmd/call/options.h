@@ -126,10 +126,9 @@ _Noreturn void synonym_refuse_command(const struct command *commands,
 _Noreturn void synonym_refuse_word(const struct command *commands, bool topic,
     const char *word);
 
-/* Refuses an option, such as "--eye=0,0,5" or "-eye", that has a synonym or the name of a
- * member of a scene; else returns. If elsewhere, other commands have the option: it is
- * refused only if this command reads the member, as lookat reads at. */
+/* Refuses an option, such as "--eye=0,0,5" or "-eye", if its name is a synonym, a member
+ * of a scene, or an option with two dashes; else returns. */
 void synonym_check_option(const struct command *, const char *option,
-    bool elsewhere);
+    const char *name);
 
 #endif

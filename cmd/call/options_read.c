@@ -9,21 +9,34 @@
 #include "../message/message.h"
 #include "options.h"
 
-/* Refuses an unknown option: "--name", "--name=value" or "-name". */
-static _Noreturn void refuse_option(const struct command *c, const char *word)
+/* Sets names to those of the command's options that begin with name[0..n), and NULL.
+ * Returns their number. */
+static int option_names(const struct command *c, const char *name, size_t n,
+    const char *names[OPTIONS_MAX + 1])
+{
+	int count = 0;
+
+	for (const struct option_row *r = option_rows; r->name != NULL; r++)
+		if (option_is_for(r, c) && strncmp(r->name, name, n) == 0)
+			names[count++] = r->name;
+	names[count] = NULL;
+	return count;
+}
+
+/* Refuses an option, "--name=value" or "-n", of that name. */
+static _Noreturn void refuse_option(const struct command *c, const char *word,
+    const char *name)
 {
 	const char *names[OPTIONS_MAX + 1], *near;
 	const int n = (int)strcspn(word, "=");
-	char name[64];
-	int count = 0;
+	char begin[64];
 
-	synonym_check_option(c, word, false);
-	for (const struct option_row *r = option_rows; r->name != NULL; r++)
-		if (option_is_for(r, c))
-			names[count++] = r->name;
-	names[count] = NULL;
-	snprintf(name, sizeof name, "%.*s", n - 2, word + 2);
-	near = nearest_word(name, names);
+	/* a letter is no guess at a member */
+	if (strcmp(word + 1, name) != 0)
+		synonym_check_option(c, word, name);
+	option_names(c, "", 0, names);
+	snprintf(begin, sizeof begin, "%.*s", (int)strcspn(name, "="), name);
+	near = nearest_word(begin, names);
 	if (near != NULL)
 		die(EXIT_USAGE, "%s: unknown option %.*s; did you mean --%s?",
 		    c->name, n, word, near);
@@ -39,61 +52,38 @@ static const struct option_row *long_option(const struct command *c,
 {
 	const char *name = word + 2, *names[OPTIONS_MAX + 1];
 	const size_t n = strcspn(name, "=");
-	const struct option_row *found = NULL;
+	const struct option_row *r = option_named(name);
 	char list[LISTED];
-	int count = 0;
+	int count = option_names(c, name, n, names);
 
-	for (const struct option_row *r = option_rows; r->name != NULL; r++) {
-		if (n == 0 || strncmp(r->name, name, n) != 0)
-			continue;
-		if (r->name[n] == '\0')
-			return r;
-		if (option_is_for(r, c))
-			names[count++] = (found = r)->name;
-	}
-	names[count] = NULL;
-	if (count == 0)
-		refuse_option(c, word);
+	if (r != NULL && option_is_for(r, c) && strlen(r->name) == n)
+		return r;
+	if (r != NULL || n == 0 || count == 0)
+		refuse_option(c, word, name);
 	if (count > 1)
 		die(EXIT_USAGE, "%s: --%.*s is ambiguous; it may be %s",
 		    c->name, (int)n, name, list_words(list, names, " or ", ""));
-	return found;
+	return option_named(names[0]);
 }
 
-/* Returns the option of a letter. Refuses the name of an option or member behind a single
- * dash: "-to" would be -t with the argument o. */
+/* Returns the option of a letter. */
 static const struct option_row *letter_option(const struct command *c,
-    const char *word, const char *letter)
+    char letter)
 {
-	const struct option_row *r = option_named(word + 1);
-	char shown[ESCAPED_MAX];
+	const char word[] = { '-', letter, '\0' };
+	const struct option_row *r = option_rows;
 
-	if (word[2] != '\0' && r != NULL && option_is_for(r, c))
-		die(EXIT_USAGE, "%s: unknown option %s; did you mean --%s?",
-		    c->name, word, r->name);
-	if (word[2] != '\0')
-		synonym_check_option(c, word, false);
-	for (r = option_rows; r->name != NULL; r++)
-		if (r->letter == *letter)
-			return r;
-	die(EXIT_USAGE, "%s: unknown option -%s; 'projcalc help %s' lists them",
-	    c->name, escaped(shown, letter, 1), c->name);
+	while (r->name != NULL && r->letter != letter)
+		r++;
+	if (r->name == NULL || !option_is_for(r, c))
+		refuse_option(c, word, r->name != NULL ? r->name : word + 1);
+	return r;
 }
 
-/* Sets the option of a word. The argument is value or, if that is NULL, the next word, at
- * *next. */
+/* Sets an option. The argument is value or, if that is NULL, the next word, at *next. */
 static void set_option(const struct command *c, const struct option_row *r,
-    const char *word, char *value, char ***next, struct options *o)
+    char *value, char ***next, struct options *o)
 {
-	char list[LISTED];
-
-	if (!option_is_for(r, c)) {
-		synonym_check_option(c, word, true);
-		die(EXIT_USAGE,
-		    "%s: --%s is not an option of this command; it is an "
-		    "option of %s",
-		    c->name, r->name, option_takers(r, list));
-	}
 	if (r->argument == NULL && value != NULL)
 		die(EXIT_USAGE, "%s: --%s takes no argument", c->name, r->name);
 	if (r->argument != NULL && value == NULL && **next == NULL)
@@ -106,25 +96,27 @@ static void set_option(const struct command *c, const struct option_row *r,
 	options_apply(o);
 }
 
-/* Sets the options of a word: "--name=value" or "-mdvalue". */
+/* Sets the options of a word: "--name=value" or "-mdvalue". Refuses the name of an option
+ * or member behind a single dash: "-to" would be -t with the argument o. */
 static void set_options(const struct command *c, char *word, char ***next,
     struct options *o)
 {
-	const struct option_row *r;
+	const struct option_row *r = NULL;
 	char *equals = strchr(word, '=');
 
 	if (word[1] == '-') {
-		set_option(c, long_option(c, word), word,
+		set_option(c, long_option(c, word),
 		    equals != NULL ? equals + 1 : NULL, next, o);
 		return;
 	}
-	for (char *s = word + 1; *s != '\0'; s++) {
-		r = letter_option(c, word, s);
-		if (r->argument != NULL && s[1] != '\0') {
-			set_option(c, r, word, s + 1, next, o);
-			return;
-		}
-		set_option(c, r, word, NULL, next, o);
+	if (word[2] != '\0')
+		synonym_check_option(c, word, word + 1);
+	for (char *s = word + 1; *s != '\0' && (r == NULL || !r->argument);
+	     s++) {
+		r = letter_option(c, *s);
+		set_option(c, r,
+		    r->argument != NULL && s[1] != '\0' ? s + 1 : NULL, next,
+		    o);
 	}
 }
 
