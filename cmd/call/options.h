@@ -126,8 +126,8 @@ _Noreturn void synonym_refuse_command(const struct command *commands,
 _Noreturn void synonym_refuse_word(const struct command *commands, bool topic,
     const char *word);
 
-/* Refuses an option, such as "--eye=0,0,5" or "-eye", if its name is a synonym, a member
- * of a scene, or an option with two dashes; else returns. */
+/* Refuses an option, such as "--eye" or "-eye", if its name is a synonym, a member of a
+ * scene, or an option with two dashes; else returns. */
 void synonym_check_option(const struct command *, const char *option,
     const char *name);
 

@@ -9,40 +9,37 @@
 #include "../message/message.h"
 #include "options.h"
 
-/* Sets names to those of the command's options that begin with name[0..n), and NULL.
- * Returns their number. */
-static int option_names(const struct command *c, const char *name, size_t n,
+/* Sets names to those of the command's options that begin with a word, and NULL. Returns
+ * their number. */
+static int option_names(const struct command *c, const char *word,
     const char *names[OPTIONS_MAX + 1])
 {
+	const size_t n = strlen(word);
 	int count = 0;
 
 	for (const struct option_row *r = option_rows; r->name != NULL; r++)
-		if (option_is_for(r, c) && strncmp(r->name, name, n) == 0)
+		if (option_is_for(r, c) && strncmp(r->name, word, n) == 0)
 			names[count++] = r->name;
 	names[count] = NULL;
 	return count;
 }
 
-/* Refuses an option, "--name=value" or "-n", of that name. */
+/* Refuses an option, "--name" or "-n", of that name. */
 static _Noreturn void refuse_option(const struct command *c, const char *word,
     const char *name)
 {
 	const char *names[OPTIONS_MAX + 1], *near;
-	const int n = (int)strcspn(word, "=");
-	char begin[64];
 
 	/* a letter is no guess at a member */
 	if (strcmp(word + 1, name) != 0)
 		synonym_check_option(c, word, name);
-	option_names(c, "", 0, names);
-	snprintf(begin, sizeof begin, "%.*s", (int)strcspn(name, "="), name);
-	near = nearest_word(begin, names);
+	option_names(c, "", names);
+	near = nearest_word(name, names);
 	if (near != NULL)
-		die(EXIT_USAGE, "%s: unknown option %.*s; did you mean --%s?",
-		    c->name, n, word, near);
-	die(EXIT_USAGE,
-	    "%s: unknown option %.*s; 'projcalc help %s' lists them", c->name,
-	    n, word, c->name);
+		die(EXIT_USAGE, "%s: unknown option %s; did you mean --%s?",
+		    c->name, word, near);
+	die(EXIT_USAGE, "%s: unknown option %s; 'projcalc help %s' lists them",
+	    c->name, word, c->name);
 }
 
 /* Returns the option that a word names, or the only option of the command whose name
@@ -51,18 +48,17 @@ static const struct option_row *long_option(const struct command *c,
     const char *word)
 {
 	const char *name = word + 2, *names[OPTIONS_MAX + 1];
-	const size_t n = strcspn(name, "=");
 	const struct option_row *r = option_named(name);
 	char list[LISTED];
-	int count = option_names(c, name, n, names);
+	int count = option_names(c, name, names);
 
-	if (r != NULL && option_is_for(r, c) && strlen(r->name) == n)
+	if (r != NULL && option_is_for(r, c) && strcmp(r->name, name) == 0)
 		return r;
-	if (r != NULL || n == 0 || count == 0)
+	if (r != NULL || *name == '\0' || count == 0)
 		refuse_option(c, word, name);
 	if (count > 1)
-		die(EXIT_USAGE, "%s: --%.*s is ambiguous; it may be %s",
-		    c->name, (int)n, name, list_words(list, names, " or ", ""));
+		die(EXIT_USAGE, "%s: %s is ambiguous; it may be %s", c->name,
+		    word, list_words(list, names, " or ", ""));
 	return option_named(names[0]);
 }
 
@@ -104,13 +100,17 @@ static void set_options(const struct command *c, char *word, char ***next,
 	const struct option_row *r = NULL;
 	char *equals = strchr(word, '=');
 
+	if (equals != NULL)
+		*equals = '\0';
 	if (word[1] == '-') {
 		set_option(c, long_option(c, word),
 		    equals != NULL ? equals + 1 : NULL, next, o);
 		return;
 	}
-	if (word[2] != '\0')
+	if (word[1] != '\0' && word[2] != '\0')
 		synonym_check_option(c, word, word + 1);
+	if (equals != NULL)
+		*equals = '=';
 	for (char *s = word + 1; *s != '\0' && (r == NULL || !r->argument);
 	     s++) {
 		r = letter_option(c, *s);

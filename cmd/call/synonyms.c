@@ -148,17 +148,15 @@ static _Noreturn void refuse_synonym(const struct command *c,
 static void check_word(const struct command *c, const char *unknown,
     const char *name)
 {
+	static const struct document_wants nothing;
+	const struct document_wants *w = c != NULL ? &c->wants : &nothing;
+	const unsigned reads = c != NULL ? document_reads(w) : 0;
 	const struct option_row *r = option_named(name);
-	const unsigned reads = c != NULL ? document_reads(&c->wants) :
-					   SCENE_ALL;
 	/* project --at is more likely pick's option than the camera's member */
-	const unsigned left_out = r != NULL ? SCENE_SPATIAL : 0;
-	const unsigned objects[] = { c != NULL ? c->wants.bare : 0,
-		c != NULL ? reads & ~left_out : 0 };
+	const unsigned objects[] = { w->bare,
+		reads & ~(r != NULL ? SCENE_SPATIAL : 0u) };
 	/* where the projection may be of any type, persp is first */
-	const int own = c != NULL && c->wants.projection > 0 ?
-	    c->wants.projection - 1 :
-	    0;
+	const int own = w->projection > 0 ? w->projection - 1 : 0;
 	const struct member *m, *object;
 	char option[NAME_SHOWN];
 
@@ -177,19 +175,18 @@ static void check_word(const struct command *c, const char *unknown,
 		refuse_synonym(c, unknown, option);
 	m = synonym_find(name, &object);
 	if (m != NULL)
-		refuse_member(unknown, reads, m, object);
+		refuse_member(unknown, c != NULL ? reads : SCENE_ALL, m,
+		    object);
 }
 
 void synonym_check_option(const struct command *c, const char *option,
     const char *name)
 {
-	const int n = (int)strcspn(option, "=");
-	char word[NAME_SHOWN], unknown[UNKNOWN_MAX];
+	char unknown[UNKNOWN_MAX];
 
-	snprintf(unknown, sizeof unknown, "%s: unknown option %.*s", c->name, n,
+	snprintf(unknown, sizeof unknown, "%s: unknown option %s", c->name,
 	    option);
-	snprintf(word, sizeof word, "%.*s", (int)strcspn(name, "="), name);
-	check_word(c, unknown, word);
+	check_word(c, unknown, name);
 }
 
 /* Returns the nearest name of a command or member, or NULL. */
