@@ -104,14 +104,7 @@ static const struct command commands[] = {
 };
 /* clang-format on */
 
-static _Noreturn void main_finish(void)
-{
-	print_flush();
-	output_close();
-	exit(EXIT_OK);
-}
-
-static _Noreturn void help(const struct options *o)
+static void help(const struct options *o)
 {
 	const char *what = o->params;
 	const struct command *c = find_command(commands, what);
@@ -129,7 +122,6 @@ static _Noreturn void help(const struct options *o)
 		help_command(c);
 	else if (!help_member(what))
 		synonym_refuse_word(commands, true, what);
-	main_finish();
 }
 
 struct run {
@@ -178,15 +170,13 @@ int main(int argc, char **argv)
 		options_read(c, argv + 2, o);
 	if (o->version) {
 		print("projcalc " VERSION "\n");
-		main_finish();
-	}
-	if (o->help) {
+	} else if (o->help) {
 		help_command(c);
-		main_finish();
-	}
-	if (c->kind == HELP)
+	} else if (c->kind == HELP) {
 		help(o);
-	operands_check(c, o);
-	call_with_stack(run_scenes, &run);
+	} else {
+		operands_check(c, o);
+		call_with_stack(run_scenes, &run);
+	}
 	return answer_end();
 }

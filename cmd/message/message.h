@@ -81,13 +81,12 @@ void pipe_enlarge(int fd, int size);
 /* Writes all bytes to standard output, or exits with 3. */
 void output_write(const char *s, size_t size);
 
-/* Appends to a buffer as printf does, and print_flush writes the buffer to standard
- * output: stdio would lose what a full pipe refuses, without an error. */
+/* Appends to a buffer as printf does: stdio would lose what a full pipe refuses, without
+ * an error. */
 int print(const char *format, ...) __attribute__((format(printf, 1, 2)));
-void print_flush(void);
 
-/* Closes standard output. Exits with 3 if the system reports an earlier error of a write
- * only now. */
+/* Writes what print has appended, and closes standard output. Exits with 3 if the system
+ * reports an earlier error of a write only now. */
 void output_close(void);
 
 #endif
