@@ -6,6 +6,9 @@
 #include "options.h"
 #include "../stream/job.h"
 
+/* A hint for points of two numbers, which may be pick's position. */
+#define POSITION_HINT "; --at 320,240 is the position"
+
 /* Refuses operands that can't be opened, before anything is printed. */
 void operands_check(const struct command *, const struct options *);
 
@@ -13,12 +16,9 @@ void operands_check(const struct command *, const struct options *);
  * after another. Returns false if there is none. Messages name that scene from now on. */
 bool params_next(const struct options *);
 
-/* Reads the document, with the command's convention and coordinates. */
+/* Reads the document, with the command's convention and coordinates. Its points stay in
+ * the text of PARAMS until params_next. */
 void read_document(const struct command *, const struct options *,
-    struct document *);
-
-/* Reads the document. Its points stay in the text of PARAMS until params_next. */
-void params_read(const struct options *, const struct document_wants *,
     struct document *);
 
 /* Returns whether there are points, as operands or in the document. */

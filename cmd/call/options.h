@@ -31,7 +31,6 @@ struct options {
 	bool help, version;
 	enum format in, out;
 	int in_record, out_record; /* numbers of a record, by f32x4; else 0 */
-	bool has_in;               /* else points are text */
 	bool has_out;   /* else points have the format in, a matrix is text */
 	char separator; /* of csv, a comma by default */
 	bool header, no_header; /* the first line of csv is a header, is none */
@@ -46,7 +45,9 @@ struct options {
 	    progress;
 	int jobs; /* 0: as many as there are cores */
 	struct number_list pick_at, plane;
-	double radius;      /* of pick; 0: not given */
+	double radius; /* of pick; 0: not given */
+	const char
+	    *of_points;     /* an option that is about points alone, or NULL */
 	bool scenes;        /* params has any number of documents */
 	bool json;          /* of help */
 	const char *params; /* operand, "-" by default */
@@ -71,7 +72,8 @@ struct option_row {
 	    *words;   /* the values of the argument; NULL ends them */
 	int min, max; /* range of a whole number, or of the length of a list */
 	const char *example;
-	size_t on; /* offset in struct options of a bool to set; or 0 */
+	size_t on;      /* offset in struct options of a bool to set; or 0 */
+	bool of_points; /* the option is about points alone */
 };
 
 enum { OPTIONS_MAX = 40 };

@@ -87,6 +87,8 @@ static void set_option(const struct command *c, const struct option_row *r,
 		    r->name, r->argument);
 	if (r->argument != NULL)
 		r->read(o, r, value != NULL ? value : *(*next)++);
+	if (r->of_points)
+		o->of_points = r->name;
 	if (r->on != 0)
 		*(bool *)((char *)o + r->on) = true;
 	options_apply(o);
@@ -170,6 +172,8 @@ void options_read(const struct command *c, char **words, struct options *o)
 		o->n_points = 0;
 	else
 		o->params = *o->points++;
+	if (o->separator != ',' && o->in != FORMAT_CSV && o->out != FORMAT_CSV)
+		die(EXIT_USAGE, "--separator is for csv; use -i csv or -o csv");
 	if (o->out_record > 0 &&
 	    (o->out_record != o->in_record || o->out != o->in || o->matrix))
 		die(EXIT_USAGE,
