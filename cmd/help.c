@@ -21,19 +21,15 @@ enum { NAME_WIDTH = 15, TYPE_WIDTH = 23 };
  * types of the object that have it. */
 static void print_member(const struct member *row, const char *const *types)
 {
-	char type[LISTED];
+	char list[LISTED], type[2 * LISTED];
 	const char *unit = member_unit(row), *before = " (";
-	int width = NAME_WIDTH + 2;
 
-	width += print("  %-*s%s%s%s", NAME_WIDTH, row->name,
-		     member_type(row, type), unit != NULL ? ", " : "",
-		     unit != NULL ? unit : "") -
-	    NAME_WIDTH - 2;
-	if (width > NAME_WIDTH + 2 + TYPE_WIDTH) {
-		print("\n");
-		width = 0;
-	}
-	print("%*s %s", NAME_WIDTH + 2 + TYPE_WIDTH - width, "", row->about);
+	snprintf(type, sizeof type, "%s%s%s", member_type(row, list),
+	    unit != NULL ? ", " : "", unit != NULL ? unit : "");
+	print("  %-*s%-*s", NAME_WIDTH, row->name, TYPE_WIDTH, type);
+	if (strlen(type) > TYPE_WIDTH)
+		print("\n%*s", NAME_WIDTH + 2 + TYPE_WIDTH, "");
+	print(" %s", row->about);
 	if (row->before != NULL)
 		print("; default %s, else %.*s", row->before,
 		    (int)strlen(row->usual) - 2, row->usual + 1);
@@ -130,8 +126,7 @@ void help_command(const struct command *c)
  * NULL, the members' names. */
 static void print_convention_row(const char *name, const bool *choices)
 {
-	int blanks = 10 - print("  %s", name);
-
+	print("  %-8s", name);
 	for (const struct member *m = convention_members; m->name != NULL;
 	     m++) {
 		size_t width = strlen(m->name);
@@ -139,10 +134,8 @@ static void print_convention_row(const char *name, const bool *choices)
 		for (int i = 0; i < 2; i++)
 			if (strlen(m->words[i]) > width)
 				width = strlen(m->words[i]);
-		blanks = (int)width -
-		    print("%*s %s", blanks, "",
-			choices != NULL ? m->words[choices[m->at]] : m->name) +
-		    blanks + 1;
+		print(" %-*s", m[1].name != NULL ? (int)width : 0,
+		    choices != NULL ? m->words[choices[m->at]] : m->name);
 	}
 	print("\n");
 }
