@@ -146,11 +146,6 @@ static void help_scene_member(const struct member *row)
 	print(": %s\n\n", row->about);
 	if (row->members == NULL || row->words != NULL)
 		print_member(row, NULL);
-	for (int i = 0; row->words != NULL && row->words[i] != NULL; i++)
-		print("%s%s", i == 0 ? "                 " : " ",
-		    row->words[i]);
-	if (row->words != NULL)
-		print("\n");
 	if (row->members != NULL)
 		print_members(row->members, -1);
 	if (row->members == convention_members) {

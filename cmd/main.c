@@ -165,7 +165,7 @@ int main(int argc, char **argv)
 	o->version = strcmp(argv[1], "--version") == 0 ||
 	    strcmp(argv[1], "-V") == 0;
 	if (c == NULL && !o->version)
-		synonym_refuse_command(commands, argv[1]);
+		synonym_refuse_word(commands, false, argv[1]);
 	if (c != NULL)
 		options_read(c, argv + 2, o);
 	if (o->version) {

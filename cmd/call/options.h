@@ -120,11 +120,7 @@ struct member;
 const struct member *synonym_find(const char *name,
     const struct member **object);
 
-/* Refuses a word in the place of a command. A name of NULL ends the table. */
-_Noreturn void synonym_refuse_command(const struct command *commands,
-    const char *word);
-
-/* Refuses a word that is no command, or no topic of help. */
+/* Refuses a word that is no command, or no topic of help. A name of NULL ends the table. */
 _Noreturn void synonym_refuse_word(const struct command *commands, bool topic,
     const char *word);
 

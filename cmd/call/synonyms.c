@@ -211,34 +211,28 @@ static const char *nearest_known(const struct command *commands,
 void synonym_refuse_word(const struct command *commands, bool topic,
     const char *word)
 {
-	const char *near = nearest_known(commands, word);
+	const char first = first_char(word), *near = NULL;
+	const bool option = *word == '-' &&
+	    (word[1] != '-' || option_named(word + 2) != NULL);
+	/* options and operands stand behind a command */
+	const bool early = !topic &&
+	    (option || first == '{' || first == '[' ||
+		strpbrk(word, "./") != NULL || access(word, R_OK) == 0);
 	char unknown[UNKNOWN_MAX];
 
-	snprintf(unknown, sizeof unknown, "unknown %s '%s'",
+	snprintf(unknown, sizeof unknown, "unknown %s '%.400s'",
 	    topic ? "topic" : "command", word);
-	check_word(NULL, unknown, word);
+	if (!early) {
+		check_word(NULL, unknown, word);
+		near = nearest_known(commands, word);
+	}
 	if (near != NULL && *near != '-' &&
 	    find_command(commands, near) == NULL)
 		topic = true;
 	if (near != NULL)
 		die(EXIT_USAGE, "%s; did you mean 'projcalc %s%s'?", unknown,
 		    topic ? "help " : "", near);
-	die(EXIT_USAGE, "%s; 'projcalc help' lists commands%s", unknown,
+	die(EXIT_USAGE, "%s; %s'projcalc help' lists commands%s", unknown,
+	    early ? "a command comes first, such as project or lookat; " : "",
 	    topic ? ", and 'projcalc help scene' members" : "");
-}
-
-void synonym_refuse_command(const struct command *commands, const char *word)
-{
-	const char first = first_char(word);
-	bool operand = first == '{' || first == '[' ||
-	    strpbrk(word, "./") != NULL || access(word, R_OK) == 0;
-
-	if (operand ||
-	    (*word == '-' &&
-		(word[1] != '-' || option_named(word + 2) != NULL)))
-		die(EXIT_USAGE,
-		    "'%s' is not a command; a command comes first, such as "
-		    "project or lookat; 'projcalc help' lists commands",
-		    word);
-	synonym_refuse_word(commands, false, word);
 }
