@@ -131,10 +131,8 @@ void run_matrix(const struct command *c, const struct options *o)
 
 	read_document(c, o, &d);
 
-	bool points = !o->matrix && has_points(o, &d);
+	bool points = !o->matrix && has_points(c, o, &d);
 
-	if (!points && !o->matrix)
-		refuse_point_options(c, o);
 	matrix_transform(c, o, &d, points ? c->points_to : c->to, &j);
 	if (!points) {
 		print_matrix(o, &d, &j.transform);
@@ -142,6 +140,5 @@ void run_matrix(const struct command *c, const struct options *o)
 	}
 	j.space = c->kind == PLANAR ? flat_names[c->points_to] :
 				      space_names[c->points_to];
-	prepare_job(&j, o);
 	run_points(o, &d, &j);
 }

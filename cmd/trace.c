@@ -143,7 +143,7 @@ static void trace_collect(const struct job *j, const struct chunk *c,
 
 void run_trace(const struct command *c, const struct options *o)
 {
-	enum space from = o->has_from ? o->from : SPACE_MODEL;
+	const enum space from = o->from;
 	static struct trace trace;
 	static struct job j = { .take = trace_take,
 		.collect = trace_collect,
@@ -160,10 +160,8 @@ void run_trace(const struct command *c, const struct options *o)
 			&trace.to[s]));
 	document_check(&d, frustum_of(&d.scene, from, false, &j.frustum));
 	j.transform = trace.to[SPACE_CLIP];
-	prepare_job(&j, o);
 	for (int s = 0; s < SPACES; s++)
 		snprintf(trace.label[s], sizeof trace.label[s],
-		    j.layout.out.format == FORMAT_JSON ? "\"%s\":" : "%-8s",
-		    space_names[s]);
+		    o->out == FORMAT_JSON ? "\"%s\":" : "%-8s", space_names[s]);
 	run_points(o, &d, &j);
 }

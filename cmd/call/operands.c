@@ -70,18 +70,17 @@ void operands_check(const struct command *c, const struct options *o)
 	}
 }
 
-bool has_points(const struct options *o, const struct document *d)
+bool has_points(const struct command *c, const struct options *o,
+    const struct document *d)
 {
-	return o->n_points > 0 || d->points != NULL;
-}
+	bool none = o->n_points == 0 && d->points == NULL;
 
-void refuse_point_options(const struct command *c, const struct options *o)
-{
-	if (o->of_points != NULL)
+	if (none && o->of_points != NULL)
 		die(EXIT_USAGE,
 		    "%s: --%s is for points, and there are none; add POINTS, "
 		    "or - for standard input",
 		    c->name, o->of_points);
+	return !none;
 }
 
 /* Returns whether the output adds a member to which path, a name or a JSON pointer, leads,
@@ -209,7 +208,7 @@ static void name_values(struct layout *l, const char *space)
 	strcpy(l->name[COORDINATES_MAX], l->flags ? "flags" : "");
 }
 
-void prepare_job(struct job *j, const struct options *o)
+static void prepare_job(struct job *j, const struct options *o)
 {
 	/* x y of a position; the point and the direction of its ray */
 	const int ray_reads = 2, ray_writes = 6;
@@ -311,6 +310,7 @@ static void run_operand(const struct options *o, struct job *j, int i)
 void run_points(const struct options *o, const struct document *d,
     struct job *j)
 {
+	prepare_job(j, o);
 	if (o->n_points == 0 && d->points == NULL && is_stdin(o->params))
 		die(EXIT_USAGE,
 		    "PARAMS and POINTS are both standard input, "

@@ -21,18 +21,14 @@ bool params_next(const struct options *);
 void read_document(const struct command *, const struct options *,
     struct document *);
 
-/* Returns whether there are points, as operands or in the document. */
-bool has_points(const struct options *, const struct document *);
+/* Returns whether there are points, as operands or in the document. If there are none,
+ * refuses options that are about points alone. */
+bool has_points(const struct command *, const struct options *,
+    const struct document *);
 
-/* Refuses options that are about points alone, where there are none. */
-void refuse_point_options(const struct command *, const struct options *);
-
-/* Completes a job whose transform or ray maker is set by what the options say, and
- * prepares progress, output and kernels for it. */
-void prepare_job(struct job *, const struct options *);
-
-/* Runs the job on all points: the operands; without them the document's; without these
- * standard input. Operands are read once for all scenes. */
+/* Completes a job whose transform or ray maker is set by what the options say, and runs it
+ * on all points: the operands; without them the document's; without these standard input.
+ * Operands are read once for all scenes. */
 void run_points(const struct options *, const struct document *, struct job *);
 
 /* Files and standard input as texts in memory. */
