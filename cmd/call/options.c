@@ -21,11 +21,13 @@ const char *const space_names[] = { "model", "world", "view", "clip", "ndc",
 static void option_read_word(struct options *o, const struct option_row *r,
     char *word)
 {
+	unsigned *at = r->global != NULL ? r->global :
+					   (void *)((char *)o + r->at);
 	char all[LISTED];
 
 	for (unsigned i = 0; r->words[i] != NULL; i++)
 		if (strcmp(r->words[i], word) == 0) {
-			*(unsigned *)((char *)o + r->at) = i;
+			*at = i;
 			return;
 		}
 	die(EXIT_USAGE, "--%s: unknown word '%s'; use %s", r->name, word,
@@ -274,9 +276,11 @@ const struct option_row option_rows[] = {
 	{ "json", 0, HELP, "print all that the program knows of itself as JSON",
 	    ON(json) },
 	{ "errors", 0, EVERY, "form of messages: text (default) or json",
-	    "FORM", option_read_word, AT(errors), .words = message_forms },
+	    "FORM", option_read_word, .words = message_forms,
+	    .global = &message_state.json },
 	{ "color", 0, EVERY, "colour messages and help: auto (default), always or never",
-	    "WHEN", option_read_word, AT(color), .words = color_names },
+	    "WHEN", option_read_word, .words = color_names,
+	    .global = &message_state.color },
 	{ "help", 'h', EVERY, "print this help", ON(help) },
 	{ "version", 'V', EVERY, "print the version", ON(version) },
 	{ .name = NULL },
@@ -316,16 +320,8 @@ bool option_is_for(const struct option_row *r, const struct command *c)
 	return (r->commands & c->kind) != 0;
 }
 
-void options_apply(const struct options *o)
-{
-	message_state.json = o->errors == 1;
-	message_state.color = (enum color)o->color;
-}
-
 void options_read_first(char **words)
 {
-	struct options first = { .errors = 0 };
-
 	for (char **w = words; *w != NULL && strcmp(*w, "--") != 0; w++) {
 		const struct option_row *r = strncmp(*w, "--", 2) == 0 ?
 		    option_named(*w + 2) :
@@ -333,10 +329,8 @@ void options_read_first(char **words)
 		char *equals = strchr(*w, '=');
 		char *argument = equals != NULL ? equals + 1 : w[1];
 
-		if (r != NULL && argument != NULL &&
-		    (r->words == message_forms || r->words == color_names))
-			r->read(&first, r, argument);
-		options_apply(&first);
+		if (r != NULL && argument != NULL && r->global != NULL)
+			r->read(NULL, r, argument);
 	}
 }
 
@@ -344,10 +338,10 @@ int coordinates_of(const struct command *c, const struct options *o)
 {
 	if (c->kind == PLANAR || o->ray || o->plane.n > 0)
 		return 2;
-	return o->from == SPACE_CLIP ||
-		(o->from == SPACE_DEVICE && o->homogeneous) ?
-	    4 :
-	    3;
+	bool w = o->from == SPACE_CLIP ||
+	    (o->from == SPACE_DEVICE && o->homogeneous);
+
+	return w ? 4 : 3;
 }
 
 enum format options_output(const struct options *o)

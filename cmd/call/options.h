@@ -26,8 +26,6 @@ struct number_list {
 struct options {
 	unsigned convention; /* index in conventions */
 	bool has_convention; /* else it is the document's */
-	unsigned errors;     /* index in the words text and json */
-	enum color color;
 	bool help, version;
 	enum format in, out;
 	int in_record, out_record; /* numbers of a record, by f32x4; else 0 */
@@ -68,6 +66,7 @@ struct option_row {
 	const char *argument;
 	void (*read)(struct options *, const struct option_row *, char *word);
 	size_t at;
+	unsigned *global; /* set in place of such a member; or NULL */
 	const char *const
 	    *words;   /* the values of the argument; NULL ends them */
 	int min, max; /* range of a whole number, or of the length of a list */
@@ -81,11 +80,8 @@ enum { OPTIONS_MAX = 40 };
 /* All options, at most OPTIONS_MAX. A name of NULL ends them. */
 extern const struct option_row option_rows[];
 
-/* Sets the format and color of messages by --errors and --color. */
-void options_apply(const struct options *);
-
-/* Reads --errors and --color from the whole command line and applies them, before any
- * message. */
+/* Reads --errors and --color, the options with global, from the whole command line before
+ * any message. */
 void options_read_first(char **words);
 
 /* Returns the option of a name, or NULL. A value may follow the name after = or a blank. */

@@ -91,7 +91,6 @@ static void set_option(const struct command *c, const struct option_row *r,
 		o->of_points = r->name;
 	if (r->on != 0)
 		*(bool *)((char *)o + r->on) = true;
-	options_apply(o);
 }
 
 /* Sets the options of a word: "--name=value" or "-mdvalue". Refuses the name of an option

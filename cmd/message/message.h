@@ -42,8 +42,8 @@ void say_at(int status, const struct place *, const char *format, ...)
 enum color { COLOR_AUTO, COLOR_ALWAYS, COLOR_NEVER };
 
 extern struct message_state {
-	bool json; /* a message is a JSON object in one line */
-	enum color color;
+	unsigned json;  /* 1: a message is a JSON object in one line */
+	unsigned color; /* an enum color */
 	struct scene_place scene; /* the scene that is being answered */
 	/* Where die_at jumps after a message whose place is of_scene; NULL: the
 	 * program ends. Only the first thread may print such a message, while
