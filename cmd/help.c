@@ -43,20 +43,13 @@ static void print_member(const struct member *row, const char *const *types)
 	print("%s\n", *before == ',' ? ")" : "");
 }
 
-/* Prints the members of a table that objects of a kind have; of all kinds if kind < 0. */
-static void print_members(const struct member *table, int kind)
+/* Prints the members of a table that bits select and objects of a kind have; of all kinds
+ * if kind < 0. */
+static void print_members(const struct member *table, int kind, uint64_t bits)
 {
 	for (const struct member *row = table; row->name != NULL; row++)
-		if (kind < 0 || row->kinds == 0 || row->kinds >> kind & 1)
+		if (bits >> (row - table) & 1 && member_is_of(row, kind))
 			print_member(row, kind < 0 ? table->words : NULL);
-}
-
-/* Prints the scene's members that bits select. */
-static void print_scene_members(unsigned bits)
-{
-	for (int i = 0; scene_members[i].name != NULL; i++)
-		if (bits >> i & 1)
-			print_member(&scene_members[i], NULL);
 }
 
 void help_all(const struct command *c)
@@ -98,11 +91,12 @@ static void print_params(const struct command *c)
 			print("\n");
 			heading(row->name);
 			print(":\n");
-			print_members(row->members, w->projection - 1);
+			print_members(row->members, w->projection - 1,
+			    ALL_MEMBERS);
 		}
 	}
 	heading("\nscene:\n");
-	print_scene_members(document_reads(w));
+	print_members(scene_members, ANY_KIND, document_reads(w));
 	print("projcalc help NAME describes a member that is an object.\n");
 }
 
@@ -140,14 +134,22 @@ static void print_convention_row(const char *name, const bool *choices)
 	print("\n");
 }
 
-static void help_scene_member(const struct member *row)
+bool help_member(const char *name)
 {
+	const struct member *row;
+
+	if (strcmp(name, "scene") == 0) {
+		print_members(scene_members, ANY_KIND, ALL_MEMBERS);
+		return true;
+	}
+	if (synonym_find(name, &row) == NULL)
+		return false;
 	heading(row->name);
 	print(": %s\n\n", row->about);
 	if (row->members == NULL || row->words != NULL)
 		print_member(row, NULL);
 	if (row->members != NULL)
-		print_members(row->members, -1);
+		print_members(row->members, ANY_KIND, ALL_MEMBERS);
 	if (row->members == convention_members) {
 		print("\n");
 		print_convention_row("", NULL);
@@ -157,17 +159,5 @@ static void help_scene_member(const struct member *row)
 	}
 	heading("\nexample:");
 	print(" projcalc %s\n", row->command);
-}
-
-bool help_member(const char *name)
-{
-	const struct member *object;
-
-	if (strcmp(name, "scene") == 0)
-		print_scene_members(~0u);
-	else if (synonym_find(name, &object) != NULL)
-		help_scene_member(object);
-	else
-		return false;
 	return true;
 }
