@@ -183,9 +183,7 @@ static void choose_kernels(void)
 {
 	const char *cpu = getenv("PROJCALC_CPU");
 
-	if (cpu != NULL && *cpu == '\0')
-		cpu = NULL;
-	if (!points_choose(cpu))
+	if (!points_choose(cpu != NULL && *cpu != '\0' ? cpu : NULL))
 		die(EXIT_USAGE,
 		    "PROJCALC_CPU=%s: not a kind that this processor can "
 		    "run; there are baseline, avx2, avx512 and neon",
@@ -319,10 +317,9 @@ void run_points(const struct options *o, const struct document *d,
 	j->layout.two = d->source.two;
 	if (o->n_points == 0 && d->points != NULL)
 		run_json(o, j, d->source.name, d->points, d->points_size);
-	else if (o->n_points == 0)
-		run_operand(o, j, 0);
-	for (int i = 0; i < o->n_points; i++)
-		run_operand(o, j, i);
+	else
+		for (int i = 0; i == 0 || i < o->n_points; i++)
+			run_operand(o, j, i);
 	if (j->flush != NULL)
 		j->flush(j);
 }

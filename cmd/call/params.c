@@ -129,7 +129,11 @@ static bool next_scene(void)
 	params.end_column = params.column;
 	json_count(params.text.s + params.begin, params.text.s + params.end,
 	    &params.end_line, &params.end_column);
-	return params.begin < params.end;
+	const bool found = params.begin < params.end;
+
+	message_state.scene.number = found ? params.number : 0;
+	message_state.scene.line = (long)params.line;
+	return found;
 }
 
 bool params_next(const struct options *o)
@@ -138,13 +142,7 @@ bool params_next(const struct options *o)
 		params_open(o);
 	else if (!o->scenes)
 		return false;
-	if (!o->scenes)
-		return true;
-	bool found = next_scene();
-
-	message_state.scene = (struct scene_place){ found ? params.number : 0,
-		(long)params.line };
-	return found;
+	return !o->scenes || next_scene();
 }
 
 /* Refuses points in place of a scene with EXIT_USAGE, as the call is wrong, not the file:
