@@ -76,12 +76,6 @@ void check_input(const char *name)
 		refuse_input(name, &st);
 }
 
-void close_input(int fd)
-{
-	if (fd != STDIN_FILENO)
-		close(fd);
-}
-
 static void reserve(struct text *t, size_t room)
 {
 	t->s = xrealloc(t->s, room + PIECE_MARGIN);
@@ -114,7 +108,7 @@ struct text read_whole(const char *name)
 
 	while (read_more(&t, fd, name))
 		continue;
-	close_input(fd);
+	close(fd);
 	return t;
 }
 

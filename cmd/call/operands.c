@@ -301,7 +301,7 @@ static void run_operand(const struct options *o, struct job *j, int i)
 		int fd = open_input(operand);
 
 		stream_file(j, operand, fd);
-		close_input(fd);
+		close(fd);
 	}
 }
 

@@ -52,7 +52,6 @@ void check_input(const char *name);
 /* Returns a file descriptor. Refuses what check_input refuses, and what can't be opened,
  * with exit status 2. */
 int open_input(const char *name);
-void close_input(int fd);
 
 /* Reads more of fd to the end of the text. Returns false at the end of the file. name is
  * for messages. */

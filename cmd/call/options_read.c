@@ -98,7 +98,7 @@ static void set_option(const struct command *c, const struct option_row *r,
 static void set_options(const struct command *c, char *word, char ***next,
     struct options *o)
 {
-	const struct option_row *r = NULL;
+	const struct option_row *r;
 	char *equals = strchr(word, '=');
 
 	if (equals != NULL)
@@ -112,13 +112,12 @@ static void set_options(const struct command *c, char *word, char ***next,
 		synonym_check_option(c, word, word + 1);
 	if (equals != NULL)
 		*equals = '=';
-	for (char *s = word + 1; *s != '\0' && (r == NULL || !r->argument);
-	     s++) {
-		r = letter_option(c, *s);
+	do {
+		r = letter_option(c, *++word);
 		set_option(c, r,
-		    r->argument != NULL && s[1] != '\0' ? s + 1 : NULL, next,
-		    o);
-	}
+		    r->argument != NULL && word[1] != '\0' ? word + 1 : NULL,
+		    next, o);
+	} while (r->argument == NULL && word[1] != '\0');
 }
 
 /* Returns whether a word is an operand. "-" is one, and a word that begins with a negative

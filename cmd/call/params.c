@@ -3,6 +3,7 @@
 
 #include <ctype.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "../json/text.h"
 #include "../message/message.h"
@@ -56,7 +57,7 @@ static bool params_more(void)
 		    "as POINTS");
 	if (read_more(t, params.fd, params.name))
 		return true;
-	close_input(params.fd);
+	close(params.fd);
 	params.fd = -1;
 	return false;
 }
