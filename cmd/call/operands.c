@@ -33,8 +33,9 @@ static _Noreturn void refuse_operand(const struct command *c, const char *word,
 static void check_file(const struct command *c, const char *name,
     const char *hint)
 {
-	check_input(name);
-	if (!is_stdin(name) && access(name, R_OK) != 0)
+	if (is_stdin(name))
+		check_input(name, STDIN_FILENO);
+	else if (!check_input(name, -1) || access(name, R_OK) != 0)
 		refuse_operand(c, name, strerror(errno), hint);
 }
 

@@ -45,9 +45,9 @@ bool is_stdin(const char *operand);
 /* Returns the first character that is not white space. */
 char first_char(const char *);
 
-/* Refuses a directory, and the regular file of standard output, with exit status 2. A
- * file that does not exist is left to open_input. */
-void check_input(const char *name);
+/* Refuses a directory, and the regular file of standard output, which would be read again,
+ * with exit status 2. Returns whether there is such a file: fd or, if fd < 0, name. */
+bool check_input(const char *name, int fd);
 
 /* Returns a file descriptor. Refuses what check_input refuses, and what can't be opened,
  * with exit status 2. */
