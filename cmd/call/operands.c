@@ -262,42 +262,27 @@ static void run_json(const struct options *o, struct job *j, const char *name,
 	j->layout = of_files;
 }
 
-static void run_typed(const struct options *o, struct job *j,
-    const char *operand)
-{
-	struct text t = copy_operand(operand);
-	size_t size;
-	const char *points = document_points("POINTS", t.s, t.have,
-	    j->layout.reads, j->layout.two, &size);
-
-	run_json(o, j, "POINTS", points, size);
-	text_free(&t);
-}
-
-/* Runs the job on operand i, and keeps its text for the next scenes. */
-static void run_kept(const struct options *o, struct job *j, int i,
-    const char *name)
-{
-	static struct text *kept;
-
-	if (kept == NULL) {
-		size_t size = ((size_t)o->n_points + 1) * sizeof *kept;
-
-		kept = memset(xrealloc(NULL, size), 0, size);
-	}
-	if (kept[i].s == NULL)
-		kept[i] = read_whole(name);
-	stream_text(j, name, kept[i].s, kept[i].have);
-}
-
+/* Runs the job on operand i, or on standard input. With --scenes, the text of a file is
+ * kept for the next scenes. */
 static void run_operand(const struct options *o, struct job *j, int i)
 {
+	static struct text *kept;
 	const char *operand = i < o->n_points ? o->points[i] : "-";
+	size_t size = ((size_t)o->n_points + 1) * sizeof *kept;
 
 	if (first_char(operand) == '[') {
-		run_typed(o, j, operand);
+		struct text t = copy_operand(operand);
+		const char *points = document_points("POINTS", t.s, t.have,
+		    j->layout.reads, j->layout.two, &size);
+
+		run_json(o, j, "POINTS", points, size);
+		text_free(&t);
 	} else if (o->scenes) {
-		run_kept(o, j, i, operand);
+		if (kept == NULL)
+			kept = memset(xrealloc(NULL, size), 0, size);
+		if (kept[i].s == NULL)
+			kept[i] = read_whole(operand);
+		stream_text(j, operand, kept[i].s, kept[i].have);
 	} else {
 		int fd = open_input(operand);
 

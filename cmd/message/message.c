@@ -207,15 +207,6 @@ void die_at(int status, const struct place *place, const char *format, ...)
 	va_end(args);
 }
 
-void die(int status, const char *format, ...)
-{
-	va_list args;
-
-	va_start(args, format);
-	vdie_at(status, NULL, format, args);
-	va_end(args);
-}
-
 void quit(int status)
 {
 	end_once();

@@ -60,8 +60,7 @@ _Noreturn void die_at(int status, const struct place *, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 _Noreturn void vdie_at(int status, const struct place *, const char *format,
     va_list) __attribute__((format(printf, 3, 0)));
-_Noreturn void die(int status, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
+#define die(status, ...) die_at(status, NULL, __VA_ARGS__)
 
 /* Exits. Any thread may call it. */
 _Noreturn void quit(int status);
