@@ -163,6 +163,7 @@ static void check_word(const struct command *c, const char *unknown,
 	snprintf(option, sizeof option, "--%s", r != NULL ? r->name : "");
 	if (c != NULL && r != NULL && option_is_for(r, c))
 		refuse_synonym(c, unknown, option);
+	/* names, and aliases where no option has the name */
 	for (int i = 0; i < 4; i += r == NULL ? 1 : 2) {
 		m = find_member(objects[i / 2], own, name, i % 2, &object);
 		if (m != NULL)
