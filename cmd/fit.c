@@ -59,7 +59,6 @@ static void fit_read_points(const struct options *o, struct document *d)
 		document_check(d,
 		    fit_directions(&d->scene, d->has_eye, &fit.directions));
 	}
-	prepare_job(&j, o);
 	run_points(o, d, &j);
 	if (!extremes_bounds(&fit.extremes, &fit.directions, &d->bounds))
 		document_refuse(d,
@@ -91,6 +90,8 @@ void run_fit(const struct command *c, const struct options *o)
 	struct document d;
 
 	read_document(c, o, &d);
+	bool points = has_points(c, o, &d);
+
 	if (d.scene.answer != NULL)
 		document_refuse(&d,
 		    "/convention: is not that of -c; fit prints the scene in "
@@ -99,14 +100,12 @@ void run_fit(const struct command *c, const struct options *o)
 		document_refuse(&d,
 		    "/bounds: not together with POINTS; give one of "
 		    "them");
-	if (!d.has_bounds && !has_points(o, &d))
+	if (!d.has_bounds && !points)
 		document_refuse(&d,
 		    d.flat ? "/bounds: missing; add \"bounds\": {\"min\": "
 			     "[-1,-1], \"max\": [1,1]}, or POINTS" :
 			     "/bounds: missing; add \"bounds\": {\"min\": "
 			     "[-1,-1,-1], \"max\": [1,1,1]}, or POINTS");
-	if (!has_points(o, &d))
-		refuse_point_options(c, o);
 	if (!d.has_bounds)
 		fit_read_points(o, &d);
 	const char *why = d.flat ? fit_window(&d.scene, &d.bounds) :

@@ -21,19 +21,15 @@ enum { NAME_WIDTH = 15, TYPE_WIDTH = 23 };
  * types of the object that have it. */
 static void print_member(const struct member *row, const char *const *types)
 {
-	char type[LISTED];
+	char list[LISTED], type[2 * LISTED];
 	const char *unit = member_unit(row), *before = " (";
-	int width = NAME_WIDTH + 2;
 
-	width += print("  %-*s%s%s%s", NAME_WIDTH, row->name,
-		     member_type(row, type), unit != NULL ? ", " : "",
-		     unit != NULL ? unit : "") -
-	    NAME_WIDTH - 2;
-	if (width > NAME_WIDTH + 2 + TYPE_WIDTH) {
-		print("\n");
-		width = 0;
-	}
-	print("%*s %s", NAME_WIDTH + 2 + TYPE_WIDTH - width, "", row->about);
+	snprintf(type, sizeof type, "%s%s%s", member_type(row, list),
+	    unit != NULL ? ", " : "", unit != NULL ? unit : "");
+	print("  %-*s%-*s", NAME_WIDTH, row->name, TYPE_WIDTH, type);
+	if (strlen(type) > TYPE_WIDTH)
+		print("\n%*s", NAME_WIDTH + 2 + TYPE_WIDTH, "");
+	print(" %s", row->about);
 	if (row->before != NULL)
 		print("; default %s, else %.*s", row->before,
 		    (int)strlen(row->usual) - 2, row->usual + 1);
@@ -47,20 +43,13 @@ static void print_member(const struct member *row, const char *const *types)
 	print("%s\n", *before == ',' ? ")" : "");
 }
 
-/* Prints the members of a table that objects of a kind have; of all kinds if kind < 0. */
-static void print_members(const struct member *table, int kind)
+/* Prints the members of a table that bits select and objects of a kind have; of all kinds
+ * if kind < 0. */
+static void print_members(const struct member *table, int kind, uint64_t bits)
 {
 	for (const struct member *row = table; row->name != NULL; row++)
-		if (kind < 0 || row->kinds == 0 || row->kinds >> kind & 1)
+		if (bits >> (row - table) & 1 && member_is_of(row, kind))
 			print_member(row, kind < 0 ? table->words : NULL);
-}
-
-/* Prints the scene's members that bits select. */
-static void print_scene_members(unsigned bits)
-{
-	for (int i = 0; scene_members[i].name != NULL; i++)
-		if (bits >> i & 1)
-			print_member(&scene_members[i], NULL);
 }
 
 void help_all(const struct command *c)
@@ -102,11 +91,12 @@ static void print_params(const struct command *c)
 			print("\n");
 			heading(row->name);
 			print(":\n");
-			print_members(row->members, w->projection - 1);
+			print_members(row->members, w->projection - 1,
+			    ALL_MEMBERS);
 		}
 	}
 	heading("\nscene:\n");
-	print_scene_members(document_reads(w));
+	print_members(scene_members, ANY_KIND, document_reads(w));
 	print("projcalc help NAME describes a member that is an object.\n");
 }
 
@@ -130,8 +120,7 @@ void help_command(const struct command *c)
  * NULL, the members' names. */
 static void print_convention_row(const char *name, const bool *choices)
 {
-	int blanks = 10 - print("  %s", name);
-
+	print("  %-8s", name);
 	for (const struct member *m = convention_members; m->name != NULL;
 	     m++) {
 		size_t width = strlen(m->name);
@@ -139,27 +128,28 @@ static void print_convention_row(const char *name, const bool *choices)
 		for (int i = 0; i < 2; i++)
 			if (strlen(m->words[i]) > width)
 				width = strlen(m->words[i]);
-		blanks = (int)width -
-		    print("%*s %s", blanks, "",
-			choices != NULL ? m->words[choices[m->at]] : m->name) +
-		    blanks + 1;
+		print(" %-*s", m[1].name != NULL ? (int)width : 0,
+		    choices != NULL ? m->words[choices[m->at]] : m->name);
 	}
 	print("\n");
 }
 
-static void help_scene_member(const struct member *row)
+bool help_member(const char *name)
 {
+	const struct member *row;
+
+	if (strcmp(name, "scene") == 0) {
+		print_members(scene_members, ANY_KIND, ALL_MEMBERS);
+		return true;
+	}
+	if (synonym_find(name, &row) == NULL)
+		return false;
 	heading(row->name);
 	print(": %s\n\n", row->about);
 	if (row->members == NULL || row->words != NULL)
 		print_member(row, NULL);
-	for (int i = 0; row->words != NULL && row->words[i] != NULL; i++)
-		print("%s%s", i == 0 ? "                 " : " ",
-		    row->words[i]);
-	if (row->words != NULL)
-		print("\n");
 	if (row->members != NULL)
-		print_members(row->members, -1);
+		print_members(row->members, ANY_KIND, ALL_MEMBERS);
 	if (row->members == convention_members) {
 		print("\n");
 		print_convention_row("", NULL);
@@ -169,17 +159,5 @@ static void help_scene_member(const struct member *row)
 	}
 	heading("\nexample:");
 	print(" projcalc %s\n", row->command);
-}
-
-bool help_member(const char *name)
-{
-	const struct member *object;
-
-	if (strcmp(name, "scene") == 0)
-		print_scene_members(~0u);
-	else if (synonym_find(name, &object) != NULL)
-		help_scene_member(object);
-	else
-		return false;
 	return true;
 }

@@ -54,13 +54,26 @@ static const char *const notes[NOTES] = {
 	"range; look at near, far and eye",
 };
 
-/* Puts a vector, or null if its first element is nan. */
+/* Puts a number if n is 0, or else a vector, or null if its first number is nan. */
 static void put_vector(struct printer *p, const double *v, int n)
 {
-	if (isnan(v[0]))
+	if (n == 0 || isnan(v[0]))
 		put_number(p, v[0]);
 	else
 		put_numbers(p, v, n);
+}
+
+static void put_line(struct printer *p, const char *name, const double *v,
+    int n)
+{
+	put_name_on_new_line(p, name);
+	put_vector(p, v, n);
+}
+
+static void put_word(struct printer *p, const char *name, const char *word)
+{
+	put_name_on_new_line(p, name);
+	put_string(p, word);
 }
 
 /* Puts rows of n numbers each; or null if none is true. */
@@ -68,26 +81,24 @@ static void put_rows(struct printer *p, const char *name, const double *v,
     int rows, int n, bool none)
 {
 	put_name_on_new_line(p, name);
-	if (none) {
-		put_literal(p, "null");
-		return;
-	}
-	put_open(p, "[");
-	for (int i = 0; i < rows; i++)
+	put_open(p, none ? "null" : "[");
+	for (int i = 0; i < rows && !none; i++)
 		put_vector(p, v + i * n, n);
-	put_close(p, "]");
+	put_close(p, none ? "" : "]");
 }
 
-static const char *const sides[6] = { "left", "right", "bottom", "top", "near",
-	"far" };
-
-static void put_sides(struct printer *p, const char *name, const double at[4])
+/* Puts a number for each of so many sides if n is 0, or else a row of n numbers. */
+static void put_sides(struct printer *p, const char *name, int sides,
+    const double *v, int n)
 {
+	static const char *const names[] = { "left", "right", "bottom", "top",
+		"near", "far" };
+
 	put_name_on_new_line(p, name);
 	put_open(p, "{");
-	for (int k = 0; k < 4; k++) {
-		put_name(p, sides[k]);
-		put_number(p, at[k]);
+	for (int k = 0; k < sides; k++) {
+		put_name(p, names[k]);
+		put_vector(p, v + k * (n > 0 ? n : 1), n);
 	}
 	put_close(p, "}");
 }
@@ -114,22 +125,15 @@ static void put_picture(struct printer *p, const struct picture *r)
 	put_distance(p, r->near);
 	put_name_on_new_line(p, "far");
 	put_distance(p, r->far);
-	put_name_on_new_line(p, "aspect");
-	put_number(p, r->aspect);
+	put_line(p, "aspect", &r->aspect, 0);
 	put_name_on_new_line(p, "reverse_z");
-	if (projection_is_open(&r->scene.projection))
-		put_number(p, (double)NAN); /* no plane is near */
-	else
-		put_literal(p, r->reverse_z ? "true" : "false");
-	put_sides(p, "planes", r->plane);
+	put_literal(p,
+	    projection_is_open(&r->scene.projection) ? "null" : /* no near */
+		r->reverse_z ? "true" :
+			       "false");
+	put_sides(p, "planes", 4, r->plane, 0);
 	put_rows(p, "frustum", r->corner[0], 8, 3, false);
-	put_name_on_new_line(p, "frustum_planes");
-	put_open(p, "{");
-	for (int k = 0; k < 6; k++) {
-		put_name(p, sides[k]);
-		put_vector(p, r->frustum_plane[k], 4);
-	}
-	put_close(p, "}");
+	put_sides(p, "frustum_planes", 6, r->frustum_plane[0], 4);
 	put_rows(p, "intrinsics", r->intrinsics[0], 3, 3,
 	    isnan(r->intrinsics[0][0]));
 }
@@ -170,10 +174,8 @@ static void check_distances(const struct document *d, const struct options *o,
 static void put_depth_steps(struct printer *p, const struct options *o,
     const struct depth *z)
 {
-	if (o->distances.n > 0) {
-		put_name_on_new_line(p, "distances");
-		put_numbers(p, o->distances.v, o->distances.n);
-	}
+	if (o->distances.n > 0)
+		put_line(p, "distances", o->distances.v, o->distances.n);
 	put_name_on_new_line(p, "depth_step");
 	put_open(p, "{");
 	for (enum buffer b = 0; b < BUFFERS; b++) {
@@ -204,8 +206,7 @@ static void put_bounds(struct printer *p, const double bound[3],
 	put_close(p, "}");
 	while (precision > PRECISION_EXACT && !(bound[precision] <= tolerance))
 		precision--;
-	put_name_on_new_line(p, "precision");
-	put_string(p, precision_names[precision]);
+	put_word(p, "precision", precision_names[precision]);
 }
 
 /* Puts the window of a scene without a projection. */
@@ -215,14 +216,13 @@ static void put_plane(struct printer *p, const struct document *d)
 	struct shown w;
 
 	document_check(d, scene_shown(s, &w));
-	put_sides(p, "window", w.edge);
+	put_sides(p, "window", 4, w.edge, 0);
 	put_name_on_new_line(p, "device");
 	if (s->has_device)
 		put_device(p, &s->device);
 	else
 		put_literal(p, "null");
-	put_name_on_new_line(p, "scale");
-	put_numbers(p, w.scale, 2);
+	put_line(p, "scale", w.scale, 2);
 }
 
 /* Puts the projection, and what follows from it. */

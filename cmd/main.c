@@ -18,21 +18,20 @@
 #define FLAT_LIKE "'{\"window\": " WINDOW_LIKE                                 \
 	", \"device\": " DEVICE_LIKE "}'"
 
+/* A command whose document may be a member alone, which it needs; it uses others, too. */
+#define ALONE(member, others)                                              \
+	.bare = SCENE_##member, .needed = SCENE_##member,                  \
+	.used = SCENE_##member | SCENE_POINTS | (others)
+
 /* A command for one type of projection. A viewport may determine the aspect. */
 #define VIEW_TO_CLIP(type)                                                 \
 	MATRIX, run_matrix,                                                \
-	.wants = { .bare = SCENE_PROJECTION, .needed = SCENE_PROJECTION,   \
-	    .used = SCENE_PROJECTION | SCENE_VIEWPORT | SCENE_POINTS,      \
-	    .projection = type },                                          \
+	.wants = { ALONE(PROJECTION, SCENE_VIEWPORT), .projection = type },  \
 	.from = SPACE_VIEW, .to = SPACE_CLIP, .points_to = SPACE_NDC
 
 /* A window adapts to the device if there is one. */
-#define WINDOW_ALONE                                                       \
-	.bare = SCENE_WINDOW, .needed = SCENE_WINDOW,                      \
-	.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS
-#define DEVICE_ALONE                                                       \
-	.bare = SCENE_DEVICE, .needed = SCENE_DEVICE,                      \
-	.used = SCENE_DEVICE | SCENE_POINTS
+#define WINDOW_ALONE ALONE(WINDOW, SCENE_DEVICE)
+#define DEVICE_ALONE ALONE(DEVICE, 0)
 #define WINDOW_AND_DEVICE                                                  \
 	.needed = SCENE_WINDOW | SCENE_DEVICE,                             \
 	.used = SCENE_WINDOW | SCENE_DEVICE | SCENE_POINTS
@@ -43,8 +42,7 @@
 
 static const struct command commands[] = {
 	{ "lookat", "world to view matrix", MATRIX, run_matrix,
-	    .wants = { .bare = SCENE_CAMERA, .needed = SCENE_CAMERA,
-		.used = SCENE_CAMERA | SCENE_POINTS },
+	    .wants = { ALONE(CAMERA, 0) },
 	    .from = SPACE_WORLD, .to = SPACE_VIEW, .points_to = SPACE_VIEW,
 	    .example = "'{\"eye\": [0,0,-5], \"at\": [0,0,0]}'" },
 	{ "persp", "view to clip matrix of a perspective",
@@ -104,14 +102,7 @@ static const struct command commands[] = {
 };
 /* clang-format on */
 
-static _Noreturn void main_finish(void)
-{
-	print_flush();
-	output_close();
-	exit(EXIT_OK);
-}
-
-static _Noreturn void help(const struct options *o)
+static void help(const struct options *o)
 {
 	const char *what = o->params;
 	const struct command *c = find_command(commands, what);
@@ -129,7 +120,6 @@ static _Noreturn void help(const struct options *o)
 		help_command(c);
 	else if (!help_member(what))
 		synonym_refuse_word(commands, true, what);
-	main_finish();
 }
 
 struct run {
@@ -173,20 +163,18 @@ int main(int argc, char **argv)
 	o->version = strcmp(argv[1], "--version") == 0 ||
 	    strcmp(argv[1], "-V") == 0;
 	if (c == NULL && !o->version)
-		synonym_refuse_command(commands, argv[1]);
+		synonym_refuse_word(commands, false, argv[1]);
 	if (c != NULL)
 		options_read(c, argv + 2, o);
 	if (o->version) {
 		print("projcalc " VERSION "\n");
-		main_finish();
-	}
-	if (o->help) {
+	} else if (o->help) {
 		help_command(c);
-		main_finish();
-	}
-	if (c->kind == HELP)
+	} else if (c->kind == HELP) {
 		help(o);
-	operands_check(c, o);
-	call_with_stack(run_scenes, &run);
+	} else {
+		operands_check(c, o);
+		call_with_stack(run_scenes, &run);
+	}
 	return answer_end();
 }

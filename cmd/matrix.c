@@ -15,28 +15,24 @@ struct elements {
 	double at[4][4];
 };
 
-/* Prints the elements in memory order: row by row for row vectors, column by column for
- * column vectors, which is the same sequence. */
-static void print_binary(const struct elements *m, bool wide)
+/* Puts the elements as lines of text; or in binary, where memory order is row by row for
+ * row vectors, column by column for column vectors, which is the same sequence. */
+static void put_elements(struct printer *p, const struct elements *m,
+    struct dialect out)
 {
 	for (int i = 0; i < m->rows * m->columns; i++) {
-		double v = m->at[i / m->columns][i % m->columns];
-		char number[8];
+		const int j = i % m->columns;
+		const double v = m->at[i / m->columns][j];
 
-		little_put(number, wide, v);
-		output_write(number, wide ? 8 : 4);
-	}
-}
-
-static void put_lines(struct printer *p, const struct elements *m,
-    char separator)
-{
-	for (int i = 0; i < m->rows; i++)
-		for (int j = 0; j < m->columns; j++) {
+		if (is_binary(out.format)) {
+			little_put(p->at, out.format == FORMAT_F64, v);
+		} else {
 			p->between = "";
-			put_number(p, m->at[i][j]);
-			*p->at++ = j + 1 < m->columns ? separator : '\n';
+			put_number(p, v);
+			*p->at++ = j + 1 < m->columns ? out.separator : '\n';
 		}
+		p->at += format_of(out)->size;
+	}
 }
 
 static void put_json(struct printer *p, const struct elements *m, bool column)
@@ -90,14 +86,10 @@ void print_matrix(const struct options *o, const struct document *d,
 	struct elements m = elements_of(d, t, floats,
 	    column && !is_binary(o->out));
 
-	if (is_binary(o->out)) {
-		print_binary(&m, o->out == FORMAT_F64);
-		return;
-	}
 	if (o->out == FORMAT_JSON)
 		put_json(&p, &m, column);
 	else
-		put_lines(&p, &m, dialect_of(o->out, o->separator).separator);
+		put_elements(&p, &m, dialect_of(o->out, o->separator));
 	output_write(text, (size_t)(p.at - text));
 }
 
@@ -128,10 +120,8 @@ void run_matrix(const struct command *c, const struct options *o)
 
 	read_document(c, o, &d);
 
-	bool points = !o->matrix && has_points(o, &d);
+	bool points = !o->matrix && has_points(c, o, &d);
 
-	if (!points && !o->matrix)
-		refuse_point_options(c, o);
 	matrix_transform(c, o, &d, points ? c->points_to : c->to, &j);
 	if (!points) {
 		print_matrix(o, &d, &j.transform);
@@ -139,6 +129,5 @@ void run_matrix(const struct command *c, const struct options *o)
 	}
 	j.space = c->kind == PLANAR ? flat_names[c->points_to] :
 				      space_names[c->points_to];
-	prepare_job(&j, o);
 	run_points(o, &d, &j);
 }

@@ -281,6 +281,5 @@ void run_pick(const struct command *c, const struct options *o)
 		    "pick prints lines as they were read; leave -o out, or "
 		    "use -o json");
 	hits.near = sum_sign(hits.picker.depth.map.divisor) != 0;
-	prepare_job(&j, o);
 	run_points(o, &d, &j);
 }

@@ -88,6 +88,5 @@ void run_project(const struct command *c, const struct options *o)
 		return;
 	}
 	j.space = space_names[to];
-	prepare_job(&j, o);
 	run_points(o, &d, &j);
 }

@@ -141,7 +141,6 @@ static void trace_collect(const struct job *j, const struct chunk *c)
 
 void run_trace(const struct command *c, const struct options *o)
 {
-	enum space from = o->has_from ? o->from : SPACE_MODEL;
 	static struct trace trace;
 	static struct job j = { .take = trace_take,
 		.collect = trace_collect,
@@ -149,19 +148,17 @@ void run_trace(const struct command *c, const struct options *o)
 	struct document d;
 
 	read_document(c, o, &d);
-	memset(&trace, 0, sizeof trace);
-	trace.n = d.scene.has_viewport || from == SPACE_DEVICE ? SPACES :
-								 SPACES - 1;
+	trace = (struct trace){ .n = SPACES };
+	if (!d.scene.has_viewport && o->from != SPACE_DEVICE)
+		trace.n--;
 	for (int s = 0; s < trace.n; s++)
 		document_check(&d,
-		    scene_transform(&d.scene, from, (enum space)s, false,
+		    scene_transform(&d.scene, o->from, (enum space)s, false,
 			&trace.to[s]));
-	document_check(&d, frustum_of(&d.scene, from, false, &j.frustum));
+	document_check(&d, frustum_of(&d.scene, o->from, false, &j.frustum));
 	j.transform = trace.to[SPACE_CLIP];
-	prepare_job(&j, o);
 	for (int s = 0; s < SPACES; s++)
 		snprintf(trace.label[s], sizeof trace.label[s],
-		    j.layout.out.format == FORMAT_JSON ? "\"%s\":" : "%-8s",
-		    space_names[s]);
+		    o->out == FORMAT_JSON ? "\"%s\":" : "%-8s", space_names[s]);
 	run_points(o, &d, &j);
 }

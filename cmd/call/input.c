@@ -40,46 +40,30 @@ static int open_file(const char *name)
 	return fd;
 }
 
-/* Refuses a directory, and the regular file of standard output: output would be read
- * again as input. */
-static void refuse_input(const char *name, const struct stat *in)
+bool check_input(const char *name, int fd)
 {
 	const struct place place = { .file = name };
-	struct stat out;
+	struct stat in, out;
 
-	if (S_ISDIR(in->st_mode))
+	if (fd >= 0 ? fstat(fd, &in) != 0 : stat(name, &in) != 0)
+		return false;
+	if (S_ISDIR(in.st_mode))
 		die_at(EXIT_USAGE, &place, "is a directory");
-	if (S_ISREG(in->st_mode) && fstat(STDOUT_FILENO, &out) == 0 &&
-	    out.st_dev == in->st_dev && out.st_ino == in->st_ino)
+	if (S_ISREG(in.st_mode) && fstat(STDOUT_FILENO, &out) == 0 &&
+	    out.st_dev == in.st_dev && out.st_ino == in.st_ino)
 		die_at(EXIT_USAGE, &place,
 		    "is also the output; write to another file");
+	return true;
 }
 
 int open_input(const char *name)
 {
-	struct stat st;
 	int fd = is_stdin(name) ? STDIN_FILENO : open_file(name);
 
-	if (fd < 0 || fstat(fd, &st) != 0)
+	if (fd < 0 || !check_input(name, fd))
 		die_at(EXIT_USAGE, &(struct place){ .file = name }, "%s",
 		    strerror(errno));
-	refuse_input(name, &st);
 	return fd;
-}
-
-void check_input(const char *name)
-{
-	struct stat st;
-
-	if (is_stdin(name) ? fstat(STDIN_FILENO, &st) == 0 :
-			     stat(name, &st) == 0)
-		refuse_input(name, &st);
-}
-
-void close_input(int fd)
-{
-	if (fd != STDIN_FILENO)
-		close(fd);
 }
 
 static void reserve(struct text *t, size_t room)
@@ -114,7 +98,7 @@ struct text read_whole(const char *name)
 
 	while (read_more(&t, fd, name))
 		continue;
-	close_input(fd);
+	close(fd);
 	return t;
 }
 

@@ -29,119 +29,59 @@ static _Noreturn void refuse_operand(const struct command *c, const char *word,
 	die_at(EXIT_USAGE, &place, "%s; %s", why, hint);
 }
 
-/* Refuses PARAMS that is neither a file nor a whole JSON object: the shell divides an
- * object without quotes. */
-static void check_params(const struct command *c, const struct options *o)
+/* Refuses a file that can't be read. */
+static void check_file(const struct command *c, const char *name,
+    const char *hint)
 {
-	const char *name = o->params;
-	bool typed = first_char(name) == '{';
+	if (is_stdin(name))
+		check_input(name, STDIN_FILENO);
+	else if (!check_input(name, -1) || access(name, R_OK) != 0)
+		refuse_operand(c, name, strerror(errno), hint);
+}
+
+void operands_check(const struct command *c, const struct options *o)
+{
+	bool from_stdin = is_stdin(o->params);
 	char hint[160];
 
 	snprintf(hint, sizeof hint,
 	    "PARAMS is a JSON file, - or JSON in quotes, as 'projcalc help %s' "
 	    "shows",
 	    c->name);
-	if (typed && o->n_points > 0 && strchr(name, '}') == NULL)
-		refuse_operand(c, name, "has no }", hint);
-	if (typed)
-		return;
-	check_input(name);
-	if (!is_stdin(name) && access(name, F_OK) != 0)
-		refuse_operand(c, name, strerror(errno), hint);
-}
-
-#define USE_AT "; --at 320,240 is the position"
-
-/* Refuses a file of points that can't be read. */
-static void check_file(const struct command *c, const struct options *o,
-    const char *name)
-{
-	char hint[160];
-
-	check_input(name);
-	if (is_stdin(name) || access(name, R_OK) == 0)
-		return;
-	const char *why = strerror(errno);
-
-	snprintf(hint, sizeof hint, "POINTS are a file, - or '[%.*s]'%s",
-	    2 * coordinates_of(c, o) + 1, "1.5,2,3,4",
-	    c->kind == PICK ? USE_AT : "");
-	refuse_operand(c, name, why, hint);
-}
-
-/* Returns a hint for messages about points of two numbers, or NULL: such points may be
- * positions on the device, for which pick and project have options. */
-static const char *two_numbers_hint(const struct command *c,
-    const struct options *o)
-{
-	if (c->kind == PICK)
-		return USE_AT;
-	if (c->kind != PROJECT || !o->has_from || o->from != SPACE_DEVICE ||
-	    o->homogeneous || (o->has_to && o->to != SPACE_WORLD))
-		return NULL;
-	return "; for points x y, --ray prints their rays, and --plane A,B,C,D "
-	       "where the rays meet a plane";
-}
-
-void operands_check(const struct command *c, const struct options *o)
-{
-	int from_stdin = is_stdin(o->params);
-
-	check_params(c, o);
+	/* the shell divides an object without quotes */
+	if (first_char(o->params) != '{')
+		check_file(c, o->params, hint);
+	else if (o->n_points > 0 && strchr(o->params, '}') == NULL)
+		refuse_operand(c, o->params, "has no }", hint);
 	if (o->n_points > 0 && !command_reads_points(c))
 		die(EXIT_USAGE, "%s reads no points; leave them out", c->name);
+	snprintf(hint, sizeof hint, "POINTS are a file, - or '[%.*s]'%s",
+	    2 * coordinates_of(c, o) + 1, "1.5,2,3,4",
+	    c->kind == PICK ? POSITION_HINT : "");
 	for (int i = 0; i < o->n_points && !o->matrix; i++) {
 		const char *name = o->points[i];
 
-		if (is_stdin(name) && from_stdin++)
+		if (is_stdin(name) && from_stdin)
 			die(EXIT_USAGE,
-			    is_stdin(o->params) ?
-				"PARAMS and POINTS are both standard input; "
-				"name a file for one of them" :
-				"standard input is named twice");
+			    "standard input is named twice; name a file for "
+			    "one of them");
+		from_stdin |= is_stdin(name);
 		if (first_char(name) != '[')
-			check_file(c, o, name);
+			check_file(c, name, hint);
 	}
 }
 
-void read_document(const struct command *c, const struct options *o,
-    struct document *d)
+bool has_points(const struct command *c, const struct options *o,
+    const struct document *d)
 {
-	struct document_wants wants = c->wants;
+	bool none = o->n_points == 0 && d->points == NULL;
 
-	if (o->has_convention)
-		wants.convention = &conventions[o->convention];
-	wants.two = two_numbers_hint(c, o);
-	/* operands replace the document's points, which are not read then */
-	if (command_reads_points(c) && !o->matrix && o->n_points == 0)
-		wants.coordinates = coordinates_of(c, o);
-	params_read(o, &wants, d);
-}
-
-bool has_points(const struct options *o, const struct document *d)
-{
-	return o->n_points > 0 || d->points != NULL;
-}
-
-void refuse_point_options(const struct command *c, const struct options *o)
-{
-	/* a matrix in csv has separators, too */
-	const bool separator = o->separator != ',' && o->out != FORMAT_CSV;
-	const char *name = o->flags ? "flags" :
-	    o->append               ? "append" :
-	    o->visible              ? "visible" :
-	    o->has_in               ? "input" :
-	    o->columns.n > 0        ? "columns" :
-	    o->header               ? "header" :
-	    o->no_header            ? "no-header" :
-	    separator               ? "separator" :
-				      NULL;
-
-	if (name != NULL)
+	if (none && o->of_points != NULL)
 		die(EXIT_USAGE,
 		    "%s: --%s is for points, and there are none; add POINTS, "
 		    "or - for standard input",
-		    c->name, name);
+		    c->name, o->of_points);
+	return !none;
 }
 
 /* Returns whether the output adds a member to which path, a name or a JSON pointer, leads,
@@ -203,9 +143,6 @@ static void check_layout(const struct options *o, const struct layout *l,
 		bool is;
 		const char *wrong;
 	} rows[] = {
-		{ o->separator != ',' && o->in != FORMAT_CSV &&
-			o->out != FORMAT_CSV,
-		    "--separator is for csv; use -i csv or -o csv" },
 		{ (o->header || o->no_header) && l->in.format != FORMAT_CSV,
 		    "--header and --no-header are for csv; use -i csv or -i "
 		    "tsv" },
@@ -247,9 +184,7 @@ static void choose_kernels(void)
 {
 	const char *cpu = getenv("PROJCALC_CPU");
 
-	if (cpu != NULL && *cpu == '\0')
-		cpu = NULL;
-	if (!points_choose(cpu))
+	if (!points_choose(cpu != NULL && *cpu != '\0' ? cpu : NULL))
 		die(EXIT_USAGE,
 		    "PROJCALC_CPU=%s: not a kind that this processor can "
 		    "run; there are baseline, avx2, avx512 and neon",
@@ -272,7 +207,7 @@ static void name_values(struct layout *l, const char *space)
 	strcpy(l->name[COORDINATES_MAX], l->flags ? "flags" : "");
 }
 
-void prepare_job(struct job *j, const struct options *o)
+static void prepare_job(struct job *j, const struct options *o)
 {
 	/* x y of a position; the point and the direction of its ray */
 	const int ray_reads = 2, ray_writes = 6;
@@ -289,9 +224,7 @@ void prepare_job(struct job *j, const struct options *o)
 		.flags = o->flags,
 		.append = o->append,
 		.record = o->in_record,
-		.keeps = o->in_record > 0 &&
-		    (!o->has_out ||
-			(o->out_record == o->in_record && o->out == o->in)),
+		.keeps = o->in_record > 0 && (!o->has_out || o->out_record > 0),
 		.single = o->precision == PRECISION_SINGLE,
 	};
 	j->layout.columns.by_header = o->columns.n == 0;
@@ -312,11 +245,16 @@ void prepare_job(struct job *j, const struct options *o)
 
 /* Runs the job on points as document_points and document_read return them: lines of JSON,
  * whatever the format of files is. */
-static void run_json(struct job *j, const char *name, const char *text,
-    size_t size)
+static void run_json(const struct options *o, struct job *j, const char *name,
+    const char *text, size_t size)
 {
 	struct layout of_files = j->layout;
 
+	if (o->in_record > 0 || o->columns.n > 0)
+		die(EXIT_USAGE,
+		    "--%s: points of an operand or of the document begin "
+		    "with their coordinates; give them in a file",
+		    o->in_record > 0 ? "input" : "columns");
 	j->layout.in = dialect_of(FORMAT_JSON, ',');
 	j->layout.columns.n = 0;
 	j->layout.fields = 0;
@@ -324,81 +262,50 @@ static void run_json(struct job *j, const char *name, const char *text,
 	j->layout = of_files;
 }
 
-/* Refuses --columns and records for points of the command line or the document. */
-static void check_typed(const struct options *o, const struct document *d)
-{
-	bool typed = o->n_points == 0 && d->points != NULL;
-
-	for (int i = 0; i < o->n_points; i++)
-		typed |= first_char(o->points[i]) == '[';
-	if (typed && (o->in_record > 0 || o->columns.n > 0))
-		die(EXIT_USAGE,
-		    "--%s: points of an operand or of the document begin "
-		    "with their coordinates; give them in a file",
-		    o->in_record > 0 ? "input" : "columns");
-}
-
-static void run_typed(struct job *j, const char *operand)
-{
-	struct text t = copy_operand(operand);
-	size_t size;
-	const char *points = document_points("POINTS", t.s, t.have,
-	    j->layout.reads, j->layout.two, &size);
-
-	run_json(j, "POINTS", points, size);
-	text_free(&t);
-}
-
-/* Runs the job on operand i, and keeps its text for the next scenes. */
-static void run_kept(const struct options *o, struct job *j, int i,
-    const char *name)
-{
-	static struct text *kept;
-
-	if (kept == NULL) {
-		size_t size = ((size_t)o->n_points + 1) * sizeof *kept;
-
-		kept = memset(xrealloc(NULL, size), 0, size);
-	}
-	if (kept[i].s == NULL)
-		kept[i] = read_whole(name);
-	stream(j, source_of_text(name, kept[i].s, kept[i].have));
-}
-
+/* Runs the job on operand i, or on standard input. With --scenes, the text of a file is
+ * kept for the next scenes. */
 static void run_operand(const struct options *o, struct job *j, int i)
 {
+	static struct text *kept;
 	const char *operand = i < o->n_points ? o->points[i] : "-";
+	size_t size = ((size_t)o->n_points + 1) * sizeof *kept;
 
 	if (first_char(operand) == '[') {
-		run_typed(j, operand);
-		return;
-	}
-	if (o->scenes) {
-		run_kept(o, j, i, operand);
-		return;
-	}
-	int fd = open_input(operand);
+		struct text t = copy_operand(operand);
+		const char *points = document_points("POINTS", t.s, t.have,
+		    j->layout.reads, j->layout.two, &size);
 
-	stream(j, source_of_file(operand, fd));
-	close_input(fd);
+		run_json(o, j, "POINTS", points, size);
+		text_free(&t);
+	} else if (o->scenes) {
+		if (kept == NULL)
+			kept = memset(xrealloc(NULL, size), 0, size);
+		if (kept[i].s == NULL)
+			kept[i] = read_whole(operand);
+		stream(j, source_of_text(operand, kept[i].s, kept[i].have));
+	} else {
+		int fd = open_input(operand);
+
+		stream(j, source_of_file(operand, fd));
+		close(fd);
+	}
 }
 
 void run_points(const struct options *o, const struct document *d,
     struct job *j)
 {
+	prepare_job(j, o);
 	if (o->n_points == 0 && d->points == NULL && is_stdin(o->params))
 		die(EXIT_USAGE,
 		    "PARAMS and POINTS are both standard input, "
 		    "and the document has no points; name a file for one of "
 		    "them");
-	check_typed(o, d);
 	j->layout.two = d->source.two;
 	if (o->n_points == 0 && d->points != NULL)
-		run_json(j, d->source.name, d->points, d->points_size);
-	else if (o->n_points == 0)
-		run_operand(o, j, 0);
-	for (int i = 0; i < o->n_points; i++)
-		run_operand(o, j, i);
+		run_json(o, j, d->source.name, d->points, d->points_size);
+	else
+		for (int i = 0; i == 0 || i < o->n_points; i++)
+			run_operand(o, j, i);
 	if (j->flush != NULL)
 		j->flush(j);
 }

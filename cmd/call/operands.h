@@ -6,6 +6,9 @@
 #include "options.h"
 #include "../stream/job.h"
 
+/* A hint for points of two numbers, which may be pick's position. */
+#define POSITION_HINT "; --at 320,240 is the position"
+
 /* Refuses operands that can't be opened, before anything is printed. */
 void operands_check(const struct command *, const struct options *);
 
@@ -13,26 +16,19 @@ void operands_check(const struct command *, const struct options *);
  * after another. Returns false if there is none. Messages name that scene from now on. */
 bool params_next(const struct options *);
 
-/* Reads the document, with the command's convention and coordinates. */
+/* Reads the document, with the command's convention and coordinates. Its points stay in
+ * the text of PARAMS until params_next. */
 void read_document(const struct command *, const struct options *,
     struct document *);
 
-/* Reads the document. Its points stay in the text of PARAMS until params_next. */
-void params_read(const struct options *, const struct document_wants *,
-    struct document *);
+/* Returns whether there are points, as operands or in the document. If there are none,
+ * refuses options that are about points alone. */
+bool has_points(const struct command *, const struct options *,
+    const struct document *);
 
-/* Returns whether there are points, as operands or in the document. */
-bool has_points(const struct options *, const struct document *);
-
-/* Refuses options that are about points alone, where there are none. */
-void refuse_point_options(const struct command *, const struct options *);
-
-/* Completes a job whose transform or ray maker is set by what the options say, and
- * prepares progress, output and kernels for it. */
-void prepare_job(struct job *, const struct options *);
-
-/* Runs the job on all points: the operands; without them the document's; without these
- * standard input. Operands are read once for all scenes. */
+/* Completes a job whose transform or ray maker is set by what the options say, and runs it
+ * on all points: the operands; without them the document's; without these standard input.
+ * Operands are read once for all scenes. */
 void run_points(const struct options *, const struct document *, struct job *);
 
 /* Files and standard input as texts in memory. */
@@ -49,14 +45,13 @@ bool is_stdin(const char *operand);
 /* Returns the first character that is not white space. */
 char first_char(const char *);
 
-/* Refuses a directory, and the regular file of standard output, with exit status 2. A
- * file that does not exist is left to open_input. */
-void check_input(const char *name);
+/* Refuses a directory, and the regular file of standard output, which would be read again,
+ * with exit status 2. Returns whether there is such a file: fd or, if fd < 0, name. */
+bool check_input(const char *name, int fd);
 
 /* Returns a file descriptor. Refuses what check_input refuses, and what can't be opened,
  * with exit status 2. */
 int open_input(const char *name);
-void close_input(int fd);
 
 /* Reads more of fd to the end of the text. Returns false at the end of the file. name is
  * for messages. */

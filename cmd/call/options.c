@@ -21,11 +21,13 @@ const char *const space_names[] = { "model", "world", "view", "clip", "ndc",
 static void option_read_word(struct options *o, const struct option_row *r,
     char *word)
 {
+	unsigned *at = r->global != NULL ? r->global :
+					   (void *)((char *)o + r->at);
 	char all[LISTED];
 
 	for (unsigned i = 0; r->words[i] != NULL; i++)
 		if (strcmp(r->words[i], word) == 0) {
-			*(unsigned *)((char *)o + r->at) = i;
+			*at = i;
 			return;
 		}
 	die(EXIT_USAGE, "--%s: unknown word '%s'; use %s", r->name, word,
@@ -208,16 +210,17 @@ const struct option_row option_rows[] = {
 	    ON(has_convention) },
 	{ "input", 'i', POINTS,
 	    "format of the points: text (default), csv, tsv, json, f64, f32, f32x4",
-	    "FORMAT", option_read_format, AT(in), .words = format_names, ON(has_in) },
+	    "FORMAT", option_read_format, AT(in), .words = format_names,
+	    .of_points = true },
 	{ "output", 'o', ALL, "format of the output; default that of the input",
 	    "FORMAT", option_read_format, AT(out), .words = format_names, ON(has_out) },
 	{ "separator", 0, POINTS, "character between fields of csv, or tab",
 	    "C", .read = option_read_separator },
-	{ "header", 0, POINTS, "the first line of csv is a header", ON(header) },
-	{ "no-header", 0, POINTS, "the first line of csv is no header", ON(no_header) },
+	{ "header", 0, POINTS, "the first line of csv is a header", ON(header), .of_points = true },
+	{ "no-header", 0, POINTS, "the first line of csv is no header", ON(no_header), .of_points = true },
 	{ "columns", 0, POINTS,
 	    "fields of the coordinates: 2,3,4, or names in csv and JSON",
-	    "LIST", .read = option_read_columns },
+	    "LIST", .read = option_read_columns, .of_points = true },
 	{ "decimals", 'd', NUMBERS, "print N decimals; for points also a list: x,y,z",
 	    "N,...", option_read_styles, .min = 0, .max = 100 },
 	{ "digits", 0, NUMBERS, 
@@ -256,12 +259,12 @@ const struct option_row option_rows[] = {
 	    .example = "0,0,1,0" },
 	{ "append", 0, MATRIX | PROJECT | PLANAR,
 	    "keep each line whole and add the image behind it",
-	    ON(append) },
+	    ON(append), .of_points = true },
 	{ "flags", 0, PLANES,
 	    "add a word: in, or the planes that the point is outside of",
-	    ON(flags) },
+	    ON(flags), .of_points = true },
 	{ "visible", 0, PLANES,
-	    "print only points inside the view volume or window", ON(visible) },
+	    "print only points inside the view volume or window", ON(visible), .of_points = true },
 	{ "keep-going", 0, ALL, "go on after a wrong scene or a bad line (prints nan)",
 	    ON(keep_going) },
 	{ "jobs", 'j', POINTS, "number of threads; default one for each processor",
@@ -273,9 +276,11 @@ const struct option_row option_rows[] = {
 	{ "json", 0, HELP, "print all that the program knows of itself as JSON",
 	    ON(json) },
 	{ "errors", 0, EVERY, "form of messages: text (default) or json",
-	    "FORM", option_read_word, AT(errors), .words = message_forms },
+	    "FORM", option_read_word, .words = message_forms,
+	    .global = &message_state.json },
 	{ "color", 0, EVERY, "colour messages and help: auto (default), always or never",
-	    "WHEN", option_read_word, AT(color), .words = color_names },
+	    "WHEN", option_read_word, .words = color_names,
+	    .global = &message_state.color },
 	{ "help", 'h', EVERY, "print this help", ON(help) },
 	{ "version", 'V', EVERY, "print the version", ON(version) },
 	{ .name = NULL },
@@ -315,16 +320,8 @@ bool option_is_for(const struct option_row *r, const struct command *c)
 	return (r->commands & c->kind) != 0;
 }
 
-void options_apply(const struct options *o)
-{
-	message_state.json = o->errors == 1;
-	message_state.color = (enum color)o->color;
-}
-
 void options_read_first(char **words)
 {
-	struct options first = { .errors = 0 };
-
 	for (char **w = words; *w != NULL && strcmp(*w, "--") != 0; w++) {
 		const struct option_row *r = strncmp(*w, "--", 2) == 0 ?
 		    option_named(*w + 2) :
@@ -332,10 +329,8 @@ void options_read_first(char **words)
 		char *equals = strchr(*w, '=');
 		char *argument = equals != NULL ? equals + 1 : w[1];
 
-		if (r != NULL && argument != NULL &&
-		    (r->words == message_forms || r->words == color_names))
-			r->read(&first, r, argument);
-		options_apply(&first);
+		if (r != NULL && argument != NULL && r->global != NULL)
+			r->read(NULL, r, argument);
 	}
 }
 
@@ -343,10 +338,10 @@ int coordinates_of(const struct command *c, const struct options *o)
 {
 	if (c->kind == PLANAR || o->ray || o->plane.n > 0)
 		return 2;
-	return o->from == SPACE_CLIP ||
-		(o->from == SPACE_DEVICE && o->homogeneous) ?
-	    4 :
-	    3;
+	bool w = o->from == SPACE_CLIP ||
+	    (o->from == SPACE_DEVICE && o->homogeneous);
+
+	return w ? 4 : 3;
 }
 
 enum format options_output(const struct options *o)

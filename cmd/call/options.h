@@ -26,12 +26,9 @@ struct number_list {
 struct options {
 	unsigned convention; /* index in conventions */
 	bool has_convention; /* else it is the document's */
-	unsigned errors;     /* index in the words text and json */
-	enum color color;
 	bool help, version;
 	enum format in, out;
 	int in_record, out_record; /* numbers of a record, by f32x4; else 0 */
-	bool has_in;               /* else points are text */
 	bool has_out;   /* else points have the format in, a matrix is text */
 	char separator; /* of csv, a comma by default */
 	bool header, no_header; /* the first line of csv is a header, is none */
@@ -46,7 +43,9 @@ struct options {
 	    progress;
 	int jobs; /* 0: as many as there are cores */
 	struct number_list pick_at, plane;
-	double radius;      /* of pick; 0: not given */
+	double radius; /* of pick; 0: not given */
+	const char
+	    *of_points;     /* an option that is about points alone, or NULL */
 	bool scenes;        /* params has any number of documents */
 	bool json;          /* of help */
 	const char *params; /* operand, "-" by default */
@@ -67,11 +66,13 @@ struct option_row {
 	const char *argument;
 	void (*read)(struct options *, const struct option_row *, char *word);
 	size_t at;
+	unsigned *global; /* set in place of such a member; or NULL */
 	const char *const
 	    *words;   /* the values of the argument; NULL ends them */
 	int min, max; /* range of a whole number, or of the length of a list */
 	const char *example;
-	size_t on; /* offset in struct options of a bool to set; or 0 */
+	size_t on;      /* offset in struct options of a bool to set; or 0 */
+	bool of_points; /* the option is about points alone */
 };
 
 enum { OPTIONS_MAX = 40 };
@@ -79,11 +80,8 @@ enum { OPTIONS_MAX = 40 };
 /* All options, at most OPTIONS_MAX. A name of NULL ends them. */
 extern const struct option_row option_rows[];
 
-/* Sets the format and color of messages by --errors and --color. */
-void options_apply(const struct options *);
-
-/* Reads --errors and --color from the whole command line and applies them, before any
- * message. */
+/* Reads --errors and --color, the options with global, from the whole command line before
+ * any message. */
 void options_read_first(char **words);
 
 /* Returns the option of a name, or NULL. A value may follow the name after = or a blank. */
@@ -118,18 +116,13 @@ struct member;
 const struct member *synonym_find(const char *name,
     const struct member **object);
 
-/* Refuses a word in the place of a command. A name of NULL ends the table. */
-_Noreturn void synonym_refuse_command(const struct command *commands,
-    const char *word);
-
-/* Refuses a word that is no command, or no topic of help. */
+/* Refuses a word that is no command, or no topic of help. A name of NULL ends the table. */
 _Noreturn void synonym_refuse_word(const struct command *commands, bool topic,
     const char *word);
 
-/* Refuses an option, such as "--eye=0,0,5" or "-eye", that has a synonym or the name of a
- * member of a scene; else returns. If elsewhere, other commands have the option: it is
- * refused only if this command reads the member, as lookat reads at. */
+/* Refuses an option, such as "--eye" or "-eye", if its name is a synonym, a member of a
+ * scene, or an option with two dashes; else returns. */
 void synonym_check_option(const struct command *, const char *option,
-    bool elsewhere);
+    const char *name);
 
 #endif

@@ -9,27 +9,37 @@
 #include "../message/message.h"
 #include "options.h"
 
-/* Refuses an unknown option: "--name", "--name=value" or "-name". */
-static _Noreturn void refuse_option(const struct command *c, const char *word)
+/* Sets names to those of the command's options that begin with a word, and NULL. Returns
+ * their number. */
+static int option_names(const struct command *c, const char *word,
+    const char *names[OPTIONS_MAX + 1])
 {
-	const char *names[OPTIONS_MAX + 1], *near;
-	const int n = (int)strcspn(word, "=");
-	char name[64];
+	const size_t n = strlen(word);
 	int count = 0;
 
-	synonym_check_option(c, word, false);
 	for (const struct option_row *r = option_rows; r->name != NULL; r++)
-		if (option_is_for(r, c))
+		if (option_is_for(r, c) && strncmp(r->name, word, n) == 0)
 			names[count++] = r->name;
 	names[count] = NULL;
-	snprintf(name, sizeof name, "%.*s", n - 2, word + 2);
+	return count;
+}
+
+/* Refuses an option, "--name" or "-n", of that name. */
+static _Noreturn void refuse_option(const struct command *c, const char *word,
+    const char *name)
+{
+	const char *names[OPTIONS_MAX + 1], *near;
+
+	/* a letter is no guess at a member */
+	if (strcmp(word + 1, name) != 0)
+		synonym_check_option(c, word, name);
+	option_names(c, "", names);
 	near = nearest_word(name, names);
 	if (near != NULL)
-		die(EXIT_USAGE, "%s: unknown option %.*s; did you mean --%s?",
-		    c->name, n, word, near);
-	die(EXIT_USAGE,
-	    "%s: unknown option %.*s; 'projcalc help %s' lists them", c->name,
-	    n, word, c->name);
+		die(EXIT_USAGE, "%s: unknown option %s; did you mean --%s?",
+		    c->name, word, near);
+	die(EXIT_USAGE, "%s: unknown option %s; 'projcalc help %s' lists them",
+	    c->name, word, c->name);
 }
 
 /* Returns the option that a word names, or the only option of the command whose name
@@ -38,62 +48,38 @@ static const struct option_row *long_option(const struct command *c,
     const char *word)
 {
 	const char *name = word + 2, *names[OPTIONS_MAX + 1];
-	const size_t n = strcspn(name, "=");
-	const struct option_row *found = NULL;
+	const struct option_row *r = option_named(name);
 	char list[LISTED];
-	int count = 0;
+	int count = option_names(c, name, names);
 
-	for (const struct option_row *r = option_rows; r->name != NULL; r++) {
-		if (n == 0 || strncmp(r->name, name, n) != 0)
-			continue;
-		if (r->name[n] == '\0')
-			return r;
-		if (option_is_for(r, c))
-			names[count++] = (found = r)->name;
-	}
-	names[count] = NULL;
-	if (count == 0)
-		refuse_option(c, word);
+	if (r != NULL && option_is_for(r, c) && strcmp(r->name, name) == 0)
+		return r;
+	if (r != NULL || *name == '\0' || count == 0)
+		refuse_option(c, word, name);
 	if (count > 1)
-		die(EXIT_USAGE, "%s: --%.*s is ambiguous; it may be %s",
-		    c->name, (int)n, name, list_words(list, names, " or ", ""));
-	return found;
+		die(EXIT_USAGE, "%s: %s is ambiguous; it may be %s", c->name,
+		    word, list_words(list, names, " or ", ""));
+	return option_named(names[0]);
 }
 
-/* Returns the option of a letter. Refuses the name of an option or member behind a single
- * dash: "-to" would be -t with the argument o. */
+/* Returns the option of a letter. */
 static const struct option_row *letter_option(const struct command *c,
-    const char *word, const char *letter)
+    char letter)
 {
-	const struct option_row *r = option_named(word + 1);
-	char shown[ESCAPED_MAX];
+	const char word[] = { '-', letter, '\0' };
+	const struct option_row *r = option_rows;
 
-	if (word[2] != '\0' && r != NULL && option_is_for(r, c))
-		die(EXIT_USAGE, "%s: unknown option %s; did you mean --%s?",
-		    c->name, word, r->name);
-	if (word[2] != '\0')
-		synonym_check_option(c, word, false);
-	for (r = option_rows; r->name != NULL; r++)
-		if (r->letter == *letter)
-			return r;
-	die(EXIT_USAGE, "%s: unknown option -%s; 'projcalc help %s' lists them",
-	    c->name, escaped(shown, letter, 1), c->name);
+	while (r->name != NULL && r->letter != letter)
+		r++;
+	if (r->name == NULL || !option_is_for(r, c))
+		refuse_option(c, word, r->name != NULL ? r->name : word + 1);
+	return r;
 }
 
-/* Sets the option of a word. The argument is value or, if that is NULL, the next word, at
- * *next. */
+/* Sets an option. The argument is value or, if that is NULL, the next word, at *next. */
 static void set_option(const struct command *c, const struct option_row *r,
-    const char *word, char *value, char ***next, struct options *o)
+    char *value, char ***next, struct options *o)
 {
-	char list[LISTED];
-
-	if (!option_is_for(r, c)) {
-		synonym_check_option(c, word, true);
-		die(EXIT_USAGE,
-		    "%s: --%s is not an option of this command; it is an "
-		    "option of %s",
-		    c->name, r->name, option_takers(r, list));
-	}
 	if (r->argument == NULL && value != NULL)
 		die(EXIT_USAGE, "%s: --%s takes no argument", c->name, r->name);
 	if (r->argument != NULL && value == NULL && **next == NULL)
@@ -101,31 +87,37 @@ static void set_option(const struct command *c, const struct option_row *r,
 		    r->name, r->argument);
 	if (r->argument != NULL)
 		r->read(o, r, value != NULL ? value : *(*next)++);
+	if (r->of_points)
+		o->of_points = r->name;
 	if (r->on != 0)
 		*(bool *)((char *)o + r->on) = true;
-	options_apply(o);
 }
 
-/* Sets the options of a word: "--name=value" or "-mdvalue". */
+/* Sets the options of a word: "--name=value" or "-mdvalue". Refuses the name of an option
+ * or member behind a single dash: "-to" would be -t with the argument o. */
 static void set_options(const struct command *c, char *word, char ***next,
     struct options *o)
 {
 	const struct option_row *r;
 	char *equals = strchr(word, '=');
 
+	if (equals != NULL)
+		*equals = '\0';
 	if (word[1] == '-') {
-		set_option(c, long_option(c, word), word,
+		set_option(c, long_option(c, word),
 		    equals != NULL ? equals + 1 : NULL, next, o);
 		return;
 	}
-	for (char *s = word + 1; *s != '\0'; s++) {
-		r = letter_option(c, word, s);
-		if (r->argument != NULL && s[1] != '\0') {
-			set_option(c, r, word, s + 1, next, o);
-			return;
-		}
-		set_option(c, r, word, NULL, next, o);
-	}
+	if (word[1] != '\0' && word[2] != '\0')
+		synonym_check_option(c, word, word + 1);
+	if (equals != NULL)
+		*equals = '=';
+	do {
+		r = letter_option(c, *++word);
+		set_option(c, r,
+		    r->argument != NULL && word[1] != '\0' ? word + 1 : NULL,
+		    next, o);
+	} while (r->argument == NULL && word[1] != '\0');
 }
 
 /* Returns whether a word is an operand. "-" is one, and a word that begins with a negative
@@ -178,6 +170,8 @@ void options_read(const struct command *c, char **words, struct options *o)
 		o->n_points = 0;
 	else
 		o->params = *o->points++;
+	if (o->separator != ',' && o->in != FORMAT_CSV && o->out != FORMAT_CSV)
+		die(EXIT_USAGE, "--separator is for csv; use -i csv or -o csv");
 	if (o->out_record > 0 &&
 	    (o->out_record != o->in_record || o->out != o->in || o->matrix))
 		die(EXIT_USAGE,

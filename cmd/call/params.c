@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 #include "operands.h"
 
+#include <ctype.h>
 #include <string.h>
+#include <unistd.h>
 
+#include "../json/text.h"
 #include "../message/message.h"
+#include "../scene/types.h"
 
 enum { DOCUMENT_MAX = 1 << 28 };
-
-#define MARK "\xef\xbb\xbf"
 
 static struct {
 	const char *name;
@@ -18,13 +20,13 @@ static struct {
 	 * the search for its end. The search counts quotes and brackets only, so that
 	 * it finds the end of invalid JSON, too. */
 	size_t begin, end;
-	long line;     /* of begin, from 1 */
-	long lines;    /* newlines from begin to end */
-	size_t column; /* bytes before begin on its line */
-	size_t tail;   /* bytes before end on its line */
-	long level;    /* open brackets at end */
+	/* The line and the byte of begin, and of end after next_scene, from 1: the
+	 * readers of the document change its text. */
+	long long line, end_line;
+	size_t column, end_column;
+	long level; /* open brackets at end */
 	bool quoted, escaped;
-} params = { .line = 1 };
+} params = { .line = 1, .column = 1, .end_line = 1, .end_column = 1 };
 
 static void params_open(const struct options *o)
 {
@@ -55,7 +57,7 @@ static bool params_more(void)
 		    "as POINTS");
 	if (read_more(t, params.fd, params.name))
 		return true;
-	close_input(params.fd);
+	close(params.fd);
 	params.fd = -1;
 	return false;
 }
@@ -66,53 +68,34 @@ static bool is_space(char c)
 }
 
 /* Moves begin past white space, and past byte order marks, which stand between files
- * that were concatenated. */
-static void skip_spaces(void)
+ * that were concatenated. Returns false if text ends there, or within such a mark. */
+static bool skip_spaces(void)
 {
-	const char *s = params.text.s + params.begin;
+	const char *s, *next = params.text.s + params.begin;
 	const char *end = params.text.s + params.text.have;
 
-	for (;;) {
-		if (s < end && is_space(*s)) {
-			params.line += *s == '\n';
-			params.tail = *s++ == '\n' ? 0 : params.tail + 1;
-		} else if (end - s >= 3 && memcmp(s, MARK, 3) == 0) {
-			s += 3;
-			params.tail += 3;
-		} else {
-			break;
-		}
-	}
-	params.column = params.tail;
+	do {
+		s = next;
+		next = s < end && is_space(*s) ? s + 1 : skip_mark(s, end);
+	} while (next != s);
+	json_count(params.text.s + params.begin, s, &params.line,
+	    &params.column);
 	params.begin = params.end = (size_t)(s - params.text.s);
-}
-
-/* Returns whether the text that is left is the beginning of a byte order mark. */
-static bool is_mark_begun(void)
-{
-	size_t left = params.text.have - params.begin;
-
-	return left > 0 && left < 3 &&
-	    memcmp(params.text.s + params.begin, MARK, left) == 0;
+	return strncmp(s, "\xef\xbb\xbf", (size_t)(end - s)) != 0;
 }
 
 /* Continues the search for the end of the document in text. Returns false if the end is
  * not in text yet. */
 static bool find_end(void)
 {
-	if (params.end == params.begin) {
-		skip_spaces();
-		if (is_mark_begun())
-			return false;
-	}
+	if (params.end == params.begin && !skip_spaces())
+		return false;
 	while (params.end < params.text.have) {
 		char c = params.text.s[params.end];
 
 		if (!params.quoted && params.level == 0 && is_space(c))
 			return true;
 		params.end++;
-		params.lines += c == '\n';
-		params.tail = c == '\n' ? 0 : params.tail + 1;
 		if (params.escaped) {
 			params.escaped = false;
 		} else if (params.quoted) {
@@ -132,17 +115,26 @@ static bool find_end(void)
 static bool next_scene(void)
 {
 	params.begin = params.end;
-	params.line += params.lines;
-	params.level = params.lines = 0;
+	params.line = params.end_line;
+	params.column = params.end_column;
+	params.level = 0;
 	params.quoted = params.escaped = false;
 	message_state.scene = (struct scene_place){ params.number,
-		params.line };
+		(long)params.line };
 	while (!find_end())
 		if (!params_more()) {
 			params.end = params.text.have;
-			return params.begin < params.end;
+			break;
 		}
-	return true;
+	params.end_line = params.line;
+	params.end_column = params.column;
+	json_count(params.text.s + params.begin, params.text.s + params.end,
+	    &params.end_line, &params.end_column);
+	const bool found = params.begin < params.end;
+
+	message_state.scene.number = found ? params.number : 0;
+	message_state.scene.line = (long)params.line;
+	return found;
 }
 
 bool params_next(const struct options *o)
@@ -151,59 +143,51 @@ bool params_next(const struct options *o)
 		params_open(o);
 	else if (!o->scenes)
 		return false;
-	if (!o->scenes)
-		return true;
-	bool found = next_scene();
-
-	message_state.scene = (struct scene_place){ found ? params.number : 0,
-		params.line };
-	return found;
+	return !o->scenes || next_scene();
 }
 
-/* Returns whether a line has nothing but numbers, brackets, and separators of numbers. */
-static bool is_numbers(const char *line)
+/* Refuses points in place of a scene with EXIT_USAGE, as the call is wrong, not the file:
+ * a text whose first line that is not blank or a comment begins with a number; or, as
+ * POINTS are named, one that begins as an array or binary points do. */
+static void check_points(const struct command *c, const struct options *o)
 {
-	const char *digit = strpbrk(line, "0123456789");
-	const char *end = line + strspn(line, "0123456789+-.eE,; \t()[]");
-
-	return digit != NULL && digit < end && strchr("\r\n", *end) != NULL;
-}
-
-/* Returns whether PARAMS holds points in place of a scene: its first line that is not
- * blank or a comment has numbers alone; or, as POINTS are named, it begins as an array
- * or binary points do. */
-static bool params_are_points(const struct options *o)
-{
+	const struct place place = { .file = params.name };
 	const char *s = params.text.s + params.begin;
+	const bool named = o->n_points > 0;
 
 	while (*(s += strspn(s, " \t\r\n")) == '#')
 		s += strcspn(s, "\n");
-	if (o->n_points > 0 && params.begin < params.end &&
-	    (*s == '[' || (is_binary(o->in) && *s != '{')))
-		return true;
-	return *s != '[' && is_numbers(s);
-}
-
-/* Refuses points in place of a scene with EXIT_USAGE: the call is wrong, not the file. */
-static void check_points(const struct options *o,
-    const struct document_wants *wants)
-{
-	const struct place place = { .file = params.name };
-	bool named = o->n_points > 0;
-
-	if (!params_are_points(o))
+	if (!isdigit((unsigned char)s[strspn(s, "+-.(")]) &&
+	    !(named && params.begin < params.end &&
+		(*s == '[' || (is_binary(o->in) && *s != '{'))))
 		return;
-	if ((wants->used & SCENE_POINTS) == 0)
+	if (!command_reads_points(c))
 		die_at(EXIT_USAGE, &place, "holds points; a scene is wanted");
 	die_at(EXIT_USAGE, &place,
 	    "holds points, and a scene is wanted first; name its file: %s %s",
-	    named ? o->points[0] : "scene.json", params.name);
+	    named && first_char(o->points[0]) != '[' ? o->points[0] :
+						       "scene.json",
+	    params.name);
 }
 
-void params_read(const struct options *o, const struct document_wants *wants,
+/* Returns a hint for messages about points of two numbers, or NULL: such points may be
+ * positions on the device, for which pick and project have options. */
+static const char *two_numbers_hint(const struct command *c,
+    const struct options *o)
+{
+	if (c->kind == PICK)
+		return POSITION_HINT;
+	if (c->kind != PROJECT || o->from != SPACE_DEVICE || o->homogeneous ||
+	    (o->has_to && o->to != SPACE_WORLD))
+		return NULL;
+	return "; for points x y, --ray prints their rays, and --plane A,B,C,D "
+	       "where the rays meet a plane";
+}
+
+void read_document(const struct command *c, const struct options *o,
     struct document *d)
 {
-	struct document_wants w = *wants;
+	struct document_wants wants = c->wants;
 
 	while (!o->scenes && params_more())
 		continue;
@@ -211,12 +195,18 @@ void params_read(const struct options *o, const struct document_wants *wants,
 		skip_spaces();
 		params.end = params.text.have;
 		params.text.s[params.end] = '\0';
-		check_points(o, wants);
+		check_points(c, o);
 	}
-	w.line = params.line - 1;
-	w.column = params.column;
+	wants.line = (long)params.line - 1;
+	wants.column = params.column - 1;
+	wants.two = two_numbers_hint(c, o);
+	if (o->has_convention)
+		wants.convention = &conventions[o->convention];
+	/* operands replace the document's points, which are not read then */
+	if (command_reads_points(c) && !o->matrix && o->n_points == 0)
+		wants.coordinates = coordinates_of(c, o);
 	document_read(d, params.name, params.text.s + params.begin,
-	    params.end - params.begin, &w);
+	    params.end - params.begin, &wants);
 	if (!o->scenes && d->points == NULL)
 		text_free(&params.text);
 }

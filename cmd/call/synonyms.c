@@ -143,50 +143,51 @@ static _Noreturn void refuse_synonym(const struct command *c,
 	die(EXIT_USAGE, "%s; did you mean 'projcalc %s'?", unknown, is);
 }
 
-/* Refuses a word that the table of synonyms has; else returns. */
-static void check_synonyms(const struct command *c, const char *unknown,
+/* Refuses a word that has a synonym, or is an option or a member; else returns. The word
+ * is an option of c or, if c is NULL, a command or a topic. */
+static void check_word(const struct command *c, const char *unknown,
     const char *name)
 {
+	static const struct document_wants nothing;
+	const struct document_wants *w = c != NULL ? &c->wants : &nothing;
+	const unsigned reads = c != NULL ? document_reads(w) : 0;
+	const struct option_row *r = option_named(name);
+	/* project --at is more likely pick's option than the camera's member */
+	const unsigned objects[] = { w->bare,
+		reads & ~(r != NULL ? SCENE_SPATIAL : 0u) };
+	/* where the projection may be of any type, persp is first */
+	const int own = w->projection > 0 ? w->projection - 1 : 0;
+	const struct member *m, *object;
+	char option[NAME_SHOWN];
+
+	snprintf(option, sizeof option, "--%s", r != NULL ? r->name : "");
+	if (c != NULL && r != NULL && option_is_for(r, c))
+		refuse_synonym(c, unknown, option);
+	/* names, and aliases where no option has the name */
+	for (int i = 0; i < 4; i += r == NULL ? 1 : 2) {
+		m = find_member(objects[i / 2], own, name, i % 2, &object);
+		if (m != NULL)
+			refuse_member(unknown, reads, m, object);
+	}
 	for (int i = 0; i < SYNONYMS; i++)
 		if (word_is_one_of(name, synonyms[i].words))
 			refuse_synonym(c, unknown, synonyms[i].is);
-}
-
-/* Refuses an option that is a member, or with aliases the alias of a member, of the
- * scene's members that the bits of objects select; else returns. */
-static void check_members(const struct command *c, const char *unknown,
-    unsigned objects, bool aliases, const char *name)
-{
-	/* where the projection may be of any type, persp is first */
-	const int own = c->wants.projection > 0 ? c->wants.projection - 1 : 0;
-	const struct member *m, *object;
-
-	for (int alias = 0; alias < (aliases ? 2 : 1); alias++) {
-		m = find_member(objects, own, name, alias, &object);
-		if (m != NULL)
-			refuse_member(unknown, objects, m, object);
-	}
+	if (r != NULL)
+		refuse_synonym(c, unknown, option);
+	m = synonym_find(name, &object);
+	if (m != NULL)
+		refuse_member(unknown, c != NULL ? reads : SCENE_ALL, m,
+		    object);
 }
 
 void synonym_check_option(const struct command *c, const char *option,
-    bool elsewhere)
+    const char *name)
 {
-	/* project --at is more likely pick's option than the camera's member */
-	const unsigned reads = document_reads(&c->wants) &
-	    (elsewhere ? ~(unsigned)SCENE_SPATIAL : ~0u);
-	const char *word = option + strspn(option, "-");
-	const struct member *m, *object;
-	char name[NAME_SHOWN], unknown[UNKNOWN_MAX];
+	char unknown[UNKNOWN_MAX];
 
-	snprintf(unknown, sizeof unknown, "%s: unknown option %.*s", c->name,
-	    (int)strcspn(option, "="), option);
-	snprintf(name, sizeof name, "%.*s", (int)strcspn(word, "="), word);
-	check_members(c, unknown, c->wants.bare, !elsewhere, name);
-	check_members(c, unknown, reads, !elsewhere, name);
-	check_synonyms(c, unknown, name);
-	m = elsewhere ? NULL : synonym_find(name, &object);
-	if (m != NULL)
-		refuse_member(unknown, reads, m, object);
+	snprintf(unknown, sizeof unknown, "%s: unknown option %s", c->name,
+	    option);
+	check_word(c, unknown, name);
 }
 
 /* Returns the nearest name of a command or member, or NULL. */
@@ -211,41 +212,28 @@ static const char *nearest_known(const struct command *commands,
 void synonym_refuse_word(const struct command *commands, bool topic,
     const char *word)
 {
-	const char *near = nearest_known(commands, word);
-	const struct member *m, *object;
-	char unknown[UNKNOWN_MAX], is[UNKNOWN_MAX];
+	const char first = first_char(word), *near = NULL;
+	const bool option = *word == '-' &&
+	    (word[1] != '-' || option_named(word + 2) != NULL);
+	/* options and operands stand behind a command */
+	const bool early = !topic &&
+	    (option || first == '{' || first == '[' ||
+		strpbrk(word, "./") != NULL || access(word, R_OK) == 0);
+	char unknown[UNKNOWN_MAX];
 
-	snprintf(unknown, sizeof unknown, "unknown %s '%s'",
+	snprintf(unknown, sizeof unknown, "unknown %s '%.400s'",
 	    topic ? "topic" : "command", word);
-	check_synonyms(NULL, unknown, word);
-	snprintf(is, sizeof is, "--%s", word);
-	if (option_named(word) != NULL)
-		refuse_synonym(NULL, unknown, is);
-	m = synonym_find(word, &object);
-	if (m != NULL)
-		refuse_member(unknown, SCENE_ALL, m, object);
+	if (!early) {
+		check_word(NULL, unknown, word);
+		near = nearest_known(commands, word);
+	}
 	if (near != NULL && *near != '-' &&
 	    find_command(commands, near) == NULL)
 		topic = true;
 	if (near != NULL)
 		die(EXIT_USAGE, "%s; did you mean 'projcalc %s%s'?", unknown,
 		    topic ? "help " : "", near);
-	die(EXIT_USAGE, "%s; 'projcalc help' lists commands%s", unknown,
+	die(EXIT_USAGE, "%s; %s'projcalc help' lists commands%s", unknown,
+	    early ? "a command comes first, such as project or lookat; " : "",
 	    topic ? ", and 'projcalc help scene' members" : "");
-}
-
-void synonym_refuse_command(const struct command *commands, const char *word)
-{
-	const char first = first_char(word);
-	bool operand = first == '{' || first == '[' ||
-	    strpbrk(word, "./") != NULL || access(word, R_OK) == 0;
-
-	if (operand ||
-	    (*word == '-' &&
-		(word[1] != '-' || option_named(word + 2) != NULL)))
-		die(EXIT_USAGE,
-		    "'%s' is not a command; a command comes first, such as "
-		    "project or lookat; 'projcalc help' lists commands",
-		    word);
-	synonym_refuse_word(commands, false, word);
 }

@@ -20,18 +20,13 @@ static jmp_buf refused;
 struct message_state message_state;
 
 /* No input may end the program but by being refused. */
-void die(int status, const char *format, ...)
+void die_at(int status, const struct place *place, const char *format, ...)
 {
+	(void)place;
 	(void)format;
 	if (status != EXIT_INPUT)
 		abort();
 	longjmp(refused, 1);
-}
-
-void die_at(int status, const struct place *place, const char *format, ...)
-{
-	(void)place;
-	die(status, "%s", format);
 }
 
 void vdie_at(int status, const struct place *place, const char *format,

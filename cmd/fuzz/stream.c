@@ -118,13 +118,6 @@ void say_at(int status, const struct place *place, const char *format, ...)
 
 struct message_state message_state;
 
-void die(int status, const char *format, ...)
-{
-	(void)status;
-	(void)format;
-	abort();
-}
-
 void die_at(int status, const struct place *place, const char *format, ...)
 {
 	(void)status;

@@ -43,13 +43,10 @@ static size_t escape_one(char out[JSON_ESCAPE_MAX + 1], const char **s,
 	const char *c = *s;
 
 	*s += n > 0 ? n : 1;
-	if (n == 0 && json)
-		return (size_t)sprintf(out, "\\ufffd");
-	if (n == 0)
-		return (
-		    size_t)sprintf(out, "\\x%02x", (unsigned char)*c & 0xffu);
-	if (is_control(code) || is_invisible(code))
-		return (size_t)sprintf(out, "\\u%04x", code);
+	if (n == 0 && !json)
+		return (size_t)sprintf(out, "\\x%02x", (unsigned char)*c);
+	if (n == 0 || is_control(code) || is_invisible(code))
+		return (size_t)sprintf(out, "\\u%04x", n > 0 ? code : 0xfffd);
 	if (json && (*c == '"' || *c == '\\'))
 		return (size_t)sprintf(out, "\\%c", *c);
 	memcpy(out, c, (size_t)n);

@@ -58,40 +58,35 @@ static void add_escaped(const char *s, size_t n)
 	    n < MESSAGE_MAX ? n : MESSAGE_MAX, message_state.json, "");
 }
 
-static void add_place(const struct place *p, struct scene_place scene)
+/* Adds the place and the message, which the place follows if it has join. */
+static void add_text(int status, const struct place *p,
+    struct scene_place scene, const char *message)
 {
-	bool behind = p->join != NULL;
+	static const char *const paint[] = { "\033[1m", "\033[1;31m" };
+	bool colored = is_colored(STDERR_FILENO);
 	bool pointer = p->pointer != NULL && *p->pointer != '\0';
 
-	if (behind)
+	add("%sprojcalc:%s ", colored ? paint[status > 0] : "",
+	    colored ? "\033[0m" : "");
+	if (p->join != NULL) {
+		add_escaped(message, strlen(message));
 		add("%s", p->join);
+	}
 	if (scene.number > 0)
 		add("scene %ld, line %ld: ", scene.number, scene.line);
 	if (p->file != NULL)
 		add_escaped(p->file, strlen(p->file));
 	if (p->line > 0 && !pointer)
 		add(p->of_points ? ": point %lld" : ":%lld", p->line);
-	if (p->file != NULL && !behind)
-		add(": ");
-	if (pointer)
-		add_escaped(p->pointer, strlen(p->pointer));
-	if (pointer && !behind)
-		add(": ");
-}
-
-static void add_text(int status, const struct place *p,
-    struct scene_place scene, const char *message)
-{
-	bool colored = is_colored(STDERR_FILENO);
-	static const char *const paint[] = { "\033[1m", "\033[1;31m" };
-
-	add("%sprojcalc:%s ", colored ? paint[status > 0] : "",
-	    colored ? "\033[0m" : "");
-	if (p->join == NULL)
-		add_place(p, scene);
-	add_escaped(message, strlen(message));
 	if (p->join != NULL)
-		add_place(p, scene);
+		return;
+	if (p->file != NULL)
+		add(": ");
+	if (pointer) {
+		add_escaped(p->pointer, strlen(p->pointer));
+		add(": ");
+	}
+	add_escaped(message, strlen(message));
 }
 
 /* Returns the length of a message before its hint: up to the first "; " outside of
@@ -111,14 +106,14 @@ static size_t reason_length(const char *message)
 	return (size_t)(s - message);
 }
 
-/* Adds a member without the closing quote of its string. */
 static void add_member(const char *name, const char *s, size_t n)
 {
 	add("%s\"%s\":\"", line.n > 1 ? "," : "", name);
 	add_escaped(s, n);
+	add("\"");
 }
 
-/* Adds the object up to the text of its reason or hint. */
+/* Adds the object up to its reason or hint. */
 static void add_json(const struct place *p, struct scene_place scene,
     const char *message)
 {
@@ -128,24 +123,18 @@ static void add_json(const struct place *p, struct scene_place scene,
 	if (scene.number > 0)
 		add("\"scene\":%ld,\"scene_line\":%ld", scene.number,
 		    scene.line);
-	if (p->file != NULL) {
+	if (p->file != NULL)
 		add_member("file", p->file, strlen(p->file));
-		add("\"");
-	}
 	if (p->line > 0)
 		add(",\"%s\":%lld", p->of_points ? "point" : "line", p->line);
 	if (p->column > 0)
 		add(",\"column\":%zu", p->column);
-	if (p->pointer != NULL && *p->pointer != '\0') {
+	if (p->pointer != NULL && *p->pointer != '\0')
 		add_member("pointer", p->pointer, strlen(p->pointer));
-		add("\"");
-	}
 	add_member("reason", message, reason);
-	if (message[reason] != '\0') {
-		add("\"");
-		message += reason + 2;
-		add_member("hint", message, strlen(message));
-	}
+	if (message[reason] != '\0')
+		add_member("hint", message + reason + 2,
+		    strlen(message + reason + 2));
 }
 
 static void print_line(int status, const struct place *place,
@@ -166,6 +155,7 @@ static void print_line(int status, const struct place *place,
 		add_text(status, p, scene, message);
 	unsigned invisible = escape_invisible(line.s);
 
+	line.n -= message_state.json; /* the note is part of the last string */
 	if (invisible != 0)
 		add(" (U+%04X is invisible)", invisible);
 	if (message_state.json)
@@ -197,12 +187,14 @@ static void end_once(void)
 void vdie_at(int status, const struct place *place, const char *format,
     va_list args)
 {
-	if (place != NULL && place->of_scene && message_state.refused != NULL) {
-		print_line(status, place, format, args);
-		longjmp(*message_state.refused, 1);
-	}
-	end_once();
+	bool next = place != NULL && place->of_scene &&
+	    message_state.refused != NULL;
+
+	if (!next)
+		end_once();
 	print_line(status, place, format, args);
+	if (next)
+		longjmp(*message_state.refused, 1);
 	exit(status);
 }
 
@@ -212,15 +204,6 @@ void die_at(int status, const struct place *place, const char *format, ...)
 
 	va_start(args, format);
 	vdie_at(status, place, format, args);
-	va_end(args);
-}
-
-void die(int status, const char *format, ...)
-{
-	va_list args;
-
-	va_start(args, format);
-	vdie_at(status, NULL, format, args);
 	va_end(args);
 }
 
@@ -298,13 +281,9 @@ int print(const char *format, ...)
 	return (int)n;
 }
 
-void print_flush(void)
-{
-	output_write(printed.s, printed.n);
-}
-
 void output_close(void)
 {
+	output_write(printed.s, printed.n);
 	if (close(STDOUT_FILENO) != 0 && errno != EINTR)
 		die_of_output();
 }

@@ -42,8 +42,8 @@ void say_at(int status, const struct place *, const char *format, ...)
 enum color { COLOR_AUTO, COLOR_ALWAYS, COLOR_NEVER };
 
 extern struct message_state {
-	bool json; /* a message is a JSON object in one line */
-	enum color color;
+	unsigned json;  /* 1: a message is a JSON object in one line */
+	unsigned color; /* an enum color */
 	struct scene_place scene; /* the scene that is being answered */
 	/* Where die_at jumps after a message whose place is of_scene; NULL: the
 	 * program ends. Only the first thread may print such a message, while
@@ -60,8 +60,7 @@ _Noreturn void die_at(int status, const struct place *, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 _Noreturn void vdie_at(int status, const struct place *, const char *format,
     va_list) __attribute__((format(printf, 3, 0)));
-_Noreturn void die(int status, const char *format, ...)
-    __attribute__((format(printf, 2, 3)));
+#define die(status, ...) die_at(status, NULL, __VA_ARGS__)
 
 /* Exits. Any thread may call it. */
 _Noreturn void quit(int status);
@@ -81,13 +80,12 @@ void pipe_enlarge(int fd, int size);
 /* Writes all bytes to standard output, or exits with 3. */
 void output_write(const char *s, size_t size);
 
-/* Appends to a buffer as printf does, and print_flush writes the buffer to standard
- * output: stdio would lose what a full pipe refuses, without an error. */
+/* Appends to a buffer as printf does: stdio would lose what a full pipe refuses, without
+ * an error. */
 int print(const char *format, ...) __attribute__((format(printf, 1, 2)));
-void print_flush(void);
 
-/* Closes standard output. Exits with 3 if the system reports an earlier error of a write
- * only now. */
+/* Writes what print has appended, and closes standard output. Exits with 3 if the system
+ * reports an earlier error of a write only now. */
 void output_close(void);
 
 #endif

@@ -13,15 +13,10 @@ static bool begins(const char *word, const char *start)
 	return n > 2 && strncasecmp(word, start, n) == 0;
 }
 
-static bool same_letter(char a, char b)
-{
-	return tolower((unsigned char)a) == tolower((unsigned char)b);
-}
-
 /* Returns whether at most n edits lead from a to b. No letter is edited twice. */
 static bool edits_reach(const char *a, const char *b, int n)
 {
-	for (; *a != '\0' && same_letter(*a, *b); a++)
+	for (; *a != '\0' && strncasecmp(a, b, 1) == 0; a++)
 		b++;
 	if (*a == '\0' && *b == '\0')
 		return true;
@@ -33,7 +28,7 @@ static bool edits_reach(const char *a, const char *b, int n)
 	if (*a == '\0' || *b == '\0')
 		return false;
 	return edits_reach(a + 1, b + 1, n - 1) ||
-	    (same_letter(a[0], b[1]) && same_letter(a[1], b[0]) &&
+	    (strncasecmp(a, b + 1, 1) == 0 && strncasecmp(a + 1, b, 1) == 0 &&
 		edits_reach(a + 2, b + 2, n - 1));
 }
 
