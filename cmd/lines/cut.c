@@ -50,6 +50,16 @@ void cut_behind(struct cut *c, const char *s)
 		c->s = json_space(c->s, end);
 }
 
+size_t cut_count(struct cut c)
+{
+	struct field f;
+	size_t n = 0;
+
+	while (cut_next(&c, &f))
+		n++;
+	return n;
+}
+
 struct span cut_out(const struct field *f)
 {
 	if (f->from != NULL)

@@ -46,6 +46,7 @@ struct cut {
 	const char *from;    /* the end of the last field, or NULL before any */
 	const char *bracket; /* in JSON: after the opening bracket */
 	bool members;        /* the fields are members of a JSON object */
+	bool names;          /* the fields are names of a header */
 	bool words;          /* fields of text end at blanks only */
 	bool comma;          /* the last separator has a comma */
 };

@@ -210,33 +210,39 @@ bool cut_next(struct cut *, struct field *);
  * before it, or after it if it is the first. */
 struct span cut_out(const struct field *);
 
-/* Finds the coordinates among the fields of a line by place, name or pointer. */
+/* Returns the number of fields after the cut. */
+size_t cut_count(struct cut);
 
+/* Finds the coordinates among the fields of a line by place, name or pointer, and by
+ * --append the names that are added. */
+
+enum { SOUGHT = 4 + COORDINATES_MAX + 1 };
+
+/* What is found of the coordinates and, from 4 on, of the names of the layout. */
 struct chosen {
-	struct field
-	    field[4]; /* the fields of the coordinates that were found */
-	int times[4]; /* the number of times each was found; 0: missing */
-	bool mixed;   /* only some separators of text have a comma */
+	struct field field[SOUGHT]; /* the first of each that was found */
+	int times[SOUGHT];          /* how often it was found; 0: missing */
+	long place[SOUGHT], again[SOUGHT]; /* number of the first, the second */
+	bool mixed; /* only some separators of text have a comma */
 };
 
-/* Finds the coordinates in one pass over the fields of the cut. */
+/* Goes once over the fields of the cut. */
 void choose(const struct layout *, struct cut, struct chosen *);
 
-/* Returns whether a coordinate lies inside the value of another, as pointers allow. */
-bool choose_overlaps(const struct layout *, const struct chosen *);
+/* Notes where on the line the coordinates stand. */
+void choose_places(const struct layout *, const struct chosen *, struct line *);
+
+/* Returns a coordinate that lies inside the value of another, as pointers allow, or has
+ * the same column; 0 if there is none. */
+int choose_overlap(const struct layout *, const struct chosen *);
 
 /* Returns whether a column of a header or a member of an object has a name that
  * --append adds, and writes the reason. */
-bool choose_clashes(const struct layout *, struct cut, char reason[REASON_MAX]);
-
-/* Returns true if choose_clashes could return true for the object; takes less time. */
-bool choose_may_clash(const struct layout *, struct span line);
+bool choose_clashes(const struct layout *, const struct chosen *, bool members,
+    char reason[REASON_MAX]);
 
 /* Returns whether the token is the decimal number k without leading zeros. */
 bool is_index(struct span token, long k);
-
-/* Returns the number of fields after the cut. */
-size_t choose_count(struct cut);
 
 /* Decides whether the first line of csv is a header, and finds the coordinates by its
  * names. */
@@ -258,8 +264,8 @@ bool header_read(struct layout *, struct span text, struct line *,
 bool header_is_short(const struct layout *, struct cut row,
     char reason[REASON_MAX]);
 
-/* Returns the header without a byte order mark and the # of a comment. */
-struct span header_names(struct dialect, struct span text);
+/* Returns a cut before the first name of a header without a byte order mark. */
+struct cut header_cut(struct dialect, struct span text);
 
 /* Words what is wrong with a line. */
 
@@ -310,17 +316,20 @@ struct stretch {
 /* The path to each coordinate from the value that the walk is in, and the size of the
  * path's first token in bytes; SIZE_MAX if the path does not lead into this value. */
 struct trail {
-	const char *path[4];
-	size_t size[4];
+	const char *path[SOUGHT];
+	size_t size[SOUGHT];
 };
 
 /* How the n coordinates of a line are found. */
 struct walk {
 	struct dialect in;
 	struct byte_set stops;
-	int n;
+	int n, names;         /* names: those of trail */
+	int fields;           /* of each line; 0: any number */
 	bool arrays, objects; /* the lines of JSON that are walked */
-	struct trail trail;   /* paths to members of objects */
+	/* paths to members of objects; after those of coordinates the names that
+	 * --append adds, for which a line is left */
+	struct trail trail;
 	bool columns;         /* coordinate i is field[i]; false: field i */
 	int field[4];
 };

@@ -71,15 +71,17 @@ static bool can_be_added(const char *path)
 }
 
 /* Returns whether the fields of a bad line that are not coordinates can be copied. */
-static bool can_be_kept(const struct layout *l, bool members,
+static bool can_be_kept(const struct layout *l, struct cut cut,
     const struct chosen *c)
 {
+	if (cut.s == NULL && !cut.members)
+		return false;
 	for (int i = 0; i < l->reads; i++)
 		if (c->times[i] > 1 ||
-		    (c->times[i] == 0 && members &&
+		    (c->times[i] == 0 && cut.members &&
 			!can_be_added(l->columns.name[i])))
 			return false;
-	return !choose_overlaps(l, c);
+	return choose_overlap(l, c) == 0;
 }
 
 /* Returns whether --columns fits a line of JSON: numbers an array, names an object. Else
@@ -97,20 +99,28 @@ static bool columns_fit(const struct layout *l, bool members,
 	return false;
 }
 
-/* Notes where on the line the coordinates stand. */
-static void note_places(const struct layout *l, const struct chosen *c,
-    struct line *line)
+/* Returns whether a line is right whose coordinates are numbers; else writes the reason. */
+static bool is_right(const struct layout *l, struct cut cut,
+    const struct chosen *c, char reason[REASON_MAX])
 {
-	bool replaced = line->kind == LINE_BAD && format_of(l->in)->header;
+	size_t fields = l->append && l->fields > 0 ? cut_count(cut) : l->fields;
 
-	for (int i = 0; i < l->reads; i++) {
-		const struct field *f = &c->field[i];
-
-		/* in csv nan replaces the quotes of a bad number, too */
-		line->at[i] = c->times[i] == 0 ? part_missing :
-		    !replaced                  ? line_part(line, f->value) :
-				line_part(line, trimmed(l->in, f->whole));
-	}
+	if (fields != l->fields)
+		snprintf(reason, REASON_MAX,
+		    "has %zu fields and the header %zu; --append would put the "
+		    "image below other names",
+		    fields, l->fields);
+	else if (choose_overlap(l, c) > 0)
+		snprintf(reason, REASON_MAX,
+		    "has a coordinate in another; --columns names values "
+		    "apart");
+	else if (c->mixed)
+		snprintf(reason, REASON_MAX,
+		    "has commas between some numbers and not between others; "
+		    "is the comma a decimal point? write 1.5 for 1,5");
+	else
+		return true;
+	return false;
 }
 
 /* Finds the coordinates of a line and reads them. Changes its kind from LINE_LOST to
@@ -133,41 +143,20 @@ static void read_fields(const struct layout *l, struct span text,
 	}
 	if (cut.bracket != NULL && !columns_fit(l, cut.members, reason))
 		return;
-	if (cut.members && choose_clashes(l, cut, reason))
-		return;
 	choose(l, cut, &c);
-	bool ok = read_coordinates(l, cut, &c, v, reason);
-
-	if (ok && l->append && l->fields > 0 &&
-	    choose_count(cut) != l->fields) {
-		ok = false;
-		snprintf(reason, REASON_MAX,
-		    "has %zu fields and the header %zu; --append would put the "
-		    "image below other names",
-		    choose_count(cut), l->fields);
-	}
-	if (ok && cut.bracket != NULL && choose_overlaps(l, &c)) {
-		ok = false;
-		snprintf(reason, REASON_MAX,
-		    "has a coordinate in another; --columns names values "
-		    "apart");
-	}
+	if (choose_clashes(l, &c, true, reason))
+		return;
+	line->kind = LINE_POINT;
+	if (!read_coordinates(l, cut, &c, v, reason) ||
+	    !is_right(l, cut, &c, reason))
+		line->kind = LINE_BAD;
 	if (c.mixed) {
-		if (ok)
-			snprintf(reason, REASON_MAX,
-			    "has commas between some numbers and not between "
-			    "others; is the comma a decimal point? write 1.5 "
-			    "for 1,5");
-		ok = false;
 		cut.words = line->words = l->columns.n == 0;
 		choose(l, cut, &c);
 	}
-	if (!ok && !l->append &&
-	    ((cut.s == NULL && !cut.members) ||
-		!can_be_kept(l, cut.members, &c)))
-		return;
-	line->kind = ok ? LINE_POINT : LINE_BAD;
-	note_places(l, &c, line);
+	if (line_is_bad(line) && !l->append && !can_be_kept(l, cut, &c))
+		line->kind = LINE_LOST;
+	choose_places(l, &c, line);
 }
 
 /* Returns whether the first line is read as a point. Else it is a header, or it is bad
@@ -205,7 +194,7 @@ static bool is_comment(struct layout *l, struct span text, const char *s,
 		    !format_is_old(l->in, text, reason);
 	/* where blanks separate, "# x y z" is a comment */
 	return l->fields < 2 || (l->in.separator == ' ' && is_blank(s[1])) ||
-	    choose_count(cut_line(l->in, text)) != l->fields;
+	    cut_count(cut_line(l->in, text)) != l->fields;
 }
 
 void line_read(struct layout *l, struct span text, enum first *first,

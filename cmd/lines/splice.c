@@ -229,13 +229,13 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 static struct cut cut_of(const struct layout *l, const struct line *line)
 {
 	struct span text = line_text(line);
+	struct cut c;
 
 	text.s += line->mark ? 3 : 0;
-	if (line->kind == LINE_HEADER)
-		text = header_names(l->in, text);
-	text.s = skip_blanks(l->in, text.s, text.end);
-	struct cut c = cut_line(l->in, text);
-
+	c = line->kind == LINE_HEADER ? header_cut(l->in, text) :
+					cut_line(l->in, text);
+	if (c.s != NULL)
+		c.s = skip_blanks(l->in, c.s, c.end);
 	c.words = line->words;
 	return c;
 }

@@ -46,6 +46,8 @@ bool walk_plan(const struct layout *l, struct walk *w)
 	*w = (struct walk){ .in = l->in,
 		.stops = stops_of(l->in),
 		.n = l->reads,
+		.names = l->reads,
+		.fields = l->append ? (int)l->fields : 0,
 		.arrays = !json || c->n == 0 || c->name[0] == NULL,
 		.objects = json && (c->n == 0 || c->name[0] != NULL),
 		.columns = c->n > 0 };
@@ -60,6 +62,11 @@ bool walk_plan(const struct layout *l, struct walk *w)
 		w->trail.path[i] = name;
 		w->trail.size[i] = pointer ? strcspn(name, "/") : strlen(name);
 	}
+	for (int k = 0; k <= COORDINATES_MAX && l->append; k++)
+		if (*l->name[k] != '\0') {
+			w->trail.path[w->names] = l->name[k];
+			w->trail.size[w->names++] = strlen(l->name[k]);
+		}
 	return w->arrays || w->objects;
 }
 
@@ -264,7 +271,7 @@ static struct trail trail_inside(const struct trail *t, unsigned led)
 {
 	struct trail rest;
 
-	for (int i = 0; i < 4; i++) {
+	for (int i = 0; i < SOUGHT; i++) {
 		bool leads = (led >> i & 1) != 0;
 
 		rest.path[i] = leads ? t->path[i] + t->size[i] + 1 : "";
@@ -274,13 +281,14 @@ static struct trail trail_inside(const struct trail *t, unsigned led)
 }
 
 /* Returns the coordinate whose path ends at the member of that name, or MORE if paths
- * lead into the member; sets their bits in led. */
-INLINE int follow(const struct trail *t, int n, struct span name, unsigned *led)
+ * lead into the member; sets their bits in led. Returns ODD if --append adds the name. */
+INLINE int follow(const struct trail *t, int n, int names, struct span name,
+    unsigned *led)
 {
 	size_t size = (size_t)(name.end - name.s);
 
 	*led = 0;
-	for (int i = 0; i < n; i++) {
+	for (int i = 0; i < names; i++) {
 		const char *path = t->path[i];
 
 		if (t->size[i] != size || *path != *name.s ||
@@ -288,7 +296,7 @@ INLINE int follow(const struct trail *t, int n, struct span name, unsigned *led)
 			continue;
 		*led |= 1u << i;
 		if (path[size] != '/')
-			return i;
+			return i < n ? i : ODD;
 	}
 	return *led != 0 ? MORE : NOTHING;
 }
@@ -381,7 +389,7 @@ INLINE int pass_to_value(struct walker *p, struct dialect d, struct fields *f,
 		return coordinate_of(w, f->n, k);
 	if (f->shape == NONE)
 		return NOTHING;
-	int i = f->members || k < 10 ? follow(f->trail, f->n, name, led) : ODD;
+	int i = f->members || k < 10 ? follow(f->trail, f->n, w->names, name, led) : ODD;
 	bool again = (f->led & *led) != 0;
 
 	f->led |= *led;
@@ -426,8 +434,12 @@ INLINE bool pass_fields(struct walker *p, struct dialect d, struct fields f,
 		more = pass_field(p, d, &f, t, k);
 	for (; more == MORE; k++)
 		more = pass_field(p, d, &f, t, k);
-	if (d.format != FORMAT_TEXT || more == ODD)
-		return more == NOTHING;
+	if (more == ODD)
+		return false;
+	if (d.format == FORMAT_CSV)
+		return t->walk->fields == 0 || k == t->walk->fields;
+	if (d.format != FORMAT_TEXT)
+		return true;
 	return p->found == f.n && (f.commas == 0 || f.commas == f.separators) &&
 	    ends_text(p, d, f.n, f.commas > 0);
 }
