@@ -152,6 +152,16 @@ static inline int layout_field(const struct layout *l, int i)
 	return l->columns.n > 0 ? l->columns.field[i] : i;
 }
 
+/* Returns whether the coordinates are the first fields, in their order. */
+static inline bool layout_is_first(const struct layout *l)
+{
+	int i = 0;
+
+	while (i < l->reads && layout_field(l, i) == i)
+		i++;
+	return i == l->reads;
+}
+
 /* Returns the name of coordinate i: x, y, z or w. */
 static inline const char *coordinate_name(int i)
 {

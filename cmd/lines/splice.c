@@ -219,8 +219,7 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 			return; /* the rest of the line is copied */
 	}
 	if (outer) {
-		if (c.from != NULL || c.bracket != NULL)
-			splice_to(w, c.from != NULL ? c.from : c.bracket);
+		splice_to(w, c.from != NULL ? c.from : c.bracket);
 		put_others(w, 0, c.members);
 	}
 }
@@ -250,34 +249,29 @@ static void splice(struct splice *w)
 	for (int i = 0; i < l->reads; i++)
 		if (is_missing(w->line->at[i]) || c.members)
 			last = -1; /* add the other values at the end */
-	w->done = w->line->s;
 	splice_fields(w, c, true, last);
-	splice_to(w, w->line->s + w->line->size);
 }
 
-/* Copies the whole line, and adds all values at its end or before its last bracket. */
+/* Copies the line, and adds all values at its end or before its last bracket. */
 static void append(struct splice *w)
 {
-	const struct layout *l = w->l;
-	const struct format_row *in = format_of(l->in);
-	struct span line = line_text(w->line), s = line;
-	struct cut c = cut_of(l, w->line);
+	const struct format_row *in = format_of(w->l->in);
+	struct span s = line_text(w->line);
+	struct cut c = cut_of(w->l, w->line);
 	struct field f;
 
 	if (in->header) /* blanks at the end belong to the last field */
 		s.end -= s.end > s.s && s.end[-1] == '\r';
 	else
-		s = trimmed(l->in, s);
+		s = trimmed(c.in, s);
 	if (*in->close != '\0')
-		s = trimmed(l->in, (struct span){ s.s, s.end - 1 });
+		s = trimmed(c.in, (struct span){ s.s, s.end - 1 });
 	w->fields = *in->close == '\0' || s.end - s.s > 1;
 	while (in->blanks && cut_next(&c, &f))
 		if (coordinate_in(w, f.whole.s, f.value.s) >= 0)
-			w->separator = separator_at(l, &f);
-	w->done = line.s;
+			w->separator = separator_at(w->l, &f);
 	splice_to(w, s.end);
 	put_others(w, 0, w->line->object);
-	splice_to(w, line.end);
 }
 
 /* Writes the numbers of a binary record that are not coordinates. */
@@ -304,71 +298,65 @@ static char *put_rest_of_record(const struct layout *l, const struct line *line,
 	return out;
 }
 
-/* Writes each field of the cut that holds no coordinate, or by --append every field, for
+/* Writes each field of a line that holds no coordinate, or by --append every field, for
  * the format out: after a separator unless it is the first of the line. */
-static void put_fields(struct splice *w, struct cut c)
+static void put_rest(struct splice *w)
 {
 	const struct layout *l = w->l;
+	const struct line *line = w->line;
+	const struct format_row *in = format_of(l->in), *to = format_of(l->out);
 	/* csv's empty fields become "" in JSON, so that the fields after them keep
 	 * their place in the array */
-	bool empty = format_of(l->in)->header && !format_of(l->out)->blanks;
+	const bool empty = in->header && !to->blanks;
+	struct cut c = { .in = l->in, .end = line->s + line->size };
 	char *out = w->out;
 	struct field f;
 
+	if (is_binary(l->in.format)) {
+		w->out = put_rest_of_record(l, line, out);
+		return;
+	}
+	if (line->kind == LINE_LOST || line->object)
+		return;
+	if (line->kind == LINE_POINT && layout_is_first(l) && !l->append) {
+		c.bracket = *in->open != '\0' ? line->s : NULL;
+		cut_behind(&c, line_at(line, l->reads - 1).end);
+	} else {
+		c = cut_of(l, line);
+	}
 	while (cut_next(&c, &f)) {
 		if ((f.whole.s == f.whole.end && !empty) ||
 		    (!l->append &&
 			coordinate_in(w, f.whole.s, f.whole.end) >= 0))
 			continue;
-		if (w->fields++ > 0)
-			*out++ = l->out.separator;
+		*out = l->out.separator;
+		out += w->fields++ > 0;
 		out = format_convert(l->in, l->out, f.whole, out);
 	}
 	w->out = out;
 }
 
-/* Writes all fields of a line that hold no coordinate. */
-static void put_rest(struct splice *w)
-{
-	if (w->line->kind != LINE_LOST && !w->line->object)
-		put_fields(w, cut_of(w->l, w->line));
-}
-
 char *line_rest(const struct layout *l, const struct line *line, char *out)
 {
-	struct cut c = { .in = l->in, .end = line->s + line->size };
-	bool first = line->kind == LINE_POINT && !line->object &&
-	    l->columns.n == 0;
-
-	if (is_binary(l->in.format))
-		return put_rest_of_record(l, line, out);
-	if (first) {
-		/* no other field stands before the coordinates */
-		c.bracket = *format_of(l->in)->open != '\0' ? line->s : NULL;
-		cut_behind(&c, line_at(line, l->reads - 1).end);
-		if (c.s == NULL)
-			return out;
-	}
-	if (first && format_of(l->in)->blanks && format_of(l->out)->blanks) {
-		struct span rest = trimmed(l->in, (struct span){ c.s, c.end });
-
-		*out = ' ';
-		return rest.s < rest.end ?
-		    splice_text(out + 1, rest.s, rest.end) :
-		    out;
-	}
 	struct splice w = { .l = l, .line = line, .out = out, .fields = 1 };
 
-	if (first)
-		put_fields(&w, c);
-	else
+	if (line->kind != LINE_POINT || l->columns.n > 0 ||
+	    !format_of(l->in)->blanks || !format_of(l->out)->blanks) {
 		put_rest(&w);
-	return w.out;
+		return w.out;
+	}
+	struct span rest = { line_at(line, l->reads - 1).end,
+		line->s + line->size };
+
+	rest.s = skip_separator(rest.s, rest.end);
+	rest = trimmed(l->in, rest);
+	*out = ' ';
+	return splice_text(out + (rest.s < rest.end), rest.s, rest.end);
 }
 
 /* Writes a line in another format, or a LINE_LOST: all values, then all other fields; by
  * --append first the fields. */
-static void convert_line(struct splice *w)
+static void convert(struct splice *w)
 {
 	const struct layout *l = w->l;
 	char open = *format_of(l->out)->open, close = *format_of(l->out)->close;
@@ -387,29 +375,6 @@ static void convert_line(struct splice *w)
 	w->out += close != '\0';
 }
 
-/* Does as convert_line for a point without --append, which is the frequent case. */
-static char *convert_point(const struct layout *l, const struct line *line,
-    struct numbers n, const struct word *flags, char *out)
-{
-	const struct format_row *to = format_of(l->out);
-
-	*out = *to->open;
-	out += *to->open != '\0';
-	for (int k = 0; k < l->writes; k++) {
-		*out = l->out.separator;
-		out = put_coordinate(l, n, k, out + (k > 0));
-	}
-	if (flags != NULL) {
-		*out = l->out.separator;
-		out = put_word(l, flags, out + 1);
-	}
-	out = line_rest(l, line, out);
-	*out = *to->close;
-	out += *to->close != '\0';
-	*out = '\n';
-	return out + line->newline;
-}
-
 char *line_write(const struct layout *l, const struct line *line,
     const struct numbers *numbers, const struct word *flags, char *out)
 {
@@ -417,10 +382,6 @@ char *line_write(const struct layout *l, const struct line *line,
 	bool header = line->kind == LINE_HEADER;
 	bool same = same_dialect(l->in, l->out);
 
-	if ((line->kind == LINE_POINT || is_binary(l->in.format)) && !same &&
-	    !l->append)
-		return convert_point(l, line, *numbers, l->flags ? flags : NULL,
-		    out);
 	if ((header || line->kind == LINE_COPY) &&
 	    (*format_of(l->in)->open != '\0' ||
 		*format_of(l->out)->open != '\0'))
@@ -430,20 +391,20 @@ char *line_write(const struct layout *l, const struct line *line,
 		.numbers = header ? NULL : numbers,
 		.flags = header ? &name : flags,
 		.separator = { &l->in.separator, &l->in.separator + 1 },
+		.done = line->s,
 		.out = out,
 		.value = ((1u << l->writes) - 1) |
 		    (unsigned)l->flags << FLAGS };
 
 	if (header && !same && format_of(l->out)->blanks)
 		w.out = stpcpy(w.out, "# ");
-	if (line->kind == LINE_COPY)
-		w.out = splice_text(out, line->s, line->s + line->size);
-	else if (line->kind == LINE_LOST || !same)
-		convert_line(&w);
-	else if (l->append)
-		append(&w);
-	else
-		splice(&w);
+	if (line->kind == LINE_LOST || (!same && line->kind != LINE_COPY)) {
+		convert(&w);
+	} else {
+		if (line->kind != LINE_COPY)
+			(l->append ? append : splice)(&w);
+		splice_to(&w, line->s + line->size);
+	}
 	*w.out = '\n';
 	return w.out + line->newline;
 }

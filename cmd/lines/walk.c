@@ -49,11 +49,10 @@ bool walk_plan(const struct layout *l, struct walk *w)
 		.names = l->reads,
 		.fields = l->append ? (int)l->fields : 0,
 		.arrays = !json || c->n == 0 || c->name[0] == NULL,
-		.objects = json && (c->n == 0 || c->name[0] != NULL) };
-	for (int i = 0; i < l->reads; i++) {
+		.objects = json && (c->n == 0 || c->name[0] != NULL),
+		.columns = !layout_is_first(l) };
+	for (int i = 0; i < l->reads; i++)
 		w->field[i] = layout_field(l, i);
-		w->columns |= w->field[i] != i;
-	}
 	for (int i = 0; i < l->reads && w->objects; i++) {
 		const char *name = l->columns.name[i];
 		bool pointer = *name == '/';
