@@ -14,6 +14,8 @@ struct way {
 	long place;
 };
 
+static const struct way nowhere = { NULL, -1 };
+
 bool is_index(struct span token, long k)
 {
 	for (; k >= 10 && token.end > token.s && token.end[-1] == '0' + k % 10;
@@ -22,27 +24,23 @@ bool is_index(struct span token, long k)
 	return k < 10 && token.end - token.s == 1 && *token.s == '0' + k;
 }
 
-/* Returns whether way i leads to field k of the cut or into its value; sets *rest to the
- * rest of the path. Without --columns, X is x in a header, too. */
-static bool leads_to(const struct layout *l, const struct way *ways, int i,
+/* Returns whether the path of i leads to field k of the cut or into its value; sets *rest
+ * to the rest of the path. Without --columns, X is x in a header, too. */
+static bool leads_to(const struct layout *l, const char *path, int i,
     const struct cut *c, const struct field *f, long k, const char **rest)
 {
-	const char *path = ways[i].path;
-	bool pointer = path != NULL && *path == '/' && !c->names;
+	bool pointer = *path == '/' && !c->names;
 
-	*rest = "";
-	if (path == NULL)
-		return ways[i].place == k;
 	path += pointer;
 	size_t n = pointer ? strcspn(path, "/") : strlen(path);
 	struct span token = { path, path + n };
 
+	*rest = token.end;
 	if (c->names)
 		return (size_t)(f->value.end - f->value.s) == n &&
 		    (i < 4 && l->columns.by_header ?
 			    strncasecmp(f->value.s, path, n) :
 			    strncmp(f->value.s, path, n)) == 0;
-	*rest = token.end;
 	return c->members ? json_is_name(f->name, token, pointer) :
 			    pointer && is_index(token, k);
 }
@@ -58,54 +56,60 @@ static bool counts_on(const struct layout *l, const struct field *f)
 	    (l->reads == 2 || (f->value.s == f->from + 1 && *f->from == ','));
 }
 
-/* The fields of a line that matter: those up to last. In text the separators after field
- * first count, and after the last coordinate one that counts_on. */
-struct reach {
-	long first, last;
+/* What is sought on a line, and the fields that matter: those up to last. In text the
+ * separators after field first count, and after the last coordinate one that counts_on. */
+struct search {
+	const struct layout *l;
+	int n; /* things that are sought */
 	bool text;
+	long first, last;
 	int separators, commas;
+	struct chosen *out;
 };
 
 /* Goes over the fields of a cut. Enters each value once, for all ways that lead into it,
  * so that the time is linear in the length of the line. */
-static void choose_in(const struct layout *l, struct cut c,
-    const struct way ways[SOUGHT], struct reach *r, struct chosen *out)
+static void choose_in(struct search *r, struct cut c,
+    const struct way ways[SOUGHT])
 {
-	const int n = l->append && (c.members || c.names) ? SOUGHT : l->reads;
+	struct chosen *out = r->out;
 	int seen[SOUGHT] = { 0 };
 	struct field f;
 
 	for (long k = 0; k <= r->last && cut_next(&c, &f); k++) {
 		struct way inside[SOUGHT];
-		bool more = false;
+		unsigned led = 0;
 
-		for (int i = 0; i < n; i++) {
-			const char *rest;
-			bool leads = leads_to(l, ways, i, &c, &f, k, &rest);
+		for (int i = 0; i < r->n; i++) {
+			const char *path = ways[i].path, *rest = "";
 
-			inside[i] = (struct way){ NULL, -1 };
-			if (!leads)
+			if (path == NULL ?
+				ways[i].place != k :
+				!leads_to(r->l, path, i, &c, &f, k, &rest))
 				continue;
+			seen[i]++;
 			if (*rest != '\0') {
-				inside[i].path = rest;
-				more = true;
+				inside[i] = (struct way){ rest, -1 };
+				led |= 1u << i;
 			} else if (out->times[i]++ == 0) {
 				out->field[i] = f;
 				out->place[i] = k;
 			} else if (out->times[i] == 2) {
 				out->again[i] = k;
 			}
-			seen[i]++;
 		}
-		if (more && (*f.value.s == '{' || *f.value.s == '['))
-			choose_in(l, cut_value(f.value, c.end), inside, r, out);
+		for (int i = 0; i < r->n && led != 0; i++)
+			if ((led >> i & 1) == 0)
+				inside[i] = nowhere;
+		if (led != 0 && (*f.value.s == '{' || *f.value.s == '['))
+			choose_in(r, cut_value(f.value, c.end), inside);
 		if (r->text && k > r->first && f.value.s < c.end &&
-		    (k < r->last || counts_on(l, &f))) {
+		    (k < r->last || counts_on(r->l, &f))) {
 			r->separators++;
 			r->commas += f.comma;
 		}
 	}
-	for (int i = 0; i < n; i++)
+	for (int i = 0; i < r->n; i++)
 		if (seen[i] > 1 && out->times[i] < 2)
 			out->times[i] = 2;
 }
@@ -115,25 +119,29 @@ void choose(const struct layout *l, struct cut c, struct chosen *out)
 	const bool named = c.members || c.names ||
 	    (c.bracket != NULL && l->columns.n > 0);
 	struct way ways[SOUGHT];
-	struct reach r = { .first = LONG_MAX,
+	struct search r = { .l = l,
+		.n = l->append && (c.members || c.names) ? SOUGHT : l->reads,
+		.text = format_of(c.in)->blanks,
+		.first = LONG_MAX,
 		.last = named ? LONG_MAX : -1,
-		.text = format_of(c.in)->blanks };
+		.out = out };
 
 	memset(out->times, 0, sizeof out->times);
-	for (int i = 0; i < SOUGHT; i++) {
-		ways[i] = (struct way){ NULL, -1 };
-		if (i >= 4 && *l->name[i - 4] != '\0')
-			ways[i].path = l->name[i - 4];
-		if (i >= l->reads)
-			continue;
-		ways[i].path = named ? l->columns.name[i] : NULL;
-		long place = ways[i].place = layout_field(l, i);
+	for (int i = 0; i < l->reads; i++) {
+		long place = layout_field(l, i);
 
+		ways[i].path = named ? l->columns.name[i] : NULL;
+		ways[i].place = place;
 		r.first = place < r.first ? place : r.first;
 		r.last = place > r.last ? place : r.last;
 	}
+	for (int i = l->reads; i < r.n; i++) {
+		ways[i] = nowhere;
+		if (i >= 4 && *l->name[i - 4] != '\0')
+			ways[i].path = l->name[i - 4];
+	}
 	r.last += r.text;
-	choose_in(l, c, ways, &r, out);
+	choose_in(&r, c, ways);
 	out->mixed = r.commas != 0 && r.commas != r.separators;
 }
 

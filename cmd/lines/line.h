@@ -26,6 +26,9 @@
  * most four are read. */
 enum { COORDINATES_MAX = 6 };
 
+/* The room for the name of a number that is written. */
+enum { NAME_ROOM = 16 };
+
 /* The fields that hold the coordinates, from --columns or a csv header. */
 struct columns {
 	int n;        /* 0: the coordinates are the first fields of a line */
@@ -55,7 +58,7 @@ struct layout {
 	bool append; /* the line stays, and all is written after it */
 	/* The names of the numbers that are written, and last of the word of --flags;
 	 * "" if the number or the word is not written. */
-	char name[COORDINATES_MAX + 1][16];
+	char name[COORDINATES_MAX + 1][NAME_ROOM];
 	size_t fields; /* of the header; 0: there is none */
 	int record; /* numbers in a binary record; 0: the coordinates alone */
 	bool keeps; /* binary records are copied whole, beside the image */
@@ -326,20 +329,20 @@ struct stretch {
 /* The path to each coordinate from the value that the walk is in, and the size of the
  * path's first token in bytes; SIZE_MAX if the path does not lead into this value. */
 struct trail {
-	const char *path[SOUGHT];
-	size_t size[SOUGHT];
+	const char *path[4];
+	size_t size[4];
 };
 
 /* How the n coordinates of a line are found. */
 struct walk {
 	struct dialect in;
 	struct byte_set stops;
-	int n, names;         /* names: those of trail */
+	int n;
 	int fields;           /* of each line; 0: any number */
 	bool arrays, objects; /* the lines of JSON that are walked */
-	/* paths to members of objects; after those of coordinates the names that
-	 * --append adds, for which a line is left */
-	struct trail trail;
+	struct trail trail;   /* paths to members of objects */
+	/* NULL, or names that a line may not have, as --append adds them */
+	const char (*added)[NAME_ROOM];
 	bool columns;         /* coordinate i is field[i]; false: field i */
 	int field[4];
 };

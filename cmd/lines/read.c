@@ -144,7 +144,7 @@ static void read_fields(const struct layout *l, struct span text,
 	if (cut.bracket != NULL && !columns_fit(l, cut.members, reason))
 		return;
 	choose(l, cut, &c);
-	if (choose_clashes(l, &c, true, reason))
+	if (cut.members && choose_clashes(l, &c, true, reason))
 		return;
 	line->kind = LINE_POINT;
 	if (!read_coordinates(l, cut, &c, v, reason) ||

@@ -133,11 +133,11 @@ bool say_blanks(const struct layout *l, const struct field *f,
 	return true;
 }
 
-enum { NAMES_MAX = 32, NAME_ROOM = 64 };
+enum { NAMES_MAX = 32, COLUMN_ROOM = 64 };
 
 /* The first names of columns or members, without long ones. */
 struct names {
-	char name[NAMES_MAX][NAME_ROOM];
+	char name[NAMES_MAX][COLUMN_ROOM];
 	const char *list[NAMES_MAX + 1]; /* NULL ends it */
 	int n;
 	bool more; /* there are other names */
@@ -156,7 +156,7 @@ static void names_of(struct cut c, struct names *names)
 		    f.value;
 		size_t size = (size_t)(all.end - all.s);
 
-		if (names->n == NAMES_MAX || size >= NAME_ROOM) {
+		if (names->n == NAMES_MAX || size >= COLUMN_ROOM) {
 			names->more = true;
 			continue;
 		}

@@ -46,8 +46,8 @@ bool walk_plan(const struct layout *l, struct walk *w)
 	*w = (struct walk){ .in = l->in,
 		.stops = stops_of(l->in),
 		.n = l->reads,
-		.names = l->reads,
 		.fields = l->append ? (int)l->fields : 0,
+		.added = l->append ? l->name : NULL,
 		.arrays = !json || c->n == 0 || c->name[0] == NULL,
 		.objects = json && (c->n == 0 || c->name[0] != NULL),
 		.columns = !layout_is_first(l) };
@@ -62,11 +62,6 @@ bool walk_plan(const struct layout *l, struct walk *w)
 		w->trail.path[i] = name;
 		w->trail.size[i] = pointer ? strcspn(name, "/") : strlen(name);
 	}
-	for (int k = 0; k <= COORDINATES_MAX && l->append; k++)
-		if (*l->name[k] != '\0') {
-			w->trail.path[w->names] = l->name[k];
-			w->trail.size[w->names++] = strlen(l->name[k]);
-		}
 	return w->arrays || w->objects;
 }
 
@@ -271,7 +266,7 @@ static struct trail trail_inside(const struct trail *t, unsigned led)
 {
 	struct trail rest;
 
-	for (int i = 0; i < SOUGHT; i++) {
+	for (int i = 0; i < 4; i++) {
 		bool leads = (led >> i & 1) != 0;
 
 		rest.path[i] = leads ? t->path[i] + t->size[i] + 1 : "";
@@ -281,14 +276,13 @@ static struct trail trail_inside(const struct trail *t, unsigned led)
 }
 
 /* Returns the coordinate whose path ends at the member of that name, or MORE if paths
- * lead into the member; sets their bits in led. Returns ODD if --append adds the name. */
-INLINE int follow(const struct trail *t, int n, int names, struct span name,
-    unsigned *led)
+ * lead into the member; sets their bits in led. */
+INLINE int follow(const struct trail *t, int n, struct span name, unsigned *led)
 {
 	size_t size = (size_t)(name.end - name.s);
 
 	*led = 0;
-	for (int i = 0; i < names; i++) {
+	for (int i = 0; i < n; i++) {
 		const char *path = t->path[i];
 
 		if (t->size[i] != size || *path != *name.s ||
@@ -296,7 +290,7 @@ INLINE int follow(const struct trail *t, int n, int names, struct span name,
 			continue;
 		*led |= 1u << i;
 		if (path[size] != '/')
-			return i < n ? i : ODD;
+			return i;
 	}
 	return *led != 0 ? MORE : NOTHING;
 }
@@ -360,6 +354,18 @@ INLINE bool ends_text(struct walker *p, struct dialect d, int n, bool comma)
 	return stands(p, '\n') || p->comma == comma;
 }
 
+/* Returns whether the name is one that --append adds. */
+static bool is_added(const char (*added)[NAME_ROOM], struct span name)
+{
+	size_t n = (size_t)(name.end - name.s);
+
+	for (int k = 0; k <= COORDINATES_MAX; k++)
+		if (added[k][0] == *name.s && n < NAME_ROOM &&
+		    memcmp(added[k], name.s, n) == 0 && added[k][n] == '\0')
+			return true;
+	return false;
+}
+
 /* The fields of a line, an array or an object. */
 struct fields {
 	int n; /* the number of coordinates */
@@ -389,11 +395,13 @@ INLINE int pass_to_value(struct walker *p, struct dialect d, struct fields *f,
 		return coordinate_of(w, f->n, k);
 	if (f->shape == NONE)
 		return NOTHING;
-	int i = f->members || k < 10 ? follow(f->trail, f->n, w->names, name, led) : ODD;
-	bool again = (f->led & *led) != 0;
+	int i = f->members || k < 10 ? follow(f->trail, f->n, name, led) : ODD;
+	bool odd = (f->led & *led) != 0;
 
 	f->led |= *led;
-	return again ? ODD : i;
+	if (w->added != NULL && f->trail == &w->trail)
+		odd |= is_added(w->added, name);
+	return odd ? ODD : i;
 }
 
 /* Passes field k and the separator after it. Returns MORE, NOTHING if the field is the
