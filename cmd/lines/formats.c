@@ -180,45 +180,35 @@ static const char *json_value(const char *s, const char *end, double *v)
 	return end;
 }
 
-static bool can_copy_to_text(struct dialect d, struct span f)
+/* Returns whether a field of any format means the same in a dialect: a number in JSON, and
+ * elsewhere a text that needs no quotes. */
+static bool can_copy(struct dialect d, struct span f)
 {
-	(void)d;
-	(void)f;
-	return true;
-}
-
-static bool can_copy_to_csv(struct dialect d, struct span f)
-{
+	const struct format_row *to = format_of(d);
 	size_t n = (size_t)(f.end - f.s);
-
-	return memchr(f.s, '"', n) == NULL &&
-	    memchr(f.s, d.separator, n) == NULL;
-}
-
-static bool can_copy_to_json(struct dialect d, struct span f)
-{
 	double v;
 
-	(void)d;
-	return json_number(f.s, f.end, &v) == f.end && isfinite(v);
+	if (*to->open != '\0')
+		return json_number(f.s, f.end, &v) == f.end && isfinite(v);
+	return to->quote == 0 ||
+	    (memchr(f.s, to->quote, n) == NULL &&
+		memchr(f.s, d.separator, n) == NULL);
 }
 
 #define LINES .open = "", .close = "", .unknown = "nan"
 #define CSV                                                                  \
 	LINES, .quote = '"', .escape = '"', .header = true,                  \
-	       .check = csv_check, .next = next_of_csv, .number = csv_value, \
-	       .can_copy = can_copy_to_csv
+	       .check = csv_check, .next = next_of_csv, .number = csv_value
 
 const struct format_row format_rows[] = {
 	[FORMAT_TEXT] = { FORMAT_TEXT, ' ', LINES, .blanks = true,
-	    .next = next_of_text, .number = text_value,
-	    .can_copy = can_copy_to_text },
+	    .next = next_of_text, .number = text_value },
 	[FORMAT_CSV] = { FORMAT_CSV, CSV },
 	[FORMAT_TSV] = { FORMAT_CSV, '\t', CSV },
 	[FORMAT_JSON] = { FORMAT_JSON, ',', .open = "[", .close = "]",
 	    .unknown = "null", .quote = '"', .escape = '\\',
 	    .check = json_line_check, .next = next_of_json,
-	    .number = json_value, .can_copy = can_copy_to_json },
+	    .number = json_value },
 	[FORMAT_F64] = { FORMAT_F64, ',', LINES, .size = sizeof(double) },
 	[FORMAT_F32] = { FORMAT_F32, ',', LINES, .size = sizeof(float) },
 };
@@ -318,7 +308,7 @@ char *format_convert(struct dialect in, struct dialect out, struct span f,
 		d.s = inner.s + 1;
 		d.end = inner.end - 1;
 	}
-	if (quoted || !to->can_copy(out, f))
+	if (quoted || !can_copy(out, f))
 		return put_quoted(to, &d, at);
 	memcpy(at, f.s, (size_t)(f.end - f.s));
 	return at + (f.end - f.s);

@@ -75,8 +75,6 @@ struct format_row {
 	/* Reads the number at s; a missing value is nan. Returns where the number
 	 * ends, NULL if none begins. */
 	const char *(*number)(const char *s, const char *end, double *);
-	/* Returns whether a field of any format may be copied into this one. */
-	bool (*can_copy)(struct dialect, struct span);
 };
 
 /* Both are in the order of enum format; NULL ends the names. */

@@ -363,9 +363,8 @@ size_t walk_lines(struct stretch *, const struct walk *, size_t n,
 
 /* Reads the numbers of the n lines that walk_lines walked. Lines with a bit in left may
  * get any numbers. Returns left, and the bits of other lines that have to be left; all
- * other lines are points. Bytes before readable may be read. */
+ * other lines are points. */
 uint64_t walk_numbers(const struct walk *, const struct line *, size_t n,
-    const struct plain_places[4], uint64_t left, const char *readable,
-    double v[4][PLAIN_BATCH]);
+    const struct plain_places[4], uint64_t left, double v[4][PLAIN_BATCH]);
 
 #endif

@@ -63,11 +63,11 @@ static bool read_coordinates(const struct layout *l, struct cut cut,
  * pointer, is short, and needs no escapes. */
 static bool can_be_added(const char *path)
 {
-	char shown[ESCAPED_MAX];
+	char shown[JSON_ESCAPE_MAX * ADDED_ROOM];
+	size_t n = strlen(path);
 
-	return *path != '/' && strlen(path) < ADDED_ROOM - 8 &&
-	    strpbrk(path, "\"\\") == NULL &&
-	    strcmp(escaped(shown, path, strlen(path)), path) == 0;
+	return *path != '/' && n < ADDED_ROOM - 8 &&
+	    escape_copy(shown, sizeof shown, path, n, true, "") == n;
 }
 
 /* Returns whether the fields of a bad line that are not coordinates can be copied. */

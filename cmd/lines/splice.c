@@ -321,6 +321,15 @@ static void put_rest(struct splice *w)
 	if (line->kind == LINE_POINT && layout_is_first(l) && !l->append) {
 		c.bracket = *in->open != '\0' ? line->s : NULL;
 		cut_behind(&c, line_at(line, l->reads - 1).end);
+		if (in->blanks && to->blanks && l->columns.n == 0 &&
+		    c.s != NULL) {
+			struct span rest = { c.s, c.end };
+
+			*out = ' ';
+			w->out = splice_text(out + 1, rest.s,
+			    trimmed(l->in, rest).end);
+			return;
+		}
 	} else {
 		c = cut_of(l, line);
 	}
@@ -340,18 +349,8 @@ char *line_rest(const struct layout *l, const struct line *line, char *out)
 {
 	struct splice w = { .l = l, .line = line, .out = out, .fields = 1 };
 
-	if (line->kind != LINE_POINT || l->columns.n > 0 ||
-	    !format_of(l->in)->blanks || !format_of(l->out)->blanks) {
-		put_rest(&w);
-		return w.out;
-	}
-	struct span rest = { line_at(line, l->reads - 1).end,
-		line->s + line->size };
-
-	rest.s = skip_separator(rest.s, rest.end);
-	rest = trimmed(l->in, rest);
-	*out = ' ';
-	return splice_text(out + (rest.s < rest.end), rest.s, rest.end);
+	put_rest(&w);
+	return w.out;
 }
 
 /* Writes a line in another format, or a LINE_LOST: all values, then all other fields; by

@@ -559,18 +559,16 @@ INLINE size_t walk_take(struct stretch *s, const struct walk *walk,
 	return i;
 }
 
-/* Points with three coordinates are the most frequent, and have copies of their own. */
+/* Points of three coordinates that are the first fields have copies of their own. */
 INLINE size_t take_dialect(struct stretch *s, const struct walk *walk,
     struct dialect d, size_t max, struct line *lines,
     struct plain_places places[4], uint64_t *left)
 {
-	if (walk->n != 3)
-		return walk_take(s, walk, d, walk->n, COLUMNS, max, lines,
-		    places, left);
-	if (walk->columns)
-		return walk_take(s, walk, d, 3, COLUMNS, max, lines, places,
+	if (walk->n == 3 && !walk->columns)
+		return walk_take(s, walk, d, 3, FIELDS, max, lines, places,
 		    left);
-	return walk_take(s, walk, d, 3, FIELDS, max, lines, places, left);
+	return walk_take(s, walk, d, walk->n, COLUMNS, max, lines, places,
+	    left);
 }
 
 /* A function with all copies would have too few registers. */
@@ -603,36 +601,27 @@ size_t walk_lines(struct stretch *s, const struct walk *walk, size_t n,
 	return take_dialect(s, walk, json, n, lines, places, left);
 }
 
-/* Reads a number that is not plain, such as 1e-3. Returns false if the line has to be
- * left. */
-static bool read_number(struct dialect d, struct span f, const char *readable,
-    double *v)
-{
-	const char *end = d.format == FORMAT_JSON ?
-	    json_number(f.s, f.end, v) :
-	    number_read(f.s, readable, v);
-
-	return end == f.end && !(fabs(*v) > MAGNITUDE_MAX);
-}
-
 uint64_t walk_numbers(const struct walk *walk, const struct line *lines,
     size_t n, const struct plain_places at[4], uint64_t left,
-    const char *readable, double v[4][PLAIN_BATCH])
+    double v[4][PLAIN_BATCH])
 {
+	const struct format_row *in = format_of(walk->in);
 	uint64_t odd[4], some = 0;
 
 	for (int k = 0; k < walk->n; k++)
 		some |= odd[k] = plain_reader()->read(&at[k], n, v[k]);
 	for (some &= ~left; some != 0; some &= some - 1) {
 		int i = __builtin_ctzll(some);
-		bool ok = true;
 
-		for (int k = 0; k < walk->n && ok; k++)
-			ok = (odd[k] >> i & 1) == 0 ||
-			    read_number(walk->in, line_at(&lines[i], k),
-				readable, &v[k][i]);
-		if (!ok)
-			left |= (uint64_t)1 << i;
+		for (int k = 0; k < walk->n; k++) {
+			struct span f = line_at(&lines[i], k);
+
+			/* a number that is not plain, such as 1e-300 */
+			if ((odd[k] >> i & 1) != 0 &&
+			    (in->number(f.s, f.end, &v[k][i]) != f.end ||
+				fabs(v[k][i]) > MAGNITUDE_MAX))
+				left |= (uint64_t)1 << i;
+		}
 	}
 	return left;
 }

@@ -78,7 +78,7 @@ static bool block_walk(struct job *j, struct chunk *c, const struct walk *walk)
 
 	n = walk_lines(&c->stretch, walk, n < PLAIN_BATCH ? n : PLAIN_BATCH,
 	    line, at, &rest);
-	rest = walk_numbers(walk, line, n, at, rest, c->end, v);
+	rest = walk_numbers(walk, line, n, at, rest, v);
 	c->text = c->stretch.text + c->stretch.at;
 	return block_add(j, c, n, rest, v);
 }
