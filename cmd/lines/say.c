@@ -203,28 +203,24 @@ static bool say_guess(const struct names *names, int reads,
 		"elevation", "elev", "ele", "height", "h", "up", "w" };
 
 	for (int k = 0; k < 9 * names->n; k++) {
-		const char *a = names->list[k % names->n];
-		const char *const *axis = axes[k / names->n], *third = NULL;
+		const char *a = names->list[k % names->n], *b;
+		const char *const *axis = axes[k / names->n], *c = NULL;
 		size_t n = strlen(a), size = strlen(axis[0]), at = n - size;
 
 		if (n < size || strcasecmp(a + at, axis[0]) != 0 ||
-		    !can_be_typed(a))
+		    !can_be_typed(a) ||
+		    (b = name_beside(names, a, at, axis[1])) == NULL)
 			continue;
-		const char *b = name_beside(names, a, at, axis[1]);
-
-		for (int i = 0; i < 10 && third == NULL; i++)
-			third = name_beside(names, a, at, heights[i]);
-		for (int i = 0; i < 10 && third == NULL; i++)
-			third = name_beside(names, "", 0, heights[i]);
-		if (b == NULL)
-			continue;
-		say_more(reason, "; say --columns %s,%s", a, b);
-		if (reads > 2)
-			say_more(reason, ",%s", third != NULL ? third : "NAME");
-		if (reads > 3)
-			say_more(reason, ",NAME");
-		if (reads > 3 || (reads > 2 && third == NULL))
-			say_more(reason, ", where NAME is another column");
+		for (int i = 0; i < 20 && c == NULL; i++)
+			c = name_beside(names, a, i < 10 ? at : 0,
+			    heights[i % 10]);
+		say_more(reason, "; say --columns %s,%s%s%s%s%s", a, b,
+		    reads > 2 ? "," : "",
+		    reads < 3 ? "" : c != NULL ? c : "NAME",
+		    reads > 3 ? ",NAME" : "",
+		    reads > 3 || (reads > 2 && c == NULL) ?
+			", where NAME is another column" :
+			"");
 		return true;
 	}
 	return false;

@@ -26,8 +26,7 @@ struct splice {
 	const char *done;      /* bytes before it have been copied or skipped */
 	char *out;             /* the end of the output */
 	size_t fields;         /* the number of fields written so far */
-	unsigned value;        /* bit k: the layout has value k */
-	unsigned put;          /* bit k: value k has been written */
+	unsigned due;          /* bit k: value k is still to be written */
 };
 
 size_t lines_room(const struct layout *l, size_t lines, size_t bytes)
@@ -77,12 +76,6 @@ static const char *value_name(const struct splice *w, int k)
 	return l->name[k];
 }
 
-/* Returns whether the layout has value k and it has not been written. */
-static bool is_due(const struct splice *w, int k)
-{
-	return ((w->value & ~w->put) >> k & 1) != 0;
-}
-
 /* Writes value k, or in a header its name; a coordinate keeps the header's name. */
 static char *put_value(const struct splice *w, int k, char *out)
 {
@@ -102,10 +95,10 @@ static char *put_value(const struct splice *w, int k, char *out)
 static void put_others(struct splice *w, int k, bool members)
 {
 	size_t gap = (size_t)(w->separator.end - w->separator.s);
-	unsigned due = (w->value & ~w->put) >> k << k;
+	unsigned due = w->due >> k << k;
 	char *out = w->out;
 
-	w->put |= due;
+	w->due -= due;
 	for (; due != 0; due &= due - 1) {
 		k = __builtin_ctz(due);
 		if (w->fields++ > 0) {
@@ -147,11 +140,10 @@ static int value_of(const struct splice *w, const struct field *f, bool outer)
 	if (f->name.s == NULL || !outer)
 		return i;
 	for (int k = w->l->reads; k <= FLAGS && i < 0; k++) {
-		const char *name = value_name(w, k);
+		const char *name = w->l->name[k];
 		struct span added = { name, name + strlen(name) };
 
-		if ((w->value >> k & 1) != 0 &&
-		    json_is_name(f->name, added, false))
+		if (*name != '\0' && json_is_name(f->name, added, false))
 			return k;
 	}
 	return i;
@@ -184,7 +176,7 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 	while (cut_next(&c, &f)) {
 		int k = value_of(w, &f, outer);
 
-		if (k >= 0 && !is_due(w, k)) {
+		if (k >= 0 && (w->due >> k & 1) == 0) {
 			struct span gone = cut_out(&f);
 
 			splice_to(w, gone.s);
@@ -202,7 +194,7 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 		}
 		if (k < w->l->reads && outer)
 			w->separator = separator_at(w->l, &f);
-		w->put |= 1u << k;
+		w->due -= 1u << k;
 		if (w->numbers != NULL) {
 			struct span at = k < w->l->reads ? line_at(w->line, k) :
 							   f.value;
@@ -361,8 +353,6 @@ static void convert(struct splice *w)
 	char open = *format_of(l->out)->open, close = *format_of(l->out)->close;
 	bool members = w->line->object && l->out.format == l->in.format;
 
-	w->separator = (struct span){ &l->out.separator,
-		&l->out.separator + 1 };
 	*w->out = members ? '{' : open;
 	w->out += open != '\0';
 	if (l->append)
@@ -377,7 +367,6 @@ static void convert(struct splice *w)
 char *line_write(const struct layout *l, const struct line *line,
     const struct numbers *numbers, const struct word *flags, char *out)
 {
-	static const struct word name = { "flags", 5 };
 	bool header = line->kind == LINE_HEADER;
 	bool same = same_dialect(l->in, l->out);
 
@@ -388,11 +377,11 @@ char *line_write(const struct layout *l, const struct line *line,
 	struct splice w = { .l = l,
 		.line = line,
 		.numbers = header ? NULL : numbers,
-		.flags = header ? &name : flags,
-		.separator = { &l->in.separator, &l->in.separator + 1 },
+		.flags = flags,
+		.separator = { &l->out.separator, &l->out.separator + 1 },
 		.done = line->s,
 		.out = out,
-		.value = ((1u << l->writes) - 1) |
+		.due = ((1u << l->writes) - 1) |
 		    (unsigned)l->flags << FLAGS };
 
 	if (header && !same && format_of(l->out)->blanks)
