@@ -167,7 +167,7 @@ void choose_places(const struct layout *l, const struct chosen *c,
 		/* in csv nan replaces the quotes of a bad number, too */
 		line->at[i] = c->times[i] == 0 ? part_missing :
 		    !whole                     ? line_part(line, f->value) :
-				 line_part(line, trimmed(l->in, f->whole));
+			     line_part(line, trimmed(l->in, f->whole));
 	}
 }
 

@@ -196,8 +196,8 @@ static bool can_copy(struct dialect d, struct span f)
 }
 
 #define LINES .open = "", .close = "", .unknown = "nan"
-#define CSV                                                                  \
-	LINES, .quote = '"', .escape = '"', .header = true,                  \
+#define CSV                                                 \
+	LINES, .quote = '"', .escape = '"', .header = true, \
 	       .check = csv_check, .next = next_of_csv, .number = csv_value
 
 const struct format_row format_rows[] = {
@@ -215,38 +215,6 @@ const struct format_row format_rows[] = {
 
 const char *const format_names[] = { "text", "csv", "tsv", "json", "f64", "f32",
 	NULL };
-
-/* A cursor over the characters of a field, which undoes the escapes of its format. */
-struct decoder {
-	char escape; /* 0: the field has no quotes, and so no escapes */
-	bool utf8;   /* a byte that is not UTF-8 becomes U+FFFD */
-	const char *s, *end;
-	char character[4]; /* the last character, in UTF-8 */
-};
-
-/* Decodes the next character and returns its length in bytes. */
-static int decode(struct decoder *d)
-{
-	unsigned code;
-	int n = 1;
-
-	if (d->escape == '\\' && *d->s == '\\') {
-		d->s = json_unescape(d->s, d->end, d->character, &n);
-		return n;
-	}
-	if (d->utf8)
-		n = utf8_read(d->s, d->end, &code);
-	if (n == 0) {
-		d->s++;
-		return utf8_write(0xfffd, d->character);
-	}
-	memcpy(d->character, d->s, (size_t)n);
-	d->s += n;
-	if (d->escape == '"' && d->character[0] == '"' && d->s < d->end &&
-	    *d->s == '"')
-		d->s++;
-	return n;
-}
 
 /* Writes a control character: as an escape in JSON, and elsewhere as a blank, since it
  * could end the line. A tab in quotes stays. */
@@ -271,23 +239,49 @@ static char *put_control(const struct format_row *out, char c, char *at)
 	return at + 5;
 }
 
-/* Writes the characters of the decoder in quotes, if the format has quotes. */
-static char *put_quoted(const struct format_row *out, struct decoder *d,
-    char *at)
+/* Moves *s past the next character of a field of that escape, or 0, and decodes it to c.
+ * Returns its length in bytes. If utf8, a byte that is not UTF-8 becomes U+FFFD. */
+static int decode(const char **s, const char *end, char escape, bool utf8,
+    char c[4])
 {
+	unsigned code;
+	int n = 1;
+
+	if (escape == '\\' && **s == '\\') {
+		*s = json_unescape(*s, end, c, &n);
+		return n;
+	}
+	if (utf8)
+		n = utf8_read(*s, end, &code);
+	if (n == 0) {
+		++*s;
+		return utf8_write(0xfffd, c);
+	}
+	memcpy(c, *s, (size_t)n);
+	*s += n;
+	*s += escape == '"' && *c == '"' && *s < end && **s == '"';
+	return n;
+}
+
+/* Writes the text f, which has that escape, in quotes, if the format has quotes. */
+static char *put_quoted(const struct format_row *out, struct span f,
+    char escape, char *at)
+{
+	char c[4] = "";
+
 	*at = out->quote;
 	at += out->quote != 0;
-	while (d->s < d->end) {
-		int n = decode(d);
-		char c = d->character[0];
+	while (f.s < f.end) {
+		int n = decode(&f.s, f.end, escape, out->escape == '\\', c);
 
-		if ((unsigned char)c < ' ') {
-			at = put_control(out, c, at);
+		if ((unsigned char)c[0] < ' ') {
+			at = put_control(out, c[0], at);
 			continue;
 		}
-		if (out->quote != 0 && (c == out->quote || c == out->escape))
+		if (out->quote != 0 &&
+		    (c[0] == out->quote || c[0] == out->escape))
 			*at++ = out->escape;
-		memcpy(at, d->character, (size_t)n);
+		memcpy(at, c, (size_t)n);
 		at += n;
 	}
 	*at = out->quote;
@@ -301,15 +295,14 @@ char *format_convert(struct dialect in, struct dialect out, struct span f,
 	struct span inner = from->header ? trimmed(in, f) : f;
 	bool quoted = from->quote != 0 && inner.end - inner.s >= 2 &&
 	    *inner.s == '"' && inner.end[-1] == '"';
-	struct decoder d = { 0, to->escape == '\\', f.s, f.end, "" };
 
 	if (quoted) {
-		d.escape = from->escape;
-		d.s = inner.s + 1;
-		d.end = inner.end - 1;
+		inner.s++;
+		inner.end--;
+		return put_quoted(to, inner, from->escape, at);
 	}
-	if (quoted || !can_copy(out, f))
-		return put_quoted(to, &d, at);
+	if (!can_copy(out, f))
+		return put_quoted(to, f, 0, at);
 	memcpy(at, f.s, (size_t)(f.end - f.s));
 	return at + (f.end - f.s);
 }

@@ -15,8 +15,8 @@ struct cut header_cut(struct dialect d, struct span text)
 	const bool mark = after < text.end && *after == '#';
 
 	after += mark;
-	while (mark && d.separator == ' ' && after < text.end &&
-	    is_blank(*after))
+	while (
+	    mark && d.separator == ' ' && after < text.end && is_blank(*after))
 		after++;
 	const char *next = skip_blanks(d, after, text.end);
 

@@ -343,7 +343,7 @@ struct walk {
 	struct trail trail;   /* paths to members of objects */
 	/* NULL, or names that a line may not have, as --append adds them */
 	const char (*added)[NAME_ROOM];
-	bool columns;         /* coordinate i is field[i]; false: field i */
+	bool columns; /* coordinate i is field[i]; false: field i */
 	int field[4];
 };
 

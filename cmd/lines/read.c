@@ -123,21 +123,22 @@ static bool is_right(const struct layout *l, struct cut cut,
 	return false;
 }
 
-/* Finds the coordinates of a line and reads them. Changes its kind from LINE_LOST to
- * LINE_POINT or LINE_BAD, or to LINE_REFUSED if the first row does not fit its header. */
+/* Finds the coordinates of a line and reads them. Sets the kind of the line: LINE_REFUSED
+ * if the first row does not fit its header. */
 static void read_fields(const struct layout *l, struct span text,
-    bool first_row, struct line *line, double v[4], char reason[REASON_MAX])
+    enum first first, struct line *line, double v[4], char reason[REASON_MAX])
 {
 	const struct format_row *in = format_of(l->in);
 	struct chosen c;
 
+	line->kind = LINE_LOST;
 	line->object = *in->open != '\0' &&
 	    *skip_blanks(l->in, text.s, text.end) == '{';
 	if (in->check != NULL && !in->check(l->in, text, reason))
 		return;
 	struct cut cut = cut_line(l->in, text);
 
-	if (first_row && header_is_short(l, cut, reason)) {
+	if (first == FIRST_ROW && header_is_short(l, cut, reason)) {
 		line->kind = LINE_REFUSED;
 		return;
 	}
@@ -157,49 +158,28 @@ static void read_fields(const struct layout *l, struct span text,
 	if (line_is_bad(line) && !l->append && !can_be_kept(l, cut, &c))
 		line->kind = LINE_LOST;
 	choose_places(l, &c, line);
+	if (first == FIRST_LINE && line_is_bad(line) && in->blanks &&
+	    l->columns.n == 0)
+		say_text_header(l, text, reason);
 }
 
-/* Returns whether the first line is read as a point. Else it is a header, or it is bad
- * for a reason that concerns all lines: they end in carriage returns (which are blanks
- * in JSON), or are JSON. */
-static bool read_first_line(struct layout *l, struct span text,
-    struct line *line, char reason[REASON_MAX])
-{
-	const struct format_row *in = format_of(l->in);
-	const char *s = skip_blanks(l->in, text.s, text.end);
-
-	if ((*in->open == '\0' || *s == '#') &&
-	    format_is_old(l->in, text, reason))
-		return false;
-	if (!in->header)
-		return true;
-	if (*s != '{')
-		return !header_read(l, text, line, reason);
-	snprintf(reason, REASON_MAX, "looks like JSON; say -i json");
-	return false;
-}
-
-/* Returns whether the line, whose first character after blanks is at s, is a comment;
- * not a header with a #, a row of a table with a header, such as #N/A,2,3, or a whole
- * source whose lines end in carriage returns. */
-static bool is_comment(struct layout *l, struct span text, const char *s,
+/* Returns whether the line, whose first character after blanks is the # at s, is a comment;
+ * not a header with a #, or a row of a table with a header, such as #N/A,2,3. */
+static bool is_comment(const struct layout *l, struct span text, const char *s,
     bool first)
 {
-	char reason[REASON_MAX];
-
-	if (*s != '#')
-		return false;
 	if (first)
-		return !header_in_comment(l, text) &&
-		    !format_is_old(l->in, text, reason);
+		return !header_in_comment(l, text);
 	/* where blanks separate, "# x y z" is a comment */
 	return l->fields < 2 || (l->in.separator == ' ' && is_blank(s[1])) ||
 	    cut_count(cut_line(l->in, text)) != l->fields;
 }
 
+/* In JSON the carriage returns that may end lines are blanks. */
 void line_read(struct layout *l, struct span text, enum first *first,
     struct line *line, double v[4], char reason[REASON_MAX])
 {
+	const struct format_row *in = format_of(l->in);
 	const enum first was = *first;
 
 	*line = (struct line){ .s = text.s,
@@ -211,16 +191,19 @@ void line_read(struct layout *l, struct span text, enum first *first,
 	}
 	const char *s = skip_blanks(l->in, text.s, text.end);
 
-	if (s == text.end || is_comment(l, text, s, was == FIRST_LINE))
+	if (s == text.end)
 		return;
-	line->kind = LINE_LOST;
-	if (was == FIRST_LINE && !read_first_line(l, text, line, reason)) {
-		*first = line->kind == LINE_HEADER ? FIRST_ROW : FIRST_IS_READ;
+	if (was == FIRST_LINE && (*in->open == '\0' || *s == '#') &&
+	    format_is_old(l->in, text, reason)) {
+		line->kind = LINE_LOST;
+	} else if (*s == '#' && is_comment(l, text, s, was == FIRST_LINE)) {
 		return;
+	} else if (was == FIRST_LINE && in->header && *s == '{') {
+		line->kind = LINE_LOST;
+		snprintf(reason, REASON_MAX, "looks like JSON; say -i json");
+	} else if (was != FIRST_LINE || !in->header ||
+	    !header_read(l, text, line, reason)) {
+		read_fields(l, text, was, line, v, reason);
 	}
-	*first = FIRST_IS_READ;
-	read_fields(l, text, was == FIRST_ROW, line, v, reason);
-	if (was == FIRST_LINE && line_is_bad(line) &&
-	    format_of(l->in)->blanks && l->columns.n == 0)
-		say_text_header(l, text, reason);
+	*first = line->kind == LINE_HEADER ? FIRST_ROW : FIRST_IS_READ;
 }

@@ -216,7 +216,9 @@ static bool say_guess(const struct names *names, int reads,
 			    heights[i % 10]);
 		say_more(reason, "; say --columns %s,%s%s%s%s%s", a, b,
 		    reads > 2 ? "," : "",
-		    reads < 3 ? "" : c != NULL ? c : "NAME",
+		    reads < 3     ? "" :
+			c != NULL ? c :
+				    "NAME",
 		    reads > 3 ? ",NAME" : "",
 		    reads > 3 || (reads > 2 && c == NULL) ?
 			", where NAME is another column" :

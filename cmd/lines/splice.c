@@ -381,8 +381,7 @@ char *line_write(const struct layout *l, const struct line *line,
 		.separator = { &l->out.separator, &l->out.separator + 1 },
 		.done = line->s,
 		.out = out,
-		.due = ((1u << l->writes) - 1) |
-		    (unsigned)l->flags << FLAGS };
+		.due = ((1u << l->writes) - 1) | (unsigned)l->flags << FLAGS };
 
 	if (header && !same && format_of(l->out)->blanks)
 		w.out = stpcpy(w.out, "# ");
