@@ -5,8 +5,6 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "../message/utf8.h"
-
 /* A # before a separator is a field and not the beginning of a comment; but if blanks
  * separate fields, "# x y z" is a comment. */
 struct cut header_cut(struct dialect d, struct span text)
@@ -43,28 +41,15 @@ static int find_missing(const struct layout *l, const struct chosen *c)
 static bool is_clear(const struct layout *l, struct cut header,
     const struct chosen *c, char reason[REASON_MAX])
 {
-	const bool by_header = l->columns.by_header;
-	char shown[ESCAPED_MAX];
 	int i = find_missing(l, c);
 
+	if (i == l->reads && l->columns.by_header)
+		for (i = 0; i < l->reads && c->times[i] == 1;)
+			i++;
 	if (i < l->reads) {
-		const char *name = l->columns.name[i];
-
-		snprintf(reason, REASON_MAX, "the header has no column '%s'",
-		    escaped(shown, name, strlen(name)));
-		say_names(l, header, by_header ? NULL : name, reason);
+		say_missing(l, i, header, c, reason);
 		return false;
 	}
-	for (i = 0; i < l->reads && by_header; i++)
-		if (c->times[i] > 1) {
-			snprintf(reason, REASON_MAX,
-			    "the header has two columns for %s, %ld and %ld; "
-			    "say with --columns, by number, which the "
-			    "coordinates are",
-			    coordinate_name(i), c->place[i] + 1,
-			    c->again[i] + 1);
-			return false;
-		}
 	i = choose_overlap(l, c);
 	if (i > 0)
 		snprintf(reason, REASON_MAX, "two coordinates are column %ld",
@@ -93,8 +78,7 @@ static bool is_counted(const struct layout *l, struct cut c,
 	return true;
 }
 
-/* Returns whether any coordinate is found by the name of its column. */
-static bool is_named(const struct layout *l)
+bool header_is_named(const struct layout *l)
 {
 	for (int i = 0; i < l->reads; i++)
 		if (l->columns.name[i] != NULL)
@@ -133,17 +117,22 @@ static bool looks_like_header(const struct layout *l, struct cut header)
 	return !unknown && !odd;
 }
 
-bool header_in_comment(const struct layout *l, struct span text)
+bool header_in_comment(const struct layout *l, struct span text, bool first)
 {
 	struct cut header = header_cut(l->in, text);
-	struct chosen chosen;
+	const char *s = skip_blanks(l->in, text.s, text.end);
+	struct chosen c;
 
 	if (!format_of(l->in)->header)
-		return false;
-	choose(l, header, &chosen);
-	return header.s == text.s ||
-	    (l->header != HEADER_NONE && is_named(l) &&
-		find_missing(l, &chosen) == l->reads);
+		return true;
+	if (!first) /* where blanks separate, "# x y z" is a comment */
+		return l->fields < 2 ||
+		    (l->in.separator == ' ' && is_blank(s[1])) ||
+		    cut_count(cut_line(l->in, text)) != l->fields;
+	choose(l, header, &c);
+	return header.s != text.s &&
+	    (l->header == HEADER_NONE || !header_is_named(l) ||
+		find_missing(l, &c) < l->reads);
 }
 
 bool header_read(struct layout *l, struct span text, struct line *line,
@@ -157,7 +146,7 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 	if (c->by_header)
 		c->n = 0;
 	const bool maybe = l->header == HEADER_MAYBE &&
-	    (c->by_header || !is_named(l));
+	    (c->by_header || !header_is_named(l));
 	const bool counted = maybe && is_counted(l, header, reason);
 
 	if (l->header == HEADER_NONE ||
@@ -186,7 +175,7 @@ bool header_is_short(const struct layout *l, struct cut c,
 
 	for (; cut_next(&c, &f); blanks |= say_blanks(l, &f, reason))
 		n += f.next != NULL || f.value.s < f.value.end;
-	if (!is_named(l) || n <= l->fields)
+	if (!header_is_named(l) || n <= l->fields)
 		return false;
 	if (!blanks)
 		snprintf(reason, REASON_MAX,

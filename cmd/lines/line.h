@@ -213,15 +213,8 @@ struct cut cut_line(struct dialect, struct span line);
  * line. */
 struct cut cut_value(struct span value, const char *end);
 
-/* Moves the cut to the field after the one whose value ends at s. */
-void cut_behind(struct cut *, const char *s);
-
 /* Sets the next field and moves behind it. Returns false after the last field. */
 bool cut_next(struct cut *, struct field *);
-
-/* Returns the text that has to be deleted with a field: the field and the separator
- * before it, or after it if it is the first. */
-struct span cut_out(const struct field *);
 
 /* Returns the number of fields after the cut. */
 size_t cut_count(struct cut);
@@ -260,9 +253,10 @@ bool is_index(struct span token, long k);
 /* Decides whether the first line of csv is a header, and finds the coordinates by its
  * names. */
 
-/* Returns whether the first line, which begins with #, is a header or a row and not a
- * comment: # is a field alone, or the names of all coordinates follow. */
-bool header_in_comment(const struct layout *, struct span text);
+/* Returns whether a line that begins with #, the first or another, is a comment. It is a
+ * header or a row if # is a field alone, the names of all coordinates follow, or a table
+ * with a header has a row such as #N/A,2,3. */
+bool header_in_comment(const struct layout *, struct span text, bool first);
 
 /* Reads the first line, whose text has no byte order mark. Returns false if the line is
  * a row. Else sets its kind to LINE_HEADER, and the layout's columns and fields; or to
@@ -276,6 +270,9 @@ bool header_read(struct layout *, struct span text, struct line *,
  * name is one column too far to the left. */
 bool header_is_short(const struct layout *, struct cut row,
     char reason[REASON_MAX]);
+
+/* Returns whether any coordinate is found by the name of its column. */
+bool header_is_named(const struct layout *);
 
 /* Returns a cut before the first name of a header without a byte order mark. */
 struct cut header_cut(struct dialect, struct span text);
@@ -295,12 +292,9 @@ void say_field(const struct layout *, int i, struct span f,
 bool say_blanks(const struct layout *, const struct field *f,
     char reason[REASON_MAX]);
 
-/* Adds to the reason the names of the columns or members of the cut, and if one of them
- * is near the name typed, asks for it: "; did you mean 'x'? it has x, y, z". If typed is
- * NULL, as --columns is not given, guesses the option: "; say --columns lon,lat,h; it has
- * h, lat, lon". */
-void say_names(const struct layout *, struct cut, const char *typed,
-    char reason[REASON_MAX]);
+/* Writes why coordinate i was not found in the cut, or found twice. */
+void say_missing(const struct layout *, int i, struct cut,
+    const struct chosen *, char reason[REASON_MAX]);
 
 /* Writes that the first line of text looks like a header, if none of its first fields
  * is a number. */

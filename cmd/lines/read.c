@@ -5,31 +5,6 @@
 #include "line.h"
 #include "../message/utf8.h"
 
-/* Writes why coordinate i was not found, or found twice. */
-static void say_missing(const struct layout *l, int i, struct cut cut,
-    const struct chosen *c, char reason[REASON_MAX])
-{
-	const char *path = cut.members ? l->columns.name[i] : NULL;
-	char word[ESCAPED_MAX];
-
-	if (path != NULL && c->times[i] > 1) {
-		snprintf(reason, REASON_MAX, "has two members '%s'",
-		    escaped(word, path, strlen(path)));
-	} else if (path != NULL) {
-		snprintf(reason, REASON_MAX, "has no member '%s'%s",
-		    escaped(word, path, strlen(path)),
-		    l->columns.n > 0 ? "" :
-				       "; --columns names the coordinates");
-		say_names(l, cut, path, reason);
-	} else if (l->columns.n == 0) {
-		say_field(l, i, (struct span){ NULL, NULL }, reason);
-	} else {
-		snprintf(reason, REASON_MAX,
-		    "%s is missing: there is no field %d", coordinate_name(i),
-		    l->columns.field[i] + 1);
-	}
-}
-
 /* Reads the numbers v of the coordinates. Returns false, with the reason, at the first
  * that is not a number within the range. */
 static bool read_coordinates(const struct layout *l, struct cut cut,
@@ -163,18 +138,6 @@ static void read_fields(const struct layout *l, struct span text,
 		say_text_header(l, text, reason);
 }
 
-/* Returns whether the line, whose first character after blanks is the # at s, is a comment;
- * not a header with a #, or a row of a table with a header, such as #N/A,2,3. */
-static bool is_comment(const struct layout *l, struct span text, const char *s,
-    bool first)
-{
-	if (first)
-		return !header_in_comment(l, text);
-	/* where blanks separate, "# x y z" is a comment */
-	return l->fields < 2 || (l->in.separator == ' ' && is_blank(s[1])) ||
-	    cut_count(cut_line(l->in, text)) != l->fields;
-}
-
 /* In JSON the carriage returns that may end lines are blanks. */
 void line_read(struct layout *l, struct span text, enum first *first,
     struct line *line, double v[4], char reason[REASON_MAX])
@@ -196,7 +159,7 @@ void line_read(struct layout *l, struct span text, enum first *first,
 	if (was == FIRST_LINE && (*in->open == '\0' || *s == '#') &&
 	    format_is_old(l->in, text, reason)) {
 		line->kind = LINE_LOST;
-	} else if (*s == '#' && is_comment(l, text, s, was == FIRST_LINE)) {
+	} else if (*s == '#' && header_in_comment(l, text, was == FIRST_LINE)) {
 		return;
 	} else if (was == FIRST_LINE && in->header && *s == '{') {
 		line->kind = LINE_LOST;
@@ -205,5 +168,9 @@ void line_read(struct layout *l, struct span text, enum first *first,
 	    !header_read(l, text, line, reason)) {
 		read_fields(l, text, was, line, v, reason);
 	}
+	/* the fields of --columns lon,lat are not known without a header */
+	if (was == FIRST_LINE && line->kind == LINE_LOST && in->header &&
+	    !l->columns.by_header && header_is_named(l))
+		line->kind = LINE_REFUSED;
 	*first = line->kind == LINE_HEADER ? FIRST_ROW : FIRST_IS_READ;
 }

@@ -228,7 +228,11 @@ static bool say_guess(const struct names *names, int reads,
 	return false;
 }
 
-void say_names(const struct layout *l, struct cut c, const char *typed,
+/* Adds to the reason the names of the columns or members of the cut, and if one of them
+ * is near the name typed, asks for it: "; did you mean 'x'? it has x, y, z". If typed is
+ * NULL, as --columns is not given, guesses the option: "; say --columns lon,lat,h; it has
+ * h, lat, lon". */
+static void say_names(const struct layout *l, struct cut c, const char *typed,
     char reason[REASON_MAX])
 {
 	const size_t room = REASON_MAX - ESCAPED_MAX - 8;
@@ -262,6 +266,41 @@ void say_names(const struct layout *l, struct cut c, const char *typed,
 		    escaped(shown, names.list[i], strlen(names.list[i])));
 	if (i < names.n || names.more)
 		say_more(reason, i > 0 ? ", ..." : "...");
+}
+
+void say_missing(const struct layout *l, int i, struct cut cut,
+    const struct chosen *c, char reason[REASON_MAX])
+{
+	const bool guess = cut.names && l->columns.by_header;
+	const char *name = cut.members || cut.names ? l->columns.name[i] : NULL;
+	char shown[ESCAPED_MAX];
+
+	if (name == NULL && l->columns.n == 0) {
+		say_field(l, i, (struct span){ NULL, NULL }, reason);
+		return;
+	}
+	*reason = '\0';
+	escaped(shown, name != NULL ? name : "",
+	    name != NULL ? strlen(name) : 0);
+	if (name == NULL) {
+		say_more(reason, "%s is missing: there is no field %d",
+		    coordinate_name(i), l->columns.field[i] + 1);
+	} else if (c->times[i] == 0) {
+		say_more(reason, "%s '%s'%s",
+		    cut.names ? "the header has no column" : "has no member",
+		    shown,
+		    cut.names || l->columns.n > 0 ?
+			"" :
+			"; --columns names the coordinates");
+		say_names(l, cut, guess ? NULL : name, reason);
+	} else if (cut.names) {
+		say_more(reason,
+		    "the header has two columns for %s, %ld and %ld; say with "
+		    "--columns, by number, which the coordinates are",
+		    name, c->place[i] + 1, c->again[i] + 1);
+	} else {
+		say_more(reason, "has two members '%s'", shown);
+	}
 }
 
 void say_text_header(const struct layout *l, struct span line,

@@ -165,6 +165,16 @@ static struct span separator_at(const struct layout *l, const struct field *f)
 	    one;
 }
 
+/* Returns the text that has to be deleted with a field: the field and the separator
+ * before it, or after it if it is the first. */
+static struct span cut_out(const struct field *f)
+{
+	if (f->from != NULL)
+		return (struct span){ f->from, f->whole.end };
+	return (struct span){ f->whole.s,
+		f->next != NULL ? f->next : f->whole.end };
+}
+
 /* Splices the fields of a line, or if not outer of a value inside: replaces a field
  * that has a value (see value_of) by it, or deletes the field if the value is not due.
  * Adds the other values after coordinate last, or at the end if last is -1. */
@@ -264,6 +274,23 @@ static void append(struct splice *w)
 			w->separator = separator_at(w->l, &f);
 	splice_to(w, s.end);
 	put_others(w, 0, w->line->object);
+}
+
+/* Moves the cut to the field after the one whose value ends at s. */
+static void cut_behind(struct cut *c, const char *s)
+{
+	const char *end = c->end, *after;
+
+	c->from = s;
+	if (format_of(c->in)->blanks) {
+		after = skip_separator(s, end);
+		c->s = after < end ? after : NULL;
+		return;
+	}
+	after = skip_blanks(c->in, s + (s < end && *s == '"'), end);
+	c->s = after < end && *after == c->in.separator ? after + 1 : NULL;
+	if (c->s != NULL && c->bracket != NULL)
+		c->s = json_space(c->s, end);
 }
 
 /* Writes the numbers of a binary record that are not coordinates. */
