@@ -148,36 +148,22 @@ static bool csv_check(struct dialect d, struct span line,
 	return !f.open;
 }
 
-/* Reads a number, or a word for a missing value, such as NA, as nan. */
-static const char *text_value(const char *s, const char *end, double *v)
+const char *format_number(struct dialect d, const char *s, const char *end,
+    double *v)
 {
-	static const char words[][5] = { "NA", "N/A", "n/a", "na", "null",
-		"NULL" };
-	const char *after = number_read(s, end, v);
+	static const char words[][5] = { "null", "NA", "N/A", "n/a", "na",
+		"NULL", "" };
+	const struct format_row *in = format_of(d);
+	const char *after = *in->open != '\0' ? json_number(s, end, v) :
+						number_read(s, end, v);
 
-	for (size_t i = 0; i < 6 && after == NULL; i++)
+	for (int i = 0; i < in->missing && after == NULL; i++)
 		if (strlen(words[i]) == (size_t)(end - s) &&
 		    memcmp(words[i], s, (size_t)(end - s)) == 0) {
 			*v = (double)NAN;
 			after = end;
 		}
 	return after;
-}
-
-static const char *csv_value(const char *s, const char *end, double *v)
-{
-	if (s < end)
-		return text_value(s, end, v);
-	*v = (double)NAN;
-	return end;
-}
-
-static const char *json_value(const char *s, const char *end, double *v)
-{
-	if (end - s != 4 || memcmp(s, "null", 4) != 0)
-		return json_number(s, end, v);
-	*v = (double)NAN;
-	return end;
 }
 
 /* Returns whether a field of any format means the same in a dialect: a number in JSON, and
@@ -196,19 +182,18 @@ static bool can_copy(struct dialect d, struct span f)
 }
 
 #define LINES .open = "", .close = "", .unknown = "nan"
-#define CSV                                                 \
-	LINES, .quote = '"', .escape = '"', .header = true, \
-	       .check = csv_check, .next = next_of_csv, .number = csv_value
+#define CSV                                                               \
+	LINES, .quote = '"', .escape = '"', .header = true, .missing = 7, \
+	       .check = csv_check, .next = next_of_csv
 
 const struct format_row format_rows[] = {
-	[FORMAT_TEXT] = { FORMAT_TEXT, ' ', LINES, .blanks = true,
-	    .next = next_of_text, .number = text_value },
+	[FORMAT_TEXT] = { FORMAT_TEXT, ' ', LINES, .blanks = true, .missing = 6,
+	    .next = next_of_text },
 	[FORMAT_CSV] = { FORMAT_CSV, CSV },
 	[FORMAT_TSV] = { FORMAT_CSV, '\t', CSV },
 	[FORMAT_JSON] = { FORMAT_JSON, ',', .open = "[", .close = "]",
-	    .unknown = "null", .quote = '"', .escape = '\\',
-	    .check = json_line_check, .next = next_of_json,
-	    .number = json_value },
+	    .unknown = "null", .quote = '"', .escape = '\\', .missing = 1,
+	    .check = json_line_check, .next = next_of_json },
 	[FORMAT_F64] = { FORMAT_F64, ',', LINES, .size = sizeof(double) },
 	[FORMAT_F32] = { FORMAT_F32, ',', LINES, .size = sizeof(float) },
 };

@@ -108,7 +108,7 @@ static bool looks_like_header(const struct layout *l, struct cut header)
 
 		if (c.times[i] == 0)
 			continue;
-		if (format_of(l->in)->number(f.s, f.end, &v) != f.end)
+		if (format_number(l->in, f.s, f.end, &v) != f.end)
 			unknown = false;
 		else if (!isnan(v))
 			return false;

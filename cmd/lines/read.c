@@ -10,26 +10,21 @@
 static bool read_coordinates(const struct layout *l, struct cut cut,
     const struct chosen *c, double v[4], char reason[REASON_MAX])
 {
-	const struct format_row *in = format_of(l->in);
-
 	for (int i = 0; i < l->reads; i++) {
 		const struct field *f = &c->field[i];
+		const char *end = f->value.end;
 
-		if (c->times[i] != 1) {
+		if (c->times[i] != 1)
 			say_missing(l, i, cut, c, reason);
-			return false;
-		}
-		if (in->number(f->value.s, f->value.end, &v[i]) !=
-		    f->value.end) {
+		else if (format_number(l->in, f->value.s, end, &v[i]) != end)
 			/* the message shows the quotes of csv */
-			say_field(l, i, in->header ? f->whole : f->value,
+			say_field(l, i,
+			    format_of(l->in)->header ? f->whole : f->value,
 			    reason);
-			return false;
-		}
-		if (say_blanks(l, f, reason))
-			return false;
-		if (!say_range(i, v[i], reason))
-			return false;
+		else if (!say_blanks(l, f, reason) &&
+		    say_range(i, v[i], reason))
+			continue;
+		return false;
 	}
 	return true;
 }

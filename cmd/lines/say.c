@@ -313,8 +313,7 @@ void say_text_header(const struct layout *l, struct span line,
 	for (int i = 0; i < l->reads && cut_next(&c, &f); i++) {
 		double v;
 
-		if (format_of(l->in)->number(f.value.s, f.value.end, &v) !=
-			NULL ||
+		if (format_number(l->in, f.value.s, f.value.end, &v) != NULL ||
 		    (i == 0 && (*f.value.s == '[' || *f.value.s == '{')))
 			return;
 	}

@@ -605,7 +605,6 @@ uint64_t walk_numbers(const struct walk *walk, const struct line *lines,
     size_t n, const struct plain_places at[4], uint64_t left,
     double v[4][PLAIN_BATCH])
 {
-	const struct format_row *in = format_of(walk->in);
 	uint64_t odd[4], some = 0;
 
 	for (int k = 0; k < walk->n; k++)
@@ -618,7 +617,8 @@ uint64_t walk_numbers(const struct walk *walk, const struct line *lines,
 
 			/* a number that is not plain, such as 1e-300 */
 			if ((odd[k] >> i & 1) != 0 &&
-			    (in->number(f.s, f.end, &v[k][i]) != f.end ||
+			    (format_number(walk->in, f.s, f.end, &v[k][i]) !=
+				    f.end ||
 				fabs(v[k][i]) > MAGNITUDE_MAX))
 				left |= (uint64_t)1 << i;
 		}
