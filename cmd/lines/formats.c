@@ -99,7 +99,9 @@ static void next_of_csv(struct cut *c, struct field *f)
 			f->open = false;
 			break;
 		}
-	s = s < end ? memchr(s, c->in.separator, (size_t)(end - s)) : NULL;
+	if (s == end || *s != c->in.separator)
+		s = s < end ? memchr(s, c->in.separator, (size_t)(end - s)) :
+			      NULL;
 	f->next = s != NULL ? s + 1 : NULL;
 	f->whole.end = s != NULL ? s : end;
 	if (s == NULL && end > c->s && end[-1] == '\r')

@@ -80,7 +80,7 @@ static bool is_right(const struct layout *l, struct cut cut,
 		    "has %zu fields and the header %zu; --append would put the "
 		    "image below other names",
 		    fields, l->fields);
-	else if (choose_overlap(l, c) > 0)
+	else if (cut.bracket != NULL && choose_overlap(l, c) > 0)
 		snprintf(reason, REASON_MAX,
 		    "has a coordinate in another; --columns names values "
 		    "apart");
