@@ -176,17 +176,6 @@ INLINE bool is_narrow(const char *s, const char *end)
 	    (end[-1] == '.'));
 }
 
-/* Returns whether the text is a number or a word of JSON. */
-static bool is_scalar(const char *s, const char *end)
-{
-	size_t n = (size_t)(end - s);
-
-	return json_number_end(s, end) == end ||
-	    (n == 4 && memcmp(s, "true", 4) == 0) ||
-	    (n == 5 && memcmp(s, "false", 5) == 0) ||
-	    (n == 4 && memcmp(s, "null", 4) == 0);
-}
-
 /* The destination of the coordinates of line i, which begins at begin. */
 struct target {
 	const struct walk *walk;
@@ -314,7 +303,8 @@ INLINE bool pass_value(struct walker *p, const struct target *t,
 	if (stands(p, '"'))
 		return pass_string(p, false);
 	p->at = *p->stop;
-	return is_scalar(p->text + from, p->text + p->at);
+	return json_scalar_end(p->text + from, p->text + p->at) ==
+	    p->text + p->at;
 }
 
 /* Passes the name of a member and the colon. Returns false if the line has to be left. */
@@ -571,12 +561,10 @@ INLINE size_t take_dialect(struct stretch *s, const struct walk *walk,
 	    left);
 }
 
-/* A function with all copies would have too few registers. */
-#define NOINLINE static __attribute__((noinline))
-
-NOINLINE size_t take_objects(struct stretch *s, const struct walk *walk,
-    size_t max, struct line *lines, struct plain_places places[4],
-    uint64_t *left)
+/* If walk_lines had this copy, too, it would have too few registers. */
+static __attribute__((noinline)) size_t take_objects(struct stretch *s,
+    const struct walk *walk, size_t max, struct line *lines,
+    struct plain_places places[4], uint64_t *left)
 {
 	return walk_take(s, walk, (struct dialect){ FORMAT_JSON, ',' }, walk->n,
 	    PATHS, max, lines, places, left);
