@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Writes lines that in_place.h does not write. There are four ways: convert_point and
- * convert_line write a point, or another line, in another format; append keeps the line
+ * convert write a point, or another line, in another format; append keeps the line
  * and adds values; splice cuts the line into fields again and decides for each whether it
  * stays, changes or goes.
  *
@@ -391,12 +391,38 @@ static void convert(struct splice *w)
 	w->out += close != '\0';
 }
 
+/* Does as convert for a point without --append, which is the frequent case. */
+static char *convert_point(const struct layout *l, const struct line *line,
+    struct numbers n, const struct word *flags, char *out)
+{
+	const struct format_row *to = format_of(l->out);
+
+	*out = *to->open;
+	out = put_coordinate(l, n, 0, out + (*to->open != '\0'));
+	for (int k = 1; k < l->writes; k++) {
+		*out++ = l->out.separator;
+		out = put_coordinate(l, n, k, out);
+	}
+	if (flags != NULL) {
+		*out++ = l->out.separator;
+		out = put_word(l, flags, out);
+	}
+	out = line_rest(l, line, out);
+	*out = *to->close;
+	out += *to->close != '\0';
+	*out = '\n';
+	return out + line->newline;
+}
+
 char *line_write(const struct layout *l, const struct line *line,
     const struct numbers *numbers, const struct word *flags, char *out)
 {
 	bool header = line->kind == LINE_HEADER;
 	bool same = same_dialect(l->in, l->out);
 
+	if (line->kind == LINE_POINT && !same && !l->append)
+		return convert_point(l, line, *numbers, l->flags ? flags : NULL,
+		    out);
 	if ((header || line->kind == LINE_COPY) &&
 	    (*format_of(l->in)->open != '\0' ||
 		*format_of(l->out)->open != '\0'))
