@@ -119,7 +119,6 @@ static bool looks_like_header(const struct layout *l, struct cut header)
 
 bool header_in_comment(const struct layout *l, struct span text, bool first)
 {
-	struct cut header = header_cut(l->in, text);
 	const char *s = skip_blanks(l->in, text.s, text.end);
 	struct chosen c;
 
@@ -129,6 +128,8 @@ bool header_in_comment(const struct layout *l, struct span text, bool first)
 		return l->fields < 2 ||
 		    (l->in.separator == ' ' && is_blank(s[1])) ||
 		    cut_count(cut_line(l->in, text)) != l->fields;
+	struct cut header = header_cut(l->in, text);
+
 	choose(l, header, &c);
 	return header.s != text.s &&
 	    (l->header == HEADER_NONE || !header_is_named(l) ||
