@@ -224,7 +224,7 @@ size_t cut_count(struct cut);
 
 enum { SOUGHT = 4 + COORDINATES_MAX + 1 };
 
-/* What is found of the coordinates and, from 4 on, of the names of the layout. */
+/* The coordinates that choose found and, from 4 on, the names of the layout. */
 struct chosen {
 	struct field field[SOUGHT]; /* the first of each that was found */
 	int times[SOUGHT];          /* how often it was found; 0: missing */
@@ -232,7 +232,7 @@ struct chosen {
 	bool mixed; /* only some separators of text have a comma */
 };
 
-/* Goes once over the fields of the cut. */
+/* Finds them in one pass over the fields of the cut. */
 void choose(const struct layout *, struct cut, struct chosen *);
 
 /* Notes where on the line the coordinates stand. */

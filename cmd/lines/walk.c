@@ -345,7 +345,7 @@ INLINE bool ends_text(struct walker *p, struct dialect d, int n, bool comma)
 }
 
 /* Returns whether the name is one that --append adds. */
-static bool is_added(const char (*added)[NAME_ROOM], struct span name)
+static bool names_added(const char (*added)[NAME_ROOM], struct span name)
 {
 	size_t n = (size_t)(name.end - name.s);
 
@@ -390,7 +390,7 @@ INLINE int pass_to_value(struct walker *p, struct dialect d, struct fields *f,
 
 	f->led |= *led;
 	if (w->added != NULL && f->trail == &w->trail)
-		odd |= is_added(w->added, name);
+		odd |= names_added(w->added, name);
 	return odd ? ODD : i;
 }
 
