@@ -189,8 +189,7 @@ static bool string(struct json_check *s)
 	return true;
 }
 
-/* Returns the end of true, false, null or the number at p; NULL if none begins at p. */
-static const char *scalar_end(const char *p, const char *end)
+const char *json_scalar_end(const char *p, const char *end)
 {
 	static const char *const words[] = { "true", "false", "null" };
 
@@ -225,7 +224,7 @@ static void copy_number(struct json_check *s, const char *end)
 /* Checks a number, true, false or null. */
 static bool scalar(struct json_check *s)
 {
-	const char *end = scalar_end(s->at, s->end), *hint = NULL;
+	const char *end = json_scalar_end(s->at, s->end), *hint = NULL;
 
 	if (end == NULL || (end < s->end && in_token(*end))) {
 		if (s->at < s->end && strchr("+-.0123456789", *s->at))

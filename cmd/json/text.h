@@ -76,6 +76,9 @@ struct json_check {
 /* Returns whether the text is one JSON value of at most 100 levels. */
 bool json_check(struct json_check *);
 
+/* Returns the end of true, false, null or the number at p; NULL if none begins at p. */
+const char *json_scalar_end(const char *p, const char *end);
+
 /* Adds the newlines from text to at to *line. Without a newline adds the bytes to
  * *column; else sets *column to the bytes from the last newline to at. */
 void json_count(const char *text, const char *at, long long *line,

@@ -3,13 +3,18 @@
 
 #include <limits.h>
 #include <stdio.h>
+#include <strings.h>
 
 #include "../json/text.h"
 
-/* The path to each coordinate from a value; NULL if the path does not lead into it. */
-struct paths {
-	const char *to[4];
+/* The way to something that is sought from a value: a name or pointer; if path is NULL,
+ * the number of a field, or -1 if there is no way. */
+struct way {
+	const char *path;
+	long place;
 };
+
+static const struct way nowhere = { NULL, -1 };
 
 bool is_index(struct span token, long k)
 {
@@ -19,55 +24,25 @@ bool is_index(struct span token, long k)
 	return k < 10 && token.end - token.s == 1 && *token.s == '0' + k;
 }
 
-/* Returns whether the path, a name or a pointer, leads to field k of the cut or into its
- * value; sets *rest to the rest of the path. */
-static bool leads_to(const char *path, const struct cut *c,
-    const struct field *f, long k, const char **rest)
+/* Returns whether the path of i leads to field k of the cut or into its value; sets *rest
+ * to the rest of the path. Without --columns, X is x in a header, too. */
+static bool leads_to(const struct layout *l, const char *path, int i,
+    const struct cut *c, const struct field *f, long k, const char **rest)
 {
-	bool pointer = *path == '/';
+	bool pointer = *path == '/' && !c->names;
 
 	path += pointer;
-	*rest = path + (pointer ? strcspn(path, "/") : strlen(path));
-	struct span token = { path, *rest };
+	size_t n = pointer ? strcspn(path, "/") : strlen(path);
+	struct span token = { path, path + n };
 
+	*rest = token.end;
+	if (c->names)
+		return (size_t)(f->value.end - f->value.s) == n &&
+		    (i < 4 && l->columns.by_header ?
+			    strncasecmp(f->value.s, path, n) :
+			    strncmp(f->value.s, path, n)) == 0;
 	return c->members ? json_is_name(f->name, token, pointer) :
 			    pointer && is_index(token, k);
-}
-
-/* Finds the values at the ends of the paths. Enters each value once, for all paths that
- * lead into it, so that the time is linear in the length of the line. */
-static void choose_by_path(struct cut c, int reads, const struct paths *paths,
-    struct chosen *out)
-{
-	int seen[4] = { 0 };
-	struct field f;
-
-	for (long k = 0; cut_next(&c, &f); k++) {
-		struct paths inside = { { NULL } };
-		bool more = false;
-
-		for (int i = 0; i < reads; i++) {
-			const char *rest;
-
-			if (paths->to[i] == NULL ||
-			    !leads_to(paths->to[i], &c, &f, k, &rest))
-				continue;
-			seen[i]++;
-			if (*rest != '\0') {
-				inside.to[i] = rest;
-				more = true;
-				continue;
-			}
-			out->field[i] = f;
-			out->times[i] = seen[i];
-		}
-		if (more && (*f.value.s == '{' || *f.value.s == '['))
-			choose_by_path(cut_value(f.value, c.end), reads,
-			    &inside, out);
-	}
-	for (int i = 0; i < reads; i++)
-		if (seen[i] > 1)
-			out->times[i] = seen[i];
 }
 
 /* Returns whether the field f, after the last coordinate, may be the decimals of a number
@@ -81,115 +56,135 @@ static bool counts_on(const struct layout *l, const struct field *f)
 	    (l->reads == 2 || (f->value.s == f->from + 1 && *f->from == ','));
 }
 
-static void choose_by_place(const struct layout *l, struct cut c,
-    struct chosen *out)
+/* What is sought on a line, and the fields that matter: those up to last. In text the
+ * separators after field first count, and after the last coordinate one that counts_on. */
+struct search {
+	const struct layout *l;
+	int n; /* things that are sought */
+	bool text;
+	long first, last;
+	int separators, commas;
+	struct chosen *out;
+};
+
+/* Goes over the fields of a cut. Enters each value once, for all ways that lead into it,
+ * so that the time is linear in the length of the line. */
+static void choose_in(struct search *r, struct cut c,
+    const struct way ways[SOUGHT])
 {
-	int place[4], first = INT_MAX, last = -1, commas = 0, separators = 0;
-	bool text = format_of(l->in)->blanks;
+	struct chosen *out = r->out;
+	int seen[SOUGHT] = { 0 };
 	struct field f;
 
-	for (int i = 0; i < l->reads; i++) {
-		place[i] = l->columns.n > 0 ? l->columns.field[i] : i;
-		first = place[i] < first ? place[i] : first;
-		last = place[i] > last ? place[i] : last;
-	}
-	for (int k = 0; k <= last + text && cut_next(&c, &f); k++) {
-		for (int i = 0; i < l->reads; i++)
-			if (k == place[i]) {
+	for (long k = 0; k <= r->last && cut_next(&c, &f); k++) {
+		struct way inside[SOUGHT];
+		unsigned led = 0;
+
+		for (int i = 0; i < r->n; i++) {
+			const char *path = ways[i].path, *rest = "";
+
+			if (path == NULL ?
+				ways[i].place != k :
+				!leads_to(r->l, path, i, &c, &f, k, &rest))
+				continue;
+			seen[i]++;
+			if (*rest != '\0') {
+				inside[i] = (struct way){ rest, -1 };
+				led |= 1u << i;
+			} else if (out->times[i]++ == 0) {
 				out->field[i] = f;
-				out->times[i] = 1;
+				out->place[i] = k;
+			} else if (out->times[i] == 2) {
+				out->again[i] = k;
 			}
-		if (text && k > first && f.value.s < c.end &&
-		    (k <= last || counts_on(l, &f))) {
-			separators++;
-			commas += f.comma;
+		}
+		for (int i = 0; i < r->n && led != 0; i++)
+			if ((led >> i & 1) == 0)
+				inside[i] = nowhere;
+		if (led != 0 && (*f.value.s == '{' || *f.value.s == '['))
+			choose_in(r, cut_value(f.value, c.end), inside);
+		if (r->text && k > r->first && f.value.s < c.end &&
+		    (k < r->last || counts_on(r->l, &f))) {
+			r->separators++;
+			r->commas += f.comma;
 		}
 	}
-	out->mixed = commas != 0 && commas != separators;
+	for (int i = 0; i < r->n; i++)
+		if (seen[i] > 1 && out->times[i] < 2)
+			out->times[i] = 2;
 }
 
 void choose(const struct layout *l, struct cut c, struct chosen *out)
 {
-	struct paths paths = { { NULL } };
-	bool by_path = c.members ||
-	    (c.bracket != NULL && l->columns.n > 0 &&
-		l->columns.name[0] != NULL);
+	const bool named = c.members || c.names ||
+	    (c.bracket != NULL && l->columns.n > 0);
+	struct way ways[SOUGHT];
+	struct search r = { .l = l,
+		.n = l->append && (c.members || c.names) ? SOUGHT : l->reads,
+		.text = format_of(c.in)->blanks,
+		.first = LONG_MAX,
+		.last = named ? LONG_MAX : -1,
+		.out = out };
 
 	memset(out->times, 0, sizeof out->times);
-	out->mixed = false;
-	for (int i = 0; i < l->reads && by_path; i++)
-		paths.to[i] = l->columns.name[i];
-	if (by_path)
-		choose_by_path(c, l->reads, &paths, out);
-	else
-		choose_by_place(l, c, out);
+	for (int i = 0; i < l->reads; i++) {
+		long place = layout_field(l, i);
+
+		ways[i].path = named ? l->columns.name[i] : NULL;
+		ways[i].place = place;
+		r.first = place < r.first ? place : r.first;
+		r.last = place > r.last ? place : r.last;
+	}
+	for (int i = l->reads; i < r.n; i++) {
+		ways[i] = nowhere;
+		if (i >= 4 && *l->name[i - 4] != '\0')
+			ways[i].path = l->name[i - 4];
+	}
+	r.last += r.text;
+	choose_in(&r, c, ways);
+	out->mixed = r.commas != 0 && r.commas != r.separators;
 }
 
-bool choose_overlaps(const struct layout *l, const struct chosen *c)
+int choose_overlap(const struct layout *l, const struct chosen *c)
 {
 	for (int i = 1; i < l->reads; i++)
 		for (int k = 0; k < i; k++)
 			if (c->times[i] > 0 && c->times[k] > 0 &&
-			    c->field[i].value.s < c->field[k].value.end &&
-			    c->field[k].value.s < c->field[i].value.end)
-				return true;
-	return false;
+			    c->field[i].value.s <= c->field[k].value.end &&
+			    c->field[k].value.s <= c->field[i].value.end)
+				return i;
+	return 0;
 }
 
-size_t choose_count(struct cut c)
+void choose_places(const struct layout *l, const struct chosen *c,
+    struct line *line)
 {
-	struct field f;
-	size_t n = 0;
+	bool whole = line->kind != LINE_POINT && format_of(l->in)->header;
 
-	while (cut_next(&c, &f))
-		n++;
-	return n;
-}
+	for (int i = 0; i < l->reads; i++) {
+		const struct field *f = &c->field[i];
 
-bool choose_clashes(const struct layout *l, struct cut c,
-    char reason[REASON_MAX])
-{
-	struct field f;
-
-	while (l->append && cut_next(&c, &f))
-		for (int k = 0; k <= COORDINATES_MAX; k++) {
-			struct span added = { l->name[k],
-				l->name[k] + strlen(l->name[k]) };
-			struct span s = trimmed(c.in, f.value);
-			size_t n = (size_t)(added.end - added.s);
-
-			if (n == 0 ||
-			    !(c.members ? json_is_name(f.name, added, false) :
-					  (size_t)(s.end - s.s) == n &&
-					memcmp(s.s, added.s, n) == 0))
-				continue;
-			snprintf(reason, REASON_MAX,
-			    "%s '%s', which --append adds; give it another "
-			    "name",
-			    c.members ? "has a member" :
-					"the header has a column",
-			    added.s);
-			return true;
-		}
-	return false;
-}
-
-bool choose_may_clash(const struct layout *l, struct span line)
-{
-	size_t size = (size_t)(line.end - line.s);
-
-	if (memchr(line.s, '\\', size) != NULL)
-		return true;
-	/* every other name that is added has a _ */
-	if (!l->flags && l->writes <= 4 && memchr(line.s, '_', size) == NULL)
-		return false;
-	while ((line.s = memchr(line.s, '"', size)) != NULL) {
-		size = (size_t)(line.end - ++line.s);
-		for (int k = 0; k <= COORDINATES_MAX; k++)
-			if (size > 0 && *line.s == l->name[k][0] &&
-			    strncmp(line.s, l->name[k], strlen(l->name[k])) ==
-				0)
-				return true;
+		/* in csv nan replaces the quotes of a bad number, too */
+		line->at[i] = c->times[i] == 0 ? part_missing :
+		    !whole                     ? line_part(line, f->value) :
+			     line_part(line, trimmed(l->in, f->whole));
 	}
-	return false;
+}
+
+bool choose_clashes(const struct layout *l, const struct chosen *c,
+    bool members, char reason[REASON_MAX])
+{
+	int first = 0;
+
+	for (int i = 4; i < SOUGHT; i++)
+		if (c->times[i] > 0 &&
+		    (first == 0 ||
+			c->field[i].whole.s < c->field[first].whole.s))
+			first = i;
+	if (first > 0)
+		snprintf(reason, REASON_MAX,
+		    "%s '%s', which --append adds; give it another name",
+		    members ? "has a member" : "the header has a column",
+		    l->name[first - 4]);
+	return first > 0;
 }

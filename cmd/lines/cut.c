@@ -34,26 +34,12 @@ bool cut_next(struct cut *c, struct field *f)
 	return true;
 }
 
-void cut_behind(struct cut *c, const char *s)
+size_t cut_count(struct cut c)
 {
-	const char *end = c->end, *after;
+	struct field f;
+	size_t n = 0;
 
-	c->from = s;
-	if (format_of(c->in)->blanks) {
-		after = skip_separator(s, end);
-		c->s = after < end ? after : NULL;
-		return;
-	}
-	after = skip_blanks(c->in, s + (s < end && *s == '"'), end);
-	c->s = after < end && *after == c->in.separator ? after + 1 : NULL;
-	if (c->s != NULL && c->bracket != NULL)
-		c->s = json_space(c->s, end);
-}
-
-struct span cut_out(const struct field *f)
-{
-	if (f->from != NULL)
-		return (struct span){ f->from, f->whole.end };
-	return (struct span){ f->whole.s,
-		f->next != NULL ? f->next : f->whole.end };
+	while (cut_next(&c, &f))
+		n++;
+	return n;
 }

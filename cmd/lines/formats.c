@@ -99,7 +99,9 @@ static void next_of_csv(struct cut *c, struct field *f)
 			f->open = false;
 			break;
 		}
-	s = s < end ? memchr(s, c->in.separator, (size_t)(end - s)) : NULL;
+	if (s == end || *s != c->in.separator)
+		s = s < end ? memchr(s, c->in.separator, (size_t)(end - s)) :
+			      NULL;
 	f->next = s != NULL ? s + 1 : NULL;
 	f->whole.end = s != NULL ? s : end;
 	if (s == NULL && end > c->s && end[-1] == '\r')
@@ -148,14 +150,16 @@ static bool csv_check(struct dialect d, struct span line,
 	return !f.open;
 }
 
-/* Reads a number, or a word for a missing value, such as NA, as nan. */
-static const char *text_value(const char *s, const char *end, double *v)
+const char *format_number(struct dialect d, const char *s, const char *end,
+    double *v)
 {
-	static const char words[][5] = { "NA", "N/A", "n/a", "na", "null",
-		"NULL" };
-	const char *after = number_read(s, end, v);
+	static const char words[][5] = { "null", "NA", "N/A", "n/a", "na",
+		"NULL", "" };
+	const struct format_row *in = format_of(d);
+	const char *after = *in->open != '\0' ? json_number(s, end, v) :
+						number_read(s, end, v);
 
-	for (size_t i = 0; i < 6 && after == NULL; i++)
+	for (int i = 0; i < in->missing && after == NULL; i++)
 		if (strlen(words[i]) == (size_t)(end - s) &&
 		    memcmp(words[i], s, (size_t)(end - s)) == 0) {
 			*v = (double)NAN;
@@ -164,99 +168,40 @@ static const char *text_value(const char *s, const char *end, double *v)
 	return after;
 }
 
-static const char *csv_value(const char *s, const char *end, double *v)
+/* Returns whether a field of any format means the same in a dialect: a number in JSON, and
+ * elsewhere a text that needs no quotes. */
+static bool can_copy(struct dialect d, struct span f)
 {
-	if (s < end)
-		return text_value(s, end, v);
-	*v = (double)NAN;
-	return end;
-}
-
-static const char *json_value(const char *s, const char *end, double *v)
-{
-	if (end - s != 4 || memcmp(s, "null", 4) != 0)
-		return json_number(s, end, v);
-	*v = (double)NAN;
-	return end;
-}
-
-static bool can_copy_to_text(struct dialect d, struct span f)
-{
-	(void)d;
-	(void)f;
-	return true;
-}
-
-static bool can_copy_to_csv(struct dialect d, struct span f)
-{
+	const struct format_row *to = format_of(d);
 	size_t n = (size_t)(f.end - f.s);
-
-	return memchr(f.s, '"', n) == NULL &&
-	    memchr(f.s, d.separator, n) == NULL;
-}
-
-static bool can_copy_to_json(struct dialect d, struct span f)
-{
 	double v;
 
-	(void)d;
-	return json_number(f.s, f.end, &v) == f.end && isfinite(v);
+	if (*to->open != '\0')
+		return json_number(f.s, f.end, &v) == f.end && isfinite(v);
+	return to->quote == 0 ||
+	    (memchr(f.s, to->quote, n) == NULL &&
+		memchr(f.s, d.separator, n) == NULL);
 }
 
 #define LINES .open = "", .close = "", .unknown = "nan"
-#define CSV                                                                  \
-	LINES, .quote = '"', .escape = '"', .header = true,                  \
-	       .check = csv_check, .next = next_of_csv, .number = csv_value, \
-	       .can_copy = can_copy_to_csv
+#define CSV                                                               \
+	LINES, .quote = '"', .escape = '"', .header = true, .missing = 7, \
+	       .check = csv_check, .next = next_of_csv
 
 const struct format_row format_rows[] = {
-	[FORMAT_TEXT] = { FORMAT_TEXT, ' ', LINES, .blanks = true,
-	    .next = next_of_text, .number = text_value,
-	    .can_copy = can_copy_to_text },
+	[FORMAT_TEXT] = { FORMAT_TEXT, ' ', LINES, .blanks = true, .missing = 6,
+	    .next = next_of_text },
 	[FORMAT_CSV] = { FORMAT_CSV, CSV },
 	[FORMAT_TSV] = { FORMAT_CSV, '\t', CSV },
 	[FORMAT_JSON] = { FORMAT_JSON, ',', .open = "[", .close = "]",
-	    .unknown = "null", .quote = '"', .escape = '\\',
-	    .check = json_line_check, .next = next_of_json,
-	    .number = json_value, .can_copy = can_copy_to_json },
+	    .unknown = "null", .quote = '"', .escape = '\\', .missing = 1,
+	    .check = json_line_check, .next = next_of_json },
 	[FORMAT_F64] = { FORMAT_F64, ',', LINES, .size = sizeof(double) },
 	[FORMAT_F32] = { FORMAT_F32, ',', LINES, .size = sizeof(float) },
 };
 
 const char *const format_names[] = { "text", "csv", "tsv", "json", "f64", "f32",
 	NULL };
-
-/* A cursor over the characters of a field, which undoes the escapes of its format. */
-struct decoder {
-	char escape; /* 0: the field has no quotes, and so no escapes */
-	bool utf8;   /* a byte that is not UTF-8 becomes U+FFFD */
-	const char *s, *end;
-	char character[4]; /* the last character, in UTF-8 */
-};
-
-/* Decodes the next character and returns its length in bytes. */
-static int decode(struct decoder *d)
-{
-	unsigned code;
-	int n = 1;
-
-	if (d->escape == '\\' && *d->s == '\\') {
-		d->s = json_unescape(d->s, d->end, d->character, &n);
-		return n;
-	}
-	if (d->utf8)
-		n = utf8_read(d->s, d->end, &code);
-	if (n == 0) {
-		d->s++;
-		return utf8_write(0xfffd, d->character);
-	}
-	memcpy(d->character, d->s, (size_t)n);
-	d->s += n;
-	if (d->escape == '"' && d->character[0] == '"' && d->s < d->end &&
-	    *d->s == '"')
-		d->s++;
-	return n;
-}
 
 /* Writes a control character: as an escape in JSON, and elsewhere as a blank, since it
  * could end the line. A tab in quotes stays. */
@@ -281,23 +226,49 @@ static char *put_control(const struct format_row *out, char c, char *at)
 	return at + 5;
 }
 
-/* Writes the characters of the decoder in quotes, if the format has quotes. */
-static char *put_quoted(const struct format_row *out, struct decoder *d,
-    char *at)
+/* Moves *s past the next character of a field of that escape, or 0, and decodes it to c.
+ * Returns its length in bytes. If utf8, a byte that is not UTF-8 becomes U+FFFD. */
+static int decode(const char **s, const char *end, char escape, bool utf8,
+    char c[4])
 {
+	unsigned code;
+	int n = 1;
+
+	if (escape == '\\' && **s == '\\') {
+		*s = json_unescape(*s, end, c, &n);
+		return n;
+	}
+	if (utf8)
+		n = utf8_read(*s, end, &code);
+	if (n == 0) {
+		++*s;
+		return utf8_write(0xfffd, c);
+	}
+	memcpy(c, *s, (size_t)n);
+	*s += n;
+	*s += escape == '"' && *c == '"' && *s < end && **s == '"';
+	return n;
+}
+
+/* Writes the text f, which has that escape, in quotes, if the format has quotes. */
+static char *put_quoted(const struct format_row *out, struct span f,
+    char escape, char *at)
+{
+	char c[4] = "";
+
 	*at = out->quote;
 	at += out->quote != 0;
-	while (d->s < d->end) {
-		int n = decode(d);
-		char c = d->character[0];
+	while (f.s < f.end) {
+		int n = decode(&f.s, f.end, escape, out->escape == '\\', c);
 
-		if ((unsigned char)c < ' ') {
-			at = put_control(out, c, at);
+		if ((unsigned char)c[0] < ' ') {
+			at = put_control(out, c[0], at);
 			continue;
 		}
-		if (out->quote != 0 && (c == out->quote || c == out->escape))
+		if (out->quote != 0 &&
+		    (c[0] == out->quote || c[0] == out->escape))
 			*at++ = out->escape;
-		memcpy(at, d->character, (size_t)n);
+		memcpy(at, c, (size_t)n);
 		at += n;
 	}
 	*at = out->quote;
@@ -311,15 +282,14 @@ char *format_convert(struct dialect in, struct dialect out, struct span f,
 	struct span inner = from->header ? trimmed(in, f) : f;
 	bool quoted = from->quote != 0 && inner.end - inner.s >= 2 &&
 	    *inner.s == '"' && inner.end[-1] == '"';
-	struct decoder d = { 0, to->escape == '\\', f.s, f.end, "" };
 
 	if (quoted) {
-		d.escape = from->escape;
-		d.s = inner.s + 1;
-		d.end = inner.end - 1;
+		inner.s++;
+		inner.end--;
+		return put_quoted(to, inner, from->escape, at);
 	}
-	if (quoted || !to->can_copy(out, f))
-		return put_quoted(to, &d, at);
+	if (!can_copy(out, f))
+		return put_quoted(to, f, 0, at);
 	memcpy(at, f.s, (size_t)(f.end - f.s));
 	return at + (f.end - f.s);
 }

@@ -46,6 +46,7 @@ struct cut {
 	const char *from;    /* the end of the last field, or NULL before any */
 	const char *bracket; /* in JSON: after the opening bracket */
 	bool members;        /* the fields are members of a JSON object */
+	bool names;          /* the fields are names of a header */
 	bool words;          /* fields of text end at blanks only */
 	bool comma;          /* the last separator has a comma */
 };
@@ -61,8 +62,9 @@ struct format_row {
 	const char *unknown;      /* the text of a nan */
 	char quote;               /* round a field that needs it; 0: none */
 	char escape;              /* before a quote inside of quotes */
-	bool blanks;              /* blanks separate fields, too */
-	bool header;              /* the first line may name the fields */
+	int missing; /* how many words of format_number stand for a nan */
+	bool blanks; /* blanks separate fields, too */
+	bool header; /* the first line may name the fields */
 
 	/* Returns whether a line can be cut into fields; writes the reason if
 	 * not. NULL: every line can. */
@@ -71,11 +73,6 @@ struct format_row {
 	/* Sets the field at c->s, except for its from and comma; and c->from, its
 	 * end. */
 	void (*next)(struct cut *c, struct field *);
-	/* Reads the number at s; a missing value is nan. Returns where the number
-	 * ends, NULL if none begins. */
-	const char *(*number)(const char *s, const char *end, double *);
-	/* Returns whether a field of any format may be copied into this one. */
-	bool (*can_copy)(struct dialect, struct span);
 };
 
 /* Both are in the order of enum format; NULL ends the names. */
@@ -105,6 +102,11 @@ static inline size_t point_size(enum format f, int coordinates)
 {
 	return (size_t)coordinates * format_rows[f].size;
 }
+
+/* Reads the number at s; a word for a missing value, such as NA, is nan. Returns where
+ * the number ends, NULL if none begins. */
+const char *format_number(struct dialect, const char *s, const char *end,
+    double *v);
 
 /* Writes the field f, which is of dialect in, for dialect out: copied if it means the
  * same there, else in quotes. Returns where the text ends. It has at most six bytes for

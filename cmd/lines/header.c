@@ -4,95 +4,64 @@
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
-#include <strings.h>
-
-#include "../message/utf8.h"
 
 /* A # before a separator is a field and not the beginning of a comment; but if blanks
  * separate fields, "# x y z" is a comment. */
-struct span header_names(struct dialect d, struct span text)
+struct cut header_cut(struct dialect d, struct span text)
 {
-	text.s = skip_mark(text.s, text.end);
-	const char *s = skip_blanks(d, text.s, text.end);
+	const char *s = text.s, *after = skip_blanks(d, s, text.end);
+	const bool mark = after < text.end && *after == '#';
 
-	if (s == text.end || *s++ != '#')
-		return text;
-	if (d.separator == ' ')
-		while (s < text.end && is_blank(*s))
-			s++;
-	const char *next = skip_blanks(d, s, text.end);
+	after += mark;
+	while (
+	    mark && d.separator == ' ' && after < text.end && is_blank(*after))
+		after++;
+	const char *next = skip_blanks(d, after, text.end);
 
-	if (d.separator == ' ' || next == text.end || *next != d.separator)
-		text.s = s;
-	return text;
+	if (mark &&
+	    (d.separator == ' ' || next == text.end || *next != d.separator))
+		s = after;
+	struct cut c = cut_line(d, (struct span){ s, text.end });
+
+	c.names = true;
+	return c;
 }
 
-/* Returns the number, not below from, of the first field with that name, or -1. Without
- * --columns, X is x, too. */
-static int find_name(const struct layout *l, struct span header,
-    const char *name, int from)
+/* Returns the first coordinate whose name the header lacks; reads if there is none. */
+static int find_missing(const struct layout *l, const struct chosen *c)
 {
-	struct cut c = cut_line(l->in, header);
-	size_t n = strlen(name);
-	struct field f;
+	int i = 0;
 
-	for (int k = 0; cut_next(&c, &f); k++)
-		if (k >= from && (size_t)(f.value.end - f.value.s) == n &&
-		    (l->columns.by_header ? strncasecmp(f.value.s, name, n) :
-					    strncmp(f.value.s, name, n)) == 0)
-			return k;
-	return -1;
+	while (i < l->reads && (c->times[i] > 0 || l->columns.name[i] == NULL))
+		i++;
+	return i;
 }
 
-/* Finds the field of each coordinate. Returns false, with the reason, if the header has
- * no column of its name. */
-static bool find_columns(const struct layout *l, struct span header,
-    int field[4], char reason[REASON_MAX])
+/* Returns whether the header says where the coordinates are; else writes the reason. */
+static bool is_clear(const struct layout *l, struct cut header,
+    const struct chosen *c, char reason[REASON_MAX])
 {
-	const struct columns *c = &l->columns;
-	char shown[ESCAPED_MAX];
+	int i = find_missing(l, c);
 
-	for (int i = 0; i < l->reads; i++) {
-		const char *name = c->name[i];
-
-		field[i] = name != NULL ? find_name(l, header, name, 0) :
-					  c->field[i];
-		if (field[i] >= 0)
-			continue;
-		snprintf(reason, REASON_MAX, "the header has no column '%s'",
-		    escaped(shown, name, strlen(name)));
-		say_names(l, cut_line(l->in, header),
-		    c->by_header ? NULL : name, reason);
+	if (i == l->reads && l->columns.by_header)
+		for (i = 0; i < l->reads && c->times[i] == 1;)
+			i++;
+	if (i < l->reads) {
+		say_missing(l, i, header, c, reason);
 		return false;
 	}
-	return true;
-}
-
-/* Returns whether a coordinate has two columns without --columns, with the reason. */
-static bool has_rivals(const struct layout *l, struct span header,
-    const int field[4], char reason[REASON_MAX])
-{
-	for (int i = 0; i < l->reads && l->columns.by_header; i++) {
-		int other = find_name(l, header, l->columns.name[i],
-		    field[i] + 1);
-
-		if (other < 0)
-			continue;
-		snprintf(reason, REASON_MAX,
-		    "the header has two columns for %s, %d and %d; say with "
-		    "--columns, by number, which the coordinates are",
-		    coordinate_name(i), field[i] + 1, other + 1);
-		return true;
-	}
-	return false;
+	i = choose_overlap(l, c);
+	if (i > 0)
+		snprintf(reason, REASON_MAX, "two coordinates are column %ld",
+		    c->place[i] + 1);
+	return i == 0 && !choose_clashes(l, c, false, reason);
 }
 
 /* Returns whether the line may be a header or a point: an empty field and then 0, 1, 2
  * and so on, as pandas names the columns of an array. Writes the reason. */
-static bool is_counted(const struct layout *l, struct span text,
+static bool is_counted(const struct layout *l, struct cut c,
     char reason[REASON_MAX])
 {
-	struct cut c = cut_line(l->in, text);
 	struct field f;
 	int k = 0;
 
@@ -109,22 +78,7 @@ static bool is_counted(const struct layout *l, struct span text,
 	return true;
 }
 
-/* Returns whether two coordinates have the same column; if so, writes the reason. */
-static bool is_twice(const int field[4], int n, char reason[REASON_MAX])
-{
-	for (int i = 1; i < n; i++)
-		for (int k = 0; k < i; k++)
-			if (field[k] == field[i]) {
-				snprintf(reason, REASON_MAX,
-				    "two coordinates are column %d",
-				    field[i] + 1);
-				return true;
-			}
-	return false;
-}
-
-/* Returns whether any coordinate is found by the name of its column. */
-static bool is_named(const struct layout *l)
+bool header_is_named(const struct layout *l)
 {
 	for (int i = 0; i < l->reads; i++)
 		if (l->columns.name[i] != NULL)
@@ -141,19 +95,20 @@ static bool begins_with_digit(struct span f)
 
 /* Returns false if a coordinate is a number, if all coordinates are missing values, or if
  * all begin with a digit, as numbers with decimal commas do. */
-static bool looks_like_header(const struct layout *l, struct span text)
+static bool looks_like_header(const struct layout *l, struct cut header)
 {
 	bool unknown = true, odd = true;
 	struct chosen c;
 
-	choose(l, cut_line(l->in, text), &c);
+	header.names = false; /* if it is a row, it has no names */
+	choose(l, header, &c);
 	for (int i = 0; i < l->reads; i++) {
 		struct span f = c.field[i].value;
 		double v;
 
 		if (c.times[i] == 0)
 			continue;
-		if (format_of(l->in)->number(f.s, f.end, &v) != f.end)
+		if (format_number(l->in, f.s, f.end, &v) != f.end)
 			unknown = false;
 		else if (!isnan(v))
 			return false;
@@ -162,52 +117,53 @@ static bool looks_like_header(const struct layout *l, struct span text)
 	return !unknown && !odd;
 }
 
-bool header_in_comment(const struct layout *l, struct span text)
+bool header_in_comment(const struct layout *l, struct span text, bool first)
 {
-	struct span names = header_names(l->in, text);
-	char reason[REASON_MAX];
-	int field[4];
+	const char *s = skip_blanks(l->in, text.s, text.end);
+	struct chosen c;
 
-	return format_of(l->in)->header &&
-	    (names.s == skip_mark(text.s, text.end) ||
-		(l->header != HEADER_NONE && is_named(l) &&
-		    find_columns(l, names, field, reason)));
+	if (!format_of(l->in)->header)
+		return true;
+	if (!first) /* where blanks separate, "# x y z" is a comment */
+		return l->fields < 2 ||
+		    (l->in.separator == ' ' && is_blank(s[1])) ||
+		    cut_count(cut_line(l->in, text)) != l->fields;
+	struct cut header = header_cut(l->in, text);
+
+	choose(l, header, &c);
+	return header.s != text.s &&
+	    (l->header == HEADER_NONE || !header_is_named(l) ||
+		find_missing(l, &c) < l->reads);
 }
 
 bool header_read(struct layout *l, struct span text, struct line *line,
     char reason[REASON_MAX])
 {
+	struct cut header = header_cut(l->in, text);
 	struct columns *c = &l->columns;
 	struct chosen chosen;
 
-	text = header_names(l->in, text);
 	l->fields = 0;
 	if (c->by_header)
 		c->n = 0;
 	const bool maybe = l->header == HEADER_MAYBE &&
-	    (c->by_header || !is_named(l));
-	const bool counted = maybe && is_counted(l, text, reason);
+	    (c->by_header || !header_is_named(l));
+	const bool counted = maybe && is_counted(l, header, reason);
 
 	if (l->header == HEADER_NONE ||
-	    (maybe && !counted && !looks_like_header(l, text)))
+	    (maybe && !counted && !looks_like_header(l, header)))
 		return false;
-	struct cut cut = cut_line(l->in, text);
-	int field[4];
-
+	choose(l, header, &chosen);
 	line->kind = LINE_REFUSED;
-	if (counted || !find_columns(l, text, field, reason) ||
-	    has_rivals(l, text, field, reason) ||
-	    is_twice(field, l->reads, reason) || choose_clashes(l, cut, reason))
+	if (counted || !is_clear(l, header, &chosen, reason))
 		return true;
 	line->kind = LINE_HEADER;
-	memcpy(c->field, field, sizeof field);
-	c->n = l->reads;
-	l->fields = choose_count(cut);
-	choose(l, cut, &chosen);
 	for (int i = 0; i < l->reads; i++)
-		line->at[i] = chosen.times[i] == 0 ?
-		    part_missing :
-		    line_part(line, trimmed(l->in, chosen.field[i].whole));
+		if (chosen.times[i] > 0)
+			c->field[i] = (int)chosen.place[i];
+	c->n = l->reads;
+	l->fields = cut_count(header);
+	choose_places(l, &chosen, line);
 	return true;
 }
 
@@ -220,13 +176,12 @@ bool header_is_short(const struct layout *l, struct cut c,
 
 	for (; cut_next(&c, &f); blanks |= say_blanks(l, &f, reason))
 		n += f.next != NULL || f.value.s < f.value.end;
-	if (!is_named(l) || n <= l->fields)
+	if (!header_is_named(l) || n <= l->fields)
 		return false;
-	if (blanks)
-		return true;
-	snprintf(reason, REASON_MAX,
-	    "has %zu fields and the header %zu name%s; name the first column, "
-	    "too, or give --columns by number",
-	    n, l->fields, l->fields == 1 ? "" : "s");
+	if (!blanks)
+		snprintf(reason, REASON_MAX,
+		    "has %zu fields and the header %zu name%s; name the first "
+		    "column, too, or give --columns by number",
+		    n, l->fields, l->fields == 1 ? "" : "s");
 	return true;
 }

@@ -26,6 +26,9 @@
  * most four are read. */
 enum { COORDINATES_MAX = 6 };
 
+/* The room for the name of a number that is written. */
+enum { NAME_ROOM = 16 };
+
 /* The fields that hold the coordinates, from --columns or a csv header. */
 struct columns {
 	int n;        /* 0: the coordinates are the first fields of a line */
@@ -55,7 +58,7 @@ struct layout {
 	bool append; /* the line stays, and all is written after it */
 	/* The names of the numbers that are written, and last of the word of --flags;
 	 * "" if the number or the word is not written. */
-	char name[COORDINATES_MAX + 1][16];
+	char name[COORDINATES_MAX + 1][NAME_ROOM];
 	size_t fields; /* of the header; 0: there is none */
 	int record; /* numbers in a binary record; 0: the coordinates alone */
 	bool keeps; /* binary records are copied whole, beside the image */
@@ -152,6 +155,16 @@ static inline int layout_field(const struct layout *l, int i)
 	return l->columns.n > 0 ? l->columns.field[i] : i;
 }
 
+/* Returns whether the coordinates are the first fields, in their order. */
+static inline bool layout_is_first(const struct layout *l)
+{
+	int i = 0;
+
+	while (i < l->reads && layout_field(l, i) == i)
+		i++;
+	return i == l->reads;
+}
+
 /* Returns the name of coordinate i: x, y, z or w. */
 static inline const char *coordinate_name(int i)
 {
@@ -200,50 +213,50 @@ struct cut cut_line(struct dialect, struct span line);
  * line. */
 struct cut cut_value(struct span value, const char *end);
 
-/* Moves the cut to the field after the one whose value ends at s. */
-void cut_behind(struct cut *, const char *s);
-
 /* Sets the next field and moves behind it. Returns false after the last field. */
 bool cut_next(struct cut *, struct field *);
 
-/* Returns the text that has to be deleted with a field: the field and the separator
- * before it, or after it if it is the first. */
-struct span cut_out(const struct field *);
+/* Returns the number of fields after the cut. */
+size_t cut_count(struct cut);
 
-/* Finds the coordinates among the fields of a line by place, name or pointer. */
+/* Finds the coordinates among the fields of a line by place, name or pointer, and by
+ * --append the names that are added. */
 
+enum { SOUGHT = 4 + COORDINATES_MAX + 1 };
+
+/* The coordinates that choose found and, from 4 on, the names of the layout. */
 struct chosen {
-	struct field
-	    field[4]; /* the fields of the coordinates that were found */
-	int times[4]; /* the number of times each was found; 0: missing */
-	bool mixed;   /* only some separators of text have a comma */
+	struct field field[SOUGHT]; /* the first of each that was found */
+	int times[SOUGHT];          /* how often it was found; 0: missing */
+	long place[SOUGHT], again[SOUGHT]; /* number of the first, the second */
+	bool mixed; /* only some separators of text have a comma */
 };
 
-/* Finds the coordinates in one pass over the fields of the cut. */
+/* Finds them in one pass over the fields of the cut. */
 void choose(const struct layout *, struct cut, struct chosen *);
 
-/* Returns whether a coordinate lies inside the value of another, as pointers allow. */
-bool choose_overlaps(const struct layout *, const struct chosen *);
+/* Notes where on the line the coordinates stand. */
+void choose_places(const struct layout *, const struct chosen *, struct line *);
+
+/* Returns a coordinate that lies inside the value of another, as pointers allow, or has
+ * the same column; 0 if there is none. */
+int choose_overlap(const struct layout *, const struct chosen *);
 
 /* Returns whether a column of a header or a member of an object has a name that
  * --append adds, and writes the reason. */
-bool choose_clashes(const struct layout *, struct cut, char reason[REASON_MAX]);
-
-/* Returns true if choose_clashes could return true for the object; takes less time. */
-bool choose_may_clash(const struct layout *, struct span line);
+bool choose_clashes(const struct layout *, const struct chosen *, bool members,
+    char reason[REASON_MAX]);
 
 /* Returns whether the token is the decimal number k without leading zeros. */
 bool is_index(struct span token, long k);
 
-/* Returns the number of fields after the cut. */
-size_t choose_count(struct cut);
-
 /* Decides whether the first line of csv is a header, and finds the coordinates by its
  * names. */
 
-/* Returns whether the first line, which begins with #, is a header or a row and not a
- * comment: # is a field alone, or the names of all coordinates follow. */
-bool header_in_comment(const struct layout *, struct span text);
+/* Returns whether a line that begins with #, the first or another, is a comment. It is a
+ * header or a row if # is a field alone, the names of all coordinates follow, or a table
+ * with a header has a row such as #N/A,2,3. */
+bool header_in_comment(const struct layout *, struct span text, bool first);
 
 /* Reads the first line, whose text has no byte order mark. Returns false if the line is
  * a row. Else sets its kind to LINE_HEADER, and the layout's columns and fields; or to
@@ -258,8 +271,11 @@ bool header_read(struct layout *, struct span text, struct line *,
 bool header_is_short(const struct layout *, struct cut row,
     char reason[REASON_MAX]);
 
-/* Returns the header without a byte order mark and the # of a comment. */
-struct span header_names(struct dialect, struct span text);
+/* Returns whether any coordinate is found by the name of its column. */
+bool header_is_named(const struct layout *);
+
+/* Returns a cut before the first name of a header without a byte order mark. */
+struct cut header_cut(struct dialect, struct span text);
 
 /* Words what is wrong with a line. */
 
@@ -276,12 +292,9 @@ void say_field(const struct layout *, int i, struct span f,
 bool say_blanks(const struct layout *, const struct field *f,
     char reason[REASON_MAX]);
 
-/* Adds to the reason the names of the columns or members of the cut, and if one of them
- * is near the name typed, asks for it: "; did you mean 'x'? it has x, y, z". If typed is
- * NULL, as --columns is not given, guesses the option: "; say --columns lon,lat,h; it has
- * h, lat, lon". */
-void say_names(const struct layout *, struct cut, const char *typed,
-    char reason[REASON_MAX]);
+/* Writes why coordinate i was not found in the cut, or found twice. */
+void say_missing(const struct layout *, int i, struct cut,
+    const struct chosen *, char reason[REASON_MAX]);
 
 /* Writes that the first line of text looks like a header, if none of its first fields
  * is a number. */
@@ -319,9 +332,12 @@ struct walk {
 	struct dialect in;
 	struct byte_set stops;
 	int n;
+	int fields;           /* of each line; 0: any number */
 	bool arrays, objects; /* the lines of JSON that are walked */
 	struct trail trail;   /* paths to members of objects */
-	bool columns;         /* coordinate i is field[i]; false: field i */
+	/* NULL, or names that a line may not have, as --append adds them */
+	const char (*added)[NAME_ROOM];
+	bool columns; /* coordinate i is field[i]; false: field i */
 	int field[4];
 };
 
@@ -341,9 +357,8 @@ size_t walk_lines(struct stretch *, const struct walk *, size_t n,
 
 /* Reads the numbers of the n lines that walk_lines walked. Lines with a bit in left may
  * get any numbers. Returns left, and the bits of other lines that have to be left; all
- * other lines are points. Bytes before readable may be read. */
+ * other lines are points. */
 uint64_t walk_numbers(const struct walk *, const struct line *, size_t n,
-    const struct plain_places[4], uint64_t left, const char *readable,
-    double v[4][PLAIN_BATCH]);
+    const struct plain_places[4], uint64_t left, double v[4][PLAIN_BATCH]);
 
 #endif

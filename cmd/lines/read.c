@@ -5,56 +5,26 @@
 #include "line.h"
 #include "../message/utf8.h"
 
-/* Writes why coordinate i was not found, or found twice. */
-static void say_missing(const struct layout *l, int i, struct cut cut,
-    const struct chosen *c, char reason[REASON_MAX])
-{
-	const char *path = cut.members ? l->columns.name[i] : NULL;
-	char word[ESCAPED_MAX];
-
-	if (path != NULL && c->times[i] > 1) {
-		snprintf(reason, REASON_MAX, "has two members '%s'",
-		    escaped(word, path, strlen(path)));
-	} else if (path != NULL) {
-		snprintf(reason, REASON_MAX, "has no member '%s'%s",
-		    escaped(word, path, strlen(path)),
-		    l->columns.n > 0 ? "" :
-				       "; --columns names the coordinates");
-		say_names(l, cut, path, reason);
-	} else if (l->columns.n == 0) {
-		say_field(l, i, (struct span){ NULL, NULL }, reason);
-	} else {
-		snprintf(reason, REASON_MAX,
-		    "%s is missing: there is no field %d", coordinate_name(i),
-		    l->columns.field[i] + 1);
-	}
-}
-
 /* Reads the numbers v of the coordinates. Returns false, with the reason, at the first
  * that is not a number within the range. */
 static bool read_coordinates(const struct layout *l, struct cut cut,
     const struct chosen *c, double v[4], char reason[REASON_MAX])
 {
-	const struct format_row *in = format_of(l->in);
-
 	for (int i = 0; i < l->reads; i++) {
 		const struct field *f = &c->field[i];
+		const char *end = f->value.end;
 
-		if (c->times[i] != 1) {
+		if (c->times[i] != 1)
 			say_missing(l, i, cut, c, reason);
-			return false;
-		}
-		if (in->number(f->value.s, f->value.end, &v[i]) !=
-		    f->value.end) {
+		else if (format_number(l->in, f->value.s, end, &v[i]) != end)
 			/* the message shows the quotes of csv */
-			say_field(l, i, in->header ? f->whole : f->value,
+			say_field(l, i,
+			    format_of(l->in)->header ? f->whole : f->value,
 			    reason);
-			return false;
-		}
-		if (say_blanks(l, f, reason))
-			return false;
-		if (!say_range(i, v[i], reason))
-			return false;
+		else if (!say_blanks(l, f, reason) &&
+		    say_range(i, v[i], reason))
+			continue;
+		return false;
 	}
 	return true;
 }
@@ -63,23 +33,25 @@ static bool read_coordinates(const struct layout *l, struct cut cut,
  * pointer, is short, and needs no escapes. */
 static bool can_be_added(const char *path)
 {
-	char shown[ESCAPED_MAX];
+	char shown[JSON_ESCAPE_MAX * ADDED_ROOM];
+	size_t n = strlen(path);
 
-	return *path != '/' && strlen(path) < ADDED_ROOM - 8 &&
-	    strpbrk(path, "\"\\") == NULL &&
-	    strcmp(escaped(shown, path, strlen(path)), path) == 0;
+	return *path != '/' && n < ADDED_ROOM - 8 &&
+	    escape_copy(shown, sizeof shown, path, n, true, "") == n;
 }
 
 /* Returns whether the fields of a bad line that are not coordinates can be copied. */
-static bool can_be_kept(const struct layout *l, bool members,
+static bool can_be_kept(const struct layout *l, struct cut cut,
     const struct chosen *c)
 {
+	if (cut.s == NULL && !cut.members)
+		return false;
 	for (int i = 0; i < l->reads; i++)
 		if (c->times[i] > 1 ||
-		    (c->times[i] == 0 && members &&
+		    (c->times[i] == 0 && cut.members &&
 			!can_be_added(l->columns.name[i])))
 			return false;
-	return !choose_overlaps(l, c);
+	return choose_overlap(l, c) == 0;
 }
 
 /* Returns whether --columns fits a line of JSON: numbers an array, names an object. Else
@@ -97,120 +69,75 @@ static bool columns_fit(const struct layout *l, bool members,
 	return false;
 }
 
-/* Notes where on the line the coordinates stand. */
-static void note_places(const struct layout *l, const struct chosen *c,
-    struct line *line)
+/* Returns whether a line is right whose coordinates are numbers; else writes the reason. */
+static bool is_right(const struct layout *l, struct cut cut,
+    const struct chosen *c, char reason[REASON_MAX])
 {
-	bool replaced = line->kind == LINE_BAD && format_of(l->in)->header;
+	size_t fields = l->append && l->fields > 0 ? cut_count(cut) : l->fields;
 
-	for (int i = 0; i < l->reads; i++) {
-		const struct field *f = &c->field[i];
-
-		/* in csv nan replaces the quotes of a bad number, too */
-		line->at[i] = c->times[i] == 0 ? part_missing :
-		    !replaced                  ? line_part(line, f->value) :
-				line_part(line, trimmed(l->in, f->whole));
-	}
+	if (fields != l->fields)
+		snprintf(reason, REASON_MAX,
+		    "has %zu fields and the header %zu; --append would put the "
+		    "image below other names",
+		    fields, l->fields);
+	else if (cut.bracket != NULL && choose_overlap(l, c) > 0)
+		snprintf(reason, REASON_MAX,
+		    "has a coordinate in another; --columns names values "
+		    "apart");
+	else if (c->mixed)
+		snprintf(reason, REASON_MAX,
+		    "has commas between some numbers and not between others; "
+		    "is the comma a decimal point? write 1.5 for 1,5");
+	else
+		return true;
+	return false;
 }
 
-/* Finds the coordinates of a line and reads them. Changes its kind from LINE_LOST to
- * LINE_POINT or LINE_BAD, or to LINE_REFUSED if the first row does not fit its header. */
+/* Finds the coordinates of a line and reads them. Sets the kind of the line: LINE_REFUSED
+ * if the first row does not fit its header. */
 static void read_fields(const struct layout *l, struct span text,
-    bool first_row, struct line *line, double v[4], char reason[REASON_MAX])
+    enum first first, struct line *line, double v[4], char reason[REASON_MAX])
 {
 	const struct format_row *in = format_of(l->in);
 	struct chosen c;
 
+	line->kind = LINE_LOST;
 	line->object = *in->open != '\0' &&
 	    *skip_blanks(l->in, text.s, text.end) == '{';
 	if (in->check != NULL && !in->check(l->in, text, reason))
 		return;
 	struct cut cut = cut_line(l->in, text);
 
-	if (first_row && header_is_short(l, cut, reason)) {
+	if (first == FIRST_ROW && header_is_short(l, cut, reason)) {
 		line->kind = LINE_REFUSED;
 		return;
 	}
 	if (cut.bracket != NULL && !columns_fit(l, cut.members, reason))
 		return;
-	if (cut.members && choose_clashes(l, cut, reason))
-		return;
 	choose(l, cut, &c);
-	bool ok = read_coordinates(l, cut, &c, v, reason);
-
-	if (ok && l->append && l->fields > 0 &&
-	    choose_count(cut) != l->fields) {
-		ok = false;
-		snprintf(reason, REASON_MAX,
-		    "has %zu fields and the header %zu; --append would put the "
-		    "image below other names",
-		    choose_count(cut), l->fields);
-	}
-	if (ok && cut.bracket != NULL && choose_overlaps(l, &c)) {
-		ok = false;
-		snprintf(reason, REASON_MAX,
-		    "has a coordinate in another; --columns names values "
-		    "apart");
-	}
+	if (cut.members && choose_clashes(l, &c, true, reason))
+		return;
+	line->kind = LINE_POINT;
+	if (!read_coordinates(l, cut, &c, v, reason) ||
+	    !is_right(l, cut, &c, reason))
+		line->kind = LINE_BAD;
 	if (c.mixed) {
-		if (ok)
-			snprintf(reason, REASON_MAX,
-			    "has commas between some numbers and not between "
-			    "others; is the comma a decimal point? write 1.5 "
-			    "for 1,5");
-		ok = false;
 		cut.words = line->words = l->columns.n == 0;
 		choose(l, cut, &c);
 	}
-	if (!ok && !l->append &&
-	    ((cut.s == NULL && !cut.members) ||
-		!can_be_kept(l, cut.members, &c)))
-		return;
-	line->kind = ok ? LINE_POINT : LINE_BAD;
-	note_places(l, &c, line);
+	if (line_is_bad(line) && !l->append && !can_be_kept(l, cut, &c))
+		line->kind = LINE_LOST;
+	choose_places(l, &c, line);
+	if (first == FIRST_LINE && line_is_bad(line) && in->blanks &&
+	    l->columns.n == 0)
+		say_text_header(l, text, reason);
 }
 
-/* Returns whether the first line is read as a point. Else it is a header, or it is bad
- * for a reason that concerns all lines: they end in carriage returns (which are blanks
- * in JSON), or are JSON. */
-static bool read_first_line(struct layout *l, struct span text,
-    struct line *line, char reason[REASON_MAX])
-{
-	const struct format_row *in = format_of(l->in);
-	const char *s = skip_blanks(l->in, text.s, text.end);
-
-	if ((*in->open == '\0' || *s == '#') &&
-	    format_is_old(l->in, text, reason))
-		return false;
-	if (!in->header)
-		return true;
-	if (*s != '{')
-		return !header_read(l, text, line, reason);
-	snprintf(reason, REASON_MAX, "looks like JSON; say -i json");
-	return false;
-}
-
-/* Returns whether the line, whose first character after blanks is at s, is a comment;
- * not a header with a #, a row of a table with a header, such as #N/A,2,3, or a whole
- * source whose lines end in carriage returns. */
-static bool is_comment(struct layout *l, struct span text, const char *s,
-    bool first)
-{
-	char reason[REASON_MAX];
-
-	if (*s != '#')
-		return false;
-	if (first)
-		return !header_in_comment(l, text) &&
-		    !format_is_old(l->in, text, reason);
-	/* where blanks separate, "# x y z" is a comment */
-	return l->fields < 2 || (l->in.separator == ' ' && is_blank(s[1])) ||
-	    choose_count(cut_line(l->in, text)) != l->fields;
-}
-
+/* In JSON the carriage returns that may end lines are blanks. */
 void line_read(struct layout *l, struct span text, enum first *first,
     struct line *line, double v[4], char reason[REASON_MAX])
 {
+	const struct format_row *in = format_of(l->in);
 	const enum first was = *first;
 
 	*line = (struct line){ .s = text.s,
@@ -222,16 +149,23 @@ void line_read(struct layout *l, struct span text, enum first *first,
 	}
 	const char *s = skip_blanks(l->in, text.s, text.end);
 
-	if (s == text.end || is_comment(l, text, s, was == FIRST_LINE))
+	if (s == text.end)
 		return;
-	line->kind = LINE_LOST;
-	if (was == FIRST_LINE && !read_first_line(l, text, line, reason)) {
-		*first = line->kind == LINE_HEADER ? FIRST_ROW : FIRST_IS_READ;
+	if (was == FIRST_LINE && (*in->open == '\0' || *s == '#') &&
+	    format_is_old(l->in, text, reason)) {
+		line->kind = LINE_LOST;
+	} else if (*s == '#' && header_in_comment(l, text, was == FIRST_LINE)) {
 		return;
+	} else if (was == FIRST_LINE && in->header && *s == '{') {
+		line->kind = LINE_LOST;
+		snprintf(reason, REASON_MAX, "looks like JSON; say -i json");
+	} else if (was != FIRST_LINE || !in->header ||
+	    !header_read(l, text, line, reason)) {
+		read_fields(l, text, was, line, v, reason);
 	}
-	*first = FIRST_IS_READ;
-	read_fields(l, text, was == FIRST_ROW, line, v, reason);
-	if (was == FIRST_LINE && line_is_bad(line) &&
-	    format_of(l->in)->blanks && l->columns.n == 0)
-		say_text_header(l, text, reason);
+	/* the fields of --columns lon,lat are not known without a header */
+	if (was == FIRST_LINE && line->kind == LINE_LOST && in->header &&
+	    !l->columns.by_header && header_is_named(l))
+		line->kind = LINE_REFUSED;
+	*first = line->kind == LINE_HEADER ? FIRST_ROW : FIRST_IS_READ;
 }

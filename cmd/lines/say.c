@@ -133,11 +133,11 @@ bool say_blanks(const struct layout *l, const struct field *f,
 	return true;
 }
 
-enum { NAMES_MAX = 32, NAME_ROOM = 64 };
+enum { NAMES_MAX = 32, COLUMN_ROOM = 64 };
 
 /* The first names of columns or members, without long ones. */
 struct names {
-	char name[NAMES_MAX][NAME_ROOM];
+	char name[NAMES_MAX][COLUMN_ROOM];
 	const char *list[NAMES_MAX + 1]; /* NULL ends it */
 	int n;
 	bool more; /* there are other names */
@@ -156,7 +156,7 @@ static void names_of(struct cut c, struct names *names)
 		    f.value;
 		size_t size = (size_t)(all.end - all.s);
 
-		if (names->n == NAMES_MAX || size >= NAME_ROOM) {
+		if (names->n == NAMES_MAX || size >= COLUMN_ROOM) {
 			names->more = true;
 			continue;
 		}
@@ -203,34 +203,36 @@ static bool say_guess(const struct names *names, int reads,
 		"elevation", "elev", "ele", "height", "h", "up", "w" };
 
 	for (int k = 0; k < 9 * names->n; k++) {
-		const char *a = names->list[k % names->n];
-		const char *const *axis = axes[k / names->n], *third = NULL;
+		const char *a = names->list[k % names->n], *b;
+		const char *const *axis = axes[k / names->n], *c = NULL;
 		size_t n = strlen(a), size = strlen(axis[0]), at = n - size;
 
 		if (n < size || strcasecmp(a + at, axis[0]) != 0 ||
-		    !can_be_typed(a))
+		    !can_be_typed(a) ||
+		    (b = name_beside(names, a, at, axis[1])) == NULL)
 			continue;
-		const char *b = name_beside(names, a, at, axis[1]);
-
-		for (int i = 0; i < 10 && third == NULL; i++)
-			third = name_beside(names, a, at, heights[i]);
-		for (int i = 0; i < 10 && third == NULL; i++)
-			third = name_beside(names, "", 0, heights[i]);
-		if (b == NULL)
-			continue;
-		say_more(reason, "; say --columns %s,%s", a, b);
-		if (reads > 2)
-			say_more(reason, ",%s", third != NULL ? third : "NAME");
-		if (reads > 3)
-			say_more(reason, ",NAME");
-		if (reads > 3 || (reads > 2 && third == NULL))
-			say_more(reason, ", where NAME is another column");
+		for (int i = 0; i < 20 && c == NULL; i++)
+			c = name_beside(names, a, i < 10 ? at : 0,
+			    heights[i % 10]);
+		say_more(reason, "; say --columns %s,%s%s%s%s%s", a, b,
+		    reads > 2 ? "," : "",
+		    reads < 3     ? "" :
+			c != NULL ? c :
+				    "NAME",
+		    reads > 3 ? ",NAME" : "",
+		    reads > 3 || (reads > 2 && c == NULL) ?
+			", where NAME is another column" :
+			"");
 		return true;
 	}
 	return false;
 }
 
-void say_names(const struct layout *l, struct cut c, const char *typed,
+/* Adds to the reason the names of the columns or members of the cut, and if one of them
+ * is near the name typed, asks for it: "; did you mean 'x'? it has x, y, z". If typed is
+ * NULL, as --columns is not given, guesses the option: "; say --columns lon,lat,h; it has
+ * h, lat, lon". */
+static void say_names(const struct layout *l, struct cut c, const char *typed,
     char reason[REASON_MAX])
 {
 	const size_t room = REASON_MAX - ESCAPED_MAX - 8;
@@ -266,6 +268,41 @@ void say_names(const struct layout *l, struct cut c, const char *typed,
 		say_more(reason, i > 0 ? ", ..." : "...");
 }
 
+void say_missing(const struct layout *l, int i, struct cut cut,
+    const struct chosen *c, char reason[REASON_MAX])
+{
+	const bool guess = cut.names && l->columns.by_header;
+	const char *name = cut.members || cut.names ? l->columns.name[i] : NULL;
+	char shown[ESCAPED_MAX];
+
+	if (name == NULL && l->columns.n == 0) {
+		say_field(l, i, (struct span){ NULL, NULL }, reason);
+		return;
+	}
+	*reason = '\0';
+	escaped(shown, name != NULL ? name : "",
+	    name != NULL ? strlen(name) : 0);
+	if (name == NULL) {
+		say_more(reason, "%s is missing: there is no field %d",
+		    coordinate_name(i), l->columns.field[i] + 1);
+	} else if (c->times[i] == 0) {
+		say_more(reason, "%s '%s'%s",
+		    cut.names ? "the header has no column" : "has no member",
+		    shown,
+		    cut.names || l->columns.n > 0 ?
+			"" :
+			"; --columns names the coordinates");
+		say_names(l, cut, guess ? NULL : name, reason);
+	} else if (cut.names) {
+		say_more(reason,
+		    "the header has two columns for %s, %ld and %ld; say with "
+		    "--columns, by number, which the coordinates are",
+		    name, c->place[i] + 1, c->again[i] + 1);
+	} else {
+		say_more(reason, "has two members '%s'", shown);
+	}
+}
+
 void say_text_header(const struct layout *l, struct span line,
     char reason[REASON_MAX])
 {
@@ -276,8 +313,7 @@ void say_text_header(const struct layout *l, struct span line,
 	for (int i = 0; i < l->reads && cut_next(&c, &f); i++) {
 		double v;
 
-		if (format_of(l->in)->number(f.value.s, f.value.end, &v) !=
-			NULL ||
+		if (format_number(l->in, f.value.s, f.value.end, &v) != NULL ||
 		    (i == 0 && (*f.value.s == '[' || *f.value.s == '{')))
 			return;
 	}

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Writes lines that in_place.h does not write. There are four ways: convert_point and
- * convert_line write a point, or another line, in another format; append keeps the line
+ * convert write a point, or another line, in another format; append keeps the line
  * and adds values; splice cuts the line into fields again and decides for each whether it
  * stays, changes or goes.
  *
@@ -26,8 +26,7 @@ struct splice {
 	const char *done;      /* bytes before it have been copied or skipped */
 	char *out;             /* the end of the output */
 	size_t fields;         /* the number of fields written so far */
-	unsigned value;        /* bit k: the layout has value k */
-	unsigned put;          /* bit k: value k has been written */
+	unsigned due;          /* bit k: value k is still to be written */
 };
 
 size_t lines_room(const struct layout *l, size_t lines, size_t bytes)
@@ -77,12 +76,6 @@ static const char *value_name(const struct splice *w, int k)
 	return l->name[k];
 }
 
-/* Returns whether the layout has value k and it has not been written. */
-static bool is_due(const struct splice *w, int k)
-{
-	return ((w->value & ~w->put) >> k & 1) != 0;
-}
-
 /* Writes value k, or in a header its name; a coordinate keeps the header's name. */
 static char *put_value(const struct splice *w, int k, char *out)
 {
@@ -102,10 +95,10 @@ static char *put_value(const struct splice *w, int k, char *out)
 static void put_others(struct splice *w, int k, bool members)
 {
 	size_t gap = (size_t)(w->separator.end - w->separator.s);
-	unsigned due = (w->value & ~w->put) >> k << k;
+	unsigned due = w->due >> k << k;
 	char *out = w->out;
 
-	w->put |= due;
+	w->due -= due;
 	for (; due != 0; due &= due - 1) {
 		k = __builtin_ctz(due);
 		if (w->fields++ > 0) {
@@ -147,11 +140,10 @@ static int value_of(const struct splice *w, const struct field *f, bool outer)
 	if (f->name.s == NULL || !outer)
 		return i;
 	for (int k = w->l->reads; k <= FLAGS && i < 0; k++) {
-		const char *name = value_name(w, k);
+		const char *name = w->l->name[k];
 		struct span added = { name, name + strlen(name) };
 
-		if ((w->value >> k & 1) != 0 &&
-		    json_is_name(f->name, added, false))
+		if (*name != '\0' && json_is_name(f->name, added, false))
 			return k;
 	}
 	return i;
@@ -173,6 +165,16 @@ static struct span separator_at(const struct layout *l, const struct field *f)
 	    one;
 }
 
+/* Returns the text that has to be deleted with a field: the field and the separator
+ * before it, or after it if it is the first. */
+static struct span cut_out(const struct field *f)
+{
+	if (f->from != NULL)
+		return (struct span){ f->from, f->whole.end };
+	return (struct span){ f->whole.s,
+		f->next != NULL ? f->next : f->whole.end };
+}
+
 /* Splices the fields of a line, or if not outer of a value inside: replaces a field
  * that has a value (see value_of) by it, or deletes the field if the value is not due.
  * Adds the other values after coordinate last, or at the end if last is -1. */
@@ -184,7 +186,7 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 	while (cut_next(&c, &f)) {
 		int k = value_of(w, &f, outer);
 
-		if (k >= 0 && !is_due(w, k)) {
+		if (k >= 0 && (w->due >> k & 1) == 0) {
 			struct span gone = cut_out(&f);
 
 			splice_to(w, gone.s);
@@ -202,7 +204,7 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 		}
 		if (k < w->l->reads && outer)
 			w->separator = separator_at(w->l, &f);
-		w->put |= 1u << k;
+		w->due -= 1u << k;
 		if (w->numbers != NULL) {
 			struct span at = k < w->l->reads ? line_at(w->line, k) :
 							   f.value;
@@ -219,8 +221,7 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 			return; /* the rest of the line is copied */
 	}
 	if (outer) {
-		if (c.from != NULL || c.bracket != NULL)
-			splice_to(w, c.from != NULL ? c.from : c.bracket);
+		splice_to(w, c.from != NULL ? c.from : c.bracket);
 		put_others(w, 0, c.members);
 	}
 }
@@ -229,13 +230,13 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 static struct cut cut_of(const struct layout *l, const struct line *line)
 {
 	struct span text = line_text(line);
+	struct cut c;
 
 	text.s += line->mark ? 3 : 0;
-	if (line->kind == LINE_HEADER)
-		text = header_names(l->in, text);
-	text.s = skip_blanks(l->in, text.s, text.end);
-	struct cut c = cut_line(l->in, text);
-
+	c = line->kind == LINE_HEADER ? header_cut(l->in, text) :
+					cut_line(l->in, text);
+	if (c.s != NULL)
+		c.s = skip_blanks(l->in, c.s, c.end);
 	c.words = line->words;
 	return c;
 }
@@ -250,34 +251,46 @@ static void splice(struct splice *w)
 	for (int i = 0; i < l->reads; i++)
 		if (is_missing(w->line->at[i]) || c.members)
 			last = -1; /* add the other values at the end */
-	w->done = w->line->s;
 	splice_fields(w, c, true, last);
-	splice_to(w, w->line->s + w->line->size);
 }
 
-/* Copies the whole line, and adds all values at its end or before its last bracket. */
+/* Copies the line, and adds all values at its end or before its last bracket. */
 static void append(struct splice *w)
 {
-	const struct layout *l = w->l;
-	const struct format_row *in = format_of(l->in);
-	struct span line = line_text(w->line), s = line;
-	struct cut c = cut_of(l, w->line);
+	const struct format_row *in = format_of(w->l->in);
+	struct span s = line_text(w->line);
+	struct cut c = cut_of(w->l, w->line);
 	struct field f;
 
 	if (in->header) /* blanks at the end belong to the last field */
 		s.end -= s.end > s.s && s.end[-1] == '\r';
 	else
-		s = trimmed(l->in, s);
+		s = trimmed(c.in, s);
 	if (*in->close != '\0')
-		s = trimmed(l->in, (struct span){ s.s, s.end - 1 });
+		s = trimmed(c.in, (struct span){ s.s, s.end - 1 });
 	w->fields = *in->close == '\0' || s.end - s.s > 1;
 	while (in->blanks && cut_next(&c, &f))
 		if (coordinate_in(w, f.whole.s, f.value.s) >= 0)
-			w->separator = separator_at(l, &f);
-	w->done = line.s;
+			w->separator = separator_at(w->l, &f);
 	splice_to(w, s.end);
 	put_others(w, 0, w->line->object);
-	splice_to(w, line.end);
+}
+
+/* Moves the cut to the field after the one whose value ends at s. */
+static void cut_behind(struct cut *c, const char *s)
+{
+	const char *end = c->end, *after;
+
+	c->from = s;
+	if (format_of(c->in)->blanks) {
+		after = skip_separator(s, end);
+		c->s = after < end ? after : NULL;
+		return;
+	}
+	after = skip_blanks(c->in, s + (s < end && *s == '"'), end);
+	c->s = after < end && *after == c->in.separator ? after + 1 : NULL;
+	if (c->s != NULL && c->bracket != NULL)
+		c->s = json_space(c->s, end);
 }
 
 /* Writes the numbers of a binary record that are not coordinates. */
@@ -304,78 +317,69 @@ static char *put_rest_of_record(const struct layout *l, const struct line *line,
 	return out;
 }
 
-/* Writes each field of the cut that holds no coordinate, or by --append every field, for
+/* Writes each field of a line that holds no coordinate, or by --append every field, for
  * the format out: after a separator unless it is the first of the line. */
-static void put_fields(struct splice *w, struct cut c)
+static void put_rest(struct splice *w)
 {
 	const struct layout *l = w->l;
+	const struct line *line = w->line;
+	const struct format_row *in = format_of(l->in), *to = format_of(l->out);
 	/* csv's empty fields become "" in JSON, so that the fields after them keep
 	 * their place in the array */
-	bool empty = format_of(l->in)->header && !format_of(l->out)->blanks;
+	const bool empty = in->header && !to->blanks;
+	struct cut c = { .in = l->in, .end = line->s + line->size };
 	char *out = w->out;
 	struct field f;
 
+	if (is_binary(l->in.format)) {
+		w->out = put_rest_of_record(l, line, out);
+		return;
+	}
+	if (line->kind == LINE_LOST || line->object)
+		return;
+	if (line->kind == LINE_POINT && layout_is_first(l) && !l->append) {
+		c.bracket = *in->open != '\0' ? line->s : NULL;
+		cut_behind(&c, line_at(line, l->reads - 1).end);
+		if (in->blanks && to->blanks && l->columns.n == 0 &&
+		    c.s != NULL) {
+			struct span rest = { c.s, c.end };
+
+			*out = ' ';
+			w->out = splice_text(out + 1, rest.s,
+			    trimmed(l->in, rest).end);
+			return;
+		}
+	} else {
+		c = cut_of(l, line);
+	}
 	while (cut_next(&c, &f)) {
 		if ((f.whole.s == f.whole.end && !empty) ||
 		    (!l->append &&
 			coordinate_in(w, f.whole.s, f.whole.end) >= 0))
 			continue;
-		if (w->fields++ > 0)
-			*out++ = l->out.separator;
+		*out = l->out.separator;
+		out += w->fields++ > 0;
 		out = format_convert(l->in, l->out, f.whole, out);
 	}
 	w->out = out;
 }
 
-/* Writes all fields of a line that hold no coordinate. */
-static void put_rest(struct splice *w)
-{
-	if (w->line->kind != LINE_LOST && !w->line->object)
-		put_fields(w, cut_of(w->l, w->line));
-}
-
 char *line_rest(const struct layout *l, const struct line *line, char *out)
 {
-	struct cut c = { .in = l->in, .end = line->s + line->size };
-	bool first = line->kind == LINE_POINT && !line->object &&
-	    l->columns.n == 0;
-
-	if (is_binary(l->in.format))
-		return put_rest_of_record(l, line, out);
-	if (first) {
-		/* no other field stands before the coordinates */
-		c.bracket = *format_of(l->in)->open != '\0' ? line->s : NULL;
-		cut_behind(&c, line_at(line, l->reads - 1).end);
-		if (c.s == NULL)
-			return out;
-	}
-	if (first && format_of(l->in)->blanks && format_of(l->out)->blanks) {
-		struct span rest = trimmed(l->in, (struct span){ c.s, c.end });
-
-		*out = ' ';
-		return rest.s < rest.end ?
-		    splice_text(out + 1, rest.s, rest.end) :
-		    out;
-	}
 	struct splice w = { .l = l, .line = line, .out = out, .fields = 1 };
 
-	if (first)
-		put_fields(&w, c);
-	else
-		put_rest(&w);
+	put_rest(&w);
 	return w.out;
 }
 
 /* Writes a line in another format, or a LINE_LOST: all values, then all other fields; by
  * --append first the fields. */
-static void convert_line(struct splice *w)
+static void convert(struct splice *w)
 {
 	const struct layout *l = w->l;
 	char open = *format_of(l->out)->open, close = *format_of(l->out)->close;
 	bool members = w->line->object && l->out.format == l->in.format;
 
-	w->separator = (struct span){ &l->out.separator,
-		&l->out.separator + 1 };
 	*w->out = members ? '{' : open;
 	w->out += open != '\0';
 	if (l->append)
@@ -387,21 +391,21 @@ static void convert_line(struct splice *w)
 	w->out += close != '\0';
 }
 
-/* Does as convert_line for a point without --append, which is the frequent case. */
+/* Does as convert for a point without --append, which is the frequent case. */
 static char *convert_point(const struct layout *l, const struct line *line,
     struct numbers n, const struct word *flags, char *out)
 {
 	const struct format_row *to = format_of(l->out);
 
 	*out = *to->open;
-	out += *to->open != '\0';
-	for (int k = 0; k < l->writes; k++) {
-		*out = l->out.separator;
-		out = put_coordinate(l, n, k, out + (k > 0));
+	out = put_coordinate(l, n, 0, out + (*to->open != '\0'));
+	for (int k = 1; k < l->writes; k++) {
+		*out++ = l->out.separator;
+		out = put_coordinate(l, n, k, out);
 	}
 	if (flags != NULL) {
-		*out = l->out.separator;
-		out = put_word(l, flags, out + 1);
+		*out++ = l->out.separator;
+		out = put_word(l, flags, out);
 	}
 	out = line_rest(l, line, out);
 	*out = *to->close;
@@ -413,12 +417,10 @@ static char *convert_point(const struct layout *l, const struct line *line,
 char *line_write(const struct layout *l, const struct line *line,
     const struct numbers *numbers, const struct word *flags, char *out)
 {
-	static const struct word name = { "flags", 5 };
 	bool header = line->kind == LINE_HEADER;
 	bool same = same_dialect(l->in, l->out);
 
-	if ((line->kind == LINE_POINT || is_binary(l->in.format)) && !same &&
-	    !l->append)
+	if (line->kind == LINE_POINT && !same && !l->append)
 		return convert_point(l, line, *numbers, l->flags ? flags : NULL,
 		    out);
 	if ((header || line->kind == LINE_COPY) &&
@@ -428,22 +430,21 @@ char *line_write(const struct layout *l, const struct line *line,
 	struct splice w = { .l = l,
 		.line = line,
 		.numbers = header ? NULL : numbers,
-		.flags = header ? &name : flags,
-		.separator = { &l->in.separator, &l->in.separator + 1 },
+		.flags = flags,
+		.separator = { &l->out.separator, &l->out.separator + 1 },
+		.done = line->s,
 		.out = out,
-		.value = ((1u << l->writes) - 1) |
-		    (unsigned)l->flags << FLAGS };
+		.due = ((1u << l->writes) - 1) | (unsigned)l->flags << FLAGS };
 
 	if (header && !same && format_of(l->out)->blanks)
 		w.out = stpcpy(w.out, "# ");
-	if (line->kind == LINE_COPY)
-		w.out = splice_text(out, line->s, line->s + line->size);
-	else if (line->kind == LINE_LOST || !same)
-		convert_line(&w);
-	else if (l->append)
-		append(&w);
-	else
-		splice(&w);
+	if (line->kind == LINE_LOST || (!same && line->kind != LINE_COPY)) {
+		convert(&w);
+	} else {
+		if (line->kind != LINE_COPY)
+			(l->append ? append : splice)(&w);
+		splice_to(&w, line->s + line->size);
+	}
 	*w.out = '\n';
 	return w.out + line->newline;
 }

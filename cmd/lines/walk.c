@@ -46,9 +46,11 @@ bool walk_plan(const struct layout *l, struct walk *w)
 	*w = (struct walk){ .in = l->in,
 		.stops = stops_of(l->in),
 		.n = l->reads,
+		.fields = l->append ? (int)l->fields : 0,
+		.added = l->append ? l->name : NULL,
 		.arrays = !json || c->n == 0 || c->name[0] == NULL,
 		.objects = json && (c->n == 0 || c->name[0] != NULL),
-		.columns = c->n > 0 };
+		.columns = !layout_is_first(l) };
 	for (int i = 0; i < l->reads; i++)
 		w->field[i] = layout_field(l, i);
 	for (int i = 0; i < l->reads && w->objects; i++) {
@@ -172,17 +174,6 @@ INLINE bool is_narrow(const char *s, const char *end)
 	/* without branches, as the first digits can't be predicted */
 	return !(((*s == '0') & (s[1] >= '0') & (s[1] <= '9')) | (*s == '.') |
 	    (end[-1] == '.'));
-}
-
-/* Returns whether the text is a number or a word of JSON. */
-static bool is_scalar(const char *s, const char *end)
-{
-	size_t n = (size_t)(end - s);
-
-	return json_number_end(s, end) == end ||
-	    (n == 4 && memcmp(s, "true", 4) == 0) ||
-	    (n == 5 && memcmp(s, "false", 5) == 0) ||
-	    (n == 4 && memcmp(s, "null", 4) == 0);
 }
 
 /* The destination of the coordinates of line i, which begins at begin. */
@@ -312,7 +303,8 @@ INLINE bool pass_value(struct walker *p, const struct target *t,
 	if (stands(p, '"'))
 		return pass_string(p, false);
 	p->at = *p->stop;
-	return is_scalar(p->text + from, p->text + p->at);
+	return json_scalar_end(p->text + from, p->text + p->at) ==
+	    p->text + p->at;
 }
 
 /* Passes the name of a member and the colon. Returns false if the line has to be left. */
@@ -352,6 +344,18 @@ INLINE bool ends_text(struct walker *p, struct dialect d, int n, bool comma)
 	return stands(p, '\n') || p->comma == comma;
 }
 
+/* Returns whether the name is one that --append adds. */
+static bool names_added(const char (*added)[NAME_ROOM], struct span name)
+{
+	size_t n = (size_t)(name.end - name.s);
+
+	for (int k = 0; k <= COORDINATES_MAX; k++)
+		if (added[k][0] == *name.s && n < NAME_ROOM &&
+		    memcmp(added[k], name.s, n) == 0 && added[k][n] == '\0')
+			return true;
+	return false;
+}
+
 /* The fields of a line, an array or an object. */
 struct fields {
 	int n; /* the number of coordinates */
@@ -382,10 +386,12 @@ INLINE int pass_to_value(struct walker *p, struct dialect d, struct fields *f,
 	if (f->shape == NONE)
 		return NOTHING;
 	int i = f->members || k < 10 ? follow(f->trail, f->n, name, led) : ODD;
-	bool again = (f->led & *led) != 0;
+	bool odd = (f->led & *led) != 0;
 
 	f->led |= *led;
-	return again ? ODD : i;
+	if (w->added != NULL && f->trail == &w->trail)
+		odd |= names_added(w->added, name);
+	return odd ? ODD : i;
 }
 
 /* Passes field k and the separator after it. Returns MORE, NOTHING if the field is the
@@ -426,8 +432,12 @@ INLINE bool pass_fields(struct walker *p, struct dialect d, struct fields f,
 		more = pass_field(p, d, &f, t, k);
 	for (; more == MORE; k++)
 		more = pass_field(p, d, &f, t, k);
-	if (d.format != FORMAT_TEXT || more == ODD)
-		return more == NOTHING;
+	if (more == ODD)
+		return false;
+	if (d.format == FORMAT_CSV)
+		return t->walk->fields == 0 || k == t->walk->fields;
+	if (d.format != FORMAT_TEXT)
+		return true;
 	return p->found == f.n && (f.commas == 0 || f.commas == f.separators) &&
 	    ends_text(p, d, f.n, f.commas > 0);
 }
@@ -539,26 +549,22 @@ INLINE size_t walk_take(struct stretch *s, const struct walk *walk,
 	return i;
 }
 
-/* Points with three coordinates are the most frequent, and have copies of their own. */
+/* Points of three coordinates that are the first fields have copies of their own. */
 INLINE size_t take_dialect(struct stretch *s, const struct walk *walk,
     struct dialect d, size_t max, struct line *lines,
     struct plain_places places[4], uint64_t *left)
 {
-	if (walk->n != 3)
-		return walk_take(s, walk, d, walk->n, COLUMNS, max, lines,
-		    places, left);
-	if (walk->columns)
-		return walk_take(s, walk, d, 3, COLUMNS, max, lines, places,
+	if (walk->n == 3 && !walk->columns)
+		return walk_take(s, walk, d, 3, FIELDS, max, lines, places,
 		    left);
-	return walk_take(s, walk, d, 3, FIELDS, max, lines, places, left);
+	return walk_take(s, walk, d, walk->n, COLUMNS, max, lines, places,
+	    left);
 }
 
-/* A function with all copies would have too few registers. */
-#define NOINLINE static __attribute__((noinline))
-
-NOINLINE size_t take_objects(struct stretch *s, const struct walk *walk,
-    size_t max, struct line *lines, struct plain_places places[4],
-    uint64_t *left)
+/* If walk_lines had this copy, too, it would have too few registers. */
+static __attribute__((noinline)) size_t take_objects(struct stretch *s,
+    const struct walk *walk, size_t max, struct line *lines,
+    struct plain_places places[4], uint64_t *left)
 {
 	return walk_take(s, walk, (struct dialect){ FORMAT_JSON, ',' }, walk->n,
 	    PATHS, max, lines, places, left);
@@ -583,21 +589,9 @@ size_t walk_lines(struct stretch *s, const struct walk *walk, size_t n,
 	return take_dialect(s, walk, json, n, lines, places, left);
 }
 
-/* Reads a number that is not plain, such as 1e-3. Returns false if the line has to be
- * left. */
-static bool read_number(struct dialect d, struct span f, const char *readable,
-    double *v)
-{
-	const char *end = d.format == FORMAT_JSON ?
-	    json_number(f.s, f.end, v) :
-	    number_read(f.s, readable, v);
-
-	return end == f.end && !(fabs(*v) > MAGNITUDE_MAX);
-}
-
 uint64_t walk_numbers(const struct walk *walk, const struct line *lines,
     size_t n, const struct plain_places at[4], uint64_t left,
-    const char *readable, double v[4][PLAIN_BATCH])
+    double v[4][PLAIN_BATCH])
 {
 	uint64_t odd[4], some = 0;
 
@@ -605,14 +599,17 @@ uint64_t walk_numbers(const struct walk *walk, const struct line *lines,
 		some |= odd[k] = number_loops()->read(&at[k], n, v[k]);
 	for (some &= ~left; some != 0; some &= some - 1) {
 		int i = __builtin_ctzll(some);
-		bool ok = true;
 
-		for (int k = 0; k < walk->n && ok; k++)
-			ok = (odd[k] >> i & 1) == 0 ||
-			    read_number(walk->in, line_at(&lines[i], k),
-				readable, &v[k][i]);
-		if (!ok)
-			left |= (uint64_t)1 << i;
+		for (int k = 0; k < walk->n; k++) {
+			struct span f = line_at(&lines[i], k);
+
+			/* a number that is not plain, such as 1e-300 */
+			if ((odd[k] >> i & 1) != 0 &&
+			    (format_number(walk->in, f.s, f.end, &v[k][i]) !=
+				    f.end ||
+				fabs(v[k][i]) > MAGNITUDE_MAX))
+				left |= (uint64_t)1 << i;
+		}
 	}
 	return left;
 }

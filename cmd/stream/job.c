@@ -63,22 +63,13 @@ static bool block_walk(struct job *j, struct chunk *c)
 	const struct walk *walk = &c->walk;
 	struct line *line = &c->line[c->block_lines];
 	size_t n = POINTS_BLOCK - c->block_lines;
-	const struct layout *l = &j->layout;
 	struct plain_places at[4];
 	double v[4][PLAIN_BATCH];
 	uint64_t rest;
 
 	n = walk_lines(&c->stretch, walk, n < PLAIN_BATCH ? n : PLAIN_BATCH,
 	    line, at, &rest);
-	rest = walk_numbers(walk, line, n, at, rest, c->end, v);
-	for (size_t i = 0; i < n && l->append; i++) {
-		struct span text = line_text(&line[i]);
-
-		if (line[i].object ? choose_may_clash(l, text) :
-				     l->fields > 0 &&
-			    choose_count(cut_line(l->in, text)) != l->fields)
-			rest |= 1ull << i;
-	}
+	rest = walk_numbers(walk, line, n, at, rest, v);
 	c->text = c->stretch.text + c->stretch.at;
 	return block_add(j, c, n, rest, v);
 }

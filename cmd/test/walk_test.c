@@ -268,7 +268,7 @@ static void numbers_with_exponents_are_read(void **state)
 	size_t n = walk_lines(&s, &walk, PLAIN_BATCH, lines, places, &left);
 
 	assert_int_equal(n, 13);
-	left = walk_numbers(&walk, lines, n, places, left, end, v);
+	left = walk_numbers(&walk, lines, n, places, left, v);
 	assert_int_equal(left >> 6, 0x38);
 	assert_true(v[0][6] == 1e-3 && v[0][7] == 4 && v[0][8] != v[0][8]);
 	assert_true(v[0][12] == 5 && v[1][12] == 6 && v[2][12] == 70);
