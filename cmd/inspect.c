@@ -68,7 +68,7 @@ static void put_vector(struct printer *p, const double *v, int n)
 static void put_rows(struct printer *p, const char *name, const double *v,
     int rows, int n, bool none)
 {
-	put_name_on_new_line(p, name);
+	put_name(p, name);
 	if (none) {
 		put_literal(p, "null");
 		return;
@@ -81,21 +81,21 @@ static void put_rows(struct printer *p, const char *name, const double *v,
 
 static void put_taxonomy(struct printer *p, const struct taxonomy *t)
 {
-	put_name_on_new_line(p, "projection");
+	put_name(p, "projection");
 	put_string(p, taxa[t->taxon]);
-	put_name_on_new_line(p, "kind");
+	put_name(p, "kind");
 	put_string(p, kinds[t->kind]);
-	put_name_on_new_line(p, "foreshortening");
+	put_name(p, "foreshortening");
 	put_vector(p, t->foreshortening, 3);
 	put_rows(p, "vanishing_points", t->vanishing_point[0], 3, 2,
 	    t->taxon <= TAXON_OBLIQUE);
-	put_name_on_new_line(p, "fovx");
+	put_name(p, "fovx");
 	put_number(p, t->fov[0]);
-	put_name_on_new_line(p, "fovy");
+	put_name(p, "fovy");
 	put_number(p, t->fov[1]);
-	put_name_on_new_line(p, "eye");
+	put_name(p, "eye");
 	put_vector(p, t->eye, 3);
-	put_name_on_new_line(p, "gaze");
+	put_name(p, "gaze");
 	put_vector(p, t->gaze, 3);
 }
 
@@ -104,7 +104,7 @@ static const char *const sides[6] = { "left", "right", "bottom", "top", "near",
 
 static void put_sides(struct printer *p, const char *name, const double at[4])
 {
-	put_name_on_new_line(p, name);
+	put_name(p, name);
 	put_open(p, "{");
 	for (int k = 0; k < 4; k++) {
 		put_name(p, sides[k]);
@@ -116,20 +116,20 @@ static void put_sides(struct printer *p, const char *name, const double at[4])
 static void put_planes(struct printer *p, const struct taxonomy *t,
     const struct parameters *r)
 {
-	put_name_on_new_line(p, "near");
+	put_name(p, "near");
 	put_distance(p, r->near);
-	put_name_on_new_line(p, "far");
+	put_name(p, "far");
 	put_distance(p, r->far);
-	put_name_on_new_line(p, "aspect");
+	put_name(p, "aspect");
 	put_number(p, r->aspect);
-	put_name_on_new_line(p, "reverse_z");
+	put_name(p, "reverse_z");
 	if (projection_is_open(&r->scene.projection))
 		put_number(p, (double)NAN); /* no plane is near */
 	else
 		put_literal(p, r->reverse_z ? "true" : "false");
 	put_sides(p, "planes", r->plane);
 	put_rows(p, "frustum", t->corner[0], 8, 3, false);
-	put_name_on_new_line(p, "frustum_planes");
+	put_name(p, "frustum_planes");
 	put_open(p, "{");
 	for (int k = 0; k < 6; k++) {
 		put_name(p, sides[k]);
@@ -142,7 +142,7 @@ static void put_planes(struct printer *p, const struct taxonomy *t,
 
 static void put_notes(struct printer *p, unsigned bits)
 {
-	put_name_on_new_line(p, "notes");
+	put_name(p, "notes");
 	put_open(p, "[");
 	for (int i = 0; i < NOTES; i++)
 		if (bits >> i & 1)
@@ -177,10 +177,10 @@ static void put_depth_steps(struct printer *p, const struct options *o,
     const struct depth *z)
 {
 	if (o->distances.n > 0) {
-		put_name_on_new_line(p, "distances");
+		put_name(p, "distances");
 		put_numbers(p, o->distances.v, o->distances.n);
 	}
-	put_name_on_new_line(p, "depth_step");
+	put_name(p, "depth_step");
 	put_open(p, "{");
 	for (enum buffer b = 0; b < BUFFERS; b++) {
 		put_name(p, buffers[b]);
@@ -201,7 +201,7 @@ static void put_bounds(struct printer *p, const double bound[3],
 {
 	int precision = PRECISION_SINGLE;
 
-	put_name_on_new_line(p, "error_bound");
+	put_name(p, "error_bound");
 	put_open(p, "{");
 	for (int i = PRECISION_SINGLE; i >= PRECISION_EXACT; i--) {
 		put_name(p, precision_names[i]);
@@ -210,7 +210,7 @@ static void put_bounds(struct printer *p, const double bound[3],
 	put_close(p, "}");
 	while (precision > PRECISION_EXACT && !(bound[precision] <= tolerance))
 		precision--;
-	put_name_on_new_line(p, "precision");
+	put_name(p, "precision");
 	put_string(p, precision_names[precision]);
 }
 
@@ -222,12 +222,12 @@ static void put_plane(struct printer *p, const struct document *d)
 
 	document_check(d, scene_shown(s, &w));
 	put_sides(p, "window", w.edge);
-	put_name_on_new_line(p, "device");
+	put_name(p, "device");
 	if (s->has_device)
 		put_device(p, &s->device);
 	else
 		put_literal(p, "null");
-	put_name_on_new_line(p, "scale");
+	put_name(p, "scale");
 	put_numbers(p, w.scale, 2);
 }
 
@@ -247,7 +247,7 @@ static void put_spatial(struct printer *p, const struct document *d,
 	put_planes(p, &t, &r);
 	put_depth_steps(p, o, &r.depth);
 	put_bounds(p, bound, o->tolerance > 0 ? o->tolerance : 0.5);
-	put_name_on_new_line(p, "scene");
+	put_name(p, "scene");
 	if (r.has_scene)
 		put_scene(p, &r.scene);
 	else
@@ -260,7 +260,6 @@ void run_inspect(const struct command *c, const struct options *o)
 	static char text[320 * NUMBER_MAX + (1 << 14)];
 	struct printer p = { .at = text,
 		.style = options_style(o),
-		.on_line = o->out == FORMAT_JSON,
 		.compact = o->out == FORMAT_JSON,
 		.between = "" };
 	struct document d;
@@ -275,6 +274,6 @@ void run_inspect(const struct command *c, const struct options *o)
 		put_plane(&p, &d);
 	else
 		put_spatial(&p, &d, o);
-	put_text(&p, p.on_line ? "}\n" : "\n}\n");
+	put_close(&p, "}\n");
 	output_write(text, (size_t)(p.at - text));
 }

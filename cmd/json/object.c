@@ -209,28 +209,21 @@ static bool is_usual(const struct member *row, const void *at)
 	return true;
 }
 
-void object_put(struct printer *p, const struct member *row, int kind,
-    uint64_t bits, const void *base,
-    void (*put)(struct printer *, const char *name))
+void object_print(struct printer *p, const struct member *row, int kind,
+    uint64_t bits, const void *base)
 {
 	const char *at = base;
 
+	put_open(p, "{");
 	for (; row->name != NULL; row++, bits >>= 1) {
 		bool has = row->has == 0 || *(const bool *)(at + row->has);
 
 		if ((bits & 1) == 0 || !has || !member_is_of(row, kind) ||
 		    is_usual(row, at + row->at))
 			continue;
-		put(p, row->name);
+		put_name(p, row->name);
 		row->type->print(p, row, at + row->at);
 	}
-}
-
-void object_print(struct printer *p, const struct member *row, int kind,
-    uint64_t bits, const void *base)
-{
-	put_open(p, "{");
-	object_put(p, row, kind, bits, base, put_name);
 	put_close(p, "}");
 }
 

@@ -104,11 +104,6 @@ void object_read_member(const struct value *, const struct member *,
 void object_print(struct printer *, const struct member *, int kind,
     uint64_t bits, const void *base);
 
-/* Prints the members alone, each name by put. */
-void object_put(struct printer *, const struct member *, int kind,
-    uint64_t bits, const void *base,
-    void (*put)(struct printer *, const char *name));
-
 /* Returns as bits the members of the way with that index, and those of no way. */
 uint64_t object_shown(const struct member *, int kind, const struct ways *,
     int way);

@@ -335,23 +335,18 @@ void document_check(const struct document *d, const char *why)
 }
 
 /* Prints the members of a document whose bits are set. */
-static void put_scene_members(struct printer *p, const struct document *d,
+static void put_document(struct printer *p, const struct document *d,
     unsigned bits)
 {
 	p->column = d->scene.convention.column;
-	put_open(p, "{");
-	object_put(p, scene_members, 0, bits, d, put_name_on_new_line);
+	object_print(p, scene_members, 0, bits, d);
 }
 
 void put_scene(struct printer *p, const struct scene *s)
 {
 	const struct document d = { .scene = *s };
-	const bool on_line = p->on_line;
 
-	p->on_line = true;
-	put_scene_members(p, &d, SCENE_CONVENTION | SCENE_SPATIAL);
-	p->on_line = on_line;
-	put_close(p, "}");
+	put_document(p, &d, SCENE_CONVENTION | SCENE_SPATIAL);
 }
 
 void put_device(struct printer *p, const struct device *d)
@@ -360,16 +355,13 @@ void put_device(struct printer *p, const struct device *d)
 	    &scene_members[ROW_OF(DEVICE)], d);
 }
 
-void print_scene(const struct document *d, bool on_line)
+void print_scene(const struct document *d, bool compact)
 {
 	static char text[1 << 16];
-	struct printer p = { .at = text,
-		.on_line = on_line,
-		.compact = on_line,
-		.between = "" };
+	struct printer p = { .at = text, .compact = compact, .between = "" };
 	unsigned unprinted = SCENE_POINTS | SCENE_BOUNDS;
 
-	put_scene_members(&p, d, ~(unprinted | (d->flat ? SCENE_SPATIAL : 0u)));
-	put_text(&p, on_line ? "}\n" : "\n}\n");
+	put_document(&p, d, ~(unprinted | (d->flat ? SCENE_SPATIAL : 0u)));
+	put_text(&p, "\n");
 	output_write(text, (size_t)(p.at - text));
 }
