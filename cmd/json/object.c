@@ -14,17 +14,17 @@ static bool is_ignored(const char *name)
 	return *name == '_' || strcmp(name, "$schema") == 0;
 }
 
-bool member_is_of(const struct member *row, int kind)
+/* Returns whether kinds, the bits of a member or of ways, have the kind. */
+static bool is_of(unsigned kinds, int kind)
 {
-	return kind == ANY_KIND || row->kinds == 0 ||
-	    (row->kinds >> kind & 1) != 0;
+	return kind == ANY_KIND || kinds == 0 || (kinds >> kind & 1) != 0;
 }
 
 const struct member *member_of(const struct member *row, int kind,
     const char *name)
 {
 	for (; row->name != NULL; row++)
-		if (member_is_of(row, kind) && strcmp(row->name, name) == 0)
+		if (is_of(row->kinds, kind) && strcmp(row->name, name) == 0)
 			return row;
 	return NULL;
 }
@@ -47,23 +47,16 @@ uint64_t member_bit(const struct member *table, int kind, const char *name)
 	return row != NULL ? UINT64_C(1) << (row - table) : 0;
 }
 
-/* Returns the member with that alias, or NULL. LookAt, look_at and look-at are lookat. */
-static const struct member *find_alias(const struct member *row, int kind,
-    const char *name)
-{
-	for (; row->name != NULL; row++)
-		if (row->aliases != NULL && member_is_of(row, kind) &&
-		    word_is_one_of(name, row->aliases))
-			return row;
-	return NULL;
-}
-
 const struct member *member_named(const struct member *table, int kind,
     const char *name)
 {
 	const struct member *row = member_of(table, kind, name);
 
-	return row != NULL ? row : find_alias(table, kind, name);
+	for (; row == NULL && table->name != NULL; table++)
+		if (table->aliases != NULL && is_of(table->kinds, kind) &&
+		    word_is_one_of(name, table->aliases))
+			row = table;
+	return row;
 }
 
 const char *member_type(const struct member *row, char out[LISTED])
@@ -99,7 +92,7 @@ static void list_names(const struct member *row, int kind, uint64_t bits,
 	int n = 0;
 
 	for (; row->name != NULL; row++, bits >>= 1)
-		if ((bits & 1) != 0 && member_is_of(row, kind))
+		if ((bits & 1) != 0 && is_of(row->kinds, kind))
 			names[n++] = row->name;
 	names[n] = NULL;
 }
@@ -110,7 +103,7 @@ static void list_names(const struct member *row, int kind, uint64_t bits,
 static _Noreturn void refuse_unknown(const struct value *v,
     const struct member *table, int kind)
 {
-	const struct member *row = find_alias(table, kind, v->name);
+	const struct member *row = member_named(table, kind, v->name);
 	const struct member *s = v->source->scene;
 	const char *names[MEMBERS_MAX + 1];
 	char all[LISTED];
@@ -156,75 +149,6 @@ void object_read_member(const struct value *v, const struct member *row,
 	row->type->read(v, row, (char *)base + row->at);
 	if (row->has != 0)
 		*(bool *)((char *)base + row->has) = true;
-}
-
-uint64_t object_read(const struct value *v, const struct member *table,
-    int kind, void *base)
-{
-	uint64_t seen = 0;
-
-	value_want_object(v);
-	for (const struct member *row = table; row->name != NULL; row++)
-		if (base != NULL && row->usual != NULL && row->type->size > 0 &&
-		    member_is_of(row, kind))
-			read_usual(row, (char *)base + row->at);
-	struct value m = value_child(v), first;
-
-	for (; m.item != NULL; value_next(&m)) {
-		const struct member *row = member_of(table, kind, m.name);
-
-		if (is_ignored(m.name))
-			continue;
-		if (row == NULL && !is_beside(&m))
-			refuse_unknown(&m, table, kind);
-		value_member(v, m.name, &first);
-		if (first.item != m.item)
-			value_refuse(&m, "repeated; give it once");
-		if (row == NULL)
-			continue;
-		seen |= UINT64_C(1) << (row - table);
-		if (base != NULL)
-			object_read_member(&m, row, base);
-	}
-	return seen;
-}
-
-/* Returns whether the member, whose value is at, is left out because it has its default,
- * or because it is a size of 0. */
-static bool is_usual(const struct member *row, const void *at)
-{
-	const double *v = at;
-	double usual[4];
-
-	if (row->usual == NULL && row->range == &range_positive)
-		return *v == 0;
-	if (row->usual == NULL || row->shown || row->type->size == 0)
-		return false;
-	read_usual(row, usual);
-	if (row->type->size != sizeof *v)
-		return memcmp(usual, at, row->type->size) == 0;
-	for (size_t i = 0; i == 0 || i < row->n; i++)
-		if (v[i] != usual[i])
-			return false;
-	return true;
-}
-
-void object_print(struct printer *p, const struct member *row, int kind,
-    uint64_t bits, const void *base)
-{
-	const char *at = base;
-
-	put_open(p, "{");
-	for (; row->name != NULL; row++, bits >>= 1) {
-		bool has = row->has == 0 || *(const bool *)(at + row->has);
-
-		if ((bits & 1) == 0 || !has || !member_is_of(row, kind) ||
-		    is_usual(row, at + row->at))
-			continue;
-		put_name(p, row->name);
-		row->type->print(p, row, at + row->at);
-	}
-	put_close(p, "}");
 }
 
 /* A list of ways as bits of members, for one kind of object. */
@@ -351,4 +275,100 @@ int object_way(const struct value *v, const struct member *table, int kind,
 	if (extra == 0 && lacking == 0)
 		lacking = b->must[0];
 	refuse_way(v, table, b, seen, extra != 0 ? extra : lacking, way);
+}
+
+/* Finds the ways that the members seen belong to, and sets their indices in the struct at
+ * base, if this is not NULL. */
+static void read_ways(const struct value *v, const struct member *row, int kind,
+    uint64_t seen, void *base)
+{
+	const struct ways *w = row->ways;
+
+	for (; w != NULL && w->way[0] != NULL; w++) {
+		if (!is_of(w->kinds, kind))
+			continue;
+		int way = object_way(v, row->members, kind, seen, w);
+
+		if (base != NULL && w->at != 0)
+			*(unsigned *)(void *)((char *)base + w->at) = w->first +
+			    (unsigned)way;
+	}
+}
+
+uint64_t object_read(const struct value *v, const struct member *row, int kind,
+    void *base)
+{
+	const struct member *table = row->members;
+	uint64_t seen = 0;
+
+	value_want_object(v);
+	for (const struct member *m = table; m->name != NULL; m++)
+		if (base != NULL && m->usual != NULL && m->type->size > 0 &&
+		    is_of(m->kinds, kind))
+			read_usual(m, (char *)base + m->at);
+	struct value m = value_child(v), first;
+
+	for (; m.item != NULL; value_next(&m)) {
+		const struct member *of = member_of(table, kind, m.name);
+
+		if (is_ignored(m.name))
+			continue;
+		if (of == NULL && !is_beside(&m))
+			refuse_unknown(&m, table, kind);
+		value_member(v, m.name, &first);
+		if (first.item != m.item)
+			value_refuse(&m, "repeated; give it once");
+		if (of == NULL)
+			continue;
+		seen |= UINT64_C(1) << (of - table);
+		if (base != NULL)
+			object_read_member(&m, of, base);
+	}
+	read_ways(v, row, kind, seen, base);
+	return seen;
+}
+
+/* Returns whether the member, whose value is at, is left out because it has its default,
+ * or because it is a size of 0. */
+static bool is_usual(const struct member *row, const void *at)
+{
+	const double *v = at;
+	double usual[4];
+
+	if (row->usual == NULL && row->range == &range_positive)
+		return *v == 0;
+	if (row->usual == NULL || row->shown || row->type->size == 0)
+		return false;
+	read_usual(row, usual);
+	if (row->type->size != sizeof *v)
+		return memcmp(usual, at, row->type->size) == 0;
+	for (size_t i = 0; i == 0 || i < row->n; i++)
+		if (v[i] != usual[i])
+			return false;
+	return true;
+}
+
+void object_print(struct printer *p, const struct member *row, int kind,
+    uint64_t bits, const void *base)
+{
+	const struct ways *w = row->ways;
+	const char *at = base;
+
+	for (; w != NULL && w->way[0] != NULL; w++)
+		if (w->at != 0 && is_of(w->kinds, kind))
+			bits &= object_shown(row->members, kind, w,
+			    (int)(*(const unsigned *)(const void *)(at +
+				      w->at) -
+				w->first));
+	put_open(p, "{");
+	for (row = row->members; row->name != NULL; row++, bits >>= 1) {
+		bool has = row->has == 0 || *(const bool *)(at + row->has);
+
+		if ((bits & 1) == 0 || !has || !is_of(row->kinds, kind) ||
+		    is_usual(row, at + row->at))
+			continue;
+		put_name(p, row->name);
+		row->type->print(p, row, at + row->at);
+	}
+	put_close(p, "}");
 }

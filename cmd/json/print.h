@@ -10,8 +10,8 @@
 struct printer {
 	char *at; /* the next byte; there must be room */
 	struct number_style style;
-	bool single;  /* numbers are floats */
-	bool column;  /* rows of a matrix are for column vectors */
+	bool single; /* numbers are floats */
+	bool column; /* rows of a matrix are for column vectors */
 	/* All is in one line, without blanks after commas and colons. Else each member
 	 * of the outermost object begins a line. */
 	bool compact;

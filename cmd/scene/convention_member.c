@@ -64,7 +64,7 @@ static void read_convention_member(const struct value *v,
     const struct member *row, void *out)
 {
 	if (value_is(v, JSON_OBJECT))
-		object_read(v, row->members, 0, out);
+		object_read(v, row, 0, out);
 	else
 		*(struct convention *)out =
 		    conventions[value_word(v, row->words)];
@@ -79,7 +79,7 @@ static void print_convention_member(struct printer *p, const struct member *row,
 			put_string(p, convention_names[i]);
 			return;
 		}
-	object_print(p, row->members, 0, ALL_MEMBERS, at);
+	object_print(p, row, 0, ALL_MEMBERS, at);
 }
 
 const struct type type_convention = { "a name or an object",

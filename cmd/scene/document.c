@@ -15,6 +15,9 @@
 
 enum { SCENE_MEMBERS = ROW_OF(MARGIN) + 1 };
 
+/* The document itself as a member. */
+static const struct member scene_row = { .members = scene_members };
+
 /* Returns the end of the element at s of a point; refuses a coordinate that is not a
  * number or null, and other elements that are arrays or objects. */
 static const char *element_end(struct value *e, const char *s, const char *end,
@@ -128,7 +131,7 @@ static unsigned find_members(struct document *d, const struct value *root,
 		if (value_member(root, scene_members[i].name, &m[i]))
 			seen |= 1u << i;
 	if (w->bare == 0 || (seen & ~(unsigned)SCENE_ANGLE_UNIT) != 0) {
-		object_read(root, scene_members, 0, NULL);
+		object_read(root, &scene_row, 0, NULL);
 		return seen;
 	}
 	for (int i = 0; i < SCENE_MEMBERS; i++)
@@ -196,7 +199,7 @@ static bool read_document_convention(const struct value *v, struct document *d)
 {
 	object_read_member(v, &scene_members[ROW_OF(CONVENTION)], d);
 	return !value_is(v, JSON_OBJECT) ||
-	    object_read(v, convention_members, 0, NULL) != 0;
+	    object_read(v, &scene_members[ROW_OF(CONVENTION)], 0, NULL) != 0;
 }
 
 /* Sets the origin of a device without the member origin to that of the answer's
@@ -339,7 +342,7 @@ static void put_document(struct printer *p, const struct document *d,
     unsigned bits)
 {
 	p->column = d->scene.convention.column;
-	object_print(p, scene_members, 0, bits, d);
+	object_print(p, &scene_row, 0, bits, d);
 }
 
 void put_scene(struct printer *p, const struct scene *s)

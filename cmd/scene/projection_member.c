@@ -287,9 +287,8 @@ static void read_projection(const struct value *v, const struct member *row,
 	find_type(v, p);
 	/* kinds are in the order of projection_types */
 	int kind = (int)p->type - 1;
-	uint64_t seen = object_read(v, row->members, kind, p);
+	uint64_t seen = object_read(v, row, kind, p);
 
-	take_ways(v, row, kind, seen, p);
 	p->unit = (enum angle_unit)v->source->unit;
 	/* the default direction is 45 degrees in any unit */
 	if (is_given(p, seen, "direction"))
@@ -373,7 +372,7 @@ static void print_projection(struct printer *printer, const struct member *row,
 	struct projection p = *(const struct projection *)at;
 	int kind = (int)p.type - 1;
 	bool sized = p.aspect[1] != 0;
-	uint64_t bits = taken_ways(row, kind, at);
+	uint64_t bits = ALL_MEMBERS;
 
 	/* leave out an aspect from the viewport, and the default direction */
 	if (p.aspect[1] != 1)
@@ -390,7 +389,7 @@ static void print_projection(struct printer *printer, const struct member *row,
 		    &projection_ways[WAYS_VOLUME], sized);
 	if (sized)
 		p.half_width *= 2; /* the size */
-	object_print(printer, row->members, kind, bits, &p);
+	object_print(printer, row, kind, bits, &p);
 }
 
 const struct type type_projection = { NULL, read_projection, print_projection,

@@ -73,56 +73,16 @@ const struct type type_word = { NULL, read_word, print_word, sizeof(unsigned) };
 
 const struct type type_points = { "a point or a list", NULL, NULL, 0 };
 
-/* Returns the first of an array of ways that is for the kind; NULL if there is none. */
-static const struct ways *ways_of(const struct ways *w, int kind)
-{
-	while (w != NULL && w->way[0] != NULL && w->kinds != 0 &&
-	    (w->kinds >> kind & 1) == 0)
-		w++;
-	return w != NULL && w->way[0] != NULL ? w : NULL;
-}
-
-void take_ways(const struct value *v, const struct member *row, int kind,
-    uint64_t seen, void *base)
-{
-	const struct ways *w = row->ways;
-
-	for (; (w = ways_of(w, kind)) != NULL; w++) {
-		int way = object_way(v, row->members, kind, seen, w);
-
-		if (w->at != 0)
-			*(unsigned *)((char *)base + w->at) = w->first +
-			    (unsigned)way;
-	}
-}
-
-uint64_t taken_ways(const struct member *row, int kind, const void *base)
-{
-	uint64_t bits = ALL_MEMBERS;
-	const struct ways *w = row->ways;
-
-	for (; (w = ways_of(w, kind)) != NULL; w++) {
-		const void *way = (const char *)base + w->at;
-
-		if (w->at != 0)
-			bits &= object_shown(row->members, kind, w,
-			    (int)(*(const unsigned *)way - w->first));
-	}
-	return bits;
-}
-
 static void read_object(const struct value *v, const struct member *row,
     void *out)
 {
-	uint64_t seen = object_read(v, row->members, 0, out);
-
-	take_ways(v, row, 0, seen, out);
+	object_read(v, row, 0, out);
 }
 
 static void print_object(struct printer *p, const struct member *row,
     const void *at)
 {
-	object_print(p, row->members, 0, taken_ways(row, 0, at), at);
+	object_print(p, row, 0, ALL_MEMBERS, at);
 }
 
 const struct type type_object = { NULL, read_object, print_object, 0 };
@@ -172,7 +132,10 @@ static const struct member printed_members[] = { { .name = "matrix" },
 #define ANY "16 numbers or 4 rows of 4"
 #define AFFINE "16 numbers, or 4 rows of 4 or 3, or 3 rows of 4"
 
-static const struct ways printed_ways = { .way = { "matrix vectors?" } };
+static const struct ways printed_ways[] = { { .way = { "matrix vectors?" } },
+	{ .way = { NULL } } };
+static const struct member printed = { .members = printed_members,
+	.ways = printed_ways };
 
 /* Returns whether rows of a matrix are for column vectors, by the member "vectors" of its
  * object, by their shape, or by the document. */
@@ -217,9 +180,7 @@ static void read_matrix(const struct value *v, const struct member *member,
 	struct value all = *v;
 
 	if (value_is(v, JSON_OBJECT)) {
-		uint64_t seen = object_read(v, printed_members, 0, NULL);
-
-		object_way(v, printed_members, 0, seen, &printed_ways);
+		object_read(v, &printed, 0, NULL);
 		value_member(v, "matrix", &all);
 	}
 	if (!value_is(&all, JSON_ARRAY))

@@ -40,15 +40,6 @@ void put_distance(struct printer *, double);
 /* An object with the members and ways of the row. */
 extern const struct type type_object;
 
-/* Calls object_way for each struct ways of the row and the kind, and sets the index of the
- * way in the struct at base. Refuses an object that fits no way. */
-void take_ways(const struct value *, const struct member *, int kind,
-    uint64_t seen, void *base);
-
-/* Returns as bits the members of the ways whose indices the struct at base has, and those
- * of no way. */
-uint64_t taken_ways(const struct member *, int kind, const void *base);
-
 /* Points. They are read as lines of text, not through a table. */
 extern const struct type type_points;
 
