@@ -50,24 +50,11 @@ struct place source_place(const struct source *source, const char *pointer)
 	return p;
 }
 
-/* Returns the values of checked text, whose copy is s, and frees the copy. cJSON takes
- * all that passes the check, and fails only without memory. */
-static const struct cJSON *parse(char *s, const struct json_check *checked)
-{
-	cJSON *item = cJSON_ParseWithLength(s, (size_t)(checked->copy - s));
-
-	if (item == NULL)
-		die(EXIT_SYSTEM, "out of memory");
-	free(s);
-	return item;
-}
-
-/* The values of the last document. A refusal does not return to free them. */
-static const struct cJSON *parsed;
-
 struct value value_parse_without(struct source *source, const char *pointer,
     char *text, size_t size, struct span *array)
 {
+	/* A refusal does not return to free the values of the last document. */
+	static cJSON *parsed;
 	static char *kept[2];
 	char **keep = &kept[source->operand], *copy = xrealloc(NULL, size);
 	struct json_check c = { .text = text,
@@ -91,20 +78,29 @@ struct value value_parse_without(struct source *source, const char *pointer,
 	}
 	*array = (struct span){ *c.found.s == '[' ? c.found.s : NULL,
 		c.found.end };
-	cJSON_Delete((cJSON *)parsed);
-	parsed = parse(copy, &c);
+	cJSON_Delete(parsed);
+	/* cJSON takes all that passes the check, and fails only without memory */
+	parsed = cJSON_ParseWithLength(copy, (size_t)(c.copy - copy));
+	free(copy);
+	if (parsed == NULL)
+		die(EXIT_SYSTEM, "out of memory");
 	return (struct value){ .source = source, .item = parsed };
 }
 
-void value_parse_part(struct value *v, const char *s, const char *end)
+const char *value_peek(struct value *v, const char *s, const char *end)
 {
-	static const struct cJSON *part;
-	char *copy = xrealloc(NULL, (size_t)(end - s));
-	struct json_check c = { .text = s, .end = end, .copy = copy };
+	/* the first characters of values, in the order of enum json_type */
+	static const char begins[] = "ftn0\"[{";
+	static cJSON item;
+	const char *known = strchr(begins, *s);
 
-	json_check(&c);
-	cJSON_Delete((cJSON *)part);
-	v->item = part = parse(copy, &c);
+	v->item = &item;
+	if (known == NULL || *known == '0') {
+		item.type = cJSON_Number;
+		return number_read(s, end, &item.valuedouble);
+	}
+	item.type = 1 << (known - begins);
+	return *s == '"' ? json_string(s, end) : s + (*s == 'f' ? 5 : 4);
 }
 
 struct value value_literal(const struct source *source, const char *text)
@@ -160,7 +156,7 @@ bool value_member(const struct value *object, const char *name,
 
 bool value_is(const struct value *v, enum json_type type)
 {
-	return (v->item->type >> type & 1) != 0;
+	return v->item != NULL && (v->item->type >> type & 1) != 0;
 }
 
 const char *value_string(const struct value *v)

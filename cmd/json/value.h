@@ -71,8 +71,9 @@ extern const struct value_range range_any, range_turn, range_positive;
 struct value value_parse_without(struct source *, const char *pointer,
     char *text, size_t size, struct span *array);
 
-/* Gives *v the value of checked text, which is valid until the next call. */
-void value_parse_part(struct value *v, const char *s, const char *end);
+/* Gives *v the type and the number of the value at s of checked text, until the next call.
+ * Returns the end of the value, unless it is an array or object. */
+const char *value_peek(struct value *v, const char *s, const char *end);
 
 /* Returns the value of a literal of the program, which is parsed once and kept. There are
  * at most LITERALS. */
@@ -92,6 +93,7 @@ struct value value_missing(const struct value *in, const char *name);
 bool value_member(const struct value *object, const char *name,
     struct value *member);
 
+/* Returns whether there is a value and it has the type. */
 bool value_is(const struct value *, enum json_type);
 
 /* Returns the string that a value is, else NULL. */

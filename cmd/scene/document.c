@@ -23,99 +23,73 @@ static const struct member scene_row = { .members = scene_members };
 static const char *element_end(struct value *e, const char *s, const char *end,
     bool coordinate)
 {
-	const char *stop;
-	double v;
+	const char *stop = value_peek(e, s, end);
 
-	if (coordinate && (*s == '-' || (*s >= '0' && *s <= '9'))) {
-		stop = number_read(s, end, &v);
-		if (fabs(v) <= MAGNITUDE_MAX)
-			return stop;
-	}
-	stop = json_skip(s, end);
-	if ((coordinate && *s != 'n') || *s == '[' || *s == '{') {
-		value_parse_part(e, s, stop);
-		if (!coordinate)
-			value_wrong(e, "a number, a string or null");
+	if (coordinate && *s != 'n')
 		value_number(e, &range_any);
-	}
+	else if (*s == '[' || *s == '{')
+		value_wrong(e, "a number, a string or null");
 	return stop;
 }
 
-/* Returns the end of the point at s of checked text; refuses a value that is not one. v
- * is the point, without its item. */
-static const char *point_end(struct value *v, const char *s, const char *end,
-    int coordinates)
+/* Moves the point at s of checked text, which is v, to *out as a line without blanks;
+ * refuses a value that is not a point. Sets *out to the end of the line, and returns the
+ * end of the point. */
+static const char *move_point(struct value *v, const char *s, const char *end,
+    int coordinates, char **out)
 {
 	struct value e = { .source = v->source, .in = v, .unused = v->unused };
 	int n = 0;
 
 	if (*s != '[') {
-		value_parse_part(v, s, json_skip(s, end));
+		value_peek(v, s, end);
 		value_wrong(v, "an array of coordinates");
 	}
+	*(*out)++ = '[';
 	for (s = json_space(s + 1, end); *s != ']'; e.index++) {
-		s = element_end(&e, s, end, n++ < coordinates);
-		s = json_space(s, end);
-		s = *s == ',' ? json_space(s + 1, end) : s;
+		const char *stop = element_end(&e, s, end, n++ < coordinates);
+
+		memmove(*out, s, (size_t)(stop - s));
+		*out += stop - s;
+		s = json_space(stop, end);
+		if (*s == ',') {
+			*(*out)++ = ',';
+			s = json_space(s + 1, end);
+		}
 	}
 	if (n < coordinates)
 		value_refuse(v, "has %d element%s; %d coordinates are wanted%s",
 		    n, n == 1 ? "" : "s", coordinates,
 		    n == 2 && v->source->two != NULL ? v->source->two : "");
+	*(*out)++ = ']';
+	*(*out)++ = '\n';
 	return s + 1;
 }
 
-/* Moves a value of checked text to out, without its blanks, and adds a newline. Returns
- * the end. */
-static char *move_value(const char *s, const char *end, char *out)
-{
-	while (s < end) {
-		if (*s == '"') {
-			const char *stop = json_string(s, end);
-
-			memmove(out, s, (size_t)(stop - s));
-			out += stop - s;
-			s = stop;
-			continue;
-		}
-		*out = *s++;
-		out += (unsigned char)*out > ' ';
-	}
-	*out++ = '\n';
-	return out;
-}
-
-/* Returns the text of points; refuses a value that is not an array. */
-static char *text_of(const struct value *v, const struct span *array)
-{
-	if (array->s == NULL)
-		value_wrong(v, "an array of points");
-	return (char *)array->s;
-}
-
-/* Replaces the text of an array of points, or of one point, by a line for each point.
- * Returns the size of the lines. A line has room, as its newline takes the place of the
- * comma or bracket before the point; for one point it may be the byte after the text. */
+/* Replaces the text of an array of points, or of one point, by a line for each point;
+ * refuses a value that is not an array. Returns the size of the lines. A line has room, as
+ * its newline takes the place of the comma or bracket before the point; for one point it
+ * may be the byte after the text. */
 static size_t take_points(const struct value *v, const struct span *array,
     int coordinates)
 {
-	struct value single = *v;
 	struct value e = { .source = v->source, .in = v, .unused = v->unused };
-	char *const lines = text_of(v, array), *out = lines;
-	const char *s = json_space(lines + 1, array->end), *stop;
+	const char *s = array->s, *end = array->end;
+	char *out = (char *)array->s;
 
+	if (s == NULL)
+		value_wrong(v, "an array of points");
+	s = json_space(s + 1, end);
 	if (*s != '[' && *s != ']') {
-		stop = point_end(&single, lines, array->end, coordinates);
-		out = move_value(lines, stop, out);
-		return (size_t)(out - lines);
+		e = *v;
+		s = array->s;
 	}
-	for (; *s != ']'; e.index++) {
-		stop = point_end(&e, s, array->end, coordinates);
-		out = move_value(s, stop, out);
-		s = json_space(stop, array->end);
-		s = *s == ',' ? json_space(s + 1, array->end) : s;
+	for (; s < end && *s != ']'; e.index++) {
+		s = move_point(&e, s, end, coordinates, &out);
+		s = json_space(s, end);
+		s = s < end && *s == ',' ? json_space(s + 1, end) : s;
 	}
-	return (size_t)(out - lines);
+	return (size_t)(out - array->s);
 }
 
 /* Finds the members of a document and returns those that there are, as bits. An object

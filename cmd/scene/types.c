@@ -170,6 +170,19 @@ static void check_rows(const struct value *v, const double m[4][4])
 		    "{\"matrix\": [...], \"vectors\": \"column\"}");
 }
 
+/* Reads rows of numbers, or the same numbers one row after the other. */
+static void read_rows(const struct value *v, size_t rows, size_t columns,
+    double *out)
+{
+	struct value row = value_child(v);
+
+	if (value_count(v) != rows)
+		value_numbers(v, &range_any, rows * columns, out);
+	else
+		for (; row.item != NULL; value_next(&row), out += columns)
+			value_numbers(&row, &range_any, columns, out);
+}
+
 /* Reads a matrix. 16 numbers in memory order are the same for row vectors, stored row by
  * row, and for column vectors, stored column by column; nested rows differ. */
 static void read_matrix(const struct value *v, const struct member *member,
@@ -192,24 +205,19 @@ static void read_matrix(const struct value *v, const struct member *member,
 		value_count(&row) == 3 ?
 	    3 :
 	    4;
-	bool column = is_column(v, rows, columns);
-	double e[4];
+	bool column = is_column(v, rows, columns), turned = column && n == rows;
+	double e[16];
 
 	if (n != rows && n != 16)
 		value_refuse(&all, "has %zu element%s; %s are wanted", n,
 		    n == 1 ? "" : "s", affine ? AFFINE : ANY);
-	if (n == 16)
-		value_numbers(&all, &range_any, 16, m[0]);
-	for (size_t i = 0; i < 4 && n != 16; i++) {
+	read_rows(&all, rows, columns, e);
+	for (size_t i = 0; i < 4; i++)
 		for (size_t j = 0; j < 4; j++)
-			e[j] = i == j;
-		if (i < rows)
-			value_numbers(&row, &range_any, columns, e);
-		for (size_t j = 0; j < 4; j++)
-			m[column ? j : i][column ? i : j] = e[j];
-		if (i < rows)
-			value_next(&row);
-	}
+			m[turned ? j : i][turned ? i : j] = i < rows &&
+				j < columns ?
+			    e[i * columns + j] :
+			    i == j;
 	if (affine && n == rows && !column && !value_is(v, JSON_OBJECT))
 		check_rows(v, m);
 }
@@ -238,54 +246,44 @@ const struct type type_affine = { "matrix", read_matrix, print_rows, 0 };
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
 	"rows of 4 or 12 numbers"
 
-static void refuse_element(const struct value *v, bool nested, size_t i,
-    size_t j, const char *why)
-{
-	struct value row = { .source = v->source, .in = v, .index = i };
-	struct value e = { .source = v->source,
-		.in = nested ? &row : v,
-		.index = nested ? j : 3 * i + j };
-
-	value_refuse(&e, "%s", why);
-}
-
 /* Refuses a K whose fx or fy is not positive, whose last row is not 0, 0, 1, or which is
  * not 0 under the diagonal. */
-static void check_k(const struct value *v, bool nested, const double k[3][4])
+static void check_k(const struct value *v, const double k[3][4])
 {
-	for (size_t i = 0; i < 3; i++)
-		for (size_t j = 0; j <= i; j++)
-			if (i == 2 && k[i][j] != (j == 2))
-				refuse_element(v, nested, i, j,
-				    "the last row of K is 0, 0, 1; is it a "
-				    "camera's K, and not transposed?");
-			else if (j < i && k[i][j] != 0)
-				refuse_element(v, nested, i, j,
-				    "under the diagonal of K there is 0; is it "
-				    "transposed?");
-			else if (j == i && !scene_is_size(k[i][j]))
-				refuse_element(v, nested, i, j,
-				    "is not positive, as fx and fy of K are");
+	bool nested = value_count(v) == 3;
+
+	for (size_t n = 0; n < 9; n++) {
+		size_t i = n / 3, j = n % 3;
+		const char *why = NULL;
+
+		if (i == 2 && k[i][j] != (j == 2))
+			why = "the last row of K is 0, 0, 1; is it a camera's "
+			      "K, and not transposed?";
+		else if (j < i && k[i][j] != 0)
+			why = "under the diagonal of K there is 0; is it "
+			      "transposed?";
+		else if (j == i && !scene_is_size(k[i][j]))
+			why = "is not positive, as fx and fy of K are";
+		struct value row = { v->source, .in = v, .index = i };
+		struct value e = { v->source, .in = nested ? &row : v,
+			.index = nested ? j : n };
+
+		if (why != NULL)
+			value_refuse(&e, "%s", why);
+	}
 }
 
-/* Reads K, if n is 3, or P, if n is 4, from nested rows or one row after the other. */
-static void read_k_or_p(const struct value *v, size_t n, bool nested,
-    double k[3][4])
+/* Reads K, if columns is 3, or P, if it is 4. */
+static void read_k_or_p(const struct value *v, size_t columns, double k[3][4])
 {
-	struct value row = value_child(v);
 	double e[12];
 
-	if (!nested)
-		value_numbers(v, &range_any, 3 * n, e);
-	for (size_t i = 0; i < 3; i++) {
-		if (nested)
-			value_numbers(&row, &range_any, n, e + i * n);
-		value_next(&row);
-		memcpy(k[i], e + i * n, n * sizeof *e);
-	}
-	if (n == 3 && !v->unused)
-		check_k(v, nested, k);
-	if (n == 4 && k[2][0] == 0 && k[2][1] == 0 && k[2][2] == 0 &&
+	read_rows(v, 3, columns, e);
+	for (size_t i = 0; i < 3; i++)
+		memcpy(k[i], e + i * columns, columns * sizeof *e);
+	if (columns == 3 && !v->unused)
+		check_k(v, k);
+	if (columns == 4 && k[2][0] == 0 && k[2][1] == 0 && k[2][2] == 0 &&
 	    !v->unused)
 		value_refuse(v,
 		    "the last row of P begins 0, 0, 0; a perspective divides "
@@ -308,7 +306,7 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 	if (nested ? n == 3 : n == 9 || n == 12) {
 		size_t columns = nested ? value_count(&first) : n / 3;
 
-		read_k_or_p(v, columns == 4 ? 4 : 3, nested, k);
+		read_k_or_p(v, columns == 4 ? 4 : 3, k);
 		return;
 	}
 	if (n != 4 || nested)
