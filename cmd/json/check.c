@@ -25,25 +25,16 @@ static bool is_letter(char c)
 	return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-static bool is_json_blank(char c)
-{
-	return c == ' ' || c == '\n' || c == '\t' || c == '\r';
-}
-
 /* Returns whether c is the next character. */
 static bool at(const struct json_check *s, char c)
 {
 	return s->at < s->end && *s->at == c;
 }
 
-/* Moves s->at to the first character that is not a blank. */
+/* Moves s->at past blanks. */
 static void blanks(struct json_check *s)
 {
-	const char *p = s->at;
-
-	while (p < s->end && is_json_blank(*p))
-		p++;
-	s->at = p;
+	s->at = json_space(s->at, s->end);
 }
 
 /* Appends n bytes to the copy, if there is one. */
@@ -56,7 +47,8 @@ static void copy(struct json_check *s, const char *from, size_t n)
 /* Returns whether c can be part of a word or number. */
 static bool in_token(char c)
 {
-	return (unsigned char)c > ' ' && strchr(",:[]{}\"'/#", c) == NULL;
+	return (unsigned char)c > ' ' && c != ',' &&
+	    strchr(":[]{}\"'/#", c) == NULL;
 }
 
 /* Returns the end of the word or number at s->at, else of the one character there. */
@@ -87,7 +79,7 @@ static bool after_comma(const struct json_check *s)
 {
 	const char *p = s->at;
 
-	while (p > s->text && is_json_blank(p[-1]))
+	while (p > s->text && json_is_blank(p[-1]))
 		p--;
 	return p > s->text && p[-1] == ',';
 }

@@ -8,28 +8,6 @@
 
 #include "../number/number.h"
 
-/* Returns the eight characters at s, the first in the lowest byte, each less '0', so
- * that a digit becomes its value. */
-static uint64_t eight_at(const char *s)
-{
-	uint64_t w;
-
-	memcpy(&w, s, 8);
-	if (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__)
-		w = __builtin_bswap64(w);
-	return w ^ 0x3030303030303030;
-}
-
-/* Returns the number of digits before the first other character, without a branch for
- * each character, which processors could not predict. A digit's sum, at most 9 + 0x76,
- * has no top bit. The sum of another character can carry into the next byte, but the
- * lowest top bit is that of the first such character. */
-static size_t leading_digits(uint64_t w)
-{
-	w = (w | (w + 0x7676767676767676)) & 0x8080808080808080;
-	return w == 0 ? 8 : (size_t)__builtin_ctzll(w) / 8;
-}
-
 static bool is_digit(char c)
 {
 	return c >= '0' && c <= '9';
@@ -39,11 +17,8 @@ static bool is_digit(char c)
 static const char *digits(const char *s, const char *end)
 {
 	const char *first = s;
-	size_t n = 8;
 
-	while (n == 8 && end - s >= 8)
-		s += n = leading_digits(eight_at(s));
-	while (n == 8 && s < end && is_digit(*s))
+	while (s < end && is_digit(*s))
 		s++;
 	return s > first ? s : NULL;
 }

@@ -17,11 +17,15 @@ const char *json_number(const char *s, const char *end, double *v);
 /* Returns the end of the number as json_number does, without its value. */
 const char *json_number_end(const char *s, const char *end);
 
-/* Returns the end of the blanks at s of checked text, whose only characters up to ' ' are
- * blanks. */
+static inline bool json_is_blank(char c)
+{
+	return c == ' ' || c == '\n' || c == '\t' || c == '\r';
+}
+
+/* Returns the end of the blanks at s. */
 static inline const char *json_space(const char *s, const char *end)
 {
-	while (s < end && (unsigned char)*s <= ' ')
+	while (s < end && json_is_blank(*s))
 		s++;
 	return s;
 }

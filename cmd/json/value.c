@@ -92,14 +92,12 @@ const char *value_peek(struct value *v, const char *s, const char *end)
 	/* the first characters of values, in the order of enum json_type */
 	static const char begins[] = "ftn0\"[{";
 	static cJSON item;
-	const char *known = strchr(begins, *s);
-
 	v->item = &item;
-	if (known == NULL || *known == '0') {
+	if (*s == '-' || (*s >= '0' && *s <= '9')) {
 		item.type = cJSON_Number;
 		return number_read(s, end, &item.valuedouble);
 	}
-	item.type = 1 << (known - begins);
+	item.type = 1 << (strchr(begins, *s) - begins);
 	return *s == '"' ? json_string(s, end) : s + (*s == 'f' ? 5 : 4);
 }
 
