@@ -9,11 +9,6 @@
 /* The most rows of a table: members are bits. */
 enum { MEMBERS_MAX = 64 };
 
-static bool is_ignored(const char *name)
-{
-	return *name == '_' || strcmp(name, "$schema") == 0;
-}
-
 /* Returns whether kinds, the bits of a member or of ways, have the kind. */
 static bool is_of(unsigned kinds, int kind)
 {
@@ -40,11 +35,24 @@ static bool is_beside(const struct value *v)
 	return row != NULL && row->beside;
 }
 
-uint64_t member_bit(const struct member *table, int kind, const char *name)
+uint64_t member_bits(const struct member *table, int kind, const char *names,
+    bool needed)
 {
-	const struct member *row = member_of(table, kind, name);
+	uint64_t bits = 0;
+	char name[ESCAPED_MAX];
 
-	return row != NULL ? UINT64_C(1) << (row - table) : 0;
+	for (; *names != '\0'; names += strspn(names, " ?")) {
+		size_t n = strcspn(names, " ?");
+
+		memcpy(name, names, n);
+		name[n] = '\0';
+		names += n;
+		const struct member *row = member_of(table, kind, name);
+
+		if (row != NULL && !(needed && *names == '?'))
+			bits |= UINT64_C(1) << (row - table);
+	}
+	return bits;
 }
 
 const struct member *member_named(const struct member *table, int kind,
@@ -154,31 +162,13 @@ void object_read_member(const struct value *v, const struct member *row,
 /* A list of ways as bits of members, for one kind of object. */
 struct way_bits {
 	const char *const *list;
+	const struct member *table;
 	int kind;
 	size_t n;
 	uint64_t any;            /* the members of all ways */
 	uint64_t all[WAYS_MAX];  /* the members of each way */
 	uint64_t must[WAYS_MAX]; /* those of them that may not be missing */
 };
-
-static void add_way(struct way_bits *b, const struct member *table,
-    const char *way)
-{
-	char name[ESCAPED_MAX];
-
-	for (; *way != '\0'; way += strspn(way, " ?")) {
-		size_t n = strcspn(way, " ?");
-
-		memcpy(name, way, n);
-		name[n] = '\0';
-		way += n;
-		uint64_t bit = member_bit(table, b->kind, name);
-
-		b->all[b->n] |= bit;
-		b->must[b->n] |= *way != '?' ? bit : 0;
-	}
-	b->any |= b->all[b->n++];
-}
 
 /* Returns the bits of a list of ways. They are made once and kept: reading a scene takes
  * about ten. The tables have 24 lists, counted for each kind. */
@@ -190,63 +180,61 @@ static const struct way_bits *list_bits(const struct member *table, int kind,
 
 	while (b->list != NULL && (b->list != list || b->kind != kind))
 		b++;
-	if (b->list == NULL) {
-		*b = (struct way_bits){ .list = list, .kind = kind };
-		for (; *list != NULL; list++)
-			add_way(b, table, *list);
+	if (b->list != NULL)
+		return b;
+	*b = (struct way_bits){ .list = list, .table = table, .kind = kind };
+	for (; *list != NULL; list++, b->n++) {
+		b->all[b->n] = member_bits(table, kind, *list, false);
+		b->must[b->n] = member_bits(table, kind, *list, true);
+		b->any |= b->all[b->n];
 	}
 	return b;
 }
 
-uint64_t object_shown(const struct member *table, int kind,
-    const struct ways *w, int way)
+/* Writes the names of those members. Returns out. */
+static const char *write_names(char out[LISTED], const struct way_bits *b,
+    uint64_t bits)
 {
-	const struct way_bits *b = list_bits(table, kind, w->way);
+	const char *names[MEMBERS_MAX + 1];
 
-	return ~b->any | b->all[way];
+	list_names(b->table, b->kind, bits, names);
+	return list_words(out, names, " and ", "\"");
 }
 
 /* Writes "give ..." with each way: its members that may not be missing, and its other
  * members that are seen. */
-static void write_ways(char out[LISTED], const struct member *table,
-    const struct way_bits *b, uint64_t seen)
+static void write_ways(char out[LISTED], const struct way_bits *b,
+    uint64_t seen)
 {
-	const char *names[MEMBERS_MAX + 1];
 	char all[LISTED];
 	size_t n = 0;
 
 	for (size_t i = 0; i < b->n && n < LISTED; i++) {
-		list_names(table, b->kind, b->all[i] & (b->must[i] | seen),
-		    names);
-		list_words(all, names, " and ", "\"");
+		write_names(all, b, b->all[i] & (b->must[i] | seen));
 		n += (size_t)snprintf(out + n, LISTED - n, "%s%s",
 		    i > 0 ? ", or " : "give ",
 		    *all != '\0' ? all : "none of them");
 	}
 }
 
-/* Refuses the first of the bits of member. If way is 0, the member is missing. Else way
+/* Refuses the first of the bits of members. If way is 0, the member is missing. Else way
  * has the given members of a complete way, to which the member does not belong. */
 static _Noreturn void refuse_way(const struct value *v,
-    const struct member *table, const struct way_bits *b, uint64_t seen,
-    uint64_t member, uint64_t way)
+    const struct way_bits *b, uint64_t seen, uint64_t members, uint64_t way)
 {
-	const char *names[MEMBERS_MAX + 1];
+	const int first = __builtin_ctzll(members);
+	const struct value *m = VALUE_MISSING(v, b->table[first].name);
 	char ways[LISTED], rivals[LISTED];
 	uint64_t others = way;
 
-	list_names(table, b->kind, member & -member, names);
-	struct value m = value_missing(v, names[0]);
-
-	write_ways(ways, table, b, seen);
+	write_ways(ways, b, seen);
 	if (way == 0)
-		value_refuse(&m, "missing; %s", ways);
+		value_refuse(m, "missing; %s", ways);
 	for (size_t i = 0; i < b->n; i++)
-		if ((b->all[i] & member & -member) != 0)
+		if (b->all[i] >> first & 1)
 			others &= ~b->all[i];
-	list_names(table, b->kind, others != 0 ? others : way, names);
-	value_refuse(&m, "does not go with %s; %s",
-	    list_words(rivals, names, " and ", "\""), ways);
+	value_refuse(m, "does not go with %s; %s",
+	    write_names(rivals, b, others != 0 ? others : way), ways);
 }
 
 int object_way(const struct value *v, const struct member *table, int kind,
@@ -274,7 +262,7 @@ int object_way(const struct value *v, const struct member *table, int kind,
 		return 0;
 	if (extra == 0 && lacking == 0)
 		lacking = b->must[0];
-	refuse_way(v, table, b, seen, extra != 0 ? extra : lacking, way);
+	refuse_way(v, b, seen, extra != 0 ? extra : lacking, way);
 }
 
 /* Finds the ways that the members seen belong to, and sets their indices in the struct at
@@ -311,7 +299,7 @@ uint64_t object_read(const struct value *v, const struct member *row, int kind,
 	for (; m.item != NULL; value_next(&m)) {
 		const struct member *of = member_of(table, kind, m.name);
 
-		if (is_ignored(m.name))
+		if (*m.name == '_' || strcmp(m.name, "$schema") == 0)
 			continue;
 		if (of == NULL && !is_beside(&m))
 			refuse_unknown(&m, table, kind);
@@ -354,12 +342,15 @@ void object_print(struct printer *p, const struct member *row, int kind,
 	const struct ways *w = row->ways;
 	const char *at = base;
 
-	for (; w != NULL && w->way[0] != NULL; w++)
-		if (w->at != 0 && is_of(w->kinds, kind))
-			bits &= object_shown(row->members, kind, w,
-			    (int)(*(const unsigned *)(const void *)(at +
-				      w->at) -
-				w->first));
+	for (; w != NULL && w->way[0] != NULL; w++) {
+		if (w->at == 0 || !is_of(w->kinds, kind))
+			continue;
+		const struct way_bits *b = list_bits(row->members, kind,
+		    w->way);
+		const unsigned *way = (const void *)(at + w->at);
+
+		bits &= ~b->any | b->all[*way - w->first];
+	}
 	put_open(p, "{");
 	for (row = row->members; row->name != NULL; row++, bits >>= 1) {
 		bool has = row->has == 0 || *(const bool *)(at + row->has);

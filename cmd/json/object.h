@@ -107,10 +107,6 @@ void object_read_member(const struct value *, const struct member *,
 void object_print(struct printer *, const struct member *row, int kind,
     uint64_t bits, const void *base);
 
-/* Returns as bits the members of the way with that index, and those of no way. */
-uint64_t object_shown(const struct member *, int kind, const struct ways *,
-    int way);
-
 /* Returns the member of that name that objects of that kind have, or NULL. member_named
  * also finds a member by an alias. */
 enum { ANY_KIND = -1 };
@@ -126,8 +122,10 @@ const char *member_type(const struct member *, char out[LISTED]);
 /* Returns the unit, or NULL. */
 const char *member_unit(const struct member *);
 
-/* Returns the bit of the member of that name; 0 if objects of that kind have none. */
-uint64_t member_bit(const struct member *, int kind, const char *name);
+/* Returns as bits the members of names, which have blanks between them, that objects of
+ * that kind have; if needed, without names before a ?. */
+uint64_t member_bits(const struct member *, int kind, const char *names,
+    bool needed);
 
 /* Returns the index of the way to which the members seen, as bits, belong. Refuses an
  * object that lacks members of each way, or has members of several. */

@@ -138,11 +138,6 @@ void value_next(struct value *v)
 	v->name = v->item != NULL ? v->item->string : NULL;
 }
 
-struct value value_missing(const struct value *in, const char *name)
-{
-	return (struct value){ .source = in->source, .in = in, .name = name };
-}
-
 bool value_member(const struct value *object, const char *name,
     struct value *member)
 {
@@ -254,13 +249,6 @@ double value_number(const struct value *v, const struct value_range *range)
 	*number_write(text, x, shortest) = '\0';
 	value_refuse(v, "%s is %s; %s", text,
 	    range->min > 0 && x <= 0 ? "not positive" : "out of range", wanted);
-}
-
-bool value_flag(const struct value *v)
-{
-	if (!value_is(v, JSON_TRUE) && !value_is(v, JSON_FALSE))
-		value_wrong(v, "true or false");
-	return value_is(v, JSON_TRUE);
 }
 
 void value_numbers(const struct value *v, const struct value_range *range,

@@ -86,8 +86,11 @@ struct value value_child(const struct value *);
 /* Replaces *v by the next element or member of v->in; its item is NULL after the last. */
 void value_next(struct value *v);
 
-/* Returns a member that an object lacks, for a message with its pointer. */
-struct value value_missing(const struct value *in, const char *name);
+/* A member that an object lacks, for a message with its pointer. */
+#define VALUE_MISSING(object, label)                  \
+	(&(struct value){ .source = (object)->source, \
+	    .in = (object),                           \
+	    .name = (label) })
 
 /* Finds the first member of that name; returns false if there is none. */
 bool value_member(const struct value *object, const char *name,
@@ -119,9 +122,6 @@ void value_want_object(const struct value *);
 
 /* Returns the number that a value is; refuses another type, and a number out of range. */
 double value_number(const struct value *, const struct value_range *);
-
-/* Returns whether a value is true; refuses all but true and false. */
-bool value_flag(const struct value *);
 
 /* Reads an array of exactly n numbers; refuses other values. */
 void value_numbers(const struct value *, const struct value_range *, size_t n,

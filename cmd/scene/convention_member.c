@@ -55,11 +55,6 @@ const struct member convention_members[] = {
 	{ .name = NULL },
 };
 
-bool same_convention(const struct convention *a, const struct convention *b)
-{
-	return memcmp(a, b, sizeof *a) == 0;
-}
-
 static void read_convention_member(const struct value *v,
     const struct member *row, void *out)
 {
@@ -75,7 +70,7 @@ static void print_convention_member(struct printer *p, const struct member *row,
     const void *at)
 {
 	for (int i = 0; i < CONVENTIONS; i++)
-		if (same_convention(at, &conventions[i])) {
+		if (memcmp(at, &conventions[i], sizeof *conventions) == 0) {
 			put_string(p, convention_names[i]);
 			return;
 		}
@@ -87,10 +82,8 @@ const struct type type_convention = { "a name or an object",
 
 void check_axes(const struct value *in, const char *name)
 {
-	struct value m = value_missing(in, name);
-
 	if (!in->unused && !in->source->axes)
-		value_refuse(&m,
+		value_refuse(VALUE_MISSING(in, name),
 		    "needs a \"convention\"; of x, y and z in view space, "
 		    "opencv is right, down, forward and webgpu right, up, "
 		    "backward");

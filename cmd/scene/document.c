@@ -108,11 +108,10 @@ static unsigned find_members(struct document *d, const struct value *root,
 		object_read(root, &scene_row, 0, NULL);
 		return seen;
 	}
-	for (int i = 0; i < SCENE_MEMBERS; i++)
-		if (w->bare == 1u << i) {
-			d->bare = scene_members[i].name;
-			m[i] = *root;
-		}
+	const int bare = __builtin_ctz(w->bare);
+
+	d->bare = scene_members[bare].name;
+	m[bare] = *root;
 	return seen | w->bare;
 }
 
@@ -140,17 +139,13 @@ static void check_needed(const struct value *root,
 {
 	unsigned missing = w->needed & ~seen;
 
-	for (int i = 0; i <= ROW_OF(POINTS); i++) {
-		const struct member *row = &scene_members[i];
-		struct value v = value_missing(root, row->name);
+	if (missing == 0)
+		return;
+	const struct member *row = &scene_members[__builtin_ctz(missing)];
 
-		if (missing >> i & 1)
-			value_refuse(&v, "missing; add \"%s\": %s%s", row->name,
-			    row->example,
-			    w->flat == 0 ? "" :
-					   ", or for two dimensions "
-					   "\"window\": {}");
-	}
+	value_refuse(VALUE_MISSING(root, row->name),
+	    "missing; add \"%s\": %s%s", row->name, row->example,
+	    w->flat == 0 ? "" : ", or for two dimensions \"window\": {}");
 }
 
 /* Refuses a flat document if the command takes documents of three dimensions only. */
@@ -158,12 +153,11 @@ static void refuse_flat(const struct value *root,
     const struct document_wants *w, unsigned seen)
 {
 	const char *name = seen & SCENE_WINDOW ? "window" : "device";
-	struct value v = value_missing(root, name);
 
 	if (w->flat == 0 && (w->used & SCENE_SPATIAL) == SCENE_SPATIAL &&
 	    (seen & SCENE_SPATIAL) == 0 &&
 	    (seen & ~w->used & (SCENE_WINDOW | SCENE_DEVICE)) != 0)
-		value_refuse(&v,
+		value_refuse(VALUE_MISSING(root, name),
 		    "is of two dimensions, and the command of three; the "
 		    "commands w2n, n2w, n2d, d2n, w2d and d2w are of two");
 }
@@ -250,7 +244,8 @@ void document_read(struct document *d, const char *name, char *text,
 		source.axes |= read_document_convention(&m[ROW_OF(CONVENTION)],
 		    d);
 	if (w->convention != NULL &&
-	    !same_convention(w->convention, &d->scene.convention))
+	    memcmp(w->convention, &d->scene.convention,
+		sizeof d->scene.convention) != 0)
 		d->scene.answer = w->convention;
 	source.column = d->scene.convention.column;
 	source.implied = (unsigned)w->projection;

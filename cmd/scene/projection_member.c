@@ -144,8 +144,8 @@ const struct member projection_members[] = {
 	{ .name = NULL },
 };
 
-/* indices of projection_ways */
-enum { WAYS_SHEAR = 2, WAYS_DEPTH, WAYS_VOLUME };
+/* an index of projection_ways */
+enum { WAYS_DEPTH = 3 };
 
 /* The command fit finds width and height, which keep a given aspect. */
 const struct ways projection_ways[] = {
@@ -160,10 +160,9 @@ const struct ways projection_ways[] = {
 	    { "width? height?", "width? aspect?", "height? aspect?",
 		"left right bottom top" },
 	    PARALLEL, AT(extent), EXTENT_SIZE },
-	[WAYS_SHEAR] = { { "kind", "angle" }, .kinds = OBLIQUE },
+	{ { "kind", "angle" }, .kinds = OBLIQUE },
 	[WAYS_DEPTH] = { { "near far" }, .fit = true, .kinds = PARALLEL },
-	[WAYS_VOLUME] = { { "half_width half_height", "size aspect?" },
-	    .kinds = VOLUME },
+	{ { "half_width half_height", "size aspect?" }, .kinds = VOLUME },
 	{ { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
 	    .kinds = VOLUME, .at = AT(eye_by) },
 	{ { "z_near z_far" }, .fit = true, .kinds = VOLUME },
@@ -181,13 +180,15 @@ static bool is_given(const struct projection *p, uint64_t seen,
     const char *name)
 {
 	return (seen &
-		   member_bit(projection_members, (int)p->type - 1, name)) != 0;
+		   member_bits(projection_members, (int)p->type - 1, name,
+		       false)) != 0;
 }
 
 /* Refuses a projection without a type, and names the types that have all its members. */
 static _Noreturn void refuse_typeless(const struct value *v)
 {
-	struct value missing = value_missing(v, "type"), m = value_child(v);
+	const struct value *type = VALUE_MISSING(v, "type");
+	struct value m = value_child(v);
 	const char *names[6];
 	unsigned of = SECTIONED | VOLUME | MATRIX;
 	char all[LISTED];
@@ -209,8 +210,8 @@ static _Noreturn void refuse_typeless(const struct value *v)
 	names[n] = NULL;
 	list_words(all, names, " or ", "\"");
 	if (n == 1)
-		value_refuse(&missing, "missing; add \"type\": %s", all);
-	value_refuse(&missing, "missing; it is %s", all);
+		value_refuse(type, "missing; add \"type\": %s", all);
+	value_refuse(type, "missing; it is %s", all);
 }
 
 /* Reads the type, on which the other members depend. */
@@ -232,9 +233,8 @@ static void find_type(const struct value *v, struct projection *p)
 
 static void check_angles(const struct value *v, const struct projection *p)
 {
-	struct value m = value_missing(v, "angles");
 	struct value e = { .source = v->source,
-		.in = &m,
+		.in = VALUE_MISSING(v, "angles"),
 		.index = p->left < p->right ? 3 : 1 };
 
 	if (!(p->left < p->right && p->bottom < p->top))
@@ -248,10 +248,8 @@ static void check_angles(const struct value *v, const struct projection *p)
 static void need_near(const struct value *v, uint64_t seen,
     const struct projection *p)
 {
-	struct value m = value_missing(v, "near");
-
 	if (!is_given(p, seen, "near"))
-		value_refuse(&m,
+		value_refuse(VALUE_MISSING(v, "near"),
 		    "missing; the section is on the near plane, unless "
 		    "\"edges_at\" says where");
 }
@@ -309,15 +307,15 @@ static void read_projection(const struct value *v, const struct member *row,
 static void find_sides(const struct value *v, const struct viewport *viewport,
     struct projection *p)
 {
-	struct value m = value_missing(v, "intrinsics");
+	const struct value *given = VALUE_MISSING(v, "intrinsics");
 
 	if (viewport == NULL) {
-		value_refuse(&m,
+		value_refuse(given,
 		    "needs a \"viewport\", in whose units it is; "
 		    "write {\"projection\": {...}, \"viewport\": "
 		    "{\"width\": 640, \"height\": 480}}");
 	} else if (viewport->scale != SCALE_FILL) {
-		value_refuse(&m,
+		value_refuse(given,
 		    "not together with the viewport's \"scale\"; "
 		    "leave that out");
 	} else {
@@ -332,7 +330,7 @@ static void find_sides(const struct value *v, const struct viewport *viewport,
 static bool needs_aspect(const struct value *v, const struct viewport *viewport,
     const struct projection *p)
 {
-	if (member_bit(projection_members, (int)p->type - 1, "aspect") == 0)
+	if (!is_given(p, ALL_MEMBERS, "aspect"))
 		return false;
 	if (p->type == PROJECTION_VOLUME)
 		return p->aspect[1] != 0;
@@ -345,8 +343,6 @@ static bool needs_aspect(const struct value *v, const struct viewport *viewport,
 void projection_complete(const struct value *v, const struct viewport *viewport,
     struct projection *p)
 {
-	struct value missing = value_missing(v, "aspect");
-
 	if (v->unused)
 		return;
 	if (projection_is_by_p(p))
@@ -357,7 +353,8 @@ void projection_complete(const struct value *v, const struct viewport *viewport,
 	if (p->aspect[0] > 0)
 		return;
 	if (viewport == NULL) {
-		value_refuse(&missing, "missing; give it, or a \"viewport\"");
+		value_refuse(VALUE_MISSING(v, "aspect"),
+		    "missing; give it, or a \"viewport\"");
 	} else if (viewport->scale == SCALE_UNIFORM) {
 		p->aspect[0] = 1;
 	} else {
@@ -373,20 +370,23 @@ static void print_projection(struct printer *printer, const struct member *row,
 	int kind = (int)p.type - 1;
 	bool sized = p.aspect[1] != 0;
 	uint64_t bits = ALL_MEMBERS;
+	/* an aspect may come from the viewport, a direction from the unit */
+	const struct {
+		bool is;
+		const char *names;
+	} hidden[] = {
+		{ p.aspect[1] != 1, "aspect" },
+		{ p.direction == 45 && p.direction_unit == DEGREES,
+		    "direction" },
+		{ projection_is_open(&p), "near far reverse_z" },
+		{ true, p.kind == OBLIQUE_ANGLE ? "kind" : "angle" },
+		{ true, sized ? "half_width half_height" : "size" },
+	};
 
-	/* leave out an aspect from the viewport, and the default direction */
-	if (p.aspect[1] != 1)
-		bits &= ~member_bit(row->members, kind, "aspect");
-	if (p.direction == 45 && p.direction_unit == DEGREES)
-		bits &= ~member_bit(row->members, kind, "direction");
-	if (projection_is_open(&p))
-		bits &= object_shown(row->members, kind, &open_ways, 1);
-	if (p.type == PROJECTION_OBLIQUE)
-		bits &= object_shown(row->members, kind,
-		    &projection_ways[WAYS_SHEAR], p.kind == OBLIQUE_ANGLE);
-	if (p.type == PROJECTION_VOLUME)
-		bits &= object_shown(row->members, kind,
-		    &projection_ways[WAYS_VOLUME], sized);
+	for (size_t i = 0; i < sizeof hidden / sizeof *hidden; i++)
+		if (hidden[i].is)
+			bits &= ~member_bits(row->members, kind,
+			    hidden[i].names, false);
 	if (sized)
 		p.half_width *= 2; /* the size */
 	object_print(printer, row, kind, bits, &p);

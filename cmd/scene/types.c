@@ -38,8 +38,12 @@ const struct type type_numbers = { NULL, read_numbers, print_numbers,
 static void read_bool(const struct value *v, const struct member *row,
     void *out)
 {
+	const bool flag = value_is(v, JSON_TRUE);
+
+	if (row->words == NULL && !flag && !value_is(v, JSON_FALSE))
+		value_wrong(v, "true or false");
 	*(bool *)out = row->words != NULL ? value_word(v, row->words) == 1 :
-					    value_flag(v);
+					    flag;
 }
 
 static void print_bool(struct printer *p, const struct member *row,

@@ -92,9 +92,6 @@ extern const char *const convention_names[CONVENTIONS + 1]; /* NULL ends */
  * has two words: the first, the property of d3d, is false, the second true. */
 extern const struct member convention_members[];
 
-/* Returns whether two conventions are equal. */
-bool same_convention(const struct convention *, const struct convention *);
-
 /* A convention: a name, or an object of convention_members. */
 extern const struct type type_convention;
 
