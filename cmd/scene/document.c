@@ -123,17 +123,6 @@ unsigned document_reads(const struct document_wants *w)
 	    (w->flat != 0 ? SCENE_WINDOW | SCENE_DEVICE : 0);
 }
 
-/* Returns what the command needs of a flat document. */
-static struct document_wants in_plane(const struct document_wants *w)
-{
-	struct document_wants flat = *w;
-
-	flat.needed = 0;
-	flat.used = document_reads(w) & ~(unsigned)SCENE_SPATIAL;
-	flat.coordinates = w->coordinates > 0 ? 2 : 0;
-	return flat;
-}
-
 static void check_needed(const struct value *root,
     const struct document_wants *w, unsigned seen)
 {
@@ -162,12 +151,23 @@ static void refuse_flat(const struct value *root,
 		    "commands w2n, n2w, n2d, d2n, w2d and d2w are of two");
 }
 
-/* Reads the convention. Returns false if it is an empty object, which says nothing. */
-static bool read_document_convention(const struct value *v, struct document *d)
+/* Reads those of the members found whose bits are set. */
+static void read_members(struct document *d,
+    const struct value m[SCENE_MEMBERS], unsigned bits)
 {
-	object_read_member(v, &scene_members[ROW_OF(CONVENTION)], d);
-	return !value_is(v, JSON_OBJECT) ||
-	    object_read(v, &scene_members[ROW_OF(CONVENTION)], 0, NULL) != 0;
+	for (int i = 0; i < SCENE_MEMBERS; i++)
+		if (bits >> i & 1)
+			object_read_member(&m[i], &scene_members[i], d);
+}
+
+/* Returns whether there is a convention and it is not an empty object, which says
+ * nothing. */
+static bool says_convention(const struct value *v)
+{
+	return v->item != NULL &&
+	    (!value_is(v, JSON_OBJECT) ||
+		object_read(v, &scene_members[ROW_OF(CONVENTION)], 0, NULL) !=
+		    0);
 }
 
 /* Sets the origin of a device without the member origin to that of the answer's
@@ -219,48 +219,46 @@ void document_read(struct document *d, const char *name, char *text,
 		.before = wants->column,
 		.two = wants->two,
 		.scene = scene_members };
+	struct document_wants w = *wants;
 	struct span points;
 	struct value root = value_parse_without(&source, "/points", text, size,
 	    &points);
 	struct value m[SCENE_MEMBERS];
+	const unsigned first = SCENE_CONVENTION | SCENE_ANGLE_UNIT;
 
-	source.fit = wants->fit;
+	source.fit = w.fit;
+	source.implied = (unsigned)w.projection;
 	*d = (struct document){ .source = source };
 	unsigned seen = find_members(d, &root, wants, m);
 
-	d->flat = (seen & SCENE_PROJECTION) == 0 && (seen & wants->flat) != 0;
-	const struct document_wants narrowed = in_plane(wants);
-	const struct document_wants *w = d->flat ? &narrowed : wants;
-
-	source.flat = d->flat;
 	refuse_flat(&root, wants, seen);
+	d->flat = (seen & SCENE_PROJECTION) == 0 && (seen & w.flat) != 0;
+	source.flat = d->flat;
+	if (d->flat) {
+		w.needed = 0;
+		w.used = document_reads(wants) & ~(unsigned)SCENE_SPATIAL;
+		w.coordinates = w.coordinates > 0 ? 2 : 0;
+	}
 	for (int i = 0; i < SCENE_MEMBERS; i++)
-		m[i].unused = (w->used >> i & 1) == 0;
-	d->scene.convention = conventions[CONVENTION_D3D];
-	if (w->convention != NULL)
-		d->scene.convention = *w->convention;
-	source.axes = w->convention != NULL;
-	if (seen & SCENE_CONVENTION)
-		source.axes |= read_document_convention(&m[ROW_OF(CONVENTION)],
-		    d);
-	if (w->convention != NULL &&
-	    memcmp(w->convention, &d->scene.convention,
+		m[i].unused = (w.used >> i & 1) == 0;
+	d->scene.convention = w.convention != NULL ?
+	    *w.convention :
+	    conventions[CONVENTION_D3D];
+	read_members(d, m, seen & first);
+	source.axes = w.convention != NULL ||
+	    says_convention(&m[ROW_OF(CONVENTION)]);
+	if (w.convention != NULL &&
+	    memcmp(w.convention, &d->scene.convention,
 		sizeof d->scene.convention) != 0)
-		d->scene.answer = w->convention;
+		d->scene.answer = w.convention;
 	source.column = d->scene.convention.column;
-	source.implied = (unsigned)w->projection;
-	if (seen & SCENE_ANGLE_UNIT)
-		object_read_member(&m[ROW_OF(ANGLE_UNIT)],
-		    &scene_members[ROW_OF(ANGLE_UNIT)], d);
 	source.unit = d->unit;
-	check_needed(&root, w, seen);
-	for (int i = ROW_OF(WORLD); i < SCENE_MEMBERS; i++)
-		if (seen >> i & 1 && i != ROW_OF(POINTS))
-			object_read_member(&m[i], &scene_members[i], d);
-	complete_scene(d, w, m, seen);
+	check_needed(&root, &w, seen);
+	read_members(d, m, seen & ~(first | SCENE_POINTS));
+	complete_scene(d, &w, m, seen);
 	if (seen & SCENE_POINTS)
-		size = take_points(&m[ROW_OF(POINTS)], &points, w->coordinates);
-	if (seen & SCENE_POINTS && w->coordinates > 0) {
+		size = take_points(&m[ROW_OF(POINTS)], &points, w.coordinates);
+	if (seen & SCENE_POINTS && w.coordinates > 0) {
 		d->points = points.s;
 		d->points_size = size;
 	}
