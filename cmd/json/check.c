@@ -155,22 +155,12 @@ static bool character(struct json_check *s)
 	return true;
 }
 
-/* Returns whether c is legal in a string whatever follows it. */
-static bool passes_unseen(char c)
-{
-	return c >= ' ' && c != '"' && c != '\\' && (unsigned char)c < 0x80;
-}
-
 /* Checks a string, from its first quotation mark on. */
 static bool string(struct json_check *s)
 {
 	const char *start = s->at++;
 
-	for (;;) {
-		while (s->at < s->end && passes_unseen(*s->at))
-			s->at++;
-		if (at(s, '"'))
-			break;
+	while (!at(s, '"')) {
 		if (s->at == s->end)
 			return expected(s, "text or '\"' in a string", NULL);
 		if (!character(s))
