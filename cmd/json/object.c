@@ -24,17 +24,6 @@ const struct member *member_of(const struct member *row, int kind,
 	return NULL;
 }
 
-/* Returns whether the scene has a member of that name, which may stand in a document that
- * is another member alone. */
-static bool is_beside(const struct value *v)
-{
-	const struct member *row = v->in->in != NULL ?
-	    NULL :
-	    member_of(v->source->scene, 0, v->name);
-
-	return row != NULL && row->beside;
-}
-
 uint64_t member_bits(const struct member *table, int kind, const char *names,
     bool needed)
 {
@@ -75,6 +64,8 @@ const char *member_type(const struct member *row, char out[LISTED])
 		return "object";
 	if (row->words != NULL)
 		return list_words(out, row->words, " or ", "");
+	if (row->type->size == sizeof(bool))
+		return "true or false";
 	const char *one = row->range == NULL ? "number" :
 	    row->range->angle                ? "angle" :
 	    row->range == &range_positive    ? "size" :
@@ -105,18 +96,22 @@ static void list_names(const struct member *row, int kind, uint64_t bits,
 	names[n] = NULL;
 }
 
-/* Refuses an unknown member. The message names the first of these that exists: the member
- * with that alias, the other objects of the scene that have the member, the scene itself,
- * the member with the nearest name; else all members. */
-static _Noreturn void refuse_unknown(const struct value *v,
-    const struct member *table, int kind)
+/* Refuses an unknown member, unless it may stand beside the members of the table. The
+ * message names the first of these that exists: the member with that alias, the other
+ * objects of the scene that have the member, the scene itself, the member with the nearest
+ * name; else all members. */
+static void check_unknown(const struct value *v, const struct member *table,
+    int kind)
 {
 	const struct member *row = member_named(table, kind, v->name);
 	const struct member *s = v->source->scene;
+	const struct member *beside = member_of(s, 0, v->name);
 	const char *names[MEMBERS_MAX + 1];
 	char all[LISTED];
 	int n = 0;
 
+	if (beside != NULL && beside->beside && v->in->in == NULL)
+		return;
 	if (row != NULL)
 		value_refuse(v, "unknown member; did you mean \"%s\"%s%s%s?",
 		    row->name, row->note != NULL ? " (" : "",
@@ -130,7 +125,7 @@ static _Noreturn void refuse_unknown(const struct value *v,
 	if (n > 0)
 		value_refuse(v, "unknown member; it belongs in %s",
 		    list_words(all, names, " or ", "\""));
-	if (v->in->in != NULL && member_of(v->source->scene, 0, v->name))
+	if (v->in->in != NULL && beside != NULL)
 		value_refuse(v, "unknown member; it stands beside \"%s\"",
 		    v->in->name);
 	list_names(table, kind, ALL_MEMBERS, names);
@@ -265,31 +260,15 @@ int object_way(const struct value *v, const struct member *table, int kind,
 	refuse_way(v, b, seen, extra != 0 ? extra : lacking, way);
 }
 
-/* Finds the ways that the members seen belong to, and sets their indices in the struct at
- * base, if this is not NULL. */
-static void read_ways(const struct value *v, const struct member *row, int kind,
-    uint64_t seen, void *base)
-{
-	const struct ways *w = row->ways;
-
-	for (; w != NULL && w->way[0] != NULL; w++) {
-		if (!is_of(w->kinds, kind))
-			continue;
-		int way = object_way(v, row->members, kind, seen, w);
-
-		if (base != NULL && w->at != 0)
-			*(unsigned *)(void *)((char *)base + w->at) = w->first +
-			    (unsigned)way;
-	}
-}
-
 uint64_t object_read(const struct value *v, const struct member *row, int kind,
     void *base)
 {
 	const struct member *table = row->members;
+	const struct ways *w = row->ways;
 	uint64_t seen = 0;
 
-	value_want_object(v);
+	if (!value_is(v, JSON_OBJECT))
+		value_wrong(v, "an object");
 	for (const struct member *m = table; m->name != NULL; m++)
 		if (base != NULL && m->usual != NULL && m->type->size > 0 &&
 		    is_of(m->kinds, kind))
@@ -301,8 +280,8 @@ uint64_t object_read(const struct value *v, const struct member *row, int kind,
 
 		if (*m.name == '_' || strcmp(m.name, "$schema") == 0)
 			continue;
-		if (of == NULL && !is_beside(&m))
-			refuse_unknown(&m, table, kind);
+		if (of == NULL)
+			check_unknown(&m, table, kind);
 		value_member(v, m.name, &first);
 		if (first.item != m.item)
 			value_refuse(&m, "repeated; give it once");
@@ -312,7 +291,15 @@ uint64_t object_read(const struct value *v, const struct member *row, int kind,
 		if (base != NULL)
 			object_read_member(&m, of, base);
 	}
-	read_ways(v, row, kind, seen, base);
+	for (; w != NULL && w->way[0] != NULL; w++) {
+		if (!is_of(w->kinds, kind))
+			continue;
+		int way = object_way(v, table, kind, seen, w);
+
+		if (base != NULL && w->at != 0)
+			*(unsigned *)(void *)((char *)base + w->at) = w->first +
+			    (unsigned)way;
+	}
 	return seen;
 }
 

@@ -213,12 +213,6 @@ void value_wrong(const struct value *v, const char *wanted)
 	value_refuse(v, "is %s; %s is wanted", names[type], wanted);
 }
 
-void value_want_object(const struct value *v)
-{
-	if (!value_is(v, JSON_OBJECT))
-		value_wrong(v, "an object");
-}
-
 /* Returns whether x is in the range. In radians the limits are PI and PI / 2, the largest
  * doubles below pi and pi/2, and so never excluded. */
 static bool is_within(double x, const struct value_range *r, bool radians)

@@ -117,9 +117,6 @@ _Noreturn void value_refuse(const struct value *, const char *format, ...)
 /* Refuses a value of the wrong type: "is a string; a number is wanted". */
 _Noreturn void value_wrong(const struct value *, const char *wanted);
 
-/* Refuses a value that is not an object. */
-void value_want_object(const struct value *);
-
 /* Returns the number that a value is; refuses another type, and a number out of range. */
 double value_number(const struct value *, const struct value_range *);
 

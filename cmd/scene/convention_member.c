@@ -33,8 +33,8 @@ static const char *const depths[] = { "zero_to_one", "minus_one_to_one", NULL };
 static const char *const ys[] = { "up", "down", NULL };
 static const char *const origins[] = { "top-left", "bottom-left", NULL };
 
-#define SECOND(label, list, field, first, other, what)            \
-	ROW(convention, label, type_second, field, .words = list, \
+#define SECOND(label, list, field, first, other, what)          \
+	ROW(convention, label, type_flag, field, .words = list, \
 	    .usual = "\"" first "\"", .aliases = other, .about = what)
 
 const struct member convention_members[] = {

@@ -135,7 +135,7 @@ static const struct member viewport_members[] = {
 
 static const struct member device_members[] = {
 	RECTANGLE(device),
-	ROW(device, "origin", type_second, top_left, .words = origins,
+	ROW(device, "origin", type_flag, top_left, .words = origins,
 	    .usual = "\"bottom-left\"", .shown = true,
 	    .before = "-c's or the convention's",
 	    .about = "corner where x and y are least"),
@@ -295,13 +295,11 @@ const struct member scene_members[] = {
 	    .ways = rectangle_ways,
 	    .about = "rectangle on the screen that shows a window",
 	    .command = "n2d '{\"device\": " RECTANGLE_LIKE "}'"),
-	{ .name = "points",
-	    .type = &type_points,
-	    .aliases = "point",
+	ROW(document, "points", type_points, points, .aliases = "point",
 	    .example = "[[0,0,0], [1,1,1]]",
 	    .about = "points, unless there are operands POINTS",
 	    .command = "lookat '{\"camera\": " CAMERA_LIKE
-		       ", \"points\": [[0,0,0], [1,1,1]]}'" },
+		       ", \"points\": [[0,0,0], [1,1,1]]}'"),
 	ROW(document, "bounds", type_object, bounds,
 	    .has = offsetof(struct document, has_bounds), .aliases = "extent",
 	    .members = bounds_members, .ways = bounds_ways,

@@ -281,7 +281,8 @@ static void read_projection(const struct value *v, const struct member *row,
 		value_refuse(v,
 		    "is an array; a matrix is {\"type\": \"matrix\", "
 		    "\"matrix\": [...]}");
-	value_want_object(v);
+	if (!value_is(v, JSON_OBJECT))
+		value_wrong(v, "an object");
 	find_type(v, p);
 	/* kinds are in the order of projection_types */
 	int kind = (int)p->type - 1;

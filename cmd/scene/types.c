@@ -57,9 +57,7 @@ static void print_bool(struct printer *p, const struct member *row,
 		put_literal(p, is ? "true" : "false");
 }
 
-const struct type type_flag = { "true or false", read_bool, print_bool,
-	sizeof(bool) };
-const struct type type_second = { NULL, read_bool, print_bool, sizeof(bool) };
+const struct type type_flag = { NULL, read_bool, print_bool, sizeof(bool) };
 
 static void read_word(const struct value *v, const struct member *row,
     void *out)

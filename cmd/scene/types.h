@@ -9,13 +9,13 @@
 /* A number, or an array of n numbers; in the struct doubles. */
 extern const struct type type_numbers;
 
-/* true or false; in the struct a bool. */
+/* true or false or, if the row has words, one of two; in the struct a bool, true for the
+ * second word. */
 extern const struct type type_flag;
 
-/* type_word: one of the row's words; in the struct an enum in the order of the words, from
- * the row's first. type_second: one of two words; in the struct a bool, true for the
- * second word. */
-extern const struct type type_word, type_second;
+/* One of the row's words; in the struct an enum in the order of the words, from the row's
+ * first. */
+extern const struct type type_word;
 
 /* In the order of enum angle_unit; NULL ends them. */
 extern const char *const angle_units[];
