@@ -22,7 +22,7 @@ enum { NAME_WIDTH = 15, TYPE_WIDTH = 23 };
 static void print_member(const struct member *row, const char *const *types)
 {
 	char type[LISTED];
-	const char *unit = member_unit(row), *before = " (";
+	const char *unit = row->unit, *before = " (";
 	int width = NAME_WIDTH + 2;
 
 	width += print("  %-*s%s%s%s", NAME_WIDTH, row->name,

@@ -109,7 +109,7 @@ static void put_member(struct printer *p, const struct member *row,
 	put_text_member(p, "name", row->name);
 	put_text_member(p, "in", in);
 	put_text_member(p, "type", member_type(row, type));
-	put_text_member(p, "unit", member_unit(row));
+	put_text_member(p, "unit", row->unit);
 	if (row->range != NULL)
 		put_range(p, row->range);
 	put_name(p, "default");

@@ -66,22 +66,14 @@ const char *member_type(const struct member *row, char out[LISTED])
 		return list_words(out, row->words, " or ", "");
 	if (row->type->size == sizeof(bool))
 		return "true or false";
-	const char *one = row->range == NULL ? "number" :
-	    row->range->angle                ? "angle" :
-	    row->range == &range_positive    ? "size" :
-					       "number";
+	const char *one = row->range == &range_positive            ? "size" :
+	    row->unit != NULL && strcmp(row->unit, "degrees") == 0 ? "angle" :
+								     "number";
 
 	if (row->n == 0)
 		return one;
 	snprintf(out, LISTED, "%zu %ss", row->n, one);
 	return out;
-}
-
-const char *member_unit(const struct member *row)
-{
-	bool angle = row->range != NULL && row->range->angle;
-
-	return angle ? "degrees" : row->unit;
 }
 
 /* Lists the names of those members of bits that objects of that kind have. */

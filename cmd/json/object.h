@@ -50,7 +50,8 @@ struct member {
 	const char *aliases;
 	/* A hint for users who gave an alias; or NULL. */
 	const char *note;
-	/* The unit, or NULL; and a description, for the help. */
+	/* The unit, or NULL, with degrees for all angles; and a description, for the
+	 * help. */
 	const char *unit, *about;
 	/* Of a member of a scene: its own members, the ways to combine them, an example
 	 * of its value, and of a command that reads it. */
@@ -118,9 +119,6 @@ const struct member *member_named(const struct member *, int kind,
 /* Returns the type for the help, such as "3 numbers", "size", "left or right". out is
  * room for it, which may stay unused. */
 const char *member_type(const struct member *, char out[LISTED]);
-
-/* Returns the unit, or NULL. */
-const char *member_unit(const struct member *);
 
 /* Returns as bits the members of names, which have blanks between them, that objects of
  * that kind have; if needed, without names before a ?. */

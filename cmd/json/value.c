@@ -13,12 +13,8 @@
 #include "../message/message.h"
 #include "text.h"
 
-#define UP_TO "numbers go up to 1e150"
-
 const struct value_range range_any = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
-	.wanted = UP_TO };
-const struct value_range range_turn = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
-	.wanted = UP_TO, .angle = true };
+	.wanted = "numbers go up to 1e150" };
 const struct value_range range_positive = { SIZE_MIN, MAGNITUDE_MAX,
 	.wanted = "a number from 1e-150 to 1e150 is wanted" };
 

@@ -58,11 +58,10 @@ struct value_range {
 	/* wanted for angles in radians; NULL: the limits do not depend on the unit */
 	const char *by_radians;
 	bool above, below; /* min is excluded; max is excluded */
-	bool angle;        /* the number is an angle, and the limits degrees */
 };
 
-/* Any number; any angle; a number greater than 0, which the manual calls a size. */
-extern const struct value_range range_any, range_turn, range_positive;
+/* Any number; a number greater than 0, which the manual calls a size. */
+extern const struct value_range range_any, range_positive;
 
 /* Parses a document and returns its value; refuses text that is not JSON. The values are
  * valid until the next call. An array to which the pointer leads has no elements in the

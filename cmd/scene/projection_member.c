@@ -12,7 +12,6 @@
 		.max = most,                                            \
 		.wanted = "an angle " degrees " degrees is wanted",     \
 		.by_radians = "an angle " radians " radians is wanted", \
-		.angle = true,                                          \
 		__VA_ARGS__ }
 
 ANGLE(opening, SIZE_MIN, 180, "above 0 and below 180", "above 0 and below pi",
@@ -49,6 +48,8 @@ enum {
 	ROW(projection, label, is, field, .kinds = of, __VA_ARGS__)
 #define NUMBER(of, label, field, ...) \
 	OF(of, label, type_numbers, field, __VA_ARGS__)
+#define TURN(of, label, field, ...) \
+	NUMBER(of, label, field, .unit = "degrees", __VA_ARGS__)
 #define LENGTH(of, label, field, ...) \
 	NUMBER(of, label, field, .unit = "view units", __VA_ARGS__)
 #define SIZE(of, label, field, ...) \
@@ -62,21 +63,20 @@ const struct member projection_members[] = {
 	OF(OBLIQUE, "kind", type_word, kind, .words = oblique_kinds,
 	    .first = OBLIQUE_CAVALIER,
 	    .about = "length of lines along the gaze: kept or halved"),
-	NUMBER(OBLIQUE, "angle", projector, .range = &slope,
+	TURN(OBLIQUE, "angle", projector, .range = &slope,
 	    .about = "angle between projectors and picture, in place of kind"),
-	NUMBER(OBLIQUE, "direction", direction, .range = &range_turn,
+	TURN(OBLIQUE, "direction", direction, .range = &range_any,
 	    .usual = "45", .shown = true,
 	    .about = "direction of lines along the gaze in the picture"),
 	LENGTH(OBLIQUE, "plane", plane, .usual = "0",
 	    .about = "depth at which points do not move"),
-	NUMBER(PERSP, "fovy", angle, .range = &opening,
+	TURN(PERSP, "fovy", angle, .range = &opening,
 	    .aliases = "fov yfov verticalfov fieldofview cameraangley",
 	    .about = "angle between the bottom and the top plane"),
-	NUMBER(PERSP, "fovx", angle, .range = &opening,
+	TURN(PERSP, "fovx", angle, .range = &opening,
 	    .aliases = "xfov horizontalfov hfov cameraanglex",
 	    .about = "angle between the left and the right plane"),
-	NUMBER(PERSP, "view_angle", angle, .range = &opening,
-	    .aliases = "angle",
+	TURN(PERSP, "view_angle", angle, .range = &opening, .aliases = "angle",
 	    .about = "angle across the smaller side of the picture"),
 	NUMBER(PERSP, "field", angle, .range = &range_positive,
 	    .about = "half the larger side of the picture at distance 1"),
@@ -99,7 +99,7 @@ const struct member projection_members[] = {
 	    .about = "right edge, other than left"),
 	LENGTH(SECTIONED, "bottom", bottom, .about = "bottom edge"),
 	LENGTH(SECTIONED, "top", top, .about = "top edge, other than bottom"),
-	NUMBER(PERSP, "angles", left, .n = 4, .range = &acute,
+	TURN(PERSP, "angles", left, .n = 4, .range = &acute,
 	    .aliases = "angleleft angleright angleup angledown",
 	    .note = "[left, right, bottom, top] from the gaze",
 	    .about = "angles of left, right, bottom, top from the gaze"),
@@ -130,7 +130,7 @@ const struct member projection_members[] = {
 	    .about = "z of the far plane in view space"),
 	LENGTH(VOLUME, "eye", eye, .n = 3,
 	    .about = "eye in view space, in place of inverse_eye_z"),
-	NUMBER(VOLUME, "view_angle", angle, .range = &taper, .aliases = "angle",
+	TURN(VOLUME, "view_angle", angle, .range = &taper, .aliases = "angle",
 	    .about = "angle across the smaller side; 0: parallel rays"),
 	NUMBER(VOLUME, "inverse_eye_z", inverse_eye_z, .usual = "0",
 	    .about = "1/z of the eye; 0: parallel rays"),
@@ -243,17 +243,6 @@ static void check_angles(const struct value *v, const struct projection *p)
 		    "right, bottom, top");
 }
 
-/* Refuses a projection for fit without near, if its width or edges are on the near
- * plane. */
-static void need_near(const struct value *v, uint64_t seen,
-    const struct projection *p)
-{
-	if (!is_given(p, seen, "near"))
-		value_refuse(VALUE_MISSING(v, "near"),
-		    "missing; the section is on the near plane, unless "
-		    "\"edges_at\" says where");
-}
-
 /* Checks near and far of a perspective, which fit finds if width and edges are not on the
  * near plane. */
 static void read_planes(const struct value *v, uint64_t seen,
@@ -262,11 +251,13 @@ static void read_planes(const struct value *v, uint64_t seen,
 	bool open = p->extent == EXTENT_INTRINSICS && !v->source->fit;
 	int way = 0;
 
-	if (v->source->fit && projection_is_by_near(p))
-		need_near(v, seen, p);
-	else
+	if (!v->source->fit || !projection_is_by_near(p))
 		way = object_way(v, projection_members, 0, seen,
 		    open ? &open_ways : &projection_ways[WAYS_DEPTH]);
+	else if (!is_given(p, seen, "near"))
+		value_refuse(VALUE_MISSING(v, "near"),
+		    "missing; the section is on the near plane, unless "
+		    "\"edges_at\" says where");
 	p->reverse_z |= way == 1;
 	if (open && !is_given(p, seen, "far"))
 		p->far = HUGE_VAL;

@@ -275,11 +275,32 @@ static void check_k(const struct value *v, const double k[3][4])
 	}
 }
 
-/* Reads K, if columns is 3, or P, if it is 4. */
-static void read_k_or_p(const struct value *v, size_t columns, double k[3][4])
+static void read_intrinsics(const struct value *v, const struct member *row,
+    void *out)
 {
-	double e[12];
+	double(*k)[4] = out, e[12];
+	struct value first = value_child(v);
+	bool nested = value_is(&first, JSON_ARRAY);
 
+	(void)row;
+	if (!value_is(v, JSON_ARRAY))
+		value_wrong(v, FORMS ",");
+	size_t n = value_count(v), columns = n / 3;
+
+	if (nested)
+		columns = value_count(&first) == 4 ? 4 : 3;
+	if (n == 4 && !nested) {
+		value_numbers(v, &range_any, 4, e);
+		for (int i = 0; i < 2; i++, value_next(&first)) {
+			value_number(&first, &range_positive);
+			k[i][i] = e[i];
+			k[i][2] = e[2 + i];
+		}
+		k[2][2] = 1;
+		return;
+	}
+	if (nested ? n != 3 : n != 9 && n != 12)
+		value_refuse(v, "is none of " FORMS);
 	read_rows(v, 3, columns, e);
 	for (size_t i = 0; i < 3; i++)
 		memcpy(k[i], e + i * columns, columns * sizeof *e);
@@ -290,36 +311,6 @@ static void read_k_or_p(const struct value *v, size_t columns, double k[3][4])
 		value_refuse(v,
 		    "the last row of P begins 0, 0, 0; a perspective divides "
 		    "by more than one number");
-}
-
-static void read_intrinsics(const struct value *v, const struct member *row,
-    void *out)
-{
-	double(*k)[4] = out, four[4];
-	struct value first;
-
-	(void)row;
-	if (!value_is(v, JSON_ARRAY))
-		value_wrong(v, FORMS ",");
-	first = value_child(v);
-	size_t n = value_count(v);
-	bool nested = value_is(&first, JSON_ARRAY);
-
-	if (nested ? n == 3 : n == 9 || n == 12) {
-		size_t columns = nested ? value_count(&first) : n / 3;
-
-		read_k_or_p(v, columns == 4 ? 4 : 3, k);
-		return;
-	}
-	if (n != 4 || nested)
-		value_refuse(v, "is none of " FORMS);
-	value_numbers(v, &range_any, 4, four);
-	for (int i = 0; i < 2; i++, value_next(&first)) {
-		value_number(&first, &range_positive);
-		k[i][i] = four[i];
-		k[i][2] = four[2 + i];
-	}
-	k[2][2] = 1;
 }
 
 /* Prints P; or K if the fourth column is 0 and the other columns are a K; or of such a K
