@@ -182,7 +182,7 @@ static const char *scalar_end(const char *p, const char *end)
 		if ((size_t)(end - p) >= n && memcmp(p, words[i], n) == 0)
 			return p + n;
 	}
-	return json_number_end(p, end);
+	return json_number(p, end, NULL);
 }
 
 /* Copies the number from s->at to end. A number that is too long for cJSON is copied as
@@ -264,7 +264,7 @@ static bool member(struct json_check *s, const char *path)
 
 	if (!at(s, '"'))
 		return expected(s, "a member's name in \"double quotes\"",
-		    after_comma(s) && json_number_end(s->at, s->end) != NULL ?
+		    after_comma(s) && json_number(s->at, s->end, NULL) != NULL ?
 			"several numbers stand in brackets: [1,2,3]" :
 			NULL);
 	if (!string(s))

@@ -132,8 +132,7 @@ static void check_unknown(const struct value *v, const struct member *table,
 /* Reads the default of a member. */
 static void read_usual(const struct member *row, void *to)
 {
-	static const struct source source;
-	struct value usual = value_literal(&source, row->usual);
+	struct value usual = value_literal(row->usual);
 
 	row->type->read(&usual, row, to);
 }

@@ -23,28 +23,23 @@ static const char *digits(const char *s, const char *end)
 	return s > first ? s : NULL;
 }
 
-const char *json_number_end(const char *s, const char *end)
+const char *json_number(const char *s, const char *end, double *v)
 {
-	s += s < end && *s == '-';
-	const char *first = s;
+	const char *const start = s, *first;
 
+	s += s < end && *s == '-';
+	first = s;
 	s = digits(s, end);
 	if (s == NULL || (*first == '0' && s > first + 1))
 		return NULL;
 	if (s < end && *s == '.')
 		s = digits(s + 1, end);
-	if (s == NULL || s == end || (*s != 'e' && *s != 'E'))
-		return s;
-	s++;
-	s += s < end && (*s == '+' || *s == '-');
-	return digits(s, end);
-}
-
-const char *json_number(const char *s, const char *end, double *v)
-{
-	const char *stop = json_number_end(s, end);
-
-	return stop != NULL ? number_read(s, stop, v) : NULL;
+	if (s != NULL && s < end && (*s == 'e' || *s == 'E')) {
+		s++;
+		s += s < end && (*s == '+' || *s == '-');
+		s = digits(s, end);
+	}
+	return s != NULL && v != NULL ? number_read(start, s, v) : s;
 }
 
 const char *json_string(const char *s, const char *end)

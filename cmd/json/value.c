@@ -97,23 +97,24 @@ const char *value_peek(struct value *v, const char *s, const char *end)
 	return *s == '"' ? json_string(s, end) : s + (*s == 'f' ? 5 : 4);
 }
 
-struct value value_literal(const struct source *source, const char *text)
+struct value value_literal(const char *text)
 {
+	static const struct source source;
 	static struct {
 		const char *text;
 		const struct cJSON *item;
 	} known[LITERALS];
 	size_t i = 0;
 
-	while (known[i].text != NULL && known[i].text != text)
+	while (known[i].item != NULL && known[i].text != text)
 		i++;
-	if (known[i].text == NULL) {
-		known[i].item = cJSON_Parse(text);
-		if (known[i].item == NULL)
-			die(EXIT_SYSTEM, "out of memory");
+	if (known[i].item == NULL) {
 		known[i].text = text;
+		known[i].item = cJSON_Parse(text);
 	}
-	return (struct value){ .source = source, .item = known[i].item };
+	if (known[i].item == NULL)
+		die(EXIT_SYSTEM, "out of memory");
+	return (struct value){ .source = &source, .item = known[i].item };
 }
 
 struct value value_child(const struct value *v)

@@ -77,7 +77,7 @@ const char *value_peek(struct value *v, const char *s, const char *end);
 /* Returns the value of a literal of the program, which is parsed once and kept. There are
  * at most LITERALS. */
 enum { LITERALS = 64 };
-struct value value_literal(const struct source *, const char *text);
+struct value value_literal(const char *text);
 
 /* Returns the first element or member; its item is NULL if there is none. */
 struct value value_child(const struct value *);

@@ -179,7 +179,7 @@ static bool is_scalar(const char *s, const char *end)
 {
 	size_t n = (size_t)(end - s);
 
-	return json_number_end(s, end) == end ||
+	return json_number(s, end, NULL) == end ||
 	    (n == 4 && memcmp(s, "true", 4) == 0) ||
 	    (n == 5 && memcmp(s, "false", 5) == 0) ||
 	    (n == 4 && memcmp(s, "null", 4) == 0);

@@ -3,26 +3,19 @@
 
 #include <string.h>
 
-const char *const convention_names[] = {
-	[CONVENTION_D3D] = "d3d",
-	[CONVENTION_GL] = "gl",
-	[CONVENTION_VULKAN] = "vulkan",
-	[CONVENTION_WEBGPU] = "webgpu",
-	[CONVENTION_OPENCV] = "opencv",
-	[CONVENTIONS] = NULL,
-};
+/* in the order of the enum */
+const char *const convention_names[] = { "d3d", "gl", "vulkan", "webgpu",
+	"opencv", NULL };
 
 const struct convention conventions[] = {
-	[CONVENTION_D3D] = { 0 },
-	[CONVENTION_GL] = { .right_handed = true,
+	{ 0 },
+	{ .right_handed = true,
 	    .minus_one = true,
 	    .column = true,
 	    .bottom_left = true },
-	[CONVENTION_VULKAN] = { .right_handed = true,
-	    .column = true,
-	    .ndc_y_down = true },
-	[CONVENTION_WEBGPU] = { .right_handed = true, .column = true },
-	[CONVENTION_OPENCV] = { .right_handed = true,
+	{ .right_handed = true, .column = true, .ndc_y_down = true },
+	{ .right_handed = true, .column = true },
+	{ .right_handed = true,
 	    .view_y_down = true,
 	    .column = true,
 	    .ndc_y_down = true },
