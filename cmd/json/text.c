@@ -53,25 +53,15 @@ const char *json_skip(const char *s, const char *end)
 {
 	long level = 0;
 
-	while (s < end) {
-		switch (*s) {
-		case '"':
-			s = json_string(s, end);
-			continue;
-		case '[':
-		case '{':
-			level++;
-			break;
-		case ']':
-		case '}':
-			if (level-- == 0)
-				return s;
-			break;
-		case ',':
-			if (level == 0)
-				return s;
-		}
-		s++;
+	for (; s < end; s++) {
+		bool closes = *s == ']' || *s == '}';
+
+		if (level == 0 && (closes || *s == ','))
+			return s;
+		if (*s == '"')
+			s = json_string(s, end) - 1;
+		else
+			level += (*s == '[' || *s == '{') - closes;
 	}
 	return end;
 }

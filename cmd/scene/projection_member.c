@@ -179,9 +179,10 @@ static const struct ways open_ways = {
 static bool is_given(const struct projection *p, uint64_t seen,
     const char *name)
 {
-	return (seen &
-		   member_bits(projection_members, (int)p->type - 1, name,
-		       false)) != 0;
+	const struct member *row = member_of(projection_members,
+	    (int)p->type - 1, name);
+
+	return row != NULL && (seen >> (row - projection_members) & 1) != 0;
 }
 
 /* Refuses a projection without a type, and names the types that have all its members. */
@@ -195,12 +196,11 @@ static _Noreturn void refuse_typeless(const struct value *v)
 	int n = 0;
 
 	for (; m.item != NULL; value_next(&m)) {
-		const struct member *row = projection_members;
 		unsigned has = 0;
 
-		for (; row->name != NULL; row++)
-			if (strcmp(row->name, m.name) == 0)
-				has |= row->kinds;
+		for (int i = 0; projection_types[i] != NULL; i++)
+			if (member_of(projection_members, i, m.name) != NULL)
+				has |= 1u << i;
 		if ((of & has) != 0)
 			of &= has;
 	}
