@@ -160,36 +160,22 @@ static void read_members(struct document *d,
 			object_read_member(&m[i], &scene_members[i], d);
 }
 
-/* Returns whether there is a convention and it is not an empty object, which says
- * nothing. */
-static bool says_convention(const struct value *v)
+/* Returns as bits the members that a convention gives: all if it is a name, none if there
+ * is no convention. */
+static uint64_t convention_gives(const struct value *v)
 {
-	return v->item != NULL &&
-	    (!value_is(v, JSON_OBJECT) ||
-		object_read(v, &scene_members[ROW_OF(CONVENTION)], 0, NULL) !=
-		    0);
+	if (!value_is(v, JSON_OBJECT))
+		return v->item != NULL ? ALL_MEMBERS : 0;
+	return object_read(v, &scene_members[ROW_OF(CONVENTION)], 0, NULL);
 }
 
-/* Sets the origin of a device without the member origin to that of the answer's
- * convention; if there is none, to that of the document's convention, if this is a name
- * or has an origin. */
-static void find_origin(const struct document_wants *w, const struct value *v,
-    const struct convention *c, struct device *device)
-{
-	struct value given;
-
-	if (w->convention != NULL)
-		device->top_left = !w->convention->bottom_left;
-	else if (v->item != NULL &&
-	    (!value_is(v, JSON_OBJECT) || value_member(v, "origin", &given)))
-		device->top_left = !c->bottom_left;
-}
-
-/* Completes members that depend on others. */
+/* Completes members that depend on others. A device without the member origin has that of
+ * the answer's convention; if there is none, that of the document's, if this gives one. */
 static void complete_scene(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_MEMBERS], unsigned seen)
 {
 	struct scene *s = &d->scene;
+	const struct convention *answer = w->convention;
 	struct value given;
 
 	s->camera.unit = d->unit;
@@ -203,10 +189,13 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 	if (seen & SCENE_PROJECTION)
 		projection_complete(&m[ROW_OF(PROJECTION)],
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);
-	if (s->has_device &&
+	if (s->has_device && answer == NULL &&
+	    (convention_gives(&m[ROW_OF(CONVENTION)]) &
+		member_bits(convention_members, 0, "origin", false)) != 0)
+		answer = &s->convention;
+	if (s->has_device && answer != NULL &&
 	    !value_member(&m[ROW_OF(DEVICE)], "origin", &given))
-		find_origin(w, &m[ROW_OF(CONVENTION)], &s->convention,
-		    &s->device);
+		s->device.top_left = !answer->bottom_left;
 	if ((w->used & SCENE_MARGIN) == 0)
 		s->margin = 0;
 }
@@ -246,7 +235,7 @@ void document_read(struct document *d, const char *name, char *text,
 	    conventions[CONVENTION_D3D];
 	read_members(d, m, seen & first);
 	source.axes = w.convention != NULL ||
-	    says_convention(&m[ROW_OF(CONVENTION)]);
+	    convention_gives(&m[ROW_OF(CONVENTION)]) != 0;
 	if (w.convention != NULL &&
 	    memcmp(w.convention, &d->scene.convention,
 		sizeof d->scene.convention) != 0)
