@@ -362,7 +362,8 @@ static void print_projection(struct printer *printer, const struct member *row,
 	int kind = (int)p.type - 1;
 	bool sized = p.aspect[1] != 0;
 	uint64_t bits = ALL_MEMBERS;
-	/* an aspect may come from the viewport, a direction from the unit */
+	/* an aspect from the viewport, the default direction, and members of other ways
+	 * are left out */
 	const struct {
 		bool is;
 		const char *names;
