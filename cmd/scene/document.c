@@ -77,7 +77,7 @@ static size_t take_points(const struct value *v, const struct span *array,
 	const char *s = array->s, *end = array->end;
 	char *out = (char *)array->s;
 
-	if (s == NULL)
+	if (!value_is(v, JSON_ARRAY))
 		value_wrong(v, "an array of points");
 	s = json_space(s + 1, end);
 	if (*s != '[' && *s != ']') {
