@@ -66,20 +66,22 @@ struct value value_parse_without(struct source *source, const char *pointer,
 		    size);
 		source->end = source->text + size;
 	}
-	if (!json_check(&c)) {
+	const bool good = json_check(&c);
+
+	cJSON_Delete(parsed);
+	parsed = good ? cJSON_ParseWithLength(copy, (size_t)(c.copy - copy)) :
+			NULL;
+	free(copy);
+	if (!good) {
 		const struct place place = source_place_at(source, text, c.at);
 
-		free(copy);
 		die_at(EXIT_INPUT, &place, "%s", c.reason);
 	}
-	*array = (struct span){ *c.found.s == '[' ? c.found.s : NULL,
-		c.found.end };
-	cJSON_Delete(parsed);
 	/* cJSON takes all that passes the check, and fails only without memory */
-	parsed = cJSON_ParseWithLength(copy, (size_t)(c.copy - copy));
-	free(copy);
 	if (parsed == NULL)
 		die(EXIT_SYSTEM, "out of memory");
+	*array = (struct span){ *c.found.s == '[' ? c.found.s : NULL,
+		c.found.end };
 	return (struct value){ .source = source, .item = parsed };
 }
 
