@@ -22,7 +22,7 @@ enum { NAME_WIDTH = 15, TYPE_WIDTH = 23 };
 static void print_member(const struct member *row, const char *const *types)
 {
 	char list[LISTED], type[2 * LISTED];
-	const char *unit = member_unit(row), *before = " (";
+	const char *unit = row->unit, *before = " (";
 
 	snprintf(type, sizeof type, "%s%s%s", member_type(row, list),
 	    unit != NULL ? ", " : "", unit != NULL ? unit : "");
@@ -48,7 +48,8 @@ static void print_member(const struct member *row, const char *const *types)
 static void print_members(const struct member *table, int kind, uint64_t bits)
 {
 	for (const struct member *row = table; row->name != NULL; row++)
-		if (bits >> (row - table) & 1 && member_is_of(row, kind))
+		if (bits >> (row - table) & 1 &&
+		    (kind < 0 || row->kinds == 0 || row->kinds >> kind & 1))
 			print_member(row, kind < 0 ? table->words : NULL);
 }
 

@@ -36,7 +36,7 @@ static void open_line(struct printer *p)
 
 static void open_list(struct printer *p, const char *name)
 {
-	put_name_on_new_line(p, name);
+	put_name(p, name);
 	put_open(p, "[");
 }
 
@@ -109,7 +109,7 @@ static void put_member(struct printer *p, const struct member *row,
 	put_text_member(p, "name", row->name);
 	put_text_member(p, "in", in);
 	put_text_member(p, "type", member_type(row, type));
-	put_text_member(p, "unit", member_unit(row));
+	put_text_member(p, "unit", row->unit);
 	if (row->range != NULL)
 		put_range(p, row->range);
 	put_name(p, "default");
@@ -175,10 +175,10 @@ static void put_conventions(struct printer *p)
 void help_json(const struct command *commands, const char *version)
 {
 	static char text[1 << 17];
-	struct printer p = { .at = text, .between = "" };
+	struct printer p = { .at = text, .between = "{" };
 
-	put_open(&p, "{");
 	put_text_member(&p, "version", version);
+	p.level = 1; /* each member from here on begins a line */
 	open_list(&p, "commands");
 	for (const struct command *c = commands; c->name != NULL; c++)
 		put_command(&p, c);
@@ -189,10 +189,8 @@ void help_json(const struct command *commands, const char *version)
 	put_close(&p, "]");
 	put_all_members(&p);
 	put_conventions(&p);
-	p.between = ",\n  ";
 	put_words(&p, "formats", format_names, ~0u);
-	p.between = ",\n  ";
 	put_words(&p, "spaces", space_names, ~0u);
-	put_text(&p, "\n}\n");
+	put_close(&p, "}\n");
 	print("%s", text);
 }

@@ -63,16 +63,17 @@ static void put_vector(struct printer *p, const double *v, int n)
 		put_numbers(p, v, n);
 }
 
-static void put_line(struct printer *p, const char *name, const double *v,
-    int n)
+static void put_named_vector(struct printer *p, const char *name,
+    const double *v, int n)
 {
-	put_name_on_new_line(p, name);
+	put_name(p, name);
 	put_vector(p, v, n);
 }
 
-static void put_word(struct printer *p, const char *name, const char *word)
+static void put_named_word(struct printer *p, const char *name,
+    const char *word)
 {
-	put_name_on_new_line(p, name);
+	put_name(p, name);
 	put_string(p, word);
 }
 
@@ -80,7 +81,7 @@ static void put_word(struct printer *p, const char *name, const char *word)
 static void put_rows(struct printer *p, const char *name, const double *v,
     int rows, int n, bool none)
 {
-	put_name_on_new_line(p, name);
+	put_name(p, name);
 	put_open(p, none ? "null" : "[");
 	for (int i = 0; i < rows && !none; i++)
 		put_vector(p, v + i * n, n);
@@ -94,7 +95,7 @@ static void put_sides(struct printer *p, const char *name, int sides,
 	static const char *const names[] = { "left", "right", "bottom", "top",
 		"near", "far" };
 
-	put_name_on_new_line(p, name);
+	put_name(p, name);
 	put_open(p, "{");
 	for (int k = 0; k < sides; k++) {
 		put_name(p, names[k]);
@@ -105,28 +106,21 @@ static void put_sides(struct printer *p, const char *name, int sides,
 
 static void put_picture(struct printer *p, const struct picture *r)
 {
-	put_name_on_new_line(p, "projection");
-	put_string(p, taxa[r->taxon]);
-	put_name_on_new_line(p, "kind");
-	put_string(p, kinds[r->kind]);
-	put_name_on_new_line(p, "foreshortening");
-	put_vector(p, r->foreshortening, 3);
+	put_named_word(p, "projection", taxa[r->taxon]);
+	put_named_word(p, "kind", kinds[r->kind]);
+	put_named_vector(p, "foreshortening", r->foreshortening, 3);
 	put_rows(p, "vanishing_points", r->vanishing_point[0], 3, 2,
 	    r->taxon <= TAXON_OBLIQUE);
-	put_name_on_new_line(p, "fovx");
-	put_number(p, r->fov[0]);
-	put_name_on_new_line(p, "fovy");
-	put_number(p, r->fov[1]);
-	put_name_on_new_line(p, "eye");
-	put_vector(p, r->eye, 3);
-	put_name_on_new_line(p, "gaze");
-	put_vector(p, r->gaze, 3);
-	put_name_on_new_line(p, "near");
+	put_named_vector(p, "fovx", &r->fov[0], 0);
+	put_named_vector(p, "fovy", &r->fov[1], 0);
+	put_named_vector(p, "eye", r->eye, 3);
+	put_named_vector(p, "gaze", r->gaze, 3);
+	put_name(p, "near");
 	put_distance(p, r->near);
-	put_name_on_new_line(p, "far");
+	put_name(p, "far");
 	put_distance(p, r->far);
-	put_line(p, "aspect", &r->aspect, 0);
-	put_name_on_new_line(p, "reverse_z");
+	put_named_vector(p, "aspect", &r->aspect, 0);
+	put_name(p, "reverse_z");
 	put_literal(p,
 	    projection_is_open(&r->scene.projection) ? "null" : /* no near */
 		r->reverse_z ? "true" :
@@ -140,7 +134,7 @@ static void put_picture(struct printer *p, const struct picture *r)
 
 static void put_notes(struct printer *p, unsigned bits)
 {
-	put_name_on_new_line(p, "notes");
+	put_name(p, "notes");
 	put_open(p, "[");
 	for (int i = 0; i < NOTES; i++)
 		if (bits >> i & 1)
@@ -175,8 +169,9 @@ static void put_depth_steps(struct printer *p, const struct options *o,
     const struct depth *z)
 {
 	if (o->distances.n > 0)
-		put_line(p, "distances", o->distances.v, o->distances.n);
-	put_name_on_new_line(p, "depth_step");
+		put_named_vector(p, "distances", o->distances.v,
+		    o->distances.n);
+	put_name(p, "depth_step");
 	put_open(p, "{");
 	for (enum buffer b = 0; b < BUFFERS; b++) {
 		put_name(p, buffers[b]);
@@ -197,7 +192,7 @@ static void put_bounds(struct printer *p, const double bound[3],
 {
 	int precision = PRECISION_SINGLE;
 
-	put_name_on_new_line(p, "error_bound");
+	put_name(p, "error_bound");
 	put_open(p, "{");
 	for (int i = PRECISION_SINGLE; i >= PRECISION_EXACT; i--) {
 		put_name(p, precision_names[i]);
@@ -206,7 +201,7 @@ static void put_bounds(struct printer *p, const double bound[3],
 	put_close(p, "}");
 	while (precision > PRECISION_EXACT && !(bound[precision] <= tolerance))
 		precision--;
-	put_word(p, "precision", precision_names[precision]);
+	put_named_word(p, "precision", precision_names[precision]);
 }
 
 /* Puts the window of a scene without a projection. */
@@ -217,12 +212,12 @@ static void put_plane(struct printer *p, const struct document *d)
 
 	document_check(d, scene_shown(s, &w));
 	put_sides(p, "window", 4, w.edge, 0);
-	put_name_on_new_line(p, "device");
+	put_name(p, "device");
 	if (s->has_device)
 		put_device(p, &s->device);
 	else
 		put_literal(p, "null");
-	put_line(p, "scale", w.scale, 2);
+	put_named_vector(p, "scale", w.scale, 2);
 }
 
 /* Puts the projection, and what follows from it. */
@@ -236,7 +231,7 @@ static void put_spatial(struct printer *p, const struct document *d,
 	put_picture(p, &r);
 	put_depth_steps(p, o, &r.depth);
 	put_bounds(p, r.error_bound, o->tolerance > 0 ? o->tolerance : 0.5);
-	put_name_on_new_line(p, "scene");
+	put_name(p, "scene");
 	if (r.has_scene)
 		put_scene(p, &r.scene);
 	else
@@ -249,7 +244,6 @@ void run_inspect(const struct command *c, const struct options *o)
 	static char text[320 * NUMBER_MAX + (1 << 14)];
 	struct printer p = { .at = text,
 		.style = options_style(o),
-		.on_line = o->out == FORMAT_JSON,
 		.compact = o->out == FORMAT_JSON,
 		.between = "" };
 	struct document d;
@@ -264,6 +258,6 @@ void run_inspect(const struct command *c, const struct options *o)
 		put_plane(&p, &d);
 	else
 		put_spatial(&p, &d, o);
-	put_text(&p, p.on_line ? "}\n" : "\n}\n");
+	put_close(&p, "}\n");
 	output_write(text, (size_t)(p.at - text));
 }

@@ -136,11 +136,9 @@ static void run(char *text, size_t size, int mode)
 /* Parses the literals of a table's rows, which the program keeps. */
 static void keep_literals(const struct member *row)
 {
-	static const struct source source;
-
 	for (; row != NULL && row->name != NULL; row++) {
 		if (row->usual != NULL)
-			value_literal(&source, row->usual);
+			value_literal(row->usual);
 		keep_literals(row->members);
 	}
 }

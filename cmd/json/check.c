@@ -25,25 +25,16 @@ static bool is_letter(char c)
 	return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
 }
 
-static bool is_json_blank(char c)
-{
-	return c == ' ' || c == '\n' || c == '\t' || c == '\r';
-}
-
 /* Returns whether c is the next character. */
 static bool at(const struct json_check *s, char c)
 {
 	return s->at < s->end && *s->at == c;
 }
 
-/* Moves s->at to the first character that is not a blank. */
+/* Moves s->at past blanks. */
 static void blanks(struct json_check *s)
 {
-	const char *p = s->at;
-
-	while (p < s->end && is_json_blank(*p))
-		p++;
-	s->at = p;
+	s->at = json_space(s->at, s->end);
 }
 
 /* Appends n bytes to the copy, if there is one. */
@@ -56,7 +47,8 @@ static void copy(struct json_check *s, const char *from, size_t n)
 /* Returns whether c can be part of a word or number. */
 static bool in_token(char c)
 {
-	return (unsigned char)c > ' ' && strchr(",:[]{}\"'/#", c) == NULL;
+	return (unsigned char)c > ' ' && c != ',' &&
+	    strchr(":[]{}\"'/#", c) == NULL;
 }
 
 /* Returns the end of the word or number at s->at, else of the one character there. */
@@ -87,7 +79,7 @@ static bool after_comma(const struct json_check *s)
 {
 	const char *p = s->at;
 
-	while (p > s->text && is_json_blank(p[-1]))
+	while (p > s->text && json_is_blank(p[-1]))
 		p--;
 	return p > s->text && p[-1] == ',';
 }
@@ -163,22 +155,12 @@ static bool character(struct json_check *s)
 	return true;
 }
 
-/* Returns whether c is legal in a string whatever follows it. */
-static bool passes_unseen(char c)
-{
-	return c >= ' ' && c != '"' && c != '\\' && (unsigned char)c < 0x80;
-}
-
 /* Checks a string, from its first quotation mark on. */
 static bool string(struct json_check *s)
 {
 	const char *start = s->at++;
 
-	for (;;) {
-		while (s->at < s->end && passes_unseen(*s->at))
-			s->at++;
-		if (at(s, '"'))
-			break;
+	while (!at(s, '"')) {
 		if (s->at == s->end)
 			return expected(s, "text or '\"' in a string", NULL);
 		if (!character(s))
@@ -199,7 +181,7 @@ const char *json_scalar_end(const char *p, const char *end)
 		if ((size_t)(end - p) >= n && memcmp(p, words[i], n) == 0)
 			return p + n;
 	}
-	return json_number_end(p, end);
+	return json_number(p, end, NULL);
 }
 
 /* Copies the number from s->at to end. A number that is too long for cJSON is copied as
@@ -281,7 +263,7 @@ static bool member(struct json_check *s, const char *path)
 
 	if (!at(s, '"'))
 		return expected(s, "a member's name in \"double quotes\"",
-		    after_comma(s) && json_number_end(s->at, s->end) != NULL ?
+		    after_comma(s) && json_number(s->at, s->end, NULL) != NULL ?
 			"several numbers stand in brackets: [1,2,3]" :
 			NULL);
 	if (!string(s))

@@ -9,53 +9,39 @@
 /* The most rows of a table: members are bits. */
 enum { MEMBERS_MAX = 64 };
 
-static bool is_ignored(const char *name)
+/* Returns whether kinds, the bits of a member or of ways, have the kind. */
+static bool is_of(unsigned kinds, int kind)
 {
-	return *name == '_' || strcmp(name, "$schema") == 0;
-}
-
-bool member_is_of(const struct member *row, int kind)
-{
-	return kind == ANY_KIND || row->kinds == 0 ||
-	    (row->kinds >> kind & 1) != 0;
+	return kind == ANY_KIND || kinds == 0 || (kinds >> kind & 1) != 0;
 }
 
 const struct member *member_of(const struct member *row, int kind,
     const char *name)
 {
 	for (; row->name != NULL; row++)
-		if (member_is_of(row, kind) && strcmp(row->name, name) == 0)
+		if (is_of(row->kinds, kind) && strcmp(row->name, name) == 0)
 			return row;
 	return NULL;
 }
 
-/* Returns whether the scene has a member of that name, which may stand in a document that
- * is another member alone. */
-static bool is_beside(const struct value *v)
+uint64_t member_bits(const struct member *table, int kind, const char *names,
+    bool needed)
 {
-	const struct member *row = v->in->in != NULL ?
-	    NULL :
-	    member_of(v->source->scene, 0, v->name);
+	uint64_t bits = 0;
+	char name[ESCAPED_MAX];
 
-	return row != NULL && row->beside;
-}
+	for (; *names != '\0'; names += strspn(names, " ?")) {
+		size_t n = strcspn(names, " ?");
 
-uint64_t member_bit(const struct member *table, int kind, const char *name)
-{
-	const struct member *row = member_of(table, kind, name);
+		memcpy(name, names, n);
+		name[n] = '\0';
+		names += n;
+		const struct member *row = member_of(table, kind, name);
 
-	return row != NULL ? UINT64_C(1) << (row - table) : 0;
-}
-
-/* Returns the member with that alias, or NULL. LookAt, look_at and look-at are lookat. */
-static const struct member *find_alias(const struct member *row, int kind,
-    const char *name)
-{
-	for (; row->name != NULL; row++)
-		if (row->aliases != NULL && member_is_of(row, kind) &&
-		    word_is_one_of(name, row->aliases))
-			return row;
-	return NULL;
+		if (row != NULL && !(needed && *names == '?'))
+			bits |= UINT64_C(1) << (row - table);
+	}
+	return bits;
 }
 
 const struct member *member_named(const struct member *table, int kind,
@@ -63,7 +49,11 @@ const struct member *member_named(const struct member *table, int kind,
 {
 	const struct member *row = member_of(table, kind, name);
 
-	return row != NULL ? row : find_alias(table, kind, name);
+	for (; row == NULL && table->name != NULL; table++)
+		if (table->aliases != NULL && is_of(table->kinds, kind) &&
+		    word_is_one_of(name, table->aliases))
+			row = table;
+	return row;
 }
 
 const char *member_type(const struct member *row, char out[LISTED])
@@ -74,22 +64,16 @@ const char *member_type(const struct member *row, char out[LISTED])
 		return "object";
 	if (row->words != NULL)
 		return list_words(out, row->words, " or ", "");
-	const char *one = row->range == NULL ? "number" :
-	    row->range->angle                ? "angle" :
-	    row->range == &range_positive    ? "size" :
-					       "number";
+	if (row->type->size == sizeof(bool))
+		return "true or false";
+	const char *one = row->range == &range_positive            ? "size" :
+	    row->unit != NULL && strcmp(row->unit, "degrees") == 0 ? "angle" :
+								     "number";
 
 	if (row->n == 0)
 		return one;
 	snprintf(out, LISTED, "%zu %ss", row->n, one);
 	return out;
-}
-
-const char *member_unit(const struct member *row)
-{
-	bool angle = row->range != NULL && row->range->angle;
-
-	return angle ? "degrees" : row->unit;
 }
 
 /* Lists the names of those members of bits that objects of that kind have. */
@@ -99,23 +83,27 @@ static void list_names(const struct member *row, int kind, uint64_t bits,
 	int n = 0;
 
 	for (; row->name != NULL; row++, bits >>= 1)
-		if ((bits & 1) != 0 && member_is_of(row, kind))
+		if ((bits & 1) != 0 && is_of(row->kinds, kind))
 			names[n++] = row->name;
 	names[n] = NULL;
 }
 
-/* Refuses an unknown member. The message names the first of these that exists: the member
- * with that alias, the other objects of the scene that have the member, the scene itself,
- * the member with the nearest name; else all members. */
-static _Noreturn void refuse_unknown(const struct value *v,
-    const struct member *table, int kind)
+/* Refuses an unknown member, unless it may stand beside the members of the table. The
+ * message names the first of these that exists: the member with that alias, the other
+ * objects of the scene that have the member, the scene itself, the member with the nearest
+ * name; else all members. */
+static void check_unknown(const struct value *v, const struct member *table,
+    int kind)
 {
-	const struct member *row = find_alias(table, kind, v->name);
+	const struct member *row = member_named(table, kind, v->name);
 	const struct member *s = v->source->scene;
+	const struct member *beside = member_of(s, 0, v->name);
 	const char *names[MEMBERS_MAX + 1];
 	char all[LISTED];
 	int n = 0;
 
+	if (beside != NULL && beside->beside && v->in->in == NULL)
+		return;
 	if (row != NULL)
 		value_refuse(v, "unknown member; did you mean \"%s\"%s%s%s?",
 		    row->name, row->note != NULL ? " (" : "",
@@ -129,7 +117,7 @@ static _Noreturn void refuse_unknown(const struct value *v,
 	if (n > 0)
 		value_refuse(v, "unknown member; it belongs in %s",
 		    list_words(all, names, " or ", "\""));
-	if (v->in->in != NULL && member_of(v->source->scene, 0, v->name))
+	if (v->in->in != NULL && beside != NULL)
 		value_refuse(v, "unknown member; it stands beside \"%s\"",
 		    v->in->name);
 	list_names(table, kind, ALL_MEMBERS, names);
@@ -144,8 +132,7 @@ static _Noreturn void refuse_unknown(const struct value *v,
 /* Reads the default of a member. */
 static void read_usual(const struct member *row, void *to)
 {
-	static const struct source source;
-	struct value usual = value_literal(&source, row->usual);
+	struct value usual = value_literal(row->usual);
 
 	row->type->read(&usual, row, to);
 }
@@ -158,110 +145,16 @@ void object_read_member(const struct value *v, const struct member *row,
 		*(bool *)((char *)base + row->has) = true;
 }
 
-uint64_t object_read(const struct value *v, const struct member *table,
-    int kind, void *base)
-{
-	uint64_t seen = 0;
-
-	value_want_object(v);
-	for (const struct member *row = table; row->name != NULL; row++)
-		if (base != NULL && row->usual != NULL && row->type->size > 0 &&
-		    member_is_of(row, kind))
-			read_usual(row, (char *)base + row->at);
-	struct value m = value_child(v), first;
-
-	for (; m.item != NULL; value_next(&m)) {
-		const struct member *row = member_of(table, kind, m.name);
-
-		if (is_ignored(m.name))
-			continue;
-		if (row == NULL && !is_beside(&m))
-			refuse_unknown(&m, table, kind);
-		value_member(v, m.name, &first);
-		if (first.item != m.item)
-			value_refuse(&m, "repeated; give it once");
-		if (row == NULL)
-			continue;
-		seen |= UINT64_C(1) << (row - table);
-		if (base != NULL)
-			object_read_member(&m, row, base);
-	}
-	return seen;
-}
-
-/* Returns whether the member, whose value is at, is left out because it has its default,
- * or because it is a size of 0. */
-static bool is_usual(const struct member *row, const void *at)
-{
-	const double *v = at;
-	double usual[4];
-
-	if (row->usual == NULL && row->range == &range_positive)
-		return *v == 0;
-	if (row->usual == NULL || row->shown || row->type->size == 0)
-		return false;
-	read_usual(row, usual);
-	if (row->type->size != sizeof *v)
-		return memcmp(usual, at, row->type->size) == 0;
-	for (size_t i = 0; i == 0 || i < row->n; i++)
-		if (v[i] != usual[i])
-			return false;
-	return true;
-}
-
-void object_put(struct printer *p, const struct member *row, int kind,
-    uint64_t bits, const void *base,
-    void (*put)(struct printer *, const char *name))
-{
-	const char *at = base;
-
-	for (; row->name != NULL; row++, bits >>= 1) {
-		bool has = row->has == 0 || *(const bool *)(at + row->has);
-
-		if ((bits & 1) == 0 || !has || !member_is_of(row, kind) ||
-		    is_usual(row, at + row->at))
-			continue;
-		put(p, row->name);
-		row->type->print(p, row, at + row->at);
-	}
-}
-
-void object_print(struct printer *p, const struct member *row, int kind,
-    uint64_t bits, const void *base)
-{
-	put_open(p, "{");
-	object_put(p, row, kind, bits, base, put_name);
-	put_close(p, "}");
-}
-
 /* A list of ways as bits of members, for one kind of object. */
 struct way_bits {
 	const char *const *list;
+	const struct member *table;
 	int kind;
 	size_t n;
 	uint64_t any;            /* the members of all ways */
 	uint64_t all[WAYS_MAX];  /* the members of each way */
 	uint64_t must[WAYS_MAX]; /* those of them that may not be missing */
 };
-
-static void add_way(struct way_bits *b, const struct member *table,
-    const char *way)
-{
-	char name[ESCAPED_MAX];
-
-	for (; *way != '\0'; way += strspn(way, " ?")) {
-		size_t n = strcspn(way, " ?");
-
-		memcpy(name, way, n);
-		name[n] = '\0';
-		way += n;
-		uint64_t bit = member_bit(table, b->kind, name);
-
-		b->all[b->n] |= bit;
-		b->must[b->n] |= *way != '?' ? bit : 0;
-	}
-	b->any |= b->all[b->n++];
-}
 
 /* Returns the bits of a list of ways. They are made once and kept: reading a scene takes
  * about ten. The tables have 24 lists, counted for each kind. */
@@ -273,63 +166,61 @@ static const struct way_bits *list_bits(const struct member *table, int kind,
 
 	while (b->list != NULL && (b->list != list || b->kind != kind))
 		b++;
-	if (b->list == NULL) {
-		*b = (struct way_bits){ .list = list, .kind = kind };
-		for (; *list != NULL; list++)
-			add_way(b, table, *list);
+	if (b->list != NULL)
+		return b;
+	*b = (struct way_bits){ .list = list, .table = table, .kind = kind };
+	for (; *list != NULL; list++, b->n++) {
+		b->all[b->n] = member_bits(table, kind, *list, false);
+		b->must[b->n] = member_bits(table, kind, *list, true);
+		b->any |= b->all[b->n];
 	}
 	return b;
 }
 
-uint64_t object_shown(const struct member *table, int kind,
-    const struct ways *w, int way)
+/* Writes the names of those members. Returns out. */
+static const char *write_names(char out[LISTED], const struct way_bits *b,
+    uint64_t bits)
 {
-	const struct way_bits *b = list_bits(table, kind, w->way);
+	const char *names[MEMBERS_MAX + 1];
 
-	return ~b->any | b->all[way];
+	list_names(b->table, b->kind, bits, names);
+	return list_words(out, names, " and ", "\"");
 }
 
 /* Writes "give ..." with each way: its members that may not be missing, and its other
  * members that are seen. */
-static void write_ways(char out[LISTED], const struct member *table,
-    const struct way_bits *b, uint64_t seen)
+static void write_ways(char out[LISTED], const struct way_bits *b,
+    uint64_t seen)
 {
-	const char *names[MEMBERS_MAX + 1];
 	char all[LISTED];
 	size_t n = 0;
 
 	for (size_t i = 0; i < b->n && n < LISTED; i++) {
-		list_names(table, b->kind, b->all[i] & (b->must[i] | seen),
-		    names);
-		list_words(all, names, " and ", "\"");
+		write_names(all, b, b->all[i] & (b->must[i] | seen));
 		n += (size_t)snprintf(out + n, LISTED - n, "%s%s",
 		    i > 0 ? ", or " : "give ",
 		    *all != '\0' ? all : "none of them");
 	}
 }
 
-/* Refuses the first of the bits of member. If way is 0, the member is missing. Else way
+/* Refuses the first of the bits of members. If way is 0, the member is missing. Else way
  * has the given members of a complete way, to which the member does not belong. */
 static _Noreturn void refuse_way(const struct value *v,
-    const struct member *table, const struct way_bits *b, uint64_t seen,
-    uint64_t member, uint64_t way)
+    const struct way_bits *b, uint64_t seen, uint64_t members, uint64_t way)
 {
-	const char *names[MEMBERS_MAX + 1];
+	const int first = __builtin_ctzll(members);
+	const struct value *m = VALUE_MISSING(v, b->table[first].name);
 	char ways[LISTED], rivals[LISTED];
 	uint64_t others = way;
 
-	list_names(table, b->kind, member & -member, names);
-	struct value m = value_missing(v, names[0]);
-
-	write_ways(ways, table, b, seen);
+	write_ways(ways, b, seen);
 	if (way == 0)
-		value_refuse(&m, "missing; %s", ways);
+		value_refuse(m, "missing; %s", ways);
 	for (size_t i = 0; i < b->n; i++)
-		if ((b->all[i] & member & -member) != 0)
+		if (b->all[i] >> first & 1)
 			others &= ~b->all[i];
-	list_names(table, b->kind, others != 0 ? others : way, names);
-	value_refuse(&m, "does not go with %s; %s",
-	    list_words(rivals, names, " and ", "\""), ways);
+	value_refuse(m, "does not go with %s; %s",
+	    write_names(rivals, b, others != 0 ? others : way), ways);
 }
 
 int object_way(const struct value *v, const struct member *table, int kind,
@@ -357,5 +248,96 @@ int object_way(const struct value *v, const struct member *table, int kind,
 		return 0;
 	if (extra == 0 && lacking == 0)
 		lacking = b->must[0];
-	refuse_way(v, table, b, seen, extra != 0 ? extra : lacking, way);
+	refuse_way(v, b, seen, extra != 0 ? extra : lacking, way);
+}
+
+uint64_t object_read(const struct value *v, const struct member *row, int kind,
+    void *base)
+{
+	const struct member *table = row->members;
+	const struct ways *w = row->ways;
+	uint64_t seen = 0;
+
+	if (!value_is(v, JSON_OBJECT))
+		value_wrong(v, "an object");
+	for (const struct member *m = table; m->name != NULL; m++)
+		if (base != NULL && m->usual != NULL && m->type->size > 0 &&
+		    is_of(m->kinds, kind))
+			read_usual(m, (char *)base + m->at);
+	struct value m = value_child(v), first;
+
+	for (; m.item != NULL; value_next(&m)) {
+		const struct member *of = member_of(table, kind, m.name);
+
+		if (*m.name == '_' || strcmp(m.name, "$schema") == 0)
+			continue;
+		if (of == NULL)
+			check_unknown(&m, table, kind);
+		value_member(v, m.name, &first);
+		if (first.item != m.item)
+			value_refuse(&m, "repeated; give it once");
+		if (of == NULL)
+			continue;
+		seen |= UINT64_C(1) << (of - table);
+		if (base != NULL)
+			object_read_member(&m, of, base);
+	}
+	for (; w != NULL && w->way[0] != NULL; w++) {
+		if (!is_of(w->kinds, kind))
+			continue;
+		int way = object_way(v, table, kind, seen, w);
+
+		if (base != NULL && w->at != 0)
+			*(unsigned *)(void *)((char *)base + w->at) = w->first +
+			    (unsigned)way;
+	}
+	return seen;
+}
+
+/* Returns whether the member, whose value is at, is left out because it has its default,
+ * or because it is a size of 0. */
+static bool is_usual(const struct member *row, const void *at)
+{
+	const double *v = at;
+	double usual[4];
+
+	if (row->usual == NULL && row->range == &range_positive)
+		return *v == 0;
+	if (row->usual == NULL || row->shown || row->type->size == 0)
+		return false;
+	read_usual(row, usual);
+	if (row->type->size != sizeof *v)
+		return memcmp(usual, at, row->type->size) == 0;
+	for (size_t i = 0; i == 0 || i < row->n; i++)
+		if (v[i] != usual[i])
+			return false;
+	return true;
+}
+
+void object_print(struct printer *p, const struct member *row, int kind,
+    uint64_t bits, const void *base)
+{
+	const struct ways *w = row->ways;
+	const char *at = base;
+
+	for (; w != NULL && w->way[0] != NULL; w++) {
+		if (w->at == 0 || !is_of(w->kinds, kind))
+			continue;
+		const struct way_bits *b = list_bits(row->members, kind,
+		    w->way);
+		const unsigned *way = (const void *)(at + w->at);
+
+		bits &= ~b->any | b->all[*way - w->first];
+	}
+	put_open(p, "{");
+	for (row = row->members; row->name != NULL; row++, bits >>= 1) {
+		bool has = row->has == 0 || *(const bool *)(at + row->has);
+
+		if ((bits & 1) == 0 || !has || !is_of(row->kinds, kind) ||
+		    is_usual(row, at + row->at))
+			continue;
+		put_name(p, row->name);
+		row->type->print(p, row, at + row->at);
+	}
+	put_close(p, "}");
 }

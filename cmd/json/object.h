@@ -50,7 +50,8 @@ struct member {
 	const char *aliases;
 	/* A hint for users who gave an alias; or NULL. */
 	const char *note;
-	/* The unit, or NULL; and a description, for the help. */
+	/* The unit, or NULL, with degrees for all angles; and a description, for the
+	 * help. */
 	const char *unit, *about;
 	/* Of a member of a scene: its own members, the ways to combine them, an example
 	 * of its value, and of a command that reads it. */
@@ -89,29 +90,23 @@ struct ways {
 };
 
 /* Returns the members that an object of that kind has, as bits, and reads them to the
- * struct at base after all defaults; if base is NULL, reads no values. kind is 0 if there
- * are no kinds. Ignores members that begin with _, $schema, and those that may stand
- * beside. Refuses other members that are unknown, of another kind, or repeated. */
-uint64_t object_read(const struct value *, const struct member *, int kind,
+ * struct at base after all defaults; if base is NULL, reads no values. The row has the
+ * object's members, and its ways, whose indices are set. kind is 0 if there are no kinds.
+ * Ignores members that begin with _, $schema, and those that may stand beside. Refuses
+ * other members that are unknown, of another kind, or repeated, and objects that fit no
+ * way. */
+uint64_t object_read(const struct value *, const struct member *row, int kind,
     void *base);
 
 /* Reads the value of a member to its place in the struct at base. */
 void object_read_member(const struct value *, const struct member *,
     void *base);
 
-/* Prints an object with those members of bits that the kind has and that differ from
- * their defaults. A size of 0 was not given, and is left out. */
-void object_print(struct printer *, const struct member *, int kind,
+/* Prints an object with those members of bits that the kind has, that are of no way or of
+ * those whose indices the struct has, and that differ from their defaults. A size of 0
+ * was not given, and is left out. */
+void object_print(struct printer *, const struct member *row, int kind,
     uint64_t bits, const void *base);
-
-/* Prints the members alone, each name by put. */
-void object_put(struct printer *, const struct member *, int kind,
-    uint64_t bits, const void *base,
-    void (*put)(struct printer *, const char *name));
-
-/* Returns as bits the members of the way with that index, and those of no way. */
-uint64_t object_shown(const struct member *, int kind, const struct ways *,
-    int way);
 
 /* Returns the member of that name that objects of that kind have, or NULL. member_named
  * also finds a member by an alias. */
@@ -125,14 +120,10 @@ const struct member *member_named(const struct member *, int kind,
  * room for it, which may stay unused. */
 const char *member_type(const struct member *, char out[LISTED]);
 
-/* Returns the unit, or NULL. */
-const char *member_unit(const struct member *);
-
-/* Returns whether objects of that kind have the member. */
-bool member_is_of(const struct member *, int kind);
-
-/* Returns the bit of the member of that name; 0 if objects of that kind have none. */
-uint64_t member_bit(const struct member *, int kind, const char *name);
+/* Returns as bits the members of names, which have blanks between them, that objects of
+ * that kind have; if needed, without names before a ?. */
+uint64_t member_bits(const struct member *, int kind, const char *names,
+    bool needed);
 
 /* Returns the index of the way to which the members seen, as bits, belong. Refuses an
  * object that lacks members of each way, or has members of several. */

@@ -16,27 +16,24 @@ void put_open(struct printer *p, const char *bracket)
 	put_text(p, p->between);
 	put_text(p, bracket);
 	p->between = "";
+	p->level++;
 }
 
 void put_close(struct printer *p, const char *bracket)
 {
+	if (--p->level == 0 && *bracket == '}' && !p->compact)
+		put_text(p, "\n");
 	put_text(p, bracket);
 	p->between = p->compact ? "," : ", ";
 }
 
 void put_name(struct printer *p, const char *name)
 {
-	put_open(p, "\"");
-	put_text(p, name);
-	put_text(p, p->compact ? "\":" : "\": ");
-	p->between = "";
-}
-
-void put_name_on_new_line(struct printer *p, const char *name)
-{
-	if (!p->on_line)
+	if (p->level == 1 && !p->compact)
 		p->between = *p->between == ',' ? ",\n  " : "\n  ";
-	put_name(p, name);
+	put_string(p, name);
+	put_text(p, p->compact ? ":" : ": ");
+	p->between = "";
 }
 
 void put_string(struct printer *p, const char *s)

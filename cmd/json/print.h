@@ -10,10 +10,12 @@
 struct printer {
 	char *at; /* the next byte; there must be room */
 	struct number_style style;
-	bool single;  /* numbers are floats */
-	bool compact; /* no blanks after commas and colons */
-	bool on_line; /* members stay on their object's line */
-	bool column;  /* rows of a matrix are for column vectors */
+	bool single; /* numbers are floats */
+	bool column; /* rows of a matrix are for column vectors */
+	/* All is in one line, without blanks after commas and colons. Else each member
+	 * of the outermost object begins a line. */
+	bool compact;
+	int level; /* open brackets */
 	/* The text before the next value: "" for the first one of all, or in an array
 	 * or object; else a comma. */
 	const char *between;
@@ -26,10 +28,8 @@ void put_text(struct printer *, const char *);
 void put_open(struct printer *, const char *bracket);
 void put_close(struct printer *, const char *bracket);
 
-/* Print the name of a member, which needs no escapes; a value has to follow. The second
- * begins a new line, unless on_line is set. */
+/* Prints the name of a member, which needs no escapes; a value has to follow. */
 void put_name(struct printer *, const char *name);
-void put_name_on_new_line(struct printer *, const char *name);
 
 void put_string(struct printer *, const char *);
 void put_literal(struct printer *, const char *word); /* null, true, false */

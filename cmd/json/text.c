@@ -8,28 +8,6 @@
 
 #include "../number/number.h"
 
-/* Returns the eight characters at s, the first in the lowest byte, each less '0', so
- * that a digit becomes its value. */
-static uint64_t eight_at(const char *s)
-{
-	uint64_t w;
-
-	memcpy(&w, s, 8);
-	if (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__)
-		w = __builtin_bswap64(w);
-	return w ^ 0x3030303030303030;
-}
-
-/* Returns the number of digits before the first other character, without a branch for
- * each character, which processors could not predict. A digit's sum, at most 9 + 0x76,
- * has no top bit. The sum of another character can carry into the next byte, but the
- * lowest top bit is that of the first such character. */
-static size_t leading_digits(uint64_t w)
-{
-	w = (w | (w + 0x7676767676767676)) & 0x8080808080808080;
-	return w == 0 ? 8 : (size_t)__builtin_ctzll(w) / 8;
-}
-
 static bool is_digit(char c)
 {
 	return c >= '0' && c <= '9';
@@ -39,37 +17,29 @@ static bool is_digit(char c)
 static const char *digits(const char *s, const char *end)
 {
 	const char *first = s;
-	size_t n = 8;
 
-	while (n == 8 && end - s >= 8)
-		s += n = leading_digits(eight_at(s));
-	while (n == 8 && s < end && is_digit(*s))
+	while (s < end && is_digit(*s))
 		s++;
 	return s > first ? s : NULL;
 }
 
-const char *json_number_end(const char *s, const char *end)
+const char *json_number(const char *s, const char *end, double *v)
 {
-	s += s < end && *s == '-';
-	const char *first = s;
+	const char *const start = s, *first;
 
+	s += s < end && *s == '-';
+	first = s;
 	s = digits(s, end);
 	if (s == NULL || (*first == '0' && s > first + 1))
 		return NULL;
 	if (s < end && *s == '.')
 		s = digits(s + 1, end);
-	if (s == NULL || s == end || (*s != 'e' && *s != 'E'))
-		return s;
-	s++;
-	s += s < end && (*s == '+' || *s == '-');
-	return digits(s, end);
-}
-
-const char *json_number(const char *s, const char *end, double *v)
-{
-	const char *stop = json_number_end(s, end);
-
-	return stop != NULL ? number_read(s, stop, v) : NULL;
+	if (s != NULL && s < end && (*s == 'e' || *s == 'E')) {
+		s++;
+		s += s < end && (*s == '+' || *s == '-');
+		s = digits(s, end);
+	}
+	return s != NULL && v != NULL ? number_read(start, s, v) : s;
 }
 
 const char *json_string(const char *s, const char *end)
@@ -83,25 +53,15 @@ const char *json_skip(const char *s, const char *end)
 {
 	long level = 0;
 
-	while (s < end) {
-		switch (*s) {
-		case '"':
-			s = json_string(s, end);
-			continue;
-		case '[':
-		case '{':
-			level++;
-			break;
-		case ']':
-		case '}':
-			if (level-- == 0)
-				return s;
-			break;
-		case ',':
-			if (level == 0)
-				return s;
-		}
-		s++;
+	for (; s < end; s++) {
+		bool closes = *s == ']' || *s == '}';
+
+		if (level == 0 && (closes || *s == ','))
+			return s;
+		if (*s == '"')
+			s = json_string(s, end) - 1;
+		else
+			level += (*s == '[' || *s == '{') - closes;
 	}
 	return end;
 }

@@ -10,18 +10,19 @@
 
 #include "../message/utf8.h"
 
-/* Reads the number at s and returns its end; returns NULL if there is none, or one that
- * JSON does not have: +1, 01, 1., .5, 1e, inf. */
+/* Returns the end of the number at s, and reads it to *v unless v is NULL; returns NULL if
+ * there is none, or one that JSON does not have: +1, 01, 1., .5, 1e, inf. */
 const char *json_number(const char *s, const char *end, double *v);
 
-/* Returns the end of the number as json_number does, without its value. */
-const char *json_number_end(const char *s, const char *end);
+static inline bool json_is_blank(char c)
+{
+	return c == ' ' || c == '\n' || c == '\t' || c == '\r';
+}
 
-/* Returns the end of the blanks at s of checked text, whose only characters up to ' ' are
- * blanks. */
+/* Returns the end of the blanks at s. */
 static inline const char *json_space(const char *s, const char *end)
 {
-	while (s < end && (unsigned char)*s <= ' ')
+	while (s < end && json_is_blank(*s))
 		s++;
 	return s;
 }

@@ -13,12 +13,8 @@
 #include "../message/message.h"
 #include "text.h"
 
-#define UP_TO "numbers go up to 1e150"
-
 const struct value_range range_any = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
-	.wanted = UP_TO };
-const struct value_range range_turn = { -MAGNITUDE_MAX, MAGNITUDE_MAX,
-	.wanted = UP_TO, .angle = true };
+	.wanted = "numbers go up to 1e150" };
 const struct value_range range_positive = { SIZE_MIN, MAGNITUDE_MAX,
 	.wanted = "a number from 1e-150 to 1e150 is wanted" };
 
@@ -50,24 +46,11 @@ struct place source_place(const struct source *source, const char *pointer)
 	return p;
 }
 
-/* Returns the values of checked text, whose copy is s, and frees the copy. cJSON takes
- * all that passes the check, and fails only without memory. */
-static const struct cJSON *parse(char *s, const struct json_check *checked)
-{
-	cJSON *item = cJSON_ParseWithLength(s, (size_t)(checked->copy - s));
-
-	if (item == NULL)
-		die(EXIT_SYSTEM, "out of memory");
-	free(s);
-	return item;
-}
-
-/* The values of the last document. A refusal does not return to free them. */
-static const struct cJSON *parsed;
-
 struct value value_parse_without(struct source *source, const char *pointer,
     char *text, size_t size, struct span *array)
 {
+	/* A refusal does not return to free the values of the last document. */
+	static cJSON *parsed;
 	static char *kept[2];
 	char **keep = &kept[source->operand], *copy = xrealloc(NULL, size);
 	struct json_check c = { .text = text,
@@ -83,47 +66,57 @@ struct value value_parse_without(struct source *source, const char *pointer,
 		    size);
 		source->end = source->text + size;
 	}
-	if (!json_check(&c)) {
+	const bool good = json_check(&c);
+
+	cJSON_Delete(parsed);
+	parsed = good ? cJSON_ParseWithLength(copy, (size_t)(c.copy - copy)) :
+			NULL;
+	free(copy);
+	if (!good) {
 		const struct place place = source_place_at(source, text, c.at);
 
-		free(copy);
 		die_at(EXIT_INPUT, &place, "%s", c.reason);
 	}
+	/* cJSON takes all that passes the check, and fails only without memory */
+	if (parsed == NULL)
+		die(EXIT_SYSTEM, "out of memory");
 	*array = (struct span){ *c.found.s == '[' ? c.found.s : NULL,
 		c.found.end };
-	cJSON_Delete((cJSON *)parsed);
-	parsed = parse(copy, &c);
 	return (struct value){ .source = source, .item = parsed };
 }
 
-void value_parse_part(struct value *v, const char *s, const char *end)
+const char *value_peek(struct value *v, const char *s, const char *end)
 {
-	static const struct cJSON *part;
-	char *copy = xrealloc(NULL, (size_t)(end - s));
-	struct json_check c = { .text = s, .end = end, .copy = copy };
-
-	json_check(&c);
-	cJSON_Delete((cJSON *)part);
-	v->item = part = parse(copy, &c);
+	/* the first characters of values, in the order of enum json_type */
+	static const char begins[] = "ftn0\"[{";
+	static cJSON item;
+	v->item = &item;
+	if (*s == '-' || (*s >= '0' && *s <= '9')) {
+		item.type = cJSON_Number;
+		return number_read(s, end, &item.valuedouble);
+	}
+	item.type = 1 << (strchr(begins, *s) - begins);
+	return *s == '"' ? json_string(s, end) : s + (*s == 'f' ? 5 : 4);
 }
 
-struct value value_literal(const struct source *source, const char *text)
+struct value value_literal(const char *text)
 {
+	static const struct source source;
 	static struct {
 		const char *text;
 		const struct cJSON *item;
 	} known[LITERALS];
 	size_t i = 0;
 
-	while (known[i].text != NULL && known[i].text != text)
+	while (known[i].item != NULL && known[i].text != text)
 		i++;
-	if (known[i].text == NULL) {
-		known[i].item = cJSON_Parse(text);
-		if (known[i].item == NULL)
-			die(EXIT_SYSTEM, "out of memory");
+	if (known[i].item == NULL) {
 		known[i].text = text;
+		known[i].item = cJSON_Parse(text);
 	}
-	return (struct value){ .source = source, .item = known[i].item };
+	if (known[i].item == NULL)
+		die(EXIT_SYSTEM, "out of memory");
+	return (struct value){ .source = &source, .item = known[i].item };
 }
 
 struct value value_child(const struct value *v)
@@ -144,11 +137,6 @@ void value_next(struct value *v)
 	v->name = v->item != NULL ? v->item->string : NULL;
 }
 
-struct value value_missing(const struct value *in, const char *name)
-{
-	return (struct value){ .source = in->source, .in = in, .name = name };
-}
-
 bool value_member(const struct value *object, const char *name,
     struct value *member)
 {
@@ -160,7 +148,7 @@ bool value_member(const struct value *object, const char *name,
 
 bool value_is(const struct value *v, enum json_type type)
 {
-	return (v->item->type >> type & 1) != 0;
+	return v->item != NULL && (v->item->type >> type & 1) != 0;
 }
 
 const char *value_string(const struct value *v)
@@ -224,12 +212,6 @@ void value_wrong(const struct value *v, const char *wanted)
 	value_refuse(v, "is %s; %s is wanted", names[type], wanted);
 }
 
-void value_want_object(const struct value *v)
-{
-	if (!value_is(v, JSON_OBJECT))
-		value_wrong(v, "an object");
-}
-
 /* Returns whether x is in the range. In radians the limits are PI and PI / 2, the largest
  * doubles below pi and pi/2, and so never excluded. */
 static bool is_within(double x, const struct value_range *r, bool radians)
@@ -260,13 +242,6 @@ double value_number(const struct value *v, const struct value_range *range)
 	*number_write(text, x, shortest) = '\0';
 	value_refuse(v, "%s is %s; %s", text,
 	    range->min > 0 && x <= 0 ? "not positive" : "out of range", wanted);
-}
-
-bool value_flag(const struct value *v)
-{
-	if (!value_is(v, JSON_TRUE) && !value_is(v, JSON_FALSE))
-		value_wrong(v, "true or false");
-	return value_is(v, JSON_TRUE);
 }
 
 void value_numbers(const struct value *v, const struct value_range *range,

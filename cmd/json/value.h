@@ -58,11 +58,10 @@ struct value_range {
 	/* wanted for angles in radians; NULL: the limits do not depend on the unit */
 	const char *by_radians;
 	bool above, below; /* min is excluded; max is excluded */
-	bool angle;        /* the number is an angle, and the limits degrees */
 };
 
-/* Any number; any angle; a number greater than 0, which the manual calls a size. */
-extern const struct value_range range_any, range_turn, range_positive;
+/* Any number; a number greater than 0, which the manual calls a size. */
+extern const struct value_range range_any, range_positive;
 
 /* Parses a document and returns its value; refuses text that is not JSON. The values are
  * valid until the next call. An array to which the pointer leads has no elements in the
@@ -71,13 +70,14 @@ extern const struct value_range range_any, range_turn, range_positive;
 struct value value_parse_without(struct source *, const char *pointer,
     char *text, size_t size, struct span *array);
 
-/* Gives *v the value of checked text, which is valid until the next call. */
-void value_parse_part(struct value *v, const char *s, const char *end);
+/* Gives *v the type and the number of the value at s of checked text, until the next call.
+ * Returns the end of the value, unless it is an array or object. */
+const char *value_peek(struct value *v, const char *s, const char *end);
 
 /* Returns the value of a literal of the program, which is parsed once and kept. There are
  * at most LITERALS. */
 enum { LITERALS = 64 };
-struct value value_literal(const struct source *, const char *text);
+struct value value_literal(const char *text);
 
 /* Returns the first element or member; its item is NULL if there is none. */
 struct value value_child(const struct value *);
@@ -85,13 +85,17 @@ struct value value_child(const struct value *);
 /* Replaces *v by the next element or member of v->in; its item is NULL after the last. */
 void value_next(struct value *v);
 
-/* Returns a member that an object lacks, for a message with its pointer. */
-struct value value_missing(const struct value *in, const char *name);
+/* A member that an object lacks, for a message with its pointer. */
+#define VALUE_MISSING(object, label)                  \
+	(&(struct value){ .source = (object)->source, \
+	    .in = (object),                           \
+	    .name = (label) })
 
 /* Finds the first member of that name; returns false if there is none. */
 bool value_member(const struct value *object, const char *name,
     struct value *member);
 
+/* Returns whether there is a value and it has the type. */
 bool value_is(const struct value *, enum json_type);
 
 /* Returns the string that a value is, else NULL. */
@@ -112,14 +116,8 @@ _Noreturn void value_refuse(const struct value *, const char *format, ...)
 /* Refuses a value of the wrong type: "is a string; a number is wanted". */
 _Noreturn void value_wrong(const struct value *, const char *wanted);
 
-/* Refuses a value that is not an object. */
-void value_want_object(const struct value *);
-
 /* Returns the number that a value is; refuses another type, and a number out of range. */
 double value_number(const struct value *, const struct value_range *);
-
-/* Returns whether a value is true; refuses all but true and false. */
-bool value_flag(const struct value *);
 
 /* Reads an array of exactly n numbers; refuses other values. */
 void value_numbers(const struct value *, const struct value_range *, size_t n,

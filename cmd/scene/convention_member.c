@@ -3,26 +3,19 @@
 
 #include <string.h>
 
-const char *const convention_names[] = {
-	[CONVENTION_D3D] = "d3d",
-	[CONVENTION_GL] = "gl",
-	[CONVENTION_VULKAN] = "vulkan",
-	[CONVENTION_WEBGPU] = "webgpu",
-	[CONVENTION_OPENCV] = "opencv",
-	[CONVENTIONS] = NULL,
-};
+/* in the order of the enum */
+const char *const convention_names[] = { "d3d", "gl", "vulkan", "webgpu",
+	"opencv", NULL };
 
 const struct convention conventions[] = {
-	[CONVENTION_D3D] = { 0 },
-	[CONVENTION_GL] = { .right_handed = true,
+	{ 0 },
+	{ .right_handed = true,
 	    .minus_one = true,
 	    .column = true,
 	    .bottom_left = true },
-	[CONVENTION_VULKAN] = { .right_handed = true,
-	    .column = true,
-	    .ndc_y_down = true },
-	[CONVENTION_WEBGPU] = { .right_handed = true, .column = true },
-	[CONVENTION_OPENCV] = { .right_handed = true,
+	{ .right_handed = true, .column = true, .ndc_y_down = true },
+	{ .right_handed = true, .column = true },
+	{ .right_handed = true,
 	    .view_y_down = true,
 	    .column = true,
 	    .ndc_y_down = true },
@@ -33,8 +26,8 @@ static const char *const depths[] = { "zero_to_one", "minus_one_to_one", NULL };
 static const char *const ys[] = { "up", "down", NULL };
 static const char *const origins[] = { "top-left", "bottom-left", NULL };
 
-#define SECOND(label, list, field, first, other, what)            \
-	ROW(convention, label, type_second, field, .words = list, \
+#define SECOND(label, list, field, first, other, what)          \
+	ROW(convention, label, type_flag, field, .words = list, \
 	    .usual = "\"" first "\"", .aliases = other, .about = what)
 
 const struct member convention_members[] = {
@@ -55,16 +48,11 @@ const struct member convention_members[] = {
 	{ .name = NULL },
 };
 
-bool same_convention(const struct convention *a, const struct convention *b)
-{
-	return memcmp(a, b, sizeof *a) == 0;
-}
-
 static void read_convention_member(const struct value *v,
     const struct member *row, void *out)
 {
 	if (value_is(v, JSON_OBJECT))
-		object_read(v, row->members, 0, out);
+		object_read(v, row, 0, out);
 	else
 		*(struct convention *)out =
 		    conventions[value_word(v, row->words)];
@@ -75,11 +63,11 @@ static void print_convention_member(struct printer *p, const struct member *row,
     const void *at)
 {
 	for (int i = 0; i < CONVENTIONS; i++)
-		if (same_convention(at, &conventions[i])) {
+		if (memcmp(at, &conventions[i], sizeof *conventions) == 0) {
 			put_string(p, convention_names[i]);
 			return;
 		}
-	object_print(p, row->members, 0, ALL_MEMBERS, at);
+	object_print(p, row, 0, ALL_MEMBERS, at);
 }
 
 const struct type type_convention = { "a name or an object",
@@ -87,10 +75,8 @@ const struct type type_convention = { "a name or an object",
 
 void check_axes(const struct value *in, const char *name)
 {
-	struct value m = value_missing(in, name);
-
 	if (!in->unused && !in->source->axes)
-		value_refuse(&m,
+		value_refuse(VALUE_MISSING(in, name),
 		    "needs a \"convention\"; of x, y and z in view space, "
 		    "opencv is right, down, forward and webgpu right, up, "
 		    "backward");

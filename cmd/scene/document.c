@@ -15,104 +15,81 @@
 
 enum { SCENE_MEMBERS = ROW_OF(MARGIN) + 1 };
 
+/* The document itself as a member. */
+static const struct member scene_row = { .members = scene_members };
+
 /* Returns the end of the element at s of a point; refuses a coordinate that is not a
  * number or null, and other elements that are arrays or objects. */
 static const char *element_end(struct value *e, const char *s, const char *end,
     bool coordinate)
 {
-	const char *stop;
-	double v;
+	const char *stop = value_peek(e, s, end);
 
-	if (coordinate && (*s == '-' || (*s >= '0' && *s <= '9'))) {
-		stop = number_read(s, end, &v);
-		if (fabs(v) <= MAGNITUDE_MAX)
-			return stop;
-	}
-	stop = json_skip(s, end);
-	if ((coordinate && *s != 'n') || *s == '[' || *s == '{') {
-		value_parse_part(e, s, stop);
-		if (!coordinate)
-			value_wrong(e, "a number, a string or null");
+	if (coordinate && *s != 'n')
 		value_number(e, &range_any);
-	}
+	else if (*s == '[' || *s == '{')
+		value_wrong(e, "a number, a string or null");
 	return stop;
 }
 
-/* Returns the end of the point at s of checked text; refuses a value that is not one. v
- * is the point, without its item. */
-static const char *point_end(struct value *v, const char *s, const char *end,
-    int coordinates)
+/* Moves the point at s of checked text, which is v, to *out as a line without blanks;
+ * refuses a value that is not a point. Sets *out to the end of the line, and returns the
+ * end of the point. */
+static const char *move_point(struct value *v, const char *s, const char *end,
+    int coordinates, char **out)
 {
 	struct value e = { .source = v->source, .in = v, .unused = v->unused };
 	int n = 0;
 
 	if (*s != '[') {
-		value_parse_part(v, s, json_skip(s, end));
+		value_peek(v, s, end);
 		value_wrong(v, "an array of coordinates");
 	}
+	*(*out)++ = '[';
 	for (s = json_space(s + 1, end); *s != ']'; e.index++) {
-		s = element_end(&e, s, end, n++ < coordinates);
-		s = json_space(s, end);
-		s = *s == ',' ? json_space(s + 1, end) : s;
+		const char *stop = element_end(&e, s, end, n++ < coordinates);
+
+		memmove(*out, s, (size_t)(stop - s));
+		*out += stop - s;
+		s = json_space(stop, end);
+		if (*s == ',') {
+			*(*out)++ = ',';
+			s = json_space(s + 1, end);
+		}
 	}
 	if (n < coordinates)
 		value_refuse(v, "has %d element%s; %d coordinates are wanted%s",
 		    n, n == 1 ? "" : "s", coordinates,
 		    n == 2 && v->source->two != NULL ? v->source->two : "");
+	*(*out)++ = ']';
+	*(*out)++ = '\n';
 	return s + 1;
 }
 
-/* Moves a value of checked text to out, without its blanks, and adds a newline. Returns
- * the end. */
-static char *move_value(const char *s, const char *end, char *out)
-{
-	while (s < end) {
-		if (*s == '"') {
-			const char *stop = json_string(s, end);
-
-			memmove(out, s, (size_t)(stop - s));
-			out += stop - s;
-			s = stop;
-			continue;
-		}
-		*out = *s++;
-		out += (unsigned char)*out > ' ';
-	}
-	*out++ = '\n';
-	return out;
-}
-
-/* Returns the text of points; refuses a value that is not an array. */
-static char *text_of(const struct value *v, const struct span *array)
-{
-	if (array->s == NULL)
-		value_wrong(v, "an array of points");
-	return (char *)array->s;
-}
-
-/* Replaces the text of an array of points, or of one point, by a line for each point.
- * Returns the size of the lines. A line has room, as its newline takes the place of the
- * comma or bracket before the point; for one point it may be the byte after the text. */
+/* Replaces the text of an array of points, or of one point, by a line for each point;
+ * refuses a value that is not an array. Returns the size of the lines. A line has room, as
+ * its newline takes the place of the comma or bracket before the point; for one point it
+ * may be the byte after the text. */
 static size_t take_points(const struct value *v, const struct span *array,
     int coordinates)
 {
-	struct value single = *v;
 	struct value e = { .source = v->source, .in = v, .unused = v->unused };
-	char *const lines = text_of(v, array), *out = lines;
-	const char *s = json_space(lines + 1, array->end), *stop;
+	const char *s = array->s, *end = array->end;
+	char *out = (char *)array->s;
 
+	if (!value_is(v, JSON_ARRAY))
+		value_wrong(v, "an array of points");
+	s = json_space(s + 1, end);
 	if (*s != '[' && *s != ']') {
-		stop = point_end(&single, lines, array->end, coordinates);
-		out = move_value(lines, stop, out);
-		return (size_t)(out - lines);
+		e = *v;
+		s = array->s;
 	}
-	for (; *s != ']'; e.index++) {
-		stop = point_end(&e, s, array->end, coordinates);
-		out = move_value(s, stop, out);
-		s = json_space(stop, array->end);
-		s = *s == ',' ? json_space(s + 1, array->end) : s;
+	for (; s < end && *s != ']'; e.index++) {
+		s = move_point(&e, s, end, coordinates, &out);
+		s = json_space(s, end);
+		s = s < end && *s == ',' ? json_space(s + 1, end) : s;
 	}
-	return (size_t)(out - lines);
+	return (size_t)(out - array->s);
 }
 
 /* Finds the members of a document and returns those that there are, as bits. An object
@@ -128,14 +105,13 @@ static unsigned find_members(struct document *d, const struct value *root,
 		if (value_member(root, scene_members[i].name, &m[i]))
 			seen |= 1u << i;
 	if (w->bare == 0 || (seen & ~(unsigned)SCENE_ANGLE_UNIT) != 0) {
-		object_read(root, scene_members, 0, NULL);
+		object_read(root, &scene_row, 0, NULL);
 		return seen;
 	}
-	for (int i = 0; i < SCENE_MEMBERS; i++)
-		if (w->bare == 1u << i) {
-			d->bare = scene_members[i].name;
-			m[i] = *root;
-		}
+	const int bare = __builtin_ctz(w->bare);
+
+	d->bare = scene_members[bare].name;
+	m[bare] = *root;
 	return seen | w->bare;
 }
 
@@ -147,33 +123,18 @@ unsigned document_reads(const struct document_wants *w)
 	    (w->flat != 0 ? SCENE_WINDOW | SCENE_DEVICE : 0);
 }
 
-/* Returns what the command needs of a flat document. */
-static struct document_wants in_plane(const struct document_wants *w)
-{
-	struct document_wants flat = *w;
-
-	flat.needed = 0;
-	flat.used = document_reads(w) & ~(unsigned)SCENE_SPATIAL;
-	flat.coordinates = w->coordinates > 0 ? 2 : 0;
-	return flat;
-}
-
 static void check_needed(const struct value *root,
     const struct document_wants *w, unsigned seen)
 {
 	unsigned missing = w->needed & ~seen;
 
-	for (int i = 0; i <= ROW_OF(POINTS); i++) {
-		const struct member *row = &scene_members[i];
-		struct value v = value_missing(root, row->name);
+	if (missing == 0)
+		return;
+	const struct member *row = &scene_members[__builtin_ctz(missing)];
 
-		if (missing >> i & 1)
-			value_refuse(&v, "missing; add \"%s\": %s%s", row->name,
-			    row->example,
-			    w->flat == 0 ? "" :
-					   ", or for two dimensions "
-					   "\"window\": {}");
-	}
+	value_refuse(VALUE_MISSING(root, row->name),
+	    "missing; add \"%s\": %s%s", row->name, row->example,
+	    w->flat == 0 ? "" : ", or for two dimensions \"window\": {}");
 }
 
 /* Refuses a flat document if the command takes documents of three dimensions only. */
@@ -181,44 +142,40 @@ static void refuse_flat(const struct value *root,
     const struct document_wants *w, unsigned seen)
 {
 	const char *name = seen & SCENE_WINDOW ? "window" : "device";
-	struct value v = value_missing(root, name);
 
 	if (w->flat == 0 && (w->used & SCENE_SPATIAL) == SCENE_SPATIAL &&
 	    (seen & SCENE_SPATIAL) == 0 &&
 	    (seen & ~w->used & (SCENE_WINDOW | SCENE_DEVICE)) != 0)
-		value_refuse(&v,
+		value_refuse(VALUE_MISSING(root, name),
 		    "is of two dimensions, and the command of three; the "
 		    "commands w2n, n2w, n2d, d2n, w2d and d2w are of two");
 }
 
-/* Reads the convention. Returns false if it is an empty object, which says nothing. */
-static bool read_document_convention(const struct value *v, struct document *d)
+/* Reads those of the members found whose bits are set. */
+static void read_members(struct document *d,
+    const struct value m[SCENE_MEMBERS], unsigned bits)
 {
-	object_read_member(v, &scene_members[ROW_OF(CONVENTION)], d);
-	return !value_is(v, JSON_OBJECT) ||
-	    object_read(v, convention_members, 0, NULL) != 0;
+	for (int i = 0; i < SCENE_MEMBERS; i++)
+		if (bits >> i & 1)
+			object_read_member(&m[i], &scene_members[i], d);
 }
 
-/* Sets the origin of a device without the member origin to that of the answer's
- * convention; if there is none, to that of the document's convention, if this is a name
- * or has an origin. */
-static void find_origin(const struct document_wants *w, const struct value *v,
-    const struct convention *c, struct device *device)
+/* Returns as bits the members that a convention gives: all if it is a name, none if there
+ * is no convention. */
+static uint64_t convention_gives(const struct value *v)
 {
-	struct value given;
-
-	if (w->convention != NULL)
-		device->top_left = !w->convention->bottom_left;
-	else if (v->item != NULL &&
-	    (!value_is(v, JSON_OBJECT) || value_member(v, "origin", &given)))
-		device->top_left = !c->bottom_left;
+	if (!value_is(v, JSON_OBJECT))
+		return v->item != NULL ? ALL_MEMBERS : 0;
+	return object_read(v, &scene_members[ROW_OF(CONVENTION)], 0, NULL);
 }
 
-/* Completes members that depend on others. */
+/* Completes members that depend on others. A device without the member origin has that of
+ * the answer's convention; if there is none, that of the document's, if this gives one. */
 static void complete_scene(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_MEMBERS], unsigned seen)
 {
 	struct scene *s = &d->scene;
+	const struct convention *answer = w->convention;
 	struct value given;
 
 	s->camera.unit = d->unit;
@@ -232,10 +189,13 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 	if (seen & SCENE_PROJECTION)
 		projection_complete(&m[ROW_OF(PROJECTION)],
 		    s->has_viewport ? &s->viewport : NULL, &s->projection);
-	if (s->has_device &&
+	if (s->has_device && answer == NULL &&
+	    (convention_gives(&m[ROW_OF(CONVENTION)]) &
+		member_bits(convention_members, 0, "origin", false)) != 0)
+		answer = &s->convention;
+	if (s->has_device && answer != NULL &&
 	    !value_member(&m[ROW_OF(DEVICE)], "origin", &given))
-		find_origin(w, &m[ROW_OF(CONVENTION)], &s->convention,
-		    &s->device);
+		s->device.top_left = !answer->bottom_left;
 	if ((w->used & SCENE_MARGIN) == 0)
 		s->margin = 0;
 }
@@ -248,47 +208,46 @@ void document_read(struct document *d, const char *name, char *text,
 		.before = wants->column,
 		.two = wants->two,
 		.scene = scene_members };
+	struct document_wants w = *wants;
 	struct span points;
 	struct value root = value_parse_without(&source, "/points", text, size,
 	    &points);
 	struct value m[SCENE_MEMBERS];
+	const unsigned first = SCENE_CONVENTION | SCENE_ANGLE_UNIT;
 
-	source.fit = wants->fit;
+	source.fit = w.fit;
+	source.implied = (unsigned)w.projection;
 	*d = (struct document){ .source = source };
 	unsigned seen = find_members(d, &root, wants, m);
 
-	d->flat = (seen & SCENE_PROJECTION) == 0 && (seen & wants->flat) != 0;
-	const struct document_wants narrowed = in_plane(wants);
-	const struct document_wants *w = d->flat ? &narrowed : wants;
-
-	source.flat = d->flat;
 	refuse_flat(&root, wants, seen);
+	d->flat = (seen & SCENE_PROJECTION) == 0 && (seen & w.flat) != 0;
+	source.flat = d->flat;
+	if (d->flat) {
+		w.needed = 0;
+		w.used = document_reads(wants) & ~(unsigned)SCENE_SPATIAL;
+		w.coordinates = w.coordinates > 0 ? 2 : 0;
+	}
 	for (int i = 0; i < SCENE_MEMBERS; i++)
-		m[i].unused = (w->used >> i & 1) == 0;
-	d->scene.convention = conventions[CONVENTION_D3D];
-	if (w->convention != NULL)
-		d->scene.convention = *w->convention;
-	source.axes = w->convention != NULL;
-	if (seen & SCENE_CONVENTION)
-		source.axes |= read_document_convention(&m[ROW_OF(CONVENTION)],
-		    d);
-	if (w->convention != NULL &&
-	    !same_convention(w->convention, &d->scene.convention))
-		d->scene.answer = w->convention;
+		m[i].unused = (w.used >> i & 1) == 0;
+	d->scene.convention = w.convention != NULL ?
+	    *w.convention :
+	    conventions[CONVENTION_D3D];
+	read_members(d, m, seen & first);
+	source.axes = w.convention != NULL ||
+	    convention_gives(&m[ROW_OF(CONVENTION)]) != 0;
+	if (w.convention != NULL &&
+	    memcmp(w.convention, &d->scene.convention,
+		sizeof d->scene.convention) != 0)
+		d->scene.answer = w.convention;
 	source.column = d->scene.convention.column;
-	source.implied = (unsigned)w->projection;
-	if (seen & SCENE_ANGLE_UNIT)
-		object_read_member(&m[ROW_OF(ANGLE_UNIT)],
-		    &scene_members[ROW_OF(ANGLE_UNIT)], d);
 	source.unit = d->unit;
-	check_needed(&root, w, seen);
-	for (int i = ROW_OF(WORLD); i < SCENE_MEMBERS; i++)
-		if (seen >> i & 1 && i != ROW_OF(POINTS))
-			object_read_member(&m[i], &scene_members[i], d);
-	complete_scene(d, w, m, seen);
+	check_needed(&root, &w, seen);
+	read_members(d, m, seen & ~(first | SCENE_POINTS));
+	complete_scene(d, &w, m, seen);
 	if (seen & SCENE_POINTS)
-		size = take_points(&m[ROW_OF(POINTS)], &points, w->coordinates);
-	if (seen & SCENE_POINTS && w->coordinates > 0) {
+		size = take_points(&m[ROW_OF(POINTS)], &points, w.coordinates);
+	if (seen & SCENE_POINTS && w.coordinates > 0) {
 		d->points = points.s;
 		d->points_size = size;
 	}
@@ -335,23 +294,18 @@ void document_check(const struct document *d, const char *why)
 }
 
 /* Prints the members of a document whose bits are set. */
-static void put_scene_members(struct printer *p, const struct document *d,
+static void put_document(struct printer *p, const struct document *d,
     unsigned bits)
 {
 	p->column = d->scene.convention.column;
-	put_open(p, "{");
-	object_put(p, scene_members, 0, bits, d, put_name_on_new_line);
+	object_print(p, &scene_row, 0, bits, d);
 }
 
 void put_scene(struct printer *p, const struct scene *s)
 {
 	const struct document d = { .scene = *s };
-	const bool on_line = p->on_line;
 
-	p->on_line = true;
-	put_scene_members(p, &d, SCENE_CONVENTION | SCENE_SPATIAL);
-	p->on_line = on_line;
-	put_close(p, "}");
+	put_document(p, &d, SCENE_CONVENTION | SCENE_SPATIAL);
 }
 
 void put_device(struct printer *p, const struct device *d)
@@ -360,16 +314,13 @@ void put_device(struct printer *p, const struct device *d)
 	    &scene_members[ROW_OF(DEVICE)], d);
 }
 
-void print_scene(const struct document *d, bool on_line)
+void print_scene(const struct document *d, bool compact)
 {
 	static char text[1 << 16];
-	struct printer p = { .at = text,
-		.on_line = on_line,
-		.compact = on_line,
-		.between = "" };
+	struct printer p = { .at = text, .compact = compact, .between = "" };
 	unsigned unprinted = SCENE_POINTS | SCENE_BOUNDS;
 
-	put_scene_members(&p, d, ~(unprinted | (d->flat ? SCENE_SPATIAL : 0u)));
-	put_text(&p, on_line ? "}\n" : "\n}\n");
+	put_document(&p, d, ~(unprinted | (d->flat ? SCENE_SPATIAL : 0u)));
+	put_text(&p, "\n");
 	output_write(text, (size_t)(p.at - text));
 }

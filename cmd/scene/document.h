@@ -112,9 +112,9 @@ void document_check(const struct document *d, const char *why);
 /* Prints a document that reads back as the same scene and pick, with a line for each member
  * or in one line. The camera must have a gaze, and the projection not be a matrix, as fit
  * has them. Members of SCENE_SPATIAL of a flat document are left out. */
-void print_scene(const struct document *, bool on_line);
+void print_scene(const struct document *, bool compact);
 
-/* Prints the members from model space to the device, in one line. */
+/* Prints the members from model space to the device. */
 void put_scene(struct printer *, const struct scene *);
 
 void put_device(struct printer *, const struct device *);

@@ -12,7 +12,6 @@
 		.max = most,                                            \
 		.wanted = "an angle " degrees " degrees is wanted",     \
 		.by_radians = "an angle " radians " radians is wanted", \
-		.angle = true,                                          \
 		__VA_ARGS__ }
 
 ANGLE(opening, SIZE_MIN, 180, "above 0 and below 180", "above 0 and below pi",
@@ -49,6 +48,8 @@ enum {
 	ROW(projection, label, is, field, .kinds = of, __VA_ARGS__)
 #define NUMBER(of, label, field, ...) \
 	OF(of, label, type_numbers, field, __VA_ARGS__)
+#define TURN(of, label, field, ...) \
+	NUMBER(of, label, field, .unit = "degrees", __VA_ARGS__)
 #define LENGTH(of, label, field, ...) \
 	NUMBER(of, label, field, .unit = "view units", __VA_ARGS__)
 #define SIZE(of, label, field, ...) \
@@ -62,21 +63,20 @@ const struct member projection_members[] = {
 	OF(OBLIQUE, "kind", type_word, kind, .words = oblique_kinds,
 	    .first = OBLIQUE_CAVALIER,
 	    .about = "length of lines along the gaze: kept or halved"),
-	NUMBER(OBLIQUE, "angle", projector, .range = &slope,
+	TURN(OBLIQUE, "angle", projector, .range = &slope,
 	    .about = "angle between projectors and picture, in place of kind"),
-	NUMBER(OBLIQUE, "direction", direction, .range = &range_turn,
+	TURN(OBLIQUE, "direction", direction, .range = &range_any,
 	    .usual = "45", .shown = true,
 	    .about = "direction of lines along the gaze in the picture"),
 	LENGTH(OBLIQUE, "plane", plane, .usual = "0",
 	    .about = "depth at which points do not move"),
-	NUMBER(PERSP, "fovy", angle, .range = &opening,
+	TURN(PERSP, "fovy", angle, .range = &opening,
 	    .aliases = "fov yfov verticalfov fieldofview cameraangley",
 	    .about = "angle between the bottom and the top plane"),
-	NUMBER(PERSP, "fovx", angle, .range = &opening,
+	TURN(PERSP, "fovx", angle, .range = &opening,
 	    .aliases = "xfov horizontalfov hfov cameraanglex",
 	    .about = "angle between the left and the right plane"),
-	NUMBER(PERSP, "view_angle", angle, .range = &opening,
-	    .aliases = "angle",
+	TURN(PERSP, "view_angle", angle, .range = &opening, .aliases = "angle",
 	    .about = "angle across the smaller side of the picture"),
 	NUMBER(PERSP, "field", angle, .range = &range_positive,
 	    .about = "half the larger side of the picture at distance 1"),
@@ -99,7 +99,7 @@ const struct member projection_members[] = {
 	    .about = "right edge, other than left"),
 	LENGTH(SECTIONED, "bottom", bottom, .about = "bottom edge"),
 	LENGTH(SECTIONED, "top", top, .about = "top edge, other than bottom"),
-	NUMBER(PERSP, "angles", left, .n = 4, .range = &acute,
+	TURN(PERSP, "angles", left, .n = 4, .range = &acute,
 	    .aliases = "angleleft angleright angleup angledown",
 	    .note = "[left, right, bottom, top] from the gaze",
 	    .about = "angles of left, right, bottom, top from the gaze"),
@@ -130,7 +130,7 @@ const struct member projection_members[] = {
 	    .about = "z of the far plane in view space"),
 	LENGTH(VOLUME, "eye", eye, .n = 3,
 	    .about = "eye in view space, in place of inverse_eye_z"),
-	NUMBER(VOLUME, "view_angle", angle, .range = &taper, .aliases = "angle",
+	TURN(VOLUME, "view_angle", angle, .range = &taper, .aliases = "angle",
 	    .about = "angle across the smaller side; 0: parallel rays"),
 	NUMBER(VOLUME, "inverse_eye_z", inverse_eye_z, .usual = "0",
 	    .about = "1/z of the eye; 0: parallel rays"),
@@ -144,8 +144,8 @@ const struct member projection_members[] = {
 	{ .name = NULL },
 };
 
-/* indices of projection_ways */
-enum { WAYS_SHEAR = 2, WAYS_DEPTH, WAYS_VOLUME };
+/* an index of projection_ways */
+enum { WAYS_DEPTH = 3 };
 
 /* The command fit finds width and height, which keep a given aspect. */
 const struct ways projection_ways[] = {
@@ -160,10 +160,9 @@ const struct ways projection_ways[] = {
 	    { "width? height?", "width? aspect?", "height? aspect?",
 		"left right bottom top" },
 	    PARALLEL, AT(extent), EXTENT_SIZE },
-	[WAYS_SHEAR] = { { "kind", "angle" }, .kinds = OBLIQUE },
+	{ { "kind", "angle" }, .kinds = OBLIQUE },
 	[WAYS_DEPTH] = { { "near far" }, .fit = true, .kinds = PARALLEL },
-	[WAYS_VOLUME] = { { "half_width half_height", "size aspect?" },
-	    .kinds = VOLUME },
+	{ { "half_width half_height", "size aspect?" }, .kinds = VOLUME },
 	{ { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
 	    .kinds = VOLUME, .at = AT(eye_by) },
 	{ { "z_near z_far" }, .fit = true, .kinds = VOLUME },
@@ -180,26 +179,28 @@ static const struct ways open_ways = {
 static bool is_given(const struct projection *p, uint64_t seen,
     const char *name)
 {
-	return (seen &
-		   member_bit(projection_members, (int)p->type - 1, name)) != 0;
+	const struct member *row = member_of(projection_members,
+	    (int)p->type - 1, name);
+
+	return row != NULL && (seen >> (row - projection_members) & 1) != 0;
 }
 
 /* Refuses a projection without a type, and names the types that have all its members. */
 static _Noreturn void refuse_typeless(const struct value *v)
 {
-	struct value missing = value_missing(v, "type"), m = value_child(v);
+	const struct value *type = VALUE_MISSING(v, "type");
+	struct value m = value_child(v);
 	const char *names[6];
 	unsigned of = SECTIONED | VOLUME | MATRIX;
 	char all[LISTED];
 	int n = 0;
 
 	for (; m.item != NULL; value_next(&m)) {
-		const struct member *row = projection_members;
 		unsigned has = 0;
 
-		for (; row->name != NULL; row++)
-			if (strcmp(row->name, m.name) == 0)
-				has |= row->kinds;
+		for (int i = 0; projection_types[i] != NULL; i++)
+			if (member_of(projection_members, i, m.name) != NULL)
+				has |= 1u << i;
 		if ((of & has) != 0)
 			of &= has;
 	}
@@ -209,8 +210,8 @@ static _Noreturn void refuse_typeless(const struct value *v)
 	names[n] = NULL;
 	list_words(all, names, " or ", "\"");
 	if (n == 1)
-		value_refuse(&missing, "missing; add \"type\": %s", all);
-	value_refuse(&missing, "missing; it is %s", all);
+		value_refuse(type, "missing; add \"type\": %s", all);
+	value_refuse(type, "missing; it is %s", all);
 }
 
 /* Reads the type, on which the other members depend. */
@@ -232,28 +233,14 @@ static void find_type(const struct value *v, struct projection *p)
 
 static void check_angles(const struct value *v, const struct projection *p)
 {
-	struct value m = value_missing(v, "angles");
 	struct value e = { .source = v->source,
-		.in = &m,
+		.in = VALUE_MISSING(v, "angles"),
 		.index = p->left < p->right ? 3 : 1 };
 
 	if (!(p->left < p->right && p->bottom < p->top))
 		value_refuse(&e,
 		    "not greater than the one before it; the order is left, "
 		    "right, bottom, top");
-}
-
-/* Refuses a projection for fit without near, if its width or edges are on the near
- * plane. */
-static void need_near(const struct value *v, uint64_t seen,
-    const struct projection *p)
-{
-	struct value m = value_missing(v, "near");
-
-	if (!is_given(p, seen, "near"))
-		value_refuse(&m,
-		    "missing; the section is on the near plane, unless "
-		    "\"edges_at\" says where");
 }
 
 /* Checks near and far of a perspective, which fit finds if width and edges are not on the
@@ -264,11 +251,13 @@ static void read_planes(const struct value *v, uint64_t seen,
 	bool open = p->extent == EXTENT_INTRINSICS && !v->source->fit;
 	int way = 0;
 
-	if (v->source->fit && projection_is_by_near(p))
-		need_near(v, seen, p);
-	else
+	if (!v->source->fit || !projection_is_by_near(p))
 		way = object_way(v, projection_members, 0, seen,
 		    open ? &open_ways : &projection_ways[WAYS_DEPTH]);
+	else if (!is_given(p, seen, "near"))
+		value_refuse(VALUE_MISSING(v, "near"),
+		    "missing; the section is on the near plane, unless "
+		    "\"edges_at\" says where");
 	p->reverse_z |= way == 1;
 	if (open && !is_given(p, seen, "far"))
 		p->far = HUGE_VAL;
@@ -283,13 +272,13 @@ static void read_projection(const struct value *v, const struct member *row,
 		value_refuse(v,
 		    "is an array; a matrix is {\"type\": \"matrix\", "
 		    "\"matrix\": [...]}");
-	value_want_object(v);
+	if (!value_is(v, JSON_OBJECT))
+		value_wrong(v, "an object");
 	find_type(v, p);
 	/* kinds are in the order of projection_types */
 	int kind = (int)p->type - 1;
-	uint64_t seen = object_read(v, row->members, kind, p);
+	uint64_t seen = object_read(v, row, kind, p);
 
-	take_ways(v, row, kind, seen, p);
 	p->unit = (enum angle_unit)v->source->unit;
 	/* the default direction is 45 degrees in any unit */
 	if (is_given(p, seen, "direction"))
@@ -310,15 +299,15 @@ static void read_projection(const struct value *v, const struct member *row,
 static void find_sides(const struct value *v, const struct viewport *viewport,
     struct projection *p)
 {
-	struct value m = value_missing(v, "intrinsics");
+	const struct value *given = VALUE_MISSING(v, "intrinsics");
 
 	if (viewport == NULL) {
-		value_refuse(&m,
+		value_refuse(given,
 		    "needs a \"viewport\", in whose units it is; "
 		    "write {\"projection\": {...}, \"viewport\": "
 		    "{\"width\": 640, \"height\": 480}}");
 	} else if (viewport->scale != SCALE_FILL) {
-		value_refuse(&m,
+		value_refuse(given,
 		    "not together with the viewport's \"scale\"; "
 		    "leave that out");
 	} else {
@@ -333,7 +322,7 @@ static void find_sides(const struct value *v, const struct viewport *viewport,
 static bool needs_aspect(const struct value *v, const struct viewport *viewport,
     const struct projection *p)
 {
-	if (member_bit(projection_members, (int)p->type - 1, "aspect") == 0)
+	if (!is_given(p, ALL_MEMBERS, "aspect"))
 		return false;
 	if (p->type == PROJECTION_VOLUME)
 		return p->aspect[1] != 0;
@@ -346,8 +335,6 @@ static bool needs_aspect(const struct value *v, const struct viewport *viewport,
 void projection_complete(const struct value *v, const struct viewport *viewport,
     struct projection *p)
 {
-	struct value missing = value_missing(v, "aspect");
-
 	if (v->unused)
 		return;
 	if (projection_is_by_p(p))
@@ -358,7 +345,8 @@ void projection_complete(const struct value *v, const struct viewport *viewport,
 	if (p->aspect[0] > 0)
 		return;
 	if (viewport == NULL) {
-		value_refuse(&missing, "missing; give it, or a \"viewport\"");
+		value_refuse(VALUE_MISSING(v, "aspect"),
+		    "missing; give it, or a \"viewport\"");
 	} else if (viewport->scale == SCALE_UNIFORM) {
 		p->aspect[0] = 1;
 	} else {
@@ -373,24 +361,28 @@ static void print_projection(struct printer *printer, const struct member *row,
 	struct projection p = *(const struct projection *)at;
 	int kind = (int)p.type - 1;
 	bool sized = p.aspect[1] != 0;
-	uint64_t bits = taken_ways(row, kind, at);
+	uint64_t bits = ALL_MEMBERS;
+	/* an aspect from the viewport, the default direction, and members of other ways
+	 * are left out */
+	const struct {
+		bool is;
+		const char *names;
+	} hidden[] = {
+		{ p.aspect[1] != 1, "aspect" },
+		{ p.direction == 45 && p.direction_unit == DEGREES,
+		    "direction" },
+		{ projection_is_open(&p), "near far reverse_z" },
+		{ true, p.kind == OBLIQUE_ANGLE ? "kind" : "angle" },
+		{ true, sized ? "half_width half_height" : "size" },
+	};
 
-	/* leave out an aspect from the viewport, and the default direction */
-	if (p.aspect[1] != 1)
-		bits &= ~member_bit(row->members, kind, "aspect");
-	if (p.direction == 45 && p.direction_unit == DEGREES)
-		bits &= ~member_bit(row->members, kind, "direction");
-	if (projection_is_open(&p))
-		bits &= object_shown(row->members, kind, &open_ways, 1);
-	if (p.type == PROJECTION_OBLIQUE)
-		bits &= object_shown(row->members, kind,
-		    &projection_ways[WAYS_SHEAR], p.kind == OBLIQUE_ANGLE);
-	if (p.type == PROJECTION_VOLUME)
-		bits &= object_shown(row->members, kind,
-		    &projection_ways[WAYS_VOLUME], sized);
+	for (size_t i = 0; i < sizeof hidden / sizeof *hidden; i++)
+		if (hidden[i].is)
+			bits &= ~member_bits(row->members, kind,
+			    hidden[i].names, false);
 	if (sized)
 		p.half_width *= 2; /* the size */
-	object_print(printer, row->members, kind, bits, &p);
+	object_print(printer, row, kind, bits, &p);
 }
 
 const struct type type_projection = { NULL, read_projection, print_projection,

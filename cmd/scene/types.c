@@ -38,8 +38,12 @@ const struct type type_numbers = { NULL, read_numbers, print_numbers,
 static void read_bool(const struct value *v, const struct member *row,
     void *out)
 {
+	const bool flag = value_is(v, JSON_TRUE);
+
+	if (row->words == NULL && !flag && !value_is(v, JSON_FALSE))
+		value_wrong(v, "true or false");
 	*(bool *)out = row->words != NULL ? value_word(v, row->words) == 1 :
-					    value_flag(v);
+					    flag;
 }
 
 static void print_bool(struct printer *p, const struct member *row,
@@ -53,9 +57,7 @@ static void print_bool(struct printer *p, const struct member *row,
 		put_literal(p, is ? "true" : "false");
 }
 
-const struct type type_flag = { "true or false", read_bool, print_bool,
-	sizeof(bool) };
-const struct type type_second = { NULL, read_bool, print_bool, sizeof(bool) };
+const struct type type_flag = { NULL, read_bool, print_bool, sizeof(bool) };
 
 static void read_word(const struct value *v, const struct member *row,
     void *out)
@@ -73,56 +75,16 @@ const struct type type_word = { NULL, read_word, print_word, sizeof(unsigned) };
 
 const struct type type_points = { "a point or a list", NULL, NULL, 0 };
 
-/* Returns the first of an array of ways that is for the kind; NULL if there is none. */
-static const struct ways *ways_of(const struct ways *w, int kind)
-{
-	while (w != NULL && w->way[0] != NULL && w->kinds != 0 &&
-	    (w->kinds >> kind & 1) == 0)
-		w++;
-	return w != NULL && w->way[0] != NULL ? w : NULL;
-}
-
-void take_ways(const struct value *v, const struct member *row, int kind,
-    uint64_t seen, void *base)
-{
-	const struct ways *w = row->ways;
-
-	for (; (w = ways_of(w, kind)) != NULL; w++) {
-		int way = object_way(v, row->members, kind, seen, w);
-
-		if (w->at != 0)
-			*(unsigned *)((char *)base + w->at) = w->first +
-			    (unsigned)way;
-	}
-}
-
-uint64_t taken_ways(const struct member *row, int kind, const void *base)
-{
-	uint64_t bits = ALL_MEMBERS;
-	const struct ways *w = row->ways;
-
-	for (; (w = ways_of(w, kind)) != NULL; w++) {
-		const void *way = (const char *)base + w->at;
-
-		if (w->at != 0)
-			bits &= object_shown(row->members, kind, w,
-			    (int)(*(const unsigned *)way - w->first));
-	}
-	return bits;
-}
-
 static void read_object(const struct value *v, const struct member *row,
     void *out)
 {
-	uint64_t seen = object_read(v, row->members, 0, out);
-
-	take_ways(v, row, 0, seen, out);
+	object_read(v, row, 0, out);
 }
 
 static void print_object(struct printer *p, const struct member *row,
     const void *at)
 {
-	object_print(p, row->members, 0, taken_ways(row, 0, at), at);
+	object_print(p, row, 0, ALL_MEMBERS, at);
 }
 
 const struct type type_object = { NULL, read_object, print_object, 0 };
@@ -172,7 +134,10 @@ static const struct member printed_members[] = { { .name = "matrix" },
 #define ANY "16 numbers or 4 rows of 4"
 #define AFFINE "16 numbers, or 4 rows of 4 or 3, or 3 rows of 4"
 
-static const struct ways printed_ways = { .way = { "matrix vectors?" } };
+static const struct ways printed_ways[] = { { .way = { "matrix vectors?" } },
+	{ .way = { NULL } } };
+static const struct member printed = { .members = printed_members,
+	.ways = printed_ways };
 
 /* Returns whether rows of a matrix are for column vectors, by the member "vectors" of its
  * object, by their shape, or by the document. */
@@ -207,6 +172,19 @@ static void check_rows(const struct value *v, const double m[4][4])
 		    "{\"matrix\": [...], \"vectors\": \"column\"}");
 }
 
+/* Reads rows of numbers, or the same numbers one row after the other. */
+static void read_rows(const struct value *v, size_t rows, size_t columns,
+    double *out)
+{
+	struct value row = value_child(v);
+
+	if (value_count(v) != rows)
+		value_numbers(v, &range_any, rows * columns, out);
+	else
+		for (; row.item != NULL; value_next(&row), out += columns)
+			value_numbers(&row, &range_any, columns, out);
+}
+
 /* Reads a matrix. 16 numbers in memory order are the same for row vectors, stored row by
  * row, and for column vectors, stored column by column; nested rows differ. */
 static void read_matrix(const struct value *v, const struct member *member,
@@ -217,9 +195,7 @@ static void read_matrix(const struct value *v, const struct member *member,
 	struct value all = *v;
 
 	if (value_is(v, JSON_OBJECT)) {
-		uint64_t seen = object_read(v, printed_members, 0, NULL);
-
-		object_way(v, printed_members, 0, seen, &printed_ways);
+		object_read(v, &printed, 0, NULL);
 		value_member(v, "matrix", &all);
 	}
 	if (!value_is(&all, JSON_ARRAY))
@@ -231,24 +207,19 @@ static void read_matrix(const struct value *v, const struct member *member,
 		value_count(&row) == 3 ?
 	    3 :
 	    4;
-	bool column = is_column(v, rows, columns);
-	double e[4];
+	bool column = is_column(v, rows, columns), turned = column && n == rows;
+	double e[16];
 
 	if (n != rows && n != 16)
 		value_refuse(&all, "has %zu element%s; %s are wanted", n,
 		    n == 1 ? "" : "s", affine ? AFFINE : ANY);
-	if (n == 16)
-		value_numbers(&all, &range_any, 16, m[0]);
-	for (size_t i = 0; i < 4 && n != 16; i++) {
+	read_rows(&all, rows, columns, e);
+	for (size_t i = 0; i < 4; i++)
 		for (size_t j = 0; j < 4; j++)
-			e[j] = i == j;
-		if (i < rows)
-			value_numbers(&row, &range_any, columns, e);
-		for (size_t j = 0; j < 4; j++)
-			m[column ? j : i][column ? i : j] = e[j];
-		if (i < rows)
-			value_next(&row);
-	}
+			m[turned ? j : i][turned ? i : j] = i < rows &&
+				j < columns ?
+			    e[i * columns + j] :
+			    i == j;
 	if (affine && n == rows && !column && !value_is(v, JSON_OBJECT))
 		check_rows(v, m);
 }
@@ -277,88 +248,69 @@ const struct type type_affine = { "matrix", read_matrix, print_rows, 0 };
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
 	"rows of 4 or 12 numbers"
 
-static void refuse_element(const struct value *v, bool nested, size_t i,
-    size_t j, const char *why)
-{
-	struct value row = { .source = v->source, .in = v, .index = i };
-	struct value e = { .source = v->source,
-		.in = nested ? &row : v,
-		.index = nested ? j : 3 * i + j };
-
-	value_refuse(&e, "%s", why);
-}
-
 /* Refuses a K whose fx or fy is not positive, whose last row is not 0, 0, 1, or which is
  * not 0 under the diagonal. */
-static void check_k(const struct value *v, bool nested, const double k[3][4])
+static void check_k(const struct value *v, const double k[3][4])
 {
-	for (size_t i = 0; i < 3; i++)
-		for (size_t j = 0; j <= i; j++)
-			if (i == 2 && k[i][j] != (j == 2))
-				refuse_element(v, nested, i, j,
-				    "the last row of K is 0, 0, 1; is it a "
-				    "camera's K, and not transposed?");
-			else if (j < i && k[i][j] != 0)
-				refuse_element(v, nested, i, j,
-				    "under the diagonal of K there is 0; is it "
-				    "transposed?");
-			else if (j == i && !scene_is_size(k[i][j]))
-				refuse_element(v, nested, i, j,
-				    "is not positive, as fx and fy of K are");
-}
+	bool nested = value_count(v) == 3;
 
-/* Reads K, if n is 3, or P, if n is 4, from nested rows or one row after the other. */
-static void read_k_or_p(const struct value *v, size_t n, bool nested,
-    double k[3][4])
-{
-	struct value row = value_child(v);
-	double e[12];
+	for (size_t n = 0; n < 9; n++) {
+		size_t i = n / 3, j = n % 3;
+		const char *why = NULL;
 
-	if (!nested)
-		value_numbers(v, &range_any, 3 * n, e);
-	for (size_t i = 0; i < 3; i++) {
-		if (nested)
-			value_numbers(&row, &range_any, n, e + i * n);
-		value_next(&row);
-		memcpy(k[i], e + i * n, n * sizeof *e);
+		if (i == 2 && k[i][j] != (j == 2))
+			why = "the last row of K is 0, 0, 1; is it a camera's "
+			      "K, and not transposed?";
+		else if (j < i && k[i][j] != 0)
+			why = "under the diagonal of K there is 0; is it "
+			      "transposed?";
+		else if (j == i && !scene_is_size(k[i][j]))
+			why = "is not positive, as fx and fy of K are";
+		struct value row = { v->source, .in = v, .index = i };
+		struct value e = { v->source, .in = nested ? &row : v,
+			.index = nested ? j : n };
+
+		if (why != NULL)
+			value_refuse(&e, "%s", why);
 	}
-	if (n == 3 && !v->unused)
-		check_k(v, nested, k);
-	if (n == 4 && k[2][0] == 0 && k[2][1] == 0 && k[2][2] == 0 &&
-	    !v->unused)
-		value_refuse(v,
-		    "the last row of P begins 0, 0, 0; a perspective divides "
-		    "by more than one number");
 }
 
 static void read_intrinsics(const struct value *v, const struct member *row,
     void *out)
 {
-	double(*k)[4] = out, four[4];
-	struct value first;
+	double(*k)[4] = out, e[12];
+	struct value first = value_child(v);
+	bool nested = value_is(&first, JSON_ARRAY);
 
 	(void)row;
 	if (!value_is(v, JSON_ARRAY))
 		value_wrong(v, FORMS ",");
-	first = value_child(v);
-	size_t n = value_count(v);
-	bool nested = value_is(&first, JSON_ARRAY);
+	size_t n = value_count(v), columns = n / 3;
 
-	if (nested ? n == 3 : n == 9 || n == 12) {
-		size_t columns = nested ? value_count(&first) : n / 3;
-
-		read_k_or_p(v, columns == 4 ? 4 : 3, nested, k);
+	if (nested)
+		columns = value_count(&first) == 4 ? 4 : 3;
+	if (n == 4 && !nested) {
+		value_numbers(v, &range_any, 4, e);
+		for (int i = 0; i < 2; i++, value_next(&first)) {
+			value_number(&first, &range_positive);
+			k[i][i] = e[i];
+			k[i][2] = e[2 + i];
+		}
+		k[2][2] = 1;
 		return;
 	}
-	if (n != 4 || nested)
+	if (nested ? n != 3 : n != 9 && n != 12)
 		value_refuse(v, "is none of " FORMS);
-	value_numbers(v, &range_any, 4, four);
-	for (int i = 0; i < 2; i++, value_next(&first)) {
-		value_number(&first, &range_positive);
-		k[i][i] = four[i];
-		k[i][2] = four[2 + i];
-	}
-	k[2][2] = 1;
+	read_rows(v, 3, columns, e);
+	for (size_t i = 0; i < 3; i++)
+		memcpy(k[i], e + i * columns, columns * sizeof *e);
+	if (columns == 3 && !v->unused)
+		check_k(v, k);
+	if (columns == 4 && k[2][0] == 0 && k[2][1] == 0 && k[2][2] == 0 &&
+	    !v->unused)
+		value_refuse(v,
+		    "the last row of P begins 0, 0, 0; a perspective divides "
+		    "by more than one number");
 }
 
 /* Prints P; or K if the fourth column is 0 and the other columns are a K; or of such a K

@@ -9,13 +9,13 @@
 /* A number, or an array of n numbers; in the struct doubles. */
 extern const struct type type_numbers;
 
-/* true or false; in the struct a bool. */
+/* true or false or, if the row has words, one of two; in the struct a bool, true for the
+ * second word. */
 extern const struct type type_flag;
 
-/* type_word: one of the row's words; in the struct an enum in the order of the words, from
- * the row's first. type_second: one of two words; in the struct a bool, true for the
- * second word. */
-extern const struct type type_word, type_second;
+/* One of the row's words; in the struct an enum in the order of the words, from the row's
+ * first. */
+extern const struct type type_word;
 
 /* In the order of enum angle_unit; NULL ends them. */
 extern const char *const angle_units[];
@@ -39,15 +39,6 @@ void put_distance(struct printer *, double);
 
 /* An object with the members and ways of the row. */
 extern const struct type type_object;
-
-/* Calls object_way for each struct ways of the row and the kind, and sets the index of the
- * way in the struct at base. Refuses an object that fits no way. */
-void take_ways(const struct value *, const struct member *, int kind,
-    uint64_t seen, void *base);
-
-/* Returns as bits the members of the ways whose indices the struct at base has, and those
- * of no way. */
-uint64_t taken_ways(const struct member *, int kind, const void *base);
 
 /* Points. They are read as lines of text, not through a table. */
 extern const struct type type_points;
@@ -100,9 +91,6 @@ extern const char *const convention_names[CONVENTIONS + 1]; /* NULL ends */
 /* The members of a convention that is an object. Each is a bool of struct convention and
  * has two words: the first, the property of d3d, is false, the second true. */
 extern const struct member convention_members[];
-
-/* Returns whether two conventions are equal. */
-bool same_convention(const struct convention *, const struct convention *);
 
 /* A convention: a name, or an object of convention_members. */
 extern const struct type type_convention;

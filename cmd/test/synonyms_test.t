@@ -13,7 +13,7 @@ use Projcalc;
 # the calls work.
 my %argument = (columns => '1,2,3', output => 'json', to => 'view', jobs => 1,
     decimals => 2, tolerance => 1, precision => 'double', separator => "','", convention => 'gl',
-    color => 'auto');
+    color => 'auto', from => 'world', to => 'device');
 my $scene = '{"camera":{"eye":[0,0,-5],"at":[0,0,0]},"projection":{"type":' .
     '"persp","fovy":60,"near":1,"far":10},"viewport":{"width":640,"height":480}}';
 my $lens = '{"fovy":60,"aspect":1,"near":1,"far":10}';
