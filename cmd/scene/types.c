@@ -220,6 +220,9 @@ static void read_matrix(const struct value *v, const struct member *member,
 				j < columns ?
 			    e[i * columns + j] :
 			    i == j;
+	/* An inverse that was computed in doubles may end in 1 - 2^-53. */
+	if (affine && fabs(m[3][3] - 1) <= 0x1p-40)
+		m[3][3] = 1;
 	if (affine && n == rows && !column && !value_is(v, JSON_OBJECT))
 		check_rows(v, m);
 }
