@@ -9,15 +9,16 @@ struct chunk *chunk_new(void)
 {
 	struct chunk *c = aligned_alloc(_Alignof(struct chunk), sizeof *c);
 
-	if (c == NULL)
-		die(EXIT_SYSTEM, "out of memory");
-	memset(c, 0, offsetof(struct chunk, stretch));
-	piece_resize(&c->piece, PIECE_ROOM);
-	/* enough for most output, so that a new thread need not allocate,
-	 * for which the C library would first map an arena */
-	c->room = 16 * PIECE_ROOM;
-	c->out = xrealloc(NULL, c->room);
-	return c;
+	if (c != NULL) {
+		memset(c, 0, offsetof(struct chunk, stretch));
+		piece_resize(&c->piece, PIECE_ROOM);
+		/* This is enough for most output. A thread that allocates makes the
+		 * C library map an arena, which costs more than the room. */
+		c->room = 16 * PIECE_ROOM;
+		c->out = xrealloc(NULL, c->room);
+		return c;
+	}
+	die(EXIT_SYSTEM, "out of memory");
 }
 
 char *chunk_reserve(struct chunk *c, size_t more)
