@@ -71,7 +71,7 @@ struct value value_parse_without(struct source *, const char *pointer,
     char *text, size_t size, struct span *array);
 
 /* Makes *v the value at s of checked text, with type and number alone, until the next
- * call. Returns the end of the value; no use if it is an array or object. */
+ * call. Returns the end of the value, but only if it is no array or object. */
 const char *value_peek(struct value *v, const char *s, const char *end);
 
 /* Returns the value of a literal of the program, which is parsed once and kept. There
