@@ -156,8 +156,8 @@ struct way_bits {
 	uint64_t must[WAYS_MAX]; /* those of them that may not be missing */
 };
 
-/* Returns the bits of a list of ways for a kind, which are made once and kept: reading a
- * scene needs about ten lists. The tables have 24 pairs of a list and a kind. */
+/* Returns the bits of a list of ways for a kind, made once and kept: reading a scene
+ * needs about ten lists. The tables have 24 pairs of a list and a kind. */
 static const struct way_bits *list_bits(const struct member *table, int kind,
     const char *const *list)
 {

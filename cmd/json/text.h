@@ -31,7 +31,7 @@ static inline const char *json_space(const char *s, const char *end)
 const char *json_string(const char *s, const char *end);
 
 /* Returns the end of the value or member at s: the comma after it, or the ] or } that
- * closes its array or object; else end. In text that is not checked, ] also closes {. */
+ * closes its array or object; else end. In text that is not checked, ] closes { too. */
 const char *json_skip(const char *s, const char *end);
 
 /* Reads the hexadecimal digits at s, four at most, and returns their end. */

@@ -78,7 +78,7 @@ typedef int32_t ints __attribute__((vector_size(4 * PLAIN_GROUP)));
 typedef float reals __attribute__((vector_size(4 * PLAIN_GROUP)));
 #define LEADING_ZEROS(x) leading_zeros(x)
 /* Returns the number of leading zeros of x, which is 0 or has one bit, from the
- * exponent of x as a float. Two bits, as of 1.2.3, which is no number, give any result. */
+ * exponent of x as a float. Two bits, as of 1.2.3 (no number), give any result. */
 static inline counts leading_zeros(counts x)
 {
 	const counts zero = { 0 };
@@ -130,8 +130,8 @@ static inline bool count_digits(struct marks *m, size_t i)
 	return ANY_TOP_BIT(over);
 }
 
-/* Sets row i to its digits without the point, and returns the row. The decimals are of
- * the 32 bytes before the end, the digits before the point of a load one byte earlier. */
+/* Sets row i to its digits without the point; returns the row. The decimals are of the
+ * 32 bytes before the end, the digits before the point of a load one byte earlier. */
 static inline row set_row(struct rows *r, size_t i, const char *const *end,
     const struct marks *m)
 {

@@ -87,8 +87,8 @@ struct digits {
  * If scale >= 0, nothing is rounded. x is a multiple of 2^(q + scale), and up is half
  * of 2^(q + scale) 5^scale, with an odd factor, so that no whole number is at x + up or
  * x - down. With q + scale >= -49 (digits_test.t counts) all differences are below 1
- * and multiples of 2^-51, tenths is below 10 and a multiple of 2^-48: all are doubles. A
- * tie of two digits is at 1/4 or 3/4; NEAREST and number_write choose the even one.
+ * and multiples of 2^-51, tenths is below 10 and a multiple of 2^-48: all are doubles.
+ * A tie of two digits is at 1/4 or 3/4; NEAREST and number_write choose the even one.
  *
  * If scale < 0, the errors are at most, in units of 2^-53, with lo from the table:
  *
