@@ -176,8 +176,8 @@ static struct span cut_out(const struct field *f)
 }
 
 /* Splices the fields of a line or, unless outer is set, of a value inside. A field
- * whose place a value takes (see value_of) becomes this value, or is deleted if the value
- * is not due. Adds the other values after coordinate last; at the end if last is -1. */
+ * whose place a value takes (see value_of) becomes it, or is deleted if the value is
+ * not due. Adds the other values after coordinate last; at the end if last is -1. */
 static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 {
 	struct field f;
