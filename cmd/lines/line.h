@@ -228,7 +228,8 @@ enum { SOUGHT = 4 + COORDINATES_MAX + 1 };
 struct chosen {
 	struct field field[SOUGHT]; /* the first of each that was found */
 	int times[SOUGHT];          /* how often it was found; 0: missing */
-	long place[SOUGHT], again[SOUGHT]; /* number of the first, the second */
+	/* the numbers of the fields where it was found first, and again */
+	long place[SOUGHT], again[SOUGHT];
 	bool mixed; /* only some separators of text have a comma */
 };
 

@@ -182,9 +182,9 @@ static inline uint64_t times_ten(uint64_t *high, uint64_t *low, int n)
 
 /* Writes the digits of v rounded to n decimals, ties to even, and a null byte at d.
  * Returns how many digits are before the point, at least one; 0 if v is 2^53 or more,
- * or has bits below 2^-127 and n is above 22. The first DIGITS digits are the
- * integer part, and hold the decimals as well if those fit with a digit for the
- * rounding. */
+ * or has bits below 2^-127 and n is above 22. The first DIGITS digits are the integer
+ * part, followed by the decimals if both together have fewer than DIGITS digits, so
+ * that rounding has a digit to carry into. */
 static inline int find_digits(char d[192], double v, int n)
 {
 	uint64_t m = (bits_of(v) & ((1ull << 52) - 1)) | 1ull << 52;

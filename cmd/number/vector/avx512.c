@@ -11,7 +11,7 @@
 #define I __m512i
 #define ALL_BITS(a) _mm512_set1_epi64((long long)(a))
 
-/* Two numbers stand in a row, so that their masks are one of 64 bits. */
+/* Two numbers stand side by side in a row, so that one mask has 64 bits for both. */
 enum { ROW_NUMBERS = 2 };
 typedef uint8_t row __attribute__((vector_size(64)));
 typedef uint64_t row_mask;

@@ -60,8 +60,8 @@ static inline struct integer short_integer(const struct rows *r, size_t i)
 
 /* Returns integers of up to 19 digits; one with more is bad. Three digits times 10^16
  * are a multiple of 2^16 below 2^64: exact. The sums s and hi, below 2^64, are rounded
- * to multiples of 2^11 and lose integers of at most 2^10 each; the sum lo of the two is
- * exact. */
+ * to multiples of 2^11. Each rounding loses an integer of at most 2^10; lo, the sum of
+ * these two integers, is exact. */
 static inline struct integer long_integer(const struct rows *r, size_t i)
 {
 	struct integer m;
