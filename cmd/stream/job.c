@@ -284,8 +284,8 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 	c->size = (size_t)(at - c->out);
 }
 
-/* Refuses a source that begins as a .npy file or as UTF-16 does. Binary points may
- * begin with the bytes of a byte order mark, but hardly with ASCII in UTF-16. */
+/* Refuses a source that begins as a .npy file or as UTF-16 does. Binary points may begin
+ * with the bytes of a byte order mark, but hardly with ASCII in UTF-16. */
 static void refuse_foreign(const struct job *j, struct chunk *c)
 {
 	const unsigned char *s = (const unsigned char *)c->text;
