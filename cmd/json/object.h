@@ -21,7 +21,7 @@ struct type {
 	/* NULL if such members are never printed. */
 	void (*print)(struct printer *, const struct member *, const void *);
 	size_t
-	    size; /* bytes of one number in the struct; 0: there is no default */
+	    size; /* bytes of one number in the struct; 0: members have no default */
 };
 
 struct member {

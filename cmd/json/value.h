@@ -25,7 +25,8 @@ struct source {
 	bool flat; /* the document is of two dimensions */
 	bool axes; /* a convention gives the view axes */
 	const char *two; /* a hint for points of two numbers; or NULL */
-	bool operand;    /* a refusal ends the program, with --scenes too */
+	bool
+	    operand; /* an operand, not a scene: a refusal ends --scenes, too */
 	const struct member *scene; /* the scene's members, for suggestions */
 };
 

@@ -98,9 +98,9 @@ static inline char *put_gap(const struct line *line, uint32_t done,
 	return out + (next - done);
 }
 
-/* Writes a point: replaces the coordinates, in that order on the line, and adds the
- * other values after the last coordinate, or by --append all values after the line.
- * Returns the end. */
+/* Writes a point: replaces the coordinates, which stand on the line in this order, by
+ * default x, y, z, w, and adds the other values after the last coordinate; or by append
+ * adds all values after the line. Returns the end. */
 static inline __attribute__((always_inline)) char *
 write_in_place(const struct layout *l, const struct line *line, bool append,
     const int *order, const struct numbers n, const struct word *flags,

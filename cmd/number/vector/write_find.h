@@ -168,10 +168,10 @@ INLINE void find_decimals(struct found *f, size_t i, int n, V v)
 }
 
 /* Finds n <= MOST_DIGITS significant digits of numbers from 1e-6 to below 1e15.
- * 78913 / 2^18 times floor(log2 a) gives floor(log10 a), or one less where a is at
- * least the next power of ten. That power is rounded where it is below 1; a number
- * equal to it gives the same text on either side, as its n digits round to a one and
- * zeros. If scale < 0, the product is rounded, by less than WRITE_MARGIN (see
+ * 78913 / 2^18 times floor(log2 a) gives floor(log10 a), or one less; a comparison of a
+ * with the next power of ten corrects this. The power is rounded if it is below 1, but
+ * a number equal to it gives the same text with either log10: its n digits round to a
+ * one and zeros. If scale < 0, the product is rounded, by less than WRITE_MARGIN (see
  * shortest), and number_write makes the texts of numbers nearer to a tie. */
 INLINE void find_significant(struct found *f, size_t i, int n, V v)
 {
