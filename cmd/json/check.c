@@ -242,8 +242,8 @@ static bool value(struct json_check *s, const char *path)
 	return good;
 }
 
-/* Returns the path without its first token, if this is the name, or if name.s is NULL
- * the index; else NULL. */
+/* Returns the rest of the path after its first token if the token is the name, or,
+ * where name.s is NULL, the index; else NULL. */
 static const char *path_after(const char *path, struct span name, long index)
 {
 	struct span token = { path, path };
@@ -306,15 +306,15 @@ static bool list(struct json_check *s, const char *path)
 	copy(s, s->at++, 1);
 	blanks(s);
 
-	/* s->copy is NULL during a value that is not copied; its comma is not either */
+	/* s->copy is NULL during a value that is not copied; nor is its comma copied */
 	char *const first = s->copy;
-	bool found = path != NULL && *path == '\0' && !object;
+	const bool skips = path != NULL && *path == '\0' && !object;
 	long index = 0;
 
 	for (bool empty = at(s, close); !empty; blanks(s)) {
 		char *before = s->copy;
 
-		if (found || (object && s->end - s->at > 1 && s->at[1] == '_'))
+		if (skips || (object && s->end - s->at > 1 && s->at[1] == '_'))
 			s->copy = NULL;
 		else if (before != first)
 			copy(s, ",", 1);

@@ -76,7 +76,7 @@ const char *member_type(const struct member *row, char out[LISTED])
 	return out;
 }
 
-/* Lists the names of those members of bits that objects of that kind have. */
+/* Lists the names of the members in bits that objects of that kind have. */
 static void list_names(const struct member *row, int kind, uint64_t bits,
     const char *names[MEMBERS_MAX + 1])
 {
@@ -90,8 +90,8 @@ static void list_names(const struct member *row, int kind, uint64_t bits,
 
 /* Refuses an unknown member, unless it may stand beside the members of the table. The
  * message names the first of these that exists: the member with that alias, the other
- * objects of the scene that have the member, the scene itself, the member with the nearest
- * name; else all members. */
+ * objects of the scene that have the member, the scene itself, the member with the
+ * nearest name; else all members. */
 static void check_unknown(const struct value *v, const struct member *table,
     int kind)
 {
@@ -156,8 +156,8 @@ struct way_bits {
 	uint64_t must[WAYS_MAX]; /* those of them that may not be missing */
 };
 
-/* Returns the bits of a list of ways. They are made once and kept: reading a scene takes
- * about ten. The tables have 24 lists, counted for each kind. */
+/* Returns the bits of a list of ways for a kind, made once and kept: reading a scene
+ * needs about ten lists. The tables have 24 pairs of a list and a kind. */
 static const struct way_bits *list_bits(const struct member *table, int kind,
     const char *const *list)
 {
@@ -177,7 +177,7 @@ static const struct way_bits *list_bits(const struct member *table, int kind,
 	return b;
 }
 
-/* Writes the names of those members. Returns out. */
+/* Writes the names of the members in bits. Returns out. */
 static const char *write_names(char out[LISTED], const struct way_bits *b,
     uint64_t bits)
 {
@@ -203,8 +203,8 @@ static void write_ways(char out[LISTED], const struct way_bits *b,
 	}
 }
 
-/* Refuses the first of the bits of members. If way is 0, the member is missing. Else way
- * has the given members of a complete way, to which the member does not belong. */
+/* Refuses an object for the first of members. If way is 0, this member is missing. Else
+ * way has the given members of a complete way, to which this member does not belong. */
 static _Noreturn void refuse_way(const struct value *v,
     const struct way_bits *b, uint64_t seen, uint64_t members, uint64_t way)
 {
@@ -294,8 +294,8 @@ uint64_t object_read(const struct value *v, const struct member *row, int kind,
 	return seen;
 }
 
-/* Returns whether the member, whose value is at, is left out because it has its default,
- * or because it is a size of 0. */
+/* Returns whether the member with the value *at is left out, because it has its default
+ * or is a size of 0. */
 static bool is_usual(const struct member *row, const void *at)
 {
 	const double *v = at;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Objects of a document. A table of members says for each what it may be, its place in a
- * struct, and what the help tells of it. */
+/* Objects of a document. A table of members says for each what it may be, its place in
+ * a struct, and what the help tells of it. */
 #ifndef OBJECT_H
 #define OBJECT_H
 
@@ -21,7 +21,7 @@ struct type {
 	/* NULL if such members are never printed. */
 	void (*print)(struct printer *, const struct member *, const void *);
 	size_t
-	    size; /* bytes of one number in the struct; 0: there is no default */
+	    size; /* bytes of one number in the struct; 0: members have no default */
 };
 
 struct member {
@@ -43,7 +43,7 @@ struct member {
 	 * default is printed only if shown is set. */
 	const char *usual;
 	bool shown;
-	/* Another source of the default, which goes before usual, for the help; or NULL. */
+	/* For the help: a source of the default that comes before usual; or NULL. */
 	const char *before;
 	/* Names in other programs, with blanks between them: in lower case, without
 	 * _ and -. */
@@ -53,16 +53,17 @@ struct member {
 	/* The unit, or NULL, with degrees for all angles; and a description, for the
 	 * help. */
 	const char *unit, *about;
-	/* Of a member of a scene: its own members, the ways to combine them, an example
-	 * of its value, and of a command that reads it. */
+	/* For a member of a scene: its own members, the ways to combine them, an
+	 * example of its value, and an example of a command that reads it. */
 	const struct member *members;
 	const struct ways *ways;
 	const char *example, *command;
-	/* The member may also stand in a document that is another member alone. */
+	/* A document may be the value of one member of a scene, such as a camera. The
+	 * member may then stand among the members of this value. */
 	bool beside;
 };
 
-/* A row of a table: the member has this name and type, and its place is a field of
+/* A row of a table: the member has this name and type, and is read to this field of
  * struct in. */
 #define ROW(in, label, of, field, ...)                        \
 	{                                                     \
@@ -70,9 +71,9 @@ struct member {
 		.at = offsetof(struct in, field), __VA_ARGS__ \
 	}
 
-/* The ways to combine members of an object. A way is a list of names with blanks between
- * them; a member with ? may be missing. An object has all other members of one way, and no
- * member that only other ways have. */
+/* The ways to combine members of an object. A way is a list of names with blanks
+ * between them; ? after a name marks an optional member. An object must have all
+ * members of one way but the optional ones, and no member that only other ways list. */
 enum { WAYS_MAX = 10 };
 struct ways {
 	const char *
@@ -83,18 +84,18 @@ struct ways {
 	const char *fit_way[WAYS_MAX + 1];
 	unsigned
 	    kinds; /* of objects that have these ways, as bits; 0: all kinds */
-	/* Offset of an unsigned of the struct, which is set to first plus the index of
-	 * the way; 0: there is none. */
+	/* Offset in the struct of an unsigned, which becomes first plus the index of
+	 * the object's way; 0: no field is set. */
 	size_t at;
 	unsigned first;
 };
 
 /* Returns the members that an object of that kind has, as bits, and reads them to the
  * struct at base after all defaults; if base is NULL, reads no values. The row has the
- * object's members, and its ways, whose indices are set. kind is 0 if there are no kinds.
- * Ignores members that begin with _, $schema, and those that may stand beside. Refuses
- * other members that are unknown, of another kind, or repeated, and objects that fit no
- * way. */
+ * object's members, and its ways, whose indices are set. kind is 0 if there are no
+ * kinds. Ignores members that begin with _, $schema, and those that may stand beside.
+ * Refuses other members that are unknown, of another kind, or repeated, and objects
+ * that fit no way. */
 uint64_t object_read(const struct value *, const struct member *row, int kind,
     void *base);
 
@@ -102,9 +103,9 @@ uint64_t object_read(const struct value *, const struct member *row, int kind,
 void object_read_member(const struct value *, const struct member *,
     void *base);
 
-/* Prints an object with those members of bits that the kind has, that are of no way or of
- * those whose indices the struct has, and that differ from their defaults. A size of 0
- * was not given, and is left out. */
+/* Prints an object with those members in bits that the kind has, that belong to no
+ * way or to the ways whose indices the struct has, and that differ from their defaults.
+ * A size of 0 was not given, and is left out. */
 void object_print(struct printer *, const struct member *row, int kind,
     uint64_t bits, const void *base);
 
@@ -120,8 +121,8 @@ const struct member *member_named(const struct member *, int kind,
  * room for it, which may stay unused. */
 const char *member_type(const struct member *, char out[LISTED]);
 
-/* Returns as bits the members of names, which have blanks between them, that objects of
- * that kind have; if needed, without names before a ?. */
+/* Returns as bits those members of a way, names, that objects of that kind have; if
+ * needed is set, without the optional ones. */
 uint64_t member_bits(const struct member *, int kind, const char *names,
     bool needed);
 

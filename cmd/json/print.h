@@ -11,13 +11,13 @@ struct printer {
 	char *at; /* the next byte; there must be room */
 	struct number_style style;
 	bool single; /* numbers are floats */
-	bool column; /* rows of a matrix are for column vectors */
-	/* All is in one line, without blanks after commas and colons. Else each member
-	 * of the outermost object begins a line. */
+	bool column; /* matrices are for column vectors, not row vectors */
+	/* Everything is in one line, without blanks after commas and colons. Else each
+	 * member of the outermost object begins a line. */
 	bool compact;
-	int level; /* open brackets */
-	/* The text before the next value: "" for the first one of all, or in an array
-	 * or object; else a comma. */
+	int level; /* the number of open brackets */
+	/* The text before the next value: "" before the first value of the output, of
+	 * an array or of an object; else a comma. */
 	const char *between;
 };
 

@@ -86,8 +86,8 @@ const char *json_hex4(const char *s, const char *end, unsigned *code)
 /* code >> 10 for the two halves of a surrogate pair */
 enum { FIRST_HALF = 0xd800 >> 10, SECOND_HALF = 0xdc00 >> 10 };
 
-/* Reads the digits after \u, and the escape of the second half if they are a first half.
- * Returns the end. */
+/* Reads the digits at s, which follow \u; if they are the first half of a surrogate
+ * pair, also the escape of the second half. Returns the end of what it has read. */
 static const char *unescape_unicode(const char *s, const char *end,
     unsigned *code)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Finds the ends of the parts of JSON text (RFC 8259). Checked text has passed json_check,
- * as either kind; a function that does not ask for it takes any text. Bytes at end and
- * after it are not read. */
+/* Finds the ends of the parts of JSON text (RFC 8259). Checked text has passed
+ * json_check, as a document or as a line. A function takes any text unless its comment
+ * asks for checked text. Bytes at end and after it are not read. */
 #ifndef JSON_TEXT_H
 #define JSON_TEXT_H
 
@@ -10,8 +10,8 @@
 
 #include "../message/utf8.h"
 
-/* Returns the end of the number at s, and reads it to *v unless v is NULL; returns NULL if
- * there is none, or one that JSON does not have: +1, 01, 1., .5, 1e, inf. */
+/* Returns the end of the number at s, and reads it to *v unless v is NULL. Returns NULL
+ * if there is no number, or one that JSON does not have: +1, 01, 1., .5, 1e, inf. */
 const char *json_number(const char *s, const char *end, double *v);
 
 static inline bool json_is_blank(char c)
@@ -27,28 +27,27 @@ static inline const char *json_space(const char *s, const char *end)
 	return s;
 }
 
-/* Returns the end of the string whose opening quote is at s; end if it is not closed. */
+/* Returns the end of the string whose opening quote is at s; end if none closes it. */
 const char *json_string(const char *s, const char *end);
 
-/* Returns the end of the value or member at s: the comma after it, or the bracket of
- * either kind that closes its array or object; else end. In text that is not checked only
- * quotes and brackets count. */
+/* Returns the end of the value or member at s: the comma after it, or the ] or } that
+ * closes its array or object; else end. In text that is not checked, ] closes { too. */
 const char *json_skip(const char *s, const char *end);
 
 /* Reads the hexadecimal digits at s, four at most, and returns their end. */
 const char *json_hex4(const char *s, const char *end, unsigned *code);
 
-/* Writes the character of the escape at s, in a string of checked text, as *n bytes of
- * UTF-8, and returns the end of the escape. Half of a surrogate pair becomes U+FFFD. In
- * text that is not checked \u may have fewer than four digits. */
+/* Writes the character of the escape at s, in a string, as *n bytes of UTF-8. Returns
+ * the end of the escape. Half of a surrogate pair becomes U+FFFD. In text that is not
+ * checked, \u may have fewer than four digits. */
 const char *json_unescape(const char *s, const char *end, char out[4], int *n);
 
-/* Returns whether a string of JSON, with its quotes, is the name; in a token of a pointer
- * ~1 is / and ~0 is ~. */
+/* Returns whether a string of JSON, with its quotes, is the name. If pointer is set,
+ * the name is a token of a pointer (RFC 6901), in which ~1 is / and ~0 is ~. */
 bool json_is_name(struct span string, struct span name, bool pointer);
 
-/* Whether a text is JSON (RFC 8259), and if not, where and why. On the way a value
- * is found in it, and a copy is made that takes less memory. */
+/* json_check decides whether a text is JSON, and if not, says where and why. It also
+ * finds a value in the text, and makes a copy that takes cJSON less memory. */
 
 /* Two kinds of text are checked. A document is UTF-8, and its strings hold
  * neither \u0000 nor half of a surrogate pair. A line of points has no newline. As
@@ -69,9 +68,9 @@ struct json_check {
 	 * elements of an array to which the pointer leads, and no number that is too
 	 * long for cJSON. */
 	char *copy;
-	const char *at;   /* the next character; at the end the error, if any */
-	char reason[256]; /* the message about the error */
-	int level;        /* of nested arrays and objects */
+	const char *at;   /* the next character; in a refusal the wrong one */
+	char reason[256]; /* the message of a refusal */
+	int level;        /* the number of open brackets */
 };
 
 /* Returns whether the text is one JSON value of at most 100 levels. */

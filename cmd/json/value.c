@@ -161,12 +161,12 @@ size_t value_count(const struct value *v)
 	return (size_t)cJSON_GetArraySize(v->item);
 }
 
-/* A pointer has at most TOKENS_MAX tokens, as in /camera/matrix/matrix/3/3. A token with
- * its / has at most TOKEN_MAX bytes: a longer name is cut. */
+/* A pointer has at most TOKENS_MAX tokens, as in /camera/matrix/matrix/3/3. A token
+ * with its / has at most TOKEN_MAX bytes: a longer name is cut. */
 enum { TOKENS_MAX = 5, TOKEN_MAX = 64 };
 
-/* Writes the pointer to a value, such as /camera/eye/0, in which ~ is ~0 and / is ~1 (RFC
- * 6901), and returns its end. */
+/* Writes the pointer to a value, such as /camera/eye/0, in which ~ is ~0 and / is ~1
+ * (RFC 6901), and returns its end. */
 static char *write_pointer(const struct value *v, char *out)
 {
 	if (v->in == NULL)
@@ -212,8 +212,8 @@ void value_wrong(const struct value *v, const char *wanted)
 	value_refuse(v, "is %s; %s is wanted", names[type], wanted);
 }
 
-/* Returns whether x is in the range. In radians the limits are PI and PI / 2, the largest
- * doubles below pi and pi/2, and so never excluded. */
+/* Returns whether x is in the range. In radians a limit is PI or PI / 2, the largest
+ * double below pi or pi/2: it is always in the range. */
 static bool is_within(double x, const struct value_range *r, bool radians)
 {
 	double min = r->min, max = r->max;

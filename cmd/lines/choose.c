@@ -7,8 +7,8 @@
 
 #include "../json/text.h"
 
-/* The way to something that is sought from a value: a name or pointer; if path is NULL,
- * the number of a field, or -1 if there is no way. */
+/* The way from a value to a coordinate or name that is sought: a name or pointer; if
+ * path is NULL, the number of a field, or -1 if there is no way. */
 struct way {
 	const char *path;
 	long place;
@@ -24,8 +24,8 @@ bool is_index(struct span token, long k)
 	return k < 10 && token.end - token.s == 1 && *token.s == '0' + k;
 }
 
-/* Returns whether the path of i leads to field k of the cut or into its value; sets *rest
- * to the rest of the path. Without --columns, X is x in a header, too. */
+/* Returns whether path, that of i, leads to field k of the cut or into its value; sets
+ * *rest to the rest of the path. Without --columns, X is x in a header, too. */
 static bool leads_to(const struct layout *l, const char *path, int i,
     const struct cut *c, const struct field *f, long k, const char **rest)
 {
@@ -45,9 +45,9 @@ static bool leads_to(const struct layout *l, const char *path, int i,
 			    pointer && is_index(token, k);
 }
 
-/* Returns whether the field f, after the last coordinate, may be the decimals of a number
- * with a decimal comma: f is a number, and follows two coordinates, or a comma without a
- * blank. Its separator must then be like those between the coordinates. */
+/* Returns whether the field f, after the last coordinate, may be the decimals of a
+ * number with a decimal comma: f is a number, and follows two coordinates, or a comma
+ * without a blank. Its separator must then be like those between the coordinates. */
 static bool counts_on(const struct layout *l, const struct field *f)
 {
 	double v;
@@ -67,8 +67,8 @@ struct search {
 	struct chosen *out;
 };
 
-/* Goes over the fields of a cut. Enters each value once, for all ways that lead into it,
- * so that the time is linear in the length of the line. */
+/* Finds what is sought among the fields of a cut. Enters each value once, for all ways
+ * that lead into it, so that the time is linear in the length of the line. */
 static void choose_in(struct search *r, struct cut c,
     const struct way ways[SOUGHT])
 {

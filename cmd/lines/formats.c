@@ -68,7 +68,7 @@ static bool json_line_check(struct dialect d, struct span line,
 	return false;
 }
 
-/* Sets a field of text, which ends at a blank or, unless c->words, at a comma. */
+/* Sets *f to a field of text. It ends at a blank or, unless c->words, at a comma. */
 static void next_of_text(struct cut *c, struct field *f)
 {
 	const char *s = skip_blanks(c->in, c->s, c->end), *after;
@@ -85,9 +85,9 @@ static void next_of_text(struct cut *c, struct field *f)
 	f->next = after == c->end && !c->comma ? NULL : after;
 }
 
-/* Sets a field of csv. A field that begins with a quote may contain separators up to the
- * closing quote; "" in it is a quote. In any other field, such as 5" pipe, a quote is an
- * ordinary character. */
+/* Sets *f to a field of csv. A field that begins with a quote may contain separators up
+ * to the closing quote; "" in it is a quote. In any other field, such as 5" pipe, a
+ * quote is an ordinary character. */
 static void next_of_csv(struct cut *c, struct field *f)
 {
 	const char *s = skip_blanks(c->in, c->s, c->end), *end = c->end;
@@ -114,7 +114,7 @@ static void next_of_csv(struct cut *c, struct field *f)
 		    (struct span){ f->value.s + 1, f->value.end - 1 });
 }
 
-/* Sets an element of an array or a member of an object. */
+/* Sets *f to an element of an array or a member of an object. */
 static void next_of_json(struct cut *c, struct field *f)
 {
 	const char *s = c->s;
@@ -168,8 +168,8 @@ const char *format_number(struct dialect d, const char *s, const char *end,
 	return after;
 }
 
-/* Returns whether a field of any format means the same in a dialect: a number in JSON, and
- * elsewhere a text that needs no quotes. */
+/* Returns whether the field f of any format can be copied to a dialect as it is: in
+ * JSON a finite number, elsewhere a text that needs no quotes. */
 static bool can_copy(struct dialect d, struct span f)
 {
 	const struct format_row *to = format_of(d);
@@ -226,8 +226,9 @@ static char *put_control(const struct format_row *out, char c, char *at)
 	return at + 5;
 }
 
-/* Moves *s past the next character of a field of that escape, or 0, and decodes it to c.
- * Returns its length in bytes. If utf8, a byte that is not UTF-8 becomes U+FFFD. */
+/* Decodes the next character of a field to c, and moves *s past it. escape is the
+ * escape character of the field, or 0. Returns the size of the character in bytes. If
+ * utf8 is set, a byte that is not UTF-8 becomes U+FFFD. */
 static int decode(const char **s, const char *end, char escape, bool utf8,
     char c[4])
 {
@@ -250,7 +251,7 @@ static int decode(const char **s, const char *end, char escape, bool utf8,
 	return n;
 }
 
-/* Writes the text f, which has that escape, in quotes, if the format has quotes. */
+/* Writes the text f, whose escape character is escape, with quotes if out has them. */
 static char *put_quoted(const struct format_row *out, struct span f,
     char escape, char *at)
 {

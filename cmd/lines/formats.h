@@ -55,7 +55,7 @@ enum { REASON_MAX = 320 };
 
 /* The properties of a format. */
 struct format_row {
-	enum format alike;        /* the format in its dialect */
+	enum format alike;        /* of its dialect: csv for tsv, else itself */
 	char separator;           /* 0: the one of --separator */
 	size_t size;              /* of a binary number; 0: a format of lines */
 	const char *open, *close; /* brackets round the fields, or "" */
@@ -70,8 +70,8 @@ struct format_row {
 	 * not. NULL: every line can. */
 	bool (
 	    *check)(struct dialect, struct span line, char reason[REASON_MAX]);
-	/* Sets the field at c->s, except for its from and comma; and c->from, its
-	 * end. */
+	/* Sets the field that begins at c->s, except its members from and comma.
+	 * Sets c->from to the end of the field. */
 	void (*next)(struct cut *c, struct field *);
 };
 

@@ -27,7 +27,7 @@ struct cut header_cut(struct dialect d, struct span text)
 	return c;
 }
 
-/* Returns the first coordinate whose name the header lacks; reads if there is none. */
+/* Returns the first coordinate whose name the header lacks, or l->reads. */
 static int find_missing(const struct layout *l, const struct chosen *c)
 {
 	int i = 0;
@@ -93,8 +93,8 @@ static bool begins_with_digit(struct span f)
 	return f.s < f.end && isdigit((unsigned char)*f.s);
 }
 
-/* Returns false if a coordinate is a number, if all coordinates are missing values, or if
- * all begin with a digit, as numbers with decimal commas do. */
+/* Returns false if a coordinate is a number, if all coordinates are missing values, or
+ * if all begin with a digit, as numbers with decimal commas do. */
 static bool looks_like_header(const struct layout *l, struct cut header)
 {
 	bool unknown = true, odd = true;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The usual point on its way out: its coordinates change where they stand. */
+/* Writes a point into the line it was read from: only its numbers change. */
 #ifndef IN_PLACE_H
 #define IN_PLACE_H
 
@@ -39,7 +39,7 @@ static inline bool is_in_order(const struct line *line, int n)
 	return true;
 }
 
-/* Sorts the coordinates of a line by where they stand. */
+/* Sorts order, numbers of coordinates, by where the coordinates stand on the line. */
 static inline void find_order(const struct line *line, int n, int order[4])
 {
 	for (int i = 1; i < n; i++)
@@ -53,7 +53,7 @@ static inline void find_order(const struct line *line, int n, int order[4])
 		}
 }
 
-/* Returns the end of a line's text without a closing bracket. */
+/* Returns the size of a line without its closing bracket. */
 static inline uint32_t end_of_fields(const struct layout *l,
     const struct line *line)
 {
@@ -98,9 +98,9 @@ static inline char *put_gap(const struct line *line, uint32_t done,
 	return out + (next - done);
 }
 
-/* Writes a point: replaces the coordinates, in that order on the line, and adds the other
- * values after the last coordinate, or by --append all values after the line. Returns
- * the end. */
+/* Writes a point: replaces the coordinates, which stand on the line in this order, by
+ * default x, y, z, w, and adds the other values after the last coordinate; or by append
+ * adds all values after the line. Returns the end. */
 static inline __attribute__((always_inline)) char *
 write_in_place(const struct layout *l, const struct line *line, bool append,
     const int *order, const struct numbers n, const struct word *flags,

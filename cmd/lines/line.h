@@ -62,7 +62,7 @@ struct layout {
 	size_t fields; /* of the header; 0: there is none */
 	int record; /* numbers in a binary record; 0: the coordinates alone */
 	bool keeps; /* binary records are copied whole, beside the image */
-	const char *two; /* as in struct document_wants */
+	const char *two; /* a hint for points of two numbers; or NULL */
 	bool single;     /* numbers are written as floats */
 	struct number_style style[COORDINATES_MAX];
 };
@@ -173,10 +173,10 @@ static inline const char *coordinate_name(int i)
 	return names[i];
 }
 
-/* Reads a line and its coordinates v. Writes to reason what is wrong with a bad line and
- * what would be right. *first says which line this may be, and changes with it: before
- * the first line a byte order mark may stand, and in csv this line may be a header,
- * which sets the columns of the layout. */
+/* Reads a line and its coordinates v. Writes to reason what is wrong with a bad line
+ * and what would be right. *first says which line this may be, and changes with it:
+ * before the first line a byte order mark may stand, and in csv this line may be a
+ * header, which sets the columns of the layout. */
 void line_read(struct layout *, struct span text, enum first *, struct line *,
     double v[4], char reason[REASON_MAX]);
 
@@ -184,16 +184,16 @@ void line_read(struct layout *, struct span text, enum first *, struct line *,
  * format's word for an unknown number. Returns the end of the text. */
 char *line_put_rare(const struct layout *, int k, double v, char *out);
 
-/* Returns the most bytes that line_write may touch for that many lines, which have that
- * many bytes in all. */
+/* Returns the most bytes that line_write may touch for a number of lines that have a
+ * number of bytes in all. */
 size_t lines_room(const struct layout *, size_t lines, size_t bytes);
 
-/* Writes the line with the numbers in the place of its coordinates, or by --append after
- * the line, and then the word flags unless it is NULL. Returns the end of the line. A
- * LINE_LOST becomes the numbers alone. Blank lines and comments are copied. A header
- * loses the names of coordinates that are not written, and gets the names of added
- * values; in text it becomes a comment. From JSON and to JSON, blank lines, comments and
- * headers are left out. */
+/* Writes the line with the numbers in the place of its coordinates, or by --append
+ * after the line, and then the word flags unless it is NULL. Returns the end of the
+ * line. A LINE_LOST becomes the numbers alone. Blank lines and comments are copied. A
+ * header loses the names of coordinates that are not written, and gets the names of
+ * added values; in text it becomes a comment. From JSON and to JSON, blank lines,
+ * comments and headers are left out. */
 char *line_write(const struct layout *, const struct line *,
     const struct numbers *, const struct word *flags, char *out);
 
@@ -228,11 +228,12 @@ enum { SOUGHT = 4 + COORDINATES_MAX + 1 };
 struct chosen {
 	struct field field[SOUGHT]; /* the first of each that was found */
 	int times[SOUGHT];          /* how often it was found; 0: missing */
-	long place[SOUGHT], again[SOUGHT]; /* number of the first, the second */
+	/* the numbers of the fields where it was found first, and again */
+	long place[SOUGHT], again[SOUGHT];
 	bool mixed; /* only some separators of text have a comma */
 };
 
-/* Finds them in one pass over the fields of the cut. */
+/* Finds the coordinates and names in one pass over the fields of the cut. */
 void choose(const struct layout *, struct cut, struct chosen *);
 
 /* Notes where on the line the coordinates stand. */
@@ -253,9 +254,9 @@ bool is_index(struct span token, long k);
 /* Decides whether the first line of csv is a header, and finds the coordinates by its
  * names. */
 
-/* Returns whether a line that begins with #, the first or another, is a comment. It is a
- * header or a row if # is a field alone, the names of all coordinates follow, or a table
- * with a header has a row such as #N/A,2,3. */
+/* Returns whether a line that begins with #, the first line or another, is a comment.
+ * If not, it is a header or a row: # is a field alone, the names of all coordinates
+ * follow, or a table with a header has a row such as #N/A,2,3. */
 bool header_in_comment(const struct layout *, struct span text, bool first);
 
 /* Reads the first line, whose text has no byte order mark. Returns false if the line is
@@ -302,9 +303,9 @@ void say_text_header(const struct layout *, struct span line,
     char reason[REASON_MAX]);
 
 /* Reads simple lines fast, by an index. The index lists the stops of a stretch of text:
- * the bytes that can end a field. A walk goes from stop to stop and finds the coordinates
- * without a look at the bytes between; vector code then reads many numbers at once. A
- * line that is not simple is left: line_read has to read it. */
+ * the bytes that can end a field. A walk goes from stop to stop and finds the
+ * coordinates without a look at the bytes between; vector code then reads many numbers
+ * at once. A line that is not simple is left: line_read has to read it. */
 
 /* The most bytes of a stretch: so few that they stay in the first-level cache until
  * their numbers are read. A stop has 16 bits. */
@@ -316,7 +317,7 @@ struct stretch {
 	const char *text;     /* the beginning of the stretch */
 	uint32_t at;          /* the beginning of the next line */
 	uint32_t end;         /* the end of the last line */
-	const uint16_t *next; /* the first stop at or after at */
+	const uint16_t *next; /* the first stop from the byte at on */
 	uint16_t stop[STRETCH + 128];
 };
 
@@ -349,9 +350,9 @@ bool walk_plan(const struct layout *, struct walk *);
 bool stretch_open(struct stretch *, const struct walk *, const char *text,
     const char *end);
 
-/* Walks up to n <= PLAIN_BATCH lines and sets the places of their numbers, by coordinate.
- * Sets bit i of *left if line i is left. Returns the number of lines, at least one if
- * at < end. */
+/* Walks up to n <= PLAIN_BATCH lines and sets the places of their numbers, by
+ * coordinate. Sets bit i of *left if line i is left. Returns the number of lines, at
+ * least one if at < end. */
 size_t walk_lines(struct stretch *, const struct walk *, size_t n,
     struct line[PLAIN_BATCH], struct plain_places[4], uint64_t *left);
 

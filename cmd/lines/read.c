@@ -54,8 +54,8 @@ static bool can_be_kept(const struct layout *l, struct cut cut,
 	return choose_overlap(l, c) == 0;
 }
 
-/* Returns whether --columns fits a line of JSON: numbers an array, names an object. Else
- * writes the reason. */
+/* Returns whether --columns fits a line of JSON: numbers an array, names an object.
+ * Else writes the reason. */
 static bool columns_fit(const struct layout *l, bool members,
     char reason[REASON_MAX])
 {
@@ -69,7 +69,7 @@ static bool columns_fit(const struct layout *l, bool members,
 	return false;
 }
 
-/* Returns whether a line is right whose coordinates are numbers; else writes the reason. */
+/* Returns whether a line whose coordinates are numbers is legal; or writes why not. */
 static bool is_right(const struct layout *l, struct cut cut,
     const struct chosen *c, char reason[REASON_MAX])
 {
@@ -133,7 +133,6 @@ static void read_fields(const struct layout *l, struct span text,
 		say_text_header(l, text, reason);
 }
 
-/* In JSON the carriage returns that may end lines are blanks. */
 void line_read(struct layout *l, struct span text, enum first *first,
     struct line *line, double v[4], char reason[REASON_MAX])
 {

@@ -190,8 +190,8 @@ static bool can_be_typed(const char *name)
 	    strcmp(escaped(shown, name, strlen(name)), name) == 0;
 }
 
-/* Adds to the reason --columns with two names that begin alike and end in the words of a
- * pair of axes, such as gps_lon and gps_lat. Returns false if there are no such names. */
+/* Adds to the reason --columns with two names that begin alike and end in a pair of
+ * axes, such as gps_lon and gps_lat. Returns false if there are no such names. */
 static bool say_guess(const struct names *names, int reads,
     char reason[REASON_MAX])
 {
@@ -229,9 +229,9 @@ static bool say_guess(const struct names *names, int reads,
 }
 
 /* Adds to the reason the names of the columns or members of the cut, and if one of them
- * is near the name typed, asks for it: "; did you mean 'x'? it has x, y, z". If typed is
- * NULL, as --columns is not given, guesses the option: "; say --columns lon,lat,h; it has
- * h, lat, lon". */
+ * is near the name typed, asks for it: "; did you mean 'x'? it has x, y, z". If typed
+ * is NULL, as --columns is not given, guesses the option: "; say --columns lon,lat,h;
+ * it has h, lat, lon". */
 static void say_names(const struct layout *l, struct cut c, const char *typed,
     char reason[REASON_MAX])
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Writes lines that in_place.h does not write. There are four ways: convert_point and
- * convert write a point, or another line, in another format; append keeps the line
- * and adds values; splice cuts the line into fields again and decides for each whether it
+ * convert write a point, or another line, in another format; append keeps the line and
+ * adds values; splice cuts the line into fields again and decides for each whether it
  * stays, changes or goes.
  *
  * A value is a number or the word of --flags that is written for a point: value k <
@@ -65,7 +65,7 @@ static void splice_to(struct splice *w, const char *s)
 	}
 }
 
-/* Returns the name of value k; for a coordinate of a bad object, the name in the input. */
+/* Returns the name of value k; for a coordinate of a bad object, its name as read. */
 static const char *value_name(const struct splice *w, int k)
 {
 	const struct layout *l = w->l;
@@ -175,9 +175,9 @@ static struct span cut_out(const struct field *f)
 		f->next != NULL ? f->next : f->whole.end };
 }
 
-/* Splices the fields of a line, or if not outer of a value inside: replaces a field
- * that has a value (see value_of) by it, or deletes the field if the value is not due.
- * Adds the other values after coordinate last, or at the end if last is -1. */
+/* Splices the fields of a line or, unless outer is set, of a value inside. A field
+ * whose place a value takes (see value_of) becomes it, or is deleted if the value is
+ * not due. Adds the other values after coordinate last; at the end if last is -1. */
 static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 {
 	struct field f;
@@ -317,8 +317,8 @@ static char *put_rest_of_record(const struct layout *l, const struct line *line,
 	return out;
 }
 
-/* Writes each field of a line that holds no coordinate, or by --append every field, for
- * the format out: after a separator unless it is the first of the line. */
+/* Writes each field of a line that holds no coordinate, or by --append every field, in
+ * the format out, after a separator unless the field is the first of the line. */
 static void put_rest(struct splice *w)
 {
 	const struct layout *l = w->l;
@@ -372,8 +372,8 @@ char *line_rest(const struct layout *l, const struct line *line, char *out)
 	return w.out;
 }
 
-/* Writes a line in another format, or a LINE_LOST: all values, then all other fields; by
- * --append first the fields. */
+/* Writes a line in another format, or a LINE_LOST: all values, then all other fields;
+ * by --append first the fields. */
 static void convert(struct splice *w)
 {
 	const struct layout *l = w->l;
@@ -391,7 +391,7 @@ static void convert(struct splice *w)
 	w->out += close != '\0';
 }
 
-/* Does as convert for a point without --append, which is the frequent case. */
+/* Writes a point as convert does without --append, which is the frequent case. */
 static char *convert_point(const struct layout *l, const struct line *line,
     struct numbers n, const struct word *flags, char *out)
 {

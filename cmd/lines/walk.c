@@ -7,8 +7,8 @@
 #include "../../core/scene/scene.h"
 #include "../json/text.h"
 
-/* The walk is inlined once for each format, so that the compiler removes the branches of
- * other formats. */
+/* The walk is inlined once for each format, so that the compiler removes the branches
+ * of other formats. */
 #define INLINE static inline __attribute__((always_inline))
 
 /* Returns the stops of a dialect: the bytes that can end a field, or for which a line
@@ -111,8 +111,8 @@ INLINE void pass_blanks(struct walker *p, struct dialect d)
 		pass(p);
 }
 
-/* Passes a separator as skip_separator does in text; elsewhere returns false if there is
- * none. Most separators have one byte, which comes first for speed. */
+/* Passes a separator as skip_separator does in text; elsewhere returns false if there
+ * is none. Most separators have one byte, which comes first for speed. */
 INLINE bool pass_separator(struct walker *p, struct dialect d)
 {
 	bool text = d.format == FORMAT_TEXT;
@@ -220,8 +220,8 @@ INLINE bool pass_coordinate(struct walker *p, struct dialect d,
 }
 
 /* Passes a field of text or csv that is not a coordinate. A field of csv in quotes may
- * not contain quotes: after such a quote the caller finds neither separator nor newline,
- * and leaves the line. */
+ * not contain quotes: after such a quote the caller finds neither separator nor
+ * newline, and leaves the line. */
 INLINE bool pass_other(struct walker *p, struct dialect d)
 {
 	bool csv = d.format == FORMAT_CSV, quoted = csv && stands(p, '"');
@@ -245,9 +245,9 @@ enum shape { FIELDS, COLUMNS, PATHS, NONE };
 static bool pass_nested(struct walker *, const struct target *,
     const struct trail *, unsigned led, int levels);
 
-/* Results that are not the number of a coordinate. For the function of a field: it is
- * no coordinate (NOTHING), or paths lead into it (MORE). For pass_field: it was the last
- * field (NOTHING), or there is another (MORE). ODD: the line has to be left. */
+/* Results that are not the number of a coordinate. The functions that look at a field
+ * return NOTHING if it is no coordinate, MORE if paths lead into it. pass_field returns
+ * NOTHING after the last field, MORE if another follows. ODD: the line is left. */
 enum { NOTHING = -1, MORE = -2, ODD = -3 };
 
 /* Returns the paths whose bits are set in led, without their first tokens. */
@@ -307,7 +307,7 @@ INLINE bool pass_value(struct walker *p, const struct target *t,
 	    p->text + p->at;
 }
 
-/* Passes the name of a member and the colon. Returns false if the line has to be left. */
+/* Passes the name of a member and the colon. Returns false if the line is left. */
 INLINE bool pass_name(struct walker *p, struct dialect d, bool may_have_escapes,
     struct span *name)
 {
@@ -549,7 +549,8 @@ INLINE size_t walk_take(struct stretch *s, const struct walk *walk,
 	return i;
 }
 
-/* Points of three coordinates that are the first fields have copies of their own. */
+/* Calls walk_take with a dialect: a copy of it for points of three coordinates that are
+ * the first fields, another copy for all other points. */
 INLINE size_t take_dialect(struct stretch *s, const struct walk *walk,
     struct dialect d, size_t max, struct line *lines,
     struct plain_places places[4], uint64_t *left)
@@ -561,7 +562,8 @@ INLINE size_t take_dialect(struct stretch *s, const struct walk *walk,
 	    left);
 }
 
-/* If walk_lines had this copy, too, it would have too few registers. */
+/* Calls walk_take for objects of JSON. This copy of walk_take is not inlined into
+ * walk_lines, which would then have too few registers. */
 static __attribute__((noinline)) size_t take_objects(struct stretch *s,
     const struct walk *walk, size_t max, struct line *lines,
     struct plain_places places[4], uint64_t *left)

@@ -54,15 +54,15 @@ struct number_text {
 enum { NUMBER_BATCH = 64 };
 
 /* Makes the texts of n numbers, of floats if single is true. t and v have room for n
- * rounded up to NUMBER_BATCH; v may have any numbers there. points_choose chooses the
- * loops; before, each layout is 0. */
+ * rounded up to NUMBER_BATCH; v may have any numbers after the first n. Sets each
+ * layout to 0 until points_choose has chosen the loops. */
 void number_texts(const double *v, size_t n, bool single,
     struct number_style style, struct number_text *t);
 
 /* The most characters of a struct number_text on either side of the point. */
 enum { NUMBER_SIDE = 24 };
 
-/* Does as number_write, by way of v's text t if that was made. */
+/* Writes v as number_write does, but copies its text t if number_texts has made it. */
 static inline char *number_put(char *s, const struct number_text *t, double v,
     bool single, struct number_style style)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-/* Dragonbox finds the shortest digits; 128 bits of the number's fraction give decimals
- * and significant digits, or printf if they are not enough. Dragonbox has only
- * headers, so that the program starts without loading a C++ library. */
+/* Dragonbox finds the shortest digits. A given number of decimals or significant digits
+ * comes from 128 bits of the number's fraction; if they are not enough, from printf.
+ * Dragonbox has only headers: the program starts without loading a C++ library. */
 #include "number.h"
 
 /* Without dragonbox's assertions. */
@@ -42,8 +42,8 @@ struct triples {
 
 static constexpr triples triple;
 
-/* Writes the first three decimals of p, a number with 54 bits after its point.
- * Returns p times 1000, without the digits before those. */
+/* Writes the first three decimals of p, a number with 54 bits after its point. Returns
+ * 1000 times the fraction of p. */
 static inline uint64_t write_three(char *s, uint64_t p)
 {
 	p = (p & ((1ull << 54) - 1)) * 1000;
@@ -60,7 +60,7 @@ static inline uint64_t shifted(uint64_t high, uint64_t low, int k)
 /* Writes the 17 digits of x < 10^17, and after them zeros for put_plain to copy.
  * p is x / 10^15 with 54 bits after the point: computed with the reciprocal
  * 2^113 / 10^15 and rounded up, it is less than 1.2 * 2^-54 too large. The five
- * multiplications by 1000 make an error of less than 1 of that. */
+ * multiplications by 1000 make this error 10^15 times as large: below 0.07 < 1. */
 static inline void write_digits(char d[64], uint64_t x)
 {
 	const uint64_t reciprocal = 10384593717069655258u;
@@ -76,7 +76,7 @@ static inline void write_digits(char d[64], uint64_t x)
 	memset(d + DIGITS, '0', 64 - DIGITS);
 }
 
-/* Writes the n digits at d, with the decimal point after the first point >= 1 of them.
+/* Writes the n digits at d with the decimal point after digit number point, from 1.
  * Returns the end of the text. Copies of a constant size, room, are fast; the bytes
  * that they write after the text are within NUMBER_MAX. */
 template <int room>
@@ -127,9 +127,9 @@ static inline char *put_digits(char *s, const char *d, int n, int point)
 	return s + 2 - point + n;
 }
 
-/* Writes the shortest text of v > 0. Returns its end. A loop multiplies the digits up
- * to 17 of them: how often follows from the branches that dragonbox took before, so
- * that the processor predicts it; a formula would wait for dragonbox's result. */
+/* Writes the shortest text of v > 0. Returns its end. A loop makes the digits 17 by
+ * multiplication: how often it turns follows from branches that dragonbox took, so that
+ * the processor predicts it; a formula would wait for dragonbox's result. */
 template <class Float>
 [[gnu::flatten]] static char *write_shortest(char *s, Float v)
 {
@@ -182,9 +182,9 @@ static inline uint64_t times_ten(uint64_t *high, uint64_t *low, int n)
 
 /* Writes the digits of v rounded to n decimals, ties to even, and a null byte at d.
  * Returns how many digits are before the point, at least one; 0 if v is 2^53 or more,
- * or has bits below 2^-127 and n is above 22. The first DIGITS digits are the
- * integer part, and hold the decimals as well if those fit with a digit for the
- * rounding. */
+ * or has bits below 2^-127 and n is above 22. The first DIGITS digits are the integer
+ * part, followed by the decimals if both together have fewer than DIGITS digits, so
+ * that rounding has a digit to carry into. */
 static inline int find_digits(char d[192], double v, int n)
 {
 	uint64_t m = (bits_of(v) & ((1ull << 52) - 1)) | 1ull << 52;
@@ -253,7 +253,7 @@ static char *print_significant(char *s, double v, int n)
 	snprintf(d, sizeof d, "%.*e", n - 1, v);
 	int exponent = atoi(strchr(d, 'e') + 1);
 
-	d[1] = d[0]; /* in the place of the point */
+	d[1] = d[0]; /* overwrites the point */
 	memset(d + 1 + n, '0', sizeof d - 1 - size_t(n));
 	return put_digits<104>(s, d + 1, n, 1 + exponent);
 }

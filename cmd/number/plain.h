@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads and writes many numbers at a time, by loops that are compiled once for each kind
- * of processor. They read plain numbers, [-] digits [. digits]: first the places of the
- * bytes that can end one, then the numbers between these; among them those that end in
- * an exponent as %e writes it. number_read reads the other numbers that are legal. All
- * loops give the bits of number_read and the bytes of number_write. */
+/* Reads and writes many numbers at a time, by loops that are compiled once for each
+ * kind of processor. The function find lists the places of bytes that can end a number.
+ * The function read reads plain numbers: [-] digits [. digits], or these with an
+ * exponent as %e writes it. number_read reads all other legal numbers. All loops give
+ * the bits of number_read and the bytes of number_write. */
 #ifndef PLAIN_H
 #define PLAIN_H
 
@@ -19,12 +19,12 @@ struct byte_set {
 
 enum {
 	PLAIN_MAX = 32,    /* most characters of a plain number */
-	PLAIN_BEFORE = 37, /* bytes before a number's end that are read */
+	PLAIN_BEFORE = 37, /* bytes before a number's end that are loaded */
 	PLAIN_BATCH = NUMBER_BATCH,
 	PLAIN_GROUP = 8, /* numbers that are read together */
 };
 
-/* Numbers: size[i] characters, 1 to PLAIN_MAX, before end[i]. */
+/* Number i is the size[i] characters, 1 to PLAIN_MAX, before end[i]. */
 struct plain_places {
 	const char *end[PLAIN_BATCH];
 	uint8_t size[PLAIN_BATCH];
@@ -38,10 +38,10 @@ struct number_loops {
 	    uint16_t *at);
 	/* Reads the first n numbers, rounded to nearest. There are places for n
 	 * rounded up to PLAIN_GROUP. Returns bit i if v[i] is not set, as the
-	 * number is not plain, has more than 22 decimals or, from the first digit
-	 * that is not 0 on, 19 digits, or lies midway between two doubles or too
-	 * near to that. An exponent of a sign and two digits is read if
-	 * the decimals less the exponent are 0 to 22. */
+	 * number is not plain, has more than 22 decimals, has more than 19 digits
+	 * from the first that is not 0 on, or lies midway between two doubles or
+	 * too near to that. An exponent of a sign and two digits is read if the
+	 * number of decimals less the exponent is 0 to 22. */
 	uint64_t (*read)(const struct plain_places *, size_t n,
 	    double v[PLAIN_BATCH]);
 	/* Does what number_texts does. */

@@ -13,13 +13,13 @@ static struct {
 	size_t bad;        /* lines */
 	bool bad_scene;
 	bool of_points;     /* the last bad lines are binary points */
-	size_t imageless;   /* points */
+	size_t imageless;   /* points without image */
 	struct place where; /* of the first point without image */
 } answer;
 
-/* Seconds before progress is shown first, and again. */
-#define FIRST_PAUSE 0.5
-#define PAUSE 0.2
+/* Seconds before progress is first shown, and from one display to the next. */
+#define PROGRESS_BEGINS 0.5
+#define PROGRESS_STEP 0.2
 
 static struct {
 	bool on, asked;
@@ -94,7 +94,8 @@ static void add_progress(const struct chunk *c)
 		return;
 	double time = now();
 
-	if (time - progress.start > FIRST_PAUSE && time - progress.last > PAUSE)
+	if (time - progress.start > PROGRESS_BEGINS &&
+	    time - progress.last > PROGRESS_STEP)
 		show_progress(time);
 }
 

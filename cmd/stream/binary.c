@@ -6,7 +6,7 @@
 #include "../../core/points/kernel/little.h"
 #include "job.h"
 
-bool binary_is_whole(const struct job *j)
+bool binary_by_blocks(const struct job *j)
 {
 	return is_binary(j->layout.in.format) &&
 	    is_binary(j->layout.out.format) && j->take == NULL && !j->visible &&
@@ -19,8 +19,8 @@ size_t binary_written(const struct layout *l)
 			  point_size(l->out.format, l->writes);
 }
 
-/* Copies the coordinates of n points, numbers of that size, from records to rows that
- * have only coordinates, or back. */
+/* Copies the coordinates of n points, numbers of size bytes, from records to rows that
+ * have only coordinates; if back is set, from rows to records. */
 static inline void copy_numbers(const struct layout *l, size_t size,
     char *records, char *rows, bool back, size_t n)
 {
@@ -56,8 +56,8 @@ static size_t count_points(const struct job *j, const struct chunk *c)
 	return n < POINTS_BLOCK ? n : POINTS_BLOCK;
 }
 
-/* Returns rows of the coordinates of the next n points. Rows that are copied from
- * records are in image, which is not needed yet. */
+/* Returns rows of the coordinates of the next n points. Coordinates of records are
+ * copied to c->image, which is not in use before the transformation. */
 static const char *next_rows(const struct layout *l, struct chunk *c, size_t n)
 {
 	if (l->record == 0)
@@ -66,7 +66,7 @@ static const char *next_rows(const struct layout *l, struct chunk *c, size_t n)
 	return (const char *)c->image;
 }
 
-/* Fills in the lines of n points of that size, which begin at text. */
+/* Fills in the lines of n points of size bytes, which begin at text. */
 static void make_lines(struct chunk *c, const char *text, size_t size, size_t n)
 {
 	for (size_t i = 0; i < n; i++)
@@ -76,7 +76,7 @@ static void make_lines(struct chunk *c, const char *text, size_t size, size_t n)
 			.newline = true };
 }
 
-/* Makes line block_lines a bad one. Returns as chunk_complain does. */
+/* Marks line block_lines as bad. Returns what chunk_complain returns. */
 static bool binary_refuse(const struct job *j, struct chunk *c,
     const char *reason)
 {
@@ -84,11 +84,11 @@ static bool binary_refuse(const struct job *j, struct chunk *c,
 	return chunk_complain(j, c, reason);
 }
 
-/* Refuses points beyond the range and removes them from the columns. If a point ends the
- * chunk, the block ends before this point. */
+/* Refuses points beyond the range and removes them from the columns. If a point ends
+ * the chunk, the block ends before this point. */
 static void refuse_beyond(const struct job *j, struct chunk *c, size_t n)
 {
-	size_t *p = &c->block_points;
+	size_t *kept = &c->block_points;
 
 	for (; c->block_lines < n; c->block_lines++) {
 		bool within = true;
@@ -96,10 +96,10 @@ static void refuse_beyond(const struct job *j, struct chunk *c, size_t n)
 		for (int k = 0; k < j->layout.reads; k++) {
 			double v = c->in[k][c->block_lines];
 
-			c->in[k][*p] = v;
+			c->in[k][*kept] = v;
 			within &= !(fabs(v) > MAGNITUDE_MAX);
 		}
-		*p += within;
+		*kept += within;
 		if (!within &&
 		    !binary_refuse(j, c,
 			"a coordinate is beyond 1e150 in magnitude; choose "
@@ -129,7 +129,7 @@ void binary_read(const struct job *j, struct chunk *c)
 	    c->in, n, MAGNITUDE_MAX);
 
 	c->text += n * size;
-	if (!within || !binary_is_whole(j))
+	if (!within || !binary_by_blocks(j))
 		make_lines(c, text, size, n);
 	if (within)
 		c->block_lines = c->block_points = n;
@@ -137,7 +137,7 @@ void binary_read(const struct job *j, struct chunk *c)
 		refuse_beyond(j, c, n);
 }
 
-bool binary_carry(const struct job *j, struct chunk *c)
+bool binary_map_floats(const struct job *j, struct chunk *c)
 {
 	const struct layout *l = &j->layout;
 	size_t n = count_points(j, c);
@@ -161,7 +161,6 @@ bool binary_join(const struct job *j, struct chunk *c, const char *text)
 	char *out = chunk_reserve(c, 2 * size);
 	char *images = out + (l->keeps ? size : 0);
 
-	/* join fails if a number is not finite, or a float needs point_single */
 	if (!points_kernels()->join[wide][l->writes](c->image, images, n)) {
 		make_lines(c, text, layout_record(l), n);
 		return false;
@@ -182,7 +181,7 @@ char *binary_put(const struct layout *l, const struct chunk *c,
 
 	if (copied)
 		memcpy(at, line->s, written);
-	/* a record that the source's end cuts becomes nan in each number */
+	/* if the source ends within a record, each number of it becomes nan */
 	int n = copied ? l->writes : (int)(written / size);
 
 	for (int k = 0; k < n; k++) {

@@ -10,7 +10,7 @@
 #include "../lines/line.h"
 #include "../lines/in_place.h"
 
-/* Reads the next line of the block with line_read. Returns false where a bad line
+/* Reads the next line of the block with line_read. Returns false if the line is bad and
  * ends the chunk. */
 static bool block_read_line(struct job *j, struct chunk *c, struct span text,
     bool newline)
@@ -33,8 +33,8 @@ static bool block_read_line(struct job *j, struct chunk *c, struct span text,
 	return true;
 }
 
-/* Adds n walked lines to the block, with their numbers v. Line i is read with
- * line_read if bit i of rest is set. Returns false where a bad line ends the chunk. */
+/* Adds the n lines of walk_lines to the block, with their numbers v. Reads line i with
+ * line_read if bit i of rest is set. Returns false if a bad line ends the chunk. */
 static bool block_add(struct job *j, struct chunk *c, size_t n, uint64_t rest,
     double v[4][PLAIN_BATCH])
 {
@@ -57,7 +57,8 @@ static bool block_add(struct job *j, struct chunk *c, size_t n, uint64_t rest,
 	return true;
 }
 
-/* Reads some of the next lines of the stretch. */
+/* Reads the next lines of the stretch, as many as fit. Returns false if a bad line ends
+ * the chunk. */
 static bool block_walk(struct job *j, struct chunk *c)
 {
 	const struct walk *walk = &c->walk;
@@ -160,11 +161,11 @@ struct writer {
 	bool
 	    in_place; /* images take the places of points, or follow the line */
 	bool adds;    /* values follow those that were read */
-	int order[4]; /* the coordinates in their order on the line before */
+	int order[4]; /* the coordinates as they stand on the previous line */
 	unsigned char outside[POINTS_BLOCK]; /* planes, for each point */
 
 	/* The texts of a batch of points: enough of them for vectors, few enough
-	 * for the first cache. */
+	 * for the first-level cache. */
 	size_t batch; /* the first point of the batch */
 	struct number_text text[COORDINATES_MAX][NUMBER_BATCH];
 };
@@ -310,7 +311,7 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 void job_do(struct job *j, struct chunk *c)
 {
 	bool binary = is_binary(j->layout.in.format);
-	bool whole = binary_is_whole(j);
+	bool by_blocks = binary_by_blocks(j);
 
 	c->n_lines = c->size = c->n_complaints = c->imageless = 0;
 	c->refused = c->planned = c->walks = false;
@@ -326,8 +327,9 @@ void job_do(struct job *j, struct chunk *c)
 		const char *text = c->text;
 
 		c->block_lines = c->block_points = 0;
-		/* after one point without image there will be others */
-		if (whole && c->imageless == 0 && binary_carry(j, c))
+		/* a point without image is rarely alone, and binary_map_floats
+		 * would fail again */
+		if (by_blocks && c->imageless == 0 && binary_map_floats(j, c))
 			continue;
 		if (binary)
 			binary_read(j, c);
@@ -339,7 +341,7 @@ void job_do(struct job *j, struct chunk *c)
 		}
 		bool finite = block_transform(j, c);
 
-		if (!(whole && c->block_lines == c->block_points &&
+		if (!(by_blocks && c->block_lines == c->block_points &&
 			binary_join(j, c, text)))
 			block_write(j, c, finite);
 	}

@@ -23,7 +23,7 @@ struct chunk {
 	struct place place; /* of the first line, when the chunk is answered */
 	struct piece piece;
 	const char *text, *end; /* the bytes that are not read yet */
-	size_t n_lines;         /* before the block */
+	size_t n_lines;         /* lines done: all those before the block */
 	enum first first;       /* the special line that comes next */
 	bool refused; /* the header is bad, so that no line can be read */
 	bool done;    /* ready for answer_chunk */
@@ -37,7 +37,7 @@ struct chunk {
 	/* The block: lines of the chunk that are done together, and a column of
 	 * their points for each coordinate. */
 	size_t block_lines, block_points;
-	bool planned, walks; /* walk is made; it can take lines */
+	bool planned, walks; /* walk_plan was called; it returned true */
 	struct walk walk;
 	struct word word[256]; /* chunk_word's results; empty until needed */
 	/* chunk_new leaves the members from here on without a value */
@@ -64,9 +64,8 @@ struct job {
 	/* Functions of a command that does not print a line for each point, else
 	 * NULL. take gets each block before its points are transformed; it may
 	 * append to the chunk's out, and runs in any thread. collect gets the
-	 * chunks in order. flush
-	 * prints what was collected, after the last chunk or before a bad line
-	 * ends the program. */
+	 * chunks in order. flush prints what was collected, after the last chunk
+	 * or before a bad line ends the program. */
 	void (*take)(const struct job *, struct chunk *);
 	void (*collect)(const struct job *, const struct chunk *);
 	void (*flush)(const struct job *);
@@ -79,8 +78,8 @@ struct chunk *chunk_new(void);
  * writes them before adding their number to size. */
 char *chunk_reserve(struct chunk *, size_t more);
 
-/* Returns the word of --flags for the planes that a point is outside of, such as "in" or
- * "left+near". The word belongs to the chunk. */
+/* Returns the word of --flags for the planes that a point is outside of, such as "in"
+ * or "left+near". The word belongs to the chunk. */
 const struct word *chunk_word(struct chunk *, unsigned outside);
 
 /* Adds a complaint about line block_lines of the block. Returns whether the job goes
@@ -91,21 +90,22 @@ bool chunk_complain(const struct job *, struct chunk *, const char *reason);
  * stops at the first bad one unless the job keeps going. */
 void job_do(struct job *, struct chunk *);
 
-/* Returns whether binary points become binary points, so that blocks are written without
- * a look at single points. */
-bool binary_is_whole(const struct job *);
+/* Returns whether every binary point that is read becomes one that is written, so that
+ * whole blocks are written at once. */
+bool binary_by_blocks(const struct job *);
 
 /* Reads a block of up to POINTS_BLOCK points. Its lines are filled in only if
- * a point is bad or binary_is_whole is false. */
+ * a point is bad or binary_by_blocks is false. */
 void binary_read(const struct job *, struct chunk *);
 
 /* Reads, transforms and writes a block from floats to floats in single precision.
  * Returns false and leaves the chunk unchanged if a point has no image, or if the input
  * or the output is not floats. */
-bool binary_carry(const struct job *, struct chunk *);
+bool binary_map_floats(const struct job *, struct chunk *);
 
-/* Appends the images of the block, whose binary points begin at text, to out. If a point
- * needs block_mark, only fills in the block's lines and returns false. */
+/* Appends the images of the block, whose binary points begin at text, to out. If an
+ * image is not finite, or a float needs point_single, only fills in the block's lines
+ * and returns false. */
 bool binary_join(const struct job *, struct chunk *, const char *text);
 
 /* Returns how many bytes are written for each point. */
@@ -116,7 +116,7 @@ size_t binary_written(const struct layout *);
 char *binary_put(const struct layout *, const struct chunk *,
     const struct line *, size_t p, char *at);
 
-/* Does a job on sources of points, with several threads. */
+/* stream.c does a job on sources of points, with several threads. */
 
 /* Calls run(with), in a new thread if the program's stack may be too small, and returns
  * when run has returned. */
@@ -124,22 +124,22 @@ void call_with_stack(void *(*run)(void *), void *with);
 
 /* Does the job on the points of a source. Every point that was read is answered before
  * the program waits for more. Errors are printed and end the program. Each call must
- * have the same job, whose contents may change between the calls. */
+ * get the same struct job; its contents may change between the calls. */
 void stream(struct job *, struct point_source);
 
-/* Prints the output of chunks in the order of their source, reports bad lines and
- * points without image, and shows progress on standard error. */
+/* answer.c prints the output of chunks in the order of their source, reports bad lines
+ * and points without image, and shows progress on standard error. */
 
 /* Turns progress on if asked is true, or standard error is a terminal and standard
  * output is not. Only the first call has an effect. */
 void answer_progress(bool asked);
 
-/* Begins a source. */
+/* Begins a source: its lines are counted from 1. */
 void answer_source(const struct job *, const struct point_source *);
 
 /* Prints the output of the next chunk, then reports its bad lines, which end the
- * program unless the job keeps going, and the error that ended its source, which
- * always does. Any thread may call it, but only one at a time. */
+ * program unless the job keeps going, and the error that ended its source, which always
+ * ends the program. Any thread may call answer_chunk, but only one at a time. */
 void answer_chunk(const struct job *, struct chunk *);
 
 /* Counts a scene that was refused, and prints null for it if the format is JSON. */

@@ -13,9 +13,9 @@
 /* The longest line of points, with its newline. */
 #define LINE_MAX_BYTES ((size_t)1 << 26)
 
-/* The first pieces of a source have FIRST_ROOM bytes, the later ones a share of what was
- * read before: the system needs more time for a fresh page than a thread for the points
- * in it, and threads that end a source with small pieces end together. */
+/* The first pieces of a source have FIRST_ROOM bytes, the later ones 1 / SHARE of the
+ * bytes read before: the system needs more time for a fresh page than a thread for the
+ * points in it, and threads that end a source with small pieces end together. */
 enum { FIRST_ROOM = 1 << 15, SHARE = 64 };
 
 void piece_resize(struct piece *p, size_t room)
@@ -63,7 +63,7 @@ static ssize_t read_some(struct point_source *s, char *to, size_t room)
 	return n;
 }
 
-/* Returns whether a read would wait; true if that is unknown. */
+/* Returns whether a read would wait; true if the system does not say. */
 static bool would_wait(const struct point_source *s)
 {
 	struct pollfd p = { .fd = s->fd, .events = POLLIN };

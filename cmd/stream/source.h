@@ -9,16 +9,16 @@
 
 struct layout;
 
-/* The bytes of the pieces of a large source: enough that threads seldom take the lock, few
- * enough for caches. */
+/* The bytes of the pieces of a large source: enough that threads seldom take the lock,
+ * few enough for caches. */
 enum { PIECE_ROOM = 1 << 17 };
 
 /* The size of pipes: one piece is written while another is read. Larger pipes would
  * not stay in the cache. */
 enum { PIPE_ROOM = 2 * PIECE_ROOM };
 
-/* The bytes after the end of a text that may be read. In a document's text they may also
- * be written: the newline of a single point needs one. */
+/* The bytes after the end of a text that may be read. In a document's text they may
+ * also be written: the newline of a single point needs one. */
 enum { PIECE_MARGIN = 2 };
 
 enum piece_state {
@@ -45,20 +45,20 @@ struct point_source {
 	    text;     /* the unread part of a text in memory, or s is NULL */
 	int fd;       /* of a file */
 	off_t size;   /* bytes; 0: unknown */
-	size_t begun; /* bytes of its pieces */
+	size_t begun; /* bytes of all pieces read so far */
 	struct span
 	    rest; /* of the last piece, after its whole lines or points */
 };
 
-/* Sets the room and keeps the text. */
+/* Allocates room bytes for the text, and keeps its beginning. */
 void piece_resize(struct piece *, size_t room);
 
 struct point_source source_of_file(const char *name, int fd);
 struct point_source source_of_text(const char *name, const char *text,
     size_t size);
 
-/* Reads the next piece; may wait for a stream. The piece before must still have its text.
- * Only one thread at a time may call it. */
+/* Reads the next piece; may wait for a stream. The piece before must still have its
+ * text. Only one thread at a time may call source_read. */
 void source_read(struct point_source *, const struct layout *, struct piece *);
 
 #endif

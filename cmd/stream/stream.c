@@ -49,13 +49,14 @@ void call_with_stack(void *(*run)(void *), void *with)
 	pthread_join(t, NULL);
 }
 
-/* The bytes of a source for each thread that is started. With less to do, the start would
- * take more time than the thread saves. */
+/* The bytes of a source for each thread that is started. With less to do, the start
+ * would take more time than the thread saves. */
 enum { PER_THREAD = 1 << 16 };
 
-/* A thread without a chunk looks for one that often before it sleeps, with pauses: others
- * read a piece of a file in less time than the system takes to wake a thread. To yield
- * the processor could cost milliseconds if other programs run. */
+/* A thread without a chunk looks for one LOOKS times before it sleeps. Between two
+ * looks it runs an empty loop PAUSE times: other threads read a piece of a file in less
+ * time than the system takes to wake a thread. To yield the processor could cost
+ * milliseconds if other programs run. */
 enum { LOOKS = 100, PAUSE = 200 };
 
 /* Each thread repeats three steps: it begins the next chunk, which reads from the
@@ -71,19 +72,20 @@ static struct {
 
 	pthread_mutex_t lock;
 	pthread_cond_t changed;
-	int threads, looking, idle; /* started; without a chunk; asleep */
-	struct chunk *unused;       /* a stack, so that few are used */
+	/* started; of these, without a chunk and awake; asleep */
+	int threads, looking, idle;
+	struct chunk *unused; /* a stack, so that few are used */
 
 	/* the source that is read */
 	struct point_source *source;
-	bool open;        /* no thread reads it, nor has its end */
-	bool answering;   /* a thread is doing so */
+	bool open;        /* it has not ended, and no thread is reading it */
+	bool answering;   /* a thread is answering chunks */
 	enum first first; /* see struct chunk */
 	struct chunk *oldest, **newest; /* the queue of chunks begun */
-} ring = {
+} pool = {
 	.lock = PTHREAD_MUTEX_INITIALIZER,
 	.changed = PTHREAD_COND_INITIALIZER,
-	.newest = &ring.oldest,
+	.newest = &pool.oldest,
 };
 
 /* The functions from may_begin to run_chunks are called, and return, with the lock
@@ -93,19 +95,19 @@ static struct {
  * the one before it, which may have the csv header. */
 static bool may_begin(void)
 {
-	return ring.open && ring.unused != NULL &&
-	    (!ring.first || ring.oldest == NULL);
+	return pool.open && pool.unused != NULL &&
+	    (!pool.first || pool.oldest == NULL);
 }
 
 static bool is_finished(void)
 {
-	return !ring.open && ring.oldest == NULL;
+	return !pool.open && pool.oldest == NULL;
 }
 
 static void add_unused(struct chunk *c)
 {
-	c->next = ring.unused;
-	ring.unused = c;
+	c->next = pool.unused;
+	pool.unused = c;
 }
 
 static void *work(void *);
@@ -116,40 +118,40 @@ static void call_thread(void)
 {
 	pthread_t t;
 
-	if (!ring.open || ring.looking > 0)
+	if (!pool.open || pool.looking > 0)
 		return;
-	if (ring.idle > 0) {
+	if (pool.idle > 0) {
 		if (may_begin())
-			pthread_cond_signal(&ring.changed);
-	} else if (ring.threads < ring.most &&
-	    ring.source->begun / PER_THREAD > (size_t)ring.threads) {
+			pthread_cond_signal(&pool.changed);
+	} else if (pool.threads < pool.most &&
+	    pool.source->begun / PER_THREAD > (size_t)pool.threads) {
 		add_unused(chunk_new());
 		add_unused(chunk_new());
 		if (start_thread(&t, work, NULL) == 0) {
 			pthread_detach(t);
-			ring.threads++;
+			pool.threads++;
 		} else {
-			ring.most = ring.threads;
+			pool.most = pool.threads;
 		}
 	}
 }
 
 static struct chunk *begin_chunk(void)
 {
-	struct chunk *c = ring.unused;
+	struct chunk *c = pool.unused;
 
-	ring.unused = c->next;
-	*ring.newest = c;
-	ring.newest = &c->next;
+	pool.unused = c->next;
+	*pool.newest = c;
+	pool.newest = &c->next;
 	c->next = NULL;
-	c->first = ring.first;
+	c->first = pool.first;
 	c->done = false;
-	ring.open = false;
-	pthread_mutex_unlock(&ring.lock);
-	source_read(ring.source, &ring.job->layout, &c->piece);
-	pthread_mutex_lock(&ring.lock);
-	ring.open = c->piece.state < PIECE_LAST;
-	/* this thread may be back before a slow stream has more */
+	pool.open = false;
+	pthread_mutex_unlock(&pool.lock);
+	source_read(pool.source, &pool.job->layout, &c->piece);
+	pthread_mutex_lock(&pool.lock);
+	pool.open = c->piece.state < PIECE_LAST;
+	/* this thread may do the chunk before a slow stream has more bytes */
 	if (c->piece.state != PIECE_EARLY)
 		call_thread();
 	return c;
@@ -160,21 +162,21 @@ static void answer_done(void)
 {
 	struct chunk *c;
 
-	if (ring.answering)
+	if (pool.answering)
 		return;
-	ring.answering = true;
-	while ((c = ring.oldest) != NULL && c->done) {
-		pthread_mutex_unlock(&ring.lock);
-		answer_chunk(ring.job, c);
-		pthread_mutex_lock(&ring.lock);
-		ring.oldest = c->next;
-		if (ring.oldest == NULL)
-			ring.newest = &ring.oldest;
+	pool.answering = true;
+	while ((c = pool.oldest) != NULL && c->done) {
+		pthread_mutex_unlock(&pool.lock);
+		answer_chunk(pool.job, c);
+		pthread_mutex_lock(&pool.lock);
+		pool.oldest = c->next;
+		if (pool.oldest == NULL)
+			pool.newest = &pool.oldest;
 		add_unused(c);
 		if (c->next == NULL)
 			call_thread();
 	}
-	ring.answering = false;
+	pool.answering = false;
 }
 
 /* Does chunks, forever or until the source is finished. */
@@ -186,26 +188,26 @@ static void run_chunks(bool forever)
 		if (may_begin()) {
 			struct chunk *c = begin_chunk();
 
-			pthread_mutex_unlock(&ring.lock);
-			job_do(ring.job, c);
-			pthread_mutex_lock(&ring.lock);
-			ring.first = c->first;
+			pthread_mutex_unlock(&pool.lock);
+			job_do(pool.job, c);
+			pthread_mutex_lock(&pool.lock);
+			pool.first = c->first;
 			c->done = true;
 			answer_done();
 			if (is_finished())
-				pthread_cond_broadcast(&ring.changed);
+				pthread_cond_broadcast(&pool.changed);
 			looks = 0;
 		} else if (looks++ < LOOKS) {
-			ring.looking++;
-			pthread_mutex_unlock(&ring.lock);
+			pool.looking++;
+			pthread_mutex_unlock(&pool.lock);
 			for (volatile int i = 0; i < PAUSE; i++)
 				continue;
-			pthread_mutex_lock(&ring.lock);
-			ring.looking--;
+			pthread_mutex_lock(&pool.lock);
+			pool.looking--;
 		} else {
-			ring.idle++;
-			pthread_cond_wait(&ring.changed, &ring.lock);
-			ring.idle--;
+			pool.idle++;
+			pthread_cond_wait(&pool.changed, &pool.lock);
+			pool.idle--;
 			looks = 0;
 		}
 	}
@@ -213,7 +215,7 @@ static void run_chunks(bool forever)
 
 static void *work(void *unused)
 {
-	pthread_mutex_lock(&ring.lock);
+	pthread_mutex_lock(&pool.lock);
 	run_chunks(true);
 	return unused;
 }
@@ -235,15 +237,15 @@ static int count_threads(int wanted)
 void stream(struct job *j, struct point_source s)
 {
 	answer_source(j, &s);
-	pthread_mutex_lock(&ring.lock);
-	if (ring.job == NULL) {
-		ring.job = j;
-		ring.most = count_threads(j->threads) - 1;
+	pthread_mutex_lock(&pool.lock);
+	if (pool.job == NULL) {
+		pool.job = j;
+		pool.most = count_threads(j->threads) - 1;
 		add_unused(chunk_new());
 	}
-	ring.source = &s;
-	ring.open = true;
-	ring.first = FIRST_LINE;
+	pool.source = &s;
+	pool.open = true;
+	pool.first = FIRST_LINE;
 	run_chunks(false);
-	pthread_mutex_unlock(&ring.lock);
+	pthread_mutex_unlock(&pool.lock);
 }

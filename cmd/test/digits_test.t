@@ -72,15 +72,15 @@ sub claims {
 		low => qr/1e21\)\) &\s+~LESS\(a, ALL\((\w+-\d+)\)\)/,
 		high_float => qr/LESS\(a, ALL\(single \? (\w+) :/,
 		high => qr/LESS\(a, ALL\(single \? \w+ : (\w+)\)/,
-		usual_float => qr/usual = LESS\(a, ALL\(single \? (\w+) :/,
-		usual => qr/usual = LESS\(a, ALL\(single \? \w+ : (\w+)\)/,
-		usual_low => qr/usual = LESS.*?~LESS\(a, ALL\((\w+-\d+)\)\)/s,
+		exact_float => qr/exact = LESS\(a, ALL\(single \? (\w+) :/,
+		exact => qr/exact = LESS\(a, ALL\(single \? \w+ : (\w+)\)/,
+		exact_low => qr/exact = LESS\(a.*?~LESS\(a, ALL\((\w+-\d+)\)\)/s,
 		log => qr/FLOOR\(q \* ALL\(([\d.]+)\)\)/,
 		exact_from => qr{exact = LESS\(ALL\(([-\d.]+)\), scale\)},
-		half_float => qr/two \* ALL\(single \? (\S+) :/,
-		half => qr/two \* ALL\(single \? \S+ : (\S+)\)/,
-		place_float => qr/log2_less\(two, single \? (\d+) :/,
-		place => qr/log2_less\(two, single \? \d+ : (\d+)\)/,
+		half_float => qr/top \* ALL\(single \? (\S+) :/,
+		half => qr/top \* ALL\(single \? \S+ : (\S+)\)/,
+		place_float => qr/log2_less\(top, single \? (\d+) :/,
+		place => qr/log2_less\(top, single \? \d+ : (\d+)\)/,
 		fours => qr/MUL32\(x, ALL_BITS\((\d+)\)\), 40/,
 		twos => qr/HIGH16\(x, ALL_BITS\((\d+) \* \w+\)\), 3/,
 		ones => qr/HIGH16\(x, ALL_BITS\((\d+) \* \w+\)\), 8/,
@@ -166,20 +166,20 @@ sub needed {
 sub check_search {
 	my ($c, $single) = @_;
 	my $digits = $single ? 24 : 53;
-	my ($place, $half, $high, $usual) =
-	    map { $c->{$single ? "${_}_float" : $_} } qw(place half high usual);
+	my ($place, $half, $high, $exact) =
+	    map { $c->{$single ? "${_}_float" : $_} } qw(place half high exact);
 	my $q = floor(log($c->{low}) / log(2)) - $place;
 	my $top = floor(log($high) / log(2)) - $place;
 	$top-- if 2 ** ($top + $place) >= $high;
 	my $worst = 0;
-	check('the least usual number', $c->{usual_low} >= $c->{low});
+	check('the least exact number', $c->{exact_low} >= $c->{low});
 	check('the last place', $place == $digits - 1 &&
 	    $half == 2 ** -$digits);
 	for (; $q <= $top; $q++) {
 		my $scale = -1 - floor($q * $c->{log});
 		check_scale($c, $q, $scale);
-		check("2^$q is not usual", $c->{exact_from} < $scale)
-		    if 2 ** ($q + $place) < $usual;
+		check("2^$q is not exact", $c->{exact_from} < $scale)
+		    if 2 ** ($q + $place) < $exact;
 		if ($c->{exact_from} < $scale) {
 			my $unit = check_exact($q, $scale);
 			$c->{unit} = $unit if $unit < ($c->{unit} // 0);
@@ -261,12 +261,12 @@ for my $m (
 	['0.30102999566398120', '0.30', 'scale for 2^'],
 	['exact = LESS(ALL(-0.5)', 'exact = LESS(ALL(-1.5)',
 	    'no whole number at an end'],
-	["0x1p-17));\n\tV two", "0x1p-18));\n\tV two",
+	["0x1p-17));\n\tV top", "0x1p-18));\n\tV top",
 	    '2^-70 stays in the table'],
 	['0x1p60', '0x1p61', '2^37 stays in the table'],
-	['0x1p23 : 0x1p52', '0x1p23 : 0x1p53', '2^0 is not usual'],
-	['0x1p23 : 0x1p52', '0x1p24 : 0x1p52', '2^0 is not usual'],
-	["0x1p-17));\n\n\tif", "0x1p-18));\n\n\tif", 'the least usual number'],
+	['0x1p23 : 0x1p52', '0x1p23 : 0x1p53', '2^0 is not exact'],
+	['0x1p23 : 0x1p52', '0x1p24 : 0x1p52', '2^0 is not exact'],
+	["0x1p-17));\n\n\tif", "0x1p-18));\n\n\tif", 'the least exact number'],
 	['109951163', '109951162', 'four digits'],
 	['5243', '5242', 'two digits'],
 	['6554 *', '6553 *', 'one digit'],

@@ -11,7 +11,7 @@
 #define I __m512i
 #define ALL_BITS(a) _mm512_set1_epi64((long long)(a))
 
-/* Two numbers stand in a row, so that their masks are one of 64 bits. */
+/* Two numbers stand side by side in a row, so that one mask has 64 bits for both. */
 enum { ROW_NUMBERS = 2 };
 typedef uint8_t row __attribute__((vector_size(64)));
 typedef uint64_t row_mask;
@@ -92,8 +92,8 @@ static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 #define BYTES_LOW(a) _mm512_unpacklo_epi8(_mm512_setzero_si512(), a)
 #define BYTES_HIGH(a) _mm512_unpackhi_epi8(_mm512_setzero_si512(), a)
 
-/* Looks hi and lo up in registers: what is loaded does not change in the loop around
- * this. The index stands in the lowest bits of 2^52 + index. */
+/* Looks hi and lo up in registers: the compiler moves the loads of the table out of the
+ * loop around this. The index stands in the lowest bits of 2^52 + index. */
 #define POWERS_AT(i, order)                                  \
 	_mm512_permutex2var_pd(LOAD(powers[8 * (i)]), order, \
 	    LOAD(powers[8 * (i) + 4]))

@@ -17,7 +17,7 @@
 #define LARGER(a, b) PICK((row)((a) > (b)), a, b)
 #define ANY_TOP_BIT(x) any_top_bit((const uint8_t *)&(x))
 
-/* Returns bit i for byte i of low and high, bytes that are 0 or 255. */
+/* Returns bit i if byte i of low and high is 255; the other bytes are 0. */
 static inline uint32_t bits(uint8x16_t low, uint8x16_t high)
 {
 	const uint8x16_t bit = vreinterpretq_u8_u64(
@@ -107,8 +107,7 @@ static inline void power_of_ten(V scale, V *hi, V *lo)
 	*lo = vzip2q_f64(a, b);
 }
 
-/* Returns a bit for each byte that isn't 0: the sum of its bytes' bits, half by
- * half. */
+/* Returns bit i if byte i is not 0. The bits of each half of the bytes are added up. */
 static inline uint16_t nonzero_bits(uint8x16_t digits)
 {
 	const uint8x8_t bit = vcreate_u8(0x8040201008040201);

@@ -5,19 +5,19 @@
  *
  *	IN_SET(set, s)	bit i: s[i] is in the set, of 64 bytes
  *	join_digits(rows, half, &high, &low)
- *			from WIDTH rows of two halves of 16 digits: the integers
- *			that the first and the last eight digits of a half are
+ *			sets high to the integers that the first eight digits make
+ *			of half 0 or 1 of WIDTH rows, low to those of the last eight
  *	WHERE(row, c)	bit i: row[i] is c
  *	LARGER(a, b)	the larger one of each two bytes of rows
  *	ANY_TOP_BIT(x)	the top bit of some byte of 32 is set
  *
- * A row has 32 bytes before the end of each of ROW_NUMBERS numbers. A file may define,
- * in the place of the operations of read_rows.h,
+ * A row holds the 32 bytes before the end of a number, for ROW_NUMBERS numbers side by
+ * side. A file may define, in the place of the operations of read_rows.h,
  *
  *	ROW_NUMBERS, row, row_mask, ROW_BEFORE(end, n)
  *			the bytes from end[i] - n on
- *	LAST(keys)	a mask of the last bytes of a row: as many as LAST_KEYS,
- *			of a vector of numbers up to 32, made keys of
+ *	LAST_KEYS(n)	a key for LAST from each of a vector of counts up to 32
+ *	LAST(keys)	a mask of the last bytes of a row: as many as the count
  *	PICK(m, a, b)	m ? a : b
  *	KEEP(m, a)	m ? a : 0
  *	ANY_ABOVE_9(row)	some byte is above 9
@@ -26,7 +26,7 @@
  * Whatever the width, every lane goes through the same operations of IEEE 754. */
 #include "read_rows.h"
 
-/* Returns the lanes that differ as bits. A nan differs from everything. */
+/* Returns bit i if lane i of a and b differs. A nan differs from everything. */
 static inline unsigned different(V a, V b)
 {
 	return LANES_OF(EQUAL(a, b)) ^ ((1u << WIDTH) - 1);
@@ -60,8 +60,8 @@ static inline struct integer short_integer(const struct rows *r, size_t i)
 
 /* Returns integers of up to 19 digits; one with more is bad. Three digits times 10^16
  * are a multiple of 2^16 below 2^64: exact. The sums s and hi, below 2^64, are rounded
- * to multiples of 2^11 and lose integers of at most 2^10 each; the sum lo of the two is
- * exact. */
+ * to multiples of 2^11. Each rounding loses an integer of at most 2^10; lo, the sum of
+ * these two integers, is exact. */
 static inline struct integer long_integer(const struct rows *r, size_t i)
 {
 	struct integer m;
@@ -116,35 +116,34 @@ static inline unsigned not_digits(const struct rows *r, size_t i)
 
 /* Reads the group of numbers from i on; returns bit k if number k is not read. */
 static inline uint64_t read_group(const struct rows *r, size_t i,
-    struct look look, double *v)
+    struct group_needs needs, double *v)
 {
 	uint64_t bad = 0;
 
 	for (size_t k = i; k < i + PLAIN_GROUP; k += WIDTH) {
-		struct integer m = look.many ? long_integer(r, k) :
-					       short_integer(r, k);
+		struct integer m = needs.long_integers ? long_integer(r, k) :
+							 short_integer(r, k);
 		V q = divide(&m, LOAD(r->divisor + k));
 
 		STORE(v + k, q);
 		m.bad |= different(q, q);
-		m.bad |= look.others ? not_digits(r, k) : 0;
+		m.bad |= needs.digit_test ? not_digits(r, k) : 0;
 		bad |= (uint64_t)m.bad << k;
 	}
 	return bad;
 }
 
 /* Reads n plain numbers, and if exponent is not NULL multiplies number i by
- * 10^exponent[i]. Sets bit i of the result if number i is not read. The exponent changes
- * the divisor to another power of ten, exactly if this is a double; else the number is
- * not read. */
+ * 10^exponent[i]. Returns bit i if number i is not read. The exponent changes the
+ * divisor to another power of ten; if this is no double, the number is not read. */
 static inline uint64_t read_rows(const struct plain_places *at, size_t n,
     const int8_t *exponent, double v[PLAIN_BATCH])
 {
-	struct look look[PLAIN_BATCH / PLAIN_GROUP];
+	struct group_needs needs[PLAIN_BATCH / PLAIN_GROUP];
 	struct rows r;
 	uint64_t bad = 0;
 
-	set_rows(&r, look, (n + PLAIN_GROUP - 1) / PLAIN_GROUP * PLAIN_GROUP,
+	set_rows(&r, needs, (n + PLAIN_GROUP - 1) / PLAIN_GROUP * PLAIN_GROUP,
 	    at);
 	for (size_t i = 0; exponent != NULL && i < n; i++) {
 		double p = divisors[abs(exponent[i])], d = r.divisor[i];
@@ -153,12 +152,12 @@ static inline uint64_t read_rows(const struct plain_places *at, size_t n,
 		r.divisor[i] = fabs(d) >= 1 && fabs(d) <= 1e22 ? d : NO;
 	}
 	for (size_t i = 0; i < n; i += PLAIN_GROUP)
-		bad |= read_group(&r, i, look[i / PLAIN_GROUP], v);
+		bad |= read_group(&r, i, needs[i / PLAIN_GROUP], v);
 	return n < PLAIN_BATCH ? bad & ((1ull << n) - 1) : bad;
 }
 
-/* Returns true if the size characters before the end are a digit and, after it, an
- * exponent of a sign and two digits, up to 22. */
+/* Returns whether the size characters before the end are at least a digit and then an
+ * exponent of a sign and two digits, up to 22; sets *exponent. */
 static inline bool has_exponent(const char *end, size_t size, int8_t *exponent)
 {
 	unsigned tens = (unsigned char)end[-2] - '0';
@@ -171,8 +170,8 @@ static inline bool has_exponent(const char *end, size_t size, int8_t *exponent)
 	    end[-5] >= '0' && end[-5] <= '9';
 }
 
-/* Reads the numbers of bad that have an exponent; returns those that are still not
- * read. */
+/* Reads the numbers of bad, as bits, that have an exponent. Returns the bits of those
+ * that are still not read. */
 static uint64_t read_exponents(const struct plain_places *at, uint64_t bad,
     double v[PLAIN_BATCH])
 {
@@ -213,8 +212,8 @@ static uint64_t reader_read(const struct plain_places *at, size_t n,
 	return bad == 0 ? 0 : read_exponents(at, bad, v);
 }
 
-/* Writes base plus the place of each bit that is set, eight places at a time. The next
- * call overwrites the places after the last bit. Returns the end of the last. */
+/* Writes base plus the place of each bit that is set, eight places at a time. Returns
+ * the end of the last; the next call overwrites the places after it. */
 static inline uint16_t *put_places(uint64_t bits, size_t base, uint16_t *at)
 {
 	size_t n = (size_t)__builtin_popcountll(bits);

@@ -17,15 +17,15 @@ struct rows {
 	double divisor[PLAIN_BATCH];
 };
 
-/* What the numbers of a group have in common, so that simple groups need less work. */
-struct look {
-	bool others; /* some have a character that is not a digit */
-	bool many;   /* some have more than 15 digits */
+/* The work that the numbers of a group need beyond that of simple numbers. */
+struct group_needs {
+	bool digit_test;    /* some have a character that is not a digit */
+	bool long_integers; /* some have more than 15 digits */
 };
 
-/* The divisors, by sign and number of decimals, which is NO_POINT without a point. The
- * powers of ten up to 10^22 are doubles. A number with more decimals, or without digits,
- * has the divisor nan and is not read. */
+/* The divisors of positive numbers by the number of decimals, which is NO_POINT without
+ * a point; then those of negative numbers. The powers of ten up to 10^22 are doubles. A
+ * number with more decimals, or without digits, has the divisor nan and is not read. */
 enum { NO_POINT = 32, NOT_READ = 23, POWER_END = 23 };
 #define NO (double)NAN
 static const double divisors[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8,
@@ -77,8 +77,8 @@ static inline row last(size_t n)
 typedef int32_t ints __attribute__((vector_size(4 * PLAIN_GROUP)));
 typedef float reals __attribute__((vector_size(4 * PLAIN_GROUP)));
 #define LEADING_ZEROS(x) leading_zeros(x)
-/* Returns the number of leading zeros of x, which is 0 or has one bit, from the exponent of
- * x as a float. With two points there are two bits and any result: it is not a number. */
+/* Returns the number of leading zeros of x, which is 0 or has one bit, from the
+ * exponent of x as a float. Two bits, as of 1.2.3 (no number), give any result. */
 static inline counts leading_zeros(counts x)
 {
 	const counts zero = { 0 };
@@ -88,9 +88,9 @@ static inline counts leading_zeros(counts x)
 }
 #endif
 
-/* For each number: points and minuses are bits for the 32 bytes before its end; digits is
- * first its size, then the key of LAST for its digits; decimals is the key for its
- * decimals; divisor is the index of its divisor. */
+/* For each number: points and minuses have a bit for each of the 32 bytes before its
+ * end; digits is first its size, then the key of LAST for its digits; decimals is the
+ * key for its decimals; divisor is the index of its divisor. */
 struct marks {
 	uint32_t points[PLAIN_BATCH], minuses[PLAIN_BATCH];
 	uint32_t digits[PLAIN_BATCH], decimals[PLAIN_BATCH];
@@ -105,8 +105,8 @@ static inline counts counts_at(const uint32_t *p)
 	return c;
 }
 
-/* Counts the digits of the group of numbers from i on. Returns whether a number has more
- * than 15 digits. */
+/* Counts the digits of the group of numbers from i on. Returns whether a number has
+ * more than 15 digits. */
 static inline bool count_digits(struct marks *m, size_t i)
 {
 	const counts zero = { 0 };
@@ -130,8 +130,8 @@ static inline bool count_digits(struct marks *m, size_t i)
 	return ANY_TOP_BIT(over);
 }
 
-/* Loads the bytes before the end twice, one byte apart: the decimals of the first
- * and the whole digits of the second are side by side, without the point. */
+/* Sets row i to its digits without the point; returns the row. The decimals are of the
+ * 32 bytes before the end, the digits before the point of a load one byte earlier. */
 static inline row set_row(struct rows *r, size_t i, const char *const *end,
     const struct marks *m)
 {
@@ -143,9 +143,9 @@ static inline row set_row(struct rows *r, size_t i, const char *const *end,
 	return x;
 }
 
-/* Sets the rows of n numbers and the look of each group. Each step is a loop over all
- * numbers: a load of a vector directly after stores of its parts would wait for them. */
-static inline void set_rows(struct rows *r, struct look *look, size_t n,
+/* Sets the rows of n numbers and the needs of each group. Each step is a loop over all
+ * numbers: the load of a vector would wait for stores of its parts just before it. */
+static inline void set_rows(struct rows *r, struct group_needs *needs, size_t n,
     const struct plain_places *at)
 {
 	struct marks m;
@@ -160,7 +160,7 @@ static inline void set_rows(struct rows *r, struct look *look, size_t n,
 		memcpy(m.minuses + i, &minuses, sizeof minuses);
 	}
 	for (size_t i = 0; i < n; i += PLAIN_GROUP)
-		look[i / PLAIN_GROUP].many = count_digits(&m, i);
+		needs[i / PLAIN_GROUP].long_integers = count_digits(&m, i);
 	for (size_t i = 0; i < n; i++)
 		r->divisor[i] = divisors[m.divisor[i]];
 	for (size_t i = 0; i < n; i += PLAIN_GROUP) {
@@ -168,7 +168,7 @@ static inline void set_rows(struct rows *r, struct look *look, size_t n,
 
 		for (size_t k = i; k < i + PLAIN_GROUP; k += ROW_NUMBERS)
 			odd = LARGER(odd, set_row(r, k, at->end + k, &m));
-		look[i / PLAIN_GROUP].others = ANY_ABOVE_9(odd);
+		needs[i / PLAIN_GROUP].digit_test = ANY_ABOVE_9(odd);
 	}
 }
 #endif

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Makes the texts of NUMBER_BATCH numbers at a time, in short loops, each over all of
  * them: in a long loop the processor could not begin the next turn before it has the
- * results of this one. The digits are found (write_find.h) and written at a fixed place of a
- * text; number_put copies them from there with a point among them.
+ * results of this one. write_find.h finds the digits; they are written at a fixed place
+ * of a text, from which number_put copies them with a point among them.
  *
  * A file that includes this has the vectors of doubles of core/points/kernel/copy.h,
  * and defines:
@@ -36,8 +36,8 @@
 /* The zeros of a text before its DIGITS digits; the 17th digit and zeros follow. */
 enum { BEFORE = 8 };
 
-/* Hides a constant: of a product with one that it knows gcc makes up to five
- * operations. */
+/* Hides a constant from gcc, which makes up to five operations of a product with a
+ * constant that it knows. */
 #define UNKNOWN(c) unknown(ALL_BITS(c))
 INLINE I unknown(I c)
 {
@@ -47,7 +47,7 @@ INLINE I unknown(I c)
 
 /* fours, twos and ones divide numbers of 8 digits into numbers of 4, 2 and 1 digits. A
  * quotient by 10^4, 100 or 10 is a product with 2^40/10^4, 2^19/100 or 2^16/10 rounded
- * up: it is too large by less than 1/10^4, 1/100 or 1/10, so that its whole part is right.
+ * up. It is less than 1/10^4, 1/100 or 1/10 too large, so that its whole part is right.
  *
  * Returns x < 10^8, the lower half of each lane, as two numbers of four digits, a and
  * x - 10^4 a, in two quarters. The shift removes the exponent of x. */
@@ -58,8 +58,8 @@ INLINE I fours(I x)
 	return (x << 16) - MUL32(a, ALL_BITS((10000 << 16) - 1));
 }
 
-/* Returns the number of four digits in each quarter as two numbers of two digits, one in
- * each byte of the quarter. */
+/* Returns the number of four digits in each quarter as two numbers of two digits, one
+ * in each byte of the quarter. */
 INLINE I twos(I x)
 {
 	const uint64_t each = 0x0001000100010001;
@@ -177,8 +177,8 @@ INLINE void write_all(const double *v, size_t count, enum number_kind kind,
 	}
 }
 
-/* Runs a loop compiled for the kind of digits, the shortest of doubles and of floats
- * being two. */
+/* Runs write_all, compiled with the kind of digits as a constant. The shortest digits
+ * of doubles and of floats are two kinds. */
 static void writer_write(const double *v, size_t count, bool single,
     struct number_style style, struct number_text *t)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Finds the decimal digits of a number by operations on doubles, which write_body.h
- * describes. From 2^-17 to 2^52, of floats to 2^23, none of them rounds. Beyond,
- * number_write makes the texts that rounding could change. */
+ * describes. For numbers from 2^-17 to 2^52, floats to 2^23, no operation rounds. Of
+ * all other numbers, number_write makes the texts that rounding could change. */
 #ifndef WRITE_FIND_H
 #define WRITE_FIND_H
 
@@ -24,15 +24,15 @@ enum { DIGITS = 16 };
 enum { MOST_DIGITS = 15, MOST_ZEROS = 6 };
 
 /* Numbers as they are written: the DIGITS digits of whole, with the point scale digits
- * before their end, and the 17th, digit, unless it is 0. sign is -1 for a minus, 1 for
- * none, and 0 if number_write makes the text. */
+ * before their end, and digit, the 17th, unless it is 0. sign is -1 for a minus, 1 for
+ * no minus, and 0 if number_write makes the text. */
 struct found {
 	double whole[NUMBER_BATCH];
 	int32_t digit[NUMBER_BATCH], scale[NUMBER_BATCH], sign[NUMBER_BATCH];
 };
 
-/* x = a 10^scale as p + e, and the greatest integer i <= p. hi + lo is the power. If
- * scale >= 0, it is hi, of 47 bits at most (5^20 < 2^47), so that e, which the
+/* x = a 10^scale as p + e, and the greatest integer i <= p. hi + lo is 10^scale. If
+ * scale >= 0, hi is 10^scale, of 47 bits at most (5^20 < 2^47), so that e, which the
  * product's rounding to p has lost, is exact, and x = p + e. */
 struct scaled {
 	V p, e, i;
@@ -55,8 +55,8 @@ INLINE struct scaled scaled(V a, V hi, V lo, bool whole_powers)
  * - If p < 1/4, i is 0 and p - 1/2 is at most -1/4: e can't change its sign.
  * - If p >= 1/4, p - i - 1/2 is exact, so that only the sum with e is rounded.
  * If *rest is 0, there are two ties. If e = 0, NEAREST(p) breaks it. Else p > 2^52 is
- * whole and |e| = 1/2: x is halfway between two doubles and was rounded to the even one,
- * p, which both branches return. */
+ * whole and |e| = 1/2: x is halfway between two doubles and was rounded to the even
+ * one, p, which both branches return. */
 INLINE V nearest(struct scaled x, V *rest)
 {
 	*rest = (x.p - x.i - ALL(0.5)) + x.e;
@@ -65,30 +65,30 @@ INLINE V nearest(struct scaled x, V *rest)
 	return SELECT(EQUAL(*rest, ALL(0)), NEAREST(x.p), i);
 }
 
-/* The digits of the numbers; in lanes where sure is false, number_write makes the text. */
+/* The digits of numbers. Where sure is false, number_write makes the text. */
 struct digits {
 	V whole, digit;
 	M sure;
 };
 
 /* Returns the shortest digits that read back as a, and of these the nearest; after
- * Schubfach (R. Giulietti, 2020). Let 2^q be a's last place and 10^-scale the least
- * power of ten above it. Then x = a 10^scale < 2^53, and up, half a unit of that
- * place times 10^scale, is at least 1/20 and less than 1/2. The numbers that read back
- * as a are those from x - down to x + up, where down is up, or half of up if a is a
- * power of two.
+ * Schubfach (R. Giulietti, 2020). top is the greatest power of two that is at most a.
+ * Let 2^q be a's last place, and 10^-scale the least power of ten above 2^q. Then x =
+ * a 10^scale < 2^53, and up = 2^q/2 10^scale is at least 1/20 and less than 1/2. The
+ * numbers that read back as a are those from x - down to x + up, where down is up, or
+ * half of up if a is a power of two.
  *
- * This interval contains at most one whole number. That is the shortest: a number with
- * fewer digits is whole, too, and its zeros at the end are dropped later. If there is
- * none, all numbers in the interval have a 17th digit, and the tenth nearest to x, no
- * farther than 1/20, is in it; but next to a power of two it may be outside, and
- * number_write makes the text.
+ * This interval contains at most one whole number, which is the shortest: a number with
+ * fewer digits is whole, too, and its zeros at the end are dropped later. If it has no
+ * whole number, all its numbers have a 17th digit, and it has the multiple of 1/10 that
+ * is nearest to x, no farther than 1/20; but if a is a power of two, this multiple may
+ * be outside, and number_write makes the text.
  *
  * If scale >= 0, nothing is rounded. x is a multiple of 2^(q + scale), and up is half
  * of 2^(q + scale) 5^scale, with an odd factor, so that no whole number is at x + up or
  * x - down. With q + scale >= -49 (digits_test.t counts) all differences are below 1
- * and multiples of 2^-51, the tenths below 10 and multiples of 2^-48: they are doubles.
- * A tie of two tenths is at 1/4 or 3/4; NEAREST and number_write choose the even one.
+ * and multiples of 2^-51, tenths is below 10 and a multiple of 2^-48: all are doubles.
+ * A tie of two digits is at 1/4 or 3/4; NEAREST and number_write choose the even one.
  *
  * If scale < 0, the errors are at most, in units of 2^-53, with lo from the table:
  *
@@ -97,44 +97,44 @@ struct digits {
  *	2	of p - i + e, less than 4, rounded
  *	1	of its fraction
  *	5	in all, of rest; with 1 more of 1 - rest, and of up 1/2 or less
- *	58	of 10 rest, less than 10: 5 10 and 8
+ *	58	of tenths, less than 10: 10 times 5, and 8 as it is rounded
  *
  * so that a comparison is right if its sides are WRITE_MARGIN = 512 units apart. If
  * they are nearer, as in exact ties, which are frequent in numbers so large,
  * number_write makes the text. */
-INLINE struct digits shortest(V a, V two, V scale, V hi, struct scaled x,
+INLINE struct digits shortest(V a, V top, V scale, V hi, struct scaled x,
     bool single, bool whole_powers)
 {
 	const V one = ALL(1);
 	M exact = LESS(ALL(-0.5), scale);
-	M power_of_two = EQUAL(a, two);
+	M power_of_two = EQUAL(a, top);
 	V rest = (x.p - x.i) + x.e, j = FLOOR(rest);
-	V up = hi * two * ALL(single ? 0x1p-24 : 0x1p-53);
+	V up = hi * top * ALL(single ? 0x1p-24 : 0x1p-53);
 	V down = up - ONLY(power_of_two, up * ALL(0.5));
 
 	rest = rest - j;
 	V to_next = one - rest, tenths = rest * ALL(10);
 	V digit = NEAREST(tenths);
 	M below = LESS(rest, down), above = LESS(to_next, up);
-	M there = below | above;
+	M has_whole = below | above;
 	V ends = MIN(ABS(rest - down), ABS(to_next - up));
 	V margin = MIN(ends, ALL(0.5) - ABS(tenths - digit));
-	M sure = there | ~power_of_two;
+	M sure = has_whole | ~power_of_two;
 
 	if (!whole_powers)
 		sure = sure & (exact | LESS(ALL(WRITE_MARGIN), margin));
 	return (struct digits){
 		.whole = x.i + j + ONLY(above, one),
-		.digit = ONLY(~there, digit),
+		.digit = ONLY(~has_whole, digit),
 		.sure = sure,
 	};
 }
 
-/* Returns the exponent of a power of two minus place. The shift moves the biased exponent
- * to the lowest bits of 2^52. */
-INLINE V log2_less(V two, double place)
+/* Returns the exponent of a power of two, less place. The shift moves the biased
+ * exponent to the lowest bits of 2^52. */
+INLINE V log2_less(V power, double place)
 {
-	V biased = (V)(SHR((I)(two), 52) | (I)(ALL(0x1p52)));
+	V biased = (V)(SHR((I)(power), 52) | (I)(ALL(0x1p52)));
 
 	return biased - ALL(0x1p52 + 1023 + place);
 }
@@ -168,18 +168,18 @@ INLINE void find_decimals(struct found *f, size_t i, int n, V v)
 }
 
 /* Finds n <= MOST_DIGITS significant digits of numbers from 1e-6 to below 1e15.
- * 78913 / 2^18 times floor(log2 a) gives floor(log10 a), or one less where a is at
- * least the next power of ten. That power is rounded where it is below 1; a number
- * equal to it gives the same text on either side, as its n digits round to a one and
- * zeros. If scale < 0, the product is rounded, by less than WRITE_MARGIN (see
+ * 78913 / 2^18 times floor(log2 a) gives floor(log10 a), or one less; a comparison of a
+ * with the next power of ten corrects this. The power is rounded if it is below 1, but
+ * a number equal to it gives the same text with either log10: its n digits round to a
+ * one and zeros. If scale < 0, the product is rounded, by less than WRITE_MARGIN (see
  * shortest), and number_write makes the texts of numbers nearer to a tie. */
 INLINE void find_significant(struct found *f, size_t i, int n, V v)
 {
 	const V zero = ALL(0), one = ALL(1);
 	V a = ABS(v), hi, lo, rest;
 	M in_range = LESS(a, ALL(1e15)) & ~LESS(a, ALL(1e-6));
-	V two = power_of_two_in(SELECT(in_range, a, one));
-	V log10 = FLOOR(log2_less(two, 0) * ALL(78913 * 0x1p-18));
+	V top = power_of_two_in(SELECT(in_range, a, one));
+	V log10 = FLOOR(log2_less(top, 0) * ALL(78913 * 0x1p-18));
 
 	power_of_ten(log10 + one, &hi, &lo);
 	log10 = log10 + ONLY(~(LESS(a, hi) | ~in_range), one);
@@ -197,27 +197,26 @@ INLINE void find_significant(struct found *f, size_t i, int n, V v)
 	store_found(f, i, v, d, scale);
 }
 
-/* Finds the shortest digits of numbers from 2^-17 to 1e21, of floats to 2^60, as far as
- * the table of powers reaches (texts have no exponent from 1e-6 to 1e21). For a number
- * out of this range two is 1, an index in the table. If usual, the caller knows that all
- * numbers are in this range and have scale >= 0: nothing is rounded, and the tests for
- * these cases are left out. */
-INLINE void find_in_range(struct found *f, size_t i, bool single, bool usual,
+/* Finds the shortest digits of numbers from 2^-17 to 1e21, floats to 2^60: so far the
+ * table of powers reaches (texts have no exponent from 1e-6 to 1e21). For a number out
+ * of this range top is 1, so that the index is in the table. If exact is set, all
+ * numbers are in this range and have scale >= 0: no rounding needs a test. */
+INLINE void find_in_range(struct found *f, size_t i, bool single, bool exact,
     V v)
 {
 	const V one = ALL(1);
 	V a = ABS(v), hi, lo;
 	M in_range = LESS(a, ALL(single ? 0x1p60 : 1e21)) &
 	    ~LESS(a, ALL(0x1p-17));
-	V two = power_of_two_in(usual ? a : SELECT(in_range, a, one));
-	V q = log2_less(two, single ? 23 : 52);
+	V top = power_of_two_in(exact ? a : SELECT(in_range, a, one));
+	V q = log2_less(top, single ? 23 : 52);
 	V scale = -one - FLOOR(q * ALL(0.30102999566398120));
 
 	power_of_ten(scale, &hi, &lo);
-	struct scaled x = scaled(a, hi, lo, usual);
-	struct digits d = shortest(a, two, scale, hi, x, single, usual);
+	struct scaled x = scaled(a, hi, lo, exact);
+	struct digits d = shortest(a, top, scale, hi, x, single, exact);
 
-	if (!usual)
+	if (!exact)
 		d.sure = d.sure & (in_range | EQUAL(a, ALL(0)));
 	if (single) { /* eight digits and the ninth */
 		d.whole = FMA(d.whole, ALL(1e8), d.digit * ALL(1e7));
@@ -226,15 +225,15 @@ INLINE void find_in_range(struct found *f, size_t i, bool single, bool usual,
 	store_found(f, i, v, d, scale);
 }
 
-/* Finds the shortest digits. If all numbers of v are from 2^-17 to 2^52, floats to 2^23,
- * calls shorter code for this range. */
+/* Finds the shortest digits. If all numbers of v are from 2^-17 to 2^52, floats to
+ * 2^23, calls shorter code for this range. */
 INLINE void find_shortest(struct found *f, size_t i, bool single, V v)
 {
 	V a = ABS(v);
-	M usual = LESS(a, ALL(single ? 0x1p23 : 0x1p52)) &
+	M exact = LESS(a, ALL(single ? 0x1p23 : 0x1p52)) &
 	    ~LESS(a, ALL(0x1p-17));
 
-	if (LANES_OF(usual) == (1u << WIDTH) - 1)
+	if (LANES_OF(exact) == (1u << WIDTH) - 1)
 		find_in_range(f, i, single, true, v);
 	else
 		find_in_range(f, i, single, false, v);
