@@ -18,8 +18,8 @@ static const struct arithmetic arithmetic[] = {
 #define ROUNDED_UP (1 + 0x1p-46)
 
 /* A corner of the view volume. The bound is a sum of magnitudes of products, over w.
- * That is a convex function of the position in ndc, so its maximum is in a corner, which
- * may be at infinity. */
+ * That is a convex function of the position in ndc, so its maximum is in a corner,
+ * which may be at infinity. */
 struct corner {
 	double p[3];    /* |p - origin| / w, for the map's origin */
 	double inverse; /* 1/w */
@@ -61,12 +61,12 @@ static void set_size(const struct scene *s, struct analysis *to)
 	to->largest = fmax(fmax(size[0], size[1]), size[2]);
 }
 
-/* Returns S / w of column j in a corner. S is the sum of the magnitudes of the products,
- * as in kernel/plain.h, and of the largest error of underflows. */
+/* Returns S / w of column j in a corner. S is the sum of the magnitudes of the
+ * products, as in kernel/plain.h, and of the largest error of underflows. */
 static double bound_column(const struct kernel_map *k, const struct corner *c,
     int j, double tiny)
 {
-	double s = c->inverse * (k->image[j] + tiny * (4 + 3 * k->most[j]));
+	double s = c->inverse * (k->offset[j] + tiny * (4 + 3 * k->slope[j]));
 
 	for (int i = 0; i < 3; i++)
 		s += c->p[i] * (fabs(k->hi[i][j]) + tiny);

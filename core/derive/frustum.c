@@ -26,10 +26,10 @@ static void combine_columns(struct map *r, int j, const struct map *m,
 	}
 }
 
-/* Makes the planes from the map to clip space. A point is inside left if x scale >= -half
- * w, inside right if x scale <= half w, and so on. Bottom and top are swapped if ndc y
- * points down, near and far if depth is reversed. Without near and far planes their
- * functions are 1, so every point is inside. */
+/* Makes the planes from the map to clip space. A point is inside left if x scale >=
+ * -half w, inside right if x scale <= half w, and so on. Bottom and top are swapped if
+ * ndc y points down, near and far if depth is reversed. Without near and far planes
+ * their functions are 1, so every point is inside. */
 static void planes_of_clip(const struct scene *s, const struct map *m,
     struct map *sides, struct map *ends)
 {
@@ -132,8 +132,8 @@ unsigned frustum_out(const struct frustum *f, const double in[4])
 
 /* Makes the estimate of a map's columns. Unless something overflows, the error of a
  * column is at most ESTIMATE_BOUND times the sum of its products' magnitudes. The
- * underflow of a product, or of an element that is rounded up to 2^-1074, adds less than
- * 2^-1025 of the other factor. */
+ * underflow of a product, or of an element that is rounded up to 2^-1074, adds less
+ * than 2^-1025 of the other factor. */
 static struct estimate estimate_of(const struct transform *t, int columns)
 {
 	const struct kernel_map *k = &t->for_kernel;
@@ -142,17 +142,17 @@ static struct estimate estimate_of(const struct transform *t, int columns)
 	for (int i = 0; i < 3; i++)
 		e.origin[i] = k->origin[i];
 	for (int j = 0; j < columns; j++) {
-		double underflow = 2 * (k->none[j] + 0x1p-1020);
+		double underflow = 2 * (k->noise[j] + 0x1p-1020);
 
 		for (int i = 0; i < 4; i++)
 			e.m[i][j] = k->hi[i][j];
 		e.slope = fmax(e.slope,
-		    ESTIMATE_BOUND * k->most[j] + underflow);
+		    ESTIMATE_BOUND * k->slope[j] + underflow);
 		e.floor = fmax(e.floor,
-		    ESTIMATE_BOUND * k->image[j] + underflow);
-		if (!(k->image[j] > 0x1p-899))
-			e.low = fmax(e.low, 0x1p-899 / k->most[j]);
-		e.high = fmin(e.high, (0x1p999 - k->image[j]) / k->most[j]);
+		    ESTIMATE_BOUND * k->offset[j] + underflow);
+		if (!(k->offset[j] > 0x1p-899))
+			e.low = fmax(e.low, 0x1p-899 / k->slope[j]);
+		e.high = fmin(e.high, (0x1p999 - k->offset[j]) / k->slope[j]);
 	}
 	return e;
 }
@@ -196,9 +196,9 @@ void frustum_out_all(const struct frustum *f, const double *const in[4],
 	}
 }
 
-/* Writes the homogeneous point where planes a and b of the sides and plane c of a map meet,
- * such that w is not negative there. All of h is 0 if the planes have more than one point
- * in common. */
+/* Writes the homogeneous point where planes a and b of the sides and plane c of a map
+ * meet, such that w is not negative there. All of h is 0 if the planes have more than
+ * one point in common. */
 static void planes_meet(const struct volume *v, int a, int b,
     const struct map *other, int c, struct sum h[4])
 {
