@@ -6,7 +6,7 @@
 struct arithmetic {
 	double u;    /* unit roundoff */
 	double tiny; /* least normal number */
-	double most; /* limit of 1/w and of the image: no bound beyond it */
+	double most; /* the bound is nan if 1/w or the image is above it */
 };
 
 static const struct arithmetic arithmetic[] = {
@@ -14,12 +14,12 @@ static const struct arithmetic arithmetic[] = {
 	[PRECISION_SINGLE] = { 0x1p-24, 0x1p-126, 0x1p120 },
 };
 
-/* The bounds are computed in double. This factor outweighs the roundings of that. */
+/* The factor that outweighs the roundings of a bound, which is computed in double. */
 #define ROUNDED_UP (1 + 0x1p-46)
 
-/* A corner of the view volume. The bound is a sum of magnitudes of products, over w.
- * That is a convex function of the position in ndc, so its maximum is in a corner,
- * which may be at infinity. */
+/* A corner of the view volume. The bound of an error is a sum of magnitudes of
+ * products, over w. This quotient is a convex function of the position in ndc, so its
+ * maximum is in a corner, which may be at infinity. */
 struct corner {
 	double p[3];    /* |p - origin| / w, for the map's origin */
 	double inverse; /* 1/w */
@@ -31,20 +31,20 @@ struct analysis {
 	double size[3], largest; /* bounds of the image's coordinates */
 };
 
-/* back is the map from view space. */
-static void set_corner(const struct volume *seen, const struct map *back,
+/* Sets corner i of the volume. back is the map from view to model space. */
+static void set_corner(const struct volume *volume, const struct map *back,
     const double origin[3], int i, struct corner *c)
 {
-	struct sum h[4], over;
+	struct sum h[4], w;
 
 	for (int j = 0; j < 4; j++)
-		map_image(back, j, seen->corner[i], &h[j]);
-	map_image(&seen->ends, 2, seen->corner[i], &over);
-	over = sum_quotient(sum_mul(over, back->divisor), seen->ends.divisor);
+		map_image(back, j, volume->corner[i], &h[j]);
+	map_image(&volume->ends, 2, volume->corner[i], &w);
+	w = sum_quotient(sum_mul(w, back->divisor), volume->ends.divisor);
 	for (int j = 0; j < 3; j++)
 		c->p[j] = fabs(
-		    sum_ratio(sum_sub(h[j], sum_scale(h[3], origin[j])), over));
-	c->inverse = sum_ratio(h[3], over);
+		    sum_ratio(sum_sub(h[j], sum_scale(h[3], origin[j])), w));
+	c->inverse = sum_ratio(h[3], w);
 }
 
 static void set_size(const struct scene *s, struct analysis *to)
@@ -73,14 +73,14 @@ static double bound_column(const struct kernel_map *k, const struct corner *c,
 	return s;
 }
 
-/* Returns the bound of double or single. Returns nan if w could be less than its error,
- * or 1/w beyond the range. If another sum is beyond the range, the program computes the
- * point exactly. */
+/* Returns the bound for the precision of a. Returns nan if w could be less than its
+ * error, or 1/w beyond the range. A bound need not cover other sums beyond the range:
+ * the program then computes the point exactly. */
 static double bound_plain(const struct analysis *v, const struct arithmetic *a)
 {
 	const struct transform *t = v->t;
 	const struct kernel_map *k = &t->for_kernel;
-	double cu = PLAIN_BOUND * a->u, worst = 0, w = 0, inverse = 0;
+	double factor = PLAIN_BOUND * a->u, worst = 0, w = 0, inverse = 0;
 
 	for (int i = 0; i < 8; i++) {
 		const struct corner *c = &v->corner[i];
@@ -97,12 +97,12 @@ static double bound_plain(const struct analysis *v, const struct arithmetic *a)
 		worst = fmax(worst, fabs(k->a) + fabs(k->b) * inverse * w);
 	if (!(inverse <= a->most) || !(v->largest <= a->most) ||
 	    !(fabs(k->a) <= a->most) || !(fabs(k->b) <= a->most) ||
-	    (t->divide && !(cu * w < 0x1p-4)))
+	    (t->divide && !(factor * w < 0x1p-4)))
 		return (double)NAN;
-	return (cu * worst + 4 * a->tiny * a->u) * ROUNDED_UP;
+	return (factor * worst + 4 * a->tiny * a->u) * ROUNDED_UP;
 }
 
-const char *error_bounds(const struct scene *s, const struct volume *seen,
+const char *error_bounds(const struct scene *s, const struct volume *volume,
     double bound[3])
 {
 	enum space to = s->has_viewport ? SPACE_DEVICE : SPACE_NDC;
@@ -114,12 +114,12 @@ const char *error_bounds(const struct scene *s, const struct volume *seen,
 
 	for (int i = 0; i < 3; i++)
 		bound[i] = (double)NAN;
-	/* a singular world matrix, or no planes, make the volume infinite */
+	/* the volume is infinite without planes, or if world is singular */
 	if (why != NULL || projection_is_open(&s->projection) ||
 	    scene_map(s, SPACE_VIEW, SPACE_MODEL, &back) != NULL)
 		return why;
 	for (int i = 0; i < 8; i++)
-		set_corner(seen, &back, t.for_kernel.origin, i, &v.corner[i]);
+		set_corner(volume, &back, t.for_kernel.origin, i, &v.corner[i]);
 	set_size(s, &v);
 	/* half an ulp of the largest coordinate */
 	frexp(v.largest, &e);

@@ -55,10 +55,10 @@ void transform_prepare(struct transform *t)
 	}
 }
 
-/* Returns NULL, or the member and the reason why points would need more than EX_WORDS
- * words. A point's difference from the origin is a multiple of 2^-1074. Its product
- * with a column, and the product of the map's divisor with a midpoint, must be
- * exact. */
+/* Returns NULL, or the member and the reason why images would need more than EX_WORDS
+ * words. A point's difference from the origin is a multiple of 2^-1074. The product of
+ * the difference with a column, and the product of the map's divisor with the midpoint
+ * of two doubles, must be exact. */
 static const char *transform_check(const struct transform *t)
 {
 	double most = MAGNITUDE_MAX;
@@ -110,8 +110,8 @@ void transform_init(struct transform *t, enum space from, enum space to,
 	transform_prepare(t);
 }
 
-/* Chooses KERNEL_DEPTH where z of view space alone determines w and depth, as depth is
- * then a + b / w. projection is the map from view space. */
+/* Chooses KERNEL_DEPTH if w and depth depend only on z of view space: depth is then a +
+ * b / w. projection is the map from view space. */
 static void choose_depth_kernel(const struct map *projection,
     struct transform *t)
 {
