@@ -30,10 +30,11 @@ void directions_add(struct directions *all, const struct map *map, int j,
 	all->n++;
 }
 
-/* Returns an upper bound of the error of value_of at points whose coordinates are at most
- * largest in magnitude. The element, the product and two sums round, each by at most u =
- * 2^-53: 4 u times the sum of the products' magnitudes. 8 u also covers the sums in which
- * add_point compares values and bounds; 2^-1000 covers underflow. */
+/* Returns an upper bound of the error of distance_along at points whose coordinates are
+ * at most largest in magnitude. The element, the product and two sums are rounded, each
+ * with an error of at most u = 2^-53: 4 u times the sum of the products' magnitudes. 8
+ * u also cover the sums in which add_point compares values and bounds; 2^-1000 covers
+ * underflow. */
 static double bound_of(const double m[3], const double largest[3])
 {
 	double sum = 0x1p-1000;
@@ -69,8 +70,8 @@ static double distance_along(const struct direction *d, const double p[3])
 	return p[0] * d->hi[0] + p[1] * d->hi[1] + p[2] * d->hi[2];
 }
 
-/* Makes p the farthest point if it is farther. If the bounds leave that open, the exact
- * comparison decides. */
+/* Makes p the farthest point if it is farther. If the bounds of the values overlap, the
+ * exact comparison decides. */
 static void add_point(struct farthest *f, const struct direction *d,
     const double p[3], double bound)
 {
@@ -83,13 +84,14 @@ static void add_point(struct farthest *f, const struct direction *d,
 			bound };
 }
 
-/* How many points a call of the kernel takes. With fewer there are more calls. With more
- * a block more often holds a farthest point, and then its points are compared singly. */
-enum { FEW = 128 };
+/* How many points a call of the kernel takes. With fewer points there are more calls.
+ * With more points a block more often holds a farthest point, and is then compared
+ * point by point. */
+enum { FIT_BLOCK = 128 };
 
-/* Adds at most FEW points. Only points whose value may be the largest, within the error,
- * are compared one by one. */
-static void add_few(struct extremes *e, const struct directions *all,
+/* Adds at most FIT_BLOCK points. Only points whose value may be the largest,
+ * within the error, are compared one by one. */
+static void add_block(struct extremes *e, const struct directions *all,
     const double *const in[3], size_t n)
 {
 	double most[BOUNDS_POINTS], largest[3];
@@ -116,10 +118,10 @@ static void add_few(struct extremes *e, const struct directions *all,
 void extremes_add(struct extremes *e, const struct directions *all,
     const double *const in[3], size_t n)
 {
-	for (size_t i = 0; i < n; i += FEW) {
+	for (size_t i = 0; i < n; i += FIT_BLOCK) {
 		const double *const at[3] = { in[0] + i, in[1] + i, in[2] + i };
 
-		add_few(e, all, at, n - i < FEW ? n - i : FEW);
+		add_block(e, all, at, n - i < FIT_BLOCK ? n - i : FIT_BLOCK);
 	}
 }
 

@@ -158,7 +158,7 @@ static struct estimate estimate_of(const struct transform *t, int columns)
 }
 
 /* How many points a call of the kernel takes; the stack holds their words. */
-enum { SIGNS_POINTS = 256 };
+enum { SIGNS_BLOCK = 256 };
 
 void frustum_out_all(const struct frustum *f, const double *const in[4],
     unsigned char *out, size_t n)
@@ -167,13 +167,13 @@ void frustum_out_all(const struct frustum *f, const double *const in[4],
 	/* in 2D any column serves as z, as the slopes of z are 0 */
 	const double *z = in[flat ? 0 : 2];
 	struct estimate sides = estimate_of(&f->sides, 4), ends = { 0 };
-	double word[SIGNS_POINTS];
+	double word[SIGNS_BLOCK];
 
 	if (!flat)
 		ends = estimate_of(&f->ends, 3);
-	for (size_t i = 0; i < n; i += SIGNS_POINTS) {
+	for (size_t i = 0; i < n; i += SIGNS_BLOCK) {
 		const double *const at[4] = { in[0] + i, in[1] + i, z + i };
-		size_t count = n - i < SIGNS_POINTS ? n - i : SIGNS_POINTS;
+		size_t count = n - i < SIGNS_BLOCK ? n - i : SIGNS_BLOCK;
 
 		memset(word, 0, count * sizeof *word);
 		if (!four)
