@@ -3,10 +3,10 @@
 
 #include <math.h>
 
-/* Computes the symmetric matrix K with q K q = trace(Q' M) for the rotation Q of the unit
- * quaternion q. The rotation nearest to M is the eigenvector of the largest eigenvalue
- * of K (Horn, "Closed-form solution of absolute orientation
- * using unit quaternions", 1987). */
+/* Computes the symmetric matrix K with q K q = trace(Q' M) for the rotation Q of the
+ * unit quaternion q. The rotation nearest to M is the eigenvector of the largest
+ * eigenvalue of K (Horn, "Closed-form solution of absolute orientation using unit
+ * quaternions", 1987). */
 static void horn(const struct sum m[4][4], struct sum k[4][4])
 {
 	struct sum trace = sum_add(sum_add(m[0][0], m[1][1]), m[2][2]);
@@ -22,11 +22,12 @@ static void horn(const struct sum m[4][4], struct sum k[4][4])
 }
 
 /* Computes the largest root of x^4 - 2 s x^2 - 8 d x + k, the characteristic polynomial
- * of K with s = |M|^2, d = det M, k = det K. Newton's iteration descends to it from
- * sqrt(3 s). A step halves the distance until the distance is less than the gap to the
- * next root, and squares it from then on. The slope is the product of the distances to
- * the other roots, gap * 4 x^2 within a factor of 3. The last step leaves an error
- * below 2^-260 gap. Returns false where the gap is below 2^-400 x. */
+ * of K with s = |M|^2, d = det M, k = det K. Newton's iteration descends to the root
+ * from sqrt(3 s). A step halves the distance until the distance is less than the gap to
+ * the next root, and squares the distance, in units of the gap, from then on. The slope
+ * is the product of the distances to the other roots, gap * 4 x^2 within a factor of 3.
+ * The last step leaves an error below 2^-260 gap. Returns false if the gap is below
+ * 2^-400 x. */
 static bool largest_root(struct sum s, struct sum d, struct sum k,
     struct sum *x)
 {
@@ -112,8 +113,8 @@ enum rotation rotation_nearest(const double matrix[4][4], struct sum q[4])
 	return ROTATION_FOUND;
 }
 
-/* Rodrigues' formula without the length t of v: I + a [v] + b [v]^2, where [v] p =
- * v x p, a = sin t / t and b = (1 - cos t) / t^2. */
+/* The formula is Rodrigues' without the length t of v: I + a [v] + b [v]^2, where [v] p
+ * = v x p, a = sin t / t and b = (1 - cos t) / t^2. */
 bool rotation_about(const double vector[3], struct sum r[3][3])
 {
 	struct sum v[3], square[3], a, b, all = sum_of_double(0);
