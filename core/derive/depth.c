@@ -6,8 +6,7 @@
  * + D w . n / |n|, with the gradients z and w. Depth is the quotient of both, which
  * gives D by depth. At the eye w0 is 0, as x and y are. All four elements change their
  * signs if this makes the denominator positive in front of the eye. D of a parallel
- * projection grows along the convention's gaze; if the projection is a matrix, D grows
- * from near to far. */
+ * projection grows along the convention's gaze; that of a matrix from near to far. */
 void depth_of(const struct lens *l, struct depth *d)
 {
 	const struct scene *s = l->scene;

@@ -71,8 +71,8 @@ static const char *gaze_of(struct scene *s)
 	return why;
 }
 
-/* Writes the eye in world space after a step in view space. back is the map from view
- * to world space. */
+/* Writes the eye in world space after a step in view space. back maps view to world
+ * space. */
 static void eye_move(const struct map *back, const struct sum step[3],
     double eye[3])
 {
@@ -130,8 +130,7 @@ static void widen_sides(double *width, double *height, const double shape[2])
 }
 
 /* Returns the largest step t along the gaze for which the eye's distances near - t and
- * far - t keep near - t >= near_ratio (far - t). The bounds' depth is from near to
- * far. */
+ * far - t keep near - t >= near_ratio (far - t). near and far end the bounds. */
 static struct sum reach_near(const struct extents *r, double ratio)
 {
 	struct sum far = sum_mul(r->high[2], sum_of_double(ratio));
@@ -336,8 +335,7 @@ static const char *center_eye(struct scene *s, bool has_eye,
 	return NULL;
 }
 
-/* Sets near, far, and the least width and height that hold the bounds, widened to the
- * aspect. */
+/* Sets near, far, and the least width and height of the aspect that hold the bounds. */
 static const char *close_sides(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;

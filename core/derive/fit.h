@@ -55,8 +55,8 @@ const char *extents_widen(struct extents *, int n);
  * space, y upward. Returns NULL, or the member and the reason. */
 const char *fit_axes(const struct scene *, struct map *xy, struct map *depth);
 
-/* Finds the extents along fit_axes, and widens them. Returns NULL, or the member and
- * the reason. */
+/* Finds the extents along fit_axes, widened. Returns NULL, or the member and the
+ * reason. */
 const char *hull_extents(const struct hull *, const struct scene *,
     struct extents *);
 
@@ -94,8 +94,8 @@ struct extremes {
 };
 
 /* Adds n points; in has a column for each coordinate. A point with a nan does not
- * count. The caller pads each column to a multiple of 16 numbers with coordinates of
- * the same points. */
+ * count. The caller pads each column to a multiple of 16 numbers from the same
+ * points. */
 void extremes_add(struct extremes *, const struct directions *,
     const double *const in[3], size_t n);
 
@@ -137,8 +137,7 @@ bool extremes_bounds(const struct extremes *, const struct directions *,
 const char *fit_scene(struct scene *, bool has_eye, const struct bounds *);
 
 /* Finds the directions along which fit_scene measures the bounds. The farthest points
- * along them make the same scene as all points. Returns NULL, or the member and the
- * reason. */
+ * make the same scene as all points. Returns NULL, or the member and the reason. */
 const char *fit_directions(const struct scene *, bool has_eye,
     struct directions *);
 

@@ -32,9 +32,8 @@ void directions_add(struct directions *all, const struct map *map, int j,
 
 /* Returns an upper bound of the error of distance_along at points whose coordinates are
  * at most largest in magnitude. The element, the product and two sums are rounded, each
- * with an error of at most u = 2^-53: 4 u times the sum of the products' magnitudes. 8
- * u also cover the sums in which add_point compares values and bounds; 2^-1000 covers
- * underflow. */
+ * by at most u = 2^-53: 4 u times the sum of the products' magnitudes. 8 u also cover
+ * the sums in which add_point compares values and bounds; 2^-1000 covers underflow. */
 static double bound_of(const double m[3], const double largest[3])
 {
 	double sum = 0x1p-1000;
@@ -84,9 +83,8 @@ static void add_point(struct farthest *f, const struct direction *d,
 			bound };
 }
 
-/* How many points a call of the kernel takes. With fewer points there are more calls.
- * With more points a block more often holds a farthest point, and is then compared
- * point by point. */
+/* How many points a call of the kernel takes. With fewer there are more calls. With
+ * more a block more often holds a farthest point, and is then compared by points. */
 enum { FIT_BLOCK = 128 };
 
 /* Adds at most FIT_BLOCK points. Only points whose value may be the largest,

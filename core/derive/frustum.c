@@ -13,7 +13,7 @@ void view_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
 		half[k] = sum_mul(half[k], sum_diff(1, 2 * s->margin));
 }
 
-/* Sets column j of r to a x + b w or, if minus, -a x + b w. x is column k of m, w is
+/* Sets column j of r to a x + b w or, if minus, -a x + b w. x is column k of m, w
  * column 3. */
 static void combine_columns(struct map *r, int j, const struct map *m,
     bool minus, int k, struct sum a, struct sum b)
@@ -197,8 +197,8 @@ void frustum_out_all(const struct frustum *f, const double *const in[4],
 }
 
 /* Writes the homogeneous point h where planes a and b of the sides and plane c of a map
- * meet; w of h is not negative. All of h is 0 if the planes have more than one point in
- * common. */
+ * meet; w of h is not negative. All of h is 0 if the planes meet in more than a
+ * point. */
 static void planes_meet(const struct volume *v, int a, int b,
     const struct map *other, int c, struct sum h[4])
 {

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The view volume: its planes and corners, and the planes, or edges of a 2D window,
- * that a point is outside of. Bounds of errors, rays, and the points near a
- * position. */
+ * that a point is outside of. Error bounds, rays and picks. */
 #ifndef FRUSTUM_H
 #define FRUSTUM_H
 
@@ -26,8 +25,7 @@ struct frustum {
 };
 
 /* Finds the limits of ndc x and y: a point is between the side planes if |x| scale[0]
- * <= half[0] and |y| scale[1] <= half[1]. half is half of the viewport, less the
- * margin. */
+ * <= half[0] and |y| scale[1] <= half[1]. half excludes the margin. */
 void view_limits(const struct scene *, struct sum half[2], struct sum scale[2]);
 
 /* Makes the planes of the view volume as linear functions of a point in one space. The
@@ -44,8 +42,7 @@ const char *flat_frustum_of(const struct scene *, enum flat from,
     struct frustum *);
 
 /* Returns the OUT_ bits of the planes that a point is outside of, decided exactly. A
- * point on a plane is not outside of it. With OUT_BEHIND or OUT_NAN no other bit is
- * set. */
+ * point on a plane is not outside of it. OUT_BEHIND and OUT_NAN are set alone. */
 unsigned frustum_out(const struct frustum *, const double in[4]);
 
 /* Writes frustum_out of n points; in has a column for each coordinate. */
@@ -98,8 +95,7 @@ bool rays_cast(const struct ray_maker *, bool single, const double *const at[2],
 const char *ray_plane_transform(const struct scene *, enum space from,
     enum space to, const double plane[4], struct transform *);
 
-/* The test which points are near a position on the device, and how far they are from
- * the near plane. */
+/* Finds the points near a device position, and their distance from the near plane. */
 
 struct picker {
 	const struct transform *to_device; /* from model space */

@@ -29,15 +29,14 @@ struct upright {
 	bool view_axes, turned, tilted;
 };
 
-/* Returns whether the map from world to view space mirrors when the camera is a
- * rotation. */
+/* Returns whether the map from world to view space mirrors if the camera rotates. */
 static bool is_mirrored(const struct scene *s)
 {
 	return s->convention.right_handed != answer_convention(s)->right_handed;
 }
 
-/* Sets the axes to those of view space. Returns false if the map is not upright in
- * these axes. */
+/* Sets the axes to those of view space. Returns false if they do not make the map
+ * upright. */
 static bool set_view_axes(const struct lens *l, struct upright *u)
 {
 	const struct convention *c = answer_convention(l->scene);
@@ -115,8 +114,7 @@ static void set_elements(const struct lens *l, struct upright *u)
 }
 
 /* Returns whether the projection's matrix contains a camera that is turned by 180
- * degrees: the picture of a scene without a camera is upside down, or far is against
- * the gaze. */
+ * degrees: the picture without a camera is upside down, or far is against the gaze. */
 static bool hides_camera(const struct lens *l, const struct upright *u)
 {
 	const struct projection *p = &l->scene->projection;

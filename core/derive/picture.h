@@ -46,8 +46,7 @@ enum note {
 
 /* A scene's maps. The gradients of clip x, y, z and w in view space are the first three
  * elements of clip. Parallel projectors are perpendicular to the gradients of x and y.
- * The projection plane is perpendicular to the gradient of w or, if w is constant, of
- * z. */
+ * The gradient of w or, if w is constant, of z is normal to the projection plane. */
 struct lens {
 	const struct scene *scene;
 	struct volume volume;
@@ -91,8 +90,8 @@ double depth_distance(const struct depth *, bool far);
 
 /* Returns the distance from the near or far plane, inward, to the depth that differs by
  * one step of the buffer; a step of BUFFER_FLOAT32 ends at the next float. Returns nan
- * if the plane is at infinity or does not exist, or if the whole range of depth is less
- * than a step. */
+ * if the plane is at infinity or does not exist, or if the range of depth is less than
+ * a step. */
 double depth_step(const struct depth *, enum buffer, bool far);
 
 /* Returns the distance from the points at distance at, toward the eye, to the depth
@@ -106,8 +105,7 @@ struct picture {
 	/* In a parallel projection, the lengths of the images of the world's unit
 	 * axes in the projection plane, in view units. */
 	double foreshortening[3];
-	/* The world axes' vanishing points, on the device or, without viewport, in
-	 * ndc */
+	/* The world axes' vanishing points, on the device or, without one, ndc */
 	double vanishing_point[3][2];
 	double fov[2];       /* degrees across x and y */
 	double eye[3];       /* in world space */
@@ -121,9 +119,8 @@ struct picture {
 	bool reverse_z;
 	/* x of left and right, y of bottom and top in view space, on the near plane */
 	double plane[4];
-	/* Rows of K. K maps X to the right, Y in the direction of device y and Z along
-	 * the gaze to pixels from the viewport's corner. nan in a parallel
-	 * projection. */
+	/* Rows of K. K maps X to the right, Y along device y and Z along the gaze to
+	 * pixels from the viewport's corner. */
 	double intrinsics[3][3];
 	/* a b c d in world space for left, right, bottom, top, near and far: a point is
 	 * inside if a x + b y + c z + d >= 0; a b c is a unit vector */

@@ -98,8 +98,7 @@ static void ray_direction(const struct ray_maker *r, const double in[4],
 }
 
 /* Returns whether the ray of a device position has a point on the near plane. If all
- * coordinates are nan, the sign of w decides, as they may only be beyond the range of
- * doubles. */
+ * coordinates are nan, the sign of w decides, as they may just be beyond doubles. */
 static bool has_point(const struct ray_maker *r, const double in[4],
     const double point[3])
 {

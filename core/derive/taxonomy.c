@@ -34,8 +34,7 @@ static enum kind oblique_kind(double cot)
 }
 
 /* Sets taxon, kind and foreshortening of a parallel projection. Projectors of direction
- * d project the vector a along an axis to a - d (n . a) / (n . d) in the plane of
- * normal n. */
+ * d take a vector a to a - d (n . a) / (n . d) in the plane of normal n. */
 static void name_parallel(const struct lens *l, struct picture *t)
 {
 	const struct sum *n = l->clip[2];

@@ -191,8 +191,7 @@ static uint64_t bits_from(const ex *a, int e)
 	return word_at(a, at) >> bits | word_at(a, at + 1) << 1 << (63 - bits);
 }
 
-/* The exponent of a quotient by 0, above the exponents of all quotients of a scene's
- * numbers. */
+/* The exponent of a quotient by 0, above the exponents of all quotients in a scene. */
 enum { BEYOND = 1 << 20 };
 
 bool ex_divide(const ex *a, const ex *b, int words, ex *r)
@@ -227,8 +226,8 @@ bool ex_divide(const ex *a, const ex *b, int words, ex *r)
 
 /* Newton's iteration begins with the root of a double, which has 50 correct bits. Each
  * step doubles the correct bits, so the quotients of the steps need 2, 4, 8, and at
- * last EX_QUOTIENT words. The result is rounded to EX_QUOTIENT words; so a root of few
- * words is exact. */
+ * last EX_QUOTIENT words. The result is rounded to EX_QUOTIENT words; so short roots
+ * are exact. */
 ex ex_sqrt(ex a)
 {
 	int up = a.e + a.n - 1;

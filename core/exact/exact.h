@@ -43,8 +43,7 @@ enum { EX_QUOTIENT = 12 };
 ex ex_sqrt(ex a);
 ex ex_truncate(ex a, int n); /* the n highest words */
 
-/* Returns the least e with |a| < 2^e, or -EX_RANGE, which is below all others, if a is
- * 0. */
+/* Returns the least e with |a| < 2^e, or -EX_RANGE, below all others, if a is 0. */
 enum { EX_RANGE = 1 << 24 };
 
 static inline int ex_size(const ex *a)
@@ -71,14 +70,12 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *);
  * exact; if not, its last bit is set, so that it rounds as the exact quotient does. */
 bool ex_divide(const ex *a, const ex *b, int words, ex *);
 
-/* Returns the nearest double or, if single, the nearest float. Ties go to even, also
- * among subnormal numbers. A number beyond the range gives an infinity, and 0 gives
- * +0. */
+/* Returns the nearest double or, if single, the nearest float. Ties go to even, also of
+ * subnormal numbers. A number beyond the range gives infinity, 0 gives +0. */
 double ex_nearest(const ex *, bool single);
 
 /* Returns the nearest double and the double nearest to the remainder. The error of
- * their sum is at most EX_BOUND u^2 |a|, u = 2^-53, if this bound is at least
- * 2^-1022. */
+ * their sum is at most EX_BOUND u^2 |a|, u = 2^-53, if that is at least 2^-1022. */
 #define EX_BOUND 0.5
 
 dd ex_round(const ex *);

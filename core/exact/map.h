@@ -21,8 +21,7 @@ bool vec3_is_zero(const struct sum a[3]);
 struct map {
 	struct sum m[4][4], divisor;
 	/* The point that is subtracted from coordinates first: the eye, or a window's
-	 * centre. The differences are small where many digits of the image are
-	 * needed. */
+	 * centre. Differences are small where the image needs many digits. */
 	double origin[3];
 };
 
@@ -45,8 +44,8 @@ void map_append(struct map *r, const struct map *stage, bool before);
  * singular. The inverse of an affine matrix has the matrix's last row as origin. */
 bool map_inverse(const double m[4][4], struct map *inverse);
 
-/* Returns the determinant of the n rows and n columns of m whose bits in the masks rows
- * and columns are 0. */
+/* Returns the determinant of the n rows and n columns of m whose bits in the two masks
+ * are 0. */
 struct sum map_minor(int n, const struct sum m[4][4], unsigned rows,
     unsigned columns);
 

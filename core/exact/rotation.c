@@ -26,8 +26,7 @@ static void horn(const struct sum m[4][4], struct sum k[4][4])
  * from sqrt(3 s). A step halves the distance until the distance is less than the gap to
  * the next root, and squares the distance, in units of the gap, from then on. The slope
  * is the product of the distances to the other roots, gap * 4 x^2 within a factor of 3.
- * The last step leaves an error below 2^-260 gap. Returns false if the gap is below
- * 2^-400 x. */
+ * The last error is below 2^-260 gap. Returns false if gap < 2^-400 x. */
 static bool largest_root(struct sum s, struct sum d, struct sum k,
     struct sum *x)
 {

@@ -156,8 +156,7 @@ static struct sum to_degrees(struct sum angle)
 #define DEGREE 57.29577951308232
 
 /* Corrects the C library's atan2 by the arc tangent of the angle that remains. Two
- * terms of the series of the arc tangent are summed; the third term bounds the
- * error. */
+ * terms of its series are summed; the third bounds the error. */
 double trig_degrees(struct sum y, struct sum x)
 {
 	x = sum_snap_zero(x);

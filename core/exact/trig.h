@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Sine, cosine and cotangent within TRIG_BOUND, the arc tangent as a double, and
- * rotations. Degrees are reduced exactly, and rational sines and cosines of degrees are
- * exact. */
+ * rotations. Degrees are reduced exactly, and rational results are exact. */
 #ifndef TRIG_H
 #define TRIG_H
 

@@ -126,8 +126,7 @@ static bool map_exact(const struct transform *t, const double *const in[4],
 }
 
 /* Computes those of n points in PRECISION_EXACT that the kernel could not: points
- * behind the eye or beyond the range of the kernel's precision, and points whose w
- * underflowed there. */
+ * behind the eye, beyond the range of its precision, or whose w underflowed. */
 static bool map_rest(const struct transform *t, bool single,
     const double *const in[4], double *const out[4], size_t n)
 {

@@ -26,7 +26,7 @@ struct transform {
 };
 
 /* Compute the transform between two spaces. If homogeneous, images have x y z w,
- * undivided; points of the device have x y z 1/w. Return NULL, or the member and the
+ * undivided; device points have x y z 1/w. Return NULL, or the member and the
  * reason. */
 const char *scene_transform(const struct scene *, enum space from,
     enum space to, bool homogeneous, struct transform *);
@@ -49,8 +49,8 @@ bool points_map(const struct transform *, enum precision,
     const double *const in[4], double *const out[4], size_t n);
 
 /* Computes the images of rows of floats as rows of floats, in PRECISION_SINGLE. Returns
- * false if the rows need points_map, for example because a point has no image; out is
- * then undefined. */
+ * false if the rows need points_map, as when a point has no image; out is then
+ * undefined. */
 bool points_map_floats(const struct transform *, const char *in, char *out,
     size_t n);
 

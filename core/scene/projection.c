@@ -301,8 +301,8 @@ static void map_of_scaled(const struct scaled_matrix *f, struct map *r)
 }
 
 /* Returns the inverse, by blocks of 2x2. Its diagonal blocks are the inverses of A = (x
- * 0; 0 y) and of B = (zz zw; tz tw), whose determinant is det. With C = (zx zy; tx ty),
- * its third block is minus inverse(B) C inverse(A). The divisors of columns become
+ * 0; 0 y) and of B = (zz zw; tz tw), whose determinant is det. With C = (zx zy; tx ty)
+ * the third block is minus inverse(B) C inverse(A). The divisors of columns become
  * factors of rows. */
 static struct scaled_matrix scaled_inverse(const struct scaled_matrix *f)
 {
@@ -371,7 +371,7 @@ static const char *projection_matrix_map(const struct projection *p,
 }
 
 /* Computes the affine matrix from view space to the space in which P would have the
- * rows 1 0 0 0, 0 1 0 0, 0 0 1 0. In both spaces X, Y and Z of P are x, y and z up to
+ * rows 1 0 0 0, 0 1 0 0, 0 0 1 0. In both X, Y and Z of P are x, y and z up to
  * signs. */
 static void intrinsics_matrix(const struct projection *p,
     const struct convention *c, double level[4][4])

@@ -54,8 +54,7 @@ struct projection {
 	enum angle_unit direction_unit;
 	double plane; /* the depth that the shear keeps */
 
-	/* volume; with an aspect, half_width and half_height are half the smaller
-	 * side */
+	/* volume; with an aspect, each half size is half the smaller side */
 	double half_width, half_height, z_near, z_far;
 	double inverse_eye_z, tan_skew[2];
 	double eye[3]; /* in view space */
@@ -96,8 +95,8 @@ static inline bool projection_is_tilted(const struct projection *p)
 	return projection_is_by_p(p) && (w[0] != 0 || w[1] != 0 || w[2] != 1);
 }
 
-/* Returns w at the eye, the difference of w and the distance along the gaze, or 0 if P
- * is tilted. */
+/* Returns w at the eye, the difference of w and the distance along the gaze, 0 if P is
+ * tilted. */
 static inline double projection_w_at_eye(const struct projection *p)
 {
 	bool offset = projection_is_by_p(p) && !projection_is_tilted(p);
@@ -105,8 +104,7 @@ static inline double projection_w_at_eye(const struct projection *p)
 	return offset ? p->intrinsics[2][3] : 0;
 }
 
-/* Computes 1/z of a volume's eye in view space as a quotient with an exact
- * denominator. */
+/* Computes 1/z of a volume's eye in view space as a quotient by an exact number. */
 void projection_inverse_eye_z(const struct projection *, struct sum *numerator,
     struct sum *denominator);
 

@@ -63,8 +63,7 @@ static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 	return NULL;
 }
 
-/* Computes the map of a stage, from the space below to the next space, or its
- * inverse. */
+/* Computes the map of a stage, from space below to the next one, or its inverse. */
 static const char *scene_stage(const struct scene *s, int below, bool inverse,
     struct map *r)
 {
@@ -101,8 +100,7 @@ static const char *scene_stage(const struct scene *s, int below, bool inverse,
 	return NULL;
 }
 
-/* Computes the map of a stage of the 2D window, from the space below to the next space,
- * or its inverse. */
+/* Computes the map of a stage of the 2D window, as scene_stage does. */
 static const char *flat_stage(const struct scene *s, int below, bool inverse,
     struct map *r)
 {

@@ -3,8 +3,7 @@
  * describes. It computes each coordinate as a sum hi + lo with a bound of its error. If
  * all numbers within the bound round to the same double, this double is the result. If
  * they do not, point.c computes the point. Noise is a difference that counts as 0: see
- * struct kernel_map. In each lane the variable sure is positive if the rounding is
- * certain.
+ * struct kernel_map. The variable sure is positive if the rounding is certain.
  *
  * High parts add without error. Let 2^e be above the differences of a block's points
  * from the origin in one coordinate; each coordinate has its own e. Let B be a power of
@@ -33,8 +32,7 @@
 #define COLUMN_BOUND 0x1p-72
 #define MODERATE 0x1p200
 #endif
-/* A lower bound of the scaled magnitude of an element that is not 0, as scaling may
- * underflow. */
+/* The least magnitude of a scaled element that is not 0, as scaling may underflow. */
 #define LEAST 0x1p-1022
 
 /* How many binary places cut coordinates and cut elements keep. */
@@ -84,8 +82,7 @@ static bool is_product(double a, double b, double product)
  * is split: origin = (whole or cut) + rest. If the origin is less than 2^23 times as
  * large as the differences, it is cut like the points: cut is subtracted from their cut
  * parts, and rest changes the column's image of the origin. If not, the points lie so
- * near to each other and to the origin that their differences from the whole origin are
- * exact. */
+ * near to the origin that the differences from the whole origin are exact. */
 struct kernel_range {
 	double largest;        /* the largest |d|, rounded up */
 	double power, inverse; /* 2^e, largest < 2^e, and 2^-e */
@@ -147,10 +144,10 @@ static double noise_of(const struct kernel_map *m, int j, int terms,
 	return m->noise[j] * largest;
 }
 
-/* A column's elements, and the column's image of the origin, cut for a block of points:
- * all = high + rest. If the column is exact, the elements' low parts together are
- * within the noise, and are left out. If not, they are added to the rests. If all is 0,
- * the column is 0. */
+/* A column's elements, and its image of the origin, cut for a block of points: all =
+ * high + rest. If the column is exact, the elements' low parts together are within the
+ * noise, and are left out. If not, they are added to the rests. If all is 0, the column
+ * is 0. */
 struct column_cut {
 	double high[4], rest[4], all[4];
 	double bound; /* of the error */
@@ -329,8 +326,7 @@ static inline V lost_by(const struct column_cut *c, vdd sum, const V cut[3],
 }
 
 /* Returns hi + lo rounded. Rounding is monotone: if hi + lo - error and hi + lo + error
- * round to one double, so do all numbers between them. If they do not, *sure becomes
- * 0. */
+ * round to one double, so do all numbers between them. If not, *sure becomes 0. */
 static inline V round_surely(V hi, V lo, V error, V *sure)
 {
 	V up = hi + (lo + error), down = hi + (lo - error);
@@ -344,8 +340,7 @@ static inline V round_surely(V hi, V lo, V error, V *sure)
  * n. So the correction, rest over w, has an error of at most 24 u^2 |q|, and of 3 u
  * times the low parts. The bounds are above 2^-74 of n and w; 3 u of the columns' low
  * parts are 27 u 2^-26 B. The errors of the quotient and of the columns leave a sixth
- * of the bounds, even if w, which is above its own bound, is smaller than the exact
- * divisor. */
+ * of the bounds, even if w, above its own bound, is less than the exact divisor. */
 static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
     V *sure)
 {

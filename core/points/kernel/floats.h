@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Transforms rows of floats to rows of floats in PRECISION_SINGLE, with the same bits
- * as single_plain. */
+/* Transforms rows of floats to rows of floats in PRECISION_SINGLE, with the bits of
+ * single_plain. */
 #include "little.h"
 
 /* Transforms n rows. are_floats says that the origin's coordinates are floats; then a
  * float subtraction gives the same bits. A difference of two floats that is not a
- * double is so near to the larger float that one rounding and two roundings both give
- * this float. */
+ * double is so near to the larger float that one or two roundings give this float. */
 static inline __attribute__((always_inline)) int
 floats(const struct kernel_map *m, const char *in, char *out, size_t n,
     enum kernel_kind kind, bool are_floats)

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The inner loop of double and of single precision, written once; copy.h includes this
- * file for each of the two. As in exact.h, a point is its difference from the map's
- * origin.
+ * file for each of the two. A point is its difference from the map's origin.
  *
  * Let u be the unit roundoff and S the sum of the magnitudes of a column's products. A
  * point's difference from the origin has an error of u, a matrix element one of u, and
