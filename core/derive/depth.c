@@ -16,7 +16,7 @@ void depth_of(const struct lens *l, struct depth *d)
 	struct viewport range = { .width = 2, .height = 2, .max_z = 1 };
 	const struct sum *eye_z = l->volume.eye_z;
 	struct sum z[4], w[4];
-	struct map m = l->volume.clip, stage;
+	struct map m = l->volume.clip, to_range;
 
 	if (ranges) {
 		range.min_z = v->min_z;
@@ -27,8 +27,8 @@ void depth_of(const struct lens *l, struct depth *d)
 		.reversed = l->reversed,
 		.open = projection_is_open(&s->projection),
 		.flat = s->has_viewport && !ranges };
-	viewport_map(&range, answer_convention(s), false, &stage);
-	map_append(&m, &stage, false);
+	viewport_map(&range, answer_convention(s), false, &to_range);
+	map_append(&m, &to_range, false);
 	for (int i = 0; i < 4; i++) {
 		z[i] = m.m[i][2];
 		w[i] = m.m[i][3];
@@ -38,7 +38,8 @@ void depth_of(const struct lens *l, struct depth *d)
 
 	if (!l->parallel) {
 		w[3] = sum_of_double(0);
-		z[3] = sum_quotient(sum_mul(eye_z[0], stage.m[2][2]), eye_z[1]);
+		z[3] = sum_quotient(sum_mul(eye_z[0], to_range.m[2][2]),
+		    eye_z[1]);
 	} else if (s->projection.type == PROJECTION_MATRIX) {
 		against_n = l->reversed != behind;
 	} else {

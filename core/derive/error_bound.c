@@ -32,19 +32,19 @@ struct analysis {
 };
 
 /* Sets corner i of the volume. back is the map from view to model space. */
-static void set_corner(const struct volume *volume, const struct map *back,
+static void set_corner(const struct volume *seen, const struct map *back,
     const double origin[3], int i, struct corner *c)
 {
-	struct sum h[4], w;
+	struct sum h[4], over;
 
 	for (int j = 0; j < 4; j++)
-		map_image(back, j, volume->corner[i], &h[j]);
-	map_image(&volume->ends, 2, volume->corner[i], &w);
-	w = sum_quotient(sum_mul(w, back->divisor), volume->ends.divisor);
+		map_image(back, j, seen->corner[i], &h[j]);
+	map_image(&seen->ends, 2, seen->corner[i], &over);
+	over = sum_quotient(sum_mul(over, back->divisor), seen->ends.divisor);
 	for (int j = 0; j < 3; j++)
 		c->p[j] = fabs(
-		    sum_ratio(sum_sub(h[j], sum_scale(h[3], origin[j])), w));
-	c->inverse = sum_ratio(h[3], w);
+		    sum_ratio(sum_sub(h[j], sum_scale(h[3], origin[j])), over));
+	c->inverse = sum_ratio(h[3], over);
 }
 
 static void set_size(const struct scene *s, struct analysis *to)
@@ -84,14 +84,14 @@ static double bound_plain(const struct analysis *v, const struct arithmetic *a)
 
 	for (int i = 0; i < 8; i++) {
 		const struct corner *c = &v->corner[i];
-		double s3 = bound_column(k, c, 3, a->tiny);
+		double s_w = bound_column(k, c, 3, a->tiny);
 
-		w = fmax(w, s3);
+		w = fmax(w, s_w);
 		inverse = fmax(inverse, c->inverse);
 		for (int j = 0; j < (t->kind == KERNEL_DEPTH ? 2 : 3); j++)
 			worst = fmax(worst,
 			    bound_column(k, c, j, a->tiny) +
-				(t->divide ? v->size[j] * s3 : 0));
+				(t->divide ? v->size[j] * s_w : 0));
 	}
 	if (t->kind == KERNEL_DEPTH)
 		worst = fmax(worst, fabs(k->a) + fabs(k->b) * inverse * w);
@@ -102,7 +102,7 @@ static double bound_plain(const struct analysis *v, const struct arithmetic *a)
 	return (factor * worst + 4 * a->tiny * a->u) * ROUNDED_UP;
 }
 
-const char *error_bounds(const struct scene *s, const struct volume *volume,
+const char *error_bounds(const struct scene *s, const struct volume *seen,
     double bound[3])
 {
 	enum space to = s->has_viewport ? SPACE_DEVICE : SPACE_NDC;
@@ -119,7 +119,7 @@ const char *error_bounds(const struct scene *s, const struct volume *volume,
 	    scene_map(s, SPACE_VIEW, SPACE_MODEL, &back) != NULL)
 		return why;
 	for (int i = 0; i < 8; i++)
-		set_corner(volume, &back, t.for_kernel.origin, i, &v.corner[i]);
+		set_corner(seen, &back, t.for_kernel.origin, i, &v.corner[i]);
 	set_size(s, &v);
 	/* half an ulp of the largest coordinate */
 	frexp(v.largest, &e);

@@ -74,8 +74,8 @@ struct direction {
 
 struct directions {
 	int n;
-	struct direction of[BOUNDS_POINTS];
-	double hi[BOUNDS_POINTS][3]; /* copies of of[].hi for the kernels */
+	struct direction item[BOUNDS_POINTS];
+	double hi[BOUNDS_POINTS][3]; /* copies of item[].hi for the kernels */
 };
 
 /* Adds the direction in which column j of the map grows or, if minus, falls. */
@@ -90,7 +90,7 @@ struct farthest {
 
 /* The farthest point along each direction. All bytes are 0 before the first point. */
 struct extremes {
-	struct farthest of[BOUNDS_POINTS];
+	struct farthest item[BOUNDS_POINTS];
 };
 
 /* Adds n points; in has a column for each coordinate. A point with a nan does not
@@ -132,8 +132,8 @@ bool extremes_bounds(const struct extremes *, const struct directions *,
  * The eye is rounded to doubles; in persp it steps back by the least power of two that
  * outweighs the rounding. Every corner or point of the bounds is in the volume of the
  * rounded eye, as frustum_out decides. near, far and the sizes of a parallel projection
- * are the tightest such doubles, unless the bounds are so far from the eye that they
- * are not known to the last bit. Returns NULL, or the member and the reason. */
+ * are the tightest such doubles, unless the bounds are so far from the eye that
+ * rounding hides their last bits. Returns NULL, or the member and the reason. */
 const char *fit_scene(struct scene *, bool has_eye, const struct bounds *);
 
 /* Finds the directions along which fit_scene measures the bounds. The farthest points

@@ -9,7 +9,7 @@
 void directions_add(struct directions *all, const struct map *map, int j,
     bool minus)
 {
-	struct direction *d = &all->of[all->n];
+	struct direction *d = &all->item[all->n];
 	struct sum largest = sum_of_double(0);
 
 	for (int i = 0; i < 3; i++) {
@@ -19,13 +19,13 @@ void directions_add(struct directions *all, const struct map *map, int j,
 	}
 	for (int i = 0; i < 3; i++) {
 		int sign = sum_sign(d->m[i]);
-		double over = 0;
+		double scaled = 0;
 
 		if (sign != 0)
-			over = sum_ratio(d->m[i], largest);
-		if (sign != 0 && over == 0)
-			over = sign * 0x1p-1074;
-		d->hi[i] = all->hi[all->n][i] = over;
+			scaled = sum_ratio(d->m[i], largest);
+		if (sign != 0 && scaled == 0)
+			scaled = sign * 0x1p-1074;
+		d->hi[i] = all->hi[all->n][i] = scaled;
 	}
 	all->n++;
 }
@@ -96,8 +96,8 @@ static void add_block(struct extremes *e, const struct directions *all,
 
 	points_kernels()->farthest(all->hi, all->n, in, n, most, largest);
 	for (int j = 0; j < all->n; j++) {
-		const struct direction *d = &all->of[j];
-		struct farthest *f = &e->of[j];
+		const struct direction *d = &all->item[j];
+		struct farthest *f = &e->item[j];
 		double bound = bound_of(d->hi, largest);
 		double least = most[j] - 2 * bound;
 
@@ -127,9 +127,9 @@ void extremes_merge(struct extremes *e, const struct directions *all,
     const struct extremes *other)
 {
 	for (int j = 0; j < all->n; j++)
-		if (other->of[j].any)
-			add_point(&e->of[j], &all->of[j], other->of[j].point,
-			    other->of[j].bound);
+		if (other->item[j].any)
+			add_point(&e->item[j], &all->item[j],
+			    other->item[j].point, other->item[j].bound);
 }
 
 bool extremes_bounds(const struct extremes *e, const struct directions *all,
@@ -137,6 +137,6 @@ bool extremes_bounds(const struct extremes *e, const struct directions *all,
 {
 	*b = (struct bounds){ .n = all->n };
 	for (int j = 0; j < all->n; j++)
-		memcpy(b->point[j], e->of[j].point, sizeof b->point[j]);
-	return all->n > 0 && e->of[0].any;
+		memcpy(b->point[j], e->item[j].point, sizeof b->point[j]);
+	return all->n > 0 && e->item[0].any;
 }

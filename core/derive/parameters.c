@@ -357,7 +357,8 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 	const struct scene *s = l->scene;
 	const struct projection *p = &s->projection;
 	bool parallel = l->parallel, behind = true;
-	bool pixels = sum_sign(u->xy[0][1]) != 0 || projection_is_open(p);
+	bool by_intrinsics = sum_sign(u->xy[0][1]) != 0 ||
+	    projection_is_open(p);
 	bool mirrored = (sum_sign(u->xy[0][0]) * sum_sign(u->xy[1][1]) < 0) !=
 	    is_mirrored(s);
 	bool fills = s->has_viewport && s->viewport.scale == SCALE_FILL;
@@ -367,15 +368,15 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 	bool reverse = p->type == PROJECTION_VOLUME &&
 	    r->taxon == TAXON_REVERSE;
 
-	/* w is negative, or 0 at infinity, at all corners */
+	/* w applies negative, or 0 at infinity, at all corners */
 	for (int i = 0; i < 8; i++)
 		behind &= isnan(r->corner[i][0]);
-	/* a perspective matrix seems to mirror if all of it is negated */
+	/* a perspective matrix seems to mirror if all of it applies negated */
 	bool negated = !parallel && !transposed && mirrored && behind;
 	bool known = transposed || reverse || negated;
 	/* the projection looks against the convention's gaze */
 	bool away = u->view_axes && u->turned && (mirrored || s->has_camera);
-	const bool is[NOTES] = {
+	const bool applies[NOTES] = {
 		[NOTE_MIRRORED] = !known && mirrored && !away,
 		[NOTE_HANDED] = !known && mirrored && away,
 		[NOTE_AWAY] = !known && !mirrored && away,
@@ -386,13 +387,13 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 		[NOTE_NO_ROTATION] = !is_rotation(&l->view, is_mirrored(s)),
 		[NOTE_TILTED] = u->tilted,
 		[NOTE_BEHIND] = negated || (parallel && sum_sign(u->tw) < 0),
-		[NOTE_SKEWED] = pixels &&
+		[NOTE_SKEWED] = by_intrinsics &&
 		    (parallel || !fills || sum_sign(u->xy[0][0]) < 0),
 	};
 	unsigned notes = 0;
 
 	for (int i = 0; i < NOTES; i++)
-		notes |= (unsigned)is[i] << i;
+		notes |= (unsigned)applies[i] << i;
 	return notes;
 }
 

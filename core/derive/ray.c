@@ -62,7 +62,7 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 {
 	bool reversed = projection_is_reversed(&s->projection, &s->convention);
 	const struct viewport *v = &s->viewport;
-	/* device depth falls away from the eye */
+	/* depth on the device falls away from the eye */
 	bool depth_falls = (v->max_z > v->min_z) == reversed;
 	const char *why = scene_transform(s, SPACE_DEVICE, SPACE_WORLD, false,
 	    &r->to_world);

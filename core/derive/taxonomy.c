@@ -105,11 +105,12 @@ static void set_fov(const struct lens *l, double fov[2])
 static void name_perspective(const struct lens *l, struct picture *t)
 {
 	const struct scene *s = l->scene;
-	struct map screen = l->volume.clip, stage;
+	struct map screen = l->volume.clip, to_device;
 
 	if (s->has_viewport) {
-		viewport_map(&s->viewport, answer_convention(s), false, &stage);
-		map_append(&screen, &stage, false);
+		viewport_map(&s->viewport, answer_convention(s), false,
+		    &to_device);
+		map_append(&screen, &to_device, false);
 	}
 	t->kind = perspective_kind(l);
 	set_fov(l, t->fov);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Vectors of three elements, and homogeneous maps of row vectors between spaces.
  * Rational results are exact. */
-#ifndef MAT_H
-#define MAT_H
+#ifndef MAP_H
+#define MAP_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -41,13 +41,13 @@ static bool largest_root(struct sum s, struct sum d, struct sum k,
 		p = sum_add(sum_mul(sum_sub(p, sum_scale(d, 8)), *x), k);
 		q = sum_scale(sum_sub(q, sum_scale(d, 2)), 4);
 		slope = sum_double(q);
-		struct sum whole = sum_quotient(p, q);
+		struct sum exact_step = sum_quotient(p, q);
 
-		step = sum_double(whole);
+		step = sum_double(exact_step);
 		x1 = sum_double(*x);
 		if (!(slope > 0x1p-398 * x1 * x1 * x1))
 			return false;
-		*x = sum_sub(*x, whole);
+		*x = sum_sub(*x, exact_step);
 		*x = sum_with_error(ex_truncate(x->value, 16), 0);
 	} while (fabs(step) > 0x1p-154 * slope / (x1 * x1));
 	return true;

@@ -14,8 +14,7 @@ struct transform {
 	 * origin. An element of row 3 that is within its error of 0 is set to exact 0:
 	 * its error could exceed the difference of a near point. */
 	struct sum relative[4][4];
-	int in,
-	    out; /* numbers of coordinates; 4 in clip space and homogeneous */
+	int in, out; /* numbers of coordinates: 2, 3, or 4 if homogeneous */
 	bool divide;
 	/* If front, only a point with w > 0, in front of the eye, has an image; if not,
 	 * a point whose w is not 0. */

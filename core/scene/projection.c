@@ -370,18 +370,19 @@ static const char *projection_matrix_map(const struct projection *p,
 	return NULL;
 }
 
-/* Computes the affine matrix from view space to the space in which P would have the
- * rows 1 0 0 0, 0 1 0 0, 0 0 1 0. In both X, Y and Z of P are x, y and z up to
+/* Computes the affine matrix from view space to the canonical space, in which P would
+ * have the rows 1 0 0 0, 0 1 0 0, 0 0 1 0. In both X, Y and Z of P are x, y and z up to
  * signs. */
 static void intrinsics_matrix(const struct projection *p,
-    const struct convention *c, double level[4][4])
+    const struct convention *c, double canonical[4][4])
 {
 	const double sign[4] = { 1, c->bottom_left ? 1 : -1, 1, 1 };
 
 	for (int i = 0; i < 4; i++) {
 		for (int j = 0; j < 3; j++)
-			level[i][j] = sign[i] * sign[j] * p->intrinsics[j][i];
-		level[i][3] = i == 3;
+			canonical[i][j] = sign[i] * sign[j] *
+			    p->intrinsics[j][i];
+		canonical[i][3] = i == 3;
 	}
 }
 
@@ -391,14 +392,14 @@ static const char *append_intrinsics(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {
 	double m[4][4];
-	struct map level;
+	struct map canonical;
 
 	intrinsics_matrix(p, c, m);
-	map_of_doubles(m, &level);
-	if (inverse && !map_inverse(m, &level))
+	map_of_doubles(m, &canonical);
+	if (inverse && !map_inverse(m, &canonical))
 		return "/projection/intrinsics: the left three columns of P "
 		       "are singular; it can't be inverted";
-	map_append(r, &level, !inverse);
+	map_append(r, &canonical, !inverse);
 	memset(r->origin, 0, sizeof r->origin);
 	return NULL;
 }

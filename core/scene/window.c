@@ -11,7 +11,7 @@ static void window_axis(struct map *r, int i, struct sum n, struct sum t,
 	map_divide_column(r, i, inverse ? n : d);
 }
 
-/* Sets coordinate i to x' = x n / d + offset of an ndc coordinate x, or back. */
+/* Sets coordinate i to x' = x n / d + offset of an ndc x, or the inverse. */
 static void ndc_axis(struct map *r, int i, struct sum n, double d,
     struct sum offset, bool inverse)
 {

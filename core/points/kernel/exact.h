@@ -19,9 +19,8 @@
  * This sum has three terms up to 2^-27 B, three up to 2^-25 B, and three up to 2^-27 B
  * for the origin's rests: no partial sum is above 9 times 2^-26 B. The errors are the
  * roundings of these sums, of products, of rests, and of lo with its bound, and the
- * elements' low parts that the first three terms leave out. Together they are at most
- * 49 u 2^-26 B < 2^-73.3 B, where u = 2^-53. `make prove` counts them from the code
- * below. */
+ * elements' low parts that the first three terms leave out: together 49 u 2^-26 B <
+ * 2^-73.3 B, where u = 2^-53. `make prove` counts them from the code below. */
 #include "kernel.h"
 
 /* The bound of a column's error, in units of B: more than twice the error above, as the
@@ -78,11 +77,11 @@ static bool is_product(double a, double b, double product)
 	    (fabs(product) > 0x1p-900 || a == 0 || b == 0);
 }
 
-/* The differences d of a block's points from the origin in one coordinate. The origin
- * is split: origin = (whole or cut) + rest. If the origin is less than 2^23 times as
- * large as the differences, it is cut like the points: cut is subtracted from their cut
- * parts, and rest changes the column's image of the origin. If not, the points lie so
- * near to the origin that the differences from the whole origin are exact. */
+/* The differences d of a block's points from the origin in one coordinate. If the
+ * origin is less than 2^23 times as large as the differences, it is cut like the points
+ * into cut and rest: cut is subtracted from the points' cut parts, and rest changes the
+ * column's image of the origin. If not, whole, all of the origin, is subtracted from
+ * the points: they lie so near to the origin that these differences are exact. */
 struct kernel_range {
 	double largest;        /* the largest |d|, rounded up */
 	double power, inverse; /* 2^e, largest < 2^e, and 2^-e */
@@ -174,14 +173,14 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
     const struct kernel_range *range, struct column_cut *c)
 {
 	double most = fabs(m->hi[3][j]);
-	int f;
+	int exponent;
 
 	for (int i = 0; i < terms; i++)
 		if (range[i].largest > 0 && fabs(m->hi[i][j]) > 0)
 			most = fmax(most,
 			    fmax(LEAST, fabs(m->hi[i][j]) * range[i].power));
-	frexp(most, &f);
-	const double power = ldexp(1, f);
+	frexp(most, &exponent);
+	const double power = ldexp(1, exponent);
 
 	c->exact = has_short_elements(m, j, terms, range);
 	for (int i = 0; i < 4; i++) {
