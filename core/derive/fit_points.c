@@ -84,7 +84,7 @@ static void add_point(struct farthest *f, const struct direction *d,
 }
 
 /* How many points a call of the kernel takes. With fewer there are more calls. With
- * more a block more often holds a farthest point, and is then compared by points. */
+ * more, more blocks hold a farthest point, and are compared point by point. */
 enum { FIT_BLOCK = 128 };
 
 /* Adds at most FIT_BLOCK points. Only points whose value may be the largest,

@@ -29,7 +29,8 @@ struct upright {
 	bool view_axes, turned, tilted;
 };
 
-/* Returns whether the map from world to view space mirrors if the camera rotates. */
+/* Returns whether the answer's handedness is not the document's: the map from world to
+ * view space then mirrors. */
 static bool is_mirrored(const struct scene *s)
 {
 	return s->convention.right_handed != answer_convention(s)->right_handed;
@@ -368,10 +369,10 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 	bool reverse = p->type == PROJECTION_VOLUME &&
 	    r->taxon == TAXON_REVERSE;
 
-	/* w applies negative, or 0 at infinity, at all corners */
+	/* w is negative, or 0 at infinity, at all corners */
 	for (int i = 0; i < 8; i++)
 		behind &= isnan(r->corner[i][0]);
-	/* a perspective matrix seems to mirror if all of it applies negated */
+	/* a perspective matrix seems to mirror if all of it is negated */
 	bool negated = !parallel && !transposed && mirrored && behind;
 	bool known = transposed || reverse || negated;
 	/* the projection looks against the convention's gaze */

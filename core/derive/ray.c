@@ -98,7 +98,7 @@ static void ray_direction(const struct ray_maker *r, const double in[4],
 }
 
 /* Returns whether the ray of a device position has a point on the near plane. If all
- * coordinates are nan, the sign of w decides, as they may just be beyond doubles. */
+ * coordinates are nan, they may only be beyond the range, so the sign of w decides. */
 static bool has_point(const struct ray_maker *r, const double in[4],
     const double point[3])
 {
@@ -123,8 +123,8 @@ static void round_to_floats(const struct ray_maker *r, const double in[4],
 		direction[j] = (double)(float)direction[j];
 }
 
-/* Completes a ray that the kernels did not: computes a direction that is still nan,
- * rounds to floats if single, and makes the direction nan if the ray has no point. */
+/* Completes a ray after the kernels: computes a direction that is still nan, rounds to
+ * floats if single, and makes the direction nan if the ray has no point. */
 static void ray_finish(const struct ray_maker *r, const double in[4],
     bool single, double point[3], double direction[3])
 {

@@ -157,7 +157,7 @@ void taxonomy_of(const struct lens *l, struct picture *t)
 	}
 	lens_axis(l, l->clip[l->parallel ? 2 : 3], t->gaze);
 	for (int k = 0; k < 3 && against; k++)
-		t->gaze[k] = 0 - t->gaze[k]; /* 0 stays +0 */
+		t->gaze[k] = 0 - t->gaze[k]; /* not -0 */
 	for (int i = 0; i < 8; i++)
 		taxonomy_point(l, v->corner[i], sum_sign(v->corner[i][3]) > 0,
 		    t->corner[i]);
