@@ -4,7 +4,7 @@
 /* Let n be the gradient of w or, if w is constant, of z. At the distance D along n from
  * the eye or, if w is constant, from the origin, z and w are z0 + D z . n / |n| and w0
  * + D w . n / |n|, with the gradients z and w. Depth is the quotient of both, which
- * gives D by depth. At the eye w0 is 0, as x and y are. All four elements change their
+ * gives D by depth. At the eye w0 is 0, as x and y are. over and under change their
  * signs if this makes the denominator positive in front of the eye. D of a parallel
  * projection grows along the convention's gaze; that of a matrix from near to far. */
 void depth_of(const struct lens *l, struct depth *d)

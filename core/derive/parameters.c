@@ -273,8 +273,8 @@ static void set_edges(const struct upright *u, const struct depth *z, bool far,
 	}
 }
 
-/* Makes the projection oblique, with cot(projector) cos(direction) = zx / x and
- * cot(projector) sin(direction) = zy / y. */
+/* Makes the projection oblique, with cot(projector) cos(direction) = xy[0][2] /
+ * xy[0][0] and cot(projector) sin(direction) = xy[1][2] / xy[1][1]. */
 static void set_shear(const struct upright *u, const struct projection *given,
     struct projection *p)
 {

@@ -151,7 +151,7 @@ struct column_cut {
 	double high[4], rest[4], all[4];
 	double bound; /* of the error */
 	bool exact;
-	double noisy; /* 2^56 times the largest noise */
+	double noisy; /* 2^56 times the largest noise; see lost_if_noisy */
 };
 
 /* Returns true if the low parts of column j together are within the least noise. */
