@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The view volume: its planes and corners, and the planes, or edges of a 2D window,
- * that a point is outside of. Error bounds, rays and picks. */
+ * that a point is outside of. The bounds of errors, rays, and picked points. */
 #ifndef FRUSTUM_H
 #define FRUSTUM_H
 
@@ -50,10 +50,11 @@ void frustum_out_all(const struct frustum *, const double *const in[4],
     unsigned char *out, size_t n);
 
 /* The view volume in view space. sides and ends are as in struct frustum. The corners
- * and the eye are homogeneous points in which three planes meet: an inverse map has
- * errors relative to the whole volume, which could exceed a small near plane. The
- * corners are near, then far, each left-bottom, right-bottom, right-top, left-top; w is
- * not negative in them. Without near and far planes all corners are at infinity. */
+ * and the eye are homogeneous points, computed as the points where three planes meet:
+ * the errors of an inverse map are relative to the whole volume, and could exceed a
+ * small near plane. The corners are near, then far, each left-bottom, right-bottom,
+ * right-top, left-top; w is not negative in them. Without near and far planes all
+ * corners are at infinity. */
 struct volume {
 	struct map clip, sides, ends; /* from view space */
 	struct sum corner[8][4], eye[4];

@@ -236,18 +236,18 @@ ex ex_sqrt(ex a)
 		return a;
 	a.e -= up;
 	ex q, r = ex_of(sqrt(ex_nearest(&a, false)));
-	const ex *const x[] = { &r, &q };
+	const ex *const pair[] = { &r, &q };
 
 	for (int words = 2; words < 2 * EX_QUOTIENT; words *= 2) {
 		ex_divide(&a, &r, words < EX_QUOTIENT ? words : EX_QUOTIENT,
 		    &q);
-		ex_dot(2, x, (const ex *[]){ &half, &half }, INT_MIN, &r);
+		ex_dot(2, pair, (const ex *[]){ &half, &half }, INT_MIN, &r);
 	}
 	q = ex_power(64 * (r.e + r.n - EX_QUOTIENT) - 1);
-	ex_dot(2, x, (const ex *[]){ &one, &one }, INT_MIN, &r);
+	ex_dot(2, pair, (const ex *[]){ &one, &one }, INT_MIN, &r);
 	r = ex_truncate(r, EX_QUOTIENT);
 	q = ex_power(32 * up);
-	ex_dot(1, x, x + 1, INT_MIN, &r);
+	ex_dot(1, pair, pair + 1, INT_MIN, &r);
 	return r;
 }
 

@@ -42,9 +42,9 @@ static ex series(ex y, int n, int last, int words)
 enum { SINE_POWER = 62 };
 
 /* The last power of x for x^2 <= 4 pi^2, and the words of its terms, for an absolute
- * error of 2^-500. The sum is up to 2^8 times as small as its terms or, for doubles
- * whose squares sum to nearly pi^2, 2^160 times. The first term left out, x^170/170!,
- * is below 2^-560. */
+ * error of 2^-500. The sum can be as small as 2^-8 of its terms or, for doubles whose
+ * squares sum to nearly pi^2, as 2^-160. The first term left out, x^170/170!, is below
+ * 2^-560. */
 enum { SINC_POWER = 168, SINC_WORDS = 11 };
 
 bool trig_sinc(struct sum square, struct sum *sinc, struct sum *versinc)

@@ -211,11 +211,11 @@ static void inverse_eye_of_angle(const struct projection *p,
 	struct scaled_matrix f;
 
 	volume_section(p, &f);
-	bool high = sum_sign(sum_minor(f.dx, f.y, f.dy, f.x)) <= 0;
+	bool tall = sum_sign(sum_minor(f.dx, f.y, f.dy, f.x)) <= 0;
 	struct sum cot = trig_cot(p->angle / 2, p->unit);
 
-	*numerator = sum_negated_if(p->z_near < p->z_far, high ? f.x : f.y);
-	*denominator = sum_mul(high ? f.dx : f.dy, cot);
+	*numerator = sum_negated_if(p->z_near < p->z_far, tall ? f.x : f.y);
+	*denominator = sum_mul(tall ? f.dx : f.dy, cot);
 	if (!sum_is_exact(denominator)) {
 		*numerator = sum_quotient(*numerator, *denominator);
 		*denominator = sum_of_double(1);
