@@ -31,7 +31,7 @@ struct analysis {
 	double size[3], largest; /* bounds of the image's coordinates */
 };
 
-/* Sets corner i of the volume. back is the map from view to model space. */
+/* back is the map from view space. */
 static void set_corner(const struct volume *seen, const struct map *back,
     const double origin[3], int i, struct corner *c)
 {

@@ -44,8 +44,8 @@ void map_append(struct map *r, const struct map *stage, bool before);
  * singular. The inverse of an affine matrix has the matrix's last row as origin. */
 bool map_inverse(const double m[4][4], struct map *inverse);
 
-/* Returns the determinant of the n rows and n columns of m whose bits in the two masks
- * are 0. */
+/* Returns the determinant of n rows and n columns of m: those whose bits in the masks
+ * rows and columns are 0. */
 struct sum map_minor(int n, const struct sum m[4][4], unsigned rows,
     unsigned columns);
 

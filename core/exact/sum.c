@@ -243,8 +243,8 @@ static double neighbour(double a, bool away, bool single)
 }
 
 /* Returns the double or float nearest to n / d, where n and d have errors. q is the
- * quotient of the values. As q can lie on the wrong side of the nearest midpoint of two
- * doubles, the sign of n - midpoint d decides. A difference of sign 0 is a tie. */
+ * quotient of the values. As it can lie on the wrong side of the midpoint next to it,
+ * the sign of n - midpoint d decides. A difference within its error is a tie. */
 static double round_inexact(const struct sum *n, const struct sum *d,
     const ex *q, bool single)
 {

@@ -185,13 +185,13 @@ static void map_of_axes(const struct axis a[3], const double at[3],
     bool at_is_origin, bool inverse, struct map *r)
 {
 	bool exact = sum_is_exact(&a[1].length);
-	struct sum divisor = exact ? a[1].length : sum_of_double(1), minus[3];
+	struct sum d = exact ? a[1].length : sum_of_double(1), minus[3];
 
 	for (int i = 0; i < 3; i++)
 		minus[i] = sum_of_double(-at[i]);
 	map_identity(r);
 	for (int i = 0; i < 3; i++) {
-		struct sum given = sum_scale(divisor, at[i]), found;
+		struct sum given = sum_scale(d, at[i]), found;
 
 		if (at_is_origin)
 			sum_dot(3, minus, &a[0].v[i], AXIS_SUMS, &found);
@@ -205,12 +205,11 @@ static void map_of_axes(const struct axis a[3], const double at[3],
 			    sum_quotient(a[i].v[k], a[i].length);
 		r->m[3][i] = at_is_origin == inverse ? found : given;
 		if (!inverse)
-			r->origin[i] = at_is_origin ?
-			    sum_ratio(found, divisor) :
-			    at[i];
+			r->origin[i] = at_is_origin ? sum_ratio(found, d) :
+						      at[i];
 	}
-	r->m[3][3] = divisor;
-	map_divide(r, divisor);
+	r->m[3][3] = d;
+	map_divide(r, d);
 }
 
 /* Rotates view space about its z axis. */
