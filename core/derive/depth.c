@@ -2,21 +2,21 @@
 #include "picture.h"
 
 /* Let n be the gradient of w or, if w is constant, of z. At the distance D along n from
- * the eye or, if w is constant, from the origin, z and w are z0 + D z . n / |n| and w0 +
- * D w . n / |n|. Depth is their quotient, which gives D by depth. At the eye w0 is 0, as x
- * and y are. All four elements change their signs where that makes the denominator positive
- * in front of the eye. D of a parallel projection grows along the convention's gaze; if the
- * projection is a matrix, D grows from near to far. */
+ * the eye or, if w is constant, from the origin, z and w are z0 + D z . n / |n| and w0
+ * + D w . n / |n|, with the gradients z and w. Depth is the quotient of both, which
+ * gives D by depth. At the eye w0 is 0, as x and y are. over and under change their
+ * signs if this makes the denominator positive in front of the eye. D of a parallel
+ * projection grows along the convention's gaze; that of a matrix from near to far. */
 void depth_of(const struct lens *l, struct depth *d)
 {
 	const struct scene *s = l->scene;
 	const struct viewport *v = &s->viewport;
 	bool ranges = s->has_viewport && v->min_z != v->max_z;
-	bool behind = sum_sign(l->clip[3][3]) < 0, against = false;
+	bool behind = sum_sign(l->clip[3][3]) < 0, against_n = false;
 	struct viewport range = { .width = 2, .height = 2, .max_z = 1 };
 	const struct sum *eye_z = l->volume.eye_z;
 	struct sum z[4], w[4];
-	struct map m = l->volume.clip, stage;
+	struct map m = l->volume.clip, to_range;
 
 	if (ranges) {
 		range.min_z = v->min_z;
@@ -27,8 +27,8 @@ void depth_of(const struct lens *l, struct depth *d)
 		.reversed = l->reversed,
 		.open = projection_is_open(&s->projection),
 		.flat = s->has_viewport && !ranges };
-	viewport_map(&range, answer_convention(s), false, &stage);
-	map_append(&m, &stage, false);
+	viewport_map(&range, answer_convention(s), false, &to_range);
+	map_append(&m, &to_range, false);
 	for (int i = 0; i < 4; i++) {
 		z[i] = m.m[i][2];
 		w[i] = m.m[i][3];
@@ -38,18 +38,19 @@ void depth_of(const struct lens *l, struct depth *d)
 
 	if (!l->parallel) {
 		w[3] = sum_of_double(0);
-		z[3] = sum_quotient(sum_mul(eye_z[0], stage.m[2][2]), eye_z[1]);
+		z[3] = sum_quotient(sum_mul(eye_z[0], to_range.m[2][2]),
+		    eye_z[1]);
 	} else if (s->projection.type == PROJECTION_MATRIX) {
-		against = l->reversed != behind;
+		against_n = l->reversed != behind;
 	} else {
-		against = looks_back(answer_convention(s)) !=
+		against_n = looks_back(answer_convention(s)) !=
 		    (sum_sign(l->clip[2][2]) < 0);
 	}
-	against ^= l->parallel && d->high < d->low;
+	against_n ^= l->parallel && d->high < d->low;
 	bool minus = l->parallel ? !behind : sum_sign(z[3]) < 0;
 
-	d->over[0] = sum_negated_if(minus == against, sum_mul(size, w[3]));
-	d->over[1] = sum_negated_if(minus != against, sum_mul(size, z[3]));
+	d->over[0] = sum_negated_if(minus == against_n, sum_mul(size, w[3]));
+	d->over[1] = sum_negated_if(minus != against_n, sum_mul(size, z[3]));
 	d->under[0] = sum_negated_if(minus, vec3_dot(w, n));
 	d->under[1] = sum_negated_if(!minus, vec3_dot(z, n));
 }
@@ -100,8 +101,8 @@ static int compare_depths(const struct depth_value *a,
 	    sum_sign(b->d);
 }
 
-/* Finds the least float above z or the greatest below z. Returns false if that is
- * infinite. */
+/* Finds the least float above z or, if up is -1, the greatest below z. Returns false if
+ * this float is infinite. */
 static bool next_float(const struct depth_value *z, int up,
     struct depth_value *next)
 {
@@ -116,8 +117,8 @@ static bool next_float(const struct depth_value *z, int up,
 	return isfinite(f) != 0;
 }
 
-/* Finds the depth one step of the buffer above or below z. Returns false if there is no
- * such depth. */
+/* Finds the depth one step of the buffer above z or, if up is -1, below z. Returns
+ * false if there is no such depth. */
 static bool next_depth(const struct depth_value *z, enum buffer b, int up,
     struct depth_value *next)
 {
@@ -131,8 +132,8 @@ static bool next_depth(const struct depth_value *z, enum buffer b, int up,
 	return true;
 }
 
-/* Returns the determinant of D(z) = (over[0] z + over[1]) / (under[0] z + under[1]). Its
- * sign is the sign of the slope of D. */
+/* Returns the determinant of D(z) = (over[0] z + over[1]) / (under[0] z + under[1]).
+ * Its sign is the sign of the slope of D. */
 static struct sum determinant(const struct depth *d)
 {
 	return sum_minor(d->over[0], d->under[1], d->over[1], d->under[0]);
@@ -156,8 +157,8 @@ static double distance_between(const struct depth *d,
 	    sum_abs(sum_mul(under[0], under[1])));
 }
 
-/* Returns the distance between depth z and the next depth of the buffer above or below z:
- * nan if that depth is beyond the limit. */
+/* Returns the distance between depth z and the next depth of the buffer above or below
+ * z, or nan if the next depth is beyond the limit. */
 static double step_from(const struct depth *d, enum buffer b,
     const struct depth_value *z, int up, const struct depth_value *limit)
 {

@@ -6,7 +6,7 @@
 struct arithmetic {
 	double u;    /* unit roundoff */
 	double tiny; /* least normal number */
-	double most; /* limit of 1/w and of the image: no bound beyond it */
+	double most; /* the bound is nan if 1/w or the image is above it */
 };
 
 static const struct arithmetic arithmetic[] = {
@@ -14,12 +14,12 @@ static const struct arithmetic arithmetic[] = {
 	[PRECISION_SINGLE] = { 0x1p-24, 0x1p-126, 0x1p120 },
 };
 
-/* The bounds are computed in double. This factor outweighs the roundings of that. */
+/* The factor that outweighs the roundings of a bound, which is computed in double. */
 #define ROUNDED_UP (1 + 0x1p-46)
 
-/* A corner of the view volume. The bound is a sum of magnitudes of products, over w.
- * That is a convex function of the position in ndc, so its maximum is in a corner, which
- * may be at infinity. */
+/* A corner of the view volume. The bound of an error is a sum of magnitudes of
+ * products, over w. This quotient is a convex function of the position in ndc, so its
+ * maximum is in a corner, which may be at infinity. */
 struct corner {
 	double p[3];    /* |p - origin| / w, for the map's origin */
 	double inverse; /* 1/w */
@@ -61,45 +61,45 @@ static void set_size(const struct scene *s, struct analysis *to)
 	to->largest = fmax(fmax(size[0], size[1]), size[2]);
 }
 
-/* Returns S / w of column j in a corner. S is the sum of the magnitudes of the products,
- * as in kernel/plain.h, and of the largest error of underflows. */
+/* Returns S / w of column j in a corner. S is the sum of the magnitudes of the
+ * products, as in kernel/plain.h, and of the largest error of underflows. */
 static double bound_column(const struct kernel_map *k, const struct corner *c,
     int j, double tiny)
 {
-	double s = c->inverse * (k->image[j] + tiny * (4 + 3 * k->most[j]));
+	double s = c->inverse * (k->offset[j] + tiny * (4 + 3 * k->slope[j]));
 
 	for (int i = 0; i < 3; i++)
 		s += c->p[i] * (fabs(k->hi[i][j]) + tiny);
 	return s;
 }
 
-/* Returns the bound of double or single. Returns nan if w could be less than its error,
- * or 1/w beyond the range. If another sum is beyond the range, the program computes the
- * point exactly. */
+/* Returns the bound for the precision of a. Returns nan if w could be less than its
+ * error, or 1/w beyond the range. A bound need not cover other sums beyond the range:
+ * the program then computes the point exactly. */
 static double bound_plain(const struct analysis *v, const struct arithmetic *a)
 {
 	const struct transform *t = v->t;
 	const struct kernel_map *k = &t->for_kernel;
-	double cu = PLAIN_BOUND * a->u, worst = 0, w = 0, inverse = 0;
+	double factor = PLAIN_BOUND * a->u, worst = 0, w = 0, inverse = 0;
 
 	for (int i = 0; i < 8; i++) {
 		const struct corner *c = &v->corner[i];
-		double s3 = bound_column(k, c, 3, a->tiny);
+		double s_w = bound_column(k, c, 3, a->tiny);
 
-		w = fmax(w, s3);
+		w = fmax(w, s_w);
 		inverse = fmax(inverse, c->inverse);
 		for (int j = 0; j < (t->kind == KERNEL_DEPTH ? 2 : 3); j++)
 			worst = fmax(worst,
 			    bound_column(k, c, j, a->tiny) +
-				(t->divide ? v->size[j] * s3 : 0));
+				(t->divide ? v->size[j] * s_w : 0));
 	}
 	if (t->kind == KERNEL_DEPTH)
 		worst = fmax(worst, fabs(k->a) + fabs(k->b) * inverse * w);
 	if (!(inverse <= a->most) || !(v->largest <= a->most) ||
 	    !(fabs(k->a) <= a->most) || !(fabs(k->b) <= a->most) ||
-	    (t->divide && !(cu * w < 0x1p-4)))
+	    (t->divide && !(factor * w < 0x1p-4)))
 		return (double)NAN;
-	return (cu * worst + 4 * a->tiny * a->u) * ROUNDED_UP;
+	return (factor * worst + 4 * a->tiny * a->u) * ROUNDED_UP;
 }
 
 const char *error_bounds(const struct scene *s, const struct volume *seen,
@@ -114,7 +114,7 @@ const char *error_bounds(const struct scene *s, const struct volume *seen,
 
 	for (int i = 0; i < 3; i++)
 		bound[i] = (double)NAN;
-	/* a singular world matrix, or no planes, make the volume infinite */
+	/* the volume is infinite without planes, or if world is singular */
 	if (why != NULL || projection_is_open(&s->projection) ||
 	    scene_map(s, SPACE_VIEW, SPACE_MODEL, &back) != NULL)
 		return why;

@@ -5,12 +5,12 @@
 
 #include "frustum.h"
 
-#define BEYOND                                                              \
+#define FIT_BEYOND                                                          \
 	"/bounds: what holds them has numbers beyond 1e150 or sizes below " \
 	"1e-150; choose another unit"
 
-/* Sets gaze, up and, if the camera is not given by an eye, the eye. They are rows of the
- * map from view to world space. A matrix gives the axes of its nearest rotation. */
+/* Sets gaze, up and, if the camera's form has no eye, the eye. All are rows of the map
+ * from view to world space. A matrix gives the axes of its nearest rotation. */
 static const char *from_axes(struct camera *c,
     const struct convention *convention, struct map *back)
 {
@@ -33,8 +33,8 @@ static const char *from_axes(struct camera *c,
 	return why;
 }
 
-/* Replaces at by the gaze at - eye, rounded. The gaze is halved if it is beyond the range
- * of a document's numbers. */
+/* Replaces the member at by the gaze at - eye, rounded. The gaze is halved if it is
+ * beyond the range of a document's numbers. */
 static void from_at(struct camera *c)
 {
 	double largest = 0;
@@ -47,9 +47,9 @@ static void from_at(struct camera *c)
 		c->at[k] /= 2;
 }
 
-/* Gives the camera the form CAMERA_GAZE. A gaze keeps its numbers; other forms are
- * rounded to doubles. A scene without a camera gets one at 0 that looks along the axis
- * of view space. */
+/* Gives the camera the form CAMERA_GAZE. A gaze keeps its numbers; the numbers of other
+ * forms are rounded to doubles. A scene without a camera gets one at 0 that looks along
+ * the axis of view space. */
 static const char *gaze_of(struct scene *s)
 {
 	struct camera *c = &s->camera;
@@ -71,8 +71,8 @@ static const char *gaze_of(struct scene *s)
 	return why;
 }
 
-/* Writes the eye in world space after a step in view space. back is the map from view to
- * world space. */
+/* Writes the eye in world space after a step in view space. back maps view to world
+ * space. */
 static void eye_move(const struct map *back, const struct sum step[3],
     double eye[3])
 {
@@ -115,8 +115,8 @@ static struct sum larger(struct sum a, struct sum b)
 	return sum_compare(a, b) > 0 ? a : b;
 }
 
-/* Widens the side that is too short for width : height = shape[0] : shape[1]. The widened
- * side is rounded to the nearest double. */
+/* Widens the side that is too short for width : height = shape[0] : shape[1]. The
+ * widened side is rounded to the nearest double. */
 static void widen_sides(double *width, double *height, const double shape[2])
 {
 	struct sum w = sum_of_double(shape[0]), h = sum_of_double(shape[1]);
@@ -129,8 +129,8 @@ static void widen_sides(double *width, double *height, const double shape[2])
 		*height = fmax(*height, high);
 }
 
-/* Returns the largest step t of the eye along the gaze for which near - t >= near_ratio
- * (far - t): near and far are at the ends of the bounds' depth. */
+/* Returns the largest step t along the gaze for which the eye's distances near - t and
+ * far - t keep near - t >= near_ratio (far - t). near and far end the bounds. */
 static struct sum reach_near(const struct extents *r, double ratio)
 {
 	struct sum far = sum_mul(r->high[2], sum_of_double(ratio));
@@ -138,7 +138,7 @@ static struct sum reach_near(const struct extents *r, double ratio)
 	return sum_quotient(sum_sub(r->low[2], far), sum_diff(1, ratio));
 }
 
-/* Finds the slopes of the side planes: how much the function of a plane falls at a fixed
+/* Finds the slope of each side plane: how much the plane's function falls at a fixed
  * point while the eye moves by 1 along the gaze. */
 static const char *find_slopes(const struct scene *s, struct map *sides,
     struct sum slope[4])
@@ -159,8 +159,9 @@ static const char *find_slopes(const struct scene *s, struct map *sides,
 }
 
 /* Finds the step across the gaze after which the two planes of each pair are at equal
- * distances from the bounds. A plane's lowest value falls by the step times the plane's
- * normal. The normals of left and right depend on y only if the projection is skewed. */
+ * distances from the bounds. The lowest value of a plane's function falls by the step
+ * times the plane's normal. The normals of left and right depend on y only if the
+ * projection is skewed. */
 static void center_pairs(const struct map *sides, const struct sum lowest[4],
     struct sum step[3])
 {
@@ -179,9 +180,9 @@ static void center_pairs(const struct map *sides, const struct sum lowest[4],
 }
 
 /* Finds the step in view space that takes the eye as far along the gaze as a side plane
- * or near_ratio allows: as the eye moves by t, a plane's lowest value falls by t times
- * the slope. If free, the eye may also move across the gaze; then the sum of the lowest
- * values of a pair of planes limits the step. */
+ * or near_ratio allows: if the eye moves by t, the lowest value of a plane's function
+ * falls by t times the slope. If free, the eye may also move across the gaze; then the
+ * sum of the lowest values of a pair of planes limits the step. */
 static const char *find_step(const struct scene *s, const struct hull *h,
     bool free, struct sum step[3])
 {
@@ -216,11 +217,11 @@ static const char *find_step(const struct scene *s, const struct hull *h,
 	step[2] = sum_negated_if(looks_back(&s->convention), t);
 	if (free)
 		center_pairs(&view, lowest, step);
-	return fabs(sum_double(t)) <= MAGNITUDE_MAX ? NULL : BEYOND;
+	return fabs(sum_double(t)) <= MAGNITUDE_MAX ? NULL : FIT_BEYOND;
 }
 
-/* Scales sizes on the near plane as near changes, so that the side planes stay. Rounds the
- * sizes away from 0, so that the volume does not shrink. */
+/* Scales sizes on the near plane with the new near, so that the side planes stay.
+ * Rounds the sizes away from 0, so that the volume does not shrink. */
 static void keep_slopes(struct projection *p, double near)
 {
 	double *const sizes[] = { &p->width, &p->height, &p->left, &p->right,
@@ -243,8 +244,8 @@ static void close_depth(struct projection *p, const struct extents *r)
 	p->far = fmax(high, nextafter(p->near, HUGE_VAL));
 }
 
-/* Closes near and far. Returns whether the bounds then are inside the volume, and near is
- * at least near_ratio times far. */
+/* Closes near and far around the bounds. Returns whether the bounds are then inside the
+ * volume, and near is at least near_ratio times far. */
 static bool close_persp(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
@@ -262,29 +263,30 @@ static bool close_persp(struct scene *s, const struct hull *h)
 	    sum_compare(sum_of_double(p->near), least) >= 0;
 }
 
-/* Moves the eye by the step to, after which a plane touches the bounds. As the eye's
- * coordinates are rounded, some of the bounds can be outside: then the eye moves back by
- * 2^-53 of its largest coordinate, by twice as much, and so on. */
+/* Moves the eye by a step after which a plane touches the bounds. As the eye's
+ * coordinates are rounded, some of the bounds can be outside: the eye then moves back
+ * by 2^-53 of its largest coordinate, by twice as much, and so on. */
 static const char *step_back(struct scene *s, const struct hull *h,
-    const struct map *back, const struct sum to[3])
+    const struct map *back, const struct sum first[3])
 {
 	const struct projection given = s->projection;
-	struct sum step[3] = { to[0], to[1] };
+	struct sum step[3] = { first[0], first[1] };
 	double outward = looks_back(&s->convention) ? 1 : -1;
 	const double *eye = s->camera.eye;
-	double off = 0;
+	double retreat = 0;
 
 	for (int tries = 0; tries < 100; tries++) {
-		step[2] = sum_add(to[2], sum_of_double(outward * off));
+		step[2] = sum_add(first[2], sum_of_double(outward * retreat));
 		s->projection = given;
 		eye_move(back, step, s->camera.eye);
 		if (close_persp(s, h))
 			return NULL;
 		for (int k = 0; k < 3 && tries == 0; k++)
-			off = fmax(off, 0x1p-54 * fabs(eye[k]));
-		off = off > 0 ? 2 * off : 0x1p-53 * fabs(sum_double(to[2]));
+			retreat = fmax(retreat, 0x1p-54 * fabs(eye[k]));
+		retreat = retreat > 0 ? 2 * retreat :
+					0x1p-53 * fabs(sum_double(first[2]));
 	}
-	return BEYOND;
+	return FIT_BEYOND;
 }
 
 static const char *fit_persp(struct scene *s, bool free, const struct hull *h)
@@ -298,10 +300,10 @@ static const char *fit_persp(struct scene *s, bool free, const struct hull *h)
 	return why != NULL ? why : step_back(s, h, &back, step);
 }
 
-/* Moves the eye so that the bounds are in the middle of the picture. Without has_eye the
- * eye moves along the gaze, too: its distance from the middle of the bounds becomes the
- * depth of the bounds. In a sheared picture a step in depth moves the image; a step to
- * the side undoes this. */
+/* Moves the eye so that the bounds are in the middle of the picture. Without has_eye
+ * the eye also moves along the gaze, until its distance from the middle of the bounds
+ * is the depth of the bounds. In a sheared picture this step moves the image; a step to
+ * the side undoes the move. */
 static const char *center_eye(struct scene *s, bool has_eye,
     const struct hull *h)
 {
@@ -333,8 +335,7 @@ static const char *center_eye(struct scene *s, bool has_eye,
 	return NULL;
 }
 
-/* Sets near, far, and the least width and height that hold the bounds, widened to the
- * aspect. */
+/* Sets near, far, and the least width and height of the aspect that hold the bounds. */
 static const char *close_sides(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
@@ -387,8 +388,8 @@ static const char *fit_parallel(struct scene *s, bool has_eye,
 	return why;
 }
 
-/* Moves the near plane of a volume away from the eye, if the eye is before near, until
- * its distance from the eye is near_ratio times that of far. */
+/* Moves the near plane of a volume away from an eye before near, until the eye's
+ * distance from near is near_ratio times its distance from far. */
 static void keep_near_ratio(struct projection *p)
 {
 	struct sum over, under;
@@ -402,8 +403,8 @@ static void keep_near_ratio(struct projection *p)
 		p->z_near = least;
 }
 
-/* Fits z_near and z_far of a volume. The scene gives the rectangle and the eye of a
- * volume in view space, so these stay. */
+/* Fits z_near and z_far of a volume. The rectangle and the eye of a volume are given in
+ * view space, and do not change. */
 static const char *fit_volume(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
@@ -427,8 +428,8 @@ static const char *fit_volume(struct scene *s, const struct hull *h)
 	return NULL;
 }
 
-/* Gives the camera the form CAMERA_GAZE. Sets the members of the projection that fit will
- * find to some valid numbers. */
+/* Gives the camera the form CAMERA_GAZE. Sets the members of the projection that fit
+ * will find to some valid numbers. */
 static const char *fit_begin(struct scene *s)
 {
 	struct projection *p = &s->projection;
@@ -461,7 +462,7 @@ static const char *fit_begin(struct scene *s)
 	return gaze_of(s);
 }
 
-/* Puts the eye at the middle of the bounds in the world, axis by axis. */
+/* Puts the eye at the middle of the bounds' extents along the world axes. */
 static const char *eye_center(struct scene *s, const struct hull *h)
 {
 	struct map world;
@@ -491,13 +492,13 @@ const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 		why = fit_volume(s, &h);
 	else if (why == NULL)
 		why = fit_parallel(s, has_eye, &given, &h);
-	return why != NULL || scene_is_valid(s) ? why : BEYOND;
+	return why != NULL || scene_is_valid(s) ? why : FIT_BEYOND;
 }
 
-/* hull_extents measures the bounds along fit_axes. find_step and hull_out measure them
- * along the normals of planes, which do not change as the eye moves. Only keep_slopes
- * rounds sizes on the near plane, outward: points stay inside the side planes, but the
- * margin may become smaller by a rounding of the edges. */
+/* hull_extents measures the bounds along fit_axes. find_step and hull_out measure the
+ * bounds along the normals of planes, which do not change as the eye moves. Only
+ * keep_slopes rounds sizes on the near plane, outward: points stay inside the side
+ * planes, but the rounding may take a little of the margin. */
 const char *fit_directions(const struct scene *given, bool has_eye,
     struct directions *all)
 {
@@ -522,8 +523,8 @@ const char *fit_directions(const struct scene *given, bool has_eye,
 	return NULL;
 }
 
-/* Sets the center of axis j, rounded, and the side: twice the larger distance of an end
- * from the center, enlarged by the margin. */
+/* Sets the center of the extent along axis j, rounded, and the side: twice the larger
+ * distance of an end from the center, enlarged by the margin. */
 static void close_axis(const struct extents *r, int j, double margin,
     double *center, double *side)
 {
@@ -558,7 +559,7 @@ const char *fit_window(struct scene *s, const struct bounds *b)
 		    (const double[]){ s->device.width, s->device.height });
 	s->has_window = true;
 	return scene_is_size(w->width) && scene_is_size(w->height) ? NULL :
-								     BEYOND;
+								     FIT_BEYOND;
 }
 
 void window_directions(struct directions *all)

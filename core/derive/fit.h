@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The bounds that fit closes a scene on, and their extents. */
+/* The bounds that fit closes a scene around, their extents, and the fit. */
 #ifndef FIT_H
 #define FIT_H
 
@@ -7,10 +7,10 @@
 
 enum { BOUNDS_POINTS = 10 };
 
-/* A sphere, a box or, if n is not 0, the farthest of many points along the directions of
- * fit_directions. All numbers are in model space; the world matrix turns the sphere into
- * an ellipsoid. Bounds of a 2D window have no third coordinate, and their sphere is a
- * circle. */
+/* A sphere, a box or, if n is not 0, n points: the farthest of many points along the
+ * directions of fit_directions. All numbers are in model space; the world matrix turns
+ * the sphere into an ellipsoid. Bounds of a 2D window have no third coordinate, and
+ * their sphere is a circle. */
 struct bounds {
 	double center[3], radius;
 	unsigned sphere; /* 1: a sphere, 0: a box or points */
@@ -25,12 +25,12 @@ struct hull {
 	double point[BOUNDS_POINTS][3], radius;
 };
 
-/* Makes the hull of bounds of two or three coordinates. Returns NULL or, if a coordinate
- * of max is less than that of min, the member and the reason. */
+/* Makes the hull of bounds of two or three coordinates. Returns NULL or, if a
+ * coordinate of max is less than that of min, the member and the reason. */
 const char *hull_of(const struct bounds *, int dimensions, struct hull *);
 
-/* Returns the least value of column j of a map, or of its negative if minus, on the hull
- * (its support function). */
+/* Returns the least value of column j of a map, or of its negative if minus, on the
+ * hull (its support function). */
 struct sum hull_lowest(const struct hull *, const struct map *, int j,
     bool minus);
 
@@ -50,12 +50,12 @@ struct sum extents_middle(const struct extents *, int j);
 const char *extents_widen(struct extents *, int n);
 
 /* Makes the maps from model space to x and y, and to depth. Depth is measured along the
- * gaze; in a perspective it is w. In a perspective or a volume x and y are in view space.
- * In ortho and oblique, whose width and height must be 2, they are in clip space, y
- * upward. Returns NULL, or the member and the reason. */
+ * gaze; in a perspective it is w. In a perspective or a volume x and y are in view
+ * space. In ortho and oblique, whose width and height must be 2, they are in clip
+ * space, y upward. Returns NULL, or the member and the reason. */
 const char *fit_axes(const struct scene *, struct map *xy, struct map *depth);
 
-/* Finds the extents along fit_axes, and widens them. Returns NULL, or the member and the
+/* Finds the extents along fit_axes, widened. Returns NULL, or the member and the
  * reason. */
 const char *hull_extents(const struct hull *, const struct scene *,
     struct extents *);
@@ -63,8 +63,6 @@ const char *hull_extents(const struct hull *, const struct scene *,
 /* Returns the OUT_ bits of the planes of the view volume that a part of the hull is
  * outside of: all bits if the scene has no volume. */
 unsigned hull_out(const struct hull *, const struct scene *);
-
-/* The farthest of many points along the directions that fit needs. */
 
 /* A direction in model space: the vector m. hi is m divided by its element of largest
  * magnitude, and rounded; so no sum of products of hi with coordinates overflows. An
@@ -76,15 +74,15 @@ struct direction {
 
 struct directions {
 	int n;
-	struct direction of[BOUNDS_POINTS];
-	double hi[BOUNDS_POINTS][3]; /* copies of of[].hi for the kernels */
+	struct direction item[BOUNDS_POINTS];
+	double hi[BOUNDS_POINTS][3]; /* copies of item[].hi for the kernels */
 };
 
 /* Adds the direction in which column j of the map grows or, if minus, falls. */
 void directions_add(struct directions *, const struct map *, int j, bool minus);
 
-/* The farthest point along a direction. value is its distance along hi, with an error of
- * at most bound. any is false before the first point. */
+/* The farthest point along a direction. value is its distance along hi, with an error
+ * of at most bound. any is false before the first point. */
 struct farthest {
 	bool any;
 	double point[3], value, bound;
@@ -92,17 +90,17 @@ struct farthest {
 
 /* The farthest point along each direction. All bytes are 0 before the first point. */
 struct extremes {
-	struct farthest of[BOUNDS_POINTS];
+	struct farthest item[BOUNDS_POINTS];
 };
 
-/* Adds n points; in has a column for each coordinate. A point with a nan is left out.
- * The caller pads each column to a multiple of 16 numbers with coordinates of these
+/* Adds n points; in has a column for each coordinate. A point with a nan does not
+ * count. The caller pads each column to a multiple of 16 numbers from the same
  * points. */
 void extremes_add(struct extremes *, const struct directions *,
     const double *const in[3], size_t n);
 
 /* Adds the points of other extremes along the same directions. The result depends on
- * what points there are, but not on their order. */
+ * the set of points, but not on their order. */
 void extremes_merge(struct extremes *, const struct directions *,
     const struct extremes *);
 
@@ -110,12 +108,10 @@ void extremes_merge(struct extremes *, const struct directions *,
 bool extremes_bounds(const struct extremes *, const struct directions *,
     struct bounds *);
 
-/* The tightest camera and view volume, or 2D window, that hold given bounds or points. */
-
 /* Completes a scene of type persp, ortho, oblique or volume, and gives its camera the
  * form CAMERA_GAZE. The axes of view space do not change. near and far become the ends
- * of the bounds' depth. The caller need not set near, far and, in a parallel projection,
- * width and height; camera.eye is ignored without has_eye.
+ * of the bounds' depth. The caller need not set near, far and, in a parallel
+ * projection, width and height; camera.eye is ignored without has_eye.
  *
  * persp keeps the directions of its side planes. The eye moves along the gaze until the
  * bounds are between the side planes and one plane touches the bounds, or until near is
@@ -124,8 +120,8 @@ bool extremes_bounds(const struct extremes *, const struct directions *,
  * planes of the other pair are equally far from the bounds.
  *
  * ortho and oblique are centred on the bounds. Width and height become the least that
- * hold the bounds; then the shorter side is widened to the aspect, if the projection has
- * one (aspect[1] is not 0).
+ * hold the bounds; then the shorter side is widened to the aspect, if the projection
+ * has one (aspect[1] is not 0).
  *
  * In a volume only z_near and z_far change, to the ends of the bounds along the
  * convention's gaze. If the eye is before near, the distance from the eye to near is at
@@ -136,22 +132,21 @@ bool extremes_bounds(const struct extremes *, const struct directions *,
  * The eye is rounded to doubles; in persp it steps back by the least power of two that
  * outweighs the rounding. Every corner or point of the bounds is in the volume of the
  * rounded eye, as frustum_out decides. near, far and the sizes of a parallel projection
- * are the tightest such doubles, unless the bounds are so far from the eye that they are
- * not known to the last bit. Returns NULL, or the member and the reason. */
+ * are the tightest such doubles, unless the bounds are so far from the eye that
+ * rounding hides their last bits. Returns NULL, or the member and the reason. */
 const char *fit_scene(struct scene *, bool has_eye, const struct bounds *);
 
 /* Finds the directions along which fit_scene measures the bounds. The farthest points
- * along them make the same scene as all points. Returns NULL, or the member and the
- * reason. */
+ * make the same scene as all points. Returns NULL, or the member and the reason. */
 const char *fit_directions(const struct scene *, bool has_eye,
     struct directions *);
 
-/* Replaces the scene's 2D window by one of center, width and height that holds x and y of
- * the bounds. The center is the double nearest to the middle of the bounds. Width and
- * height are the least doubles for which the window without its margin holds the bounds,
- * as frustum_out decides. Then the shorter side is widened to the device's shape, if
- * there is a device. A zero extent along one axis counts as 2^-20 of the other. Returns
- * NULL, or the member and the reason. */
+/* Replaces the scene's 2D window by one of center, width and height that holds x and y
+ * of the bounds. The center is the double nearest to the middle of the bounds. Width
+ * and height are the least doubles for which the window without its margin holds the
+ * bounds, as frustum_out decides. Then the shorter side is widened to the device's
+ * shape, if there is a device. A zero extent along one axis counts as 2^-20 of the
+ * other. Returns NULL, or the member and the reason. */
 const char *fit_window(struct scene *, const struct bounds *);
 
 /* Sets the directions along which fit_window measures: x, -x, y and -y. */

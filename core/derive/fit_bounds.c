@@ -32,9 +32,9 @@ const char *hull_of(const struct bounds *b, int dimensions, struct hull *h)
 	return NULL;
 }
 
-/* Returns the least value of column j, or of its negative if minus, minus the value at
- * the first point. The least value on a sphere is the value at its centre minus the
- * radius times the length of the gradient. */
+/* Returns the least value of column j on the hull, or of the negative of column j if
+ * minus, relative to the value at the hull's first point. The least value on a sphere
+ * is the value at its centre minus the radius times the length of the gradient. */
 static struct sum lowest_step(const struct hull *h, const struct map *m, int j,
     bool minus)
 {
@@ -68,8 +68,8 @@ struct sum hull_lowest(const struct hull *h, const struct map *m, int j,
 	return sum_snap_zero(sum_quotient(at, m->divisor));
 }
 
-/* The size is a sum of two steps. The difference high - low may be less than the errors
- * of high and low. */
+/* The size is the sum of two results of lowest_step. The difference high - low may be
+ * less than the errors of high and low. */
 void extents_of(struct extents *r, int j, const struct hull *h,
     const struct map *m)
 {

@@ -9,7 +9,7 @@
 void directions_add(struct directions *all, const struct map *map, int j,
     bool minus)
 {
-	struct direction *d = &all->of[all->n];
+	struct direction *d = &all->item[all->n];
 	struct sum largest = sum_of_double(0);
 
 	for (int i = 0; i < 3; i++) {
@@ -19,21 +19,21 @@ void directions_add(struct directions *all, const struct map *map, int j,
 	}
 	for (int i = 0; i < 3; i++) {
 		int sign = sum_sign(d->m[i]);
-		double over = 0;
+		double scaled = 0;
 
 		if (sign != 0)
-			over = sum_ratio(d->m[i], largest);
-		if (sign != 0 && over == 0)
-			over = sign * 0x1p-1074;
-		d->hi[i] = all->hi[all->n][i] = over;
+			scaled = sum_ratio(d->m[i], largest);
+		if (sign != 0 && scaled == 0)
+			scaled = sign * 0x1p-1074;
+		d->hi[i] = all->hi[all->n][i] = scaled;
 	}
 	all->n++;
 }
 
-/* Returns an upper bound of the error of value_of at points whose coordinates are at most
- * largest in magnitude. The element, the product and two sums round, each by at most u =
- * 2^-53: 4 u times the sum of the products' magnitudes. 8 u also covers the sums in which
- * add_point compares values and bounds; 2^-1000 covers underflow. */
+/* Returns an upper bound of the error of distance_along at points whose coordinates are
+ * at most largest in magnitude. The element, the product and two sums are rounded, each
+ * by at most u = 2^-53: 4 u times the sum of the products' magnitudes. 8 u also cover
+ * the sums in which add_point compares values and bounds; 2^-1000 covers underflow. */
 static double bound_of(const double m[3], const double largest[3])
 {
 	double sum = 0x1p-1000;
@@ -69,8 +69,8 @@ static double distance_along(const struct direction *d, const double p[3])
 	return p[0] * d->hi[0] + p[1] * d->hi[1] + p[2] * d->hi[2];
 }
 
-/* Makes p the farthest point if it is farther. If the bounds leave that open, the exact
- * comparison decides. */
+/* Makes p the farthest point if it is farther. If the bounds of the values overlap, the
+ * exact comparison decides. */
 static void add_point(struct farthest *f, const struct direction *d,
     const double p[3], double bound)
 {
@@ -83,21 +83,21 @@ static void add_point(struct farthest *f, const struct direction *d,
 			bound };
 }
 
-/* How many points a call of the kernel takes. With fewer there are more calls. With more
- * a block more often holds a farthest point, and then its points are compared singly. */
-enum { FEW = 128 };
+/* How many points a call of the kernel takes. With fewer there are more calls. With
+ * more, more blocks hold a farthest point, and are compared point by point. */
+enum { FIT_BLOCK = 128 };
 
-/* Adds at most FEW points. Only points whose value may be the largest, within the error,
- * are compared one by one. */
-static void add_few(struct extremes *e, const struct directions *all,
+/* Adds at most FIT_BLOCK points. Only points whose value may be the largest,
+ * within the error, are compared one by one. */
+static void add_block(struct extremes *e, const struct directions *all,
     const double *const in[3], size_t n)
 {
 	double most[BOUNDS_POINTS], largest[3];
 
 	points_kernels()->farthest(all->hi, all->n, in, n, most, largest);
 	for (int j = 0; j < all->n; j++) {
-		const struct direction *d = &all->of[j];
-		struct farthest *f = &e->of[j];
+		const struct direction *d = &all->item[j];
+		struct farthest *f = &e->item[j];
 		double bound = bound_of(d->hi, largest);
 		double least = most[j] - 2 * bound;
 
@@ -116,10 +116,10 @@ static void add_few(struct extremes *e, const struct directions *all,
 void extremes_add(struct extremes *e, const struct directions *all,
     const double *const in[3], size_t n)
 {
-	for (size_t i = 0; i < n; i += FEW) {
+	for (size_t i = 0; i < n; i += FIT_BLOCK) {
 		const double *const at[3] = { in[0] + i, in[1] + i, in[2] + i };
 
-		add_few(e, all, at, n - i < FEW ? n - i : FEW);
+		add_block(e, all, at, n - i < FIT_BLOCK ? n - i : FIT_BLOCK);
 	}
 }
 
@@ -127,9 +127,9 @@ void extremes_merge(struct extremes *e, const struct directions *all,
     const struct extremes *other)
 {
 	for (int j = 0; j < all->n; j++)
-		if (other->of[j].any)
-			add_point(&e->of[j], &all->of[j], other->of[j].point,
-			    other->of[j].bound);
+		if (other->item[j].any)
+			add_point(&e->item[j], &all->item[j],
+			    other->item[j].point, other->item[j].bound);
 }
 
 bool extremes_bounds(const struct extremes *e, const struct directions *all,
@@ -137,6 +137,6 @@ bool extremes_bounds(const struct extremes *e, const struct directions *all,
 {
 	*b = (struct bounds){ .n = all->n };
 	for (int j = 0; j < all->n; j++)
-		memcpy(b->point[j], e->of[j].point, sizeof b->point[j]);
-	return all->n > 0 && e->of[0].any;
+		memcpy(b->point[j], e->item[j].point, sizeof b->point[j]);
+	return all->n > 0 && e->item[0].any;
 }

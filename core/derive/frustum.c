@@ -13,7 +13,7 @@ void view_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
 		half[k] = sum_mul(half[k], sum_diff(1, 2 * s->margin));
 }
 
-/* Sets column j of r to a x + b w or, if minus, -a x + b w. x is column k of m, w is
+/* Sets column j of r to a x + b w or, if minus, -a x + b w. x is column k of m, w
  * column 3. */
 static void combine_columns(struct map *r, int j, const struct map *m,
     bool minus, int k, struct sum a, struct sum b)
@@ -26,10 +26,10 @@ static void combine_columns(struct map *r, int j, const struct map *m,
 	}
 }
 
-/* Makes the planes from the map to clip space. A point is inside left if x scale >= -half
- * w, inside right if x scale <= half w, and so on. Bottom and top are swapped if ndc y
- * points down, near and far if depth is reversed. Without near and far planes their
- * functions are 1, so every point is inside. */
+/* Makes the planes from the map to clip space. A point is inside left if x scale >=
+ * -half w, inside right if x scale <= half w, and so on. Bottom and top are swapped if
+ * ndc y points down, near and far if depth is reversed. If the projection has no near
+ * and far planes, their functions are 1, so every point is inside. */
 static void planes_of_clip(const struct scene *s, const struct map *m,
     struct map *sides, struct map *ends)
 {
@@ -130,10 +130,10 @@ unsigned frustum_out(const struct frustum *f, const double in[4])
 	return out;
 }
 
-/* Makes the estimate of a map's columns. Unless something overflows, the error of a
- * column is at most ESTIMATE_BOUND times the sum of its products' magnitudes. The
- * underflow of a product, or of an element that is rounded up to 2^-1074, adds less than
- * 2^-1025 of the other factor. */
+/* Makes the estimate of the signs of a map's columns. Unless a number overflows, the
+ * error of a column is at most ESTIMATE_BOUND times the sum of its products'
+ * magnitudes. The underflow of a product, or of an element that is rounded up to
+ * 2^-1074, adds less than 2^-1025 of the other factor. */
 static struct estimate estimate_of(const struct transform *t, int columns)
 {
 	const struct kernel_map *k = &t->for_kernel;
@@ -142,23 +142,23 @@ static struct estimate estimate_of(const struct transform *t, int columns)
 	for (int i = 0; i < 3; i++)
 		e.origin[i] = k->origin[i];
 	for (int j = 0; j < columns; j++) {
-		double underflow = 2 * (k->none[j] + 0x1p-1020);
+		double underflow = 2 * (k->noise[j] + 0x1p-1020);
 
 		for (int i = 0; i < 4; i++)
 			e.m[i][j] = k->hi[i][j];
 		e.slope = fmax(e.slope,
-		    ESTIMATE_BOUND * k->most[j] + underflow);
+		    ESTIMATE_BOUND * k->slope[j] + underflow);
 		e.floor = fmax(e.floor,
-		    ESTIMATE_BOUND * k->image[j] + underflow);
-		if (!(k->image[j] > 0x1p-899))
-			e.low = fmax(e.low, 0x1p-899 / k->most[j]);
-		e.high = fmin(e.high, (0x1p999 - k->image[j]) / k->most[j]);
+		    ESTIMATE_BOUND * k->offset[j] + underflow);
+		if (!(k->offset[j] > 0x1p-899))
+			e.low = fmax(e.low, 0x1p-899 / k->slope[j]);
+		e.high = fmin(e.high, (0x1p999 - k->offset[j]) / k->slope[j]);
 	}
 	return e;
 }
 
-/* How many points a kernel takes at a time; their words are on the stack. */
-enum { FEW = 256 };
+/* How many points a call of the kernel takes; the stack holds their words. */
+enum { SIGNS_BLOCK = 256 };
 
 void frustum_out_all(const struct frustum *f, const double *const in[4],
     unsigned char *out, size_t n)
@@ -167,22 +167,22 @@ void frustum_out_all(const struct frustum *f, const double *const in[4],
 	/* in 2D any column serves as z, as the slopes of z are 0 */
 	const double *z = in[flat ? 0 : 2];
 	struct estimate sides = estimate_of(&f->sides, 4), ends = { 0 };
-	double word[FEW];
+	double word[SIGNS_BLOCK];
 
 	if (!flat)
 		ends = estimate_of(&f->ends, 3);
-	for (size_t i = 0; i < n; i += FEW) {
+	for (size_t i = 0; i < n; i += SIGNS_BLOCK) {
 		const double *const at[4] = { in[0] + i, in[1] + i, z + i };
-		size_t few = n - i < FEW ? n - i : FEW;
+		size_t count = n - i < SIGNS_BLOCK ? n - i : SIGNS_BLOCK;
 
-		memset(word, 0, few * sizeof *word);
+		memset(word, 0, count * sizeof *word);
 		if (!four)
 			points_kernels()->signs(&sides, 4, OUT_LEFT, at, word,
-			    few);
+			    count);
 		if (!four && !flat)
 			points_kernels()->signs(&ends, 3, OUT_NEAR, at, word,
-			    few);
-		for (size_t k = 0; k < few; k++) {
+			    count);
+		for (size_t k = 0; k < count; k++) {
 			unsigned planes = (unsigned)word[k];
 			const double p[4] = { at[0][k], at[1][k], at[2][k],
 				four ? in[3][i + k] : 1 };
@@ -196,9 +196,9 @@ void frustum_out_all(const struct frustum *f, const double *const in[4],
 	}
 }
 
-/* Writes the homogeneous point where planes a and b of the sides and plane c of a map meet,
- * such that w is not negative there. All of h is 0 if the planes have more than one point
- * in common. */
+/* Writes the homogeneous point h where planes a and b of the sides and plane c of a map
+ * meet; w of h is not negative. All of h is 0 if the planes meet in more than a
+ * point. */
 static void planes_meet(const struct volume *v, int a, int b,
     const struct map *other, int c, struct sum h[4])
 {
@@ -216,11 +216,11 @@ static void planes_meet(const struct volume *v, int a, int b,
 		h[i] = sum_neg(h[i]);
 }
 
-/* Clip x and w are 0 where the left and the right plane meet. y is 0, too, where both
- * meet the bottom plane: that point is the eye. */
+/* The left and the right plane meet in the line where clip x and w are 0. The line
+ * meets the bottom plane where clip y is 0, too: in the eye. */
 const char *volume_of(const struct scene *s, struct volume *v)
 {
-	/* the map back refuses a singular projection */
+	/* the inverse map refuses a singular projection */
 	const char *why = scene_map(s, SPACE_CLIP, SPACE_VIEW, &v->clip);
 
 	v->eye_z[0] = v->clip.divisor;

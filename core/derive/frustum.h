@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The view volume: its planes, its corners, and the test which planes, or edges of a 2D
- * window, a point is outside of. */
+/* The view volume: its planes and corners, and the planes, or edges of a 2D window,
+ * that a point is outside of. The bounds of errors, rays, and picked points. */
 #ifndef FRUSTUM_H
 #define FRUSTUM_H
 
@@ -17,15 +17,15 @@ enum {
 	OUT_NAN = 128,
 };
 
-/* A point is inside if all columns of its images under both transforms are at least 0. A
- * 2D window (sides.in is 2) does not use ends. */
+/* A point is inside if all columns of its images under both transforms are at least 0.
+ * ends is not used for a 2D window (sides.in is 2). */
 struct frustum {
 	struct transform sides; /* left right bottom top */
 	struct transform ends;  /* near far w */
 };
 
-/* Finds the limits of ndc x and y: a point is between the side planes if |x| scale[0] <=
- * half[0] and |y| scale[1] <= half[1]. half is the viewport's, less the margin. */
+/* Finds the limits of ndc x and y: a point is between the side planes if |x| scale[0]
+ * <= half[0] and |y| scale[1] <= half[1]. half excludes the margin. */
 void view_limits(const struct scene *, struct sum half[2], struct sum scale[2]);
 
 /* Makes the planes of the view volume as linear functions of a point in one space. The
@@ -36,27 +36,27 @@ const char *view_planes(const struct scene *, enum space from,
 const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
     struct frustum *);
 
-/* Makes the edges of the 2D window as functions of a point in a 2D space. They are the
- * edges of the square in ndc, and those of the device on the device. */
+/* Makes the edges of the 2D window as functions of a point in a 2D space: the edges of
+ * the square in ndc or, on the device, those of the device. */
 const char *flat_frustum_of(const struct scene *, enum flat from,
     struct frustum *);
 
 /* Returns the OUT_ bits of the planes that a point is outside of, decided exactly. A
- * point on a plane is not outside of it. With OUT_BEHIND or OUT_NAN no other bit is
- * set. */
+ * point on a plane is not outside of it. OUT_BEHIND and OUT_NAN are set alone. */
 unsigned frustum_out(const struct frustum *, const double in[4]);
 
 /* Writes frustum_out of n points; in has a column for each coordinate. */
 void frustum_out_all(const struct frustum *, const double *const in[4],
     unsigned char *out, size_t n);
 
-/* The view volume in view space: the map to clip space, the planes, the corners and the
- * eye, which are homogeneous points where three planes meet. An inverse map has errors
- * relative to the volume, in which the corners of a small near plane would drown. The
- * corners are near, then far, each left-bottom, right-bottom, right-top, left-top; w of
- * the planes is not negative in them. Without near and far planes all are at infinity. */
+/* The view volume in view space. sides and ends are as in struct frustum. The corners
+ * and the eye are homogeneous points, computed as the points where three planes meet:
+ * the errors of an inverse map are relative to the whole volume, and could exceed a
+ * small near plane. The corners are near, then far, each left-bottom, right-bottom,
+ * right-top, left-top; w is not negative in them. Without near and far planes all
+ * corners are at infinity. */
 struct volume {
-	struct map clip, sides, ends;
+	struct map clip, sides, ends; /* from view space */
 	struct sum corner[8][4], eye[4];
 	struct sum eye_z[2]; /* clip z of the eye, a quotient */
 };
@@ -64,32 +64,29 @@ struct volume {
 /* Makes the volume of a scene. Returns NULL, or the member and the reason. */
 const char *volume_of(const struct scene *, struct volume *);
 
-/* Upper bounds of the error of a point's image. */
-
-/* Writes for each precision an upper bound of the error of any coordinate of an image, in
- * device units or, without a viewport, ndc units, for points of the scene's view volume
- * that are given in model space. kernel/plain.h derives the bounds. A bound is nan if w could be
- * less than its own error, or 1/w beyond the range of the precision. Returns NULL, or
- * the member and the reason. */
+/* Writes an upper bound of the error of any coordinate of an image, for each precision
+ * and for points of the scene's view volume that are given in model space. The unit is
+ * that of the device or, without a viewport, of ndc. kernel/plain.h derives the bounds.
+ * A bound is nan if w could be less than its own error, or 1/w beyond the range of the
+ * precision. Returns NULL, or the member and the reason. */
 const char *error_bounds(const struct scene *, const struct volume *,
     double bound[3]);
 
-/* Rays through positions on the device. */
-
+/* The maps from a position on the device to the ray through it. */
 struct ray_maker {
 	struct transform to_world; /* from the device to the points on rays */
 	double depth;              /* device z of the near plane */
 	struct transform along;    /* from x y 1 to a vector along a ray */
 };
 
-/* Prepares rays_cast. Returns NULL, or the member and the reason. */
+/* Makes the maps for rays_cast. Returns NULL, or the member and the reason. */
 const char *ray_maker_of(const struct scene *, struct ray_maker *);
 
-/* Casts a ray through each of n <= POINTS_BLOCK device positions. Writes its point on the
- * near plane, or the eye if there is no near plane, and its unit direction from near to
- * far. Both are in world space, in columns of POINTS_BLOCK of the nearest doubles or, if
- * single, floats. A position without a ray gets nan. Returns true only if all numbers
- * are finite. */
+/* Casts a ray through each of n <= POINTS_BLOCK device positions. Writes the point
+ * where the ray meets the near plane, or the eye if there is no near plane, and the
+ * unit direction of the ray from near to far. Both are in world space, in columns of
+ * POINTS_BLOCK of the nearest doubles or, if single, floats. If a position has no ray,
+ * they are nan. Returns true only if all numbers are finite. */
 bool rays_cast(const struct ray_maker *, bool single, const double *const at[2],
     double *const point[3], double *const direction[3], size_t n);
 
@@ -99,7 +96,7 @@ bool rays_cast(const struct ray_maker *, bool single, const double *const at[2],
 const char *ray_plane_transform(const struct scene *, enum space from,
     enum space to, const double plane[4], struct transform *);
 
-/* The points near a position on the device, and their distances from the near plane. */
+/* Finds the points near a device position, and their distance from the near plane. */
 
 struct picker {
 	const struct transform *to_device; /* from model space */
@@ -111,8 +108,8 @@ struct picker {
 const char *picker_of(const struct scene *, const struct transform *to_device,
     struct picker *);
 
-/* Returns whether the image of a point is within radius of at, decided exactly; device is
- * the image rounded to nearest. */
+/* Returns whether the image of a point is within radius of at, decided exactly; device
+ * is the image rounded to nearest. */
 bool pick_holds(const struct picker *, const double in[4],
     const double device[2]);
 

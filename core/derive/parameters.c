@@ -3,43 +3,46 @@
 
 #include <string.h>
 
-#define NONE ((double)NAN)
+#define UNDEFINED ((double)NAN)
 
-/* A component of a vector that is less than this share of the vector's length counts as a
- * rounding of the given numbers. */
+/* A component of a vector that is less than this share of the vector's length counts as
+ * a rounding error of the given numbers. */
 #define SLIGHT 0x1p-40
 
-/* The map from view to clip space in axes X to the right, Y upward and D along the gaze. In
- * these axes it is upright: y and w do not depend on X, nor w on Y. Clip coordinates are
+/* The map from view to clip space in axes X to the right, Y upward and D along the
+ * gaze. The axes make it upright: y and w do not depend on X, nor w on Y. Clip
+ * coordinates are
+ *
  *	x = xy[0][0] X + xy[0][1] Y + xy[0][2] D + xy[0][3],
  *	y = xy[1][1] Y + xy[1][2] D + xy[1][3], w = zw D + tw,
- * all times the map's divisor, which cancels. In a perspective w grows along the gaze, and
- * the constants are 0, as D begins at the eye.
  *
- * If own, X, Y and D are the axes of view space. If turned, too, they are turned by 180
- * degrees about Y, as w grows against the convention's gaze. X is negated if the answer is
- * of the other handedness. If not own, an RQ decomposition gives the axes. If tilted, z also
- * depends on X or Y. */
+ * all times the map's divisor, which cancels. In a perspective w grows along the gaze,
+ * and the constants are 0, as D begins at the eye.
+ *
+ * If view_axes, X, Y and D are the axes of view space; if not, an RQ decomposition
+ * gives the axes. If turned, too, the axes of view space are turned by 180 degrees
+ * about Y, as w grows against the convention's gaze. X is negated if the answer is of
+ * the other handedness. If tilted, z also depends on X or Y. */
 struct upright {
 	struct sum xy[2][4], zw, tw;
 	struct sum axis[3][3]; /* X, Y and D in view space */
-	bool own, turned, tilted;
+	bool view_axes, turned, tilted;
 };
 
-/* Returns whether the map from world to view space mirrors if the camera is a
- * rotation. */
+/* Returns whether the answer's handedness is not the document's: the map from world to
+ * view space then mirrors. */
 static bool is_mirrored(const struct scene *s)
 {
 	return s->convention.right_handed != answer_convention(s)->right_handed;
 }
 
-/* Sets the axes to those of view space. Returns false if the map is not upright in these
- * axes. */
-static bool set_own_axes(const struct lens *l, struct upright *u)
+/* Sets the axes to those of view space. Returns false if they do not make the map
+ * upright. */
+static bool set_view_axes(const struct lens *l, struct upright *u)
 {
 	const struct convention *c = answer_convention(l->scene);
 	const struct sum(*g)[4] = l->clip;
-	bool own = sum_sign(g[1][0]) == 0;
+	bool upright = sum_sign(g[1][0]) == 0;
 
 	u->turned = sum_sign(g[3][2]) * (looks_back(c) ? -1 : 1) < 0;
 	const bool minus[3] = { u->turned != is_mirrored(l->scene),
@@ -50,8 +53,8 @@ static bool set_own_axes(const struct lens *l, struct upright *u)
 			minus[i / 3]                                 ? -1 :
 								       1);
 	for (int i = 0; i < 4; i++)
-		own &= sum_sign(g[2 + i % 2][i / 2]) == 0;
-	return own && sum_sign(g[0][0]) != 0 && sum_sign(g[1][1]) != 0;
+		upright &= sum_sign(g[2 + i % 2][i / 2]) == 0;
+	return upright && sum_sign(g[0][0]) != 0 && sum_sign(g[1][1]) != 0;
 }
 
 static void normalise(struct sum v[3])
@@ -70,14 +73,14 @@ static bool is_slight(struct sum a, struct sum length)
 
 /* Finds the axes by the method of Gram and Schmidt from the gradients g of clip x, y, z
  * and w. D is along the gradient of w or, if w is constant, from near to far. Y is the
- * part of the gradient of y across D. X makes the camera have the answer's
- * handedness. */
+ * part of the gradient of y that is perpendicular to D. X has the direction that gives
+ * the camera the answer's handedness. */
 static void find_rq_axes(const struct lens *l, struct upright *u)
 {
 	const struct scene *s = l->scene;
 	const struct sum(*g)[4] = l->clip, *n = g[l->parallel ? 2 : 3];
 	struct sum nn = vec3_dot(n, n), yn = vec3_dot(g[1], n), tilt[3];
-	bool against = answer_convention(s)->right_handed != is_mirrored(s);
+	bool negates_x = answer_convention(s)->right_handed != is_mirrored(s);
 
 	for (int i = 0; i < 3; i++) {
 		u->axis[2][i] = sum_negated_if(l->parallel &&
@@ -89,13 +92,13 @@ static void find_rq_axes(const struct lens *l, struct upright *u)
 	normalise(u->axis[1]);
 	vec3_cross(u->axis[1], u->axis[2], u->axis[0]);
 	for (int i = 0; i < 3; i++)
-		u->axis[0][i] = sum_negated_if(against, u->axis[0][i]);
+		u->axis[0][i] = sum_negated_if(negates_x, u->axis[0][i]);
 	vec3_cross(g[2], g[3], tilt);
 	u->tilted = !is_slight(vec3_length(tilt),
 	    sum_mul(vec3_length(g[2]), vec3_length(n)));
 }
 
-/* Sets elements to 0 that are roundings. */
+/* Sets elements to 0 that count as rounding errors. */
 static void clear_roundings(bool parallel, struct upright *u)
 {
 	for (int i = 0; i < 2; i++)
@@ -111,8 +114,8 @@ static void set_elements(const struct lens *l, struct upright *u)
 	u->zw = vec3_dot(l->clip[3], u->axis[2]);
 }
 
-/* Returns whether a matrix contains a camera that is turned by 180 degrees: the picture
- * of a scene without a camera is upside down, or far is against the gaze. */
+/* Returns whether the projection's matrix contains a camera that is turned by 180
+ * degrees: the picture without a camera is upside down, or far is against the gaze. */
 static bool hides_camera(const struct lens *l, const struct upright *u)
 {
 	const struct projection *p = &l->scene->projection;
@@ -134,25 +137,25 @@ static void upright_of(const struct lens *l, struct upright *u)
 		u->xy[1][3] = l->clip[1][3];
 		u->tw = l->clip[3][3];
 	}
-	u->own = set_own_axes(l, u);
+	u->view_axes = set_view_axes(l, u);
 	set_elements(l, u);
-	if (u->own && !hides_camera(l, u))
+	if (u->view_axes && !hides_camera(l, u))
 		return;
-	u->own = false;
+	u->view_axes = false;
 	find_rq_axes(l, u);
 	set_elements(l, u);
 	clear_roundings(l->parallel, u);
 }
 
-/* Sets the aspect and, if the side planes run along the axes of view space, the planes:
- * two opposite corners of the near plane give them. */
+/* Sets the aspect. If the axes are those of view space, sets the side planes from two
+ * opposite corners of the near plane. */
 static void set_planes(const struct lens *l, const struct upright *u,
     struct picture *r)
 {
 	const struct scene *s = l->scene;
 	struct sum half[2], scale[2];
 
-	for (int k = 0; k < 4 && u->own && !isnan(r->near); k++) {
+	for (int k = 0; k < 4 && u->view_axes && !isnan(r->near); k++) {
 		const struct sum *h = l->volume.corner[k % 2 == 0 ? 0 : 2];
 
 		if (k >= 2 || sum_sign(u->xy[0][1]) == 0)
@@ -164,7 +167,7 @@ static void set_planes(const struct lens *l, const struct upright *u,
 
 	/* high is 0 if the picture is a line */
 	r->aspect = sum_sign(high) == 0 ?
-	    NONE :
+	    UNDEFINED :
 	    sum_ratio_or_nan(sum_abs(wide), sum_abs(high));
 }
 
@@ -185,7 +188,7 @@ static void set_frustum_planes(const struct lens *l, double plane[6][4])
 		for (int i = 0; i < 4; i++)
 			plane[k][i] = sum_sign(length) != 0 ?
 			    sum_ratio_or_nan(v[i], length) :
-			    NONE;
+			    UNDEFINED;
 	}
 }
 
@@ -207,7 +210,7 @@ static bool is_rotation(const struct map *m, bool mirrored)
 	return sum_sign(map_minor(3, m->m, 8, 8)) == (mirrored ? -1 : 1);
 }
 
-/* The eye of a perspective is where its projectors meet. */
+/* Sets the camera. The eye of a perspective is the point where its projectors meet. */
 static void set_camera(const struct lens *l, const struct upright *u,
     struct picture *r)
 {
@@ -222,9 +225,9 @@ static void set_camera(const struct lens *l, const struct upright *u,
 	lens_axis(l, u->axis[1], c->up);
 }
 
-/* Computes K: the pixel is at half + scale x / w from the corner. If pixels count from the
- * top, Y of K points downward. X of K points to the right in the picture, also if the world
- * has not the answer's handedness. */
+/* Computes K, whose pixels are half + scale x / w from the viewport's corner. If pixels
+ * count from the top, Y of K points downward. X of K points to the right in the
+ * picture, even if the world does not have the answer's handedness. */
 static void set_intrinsics(const struct scene *s, const struct upright *u,
     double k[3][3])
 {
@@ -246,9 +249,9 @@ static void set_intrinsics(const struct scene *s, const struct upright *u,
 	k[2][2] = 1;
 }
 
-/* Sets the edges of the cross-section: X or Y where a side plane x = w or x = -w, y = w or
- * y = -w meets the plane D = n / d. In a perspective that plane is near or far; in a
- * parallel projection its depth is not sheared. */
+/* Sets the edges of the cross-section: X or Y where a side plane, x = w or x = -w, y =
+ * w or y = -w, meets the plane D = n / d. In a perspective the plane of D is near or
+ * far; in a parallel projection it is the plane that the shear does not move. */
 static void set_edges(const struct upright *u, const struct depth *z, bool far,
     struct projection *p)
 {
@@ -270,8 +273,8 @@ static void set_edges(const struct upright *u, const struct depth *z, bool far,
 	}
 }
 
-/* Makes the projection oblique: cot(projector) cos(direction) = zx / x, and
- * cot(projector) sin(direction) = zy / y. */
+/* Makes the projection oblique, with cot(projector) cos(direction) = xy[0][2] /
+ * xy[0][0] and cot(projector) sin(direction) = xy[1][2] / xy[1][1]. */
 static void set_shear(const struct upright *u, const struct projection *given,
     struct projection *p)
 {
@@ -294,8 +297,8 @@ static void set_shear(const struct upright *u, const struct projection *given,
 		p->direction = -p->direction;
 }
 
-/* Sets the projection. The plane of a perspective that is nearer to the eye becomes near,
- * also if the eye is beyond far. */
+/* Sets the projection. near becomes the plane of a perspective that is nearer to the
+ * eye, even if the eye is beyond far. */
 static void set_projection(const struct lens *l, const struct upright *u,
     struct picture *r)
 {
@@ -338,8 +341,8 @@ static double squared(double a, double b, double c)
 }
 
 /* Returns whether the matrix looks transposed. A transposed perspective matrix has the
- * gaze, a unit vector, in its last row and the image of the origin in its last column. A
- * transposed parallel projection has the last row 0 0 0 1. */
+ * gaze, a unit vector, in its last row and the image of the origin in its last column.
+ * A transposed parallel projection has the last row 0 0 0 1. */
 static bool seems_transposed(const double m[4][4])
 {
 	double row = squared(m[3][0], m[3][1], m[3][2]);
@@ -355,42 +358,43 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 	const struct scene *s = l->scene;
 	const struct projection *p = &s->projection;
 	bool parallel = l->parallel, behind = true;
-	bool pixels = sum_sign(u->xy[0][1]) != 0 || projection_is_open(p);
+	bool by_intrinsics = sum_sign(u->xy[0][1]) != 0 ||
+	    projection_is_open(p);
 	bool mirrored = (sum_sign(u->xy[0][0]) * sum_sign(u->xy[1][1]) < 0) !=
 	    is_mirrored(s);
 	bool fills = s->has_viewport && s->viewport.scale == SCALE_FILL;
 	bool transposed = p->type == PROJECTION_MATRIX &&
 	    seems_transposed(p->matrix);
-	/* the eye of a reverse perspective is beyond far by intent */
+	/* a reverse perspective has the eye beyond far by intent */
 	bool reverse = p->type == PROJECTION_VOLUME &&
 	    r->taxon == TAXON_REVERSE;
 
 	/* w is negative, or 0 at infinity, at all corners */
 	for (int i = 0; i < 8; i++)
 		behind &= isnan(r->corner[i][0]);
-	/* a perspective's matrix that is negated as a whole seems to mirror */
+	/* a perspective matrix seems to mirror if all of it is negated */
 	bool negated = !parallel && !transposed && mirrored && behind;
 	bool known = transposed || reverse || negated;
 	/* the projection looks against the convention's gaze */
-	bool away = u->own && u->turned && (mirrored || s->has_camera);
-	const bool is[NOTES] = {
+	bool away = u->view_axes && u->turned && (mirrored || s->has_camera);
+	const bool applies[NOTES] = {
 		[NOTE_MIRRORED] = !known && mirrored && !away,
 		[NOTE_HANDED] = !known && mirrored && away,
 		[NOTE_AWAY] = !known && !mirrored && away,
 		[NOTE_TRANSPOSED] = transposed,
 		[NOTE_NEAR_BEYOND] = r->near > r->far && !reverse,
-		[NOTE_BACKWARD] = p->type == PROJECTION_MATRIX && u->own &&
-		    parallel && r->reverse_z,
+		[NOTE_BACKWARD] = p->type == PROJECTION_MATRIX &&
+		    u->view_axes && parallel && r->reverse_z,
 		[NOTE_NO_ROTATION] = !is_rotation(&l->view, is_mirrored(s)),
 		[NOTE_TILTED] = u->tilted,
 		[NOTE_BEHIND] = negated || (parallel && sum_sign(u->tw) < 0),
-		[NOTE_SKEWED] = pixels &&
+		[NOTE_SKEWED] = by_intrinsics &&
 		    (parallel || !fills || sum_sign(u->xy[0][0]) < 0),
 	};
 	unsigned notes = 0;
 
 	for (int i = 0; i < NOTES; i++)
-		notes |= (unsigned)is[i] << i;
+		notes |= (unsigned)applies[i] << i;
 	return notes;
 }
 
@@ -403,8 +407,8 @@ static void set_parameters(const struct lens *l, struct picture *r)
 	upright_of(l, &u);
 	depth_of(l, &r->depth);
 	r->reverse_z = l->reversed;
-	r->near = u.tilted ? NONE : depth_distance(&r->depth, false);
-	r->far = u.tilted ? NONE : depth_distance(&r->depth, true);
+	r->near = u.tilted ? UNDEFINED : depth_distance(&r->depth, false);
+	r->far = u.tilted ? UNDEFINED : depth_distance(&r->depth, true);
 	set_planes(l, &u, r);
 	if (s->has_viewport && !l->parallel)
 		set_intrinsics(s, &u, r->intrinsics);

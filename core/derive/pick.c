@@ -4,15 +4,15 @@
 #include <math.h>
 
 /* The distance of a point from a plane is the plane's linear function at the point over
- * the length of its gradient in view space. Without near and far planes the plane is
- * w = 0. */
+ * the length of the function's gradient in view space. Without near and far planes the
+ * distance is measured from the plane w = 0. */
 const char *picker_of(const struct scene *s, const struct transform *to_device,
     struct picker *k)
 {
 	int plane = projection_is_open(&s->projection) ? 2 : 0;
 	struct map *m = &k->depth.map, sides;
 	struct sum gradient[3], divisor;
-	/* the map back refuses a singular projection */
+	/* the inverse map refuses a singular projection */
 	const char *why = scene_map(s, SPACE_CLIP, SPACE_VIEW, m);
 
 	if (why == NULL)
@@ -28,7 +28,7 @@ const char *picker_of(const struct scene *s, const struct transform *to_device,
 	for (int i = 0; i < 4; i++)
 		m->m[i][2] = sum_mul(m->m[i][plane], divisor);
 	map_divide_column(m, 2, vec3_length(gradient));
-	/* w is 1: the map is affine */
+	/* the map is affine: w is 1 */
 	for (int i = 0; i < 4; i++)
 		m->m[i][3] = i < 3 ? sum_of_double(0) : m->divisor;
 	transform_init(&k->depth, SPACE_MODEL, SPACE_VIEW, false);
@@ -40,10 +40,11 @@ static struct sum square(struct sum a)
 	return sum_mul(a, a);
 }
 
-/* The image of the point is N / w. It is within the radius r if (N - at w)^2 <= (r w)^2.
- * The image rounded to doubles, device, has a relative error of a few u. If r is above
- * 2^-40 of the coordinates of at, the squared distance d2 near the circle has a relative
- * error below 2^-10, so doubles decide if d2 differs from r^2 by more than 2^-8 r^2. */
+/* The image of the point is N / w. It is within the radius r of the position p if (N -
+ * p w)^2 <= (r w)^2. The image rounded to doubles (device) has a relative error of a
+ * few u = 2^-53. If r is above 2^-40 of the coordinates of p, the squared distance d2
+ * near the circle has a relative error below 2^-10, so doubles decide if d2 differs
+ * from r^2 by more than 2^-8 r^2. */
 bool pick_holds(const struct picker *k, const double in[4],
     const double device[2])
 {

@@ -6,25 +6,28 @@
 
 #include "../points/kernel/midway.h"
 
-/* Makes the map from device x and y to a vector along the ray. The ray lies in the planes
- * x w = X and y w = Y, where X, Y and w are columns of the map from view space to the
- * device. It runs along the cross product of their normals, in which x y cancels:
+/* Makes the map from device x and y to a vector along the ray. The ray lies in the
+ * planes x w = X and y w = Y, where X, Y and w are columns of the map from view space
+ * to the device. It is parallel to the cross product of the planes' normals, in which
+ * the term of x y is 0:
  *
  *	(x w - X) x (y w - Y) = x (Y x w) + y (w x X) + X x Y
  *
- * Depth grows along this vector if the map's determinant is positive. The product is
- * computed in view space, where it is exact even if the camera is not; the rows of r
- * include the map to world space. */
-static const char *set_along(const struct scene *s, bool against, struct map *r)
+ * Depth grows along this vector if the map's determinant is positive; if depth falls,
+ * the vector is negated. The product is computed in view space, where it is exact even
+ * if the camera is not; the rows of r include the map to world space. */
+static const char *set_along(const struct scene *s, bool depth_falls,
+    struct map *r)
 {
-	static const int of[4][2] = { { 1, 3 }, { 3, 0 }, { 0, 0 }, { 0, 1 } };
+	static const int factor[4][2] = { { 1, 3 }, { 3, 0 }, { 0, 0 },
+		{ 0, 1 } };
 	struct sum normal[4][3], view[3];
 	struct map m;
 	const char *why = scene_map(s, SPACE_VIEW, SPACE_DEVICE, &m);
 
 	if (why != NULL)
 		return why;
-	bool turned = (sum_sign(map_minor(4, m.m, 0, 0)) < 0) != against;
+	bool turned = (sum_sign(map_minor(4, m.m, 0, 0)) < 0) != depth_falls;
 
 	for (int i = 0; i < 12; i++)
 		normal[i % 4][i / 4] = m.m[i / 4][i % 4];
@@ -33,15 +36,16 @@ static const char *set_along(const struct scene *s, bool against, struct map *r)
 	for (int i = 0; i < 4; i++) {
 		if (i == 2)
 			continue;
-		vec3_cross(normal[of[i][turned]], normal[of[i][!turned]], view);
+		vec3_cross(normal[factor[i][turned]],
+		    normal[factor[i][!turned]], view);
 		for (int j = 0; j < 3; j++)
 			sum_dot(3, view, &m.m[0][j], 4, &r->m[i][j]);
 	}
 	return why;
 }
 
-/* Makes every ray begin at the eye, where clip x, y and w are 0. scene_map can't fail:
- * the map from the device, which exists, is composed of the map from clip space. */
+/* Makes every ray begin at the eye, where clip x, y and w are 0. scene_map does not
+ * fail: the map from the device exists, and contains the map from clip space. */
 static void from_eye(const struct scene *s, struct transform *t)
 {
 	struct sum(*m)[4] = t->map.m;
@@ -58,13 +62,13 @@ const char *ray_maker_of(const struct scene *s, struct ray_maker *r)
 {
 	bool reversed = projection_is_reversed(&s->projection, &s->convention);
 	const struct viewport *v = &s->viewport;
-	/* device depth falls away from the eye */
-	bool against = (v->max_z > v->min_z) == reversed;
+	/* depth on the device falls away from the eye */
+	bool depth_falls = (v->max_z > v->min_z) == reversed;
 	const char *why = scene_transform(s, SPACE_DEVICE, SPACE_WORLD, false,
 	    &r->to_world);
 
 	if (why == NULL)
-		why = set_along(s, against, &r->along.map);
+		why = set_along(s, depth_falls, &r->along.map);
 	if (why != NULL)
 		return why;
 	r->along.map.divisor = sum_of_double(1);
@@ -93,8 +97,8 @@ static void ray_direction(const struct ray_maker *r, const double in[4],
 	}
 }
 
-/* Returns whether the ray of a device position has a point. If all coordinates are nan,
- * they may only be beyond the range of doubles, so the sign of w decides. */
+/* Returns whether the ray of a device position has a point on the near plane. If all
+ * coordinates are nan, they may only be beyond the range, so the sign of w decides. */
 static bool has_point(const struct ray_maker *r, const double in[4],
     const double point[3])
 {
@@ -120,7 +124,7 @@ static void round_to_floats(const struct ray_maker *r, const double in[4],
 }
 
 /* Completes a ray after the kernels: computes a direction that is still nan, rounds to
- * floats if single, and makes the direction nan if there is no point. */
+ * floats if single, and makes the direction nan if the ray has no point. */
 static void ray_finish(const struct ray_maker *r, const double in[4],
     bool single, double point[3], double direction[3])
 {
@@ -171,9 +175,10 @@ bool rays_cast(const struct ray_maker *r, bool single,
 	return false;
 }
 
-/* Writes row i of the map from q = (x, y, z, 1) to the point of the plane p on the ray
- * through x and y. Let m_i be the rows of the map from device or ndc space. The image of q
- * is P = sum of q_i m_i. It is on the plane if p . P = 0, which is linear in z = q_2:
+/* Writes row i of the map from q = (x, y, z, 1) to the point where the ray through x
+ * and y meets the plane p. Let m_i be the rows of the map from device or ndc space. The
+ * image of q is P = sum of q_i m_i. P is on the plane if p . P = 0, which is linear in
+ * z = q_2:
  *
  *	z = -sum of q_i (m_i . p) / (m_2 . p),    i = 0, 1, 3
  *

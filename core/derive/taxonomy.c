@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "picture.h"
 
-/* Relative tolerance of equal, zero and parallel. */
+/* The relative tolerance of tests for equal, zero and parallel. */
 #define ALIKE 0x1p-40
 
 static bool alike(double a, double b)
@@ -24,7 +24,8 @@ static enum kind axonometric_kind(const double f[3])
 	return same > 0 ? KIND_DIMETRIC : KIND_TRIMETRIC;
 }
 
-/* Returns the kind by the cotangent of the angle between projectors and plane. */
+/* Returns the kind of an oblique projection. cot is the cotangent of the angle between
+ * projectors and projection plane. */
 static enum kind oblique_kind(double cot)
 {
 	if (alike(cot, 1))
@@ -32,8 +33,8 @@ static enum kind oblique_kind(double cot)
 	return alike(cot, 0.5) ? KIND_CABINET : KIND_GENERAL;
 }
 
-/* Sets taxon, kind and foreshortening of a parallel projection. Projectors of direction d
- * take an axis a to a - d (n a) / (n d) in the plane of normal n. */
+/* Sets taxon, kind and foreshortening of a parallel projection. Projectors of direction
+ * d take a vector a to a - d (n . a) / (n . d) in the plane of normal n. */
 static void name_parallel(const struct lens *l, struct picture *t)
 {
 	const struct sum *n = l->clip[2];
@@ -61,8 +62,8 @@ static void name_parallel(const struct lens *l, struct picture *t)
 				 oblique_kind(cot);
 }
 
-/* Counts the vanishing points: one for each world axis that meets the projection
- * plane. */
+/* Returns the kind by the number of vanishing points: one for each world axis that is
+ * not parallel to the projection plane. */
 static enum kind perspective_kind(const struct lens *l)
 {
 	const struct sum *g = l->clip[3];
@@ -77,9 +78,10 @@ static enum kind perspective_kind(const struct lens *l)
 	return n < 3 ? KIND_TWO_POINT : KIND_THREE_POINT;
 }
 
-/* Sets the angle between the planes one x = -limit w and one x = limit w. Their normals
- * are limit g + one a and limit g - one a, with the gradients g of w and a of x. Its
- * tangent is the length of their cross product over their dot product, negated. */
+/* Sets the angles between the planes one x = -limit w and one x = limit w, and likewise
+ * for y. The planes have the normals limit g + one a and limit g - one a, where g is
+ * the gradient of w and a that of x. The tangent of their angle is the length of the
+ * normals' cross product over their dot product, negated. */
 static void set_fov(const struct lens *l, double fov[2])
 {
 	struct sum limit[2], one[2];
@@ -98,16 +100,17 @@ static void set_fov(const struct lens *l, double fov[2])
 	}
 }
 
-/* Sets kind, field of view and vanishing points of a perspective. The vanishing point of
- * an axis is the image of its direction, whose fourth coordinate is 0. */
+/* Sets kind, field of view and vanishing points of a perspective. The vanishing point
+ * of an axis is the image of its direction, whose fourth coordinate is 0. */
 static void name_perspective(const struct lens *l, struct picture *t)
 {
 	const struct scene *s = l->scene;
-	struct map screen = l->volume.clip, stage;
+	struct map screen = l->volume.clip, to_device;
 
 	if (s->has_viewport) {
-		viewport_map(&s->viewport, answer_convention(s), false, &stage);
-		map_append(&screen, &stage, false);
+		viewport_map(&s->viewport, answer_convention(s), false,
+		    &to_device);
+		map_append(&screen, &to_device, false);
 	}
 	t->kind = perspective_kind(l);
 	set_fov(l, t->fov);
@@ -121,8 +124,8 @@ static void name_perspective(const struct lens *l, struct picture *t)
 	}
 }
 
-/* Writes the world's point of homogeneous coordinates h in view space, or nan if the point
- * does not exist. */
+/* Writes the point in world space of a homogeneous point h in view space, or nan if the
+ * point does not exist. */
 static void taxonomy_point(const struct lens *l, const struct sum h[4],
     bool exists, double p[3])
 {
@@ -142,7 +145,7 @@ void taxonomy_of(const struct lens *l, struct picture *t)
 
 	map_image(&v->ends, 1, v->eye, &far);
 	int side = sum_sign(far) * sum_sign(v->eye[3]);
-	bool against = side < 0;
+	bool against = side < 0; /* the gaze is against the gradient */
 
 	taxonomy_point(l, v->eye, side != 0, t->eye);
 	t->taxon = against ? TAXON_REVERSE : TAXON_PERSPECTIVE;
@@ -154,7 +157,7 @@ void taxonomy_of(const struct lens *l, struct picture *t)
 	}
 	lens_axis(l, l->clip[l->parallel ? 2 : 3], t->gaze);
 	for (int k = 0; k < 3 && against; k++)
-		t->gaze[k] = 0 - t->gaze[k]; /* 0 stays +0 */
+		t->gaze[k] = 0 - t->gaze[k]; /* not -0 */
 	for (int i = 0; i < 8; i++)
 		taxonomy_point(l, v->corner[i], sum_sign(v->corner[i][3]) > 0,
 		    t->corner[i]);

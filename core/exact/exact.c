@@ -17,8 +17,8 @@ bool ex_has_overflowed(void)
 	return atomic_exchange(&ex_overflowed, false);
 }
 
-/* Sets *r to sign w[0..n) 2^(64 e) without zeros at either end. Only the EX_WORDS highest
- * words are kept. */
+/* Sets *r to sign w[0..n) 2^(64 e) without zeros at either end. Only the EX_WORDS
+ * highest words are kept. */
 static void ex_put(ex *r, int sign, const uint64_t *w, int n, int e)
 {
 	while (n > 0 && w[n - 1] == 0)
@@ -83,8 +83,10 @@ ex ex_power(int e)
 	return (ex){ 1, 1, ex_word_index(e), { (uint64_t)1 << (e & 63) } };
 }
 
-/* Adds a b, whose lowest word is word at, to a number of size words in two's complement.
- * Words below 0 are cut off. -q w is q ~w + q without its highest word, which is -q. */
+/* Adds a b to sum, a number of size words in two's complement. The lowest word of a b
+ * belongs to sum[at]; words that belong before sum[0] are cut off. A negative product
+ * is added as -q w = q ~w + q - q 2^(64 n), for each word q of one factor and the n
+ * words w of the other. */
 static void add_product(uint64_t *sum, int size, int at, const ex *a,
     const ex *b)
 {
@@ -161,8 +163,8 @@ ex ex_truncate(ex a, int n)
 /* Returns one word of the long division of u[0..n] by d[0..n), and leaves the remainder
  * in u: Knuth, The Art of Computer Programming, volume 2, 4.3.1, algorithm D. The top
  * bit of d is set, and u[n] <= d[n - 1]. The quotient of the highest words is at most 2
- * too large (theorem B there); while it is too large, u is negative. -q d is q ~d + q
- * without its word n, which is -q. */
+ * too large (theorem B there); while it is too large, u is negative. q d is subtracted
+ * by -q d = q ~d + q - q 2^(64 n). */
 static uint64_t divide_word(uint64_t *u, const uint64_t *d, int n)
 {
 	uint64_t q = UINT64_MAX;
@@ -189,7 +191,7 @@ static uint64_t bits_from(const ex *a, int e)
 	return word_at(a, at) >> bits | word_at(a, at + 1) << 1 << (63 - bits);
 }
 
-/* The exponent of a quotient by 0: above that of all quotients of a scene's numbers. */
+/* The exponent of a quotient by 0, above the exponents of all quotients in a scene. */
 enum { BEYOND = 1 << 20 };
 
 bool ex_divide(const ex *a, const ex *b, int words, ex *r)
@@ -223,9 +225,9 @@ bool ex_divide(const ex *a, const ex *b, int words, ex *r)
 }
 
 /* Newton's iteration begins with the root of a double, which has 50 correct bits. Each
- * step doubles the correct bits, so the quotients of the steps need 2, 4, 8, and at last
- * EX_QUOTIENT words. The result is rounded to the words kept; so a root of few words is
- * exact. */
+ * step doubles the correct bits, so the quotients of the steps need 2, 4, 8, and at
+ * last EX_QUOTIENT words. The result is rounded to EX_QUOTIENT words; so short roots
+ * are exact. */
 ex ex_sqrt(ex a)
 {
 	int up = a.e + a.n - 1;
@@ -234,18 +236,18 @@ ex ex_sqrt(ex a)
 		return a;
 	a.e -= up;
 	ex q, r = ex_of(sqrt(ex_nearest(&a, false)));
-	const ex *const x[] = { &r, &q };
+	const ex *const pair[] = { &r, &q };
 
 	for (int words = 2; words < 2 * EX_QUOTIENT; words *= 2) {
 		ex_divide(&a, &r, words < EX_QUOTIENT ? words : EX_QUOTIENT,
 		    &q);
-		ex_dot(2, x, (const ex *[]){ &half, &half }, INT_MIN, &r);
+		ex_dot(2, pair, (const ex *[]){ &half, &half }, INT_MIN, &r);
 	}
 	q = ex_power(64 * (r.e + r.n - EX_QUOTIENT) - 1);
-	ex_dot(2, x, (const ex *[]){ &one, &one }, INT_MIN, &r);
+	ex_dot(2, pair, (const ex *[]){ &one, &one }, INT_MIN, &r);
 	r = ex_truncate(r, EX_QUOTIENT);
 	q = ex_power(32 * up);
-	ex_dot(1, x, x + 1, INT_MIN, &r);
+	ex_dot(1, pair, pair + 1, INT_MIN, &r);
 	return r;
 }
 

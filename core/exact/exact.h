@@ -16,9 +16,9 @@
 #include "dd.h"
 
 /* A number of a document or of a point is a multiple of 2^-1074 below 2^499. A sum of
- * products of four such numbers spans 4 * 1573 bits, and a few bits more for carries: 99
- * words, and two more if its ends lie within words. Such sums are the determinant of a
- * matrix, and the image of a point by a product of three matrices. Sums of longer
+ * products of four such numbers spans 4 * 1573 bits, and a few bits more for carries:
+ * 99 words, and two more if its ends lie within words. Such sums are the determinant of
+ * a matrix, and the image of a point by a product of three matrices. Sums of longer
  * products can span more: their lowest words are cut off, and ex_has_overflowed returns
  * true. Scenes with such a map are refused (core/scene/scene.c), and so are maps that
  * leave too few words for points (core/points/transform.c). */
@@ -35,15 +35,15 @@ ex ex_of(double a);
 ex ex_power(int e); /* 2^e */
 
 /* The bound of the relative error of quotients and roots. A quotient keeps EX_QUOTIENT
- * words, and its highest word can be as small as 1. A result that has five words or fewer
- * is exact. A quotient by 0 is beyond the range of doubles. */
+ * words, of which the highest can be as small as 1. A result of five words or fewer is
+ * exact. A quotient by 0 is beyond the range of doubles. */
 #define EX_ERROR 0x1p-703
 enum { EX_QUOTIENT = 12 };
 
 ex ex_sqrt(ex a);
 ex ex_truncate(ex a, int n); /* the n highest words */
 
-/* Returns the least e with |a| < 2^e, or -EX_RANGE, which is below all others, if a is 0. */
+/* Returns the least e with |a| < 2^e, or -EX_RANGE, below all others, if a is 0. */
 enum { EX_RANGE = 1 << 24 };
 
 static inline int ex_size(const ex *a)
@@ -53,11 +53,11 @@ static inline int ex_size(const ex *a)
 	    64 * (a->e + a->n) - __builtin_clzll(a->word[a->n - 1]);
 }
 
-/* Returns whether, since the last call, a number in any thread has had more than EX_WORDS
- * words. */
+/* Returns whether, since the last call, a number in any thread has had more than
+ * EX_WORDS words. */
 bool ex_has_overflowed(void);
 
-/* The functions below take pointers, as each point calls them. */
+/* The functions below take pointers because they are called for each point. */
 void ex_set(ex *, double a);
 
 /* Computes the sum of n products a[k] b[k]. Drops words below 2^least, but keeps
@@ -70,13 +70,12 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *);
  * exact; if not, its last bit is set, so that it rounds as the exact quotient does. */
 bool ex_divide(const ex *a, const ex *b, int words, ex *);
 
-/* Returns the nearest double or, if single, the nearest float. Ties go to even, also
- * among subnormal numbers. A number beyond the range gives an infinity, and 0 gives
- * +0. */
+/* Returns the nearest double or, if single, the nearest float. Ties go to even, also of
+ * subnormal numbers. A number beyond the range gives infinity, 0 gives +0. */
 double ex_nearest(const ex *, bool single);
 
-/* Returns the nearest double and the double nearest to the remainder. The error of their
- * sum is at most EX_BOUND u^2 a, u = 2^-53, if that is at least 2^-1022. */
+/* Returns the nearest double and the double nearest to the remainder. The error of
+ * their sum is at most EX_BOUND u^2 |a|, u = 2^-53, if that is at least 2^-1022. */
 #define EX_BOUND 0.5
 
 dd ex_round(const ex *);

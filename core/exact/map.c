@@ -62,8 +62,8 @@ static void divide_element(struct sum *a, const struct sum *d)
 		*a = sum_quotient(*a, *d);
 }
 
-/* If the divisor becomes a power of two, the elements are divided by it, and the divisor
- * becomes 1. */
+/* If the divisor becomes a power of two, the elements are divided by it, and the
+ * divisor becomes 1. */
 void map_divide(struct map *r, struct sum d)
 {
 	struct sum power = sum_of_double(d.value.sign);
@@ -112,8 +112,8 @@ static bool is_identity(const struct map *a)
 	return sum_is_one(&a->divisor);
 }
 
-/* An element that is known by its words to be below 2^960 is finite; others are
- * rounded. */
+/* An element whose words show that it is below 2^960 is finite; other elements are
+ * rounded to find out. */
 bool map_is_finite(const struct map *a)
 {
 	int most = a->divisor.value.e + a->divisor.value.n + 14;

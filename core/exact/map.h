@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Vectors of three elements, and homogeneous maps of row vectors between spaces. Rational
- * results are exact. */
-#ifndef MAT_H
-#define MAT_H
+/* Vectors of three elements, and homogeneous maps of row vectors between spaces.
+ * Rational results are exact. */
+#ifndef MAP_H
+#define MAP_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -15,14 +15,13 @@ struct sum vec3_length(const struct sum a[3]);
 bool vec3_is_zero(const struct sum a[3]);
 
 /* (p, 1) m / divisor is the image of a point p. The elements of m are as exact as sum.h
- * says; the divisor is exact and positive. A map that is made of given numbers without an
- * angle or a length is exact in both directions. One divisor serves all columns, as most
- * images are quotients of two columns. */
+ * says; the divisor is exact and positive. A map that is made of given numbers without
+ * an angle or a length is exact in both directions. One divisor serves all columns, as
+ * most images are quotients of two columns. */
 struct map {
 	struct sum m[4][4], divisor;
-	/* The point to which coordinates are taken relative: the eye, or a
-	 * window's centre. Differences from it are small where many digits of
-	 * the image are needed. */
+	/* The point that is subtracted from coordinates first: the eye, or a window's
+	 * centre. Differences are small where the image needs many digits. */
 	double origin[3];
 };
 
@@ -37,11 +36,11 @@ void map_of_doubles(const double m[4][4], struct map *);
 void map_divide(struct map *, struct sum d);
 void map_divide_column(struct map *, int j, struct sum d);
 
-/* Replaces r by the product r stage, which maps points by r and then by stage. If before,
- * replaces r by the product stage r. */
+/* Replaces r by the product r stage, which maps points by r and then by stage. If
+ * before, replaces r by the product stage r. */
 void map_append(struct map *r, const struct map *stage, bool before);
 
-/* Computes the inverse of a matrix of given numbers. Returns false where the matrix is
+/* Computes the inverse of a matrix of given numbers. Returns false if the matrix is
  * singular. The inverse of an affine matrix has the matrix's last row as origin. */
 bool map_inverse(const double m[4][4], struct map *inverse);
 

@@ -3,10 +3,10 @@
 
 #include <math.h>
 
-/* Computes the symmetric matrix K with q K q = trace(Q' M) for the rotation Q of the unit
- * quaternion q. The rotation nearest to M is the eigenvector of the largest eigenvalue
- * of K (Horn, "Closed-form solution of absolute orientation
- * using unit quaternions", 1987). */
+/* Computes the symmetric matrix K with q K q = trace(Q' M) for the rotation Q of the
+ * unit quaternion q. The rotation nearest to M is the eigenvector of the largest
+ * eigenvalue of K (Horn, "Closed-form solution of absolute orientation using unit
+ * quaternions", 1987). */
 static void horn(const struct sum m[4][4], struct sum k[4][4])
 {
 	struct sum trace = sum_add(sum_add(m[0][0], m[1][1]), m[2][2]);
@@ -22,11 +22,11 @@ static void horn(const struct sum m[4][4], struct sum k[4][4])
 }
 
 /* Computes the largest root of x^4 - 2 s x^2 - 8 d x + k, the characteristic polynomial
- * of K with s = |M|^2, d = det M, k = det K. Newton's iteration descends to it from
- * sqrt(3 s). A step halves the distance until the distance is less than the gap to the
- * next root, and squares it from then on. The slope is the product of the distances to
- * the other roots, gap * 4 x^2 within a factor of 3. The last step leaves an error
- * below 2^-260 gap. Returns false where the gap is below 2^-400 x. */
+ * of K with s = |M|^2, d = det M, k = det K. Newton's iteration descends to the root
+ * from sqrt(3 s). A step halves the distance until the distance is less than the gap to
+ * the next root, and squares the distance, in units of the gap, from then on. The slope
+ * is the product of the distances to the other roots, gap * 4 x^2 within a factor of 3.
+ * The last error is below 2^-260 gap. Returns false if gap < 2^-400 x. */
 static bool largest_root(struct sum s, struct sum d, struct sum k,
     struct sum *x)
 {
@@ -41,13 +41,13 @@ static bool largest_root(struct sum s, struct sum d, struct sum k,
 		p = sum_add(sum_mul(sum_sub(p, sum_scale(d, 8)), *x), k);
 		q = sum_scale(sum_sub(q, sum_scale(d, 2)), 4);
 		slope = sum_double(q);
-		struct sum whole = sum_quotient(p, q);
+		struct sum exact_step = sum_quotient(p, q);
 
-		step = sum_double(whole);
+		step = sum_double(exact_step);
 		x1 = sum_double(*x);
 		if (!(slope > 0x1p-398 * x1 * x1 * x1))
 			return false;
-		*x = sum_sub(*x, whole);
+		*x = sum_sub(*x, exact_step);
 		*x = sum_with_error(ex_truncate(x->value, 16), 0);
 	} while (fabs(step) > 0x1p-154 * slope / (x1 * x1));
 	return true;
@@ -112,8 +112,8 @@ enum rotation rotation_nearest(const double matrix[4][4], struct sum q[4])
 	return ROTATION_FOUND;
 }
 
-/* Rodrigues' formula without the length t of v: I + a [v] + b [v]^2, where [v] p =
- * v x p, a = sin t / t and b = (1 - cos t) / t^2. */
+/* The formula is Rodrigues' without the length t of v: I + a [v] + b [v]^2, where [v] p
+ * = v x p, a = sin t / t and b = (1 - cos t) / t^2. */
 bool rotation_about(const double vector[3], struct sum r[3][3])
 {
 	struct sum v[3], square[3], a, b, all = sum_of_double(0);

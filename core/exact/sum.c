@@ -21,8 +21,8 @@ static int sum_size(const ex *a)
 	return ex_size(a) - (a->n == 1 && (lowest & (lowest - 1)) == 0);
 }
 
-/* Returns a bound of the sum of n errors. Those below 2^-40 of the largest one don't
- * count. */
+/* Returns a bound of the sum of n <= 12 errors. Errors below 2^-40 of the largest are
+ * left out: their sum is below the 2^-19 of the bound that sum.h leaves. */
 static int sum_bound(int n, const int error[])
 {
 	int most = EX_RANGE / 2, terms = 0, e = 0;
@@ -177,7 +177,7 @@ bool sum_is_power_of_two(const struct sum *a)
 
 struct sum sum_quotient(struct sum a, struct sum b)
 {
-	/* |b| is at least 2^d, or half of that if its error is not far smaller */
+	/* |b| is at least 2^d or, if its error is above 2^(d-40), half of that */
 	int d = ex_size(&b.value) - 1;
 	struct sum r;
 
@@ -200,7 +200,7 @@ struct sum sum_quotient(struct sum a, struct sum b)
 
 struct sum sum_sqrt(struct sum a)
 {
-	if (a.value.sign <= 0) /* bounds the root by that of the error */
+	if (a.value.sign <= 0) /* the root is at most that of the error */
 		return (struct sum){ ex_of(0),
 			sum_is_exact(&a) ? 0 : (a.error + EX_RANGE) / 2 + 1 };
 	struct sum r = { ex_sqrt(a.value), 0 };
@@ -212,7 +212,7 @@ struct sum sum_sqrt(struct sum a)
 	return r;
 }
 
-/* Returns whether the value is not above its error. */
+/* Returns whether the value is not above its error, so that it counts as 0. */
 static bool is_none(const struct sum *a)
 {
 	return sum_size(&a->value) + EX_RANGE <= a->error;

@@ -15,8 +15,8 @@ static const struct sum QUARTER = {
 	0
 };
 
-/* The words kept of an angle, and of the terms of its series. */
-enum { WORDS = 6 };
+/* How many words an angle and the terms of its series keep. */
+enum { SINE_WORDS = 6 };
 
 /* Returns 1 - y/((n+1)(n+2)) + y^2/((n+1)...(n+4)) - ... up to y^(last/2). For y = x^2
  * this is cos x (n = 0), or sin x / x (n = 1). Over the common denominator all
@@ -39,20 +39,20 @@ static ex series(ex y, int n, int last, int words)
 
 /* The last power of x for |x| <= pi / 4. The first term left out, x^64/64!, is below
  * 2^-317; the truncations, of x^2 and 32 times of the sum, are below 2^-319. */
-enum { SHORT = 62 };
+enum { SINE_POWER = 62 };
 
 /* The last power of x for x^2 <= 4 pi^2, and the words of its terms, for an absolute
- * error of 2^-500. The sum is up to 2^8 times as small as its terms or, for doubles
- * whose squares sum to nearly pi^2, 2^160 times. The first term left out, x^170/170!, is
- * below 2^-560. */
-enum { LONG = 168, LONG_WORDS = 11 };
+ * error of 2^-500. The sum can be as small as 2^-8 of its terms or, for doubles whose
+ * squares sum to nearly pi^2, as 2^-160. The first term left out, x^170/170!, is below
+ * 2^-560. */
+enum { SINC_POWER = 168, SINC_WORDS = 11 };
 
 bool trig_sinc(struct sum square, struct sum *sinc, struct sum *versinc)
 {
 	if (sum_compare(square, sum_scale(sum_mul(QUARTER, QUARTER), 16)) > 0)
 		return false;
-	ex s = series(square.value, 1, LONG, LONG_WORDS);
-	ex v = series(square.value, 2, LONG, LONG_WORDS);
+	ex s = series(square.value, 1, SINC_POWER, SINC_WORDS);
+	ex v = series(square.value, 2, SINC_POWER, SINC_WORDS);
 
 	*sinc = sum_with_error(s, SUM_TRIG_ERROR);
 	*versinc = sum_scale(sum_with_error(v, SUM_TRIG_ERROR), 0.5);
@@ -69,10 +69,10 @@ struct reduced {
 
 static struct sum angle_rest(struct sum a)
 {
-	return sum_with_error(ex_truncate(a.value, WORDS), 0);
+	return sum_with_error(ex_truncate(a.value, SINE_WORDS), 0);
 }
 
-/* fmod is exact, and so is rest - 90 q, by Sterbenz's lemma. */
+/* Reduces degrees. fmod is exact, and so is rest - 90 q, by Sterbenz's lemma. */
 static void reduce_degrees(double angle, struct reduced *r)
 {
 	double rest = fmod(angle, 360), q = rint(rest / 90);
@@ -83,10 +83,10 @@ static void reduce_degrees(double angle, struct reduced *r)
 	r->quarters = (unsigned)(int)q;
 }
 
-/* The rest of an angle below 2^500 has an error within 2^-460. A double that is not below
- * 2^-64 is no closer than 2^-64 to a multiple of pi / 2 other than 0 (J.-M. Muller,
- * "Elementary Functions", on range reduction). The relative error is therefore within
- * 2^-396. */
+/* Reduces radians. The rest of an angle below 2^500 has an error within 2^-460. A
+ * double that is not below 2^-64 is no closer than 2^-64 to a multiple of pi / 2 other
+ * than 0 (J.-M. Muller, "Elementary Functions", on range reduction). The relative error
+ * is therefore within 2^-396. */
 static void reduce_radians(double angle, struct reduced *r)
 {
 	struct sum a = sum_of_double(angle);
@@ -109,9 +109,10 @@ static struct sum sine_of_rest(const struct reduced *r, int n)
 		return sum_of_double(1);
 	if (n == 1 && fabs(r->degrees) == 30)
 		return sum_of_double(copysign(0.5, r->degrees));
-	struct sum s = sum_with_error(
-	    series(sum_mul(r->radians, r->radians).value, n, SHORT, WORDS),
-	    SUM_TRIG_ERROR);
+	struct sum s =
+	    sum_with_error(series(sum_mul(r->radians, r->radians).value, n,
+			       SINE_POWER, SINE_WORDS),
+		SUM_TRIG_ERROR);
 
 	return n == 1 ? sum_mul(s, r->radians) : s;
 }
@@ -154,8 +155,8 @@ static struct sum to_degrees(struct sum angle)
 
 #define DEGREE 57.29577951308232
 
-/* Corrects the C library's atan2 by the arc tangent of the angle that remains. Two terms
- * of the series of the arc tangent are summed; the third term bounds the error. */
+/* Corrects the C library's atan2 by the arc tangent of the angle that remains. Two
+ * terms of its series are summed; the third bounds the error. */
 double trig_degrees(struct sum y, struct sum x)
 {
 	x = sum_snap_zero(x);

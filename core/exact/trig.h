@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Sine, cosine and cotangent to 300 bits and more, and the arc tangent as a double.
- * Degrees are reduced exactly, and rational values of degrees are exact. Rotations. */
+/* Sine, cosine and cotangent within TRIG_BOUND, the arc tangent as a double, and
+ * rotations. Degrees are reduced exactly, and rational results are exact. */
 #ifndef TRIG_H
 #define TRIG_H
 
@@ -21,22 +21,21 @@ struct sum trig_cos(double angle, enum angle_unit);
 /* Returns the cotangent of an angle above 0 and up to 90 degrees. */
 struct sum trig_cot(double angle, enum angle_unit);
 
-/* Computes sinc = sin x / x and versinc = (1 - cos x) / x^2 of x radians from square =
- * x^2, which is exact. Returns false where x is above 2 pi. */
+/* Computes sinc = sin x / x and versinc = (1 - cos x) / x^2 of x radians. square = x^2
+ * must be exact. Returns false if x is above 2 pi. */
 bool trig_sinc(struct sum square, struct sum *sinc, struct sum *versinc);
 
 /* Returns the double nearest to the angle in degrees whose tangent is y / x, from 0 to
- * 180, for y >= 0; nan where both are 0. */
+ * 180, for y >= 0. Returns nan if both are 0. */
 double trig_degrees(struct sum y, struct sum x);
 
-/* The rotation about a vector, and the rotation nearest to a matrix. */
-
-/* Computes the rotation about a vector by its length in radians: row i of r is axis i of
- * the rotated space. Returns false where the length is above 2 pi. */
+/* Computes the rotation about a vector by its length in radians. Row i of r is axis i
+ * of the rotated space. Returns false if the length is above 2 pi. */
 bool rotation_about(const double vector[3], struct sum r[3][3]);
 
-/* ROTATION_NONE: the determinant is not positive, so no rotation is nearest.
- * ROTATION_MANY: two singular values are too near 0, so many rotations are. */
+/* The results of rotation_nearest. ROTATION_NONE: the determinant is not positive, so
+ * no rotation is nearest. ROTATION_MANY: two singular values are too near 0, so many
+ * rotations are equally near. */
 enum rotation { ROTATION_FOUND, ROTATION_NONE, ROTATION_MANY };
 
 /* Computes the rotation nearest to the upper 3x3 of a matrix, its polar factor, as a

@@ -5,8 +5,8 @@
 
 #include "kernel/midway.h"
 
-/* Computes the homogeneous point relative to the map's origin, which is 0 in clip space, where
- * w is not 1. */
+/* Computes the homogeneous point relative to the map's origin. In clip space, where w
+ * is not 1, the origin is 0. */
 static void set_point(const struct transform *t, const double in[4],
     struct sum p[4])
 {
@@ -15,7 +15,8 @@ static void set_point(const struct transform *t, const double in[4],
 	p[3] = sum_of_double(t->in == 4 && !t->reciprocal ? in[3] : 1);
 }
 
-/* Computes coordinate j of the image of the relative point p, times the map's divisor. */
+/* Computes coordinate j of the image of the relative point p, times the map's
+ * divisor. */
 static void find_column(const struct transform *t, int j, const struct sum p[4],
     struct sum *r)
 {
@@ -39,7 +40,7 @@ static bool has_nan(const struct transform *t, const double in[4])
 	return false;
 }
 
-/* Computes the divisor of the image's coordinates. Returns false where p has no image. */
+/* Computes the divisor of the image's coordinates. Returns false if p has no image. */
 static bool find_divisor(const struct transform *t, const double in[4],
     const struct sum p[4], struct sum *d)
 {

@@ -8,9 +8,9 @@ static double rounded(double a, bool single)
 	return single ? (double)(float)a : a;
 }
 
-/* Computes the image of a point where no kernel does, as with four coordinates in or out. Each
- * operation is rounded to double or, in single, to float. A point whose w is not positive
- * in this precision has no image. */
+/* Computes the image of a point in double or, if single, in single precision: each
+ * operation is rounded. It serves maps that have no kernel, as with four coordinates in
+ * or out. A point whose w is not positive in this precision has no image. */
 static void point_plain(const struct transform *t, bool single,
     const double in[4], double out[4])
 {
@@ -53,19 +53,19 @@ static void map_one(const struct transform *t, enum precision precision,
 		out[j][i] = q[j];
 }
 
-/* Transforms point i as a block of its own, in which bounds are those of its coordinates
- * alone: of the points that a block leaves, this decides four of five. Returns as the
- * kernel does. */
+/* Transforms point i as a block of one point, whose error bounds are those of its own
+ * coordinates: this decides four of five points that the block did not. Returns true if
+ * the kernel rounds the image with certainty. */
 static bool map_alone(const struct transform *t, exact_kernel fast,
     const double *const in[4], double *const out[4], size_t i)
 {
-	enum { ROOM = 16 }; /* of the shortest columns */
-	COLUMN_ALIGNED double p[3][ROOM], q[4][ROOM];
+	enum { SHORTEST = 16 }; /* the kernels read whole vectors */
+	COLUMN_ALIGNED double p[3][SHORTEST], q[4][SHORTEST];
 	const double *const from[3] = { p[0], p[1], p[2] };
 	double *const to[4] = { q[0], q[1], q[2], q[3] };
 
 	for (int k = 0; k < 3; k++)
-		for (int l = 0; l < ROOM; l++)
+		for (int l = 0; l < SHORTEST; l++)
 			p[k][l] = in[k][i];
 	bool done = fast(&t->for_kernel, from, to, 1);
 
@@ -74,8 +74,8 @@ static bool map_alone(const struct transform *t, exact_kernel fast,
 	return done;
 }
 
-/* Computes the image of point i, which the kernel has left. */
-static void map_left(const struct transform *t, exact_kernel fast,
+/* Computes the image of point i, which the kernel did not round. */
+static void map_undecided(const struct transform *t, exact_kernel fast,
     const double *const in[4], double *const out[4], size_t i)
 {
 	if (isinf(out[0][i]))
@@ -93,7 +93,7 @@ static bool is_finite(const struct transform *t, double *const out[4], size_t i)
 	    (t->out < 4 || isfinite(out[3][i]));
 }
 
-/* This and the functions below return as points_map does. */
+/* map_each, map_exact and map_rest return true if all coordinates are finite. */
 static bool map_each(const struct transform *t, enum precision precision,
     const double *const in[4], double *const out[4], size_t n)
 {
@@ -119,14 +119,14 @@ static bool map_exact(const struct transform *t, const double *const in[4],
 		return true;
 	for (size_t i = 0; i < n; i++)
 		if (!isfinite(x[i])) {
-			map_left(t, fast, in, out, i);
+			map_undecided(t, fast, in, out, i);
 			finite &= is_finite(t, out, i);
 		}
 	return finite;
 }
 
-/* Computes in exact arithmetic those of n points that the kernel could not: points behind
- * the eye or beyond the range in the kernel's precision, or whose w underflowed there. */
+/* Computes those of n points in PRECISION_EXACT that the kernel could not: points
+ * behind the eye, beyond the range of its precision, or whose w underflowed. */
 static bool map_rest(const struct transform *t, bool single,
     const double *const in[4], double *const out[4], size_t n)
 {
@@ -148,7 +148,7 @@ static bool map_rest(const struct transform *t, bool single,
 bool points_map(const struct transform *t, enum precision precision,
     const double *const given[4], double *const out[4], size_t n)
 {
-	/* kernels multiply the third of two coordinates by 0 */
+	/* in 2D the kernels multiply a third coordinate by 0 */
 	const double *const in[4] = { given[0], given[1],
 		given[t->in == 2 ? 1 : 2], given[3] };
 	plain_kernel fast = points_kernels()->plain[precision][t->kind];

@@ -16,7 +16,7 @@ static dd element_rounded(struct sum s)
 
 static void round_column(const struct transform *t, int j, struct kernel_map *k)
 {
-	k->most[j] = k->none[j] = 0;
+	k->slope[j] = k->noise[j] = 0;
 	for (int i = 0; i < 4; i++) {
 		struct sum a = t->relative[i][j];
 
@@ -28,12 +28,12 @@ static void round_column(const struct transform *t, int j, struct kernel_map *k)
 		    sum_compare(a, sum_of_double(e.hi)) == 0;
 		k->hi[i][j] = e.hi;
 		k->lo[i][j] = e.lo;
-		k->none[j] += 2 * sum_error(&a);
+		k->noise[j] += 2 * sum_error(&a);
 		if (i < 3)
-			k->most[j] = fmax(k->most[j], fabs(e.hi));
+			k->slope[j] = fmax(k->slope[j], fabs(e.hi));
 	}
-	k->image[j] = fabs(k->hi[3][j]);
-	k->surely_none[j] = sum_least_error(&t->relative[3][j],
+	k->offset[j] = fabs(k->hi[3][j]);
+	k->least_noise[j] = sum_least_error(&t->relative[3][j],
 	    &t->map.divisor);
 }
 
@@ -55,9 +55,10 @@ void transform_prepare(struct transform *t)
 	}
 }
 
-/* Returns NULL, or the member and the reason why points would need more than EX_WORDS words.
- * A point's difference from the origin is a multiple of 2^-1074. Its product with a column,
- * and the product of the map's divisor with a midpoint, must be exact. */
+/* Returns NULL, or the member and the reason why images would need more than EX_WORDS
+ * words. A point's difference from the origin is a multiple of 2^-1074. The product of
+ * the difference with a column, and the product of the map's divisor with the midpoint
+ * of two doubles, must be exact. */
 static const char *transform_check(const struct transform *t)
 {
 	double most = MAGNITUDE_MAX;
@@ -109,8 +110,8 @@ void transform_init(struct transform *t, enum space from, enum space to,
 	transform_prepare(t);
 }
 
-/* Chooses KERNEL_DEPTH where z of view space alone determines w and depth, as depth is then
- * a + b / w. projection is the map from view space. */
+/* Chooses KERNEL_DEPTH if w and depth depend only on z of view space: depth is then a +
+ * b / w. projection is the map from view space. */
 static void choose_depth_kernel(const struct map *projection,
     struct transform *t)
 {

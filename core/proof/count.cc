@@ -46,9 +46,9 @@ static number same(number up, number, number sure)
 #define ABS(a) fabs(a)
 #define MIN(a, b) (a)
 #define MAX(a, b) (a)
-#define SAME(a, b, c) same(a, b, c)
-#define CHOOSE(a, b, c) (b)
-#define IS_POSITIVE(a) ((a) > 0)
+#define IF_EQUAL(a, b, c) same(a, b, c)
+#define IF_POSITIVE(a, b, c) (b)
+#define ALL_POSITIVE(a) ((a) > 0)
 #define double number
 #include "exact/dd.h"
 #include "points/kernel/exact.h"
@@ -56,7 +56,7 @@ static number same(number up, number, number sure)
 #define restrict
 #define REAL number
 #define R_FMA(a, b, c) fma(a, b, c)
-#define MOST 1
+#define W_MAX 1
 #define NAME(x) counted_##x
 #include "points/kernel/plain.h"
 
@@ -135,8 +135,8 @@ static void give_map(double element, double image)
 			map.lo[i][j] = given(most * U / 2);
 		}
 	for (int j = 0; j < 4; j++)
-		map.none[j] = map.surely_none[j] = map.most[j] = map.image[j] =
-		    number(0);
+		map.noise[j] = map.least_noise[j] = map.slope[j] =
+		    map.offset[j] = number(0);
 }
 
 static void give_points(double size)

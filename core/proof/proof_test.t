@@ -63,8 +63,8 @@ my @mutations = (
 	[$exact, 'columns held for exact whose products are not',
 	    'ABS(FMA(a, ALL(b), -p))', 'ALL(0)', @ties],
 	[$exact, 'points without an image that are not told',
-	    'if (IS_POSITIVE(sure))
-		return', 'if (!IS_POSITIVE(-r))
+	    'if (ALL_POSITIVE(sure))
+		return', 'if (!ALL_POSITIVE(-r))
 		return', @toy],
 	[$exact, 'a bound that leaves w out',
 	    'MADD(ABS(q), w_bound, bound);', 'bound;', @toy],

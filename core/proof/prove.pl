@@ -69,8 +69,8 @@ sub off {
 # All numbers of trig.c carry 350 digits here.
 sub trigonometry {
 	my $text = slurp("$core/exact/trig.c");
-	my ($top) = $text =~ /enum \{ SHORT = (\d+) \}/;
-	my ($words) = $text =~ /enum \{ WORDS = (\d+) \}/;
+	my ($top) = $text =~ /enum \{ SINE_POWER = (\d+) \}/;
+	my ($words) = $text =~ /enum \{ SINE_WORDS = (\d+) \}/;
 	Math::BigFloat->accuracy(350);
 	my $one = Math::BigFloat->new(1);
 	my $two = Math::BigFloat->new(2);

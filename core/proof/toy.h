@@ -149,9 +149,9 @@ static inline toy frexp(toy a, int *e)
 #define ABS(a) fabs(a)
 #define MIN(a, b) ((a) < (b) ? (a) : (b))
 #define MAX(a, b) ((a) > (b) ? (a) : (b))
-#define SAME(a, b, c) ((a) == (b) ? (c) : toy(0))
-#define CHOOSE(a, b, c) ((a) > 0 ? toy(b) : toy(c))
-#define IS_POSITIVE(a) ((a) > 0)
+#define IF_EQUAL(a, b, c) ((a) == (b) ? (c) : toy(0))
+#define IF_POSITIVE(a, b, c) ((a) > 0 ? toy(b) : toy(c))
+#define ALL_POSITIVE(a) ((a) > 0)
 
 /* What exact.h has for 53 digits: 128 u 2^-26. */
 #define DIGITS P

@@ -64,7 +64,7 @@ static void any_map(void)
 	for (int j = 0; j < 4; j++) {
 		int e = (int)below(7) - 3;
 
-		map.none[j] = map.surely_none[j] = 0;
+		map.noise[j] = map.least_noise[j] = 0;
 		for (int i = 0; i < 4; i++) {
 			dd m = pair(i < 3 || below(2) ? e : e + (int)below(9));
 

@@ -31,8 +31,8 @@ void convention_change(const struct convention *from,
 }
 
 /* The unit vector v / length. v is not divided because it is an exact polynomial of the
- * parameters, in which terms cancel exactly. If the length of axis y is exact, the three
- * lengths are equal, and become the map's divisor. */
+ * parameters, in which terms cancel exactly. If the length of axis y is exact, the
+ * three lengths are equal, and become the map's divisor. */
 struct axis {
 	struct sum v[3];
 	struct sum length;
@@ -47,8 +47,8 @@ static void axis_scale(struct axis *a, struct sum s)
 	a->length = sum_mul(a->length, s);
 }
 
-/* Computes the axes of projcalc(1), FORMULAS, lookat: z = +-gaze, x = up x z, y = z x x,
- * of lengths |z|, |up x z| and |z| |up x z|. */
+/* Computes the axes of projcalc(1), FORMULAS, lookat: z = +-gaze, x = up x z, y = z x
+ * x, of lengths |z|, |up x z| and |z| |up x z|. */
 static const char *axes_of_gaze(const struct camera *c,
     const struct convention *convention, struct axis axis[3])
 {
@@ -172,16 +172,15 @@ static const char *axes_of_matrix(const struct camera *c, struct axis axis[3])
 	return NULL;
 }
 
-/* Computes the map to view space, whose rows are the transposed axes and the origin, or its
- * inverse, whose rows are the axes and the eye:
+/* Computes the map to view space, whose rows are the transposed axes and the origin, or
+ * its inverse, whose rows are the axes and the eye:
  *	 x0  y0  z0  0		 x0  x1  x2  0
  *	 x1  y1  z1  0		 y0  y1  y2  0
  *	 x2  y2  z2  0		 z0  z1  z2  0
  *	 origin      1		 eye         1
- * at is the eye or, if at_is_origin, the origin. The other is -x.eye, -y.eye, -z.eye, or
- * -x origin0 - y origin1 - z origin2: an exact polynomial, divided once. For an eye (1,2,3)
- * that looks at the origin, x.eye is therefore 0, where rounded axes would give
- * -4.9e-32. */
+ * at is the eye or, if at_is_origin, the origin. The other is -x.eye, -y.eye, -z.eye,
+ * or -x origin0 - y origin1 - z origin2: an exact polynomial, divided once. For an eye
+ * (1,2,3) that looks at the origin, x.eye is so 0; rounded axes give -4.9e-32. */
 static void map_of_axes(const struct axis a[3], const double at[3],
     bool at_is_origin, bool inverse, struct map *r)
 {
@@ -228,8 +227,8 @@ static void camera_roll(double roll, enum angle_unit unit, bool inverse,
 	map_append(r, &turn, inverse);
 }
 
-/* Computes the map of the matrix, or of a pose, which is a matrix from view to world. If
- * orthonormalize is set, the nearest rotation replaces the upper 3x3. */
+/* Computes the map of the matrix, or of a pose, which is a matrix from view to world.
+ * If orthonormalize is set, the nearest rotation replaces the upper 3x3. */
 static const char *camera_matrix_map(const struct camera *c, bool inverse,
     struct map *r)
 {

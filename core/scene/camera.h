@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The differences between the conventions of graphics systems; and cameras, the maps from
- * world to view. */
+/* The differences between the conventions of graphics systems; and cameras, the maps
+ * from world to view. */
 #ifndef CAMERA_H
 #define CAMERA_H
 
@@ -25,14 +25,12 @@ static inline bool looks_back(const struct convention *c)
 	return c->right_handed != c->view_y_down;
 }
 
-/* Changes view space or, if clip, clip space from one convention to another: the space of
- * the map's points or, if not rows, of its images. y, and in view space z, may change
- * their signs. The depth z from 0 to w of clip space becomes 2 z - w from -w to w, and
- * back (z + w) / 2. */
+/* Changes the convention of one side of a map: of its points if rows, else of its
+ * images. This side is in clip space if clip, else in view space. y, and in view space
+ * z, may change their signs. The depth z from 0 to w of clip space becomes 2 z - w from
+ * -w to w, and back (z + w) / 2. */
 void convention_change(const struct convention *from,
     const struct convention *to, bool clip, bool rows, struct map *);
-
-/* The camera: the map from world to view space and back. */
 
 struct camera {
 	double
@@ -60,12 +58,12 @@ struct camera {
 	bool orthonormalize;
 };
 
-/* Computes the matrix of projcalc(1), FORMULAS, lookat, or its inverse. Its elements are
- * exact, or have a bound of their error. This holds however near up is to the gaze, or
- * the eye to the point at which it looks, and however far a matrix is from its nearest
- * rotation. Elements of a nearest rotation below 2^-252 become 0. A roll turns the axes,
- * and a translation with them, about the eye. The origin of the map is the eye. Returns
- * NULL, or the member and the reason why there is no such view. */
+/* Computes the matrix of projcalc(1), FORMULAS, lookat, or its inverse. The elements
+ * are exact, or have a bound of their error, however near up is to the gaze, or the eye
+ * to the point at which it looks, and however far a matrix is from its nearest
+ * rotation. Elements of a nearest rotation below 2^-252 become 0. A roll turns the
+ * axes, and a translation with them, about the eye. The origin of the map is the eye.
+ * Returns NULL, or the member and the reason why there is no such view. */
 const char *camera_map(const struct camera *, const struct convention *,
     bool inverse, struct map *);
 

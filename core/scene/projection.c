@@ -8,8 +8,8 @@
  *	 0   y   0   0
  *	 zx  zy  zz  zw
  *	 tx  ty  tz  tw
- * Its columns are divided by dx, dy, dz and 1, and the whole matrix by d. The columns z and
- * w and d are exact, except with the view angle of a volume. */
+ * Its columns are divided by dx, dy, dz and 1, and the whole matrix by d. Columns z and
+ * w, and d, are exact except with the view angle of a volume. */
 struct scaled_matrix {
 	struct sum x, y, zx, zy, zz, zw, tx, ty, tz, tw, dx, dy, dz, d;
 };
@@ -46,8 +46,8 @@ static void tangents(double a, double b, enum angle_unit unit,
 	*off = sum_add(left, right);
 }
 
-/* Sets x / dx = 2 d / (r - l), off[0] = l + r, and y / dy and off[1] likewise from b and
- * t, for a cross-section at the distance d. */
+/* Sets x / dx = 2 d / (r - l), off[0] = l + r, and y / dy and off[1] likewise from b
+ * and t, for a cross-section at the distance d. */
 static const char *cross_section(const struct projection *p, double d,
     struct scaled_matrix *f, struct sum off[2])
 {
@@ -203,19 +203,19 @@ static void volume_section(const struct projection *p, struct scaled_matrix *f)
 		set_scales(p->aspect, !wide, f->x, p->half_width, f);
 }
 
-/* Computes 1/z of the eye from the view angle: +-tan(angle/2)/min(hw, hh), with the sign
- * of zn - zf. */
+/* Computes 1/z of the eye from the view angle: +-tan(angle/2)/min(hw, hh), with the
+ * sign of zn - zf. */
 static void inverse_eye_of_angle(const struct projection *p,
     struct sum *numerator, struct sum *denominator)
 {
 	struct scaled_matrix f;
 
 	volume_section(p, &f);
-	bool high = sum_sign(sum_minor(f.dx, f.y, f.dy, f.x)) <= 0;
+	bool tall = sum_sign(sum_minor(f.dx, f.y, f.dy, f.x)) <= 0;
 	struct sum cot = trig_cot(p->angle / 2, p->unit);
 
-	*numerator = sum_negated_if(p->z_near < p->z_far, high ? f.x : f.y);
-	*denominator = sum_mul(high ? f.dx : f.dy, cot);
+	*numerator = sum_negated_if(p->z_near < p->z_far, tall ? f.x : f.y);
+	*denominator = sum_mul(tall ? f.dx : f.dy, cot);
 	if (!sum_is_exact(denominator)) {
 		*numerator = sum_quotient(*numerator, *denominator);
 		*denominator = sum_of_double(1);
@@ -300,9 +300,10 @@ static void map_of_scaled(const struct scaled_matrix *f, struct map *r)
 	map_divide_column(r, 2, f->dz);
 }
 
-/* Returns the inverse, by blocks of 2x2. Its diagonal blocks are the inverses of x 0, 0
- * y and of zz zw, tz tw, whose determinant is det. Its third block is minus the product of these two with zx zy,
- * tx ty. The divisors of columns become factors of rows. */
+/* Returns the inverse, by blocks of 2x2. Its diagonal blocks are the inverses of A = (x
+ * 0; 0 y) and of B = (zz zw; tz tw), whose determinant is det. With C = (zx zy; tx ty)
+ * the third block is minus inverse(B) C inverse(A). The divisors of columns become
+ * factors of rows. */
 static struct scaled_matrix scaled_inverse(const struct scaled_matrix *f)
 {
 	struct sum det = sum_minor(f->zz, f->tw, f->zw, f->tz);
@@ -333,7 +334,7 @@ static struct scaled_matrix scaled_inverse(const struct scaled_matrix *f)
 	};
 }
 
-/* Returns whether the last row (if row) or the last column is 0 0 1 0 or 0 0 -1 0. */
+/* Returns whether the last row if row, else the last column, is 0 0 1 0 or 0 0 -1 0. */
 static bool is_w_of_z(const double m[4][4], bool row)
 {
 	bool is = true;
@@ -369,39 +370,41 @@ static const char *projection_matrix_map(const struct projection *p,
 	return NULL;
 }
 
-/* Computes the affine matrix from view space to the space in which P would have the rows
- * 1 0 0 0, 0 1 0 0, 0 0 1 0. In both spaces X, Y and Z of P are x, y and z but for their
+/* Computes the affine matrix from view space to the canonical space, in which P would
+ * have the rows 1 0 0 0, 0 1 0 0, 0 0 1 0. In both X, Y and Z of P are x, y and z up to
  * signs. */
 static void intrinsics_matrix(const struct projection *p,
-    const struct convention *c, double level[4][4])
+    const struct convention *c, double canonical[4][4])
 {
 	const double sign[4] = { 1, c->bottom_left ? 1 : -1, 1, 1 };
 
 	for (int i = 0; i < 4; i++) {
 		for (int j = 0; j < 3; j++)
-			level[i][j] = sign[i] * sign[j] * p->intrinsics[j][i];
-		level[i][3] = i == 3;
+			canonical[i][j] = sign[i] * sign[j] *
+			    p->intrinsics[j][i];
+		canonical[i][3] = i == 3;
 	}
 }
 
-/* Puts the map of intrinsics_matrix before r or, if inverse, its inverse behind r. */
+/* Composes r with the map of intrinsics_matrix, which comes before r, or, if inverse,
+ * with the inverse of that map, which comes after r. */
 static const char *append_intrinsics(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {
 	double m[4][4];
-	struct map level;
+	struct map canonical;
 
 	intrinsics_matrix(p, c, m);
-	map_of_doubles(m, &level);
-	if (inverse && !map_inverse(m, &level))
+	map_of_doubles(m, &canonical);
+	if (inverse && !map_inverse(m, &canonical))
 		return "/projection/intrinsics: the left three columns of P "
 		       "are singular; it can't be inverted";
-	map_append(r, &level, !inverse);
+	map_append(r, &canonical, !inverse);
 	memset(r->origin, 0, sizeof r->origin);
 	return NULL;
 }
 
-/* Computes the matrix of a projection given by parameters, in d3d. */
+/* Computes the matrix of a projection given by parameters, in the convention d3d. */
 static const char *scaled_of_projection(const struct projection *p,
     const struct convention *c, struct scaled_matrix *f)
 {

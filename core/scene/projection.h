@@ -30,22 +30,22 @@ struct projection {
 		PROJECTION_MATRIX, /* the last: tests sample the types up to it */
 	} type;
 
-	enum angle_unit unit; /* of angles but the direction */
+	enum angle_unit unit; /* of all angles but direction */
 	enum extent extent;
-	double angle;     /* of extent; or the field; or of a volume's eye */
-	double aspect[2]; /* width / height; [1] is 0 where not given */
-	double width, height; /* of extent or, with intrinsics, the viewport */
+	double angle;         /* of view, or the field of EXTENT_FIELD */
+	double aspect[2];     /* width / height; [1] is 0 where not given */
+	double width, height; /* of extent; by intrinsics, of the viewport */
 	double left, right, bottom, top;
-	double edges_at; /* where edges are measured; 0 means at near */
+	double edges_at; /* the distance of the cross-section; 0 means near */
 	/* The rows of P, which maps a point with X to the right, Y in the direction
 	 * of device y, and Z along the gaze to u w, v w, w. The pixels u and v are
 	 * relative to the viewport's corner. near and far are values of w. */
 	double intrinsics[3][4];
-	/* In persp, far may be INFINITY. near 0 means no planes: depth is 1/w,
-	 * reversed. */
+	/* In persp, far may be INFINITY. near 0 means that there are no near and far
+	 * planes; depth is then 1/w, reversed. */
 	double near, far;
 	bool reverse_z;
-	double near_ratio; /* for fit */
+	double near_ratio; /* the least near / far that fit makes */
 
 	/* oblique */
 	enum { OBLIQUE_ANGLE, OBLIQUE_CAVALIER, OBLIQUE_CABINET } kind;
@@ -54,12 +54,12 @@ struct projection {
 	enum angle_unit direction_unit;
 	double plane; /* the depth that the shear keeps */
 
-	/* volume; with an aspect, both are half the smaller side */
+	/* volume; with an aspect, each half size is half the smaller side */
 	double half_width, half_height, z_near, z_far;
 	double inverse_eye_z, tan_skew[2];
 	double eye[3]; /* in view space */
 	/* The member that gives the eye: inverse_eye_z, eye, or angle, where angle 0
-	 * means parallel. The order is that of the table of members. */
+	 * means parallel. The table of members has the same order. */
 	enum { EYE_BY_Z, EYE_GIVEN, EYE_BY_ANGLE } eye_by;
 
 	double matrix[4][4];
@@ -95,7 +95,7 @@ static inline bool projection_is_tilted(const struct projection *p)
 	return projection_is_by_p(p) && (w[0] != 0 || w[1] != 0 || w[2] != 1);
 }
 
-/* Returns w at the eye, which is w minus the distance along the gaze; 0 if P is
+/* Returns w at the eye, the difference of w and the distance along the gaze, 0 if P is
  * tilted. */
 static inline double projection_w_at_eye(const struct projection *p)
 {
@@ -104,8 +104,7 @@ static inline double projection_w_at_eye(const struct projection *p)
 	return offset ? p->intrinsics[2][3] : 0;
 }
 
-/* Computes 1/z, where z is that of a volume's eye, as a quotient. Its denominator is
- * exact. */
+/* Computes 1/z of a volume's eye in view space as a quotient by an exact number. */
 void projection_inverse_eye_z(const struct projection *, struct sum *numerator,
     struct sum *denominator);
 
@@ -114,11 +113,11 @@ void projection_inverse_eye_z(const struct projection *, struct sum *numerator,
 const char *projection_map(const struct projection *, const struct convention *,
     bool inverse, struct map *);
 
-/* Returns whether the near plane has ndc depth 1. A matrix, and the identity that stands
- * for no projection, do not say which plane is near. The near plane is then the plane of
- * the smaller positive w or, if w is constant, the first plane along the convention's
- * gaze. A parallel matrix that contains a turned or mirrored camera is never
- * reversed. */
+/* Returns whether the near plane has ndc depth 1. A matrix, and the identity that
+ * stands for no projection, do not say which plane is near. The near plane is then the
+ * plane of the smaller positive w or, if w is constant, the first plane along the
+ * convention's gaze. A parallel matrix that contains a turned or mirrored camera is
+ * never reversed. */
 bool projection_is_reversed(const struct projection *,
     const struct convention *);
 

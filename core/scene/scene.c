@@ -17,8 +17,8 @@ static bool are_numbers(int n, const double *v)
 	return are;
 }
 
-/* Returns whether a cross-section that was computed is valid. The reader of a document
- * has checked the others. */
+/* Returns whether the cross-section is valid if it was computed. The reader of a
+ * document has checked the forms that are never computed. */
 static bool has_valid_section(const struct scene *s)
 {
 	const struct projection *p = &s->projection;
@@ -63,7 +63,7 @@ static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 	return NULL;
 }
 
-/* Computes the map of a stage, from the space below to the next space, or its inverse. */
+/* Computes the map of a stage, from space below to the next one, or its inverse. */
 static const char *scene_stage(const struct scene *s, int below, bool inverse,
     struct map *r)
 {
@@ -100,8 +100,7 @@ static const char *scene_stage(const struct scene *s, int below, bool inverse,
 	return NULL;
 }
 
-/* Computes the map of a stage of the 2D window, from the space below to the next space, or
- * its inverse. */
+/* Computes the map of a stage of the 2D window, as scene_stage does. */
 static const char *flat_stage(const struct scene *s, int below, bool inverse,
     struct map *r)
 {
@@ -130,7 +129,8 @@ static const char *compose(const struct scene *s, int from, int to,
 	return NULL;
 }
 
-/* Returns why, or the reason why the map of a scene, or flat of a window, is refused. */
+/* Returns why if it is not NULL, else NULL or the reason why the map is refused. flat
+ * says that it is the map of a 2D window. */
 static const char *check_range(const char *why, const struct map *r, bool flat)
 {
 	if (why != NULL)

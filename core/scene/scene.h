@@ -7,8 +7,9 @@
 #include "projection.h"
 #include "window.h"
 
-/* Numbers of a document and coordinates of points are at most MAGNITUDE_MAX, and sizes at
- * least SIZE_MIN. Products of two of them are in the range of doubles. */
+/* Numbers of a document and coordinates of points are at most MAGNITUDE_MAX in
+ * magnitude, and sizes at least SIZE_MIN. Products of two such numbers are in the range
+ * of doubles. */
 #define MAGNITUDE_MAX 1e150
 
 #define SCENE_TOO_WIDE                                                       \
@@ -32,8 +33,8 @@ enum flat { FLAT_WINDOW, FLAT_NDC, FLAT_DEVICE };
  * has_... false. */
 struct scene {
 	struct convention convention; /* of the document's numbers */
-	/* The convention of view, clip and ndc space and the device in what is
-	 * read and printed, if it is another one; else NULL. */
+	/* The convention in which view, clip and ndc space and the device are read and
+	 * printed, or NULL if it is the document's. */
 	const struct convention *answer;
 	bool has_world, has_camera, has_viewport, has_window, has_device;
 	double world[4][4]; /* affine, from model to world, for row vectors */
@@ -62,8 +63,8 @@ bool scene_is_size(double);
 bool scene_is_valid(const struct scene *);
 
 /* Compute the map between two spaces, as the product of the maps from each space to the
- * next. Images of points are homogeneous (transform.h divides them). Return NULL, or the
- * member, as a JSON pointer, and the reason. */
+ * next. Images of points are homogeneous (transform.h divides them). Return NULL, or
+ * the member, as a JSON pointer, and the reason. */
 const char *scene_map(const struct scene *, enum space from, enum space to,
     struct map *);
 const char *scene_flat_map(const struct scene *, enum flat from, enum flat to,
@@ -71,17 +72,16 @@ const char *scene_flat_map(const struct scene *, enum flat from, enum flat to,
 
 /* The part of the plane that a 2D window shows, in nearest doubles. */
 struct shown {
-	double edge[4]; /* left, right, bottom, top */
-	double
-	    scale[2]; /* device (else ndc) units to a window unit, in x and y */
+	double edge[4];  /* left, right, bottom, top */
+	double scale[2]; /* device or, without one, ndc units per window unit */
 };
 
 /* Computes what the window shows. Returns NULL, or the member and the reason. */
 const char *scene_shown(const struct scene *, struct shown *);
 
 /* Computes the same map as scene_map, from model, world or view space to a space after
- * view space, and its factor from_view, which starts from view space. from_view may have
- * elements beyond the range of doubles. */
+ * view space, and its last factor: from_view, the map from view space. from_view may
+ * have elements beyond the range of doubles. */
 const char *scene_map_by_view(const struct scene *, enum space from,
     enum space to, struct map *, struct map *from_view);
 

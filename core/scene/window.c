@@ -11,7 +11,7 @@ static void window_axis(struct map *r, int i, struct sum n, struct sum t,
 	map_divide_column(r, i, inverse ? n : d);
 }
 
-/* Sets coordinate i to x' = x n / d + offset for an ndc coordinate x, or its inverse. */
+/* Sets coordinate i to x' = x n / d + offset of an ndc x, or the inverse. */
 static void ndc_axis(struct map *r, int i, struct sum n, double d,
     struct sum offset, bool inverse)
 {
@@ -46,7 +46,8 @@ static const char *window_shape(const struct window *w, struct sum size[2],
 }
 
 /* Gives the window the aspect of the device. The new size is size / divisor. ADAPT_GROW
- * enlarges the side that is too short, ADAPT_SHRINK reduces the side that is too long. */
+ * enlarges the side that is too short, ADAPT_SHRINK reduces the side that is too
+ * long. */
 static void window_adapt(const struct window *w, const struct device *d,
     struct sum size[2], double divisor[2])
 {
@@ -90,7 +91,8 @@ const char *window_map(const struct window *w, const struct device *d,
 	return NULL;
 }
 
-/* Writes the pixels to a unit of ndc in x and y: half the sides with SCALE_FILL. */
+/* Writes how many pixels a unit of ndc covers in x and y: half the sides with
+ * SCALE_FILL. */
 static void scales(const struct viewport *v, double s[2])
 {
 	double larger = fmax(v->width, v->height);

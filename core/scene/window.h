@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The maps of the 2D window, the 2D device and the 3D viewport. 2D maps do not change
- * z. */
+/* The maps of the 2D window, 2D device and 3D viewport. 2D maps do not change z. */
 #ifndef WINDOW_H
 #define WINDOW_H
 
@@ -34,8 +33,9 @@ struct viewport {
 const char *window_map(const struct window *, const struct device *,
     bool inverse, struct map *);
 
-/* Compute the map from ndc to the 2D device, or to the 3D viewport with the convention's
- * depth range and origin, or its inverse. Return NULL, or the member and the reason. */
+/* Compute the map from ndc to the 2D device, or to the 3D viewport with the
+ * convention's depth range and origin, or its inverse. Return NULL, or the member and
+ * the reason. */
 const char *device_map(const struct device *, bool inverse, struct map *);
 const char *viewport_map(const struct viewport *, const struct convention *,
     bool inverse, struct map *);

@@ -127,17 +127,17 @@ static void claim_farthest(const struct cloud *c, const struct directions *d,
 			if (has_nan(c->p[n]))
 				continue;
 			int mark = real_mark();
-			int sign = truth_sign(farther_by(&d->of[j], c->p[n],
-						  e->of[j].point),
+			int sign = truth_sign(farther_by(&d->item[j], c->p[n],
+						  e->item[j].point),
 			    &doubtful);
 
 			assert_true(sign <= 0 || doubtful);
-			found += memcmp(c->p[n], e->of[j].point,
+			found += memcmp(c->p[n], e->item[j].point,
 				     sizeof c->p[n]) == 0;
 			points++;
 			real_release(mark);
 		}
-		assert_true(e->of[j].any == (points > 0));
+		assert_true(e->item[j].any == (points > 0));
 		assert_true(found > 0 || points == 0);
 	}
 }
@@ -149,7 +149,7 @@ static bool are_same(const struct extremes *a, const struct extremes *b, int n)
 
 	for (int j = 0; j < n; j++)
 		for (int i = 0; i < 3; i++)
-			same &= a->of[j].point[i] == b->of[j].point[i];
+			same &= a->item[j].point[i] == b->item[j].point[i];
 	return same;
 }
 
@@ -211,7 +211,7 @@ static void assert_farther(const double m[3], const double p[3],
 		memcpy(c.p[!k], q, sizeof c.p[k]);
 		add_cloud(&c, &d, &e);
 		for (int i = 0; i < 3; i++)
-			assert_number(e.of[0].point[i], p[i]);
+			assert_number(e.item[0].point[i], p[i]);
 	}
 }
 

@@ -146,8 +146,8 @@ static void none_is_of_what_is_irrational(void **state)
 	(void)state;
 	assert_null(scene_transform(&s, SPACE_MODEL, SPACE_NDC, false, &t));
 	assert_number(t.for_kernel.hi[3][0], 0x1p195);
-	assert_true(t.for_kernel.surely_none[0] > 0);
-	assert_true(t.for_kernel.surely_none[0] < TRUTH_RULE);
+	assert_true(t.for_kernel.least_noise[0] > 0);
+	assert_true(t.for_kernel.least_noise[0] < TRUTH_RULE);
 }
 
 int main(void)

@@ -25,9 +25,9 @@
 #ifndef MADD
 #define MADD FMA
 #endif
-#define SAME(a, b, c) ONLY(EQUAL(a, b), c)
-#define CHOOSE(a, b, c) SELECT(LESS(ALL(0), a), b, c)
-#define IS_POSITIVE(a) (LANES_OF(LESS(ALL(0), a)) == (1u << WIDTH) - 1)
+#define IF_EQUAL(a, b, c) ONLY(EQUAL(a, b), c)
+#define IF_POSITIVE(a, b, c) SELECT(LESS(ALL(0), a), b, c)
+#define ALL_POSITIVE(a) (LANES_OF(LESS(ALL(0), a)) == (1u << WIDTH) - 1)
 
 #include "exact.h"
 #include "farthest.h"
@@ -36,18 +36,18 @@
 
 #define REAL double
 #define R_FMA fma
-#define MOST 0x1p1000
+#define W_MAX 0x1p1000
 #define NAME(x) double_##x
 #include "plain.h"
 
 #undef REAL
 #undef R_FMA
-#undef MOST
+#undef W_MAX
 #undef NAME
 
 #define REAL float
 #define R_FMA fmaf
-#define MOST 0x1p120f
+#define W_MAX 0x1p120f
 #define NAME(x) single_##x
 #include "plain.h"
 
@@ -74,6 +74,6 @@ const struct kernels COPY = {
 	.floats = { KERNELS_OF(floats, depth) },
 	.signs = signs,
 	.farthest = farthest,
-	.split = { ROWS_OF(split_narrow), ROWS_OF(split_wide) },
-	.join = { ROWS_OF(join_narrow), ROWS_OF(join_wide) },
+	.split = { ROWS_OF(split_floats), ROWS_OF(split_doubles) },
+	.join = { ROWS_OF(join_floats), ROWS_OF(join_doubles) },
 };

@@ -1,50 +1,51 @@
 /* SPDX-License-Identifier: MIT */
-/* The fast phase of exact precision, written once for the vectors that copy.h describes.
- * It computes each coordinate as a sum hi + lo with a bound of its error. If all numbers
- * within the bound round to the same double, this double is the result. If they do not,
- * point.c computes the point. A "difference of none" is one that counts as 0: see none in
- * struct kernel_map. "sure" is positive if the rounding is certain.
+/* The fast phase of PRECISION_EXACT, written once for the vectors that copy.h
+ * describes. It computes each coordinate as a sum hi + lo with a bound of its error. If
+ * all numbers within the bound round to the same double, this double is the result. If
+ * they do not, point.c computes the point. Noise is a difference that counts as 0: see
+ * struct kernel_map. The variable sure is positive if the rounding is certain.
  *
- * High parts add without error. Let each coordinate's difference from the origin be
- * below its own 2^e in a block of points. Let B be a power of two above a column's
- * elements times 2^e and above the origin's image. Points and the origin are cut to
- * multiples of 2^(e-26), elements to multiples of 2^(-e-24) B. Then three products and
- * the image are multiples of 2^-50 B, and their sum is at most 2^52 + 2^27 of these
- * units.
+ * High parts add without error. Let 2^e be above the differences of a block's points
+ * from the origin in one coordinate; each coordinate has its own e. Let B be a power of
+ * two above a column's elements times their 2^e, and above the column's image of the
+ * origin. Points and the origin are cut to multiples of 2^(e-26), elements to multiples
+ * of 2^(-e-24) B. Then three products and the image are multiples of 2^-50 B, and their
+ * sum is at most 2^52 + 2^27 of these units.
  *
  * The low part is
  *
  *	lo = sum of (coordinate's rest) element + (cut coordinate) (element's rest)
  *
- * It has three terms up to 2^-27 B, three up to 2^-25 B, and three up to 2^-27 B for
- * the origin's rests: no partial sum is above 9 times 2^-26 B. The roundings of these
- * sums, of products, of rests, and of lo with its bound, and the elements' low parts
- * that the first three terms leave out, lose together 49 u 2^-26 B < 2^-73.3 B, where
- * u = 2^-53. `make prove` counts this from the code below. */
+ * This sum has three terms up to 2^-27 B, three up to 2^-25 B, and three up to 2^-27 B
+ * for the origin's rests: no partial sum is above 9 times 2^-26 B. The errors are the
+ * roundings of these sums, of products, of rests, and of lo with its bound, and the
+ * elements' low parts that the first three terms leave out: together 49 u 2^-26 B <
+ * 2^-73.3 B, where u = 2^-53. `make prove` counts them from the code below. */
 #include "kernel.h"
 
-/* The bound of a column's error, in units of B: more than twice the error, as the
- * quotient has roundings of its own. The proofs define another number of DIGITS. */
+/* The bound of a column's error, in units of B: more than twice the error above, as the
+ * roundings of a quotient must fit, too. The proofs define smaller DIGITS, the digits
+ * of a double, and the other two constants with it. */
 #ifndef DIGITS
 #define DIGITS 53
 #define COLUMN_BOUND 0x1p-72
 #define MODERATE 0x1p200
 #endif
-/* A lower bound of an element that is not 0, as the scaled element may underflow. */
+/* The least magnitude of a scaled element that is not 0, as scaling may underflow. */
 #define LEAST 0x1p-1022
 
-/* The binary places that are kept of coordinates and of elements. */
+/* How many binary places cut coordinates and cut elements keep. */
 enum { POINT_CUT = DIGITS / 2, ELEMENT_CUT = DIGITS - 3 - POINT_CUT };
 
-/* Returns true if largest is neither so large nor so small that products or quotients of
- * coordinates, or of columns, could overflow or underflow. */
+/* Returns true if largest is neither so large nor so small that products or quotients
+ * of such coordinates or columns could overflow or underflow. */
 static int is_moderate(double largest)
 {
 	return largest == 0 || (largest > 1 / MODERATE && largest < MODERATE);
 }
 
-/* Returns the number that, added to a and subtracted again, rounds a to a multiple of
- * unit, if |a| < 2^(DIGITS-2) unit. */
+/* Returns the number s for which a + s - s is a rounded to a multiple of unit, if |a| <
+ * 2^(DIGITS-2) unit. */
 static double rounder(double unit)
 {
 	return ldexp(1.5, DIGITS - 1) * unit;
@@ -76,17 +77,17 @@ static bool is_product(double a, double b, double product)
 	    (fabs(product) > 0x1p-900 || a == 0 || b == 0);
 }
 
-/* The differences from the origin of a block's points in one coordinate. If the
- * origin is less than 2^23 times as large as these, it is cut like the points, its
- * high part is subtracted from theirs, and its rest changes the column's image of the
- * origin. If not, the points lie so near to each other and to the origin that the
- * difference from the whole origin, near, is exact. */
+/* The differences d of a block's points from the origin in one coordinate. If the
+ * origin is less than 2^23 times as large as the differences, it is cut like the points
+ * into cut and rest: cut is subtracted from the points' cut parts, and rest changes the
+ * column's image of the origin. If not, whole, all of the origin, is subtracted from
+ * the points: they lie so near to the origin that these differences are exact. */
 struct kernel_range {
-	double largest;        /* no difference is larger; rounded up */
+	double largest;        /* the largest |d|, rounded up */
 	double power, inverse; /* 2^e, largest < 2^e, and 2^-e */
-	double rounder;        /* to multiples of 2^(e-26) */
-	double near, rest;
-	double rounder_and_high;
+	double rounder;        /* rounds to multiples of 2^(e-26) */
+	double whole, rest;    /* of the origin; 0 if not used */
+	double rounder_and_cut;
 };
 
 static struct kernel_range range_of(double low, double high, double origin)
@@ -107,14 +108,14 @@ static struct kernel_range range_of(double low, double high, double origin)
 		cut = cut_to(origin, unit);
 		r.rest = origin - cut;
 	} else {
-		r.near = origin;
+		r.whole = origin;
 	}
-	r.rounder_and_high = r.rounder + cut;
+	r.rounder_and_cut = r.rounder + cut;
 	return r;
 }
 
-/* Returns the range of n coordinates. Even and odd vectors have their own minimum, as
- * each operation waits for the last result of its own minimum only. */
+/* Returns the range of n coordinates. Even and odd vectors have a minimum and a maximum
+ * each: with single ones, each operation would wait for the one before. */
 static struct kernel_range range_in(const double *in, size_t n, double origin)
 {
 	V low[2] = { ALL(HUGE_VAL), ALL(HUGE_VAL) };
@@ -131,29 +132,29 @@ static struct kernel_range range_in(const double *in, size_t n, double origin)
 	    greatest(MAX(high[0], high[1])), origin);
 }
 
-/* Returns the largest difference of column j's values that counts as 0 in this block. */
-static double none_of(const struct kernel_map *m, int j, int terms,
+/* Returns the largest noise of column j in this block. */
+static double noise_of(const struct kernel_map *m, int j, int terms,
     const struct kernel_range *range)
 {
 	double largest = 1;
 
 	for (int k = 0; k < terms; k++)
 		largest = fmax(largest, range[k].largest);
-	return m->none[j] * largest;
+	return m->noise[j] * largest;
 }
 
 /* A column's elements, and its image of the origin, cut for a block of points: all =
- * high + rest. If the column is exact, the elements' low parts together are a difference
- * of none, and are left out. If not, they are added to the rests. If all is 0, the
- * column is 0. */
+ * high + rest. If the column is exact, the elements' low parts together are within the
+ * noise, and are left out. If not, they are added to the rests. If all is 0, the column
+ * is 0. */
 struct column_cut {
 	double high[4], rest[4], all[4];
 	double bound; /* of the error */
 	bool exact;
-	double tiny; /* 2^56 times the largest difference of none */
+	double noisy; /* 2^56 times the largest noise; see lost_if_noisy */
 };
 
-/* Returns true if the low parts of column j together make a difference of none. */
+/* Returns true if the low parts of column j together are within the least noise. */
 static bool has_short_elements(const struct kernel_map *m, int j, int terms,
     const struct kernel_range *range)
 {
@@ -164,22 +165,22 @@ static bool has_short_elements(const struct kernel_map *m, int j, int terms,
 			all += fabs(m->lo[i][j]) *
 				(i == 3 ? 1 : range[i].largest) +
 			    LEAST;
-	return fmax(all, m->surely_none[j]) == m->surely_none[j];
+	return fmax(all, m->least_noise[j]) == m->least_noise[j];
 }
 
-/* Cuts column j. Returns false if it is not moderate. */
+/* Cuts column j. Returns false if the column could overflow or underflow. */
 static int cut_column(const struct kernel_map *m, int j, int terms,
     const struct kernel_range *range, struct column_cut *c)
 {
 	double most = fabs(m->hi[3][j]);
-	int f;
+	int exponent;
 
 	for (int i = 0; i < terms; i++)
 		if (range[i].largest > 0 && fabs(m->hi[i][j]) > 0)
 			most = fmax(most,
 			    fmax(LEAST, fabs(m->hi[i][j]) * range[i].power));
-	frexp(most, &f);
-	const double power = ldexp(1, f);
+	frexp(most, &exponent);
+	const double power = ldexp(1, exponent);
 
 	c->exact = has_short_elements(m, j, terms, range);
 	for (int i = 0; i < 4; i++) {
@@ -202,20 +203,20 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
 		c->exact &= is_product(range[i].rest, c->all[i], moved) &&
 		    was - c->rest[3] == moved && c->rest[3] + moved == was;
 	}
-	double none = none_of(m, j, terms, range);
+	double noise = noise_of(m, j, terms, range);
 
-	c->tiny = 0x1p56 * none;
-	c->bound = most > 0 ? COLUMN_BOUND * power + none : 0;
+	c->noisy = 0x1p56 * noise;
+	c->bound = most > 0 ? COLUMN_BOUND * power + noise : 0;
 	return is_moderate(most);
 }
 
-/* What the loops need to know of a block of points. For directions cut[3].bound is the
- * bound of the length. */
+/* What the loops need to know of a block of points. For KERNEL_DIRECTION cut[3].bound
+ * is the bound of the length. */
 struct kernel_block {
 	struct kernel_range range[3];
 	struct column_cut cut[4];
-	int moderate;
-	bool near; /* range[].near is not 0 in some coordinate */
+	int moderate;   /* is_moderate of all ranges and columns */
+	bool has_whole; /* range[].whole is not 0 in some coordinate */
 };
 
 static struct kernel_block block_of(const struct kernel_map *m,
@@ -227,7 +228,7 @@ static struct kernel_block block_of(const struct kernel_map *m,
 	for (int k = 0; k < terms; k++) {
 		b.range[k] = range_in(in[k], n, m->origin[k]);
 		b.moderate &= is_moderate(b.range[k].largest);
-		b.near |= fabs(b.range[k].near) > 0;
+		b.has_whole |= fabs(b.range[k].whole) > 0;
 	}
 	for (int j = 0; j < 4; j++)
 		if (j < kernel_outputs(kind) ||
@@ -265,11 +266,11 @@ static inline void cut_points(const struct kernel_block *b, const V p[3],
 		const struct kernel_range *o = &b->range[k];
 		V x = p[k];
 
-		if (b->near)
-			x = x - ALL(o->near);
+		if (b->has_whole)
+			x = x - ALL(o->whole);
 		V s = x + ALL(o->rounder);
 
-		cut[k] = s - ALL(o->rounder_and_high);
+		cut[k] = s - ALL(o->rounder_and_cut);
 		rest[k] = x - (s - ALL(o->rounder));
 	}
 }
@@ -289,19 +290,19 @@ static inline vdd column(const struct column_cut *c, const V cut[3],
 	return (vdd){ hi, lo };
 }
 
-/* Returns 0 if a is 0, or is so large that a difference of none does not change its
- * rounding; else a positive number. */
-static inline V lost_if_tiny(V a, double tiny)
+/* Returns 0 if a is 0, or so large that the noise does not change the rounding of a;
+ * else a positive number. */
+static inline V lost_if_noisy(V a, double noisy)
 {
-	return CHOOSE(ABS(a) - ALL(tiny), ALL(0), ABS(a));
+	return IF_POSITIVE(ABS(a) - ALL(noisy), ALL(0), ABS(a));
 }
 
-/* Returns 0 if the column hi + lo is exact but for a difference of none, and if this
- * difference does not change how the column rounds. It does not if the sum is midway
- * between two doubles, or differs from that by at least half a unit of its last place or
- * 2^-53 lo. Returns a positive number if this is not sure, for example after a product
+/* Returns 0 if the column hi + lo is exact within the noise, and the noise does not
+ * change how it rounds. The noise does not if the sum is midway between two doubles, or
+ * differs from each midpoint by at least half a unit of its last place or 2^-53 lo.
+ * Returns a positive number if the column may be inexact, for example after a product
  * that may underflow. */
-static inline V lost_by(const struct column_cut *c, vdd is, const V cut[3],
+static inline V lost_by(const struct column_cut *c, vdd sum, const V cut[3],
     const V rest[3], int terms)
 {
 	V lo = ALL(c->rest[3]), lost = ALL(c->exact ? 0 : 1);
@@ -316,30 +317,29 @@ static inline V lost_by(const struct column_cut *c, vdd is, const V cut[3],
 		vdd s = v_two_sum(lo, p);
 
 		lost = lost + ABS(FMA(a, ALL(b), -p)) + ABS(s.lo) +
-		    CHOOSE(ABS(p) - ALL(0x1p-900), ALL(0), ABS(a));
+		    IF_POSITIVE(ABS(p) - ALL(0x1p-900), ALL(0), ABS(a));
 		lo = s.hi;
 	}
-	return lost + lost_if_tiny(lo, c->tiny) +
-	    lost_if_tiny(is.hi + lo, c->tiny);
+	return lost + lost_if_noisy(lo, c->noisy) +
+	    lost_if_noisy(sum.hi + lo, c->noisy);
 }
 
 /* Returns hi + lo rounded. Rounding is monotone: if hi + lo - error and hi + lo + error
- * round to one double, so do all numbers between them. If they do not, *sure becomes
- * 0. */
+ * round to one double, so do all numbers between them. If not, *sure becomes 0. */
 static inline V round_surely(V hi, V lo, V error, V *sure)
 {
 	V up = hi + (lo + error), down = hi + (lo - error);
 
-	*sure = SAME(up, down, *sure);
+	*sure = IF_EQUAL(up, down, *sure);
 	return up;
 }
 
-/* Returns n / w rounded; *sure becomes 0 if the rounding is not certain. q is within 4 u
- * |q| of n / w. The residual n - q w is as small, relative to n. So the correction, rest
- * over w, has an error of at most 24 u^2 |q|, and of 3 u times the low parts. The bounds
- * are above 2^-74 of n and w; 3 u of the columns' low parts are 27 u 2^-26 B. These
- * errors and those of the columns leave a sixth of the bounds, even if w, which is above
- * its own bound, is smaller than the divisor. */
+/* Returns n / w rounded; *sure becomes 0 if the rounding is not certain. The first
+ * quotient q is within 4 u |q| of n / w. The residual n - q w is as small, relative to
+ * n. So the correction, rest over w, has an error of at most 24 u^2 |q|, and of 3 u
+ * times the low parts. The bounds are above 2^-74 of n and w; 3 u of the columns' low
+ * parts are 27 u 2^-26 B. The errors of the quotient and of the columns leave a sixth
+ * of the bounds, even if w, above its own bound, is less than the exact divisor. */
 static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
     V *sure)
 {
@@ -349,12 +349,12 @@ static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
 	V up = MADD(rest + error, reciprocal, q);
 	V down = MADD(rest - error, reciprocal, q);
 
-	*sure = SAME(up, down, *sure);
+	*sure = IF_EQUAL(up, down, *sure);
 	return up;
 }
 
-/* Rounds columns without division a second time. The error of a column that is exact is
- * now 0, as exact columns are often midway between two doubles. Returns a positive
+/* Rounds columns without division a second time, with error 0 for a column that is
+ * exact, as exact columns are often midway between two doubles. Returns a positive
  * number for each point of which all columns are sure. */
 static V round_exact(const struct kernel_block *b, const V cut[3],
     const V rest[3], enum kernel_kind kind, V q[])
@@ -368,16 +368,16 @@ static V round_exact(const struct kernel_block *b, const V cut[3],
 		V lost = lost_by(c, s, cut, rest, terms);
 
 		q[k] = round_surely(s.hi, s.lo,
-		    CHOOSE(lost, ALL(c->bound), ALL(0)), &sure);
+		    IF_POSITIVE(lost, ALL(c->bound), ALL(0)), &sure);
 	}
 	return sure;
 }
 
 /* Returns the length of the vector of three columns, with a relative error of at most
- * 60.2 u^2. rest is the sum of squares minus the square of root; only its low parts have
- * errors, of u each. Squares of low parts are left out: 15 u^2 for the low part of the
- * length, which is at most 6 u, and 5 u^2 for those of the columns, which are at most
- * 3 u. */
+ * 60.2 u^2. rest is the sum of squares minus the square of root; only the low parts of
+ * the sum have errors, of u each. Squares of low parts are left out: 15 u^2 for the low
+ * part of the length, which is at most 6 u, and 5 u^2 for those of the columns, which
+ * are at most 3 u. */
 static inline vdd length_of(const vdd a[3], V *reciprocal)
 {
 	V square[3], low = ALL(0);
@@ -397,14 +397,14 @@ static inline vdd length_of(const vdd a[3], V *reciprocal)
 	return (vdd){ root, (rest * ALL(0.5)) * *reciprocal };
 }
 
-/* Writes the images q of points p. Returns true if all are sure. If an image is not, its
- * q[0] is nan or infinite, as exact_kernel says. Images that are sure are finite: columns
- * are below 2^202, and w above 2^-274.
+/* Writes the images q of points p. Returns true if all roundings are sure. If the
+ * rounding of an image is not, its q[0] is nan or infinite, as exact_kernel says.
+ * Images that are sure are finite: columns are below 2^202, and w is above 2^-274.
  *
- * A direction is divided by its length. The length's error is at most the sum of its
- * columns' errors (triangle inequality), and the sum of their bounds is above 2^-74 of
- * it, as a column's bound is of the column. If the length is below its bound, some
- * quotient is below its own, and is not sure. */
+ * A direction is divided by its length. The length's error is at most the sum of the
+ * columns' errors (triangle inequality). The sum of the columns' bounds is above 2^-74
+ * of the length, as each column's bound is above 2^-74 of the column. If the length is
+ * below its bound, some quotient is below its own bound, and is not sure. */
 static inline __attribute__((always_inline)) bool
 image_of(const struct kernel_block *b, const V p[3], V q[],
     enum kernel_kind kind)
@@ -434,16 +434,16 @@ image_of(const struct kernel_block *b, const V p[3], V q[],
 		    quotient(s, w, r, error, bound, &sure) :
 		    round_surely(s.hi, s.lo, error, &sure);
 	}
-	if (divide) /* w is surely positive above its bound */
+	if (divide) /* w above its bound is surely positive */
 		sure = MIN(w_sum - bound, sure);
-	if (!divide && !direction && !IS_POSITIVE(sure))
+	if (!divide && !direction && !ALL_POSITIVE(sure))
 		sure = round_exact(b, cut, rest, kind, q);
-	if (IS_POSITIVE(sure))
+	if (ALL_POSITIVE(sure))
 		return true;
-	V none = CHOOSE(-(w_sum + bound), ALL(b->moderate), ALL(0));
+	V behind = IF_POSITIVE(-(w_sum + bound), ALL(b->moderate), ALL(0));
 
-	q[0] = CHOOSE(sure, q[0],
-	    CHOOSE(none, ALL(HUGE_VAL), ALL((double)NAN)));
+	q[0] = IF_POSITIVE(sure, q[0],
+	    IF_POSITIVE(behind, ALL(HUGE_VAL), ALL((double)NAN)));
 	return false;
 }
 

@@ -2,8 +2,8 @@
 /* Finds how far a block of points reaches along some directions. */
 #include "kernel.h"
 
-/* Returns the greatest value along a direction. There are two maxima, of even and of odd
- * vectors: a single one would wait for its last result. */
+/* Returns the greatest value along a direction m. Even and odd vectors have a maximum
+ * each: with a single one, each operation would wait for the one before. */
 static double farthest_along(const double m[3], const double *const in[3],
     size_t n)
 {

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* Transforms rows of floats to rows of floats in single, with the bits of
+/* Transforms rows of floats to rows of floats in PRECISION_SINGLE, with the bits of
  * single_plain. */
 #include "little.h"
 
-/* is_float says that the origin's coordinates are floats; then float subtraction gives
- * the same bits. A difference of two floats that is not a double is so near to the
- * larger float that one rounding and two roundings both give this float. */
+/* Transforms n rows. are_floats says that the origin's coordinates are floats; then a
+ * float subtraction gives the same bits. A difference of two floats that is not a
+ * double is so near to the larger float that one or two roundings give this float. */
 static inline __attribute__((always_inline)) int
 floats(const struct kernel_map *m, const char *in, char *out, size_t n,
-    enum kernel_kind kind, bool is_float)
+    enum kernel_kind kind, bool are_floats)
 {
 	const size_t terms = (size_t)kernel_terms(kind);
 	const struct kernel_map own = *m;
@@ -27,7 +27,8 @@ floats(const struct kernel_map *m, const char *in, char *out, size_t n,
 			float a = column[k][i];
 			double o = own.origin[k];
 
-			p[k] = is_float ? a - (float)o : (float)((double)a - o);
+			p[k] = are_floats ? a - (float)o :
+					    (float)((double)a - o);
 		}
 		single_image(&own, p, q, kind);
 		for (size_t k = 0; k < terms; k++) {

@@ -15,18 +15,18 @@ enum { POINTS_BLOCK = 1024 };
 
 /* The kinds of loops, by the structure of the matrix. */
 enum kernel_kind {
-	KERNEL_NONE,       /* no loop: point.c computes each point */
-	KERNEL_FLAT,       /* two coordinates, no division */
-	KERNEL_AFFINE,     /* no division */
-	KERNEL_FOUR,       /* x, y, z and w, undivided; only in exact */
+	KERNEL_NONE,   /* no loop: point.c computes each point */
+	KERNEL_FLAT,   /* two coordinates, no division */
+	KERNEL_AFFINE, /* no division */
+	KERNEL_FOUR,   /* x, y, z and w, undivided; only in PRECISION_EXACT */
 	KERNEL_PROJECTIVE, /* x, y, z divided by w */
-	KERNEL_DEPTH,      /* the same, but z is a + b / w except in exact */
+	KERNEL_DEPTH, /* the same; z is a + b / w, but not in PRECISION_EXACT */
 	KERNEL_DIRECTION, /* two coordinates to three, divided by their length */
 	KERNELS,
 };
 
-/* Return how many coordinates a point has, how many its image has, and whether these are
- * divided by w. */
+/* Return how many coordinates a point has, how many its image has, and whether the
+ * coordinates of the image are divided by w. */
 static inline int kernel_terms(enum kernel_kind kind)
 {
 	return kind == KERNEL_FLAT || kind == KERNEL_DIRECTION ? 2 : 3;
@@ -44,35 +44,34 @@ static inline bool kernel_divides(enum kernel_kind kind)
 
 enum precision { PRECISION_EXACT, PRECISION_DOUBLE, PRECISION_SINGLE };
 
-/* A map for the loops: the image of p is (p - origin, 1) times hi + lo, whose elements
- * are within u^2 / 2 of their exact values. */
+/* A map for the loops: the image of p is (p - origin, 1) (hi + lo). Each hi + lo is
+ * within u^2 / 2 of the exact element, relative to it; u = 2^-53. */
 struct kernel_map {
 	double origin[3];
 	double hi[4][4], lo[4][4];
 	bool exact[4][4]; /* the element is exactly hi */
 	double a, b;      /* of KERNEL_DEPTH */
-	/* most[j] (|x|+|y|+|z|) + image[j] bounds the magnitudes of column j's
-	 * products. */
-	double most[4], image[4];
-	/* Two values of column j that differ by none[j] (2^e + 1) or less count as
-	 * equal if |p - origin| < 2^e: the difference is within the error of the
-	 * matrix (see struct sum). The loops call this a difference of none. */
-	double none[4];
-	/* Two values of column j that differ by surely_none[j] or less count as equal
-	 * for every point. */
-	double surely_none[4];
+	/* slope[j] (|x|+|y|+|z|) + offset[j] bounds the magnitudes of column j's
+	 * products, for x, y, z relative to the origin. */
+	double slope[4], offset[4];
+	/* noise[j] (2^e + 1) is the error that the elements of the matrix (struct sum)
+	 * cause in column j if |p - origin| < 2^e. Values of the column that differ by
+	 * this noise or less count as equal. */
+	double noise[4];
+	/* A lower bound of the noise of column j at any point. */
+	double least_noise[4];
 };
 
 /* Writes the doubles nearest to the exact images of n points. The first coordinate
- * becomes nan if the loop cannot round a coordinate with certainty, and infinite if w is
- * surely not positive, so that there is no image. Returns true if neither happened.
+ * becomes nan if the loop cannot round a coordinate with certainty, and infinite if w
+ * is surely not positive, so that there is no image. Returns true if neither happened.
  * Columns have room for n rounded up to a multiple of 16. */
 typedef int (*exact_kernel)(const struct kernel_map *,
     const double *const in[3], double *const out[], size_t n);
 
-/* Writes images computed in double or single. If a point has no image, or an intermediate
- * value is beyond the range, a coordinate becomes nan or infinite. Returns true only if
- * this did not happen. */
+/* Writes images computed in double or single. A coordinate becomes nan or infinite if
+ * its point has no image, or if an intermediate value is beyond the range. Returns true
+ * only if this did not happen. */
 typedef int (*plain_kernel)(const struct kernel_map *,
     const double *const in[3], double *const out[3], size_t n);
 
@@ -84,8 +83,8 @@ typedef int (*float_kernel)(const struct kernel_map *, const char *in,
 /* The bound of the errors of plain_kernel, in units of roundoff; plain.h derives it. */
 #define PLAIN_BOUND 10
 
-/* Copies points from rows of floats or doubles to columns of doubles. Returns true if no
- * magnitude is above most. A nan is not above most. */
+/* Copies points from rows of floats or doubles to columns of doubles. Returns true if
+ * no magnitude is above most. A nan is not above most. */
 typedef int (*split_kernel)(const char *rows, double (*columns)[POINTS_BLOCK],
     size_t n, double most);
 
@@ -94,10 +93,10 @@ typedef int (*split_kernel)(const char *rows, double (*columns)[POINTS_BLOCK],
 typedef int (
     *join_kernel)(double (*columns)[POINTS_BLOCK], char *rows, size_t n);
 
-/* The columns of a map, whose signs are estimated. Let all be |x| + |y| + |z|, relative
- * to the origin. If low <= all < high, the sign of a value whose magnitude is above
- * slope all + floor is sure. All columns share the largest bound: this takes less time,
- * though the signs of a few more points are unsure. */
+/* A map in doubles that estimates the signs of its columns. Let size be |x| + |y| +
+ * |z|, relative to the origin. If low <= size < high, an estimate whose magnitude is
+ * above slope size + floor has the exact sign. All columns share the largest bound:
+ * this takes less time, but leaves the signs of a few more points unsure. */
 struct estimate {
 	double origin[3], m[4][4], slope, floor, low, high;
 };
@@ -105,8 +104,8 @@ struct estimate {
 enum { SIGNS_UNSURE = 1 << 16 };
 
 /* The error of an estimate, relative to the sum of its products' magnitudes.
- * Differences, elements, products and three sums round: 6 u, as `make prove` counts. 2 u
- * more are for the roundings of the bound itself. */
+ * Differences, elements, products and three sums are rounded: 6 u, as `make prove`
+ * counts. The roundings of the bound itself add 2 u. */
 #define ESTIMATE_BOUND 0x1p-50
 
 /* Returns column j of the image of x, y, z, which are relative to the origin. */
@@ -116,8 +115,9 @@ static inline double estimate_column(const double m[4][4], int j, double x,
 	return x * m[0][j] + y * m[1][j] + z * m[2][j] + m[3][j];
 }
 
-/* For each point i, adds weight times 2^j to word[i] if column j, one of 3 or 4, is
- * negative, and SIGNS_UNSURE if the sign of any column is not sure. */
+/* Adds weight 2^j to word[i] for each point i and each column j, one of 3 or 4, that is
+ * negative. Adds SIGNS_UNSURE if the sign of any column is not sure. A word is a
+ * double, so that a loop of vectors of doubles adds the bits. */
 typedef void (*signs_kernel)(const struct estimate *, int columns,
     double weight, const double *const in[3], double *word, size_t n);
 
@@ -130,10 +130,10 @@ enum processor {
 	PROCESSORS,
 };
 
-/* Writes to most[j] the greatest m[j][0] x + m[j][1] y + m[j][2] z, computed with four
- * roundings, and to largest the greatest magnitude of each coordinate. If all are nan,
- * they are -infinity and 0. Reads n numbers of a column, rounded up to a multiple of
- * 16. */
+/* Writes the greatest m[j][0] x + m[j][1] y + m[j][2] z to most[j], and the greatest
+ * magnitude of each coordinate to largest. A value of most has four roundings. If all
+ * coordinates are nan, the results are -infinity and 0. The loop reads n numbers of a
+ * column, rounded up to a multiple of 16. */
 typedef void (*farthest_kernel)(const double (*m)[3], int directions,
     const double *const in[3], size_t n, double *most, double largest[3]);
 
@@ -152,9 +152,9 @@ struct kernels {
 extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512,
     kernels_neon;
 
-/* Chooses the kernels of this name (baseline, avx2, avx512, neon) or, if NULL, the best
- * ones for this processor. Returns false where the processor cannot run them or there
- * are none of that name. */
+/* Chooses the kernels of this name (baseline, avx2, avx512, neon) or, if name is NULL,
+ * the best ones for this processor. Returns false if no kernels have the name, or if
+ * the processor cannot run them. */
 bool points_choose(const char *name);
 
 /* Returns the kernels chosen, at first those of baseline. */

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Tells which doubles, which are results of rounding, cannot be rounded again to
- * floats. */
+/* Tells whether a double, itself a rounded result, may be rounded again to a float. */
 #ifndef MIDWAY_H
 #define MIDWAY_H
 
@@ -9,9 +8,9 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Returns true if the float nearest to v may differ from the float nearest to the exact
- * value that was rounded to v. They differ only if v is midway between two floats. If v
- * is subnormal as a float, the function always returns true. */
+/* Returns true if rounding v to a float may give another float than rounding the exact
+ * value whose nearest double is v. The floats differ only if v is midway between two
+ * floats. If v is subnormal as a float, the function always returns true. */
 static inline bool is_midway(double v)
 {
 	uint64_t bits;

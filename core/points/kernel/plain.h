@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The inner loop of double and of single precision, written once; copy.h includes it for
- * each of the two. As in exact.h, a point is its difference from the map's origin.
+/* The inner loop of double and of single precision, written once; copy.h includes this
+ * file for each of the two. A point is its difference from the map's origin.
  *
  * Let u be the unit roundoff and S the sum of the magnitudes of a column's products. A
  * point's difference from the origin has an error of u, a matrix element one of u, and
@@ -13,12 +13,13 @@
  * The columns need 5 u, the quotient 2 u and the shortest digits printed 1 u, together
  * 8 u. The error of depth a + b/w is at most PLAIN_BOUND u (|a| + |b/W| S_W / |W|): b,
  * the reciprocal, the fused product and sum, and printing need u each, and w needs 5 u
- * S_W, together 9 u. This holds if S_W is |W|. If S_W is larger, the relative error of
- * w is larger, up to 1/16, which error_bound.c requires: division by the computed w
+ * S_W, together 9 u. These 9 u hold if S_W is |W|. If S_W is larger, the relative error
+ * of w is larger, up to 1/16, which error_bound.c requires: division by the computed w
  * makes the 5 at most 32/31 as large, and the other errors weigh less. `make prove`
- * counts all of these, and error_bound.c bounds S for the points of a scene. An
+ * counts all of these errors, and error_bound.c bounds S for the points of a scene. An
  * underflow adds at most u times the least normal number. A value that overflows never
- * becomes finite again, unless it is w, whose reciprocal would be 0. */
+ * becomes finite again, unless it is w, whose reciprocal would be 0: from w = W_MAX on
+ * the image is nan. */
 
 /* Returns column k of the image of p. */
 static inline REAL NAME(
@@ -48,9 +49,9 @@ static inline __attribute__((always_inline)) void NAME(
 	if (kind == KERNEL_DEPTH)
 		q[2] = R_FMA((REAL)m->b, r, (REAL)m->a);
 	if (kernel_divides(kind)) {
-		REAL near = w < MOST ? 0 : (REAL)NAN;
+		REAL nan_if_large = w < W_MAX ? 0 : (REAL)NAN;
 
-		q[0] += w > 0 ? near : (REAL)NAN;
+		q[0] += w > 0 ? nan_if_large : (REAL)NAN;
 	}
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Copies points from rows, x y z after x y z as in files, to columns and back, in
- * loops that compilers turn into shuffles as they know the length of a row and the
- * processor. Rows may begin at any address. */
+/* Copies points from rows, x y z after x y z as in files, to columns, and back. The
+ * length of a row is a constant, so that compilers turn the loops into shuffles. Rows
+ * may begin at any address. */
 #include <float.h>
 #include <stdint.h>
 
@@ -10,15 +10,15 @@
 
 static inline __attribute__((always_inline)) int
 split(const char *restrict rows, double (*restrict columns)[POINTS_BLOCK],
-    size_t n, double most, size_t numbers, int wide)
+    size_t n, double most, size_t numbers, bool is_double)
 {
 	int64_t beyond = 0;
 
 	for (size_t i = 0; i < n; i++)
 		for (size_t k = 0; k < numbers; k++) {
-			double v = little_get(rows, wide);
+			double v = little_get(rows, is_double);
 
-			rows += wide ? 8 : 4;
+			rows += is_double ? 8 : 4;
 			columns[k][i] = v;
 			beyond |= fabs(v) > most ? -1 : 0;
 		}
@@ -41,39 +41,39 @@ are_sure(const double *restrict column, size_t n)
 
 static inline __attribute__((always_inline)) int
 join(double (*restrict columns)[POINTS_BLOCK], char *restrict rows, size_t n,
-    size_t numbers, int wide)
+    size_t numbers, bool is_double)
 {
 	int64_t unsure = 0;
 
-	for (size_t k = 0; k < numbers && !wide; k++)
+	for (size_t k = 0; k < numbers && !is_double; k++)
 		unsure |= !are_sure(columns[k], n);
 	for (size_t i = 0; i < n; i++)
 		for (size_t k = 0; k < numbers; k++) {
 			double v = columns[k][i];
 
-			little_put(rows, wide, v);
-			rows += wide ? 8 : 4;
-			unsure |= !wide || fabs(v) <= DBL_MAX ? 0 : -1;
+			little_put(rows, is_double, v);
+			rows += is_double ? 8 : 4;
+			unsure |= !is_double || fabs(v) <= DBL_MAX ? 0 : -1;
 		}
 	return unsure == 0;
 }
 
-#define ROWS(name, numbers, wide)                                          \
+#define ROWS(name, numbers, is_double)                                     \
 	static int split_##name(const char *rows,                          \
 	    double(*columns)[POINTS_BLOCK], size_t n, double most)         \
 	{                                                                  \
-		return split(rows, columns, n, most, numbers, wide);       \
+		return split(rows, columns, n, most, numbers, is_double);  \
 	}                                                                  \
 	static int join_##name(double(*columns)[POINTS_BLOCK], char *rows, \
 	    size_t n)                                                      \
 	{                                                                  \
-		return join(columns, rows, n, numbers, wide);              \
+		return join(columns, rows, n, numbers, is_double);         \
 	}
 
-ROWS(narrow_2, 2, 0)
-ROWS(narrow_3, 3, 0)
-ROWS(narrow_4, 4, 0)
-ROWS(wide_2, 2, 1)
-ROWS(wide_3, 3, 1)
-ROWS(wide_4, 4, 1)
+ROWS(floats_2, 2, false)
+ROWS(floats_3, 3, false)
+ROWS(floats_4, 4, false)
+ROWS(doubles_2, 2, true)
+ROWS(doubles_3, 3, true)
+ROWS(doubles_4, 4, true)
 #undef ROWS

@@ -3,7 +3,8 @@
  * makes a loop of vectors. */
 #include "kernel.h"
 
-/* No value is nan if all = |a| + |b| + |c| is between low and high. */
+/* Adds bits as signs_kernel does. No estimate is nan if size = |a| + |b| + |c| is
+ * between low and high. */
 static inline __attribute__((always_inline)) void
 add_signs(const struct estimate *e, int columns, double weight,
     const double *const in[3], double *restrict word, size_t n)
@@ -13,7 +14,7 @@ add_signs(const struct estimate *e, int columns, double weight,
 	for (size_t i = 0; i < n; i++) {
 		double a = x[i] - e->origin[0], b = y[i] - e->origin[1];
 		double c = z[i] - e->origin[2];
-		double all = fabs(a) + fabs(b) + fabs(c),
+		double size = fabs(a) + fabs(b) + fabs(c),
 		       least = (double)INFINITY;
 		double sum = word[i];
 
@@ -23,8 +24,8 @@ add_signs(const struct estimate *e, int columns, double weight,
 			least = fabs(v) < least ? fabs(v) : least;
 			sum += v < 0 ? weight * (1 << j) : 0;
 		}
-		bool sure = (all >= e->low) & (all < e->high) &
-		    (least > e->slope * all + e->floor);
+		bool sure = (size >= e->low) & (size < e->high) &
+		    (least > e->slope * size + e->floor);
 
 		word[i] = sum + (sure ? 0 : SIGNS_UNSURE);
 	}
