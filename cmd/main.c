@@ -18,7 +18,7 @@
 #define FLAT_LIKE "'{\"window\": " WINDOW_LIKE                                 \
 	", \"device\": " DEVICE_LIKE "}'"
 
-/* A command whose document may be a member alone, which it needs; it uses others, too. */
+/* A command that needs one member, which may be the whole document, and uses others. */
 #define ALONE(member, others)                                              \
 	.bare = SCENE_##member, .needed = SCENE_##member,                  \
 	.used = SCENE_##member | SCENE_POINTS | (others)

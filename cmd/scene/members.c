@@ -81,9 +81,9 @@ static const struct ways camera_ways[] = {
 	    SIZE(in, "height", height, .unit = "device units",       \
 		.about = "height, required")
 
-/* scale and scales of struct viewport */
+/* the fields scale and scales of struct viewport */
 struct scale {
-	unsigned is;
+	unsigned kind;
 	double by[2];
 };
 
@@ -96,13 +96,13 @@ static void read_scale(const struct value *v, const struct member *row,
 {
 	struct scale *s = out;
 
-	s->is = SCALE_GIVEN;
+	s->kind = SCALE_GIVEN;
 	if (value_is(v, JSON_ARRAY))
 		value_numbers(v, &range_positive, 2, s->by);
 	else if (value_string(v) == NULL)
 		value_wrong(v, "\"fill\", \"uniform\" or 2 numbers");
 	else
-		s->is = (unsigned)value_word(v, row->words);
+		s->kind = (unsigned)value_word(v, row->words);
 }
 
 static void print_scale(struct printer *p, const struct member *row,
@@ -110,10 +110,10 @@ static void print_scale(struct printer *p, const struct member *row,
 {
 	const struct scale *s = at;
 
-	if (s->is == SCALE_GIVEN)
+	if (s->kind == SCALE_GIVEN)
 		put_numbers(p, s->by, 2);
 	else
-		put_string(p, row->words[s->is]);
+		put_string(p, row->words[s->kind]);
 }
 
 static const struct type type_scale = { "fill, uniform or 2 sizes", read_scale,
@@ -209,8 +209,8 @@ static void read_corner(const struct value *v, const struct member *row,
 static const struct type type_corner = { "3 numbers, or 2 of a window",
 	read_corner, NULL, 0 };
 
-#define CORNER(label, field, other, what)                        \
-	ROW(bounds, label, type_corner, field, .aliases = other, \
+#define CORNER(label, field, alias, what)                        \
+	ROW(bounds, label, type_corner, field, .aliases = alias, \
 	    .unit = "model units", .about = what)
 
 static const struct member bounds_members[] = {
@@ -276,16 +276,16 @@ const struct member scene_members[] = {
 		       "[1,0,0,0, 0,1,0,0, 0,0,1,0, 10,20,30,1]}' "
 		       "'[1,2,3]'"),
 	PART("camera", camera, camera_members, CAMERA_LIKE, .ways = camera_ways,
-	    .aliases = "view", .about = "way from world to view",
+	    .aliases = "view", .about = "map from world to view space",
 	    .command = "lookat '{\"camera\": " CAMERA_LIKE "}'"),
 	ROW(document, "projection", type_projection, scene.projection,
 	    .members = projection_members, .aliases = "lens perspective",
 	    .ways = projection_ways, .example = LENS_LIKE,
-	    .about = "way from view to clip",
+	    .about = "map from view to clip space",
 	    .command = "persp '{\"projection\": " LENS_LIKE "}'"),
 	PART("viewport", viewport, viewport_members, RECTANGLE_LIKE,
 	    .ways = rectangle_ways, .aliases = "screen",
-	    .about = "way from ndc to the device, in 3D",
+	    .about = "map from ndc to the device, in 3D",
 	    .command = "project --from ndc '{\"viewport\": " RECTANGLE_LIKE
 		       "}' '[0,0.5,1]'"),
 	PART("window", window, window_members, WINDOW_LIKE, .ways = window_ways,

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The types of members, for the tables of object.h. */
+/* The types of members, for the tables of object.h. A comment says what such a member
+ * is in JSON and, after "in the struct", what its field is. */
 #ifndef TYPES_H
 #define TYPES_H
 
@@ -9,12 +10,12 @@
 /* A number, or an array of n numbers; in the struct doubles. */
 extern const struct type type_numbers;
 
-/* true or false or, if the row has words, one of two; in the struct a bool, true for the
- * second word. */
+/* true or false; or, if the row has words, one of two. In the struct a bool: true for
+ * the second word. */
 extern const struct type type_flag;
 
-/* One of the row's words; in the struct an enum in the order of the words, from the row's
- * first. */
+/* One of the row's words; in the struct an enum: row.first plus the index of the
+ * word. */
 extern const struct type type_word;
 
 /* In the order of enum angle_unit; NULL ends them. */
@@ -23,14 +24,14 @@ extern const char *const angle_units[];
 /* "row" and "column", the vectors of a matrix; NULL ends them. */
 extern const char *const vector_names[];
 
-/* A matrix: 16 numbers in memory order; or 4 rows, for column vectors if source->column; or
- * the object that -o json prints, with its vectors. An affine one may also be 3 rows of 4
- * for column vectors, or 4 rows of 3 for row vectors. In the struct it is double[4][4] for
- * row vectors. */
+/* A matrix: 16 numbers in memory order; or 4 rows, which are for row vectors unless
+ * source->column is set; or the object that -o json prints, which says its vectors. An
+ * affine matrix may also be 3 rows of 4 for column vectors, or 4 rows of 3 for row
+ * vectors. In the struct a double[4][4] for row vectors. */
 extern const struct type type_matrix, type_affine;
 
-/* The intrinsics of a calibrated camera: the numbers fx, fy, cx, cy, or the matrix K or P.
- * In the struct it is P, a double[3][4]. */
+/* The intrinsics of a calibrated camera: the numbers fx, fy, cx, cy, or the matrix K or
+ * P; in the struct P, a double[3][4]. */
 extern const struct type type_intrinsics;
 
 /* A number, or "infinity"; in the struct a double. */
@@ -56,8 +57,8 @@ extern const struct type type_projection;
 /* The names of the types from PROJECTION_PERSP on; NULL ends them. */
 extern const char *const projection_types[];
 
-/* Completes a projection that was read from a value: takes a missing aspect, and the size
- * for intrinsics, from the viewport, which may be NULL. */
+/* Sets what a projection takes from the viewport, which may be NULL: a missing aspect
+ * and, for intrinsics, the size of the image. The value is the projection's. */
 void projection_complete(const struct value *, const struct viewport *,
     struct projection *);
 
@@ -95,8 +96,8 @@ extern const struct member convention_members[];
 /* A convention: a name, or an object of convention_members. */
 extern const struct type type_convention;
 
-/* Refuses the member of that name, which depends on the view axes, if neither the document
- * nor the command line has a convention. */
+/* Refuses the member name of in, which depends on the view axes, if neither the
+ * document nor the command line has a convention. */
 void check_axes(const struct value *in, const char *name);
 
 #endif
