@@ -66,8 +66,8 @@ static void fit_read_points(const struct options *o, struct document *d)
 		    "hold in their place");
 }
 
-/* Refuses a scene for the reason why, which core/ returned. A reason about /bounds is
- * told of the points if the bounds were computed from points. */
+/* Refuses a scene for the reason why, which core/ returned. If the points gave the
+ * bounds, a reason about /bounds is said of the points. */
 static _Noreturn void refuse_fit(const struct options *o,
     const struct document *d, const char *why)
 {

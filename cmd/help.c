@@ -17,8 +17,8 @@ static void heading(const char *text)
 
 enum { NAME_WIDTH = 15, TYPE_WIDTH = 23 };
 
-/* Prints a member's name, type, unit, meaning and default and, if types is not NULL, the
- * types of the object that have it. */
+/* Prints a member's name, type, unit, meaning and default and, if types is not NULL,
+ * the types of the object that have it. */
 static void print_member(const struct member *row, const char *const *types)
 {
 	char list[LISTED], type[2 * LISTED];

@@ -92,7 +92,7 @@ static void hits_take(const struct job *j, struct chunk *c)
 	double *const device[4] = { v[0], v[1], v[2] };
 	double *const view[4] = { v[3], v[4], v[5] };
 	unsigned char outside[POINTS_BLOCK];
-	bool computed = false; /* outside and, for finite_near, view */
+	bool computed = false; /* outside and, if finite_near is set, view */
 
 	points_map(&j->transform, j->precision, in, device, points);
 	for (size_t i = 0, p = 0; i < c->block_lines; i++) {

@@ -26,7 +26,7 @@ static void project_check(const struct options *o)
 		    plane ? "plane" : "ray", plane ? "--ray" : "-m");
 }
 
-/* Sets the maps and planes of a job between two spaces. Returns NULL, or why not. */
+/* Sets the maps and planes of a job. Returns NULL, or why the scene has none. */
 static const char *project_prepare(const struct scene *s,
     const struct options *o, enum space from, enum space to, struct job *j)
 {

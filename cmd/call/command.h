@@ -10,8 +10,8 @@
 struct options;
 struct transform;
 
-/* Commands of one kind take the same options. Kinds are bits: an option row has the union
- * of the kinds that take it. */
+/* Commands of one kind take the same options. Kinds are bits: an option row has the
+ * union of the kinds that take it. */
 enum command_kind {
 	MATRIX = 1, /* print their 3D matrix, or the images of points */
 	PROJECT = 2,

@@ -191,8 +191,8 @@ static void choose_kernels(void)
 		    cpu);
 }
 
-/* Sets the names of the values that are written. With --append they begin with the space
- * of the images: device_x. */
+/* Sets the names of the values that are written. With --append they begin with the
+ * space of the images: device_x. */
 static void name_values(struct layout *l, const char *space)
 {
 	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };

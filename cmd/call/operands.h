@@ -33,8 +33,8 @@ void run_points(const struct options *, const struct document *, struct job *);
 
 /* Files and standard input as texts in memory. */
 
-/* A text of have bytes. Beyond room there are PIECE_MARGIN more bytes of memory, as the
- * readers of points read past the end. */
+/* A text: the first have bytes of s. There is memory for room bytes, and PIECE_MARGIN
+ * more, as the readers of points read past the end. */
 struct text {
 	char *s; /* NULL at first */
 	size_t room, have;

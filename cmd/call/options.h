@@ -85,7 +85,7 @@ extern const struct option_row option_rows[];
  * hold for the first message, too. */
 void options_read_first(char **words);
 
-/* Returns the option of a name, or NULL. A value may follow the name after = or a blank. */
+/* Returns the option of a name, which may end before = or a blank; or NULL. */
 const struct option_row *option_named(const char *name);
 
 /* Writes the commands that take an option: "project and trace". Returns list. */
@@ -106,8 +106,8 @@ enum format options_output(const struct options *);
 /* Returns the style of numbers that are no points. Refuses a list of several styles. */
 struct number_style options_style(const struct options *);
 
-/* Words that are no command, option or topic of help: their refusal suggests a synonym, a
- * member of the scene, or the nearest name. */
+/* Words that are no command, option or topic of help: their refusal suggests a synonym,
+ * a member of the scene, or the nearest name. */
 
 struct member;
 
@@ -117,7 +117,8 @@ struct member;
 const struct member *synonym_find(const char *name,
     const struct member **object);
 
-/* Refuses a word that is none of commands up to NULL or, if topic is set, no topic. */
+/* Refuses a word that is no name in commands, whose last name is NULL, or if topic is
+ * set, no topic of help. */
 _Noreturn void synonym_refuse_word(const struct command *commands, bool topic,
     const char *word);
 

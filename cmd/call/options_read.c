@@ -129,8 +129,8 @@ static bool is_operand(const char *word)
 	    isdigit((unsigned char)word[1]);
 }
 
-/* Sets the format of trace, inspect and fit: text or JSON. The default is text, but JSON
- * for trace of points in JSON. */
+/* Sets the format of trace, inspect and fit: text or JSON. The default is text, but
+ * JSON for trace of points in JSON. */
 static void choose_output(const struct command *c, struct options *o)
 {
 	if (!o->has_out)

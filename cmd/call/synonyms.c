@@ -125,8 +125,8 @@ static _Noreturn void refuse_member(const char *unknown, unsigned reads,
 	    unknown, quoted, of, where, object->name, object->example);
 }
 
-/* Refuses a word by its suggestion. A hint option of other commands than c is
- * shown with those; c is NULL if there is no command. */
+/* Refuses a word by its hint. If the hint is an option that c does not take, or c is
+ * NULL, names the commands that take it. */
 static _Noreturn void refuse_synonym(const struct command *c,
     const char *unknown, const char *hint)
 {
@@ -144,8 +144,8 @@ static _Noreturn void refuse_synonym(const struct command *c,
 	die(EXIT_USAGE, "%s; did you mean 'projcalc %s'?", unknown, hint);
 }
 
-/* Refuses a word that has a synonym, or is an option or a member; else returns. c is
- * the command whose option it may be; NULL: it is a command or topic. */
+/* Refuses a word that has a synonym, or is an option or a member; else returns. The
+ * word was typed as an option of c or, if c is NULL, as a command or a topic. */
 static void check_word(const struct command *c, const char *unknown,
     const char *name)
 {

@@ -69,8 +69,8 @@ _Noreturn void quit(int status);
 void *xrealloc(void *old, size_t size);
 
 /* Returns whether to repeat a read or write of fd that failed with EINTR or EAGAIN.
- * After EAGAIN, as from a pipe that another process made non-blocking, first waits until
- * poll reports one of the events. */
+ * After EAGAIN, as from a pipe that another process made non-blocking, first waits
+ * until poll reports one of the events. */
 bool io_retry(int fd, short events);
 
 /* Enlarges the buffer of fd to size bytes if fd is a pipe and the system permits it:

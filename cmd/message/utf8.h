@@ -26,9 +26,9 @@ int utf8_write(unsigned code, char out[4]);
 enum { JSON_ESCAPE_MAX = 6 }; /* bytes that one character may become */
 
 /* Copies s[0..n) to out[0..room) with escapes. If json is true, also escapes quotes and
- * backslashes, as between the quotes of a JSON string, and writes U+FFFD for a byte that
- * is not UTF-8. A copy that does not fit is cut and ends in ellipsis. Returns the length
- * of the copy. */
+ * backslashes, as between the quotes of a JSON string, and writes U+FFFD for a byte
+ * that is not UTF-8. A copy that does not fit is cut and ends in ellipsis. Returns the
+ * length of the copy. */
 size_t escape_copy(char *out, size_t room, const char *s, size_t n, bool json,
     const char *ellipsis);
 

@@ -10,7 +10,7 @@
 #include "types.h"
 #include "../message/message.h"
 
-/* Returns the row of a member in scene_members: row i has bit i in enum scene_member. */
+/* The row of a member in scene_members: row i has bit i in enum scene_member. */
 #define ROW_OF(member) __builtin_ctz(SCENE_##member)
 
 enum { SCENE_MEMBERS = ROW_OF(MARGIN) + 1 };
@@ -18,9 +18,8 @@ enum { SCENE_MEMBERS = ROW_OF(MARGIN) + 1 };
 /* The document itself as a member, for object_read and object_print. */
 static const struct member scene_row = { .members = scene_members };
 
-/* Returns the end of the element e of a point, whose text begins at s. Refuses a
- * coordinate that is not a number or null, and another element that is an array or
- * object. */
+/* Returns the end of element e of a point, whose text is at s. Refuses a coordinate
+ * other than a number or null, and another element that is an array or object. */
 static const char *element_end(struct value *e, const char *s, const char *end,
     bool coordinate)
 {
@@ -161,8 +160,8 @@ static void read_members(struct document *d,
 			object_read_member(&m[i], &scene_members[i], d);
 }
 
-/* Returns as bits the members that a convention gives: all if it is a name, none if there
- * is no convention. */
+/* Returns as bits the members that a convention gives: all if it is a name, none if
+ * there is no convention. */
 static uint64_t convention_gives(const struct value *v)
 {
 	if (!value_is(v, JSON_OBJECT))

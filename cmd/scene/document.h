@@ -57,8 +57,8 @@ struct document {
 
 /* What a command needs of a document. */
 struct document_wants {
-	/* The member that may be the whole document, as a camera may for lookat; 0: no
-	 * member. */
+	/* The member that may be the whole document, as lookat's may be a camera; or
+	 * 0. */
 	enum scene_member bare;
 	/* Members that must not be missing, as bits. */
 	unsigned needed;
@@ -79,8 +79,7 @@ struct document_wants {
 	bool fit;
 	/* The convention of the answer, and of a document without one; or NULL. */
 	const struct convention *convention;
-	/* Lines of the file before the text, and bytes before the text on its first
-	 * line. */
+	/* Lines of the file before the text, and bytes before it on the first line. */
 	long line;
 	size_t column;
 	/* A hint for points of two numbers; or NULL. */
@@ -93,8 +92,7 @@ struct document_wants {
 /* Returns as bits the members that a command reads, be the document flat or not. */
 unsigned document_reads(const struct document_wants *);
 
-/* Reads text[0..size) into *d, and changes the text. name is the file's, for
- * messages. */
+/* Reads text[0..size), which it changes, into *d. name is the file's, for messages. */
 void document_read(struct document *d, const char *name, char *text,
     size_t size, const struct document_wants *wants);
 

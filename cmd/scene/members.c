@@ -190,8 +190,8 @@ static const struct ways window_ways[] = {
 	{ .way = { NULL } },
 };
 
-/* Reads a corner of bounds: three numbers, or two in a flat document; two or three if the
- * command does not use bounds. */
+/* Reads a corner of bounds: three numbers, or two in a flat document; two or three if
+ * the command does not use bounds. */
 static void read_corner(const struct value *v, const struct member *row,
     void *out)
 {

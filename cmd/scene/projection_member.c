@@ -166,7 +166,7 @@ const struct ways projection_ways[] = {
 	{ { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
 	    .kinds = VOLUME, .at = AT(eye_by) },
 	{ { "z_near z_far" }, .fit = true, .kinds = VOLUME },
-	/* fit_scene refuses this type, with its own reason */
+	/* without ways: fit_scene refuses the type */
 	{ { "matrix" }, .fit = true, .kinds = MATRIX },
 	{ .way = { NULL } },
 };
@@ -185,7 +185,7 @@ static bool is_given(const struct projection *p, uint64_t seen,
 	return row != NULL && (seen >> (row - projection_members) & 1) != 0;
 }
 
-/* Refuses a projection without a type, and names the types that have all its members. */
+/* Refuses a projection without a type; says which types have all its members. */
 static _Noreturn void refuse_typeless(const struct value *v)
 {
 	const struct value *type = VALUE_MISSING(v, "type");
@@ -245,7 +245,7 @@ static void check_angles(const struct value *v, const struct projection *p)
 
 /* Refuses a perspective that lacks near or far. Intrinsics need neither; of them far is
  * infinity if it is missing. fit finds both, but needs near to place the edges. */
-static void read_planes(const struct value *v, uint64_t seen,
+static void check_planes(const struct value *v, uint64_t seen,
     struct projection *p)
 {
 	bool open = p->extent == EXTENT_INTRINSICS && !v->source->fit;
@@ -284,7 +284,7 @@ static void read_projection(const struct value *v, const struct member *row,
 	if (is_given(p, seen, "direction"))
 		p->direction_unit = p->unit;
 	if (p->type == PROJECTION_PERSP)
-		read_planes(v, seen, p);
+		check_planes(v, seen, p);
 	if (p->extent == EXTENT_ANGLES)
 		check_angles(v, p);
 	if (is_given(p, seen, "size")) {
@@ -317,8 +317,8 @@ static void find_image_size(const struct value *v,
 	}
 }
 
-/* Returns whether the projection depends on an aspect. fit widens a parallel projection to
- * the aspect. */
+/* Returns whether the projection depends on an aspect. fit widens a parallel projection
+ * to the aspect. */
 static bool needs_aspect(const struct value *v, const struct viewport *viewport,
     const struct projection *p)
 {

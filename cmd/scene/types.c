@@ -139,8 +139,8 @@ static const struct ways matrix_ways[] = { { .way = { "matrix vectors?" } },
 static const struct member matrix_row = { .members = matrix_members,
 	.ways = matrix_ways };
 
-/* Returns whether rows of a matrix are for column vectors, by the member "vectors" of its
- * object, by their shape, or by the document. */
+/* Returns whether rows of a matrix are for column vectors, by the member "vectors" of
+ * its object, by their shape, or by the document. */
 static bool is_column(const struct value *v, size_t rows, size_t columns)
 {
 	bool column = rows < columns, square = rows == columns;
@@ -185,8 +185,8 @@ static void read_rows(const struct value *v, size_t rows, size_t columns,
 			value_numbers(&row, &range_any, columns, out);
 }
 
-/* Reads a matrix. 16 numbers in memory order are the same for row vectors, stored row by
- * row, and for column vectors, stored column by column; nested rows differ. */
+/* Reads a matrix. 16 numbers in memory order are the same for row vectors, stored row
+ * by row, and for column vectors, stored column by column; nested rows differ. */
 static void read_matrix(const struct value *v, const struct member *member,
     void *out)
 {
@@ -248,8 +248,8 @@ const struct type type_affine = { "matrix", read_matrix, print_rows, 0 };
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
 	"rows of 4 or 12 numbers"
 
-/* Refuses a K whose fx or fy is not positive, whose last row is not 0, 0, 1, or which is
- * not 0 under the diagonal. */
+/* Refuses a K whose fx or fy is not positive, whose last row is not 0, 0, 1, or which
+ * is not 0 under the diagonal. */
 static void check_k(const struct value *v, const double k[3][4])
 {
 	bool nested = value_count(v) == 3;

@@ -14,8 +14,7 @@ extern const struct type type_numbers;
  * the second word. */
 extern const struct type type_flag;
 
-/* One of the row's words; in the struct an enum: row.first plus the index of the
- * word. */
+/* One of the row's words; in the struct an enum: row.first plus the word's index. */
 extern const struct type type_word;
 
 /* In the order of enum angle_unit; NULL ends them. */
@@ -89,8 +88,8 @@ enum {
 extern const struct convention conventions[CONVENTIONS];
 extern const char *const convention_names[CONVENTIONS + 1]; /* NULL ends */
 
-/* The members of a convention that is an object. Each is a bool of struct convention and
- * has two words: the first, the property of d3d, is false, the second true. */
+/* The members of a convention that is an object. Each is a bool of struct convention
+ * and has two words: the first, the property of d3d, is false, the second true. */
 extern const struct member convention_members[];
 
 /* A convention: a name, or an object of convention_members. */

@@ -5,8 +5,8 @@
 
 #include "frustum.h"
 
-#define BEYOND                                                               \
-	"/bounds: the fitted scene has numbers beyond 1e150 or sizes below " \
+#define BEYOND                                                              \
+	"/bounds: what holds them has numbers beyond 1e150 or sizes below " \
 	"1e-150; choose another unit"
 
 /* Sets gaze, up and, if the camera is not given by an eye, the eye. They are rows of the
