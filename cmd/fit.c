@@ -17,7 +17,7 @@ static void take_extremes(const struct job *j, struct chunk *c)
 {
 	const struct fit *fit = j->with;
 	bool flat = j->transform.in == 2;
-	/* x stands in for z, which directions in two dimensions do not weigh */
+	/* in two dimensions z is not used: x stands in for it */
 	const double *const in[3] = { c->in[0], c->in[1], c->in[flat ? 0 : 2] };
 
 	if (c->size == 0)

@@ -13,7 +13,7 @@ struct transform;
 /* Commands of one kind take the same options. Kinds are bits: an option row has the
  * union of the kinds that take it. */
 enum command_kind {
-	MATRIX = 1, /* print their 3D matrix, or the images of points */
+	MATRIX = 1, /* prints a 3D matrix, or the images of points */
 	PROJECT = 2,
 	PICK = 4,
 	FIT = 8,

@@ -81,8 +81,8 @@ enum { OPTIONS_MAX = 40 };
 /* All options, at most OPTIONS_MAX. A name of NULL ends them. */
 extern const struct option_row option_rows[];
 
-/* Reads the options that have a global, --errors and --color, wherever they stand: they
- * hold for the first message, too. */
+/* Reads --errors and --color, the options with a global, wherever they stand, so that
+ * they hold for the first message, too. */
 void options_read_first(char **words);
 
 /* Returns the option of a name, which may end before = or a blank; or NULL. */

@@ -170,7 +170,7 @@ static void check_points(const struct command *c, const struct options *o)
 	    params.name);
 }
 
-/* Returns a hint for messages about points of two numbers, or NULL. They may be
+/* Returns a hint for messages about points of two numbers, or NULL. Such points may be
  * positions on the device, for which pick and project have options. */
 static const char *two_numbers_hint(const struct command *c,
     const struct options *o)

@@ -28,8 +28,8 @@ struct place {
 	/* If number is 0, message_state.scene takes its place. */
 	struct scene_place scene;
 	bool of_scene; /* about a scene: --keep-going goes on with the next */
-	/* NULL: the place begins a message as text. Else these words follow the
-	 * message, and the place follows them. */
+	/* NULL: the place begins a message as text. Else the message begins; these
+	 * words and the place follow. */
 	const char *join;
 };
 
