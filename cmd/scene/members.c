@@ -239,9 +239,9 @@ static const struct member pick_members[] = {
 	{ .name = NULL },
 };
 
-#define WORLD_LIKE "[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]"
-#define BOUNDS_LIKE "{\"min\": [-1,-1,-1], \"max\": [1,1,1]}"
-#define PICK_LIKE "{\"at\": [320,240], \"radius\": 3}"
+#define WORLD_EXAMPLE "[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]"
+#define BOUNDS_EXAMPLE "{\"min\": [-1,-1,-1], \"max\": [1,1,1]}"
+#define PICK_EXAMPLE "{\"at\": [320,240], \"radius\": 3}"
 
 static const struct value_range margins = { .min = 0,
 	.max = 0.5,
@@ -261,7 +261,7 @@ const struct member scene_members[] = {
 	    .words = convention_names, .usual = "\"d3d\"", .shown = true,
 	    .before = "-c's", .about = "convention in which the scene is read",
 	    .command = "lookat '{\"convention\": \"gl\", "
-		       "\"camera\": " CAMERA_LIKE "}'"),
+		       "\"camera\": " CAMERA_EXAMPLE "}'"),
 	ROW(document, "angle_unit", type_word, unit,
 	    .aliases = "angleunits unit units angles radians degrees",
 	    .words = angle_units, .beside = true, .usual = "\"degrees\"",
@@ -270,56 +270,57 @@ const struct member scene_members[] = {
 		       "\"aspect\": 1.5, \"near\": 1, \"far\": 10}'"),
 	ROW(document, "world", type_affine, scene.world, .aliases = "model",
 	    .has = offsetof(struct document, scene.has_world),
-	    .example = WORLD_LIKE, .usual = WORLD_LIKE,
+	    .example = WORLD_EXAMPLE, .usual = WORLD_EXAMPLE,
 	    .about = "matrix from model to world, affine",
 	    .command = "project --to world '{\"world\": "
 		       "[1,0,0,0, 0,1,0,0, 0,0,1,0, 10,20,30,1]}' "
 		       "'[1,2,3]'"),
-	PART("camera", camera, camera_members, CAMERA_LIKE, .ways = camera_ways,
-	    .aliases = "view", .about = "map from world to view space",
-	    .command = "lookat '{\"camera\": " CAMERA_LIKE "}'"),
+	PART("camera", camera, camera_members, CAMERA_EXAMPLE,
+	    .ways = camera_ways, .aliases = "view",
+	    .about = "map from world to view space",
+	    .command = "lookat '{\"camera\": " CAMERA_EXAMPLE "}'"),
 	ROW(document, "projection", type_projection, scene.projection,
 	    .members = projection_members, .aliases = "lens perspective",
-	    .ways = projection_ways, .example = LENS_LIKE,
+	    .ways = projection_ways, .example = PERSP_EXAMPLE,
 	    .about = "map from view to clip space",
-	    .command = "persp '{\"projection\": " LENS_LIKE "}'"),
-	PART("viewport", viewport, viewport_members, RECTANGLE_LIKE,
+	    .command = "persp '{\"projection\": " PERSP_EXAMPLE "}'"),
+	PART("viewport", viewport, viewport_members, RECTANGLE_EXAMPLE,
 	    .ways = rectangle_ways, .aliases = "screen",
 	    .about = "map from ndc to the device, in 3D",
-	    .command = "project --from ndc '{\"viewport\": " RECTANGLE_LIKE
+	    .command = "project --from ndc '{\"viewport\": " RECTANGLE_EXAMPLE
 		       "}' '[0,0.5,1]'"),
-	PART("window", window, window_members, WINDOW_LIKE, .ways = window_ways,
-	    .about = "rectangle of a 2D world",
-	    .command = "w2n '{\"window\": " WINDOW_LIKE "}'"),
-	PART("device", device, device_members, RECTANGLE_LIKE,
+	PART("window", window, window_members, WINDOW_EXAMPLE,
+	    .ways = window_ways, .about = "rectangle of a 2D world",
+	    .command = "w2n '{\"window\": " WINDOW_EXAMPLE "}'"),
+	PART("device", device, device_members, RECTANGLE_EXAMPLE,
 	    .ways = rectangle_ways,
 	    .about = "rectangle on the screen that shows a window",
-	    .command = "n2d '{\"device\": " RECTANGLE_LIKE "}'"),
+	    .command = "n2d '{\"device\": " RECTANGLE_EXAMPLE "}'"),
 	ROW(document, "points", type_points, points, .aliases = "point",
 	    .example = "[[0,0,0], [1,1,1]]",
 	    .about = "points, unless there are operands POINTS",
-	    .command = "lookat '{\"camera\": " CAMERA_LIKE
+	    .command = "lookat '{\"camera\": " CAMERA_EXAMPLE
 		       ", \"points\": [[0,0,0], [1,1,1]]}'"),
 	ROW(document, "bounds", type_object, bounds,
 	    .has = offsetof(struct document, has_bounds), .aliases = "extent",
 	    .members = bounds_members, .ways = bounds_ways,
-	    .example = BOUNDS_LIKE, .unit = "model units",
+	    .example = BOUNDS_EXAMPLE, .unit = "model units",
 	    .about = "volume that fit holds, in place of the points",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
-		       "\"bounds\": " BOUNDS_LIKE "}'"),
+		       "\"bounds\": " BOUNDS_EXAMPLE "}'"),
 	ROW(document, "pick", type_object, pick,
 	    .has = offsetof(struct document, has_pick), .members = pick_members,
-	    .example = PICK_LIKE,
+	    .example = PICK_EXAMPLE,
 	    .about = "circle on the device; or use --at, --radius",
-	    .command = "pick '{\"camera\": " CAMERA_LIKE
-		       ", \"projection\": " LENS_LIKE
-		       ", \"viewport\": " RECTANGLE_LIKE
-		       ", \"pick\": " PICK_LIKE "}' '[[0,0,0], [1,1,1]]'"),
+	    .command = "pick '{\"camera\": " CAMERA_EXAMPLE
+		       ", \"projection\": " PERSP_EXAMPLE
+		       ", \"viewport\": " RECTANGLE_EXAMPLE
+		       ", \"pick\": " PICK_EXAMPLE "}' '[[0,0,0], [1,1,1]]'"),
 	ROW(document, "margin", type_numbers, scene.margin,
 	    .aliases = "padding border", .example = "0.1", .range = &margins,
 	    .usual = "0",
 	    .about = "fraction of the picture left free at each side",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
-		       "\"bounds\": " BOUNDS_LIKE ", \"margin\": 0.1}'"),
+		       "\"bounds\": " BOUNDS_EXAMPLE ", \"margin\": 0.1}'"),
 	{ .name = NULL },
 };

@@ -61,18 +61,19 @@ extern const char *const projection_types[];
 void projection_complete(const struct value *, const struct viewport *,
     struct projection *);
 
-/* Examples of members. The aspect of SCENE_LIKE is that of its viewport. */
-#define CAMERA_LIKE "{\"eye\": [0,0,-5], \"at\": [0,0,0]}"
-#define LENS_LIKE                                               \
+/* Examples of members. The aspect of SCENE_EXAMPLE is that of its viewport. */
+#define CAMERA_EXAMPLE "{\"eye\": [0,0,-5], \"at\": [0,0,0]}"
+#define PERSP_EXAMPLE                                           \
 	"{\"type\": \"persp\", \"fovy\": 60, \"aspect\": 1.5, " \
 	"\"near\": 1, \"far\": 10}"
-#define RECTANGLE_LIKE "{\"width\": 640, \"height\": 480}"
-#define WINDOW_LIKE "{\"center\": [20,30], \"width\": 10, \"height\": 10}"
+#define RECTANGLE_EXAMPLE "{\"width\": 640, \"height\": 480}"
+#define WINDOW_EXAMPLE "{\"center\": [20,30], \"width\": 10, \"height\": 10}"
 
-#define SCENE_LIKE                                                            \
-	"{\"camera\": " CAMERA_LIKE ", \"projection\": {\"type\": \"persp\"," \
-	" \"fovy\": 60, \"near\": 1, \"far\": 10}, "                          \
-	"\"viewport\": " RECTANGLE_LIKE "}"
+#define SCENE_EXAMPLE                                \
+	"{\"camera\": " CAMERA_EXAMPLE               \
+	", \"projection\": {\"type\": \"persp\","    \
+	" \"fovy\": 60, \"near\": 1, \"far\": 10}, " \
+	"\"viewport\": " RECTANGLE_EXAMPLE "}"
 
 /* The member "convention", and the conventions that have a name. */
 
