@@ -6,7 +6,7 @@
 #include "scene/document.h"
 #include "message/message.h"
 
-/* The directions, which the threads share, and the extremes of all points. */
+/* The directions that fit measures, shared by the threads, and the points' extremes. */
 struct fit {
 	struct directions directions;
 	struct extremes extremes;
@@ -17,7 +17,7 @@ static void take_extremes(const struct job *j, struct chunk *c)
 {
 	const struct fit *fit = j->with;
 	bool flat = j->transform.in == 2;
-	/* directions of a plane have no z */
+	/* in two dimensions z is not used: x stands in for it */
 	const double *const in[3] = { c->in[0], c->in[1], c->in[flat ? 0 : 2] };
 
 	if (c->size == 0)
@@ -41,7 +41,7 @@ static void collect_extremes(const struct job *j, const struct chunk *c)
 		    (const void *)c->out);
 }
 
-/* Takes the bounds of the document from the points. */
+/* Computes the bounds of the document from the points. */
 static void fit_read_points(const struct options *o, struct document *d)
 {
 	static struct fit fit;
@@ -66,8 +66,8 @@ static void fit_read_points(const struct options *o, struct document *d)
 		    "hold in their place");
 }
 
-/* Refuses a scene for the reason that core/ returned. If that is about /bounds and the
- * bounds come from points, the message is about the points. */
+/* Refuses a scene for the reason why, which core/ returned. If the points gave the
+ * bounds, a reason about /bounds is said of the points. */
 static _Noreturn void refuse_fit(const struct options *o,
     const struct document *d, const char *why)
 {

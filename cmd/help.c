@@ -17,8 +17,8 @@ static void heading(const char *text)
 
 enum { NAME_WIDTH = 15, TYPE_WIDTH = 23 };
 
-/* Prints a member's name, type, unit, meaning and default and, if types is not NULL, the
- * types of the object that have it. */
+/* Prints a member's name, type, unit, meaning and default and, if types is not NULL,
+ * the types of the object that have it. */
 static void print_member(const struct member *row, const char *const *types)
 {
 	char list[LISTED], type[2 * LISTED];
@@ -43,8 +43,8 @@ static void print_member(const struct member *row, const char *const *types)
 	print("%s\n", *before == ',' ? ")" : "");
 }
 
-/* Prints the members of a table that bits select and objects of a kind have; of all kinds
- * if kind < 0. */
+/* Prints the rows of a table whose bits are set and that objects of the kind have; if
+ * kind < 0, those of all kinds. */
 static void print_members(const struct member *table, int kind, uint64_t bits)
 {
 	for (const struct member *row = table; row->name != NULL; row++)
@@ -80,7 +80,7 @@ static void print_options(const struct command *c)
 	}
 }
 
-/* Prints the members that PARAMS may have, of an object alone and of a scene. */
+/* Prints the members of PARAMS as a single object, such as a camera, and as a scene. */
 static void print_params(const struct command *c)
 {
 	const struct document_wants *w = &c->wants;

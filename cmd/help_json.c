@@ -60,7 +60,7 @@ static void put_command(struct printer *p, const struct command *c)
 	put_close(p, "]");
 	if (c->kind != HELP) {
 		put_words(p, "reads", names, document_reads(&c->wants));
-		/* a scene in the plane needs no member */
+		/* a scene of two dimensions needs no member */
 		put_words(p, "needs", names,
 		    c->wants.flat != 0 ? 0 : c->wants.needed);
 		put_words(p, "alone", names, c->wants.bare);
@@ -89,7 +89,7 @@ static void put_option(struct printer *p, const struct option_row *r,
 	put_close(p, "}");
 }
 
-/* Puts the range of a member's numbers, by the words of JSON Schema. */
+/* Puts the range of a member's numbers under the names of JSON Schema. */
 static void put_range(struct printer *p, const struct value_range *r)
 {
 	put_name(p, r->above ? "exclusiveMinimum" : "minimum");
@@ -98,8 +98,8 @@ static void put_range(struct printer *p, const struct value_range *r)
 	put_number(p, r->max);
 }
 
-/* Puts a member of the scene or, if in is not NULL, of its member of that name. types are
- * the names of the types of objects. */
+/* Puts the row of a member: of the scene or, if in is not NULL, of the scene's member
+ * in. types names the kinds of that object. */
 static void put_member(struct printer *p, const struct member *row,
     const char *in, const char *const *types)
 {

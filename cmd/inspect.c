@@ -42,19 +42,19 @@ static const char *const notes[NOTES] = {
 	"\"convention\" that the matrix is from where it is negative",
 	"near, far and scene are null, as the planes of equal depth are "
 	"tilted against the picture by more than 2^-40; give the matrix with "
-	"all 17 digits, not as floats, and look whether it is a product in the "
-	"order of its \"vectors\"",
+	"all 17 digits, not as floats, and if it is a product, check that its "
+	"factors stand in the order for its \"vectors\"",
 	"scene is null, as w is negative between near and far; negate the "
 	"whole matrix, all 16 elements",
-	"scene is null, as only intrinsics say that x depends on y or that "
-	"there are no planes, of a perspective that does not mirror, with a "
-	"viewport that it fills; add a viewport, or give near and far, or a "
-	"matrix with all 17 digits",
+	"scene is null, as x depends on y or there are no near and far planes: "
+	"only \"intrinsics\" can say that, of a perspective that does not "
+	"mirror and fills the viewport; add a viewport, or give near and far, "
+	"or a matrix with all 17 digits",
 	"scene is null, as a plane lies behind the eye or a number is out of "
 	"range; look at near, far and eye",
 };
 
-/* Puts a number if n is 0, or else a vector, or null if its first number is nan. */
+/* Puts *v if n is 0; else n numbers as an array, or null if the first is nan. */
 static void put_vector(struct printer *p, const double *v, int n)
 {
 	if (n == 0 || isnan(v[0]))
@@ -88,7 +88,7 @@ static void put_rows(struct printer *p, const char *name, const double *v,
 	put_close(p, none ? "" : "]");
 }
 
-/* Puts a number for each of so many sides if n is 0, or else a row of n numbers. */
+/* Puts an object with a member for each side: a number if n is 0, else n numbers. */
 static void put_sides(struct printer *p, const char *name, int sides,
     const double *v, int n)
 {
@@ -204,8 +204,8 @@ static void put_bounds(struct printer *p, const double bound[3],
 	put_named_word(p, "precision", precision_names[precision]);
 }
 
-/* Puts the window of a scene without a projection. */
-static void put_plane(struct printer *p, const struct document *d)
+/* Puts the window of a flat document. */
+static void put_window(struct printer *p, const struct document *d)
 {
 	const struct scene *s = &d->scene;
 	struct shown w;
@@ -255,7 +255,7 @@ void run_inspect(const struct command *c, const struct options *o)
 		    "errors and the depth of a projection, not of a window");
 	put_open(&p, "{");
 	if (d.flat)
-		put_plane(&p, &d);
+		put_window(&p, &d);
 	else
 		put_spatial(&p, &d, o);
 	put_close(&p, "}\n");

@@ -14,11 +14,11 @@
 
 /* clang-format off */
 
-#define DEVICE_LIKE "{\"width\": 300, \"height\": 300}"
-#define FLAT_LIKE "'{\"window\": " WINDOW_LIKE                                 \
-	", \"device\": " DEVICE_LIKE "}'"
+#define DEVICE_EXAMPLE "{\"width\": 300, \"height\": 300}"
+#define FLAT_EXAMPLE "'{\"window\": " WINDOW_EXAMPLE                       \
+	", \"device\": " DEVICE_EXAMPLE "}'"
 
-/* A command whose document may be a member alone, which it needs; it uses others, too. */
+/* A command that needs one member, which may be the whole document, and uses others. */
 #define ALONE(member, others)                                              \
 	.bare = SCENE_##member, .needed = SCENE_##member,                  \
 	.used = SCENE_##member | SCENE_POINTS | (others)
@@ -55,33 +55,33 @@ static const struct command commands[] = {
 	    VIEW_TO_CLIP(PROJECTION_OBLIQUE),
 	    .example = "'{\"kind\": \"cabinet\", \"width\": 3, \"height\": 2, \"near\": 0, \"far\": 10}'" },
 	{ "w2n", "2D window to ndc matrix", IN_PLANE(WINDOW, NDC),
-	    .wants = { WINDOW_ALONE }, .example = "'" WINDOW_LIKE "' '[22,32]'" },
+	    .wants = { WINDOW_ALONE }, .example = "'" WINDOW_EXAMPLE "' '[22,32]'" },
 	{ "n2w", "2D ndc to window matrix", IN_PLANE(NDC, WINDOW),
-	    .wants = { WINDOW_ALONE }, .example = "'" WINDOW_LIKE "' '[0.5,0.5]'" },
+	    .wants = { WINDOW_ALONE }, .example = "'" WINDOW_EXAMPLE "' '[0.5,0.5]'" },
 	{ "n2d", "2D ndc to device matrix", IN_PLANE(NDC, DEVICE),
-	    .wants = { DEVICE_ALONE }, .example = "'" DEVICE_LIKE "' '[0.5,0.5]'" },
+	    .wants = { DEVICE_ALONE }, .example = "'" DEVICE_EXAMPLE "' '[0.5,0.5]'" },
 	{ "d2n", "2D device to ndc matrix", IN_PLANE(DEVICE, NDC),
-	    .wants = { DEVICE_ALONE }, .example = "'" DEVICE_LIKE "' '[210,90]'" },
+	    .wants = { DEVICE_ALONE }, .example = "'" DEVICE_EXAMPLE "' '[210,90]'" },
 	{ "w2d", "2D window to device matrix", IN_PLANE(WINDOW, DEVICE),
-	    .wants = { WINDOW_AND_DEVICE }, .example = FLAT_LIKE " '[22,32]'" },
+	    .wants = { WINDOW_AND_DEVICE }, .example = FLAT_EXAMPLE " '[22,32]'" },
 	{ "d2w", "2D device to window matrix", IN_PLANE(DEVICE, WINDOW),
-	    .wants = { WINDOW_AND_DEVICE }, .example = FLAT_LIKE " '[210,210]'" },
+	    .wants = { WINDOW_AND_DEVICE }, .example = FLAT_EXAMPLE " '[210,210]'" },
 	{ "volume", "view to clip matrix of a view volume of seven numbers",
 	    VIEW_TO_CLIP(PROJECTION_VOLUME),
 	    .example = "'{\"size\": 2, \"aspect\": 1.5, \"view_angle\": 60, \"z_near\": 1, \"z_far\": 10}'" },
 	{ "project", "points from any space to any other: to pixels, or back",
 	    PROJECT, run_project,
 	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS },
-	    .example = "'" SCENE_LIKE "' '[[0,0,0], [1,1,1]]'" },
+	    .example = "'" SCENE_EXAMPLE "' '[[0,0,0], [1,1,1]]'" },
 	{ "trace", "points in every space, and the planes that they are outside of",
 	    TRACE, run_trace,
 	    .wants = { .used = SCENE_SPATIAL | SCENE_POINTS },
-	    .example = "'" SCENE_LIKE "' '[1,1,1]'" },
+	    .example = "'" SCENE_EXAMPLE "' '[1,1,1]'" },
 	{ "pick", "points within a radius of a device position, nearest first",
 	    PICK, run_pick,
 	    .wants = { .needed = SCENE_VIEWPORT,
 		.used = SCENE_SPATIAL | SCENE_POINTS | SCENE_PICK },
-	    .example = "--at 320,240 --radius 3 '" SCENE_LIKE
+	    .example = "--at 320,240 --radius 3 '" SCENE_EXAMPLE
 		"' '[[0,0,0], [1,1,1]]'" },
 	{ "fit", "the scene, with a camera that holds bounds or points tightly",
 	    FIT, run_fit,
@@ -95,7 +95,7 @@ static const struct command commands[] = {
 	    "what the projection or 2D window is: angles, edges, error bounds",
 	    INSPECT, run_inspect,
 	    .wants = { .flat = SCENE_WINDOW, .used = SCENE_SPATIAL },
-	    .example = "'" SCENE_LIKE "'" },
+	    .example = "'" SCENE_EXAMPLE "'" },
 	{ "help", "what a command does, or what a member of the scene means", HELP,
 	    .example = "camera" },
 	{ .name = NULL },

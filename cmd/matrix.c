@@ -7,7 +7,7 @@
 #include "message/message.h"
 #include "scene/types.h"
 
-/* [size - 3]: the rows or columns of a map that a matrix of 3 or 4 has; 3 lack z. */
+/* [size - 3]: the rows and columns of a map that a matrix of 3 or 4 rows keeps. */
 static const int kept_axes[2][4] = { { 0, 1, 3 }, { 0, 1, 2, 3 } };
 
 struct elements {
@@ -15,8 +15,8 @@ struct elements {
 	double at[4][4];
 };
 
-/* Puts the elements as lines of text; or in binary, where memory order is row by row for
- * row vectors, column by column for column vectors, which is the same sequence. */
+/* Puts the elements as lines of text, or in binary in memory order, which gives the
+ * same sequence for row vectors (row by row) and column vectors (column by column). */
 static void put_elements(struct printer *p, const struct elements *m,
     struct dialect out)
 {
@@ -48,8 +48,8 @@ static void put_json(struct printer *p, const struct elements *m, bool column)
 	put_close(p, "}\n");
 }
 
-/* Returns the elements for row vectors or, if column, for column vectors: the nearest
- * doubles, or the nearest floats, of which an infinite one is refused. */
+/* Returns the elements for row vectors or, if column, for column vectors, as the
+ * nearest doubles or, if floats, floats. Refuses an element beyond their range. */
 static struct elements elements_of(const struct document *d,
     const struct transform *t, bool floats, bool column)
 {

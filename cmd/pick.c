@@ -10,8 +10,8 @@
 #include "call/operands.h"
 #include "message/message.h"
 
-/* A record of the text of hits: a point within the radius, or a csv header, whose
- * distance is -infinity. */
+/* A point within the radius, with what is printed of it. A csv header is a hit, too, at
+ * the distance -infinity, which puts it first. */
 struct hit {
 	double distance, point[4];
 	long long line;
@@ -20,7 +20,7 @@ struct hit {
 	    []; /* what is printed; in JSON what follows the line's number */
 };
 
-/* The sort key of a hit: its distance, then its record's place in the text. */
+/* The sort key of a hit: its distance, then its offset in the text. */
 struct hit_key {
 	double distance;
 	size_t at;
@@ -30,14 +30,14 @@ struct hits {
 	struct number_style style;
 	struct picker picker;
 	bool json;
-	bool near; /* the near plane is not at infinity */
+	bool finite_near; /* the near plane is not at infinity */
 	struct hit_key *key;
 	size_t n, room;
-	char *text; /* records one behind another */
+	char *text; /* struct hit after struct hit */
 	size_t size, text_room;
 };
 
-/* Returns the bytes from a record to the next, which is aligned as it is. */
+/* Returns the bytes of a hit with size bytes of text, to the next aligned hit. */
 static size_t hit_stride(size_t size)
 {
 	const size_t unit = _Alignof(struct hit);
@@ -50,7 +50,7 @@ static struct hit *hit_at(char *text, size_t at)
 	return (void *)(text + at);
 }
 
-/* Appends a record. */
+/* Appends a hit with what is printed of it: the line or, for JSON, an object. */
 static void hits_append(const struct job *j, struct chunk *c, struct hit hit,
     const struct line *line, const double device[3])
 {
@@ -92,7 +92,7 @@ static void hits_take(const struct job *j, struct chunk *c)
 	double *const device[4] = { v[0], v[1], v[2] };
 	double *const view[4] = { v[3], v[4], v[5] };
 	unsigned char outside[POINTS_BLOCK];
-	bool known = false; /* outside and, if near, view are computed */
+	bool computed = false; /* outside and, if finite_near is set, view */
 
 	points_map(&j->transform, j->precision, in, device, points);
 	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
@@ -114,16 +114,16 @@ static void hits_take(const struct job *j, struct chunk *c)
 		if (isnan(to[0]) || isnan(to[1]) ||
 		    !pick_holds(&h->picker, hit.point, to))
 			continue;
-		if (!known) {
+		if (!computed) {
 			frustum_out_all(&j->frustum, in, outside, points);
-			if (h->near)
+			if (h->finite_near)
 				points_map(&h->picker.depth, PRECISION_EXACT,
 				    in, view, points);
-			known = true;
+			computed = true;
 		}
 		if (outside[at] != 0)
 			continue;
-		hit.distance = h->near ? v[5][at] : (double)INFINITY;
+		hit.distance = h->finite_near ? v[5][at] : (double)INFINITY;
 		if (isnan(hit.distance))
 			hit.distance = pick_distance(&h->picker, hit.point);
 		hits_append(j, c, hit, line, to);
@@ -159,17 +159,18 @@ static bool is_header(const struct hit_key *key)
 	return key->distance < -DBL_MAX;
 }
 
-/* The hits whose exact distances hit_compare compares. If it is NULL, hit_compare compares
- * the nearest doubles. qsort passes nothing on. */
-static const struct hits *exactly;
+/* The hits whose exact distances hit_compare compares; NULL: it compares the nearest
+ * doubles. A variable, as qsort passes no argument on. */
+static const struct hits *exact_of;
 
 static int hit_compare(const void *a, const void *b)
 {
 	const struct hit_key *p = a, *q = b;
-	int order = exactly == NULL ?
+	int order = exact_of == NULL ?
 	    (p->distance > q->distance) - (p->distance < q->distance) :
-	    pick_compare(&exactly->picker, hit_at(exactly->text, p->at)->point,
-		hit_at(exactly->text, q->at)->point);
+	    pick_compare(&exact_of->picker,
+		hit_at(exact_of->text, p->at)->point,
+		hit_at(exact_of->text, q->at)->point);
 
 	return order != 0 ? order : (p->at > q->at) - (p->at < q->at);
 }
@@ -184,9 +185,9 @@ static void hits_sort(const struct hits *h)
 
 	if (h->n == 0)
 		return;
-	exactly = NULL;
+	exact_of = NULL;
 	qsort(key, h->n, sizeof *key, hit_compare);
-	exactly = h;
+	exact_of = h;
 	for (size_t i = 0; i < h->n; i = end) {
 		bool sorted = true;
 
@@ -200,8 +201,8 @@ static void hits_sort(const struct hits *h)
 	}
 }
 
-/* Returns the index of the first hit that is printed: equal headers of several
- * sources are printed once, and headers that differ not at all. */
+/* Returns the index of the first hit that is printed. Headers of several sources are
+ * printed once if they are equal, else not at all. */
 static size_t hits_first(const struct hits *h)
 {
 	size_t n = 0;
@@ -220,7 +221,7 @@ static size_t hits_first(const struct hits *h)
 static void print_hits(const struct job *j)
 {
 	struct hits *h = j->with;
-	/* the number of a line is shorter than the struct before its text */
+	/* there is room: a line number is shorter than the struct that it replaces */
 	char *const out = xrealloc(NULL, h->size), *at = out;
 
 	hits_sort(h);
@@ -280,6 +281,6 @@ void run_pick(const struct command *c, const struct options *o)
 		die(EXIT_USAGE,
 		    "pick prints lines as they were read; leave -o out, or "
 		    "use -o json");
-	hits.near = sum_sign(hits.picker.depth.map.divisor) != 0;
+	hits.finite_near = sum_sign(hits.picker.depth.map.divisor) != 0;
 	run_points(o, &d, &j);
 }

@@ -26,7 +26,7 @@ static void project_check(const struct options *o)
 		    plane ? "plane" : "ray", plane ? "--ray" : "-m");
 }
 
-/* Sets how a job takes points from a space to another. Returns NULL, or why it can't. */
+/* Sets the maps and planes of a job. Returns NULL, or why the scene has none. */
 static const char *project_prepare(const struct scene *s,
     const struct options *o, enum space from, enum space to, struct job *j)
 {
@@ -47,8 +47,8 @@ static const char *project_prepare(const struct scene *s,
 	    why;
 }
 
-/* Refuses one of --from and --to that leads from its space to the same space. */
-static void project_check_half(const struct options *o, enum space from,
+/* Refuses --from or --to alone where the default of the other is the same space. */
+static void project_check_alone(const struct options *o, enum space from,
     enum space to)
 {
 	const char *name = space_names[from];
@@ -81,7 +81,7 @@ void run_project(const struct command *c, const struct options *o)
 					  SPACE_NDC;
 
 	if (!o->ray && !plane)
-		project_check_half(o, from, to);
+		project_check_alone(o, from, to);
 	document_check(&d, project_prepare(&d.scene, o, from, to, &j));
 	if (o->matrix) {
 		print_matrix(o, &d, &j.transform);

@@ -23,7 +23,7 @@ struct images {
 	unsigned char outside[BATCH];
 };
 
-/* Transforms n points, from c's point p on, to all spaces. */
+/* Transforms points p to p + n - 1 of the chunk to all spaces. */
 static void images_transform(struct images *m, const struct job *j,
     const struct chunk *c, size_t p, size_t n)
 {
@@ -43,9 +43,9 @@ static void images_transform(struct images *m, const struct job *j,
 	frustum_out_all(&j->frustum, from, m->outside, n);
 }
 
-/* Writes point p's image in a space, in JSON as an array; null or nan for a number beyond
- * the range of doubles or, if single, floats. m is NULL for a point without images.
- * Returns the end. */
+/* Writes the image of point p of m in space s, in JSON as an array. A number beyond the
+ * range of doubles or, if single, of floats is null or nan, and so are all if m is
+ * NULL. Returns the end. */
 static char *trace_put_image(char *at, const struct job *j,
     const struct images *m, int s, size_t p)
 {
@@ -74,8 +74,8 @@ static char *trace_put_image(char *at, const struct job *j,
 	return at;
 }
 
-/* Appends the output for a line: of point p of m or, if m is NULL, of a bad line. Text
- * begins with a blank line. */
+/* Appends what is printed of a line: the images of point p of m or, if m is NULL as for
+ * a bad line, null or nan. Text begins with a blank line. */
 static void trace_put(const struct job *j, struct chunk *c,
     const struct line *line, const struct images *m, size_t p)
 {

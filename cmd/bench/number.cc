@@ -13,7 +13,7 @@
 
 #include "peer/hand.h"
 
-/* Of core/points/points.h, which is no C++. */
+/* Declared in core/points/points.h, which is not C++. */
 extern "C" bool points_choose(const char *name);
 
 enum { COUNT = 30000, RUNS = 21 };
@@ -97,7 +97,7 @@ template <class Write> static void measure_write(const char *name, Write write)
 	});
 }
 
-/* A separator after each, as the program writes them. */
+/* The texts have a separator behind each number, as the program writes them. */
 static void measure_texts(number_style style)
 {
 	static number_text texts[1024];

@@ -115,8 +115,7 @@ static struct view random_view(double far_away)
 	return v;
 }
 
-/* Fills the block with points of the view volume: device points, taken back
- * into the world. */
+/* Fills the block with points of the view volume, made from random device points. */
 static bool fill(const struct scene *s, const struct view *v, bool floats,
     size_t n)
 {
@@ -189,8 +188,8 @@ static bool measure_errors(int distance, double far_away)
 	return true;
 }
 
-/* The entries take turns, so that what slows the machine down for a while slows
- * a run of each. */
+/* Measures the entries in turn, so that what slows the machine down for a while slows a
+ * run of each. */
 static bool measure_times(void)
 {
 	struct scene s = scene_of(&bench_view);

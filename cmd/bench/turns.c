@@ -44,7 +44,7 @@ static double seconds_of(struct timeval t)
 	return (double)t.tv_sec + (double)t.tv_usec * 1e-6;
 }
 
-/* With what the command's own children use: sh waits for them. */
+/* Runs the command once. The times include those of its children: sh waits for them. */
 static bool run(struct command *c)
 {
 	struct rusage used;

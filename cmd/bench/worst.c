@@ -9,7 +9,7 @@
 
 #include "view.h"
 
-/* Reads the next point; of a line its first three numbers. */
+/* Reads the next point: of a line its first three numbers. */
 static bool get(FILE *f, const char *format, double p[3])
 {
 	char line[1024];

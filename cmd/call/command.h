@@ -10,10 +10,10 @@
 struct options;
 struct transform;
 
-/* Commands of one kind take the same options. Kinds are bits: an option row has the union
- * of the kinds that take it. */
+/* Commands of one kind take the same options. Kinds are bits: an option row has the
+ * union of the kinds that take it. */
 enum command_kind {
-	MATRIX = 1, /* print their 3D matrix, or the images of points */
+	MATRIX = 1, /* prints a 3D matrix, or the images of points */
 	PROJECT = 2,
 	PICK = 4,
 	FIT = 8,
@@ -29,14 +29,14 @@ struct command {
 	enum command_kind kind;
 	/* Answers one scene. An error ends the program. */
 	void (*run)(const struct command *, const struct options *);
-	/* The members that the document may have. Its convention and coordinates
-	 * come from the options. */
+	/* What the command needs of a document. The convention and the number of
+	 * coordinates are set later, from the options. */
 	struct document_wants wants;
-	/* Of MATRIX and PLANAR commands: the spaces that the matrix leads from and
-	 * to, and the space of the images of points. They are of enum flat for
-	 * PLANAR, else of enum space. */
+	/* For MATRIX and PLANAR commands: the spaces between which the matrix maps, and
+	 * the space to which points are mapped: of enum flat for PLANAR, else of enum
+	 * space. */
 	int from, to, points_to;
-	/* Words of the shell behind the name that make a call that works. */
+	/* The arguments of a call that works, as typed in a shell. */
 	const char *example;
 };
 
@@ -47,21 +47,21 @@ void run_pick(const struct command *, const struct options *);
 void run_fit(const struct command *, const struct options *);
 void run_inspect(const struct command *, const struct options *);
 
-/* Prints the matrix of a transform's map in the format and precision of the options, for
- * the row or column vectors of the answer's convention. Two coordinates have no row or
- * column for z. */
+/* Prints the matrix of a transform in the format and precision of the options, for the
+ * row or column vectors of the answer's convention. A matrix for two coordinates has no
+ * row or column for z. */
 void print_matrix(const struct options *, const struct document *,
     const struct transform *);
 
-/* Print the help from the rows of commands, options and members: of all commands, to a
- * name of NULL; of one command; of a member of the scene or of its objects, false if
- * there is none; and everything as one JSON object. */
+/* Print help. help_all lists the commands, up to the row without a name; help_command
+ * describes one; help_member describes a member of the scene or of its objects, or
+ * returns false if there is none; help_json prints all that the tables say. */
 void help_all(const struct command *);
 void help_command(const struct command *);
 bool help_member(const char *name);
 void help_json(const struct command *, const char *version);
 
-/* Returns the command of a name, or NULL. A name of NULL ends the table. */
+/* Returns the command with a name, or NULL, from a table that a name of NULL ends. */
 static inline const struct command *find_command(const struct command *c,
     const char *name)
 {

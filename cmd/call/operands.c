@@ -11,9 +11,9 @@
 #include "../message/message.h"
 #include "../scene/types.h"
 
-/* Refuses an operand that is no file. The message suggests an option if the word is its
- * name without dashes, or with dashes of U+2010 to U+2015 in UTF-8, which editors make
- * of them; else it ends with hint. */
+/* Refuses an operand that is no file. The message ends with hint or, if the word is an
+ * option's name, with that option. The name may stand without dashes, or with dashes of
+ * U+2010 to U+2015 in UTF-8, which editors make of two hyphens. */
 static _Noreturn void refuse_operand(const struct command *c, const char *word,
     const char *why, const char *hint)
 {
@@ -84,8 +84,8 @@ bool has_points(const struct command *c, const struct options *o,
 	return !none;
 }
 
-/* Returns whether the output adds a member to which path, a name or a JSON pointer, leads,
- * or into which it leads. */
+/* Returns whether a member that the output adds is at path, a name or a JSON pointer,
+ * or contains the member at path. */
 static bool is_added(const struct layout *l, const char *path)
 {
 	const bool pointer = *path == '/';
@@ -191,8 +191,8 @@ static void choose_kernels(void)
 		    cpu);
 }
 
-/* Sets the names of the values that are written. With --append they begin with the space
- * of the images: device_x. */
+/* Sets the names of the values that are written. With --append they begin with the
+ * space of the images: device_x. */
 static void name_values(struct layout *l, const char *space)
 {
 	static const char *const ray[] = { "x", "y", "z", "dx", "dy", "dz" };
@@ -209,7 +209,7 @@ static void name_values(struct layout *l, const char *space)
 
 static void prepare_job(struct job *j, const struct options *o)
 {
-	/* x y of a position; the point and the direction of its ray */
+	/* a ray is read as its position x y, and written as a point and a direction */
 	const int ray_reads = 2, ray_writes = 6;
 
 	j->layout = (struct layout){
@@ -243,8 +243,8 @@ static void prepare_job(struct job *j, const struct options *o)
 	check_layout(o, &j->layout, j->take == NULL);
 }
 
-/* Runs the job on points as document_points and document_read return them: lines of JSON,
- * whatever the format of files is. */
+/* Runs the job on the lines that document_points or document_read returned: they are
+ * JSON, whatever the format of files is. */
 static void run_json(const struct options *o, struct job *j, const char *name,
     const char *text, size_t size)
 {
@@ -262,8 +262,8 @@ static void run_json(const struct options *o, struct job *j, const char *name,
 	j->layout = of_files;
 }
 
-/* Runs the job on operand i, or on standard input. With --scenes, the text of a file is
- * kept for the next scenes. */
+/* Runs the job on operand i or, if there are no operands, on standard input. With
+ * --scenes, the text of a file is kept for the next scenes. */
 static void run_operand(const struct options *o, struct job *j, int i)
 {
 	static struct text *kept;

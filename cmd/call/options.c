@@ -17,7 +17,7 @@ const char *const precision_names[] = { "exact", "double", "single", NULL };
 const char *const space_names[] = { "model", "world", "view", "clip", "ndc",
 	"device", NULL };
 
-/* Reads one of the words of a row, and sets its index. */
+/* Reads one of the words of a row, and sets the row's member or global to its index. */
 static void option_read_word(struct options *o, const struct option_row *r,
     char *word)
 {
@@ -125,8 +125,8 @@ static void option_read_separator(struct options *o, const struct option_row *r,
 		o->separator = *word;
 }
 
-/* Returns the first word of a list with commas, and sets *list to the next word, or NULL
- * if there is none. */
+/* Returns the first word of a list that commas divide. Sets *list to the next word, or
+ * to NULL if there is none. */
 static char *cut_word(char **list)
 {
 	char *word = *list;
@@ -230,7 +230,7 @@ const struct option_row option_rows[] = {
 	    "arithmetic for points: exact (default), double or single",
 	    "NAME", option_read_word, AT(precision), .words = precision_names },
 	{ "tolerance", 't', INSPECT,
-	    "largest error of the precision that is named; default 0.5",
+	    "name the cheapest precision with errors up to T; default 0.5",
 	    "T", option_read_size, AT(tolerance) },
 	{ "distances", 0, INSPECT,
 	    "distances from near to far at which to print depth_step too",

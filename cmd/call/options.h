@@ -8,10 +8,10 @@
 #include "../lines/line.h"
 #include "command.h"
 
-/* The list of --decimals or --digits: one style for each printed coordinate. The last one
- * holds for the rest. */
+/* The list of --decimals or --digits: a style for each printed coordinate. The last
+ * number given is that of the coordinates after it, too. */
 struct styles {
-	int n; /* 0: no list; numbers are the shortest */
+	int n; /* numbers given; 0: print the fewest digits that read back */
 	struct number_style style[COORDINATES_MAX];
 };
 
@@ -25,13 +25,13 @@ struct number_list {
 
 struct options {
 	unsigned convention; /* index in conventions */
-	bool has_convention; /* else it is the document's */
+	bool has_convention; /* else the document has it */
 	bool help, version;
 	enum format in, out;
-	int in_record, out_record; /* numbers of a record, by f32x4; else 0 */
-	bool has_out;   /* else points have the format in, a matrix is text */
+	int in_record, out_record; /* numbers in a record: 4 of f32x4; or 0 */
+	bool has_out;   /* else points stay in format in, a matrix is text */
 	char separator; /* of csv, a comma by default */
-	bool header, no_header; /* the first line of csv is a header, is none */
+	bool header, no_header; /* neither: the first line of csv decides */
 	struct columns columns; /* of POINTS, by --columns */
 	struct styles styles;
 	enum precision precision;
@@ -45,9 +45,9 @@ struct options {
 	struct number_list pick_at, plane;
 	double radius; /* of pick; 0: not given */
 	const char
-	    *of_points;     /* an option that is about points alone, or NULL */
-	bool scenes;        /* params has any number of documents */
-	bool json;          /* of help */
+	    *of_points; /* a given option that is for points only, or NULL */
+	bool scenes;    /* params has any number of documents */
+	bool json;      /* of help */
 	const char *params; /* operand, "-" by default */
 	int n_points;
 	char **points; /* operands */
@@ -61,18 +61,19 @@ struct option_row {
 	char letter;       /* or 0 */
 	unsigned commands; /* the kinds that take it, as bits */
 	const char *about; /* one line of help */
-	/* Of an option with an argument: its name in the help; the function that reads
-	 * it; the offset in struct options of the member that it sets. */
+	/* For an option with an argument: its name in the help, the function that reads
+	 * the argument, and the offset in struct options of the member that the
+	 * function sets. */
 	const char *argument;
 	void (*read)(struct options *, const struct option_row *, char *word);
 	size_t at;
-	unsigned *global; /* set in place of such a member; or NULL */
+	unsigned *global; /* a variable to set instead of a member; or NULL */
 	const char *const
 	    *words;   /* the values of the argument; NULL ends them */
 	int min, max; /* range of a whole number, or of the length of a list */
 	const char *example;
 	size_t on;      /* offset in struct options of a bool to set; or 0 */
-	bool of_points; /* the option is about points alone */
+	bool of_points; /* the option is for points only */
 };
 
 enum { OPTIONS_MAX = 40 };
@@ -80,11 +81,11 @@ enum { OPTIONS_MAX = 40 };
 /* All options, at most OPTIONS_MAX. A name of NULL ends them. */
 extern const struct option_row option_rows[];
 
-/* Reads --errors and --color, the options with global, from the whole command line before
- * any message. */
+/* Reads --errors and --color, the options with a global, wherever they stand, so that
+ * they hold for the first message, too. */
 void options_read_first(char **words);
 
-/* Returns the option of a name, or NULL. A value may follow the name after = or a blank. */
+/* Returns the option of a name, which may end before = or a blank; or NULL. */
 const struct option_row *option_named(const char *name);
 
 /* Writes the commands that take an option: "project and trace". Returns list. */
@@ -95,28 +96,29 @@ bool option_is_for(const struct option_row *, const struct command *);
 /* Reads the options and operands behind a command's name, up to --help or --version. */
 void options_read(const struct command *, char **words, struct options *);
 
-/* Returns how many numbers are read of a point, by command and options. For fit, a scene
- * in the plane changes it. */
+/* Returns the number of coordinates that the command reads of a point, by the options.
+ * For the points of a flat document document_read changes it to 2. */
 int coordinates_of(const struct command *, const struct options *);
 
 /* Returns the format in which the command answers. */
 enum format options_output(const struct options *);
 
-/* Returns the style of numbers that are no points. Refuses a list of -d or --digits. */
+/* Returns the style of numbers that are no points. Refuses a list of several styles. */
 struct number_style options_style(const struct options *);
 
-/* Words that are no command, option or topic of help: their refusal suggests a synonym, a
- * member of the scene, or the nearest name. */
+/* Words that are no command, option or topic of help: their refusal suggests a synonym,
+ * a member of the scene, or the nearest name. */
 
 struct member;
 
-/* Returns the member with a name or, if there is none, with that alias; or NULL. Sets
- * *object to the scene's member that has it or is it. If several have it, returns that of
- * the last: the viewport has a width, and the projection another. */
+/* Returns the member called name, else the member with that alias, else NULL. Sets
+ * *object to the member of the scene that has or is the result. Of several results,
+ * returns the one of the last object. */
 const struct member *synonym_find(const char *name,
     const struct member **object);
 
-/* Refuses a word that is no command, or no topic of help. A name of NULL ends the table. */
+/* Refuses a word that is no name in commands, whose last name is NULL, or if topic is
+ * set, no topic of help. */
 _Noreturn void synonym_refuse_word(const struct command *commands, bool topic,
     const char *word);
 

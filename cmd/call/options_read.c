@@ -9,8 +9,8 @@
 #include "../message/message.h"
 #include "options.h"
 
-/* Sets names to those of the command's options that begin with a word, and NULL. Returns
- * their number. */
+/* Sets names to the names of the command's options that begin with word, ended by NULL.
+ * Returns the number of names. */
 static int option_names(const struct command *c, const char *word,
     const char *names[OPTIONS_MAX + 1])
 {
@@ -24,13 +24,14 @@ static int option_names(const struct command *c, const char *word,
 	return count;
 }
 
-/* Refuses an option, "--name" or "-n", of that name. */
+/* Refuses word, "--name" or "-n", by its name. If "-n" is an option of other commands,
+ * name is its long name. */
 static _Noreturn void refuse_option(const struct command *c, const char *word,
     const char *name)
 {
 	const char *names[OPTIONS_MAX + 1], *near;
 
-	/* a letter is no guess at a member */
+	/* a letter that no command has is too short to look up among members */
 	if (strcmp(word + 1, name) != 0)
 		synonym_check_option(c, word, name);
 	option_names(c, "", names);
@@ -62,7 +63,7 @@ static const struct option_row *long_option(const struct command *c,
 	return option_named(names[0]);
 }
 
-/* Returns the option of a letter. */
+/* Returns the command's option with a letter. */
 static const struct option_row *letter_option(const struct command *c,
     char letter)
 {
@@ -76,7 +77,7 @@ static const struct option_row *letter_option(const struct command *c,
 	return r;
 }
 
-/* Sets an option. The argument is value or, if that is NULL, the next word, at *next. */
+/* Sets an option. Its argument is value or, if value is NULL, the word at *next. */
 static void set_option(const struct command *c, const struct option_row *r,
     char *value, char ***next, struct options *o)
 {
@@ -93,8 +94,8 @@ static void set_option(const struct command *c, const struct option_row *r,
 		*(bool *)((char *)o + r->on) = true;
 }
 
-/* Sets the options of a word: "--name=value" or "-mdvalue". Refuses the name of an option
- * or member behind a single dash: "-to" would be -t with the argument o. */
+/* Sets the options of a word: "--name=value" or "-md3", -m -d 3. Refuses a name of an
+ * option or member behind one dash: "-to" would be -t with the argument o. */
 static void set_options(const struct command *c, char *word, char ***next,
     struct options *o)
 {
@@ -120,16 +121,16 @@ static void set_options(const struct command *c, char *word, char ***next,
 	} while (r->argument == NULL && word[1] != '\0');
 }
 
-/* Returns whether a word is an operand. "-" is one, and a word that begins with a negative
- * number. */
+/* Returns whether a word is an operand and not an option, as "-" and a negative number
+ * are. */
 static bool is_operand(const char *word)
 {
 	return *word != '-' || word[1] == '\0' || word[1] == '.' ||
 	    isdigit((unsigned char)word[1]);
 }
 
-/* Sets the format of trace, inspect and fit: text or JSON. The default is text, but JSON
- * for trace of points in JSON. */
+/* Sets the format of trace, inspect and fit: text or JSON. The default is text, but
+ * JSON for trace of points in JSON. */
 static void choose_output(const struct command *c, struct options *o)
 {
 	if (!o->has_out)
@@ -142,8 +143,8 @@ static void choose_output(const struct command *c, struct options *o)
 		    "%s prints text or json; use -o text or -o json", c->name);
 }
 
-/* Operands are moved to the beginning, as options may follow operands unless POSIXLY_CORRECT
- * is set. */
+/* Moves the operands to the beginning of the words, as options may follow operands
+ * unless POSIXLY_CORRECT is set. */
 void options_read(const struct command *c, char **words, struct options *o)
 {
 	char **operand = o->points = words;

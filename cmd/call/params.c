@@ -20,8 +20,8 @@ static struct {
 	 * the search for its end. The search counts quotes and brackets only, so that
 	 * it finds the end of invalid JSON, too. */
 	size_t begin, end;
-	/* The line and the byte of begin, and of end after next_scene, from 1: the
-	 * readers of the document change its text. */
+	/* The line of begin and of end, and the byte in that line, from 1. next_scene
+	 * counts them before the readers of the document change its text. */
 	long long line, end_line;
 	size_t column, end_column;
 	long level; /* open brackets at end */
@@ -146,9 +146,9 @@ bool params_next(const struct options *o)
 	return !o->scenes || next_scene();
 }
 
-/* Refuses points in place of a scene with EXIT_USAGE, as the call is wrong, not the file:
- * a text whose first line that is not blank or a comment begins with a number; or, as
- * POINTS are named, one that begins as an array or binary points do. */
+/* Refuses points in place of a scene with EXIT_USAGE, as the call is wrong, not the
+ * file. A text of points begins with a number, after blank lines and comments; or, if
+ * POINTS are named, with [ or, if they are binary, not with {. */
 static void check_points(const struct command *c, const struct options *o)
 {
 	const struct place place = { .file = params.name };
@@ -170,7 +170,7 @@ static void check_points(const struct command *c, const struct options *o)
 	    params.name);
 }
 
-/* Returns a hint for messages about points of two numbers, or NULL: such points may be
+/* Returns a hint for messages about points of two numbers, or NULL. Such points may be
  * positions on the device, for which pick and project have options. */
 static const char *two_numbers_hint(const struct command *c,
     const struct options *o)

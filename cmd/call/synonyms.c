@@ -11,11 +11,11 @@
 #include "../message/utf8.h"
 #include "../scene/types.h"
 
-/* The words that others use, divided by blanks, and what they are called here: an
- * option "--jobs", a remark ": ...", or a call "project -m". The names that others have
- * for members are in the tables of members. */
+/* Words of other programs, with blanks between them, and what to suggest in their
+ * place: an option "--jobs", a remark ": ...", or a call "project -m". What other
+ * programs call members is in the tables of members. */
 static const struct synonym {
-	const char *words, *is;
+	const char *words, *hint;
 } synonyms[] = {
 	{ "unproject backproject inverse invert",
 	    "project --from device --to world" },
@@ -64,14 +64,14 @@ static const struct synonym {
 
 enum {
 	SYNONYMS = sizeof synonyms / sizeof *synonyms,
-	NAMES_MAX = 240, /* of commands, members of a scene, and theirs */
-	UNKNOWN_MAX = 512,
-	NAME_SHOWN = 64,
+	NAMES_MAX = 240,   /* commands, members, members of members */
+	UNKNOWN_MAX = 512, /* bytes of "unknown ..." */
+	NAME_SHOWN = 64,   /* bytes of a member or option in a message */
 };
 
-/* Returns a member by its name, or with alias by its alias, too, or NULL. It is one of the
- * scene's members that the bits of objects select, or a member of one of them. The later
- * object goes first. */
+/* Returns the member called name or, if alias is set, with that alias; or NULL. It is a
+ * member of the scene whose bit is set in objects, or a member of such an object. Of
+ * several, returns that of the last object. Sets *object to the member of the scene. */
 static const struct member *find_member(unsigned objects, int kind,
     const char *name, bool alias, const struct member **object)
 {
@@ -103,8 +103,8 @@ const struct member *synonym_find(const char *name,
 	return m;
 }
 
-/* Refuses a word that is a member. The message begins with unknown, and shows how the
- * member is written if its object's example has it. */
+/* Refuses a word that is the member m of object: unknown, and how m is written in the
+ * example of object. reads has the members that the command reads, as bits. */
 static _Noreturn void refuse_member(const char *unknown, unsigned reads,
     const struct member *m, const struct member *object)
 {
@@ -125,26 +125,27 @@ static _Noreturn void refuse_member(const char *unknown, unsigned reads,
 	    unknown, quoted, of, where, object->name, object->example);
 }
 
-/* Refuses a word that is called otherwise here. For an option that c, or without a command
- * NULL, does not take, the message lists the commands that take it. */
+/* Refuses a word by its hint. If the hint is an option that c does not take, or c is
+ * NULL, names the commands that take it. */
 static _Noreturn void refuse_synonym(const struct command *c,
-    const char *unknown, const char *is)
+    const char *unknown, const char *hint)
 {
-	const struct option_row *r = *is == '-' ? option_named(is + 2) : NULL;
+	const struct option_row *r = *hint == '-' ? option_named(hint + 2) :
+						    NULL;
 	char list[LISTED];
 
-	if (*is == ':')
-		die(EXIT_USAGE, "%s; %s", unknown, is + 2);
+	if (*hint == ':')
+		die(EXIT_USAGE, "%s; %s", unknown, hint + 2);
 	if (r != NULL && c != NULL && option_is_for(r, c))
-		die(EXIT_USAGE, "%s; did you mean %s?", unknown, is);
+		die(EXIT_USAGE, "%s; did you mean %s?", unknown, hint);
 	if (r != NULL)
-		die(EXIT_USAGE, "%s; %s is an option of %s", unknown, is,
+		die(EXIT_USAGE, "%s; %s is an option of %s", unknown, hint,
 		    option_takers(r, list));
-	die(EXIT_USAGE, "%s; did you mean 'projcalc %s'?", unknown, is);
+	die(EXIT_USAGE, "%s; did you mean 'projcalc %s'?", unknown, hint);
 }
 
-/* Refuses a word that has a synonym, or is an option or a member; else returns. The word
- * is an option of c or, if c is NULL, a command or a topic. */
+/* Refuses a word that has a synonym, or is an option or a member; else returns. The
+ * word was typed as an option of c or, if c is NULL, as a command or a topic. */
 static void check_word(const struct command *c, const char *unknown,
     const char *name)
 {
@@ -155,23 +156,23 @@ static void check_word(const struct command *c, const char *unknown,
 	/* project --at is more likely pick's option than the camera's member */
 	const unsigned objects[] = { w->bare,
 		reads & ~(r != NULL ? SCENE_SPATIAL : 0u) };
-	/* where the projection may be of any type, persp is first */
-	const int own = w->projection > 0 ? w->projection - 1 : 0;
+	/* a projection without a given type is read as persp */
+	const int kind = w->projection > 0 ? w->projection - 1 : 0;
 	const struct member *m, *object;
 	char option[NAME_SHOWN];
 
 	snprintf(option, sizeof option, "--%s", r != NULL ? r->name : "");
 	if (c != NULL && r != NULL && option_is_for(r, c))
 		refuse_synonym(c, unknown, option);
-	/* names, and aliases where no option has the name */
+	/* names in each of objects, and aliases if no option has the name */
 	for (int i = 0; i < 4; i += r == NULL ? 1 : 2) {
-		m = find_member(objects[i / 2], own, name, i % 2, &object);
+		m = find_member(objects[i / 2], kind, name, i % 2, &object);
 		if (m != NULL)
 			refuse_member(unknown, reads, m, object);
 	}
 	for (int i = 0; i < SYNONYMS; i++)
 		if (word_is_one_of(name, synonyms[i].words))
-			refuse_synonym(c, unknown, synonyms[i].is);
+			refuse_synonym(c, unknown, synonyms[i].hint);
 	if (r != NULL)
 		refuse_synonym(c, unknown, option);
 	m = synonym_find(name, &object);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Any bytes as a document, for libFuzzer; linked without message.c. The first
- * byte says what is wanted of it. */
+/* Reads any bytes as a document, for libFuzzer; linked without message.c. The first
+ * byte chooses what the command needs of the document. */
 #include <cjson/cJSON.h>
 #include <math.h>
 #include <setjmp.h>
@@ -19,7 +19,7 @@ static jmp_buf refused;
 
 struct message_state message_state;
 
-/* No input may end the program but by being refused. */
+/* Ends the reading of a document that is refused. Any other end is a fault. */
 void die_at(int status, const struct place *place, const char *format, ...)
 {
 	(void)place;
@@ -43,7 +43,7 @@ void output_write(const char *text, size_t n)
 	abort();
 }
 
-/* All that a refusal leaves, to be freed here: what cJSON has. */
+/* The memory of cJSON that a refusal leaves, to be freed here. */
 static struct block {
 	struct block *next;
 	_Alignas(max_align_t) char bytes[];
@@ -154,7 +154,8 @@ int LLVMFuzzerInitialize(int *argc, char ***argv)
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
 	if (size > 0 && setjmp(refused) == 0) {
-		/* exactly as long, so that a byte too far is seen */
+		/* a text without a byte of room, so that a sanitizer sees a read beyond
+		 * it */
 		char *text = hold(size - 1);
 
 		memcpy(text, data + 1, size - 1);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Any bytes as lines of points, for libFuzzer: what is read is written within
- * its room, is a line, and reads back as the same numbers. */
+/* Reads any bytes as lines of points, for libFuzzer. A line that was read is written
+ * within its room, is a line, and reads back as the same numbers. */
 #define _GNU_SOURCE /* memmem */
 #include <cjson/cJSON.h>
 #include <math.h>
@@ -31,8 +31,9 @@ static bool same(double a, double b)
 	return a == b || (isnan(a) && isnan(b));
 }
 
-/* Where coordinates are added or left out, the fields after them change their
- * numbers, so that --columns would find others. */
+/* Returns whether the output can be read by the same layout. It can't where coordinates
+ * are added or left out: the fields after them change their numbers, so that --columns
+ * would find others. */
 static bool can_read_back(const struct layout *l)
 {
 	return !is_binary(l->out.format) &&
@@ -60,7 +61,7 @@ static void check_back(const struct layout *l, const double v[],
 	if (!same_dialect(l->in, l->out))
 		back.columns.n = 0;
 	line_read(&back, text, &header, &line, read, reason);
-	/* what an object holds twice is read only where it doesn't count */
+	/* a member that stands twice in an object is refused only where it counts */
 	if (line.object && strncmp(reason, "has two", 7) == 0)
 		return;
 	want(line.kind == LINE_POINT);
@@ -133,7 +134,7 @@ static void check_line(struct layout *l, struct span text, const char *end,
 		write_back(l, &line, v);
 }
 
-/* Where the line at s ends: at its newline, or at end. */
+/* Returns the end of the line at s: its newline, or end. */
 static const char *line_end(const char *s, const char *end)
 {
 	const char *newline = memchr(s, '\n', (size_t)(end - s));
@@ -151,7 +152,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 
 	if (is_binary(l.in.format) || is_binary(l.out.format))
 		return 0;
-	/* exactly as long, so that a byte too far is seen */
+	/* a text without a byte of room, so that a sanitizer sees a read beyond it */
 	char *text = malloc(size - HEADER), *end = text + size - HEADER;
 
 	memcpy(text, data + HEADER, size - HEADER);

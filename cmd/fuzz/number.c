@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Any bytes as a number's text and as a double, for libFuzzer. The truth is
+/* Reads any bytes as a number's text and as a double, for libFuzzer. The truth is
  * strtod's and snprintf's, which round correctly in the C library. */
 #include <ctype.h>
 #include <math.h>
@@ -31,7 +31,8 @@ static size_t digits(const char *s)
 	return strspn(s, "0123456789");
 }
 
-/* How long the number at the beginning of s is, by the grammar in number.h. */
+/* Returns the length of the number at the beginning of s, by the grammar in
+ * number.h. */
 static size_t length_of(const char *s)
 {
 	static const char *const words[] = { "infinity", "inf", "nan" };
@@ -59,7 +60,7 @@ static size_t length_of(const char *s)
 
 static void check_read(const uint8_t *data, size_t size)
 {
-	/* exactly as long, so that a byte too far is seen */
+	/* a text without a byte of room, so that a sanitizer sees a read beyond it */
 	char *text = malloc(size), *copy = malloc(size + 1);
 	double v = 0;
 
@@ -77,7 +78,7 @@ static void check_read(const uint8_t *data, size_t size)
 	free(text);
 }
 
-/* Digits from the first to the last that is not 0. */
+/* Returns the number of digits from the first to the last that is not 0. */
 static int significant(const char *s)
 {
 	int n = 0, last = 0;
@@ -157,7 +158,7 @@ static void check_digits(double v, int n)
 	want(significant(text) == significant(truth));
 }
 
-/* Among others, which the vector takes with it. */
+/* Checks the text of v among those of other numbers, which the vector makes at once. */
 static void check_texts(double v, int n)
 {
 	const double numbers[64] = { v, 1, -v, 0.1, (double)(float)v };

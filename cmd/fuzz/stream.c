@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Any bytes as a source of points that arrives bit by bit, for libFuzzer, with
- * the threads of stream.c, and talk.c's functions replaced: the same bytes and
- * messages come out as if it came at once, and the same from the scalar code as
- * by the vector. Linked with --wrap=read and --wrap=poll. */
+/* Reads any bytes as a source of points that arrives bit by bit, for libFuzzer, with
+ * the threads of stream.c, and message.c's functions replaced. Output and messages are
+ * those of the same bytes at once, and those of the scalar code are those of the
+ * vector. Linked with --wrap=read and --wrap=poll. */
 #include <errno.h>
 #include <poll.h>
 #include <stdarg.h>
@@ -64,7 +64,7 @@ int __wrap_poll(struct pollfd *p, nfds_t n, int wait)
 	return next_random() % 4 != 0;
 }
 
-/* What came to standard output, and the messages. */
+/* What was written to standard output, and the messages. */
 static struct bytes {
 	char *s;
 	size_t n, room;
@@ -159,7 +159,7 @@ static struct scene scene(void)
 	return d.scene;
 }
 
-/* A transform for as many coordinates as layout_of chose. */
+/* Sets a transform for as many coordinates as layout_of chose. */
 static void set_job(struct job *j, const struct scene *s, uint8_t b)
 {
 	enum space from = j->layout.reads == 4 ? SPACE_CLIP : SPACE_MODEL;

@@ -27,16 +27,16 @@ bool is_colored(int fd)
 	    strcmp(term, "dumb") != 0 && isatty(fd);
 }
 
-/* A longer message, file name or pointer is cut: no path that can be opened is as long.
- * A line has these three texts, of which each byte may become JSON_ESCAPE_MAX, and fixed
- * text shorter than any. */
+/* MESSAGE_MAX: a longer message, file name or pointer is cut; no path that can be
+ * opened is as long. LINE_ROOM: a line has these three, each byte of which may become
+ * JSON_ESCAPE_MAX bytes, and fixed text that is shorter than one of them. */
 enum {
 	MESSAGE_MAX = 4096,
 	LINE_ROOM = 4 * JSON_ESCAPE_MAX * MESSAGE_MAX,
 };
 
-/* The line being made: it is written at once, as other processes may write there, too.
- * It is too large for a thread's stack; the lock of stderr guards it. */
+/* The line that print_line makes, to write it at once, as other processes may write to
+ * standard error. It is too large for a thread's stack; flockfile(stderr) guards it. */
 static struct {
 	char s[LINE_ROOM];
 	size_t n;
@@ -58,7 +58,7 @@ static void add_escaped(const char *s, size_t n)
 	    n < MESSAGE_MAX ? n : MESSAGE_MAX, message_state.json, "");
 }
 
-/* Adds the place and the message, which the place follows if it has join. */
+/* Adds the message as text: behind its place or, if the place has join, before it. */
 static void add_text(int status, const struct place *p,
     struct scene_place scene, const char *message)
 {
@@ -90,7 +90,7 @@ static void add_text(int status, const struct place *p,
 }
 
 /* Returns the length of a message before its hint: up to the first "; " outside of
- * quotes. A quote begins the message or follows a blank, which an apostrophe does not. */
+ * quotes. A quote begins the message or follows a blank, unlike an apostrophe. */
 static size_t reason_length(const char *message)
 {
 	const char *s;
@@ -113,7 +113,7 @@ static void add_member(const char *name, const char *s, size_t n)
 	add("\"");
 }
 
-/* Adds the object up to its reason or hint. */
+/* Adds the message as a JSON object, up to the end of its reason or hint. */
 static void add_json(const struct place *p, struct scene_place scene,
     const char *message)
 {
@@ -155,7 +155,7 @@ static void print_line(int status, const struct place *place,
 		add_text(status, p, scene, message);
 	unsigned invisible = escape_invisible(line.s);
 
-	line.n -= message_state.json; /* the note is part of the last string */
+	line.n -= message_state.json; /* the quote that ends the string */
 	if (invisible != 0)
 		add(" (U+%04X is invisible)", invisible);
 	if (message_state.json)
@@ -174,8 +174,8 @@ void say_at(int status, const struct place *place, const char *format, ...)
 	va_end(args);
 }
 
-/* Returns to the first thread that calls it and stops any other: of several threads that
- * fail together, one prints its message and ends the program. */
+/* Returns in the first thread that calls it, and stops any other: of several threads
+ * that fail together, one prints its message and ends the program. */
 static void end_once(void)
 {
 	static atomic_flag ending = ATOMIC_FLAG_INIT;
@@ -187,13 +187,13 @@ static void end_once(void)
 void vdie_at(int status, const struct place *place, const char *format,
     va_list args)
 {
-	bool next = place != NULL && place->of_scene &&
+	bool goes_on = place != NULL && place->of_scene &&
 	    message_state.refused != NULL;
 
-	if (!next)
+	if (!goes_on)
 		end_once();
 	print_line(status, place, format, args);
-	if (next)
+	if (goes_on)
 		longjmp(*message_state.refused, 1);
 	exit(status);
 }

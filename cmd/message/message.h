@@ -13,22 +13,23 @@ enum { EXIT_OK, EXIT_INPUT, EXIT_USAGE, EXIT_SYSTEM };
 
 /* One of the documents of --scenes. */
 struct scene_place {
-	long number,
-	    line; /* its number, 0 for no scene; its first line; from 1 */
+	long number; /* from 1; 0: no scene */
+	long line;   /* the first line of the document, from 1 */
 };
 
 /* The place that a message is about. All members may be 0. */
 struct place {
 	const char *file;
-	long long line;      /* from 1; text shows the pointer in its place */
-	size_t column;       /* in bytes from 1; only JSON messages show it */
+	long long
+	    line;      /* from 1; a message as text shows the pointer instead */
+	size_t column; /* in bytes from 1; only JSON messages show it */
 	bool of_points;      /* line counts binary points */
 	const char *pointer; /* into a JSON document: "/camera/eye" */
 	/* If number is 0, message_state.scene takes its place. */
 	struct scene_place scene;
-	bool of_scene; /* --keep-going may go on with the next scene */
-	/* NULL: a message as text begins with the place. Else it ends with these
-	 * words and the place. */
+	bool of_scene; /* about a scene: --keep-going goes on with the next */
+	/* NULL: the place begins a message as text. Else the message begins; these
+	 * words and the place follow. */
 	const char *join;
 };
 
@@ -45,9 +46,8 @@ extern struct message_state {
 	unsigned json;  /* 1: a message is a JSON object in one line */
 	unsigned color; /* an enum color */
 	struct scene_place scene; /* the scene that is being answered */
-	/* Where die_at jumps after a message whose place is of_scene; NULL: the
-	 * program ends. Only the first thread may print such a message, while
-	 * there is no other. */
+	/* Where die_at jumps after a message whose place is of_scene; NULL: the program
+	 * ends. Only the first thread, while it is alone, may print such a message. */
 	jmp_buf *refused;
 } message_state;
 
@@ -55,7 +55,7 @@ extern struct message_state {
  * environment has NO_COLOR (no-color.org) or TERM=dumb. */
 bool is_colored(int fd);
 
-/* Print a message as say_at does and exit with that status. Any thread may call them. */
+/* Print a message as say_at does, and exit with status. Any thread may call them. */
 _Noreturn void die_at(int status, const struct place *, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 _Noreturn void vdie_at(int status, const struct place *, const char *format,
@@ -69,8 +69,8 @@ _Noreturn void quit(int status);
 void *xrealloc(void *old, size_t size);
 
 /* Returns whether to repeat a read or write of fd that failed with EINTR or EAGAIN.
- * After EAGAIN, as from a pipe that another process made non-blocking, first waits until
- * poll reports one of the events. */
+ * After EAGAIN, as from a pipe that another process made non-blocking, first waits
+ * until poll reports one of the events. */
 bool io_retry(int fd, short events);
 
 /* Enlarges the buffer of fd to size bytes if fd is a pipe and the system permits it:
@@ -80,11 +80,11 @@ void pipe_enlarge(int fd, int size);
 /* Writes all bytes to standard output, or exits with 3. */
 void output_write(const char *s, size_t size);
 
-/* Appends to a buffer as printf does: stdio would lose what a full pipe refuses, without
- * an error. */
+/* Appends text to a buffer in memory, by printf's format. stdio would lose without an
+ * error what a full pipe refuses. */
 int print(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Writes what print has appended, and closes standard output. Exits with 3 if the system
+/* Writes the buffer of print, and closes standard output. Exits with 3 if the system
  * reports an earlier error of a write only now. */
 void output_close(void);
 

@@ -5,7 +5,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* Returns whether word begins with start, which has three letters at least. */
+/* Returns whether start has three letters or more and word begins with start. */
 static bool begins(const char *word, const char *start)
 {
 	size_t n = strlen(start);

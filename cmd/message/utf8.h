@@ -11,24 +11,24 @@ struct span {
 	const char *s, *end;
 };
 
-/* Reads the code of the character at s. Returns its length in bytes, or 0 if the bytes
- * there are no character. */
+/* Sets *code to the code of the character at s. Returns the length of the character in
+ * bytes, or 0 if the bytes at s are no character. */
 int utf8_read(const char *s, const char *end, unsigned *code);
 
-/* Writes the character of a code that is not half of a surrogate pair. Returns its
- * length in bytes. */
+/* Writes the character of a code that is not half of a surrogate pair. Returns the
+ * length of the character in bytes. */
 int utf8_write(unsigned code, char out[4]);
 
-/* Escapes for text of the user in messages: control characters and invisible characters
- * become \u001b, and bytes that are not UTF-8 become \xff. So the text can't move a
- * terminal's cursor, end the line, or change the direction of writing. */
+/* Escapes in text of the user that messages show: control characters and invisible
+ * characters become \u001b, and bytes that are not UTF-8 become \xff. So the text can't
+ * move a terminal's cursor, end the line, or change the direction of writing. */
 
 enum { JSON_ESCAPE_MAX = 6 }; /* bytes that one character may become */
 
 /* Copies s[0..n) to out[0..room) with escapes. If json is true, also escapes quotes and
- * backslashes, as between the quotes of a JSON string, and writes U+FFFD for a byte that
- * is not UTF-8. A copy that does not fit is cut and ends in ellipsis. Returns the length
- * of the copy. */
+ * backslashes, as between the quotes of a JSON string, and writes U+FFFD for a byte
+ * that is not UTF-8. A copy that does not fit is cut and ends in ellipsis. Returns the
+ * length of the copy. */
 size_t escape_copy(char *out, size_t room, const char *s, size_t n, bool json,
     const char *ellipsis);
 
@@ -41,15 +41,15 @@ unsigned escape_invisible(const char *);
 
 /* The known word that an unknown one may stand for. */
 
-/* Returns the one of words, which NULL ends, with the fewest edits from word. An edit
- * changes, adds or drops a letter, or exchanges it with the next. A word of two to five
- * letters may have one edit, one of up to eight two, a longer one three. If no word is
- * so near, returns the first that begins with word or with which word begins, in three
- * letters at least; else NULL. Upper case counts as lower case. */
+/* Returns the one of words, which NULL ends, that the fewest edits make of word. An
+ * edit changes, adds or drops a letter, or swaps two neighbours. At most one edit is
+ * made in a word of two to five letters, two in one of up to eight, three in a longer
+ * one. If there is no such word, returns the first that begins with word or is its
+ * beginning, of three letters or more; else NULL. Case does not count. */
 const char *nearest_word(const char *word, const char *const *words);
 
-/* Returns whether a word is one of words, which stand in lower case with blanks between
- * them. The word's case and its _ and - do not count: LookAt, look_at and look-at are
+/* Returns whether a word is one of words, which are in lower case with blanks between
+ * them. Case, _ and - in the word do not count: LookAt, look_at and look-at are
  * lookat. */
 bool word_is_one_of(const char *word, const char *words);
 

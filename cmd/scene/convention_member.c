@@ -26,24 +26,24 @@ static const char *const depths[] = { "zero_to_one", "minus_one_to_one", NULL };
 static const char *const ys[] = { "up", "down", NULL };
 static const char *const origins[] = { "top-left", "bottom-left", NULL };
 
-#define SECOND(label, list, field, first, other, what)          \
+#define CHOICE(label, list, field, first, alias, what)          \
 	ROW(convention, label, type_flag, field, .words = list, \
-	    .usual = "\"" first "\"", .aliases = other, .about = what)
+	    .usual = "\"" first "\"", .aliases = alias, .about = what)
 
 const struct member convention_members[] = {
-	SECOND("handedness", hands, right_handed, "left", "hand handed hands",
+	CHOICE("handedness", hands, right_handed, "left", "hand handed hands",
 	    "handedness of view space"),
-	SECOND("view_y", ys, view_y_down, "up", "view y",
+	CHOICE("view_y", ys, view_y_down, "up", "view y",
 	    "direction of y in view space"),
-	SECOND("depth", depths, minus_one, "zero_to_one",
+	CHOICE("depth", depths, minus_one, "zero_to_one",
 	    "clipz ndcz depthrange zrange",
 	    "range of z in ndc, from near to far"),
-	SECOND("vectors", vector_names, column, "row",
+	CHOICE("vectors", vector_names, column, "row",
 	    "vector major order transpose columnmajor rowmajor",
 	    "vectors of matrices, printed or read as nested rows"),
-	SECOND("ndc_y", ys, ndc_y_down, "up", "ndc clip clipy",
+	CHOICE("ndc_y", ys, ndc_y_down, "up", "ndc clip clipy",
 	    "direction of y in clip space and ndc"),
-	SECOND("origin", origins, bottom_left, "top-left", NULL,
+	CHOICE("origin", origins, bottom_left, "top-left", NULL,
 	    "corner of the viewport where x and y are least"),
 	{ .name = NULL },
 };

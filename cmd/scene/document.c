@@ -10,16 +10,16 @@
 #include "types.h"
 #include "../message/message.h"
 
-/* Returns the row of a member in scene_members: row i has bit i in enum scene_member. */
+/* The row of a member in scene_members: row i has bit i in enum scene_member. */
 #define ROW_OF(member) __builtin_ctz(SCENE_##member)
 
 enum { SCENE_MEMBERS = ROW_OF(MARGIN) + 1 };
 
-/* The document itself as a member. */
+/* The document itself as a member, for object_read and object_print. */
 static const struct member scene_row = { .members = scene_members };
 
-/* Returns the end of the element at s of a point; refuses a coordinate that is not a
- * number or null, and other elements that are arrays or objects. */
+/* Returns the end of element e of a point, whose text is at s. Refuses a coordinate
+ * other than a number or null, and another element that is an array or object. */
 static const char *element_end(struct value *e, const char *s, const char *end,
     bool coordinate)
 {
@@ -32,9 +32,9 @@ static const char *element_end(struct value *e, const char *s, const char *end,
 	return stop;
 }
 
-/* Moves the point at s of checked text, which is v, to *out as a line without blanks;
- * refuses a value that is not a point. Sets *out to the end of the line, and returns the
- * end of the point. */
+/* Moves the point v, whose text begins at s, to *out as a line without blanks. Sets
+ * *out to the end of the line, and returns the end of the point in the text. Refuses a
+ * value that is not a point. The text was checked. */
 static const char *move_point(struct value *v, const char *s, const char *end,
     int coordinates, char **out)
 {
@@ -66,10 +66,10 @@ static const char *move_point(struct value *v, const char *s, const char *end,
 	return s + 1;
 }
 
-/* Replaces the text of an array of points, or of one point, by a line for each point;
- * refuses a value that is not an array. Returns the size of the lines. A line has room, as
- * its newline takes the place of the comma or bracket before the point; for one point it
- * may be the byte after the text. */
+/* Replaces the text of an array of points, or of one point, by a line for each point.
+ * Returns the size of the lines. Refuses a value that is not an array. The lines are
+ * not longer: a newline takes the place of the comma or bracket before the point; that
+ * of a single point may take the byte after the text. */
 static size_t take_points(const struct value *v, const struct span *array,
     int coordinates)
 {
@@ -92,7 +92,7 @@ static size_t take_points(const struct value *v, const struct span *array,
 	return (size_t)(out - array->s);
 }
 
-/* Finds the members of a document and returns those that there are, as bits. An object
+/* Sets m to the members of a document, and returns as bits those that it has. An object
  * with no member of a scene but angle_unit is the member w->bare itself. */
 static unsigned find_members(struct document *d, const struct value *root,
     const struct document_wants *w, struct value m[SCENE_MEMBERS])
@@ -151,7 +151,7 @@ static void refuse_flat(const struct value *root,
 		    "commands w2n, n2w, n2d, d2n, w2d and d2w are of two");
 }
 
-/* Reads those of the members found whose bits are set. */
+/* Reads the members of m whose bits are set into *d. */
 static void read_members(struct document *d,
     const struct value m[SCENE_MEMBERS], unsigned bits)
 {
@@ -160,8 +160,8 @@ static void read_members(struct document *d,
 			object_read_member(&m[i], &scene_members[i], d);
 }
 
-/* Returns as bits the members that a convention gives: all if it is a name, none if there
- * is no convention. */
+/* Returns as bits the members that a convention gives: all if it is a name, none if
+ * there is no convention. */
 static uint64_t convention_gives(const struct value *v)
 {
 	if (!value_is(v, JSON_OBJECT))
@@ -169,8 +169,9 @@ static uint64_t convention_gives(const struct value *v)
 	return object_read(v, &scene_members[ROW_OF(CONVENTION)], 0, NULL);
 }
 
-/* Completes members that depend on others. A device without the member origin has that of
- * the answer's convention; if there is none, that of the document's, if this gives one. */
+/* Completes members that depend on others. A device without the member origin has the
+ * origin of the answer's convention or, if there is none, of the document's convention
+ * if that gives one. */
 static void complete_scene(struct document *d, const struct document_wants *w,
     const struct value m[SCENE_MEMBERS], unsigned seen)
 {

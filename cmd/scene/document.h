@@ -25,7 +25,7 @@ enum scene_member {
 	SCENE_PICK = 1024,
 	SCENE_MARGIN = 2048,
 	SCENE_ALL = 2 * SCENE_MARGIN - 1,
-	/* the members from model space to the device */
+	/* members that define the maps from model space to the device */
 	SCENE_SPATIAL = SCENE_WORLD | SCENE_CAMERA | SCENE_PROJECTION |
 	    SCENE_VIEWPORT,
 };
@@ -46,39 +46,40 @@ struct document {
 	bool has_bounds, has_eye, has_pick;
 	struct bounds bounds;
 	struct source source; /* for messages */
-	/* The name of the member that is the whole document, or NULL. Messages leave it
-	 * out of their pointers. */
+	/* The name of the member that is the whole document, or NULL. Pointers in
+	 * messages leave the name out. */
 	const char *bare;
-	/* The member points as document_points returns it, in the text that was read;
-	 * or NULL. */
+	/* The member points as the lines that document_points makes, in the text that
+	 * was read; or NULL. */
 	const char *points;
 	size_t points_size;
 };
 
 /* What a command needs of a document. */
 struct document_wants {
-	/* The member that the whole document may be, as lookat's may be a camera; 0:
-	 * none. */
+	/* The member that may be the whole document, as lookat's may be a camera; or
+	 * 0. */
 	enum scene_member bare;
 	/* Members that must not be missing, as bits. */
 	unsigned needed;
-	/* Members that the command uses, as bits. Other members may have numbers out of
-	 * range, and a projection among them no aspect. */
+	/* Members that the command uses, as bits. In other members numbers may be out
+	 * of range, and a projection may lack its aspect. */
 	unsigned used;
-	/* A document without a projection that has any of these members, as bits, is
-	 * flat: it has two dimensions, needs no other member, uses none of
-	 * SCENE_SPATIAL, and its points and bounds have two coordinates. 0: the command
-	 * takes no flat documents. */
+	/* A document is flat if it has any of these members, as bits, and no
+	 * projection. It has two dimensions, needs no other member, and uses none of
+	 * SCENE_SPATIAL; its points have two coordinates. 0: the command takes no flat
+	 * documents. */
 	unsigned flat;
-	/* The only type of a projection, which may be without a member "type";
-	 * PROJECTION_NONE: any type, and it must have the member. */
+	/* The only type that a projection may have; its member "type" may be missing.
+	 * PROJECTION_NONE: the projection may have any type, and must have "type". */
 	int projection;
-	/* Members that fit finds may be missing: the eye, near and far, width and height
-	 * of a parallel projection, and all members of the window of a flat document. */
+	/* The command is fit: members that it finds may be missing. They are the eye,
+	 * near and far, width and height of a parallel projection, and all members of
+	 * the window of a flat document. */
 	bool fit;
 	/* The convention of the answer, and of a document without one; or NULL. */
 	const struct convention *convention;
-	/* Lines of the file before the text, and bytes before it on its first line. */
+	/* Lines of the file before the text, and bytes before it on the first line. */
 	long line;
 	size_t column;
 	/* A hint for points of two numbers; or NULL. */
@@ -88,33 +89,33 @@ struct document_wants {
 	int coordinates;
 };
 
-/* Returns the members that a command reads, of documents with two and three dimensions, as
- * bits. */
+/* Returns as bits the members that a command reads, be the document flat or not. */
 unsigned document_reads(const struct document_wants *);
 
-/* Reads text[0..size), which it changes, into *d. name is that of the file, for messages. */
+/* Reads text[0..size), which it changes, into *d. name is the file's, for messages. */
 void document_read(struct document *d, const char *name, char *text,
     size_t size, const struct document_wants *wants);
 
-/* Reads text[0..size) as a point or a list of points. Returns lines that replace the text:
- * each is the JSON array of a point, which begins with as many numbers or nulls as
- * coordinates says. The text of its elements stays. two is as in struct document_wants. */
+/* Reads text[0..size) as a point or a list of points, and returns lines that replace
+ * the text. Each line is the JSON array of a point, which begins with coordinates
+ * numbers or nulls, as they were written. two is as in struct document_wants. */
 char *document_points(const char *name, char *text, size_t size,
     int coordinates, const char *two, size_t *points_size);
 
-/* Prints "projcalc: FILE: WHY" and exits with 1. why is a message of core/ that begins with
- * a pointer: "/camera/up: ...". */
+/* Prints "projcalc: FILE: WHY" and exits with 1. why is a reason that core/ returned,
+ * and may begin with a pointer: "/camera/up: ...". */
 _Noreturn void document_refuse(const struct document *d, const char *why);
 
 /* Calls document_refuse if why is not NULL. */
 void document_check(const struct document *d, const char *why);
 
-/* Prints a document that reads back as the same scene and pick, with a line for each member
- * or in one line. The camera must have a gaze, and the projection not be a matrix, as fit
- * has them. Members of SCENE_SPATIAL of a flat document are left out. */
+/* Prints a document so that it reads back as the same scene and pick: a line for each
+ * member or, if compact, one line. The camera must have a gaze, and the projection not
+ * be a matrix, as in documents of fit. A flat document is printed without members of
+ * SCENE_SPATIAL. */
 void print_scene(const struct document *, bool compact);
 
-/* Prints the members from model space to the device. */
+/* Prints the convention and the members of SCENE_SPATIAL. */
 void put_scene(struct printer *, const struct scene *);
 
 void put_device(struct printer *, const struct device *);

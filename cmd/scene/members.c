@@ -81,9 +81,9 @@ static const struct ways camera_ways[] = {
 	    SIZE(in, "height", height, .unit = "device units",       \
 		.about = "height, required")
 
-/* scale and scales of struct viewport */
+/* the fields scale and scales of struct viewport */
 struct scale {
-	unsigned is;
+	unsigned kind;
 	double by[2];
 };
 
@@ -96,13 +96,13 @@ static void read_scale(const struct value *v, const struct member *row,
 {
 	struct scale *s = out;
 
-	s->is = SCALE_GIVEN;
+	s->kind = SCALE_GIVEN;
 	if (value_is(v, JSON_ARRAY))
 		value_numbers(v, &range_positive, 2, s->by);
 	else if (value_string(v) == NULL)
 		value_wrong(v, "\"fill\", \"uniform\" or 2 numbers");
 	else
-		s->is = (unsigned)value_word(v, row->words);
+		s->kind = (unsigned)value_word(v, row->words);
 }
 
 static void print_scale(struct printer *p, const struct member *row,
@@ -110,10 +110,10 @@ static void print_scale(struct printer *p, const struct member *row,
 {
 	const struct scale *s = at;
 
-	if (s->is == SCALE_GIVEN)
+	if (s->kind == SCALE_GIVEN)
 		put_numbers(p, s->by, 2);
 	else
-		put_string(p, row->words[s->is]);
+		put_string(p, row->words[s->kind]);
 }
 
 static const struct type type_scale = { "fill, uniform or 2 sizes", read_scale,
@@ -190,8 +190,8 @@ static const struct ways window_ways[] = {
 	{ .way = { NULL } },
 };
 
-/* Reads a corner of bounds: three numbers, or two in a flat document; two or three if the
- * command does not use bounds. */
+/* Reads a corner of bounds: three numbers, or two in a flat document; two or three if
+ * the command does not use bounds. */
 static void read_corner(const struct value *v, const struct member *row,
     void *out)
 {
@@ -209,8 +209,8 @@ static void read_corner(const struct value *v, const struct member *row,
 static const struct type type_corner = { "3 numbers, or 2 of a window",
 	read_corner, NULL, 0 };
 
-#define CORNER(label, field, other, what)                        \
-	ROW(bounds, label, type_corner, field, .aliases = other, \
+#define CORNER(label, field, alias, what)                        \
+	ROW(bounds, label, type_corner, field, .aliases = alias, \
 	    .unit = "model units", .about = what)
 
 static const struct member bounds_members[] = {
@@ -239,9 +239,9 @@ static const struct member pick_members[] = {
 	{ .name = NULL },
 };
 
-#define WORLD_LIKE "[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]"
-#define BOUNDS_LIKE "{\"min\": [-1,-1,-1], \"max\": [1,1,1]}"
-#define PICK_LIKE "{\"at\": [320,240], \"radius\": 3}"
+#define WORLD_EXAMPLE "[1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]"
+#define BOUNDS_EXAMPLE "{\"min\": [-1,-1,-1], \"max\": [1,1,1]}"
+#define PICK_EXAMPLE "{\"at\": [320,240], \"radius\": 3}"
 
 static const struct value_range margins = { .min = 0,
 	.max = 0.5,
@@ -261,7 +261,7 @@ const struct member scene_members[] = {
 	    .words = convention_names, .usual = "\"d3d\"", .shown = true,
 	    .before = "-c's", .about = "convention in which the scene is read",
 	    .command = "lookat '{\"convention\": \"gl\", "
-		       "\"camera\": " CAMERA_LIKE "}'"),
+		       "\"camera\": " CAMERA_EXAMPLE "}'"),
 	ROW(document, "angle_unit", type_word, unit,
 	    .aliases = "angleunits unit units angles radians degrees",
 	    .words = angle_units, .beside = true, .usual = "\"degrees\"",
@@ -270,56 +270,57 @@ const struct member scene_members[] = {
 		       "\"aspect\": 1.5, \"near\": 1, \"far\": 10}'"),
 	ROW(document, "world", type_affine, scene.world, .aliases = "model",
 	    .has = offsetof(struct document, scene.has_world),
-	    .example = WORLD_LIKE, .usual = WORLD_LIKE,
+	    .example = WORLD_EXAMPLE, .usual = WORLD_EXAMPLE,
 	    .about = "matrix from model to world, affine",
 	    .command = "project --to world '{\"world\": "
 		       "[1,0,0,0, 0,1,0,0, 0,0,1,0, 10,20,30,1]}' "
 		       "'[1,2,3]'"),
-	PART("camera", camera, camera_members, CAMERA_LIKE, .ways = camera_ways,
-	    .aliases = "view", .about = "way from world to view",
-	    .command = "lookat '{\"camera\": " CAMERA_LIKE "}'"),
+	PART("camera", camera, camera_members, CAMERA_EXAMPLE,
+	    .ways = camera_ways, .aliases = "view",
+	    .about = "map from world to view space",
+	    .command = "lookat '{\"camera\": " CAMERA_EXAMPLE "}'"),
 	ROW(document, "projection", type_projection, scene.projection,
 	    .members = projection_members, .aliases = "lens perspective",
-	    .ways = projection_ways, .example = LENS_LIKE,
-	    .about = "way from view to clip",
-	    .command = "persp '{\"projection\": " LENS_LIKE "}'"),
-	PART("viewport", viewport, viewport_members, RECTANGLE_LIKE,
+	    .ways = projection_ways, .example = PERSP_EXAMPLE,
+	    .about = "map from view to clip space",
+	    .command = "persp '{\"projection\": " PERSP_EXAMPLE "}'"),
+	PART("viewport", viewport, viewport_members, RECTANGLE_EXAMPLE,
 	    .ways = rectangle_ways, .aliases = "screen",
-	    .about = "way from ndc to the device, in 3D",
-	    .command = "project --from ndc '{\"viewport\": " RECTANGLE_LIKE
+	    .about = "map from ndc to the device, in 3D",
+	    .command = "project --from ndc '{\"viewport\": " RECTANGLE_EXAMPLE
 		       "}' '[0,0.5,1]'"),
-	PART("window", window, window_members, WINDOW_LIKE, .ways = window_ways,
-	    .about = "rectangle of a 2D world",
-	    .command = "w2n '{\"window\": " WINDOW_LIKE "}'"),
-	PART("device", device, device_members, RECTANGLE_LIKE,
+	PART("window", window, window_members, WINDOW_EXAMPLE,
+	    .ways = window_ways, .about = "rectangle of a 2D world",
+	    .command = "w2n '{\"window\": " WINDOW_EXAMPLE "}'"),
+	PART("device", device, device_members, RECTANGLE_EXAMPLE,
 	    .ways = rectangle_ways,
 	    .about = "rectangle on the screen that shows a window",
-	    .command = "n2d '{\"device\": " RECTANGLE_LIKE "}'"),
+	    .command = "n2d '{\"device\": " RECTANGLE_EXAMPLE "}'"),
 	ROW(document, "points", type_points, points, .aliases = "point",
 	    .example = "[[0,0,0], [1,1,1]]",
 	    .about = "points, unless there are operands POINTS",
-	    .command = "lookat '{\"camera\": " CAMERA_LIKE
+	    .command = "lookat '{\"camera\": " CAMERA_EXAMPLE
 		       ", \"points\": [[0,0,0], [1,1,1]]}'"),
 	ROW(document, "bounds", type_object, bounds,
 	    .has = offsetof(struct document, has_bounds), .aliases = "extent",
 	    .members = bounds_members, .ways = bounds_ways,
-	    .example = BOUNDS_LIKE, .unit = "model units",
+	    .example = BOUNDS_EXAMPLE, .unit = "model units",
 	    .about = "volume that fit holds, in place of the points",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
-		       "\"bounds\": " BOUNDS_LIKE "}'"),
+		       "\"bounds\": " BOUNDS_EXAMPLE "}'"),
 	ROW(document, "pick", type_object, pick,
 	    .has = offsetof(struct document, has_pick), .members = pick_members,
-	    .example = PICK_LIKE,
+	    .example = PICK_EXAMPLE,
 	    .about = "circle on the device; or use --at, --radius",
-	    .command = "pick '{\"camera\": " CAMERA_LIKE
-		       ", \"projection\": " LENS_LIKE
-		       ", \"viewport\": " RECTANGLE_LIKE
-		       ", \"pick\": " PICK_LIKE "}' '[[0,0,0], [1,1,1]]'"),
+	    .command = "pick '{\"camera\": " CAMERA_EXAMPLE
+		       ", \"projection\": " PERSP_EXAMPLE
+		       ", \"viewport\": " RECTANGLE_EXAMPLE
+		       ", \"pick\": " PICK_EXAMPLE "}' '[[0,0,0], [1,1,1]]'"),
 	ROW(document, "margin", type_numbers, scene.margin,
 	    .aliases = "padding border", .example = "0.1", .range = &margins,
 	    .usual = "0",
 	    .about = "fraction of the picture left free at each side",
 	    .command = "fit '{\"projection\": {\"type\": \"ortho\"}, "
-		       "\"bounds\": " BOUNDS_LIKE ", \"margin\": 0.1}'"),
+		       "\"bounds\": " BOUNDS_EXAMPLE ", \"margin\": 0.1}'"),
 	{ .name = NULL },
 };

@@ -7,21 +7,21 @@
 #include "../message/utf8.h"
 
 /* The range of an angle, with the words for it in degrees and in radians. */
-#define ANGLE(label, least, most, degrees, radians, ...)                \
+#define ANGLE_RANGE(label, least, most, degrees, radians, ...)          \
 	static const struct value_range label = { .min = least,         \
 		.max = most,                                            \
 		.wanted = "an angle " degrees " degrees is wanted",     \
 		.by_radians = "an angle " radians " radians is wanted", \
 		__VA_ARGS__ }
 
-ANGLE(opening, SIZE_MIN, 180, "above 0 and below 180", "above 0 and below pi",
+ANGLE_RANGE(opening, SIZE_MIN, 180, "above 0 and below 180",
+    "above 0 and below pi", .below = true);
+ANGLE_RANGE(taper, 0, 180, "from 0 to below 180", "from 0 to below pi",
     .below = true);
-ANGLE(taper, 0, 180, "from 0 to below 180", "from 0 to below pi",
-    .below = true);
-ANGLE(slope, SIZE_MIN, 90, "above 0 and up to 90", "above 0 and up to pi/2",
-    .below = false);
-ANGLE(acute, -90, 90, "above -90 and below 90", "above -pi/2 and below pi/2",
-    .above = true, .below = true);
+ANGLE_RANGE(slope, SIZE_MIN, 90, "above 0 and up to 90",
+    "above 0 and up to pi/2", .below = false);
+ANGLE_RANGE(acute, -90, 90, "above -90 and below 90",
+    "above -pi/2 and below pi/2", .above = true, .below = true);
 
 static const struct value_range fraction = { .min = SIZE_MIN,
 	.max = 1,
@@ -44,39 +44,39 @@ enum {
 };
 
 #define AT(m) offsetof(struct projection, m)
-#define OF(of, label, is, field, ...) \
-	ROW(projection, label, is, field, .kinds = of, __VA_ARGS__)
-#define NUMBER(of, label, field, ...) \
-	OF(of, label, type_numbers, field, __VA_ARGS__)
-#define TURN(of, label, field, ...) \
-	NUMBER(of, label, field, .unit = "degrees", __VA_ARGS__)
-#define LENGTH(of, label, field, ...) \
-	NUMBER(of, label, field, .unit = "view units", __VA_ARGS__)
-#define SIZE(of, label, field, ...) \
-	LENGTH(of, label, field, .range = &range_positive, __VA_ARGS__)
+#define MEMBER(types, label, value, field, ...) \
+	ROW(projection, label, value, field, .kinds = types, __VA_ARGS__)
+#define NUMBER(types, label, field, ...) \
+	MEMBER(types, label, type_numbers, field, __VA_ARGS__)
+#define ANGLE(types, label, field, ...) \
+	NUMBER(types, label, field, .unit = "degrees", __VA_ARGS__)
+#define LENGTH(types, label, field, ...) \
+	NUMBER(types, label, field, .unit = "view units", __VA_ARGS__)
+#define SIZE(types, label, field, ...) \
+	LENGTH(types, label, field, .range = &range_positive, __VA_ARGS__)
 
 /* in the order in which they are printed */
 const struct member projection_members[] = {
-	OF(0, "type", type_word, type, .words = projection_types,
+	MEMBER(0, "type", type_word, type, .words = projection_types,
 	    .first = PROJECTION_PERSP,
 	    .about = "type; implied by the commands of these names"),
-	OF(OBLIQUE, "kind", type_word, kind, .words = oblique_kinds,
+	MEMBER(OBLIQUE, "kind", type_word, kind, .words = oblique_kinds,
 	    .first = OBLIQUE_CAVALIER,
 	    .about = "length of lines along the gaze: kept or halved"),
-	TURN(OBLIQUE, "angle", projector, .range = &slope,
+	ANGLE(OBLIQUE, "angle", projector, .range = &slope,
 	    .about = "angle between projectors and picture, in place of kind"),
-	TURN(OBLIQUE, "direction", direction, .range = &range_any,
+	ANGLE(OBLIQUE, "direction", direction, .range = &range_any,
 	    .usual = "45", .shown = true,
 	    .about = "direction of lines along the gaze in the picture"),
 	LENGTH(OBLIQUE, "plane", plane, .usual = "0",
 	    .about = "depth at which points do not move"),
-	TURN(PERSP, "fovy", angle, .range = &opening,
+	ANGLE(PERSP, "fovy", angle, .range = &opening,
 	    .aliases = "fov yfov verticalfov fieldofview cameraangley",
 	    .about = "angle between the bottom and the top plane"),
-	TURN(PERSP, "fovx", angle, .range = &opening,
+	ANGLE(PERSP, "fovx", angle, .range = &opening,
 	    .aliases = "xfov horizontalfov hfov cameraanglex",
 	    .about = "angle between the left and the right plane"),
-	TURN(PERSP, "view_angle", angle, .range = &opening, .aliases = "angle",
+	ANGLE(PERSP, "view_angle", angle, .range = &opening, .aliases = "angle",
 	    .about = "angle across the smaller side of the picture"),
 	NUMBER(PERSP, "field", angle, .range = &range_positive,
 	    .about = "half the larger side of the picture at distance 1"),
@@ -99,11 +99,11 @@ const struct member projection_members[] = {
 	    .about = "right edge, other than left"),
 	LENGTH(SECTIONED, "bottom", bottom, .about = "bottom edge"),
 	LENGTH(SECTIONED, "top", top, .about = "top edge, other than bottom"),
-	TURN(PERSP, "angles", left, .n = 4, .range = &acute,
+	ANGLE(PERSP, "angles", left, .n = 4, .range = &acute,
 	    .aliases = "angleleft angleright angleup angledown",
 	    .note = "[left, right, bottom, top] from the gaze",
 	    .about = "angles of left, right, bottom, top from the gaze"),
-	OF(PERSP, "intrinsics", type_intrinsics, intrinsics,
+	MEMBER(PERSP, "intrinsics", type_intrinsics, intrinsics,
 	    .aliases = "k fx fy cx cy flx fly focal focallength "
 		       "cameramatrix projectionmatrix intrinsic p "
 		       "principalpoint skew",
@@ -116,13 +116,13 @@ const struct member projection_members[] = {
 	    .about = "distance of the near plane from the eye"),
 	LENGTH(PARALLEL, "near", near, .aliases = "znear nearplane",
 	    .about = "distance of the near plane from the eye"),
-	OF(PERSP, "far", type_far, far, .range = &range_positive,
+	MEMBER(PERSP, "far", type_far, far, .range = &range_positive,
 	    .aliases = "zfar farplane", .unit = "view units",
 	    .about = "distance of the far plane from the eye"),
 	LENGTH(PARALLEL, "far", far, .aliases = "zfar farplane",
 	    .about = "distance of the far plane from the eye"),
-	OF(SECTIONED, "reverse_z", type_flag, reverse_z, .aliases = "reversed",
-	    .usual = "false",
+	MEMBER(SECTIONED, "reverse_z", type_flag, reverse_z,
+	    .aliases = "reversed", .usual = "false",
 	    .about = "make depth greater at near than at far"),
 	LENGTH(VOLUME, "z_near", z_near, .aliases = "near znear nearplane",
 	    .about = "z of the near plane in view space"),
@@ -130,13 +130,13 @@ const struct member projection_members[] = {
 	    .about = "z of the far plane in view space"),
 	LENGTH(VOLUME, "eye", eye, .n = 3,
 	    .about = "eye in view space, in place of inverse_eye_z"),
-	TURN(VOLUME, "view_angle", angle, .range = &taper, .aliases = "angle",
+	ANGLE(VOLUME, "view_angle", angle, .range = &taper, .aliases = "angle",
 	    .about = "angle across the smaller side; 0: parallel rays"),
 	NUMBER(VOLUME, "inverse_eye_z", inverse_eye_z, .usual = "0",
 	    .about = "1/z of the eye; 0: parallel rays"),
 	NUMBER(VOLUME, "tan_skew", tan_skew, .n = 2, .aliases = "skew",
 	    .usual = "[0, 0]", .about = "x/z and y/z of the axis"),
-	OF(MATRIX, "matrix", type_matrix, matrix,
+	MEMBER(MATRIX, "matrix", type_matrix, matrix,
 	    .about = "matrix from view to clip"),
 	NUMBER(PERSP | VOLUME, "near_ratio", near_ratio, .range = &fraction,
 	    .usual = "0.0005",
@@ -147,7 +147,7 @@ const struct member projection_members[] = {
 /* an index of projection_ways */
 enum { WAYS_DEPTH = 3 };
 
-/* The command fit finds width and height, which keep a given aspect. */
+/* fit finds the width and height of a parallel projection, and keeps an aspect. */
 const struct ways projection_ways[] = {
 	{ { "fovy aspect?", "fovx aspect?", "view_angle aspect?",
 	      "field aspect?", "width height edges_at?",
@@ -166,7 +166,7 @@ const struct ways projection_ways[] = {
 	{ { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
 	    .kinds = VOLUME, .at = AT(eye_by) },
 	{ { "z_near z_far" }, .fit = true, .kinds = VOLUME },
-	/* fit refuses a matrix later */
+	/* without ways: fit_scene refuses the type */
 	{ { "matrix" }, .fit = true, .kinds = MATRIX },
 	{ .way = { NULL } },
 };
@@ -185,13 +185,13 @@ static bool is_given(const struct projection *p, uint64_t seen,
 	return row != NULL && (seen >> (row - projection_members) & 1) != 0;
 }
 
-/* Refuses a projection without a type, and names the types that have all its members. */
+/* Refuses a projection without a type; says which types have all its members. */
 static _Noreturn void refuse_typeless(const struct value *v)
 {
 	const struct value *type = VALUE_MISSING(v, "type");
 	struct value m = value_child(v);
 	const char *names[6];
-	unsigned of = SECTIONED | VOLUME | MATRIX;
+	unsigned types = SECTIONED | VOLUME | MATRIX;
 	char all[LISTED];
 	int n = 0;
 
@@ -201,11 +201,11 @@ static _Noreturn void refuse_typeless(const struct value *v)
 		for (int i = 0; projection_types[i] != NULL; i++)
 			if (member_of(projection_members, i, m.name) != NULL)
 				has |= 1u << i;
-		if ((of & has) != 0)
-			of &= has;
+		if ((types & has) != 0)
+			types &= has;
 	}
 	for (int i = 0; projection_types[i] != NULL; i++)
-		if (of >> i & 1)
+		if (types >> i & 1)
 			names[n++] = projection_types[i];
 	names[n] = NULL;
 	list_words(all, names, " or ", "\"");
@@ -243,9 +243,9 @@ static void check_angles(const struct value *v, const struct projection *p)
 		    "right, bottom, top");
 }
 
-/* Checks near and far of a perspective, which fit finds if width and edges are not on the
- * near plane. */
-static void read_planes(const struct value *v, uint64_t seen,
+/* Refuses a perspective that lacks near or far. Intrinsics need neither; of them far is
+ * infinity if it is missing. fit finds both, but needs near to place the edges. */
+static void check_planes(const struct value *v, uint64_t seen,
     struct projection *p)
 {
 	bool open = p->extent == EXTENT_INTRINSICS && !v->source->fit;
@@ -284,7 +284,7 @@ static void read_projection(const struct value *v, const struct member *row,
 	if (is_given(p, seen, "direction"))
 		p->direction_unit = p->unit;
 	if (p->type == PROJECTION_PERSP)
-		read_planes(v, seen, p);
+		check_planes(v, seen, p);
 	if (p->extent == EXTENT_ANGLES)
 		check_angles(v, p);
 	if (is_given(p, seen, "size")) {
@@ -294,10 +294,10 @@ static void read_projection(const struct value *v, const struct member *row,
 	}
 }
 
-/* Sets the size of the image for intrinsics from the viewport; refuses intrinsics without
- * a viewport. */
-static void find_sides(const struct value *v, const struct viewport *viewport,
-    struct projection *p)
+/* Sets the size of the image that intrinsics are for, from the viewport; refuses
+ * intrinsics without a viewport. */
+static void find_image_size(const struct value *v,
+    const struct viewport *viewport, struct projection *p)
 {
 	const struct value *given = VALUE_MISSING(v, "intrinsics");
 
@@ -317,8 +317,8 @@ static void find_sides(const struct value *v, const struct viewport *viewport,
 	}
 }
 
-/* Returns whether the projection depends on an aspect. fit widens a parallel projection to
- * the aspect. */
+/* Returns whether the projection depends on an aspect. fit widens a parallel projection
+ * to the aspect. */
 static bool needs_aspect(const struct value *v, const struct viewport *viewport,
     const struct projection *p)
 {
@@ -338,7 +338,7 @@ void projection_complete(const struct value *v, const struct viewport *viewport,
 	if (v->unused)
 		return;
 	if (projection_is_by_p(p))
-		find_sides(v, viewport, p);
+		find_image_size(v, viewport, p);
 	if (!needs_aspect(v, viewport, p))
 		return;
 	p->aspect[1] = 1;

@@ -128,37 +128,37 @@ const struct type type_far = { "size or \"infinity\"", read_far, print_far,
 const char *const vector_names[] = { "row", "column", NULL };
 
 /* The object of a matrix that -o json prints. */
-static const struct member printed_members[] = { { .name = "matrix" },
+static const struct member matrix_members[] = { { .name = "matrix" },
 	{ .name = "vectors" }, { .name = NULL } };
 
 #define ANY "16 numbers or 4 rows of 4"
 #define AFFINE "16 numbers, or 4 rows of 4 or 3, or 3 rows of 4"
 
-static const struct ways printed_ways[] = { { .way = { "matrix vectors?" } },
+static const struct ways matrix_ways[] = { { .way = { "matrix vectors?" } },
 	{ .way = { NULL } } };
-static const struct member printed = { .members = printed_members,
-	.ways = printed_ways };
+static const struct member matrix_row = { .members = matrix_members,
+	.ways = matrix_ways };
 
-/* Returns whether rows of a matrix are for column vectors, by the member "vectors" of its
- * object, by their shape, or by the document. */
+/* Returns whether rows of a matrix are for column vectors, by the member "vectors" of
+ * its object, by their shape, or by the document. */
 static bool is_column(const struct value *v, size_t rows, size_t columns)
 {
-	bool column = rows < columns, whole = rows == columns;
+	bool column = rows < columns, square = rows == columns;
 	struct value vectors;
 
 	if (!value_is(v, JSON_OBJECT) || !value_member(v, "vectors", &vectors))
-		return whole ? v->source->column : column;
-	bool said = value_word(&vectors, vector_names) == 1;
+		return square ? v->source->column : column;
+	bool given = value_word(&vectors, vector_names) == 1;
 
-	if (!whole && said != column)
+	if (!square && given != column)
 		value_refuse(&vectors,
 		    "is \"%s\"; %zu rows of %zu are for %s vectors",
-		    vector_names[said], rows, columns, vector_names[column]);
-	return said;
+		    vector_names[given], rows, columns, vector_names[column]);
+	return given;
 }
 
-/* Refuses rows of 4 that were read for row vectors, and are affine for column vectors
- * alone. */
+/* Refuses rows of 4 that were read for row vectors, but are affine for column
+ * vectors. */
 static void check_rows(const struct value *v, const double m[4][4])
 {
 	bool last = m[3][0] == 0 && m[3][1] == 0 && m[3][2] == 0 &&
@@ -185,8 +185,8 @@ static void read_rows(const struct value *v, size_t rows, size_t columns,
 			value_numbers(&row, &range_any, columns, out);
 }
 
-/* Reads a matrix. 16 numbers in memory order are the same for row vectors, stored row by
- * row, and for column vectors, stored column by column; nested rows differ. */
+/* Reads a matrix. 16 numbers in memory order are the same for row vectors, stored row
+ * by row, and for column vectors, stored column by column; nested rows differ. */
 static void read_matrix(const struct value *v, const struct member *member,
     void *out)
 {
@@ -195,7 +195,7 @@ static void read_matrix(const struct value *v, const struct member *member,
 	struct value all = *v;
 
 	if (value_is(v, JSON_OBJECT)) {
-		object_read(v, &printed, 0, NULL);
+		object_read(v, &matrix_row, 0, NULL);
 		value_member(v, "matrix", &all);
 	}
 	if (!value_is(&all, JSON_ARRAY))
@@ -207,7 +207,7 @@ static void read_matrix(const struct value *v, const struct member *member,
 		value_count(&row) == 3 ?
 	    3 :
 	    4;
-	bool column = is_column(v, rows, columns), turned = column && n == rows;
+	bool column = is_column(v, rows, columns), swap = column && n == rows;
 	double e[16];
 
 	if (n != rows && n != 16)
@@ -216,7 +216,7 @@ static void read_matrix(const struct value *v, const struct member *member,
 	read_rows(&all, rows, columns, e);
 	for (size_t i = 0; i < 4; i++)
 		for (size_t j = 0; j < 4; j++)
-			m[turned ? j : i][turned ? i : j] = i < rows &&
+			m[swap ? j : i][swap ? i : j] = i < rows &&
 				j < columns ?
 			    e[i * columns + j] :
 			    i == j;
@@ -251,8 +251,8 @@ const struct type type_affine = { "matrix", read_matrix, print_rows, 0 };
 	"[fx, fy, cx, cy], K as 3 rows of 3 or 9 numbers, or P as 3 " \
 	"rows of 4 or 12 numbers"
 
-/* Refuses a K whose fx or fy is not positive, whose last row is not 0, 0, 1, or which is
- * not 0 under the diagonal. */
+/* Refuses a K whose fx or fy is not positive, whose last row is not 0, 0, 1, or which
+ * is not 0 under the diagonal. */
 static void check_k(const struct value *v, const double k[3][4])
 {
 	bool nested = value_count(v) == 3;
@@ -316,8 +316,7 @@ static void read_intrinsics(const struct value *v, const struct member *row,
 		    "by more than one number");
 }
 
-/* Prints P; or K if the fourth column is 0 and the other columns are a K; or of such a K
- * without skew the four numbers. */
+/* Prints the shortest form that says all: fx, fy, cx, cy, else K, else P. */
 static void print_intrinsics(struct printer *p, const struct member *row,
     const void *at)
 {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The types of members, for the tables of object.h. */
+/* The types of members, for the tables of object.h. A comment says what such a member
+ * is in JSON and, after "in the struct", what its field is. */
 #ifndef TYPES_H
 #define TYPES_H
 
@@ -9,12 +10,11 @@
 /* A number, or an array of n numbers; in the struct doubles. */
 extern const struct type type_numbers;
 
-/* true or false or, if the row has words, one of two; in the struct a bool, true for the
- * second word. */
+/* true or false; or, if the row has words, one of two. In the struct a bool: true for
+ * the second word. */
 extern const struct type type_flag;
 
-/* One of the row's words; in the struct an enum in the order of the words, from the row's
- * first. */
+/* One of the row's words; in the struct an enum: row.first plus the word's index. */
 extern const struct type type_word;
 
 /* In the order of enum angle_unit; NULL ends them. */
@@ -23,14 +23,14 @@ extern const char *const angle_units[];
 /* "row" and "column", the vectors of a matrix; NULL ends them. */
 extern const char *const vector_names[];
 
-/* A matrix: 16 numbers in memory order; or 4 rows, for column vectors if source->column; or
- * the object that -o json prints, with its vectors. An affine one may also be 3 rows of 4
- * for column vectors, or 4 rows of 3 for row vectors. In the struct it is double[4][4] for
- * row vectors. */
+/* A matrix: 16 numbers in memory order; or 4 rows, which are for row vectors unless
+ * source->column is set; or the object that -o json prints, which says its vectors. An
+ * affine matrix may also be 3 rows of 4 for column vectors, or 4 rows of 3 for row
+ * vectors. In the struct a double[4][4] for row vectors. */
 extern const struct type type_matrix, type_affine;
 
-/* The intrinsics of a calibrated camera: the numbers fx, fy, cx, cy, or the matrix K or P.
- * In the struct it is P, a double[3][4]. */
+/* The intrinsics of a calibrated camera: the numbers fx, fy, cx, cy, or the matrix K or
+ * P; in the struct P, a double[3][4]. */
 extern const struct type type_intrinsics;
 
 /* A number, or "infinity"; in the struct a double. */
@@ -56,23 +56,24 @@ extern const struct type type_projection;
 /* The names of the types from PROJECTION_PERSP on; NULL ends them. */
 extern const char *const projection_types[];
 
-/* Completes a projection that was read from a value: takes a missing aspect, and the size
- * for intrinsics, from the viewport, which may be NULL. */
+/* Sets what a projection takes from the viewport, which may be NULL: a missing aspect
+ * and, for intrinsics, the size of the image. The value is the projection's. */
 void projection_complete(const struct value *, const struct viewport *,
     struct projection *);
 
-/* Examples of members. The aspect of SCENE_LIKE is that of its viewport. */
-#define CAMERA_LIKE "{\"eye\": [0,0,-5], \"at\": [0,0,0]}"
-#define LENS_LIKE                                               \
+/* Examples of members. The aspect of SCENE_EXAMPLE is that of its viewport. */
+#define CAMERA_EXAMPLE "{\"eye\": [0,0,-5], \"at\": [0,0,0]}"
+#define PERSP_EXAMPLE                                           \
 	"{\"type\": \"persp\", \"fovy\": 60, \"aspect\": 1.5, " \
 	"\"near\": 1, \"far\": 10}"
-#define RECTANGLE_LIKE "{\"width\": 640, \"height\": 480}"
-#define WINDOW_LIKE "{\"center\": [20,30], \"width\": 10, \"height\": 10}"
+#define RECTANGLE_EXAMPLE "{\"width\": 640, \"height\": 480}"
+#define WINDOW_EXAMPLE "{\"center\": [20,30], \"width\": 10, \"height\": 10}"
 
-#define SCENE_LIKE                                                            \
-	"{\"camera\": " CAMERA_LIKE ", \"projection\": {\"type\": \"persp\"," \
-	" \"fovy\": 60, \"near\": 1, \"far\": 10}, "                          \
-	"\"viewport\": " RECTANGLE_LIKE "}"
+#define SCENE_EXAMPLE                                \
+	"{\"camera\": " CAMERA_EXAMPLE               \
+	", \"projection\": {\"type\": \"persp\","    \
+	" \"fovy\": 60, \"near\": 1, \"far\": 10}, " \
+	"\"viewport\": " RECTANGLE_EXAMPLE "}"
 
 /* The member "convention", and the conventions that have a name. */
 
@@ -88,15 +89,15 @@ enum {
 extern const struct convention conventions[CONVENTIONS];
 extern const char *const convention_names[CONVENTIONS + 1]; /* NULL ends */
 
-/* The members of a convention that is an object. Each is a bool of struct convention and
- * has two words: the first, the property of d3d, is false, the second true. */
+/* The members of a convention that is an object. Each is a bool of struct convention
+ * and has two words: the first, the property of d3d, is false, the second true. */
 extern const struct member convention_members[];
 
 /* A convention: a name, or an object of convention_members. */
 extern const struct type type_convention;
 
-/* Refuses the member of that name, which depends on the view axes, if neither the document
- * nor the command line has a convention. */
+/* Refuses the member name of in, which depends on the view axes, if neither the
+ * document nor the command line has a convention. */
 void check_axes(const struct value *in, const char *name);
 
 #endif

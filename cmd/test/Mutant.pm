@@ -58,11 +58,11 @@ sub closing {
 
 my $words = qr/(?:if|else|for|while|do|switch|case|default|struct|enum|union|
     static|const|typedef|using|template|namespace|extern|goto)\b/x;
-# A type, a name, and what it is at first.
+# A declaration: a type, a name, and the end of both.
 my $declaration = qr/(?!return\b)\w[\w:<>]*(?:\s+\w+)*\s+\**\w+
     (?:\[[^\]]*\])*\s*(?:[=;,]|\z)/x;
 
-# [kind, from where, how many characters, what stands there instead]
+# [kind, offset, number of characters, their replacement]
 sub changes {
 	my ($code) = @_;
 	my @found;
@@ -97,7 +97,7 @@ sub changes {
 	return @found;
 }
 
-# All of a file, by their kind.
+# Returns all mutants of a file, by their kind.
 sub mutants {
 	my ($file, $text) = @_;
 	my %mutants;
@@ -119,8 +119,8 @@ sub mutants {
 
 sub trimmed { $_[0] =~ s/^\s+|\s+$//gmr }
 
-# The text with a mutant in it, where its lines stand nearest to its number;
-# undef where they don't.
+# Returns the text with a mutant in it, at the place of its lines that is nearest to its
+# line number; undef if the text does not have the lines.
 sub mutated {
 	my ($text, $mutant) = @_;
 	my $pattern = join '\n\s*', map { quotemeta }

@@ -25,7 +25,7 @@ our @EXPORT = (qw($top $write $build $tmp slurp spew missing run sorted
 
 $ENV{LC_ALL} = 'C';
 delete @ENV{qw(NO_COLOR POSIXLY_CORRECT CDPATH)};
-# A make that a test starts is a reader's own, not a part of `make test`.
+# A make that a test starts is not a part of `make test`, as for a reader who types it.
 delete @ENV{qw(MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES)};
 chdir $top or die "$top: $!\n";
 
@@ -52,7 +52,7 @@ sub below {
 
 sub pick { $_[below(scalar @_)] }
 
-# The first of these commands that is not installed, if any.
+# Returns the first of these commands that is not installed, if any.
 sub missing {
 	for my $tool (@_) {
 		return $tool if system("command -v $tool >/dev/null") != 0;

@@ -15,7 +15,8 @@ use Projcalc;
 
 my $digests = 'testdata/bits.sha256';
 
-# Whole, with decimals, far away, near a power of two, beyond everything.
+# Returns a number: whole, with decimals, far away, near a power of two, or beyond
+# every limit.
 sub number {
 	my $n = below(1000) - 1000;
 	$n = -$n if below(2);
@@ -114,14 +115,14 @@ sub flat {
 	    ',"x":' . near() . pick('', ',"origin":"top-left"') . '}}';
 }
 
-# n points of a size, a few of them anywhere.
+# Returns n points of a size, a few of them anywhere.
 sub points {
 	my ($n, $size) = @_;
 	return map { join(' ', map { below(8) ? near() : number() }
 	    1 .. $size) . "\n" } 1 .. $n;
 }
 
-# Random bits as doubles: from 1e-150 to 1e150, but any at all for one in $wild.
+# Returns random bits as doubles: from 1e-150 to 1e150, but one in $wild is any double.
 sub any_bits {
 	my ($n, $wild) = @_;
 	return pack 'v*', map {
@@ -131,7 +132,7 @@ sub any_bits {
 	} 1 .. $n;
 }
 
-# Commands by group, made once.
+# Returns the commands by group, which are made once.
 my (%runs, @groups);
 
 sub add {

@@ -17,8 +17,8 @@ use Transcript;
 plan skip_all => 'no jq' if missing('jq');
 Math::BigFloat->accuracy(90);
 
-# The double that is nearest to a text, exactly: of these numbers it has fewer
-# digits.
+# Returns the exact value of the double nearest to a text: doubles of these sizes have
+# at most 86 digits.
 sub number {
 	my ($double) = strtod("$_[0]");
 	return Math::BigFloat->new(sprintf '%.85e', $double);
@@ -30,7 +30,7 @@ sub sum_of { my $s = Math::BigFloat->bzero; $s += $_ for @_; return $s }
 sub rows { my ($n, @m) = @_; return map { [splice @m, 0, $n] } 1 .. @m / $n }
 sub through { my ($p, @rows) = @_; return map { dot($_, $p) } @rows }
 
-# The rows of a quaternion's rotation; it may have any norm.
+# Returns the rows of the rotation of a quaternion, which may have any norm.
 sub turn {
 	my ($x, $y, $z, $w) = @_;
 	my $n = dot([@_], [@_]);
@@ -95,7 +95,7 @@ sub printed {
 	return map { [split] } split /\n/, $out;
 }
 
-# By the bits, of the first two coordinates.
+# Compares the bits of the first two coordinates.
 sub compare {
 	my ($name, $said, @true) = @_;
 	my @wrong;

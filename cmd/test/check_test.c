@@ -16,7 +16,7 @@ struct text {
 		s, sizeof(s) - 1, line \
 	}
 
-/* By value_parse_without, which prints what json_check says. */
+/* Parses by value_parse_without, which prints what json_check refuses. */
 static void check(const void *argument)
 {
 	struct source source = { .name = "s.json" };
@@ -260,8 +260,7 @@ static void test_depth(void **state)
 	    "s.json:1: expected at most 100 levels of brackets, not '['");
 }
 
-/* A line of points, and what is left of it where it goes wrong; NULL where it
- * is right. */
+/* A line of points, and the rest of the line from its first error; NULL: no error. */
 struct line {
 	const char *text, *left;
 };

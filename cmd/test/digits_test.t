@@ -1,6 +1,6 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# Why the digits by the vector are right: the table and the constants of
+# Proves that the digits by the vector are right: the table and the constants of
 # cmd/number/vector computed anew in exact arithmetic, the errors of its operations
 # added up for each exponent of two, and what its comments claim of them. Then
 # that changed constants are refused.
@@ -23,7 +23,7 @@ sub slurp {
 
 sub rat { Math::BigRat->new(@_) }
 
-# b^e, exactly.
+# Returns b^e, exactly.
 my %powers;
 
 sub power {
@@ -49,7 +49,7 @@ sub exactly {
 	return ($bits >> 63 ? -$v : $v, $e - 1075);
 }
 
-# Half a unit in the last place of doubles that are no larger than this.
+# Returns half a unit in the last place of doubles that are at most this large.
 sub half_unit {
 	my ($most) = @_;
 	my ($m, $e) = frexp($most);
@@ -103,7 +103,7 @@ sub check {
 	push @refused, $name unless $well;
 }
 
-# hi + lo of each power, and how far it is off, relatively.
+# Returns hi + lo of each power, and the relative error of the sum.
 sub check_table {
 	my ($c) = @_;
 	my $k = $c->{least};
@@ -230,7 +230,7 @@ sub check_reader {
 	    2 ** -$off >= (2 + 1.02) * 2 ** -53);
 }
 
-# All of it; returns the largest error.
+# Checks everything; returns the largest error.
 sub prove {
 	my ($text) = @_;
 	my $c = claims($text);

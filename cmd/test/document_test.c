@@ -123,7 +123,7 @@ static void assert_convention(const struct convention *c, const char *bits)
 	assert_int_equal(c->view_y_down, bits[5] == '1');
 }
 
-/* Each convention as what it differs in from d3d. */
+/* Reads each convention as an object of the members in which it differs from d3d. */
 static void test_convention(void **state)
 {
 	static const char *const table[][2] = { { "d3d", "000000" },
@@ -153,7 +153,7 @@ static void test_convention(void **state)
 		     "\"column\"}}")
 		.convention;
 	assert_convention(&c, "001000");
-	/* the document's own, answered in the option's */
+	/* the convention of the document, and another of the answer */
 	const struct document_wants wants = { WANTS,
 		.convention = &conventions[CONVENTION_WEBGPU] };
 	struct scene s = read_as(&wants, "{\"convention\":\"gl\"}").scene;
@@ -167,7 +167,7 @@ static void test_convention(void **state)
 	assert_null(s.answer);
 }
 
-/* Returns the element of world that the number 2 of the text becomes. */
+/* Asserts which element of world the number 2 of the text becomes. */
 static void assert_world(const struct convention *option,
     const char *convention, const char *matrix, int i, int j)
 {
@@ -234,7 +234,7 @@ static void assert_points(const char *typed, const char *lines)
 	assert_memory_equal(d.points, lines, d.points_size);
 }
 
-/* The member's name may be written with escapes. */
+/* The name of the member points may be written with escapes. */
 static void test_points_name(void **state)
 {
 	const struct document_wants wants = { WANTS };
@@ -257,7 +257,7 @@ static void test_points(void **state)
 	assert_points(" [ [1,2,3] ,\n\t[4,null,6] ] ", "[1,2,3]\n[4,null,6]\n");
 	assert_points("[[1,2,3,\"a \\\"b ,]\\\\\",true,\"\\u00e9 :\",1e999]]",
 	    "[1,2,3,\"a \\\"b ,]\\\\\",true,\"\\u00e9 :\",1e999]\n");
-	/* longer than what cJSON takes for a number */
+	/* longer than a number that cJSON reads */
 #define TEN "1234567890"
 	assert_points("[[" TEN TEN TEN TEN TEN TEN TEN
 		      ",0,1e-3," TEN TEN TEN TEN TEN TEN TEN "]]",

@@ -98,7 +98,7 @@ static void test_unseen(void **state)
 	assert_int_equal(escape_invisible("a b\\u001b\\u\xc3\xa9"), 0);
 }
 
-/* Whole pieces alone, and the end is always a NUL. */
+/* Only whole characters and escapes are copied, and a NUL always ends them. */
 static void test_room(void **state)
 {
 	const char s[] = "a\"\\\n\xff\xc3\xa9",

@@ -73,7 +73,7 @@ void *realloc(void *p, size_t n)
 	return fails("malloc") ? NULL : __libc_realloc(p, n);
 }
 
-/* 1 to 7 bytes, or 0 where it is to be interrupted. */
+/* Returns a number of bytes from 1 to 7, at most n; or 0 for an interruption. */
 static size_t few(size_t n)
 {
 	static atomic_uint turn;
@@ -84,7 +84,7 @@ static size_t few(size_t n)
 	return k % 8 < n ? k % 8 : n;
 }
 
-/* Before n bytes are read: how many shall be, or -1. */
+/* Returns how many of n bytes a read shall read, or -1 if it shall fail. */
 static ssize_t before_read(size_t n)
 {
 	if (fails("read"))
@@ -181,7 +181,7 @@ int pthread_create(pthread_t *t, const pthread_attr_t *a, void *(*f)(void *),
 		pthread_attr_getstacksize(a, &stack);
 	if (is("stack") && stack < (size_t)at)
 		abort();
-	/* and from then on, as where there is no room for more */
+	/* threads fail from then on, as on a system without room for more */
 	return is("thread") && atomic_fetch_add(&calls, 1) + 1 >= at ?
 	    error :
 	    real(t, a, f, with);

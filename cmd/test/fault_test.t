@@ -16,7 +16,7 @@ use Projcalc;
 my $shim = "$tmp/shim.so";
 $ENV{PATH} = "$build:$ENV{PATH}";
 chdir 'testdata' or die "testdata: $!\n";
-# Whoever runs this in the background of a shell may have had it ignored.
+# A shell ignores this signal in programs that it runs in the background.
 $SIG{INT} = 'DEFAULT';
 
 # A sanitizer has an allocator of its own, and no use for a limit of memory;
@@ -25,7 +25,7 @@ my $plain = system("grep -q '__asan_init\\|__gcov' $build/projcalc") != 0;
 my $has_shim = $plain && system("cc -O1 -shared -fPIC -o $shim " .
     "$top/cmd/test/fault_shim.c 2>$tmp/err") == 0;
 
-# With a fault, of the command's own calls and not of the shell's.
+# Runs a command with a fault in the calls of the command, not of the shell.
 sub faulty {
 	my ($command, $fault) = @_;
 	return run("exec env LD_PRELOAD=$shim FAULT='$fault' $command");
@@ -72,7 +72,7 @@ my @commands = (
 	"projcalc trace -j2 scene.json $tmp/few",
 );
 
-# Each call in turn, until one is not made any more.
+# Lets the first call fail, then the second, until there are no more calls.
 sub every {
 	my ($call, $errno, $command, $check) = @_;
 	my ($status, $whole) = run($command);
@@ -87,7 +87,7 @@ sub every {
 	is($bad, '', "$call: $command");
 }
 
-# Exit 3 and one line; what stands in the output is its beginning.
+# Checks for exit status 3, one line of error, and the beginning of the right output.
 sub system_failed {
 	my ($reason) = @_;
 	return sub {
@@ -97,8 +97,8 @@ sub system_failed {
 	};
 }
 
-# How far it is, by a clock that goes on by so many milliseconds with each file of
-# 1000 lines: from half a second on, and then whenever a fifth has passed.
+# Checks --progress with a clock that goes on by so many milliseconds for each file of
+# 1000 lines: reports begin after half a second, and follow every fifth of a second.
 sub told {
 	my ($clock, $terminal, $args) = @_;
 	my $file = "$tmp/thousand";
@@ -324,7 +324,7 @@ for (["$project -j1 -", $whole], ["$project -j2 -", $whole],
 	is($?, 0, 'its status');
 }
 
-# A name of 4000 characters is told whole, also in the end.
+# A file name of 4000 characters is shown whole, also at the end of a message.
 my $long = "$tmp/" . './' x 1900 . 'points.csv';
 spew($long, "0,0,-9\n");
 is((run("projcalc project -i csv scene.json $long >/dev/null"))[2],

@@ -153,13 +153,13 @@ static void test_flat(void **state)
 	    "{\"device\":{\"width\":3,\"height\":2},"
 	    "\"projection\":{\"type\":\"ortho\"}," BOX "}");
 	assert_false(d.flat);
-	/* points that are operands leave those of the document out */
+	/* operands replace the points of the document */
 	struct document_wants operands = either;
 
 	operands.coordinates = 0;
 	d = read_as(&operands, "{\"window\":{},\"points\":[[1],[2]]}");
 	assert_true(d.flat && d.points == NULL);
-	/* of bounds that aren't used the dimensions don't count */
+	/* bounds that are not used may have two dimensions or three */
 	d = read_as(&unused, "{\"bounds\":{\"min\":[1,2],\"max\":[3,4]}}");
 	assert_false(d.flat);
 	assert_numbers(d.bounds.max, 2, 3.0, 4.0);

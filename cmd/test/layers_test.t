@@ -11,10 +11,10 @@ use warnings;
 use File::Basename;
 use List::Util qw(max min sum uniq);
 
-# The rooms beside the program's, which does without them.
+# The folders that the program does not need.
 my $wing = qr{/(?:test|study|proof|bench|fuzz|demo)/};
 
-# All that core may call that isn't its own: arithmetic, bytes, and what
+# The functions of others that core may call: arithmetic, bytes, and what
 # compilers put in.
 my %computes = map { $_ => 1 } qw(atan2 copysign fabs floor fma fmaf fmax fmin
     __udivti3 fmod frexp hypot ldexp nextafter nextafterf rint sqrt
@@ -79,7 +79,7 @@ for my $file (keys %lacks) {
 	}
 }
 
-# All that a file needs in the end: itself, too, in a ring.
+# Returns all files that a file needs, directly or not: in a ring also the file itself.
 sub reach {
 	my ($file, $seen) = @_;
 	for (keys %{$needs{$file}}) {

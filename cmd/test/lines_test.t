@@ -32,7 +32,7 @@ my @usual = (
 	sub { pick('-0', '0', '-0.0', '0.000', '007.5', '-00') },
 );
 
-# Legal in some formats only, or nowhere.
+# Texts that are numbers in some formats only, or in none.
 my @odd = (qw(+1.5 .5 5. -.5 -5. 1e5 -2.5E-7 1e+3 1e400 1e-400 1e151 nan NaN -nan
     inf -Infinity null true 0x10 1..2 1.2.3 --1 - . -. +-1 1-2 1e 1e+ 1.5e-x x 1/2
     12:30 "1.5" "1 1" 1"2 "), '', ' ', "1\xe9", "\xef\xbb\xbf1", "1\0", "1\x1b",
@@ -81,7 +81,7 @@ sub json_line {
 	    "[$s]]", "[$s],", '[]', '[');
 }
 
-# An object, mostly with its members as others write them.
+# Returns an object, mostly with members as other programs write them.
 sub object_line {
 	my @names = (qw(x y z), below(8) ? () : pick(qw(x w flags)));
 	my @members = map { qq("$_":) . number() } @names;

@@ -82,7 +82,7 @@ sub start {
 	exec 'timeout', '-s', 'KILL', $seconds, 'sh', '-c', "$limits$command";
 }
 
-# Whatever is left of it.
+# Ends what is left of the group.
 sub finish {
 	return if !$running;
 	kill 'KILL', -$running;
@@ -172,7 +172,7 @@ sub prepare {
 	    glob 'c*/test/*_test.c';
 }
 
-# Makes it in a copy of the whole. Returns whether it could be built.
+# Makes a mutant in a copy of the project. Returns whether it builds.
 sub mutate {
 	my ($mutant) = @_;
 	my $file = $mutant->{file};
@@ -190,7 +190,7 @@ sub same_bytes {
 	    slurp("$tree/build/projcalc");
 }
 
-# The first test that fails, or undef.
+# Returns the first test that fails, or undef.
 sub finder {
 	my ($mutant) = @_;
 	for my $test (tests_of($mutant->{file})) {

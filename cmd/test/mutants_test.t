@@ -1,7 +1,7 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# That `make mutants` changes what it says, finds what a test finds, and ends what
-# doesn't end; and that mutants.equal has a reason for each.
+# `make mutants` makes the changes that it prints, finds those that a test finds, and
+# ends programs that don't end; and mutants.equal has a reason for each change.
 use strict;
 use warnings;
 use File::Path 'make_path';
@@ -10,7 +10,7 @@ use lib $FindBin::Bin;
 use Mutant;
 use Projcalc;
 
-# By kind, all that a text is changed to.
+# Returns all changes of a text, by kind.
 sub changed {
 	my ($text) = @_;
 	my $mutants = mutants('x.c', $text);

@@ -46,7 +46,7 @@ static int below(int n)
 	return (int)(next_random() >> 33) % n;
 }
 
-/* A finite double, of each kind that a calculator meets. */
+/* Returns a finite double, of each kind that a calculator meets. */
 static double random_double(void)
 {
 	uint64_t bits = next_random();
@@ -67,7 +67,8 @@ static double random_double(void)
 	}
 }
 
-/* Reads text, right before the guard, as strtod does. */
+/* Checks that number_read reads text, which ends before a guard page, as strtod
+ * does. */
 static void check_read(const char *text)
 {
 	size_t size = strlen(text);
@@ -158,8 +159,8 @@ static void reads_digits(void **unused)
 	}
 }
 
-/* Numbers half way between two doubles, which a long double can print, and
- * numbers off that by a late digit to either side. */
+/* Numbers half way between two doubles, which a long double can print, and numbers that
+ * a late digit moves off the half, to either side. */
 static void reads_halves(void **unused)
 {
 	char text[TEXT_MAX];

@@ -15,7 +15,7 @@ my $project = 'projcalc project --keep-going';
 # The size of the first pieces of source.c.
 my $room = 1 << 15;
 
-# The file, as a stream and from memory, with one thread and with several.
+# Reads the file, as a stream and from memory, with one thread and with several.
 sub same {
 	my ($args, $name, @jobs) = @_;
 	my @want = run("cat $tmp/in | $project $args -j1 scene.json -");
@@ -33,7 +33,7 @@ sub same {
 	return @want;
 }
 
-# A line of n bytes with its newline, and with a number after the point.
+# Returns a line of n bytes with its newline, and with a number after the point.
 sub line_of {
 	my ($n, $i) = @_;
 	my $line = "0 0 $i ";
@@ -162,7 +162,7 @@ SKIP: {
 	is((run("taskset -c $first projcalc project -j64 scene.json $tmp/in " .
 	    "$tmp/in | wc -l"))[1], "2000000\n", 'which do all, of two files');
 }
-# How far it is counts from where the file is read, as that is not its beginning.
+# --progress counts from the offset at which reading begins, not from byte 0.
 spew("$tmp/in", "0 0 0\n" x 100000);
 like((run("(dd bs=300000 count=1 >$tmp/first 2>$tmp/told; projcalc project " .
     "--progress scene.json - ) <$tmp/in"))[2], qr/ 50000 lines, .*, 100 %\n\z/,

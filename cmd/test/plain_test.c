@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Plain numbers by the vector: the truth is strtod's, and what is left to the
- * scalar code must be what is not plain, or rare. */
+/* Plain numbers read by the vector: the truth is strtod's, and what the vector leaves
+ * to the scalar code must not be plain, or be rare. */
 #define _DEFAULT_SOURCE
 #include <setjmp.h>
 #include <stdarg.h>
@@ -42,7 +42,7 @@ static int put_digits(char *s, int n)
 	return n;
 }
 
-/* Numbers of n to n + more digits, with a point before, among or after them. */
+/* Writes a number of n to n + more digits, with a point before, among or after them. */
 static int put_decimal(char *s, int n, int more)
 {
 	int size = below(2), point;
@@ -56,7 +56,7 @@ static int put_decimal(char *s, int n, int more)
 	return size;
 }
 
-/* Midway between two doubles, 1 or 2 apart, or near that. */
+/* Writes a number midway between two doubles that are 1 or 2 apart, or near that. */
 static int put_midway(char *s)
 {
 	static const char *const fractions[] = { "5", "49", "51", "499",
@@ -78,7 +78,7 @@ static int put_any(char *s)
 	return n;
 }
 
-/* Writes a number, or what is none, of the sort; returns its size. */
+/* Writes a number of the sort, or a text that is no number; returns its size. */
 static int put_sort(int sort, char *s)
 {
 	double v = (double)(int64_t)next_random() / 0x1p63;
@@ -143,7 +143,7 @@ static void check_number(const char *text, bool left, double v)
 		fail_msg("%s read as %a", text, v);
 }
 
-/* Up to a batch of numbers, the last of them before the end of memory. */
+/* Checks up to a batch of numbers, the last of which ends before a guard page. */
 static int check_batch(const struct number_loops *r, int sort, char *guard)
 {
 	struct plain_places at;
@@ -207,7 +207,8 @@ static void reads_as_strtod(void **unused)
 	}
 }
 
-/* Against the set as it is defined, byte by byte. */
+/* Compares the places that the loops find with the definition of the set, byte by
+ * byte. */
 static void check_places(const struct number_loops *r,
     const struct byte_set *set, const char *s, size_t size)
 {

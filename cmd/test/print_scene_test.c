@@ -8,7 +8,7 @@
 
 static const struct document_wants project = { WANTS };
 
-/* The scene as fit leaves it. */
+/* Makes a random document as fit leaves it. */
 static void sample_fitted(struct document *d)
 {
 	struct scene *s = &d->scene;
@@ -87,7 +87,8 @@ static void assert_same_maps(const struct scene *a, const struct scene *b)
 		assert_same_map(&m, &n);
 }
 
-/* Every member counts for the maps, or is compared by itself. */
+/* A document that was printed and read gives the same maps, and the members that change
+ * no map are equal. */
 static void test_reads_back(void **state)
 {
 	(void)state;
@@ -113,7 +114,7 @@ static void test_reads_back(void **state)
 	}
 }
 
-/* Without a camera and a projection, which it hasn't. */
+/* A flat document is printed without a camera and a projection. */
 static void test_flat(void **state)
 {
 	(void)state;

@@ -405,8 +405,8 @@ static void test_parallel(void **state)
 	assert_number(p.projector, 90);
 }
 
-/* The members of the scene, wherever the projection stands in it, or beside the
- * members of a projection alone. */
+/* angle_unit is read from a scene, wherever the projection stands in it, and from
+ * beside the members of a projection that is the whole document. */
 static void test_angle_unit(void **state)
 {
 #define LENS "\"fovy\":3,\"aspect\":1," PLANES
@@ -425,7 +425,7 @@ static void test_angle_unit(void **state)
 	assert_number(d.scene.camera.unit, RADIANS);
 	d = read_as(&persp, "{" LENS ",\"angle_unit\":\"degrees\"}");
 	assert_number(d.scene.projection.unit, DEGREES);
-	/* the usual direction is one of degrees */
+	/* the default direction is in degrees */
 	struct projection p = scene_of(
 	    "{\"angle_unit\":\"radians\","
 	    "\"projection\":{\"type\":\"oblique\","

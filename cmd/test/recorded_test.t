@@ -82,7 +82,7 @@ sub sources {
 	return @cases;
 }
 
-# By the bits; -0 is never printed and differs.
+# Compares the bits; -0 is never printed, so it differs.
 sub same {
 	my ($said, $true) = @_;
 	my ($a, $left) = strtod($said);
@@ -90,7 +90,7 @@ sub same {
 	return $left == 0 && pack('d', $a) eq pack('d', $b);
 }
 
-# Within what the other project's test allows.
+# Compares within the tolerance of the other project's test.
 sub near {
 	my ($case, $i, $said) = @_;
 	return 1 if !$case->{expected};

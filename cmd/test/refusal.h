@@ -48,7 +48,7 @@ static inline const char *output_of(void (*run)(const void *),
 	return text;
 }
 
-/* Refused with exactly this line, after "projcalc: ". */
+/* Asserts that run refuses its argument with this line after "projcalc: ". */
 static inline void assert_refused(void (*run)(const void *),
     const void *argument, const char *line)
 {

@@ -15,7 +15,7 @@ chdir 'testdata' or die "testdata: $!\n";
 my $json = JSON::PP->new->canonical;
 my $scene = $json->decode(slurp('scene.json'));
 
-# The scene with other members; undef takes one out.
+# Returns the scene with other members; undef removes a member.
 sub with {
 	my %scene = (%$scene, @_);
 	return {map { defined $scene{$_} ? ($_ => $scene{$_}) : () }

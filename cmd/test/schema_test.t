@@ -141,7 +141,7 @@ for my $i (0 .. $#cases) {
 	my $error = $wrong->[$i];
 	my $agree = defined $error == ($message ne '');
 	SKIP: {
-		# Of what a command doesn't need the program checks the form.
+		# In members that a command doesn't use, the program checks only the form.
 		skip "no schema can tell: $name", 1 if !$agree &&
 		    ($message =~ $beyond || $name =~ m{^unneeded-\w+-range$});
 		ok($agree, $name) or
@@ -151,7 +151,7 @@ for my $i (0 .. $#cases) {
 		$refusals++ if $agree && $message ne '';
 	}
 }
-# That a pattern above doesn't quietly let everything go.
+# The patterns above must not let everything pass.
 cmp_ok($refusals, '>=', 50, 'refusals of the program are the schema\'s');
 diag('The schema is made of the rows of cmd/scene, and of man/scene.rules.json for ' .
     'rules between members. What no schema can tell is in $beyond above.')

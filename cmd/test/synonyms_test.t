@@ -1,7 +1,7 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# That no word of the table of synonyms is a dead end, wherever it stands, and
-# that what a message suggests works when it is typed.
+# No word of the table of synonyms is a dead end, wherever it stands, and what a
+# message suggests works when it is typed.
 # usage: synonyms_test.t [BUILD]
 use strict;
 use warnings;
@@ -32,7 +32,7 @@ sub try {
 	return ($? >> 8, $said);
 }
 
-# With all that a call needs: the argument of its last option, and operands.
+# Adds what a call needs: the argument of its last option, and operands.
 sub completed {
 	my ($call) = @_;
 	my ($command) = $call =~ /^(\S+)/;
@@ -47,7 +47,7 @@ sub completed {
 	    ($points eq '' ? '' : $points =~ /^\[/ ? " '$points'" : ' - ');
 }
 
-# All that a message suggests, as calls.
+# Returns the calls that a message suggests.
 sub suggested {
 	my ($command, $said) = @_;
 	return if $said !~ /unknown (?:command|topic|option)|is no scene/;

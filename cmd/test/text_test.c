@@ -11,8 +11,8 @@
 #include <cmocka.h>
 #include "../../core/test/numbers.h"
 
-/* A text, and what is left of it or what it becomes; NULL where no number
- * begins in it. */
+/* A text, and the rest behind its number, or what it becomes; NULL: no number begins in
+ * it. */
 struct pair {
 	const char *text, *left;
 };
@@ -72,8 +72,8 @@ static void test_digits(void **state)
 			}
 }
 
-/* Ends are those of the numbers that are read, in every text of up to six of
- * these characters. */
+/* The ends that are found are those of the numbers that are read, in every text of up
+ * to six of these characters. */
 static void test_number_end(void **state)
 {
 	const char some[] = "01.eE+-x";

@@ -54,7 +54,7 @@ static int below(int n)
 	return (int)(next_random() >> 33) % n;
 }
 
-/* In 0 to 1. */
+/* Returns a random number from 0 to 1. */
 static double unit(void)
 {
 	return (double)(next_random() >> 11) / 0x1p53;
@@ -68,7 +68,7 @@ static double from_bits(uint64_t bits)
 	return v;
 }
 
-/* v or a neighbour of it. */
+/* Returns v or a neighbour of v. */
 static double beside(double v, bool single)
 {
 	double to[] = { -HUGE_VAL, v, HUGE_VAL };
@@ -80,8 +80,8 @@ static double beside(double v, bool single)
 			nextafter(v, to[way]);
 }
 
-/* An end of the interval that is rounded to the number is short: an odd half of a
- * number's last place, that a power of ten divides. */
+/* Returns a number next to a short end of the interval that rounds to it: an odd half
+ * of the number's last place, which a power of ten divides. */
 static double short_end(bool single)
 {
 	int digits = single ? FLT_MANT_DIG : DBL_MANT_DIG;
@@ -103,7 +103,7 @@ static double short_end(bool single)
 	return (double)x;
 }
 
-/* Ten times a number's last place is far apart; its decimals end in a tie. */
+/* Returns a number with up to 6 binary places, whose decimals end in 5: a tie. */
 static double late_tie(bool single)
 {
 	int digits = single ? FLT_MANT_DIG : DBL_MANT_DIG;
@@ -226,12 +226,14 @@ static void are_as_number_write(void **unused)
 	}
 }
 
-/* The vector makes nearly all numbers that points have, if there is one. */
+/* The vector makes the texts of nearly all numbers that points have, if there is a
+ * vector. */
 static void are_made(void **unused)
 {
 	const struct number_style usual[] = { { NUMBER_SHORTEST, 0 },
 		{ NUMBER_DECIMALS, 6 }, { NUMBER_DIGITS, 6 } };
-	/* beyond, numbers are too long, or ties that are left */
+	/* beyond these, numbers are too long, or ties that are left to the scalar
+	 * code */
 	const double below_which[] = { 1e9, 9e9, 1e6 };
 	double v[BLOCK];
 	struct number_text t[BLOCK];

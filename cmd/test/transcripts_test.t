@@ -1,6 +1,6 @@
 #!/usr/bin/perl
 # SPDX-License-Identifier: MIT
-# Does what stands in testdata/transcripts, and compares what is said.
+# Runs the commands in testdata/transcripts, and compares their output.
 # usage: transcripts_test.t [-w] [BUILD] [FILE...]; -w rewrites what is
 # expected.
 use strict;

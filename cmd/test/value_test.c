@@ -10,7 +10,7 @@
 #include <cmocka.h>
 #include "../../core/test/numbers.h"
 
-/* The first number of an array, and how many there are. */
+/* Returns the first number of an array of n. */
 static double first_of(const char *array, size_t n)
 {
 	struct source source = { .name = "s.json" };

@@ -244,7 +244,8 @@ static void usual_lines_are_walked(void **state)
 	check(&l, paths, "{\"p\":{\"x\":1,\"q\":[9,2]},\"z\":3}");
 }
 
-/* The first number of each line is not plain; what it is, or that the line is left. */
+/* The first number of each line is not plain. The example has its value, or NULL for a
+ * line that is left to line_read. */
 static void numbers_with_exponents_are_read(void **state)
 {
 	static const char all[] = "1 2 30\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n"

@@ -127,7 +127,7 @@ const char *viewport_map(const struct viewport *v, const struct convention *c,
 
 	if (inverse && sum_sign(depth) == 0)
 		return "/viewport/max_z: equal to min_z; "
-		       "such a depth can't be taken back";
+		       "depth can't be inverted then";
 	scales(v, s);
 	if (c->ndc_y_down == c->bottom_left)
 		s[1] = -s[1];

@@ -5,7 +5,8 @@
 
 static const struct convention d3d;
 
-/* Both ways. Returns false where the camera is refused. */
+/* Compares the map to view space and its inverse with the truth. Returns false if the
+ * camera is refused. */
 static bool compare(const struct camera *c, const struct convention *convention,
     struct worst *w)
 {
@@ -199,7 +200,7 @@ static void no_rolled_ghosts(void **state)
 	claim_maps("isometric and rolled", &w);
 }
 
-/* Whole numbers whose nearest rotation is irrational but for one 0. */
+/* Matrices of whole numbers whose nearest rotation is irrational but for one 0. */
 static void no_nearest_ghosts(void **state)
 {
 	static const double drifted[][3][3] = {
@@ -223,7 +224,7 @@ static void no_nearest_ghosts(void **state)
 	claim_bound("a rotation with one 0", &w, 0x1p-245 / TRUTH_RULE);
 }
 
-/* From eye (1,2,3) to the origin x . eye and y . eye are 0. */
+/* From eye (1,2,3) to the origin, x . eye and y . eye are 0. */
 static void recorded(void **state)
 {
 	const struct camera c = { .eye = { 1, 2, 3 }, .up = { 0, 1, 0 } };
@@ -240,7 +241,7 @@ static void recorded(void **state)
 	assert_number(element(&m, 0, 2), -0.26726124191242438468455348087975);
 }
 
-/* sin^2 of the angle between up and the gaze, times 2^100. */
+/* Returns 2^100 sin^2 of the angle between up and the gaze. */
 static double nearness(const struct camera *c)
 {
 	real g[3], u[3], x[3];
@@ -320,8 +321,8 @@ static double determinant(const double m[4][4])
 	return sum;
 }
 
-/* A cube's 24, stretched along its axes: their quaternions have one, two or four
- * numbers of the same size, and else 0. */
+/* The 24 rotations of a cube, stretched along its axes. Their quaternions have one, two
+ * or four numbers of the same size, and the others are 0. */
 static void turns_of_a_cube(void **state)
 {
 	int turns = 0;

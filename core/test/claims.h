@@ -46,7 +46,7 @@ static inline void claim_maps(const char *what, const struct worst *w)
 	claim_bound(what, w, 0.5);
 }
 
-/* A refusal, by the member that it begins with, and more of it. */
+/* Claims that a reason begins with a member or more, up to a colon or semicolon. */
 static inline void claim_refused(const char *why, const char *begins)
 {
 	assert_non_null(why);

@@ -4,7 +4,7 @@
 #include "claims.h"
 #include "numbers.h"
 
-/* Nothing of a function is known where it is called: gcc's word, and clang's. */
+/* Hides a function from its callers, in gcc's words or in clang's. */
 #if __has_attribute(noipa)
 #define OPAQUE __attribute__((noipa))
 #else
@@ -30,8 +30,8 @@ OPAQUE static struct cell cell(double a, double b)
 	return (struct cell){ a, b };
 }
 
-/* From -O1 on sum stays as it was: the loop's addresses are counted from 0, where
- * both maps and columns are known from the call. */
+/* From -O1 on, gcc 12 leaves sum as it was: it counts the addresses of the loop from 0,
+ * where the call makes both maps and columns known. */
 static __attribute__((noinline)) void combine(struct table *r, int j,
     const struct table *m, int k)
 {
@@ -61,7 +61,7 @@ static void loops_store(void **state)
 	}
 }
 
-/* At -O2 they stay doubles: they are made a vector. */
+/* At -O2, gcc 12 leaves them doubles: it makes a vector of them. */
 OPAQUE static void round_two(double *restrict q, const double *p)
 {
 	q[0] = (double)(float)p[0];

@@ -26,7 +26,7 @@ struct projector {
 	bool up;                /* whether that grows inward */
 };
 
-/* The depth of the next step, up or down. */
+/* Returns the depth of the next step, up or down. */
 static real target(double z, enum buffer b, bool up)
 {
 	float f = (float)z;
@@ -59,8 +59,9 @@ static bool reached(const struct projector *p, double distance, enum buffer b)
 	return is;
 }
 
-/* How far along the normal from its origin ndc z = a is, n / d, where d > 0 if that is
- * seen: z + slope n / d is a w n / d in a perspective, whose eye has w = 0, else a w. */
+/* The place on the normal, from its origin, at which ndc z = a: n / d, with d > 0 if it
+ * is seen. In a perspective, whose eye has w = 0, z + slope n / d = a w n / d, else a
+ * w. */
 struct place {
 	real n, d;
 };
@@ -78,7 +79,8 @@ static struct place place(real z, real slope, real w, bool parallel, double a)
 	return p;
 }
 
-/* Plane 0 is near, 1 far. False where it lies at infinity or behind. */
+/* Sets the projector of plane 0, near, or 1, far. Returns false if the plane lies at
+ * infinity or behind the eye. */
 static bool projector_of(const struct scene *s, const struct picture *t,
     int plane, struct projector *p)
 {
@@ -120,8 +122,8 @@ static bool projector_of(const struct scene *s, const struct picture *t,
 	return inward != 0;
 }
 
-/* The least double distance at which the next step is reached, found by halving its
- * bits. */
+/* Returns the least double distance at which the next step is reached, by halving the
+ * interval of its bits. */
 static double search(const struct projector *p, enum buffer b, double end)
 {
 	uint64_t low = 0, high;

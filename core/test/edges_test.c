@@ -6,7 +6,7 @@
 #include "claims.h"
 #include "points.h"
 
-/* Images of the edges in another space, rounded, and the doubles beside them; and
+/* Samples images of the edges in another space, rounded, the doubles beside them, and
  * points anywhere. */
 static void sample_edges(const struct scene *s, enum flat from, struct block *b)
 {
@@ -38,7 +38,8 @@ struct count {
 	size_t edges, on;
 };
 
-/* In ndc, 1 + x, 1 - x, 1 + y and 1 - y are not below 0 inside. */
+/* Compares flags with signs: inside, 1 + x, 1 - x, 1 + y and 1 - y in ndc are not below
+ * 0. */
 static void check_edges(const struct truth *to_ndc, const double p[2],
     unsigned out, struct count *c)
 {

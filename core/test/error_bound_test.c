@@ -7,7 +7,7 @@
 #include "points.h"
 #include "numbers.h"
 
-/* Its lower and upper corner in ndc. */
+/* Sets the lower and upper corner of the view volume in ndc. */
 static void corners_of(const struct scene *s, real low[3], real high[3])
 {
 	truth_limits(s, high);
@@ -17,7 +17,7 @@ static void corners_of(const struct scene *s, real low[3], real high[3])
 	high[2] = number(1);
 }
 
-/* Points of the view volume, many on its edges, rounded to doubles. */
+/* Samples points of the view volume, many on its faces, rounded to doubles. */
 static void sample_inside(const struct scene *s, struct block *b)
 {
 	struct truth truth = { 0 };
@@ -46,14 +46,15 @@ static void sample_inside(const struct scene *s, struct block *b)
 		for (int j = 0; j < 3; j++) {
 			double x = mpfr_get_d(over(h[j], h[3]), MPFR_RNDN);
 
-			/* none is beyond what points may be */
+			/* coordinates of points are at most MAGNITUDE_MAX */
 			b->in[j][i] = fabs(x) <= MAGNITUDE_MAX ? x : 0;
 		}
 		real_release(mark);
 	}
 }
 
-/* A point whose image is in the view volume, and in the range of points. */
+/* Returns whether the image of a point is in the view volume, and the point in
+ * range. */
 static bool is_inside(const struct scene *s, const struct truth *to_clip,
     const double p[4])
 {
@@ -76,7 +77,7 @@ static bool is_inside(const struct scene *s, const struct truth *to_clip,
 	return true;
 }
 
-/* The worst error of a block over its bound. */
+/* Returns the worst error of a block, divided by its bound. */
 static double worst_of(const struct scene *s, const struct transform *t,
     const struct truth *truth, const struct block *b, double bound, int *n)
 {

@@ -13,8 +13,8 @@ static ex positive(ex a)
 	return a;
 }
 
-/* A polynomial of numbers from 10^-e to 10^e, whose last steps may cancel all
- * but the smallest of its terms. */
+/* Returns a polynomial of numbers from 10^-e to 10^e; its last steps may cancel all but
+ * the smallest of its terms. */
 static ex polynomial(int e, real *exact)
 {
 	ex a = ex_of(0);
@@ -97,8 +97,8 @@ static void wide(void **state)
 	}
 }
 
-/* Up to n words, of which many are what makes carries and wrong guesses of a
- * quotient's digits: nothing, all, or the ends. */
+/* Returns up to n words, of which many cause carries and wrong guesses of a quotient's
+ * digits: 0, all bits, or bits at the ends. */
 static ex words(int n)
 {
 	static const uint64_t odd[] = { 0, 1, UINT64_MAX, UINT64_MAX - 1,
@@ -153,7 +153,7 @@ static void divided(void **state)
 	claim("ex_sqrt, in 2^-703", square * 0x1p703, 1);
 }
 
-/* To doubles and floats, normal and subnormal, at and near midpoints. */
+/* Rounds to doubles and floats, normal and subnormal, at and near midpoints. */
 /* A divisor times a midpoint of two doubles, or a little more or less than that: few
  * words of the quotient and whether anything remains tell which is nearest. */
 static void divided_midpoints(void **state)

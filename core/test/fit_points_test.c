@@ -15,8 +15,8 @@ struct cloud {
 	double p[CLOUD][3];
 };
 
-/* Close to a plane through the first point along two other directions: ties but for
- * rounding, and on a lattice exact ones. */
+/* Samples points close to a plane through the first point along two other directions:
+ * ties but for rounding, and on a lattice exact ties. */
 static void sample_plane(struct cloud *c, const struct directions *d)
 {
 	double u[3], v[3];
@@ -41,7 +41,8 @@ static void sample_plane(struct cloud *c, const struct directions *d)
 	}
 }
 
-/* Points far apart, or a few units in the last place of one another, or equal. */
+/* Samples points far apart, or a few units in the last place from one another, or
+ * equal. */
 static void sample_cloud(struct cloud *c, const struct directions *d, int e)
 {
 	unsigned kind = sample_below(5);
@@ -74,7 +75,7 @@ static void shuffle(struct cloud *c)
 	}
 }
 
-/* Adds the points in pieces, and these in any order. */
+/* Adds the points in pieces, in any order of the pieces. */
 static void add_cloud(const struct cloud *c, const struct directions *d,
     struct extremes *all)
 {
@@ -94,7 +95,7 @@ static void add_cloud(const struct cloud *c, const struct directions *d,
 		extremes_merge(all, d, &piece[k]);
 }
 
-/* How much farther p is than q. */
+/* Returns how much farther p is than q. */
 static struct form farther_by(const struct direction *d, const double p[3],
     const double q[3])
 {
@@ -142,7 +143,7 @@ static void claim_farthest(const struct cloud *c, const struct directions *d,
 	}
 }
 
-/* Either of 0 and -0 may be found. */
+/* Returns whether the extremes are equal. 0 is equal to -0. */
 static bool are_same(const struct extremes *a, const struct extremes *b, int n)
 {
 	bool same = true;
@@ -193,7 +194,7 @@ static void none_is_farther(void **state)
 	farthest_many(100, 60);
 }
 
-/* p is farther than q along m by a hair, or as far and greater. */
+/* Asserts that p is farther than q along m by little, or as far and greater. */
 static void assert_farther(const double m[3], const double p[3],
     const double q[3])
 {
@@ -221,17 +222,17 @@ static void hairs_count(void **state)
 		/* only all digits tell */
 		{ { 1, 0x1p-110, 1 }, { -1, 1, 1 }, { 0, 0, 0 } },
 		{ { 1, -0x1p-110, 1 }, { 0, 0, 0 }, { 1, 1, -1 } },
-		/* what a difference of coordinates leaves */
+		/* the low part of a difference of coordinates decides */
 		{ { 1, 1, 1 }, { 0x1p-60, 1, 0 }, { 1, 0, 0x1p-70 } },
-		/* and a sum of products */
+		/* the low part of a sum of products decides */
 		{ { 1, 1, 1 }, { 0, 0x1p-60, 1 }, { 1, 0, 0x1p-70 } },
-		/* what of 1/3 is beyond a double */
+		/* the part of 1/3 beyond a double decides */
 		{ { 3, 1, 3 }, { 0, 0, 0 }, { 1, -3, -0x1p-60 } },
 		{ { 3, 1, 3 }, { -1, 3, 0x1p-60 }, { 0, 0, 0 } },
-		/* what of a product is */
+		/* the low part of a product decides */
 		{ { 1 + 0x1p-40, 1, 1 }, { 0, 1 + 0x1p-30 + 0x1p-40, 0 },
 		    { 1 + 0x1p-30, 0, -0x1p-60 } },
-		/* as far */
+		/* p is as far as q */
 		{ { 3, 1, 0 }, { 1, -3, 0 }, { 0, 0, 0 } },
 		{ { 3, -1, 0 }, { 1, 3, 0 }, { 0, 0, 0 } },
 		{ { -3, 1, 0 }, { 1, 3, 0 }, { 0, 0, 0 } },
@@ -240,7 +241,7 @@ static void hairs_count(void **state)
 		{ { -7, -11, 0 }, { 11, -7, 0 }, { -22, 14, 0 } },
 		{ { 0, 0, 1 }, { 1, 2, 3 }, { 1, -2, 3 } },
 		{ { 0, 0, 0 }, { 1, 2, 3 }, { 1, 2, -3 } },
-		/* nearly nothing, and nearly too much */
+		/* products near the ends of the range */
 		{ { 1e-300, 0, 1e8 }, { 1e150, 0, 0 }, { -1e150, 0, 0 } },
 		{ { -1e-300, 0, 1e100 }, { -1, 0, 0 }, { 1, 0, 0 } },
 		{ { 1e150, 1e150, 1e150 }, { 1e150, 1e150, 1e150 },

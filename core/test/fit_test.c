@@ -49,7 +49,7 @@ static struct form at_point(const struct plane *p, const struct cloud *c,
 	return v;
 }
 
-/* Its least value over the bounds, or over all points. */
+/* Returns the least value of a plane over the bounds, or over all points. */
 static struct form least(const struct plane *p, const struct bounds *b,
     const struct cloud *c)
 {
@@ -84,9 +84,9 @@ static double value(real a)
 	return mpfr_get_d(a, MPFR_RNDN);
 }
 
-/* How far bounds are inside of the planes of a fitted scene, left right bottom
- * top near far, in units of length: in the plane of the section for parallel
- * projections, along the gaze for near, far and persp. */
+/* The distances of the bounds to the planes of a fitted scene, left right bottom top
+ * near far, in units of length: for parallel projections in the plane of the section,
+ * for near, far and persp along the gaze. */
 struct fitted {
 	struct scene s;
 	const struct bounds *b;
@@ -94,7 +94,7 @@ struct fitted {
 	struct form gap[6];
 };
 
-/* The value of plane k of a perspective grows by this much for each unit that
+/* Returns by how much the value of plane k of a perspective grows for each unit that
  * the eye goes back. */
 static real slope(const struct scene *s, int k, real limit)
 {
@@ -169,8 +169,8 @@ static bool holds(const struct fitted *f)
 	return true;
 }
 
-/* The gap is less than one unit in the last place of v, on the side to which
- * v would go: no double is tighter. */
+/* Returns whether the gap is less than one unit in the last place of v, on the side to
+ * which v would go: no double is tighter. */
 static bool is_tight(struct form gap, double v, double inward)
 {
 	struct form ulp = form_sub(form_of(nextafter(v, inward)), form_of(v));
@@ -199,13 +199,13 @@ static bool depth_tight(const struct fitted *f)
 		is_tight(f->gap[5], p->far, -HUGE_VAL));
 }
 
-/* The rounding of the eye may cost this much. */
+/* Returns what the rounding of the eye may cost. */
 static double terms(const struct fitted *f, int k)
 {
 	return farthest(f->s.camera.eye) + value(f->gap[k].size);
 }
 
-/* The eye is on the axis, as far as it is rounded. */
+/* Returns whether the eye is on the axis, but for its rounding. */
 static bool is_centered(const struct fitted *f)
 {
 	for (int k = 0; k < 4; k += 2)
@@ -215,7 +215,8 @@ static bool is_centered(const struct fitted *f)
 	return true;
 }
 
-/* The shorter side may be wider than the bounds. */
+/* Returns whether the sides are tight. The shorter side may be wider than the
+ * bounds. */
 static bool sides_tight(const struct fitted *f)
 {
 	const struct projection *p = &f->s.projection;
@@ -245,8 +246,9 @@ static bool sides_tight(const struct fitted *f)
 	    tight[1] && value(mul(number(p->height), aspect)) == p->width;
 }
 
-/* The eye is rounded across the gaze too, which a narrow view magnifies: what
- * a plane or the ratio lets it go farther is little of the terms. */
+/* Returns whether the eye is tight. It is rounded across the gaze, too, which a narrow
+ * view magnifies: the distance that a plane or the ratio lets it go farther is small
+ * beside the terms. */
 static bool eye_tight(const struct fitted *f)
 {
 	const struct projection *p = &f->s.projection;
@@ -260,8 +262,8 @@ static bool eye_tight(const struct fitted *f)
 	return p->near - p->near_ratio * p->far <= 0x1p-48 * terms(f, 5);
 }
 
-/* The planes of a pair leave as much free, seen along their normals' axis, and those of
- * one pair nothing, or near is as near as it may be. */
+/* Returns whether the planes of each pair leave as much free, along the axis of their
+ * normals, and those of one pair nothing, or near is as near as it may be. */
 static bool is_balanced(const struct fitted *f)
 {
 	real limit[2];
@@ -306,8 +308,8 @@ static unsigned flags(const struct scene *s, const struct fitted *f)
 	return out;
 }
 
-/* By the flags too, near and far could not be one double tighter; from 0 that
- * is by less than they see. */
+/* Returns whether, by the flags, near and far could not be one double tighter; from 0
+ * that is less than the flags see. */
 static bool flags_tight(const struct fitted *f)
 {
 	struct scene near = f->s, far = f->s;
@@ -337,8 +339,9 @@ static void sample_bounds(struct bounds *b, int e)
 	}
 }
 
-/* Points at random, on a lattice, on a line, or on a plane of the world, some of them
- * more than once; and what is left of them when the scene is known. */
+/* Samples points at random, on a lattice, on a line, or on a plane of the world, some
+ * of them more than once, and sets *b to their bounds. Returns false if they have
+ * none. */
 static bool sample_cloud(const struct scene *s, bool has_eye, int e,
     struct fitted *f, struct bounds *b)
 {
@@ -368,7 +371,7 @@ static bool sample_cloud(const struct scene *s, bool has_eye, int e,
 	return extremes_bounds(&extremes, &d, b);
 }
 
-/* About the gaze. */
+/* Samples a K or P whose picture lies about the gaze. */
 static void sample_calibrated(struct scene *s)
 {
 	struct projection *p = &s->projection;
@@ -424,8 +427,8 @@ static void sample_fit(struct scene *s, int e)
 		sample_calibrated(s);
 }
 
-/* Fits many scenes; what is refused is not looked at. Returns how many hold in
- * every way. */
+/* Fits many scenes, and passes over those that are refused. Returns the number of those
+ * that pass every check. */
 static int fit_many(int n, int e, bool points)
 {
 	int fitted = 0;

@@ -94,7 +94,7 @@ static bool holds(const struct scene *s, const struct bounds *b)
 	return out == 0;
 }
 
-/* With a side less by the least. */
+/* Returns whether a window with one side smaller by the least holds the bounds. */
 static bool holds_less(const struct scene *s, const struct bounds *b, int axis)
 {
 	struct scene less = *s;

@@ -6,7 +6,7 @@
 #include "claims.h"
 #include "points.h"
 
-/* Half the points to within rounding on a plane, as seen from ndc. */
+/* Moves half the points onto a plane, to within rounding, as seen from ndc. */
 static void onto_planes(const struct scene *s, enum space from, struct block *b)
 {
 	struct transform t;
@@ -30,8 +30,9 @@ static struct form limit_of(real limit)
 	return (struct form){ limit, magnitude(limit) };
 }
 
-/* The one the manual says; of a matrix, near has the smaller positive w or,
- * where w is constant, is the first along the gaze, or has the smaller depth. Depth is linear in 1/w. */
+/* Returns whether depth is reversed. Of a matrix, the near plane has the smaller
+ * positive w or, if w is constant, is the first along the gaze, or has the smaller
+ * depth, as the manual says. Depth is linear in 1/w. */
 static bool is_reversed(const struct scene *s)
 {
 	struct truth back = { 0 };
@@ -59,7 +60,7 @@ static bool is_reversed(const struct scene *s)
 	return along == -truth_gaze(truth_answer(s));
 }
 
-/* left right bottom top near far, of clip coordinates. */
+/* Sets the planes left right bottom top near far of clip coordinates q. */
 static void planes_of(const struct scene *s, const struct form q[4],
     struct form form[6])
 {
@@ -122,8 +123,8 @@ static void check_planes(const struct scene *s, const struct truth *to_clip,
 	}
 }
 
-/* A scene seen from one of its spaces, with points on planes among others; a round
- * one where e is negative. */
+/* Samples a scene, seen from one of its spaces, with points of which some are on
+ * planes; a scene of round numbers if e is negative. */
 static bool sample_frustum(int e, struct scene *s, enum space *from,
     struct frustum *f, struct block *b)
 {

@@ -12,8 +12,8 @@
 
 static int tries = 20;
 
-/* A number of n words, of which many make carries and wrong guesses of digits. Four
- * products of 54 words and 14 have room with these exponents. */
+/* Returns a number of n words, of which many cause carries and wrong guesses of digits.
+ * Four products of 54 words and 14 have room with these exponents. */
 static ex words(int n)
 {
 	static const uint64_t odd[] = { 0, 1, UINT64_MAX, UINT64_MAX - 1,
@@ -38,7 +38,7 @@ static ex any(int most)
 	return words(1 + (int)sample_below((unsigned)most));
 }
 
-/* a 2^(64 up), which is whole. */
+/* Sets z to a 2^(64 up), which is whole. */
 static void set_integer(mpz_t z, const ex *a, int up)
 {
 	mpz_import(z, (size_t)a->n, -1, 8, 0, 0, a->word);

@@ -105,7 +105,7 @@ static void products(void **state)
 	claim_maps("product of three", &w);
 }
 
-/* There and back again, zeros are zeros. */
+/* A matrix times its inverse is exactly the identity. */
 static void round_trips(void **state)
 {
 	(void)state;

@@ -16,8 +16,8 @@ struct hill {
 	int j, bits;
 };
 
-/* How far coordinate j is from the nearest midpoint, in units in the last place,
- * from -1/2 to 1/2; 1 where there is no such thing. */
+/* Returns the distance of coordinate j from the nearest midpoint, in units in the last
+ * place, from -1/2 to 1/2; 1 if there is no midpoint. */
 static double height(const struct hill *h, const double p[4])
 {
 	int mark = real_mark();
@@ -66,7 +66,7 @@ static void lift(const struct hill *h, const double p[4], struct move *m)
 	m->lift = wrapped(height(h, q) - height(h, p));
 }
 
-/* Takes as much of b off a as makes what is left of its lift least. */
+/* Subtracts from a the multiple of b that makes the lift of the rest least. */
 static void reduce(const struct hill *h, const double p[4], struct move *a,
     const struct move *b)
 {
@@ -99,8 +99,8 @@ static void keep(struct block *b, size_t i, const double p[4])
 		b->in[k][i] = p[k];
 }
 
-/* Fills a block with a point and where it came from there; returns how near the
- * last one is. */
+/* Fills a block with a point and its way to the midpoint; returns how near the last
+ * point is. */
 static double climb(const struct hill *h, double p[4], struct block *b,
     size_t *n)
 {

@@ -11,8 +11,8 @@
 
 #include "points.h"
 
-/* How coordinates came out; and of how many points that a kernel took, how many
- * it left to the accurate phase. */
+/* Counts of coordinates by their result; and of the points that a kernel took and of
+ * those that it left to the accurate phase. */
 struct count {
 	struct tally tally;
 	size_t points, accurate;

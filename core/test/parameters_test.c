@@ -6,8 +6,8 @@
 #include "claims.h"
 #include "numbers.h"
 
-/* The scene that inspect prints makes the same picture: its map from world to
- * ndc is the given one times a factor, to the rounding of its parameters, so
+/* Returns how far the picture of the scene that inspect prints is off: its map from
+ * world to ndc is the given one times a factor, to the rounding of its parameters, so
  * points of the view volume stay where they were. */
 static double most_off(const struct scene *s, const struct scene *r,
     const struct picture *t)
@@ -135,8 +135,8 @@ static void check(double got, struct form n, struct form d, int tally[VERDICTS])
 	tally[truth_verdict(got, n, d, false)]++;
 }
 
-/* The corner of the near or far plane at a left, right, bottom or top side, through
- * the inverse: in view space, homogeneous. */
+/* Computes the corner of the near or far plane at a left or right, and bottom or top
+ * side, through the inverse: in view space, homogeneous. */
 static void corner_at(const struct scene *s, const struct truth *back,
     const real limit[2], bool reversed, bool far, int side, struct form h[4])
 {
@@ -194,7 +194,8 @@ static void check_edges(const struct scene *s, const struct truth *back,
 	}
 }
 
-/* A plane's z less the eye's; in a parallel projection its depth. */
+/* Checks the distance of a plane: its z less the eye's; in a parallel projection its
+ * depth. */
 static void check_distance(const struct scene *s, const struct truth *back,
     const struct picture *r, bool far, int tally[VERDICTS])
 {
@@ -229,7 +230,8 @@ static void check_distance(const struct scene *s, const struct truth *back,
 	}
 }
 
-/* A clip coordinate's coefficients over their length: of limit w + x and so on. */
+/* Checks the planes: the coefficients of limit w + x, limit w - x and so on, divided by
+ * their length. */
 static void check_frustum_planes(const struct scene *s, const struct picture *r,
     int tally[VERDICTS])
 {
@@ -262,7 +264,8 @@ static void check_frustum_planes(const struct scene *s, const struct picture *r,
 	}
 }
 
-/* x, y, z and w of clip space then depend on x or y, and depth, alone. */
+/* Clears elements so that x, y, z and w of clip space depend only on x or y, and
+ * depth. */
 static void clear_slants(double m[4][4])
 {
 	for (int i = 0; i < 2; i++)
@@ -360,7 +363,8 @@ static void parameters_come_home(void **state)
 	assert_true(n > 300);
 }
 
-/* Every element of the matrix that has the camera in it, the nearest double. */
+/* Puts the camera into the matrix of the projection, each element the nearest
+ * double. */
 static void to_one_matrix(struct scene *s)
 {
 	struct map clip;

@@ -6,8 +6,8 @@
 #include "points.h"
 #include "numbers.h"
 
-/* Along the gaze from the near plane, of model points: in every convention the
- * same. */
+/* The distance of model points from the near plane along the gaze, in every convention
+ * the same. */
 struct distance {
 	struct truth view;
 	int column; /* of the point's image that is the depth */
@@ -88,7 +88,7 @@ static void check_distances(const struct picker *k, const struct distance *d,
 	}
 }
 
-/* N / w is no further than the radius. */
+/* Returns whether N / w is at most the radius. */
 static bool is_within(const struct picker *k, const struct image *image,
     bool *doubtful)
 {
@@ -104,7 +104,7 @@ static bool is_within(const struct picker *k, const struct image *image,
 	return truth_sign(d, doubtful) <= 0;
 }
 
-/* Points about one that is on the edge. */
+/* Checks points about a point on the edge of the circle. */
 static void check_radius(struct picker *k, const struct truth *truth,
     struct block *b, size_t n[2])
 {
@@ -172,7 +172,7 @@ static void random_scenes(void **state)
 	assert_true(n[0] > 1000 && n[1] > 300);
 }
 
-/* Device x is the model's, and its y; a circle through whole numbers. */
+/* Device x and y are those of the model; the circle goes through whole numbers. */
 static void the_least_distance_tells(void **state)
 {
 	struct scene s = { .has_viewport = true,

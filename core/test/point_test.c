@@ -6,7 +6,7 @@
 #include "points.h"
 #include "numbers.h"
 
-/* Against MPFR, as doubles and floats. */
+/* Compares a point with MPFR, as doubles and as floats. */
 static void check_point(const struct truth *truth, const struct transform *t,
     const double p[4], struct tally *tally)
 {
@@ -179,7 +179,7 @@ static void underflow(void **state)
 	assert_image(&t, 1e-165, 1e-165, 1e-300,
 	    (double[]){ 1e150 * 1e-300, 0x1p-500 * 1e-165 + 0x1p-1074,
 		0x1p-500 * 1e-165 });
-	/* 1.5, 0.5 and 2.5 times the least double */
+	/* the images are 1.5, 0.5 and 2.5 times the least double */
 	assert_image(&t, 0x1p-575, 0, 0,
 	    (double[]){ 0x1p-575 * 1e-150, 0x1p-1073, 0 });
 	assert_image(&t, 0x5p-575, 0, 0,

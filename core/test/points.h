@@ -20,26 +20,26 @@ enum { COPIES = sizeof copies / sizeof *copies };
 
 void carry(const struct transform *, enum precision, struct block *, size_t n);
 
-/* Carries exactly. */
+/* Transforms n points of a block exactly. */
 void carry_all(const struct transform *, struct block *, size_t n);
 
 void point_of(const struct block *, size_t i, double p[4]);
 
-/* Points about what the camera looks at, some of them far, in its plane, or
+/* Samples points about the target of the camera, some of them far, in its plane, or
  * equal to the eye. */
 void sample_points(const struct scene *, enum space from, struct block *,
     size_t n);
 
-/* Whole numbers times powers of two far from one another: large ones often cancel. */
+/* Samples whole numbers times powers of two far from one another: large ones often
+ * cancel. */
 void sample_round_points(struct block *, size_t n);
 
-/* A transform of a scene between any two spaces, of any format, flat ones too,
- * and its truth; a round one where e is negative. Returns false where it is
- * refused. */
+/* Samples a transform of a scene between any two spaces, of any format, flat ones too,
+ * and its truth; of round numbers if e is negative. Returns false if it is refused. */
 bool sample_transform(int e, struct scene *, enum space *from,
     struct transform *, struct truth *);
 
-/* A point's image, before the division: n[j] / d. */
+/* The image of a point before the division: n[j] / d. */
 struct image {
 	struct form n[4], d;
 	bool seen;     /* there is one */
@@ -49,16 +49,16 @@ struct image {
 void image_of(const struct truth *, const struct transform *, const double p[4],
     struct image *);
 
-/* How coordinates came out. */
+/* Counts of coordinates by their verdict. */
 struct tally {
 	size_t n[VERDICTS];
 };
 
-/* An image as it ought to be, nan where there is none. */
+/* Judges an image; it must be nan if there is none. */
 void judge_image(const struct image *, int coordinates, const double *got,
     bool single, struct tally *);
 
-/* The images of a block, or the floats that they are printed as; says which
+/* Judges the images of a block, or the floats as which they are printed; sets which
  * points are wrong. */
 void judge_block(const struct truth *, const struct transform *,
     const struct block *, size_t n, bool single, struct tally *);

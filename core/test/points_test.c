@@ -97,7 +97,7 @@ static void copies_give_the_same_bits(void **state)
 	}
 }
 
-/* How a block is cut changes nothing. */
+/* Images do not depend on how a block is cut. */
 static void points_depend_on_nothing_else(void **state)
 {
 	static struct block whole, one;

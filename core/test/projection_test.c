@@ -6,7 +6,8 @@
 static const struct convention d3d,
     gl = { true, true, true, false, true, false };
 
-/* Both ways. Returns why not, where it is refused. */
+/* Compares the projection and its inverse with the truth. Returns the reason if it is
+ * refused. */
 static const char *compare(const struct projection *p,
     const struct convention *c, struct worst *w)
 {
@@ -56,7 +57,7 @@ static void random_ones(void **state)
 	projections("hostile, to 1e150", 150, 400);
 }
 
-/* Nothing happens as the eye passes through infinity, nor near 0, 90, 180
+/* The matrix is right as the eye passes through infinity, and near 0, 90, 180
  * degrees. */
 static void through_zero(void **state)
 {

@@ -43,7 +43,7 @@ static void cast(const struct ray_maker *r, bool single, size_t n,
 	rays_cast(r, single, at, out, out + 3, n);
 }
 
-/* Without planes a ray begins where clip x, y and w are 0. */
+/* Checks a ray. Without near and far planes it begins where clip x, y and w are 0. */
 static void check_ray(const struct ray_maker *r, const struct truth *back,
     const struct truth *eye, bool against, const struct rays *b, size_t i,
     bool single, int verdicts[VERDICTS])
@@ -82,7 +82,7 @@ static bool against(const struct scene *s)
 	    projection_is_reversed(&s->projection, &s->convention);
 }
 
-/* In the middle, on the edges and beyond. */
+/* Samples positions in the middle of the viewport, on its edges and beyond. */
 static void sample_positions(const struct viewport *v, size_t n, struct rays *b)
 {
 	for (size_t i = 0; i < n; i++) {
@@ -256,7 +256,7 @@ static void judge_meetings(const struct scene *s, enum space from,
 	}
 }
 
-/* Planes beside the origin, or through it, or far. */
+/* Samples planes beside the origin, through it, or far. */
 static void sample_plane(int e, double plane[4])
 {
 	do

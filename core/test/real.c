@@ -6,7 +6,7 @@
 
 enum { STORE = 1 << 16 };
 
-/* Returns the error of an element that low parts below 2^-1074 can cause. */
+/* The error of an element that low parts below 2^-1074 can cause. */
 #define LOST 0x1p-1068
 
 static mpfr_t store[STORE];
@@ -178,9 +178,9 @@ void normalise(real a[], int n)
 		a[i] = over(a[i], length);
 }
 
-/* X = (c X + inv(X)' / c) / 2 with c = |det X|^(-1/3) until it stands still
- * (Higham, "Computing the polar decomposition - with applications", 1986).
- * Returns how far X moved. */
+/* Sets X to (c X + inv(X)' / c) / 2 with c = |det X|^(-1/3). The steps converge to the
+ * nearest rotation (Higham, "Computing the polar decomposition - with applications",
+ * 1986). Returns how far X moved. */
 static real polar_step(real x[4][4])
 {
 	real inverse[4][4], yz[3], change = number(0);
@@ -213,8 +213,8 @@ void orthonormalise(real m[4][4])
 	}
 }
 
-/* Two thirds of the bits: terms of 1e150 cubed and of 1e-150 cubed differ by
- * half of them. */
+/* The limit is two thirds of the bits: terms of 1e150 cubed and of 1e-150 cubed differ
+ * by half of the bits. */
 bool is_zero(real a, real size)
 {
 	int mark = real_mark();

@@ -47,10 +47,10 @@ void normalise(real a[], int n);
 /* Replaces the upper 3x3 by its nearest rotation. */
 void orthonormalise(real m[4][4]);
 
-/* Is a 0 but for rounding errors in a sum of such a size? */
+/* Returns whether a is 0 but for rounding errors in a sum of that size. */
 bool is_zero(real a, real size);
 
-/* |printed - exact| in units in the last place of exact. */
+/* Returns |printed - exact| in units in the last place of exact. */
 double ulps(double printed, real exact);
 
 /* Returns |got - exact| in units of 2^-106 size, less what low parts lost below

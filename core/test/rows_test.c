@@ -89,7 +89,7 @@ static void numbers_keep_their_places(void **state)
 			}
 }
 
-/* Wherever the one among others stands that is to be looked at. */
+/* Checks a split in which v stands at each place among other numbers. */
 static void check_split(bool wide, double v, bool within)
 {
 	for (int numbers = 2; numbers <= 4; numbers++)
@@ -147,8 +147,8 @@ static void what_is_not_plain_is_told(void **state)
 	}
 }
 
-/* To the bits of points_map with columns of doubles, also where the origin is no
- * float. */
+/* Floats give the bits of points_map with columns of doubles, also where the origin is
+ * not a float. */
 static void floats_come_out_as_of_doubles(void **state)
 {
 	static struct block b;

@@ -95,7 +95,7 @@ void sample_convention(struct convention *c)
 	}
 }
 
-/* Far from the origin and looking at something near. */
+/* Moves a camera far from the origin, looking at something near. */
 static void stand_far(struct camera *c)
 {
 	double far = sample_below(2) ? 1e9 : 1e15;
@@ -106,7 +106,7 @@ static void stand_far(struct camera *c)
 	}
 }
 
-/* up within 1e-12 to 1e-15 of the gaze. */
+/* Sets up within 1e-12 to 1e-15 of the gaze. */
 static void look_along(struct camera *c)
 {
 	double near = pow(10, sample_between(-15, -12));
@@ -120,8 +120,8 @@ static void look_along(struct camera *c)
 	}
 }
 
-/* Hostile: of elements of mixed magnitudes, of which some have a length next to a
- * multiple of pi / 2, where elements are 0. */
+/* Samples a rotation vector. Hostile: elements have mixed magnitudes; some vectors have
+ * a length next to a multiple of pi / 2, where elements of the matrix are 0. */
 static void rotation_vector(double v[3], int e)
 {
 	double square = 0, length = PI / 2 * (1 + sample_below(4));
@@ -164,9 +164,9 @@ void sample_camera(struct camera *c, int e)
 				  sample_between(-180, 180);
 }
 
-/* A rotation that has drifted; hostile: one that is hardly a rotation, down to
- * singular values 10^-14 times the largest. The determinant is positive but
- * for rounding errors. */
+/* Samples a matrix to orthonormalize: a rotation that has drifted. Hostile: hardly a
+ * rotation, down to singular values 10^-14 times the largest. The determinant is
+ * positive but for rounding errors. */
 void sample_orthonormalize(struct camera *c, int e)
 {
 	double q[4], norm = 0, stretch[3];
@@ -281,7 +281,7 @@ static void seven(struct projection *p, int e)
 		p->half_height = p->half_width; /* the smaller side's */
 }
 
-/* About as wide, and as near to a right angle, in degrees, as in radians. */
+/* Converts the angles to radians: about as wide, and as near to a right angle. */
 static void in_radians(struct projection *p)
 {
 	double *const angles[] = { &p->angle, &p->projector, &p->direction };
@@ -297,8 +297,8 @@ static void in_radians(struct projection *p)
 					 HUGE_VAL);
 }
 
-/* left below right, bottom below top; hostile: next to each other or to a right
- * angle, or hardly open. */
+/* Samples four angles, left below right, bottom below top. Hostile: next to each other
+ * or to a right angle, or hardly open. */
 static void four_angles(struct projection *p, int e)
 {
 	double right = p->unit == RADIANS ? PI / 2 : 0x1.67fffffffffffp+6;
@@ -329,7 +329,7 @@ static void four_angles(struct projection *p, int e)
 	}
 }
 
-/* Any number in the lower rows, or in all. */
+/* Samples any numbers in the lower rows of P, or in all. */
 static void any_p(double k[3][4], int e)
 {
 	for (int i = (int)sample_below(3); i < 3; i++)

@@ -24,7 +24,7 @@ void sample_viewport(struct viewport *, int e);
 void sample_flat(struct window *, struct device *, int e);
 void sample_scene(struct scene *, int e);
 
-/* Wants it in another convention, or not. */
+/* Asks for the answer in another convention, or not. */
 void sample_answer(struct scene *);
 
 /* Makes scenes of numbers with few digits, without an angle or a length, so

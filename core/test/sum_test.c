@@ -12,7 +12,7 @@
 #include <cmocka.h>
 #include "numbers.h"
 
-/* 0 that is known to SUM_ERROR. */
+/* Returns a 0 with an error of SUM_ERROR. */
 static struct sum nothing_of_one(void)
 {
 	struct sum one = sum_with_error(ex_of(1), SUM_ERROR);
@@ -20,7 +20,7 @@ static struct sum nothing_of_one(void)
 	return sum_sub(one, sum_of_double(1));
 }
 
-/* An error of 2^e SUM_ERROR: that is the greatest difference which is none. */
+/* Asserts an error of 2^e SUM_ERROR: the greatest difference that counts as 0. */
 static void assert_error(struct sum nothing, int e)
 {
 	double none = ldexp(1, SUM_ERROR - EX_RANGE + e);

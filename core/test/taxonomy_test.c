@@ -4,7 +4,7 @@
 
 #include "claims.h"
 
-/* How the numbers of one kind came out. */
+/* Counts of the numbers of one kind by their verdict. */
 struct tally {
 	int n[VERDICTS];
 };
@@ -14,7 +14,7 @@ static void check(double got, struct form n, struct form d, struct tally *tally)
 	tally->n[truth_verdict(got, n, d, false)]++;
 }
 
-/* h over its w, if that is seen. */
+/* Checks a point: h over its w, if the point is seen. */
 static void check_point(const double *got, const struct form h[4], int n,
     bool seen, struct tally *tally)
 {
@@ -48,7 +48,7 @@ static void check_vanishing_points(const struct scene *s,
 	}
 }
 
-/* From the inverse matrix: the eye where x, y and w are 0, and the corners, at
+/* Checks, by the inverse matrix, the eye, where x, y and w are 0, and the corners, at
  * the sides that the viewport's scale cuts. */
 static void check_places(const struct scene *s, const struct picture *t,
     struct tally *tally)
@@ -87,7 +87,8 @@ static void check_places(const struct scene *s, const struct picture *t,
 	}
 }
 
-/* Between the planes' normals, by the law of cosines. */
+/* Checks the angles of view: those between the normals of planes, by the law of
+ * cosines. */
 static void check_fov(const struct scene *s, const struct picture *t,
     struct tally *tally)
 {
@@ -157,7 +158,7 @@ static void check_foreshortening(const struct scene *s, const struct picture *t,
 	}
 }
 
-/* Does it lead from near to far? */
+/* Checks that the gaze leads from near to far. */
 static void check_ahead(const struct picture *t)
 {
 	for (int i = 0; i < 4; i++) {
@@ -173,7 +174,7 @@ static void check_ahead(const struct picture *t)
 	}
 }
 
-/* The gradient of what is constant on the plane. */
+/* Checks the gaze: the gradient of what is constant on the plane. */
 static void check_gaze(const struct scene *s, const struct picture *t,
     struct tally *tally)
 {

@@ -119,8 +119,8 @@ static void every_radian(void **state)
 	    0x1.1a62633145c07p-54);
 }
 
-/* Against MPFR's sine and cosine of the root, of sums of squares of three doubles, also
- * those that are next to a multiple of pi. */
+/* Compares with MPFR's sine and cosine of a root: of sums of squares of three doubles,
+ * among them roots next to a multiple of pi. */
 static void check_square(struct sum square)
 {
 	int mark = real_mark();
@@ -139,7 +139,7 @@ static struct sum square_of(double a)
 	return sum_mul(sum_of_double(a), sum_of_double(a));
 }
 
-/* Squares of three doubles whose sum is all but that of pi or 2 pi. */
+/* Returns a sum of squares of three doubles that is nearly the square of pi or 2 pi. */
 static struct sum square_near(double turns)
 {
 	int mark = real_mark();

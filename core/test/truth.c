@@ -98,7 +98,8 @@ struct form truth_element(const struct truth *t, int i, int j)
 	return (struct form){ t->all.m[i][j], t->all.size[i][j] };
 }
 
-/* More than sum.h takes for none, which knows each sum's own error. */
+/* Returns a bound of the error, which is more than the error that a sum of sum.h keeps
+ * for itself. */
 static real rule(real size)
 {
 	return mul(size, number(TRUTH_RULE));
@@ -203,8 +204,8 @@ static void compare(const struct map *m, int i, int j, const struct truth *t,
 		    u2_error(pair, exact.value,
 			mpfr_get_d(magnitude(exact.value), MPFR_RNDN)));
 	mpfr_mul_2si(bound, bound, got.error - EX_RANGE, MPFR_RNDN);
-	/* the truth is rounded, too: its sine of 180 degrees is not 0, nor is what is
-	 * left of 1 - 1 */
+	/* the truth is rounded, too: its sine of 180 degrees is not 0, nor is its 1 - 1
+	 * of roots */
 	real rounding = number(1);
 
 	mpfr_mul_2si(rounding, rounding, 100 - REAL_BITS, MPFR_RNDN);

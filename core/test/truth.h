@@ -10,8 +10,8 @@
 #include "real.h"
 #include "../scene/scene.h"
 
-/* A matrix of row vectors, and the sizes of its elements: multiplied out into
- * those of its stages they are sums, whose magnitudes sum to so much. */
+/* A matrix for row vectors, and the sizes of its elements. An element of a product of
+ * stages is a sum; its size is the sum of the magnitudes of the terms. */
 struct truth_stage {
 	real m[4][4], size[4][4];
 };
@@ -23,16 +23,17 @@ struct truth {
 	struct truth_stage all; /* their product, see truth_compose */
 };
 
-/* Adds a stage that does nothing yet. An element without a size (NULL) has its
- * magnitude. */
+/* Adds a stage that is the identity. An element without a size (NULL) has its magnitude
+ * as size. */
 struct truth_stage *truth_stage(struct truth *);
-/* Half a turn around x. */
+/* Adds half a turn around x. */
 void truth_half_turn(struct truth *);
 void truth_projection(struct truth *, const struct projection *,
     const struct convention *);
 void truth_compose(struct truth *);
 
-/* The stages between two spaces of a scene that is not degenerate, composed. */
+/* Adds the stages between two spaces of a scene that is not degenerate, and multiplies
+ * them out. */
 void truth_scene(const struct scene *, enum space from, enum space to,
     struct truth *);
 void truth_flat(const struct scene *, enum flat from, enum flat to,
@@ -41,17 +42,17 @@ void truth_flat(const struct scene *, enum flat from, enum flat to,
 /* Returns 1 if the camera looks along +z of view space, -1 for -z. */
 double truth_gaze(const struct convention *);
 
-/* The convention that a scene is wanted in. */
+/* Returns the convention of the answer. */
 const struct convention *truth_answer(const struct scene *);
 
-/* The matrix alone. */
+/* Sets m to the matrix that truth_scene composes. */
 void truth_matrix(const struct scene *, enum space from, enum space to,
     real m[4][4]);
 
 /* Returns the limits of |x| and |y| in ndc on the viewport. */
 void truth_limits(const struct scene *, real limit[2]);
 
-/* A sum, and the sum of its terms' magnitudes. */
+/* A sum, and the sum of the magnitudes of its terms. */
 struct form {
 	real value, size;
 };
@@ -65,23 +66,23 @@ struct form form_dot(const struct form a[3], const struct form b[3]);
 /* Returns a bound of the error of the length of v. */
 struct form form_length(const struct form v[3]);
 
-/* The length of the first three numbers of P's last row. */
+/* Returns the length of the first three numbers of P's last row. */
 struct form truth_slope(const struct projection *);
 
-/* Column j of the image of (p[0], p[1], p[2], p[3]). */
+/* Returns column j of the image of (p[0], p[1], p[2], p[3]). */
 struct form truth_column(const struct truth *, int j, const double p[4]);
 struct form truth_element(const struct truth *, int i, int j);
 
-/* -1, 0 or 1; 0 where all but rounding errors has cancelled. *doubtful, unless
- * it is NULL: within the rule it may be 0, too. */
+/* Returns -1, 0 or 1; 0 if all but rounding errors has cancelled. Sets *doubtful,
+ * unless it is NULL, if by TRUTH_RULE the sum may be 0, too. */
 int truth_sign(struct form, bool *doubtful);
 
-/* The part of its terms' magnitudes by which a number with a root or an angle in it
- * may be off where it is compared with 0 and with midpoints. Each sum knows its own
- * error, which is less (core/exact/sum.h). */
+/* A number with a root or an angle in it may be off by this part of the magnitudes of
+ * its terms where it is compared with 0 and with midpoints. The error that each sum
+ * knows is less (core/exact/sum.h). */
 #define TRUTH_RULE 0x1p-290
 
-/* How a number came out. */
+/* The result of the comparison of a number with the truth. */
 enum verdict {
 	NEAREST, /* ties to even */
 	RULED,   /* nearest to a number that differs by less than TRUTH_RULE */
@@ -89,11 +90,11 @@ enum verdict {
 	VERDICTS,
 };
 
-/* Returns n / d; nan if it is beyond the range. */
+/* Judges a printed number against n / d, which is nan beyond the range. */
 enum verdict truth_verdict(double printed, struct form n, struct form d,
     bool single);
 
-/* The double nearest to an element. */
+/* Returns the double nearest to an element. */
 double element(const struct map *, int i, int j);
 
 /* The worst errors of many maps. In a rational scene TRUTH_RULE excuses no
