@@ -81,7 +81,7 @@ static bool skip_spaces(void)
 	json_count(params.text.s + params.begin, s, &params.line,
 	    &params.column);
 	params.begin = params.end = (size_t)(s - params.text.s);
-	return strncmp(s, "\xef\xbb\xbf", (size_t)(end - s)) != 0;
+	return s < end && strncmp(s, "\xef\xbb\xbf", (size_t)(end - s)) != 0;
 }
 
 /* Continues the search for the end of the document in text. Returns false if the end is

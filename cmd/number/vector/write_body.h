@@ -15,10 +15,11 @@
  *	REGISTER	the constraint of asm for a register of an I
  *	SHR(a, n)	shifts lanes right, with zeros
  *	SHR16(a, n)	shifts quarters of lanes, 16 bits each
+ *	SUB(a, b)	a - b modulo 2^64, also of the lanes that hold no number
  *	MUL32(a, b)	the products of the lower halves of lanes
  *	MUL16, HIGH16	the lower and the upper halves of products of quarters
  *
- * where I has - & | << > lane by lane, and
+ * where I has & | << > lane by lane, and
  *
  *	power_of_ten(scale, &hi, &lo)
  *			looks 10^scale up, from POWER_MIN to POWER_MAX
@@ -55,7 +56,7 @@ INLINE I fours(I x)
 {
 	I a = SHR(MUL32(x, ALL_BITS(109951163)), 40);
 
-	return (x << 16) - MUL32(a, ALL_BITS((10000 << 16) - 1));
+	return SUB(x << 16, MUL32(a, ALL_BITS((10000 << 16) - 1)));
 }
 
 /* Returns the number of four digits in each quarter as two numbers of two digits, one
@@ -65,7 +66,7 @@ INLINE I twos(I x)
 	const uint64_t each = 0x0001000100010001;
 	I a = SHR16(HIGH16(x, ALL_BITS(5243 * each)), 3);
 
-	return a | (x - MUL16(a, UNKNOWN(100 * each))) << 8;
+	return a | SUB(x, MUL16(a, UNKNOWN(100 * each))) << 8;
 }
 
 /* Returns the number of two digits in the upper byte of each quarter as two digits, one
@@ -75,7 +76,7 @@ INLINE I ones(I x)
 	const uint64_t each = 0x0001000100010001;
 	I a = SHR16(HIGH16(x, ALL_BITS(6554 * each)), 8);
 
-	return x - MUL16(a, UNKNOWN(((10 << 8) - 1) * each));
+	return SUB(x, MUL16(a, UNKNOWN(((10 << 8) - 1) * each)));
 }
 
 /* Writes the DIGITS digits of whole < 2^53. The quotient by 10^8 is right: 1e-8 is
