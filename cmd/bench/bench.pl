@@ -340,8 +340,8 @@ sub short {
 	my $avx2_hand = $avx2->($hand);
 	my @words = ('The loop by hand takes', ratio($hand, 'text'), 'times as',
 	    'long as `projcalc`' . $avx2_hand .
-	    ($avx2_hand && ' in place of AVX-512') . '. It is as fast as we could',
-	    'write it: it reads blocks with read(), finds eight digits at a time in',
+	    ($avx2_hand && ' in place of AVX-512') . '. We wrote the loop as fast',
+	    'as we could: it reads blocks with read(), finds eight digits at a time in',
 	    'a word, computes columns that the compiler vectorizes, and writes',
 	    "dragonbox's digits in place.", $glm_times ? 'GLM with scanf and ' .
 	    "printf takes $glm_times times as long as `projcalc`" .

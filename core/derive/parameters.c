@@ -305,32 +305,30 @@ static void set_projection(const struct lens *l, const struct upright *u,
 	const struct scene *s = l->scene;
 	struct projection *p = &r->scene.projection;
 	const struct projection *given = &s->projection;
-	bool open = projection_is_open(given), swap = r->near > r->far;
+	bool open = projection_is_open(given);
+	bool swap = !l->parallel && r->near > r->far;
 
 	*p = (struct projection){ .type = PROJECTION_ORTHO,
 		.extent = EXTENT_INTRINSICS,
 		.width = s->viewport.width,
 		.height = s->viewport.height,
 		.near_ratio = 0.0005,
-		.near = r->near,
-		.far = r->far,
-		.reverse_z = r->reverse_z,
+		.near = swap ? r->far : r->near,
+		.far = swap ? r->near : r->far,
+		.reverse_z = r->reverse_z != swap,
 		.direction = 45 };
 	if (!l->parallel)
 		p->type = PROJECTION_PERSP;
 	else if (sum_sign(u->xy[0][2]) != 0 || sum_sign(u->xy[1][2]) != 0)
 		set_shear(u, given, p);
-	if (p->type == PROJECTION_PERSP && swap) {
-		p->near = r->far;
-		p->far = r->near;
-		p->reverse_z = !r->reverse_z;
-	}
 	if (open) {
 		p->near = 0;
 		p->far = HUGE_VAL;
 	}
 	for (int i = 0; i < 9; i++)
 		p->intrinsics[i / 3][i % 3] = r->intrinsics[i / 3][i % 3];
+	/* x of the answer's view space points to the right, not K's X */
+	p->intrinsics[0][0] = fabs(p->intrinsics[0][0]);
 	if (!open && sum_sign(u->xy[0][1]) == 0)
 		set_edges(u, &r->depth, swap, p);
 }

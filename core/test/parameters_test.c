@@ -46,7 +46,7 @@ static void scenes_make_the_same_picture(void **state)
 {
 	struct scene s;
 	static struct picture r;
-	int n = 0, made = 0, types[6] = { 0 };
+	int n = 0, made = 0, types[PROJECTION_MATRIX + 1] = { 0 };
 
 	(void)state;
 	sample_seed(7);
@@ -69,7 +69,7 @@ static void scenes_make_the_same_picture(void **state)
 		types[s.projection.type]++;
 	}
 	print_message("%d scenes, %d by parameters:", n, made);
-	for (int i = 0; i < 6; i++)
+	for (int i = 0; i <= PROJECTION_MATRIX; i++)
 		print_message(" %d", types[i]);
 	print_message("\n");
 	assert_true(made > 800 && types[PROJECTION_PERSP] > 150);
