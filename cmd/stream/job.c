@@ -296,8 +296,9 @@ static void refuse_foreign(const struct job *j, struct chunk *c)
 	if (n >= 12 && memcmp(s, "\x93NUMPY", 6) == 0)
 		/* the size of the header has two bytes in version 1, else four */
 		snprintf(reason, sizeof reason,
-		    "is a .npy file of NumPy; tail -c +%d leaves its numbers, "
-		    "f64 or f32",
+		    "is a .npy file of NumPy; tail -c +%d leaves its numbers: "
+		    "f64 if descr is '<f8', f32 if '<f4', with fortran_order "
+		    "False",
 		    s[8] + 256 * s[9] + (s[6] == 1 ? 11 : 13 + 65536 * s[10]));
 	else if (n < 2 || memcmp(s, big ? "\xfe\xff" : "\xff\xfe", 2) != 0 ||
 	    (is_binary(j->layout.in.format) &&
