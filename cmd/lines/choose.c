@@ -57,12 +57,12 @@ static bool counts_on(const struct layout *l, const struct field *f)
 }
 
 /* What is sought on a line, and the fields that matter: those up to last. In text the
- * separators after field first count, and after the last coordinate one that counts_on. */
+ * separators count, and after the last coordinate one that counts_on. */
 struct search {
 	const struct layout *l;
 	int n; /* things that are sought */
 	bool text;
-	long first, last;
+	long last;
 	int separators, commas;
 	struct chosen *out;
 };
@@ -103,7 +103,7 @@ static void choose_in(struct search *r, struct cut c,
 				inside[i] = nowhere;
 		if (led != 0 && (*f.value.s == '{' || *f.value.s == '['))
 			choose_in(r, cut_value(f.value, c.end), inside);
-		if (r->text && k > r->first && f.value.s < c.end &&
+		if (r->text && k > 0 && f.value.s < c.end &&
 		    (k < r->last || counts_on(r->l, &f))) {
 			r->separators++;
 			r->commas += f.comma;
@@ -120,9 +120,8 @@ void choose(const struct layout *l, struct cut c, struct chosen *out)
 	    (c.bracket != NULL && l->columns.n > 0);
 	struct way ways[SOUGHT];
 	struct search r = { .l = l,
-		.n = l->append && (c.members || c.names) ? SOUGHT : l->reads,
-		.text = format_of(c.in)->blanks,
-		.first = LONG_MAX,
+		.n = c.names || (l->append && c.members) ? SOUGHT : l->reads,
+		.text = format_of(c.in)->blanks && !named,
 		.last = named ? LONG_MAX : -1,
 		.out = out };
 
@@ -132,12 +131,13 @@ void choose(const struct layout *l, struct cut c, struct chosen *out)
 
 		ways[i].path = named ? l->columns.name[i] : NULL;
 		ways[i].place = place;
-		r.first = place < r.first ? place : r.first;
 		r.last = place > r.last ? place : r.last;
 	}
 	for (int i = l->reads; i < r.n; i++) {
 		ways[i] = nowhere;
-		if (i >= 4 && *l->name[i - 4] != '\0')
+		if (i >= 4 && *l->name[i - 4] != '\0' &&
+		    (l->append ||
+			(i - 4 >= l->reads && format_of(l->out)->header)))
 			ways[i].path = l->name[i - 4];
 	}
 	r.last += r.text;
@@ -183,8 +183,31 @@ bool choose_clashes(const struct layout *l, const struct chosen *c,
 			first = i;
 	if (first > 0)
 		snprintf(reason, REASON_MAX,
-		    "%s '%s', which --append adds; give it another name",
+		    "%s '%s', which %s adds; give it another name",
 		    members ? "has a member" : "the header has a column",
-		    l->name[first - 4]);
+		    l->name[first - 4], l->append ? "--append" : "the output");
 	return first > 0;
+}
+
+size_t choose_words(const struct layout *l, struct span line,
+    char option[OPTION_ROOM])
+{
+	bool moved = false;
+	struct chosen c;
+
+	while (line.s < line.end && (*line.s == '#' || is_blank(*line.s)))
+		line.s++;
+	struct cut words = cut_line((struct dialect){ FORMAT_TEXT, ' ' }, line);
+
+	words.names = true;
+	choose(l, words, &c);
+	option = stpcpy(option, "--columns ");
+	for (int i = 0; i < l->reads; i++) {
+		if (!l->columns.by_header || c.times[i] == 0)
+			return 0;
+		moved |= c.place[i] != i;
+		option += sprintf(option, i > 0 ? ",%ld" : "%ld",
+		    c.place[i] + 1);
+	}
+	return moved ? cut_count(words) : 0;
 }

@@ -124,10 +124,11 @@ bool header_in_comment(const struct layout *l, struct span text, bool first)
 
 	if (!format_of(l->in)->header)
 		return true;
+	const size_t n = cut_count(cut_line(l->in, text));
+
 	if (!first) /* where blanks separate, "# x y z" is a comment */
-		return l->fields < 2 ||
-		    (l->in.separator == ' ' && is_blank(s[1])) ||
-		    cut_count(cut_line(l->in, text)) != l->fields;
+		return n < 2 || (n != l->most && n != l->fields) ||
+		    (l->in.separator == ' ' && is_blank(s[1]));
 	struct cut header = header_cut(l->in, text);
 
 	choose(l, header, &c);
@@ -143,7 +144,7 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 	struct columns *c = &l->columns;
 	struct chosen chosen;
 
-	l->fields = 0;
+	l->fields = l->most = 0;
 	if (c->by_header)
 		c->n = 0;
 	const bool maybe = l->header == HEADER_MAYBE &&
@@ -162,26 +163,35 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 		if (chosen.times[i] > 0)
 			c->field[i] = (int)chosen.place[i];
 	c->n = l->reads;
-	l->fields = cut_count(header);
+	l->fields = l->most = cut_count(header);
+	l->words = SIZE_MAX;
+	strcpy(l->option, "--columns by number");
 	choose_places(l, &chosen, line);
 	return true;
 }
 
-bool header_is_short(const struct layout *l, struct cut c,
+bool header_is_short(struct layout *l, struct cut c, enum first first,
     char reason[REASON_MAX])
 {
 	bool blanks = false;
 	size_t n = 0;
-	struct field f;
+	struct field f = { .next = NULL };
 
-	for (; cut_next(&c, &f); blanks |= say_blanks(l, &f, reason))
-		n += f.next != NULL || f.value.s < f.value.end;
-	if (!header_is_named(l) || n <= l->fields)
+	for (; cut_next(&c, &f); n++)
+		blanks |= say_blanks(l, &f, reason);
+	if (first != FIRST_IS_READ && n > l->most &&
+	    (l->fields == 0 || !header_is_named(l)))
+		l->most = n;
+	n -= f.value.s == f.value.end;
+	if (n <= l->most || l->most == 0)
 		return false;
 	if (!blanks)
 		snprintf(reason, REASON_MAX,
-		    "has %zu fields and the header %zu name%s; name the first "
-		    "column, too, or give --columns by number",
-		    n, l->fields, l->fields == 1 ? "" : "s");
+		    "has %zu fields and the %s %zu; %s%s", n,
+		    l->fields == l->most ? "header" : "first row", l->most,
+		    first == FIRST_ROW && n == l->most + 1 ?
+			"name the first column, too, or number --columns" :
+			"quote a field that has the separator in it",
+		    l->in.separator == ',' ? ", or write 1.5 for 1,5" : "");
 	return true;
 }

@@ -26,8 +26,8 @@
  * most four are read. */
 enum { COORDINATES_MAX = 6 };
 
-/* The room for the name of a number that is written. */
-enum { NAME_ROOM = 16 };
+/* The room for the name of a number that is written, and for --columns. */
+enum { NAME_ROOM = 16, OPTION_ROOM = 64 };
 
 /* The fields that hold the coordinates, from --columns or a csv header. */
 struct columns {
@@ -60,6 +60,10 @@ struct layout {
 	 * "" if the number or the word is not written. */
 	char name[COORDINATES_MAX + 1][NAME_ROOM];
 	size_t fields; /* of the header; 0: there is none */
+	size_t most;   /* the most fields of a row of csv; 0: any number */
+	/* choose_words of a comment above the first row; SIZE_MAX after a header */
+	size_t words;
+	char option[OPTION_ROOM];
 	int record; /* numbers in a binary record; 0: the coordinates alone */
 	bool keeps; /* binary records are copied whole, beside the image */
 	const char *two; /* a hint for points of two numbers; or NULL */
@@ -248,6 +252,11 @@ int choose_overlap(const struct layout *, const struct chosen *);
 bool choose_clashes(const struct layout *, const struct chosen *, bool members,
     char reason[REASON_MAX]);
 
+/* Writes --columns with the places of the names x, y, z and w among the words of a line.
+ * Returns the number of words, or 0 if a name is missing or all are first in order. */
+size_t choose_words(const struct layout *, struct span line,
+    char option[OPTION_ROOM]);
+
 /* Returns whether the token is the decimal number k without leading zeros. */
 bool is_index(struct span token, long k);
 
@@ -265,11 +274,11 @@ bool header_in_comment(const struct layout *, struct span text, bool first);
 bool header_read(struct layout *, struct span text, struct line *,
     char reason[REASON_MAX]);
 
-/* Returns whether the first row has more fields than the header has names, and coordinates
- * are found by name; if so, writes the reason. An empty last field does not count. R
- * writes such tables: its column of row names has no name in the header, so that each
- * name is one column too far to the left. */
-bool header_is_short(const struct layout *, struct cut row,
+/* Returns whether a row of csv has more fields than the header has names, or than the
+ * first row if no coordinate is found by name; if so, writes the reason. An empty last
+ * field does not count. R writes such tables: its column of row names has no name in the
+ * header, so that each name is one column too far to the left. */
+bool header_is_short(struct layout *, struct cut row, enum first,
     char reason[REASON_MAX]);
 
 /* Returns whether any coordinate is found by the name of its column. */
@@ -333,7 +342,8 @@ struct walk {
 	struct dialect in;
 	struct byte_set stops;
 	int n;
-	int fields;           /* of each line; 0: any number */
+	int fields;           /* of each line; 0: up to most */
+	int most;             /* fields of csv */
 	bool arrays, objects; /* the lines of JSON that are walked */
 	struct trail trail;   /* paths to members of objects */
 	/* NULL, or names that a line may not have, as --append adds them */

@@ -95,8 +95,8 @@ static bool is_right(const struct layout *l, struct cut cut,
 
 /* Finds the coordinates of a line and reads them. Sets the kind of the line: LINE_REFUSED
  * if the first row does not fit its header. */
-static void read_fields(const struct layout *l, struct span text,
-    enum first first, struct line *line, double v[4], char reason[REASON_MAX])
+static void read_fields(struct layout *l, struct span text, enum first first,
+    struct line *line, double v[4], char reason[REASON_MAX])
 {
 	const struct format_row *in = format_of(l->in);
 	struct chosen c;
@@ -108,7 +108,10 @@ static void read_fields(const struct layout *l, struct span text,
 		return;
 	struct cut cut = cut_line(l->in, text);
 
-	if (first == FIRST_ROW && header_is_short(l, cut, reason)) {
+	const bool longer = in->header &&
+	    header_is_short(l, cut, first, reason);
+
+	if (longer && first == FIRST_ROW) {
 		line->kind = LINE_REFUSED;
 		return;
 	}
@@ -118,7 +121,7 @@ static void read_fields(const struct layout *l, struct span text,
 	if (cut.members && choose_clashes(l, &c, true, reason))
 		return;
 	line->kind = LINE_POINT;
-	if (!read_coordinates(l, cut, &c, v, reason) ||
+	if (longer || !read_coordinates(l, cut, &c, v, reason) ||
 	    !is_right(l, cut, &c, reason))
 		line->kind = LINE_BAD;
 	if (c.mixed) {
@@ -128,6 +131,8 @@ static void read_fields(const struct layout *l, struct span text,
 	if (line_is_bad(line) && !l->append && !can_be_kept(l, cut, &c))
 		line->kind = LINE_LOST;
 	choose_places(l, &c, line);
+	if (first == FIRST_LINE && line_is_bad(line))
+		l->most = 0; /* a bad row may lack fields */
 	if (first == FIRST_LINE && line_is_bad(line) && in->blanks &&
 	    l->columns.n == 0)
 		say_text_header(l, text, reason);
@@ -154,6 +159,8 @@ void line_read(struct layout *l, struct span text, enum first *first,
 	    format_is_old(l->in, text, reason)) {
 		line->kind = LINE_LOST;
 	} else if (*s == '#' && header_in_comment(l, text, was == FIRST_LINE)) {
+		if (was == FIRST_LINE && l->words == 0)
+			l->words = choose_words(l, text, l->option);
 		return;
 	} else if (was == FIRST_LINE && in->header && *s == '{') {
 		line->kind = LINE_LOST;
@@ -166,5 +173,17 @@ void line_read(struct layout *l, struct span text, enum first *first,
 	if (was == FIRST_LINE && line->kind == LINE_LOST && in->header &&
 	    !l->columns.by_header && header_is_named(l))
 		line->kind = LINE_REFUSED;
+	if (was == FIRST_LINE && line->kind == LINE_POINT &&
+	    l->columns.by_header && l->header == HEADER_MAYBE &&
+	    *in->open == '\0' && l->words > 0 &&
+	    (l->words == SIZE_MAX ||
+		l->words == cut_count(cut_line(l->in, text)))) {
+		line->kind = LINE_REFUSED;
+		snprintf(reason, REASON_MAX, "%s; say %s",
+		    l->words == SIZE_MAX ?
+			"lacks the header of a file before" :
+			"the comment above names other columns",
+		    l->option);
+	}
 	*first = line->kind == LINE_HEADER ? FIRST_ROW : FIRST_IS_READ;
 }

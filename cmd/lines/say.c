@@ -88,7 +88,7 @@ static void say_right(const struct layout *l, int i, struct span f,
 	else if (other != NULL && other->c == ',' &&
 	    number_read(after + 1, f.end, &v) == f.end)
 		say_more(reason, "; a decimal point is a point: 1.5");
-	else if (other != NULL)
+	else if (other != NULL && (other->c != ' ' || l->in.separator == ','))
 		say_separator(other, reason);
 	else
 		say_more(reason, "; a number is wanted%s",
@@ -128,8 +128,9 @@ bool say_blanks(const struct layout *l, const struct field *f,
 	    f->whole.s < f->whole.end)
 		return false;
 	snprintf(reason, REASON_MAX,
-	    "has an empty field, as blanks stand in a row or at an end; make "
-	    "them one by tr -s ' ', or say -i text, with # before a header");
+	    "has too few fields or an empty one; make blanks in a row one by "
+	    "sed 's/^ *//' | tr -s ' ', or say -i text, without a header by "
+	    "tail -n +2");
 	return true;
 }
 
@@ -242,6 +243,8 @@ static void say_names(const struct layout *l, struct cut c, const char *typed,
 	int i = 0;
 
 	names_of(c, &names);
+	if (names.n > 0 && strncmp(names.list[0], "sep=", 4) == 0)
+		say_more(reason, "; leave this line out by tail -n +2");
 	const char *near = nearest_word(typed != NULL ? typed : "", names.list);
 
 	if (typed != NULL && near != NULL) {
@@ -283,8 +286,9 @@ void say_missing(const struct layout *l, int i, struct cut cut,
 	escaped(shown, name != NULL ? name : "",
 	    name != NULL ? strlen(name) : 0);
 	if (name == NULL) {
-		say_more(reason, "%s is missing: there is no field %d",
-		    coordinate_name(i), l->columns.field[i] + 1);
+		if (!say_blanks(l, &(struct field){ .next = NULL }, reason))
+			say_more(reason, "%s is missing: there is no field %d",
+			    coordinate_name(i), l->columns.field[i] + 1);
 	} else if (c->times[i] == 0) {
 		say_more(reason, "%s '%s'%s",
 		    cut.names ? "the header has no column" : "has no member",
@@ -308,6 +312,7 @@ void say_text_header(const struct layout *l, struct span line,
 {
 	const struct separator *other = find_separator(l, line, true);
 	struct cut c = cut_line(l->in, line);
+	char option[OPTION_ROOM];
 	struct field f;
 
 	for (int i = 0; i < l->reads && cut_next(&c, &f); i++) {
@@ -318,8 +323,10 @@ void say_text_header(const struct layout *l, struct span line,
 			return;
 	}
 	snprintf(reason, REASON_MAX,
-	    "looks like a header; say %s, or put # before it",
+	    "looks like a header; say %s, or leave it out by tail -n +2",
 	    other == NULL       ? "-i csv --separator ' '" :
 		other->c == ',' ? "-i csv" :
 				  other->option);
+	if (choose_words(l, line, option) > 0)
+		say_more(reason, " and say %s", option);
 }

@@ -47,6 +47,7 @@ bool walk_plan(const struct layout *l, struct walk *w)
 		.stops = stops_of(l->in),
 		.n = l->reads,
 		.fields = l->append ? (int)l->fields : 0,
+		.most = l->most > 0 ? (int)l->most : STRETCH,
 		.added = l->append ? l->name : NULL,
 		.arrays = !json || c->n == 0 || c->name[0] == NULL,
 		.objects = json && (c->n == 0 || c->name[0] != NULL),
@@ -364,7 +365,7 @@ struct fields {
 	const struct trail *trail;
 	int levels;   /* the most levels of values inside */
 	unsigned led; /* bit i: a field passed is on the path of coordinate i */
-	/* in text: the separators after the first coordinate; those with a comma */
+	/* in text: the separators; those with a comma */
 	int separators, commas;
 };
 
@@ -414,8 +415,8 @@ INLINE int pass_field(struct walker *p, struct dialect d, struct fields *f,
 		return NOTHING;
 	if (stands(p, '\n') || !pass_separator(p, d))
 		return NOTHING;
-	f->separators += p->found > 0;
-	f->commas += p->found > 0 && p->comma;
+	f->separators++;
+	f->commas += p->comma;
 	return MORE;
 }
 
@@ -435,7 +436,9 @@ INLINE bool pass_fields(struct walker *p, struct dialect d, struct fields f,
 	if (more == ODD)
 		return false;
 	if (d.format == FORMAT_CSV)
-		return t->walk->fields == 0 || k == t->walk->fields;
+		return t->walk->fields != 0 ?
+		    k == t->walk->fields :
+		    k - (p->text[p->at - 1] == d.separator) <= t->walk->most;
 	if (d.format != FORMAT_TEXT)
 		return true;
 	return p->found == f.n && (f.commas == 0 || f.commas == f.separators) &&

@@ -284,25 +284,37 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 	c->size = (size_t)(at - c->out);
 }
 
-/* Refuses a source that begins as a .npy file or as UTF-16 does. Binary points may begin
- * with the bytes of a byte order mark, but hardly with ASCII in UTF-16. */
+/* Refuses a source that begins as a .npy file, as UTF-16 or as an archive does. Binary
+ * points may begin with the bytes of a byte order mark, but hardly with ASCII in UTF-16,
+ * and with those of an archive. */
 static void refuse_foreign(const struct job *j, struct chunk *c)
 {
+	static const char *const archives[][2] = {
+		{ "\x1f\x8b", "is gzip; zcat makes it text" },
+		{ "PK\3\4", "is a workbook or a zip archive; save it as csv" },
+		{ "%PDF", "is a PDF; pdftotext -layout makes it text" },
+	};
 	const unsigned char *s = (const unsigned char *)c->text;
 	const size_t n = (size_t)(c->end - c->text);
+	const bool binary = is_binary(j->layout.in.format);
 	const int big = n > 0 && s[0] == 0xfe;
 	char reason[REASON_MAX] = "is UTF-16; iconv -f UTF-16 -t UTF-8 makes "
 				  "it UTF-8";
+	int k = binary || n < 4 ? 3 : 0;
 
-	if (n >= 12 && memcmp(s, "\x93NUMPY", 6) == 0)
+	while (k < 3 && memcmp(s, archives[k][0], strlen(archives[k][0])) != 0)
+		k++;
+	if (k < 3)
+		strcpy(reason, archives[k][1]);
+	else if (n >= 12 && memcmp(s, "\x93NUMPY", 6) == 0)
 		/* the size of the header has two bytes in version 1, else four */
 		snprintf(reason, sizeof reason,
-		    "is a .npy file of NumPy; tail -c +%d leaves its numbers, "
-		    "f64 or f32",
+		    "is a .npy file of NumPy; tail -c +%d leaves its numbers: "
+		    "f64 if descr is '<f8', f32 if '<f4', with fortran_order "
+		    "False",
 		    s[8] + 256 * s[9] + (s[6] == 1 ? 11 : 13 + 65536 * s[10]));
 	else if (n < 2 || memcmp(s, big ? "\xfe\xff" : "\xff\xfe", 2) != 0 ||
-	    (is_binary(j->layout.in.format) &&
-		(n < 8 || (s[3 - big] | s[5 - big] | s[7 - big]) != 0)))
+	    (binary && (n < 8 || (s[3 - big] | s[5 - big] | s[7 - big]) != 0)))
 		return;
 	c->refused = true;
 	chunk_complain(j, c, reason);
