@@ -20,21 +20,14 @@ struct hit {
 	    []; /* what is printed; in JSON what follows the line's number */
 };
 
-/* The sort key of a hit: its distance, then its offset in the text. */
-struct hit_key {
-	double distance;
-	size_t at;
-};
-
 struct hits {
 	struct number_style style;
 	struct picker picker;
 	bool json;
 	bool finite_near; /* the near plane is not at infinity */
-	struct hit_key *key;
-	size_t n, room;
+	size_t n;
 	char *text; /* struct hit after struct hit */
-	size_t size, text_room;
+	size_t size, room;
 };
 
 /* Returns the bytes of a hit with size bytes of text, to the next aligned hit. */
@@ -135,105 +128,75 @@ static void hits_collect(const struct job *j, const struct chunk *c)
 	struct hits *h = j->with;
 	const size_t end = h->size + c->size;
 
-	if (end > h->text_room) {
-		h->text_room = h->text_room / 2 + end;
-		h->text = xrealloc(h->text, h->text_room);
+	if (end > h->room) {
+		h->room = h->room / 2 + end;
+		h->text = xrealloc(h->text, h->room);
 	}
 	if (c->size > 0)
 		memcpy(h->text + h->size, c->out, c->size);
-	while (h->size < end) {
+	for (; h->size < end; h->n++) {
 		struct hit *hit = hit_at(h->text, h->size);
 
 		hit->line += c->place.line;
-		if (h->n == h->room) {
-			h->room += h->room / 2 + 64;
-			h->key = xrealloc(h->key, h->room * sizeof *h->key);
-		}
-		h->key[h->n++] = (struct hit_key){ hit->distance, h->size };
 		h->size += hit_stride(hit->size);
 	}
 }
 
-static bool is_header(const struct hit_key *key)
+static bool is_header(const struct hit *hit)
 {
-	return key->distance < -DBL_MAX;
+	return hit->distance < -DBL_MAX;
 }
 
-/* The hits whose exact distances hit_compare compares; NULL: it compares the nearest
- * doubles. A variable, as qsort passes no argument on. */
-static const struct hits *exact_of;
+/* What hit_compare compares by. A variable, as qsort passes no argument on. */
+static const struct picker *compared_by;
 
+/* Compares the distances, exactly where their nearest doubles are equal, and then the
+ * places in the input. */
 static int hit_compare(const void *a, const void *b)
 {
-	const struct hit_key *p = a, *q = b;
-	int order = exact_of == NULL ?
-	    (p->distance > q->distance) - (p->distance < q->distance) :
-	    pick_compare(&exact_of->picker,
-		hit_at(exact_of->text, p->at)->point,
-		hit_at(exact_of->text, q->at)->point);
+	const struct hit *p = *(struct hit *const *)a;
+	const struct hit *q = *(struct hit *const *)b;
+	int order = (p->distance > q->distance) - (p->distance < q->distance);
 
-	return order != 0 ? order : (p->at > q->at) - (p->at < q->at);
+	if (order == 0 && !is_header(p))
+		order = pick_compare(compared_by, p->point, q->point);
+	return order != 0 ? order : (p > q) - (p < q);
 }
 
-/* Sorts the nearest first; hits at one distance keep the order of the input. Exact
- * distances are compared only where their nearest doubles are equal: most often the
- * exact distances are equal, too, and the hits are in their order already. */
-static void hits_sort(const struct hits *h)
+/* Returns the index of the first of n sorted hits that is printed. Headers of several
+ * sources are printed once if they are equal, else not at all. */
+static size_t hits_first(struct hit *const *hit, size_t n)
 {
-	struct hit_key *const key = h->key;
-	size_t end;
-
-	if (h->n == 0)
-		return;
-	exact_of = NULL;
-	qsort(key, h->n, sizeof *key, hit_compare);
-	exact_of = h;
-	for (size_t i = 0; i < h->n; i = end) {
-		bool sorted = true;
-
-		for (end = i + 1;
-		     end < h->n && key[end].distance == key[i].distance; end++)
-			sorted = sorted &&
-			    (is_header(&key[i]) ||
-				hit_compare(&key[end - 1], &key[end]) < 0);
-		if (!sorted)
-			qsort(key + i, end - i, sizeof *key, hit_compare);
-	}
-}
-
-/* Returns the index of the first hit that is printed. Headers of several sources are
- * printed once if they are equal, else not at all. */
-static size_t hits_first(const struct hits *h)
-{
-	size_t n = 0;
+	size_t i = 0;
 	bool differ = false;
 
-	for (; n < h->n && is_header(&h->key[n]); n++) {
-		const struct hit *hit = hit_at(h->text, h->key[n].at);
-		const struct hit *first = hit_at(h->text, h->key[0].at);
-
-		differ |= hit->size != first->size ||
-		    memcmp(hit->text, first->text, hit->size) != 0;
-	}
-	return differ || n == 0 ? n : n - 1;
+	for (; i < n && is_header(hit[i]); i++)
+		differ |= hit[i]->size != hit[0]->size ||
+		    memcmp(hit[i]->text, hit[0]->text, hit[0]->size) != 0;
+	return differ || i == 0 ? i : i - 1;
 }
 
+/* Prints the hits, the nearest first; hits at one distance keep the order of the input. */
 static void print_hits(const struct job *j)
 {
 	struct hits *h = j->with;
 	/* there is room: a line number is shorter than the struct that it replaces */
 	char *const out = xrealloc(NULL, h->size), *at = out;
+	struct hit **hit = xrealloc(NULL, (h->n + 1) * sizeof(struct hit *));
 
-	hits_sort(h);
-	for (size_t i = hits_first(h); i < h->n; i++) {
-		const struct hit *hit = hit_at(h->text, h->key[i].at);
-
+	for (size_t i = 0, size = 0; i < h->n;
+	     size += hit_stride(hit[i++]->size))
+		hit[i] = hit_at(h->text, size);
+	compared_by = &h->picker;
+	qsort(hit, h->n, sizeof *hit, hit_compare);
+	for (size_t i = hits_first(hit, h->n); i < h->n; i++) {
 		if (h->json)
-			at += sprintf(at, "{\"line\":%lld,", hit->line);
-		memcpy(at, hit->text, hit->size);
-		at += hit->size;
+			at += sprintf(at, "{\"line\":%lld,", hit[i]->line);
+		memcpy(at, hit[i]->text, hit[i]->size);
+		at += hit[i]->size;
 	}
 	output_write(out, (size_t)(at - out));
+	free(hit);
 	free(out);
 }
 
