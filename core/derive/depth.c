@@ -63,7 +63,10 @@ struct depth_value {
 static struct sum depth_line_at(const struct sum line[2],
     const struct depth_value *z)
 {
-	return sum_add(sum_mul(line[0], z->n), sum_mul(line[1], z->d));
+	struct sum r;
+
+	sum_dot(2, line, &z->n, 1, &r);
+	return r;
 }
 
 static struct depth_value depth_of_plane(const struct depth *d, bool far)

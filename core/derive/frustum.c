@@ -18,12 +18,10 @@ void view_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
 static void combine_columns(struct map *r, int j, const struct map *m,
     bool minus, int k, struct sum a, struct sum b)
 {
-	for (int i = 0; i < 4; i++) {
-		struct sum x = sum_mul(a, m->m[i][k]);
+	const struct sum by[2] = { sum_negated_if(minus, a), b };
 
-		r->m[i][j] = sum_add(minus ? sum_neg(x) : x,
-		    sum_mul(b, m->m[i][3]));
-	}
+	for (int i = 0; i < 4; i++)
+		sum_dot(2, by, &m->m[i][k], 3 - k, &r->m[i][j]);
 }
 
 /* Makes the planes from the map to clip space. A point is inside left if x scale >= -half

@@ -52,7 +52,7 @@ struct sum sum_of_double(double exact)
 
 struct sum sum_diff(double a, double b)
 {
-	return sum_sub(sum_of_double(a), sum_of_double(b));
+	return sum_add(sum_of_double(a), sum_of_double(-b));
 }
 
 struct sum sum_with_error(ex value, int relative)
