@@ -424,6 +424,7 @@ static void set_parameters(const struct lens *l, struct picture *r)
 const char *picture_of(const struct scene *s, struct picture *p)
 {
 	struct lens l;
+	struct scene known = *s;
 	const char *why = lens_of(s, &l);
 
 	if (why != NULL)
@@ -432,5 +433,8 @@ const char *picture_of(const struct scene *s, struct picture *p)
 	memset(p, 0xff, offsetof(struct picture, notes));
 	taxonomy_of(&l, p);
 	set_parameters(&l, p);
-	return error_bounds(s, &l.volume, p->error_bound);
+	known.known[SPACE_WORLD][false] = &l.view;
+	known.known[SPACE_WORLD][true] = &l.world;
+	known.known[SPACE_VIEW][false] = &l.volume.clip;
+	return error_bounds(&known, &l.volume, p->error_bound);
 }

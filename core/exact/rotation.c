@@ -84,7 +84,7 @@ static void eigenvector(const struct sum k[4][4], struct sum q[4])
 
 enum rotation rotation_nearest(const double matrix[4][4], struct sum q[4])
 {
-	struct sum m[4][4], k[4][4], x, s = sum_of_double(0);
+	struct sum m[4][4] = { 0 }, k[4][4], x, s = sum_of_double(0);
 	double largest = 0;
 	int e;
 

@@ -52,7 +52,13 @@ struct sum sum_of_double(double exact)
 
 struct sum sum_diff(double a, double b)
 {
-	return sum_add(sum_of_double(a), sum_of_double(-b));
+	struct sum x, y;
+
+	sum_set(&x, a);
+	sum_set(&y, -b);
+	ex_dot(2, (const ex *[]){ &x.value, &y.value },
+	    (const ex *[]){ &one.value, &one.value }, INT_MIN, &x.value);
+	return x;
 }
 
 struct sum sum_with_error(ex value, int relative)
@@ -205,7 +211,9 @@ struct sum sum_sqrt(struct sum a)
 			sum_is_exact(&a) ? 0 : (a.error + EX_RANGE) / 2 + 1 };
 	struct sum r = { ex_sqrt(a.value), 0 };
 
-	if (!sum_is_exact(&a) || sum_compare(sum_mul(r, r), a) != 0)
+	/* the lowest word of r r is word 2 e or 2 e + 1 */
+	if (!sum_is_exact(&a) || 2 * r.value.e + 1 < a.value.e ||
+	    sum_compare(sum_mul(r, r), a) != 0)
 		r.error = sum_bound(2,
 		    (int[]){ sum_size(&r.value) + SUM_ERROR,
 			a.error - ex_size(&r.value) + 1 });
@@ -242,9 +250,16 @@ static double neighbour(double a, bool away, bool single)
 			nextafter(a, to);
 }
 
+/* Returns whether the relative error is within 2^-61. */
+static bool is_precise(const struct sum *a)
+{
+	return a->error + 62 <= sum_size(&a->value) + EX_RANGE;
+}
+
 /* Returns the double or float nearest to n / d, where n and d have errors. q is the
  * quotient of the values. As it can lie on the wrong side of the midpoint next to it,
- * the sign of n - midpoint d decides. A difference within its error is a tie. */
+ * the sign of n - midpoint d decides. A difference within its error is a tie. The
+ * midpoint is at least near's half ulp away, and q's error within 1/32 of that. */
 static double round_inexact(const struct sum *n, const struct sum *d,
     const ex *q, bool single)
 {
@@ -255,7 +270,10 @@ static double round_inexact(const struct sum *n, const struct sum *d,
 	    (const ex *[]){ &one.value, &one.value }, INT_MIN, &rest.value);
 	int side = rest.value.sign * q->sign;
 
-	if (!isfinite(near) || side == 0)
+	if (!isfinite(near) || side == 0 ||
+	    (is_precise(n) && is_precise(d) &&
+		fabs(ex_nearest(&rest.value, false)) <
+		    fabs(near) * (single ? 0.9 * 0x1p-25 : 0.9 * 0x1p-54)))
 		return near;
 	double other = neighbour(near == 0 ? copysign(0, q->sign) : near,
 	    side > 0, single);
@@ -306,9 +324,9 @@ double sum_double(struct sum a)
 	return sum_nearest(&a, &one, false);
 }
 
-dd sum_dd(struct sum a)
+dd sum_dd(const struct sum *a)
 {
-	return is_none(&a) ? (dd){ 0, 0 } : ex_round(&a.value);
+	return is_none(a) ? (dd){ 0, 0 } : ex_round(&a->value);
 }
 
 double sum_error(const struct sum *a)

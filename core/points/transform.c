@@ -7,28 +7,31 @@
 
 /* Returns the element as two doubles. An element other than 0 that rounds to 0 becomes the
  * smallest double. */
-static dd element_rounded(struct sum s)
+static dd element_rounded(const struct sum *s)
 {
 	dd e = sum_dd(s);
 
-	return e.hi == 0 ? (dd){ sum_sign(s) * 0x1p-1074, 0 } : e;
+	return e.hi == 0 ? (dd){ sum_sign(*s) * 0x1p-1074, 0 } : e;
 }
 
 static void round_column(const struct transform *t, int j, struct kernel_map *k)
 {
 	k->most[j] = k->none[j] = 0;
 	for (int i = 0; i < 4; i++) {
-		struct sum a = t->relative[i][j];
+		const struct sum *a = &t->relative[i][j];
+		struct sum q;
 
-		if (!sum_is_exact_zero(&a))
-			a = sum_quotient(a, t->map.divisor);
+		if (!sum_is_exact_zero(a) && !sum_is_one(&t->map.divisor)) {
+			q = sum_quotient(*a, t->map.divisor);
+			a = &q;
+		}
 		dd e = element_rounded(a);
 
-		k->exact[i][j] = sum_is_exact(&a) && e.lo == 0 &&
-		    sum_compare(a, sum_of_double(e.hi)) == 0;
+		k->exact[i][j] = sum_is_exact(a) && e.lo == 0 &&
+		    sum_compare(*a, sum_of_double(e.hi)) == 0;
 		k->hi[i][j] = e.hi;
 		k->lo[i][j] = e.lo;
-		k->none[j] += 2 * sum_error(&a);
+		k->none[j] += 2 * sum_error(a);
 		if (i < 3)
 			k->most[j] = fmax(k->most[j], fabs(e.hi));
 	}
@@ -122,8 +125,11 @@ static void choose_depth_kernel(const struct map *projection,
 		    (sum_sign(m[i][3]) != 0 ||
 			(i != 3 && sum_sign(m[i][2]) != 0)))
 			return;
-	k->a = sum_dd(sum_quotient(m[2][2], m[2][3])).hi;
-	k->b = sum_dd(map_element(projection, 3, 2)).hi;
+	const struct sum a = sum_quotient(m[2][2], m[2][3]),
+			 b = map_element(projection, 3, 2);
+
+	k->a = sum_dd(&a).hi;
+	k->b = sum_dd(&b).hi;
 	t->kind = KERNEL_DEPTH;
 }
 
