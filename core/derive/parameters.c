@@ -170,16 +170,12 @@ static void set_planes(const struct lens *l, const struct upright *u,
 
 static void set_frustum_planes(const struct lens *l, double plane[6][4])
 {
-	struct map sides = l->volume.sides, ends = l->volume.ends;
-
-	map_append(&sides, &l->view, true);
-	map_append(&ends, &l->view, true);
 	for (int k = 0; k < 6; k++) {
-		const struct map *m = k < 4 ? &sides : &ends;
 		struct sum v[4];
 
 		for (int i = 0; i < 4; i++)
-			v[i] = m->m[i][k % 4];
+			map_image(k < 4 ? &l->volume.sides : &l->volume.ends,
+			    k % 4, l->view.m[i], &v[i]);
 		struct sum length = vec3_length(v);
 
 		for (int i = 0; i < 4; i++)

@@ -199,11 +199,9 @@ bool map_inverse(const double m[4][4], struct map *inverse)
 	if (sum_sign(det) == 0)
 		return false;
 	for (int i = 0; i < 4; i++)
-		for (int j = 0; j < 4; j++) {
-			struct sum c = map_minor(3, a.m, 1u << j, 1u << i);
-
-			inverse->m[i][j] = sum_negated_if((i + j) % 2, c);
-		}
+		for (int j = 0; j < 4; j++)
+			inverse->m[i][j] = sum_negated_if((i + j) % 2,
+			    map_minor(3, a.m, 1u << j, 1u << i));
 	inverse->divisor = sum_of_double(1);
 	map_divide(inverse, det);
 	for (int k = 0; k < 3; k++)

@@ -52,13 +52,7 @@ struct sum sum_of_double(double exact)
 
 struct sum sum_diff(double a, double b)
 {
-	struct sum x, y;
-
-	sum_set(&x, a);
-	sum_set(&y, -b);
-	ex_dot(2, (const ex *[]){ &x.value, &y.value },
-	    (const ex *[]){ &one.value, &one.value }, INT_MIN, &x.value);
-	return x;
+	return sum_sub(sum_of_double(a), sum_of_double(b));
 }
 
 struct sum sum_with_error(ex value, int relative)
@@ -324,9 +318,9 @@ double sum_double(struct sum a)
 	return sum_nearest(&a, &one, false);
 }
 
-dd sum_dd(const struct sum *a)
+dd sum_dd(struct sum a)
 {
-	return is_none(a) ? (dd){ 0, 0 } : ex_round(&a->value);
+	return is_none(&a) ? (dd){ 0, 0 } : ex_round(&a.value);
 }
 
 double sum_error(const struct sum *a)

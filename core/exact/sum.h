@@ -83,7 +83,7 @@ double sum_nearest(const struct sum *n, const struct sum *d, bool single);
 double sum_ratio_or_nan(struct sum n, struct sum d);
 
 /* Returns the sum as ex_round does: within EX_BOUND u^2 of its value. */
-dd sum_dd(const struct sum *);
+dd sum_dd(struct sum);
 
 /* Returns an upper bound of the error. */
 double sum_error(const struct sum *);

@@ -9,7 +9,7 @@
  * smallest double. */
 static dd element_rounded(const struct sum *s)
 {
-	dd e = sum_dd(s);
+	dd e = sum_dd(*s);
 
 	return e.hi == 0 ? (dd){ sum_sign(*s) * 0x1p-1074, 0 } : e;
 }
@@ -125,11 +125,8 @@ static void choose_depth_kernel(const struct map *projection,
 		    (sum_sign(m[i][3]) != 0 ||
 			(i != 3 && sum_sign(m[i][2]) != 0)))
 			return;
-	const struct sum a = sum_quotient(m[2][2], m[2][3]),
-			 b = map_element(projection, 3, 2);
-
-	k->a = sum_dd(&a).hi;
-	k->b = sum_dd(&b).hi;
+	k->a = sum_dd(sum_quotient(m[2][2], m[2][3])).hi;
+	k->b = sum_dd(map_element(projection, 3, 2)).hi;
 	t->kind = KERNEL_DEPTH;
 }
 

@@ -186,7 +186,7 @@ static void compare(const struct map *m, int i, int j, const struct truth *t,
 {
 	struct form exact = truth_element(t, i, j), one = form_of(1);
 	struct sum got = map_element(m, i, j);
-	dd pair = sum_dd(&got);
+	dd pair = sum_dd(got);
 	real bound = number(!sum_is_exact(&got));
 	real off = magnitude(sub(number_ex(got.value), exact.value));
 
