@@ -207,11 +207,13 @@ static void planes_meet(const struct volume *v, int a, int b,
 		plane[1][i] = v->sides.m[i][b];
 		plane[2][i] = other->m[i][c];
 	}
-	for (int i = 0; i < 4; i++)
-		h[i] = sum_negated_if(i & 1, map_minor(3, plane, 8, 1u << i));
+	for (int i = 0; i < 4; i++) {
+		h[i] = map_minor(3, plane, 8, 1u << i);
+		h[i].value.sign *= i & 1 ? -1 : 1;
+	}
 	map_image(&v->ends, 2, h, &w);
 	for (int i = 0; i < 4 && sum_sign(w) < 0; i++)
-		h[i] = sum_neg(h[i]);
+		h[i].value.sign *= -1;
 }
 
 /* Clip x and w are 0 where the left and the right plane meet. y is 0, too, where both

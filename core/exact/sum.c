@@ -11,7 +11,6 @@ enum { ROUNDED_WORDS = 2 };
 static const struct sum one = { { 1, 1, 0, { 1 } }, 0 };
 static const struct sum two = { { 1, 1, 0, { 2 } }, 0 };
 static const struct sum half = { { 1, 1, -1, { (uint64_t)1 << 63 } }, 0 };
-static const struct sum minus_one = { { -1, 1, 0, { 1 } }, 0 };
 
 /* Returns the least e with |a| <= 2^e, or less than -EX_RANGE / 2 if a is 0. */
 static int sum_size(const ex *a)
@@ -137,11 +136,7 @@ struct sum sum_add(struct sum a, struct sum b)
 
 struct sum sum_sub(struct sum a, struct sum b)
 {
-	const struct sum *const x[] = { &a, &b };
-	const struct sum *const y[] = { &one, &minus_one };
-
-	dot_of_pointers(2, x, y, &a);
-	return a;
+	return sum_minor(a, one, b, one);
 }
 
 struct sum sum_mul(struct sum a, struct sum b)
@@ -244,12 +239,6 @@ static double neighbour(double a, bool away, bool single)
 			nextafter(a, to);
 }
 
-/* Returns whether the relative error is within 2^-61. */
-static bool is_precise(const struct sum *a)
-{
-	return a->error + 62 <= sum_size(&a->value) + EX_RANGE;
-}
-
 /* Returns the double or float nearest to n / d, where n and d have errors. q is the
  * quotient of the values. As it can lie on the wrong side of the midpoint next to it,
  * the sign of n - midpoint d decides. A difference within its error is a tie. The
@@ -258,14 +247,18 @@ static double round_inexact(const struct sum *n, const struct sum *d,
     const ex *q, bool single)
 {
 	const double near = ex_nearest(q, single);
-	struct sum rest, a = sum_of_double(-near);
+	const int most = EX_RANGE - 62;
+	struct sum rest, a;
+
+	sum_set(&a, -near);
 
 	ex_dot(2, (const ex *[]){ q, &a.value },
 	    (const ex *[]){ &one.value, &one.value }, INT_MIN, &rest.value);
 	int side = rest.value.sign * q->sign;
 
 	if (!isfinite(near) || side == 0 ||
-	    (is_precise(n) && is_precise(d) &&
+	    (n->error <= sum_size(&n->value) + most &&
+		d->error <= sum_size(&d->value) + most &&
 		fabs(ex_nearest(&rest.value, false)) <
 		    fabs(near) * (single ? 0.9 * 0x1p-25 : 0.9 * 0x1p-54)))
 		return near;
@@ -308,7 +301,7 @@ double sum_ratio(struct sum n, struct sum d)
 
 double sum_ratio_or_nan(struct sum n, struct sum d)
 {
-	double q = sum_ratio(n, d);
+	double q = sum_nearest(&n, &d, false);
 
 	return isfinite(q) ? q : (double)NAN;
 }

@@ -18,20 +18,17 @@ static void round_column(const struct transform *t, int j, struct kernel_map *k)
 {
 	k->most[j] = k->none[j] = 0;
 	for (int i = 0; i < 4; i++) {
-		const struct sum *a = &t->relative[i][j];
-		struct sum q;
+		struct sum a = t->relative[i][j];
 
-		if (!sum_is_exact_zero(a) && !sum_is_one(&t->map.divisor)) {
-			q = sum_quotient(*a, t->map.divisor);
-			a = &q;
-		}
-		dd e = element_rounded(a);
+		if (!sum_is_exact_zero(&a) && !sum_is_one(&t->map.divisor))
+			a = sum_quotient(a, t->map.divisor);
+		dd e = element_rounded(&a);
 
-		k->exact[i][j] = sum_is_exact(a) && e.lo == 0 &&
-		    sum_compare(*a, sum_of_double(e.hi)) == 0;
+		k->exact[i][j] = sum_is_exact(&a) && e.lo == 0 &&
+		    sum_compare(a, sum_of_double(e.hi)) == 0;
 		k->hi[i][j] = e.hi;
 		k->lo[i][j] = e.lo;
-		k->none[j] += 2 * sum_error(a);
+		k->none[j] += 2 * sum_error(&a);
 		if (i < 3)
 			k->most[j] = fmax(k->most[j], fabs(e.hi));
 	}
