@@ -251,7 +251,6 @@ static double round_inexact(const struct sum *n, const struct sum *d,
 	struct sum rest, a;
 
 	sum_set(&a, -near);
-
 	ex_dot(2, (const ex *[]){ q, &a.value },
 	    (const ex *[]){ &one.value, &one.value }, INT_MIN, &rest.value);
 	int side = rest.value.sign * q->sign;
