@@ -31,9 +31,9 @@ struct analysis {
 	double size[3], largest; /* bounds of the image's coordinates */
 };
 
-/* back is the map from view space, relative to the origin. */
-static void set_corner(const struct volume *seen, const struct map *back, int i,
-    struct corner *c)
+/* back is the map from view space. */
+static void set_corner(const struct volume *seen, const struct map *back,
+    const double origin[3], int i, struct corner *c)
 {
 	struct sum h[4], over;
 
@@ -42,7 +42,8 @@ static void set_corner(const struct volume *seen, const struct map *back, int i,
 	map_image(&seen->ends, 2, seen->corner[i], &over);
 	over = sum_quotient(sum_mul(over, back->divisor), seen->ends.divisor);
 	for (int j = 0; j < 3; j++)
-		c->p[j] = fabs(sum_ratio(h[j], over));
+		c->p[j] = fabs(
+		    sum_ratio(sum_sub(h[j], sum_scale(h[3], origin[j])), over));
 	c->inverse = sum_ratio(h[3], over);
 }
 
@@ -117,14 +118,8 @@ const char *error_bounds(const struct scene *s, const struct volume *seen,
 	if (why != NULL || projection_is_open(&s->projection) ||
 	    scene_map(s, SPACE_VIEW, SPACE_MODEL, &back) != NULL)
 		return why;
-	for (int i = 0; i < 12; i++) {
-		struct sum *row = back.m[i / 3];
-
-		row[i % 3] = sum_sub(row[i % 3],
-		    sum_scale(row[3], t.map.origin[i % 3]));
-	}
 	for (int i = 0; i < 8; i++)
-		set_corner(seen, &back, i, &v.corner[i]);
+		set_corner(seen, &back, t.for_kernel.origin, i, &v.corner[i]);
 	set_size(s, &v);
 	/* half an ulp of the largest coordinate */
 	frexp(v.largest, &e);
