@@ -55,23 +55,17 @@ void depth_of(const struct lens *l, struct depth *d)
 	d->under[1] = sum_negated_if(!minus, vec3_dot(z, n));
 }
 
-/* A depth n / d. */
+/* A depth nd[0] / nd[1]. */
 struct depth_value {
-	struct sum n, d;
+	struct sum nd[2];
 };
-
-/* Returns d times line[0] z + line[1] at the depth z = n / d. */
-static struct sum depth_line_at(const struct sum line[2],
-    const struct depth_value *z)
-{
-	return sum_add(sum_mul(line[0], z->n), sum_mul(line[1], z->d));
-}
 
 static struct depth_value depth_of_plane(const struct depth *d, bool far)
 {
-	return (struct depth_value){ sum_of_double(
-					 far != d->reversed ? d->high : d->low),
-		sum_of_double(1) };
+	return (struct depth_value){
+		{ sum_of_double(far != d->reversed ? d->high : d->low),
+		    sum_of_double(1) }
+	};
 }
 
 void depth_quotient(const struct depth *d, bool far, struct sum *over,
@@ -79,8 +73,8 @@ void depth_quotient(const struct depth *d, bool far, struct sum *over,
 {
 	struct depth_value z = depth_of_plane(d, far);
 
-	*over = depth_line_at(d->over, &z);
-	*under = depth_line_at(d->under, &z);
+	sum_dot(2, d->over, z.nd, 1, over);
+	sum_dot(2, d->under, z.nd, 1, under);
 }
 
 double depth_distance(const struct depth *d, bool far)
@@ -97,8 +91,8 @@ double depth_distance(const struct depth *d, bool far)
 static int compare_depths(const struct depth_value *a,
     const struct depth_value *b)
 {
-	return sum_sign(sum_minor(a->n, b->d, b->n, a->d)) * sum_sign(a->d) *
-	    sum_sign(b->d);
+	return sum_sign(sum_minor(a->nd[0], b->nd[1], b->nd[0], a->nd[1])) *
+	    sum_sign(a->nd[1]) * sum_sign(b->nd[1]);
 }
 
 /* Finds the least float above z or, if up is -1, the greatest below z. Returns false if
@@ -106,14 +100,14 @@ static int compare_depths(const struct depth_value *a,
 static bool next_float(const struct depth_value *z, int up,
     struct depth_value *next)
 {
-	float f = (float)sum_nearest(&z->n, &z->d, true),
+	float f = (float)sum_nearest(&z->nd[0], &z->nd[1], true),
 	      to = up > 0 ? HUGE_VALF : -HUGE_VALF;
 
-	next->d = sum_of_double(1);
+	next->nd[1] = sum_of_double(1);
 	if (isfinite(f))
-		next->n = sum_of_double((double)f);
+		next->nd[0] = sum_of_double((double)f);
 	if (!isfinite(f) || compare_depths(next, z) * up <= 0)
-		next->n = sum_of_double((double)(f = nextafterf(f, to)));
+		next->nd[0] = sum_of_double((double)(f = nextafterf(f, to)));
 	return isfinite(f) != 0;
 }
 
@@ -126,9 +120,10 @@ static bool next_depth(const struct depth_value *z, enum buffer b, int up,
 
 	if (b == BUFFER_FLOAT32)
 		return next_float(z, up, next);
-	*next = (struct depth_value){ sum_add(sum_scale(z->n, most),
-					  sum_scale(z->d, up)),
-		sum_scale(z->d, most) };
+	sum_dot(2, z->nd,
+	    (struct sum[]){ sum_of_double(most), sum_of_double(up) }, 1,
+	    &next->nd[0]);
+	next->nd[1] = sum_scale(z->nd[1], most);
 	return true;
 }
 
@@ -144,14 +139,15 @@ static struct sum determinant(const struct depth *d)
 static double distance_between(const struct depth *d,
     const struct depth_value *a, const struct depth_value *b)
 {
-	struct sum under[2] = { depth_line_at(d->under, a),
-		depth_line_at(d->under, b) };
-	struct sum difference = sum_mul(determinant(d),
-	    sum_minor(b->n, a->d, a->n, b->d));
+	struct sum under[2],
+	    difference = sum_mul(determinant(d),
+		sum_minor(b->nd[0], a->nd[1], a->nd[0], b->nd[1]));
 
+	sum_dot(2, d->under, a->nd, 1, &under[0]);
+	sum_dot(2, d->under, b->nd, 1, &under[1]);
 	if (sum_sign(difference) == 0 ||
-	    sum_sign(under[0]) * sum_sign(a->d) <= 0 ||
-	    sum_sign(under[1]) * sum_sign(b->d) <= 0)
+	    sum_sign(under[0]) * sum_sign(a->nd[1]) <= 0 ||
+	    sum_sign(under[1]) * sum_sign(b->nd[1]) <= 0)
 		return (double)NAN;
 	return sum_ratio_or_nan(sum_abs(difference),
 	    sum_abs(sum_mul(under[0], under[1])));
@@ -180,9 +176,10 @@ double depth_step(const struct depth *d, enum buffer b, bool far)
 
 double depth_step_at(const struct depth *d, enum buffer b, double at)
 {
-	struct depth_value z = { sum_sub(d->over[1],
-				     sum_scale(d->under[1], at)),
-		sum_sub(sum_scale(d->under[0], at), d->over[0]) };
+	struct depth_value z = {
+		{ sum_sub(d->over[1], sum_scale(d->under[1], at)),
+		    sum_sub(sum_scale(d->under[0], at), d->over[0]) }
+	};
 
 	return step_from(d, b, &z, -sum_sign(determinant(d)), NULL);
 }

@@ -18,12 +18,10 @@ void view_limits(const struct scene *s, struct sum half[2], struct sum scale[2])
 static void combine_columns(struct map *r, int j, const struct map *m,
     bool minus, int k, struct sum a, struct sum b)
 {
-	for (int i = 0; i < 4; i++) {
-		struct sum x = sum_mul(a, m->m[i][k]);
+	const struct sum by[2] = { sum_negated_if(minus, a), b };
 
-		r->m[i][j] = sum_add(minus ? sum_neg(x) : x,
-		    sum_mul(b, m->m[i][3]));
-	}
+	for (int i = 0; i < 4; i++)
+		sum_dot(2, by, &m->m[i][k], 3 - k, &r->m[i][j]);
 }
 
 /* Makes the planes from the map to clip space. A point is inside left if x scale >=
@@ -209,11 +207,13 @@ static void planes_meet(const struct volume *v, int a, int b,
 		plane[1][i] = v->sides.m[i][b];
 		plane[2][i] = other->m[i][c];
 	}
-	for (int i = 0; i < 4; i++)
-		h[i] = sum_negated_if(i & 1, map_minor(3, plane, 8, 1u << i));
+	for (int i = 0; i < 4; i++) {
+		h[i] = map_minor(3, plane, 8, 1u << i);
+		h[i].value.sign *= i & 1 ? -1 : 1;
+	}
 	map_image(&v->ends, 2, h, &w);
 	for (int i = 0; i < 4 && sum_sign(w) < 0; i++)
-		h[i] = sum_neg(h[i]);
+		h[i].value.sign *= -1;
 }
 
 /* The left and the right plane meet in the line where clip x and w are 0. The line

@@ -173,16 +173,12 @@ static void set_planes(const struct lens *l, const struct upright *u,
 
 static void set_frustum_planes(const struct lens *l, double plane[6][4])
 {
-	struct map sides = l->volume.sides, ends = l->volume.ends;
-
-	map_append(&sides, &l->view, true);
-	map_append(&ends, &l->view, true);
 	for (int k = 0; k < 6; k++) {
-		const struct map *m = k < 4 ? &sides : &ends;
 		struct sum v[4];
 
 		for (int i = 0; i < 4; i++)
-			v[i] = m->m[i][k % 4];
+			map_image(k < 4 ? &l->volume.sides : &l->volume.ends,
+			    k % 4, l->view.m[i], &v[i]);
 		struct sum length = vec3_length(v);
 
 		for (int i = 0; i < 4; i++)
@@ -426,6 +422,7 @@ static void set_parameters(const struct lens *l, struct picture *r)
 const char *picture_of(const struct scene *s, struct picture *p)
 {
 	struct lens l;
+	struct scene known = *s;
 	const char *why = lens_of(s, &l);
 
 	if (why != NULL)
@@ -434,5 +431,8 @@ const char *picture_of(const struct scene *s, struct picture *p)
 	memset(p, 0xff, offsetof(struct picture, notes));
 	taxonomy_of(&l, p);
 	set_parameters(&l, p);
-	return error_bounds(s, &l.volume, p->error_bound);
+	known.known[SPACE_WORLD][false] = &l.view;
+	known.known[SPACE_WORLD][true] = &l.world;
+	known.known[SPACE_VIEW][false] = &l.volume.clip;
+	return error_bounds(&known, &l.volume, p->error_bound);
 }

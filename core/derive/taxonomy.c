@@ -67,12 +67,16 @@ static void name_parallel(const struct lens *l, struct picture *t)
 static enum kind perspective_kind(const struct lens *l)
 {
 	const struct sum *g = l->clip[3];
-	struct sum gradient = vec3_length(g);
 	int n = 0;
 
-	for (int i = 0; i < 3; i++)
-		n += sum_ratio_or_nan(sum_abs(vec3_dot(l->view.m[i], g)),
-			 sum_mul(vec3_length(l->view.m[i]), gradient)) > ALIKE;
+	for (int i = 0; i < 3; i++) {
+		const struct sum *a = l->view.m[i];
+		struct sum dot = vec3_dot(a, g);
+		struct sum most = sum_mul(vec3_dot(a, a), vec3_dot(g, g));
+
+		n += sum_compare(sum_mul(dot, dot),
+			 sum_scale(most, ALIKE * ALIKE)) > 0;
+	}
 	if (n < 2)
 		return KIND_ONE_POINT;
 	return n < 3 ? KIND_TWO_POINT : KIND_THREE_POINT;

@@ -30,7 +30,8 @@ struct sum vec3_length(const struct sum a[3])
 		return r;
 	r = sum_with_error(r.value, SUM_ERROR);
 	for (int i = 0; i < 3; i++)
-		r = sum_add(r, (struct sum){ ex_of(0), a[i].error });
+		if (!sum_is_exact(&a[i]))
+			r = sum_add(r, (struct sum){ ex_of(0), a[i].error });
 	return r;
 }
 
@@ -167,25 +168,25 @@ double map_nearest(const struct map *a, int i, int j, bool single)
 struct sum map_minor(int n, const struct sum m[4][4], unsigned rows,
     unsigned columns)
 {
-	struct sum s = sum_of_double(n == 0);
-	int i = 0;
-	bool minus = false;
+	struct sum minor[4], r;
+	int i = 0, sign = 1;
 
+	if (n == 0)
+		return sum_of_double(1);
 	while (rows >> i & 1)
 		i++;
-	for (int j = 0; j < 4 && n > 0; j++) {
+	for (int j = 0; j < 4; j++) {
+		sum_set(&minor[j], 0);
 		if (columns >> j & 1)
 			continue;
-		if (!sum_is_exact_zero(&m[i][j])) {
-			struct sum p = sum_mul(m[i][j],
-			    map_minor(n - 1, m, rows | 1u << i,
-				columns | 1u << j));
-
-			s = sum_add(s, sum_negated_if(minus, p));
-		}
-		minus = !minus;
+		if (!sum_is_exact_zero(&m[i][j]))
+			minor[j] = map_minor(n - 1, m, rows | 1u << i,
+			    columns | 1u << j);
+		minor[j].value.sign *= sign;
+		sign = -sign;
 	}
-	return s;
+	sum_dot(4, m[i], minor, 1, &r);
+	return r;
 }
 
 bool map_inverse(const double m[4][4], struct map *inverse)
@@ -198,11 +199,9 @@ bool map_inverse(const double m[4][4], struct map *inverse)
 	if (sum_sign(det) == 0)
 		return false;
 	for (int i = 0; i < 4; i++)
-		for (int j = 0; j < 4; j++) {
-			struct sum c = map_minor(3, a.m, 1u << j, 1u << i);
-
-			inverse->m[i][j] = sum_negated_if((i + j) % 2, c);
-		}
+		for (int j = 0; j < 4; j++)
+			inverse->m[i][j] = sum_negated_if((i + j) % 2,
+			    map_minor(3, a.m, 1u << j, 1u << i));
 	inverse->divisor = sum_of_double(1);
 	map_divide(inverse, det);
 	for (int k = 0; k < 3; k++)

@@ -45,7 +45,7 @@ void map_append(struct map *r, const struct map *stage, bool before);
 bool map_inverse(const double m[4][4], struct map *inverse);
 
 /* Returns the determinant of n rows and n columns of m: those whose bits in the masks
- * rows and columns are 0. */
+ * rows and columns are 0. Elements of the other columns must be numbers, too. */
 struct sum map_minor(int n, const struct sum m[4][4], unsigned rows,
     unsigned columns);
 

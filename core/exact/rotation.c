@@ -72,9 +72,9 @@ static void eigenvector(const struct sum k[4][4], struct sum q[4])
 		}
 	}
 	for (int i = 0; i < 4; i++) {
-		struct sum c = map_minor(3, k, 1u << best, 1u << i);
+		struct sum c = sum_negated_if((best + i) % 2,
+		    map_minor(3, k, 1u << best, 1u << i));
 
-		c = sum_negated_if((best + i) % 2, c);
 		q[i] = sum_with_error(ex_truncate(c.value, 8), 0);
 		norm = sum_add(norm, sum_abs(q[i]));
 	}
@@ -84,7 +84,7 @@ static void eigenvector(const struct sum k[4][4], struct sum q[4])
 
 enum rotation rotation_nearest(const double matrix[4][4], struct sum q[4])
 {
-	struct sum m[4][4], k[4][4], x, s = sum_of_double(0);
+	struct sum m[4][4] = { 0 }, k[4][4], x, s = sum_of_double(0);
 	double largest = 0;
 	int e;
 

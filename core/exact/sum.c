@@ -11,7 +11,6 @@ enum { ROUNDED_WORDS = 2 };
 static const struct sum one = { { 1, 1, 0, { 1 } }, 0 };
 static const struct sum two = { { 1, 1, 0, { 2 } }, 0 };
 static const struct sum half = { { 1, 1, -1, { (uint64_t)1 << 63 } }, 0 };
-static const struct sum minus_one = { { -1, 1, 0, { 1 } }, 0 };
 
 /* Returns the least e with |a| <= 2^e, or less than -EX_RANGE / 2 if a is 0. */
 static int sum_size(const ex *a)
@@ -137,11 +136,7 @@ struct sum sum_add(struct sum a, struct sum b)
 
 struct sum sum_sub(struct sum a, struct sum b)
 {
-	const struct sum *const x[] = { &a, &b };
-	const struct sum *const y[] = { &one, &minus_one };
-
-	dot_of_pointers(2, x, y, &a);
-	return a;
+	return sum_minor(a, one, b, one);
 }
 
 struct sum sum_mul(struct sum a, struct sum b)
@@ -205,7 +200,9 @@ struct sum sum_sqrt(struct sum a)
 			sum_is_exact(&a) ? 0 : (a.error + EX_RANGE) / 2 + 1 };
 	struct sum r = { ex_sqrt(a.value), 0 };
 
-	if (!sum_is_exact(&a) || sum_compare(sum_mul(r, r), a) != 0)
+	/* the lowest word of r r is word 2 e or 2 e + 1 */
+	if (!sum_is_exact(&a) || 2 * r.value.e + 1 < a.value.e ||
+	    sum_compare(sum_mul(r, r), a) != 0)
 		r.error = sum_bound(2,
 		    (int[]){ sum_size(&r.value) + SUM_ERROR,
 			a.error - ex_size(&r.value) + 1 });
@@ -244,18 +241,25 @@ static double neighbour(double a, bool away, bool single)
 
 /* Returns the double or float nearest to n / d, where n and d have errors. q is the
  * quotient of the values. As it can lie on the wrong side of the midpoint next to it,
- * the sign of n - midpoint d decides. A difference within its error is a tie. */
+ * the sign of n - midpoint d decides. A difference within its error is a tie. The
+ * midpoint is at least near's half ulp away, and q's error within 1/32 of that. */
 static double round_inexact(const struct sum *n, const struct sum *d,
     const ex *q, bool single)
 {
 	const double near = ex_nearest(q, single);
-	struct sum rest, a = sum_of_double(-near);
+	const int most = EX_RANGE - 62;
+	struct sum rest, a;
 
+	sum_set(&a, -near);
 	ex_dot(2, (const ex *[]){ q, &a.value },
 	    (const ex *[]){ &one.value, &one.value }, INT_MIN, &rest.value);
 	int side = rest.value.sign * q->sign;
 
-	if (!isfinite(near) || side == 0)
+	if (!isfinite(near) || side == 0 ||
+	    (n->error <= sum_size(&n->value) + most &&
+		d->error <= sum_size(&d->value) + most &&
+		fabs(ex_nearest(&rest.value, false)) <
+		    fabs(near) * (single ? 0.9 * 0x1p-25 : 0.9 * 0x1p-54)))
 		return near;
 	double other = neighbour(near == 0 ? copysign(0, q->sign) : near,
 	    side > 0, single);
@@ -296,7 +300,7 @@ double sum_ratio(struct sum n, struct sum d)
 
 double sum_ratio_or_nan(struct sum n, struct sum d)
 {
-	double q = sum_ratio(n, d);
+	double q = sum_nearest(&n, &d, false);
 
 	return isfinite(q) ? q : (double)NAN;
 }

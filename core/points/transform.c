@@ -7,11 +7,11 @@
 
 /* Returns the element as two doubles. An element other than 0 that rounds to 0 becomes the
  * smallest double. */
-static dd element_rounded(struct sum s)
+static dd element_rounded(const struct sum *s)
 {
-	dd e = sum_dd(s);
+	dd e = sum_dd(*s);
 
-	return e.hi == 0 ? (dd){ sum_sign(s) * 0x1p-1074, 0 } : e;
+	return e.hi == 0 ? (dd){ sum_sign(*s) * 0x1p-1074, 0 } : e;
 }
 
 static void round_column(const struct transform *t, int j, struct kernel_map *k)
@@ -20,9 +20,9 @@ static void round_column(const struct transform *t, int j, struct kernel_map *k)
 	for (int i = 0; i < 4; i++) {
 		struct sum a = t->relative[i][j];
 
-		if (!sum_is_exact_zero(&a))
+		if (!sum_is_exact_zero(&a) && !sum_is_one(&t->map.divisor))
 			a = sum_quotient(a, t->map.divisor);
-		dd e = element_rounded(a);
+		dd e = element_rounded(&a);
 
 		k->exact[i][j] = sum_is_exact(&a) && e.lo == 0 &&
 		    sum_compare(a, sum_of_double(e.hi)) == 0;

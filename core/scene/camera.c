@@ -192,17 +192,17 @@ static void map_of_axes(const struct axis a[3], const double at[3],
 	map_identity(r);
 	for (int i = 0; i < 3; i++) {
 		struct sum given = sum_scale(d, at[i]), found;
+		struct sum over = sum_quotient(sum_of_double(1),
+		    exact ? sum_of_double(1) : a[i].length);
 
 		if (at_is_origin)
 			sum_dot(3, minus, &a[0].v[i], AXIS_SUMS, &found);
 		else
 			found = vec3_dot(a[i].v, minus);
-		if (!exact)
-			found = sum_quotient(found, a[i].length);
+		found = sum_mul(found, over);
 		for (int k = 0; k < 3; k++)
-			r->m[inverse ? i : k][inverse ? k : i] = exact ?
-			    a[i].v[k] :
-			    sum_quotient(a[i].v[k], a[i].length);
+			sum_dot(1, &a[i].v[k], &over, 1,
+			    &r->m[inverse ? i : k][inverse ? k : i]);
 		r->m[3][i] = at_is_origin == inverse ? found : given;
 		if (!inverse)
 			r->origin[i] = at_is_origin ? sum_ratio(found, d) :

@@ -70,6 +70,10 @@ static const char *scene_stage(const struct scene *s, int below, bool inverse,
 	const struct convention *c = &s->convention, *to = answer_convention(s);
 	const char *why = NULL;
 
+	if (s->known[below][inverse] != NULL) {
+		*r = *s->known[below][inverse];
+		return NULL;
+	}
 	switch ((enum space)below) {
 	case SPACE_MODEL:
 		return world_map(s, inverse, r);
@@ -118,13 +122,15 @@ static const char *compose(const struct scene *s, int from, int to,
 	int low = back ? to : from, high = back ? from : to;
 	struct map next;
 
-	map_identity(r);
+	if (low == high)
+		map_identity(r);
 	for (int i = low; i < high; i++) {
-		const char *why = stage(s, i, back, &next);
+		const char *why = stage(s, i, back, i == low ? r : &next);
 
 		if (why != NULL)
 			return why;
-		map_append(r, &next, back);
+		if (i > low)
+			map_append(r, &next, back);
 	}
 	return NULL;
 }

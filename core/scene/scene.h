@@ -47,6 +47,8 @@ struct scene {
 	/* For fit, the share of the picture's width and height that stays free at
 	 * each side; 0 for all other commands. */
 	double margin;
+	/* NULL, or the known map of a stage by the space below, or its inverse. */
+	const struct map *known[SPACE_DEVICE][2];
 };
 
 static inline const struct convention *answer_convention(const struct scene *s)
