@@ -176,7 +176,7 @@ static size_t hits_first(struct hit *const *hit, size_t n)
 	return differ || i == 0 ? i : i - 1;
 }
 
-/* Prints the hits, the nearest first; hits at one distance keep the order of the input. */
+/* Prints the hits, the nearest first. Hits at one distance keep their order. */
 static void print_hits(const struct job *j)
 {
 	struct hits *h = j->with;

@@ -252,8 +252,9 @@ int choose_overlap(const struct layout *, const struct chosen *);
 bool choose_clashes(const struct layout *, const struct chosen *, bool members,
     char reason[REASON_MAX]);
 
-/* Writes --columns with the places of the names x, y, z and w among the words of a line.
- * Returns the number of words, or 0 if a name is missing or all are first in order. */
+/* Writes --columns with the places of the names x, y, z and w among the words of a
+ * line. Returns the number of words, or 0 if a name is missing or all are first in
+ * order. */
 size_t choose_words(const struct layout *, struct span line,
     char option[OPTION_ROOM]);
 
@@ -276,8 +277,8 @@ bool header_read(struct layout *, struct span text, struct line *,
 
 /* Returns whether a row of csv has more fields than the header has names, or than the
  * first row if no coordinate is found by name; if so, writes the reason. An empty last
- * field does not count. R writes such tables: its column of row names has no name in the
- * header, so that each name is one column too far to the left. */
+ * field does not count. R writes such tables: its column of row names has no name in
+ * the header, so that each name is one column too far to the left. */
 bool header_is_short(struct layout *, struct cut row, enum first,
     char reason[REASON_MAX]);
 

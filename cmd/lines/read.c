@@ -93,8 +93,8 @@ static bool is_right(const struct layout *l, struct cut cut,
 	return false;
 }
 
-/* Finds the coordinates of a line and reads them. Sets the kind of the line: LINE_REFUSED
- * if the first row does not fit its header. */
+/* Finds the coordinates of a line and reads them. Sets the kind of the line:
+ * LINE_REFUSED if the first row does not fit its header. */
 static void read_fields(struct layout *l, struct span text, enum first first,
     struct line *line, double v[4], char reason[REASON_MAX])
 {

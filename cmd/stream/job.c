@@ -284,9 +284,9 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 	c->size = (size_t)(at - c->out);
 }
 
-/* Refuses a source that begins as a .npy file, as UTF-16 or as an archive does. Binary
- * points may begin with the bytes of a byte order mark, but hardly with ASCII in UTF-16,
- * and with those of an archive. */
+/* Refuses a source that begins like a .npy file, UTF-16 or an archive. Points in binary
+ * may begin with the bytes of an archive or of a byte order mark; of UTF-16 in binary
+ * only ASCII is recognized. */
 static void refuse_foreign(const struct job *j, struct chunk *c)
 {
 	static const char *const archives[][2] = {

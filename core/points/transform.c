@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Returns the element as two doubles. An element other than 0 that rounds to 0 becomes the
- * smallest double. */
+/* Returns the element as two doubles. An element other than 0 that rounds to 0 becomes
+ * the smallest double. */
 static dd element_rounded(const struct sum *s)
 {
 	dd e = sum_dd(*s);
