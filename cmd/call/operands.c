@@ -84,8 +84,8 @@ bool has_points(const struct command *c, const struct options *o,
 	return !none;
 }
 
-/* Returns whether a member that the output adds is at path, a name or a JSON pointer,
- * or contains the member at path. */
+/* Returns whether path, a name or a JSON pointer, leads to or into a member that the
+ * output adds. */
 static bool is_added(const struct layout *l, const char *path)
 {
 	const bool pointer = *path == '/';

@@ -24,8 +24,8 @@ static int option_names(const struct command *c, const char *word,
 	return count;
 }
 
-/* Refuses word, "--name" or "-n", by its name. If "-n" is an option of other commands,
- * name is its long name. */
+/* Refuses the option word. name is word without dashes or, for a letter of other
+ * commands, the long name. */
 static _Noreturn void refuse_option(const struct command *c, const char *word,
     const char *name)
 {

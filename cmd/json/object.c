@@ -9,7 +9,7 @@
 /* The most rows of a table: members are bits. */
 enum { MEMBERS_MAX = 64 };
 
-/* Returns whether kinds, the bits of a member or of ways, have the kind. */
+/* Returns whether kinds, a row's bits, have the kind; 0 stands for all kinds. */
 static bool is_of(unsigned kinds, int kind)
 {
 	return kind == ANY_KIND || kinds == 0 || (kinds >> kind & 1) != 0;

@@ -190,7 +190,7 @@ bool choose_clashes(const struct layout *l, const struct chosen *c,
 }
 
 size_t choose_words(const struct layout *l, struct span line,
-    char option[OPTION_ROOM])
+    char out[OPTION_ROOM])
 {
 	bool moved = false;
 	struct chosen c;
@@ -201,13 +201,12 @@ size_t choose_words(const struct layout *l, struct span line,
 
 	words.names = true;
 	choose(l, words, &c);
-	option = stpcpy(option, "--columns ");
+	out = stpcpy(out, "--columns ");
 	for (int i = 0; i < l->reads; i++) {
 		if (!l->columns.by_header || c.times[i] == 0)
 			return 0;
 		moved |= c.place[i] != i;
-		option += sprintf(option, i > 0 ? ",%ld" : "%ld",
-		    c.place[i] + 1);
+		out += sprintf(out, i > 0 ? ",%ld" : "%ld", c.place[i] + 1);
 	}
 	return moved ? cut_count(words) : 0;
 }

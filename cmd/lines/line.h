@@ -256,7 +256,7 @@ bool choose_clashes(const struct layout *, const struct chosen *, bool members,
  * line. Returns the number of words, or 0 if a name is missing or all are first in
  * order. */
 size_t choose_words(const struct layout *, struct span line,
-    char option[OPTION_ROOM]);
+    char out[OPTION_ROOM]);
 
 /* Returns whether the token is the decimal number k without leading zeros. */
 bool is_index(struct span token, long k);
@@ -315,7 +315,7 @@ void say_text_header(const struct layout *, struct span line,
 /* Reads simple lines fast, by an index. The index lists the stops of a stretch of text:
  * the bytes that can end a field. A walk goes from stop to stop and finds the
  * coordinates without a look at the bytes between; vector code then reads many numbers
- * at once. A line that is not simple is left: line_read has to read it. */
+ * at once. A line that is not simple is left to line_read. */
 
 /* The most bytes of a stretch: so few that they stay in the first-level cache until
  * their numbers are read. A stop has 16 bits. */
@@ -353,7 +353,7 @@ struct walk {
 	int field[4];
 };
 
-/* Makes the walk of a layout. Returns false where every line has to be left. */
+/* Makes the walk of a layout. Returns false where every line is left to line_read. */
 bool walk_plan(const struct layout *, struct walk *);
 
 /* Makes the stretch that begins at text, and its index. Returns false where no line
@@ -362,14 +362,14 @@ bool stretch_open(struct stretch *, const struct walk *, const char *text,
     const char *end);
 
 /* Walks up to n <= PLAIN_BATCH lines and sets the places of their numbers, by
- * coordinate. Sets bit i of *left if line i is left. Returns the number of lines, at
- * least one if at < end. */
+ * coordinate. Sets bit i of *left if line i is left to line_read. Returns the number of
+ * lines, at least one if at < end. */
 size_t walk_lines(struct stretch *, const struct walk *, size_t n,
     struct line[PLAIN_BATCH], struct plain_places[4], uint64_t *left);
 
 /* Reads the numbers of the n lines that walk_lines walked. Lines with a bit in left may
- * get any numbers. Returns left, and the bits of other lines that have to be left; all
- * other lines are points. */
+ * get any numbers. Returns left, and the bits of other lines that are left to
+ * line_read; all other lines are points. */
 uint64_t walk_numbers(const struct walk *, const struct line *, size_t n,
     const struct plain_places[4], uint64_t left, double v[4][PLAIN_BATCH]);
 

@@ -84,11 +84,12 @@ bool stretch_open(struct stretch *w, const struct walk *walk, const char *text,
 }
 
 /* A position on a line. A function pass_... moves at to the end of what it passes. If
- * it returns false, the line is left, unless its comment says otherwise. */
+ * it returns false, the line is left to line_read, unless its comment says otherwise.
+ */
 struct walker {
 	const char *text;
 	uint32_t at;
-	const uint16_t *stop; /* the first stop from at on */
+	const uint16_t *stop; /* the first stop at text + at or after it */
 	bool comma;           /* the last separator has a comma */
 	int found;            /* the number of coordinates passed */
 };
@@ -149,8 +150,8 @@ static int escaped_stops(const char *s)
 	return s[1] != '\0' && strchr("/bfnrt", s[1]) != NULL ? 0 : -1;
 }
 
-/* Passes a string of JSON. A name with escapes is left, as it could be the name of a
- * coordinate. */
+/* Passes a string of JSON. Returns false for a name with escapes, which could be the
+ * name of a coordinate. */
 INLINE bool pass_string(struct walker *p, bool name)
 {
 	for (p->stop++; p->text[*p->stop] != '"'; p->stop++) {
@@ -248,7 +249,8 @@ static bool pass_nested(struct walker *, const struct target *,
 
 /* Results that are not the number of a coordinate. The functions that look at a field
  * return NOTHING if it is no coordinate, MORE if paths lead into it. pass_field returns
- * NOTHING after the last field, MORE if another follows. ODD: the line is left. */
+ * NOTHING after the last field, MORE if another follows. ODD: the line is left to
+ * line_read. */
 enum { NOTHING = -1, MORE = -2, ODD = -3 };
 
 /* Returns the paths whose bits are set in led, without their first tokens. */
@@ -286,7 +288,7 @@ INLINE int follow(const struct trail *t, int n, struct span name, unsigned *led)
 }
 
 /* Passes a value of JSON that is not a coordinate, and the coordinates in it if paths
- * have led there. Returns false if the line has to be left. */
+ * have led there. Returns false if the line is left to line_read. */
 INLINE bool pass_value(struct walker *p, const struct target *t,
     const struct trail *trail, unsigned led, int levels)
 {
@@ -308,7 +310,8 @@ INLINE bool pass_value(struct walker *p, const struct target *t,
 	    p->text + p->at;
 }
 
-/* Passes the name of a member and the colon. Returns false if the line is left. */
+/* Passes the name of a member and the colon. Returns false if the line is left to
+ * line_read. */
 INLINE bool pass_name(struct walker *p, struct dialect d, bool may_have_escapes,
     struct span *name)
 {
@@ -421,7 +424,7 @@ INLINE int pass_field(struct walker *p, struct dialect d, struct fields *f,
 }
 
 /* Passes the fields up to the newline or a bracket, in text up to the last coordinate.
- * Returns false if the line has to be left. */
+ * Returns false if the line is left to line_read. */
 INLINE bool pass_fields(struct walker *p, struct dialect d, struct fields f,
     const struct target *t)
 {
@@ -445,7 +448,7 @@ INLINE bool pass_fields(struct walker *p, struct dialect d, struct fields f,
 	    ends_text(p, d, f.n, f.commas > 0);
 }
 
-/* Passes an array or an object. Returns false if the line has to be left. */
+/* Passes an array or an object. Returns false if the line is left to line_read. */
 INLINE bool pass_brackets(struct walker *p, struct fields f,
     const struct target *t)
 {
@@ -481,10 +484,10 @@ static bool pass_nested(struct walker *p, const struct target *t,
 	return levels > 0 && pass_brackets(p, f, t);
 }
 
-/* The depth of nested values beyond which a line is left. */
+/* Lines that nest values deeper are left to line_read. */
 enum { LEVELS = 8 };
 
-/* Finds the coordinates of a line. Returns false if the line has to be left. */
+/* Finds the coordinates of a line. Returns false if the line is left to line_read. */
 INLINE bool pass_line(struct walker *p, struct dialect d, int n,
     enum shape shape, const struct target *t)
 {
@@ -504,7 +507,7 @@ INLINE bool pass_line(struct walker *p, struct dialect d, int n,
 	    (d.format == FORMAT_TEXT || (p->found == n && stands(p, '\n')));
 }
 
-/* Sets the places of line i, which is left, to bytes that can be read. */
+/* Sets the places of line i, which is left to line_read, to bytes that can be read. */
 static void no_numbers(int n, size_t i, struct plain_places places[4])
 {
 	static const char none[PLAIN_BEFORE + 1] = "";

@@ -41,11 +41,11 @@ unsigned escape_invisible(const char *);
 
 /* The known word that an unknown one may stand for. */
 
-/* Returns the one of words, which NULL ends, that the fewest edits make of word. An
- * edit changes, adds or drops a letter, or swaps two neighbours. At most one edit is
- * made in a word of two to five letters, two in one of up to eight, three in a longer
- * one. If there is no such word, returns the first that begins with word or is its
- * beginning, of three letters or more; else NULL. Case does not count. */
+/* Returns the word of the list words, which NULL ends, that is the fewest edits from
+ * word. An edit changes, adds or drops a letter, or swaps two neighbours. At most one
+ * edit is made in a word of two to five letters, two in one of up to eight, three in a
+ * longer one. If there is no such word, returns the first that begins with word or is
+ * its beginning, of three letters or more; else NULL. Case does not count. */
 const char *nearest_word(const char *word, const char *const *words);
 
 /* Returns whether a word is one of words, which are in lower case with blanks between

@@ -151,7 +151,7 @@ static void refuse_flat(const struct value *root,
 		    "commands w2n, n2w, n2d, d2n, w2d and d2w are of two");
 }
 
-/* Reads the members of m whose bits are set into *d. */
+/* Reads into *d the members of m whose bits are set. */
 static void read_members(struct document *d,
     const struct value m[SCENE_MEMBERS], unsigned bits)
 {

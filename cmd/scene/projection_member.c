@@ -166,7 +166,7 @@ const struct ways projection_ways[] = {
 	{ { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
 	    .kinds = VOLUME, .at = AT(eye_by) },
 	{ { "z_near z_far" }, .fit = true, .kinds = VOLUME },
-	/* without ways: fit_scene refuses the type */
+	/* no fit_way: fit_scene refuses the type */
 	{ { "matrix" }, .fit = true, .kinds = MATRIX },
 	{ .way = { NULL } },
 };

@@ -33,8 +33,8 @@ double trig_degrees(struct sum y, struct sum x);
  * of the rotated space. Returns false if the length is above 2 pi. */
 bool rotation_about(const double vector[3], struct sum r[3][3]);
 
-/* The results of rotation_nearest. ROTATION_NONE: the determinant is not positive, so
- * no rotation is nearest. ROTATION_MANY: two singular values are too near 0, so many
+/* The results of rotation_nearest. ROTATION_NONE: the determinant is not positive, as
+ * of a matrix that mirrors. ROTATION_MANY: two singular values are too near 0, so many
  * rotations are equally near. */
 enum rotation { ROTATION_FOUND, ROTATION_NONE, ROTATION_MANY };
 

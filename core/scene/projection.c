@@ -371,8 +371,8 @@ static const char *projection_matrix_map(const struct projection *p,
 }
 
 /* Computes the affine matrix from view space to the canonical space, in which P would
- * have the rows 1 0 0 0, 0 1 0 0, 0 0 1 0. In both X, Y and Z of P are x, y and z up to
- * signs. */
+ * have the rows 1 0 0 0, 0 1 0 0, 0 0 1 0. In both spaces x, y and z are X, Y and Z of
+ * P up to signs. */
 static void intrinsics_matrix(const struct projection *p,
     const struct convention *c, double canonical[4][4])
 {

@@ -37,9 +37,9 @@ struct projection {
 	double width, height; /* of extent; by intrinsics, of the viewport */
 	double left, right, bottom, top;
 	double edges_at; /* the distance of the cross-section; 0 means near */
-	/* The rows of P, which maps a point with X to the right, Y in the direction
-	 * of device y, and Z along the gaze to u w, v w, w. The pixels u and v are
-	 * relative to the viewport's corner. near and far are values of w. */
+	/* The rows of P, which maps X Y Z 1 to u w, v w, w. X is to the right, Y in the
+	 * direction of device y, and Z along the gaze. The pixels u and v are relative
+	 * to the viewport's corner. near and far are values of w. */
 	double intrinsics[3][4];
 	/* In persp, far may be INFINITY. near 0 means that there are no near and far
 	 * planes; depth is then 1/w, reversed. */

@@ -34,7 +34,7 @@
 /* The least magnitude of a scaled element that is not 0, as scaling may underflow. */
 #define LEAST 0x1p-1022
 
-/* How many binary places cut coordinates and cut elements keep. */
+/* The bits that are kept of a coordinate and of an element when they are cut. */
 enum { POINT_CUT = DIGITS / 2, ELEMENT_CUT = DIGITS - 3 - POINT_CUT };
 
 /* Returns true if largest is neither so large nor so small that products or quotients
@@ -77,11 +77,11 @@ static bool is_product(double a, double b, double product)
 	    (fabs(product) > 0x1p-900 || a == 0 || b == 0);
 }
 
-/* The differences d of a block's points from the origin in one coordinate. If the
- * origin is less than 2^23 times as large as the differences, it is cut like the points
- * into cut and rest: cut is subtracted from the points' cut parts, and rest changes the
- * column's image of the origin. If not, whole, all of the origin, is subtracted from
- * the points: they lie so near to the origin that these differences are exact. */
+/* The differences d of a block's points from the origin in one coordinate. An origin
+ * below 2^(e+23) is cut as the points are: its cut part is subtracted from theirs, and
+ * its rest, times the element, from the column's image of the origin. A larger origin
+ * is subtracted whole from the points, which lie so near to it that the differences are
+ * exact. */
 struct kernel_range {
 	double largest;        /* the largest |d|, rounded up */
 	double power, inverse; /* 2^e, largest < 2^e, and 2^-e */
