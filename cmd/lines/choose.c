@@ -195,7 +195,7 @@ size_t choose_words(const struct layout *l, struct span line,
 	bool moved = false;
 	struct chosen c;
 
-	while (line.s < line.end && (*line.s == '#' || is_blank(*line.s)))
+	while (line.s < line.end && strchr("#%/;! \t", *line.s) != NULL)
 		line.s++;
 	struct cut words = cut_line((struct dialect){ FORMAT_TEXT, ' ' }, line);
 

@@ -164,7 +164,10 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 			c->field[i] = (int)chosen.place[i];
 	c->n = l->reads;
 	l->fields = l->most = cut_count(header);
-	l->words = SIZE_MAX;
+	l->words = 0;
+	for (int i = 0; i < l->reads; i++)
+		if (c->field[i] != i)
+			l->words = SIZE_MAX;
 	strcpy(l->option, "--columns by number");
 	choose_places(l, &chosen, line);
 	return true;
@@ -183,7 +186,7 @@ bool header_is_short(struct layout *l, struct cut c, enum first first,
 	    (l->fields == 0 || !header_is_named(l)))
 		l->most = n;
 	n -= f.value.s == f.value.end;
-	if (n <= l->most || l->most == 0)
+	if (n <= l->most || l->fields == 0)
 		return false;
 	if (!blanks)
 		snprintf(reason, REASON_MAX,

@@ -312,7 +312,6 @@ void say_text_header(const struct layout *l, struct span line,
 {
 	const struct separator *other = find_separator(l, line, true);
 	struct cut c = cut_line(l->in, line);
-	char option[OPTION_ROOM];
 	struct field f;
 
 	for (int i = 0; i < l->reads && cut_next(&c, &f); i++) {
@@ -323,10 +322,9 @@ void say_text_header(const struct layout *l, struct span line,
 			return;
 	}
 	snprintf(reason, REASON_MAX,
-	    "looks like a header; say %s, or leave it out by tail -n +2",
+	    "looks like a header; say %s, or leave it out by tail -n +2, with "
+	    "--columns if x is not in the first column",
 	    other == NULL       ? "-i csv --separator ' '" :
 		other->c == ',' ? "-i csv" :
 				  other->option);
-	if (choose_words(l, line, option) > 0)
-		say_more(reason, " and say %s", option);
 }

@@ -47,7 +47,7 @@ bool walk_plan(const struct layout *l, struct walk *w)
 		.stops = stops_of(l->in),
 		.n = l->reads,
 		.fields = l->append ? (int)l->fields : 0,
-		.most = l->most > 0 ? (int)l->most : STRETCH,
+		.most = l->fields > 0 ? (int)l->most : STRETCH,
 		.added = l->append ? l->name : NULL,
 		.arrays = !json || c->n == 0 || c->name[0] == NULL,
 		.objects = json && (c->n == 0 || c->name[0] != NULL),
