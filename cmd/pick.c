@@ -71,7 +71,7 @@ static void hits_append(const struct job *j, struct chunk *c, struct hit hit,
 		p.at += !is_binary(j->layout.in.format);
 	}
 	hit.size = (size_t)(p.at - text);
-	*hit_at(at, 0) = hit;
+	memcpy(at, &hit, offsetof(struct hit, text));
 	c->size += hit_stride(hit.size);
 }
 

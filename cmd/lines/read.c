@@ -159,8 +159,14 @@ void line_read(struct layout *l, struct span text, enum first *first,
 	    format_is_old(l->in, text, reason)) {
 		line->kind = LINE_LOST;
 	} else if (*s == '#' && header_in_comment(l, text, was == FIRST_LINE)) {
-		if (was == FIRST_LINE && l->words == 0)
-			l->words = choose_words(l, text, l->option);
+		char option[OPTION_ROOM];
+		size_t n = was == FIRST_LINE ? choose_words(l, text, option) :
+					       0;
+
+		if (n > 0 && l->words != SIZE_MAX) {
+			l->words = n;
+			strcpy(l->option, option);
+		}
 		return;
 	} else if (was == FIRST_LINE && in->header && *s == '{') {
 		line->kind = LINE_LOST;
@@ -173,9 +179,9 @@ void line_read(struct layout *l, struct span text, enum first *first,
 	if (was == FIRST_LINE && line->kind == LINE_LOST && in->header &&
 	    !l->columns.by_header && header_is_named(l))
 		line->kind = LINE_REFUSED;
-	if (was == FIRST_LINE && line->kind == LINE_POINT &&
-	    l->columns.by_header && l->header == HEADER_MAYBE &&
-	    *in->open == '\0' && l->words > 0 &&
+	if (was == FIRST_LINE && line->kind != LINE_HEADER &&
+	    line->kind != LINE_REFUSED && l->columns.by_header &&
+	    l->header == HEADER_MAYBE && *in->open == '\0' && l->words > 0 &&
 	    (l->words == SIZE_MAX ||
 		l->words == cut_count(cut_line(l->in, text)))) {
 		line->kind = LINE_REFUSED;
