@@ -33,9 +33,9 @@ struct options {
 	char separator; /* of csv, a comma by default */
 	bool header, no_header; /* neither: the first line of csv decides */
 	struct columns columns; /* of POINTS, by --columns */
-	struct styles styles;
+	struct styles styles;   /* of --decimals or --digits */
 	enum precision precision;
-	double tolerance;             /* of inspect; 0: not given */
+	double tolerance; /* of inspect, device units; 0: not given */
 	struct number_list distances; /* of inspect */
 	bool has_from, has_to;
 	enum space from, to;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads one line of any kind, and decides alone what a legal line is. */
+/* Reads one line of any kind; this file alone says which lines are legal. */
 #include <stdio.h>
 
 #include "line.h"

@@ -280,7 +280,7 @@ static void read_projection(const struct value *v, const struct member *row,
 	uint64_t seen = object_read(v, row, kind, p);
 
 	p->unit = (enum angle_unit)v->source->unit;
-	/* the default direction is 45 degrees in any unit */
+	/* the default direction stays in degrees: 45 */
 	if (is_given(p, seen, "direction"))
 		p->direction_unit = p->unit;
 	if (p->type == PROJECTION_PERSP)

@@ -285,8 +285,8 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 }
 
 /* Refuses a source that begins like a .npy file, UTF-16 or an archive. Points in binary
- * may begin with the bytes of an archive or of a byte order mark; of UTF-16 in binary
- * only ASCII is recognized. */
+ * may begin like an archive or a byte order mark: of binary input only UTF-16 with
+ * three ASCII characters behind the mark is refused. */
 static void refuse_foreign(const struct job *j, struct chunk *c)
 {
 	static const char *const archives[][2] = {

@@ -17,8 +17,8 @@ enum { PIECE_ROOM = 1 << 17 };
  * not stay in the cache. */
 enum { PIPE_ROOM = 2 * PIECE_ROOM };
 
-/* The bytes after the end of a text that may be read. In a document's text they may
- * also be written: the newline of a single point needs one. */
+/* The number of bytes after a text that may be read. After a document's text they may
+ * also be written, as by the newline of a single point. */
 enum { PIECE_MARGIN = 2 };
 
 enum piece_state {

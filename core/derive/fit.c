@@ -33,9 +33,9 @@ static const char *from_axes(struct camera *c,
 	return why;
 }
 
-/* Replaces the member at by the gaze at - eye, rounded. The gaze is halved if it is
+/* Turns the position c->at into the gaze at - eye, rounded. The gaze is halved if it is
  * beyond the range of a document's numbers. */
-static void from_at(struct camera *c)
+static void gaze_from_at(struct camera *c)
 {
 	double largest = 0;
 
@@ -66,7 +66,7 @@ static const char *gaze_of(struct scene *s)
 	if (why == NULL && c->kind >= CAMERA_ORIENTATION)
 		why = from_axes(c, convention, &back);
 	else if (c->kind == CAMERA_AT)
-		from_at(c);
+		gaze_from_at(c);
 	c->kind = CAMERA_GAZE;
 	return why;
 }

@@ -240,9 +240,9 @@ static double neighbour(double a, bool away, bool single)
 }
 
 /* Returns the double or float nearest to n / d, where n and d have errors. q is the
- * quotient of the values. As it can lie on the wrong side of the midpoint next to it,
- * the sign of n - midpoint d decides. A difference within its error is a tie. The
- * midpoint is at least near's half ulp away, and q's error within 1/32 of that. */
+ * quotient of the values. If q is so near a midpoint of two doubles that its error
+ * could pass it, the sign of n - midpoint d decides, and a difference within its error
+ * is a tie. Half an ulp is at least 32 times the error of q. */
 static double round_inexact(const struct sum *n, const struct sum *d,
     const ex *q, bool single)
 {

@@ -20,8 +20,8 @@ enum { SINE_WORDS = 6 };
 
 /* Returns 1 - y/((n+1)(n+2)) + y^2/((n+1)...(n+4)) - ... up to y^(last/2). For y = x^2
  * this is cos x (n = 0), or sin x / x (n = 1). Over the common denominator all
- * coefficients are whole numbers. y, and the sum after each term, are truncated by less
- * than the last of their words. */
+ * coefficients are whole numbers. y, and the sum after each term, are cut by less than
+ * 1 in the last word that is kept. */
 static ex series(ex y, int n, int last, int words)
 {
 	ex minus = ex_truncate(y, words), c = ex_of(1), s = c, step = c;

@@ -166,6 +166,6 @@ bool points_map_floats(const struct transform *t, const char *in, char *out,
 {
 	float_kernel fast = points_kernels()->floats[t->kind];
 
-	return fast != NULL && t->in == kernel_terms(t->kind) &&
+	return fast != NULL && t->in == kernel_inputs(t->kind) &&
 	    fast(&t->for_kernel, in, out, n);
 }

@@ -150,7 +150,7 @@ enum verdict { UNSURE, RIGHT, WRONG };
 
 static verdict judge(int kind)
 {
-	const int terms = kernel_terms((enum kernel_kind)kind);
+	const int terms = kernel_inputs((enum kernel_kind)kind);
 	const int columns = kernel_outputs((enum kernel_kind)kind);
 	wide w = divisor(kind, terms);
 

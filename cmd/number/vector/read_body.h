@@ -83,12 +83,12 @@ static inline struct integer long_integer(const struct rows *r, size_t i)
 
 /* Returns m / p rounded to nearest, and adds to m->bad the lanes of which this is not
  * sure. The quotient q of hi and p is rounded; the remainder hi - q p is exact, as
- * always when division rounds to nearest and nothing underflows. So m / p is q + c
- * for c = (hi - q p + lo) / p, which costs two roundings: an error below 2.01 * 2^-53
- * |c|. The two ends below are farther from c, 2^-50 |c| less 2^-53 |c| for their own
- * rounding. Rounding is monotone: if q + either end is one double, m / p rounds to
- * it; else, as when m / p lies midway, the number is bad. Where all of lo is 0, q is
- * Clinger's exact case. */
+ * always when division rounds to nearest and nothing underflows. So m / p is q + c for
+ * c = (hi - q p + lo) / p, which costs two roundings: an error below 2.01 * 2^-53 |c|.
+ * The sums c + off and c - off are farther from c: 2^-50 |c| less 2^-53 |c| for their
+ * own rounding. Rounding is monotone: if q + (c + off) and q + (c - off) are the same
+ * double, m / p rounds to it; else, as when m / p lies midway, the number is bad. Where
+ * all of lo is 0, q is Clinger's exact case. */
 static inline V divide(struct integer *m, V p)
 {
 	V q = m->hi / p;

@@ -35,7 +35,7 @@
 #include "write_find.h"
 
 /* The zeros of a text before its DIGITS digits; the 17th digit and zeros follow. */
-enum { BEFORE = 8 };
+enum { ZEROS_BEFORE = 8 };
 
 /* Hides a constant from gcc, which makes up to five operations of a product with a
  * constant that it knows. */
@@ -95,7 +95,7 @@ INLINE void write_digits(struct number_text *t, uint16_t *nonzero,
 		I x = twos(fours((I)(high + lowest_bits)) |
 		    (fours((I)(low + lowest_bits)) << 32));
 
-		store_digits(t[i].b + BEFORE, sizeof *t, nonzero + i,
+		store_digits(t[i].b + ZEROS_BEFORE, sizeof *t, nonzero + i,
 		    ones(BYTES_LOW(x)), ones(BYTES_HIGH(x)));
 	}
 }
@@ -126,7 +126,7 @@ INLINE void lay_out(uint32_t *layout, const uint16_t *nonzero,
 		int begin = first < point - 1 ? first : point - 1;
 		int before = point - begin;
 		int size = before + (end > point ? end - point + 1 : 0);
-		int all = (BEFORE + begin) | minus << 8 | before << 16 |
+		int all = (ZEROS_BEFORE + begin) | minus << 8 | before << 16 |
 		    size << 24;
 
 		layout[i] = (uint32_t)(sign != 0 ? all : 0);
@@ -141,9 +141,9 @@ INLINE void write_around(struct number_text *t, const uint32_t *layout,
 	const uint64_t zeros = 0x3030303030303030;
 
 	for (size_t i = 0; i < NUMBER_BATCH; i++) {
-		char *digits = t[i].b + BEFORE;
+		char *digits = t[i].b + ZEROS_BEFORE;
 
-		memcpy(digits - BEFORE, &zeros, sizeof zeros);
+		memcpy(digits - ZEROS_BEFORE, &zeros, sizeof zeros);
 		if (!keep_zeros) {
 			memcpy(digits + DIGITS, &zeros, sizeof zeros);
 			digits[DIGITS] = (char)('0' + f->digit[i]);

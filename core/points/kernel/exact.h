@@ -222,7 +222,7 @@ struct kernel_block {
 static struct kernel_block block_of(const struct kernel_map *m,
     const double *const in[3], size_t n, enum kernel_kind kind)
 {
-	const int terms = kernel_terms(kind);
+	const int terms = kernel_inputs(kind);
 	struct kernel_block b = { .moderate = 1 };
 
 	for (int k = 0; k < terms; k++) {
@@ -359,7 +359,7 @@ static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
 static V round_exact(const struct kernel_block *b, const V cut[3],
     const V rest[3], enum kernel_kind kind, V q[])
 {
-	const int terms = kernel_terms(kind);
+	const int terms = kernel_inputs(kind);
 	V sure = ALL(b->moderate);
 
 	for (int k = 0; k < kernel_outputs(kind); k++) {
@@ -409,7 +409,7 @@ static inline __attribute__((always_inline)) bool
 image_of(const struct kernel_block *b, const V p[3], V q[],
     enum kernel_kind kind)
 {
-	const int terms = kernel_terms(kind), columns = kernel_outputs(kind);
+	const int terms = kernel_inputs(kind), columns = kernel_outputs(kind);
 	const bool divide = kernel_divides(kind);
 	const bool direction = kind == KERNEL_DIRECTION;
 	V cut[3], rest[3], r = ALL(1), sure = ALL(b->moderate);
@@ -451,7 +451,7 @@ static inline __attribute__((always_inline)) int
 exact(const struct kernel_map *m, const double *const in[3],
     double *const out[], size_t n, enum kernel_kind kind)
 {
-	const int terms = kernel_terms(kind), outputs = kernel_outputs(kind);
+	const int terms = kernel_inputs(kind), outputs = kernel_outputs(kind);
 	const struct kernel_block b = block_of(m, in, n, kind);
 	const double *const from[3] = { in[0], in[1], in[terms - 1] };
 	double *const to[4] = { out[0], out[1], out[outputs > 2 ? 2 : 1],

@@ -10,7 +10,7 @@ static inline __attribute__((always_inline)) int
 floats(const struct kernel_map *m, const char *in, char *out, size_t n,
     enum kernel_kind kind, bool are_floats)
 {
-	const size_t terms = (size_t)kernel_terms(kind);
+	const size_t terms = (size_t)kernel_inputs(kind);
 	const struct kernel_map own = *m;
 	float column[3][POINTS_BLOCK];
 	int beyond = 0;

@@ -27,7 +27,7 @@ enum kernel_kind {
 
 /* Return how many coordinates a point has, how many its image has, and whether the
  * coordinates of the image are divided by w. */
-static inline int kernel_terms(enum kernel_kind kind)
+static inline int kernel_inputs(enum kernel_kind kind)
 {
 	return kind == KERNEL_FLAT || kind == KERNEL_DIRECTION ? 2 : 3;
 }
@@ -131,9 +131,9 @@ enum processor {
 };
 
 /* Writes the greatest m[j][0] x + m[j][1] y + m[j][2] z to most[j], and the greatest
- * magnitude of each coordinate to largest. A value of most has four roundings. If all
- * coordinates are nan, the results are -infinity and 0. The loop reads n numbers of a
- * column, rounded up to a multiple of 16. */
+ * magnitude of each coordinate to largest. In a value of most each term is rounded at
+ * most three times. If all coordinates are nan, the results are -infinity and 0. The
+ * loop reads n numbers of a column, rounded up to a multiple of 16. */
 typedef void (*farthest_kernel)(const double (*m)[3], int directions,
     const double *const in[3], size_t n, double *most, double largest[3]);
 

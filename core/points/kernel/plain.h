@@ -37,7 +37,7 @@ static inline __attribute__((always_inline)) void NAME(
     image)(const struct kernel_map *m, const REAL p[3], REAL q[3],
     enum kernel_kind kind)
 {
-	const int terms = kernel_terms(kind);
+	const int terms = kernel_inputs(kind);
 	REAL w = 1, r = 1;
 
 	if (kernel_divides(kind)) {
@@ -60,7 +60,7 @@ static inline __attribute__((always_inline)) int NAME(
     double *restrict x, double *restrict y, double *restrict z, size_t n,
     enum kernel_kind kind)
 {
-	const int terms = kernel_terms(kind);
+	const int terms = kernel_inputs(kind);
 	/* copies, which no store can change */
 	const double *const from[3] = { in[0], in[1], in[2] };
 	const struct kernel_map own = *m;
