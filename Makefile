@@ -132,7 +132,7 @@ $(VECTOR)/avx512.o: FLAGS += $(call x86, \
 # These files run on threads, on the stacks of cmd/stream/stream.c, so the size of
 # their frames is limited. With -flto clang merges a command's functions of several
 # files into one frame of up to 49 KB.
-FRAME = $(if $(findstring -flto,$(CFLAGS)),65536,32768)
+FRAME = $(if $(findstring -flto,$(CFLAGS)),98304,32768)
 $(addprefix $(BUILD)/core/,exact/exact.o exact/map.o exact/sum.o derive/frustum.o \
     derive/pick.o derive/ray.o) \
     $(call objects,core/points core/points/kernel cmd cmd/call cmd/message cmd/json \
