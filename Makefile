@@ -131,7 +131,7 @@ $(VECTOR)/avx512.o: FLAGS += $(call x86, \
     -mavx512f -mavx512bw -mavx512cd -mavx512dq -mavx512vl -mfma)
 # These files run on threads, on the stacks of cmd/stream/stream.c, so the size of
 # their frames is limited. With -flto clang merges a command's functions of several
-# files into one frame of up to 49 KB.
+# files into one frame of up to 80 KB.
 FRAME = $(if $(findstring -flto,$(CFLAGS)),98304,32768)
 $(addprefix $(BUILD)/core/,exact/exact.o exact/map.o exact/sum.o derive/frustum.o \
     derive/pick.o derive/ray.o) \
