@@ -44,8 +44,8 @@ static const char *const notes[NOTES] = {
 	"tilted against the picture by more than 2^-40; give the matrix with "
 	"all 17 digits, not as floats, and if it is a product, check that its "
 	"factors stand in the order for its \"vectors\"",
-	"scene is null, as w is negative between near and far; negate the "
-	"whole matrix, all 16 elements",
+	"scene is null, as w is negative between near and far; negate every "
+	"element of the matrix",
 	"scene is null, as x depends on y or there are no near and far planes: "
 	"only \"intrinsics\" can say that, of a perspective that does not "
 	"mirror and fills the viewport; add a viewport, or give near and far, "
@@ -82,10 +82,14 @@ static void put_rows(struct printer *p, const char *name, const double *v,
     int rows, int n, bool none)
 {
 	put_name(p, name);
-	put_open(p, none ? "null" : "[");
-	for (int i = 0; i < rows && !none; i++)
+	if (none) {
+		put_literal(p, "null");
+		return;
+	}
+	put_open(p, "[");
+	for (int i = 0; i < rows; i++)
 		put_vector(p, v + i * n, n);
-	put_close(p, none ? "" : "]");
+	put_close(p, "]");
 }
 
 /* Puts an object with a member for each side: a number if n is 0, else n numbers. */

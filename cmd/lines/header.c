@@ -164,11 +164,9 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 			c->field[i] = (int)chosen.place[i];
 	c->n = l->reads;
 	l->fields = l->most = cut_count(header);
-	l->words = 0;
+	l->moved = false;
 	for (int i = 0; i < l->reads; i++)
-		if (c->field[i] != i)
-			l->words = SIZE_MAX;
-	strcpy(l->option, "--columns by number");
+		l->moved |= c->field[i] != i;
 	choose_places(l, &chosen, line);
 	return true;
 }

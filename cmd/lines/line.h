@@ -61,7 +61,8 @@ struct layout {
 	char name[COORDINATES_MAX + 1][NAME_ROOM];
 	size_t fields; /* of the header; 0: there is none */
 	size_t most;   /* the most fields of a row of csv; 0: any number */
-	/* choose_words of a comment above the first row; SIZE_MAX after a header */
+	bool moved; /* the last header has coordinates elsewhere than first */
+	/* choose_words of the last comment above the first row */
 	size_t words;
 	char option[OPTION_ROOM];
 	int record; /* numbers in a binary record; 0: the coordinates alone */

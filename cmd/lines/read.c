@@ -163,7 +163,7 @@ void line_read(struct layout *l, struct span text, enum first *first,
 		size_t n = was == FIRST_LINE ? choose_words(l, text, option) :
 					       0;
 
-		if (n > 0 && l->words != SIZE_MAX) {
+		if (n > 0) {
 			l->words = n;
 			strcpy(l->option, option);
 		}
@@ -181,15 +181,15 @@ void line_read(struct layout *l, struct span text, enum first *first,
 		line->kind = LINE_REFUSED;
 	if (was == FIRST_LINE && line->kind != LINE_HEADER &&
 	    line->kind != LINE_REFUSED && l->columns.by_header &&
-	    l->header == HEADER_MAYBE && *in->open == '\0' && l->words > 0 &&
-	    (l->words == SIZE_MAX ||
-		l->words == cut_count(cut_line(l->in, text)))) {
+	    l->header == HEADER_MAYBE && *in->open == '\0' &&
+	    (l->moved ||
+		(l->words > 0 &&
+		    l->words == cut_count(cut_line(l->in, text))))) {
 		line->kind = LINE_REFUSED;
 		snprintf(reason, REASON_MAX, "%s; say %s",
-		    l->words == SIZE_MAX ?
-			"lacks the header of a file before" :
-			"the comment above names other columns",
-		    l->option);
+		    l->moved ? "lacks the header of a file before" :
+			       "the comment above names other columns",
+		    l->moved ? "--columns by number" : l->option);
 	}
 	*first = line->kind == LINE_HEADER ? FIRST_ROW : FIRST_IS_READ;
 }

@@ -246,8 +246,7 @@ void stream(struct job *j, struct point_source s)
 	pool.source = &s;
 	pool.open = true;
 	pool.first = FIRST_LINE;
-	if (j->layout.words != SIZE_MAX) /* of a comment in the last source */
-		j->layout.words = 0;
+	j->layout.words = 0;
 	run_chunks(false);
 	pthread_mutex_unlock(&pool.lock);
 }
