@@ -56,6 +56,7 @@ static void check_back(const struct layout *l, const double v[],
 		back.columns.name[i] = NULL;
 	back.columns.by_header = false;
 	back.header = HEADER_NONE;
+	back.fields = 0; /* the header of the output has more names */
 	back.in = l->out;
 	back.reads = l->writes > 4 ? 3 : l->writes;
 	if (!same_dialect(l->in, l->out))
