@@ -249,7 +249,7 @@ void run_inspect(const struct command *c, const struct options *o)
 	struct printer p = { .at = text,
 		.style = options_style(o),
 		.compact = o->out == FORMAT_JSON,
-		.between = "" };
+		.separator = "" };
 	struct document d;
 
 	read_document(c, o, &d);

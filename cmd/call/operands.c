@@ -237,10 +237,10 @@ static void prepare_job(struct job *j, const struct options *o)
 	j->visible = o->visible;
 	j->keep_going = o->keep_going;
 	j->threads = o->jobs;
-	answer_progress(o->progress);
+	answer_start_progress(o->progress);
 	pipe_enlarge(STDOUT_FILENO, PIPE_ROOM);
 	choose_kernels();
-	check_layout(o, &j->layout, j->take == NULL);
+	check_layout(o, &j->layout, j->take_block == NULL);
 }
 
 /* Runs the job on the lines that document_points or document_read returned: they are
@@ -300,7 +300,7 @@ void run_points(const struct options *o, const struct document *d,
 		    "PARAMS and POINTS are both standard input, "
 		    "and the document has no points; name a file for one of "
 		    "them");
-	j->layout.two = d->source.two;
+	j->layout.two = d->source.hint_for_two;
 	if (o->n_points == 0 && d->points != NULL)
 		run_json(o, j, d->source.name, d->points, d->points_size);
 	else

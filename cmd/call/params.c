@@ -78,7 +78,7 @@ static bool skip_spaces(void)
 		s = next;
 		next = s < end && is_space(*s) ? s + 1 : skip_mark(s, end);
 	} while (next != s);
-	json_count(params.text.s + params.begin, s, &params.line,
+	json_count_lines(params.text.s + params.begin, s, &params.line,
 	    &params.column);
 	params.begin = params.end = (size_t)(s - params.text.s);
 	return s < end && strncmp(s, "\xef\xbb\xbf", (size_t)(end - s)) != 0;
@@ -128,8 +128,8 @@ static bool next_scene(void)
 		}
 	params.end_line = params.line;
 	params.end_column = params.column;
-	json_count(params.text.s + params.begin, params.text.s + params.end,
-	    &params.end_line, &params.end_column);
+	json_count_lines(params.text.s + params.begin,
+	    params.text.s + params.end, &params.end_line, &params.end_column);
 	const bool found = params.begin < params.end;
 
 	message_state.scene.number = found ? params.number : 0;

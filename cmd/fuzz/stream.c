@@ -195,7 +195,7 @@ static bool do_at_once(struct job *j, const char *text, size_t size)
 	c->first = is_binary(j->layout.in.format) ? FIRST_IS_READ : FIRST_LINE;
 	piece_resize(&c->piece, size);
 	memcpy(c->piece.text, text, size);
-	c->piece.whole = size;
+	c->piece.whole_size = size;
 	job_do(j, c);
 	bool refused = c->refused;
 
