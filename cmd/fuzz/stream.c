@@ -185,14 +185,15 @@ static void set_job(struct job *j, const struct scene *s, uint8_t b)
 
 /* Does what stream and answer.c do, on a single chunk. As there, a newline
  * comes before the output if the last line of the source before had none. Returns
- * false where a header is refused, which ends the program. */
+ * false where the source is refused, which ends the program: stream, to which this
+ * function is the truth, does not get it, and to quit there is a finding. */
 static bool do_at_once(struct job *j, const char *text, size_t size)
 {
 	static bool unended;
 	static size_t bad;
 	struct chunk *c = chunk_new();
 
-	c->first = is_binary(j->layout.in.format) ? FIRST_IS_READ : FIRST_LINE;
+	c->first = FIRST_BYTE;
 	piece_resize(&c->piece, size);
 	memcpy(c->piece.text, text, size);
 	c->piece.whole = size;

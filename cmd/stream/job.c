@@ -331,10 +331,10 @@ void job_do(struct job *j, struct chunk *c)
 	c->end = c->text + c->piece.whole;
 	c->stretch.at = c->stretch.end = 0;
 	c->block_lines = 0;
-	if (c->first == FIRST_LINE)
+	if (c->first == FIRST_BYTE) {
 		refuse_foreign(j, c);
-	if (binary)
-		c->first = FIRST_IS_READ;
+		c->first = binary ? FIRST_IS_READ : FIRST_LINE;
+	}
 	for (; c->text < c->end; c->n_lines += c->block_lines) {
 		const char *text = c->text;
 
