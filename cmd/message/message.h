@@ -46,8 +46,8 @@ extern struct message_state {
 	unsigned json;  /* 1: a message is a JSON object in one line */
 	unsigned color; /* an enum color */
 	struct scene_place scene; /* the scene that is being answered */
-	/* Where die_at jumps after a message whose place is of_scene; NULL: the program
-	 * ends. Only the first thread, while it is alone, may print such a message. */
+	/* Where die_at jumps after a message whose place is of_scene, which then has
+	 * EXIT_INPUT; NULL: it exits. Only the first thread, while it is alone, jumps. */
 	jmp_buf *refused;
 } message_state;
 
