@@ -34,6 +34,8 @@ sub seed_lines {
 			seed($fuzzer, $out eq $in ? $name : "$name-json",
 			    pack('C4', $both, 0, 0, 0) . $text);
 		}
+		seed($fuzzer, "$name-more", pack('C4',
+		    $number{$in} * (1 + @formats), 0, 0, 64) . $text);
 	}
 }
 
