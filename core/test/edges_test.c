@@ -70,13 +70,13 @@ static void check_block(const struct scene *s, enum flat from,
 	for (size_t i = 0; i < POINTS; i++)
 		nans[i] = (double)NAN;
 	truth_flat(s, from, FLAT_NDC, &t);
-	frustum_out_all(f, (const double *[4]){ b->in[0], b->in[1], nans }, all,
-	    POINTS);
+	frustum_outside_all(f, (const double *[4]){ b->in[0], b->in[1], nans },
+	    all, POINTS);
 	for (size_t i = 0; i < POINTS; i++) {
 		const double p[4] = { b->in[0][i], b->in[1][i], (double)NAN };
 		int mark = real_mark();
 
-		assert_int_equal(all[i], frustum_out(f, p));
+		assert_int_equal(all[i], frustum_outside(f, p));
 		if (isnan(p[0]) || isnan(p[1]))
 			assert_int_equal(all[i], OUT_NAN);
 		else
@@ -113,7 +113,7 @@ static void edges_are_told(void **state)
 
 static unsigned out_at(const struct frustum *f, double x, double y)
 {
-	return frustum_out(f, (double[4]){ x, y });
+	return frustum_outside(f, (double[4]){ x, y });
 }
 
 /* Wherever a window is, and however small: the doubles beside an edge differ. */

@@ -298,11 +298,11 @@ static unsigned flags(const struct scene *s, const struct fitted *f)
 		struct hull h;
 
 		assert_null(hull_of(f->b, 3, &h));
-		return hull_out(&h, s);
+		return hull_outside(&h, s);
 	}
 	assert_null(frustum_of(s, SPACE_MODEL, false, &frustum));
 	for (size_t n = 0; n < f->cloud.n; n++)
-		out |= frustum_out(&frustum,
+		out |= frustum_outside(&frustum,
 		    (double[4]){ f->cloud.in[0][n], f->cloud.in[1][n],
 			f->cloud.in[2][n] });
 	return out;

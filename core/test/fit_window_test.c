@@ -88,7 +88,7 @@ static bool holds(const struct scene *s, const struct bounds *b)
 
 	assert_null(flat_frustum_of(s, FLAT_WINDOW, &f));
 	for (int k = 0; k < 4 && !b->sphere; k++)
-		out |= frustum_out(&f,
+		out |= frustum_outside(&f,
 		    (double[4]){ k & 1 ? b->max[0] : b->min[0],
 			k & 2 ? b->max[1] : b->min[1] });
 	return out == 0;

@@ -176,12 +176,12 @@ static void planes_are_told(void **state)
 			continue;
 		truth_scene(&s, from, SPACE_CLIP, &to_clip);
 		truth_scene(&s, from, SPACE_VIEW, &to_view);
-		frustum_out_all(&f,
+		frustum_outside_all(&f,
 		    (const double *[4]){ b.in[0], b.in[1], b.in[2] }, all,
 		    POINTS);
 		for (size_t i = 0; i < POINTS; i++) {
 			double p[4] = { b.in[0][i], b.in[1][i], b.in[2][i], 1 };
-			unsigned out = frustum_out(&f, p);
+			unsigned out = frustum_outside(&f, p);
 			int point = real_mark();
 
 			assert_int_equal(all[i], out);
@@ -217,13 +217,15 @@ static void the_least_distance_tells(void **state)
 		double x = e < 54 ? 1 + tiny : 1;
 
 		if (x > 1 || y > 0)
-			assert_int_equal(frustum_out(&f,
+			assert_int_equal(frustum_outside(&f,
 					     (double[4]){ x, y, 0.5, 1 }),
 			    OUT_RIGHT);
 		x = e < 54 ? 1 - tiny : 1;
-		assert_int_equal(frustum_out(&f, (double[4]){ x, -y, 0.5, 1 }),
+		assert_int_equal(frustum_outside(&f,
+				     (double[4]){ x, -y, 0.5, 1 }),
 		    0);
-		assert_int_equal(frustum_out(&f, (double[4]){ -x, -y, 0.5, 1 }),
+		assert_int_equal(frustum_outside(&f,
+				     (double[4]){ -x, -y, 0.5, 1 }),
 		    y > 0 ? OUT_LEFT : 0);
 	}
 }
@@ -254,12 +256,12 @@ static void many_are_told_as_one(void **state)
 				    k % 2 ? (int)sample_below(20) :
 					    (int)sample_below(1560) - 1070);
 		in[k % 3][k] = (double)NAN;
-		frustum_out_all(&f,
+		frustum_outside_all(&f,
 		    (const double *[4]){ in[0], in[1], in[2], in[3] }, out,
 		    MANY);
 		for (size_t i = 0; i < MANY; i++)
 			assert_int_equal(out[i],
-			    frustum_out(&f,
+			    frustum_outside(&f,
 				(double[4]){ in[0][i], in[1][i], in[2][i],
 				    in[3][i] }));
 	}

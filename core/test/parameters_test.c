@@ -307,8 +307,8 @@ static void numbers_are_true(void **state)
 		check_edges(&s, &back, &r, tally[3]);
 		for (int side = 0; side < 4; side++) {
 			corner_of(&s, &back, r.reverse_z, false, side, h);
-			if (!isnan(r.plane[side]))
-				check(r.plane[side], h[side / 2], h[3],
+			if (!isnan(r.near_edge[side]))
+				check(r.near_edge[side], h[side / 2], h[3],
 				    tally[1]);
 		}
 		real_release(mark);

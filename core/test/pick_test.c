@@ -131,7 +131,7 @@ static void check_radius(struct picker *k, const struct truth *truth,
 
 			n[within]++;
 			if (!doubtful)
-				assert_int_equal(pick_holds(k, p, device),
+				assert_int_equal(pick_is_within(k, p, device),
 				    within);
 		}
 		real_release(mark);
@@ -194,19 +194,21 @@ static void the_least_distance_tells(void **state)
 		double p[4] = { 1, 0, 0, 1 }, device[2] = { 1, 0 };
 
 		k.radius = 1;
-		assert_true(pick_holds(&k, p, device));
+		assert_true(pick_is_within(&k, p, device));
 		p[1] = device[1] = y;
-		assert_false(pick_holds(&k, p, device));
+		assert_false(pick_is_within(&k, p, device));
 		p[0] = device[0] = over;
 		p[1] = device[1] = 0;
-		assert_int_equal(pick_holds(&k, p, device), over == 1);
+		assert_int_equal(pick_is_within(&k, p, device), over == 1);
 	}
 	k.radius = 5 * 0x1p40;
-	assert_true(pick_holds(&k, (double[]){ 3 * 0x1p40, 4 * 0x1p40, 0, 1 },
-	    (double[]){ 3 * 0x1p40, 4 * 0x1p40 }));
+	assert_true(
+	    pick_is_within(&k, (double[]){ 3 * 0x1p40, 4 * 0x1p40, 0, 1 },
+		(double[]){ 3 * 0x1p40, 4 * 0x1p40 }));
 	k.radius = nextafter(k.radius, 0);
-	assert_false(pick_holds(&k, (double[]){ 3 * 0x1p40, 4 * 0x1p40, 0, 1 },
-	    (double[]){ 3 * 0x1p40, 4 * 0x1p40 }));
+	assert_false(
+	    pick_is_within(&k, (double[]){ 3 * 0x1p40, 4 * 0x1p40, 0, 1 },
+		(double[]){ 3 * 0x1p40, 4 * 0x1p40 }));
 }
 
 /* 1 + 2^-60 on the device is not within 1 of 0, though its nearest double is. */
@@ -235,12 +237,12 @@ static void what_rounds_onto_the_edge_is_outside(void **state)
 	k.at[0] = 0;
 	k.at[1] = 1;
 	k.radius = 1;
-	assert_false(pick_holds(&k, p, device));
+	assert_false(pick_is_within(&k, p, device));
 	k.radius = nextafter(1, 2);
-	assert_true(pick_holds(&k, p, device));
+	assert_true(pick_is_within(&k, p, device));
 	k.at[0] = 1;
 	k.radius = 0;
-	assert_false(pick_holds(&k, p, device));
+	assert_false(pick_is_within(&k, p, device));
 }
 
 int main(void)

@@ -162,7 +162,7 @@ static void count_block(const struct regime *r, struct block *b,
 	n[PROJECTIVE] += count(&t, KERNEL_PROJECTIVE, b);
 	assert_null(ray_maker_of(&s, &ray));
 	n[RAY] += unsure(points_kernels()->exact[KERNEL_DIRECTION],
-	    &ray.along.for_kernel, b);
+	    &ray.direction.for_kernel, b);
 }
 
 static void as_many_as_ever(void **state)
