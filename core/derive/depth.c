@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 #include "picture.h"
 
-/* Let n be the gradient of w or, if w is constant, of z. D is measured along n, from the
- * eye or, if w is constant, from the origin of view space, where z is z0 and w is w0. With
- * the gradients z and w
+/* Let n be the gradient of w or, if w is constant, of z. D is measured along n, from
+ * the eye or, if w is constant, from the origin of view space. There z is z0, and w is
+ * w0. With z and w for the gradients of z and w,
  *
  *	depth = (z0 + D z . n / |n|) / (w0 + D w . n / |n|),
  *	D = |n| (w0 depth - z0) / (z . n - depth w . n).
  *
- * At the eye w0 is 0. Numerator and denominator are negated if the denominator would be
- * negative in front of the eye. D of a parallel projection grows along the convention's
- * gaze, but D of a matrix from near to far. */
+ * At the eye w0 is 0. Both terms of D are negated if the denominator would be negative
+ * in front of the eye. D of a parallel projection grows along the convention's gaze,
+ * but D of a parallel matrix from near to far. */
 void depth_of(const struct lens *l, struct depth *d)
 {
 	const struct scene *s = l->scene;
@@ -51,85 +51,73 @@ void depth_of(const struct lens *l, struct depth *d)
 	const struct sum *n = l->parallel ? z : w;
 	struct sum length = vec3_length(n);
 
-	d->numerator[0] = sum_negated_if(negated != against_n,
-	    sum_mul(length, w[3]));
-	d->numerator[1] = sum_negated_if(negated == against_n,
-	    sum_mul(length, z[3]));
-	d->denominator[0] = sum_negated_if(!negated, vec3_dot(w, n));
-	d->denominator[1] = sum_negated_if(negated, vec3_dot(z, n));
+	d->num[0] = sum_negated_if(negated != against_n, sum_mul(length, w[3]));
+	d->num[1] = sum_negated_if(negated == against_n, sum_mul(length, z[3]));
+	d->den[0] = sum_negated_if(!negated, vec3_dot(w, n));
+	d->den[1] = sum_negated_if(negated, vec3_dot(z, n));
 }
 
-/* The depth ratio[0] / ratio[1]. */
-struct depth_value {
-	struct sum ratio[2];
-};
-
-static struct depth_value depth_of_plane(const struct depth *d, bool far)
+/* Writes the depth of the near or far plane. All depths z are quotients z[0] / z[1]. */
+static void depth_of_plane(const struct depth *d, bool far, struct sum z[2])
 {
-	return (struct depth_value){
-		{ sum_of_double(far != d->reversed ? d->high : d->low),
-		    sum_of_double(1) }
-	};
+	z[0] = sum_of_double(far != d->reversed ? d->high : d->low);
+	z[1] = sum_of_double(1);
 }
 
-void depth_quotient(const struct depth *d, bool far, struct sum *numerator,
-    struct sum *denominator)
+void depth_quotient(const struct depth *d, bool far, struct sum *num,
+    struct sum *den)
 {
-	struct depth_value z = depth_of_plane(d, far);
+	struct sum z[2];
 
-	sum_dot(2, d->numerator, z.ratio, 1, numerator);
-	sum_dot(2, d->denominator, z.ratio, 1, denominator);
+	depth_of_plane(d, far, z);
+	sum_dot(2, d->num, z, 1, num);
+	sum_dot(2, d->den, z, 1, den);
 }
 
 double depth_distance(const struct depth *d, bool far)
 {
-	struct sum over, under;
+	struct sum num, den;
 
-	depth_quotient(d, far, &over, &under);
-	if (d->open ||
-	    (sum_sign(under) < 0 && sum_sign(d->denominator[0]) != 0))
+	depth_quotient(d, far, &num, &den);
+	if (d->open || (sum_sign(den) < 0 && sum_sign(d->den[0]) != 0))
 		return (double)NAN;
-	return sum_sign(under) == 0 ? HUGE_VAL : sum_ratio_or_nan(over, under);
+	return sum_sign(den) == 0 ? HUGE_VAL : sum_ratio_or_nan(num, den);
 }
 
 /* Returns the sign of a - b. */
-static int compare_depths(const struct depth_value *a,
-    const struct depth_value *b)
+static int compare_depths(const struct sum a[2], const struct sum b[2])
 {
-	return sum_sign(sum_minor(a->ratio[0], b->ratio[1], b->ratio[0],
-		   a->ratio[1])) *
-	    sum_sign(a->ratio[1]) * sum_sign(b->ratio[1]);
+	return sum_sign(sum_minor(a[0], b[1], b[0], a[1])) * sum_sign(a[1]) *
+	    sum_sign(b[1]);
 }
 
 /* Finds the least float above z or, if up is -1, the greatest float below z. Returns
  * false if this float is infinite. */
-static bool next_float(const struct depth_value *z, int up,
-    struct depth_value *next)
+static bool next_float(const struct sum z[2], int up, struct sum next[2])
 {
-	float f = (float)sum_nearest(&z->ratio[0], &z->ratio[1], true),
+	float f = (float)sum_nearest(&z[0], &z[1], true),
 	      to = up > 0 ? HUGE_VALF : -HUGE_VALF;
 
-	next->ratio[1] = sum_of_double(1);
+	next[1] = sum_of_double(1);
 	if (isfinite(f))
-		next->ratio[0] = sum_of_double((double)f);
+		next[0] = sum_of_double((double)f);
 	if (!isfinite(f) || compare_depths(next, z) * up <= 0)
-		next->ratio[0] = sum_of_double((double)(f = nextafterf(f, to)));
+		next[0] = sum_of_double((double)(f = nextafterf(f, to)));
 	return isfinite(f) != 0;
 }
 
 /* Finds the depth that is one step of the buffer above z or, if up is -1, below z.
  * Returns false if the next float is infinite. */
-static bool next_depth(const struct depth_value *z, enum buffer b, int up,
-    struct depth_value *next)
+static bool next_depth(const struct sum z[2], enum buffer b, int up,
+    struct sum next[2])
 {
 	double steps = b == BUFFER_UNORM16 ? 0xffff : 0xffffff;
 
 	if (b == BUFFER_FLOAT32)
 		return next_float(z, up, next);
-	sum_dot(2, z->ratio,
-	    (struct sum[]){ sum_of_double(steps), sum_of_double(up) }, 1,
-	    &next->ratio[0]);
-	next->ratio[1] = sum_scale(z->ratio[1], steps);
+	sum_dot(2, z, (struct sum[]){ sum_of_double(steps), sum_of_double(up) },
+	    1, next);
+	next[1] = sum_scale(z[1], steps);
 	return true;
 }
 
@@ -137,57 +125,56 @@ static bool next_depth(const struct depth_value *z, enum buffer b, int up,
  * determinant is the sign of the slope of D. */
 static struct sum depth_determinant(const struct depth *d)
 {
-	return sum_minor(d->numerator[0], d->denominator[1], d->numerator[1],
-	    d->denominator[0]);
+	return sum_minor(d->num[0], d->den[1], d->num[1], d->den[0]);
 }
 
 /* Returns |D(b) - D(a)|: the determinant times b - a, over the product of the
  * denominators of D at a and at b. Returns nan if a = b, or if a or b is behind the
  * eye. */
-static double distance_between(const struct depth *d,
-    const struct depth_value *a, const struct depth_value *b)
+static double distance_between(const struct depth *d, const struct sum a[2],
+    const struct sum b[2])
 {
-	struct sum under[2],
+	struct sum den[2],
 	    difference = sum_mul(depth_determinant(d),
-		sum_minor(b->ratio[0], a->ratio[1], a->ratio[0], b->ratio[1]));
+		sum_minor(b[0], a[1], a[0], b[1]));
 
-	sum_dot(2, d->denominator, a->ratio, 1, &under[0]);
-	sum_dot(2, d->denominator, b->ratio, 1, &under[1]);
+	sum_dot(2, d->den, a, 1, &den[0]);
+	sum_dot(2, d->den, b, 1, &den[1]);
 	if (sum_sign(difference) == 0 ||
-	    sum_sign(under[0]) * sum_sign(a->ratio[1]) <= 0 ||
-	    sum_sign(under[1]) * sum_sign(b->ratio[1]) <= 0)
+	    sum_sign(den[0]) * sum_sign(a[1]) <= 0 ||
+	    sum_sign(den[1]) * sum_sign(b[1]) <= 0)
 		return (double)NAN;
 	return sum_ratio_or_nan(sum_abs(difference),
-	    sum_abs(sum_mul(under[0], under[1])));
+	    sum_abs(sum_mul(den[0], den[1])));
 }
 
 /* Returns the distance between depth z and the next depth of the buffer above z or, if
  * up is -1, below z. Returns nan if the next depth is beyond limit. */
 static double step_length(const struct depth *d, enum buffer b,
-    const struct depth_value *z, int up, const struct depth_value *limit)
+    const struct sum z[2], int up, const struct sum limit[2])
 {
-	struct depth_value to;
+	struct sum to[2];
 
-	if (d->open || d->constant || !next_depth(z, b, up, &to) ||
-	    (limit != NULL && compare_depths(&to, limit) * up > 0))
+	if (d->open || d->constant || !next_depth(z, b, up, to) ||
+	    (limit != NULL && compare_depths(to, limit) * up > 0))
 		return (double)NAN;
-	return distance_between(d, z, &to);
+	return distance_between(d, z, to);
 }
 
 double depth_step(const struct depth *d, enum buffer b, bool far)
 {
-	struct depth_value from = depth_of_plane(d, far),
-			   to = depth_of_plane(d, !far);
+	struct sum from[2], to[2];
 
-	return step_length(d, b, &from, compare_depths(&to, &from), &to);
+	depth_of_plane(d, far, from);
+	depth_of_plane(d, !far, to);
+	return step_length(d, b, from, compare_depths(to, from), to);
 }
 
 double depth_step_at(const struct depth *d, enum buffer b, double distance)
 {
-	struct depth_value z = { { sum_sub(d->numerator[1],
-				       sum_scale(d->denominator[1], distance)),
-	    sum_sub(sum_scale(d->denominator[0], distance),
-		d->numerator[0]) } };
+	const struct sum z[2] = { sum_sub(d->num[1],
+				      sum_scale(d->den[1], distance)),
+		sum_sub(sum_scale(d->den[0], distance), d->num[0]) };
 
-	return step_length(d, b, &z, -sum_sign(depth_determinant(d)), NULL);
+	return step_length(d, b, z, -sum_sign(depth_determinant(d)), NULL);
 }

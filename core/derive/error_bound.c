@@ -14,8 +14,7 @@ static const struct arithmetic arithmetic[] = {
 	[PRECISION_SINGLE] = { 0x1p-24, 0x1p-126, 0x1p120 },
 };
 
-/* A bound that is computed in double is multiplied by this to outweigh its
- * roundings. */
+/* The factor that makes a bound, as computed in double, outweigh its own roundings. */
 #define ROUNDED_UP (1 + 0x1p-46)
 
 /* A corner of the view volume. An error bound is a sum of magnitudes of products,
@@ -29,7 +28,7 @@ struct corner {
 struct error_analysis {
 	const struct transform *t;
 	struct corner corner[8];
-	double image[3], largest; /* bounds of |coordinates| of images */
+	double max[3], largest; /* bounds of |coordinates| of images */
 };
 
 /* Sets c to corner i of the volume. to_model is the map from view space. */
@@ -48,19 +47,18 @@ static void set_corner(const struct volume *v, const struct map *to_model,
 	c->inverse_w = sum_ratio(h[3], w);
 }
 
-static void set_image_max(const struct scene *s, struct error_analysis *to)
+static void set_max(const struct scene *s, struct error_analysis *to)
 {
 	const struct viewport *v = &s->viewport;
-	double *image = to->image;
+	double *max = to->max;
 
-	image[0] = image[1] = image[2] = 1;
+	max[0] = max[1] = max[2] = 1;
 	if (s->has_viewport) {
-		image[0] = fmax(fabs(v->x), fabs(v->x + v->width)) * ROUNDED_UP;
-		image[1] = fmax(fabs(v->y), fabs(v->y + v->height)) *
-		    ROUNDED_UP;
-		image[2] = fmax(fabs(v->min_z), fabs(v->max_z));
+		max[0] = fmax(fabs(v->x), fabs(v->x + v->width)) * ROUNDED_UP;
+		max[1] = fmax(fabs(v->y), fabs(v->y + v->height)) * ROUNDED_UP;
+		max[2] = fmax(fabs(v->min_z), fabs(v->max_z));
 	}
-	to->largest = fmax(fmax(image[0], image[1]), image[2]);
+	to->largest = fmax(fmax(max[0], max[1]), max[2]);
 }
 
 /* Returns S / w of column j in a corner. S is the sum of the magnitudes of the column's
@@ -75,10 +73,9 @@ static double column_bound(const struct kernel_map *k, const struct corner *c,
 	return s;
 }
 
-/* Returns the bound for the precision of a. Returns nan if w could be less than its
- * error, or if 1/w or the image could be above a->most. The bound need not hold if
- * another number overflows: the loop's image is then not finite, and the program
- * computes it exactly. */
+/* Returns the bound for the precision of a, or nan if w could be less than its error,
+ * or 1/w or the image above a->most. No bound is needed if another number overflows:
+ * the image is then not finite, and the program computes it exactly. */
 static double precision_bound(const struct error_analysis *v,
     const struct arithmetic *a)
 {
@@ -95,7 +92,7 @@ static double precision_bound(const struct error_analysis *v,
 		for (int j = 0; j < (t->kind == KERNEL_DEPTH ? 2 : 3); j++)
 			worst = fmax(worst,
 			    column_bound(k, c, j, a->tiny) +
-				(t->divide ? v->image[j] * s_w : 0));
+				(t->divide ? v->max[j] * s_w : 0));
 	}
 	if (t->kind == KERNEL_DEPTH)
 		worst = fmax(worst, fabs(k->a) + fabs(k->b) * inverse_w * w);
@@ -106,13 +103,13 @@ static double precision_bound(const struct error_analysis *v,
 	return (factor * worst + 4 * a->tiny * a->u) * ROUNDED_UP;
 }
 
-const char *error_bounds(const struct scene *s, const struct volume *volume,
+const char *error_bounds(const struct scene *s, const struct volume *v,
     double bound[3])
 {
 	enum space to = s->has_viewport ? SPACE_DEVICE : SPACE_NDC;
 	struct transform t;
 	struct map to_model;
-	struct error_analysis v = { .t = &t };
+	struct error_analysis a = { .t = &t };
 	const char *why = scene_transform(s, SPACE_MODEL, to, false, &t);
 	int e;
 
@@ -123,13 +120,12 @@ const char *error_bounds(const struct scene *s, const struct volume *volume,
 	    scene_map(s, SPACE_VIEW, SPACE_MODEL, &to_model) != NULL)
 		return why;
 	for (int i = 0; i < 8; i++)
-		set_corner(volume, &to_model, t.for_kernel.origin, i,
-		    &v.corner[i]);
-	set_image_max(s, &v);
+		set_corner(v, &to_model, t.for_kernel.origin, i, &a.corner[i]);
+	set_max(s, &a);
 	/* half an ulp of the largest coordinate */
-	frexp(v.largest, &e);
+	frexp(a.largest, &e);
 	bound[PRECISION_EXACT] = ldexp(1, e - 54);
 	for (int i = PRECISION_DOUBLE; i <= PRECISION_SINGLE; i++)
-		bound[i] = precision_bound(&v, &arithmetic[i]);
+		bound[i] = precision_bound(&a, &arithmetic[i]);
 	return NULL;
 }

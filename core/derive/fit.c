@@ -5,13 +5,12 @@
 
 #include "frustum.h"
 
-#define FIT_OUT_OF_RANGE                                                    \
+#define NOT_IN_RANGE                                                        \
 	"/bounds: what holds them has numbers beyond 1e150 or sizes below " \
 	"1e-150; choose another unit"
 
-/* Sets gaze, up and, if the camera's form has no eye, the eye from the rows of back,
- * the map from view to world space. The axes of a matrix are those of its nearest
- * rotation. */
+/* Sets gaze, up and a missing eye from the rows of back, the map from view to world
+ * space. The axes of a matrix are those of its nearest rotation. */
 static const char *gaze_from_axes(struct camera *c,
     const struct convention *convention, struct map *back)
 {
@@ -88,7 +87,7 @@ static void eye_after_step(const struct map *back, const struct sum step[3],
 }
 
 /* Returns n / d rounded upward. d must be positive. */
-static double ratio_rounded_up(struct sum n, struct sum d)
+static double ratio_up(struct sum n, struct sum d)
 {
 	double v = sum_ratio(n, d);
 
@@ -99,13 +98,11 @@ static double ratio_rounded_up(struct sum n, struct sum d)
 static double extent_ratio(const struct extents *r, int j, struct sum n,
     struct sum d)
 {
-	return sum_sign(r->size[j]) > 0 ? ratio_rounded_up(n, d) :
-					  sum_ratio(n, d);
+	return sum_sign(r->size[j]) > 0 ? ratio_up(n, d) : sum_ratio(n, d);
 }
 
 /* Writes the least and the greatest depth of the bounds, rounded outward. */
-static void round_depth_range(const struct extents *r, double *low,
-    double *high)
+static void depth_range(const struct extents *r, double *low, double *high)
 {
 	struct sum one = sum_of_double(1);
 
@@ -133,8 +130,8 @@ static void widen_sides(double *width, double *height, const double shape[2])
 }
 
 /* Returns the largest step t of the eye along the gaze after which near is at least
- * ratio times far: low - t >= ratio (high - t), where low and high are the ends of the
- * bounds' depth before the step. */
+ * ratio times far: low - t >= ratio (high - t), with the bounds' depth from low to
+ * high. */
 static struct sum step_to_near_ratio(const struct extents *r, double ratio)
 {
 	struct sum far = sum_mul(r->high[2], sum_of_double(ratio));
@@ -183,11 +180,11 @@ static void center_between_planes(const struct map *sides,
 	}
 }
 
-/* Finds the step in view space that takes the eye as far along the gaze as a side plane
- * or near_ratio allows. A step of t along the gaze lowers the least value of a plane's
+/* Finds the eye's step in view space, as far along the gaze as a side plane or
+ * near_ratio allows. A step of t along the gaze lowers the least value of a plane's
  * function by t times the plane's slope. If free, the eye may also move across the
- * gaze. Such a move does not change the sum of the least values of a pair of planes, so
- * this sum limits t. */
+ * gaze. This keeps the sum of the least values of a pair of planes, so the sum limits
+ * t. */
 static const char *find_eye_step(const struct scene *s, const struct hull *h,
     bool free, struct sum step[3])
 {
@@ -222,7 +219,7 @@ static const char *find_eye_step(const struct scene *s, const struct hull *h,
 	step[2] = sum_negated_if(looks_back(&s->convention), t);
 	if (free)
 		center_between_planes(&view, lowest, step);
-	return fabs(sum_double(t)) <= MAGNITUDE_MAX ? NULL : FIT_OUT_OF_RANGE;
+	return fabs(sum_double(t)) <= MAGNITUDE_MAX ? NULL : NOT_IN_RANGE;
 }
 
 /* Scales sizes on the near plane from old_near to p->near, so that the side planes
@@ -233,20 +230,18 @@ static void keep_side_planes(struct projection *p, double old_near)
 		&p->bottom, &p->top };
 
 	for (int i = 0; i < 6 && projection_is_by_near(p); i++)
-		*sizes[i] = copysign(ratio_rounded_up(sum_scale(sum_of_double(
-								    p->near),
-							  fabs(*sizes[i])),
+		*sizes[i] = copysign(ratio_up(sum_scale(sum_of_double(p->near),
+						  fabs(*sizes[i])),
 					 sum_of_double(old_near)),
 		    *sizes[i]);
 }
 
-/* Sets near and far to the least and the greatest depth of the bounds, rounded
- * outward. */
+/* Sets near and far to the ends of the bounds' depth, rounded outward. */
 static void set_near_and_far(struct projection *p, const struct extents *r)
 {
 	double high;
 
-	round_depth_range(r, &p->near, &high);
+	depth_range(r, &p->near, &high);
 	p->far = fmax(high, nextafter(p->near, HUGE_VAL));
 }
 
@@ -292,7 +287,7 @@ static const char *move_eye_back(struct scene *s, const struct hull *h,
 		retreat = retreat > 0 ? 2 * retreat :
 					0x1p-53 * fabs(sum_double(first[2]));
 	}
-	return FIT_OUT_OF_RANGE;
+	return NOT_IN_RANGE;
 }
 
 static const char *fit_persp(struct scene *s, bool free, const struct hull *h)
@@ -341,8 +336,8 @@ static const char *center_picture(struct scene *s, bool has_eye,
 	return NULL;
 }
 
-/* Sets near and far, and width and height to the least of the given aspect that hold
- * the bounds. */
+/* Sets near, far, and the least width and height of this aspect that hold the
+ * bounds. */
 static const char *enclose_parallel(struct scene *s, const struct hull *h)
 {
 	struct projection *p = &s->projection;
@@ -395,8 +390,8 @@ static const char *fit_parallel(struct scene *s, bool has_eye,
 	return why;
 }
 
-/* Moves the near plane of a volume if the eye is before near and too near to it: until
- * the eye's distance from near is near_ratio times its distance from far. */
+/* Moves the near plane of a volume, if the eye is before far, until the eye's distance
+ * from near is at least near_ratio times the eye's distance from far. */
 static void keep_near_ratio(struct projection *p)
 {
 	struct sum over, under;
@@ -429,7 +424,7 @@ static const char *fit_volume(struct scene *s, const struct hull *h)
 	keep_near_ratio(p);
 	if ((why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip)) != NULL)
 		return why;
-	round_depth_range(&r, &low, &high);
+	depth_range(&r, &low, &high);
 	p->z_near = p->z_near == near ? sign * low : p->z_near;
 	p->z_far = sign * high;
 	return NULL;
@@ -499,14 +494,13 @@ const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 		why = fit_volume(s, &h);
 	else if (why == NULL)
 		why = fit_parallel(s, has_eye, &given, &h);
-	return why != NULL || scene_is_valid(s) ? why : FIT_OUT_OF_RANGE;
+	return why != NULL || scene_is_valid(s) ? why : NOT_IN_RANGE;
 }
 
-/* The farthest points suffice, as hull_extents measures along fit_axes, and
- * find_eye_step and hull_outside measure along the normals of the side planes, which do
- * not change as the eye moves. Only keep_side_planes rounds sizes on the near plane,
- * outward: the side planes keep all points inside, but the rounding may take a little
- * of the margin. */
+/* The farthest points suffice: hull_extents measures along fit_axes, find_eye_step and
+ * hull_outside along the normals of the side planes, which do not change as the eye
+ * moves. Only keep_side_planes rounds sizes on the near plane, outward: the points stay
+ * inside, but the rounding may take a little of the margin. */
 const char *fit_directions(const struct scene *given, bool has_eye,
     struct directions *all)
 {
@@ -531,8 +525,8 @@ const char *fit_directions(const struct scene *given, bool has_eye,
 	return NULL;
 }
 
-/* Sets the window's center along axis j to the middle of the extent, rounded, and the
- * window's side to twice the larger distance of an end from the center, enlarged by the
+/* Sets the window's center along axis j to the rounded middle of the extent, and the
+ * side to twice the largest distance of an end from the center, enlarged by the
  * margin. */
 static void enclose_axis(const struct extents *r, int j, double margin,
     double *center, double *side)
@@ -542,7 +536,7 @@ static void enclose_axis(const struct extents *r, int j, double margin,
 
 	struct sum most = larger(sum_sub(c, r->low[j]), sum_sub(r->high[j], c));
 
-	*side = ratio_rounded_up(sum_scale(most, 2), sum_diff(1, 2 * margin));
+	*side = ratio_up(sum_scale(most, 2), sum_diff(1, 2 * margin));
 }
 
 const char *fit_window(struct scene *s, const struct bounds *b)
@@ -569,7 +563,7 @@ const char *fit_window(struct scene *s, const struct bounds *b)
 	s->has_window = true;
 	return scene_is_size(w->width) && scene_is_size(w->height) ?
 	    NULL :
-	    FIT_OUT_OF_RANGE;
+	    NOT_IN_RANGE;
 }
 
 void window_directions(struct directions *all)

@@ -25,9 +25,8 @@ struct hull {
 	double point[BOUNDS_POINTS][3], radius;
 };
 
-/* Makes the hull of bounds of two or three coordinates. Returns NULL or, if a
- * coordinate of max is less than the same coordinate of min, the member and the
- * reason. */
+/* Makes the hull of bounds of two or three coordinates. Returns NULL or, if max is less
+ * than min along an axis, the member and the reason. */
 const char *hull_of(const struct bounds *, int dimensions, struct hull *);
 
 /* Returns the least value on the hull of column j of a map or, if minus, of the negated
@@ -50,11 +49,11 @@ struct sum extents_middle(const struct extents *, int j);
  * NULL, or the reason if all extents are 0. */
 const char *extents_widen(struct extents *, int n);
 
-/* Makes the two maps from model space along which fit measures: xy has x and y, and
- * column 2 of depth is the distance along the gaze, in a perspective w. In a
- * perspective or a volume x and y are in view space. In ortho and oblique, whose width
- * and height must be 2, they are in clip space with y upward. Returns NULL, or the
- * member and the reason. */
+/* Makes the two maps from model space along which fit measures: xy to x and y, and
+ * depth, whose column 2 is the distance along the gaze, in a perspective w. x and y are
+ * in view space in a perspective or a volume, and in clip space with y upward in ortho
+ * and oblique, whose width and height must be 2. Returns NULL, or the member and the
+ * reason. */
 const char *fit_axes(const struct scene *, struct map *xy, struct map *depth);
 
 /* Finds the extents of a hull along the columns of fit_axes, and widens them. Returns
@@ -126,8 +125,8 @@ bool extremes_bounds(const struct extremes *, const struct directions *,
  * has one (aspect[1] is not 0).
  *
  * In a volume only z_near and z_far change, to the ends of the bounds along the
- * convention's gaze. If the eye is before near, the distance from the eye to near is at
- * least near_ratio times the distance from the eye to far.
+ * convention's gaze. If the eye is before far, near is moved until the eye's distance from
+ * near is at least near_ratio times the eye's distance from far.
  *
  * A margin moves the side planes inward before they are compared with the bounds.
  *

@@ -35,7 +35,7 @@ const char *hull_of(const struct bounds *b, int dimensions, struct hull *h)
 /* Returns the least value of column j on the hull or, if minus, of the negated column,
  * less the value at the hull's first point. The least value on a sphere is the value at
  * its centre minus the radius times the length of the gradient. */
-static struct sum lowest_difference(const struct hull *h, const struct map *m,
+static struct sum lowest_offset(const struct hull *h, const struct map *m,
     int j, bool minus)
 {
 	struct sum slope[3], step[3], lowest = sum_of_double(0);
@@ -64,18 +64,17 @@ struct sum hull_lowest(const struct hull *h, const struct map *m, int j,
 	for (int i = 0; i < 3; i++)
 		p[i] = sum_of_double(h->point[0][i]);
 	map_image(m, j, p, &at);
-	at = sum_add(sum_negated_if(minus, at),
-	    lowest_difference(h, m, j, minus));
+	at = sum_add(sum_negated_if(minus, at), lowest_offset(h, m, j, minus));
 	return sum_snap_zero(sum_quotient(at, m->divisor));
 }
 
-/* The size is computed from lowest_difference, as high and low can have errors that are
+/* The size is computed from lowest_offset, as high and low can have errors that are
  * larger than their difference. */
 void extents_set(struct extents *r, int j, const struct hull *h,
     const struct map *m)
 {
-	struct sum size = sum_add(lowest_difference(h, m, j, false),
-	    lowest_difference(h, m, j, true));
+	struct sum size = sum_add(lowest_offset(h, m, j, false),
+	    lowest_offset(h, m, j, true));
 
 	r->low[j] = hull_lowest(h, m, j, false);
 	r->high[j] = sum_neg(hull_lowest(h, m, j, true));

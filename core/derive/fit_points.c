@@ -6,15 +6,14 @@
 
 #include "../points/transform.h"
 
-void directions_add(struct directions *all, const struct map *map, int j,
+void directions_add(struct directions *all, const struct map *m, int j,
     bool minus)
 {
 	struct direction *d = &all->item[all->n];
 	struct sum largest = sum_of_double(0);
 
 	for (int i = 0; i < 3; i++) {
-		d->exact[i] = sum_snap_zero(
-		    sum_negated_if(minus, map->m[i][j]));
+		d->exact[i] = sum_snap_zero(sum_negated_if(minus, m->m[i][j]));
 		if (sum_sign(sum_sub(sum_abs(d->exact[i]), largest)) > 0)
 			largest = sum_abs(d->exact[i]);
 	}
@@ -31,11 +30,11 @@ void directions_add(struct directions *all, const struct map *map, int j,
 	all->n++;
 }
 
-/* Returns an upper bound of the error of distance_along at points whose coordinates are
- * at most largest in magnitude. Let u be 2^-53. Each term is rounded at most four
- * times, by u each: the element of m, the product and two sums. The error is at most 4
- * u times the sum of the products' magnitudes. The factor is 8 u, which also covers the
- * roundings of the comparisons in add_point and add_block; 2^-1000 covers underflow. */
+/* Returns an upper bound of the error of distance_along, if no coordinate's magnitude
+ * is above largest. Each product has four roundings by u = 2^-53: of the element of m,
+ * of the product, and of two sums. This makes 4 u times the sum of the products'
+ * magnitudes. 8 u cover the sums in add_point and add_block, too, and 2^-1000 covers
+ * underflow. */
 static double distance_error(const double m[3], const double largest[3])
 {
 	double sum = 0x1p-1000;
@@ -45,9 +44,9 @@ static double distance_error(const double m[3], const double largest[3])
 	return 0x1p-50 * sum;
 }
 
-/* Returns whether p is farther than q, decided exactly. Of two points that are equally
- * far, the point with the greater coordinates counts as farther, so that the order of
- * points does not matter. */
+/* Returns whether p is farther than q. If both are equally far, the point with the
+ * greater coordinates counts as farther, so that the order of points does not
+ * matter. */
 static bool is_farther(const struct direction *d, const double p[3],
     const double q[3])
 {
@@ -66,7 +65,7 @@ static bool is_farther(const struct direction *d, const double p[3],
 	return order > 0;
 }
 
-/* Returns the distance of p along the direction, rounded: distance_error bounds its error. */
+/* Returns the distance of p along the direction, with an error below distance_error. */
 static double distance_along(const struct direction *d, const double p[3])
 {
 	return p[0] * d->scaled[0] + p[1] * d->scaled[1] + p[2] * d->scaled[2];
@@ -86,12 +85,13 @@ static void add_point(struct farthest *f, const struct direction *d,
 			bound };
 }
 
-/* The number of points that a call of the kernel takes. Smaller blocks need more calls;
- * of larger blocks more hold a farthest point, and are compared point by point. */
+/* The number of points per call of the kernel. Small blocks need more calls. If a block
+ * may hold the farthest point, all its points are compared one by one, which limits its
+ * size. */
 enum { FIT_BLOCK = 128 };
 
-/* Adds at most FIT_BLOCK points. Only points whose distance, within its error, may be
- * the largest are compared one by one. */
+/* Adds at most FIT_BLOCK points. Compares only those points one by one whose distance,
+ * within its error, may be the largest. */
 static void add_block(struct extremes *e, const struct directions *all,
     const double *const in[3], size_t n)
 {

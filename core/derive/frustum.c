@@ -24,11 +24,10 @@ static void combine_columns(struct map *r, int j, const struct map *m,
 		sum_dot(2, factor, &m->m[i][k], 3 - k, &r->m[i][j]);
 }
 
-/* Makes the planes from the map m to clip space. The functions of left and right are
- * half w + scale x and half w - scale x, those of bottom and top the same of y. Bottom
- * and top are swapped if ndc y points down, near and far if depth is reversed. If the
- * projection has no near and far planes, their functions are 1, so that every point is
- * inside. */
+/* Makes the planes from the map m to clip space. Left and right are half w + scale x
+ * and half w - scale x, bottom and top the same in y. Bottom and top are swapped if ndc
+ * y points down, near and far if depth is reversed. Without near and far planes their
+ * functions are 1, so that every point is inside. */
 static void planes_of_clip(const struct scene *s, const struct map *m,
     struct map *sides, struct map *ends)
 {
@@ -129,11 +128,11 @@ unsigned frustum_outside(const struct frustum *f, const double in[4])
 	return out;
 }
 
-/* Makes the estimate of the signs of a transform's columns. high excludes overflow. The
- * error of a column is at most ESTIMATE_BOUND times the sum of its products'
- * magnitudes, plus its noise, plus 2^-1074 times each coordinate whose element
- * underflows. low excludes sums of magnitudes below 2^-899, which underflows of
- * products could change. */
+/* Makes the estimate of the signs of a transform's columns. The error of a column is at
+ * most ESTIMATE_BOUND times the sum of its products' magnitudes, plus its noise, plus
+ * 2^-1074 times each coordinate whose element underflows. high excludes overflow, and
+ * low excludes sums of magnitudes below 2^-899, in which underflow of products would
+ * count. */
 static struct estimate estimate_of(const struct transform *t, int columns)
 {
 	const struct kernel_map *k = &t->for_kernel;
@@ -157,8 +156,7 @@ static struct estimate estimate_of(const struct transform *t, int columns)
 	return e;
 }
 
-/* The number of points that a call of the kernel takes; the array word is on the
- * stack. */
+/* The number of points per call of the kernel, whose signs are on the stack. */
 enum { SIGNS_BLOCK = 256 };
 
 void frustum_outside_all(const struct frustum *f, const double *const in[4],
@@ -197,9 +195,8 @@ void frustum_outside_all(const struct frustum *f, const double *const in[4],
 	}
 }
 
-/* Writes the homogeneous point h where columns a and b of the sides and column c of
- * other are 0. w of h is not negative. All of h is 0 if the planes meet in more than a
- * point. */
+/* Writes the homogeneous point h in which columns a and b of the sides and column c of
+ * other are 0, with w >= 0, or 0 0 0 0 if the planes meet in more than a point. */
 static void intersect_planes(const struct volume *v, int a, int b,
     const struct map *other, int c, struct sum h[4])
 {

@@ -28,10 +28,9 @@ struct frustum {
  * <= half[0] and |y| scale[1] <= half[1]. half is smaller by the margin. */
 void view_limits(const struct scene *, struct sum half[2], struct sum scale[2]);
 
-/* Makes the planes of the view volume as linear functions of a point in one space,
- * which are not negative inside. The columns of sides are left, right, bottom and top;
- * the columns of ends are near, far and w. Returns NULL, or the member and the
- * reason. */
+/* Makes the planes of the view volume: linear functions of a point in one space, which
+ * are not negative inside. The columns of sides are left, right, bottom and top, those
+ * of ends near, far and w. Returns NULL, or the member and the reason. */
 const char *view_planes(const struct scene *, enum space from,
     struct map *sides, struct map *ends);
 const char *frustum_of(const struct scene *, enum space from, bool homogeneous,

@@ -9,17 +9,17 @@
  * error of the given numbers. */
 #define NEGLIGIBLE 0x1p-40
 
-/* The map from view to clip space, in axes X to the right, Y upward and D along the
+/* The map from view to clip space in the axes X to the right, Y upward and D along the
  * gaze that make it upright: y and w do not depend on X, nor w on Y. Clip coordinates
  * are
  *
  *	x = xy[0][0] X + xy[0][1] Y + xy[0][2] D + xy[0][3],
- *	y = xy[1][1] Y + xy[1][2] D + xy[1][3], w = w_slope D + w_offset,
+ *	y = xy[1][1] Y + xy[1][2] D + xy[1][3], w = w[0] D + w[1],
  *
  * all times the map's divisor, which cancels. In a perspective w grows along D, and D
- * is 0 at the eye, so xy[0][3], xy[1][3] and w_offset are 0. */
+ * is 0 at the eye, so xy[0][3], xy[1][3] and w[1] are 0. */
 struct upright {
-	struct sum xy[2][4], w_slope, w_offset;
+	struct sum xy[2][4], w[2];
 	struct sum axis[3][3]; /* X, Y and D in view space */
 	bool uses_view_axes;   /* if not, find_rq_axes finds the axes */
 	bool turned;           /* w grows against the convention's gaze */
@@ -28,14 +28,14 @@ struct upright {
 
 /* Returns whether answer_convention has the other handedness than the document. The map
  * from world to view space then mirrors. */
-static bool changes_handedness(const struct scene *s)
+static bool is_mirrored(const struct scene *s)
 {
 	return s->convention.right_handed != answer_convention(s)->right_handed;
 }
 
-/* Sets the axes to those of view space: turned by 180 degrees about Y if w grows
- * against the convention's gaze, and with X negated if the handedness changes. Returns
- * false if the axes do not make the map upright. */
+/* Sets the axes to those of view space. They are turned about Y if w grows against the
+ * convention's gaze, and X is negated if the handedness changes. Returns false if the
+ * axes do not make the map upright. */
 static bool set_view_axes(const struct lens *l, struct upright *u)
 {
 	const struct convention *c = answer_convention(l->scene);
@@ -43,7 +43,7 @@ static bool set_view_axes(const struct lens *l, struct upright *u)
 	bool upright = sum_sign(g[1][0]) == 0;
 
 	u->turned = sum_sign(g[3][2]) * (looks_back(c) ? -1 : 1) < 0;
-	const bool minus[3] = { u->turned != changes_handedness(l->scene),
+	const bool minus[3] = { u->turned != is_mirrored(l->scene),
 		c->view_y_down, u->turned != looks_back(c) };
 
 	for (int i = 0; i < 9; i++)
@@ -63,11 +63,10 @@ static void normalise(struct sum v[3])
 		v[i] = sum_quotient(v[i], length);
 }
 
-/* Returns whether |a| is at most NEGLIGIBLE times |length|. */
-static bool is_negligible(struct sum a, struct sum length)
+/* Returns whether |a| is at most NEGLIGIBLE times |b|. */
+static bool is_negligible(struct sum a, struct sum b)
 {
-	return sum_compare(sum_abs(a),
-		   sum_scale(sum_abs(length), NEGLIGIBLE)) <= 0;
+	return sum_compare(sum_abs(a), sum_scale(sum_abs(b), NEGLIGIBLE)) <= 0;
 }
 
 /* Finds the axes by the method of Gram and Schmidt from the gradients of clip x, y, z
@@ -79,8 +78,7 @@ static void find_rq_axes(const struct lens *l, struct upright *u)
 	const struct scene *s = l->scene;
 	const struct sum(*g)[4] = l->clip, *n = g[l->parallel ? 2 : 3];
 	struct sum nn = vec3_dot(n, n), yn = vec3_dot(g[1], n), tilt[3];
-	bool negates_x = answer_convention(s)->right_handed !=
-	    changes_handedness(s);
+	bool negates_x = answer_convention(s)->right_handed != is_mirrored(s);
 
 	for (int i = 0; i < 3; i++) {
 		u->axis[2][i] = sum_negated_if(l->parallel &&
@@ -111,21 +109,19 @@ static void set_elements(const struct lens *l, struct upright *u)
 {
 	for (int i = 0; i < 6; i++)
 		u->xy[i / 3][i % 3] = vec3_dot(l->clip[i / 3], u->axis[i % 3]);
-	u->w_slope = vec3_dot(l->clip[3], u->axis[2]);
+	u->w[0] = vec3_dot(l->clip[3], u->axis[2]);
 }
 
-/* Returns whether the projection's matrix contains a camera that is turned by 180
- * degrees: far is against the gaze or, if the document has no camera, the picture is
- * upside down. */
-static bool contains_turned_camera(const struct lens *l,
-    const struct upright *u)
+/* Returns whether the matrix contains a camera that is turned by 180 degrees: far is
+ * against the gaze or, if the document has no camera, the picture is upside down. */
+static bool has_turned_camera(const struct lens *l, const struct upright *u)
 {
 	const struct projection *p = &l->scene->projection;
 	int deeper = sum_sign(vec3_dot(l->clip[2], u->axis[2]));
 
 	if (p->type != PROJECTION_MATRIX)
 		return false;
-	if (l->parallel && (deeper * sum_sign(u->w_offset) < 0) != l->reversed)
+	if (l->parallel && (deeper * sum_sign(u->w[1]) < 0) != l->reversed)
 		return true;
 	return p->alone && sum_sign(u->xy[0][0]) < 0 &&
 	    sum_sign(u->xy[1][1]) < 0;
@@ -137,11 +133,11 @@ static void upright_of(const struct lens *l, struct upright *u)
 	if (l->parallel) {
 		u->xy[0][3] = l->clip[0][3];
 		u->xy[1][3] = l->clip[1][3];
-		u->w_offset = l->clip[3][3];
+		u->w[1] = l->clip[3][3];
 	}
 	u->uses_view_axes = set_view_axes(l, u);
 	set_elements(l, u);
-	if (u->uses_view_axes && !contains_turned_camera(l, u))
+	if (u->uses_view_axes && !has_turned_camera(l, u))
 		return;
 	u->uses_view_axes = false;
 	find_rq_axes(l, u);
@@ -190,9 +186,8 @@ static void set_frustum_planes(const struct lens *l, double plane[6][4])
 	}
 }
 
-/* Returns whether R R' is the identity within 2^-20, and the determinant of R is
- * positive or, if mirrored, negative. R is the upper left 3x3 of the map over the
- * divisor. */
+/* Returns whether R R' is the identity within 2^-20, where R is the upper 3x3 over the
+ * divisor, and the determinant of R is positive or, if mirrored, negative. */
 static bool is_rotation(const struct map *m, bool mirrored)
 {
 	struct sum one = sum_mul(m->divisor, m->divisor);
@@ -225,15 +220,14 @@ static void set_camera(const struct lens *l, const struct upright *u,
 	lens_axis(l, u->axis[1], c->up);
 }
 
-/* Computes K. The pixels of K, from the viewport's corner, are half + scale x / w with
- * half and scale of view_limits. Y of K points downward if pixels count from the top. X
- * of K is X of u or, if the handedness changes, -X: it points to the right in the
- * picture. */
+/* Computes K, which maps to the pixels half + scale x / w (view_limits) from the
+ * viewport's corner. Y of K points downward if pixels count from the top. X of K is X
+ * of u or, if the handedness changes, -X: to the right in the picture. */
 static void set_intrinsics(const struct scene *s, const struct upright *u,
     double k[3][3])
 {
 	bool down = !answer_convention(s)->bottom_left;
-	const bool minus[3] = { changes_handedness(s), down, false };
+	const bool minus[3] = { is_mirrored(s), down, false };
 	struct sum half[2], scale[2];
 
 	view_limits(s, half, scale);
@@ -243,8 +237,8 @@ static void set_intrinsics(const struct scene *s, const struct upright *u,
 
 		n = sum_negated_if(minus[j] != (row == 1 && down), n);
 		if (j == 2)
-			n = sum_add(n, sum_mul(u->w_slope, half[row]));
-		k[row][j] = sum_ratio_or_nan(n, u->w_slope);
+			n = sum_add(n, sum_mul(u->w[0], half[row]));
+		k[row][j] = sum_ratio_or_nan(n, u->w[0]);
 	}
 	k[2][0] = k[2][1] = 0;
 	k[2][2] = 1;
@@ -264,11 +258,9 @@ static void set_edges(const struct upright *u, const struct depth *z, bool far,
 		depth_quotient(z, far, &n, &d);
 	for (int k = 0; k < 4; k++) {
 		const struct sum *x = u->xy[k / 2];
-		bool minus = k % 2 == 0;
-		struct sum slope = sum_sub(sum_negated_if(minus, u->w_slope),
-		    x[2]);
-		struct sum offset = sum_sub(sum_negated_if(minus, u->w_offset),
-		    x[3]);
+		bool low = k % 2 == 0;
+		struct sum slope = sum_sub(sum_negated_if(low, u->w[0]), x[2]);
+		struct sum offset = sum_sub(sum_negated_if(low, u->w[1]), x[3]);
 
 		*edges[k] = sum_ratio_or_nan(sum_add(sum_mul(slope, n),
 						 sum_mul(offset, d)),
@@ -362,7 +354,7 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 	bool by_intrinsics = sum_sign(u->xy[0][1]) != 0 ||
 	    projection_is_open(p);
 	bool mirrored = (sum_sign(u->xy[0][0]) * sum_sign(u->xy[1][1]) < 0) !=
-	    changes_handedness(s);
+	    is_mirrored(s);
 	bool fills = s->has_viewport && s->viewport.scale == SCALE_FILL;
 	bool transposed = p->type == PROJECTION_MATRIX &&
 	    seems_transposed(p->matrix);
@@ -386,11 +378,9 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 		[NOTE_NEAR_BEYOND] = r->near > r->far && !reverse,
 		[NOTE_DEPTH_FALLS] = p->type == PROJECTION_MATRIX &&
 		    u->uses_view_axes && parallel && r->reverse_z,
-		[NOTE_NO_ROTATION] = !is_rotation(&l->to_view,
-		    changes_handedness(s)),
+		[NOTE_NO_ROTATION] = !is_rotation(&l->to_view, is_mirrored(s)),
 		[NOTE_TILTED] = u->tilted,
-		[NOTE_NEGATIVE_W] = negated ||
-		    (parallel && sum_sign(u->w_offset) < 0),
+		[NOTE_MINUS_W] = negated || (parallel && sum_sign(u->w[1]) < 0),
 		[NOTE_NO_INTRINSICS] = by_intrinsics &&
 		    (parallel || !fills || sum_sign(u->xy[0][0]) < 0),
 	};

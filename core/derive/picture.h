@@ -38,7 +38,7 @@ enum note {
 	/* with each of the following notes has_scene is false */
 	NOTE_NO_ROTATION,   /* the camera's matrix is not a rotation */
 	NOTE_TILTED,        /* near and far are not parallel to the picture */
-	NOTE_NEGATIVE_W,    /* w is negative from near to far */
+	NOTE_MINUS_W,       /* w is negative from near to far */
 	NOTE_NO_INTRINSICS, /* intrinsics are needed, but cannot be given */
 	NOTE_OUT_OF_RANGE, /* a plane is behind the eye, or a number beyond the range */
 	NOTES,
@@ -65,13 +65,13 @@ void lens_axis(const struct lens *, const struct sum axis[3], double unit[3]);
 /* The formats of depth buffers. */
 enum buffer { BUFFER_UNORM16, BUFFER_UNORM24, BUFFER_FLOAT32, BUFFERS };
 
-/* The distance at depth z is D = (numerator[0] z + numerator[1]) / (denominator[0] z +
- * denominator[1]). z is device depth or, without a viewport, from 0 to 1. D is measured
- * on the normal of the projection plane: in a perspective from the eye, in a parallel
- * projection from the origin of view space. denominator[0] is 0 only in a parallel
- * projection. In a perspective the denominator is positive in front of the eye. */
+/* The distance at depth z is D = (num[0] z + num[1]) / (den[0] z + den[1]). z is device
+ * depth or, without a viewport, from 0 to 1. D is measured on the normal of the
+ * projection plane: in a perspective from the eye, in a parallel projection from the
+ * origin of view space. den[0] is 0 only in a parallel projection. In a perspective
+ * den[0] z + den[1] is positive in front of the eye. */
 struct depth {
-	struct sum numerator[2], denominator[2];
+	struct sum num[2], den[2];
 	double low, high; /* z at the least ndc depth, and at ndc depth 1 */
 	bool reversed;    /* the near plane has the larger ndc depth */
 	bool open;        /* there are no near and far planes */
@@ -81,8 +81,8 @@ struct depth {
 void depth_of(const struct lens *, struct depth *);
 
 /* Writes the distance of the near or far plane as a quotient. */
-void depth_quotient(const struct depth *, bool far, struct sum *numerator,
-    struct sum *denominator);
+void depth_quotient(const struct depth *, bool far, struct sum *num,
+    struct sum *den);
 
 /* Returns the distance of the near or far plane: infinite if the plane is at infinity,
  * nan if it is behind the eye or does not exist. */
@@ -105,8 +105,7 @@ struct picture {
 	/* In a parallel projection, the lengths in view space of the world's unit
 	 * vectors, projected onto the projection plane. */
 	double foreshortening[3];
-	/* The vanishing points of the world axes, on the device or, without one, in
-	 * ndc. */
+	/* The world axes' vanishing points, on the device or, without one, in ndc. */
 	double vanishing_point[3][2];
 	double fov[2];  /* degrees between left and right, bottom and top */
 	double eye[3];  /* in world space */
@@ -118,8 +117,7 @@ struct picture {
 	struct depth depth;
 	double aspect;
 	bool reverse_z;
-	/* x of left and right and y of bottom and top, on the near plane in view
-	 * space. */
+	/* On the near plane in view space: x of left and right, y of bottom and top. */
 	double near_edge[4];
 	/* The rows of K, which maps X to the right, Y along device y and Z along the
 	 * gaze to pixels from the viewport's corner. */

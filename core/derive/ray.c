@@ -13,10 +13,9 @@
  *
  *	(x w - X) x (y w - Y) = x (Y x w) + y (w x X) + X x Y
  *
- * Depth grows along this vector if the determinant of the map is positive. If depth
- * falls along rays, the vector is negated. The product is computed in view space, where
- * it is exact even if the camera is not; r contains the map from view to world space,
- * too. */
+ * Depth grows along this vector if the map's determinant is positive. If depth falls
+ * along rays, the vector is negated. The product is exact in view space even if the
+ * camera is not. So r is the product times the map from view to world space. */
 static const char *set_direction_map(const struct scene *s, bool depth_falls,
     struct map *r)
 {
@@ -99,9 +98,8 @@ static void ray_direction(const struct ray_maker *r, const double in[4],
 	}
 }
 
-/* Returns whether the ray of a device position has a point to begin at. If its
- * coordinates are nan, they may only be beyond the range of doubles; the sign of w
- * decides. */
+/* Returns whether the ray of a device position begins at a point. Coordinates that are
+ * nan can also be beyond the range of doubles; then the sign of w decides. */
 static bool ray_has_point(const struct ray_maker *r, const double in[4],
     const double point[3])
 {
@@ -185,8 +183,8 @@ bool rays_cast(const struct ray_maker *r, bool single,
  *
  *	z = -sum of q_i (m_i . p) / (m_2 . p),    i = 0, 1, 3
  *
- * So P = sum of q_i (m_i - m_2 (m_i . p) / (m_2 . p)). The row is multiplied by m_2 .
- * p. In column j the terms of p_j cancel. */
+ * So P = sum of q_i (m_i - m_2 (m_i . p) / (m_2 . p)). The row is this sum's term,
+ * times m_2 . p. In column j of the row the terms of p_j cancel. */
 static void set_plane_row(const struct map *m, int i, const struct sum p[4],
     struct map *r)
 {
