@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 #include "picture.h"
 
-/* Let n be the gradient of w or, if w is constant, of z. D is measured along n, from
- * the eye or, if w is constant, from the origin of view space. There z is z0, and w is
- * w0. With z and w for the gradients of z and w,
+/* Let n be the gradient of w or, if w is constant, of z. D is measured along n from the
+ * eye or, if w is constant, from the origin of view space. With z0 and w0, the values
+ * of z and w at this point, and dz and dw, the products of n and the gradients of z and
+ * w,
  *
- *	depth = (z0 + D z . n / |n|) / (w0 + D w . n / |n|),
- *	D = |n| (w0 depth - z0) / (z . n - depth w . n).
+ *	depth = (z0 + D dz / |n|) / (w0 + D dw / |n|),
+ *	D = |n| (w0 depth - z0) / (dz - dw depth).
  *
- * At the eye w0 is 0. Both terms of D are negated if the denominator would be negative
- * in front of the eye. D of a parallel projection grows along the convention's gaze,
- * but D of a parallel matrix from near to far. */
+ * At the eye w0 is 0. Numerator and denominator of D are negated if the denominator
+ * would be negative in front of the eye. D of a parallel projection grows along the
+ * convention's gaze, but D of a parallel PROJECTION_MATRIX from near to far. */
 void depth_of(const struct lens *l, struct depth *d)
 {
 	const struct scene *s = l->scene;
@@ -128,9 +129,8 @@ static struct sum depth_determinant(const struct depth *d)
 	return sum_minor(d->num[0], d->den[1], d->num[1], d->den[0]);
 }
 
-/* Returns |D(b) - D(a)|: the determinant times b - a, over the product of the
- * denominators of D at a and at b. Returns nan if a = b, or if a or b is behind the
- * eye. */
+/* Returns |D(b) - D(a)|: the determinant times b - a, over the denominators of D at a
+ * and at b. Returns nan if a = b, or if a or b is behind the eye. */
 static double distance_between(const struct depth *d, const struct sum a[2],
     const struct sum b[2])
 {

@@ -4,9 +4,9 @@
 #include <math.h>
 
 struct arithmetic {
-	double u;    /* unit roundoff */
-	double tiny; /* least normal number */
-	double most; /* no bound holds if 1/w or the image is above most */
+	double u;     /* unit roundoff */
+	double tiny;  /* least normal number */
+	double limit; /* a bound is nan if 1/w or the image is above limit */
 };
 
 static const struct arithmetic arithmetic[] = {
@@ -26,9 +26,9 @@ struct corner {
 };
 
 struct error_analysis {
-	const struct transform *t;
+	const struct transform *transform;
 	struct corner corner[8];
-	double max[3], largest; /* bounds of |coordinates| of images */
+	double max[3], largest; /* upper bounds of |coordinates| of images */
 };
 
 /* Sets c to corner i of the volume. to_model is the map from view space. */
@@ -47,7 +47,7 @@ static void set_corner(const struct volume *v, const struct map *to_model,
 	c->inverse_w = sum_ratio(h[3], w);
 }
 
-static void set_max(const struct scene *s, struct error_analysis *to)
+static void set_image_bounds(const struct scene *s, struct error_analysis *to)
 {
 	const struct viewport *v = &s->viewport;
 	double *max = to->max;
@@ -74,12 +74,12 @@ static double column_bound(const struct kernel_map *k, const struct corner *c,
 }
 
 /* Returns the bound for the precision of a, or nan if w could be less than its error,
- * or 1/w or the image above a->most. No bound is needed if another number overflows:
+ * or 1/w or the image above a->limit. No bound is needed if another number overflows:
  * the image is then not finite, and the program computes it exactly. */
 static double precision_bound(const struct error_analysis *v,
     const struct arithmetic *a)
 {
-	const struct transform *t = v->t;
+	const struct transform *t = v->transform;
 	const struct kernel_map *k = &t->for_kernel;
 	double factor = PLAIN_BOUND * a->u, worst = 0, w = 0, inverse_w = 0;
 
@@ -96,8 +96,8 @@ static double precision_bound(const struct error_analysis *v,
 	}
 	if (t->kind == KERNEL_DEPTH)
 		worst = fmax(worst, fabs(k->a) + fabs(k->b) * inverse_w * w);
-	if (!(inverse_w <= a->most) || !(v->largest <= a->most) ||
-	    !(fabs(k->a) <= a->most) || !(fabs(k->b) <= a->most) ||
+	if (!(inverse_w <= a->limit) || !(v->largest <= a->limit) ||
+	    !(fabs(k->a) <= a->limit) || !(fabs(k->b) <= a->limit) ||
 	    (t->divide && !(factor * w < 0x1p-4)))
 		return (double)NAN;
 	return (factor * worst + 4 * a->tiny * a->u) * ROUNDED_UP;
@@ -109,7 +109,7 @@ const char *error_bounds(const struct scene *s, const struct volume *v,
 	enum space to = s->has_viewport ? SPACE_DEVICE : SPACE_NDC;
 	struct transform t;
 	struct map to_model;
-	struct error_analysis a = { .t = &t };
+	struct error_analysis a = { .transform = &t };
 	const char *why = scene_transform(s, SPACE_MODEL, to, false, &t);
 	int e;
 
@@ -121,7 +121,7 @@ const char *error_bounds(const struct scene *s, const struct volume *v,
 		return why;
 	for (int i = 0; i < 8; i++)
 		set_corner(v, &to_model, t.for_kernel.origin, i, &a.corner[i]);
-	set_max(s, &a);
+	set_image_bounds(s, &a);
 	/* half an ulp of the largest coordinate */
 	frexp(a.largest, &e);
 	bound[PRECISION_EXACT] = ldexp(1, e - 54);

@@ -9,26 +9,26 @@
 	"/bounds: what holds them has numbers beyond 1e150 or sizes below " \
 	"1e-150; choose another unit"
 
-/* Sets gaze, up and a missing eye from the rows of back, the map from view to world
- * space. The axes of a matrix are those of its nearest rotation. */
+/* Sets gaze, up and, if the camera has none, the eye from the rows of to_world, the map
+ * from view to world space. The axes of a matrix are those of its nearest rotation. */
 static const char *gaze_from_axes(struct camera *c,
-    const struct convention *convention, struct map *back)
+    const struct convention *convention, struct map *to_world)
 {
 	double along = looks_back(convention) ? -1 : 1;
 	double upward = convention->view_y_down ? -1 : 1;
 	struct camera turned = *c;
 
 	for (int k = 0; k < 3 && c->kind >= CAMERA_TRANSLATION; k++)
-		c->eye[k] = map_nearest(back, 3, k, false);
+		c->eye[k] = map_nearest(to_world, 3, k, false);
 	if (c->kind >= CAMERA_POSE)
 		c->roll = 0;
 	turned.roll = 0;
 	turned.orthonormalize = true;
-	const char *why = camera_map(&turned, convention, true, back);
+	const char *why = camera_map(&turned, convention, true, to_world);
 
 	for (int k = 0; k < 3 && why == NULL; k++) {
-		c->at[k] = along * map_nearest(back, 2, k, false);
-		c->up[k] = upward * map_nearest(back, 1, k, false);
+		c->at[k] = along * map_nearest(to_world, 2, k, false);
+		c->up[k] = upward * map_nearest(to_world, 1, k, false);
 	}
 	return why;
 }
@@ -54,26 +54,25 @@ static const char *make_gaze_camera(struct scene *s)
 {
 	struct camera *c = &s->camera;
 	const struct convention *convention = &s->convention;
-	struct map back;
+	struct map to_world;
 
 	if (!s->has_camera)
 		*c = (struct camera){ .kind = CAMERA_GAZE,
 			.at = { 0, 0, looks_back(convention) ? -1 : 1 },
 			.up = { 0, convention->view_y_down ? -1 : 1, 0 } };
 	s->has_camera = true;
-	const char *why = camera_map(c, convention, true, &back);
+	const char *why = camera_map(c, convention, true, &to_world);
 
 	if (why == NULL && c->kind >= CAMERA_ORIENTATION)
-		why = gaze_from_axes(c, convention, &back);
+		why = gaze_from_axes(c, convention, &to_world);
 	else if (c->kind == CAMERA_AT)
 		gaze_from_at(c);
 	c->kind = CAMERA_GAZE;
 	return why;
 }
 
-/* Writes the eye's position in world space after a step in view space, whose origin is
- * the eye. back maps view to world space. */
-static void eye_after_step(const struct map *back, const struct sum step[3],
+/* Writes the eye's position in world space after a step in view space. */
+static void eye_after_step(const struct map *to_world, const struct sum step[3],
     double eye[3])
 {
 	const struct sum at[4] = { step[0], step[1], step[2],
@@ -81,8 +80,8 @@ static void eye_after_step(const struct map *back, const struct sum step[3],
 	struct sum to;
 
 	for (int k = 0; k < 3; k++) {
-		map_image(back, k, at, &to);
-		eye[k] = sum_ratio(to, back->divisor);
+		map_image(to_world, k, at, &to);
+		eye[k] = sum_ratio(to, to_world->divisor);
 	}
 }
 
@@ -159,10 +158,11 @@ static const char *find_plane_slopes(const struct scene *s, struct map *sides,
 	return why;
 }
 
-/* Finds step[1] and step[0], across the gaze, so that after the step the two planes of
- * each pair are at equal distances from the bounds. step[2] is given. A step lowers the
- * least value of a plane's function by the dot product of step and normal. Bottom and
- * top do not depend on x, so step[1] is found first. */
+/* Finds step[1] and step[0], across the gaze, so that after the step the functions of
+ * the two planes of each pair have the same least value on the bounds. step[2] is
+ * given. A step lowers a least value by the dot product of the step and the plane's
+ * normal. The functions of bottom and top do not depend on x, so step[1] is found
+ * first. */
 static void center_between_planes(const struct map *sides,
     const struct sum lowest[4], struct sum step[3])
 {
@@ -182,11 +182,11 @@ static void center_between_planes(const struct map *sides,
 
 /* Finds the eye's step in view space, as far along the gaze as a side plane or
  * near_ratio allows. A step of t along the gaze lowers the least value of a plane's
- * function by t times the plane's slope. If free, the eye may also move across the
- * gaze. This keeps the sum of the least values of a pair of planes, so the sum limits
- * t. */
+ * function by t times the plane's slope. If center, the eye also moves across the gaze;
+ * the sum of the least values of left and right or bottom and top does not change then,
+ * and limits t. */
 static const char *find_eye_step(const struct scene *s, const struct hull *h,
-    bool free, struct sum step[3])
+    bool center, struct sum step[3])
 {
 	struct map model, view, ends;
 	struct sum slope[4], lowest[4];
@@ -203,10 +203,10 @@ static const char *find_eye_step(const struct scene *s, const struct hull *h,
 
 	for (int k = 0; k < 4; k++)
 		lowest[k] = hull_lowest(h, &model, k, false);
-	for (int k = 0; k < 4; k += free ? 2 : 1) {
+	for (int k = 0; k < 4; k += center ? 2 : 1) {
 		struct sum gap = lowest[k], fall = slope[k];
 
-		if (free) {
+		if (center) {
 			gap = sum_add(gap, lowest[k + 1]);
 			fall = sum_add(fall, slope[k + 1]);
 		}
@@ -217,7 +217,7 @@ static const char *find_eye_step(const struct scene *s, const struct hull *h,
 	}
 	step[0] = step[1] = sum_of_double(0);
 	step[2] = sum_negated_if(looks_back(&s->convention), t);
-	if (free)
+	if (center)
 		center_between_planes(&view, lowest, step);
 	return fabs(sum_double(t)) <= MAGNITUDE_MAX ? NULL : NOT_IN_RANGE;
 }
@@ -245,7 +245,7 @@ static void set_near_and_far(struct projection *p, const struct extents *r)
 	p->far = fmax(high, nextafter(p->near, HUGE_VAL));
 }
 
-/* Sets near and far by set_near_and_far. Returns whether the bounds are then inside the
+/* Sets near and far around the bounds. Returns whether the bounds are then inside the
  * volume, and near is at least near_ratio times far. */
 static bool enclose_persp(struct scene *s, const struct hull *h)
 {
@@ -268,7 +268,7 @@ static bool enclose_persp(struct scene *s, const struct hull *h)
  * coordinates are rounded, a part of the bounds can be outside: the eye then moves back
  * by 2^-53 of its largest coordinate, by twice as much, and so on. */
 static const char *move_eye_back(struct scene *s, const struct hull *h,
-    const struct map *back, const struct sum first[3])
+    const struct map *to_world, const struct sum first[3])
 {
 	const struct projection given = s->projection;
 	struct sum step[3] = { first[0], first[1] };
@@ -279,7 +279,7 @@ static const char *move_eye_back(struct scene *s, const struct hull *h,
 	for (int tries = 0; tries < 100; tries++) {
 		step[2] = sum_add(first[2], sum_of_double(outward * retreat));
 		s->projection = given;
-		eye_after_step(back, step, s->camera.eye);
+		eye_after_step(to_world, step, s->camera.eye);
 		if (enclose_persp(s, h))
 			return NULL;
 		for (int k = 0; k < 3 && tries == 0; k++)
@@ -290,34 +290,34 @@ static const char *move_eye_back(struct scene *s, const struct hull *h,
 	return NOT_IN_RANGE;
 }
 
-static const char *fit_persp(struct scene *s, bool free, const struct hull *h)
+static const char *fit_persp(struct scene *s, bool center, const struct hull *h)
 {
 	struct sum step[3];
-	struct map back;
-	const char *why = find_eye_step(s, h, free, step);
+	struct map to_world;
+	const char *why = find_eye_step(s, h, center, step);
 
 	if (why == NULL)
-		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &back);
-	return why != NULL ? why : move_eye_back(s, h, &back, step);
+		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &to_world);
+	return why != NULL ? why : move_eye_back(s, h, &to_world, step);
 }
 
 /* Moves the eye so that the bounds are in the middle of the picture. Without has_eye
  * the eye also moves along the gaze, until its distance from the middle of the bounds
- * is the depth of the bounds. In an oblique projection this move shifts the image; a
- * step across the gaze undoes the shift. */
+ * is the bounds' extent along the gaze. In an oblique projection this move shifts the
+ * image; a step across the gaze undoes the shift. */
 static const char *center_picture(struct scene *s, bool has_eye,
     const struct hull *h)
 {
 	const struct convention *c = &s->convention;
 	struct sum step[3] = { 0 };
-	struct map back, clip;
+	struct map to_world, clip;
 	struct extents r;
 	const char *why = hull_extents(h, s, &r);
 
 	if (why == NULL)
 		why = scene_map(s, SPACE_VIEW, SPACE_CLIP, &clip);
 	if (why == NULL)
-		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &back);
+		why = scene_map(s, SPACE_VIEW, SPACE_WORLD, &to_world);
 	if (why != NULL)
 		return why;
 	for (int j = 0; j < 3; j++)
@@ -332,11 +332,11 @@ static const char *center_picture(struct scene *s, bool has_eye,
 		    sum_negated_if(j == 1 && c->ndc_y_down, sheared));
 	}
 	step[1] = sum_negated_if(c->view_y_down, step[1]);
-	eye_after_step(&back, step, s->camera.eye);
+	eye_after_step(&to_world, step, s->camera.eye);
 	return NULL;
 }
 
-/* Sets near, far, and the least width and height of this aspect that hold the
+/* Sets near, far, and the least width and height in this aspect that hold the
  * bounds. */
 static const char *enclose_parallel(struct scene *s, const struct hull *h)
 {
@@ -430,8 +430,8 @@ static const char *fit_volume(struct scene *s, const struct hull *h)
 	return NULL;
 }
 
-/* Gives the camera the form CAMERA_GAZE. Sets the members of the projection that are to
- * be found to some valid numbers. */
+/* Gives the camera the form CAMERA_GAZE, and valid numbers to the members of the
+ * projection that fit is going to find. */
 static const char *fit_prepare(struct scene *s)
 {
 	struct projection *p = &s->projection;
@@ -497,10 +497,10 @@ const char *fit_scene(struct scene *s, bool has_eye, const struct bounds *b)
 	return why != NULL || scene_is_valid(s) ? why : NOT_IN_RANGE;
 }
 
-/* The farthest points suffice: hull_extents measures along fit_axes, find_eye_step and
- * hull_outside along the normals of the side planes, which do not change as the eye
- * moves. Only keep_side_planes rounds sizes on the near plane, outward: the points stay
- * inside, but the rounding may take a little of the margin. */
+/* The farthest points of these directions suffice: hull_extents measures along
+ * fit_axes, find_eye_step and hull_outside along the normals of the side planes, which
+ * do not change as the eye moves. Only keep_side_planes rounds sizes on the near plane,
+ * outward: the points stay inside, but the rounding may take a little of the margin. */
 const char *fit_directions(const struct scene *given, bool has_eye,
     struct directions *all)
 {

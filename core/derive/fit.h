@@ -49,10 +49,10 @@ struct sum extents_middle(const struct extents *, int j);
  * NULL, or the reason if all extents are 0. */
 const char *extents_widen(struct extents *, int n);
 
-/* Makes the two maps from model space along which fit measures: xy to x and y, and
- * depth, whose column 2 is the distance along the gaze, in a perspective w. x and y are
- * in view space in a perspective or a volume, and in clip space with y upward in ortho
- * and oblique, whose width and height must be 2. Returns NULL, or the member and the
+/* Makes the maps from model space along whose columns fit measures. Columns 0 and 1 of
+ * xy are x and y: in view space for a perspective or a volume, in clip space with y
+ * upward for ortho and oblique, whose width and height must be 2. Column 2 of depth is
+ * the distance along the gaze, in a perspective w. Returns NULL, or the member and the
  * reason. */
 const char *fit_axes(const struct scene *, struct map *xy, struct map *depth);
 
@@ -118,23 +118,22 @@ bool extremes_bounds(const struct extremes *, const struct directions *,
  * bounds are between the side planes and one plane touches the bounds, or until near is
  * near_ratio times far. If the bounds are points and the scene has no eye, the eye also
  * moves across the gaze: both planes of the tighter pair touch the bounds, and the
- * planes of the other pair are equally far from the bounds.
+ * functions of the other two planes have the same least value on the bounds.
  *
  * ortho and oblique are centred on the bounds. Width and height become the least that
  * hold the bounds; then the shorter side is widened to the aspect, if the projection
  * has one (aspect[1] is not 0).
  *
  * In a volume only z_near and z_far change, to the ends of the bounds along the
- * convention's gaze. If the eye is before far, near is moved until the eye's distance from
- * near is at least near_ratio times the eye's distance from far.
+ * convention's gaze. If the eye is before far, near is moved until the eye's distance
+ * from near is at least near_ratio times the eye's distance from far.
  *
- * A margin moves the side planes inward before they are compared with the bounds.
- *
- * The eye is rounded to doubles; in persp it then moves back until the bounds are
- * inside. frustum_outside finds no corner or point of the bounds outside. near, far and
- * the sizes of a parallel projection are the tightest doubles for which this holds,
- * unless the bounds are so far from the eye that rounding hides their last bits.
- * Returns NULL, or the member and the reason. */
+ * A margin moves the side planes inward before they are compared with the bounds. The
+ * eye is rounded to doubles; in persp it then moves back until the bounds are inside.
+ * frustum_outside finds no corner or point of the bounds outside. near, far and the
+ * sizes of a parallel projection are the tightest doubles for which this holds, unless
+ * the bounds are so far from the eye that rounding hides their last bits. Returns NULL,
+ * or the member and the reason. */
 const char *fit_scene(struct scene *, bool has_eye, const struct bounds *);
 
 /* Finds the directions along which fit_scene measures the bounds. The farthest points

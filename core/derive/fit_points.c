@@ -33,8 +33,8 @@ void directions_add(struct directions *all, const struct map *m, int j,
 /* Returns an upper bound of the error of distance_along, if no coordinate's magnitude
  * is above largest. Each product has four roundings by u = 2^-53: of the element of m,
  * of the product, and of two sums. This makes 4 u times the sum of the products'
- * magnitudes. 8 u cover the sums in add_point and add_block, too, and 2^-1000 covers
- * underflow. */
+ * magnitudes. The bound of 8 u also covers the sums in add_point and add_block; 2^-1000
+ * covers underflow. */
 static double distance_error(const double m[3], const double largest[3])
 {
 	double sum = 0x1p-1000;
@@ -86,8 +86,8 @@ static void add_point(struct farthest *f, const struct direction *d,
 }
 
 /* The number of points per call of the kernel. Small blocks need more calls. If a block
- * may hold the farthest point, all its points are compared one by one, which limits its
- * size. */
+ * may hold the farthest point, each of its points is examined, which takes long if it
+ * is large. */
 enum { FIT_BLOCK = 128 };
 
 /* Adds at most FIT_BLOCK points. Compares only those points one by one whose distance,

@@ -24,10 +24,11 @@ static void combine_columns(struct map *r, int j, const struct map *m,
 		sum_dot(2, factor, &m->m[i][k], 3 - k, &r->m[i][j]);
 }
 
-/* Makes the planes from the map m to clip space. Left and right are half w + scale x
- * and half w - scale x, bottom and top the same in y. Bottom and top are swapped if ndc
- * y points down, near and far if depth is reversed. Without near and far planes their
- * functions are 1, so that every point is inside. */
+/* Makes the planes from the map m to clip space. With half and scale of view_limits,
+ * left and right are half w + scale x and half w - scale x, bottom and top the same in
+ * y. Bottom and top are swapped if ndc y points down, near and far if depth is
+ * reversed. If there are no near and far planes, their functions are 1, so that every
+ * point is inside. */
 static void planes_of_clip(const struct scene *s, const struct map *m,
     struct map *sides, struct map *ends)
 {
@@ -98,11 +99,6 @@ const char *flat_frustum_of(const struct scene *s, enum flat from,
 	return NULL;
 }
 
-static bool is_flat(const struct frustum *f)
-{
-	return f->sides.in == 2;
-}
-
 static int column_sign(const struct transform *t, int j, const double in[4])
 {
 	return sum_sign(point_column(t, j, in));
@@ -110,18 +106,19 @@ static int column_sign(const struct transform *t, int j, const double in[4])
 
 unsigned frustum_outside(const struct frustum *f, const double in[4])
 {
+	bool flat = f->sides.in == 2;
 	unsigned out = 0;
 
 	for (int i = 0; i < f->sides.in; i++)
 		if (isnan(in[i]))
 			return OUT_NAN;
-	if (!is_flat(f) &&
+	if (!flat &&
 	    (column_sign(&f->ends, 2, in) <= 0 ||
 		(f->sides.reciprocal && !(in[3] > 0))))
 		return OUT_BEHIND;
 	for (int k = 0; k < 4; k++)
 		out |= column_sign(&f->sides, k, in) < 0 ? 1u << k : 0;
-	for (int k = 0; k < 2 && !is_flat(f); k++)
+	for (int k = 0; k < 2 && !flat; k++)
 		out |= column_sign(&f->ends, k, in) < 0 ?
 		    (unsigned)OUT_NEAR << k :
 		    0;
@@ -156,14 +153,14 @@ static struct estimate estimate_of(const struct transform *t, int columns)
 	return e;
 }
 
-/* The number of points per call of the kernel, whose signs are on the stack. */
+/* The number of points per call of the kernel; the stack holds their signs. */
 enum { SIGNS_BLOCK = 256 };
 
 void frustum_outside_all(const struct frustum *f, const double *const in[4],
     unsigned char *out, size_t n)
 {
-	bool flat = is_flat(f), four = f->sides.in == 4;
-	/* in 2D z is any column, as its factors in the map are 0 */
+	bool flat = f->sides.in == 2, four = f->sides.in == 4;
+	/* in 2D any column serves as z, as the map multiplies it by 0 */
 	const double *z = in[flat ? 0 : 2];
 	struct estimate sides = estimate_of(&f->sides, 4), ends = { 0 };
 	double word[SIGNS_BLOCK];
@@ -216,11 +213,11 @@ static void intersect_planes(const struct volume *v, int a, int b,
 		h[i].value.sign *= -1;
 }
 
-/* The eye is where clip x, y and w are 0. The left and right plane and the bottom plane
- * meet in it, as their functions are sums of multiples of x, y and w. */
+/* The left, right and bottom planes meet in the eye, where clip x, y and w are 0, as
+ * the functions of these planes are sums of multiples of x, y and w. */
 const char *volume_of(const struct scene *s, struct volume *v)
 {
-	/* refuses a singular projection, which has no inverse */
+	/* scene_map refuses a singular projection, which has no inverse */
 	const char *why = scene_map(s, SPACE_CLIP, SPACE_VIEW, &v->to_clip);
 
 	v->eye_z[0] = v->to_clip.divisor;

@@ -33,9 +33,9 @@ static bool is_mirrored(const struct scene *s)
 	return s->convention.right_handed != answer_convention(s)->right_handed;
 }
 
-/* Sets the axes to those of view space. They are turned about Y if w grows against the
- * convention's gaze, and X is negated if the handedness changes. Returns false if the
- * axes do not make the map upright. */
+/* Sets the axes to those of view space. They are turned by 180 degrees about Y if w
+ * grows against the convention's gaze, and X is negated if is_mirrored. Returns false
+ * if the axes do not make the map upright. */
 static bool set_view_axes(const struct lens *l, struct upright *u)
 {
 	const struct convention *c = answer_convention(l->scene);
@@ -96,7 +96,7 @@ static void find_rq_axes(const struct lens *l, struct upright *u)
 	    sum_mul(vec3_length(g[2]), vec3_length(n)));
 }
 
-/* Sets negligible elements to 0. */
+/* Sets those elements of xy to 0 that are negligible beside xy[i][i]. */
 static void clear_rounding_errors(bool parallel, struct upright *u)
 {
 	for (int i = 0; i < 2; i++)
@@ -222,7 +222,7 @@ static void set_camera(const struct lens *l, const struct upright *u,
 
 /* Computes K, which maps to the pixels half + scale x / w (view_limits) from the
  * viewport's corner. Y of K points downward if pixels count from the top. X of K is X
- * of u or, if the handedness changes, -X: to the right in the picture. */
+ * of u or, if is_mirrored, -X: to the right in the picture. */
 static void set_intrinsics(const struct scene *s, const struct upright *u,
     double k[3][3])
 {
@@ -322,7 +322,7 @@ static void set_projection(const struct lens *l, const struct upright *u,
 	}
 	for (int i = 0; i < 9; i++)
 		p->intrinsics[i / 3][i % 3] = r->intrinsics[i / 3][i % 3];
-	/* X of K is -x of this scene if the handedness changes */
+	/* if is_mirrored, X of K is -x of the view space of r->scene */
 	p->intrinsics[0][0] = fabs(p->intrinsics[0][0]);
 	if (!open && sum_sign(u->xy[0][1]) == 0)
 		set_edges(u, &r->depth, swap, p);
@@ -362,10 +362,10 @@ static unsigned notes_of(const struct lens *l, const struct upright *u,
 	bool reverse = p->type == PROJECTION_VOLUME &&
 	    r->taxon == TAXON_REVERSE;
 
-	/* a corner is nan if w is 0 (at infinity) or negative in it */
+	/* a corner is nan if it is at infinity or behind the eye */
 	for (int i = 0; i < 8; i++)
 		behind &= isnan(r->corner[i][0]);
-	/* a perspective matrix of which each element is negated mirrors, too */
+	/* a perspective matrix that is negated as a whole seems to mirror */
 	bool negated = !parallel && !transposed && mirrored && behind;
 	bool known = transposed || reverse || negated;
 	bool looks_away = u->uses_view_axes && u->turned &&
@@ -426,7 +426,7 @@ const char *picture_of(const struct scene *s, struct picture *p)
 
 	if (why != NULL)
 		return why;
-	/* the doubles become nan */
+	/* a double whose bits are all 1 is nan */
 	memset(p, 0xff, offsetof(struct picture, notes));
 	taxonomy_of(&l, p);
 	set_parameters(&l, p);

@@ -12,7 +12,7 @@ const char *picker_of(const struct scene *s, const struct transform *to_device,
 	int plane = projection_is_open(&s->projection) ? 2 : 0;
 	struct map *m = &k->depth.map, sides;
 	struct sum gradient[3], divisor;
-	/* refuses a singular projection, which has no inverse */
+	/* scene_map refuses a singular projection, which has no inverse */
 	const char *why = scene_map(s, SPACE_CLIP, SPACE_VIEW, m);
 
 	if (why == NULL)

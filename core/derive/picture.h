@@ -80,12 +80,12 @@ struct depth {
 
 void depth_of(const struct lens *, struct depth *);
 
-/* Writes the distance of the near or far plane as a quotient. */
+/* Writes the distance of the near or far plane as the quotient num / den. */
 void depth_quotient(const struct depth *, bool far, struct sum *num,
     struct sum *den);
 
 /* Returns the distance of the near or far plane: infinite if the plane is at infinity,
- * nan if it is behind the eye or does not exist. */
+ * nan if the plane is behind the eye or does not exist. */
 double depth_distance(const struct depth *, bool far);
 
 /* Returns the distance from the near or far plane, inward, to the depth that differs by
@@ -94,8 +94,8 @@ double depth_distance(const struct depth *, bool far);
  * than a step. */
 double depth_step(const struct depth *, enum buffer, bool far);
 
-/* Returns how much nearer to the eye than distance the depth is that differs from that
- * of distance by one step of the buffer. */
+/* Returns the distance, toward the eye, from points at the given distance to points
+ * whose depth differs by one step of the buffer. */
 double depth_step_at(const struct depth *, enum buffer, double distance);
 
 /* A picture in nearest doubles; a number that does not exist is nan. */
@@ -125,7 +125,7 @@ struct picture {
 	/* a b c d for left, right, bottom, top, near and far: a point x y z of world
 	 * space is inside if a x + b y + c z + d >= 0. a b c is a unit vector. */
 	double frustum_plane[6][4];
-	double error_bound[3]; /* of error_bounds */
+	double error_bound[3]; /* by enum precision */
 	unsigned notes;        /* a bit for each enum note */
 	/* A scene that makes the same picture, in answer_convention: a camera by eye
 	 * and gaze, and a projection by edges or, if x depends on y or there are no
@@ -137,7 +137,7 @@ struct picture {
 /* Sets the members from taxon to corner. */
 void taxonomy_of(const struct lens *, struct picture *);
 
-/* Sets all members. Returns NULL, or the member and the reason. */
+/* Sets all members of the picture. Returns NULL, or the member and the reason. */
 const char *picture_of(const struct scene *, struct picture *);
 
 #endif

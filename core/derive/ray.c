@@ -98,8 +98,8 @@ static void ray_direction(const struct ray_maker *r, const double in[4],
 	}
 }
 
-/* Returns whether the ray of a device position begins at a point. Coordinates that are
- * nan can also be beyond the range of doubles; then the sign of w decides. */
+/* Returns whether the ray of a device position begins at a point. Coordinates of point
+ * that are nan can also be beyond the range of doubles; then the sign of w decides. */
 static bool ray_has_point(const struct ray_maker *r, const double in[4],
     const double point[3])
 {
@@ -183,8 +183,8 @@ bool rays_cast(const struct ray_maker *r, bool single,
  *
  *	z = -sum of q_i (m_i . p) / (m_2 . p),    i = 0, 1, 3
  *
- * So P = sum of q_i (m_i - m_2 (m_i . p) / (m_2 . p)). The row is this sum's term,
- * times m_2 . p. In column j of the row the terms of p_j cancel. */
+ * So P = sum of q_i (m_i - m_2 (m_i . p) / (m_2 . p)). Row i is the factor of q_i times
+ * m_2 . p. The terms of p_j in its column j cancel. */
 static void set_plane_row(const struct map *m, int i, const struct sum p[4],
     struct map *r)
 {

@@ -149,7 +149,7 @@ void taxonomy_of(const struct lens *l, struct picture *t)
 
 	map_image(&v->ends, 1, v->eye, &far);
 	int side = sum_sign(far) * sum_sign(v->eye[3]);
-	bool against = side < 0; /* gaze and gradient are opposite */
+	bool against = side < 0; /* the gradient of w is against the gaze */
 
 	world_point(l, v->eye, side != 0, t->eye);
 	t->taxon = against ? TAXON_REVERSE : TAXON_PERSPECTIVE;
