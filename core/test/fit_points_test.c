@@ -75,7 +75,7 @@ static void shuffle(struct cloud *c)
 	}
 }
 
-/* Adds the points in pieces, in any order of the pieces. */
+/* Adds the points in pieces, which are merged in any order. */
 static void add_cloud(const struct cloud *c, const struct directions *d,
     struct extremes *all)
 {
@@ -194,7 +194,7 @@ static void none_is_farther(void **state)
 	farthest_many(100, 60);
 }
 
-/* Asserts that p is farther than q along m by little, or as far and greater. */
+/* Asserts that p is farther than q along m, or equally far with greater coordinates. */
 static void assert_farther(const double m[3], const double p[3],
     const double q[3])
 {
@@ -219,7 +219,7 @@ static void assert_farther(const double m[3], const double p[3],
 static void hairs_count(void **state)
 {
 	static const double cases[][3][3] = {
-		/* only all digits tell */
+		/* all digits decide */
 		{ { 1, 0x1p-110, 1 }, { -1, 1, 1 }, { 0, 0, 0 } },
 		{ { 1, -0x1p-110, 1 }, { 0, 0, 0 }, { 1, 1, -1 } },
 		/* the low part of a difference of coordinates decides */
