@@ -182,9 +182,9 @@ static void center_between_planes(const struct map *sides,
 
 /* Finds the eye's step in view space, as far along the gaze as a side plane or
  * near_ratio allows. A step of t along the gaze lowers the least value of a plane's
- * function by t times the plane's slope. If center, the eye also moves across the gaze;
- * the sum of the least values of left and right or bottom and top does not change then,
- * and limits t. */
+ * function by t times the plane's slope. If center, the eye also moves across the gaze,
+ * which does not change the sum of the least values of two opposite planes, so that
+ * this sum limits t. */
 static const char *find_eye_step(const struct scene *s, const struct hull *h,
     bool center, struct sum step[3])
 {

@@ -85,9 +85,9 @@ static void add_point(struct farthest *f, const struct direction *d,
 			bound };
 }
 
-/* The number of points per call of the kernel. Small blocks need more calls. If a block
- * may hold the farthest point, each of its points is examined, which takes long if it
- * is large. */
+/* The number of points per call of the kernel. Small blocks need more calls. Large
+ * blocks cost time, as each point of a block that may hold the farthest point is
+ * examined. */
 enum { FIT_BLOCK = 128 };
 
 /* Adds at most FIT_BLOCK points. Compares only those points one by one whose distance,

@@ -8,7 +8,7 @@
 
 /* Makes the map from device x and y to a vector along the ray. The ray lies in the
  * planes x w = X and y w = Y, where X, Y and w are columns of the map from view space
- * to the device. So the ray is parallel to the cross product of the planes' normals, in
+ * to the device. The ray is parallel to the cross product of the planes' normals, in
  * which the term of x y is 0:
  *
  *	(x w - X) x (y w - Y) = x (Y x w) + y (w x X) + X x Y
