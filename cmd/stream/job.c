@@ -274,7 +274,8 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 	if (!finite || l->out.format == FORMAT_F32)
 		block_mark(j, c);
 	if (l->flags || j->visible)
-		frustum_out_all(&j->frustum, in, w.outside, c->block_points);
+		frustum_outside_all(&j->frustum, in, w.outside,
+		    c->block_points);
 	char *at = reserve_lines(l, c);
 
 	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
