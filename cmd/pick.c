@@ -105,10 +105,10 @@ static void hits_take(const struct job *j, struct chunk *c)
 			.line = (long long)number };
 
 		if (isnan(to[0]) || isnan(to[1]) ||
-		    !pick_holds(&h->picker, hit.point, to))
+		    !pick_is_within(&h->picker, hit.point, to))
 			continue;
 		if (!computed) {
-			frustum_out_all(&j->frustum, in, outside, points);
+			frustum_outside_all(&j->frustum, in, outside, points);
 			if (h->finite_near)
 				points_map(&h->picker.depth, PRECISION_EXACT,
 				    in, view, points);

@@ -40,7 +40,7 @@ static void images_transform(struct images *m, const struct job *j,
 			number_texts(v[k], n, j->layout.single,
 			    j->layout.style[k], m->text[s][k]);
 	}
-	frustum_out_all(&j->frustum, from, m->outside, n);
+	frustum_outside_all(&j->frustum, from, m->outside, n);
 }
 
 /* Writes the image of point p of m in space s, in JSON as an array. A number beyond the

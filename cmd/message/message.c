@@ -192,7 +192,7 @@ void vdie_at(int status, const struct place *place, const char *format,
 
 	if (!goes_on)
 		wait_unless_first();
-	print_line(status, place, format, args);
+	print_line(goes_on ? EXIT_INPUT : status, place, format, args);
 	if (goes_on)
 		longjmp(*message_state.on_refusal, 1);
 	exit(status);

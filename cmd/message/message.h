@@ -43,9 +43,8 @@ extern struct message_state {
 	unsigned json;  /* 1: a message is a JSON object in one line */
 	unsigned color; /* an enum color */
 	struct scene_place scene; /* the current scene of --scenes */
-	/* Where die_at jumps after a message whose place is of_scene; NULL: it exits.
-	 * Only the first thread may print such a message, while no other thread works.
-	 */
+	/* Where die_at jumps after a message whose place is of_scene, which then has
+	 * EXIT_INPUT; NULL: it exits. Only the first thread jumps, while no other works. */
 	jmp_buf *on_refusal;
 } message_state;
 

@@ -273,7 +273,8 @@ static void block_write(const struct job *j, struct chunk *c, bool finite)
 	if (!finite || l->out.format == FORMAT_F32)
 		block_mark_nan(j, c);
 	if (l->flags || j->visible)
-		frustum_out_all(&j->frustum, in, w.outside, c->block_points);
+		frustum_outside_all(&j->frustum, in, w.outside,
+		    c->block_points);
 	char *at = reserve_lines(l, c);
 
 	for (size_t i = 0, p = 0; i < c->block_lines; i++) {
@@ -330,10 +331,10 @@ void job_do(struct job *j, struct chunk *c)
 	c->end = c->text + c->piece.whole_size;
 	c->stretch.at = c->stretch.end = 0;
 	c->block_lines = 0;
-	if (c->first == FIRST_LINE)
+	if (c->first == FIRST_BYTE) {
 		refuse_foreign(j, c);
-	if (binary)
-		c->first = FIRST_IS_READ;
+		c->first = binary ? FIRST_IS_READ : FIRST_LINE;
+	}
 	for (; c->text < c->end; c->n_lines += c->block_lines) {
 		const char *text = c->text;
 

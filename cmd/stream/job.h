@@ -25,9 +25,9 @@ struct chunk {
 	struct piece piece;
 	const char *text, *end; /* the bytes that are not read yet */
 	size_t n_lines;         /* lines before the block */
-	enum first first;       /* whether the first line or row comes next */
-	bool refused;           /* no line can be read, as after a bad header */
-	bool done;              /* ready for answer_chunk */
+	enum first first; /* whether the first byte, line or row is next */
+	bool refused;     /* no line can be read, as after a bad header */
+	bool done;        /* ready for answer_chunk */
 
 	char *out;
 	size_t size, room; /* bytes of out: used, allocated */
