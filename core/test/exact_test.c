@@ -153,7 +153,6 @@ static void divided(void **state)
 	claim("ex_sqrt, in 2^-703", square * 0x1p703, 1);
 }
 
-/* Rounds to doubles and floats, normal and subnormal, at and near midpoints. */
 /* A divisor times a midpoint of two doubles, or a little more or less than that: few
  * words of the quotient and whether anything remains tell which is nearest. */
 static void divided_midpoints(void **state)
@@ -177,6 +176,7 @@ static void divided_midpoints(void **state)
 	}
 }
 
+/* Rounds to doubles and floats, normal and subnormal, at and near midpoints. */
 static void rounded(void **state)
 {
 	double round = 0, first = 0;
@@ -267,7 +267,7 @@ static void apart(void **state)
 static void zeros(void **state)
 {
 	ex zero = ex_of(0), third = ex_quotient(ex_of(1), ex_of(3));
-	ex rest = ex_sub(ex_of(1), ex_mul(third, ex_of(3)));
+	ex rest = ex_sub(ex_of(1), ex_mul(third, ex_of(3))), q;
 
 	(void)state;
 	assert_int_equal(zero.sign, 0);
@@ -277,6 +277,9 @@ static void zeros(void **state)
 	assert_int_equal(ex_sqrt(zero).sign, 0);
 	assert_true(round_of(zero).hi == 0 && !signbit(round_of(zero).hi));
 	assert_int_not_equal(rest.sign, 0);
+	assert_true(ex_divide(&zero, &third, 2, &q));
+	assert_false(ex_divide(&third, &zero, 2, &q));
+	assert_true(isinf(ex_nearest(&q, false)));
 }
 
 int main(void)
