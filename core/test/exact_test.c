@@ -264,6 +264,22 @@ static void apart(void **state)
 	}
 }
 
+/* Of a sum that is too wide, words are dropped: this is no overflow if all of them are
+ * below the least that is wanted. */
+static void dropped(void **state)
+{
+	const ex near = ex_of(1), far = ex_shift(near, 2 * 64 * EX_WORDS);
+	const ex *const a[] = { &near, &far }, *const b[] = { &near, &near };
+	ex r;
+
+	(void)state;
+	(void)ex_has_overflowed();
+	ex_dot(2, a, b, 3 * 64, &r); /* the sum has room from word 3 */
+	assert_false(ex_has_overflowed());
+	ex_dot(2, a, b, 3 * 64 - 1, &r);
+	assert_true(ex_has_overflowed());
+}
+
 static void zeros(void **state)
 {
 	ex zero = ex_of(0), third = ex_quotient(ex_of(1), ex_of(3));
@@ -292,6 +308,7 @@ int main(void)
 		cmocka_unit_test(rounded),
 		cmocka_unit_test(range),
 		cmocka_unit_test(apart),
+		cmocka_unit_test(dropped),
 		cmocka_unit_test(zeros),
 	};
 
