@@ -153,7 +153,6 @@ static void divided(void **state)
 	claim("ex_sqrt, in 2^-703", square * 0x1p703, 1);
 }
 
-/* Rounds to doubles and floats, normal and subnormal, at and near midpoints. */
 /* A divisor times a midpoint of two doubles, or a little more or less than that: few
  * words of the quotient and whether anything remains tell which is nearest. */
 static void divided_midpoints(void **state)
@@ -177,6 +176,7 @@ static void divided_midpoints(void **state)
 	}
 }
 
+/* Rounds to doubles and floats, normal and subnormal, at and near midpoints. */
 static void rounded(void **state)
 {
 	double round = 0, first = 0;
@@ -264,10 +264,26 @@ static void apart(void **state)
 	}
 }
 
+/* Of a sum that is too wide, words are dropped: this is no overflow if all of them are
+ * below the least that is wanted. */
+static void dropped(void **state)
+{
+	const ex near = ex_of(1), far = ex_shift(near, 2 * 64 * EX_WORDS);
+	const ex *const a[] = { &near, &far }, *const b[] = { &near, &near };
+	ex r;
+
+	(void)state;
+	(void)ex_has_overflowed();
+	ex_dot(2, a, b, 3 * 64, &r); /* the sum has room from word 3 */
+	assert_false(ex_has_overflowed());
+	ex_dot(2, a, b, 3 * 64 - 1, &r);
+	assert_true(ex_has_overflowed());
+}
+
 static void zeros(void **state)
 {
 	ex zero = ex_of(0), third = ex_quotient(ex_of(1), ex_of(3));
-	ex rest = ex_sub(ex_of(1), ex_mul(third, ex_of(3)));
+	ex rest = ex_sub(ex_of(1), ex_mul(third, ex_of(3))), q;
 
 	(void)state;
 	assert_int_equal(zero.sign, 0);
@@ -277,6 +293,9 @@ static void zeros(void **state)
 	assert_int_equal(ex_sqrt(zero).sign, 0);
 	assert_true(round_of(zero).hi == 0 && !signbit(round_of(zero).hi));
 	assert_int_not_equal(rest.sign, 0);
+	assert_true(ex_divide(&zero, &third, 2, &q));
+	assert_false(ex_divide(&third, &zero, 2, &q));
+	assert_true(isinf(ex_nearest(&q, false)));
 }
 
 int main(void)
@@ -289,6 +308,7 @@ int main(void)
 		cmocka_unit_test(rounded),
 		cmocka_unit_test(range),
 		cmocka_unit_test(apart),
+		cmocka_unit_test(dropped),
 		cmocka_unit_test(zeros),
 	};
 
