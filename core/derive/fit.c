@@ -227,7 +227,7 @@ static void keep_slopes(struct projection *p, double near)
 	double *const sizes[] = { &p->width, &p->height, &p->left, &p->right,
 		&p->bottom, &p->top };
 
-	for (int i = 0; i < 6 && projection_is_by_near(p); i++)
+	for (int i = 0; i < 6 && projection_is_given_at_near(p); i++)
 		*sizes[i] = copysign(least_over(sum_scale(sum_of_double(
 							      p->near),
 						    fabs(*sizes[i])),
@@ -440,7 +440,7 @@ static const char *fit_begin(struct scene *s)
 		       "intrinsics K and a camera [R|t]";
 	switch (p->type) {
 	case PROJECTION_PERSP:
-		if (!projection_is_by_near(p))
+		if (!projection_is_given_at_near(p))
 			p->near = 1;
 		p->far = 2 * p->near;
 		break;

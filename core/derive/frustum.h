@@ -38,7 +38,7 @@ const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
 
 /* Makes the edges of the 2D window as functions of a point in a 2D space: the edges of
  * the square in ndc or, on the device, those of the device. */
-const char *flat_frustum_of(const struct scene *, enum flat from,
+const char *flat_frustum_of(const struct scene *, enum flat_space from,
     struct frustum *);
 
 /* Returns the OUT_ bits of the planes that a point is outside of, decided exactly. A

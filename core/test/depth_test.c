@@ -84,7 +84,7 @@ static struct place place(real z, real slope, real w, bool parallel, double a)
 static bool projector_of(const struct scene *s, const struct picture *t,
     int plane, struct projector *p)
 {
-	double low = truth_answer(s)->minus_one ? -1 : 0;
+	double low = truth_answer(s)->depth_minus_one ? -1 : 0;
 	bool deep = plane == 1 ? !t->reverse_z : t->reverse_z;
 	bool parallel = t->taxon <= TAXON_OBLIQUE;
 	real inverse[4][4], normal[3], gradient[3];
