@@ -41,11 +41,11 @@ static ex series(ex y, int n, int last, int words)
  * 2^-317. Cutting x^2 once and the sum 32 times loses less than 2^-319. */
 enum { SINE_POWER = 62 };
 
-/* The last power of x for x^2 <= 4 pi^2, and the words of the terms, for an absolute
- * error of 2^-500: the first term left out, x^170/170!, is below 2^-560. The sum can be
- * as small as 2^-8 of its terms or, if x^2, a sum of three squares of doubles, is
- * nearly pi^2, as 2^-160. */
-enum { SINC_POWER = 168, SINC_WORDS = 11 };
+/* The last power of x for x^2 <= 4 pi^2, and the words of the terms, for an
+ * absolute error of 2^-670: the first term left out, x^192/192!, is below 2^-675.
+ * versinc can be as small as 2^-330, as the squares of three doubles can sum to 4
+ * pi^2 within 2^-159. */
+enum { SINC_POWER = 190, SINC_WORDS = 12 };
 
 bool trig_sinc(struct sum square, struct sum *sinc, struct sum *versinc)
 {
