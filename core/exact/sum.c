@@ -269,6 +269,7 @@ static double round_inexact(const struct sum *n, const struct sum *d,
 	    side > 0, single);
 
 	sum_set(&minus_other, -other);
+	/* rest is 2 (n - midpoint d) */
 	dot_of_pointers(3, (const struct sum *[]){ n, d, d },
 	    (const struct sum *[]){ &two, &minus_near, &minus_other }, &rest);
 	if (counts_as_zero(&rest)) /* a tie goes to even */
