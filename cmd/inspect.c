@@ -212,9 +212,9 @@ static void put_bounds(struct printer *p, const double bound[3],
 static void put_window(struct printer *p, const struct document *d)
 {
 	const struct scene *s = &d->scene;
-	struct shown w;
+	struct window_extent w;
 
-	document_check(d, scene_shown(s, &w));
+	document_check(d, scene_window_extent(s, &w));
 	put_sides(p, "window", 4, w.edge, 0);
 	put_name(p, "device");
 	if (s->has_device)

@@ -77,7 +77,7 @@ void print_matrix(const struct options *o, const struct document *d,
 	static char text[16 * (NUMBER_MAX + 2) + 64];
 	bool single = o->precision == PRECISION_SINGLE;
 	bool floats = single || o->out == FORMAT_F32;
-	bool column = answer_convention(&d->scene)->column;
+	bool column = answer_convention(&d->scene)->column_vectors;
 	struct printer p = { .at = text,
 		.style = options_style(o),
 		.floats = single,
@@ -93,7 +93,7 @@ void print_matrix(const struct options *o, const struct document *d,
 	output_write(text, (size_t)(p.at - text));
 }
 
-/* In the order of enum flat. */
+/* In the order of enum flat_space. */
 static const char *const flat_names[] = { "window", "ndc", "device" };
 
 static void matrix_transform(const struct command *c, const struct options *o,
@@ -103,13 +103,13 @@ static void matrix_transform(const struct command *c, const struct options *o,
 	bool planes = o->flags || o->visible;
 
 	document_check(d,
-	    c->kind == PLANAR ? flat_transform(s, (enum flat)c->from,
-				    (enum flat)to, &j->transform) :
+	    c->kind == PLANAR ? flat_transform(s, (enum flat_space)c->from,
+				    (enum flat_space)to, &j->transform) :
 				scene_transform(s, (enum space)c->from,
 				    (enum space)to, false, &j->transform));
 	if (planes)
 		document_check(d,
-		    flat_frustum_of(s, (enum flat)c->from, &j->frustum));
+		    flat_frustum_of(s, (enum flat_space)c->from, &j->frustum));
 	j->count_imageless = !planes;
 }
 

@@ -33,8 +33,8 @@ struct command {
 	 * coordinates are set later, from the options. */
 	struct document_wants wants;
 	/* For MATRIX and PLANAR commands: the spaces between which the matrix maps, and
-	 * the space to which points are mapped: of enum flat for PLANAR, else of enum
-	 * space. */
+	 * the space to which points are mapped: of enum flat_space for PLANAR, else of
+	 * enum space. */
 	int from, to, points_to;
 	/* The arguments of a call that works, as typed in a shell. */
 	const char *example;

@@ -182,7 +182,7 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 	struct value given;
 
 	s->camera.unit = d->unit;
-	s->projection.alone = !s->has_camera;
+	s->projection.without_camera = !s->has_camera;
 	d->has_eye = s->has_camera &&
 	    (s->camera.kind >= CAMERA_TRANSLATION ||
 		value_member(&m[ROW_OF(CAMERA)], "eye", &given));
@@ -198,7 +198,7 @@ static void complete_scene(struct document *d, const struct document_wants *w,
 		answer = &s->convention;
 	if (s->has_device && answer != NULL &&
 	    !value_member(&m[ROW_OF(DEVICE)], "origin", &given))
-		s->device.top_left = !answer->bottom_left;
+		s->device.top_left = !answer->origin_bottom_left;
 	if ((w->used & SCENE_MARGIN) == 0)
 		s->margin = 0;
 }
@@ -243,7 +243,7 @@ void document_read(struct document *d, const char *name, char *text,
 	    memcmp(w.convention, &d->scene.convention,
 		sizeof d->scene.convention) != 0)
 		d->scene.answer = w.convention;
-	source.column_vectors = d->scene.convention.column;
+	source.column_vectors = d->scene.convention.column_vectors;
 	source.unit = d->unit;
 	check_needed(&root, &w, seen);
 	read_members(d, m, seen & ~(first | SCENE_POINTS));
@@ -300,7 +300,7 @@ void document_check(const struct document *d, const char *why)
 static void put_document(struct printer *p, const struct document *d,
     unsigned bits)
 {
-	p->column_vectors = d->scene.convention.column;
+	p->column_vectors = d->scene.convention.column_vectors;
 	object_print(p, &scene_row, 0, bits, d);
 }
 

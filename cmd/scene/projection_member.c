@@ -63,7 +63,7 @@ const struct member projection_members[] = {
 	MEMBER(OBLIQUE, "kind", type_word, kind, .words = oblique_kinds,
 	    .word_0 = OBLIQUE_CAVALIER,
 	    .about = "length of lines along the gaze: kept or halved"),
-	ANGLE(OBLIQUE, "angle", projector, .range = &slope,
+	ANGLE(OBLIQUE, "angle", projector_angle, .range = &slope,
 	    .about = "angle between projectors and picture, in place of kind"),
 	ANGLE(OBLIQUE, "direction", direction, .range = &range_any,
 	    .fallback = "45", .shown = true,
@@ -164,7 +164,7 @@ const struct ways projection_ways[] = {
 	[WAYS_DEPTH] = { { "near far" }, .own_fit = true, .kinds = PARALLEL },
 	{ { "half_width half_height", "size aspect?" }, .kinds = VOLUME },
 	{ { "inverse_eye_z? tan_skew?", "eye", "view_angle tan_skew?" },
-	    .kinds = VOLUME, .offset = AT(eye_by) },
+	    .kinds = VOLUME, .offset = AT(eye_given_by) },
 	{ { "z_near z_far" }, .own_fit = true, .kinds = VOLUME },
 	/* no fit_way: fit_scene refuses the type */
 	{ { "matrix" }, .own_fit = true, .kinds = MATRIX },
@@ -251,7 +251,7 @@ static void check_planes(const struct value *v, uint64_t seen,
 	bool open = p->extent == EXTENT_INTRINSICS && !v->source->for_fit;
 	int way = 0;
 
-	if (!v->source->for_fit || !projection_is_by_near(p))
+	if (!v->source->for_fit || !projection_is_given_at_near(p))
 		way = object_way(v, projection_members, 0, seen,
 		    open ? &open_ways : &projection_ways[WAYS_DEPTH]);
 	else if (!is_given(p, seen, "near"))
@@ -337,7 +337,7 @@ void projection_complete(const struct value *v, const struct viewport *viewport,
 {
 	if (v->unused)
 		return;
-	if (projection_is_by_p(p))
+	if (projection_has_intrinsics(p))
 		find_image_size(v, viewport, p);
 	if (!needs_aspect(v, viewport, p))
 		return;

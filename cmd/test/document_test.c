@@ -116,10 +116,10 @@ static void test_numbers(void **state)
 static void assert_convention(const struct convention *c, const char *bits)
 {
 	assert_int_equal(c->right_handed, bits[0] == '1');
-	assert_int_equal(c->minus_one, bits[1] == '1');
-	assert_int_equal(c->column, bits[2] == '1');
+	assert_int_equal(c->depth_minus_one, bits[1] == '1');
+	assert_int_equal(c->column_vectors, bits[2] == '1');
 	assert_int_equal(c->ndc_y_down, bits[3] == '1');
-	assert_int_equal(c->bottom_left, bits[4] == '1');
+	assert_int_equal(c->origin_bottom_left, bits[4] == '1');
 	assert_int_equal(c->view_y_down, bits[5] == '1');
 }
 

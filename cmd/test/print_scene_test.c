@@ -20,7 +20,7 @@ static void sample_fitted(struct document *d)
 	s->has_viewport = sample_below(2);
 	s->has_window = sample_below(2);
 	s->has_device = sample_below(2);
-	s->convention.column = sample_below(2);
+	s->convention.column_vectors = sample_below(2);
 	s->camera.kind = CAMERA_GAZE;
 	s->has_camera = true;
 	p->type = PROJECTION_PERSP + sample_below(4);

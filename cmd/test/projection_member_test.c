@@ -402,7 +402,7 @@ static void test_parallel(void **state)
 	assert_number(p.plane, 7);
 	p = SHEARED("\"angle\":90");
 	assert_int_equal(p.kind, OBLIQUE_ANGLE);
-	assert_number(p.projector, 90);
+	assert_number(p.projector_angle, 90);
 }
 
 /* angle_unit is read from a scene, wherever the projection stands in it, and from
@@ -453,24 +453,24 @@ static void test_volume(void **state)
 	(void)state;
 	assert_int_equal(p.type, PROJECTION_VOLUME);
 	assert_numbers(&p.half_width, 4, 1.0, 2.0, -3.0, 4.0);
-	assert_number(p.eye_by, EYE_BY_Z);
+	assert_number(p.eye_given_by, EYE_BY_INVERSE_Z);
 	assert_number(p.inverse_eye_z, 0);
 	p = VOLUME(",\"inverse_eye_z\":-0.1,\"tan_skew\":[5,6]");
-	assert_number(p.eye_by, EYE_BY_Z);
+	assert_number(p.eye_given_by, EYE_BY_INVERSE_Z);
 	assert_number(p.inverse_eye_z, -0.1);
 	assert_numbers(p.tan_skew, 2, 5.0, 6.0);
 	p = VOLUME(",\"eye\":[7,8,-9]");
-	assert_number(p.eye_by, EYE_GIVEN);
+	assert_number(p.eye_given_by, EYE_BY_POINT);
 	assert_numbers(p.eye, 3, 7.0, 8.0, -9.0);
 	p = VOLUME(",\"view_angle\":0,\"tan_skew\":[5,6]");
-	assert_number(p.eye_by, EYE_BY_ANGLE);
+	assert_number(p.eye_given_by, EYE_BY_ANGLE);
 	assert_number(p.angle, 0);
 	assert_number(p.aspect[1], 0);
 	p = scene_of("{\"angle_unit\":\"radians\",\"projection\":{\"type\":"
 		     "\"volume\",\"size\":3,\"view_angle\":3,\"z_near\":1,"
 		     "\"z_far\":0},\"viewport\":{\"width\":4,\"height\":2}}")
 		.projection;
-	assert_number(p.eye_by, EYE_BY_ANGLE);
+	assert_number(p.eye_given_by, EYE_BY_ANGLE);
 	assert_number(p.angle, 3);
 	assert_number(p.unit, RADIANS);
 	assert_numbers(&p.half_width, 4, 1.5, 1.5, 1.0, 0.0);

@@ -32,7 +32,7 @@ void depth_of(const struct lens *l, struct depth *d)
 		.open = projection_is_open(&s->projection),
 		.constant = s->has_viewport && !has_range };
 	viewport_map(&range, answer_convention(s), false, &to_range);
-	map_append(&m, &to_range, false);
+	map_multiply(&m, &to_range, false);
 	for (int i = 0; i < 4; i++) {
 		z[i] = m.m[i][2];
 		w[i] = m.m[i][3];

@@ -229,7 +229,7 @@ static void keep_side_planes(struct projection *p, double old_near)
 	double *const sizes[] = { &p->width, &p->height, &p->left, &p->right,
 		&p->bottom, &p->top };
 
-	for (int i = 0; i < 6 && projection_is_by_near(p); i++)
+	for (int i = 0; i < 6 && projection_is_given_at_near(p); i++)
 		*sizes[i] = copysign(ratio_up(sum_scale(sum_of_double(p->near),
 						  fabs(*sizes[i])),
 					 sum_of_double(old_near)),
@@ -442,7 +442,7 @@ static const char *fit_prepare(struct scene *s)
 		       "intrinsics K and a camera [R|t]";
 	switch (p->type) {
 	case PROJECTION_PERSP:
-		if (!projection_is_by_near(p))
+		if (!projection_is_given_at_near(p))
 			p->near = 1;
 		p->far = 2 * p->near;
 		break;

@@ -45,7 +45,7 @@ static void planes_of_clip(const struct scene *s, const struct map *m,
 		    half[k / 2]);
 	}
 	combine_columns(ends, reversed, m, false, 2, one,
-	    sum_of_double(c->minus_one));
+	    sum_of_double(c->depth_minus_one));
 	combine_columns(ends, !reversed, m, true, 2, one, one);
 	for (int i = 0; i < 4 && projection_is_open(&s->projection); i++)
 		ends->m[i][0] = ends->m[i][1] = sum_of_double(i == 3);
@@ -81,7 +81,7 @@ const char *frustum_of(const struct scene *s, enum space from, bool homogeneous,
 	return NULL;
 }
 
-const char *flat_frustum_of(const struct scene *s, enum flat from,
+const char *flat_frustum_of(const struct scene *s, enum flat_space from,
     struct frustum *f)
 {
 	struct map m;

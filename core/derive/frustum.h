@@ -38,7 +38,7 @@ const char *frustum_of(const struct scene *, enum space from, bool homogeneous,
 
 /* Makes the edges of the ndc square, which fills the device, as functions of a point in
  * a space of the 2D window. Returns NULL, or the member and the reason. */
-const char *flat_frustum_of(const struct scene *, enum flat from,
+const char *flat_frustum_of(const struct scene *, enum flat_space from,
     struct frustum *);
 
 /* Returns the OUT_ bits of the planes that a point is outside of, decided exactly. A

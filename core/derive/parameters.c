@@ -123,7 +123,7 @@ static bool has_turned_camera(const struct lens *l, const struct upright *u)
 		return false;
 	if (l->parallel && (deeper * sum_sign(u->w[1]) < 0) != l->reversed)
 		return true;
-	return p->alone && sum_sign(u->xy[0][0]) < 0 &&
+	return p->without_camera && sum_sign(u->xy[0][0]) < 0 &&
 	    sum_sign(u->xy[1][1]) < 0;
 }
 
@@ -226,7 +226,7 @@ static void set_camera(const struct lens *l, const struct upright *u,
 static void set_intrinsics(const struct scene *s, const struct upright *u,
     double k[3][3])
 {
-	bool down = !answer_convention(s)->bottom_left;
+	bool down = !answer_convention(s)->origin_bottom_left;
 	const bool minus[3] = { is_mirrored(s), down, false };
 	struct sum half[2], scale[2];
 
@@ -285,9 +285,10 @@ static void set_shear(const struct upright *u, const struct projection *given,
 		p->plane = given->plane;
 		p->kind = given->kind;
 	}
-	p->projector = trig_degrees(sum_abs(sum_mul(u->xy[0][0], u->xy[1][1])),
+	p->projector_angle = trig_atan2_degrees(sum_abs(sum_mul(u->xy[0][0],
+						    u->xy[1][1])),
 	    vec3_length(both));
-	p->direction = trig_degrees(sum_abs(y), x);
+	p->direction = trig_atan2_degrees(sum_abs(y), x);
 	if (sum_sign(y) < 0)
 		p->direction = -p->direction;
 }

@@ -99,7 +99,7 @@ static void set_fov(const struct lens *l, double fov[2])
 			a[i] = sum_mul(scale[k], l->clip[k][i]);
 		}
 		vec3_cross(a, g, v);
-		fov[k] = trig_degrees(sum_scale(vec3_length(v), 2),
+		fov[k] = trig_atan2_degrees(sum_scale(vec3_length(v), 2),
 		    sum_sub(vec3_dot(a, a), vec3_dot(g, g)));
 	}
 }
@@ -114,7 +114,7 @@ static void classify_perspective(const struct lens *l, struct picture *t)
 	if (s->has_viewport) {
 		viewport_map(&s->viewport, answer_convention(s), false,
 		    &to_device);
-		map_append(&screen, &to_device, false);
+		map_multiply(&screen, &to_device, false);
 	}
 	t->kind = perspective_kind(l);
 	set_fov(l, t->fov);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Double-double numbers, and the floating-point environment that the program needs.
- * Compile with -ffp-contract=off: each operation is rounded once, and fma stands only
- * where the source calls it. */
+/* Double-double numbers, and checks of the compiler's floating-point arithmetic.
+ * Compile with -ffp-contract=off: the error bounds hold if a b + c has two roundings
+ * where the source does not call fma. */
 #ifndef DD_H
 #define DD_H
 

@@ -17,9 +17,9 @@ bool ex_has_overflowed(void)
 	return atomic_exchange(&ex_overflowed, false);
 }
 
-/* Sets *r to sign w[0..n) 2^(64 e) without zeros at either end. Only the EX_WORDS
- * highest words are kept. */
-static void ex_put(ex *r, int sign, const uint64_t *w, int n, int e)
+/* Sets *r to sign 2^(64 e) times the integer w of n words, lowest first. Strips words
+ * of 0 at both ends, and keeps only the EX_WORDS highest words. */
+static void ex_set_words(ex *r, int sign, const uint64_t *w, int n, int e)
 {
 	while (n > 0 && w[n - 1] == 0)
 		n--;
@@ -41,7 +41,7 @@ static void ex_put(ex *r, int sign, const uint64_t *w, int n, int e)
 		r->word[i] = w[i];
 }
 
-/* Returns e such that the word of weight 2^(64 e) has the bit of weight 2^bit. */
+/* Returns e such that the word of weight 2^(64 e) contains the bit of weight 2^bit. */
 static int ex_word_index(int bit)
 {
 	return (bit - (bit & 63)) / 64;
@@ -55,13 +55,12 @@ void ex_set(ex *r, double a)
 	int e = (int)(bits >> 52 & 0x7ff);
 	uint64_t m = bits & (leading - 1);
 
-	/* a subnormal number has no leading bit; its exponent is that of the least
-	 * normal number */
+	/* a subnormal number has no leading bit, and its exponent field 0 means 1 */
 	m = e > 0 ? m | leading : m;
 	e = (e > 0 ? e : 1) - 1075;
 	uint64_t w[2] = { m << (e & 63), m >> 1 >> (63 - (e & 63)) };
 
-	ex_put(r, bits >> 63 ? -1 : 1, w, 2, ex_word_index(e));
+	ex_set_words(r, bits >> 63 ? -1 : 1, w, 2, ex_word_index(e));
 }
 
 ex ex_of(double a)
@@ -72,10 +71,10 @@ ex ex_of(double a)
 	return r;
 }
 
-/* Returns the word of weight 2^(64 at). */
-static uint64_t word_at(const ex *a, int at)
+/* Returns the word of a that has weight 2^(64 e). */
+static uint64_t word_at(const ex *a, int e)
 {
-	return at >= a->e && at < a->e + a->n ? a->word[at - a->e] : 0;
+	return e >= a->e && e < a->e + a->n ? a->word[e - a->e] : 0;
 }
 
 ex ex_power(int e)
@@ -84,21 +83,21 @@ ex ex_power(int e)
 }
 
 /* Adds a b to sum, a number of size words in two's complement. The lowest word of a b
- * belongs to sum[at]; words that belong before sum[0] are cut off. A negative product
- * is added as -q w = q ~w + q - q 2^(64 n), for each word q of one factor and the n
- * words w of the other. */
+ * goes to sum[at], where at may be negative; words below sum[0] are cut off. If a b is
+ * negative, each word q of the shorter factor is multiplied by the n words w of the
+ * longer one as -q w = q ~w + q - q 2^(64 n). */
 static void add_product(uint64_t *sum, int size, int at, const ex *a,
     const ex *b)
 {
-	const ex *few = a->n < b->n ? a : b, *many = few == a ? b : a;
+	const ex *shorter = a->n < b->n ? a : b, *longer = shorter == a ? b : a;
 	const uint64_t flip = a->sign == b->sign ? 0 : UINT64_MAX;
 
-	for (int i = 0; i < few->n; i++, at++) {
-		uint64_t q = few->word[i], carry = q & flip;
+	for (int i = 0; i < shorter->n; i++, at++) {
+		uint64_t q = shorter->word[i], carry = q & flip;
 		int j = at < 0 ? -at : 0;
 
-		for (; j < many->n; j++)
-			sum[at + j] = multiply_add(q, many->word[j] ^ flip,
+		for (; j < longer->n; j++)
+			sum[at + j] = multiply_add(q, longer->word[j] ^ flip,
 			    sum[at + j], &carry);
 		for (carry -= q & flip; carry != 0 && at + j < size; j++) {
 			sum[at + j] += carry;
@@ -143,34 +142,36 @@ void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *r)
 		sum[i] = multiply_add(~sum[i], 1, 0, &carry);
 	while (high > low && sum[high - low - 1] == 0)
 		high--;
-	int rest = high - low - EX_MIN_WORDS;
+	int dropped = high - low - EX_MIN_WORDS;
 
-	rest = rest < 0 || least <= low ? 0 :
-	    least - low < rest          ? least - low :
-					  rest;
-	ex_put(r, minus ? -1 : 1, sum + rest, high - low - rest, low + rest);
+	dropped = dropped < 0 || least <= low ? 0 :
+	    least - low < dropped             ? least - low :
+						dropped;
+	ex_set_words(r, minus ? -1 : 1, sum + dropped, high - low - dropped,
+	    low + dropped);
 }
 
 ex ex_truncate(ex a, int n)
 {
-	int rest = a.n > n ? a.n - n : 0;
+	int dropped = a.n > n ? a.n - n : 0;
 	ex r;
 
-	ex_put(&r, a.sign, a.word + rest, a.n - rest, a.e + rest);
+	ex_set_words(&r, a.sign, a.word + dropped, a.n - dropped,
+	    a.e + dropped);
 	return r;
 }
 
-/* Returns one word of the long division of u[0..n] by d[0..n), and leaves the remainder
- * in u: Knuth, The Art of Computer Programming, volume 2, 4.3.1, algorithm D. The top
- * bit of d is set, and u[n] <= d[n - 1]. The quotient of the highest words is at most 2
- * too large (theorem B there); while it is too large, u is negative. q d is subtracted
- * by -q d = q ~d + q - q 2^(64 n). */
+/* Returns one word q of the long division of u[0..n] by d[0..n), and leaves the
+ * remainder u - q d in u: Knuth, The Art of Computer Programming, volume 2, 4.3.1,
+ * algorithm D. The top bit of d is set, and u[n] <= d[n - 1]. The first q, the quotient
+ * of the highest words, is at most 2 too large (theorem B). While q is too large, u - q
+ * d is negative. The difference is computed with -q d = q ~d + q - q 2^(64 n). */
 static uint64_t divide_word(uint64_t *u, const uint64_t *d, int n)
 {
 	uint64_t q = UINT64_MAX;
 
 	if (u[n] < d[n - 1])
-		q = divide_two(u[n], u[n - 1], d[n - 1]);
+		q = divide_two_words(u[n], u[n - 1], d[n - 1]);
 	uint64_t carry = q;
 
 	for (int i = 0; i < n; i++)
@@ -183,7 +184,7 @@ static uint64_t divide_word(uint64_t *u, const uint64_t *d, int n)
 	return q;
 }
 
-/* Returns the 64 bits of |a| from 2^e upwards. */
+/* Returns the 64 bits of |a| of which the lowest has weight 2^e. */
 static uint64_t bits_from(const ex *a, int e)
 {
 	int at = ex_word_index(e), bits = e & 63;
@@ -191,69 +192,70 @@ static uint64_t bits_from(const ex *a, int e)
 	return word_at(a, at) >> bits | word_at(a, at + 1) << 1 << (63 - bits);
 }
 
-/* The exponent of a quotient by 0, above the exponents of all quotients in a scene. */
-enum { BEYOND = 1 << 20 };
+/* A quotient by 0 is 2^QUOTIENT_BY_ZERO, above all other quotients in a scene. */
+enum { QUOTIENT_BY_ZERO = 1 << 20 };
 
-bool ex_divide(const ex *a, const ex *b, int words, ex *r)
+bool ex_divide(const ex *a, const ex *b, int count, ex *r)
 {
-	uint64_t u[EX_WORDS + EX_QUOTIENT + 1], d[EX_WORDS], q[EX_QUOTIENT + 1];
-	int n = b->n + words;
+	uint64_t u[EX_WORDS + EX_QUOTIENT_WORDS + 1], d[EX_WORDS],
+	    q[EX_QUOTIENT_WORDS + 1];
+	int n = b->n + count;
 
 	if (b->n == 0 || a->n == 0) {
-		*r = b->n == 0 ? ex_power(BEYOND) : *a;
+		*r = b->n == 0 ? ex_power(QUOTIENT_BY_ZERO) : *a;
 		return a->n == 0;
 	}
-	/* the factor that sets the top bit of d */
-	uint64_t by = (uint64_t)1 << (64 * (b->e + b->n) - ex_size(b)),
+	/* the power of two that moves b's leading bit to the top bit of d */
+	uint64_t factor = (uint64_t)1 << (64 * (b->e + b->n) - ex_exponent(b)),
 		 carry = 0;
 
 	for (int i = 0; i < b->n; i++)
-		d[i] = multiply_add(b->word[i], by, 0, &carry);
+		d[i] = multiply_add(b->word[i], factor, 0, &carry);
 	for (int i = 0, k = a->n - n; i < n; i++, k++)
-		u[i] = multiply_add(k < 0 ? 0 : a->word[k], by, 0, &carry);
+		u[i] = multiply_add(k < 0 ? 0 : a->word[k], factor, 0, &carry);
 	u[n] = carry;
-	for (int i = words; i >= 0; i--)
+	for (int i = count; i >= 0; i--)
 		q[i] = divide_word(u + i, d, b->n);
 	uint64_t rest = a->n > n;
 
 	for (int i = 0; i < b->n; i++)
 		rest |= u[i];
 	q[0] |= rest != 0;
-	ex_put(r, a->sign * b->sign, q, words + 1,
-	    (a->e + a->n) - words - (b->e + b->n));
+	ex_set_words(r, a->sign * b->sign, q, count + 1,
+	    (a->e + a->n) - count - (b->e + b->n));
 	return rest == 0;
 }
 
-/* Newton's iteration begins with the root of a double, which has 50 correct bits. Each
- * step doubles the correct bits, so the quotients of the steps need 2, 4, 8, and at
- * last EX_QUOTIENT words. The result is rounded to EX_QUOTIENT words; so short roots
- * are exact. */
+/* Computes the root by Newton's iteration, from the root of the nearest double, which
+ * has 50 correct bits. Each step doubles the correct bits, so that its quotient needs
+ * 2, 4, 8, and then EX_QUOTIENT_WORDS words. The last result is rounded to
+ * EX_QUOTIENT_WORDS words, so that roots of few words are exact. */
 ex ex_sqrt(ex a)
 {
-	int up = a.e + a.n - 1;
+	int top = a.e + a.n - 1;
 
 	if (a.n == 0)
 		return a;
-	a.e -= up;
+	a.e -= top;
 	ex q, r = ex_of(sqrt(ex_nearest(&a, false)));
 	const ex *const pair[] = { &r, &q };
 
-	for (int words = 2; words < 2 * EX_QUOTIENT; words *= 2) {
-		ex_divide(&a, &r, words < EX_QUOTIENT ? words : EX_QUOTIENT,
-		    &q);
+	for (int words = 2; words < 2 * EX_QUOTIENT_WORDS; words *= 2) {
+		ex_divide(&a, &r,
+		    words < EX_QUOTIENT_WORDS ? words : EX_QUOTIENT_WORDS, &q);
 		ex_dot(2, pair, (const ex *[]){ &half, &half }, INT_MIN, &r);
 	}
-	q = ex_power(64 * (r.e + r.n - EX_QUOTIENT) - 1);
+	q = ex_power(64 * (r.e + r.n - EX_QUOTIENT_WORDS) - 1);
 	ex_dot(2, pair, (const ex *[]){ &one, &one }, INT_MIN, &r);
-	r = ex_truncate(r, EX_QUOTIENT);
-	q = ex_power(32 * up);
+	r = ex_truncate(r, EX_QUOTIENT_WORDS);
+	q = ex_power(32 * top);
 	ex_dot(1, pair, pair + 1, INT_MIN, &r);
 	return r;
 }
 
 double ex_nearest(const ex *a, bool single)
 {
-	int last = ex_size(a) - (single ? 24 : 53),
+	int last = ex_exponent(a) - (single ? 24 : 53),
 	    least = single ? -149 : -1074;
 
 	if (a->n == 0)
@@ -263,7 +265,7 @@ double ex_nearest(const ex *a, bool single)
 	int lowest = 64 * a->e + __builtin_ctzll(a->word[0]);
 
 	m += tie & ((m & 1) | (lowest < last - 1));
-	double r = a->sign * ldexp((double)m, last) + 0.0; /* -0 is 0 */
+	double r = a->sign * ldexp((double)m, last) + 0.0; /* 0, not -0 */
 
 	return single ? (double)(float)r : r;
 }

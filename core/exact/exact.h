@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Exact arithmetic on integers times a power of two. It computes the maps of a scene,
+/* Exact arithmetic on integers times powers of two. It computes the maps of a scene,
  * and the few points that double-double cannot round with certainty. Sums and products
- * are exact. A polynomial of the parameters is therefore exact, as are its sign and
- * its zeros. Quotients and roots are within EX_ERROR.
+ * are exact, and so is a polynomial in the scene's parameters with its sign. Quotients
+ * and roots have a relative error of at most EX_ERROR.
  *
- * The other representation, a sum of doubles that do not overlap, would need a wider
- * range of exponents, a fixed rounding mode, several times the time, and a proof that
- * its terms are few. */
+ * A sum of doubles that do not overlap would need a wider range of exponents, a fixed
+ * rounding mode, several times the time, and a proof that few terms suffice. */
 #ifndef EXACT_H
 #define EXACT_H
 
@@ -15,17 +14,17 @@
 
 #include "dd.h"
 
-/* A number of a document or of a point is a multiple of 2^-1074 below 2^499. A sum of
- * products of four such numbers spans 4 * 1573 bits, and a few bits more for carries:
- * 99 words, and two more if its ends lie within words. Such sums are the determinant of
- * a matrix, and the image of a point by a product of three matrices. Sums of longer
- * products can span more: their lowest words are cut off, and ex_has_overflowed returns
- * true. Scenes with such a map are refused (core/scene/scene.c), and so are maps that
- * leave too few words for points (core/points/transform.c). */
+/* A number of a document or of a point is a multiple of 2^-1074 below 2^499. The
+ * determinant of a matrix, and the image of a point by a product of three matrices, are
+ * sums of products of four such numbers. These sums span 4 * 1573 bits and a few bits
+ * for carries, which is 99 words, or 101 if the ends lie within words. Sums of longer
+ * products can span more than EX_WORDS: their lowest words are cut off, and
+ * ex_has_overflowed returns true. core/scene/scene.c refuses scenes with such a map,
+ * and core/points/transform.c refuses maps that leave too few words for points. */
 enum { EX_WORDS = 110 };
 
-/* sign times the sum of word[i] 2^(64 (e + i)) over the n words; the first and the last
- * word are not 0. The number 0 has sign, n and e 0. */
+/* The number is sign times the sum of word[i] 2^(64 (e + i)) over i < n. word[0] and
+ * word[n - 1] are not 0. The number 0 has sign, n and e 0. */
 typedef struct {
 	int sign, n, e;
 	uint64_t word[EX_WORDS];
@@ -34,50 +33,49 @@ typedef struct {
 ex ex_of(double a);
 ex ex_power(int e); /* 2^e */
 
-/* The bound of the relative error of quotients and roots. A quotient keeps EX_QUOTIENT
- * words, of which the highest can be as small as 1. A result of five words or fewer is
- * exact. A quotient by 0 is beyond the range of doubles. */
+/* The bound of the relative error of quotients and roots. They keep EX_QUOTIENT_WORDS
+ * words, of which the highest can be as small as 1. They are exact if five words can
+ * hold the exact result. A quotient by 0 is a number beyond the range of doubles. */
 #define EX_ERROR 0x1p-703
-enum { EX_QUOTIENT = 12 };
+enum { EX_QUOTIENT_WORDS = 12 };
 
 ex ex_sqrt(ex a);
-ex ex_truncate(ex a, int n); /* the n highest words */
+ex ex_truncate(ex a, int n); /* the n highest words of a */
 
-/* Returns the least e with |a| < 2^e, or -EX_RANGE, below all others, if a is 0. */
-enum { EX_RANGE = 1 << 24 };
+enum { EX_RANGE = 1 << 24 }; /* exponents are between -EX_RANGE and EX_RANGE */
 
-static inline int ex_size(const ex *a)
+/* Returns the least e with |a| < 2^e, or -EX_RANGE if a is 0. */
+static inline int ex_exponent(const ex *a)
 {
 	return a->n == 0 ?
 	    -EX_RANGE :
 	    64 * (a->e + a->n) - __builtin_clzll(a->word[a->n - 1]);
 }
 
-/* Returns whether, since the last call, a number in any thread has had more than
- * EX_WORDS words. */
+/* Returns whether, since the last call, a number of any thread exceeded EX_WORDS. */
 bool ex_has_overflowed(void);
 
-/* The functions below take pointers because they are called for each point. */
+/* The functions below take pointers, to save copies: they are called for each point. */
 void ex_set(ex *, double a);
 
-/* Computes the sum of n products a[k] b[k]. Drops words below 2^least, but keeps
- * at least EX_MIN_WORDS words. */
 enum { EX_MIN_WORDS = 7 };
 
+/* Computes the sum of the n products a[k] b[k]. Drops words below 2^least, but keeps
+ * the EX_MIN_WORDS highest words. */
 void ex_dot(int n, const ex *const a[], const ex *const b[], int least, ex *);
 
-/* Computes a / b. The quotient has words or words + 1 words. Returns whether it is
- * exact; if not, its last bit is set, so that it rounds as the exact quotient does. */
-bool ex_divide(const ex *a, const ex *b, int words, ex *);
+/* Computes the highest count or count + 1 words of a / b. Returns whether they are
+ * exact; if not, sets their last bit, so that they round as the exact quotient does. */
+bool ex_divide(const ex *a, const ex *b, int count, ex *);
 
-/* Returns the nearest double or, if single, the nearest float. Ties go to even, also of
- * subnormal numbers. A number beyond the range gives infinity, 0 gives +0. */
+/* Returns the double nearest to a number or, if single, the nearest float. Ties go to
+ * even, also between subnormal numbers. A number beyond the range becomes infinite. */
 double ex_nearest(const ex *, bool single);
 
-/* Returns the nearest double and the double nearest to the remainder. The error of
- * their sum is at most EX_BOUND u^2 |a|, u = 2^-53, if that is at least 2^-1022. */
-#define EX_BOUND 0.5
+#define EX_ROUND_BOUND 0.5
 
+/* Returns the double hi nearest to a, and the double lo nearest to a - hi. The error of
+ * hi + lo is at most EX_ROUND_BOUND u^2 |a|, u = 2^-53, if this is at least 2^-1022. */
 dd ex_round(const ex *);
 
 #endif

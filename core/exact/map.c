@@ -20,15 +20,15 @@ void vec3_cross(const struct sum a[3], const struct sum b[3], struct sum r[3])
 	}
 }
 
-/* The error of a length is at most the length of the vector's error, and so at most the
- * sum of the errors of its elements. The error that sum_sqrt computes can be larger. */
+/* Returns the length of a. Its error is at most the length, and so at most the sum, of
+ * the elements' errors. The bound that sum_sqrt computes can be larger. */
 struct sum vec3_length(const struct sum a[3])
 {
 	struct sum r = sum_sqrt(vec3_dot(a, a));
 
 	if (sum_is_exact(&r))
 		return r;
-	r = sum_with_error(r.value, SUM_ERROR);
+	r = sum_with_error(r.value, SUM_QUOTIENT_ERROR);
 	for (int i = 0; i < 3; i++)
 		if (!sum_is_exact(&a[i]))
 			r = sum_add(r, (struct sum){ ex_of(0), a[i].error });
@@ -113,8 +113,7 @@ static bool is_identity(const struct map *a)
 	return sum_is_one(&a->divisor);
 }
 
-/* An element whose words show that it is below 2^960 is finite; other elements are
- * rounded to find out. */
+/* Rounds only elements whose words can make 2^960 or more; the others are finite. */
 bool map_is_finite(const struct map *a)
 {
 	int most = a->divisor.value.e + a->divisor.value.n + 14;
@@ -134,16 +133,17 @@ void map_image(const struct map *m, int j, const struct sum p[4], struct sum *r)
 	sum_dot(4, p, &m->m[0][j], 4, r);
 }
 
-void map_append(struct map *r, const struct map *stage, bool before)
+void map_multiply(struct map *r, const struct map *factor, bool before)
 {
-	if (is_identity(stage))
+	if (is_identity(factor))
 		return;
 	if (is_identity(r)) {
-		*r = *stage;
+		*r = *factor;
 		return;
 	}
 	const struct map old = *r;
-	const struct map *a = before ? stage : &old, *b = before ? &old : stage;
+	const struct map *a = before ? factor : &old,
+			 *b = before ? &old : factor;
 
 	memcpy(r->origin, a->origin, sizeof r->origin);
 	r->divisor = sum_mul(a->divisor, b->divisor);
@@ -165,23 +165,23 @@ double map_nearest(const struct map *a, int i, int j, bool single)
 	return sum_nearest(&a->m[i][j], &a->divisor, single);
 }
 
-struct sum map_minor(int n, const struct sum m[4][4], unsigned rows,
-    unsigned columns)
+struct sum map_minor(int n, const struct sum m[4][4], unsigned skipped_rows,
+    unsigned skipped_columns)
 {
 	struct sum minor[4], r;
 	int i = 0, sign = 1;
 
 	if (n == 0)
 		return sum_of_double(1);
-	while (rows >> i & 1)
+	while (skipped_rows >> i & 1)
 		i++;
 	for (int j = 0; j < 4; j++) {
 		sum_set(&minor[j], 0);
-		if (columns >> j & 1)
+		if (skipped_columns >> j & 1)
 			continue;
 		if (!sum_is_exact_zero(&m[i][j]))
-			minor[j] = map_minor(n - 1, m, rows | 1u << i,
-			    columns | 1u << j);
+			minor[j] = map_minor(n - 1, m, skipped_rows | 1u << i,
+			    skipped_columns | 1u << j);
 		minor[j].value.sign *= sign;
 		sign = -sign;
 	}

@@ -3,11 +3,11 @@
 
 #include <math.h>
 
-/* Computes the symmetric matrix K with q K q = trace(Q' M) for the rotation Q of the
- * unit quaternion q. The rotation nearest to M is the eigenvector of the largest
- * eigenvalue of K (Horn, "Closed-form solution of absolute orientation using unit
- * quaternions", 1987). */
-static void horn(const struct sum m[4][4], struct sum k[4][4])
+/* Computes the symmetric matrix K with q' K q = trace(Q' M), where Q is the rotation of
+ * the unit quaternion q, and ' transposes. The quaternion of the rotation nearest to M
+ * is the eigenvector of the largest eigenvalue of K (Horn, "Closed-form solution of
+ * absolute orientation using unit quaternions", 1987). */
+static void horn_matrix(const struct sum m[4][4], struct sum k[4][4])
 {
 	struct sum trace = sum_add(sum_add(m[0][0], m[1][1]), m[2][2]);
 
@@ -21,12 +21,12 @@ static void horn(const struct sum m[4][4], struct sum k[4][4])
 	}
 }
 
-/* Computes the largest root of x^4 - 2 s x^2 - 8 d x + k, the characteristic polynomial
- * of K with s = |M|^2, d = det M, k = det K. Newton's iteration descends to the root
- * from sqrt(3 s). A step halves the distance until the distance is less than the gap to
- * the next root, and squares the distance, in units of the gap, from then on. The slope
- * is the product of the distances to the other roots, gap * 4 x^2 within a factor of 3.
- * The last error is below 2^-260 gap. Returns false if gap < 2^-400 x. */
+/* Computes the largest eigenvalue x of K, the largest root of x^4 - 2 s x^2 - 8 d x +
+ * k, where s = |M|^2, d = det M and k = det K. Newton's iteration descends to x from
+ * sqrt(3 s). Let gap be the distance from x to the next root. A step halves the error
+ * until it is below gap, and then squares error / gap. The slope, the product of the
+ * distances to the other roots, is gap * 4 x^2 within a factor of 3. The last error is
+ * below 2^-260 gap. Returns false if gap < 2^-400 x. */
 static bool largest_root(struct sum s, struct sum d, struct sum k,
     struct sum *x)
 {
@@ -53,9 +53,10 @@ static bool largest_root(struct sum s, struct sum d, struct sum k,
 	return true;
 }
 
-/* Computes the eigenvector q: the largest column of the adjugate of K - x, which is a
- * multiple of q q'. An error of x below 2^-260 gap adds the other eigenvectors, each by
- * less than 2^-260 of the adjugate and 2^-259 of its largest column. */
+/* Computes the eigenvector q of k = K - x: the largest column of the adjugate, which is
+ * a multiple of q q'. The error of x, below 2^-260 gap (see largest_root), adds the
+ * other eigenvectors, each by less than 2^-260 of the adjugate and 2^-259 of that
+ * column. */
 static void eigenvector(const struct sum k[4][4], struct sum q[4])
 {
 	struct sum norm = sum_of_double(0);
@@ -82,7 +83,8 @@ static void eigenvector(const struct sum k[4][4], struct sum q[4])
 		q[i] = sum_add_error(q[i], sum_scale(norm, 0x1p-257));
 }
 
-enum rotation rotation_nearest(const double matrix[4][4], struct sum q[4])
+enum rotation_result rotation_nearest(const double matrix[4][4],
+    struct sum q[4])
 {
 	struct sum m[4][4] = { 0 }, k[4][4], x, s = sum_of_double(0);
 	double largest = 0;
@@ -103,7 +105,7 @@ enum rotation rotation_nearest(const double matrix[4][4], struct sum q[4])
 
 	if (sum_sign(det) <= 0)
 		return ROTATION_NONE;
-	horn(m, k);
+	horn_matrix(m, k);
 	if (!largest_root(s, det, map_minor(4, k, 0, 0), &x))
 		return ROTATION_MANY;
 	for (int i = 0; i < 4; i++)
@@ -112,18 +114,18 @@ enum rotation rotation_nearest(const double matrix[4][4], struct sum q[4])
 	return ROTATION_FOUND;
 }
 
-/* The formula is Rodrigues' without the length t of v: I + a [v] + b [v]^2, where [v] p
+/* Uses Rodrigues' formula for a vector v of length t: I + a [v] + b [v]^2, where [v] p
  * = v x p, a = sin t / t and b = (1 - cos t) / t^2. */
 bool rotation_about(const double vector[3], struct sum r[3][3])
 {
-	struct sum v[3], square[3], a, b, all = sum_of_double(0);
+	struct sum v[3], square[3], a, b, length2 = sum_of_double(0);
 
 	for (int i = 0; i < 3; i++) {
 		v[i] = sum_of_double(vector[i]);
 		square[i] = sum_mul(v[i], v[i]);
-		all = sum_add(all, square[i]);
+		length2 = sum_add(length2, square[i]);
 	}
-	if (!trig_sinc(all, &a, &b))
+	if (!trig_sinc(length2, &a, &b))
 		return false;
 	for (int i = 0; i < 3; i++) {
 		int j = (i + 1) % 3, k = (i + 2) % 3;

@@ -4,24 +4,24 @@
 #include <limits.h>
 #include <string.h>
 
-/* The words of a quotient that is only rounded: one whole word, and one whose last bit
- * is set where the quotient is not exact. */
+/* The words of a quotient that decide its rounding: one that can be as small as 1, and
+ * one of 64 bits, whose last bit is set if the quotient is not exact. */
 enum { ROUNDED_WORDS = 2 };
 
 static const struct sum one = { { 1, 1, 0, { 1 } }, 0 };
 static const struct sum two = { { 1, 1, 0, { 2 } }, 0 };
-static const struct sum half = { { 1, 1, -1, { (uint64_t)1 << 63 } }, 0 };
 
-/* Returns the least e with |a| <= 2^e, or less than -EX_RANGE / 2 if a is 0. */
-static int sum_size(const ex *a)
+/* Returns the least e with |a| <= 2^e, or a number below -EX_RANGE / 2 if a is 0. */
+static int ceil_log2(const ex *a)
 {
 	uint64_t lowest = a->word[0];
 
-	return ex_size(a) - (a->n == 1 && (lowest & (lowest - 1)) == 0);
+	return ex_exponent(a) - (a->n == 1 && (lowest & (lowest - 1)) == 0);
 }
 
-/* Returns a bound of the sum of n <= 12 errors. Errors below 2^-40 of the largest are
- * left out: their sum is below the 2^-19 of the bound that sum.h leaves. */
+/* Returns the bound of a sum of n <= 12 errors; all are exponents as in struct sum.
+ * Errors below 2^-40 of the largest are neglected, within the 2^-19 that sum.h
+ * allows. */
 static int sum_bound(int n, const int error[])
 {
 	int most = EX_RANGE / 2, terms = 0, e = 0;
@@ -54,9 +54,9 @@ struct sum sum_diff(double a, double b)
 	return sum_sub(sum_of_double(a), sum_of_double(b));
 }
 
-struct sum sum_with_error(ex value, int relative)
+struct sum sum_with_error(ex value, int relative_error)
 {
-	const int error = sum_size(&value) + relative;
+	const int error = ceil_log2(&value) + relative_error;
 
 	return (struct sum){ value, sum_bound(1, &error) };
 }
@@ -64,7 +64,7 @@ struct sum sum_with_error(ex value, int relative)
 struct sum sum_add_error(struct sum a, struct sum more)
 {
 	a.error = sum_bound(3,
-	    (int[]){ a.error, sum_size(&more.value) + EX_RANGE, more.error });
+	    (int[]){ a.error, ceil_log2(&more.value) + EX_RANGE, more.error });
 	return a;
 }
 
@@ -90,9 +90,9 @@ bool sum_is_exact_zero(const struct sum *a)
 	return a->value.n == 0 && sum_is_exact(a);
 }
 
-/* Computes the sum of n <= 4 products. The error of a product is |a| times the error of
- * b, |b| times the error of a, and the product of both errors. Words below 2^-20 of the
- * error are dropped. */
+/* Computes the sum of the n <= 4 products *a[k] *b[k]. The error of a product is |a|
+ * times the error of b, plus |b| times the error of a, plus the product of both errors.
+ * Words below 2^-20 of the error are dropped. */
 static void dot_of_pointers(int n, const struct sum *const a[],
     const struct sum *const b[], struct sum *r)
 {
@@ -104,8 +104,8 @@ static void dot_of_pointers(int n, const struct sum *const a[],
 		y[k] = &b[k]->value;
 		if (sum_is_exact(a[k]) && sum_is_exact(b[k]))
 			continue;
-		error[terms++] = sum_size(x[k]) + b[k]->error;
-		error[terms++] = sum_size(y[k]) + a[k]->error;
+		error[terms++] = ceil_log2(x[k]) + b[k]->error;
+		error[terms++] = ceil_log2(y[k]) + a[k]->error;
 		error[terms++] = a[k]->error + b[k]->error - EX_RANGE;
 	}
 	int bound = sum_bound(terms, error);
@@ -114,14 +114,14 @@ static void dot_of_pointers(int n, const struct sum *const a[],
 	r->error = bound;
 }
 
-void sum_dot(int n, const struct sum *a, const struct sum *b, int step,
+void sum_dot(int n, const struct sum *a, const struct sum *b, int stride,
     struct sum *r)
 {
 	const struct sum *x[4], *y[4];
 
 	for (int k = 0; k < n; k++) {
 		x[k] = &a[k];
-		y[k] = &b[k * step];
+		y[k] = &b[k * stride];
 	}
 	dot_of_pointers(n, x, y, r);
 }
@@ -145,9 +145,9 @@ struct sum sum_mul(struct sum a, struct sum b)
 	return a;
 }
 
-struct sum sum_scale(struct sum a, double by)
+struct sum sum_scale(struct sum a, double factor)
 {
-	return sum_mul(a, sum_of_double(by));
+	return sum_mul(a, sum_of_double(factor));
 }
 
 struct sum sum_minor(struct sum a, struct sum b, struct sum c, struct sum d)
@@ -167,13 +167,13 @@ bool sum_is_one(const struct sum *a)
 
 bool sum_is_power_of_two(const struct sum *a)
 {
-	return sum_is_exact(a) && sum_size(&a->value) < ex_size(&a->value);
+	return sum_is_exact(a) && ceil_log2(&a->value) < ex_exponent(&a->value);
 }
 
 struct sum sum_quotient(struct sum a, struct sum b)
 {
-	/* |b| is at least 2^d or, if its error is above 2^(d-40), half of that */
-	int d = ex_size(&b.value) - 1;
+	/* 2^d bounds |b| from below; an error of b above 2^(d-40) halves this bound */
+	int d = ex_exponent(&b.value) - 1;
 	struct sum r;
 
 	if (sum_is_exact_zero(&a))
@@ -184,40 +184,42 @@ struct sum sum_quotient(struct sum a, struct sum b)
 		return sum_mul(a, r);
 	}
 	d -= b.error - EX_RANGE > d - 40;
-	bool exact = ex_divide(&a.value, &b.value, EX_QUOTIENT, &r.value);
-	int size = sum_size(&r.value);
+	bool exact = ex_divide(&a.value, &b.value, EX_QUOTIENT_WORDS, &r.value);
+	int size = ceil_log2(&r.value);
 
 	r.error = sum_bound(3,
 	    (int[]){ a.error - d, size + b.error - d,
-		exact ? 0 : size + SUM_ERROR });
+		exact ? 0 : size + SUM_QUOTIENT_ERROR });
 	return r;
 }
 
 struct sum sum_sqrt(struct sum a)
 {
-	if (a.value.sign <= 0) /* the root is at most that of the error */
+	if (a.value.sign <=
+	    0) /* the exact root is at most the root of a's error */
 		return (struct sum){ ex_of(0),
 			sum_is_exact(&a) ? 0 : (a.error + EX_RANGE) / 2 + 1 };
 	struct sum r = { ex_sqrt(a.value), 0 };
 
-	/* the lowest word of r r is word 2 e or 2 e + 1 */
+	/* r is not exact if the last word of r r, at 2 e or 2 e + 1, is lower than
+	 * a's */
 	if (!sum_is_exact(&a) || 2 * r.value.e + 1 < a.value.e ||
 	    sum_compare(sum_mul(r, r), a) != 0)
 		r.error = sum_bound(2,
-		    (int[]){ sum_size(&r.value) + SUM_ERROR,
-			a.error - ex_size(&r.value) + 1 });
+		    (int[]){ ceil_log2(&r.value) + SUM_QUOTIENT_ERROR,
+			a.error - ex_exponent(&r.value) + 1 });
 	return r;
 }
 
-/* Returns whether the value is not above its error, so that it counts as 0. */
-static bool is_none(const struct sum *a)
+/* Returns whether |value| is not above the error. */
+static bool counts_as_zero(const struct sum *a)
 {
-	return sum_size(&a->value) + EX_RANGE <= a->error;
+	return ceil_log2(&a->value) + EX_RANGE <= a->error;
 }
 
 int sum_sign(struct sum a)
 {
-	return is_none(&a) ? 0 : a.value.sign;
+	return counts_as_zero(&a) ? 0 : a.value.sign;
 }
 
 int sum_compare(struct sum a, struct sum b)
@@ -227,10 +229,10 @@ int sum_compare(struct sum a, struct sum b)
 
 struct sum sum_snap_zero(struct sum a)
 {
-	return is_none(&a) ? sum_of_double(0) : a;
+	return counts_as_zero(&a) ? sum_of_double(0) : a;
 }
 
-/* Returns the double or float next to a, away from 0 or toward 0. */
+/* Returns the double, or float if single, next to a, away from 0 or toward 0. */
 static double neighbour(double a, bool away, bool single)
 {
 	double to = away ? copysign(HUGE_VAL, a) : 0;
@@ -239,39 +241,39 @@ static double neighbour(double a, bool away, bool single)
 			nextafter(a, to);
 }
 
-/* Returns the double or float nearest to n / d, where n and d have errors. q is the
- * quotient of the values. If q is so near a midpoint of two doubles that its error
- * could pass it, the sign of n - midpoint d decides, and a difference within its error
- * is a tie. Half an ulp is at least 32 times the error of q. */
+/* Returns the double or, if single, the float nearest to n / d, where n and d have
+ * errors. q is the quotient of their values. The result is near, nearest to q, or
+ * other, next to near on q's side. If q's error could carry q over their midpoint, the
+ * sign of n - midpoint d decides: a difference that is not above its error is a tie. */
 static double round_inexact(const struct sum *n, const struct sum *d,
     const ex *q, bool single)
 {
 	const double near = ex_nearest(q, single);
-	const int most = EX_RANGE - 62;
-	struct sum rest, a;
+	/* 0.9 of half an ulp; q's error is below 1/32 of it if n's and d's are small */
+	const double sure = fabs(near) *
+	    (single ? 0.9 * 0x1p-25 : 0.9 * 0x1p-54);
+	const int small = EX_RANGE - 62;
+	struct sum minus_near, minus_other, rest;
 
-	sum_set(&a, -near);
-	ex_dot(2, (const ex *[]){ q, &a.value },
+	sum_set(&minus_near, -near);
+	ex_dot(2, (const ex *[]){ q, &minus_near.value },
 	    (const ex *[]){ &one.value, &one.value }, INT_MIN, &rest.value);
 	int side = rest.value.sign * q->sign;
 
 	if (!isfinite(near) || side == 0 ||
-	    (n->error <= sum_size(&n->value) + most &&
-		d->error <= sum_size(&d->value) + most &&
-		fabs(ex_nearest(&rest.value, false)) <
-		    fabs(near) * (single ? 0.9 * 0x1p-25 : 0.9 * 0x1p-54)))
+	    (n->error <= ceil_log2(&n->value) + small &&
+		d->error <= ceil_log2(&d->value) + small &&
+		fabs(ex_nearest(&rest.value, false)) < sure))
 		return near;
 	double other = neighbour(near == 0 ? copysign(0, q->sign) : near,
 	    side > 0, single);
-	struct sum b = sum_of_double(-other);
 
+	sum_set(&minus_other, -other);
+	/* rest is 2 (n - midpoint d) */
 	dot_of_pointers(3, (const struct sum *[]){ n, d, d },
-	    (const struct sum *[]){ &two, &a, &b }, &rest);
-	if (is_none(&rest)) {
-		dot_of_pointers(2, (const struct sum *[]){ &a, &b },
-		    (const struct sum *[]){ &half, &half }, &rest);
-		return -ex_nearest(&rest.value, single);
-	}
+	    (const struct sum *[]){ &two, &minus_near, &minus_other }, &rest);
+	if (counts_as_zero(&rest)) /* a tie goes to even */
+		return fmod(near, 2 * (other - near)) == 0 ? near : other;
 	bool beyond = rest.value.sign * d->value.sign == q->sign;
 
 	return beyond == (side > 0) ? other : near;
@@ -282,7 +284,7 @@ double sum_nearest(const struct sum *n, const struct sum *d, bool single)
 	ex quotient;
 	const ex *q = &quotient;
 
-	if (is_none(n))
+	if (counts_as_zero(n))
 		return 0;
 	if (sum_is_one(d))
 		q = &n->value;
@@ -312,7 +314,7 @@ double sum_double(struct sum a)
 
 dd sum_dd(struct sum a)
 {
-	return is_none(&a) ? (dd){ 0, 0 } : ex_round(&a.value);
+	return counts_as_zero(&a) ? (dd){ 0, 0 } : ex_round(&a.value);
 }
 
 double sum_error(const struct sum *a)
@@ -324,7 +326,7 @@ double sum_error(const struct sum *a)
 
 double sum_least_error(const struct sum *n, const struct sum *d)
 {
-	int e = n->error - EX_RANGE - sum_size(&d->value);
+	int e = n->error - EX_RANGE - ceil_log2(&d->value);
 
 	return ldexp(1, e) * (1 - 0x1p-50);
 }

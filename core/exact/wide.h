@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /* Arithmetic on words of 64 bits with carries, also for compilers without integers of
- * 128 bits, as those for 32-bit processors. */
+ * 128 bits, such as those for 32-bit processors. */
 #ifndef WIDE_H
 #define WIDE_H
 
 #include <stdint.h>
 
 /* Returns the low word of a b + c + *carry, and sets *carry to the high word. Two words
- * hold the sum: for B = 2^64, (B - 1)^2 + 2 (B - 1) = B^2 - 1. The same holds for the
- * half words, B = 2^32, below. */
+ * hold the sum: with B = 2^64 it is at most (B - 1)^2 + 2 (B - 1) = B^2 - 1. With B =
+ * 2^32 the same bound holds for p, q and r below. */
 static inline uint64_t multiply_add(uint64_t a, uint64_t b, uint64_t c,
     uint64_t *carry)
 {
@@ -29,7 +29,7 @@ static inline uint64_t multiply_add(uint64_t a, uint64_t b, uint64_t c,
 }
 
 /* Returns the quotient, rounded down, of high 2^64 + low by d > high. */
-static inline uint64_t divide_two(uint64_t high, uint64_t low, uint64_t d)
+static inline uint64_t divide_two_words(uint64_t high, uint64_t low, uint64_t d)
 {
 #ifdef __SIZEOF_INT128__
 	return (uint64_t)(((unsigned __int128)high << 64 | low) / d);

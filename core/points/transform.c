@@ -146,8 +146,8 @@ const char *scene_transform(const struct scene *s, enum space from,
 	return transform_check(t);
 }
 
-const char *flat_transform(const struct scene *s, enum flat from, enum flat to,
-    struct transform *t)
+const char *flat_transform(const struct scene *s, enum flat_space from,
+    enum flat_space to, struct transform *t)
 {
 	const char *why = scene_flat_map(s, from, to, &t->map);
 

@@ -29,8 +29,8 @@ struct transform {
  * reason. */
 const char *scene_transform(const struct scene *, enum space from,
     enum space to, bool homogeneous, struct transform *);
-const char *flat_transform(const struct scene *, enum flat from, enum flat to,
-    struct transform *);
+const char *flat_transform(const struct scene *, enum flat_space from,
+    enum flat_space to, struct transform *);
 
 /* Computes all other members of a transform from its map. */
 void transform_init(struct transform *, enum space from, enum space to,

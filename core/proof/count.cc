@@ -113,7 +113,7 @@ static poly minus(const poly &a, const poly &b)
 static void prove_round(void)
 {
 	fresh();
-	say("ex_round: EX_BOUND", EX_BOUND, count::half_ulp(U) / (U * U),
+	say("ex_round: EX_ROUND_BOUND", EX_ROUND_BOUND, count::half_ulp(U) / (U * U),
 	    "u^2");
 }
 
@@ -197,7 +197,7 @@ static column_parts column_error(int terms, int far)
 	const poly error = { { {}, COLUMN_BOUND } };
 
 	/* elements are rounded to hi + lo */
-	return { bound(minus(wrong, error)) + (terms + 1) * EX_BOUND * U * U,
+	return { bound(minus(wrong, error)) + (terms + 1) * EX_ROUND_BOUND * U * U,
 		count::nodes[tested_up->a].most, count::nodes[low.a].most };
 }
 
@@ -217,7 +217,7 @@ static double normal_column_error(int far)
 	vdd c = normalise(column(&b.cut[0], cut, rest, 2));
 
 	return bound(minus(plus(c.hi->is, c.lo->is), column_of(0, 2))) +
-	    3 * EX_BOUND * U * U;
+	    3 * EX_ROUND_BOUND * U * U;
 }
 
 static number number_of(const poly &p, double most, double least)

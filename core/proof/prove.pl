@@ -75,7 +75,7 @@ sub trigonometry {
 	my $one = Math::BigFloat->new(1);
 	my $two = Math::BigFloat->new(2);
 	my $pi = Math::BigFloat->bpi(350);
-	my $given = off($text, 'QUARTER', $pi / 2);
+	my $given = off($text, 'HALF_PI', $pi / 2);
 	my $x = $pi / 4;
 	# the first term that is left out, of a cosine of at least 0.7
 	my $rest = $x**($top + 2) / Math::BigFloat->new($top + 2)->bfac / 0.7;
@@ -92,10 +92,10 @@ sub trigonometry {
 	Math::BigFloat->accuracy(undef);
 }
 
-# A quotient is cut off after EX_QUOTIENT words, of which the first may be 1;
+# A quotient is cut off after EX_QUOTIENT_WORDS words, of which the first may be 1;
 # a root is rounded there, from twice the digits of the step before.
 sub quotients {
-	my ($words) = slurp("$core/exact/exact.h") =~ /enum \{ EX_QUOTIENT = (\d+) \}/;
+	my ($words) = slurp("$core/exact/exact.h") =~ /enum \{ EX_QUOTIENT_WORDS = (\d+) \}/;
 	my ($bound) = macro("$core/exact/exact.h", 'EX_ERROR') =~ /0x1p(-\d+)/;
 	verdict('quotients and roots: EX_ERROR', $bound,
 	    -64 * ($words - 1));

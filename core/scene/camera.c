@@ -4,41 +4,42 @@
 #include <string.h>
 
 void convention_change(const struct convention *from,
-    const struct convention *to, bool clip, bool rows, struct map *r)
+    const struct convention *to, bool clip, bool input, struct map *r)
 {
 	bool flips_y = clip ? from->ndc_y_down != to->ndc_y_down :
 			      from->view_y_down != to->view_y_down;
 	bool flips_z = !clip && looks_back(from) != looks_back(to);
-	bool depth = clip && from->minus_one != to->minus_one;
-	double t = to->minus_one != rows ? -1 : 0.5, size = t < 0 ? 2 : 0.5;
+	bool depth = clip && from->depth_minus_one != to->depth_minus_one;
+	double t = to->depth_minus_one != input ? -1 : 0.5,
+	       scale = t < 0 ? 2 : 0.5;
 
 	for (int i = 0; i < 4; i++) {
-		struct sum *y = rows ? &r->m[1][i] : &r->m[i][1];
-		struct sum *z = rows ? &r->m[2][i] : &r->m[i][2];
-		struct sum *w = rows ? &r->m[3][i] : &r->m[i][3];
+		struct sum *y = input ? &r->m[1][i] : &r->m[i][1];
+		struct sum *z = input ? &r->m[2][i] : &r->m[i][2];
+		struct sum *w = input ? &r->m[3][i] : &r->m[i][3];
 
 		y->value.sign *= flips_y ? -1 : 1;
 		z->value.sign *= flips_z ? -1 : 1;
-		if (depth && rows)
+		if (depth && input)
 			*w = sum_add(*w, sum_scale(*z, t));
 		if (depth)
-			*z = sum_scale(*z, size);
-		if (depth && !rows)
+			*z = sum_scale(*z, scale);
+		if (depth && !input)
 			*z = sum_add(*z, sum_scale(*w, t));
 	}
-	if (rows && (flips_y || flips_z || depth))
+	if (input && (flips_y || flips_z || depth))
 		memset(r->origin, 0, sizeof r->origin);
 }
 
-/* The unit vector v / length. v is not divided because it is an exact polynomial of the
- * parameters, in which terms cancel exactly. If the length of axis y is exact, the
- * three lengths are equal, and become the map's divisor. */
+/* An axis of view space is the unit vector v / length. v is an exact polynomial in the
+ * parameters, whose terms cancel exactly, and is therefore not divided. If the length
+ * of axis y is exact, the three lengths are equal, and become the map's divisor. */
 struct axis {
 	struct sum v[3];
 	struct sum length;
 };
 
-enum { AXIS_SUMS = sizeof(struct axis) / sizeof(struct sum) };
+enum { AXIS_STRIDE = sizeof(struct axis) / sizeof(struct sum) };
 
 static void axis_scale(struct axis *a, struct sum s)
 {
@@ -47,8 +48,8 @@ static void axis_scale(struct axis *a, struct sum s)
 	a->length = sum_mul(a->length, s);
 }
 
-/* Computes the axes of projcalc(1), FORMULAS, lookat: z = +-gaze, x = up x z, y = z x
- * x, of lengths |z|, |up x z| and |z| |up x z|. */
+/* Computes the axes of projcalc(1), FORMULAS, lookat: z = gaze or -gaze,
+ * x = cross(up, z) and y = cross(z, x), of lengths |z|, |x| and |z| |x|. */
 static const char *axes_of_gaze(const struct camera *c,
     const struct convention *convention, struct axis axis[3])
 {
@@ -73,10 +74,10 @@ static const char *axes_of_gaze(const struct camera *c,
 	vec3_cross(up, z->v, x->v);
 	vec3_cross(z->v, x->v, y->v);
 	struct sum xx = vec3_dot(x->v, x->v), zz = vec3_dot(z->v, z->v);
-	/* the sine of the angle between up and gaze, |x| / (|up| |z|) */
-	struct sum most = sum_mul(vec3_dot(up, up), zz);
+	struct sum product = sum_mul(vec3_dot(up, up), zz);
 
-	if (sum_compare(xx, sum_scale(most, 0x1p-100)) < 0)
+	/* up is parallel if the sine of its angle, |x| / (|up| |z|), is below 2^-50 */
+	if (sum_compare(xx, sum_scale(product, 0x1p-100)) < 0)
 		return "/camera/up: parallel to the gaze; "
 		       "choose another up vector";
 	x->length = sum_sqrt(xx);
@@ -87,15 +88,15 @@ static const char *axes_of_gaze(const struct camera *c,
 		z->v[i] = sum_neg(z->v[i]);
 	}
 	if (sum_is_exact(&y->length)) {
-		struct sum along = x->length;
+		struct sum x_length = x->length;
 
 		axis_scale(x, z->length);
-		axis_scale(z, along);
+		axis_scale(z, x_length);
 	}
 	return NULL;
 }
 
-/* Computes the columns of the rotation matrix of a quaternion, times its norm. */
+/* Computes the axes of a quaternion: the columns of its rotation matrix times |q|^2. */
 static void axes_of_quaternion(const struct sum q[4], struct axis axis[3])
 {
 	struct sum p[4][4];
@@ -145,16 +146,16 @@ static const char *axes_of_rvec(const struct camera *c, struct axis axis[3])
 	return NULL;
 }
 
-/* The message that refuses a matrix or a pose for a reason. */
+/* The message that refuses the camera's pose, if pose, or its matrix, for a reason. */
 #define REFUSAL(pose, reason) \
 	((pose) ? "/camera/pose: " reason : "/camera/matrix: " reason)
 
-/* Computes the axes of the rotation nearest to the upper 3x3. An element that is not
- * above the error of the quaternion becomes 0. */
+/* Computes the axes of the rotation nearest to the upper 3x3 of the camera's matrix. An
+ * element that is not above its error becomes 0. */
 static const char *axes_of_matrix(const struct camera *c, struct axis axis[3])
 {
 	struct sum q[4];
-	enum rotation found = rotation_nearest(c->matrix, q);
+	enum rotation_result found = rotation_nearest(c->matrix, q);
 
 	if (found == ROTATION_NONE)
 		return REFUSAL(c->kind == CAMERA_POSE,
@@ -164,75 +165,72 @@ static const char *axes_of_matrix(const struct camera *c, struct axis axis[3])
 		    "two directions have all but vanished; no rotation is the "
 		    "nearest");
 	axes_of_quaternion(q, axis);
-	for (int i = 0; i < 9; i++) {
-		struct sum *v = &axis[i / 3].v[i % 3];
-
-		*v = sum_snap_zero(*v);
-	}
+	for (int i = 0; i < 9; i++)
+		axis[i / 3].v[i % 3] = sum_snap_zero(axis[i / 3].v[i % 3]);
 	return NULL;
 }
 
-/* Computes the map to view space, whose rows are the transposed axes and the origin, or
- * its inverse, whose rows are the axes and the eye:
+/* Computes the map to view space or, if inverse, the map to world space:
  *	 x0  y0  z0  0		 x0  x1  x2  0
  *	 x1  y1  z1  0		 y0  y1  y2  0
  *	 x2  y2  z2  0		 z0  z1  z2  0
- *	 origin      1		 eye         1
- * at is the eye or, if at_is_origin, the origin. The other is -x.eye, -y.eye, -z.eye,
- * or -x origin0 - y origin1 - z origin2: an exact polynomial, divided once. For an eye
- * (1,2,3) that looks at the origin, x.eye is so 0; rounded axes give -4.9e-32. */
-static void map_of_axes(const struct axis a[3], const double at[3],
-    bool at_is_origin, bool inverse, struct map *r)
+ *	 translation 1		 eye         1
+ * given is the translation t, if is_translation, or the eye. The other one is found:
+ * t = (-x.eye, -y.eye, -z.eye), or eye = -t0 x - t1 y - t2 z for axes of equal lengths.
+ * Both are exact polynomials, divided once: x.eye is 0 for an eye (1,2,3) that looks at
+ * the world's origin, but -4.9e-32 with rounded axes. */
+static void map_of_axes(const struct axis a[3], const double given[3],
+    bool is_translation, bool inverse, struct map *r)
 {
+	const struct sum one = sum_of_double(1);
 	bool exact = sum_is_exact(&a[1].length);
-	struct sum d = exact ? a[1].length : sum_of_double(1), minus[3];
+	struct sum d = exact ? a[1].length : one, minus[3], found;
 
 	for (int i = 0; i < 3; i++)
-		minus[i] = sum_of_double(-at[i]);
+		minus[i] = sum_of_double(-given[i]);
 	map_identity(r);
 	for (int i = 0; i < 3; i++) {
-		struct sum given = sum_scale(d, at[i]), found;
-		struct sum over = sum_quotient(sum_of_double(1),
-		    exact ? sum_of_double(1) : a[i].length);
+		struct sum scale = exact ? one : sum_quotient(one, a[i].length);
 
-		if (at_is_origin)
-			sum_dot(3, minus, &a[0].v[i], AXIS_SUMS, &found);
+		for (int k = 0; k < 3; k++)
+			r->m[inverse ? i : k][inverse ? k : i] =
+			    sum_mul(a[i].v[k], scale);
+		if (is_translation)
+			sum_dot(3, minus, &a[0].v[i], AXIS_STRIDE, &found);
 		else
 			found = vec3_dot(a[i].v, minus);
-		found = sum_mul(found, over);
-		for (int k = 0; k < 3; k++)
-			sum_dot(1, &a[i].v[k], &over, 1,
-			    &r->m[inverse ? i : k][inverse ? k : i]);
-		r->m[3][i] = at_is_origin == inverse ? found : given;
+		found = sum_mul(found, scale);
+		r->m[3][i] = is_translation == inverse ? found :
+							 sum_scale(d, given[i]);
 		if (!inverse)
-			r->origin[i] = at_is_origin ? sum_ratio(found, d) :
-						      at[i];
+			r->origin[i] = is_translation ? sum_ratio(found, d) :
+							given[i];
 	}
 	r->m[3][3] = d;
 	map_divide(r, d);
 }
 
-/* Rotates view space about its z axis. */
+/* Rotates view space about its z axis: appends the rotation to r or, if inverse, puts
+ * the inverse rotation before r. */
 static void camera_roll(double roll, enum angle_unit unit, bool inverse,
     struct map *r)
 {
-	const struct sum o = sum_of_double(0), l = sum_of_double(1);
+	const struct sum one = sum_of_double(1);
 	const struct sum c = trig_cos(roll, unit);
 	const struct sum s = sum_negated_if(inverse, trig_sin(roll, unit));
-	const struct map turn = { .m = { { c, s, o, o },
-				      { sum_neg(s), c, o, o }, { o, o, l, o },
-				      { o, o, o, l } },
-		.divisor = l };
+	const struct map turn = { .m = { { c, s }, { sum_neg(s), c },
+				      { [2] = one }, { [3] = one } },
+		.divisor = one };
 
-	map_append(r, &turn, inverse);
+	map_multiply(r, &turn, inverse);
 }
 
-/* Computes the map of the matrix, or of a pose, which is a matrix from view to world.
- * If orthonormalize is set, the nearest rotation replaces the upper 3x3. */
+/* Computes the map of the camera's matrix or pose, or its inverse. If orthonormalize is
+ * set, the nearest rotation replaces the upper 3x3. */
 static const char *camera_matrix_map(const struct camera *c, bool inverse,
     struct map *r)
 {
-	bool pose = c->kind == CAMERA_POSE, back = inverse != pose;
+	bool pose = c->kind == CAMERA_POSE, inverts = inverse != pose;
 	struct axis axis[3];
 
 	map_of_doubles(c->matrix, r);
@@ -241,7 +239,7 @@ static const char *camera_matrix_map(const struct camera *c, bool inverse,
 	if (!c->orthonormalize) {
 		if ((pose || inverse) && !map_inverse(c->matrix, r))
 			return REFUSAL(pose, "singular; it can't be inverted");
-		if (!back)
+		if (!inverts)
 			map_of_doubles(c->matrix, r);
 		return NULL;
 	}
@@ -249,7 +247,7 @@ static const char *camera_matrix_map(const struct camera *c, bool inverse,
 
 	if (why != NULL)
 		return why;
-	map_of_axes(axis, c->matrix[3], true, back, r);
+	map_of_axes(axis, c->matrix[3], true, inverts, r);
 	for (int i = 0; i < 3 && pose; i++)
 		r->origin[i] = inverse ? 0 : c->matrix[3][i];
 	return NULL;
@@ -258,7 +256,7 @@ static const char *camera_matrix_map(const struct camera *c, bool inverse,
 const char *camera_map(const struct camera *c,
     const struct convention *convention, bool inverse, struct map *r)
 {
-	bool at_is_origin = c->kind == CAMERA_TRANSLATION ||
+	bool is_translation = c->kind == CAMERA_TRANSLATION ||
 	    c->kind == CAMERA_RVEC_TRANSLATION;
 	bool by_rvec = c->kind == CAMERA_RVEC ||
 	    c->kind == CAMERA_RVEC_TRANSLATION;
@@ -273,7 +271,7 @@ const char *camera_map(const struct camera *c,
 
 	if (why != NULL)
 		return why;
-	map_of_axes(axis, c->eye, at_is_origin, inverse, r);
+	map_of_axes(axis, c->eye, is_translation, inverse, r);
 	if (c->roll != 0)
 		camera_roll(convention->view_y_down ? -c->roll : c->roll,
 		    c->unit, inverse, r);

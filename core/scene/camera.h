@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The differences between the conventions of graphics systems; and cameras, the maps
- * from world to view. */
+/* Conventions, in which graphics systems differ, and cameras, which map world to
+ * view. */
 #ifndef CAMERA_H
 #define CAMERA_H
 
@@ -9,61 +9,61 @@
 #include "../exact/map.h"
 #include "../exact/trig.h"
 
-/* The convention d3d has all members false. */
+/* The convention d3d, that of Direct3D, has all members false. */
 struct convention {
 	bool right_handed;
-	bool minus_one; /* ndc depth is from -1, not 0, to 1 */
-	bool column;    /* matrices are printed transposed: p' = M p */
+	bool depth_minus_one; /* ndc depth is from -1, not 0, to 1 */
+	bool column_vectors;  /* matrices are printed for column vectors */
 	bool ndc_y_down;
-	bool bottom_left; /* the device's origin */
-	bool view_y_down; /* y and z of view space are negated */
+	bool origin_bottom_left; /* the device's origin; false: top left */
+	bool view_y_down;        /* y and z of view space are negated */
 };
 
-/* Returns whether the camera looks along -z. */
+/* Returns whether the camera looks along -z of view space. */
 static inline bool looks_back(const struct convention *c)
 {
 	return c->right_handed != c->view_y_down;
 }
 
-/* Changes the convention of one side of a map: of its points if rows, else of its
- * images. This side is in clip space if clip, else in view space. y, and in view space
- * z, may change their signs. The depth z from 0 to w of clip space becomes 2 z - w from
- * -w to w, and back (z + w) / 2. */
+/* Changes the convention of the points of a map, if input, or else of its images. They
+ * are in clip space if clip, else in view space. y, and in view space z, change their
+ * signs if the conventions differ. In clip space a depth z from 0 to w becomes 2 z - w,
+ * and one from -w to w becomes (z + w) / 2. */
 void convention_change(const struct convention *from,
-    const struct convention *to, bool clip, bool rows, struct map *);
+    const struct convention *to, bool clip, bool input, struct map *);
 
 struct camera {
-	double
-	    eye[3]; /* or the translation, the world's origin in view space */
+	double eye[3]; /* or translation: the world's origin in view space */
+	/* the members that give the camera */
 	enum {
-		CAMERA_AT,
-		CAMERA_GAZE,
-		CAMERA_ORIENTATION,      /* and eye */
-		CAMERA_RVEC,             /* and eye */
-		CAMERA_TRANSLATION,      /* and orientation */
-		CAMERA_RVEC_TRANSLATION, /* and rvec */
+		CAMERA_AT,               /* eye, at and up */
+		CAMERA_GAZE,             /* eye, gaze and up */
+		CAMERA_ORIENTATION,      /* eye and orientation */
+		CAMERA_RVEC,             /* eye and rvec */
+		CAMERA_TRANSLATION,      /* translation and orientation */
+		CAMERA_RVEC_TRANSLATION, /* translation and rvec */
 		CAMERA_POSE,
 		CAMERA_MATRIX,
 	} kind;
 	double at[3]; /* or the gaze, a direction of any length */
 	double up[3];
-	double orientation[4]; /* x y z w, view to world axes, of any norm */
-	double
-	    rvec[3]; /* the rotation from world to view: axis times radians */
-	double roll; /* of the image, counterclockwise */
+	double orientation[4]; /* quaternion x y z w, any norm; view to world */
+	double rvec[3]; /* rotation from world to view: axis times radians */
+	double roll;    /* the angle that turns the image counterclockwise */
 	enum angle_unit unit; /* of roll */
-	/* The affine matrix from world to view space, for row vectors; or the pose,
-	 * the matrix from view to world space. */
+	/* The affine matrix, for row vectors, from world to view space or, with
+	 * CAMERA_POSE, from view to world space. */
 	double matrix[4][4];
-	bool orthonormalize;
+	bool orthonormalize; /* replace the matrix by its nearest rotation */
 };
 
-/* Computes the matrix of projcalc(1), FORMULAS, lookat, or its inverse. The elements
- * are exact, or have a bound of their error, however near up is to the gaze, or the eye
- * to the point at which it looks, and however far a matrix is from its nearest
- * rotation. Elements of a nearest rotation below 2^-252 become 0. A roll turns the
- * axes, and a translation with them, about the eye. The origin of the map is the eye.
- * Returns NULL, or the member and the reason why there is no such view. */
+/* Computes the map from world to view space, or its inverse, as projcalc(1), FORMULAS,
+ * lookat says. Elements are exact or have a bound of their error, however near up is to
+ * the gaze, the eye to the point at which it looks, or a matrix to a singular one.
+ * Elements below 2^-252 of a nearest rotation become 0. A roll turns the axes, and a
+ * translation with them, about the eye. The origin of the map to view space is the eye,
+ * but 0 for a matrix that is not orthonormalized. Returns NULL, or the member and the
+ * reason. */
 const char *camera_map(const struct camera *, const struct convention *,
     bool inverse, struct map *);
 

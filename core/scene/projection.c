@@ -9,33 +9,33 @@
  *	 zx  zy  zz  zw
  *	 tx  ty  tz  tw
  * Its columns are divided by dx, dy, dz and 1, and the whole matrix by d. Columns z and
- * w, and d, are exact except with the view angle of a volume. */
+ * w, and d, are exact unless the projection is a volume with a view angle. */
 struct scaled_matrix {
 	struct sum x, y, zx, zy, zz, zw, tx, ty, tz, tw, dx, dy, dz, d;
 };
 
-/* Sets x / dx = s / over and y / dy = x / dx aspect, if given_x; else y / dy = s / over
- * and x / dx = y / dy / aspect. */
-static void set_scales(const double aspect[2], bool given_x, struct sum s,
-    double over, struct scaled_matrix *f)
+/* Sets x / dx, if sets_x, or else y / dy to scale / divisor, and the other one so that
+ * y / dy is aspect times x / dx. */
+static void set_scales(const double aspect[2], bool sets_x, struct sum scale,
+    double divisor, struct scaled_matrix *f)
 {
 	struct sum w = sum_of_double(aspect[0]), h = sum_of_double(aspect[1]);
 
-	f->dx = f->dy = sum_of_double(over);
-	f->x = f->y = s;
-	if (given_x) {
-		f->y = sum_mul(s, w);
+	f->dx = f->dy = sum_of_double(divisor);
+	f->x = f->y = scale;
+	if (sets_x) {
+		f->y = sum_mul(scale, w);
 		f->dy = sum_mul(f->dy, h);
 	} else {
-		f->x = sum_mul(s, h);
+		f->x = sum_mul(scale, h);
 		f->dx = sum_mul(f->dx, w);
 	}
 }
 
-/* Computes scale = 2, size = r - l and off = l + r, each times cos a cos b, for edges
- * l = tan a and r = tan b at distance 1. */
+/* Computes scale = 2, size = r - l and edge_sum = l + r, each times cos a cos b, for
+ * the edges l = tan a and r = tan b at distance 1. */
 static void tangents(double a, double b, enum angle_unit unit,
-    struct sum *scale, struct sum *size, struct sum *off)
+    struct sum *scale, struct sum *size, struct sum *edge_sum)
 {
 	struct sum ca = trig_cos(a, unit), cb = trig_cos(b, unit);
 	struct sum left = sum_mul(trig_sin(a, unit), cb);
@@ -43,17 +43,18 @@ static void tangents(double a, double b, enum angle_unit unit,
 
 	*scale = sum_mul(sum_of_double(2), sum_mul(ca, cb));
 	*size = sum_sub(right, left);
-	*off = sum_add(left, right);
+	*edge_sum = sum_add(left, right);
 }
 
-/* Sets x / dx = 2 d / (r - l), off[0] = l + r, and y / dy and off[1] likewise from b
- * and t, for a cross-section at the distance d. */
+/* Sets x / dx = 2 d / (r - l), sums[0] / dx = (l + r) / (r - l), and y / dy and sums[1]
+ * likewise from b and t, for a cross-section at the distance d with edges l, r, b and
+ * t. */
 static const char *cross_section(const struct projection *p, double d,
-    struct scaled_matrix *f, struct sum off[2])
+    struct scaled_matrix *f, struct sum sums[2])
 {
-	bool wide = p->aspect[0] >= p->aspect[1], given_x = false;
+	bool wide = p->aspect[0] >= p->aspect[1], sets_x = false;
 
-	off[0] = off[1] = sum_of_double(0);
+	sums[0] = sums[1] = sum_of_double(0);
 	f->x = f->y = sum_of_double(2 * d);
 	f->dx = sum_of_double(p->width);
 	f->dy = sum_of_double(p->height);
@@ -61,9 +62,9 @@ static const char *cross_section(const struct projection *p, double d,
 	case EXTENT_FOVY:
 	case EXTENT_FOVX:
 	case EXTENT_VIEW_ANGLE:
-		given_x = p->extent == EXTENT_FOVX ||
+		sets_x = p->extent == EXTENT_FOVX ||
 		    (p->extent == EXTENT_VIEW_ANGLE && !wide);
-		set_scales(p->aspect, given_x, trig_cot(p->angle / 2, p->unit),
+		set_scales(p->aspect, sets_x, trig_cot(p->angle / 2, p->unit),
 		    1, f);
 		break;
 	case EXTENT_FIELD:
@@ -78,18 +79,18 @@ static const char *cross_section(const struct projection *p, double d,
 	case EXTENT_SIZE:
 		break;
 	case EXTENT_ANGLES:
-		tangents(p->left, p->right, p->unit, &f->x, &f->dx, &off[0]);
-		tangents(p->bottom, p->top, p->unit, &f->y, &f->dy, &off[1]);
+		tangents(p->left, p->right, p->unit, &f->x, &f->dx, &sums[0]);
+		tangents(p->bottom, p->top, p->unit, &f->y, &f->dy, &sums[1]);
 		break;
-	case EXTENT_INTRINSICS: /* edges are 0 and the viewport's size */
-		off[0] = f->dx;
-		off[1] = f->dy;
+	case EXTENT_INTRINSICS: /* edges from 0 to the viewport's size */
+		sums[0] = f->dx;
+		sums[1] = f->dy;
 		break;
 	case EXTENT_EDGES:
 		f->dx = sum_diff(p->right, p->left);
 		f->dy = sum_diff(p->top, p->bottom);
-		off[0] = sum_diff(p->left, -p->right);
-		off[1] = sum_diff(p->bottom, -p->top);
+		sums[0] = sum_diff(p->left, -p->right);
+		sums[1] = sum_diff(p->bottom, -p->top);
 		if (sum_sign(f->dx) == 0)
 			return "/projection/right: equal to left; "
 			       "the edges must differ";
@@ -101,9 +102,9 @@ static const char *cross_section(const struct projection *p, double d,
 	return NULL;
 }
 
-/* Sets zz / dz = f/(f-n) and tz / dz = -nf/(f-n). An infinite far gives the limits;
- * reverse_z exchanges near and far. Without planes, depth 1/w is the reversed depth of
- * n = 1 and an infinite far. */
+/* Sets zz / dz = f/(f-n) and tz / dz = -nf/(f-n) for near n and far f, or their limits
+ * for an infinite f. reverse_z exchanges n and f. Without planes, n = 1, an infinite f
+ * and reverse_z give the depth 1/w. */
 static void depth_column(const struct projection *p, struct scaled_matrix *f)
 {
 	double n = projection_is_open(p) ? 1 : p->near;
@@ -123,16 +124,16 @@ static void depth_column(const struct projection *p, struct scaled_matrix *f)
 }
 
 /* Computes the rows (x 0 0 0), (0 y 0 0), (-(l+r), -(b+t), zz, 1), (0 0 tz 0). With
- * intrinsics they map from the space into which intrinsics_matrix maps view space. */
+ * intrinsics they map the canonical space of intrinsics_matrix to clip space. */
 static const char *persp_matrix(const struct projection *p,
     const struct convention *c, struct scaled_matrix *f)
 {
-	double at = projection_is_by_p(p) ? 1 :
-	    p->edges_at > 0               ? p->edges_at :
-					    p->near;
-	bool down = projection_is_by_p(p) && !c->bottom_left;
-	struct sum off[2];
-	const char *why = cross_section(p, at, f, off);
+	double distance = projection_has_intrinsics(p) ? 1 :
+	    p->edges_at > 0                            ? p->edges_at :
+							 p->near;
+	bool down = projection_has_intrinsics(p) && !c->origin_bottom_left;
+	struct sum sums[2];
+	const char *why = cross_section(p, distance, f, sums);
 
 	if (why != NULL)
 		return why;
@@ -141,8 +142,8 @@ static const char *persp_matrix(const struct projection *p,
 		       "depth say \"reverse_z\": true";
 	f->d = sum_of_double(1);
 	depth_column(p, f);
-	f->zx = sum_neg(off[0]);
-	f->zy = sum_negated_if(!down, off[1]);
+	f->zx = sum_neg(sums[0]);
+	f->zy = sum_negated_if(!down, sums[1]);
 	f->zw = sum_of_double(1);
 	return NULL;
 }
@@ -152,8 +153,8 @@ static const char *ortho_matrix(const struct projection *p,
 {
 	double a = p->reverse_z ? p->far : p->near;
 	double b = p->reverse_z ? p->near : p->far;
-	struct sum off[2];
-	const char *why = cross_section(p, 1, f, off);
+	struct sum sums[2];
+	const char *why = cross_section(p, 1, f, sums);
 
 	if (why != NULL)
 		return why;
@@ -164,8 +165,8 @@ static const char *ortho_matrix(const struct projection *p,
 		       "the planes must differ";
 	f->zz = sum_of_double(1);
 	f->tz = sum_of_double(-a);
-	f->tx = sum_neg(off[0]);
-	f->ty = sum_neg(off[1]);
+	f->tx = sum_neg(sums[0]);
+	f->ty = sum_neg(sums[1]);
 	f->tw = sum_of_double(1);
 	return NULL;
 }
@@ -181,7 +182,7 @@ static const char *oblique_matrix(const struct projection *p,
 	if (why != NULL)
 		return why;
 	if (p->kind == OBLIQUE_ANGLE)
-		cot = trig_cot(p->projector, p->unit);
+		cot = trig_cot(p->projector_angle, p->unit);
 	f->zx = sum_mul(cot, trig_cos(p->direction, p->direction_unit));
 	f->zx = sum_mul(f->zx, f->x);
 	f->zy = sum_mul(cot, trig_sin(p->direction, p->direction_unit));
@@ -191,7 +192,7 @@ static const char *oblique_matrix(const struct projection *p,
 	return NULL;
 }
 
-/* Sets x / dx = 1/hw and y / dy = 1/hh. */
+/* Sets x / dx and y / dy to 1 over the half width and 1 over the half height. */
 static void volume_section(const struct projection *p, struct scaled_matrix *f)
 {
 	bool wide = p->aspect[0] >= p->aspect[1];
@@ -203,8 +204,8 @@ static void volume_section(const struct projection *p, struct scaled_matrix *f)
 		set_scales(p->aspect, !wide, f->x, p->half_width, f);
 }
 
-/* Computes 1/z of the eye from the view angle: +-tan(angle/2)/min(hw, hh), with the
- * sign of zn - zf. */
+/* Computes 1/z of the eye from the view angle: +-tan(angle/2) over the smaller of half
+ * width and half height, with the sign of z_near - z_far. */
 static void inverse_eye_of_angle(const struct projection *p,
     struct sum *numerator, struct sum *denominator)
 {
@@ -225,22 +226,23 @@ static void inverse_eye_of_angle(const struct projection *p,
 void projection_inverse_eye_z(const struct projection *p, struct sum *numerator,
     struct sum *denominator)
 {
-	if (p->eye_by == EYE_BY_ANGLE && p->angle > 0) {
+	if (p->eye_given_by == EYE_BY_ANGLE && p->angle > 0) {
 		inverse_eye_of_angle(p, numerator, denominator);
 		return;
 	}
-	*numerator = sum_of_double(p->eye_by == EYE_GIVEN ? 1 :
-		p->eye_by == EYE_BY_ANGLE                 ? 0 :
-							    p->inverse_eye_z);
-	*denominator = sum_of_double(p->eye_by == EYE_GIVEN ? p->eye[2] : 1);
+	*numerator = sum_of_double(p->eye_given_by == EYE_BY_POINT ? 1 :
+		p->eye_given_by == EYE_BY_ANGLE                    ? 0 :
+						  p->inverse_eye_z);
+	*denominator = sum_of_double(
+	    p->eye_given_by == EYE_BY_POINT ? p->eye[2] : 1);
 }
 
-static const char *eye_plane_crosses(const struct projection *p)
+static const char *eye_plane_refusal(const struct projection *p)
 {
-	if (p->eye_by == EYE_BY_ANGLE)
+	if (p->eye_given_by == EYE_BY_ANGLE)
 		return "/projection/view_angle: the eye plane crosses the "
 		       "volume; choose a smaller one, or move z_near";
-	return p->eye_by == EYE_GIVEN ?
+	return p->eye_given_by == EYE_BY_POINT ?
 	    "/projection/eye: its plane crosses the volume; "
 	    "move it before z_near or beyond z_far" :
 	    "/projection/inverse_eye_z: the eye plane crosses "
@@ -249,9 +251,10 @@ static const char *eye_plane_crosses(const struct projection *p)
 }
 
 /* Computes the rows (x 0 0 0), (0 y 0 0), (-tx x, -ty y, -an, -qn), (0, 0, an zn, qd),
- * which are multiplied by qd. q = qn / qd is 1/z of the eye. w is an / qd = 1 - zf q on
- * the far plane and bn / qd = 1 - zn q on the near plane. If the signs of an and bn
- * differ, the eye plane is inside the volume. */
+ * with x and y of volume_section times qd, and tx and ty the tangents of the skew.
+ * q = qn / qd is 1/z of the eye. w is an / qd = 1 - zf q at z_far and
+ * bn / qd = 1 - zn q at z_near. If an and bn differ in sign, the eye plane is inside
+ * the volume. */
 static const char *volume_matrix(const struct projection *p,
     struct scaled_matrix *f)
 {
@@ -263,7 +266,7 @@ static const char *volume_matrix(const struct projection *p,
 	if (sum_sign(f->dz) == 0)
 		return "/projection/z_far: equal to z_near; "
 		       "the planes must differ";
-	if (p->eye_by == EYE_GIVEN && p->eye[2] == 0)
+	if (p->eye_given_by == EYE_BY_POINT && p->eye[2] == 0)
 		return "/projection/eye: its z is 0, in the rectangle's "
 		       "plane; move the eye off it";
 	projection_inverse_eye_z(p, &qn, &qd);
@@ -271,9 +274,9 @@ static const char *volume_matrix(const struct projection *p,
 	struct sum bn = sum_sub(qd, sum_mul(qn, zn));
 
 	if (sum_sign(an) * sum_sign(bn) <= 0)
-		return eye_plane_crosses(p);
+		return eye_plane_refusal(p);
 	for (int k = 0; k < 2; k++)
-		skew[k] = p->eye_by == EYE_GIVEN ?
+		skew[k] = p->eye_given_by == EYE_BY_POINT ?
 		    sum_of_double(p->eye[k]) :
 		    sum_mul(sum_of_double(p->tan_skew[k]), qd);
 	f->zx = sum_neg(sum_mul(skew[0], f->x));
@@ -300,10 +303,10 @@ static void map_of_scaled(const struct scaled_matrix *f, struct map *r)
 	map_divide_column(r, 2, f->dz);
 }
 
-/* Returns the inverse, by blocks of 2x2. Its diagonal blocks are the inverses of A = (x
- * 0; 0 y) and of B = (zz zw; tz tw), whose determinant is det. With C = (zx zy; tx ty)
- * the third block is minus inverse(B) C inverse(A). The divisors of columns become
- * factors of rows. */
+/* Returns the inverse, by blocks of 2x2. Its diagonal blocks are the inverses of
+ * A = (x 0; 0 y) and of B = (zz zw; tz tw), whose determinant is det. With
+ * C = (zx zy; tx ty) the lower left block is minus inverse(B) C inverse(A). The
+ * divisors of columns become factors of rows. */
 static struct scaled_matrix scaled_inverse(const struct scaled_matrix *f)
 {
 	struct sum det = sum_minor(f->zz, f->tw, f->zw, f->tz);
@@ -334,8 +337,8 @@ static struct scaled_matrix scaled_inverse(const struct scaled_matrix *f)
 	};
 }
 
-/* Returns whether the last row if row, else the last column, is 0 0 1 0 or 0 0 -1 0. */
-static bool is_w_of_z(const double m[4][4], bool row)
+/* Returns whether the last column or, if row, the last row is 0 0 1 0 or 0 0 -1 0. */
+static bool w_is_z(const double m[4][4], bool row)
 {
 	bool is = true;
 
@@ -347,13 +350,13 @@ static bool is_w_of_z(const double m[4][4], bool row)
 	return is;
 }
 
-/* Returns whether the matrix looks like a perspective's transpose. */
+/* Returns whether the matrix looks like the transpose of a perspective matrix. */
 static bool is_transposed(const double m[4][4])
 {
 	bool is_affine = m[0][3] == 0 && m[1][3] == 0 && m[2][3] == 0 &&
 	    m[3][3] == 1;
 
-	return is_w_of_z(m, true) && !is_w_of_z(m, false) && !is_affine;
+	return w_is_z(m, true) && !w_is_z(m, false) && !is_affine;
 }
 
 static const char *projection_matrix_map(const struct projection *p,
@@ -371,12 +374,12 @@ static const char *projection_matrix_map(const struct projection *p,
 }
 
 /* Computes the affine matrix from view space to the canonical space, in which P would
- * have the rows 1 0 0 0, 0 1 0 0, 0 0 1 0. In both spaces x, y and z are X, Y and Z of
- * P up to signs. */
+ * have the rows 1 0 0 0, 0 1 0 0, 0 0 1 0. Both spaces have P's axes X, Y, Z up to
+ * signs. */
 static void intrinsics_matrix(const struct projection *p,
     const struct convention *c, double canonical[4][4])
 {
-	const double sign[4] = { 1, c->bottom_left ? 1 : -1, 1, 1 };
+	const double sign[4] = { 1, c->origin_bottom_left ? 1 : -1, 1, 1 };
 
 	for (int i = 0; i < 4; i++) {
 		for (int j = 0; j < 3; j++)
@@ -386,8 +389,7 @@ static void intrinsics_matrix(const struct projection *p,
 	}
 }
 
-/* Composes r with the map of intrinsics_matrix, which comes before r, or, if inverse,
- * with the inverse of that map, which comes after r. */
+/* Puts the map of intrinsics_matrix before r or, if inverse, its inverse after r. */
 static const char *append_intrinsics(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {
@@ -399,13 +401,14 @@ static const char *append_intrinsics(const struct projection *p,
 	if (inverse && !map_inverse(m, &canonical))
 		return "/projection/intrinsics: the left three columns of P "
 		       "are singular; it can't be inverted";
-	map_append(r, &canonical, !inverse);
+	map_multiply(r, &canonical, !inverse);
 	memset(r->origin, 0, sizeof r->origin);
 	return NULL;
 }
 
-/* Computes the matrix of a projection given by parameters, in the convention d3d. */
-static const char *scaled_of_projection(const struct projection *p,
+/* Computes the matrix of a projection that is given by parameters, in the convention
+ * d3d; but a volume's view space is that of c. */
+static const char *scaled_of_parameters(const struct projection *p,
     const struct convention *c, struct scaled_matrix *f)
 {
 	switch (p->type) {
@@ -427,7 +430,7 @@ static const char *scaled_of_projection(const struct projection *p,
 const char *projection_map(const struct projection *p,
     const struct convention *c, bool inverse, struct map *r)
 {
-	/* d3d, but a volume is given in view space */
+	/* the convention of scaled_of_parameters */
 	bool volume = p->type == PROJECTION_VOLUME;
 	const struct convention given = {
 		.right_handed = volume && c->right_handed,
@@ -442,23 +445,23 @@ const char *projection_map(const struct projection *p,
 	}
 	if (p->type == PROJECTION_MATRIX)
 		return projection_matrix_map(p, inverse, r);
-	const char *why = scaled_of_projection(p, c, &f);
+	const char *why = scaled_of_parameters(p, c, &f);
 
 	if (why != NULL)
 		return why;
 	if (inverse)
 		f = scaled_inverse(&f);
 	map_of_scaled(&f, r);
-	if (projection_is_by_p(p))
+	if (projection_has_intrinsics(p))
 		why = append_intrinsics(p, c, inverse, r);
 	convention_change(&given, c, false, !inverse, r);
 	convention_change(&given, c, true, inverse, r);
 	return why;
 }
 
-/* Returns whether the matrix of a parallel projection contains a camera that is turned.
- * Then depth depends on x or y, or y on x; or, if the scene has no camera, half a turn
- * mirrors x or y. */
+/* Returns whether a parallel projection's matrix contains a turned camera: depth
+ * depends on x or y, or y on x, or half a turn mirrors x or y in a scene without a
+ * camera. */
 static bool contains_camera(const struct projection *p,
     const struct convention *c)
 {
@@ -467,10 +470,10 @@ static bool contains_camera(const struct projection *p,
 	bool mirrors = ((m[0][0] < 0) != (m[1][1] < 0)) != down;
 
 	return m[0][1] != 0 || m[0][2] != 0 || m[1][2] != 0 ||
-	    (p->alone && mirrors);
+	    (p->without_camera && mirrors);
 }
 
-/* On the z axis of ndc 1/w = z m[2][3] + m[3][3], where m is the inverse. 1/w is larger
+/* 1/w is z m[2][3] + m[3][3] on the z axis of ndc, where m is the inverse, and larger
  * at the near plane. */
 bool projection_is_reversed(const struct projection *p,
     const struct convention *c)

@@ -1,69 +1,69 @@
 /* SPDX-License-Identifier: MIT */
-/* The projection: the map from view to clip space and back. */
+/* Projections, which map view to clip space. */
 #ifndef PROJECTION_H
 #define PROJECTION_H
 
 #include "camera.h"
 
-/* The members that give the cross-section of persp (on the near plane), ortho and
- * oblique, in the order of the table of their members. */
+/* The members that give the cross-section of persp, ortho and oblique, in the order of
+ * projection_ways in cmd/scene. persp has it on the near plane or at edges_at. */
 enum extent {
-	EXTENT_FOVY, /* angle, aspect */
-	EXTENT_FOVX,
-	EXTENT_VIEW_ANGLE, /* across the smaller side, aspect */
+	EXTENT_FOVY,       /* angle from bottom to top, aspect */
+	EXTENT_FOVX,       /* angle from left to right, aspect */
+	EXTENT_VIEW_ANGLE, /* angle across the smaller side, aspect */
 	EXTENT_FIELD,      /* half the larger side at unit distance, aspect */
 	EXTENT_SIZE,       /* width, height */
 	EXTENT_WIDTH,      /* width, aspect */
 	EXTENT_HEIGHT,     /* height, aspect */
-	EXTENT_EDGES,
-	EXTENT_ANGLES,     /* between the edges and the gaze */
+	EXTENT_EDGES,      /* left, right, bottom, top */
+	EXTENT_ANGLES,     /* the angles from the gaze to these edges */
 	EXTENT_INTRINSICS, /* the matrix from view space to pixels */
 };
 
 struct projection {
 	enum {
-		PROJECTION_NONE, /* identity */
+		PROJECTION_NONE, /* the identity */
 		PROJECTION_PERSP,
 		PROJECTION_ORTHO,
 		PROJECTION_OBLIQUE,
 		PROJECTION_VOLUME,
-		PROJECTION_MATRIX, /* the last: tests sample the types up to it */
+		PROJECTION_MATRIX, /* last, as tests sample all types below it */
 	} type;
 
 	enum angle_unit unit; /* of all angles but direction */
 	enum extent extent;
-	double angle;         /* of view, or the field of EXTENT_FIELD */
-	double aspect[2];     /* width / height; [1] is 0 where not given */
-	double width, height; /* of extent; by intrinsics, of the viewport */
+	double angle;         /* the angle of view, or EXTENT_FIELD's field */
+	double aspect[2];     /* width / height; [1] is 0 if not given */
+	double width, height; /* cross-section's; with intrinsics, viewport's */
 	double left, right, bottom, top;
-	double edges_at; /* the distance of the cross-section; 0 means near */
-	/* The rows of P, which maps X Y Z 1 to u w, v w, w. X is to the right, Y in the
-	 * direction of device y, and Z along the gaze. The pixels u and v are relative
-	 * to the viewport's corner. near and far are values of w. */
+	double edges_at; /* the distance of the cross-section; 0 for near */
+	/* The 3x4 matrix P, which maps X Y Z 1 in view space to u w, v w, w. X is to
+	 * the right, Y along device y, and Z along the gaze. The pixels u and v count
+	 * from the viewport's corner. near and far are values of w. */
 	double intrinsics[3][4];
-	/* In persp, far may be INFINITY. near 0 means that there are no near and far
-	 * planes; depth is then 1/w, reversed. */
+	/* In persp, far may be INFINITY. If near is 0, there are no near and far
+	 * planes, and depth is 1/w, with reverse_z set. */
 	double near, far;
-	bool reverse_z;
+	bool reverse_z;    /* depth is larger at near than at far */
 	double near_ratio; /* the least near / far that fit makes */
 
-	/* oblique */
+	/* PROJECTION_OBLIQUE */
 	enum { OBLIQUE_ANGLE, OBLIQUE_CAVALIER, OBLIQUE_CABINET } kind;
-	double projector; /* the angle between projectors and plane */
-	double direction; /* the angle from +x to receding lines */
+	double projector_angle; /* between projectors and the image plane */
+	double direction;       /* the angle from +x to receding lines */
 	enum angle_unit direction_unit;
-	double plane; /* the depth that the shear keeps */
+	double plane; /* the depth at which the shear moves no point */
 
-	/* volume; with an aspect, each half size is half the smaller side */
+	/* PROJECTION_VOLUME; with an aspect, each half size is half the smaller side */
 	double half_width, half_height, z_near, z_far;
-	double inverse_eye_z, tan_skew[2];
-	double eye[3]; /* in view space */
+	double inverse_eye_z, tan_skew[2]; /* x/z and y/z of the axis */
+	double eye[3];                     /* in view space */
 	/* The member that gives the eye: inverse_eye_z, eye, or angle, where angle 0
-	 * means parallel. The table of members has the same order. */
-	enum { EYE_BY_Z, EYE_GIVEN, EYE_BY_ANGLE } eye_by;
+	 * makes a parallel projection. projection_ways has the same order. */
+	enum { EYE_BY_INVERSE_Z, EYE_BY_POINT, EYE_BY_ANGLE } eye_given_by;
 
 	double matrix[4][4];
-	bool alone; /* no camera: the matrix may contain one */
+	bool without_camera; /* if set, the matrix may contain one */
 };
 
 /* Returns whether the projection is a persp without near and far planes. */
@@ -72,16 +72,15 @@ static inline bool projection_is_open(const struct projection *p)
 	return p->type == PROJECTION_PERSP && p->near == 0;
 }
 
-/* Returns whether the projection is a persp that gives its cross-section on the near
- * plane. */
-static inline bool projection_is_by_near(const struct projection *p)
+/* Returns whether p is a persp whose size or edges are given on the near plane. */
+static inline bool projection_is_given_at_near(const struct projection *p)
 {
 	return p->type == PROJECTION_PERSP && p->edges_at == 0 &&
 	    p->extent >= EXTENT_SIZE && p->extent <= EXTENT_EDGES;
 }
 
 /* Returns whether the projection is a persp given by the intrinsics P. */
-static inline bool projection_is_by_p(const struct projection *p)
+static inline bool projection_has_intrinsics(const struct projection *p)
 {
 	return p->type == PROJECTION_PERSP && p->extent == EXTENT_INTRINSICS;
 }
@@ -92,32 +91,32 @@ static inline bool projection_is_tilted(const struct projection *p)
 {
 	const double *w = p->intrinsics[2];
 
-	return projection_is_by_p(p) && (w[0] != 0 || w[1] != 0 || w[2] != 1);
+	return projection_has_intrinsics(p) &&
+	    (w[0] != 0 || w[1] != 0 || w[2] != 1);
 }
 
-/* Returns w at the eye, the difference of w and the distance along the gaze, 0 if P is
- * tilted. */
+/* Returns the offset of w from the distance along the gaze, which is w at the eye.
+ * Returns 0 without P, or if P is tilted. */
 static inline double projection_w_at_eye(const struct projection *p)
 {
-	bool offset = projection_is_by_p(p) && !projection_is_tilted(p);
+	bool offset = projection_has_intrinsics(p) && !projection_is_tilted(p);
 
 	return offset ? p->intrinsics[2][3] : 0;
 }
 
-/* Computes 1/z of a volume's eye in view space as a quotient by an exact number. */
+/* Computes 1/z of a volume's eye in view space. The denominator is exact. */
 void projection_inverse_eye_z(const struct projection *, struct sum *numerator,
     struct sum *denominator);
 
-/* Computes the matrix of projcalc(1), FORMULAS, or its inverse. Returns NULL, or the
- * member and the reason. */
+/* Computes the map from view to clip space, or its inverse, as projcalc(1), FORMULAS
+ * says. Returns NULL, or the member and the reason. */
 const char *projection_map(const struct projection *, const struct convention *,
     bool inverse, struct map *);
 
-/* Returns whether the near plane has ndc depth 1. A matrix, and the identity that
- * stands for no projection, do not say which plane is near. The near plane is then the
- * plane of the smaller positive w or, if w is constant, the first plane along the
- * convention's gaze. A parallel matrix that contains a turned or mirrored camera is
- * never reversed. */
+/* Returns whether the near plane has ndc depth 1. A matrix, or the identity without a
+ * projection, does not say which plane is near. The near plane is then the plane of the
+ * smaller positive w or, if w is constant, the plane that the convention's gaze meets
+ * first. A parallel matrix with a turned or mirrored camera is never reversed. */
 bool projection_is_reversed(const struct projection *,
     const struct convention *);
 

@@ -8,7 +8,7 @@ bool scene_is_size(double v)
 	return v >= SIZE_MIN && v <= MAGNITUDE_MAX;
 }
 
-static bool are_numbers(int n, const double *v)
+static bool are_in_range(int n, const double *v)
 {
 	bool are = true;
 
@@ -17,8 +17,8 @@ static bool are_numbers(int n, const double *v)
 	return are;
 }
 
-/* Returns whether the cross-section is valid if it was computed. The reader of a
- * document has checked the forms that are never computed. */
+/* Returns whether a cross-section that was computed is valid. Extents other than these
+ * three are never computed; the reader of the document has checked them. */
 static bool has_valid_section(const struct scene *s)
 {
 	const struct projection *p = &s->projection;
@@ -27,26 +27,26 @@ static bool has_valid_section(const struct scene *s)
 	if (p->extent == EXTENT_SIZE)
 		return scene_is_size(p->width) && scene_is_size(p->height);
 	if (p->extent == EXTENT_EDGES)
-		return are_numbers(4, &p->left) && p->left != p->right &&
+		return are_in_range(4, &p->left) && p->left != p->right &&
 		    p->bottom != p->top;
 	return p->extent != EXTENT_INTRINSICS ||
 	    (s->has_viewport && s->viewport.scale == SCALE_FILL &&
 		scene_is_size(fabs(k[0][0])) && scene_is_size(fabs(k[1][1])) &&
-		are_numbers(8, k[0]));
+		are_in_range(8, k[0]));
 }
 
 bool scene_is_valid(const struct scene *s)
 {
 	const struct projection *p = &s->projection;
-	bool planes = are_numbers(2, &p->near) && p->near != p->far;
+	bool planes = are_in_range(2, &p->near) && p->near != p->far;
 
 	if (p->type == PROJECTION_VOLUME)
-		planes = are_numbers(2, &p->z_near);
+		planes = are_in_range(2, &p->z_near);
 	else if (p->type == PROJECTION_PERSP)
 		planes = projection_is_open(p) ||
 		    (scene_is_size(p->near) && p->near < p->far &&
 			(isinf(p->far) || scene_is_size(p->far)));
-	return are_numbers(3, s->camera.eye) && planes &&
+	return are_in_range(3, s->camera.eye) && planes &&
 	    (p->type == PROJECTION_VOLUME || has_valid_section(s));
 }
 
@@ -63,18 +63,18 @@ static const char *world_map(const struct scene *s, bool inverse, struct map *r)
 	return NULL;
 }
 
-/* Computes the map of a stage, from space below to the next one, or its inverse. */
-static const char *scene_stage(const struct scene *s, int below, bool inverse,
+/* Computes the map from the space first to the next one, or its inverse. */
+static const char *map_to_next(const struct scene *s, int first, bool inverse,
     struct map *r)
 {
 	const struct convention *c = &s->convention, *to = answer_convention(s);
 	const char *why = NULL;
 
-	if (s->known[below][inverse] != NULL) {
-		*r = *s->known[below][inverse];
+	if (s->known[first][inverse] != NULL) {
+		*r = *s->known[first][inverse];
 		return NULL;
 	}
-	switch ((enum space)below) {
+	switch ((enum space)first) {
 	case SPACE_MODEL:
 		return world_map(s, inverse, r);
 	case SPACE_WORLD:
@@ -91,26 +91,26 @@ static const char *scene_stage(const struct scene *s, int below, bool inverse,
 			return "/viewport: missing; device coordinates need "
 			       "one, or use the space ndc";
 		return viewport_map(&s->viewport, to, inverse, r);
-	case SPACE_CLIP: /* ndc is clip space divided by w */
+	case SPACE_CLIP: /* the division by w follows the map */
 	case SPACE_DEVICE:
 		map_identity(r);
 		return NULL;
 	}
 	if (why != NULL)
 		return why;
-	convention_change(c, to, false, inverse == (below == SPACE_WORLD), r);
-	if (below == SPACE_VIEW)
+	convention_change(c, to, false, inverse == (first == SPACE_WORLD), r);
+	if (first == SPACE_VIEW)
 		convention_change(c, to, true, inverse, r);
 	return NULL;
 }
 
-/* Computes the map of a stage of the 2D window, as scene_stage does. */
-static const char *flat_stage(const struct scene *s, int below, bool inverse,
-    struct map *r)
+/* Computes the map from the 2D space first to the next one, or its inverse. */
+static const char *flat_map_to_next(const struct scene *s, int first,
+    bool inverse, struct map *r)
 {
 	const struct device *d = s->has_device ? &s->device : NULL;
 
-	return below == FLAT_WINDOW ? window_map(&s->window, d, inverse, r) :
+	return first == FLAT_WINDOW ? window_map(&s->window, d, inverse, r) :
 				      device_map(&s->device, inverse, r);
 }
 
@@ -130,13 +130,13 @@ static const char *compose(const struct scene *s, int from, int to,
 		if (why != NULL)
 			return why;
 		if (i > low)
-			map_append(r, &next, back);
+			map_multiply(r, &next, back);
 	}
 	return NULL;
 }
 
-/* Returns why if it is not NULL, else NULL or the reason why the map is refused. flat
- * says that it is the map of a 2D window. */
+/* Returns why, if it is not NULL, or the reason why the map r is refused, or NULL. flat
+ * means that r maps a 2D window. */
 static const char *check_range(const char *why, const struct map *r, bool flat)
 {
 	if (why != NULL)
@@ -157,30 +157,30 @@ static const char *check_range(const char *why, const struct map *r, bool flat)
 const char *scene_map(const struct scene *s, enum space from, enum space to,
     struct map *r)
 {
-	return check_range(compose(s, (int)from, (int)to, scene_stage, r), r,
+	return check_range(compose(s, (int)from, (int)to, map_to_next, r), r,
 	    false);
 }
 
 const char *scene_map_by_view(const struct scene *s, enum space from,
     enum space to, struct map *r, struct map *from_view)
 {
-	const char *why = compose(s, (int)from, SPACE_VIEW, scene_stage, r);
+	const char *why = compose(s, (int)from, SPACE_VIEW, map_to_next, r);
 
 	if (why == NULL)
-		why = compose(s, SPACE_VIEW, (int)to, scene_stage, from_view);
+		why = compose(s, SPACE_VIEW, (int)to, map_to_next, from_view);
 	if (why == NULL)
-		map_append(r, from_view, false);
+		map_multiply(r, from_view, false);
 	return check_range(why, r, false);
 }
 
-const char *scene_flat_map(const struct scene *s, enum flat from, enum flat to,
-    struct map *r)
+const char *scene_flat_map(const struct scene *s, enum flat_space from,
+    enum flat_space to, struct map *r)
 {
-	return check_range(compose(s, (int)from, (int)to, flat_stage, r), r,
-	    true);
+	return check_range(compose(s, (int)from, (int)to, flat_map_to_next, r),
+	    r, true);
 }
 
-const char *scene_shown(const struct scene *s, struct shown *w)
+const char *scene_window_extent(const struct scene *s, struct window_extent *w)
 {
 	struct map out, back;
 	const char *why = scene_flat_map(s, FLAT_WINDOW,

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "window.h"
 
-/* Sets coordinate i to x' = (x n + t) / d, or its inverse x = (x' d - t) / n. The
- * denominator becomes a factor of the map's divisor. */
+/* Sets coordinate i of a map to x' = (x n + t) / d, or to its inverse
+ * x = (x' d - t) / n. The denominator becomes a factor of the map's divisor. */
 static void window_axis(struct map *r, int i, struct sum n, struct sum t,
     struct sum d, bool inverse)
 {
@@ -11,7 +11,7 @@ static void window_axis(struct map *r, int i, struct sum n, struct sum t,
 	map_divide_column(r, i, inverse ? n : d);
 }
 
-/* Sets coordinate i to x' = x n / d + offset of an ndc x, or the inverse. */
+/* Sets coordinate i of a map from ndc to x' = x n / d + offset, or to its inverse. */
 static void ndc_axis(struct map *r, int i, struct sum n, double d,
     struct sum offset, bool inverse)
 {
@@ -45,9 +45,8 @@ static const char *window_shape(const struct window *w, struct sum size[2],
 	return NULL;
 }
 
-/* Gives the window the aspect of the device. The new size is size / divisor. ADAPT_GROW
- * enlarges the side that is too short, ADAPT_SHRINK reduces the side that is too
- * long. */
+/* Gives the window the device's aspect; its size becomes size / divisor. ADAPT_GROW
+ * enlarges the side that is too short, ADAPT_SHRINK reduces the other side. */
 static void window_adapt(const struct window *w, const struct device *d,
     struct sum size[2], double divisor[2])
 {
@@ -75,7 +74,7 @@ const char *window_map(const struct window *w, const struct device *d,
 		window_adapt(w, d, size, divisor);
 	map_identity(r);
 	for (int i = 0; i < 2; i++) {
-		/* c / zoom = about + (center - about) / zoom */
+		/* the centre after zoom: c / zoom = about + (center - about) / zoom */
 		struct sum about = w->has_about ? sum_of_double(w->about[i]) :
 						  center[i];
 		struct sum c = sum_add(sum_sub(center[i], about),
@@ -91,9 +90,9 @@ const char *window_map(const struct window *w, const struct device *d,
 	return NULL;
 }
 
-/* Writes how many pixels a unit of ndc covers in x and y: half the sides with
- * SCALE_FILL. */
-static void scales(const struct viewport *v, double s[2])
+/* Writes the pixels per unit of ndc x and y. With SCALE_FILL they are half the
+ * sides. */
+static void viewport_scales(const struct viewport *v, double s[2])
 {
 	double larger = fmax(v->width, v->height);
 
@@ -111,7 +110,7 @@ void viewport_limits(const struct viewport *v, struct sum half[2],
 	double s[2] = { 1, 1 };
 
 	if (v != NULL)
-		scales(v, s);
+		viewport_scales(v, s);
 	half[0] = sum_of_double(v != NULL ? v->width / 2 : 1);
 	half[1] = sum_of_double(v != NULL ? v->height / 2 : 1);
 	for (int k = 0; k < 2; k++)
@@ -128,17 +127,17 @@ const char *viewport_map(const struct viewport *v, const struct convention *c,
 	if (inverse && sum_sign(depth) == 0)
 		return "/viewport/max_z: equal to min_z; "
 		       "depth can't be inverted then";
-	scales(v, s);
-	if (c->ndc_y_down == c->bottom_left)
+	viewport_scales(v, s);
+	if (c->ndc_y_down == c->origin_bottom_left)
 		s[1] = -s[1];
-	if (c->minus_one)
+	if (c->depth_minus_one)
 		min = sum_scale(sum_diff(v->min_z, -v->max_z), 0.5);
 	map_identity(r);
 	ndc_axis(r, 0, sum_of_double(s[0]), 1, sum_diff(v->x, -v->width / 2),
 	    inverse);
 	ndc_axis(r, 1, sum_of_double(s[1]), 1, sum_diff(v->y, -v->height / 2),
 	    inverse);
-	ndc_axis(r, 2, depth, c->minus_one ? 2 : 1, min, inverse);
+	ndc_axis(r, 2, depth, c->depth_minus_one ? 2 : 1, min, inverse);
 	return NULL;
 }
 
@@ -146,7 +145,7 @@ const char *device_map(const struct device *d, bool inverse, struct map *r)
 {
 	const struct viewport v = { d->x, d->y, d->width, d->height, 0, 1,
 		SCALE_FILL, { 0 } };
-	const struct convention c = { .bottom_left = !d->top_left };
+	const struct convention c = { .origin_bottom_left = !d->top_left };
 
 	return viewport_map(&v, &c, inverse, r);
 }

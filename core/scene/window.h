@@ -7,25 +7,24 @@
 
 struct window {
 	double center[2], width, height;
-	unsigned
-	    by_edges; /* 1: given by its edges, 0: by its centre and size */
+	unsigned by_edges; /* 0: center, width and height; 1: edges */
 	double left, right, bottom, top;
-	double pan[2];
-	double zoom; /* 2 shows half the extent; the default is 1 */
-	bool has_about;
+	double pan[2];   /* added to the centre */
+	double zoom;     /* 2 shows half the extent; the default is 1 */
+	bool has_about;  /* if not set, about is the centre */
 	double about[2]; /* the fixed point of the zoom */
 	enum { ADAPT_STRETCH, ADAPT_GROW, ADAPT_SHRINK } adapt;
 };
 
 struct device {
 	double x, y, width, height;
-	bool top_left;
+	bool top_left; /* the origin; false: bottom left */
 };
 
 struct viewport {
 	double x, y, width, height, min_z, max_z;
 	enum { SCALE_FILL, SCALE_UNIFORM, SCALE_GIVEN } scale;
-	double scales[2];
+	double scales[2]; /* of SCALE_GIVEN: pixels per unit of ndc x and y */
 };
 
 /* Computes the map from window to ndc, with pan, zoom and adapt, or its inverse. The
@@ -33,15 +32,15 @@ struct viewport {
 const char *window_map(const struct window *, const struct device *,
     bool inverse, struct map *);
 
-/* Compute the map from ndc to the 2D device, or to the 3D viewport with the
- * convention's depth range and origin, or its inverse. Return NULL, or the member and
- * the reason. */
+/* Compute the map from ndc to the 2D device, or to the 3D viewport with the depth range
+ * and origin of the convention, or the inverse. Return NULL, or the member and the
+ * reason. */
 const char *device_map(const struct device *, bool inverse, struct map *);
 const char *viewport_map(const struct viewport *, const struct convention *,
     bool inverse, struct map *);
 
-/* Computes the limits of ndc coordinates on the viewport: |x| scale[0] <= half[0], and
- * the same for y. Without a viewport (NULL) all are 1. */
+/* Computes the limits of the ndc coordinates that the viewport shows: |x| scale[0] <=
+ * half[0], and the same for y. Without a viewport (NULL) all are 1. */
 void viewport_limits(const struct viewport *, struct sum half[2],
     struct sum scale[2]);
 

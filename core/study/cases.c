@@ -151,7 +151,7 @@ static void depth_range(struct scene *s, double extent)
  * they are that far away, wherever near is. */
 static void normal_depth(struct scene *s, double distance_over_near)
 {
-	s->convention.minus_one = false;
+	s->convention.depth_minus_one = false;
 	s->projection.near = 1 / distance_over_near;
 	s->projection.far = HUGE_VAL;
 	s->viewport = (struct viewport){ .width = 1,

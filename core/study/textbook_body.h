@@ -175,7 +175,7 @@ static void NAME(put_depth)(const struct scene *s, MATRIX *r)
 		r->m[3][2] = n;
 	} else if (isinf(p->far)) {
 		r->m[2][2] = -1;
-		r->m[3][2] = s->convention.minus_one ? -2 * n : -n;
+		r->m[3][2] = s->convention.depth_minus_one ? -2 * n : -n;
 	} else {
 		r->m[2][2] = -(f + n) / (f - n);
 		r->m[3][2] = -(2 * f * n) / (f - n);
@@ -305,10 +305,10 @@ static MATRIX NAME(viewport)(const struct scene *s)
 
 	r.m[0][0] = w;
 	r.m[1][1] = h;
-	r.m[2][2] = s->convention.minus_one ? (max - min) / 2 : max - min;
+	r.m[2][2] = s->convention.depth_minus_one ? (max - min) / 2 : max - min;
 	r.m[3][0] = (REAL)v->x + w;
 	r.m[3][1] = (REAL)v->y + h;
-	r.m[3][2] = s->convention.minus_one ? (max + min) / 2 : min;
+	r.m[3][2] = s->convention.depth_minus_one ? (max + min) / 2 : min;
 	return r;
 }
 

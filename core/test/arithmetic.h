@@ -39,7 +39,7 @@ static inline ex ex_quotient(ex a, ex b)
 {
 	ex r;
 
-	ex_divide(&a, &b, EX_QUOTIENT, &r);
+	ex_divide(&a, &b, EX_QUOTIENT_WORDS, &r);
 	return r;
 }
 

@@ -23,7 +23,7 @@ static inline void claim(const char *what, double worst, double bound)
 }
 
 /* Claims of the maps that were compared: every element is the nearest double and
- * float, but for the few that TRUTH_RULE excuses, and within EX_BOUND u^2; sums are
+ * float, but for the few that TRUTH_RULE excuses, and within EX_ROUND_BOUND u^2; sums are
  * within their errors, and these below the rule's; zeros are where the truth has
  * zeros. */
 static inline void claim_bound(const char *what, const struct worst *w,
@@ -35,7 +35,7 @@ static inline void claim_bound(const char *what, const struct worst *w,
 	    n[NEAREST] + n[RULED], n[RULED]);
 	assert_int_equal(n[WRONG], 0);
 	assert_true(n[NEAREST] > 0 && n[RULED] <= n[NEAREST] / 100);
-	claim("dd", w->error, EX_BOUND);
+	claim("dd", w->error, EX_ROUND_BOUND);
 	assert_int_equal(w->beyond, 0);
 	claim("errors", w->bound, bound);
 	assert_int_equal(w->ghosts, 0);

@@ -90,7 +90,7 @@ static struct quotient normal_distance(real z, real slope, real w,
 static bool projector_of(const struct scene *s, const struct picture *t,
     int plane, struct projector *p)
 {
-	double low = truth_answer(s)->minus_one ? -1 : 0;
+	double low = truth_answer(s)->depth_minus_one ? -1 : 0;
 	bool deep = plane == 1 ? !t->reverse_z : t->reverse_z;
 	bool parallel = t->taxon <= TAXON_OBLIQUE;
 	real inverse[4][4], normal[3], gradient[3];

@@ -8,7 +8,8 @@
 
 /* Samples points on the edges, rounded in the space from, the next doubles, and other
  * points. */
-static void sample_edges(const struct scene *s, enum flat from, struct block *b)
+static void sample_edges(const struct scene *s, enum flat_space from,
+    struct block *b)
 {
 	struct transform t;
 	static struct block image;
@@ -59,7 +60,7 @@ static void check_edges(const struct truth *to_ndc, const double p[2],
 	assert_int_equal(out >> 4, 0);
 }
 
-static void check_block(const struct scene *s, enum flat from,
+static void check_block(const struct scene *s, enum flat_space from,
     const struct frustum *f, const struct block *b, struct count *c)
 {
 	/* a third coordinate is ignored */
@@ -96,7 +97,7 @@ static void edges_agree_with_mpfr(void **state)
 	sample_seed(1);
 	for (int k = 0; k < 600; k++) {
 		struct scene s = { .has_device = true, .has_window = true };
-		enum flat from = sample_below(3);
+		enum flat_space from = sample_below(3);
 		int mark = real_mark();
 
 		points_choose(copies[k %

@@ -13,7 +13,7 @@ static void corners_of(const struct scene *s, real low[3], real high[3])
 	truth_limits(s, high);
 	low[0] = negative(high[0]);
 	low[1] = negative(high[1]);
-	low[2] = number(truth_answer(s)->minus_one ? -1 : 0);
+	low[2] = number(truth_answer(s)->depth_minus_one ? -1 : 0);
 	high[2] = number(1);
 }
 

@@ -192,7 +192,7 @@ static void rounded(void **state)
 		first = fmax(first, relative(number_ex(ex_truncate(a, 3)), x));
 		real_release(mark);
 	}
-	claim("ex_round", round * 0x1p106, EX_BOUND);
+	claim("ex_round", round * 0x1p106, EX_ROUND_BOUND);
 	claim("ex_truncate of 3", first, 0x1p-128);
 	for (int i = 0; i < 20 * TRIES; i++) {
 		int mark = real_mark(), e = (int)sample_below(2300) - 1150;

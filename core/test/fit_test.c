@@ -414,7 +414,7 @@ static void sample_fit(struct scene *s, int e)
 	p->bottom = sample_size(1);
 	p->top = -p->bottom;
 	p->near = sample_size(1);
-	p->projector = sample_between(20, 90);
+	p->projector_angle = sample_between(20, 90);
 	if (p->extent == EXTENT_ANGLES) {
 		p->unit = DEGREES;
 		p->left = sample_between(-60, -10);

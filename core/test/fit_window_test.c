@@ -208,10 +208,10 @@ static void refusals(void **state)
 	assert_null(fit_window(&s, &b));
 }
 
-static void check_shown(const struct scene *s, const struct shown *w)
+static void check_shown(const struct scene *s, const struct window_extent *w)
 {
 	struct truth back = { 0 }, out = { 0 };
-	enum flat to = s->has_device ? FLAT_DEVICE : FLAT_NDC;
+	enum flat_space to = s->has_device ? FLAT_DEVICE : FLAT_NDC;
 
 	truth_flat(s, FLAT_NDC, FLAT_WINDOW, &back);
 	truth_flat(s, FLAT_WINDOW, to, &out);
@@ -239,11 +239,11 @@ static void windows_are_shown(void **state)
 	sample_seed(2);
 	for (int i = 0; i < 900; i++) {
 		struct scene s = { .has_device = sample_below(4) > 0 };
-		struct shown w;
+		struct window_extent w;
 		int mark = real_mark();
 
 		sample_flat(&s.window, &s.device, e[i % 3]);
-		if (scene_shown(&s, &w) == NULL) {
+		if (scene_window_extent(&s, &w) == NULL) {
 			check_shown(&s, &w);
 			shown++;
 		}

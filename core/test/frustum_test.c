@@ -36,7 +36,8 @@ static struct form limit_of(real limit)
 static bool is_reversed(const struct scene *s)
 {
 	struct truth back = { 0 };
-	const double near[4] = { 0, 0, truth_answer(s)->minus_one ? -1 : 0, 1 };
+	const double near[4] = { 0, 0,
+		truth_answer(s)->depth_minus_one ? -1 : 0, 1 };
 	const double far[4] = { 0, 0, 1, 1 };
 
 	if (s->projection.type != PROJECTION_MATRIX)
@@ -78,7 +79,7 @@ static void planes_of(const struct scene *s, const struct form q[4],
 			high = !high;
 		if (k >= 4 && reversed)
 			high = !high;
-		if (k >= 4 && !high && !truth_answer(s)->minus_one)
+		if (k >= 4 && !high && !truth_answer(s)->depth_minus_one)
 			limit = form_of(0);
 		limit = form_mul(limit, q[3]);
 		form[k] = high ? form_sub(limit, q[k / 2]) :

@@ -140,7 +140,7 @@ static void quotients(void **state)
 	mpz_inits(x, y, q, rest, NULL);
 	for (int i = 0; i < 1000 * tries; i++) {
 		ex a = any(EX_WORDS), b = any(EX_WORDS), r;
-		int n = 2 + (int)sample_below(EX_QUOTIENT - 1);
+		int n = 2 + (int)sample_below(EX_QUOTIENT_WORDS - 1);
 
 		if (sample_below(2)) {
 			a = any(EX_WORDS / 2);

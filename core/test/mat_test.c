@@ -95,7 +95,7 @@ static void products(void **state)
 			map_of_doubles(p.matrix, &next);
 			before = m;
 			m = before;
-			map_append(&m, &next, false);
+			map_multiply(&m, &next, false);
 			truth_projection(&t, &p, &d3d);
 		}
 		truth_compose(&t);
@@ -119,7 +119,7 @@ static void round_trips(void **state)
 		if (!map_inverse(p.matrix, &back))
 			continue;
 		m = there;
-		map_append(&m, &back, false);
+		map_multiply(&m, &back, false);
 		for (int k = 0; k < 16; k++)
 			assert_true(
 			    element(&m, k / 4, k % 4) == (k / 4 == k % 4));
@@ -145,10 +145,10 @@ static void identity(void **state)
 	map_identity(&one);
 	assert_null(scene_map(&s, SPACE_WORLD, SPACE_VIEW, &a));
 	b = one;
-	map_append(&b, &a, false);
+	map_multiply(&b, &a, false);
 	assert_same(&a, &b);
 	b = a;
-	map_append(&b, &one, false);
+	map_multiply(&b, &one, false);
 	assert_same(&a, &b);
 }
 

@@ -139,7 +139,7 @@ static void corner_at(const struct scene *s, const struct truth *back,
     const real limit[2], bool reversed, bool far, int side, struct form h[4])
 {
 	double up = truth_answer(s)->ndc_y_down ? -1 : 1;
-	double low = truth_answer(s)->minus_one ? -1 : 0;
+	double low = truth_answer(s)->depth_minus_one ? -1 : 0;
 	const double sign[4] = { -1, 1, -up, up };
 	struct form at = form_mul((struct form){ limit[side / 2],
 				      limit[side / 2] },
@@ -242,7 +242,8 @@ static void check_frustum_planes(const struct scene *s, const struct picture *r,
 	truth_scene(s, SPACE_WORLD, SPACE_CLIP, &t);
 	truth_limits(s, limit);
 	for (int k = 0; k < 6; k++) {
-		struct form v[4], most = form_of(sign[k] < 0 || c->minus_one);
+		struct form v[4],
+		    most = form_of(sign[k] < 0 || c->depth_minus_one);
 
 		if (k < 4)
 			most = (struct form){ limit[k / 2], limit[k / 2] };
@@ -373,7 +374,7 @@ static void to_one_matrix(struct scene *s)
 		s->projection.matrix[i / 4][i % 4] = element(&clip, i / 4,
 		    i % 4);
 	s->projection.type = PROJECTION_MATRIX;
-	s->projection.alone = true;
+	s->projection.without_camera = true;
 	s->has_camera = false;
 }
 
@@ -399,7 +400,7 @@ static void check_combined(const struct scene *s, const struct picture *r,
 	const struct projection *p = &r->scene.projection;
 	const struct camera *camera = &r->scene.camera;
 	const double edge[4] = { p->left, p->right, p->bottom, p->top };
-	const double first = c->minus_one ? -1 : 0,
+	const double first = c->depth_minus_one ? -1 : 0,
 		     distance[2] = { r->near, r->far };
 	real g[4][4], m[4][4], back[4][4], eye[3], n[3], up[3], right[3];
 

@@ -177,7 +177,7 @@ static void random_scenes(void **state)
 static void tiny_distances_are_exact(void **state)
 {
 	struct scene s = { .has_viewport = true,
-		.convention = { .bottom_left = true },
+		.convention = { .origin_bottom_left = true },
 		.viewport = { .x = -1,
 		    .y = -1,
 		    .width = 2,
@@ -217,7 +217,7 @@ static void what_rounds_onto_the_edge_is_outside(void **state)
 {
 	struct scene s = { .has_viewport = true,
 		.has_world = true,
-		.convention = { .bottom_left = true },
+		.convention = { .origin_bottom_left = true },
 		.world = { { 1 }, { 0x1p-60, 1 }, { 0, 0, 1 }, { 0, 0, 0, 1 } },
 		.viewport = { .x = -1,
 		    .y = -1,

@@ -211,7 +211,7 @@ static void ties_of_irrational_parts(void **state)
 		    .width = 1,
 		    .height = 1,
 		    .max_z = 1 },
-		.convention = { .bottom_left = true } };
+		.convention = { .origin_bottom_left = true } };
 	struct transform t;
 
 	(void)state;

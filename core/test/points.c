@@ -59,7 +59,7 @@ void sample_round_points(struct block *b, size_t n)
 static bool sample_flat_transform(struct scene *s, struct transform *t,
     struct truth *truth)
 {
-	enum flat from = sample_below(3), to = sample_below(3);
+	enum flat_space from = sample_below(3), to = sample_below(3);
 
 	if (flat_transform(s, from, to, t) != NULL)
 		return false;

@@ -77,7 +77,7 @@ static void through_zero(void **state)
 		p.inverse_eye_z = i % 2 ? -tiny[i / 4] : tiny[i / 4];
 		assert_null(compare(&p, i & 2 ? &gl : &d3d, &w));
 	}
-	p.eye_by = EYE_GIVEN;
+	p.eye_given_by = EYE_BY_POINT;
 	for (int i = 0; i < 20; i++) {
 		p.eye[0] = 5;
 		p.eye[2] = (i % 2 ? -1 : 1) * pow(10, 2 + 7 * i);
@@ -94,7 +94,7 @@ static void tapers(void **state)
 		.half_width = 3,
 		.half_height = 2,
 		.tan_skew = { 0.1, 0.7 },
-		.eye_by = EYE_BY_ANGLE,
+		.eye_given_by = EYE_BY_ANGLE,
 	};
 
 	(void)state;
@@ -228,7 +228,7 @@ static void refusals(void **state)
 	refused(&p, false, "/projection/inverse_eye_z");
 	p.inverse_eye_z = nextafter(1, 0);
 	assert_null(compare(&p, &d3d, &(struct worst){ 0 }));
-	p.eye_by = EYE_GIVEN;
+	p.eye_given_by = EYE_BY_POINT;
 	refused(&p, false, "/projection/eye");
 	p.eye[2] = 0.5;
 	refused(&p, true, "/projection/eye");

@@ -88,9 +88,9 @@ void sample_convention(struct convention *c)
 	*c = known[sample_below(5)];
 	if (sample_below(4) == 0) {
 		c->right_handed = sample_below(2);
-		c->minus_one = sample_below(2);
+		c->depth_minus_one = sample_below(2);
 		c->ndc_y_down = sample_below(2);
-		c->bottom_left = sample_below(2);
+		c->origin_bottom_left = sample_below(2);
 		c->view_y_down = sample_below(2);
 	}
 }
@@ -268,12 +268,12 @@ static void seven(struct projection *p, int e)
 	vector(p->eye, e);
 	memcpy(p->tan_skew, p->eye, sizeof p->tan_skew);
 	p->eye[2] *= e > 0 ? 1 : 10;
-	p->eye_by = sample_below(2);
+	p->eye_given_by = sample_below(2);
 	if (p->type != PROJECTION_VOLUME)
 		return;
-	if (p->eye_by == EYE_BY_Z && sample_below(2))
-		p->eye_by = EYE_BY_ANGLE;
-	if (p->eye_by == EYE_BY_ANGLE && sample_below(4) == 0)
+	if (p->eye_given_by == EYE_BY_INVERSE_Z && sample_below(2))
+		p->eye_given_by = EYE_BY_ANGLE;
+	if (p->eye_given_by == EYE_BY_ANGLE && sample_below(4) == 0)
 		p->angle = 0;
 	if (sample_below(2))
 		p->aspect[0] = p->aspect[1] = 0;
@@ -284,13 +284,14 @@ static void seven(struct projection *p, int e)
 /* Converts the angles to radians: about as wide, and as near to a right angle. */
 static void in_radians(struct projection *p)
 {
-	double *const angles[] = { &p->angle, &p->projector, &p->direction };
+	double *const angles[] = { &p->angle, &p->projector_angle,
+		&p->direction };
 
 	p->unit = sample_below(4) == 0 ? RADIANS : DEGREES;
 	p->direction_unit = p->unit;
 	for (int i = 0; i < 3 && p->unit == RADIANS; i++)
 		if (i > 0 || p->extent <= EXTENT_VIEW_ANGLE ||
-		    p->eye_by == EYE_BY_ANGLE)
+		    p->eye_given_by == EYE_BY_ANGLE)
 			*angles[i] = fmin(*angles[i] * (PI / 180),
 			    i == 0     ? PI :
 				i == 1 ? PI / 2 :
@@ -386,7 +387,7 @@ void sample_projection(struct projection *p, int e)
 	planes(p, e);
 	seven(p, e);
 	p->kind = sample_below(3);
-	p->projector = angle(e) / 2;
+	p->projector_angle = angle(e) / 2;
 	p->direction = 15 * whole(24);
 	in_radians(p);
 	if (p->extent == EXTENT_ANGLES)

@@ -76,8 +76,8 @@ static void around_all_conventions(void **state)
 {
 	static const struct convention known[] = { { 0 },
 		{ .right_handed = true,
-		    .minus_one = true,
-		    .bottom_left = true },
+		    .depth_minus_one = true,
+		    .origin_bottom_left = true },
 		{ .right_handed = true, .ndc_y_down = true },
 		{ .right_handed = true },
 		{ .right_handed = true,
@@ -138,7 +138,8 @@ static void one_picture(void **state)
 		sample_scene(&s, 0);
 		sample_answer(&s);
 		if (s.answer != NULL)
-			s.convention.bottom_left = s.answer->bottom_left;
+			s.convention.origin_bottom_left =
+			    s.answer->origin_bottom_left;
 		if (scene_map(&s, SPACE_MODEL, SPACE_DEVICE, &other) != NULL)
 			continue;
 		s.answer = NULL;
@@ -168,8 +169,8 @@ static void nowhere(void **state)
 		assert_identity(&m);
 	}
 	for (int space = FLAT_WINDOW; space <= FLAT_DEVICE; space++) {
-		assert_null(
-		    scene_flat_map(&s, (enum flat)space, (enum flat)space, &m));
+		assert_null(scene_flat_map(&s, (enum flat_space)space,
+		    (enum flat_space)space, &m));
 		assert_identity(&m);
 	}
 	/* clip to ndc only divides */

@@ -12,18 +12,18 @@
 #include <cmocka.h>
 #include "numbers.h"
 
-/* Returns a 0 with an error of SUM_ERROR. */
+/* Returns a 0 with an error of SUM_QUOTIENT_ERROR. */
 static struct sum nothing_of_one(void)
 {
-	struct sum one = sum_with_error(ex_of(1), SUM_ERROR);
+	struct sum one = sum_with_error(ex_of(1), SUM_QUOTIENT_ERROR);
 
 	return sum_sub(one, sum_of_double(1));
 }
 
-/* Asserts an error of 2^e SUM_ERROR: the greatest difference that counts as 0. */
+/* Asserts an error of 2^e SUM_QUOTIENT_ERROR: the greatest difference that counts as 0. */
 static void assert_error(struct sum nothing, int e)
 {
-	double none = ldexp(1, SUM_ERROR - EX_RANGE + e);
+	double none = ldexp(1, SUM_QUOTIENT_ERROR - EX_RANGE + e);
 
 	for (int minus = 0; minus < 2; minus++) {
 		struct sum least = sum_of_double(nextafter(none, HUGE_VAL));
@@ -54,7 +54,7 @@ static void errors_go_with_sums(void **state)
 	assert_error(sum_sub(nothing, sum_neg(nothing)), 1);
 	assert_error(sum_mul(sum_mul(nothing, eight), eight), 6);
 	assert_error(sum_mul(sum_add(nothing, sum_of_double(4)), nothing), 2);
-	assert_error(sum_mul(nothing, nothing), SUM_ERROR - EX_RANGE);
+	assert_error(sum_mul(nothing, nothing), SUM_QUOTIENT_ERROR - EX_RANGE);
 	for (int n = 1; n <= 4; n++) {
 		const struct sum a[5] = { eight, nothing, eight, nothing,
 			eight };
@@ -98,8 +98,8 @@ static void what_is_exact(void **state)
 	struct sum root = sum_sqrt(sum_of_double(4 + 0x1p-50));
 	struct sum third = sum_quotient(sum_of_double(1), sum_of_double(3));
 
-	assert_int_equal(root.error, 2 + SUM_ERROR);
-	assert_int_equal(third.error, -1 + SUM_ERROR);
+	assert_int_equal(root.error, 2 + SUM_QUOTIENT_ERROR);
+	assert_int_equal(third.error, -1 + SUM_QUOTIENT_ERROR);
 	assert_int_equal(sum_sign(sum_sub(sum_mul(root, root),
 			     sum_of_double(4 + 0x1p-50))),
 	    0);

@@ -60,7 +60,7 @@ static void obliques_have_their_names(void **state)
 	(void)state;
 	for (int angle = 0; angle <= 90; angle += 15) {
 		p->kind = angle > 0 ? OBLIQUE_ANGLE : OBLIQUE_CABINET;
-		p->projector = angle;
+		p->projector_angle = angle;
 		assert_null(picture_of(&s, &t));
 		assert_int_equal(t.taxon,
 		    angle == 90 ? TAXON_ORTHOGRAPHIC : TAXON_OBLIQUE);
@@ -92,8 +92,8 @@ static void eyes_are_on_their_side(void **state)
 		struct map m;
 
 		s.convention = (struct convention){ .right_handed = right,
-			.minus_one = k & 8,
-			.bottom_left = right };
+			.depth_minus_one = k & 8,
+			.origin_bottom_left = right };
 		*p = (struct projection){ .type = PROJECTION_VOLUME,
 			.half_width = 1,
 			.half_height = 1,

@@ -55,7 +55,7 @@ static void check_places(const struct scene *s, const struct picture *t,
 {
 	static const int side[4][2] = { { -1, -1 }, { 1, -1 }, { 1, 1 },
 		{ -1, 1 } };
-	double low = truth_answer(s)->minus_one ? -1 : 0;
+	double low = truth_answer(s)->depth_minus_one ? -1 : 0;
 	double up = truth_answer(s)->ndc_y_down ? -1 : 1;
 	struct truth truth;
 	struct form h[4];

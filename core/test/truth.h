@@ -36,7 +36,7 @@ void truth_compose(struct truth *);
  * them out. */
 void truth_scene(const struct scene *, enum space from, enum space to,
     struct truth *);
-void truth_flat(const struct scene *, enum flat from, enum flat to,
+void truth_flat(const struct scene *, enum flat_space from, enum flat_space to,
     struct truth *);
 
 /* Returns 1 if the camera looks along +z of view space, -1 for -z. */

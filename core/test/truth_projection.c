@@ -124,7 +124,7 @@ static void persp(const struct projection *p, const struct convention *c,
 	m[1][1] = s[1];
 	m[2][0] = negative(off[0]);
 	m[2][1] = negative(off[1]);
-	depth(p, c->minus_one, &m[2][2], &m[3][2]);
+	depth(p, c->depth_minus_one, &m[2][2], &m[3][2]);
 	m[2][3] = ONE;
 	m[3][3] = number(0);
 	for (int j = 0; j < 4; j++)
@@ -158,10 +158,10 @@ static void ortho(const struct projection *p, const struct convention *c,
 	cross_section(p, ONE, s, off);
 	m[0][0] = s[0];
 	m[1][1] = s[1];
-	m[2][2] = over(c->minus_one ? TWO : ONE, sub(f, n));
+	m[2][2] = over(c->depth_minus_one ? TWO : ONE, sub(f, n));
 	m[3][0] = negative(off[0]);
 	m[3][1] = negative(off[1]);
-	m[3][2] = negative(over(c->minus_one ? add(f, n) : n, sub(f, n)));
+	m[3][2] = negative(over(c->depth_minus_one ? add(f, n) : n, sub(f, n)));
 	if (c->right_handed)
 		m[2][2] = negative(m[2][2]);
 }
@@ -170,9 +170,11 @@ static void ortho(const struct projection *p, const struct convention *c,
  * along the gaze. */
 static void shear(const struct projection *p, bool right_handed, real m[4][4])
 {
-	real cot = p->kind == OBLIQUE_CAVALIER ? ONE :
-	    p->kind == OBLIQUE_CABINET         ? number(0.5) :
-					 cotangent(p->projector, p->unit, 1);
+	real cot = p->kind == OBLIQUE_CAVALIER ?
+	    ONE :
+	    p->kind == OBLIQUE_CABINET ?
+	    number(0.5) :
+	    cotangent(p->projector_angle, p->unit, 1);
 
 	m[2][0] = mul(cot, cosine(p->direction, p->direction_unit));
 	m[2][1] = mul(cot, sine(p->direction, p->direction_unit));
@@ -228,9 +230,9 @@ static void volume(const struct projection *p, bool minus_one,
 		else
 			hh = over(hh, aspect);
 	}
-	if (p->eye_by == EYE_BY_ANGLE)
+	if (p->eye_given_by == EYE_BY_ANGLE)
 		q = p->angle > 0 ? taper(p, hw, hh) : number(0);
-	if (p->eye_by == EYE_GIVEN) {
+	if (p->eye_given_by == EYE_BY_POINT) {
 		q = over(ONE, number(p->eye[2]));
 		tx = mul(number(p->eye[0]), q);
 		ty = mul(number(p->eye[1]), q);
@@ -250,7 +252,7 @@ static void volume(const struct projection *p, bool minus_one,
 
 	for (int i = 0; i < 16 && behind; i++)
 		m[i / 4][i % 4] = negative(m[i / 4][i % 4]);
-	if (p->eye_by == EYE_BY_ANGLE)
+	if (p->eye_given_by == EYE_BY_ANGLE)
 		size_depth(p, minus_one, q, s);
 }
 
@@ -261,7 +263,7 @@ static void pixels(struct truth *t, const struct projection *p,
     const struct convention *c)
 {
 	struct truth_stage *s = truth_stage(t);
-	double up = c->bottom_left ? 1 : -1;
+	double up = c->origin_bottom_left ? 1 : -1;
 	static const int column[3] = { 0, 1, 3 };
 	real a, b;
 
@@ -269,7 +271,7 @@ static void pixels(struct truth *t, const struct projection *p,
 		for (int i = 0; i < 4; i++)
 			s->m[i][column[j]] = number(
 			    p->intrinsics[j][i] * (i == 1 ? up : 1));
-	depth(p, c->minus_one, &a, &b);
+	depth(p, c->depth_minus_one, &a, &b);
 	for (int i = 0; i < 4; i++)
 		s->m[i][2] = mul(a, s->m[i][3]);
 	s->m[3][2] = add(s->m[3][2], b);
@@ -297,7 +299,7 @@ void truth_projection(struct truth *t, const struct projection *p,
 	    p->extent == EXTENT_INTRINSICS;
 
 	if (p->type == PROJECTION_OBLIQUE ||
-	    (p->type == PROJECTION_VOLUME && p->eye_by == EYE_BY_ANGLE) ||
+	    (p->type == PROJECTION_VOLUME && p->eye_given_by == EYE_BY_ANGLE) ||
 	    (sized &&
 		(p->extent <= EXTENT_VIEW_ANGLE || p->extent == EXTENT_ANGLES)))
 		t->irrational = true;
@@ -321,7 +323,7 @@ void truth_projection(struct truth *t, const struct projection *p,
 	if (p->type == PROJECTION_ORTHO || p->type == PROJECTION_OBLIQUE)
 		ortho(p, c, s->m);
 	if (p->type == PROJECTION_VOLUME)
-		volume(p, c->minus_one, s);
+		volume(p, c->depth_minus_one, s);
 	bool down = c->ndc_y_down;
 
 	if (p->type == PROJECTION_VOLUME)

@@ -176,11 +176,11 @@ static void viewport(struct truth *t, const struct viewport *v,
 	}
 	to_device(s, 0, v->x, v->width, sx);
 	to_device(s, 1, v->y, v->height,
-	    c->ndc_y_down == c->bottom_left ? negative(sy) : sy);
+	    c->ndc_y_down == c->origin_bottom_left ? negative(sy) : sy);
 	/* If Z runs from -1 to 1, (Z + 1) / 2 takes its place. */
 	s->m[2][2] = sub(max, min);
 	s->m[3][2] = min;
-	if (c->minus_one) {
+	if (c->depth_minus_one) {
 		s->m[2][2] = over(sub(max, min), TWO);
 		s->m[3][2] = over(add(max, min), TWO);
 	}
@@ -328,11 +328,11 @@ static void turn_clip(struct truth *t, const struct scene *s)
 
 	if (a->ndc_y_down != c->ndc_y_down)
 		turn->m[1][1] = number(-1);
-	if (a->minus_one && !c->minus_one) {
+	if (a->depth_minus_one && !c->depth_minus_one) {
 		turn->m[2][2] = TWO;
 		turn->m[3][2] = number(-1);
 	}
-	if (c->minus_one && !a->minus_one)
+	if (c->depth_minus_one && !a->depth_minus_one)
 		turn->m[2][2] = turn->m[3][2] = over(ONE, TWO);
 }
 
@@ -370,7 +370,7 @@ void truth_matrix(const struct scene *s, enum space from, enum space to,
 	memcpy(m, t.all.m, sizeof t.all.m);
 }
 
-void truth_flat(const struct scene *s, enum flat from, enum flat to,
+void truth_flat(const struct scene *s, enum flat_space from, enum flat_space to,
     struct truth *t)
 {
 	t->n = 0;

@@ -10,7 +10,7 @@ static void flat(const char *what, int e, int tries)
 	sample_seed(1);
 	for (int i = 0; i < tries; i++) {
 		struct scene s = { .has_device = true };
-		enum flat from = sample_below(3), to = sample_below(3);
+		enum flat_space from = sample_below(3), to = sample_below(3);
 		bool both = from != to && from != FLAT_NDC && to != FLAT_NDC;
 		struct map m;
 		struct truth t;
