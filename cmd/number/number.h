@@ -55,7 +55,7 @@ enum { NUMBER_BATCH = 64 };
 
 /* Makes the texts of n numbers, of floats if single is true. t and v have room for n
  * rounded up to NUMBER_BATCH; v may have any numbers after the first n. Sets each
- * layout to 0 until points_choose has chosen the loops. */
+ * layout to 0 until kernels_choose has chosen the loops. */
 void number_texts(const double *v, size_t n, bool single,
     struct number_style style, struct number_text *t);
 

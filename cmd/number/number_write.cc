@@ -21,7 +21,7 @@
 /* The most digits that the shortest text of a double needs. */
 enum { DIGITS = 17 };
 
-static const uint64_t power[] = { 1, 10, 100, 1000, 10000, 100000, 1000000,
+static const uint64_t ten_to[] = { 1, 10, 100, 1000, 10000, 100000, 1000000,
 	10000000, 100000000, 1000000000, 10000000000, 100000000000,
 	1000000000000, 10000000000000, 100000000000000, 1000000000000000,
 	10000000000000000, 100000000000000000 };
@@ -52,20 +52,20 @@ static inline uint64_t write_three(char *s, uint64_t p)
 }
 
 /* Returns the lower word of high 2^64 + low shifted right by k, from 1 to 127. */
-static inline uint64_t shifted(uint64_t high, uint64_t low, int k)
+static inline uint64_t shift_right(uint64_t high, uint64_t low, int k)
 {
 	return k < 64 ? high << (64 - k) | low >> k : high >> (k - 64);
 }
 
-/* Writes the 17 digits of x < 10^17, and after them zeros for put_plain to copy.
+/* Writes the 17 digits of x < 10^17, and after them zeros for put_with_point to copy.
  * p is x / 10^15 with 54 bits after the point: computed with the reciprocal
  * 2^113 / 10^15 and rounded up, it is less than 1.2 * 2^-54 too large. The five
  * multiplications by 1000 make this error 10^15 times as large: below 0.07 < 1. */
-static inline void write_digits(char d[64], uint64_t x)
+static inline void write_17_digits(char d[64], uint64_t x)
 {
 	const uint64_t reciprocal = 10384593717069655258u;
 	uint64_t high = 0, low = multiply_add(x, reciprocal, 0, &high);
-	uint64_t p = shifted(high, low, 59) + 1;
+	uint64_t p = shift_right(high, low, 59) + 1;
 
 	memcpy(d, triple.text[p >> 54] + 1, 2);
 	p = write_three(d + 2, p);
@@ -80,7 +80,7 @@ static inline void write_digits(char d[64], uint64_t x)
  * Returns the end of the text. Copies of a constant size, room, are fast; the bytes
  * that they write after the text are within NUMBER_MAX. */
 template <int room>
-static inline char *put_plain(char *s, const char *d, int n, int point)
+static inline char *put_with_point(char *s, const char *d, int n, int point)
 {
 	memcpy(s, d, room);
 	if (n <= point)
@@ -119,7 +119,7 @@ static inline char *put_digits(char *s, const char *d, int n, int point)
 	while (d[n - 1] == '0')
 		n--;
 	if (0 < point && point <= 21)
-		return put_plain<room>(s, d, n, point);
+		return put_with_point<room>(s, d, n, point);
 	if (point <= -6 || point > 0)
 		return put_exponential(s, d, n, point - 1);
 	memcpy(s, "0.000000", 8);
@@ -141,12 +141,12 @@ template <class Float>
 	char d[64];
 
 	if (sizeof v == sizeof(float)) { /* at most 9 digits */
-		digits *= power[8];
+		digits *= ten_to[8];
 		point -= 8;
 	}
-	for (; digits < power[DIGITS - 1]; digits *= 10)
+	for (; digits < ten_to[DIGITS - 1]; digits *= 10)
 		point--;
-	write_digits(d, digits);
+	write_17_digits(d, digits);
 	return put_digits<24>(s, d, DIGITS, point);
 }
 
@@ -171,12 +171,12 @@ static char *print_decimals(char *s, double v, int n)
 
 /* Multiplies the fraction high 2^-64 + low 2^-128 by 10^n. Returns the integer part of
  * the product, and leaves its fraction. */
-static inline uint64_t times_ten(uint64_t *high, uint64_t *low, int n)
+static inline uint64_t times_ten_to(uint64_t *high, uint64_t *low, int n)
 {
 	uint64_t carry = 0;
 
-	*low = multiply_add(*low, power[n], 0, &carry);
-	*high = multiply_add(*high, power[n], 0, &carry);
+	*low = multiply_add(*low, ten_to[n], 0, &carry);
+	*high = multiply_add(*high, ten_to[n], 0, &carry);
 	return carry;
 }
 
@@ -199,17 +199,17 @@ static inline int find_digits(char d[192], double v, int n)
 		high = k <= 64 ? m << (64 - k) : m >> (k - 64);
 		low = k <= 64 ? 0 : m << (128 - k);
 	}
-	if (n < DIGITS - 1 && digits < power[DIGITS - 1 - n]) {
-		digits = times_ten(&high, &low, n) + digits * power[n];
+	if (n < DIGITS - 1 && digits < ten_to[DIGITS - 1 - n]) {
+		digits = times_ten_to(&high, &low, n) + digits * ten_to[n];
 		point -= n;
 		n = 0;
 	}
-	write_digits(d, digits);
+	write_17_digits(d, digits);
 	d += DIGITS;
 	for (int count; n > 0; n -= count, d += count) {
 		count = n < DIGITS ? n : DIGITS;
-		digits = times_ten(&high, &low, count);
-		write_digits(t, digits);
+		digits = times_ten_to(&high, &low, count);
+		write_17_digits(t, digits);
 		memcpy(d, t + DIGITS - count, DIGITS);
 	}
 	*d = '\0';

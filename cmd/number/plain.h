@@ -52,7 +52,7 @@ struct number_loops {
 extern const struct number_loops number_loops_avx512, number_loops_avx2,
     number_loops_neon;
 
-/* Returns the loops for the processor that points_choose has chosen; NULL for
+/* Returns the loops for the processor that kernels_choose has chosen; NULL for
  * baseline. */
 const struct number_loops *number_loops(void);
 

@@ -62,7 +62,7 @@ static void set_size(const struct scene *s, struct analysis *to)
 }
 
 /* Returns S / w of column j in a corner. S is the sum of the magnitudes of the
- * products, as in kernel/plain.h, and of the largest error of underflows. */
+ * products, as in kernel/approx.h, and of the largest error of underflows. */
 static double bound_column(const struct kernel_map *k, const struct corner *c,
     int j, double tiny)
 {
@@ -80,7 +80,7 @@ static double bound_plain(const struct analysis *v, const struct arithmetic *a)
 {
 	const struct transform *t = v->t;
 	const struct kernel_map *k = &t->for_kernel;
-	double factor = PLAIN_BOUND * a->u, worst = 0, w = 0, inverse = 0;
+	double factor = APPROX_BOUND * a->u, worst = 0, w = 0, inverse = 0;
 
 	for (int i = 0; i < 8; i++) {
 		const struct corner *c = &v->corner[i];

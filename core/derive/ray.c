@@ -152,7 +152,7 @@ bool rays_cast(const struct ray_maker *r, bool single,
 	const bool finite = points_map(&r->to_world, PRECISION_EXACT, in, out,
 	    n);
 
-	if (points_kernels()->exact[KERNEL_DIRECTION](&r->along.for_kernel, at,
+	if (kernels_chosen()->exact[KERNEL_DIRECTION](&r->along.for_kernel, at,
 		direction, n) &&
 	    finite && !single)
 		return true;

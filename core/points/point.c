@@ -7,7 +7,7 @@
 
 /* Computes the homogeneous point relative to the map's origin. In clip space, where w
  * is not 1, the origin is 0. */
-static void set_point(const struct transform *t, const double in[4],
+static void set_relative(const struct transform *t, const double in[4],
     struct sum p[4])
 {
 	for (int i = 0; i < 3; i++)
@@ -27,7 +27,7 @@ struct sum point_column(const struct transform *t, int j, const double in[4])
 {
 	struct sum p[4], r;
 
-	set_point(t, in, p);
+	set_relative(t, in, p);
 	find_column(t, j, p, &r);
 	return r;
 }
@@ -64,7 +64,7 @@ void point_exact(const struct transform *t, const double in[4], double out[4])
 		out[j] = (double)NAN;
 	if (has_nan(t, in))
 		return;
-	set_point(t, in, p);
+	set_relative(t, in, p);
 	if (!find_divisor(t, in, p, &d))
 		return;
 	for (int j = 0; j < t->out; j++) {
@@ -85,7 +85,7 @@ float point_single(const struct transform *t, const double in[4], int j,
 
 	if (!is_midway(image))
 		return (float)image;
-	set_point(t, in, p);
+	set_relative(t, in, p);
 	find_divisor(t, in, p, &d);
 	find_column(t, j, p, &q);
 	return (float)sum_nearest(&q, &d, true);

@@ -99,7 +99,7 @@ static void edges_are_told(void **state)
 		enum flat from = sample_below(3);
 		int mark = real_mark();
 
-		points_choose(copies[k % COPIES]); /* or the one before */
+		kernels_choose(copies[k % COPIES]); /* or the one before */
 		sample_flat(&s.window, &s.device, e[k % 4]);
 		if (flat_frustum_of(&s, from, &f) == NULL) {
 			sample_edges(&s, from, &b);

@@ -166,7 +166,7 @@ static void planes_are_told(void **state)
 	unsigned char all[POINTS];
 
 	(void)state;
-	points_choose(NULL);
+	kernels_choose(NULL);
 	sample_seed(1);
 	for (int k = 0; k < 1200; k++) {
 		struct truth to_clip = { 0 }, to_view = { 0 };
@@ -241,7 +241,7 @@ static void many_are_told_as_one(void **state)
 	(void)state;
 	sample_seed(2);
 	for (int k = 0; k < 300; k++) {
-		points_choose(copies[k / 6 % 4]); /* or the one before */
+		kernels_choose(copies[k / 6 % 4]); /* or the one before */
 		sample_scene(&s, k % 3 * 4);
 		bool homogeneous = k % 5 == 0 && s.has_viewport;
 		enum space from = homogeneous ? SPACE_DEVICE : SPACE_WORLD;

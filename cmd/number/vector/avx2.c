@@ -20,15 +20,15 @@
 static inline uint32_t in_set(const struct byte_set *set, const char *s)
 {
 	__m256i x = _mm256_loadu_si256((const void *)s);
-	__m256i four = _mm256_set1_epi8(15);
+	__m256i low_four = _mm256_set1_epi8(15);
 	__m256i low = _mm256_broadcastsi128_si256(
 	    _mm_loadu_si128((const void *)set->low));
 	__m256i high = _mm256_broadcastsi128_si256(
 	    _mm_loadu_si128((const void *)set->high));
 
-	low = _mm256_shuffle_epi8(low, _mm256_and_si256(x, four));
+	low = _mm256_shuffle_epi8(low, _mm256_and_si256(x, low_four));
 	high = _mm256_shuffle_epi8(high,
-	    _mm256_and_si256(_mm256_srli_epi16(x, 4), four));
+	    _mm256_and_si256(_mm256_srli_epi16(x, 4), low_four));
 	return ~(uint32_t)_mm256_movemask_epi8(
 	    _mm256_cmpeq_epi8(_mm256_and_si256(low, high),
 		_mm256_setzero_si256()));

@@ -23,7 +23,7 @@ typedef uint64_t row_mask;
 	    _mm256_loadu_si256((const void *)((end)[1] - (n))), 1))
 #define LAST_KEYS(n) \
 	((counts)_mm256_sllv_epi32(_mm256_set1_epi32(-1), (__m256i)(32 - (n))))
-#define LAST(keys) row_mask_at(keys)
+#define LAST_BYTES(keys) row_mask_at(keys)
 #define PICK(m, a, b) ((row)_mm512_mask_mov_epi8((__m512i)(b), m, (__m512i)(a)))
 #define KEEP(m, a) ((row)_mm512_maskz_mov_epi8(m, (__m512i)(a)))
 #define WHERE(x, c) _mm512_cmpeq_epi8_mask((__m512i)(x), _mm512_set1_epi8(c))
@@ -43,15 +43,15 @@ static inline row_mask row_mask_at(const uint32_t *keys)
 
 static inline uint64_t in_set(const struct byte_set *set, const char *s)
 {
-	__m512i x = _mm512_loadu_si512(s), four = _mm512_set1_epi8(15);
+	__m512i x = _mm512_loadu_si512(s), low_four = _mm512_set1_epi8(15);
 	__m512i low = _mm512_broadcast_i32x4(
 	    _mm_loadu_si128((const void *)set->low));
 	__m512i high = _mm512_broadcast_i32x4(
 	    _mm_loadu_si128((const void *)set->high));
 
-	low = _mm512_shuffle_epi8(low, _mm512_and_si512(x, four));
+	low = _mm512_shuffle_epi8(low, _mm512_and_si512(x, low_four));
 	high = _mm512_shuffle_epi8(high,
-	    _mm512_and_si512(_mm512_srli_epi16(x, 4), four));
+	    _mm512_and_si512(_mm512_srli_epi16(x, 4), low_four));
 	return _mm512_test_epi8_mask(low, high);
 }
 

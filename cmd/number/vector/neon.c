@@ -11,14 +11,14 @@
 #define ALL_BITS(a) vdupq_n_u64((uint64_t)(a))
 
 #define IN_SET(set, s)                                                        \
-	((uint64_t)bits(in_set(set, (s) + 32), in_set(set, (s) + 48)) << 32 | \
-	    bits(in_set(set, s), in_set(set, (s) + 16)))
-#define WHERE(x, c) where((const uint8_t *)&(x), c)
+	((uint64_t)mask(in_set(set, (s) + 32), in_set(set, (s) + 48)) << 32 | \
+	    mask(in_set(set, s), in_set(set, (s) + 16)))
+#define WHERE(x, c) equal_bits((const uint8_t *)&(x), c)
 #define LARGER(a, b) PICK((row)((a) > (b)), a, b)
 #define ANY_TOP_BIT(x) any_top_bit((const uint8_t *)&(x))
 
 /* Returns bit i if byte i of low and high is 255; the other bytes are 0. */
-static inline uint32_t bits(uint8x16_t low, uint8x16_t high)
+static inline uint32_t mask(uint8x16_t low, uint8x16_t high)
 {
 	const uint8x16_t bit = vreinterpretq_u8_u64(
 	    vdupq_n_u64(0x8040201008040201));
@@ -38,11 +38,11 @@ static inline uint8x16_t in_set(const struct byte_set *set, const char *s)
 	return vtstq_u8(low, vqtbl1q_u8(vld1q_u8(set->high), vshrq_n_u8(x, 4)));
 }
 
-static inline uint32_t where(const uint8_t *x, char c)
+static inline uint32_t equal_bits(const uint8_t *x, char c)
 {
 	uint8x16_t all = vdupq_n_u8((uint8_t)c);
 
-	return bits(vceqq_u8(vld1q_u8(x), all),
+	return mask(vceqq_u8(vld1q_u8(x), all),
 	    vceqq_u8(vld1q_u8(x + 16), all));
 }
 

@@ -16,8 +16,8 @@
  *
  *	ROW_NUMBERS, row, row_mask, ROW_BEFORE(end, n)
  *			the bytes from end[i] - n on
- *	LAST_KEYS(n)	a key for LAST from each of a vector of counts up to 32
- *	LAST(keys)	a mask of the last bytes of a row: as many as the count
+ *	LAST_KEYS(n)	a key for LAST_BYTES from each of a vector of counts up to 32
+ *	LAST_BYTES(keys)	a mask of the last bytes of a row: as many as the count
  *	PICK(m, a, b)	m ? a : b
  *	KEEP(m, a)	m ? a : 0
  *	ANY_ABOVE_9(row)	some byte is above 9
@@ -27,7 +27,7 @@
 #include "read_rows.h"
 
 /* Returns bit i if lane i of a and b differs. A nan differs from everything. */
-static inline unsigned different(V a, V b)
+static inline unsigned different_lanes(V a, V b)
 {
 	return LANES_OF(EQUAL(a, b)) ^ ((1u << WIDTH) - 1);
 }
@@ -47,7 +47,7 @@ struct integer {
 
 /* Returns integers of up to 15 digits, as many as doubles hold: the product and the
  * sum are exact. */
-static inline struct integer short_integer(const struct rows *r, size_t i)
+static inline struct integer short_integer(const struct digit_rows *r, size_t i)
 {
 	I high, low;
 
@@ -62,7 +62,7 @@ static inline struct integer short_integer(const struct rows *r, size_t i)
  * are a multiple of 2^16 below 2^64: exact. The sums s and hi, below 2^64, are rounded
  * to multiples of 2^11. Each rounding loses an integer of at most 2^10; lo, the sum of
  * these two integers, is exact. */
-static inline struct integer long_integer(const struct rows *r, size_t i)
+static inline struct integer long_integer(const struct digit_rows *r, size_t i)
 {
 	struct integer m;
 	I high, low;
@@ -70,7 +70,7 @@ static inline struct integer long_integer(const struct rows *r, size_t i)
 	join_digits(r->digits[i], 0, &high, &low);
 	V more = (V)((high > ALL_BITS(0)) | (low > ALL_BITS(999)));
 
-	m.bad = different(more, ALL(0)); /* all bits set are a nan */
+	m.bad = different_lanes(more, ALL(0)); /* all bits set are a nan */
 	V top = double_of(low) * ALL(1e16);
 
 	join_digits(r->digits[i], 1, &high, &low);
@@ -93,17 +93,17 @@ static inline V divide(struct integer *m, V p)
 {
 	V q = m->hi / p;
 
-	if (different(m->lo, ALL(0)) == 0)
+	if (different_lanes(m->lo, ALL(0)) == 0)
 		return q;
 	V c = (FMA(-q, p, m->hi) + m->lo) / p, off = c * ALL(0x1p-50);
-	V one = q + (c - off), other = q + (c + off);
+	V first = q + (c - off), second = q + (c + off);
 
-	m->bad |= different(one, other);
-	return (V)((I)one | ((I)p & ALL_BITS(1ull << 63))); /* -0 + 0 is 0 */
+	m->bad |= different_lanes(first, second);
+	return (V)((I)first | ((I)p & ALL_BITS(1ull << 63))); /* -0 + 0 is 0 */
 }
 
 /* Returns bit k if row i + k has a byte above 9. */
-static inline unsigned not_digits(const struct rows *r, size_t i)
+static inline unsigned lanes_with_others(const struct digit_rows *r, size_t i)
 {
 	unsigned bad = 0;
 
@@ -115,7 +115,7 @@ static inline unsigned not_digits(const struct rows *r, size_t i)
 }
 
 /* Reads the group of numbers from i on; returns bit k if number k is not read. */
-static inline uint64_t read_group(const struct rows *r, size_t i,
+static inline uint64_t read_group(const struct digit_rows *r, size_t i,
     struct group_needs needs, double *v)
 {
 	uint64_t bad = 0;
@@ -126,8 +126,8 @@ static inline uint64_t read_group(const struct rows *r, size_t i,
 		V q = divide(&m, LOAD(r->divisor + k));
 
 		STORE(v + k, q);
-		m.bad |= different(q, q);
-		m.bad |= needs.digit_test ? not_digits(r, k) : 0;
+		m.bad |= different_lanes(q, q);
+		m.bad |= needs.digit_test ? lanes_with_others(r, k) : 0;
 		bad |= (uint64_t)m.bad << k;
 	}
 	return bad;
@@ -136,11 +136,11 @@ static inline uint64_t read_group(const struct rows *r, size_t i,
 /* Reads n plain numbers, and if exponent is not NULL multiplies number i by
  * 10^exponent[i]. Returns bit i if number i is not read. The exponent changes the
  * divisor to another power of ten; if this is no double, the number is not read. */
-static inline uint64_t read_rows(const struct plain_places *at, size_t n,
+static inline uint64_t read_plain(const struct plain_places *at, size_t n,
     const int8_t *exponent, double v[PLAIN_BATCH])
 {
 	struct group_needs needs[PLAIN_BATCH / PLAIN_GROUP];
-	struct rows r;
+	struct digit_rows r;
 	uint64_t bad = 0;
 
 	set_rows(&r, needs, (n + PLAIN_GROUP - 1) / PLAIN_GROUP * PLAIN_GROUP,
@@ -158,7 +158,7 @@ static inline uint64_t read_rows(const struct plain_places *at, size_t n,
 
 /* Returns whether the size characters before the end are at least a digit and then an
  * exponent of a sign and two digits, up to 22; sets *exponent. */
-static inline bool has_exponent(const char *end, size_t size, int8_t *exponent)
+static inline bool get_exponent(const char *end, size_t size, int8_t *exponent)
 {
 	unsigned tens = (unsigned char)end[-2] - '0';
 	unsigned ones = (unsigned char)end[-1] - '0';
@@ -172,10 +172,10 @@ static inline bool has_exponent(const char *end, size_t size, int8_t *exponent)
 
 /* Reads the numbers of bad, as bits, that have an exponent. Returns the bits of those
  * that are still not read. */
-static uint64_t read_exponents(const struct plain_places *at, uint64_t bad,
+static uint64_t read_exponential(const struct plain_places *at, uint64_t bad,
     double v[PLAIN_BATCH])
 {
-	struct plain_places some;
+	struct plain_places places;
 	int8_t exponent[PLAIN_BATCH];
 	uint8_t index[PLAIN_BATCH];
 	double w[PLAIN_BATCH];
@@ -184,20 +184,20 @@ static uint64_t read_exponents(const struct plain_places *at, uint64_t bad,
 	for (uint64_t rest = bad; rest != 0; rest &= rest - 1) {
 		int i = __builtin_ctzll(rest);
 
-		if (!has_exponent(at->end[i], at->size[i], &exponent[n]))
+		if (!get_exponent(at->end[i], at->size[i], &exponent[n]))
 			continue;
-		some.end[n] = at->end[i] - 4;
-		some.size[n] = (uint8_t)(at->size[i] - 4);
+		places.end[n] = at->end[i] - 4;
+		places.size[n] = (uint8_t)(at->size[i] - 4);
 		index[n++] = (uint8_t)i;
 	}
 	for (size_t k = n; k % PLAIN_GROUP != 0; k++) {
-		some.end[k] = some.end[0];
-		some.size[k] = some.size[0];
+		places.end[k] = places.end[0];
+		places.size[k] = places.size[0];
 	}
-	uint64_t left = n > 0 ? read_rows(&some, n, exponent, w) : 0;
+	uint64_t unread = n > 0 ? read_plain(&places, n, exponent, w) : 0;
 
 	for (size_t k = 0; k < n; k++)
-		if ((left >> k & 1) == 0) {
+		if ((unread >> k & 1) == 0) {
 			v[index[k]] = w[k];
 			bad &= ~(1ull << index[k]);
 		}
@@ -207,9 +207,9 @@ static uint64_t read_exponents(const struct plain_places *at, uint64_t bad,
 static uint64_t reader_read(const struct plain_places *at, size_t n,
     double v[PLAIN_BATCH])
 {
-	uint64_t bad = read_rows(at, n, NULL, v);
+	uint64_t bad = read_plain(at, n, NULL, v);
 
-	return bad == 0 ? 0 : read_exponents(at, bad, v);
+	return bad == 0 ? 0 : read_exponential(at, bad, v);
 }
 
 /* Writes base plus the place of each bit that is set, eight places at a time. Returns

@@ -12,7 +12,7 @@
 
 /* The digits of numbers, right-aligned, and the divisors of the integers that these
  * digits make. A character that is no digit becomes a byte above 9. */
-struct rows {
+struct digit_rows {
 	_Alignas(64) uint8_t digits[PLAIN_BATCH][32];
 	double divisor[PLAIN_BATCH];
 };
@@ -37,14 +37,14 @@ static const double divisors[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8,
 
 typedef uint32_t counts __attribute__((vector_size(4 * PLAIN_GROUP)));
 
-#ifndef LAST
-#define LAST(keys) last(*(keys))
+#ifndef LAST_BYTES
+#define LAST_BYTES(keys) last_bytes(*(keys))
 #define LAST_KEYS(n) (n)
 #define PICK(m, a, b) (((a) & (m)) | ((b) & ~(m)))
 #define KEEP(m, a) ((a) & (m))
 #define ROW_BEFORE(end, n) row_at((end)[0] - (n))
 #define ANY_ABOVE_9(x) any_above_9(x)
-#define EIGHT 255, 255, 255, 255, 255, 255, 255, 255
+#define MASK8 255, 255, 255, 255, 255, 255, 255, 255
 
 enum { ROW_NUMBERS = 1 };
 typedef uint8_t row __attribute__((vector_size(32)));
@@ -65,9 +65,9 @@ static inline bool any_above_9(row x)
 }
 
 /* Returns a row of which the last n <= 32 bytes are 255, the others 0. */
-static inline row last(size_t n)
+static inline row last_bytes(size_t n)
 {
-	static const uint8_t window[64] = { [32] = EIGHT, EIGHT, EIGHT, EIGHT };
+	static const uint8_t window[64] = { [32] = MASK8, MASK8, MASK8, MASK8 };
 
 	return row_at(window + n);
 }
@@ -89,7 +89,7 @@ static inline counts leading_zeros(counts x)
 #endif
 
 /* For each number: points and minuses have a bit for each of the 32 bytes before its
- * end; digits is first its size, then the key of LAST for its digits; decimals is the
+ * end; digits is first its size, then the key of LAST_BYTES for its digits; decimals is the
  * key for its decimals; divisor is the index of its divisor. */
 struct marks {
 	uint32_t points[PLAIN_BATCH], minuses[PLAIN_BATCH];
@@ -115,10 +115,10 @@ static inline bool count_digits(struct marks *m, size_t i)
 	counts minus = counts_at(m->minuses + i) >> start & 1;
 	counts decimals = LEADING_ZEROS(points);
 	counts digits = n - minus + (counts)(points != zero);
-	counts none = (counts)(digits == zero);
-	counts divisor = (decimals & ~none) + (none & NOT_READ) +
+	counts no_digits = (counts)(digits == zero);
+	counts divisor = (decimals & ~no_digits) + (no_digits & NOT_READ) +
 	    minus * (NO_POINT + 1);
-	counts over = digits + (128 - 16);
+	counts over_15 = digits + (128 - 16);
 
 	/* cppcheck-suppress selfAssignment */
 	digits = LAST_KEYS(digits);
@@ -127,26 +127,26 @@ static inline bool count_digits(struct marks *m, size_t i)
 	memcpy(m->digits + i, &digits, sizeof digits);
 	memcpy(m->decimals + i, &decimals, sizeof decimals);
 	memcpy(m->divisor + i, &divisor, sizeof divisor);
-	return ANY_TOP_BIT(over);
+	return ANY_TOP_BIT(over_15);
 }
 
 /* Sets row i to its digits without the point; returns the row. The decimals are of the
  * 32 bytes before the end, the digits before the point of a load one byte earlier. */
-static inline row set_row(struct rows *r, size_t i, const char *const *end,
-    const struct marks *m)
+static inline row set_row(struct digit_rows *r, size_t i,
+    const char *const *end, const struct marks *m)
 {
-	row x = PICK(LAST(m->decimals + i), ROW_BEFORE(end, 32),
+	row x = PICK(LAST_BYTES(m->decimals + i), ROW_BEFORE(end, 32),
 	    ROW_BEFORE(end, 33));
 
-	x = KEEP(LAST(m->digits + i), x - '0');
+	x = KEEP(LAST_BYTES(m->digits + i), x - '0');
 	memcpy(r->digits[i], &x, sizeof x);
 	return x;
 }
 
 /* Sets the rows of n numbers and the needs of each group. Each step is a loop over all
  * numbers: the load of a vector would wait for stores of its parts just before it. */
-static inline void set_rows(struct rows *r, struct group_needs *needs, size_t n,
-    const struct plain_places *at)
+static inline void set_rows(struct digit_rows *r, struct group_needs *needs,
+    size_t n, const struct plain_places *at)
 {
 	struct marks m;
 
@@ -164,11 +164,11 @@ static inline void set_rows(struct rows *r, struct group_needs *needs, size_t n,
 	for (size_t i = 0; i < n; i++)
 		r->divisor[i] = divisors[m.divisor[i]];
 	for (size_t i = 0; i < n; i += PLAIN_GROUP) {
-		row odd = { 0 };
+		row most = { 0 };
 
 		for (size_t k = i; k < i + PLAIN_GROUP; k += ROW_NUMBERS)
-			odd = LARGER(odd, set_row(r, k, at->end + k, &m));
-		needs[i / PLAIN_GROUP].digit_test = ANY_ABOVE_9(odd);
+			most = LARGER(most, set_row(r, k, at->end + k, &m));
+		needs[i / PLAIN_GROUP].digit_test = ANY_ABOVE_9(most);
 	}
 }
 #endif

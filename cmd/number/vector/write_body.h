@@ -39,8 +39,8 @@ enum { ZEROS_BEFORE = 8 };
 
 /* Hides a constant from gcc, which makes up to five operations of a product with a
  * constant that it knows. */
-#define UNKNOWN(c) unknown(ALL_BITS(c))
-INLINE I unknown(I c)
+#define OPAQUE(c) opaque(ALL_BITS(c))
+INLINE I opaque(I c)
 {
 	__asm__("" : "+" REGISTER(c));
 	return c;
@@ -63,20 +63,20 @@ INLINE I fours(I x)
  * in each byte of the quarter. */
 INLINE I twos(I x)
 {
-	const uint64_t each = 0x0001000100010001;
-	I a = SHR16(HIGH16(x, ALL_BITS(5243 * each)), 3);
+	const uint64_t each_quarter = 0x0001000100010001;
+	I a = SHR16(HIGH16(x, ALL_BITS(5243 * each_quarter)), 3);
 
-	return a | SUB(x, MUL16(a, UNKNOWN(100 * each))) << 8;
+	return a | SUB(x, MUL16(a, OPAQUE(100 * each_quarter))) << 8;
 }
 
 /* Returns the number of two digits in the upper byte of each quarter as two digits, one
  * in each byte of the quarter. */
 INLINE I ones(I x)
 {
-	const uint64_t each = 0x0001000100010001;
-	I a = SHR16(HIGH16(x, ALL_BITS(6554 * each)), 8);
+	const uint64_t each_quarter = 0x0001000100010001;
+	I a = SHR16(HIGH16(x, ALL_BITS(6554 * each_quarter)), 8);
 
-	return SUB(x, MUL16(a, UNKNOWN(((10 << 8) - 1) * each)));
+	return SUB(x, MUL16(a, OPAQUE(((10 << 8) - 1) * each_quarter)));
 }
 
 /* Writes the DIGITS digits of whole < 2^53. The quotient by 10^8 is right: 1e-8 is
@@ -84,7 +84,7 @@ INLINE I ones(I x)
  * it is rounded, by at most 7.5e-9 (half a unit in the last place below 2^27); to
  * reach the next whole number takes 1e-8. */
 INLINE void write_digits(struct number_text *t, uint16_t *nonzero,
-    const struct found *f)
+    const struct batch_digits *f)
 {
 	const V lowest_bits = ALL(0x1p52);
 
@@ -115,7 +115,7 @@ INLINE int highest_bit(int x)
  * with a zero before the point. It ends before the point, or with its last digit,
  * which is not 0 unless zeros are kept. */
 INLINE void lay_out(uint32_t *layout, const uint16_t *nonzero,
-    const struct found *f, int whole_digits, bool keep_zeros)
+    const struct batch_digits *f, int whole_digits, bool keep_zeros)
 {
 	for (size_t i = 0; i < NUMBER_BATCH; i++) {
 		int digits = nonzero[i] | (f->digit[i] != 0) << DIGITS;
@@ -135,8 +135,8 @@ INLINE void lay_out(uint32_t *layout, const uint16_t *nonzero,
 
 /* Writes the zeros before the digits, the 17th digit with zeros after it, and the
  * layout. Scales from POWER_MIN on need at most six zeros on either side. */
-INLINE void write_around(struct number_text *t, const uint32_t *layout,
-    const struct found *f, bool keep_zeros)
+INLINE void write_zeros(struct number_text *t, const uint32_t *layout,
+    const struct batch_digits *f, bool keep_zeros)
 {
 	const uint64_t zeros = 0x3030303030303030;
 
@@ -158,8 +158,8 @@ INLINE void write_all(const double *v, size_t count, enum number_kind kind,
     int n, bool single, struct number_text *t)
 {
 	const bool decimals = kind == NUMBER_DECIMALS;
-	const bool ninth = single && kind == NUMBER_SHORTEST;
-	struct found f;
+	const bool float_shortest = single && kind == NUMBER_SHORTEST;
+	struct batch_digits f;
 	uint16_t nonzero[NUMBER_BATCH];
 	uint32_t layout[NUMBER_BATCH];
 
@@ -172,9 +172,9 @@ INLINE void write_all(const double *v, size_t count, enum number_kind kind,
 			else
 				find_shortest(&f, i, single, LOAD(v + k + i));
 		write_digits(t, nonzero, &f);
-		lay_out(layout, nonzero, &f, ninth ? DIGITS / 2 : DIGITS,
-		    decimals);
-		write_around(t, layout, &f, decimals);
+		lay_out(layout, nonzero, &f,
+		    float_shortest ? DIGITS / 2 : DIGITS, decimals);
+		write_zeros(t, layout, &f, decimals);
 	}
 }
 

@@ -26,7 +26,7 @@ enum { MOST_DIGITS = 15, MOST_ZEROS = 6 };
 /* Numbers as they are written: the DIGITS digits of whole, with the point scale digits
  * before their end, and digit, the 17th, unless it is 0. sign is -1 for a minus, 1 for
  * no minus, and 0 if number_write makes the text. */
-struct found {
+struct batch_digits {
 	double whole[NUMBER_BATCH];
 	int32_t digit[NUMBER_BATCH], scale[NUMBER_BATCH], sign[NUMBER_BATCH];
 };
@@ -140,12 +140,12 @@ INLINE V log2_less(V power, double place)
 }
 
 /* Returns the greatest power of two that is at most a. */
-INLINE V power_of_two_in(V a)
+INLINE V power_of_two_up_to(V a)
 {
 	return (V)((I)(a) & (I)(ALL((double)INFINITY)));
 }
 
-INLINE void store_found(struct found *f, size_t i, V v, struct digits d,
+INLINE void store_lanes(struct batch_digits *f, size_t i, V v, struct digits d,
     V scale)
 {
 	M minus = LESS(v, ALL(0)) & ~EQUAL(d.whole, ALL(0));
@@ -156,7 +156,7 @@ INLINE void store_found(struct found *f, size_t i, V v, struct digits d,
 	STORE_INTS(f->sign + i, ONLY(d.sure, SELECT(minus, ALL(-1), ALL(1))));
 }
 
-INLINE void find_decimals(struct found *f, size_t i, int n, V v)
+INLINE void find_decimals(struct batch_digits *f, size_t i, int n, V v)
 {
 	V scale = ALL(n), hi, lo, rest;
 
@@ -164,7 +164,7 @@ INLINE void find_decimals(struct found *f, size_t i, int n, V v)
 	struct scaled x = scaled(ABS(v), hi, lo, true);
 	struct digits d = { nearest(x, &rest), ALL(0), LESS(x.p, ALL(0x1p53)) };
 
-	store_found(f, i, v, d, scale);
+	store_lanes(f, i, v, d, scale);
 }
 
 /* Finds n <= MOST_DIGITS significant digits of numbers from 1e-6 to below 1e15.
@@ -173,12 +173,12 @@ INLINE void find_decimals(struct found *f, size_t i, int n, V v)
  * a number equal to it gives the same text with either log10: its n digits round to a
  * one and zeros. If scale < 0, the product is rounded, by less than WRITE_MARGIN (see
  * shortest), and number_write makes the texts of numbers nearer to a tie. */
-INLINE void find_significant(struct found *f, size_t i, int n, V v)
+INLINE void find_significant(struct batch_digits *f, size_t i, int n, V v)
 {
 	const V zero = ALL(0), one = ALL(1);
 	V a = ABS(v), hi, lo, rest;
 	M in_range = LESS(a, ALL(1e15)) & ~LESS(a, ALL(1e-6));
-	V top = power_of_two_in(SELECT(in_range, a, one));
+	V top = power_of_two_up_to(SELECT(in_range, a, one));
 	V log10 = FLOOR(log2_less(top, 0) * ALL(78913 * 0x1p-18));
 
 	power_of_ten(log10 + one, &hi, &lo);
@@ -194,21 +194,21 @@ INLINE void find_significant(struct found *f, size_t i, int n, V v)
 		(in_range & in_table) | EQUAL(a, zero) };
 
 	d.sure = d.sure & (exact | LESS(ALL(WRITE_MARGIN), ABS(rest)));
-	store_found(f, i, v, d, scale);
+	store_lanes(f, i, v, d, scale);
 }
 
 /* Finds the shortest digits of numbers from 2^-17 to 1e21, floats to 2^60: so far the
  * table of powers reaches (texts have no exponent from 1e-6 to 1e21). For a number out
  * of this range top is 1, so that the index is in the table. If exact is set, all
  * numbers are in this range and have scale >= 0: no rounding needs a test. */
-INLINE void find_in_range(struct found *f, size_t i, bool single, bool exact,
-    V v)
+INLINE void find_in_range(struct batch_digits *f, size_t i, bool single,
+    bool exact, V v)
 {
 	const V one = ALL(1);
 	V a = ABS(v), hi, lo;
 	M in_range = LESS(a, ALL(single ? 0x1p60 : 1e21)) &
 	    ~LESS(a, ALL(0x1p-17));
-	V top = power_of_two_in(exact ? a : SELECT(in_range, a, one));
+	V top = power_of_two_up_to(exact ? a : SELECT(in_range, a, one));
 	V q = log2_less(top, single ? 23 : 52);
 	V scale = -one - FLOOR(q * ALL(0.30102999566398120));
 
@@ -222,12 +222,12 @@ INLINE void find_in_range(struct found *f, size_t i, bool single, bool exact,
 		d.whole = FMA(d.whole, ALL(1e8), d.digit * ALL(1e7));
 		d.digit = ALL(0);
 	}
-	store_found(f, i, v, d, scale);
+	store_lanes(f, i, v, d, scale);
 }
 
 /* Finds the shortest digits. If all numbers of v are from 2^-17 to 2^52, floats to
  * 2^23, calls shorter code for this range. */
-INLINE void find_shortest(struct found *f, size_t i, bool single, V v)
+INLINE void find_shortest(struct batch_digits *f, size_t i, bool single, V v)
 {
 	V a = ABS(v);
 	M exact = LESS(a, ALL(single ? 0x1p23 : 0x1p52)) &

@@ -3,7 +3,7 @@
 #ifdef __AVX2__
 #include "simd_avx2.h"
 
-#define COPY kernels_avx2
+#define KERNELS_NAME kernels_avx2
 #define PROCESSOR PROCESSOR_AVX2
 #include "copy.h"
 #endif

@@ -3,7 +3,7 @@
 #ifdef __AVX512F__
 #include "simd_avx512.h"
 
-#define COPY kernels_avx512
+#define KERNELS_NAME kernels_avx512
 #define PROCESSOR PROCESSOR_AVX512
 #include "copy.h"
 #endif

@@ -3,7 +3,7 @@
  * instruction for it. */
 #include <math.h>
 
-#define COPY kernels_baseline
+#define KERNELS_NAME kernels_baseline
 #define PROCESSOR PROCESSOR_BASELINE
 
 #define V double

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The loops for one kind of processor. A file that includes this file defines:
  *
- *	COPY, PROCESSOR	the name of its struct kernels, and its processor
+ *	KERNELS_NAME, PROCESSOR	the name of its struct kernels, and its processor
  *
  * and, as simd_avx2.h and its like do,
  *
@@ -38,7 +38,7 @@
 #define R_FMA fma
 #define W_MAX 0x1p1000
 #define NAME(x) double_##x
-#include "plain.h"
+#include "approx.h"
 
 #undef REAL
 #undef R_FMA
@@ -49,9 +49,9 @@
 #define R_FMA fmaf
 #define W_MAX 0x1p120f
 #define NAME(x) single_##x
-#include "plain.h"
+#include "approx.h"
 
-#include "floats.h"
+#include "float_rows.h"
 
 #define KERNELS_OF(prefix, depth)                                         \
 	[KERNEL_FLAT] = prefix##_flat, [KERNEL_AFFINE] = prefix##_affine, \
@@ -63,17 +63,17 @@
 		[2] = name##_2, [3] = name##_3, [4] = name##_4 \
 	}
 
-const struct kernels COPY = {
+const struct kernels KERNELS_NAME = {
 	.processor = PROCESSOR,
 	.exact = { KERNELS_OF(exact, projective), [KERNEL_FOUR] = exact_four,
 	    [KERNEL_DIRECTION] = exact_direction },
-	.plain = {
+	.approx = {
 		[PRECISION_DOUBLE] = { KERNELS_OF(double, depth) },
 		[PRECISION_SINGLE] = { KERNELS_OF(single, depth) },
 	},
-	.floats = { KERNELS_OF(floats, depth) },
+	.float_rows = { KERNELS_OF(float_rows, depth) },
 	.signs = signs,
 	.farthest = farthest,
-	.split = { ROWS_OF(split_floats), ROWS_OF(split_doubles) },
-	.join = { ROWS_OF(join_floats), ROWS_OF(join_doubles) },
+	.to_columns = { ROWS_OF(to_columns_floats), ROWS_OF(to_columns_doubles) },
+	.to_rows = { ROWS_OF(to_rows_floats), ROWS_OF(to_rows_doubles) },
 };

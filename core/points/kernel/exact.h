@@ -59,7 +59,7 @@ static double cut_to(double a, double unit)
 }
 
 /* Returns the greatest lane. */
-static inline double greatest(V a)
+static inline double greatest_lane(V a)
 {
 	double all[WIDTH], r;
 
@@ -128,12 +128,12 @@ static struct kernel_range range_in(const double *in, size_t n, double origin)
 			low[k] = MIN(x, low[k]);
 			high[k] = MAX(x, high[k]);
 		}
-	return range_of(-greatest(-MIN(low[0], low[1])),
-	    greatest(MAX(high[0], high[1])), origin);
+	return range_of(-greatest_lane(-MIN(low[0], low[1])),
+	    greatest_lane(MAX(high[0], high[1])), origin);
 }
 
 /* Returns the largest noise of column j in this block. */
-static double noise_of(const struct kernel_map *m, int j, int terms,
+static double largest_noise(const struct kernel_map *m, int j, int terms,
     const struct kernel_range *range)
 {
 	double largest = 1;
@@ -148,14 +148,14 @@ static double noise_of(const struct kernel_map *m, int j, int terms,
  * noise, and are left out. If not, they are added to the rests. If all is 0, the column
  * is 0. */
 struct column_cut {
-	double high[4], rest[4], all[4];
+	double high[4], rest[4], element[4];
 	double bound; /* of the error */
 	bool exact;
-	double noisy; /* 2^56 times the largest noise; see lost_if_noisy */
+	double noisy_below; /* 2^56 times the noise */
 };
 
 /* Returns true if the low parts of column j together are within the least noise. */
-static bool has_short_elements(const struct kernel_map *m, int j, int terms,
+static bool low_parts_are_noise(const struct kernel_map *m, int j, int terms,
     const struct kernel_range *range)
 {
 	double all = 0;
@@ -182,30 +182,30 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
 	frexp(most, &exponent);
 	const double power = ldexp(1, exponent);
 
-	c->exact = has_short_elements(m, j, terms, range);
+	c->exact = low_parts_are_noise(m, j, terms, range);
 	for (int i = 0; i < 4; i++) {
-		bool counts = i == 3 || (i < terms && range[i].largest > 0);
+		bool used = i == 3 || (i < terms && range[i].largest > 0);
 		double unit = i == 3 ? ldexp(1, -POINT_CUT) :
-		    counts           ? range[i].inverse :
+		    used             ? range[i].inverse :
 				       0;
 
-		c->all[i] = counts ? m->hi[i][j] : 0;
-		c->high[i] = cut_to(c->all[i],
+		c->element[i] = used ? m->hi[i][j] : 0;
+		c->high[i] = cut_to(c->element[i],
 		    unit * power * ldexp(1, -ELEMENT_CUT));
-		c->rest[i] = c->all[i] - c->high[i];
-		if (counts && !c->exact)
+		c->rest[i] = c->element[i] - c->high[i];
+		if (used && !c->exact)
 			c->rest[i] += m->lo[i][j];
 	}
 	for (int i = 0; i < terms; i++) {
-		double moved = range[i].rest * c->all[i], was = c->rest[3];
+		double shift = range[i].rest * c->element[i], old = c->rest[3];
 
-		c->rest[3] = was - moved;
-		c->exact &= is_product(range[i].rest, c->all[i], moved) &&
-		    was - c->rest[3] == moved && c->rest[3] + moved == was;
+		c->rest[3] = old - shift;
+		c->exact &= is_product(range[i].rest, c->element[i], shift) &&
+		    old - c->rest[3] == shift && c->rest[3] + shift == old;
 	}
-	double noise = noise_of(m, j, terms, range);
+	double noise = largest_noise(m, j, terms, range);
 
-	c->noisy = 0x1p56 * noise;
+	c->noisy_below = 0x1p56 * noise;
 	c->bound = most > 0 ? COLUMN_BOUND * power + noise : 0;
 	return is_moderate(most);
 }
@@ -214,7 +214,7 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
  * is the bound of the length. */
 struct kernel_block {
 	struct kernel_range range[3];
-	struct column_cut cut[4];
+	struct column_cut column[4];
 	int moderate;   /* is_moderate of all ranges and columns */
 	bool has_whole; /* range[].whole is not 0 in some coordinate */
 };
@@ -234,9 +234,9 @@ static struct kernel_block block_of(const struct kernel_map *m,
 		if (j < kernel_outputs(kind) ||
 		    (j == 3 && kernel_divides(kind)))
 			b.moderate &= cut_column(m, j, terms, b.range,
-			    &b.cut[j]);
+			    &b.column[j]);
 	for (int j = 0; j < 3 && kind == KERNEL_DIRECTION; j++)
-		b.cut[3].bound += b.cut[j].bound;
+		b.column[3].bound += b.column[j].bound;
 	return b;
 }
 
@@ -276,7 +276,7 @@ static inline void cut_points(const struct kernel_block *b, const V p[3],
 }
 
 /* Returns a column's sum hi + lo. */
-static inline vdd column(const struct column_cut *c, const V cut[3],
+static inline vdd column_sum(const struct column_cut *c, const V cut[3],
     const V rest[3], int terms)
 {
 	V hi = ALL(c->high[3]), lo = ALL(c->rest[3]);
@@ -284,7 +284,7 @@ static inline vdd column(const struct column_cut *c, const V cut[3],
 	for (int k = 0; k < terms; k++)
 		hi = MADD(cut[k], ALL(c->high[k]), hi);
 	for (int k = 0; k < terms; k++)
-		lo = MADD(rest[k], ALL(c->all[k]), lo);
+		lo = MADD(rest[k], ALL(c->element[k]), lo);
 	for (int k = 0; k < terms; k++)
 		lo = MADD(cut[k], ALL(c->rest[k]), lo);
 	return (vdd){ hi, lo };
@@ -292,9 +292,9 @@ static inline vdd column(const struct column_cut *c, const V cut[3],
 
 /* Returns 0 if a is 0, or so large that the noise does not change the rounding of a;
  * else a positive number. */
-static inline V lost_if_noisy(V a, double noisy)
+static inline V inexact_if_noisy(V a, double noisy_below)
 {
-	return IF_POSITIVE(ABS(a) - ALL(noisy), ALL(0), ABS(a));
+	return IF_POSITIVE(ABS(a) - ALL(noisy_below), ALL(0), ABS(a));
 }
 
 /* Returns 0 if the column hi + lo is exact within the noise, and the noise does not
@@ -302,26 +302,26 @@ static inline V lost_if_noisy(V a, double noisy)
  * differs from each midpoint by at least half a unit of its last place or 2^-53 lo.
  * Returns a positive number if the column may be inexact, for example after a product
  * that may underflow. */
-static inline V lost_by(const struct column_cut *c, vdd sum, const V cut[3],
-    const V rest[3], int terms)
+static inline V column_inexactness(const struct column_cut *c, vdd sum,
+    const V cut[3], const V rest[3], int terms)
 {
-	V lo = ALL(c->rest[3]), lost = ALL(c->exact ? 0 : 1);
+	V lo = ALL(c->rest[3]), inexact = ALL(c->exact ? 0 : 1);
 
 	for (int k = 0; k < 2 * terms; k++) {
 		V a = k < terms ? rest[k] : cut[k - terms];
-		double b = k < terms ? c->all[k] : c->rest[k - terms];
+		double b = k < terms ? c->element[k] : c->rest[k - terms];
 
 		if (b == 0)
 			continue;
 		V p = a * ALL(b);
 		vdd s = v_two_sum(lo, p);
 
-		lost = lost + ABS(FMA(a, ALL(b), -p)) + ABS(s.lo) +
+		inexact = inexact + ABS(FMA(a, ALL(b), -p)) + ABS(s.lo) +
 		    IF_POSITIVE(ABS(p) - ALL(0x1p-900), ALL(0), ABS(a));
 		lo = s.hi;
 	}
-	return lost + lost_if_noisy(lo, c->noisy) +
-	    lost_if_noisy(sum.hi + lo, c->noisy);
+	return inexact + inexact_if_noisy(lo, c->noisy_below) +
+	    inexact_if_noisy(sum.hi + lo, c->noisy_below);
 }
 
 /* Returns hi + lo rounded. Rounding is monotone: if hi + lo - error and hi + lo + error
@@ -363,12 +363,12 @@ static V round_exact(const struct kernel_block *b, const V cut[3],
 	V sure = ALL(b->moderate);
 
 	for (int k = 0; k < kernel_outputs(kind); k++) {
-		const struct column_cut *c = &b->cut[k];
-		vdd s = column(c, cut, rest, terms);
-		V lost = lost_by(c, s, cut, rest, terms);
+		const struct column_cut *c = &b->column[k];
+		vdd s = column_sum(c, cut, rest, terms);
+		V inexact = column_inexactness(c, s, cut, rest, terms);
 
 		q[k] = round_surely(s.hi, s.lo,
-		    IF_POSITIVE(lost, ALL(c->bound), ALL(0)), &sure);
+		    IF_POSITIVE(inexact, ALL(c->bound), ALL(0)), &sure);
 	}
 	return sure;
 }
@@ -413,22 +413,23 @@ image_of(const struct kernel_block *b, const V p[3], V q[],
 	const bool divide = kernel_divides(kind);
 	const bool direction = kind == KERNEL_DIRECTION;
 	V cut[3], rest[3], r = ALL(1), sure = ALL(b->moderate);
-	V bound = ALL(b->cut[3].bound), w_sum = r;
+	V bound = ALL(b->column[3].bound), w_sum = r;
 	vdd w = { r, ALL(0) }, c[4];
 
 	cut_points(b, p, terms, cut, rest);
 	if (divide) {
-		w = column(&b->cut[3], cut, rest, terms);
+		w = column_sum(&b->column[3], cut, rest, terms);
 		w_sum = w.hi + w.lo;
 		r = ALL(1) / w_sum;
 	}
 	for (int k = 0; k < 3 && direction; k++)
-		c[k] = normalise(column(&b->cut[k], cut, rest, terms));
+		c[k] = normalise(column_sum(&b->column[k], cut, rest, terms));
 	if (direction)
 		w = length_of(c, &r);
 	for (int k = 0; k < columns; k++) {
-		vdd s = direction ? c[k] : column(&b->cut[k], cut, rest, terms);
-		V error = ALL(b->cut[k].bound);
+		vdd s = direction ? c[k] :
+				    column_sum(&b->column[k], cut, rest, terms);
+		V error = ALL(b->column[k].bound);
 
 		q[k] = divide || direction ?
 		    quotient(s, w, r, error, bound, &sure) :
@@ -448,7 +449,7 @@ image_of(const struct kernel_block *b, const V p[3], V q[],
 }
 
 static inline __attribute__((always_inline)) int
-exact(const struct kernel_map *m, const double *const in[3],
+exact_images(const struct kernel_map *m, const double *const in[3],
     double *const out[], size_t n, enum kernel_kind kind)
 {
 	const int terms = kernel_inputs(kind), outputs = kernel_outputs(kind);
@@ -474,7 +475,7 @@ exact(const struct kernel_map *m, const double *const in[3],
 	static int name(const struct kernel_map *m, const double *const in[3], \
 	    double *const out[], size_t n)                                     \
 	{                                                                      \
-		return exact(m, in, out, n, KIND);                             \
+		return exact_images(m, in, out, n, KIND);                      \
 	}
 
 LOOP(KERNEL_FLAT, exact_flat)

@@ -72,26 +72,26 @@ typedef int (*exact_kernel)(const struct kernel_map *,
 /* Writes images computed in double or single. A coordinate becomes nan or infinite if
  * its point has no image, or if an intermediate value is beyond the range. Returns true
  * only if this did not happen. */
-typedef int (*plain_kernel)(const struct kernel_map *,
+typedef int (*approx_kernel)(const struct kernel_map *,
     const double *const in[3], double *const out[3], size_t n);
 
-/* Does what plain_kernel does in single, from rows of floats to rows of floats; -0
+/* Does what approx_kernel does in single, from rows of floats to rows of floats; -0
  * becomes 0. */
-typedef int (*float_kernel)(const struct kernel_map *, const char *in,
+typedef int (*float_rows_kernel)(const struct kernel_map *, const char *in,
     char *out, size_t n);
 
-/* The bound of the errors of plain_kernel, in units of roundoff; plain.h derives it. */
-#define PLAIN_BOUND 10
+/* The bound of the errors of approx_kernel, in units of roundoff; approx.h derives it. */
+#define APPROX_BOUND 10
 
 /* Copies points from rows of floats or doubles to columns of doubles. Returns true if
  * no magnitude is above most. A nan is not above most. */
-typedef int (*split_kernel)(const char *rows, double (*columns)[POINTS_BLOCK],
-    size_t n, double most);
+typedef int (*to_columns_kernel)(const char *rows,
+    double (*columns)[POINTS_BLOCK], size_t n, double most);
 
 /* Copies columns to rows; -0 becomes 0. Returns true if all numbers are finite and, if
  * they were rounded to floats, none is_midway. */
 typedef int (
-    *join_kernel)(double (*columns)[POINTS_BLOCK], char *rows, size_t n);
+    *to_rows_kernel)(double (*columns)[POINTS_BLOCK], char *rows, size_t n);
 
 /* A map in doubles that estimates the signs of its columns. Let size be |x| + |y| +
  * |z|, relative to the origin. If low <= size < high, an estimate whose magnitude is
@@ -140,13 +140,13 @@ typedef void (*farthest_kernel)(const double (*m)[3], int directions,
 struct kernels {
 	enum processor processor;
 	exact_kernel exact[KERNELS];
-	plain_kernel plain[3][KERNELS]; /* by precision */
-	float_kernel floats[KERNELS];
+	approx_kernel approx[3][KERNELS]; /* by precision */
+	float_rows_kernel float_rows[KERNELS];
 	signs_kernel signs;
 	farthest_kernel farthest;
 	/* [0: rows of floats, 1: of doubles][numbers per row] */
-	split_kernel split[2][5];
-	join_kernel join[2][5];
+	to_columns_kernel to_columns[2][5];
+	to_rows_kernel to_rows[2][5];
 };
 
 extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512,
@@ -155,9 +155,9 @@ extern const struct kernels kernels_baseline, kernels_avx2, kernels_avx512,
 /* Chooses the kernels of this name (baseline, avx2, avx512, neon) or, if name is NULL,
  * the best ones for this processor. Returns false if no kernels have the name, or if
  * the processor cannot run them. */
-bool points_choose(const char *name);
+bool kernels_choose(const char *name);
 
 /* Returns the kernels chosen, at first those of baseline. */
-const struct kernels *points_kernels(void);
+const struct kernels *kernels_chosen(void);
 
 #endif

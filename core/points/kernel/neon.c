@@ -3,7 +3,7 @@
 #ifdef __AARCH64EL__
 #include "simd_neon.h"
 
-#define COPY kernels_neon
+#define KERNELS_NAME kernels_neon
 #define PROCESSOR PROCESSOR_NEON
 #include "copy.h"
 #endif

@@ -8,10 +8,10 @@
  * u S. A quotient N / W has the errors of N and W, and u each for the reciprocal and
  * the product:
  *
- *	|error of N/W| <= PLAIN_BOUND u (S_N + |N/W| S_W) / |W|
+ *	|error of N/W| <= APPROX_BOUND u (S_N + |N/W| S_W) / |W|
  *
  * The columns need 5 u, the quotient 2 u and the shortest digits printed 1 u, together
- * 8 u. The error of depth a + b/w is at most PLAIN_BOUND u (|a| + |b/W| S_W / |W|): b,
+ * 8 u. The error of depth a + b/w is at most APPROX_BOUND u (|a| + |b/W| S_W / |W|): b,
  * the reciprocal, the fused product and sum, and printing need u each, and w needs 5 u
  * S_W, together 9 u. These 9 u hold if S_W is |W|. If S_W is larger, the relative error
  * of w is larger, up to 1/16, which error_bound.c requires: division by the computed w
@@ -56,38 +56,38 @@ static inline __attribute__((always_inline)) void NAME(
 }
 
 static inline __attribute__((always_inline)) int NAME(
-    plain)(const struct kernel_map *m, const double *const in[3],
+    approx)(const struct kernel_map *m, const double *const in[3],
     double *restrict x, double *restrict y, double *restrict z, size_t n,
     enum kernel_kind kind)
 {
 	const int terms = kernel_inputs(kind);
 	/* copies, which no store can change */
 	const double *const from[3] = { in[0], in[1], in[2] };
-	const struct kernel_map own = *m;
-	int beyond = 0;
+	const struct kernel_map map = *m;
+	int nonfinite = 0;
 
 	for (size_t i = 0; i < n; i++) {
 		REAL p[3], q[3], sum = 0;
 
 		for (int k = 0; k < terms; k++)
-			p[k] = (REAL)(from[k][i] - own.origin[k]);
-		NAME(image)(&own, p, q, kind);
+			p[k] = (REAL)(from[k][i] - map.origin[k]);
+		NAME(image)(&map, p, q, kind);
 		x[i] = (double)q[0];
 		y[i] = (double)q[1];
 		if (terms > 2)
 			z[i] = (double)q[2];
 		for (int k = 0; k < terms; k++)
 			sum += q[k];
-		beyond |= sum - sum == 0 ? 0 : -1;
+		nonfinite |= sum - sum == 0 ? 0 : -1;
 	}
-	return beyond == 0;
+	return nonfinite == 0;
 }
 
-#define LOOP(KIND, name)                                                    \
-	static int NAME(name)(const struct kernel_map *m,                   \
-	    const double *const in[3], double *const out[3], size_t n)      \
-	{                                                                   \
-		return NAME(plain)(m, in, out[0], out[1], out[2], n, KIND); \
+#define LOOP(KIND, name)                                                     \
+	static int NAME(name)(const struct kernel_map *m,                    \
+	    const double *const in[3], double *const out[3], size_t n)       \
+	{                                                                    \
+		return NAME(approx)(m, in, out[0], out[1], out[2], n, KIND); \
 	}
 
 LOOP(KERNEL_FLAT, flat)
