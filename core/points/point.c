@@ -5,8 +5,8 @@
 
 #include "kernel/midway.h"
 
-/* Computes the homogeneous point relative to the map's origin. In clip space, where w
- * is not 1, the origin is 0. */
+/* Sets p to the homogeneous point relative to the map's origin, which is 0 for points
+ * of clip space, as their w may differ from 1. */
 static void set_relative(const struct transform *t, const double in[4],
     struct sum p[4])
 {
@@ -15,8 +15,8 @@ static void set_relative(const struct transform *t, const double in[4],
 	p[3] = sum_of_double(t->in == 4 && !t->reciprocal ? in[3] : 1);
 }
 
-/* Computes coordinate j of the image of the relative point p, times the map's
- * divisor. */
+/* Sets *r to coordinate j of the image of p, a point relative to the origin, without
+ * the division by w, times the map's divisor. */
 static void find_column(const struct transform *t, int j, const struct sum p[4],
     struct sum *r)
 {
@@ -40,7 +40,7 @@ static bool has_nan(const struct transform *t, const double in[4])
 	return false;
 }
 
-/* Computes the divisor of the image's coordinates. Returns false if p has no image. */
+/* Sets *d to the divisor of the image. Returns false if p has no image. */
 static bool find_divisor(const struct transform *t, const double in[4],
     const struct sum p[4], struct sum *d)
 {
@@ -76,8 +76,8 @@ void point_exact(const struct transform *t, const double in[4], double out[4])
 	}
 }
 
-/* A double that is not midway between two floats lies on the exact image's side of each
- * midpoint, and rounds as the image does. */
+/* A double that is not midway between two floats is on the same side of each midpoint
+ * as the exact image, so that both round to the same float. */
 float point_single(const struct transform *t, const double in[4], int j,
     double image)
 {

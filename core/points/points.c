@@ -8,9 +8,9 @@ static double rounded(double a, bool single)
 	return single ? (double)(float)a : a;
 }
 
-/* Computes the image of a point in double or, if single, in single precision: each
- * operation is rounded. It serves maps that have no kernel, as with four coordinates in
- * or out. A point whose w is not positive in this precision has no image. */
+/* Computes the image of a point in double or, if single, in single precision, for maps
+ * that have no kernel, such as those with four coordinates in or out. If t->front, a
+ * point whose computed w is not positive has no image. */
 static void point_approx(const struct transform *t, bool single,
     const double in[4], double out[4])
 {
@@ -53,13 +53,13 @@ static void map_one(const struct transform *t, enum precision precision,
 		out[j][i] = q[j];
 }
 
-/* Transforms point i as a block of one point, whose error bounds are those of its own
- * coordinates: this decides four of five points that the block did not. Returns true if
- * the kernel rounds the image with certainty. */
+/* Computes the image of point i as a block of its own, whose error bounds are smaller.
+ * Returns true if the kernel rounds the image with certainty, as it does for four of
+ * five points that it could not round in their block. */
 static bool map_alone(const struct transform *t, exact_kernel kernel,
     const double *const in[4], double *const out[4], size_t i)
 {
-	enum { SHORTEST = 16 }; /* the kernels read whole vectors */
+	enum { SHORTEST = 16 }; /* numbers of a column that a kernel reads */
 	COLUMN_ALIGNED double p[3][SHORTEST], q[4][SHORTEST];
 	const double *const from[3] = { p[0], p[1], p[2] };
 	double *const to[4] = { q[0], q[1], q[2], q[3] };
@@ -74,7 +74,7 @@ static bool map_alone(const struct transform *t, exact_kernel kernel,
 	return done;
 }
 
-/* Computes the image of point i, which the kernel did not round. */
+/* Computes the image of point i: the kernel wrote nan or, if it has none, infinity. */
 static void map_undecided(const struct transform *t, exact_kernel kernel,
     const double *const in[4], double *const out[4], size_t i)
 {
@@ -93,7 +93,8 @@ static bool is_finite(const struct transform *t, double *const out[4], size_t i)
 	    (t->out < 4 || isfinite(out[3][i]));
 }
 
-/* map_each, map_exact and map_nonfinite return true if all coordinates are finite. */
+/* Computes the image of each point alone. Returns true if all coordinates are finite,
+ * as map_exact and map_nonfinite do. */
 static bool map_each(const struct transform *t, enum precision precision,
     const double *const in[4], double *const out[4], size_t n)
 {
@@ -125,8 +126,9 @@ static bool map_exact(const struct transform *t, const double *const in[4],
 	return finite;
 }
 
-/* Computes those of n points in PRECISION_EXACT that the kernel could not: points
- * behind the eye, beyond the range of its precision, or whose w underflowed. */
+/* Replaces images that are not finite by exact images, rounded. An approximate image is
+ * not finite if the point is behind the eye, if a value is beyond the range of the
+ * precision, or if w underflowed. */
 static bool map_nonfinite(const struct transform *t, bool single,
     const double *const in[4], double *const out[4], size_t n)
 {
@@ -148,7 +150,7 @@ static bool map_nonfinite(const struct transform *t, bool single,
 bool points_map(const struct transform *t, enum precision precision,
     const double *const given[4], double *const out[4], size_t n)
 {
-	/* in 2D the kernels multiply a third coordinate by 0 */
+	/* map_alone reads three columns, in 2D y twice */
 	const double *const in[4] = { given[0], given[1],
 		given[t->in == 2 ? 1 : 2], given[3] };
 	approx_kernel kernel = kernels_chosen()->approx[precision][t->kind];

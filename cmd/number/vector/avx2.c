@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Reader and writer for x86-64 with AVX2 and FMA: compile with -mavx2 -mfma. */
+/* Reads and writes numbers on x86-64 with AVX2 and FMA: compile with -mavx2 -mfma. */
 #ifdef __AVX2__
 #include "../../../core/points/kernel/simd_avx2.h"
 #include "../plain.h"
@@ -34,7 +34,7 @@ static inline uint32_t in_set(const struct byte_set *set, const char *s)
 		_mm256_setzero_si256()));
 }
 
-/* Joins two digits, then four, then eight by multiplication and addition. */
+/* Joins digits to numbers of two, four and eight digits by products and sums. */
 static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 {
 	__m256i x[2], y;
@@ -68,7 +68,7 @@ static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 #define BYTES_LOW(a) _mm256_unpacklo_epi8(_mm256_setzero_si256(), a)
 #define BYTES_HIGH(a) _mm256_unpackhi_epi8(_mm256_setzero_si256(), a)
 
-/* Four loads of hi and lo take less time than two gathers. */
+/* Looks hi and lo up. Four loads take less time than two gathers. */
 static inline void power_of_ten(V scale, V *hi, V *lo)
 {
 	const double(*power)[2] = powers - POWER_MIN;
@@ -88,7 +88,7 @@ static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
     I b)
 {
 	const I zero = _mm256_setzero_si256(), zeros = _mm256_set1_epi8('0');
-	/* a has the numbers 0 and 2, b has 1 and 3 */
+	/* a has digits of the numbers 0 and 2, b of 1 and 3 */
 	int in_a = _mm256_movemask_epi8(_mm256_cmpgt_epi8(a, zero));
 	int in_b = _mm256_movemask_epi8(_mm256_cmpgt_epi8(b, zero));
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Reader and writer for x86-64 with AVX-512: compile with -mavx512f -mavx512bw
+/* Reads and writes numbers on x86-64 with AVX-512: compile with -mavx512f -mavx512bw
  * -mavx512cd -mavx512dq -mavx512vl -mfma. */
 #ifdef __AVX512BW__
 #include "../../../core/points/kernel/simd_avx512.h"
@@ -55,7 +55,7 @@ static inline uint64_t in_set(const struct byte_set *set, const char *s)
 	return _mm512_test_epi8_mask(low, high);
 }
 
-/* Joins two digits, then four, then eight by multiplication and addition. */
+/* Joins digits to numbers of two, four and eight digits by products and sums. */
 static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 {
 	const __m512i order = _mm512_setr_epi64(0, 2, 4, 6, 1, 3, 5, 7);
@@ -94,7 +94,7 @@ static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 #define BYTES_HIGH(a) _mm512_unpackhi_epi8(_mm512_setzero_si512(), a)
 
 /* Looks hi and lo up in registers: the compiler moves the loads of the table out of the
- * loop around this. The index stands in the lowest bits of 2^52 + index. */
+ * loop of the caller. The lowest bits of k, a double 2^52 + index, are the index. */
 #define POWERS_AT(i, order)                                  \
 	_mm512_permutex2var_pd(LOAD(powers[8 * (i)]), order, \
 	    LOAD(powers[8 * (i) + 4]))
@@ -117,7 +117,7 @@ static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
     I b)
 {
 	const I zeros = _mm512_set1_epi8('0');
-	/* a has the numbers 0, 2, 4 and 6, b has 1, 3, 5 and 7 */
+	/* a has digits of the numbers 0, 2, 4, 6, b of 1, 3, 5, 7 */
 	__mmask64 in_a = _mm512_test_epi8_mask(a, a);
 	__mmask64 in_b = _mm512_test_epi8_mask(b, b);
 

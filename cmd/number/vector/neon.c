@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Reader and writer for AArch64, of which NEON is a part. */
+/* Reads and writes numbers on AArch64, of which NEON is a part. */
 #ifdef __AARCH64EL__
 #include "../../../core/points/kernel/simd_neon.h"
 #include "../plain.h"
@@ -17,7 +17,7 @@
 #define LARGER(a, b) PICK((row)((a) > (b)), a, b)
 #define ANY_TOP_BIT(x) any_top_bit((const uint8_t *)&(x))
 
-/* Returns bit i if byte i of low and high is 255; the other bytes are 0. */
+/* Returns the bits i of those bytes of low, then high, that are 255; others are 0. */
 static inline uint32_t mask(uint8x16_t low, uint8x16_t high)
 {
 	const uint8x16_t bit = vreinterpretq_u8_u64(
@@ -51,7 +51,7 @@ static inline int any_top_bit(const uint8_t *x)
 	return vmaxvq_u8(vorrq_u8(vld1q_u8(x), vld1q_u8(x + 16))) > 127;
 }
 
-/* Joins two digits, then four, then eight by multiplication and addition. */
+/* Joins digits to numbers of two, four and eight digits by products and sums. */
 static inline uint64x2_t join_row(const uint8_t *row)
 {
 	uint8x16_t x = vmulq_u8(vld1q_u8(row),
@@ -108,7 +108,7 @@ static inline void power_of_ten(V scale, V *hi, V *lo)
 	*lo = vzip2q_f64(a, b);
 }
 
-/* Returns bit i if byte i is not 0. The bits of each half of the bytes are added up. */
+/* Returns a mask; bit i is set if byte i is not 0. Each half is added up. */
 static inline uint16_t nonzero_bits(uint8x16_t digits)
 {
 	const uint8x8_t bit = vcreate_u8(0x8040201008040201);

@@ -1,44 +1,42 @@
 /* SPDX-License-Identifier: MIT */
-/* Makes the texts of NUMBER_BATCH numbers at a time, in short loops, each over all of
- * them: in a long loop the processor could not begin the next turn before it has the
- * results of this one. write_find.h finds the digits; they are written at a fixed place
- * of a text, from which number_put copies them with a point among them.
+/* Makes the texts of NUMBER_BATCH numbers at a time, by short loops over all of them:
+ * the processor overlaps the turns of a short loop, but in a long one it would wait for
+ * the results of each. write_find.h finds the digits. They are stored at a fixed place
+ * of a number_text, from which number_put copies them with a point between them.
  *
- * A file that includes this has the vectors of doubles of core/points/kernel/copy.h,
- * and defines:
+ * A file that includes this file has the vectors of doubles that
+ * core/points/kernel/copy.h describes, and defines:
  *
  *	LOOPS		the name of its struct number_loops
- *	I		a vector of integers of 64 bits, as large as a V
- *	STORE_INTS(p, a) stores lanes that are whole numbers as int32_t
+ *	I		a vector of integers of 64 bits, as large as a V; it has & | <<
+ *			and > in each lane
+ *	STORE_INTS(p, a) stores whole numbers, the lanes of a V, as int32_t
  *	FLOOR, NEAREST	round to a whole number, NEAREST with ties to even
  *	ALL_BITS(a)	a in each lane of an I
  *	REGISTER	the constraint of asm for a register of an I
- *	SHR(a, n)	shifts lanes right, with zeros
- *	SHR16(a, n)	shifts quarters of lanes, 16 bits each
- *	SUB(a, b)	a - b modulo 2^64, also of the lanes that hold no number
+ *	SHR(a, n)	shifts lanes right, and fills with zeros
+ *	SHR16(a, n)	shifts quarters of lanes, of 16 bits each
+ *	SUB(a, b)	a - b modulo 2^64
  *	MUL32(a, b)	the products of the lower halves of lanes
  *	MUL16, HIGH16	the lower and the upper halves of products of quarters
- *
- * where I has & | << > lane by lane, and
- *
  *	power_of_ten(scale, &hi, &lo)
- *			looks 10^scale up, from POWER_MIN to POWER_MAX
+ *			looks 10^scale up in powers.h as hi + lo
  *	BYTES_LOW, BYTES_HIGH(a)
  *			the bytes of the lanes 0, 2, ... or of 1, 3, ..., each in
  *			the upper half of a quarter whose lower half is 0
  *	store_digits(to, step, nonzero, a, b)
- *			stores the digits of the numbers 0, 2, ..., which are a,
- *			and 1, 3, ..., which are b, to texts step bytes apart,
- *			and for each number the bits of its digits that are not 0
+ *			stores the digits of the numbers 0, 2, ..., which are a, and of
+ *			1, 3, ..., which are b, to texts step bytes apart; sets bit i of
+ *			nonzero[k] if digit i of number k is not 0
  *
- * Every operation on doubles is one rounding of IEEE 754 in each lane. */
+ * In each lane every operation on doubles rounds once, by IEEE 754. */
 #include "write_find.h"
 
-/* The zeros of a text before its DIGITS digits; the 17th digit and zeros follow. */
+/* The zeros before the DIGITS digits of a text; the 17th digit and zeros follow these.
+ */
 enum { ZEROS_BEFORE = 8 };
 
-/* Hides a constant from gcc, which makes up to five operations of a product with a
- * constant that it knows. */
+/* Hides a constant from gcc, which would make up to five operations of its product. */
 #define OPAQUE(c) opaque(ALL_BITS(c))
 INLINE I opaque(I c)
 {
@@ -50,8 +48,8 @@ INLINE I opaque(I c)
  * quotient by 10^4, 100 or 10 is a product with 2^40/10^4, 2^19/100 or 2^16/10 rounded
  * up. It is less than 1/10^4, 1/100 or 1/10 too large, so that its whole part is right.
  *
- * Returns x < 10^8, the lower half of each lane, as two numbers of four digits, a and
- * x - 10^4 a, in two quarters. The shift removes the exponent of x. */
+ * Returns x < 10^8, the lower half of each lane, as two numbers of four digits, a and x
+ * - 10^4 a, in two quarters. The lanes are doubles; x << 16 has no exponent. */
 INLINE I fours(I x)
 {
 	I a = SHR(MUL32(x, ALL_BITS(109951163)), 40);
@@ -79,10 +77,10 @@ INLINE I ones(I x)
 	return SUB(x, MUL16(a, OPAQUE(((10 << 8) - 1) * each_quarter)));
 }
 
-/* Writes the DIGITS digits of whole < 2^53. The quotient by 10^8 is right: 1e-8 is
- * 2.1e-25 more than 10^-8, so that the product is less than 1.9e-9 too large before
- * it is rounded, by at most 7.5e-9 (half a unit in the last place below 2^27); to
- * reach the next whole number takes 1e-8. */
+/* Writes the DIGITS digits of f->whole < 2^53. FLOOR gives the right quotient by 10^8:
+ * 1e-8 is 2.1e-25 more than 10^-8, so that the product is less than 1.9e-9 too large.
+ * Rounding adds at most 7.5e-9, half a unit in the last place below 2^27. Only an error
+ * of 1e-8 could reach the next whole number. */
 INLINE void write_digits(struct number_text *t, uint16_t *nonzero,
     const struct batch_digits *f)
 {
@@ -100,8 +98,8 @@ INLINE void write_digits(struct number_text *t, uint16_t *nonzero,
 	}
 }
 
-/* Returns the highest bit that is set in x < 2^24, -127 if none is, by operations that
- * compilers can do on vectors. */
+/* Returns the index of the highest bit that is set in x < 2^24, or -127 if x is 0, by
+ * operations that compilers can vectorize. */
 INLINE int highest_bit(int x)
 {
 	float f = (float)x;
@@ -112,8 +110,9 @@ INLINE int highest_bit(int x)
 }
 
 /* Computes the layouts of texts. A text begins with its first digit that is not 0, or
- * with a zero before the point. It ends before the point, or with its last digit,
- * which is not 0 unless zeros are kept. */
+ * with the 0 before the point. It ends with its last digit, which is not 0 unless
+ * keep_zeros is set, or before the point if there are no decimals. The point is scale
+ * digits before the end of the whole_digits digits. */
 INLINE void lay_out(uint32_t *layout, const uint16_t *nonzero,
     const struct batch_digits *f, int whole_digits, bool keep_zeros)
 {
@@ -134,7 +133,7 @@ INLINE void lay_out(uint32_t *layout, const uint16_t *nonzero,
 }
 
 /* Writes the zeros before the digits, the 17th digit with zeros after it, and the
- * layout. Scales from POWER_MIN on need at most six zeros on either side. */
+ * layout. With scale >= POWER_MIN a text needs at most six zeros on each side. */
 INLINE void write_zeros(struct number_text *t, const uint32_t *layout,
     const struct batch_digits *f, bool keep_zeros)
 {
@@ -152,8 +151,8 @@ INLINE void write_zeros(struct number_text *t, const uint32_t *layout,
 	}
 }
 
-/* Makes the texts of count numbers with n digits, or with n decimals, which keep their
- * zeros at the end. */
+/* Makes the texts of count numbers. If kind is NUMBER_DECIMALS, zeros at the end stay.
+ */
 INLINE void write_all(const double *v, size_t count, enum number_kind kind,
     int n, bool single, struct number_text *t)
 {
@@ -178,8 +177,7 @@ INLINE void write_all(const double *v, size_t count, enum number_kind kind,
 	}
 }
 
-/* Runs write_all, compiled with the kind of digits as a constant. The shortest digits
- * of doubles and of floats are two kinds. */
+/* Makes the texts by write_all, with kind and single as constants for the compiler. */
 static void writer_write(const double *v, size_t count, bool single,
     struct number_style style, struct number_text *t)
 {

@@ -1,25 +1,25 @@
 /* SPDX-License-Identifier: MIT */
-/* The inner loop of double and of single precision, written once; copy.h includes this
- * file for each of the two. A point is its difference from the map's origin.
+/* The kernels of double and of single precision, written once: copy.h includes this
+ * file for each of the two. p is a point's difference from the map's origin.
  *
  * Let u be the unit roundoff and S the sum of the magnitudes of a column's products. A
  * point's difference from the origin has an error of u, a matrix element one of u, and
  * a chain of three products and sums one of 3 u. So the error of a column is at most 5
- * u S. A quotient N / W has the errors of N and W, and u each for the reciprocal and
- * the product:
+ * u S. A quotient N / W of columns has the errors of N and W, and u each for the
+ * reciprocal of W and its product with N:
  *
  *	|error of N/W| <= APPROX_BOUND u (S_N + |N/W| S_W) / |W|
  *
  * The columns need 5 u, the quotient 2 u and the shortest digits printed 1 u, together
- * 8 u. The error of depth a + b/w is at most APPROX_BOUND u (|a| + |b/W| S_W / |W|): b,
- * the reciprocal, the fused product and sum, and printing need u each, and w needs 5 u
- * S_W, together 9 u. These 9 u hold if S_W is |W|. If S_W is larger, the relative error
- * of w is larger, up to 1/16, which error_bound.c requires: division by the computed w
- * makes the 5 at most 32/31 as large, and the other errors weigh less. `make prove`
- * counts all of these errors, and error_bound.c bounds S for the points of a scene. An
- * underflow adds at most u times the least normal number. A value that overflows never
- * becomes finite again, unless it is w, whose reciprocal would be 0: from w = W_MAX on
- * the image is nan. */
+ * 8 u. The error of depth a + b/W is at most APPROX_BOUND u (|a| + |b/W| S_W / |W|): b,
+ * the reciprocal, the fused product and sum, and printing need u each, and W needs 5 u
+ * S_W, together 9 u if S_W is |W|. A larger S_W makes the relative error of W larger,
+ * but APPROX_BOUND u S_W / |W| is below 1/16, as error_bound.c requires. Division by the
+ * computed W makes the 5 u at most 32/31 as large, and the other 4 u then weigh less.
+ * `make prove` counts all of these errors, and error_bound.c bounds S for the points of
+ * a scene. An underflow adds at most u times the least normal number. A value that
+ * overflows never becomes finite again, unless it is w, whose reciprocal would be 0:
+ * from w = W_MAX on the image is nan. */
 
 /* Returns column k of the image of p. */
 static inline REAL NAME(
@@ -32,7 +32,7 @@ static inline REAL NAME(
 	return c;
 }
 
-/* Writes the image q of a point whose differences from the origin are p. */
+/* Writes the image q of the point p. */
 static inline __attribute__((always_inline)) void NAME(
     image)(const struct kernel_map *m, const REAL p[3], REAL q[3],
     enum kernel_kind kind)
@@ -61,7 +61,7 @@ static inline __attribute__((always_inline)) int NAME(
     enum kernel_kind kind)
 {
 	const int terms = kernel_inputs(kind);
-	/* copies, which no store can change */
+	/* copies, which stores to x, y and z cannot change */
 	const double *const from[3] = { in[0], in[1], in[2] };
 	const struct kernel_map map = *m;
 	int nonfinite = 0;

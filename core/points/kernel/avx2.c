@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* For x86-64 with AVX2 and FMA: compile with -mavx2 -mfma. */
+/* The kernels for x86-64 with AVX2 and FMA: compile with -mavx2 -mfma. */
 #ifdef __AVX2__
 #include "simd_avx2.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* For x86-64 with AVX-512: compile with -mavx512f -mfma. */
+/* The kernels for x86-64 with AVX-512: compile with -mavx512f -mfma. */
 #ifdef __AVX512F__
 #include "simd_avx512.h"
 

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/* The copies that this program has, the best first. */
+/* The kernels that this program has, the best first. */
 static const struct {
 	const char *name;
 	const struct kernels *kernels;
@@ -20,8 +20,8 @@ static const struct {
 
 static const struct kernels *chosen = &kernels_baseline;
 
-/* Returns true if this processor has all instructions of the copies for one kind of
- * processor, here and in cmd/number/vector. */
+/* Returns true if this processor has all instructions that the files for the given kind
+ * use, in this folder and in cmd/number/vector. */
 static bool can_run(enum processor processor)
 {
 #ifdef __x86_64__

@@ -1,25 +1,25 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops for one kind of processor. A file that includes this file defines:
+/* The kernels for one kind of processor. A file that includes copy.h defines:
  *
- *	KERNELS_NAME, PROCESSOR	the name of its struct kernels, and its processor
+ *	KERNELS_NAME	the name of its struct kernels
+ *	PROCESSOR	its kind of processor
  *
- * and, as simd_avx2.h and its like do,
+ * and the operations below, as simd_avx2.h, simd_avx512.h and simd_neon.h do:
  *
- *	V, WIDTH	a vector of doubles, and how many it holds
- *	M		true or false for each lane, with & | ~
- *	LOAD, STORE	from and to any address
+ *	V, WIDTH	a vector of doubles, and the number of its lanes
+ *	M		a mask: true or false for each lane; has & | ~
+ *	LOAD, STORE	load or store a V at any address
  *	ALL(a)		a in each lane
  *	FMA(a, b, c)	a b + c, rounded once
  *	ABS, SQRT	the magnitude, and the root, rounded once
- *	MIN MAX		MIN is a < b ? a : b, MAX a > b ? a : b, nan or not
- *	LESS, EQUAL	an M; false if one is nan
- *	LANES_OF(m)	bit i: m in lane i
- *	SELECT(m, a, b)	m ? a : b
- *	ONLY(m, a)	m ? a : 0
+ *	MIN, MAX(a, b)	a < b ? a : b, and a > b ? a : b, also for nan
+ *	LESS, EQUAL	the mask of a < b, of a == b; false for nan
+ *	LANES_OF(m)	an integer; bit i is set if lane i of m is true
+ *	SELECT(m, a, b)	m ? a : b in each lane
+ *	ONLY(m, a)	m ? a : 0 in each lane
  *
- * and may define MADD(a, b, c), a b + c, with the product rounded if that is faster.
- * Vectors have +, -, * and /. Every operation is one rounding of IEEE 754 in each
- * lane. */
+ * and may define MADD(a, b, c), a b + c with a rounded product, if this is faster than
+ * FMA. V has +, -, * and /. In each lane every operation rounds once, by IEEE 754. */
 #include <math.h>
 
 #ifndef MADD

@@ -1,51 +1,50 @@
 /* SPDX-License-Identifier: MIT */
-/* The fast phase of PRECISION_EXACT, written once for the vectors that copy.h
- * describes. It computes each coordinate as a sum hi + lo with a bound of its error. If
- * all numbers within the bound round to the same double, this double is the result. If
- * they do not, point.c computes the point. Noise is a difference that counts as 0: see
- * struct kernel_map. The variable sure is positive if the rounding is certain.
+/* The kernels of PRECISION_EXACT, written once for the vectors that copy.h describes.
+ * A coordinate is a sum hi + lo with a bound of its error. If all numbers within the
+ * bound round to the same double, this double is the result; if not, point.c computes
+ * the point. Variables named sure are positive if the rounding is certain. Noise is an
+ * error up to which a difference counts as 0: see struct kernel_map.
  *
- * High parts add without error. Let 2^e be above the differences of a block's points
- * from the origin in one coordinate; each coordinate has its own e. Let B be a power of
- * two above a column's elements times their 2^e, and above the column's image of the
- * origin. Points and the origin are cut to multiples of 2^(e-26), elements to multiples
- * of 2^(-e-24) B. Then three products and the image are multiples of 2^-50 B, and their
- * sum is at most 2^52 + 2^27 of these units.
- *
- * The low part is
+ * A number is cut by rounding it to few bits; what this leaves is its rest. Let 2^e be
+ * above the differences of a block's points from the origin in one coordinate; each
+ * coordinate has its own e. Let B be a power of two above a column's elements times
+ * their 2^e, and above the column's image of the origin. Points and the origin are cut
+ * to multiples of 2^(e-26), elements to multiples of 2^(-e-24) B. Then hi, the sum of
+ * the cut image and three products of cut numbers, has no error: all of these are
+ * multiples of 2^-50 B, and hi is at most 2^52 + 2^27 of these units. The low part is
  *
  *	lo = sum of (coordinate's rest) element + (cut coordinate) (element's rest)
  *
  * This sum has three terms up to 2^-27 B, three up to 2^-25 B, and three up to 2^-27 B
  * for the origin's rests: no partial sum is above 9 times 2^-26 B. The errors are the
- * roundings of these sums, of products, of rests, and of lo with its bound, and the
- * elements' low parts that the first three terms leave out: together 49 u 2^-26 B <
+ * roundings of these sums, of products, of rests, and of lo plus its bound, and the
+ * elements' low parts, which the first three terms leave out: together 49 u 2^-26 B <
  * 2^-73.3 B, where u = 2^-53. `make prove` counts them from the code below. */
 #include "kernel.h"
 
-/* The bound of a column's error, in units of B: more than twice the error above, as the
- * roundings of a quotient must fit, too. The proofs define smaller DIGITS, the digits
- * of a double, and the other two constants with it. */
+/* DIGITS is the number of binary digits of a double, and COLUMN_BOUND the bound of a
+ * column's error in units of B: more than twice the error above, as the roundings of a
+ * quotient must fit, too. is_moderate uses MODERATE. The proofs define all three. */
 #ifndef DIGITS
 #define DIGITS 53
 #define COLUMN_BOUND 0x1p-72
 #define MODERATE 0x1p200
 #endif
-/* The least magnitude of a scaled element that is not 0, as scaling may underflow. */
+/* Stands for an element times 2^e if this product underflows. */
 #define LEAST 0x1p-1022
 
-/* The bits that are kept of a coordinate and of an element when they are cut. */
+/* The numbers of bits of a cut coordinate and of a cut element. */
 enum { POINT_CUT = DIGITS / 2, ELEMENT_CUT = DIGITS - 3 - POINT_CUT };
 
-/* Returns true if largest is neither so large nor so small that products or quotients
- * of such coordinates or columns could overflow or underflow. */
+/* Returns true if largest, a magnitude of coordinates or columns, is neither so large
+ * nor so small that their products or quotients could overflow or underflow. */
 static int is_moderate(double largest)
 {
 	return largest == 0 || (largest > 1 / MODERATE && largest < MODERATE);
 }
 
-/* Returns the number s for which a + s - s is a rounded to a multiple of unit, if |a| <
- * 2^(DIGITS-2) unit. */
+/* Returns s for which a + s - s is a rounded to a multiple of unit: |a| < 2^(DIGITS-2)
+ * unit. */
 static double rounder(double unit)
 {
 	return ldexp(1.5, DIGITS - 1) * unit;
@@ -58,7 +57,7 @@ static double cut_to(double a, double unit)
 	return a + s - s;
 }
 
-/* Returns the greatest lane. */
+/* Returns the greatest number of a vector. */
 static inline double greatest_lane(V a)
 {
 	double all[WIDTH], r;
@@ -70,7 +69,8 @@ static inline double greatest_lane(V a)
 	return r;
 }
 
-/* Returns true if a b is exactly product, and no part of it underflows. */
+/* Returns true if product is exactly a b. Returns false if fma(a, b, -product) could
+ * underflow, and tell nothing. */
 static bool is_product(double a, double b, double product)
 {
 	return fma(a, b, -product) == 0 &&
@@ -78,16 +78,15 @@ static bool is_product(double a, double b, double product)
 }
 
 /* The differences d of a block's points from the origin in one coordinate. An origin
- * below 2^(e+23) is cut as the points are: its cut part is subtracted from theirs, and
- * its rest, times the element, from the column's image of the origin. A larger origin
- * is subtracted whole from the points, which lie so near to it that the differences are
- * exact. */
+ * below 2^(e+23) is cut as the points are: its cut part is subtracted from their cut
+ * parts, and its rest times the element from the column's image of the origin. A larger
+ * origin is subtracted whole: all points are so near to it that this is exact. */
 struct kernel_range {
-	double largest;        /* the largest |d|, rounded up */
-	double power, inverse; /* 2^e, largest < 2^e, and 2^-e */
-	double rounder;        /* rounds to multiples of 2^(e-26) */
-	double whole, rest;    /* of the origin; 0 if not used */
-	double rounder_and_cut;
+	double largest;         /* the largest |d|, rounded up */
+	double power, inverse;  /* 2^e > largest, and 2^-e */
+	double rounder;         /* rounds to multiples of 2^(e-26) */
+	double whole, rest;     /* the origin, or its rest; the other is 0 */
+	double rounder_and_cut; /* rounder + the origin's cut part */
 };
 
 static struct kernel_range range_of(double low, double high, double origin)
@@ -115,7 +114,7 @@ static struct kernel_range range_of(double low, double high, double origin)
 }
 
 /* Returns the range of n coordinates. Even and odd vectors have a minimum and a maximum
- * each: with single ones, each operation would wait for the one before. */
+ * each, as operations on single ones would wait for each other. */
 static struct kernel_range range_in(const double *in, size_t n, double origin)
 {
 	V low[2] = { ALL(HUGE_VAL), ALL(HUGE_VAL) };
@@ -132,7 +131,7 @@ static struct kernel_range range_in(const double *in, size_t n, double origin)
 	    greatest_lane(MAX(high[0], high[1])), origin);
 }
 
-/* Returns the largest noise of column j in this block. */
+/* Returns the largest noise of column j within these ranges. */
 static double largest_noise(const struct kernel_map *m, int j, int terms,
     const struct kernel_range *range)
 {
@@ -143,18 +142,17 @@ static double largest_noise(const struct kernel_map *m, int j, int terms,
 	return m->noise[j] * largest;
 }
 
-/* A column's elements, and its image of the origin, cut for a block of points: all =
- * high + rest. If the column is exact, the elements' low parts together are within the
- * noise, and are left out. If not, they are added to the rests. If all is 0, the column
- * is 0. */
+/* A column for a block of points: its elements, and in row 3 its image of the origin.
+ * If the low parts of elements together are within the noise, element = high + rest; if
+ * not, their low parts are added to rest. If all elements are 0, the column is 0. */
 struct column_cut {
 	double high[4], rest[4], element[4];
 	double bound; /* of the error */
-	bool exact;
+	bool exact;   /* low parts are within the noise; no rest was rounded */
 	double noisy_below; /* 2^56 times the noise */
 };
 
-/* Returns true if the low parts of column j together are within the least noise. */
+/* Returns true if the low parts change column j by at most the least noise. */
 static bool low_parts_are_noise(const struct kernel_map *m, int j, int terms,
     const struct kernel_range *range)
 {
@@ -210,13 +208,13 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
 	return is_moderate(most);
 }
 
-/* What the loops need to know of a block of points. For KERNEL_DIRECTION cut[3].bound
- * is the bound of the length. */
+/* The ranges of a block of points, and the columns cut for them. For KERNEL_DIRECTION
+ * column[3].bound is the bound of the length. */
 struct kernel_block {
 	struct kernel_range range[3];
 	struct column_cut column[4];
-	int moderate;   /* is_moderate of all ranges and columns */
-	bool has_whole; /* range[].whole is not 0 in some coordinate */
+	int moderate;   /* all ranges and columns are is_moderate */
+	bool has_whole; /* range[k].whole is not 0 for some k */
 };
 
 static struct kernel_block block_of(const struct kernel_map *m,
@@ -258,7 +256,8 @@ static inline vdd normalise(vdd a)
 	return (vdd){ s, a.lo - (s - a.hi) };
 }
 
-/* Writes the differences of the points from the origin, each as a sum cut + rest. */
+/* Writes the points' differences from the origin as cut + rest, except that rest lacks
+ * the origin's rest, which column_cut has. */
 static inline void cut_points(const struct kernel_block *b, const V p[3],
     int terms, V cut[3], V rest[3])
 {
@@ -275,7 +274,7 @@ static inline void cut_points(const struct kernel_block *b, const V p[3],
 	}
 }
 
-/* Returns a column's sum hi + lo. */
+/* Returns the column of the images as hi + lo. */
 static inline vdd column_sum(const struct column_cut *c, const V cut[3],
     const V rest[3], int terms)
 {
@@ -290,18 +289,18 @@ static inline vdd column_sum(const struct column_cut *c, const V cut[3],
 	return (vdd){ hi, lo };
 }
 
-/* Returns 0 if a is 0, or so large that the noise does not change the rounding of a;
- * else a positive number. */
+/* Returns 0 if a is 0, or if |a| is above 2^56 times the noise, which then is too small
+ * to change the rounding of a. If not, returns a positive number. */
 static inline V inexact_if_noisy(V a, double noisy_below)
 {
 	return IF_POSITIVE(ABS(a) - ALL(noisy_below), ALL(0), ABS(a));
 }
 
 /* Returns 0 if the column hi + lo is exact within the noise, and the noise does not
- * change how it rounds. The noise does not if the sum is midway between two doubles, or
- * differs from each midpoint by at least half a unit of its last place or 2^-53 lo.
- * Returns a positive number if the column may be inexact, for example after a product
- * that may underflow. */
+ * change how it rounds. Returns a positive number if this is not certain, for example
+ * after a product that may underflow. A sum midway between two doubles is a tie in
+ * spite of noise. Any other sum differs from each midpoint by at least half a unit in
+ * its last place or 2^-53 |lo|, so that inexact_if_noisy has to test the sum and lo. */
 static inline V column_inexactness(const struct column_cut *c, vdd sum,
     const V cut[3], const V rest[3], int terms)
 {
@@ -325,7 +324,7 @@ static inline V column_inexactness(const struct column_cut *c, vdd sum,
 }
 
 /* Returns hi + lo rounded. Rounding is monotone: if hi + lo - error and hi + lo + error
- * round to one double, so do all numbers between them. If not, *sure becomes 0. */
+ * round to one double, so do all numbers between. If they do not, *sure becomes 0. */
 static inline V round_surely(V hi, V lo, V error, V *sure)
 {
 	V up = hi + (lo + error), down = hi + (lo - error);
@@ -335,11 +334,11 @@ static inline V round_surely(V hi, V lo, V error, V *sure)
 }
 
 /* Returns n / w rounded; *sure becomes 0 if the rounding is not certain. The first
- * quotient q is within 4 u |q| of n / w. The residual n - q w is as small, relative to
- * n. So the correction, rest over w, has an error of at most 24 u^2 |q|, and of 3 u
- * times the low parts. The bounds are above 2^-74 of n and w; 3 u of the columns' low
- * parts are 27 u 2^-26 B. The errors of the quotient and of the columns leave a sixth
- * of the bounds, even if w, above its own bound, is less than the exact divisor. */
+ * quotient q is within 4 u |q| of n / w, so that the residual n - q w is at most 4 u
+ * |n|. The correction of q, the residual over w, has an error of at most 24 u^2 |q| and
+ * 3 u times the low parts, which are up to 9 times 2^-26 B. bound and w_bound are above
+ * 2^-74 of n and w. The errors of the quotient and of both columns leave a sixth of the
+ * bounds unused, even if the exact divisor is less than w, which is above w_bound. */
 static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
     V *sure)
 {
@@ -353,9 +352,9 @@ static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
 	return up;
 }
 
-/* Rounds columns without division a second time, with error 0 for a column that is
- * exact, as exact columns are often midway between two doubles. Returns a positive
- * number for each point of which all columns are sure. */
+/* Rounds columns that are not divided a second time, now with error 0 if the column is
+ * exact: exact columns are often midway between two doubles, where no other error lets
+ * them round. Returns a positive number for each point whose columns are all sure. */
 static V round_exact(const struct kernel_block *b, const V cut[3],
     const V rest[3], enum kernel_kind kind, V q[])
 {
@@ -374,10 +373,10 @@ static V round_exact(const struct kernel_block *b, const V cut[3],
 }
 
 /* Returns the length of the vector of three columns, with a relative error of at most
- * 60.2 u^2. rest is the sum of squares minus the square of root; only the low parts of
- * the sum have errors, of u each. Squares of low parts are left out: 15 u^2 for the low
- * part of the length, which is at most 6 u, and 5 u^2 for those of the columns, which
- * are at most 3 u. */
+ * 60.2 u^2, and 1 / root in *reciprocal. rest is the sum of squares minus the square of
+ * root; only the low parts of the sum have errors, of u each. Squares of low parts are
+ * left out: 15 u^2 for the low part of the length, which is at most 6 u, and 5 u^2 for
+ * the low parts of columns, which are at most 3 u. */
 static inline vdd length_of(const vdd a[3], V *reciprocal)
 {
 	V square[3], low = ALL(0);
@@ -397,14 +396,15 @@ static inline vdd length_of(const vdd a[3], V *reciprocal)
 	return (vdd){ root, (rest * ALL(0.5)) * *reciprocal };
 }
 
-/* Writes the images q of points p. Returns true if all roundings are sure. If the
- * rounding of an image is not, its q[0] is nan or infinite, as exact_kernel says.
- * Images that are sure are finite: columns are below 2^202, and w is above 2^-274.
+/* Writes the images q of points p. Returns true if all roundings are sure. If those of
+ * an image are not, its q[0] becomes nan or infinite, as exact_kernel says. Other
+ * images are finite, as columns are below 2^202 and w is above 2^-274.
  *
- * A direction is divided by its length. The length's error is at most the sum of the
- * columns' errors (triangle inequality). The sum of the columns' bounds is above 2^-74
- * of the length, as each column's bound is above 2^-74 of the column. If the length is
- * below its bound, some quotient is below its own bound, and is not sure. */
+ * A direction is divided by its length, whose error is at most the sum of the columns'
+ * errors (triangle inequality). Its bound, the sum of the columns' bounds, is above
+ * 2^-74 of the length, as each bound is above 2^-74 of its column. If the length is
+ * below its bound, the error of each quotient exceeds the quotient, and no rounding is
+ * sure. */
 static inline __attribute__((always_inline)) bool
 image_of(const struct kernel_block *b, const V p[3], V q[],
     enum kernel_kind kind)
@@ -435,7 +435,7 @@ image_of(const struct kernel_block *b, const V p[3], V q[],
 		    quotient(s, w, r, error, bound, &sure) :
 		    round_surely(s.hi, s.lo, error, &sure);
 	}
-	if (divide) /* w above its bound is surely positive */
+	if (divide) /* if w is above its bound, it is surely positive */
 		sure = MIN(w_sum - bound, sure);
 	if (!divide && !direction && !ALL_POSITIVE(sure))
 		sure = round_exact(b, cut, rest, kind, q);

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Transforms rows of floats to rows of floats in PRECISION_SINGLE, with the bits of
- * single_approx. */
+/* Transforms rows of floats to rows of floats in PRECISION_SINGLE, and gives the same
+ * bits as single_approx of approx.h. */
 #include "little.h"
 
-/* Transforms n rows. origin_is_float says that the origin's coordinates are floats; then a
- * float subtraction gives the same bits. A difference of two floats that is not a
- * double is so near to the larger float that one or two roundings give this float. */
+/* Transforms n rows. If origin_is_float, its coordinates are floats, and a subtraction
+ * of floats gives the same bits as one of doubles that is rounded to float: a
+ * difference that is not a double is so near to the larger float that both round to
+ * this float. */
 static inline __attribute__((always_inline)) int
 float_rows(const struct kernel_map *m, const char *in, char *out, size_t n,
     enum kernel_kind kind, bool origin_is_float)

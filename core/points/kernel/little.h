@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Numbers as files of points have them, little-endian, at any address. */
+/* Reads and writes numbers of binary files: little-endian, at any address. */
 #ifndef LITTLE_H
 #define LITTLE_H
 
@@ -17,8 +17,7 @@ static inline void little_copy(void *to, const void *from, size_t size)
 			((char *)to)[i] = ((const char *)from)[size - 1 - i];
 }
 
-/* Return the number at p, and write one there: a double if wide, else a float; -0 is
- * written as 0. */
+/* Return the number at p, or write v there, as a double or a float; -0 becomes 0. */
 static inline double little_get(const char *p, bool is_double)
 {
 	double v;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* For arm64, where every processor has NEON. */
+/* The kernels for arm64, where every processor has NEON. */
 #ifdef __AARCH64EL__
 #include "simd_neon.h"
 

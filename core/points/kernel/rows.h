@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Copies points from rows, x y z after x y z as in files, to columns, and back. The
- * length of a row is a constant, so that compilers turn the loops into shuffles. Rows
- * may begin at any address. */
+/* Copies points from rows, as files have them (x y z, x y z, ...), to columns, and
+ * back. The number of coordinates is a constant, so that compilers turn the loops into
+ * shuffles. Rows may begin at any address. */
 #include <float.h>
 #include <stdint.h>
 
@@ -26,7 +26,7 @@ to_columns(const char *restrict rows, double (*restrict columns)[POINTS_BLOCK],
 }
 
 /* Returns true if the floats nearest to the doubles of a column are finite, and are
- * surely nearest to the exact values, too. */
+ * surely nearest to the exact values that these doubles round. */
 static inline __attribute__((always_inline)) int
 floats_are_sure(const double *restrict column, size_t n)
 {
