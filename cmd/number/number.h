@@ -28,8 +28,8 @@ struct number_style {
 
 /* Reads the number that begins at s: [+-] digits [. digits] [e [+-] digits] with a
  * digit before or after the point; or nan, inf, infinity in upper or lower case.
- * Returns the number's end, or NULL if no number begins at s. A number above the range
- * of doubles is read as inf, a number below it as 0. */
+ * Returns the number's end, or NULL if no number begins at s. A number that is too
+ * large for a double is read as inf, a number that is too small as 0. */
 const char *number_read(const char *s, const char *end, double *v);
 
 /* Write v at s without a null byte and return the end of the text. Up to NUMBER_MAX

@@ -77,10 +77,9 @@ static inline void write_17_digits(char d[64], uint64_t x)
 	memset(d + DIGITS, '0', 64 - DIGITS);
 }
 
-/* Writes the n digits at d with the decimal point after the first `point` of them, or
- * without a point if these are all. Returns the end of the text. Each memcpy has a
- * constant size, room, which is fast; what it writes after the text is within
- * NUMBER_MAX. */
+/* Writes the n digits at d with the decimal point after the first `point` of them, if
+ * more follow. Returns the end of the text. Copies of a constant size, room, are fast;
+ * what they write after the text is within NUMBER_MAX. */
 template <int room>
 static inline char *put_with_point(char *s, const char *d, int n, int point)
 {
@@ -185,8 +184,8 @@ static inline uint64_t times_ten_to(uint64_t *high, uint64_t *low, int n)
 /* Writes to d the digits of v rounded to n decimals, ties to even, and a null byte.
  * Returns the number of digits before the point, at least one; or 0 if v is 2^53 or
  * more, or if v has bits below 2^-127 and n is above 22. The first DIGITS digits are
- * the integer part or, if they have room, the integer part and all decimals; zeros fill
- * the left. So the first digit is 0, and rounding up can carry into it. */
+ * the integer part and, if they fit as well, all decimals, after zeros. So the first
+ * digit is 0, and rounding up can carry into it. */
 static inline int find_digits(char d[192], double v, int n)
 {
 	uint64_t m = (bits_of(v) & ((1ull << 52) - 1)) | 1ull << 52;
@@ -194,7 +193,7 @@ static inline int find_digits(char d[192], double v, int n)
 	int k = 1075 - int(bits_of(v) >> 52), point = DIGITS;
 	char t[64];
 
-	if (k < 1 || (k > 127 && n > 22)) /* v < 2^-75 */
+	if (k < 1 || (k > 127 && n > 22)) /* v < 2^-75 has 22 zeros */
 		return 0;
 	if (k <= 127) { /* the fraction is high 2^-64 + low 2^-128 */
 		digits = k < 64 ? m >> k : 0;
@@ -260,10 +259,10 @@ static char *print_significant(char *s, double v, int n)
 }
 
 /* Writes n significant digits of v > 0. Returns the end of the text. The exponent of
- * ten by 78913 / 2^18, about log10(2), is right or one too small. If it is too small,
- * find_digits gives one digit too many, and is called again with one decimal less. It
- * also gives one digit too many if v was rounded up to a power of ten; the second call
- * then has the same result. */
+ * ten, log2 v times 78913 / 2^18 (about log10 2), is right or one too small. If it is
+ * too small, find_digits gives one digit too many, and is called again with one decimal
+ * less. It also gives one digit too many if v was rounded up to a power of ten; the
+ * second call then has the same result. */
 static char *write_significant(char *s, double v, int n)
 {
 	char d[192];

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads and writes many numbers at a time, by loops that are compiled once for each
- * kind of processor. They read plain numbers: [-] digits [. digits], or these with an
- * exponent as %e writes it. number_read reads all other legal numbers. All loops give
- * the bits of number_read and the bytes of number_write. */
+ * kind of processor. The loops read plain numbers: [-] digits [. digits], or these with
+ * an exponent as %e writes it; number_read reads all other legal numbers. The loops
+ * give the same bits as number_read and the same bytes as number_write. */
 #ifndef PLAIN_H
 #define PLAIN_H
 
@@ -30,16 +30,16 @@ struct plain_places {
 };
 
 struct number_loops {
-	/* Writes to at the index of each byte of text that is in the set; returns their
+	/* Writes the index of each byte of text that is in the set to at; returns their
 	 * number. at has room for size rounded up to a multiple of 64, and 64 more. */
 	size_t (*find)(const struct byte_set *, const char *text, size_t size,
 	    uint16_t *at);
 	/* Reads n numbers, rounded to nearest. There are places for n rounded up to a
-	 * multiple of PLAIN_GROUP. Returns a mask: bit i is set if v[i] is not, as
-	 * number i is not plain, has more than 22 decimals, has more than 19 digits
-	 * from the first that is not 0 on, or is midway between two doubles or nearly
-	 * so. An exponent is read if it has a sign and two digits, and if the number of
-	 * decimals less the exponent is 0 to 22. */
+	 * multiple of PLAIN_GROUP. Returns a mask: bit i is set if number i was not
+	 * read, because it is not plain, has more than 22 decimals, has more than 19
+	 * digits from the first that is not 0 on, or is midway between two doubles or
+	 * nearly so. An exponent is read if it has a sign and two digits, and if the
+	 * number of decimals less the exponent is 0 to 22. */
 	uint64_t (*read)(const struct plain_places *, size_t n,
 	    double v[PLAIN_BATCH]);
 	/* Does what number_texts does. */

@@ -5,8 +5,8 @@
 
 #include "kernel/midway.h"
 
-/* Sets p to the homogeneous point relative to the map's origin, which is 0 for points
- * of clip space, as their w may differ from 1. */
+/* Sets p to the homogeneous point relative to the map's origin. The origin is 0 for
+ * points of clip space, whose w may differ from 1. */
 static void set_relative(const struct transform *t, const double in[4],
     struct sum p[4])
 {
@@ -15,8 +15,8 @@ static void set_relative(const struct transform *t, const double in[4],
 	p[3] = sum_of_double(t->in == 4 && !t->reciprocal ? in[3] : 1);
 }
 
-/* Sets *r to coordinate j of the image of p, a point relative to the origin, without
- * the division by w, times the map's divisor. */
+/* Sets *r to coordinate j of the undivided image of p, a point relative to the origin,
+ * times the map's divisor. */
 static void find_column(const struct transform *t, int j, const struct sum p[4],
     struct sum *r)
 {

@@ -74,7 +74,8 @@ static bool map_alone(const struct transform *t, exact_kernel kernel,
 	return done;
 }
 
-/* Computes the image of point i: the kernel wrote nan or, if it has none, infinity. */
+/* Computes the image of point i, for which the kernel wrote nan, or infinity if the
+ * point has no image. */
 static void map_undecided(const struct transform *t, exact_kernel kernel,
     const double *const in[4], double *const out[4], size_t i)
 {
@@ -93,8 +94,7 @@ static bool is_finite(const struct transform *t, double *const out[4], size_t i)
 	    (t->out < 4 || isfinite(out[3][i]));
 }
 
-/* Computes the image of each point alone. Returns true if all coordinates are finite,
- * as map_exact and map_nonfinite do. */
+/* Computes the images one by one. Returns true if all coordinates are finite. */
 static bool map_each(const struct transform *t, enum precision precision,
     const double *const in[4], double *const out[4], size_t n)
 {
@@ -126,9 +126,8 @@ static bool map_exact(const struct transform *t, const double *const in[4],
 	return finite;
 }
 
-/* Replaces images that are not finite by exact images, rounded. An approximate image is
- * not finite if the point is behind the eye, if a value is beyond the range of the
- * precision, or if w underflowed. */
+/* Replaces images that are not finite by rounded exact images. The kernels give none if
+ * a point is behind the eye, if a value is out of range, or if w underflowed. */
 static bool map_nonfinite(const struct transform *t, bool single,
     const double *const in[4], double *const out[4], size_t n)
 {

@@ -95,7 +95,7 @@ void transform_init(struct transform *t, enum space from, enum space to,
 	t->reciprocal = homogeneous && from == SPACE_DEVICE;
 	if (from == SPACE_CLIP || t->reciprocal)
 		t->in = 4;
-	if (from == SPACE_CLIP) /* w may differ from 1 */
+	if (from == SPACE_CLIP) /* no origin, as w may differ from 1 */
 		memset(t->map.origin, 0, sizeof t->map.origin);
 	if (to == SPACE_CLIP || (homogeneous && !t->reciprocal))
 		t->out = 4;

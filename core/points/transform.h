@@ -17,8 +17,8 @@ struct transform {
 	struct sum relative[4][4];
 	int in, out; /* numbers of coordinates: 2, 3, or 4 if homogeneous */
 	bool divide;
-	/* A point has an image if its w is above 0, that is in front of the eye, or, if
-	 * front is not set, if its w is not 0. */
+	/* If front is set, a point has an image if its w is above 0: it is in front of
+	 * the eye. If not, a point has an image if its w is not 0. */
 	bool front;
 	bool reciprocal; /* points are device positions x y z 1/w */
 	enum kernel_kind kind;
@@ -33,7 +33,7 @@ const char *scene_transform(const struct scene *, enum space from,
 const char *flat_transform(const struct scene *, enum flat from, enum flat to,
     struct transform *);
 
-/* Sets all members of the transform except map, from which they follow. */
+/* Sets all members of the transform except map, which the caller has set. */
 void transform_init(struct transform *, enum space from, enum space to,
     bool homogeneous);
 
@@ -59,7 +59,7 @@ bool points_map_floats(const struct transform *, const char *in, char *out,
  * nan; all coordinates are nan if the point has no image. */
 void point_exact(const struct transform *, const double in[4], double out[4]);
 
-/* Returns the float nearest to coordinate j of the exact image; image is its double. */
+/* Returns the float nearest to exact coordinate j, whose nearest double is image. */
 float point_single(const struct transform *, const double in[4], int j,
     double image);
 

@@ -442,11 +442,11 @@ static void prove_approx(void)
 	/* the bound's own roundings; u of single, where higher powers count */
 	const double u = 0x1p-24, own = 1 - 32 * u;
 
-	say("plain column", 5, c, "u S");
-	say("approximate quotient: APPROX_BOUND", APPROX_BOUND, worst_of(c, q, u) / own,
-	    "u");
-	say("approximate depth, of a: APPROX_BOUND", APPROX_BOUND, a / own, "u");
-	say("approximate depth, of b/w: APPROX_BOUND", APPROX_BOUND,
+	say("approx column", 5, c, "u S");
+	say("approx quotient: APPROX_BOUND", APPROX_BOUND,
+	    worst_of(c, q, u) / own, "u");
+	say("approx depth, of a: APPROX_BOUND", APPROX_BOUND, a / own, "u");
+	say("approx depth, of b/w: APPROX_BOUND", APPROX_BOUND,
 	    worst_of(c, b, u) / own, "u");
 }
 

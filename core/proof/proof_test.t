@@ -77,7 +77,7 @@ my @counted = (
 	    'POINT_CUT - 3', '1', 'column, of 2^-79 B'],
 	['points/kernel/approx.h', 'one rounding more',
 	    'R_FMA((REAL)m->b, r, (REAL)m->a)', '(REAL)m->b * r + (REAL)m->a',
-	    'approximate depth, of b/w: APPROX_BOUND'],
+	    'approx depth, of b/w: APPROX_BOUND'],
 	[$exact, 'a length without its low part', '(rest * ALL(0.5))',
 	    '(rest * ALL(0))', 'length'],
 );
@@ -88,7 +88,7 @@ my @bounds = (
 	    'COLUMN_BOUND 0x1p-75', 'quotient: share of its error'],
 	['points/kernel/kernel.h', 'a bound of approximations that is too small',
 	    'APPROX_BOUND 10', 'APPROX_BOUND 8',
-	    'approximate depth, of b/w: APPROX_BOUND'],
+	    'approx depth, of b/w: APPROX_BOUND'],
 	['points/kernel/kernel.h', 'a bound of estimates that is too small',
 	    'ESTIMATE_BOUND 0x1p-50', 'ESTIMATE_BOUND 0x1p-51',
 	    'estimate: ESTIMATE_BOUND'],

@@ -17,7 +17,7 @@
 #define LARGER(a, b) PICK((row)((a) > (b)), a, b)
 #define ANY_TOP_BIT(x) any_top_bit((const uint8_t *)&(x))
 
-/* Returns the bits i of those bytes of low, then high, that are 255; others are 0. */
+/* Returns a mask of low, then high: bit i is set if byte i is 255, not if it is 0. */
 static inline uint32_t mask(uint8x16_t low, uint8x16_t high)
 {
 	const uint8x16_t bit = vreinterpretq_u8_u64(
@@ -108,7 +108,7 @@ static inline void power_of_ten(V scale, V *hi, V *lo)
 	*lo = vzip2q_f64(a, b);
 }
 
-/* Returns a mask; bit i is set if byte i is not 0. Each half is added up. */
+/* Returns a mask; bit i is set if byte i is not 0. Sums join the bits of a half. */
 static inline uint16_t nonzero_bits(uint8x16_t digits)
 {
 	const uint8x8_t bit = vcreate_u8(0x8040201008040201);

@@ -5,10 +5,10 @@
  *
  *	IN_SET(set, s)	a mask of 64 bytes; bit i is set if s[i] is in the set
  *	join_digits(rows, half, &high, &low)
- *			takes the first 16 digits (half 0) or the last 16 (half 1) of
- *			each of WIDTH rows; makes high of 8 of these, low of the last 8
+ *			makes integers of the first (half 0) or the last 16 digits
+ *			(half 1) of WIDTH rows: high of the first 8, low of the last 8
  *	WHERE(row, c)	a mask; bit i is set if row[i] is c
- *	LARGER(a, b)	the larger byte of two rows, for each place
+ *	LARGER(a, b)	at each place the larger byte of the rows a and b
  *	ANY_TOP_BIT(x)	whether one of 32 bytes has its top bit set
  *
  * A row holds the 32 bytes before the end of a number, for ROW_NUMBERS numbers side by
@@ -17,13 +17,13 @@
  *	ROW_NUMBERS, row, row_mask, ROW_BEFORE(end, n)
  *			the bytes from end[i] - n on for number i of the row
  *	LAST_KEYS(n)	keys for LAST_BYTES from a vector of counts up to 32
- *	LAST_BYTES(keys) a mask of a row's last bytes, as many as were counted
- *	PICK(m, a, b)	m ? a : b
- *	KEEP(m, a)	m ? a : 0
+ *	LAST_BYTES(keys) a mask of the last bytes of numbers, as many as the counts
+ *	PICK(m, a, b)	m ? a : b for each byte
+ *	KEEP(m, a)	m ? a : 0 for each byte
  *	ANY_ABOVE_9(row) whether a byte of the row is above 9
  *	LEADING_ZEROS(x) the number of leading zero bits, in integers of 32 bits
  *
- * Whatever WIDTH is, every lane has the same operations of IEEE 754. */
+ * With any WIDTH a number goes through the same operations of IEEE 754. */
 #include "read_rows.h"
 
 /* Returns a mask; bit i is set if lanes i of a and b differ. A nan differs from all. */
@@ -84,11 +84,11 @@ static inline struct integer long_integer(const struct digit_rows *r, size_t i)
 /* Returns m / p rounded to nearest, and adds to m->bad the lanes whose rounding is not
  * certain. q is m->hi / p rounded; the remainder m->hi - q p is exact, as always when
  * division rounds to nearest and nothing underflows. So m / p is q + c for c = (m->hi -
- * q p + m->lo) / p. Computed c has two roundings, an error below 2.01 * 2^-53 |c|. c +
- * off and c - off are farther from c: by 2^-50 |c| less 2^-53 |c| for their own
- * rounding. Rounding is monotone: if q + (c + off) and q + (c - off) are the same
- * double, m / p rounds to this double; if not, as when m / p is midway between doubles,
- * the lane is bad. If m->lo is 0 in all lanes, q is already m / p rounded. */
+ * q p + m->lo) / p. The computed c has two roundings, an error below 2.01 * 2^-53 |c|.
+ * The sums c + off and c - off are farther from c: by 2^-50 |c| less 2^-53 |c| for
+ * their own rounding. Rounding is monotone: if q + (c + off) and q + (c - off) are the
+ * same double, m / p rounds to this double; if not, as when m / p is midway between
+ * doubles, the lane is bad. If m->lo is 0 in all lanes, q is already m / p rounded. */
 static inline V divide(struct integer *m, V p)
 {
 	V q = m->hi / p;
@@ -99,8 +99,7 @@ static inline V divide(struct integer *m, V p)
 	V first = q + (c - off), second = q + (c + off);
 
 	m->bad |= different_lanes(first, second);
-	return (
-	    V)((I)first | ((I)p & ALL_BITS(1ull << 63))); /* as -0 + 0 is 0 */
+	return (V)((I)first | ((I)p & ALL_BITS(1ull << 63))); /* keeps -0 */
 }
 
 /* Returns a mask; bit k is set if row i + k has a byte above 9. */
@@ -136,7 +135,8 @@ static inline uint64_t read_group(const struct digit_rows *r, size_t i,
 
 /* Reads n plain numbers and, if exponent is not NULL, multiplies number i by
  * 10^exponent[i]. Returns a mask of the numbers that are not read. The exponent makes
- * the divisor another power of ten; a number whose power is no double is not read. */
+ * the divisor another power of ten; if no double is this power, the number is not read.
+ */
 static inline uint64_t read_plain(const struct plain_places *at, size_t n,
     const int8_t *exponent, double v[PLAIN_BATCH])
 {
@@ -213,8 +213,8 @@ static uint64_t reader_read(const struct plain_places *at, size_t n,
 	return bad == 0 ? 0 : read_exponential(at, bad, v);
 }
 
-/* Writes base + i for each bit i that is set, eight at a time. Returns the end of what
- * counts; the next call overwrites the places after it. */
+/* Writes base + i for each bit i that is set, eight at a time. Returns the end of these
+ * numbers; the next call overwrites the surplus. */
 static inline uint16_t *put_places(uint64_t bits, size_t base, uint16_t *at)
 {
 	size_t n = (size_t)__builtin_popcountll(bits);

@@ -10,9 +10,9 @@
 
 #include "../plain.h"
 
-/* The digits of numbers, right-aligned, and the divisor of the integer that each
- * number's digits make: a power of ten with the number's sign. A character other than a
- * digit becomes a byte above 9. */
+/* The digits of numbers, right-aligned, and the divisors of the integers that these
+ * digits make, negative for a minus. A character that is no digit becomes a byte above
+ * 9. */
 struct digit_rows {
 	_Alignas(64) uint8_t digits[PLAIN_BATCH][32];
 	double divisor[PLAIN_BATCH];
@@ -20,13 +20,13 @@ struct digit_rows {
 
 /* The slower operations that a group of PLAIN_GROUP numbers needs. */
 struct group_needs {
-	bool digit_test;    /* some number has another character than digits */
-	bool long_integers; /* some number has more than 15 digits */
+	bool digit_test;    /* a number has a character that is no digit */
+	bool long_integers; /* a number has more than 15 digits */
 };
 
-/* The divisors of positive numbers by the number of decimals, or by NO_POINT if there
- * is no point; then those of negative numbers. Powers of ten up to 10^22 are doubles.
- * With more decimals, or without digits (NOT_READ), the divisor is nan. */
+/* The divisors of positive numbers, indexed by the number of decimals, or by NO_POINT
+ * if there is no point; then those of negative numbers. Powers of ten before POWER_END
+ * are doubles. With more decimals, or without digits (NOT_READ), the divisor is nan. */
 enum { NO_POINT = 32, NOT_READ = 23, POWER_END = 23 };
 #define NO (double)NAN
 static const double divisors[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8,
@@ -78,9 +78,9 @@ static inline row last_bytes(size_t n)
 typedef int32_t ints __attribute__((vector_size(4 * PLAIN_GROUP)));
 typedef float reals __attribute__((vector_size(4 * PLAIN_GROUP)));
 #define LEADING_ZEROS(x) leading_zeros(x)
-/* Returns the number of leading zero bits of x, which is 0 or has one bit, by the
- * exponent of x as a float. For two bits, as of the points in 1.2.3, any result will
- * do. */
+/* Returns the number of leading zero bits of x, which is 0 or has one bit, from the
+ * exponent of x as a float. For the two bits of 1.2.3, no number, any result will do.
+ */
 static inline counts leading_zeros(counts x)
 {
 	const counts zero = { 0 };
@@ -90,9 +90,10 @@ static inline counts leading_zeros(counts x)
 }
 #endif
 
-/* The characters of each number. points and minuses have a bit for each of the 32 bytes
- * before its end. digits is its size, and after count_digits the key of its digits for
- * LAST_BYTES; decimals is the key of its decimals; divisor is an index of divisors. */
+/* The bits and counts of each number. points and minuses have a bit for each of the 32
+ * bytes before its end. digits is its size, and after count_digits the key of its
+ * digits for LAST_BYTES; decimals is the key of its decimals; divisor is an index of
+ * divisors. */
 struct marks {
 	uint32_t points[PLAIN_BATCH], minuses[PLAIN_BATCH];
 	uint32_t digits[PLAIN_BATCH], decimals[PLAIN_BATCH];

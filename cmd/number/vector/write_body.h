@@ -32,8 +32,7 @@
  * In each lane every operation on doubles rounds once, by IEEE 754. */
 #include "write_find.h"
 
-/* The zeros before the DIGITS digits of a text; the 17th digit and zeros follow these.
- */
+/* The zeros before the DIGITS digits of a text, which the 17th and zeros follow. */
 enum { ZEROS_BEFORE = 8 };
 
 /* Hides a constant from gcc, which would make up to five operations of its product. */
@@ -49,7 +48,7 @@ INLINE I opaque(I c)
  * up. It is less than 1/10^4, 1/100 or 1/10 too large, so that its whole part is right.
  *
  * Returns x < 10^8, the lower half of each lane, as two numbers of four digits, a and x
- * - 10^4 a, in two quarters. The lanes are doubles; x << 16 has no exponent. */
+ * - 10^4 a, in two quarters. The lanes are doubles; x << 16 drops the exponent. */
 INLINE I fours(I x)
 {
 	I a = SHR(MUL32(x, ALL_BITS(109951163)), 40);
@@ -112,7 +111,7 @@ INLINE int highest_bit(int x)
 /* Computes the layouts of texts. A text begins with its first digit that is not 0, or
  * with the 0 before the point. It ends with its last digit, which is not 0 unless
  * keep_zeros is set, or before the point if there are no decimals. The point is scale
- * digits before the end of the whole_digits digits. */
+ * digits before the end of the first whole_digits digits. */
 INLINE void lay_out(uint32_t *layout, const uint16_t *nonzero,
     const struct batch_digits *f, int whole_digits, bool keep_zeros)
 {
@@ -151,8 +150,7 @@ INLINE void write_zeros(struct number_text *t, const uint32_t *layout,
 	}
 }
 
-/* Makes the texts of count numbers. If kind is NUMBER_DECIMALS, zeros at the end stay.
- */
+/* Makes the texts of count numbers. NUMBER_DECIMALS keeps zeros at the end. */
 INLINE void write_all(const double *v, size_t count, enum number_kind kind,
     int n, bool single, struct number_text *t)
 {

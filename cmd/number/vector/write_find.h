@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Finds the decimal digits of numbers by the operations on doubles that write_body.h
- * lists. No operation rounds for numbers from 2^-17 to 2^52, or for floats to 2^23. For
- * all other numbers, number_write makes a text if rounding could change it. */
+ * lists. Shortest digits of numbers from 2^-17 to 2^52, of floats to 2^23, are found
+ * without rounding. For all other digits, number_write makes a text if rounding could
+ * change it. */
 #ifndef WRITE_FIND_H
 #define WRITE_FIND_H
 
@@ -51,13 +52,11 @@ INLINE struct scaled scaled(V a, V hi, V lo, bool whole_powers)
 
 /* Returns the nearest whole number to x < 2^53, ties to even, if scale >= 0, where x is
  * p + e. *rest is x - i - 1/2, rounded, and has its sign:
- *
  * - |e| is at most half a unit of p's last place.
  * - If p < 1/4, i is 0 and p - 1/2 is at most -1/4: e can't change its sign.
  * - If p >= 1/4, p - i - 1/2 is exact, so that only the sum with e is rounded.
- *
- * There are two kinds of ties. If e = 0, *rest is 0, and NEAREST(p) breaks the tie. If
- * not, p > 2^52 is whole and |e| = 1/2: x is halfway between two doubles and was
+ * If e = 0, *rest is 0 in a tie, and NEAREST(p) breaks the tie. A tie with another e
+ * has |e| = 1/2, and p > 2^52 is whole: x is halfway between two doubles and was
  * rounded to the even one, p. Both branches return this p, as *rest is 0 or -1. */
 INLINE V nearest(struct scaled x, V *rest)
 {
@@ -82,17 +81,16 @@ struct digits {
  * down is up, or half of up if a is a power of two.
  *
  * This interval contains at most one whole number, which is the shortest: a number with
- * fewer digits is whole, too, and its zeros at the end are dropped later. If it contains
- * none, one more digit is needed: the multiple of 1/10 nearest to x is no farther than
- * 1/20 from x, and in the interval. But if a is a power of two, this multiple may be
- * outside, and number_write makes the text.
+ * fewer digits is whole, too, and its zeros at the end are dropped later. If there is
+ * no whole number, the result is the multiple of 1/10 nearest to x, which is in the
+ * interval as it is no farther than 1/20 from x. But if a is a power of two, the
+ * multiple may be outside, and number_write makes the text.
  *
  * If scale >= 0, nothing is rounded. x is a multiple of 2^(q + scale), and up is half
- * of 2^(q + scale) times the odd number 5^scale, so that x + up and x - down are never
- * whole. As q + scale >= -49 (digits_test.t counts), all differences are multiples of
- * 2^-51 below 1, and tenths is a multiple of 2^-48 below 10: all are doubles. If two
- * digits are equally near, rest is 1/4 or 3/4; NEAREST, as number_write, chooses the
- * even digit.
+ * of 2^(q + scale) times the odd number 5^scale, so that no whole number is at x + up
+ * or x - down. As q + scale >= -49 (digits_test.t counts), all differences are
+ * multiples of 2^-51 below 1, and tenths is a multiple of 2^-48 below 10: all are
+ * doubles. If two digits are equally near, at 1/4 or 3/4, NEAREST takes the even one.
  *
  * If scale < 0, the errors are at most, in units of 2^-53:
  *
@@ -201,11 +199,11 @@ INLINE void find_significant(struct batch_digits *f, size_t i, int n, V v)
 	store_lanes(f, i, v, d, scale);
 }
 
-/* Finds the shortest digits of numbers from 2^-17 to 1e21, of floats to 2^60: the table
- * of powers has no more, and texts have no exponent from 1e-6 to 1e21. For numbers out
- * of this range top is 1, so that the index is in the table, and number_write makes the
- * text. If exact is set, all numbers are in this range and have scale >= 0: nothing is
- * rounded, and no comparison needs a margin. */
+/* Finds the shortest digits of numbers from 2^-17 to 1e21, of floats to 2^60: so far
+ * the table of powers reaches, and from 1e-6 to 1e21 texts have no exponent. For other
+ * numbers top is 1, so that the index is in the table, and number_write makes the text.
+ * If exact is set, all numbers are in this range and have scale >= 0: nothing is
+ * rounded, and comparisons need no margin. */
 INLINE void find_in_range(struct batch_digits *f, size_t i, bool single,
     bool exact, V v)
 {

@@ -10,16 +10,16 @@
  *
  *	|error of N/W| <= APPROX_BOUND u (S_N + |N/W| S_W) / |W|
  *
- * The columns need 5 u, the quotient 2 u and the shortest digits printed 1 u, together
- * 8 u. The error of depth a + b/W is at most APPROX_BOUND u (|a| + |b/W| S_W / |W|): b,
- * the reciprocal, the fused product and sum, and printing need u each, and W needs 5 u
- * S_W, together 9 u if S_W is |W|. A larger S_W makes the relative error of W larger,
- * but APPROX_BOUND u S_W / |W| is below 1/16, as error_bound.c requires. Division by the
- * computed W makes the 5 u at most 32/31 as large, and the other 4 u then weigh less.
- * `make prove` counts all of these errors, and error_bound.c bounds S for the points of
- * a scene. An underflow adds at most u times the least normal number. A value that
- * overflows never becomes finite again, unless it is w, whose reciprocal would be 0:
- * from w = W_MAX on the image is nan. */
+ * The errors of columns take 5 u of this, the quotient 2 u, and the shortest digits
+ * printed 1 u, together 8 u. The error of depth a + b/W is at most APPROX_BOUND u (|a|
+ * + |b/W| S_W / |W|). If S_W is |W|, W takes 5 u of this, and b, the reciprocal, the
+ * fused product and sum, and printing u each, together 9 u. If S_W is larger, W has a
+ * larger relative error, but APPROX_BOUND u S_W / |W| is below 1/16, as error_bound.c
+ * requires: division by the computed W makes the 5 u at most 32/31 as large, and the
+ * other 4 u weigh less. `make prove` counts all of these errors, and error_bound.c
+ * bounds S for the points of a scene. An underflow adds at most u times the least
+ * normal number. A value that overflows never becomes finite again, unless it is w,
+ * whose reciprocal would be 0: from w = W_MAX on the image is nan. */
 
 /* Returns column k of the image of p. */
 static inline REAL NAME(

@@ -13,13 +13,13 @@
  *	FMA(a, b, c)	a b + c, rounded once
  *	ABS, SQRT	the magnitude, and the root, rounded once
  *	MIN, MAX(a, b)	a < b ? a : b, and a > b ? a : b, also for nan
- *	LESS, EQUAL	the mask of a < b, of a == b; false for nan
+ *	LESS, EQUAL	the masks of a < b and a == b; false for nan
  *	LANES_OF(m)	an integer; bit i is set if lane i of m is true
  *	SELECT(m, a, b)	m ? a : b in each lane
  *	ONLY(m, a)	m ? a : 0 in each lane
  *
  * and may define MADD(a, b, c), a b + c with a rounded product, if this is faster than
- * FMA. V has +, -, * and /. In each lane every operation rounds once, by IEEE 754. */
+ * FMA. V has +, -, * and /. In each lane, other operations round once (IEEE 754). */
 #include <math.h>
 
 #ifndef MADD

@@ -5,7 +5,7 @@
  * the point. Variables named sure are positive if the rounding is certain. Noise is an
  * error up to which a difference counts as 0: see struct kernel_map.
  *
- * A number is cut by rounding it to few bits; what this leaves is its rest. Let 2^e be
+ * To cut a number is to round it to few bits; the difference is its rest. Let 2^e be
  * above the differences of a block's points from the origin in one coordinate; each
  * coordinate has its own e. Let B be a power of two above a column's elements times
  * their 2^e, and above the column's image of the origin. Points and the origin are cut
@@ -43,8 +43,7 @@ static int is_moderate(double largest)
 	return largest == 0 || (largest > 1 / MODERATE && largest < MODERATE);
 }
 
-/* Returns s for which a + s - s is a rounded to a multiple of unit: |a| < 2^(DIGITS-2)
- * unit. */
+/* Returns s: a + s - s rounds a to a multiple of unit if |a| < 2^(DIGITS-2) unit. */
 static double rounder(double unit)
 {
 	return ldexp(1.5, DIGITS - 1) * unit;
@@ -69,8 +68,8 @@ static inline double greatest_lane(V a)
 	return r;
 }
 
-/* Returns true if product is exactly a b. Returns false if fma(a, b, -product) could
- * underflow, and tell nothing. */
+/* Returns true if product is exactly a b; false, too, if an underflow could hide a
+ * difference. */
 static bool is_product(double a, double b, double product)
 {
 	return fma(a, b, -product) == 0 &&
@@ -80,7 +79,7 @@ static bool is_product(double a, double b, double product)
 /* The differences d of a block's points from the origin in one coordinate. An origin
  * below 2^(e+23) is cut as the points are: its cut part is subtracted from their cut
  * parts, and its rest times the element from the column's image of the origin. A larger
- * origin is subtracted whole: all points are so near to it that this is exact. */
+ * origin is subtracted whole: the points are so near that the differences are exact. */
 struct kernel_range {
 	double largest;         /* the largest |d|, rounded up */
 	double power, inverse;  /* 2^e > largest, and 2^-e */
@@ -142,13 +141,13 @@ static double largest_noise(const struct kernel_map *m, int j, int terms,
 	return m->noise[j] * largest;
 }
 
-/* A column for a block of points: its elements, and in row 3 its image of the origin.
- * If the low parts of elements together are within the noise, element = high + rest; if
- * not, their low parts are added to rest. If all elements are 0, the column is 0. */
+/* A column for a block of points: its elements and, in row 3, its image of the origin,
+ * cut into high and rest. The low parts of struct kernel_map are added to rest, unless
+ * they are within the noise together. If all elements are 0, the column is 0. */
 struct column_cut {
 	double high[4], rest[4], element[4];
 	double bound; /* of the error */
-	bool exact;   /* low parts are within the noise; no rest was rounded */
+	bool exact;   /* the low parts are noise, and no rest was rounded */
 	double noisy_below; /* 2^56 times the noise */
 };
 
@@ -209,11 +208,11 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
 }
 
 /* The ranges of a block of points, and the columns cut for them. For KERNEL_DIRECTION
- * column[3].bound is the bound of the length. */
+ * column[3].bound is the bound of the length's error. */
 struct kernel_block {
 	struct kernel_range range[3];
 	struct column_cut column[4];
-	int moderate;   /* all ranges and columns are is_moderate */
+	int moderate;   /* whether all ranges and columns are moderate */
 	bool has_whole; /* range[k].whole is not 0 for some k */
 };
 
@@ -257,7 +256,7 @@ static inline vdd normalise(vdd a)
 }
 
 /* Writes the points' differences from the origin as cut + rest, except that rest lacks
- * the origin's rest, which column_cut has. */
+ * the origin's rest, which is in struct column_cut. */
 static inline void cut_points(const struct kernel_block *b, const V p[3],
     int terms, V cut[3], V rest[3])
 {
@@ -324,7 +323,7 @@ static inline V column_inexactness(const struct column_cut *c, vdd sum,
 }
 
 /* Returns hi + lo rounded. Rounding is monotone: if hi + lo - error and hi + lo + error
- * round to one double, so do all numbers between. If they do not, *sure becomes 0. */
+ * round to one double, so do all numbers between them. If not, *sure becomes 0. */
 static inline V round_surely(V hi, V lo, V error, V *sure)
 {
 	V up = hi + (lo + error), down = hi + (lo - error);
@@ -353,8 +352,9 @@ static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
 }
 
 /* Rounds columns that are not divided a second time, now with error 0 if the column is
- * exact: exact columns are often midway between two doubles, where no other error lets
- * them round. Returns a positive number for each point whose columns are all sure. */
+ * exact: exact columns are often midway between two doubles, where any other error
+ * would prevent rounding. Returns a positive number for each point with all columns
+ * sure. */
 static V round_exact(const struct kernel_block *b, const V cut[3],
     const V rest[3], enum kernel_kind kind, V q[])
 {
@@ -396,15 +396,14 @@ static inline vdd length_of(const vdd a[3], V *reciprocal)
 	return (vdd){ root, (rest * ALL(0.5)) * *reciprocal };
 }
 
-/* Writes the images q of points p. Returns true if all roundings are sure. If those of
- * an image are not, its q[0] becomes nan or infinite, as exact_kernel says. Other
- * images are finite, as columns are below 2^202 and w is above 2^-274.
+/* Writes the images q of points p. Returns true if all roundings are sure. If a
+ * rounding of an image is not, its q[0] becomes nan or infinite, as exact_kernel says.
+ * Other images are finite, as columns are below 2^202 and w is above 2^-274.
  *
  * A direction is divided by its length, whose error is at most the sum of the columns'
- * errors (triangle inequality). Its bound, the sum of the columns' bounds, is above
- * 2^-74 of the length, as each bound is above 2^-74 of its column. If the length is
- * below its bound, the error of each quotient exceeds the quotient, and no rounding is
- * sure. */
+ * errors (triangle inequality). The length's bound, the sum of their bounds, is above
+ * 2^-74 of the length, as each is above 2^-74 of its column. If the length is below its
+ * bound, the error of each quotient exceeds the quotient, and no rounding is sure. */
 static inline __attribute__((always_inline)) bool
 image_of(const struct kernel_block *b, const V p[3], V q[],
     enum kernel_kind kind)

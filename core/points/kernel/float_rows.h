@@ -3,9 +3,9 @@
  * bits as single_approx of approx.h. */
 #include "little.h"
 
-/* Transforms n rows. If origin_is_float, its coordinates are floats, and a subtraction
- * of floats gives the same bits as one of doubles that is rounded to float: a
- * difference that is not a double is so near to the larger float that both round to
+/* Transforms n rows. If origin_is_float, the origin's coordinates are floats.
+ * Subtracting floats gives the same bits as subtracting doubles and rounding to float:
+ * a difference that is not a double is so near to the larger float that both round to
  * this float. */
 static inline __attribute__((always_inline)) int
 float_rows(const struct kernel_map *m, const char *in, char *out, size_t n,
@@ -45,7 +45,7 @@ float_rows(const struct kernel_map *m, const char *in, char *out, size_t n,
 	return nonfinite == 0;
 }
 
-/* Returns true if v is a float. */
+/* Returns true if v has the value of a float. */
 static bool is_float(double v)
 {
 	return (double)(float)v == v;

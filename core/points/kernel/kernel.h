@@ -9,8 +9,8 @@
 
 enum { POINTS_BLOCK = 1024 };
 
-/* Aligns a column to lines of the cache. Loads of vectors that cross two lines would
- * cost a fifth of the time in PRECISION_DOUBLE. */
+/* Aligns a column to lines of the cache. Without it, PRECISION_DOUBLE would spend a
+ * fifth of its time on vectors that cross two lines. */
 #define COLUMN_ALIGNED _Alignas(64)
 
 /* The kinds of kernels, by the structure of the matrix. */
@@ -19,8 +19,8 @@ enum kernel_kind {
 	KERNEL_FLAT,   /* two coordinates, not divided */
 	KERNEL_AFFINE, /* x, y and z, not divided */
 	KERNEL_FOUR,   /* x, y, z and w, not divided; PRECISION_EXACT only */
-	KERNEL_PROJECTIVE, /* x, y and z, divided by w */
-	KERNEL_DEPTH, /* PROJECTIVE, with z = a + b / w except in PRECISION_EXACT */
+	KERNEL_PROJECTIVE, /* x, y and z divided by w */
+	KERNEL_DEPTH, /* the same; z is a + b / w, except in PRECISION_EXACT */
 	KERNEL_DIRECTION, /* two coordinates to a vector of length 1 */
 	KERNELS,
 };
@@ -55,16 +55,16 @@ struct kernel_map {
 	 * (|x|+|y|+|z|) + offset[j], for x, y, z relative to the origin. */
 	double slope[4], offset[4];
 	/* The errors of the elements (struct sum) change column j by at most noise[j]
-	 * max(1, d) if no coordinate of |p - origin| is above d. Values of the column
-	 * that differ by this noise or less count as equal. */
+	 * max(1, d) if |x|, |y| and |z| are at most d. Values of the column that differ
+	 * by this noise or less count as equal. */
 	double noise[4];
 	/* A lower bound of the noise of column j at any point. */
 	double least_noise[4];
 };
 
 /* Writes the doubles nearest to the exact images of n points. The first coordinate of
- * an image becomes nan if the kernel cannot round all of them with certainty, and
- * infinite if w is surely not positive, so that there is no image. Returns true if
+ * an image becomes nan if the kernel cannot round all its coordinates with certainty,
+ * and infinite if w is surely not positive, so that there is no image. Returns true if
  * neither happened. Columns have room for n rounded up to a multiple of 16. */
 typedef int (*exact_kernel)(const struct kernel_map *,
     const double *const in[3], double *const out[], size_t n);
@@ -75,7 +75,7 @@ typedef int (*exact_kernel)(const struct kernel_map *,
 typedef int (*approx_kernel)(const struct kernel_map *,
     const double *const in[3], double *const out[3], size_t n);
 
-/* Does what approx_kernel does in single, but with rows of floats; -0 becomes 0. */
+/* Does what approx_kernel does in single precision, on rows of floats; -0 becomes 0. */
 typedef int (*float_rows_kernel)(const struct kernel_map *, const char *in,
     char *out, size_t n);
 
@@ -88,15 +88,15 @@ typedef int (*to_columns_kernel)(const char *rows,
     double (*columns)[POINTS_BLOCK], size_t n, double most);
 
 /* Copies columns of doubles to rows of floats or doubles; -0 becomes 0. Returns true if
- * all numbers of the rows are finite and, if they are floats, none is_midway. */
+ * all numbers of the rows are finite and, for floats, is_midway is false for all. */
 typedef int (
     *to_rows_kernel)(double (*columns)[POINTS_BLOCK], char *rows, size_t n);
 
 /* A map in doubles, with the matrix m, whose columns estimate the columns of an exact
  * map. Let size be |x| + |y| + |z|, relative to the origin. If low <= size < high, an
- * estimate whose magnitude is above slope size + floor has the exact sign. This is the
- * bound of the column with the largest errors: one bound for all columns takes less
- * time, but leaves the signs of a few more points unsure. */
+ * estimate whose magnitude is above slope size + floor has the sign of the exact
+ * column. The bound is that of the column with the largest errors: one bound for all
+ * takes less time, but leaves the signs of a few more points unsure. */
 struct estimate {
 	double origin[3], m[4][4], slope, floor, low, high;
 };

@@ -25,8 +25,8 @@ to_columns(const char *restrict rows, double (*restrict columns)[POINTS_BLOCK],
 	return above == 0;
 }
 
-/* Returns true if the floats nearest to the doubles of a column are finite, and are
- * surely nearest to the exact values that these doubles round. */
+/* Returns true if the floats nearest to the doubles of a column are finite, and surely
+ * nearest to the exact values from which the doubles were rounded. */
 static inline __attribute__((always_inline)) int
 floats_are_sure(const double *restrict column, size_t n)
 {

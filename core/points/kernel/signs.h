@@ -3,7 +3,7 @@
  * that the compiler vectorizes the loop. */
 #include "kernel.h"
 
-/* Adds to word as signs_kernel says. If size is in its range, no estimate is nan. */
+/* Adds to word as signs_kernel says. No estimate is nan if e->low <= size < e->high. */
 static inline __attribute__((always_inline)) void
 add_signs(const struct estimate *e, int columns, double weight,
     const double *const in[3], double *restrict word, size_t n)
