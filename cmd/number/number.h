@@ -40,12 +40,12 @@ char *number_write(char *s, double v, struct number_style style);
 char *number_write_float(char *s, float v, struct number_style style);
 
 /* The text of a number, made by number_texts. layout has four bytes, from the lowest:
- * first, minus, before and size. The digits begin at b + first. A minus stands before
- * them if minus is 1, and the point after the first `before` digits. The text has size
- * bytes, and one more with a minus. layout is 0 if number_write has to make the text.
- * Each text is in one line of the cache. */
+ * first, minus, before and size. The digits begin at chars + first. A minus stands
+ * before them if minus is 1, and the point after the first `before` digits. The text
+ * has size bytes, and one more with a minus. layout is 0 if number_write has to make
+ * the text. Each text is in one line of the cache. */
 struct number_text {
-	char b[60];
+	char chars[60];
 	uint32_t layout;
 } __attribute__((aligned(64)));
 
@@ -66,7 +66,7 @@ static inline char *number_put(char *s, const struct number_text *t, double v,
     bool single, struct number_style style)
 {
 	uint32_t layout = t->layout;
-	const char *from = t->b + (layout & 255);
+	const char *from = t->chars + (layout & 255);
 	size_t minus = layout >> 8 & 255, before = layout >> 16 & 255;
 
 	if (__builtin_expect(layout == 0, 0))

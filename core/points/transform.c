@@ -105,7 +105,7 @@ void transform_init(struct transform *t, enum space from, enum space to,
 	    (from != SPACE_CLIP || to == SPACE_NDC || to == SPACE_DEVICE);
 	t->kind = t->in != 3 ? KERNEL_NONE :
 	    t->divide        ? KERNEL_PROJECTIVE :
-	    t->out == 4      ? KERNEL_FOUR :
+	    t->out == 4      ? KERNEL_XYZW :
 			       KERNEL_AFFINE;
 	transform_prepare(t);
 }

@@ -7,8 +7,8 @@
 #include "kernel/kernel.h"
 #include "../scene/scene.h"
 
-/* The image of a point p is (p, 1) times map's matrix, divided by its w if divide is
- * set. */
+/* The image of p is (p, 1) times the matrix of map, divided by its w if divide is set.
+ */
 struct transform {
 	struct map map;
 	/* The matrix for differences of points from the map's origin. Row 3 is the

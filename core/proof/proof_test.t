@@ -49,7 +49,7 @@ my @mutations = (
 	[$exact, 'columns that underflow',
 	    '(largest > 1 / MODERATE && largest', '(largest', @toy],
 	[$exact, 'elements that underflow to 0',
-	    'LEAST 0x1p-1022', 'LEAST 0', @toy],
+	    'TINY 0x1p-1022', 'TINY 0', @toy],
 	[$exact, 'the low part of w left out of a quotient',
 	    'MADD(q, -w.lo, n.lo)', 'n.lo', @toy],
 	[$exact, 'a wrong sign in a quotient',

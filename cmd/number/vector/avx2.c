@@ -11,7 +11,7 @@
 #define ALL_BITS(a) _mm256_set1_epi64x((long long)(a))
 
 #define IN_SET(set, s) ((uint64_t)in_set(set, (s) + 32) << 32 | in_set(set, s))
-#define WHERE(x, c)                      \
+#define MATCH(x, c)                      \
 	((uint32_t)_mm256_movemask_epi8( \
 	    _mm256_cmpeq_epi8((__m256i)(x), _mm256_set1_epi8(c))))
 #define LARGER(a, b) ((row)_mm256_max_epu8((__m256i)(a), (__m256i)(b)))
@@ -83,7 +83,7 @@ static inline void power_of_ten(V scale, V *hi, V *lo)
 	*lo = _mm256_unpackhi_pd(ac, bd);
 }
 
-#define TO(i) ((__m128i *)(to + (i)*step))
+#define TEXT_AT(i) ((__m128i *)(to + (i)*step))
 static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
     I b)
 {
@@ -97,10 +97,10 @@ static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
 		_mm_cvtsi32_si128(in_b)));
 	a |= zeros;
 	b |= zeros;
-	_mm_storeu_si128(TO(0), _mm256_castsi256_si128(a));
-	_mm_storeu_si128(TO(1), _mm256_castsi256_si128(b));
-	_mm_storeu_si128(TO(2), _mm256_extracti128_si256(a, 1));
-	_mm_storeu_si128(TO(3), _mm256_extracti128_si256(b, 1));
+	_mm_storeu_si128(TEXT_AT(0), _mm256_castsi256_si128(a));
+	_mm_storeu_si128(TEXT_AT(1), _mm256_castsi256_si128(b));
+	_mm_storeu_si128(TEXT_AT(2), _mm256_extracti128_si256(a, 1));
+	_mm_storeu_si128(TEXT_AT(3), _mm256_extracti128_si256(b, 1));
 }
 
 #include "read_body.h"

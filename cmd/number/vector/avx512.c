@@ -26,7 +26,7 @@ typedef uint64_t row_mask;
 #define LAST_BYTES(keys) row_mask_at(keys)
 #define PICK(m, a, b) ((row)_mm512_mask_mov_epi8((__m512i)(b), m, (__m512i)(a)))
 #define KEEP(m, a) ((row)_mm512_maskz_mov_epi8(m, (__m512i)(a)))
-#define WHERE(x, c) _mm512_cmpeq_epi8_mask((__m512i)(x), _mm512_set1_epi8(c))
+#define MATCH(x, c) _mm512_cmpeq_epi8_mask((__m512i)(x), _mm512_set1_epi8(c))
 #define LEADING_ZEROS(x) ((counts)_mm256_lzcnt_epi32((__m256i)(x)))
 #define LARGER(a, b) ((row)_mm512_max_epu8((__m512i)(a), (__m512i)(b)))
 #define ANY_TOP_BIT(x) (_mm256_movemask_epi8((__m256i)(x)) != 0)
@@ -112,7 +112,7 @@ static inline void power_of_ten(V scale, V *hi, V *lo)
 	    _mm512_permutex2var_pd(POWERS_AT(0, even), k, POWERS_AT(1, even)));
 }
 
-#define TO(i) ((__m128i *)(to + (i)*step))
+#define TEXT_AT(i) ((__m128i *)(to + (i)*step))
 static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
     I b)
 {
@@ -126,14 +126,14 @@ static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
 		_mm_cvtsi64_si128((long long)in_b)));
 	a |= zeros;
 	b |= zeros;
-	_mm_storeu_si128(TO(0), _mm512_castsi512_si128(a));
-	_mm_storeu_si128(TO(1), _mm512_castsi512_si128(b));
-	_mm_storeu_si128(TO(2), _mm512_extracti32x4_epi32(a, 1));
-	_mm_storeu_si128(TO(3), _mm512_extracti32x4_epi32(b, 1));
-	_mm_storeu_si128(TO(4), _mm512_extracti32x4_epi32(a, 2));
-	_mm_storeu_si128(TO(5), _mm512_extracti32x4_epi32(b, 2));
-	_mm_storeu_si128(TO(6), _mm512_extracti32x4_epi32(a, 3));
-	_mm_storeu_si128(TO(7), _mm512_extracti32x4_epi32(b, 3));
+	_mm_storeu_si128(TEXT_AT(0), _mm512_castsi512_si128(a));
+	_mm_storeu_si128(TEXT_AT(1), _mm512_castsi512_si128(b));
+	_mm_storeu_si128(TEXT_AT(2), _mm512_extracti32x4_epi32(a, 1));
+	_mm_storeu_si128(TEXT_AT(3), _mm512_extracti32x4_epi32(b, 1));
+	_mm_storeu_si128(TEXT_AT(4), _mm512_extracti32x4_epi32(a, 2));
+	_mm_storeu_si128(TEXT_AT(5), _mm512_extracti32x4_epi32(b, 2));
+	_mm_storeu_si128(TEXT_AT(6), _mm512_extracti32x4_epi32(a, 3));
+	_mm_storeu_si128(TEXT_AT(7), _mm512_extracti32x4_epi32(b, 3));
 }
 
 #include "read_body.h"

@@ -13,7 +13,7 @@
 #define IN_SET(set, s)                                                        \
 	((uint64_t)mask(in_set(set, (s) + 32), in_set(set, (s) + 48)) << 32 | \
 	    mask(in_set(set, s), in_set(set, (s) + 16)))
-#define WHERE(x, c) equal_bits((const uint8_t *)&(x), c)
+#define MATCH(x, c) equal_bits((const uint8_t *)&(x), c)
 #define LARGER(a, b) PICK((row)((a) > (b)), a, b)
 #define ANY_TOP_BIT(x) any_top_bit((const uint8_t *)&(x))
 

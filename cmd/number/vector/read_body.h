@@ -7,7 +7,7 @@
  *	join_digits(rows, half, &high, &low)
  *			makes integers of the first (half 0) or the last 16 digits
  *			(half 1) of WIDTH rows: high of the first 8, low of the last 8
- *	WHERE(row, c)	a mask; bit i is set if row[i] is c
+ *	MATCH(row, c)	a mask; bit i is set if row[i] is c
  *	LARGER(a, b)	at each place the larger byte of the rows a and b
  *	ANY_TOP_BIT(x)	whether one of 32 bytes has its top bit set
  *
@@ -103,7 +103,7 @@ static inline V divide(struct integer *m, V p)
 }
 
 /* Returns a mask; bit k is set if row i + k has a byte above 9. */
-static inline unsigned lanes_with_others(const struct digit_rows *r, size_t i)
+static inline unsigned nondigit_lanes(const struct digit_rows *r, size_t i)
 {
 	unsigned bad = 0;
 
@@ -127,7 +127,7 @@ static inline uint64_t read_group(const struct digit_rows *r, size_t i,
 
 		STORE(v + k, q);
 		m.bad |= different_lanes(q, q);
-		m.bad |= needs.digit_test ? lanes_with_others(r, k) : 0;
+		m.bad |= needs.digit_test ? nondigit_lanes(r, k) : 0;
 		bad |= (uint64_t)m.bad << k;
 	}
 	return bad;
@@ -150,7 +150,7 @@ static inline uint64_t read_plain(const struct plain_places *at, size_t n,
 		double p = divisors[abs(exponent[i])], d = r.divisor[i];
 
 		d = exponent[i] < 0 ? d * p : d / p;
-		r.divisor[i] = fabs(d) >= 1 && fabs(d) <= 1e22 ? d : NO;
+		r.divisor[i] = fabs(d) >= 1 && fabs(d) <= 1e22 ? d : BAD;
 	}
 	for (size_t i = 0; i < n; i += PLAIN_GROUP)
 		bad |= read_group(&r, i, needs[i / PLAIN_GROUP], v);

@@ -28,13 +28,13 @@ struct group_needs {
  * if there is no point; then those of negative numbers. Powers of ten before POWER_END
  * are doubles. With more decimals, or without digits (NOT_READ), the divisor is nan. */
 enum { NO_POINT = 32, NOT_READ = 23, POWER_END = 23 };
-#define NO (double)NAN
+#define BAD (double)NAN
 static const double divisors[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8,
 	1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
-	1e21, 1e22, NO, NO, NO, NO, NO, NO, NO, NO, NO, 1e0, -1e0, -1e1, -1e2,
-	-1e3, -1e4, -1e5, -1e6, -1e7, -1e8, -1e9, -1e10, -1e11, -1e12, -1e13,
-	-1e14, -1e15, -1e16, -1e17, -1e18, -1e19, -1e20, -1e21, -1e22, NO, NO,
-	NO, NO, NO, NO, NO, NO, NO, -1e0 };
+	1e21, 1e22, BAD, BAD, BAD, BAD, BAD, BAD, BAD, BAD, BAD, 1e0, -1e0,
+	-1e1, -1e2, -1e3, -1e4, -1e5, -1e6, -1e7, -1e8, -1e9, -1e10, -1e11,
+	-1e12, -1e13, -1e14, -1e15, -1e16, -1e17, -1e18, -1e19, -1e20, -1e21,
+	-1e22, BAD, BAD, BAD, BAD, BAD, BAD, BAD, BAD, BAD, -1e0 };
 
 typedef uint32_t counts __attribute__((vector_size(4 * PLAIN_GROUP)));
 
@@ -157,7 +157,7 @@ static inline void set_rows(struct digit_rows *r, struct group_needs *needs,
 		m.digits[i] = at->size[i];
 	for (size_t i = 0; i < n; i += ROW_NUMBERS) {
 		row x = ROW_BEFORE(at->end + i, 32);
-		row_mask points = WHERE(x, '.'), minuses = WHERE(x, '-');
+		row_mask points = MATCH(x, '.'), minuses = MATCH(x, '-');
 
 		memcpy(m.points + i, &points, sizeof points);
 		memcpy(m.minuses + i, &minuses, sizeof minuses);

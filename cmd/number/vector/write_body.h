@@ -43,13 +43,13 @@ INLINE I opaque(I c)
 	return c;
 }
 
-/* fours, twos and ones divide numbers of 8 digits into numbers of 4, 2 and 1 digits. A
+/* split_8, split_4 and split_2 halve the numbers of digits, from 8 to 4, 2 and 1. A
  * quotient by 10^4, 100 or 10 is a product with 2^40/10^4, 2^19/100 or 2^16/10 rounded
  * up. It is less than 1/10^4, 1/100 or 1/10 too large, so that its whole part is right.
  *
  * Returns x < 10^8, the lower half of each lane, as two numbers of four digits, a and x
  * - 10^4 a, in two quarters. The lanes are doubles; x << 16 drops the exponent. */
-INLINE I fours(I x)
+INLINE I split_8(I x)
 {
 	I a = SHR(MUL32(x, ALL_BITS(109951163)), 40);
 
@@ -58,7 +58,7 @@ INLINE I fours(I x)
 
 /* Returns the number of four digits in each quarter as two numbers of two digits, one
  * in each byte of the quarter. */
-INLINE I twos(I x)
+INLINE I split_4(I x)
 {
 	const uint64_t each_quarter = 0x0001000100010001;
 	I a = SHR16(HIGH16(x, ALL_BITS(5243 * each_quarter)), 3);
@@ -68,7 +68,7 @@ INLINE I twos(I x)
 
 /* Returns the number of two digits in the upper byte of each quarter as two digits, one
  * in each byte of the quarter. */
-INLINE I ones(I x)
+INLINE I split_2(I x)
 {
 	const uint64_t each_quarter = 0x0001000100010001;
 	I a = SHR16(HIGH16(x, ALL_BITS(6554 * each_quarter)), 8);
@@ -89,11 +89,11 @@ INLINE void write_digits(struct number_text *t, uint16_t *nonzero,
 		V whole = LOAD(f->whole + i);
 		V high = FLOOR(whole * ALL(1e-8));
 		V low = FMA(high, ALL(-1e8), whole);
-		I x = twos(fours((I)(high + lowest_bits)) |
-		    (fours((I)(low + lowest_bits)) << 32));
+		I x = split_4(split_8((I)(high + lowest_bits)) |
+		    (split_8((I)(low + lowest_bits)) << 32));
 
-		store_digits(t[i].b + ZEROS_BEFORE, sizeof *t, nonzero + i,
-		    ones(BYTES_LOW(x)), ones(BYTES_HIGH(x)));
+		store_digits(t[i].chars + ZEROS_BEFORE, sizeof *t, nonzero + i,
+		    split_2(BYTES_LOW(x)), split_2(BYTES_HIGH(x)));
 	}
 }
 
@@ -139,7 +139,7 @@ INLINE void write_zeros(struct number_text *t, const uint32_t *layout,
 	const uint64_t zeros = 0x3030303030303030;
 
 	for (size_t i = 0; i < NUMBER_BATCH; i++) {
-		char *digits = t[i].b + ZEROS_BEFORE;
+		char *digits = t[i].chars + ZEROS_BEFORE;
 
 		memcpy(digits - ZEROS_BEFORE, &zeros, sizeof zeros);
 		if (!keep_zeros) {

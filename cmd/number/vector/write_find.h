@@ -134,7 +134,7 @@ INLINE struct digits shortest(V a, V top, V scale, V hi, struct scaled x,
 
 /* Returns log2 of a power of two, less place. The shift moves its biased exponent to
  * the lowest bits of the double 2^52. */
-INLINE V log2_less(V power, double place)
+INLINE V log2_minus(V power, double place)
 {
 	V biased = (V)(SHR((I)(power), 52) | (I)(ALL(0x1p52)));
 
@@ -181,7 +181,7 @@ INLINE void find_significant(struct batch_digits *f, size_t i, int n, V v)
 	V a = ABS(v), hi, lo, rest;
 	M in_range = LESS(a, ALL(1e15)) & ~LESS(a, ALL(1e-6));
 	V top = power_of_two_up_to(SELECT(in_range, a, one));
-	V log10 = FLOOR(log2_less(top, 0) * ALL(78913 * 0x1p-18));
+	V log10 = FLOOR(log2_minus(top, 0) * ALL(78913 * 0x1p-18));
 
 	power_of_ten(log10 + one, &hi, &lo);
 	log10 = log10 + ONLY(~(LESS(a, hi) | ~in_range), one);
@@ -212,7 +212,7 @@ INLINE void find_in_range(struct batch_digits *f, size_t i, bool single,
 	M in_range = LESS(a, ALL(single ? 0x1p60 : 1e21)) &
 	    ~LESS(a, ALL(0x1p-17));
 	V top = power_of_two_up_to(exact ? a : SELECT(in_range, a, one));
-	V q = log2_less(top, single ? 23 : 52);
+	V q = log2_minus(top, single ? 23 : 52);
 	V scale = -one - FLOOR(q * ALL(0.30102999566398120));
 
 	power_of_ten(scale, &hi, &lo);

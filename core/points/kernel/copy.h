@@ -65,7 +65,7 @@
 
 const struct kernels KERNELS_NAME = {
 	.processor = PROCESSOR,
-	.exact = { KERNELS_OF(exact, projective), [KERNEL_FOUR] = exact_four,
+	.exact = { KERNELS_OF(exact, projective), [KERNEL_XYZW] = exact_xyzw,
 	    [KERNEL_DIRECTION] = exact_direction },
 	.approx = {
 		[PRECISION_DOUBLE] = { KERNELS_OF(double, depth) },
@@ -74,6 +74,7 @@ const struct kernels KERNELS_NAME = {
 	.float_rows = { KERNELS_OF(float_rows, depth) },
 	.signs = signs,
 	.farthest = farthest,
-	.to_columns = { ROWS_OF(to_columns_floats), ROWS_OF(to_columns_doubles) },
+	.to_columns = { ROWS_OF(to_columns_floats),
+	    ROWS_OF(to_columns_doubles) },
 	.to_rows = { ROWS_OF(to_rows_floats), ROWS_OF(to_rows_doubles) },
 };

@@ -31,7 +31,7 @@
 #define MODERATE 0x1p200
 #endif
 /* Stands for an element times 2^e if this product underflows. */
-#define LEAST 0x1p-1022
+#define TINY 0x1p-1022
 
 /* The numbers of bits of a cut coordinate and of a cut element. */
 enum { POINT_CUT = DIGITS / 2, ELEMENT_CUT = DIGITS - 3 - POINT_CUT };
@@ -161,7 +161,7 @@ static bool low_parts_are_noise(const struct kernel_map *m, int j, int terms,
 		if ((i == 3 || i < terms) && !m->exact[i][j])
 			all += fabs(m->lo[i][j]) *
 				(i == 3 ? 1 : range[i].largest) +
-			    LEAST;
+			    TINY;
 	return fmax(all, m->least_noise[j]) == m->least_noise[j];
 }
 
@@ -175,7 +175,7 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
 	for (int i = 0; i < terms; i++)
 		if (range[i].largest > 0 && fabs(m->hi[i][j]) > 0)
 			most = fmax(most,
-			    fmax(LEAST, fabs(m->hi[i][j]) * range[i].power));
+			    fmax(TINY, fabs(m->hi[i][j]) * range[i].power));
 	frexp(most, &exponent);
 	const double power = ldexp(1, exponent);
 
@@ -479,7 +479,7 @@ exact_images(const struct kernel_map *m, const double *const in[3],
 
 LOOP(KERNEL_FLAT, exact_flat)
 LOOP(KERNEL_AFFINE, exact_affine)
-LOOP(KERNEL_FOUR, exact_four)
+LOOP(KERNEL_XYZW, exact_xyzw)
 LOOP(KERNEL_PROJECTIVE, exact_projective)
 LOOP(KERNEL_DIRECTION, exact_direction)
 #undef LOOP

@@ -18,7 +18,7 @@ enum kernel_kind {
 	KERNEL_NONE,   /* no kernel: points.c and point.c compute each point */
 	KERNEL_FLAT,   /* two coordinates, not divided */
 	KERNEL_AFFINE, /* x, y and z, not divided */
-	KERNEL_FOUR,   /* x, y, z and w, not divided; PRECISION_EXACT only */
+	KERNEL_XYZW,   /* x, y, z and w, not divided; PRECISION_EXACT only */
 	KERNEL_PROJECTIVE, /* x, y and z divided by w */
 	KERNEL_DEPTH, /* the same; z is a + b / w, except in PRECISION_EXACT */
 	KERNEL_DIRECTION, /* two coordinates to a vector of length 1 */
@@ -34,7 +34,7 @@ static inline int kernel_inputs(enum kernel_kind kind)
 
 static inline int kernel_outputs(enum kernel_kind kind)
 {
-	return kind == KERNEL_FLAT ? 2 : kind == KERNEL_FOUR ? 4 : 3;
+	return kind == KERNEL_FLAT ? 2 : kind == KERNEL_XYZW ? 4 : 3;
 }
 
 static inline bool kernel_divides(enum kernel_kind kind)
