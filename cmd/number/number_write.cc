@@ -193,7 +193,7 @@ static inline int find_digits(char d[192], double v, int n)
 	int k = 1075 - int(bits_of(v) >> 52), point = DIGITS;
 	char t[64];
 
-	if (k < 1 || (k > 127 && n > 22)) /* v < 2^-75 has 22 zeros */
+	if (k < 1 || (k > 127 && n > 22)) /* 22 decimals of v < 2^-75 are 0 */
 		return 0;
 	if (k <= 127) { /* the fraction is high 2^-64 + low 2^-128 */
 		digits = k < 64 ? m >> k : 0;

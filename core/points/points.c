@@ -126,8 +126,9 @@ static bool map_exact(const struct transform *t, const double *const in[4],
 	return finite;
 }
 
-/* Replaces images that are not finite by rounded exact images. The kernels give none if
- * a point is behind the eye, if a value is out of range, or if w underflowed. */
+/* Replaces images that are not finite by rounded exact images. The kernel gives no
+ * finite image if the point is behind the eye, if a value is out of range, or if w
+ * underflows. */
 static bool map_nonfinite(const struct transform *t, bool single,
     const double *const in[4], double *const out[4], size_t n)
 {

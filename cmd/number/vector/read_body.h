@@ -32,8 +32,7 @@ static inline unsigned different_lanes(V a, V b)
 	return LANES_OF(EQUAL(a, b)) ^ ((1u << WIDTH) - 1);
 }
 
-/* Returns integers u < 2^52 as doubles. With the exponent of 2^52, the bits of u are
- * the double 2^52 + u. */
+/* Returns integers u < 2^52 as doubles: with the exponent of 2^52, u is 2^52 + u. */
 static inline V double_of(I u)
 {
 	return (V)(u | ALL_BITS(0x4330000000000000)) - ALL(0x1p52);

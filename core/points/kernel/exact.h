@@ -146,8 +146,8 @@ static double largest_noise(const struct kernel_map *m, int j, int terms,
  * they are within the noise together. If all elements are 0, the column is 0. */
 struct column_cut {
 	double high[4], rest[4], element[4];
-	double bound; /* of the error */
-	bool exact;   /* the low parts are noise, and no rest was rounded */
+	double bound;       /* of the error */
+	bool exact;         /* the errors of rest are within the noise */
 	double noisy_below; /* 2^56 times the noise */
 };
 

@@ -20,7 +20,7 @@ enum kernel_kind {
 	KERNEL_AFFINE, /* x, y and z, not divided */
 	KERNEL_XYZW,   /* x, y, z and w, not divided; PRECISION_EXACT only */
 	KERNEL_PROJECTIVE, /* x, y and z divided by w */
-	KERNEL_DEPTH, /* the same; z is a + b / w, except in PRECISION_EXACT */
+	KERNEL_DEPTH,     /* z is a + b / w; in PRECISION_EXACT as PROJECTIVE */
 	KERNEL_DIRECTION, /* two coordinates to a vector of length 1 */
 	KERNELS,
 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Finds the planes that points are outside of, with variables of type double only, so
- * that the compiler vectorizes the loop. */
+/* Finds the planes that points are outside of, by computing with doubles only, so that
+ * the compiler vectorizes the loop. */
 #include "kernel.h"
 
 /* Adds to word as signs_kernel says. No estimate is nan if e->low <= size < e->high. */
