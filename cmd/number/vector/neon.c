@@ -108,7 +108,7 @@ static inline void power_of_ten(V scale, V *hi, V *lo)
 	*lo = vzip2q_f64(a, b);
 }
 
-/* Returns a mask; bit i is set if byte i is not 0. Sums join the bits of a half. */
+/* Returns a mask: bit i is set if byte i is not 0. A sum joins 8 bits of each half. */
 static inline uint16_t nonzero_bits(uint8x16_t digits)
 {
 	const uint8x8_t bit = vcreate_u8(0x8040201008040201);

@@ -32,7 +32,7 @@ static inline unsigned different_lanes(V a, V b)
 	return LANES_OF(EQUAL(a, b)) ^ ((1u << WIDTH) - 1);
 }
 
-/* Returns integers u < 2^52 as doubles: with the exponent of 2^52, u is 2^52 + u. */
+/* Returns u < 2^52 as doubles. The bits of u and of 2^52 make the double 2^52 + u. */
 static inline V double_of(I u)
 {
 	return (V)(u | ALL_BITS(0x4330000000000000)) - ALL(0x1p52);
@@ -98,7 +98,7 @@ static inline V divide(struct integer *m, V p)
 	V first = q + (c - off), second = q + (c + off);
 
 	m->bad |= different_lanes(first, second);
-	return (V)((I)first | ((I)p & ALL_BITS(1ull << 63))); /* keeps -0 */
+	return (V)((I)first | ((I)p & ALL_BITS(1ull << 63))); /* restores -0 */
 }
 
 /* Returns a mask; bit k is set if row i + k has a byte above 9. */

@@ -32,7 +32,7 @@
  * In each lane every operation on doubles rounds once, by IEEE 754. */
 #include "write_find.h"
 
-/* The zeros before the DIGITS digits of a text, which the 17th and zeros follow. */
+/* The number of zeros that are stored before the DIGITS digits of a text. */
 enum { ZEROS_BEFORE = 8 };
 
 /* Hides a constant from gcc, which would make up to five operations of its product. */

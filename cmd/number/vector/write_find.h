@@ -229,7 +229,7 @@ INLINE void find_in_range(struct batch_digits *f, size_t i, bool single,
 }
 
 /* Finds the shortest digits. If all numbers of v are from 2^-17 to 2^52, or floats to
- * 2^23, no operation rounds, and the code for exact = true is shorter. */
+ * 2^23, no operation rounds, and find_in_range with exact = true is shorter. */
 INLINE void find_shortest(struct batch_digits *f, size_t i, bool single, V v)
 {
 	V a = ABS(v);

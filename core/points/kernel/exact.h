@@ -68,8 +68,8 @@ static inline double greatest_lane(V a)
 	return r;
 }
 
-/* Returns true if product is exactly a b; false, too, if an underflow could hide a
- * difference. */
+/* Returns true if a b is exactly product; false if underflow could hide a difference.
+ */
 static bool is_product(double a, double b, double product)
 {
 	return fma(a, b, -product) == 0 &&
