@@ -14,7 +14,7 @@
 #include "peer/hand.h"
 
 /* Declared in core/points/points.h, which is not C++. */
-extern "C" bool points_choose(const char *name);
+extern "C" bool kernels_choose(const char *name);
 
 enum { COUNT = 30000, RUNS = 21 };
 
@@ -105,7 +105,7 @@ static void measure_texts(number_style style)
 	const size_t count = COUNT / block * block;
 
 	for (const char *copy : { "avx512", "avx2", "neon" }) {
-		if (!points_choose(copy))
+		if (!kernels_choose(copy))
 			continue;
 		measure((std::string("number_texts, ") + copy).c_str(),
 		    int(count), [&] {

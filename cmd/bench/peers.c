@@ -263,7 +263,7 @@ int main(int argc, char **argv)
 		for (const struct peer *p = peers[i]; p->name != NULL; p++)
 			entries[n_entries++] = (struct entry){ .name = p->name,
 				.peer = p };
-	points_choose(NULL);
+	kernels_choose(NULL);
 	sample_seed(1);
 	if (!measure_times() || !measure_errors(ORDINARY, 0) ||
 	    !measure_errors(FAR, 1e9))

@@ -184,7 +184,7 @@ static void choose_kernels(void)
 {
 	const char *cpu = getenv("PROJCALC_CPU");
 
-	if (!points_choose(cpu != NULL && *cpu != '\0' ? cpu : NULL))
+	if (!kernels_choose(cpu != NULL && *cpu != '\0' ? cpu : NULL))
 		die(EXIT_USAGE,
 		    "PROJCALC_CPU=%s: not a kind that this processor can "
 		    "run; there are baseline, avx2, avx512 and neon",

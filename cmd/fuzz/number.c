@@ -165,7 +165,7 @@ static void check_texts(double v, int n)
 	struct number_text texts[64];
 	char expected[NUMBER_MAX + 1], text[NUMBER_MAX + 65];
 
-	points_choose(NULL);
+	kernels_choose(NULL);
 	for (unsigned kind = NUMBER_SHORTEST; kind <= NUMBER_DIGITS; kind++) {
 		const struct number_style style = { kind,
 			kind == NUMBER_DIGITS && n == 0 ? 1 : n };

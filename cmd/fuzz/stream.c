@@ -265,7 +265,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 	set_job(&j, &s, data[3]);
 	struct layout layout = j.layout;
 
-	points_choose(data[3] & 32 ? "baseline" : NULL);
+	kernels_choose(data[3] & 32 ? "baseline" : NULL);
 	bool whole_source = do_at_once(&j, (const char *)data + HEADER,
 	    size - HEADER);
 	struct bytes whole = printed, messages = said;
@@ -276,7 +276,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 		free(messages.s);
 		return 0;
 	}
-	points_choose(data[3] & 32 ? NULL : "baseline");
+	kernels_choose(data[3] & 32 ? NULL : "baseline");
 	j.layout = layout;
 	state = 1 + data[3];
 	data_at = data + HEADER;

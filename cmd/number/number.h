@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Decimal text to double and back. Reading rounds to the nearest double. Writing
- * gives the shortest text that reads back as the same double, or rounds the double's
- * exact value to a number of digits. */
+/* Reads and writes doubles as decimal text. Reading rounds to the nearest double.
+ * Writing gives the shortest text that reads back as the same double, or rounds the
+ * double's exact value to a number of digits. */
 #ifndef NUMBER_H
 #define NUMBER_H
 
@@ -14,7 +14,7 @@
 extern "C" {
 #endif
 
-/* Bytes of the longest text of a number: sign, 309 digits, point, 100 decimals. */
+/* Room for the longest text of a number: sign, 309 digits, point, 100 decimals. */
 enum { NUMBER_MAX = 416 };
 
 struct number_style {
@@ -23,39 +23,38 @@ struct number_style {
 		NUMBER_DECIMALS,
 		NUMBER_DIGITS,
 	} kind;
-	int n; /* decimals 0..100, or digits 1..100 */
+	int n; /* 0 to 100 decimals, or 1 to 100 digits */
 };
 
-/* Reads the number that begins at s: [+-] digits [. digits] [e [+-] digits] with
- * a digit before or after the point; or nan, inf, infinity in upper or lower case.
- * Returns its end, NULL if no number begins at s. A number beyond the range of doubles
- * is read as inf, one below it as 0. */
+/* Reads the number that begins at s: [+-] digits [. digits] [e [+-] digits] with a
+ * digit before or after the point; or nan, inf, infinity in upper or lower case.
+ * Returns the number's end, or NULL if no number begins at s. A number that is too
+ * large for a double is read as inf, a number that is too small as 0. */
 const char *number_read(const char *s, const char *end, double *v);
 
 /* Write v at s without a null byte and return the end of the text. Up to NUMBER_MAX
- * bytes from s may change. There is an exponent below 1e-6 and from 1e21 on, as
- * JavaScript prints numbers, but never with NUMBER_DECIMALS. -0 becomes 0; nan and
- * inf become "nan". For a float, NUMBER_SHORTEST gives the shortest text that reads
- * back as the same float. */
+ * bytes from s may change. As in JavaScript, numbers below 1e-6 and from 1e21 on have
+ * an exponent, but not with NUMBER_DECIMALS. -0 becomes 0; nan and inf become "nan".
+ * The shortest text of a float is the shortest that reads back as the same float. */
 char *number_write(char *s, double v, struct number_style style);
 char *number_write_float(char *s, float v, struct number_style style);
 
-/* The text of a number that number_texts made. The bytes of layout, from the lowest,
- * are first, minus, before and size: the digits begin at b + first, a minus (1 or 0)
- * stands before them, and the point after the first `before` of them; the text has
- * size bytes, and minus more. layout is 0 if number_write has to make the text. Each
- * text is in one line of the cache. */
+/* The text of a number, made by number_texts. layout has four bytes, from the lowest:
+ * first, minus, before and size. The digits begin at chars + first. A minus stands
+ * before them if minus is 1, and the point after the first `before` digits. The text
+ * has size bytes, and one more with a minus. layout is 0 if number_write has to make
+ * the text. Each text is in one line of the cache. */
 struct number_text {
-	char b[60];
+	char chars[60];
 	uint32_t layout;
 } __attribute__((aligned(64)));
 
-/* How many numbers are read or written at a time. */
+/* The number of numbers that are read or written together. */
 enum { NUMBER_BATCH = 64 };
 
 /* Makes the texts of n numbers, of floats if single is true. t and v have room for n
- * rounded up to NUMBER_BATCH; v may have any numbers after the first n. Sets each
- * layout to 0 until points_choose has chosen the loops. */
+ * rounded up to a multiple of NUMBER_BATCH; the numbers in v after the first n are
+ * ignored. If the kernels of baseline are chosen, all layouts become 0. */
 void number_texts(const double *v, size_t n, bool single,
     struct number_style style, struct number_text *t);
 
@@ -67,7 +66,7 @@ static inline char *number_put(char *s, const struct number_text *t, double v,
     bool single, struct number_style style)
 {
 	uint32_t layout = t->layout;
-	const char *from = t->b + (layout & 255);
+	const char *from = t->chars + (layout & 255);
 	size_t minus = layout >> 8 & 255, before = layout >> 16 & 255;
 
 	if (__builtin_expect(layout == 0, 0))

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-/* fast_float has only headers, so that the program starts without loading a C++
- * library. */
+/* Reads numbers with fast_float, which consists of headers, so that the program starts
+ * without loading a C++ library. */
 #include "number.h"
 
-/* Without fast_float's assertions. */
+/* NDEBUG removes fast_float's assertions. */
 #undef NDEBUG
 #define NDEBUG
 
@@ -21,6 +21,6 @@ const char *number_read(const char *s, const char *end, double *v)
 	fast_float::from_chars_result r = fast_float::from_chars(s, end, *v);
 	if (r.ec == std::errc::invalid_argument)
 		return NULL;
-	/* fast_float also reads the (...) of a nan(...) */
+	/* fast_float also reads what follows nan in nan(...) */
 	return std::isnan(*v) ? s + (*s == '-') + 3 : r.ptr;
 }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-/* Dragonbox finds the shortest digits. A given number of decimals or significant digits
- * comes from 128 bits of the number's fraction; if they are not enough, from printf.
- * Dragonbox has only headers: the program starts without loading a C++ library. */
+/* Writes numbers. Dragonbox finds the shortest digits. A given number of decimals or
+ * significant digits comes from 128 bits of the number's fraction or, if they are not
+ * enough, from printf. Dragonbox consists of headers, so that the program starts
+ * without loading a C++ library. */
 #include "number.h"
 
-/* Without dragonbox's assertions. */
+/* NDEBUG removes Dragonbox's assertions. */
 #undef NDEBUG
 #define NDEBUG
 
@@ -21,12 +22,12 @@
 /* The most digits that the shortest text of a double needs. */
 enum { DIGITS = 17 };
 
-static const uint64_t power[] = { 1, 10, 100, 1000, 10000, 100000, 1000000,
+static const uint64_t ten_to[] = { 1, 10, 100, 1000, 10000, 100000, 1000000,
 	10000000, 100000000, 1000000000, 10000000000, 100000000000,
 	1000000000000, 10000000000000, 100000000000000, 1000000000000000,
 	10000000000000000, 100000000000000000 };
 
-/* The texts of 0 to 999. */
+/* The texts 000 to 999. */
 struct triples {
 	char text[1000][4];
 
@@ -42,8 +43,8 @@ struct triples {
 
 static constexpr triples triple;
 
-/* Writes the first three decimals of p, a number with 54 bits after its point. Returns
- * 1000 times the fraction of p. */
+/* Writes the first three decimals of p, a fixed-point number with 54 fractional bits.
+ * Returns 1000 times the fraction of p. */
 static inline uint64_t write_three(char *s, uint64_t p)
 {
 	p = (p & ((1ull << 54) - 1)) * 1000;
@@ -51,21 +52,21 @@ static inline uint64_t write_three(char *s, uint64_t p)
 	return p;
 }
 
-/* Returns the lower word of high 2^64 + low shifted right by k, from 1 to 127. */
-static inline uint64_t shifted(uint64_t high, uint64_t low, int k)
+/* Returns the lower 64 bits of high 2^64 + low shifted right by 1 <= k <= 127. */
+static inline uint64_t shift_right(uint64_t high, uint64_t low, int k)
 {
 	return k < 64 ? high << (64 - k) | low >> k : high >> (k - 64);
 }
 
-/* Writes the 17 digits of x < 10^17, and after them zeros for put_plain to copy.
- * p is x / 10^15 with 54 bits after the point: computed with the reciprocal
- * 2^113 / 10^15 and rounded up, it is less than 1.2 * 2^-54 too large. The five
- * multiplications by 1000 make this error 10^15 times as large: below 0.07 < 1. */
-static inline void write_digits(char d[64], uint64_t x)
+/* Writes the 17 digits of x < 10^17, and zeros after them, which put_with_point may
+ * copy. p is x / 10^15, with 54 fractional bits. The product with 2^113 / 10^15, which
+ * is rounded up, makes p less than 1.2 * 2^-54 too large. Five multiplications by 1000
+ * make this error 10^15 times as large: below 0.07, so that no digit changes. */
+static inline void write_17_digits(char d[64], uint64_t x)
 {
 	const uint64_t reciprocal = 10384593717069655258u;
 	uint64_t high = 0, low = multiply_add(x, reciprocal, 0, &high);
-	uint64_t p = shifted(high, low, 59) + 1;
+	uint64_t p = shift_right(high, low, 59) + 1;
 
 	memcpy(d, triple.text[p >> 54] + 1, 2);
 	p = write_three(d + 2, p);
@@ -76,11 +77,11 @@ static inline void write_digits(char d[64], uint64_t x)
 	memset(d + DIGITS, '0', 64 - DIGITS);
 }
 
-/* Writes the n digits at d with the decimal point after digit number point, from 1.
- * Returns the end of the text. Copies of a constant size, room, are fast; the bytes
- * that they write after the text are within NUMBER_MAX. */
+/* Writes the n digits at d with the decimal point after the first `point` of them, if
+ * more follow. Returns the end of the text. Copies of a constant size, room, are fast;
+ * what they write after the text is within NUMBER_MAX. */
 template <int room>
-static inline char *put_plain(char *s, const char *d, int n, int point)
+static inline char *put_with_point(char *s, const char *d, int n, int point)
 {
 	memcpy(s, d, room);
 	if (n <= point)
@@ -90,7 +91,7 @@ static inline char *put_plain(char *s, const char *d, int n, int point)
 	return s + n + 1;
 }
 
-/* Writes d.ddde+x, with the n digits d. Returns the end of the text. */
+/* Writes the n digits at d as d.ddde+exponent. Returns the end of the text. */
 static char *put_exponential(char *s, const char *d, int n, int exponent)
 {
 	int e = abs(exponent);
@@ -111,15 +112,15 @@ static char *put_exponential(char *s, const char *d, int n, int exponent)
 	return s;
 }
 
-/* Writes the number 0.ddd * 10^point, with the n digits ddd at d, in the form that
- * JavaScript gives it, without trailing zeros. Returns the end of the text. */
+/* Writes the number 0.ddd * 10^point, whose n digits ddd are at d, as JavaScript does,
+ * without zeros at the end. Returns the end of the text. */
 template <int room>
 static inline char *put_digits(char *s, const char *d, int n, int point)
 {
 	while (d[n - 1] == '0')
 		n--;
 	if (0 < point && point <= 21)
-		return put_plain<room>(s, d, n, point);
+		return put_with_point<room>(s, d, n, point);
 	if (point <= -6 || point > 0)
 		return put_exponential(s, d, n, point - 1);
 	memcpy(s, "0.000000", 8);
@@ -127,9 +128,9 @@ static inline char *put_digits(char *s, const char *d, int n, int point)
 	return s + 2 - point + n;
 }
 
-/* Writes the shortest text of v > 0. Returns its end. A loop makes the digits 17 by
- * multiplication: how often it turns follows from branches that dragonbox took, so that
- * the processor predicts it; a formula would wait for dragonbox's result. */
+/* Writes the shortest text of v > 0. Returns its end. A loop multiplies the digits by
+ * 10 until there are 17. The processor predicts its number of turns from branches that
+ * Dragonbox took; a formula would wait for Dragonbox's result. */
 template <class Float>
 [[gnu::flatten]] static char *write_shortest(char *s, Float v)
 {
@@ -140,13 +141,13 @@ template <class Float>
 	int point = DIGITS + r.exponent;
 	char d[64];
 
-	if (sizeof v == sizeof(float)) { /* at most 9 digits */
-		digits *= power[8];
+	if (sizeof v == sizeof(float)) { /* a float has at most 9 digits */
+		digits *= ten_to[8];
 		point -= 8;
 	}
-	for (; digits < power[DIGITS - 1]; digits *= 10)
+	for (; digits < ten_to[DIGITS - 1]; digits *= 10)
 		point--;
-	write_digits(d, digits);
+	write_17_digits(d, digits);
 	return put_digits<24>(s, d, DIGITS, point);
 }
 
@@ -158,8 +159,8 @@ static uint64_t bits_of(double v)
 	return bits;
 }
 
-/* Writes v with n decimals and returns the end of the text. printf writes a point, as
- * the program has the locale "C". A text that has only zeros loses its minus. */
+/* Writes v with n decimals by printf. Returns the end of the text. printf writes a
+ * point, as the program has the locale "C". A minus is removed if all digits are 0. */
 static char *print_decimals(char *s, double v, int n)
 {
 	int size = snprintf(s, NUMBER_MAX, "%.*f", n, v);
@@ -170,21 +171,21 @@ static char *print_decimals(char *s, double v, int n)
 }
 
 /* Multiplies the fraction high 2^-64 + low 2^-128 by 10^n. Returns the integer part of
- * the product, and leaves its fraction. */
-static inline uint64_t times_ten(uint64_t *high, uint64_t *low, int n)
+ * the product, and stores its fraction in high and low. */
+static inline uint64_t times_ten_to(uint64_t *high, uint64_t *low, int n)
 {
 	uint64_t carry = 0;
 
-	*low = multiply_add(*low, power[n], 0, &carry);
-	*high = multiply_add(*high, power[n], 0, &carry);
+	*low = multiply_add(*low, ten_to[n], 0, &carry);
+	*high = multiply_add(*high, ten_to[n], 0, &carry);
 	return carry;
 }
 
-/* Writes the digits of v rounded to n decimals, ties to even, and a null byte at d.
- * Returns how many digits are before the point, at least one; 0 if v is 2^53 or more,
- * or has bits below 2^-127 and n is above 22. The first DIGITS digits are the integer
- * part, followed by the decimals if both together have fewer than DIGITS digits, so
- * that rounding has a digit to carry into. */
+/* Writes to d the digits of v rounded to n decimals, ties to even, and a null byte.
+ * Returns the number of digits before the point, at least one; or 0 if v is 2^53 or
+ * more, or if v has bits below 2^-127 and n is above 22. The first DIGITS digits are
+ * the integer part and, if they fit as well, all decimals, after zeros. So the first
+ * digit is 0, and rounding up can carry into it. */
 static inline int find_digits(char d[192], double v, int n)
 {
 	uint64_t m = (bits_of(v) & ((1ull << 52) - 1)) | 1ull << 52;
@@ -192,24 +193,24 @@ static inline int find_digits(char d[192], double v, int n)
 	int k = 1075 - int(bits_of(v) >> 52), point = DIGITS;
 	char t[64];
 
-	if (k < 1 || (k > 127 && n > 22)) /* 2^-75 10^22 < 1/2 */
+	if (k < 1 || (k > 127 && n > 22)) /* 22 decimals of v < 2^-75 are 0 */
 		return 0;
 	if (k <= 127) { /* the fraction is high 2^-64 + low 2^-128 */
 		digits = k < 64 ? m >> k : 0;
 		high = k <= 64 ? m << (64 - k) : m >> (k - 64);
 		low = k <= 64 ? 0 : m << (128 - k);
 	}
-	if (n < DIGITS - 1 && digits < power[DIGITS - 1 - n]) {
-		digits = times_ten(&high, &low, n) + digits * power[n];
+	if (n < DIGITS - 1 && digits < ten_to[DIGITS - 1 - n]) {
+		digits = times_ten_to(&high, &low, n) + digits * ten_to[n];
 		point -= n;
 		n = 0;
 	}
-	write_digits(d, digits);
+	write_17_digits(d, digits);
 	d += DIGITS;
 	for (int count; n > 0; n -= count, d += count) {
 		count = n < DIGITS ? n : DIGITS;
-		digits = times_ten(&high, &low, count);
-		write_digits(t, digits);
+		digits = times_ten_to(&high, &low, count);
+		write_17_digits(t, digits);
 		memcpy(d, t + DIGITS - count, DIGITS);
 	}
 	*d = '\0';
@@ -244,8 +245,7 @@ static char *write_decimals(char *s, double v, int n)
 	return s + n;
 }
 
-/* Writes n significant digits of v > 0 as printf's d.ddde-x has them. Returns the end
- * of the text. */
+/* Writes n significant digits of v > 0 by printf. Returns the end of the text. */
 static char *print_significant(char *s, double v, int n)
 {
 	char d[128];
@@ -253,15 +253,16 @@ static char *print_significant(char *s, double v, int n)
 	snprintf(d, sizeof d, "%.*e", n - 1, v);
 	int exponent = atoi(strchr(d, 'e') + 1);
 
-	d[1] = d[0]; /* overwrites the point */
+	d[1] = d[0]; /* d[1] was the point */
 	memset(d + 1 + n, '0', sizeof d - 1 - size_t(n));
 	return put_digits<104>(s, d + 1, n, 1 + exponent);
 }
 
-/* Writes n significant digits of v > 0. Returns the end of the text. 78913 / 2^18 is
- * log10(2): the exponent of ten that it gives is right or one too small. If it is too
- * small, there is one digit too many, and v is rounded anew. A v that was rounded up
- * to a power of ten has that digit as well, and the result is the same. */
+/* Writes n significant digits of v > 0. Returns the end of the text. The exponent of
+ * ten, log2 v times 78913 / 2^18 (about log10 2), is right or one too small. If it is
+ * too small, find_digits gives one digit too many, and is called again with one decimal
+ * less. It also gives one digit too many if v was rounded up to a power of ten; the
+ * second call then has the same result. */
 static char *write_significant(char *s, double v, int n)
 {
 	char d[192];

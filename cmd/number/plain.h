@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Reads and writes many numbers at a time, by loops that are compiled once for each
- * kind of processor. The function find lists the places of bytes that can end a number.
- * The function read reads plain numbers: [-] digits [. digits], or these with an
- * exponent as %e writes it. number_read reads all other legal numbers. All loops give
- * the bits of number_read and the bytes of number_write. */
+ * kind of processor. The loops read plain numbers: [-] digits [. digits], or these with
+ * an exponent as %e writes it; number_read reads all other legal numbers. The loops
+ * give the same bits as number_read and the same bytes as number_write. */
 #ifndef PLAIN_H
 #define PLAIN_H
 
@@ -12,14 +11,14 @@
 
 #include "number.h"
 
-/* A set of bytes: b is in it if low[b & 15] & high[b >> 4] is not 0. */
+/* A set of bytes: b is in the set if low[b & 15] & high[b >> 4] is not 0. */
 struct byte_set {
 	uint8_t low[16], high[16];
 };
 
 enum {
 	PLAIN_MAX = 32,    /* most characters of a plain number */
-	PLAIN_BEFORE = 37, /* bytes before a number's end that are loaded */
+	PLAIN_BEFORE = 37, /* bytes before a number's end that may be read */
 	PLAIN_BATCH = NUMBER_BATCH,
 	PLAIN_GROUP = 8, /* numbers that are read together */
 };
@@ -31,16 +30,15 @@ struct plain_places {
 };
 
 struct number_loops {
-	/* Writes to at the places of the bytes of the set in text[0] to
-	 * text[size - 1], and returns their number. There is room in at for size
-	 * rounded up to 64, and 64 more. */
+	/* Writes the index of each byte of text that is in the set to at; returns their
+	 * number. at has room for size rounded up to a multiple of 64, and 64 more. */
 	size_t (*find)(const struct byte_set *, const char *text, size_t size,
 	    uint16_t *at);
-	/* Reads the first n numbers, rounded to nearest. There are places for n
-	 * rounded up to PLAIN_GROUP. Returns bit i if v[i] is not set, as the
-	 * number is not plain, has more than 22 decimals, has more than 19 digits
-	 * from the first that is not 0 on, or lies midway between two doubles or
-	 * too near to that. An exponent of a sign and two digits is read if the
+	/* Reads n numbers, rounded to nearest. There are places for n rounded up to a
+	 * multiple of PLAIN_GROUP. Returns a mask: bit i is set if number i was not
+	 * read, because it is not plain, has more than 22 decimals, has more than 19
+	 * digits from the first that is not 0 on, or is midway between two doubles or
+	 * nearly so. An exponent is read if it has a sign and two digits, and if the
 	 * number of decimals less the exponent is 0 to 22. */
 	uint64_t (*read)(const struct plain_places *, size_t n,
 	    double v[PLAIN_BATCH]);
@@ -52,8 +50,7 @@ struct number_loops {
 extern const struct number_loops number_loops_avx512, number_loops_avx2,
     number_loops_neon;
 
-/* Returns the loops for the processor that points_choose has chosen; NULL for
- * baseline. */
+/* Returns the loops for the processor whose kernels are chosen; NULL for baseline. */
 const struct number_loops *number_loops(void);
 
 #endif

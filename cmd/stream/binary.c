@@ -126,8 +126,8 @@ void binary_read(const struct job *j, struct chunk *c)
 		c->block_lines = binary_refuse(j, c, reason);
 		return;
 	}
-	bool within = points_kernels()->split[wide][l->reads](next_rows(l, c,
-								  n),
+	bool within = kernels_chosen()->to_columns[wide][l->reads](next_rows(l,
+								       c, n),
 	    c->in, n, MAGNITUDE_MAX);
 
 	c->text += n * size;
@@ -163,7 +163,7 @@ bool binary_write(const struct job *j, struct chunk *c, const char *text)
 	char *out = chunk_reserve(c, 2 * size);
 	char *images = out + (l->keeps ? size : 0);
 
-	if (!points_kernels()->join[wide][l->writes](c->image, images, n)) {
+	if (!kernels_chosen()->to_rows[wide][l->writes](c->image, images, n)) {
 		set_lines(c, text, layout_record(l), n);
 		return false;
 	}

@@ -193,7 +193,7 @@ static void reads_as_strtod(void **unused)
 
 	(void)unused;
 	for (int c = 0; c < 4; c++) {
-		if (!points_choose(copies[c]) || number_loops() == NULL)
+		if (!kernels_choose(copies[c]) || number_loops() == NULL)
 			continue;
 		for (int sort = 0; sort < SORTS; sort++) {
 			int left = 0;
@@ -232,7 +232,7 @@ static void finds_what_is_in_the_set(void **unused)
 
 	(void)unused;
 	for (int c = 0; c < 4; c++) {
-		if (!points_choose(copies[c]) || number_loops() == NULL)
+		if (!kernels_choose(copies[c]) || number_loops() == NULL)
 			continue;
 		for (int round = 0; round < 2000; round++) {
 			size_t size = (size_t)below(round % 2 ? 200 : 4096);

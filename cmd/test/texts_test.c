@@ -211,7 +211,7 @@ static void check_style(struct number_style style, bool single)
 		for (size_t i = 0; i < n; i++)
 			*write_one(expected[i], v[i], single, style) = '\0';
 		for (size_t c = 0; c < sizeof copies / sizeof *copies; c++)
-			if (points_choose(copies[c]))
+			if (kernels_choose(copies[c]))
 				check_texts(copies[c], v, n, single, style,
 				    expected);
 	}
@@ -240,7 +240,7 @@ static void are_made(void **unused)
 
 	(void)unused;
 	for (size_t c = 0; c < 3; c++) {
-		if (!points_choose(copies[c]))
+		if (!kernels_choose(copies[c]))
 			continue;
 		number_texts(memset(v, 0, sizeof v), BLOCK, false, usual[0], t);
 		if (t->layout == 0)
@@ -261,9 +261,9 @@ static void are_made(void **unused)
 static void are_chosen_by_name(void **unused)
 {
 	(void)unused;
-	assert_true(points_choose(NULL));
-	assert_true(points_choose("baseline"));
-	assert_false(points_choose("pentium"));
+	assert_true(kernels_choose(NULL));
+	assert_true(kernels_choose("baseline"));
+	assert_false(kernels_choose("pentium"));
 }
 
 int main(int argc, char **argv)

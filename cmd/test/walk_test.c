@@ -225,7 +225,7 @@ static void usual_lines_are_walked(void **state)
 	struct layout l = { .in = { FORMAT_TEXT, 0 }, .reads = 3 };
 
 	(void)state;
-	if (!points_choose(NULL) || number_loops() == NULL)
+	if (!kernels_choose(NULL) || number_loops() == NULL)
 		skip();
 	check(&l, text, "11 12 13");
 	l.reads = 2;
@@ -261,7 +261,7 @@ static void numbers_with_exponents_are_read(void **state)
 	uint64_t left;
 
 	(void)state;
-	if (!points_choose(NULL) || number_loops() == NULL)
+	if (!kernels_choose(NULL) || number_loops() == NULL)
 		skip();
 	assert_true(walk_plan(&l, &walk));
 	s.readable = all;

@@ -97,7 +97,7 @@ static double measure(const struct sample *s, enum precision p)
 static void measure_all(int run)
 {
 	for (int copy = 0; copy < COPIES; copy++) {
-		if (!points_choose(copies[copy]))
+		if (!kernels_choose(copies[copy]))
 			continue;
 		for (int c = 0; c < CASES; c++)
 			for (int e = 0; e < PRECISIONS; e++)
@@ -133,7 +133,7 @@ int main(void)
 	       "|---|---|--:|--:|--:|\n");
 	for (int c = 0; c < CASES; c++)
 		for (int copy = 0; copy < COPIES; copy++)
-			if (points_choose(copies[copy]))
+			if (kernels_choose(copies[copy]))
 				print_row(&cases[c], copy);
 	return 0;
 }

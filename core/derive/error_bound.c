@@ -62,7 +62,7 @@ static void set_image_bounds(const struct scene *s, struct error_analysis *to)
 }
 
 /* Returns S / w of column j in a corner. S is the sum of the magnitudes of the column's
- * products, as in kernel/plain.h, and of the largest errors by underflow. */
+ * products, as in kernel/approx.h, and of the largest errors by underflow. */
 static double column_bound(const struct kernel_map *k, const struct corner *c,
     int j, double tiny)
 {
@@ -81,7 +81,7 @@ static double precision_bound(const struct error_analysis *v,
 {
 	const struct transform *t = v->transform;
 	const struct kernel_map *k = &t->for_kernel;
-	double factor = PLAIN_BOUND * a->u, worst = 0, w = 0, inverse_w = 0;
+	double factor = APPROX_BOUND * a->u, worst = 0, w = 0, inverse_w = 0;
 
 	for (int i = 0; i < 8; i++) {
 		const struct corner *c = &v->corner[i];

@@ -97,7 +97,7 @@ static void add_block(struct extremes *e, const struct directions *all,
 {
 	double most[BOUNDS_POINTS], largest[3];
 
-	points_kernels()->farthest(all->scaled, all->n, in, n, most, largest);
+	kernels_chosen()->farthest(all->scaled, all->n, in, n, most, largest);
 	for (int j = 0; j < all->n; j++) {
 		const struct direction *d = &all->item[j];
 		struct farthest *f = &e->item[j];

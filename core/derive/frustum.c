@@ -173,10 +173,10 @@ void frustum_outside_all(const struct frustum *f, const double *const in[4],
 
 		memset(word, 0, count * sizeof *word);
 		if (!four)
-			points_kernels()->signs(&sides, 4, OUT_LEFT, at, word,
+			kernels_chosen()->signs(&sides, 4, OUT_LEFT, at, word,
 			    count);
 		if (!four && !flat)
-			points_kernels()->signs(&ends, 3, OUT_NEAR, at, word,
+			kernels_chosen()->signs(&ends, 3, OUT_NEAR, at, word,
 			    count);
 		for (size_t k = 0; k < count; k++) {
 			unsigned planes = (unsigned)word[k];

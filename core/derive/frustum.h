@@ -66,7 +66,7 @@ const char *volume_of(const struct scene *, struct volume *);
 
 /* Writes for each enum precision an upper bound of the error of any coordinate of an
  * image, for model points in the scene's view volume. The unit is that of the device
- * or, without a viewport, of ndc. kernel/plain.h derives the bounds. A bound is nan if
+ * or, without a viewport, of ndc. kernel/approx.h derives the bounds. A bound is nan if
  * w could be less than its own error, or 1/w beyond the range of the precision. Returns
  * NULL, or the member and the reason. */
 const char *error_bounds(const struct scene *, const struct volume *,

@@ -153,7 +153,7 @@ bool rays_cast(const struct ray_maker *r, bool single,
 	const bool finite = points_map(&r->to_world, PRECISION_EXACT, in, out,
 	    n);
 
-	if (points_kernels()->exact[KERNEL_DIRECTION](&r->direction.for_kernel,
+	if (kernels_chosen()->exact[KERNEL_DIRECTION](&r->direction.for_kernel,
 		at, direction, n) &&
 	    finite && !single)
 		return true;

@@ -5,9 +5,9 @@
 
 #include "kernel/midway.h"
 
-/* Computes the homogeneous point relative to the map's origin. In clip space, where w
- * is not 1, the origin is 0. */
-static void set_point(const struct transform *t, const double in[4],
+/* Sets p to the homogeneous point relative to the map's origin. The origin is 0 for
+ * points of clip space, whose w may differ from 1. */
+static void set_relative(const struct transform *t, const double in[4],
     struct sum p[4])
 {
 	for (int i = 0; i < 3; i++)
@@ -15,8 +15,8 @@ static void set_point(const struct transform *t, const double in[4],
 	p[3] = sum_of_double(t->in == 4 && !t->reciprocal ? in[3] : 1);
 }
 
-/* Computes coordinate j of the image of the relative point p, times the map's
- * divisor. */
+/* Sets *r to coordinate j of the undivided image of p, a point relative to the origin,
+ * times the map's divisor. */
 static void find_column(const struct transform *t, int j, const struct sum p[4],
     struct sum *r)
 {
@@ -27,7 +27,7 @@ struct sum point_column(const struct transform *t, int j, const double in[4])
 {
 	struct sum p[4], r;
 
-	set_point(t, in, p);
+	set_relative(t, in, p);
 	find_column(t, j, p, &r);
 	return r;
 }
@@ -40,7 +40,7 @@ static bool has_nan(const struct transform *t, const double in[4])
 	return false;
 }
 
-/* Computes the divisor of the image's coordinates. Returns false if p has no image. */
+/* Sets *d to the divisor of the image. Returns false if p has no image. */
 static bool find_divisor(const struct transform *t, const double in[4],
     const struct sum p[4], struct sum *d)
 {
@@ -64,7 +64,7 @@ void point_exact(const struct transform *t, const double in[4], double out[4])
 		out[j] = (double)NAN;
 	if (has_nan(t, in))
 		return;
-	set_point(t, in, p);
+	set_relative(t, in, p);
 	if (!find_divisor(t, in, p, &d))
 		return;
 	for (int j = 0; j < t->out; j++) {
@@ -76,8 +76,8 @@ void point_exact(const struct transform *t, const double in[4], double out[4])
 	}
 }
 
-/* A double that is not midway between two floats lies on the exact image's side of each
- * midpoint, and rounds as the image does. */
+/* A double that is not midway between two floats is on the same side of each midpoint
+ * as the exact image, so that both round to the same float. */
 float point_single(const struct transform *t, const double in[4], int j,
     double image)
 {
@@ -85,7 +85,7 @@ float point_single(const struct transform *t, const double in[4], int j,
 
 	if (!is_midway(image))
 		return (float)image;
-	set_point(t, in, p);
+	set_relative(t, in, p);
 	find_divisor(t, in, p, &d);
 	find_column(t, j, p, &q);
 	return (float)sum_nearest(&q, &d, true);

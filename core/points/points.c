@@ -8,10 +8,10 @@ static double rounded(double a, bool single)
 	return single ? (double)(float)a : a;
 }
 
-/* Computes the image of a point in double or, if single, in single precision: each
- * operation is rounded. It serves maps that have no kernel, as with four coordinates in
- * or out. A point whose w is not positive in this precision has no image. */
-static void point_plain(const struct transform *t, bool single,
+/* Computes the image of a point in double or, if single, in single precision, for maps
+ * that have no kernel, such as those with four coordinates in or out. If t->front, a
+ * point whose computed w is not positive has no image. */
+static void point_approx(const struct transform *t, bool single,
     const double in[4], double out[4])
 {
 	double p[4] = { [3] = 1 }, q[4], w = 1;
@@ -32,10 +32,10 @@ static void point_plain(const struct transform *t, bool single,
 	if (t->divide)
 		w = t->reciprocal && t->out == 4 ? rounded(in[3], single) :
 						   q[3];
-	bool image = !t->front || w > 0;
+	bool has_image = !t->front || w > 0;
 
 	for (int j = 0; j < t->out; j++)
-		out[j] = image ? rounded(q[j] / w, single) : (double)NAN;
+		out[j] = has_image ? rounded(q[j] / w, single) : (double)NAN;
 }
 
 static void map_one(const struct transform *t, enum precision precision,
@@ -48,40 +48,41 @@ static void map_one(const struct transform *t, enum precision precision,
 	if (precision == PRECISION_EXACT)
 		point_exact(t, p, q);
 	else
-		point_plain(t, precision == PRECISION_SINGLE, p, q);
+		point_approx(t, precision == PRECISION_SINGLE, p, q);
 	for (int j = 0; j < t->out; j++)
 		out[j][i] = q[j];
 }
 
-/* Transforms point i as a block of one point, whose error bounds are those of its own
- * coordinates: this decides four of five points that the block did not. Returns true if
- * the kernel rounds the image with certainty. */
-static bool map_alone(const struct transform *t, exact_kernel fast,
+/* Computes the image of point i as a block of its own, whose error bounds are smaller.
+ * Returns true if the kernel rounds the image with certainty, as it does for four of
+ * five points that it could not round in their block. */
+static bool map_alone(const struct transform *t, exact_kernel kernel,
     const double *const in[4], double *const out[4], size_t i)
 {
-	enum { SHORTEST = 16 }; /* the kernels read whole vectors */
-	COLUMN_ALIGNED double p[3][SHORTEST], q[4][SHORTEST];
+	enum { COLUMN_MIN = 16 }; /* numbers of a column that a kernel reads */
+	COLUMN_ALIGNED double p[3][COLUMN_MIN], q[4][COLUMN_MIN];
 	const double *const from[3] = { p[0], p[1], p[2] };
 	double *const to[4] = { q[0], q[1], q[2], q[3] };
 
 	for (int k = 0; k < 3; k++)
-		for (int l = 0; l < SHORTEST; l++)
+		for (int l = 0; l < COLUMN_MIN; l++)
 			p[k][l] = in[k][i];
-	bool done = fast(&t->for_kernel, from, to, 1);
+	bool done = kernel(&t->for_kernel, from, to, 1);
 
 	for (int j = 0; j < t->out && done; j++)
 		out[j][i] = q[j][0];
 	return done;
 }
 
-/* Computes the image of point i, which the kernel did not round. */
-static void map_undecided(const struct transform *t, exact_kernel fast,
+/* Computes the image of point i, for which the kernel wrote nan, or infinity if the
+ * point has no image. */
+static void map_undecided(const struct transform *t, exact_kernel kernel,
     const double *const in[4], double *const out[4], size_t i)
 {
 	if (isinf(out[0][i]))
 		for (int j = 0; j < t->out; j++)
 			out[j][i] = (double)NAN;
-	else if (!map_alone(t, fast, in, out, i))
+	else if (!map_alone(t, kernel, in, out, i))
 		map_one(t, PRECISION_EXACT, in, out, i);
 }
 
@@ -93,7 +94,7 @@ static bool is_finite(const struct transform *t, double *const out[4], size_t i)
 	    (t->out < 4 || isfinite(out[3][i]));
 }
 
-/* map_each, map_exact and map_rest return true if all coordinates are finite. */
+/* Computes the images one by one. Returns true if all coordinates are finite. */
 static bool map_each(const struct transform *t, enum precision precision,
     const double *const in[4], double *const out[4], size_t n)
 {
@@ -109,25 +110,26 @@ static bool map_each(const struct transform *t, enum precision precision,
 static bool map_exact(const struct transform *t, const double *const in[4],
     double *const out[4], size_t n)
 {
-	exact_kernel fast = points_kernels()->exact[t->kind];
+	exact_kernel kernel = kernels_chosen()->exact[t->kind];
 	const double *x = out[0];
 	bool finite = true;
 
-	if (fast == NULL)
+	if (kernel == NULL)
 		return map_each(t, PRECISION_EXACT, in, out, n);
-	if (fast(&t->for_kernel, in, out, n))
+	if (kernel(&t->for_kernel, in, out, n))
 		return true;
 	for (size_t i = 0; i < n; i++)
 		if (!isfinite(x[i])) {
-			map_undecided(t, fast, in, out, i);
+			map_undecided(t, kernel, in, out, i);
 			finite &= is_finite(t, out, i);
 		}
 	return finite;
 }
 
-/* Computes those of n points in PRECISION_EXACT that the kernel could not: points
- * behind the eye, beyond the range of its precision, or whose w underflowed. */
-static bool map_rest(const struct transform *t, bool single,
+/* Replaces images that are not finite by rounded exact images. The kernel gives no
+ * finite image if the point is behind the eye, if a value is out of range, or if w
+ * underflows. */
+static bool map_nonfinite(const struct transform *t, bool single,
     const double *const in[4], double *const out[4], size_t n)
 {
 	COLUMN_ALIGNED double image[3][POINTS_BLOCK];
@@ -148,24 +150,24 @@ static bool map_rest(const struct transform *t, bool single,
 bool points_map(const struct transform *t, enum precision precision,
     const double *const given[4], double *const out[4], size_t n)
 {
-	/* in 2D the kernels multiply a third coordinate by 0 */
+	/* map_alone reads three columns, in 2D y twice */
 	const double *const in[4] = { given[0], given[1],
 		given[t->in == 2 ? 1 : 2], given[3] };
-	plain_kernel fast = points_kernels()->plain[precision][t->kind];
+	approx_kernel kernel = kernels_chosen()->approx[precision][t->kind];
 
 	if (precision == PRECISION_EXACT)
 		return map_exact(t, in, out, n);
-	if (fast == NULL)
+	if (kernel == NULL)
 		return map_each(t, precision, in, out, n);
-	return fast(&t->for_kernel, in, out, n) ||
-	    map_rest(t, precision == PRECISION_SINGLE, in, out, n);
+	return kernel(&t->for_kernel, in, out, n) ||
+	    map_nonfinite(t, precision == PRECISION_SINGLE, in, out, n);
 }
 
 bool points_map_floats(const struct transform *t, const char *in, char *out,
     size_t n)
 {
-	float_kernel fast = points_kernels()->floats[t->kind];
+	float_rows_kernel kernel = kernels_chosen()->float_rows[t->kind];
 
-	return fast != NULL && t->in == kernel_inputs(t->kind) &&
-	    fast(&t->for_kernel, in, out, n);
+	return kernel != NULL && t->in == kernel_inputs(t->kind) &&
+	    kernel(&t->for_kernel, in, out, n);
 }

@@ -5,8 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Returns the element as two doubles. An element other than 0 that rounds to 0 becomes
- * the smallest double. */
+/* Returns an element of a matrix as two doubles. An element that is not 0 but rounds to
+ * 0 becomes the smallest double of its sign. */
 static dd element_rounded(const struct sum *s)
 {
 	dd e = sum_dd(*s);
@@ -55,10 +55,10 @@ void transform_prepare(struct transform *t)
 	}
 }
 
-/* Returns NULL, or the member and the reason why images would need more than EX_WORDS
- * words. A point's difference from the origin is a multiple of 2^-1074. The product of
- * the difference with a column, and the product of the map's divisor with the midpoint
- * of two doubles, must be exact. */
+/* Returns NULL or, if images would need more than EX_WORDS words, the member and the
+ * reason. Two products must be exact: a point's difference from the origin, a multiple
+ * of 2^-1074, times a column; and the map's divisor times the midpoint of two doubles.
+ * room is the number of words that the column or the divisor may have. */
 static const char *transform_check(const struct transform *t)
 {
 	double most = MAGNITUDE_MAX;
@@ -95,7 +95,7 @@ void transform_init(struct transform *t, enum space from, enum space to,
 	t->reciprocal = homogeneous && from == SPACE_DEVICE;
 	if (from == SPACE_CLIP || t->reciprocal)
 		t->in = 4;
-	if (from == SPACE_CLIP) /* no origin, as w is not 1 */
+	if (from == SPACE_CLIP) /* no origin, as w may differ from 1 */
 		memset(t->map.origin, 0, sizeof t->map.origin);
 	if (to == SPACE_CLIP || (homogeneous && !t->reciprocal))
 		t->out = 4;
@@ -105,13 +105,13 @@ void transform_init(struct transform *t, enum space from, enum space to,
 	    (from != SPACE_CLIP || to == SPACE_NDC || to == SPACE_DEVICE);
 	t->kind = t->in != 3 ? KERNEL_NONE :
 	    t->divide        ? KERNEL_PROJECTIVE :
-	    t->out == 4      ? KERNEL_FOUR :
+	    t->out == 4      ? KERNEL_XYZW :
 			       KERNEL_AFFINE;
 	transform_prepare(t);
 }
 
-/* Chooses KERNEL_DEPTH if w and depth depend only on z of view space: depth is then a +
- * b / w. projection is the map from view space. */
+/* Chooses KERNEL_DEPTH if w and depth depend on z of view space only, so that depth is
+ * a + b / w. projection is the map from view space to the space of the images. */
 static void choose_depth_kernel(const struct map *projection,
     struct transform *t)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/* Counts the errors of kernel/exact.h and kernel/plain.h and compares them with the
+/* Counts the errors of kernel/exact.h and kernel/approx.h and compares them with the
  * bounds that are claimed there. A line for each:
  *
  *	claim, claimed, found, proved or refused
@@ -58,7 +58,7 @@ static number same(number up, number, number sure)
 #define R_FMA(a, b, c) fma(a, b, c)
 #define W_MAX 1
 #define NAME(x) counted_##x
-#include "points/kernel/plain.h"
+#include "points/kernel/approx.h"
 
 #undef double
 
@@ -113,8 +113,8 @@ static poly minus(const poly &a, const poly &b)
 static void prove_round(void)
 {
 	fresh();
-	say("ex_round: EX_ROUND_BOUND", EX_ROUND_BOUND, count::half_ulp(U) / (U * U),
-	    "u^2");
+	say("ex_round: EX_ROUND_BOUND", EX_ROUND_BOUND,
+	    count::half_ulp(U) / (U * U), "u^2");
 }
 
 /* ---- kernel/exact.h ---- */
@@ -167,7 +167,7 @@ static void run(enum kernel_kind kind)
 	const number *const from[3] = { in, in + 1, in + 2 };
 	number *const to[3] = { out, out + 1, out + 2 };
 
-	exact(&map, from, to, 1, kind);
+	exact_images(&map, from, to, 1, kind);
 }
 
 /* What is rounded last in a test: hi + (lo + error). */
@@ -197,7 +197,8 @@ static column_parts column_error(int terms, int far)
 	const poly error = { { {}, COLUMN_BOUND } };
 
 	/* elements are rounded to hi + lo */
-	return { bound(minus(wrong, error)) + (terms + 1) * EX_ROUND_BOUND * U * U,
+	return { bound(minus(wrong, error)) +
+		    (terms + 1) * EX_ROUND_BOUND * U * U,
 		count::nodes[tested_up->a].most, count::nodes[low.a].most };
 }
 
@@ -214,7 +215,7 @@ static double normal_column_error(int far)
 	const struct kernel_block b = block_of(&map, from, 1, KERNEL_DIRECTION);
 
 	cut_points(&b, in, 2, cut, rest);
-	vdd c = normalise(column(&b.cut[0], cut, rest, 2));
+	vdd c = normalise(column_sum(&b.column[0], cut, rest, 2));
 
 	return bound(minus(plus(c.hi->is, c.lo->is), column_of(0, 2))) +
 	    3 * EX_ROUND_BOUND * U * U;
@@ -355,17 +356,17 @@ static void prove_exact(void)
 	    "");
 }
 
-/* ---- kernel/plain.h, in units of u ---- */
+/* ---- kernel/approx.h, in units of u ---- */
 
-static void run_plain(enum kernel_kind kind)
+static void run_approx(enum kernel_kind kind)
 {
 	const number *const from[3] = { in, in + 1, in + 2 };
 
-	counted_plain(&map, from, out, out + 1, out + 2, 1, kind);
+	counted_approx(&map, from, out, out + 1, out + 2, 1, kind);
 }
 
 /* An element as it is cast: rounded once. */
-static void give_plain(int term)
+static void give_approx(int term)
 {
 	fresh();
 	count::relative = true;
@@ -382,17 +383,17 @@ static void give_plain(int term)
 }
 
 /* What is lost of a term, of its size; then of the quotient. */
-static double plain_column(int term)
+static double approx_column(int term)
 {
-	give_plain(term);
-	run_plain(KERNEL_AFFINE);
+	give_approx(term);
+	run_approx(KERNEL_AFFINE);
 	return bound(minus(exactly(out[0]), column_of(0, 3))) / U;
 }
 
-static double plain_quotient(void)
+static double approx_quotient(void)
 {
-	give_plain(3);
-	run_plain(KERNEL_PROJECTIVE);
+	give_approx(3);
+	run_approx(KERNEL_PROJECTIVE);
 	const count::division &d = count::divisions.back();
 	const count::node &q = *out[0];
 
@@ -401,16 +402,16 @@ static double plain_quotient(void)
 	    U;
 }
 
-static double plain_depth(double a, double b)
+static double approx_depth(double a, double b)
 {
-	give_plain(3);
+	give_approx(3);
 	map.a = given(a);
 	map.b = given(b);
 	/* which are rounded */
 	const double off = U * (1 + 0x1p-20);
 	const number a_lo = given(off * a), b_lo = given(off * b);
 
-	run_plain(KERNEL_DEPTH);
+	run_approx(KERNEL_DEPTH);
 	const poly w = { { { count::divisions.back().b }, 1.0 } };
 	poly right = plus(times(plus(map.a->is, a_lo->is), w),
 	    plus(map.b->is, b_lo->is));
@@ -422,7 +423,7 @@ static double plain_depth(double a, double b)
  * S. The sum's parts fall and rise with t, so its ends are its worst. */
 static double worst_of(double c, double own, double u)
 {
-	double last = 1 / (16 * (double)PLAIN_BOUND * u), worst = 0;
+	double last = 1 / (16 * (double)APPROX_BOUND * u), worst = 0;
 
 	for (double t : { 1.0, last })
 		worst = std::fmax(worst,
@@ -430,23 +431,23 @@ static double worst_of(double c, double own, double u)
 	return worst;
 }
 
-static void prove_plain(void)
+static void prove_approx(void)
 {
 	double c = 0;
 
 	for (int term = 0; term < 4; term++)
-		c = std::fmax(c, plain_column(term));
+		c = std::fmax(c, approx_column(term));
 	/* and one for printing the shortest digits */
-	double q = plain_quotient() + 1;
-	double a = plain_depth(1, small) + 1, b = plain_depth(small, 1) + 1;
+	double q = approx_quotient() + 1;
+	double a = approx_depth(1, small) + 1, b = approx_depth(small, 1) + 1;
 	/* the bound's own roundings; u of single, where higher powers count */
 	const double u = 0x1p-24, own = 1 - 32 * u;
 
-	say("plain column", 5, c, "u S");
-	say("plain quotient: PLAIN_BOUND", PLAIN_BOUND, worst_of(c, q, u) / own,
-	    "u");
-	say("plain depth, of a: PLAIN_BOUND", PLAIN_BOUND, a / own, "u");
-	say("plain depth, of b/w: PLAIN_BOUND", PLAIN_BOUND,
+	say("approx column", 5, c, "u S");
+	say("approx quotient: APPROX_BOUND", APPROX_BOUND,
+	    worst_of(c, q, u) / own, "u");
+	say("approx depth, of a: APPROX_BOUND", APPROX_BOUND, a / own, "u");
+	say("approx depth, of b/w: APPROX_BOUND", APPROX_BOUND,
 	    worst_of(c, b, u) / own, "u");
 }
 
@@ -457,7 +458,7 @@ static void prove_estimate(void)
 	double most = 0;
 
 	for (int term = 0; term < 4; term++) {
-		give_plain(term);
+		give_approx(term);
 		number p[3];
 
 		for (int k = 0; k < 3; k++)
@@ -475,7 +476,7 @@ int main()
 	prove_round();
 	prove_exact();
 	prove_ends();
-	prove_plain();
+	prove_approx();
 	prove_estimate();
 	return refusals > 0;
 }

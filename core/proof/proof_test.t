@@ -45,11 +45,11 @@ my @mutations = (
 	[$exact, 'an element\'s low part that is forgotten',
 	    'c->rest[i] += m->lo[i][j]', 'c->rest[i] += 0', @toy],
 	[$exact, 'an origin whose rest is forgotten',
-	    'c->rest[3] = was - moved', 'c->rest[3] = was', @toy],
+	    'c->rest[3] = old - shift', 'c->rest[3] = old', @toy],
 	[$exact, 'columns that underflow',
 	    '(largest > 1 / MODERATE && largest', '(largest', @toy],
 	[$exact, 'elements that underflow to 0',
-	    'LEAST 0x1p-1022', 'LEAST 0', @toy],
+	    'TINY 0x1p-1022', 'TINY 0', @toy],
 	[$exact, 'the low part of w left out of a quotient',
 	    'MADD(q, -w.lo, n.lo)', 'n.lo', @toy],
 	[$exact, 'a wrong sign in a quotient',
@@ -75,9 +75,9 @@ my @mutations = (
 my @counted = (
 	[$exact, 'an origin that is subtracted too near',
 	    'POINT_CUT - 3', '1', 'column, of 2^-79 B'],
-	['points/kernel/plain.h', 'one rounding more',
+	['points/kernel/approx.h', 'one rounding more',
 	    'R_FMA((REAL)m->b, r, (REAL)m->a)', '(REAL)m->b * r + (REAL)m->a',
-	    'plain depth, of b/w: PLAIN_BOUND'],
+	    'approx depth, of b/w: APPROX_BOUND'],
 	[$exact, 'a length without its low part', '(rest * ALL(0.5))',
 	    '(rest * ALL(0))', 'length'],
 );
@@ -86,9 +86,9 @@ my @bounds = (
 	    'POINT_CUT - 3', 'POINT_CUT + 3', 'column, of 2^-79 B'],
 	[$exact, 'a bound of an eighth', 'COLUMN_BOUND 0x1p-72',
 	    'COLUMN_BOUND 0x1p-75', 'quotient: share of its error'],
-	['points/kernel/kernel.h', 'a plain bound that is too small',
-	    'PLAIN_BOUND 10', 'PLAIN_BOUND 8',
-	    'plain depth, of b/w: PLAIN_BOUND'],
+	['points/kernel/kernel.h', 'a bound of approximations that is too small',
+	    'APPROX_BOUND 10', 'APPROX_BOUND 8',
+	    'approx depth, of b/w: APPROX_BOUND'],
 	['points/kernel/kernel.h', 'a bound of estimates that is too small',
 	    'ESTIMATE_BOUND 0x1p-50', 'ESTIMATE_BOUND 0x1p-51',
 	    'estimate: ESTIMATE_BOUND'],
@@ -97,8 +97,8 @@ my @bounds = (
 my @loose = (
 	[$exact, 'a bound of columns that is too large', 'COLUMN_BOUND 0x1p-72',
 	    'COLUMN_BOUND 0x1p-71', 'share of its error'],
-	['points/kernel/kernel.h', 'a plain bound that is too large', 'PLAIN_BOUND 10',
-	    'PLAIN_BOUND 20', 'PLAIN_BOUND'],
+	['points/kernel/kernel.h', 'a bound of approximations that is too large', 'APPROX_BOUND 10',
+	    'APPROX_BOUND 20', 'APPROX_BOUND'],
 	['points/kernel/kernel.h', 'a bound of estimates that is too large',
 	    'ESTIMATE_BOUND 0x1p-50', 'ESTIMATE_BOUND 0x1p-49',
 	    'ESTIMATE_BOUND'],
@@ -110,7 +110,7 @@ sub mutant {
 	remove_tree($copy);
 	make_path("$copy/exact", "$copy/points/kernel");
 	for my $header (qw(exact/dd.h exact/exact.h points/kernel/exact.h
-	    points/kernel/plain.h points/kernel/kernel.h)) {
+	    points/kernel/approx.h points/kernel/kernel.h)) {
 		spew("$copy/$header", slurp("$core/$header"));
 	}
 	for my $m (@_) {

@@ -178,7 +178,7 @@ static int loops(int tries, bool at_the_ends)
 
 		any_map();
 		any_point();
-		exact(&map, from, to, 2, (enum kernel_kind)kind);
+		exact_images(&map, from, to, 2, (enum kernel_kind)kind);
 		int verdict = judge(kind);
 
 		if (verdict == WRONG)
@@ -249,7 +249,7 @@ static int ties_of(double m, double b, double t, int far, int count[2])
 	map.hi[0][0] = m;
 	map.hi[1][0] = t;
 	map.hi[3][0] = b;
-	exact(&map, from, to, HEADS + 1, KERNEL_FLAT);
+	exact_images(&map, from, to, HEADS + 1, KERNEL_FLAT);
 	for (int i = 0; i < HEADS; i++) {
 		double is = at(x[0][i]) * m + b + t, up = is * (1 + 0x1p-40);
 		bool tie = nearest(up) != nearest(is * (1 - 0x1p-40));

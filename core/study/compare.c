@@ -69,7 +69,7 @@ static double left_over(const struct transform *t, double (*in)[3])
 	int n = 0;
 
 	fill(&b, in);
-	points_kernels()->exact[t->kind](&t->for_kernel, from, to, MANY);
+	kernels_chosen()->exact[t->kind](&t->for_kernel, from, to, MANY);
 	for (int i = 0; i < MANY; i++)
 		n += isnan(b.out[0][i]) != 0;
 	return n / (double)MANY;

@@ -191,7 +191,7 @@ static int test(void)
 
 int main(int argc, char **argv)
 {
-	points_choose(NULL);
+	kernels_choose(NULL);
 	if (argc == 1)
 		return test();
 	if (strcmp(argv[1], "table") == 0)

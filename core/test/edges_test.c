@@ -100,7 +100,7 @@ static void edges_agree_with_mpfr(void **state)
 		enum flat_space from = sample_below(3);
 		int mark = real_mark();
 
-		points_choose(copies[k %
+		kernels_choose(copies[k %
 		    COPIES]); /* the last choice stays if this one is refused */
 		sample_flat(&s.window, &s.device, e[k % 4]);
 		if (flat_frustum_of(&s, from, &f) == NULL) {

@@ -127,7 +127,7 @@ static void bounds_hold(void **state)
 	double bound[3];
 
 	(void)state;
-	points_choose(NULL);
+	kernels_choose(NULL);
 	sample_seed(33);
 	for (int k = 0; k < 400; k++) {
 		static const int magnitudes[] = { 0, 3, 6, 30 };

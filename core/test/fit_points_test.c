@@ -169,12 +169,12 @@ static void farthest_many(int n, int e)
 		s.projection.near_ratio = 0.001;
 		if (fit_directions(&s, sample_below(2), &d) != NULL)
 			continue;
-		assert_true(points_choose("baseline"));
+		assert_true(kernels_choose("baseline"));
 		sample_cloud(&c, &d, e);
 		add_cloud(&c, &d, &first);
 		claim_farthest(&c, &d, &first);
 		for (int k = 0; k < COPIES; k++) {
-			points_choose(copies[k]);
+			kernels_choose(copies[k]);
 			shuffle(&c);
 			add_cloud(&c, &d, &again);
 			assert_true(are_same(&first, &again, d.n));
@@ -250,7 +250,7 @@ static void hairs_count(void **state)
 
 	(void)state;
 	sample_seed(1);
-	points_choose("baseline");
+	kernels_choose("baseline");
 	for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
 		assert_farther(cases[i][0], cases[i][1], cases[i][2]);
 }

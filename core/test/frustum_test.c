@@ -168,7 +168,7 @@ static void planes_agree_with_mpfr(void **state)
 	unsigned char all[POINTS];
 
 	(void)state;
-	points_choose(NULL);
+	kernels_choose(NULL);
 	sample_seed(1);
 	for (int k = 0; k < 1200; k++) {
 		struct truth to_clip = { 0 }, to_view = { 0 };
@@ -245,7 +245,7 @@ static void all_points_agree_with_each(void **state)
 	(void)state;
 	sample_seed(2);
 	for (int k = 0; k < 300; k++) {
-		points_choose(copies[k / 6 %
+		kernels_choose(copies[k / 6 %
 		    4]); /* the last choice stays if this one is refused */
 		sample_scene(&s, k % 3 * 4);
 		bool homogeneous = k % 5 == 0 && s.has_viewport;

@@ -151,9 +151,9 @@ static void judge_copies(const struct hill *h, struct block *b, size_t n,
 	double *const out[4] = { b->out[0], b->out[1], b->out[2], b->out[3] };
 
 	for (int k = 0; k < COPIES; k++) {
-		if (!points_choose(copies[k]))
+		if (!kernels_choose(copies[k]))
 			continue;
-		exact_kernel fast = points_kernels()->exact[h->t.kind];
+		exact_kernel fast = kernels_chosen()->exact[h->t.kind];
 
 		if (fast != NULL) {
 			fast(&h->t.for_kernel, in, out, n);

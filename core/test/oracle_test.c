@@ -23,7 +23,7 @@ static void count_accurate(const struct transform *t, struct block *b,
 {
 	const double *const in[3] = { b->in[0], b->in[1], b->in[2] };
 	double *const out[4] = { b->out[0], b->out[1], b->out[2], b->out[3] };
-	exact_kernel fast = points_kernels()->exact[t->kind];
+	exact_kernel fast = kernels_chosen()->exact[t->kind];
 
 	if (fast == NULL)
 		return;
@@ -48,7 +48,7 @@ static void try_scene(int e, struct count *c)
 		else
 			sample_points(&s, from, &b, POINTS);
 		for (int i = 0; i < COPIES; i++) {
-			if (!points_choose(copies[i]))
+			if (!kernels_choose(copies[i]))
 				continue;
 			count_accurate(&t, &b, c);
 			carry_all(&t, &b, POINTS);

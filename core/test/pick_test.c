@@ -148,7 +148,7 @@ static void random_scenes(void **state)
 	size_t n[2] = { 0, 0 };
 
 	(void)state;
-	points_choose(NULL);
+	kernels_choose(NULL);
 	sample_seed(1);
 	for (int i = 0; i < 500; i++) {
 		struct distance d = { 0 };

@@ -78,7 +78,7 @@ static void assert_image(const struct transform *t, double x, double y,
 	for (int j = 0; j < 3; j++)
 		assert_number(q[j], expected[j]);
 	for (; copy < copies + COPIES; copy++) {
-		if (!points_choose(*copy))
+		if (!kernels_choose(*copy))
 			continue;
 		for (int j = 0; j < 3; j++)
 			b.in[j][0] = p[j];
@@ -254,7 +254,7 @@ static void ties_of_different_irrational_parts(void **state)
 	(void)state;
 	assert_null(scene_transform(&s, SPACE_WORLD, SPACE_DEVICE, false, &t));
 	for (int c = 0; c < COPIES; c++) {
-		if (!points_choose(copies[c]))
+		if (!kernels_choose(copies[c]))
 			continue;
 		for (int i = 0; i < 200; i++) {
 			b.in[0][i] = 0;
@@ -293,7 +293,7 @@ static void no_image(void **state)
 		static struct block b;
 
 		for (int c = 0; c < COPIES; c++) {
-			if (!points_choose(copies[c]))
+			if (!kernels_choose(copies[c]))
 				continue;
 			for (size_t k = 0; k < 8; k++) {
 				b.in[0][k] = k == 3 ? (double)NAN : 0;

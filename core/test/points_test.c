@@ -14,7 +14,7 @@ static void whole_numbers_have_no_ghosts(void **state)
 	struct transform t;
 
 	(void)state;
-	points_choose(NULL);
+	kernels_choose(NULL);
 	s.projection = (struct projection){ .type = PROJECTION_PERSP,
 		.extent = EXTENT_FOVY,
 		.angle = 90,
@@ -84,11 +84,11 @@ static void copies_give_the_same_bits(void **state)
 			continue;
 		sample_points(&s, from, &first, n);
 		for (int e = 0; e < 3; e++) {
-			points_choose("baseline");
+			kernels_choose("baseline");
 			carry(&t, (enum precision)e, &first, n);
 			for (int c = 1; c < COPIES; c++) {
 				memcpy(&b, &first, sizeof b);
-				if (!points_choose(copies[c]))
+				if (!kernels_choose(copies[c]))
 					continue;
 				carry(&t, (enum precision)e, &b, n);
 				assert_true(same(&first, &b, t.out, n));
@@ -106,7 +106,7 @@ static void points_depend_on_nothing_else(void **state)
 	enum space from;
 
 	(void)state;
-	points_choose(NULL);
+	kernels_choose(NULL);
 	sample_seed(5);
 	for (int k = 0; k < 500; k++) {
 		if (!sample_any(k % 2 * 5, &s, &from, &t))

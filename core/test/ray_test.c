@@ -148,11 +148,11 @@ static void copies_give_the_same_rays(void **state)
 		if (ray_maker_of(&s, &r) != NULL)
 			continue;
 		sample_positions(&s.viewport, n, &first);
-		points_choose("baseline");
+		kernels_choose("baseline");
 		memcpy(&b, &first, sizeof b);
 		cast(&r, single, n, &first);
 		for (int c = 0; c < COPIES; c++) {
-			if (!points_choose(copies[c]))
+			if (!kernels_choose(copies[c]))
 				continue;
 			cast(&r, single, n, &b);
 			for (int j = 0; j < 6; j++)
@@ -164,7 +164,7 @@ static void copies_give_the_same_rays(void **state)
 				    sizeof(double));
 		}
 	}
-	points_choose(NULL);
+	kernels_choose(NULL);
 }
 
 static void no_position_no_ray(void **state)
@@ -274,7 +274,7 @@ static void planes_are_met(void **state)
 	int n = 0;
 
 	(void)state;
-	points_choose(NULL);
+	kernels_choose(NULL);
 	sample_seed(6);
 	for (int k = 0; k < 600; k++) {
 		enum space from = sample_below(2) ? SPACE_DEVICE : SPACE_NDC;

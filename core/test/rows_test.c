@@ -41,13 +41,13 @@ static double got(bool wide, size_t i)
 
 static bool split(bool wide, int numbers, size_t n)
 {
-	return points_kernels()->split[wide][numbers](rows + 1, columns, n,
+	return kernels_chosen()->to_columns[wide][numbers](rows + 1, columns, n,
 	    MAGNITUDE_MAX);
 }
 
 static bool join(bool wide, int numbers, size_t n)
 {
-	return points_kernels()->join[wide][numbers](columns, back + 1, n);
+	return kernels_chosen()->to_rows[wide][numbers](columns, back + 1, n);
 }
 
 /* Each number goes to its place and, -0 as 0, back there; and nothing else is
@@ -81,7 +81,7 @@ static void numbers_keep_their_places(void **state)
 {
 	(void)state;
 	for (int c = 0; c < COPIES; c++)
-		for (int numbers = 2; numbers <= 4 && points_choose(copies[c]);
+		for (int numbers = 2; numbers <= 4 && kernels_choose(copies[c]);
 		     numbers++)
 			for (size_t n = 0; n <= ROWS; n++) {
 				check_places(false, numbers, n);
@@ -118,7 +118,7 @@ static void what_is_not_plain_is_told(void **state)
 
 	(void)state;
 	for (int c = 0; c < COPIES; c++) {
-		if (!points_choose(copies[c]))
+		if (!kernels_choose(copies[c]))
 			continue;
 		check_split(true, 1e150, true);
 		check_split(true, -past, false);
@@ -164,7 +164,7 @@ static void floats_come_out_as_of_doubles(void **state)
 		size_t n = 1 + sample_below(POINTS);
 		int mark = real_mark();
 
-		points_choose(copies[k % COPIES]);
+		kernels_choose(copies[k % COPIES]);
 		truth.n = 0;
 		if (!sample_transform(k % 3 * 4, &s, &from, &t, &truth)) {
 			real_release(mark);
@@ -176,8 +176,8 @@ static void floats_come_out_as_of_doubles(void **state)
 			put(false, i, b.in[i % (size_t)t.in][i / (size_t)t.in]);
 		if (!points_map_floats(&t, rows + 1, back + 1, n))
 			continue;
-		assert_true(points_kernels()->split[false][t.in](rows + 1, b.in,
-		    n, MAGNITUDE_MAX));
+		assert_true(kernels_chosen()->to_columns[false][t.in](rows + 1,
+		    b.in, n, MAGNITUDE_MAX));
 		carry(&t, PRECISION_SINGLE, &b, n);
 		for (size_t i = 0; i < n * (size_t)t.out; i++)
 			assert_true(got(false, i) ==

@@ -134,7 +134,7 @@ static unsigned count(const struct transform *t, enum kernel_kind kind,
     struct block *b)
 {
 	assert_int_equal(t->kind, kind);
-	return unsure(points_kernels()->exact[kind], &t->for_kernel, b);
+	return unsure(kernels_chosen()->exact[kind], &t->for_kernel, b);
 }
 
 static void count_block(const struct regime *r, struct block *b,
@@ -161,7 +161,7 @@ static void count_block(const struct regime *r, struct block *b,
 	assert_null(scene_transform(&s, SPACE_DEVICE, SPACE_WORLD, false, &t));
 	n[PROJECTIVE] += count(&t, KERNEL_PROJECTIVE, b);
 	assert_null(ray_maker_of(&s, &ray));
-	n[RAY] += unsure(points_kernels()->exact[KERNEL_DIRECTION],
+	n[RAY] += unsure(kernels_chosen()->exact[KERNEL_DIRECTION],
 	    &ray.direction.for_kernel, b);
 }
 
@@ -171,7 +171,7 @@ static void as_many_as_ever(void **state)
 
 	(void)state;
 	for (int c = 0; c < COPIES; c++) {
-		if (!points_choose(copies[c]))
+		if (!kernels_choose(copies[c]))
 			continue;
 		sample_seed(1);
 		for (int k = 0; k < REGIMES; k++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Reader and writer for x86-64 with AVX2 and FMA: compile with -mavx2 -mfma. */
+/* Reads and writes numbers on x86-64 with AVX2 and FMA: compile with -mavx2 -mfma. */
 #ifdef __AVX2__
 #include "../../../core/points/kernel/simd_avx2.h"
 #include "../plain.h"
@@ -11,7 +11,7 @@
 #define ALL_BITS(a) _mm256_set1_epi64x((long long)(a))
 
 #define IN_SET(set, s) ((uint64_t)in_set(set, (s) + 32) << 32 | in_set(set, s))
-#define WHERE(x, c)                      \
+#define MATCH(x, c)                      \
 	((uint32_t)_mm256_movemask_epi8( \
 	    _mm256_cmpeq_epi8((__m256i)(x), _mm256_set1_epi8(c))))
 #define LARGER(a, b) ((row)_mm256_max_epu8((__m256i)(a), (__m256i)(b)))
@@ -20,21 +20,21 @@
 static inline uint32_t in_set(const struct byte_set *set, const char *s)
 {
 	__m256i x = _mm256_loadu_si256((const void *)s);
-	__m256i four = _mm256_set1_epi8(15);
+	__m256i low_four = _mm256_set1_epi8(15);
 	__m256i low = _mm256_broadcastsi128_si256(
 	    _mm_loadu_si128((const void *)set->low));
 	__m256i high = _mm256_broadcastsi128_si256(
 	    _mm_loadu_si128((const void *)set->high));
 
-	low = _mm256_shuffle_epi8(low, _mm256_and_si256(x, four));
+	low = _mm256_shuffle_epi8(low, _mm256_and_si256(x, low_four));
 	high = _mm256_shuffle_epi8(high,
-	    _mm256_and_si256(_mm256_srli_epi16(x, 4), four));
+	    _mm256_and_si256(_mm256_srli_epi16(x, 4), low_four));
 	return ~(uint32_t)_mm256_movemask_epi8(
 	    _mm256_cmpeq_epi8(_mm256_and_si256(low, high),
 		_mm256_setzero_si256()));
 }
 
-/* Joins two digits, then four, then eight by multiplication and addition. */
+/* Joins digits to numbers of two, four and eight digits by products and sums. */
 static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 {
 	__m256i x[2], y;
@@ -68,7 +68,7 @@ static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 #define BYTES_LOW(a) _mm256_unpacklo_epi8(_mm256_setzero_si256(), a)
 #define BYTES_HIGH(a) _mm256_unpackhi_epi8(_mm256_setzero_si256(), a)
 
-/* Four loads of hi and lo take less time than two gathers. */
+/* Looks hi and lo up. Four loads take less time than two gathers. */
 static inline void power_of_ten(V scale, V *hi, V *lo)
 {
 	const double(*power)[2] = powers - POWER_MIN;
@@ -83,12 +83,12 @@ static inline void power_of_ten(V scale, V *hi, V *lo)
 	*lo = _mm256_unpackhi_pd(ac, bd);
 }
 
-#define TO(i) ((__m128i *)(to + (i)*step))
+#define TEXT_AT(i) ((__m128i *)(to + (i)*step))
 static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
     I b)
 {
 	const I zero = _mm256_setzero_si256(), zeros = _mm256_set1_epi8('0');
-	/* a has the numbers 0 and 2, b has 1 and 3 */
+	/* a has digits of the numbers 0 and 2, b of 1 and 3 */
 	int in_a = _mm256_movemask_epi8(_mm256_cmpgt_epi8(a, zero));
 	int in_b = _mm256_movemask_epi8(_mm256_cmpgt_epi8(b, zero));
 
@@ -97,10 +97,10 @@ static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
 		_mm_cvtsi32_si128(in_b)));
 	a |= zeros;
 	b |= zeros;
-	_mm_storeu_si128(TO(0), _mm256_castsi256_si128(a));
-	_mm_storeu_si128(TO(1), _mm256_castsi256_si128(b));
-	_mm_storeu_si128(TO(2), _mm256_extracti128_si256(a, 1));
-	_mm_storeu_si128(TO(3), _mm256_extracti128_si256(b, 1));
+	_mm_storeu_si128(TEXT_AT(0), _mm256_castsi256_si128(a));
+	_mm_storeu_si128(TEXT_AT(1), _mm256_castsi256_si128(b));
+	_mm_storeu_si128(TEXT_AT(2), _mm256_extracti128_si256(a, 1));
+	_mm_storeu_si128(TEXT_AT(3), _mm256_extracti128_si256(b, 1));
 }
 
 #include "read_body.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Reader and writer for x86-64 with AVX-512: compile with -mavx512f -mavx512bw
+/* Reads and writes numbers on x86-64 with AVX-512: compile with -mavx512f -mavx512bw
  * -mavx512cd -mavx512dq -mavx512vl -mfma. */
 #ifdef __AVX512BW__
 #include "../../../core/points/kernel/simd_avx512.h"
@@ -23,10 +23,10 @@ typedef uint64_t row_mask;
 	    _mm256_loadu_si256((const void *)((end)[1] - (n))), 1))
 #define LAST_KEYS(n) \
 	((counts)_mm256_sllv_epi32(_mm256_set1_epi32(-1), (__m256i)(32 - (n))))
-#define LAST(keys) row_mask_at(keys)
+#define LAST_BYTES(keys) row_mask_at(keys)
 #define PICK(m, a, b) ((row)_mm512_mask_mov_epi8((__m512i)(b), m, (__m512i)(a)))
 #define KEEP(m, a) ((row)_mm512_maskz_mov_epi8(m, (__m512i)(a)))
-#define WHERE(x, c) _mm512_cmpeq_epi8_mask((__m512i)(x), _mm512_set1_epi8(c))
+#define MATCH(x, c) _mm512_cmpeq_epi8_mask((__m512i)(x), _mm512_set1_epi8(c))
 #define LEADING_ZEROS(x) ((counts)_mm256_lzcnt_epi32((__m256i)(x)))
 #define LARGER(a, b) ((row)_mm512_max_epu8((__m512i)(a), (__m512i)(b)))
 #define ANY_TOP_BIT(x) (_mm256_movemask_epi8((__m256i)(x)) != 0)
@@ -43,19 +43,19 @@ static inline row_mask row_mask_at(const uint32_t *keys)
 
 static inline uint64_t in_set(const struct byte_set *set, const char *s)
 {
-	__m512i x = _mm512_loadu_si512(s), four = _mm512_set1_epi8(15);
+	__m512i x = _mm512_loadu_si512(s), low_four = _mm512_set1_epi8(15);
 	__m512i low = _mm512_broadcast_i32x4(
 	    _mm_loadu_si128((const void *)set->low));
 	__m512i high = _mm512_broadcast_i32x4(
 	    _mm_loadu_si128((const void *)set->high));
 
-	low = _mm512_shuffle_epi8(low, _mm512_and_si512(x, four));
+	low = _mm512_shuffle_epi8(low, _mm512_and_si512(x, low_four));
 	high = _mm512_shuffle_epi8(high,
-	    _mm512_and_si512(_mm512_srli_epi16(x, 4), four));
+	    _mm512_and_si512(_mm512_srli_epi16(x, 4), low_four));
 	return _mm512_test_epi8_mask(low, high);
 }
 
-/* Joins two digits, then four, then eight by multiplication and addition. */
+/* Joins digits to numbers of two, four and eight digits by products and sums. */
 static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 {
 	const __m512i order = _mm512_setr_epi64(0, 2, 4, 6, 1, 3, 5, 7);
@@ -94,7 +94,7 @@ static inline void join_digits(const uint8_t *rows, int half, I *high, I *low)
 #define BYTES_HIGH(a) _mm512_unpackhi_epi8(_mm512_setzero_si512(), a)
 
 /* Looks hi and lo up in registers: the compiler moves the loads of the table out of the
- * loop around this. The index stands in the lowest bits of 2^52 + index. */
+ * loop of the caller. The lowest bits of k, a double 2^52 + index, are the index. */
 #define POWERS_AT(i, order)                                  \
 	_mm512_permutex2var_pd(LOAD(powers[8 * (i)]), order, \
 	    LOAD(powers[8 * (i) + 4]))
@@ -112,12 +112,12 @@ static inline void power_of_ten(V scale, V *hi, V *lo)
 	    _mm512_permutex2var_pd(POWERS_AT(0, even), k, POWERS_AT(1, even)));
 }
 
-#define TO(i) ((__m128i *)(to + (i)*step))
+#define TEXT_AT(i) ((__m128i *)(to + (i)*step))
 static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
     I b)
 {
 	const I zeros = _mm512_set1_epi8('0');
-	/* a has the numbers 0, 2, 4 and 6, b has 1, 3, 5 and 7 */
+	/* a has digits of the numbers 0, 2, 4, 6, b of 1, 3, 5, 7 */
 	__mmask64 in_a = _mm512_test_epi8_mask(a, a);
 	__mmask64 in_b = _mm512_test_epi8_mask(b, b);
 
@@ -126,14 +126,14 @@ static inline void store_digits(char *to, size_t step, uint16_t *nonzero, I a,
 		_mm_cvtsi64_si128((long long)in_b)));
 	a |= zeros;
 	b |= zeros;
-	_mm_storeu_si128(TO(0), _mm512_castsi512_si128(a));
-	_mm_storeu_si128(TO(1), _mm512_castsi512_si128(b));
-	_mm_storeu_si128(TO(2), _mm512_extracti32x4_epi32(a, 1));
-	_mm_storeu_si128(TO(3), _mm512_extracti32x4_epi32(b, 1));
-	_mm_storeu_si128(TO(4), _mm512_extracti32x4_epi32(a, 2));
-	_mm_storeu_si128(TO(5), _mm512_extracti32x4_epi32(b, 2));
-	_mm_storeu_si128(TO(6), _mm512_extracti32x4_epi32(a, 3));
-	_mm_storeu_si128(TO(7), _mm512_extracti32x4_epi32(b, 3));
+	_mm_storeu_si128(TEXT_AT(0), _mm512_castsi512_si128(a));
+	_mm_storeu_si128(TEXT_AT(1), _mm512_castsi512_si128(b));
+	_mm_storeu_si128(TEXT_AT(2), _mm512_extracti32x4_epi32(a, 1));
+	_mm_storeu_si128(TEXT_AT(3), _mm512_extracti32x4_epi32(b, 1));
+	_mm_storeu_si128(TEXT_AT(4), _mm512_extracti32x4_epi32(a, 2));
+	_mm_storeu_si128(TEXT_AT(5), _mm512_extracti32x4_epi32(b, 2));
+	_mm_storeu_si128(TEXT_AT(6), _mm512_extracti32x4_epi32(a, 3));
+	_mm_storeu_si128(TEXT_AT(7), _mm512_extracti32x4_epi32(b, 3));
 }
 
 #include "read_body.h"

@@ -14,7 +14,7 @@ const struct number_loops *number_loops(void)
 #endif
 	};
 
-	return copies[points_kernels()->processor];
+	return copies[kernels_chosen()->processor];
 }
 
 void number_texts(const double *v, size_t n, bool single,

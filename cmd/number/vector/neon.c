@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Reader and writer for AArch64, of which NEON is a part. */
+/* Reads and writes numbers on AArch64, of which NEON is a part. */
 #ifdef __AARCH64EL__
 #include "../../../core/points/kernel/simd_neon.h"
 #include "../plain.h"
@@ -11,14 +11,14 @@
 #define ALL_BITS(a) vdupq_n_u64((uint64_t)(a))
 
 #define IN_SET(set, s)                                                        \
-	((uint64_t)bits(in_set(set, (s) + 32), in_set(set, (s) + 48)) << 32 | \
-	    bits(in_set(set, s), in_set(set, (s) + 16)))
-#define WHERE(x, c) where((const uint8_t *)&(x), c)
+	((uint64_t)mask(in_set(set, (s) + 32), in_set(set, (s) + 48)) << 32 | \
+	    mask(in_set(set, s), in_set(set, (s) + 16)))
+#define MATCH(x, c) equal_bits((const uint8_t *)&(x), c)
 #define LARGER(a, b) PICK((row)((a) > (b)), a, b)
 #define ANY_TOP_BIT(x) any_top_bit((const uint8_t *)&(x))
 
-/* Returns bit i if byte i of low and high is 255; the other bytes are 0. */
-static inline uint32_t bits(uint8x16_t low, uint8x16_t high)
+/* Returns a mask of low, then high: bit i is set if byte i is 255, not if it is 0. */
+static inline uint32_t mask(uint8x16_t low, uint8x16_t high)
 {
 	const uint8x16_t bit = vreinterpretq_u8_u64(
 	    vdupq_n_u64(0x8040201008040201));
@@ -38,11 +38,11 @@ static inline uint8x16_t in_set(const struct byte_set *set, const char *s)
 	return vtstq_u8(low, vqtbl1q_u8(vld1q_u8(set->high), vshrq_n_u8(x, 4)));
 }
 
-static inline uint32_t where(const uint8_t *x, char c)
+static inline uint32_t equal_bits(const uint8_t *x, char c)
 {
 	uint8x16_t all = vdupq_n_u8((uint8_t)c);
 
-	return bits(vceqq_u8(vld1q_u8(x), all),
+	return mask(vceqq_u8(vld1q_u8(x), all),
 	    vceqq_u8(vld1q_u8(x + 16), all));
 }
 
@@ -51,7 +51,7 @@ static inline int any_top_bit(const uint8_t *x)
 	return vmaxvq_u8(vorrq_u8(vld1q_u8(x), vld1q_u8(x + 16))) > 127;
 }
 
-/* Joins two digits, then four, then eight by multiplication and addition. */
+/* Joins digits to numbers of two, four and eight digits by products and sums. */
 static inline uint64x2_t join_row(const uint8_t *row)
 {
 	uint8x16_t x = vmulq_u8(vld1q_u8(row),
@@ -108,7 +108,7 @@ static inline void power_of_ten(V scale, V *hi, V *lo)
 	*lo = vzip2q_f64(a, b);
 }
 
-/* Returns bit i if byte i is not 0. The bits of each half of the bytes are added up. */
+/* Returns a mask: bit i is set if byte i is not 0. A sum joins 8 bits of each half. */
 static inline uint16_t nonzero_bits(uint8x16_t digits)
 {
 	const uint8x8_t bit = vcreate_u8(0x8040201008040201);

@@ -1,53 +1,52 @@
 /* SPDX-License-Identifier: MIT */
-/* The reader of plain numbers for one kind of processor. A file that includes this
- * has the vectors of doubles of core/points/kernel/copy.h, the integers I that
- * write_body.h describes, and defines:
+/* Reads plain numbers (plain.h) on one kind of processor. A file that includes this one
+ * has the vectors of doubles that core/points/kernel/copy.h describes, and vectors of
+ * integers, I, that write_body.h describes, and defines:
  *
- *	IN_SET(set, s)	bit i: s[i] is in the set, of 64 bytes
+ *	IN_SET(set, s)	a mask of 64 bytes; bit i is set if s[i] is in the set
  *	join_digits(rows, half, &high, &low)
- *			sets high to the integers that the first eight digits make
- *			of half 0 or 1 of WIDTH rows, low to those of the last eight
- *	WHERE(row, c)	bit i: row[i] is c
- *	LARGER(a, b)	the larger one of each two bytes of rows
- *	ANY_TOP_BIT(x)	the top bit of some byte of 32 is set
+ *			makes integers of the first (half 0) or the last 16 digits
+ *			(half 1) of WIDTH rows: high of the first 8, low of the last 8
+ *	MATCH(row, c)	a mask; bit i is set if row[i] is c
+ *	LARGER(a, b)	at each place the larger byte of the rows a and b
+ *	ANY_TOP_BIT(x)	whether one of 32 bytes has its top bit set
  *
  * A row holds the 32 bytes before the end of a number, for ROW_NUMBERS numbers side by
- * side. A file may define, in the place of the operations of read_rows.h,
+ * side. A file may define these operations in place of those of read_rows.h:
  *
  *	ROW_NUMBERS, row, row_mask, ROW_BEFORE(end, n)
- *			the bytes from end[i] - n on
- *	LAST_KEYS(n)	a key for LAST from each of a vector of counts up to 32
- *	LAST(keys)	a mask of the last bytes of a row: as many as the count
- *	PICK(m, a, b)	m ? a : b
- *	KEEP(m, a)	m ? a : 0
- *	ANY_ABOVE_9(row)	some byte is above 9
- *	LEADING_ZEROS(x)	of integers of 32 bits
+ *			the bytes from end[i] - n on for number i of the row
+ *	LAST_KEYS(n)	keys for LAST_BYTES from a vector of counts up to 32
+ *	LAST_BYTES(keys) a mask of the last bytes of numbers, as many as the counts
+ *	PICK(m, a, b)	m ? a : b for each byte
+ *	KEEP(m, a)	m ? a : 0 for each byte
+ *	ANY_ABOVE_9(row) whether a byte of the row is above 9
+ *	LEADING_ZEROS(x) the number of leading zero bits, in integers of 32 bits
  *
- * Whatever the width, every lane goes through the same operations of IEEE 754. */
+ * With any WIDTH a number goes through the same operations of IEEE 754. */
 #include "read_rows.h"
 
-/* Returns bit i if lane i of a and b differs. A nan differs from everything. */
-static inline unsigned different(V a, V b)
+/* Returns a mask; bit i is set if lanes i of a and b differ. A nan differs from all. */
+static inline unsigned different_lanes(V a, V b)
 {
 	return LANES_OF(EQUAL(a, b)) ^ ((1u << WIDTH) - 1);
 }
 
-/* Returns integers below 2^52 as doubles. The double with the bits of 2^52 and of the
- * integer is 2^52 larger. */
+/* Returns u < 2^52 as doubles. The bits of u and of 2^52 make the double 2^52 + u. */
 static inline V double_of(I u)
 {
 	return (V)(u | ALL_BITS(0x4330000000000000)) - ALL(0x1p52);
 }
 
-/* An integer hi + lo in each lane, and a bit for each lane that is not read. */
+/* An integer hi + lo in each lane. bad has a bit for each lane that is not read. */
 struct integer {
 	V hi, lo;
 	unsigned bad;
 };
 
-/* Returns integers of up to 15 digits, as many as doubles hold: the product and the
- * sum are exact. */
-static inline struct integer short_integer(const struct rows *r, size_t i)
+/* Returns the integers of WIDTH rows, of up to 15 digits. They are below 2^53, so that
+ * the product and the sum are exact. */
+static inline struct integer short_integer(const struct digit_rows *r, size_t i)
 {
 	I high, low;
 
@@ -58,11 +57,11 @@ static inline struct integer short_integer(const struct rows *r, size_t i)
 	};
 }
 
-/* Returns integers of up to 19 digits; one with more is bad. Three digits times 10^16
- * are a multiple of 2^16 below 2^64: exact. The sums s and hi, below 2^64, are rounded
- * to multiples of 2^11. Each rounding loses an integer of at most 2^10; lo, the sum of
- * these two integers, is exact. */
-static inline struct integer long_integer(const struct rows *r, size_t i)
+/* Returns the integers of WIDTH rows, of up to 19 digits; one with more digits is bad.
+ * top, three digits times 10^16, is a multiple of 2^16 below 2^64, and exact. The sums
+ * s and m.hi, below 2^64, are rounded to multiples of 2^11. Each rounding loses an
+ * integer of at most 2^10; m.lo, the sum of both, is exact. */
+static inline struct integer long_integer(const struct digit_rows *r, size_t i)
 {
 	struct integer m;
 	I high, low;
@@ -70,7 +69,7 @@ static inline struct integer long_integer(const struct rows *r, size_t i)
 	join_digits(r->digits[i], 0, &high, &low);
 	V more = (V)((high > ALL_BITS(0)) | (low > ALL_BITS(999)));
 
-	m.bad = different(more, ALL(0)); /* all bits set are a nan */
+	m.bad = different_lanes(more, ALL(0)); /* all bits set make a nan */
 	V top = double_of(low) * ALL(1e16);
 
 	join_digits(r->digits[i], 1, &high, &low);
@@ -81,29 +80,29 @@ static inline struct integer long_integer(const struct rows *r, size_t i)
 	return m;
 }
 
-/* Returns m / p rounded to nearest, and adds to m->bad the lanes of which this is not
- * sure. The quotient q of hi and p is rounded; the remainder hi - q p is exact, as
- * always when division rounds to nearest and nothing underflows. So m / p is q + c for
- * c = (hi - q p + lo) / p, which costs two roundings: an error below 2.01 * 2^-53 |c|.
- * The sums c + off and c - off are farther from c: 2^-50 |c| less 2^-53 |c| for their
- * own rounding. Rounding is monotone: if q + (c + off) and q + (c - off) are the same
- * double, m / p rounds to it; else, as when m / p lies midway, the number is bad. Where
- * all of lo is 0, q is Clinger's exact case. */
+/* Returns m / p rounded to nearest, and adds to m->bad the lanes whose rounding is not
+ * certain. q is m->hi / p rounded; the remainder m->hi - q p is exact, as always when
+ * division rounds to nearest and nothing underflows. So m / p is q + c for c = (m->hi -
+ * q p + m->lo) / p. The computed c has two roundings, an error below 2.01 * 2^-53 |c|.
+ * The sums c + off and c - off are farther from c: by 2^-50 |c| less 2^-53 |c| for
+ * their own rounding. Rounding is monotone: if q + (c + off) and q + (c - off) are the
+ * same double, m / p rounds to this double; if not, as when m / p is midway between
+ * doubles, the lane is bad. If m->lo is 0 in all lanes, q is already m / p rounded. */
 static inline V divide(struct integer *m, V p)
 {
 	V q = m->hi / p;
 
-	if (different(m->lo, ALL(0)) == 0)
+	if (different_lanes(m->lo, ALL(0)) == 0)
 		return q;
 	V c = (FMA(-q, p, m->hi) + m->lo) / p, off = c * ALL(0x1p-50);
-	V one = q + (c - off), other = q + (c + off);
+	V first = q + (c - off), second = q + (c + off);
 
-	m->bad |= different(one, other);
-	return (V)((I)one | ((I)p & ALL_BITS(1ull << 63))); /* -0 + 0 is 0 */
+	m->bad |= different_lanes(first, second);
+	return (V)((I)first | ((I)p & ALL_BITS(1ull << 63))); /* restores -0 */
 }
 
-/* Returns bit k if row i + k has a byte above 9. */
-static inline unsigned not_digits(const struct rows *r, size_t i)
+/* Returns a mask; bit k is set if row i + k has a byte above 9. */
+static inline unsigned nondigit_lanes(const struct digit_rows *r, size_t i)
 {
 	unsigned bad = 0;
 
@@ -114,8 +113,8 @@ static inline unsigned not_digits(const struct rows *r, size_t i)
 	return bad;
 }
 
-/* Reads the group of numbers from i on; returns bit k if number k is not read. */
-static inline uint64_t read_group(const struct rows *r, size_t i,
+/* Reads the group of numbers from i on. Returns a mask of those that are not read. */
+static inline uint64_t read_group(const struct digit_rows *r, size_t i,
     struct group_needs needs, double *v)
 {
 	uint64_t bad = 0;
@@ -126,21 +125,22 @@ static inline uint64_t read_group(const struct rows *r, size_t i,
 		V q = divide(&m, LOAD(r->divisor + k));
 
 		STORE(v + k, q);
-		m.bad |= different(q, q);
-		m.bad |= needs.digit_test ? not_digits(r, k) : 0;
+		m.bad |= different_lanes(q, q);
+		m.bad |= needs.digit_test ? nondigit_lanes(r, k) : 0;
 		bad |= (uint64_t)m.bad << k;
 	}
 	return bad;
 }
 
-/* Reads n plain numbers, and if exponent is not NULL multiplies number i by
- * 10^exponent[i]. Returns bit i if number i is not read. The exponent changes the
- * divisor to another power of ten; if this is no double, the number is not read. */
-static inline uint64_t read_rows(const struct plain_places *at, size_t n,
+/* Reads n plain numbers and, if exponent is not NULL, multiplies number i by
+ * 10^exponent[i]. Returns a mask of the numbers that are not read. The exponent makes
+ * the divisor another power of ten; if no double is this power, the number is not read.
+ */
+static inline uint64_t read_plain(const struct plain_places *at, size_t n,
     const int8_t *exponent, double v[PLAIN_BATCH])
 {
 	struct group_needs needs[PLAIN_BATCH / PLAIN_GROUP];
-	struct rows r;
+	struct digit_rows r;
 	uint64_t bad = 0;
 
 	set_rows(&r, needs, (n + PLAIN_GROUP - 1) / PLAIN_GROUP * PLAIN_GROUP,
@@ -149,16 +149,16 @@ static inline uint64_t read_rows(const struct plain_places *at, size_t n,
 		double p = divisors[abs(exponent[i])], d = r.divisor[i];
 
 		d = exponent[i] < 0 ? d * p : d / p;
-		r.divisor[i] = fabs(d) >= 1 && fabs(d) <= 1e22 ? d : NO;
+		r.divisor[i] = fabs(d) >= 1 && fabs(d) <= 1e22 ? d : BAD;
 	}
 	for (size_t i = 0; i < n; i += PLAIN_GROUP)
 		bad |= read_group(&r, i, needs[i / PLAIN_GROUP], v);
 	return n < PLAIN_BATCH ? bad & ((1ull << n) - 1) : bad;
 }
 
-/* Returns whether the size characters before the end are at least a digit and then an
- * exponent of a sign and two digits, up to 22; sets *exponent. */
-static inline bool has_exponent(const char *end, size_t size, int8_t *exponent)
+/* Returns whether the size characters before end finish with a digit and an exponent of
+ * a sign and two digits, at most 22. Sets *exponent. */
+static inline bool get_exponent(const char *end, size_t size, int8_t *exponent)
 {
 	unsigned tens = (unsigned char)end[-2] - '0';
 	unsigned ones = (unsigned char)end[-1] - '0';
@@ -170,12 +170,12 @@ static inline bool has_exponent(const char *end, size_t size, int8_t *exponent)
 	    end[-5] >= '0' && end[-5] <= '9';
 }
 
-/* Reads the numbers of bad, as bits, that have an exponent. Returns the bits of those
- * that are still not read. */
-static uint64_t read_exponents(const struct plain_places *at, uint64_t bad,
+/* Reads the numbers of the mask bad that have an exponent. Returns the mask of those
+ * numbers that are still not read. */
+static uint64_t read_exponential(const struct plain_places *at, uint64_t bad,
     double v[PLAIN_BATCH])
 {
-	struct plain_places some;
+	struct plain_places places;
 	int8_t exponent[PLAIN_BATCH];
 	uint8_t index[PLAIN_BATCH];
 	double w[PLAIN_BATCH];
@@ -184,20 +184,20 @@ static uint64_t read_exponents(const struct plain_places *at, uint64_t bad,
 	for (uint64_t rest = bad; rest != 0; rest &= rest - 1) {
 		int i = __builtin_ctzll(rest);
 
-		if (!has_exponent(at->end[i], at->size[i], &exponent[n]))
+		if (!get_exponent(at->end[i], at->size[i], &exponent[n]))
 			continue;
-		some.end[n] = at->end[i] - 4;
-		some.size[n] = (uint8_t)(at->size[i] - 4);
+		places.end[n] = at->end[i] - 4;
+		places.size[n] = (uint8_t)(at->size[i] - 4);
 		index[n++] = (uint8_t)i;
 	}
 	for (size_t k = n; k % PLAIN_GROUP != 0; k++) {
-		some.end[k] = some.end[0];
-		some.size[k] = some.size[0];
+		places.end[k] = places.end[0];
+		places.size[k] = places.size[0];
 	}
-	uint64_t left = n > 0 ? read_rows(&some, n, exponent, w) : 0;
+	uint64_t unread = n > 0 ? read_plain(&places, n, exponent, w) : 0;
 
 	for (size_t k = 0; k < n; k++)
-		if ((left >> k & 1) == 0) {
+		if ((unread >> k & 1) == 0) {
 			v[index[k]] = w[k];
 			bad &= ~(1ull << index[k]);
 		}
@@ -207,13 +207,13 @@ static uint64_t read_exponents(const struct plain_places *at, uint64_t bad,
 static uint64_t reader_read(const struct plain_places *at, size_t n,
     double v[PLAIN_BATCH])
 {
-	uint64_t bad = read_rows(at, n, NULL, v);
+	uint64_t bad = read_plain(at, n, NULL, v);
 
-	return bad == 0 ? 0 : read_exponents(at, bad, v);
+	return bad == 0 ? 0 : read_exponential(at, bad, v);
 }
 
-/* Writes base plus the place of each bit that is set, eight places at a time. Returns
- * the end of the last; the next call overwrites the places after it. */
+/* Writes base + i for each bit i that is set, eight at a time. Returns the end of these
+ * numbers; the next call overwrites the surplus. */
 static inline uint16_t *put_places(uint64_t bits, size_t base, uint16_t *at)
 {
 	size_t n = (size_t)__builtin_popcountll(bits);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Plain numbers as rows of digits, from which read_body.h makes doubles. */
+/* Makes rows of digits of plain numbers (plain.h), for read_body.h. */
 #ifndef READ_ROWS_H
 #define READ_ROWS_H
 
@@ -11,40 +11,40 @@
 #include "../plain.h"
 
 /* The digits of numbers, right-aligned, and the divisors of the integers that these
- * digits make. A character that is no digit becomes a byte above 9. */
-struct rows {
+ * digits make, negative for a minus. A byte above 9 was another character. */
+struct digit_rows {
 	_Alignas(64) uint8_t digits[PLAIN_BATCH][32];
 	double divisor[PLAIN_BATCH];
 };
 
-/* The work that the numbers of a group need beyond that of simple numbers. */
+/* The slower operations that a group of PLAIN_GROUP numbers needs. */
 struct group_needs {
-	bool digit_test;    /* some have a character that is not a digit */
-	bool long_integers; /* some have more than 15 digits */
+	bool digit_test;    /* a number has a character that is no digit */
+	bool long_integers; /* a number has more than 15 digits */
 };
 
-/* The divisors of positive numbers by the number of decimals, which is NO_POINT without
- * a point; then those of negative numbers. The powers of ten up to 10^22 are doubles. A
- * number with more decimals, or without digits, has the divisor nan and is not read. */
+/* The divisors of positive numbers, indexed by the number of decimals, or by NO_POINT
+ * if there is no point; then those of negative numbers. Powers of ten before POWER_END
+ * are doubles. With more decimals, or without digits (NOT_READ), the divisor is nan. */
 enum { NO_POINT = 32, NOT_READ = 23, POWER_END = 23 };
-#define NO (double)NAN
+#define BAD (double)NAN
 static const double divisors[] = { 1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8,
 	1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
-	1e21, 1e22, NO, NO, NO, NO, NO, NO, NO, NO, NO, 1e0, -1e0, -1e1, -1e2,
-	-1e3, -1e4, -1e5, -1e6, -1e7, -1e8, -1e9, -1e10, -1e11, -1e12, -1e13,
-	-1e14, -1e15, -1e16, -1e17, -1e18, -1e19, -1e20, -1e21, -1e22, NO, NO,
-	NO, NO, NO, NO, NO, NO, NO, -1e0 };
+	1e21, 1e22, BAD, BAD, BAD, BAD, BAD, BAD, BAD, BAD, BAD, 1e0, -1e0,
+	-1e1, -1e2, -1e3, -1e4, -1e5, -1e6, -1e7, -1e8, -1e9, -1e10, -1e11,
+	-1e12, -1e13, -1e14, -1e15, -1e16, -1e17, -1e18, -1e19, -1e20, -1e21,
+	-1e22, BAD, BAD, BAD, BAD, BAD, BAD, BAD, BAD, BAD, -1e0 };
 
 typedef uint32_t counts __attribute__((vector_size(4 * PLAIN_GROUP)));
 
-#ifndef LAST
-#define LAST(keys) last(*(keys))
+#ifndef LAST_BYTES
+#define LAST_BYTES(keys) last_bytes(*(keys))
 #define LAST_KEYS(n) (n)
 #define PICK(m, a, b) (((a) & (m)) | ((b) & ~(m)))
 #define KEEP(m, a) ((a) & (m))
 #define ROW_BEFORE(end, n) row_at((end)[0] - (n))
 #define ANY_ABOVE_9(x) any_above_9(x)
-#define EIGHT 255, 255, 255, 255, 255, 255, 255, 255
+#define MASK8 255, 255, 255, 255, 255, 255, 255, 255
 
 enum { ROW_NUMBERS = 1 };
 typedef uint8_t row __attribute__((vector_size(32)));
@@ -64,10 +64,10 @@ static inline bool any_above_9(row x)
 	return ANY_TOP_BIT(x);
 }
 
-/* Returns a row of which the last n <= 32 bytes are 255, the others 0. */
-static inline row last(size_t n)
+/* Returns a row whose last n <= 32 bytes are 255, and whose other bytes are 0. */
+static inline row last_bytes(size_t n)
 {
-	static const uint8_t window[64] = { [32] = EIGHT, EIGHT, EIGHT, EIGHT };
+	static const uint8_t window[64] = { [32] = MASK8, MASK8, MASK8, MASK8 };
 
 	return row_at(window + n);
 }
@@ -77,8 +77,9 @@ static inline row last(size_t n)
 typedef int32_t ints __attribute__((vector_size(4 * PLAIN_GROUP)));
 typedef float reals __attribute__((vector_size(4 * PLAIN_GROUP)));
 #define LEADING_ZEROS(x) leading_zeros(x)
-/* Returns the number of leading zeros of x, which is 0 or has one bit, from the
- * exponent of x as a float. Two bits, as of 1.2.3 (no number), give any result. */
+/* Returns the number of leading zero bits of x, which is 0 or has one bit, from the
+ * exponent of x as a float. For two bits, as of 1.2.3, which is no number, any result
+ * will do. */
 static inline counts leading_zeros(counts x)
 {
 	const counts zero = { 0 };
@@ -88,9 +89,10 @@ static inline counts leading_zeros(counts x)
 }
 #endif
 
-/* For each number: points and minuses have a bit for each of the 32 bytes before its
- * end; digits is first its size, then the key of LAST for its digits; decimals is the
- * key for its decimals; divisor is the index of its divisor. */
+/* The bits and counts of each number. points and minuses have a bit for each of the 32
+ * bytes before its end. digits is its size, and after count_digits the key of its
+ * digits for LAST_BYTES; decimals is the key of its decimals; divisor is an index of
+ * divisors. */
 struct marks {
 	uint32_t points[PLAIN_BATCH], minuses[PLAIN_BATCH];
 	uint32_t digits[PLAIN_BATCH], decimals[PLAIN_BATCH];
@@ -105,8 +107,8 @@ static inline counts counts_at(const uint32_t *p)
 	return c;
 }
 
-/* Counts the digits of the group of numbers from i on. Returns whether a number has
- * more than 15 digits. */
+/* Sets digits, decimals and divisor of the group of numbers from i on. Returns whether
+ * a number of the group has more than 15 digits. */
 static inline bool count_digits(struct marks *m, size_t i)
 {
 	const counts zero = { 0 };
@@ -115,38 +117,38 @@ static inline bool count_digits(struct marks *m, size_t i)
 	counts minus = counts_at(m->minuses + i) >> start & 1;
 	counts decimals = LEADING_ZEROS(points);
 	counts digits = n - minus + (counts)(points != zero);
-	counts none = (counts)(digits == zero);
-	counts divisor = (decimals & ~none) + (none & NOT_READ) +
+	counts no_digits = (counts)(digits == zero);
+	counts divisor = (decimals & ~no_digits) + (no_digits & NOT_READ) +
 	    minus * (NO_POINT + 1);
-	counts over = digits + (128 - 16);
+	counts over_15 = digits + (128 - 16);
+	counts digit_keys = LAST_KEYS(digits);
+	counts decimal_keys = LAST_KEYS(decimals);
 
-	/* cppcheck-suppress selfAssignment */
-	digits = LAST_KEYS(digits);
-	/* cppcheck-suppress selfAssignment */
-	decimals = LAST_KEYS(decimals);
-	memcpy(m->digits + i, &digits, sizeof digits);
-	memcpy(m->decimals + i, &decimals, sizeof decimals);
+	memcpy(m->digits + i, &digit_keys, sizeof digit_keys);
+	memcpy(m->decimals + i, &decimal_keys, sizeof decimal_keys);
 	memcpy(m->divisor + i, &divisor, sizeof divisor);
-	return ANY_TOP_BIT(over);
+	return ANY_TOP_BIT(over_15);
 }
 
-/* Sets row i to its digits without the point; returns the row. The decimals are of the
- * 32 bytes before the end, the digits before the point of a load one byte earlier. */
-static inline row set_row(struct rows *r, size_t i, const char *const *end,
-    const struct marks *m)
+/* Sets row i to the digits of its numbers without the point, and returns the row. The
+ * decimals come from the 32 bytes before a number's end, the digits before the point
+ * from the 32 bytes that begin one byte earlier. */
+static inline row set_row(struct digit_rows *r, size_t i,
+    const char *const *end, const struct marks *m)
 {
-	row x = PICK(LAST(m->decimals + i), ROW_BEFORE(end, 32),
+	row x = PICK(LAST_BYTES(m->decimals + i), ROW_BEFORE(end, 32),
 	    ROW_BEFORE(end, 33));
 
-	x = KEEP(LAST(m->digits + i), x - '0');
+	x = KEEP(LAST_BYTES(m->digits + i), x - '0');
 	memcpy(r->digits[i], &x, sizeof x);
 	return x;
 }
 
-/* Sets the rows of n numbers and the needs of each group. Each step is a loop over all
- * numbers: the load of a vector would wait for stores of its parts just before it. */
-static inline void set_rows(struct rows *r, struct group_needs *needs, size_t n,
-    const struct plain_places *at)
+/* Sets the rows of n numbers and the needs of each group. Each step has a loop of its
+ * own over all numbers: a vector that is loaded just after parts of it were stored
+ * would wait for these stores. */
+static inline void set_rows(struct digit_rows *r, struct group_needs *needs,
+    size_t n, const struct plain_places *at)
 {
 	struct marks m;
 
@@ -154,7 +156,7 @@ static inline void set_rows(struct rows *r, struct group_needs *needs, size_t n,
 		m.digits[i] = at->size[i];
 	for (size_t i = 0; i < n; i += ROW_NUMBERS) {
 		row x = ROW_BEFORE(at->end + i, 32);
-		row_mask points = WHERE(x, '.'), minuses = WHERE(x, '-');
+		row_mask points = MATCH(x, '.'), minuses = MATCH(x, '-');
 
 		memcpy(m.points + i, &points, sizeof points);
 		memcpy(m.minuses + i, &minuses, sizeof minuses);
@@ -164,11 +166,11 @@ static inline void set_rows(struct rows *r, struct group_needs *needs, size_t n,
 	for (size_t i = 0; i < n; i++)
 		r->divisor[i] = divisors[m.divisor[i]];
 	for (size_t i = 0; i < n; i += PLAIN_GROUP) {
-		row odd = { 0 };
+		row most = { 0 };
 
 		for (size_t k = i; k < i + PLAIN_GROUP; k += ROW_NUMBERS)
-			odd = LARGER(odd, set_row(r, k, at->end + k, &m));
-		needs[i / PLAIN_GROUP].digit_test = ANY_ABOVE_9(odd);
+			most = LARGER(most, set_row(r, k, at->end + k, &m));
+		needs[i / PLAIN_GROUP].digit_test = ANY_ABOVE_9(most);
 	}
 }
 #endif

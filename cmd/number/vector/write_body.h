@@ -1,58 +1,55 @@
 /* SPDX-License-Identifier: MIT */
-/* Makes the texts of NUMBER_BATCH numbers at a time, in short loops, each over all of
- * them: in a long loop the processor could not begin the next turn before it has the
- * results of this one. write_find.h finds the digits; they are written at a fixed place
- * of a text, from which number_put copies them with a point among them.
+/* Makes the texts of NUMBER_BATCH numbers at a time, by short loops over all of them:
+ * the processor overlaps the turns of a short loop, but in a long one it would wait for
+ * the results of each. write_find.h finds the digits. They are stored at a fixed place
+ * of a number_text, from which number_put copies them with a point between them.
  *
- * A file that includes this has the vectors of doubles of core/points/kernel/copy.h,
- * and defines:
+ * A file that includes this file has the vectors of doubles that
+ * core/points/kernel/copy.h describes, and defines:
  *
  *	LOOPS		the name of its struct number_loops
- *	I		a vector of integers of 64 bits, as large as a V
- *	STORE_INTS(p, a) stores lanes that are whole numbers as int32_t
+ *	I		a vector of integers of 64 bits, as large as a V; it has & | <<
+ *			and > in each lane
+ *	STORE_INTS(p, a) stores whole numbers, the lanes of a V, as int32_t
  *	FLOOR, NEAREST	round to a whole number, NEAREST with ties to even
  *	ALL_BITS(a)	a in each lane of an I
  *	REGISTER	the constraint of asm for a register of an I
- *	SHR(a, n)	shifts lanes right, with zeros
- *	SHR16(a, n)	shifts quarters of lanes, 16 bits each
- *	SUB(a, b)	a - b modulo 2^64, also of the lanes that hold no number
+ *	SHR(a, n)	shifts lanes right, and fills with zeros
+ *	SHR16(a, n)	shifts quarters of lanes, of 16 bits each
+ *	SUB(a, b)	a - b modulo 2^64
  *	MUL32(a, b)	the products of the lower halves of lanes
  *	MUL16, HIGH16	the lower and the upper halves of products of quarters
- *
- * where I has & | << > lane by lane, and
- *
  *	power_of_ten(scale, &hi, &lo)
- *			looks 10^scale up, from POWER_MIN to POWER_MAX
+ *			looks 10^scale up in powers.h as hi + lo
  *	BYTES_LOW, BYTES_HIGH(a)
  *			the bytes of the lanes 0, 2, ... or of 1, 3, ..., each in
  *			the upper half of a quarter whose lower half is 0
  *	store_digits(to, step, nonzero, a, b)
- *			stores the digits of the numbers 0, 2, ..., which are a,
- *			and 1, 3, ..., which are b, to texts step bytes apart,
- *			and for each number the bits of its digits that are not 0
+ *			stores the digits of the numbers 0, 2, ..., which are a, and of
+ *			1, 3, ..., which are b, to texts step bytes apart; sets bit i of
+ *			nonzero[k] if digit i of number k is not 0
  *
- * Every operation on doubles is one rounding of IEEE 754 in each lane. */
+ * In each lane every operation on doubles rounds once, by IEEE 754. */
 #include "write_find.h"
 
-/* The zeros of a text before its DIGITS digits; the 17th digit and zeros follow. */
+/* The number of zeros that are stored before the DIGITS digits of a text. */
 enum { ZEROS_BEFORE = 8 };
 
-/* Hides a constant from gcc, which makes up to five operations of a product with a
- * constant that it knows. */
-#define UNKNOWN(c) unknown(ALL_BITS(c))
-INLINE I unknown(I c)
+/* Hides a constant from gcc, which would make up to five operations of its product. */
+#define OPAQUE(c) opaque(ALL_BITS(c))
+INLINE I opaque(I c)
 {
 	__asm__("" : "+" REGISTER(c));
 	return c;
 }
 
-/* fours, twos and ones divide numbers of 8 digits into numbers of 4, 2 and 1 digits. A
+/* split_8, split_4 and split_2 halve the numbers of digits, from 8 to 4, 2 and 1. A
  * quotient by 10^4, 100 or 10 is a product with 2^40/10^4, 2^19/100 or 2^16/10 rounded
  * up. It is less than 1/10^4, 1/100 or 1/10 too large, so that its whole part is right.
  *
- * Returns x < 10^8, the lower half of each lane, as two numbers of four digits, a and
- * x - 10^4 a, in two quarters. The shift removes the exponent of x. */
-INLINE I fours(I x)
+ * Returns x < 10^8, the lower half of each lane, as two numbers of four digits, a and x
+ * - 10^4 a, in two quarters. The lanes are doubles; x << 16 drops the exponent. */
+INLINE I split_8(I x)
 {
 	I a = SHR(MUL32(x, ALL_BITS(109951163)), 40);
 
@@ -61,30 +58,30 @@ INLINE I fours(I x)
 
 /* Returns the number of four digits in each quarter as two numbers of two digits, one
  * in each byte of the quarter. */
-INLINE I twos(I x)
+INLINE I split_4(I x)
 {
-	const uint64_t each = 0x0001000100010001;
-	I a = SHR16(HIGH16(x, ALL_BITS(5243 * each)), 3);
+	const uint64_t each_quarter = 0x0001000100010001;
+	I a = SHR16(HIGH16(x, ALL_BITS(5243 * each_quarter)), 3);
 
-	return a | SUB(x, MUL16(a, UNKNOWN(100 * each))) << 8;
+	return a | SUB(x, MUL16(a, OPAQUE(100 * each_quarter))) << 8;
 }
 
 /* Returns the number of two digits in the upper byte of each quarter as two digits, one
  * in each byte of the quarter. */
-INLINE I ones(I x)
+INLINE I split_2(I x)
 {
-	const uint64_t each = 0x0001000100010001;
-	I a = SHR16(HIGH16(x, ALL_BITS(6554 * each)), 8);
+	const uint64_t each_quarter = 0x0001000100010001;
+	I a = SHR16(HIGH16(x, ALL_BITS(6554 * each_quarter)), 8);
 
-	return SUB(x, MUL16(a, UNKNOWN(((10 << 8) - 1) * each)));
+	return SUB(x, MUL16(a, OPAQUE(((10 << 8) - 1) * each_quarter)));
 }
 
-/* Writes the DIGITS digits of whole < 2^53. The quotient by 10^8 is right: 1e-8 is
- * 2.1e-25 more than 10^-8, so that the product is less than 1.9e-9 too large before
- * it is rounded, by at most 7.5e-9 (half a unit in the last place below 2^27); to
- * reach the next whole number takes 1e-8. */
+/* Writes the DIGITS digits of f->whole < 2^53. FLOOR gives the right quotient by 10^8:
+ * 1e-8 is 2.1e-25 more than 10^-8, so that the product is less than 1.9e-9 too large.
+ * Rounding adds at most 7.5e-9, half a unit in the last place below 2^27. Only an error
+ * of 1e-8 could reach the next whole number. */
 INLINE void write_digits(struct number_text *t, uint16_t *nonzero,
-    const struct found *f)
+    const struct batch_digits *f)
 {
 	const V lowest_bits = ALL(0x1p52);
 
@@ -92,16 +89,16 @@ INLINE void write_digits(struct number_text *t, uint16_t *nonzero,
 		V whole = LOAD(f->whole + i);
 		V high = FLOOR(whole * ALL(1e-8));
 		V low = FMA(high, ALL(-1e8), whole);
-		I x = twos(fours((I)(high + lowest_bits)) |
-		    (fours((I)(low + lowest_bits)) << 32));
+		I x = split_4(split_8((I)(high + lowest_bits)) |
+		    (split_8((I)(low + lowest_bits)) << 32));
 
-		store_digits(t[i].b + ZEROS_BEFORE, sizeof *t, nonzero + i,
-		    ones(BYTES_LOW(x)), ones(BYTES_HIGH(x)));
+		store_digits(t[i].chars + ZEROS_BEFORE, sizeof *t, nonzero + i,
+		    split_2(BYTES_LOW(x)), split_2(BYTES_HIGH(x)));
 	}
 }
 
-/* Returns the highest bit that is set in x < 2^24, -127 if none is, by operations that
- * compilers can do on vectors. */
+/* Returns the index of the highest bit that is set in x < 2^24, or -127 if x is 0, by
+ * operations that compilers can vectorize. */
 INLINE int highest_bit(int x)
 {
 	float f = (float)x;
@@ -112,10 +109,11 @@ INLINE int highest_bit(int x)
 }
 
 /* Computes the layouts of texts. A text begins with its first digit that is not 0, or
- * with a zero before the point. It ends before the point, or with its last digit,
- * which is not 0 unless zeros are kept. */
+ * with the 0 before the point. It ends with its last digit, which is not 0 unless
+ * keep_zeros is set, or before the point if there are no decimals. The point is scale
+ * digits before the end of the first whole_digits digits. */
 INLINE void lay_out(uint32_t *layout, const uint16_t *nonzero,
-    const struct found *f, int whole_digits, bool keep_zeros)
+    const struct batch_digits *f, int whole_digits, bool keep_zeros)
 {
 	for (size_t i = 0; i < NUMBER_BATCH; i++) {
 		int digits = nonzero[i] | (f->digit[i] != 0) << DIGITS;
@@ -134,14 +132,14 @@ INLINE void lay_out(uint32_t *layout, const uint16_t *nonzero,
 }
 
 /* Writes the zeros before the digits, the 17th digit with zeros after it, and the
- * layout. Scales from POWER_MIN on need at most six zeros on either side. */
-INLINE void write_around(struct number_text *t, const uint32_t *layout,
-    const struct found *f, bool keep_zeros)
+ * layout. With scale >= POWER_MIN a text needs at most six zeros on each side. */
+INLINE void write_zeros(struct number_text *t, const uint32_t *layout,
+    const struct batch_digits *f, bool keep_zeros)
 {
 	const uint64_t zeros = 0x3030303030303030;
 
 	for (size_t i = 0; i < NUMBER_BATCH; i++) {
-		char *digits = t[i].b + ZEROS_BEFORE;
+		char *digits = t[i].chars + ZEROS_BEFORE;
 
 		memcpy(digits - ZEROS_BEFORE, &zeros, sizeof zeros);
 		if (!keep_zeros) {
@@ -152,14 +150,13 @@ INLINE void write_around(struct number_text *t, const uint32_t *layout,
 	}
 }
 
-/* Makes the texts of count numbers with n digits, or with n decimals, which keep their
- * zeros at the end. */
+/* Makes the texts of count numbers. NUMBER_DECIMALS keeps zeros at the end. */
 INLINE void write_all(const double *v, size_t count, enum number_kind kind,
     int n, bool single, struct number_text *t)
 {
 	const bool decimals = kind == NUMBER_DECIMALS;
-	const bool ninth = single && kind == NUMBER_SHORTEST;
-	struct found f;
+	const bool float_shortest = single && kind == NUMBER_SHORTEST;
+	struct batch_digits f;
 	uint16_t nonzero[NUMBER_BATCH];
 	uint32_t layout[NUMBER_BATCH];
 
@@ -172,14 +169,13 @@ INLINE void write_all(const double *v, size_t count, enum number_kind kind,
 			else
 				find_shortest(&f, i, single, LOAD(v + k + i));
 		write_digits(t, nonzero, &f);
-		lay_out(layout, nonzero, &f, ninth ? DIGITS / 2 : DIGITS,
-		    decimals);
-		write_around(t, layout, &f, decimals);
+		lay_out(layout, nonzero, &f,
+		    float_shortest ? DIGITS / 2 : DIGITS, decimals);
+		write_zeros(t, layout, &f, decimals);
 	}
 }
 
-/* Runs write_all, compiled with the kind of digits as a constant. The shortest digits
- * of doubles and of floats are two kinds. */
+/* Makes the texts by write_all, with kind and single as constants for the compiler. */
 static void writer_write(const double *v, size_t count, bool single,
     struct number_style style, struct number_text *t)
 {

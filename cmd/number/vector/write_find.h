@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Finds the decimal digits of a number by operations on doubles, which write_body.h
- * describes. For numbers from 2^-17 to 2^52, floats to 2^23, no operation rounds. Of
- * all other numbers, number_write makes the texts that rounding could change. */
+/* Finds the decimal digits of numbers by the operations on doubles that write_body.h
+ * lists. Shortest digits of numbers from 2^-17 to 2^52, of floats to 2^23, are found
+ * without rounding. For all other digits, number_write makes a text if rounding could
+ * change it. */
 #ifndef WRITE_FIND_H
 #define WRITE_FIND_H
 
@@ -12,28 +13,28 @@
 
 #define INLINE static inline __attribute__((always_inline))
 
-/* A comparison is right, in spite of roundings, if its sides differ by more than this:
- * shortest() adds up the errors. */
+/* A comparison is right in spite of roundings if its sides differ by more than
+ * WRITE_MARGIN; the comment on shortest() adds up the errors. */
 #define WRITE_MARGIN 0x1p-44
 
 /* The most digits that a whole number below 2^53 has. */
 enum { DIGITS = 16 };
 
-/* The most decimals or significant digits that a style may ask for here, and the most
- * zeros that may follow digits before the point. */
+/* The most decimals or significant digits that a style may ask of these loops, and the
+ * most zeros that they write between digits and the point. */
 enum { MOST_DIGITS = 15, MOST_ZEROS = 6 };
 
-/* Numbers as they are written: the DIGITS digits of whole, with the point scale digits
- * before their end, and digit, the 17th, unless it is 0. sign is -1 for a minus, 1 for
- * no minus, and 0 if number_write makes the text. */
-struct found {
+/* The digits of a batch of numbers: the DIGITS digits of whole, with the point scale
+ * digits before their end, and digit, the 17th, which is not written if it is 0. sign
+ * is -1 for a minus, 1 for no minus, and 0 if number_write has to make the text. */
+struct batch_digits {
 	double whole[NUMBER_BATCH];
 	int32_t digit[NUMBER_BATCH], scale[NUMBER_BATCH], sign[NUMBER_BATCH];
 };
 
-/* x = a 10^scale as p + e, and the greatest integer i <= p. hi + lo is 10^scale. If
- * scale >= 0, hi is 10^scale, of 47 bits at most (5^20 < 2^47), so that e, which the
- * product's rounding to p has lost, is exact, and x = p + e. */
+/* The product x = a 10^scale as p + e, and i, the greatest integer up to p. hi + lo is
+ * 10^scale. If scale >= 0, hi is 10^scale, of 47 bits at most (5^20 < 2^47). Then e,
+ * the error of the rounding to p, is exact, and x = p + e. */
 struct scaled {
 	V p, e, i;
 };
@@ -54,9 +55,9 @@ INLINE struct scaled scaled(V a, V hi, V lo, bool whole_powers)
  * - |e| is at most half a unit of p's last place.
  * - If p < 1/4, i is 0 and p - 1/2 is at most -1/4: e can't change its sign.
  * - If p >= 1/4, p - i - 1/2 is exact, so that only the sum with e is rounded.
- * If *rest is 0, there are two ties. If e = 0, NEAREST(p) breaks it. Else p > 2^52 is
- * whole and |e| = 1/2: x is halfway between two doubles and was rounded to the even
- * one, p, which both branches return. */
+ * If e = 0, *rest is 0 in a tie, and NEAREST(p) breaks the tie. A tie with another e
+ * has |e| = 1/2, and p > 2^52 is whole: x is halfway between two doubles and was
+ * rounded to the even one, p. Both branches return this p, as *rest is 0 or -1. */
 INLINE V nearest(struct scaled x, V *rest)
 {
 	*rest = (x.p - x.i - ALL(0.5)) + x.e;
@@ -65,7 +66,8 @@ INLINE V nearest(struct scaled x, V *rest)
 	return SELECT(EQUAL(*rest, ALL(0)), NEAREST(x.p), i);
 }
 
-/* The digits of numbers. Where sure is false, number_write makes the text. */
+/* The digits of a vector of numbers, as in struct batch_digits. If sure is false,
+ * number_write has to make the text. */
 struct digits {
 	V whole, digit;
 	M sure;
@@ -75,32 +77,32 @@ struct digits {
  * Schubfach (R. Giulietti, 2020). top is the greatest power of two that is at most a.
  * Let 2^q be a's last place, and 10^-scale the least power of ten above 2^q. Then x =
  * a 10^scale < 2^53, and up = 2^q/2 10^scale is at least 1/20 and less than 1/2. The
- * numbers that read back as a are those from x - down to x + up, where down is up, or
- * half of up if a is a power of two.
+ * numbers that read back as a are, times 10^scale, those from x - down to x + up, where
+ * down is up, or half of up if a is a power of two.
  *
  * This interval contains at most one whole number, which is the shortest: a number with
- * fewer digits is whole, too, and its zeros at the end are dropped later. If it has no
- * whole number, all its numbers have a 17th digit, and it has the multiple of 1/10 that
- * is nearest to x, no farther than 1/20; but if a is a power of two, this multiple may
- * be outside, and number_write makes the text.
+ * fewer digits is whole, too, and its zeros at the end are dropped later. If there is
+ * no whole number, the result is the multiple of 1/10 nearest to x, which is in the
+ * interval as it is no farther than 1/20 from x. But if a is a power of two, the
+ * multiple may be outside, and number_write makes the text.
  *
  * If scale >= 0, nothing is rounded. x is a multiple of 2^(q + scale), and up is half
- * of 2^(q + scale) 5^scale, with an odd factor, so that no whole number is at x + up or
- * x - down. With q + scale >= -49 (digits_test.t counts) all differences are below 1
- * and multiples of 2^-51, tenths is below 10 and a multiple of 2^-48: all are doubles.
- * A tie of two digits is at 1/4 or 3/4; NEAREST and number_write choose the even one.
+ * of 2^(q + scale) times the odd number 5^scale, so that no whole number is at x + up
+ * or x - down. As q + scale >= -49 (digits_test.t counts), all differences are
+ * multiples of 2^-51 below 1, and tenths is a multiple of 2^-48 below 10: all are
+ * doubles. If two digits are equally near, at 1/4 or 3/4, NEAREST takes the even one.
  *
- * If scale < 0, the errors are at most, in units of 2^-53, with lo from the table:
+ * If scale < 0, the errors are at most, in units of 2^-53:
  *
- *	1	of hi + lo: POWER_ERROR x
+ *	1	of hi + lo (powers.h) times a: POWER_ERROR x
  *	1	of e, less than 2, rounded
  *	2	of p - i + e, less than 4, rounded
- *	1	of its fraction
- *	5	in all, of rest; with 1 more of 1 - rest, and of up 1/2 or less
+ *	1	of rest, the fraction of this sum, rounded
+ *	5	of rest in all; to_next has 1 more, and up has 1/2
  *	58	of tenths, less than 10: 10 times 5, and 8 as it is rounded
  *
- * so that a comparison is right if its sides are WRITE_MARGIN = 512 units apart. If
- * they are nearer, as in exact ties, which are frequent in numbers so large,
+ * so that a comparison is right if its sides differ by WRITE_MARGIN, 512 units. If
+ * they differ by less, as in exact ties, which are frequent in numbers so large,
  * number_write makes the text. */
 INLINE struct digits shortest(V a, V top, V scale, V hi, struct scaled x,
     bool single, bool whole_powers)
@@ -130,9 +132,9 @@ INLINE struct digits shortest(V a, V top, V scale, V hi, struct scaled x,
 	};
 }
 
-/* Returns the exponent of a power of two, less place. The shift moves the biased
- * exponent to the lowest bits of 2^52. */
-INLINE V log2_less(V power, double place)
+/* Returns log2 of a power of two, less place. The shift moves its biased exponent to
+ * the lowest bits of the double 2^52. */
+INLINE V log2_minus(V power, double place)
 {
 	V biased = (V)(SHR((I)(power), 52) | (I)(ALL(0x1p52)));
 
@@ -140,12 +142,12 @@ INLINE V log2_less(V power, double place)
 }
 
 /* Returns the greatest power of two that is at most a. */
-INLINE V power_of_two_in(V a)
+INLINE V power_of_two_up_to(V a)
 {
 	return (V)((I)(a) & (I)(ALL((double)INFINITY)));
 }
 
-INLINE void store_found(struct found *f, size_t i, V v, struct digits d,
+INLINE void store_lanes(struct batch_digits *f, size_t i, V v, struct digits d,
     V scale)
 {
 	M minus = LESS(v, ALL(0)) & ~EQUAL(d.whole, ALL(0));
@@ -156,7 +158,7 @@ INLINE void store_found(struct found *f, size_t i, V v, struct digits d,
 	STORE_INTS(f->sign + i, ONLY(d.sure, SELECT(minus, ALL(-1), ALL(1))));
 }
 
-INLINE void find_decimals(struct found *f, size_t i, int n, V v)
+INLINE void find_decimals(struct batch_digits *f, size_t i, int n, V v)
 {
 	V scale = ALL(n), hi, lo, rest;
 
@@ -164,22 +166,22 @@ INLINE void find_decimals(struct found *f, size_t i, int n, V v)
 	struct scaled x = scaled(ABS(v), hi, lo, true);
 	struct digits d = { nearest(x, &rest), ALL(0), LESS(x.p, ALL(0x1p53)) };
 
-	store_found(f, i, v, d, scale);
+	store_lanes(f, i, v, d, scale);
 }
 
 /* Finds n <= MOST_DIGITS significant digits of numbers from 1e-6 to below 1e15.
- * 78913 / 2^18 times floor(log2 a) gives floor(log10 a), or one less; a comparison of a
- * with the next power of ten corrects this. The power is rounded if it is below 1, but
- * a number equal to it gives the same text with either log10: its n digits round to a
+ * FLOOR(78913 / 2^18 floor(log2 a)) is floor(log10 a) or one less; a comparison of a
+ * with the next power of ten corrects this. A power below 1 is rounded, but a number
+ * equal to this double gives the same text with either log10: its n digits round to a
  * one and zeros. If scale < 0, the product is rounded, by less than WRITE_MARGIN (see
  * shortest), and number_write makes the texts of numbers nearer to a tie. */
-INLINE void find_significant(struct found *f, size_t i, int n, V v)
+INLINE void find_significant(struct batch_digits *f, size_t i, int n, V v)
 {
 	const V zero = ALL(0), one = ALL(1);
 	V a = ABS(v), hi, lo, rest;
 	M in_range = LESS(a, ALL(1e15)) & ~LESS(a, ALL(1e-6));
-	V top = power_of_two_in(SELECT(in_range, a, one));
-	V log10 = FLOOR(log2_less(top, 0) * ALL(78913 * 0x1p-18));
+	V top = power_of_two_up_to(SELECT(in_range, a, one));
+	V log10 = FLOOR(log2_minus(top, 0) * ALL(78913 * 0x1p-18));
 
 	power_of_ten(log10 + one, &hi, &lo);
 	log10 = log10 + ONLY(~(LESS(a, hi) | ~in_range), one);
@@ -194,22 +196,23 @@ INLINE void find_significant(struct found *f, size_t i, int n, V v)
 		(in_range & in_table) | EQUAL(a, zero) };
 
 	d.sure = d.sure & (exact | LESS(ALL(WRITE_MARGIN), ABS(rest)));
-	store_found(f, i, v, d, scale);
+	store_lanes(f, i, v, d, scale);
 }
 
-/* Finds the shortest digits of numbers from 2^-17 to 1e21, floats to 2^60: so far the
- * table of powers reaches (texts have no exponent from 1e-6 to 1e21). For a number out
- * of this range top is 1, so that the index is in the table. If exact is set, all
- * numbers are in this range and have scale >= 0: no rounding needs a test. */
-INLINE void find_in_range(struct found *f, size_t i, bool single, bool exact,
-    V v)
+/* Finds the shortest digits of numbers from 2^-17 to 1e21, of floats to 2^60: so far
+ * the table of powers reaches, and from 1e-6 to 1e21 texts have no exponent. For other
+ * numbers top is 1, so that the index is in the table, and number_write makes the text.
+ * If exact is set, all numbers are in this range and have scale >= 0: nothing is
+ * rounded, and comparisons need no margin. */
+INLINE void find_in_range(struct batch_digits *f, size_t i, bool single,
+    bool exact, V v)
 {
 	const V one = ALL(1);
 	V a = ABS(v), hi, lo;
 	M in_range = LESS(a, ALL(single ? 0x1p60 : 1e21)) &
 	    ~LESS(a, ALL(0x1p-17));
-	V top = power_of_two_in(exact ? a : SELECT(in_range, a, one));
-	V q = log2_less(top, single ? 23 : 52);
+	V top = power_of_two_up_to(exact ? a : SELECT(in_range, a, one));
+	V q = log2_minus(top, single ? 23 : 52);
 	V scale = -one - FLOOR(q * ALL(0.30102999566398120));
 
 	power_of_ten(scale, &hi, &lo);
@@ -218,16 +221,16 @@ INLINE void find_in_range(struct found *f, size_t i, bool single, bool exact,
 
 	if (!exact)
 		d.sure = d.sure & (in_range | EQUAL(a, ALL(0)));
-	if (single) { /* eight digits and the ninth */
+	if (single) { /* whole has eight digits, and digit is the ninth */
 		d.whole = FMA(d.whole, ALL(1e8), d.digit * ALL(1e7));
 		d.digit = ALL(0);
 	}
-	store_found(f, i, v, d, scale);
+	store_lanes(f, i, v, d, scale);
 }
 
-/* Finds the shortest digits. If all numbers of v are from 2^-17 to 2^52, floats to
- * 2^23, calls shorter code for this range. */
-INLINE void find_shortest(struct found *f, size_t i, bool single, V v)
+/* Finds the shortest digits. If all numbers of v are from 2^-17 to 2^52, or floats to
+ * 2^23, no operation rounds, and find_in_range with exact = true is shorter. */
+INLINE void find_shortest(struct batch_digits *f, size_t i, bool single, V v)
 {
 	V a = ABS(v);
 	M exact = LESS(a, ALL(single ? 0x1p23 : 0x1p52)) &

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* For x86-64 with AVX-512: compile with -mavx512f -mfma. */
+/* The kernels for x86-64 with AVX-512: compile with -mavx512f -mfma. */
 #ifdef __AVX512F__
 #include "simd_avx512.h"
 
-#define COPY kernels_avx512
+#define KERNELS_NAME kernels_avx512
 #define PROCESSOR PROCESSOR_AVX512
 #include "copy.h"
 #endif

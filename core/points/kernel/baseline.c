@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* For any processor: fma is the C library's, exact everywhere and fast if there is an
- * instruction for it. */
+/* The kernels for any processor. fma of the C library is exact everywhere, and fast on
+ * processors that have an instruction for it. */
 #include <math.h>
 
-#define COPY kernels_baseline
+#define KERNELS_NAME kernels_baseline
 #define PROCESSOR PROCESSOR_BASELINE
 
 #define V double

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-/* The copies that this program has, the best first. */
+/* The kernels that this program has, the best first. */
 static const struct {
 	const char *name;
 	const struct kernels *kernels;
@@ -18,11 +18,11 @@ static const struct {
 	{ "baseline", &kernels_baseline },
 };
 
-static const struct kernels *kernels = &kernels_baseline;
+static const struct kernels *chosen = &kernels_baseline;
 
-/* Returns true if this processor has all instructions of the copies for one kind of
- * processor, here and in cmd/number/vector. */
-static bool is_here(enum processor processor)
+/* Returns true if this processor has all instructions that the files for the given kind
+ * use, in this folder and in cmd/number/vector. */
+static bool can_run(enum processor processor)
 {
 #ifdef __x86_64__
 	if (processor != PROCESSOR_BASELINE &&
@@ -39,18 +39,18 @@ static bool is_here(enum processor processor)
 	return true;
 }
 
-bool points_choose(const char *name)
+bool kernels_choose(const char *name)
 {
 	for (size_t i = 0; i < sizeof copies / sizeof *copies; i++)
 		if ((name == NULL || strcmp(copies[i].name, name) == 0) &&
-		    is_here(copies[i].kernels->processor)) {
-			kernels = copies[i].kernels;
+		    can_run(copies[i].kernels->processor)) {
+			chosen = copies[i].kernels;
 			return true;
 		}
 	return false;
 }
 
-const struct kernels *points_kernels(void)
+const struct kernels *kernels_chosen(void)
 {
-	return kernels;
+	return chosen;
 }

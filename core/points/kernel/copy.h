@@ -1,25 +1,25 @@
 /* SPDX-License-Identifier: MIT */
-/* The loops for one kind of processor. A file that includes this file defines:
+/* The kernels for one kind of processor. A file that includes copy.h defines:
  *
- *	COPY, PROCESSOR	the name of its struct kernels, and its processor
+ *	KERNELS_NAME	the name of its struct kernels
+ *	PROCESSOR	its kind of processor
  *
- * and, as simd_avx2.h and its like do,
+ * and the operations below, as simd_avx2.h, simd_avx512.h and simd_neon.h do:
  *
- *	V, WIDTH	a vector of doubles, and how many it holds
- *	M		true or false for each lane, with & | ~
- *	LOAD, STORE	from and to any address
+ *	V, WIDTH	a vector of doubles, and the number of its lanes
+ *	M		a mask: true or false for each lane; has & | ~
+ *	LOAD, STORE	load or store a V at any address
  *	ALL(a)		a in each lane
  *	FMA(a, b, c)	a b + c, rounded once
  *	ABS, SQRT	the magnitude, and the root, rounded once
- *	MIN MAX		MIN is a < b ? a : b, MAX a > b ? a : b, nan or not
- *	LESS, EQUAL	an M; false if one is nan
- *	LANES_OF(m)	bit i: m in lane i
- *	SELECT(m, a, b)	m ? a : b
- *	ONLY(m, a)	m ? a : 0
+ *	MIN, MAX(a, b)	a < b ? a : b, and a > b ? a : b, also for nan
+ *	LESS, EQUAL	the masks of a < b and a == b; false for nan
+ *	LANES_OF(m)	an integer; bit i is set if lane i of m is true
+ *	SELECT(m, a, b)	m ? a : b in each lane
+ *	ONLY(m, a)	m ? a : 0 in each lane
  *
- * and may define MADD(a, b, c), a b + c, with the product rounded if that is faster.
- * Vectors have +, -, * and /. Every operation is one rounding of IEEE 754 in each
- * lane. */
+ * and may define MADD(a, b, c), a b + c with a rounded product, if this is faster than
+ * FMA. V has +, -, * and /. In each lane, other operations round once (IEEE 754). */
 #include <math.h>
 
 #ifndef MADD
@@ -38,7 +38,7 @@
 #define R_FMA fma
 #define W_MAX 0x1p1000
 #define NAME(x) double_##x
-#include "plain.h"
+#include "approx.h"
 
 #undef REAL
 #undef R_FMA
@@ -49,9 +49,9 @@
 #define R_FMA fmaf
 #define W_MAX 0x1p120f
 #define NAME(x) single_##x
-#include "plain.h"
+#include "approx.h"
 
-#include "floats.h"
+#include "float_rows.h"
 
 #define KERNELS_OF(prefix, depth)                                         \
 	[KERNEL_FLAT] = prefix##_flat, [KERNEL_AFFINE] = prefix##_affine, \
@@ -63,17 +63,18 @@
 		[2] = name##_2, [3] = name##_3, [4] = name##_4 \
 	}
 
-const struct kernels COPY = {
+const struct kernels KERNELS_NAME = {
 	.processor = PROCESSOR,
-	.exact = { KERNELS_OF(exact, projective), [KERNEL_FOUR] = exact_four,
+	.exact = { KERNELS_OF(exact, projective), [KERNEL_XYZW] = exact_xyzw,
 	    [KERNEL_DIRECTION] = exact_direction },
-	.plain = {
+	.approx = {
 		[PRECISION_DOUBLE] = { KERNELS_OF(double, depth) },
 		[PRECISION_SINGLE] = { KERNELS_OF(single, depth) },
 	},
-	.floats = { KERNELS_OF(floats, depth) },
+	.float_rows = { KERNELS_OF(float_rows, depth) },
 	.signs = signs,
 	.farthest = farthest,
-	.split = { ROWS_OF(split_floats), ROWS_OF(split_doubles) },
-	.join = { ROWS_OF(join_floats), ROWS_OF(join_doubles) },
+	.to_columns = { ROWS_OF(to_columns_floats),
+	    ROWS_OF(to_columns_doubles) },
+	.to_rows = { ROWS_OF(to_rows_floats), ROWS_OF(to_rows_doubles) },
 };

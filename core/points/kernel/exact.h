@@ -1,51 +1,49 @@
 /* SPDX-License-Identifier: MIT */
-/* The fast phase of PRECISION_EXACT, written once for the vectors that copy.h
- * describes. It computes each coordinate as a sum hi + lo with a bound of its error. If
- * all numbers within the bound round to the same double, this double is the result. If
- * they do not, point.c computes the point. Noise is a difference that counts as 0: see
- * struct kernel_map. The variable sure is positive if the rounding is certain.
+/* The kernels of PRECISION_EXACT, written once for the vectors that copy.h describes.
+ * A coordinate is a sum hi + lo with a bound of its error. If all numbers within the
+ * bound round to the same double, this double is the result; if not, point.c computes
+ * the point. Variables named sure are positive if the rounding is certain. Noise is an
+ * error up to which a difference counts as 0: see struct kernel_map.
  *
- * High parts add without error. Let 2^e be above the differences of a block's points
- * from the origin in one coordinate; each coordinate has its own e. Let B be a power of
- * two above a column's elements times their 2^e, and above the column's image of the
- * origin. Points and the origin are cut to multiples of 2^(e-26), elements to multiples
- * of 2^(-e-24) B. Then three products and the image are multiples of 2^-50 B, and their
- * sum is at most 2^52 + 2^27 of these units.
- *
- * The low part is
+ * To cut a number is to round it to few bits; the difference is its rest. Let 2^e be
+ * above the differences of a block's points from the origin in one coordinate; each
+ * coordinate has its own e. Let B be a power of two above a column's elements times
+ * their 2^e, and above the column's image of the origin. Points and the origin are cut
+ * to multiples of 2^(e-26), elements to multiples of 2^(-e-24) B. Then hi, the sum of
+ * the cut image and three products of cut numbers, has no error: all of these are
+ * multiples of 2^-50 B, and hi is at most 2^52 + 2^27 of these units. The low part is
  *
  *	lo = sum of (coordinate's rest) element + (cut coordinate) (element's rest)
  *
  * This sum has three terms up to 2^-27 B, three up to 2^-25 B, and three up to 2^-27 B
  * for the origin's rests: no partial sum is above 9 times 2^-26 B. The errors are the
- * roundings of these sums, of products, of rests, and of lo with its bound, and the
- * elements' low parts that the first three terms leave out: together 49 u 2^-26 B <
+ * roundings of these sums, of products, of rests, and of lo plus its bound, and the
+ * elements' low parts, which the first three terms leave out: together 49 u 2^-26 B <
  * 2^-73.3 B, where u = 2^-53. `make prove` counts them from the code below. */
 #include "kernel.h"
 
-/* The bound of a column's error, in units of B: more than twice the error above, as the
- * roundings of a quotient must fit, too. The proofs define smaller DIGITS, the digits
- * of a double, and the other two constants with it. */
+/* DIGITS is the number of binary digits of a double, and COLUMN_BOUND the bound of a
+ * column's error in units of B: more than twice the error above, as the roundings of a
+ * quotient must fit, too. is_moderate uses MODERATE. The proofs define all three. */
 #ifndef DIGITS
 #define DIGITS 53
 #define COLUMN_BOUND 0x1p-72
 #define MODERATE 0x1p200
 #endif
-/* The least magnitude of a scaled element that is not 0, as scaling may underflow. */
-#define LEAST 0x1p-1022
+/* Stands for an element times 2^e if this product underflows. */
+#define TINY 0x1p-1022
 
-/* The bits that are kept of a coordinate and of an element when they are cut. */
+/* The numbers of bits of a cut coordinate and of a cut element. */
 enum { POINT_CUT = DIGITS / 2, ELEMENT_CUT = DIGITS - 3 - POINT_CUT };
 
-/* Returns true if largest is neither so large nor so small that products or quotients
- * of such coordinates or columns could overflow or underflow. */
+/* Returns true if largest, a magnitude of coordinates or columns, is neither so large
+ * nor so small that their products or quotients could overflow or underflow. */
 static int is_moderate(double largest)
 {
 	return largest == 0 || (largest > 1 / MODERATE && largest < MODERATE);
 }
 
-/* Returns the number s for which a + s - s is a rounded to a multiple of unit, if |a| <
- * 2^(DIGITS-2) unit. */
+/* Returns s: a + s - s rounds a to a multiple of unit if |a| < 2^(DIGITS-2) unit. */
 static double rounder(double unit)
 {
 	return ldexp(1.5, DIGITS - 1) * unit;
@@ -58,8 +56,8 @@ static double cut_to(double a, double unit)
 	return a + s - s;
 }
 
-/* Returns the greatest lane. */
-static inline double greatest(V a)
+/* Returns the greatest number of a vector. */
+static inline double greatest_lane(V a)
 {
 	double all[WIDTH], r;
 
@@ -70,7 +68,8 @@ static inline double greatest(V a)
 	return r;
 }
 
-/* Returns true if a b is exactly product, and no part of it underflows. */
+/* Returns true if a b is exactly product; false if underflow could hide a difference.
+ */
 static bool is_product(double a, double b, double product)
 {
 	return fma(a, b, -product) == 0 &&
@@ -78,16 +77,15 @@ static bool is_product(double a, double b, double product)
 }
 
 /* The differences d of a block's points from the origin in one coordinate. An origin
- * below 2^(e+23) is cut as the points are: its cut part is subtracted from theirs, and
- * its rest, times the element, from the column's image of the origin. A larger origin
- * is subtracted whole from the points, which lie so near to it that the differences are
- * exact. */
+ * below 2^(e+23) is cut as the points are: its cut part is subtracted from their cut
+ * parts, and its rest times the element from the column's image of the origin. A larger
+ * origin is subtracted whole: the points are so near that the differences are exact. */
 struct kernel_range {
-	double largest;        /* the largest |d|, rounded up */
-	double power, inverse; /* 2^e, largest < 2^e, and 2^-e */
-	double rounder;        /* rounds to multiples of 2^(e-26) */
-	double whole, rest;    /* of the origin; 0 if not used */
-	double rounder_and_cut;
+	double largest;         /* the largest |d|, rounded up */
+	double power, inverse;  /* 2^e > largest, and 2^-e */
+	double rounder;         /* rounds to multiples of 2^(e-26) */
+	double whole, rest;     /* the origin, or its rest; the other is 0 */
+	double rounder_and_cut; /* rounder + the origin's cut part */
 };
 
 static struct kernel_range range_of(double low, double high, double origin)
@@ -115,7 +113,7 @@ static struct kernel_range range_of(double low, double high, double origin)
 }
 
 /* Returns the range of n coordinates. Even and odd vectors have a minimum and a maximum
- * each: with single ones, each operation would wait for the one before. */
+ * each, as operations on single ones would wait for each other. */
 static struct kernel_range range_in(const double *in, size_t n, double origin)
 {
 	V low[2] = { ALL(HUGE_VAL), ALL(HUGE_VAL) };
@@ -128,12 +126,12 @@ static struct kernel_range range_in(const double *in, size_t n, double origin)
 			low[k] = MIN(x, low[k]);
 			high[k] = MAX(x, high[k]);
 		}
-	return range_of(-greatest(-MIN(low[0], low[1])),
-	    greatest(MAX(high[0], high[1])), origin);
+	return range_of(-greatest_lane(-MIN(low[0], low[1])),
+	    greatest_lane(MAX(high[0], high[1])), origin);
 }
 
-/* Returns the largest noise of column j in this block. */
-static double noise_of(const struct kernel_map *m, int j, int terms,
+/* Returns the largest noise of column j within these ranges. */
+static double largest_noise(const struct kernel_map *m, int j, int terms,
     const struct kernel_range *range)
 {
 	double largest = 1;
@@ -143,19 +141,18 @@ static double noise_of(const struct kernel_map *m, int j, int terms,
 	return m->noise[j] * largest;
 }
 
-/* A column's elements, and its image of the origin, cut for a block of points: all =
- * high + rest. If the column is exact, the elements' low parts together are within the
- * noise, and are left out. If not, they are added to the rests. If all is 0, the column
- * is 0. */
+/* A column for a block of points: its elements and, in row 3, its image of the origin,
+ * cut into high and rest. The low parts of struct kernel_map are added to rest, unless
+ * they are within the noise together. If all elements are 0, the column is 0. */
 struct column_cut {
-	double high[4], rest[4], all[4];
-	double bound; /* of the error */
-	bool exact;
-	double noisy; /* 2^56 times the largest noise; see lost_if_noisy */
+	double high[4], rest[4], element[4];
+	double bound;       /* of the error */
+	bool exact;         /* the errors of rest are within the noise */
+	double noisy_below; /* 2^56 times the noise */
 };
 
-/* Returns true if the low parts of column j together are within the least noise. */
-static bool has_short_elements(const struct kernel_map *m, int j, int terms,
+/* Returns true if the low parts change column j by at most the least noise. */
+static bool low_parts_are_noise(const struct kernel_map *m, int j, int terms,
     const struct kernel_range *range)
 {
 	double all = 0;
@@ -164,7 +161,7 @@ static bool has_short_elements(const struct kernel_map *m, int j, int terms,
 		if ((i == 3 || i < terms) && !m->exact[i][j])
 			all += fabs(m->lo[i][j]) *
 				(i == 3 ? 1 : range[i].largest) +
-			    LEAST;
+			    TINY;
 	return fmax(all, m->least_noise[j]) == m->least_noise[j];
 }
 
@@ -178,45 +175,45 @@ static int cut_column(const struct kernel_map *m, int j, int terms,
 	for (int i = 0; i < terms; i++)
 		if (range[i].largest > 0 && fabs(m->hi[i][j]) > 0)
 			most = fmax(most,
-			    fmax(LEAST, fabs(m->hi[i][j]) * range[i].power));
+			    fmax(TINY, fabs(m->hi[i][j]) * range[i].power));
 	frexp(most, &exponent);
 	const double power = ldexp(1, exponent);
 
-	c->exact = has_short_elements(m, j, terms, range);
+	c->exact = low_parts_are_noise(m, j, terms, range);
 	for (int i = 0; i < 4; i++) {
-		bool counts = i == 3 || (i < terms && range[i].largest > 0);
+		bool used = i == 3 || (i < terms && range[i].largest > 0);
 		double unit = i == 3 ? ldexp(1, -POINT_CUT) :
-		    counts           ? range[i].inverse :
+		    used             ? range[i].inverse :
 				       0;
 
-		c->all[i] = counts ? m->hi[i][j] : 0;
-		c->high[i] = cut_to(c->all[i],
+		c->element[i] = used ? m->hi[i][j] : 0;
+		c->high[i] = cut_to(c->element[i],
 		    unit * power * ldexp(1, -ELEMENT_CUT));
-		c->rest[i] = c->all[i] - c->high[i];
-		if (counts && !c->exact)
+		c->rest[i] = c->element[i] - c->high[i];
+		if (used && !c->exact)
 			c->rest[i] += m->lo[i][j];
 	}
 	for (int i = 0; i < terms; i++) {
-		double moved = range[i].rest * c->all[i], was = c->rest[3];
+		double shift = range[i].rest * c->element[i], old = c->rest[3];
 
-		c->rest[3] = was - moved;
-		c->exact &= is_product(range[i].rest, c->all[i], moved) &&
-		    was - c->rest[3] == moved && c->rest[3] + moved == was;
+		c->rest[3] = old - shift;
+		c->exact &= is_product(range[i].rest, c->element[i], shift) &&
+		    old - c->rest[3] == shift && c->rest[3] + shift == old;
 	}
-	double noise = noise_of(m, j, terms, range);
+	double noise = largest_noise(m, j, terms, range);
 
-	c->noisy = 0x1p56 * noise;
+	c->noisy_below = 0x1p56 * noise;
 	c->bound = most > 0 ? COLUMN_BOUND * power + noise : 0;
 	return is_moderate(most);
 }
 
-/* What the loops need to know of a block of points. For KERNEL_DIRECTION cut[3].bound
- * is the bound of the length. */
+/* The ranges of a block of points, and the columns cut for them. For KERNEL_DIRECTION
+ * column[3].bound is the bound of the length's error. */
 struct kernel_block {
 	struct kernel_range range[3];
-	struct column_cut cut[4];
-	int moderate;   /* is_moderate of all ranges and columns */
-	bool has_whole; /* range[].whole is not 0 in some coordinate */
+	struct column_cut column[4];
+	int moderate;   /* whether all ranges and columns are moderate */
+	bool has_whole; /* range[k].whole is not 0 for some k */
 };
 
 static struct kernel_block block_of(const struct kernel_map *m,
@@ -234,9 +231,9 @@ static struct kernel_block block_of(const struct kernel_map *m,
 		if (j < kernel_outputs(kind) ||
 		    (j == 3 && kernel_divides(kind)))
 			b.moderate &= cut_column(m, j, terms, b.range,
-			    &b.cut[j]);
+			    &b.column[j]);
 	for (int j = 0; j < 3 && kind == KERNEL_DIRECTION; j++)
-		b.cut[3].bound += b.cut[j].bound;
+		b.column[3].bound += b.column[j].bound;
 	return b;
 }
 
@@ -258,7 +255,8 @@ static inline vdd normalise(vdd a)
 	return (vdd){ s, a.lo - (s - a.hi) };
 }
 
-/* Writes the differences of the points from the origin, each as a sum cut + rest. */
+/* Writes the points' differences from the origin as cut + rest, except that rest lacks
+ * the origin's rest, which is in struct column_cut. */
 static inline void cut_points(const struct kernel_block *b, const V p[3],
     int terms, V cut[3], V rest[3])
 {
@@ -275,8 +273,8 @@ static inline void cut_points(const struct kernel_block *b, const V p[3],
 	}
 }
 
-/* Returns a column's sum hi + lo. */
-static inline vdd column(const struct column_cut *c, const V cut[3],
+/* Returns the column of the images as hi + lo. */
+static inline vdd column_sum(const struct column_cut *c, const V cut[3],
     const V rest[3], int terms)
 {
 	V hi = ALL(c->high[3]), lo = ALL(c->rest[3]);
@@ -284,44 +282,44 @@ static inline vdd column(const struct column_cut *c, const V cut[3],
 	for (int k = 0; k < terms; k++)
 		hi = MADD(cut[k], ALL(c->high[k]), hi);
 	for (int k = 0; k < terms; k++)
-		lo = MADD(rest[k], ALL(c->all[k]), lo);
+		lo = MADD(rest[k], ALL(c->element[k]), lo);
 	for (int k = 0; k < terms; k++)
 		lo = MADD(cut[k], ALL(c->rest[k]), lo);
 	return (vdd){ hi, lo };
 }
 
-/* Returns 0 if a is 0, or so large that the noise does not change the rounding of a;
- * else a positive number. */
-static inline V lost_if_noisy(V a, double noisy)
+/* Returns 0 if a is 0, or if |a| is above 2^56 times the noise, which then is too small
+ * to change the rounding of a. If not, returns a positive number. */
+static inline V inexact_if_noisy(V a, double noisy_below)
 {
-	return IF_POSITIVE(ABS(a) - ALL(noisy), ALL(0), ABS(a));
+	return IF_POSITIVE(ABS(a) - ALL(noisy_below), ALL(0), ABS(a));
 }
 
 /* Returns 0 if the column hi + lo is exact within the noise, and the noise does not
- * change how it rounds. The noise does not if the sum is midway between two doubles, or
- * differs from each midpoint by at least half a unit of its last place or 2^-53 lo.
- * Returns a positive number if the column may be inexact, for example after a product
- * that may underflow. */
-static inline V lost_by(const struct column_cut *c, vdd sum, const V cut[3],
-    const V rest[3], int terms)
+ * change how it rounds. Returns a positive number if this is not certain, for example
+ * after a product that may underflow. A sum midway between two doubles is a tie in
+ * spite of noise. Any other sum differs from each midpoint by at least half a unit in
+ * its last place or 2^-53 |lo|, so that inexact_if_noisy has to test the sum and lo. */
+static inline V column_inexactness(const struct column_cut *c, vdd sum,
+    const V cut[3], const V rest[3], int terms)
 {
-	V lo = ALL(c->rest[3]), lost = ALL(c->exact ? 0 : 1);
+	V lo = ALL(c->rest[3]), inexact = ALL(c->exact ? 0 : 1);
 
 	for (int k = 0; k < 2 * terms; k++) {
 		V a = k < terms ? rest[k] : cut[k - terms];
-		double b = k < terms ? c->all[k] : c->rest[k - terms];
+		double b = k < terms ? c->element[k] : c->rest[k - terms];
 
 		if (b == 0)
 			continue;
 		V p = a * ALL(b);
 		vdd s = v_two_sum(lo, p);
 
-		lost = lost + ABS(FMA(a, ALL(b), -p)) + ABS(s.lo) +
+		inexact = inexact + ABS(FMA(a, ALL(b), -p)) + ABS(s.lo) +
 		    IF_POSITIVE(ABS(p) - ALL(0x1p-900), ALL(0), ABS(a));
 		lo = s.hi;
 	}
-	return lost + lost_if_noisy(lo, c->noisy) +
-	    lost_if_noisy(sum.hi + lo, c->noisy);
+	return inexact + inexact_if_noisy(lo, c->noisy_below) +
+	    inexact_if_noisy(sum.hi + lo, c->noisy_below);
 }
 
 /* Returns hi + lo rounded. Rounding is monotone: if hi + lo - error and hi + lo + error
@@ -335,11 +333,11 @@ static inline V round_surely(V hi, V lo, V error, V *sure)
 }
 
 /* Returns n / w rounded; *sure becomes 0 if the rounding is not certain. The first
- * quotient q is within 4 u |q| of n / w. The residual n - q w is as small, relative to
- * n. So the correction, rest over w, has an error of at most 24 u^2 |q|, and of 3 u
- * times the low parts. The bounds are above 2^-74 of n and w; 3 u of the columns' low
- * parts are 27 u 2^-26 B. The errors of the quotient and of the columns leave a sixth
- * of the bounds, even if w, above its own bound, is less than the exact divisor. */
+ * quotient q is within 4 u |q| of n / w, so that the residual n - q w is at most 4 u
+ * |n|. The correction of q, the residual over w, has an error of at most 24 u^2 |q| and
+ * 3 u times the low parts, which are up to 9 times 2^-26 B. bound and w_bound are above
+ * 2^-74 of n and w. The errors of the quotient and of both columns leave a sixth of the
+ * bounds unused, even if the exact divisor is less than w, which is above w_bound. */
 static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
     V *sure)
 {
@@ -353,9 +351,10 @@ static inline V quotient(vdd n, vdd w, V reciprocal, V bound, V w_bound,
 	return up;
 }
 
-/* Rounds columns without division a second time, with error 0 for a column that is
- * exact, as exact columns are often midway between two doubles. Returns a positive
- * number for each point of which all columns are sure. */
+/* Rounds columns that are not divided a second time, now with error 0 if the column is
+ * exact: exact columns are often midway between two doubles, where any other error
+ * would prevent rounding. Returns a positive number for each point with all columns
+ * sure. */
 static V round_exact(const struct kernel_block *b, const V cut[3],
     const V rest[3], enum kernel_kind kind, V q[])
 {
@@ -363,21 +362,21 @@ static V round_exact(const struct kernel_block *b, const V cut[3],
 	V sure = ALL(b->moderate);
 
 	for (int k = 0; k < kernel_outputs(kind); k++) {
-		const struct column_cut *c = &b->cut[k];
-		vdd s = column(c, cut, rest, terms);
-		V lost = lost_by(c, s, cut, rest, terms);
+		const struct column_cut *c = &b->column[k];
+		vdd s = column_sum(c, cut, rest, terms);
+		V inexact = column_inexactness(c, s, cut, rest, terms);
 
 		q[k] = round_surely(s.hi, s.lo,
-		    IF_POSITIVE(lost, ALL(c->bound), ALL(0)), &sure);
+		    IF_POSITIVE(inexact, ALL(c->bound), ALL(0)), &sure);
 	}
 	return sure;
 }
 
 /* Returns the length of the vector of three columns, with a relative error of at most
- * 60.2 u^2. rest is the sum of squares minus the square of root; only the low parts of
- * the sum have errors, of u each. Squares of low parts are left out: 15 u^2 for the low
- * part of the length, which is at most 6 u, and 5 u^2 for those of the columns, which
- * are at most 3 u. */
+ * 60.2 u^2, and 1 / root in *reciprocal. rest is the sum of squares minus the square of
+ * root; only the low parts of the sum have errors, of u each. Squares of low parts are
+ * left out: 15 u^2 for the low part of the length, which is at most 6 u, and 5 u^2 for
+ * the low parts of columns, which are at most 3 u. */
 static inline vdd length_of(const vdd a[3], V *reciprocal)
 {
 	V square[3], low = ALL(0);
@@ -397,14 +396,14 @@ static inline vdd length_of(const vdd a[3], V *reciprocal)
 	return (vdd){ root, (rest * ALL(0.5)) * *reciprocal };
 }
 
-/* Writes the images q of points p. Returns true if all roundings are sure. If the
- * rounding of an image is not, its q[0] is nan or infinite, as exact_kernel says.
- * Images that are sure are finite: columns are below 2^202, and w is above 2^-274.
+/* Writes the images q of points p. Returns true if all roundings are sure. If a
+ * rounding of an image is not, its q[0] becomes nan or infinite, as exact_kernel says.
+ * Other images are finite, as columns are below 2^202 and w is above 2^-274.
  *
- * A direction is divided by its length. The length's error is at most the sum of the
- * columns' errors (triangle inequality). The sum of the columns' bounds is above 2^-74
- * of the length, as each column's bound is above 2^-74 of the column. If the length is
- * below its bound, some quotient is below its own bound, and is not sure. */
+ * A direction is divided by its length, whose error is at most the sum of the columns'
+ * errors (triangle inequality). The length's bound, the sum of their bounds, is above
+ * 2^-74 of the length, as each is above 2^-74 of its column. If the length is below its
+ * bound, the error of each quotient exceeds the quotient, and no rounding is sure. */
 static inline __attribute__((always_inline)) bool
 image_of(const struct kernel_block *b, const V p[3], V q[],
     enum kernel_kind kind)
@@ -413,28 +412,29 @@ image_of(const struct kernel_block *b, const V p[3], V q[],
 	const bool divide = kernel_divides(kind);
 	const bool direction = kind == KERNEL_DIRECTION;
 	V cut[3], rest[3], r = ALL(1), sure = ALL(b->moderate);
-	V bound = ALL(b->cut[3].bound), w_sum = r;
+	V bound = ALL(b->column[3].bound), w_sum = r;
 	vdd w = { r, ALL(0) }, c[4];
 
 	cut_points(b, p, terms, cut, rest);
 	if (divide) {
-		w = column(&b->cut[3], cut, rest, terms);
+		w = column_sum(&b->column[3], cut, rest, terms);
 		w_sum = w.hi + w.lo;
 		r = ALL(1) / w_sum;
 	}
 	for (int k = 0; k < 3 && direction; k++)
-		c[k] = normalise(column(&b->cut[k], cut, rest, terms));
+		c[k] = normalise(column_sum(&b->column[k], cut, rest, terms));
 	if (direction)
 		w = length_of(c, &r);
 	for (int k = 0; k < columns; k++) {
-		vdd s = direction ? c[k] : column(&b->cut[k], cut, rest, terms);
-		V error = ALL(b->cut[k].bound);
+		vdd s = direction ? c[k] :
+				    column_sum(&b->column[k], cut, rest, terms);
+		V error = ALL(b->column[k].bound);
 
 		q[k] = divide || direction ?
 		    quotient(s, w, r, error, bound, &sure) :
 		    round_surely(s.hi, s.lo, error, &sure);
 	}
-	if (divide) /* w above its bound is surely positive */
+	if (divide) /* if w is above its bound, it is surely positive */
 		sure = MIN(w_sum - bound, sure);
 	if (!divide && !direction && !ALL_POSITIVE(sure))
 		sure = round_exact(b, cut, rest, kind, q);
@@ -448,7 +448,7 @@ image_of(const struct kernel_block *b, const V p[3], V q[],
 }
 
 static inline __attribute__((always_inline)) int
-exact(const struct kernel_map *m, const double *const in[3],
+exact_images(const struct kernel_map *m, const double *const in[3],
     double *const out[], size_t n, enum kernel_kind kind)
 {
 	const int terms = kernel_inputs(kind), outputs = kernel_outputs(kind);
@@ -474,12 +474,12 @@ exact(const struct kernel_map *m, const double *const in[3],
 	static int name(const struct kernel_map *m, const double *const in[3], \
 	    double *const out[], size_t n)                                     \
 	{                                                                      \
-		return exact(m, in, out, n, KIND);                             \
+		return exact_images(m, in, out, n, KIND);                      \
 	}
 
 LOOP(KERNEL_FLAT, exact_flat)
 LOOP(KERNEL_AFFINE, exact_affine)
-LOOP(KERNEL_FOUR, exact_four)
+LOOP(KERNEL_XYZW, exact_xyzw)
 LOOP(KERNEL_PROJECTIVE, exact_projective)
 LOOP(KERNEL_DIRECTION, exact_direction)
 #undef LOOP

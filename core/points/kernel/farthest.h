@@ -2,8 +2,8 @@
 /* Finds how far a block of points reaches along some directions. */
 #include "kernel.h"
 
-/* Returns the greatest value along a direction m. Even and odd vectors have a maximum
- * each: with a single one, each operation would wait for the one before. */
+/* Returns the greatest m[0] x + m[1] y + m[2] z of n points. Even and odd vectors have
+ * a maximum each, as operations on a single maximum would wait for each other. */
 static double farthest_along(const double m[3], const double *const in[3],
     size_t n)
 {
@@ -19,10 +19,10 @@ static double farthest_along(const double m[3], const double *const in[3],
 		even = MAX(v, even);
 		odd = MAX(w, odd);
 	}
-	return greatest(MAX(even, odd));
+	return greatest_lane(MAX(even, odd));
 }
 
-static double largest_of(const double *in, size_t n)
+static double largest_magnitude(const double *in, size_t n)
 {
 	V even = ALL(0.0), odd = even;
 
@@ -30,7 +30,7 @@ static double largest_of(const double *in, size_t n)
 		even = MAX(ABS(LOAD(in + i)), even);
 		odd = MAX(ABS(LOAD(in + i + WIDTH)), odd);
 	}
-	return greatest(MAX(even, odd));
+	return greatest_lane(MAX(even, odd));
 }
 
 static void farthest(const double (*m)[3], int directions,
@@ -39,5 +39,5 @@ static void farthest(const double (*m)[3], int directions,
 	for (int j = 0; j < directions; j++)
 		most[j] = farthest_along(m[j], in, n);
 	for (int k = 0; k < 3; k++)
-		largest[k] = largest_of(in[k], n);
+		largest[k] = largest_magnitude(in[k], n);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Numbers as files of points have them, little-endian, at any address. */
+/* Reads and writes numbers of binary files: little-endian, at any address. */
 #ifndef LITTLE_H
 #define LITTLE_H
 
@@ -17,23 +17,22 @@ static inline void little_copy(void *to, const void *from, size_t size)
 			((char *)to)[i] = ((const char *)from)[size - 1 - i];
 }
 
-/* Return the number at p, and write one there: a double if wide, else a float; -0 is
- * written as 0. */
-static inline double little_get(const char *p, bool wide)
+/* Return the number at p, or write v there, as a double or a float; -0 becomes 0. */
+static inline double little_get(const char *p, bool is_double)
 {
 	double v;
-	float narrow;
+	float single;
 
-	little_copy(wide ? (void *)&v : &narrow, p, wide ? 8 : 4);
-	return wide ? v : (double)narrow;
+	little_copy(is_double ? (void *)&v : &single, p, is_double ? 8 : 4);
+	return is_double ? v : (double)single;
 }
 
-static inline void little_put(char *p, bool wide, double v)
+static inline void little_put(char *p, bool is_double, double v)
 {
-	float narrow = (float)v + 0.0f;
+	float single = (float)v + 0.0f;
 
 	v += 0.0;
-	little_copy(p, wide ? (void *)&v : &narrow, wide ? 8 : 4);
+	little_copy(p, is_double ? (void *)&v : &single, is_double ? 8 : 4);
 }
 
 #endif

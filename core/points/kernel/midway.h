@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Tells whether a double, itself a rounded result, may be rounded again to a float. */
+/* Tells whether a double that is a rounded result may be rounded again, to a float. */
 #ifndef MIDWAY_H
 #define MIDWAY_H
 
@@ -8,9 +8,9 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Returns true if rounding v to a float may give another float than rounding the exact
- * value whose nearest double is v. The floats differ only if v is midway between two
- * floats. If v is subnormal as a float, the function always returns true. */
+/* Returns true if v may round to another float than the exact value to which v is the
+ * nearest double. The floats can differ only if v is midway between two floats. If v
+ * would be a subnormal float, is_midway returns true without a test. */
 static inline bool is_midway(double v)
 {
 	uint64_t bits;

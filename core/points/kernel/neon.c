@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* For arm64, where every processor has NEON. */
+/* The kernels for arm64, where every processor has NEON. */
 #ifdef __AARCH64EL__
 #include "simd_neon.h"
 
-#define COPY kernels_neon
+#define KERNELS_NAME kernels_neon
 #define PROCESSOR PROCESSOR_NEON
 #include "copy.h"
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Copies points from rows, x y z after x y z as in files, to columns, and back. The
- * length of a row is a constant, so that compilers turn the loops into shuffles. Rows
- * may begin at any address. */
+/* Copies points from rows, as files have them (x y z, x y z, ...), to columns, and
+ * back. The number of coordinates is a constant, so that compilers turn the loops into
+ * shuffles. Rows may begin at any address. */
 #include <float.h>
 #include <stdint.h>
 
@@ -9,10 +9,10 @@
 #include "midway.h"
 
 static inline __attribute__((always_inline)) int
-split(const char *restrict rows, double (*restrict columns)[POINTS_BLOCK],
+to_columns(const char *restrict rows, double (*restrict columns)[POINTS_BLOCK],
     size_t n, double most, size_t numbers, bool is_double)
 {
-	int64_t beyond = 0;
+	int64_t above = 0;
 
 	for (size_t i = 0; i < n; i++)
 		for (size_t k = 0; k < numbers; k++) {
@@ -20,15 +20,15 @@ split(const char *restrict rows, double (*restrict columns)[POINTS_BLOCK],
 
 			rows += is_double ? 8 : 4;
 			columns[k][i] = v;
-			beyond |= fabs(v) > most ? -1 : 0;
+			above |= fabs(v) > most ? -1 : 0;
 		}
-	return beyond == 0;
+	return above == 0;
 }
 
-/* Returns true if the floats nearest to the doubles of a column are finite, and are
- * surely nearest to the exact values, too. */
+/* Returns true if the floats nearest to the doubles of a column are finite, and surely
+ * nearest to the exact values from which the doubles were rounded. */
 static inline __attribute__((always_inline)) int
-are_sure(const double *restrict column, size_t n)
+floats_are_sure(const double *restrict column, size_t n)
 {
 	int64_t unsure = 0;
 
@@ -40,13 +40,13 @@ are_sure(const double *restrict column, size_t n)
 }
 
 static inline __attribute__((always_inline)) int
-join(double (*restrict columns)[POINTS_BLOCK], char *restrict rows, size_t n,
+to_rows(double (*restrict columns)[POINTS_BLOCK], char *restrict rows, size_t n,
     size_t numbers, bool is_double)
 {
 	int64_t unsure = 0;
 
 	for (size_t k = 0; k < numbers && !is_double; k++)
-		unsure |= !are_sure(columns[k], n);
+		unsure |= !floats_are_sure(columns[k], n);
 	for (size_t i = 0; i < n; i++)
 		for (size_t k = 0; k < numbers; k++) {
 			double v = columns[k][i];
@@ -58,16 +58,16 @@ join(double (*restrict columns)[POINTS_BLOCK], char *restrict rows, size_t n,
 	return unsure == 0;
 }
 
-#define ROWS(name, numbers, is_double)                                     \
-	static int split_##name(const char *rows,                          \
-	    double(*columns)[POINTS_BLOCK], size_t n, double most)         \
-	{                                                                  \
-		return split(rows, columns, n, most, numbers, is_double);  \
-	}                                                                  \
-	static int join_##name(double(*columns)[POINTS_BLOCK], char *rows, \
-	    size_t n)                                                      \
-	{                                                                  \
-		return join(columns, rows, n, numbers, is_double);         \
+#define ROWS(name, numbers, is_double)                                         \
+	static int to_columns_##name(const char *rows,                         \
+	    double(*columns)[POINTS_BLOCK], size_t n, double most)             \
+	{                                                                      \
+		return to_columns(rows, columns, n, most, numbers, is_double); \
+	}                                                                      \
+	static int to_rows_##name(double(*columns)[POINTS_BLOCK], char *rows,  \
+	    size_t n)                                                          \
+	{                                                                      \
+		return to_rows(columns, rows, n, numbers, is_double);          \
 	}
 
 ROWS(floats_2, 2, false)

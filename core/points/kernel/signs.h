@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Finds the planes that points are outside of, in doubles alone, so that the compiler
- * makes a loop of vectors. */
+/* Finds the planes that points are outside of, by computing with doubles only, so that
+ * the compiler vectorizes the loop. */
 #include "kernel.h"
 
-/* Adds bits as signs_kernel does. No estimate is nan if size = |a| + |b| + |c| is
- * between low and high. */
+/* Adds to word as signs_kernel says. No estimate is nan if e->low <= size < e->high. */
 static inline __attribute__((always_inline)) void
 add_signs(const struct estimate *e, int columns, double weight,
     const double *const in[3], double *restrict word, size_t n)

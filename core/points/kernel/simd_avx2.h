@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The operations of x86-64 with AVX2 and FMA; copy.h says what each is. */
+/* The operations of x86-64 with AVX2 and FMA; copy.h describes them. */
 #include <immintrin.h>
 
 #define V __m256d

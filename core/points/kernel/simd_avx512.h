@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* The operations of x86-64 with AVX-512; copy.h says what each is. */
+/* The operations of x86-64 with AVX-512; copy.h describes them. */
 #include <immintrin.h>
 
 #define V __m512d

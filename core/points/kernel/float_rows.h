@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* Transforms rows of floats to rows of floats in PRECISION_SINGLE, with the bits of
- * single_plain. */
+/* Transforms rows of floats to rows of floats in PRECISION_SINGLE, and gives the same
+ * bits as single_approx of approx.h. */
 #include "little.h"
 
-/* Transforms n rows. are_floats says that the origin's coordinates are floats; then a
- * float subtraction gives the same bits. A difference of two floats that is not a
- * double is so near to the larger float that one or two roundings give this float. */
+/* Transforms n rows. If origin_is_float, the origin's coordinates are floats.
+ * Subtracting floats gives the same bits as subtracting doubles and rounding to float:
+ * a difference that is not a double is so near to the larger float that both round to
+ * this float. */
 static inline __attribute__((always_inline)) int
-floats(const struct kernel_map *m, const char *in, char *out, size_t n,
-    enum kernel_kind kind, bool are_floats)
+float_rows(const struct kernel_map *m, const char *in, char *out, size_t n,
+    enum kernel_kind kind, bool origin_is_float)
 {
 	const size_t terms = (size_t)kernel_inputs(kind);
-	const struct kernel_map own = *m;
+	const struct kernel_map map = *m;
 	float column[3][POINTS_BLOCK];
-	int beyond = 0;
+	int nonfinite = 0;
 
 	for (size_t i = 0; i < n; i++)
 		for (size_t k = 0; k < terms; k++)
@@ -25,26 +26,26 @@ floats(const struct kernel_map *m, const char *in, char *out, size_t n,
 
 		for (size_t k = 0; k < terms; k++) {
 			float a = column[k][i];
-			double o = own.origin[k];
+			double o = map.origin[k];
 
-			p[k] = are_floats ? a - (float)o :
-					    (float)((double)a - o);
+			p[k] = origin_is_float ? a - (float)o :
+						 (float)((double)a - o);
 		}
-		single_image(&own, p, q, kind);
+		single_image(&map, p, q, kind);
 		for (size_t k = 0; k < terms; k++) {
 			column[k][i] = q[k];
 			sum += q[k];
 		}
-		beyond |= sum - sum == 0 ? 0 : -1;
+		nonfinite |= sum - sum == 0 ? 0 : -1;
 	}
 	for (size_t i = 0; i < n; i++)
 		for (size_t k = 0; k < terms; k++)
 			little_put(out + 4 * (terms * i + k), false,
 			    (double)column[k][i]);
-	return beyond == 0;
+	return nonfinite == 0;
 }
 
-/* Returns true if v is a float. */
+/* Returns true if v has the value of a float. */
 static bool is_float(double v)
 {
 	return (double)(float)v == v;
@@ -57,12 +58,12 @@ static bool is_float(double v)
 		const double *o = m->origin;                                   \
                                                                                \
 		if (is_float(o[0]) && is_float(o[1]) && is_float(o[2]))        \
-			return floats(m, in, out, n, KIND, true);              \
-		return floats(m, in, out, n, KIND, false);                     \
+			return float_rows(m, in, out, n, KIND, true);          \
+		return float_rows(m, in, out, n, KIND, false);                 \
 	}
 
-LOOP(KERNEL_FLAT, floats_flat)
-LOOP(KERNEL_AFFINE, floats_affine)
-LOOP(KERNEL_DEPTH, floats_depth)
-LOOP(KERNEL_PROJECTIVE, floats_projective)
+LOOP(KERNEL_FLAT, float_rows_flat)
+LOOP(KERNEL_AFFINE, float_rows_affine)
+LOOP(KERNEL_DEPTH, float_rows_depth)
+LOOP(KERNEL_PROJECTIVE, float_rows_projective)
 #undef LOOP
