@@ -164,9 +164,7 @@ bool header_read(struct layout *l, struct span text, struct line *line,
 			c->field[i] = (int)chosen.place[i];
 	c->n = l->reads;
 	l->fields = l->most = cut_count(header);
-	l->moved = false;
-	for (int i = 0; i < l->reads; i++)
-		l->moved |= c->field[i] != i;
+	l->moved = !layout_is_first(l);
 	choose_places(l, &chosen, line);
 	return true;
 }

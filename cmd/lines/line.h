@@ -26,8 +26,8 @@
  * most four are read. */
 enum { COORDINATES_MAX = 6 };
 
-/* The room for the name of a number that is written, and for --columns. */
-enum { NAME_ROOM = 16, OPTION_ROOM = 64 };
+/* The room for the name of a number that is written. */
+enum { NAME_ROOM = 16 };
 
 /* The fields that hold the coordinates, from --columns or a csv header. */
 struct columns {
@@ -62,9 +62,8 @@ struct layout {
 	size_t fields; /* of the header; 0: there is none */
 	size_t most;   /* the most fields of a row of csv; 0: any number */
 	bool moved; /* the last header has coordinates elsewhere than first */
-	/* choose_words of the last comment above the first row */
-	size_t words;
-	char option[OPTION_ROOM];
+	struct columns
+	    told;   /* by a comment above the first row; n: its words */
 	int record; /* numbers in a binary record; 0: the coordinates alone */
 	bool keeps; /* binary records are copied whole, beside the image */
 	const char *two; /* a hint for points of two numbers; or NULL */
@@ -208,8 +207,6 @@ char *line_write(const struct layout *, const struct line *,
  * for each field. */
 char *line_rest(const struct layout *, const struct line *, char *out);
 
-/* A cut goes over the fields of a line, one after another. */
-
 /* Returns a cut before the first field of a line. JSON must be checked text that begins
  * with an array or object. */
 struct cut cut_line(struct dialect, struct span line);
@@ -223,9 +220,6 @@ bool cut_next(struct cut *, struct field *);
 
 /* Returns the number of fields after the cut. */
 size_t cut_count(struct cut);
-
-/* Finds the coordinates among the fields of a line by place, name or pointer, and by
- * --append the names that are added. */
 
 enum { SOUGHT = 4 + COORDINATES_MAX + 1 };
 
@@ -253,17 +247,8 @@ int choose_overlap(const struct layout *, const struct chosen *);
 bool choose_clashes(const struct layout *, const struct chosen *, bool members,
     char reason[REASON_MAX]);
 
-/* Writes --columns with the places of the names x, y, z and w among the words of a
- * line. Returns the number of words, or 0 if a name is missing or all are first in
- * order. */
-size_t choose_words(const struct layout *, struct span line,
-    char out[OPTION_ROOM]);
-
 /* Returns whether the token is the decimal number k without leading zeros. */
 bool is_index(struct span token, long k);
-
-/* Decides whether the first line of csv is a header, and finds the coordinates by its
- * names. */
 
 /* Returns whether a line that begins with #, the first line or another, is a comment.
  * If not, it is a header or a row: # is a field alone, the names of all coordinates
@@ -289,11 +274,9 @@ bool header_is_named(const struct layout *);
 /* Returns a cut before the first name of a header without a byte order mark. */
 struct cut header_cut(struct dialect, struct span text);
 
-/* Words what is wrong with a line. */
-
 /* Returns whether v, coordinate i, is nan or at most MAGNITUDE_MAX in magnitude; writes
  * the reason if not. */
-bool say_range(int i, double v, char reason[REASON_MAX]);
+bool say_range(const struct layout *, int i, double v, char reason[REASON_MAX]);
 
 /* Writes why the field f cannot be coordinate i; if f is empty, that it is missing. */
 void say_field(const struct layout *, int i, struct span f,
@@ -307,6 +290,14 @@ bool say_blanks(const struct layout *, const struct field *f,
 /* Writes why coordinate i was not found in the cut, or found twice. */
 void say_missing(const struct layout *, int i, struct cut,
     const struct chosen *, char reason[REASON_MAX]);
+
+/* Sets the layout's told if the words of a comment name the coordinates, and these are
+ * not its first words. */
+void say_comment(struct layout *, struct span text);
+
+/* Returns whether the comment above has as many words as the row has fields, and names
+ * numbers of the row; writes the reason. */
+bool say_told(const struct layout *, struct span row, char reason[REASON_MAX]);
 
 /* Writes that the first line of text looks like a header, if none of its first fields
  * is a number. */

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: MIT */
-/* Reads one line of any kind; this file alone says which lines are legal. */
 #include <stdio.h>
 
 #include "line.h"
@@ -22,7 +21,7 @@ static bool read_coordinates(const struct layout *l, struct cut cut,
 			    format_of(l->in)->header ? f->whole : f->value,
 			    reason);
 		else if (!say_blanks(l, f, reason) &&
-		    say_range(i, v[i], reason))
+		    say_range(l, i, v[i], reason))
 			continue;
 		return false;
 	}
@@ -138,6 +137,21 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 		say_text_header(l, text, reason);
 }
 
+/* Returns whether a first row can't be read as there is no header above it: the columns
+ * have names, or other sources or comments say that they stand elsewhere. Writes the
+ * reason; a lost row has one. */
+static bool lacks_header(const struct layout *l, struct span row,
+    enum line_kind kind, char reason[REASON_MAX])
+{
+	if (!l->columns.by_header)
+		return kind == LINE_LOST && header_is_named(l);
+	if (l->header != HEADER_MAYBE || !l->moved)
+		return l->header == HEADER_MAYBE && say_told(l, row, reason);
+	snprintf(reason, REASON_MAX,
+	    "lacks the header of a file before; say --columns by number");
+	return true;
+}
+
 void line_read(struct layout *l, struct span text, enum first *first,
     struct line *line, double v[4], char reason[REASON_MAX])
 {
@@ -159,37 +173,20 @@ void line_read(struct layout *l, struct span text, enum first *first,
 	    format_is_old(l->in, text, reason)) {
 		line->kind = LINE_LOST;
 	} else if (*s == '#' && header_in_comment(l, text, was == FIRST_LINE)) {
-		char option[OPTION_ROOM];
-		size_t n = was == FIRST_LINE ? choose_words(l, text, option) :
-					       0;
-
-		if (n > 0) {
-			l->words = n;
-			strcpy(l->option, option);
-		}
+		if (was == FIRST_LINE)
+			say_comment(l, text);
 		return;
-	} else if (was == FIRST_LINE && in->header && *s == '{') {
+	} else if (was == FIRST_LINE && in->header &&
+	    (*s == '{' || (*s == '[' && s[1] == '{'))) {
 		line->kind = LINE_LOST;
-		snprintf(reason, REASON_MAX, "looks like JSON; say -i json");
+		say_field(l, 0, (struct span){ s, text.end }, reason);
 	} else if (was != FIRST_LINE || !in->header ||
 	    !header_read(l, text, line, reason)) {
 		read_fields(l, text, was, line, v, reason);
 	}
-	/* the fields of --columns lon,lat are not known without a header */
-	if (was == FIRST_LINE && line->kind == LINE_LOST && in->header &&
-	    !l->columns.by_header && header_is_named(l))
-		line->kind = LINE_REFUSED;
-	if (was == FIRST_LINE && line->kind != LINE_HEADER &&
-	    line->kind != LINE_REFUSED && l->columns.by_header &&
-	    l->header == HEADER_MAYBE && *in->open == '\0' &&
-	    (l->moved ||
-		(l->words > 0 &&
-		    l->words == cut_count(cut_line(l->in, text))))) {
-		line->kind = LINE_REFUSED;
-		snprintf(reason, REASON_MAX, "%s; say %s",
-		    l->moved ? "lacks the header of a file before" :
-			       "the comment above names other columns",
-		    l->moved ? "--columns by number" : l->option);
-	}
 	*first = line->kind == LINE_HEADER ? FIRST_ROW : FIRST_IS_READ;
+	if (was == FIRST_LINE && *in->open == '\0' && *first != FIRST_ROW &&
+	    line->kind != LINE_REFUSED &&
+	    lacks_header(l, text, line->kind, reason))
+		line->kind = LINE_REFUSED;
 }

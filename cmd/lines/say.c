@@ -9,15 +9,14 @@
 #include "../../core/scene/scene.h"
 #include "../message/utf8.h"
 
-bool say_range(int i, double v, char reason[REASON_MAX])
+bool say_range(const struct layout *l, int i, double v, char reason[REASON_MAX])
 {
 	if (!(fabs(v) > MAGNITUDE_MAX))
 		return true;
 	snprintf(reason, REASON_MAX,
-	    isinf(v) ?
-		"%s is infinite; a number up to 1e150 is wanted, or nan" :
-		"%s is beyond 1e150 in magnitude; choose another unit",
-	    coordinate_name(i));
+	    isinf(v) ? "%s is infinite; a number up to 1e150 is wanted, or %s" :
+		       "%s is beyond 1e150 in magnitude; choose another unit",
+	    coordinate_name(i), format_of(l->in)->unknown);
 	return false;
 }
 
@@ -60,11 +59,21 @@ static const struct separator *find_separator(const struct layout *l,
 	return NULL;
 }
 
-static void say_separator(const struct separator *other,
+static void say_separator(const struct layout *l, const struct separator *other,
     char reason[REASON_MAX])
 {
-	say_more(reason, "; is %s the separator? say %s", other->shown,
-	    other->option);
+	const char from[] = { other->c, '\0' },
+		   to[] = { l->in.separator, '\0' };
+
+	if (l->fields < 2)
+		say_more(reason, "; is %s the separator? say %s", other->shown,
+		    other->option);
+	else
+		say_more(reason,
+		    "; the header has another separator; make it one by tr "
+		    "%s'%s' '%s'",
+		    other->c == ' ' ? "-s " : "",
+		    other->c == '\t' ? "\\t" : from, *to == '\t' ? "\\t" : to);
 }
 
 /* Adds to the reason how to mend f, coordinate i. If f begins with a number, the text
@@ -88,8 +97,14 @@ static void say_right(const struct layout *l, int i, struct span f,
 	else if (other != NULL && other->c == ',' &&
 	    number_read(after + 1, f.end, &v) == f.end)
 		say_more(reason, "; a decimal point is a point: 1.5");
-	else if (other != NULL && (other->c != ' ' || l->in.separator == ','))
-		say_separator(other, reason);
+	else if (f.end - f.s > 2 && memcmp(f.s, "---", 3) == 0)
+		say_more(reason, "; leave out such lines by grep -v -e ---");
+	else if (other != NULL &&
+	    (other->c != ' ' ||
+		(l->in.separator != ';' &&
+		    number_read(skip_separator(after, f.end), f.end, &v) !=
+			NULL)))
+		say_separator(l, other, reason);
 	else
 		say_more(reason, "; a number is wanted%s",
 		    after != NULL ?
@@ -111,9 +126,7 @@ void say_field(const struct layout *l, int i, struct span f,
 		    coordinate_name(i), l->reads,
 		    i == 2 && l->two != NULL ? l->two : "");
 	} else if (!json && (*f.s == '[' || *f.s == '{')) {
-		say_more(reason,
-		    "looks like JSON; say -i json, with one array or object a "
-		    "line: jq -c '.[]'");
+		say_more(reason, "looks like JSON; say -i json");
 	} else {
 		say_more(reason, "%s is '%s'", coordinate_name(i),
 		    escaped(word, f.s, (size_t)(f.end - f.s)));
@@ -144,7 +157,7 @@ struct names {
 	bool more; /* there are other names */
 };
 
-/* Copies the names of the fields of a cut. */
+/* Copies the names of the fields of a cut; of a comment without units in brackets. */
 static void names_of(struct cut c, struct names *names)
 {
 	struct field f;
@@ -157,6 +170,9 @@ static void names_of(struct cut c, struct names *names)
 		    f.value;
 		size_t size = (size_t)(all.end - all.s);
 
+		if (c.in.format == FORMAT_TEXT && size > 0 &&
+		    (strchr("[(", *all.s) || strchr("])", all.end[-1])))
+			continue;
 		if (names->n == NAMES_MAX || size >= COLUMN_ROOM) {
 			names->more = true;
 			continue;
@@ -191,10 +207,12 @@ static bool can_be_typed(const char *name)
 	    strcmp(escaped(shown, name, strlen(name)), name) == 0;
 }
 
-/* Adds to the reason --columns with two names that begin alike and end in a pair of
- * axes, such as gps_lon and gps_lat. Returns false if there are no such names. */
-static bool say_guess(const struct names *names, int reads,
-    char reason[REASON_MAX])
+/* Finds the next names, from the pair *k of axes on, that begin alike and end in axes,
+ * such as gps_lon and gps_lat; found is NULL for a coordinate without such a name.
+ * Leaves out the x, y and z of a quaternion, which has w, too, and if there is a column
+ * x, all names that end in axes. */
+static bool guess_next(const struct names *names, int reads, int *k,
+    const char *found[4])
 {
 	static const char *const axes[][2] = { { "x", "y" },
 		{ "longitude", "latitude" }, { "lon", "lat" },
@@ -202,31 +220,57 @@ static bool say_guess(const struct names *names, int reads,
 		{ "east", "north" }, { "e", "n" }, { "u", "v" } };
 	static const char *const heights[] = { "z", "altitude", "alt",
 		"elevation", "elev", "ele", "height", "h", "up", "w" };
+	const int many = reads < 4 ? 10 : 9;
 
-	for (int k = 0; k < 9 * names->n; k++) {
-		const char *a = names->list[k % names->n], *b;
-		const char *const *axis = axes[k / names->n], *c = NULL;
+	while (*k < 9 * names->n) {
+		const char *const *axis = axes[*k / names->n];
+		const char *a = names->list[(*k)++ % names->n];
 		size_t n = strlen(a), size = strlen(axis[0]), at = n - size;
 
-		if (n < size || strcasecmp(a + at, axis[0]) != 0 ||
-		    !can_be_typed(a) ||
-		    (b = name_beside(names, a, at, axis[1])) == NULL)
+		if (n < size || name_beside(names, a, at, axis[0]) != a ||
+		    (at > 0 && name_beside(names, a, 0, "x") != NULL))
 			continue;
-		for (int i = 0; i < 20 && c == NULL; i++)
-			c = name_beside(names, a, i < 10 ? at : 0,
-			    heights[i % 10]);
-		say_more(reason, "; say --columns %s,%s%s%s%s%s", a, b,
-		    reads > 2 ? "," : "",
-		    reads < 3     ? "" :
-			c != NULL ? c :
-				    "NAME",
-		    reads > 3 ? ",NAME" : "",
-		    reads > 3 || (reads > 2 && c == NULL) ?
-			", where NAME is another column" :
-			"");
+		found[1] = name_beside(names, a, at, axis[1]);
+		found[3] = name_beside(names, a, at, "w");
+		if (found[1] == NULL || !can_be_typed(a) ||
+		    (at > 0 && *axis[0] == 'x' && reads < 4 &&
+			found[3] != NULL))
+			continue;
+		found[0] = a;
+		found[2] = NULL;
+		for (int i = 0; i < 2 * many && found[2] == NULL; i++)
+			found[2] = name_beside(names, a, i < many ? at : 0,
+			    heights[i % many]);
 		return true;
 	}
 	return false;
+}
+
+/* Adds to the reason --columns with the names that guess_next finds: "; say --columns
+ * px,py,pz or vx,vy,vz". Returns false if there are none, or more. */
+static bool say_guess(const struct names *names, int reads,
+    char reason[REASON_MAX])
+{
+	const size_t was = strlen(reason);
+	const char *found[4];
+	bool all = true;
+	int n = 0, k = 0;
+
+	while (guess_next(names, reads, &k, found)) {
+		say_more(reason, n++ == 0 ? "; say --columns " : " or ");
+		for (int i = 0; i < reads; i++) {
+			say_more(reason, "%s%s", i > 0 ? "," : "",
+			    found[i] != NULL ? found[i] : "NAME");
+			all &= found[i] != NULL;
+		}
+	}
+	if (!all)
+		say_more(reason, ", where NAME is another column");
+	if (n > 2 || strlen(reason) == REASON_MAX - 1) {
+		reason[was] = '\0';
+		return false;
+	}
+	return n > 0;
 }
 
 /* Adds to the reason the names of the columns or members of the cut, and if one of them
@@ -255,7 +299,7 @@ static void say_names(const struct layout *l, struct cut c, const char *typed,
 		    names.n == 1);
 
 		if (other != NULL) {
-			say_separator(other, reason);
+			say_separator(l, other, reason);
 			return;
 		}
 		say_more(reason,
@@ -278,18 +322,18 @@ void say_missing(const struct layout *l, int i, struct cut cut,
 	const char *name = cut.members || cut.names ? l->columns.name[i] : NULL;
 	char shown[ESCAPED_MAX];
 
-	if (name == NULL && l->columns.n == 0) {
-		say_field(l, i, (struct span){ NULL, NULL }, reason);
-		return;
-	}
 	*reason = '\0';
-	escaped(shown, name != NULL ? name : "",
-	    name != NULL ? strlen(name) : 0);
 	if (name == NULL) {
-		if (!say_blanks(l, &(struct field){ .next = NULL }, reason))
+		if (l->columns.n == 0)
+			say_field(l, i, (struct span){ NULL, NULL }, reason);
+		else if (!say_blanks(l, &(struct field){ .next = NULL },
+			     reason))
 			say_more(reason, "%s is missing: there is no field %d",
 			    coordinate_name(i), l->columns.field[i] + 1);
-	} else if (c->times[i] == 0) {
+		return;
+	}
+	escaped(shown, name, strlen(name));
+	if (c->times[i] == 0) {
 		say_more(reason, "%s '%s'%s",
 		    cut.names ? "the header has no column" : "has no member",
 		    shown,
@@ -305,6 +349,61 @@ void say_missing(const struct layout *l, int i, struct cut cut,
 	} else {
 		say_more(reason, "has two members '%s'", shown);
 	}
+}
+
+void say_comment(struct layout *l, struct span text)
+{
+	struct columns told = { 0 };
+	const char *found[4];
+	struct names names;
+	int k = 0;
+
+	for (const char *s = text.s; s < text.end; s++)
+		if (strchr("#%!;:=", *s) != NULL)
+			text.s = s + 1;
+	names_of(cut_line((struct dialect){ FORMAT_TEXT, ' ' }, text), &names);
+	while (!names.more && guess_next(&names, l->reads, &k, found)) {
+		bool first = true;
+		int i = 0;
+
+		for (; i < l->reads && found[i] != NULL; i++) {
+			long at = (found[i] - names.name[0]) / COLUMN_ROOM;
+
+			first &= at == i;
+			if (told.n == 0)
+				told.field[i] = (int)at;
+		}
+		if (i == l->reads && first)
+			return;
+		if (i == l->reads)
+			told.n = names.n;
+	}
+	if (told.n > 0)
+		l->told = told;
+}
+
+bool say_told(const struct layout *l, struct span row, char reason[REASON_MAX])
+{
+	struct cut c = cut_line(l->in, row);
+	struct field f;
+	int n = 0;
+
+	for (; cut_next(&c, &f); n++)
+		for (int i = 0; i < l->reads; i++) {
+			double v;
+
+			if (n == l->told.field[i] &&
+			    format_number(l->in, f.value.s, f.value.end, &v) !=
+				f.value.end)
+				return false;
+		}
+	if (l->told.n == 0 || l->told.n != n)
+		return false;
+	strcpy(reason, "the comment above names other columns");
+	for (int i = 0; i < l->reads; i++)
+		say_more(reason, "%s%d", i > 0 ? "," : "; say --columns ",
+		    l->told.field[i] + 1);
+	return true;
 }
 
 void say_text_header(const struct layout *l, struct span line,

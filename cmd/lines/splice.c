@@ -165,14 +165,14 @@ static struct span separator_at(const struct layout *l, const struct field *f)
 	    one;
 }
 
-/* Returns the text that has to be deleted with a field: the field and the separator
- * before it, or after it if it is the first. */
-static struct span cut_out(const struct field *f)
+/* Leaves out a field and the separator before it, or after it if it is the first. */
+static void splice_out(struct splice *w, const struct field *f)
 {
-	if (f->from != NULL)
-		return (struct span){ f->from, f->whole.end };
-	return (struct span){ f->whole.s,
-		f->next != NULL ? f->next : f->whole.end };
+	bool first = f->from == NULL;
+	const char *end = first && f->next != NULL ? f->next : f->whole.end;
+
+	splice_to(w, first ? f->whole.s : f->from);
+	w->done = end > w->done ? end : w->done;
 }
 
 /* Splices the fields of a line or, unless outer is set, of a value inside. A field
@@ -187,10 +187,7 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 		int k = value_of(w, &f, outer);
 
 		if (k >= 0 && (w->due >> k & 1) == 0) {
-			struct span gone = cut_out(&f);
-
-			splice_to(w, gone.s);
-			w->done = gone.end > w->done ? gone.end : w->done;
+			splice_out(w, &f);
 			found++;
 			continue;
 		}
