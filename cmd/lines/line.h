@@ -295,14 +295,16 @@ void say_missing(const struct layout *, int i, struct cut,
  * not its first words. */
 void say_comment(struct layout *, struct span text);
 
-/* Returns whether the comment above has as many words as the row has fields, and names
- * numbers of the row; writes the reason. */
-bool say_told(const struct layout *, struct span row, char reason[REASON_MAX]);
+/* Returns whether the coordinates of a first row without a header do not stand first,
+ * by the header of a file before, or by a comment above that has as many words as the
+ * row has fields and names numbers of the row; writes the reason. */
+bool say_elsewhere(const struct layout *, struct span row,
+    char reason[REASON_MAX]);
 
 /* Writes that the first line of text looks like a header, if none of its first fields
  * is a number. */
 void say_text_header(const struct layout *, struct span line,
-    char reason[REASON_MAX]);
+    const struct chosen *, char reason[REASON_MAX]);
 
 /* Reads simple lines fast, by an index. The index lists the stops of a stretch of text:
  * the bytes that can end a field. A walk goes from stop to stop and finds the

@@ -134,7 +134,7 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 		l->most = 0; /* a bad row may lack fields */
 	if (first == FIRST_LINE && line_is_bad(line) && in->blanks &&
 	    l->columns.n == 0)
-		say_text_header(l, text, reason);
+		say_text_header(l, text, &c, reason);
 }
 
 /* Returns whether a first row can't be read as there is no header above it: the columns
@@ -143,13 +143,10 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 static bool lacks_header(const struct layout *l, struct span row,
     enum line_kind kind, char reason[REASON_MAX])
 {
-	if (!l->columns.by_header)
-		return kind == LINE_LOST && header_is_named(l);
-	if (l->header != HEADER_MAYBE || !l->moved)
-		return l->header == HEADER_MAYBE && say_told(l, row, reason);
-	snprintf(reason, REASON_MAX,
-	    "lacks the header of a file before; say --columns by number");
-	return true;
+	if (l->columns.by_header)
+		return l->header == HEADER_MAYBE &&
+		    say_elsewhere(l, row, reason);
+	return kind == LINE_LOST && header_is_named(l);
 }
 
 void line_read(struct layout *l, struct span text, enum first *first,

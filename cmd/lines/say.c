@@ -62,18 +62,14 @@ static const struct separator *find_separator(const struct layout *l,
 static void say_separator(const struct layout *l, const struct separator *other,
     char reason[REASON_MAX])
 {
-	const char from[] = { other->c, '\0' },
-		   to[] = { l->in.separator, '\0' };
-
-	if (l->fields < 2)
+	if (l->fields > 1)
+		say_more(reason,
+		    "; is %s the separator? the header has another; make both "
+		    "the same by tr or sed",
+		    other->shown);
+	else
 		say_more(reason, "; is %s the separator? say %s", other->shown,
 		    other->option);
-	else
-		say_more(reason,
-		    "; the header has another separator; make it one by tr "
-		    "%s'%s' '%s'",
-		    other->c == ' ' ? "-s " : "",
-		    other->c == '\t' ? "\\t" : from, *to == '\t' ? "\\t" : to);
 }
 
 /* Adds to the reason how to mend f, coordinate i. If f begins with a number, the text
@@ -177,25 +173,23 @@ static void names_of(struct cut c, struct names *names)
 			names->more = true;
 			continue;
 		}
-		char *name = names->name[names->n];
-
-		memcpy(name, all.s, size);
-		name[size] = '\0';
-		names->list[names->n++] = name;
+		names->list[names->n] = memcpy(names->name[names->n], all.s,
+		    size);
+		names->name[names->n++][size] = '\0';
 	}
 	names->list[names->n] = NULL;
 }
 
-/* Returns the name that consists of the first n bytes of a and the word, in upper or
- * lower case; NULL if there is none. */
-static const char *name_beside(const struct names *names, const char *a,
-    size_t n, const char *word)
+/* Returns which name consists of the first n bytes of a and the word, in upper or lower
+ * case; -1 if there is none. */
+static int name_beside(const struct names *names, const char *a, size_t n,
+    const char *word)
 {
 	for (int i = 0; i < names->n; i++)
 		if (strncmp(names->list[i], a, n) == 0 &&
 		    strcasecmp(names->list[i] + n, word) == 0)
-			return names->list[i];
-	return NULL;
+			return i;
+	return -1;
 }
 
 /* Returns whether the name can be typed in --columns without quotes of a shell. */
@@ -208,11 +202,10 @@ static bool can_be_typed(const char *name)
 }
 
 /* Finds the next names, from the pair *k of axes on, that begin alike and end in axes,
- * such as gps_lon and gps_lat; found is NULL for a coordinate without such a name.
- * Leaves out the x, y and z of a quaternion, which has w, too, and if there is a column
- * x, all names that end in axes. */
+ * such as gps_lon and gps_lat; -1 for a coordinate without such a name. Leaves out a
+ * quaternion, such as qx, qy, qz beside qw; beside a column x, all such names. */
 static bool guess_next(const struct names *names, int reads, int *k,
-    const char *found[4])
+    int found[4])
 {
 	static const char *const axes[][2] = { { "x", "y" },
 		{ "longitude", "latitude" }, { "lon", "lat" },
@@ -224,21 +217,22 @@ static bool guess_next(const struct names *names, int reads, int *k,
 
 	while (*k < 9 * names->n) {
 		const char *const *axis = axes[*k / names->n];
-		const char *a = names->list[(*k)++ % names->n];
+		const char *a = names->list[*k % names->n];
 		size_t n = strlen(a), size = strlen(axis[0]), at = n - size;
 
-		if (n < size || name_beside(names, a, at, axis[0]) != a ||
-		    (at > 0 && name_beside(names, a, 0, "x") != NULL))
+		*found = (*k)++ % names->n;
+		if (n < size || strcasecmp(a + at, axis[0]) != 0 ||
+		    name_beside(names, a, at, axis[0]) != *found ||
+		    (found[1] = name_beside(names, a, at, axis[1])) < 0 ||
+		    !can_be_typed(a))
 			continue;
-		found[1] = name_beside(names, a, at, axis[1]);
 		found[3] = name_beside(names, a, at, "w");
-		if (found[1] == NULL || !can_be_typed(a) ||
-		    (at > 0 && *axis[0] == 'x' && reads < 4 &&
-			found[3] != NULL))
+		if (at > 0 &&
+		    (name_beside(names, a, 0, "x") >= 0 ||
+			(axis == axes[0] && reads < 4 && found[3] >= 0)))
 			continue;
-		found[0] = a;
-		found[2] = NULL;
-		for (int i = 0; i < 2 * many && found[2] == NULL; i++)
+		found[2] = -1;
+		for (int i = 0; i < 2 * many && found[2] < 0; i++)
 			found[2] = name_beside(names, a, i < many ? at : 0,
 			    heights[i % many]);
 		return true;
@@ -252,25 +246,22 @@ static bool say_guess(const struct names *names, int reads,
     char reason[REASON_MAX])
 {
 	const size_t was = strlen(reason);
-	const char *found[4];
+	int n = 0, k = 0, found[4];
 	bool all = true;
-	int n = 0, k = 0;
 
 	while (guess_next(names, reads, &k, found)) {
 		say_more(reason, n++ == 0 ? "; say --columns " : " or ");
 		for (int i = 0; i < reads; i++) {
 			say_more(reason, "%s%s", i > 0 ? "," : "",
-			    found[i] != NULL ? found[i] : "NAME");
-			all &= found[i] != NULL;
+			    found[i] < 0 ? "NAME" : names->list[found[i]]);
+			all &= found[i] >= 0;
 		}
 	}
 	if (!all)
 		say_more(reason, ", where NAME is another column");
-	if (n > 2 || strlen(reason) == REASON_MAX - 1) {
+	if (n > 2 || strlen(reason) == REASON_MAX - 1)
 		reason[was] = '\0';
-		return false;
-	}
-	return n > 0;
+	return reason[was] != '\0';
 }
 
 /* Adds to the reason the names of the columns or members of the cut, and if one of them
@@ -290,8 +281,18 @@ static void say_names(const struct layout *l, struct cut c, const char *typed,
 	if (names.n > 0 && strncmp(names.list[0], "sep=", 4) == 0)
 		say_more(reason, "; leave this line out by tail -n +2");
 	const char *near = nearest_word(typed != NULL ? typed : "", names.list);
+	const size_t head = typed != NULL ? strcspn(typed, ".[") : 0;
 
-	if (typed != NULL && near != NULL) {
+	if (c.members && typed[head] != '\0' &&
+	    name_beside(&names, typed, head, "") >= 0) {
+		const char *s = escaped(shown, typed, strlen(typed));
+
+		say_more(reason, "; say /");
+		for (; *s != '\0'; s++)
+			if (*s != ']')
+				say_more(reason, "%c",
+				    strchr(".[", *s) != NULL ? '/' : *s);
+	} else if (typed != NULL && near != NULL) {
 		say_more(reason, "; did you mean '%s'?",
 		    escaped(shown, near, strlen(near)));
 	} else if (typed == NULL && !say_guess(&names, l->reads, reason)) {
@@ -307,7 +308,7 @@ static void say_names(const struct layout *l, struct cut c, const char *typed,
 	}
 	if (names.n > 0 || names.more)
 		say_more(reason, "%s it has ",
-		    near != NULL && typed ? "" : ";");
+		    reason[strlen(reason) - 1] == '?' ? "" : ";");
 	for (; i < names.n && strlen(reason) < room; i++)
 		say_more(reason, "%s%s", i > 0 ? ", " : "",
 		    escaped(shown, names.list[i], strlen(names.list[i])));
@@ -318,7 +319,6 @@ static void say_names(const struct layout *l, struct cut c, const char *typed,
 void say_missing(const struct layout *l, int i, struct cut cut,
     const struct chosen *c, char reason[REASON_MAX])
 {
-	const bool guess = cut.names && l->columns.by_header;
 	const char *name = cut.members || cut.names ? l->columns.name[i] : NULL;
 	char shown[ESCAPED_MAX];
 
@@ -339,8 +339,10 @@ void say_missing(const struct layout *l, int i, struct cut cut,
 		    shown,
 		    cut.names || l->columns.n > 0 ?
 			"" :
-			"; --columns names the coordinates");
-		say_names(l, cut, guess ? NULL : name, reason);
+			"; --columns names the coordinates, such as lon "
+			"or /pos/x");
+		say_names(l, cut,
+		    cut.names && l->columns.by_header ? NULL : name, reason);
 	} else if (cut.names) {
 		say_more(reason,
 		    "the header has two columns for %s, %ld and %ld; say with "
@@ -354,70 +356,66 @@ void say_missing(const struct layout *l, int i, struct cut cut,
 void say_comment(struct layout *l, struct span text)
 {
 	struct columns told = { 0 };
-	const char *found[4];
+	struct layout other = *l;
+	int k = 0, *field = other.columns.field;
 	struct names names;
-	int k = 0;
 
 	for (const char *s = text.s; s < text.end; s++)
 		if (strchr("#%!;:=", *s) != NULL)
 			text.s = s + 1;
 	names_of(cut_line((struct dialect){ FORMAT_TEXT, ' ' }, text), &names);
-	while (!names.more && guess_next(&names, l->reads, &k, found)) {
-		bool first = true;
-		int i = 0;
-
-		for (; i < l->reads && found[i] != NULL; i++) {
-			long at = (found[i] - names.name[0]) / COLUMN_ROOM;
-
-			first &= at == i;
-			if (told.n == 0)
-				told.field[i] = (int)at;
-		}
-		if (i == l->reads && first)
+	other.columns.n = names.n;
+	while (!names.more && guess_next(&names, l->reads, &k, field)) {
+		if (field[l->reads - 1] < 0 || (l->reads > 3 && field[2] < 0))
+			continue;
+		if (layout_is_first(&other))
 			return;
-		if (i == l->reads)
-			told.n = names.n;
+		if (told.n == 0)
+			told = other.columns;
 	}
 	if (told.n > 0)
 		l->told = told;
 }
 
-bool say_told(const struct layout *l, struct span row, char reason[REASON_MAX])
+bool say_elsewhere(const struct layout *l, struct span row,
+    char reason[REASON_MAX])
 {
+	const int *field = l->told.field;
 	struct cut c = cut_line(l->in, row);
+	bool numbers = l->told.n > 0;
 	struct field f;
 	int n = 0;
+	double v;
 
 	for (; cut_next(&c, &f); n++)
-		for (int i = 0; i < l->reads; i++) {
-			double v;
-
-			if (n == l->told.field[i] &&
-			    format_number(l->in, f.value.s, f.value.end, &v) !=
-				f.value.end)
-				return false;
-		}
-	if (l->told.n == 0 || l->told.n != n)
+		for (int i = 0; i < l->reads; i++)
+			numbers &= n != field[i] ||
+			    format_number(l->in, f.value.s, f.value.end, &v) ==
+				f.value.end;
+	if (!l->moved && (!numbers || n != l->told.n))
 		return false;
-	strcpy(reason, "the comment above names other columns");
-	for (int i = 0; i < l->reads; i++)
+	strcpy(reason,
+	    l->moved ?
+		"lacks the header of a file before; say --columns by number" :
+		"the comment above names other columns");
+	for (int i = 0; i < l->reads && !l->moved; i++)
 		say_more(reason, "%s%d", i > 0 ? "," : "; say --columns ",
-		    l->told.field[i] + 1);
+		    field[i] + 1);
 	return true;
 }
 
 void say_text_header(const struct layout *l, struct span line,
-    char reason[REASON_MAX])
+    const struct chosen *c, char reason[REASON_MAX])
 {
 	const struct separator *other = find_separator(l, line, true);
-	struct cut c = cut_line(l->in, line);
-	struct field f;
 
-	for (int i = 0; i < l->reads && cut_next(&c, &f); i++) {
+	for (int i = 0; i < l->reads; i++) {
+		struct span f = c->field[i].value;
 		double v;
 
-		if (format_number(l->in, f.value.s, f.value.end, &v) != NULL ||
-		    (i == 0 && (*f.value.s == '[' || *f.value.s == '{')))
+		if (c->times[i] > 0 &&
+		    (*f.s == '[' || *f.s == '{' ||
+			format_number(l->in, f.s, f.end, &v) != NULL))
 			return;
 	}
 	snprintf(reason, REASON_MAX,

@@ -49,18 +49,12 @@ char *line_put_rare(const struct layout *l, int k, double v, char *out)
 			   number_write(out, v, l->style[k]);
 }
 
-/* Copies s up to end. Returns where the copy ends. */
-static char *splice_text(char *out, const char *s, const char *end)
-{
-	memcpy(out, s, (size_t)(end - s));
-	return out + (end - s);
-}
-
 /* Copies the line from done up to s. */
 static void splice_to(struct splice *w, const char *s)
 {
 	if (s > w->done) {
-		w->out = splice_text(w->out, w->done, s);
+		memcpy(w->out, w->done, (size_t)(s - w->done));
+		w->out += s - w->done;
 		w->done = s;
 	}
 }
@@ -339,11 +333,10 @@ static void put_rest(struct splice *w)
 		cut_behind(&c, line_at(line, l->reads - 1).end);
 		if (in->blanks && to->blanks && l->columns.n == 0 &&
 		    c.s != NULL) {
-			struct span rest = { c.s, c.end };
-
-			*out = ' ';
-			w->out = splice_text(out + 1, rest.s,
-			    trimmed(l->in, rest).end);
+			*w->out++ = ' ';
+			w->done = c.s;
+			splice_to(w,
+			    trimmed(l->in, (struct span){ c.s, c.end }).end);
 			return;
 		}
 	} else {
