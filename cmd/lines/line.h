@@ -4,8 +4,8 @@
  *
  * Most lines are simple, and walk.c finds the numbers of many of them at once. Every
  * other line goes to line_read in read.c, which alone decides what a legal line is:
- * struct cut (cut.c) is a cursor over the fields of the line, choose.c finds the
- * coordinates among these fields, and say.c writes what is wrong. The first line of csv
+ * struct cut is a cursor over the fields of the line, choose.c finds the coordinates
+ * among these fields, and say.c writes what is wrong. The first line of csv
  * may be a header (header.c), which names the fields.
  *
  * in_place.h writes a line of which numbers alone change. Every other line goes to
@@ -295,10 +295,11 @@ void say_missing(const struct layout *, int i, struct cut,
  * not its first words. */
 void say_comment(struct layout *, struct span text);
 
-/* Returns whether the coordinates of a first row without a header do not stand first,
- * by the header of a file before, or by a comment above that has as many words as the
- * row has fields and names numbers of the row; writes the reason. */
-bool say_elsewhere(const struct layout *, struct span row,
+/* Returns whether a first row can't be read without a header: the row is lost and the
+ * columns have names; or the coordinates do not stand first by the header of a file
+ * before, or by a comment above that has as many words as the row has fields and names
+ * numbers of the row. Writes the reason; a lost row has one. */
+bool say_headless(const struct layout *, struct span row, bool lost,
     char reason[REASON_MAX]);
 
 /* Writes that the first line of text looks like a header, if none of its first fields

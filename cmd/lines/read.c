@@ -137,18 +137,6 @@ static void read_fields(struct layout *l, struct span text, enum first first,
 		say_text_header(l, text, &c, reason);
 }
 
-/* Returns whether a first row can't be read as there is no header above it: the columns
- * have names, or other sources or comments say that they stand elsewhere. Writes the
- * reason; a lost row has one. */
-static bool lacks_header(const struct layout *l, struct span row,
-    enum line_kind kind, char reason[REASON_MAX])
-{
-	if (l->columns.by_header)
-		return l->header == HEADER_MAYBE &&
-		    say_elsewhere(l, row, reason);
-	return kind == LINE_LOST && header_is_named(l);
-}
-
 void line_read(struct layout *l, struct span text, enum first *first,
     struct line *line, double v[4], char reason[REASON_MAX])
 {
@@ -184,6 +172,6 @@ void line_read(struct layout *l, struct span text, enum first *first,
 	*first = line->kind == LINE_HEADER ? FIRST_ROW : FIRST_IS_READ;
 	if (was == FIRST_LINE && *in->open == '\0' && *first != FIRST_ROW &&
 	    line->kind != LINE_REFUSED &&
-	    lacks_header(l, text, line->kind, reason))
+	    say_headless(l, text, line->kind == LINE_LOST, reason))
 		line->kind = LINE_REFUSED;
 }

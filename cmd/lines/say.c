@@ -77,20 +77,14 @@ static void say_separator(const struct layout *l, const struct separator *other,
 static void say_right(const struct layout *l, int i, struct span f,
     char reason[REASON_MAX])
 {
-	const struct format_row *in = format_of(l->in);
+	const bool json = *format_of(l->in)->open != '\0';
 	double v;
 	const char *after = number_read(f.s, f.end, &v);
-	const struct separator *other = find_separator(l, f,
-	    in->header && after != NULL);
+	const struct separator *other = json ?
+	    NULL :
+	    find_separator(l, f, format_of(l->in)->header && after != NULL);
 
-	if (*in->open != '\0')
-		say_more(reason, "; a number is wanted%s",
-		    after != NULL ?
-			", as JSON writes it" :
-			*f.s == '[' || *f.s == '{' ?
-			"; one array or object a line: jq -c '.[]'" :
-			"");
-	else if (other != NULL && other->c == ',' &&
+	if (other != NULL && other->c == ',' &&
 	    number_read(after + 1, f.end, &v) == f.end)
 		say_more(reason, "; a decimal point is a point: 1.5");
 	else if (f.end - f.s > 2 && memcmp(f.s, "---", 3) == 0)
@@ -103,9 +97,13 @@ static void say_right(const struct layout *l, int i, struct span f,
 		say_separator(l, other, reason);
 	else
 		say_more(reason, "; a number is wanted%s",
-		    after != NULL ?
+		    after != NULL && json ?
+			", as JSON writes it" :
+			after != NULL ?
 			", and nothing else in the field" :
-			l->columns.n == 0 && i == 0 ?
+			*f.s == '[' || *f.s == '{' ?
+			"; one array or object a line: jq -c '.[]'" :
+			!json && l->columns.n == 0 && i == 0 ?
 			"; --columns says which fields the coordinates are" :
 			"");
 }
@@ -377,7 +375,7 @@ void say_comment(struct layout *l, struct span text)
 		l->told = told;
 }
 
-bool say_elsewhere(const struct layout *l, struct span row,
+bool say_headless(const struct layout *l, struct span row, bool lost,
     char reason[REASON_MAX])
 {
 	const int *field = l->told.field;
@@ -387,6 +385,10 @@ bool say_elsewhere(const struct layout *l, struct span row,
 	int n = 0;
 	double v;
 
+	if (!l->columns.by_header)
+		return lost && header_is_named(l);
+	if (l->header != HEADER_MAYBE)
+		return false;
 	for (; cut_next(&c, &f); n++)
 		for (int i = 0; i < l->reads; i++)
 			numbers &= n != field[i] ||

@@ -175,14 +175,12 @@ static void splice_out(struct splice *w, const struct field *f)
 static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 {
 	struct field f;
-	int found = 0;
 
 	while (cut_next(&c, &f)) {
 		int k = value_of(w, &f, outer);
 
 		if (k >= 0 && (w->due >> k & 1) == 0) {
 			splice_out(w, &f);
-			found++;
 			continue;
 		}
 		w->fields += outer;
@@ -208,8 +206,6 @@ static void splice_fields(struct splice *w, struct cut c, bool outer, int last)
 			splice_to(w, trimmed(c.in, f.whole).end);
 			put_others(w, w->l->reads, false);
 		}
-		if (outer && last >= 0 && ++found == w->l->reads)
-			return; /* the rest of the line is copied */
 	}
 	if (outer) {
 		splice_to(w, c.from != NULL ? c.from : c.bracket);
