@@ -22,8 +22,7 @@
 #include "formats.h"
 #include "../number/plain.h"
 
-/* The most numbers that are written for a point: a ray's position and direction. At
- * most four are read. */
+/* The most numbers written for a point: a ray's position and direction. */
 enum { COORDINATES_MAX = 6 };
 
 /* The room for the name of a number that is written. */
@@ -44,8 +43,7 @@ struct columns {
  * comment, the first row after a header, or none. */
 enum first { FIRST_IS_READ, FIRST_LINE, FIRST_ROW };
 
-/* Whether csv has a header: MAYBE is decided by the first line, FIRST is --header, NONE
- * is --no-header. */
+/* Whether csv has a header: FIRST by --header, NONE by --no-header, else MAYBE. */
 enum header { HEADER_MAYBE, HEADER_FIRST, HEADER_NONE };
 
 /* The formats of points, and the numbers that are read and written. */
@@ -62,8 +60,8 @@ struct layout {
 	size_t fields; /* of the header; 0: there is none */
 	size_t most;   /* the most fields of a row of csv; 0: any number */
 	bool moved; /* the last header has coordinates elsewhere than first */
-	struct columns
-	    told;   /* by a comment above the first row; n: its words */
+	/* by a comment above the first row; n is the number of its names */
+	struct columns told;
 	int record; /* numbers in a binary record; 0: the coordinates alone */
 	bool keeps; /* binary records are copied whole, beside the image */
 	const char *two; /* a hint for points of two numbers; or NULL */
@@ -188,8 +186,7 @@ void line_read(struct layout *, struct span text, enum first *, struct line *,
  * format's word for an unknown number. Returns the end of the text. */
 char *line_put_rare(const struct layout *, int k, double v, char *out);
 
-/* Returns the most bytes that line_write may touch for a number of lines that have a
- * number of bytes in all. */
+/* Returns the most bytes that line_write may touch for lines of so many bytes in all. */
 size_t lines_room(const struct layout *, size_t lines, size_t bytes);
 
 /* Writes the line with the numbers in the place of its coordinates, or by --append
@@ -211,8 +208,7 @@ char *line_rest(const struct layout *, const struct line *, char *out);
  * with an array or object. */
 struct cut cut_line(struct dialect, struct span line);
 
-/* Returns a cut before the first element or member of a JSON value; end is that of the
- * line. */
+/* Returns a cut before the first element or member of a JSON value; the line has end. */
 struct cut cut_value(struct span value, const char *end);
 
 /* Sets the next field and moves behind it. Returns false after the last field. */
@@ -273,10 +269,6 @@ bool header_is_named(const struct layout *);
 
 /* Returns a cut before the first name of a header without a byte order mark. */
 struct cut header_cut(struct dialect, struct span text);
-
-/* Returns whether v, coordinate i, is nan or at most MAGNITUDE_MAX in magnitude; writes
- * the reason if not. */
-bool say_range(const struct layout *, int i, double v, char reason[REASON_MAX]);
 
 /* Writes why the field f cannot be coordinate i; if f is empty, that it is missing. */
 void say_field(const struct layout *, int i, struct span f,

@@ -1,8 +1,24 @@
 /* SPDX-License-Identifier: MIT */
+#include <math.h>
 #include <stdio.h>
 
+#include "../../core/scene/scene.h"
 #include "line.h"
 #include "../message/utf8.h"
+
+/* Returns whether v, coordinate i, is nan or at most MAGNITUDE_MAX in magnitude; writes
+ * the reason if not. */
+static bool in_range(const struct layout *l, int i, double v,
+    char reason[REASON_MAX])
+{
+	if (!(fabs(v) > MAGNITUDE_MAX))
+		return true;
+	snprintf(reason, REASON_MAX,
+	    isinf(v) ? "%s is infinite; a number up to 1e150 is wanted, or %s" :
+		       "%s is beyond 1e150 in magnitude; choose another unit",
+	    coordinate_name(i), format_of(l->in)->unknown);
+	return false;
+}
 
 /* Reads the numbers v of the coordinates. Returns false, with the reason, at the first
  * that is not a number within the range. */
@@ -21,7 +37,7 @@ static bool read_coordinates(const struct layout *l, struct cut cut,
 			    format_of(l->in)->header ? f->whole : f->value,
 			    reason);
 		else if (!say_blanks(l, f, reason) &&
-		    say_range(l, i, v[i], reason))
+		    in_range(l, i, v[i], reason))
 			continue;
 		return false;
 	}

@@ -1,24 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "line.h"
 
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <strings.h>
 
-#include "../../core/scene/scene.h"
 #include "../message/utf8.h"
-
-bool say_range(const struct layout *l, int i, double v, char reason[REASON_MAX])
-{
-	if (!(fabs(v) > MAGNITUDE_MAX))
-		return true;
-	snprintf(reason, REASON_MAX,
-	    isinf(v) ? "%s is infinite; a number up to 1e150 is wanted, or %s" :
-		       "%s is beyond 1e150 in magnitude; choose another unit",
-	    coordinate_name(i), format_of(l->in)->unknown);
-	return false;
-}
 
 /* Appends to the reason; what has no room is cut. */
 static void __attribute__((format(printf, 2, 3)))
