@@ -167,6 +167,16 @@ static inline bool layout_is_first(const struct layout *l)
 	return i == l->reads;
 }
 
+/* Returns whether any coordinate is found by the name of its column or member. */
+static inline bool layout_is_named(const struct layout *l)
+{
+	int i = 0;
+
+	while (i < l->reads && l->columns.name[i] == NULL)
+		i++;
+	return i < l->reads;
+}
+
 /* Returns the name of coordinate i: x, y, z or w. */
 static inline const char *coordinate_name(int i)
 {
@@ -263,9 +273,6 @@ bool header_read(struct layout *, struct span text, struct line *,
  * the header, so that each name is one column too far to the left. */
 bool header_is_short(struct layout *, struct cut row, enum first,
     char reason[REASON_MAX]);
-
-/* Returns whether any coordinate is found by the name of its column. */
-bool header_is_named(const struct layout *);
 
 /* Returns a cut before the first name of a header without a byte order mark. */
 struct cut header_cut(struct dialect, struct span text);

@@ -373,7 +373,7 @@ bool say_headless(const struct layout *l, struct span row, bool lost,
 	double v;
 
 	if (!l->columns.by_header)
-		return lost && header_is_named(l);
+		return lost && layout_is_named(l);
 	if (l->header != HEADER_MAYBE)
 		return false;
 	for (; cut_next(&c, &f); n++)
