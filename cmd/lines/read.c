@@ -178,7 +178,7 @@ void line_read(struct layout *l, struct span text, enum first *first,
 			say_comment(l, text);
 		return;
 	} else if (was == FIRST_LINE && in->header &&
-	    (*s == '{' || (*s == '[' && s[1] == '{'))) {
+	    (*s == '{' || (text.end - s > 1 && memcmp(s, "[{", 2) == 0))) {
 		line->kind = LINE_LOST;
 		say_field(l, 0, (struct span){ s, text.end }, reason);
 	} else if (was != FIRST_LINE || !in->header ||

@@ -402,7 +402,7 @@ void say_text_header(const struct layout *l, struct span line,
 		struct span f = c->field[i].value;
 		double v;
 
-		if (c->times[i] > 0 &&
+		if (c->times[i] > 0 && f.s < f.end &&
 		    (*f.s == '[' || *f.s == '{' ||
 			format_number(l->in, f.s, f.end, &v) != NULL))
 			return;
